@@ -1,0 +1,200 @@
+//! The bounding volume hierarchy of the ray tracer.
+//!
+//! An inner node holds the boxes of both children, so that one visit decides on both (Aila & Laine 2009,
+//! "Understanding the efficiency of ray traversal on GPUs"). Inner nodes and leaves are numbered apart, each in
+//! depth-first order: a left child that is an inner node follows its parent. Triangles lie in the order of the
+//! leaves.
+
+mod build;
+mod validate;
+
+pub use build::{BuildError, SahOptions};
+pub use validate::{BvhError, validate};
+
+use glam::Vec3;
+
+use crate::geom::{Aabb, Triangle};
+use crate::order::Side;
+use crate::tree::{Node, Topology};
+
+/// A binary bounding volume hierarchy over the triangles of a mesh, with a copy of their corners.
+///
+/// ```
+/// use glam::Vec3;
+/// use stackless_bvh::{bvh::{self, Bvh, SahOptions}, scene::Mesh};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
+/// let bvh = Bvh::sah(&mesh, SahOptions::default())?;
+/// bvh::validate(&bvh, &mesh)?;
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Debug)]
+pub struct Bvh {
+    root: Node,
+    depth: u32,
+    bounds: Aabb,
+    nodes: Vec<BvhNode>,
+    leaves: Vec<Leaf>,
+    triangles: Vec<LeafTriangle>,
+}
+
+/// An inner node: 64 bytes, one cache line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C, align(64))]
+pub struct BvhNode {
+    /// For each axis: lo and hi of the left child, lo and hi of the right child.
+    pub planes: [[f32; 4]; 3],
+    /// Left and right child.
+    pub children: [Node; 2],
+    /// Axis (0, 1, 2) along which the node was split; the left child holds the smaller centroids.
+    pub axis: u32,
+    /// Unused, 0.
+    pub spare: u32,
+}
+
+/// A leaf: a range of [`Bvh::triangles`], never empty.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
+pub struct Leaf {
+    /// Index of the first triangle.
+    pub first: u32,
+    /// Number of triangles.
+    pub count: u32,
+}
+
+/// A triangle as a leaf holds it.
+///
+/// Corners and not edges: the test of the triangle's own box, which its answer rests on, needs them exactly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct LeafTriangle {
+    /// Corners, as in the mesh.
+    pub triangle: Triangle,
+    /// Index of the triangle in the mesh.
+    pub prim: u32,
+}
+
+impl Bvh {
+    /// Box of all triangles.
+    pub fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    /// Inner nodes, by [`Node::index`].
+    pub fn nodes(&self) -> &[BvhNode] {
+        &self.nodes
+    }
+
+    /// Leaves, by [`Node::index`].
+    pub fn leaves(&self) -> &[Leaf] {
+        &self.leaves
+    }
+
+    /// All triangles, in the order of the leaves.
+    pub fn triangles(&self) -> &[LeafTriangle] {
+        &self.triangles
+    }
+
+    /// The inner node at index `i`, which must be one.
+    #[inline]
+    pub fn node(&self, i: usize) -> &BvhNode {
+        &self.nodes[i]
+    }
+
+    /// Triangles of a leaf, which must be one of this tree.
+    #[inline]
+    pub fn leaf_triangles(&self, leaf: Node) -> &[LeafTriangle] {
+        let Leaf { first, count } = self.leaves[leaf.index()];
+        &self.triangles[first as usize..][..count as usize]
+    }
+
+    /// Split axis of each inner node, for [`SignOrder`](crate::order::SignOrder).
+    pub fn axes(&self) -> Vec<u8> {
+        self.nodes.iter().map(|node| node.axis as u8).collect()
+    }
+
+    /// Each node's own box, by [`slot`](Topology::slot): the numbers that the parent's record holds, and
+    /// [`bounds`](Self::bounds) for the root.
+    pub fn own_boxes(&self) -> Vec<Aabb> {
+        let mut boxes = vec![self.bounds; self.node_count()];
+        for node in &self.nodes {
+            for side in [Side::Left, Side::Right] {
+                boxes[self.slot(node.children[side.index()])] = node.child_box(side);
+            }
+        }
+        boxes
+    }
+
+    /// Memory of nodes, leaves and triangles, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.nodes) + size_of_val(&*self.leaves) + size_of_val(&*self.triangles)
+    }
+
+    /// Makes all boxes the smallest ones that nest.
+    fn fit(&mut self) {
+        // Children come after their parents, so that one sweep from the back has their boxes ready.
+        let mut boxes = vec![Aabb::EMPTY; self.nodes.len()];
+        for i in (0..self.nodes.len()).rev() {
+            for side in [Side::Left, Side::Right] {
+                let child = self.nodes[i].children[side.index()];
+                let aabb = if child.is_leaf() { self.leaf_box(child) } else { boxes[child.index()] };
+                self.nodes[i].set_child_box(side, &aabb);
+                boxes[i] = boxes[i].union(aabb);
+            }
+        }
+        self.bounds = if self.root.is_leaf() { self.leaf_box(self.root) } else { boxes[self.root.index()] };
+    }
+
+    fn leaf_box(&self, leaf: Node) -> Aabb {
+        let boxes = self.leaf_triangles(leaf).iter().map(|t| t.triangle.aabb());
+        boxes.fold(Aabb::EMPTY, Aabb::union)
+    }
+}
+
+impl Topology for Bvh {
+    #[inline]
+    fn root(&self) -> Node {
+        self.root
+    }
+
+    #[inline]
+    fn children(&self, node: Node) -> [Node; 2] {
+        self.nodes[node.index()].children
+    }
+
+    #[inline]
+    fn node_count(&self) -> usize {
+        self.nodes.len() + self.leaves.len()
+    }
+
+    #[inline]
+    fn slot(&self, node: Node) -> usize {
+        if node.is_leaf() { self.nodes.len() + node.index() } else { node.index() }
+    }
+
+    #[inline]
+    fn depth(&self) -> u32 {
+        self.depth
+    }
+}
+
+impl BvhNode {
+    /// Box of a child.
+    #[inline]
+    pub fn child_box(&self, side: Side) -> Aabb {
+        let at = |plane: usize| Vec3::from_array(self.planes.map(|axis| axis[2 * side.index() + plane]));
+        Aabb { lo: at(0), hi: at(1) }
+    }
+
+    fn set_child_box(&mut self, side: Side, aabb: &Aabb) {
+        for (axis, planes) in self.planes.iter_mut().enumerate() {
+            planes[2 * side.index()] = aabb.lo[axis];
+            planes[2 * side.index() + 1] = aabb.hi[axis];
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

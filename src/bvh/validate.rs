@@ -1,0 +1,166 @@
+//! Whether a hierarchy is sound.
+
+use super::{Bvh, Leaf};
+use crate::geom::{Aabb, Triangle};
+use crate::order::Side;
+use crate::scene::Mesh;
+use crate::tree::{Node, Topology};
+
+/// What is wrong with a hierarchy, and where.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum BvhError {
+    /// Inner nodes and leaves are not numbered in depth-first order, or a node is reached twice.
+    #[error("{found:?} stands where depth-first order wants index {expected}")]
+    Order {
+        /// Address that was found.
+        found: Node,
+        /// Index that was to come next.
+        expected: usize,
+    },
+    /// A node or leaf is not reached from the root.
+    #[error("{0:?} is not reached from the root")]
+    Unreached(Node),
+    /// A split axis is not 0, 1 or 2.
+    #[error("{node:?} is split on axis {axis}")]
+    Axis {
+        /// The inner node.
+        node: Node,
+        /// What it holds.
+        axis: u32,
+    },
+    /// A child's box sticks out of its parent's own box.
+    #[error("the box of {0:?} is not inside its parent's")]
+    Nesting(Node),
+    /// A triangle sticks out of its leaf's box.
+    #[error("triangle {prim} is not inside the box of {leaf:?}")]
+    Outside {
+        /// The leaf.
+        leaf: Node,
+        /// Index in the mesh.
+        prim: u32,
+    },
+    /// A leaf is empty, or does not start where the leaf before it ends; or the last one does not end with the
+    /// triangles.
+    #[error("{0:?} does not hold the next range of triangles")]
+    Range(Node),
+    /// A leaf's triangle is not one of the mesh, or has other corners.
+    #[error("triangle {prim} in {leaf:?} is not that of the mesh")]
+    Triangle {
+        /// The leaf.
+        leaf: Node,
+        /// Index in the mesh.
+        prim: u32,
+    },
+    /// Two leaves hold the same triangle.
+    #[error("triangle {prim} is there again in {leaf:?}")]
+    Twice {
+        /// The second leaf.
+        leaf: Node,
+        /// Index in the mesh.
+        prim: u32,
+    },
+    /// A triangle of the mesh is in no leaf.
+    #[error("triangle {0} is in no leaf")]
+    Missing(u32),
+    /// The stored depth is not that of the deepest leaf.
+    #[error("the depth is {found}, not {stored}")]
+    Depth {
+        /// What the hierarchy says.
+        stored: u32,
+        /// Depth of its deepest leaf, in edges.
+        found: u32,
+    },
+}
+
+/// Checks that a hierarchy holds each triangle of the mesh once, in boxes that contain it and nest, with nodes and
+/// leaves in depth-first order, known split axes and the depth that it states.
+///
+/// # Errors
+/// The first fault in depth-first order.
+pub fn validate(bvh: &Bvh, mesh: &Mesh) -> Result<(), BvhError> {
+    let mut walk = Walk { bvh, mesh, seen: vec![false; mesh.triangles().len()], inner: 0, leaves: 0, end: 0 };
+    let mut depth = 0;
+    let mut pending = vec![(bvh.root, bvh.bounds, 0)];
+    while let Some((node, aabb, level)) = pending.pop() {
+        depth = depth.max(level);
+        if node.is_leaf() {
+            walk.leaf(node, &aabb)?;
+        } else {
+            let children = walk.inner(node, &aabb)?;
+            pending.extend(children.into_iter().rev().map(|(child, aabb)| (child, aabb, level + 1)));
+        }
+    }
+    walk.end()?;
+    if depth == bvh.depth() { Ok(()) } else { Err(BvhError::Depth { stored: bvh.depth(), found: depth }) }
+}
+
+/// How far the check has come.
+struct Walk<'a> {
+    bvh: &'a Bvh,
+    mesh: &'a Mesh,
+    seen: Vec<bool>,
+    inner: usize,
+    leaves: usize,
+    end: usize,
+}
+
+impl Walk<'_> {
+    fn inner(&mut self, node: Node, aabb: &Aabb) -> Result<[(Node, Aabb); 2], BvhError> {
+        // An index that is always the next one is reached once, so the walk ends.
+        let record = match self.bvh.nodes.get(node.index()) {
+            Some(record) if node.index() == self.inner => record,
+            _ => return Err(BvhError::Order { found: node, expected: self.inner }),
+        };
+        self.inner += 1;
+        if record.axis > 2 {
+            return Err(BvhError::Axis { node, axis: record.axis });
+        }
+        let children = [Side::Left, Side::Right].map(|s| (record.children[s.index()], record.child_box(s)));
+        match children.iter().find(|(_, child)| !aabb.encloses(child)) {
+            Some((child, _)) => Err(BvhError::Nesting(*child)),
+            None => Ok(children),
+        }
+    }
+
+    fn leaf(&mut self, leaf: Node, aabb: &Aabb) -> Result<(), BvhError> {
+        let Leaf { first, count } = match self.bvh.leaves.get(leaf.index()) {
+            Some(range) if leaf.index() == self.leaves => *range,
+            _ => return Err(BvhError::Order { found: leaf, expected: self.leaves }),
+        };
+        self.leaves += 1;
+        let end = first as usize + count as usize;
+        if first as usize != self.end || count == 0 || end > self.bvh.triangles.len() {
+            return Err(BvhError::Range(leaf));
+        }
+        self.end = end;
+        for held in self.bvh.leaf_triangles(leaf) {
+            let prim = held.prim;
+            match self.seen.get_mut(prim as usize) {
+                Some(seen) if held.triangle == Triangle(self.mesh.triangle(prim as usize)) => {
+                    if std::mem::replace(seen, true) {
+                        return Err(BvhError::Twice { leaf, prim });
+                    }
+                }
+                _ => return Err(BvhError::Triangle { leaf, prim }),
+            }
+            if !held.triangle.0.iter().all(|&corner| aabb.contains(corner)) {
+                return Err(BvhError::Outside { leaf, prim });
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether everything has been seen.
+    fn end(&self) -> Result<(), BvhError> {
+        if self.inner != self.bvh.nodes.len() {
+            return Err(BvhError::Unreached(Node::inner(self.inner as u32)));
+        }
+        if self.leaves != self.bvh.leaves.len() {
+            return Err(BvhError::Unreached(Node::leaf(self.leaves as u32)));
+        }
+        if self.end != self.bvh.triangles.len() {
+            return Err(BvhError::Range(Node::leaf(self.leaves as u32 - 1)));
+        }
+        self.seen.iter().position(|seen| !seen).map_or(Ok(()), |prim| Err(BvhError::Missing(prim as u32)))
+    }
+}

@@ -1,0 +1,45 @@
+//! Checking traversals against the oracle.
+//!
+//! A [`Case`] is a tree, a decision tape and a query. A [`Battery`] runs the oracle on it once and then any traversal
+//! in any word, comparing at every visit ([`Fault`] lists what can differ). Tests, the command line, fuzzing and
+//! benchmarks all drive this one body. [`shrink`] makes a failing case small, and a [`Replay`] file keeps it.
+
+mod battery;
+mod case;
+mod random;
+mod replay;
+mod scene;
+mod shrink;
+mod tally;
+mod watch;
+
+pub use battery::{Battery, Verdict};
+pub use case::{Case, CaseOptions};
+pub use random::{Disagreement, Plan, Progress, boundary_cases, check_cases, check_random, merge};
+pub use replay::{Replay, ReplayError};
+pub use scene::{SceneDisagreement, SceneTree, Seen, check_scene};
+pub use shrink::shrink;
+pub use tally::{Count, Tally};
+pub use watch::{Fault, Watch};
+
+use crate::key::{Grow, KeyWord};
+use crate::traverse::WordName;
+
+/// Something to do with a word that is known only when the program runs.
+pub trait WithWord {
+    /// What comes out.
+    type Output;
+
+    /// Does it with the word `W`.
+    fn call<W: KeyWord>(self) -> Self::Output;
+}
+
+/// Picks the type of a word by its name.
+pub fn with_word<F: WithWord>(word: WordName, f: F) -> F::Output {
+    match word {
+        WordName::U32 => f.call::<u32>(),
+        WordName::U64 => f.call::<u64>(),
+        WordName::U128 => f.call::<u128>(),
+        WordName::Grow => f.call::<Grow>(),
+    }
+}

@@ -1,0 +1,206 @@
+//! Families of trees.
+
+use alloc::vec;
+use alloc::vec::Vec;
+use core::fmt;
+use core::str::FromStr;
+
+use super::Source;
+use crate::traverse::UnknownName;
+use crate::tree::Tree;
+
+/// A kind of tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Family {
+    /// All shapes with the given number of leaves, equally likely (Rémy 1985).
+    Catalan,
+    /// Leaves split unevenly: one side gets about the ninth part.
+    Skew,
+    /// All leaves at one depth.
+    Complete,
+    /// One chain of inner nodes, each with a leaf beside the next, on either side.
+    Comb,
+    /// A chain of inner nodes, each with a short comb beside the next.
+    Caterpillar,
+    /// The subtrees of a node differ in depth by one: the sparsest balanced trees.
+    Fibonacci,
+}
+
+impl Family {
+    /// All families.
+    pub const ALL: [Self; 6] =
+        [Self::Catalan, Self::Skew, Self::Complete, Self::Comb, Self::Caterpillar, Self::Fibonacci];
+
+    /// The name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Catalan => "catalan",
+            Self::Skew => "skew",
+            Self::Complete => "complete",
+            Self::Comb => "comb",
+            Self::Caterpillar => "caterpillar",
+            Self::Fibonacci => "fibonacci",
+        }
+    }
+
+    /// The children of every node of a tree with about `leaves` leaves (at least 1), for [`Tree::new`].
+    ///
+    /// A comb has exactly that many, so it is `leaves - 1` deep. A complete or Fibonacci tree has the next number
+    /// below that its shape allows. Node 0 is the root.
+    pub fn children(self, source: &mut impl Source, leaves: u32) -> Vec<Option<[u32; 2]>> {
+        let leaves = leaves.max(1);
+        match self {
+            Self::Catalan => catalan(source, leaves),
+            Self::Skew => grow(leaves, |leaves| {
+                let few = 1 + source.below(u64::from(leaves.div_ceil(9).min(leaves - 1))) as u32;
+                if source.coin() { leaves - few } else { few }
+            }),
+            Self::Complete => grow(1 << leaves.ilog2(), |leaves| leaves / 2),
+            Self::Comb => grow(leaves, |leaves| if source.coin() { leaves - 1 } else { 1 }),
+            Self::Caterpillar => {
+                let mut body = leaves;
+                grow(leaves, |leaves| {
+                    // The body is the one subtree that is not yet a side comb; a comb splits off single leaves.
+                    let few = if leaves == body { 1 + source.below(4.min(u64::from(leaves) - 1)) as u32 } else { 1 };
+                    if leaves == body {
+                        body -= few;
+                    }
+                    if source.coin() { leaves - few } else { few }
+                })
+            }
+            Self::Fibonacci => {
+                let (mut small, mut large) = (1, 1);
+                while large + small <= leaves {
+                    (small, large) = (large, large + small);
+                }
+                grow(large, fibonacci_split)
+            }
+        }
+    }
+
+    /// Such a tree, validated.
+    pub fn tree(self, source: &mut impl Source, leaves: u32) -> Tree {
+        Tree::from_generated(&self.children(source, leaves))
+    }
+}
+
+impl fmt::Display for Family {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl FromStr for Family {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        Self::ALL.into_iter().find(|family| family.name() == name).ok_or(UnknownName)
+    }
+}
+
+/// Any shape with `leaves` leaves, by how many of them go left at each node: with the enumerating source, every shape
+/// exactly once.
+pub fn shape(source: &mut impl Source, leaves: u32) -> Vec<Option<[u32; 2]>> {
+    grow(leaves.max(1), |leaves| 1 + source.below(u64::from(leaves) - 1) as u32)
+}
+
+/// A tree from the number of leaves on the left of each inner node, without recursion.
+fn grow(leaves: u32, mut left_leaves: impl FnMut(u32) -> u32) -> Vec<Option<[u32; 2]>> {
+    let mut children = vec![None];
+    let mut pending = vec![(0_usize, leaves)];
+    while let Some((node, leaves)) = pending.pop() {
+        if leaves > 1 {
+            let left = left_leaves(leaves);
+            let next = children.len() as u32;
+            children[node] = Some([next, next + 1]);
+            children.extend([None, None]);
+            pending.extend([(next as usize + 1, leaves - left), (next as usize, left)]);
+        }
+    }
+    children
+}
+
+/// Leaves on the left where `leaves` is a Fibonacci number: the larger of the two before it.
+fn fibonacci_split(leaves: u32) -> u32 {
+    let (mut small, mut large) = (1, 1);
+    while large + small < leaves {
+        (small, large) = (large, large + small);
+    }
+    large
+}
+
+/// Rémy's algorithm: put a new inner node with a new leaf on any edge, on either side, until there are enough.
+fn catalan(source: &mut impl Source, leaves: u32) -> Vec<Option<[u32; 2]>> {
+    let mut children: Vec<Option<[u32; 2]>> = vec![None];
+    for _ in 1..leaves {
+        // The chosen node moves to a new place; a node with it and a new leaf takes its place, so that the root
+        // stays node 0 and no parent needs to know.
+        let chosen = source.below(children.len() as u64) as usize;
+        let moved = children.len() as u32;
+        let pair = if source.coin() { [moved + 1, moved] } else { [moved, moved + 1] };
+        let subtree = children[chosen].replace(pair);
+        children.extend([subtree, None]);
+    }
+    children
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generate::{Exhaustive, Rng};
+    use crate::tree::Topology;
+
+    #[test]
+    fn every_shape_appears_once() {
+        for (leaves, catalan_number) in [(1, 1), (2, 1), (3, 2), (4, 5), (5, 14), (6, 42), (7, 132)] {
+            let (mut all, mut shapes) = (Exhaustive::new(), Vec::new());
+            while all.next_case() {
+                shapes.push(shape(&mut all, leaves));
+            }
+            shapes.sort();
+            shapes.dedup();
+            assert_eq!(shapes.len(), catalan_number);
+        }
+    }
+
+    #[test]
+    fn families_have_their_leaves_and_depth() {
+        let mut rng = Rng::new(3);
+        for family in Family::ALL {
+            for leaves in [1, 2, 3, 5, 8, 13, 32, 100] {
+                let tree = Tree::new(&family.children(&mut rng, leaves)).unwrap();
+                let count = tree.node_count() as u32 / 2 + 1;
+                match family {
+                    Family::Complete => assert_eq!(count, 1 << tree.depth()),
+                    Family::Comb => assert_eq!((count, tree.depth()), (leaves, leaves - 1)),
+                    Family::Fibonacci => assert!(count <= leaves && 2 * count > leaves),
+                    Family::Caterpillar => assert!(count == leaves && tree.depth() >= leaves / 5),
+                    Family::Catalan | Family::Skew => assert_eq!(count, leaves),
+                }
+            }
+        }
+        assert_eq!(Tree::new(&Family::Comb.children(&mut rng, 100_001)).unwrap().depth(), 100_000);
+    }
+
+    #[test]
+    fn catalan_shapes_are_equally_likely() {
+        let mut counts = alloc::collections::BTreeMap::<Vec<u32>, u32>::new();
+        let mut rng = Rng::new(11);
+        for _ in 0..14_000 {
+            let tree = Tree::new(&Family::Catalan.children(&mut rng, 5)).unwrap();
+            // The depths of the leaves from left to right tell shapes apart.
+            let (mut depths, mut pending) = (Vec::new(), vec![(tree.root(), 0)]);
+            while let Some((node, depth)) = pending.pop() {
+                if node.is_leaf() {
+                    depths.push(depth);
+                } else {
+                    let [left, right] = tree.children(node);
+                    pending.extend([(right, depth + 1), (left, depth + 1)]);
+                }
+            }
+            *counts.entry(depths).or_default() += 1;
+        }
+        assert_eq!(counts.len(), 14);
+        assert!(counts.values().all(|n| (850..1150).contains(n)), "{counts:?}");
+    }
+}

@@ -1,0 +1,318 @@
+//! Decision tapes: what a search decides at each node, without geometry and without floats.
+//!
+//! A tape is a small scene: each node is entered at an integer distance, or missed, and a leaf may be hit at a
+//! distance. A [`Search`] over it is a closest-hit or any-hit query, in the form that tests children at their parent
+//! and in the form that tests nodes at their visit. A hit shortens the search, so that later decisions change.
+
+use alloc::vec;
+use alloc::vec::Vec;
+use core::fmt;
+use core::str::FromStr;
+
+use super::{Rng, Source};
+use crate::hash::mix;
+use crate::order::{Descent, Flow, NodeTest, Visitor};
+use crate::traverse::UnknownName;
+use crate::tree::{Node, Topology};
+
+/// A kind of tape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// Every child is missed or wanted, and preferred or not, at random.
+    Random,
+    /// Every node is wanted.
+    AllHit,
+    /// Every child is missed.
+    NoneHit,
+    /// Exactly one child of each node is wanted.
+    OnlyOne,
+    /// Every node is wanted, left and right first by turns from level to level.
+    Alternating,
+    /// Nodes have distances, the nearer child comes first, hits shorten the search.
+    Shrinking,
+    /// One of the five decisions for each node that is reached, and no hits: what an enumeration needs. Sign order
+    /// under the octant 2 (binary 010) is the tape's own order.
+    Script,
+}
+
+impl Kind {
+    /// All kinds.
+    pub const ALL: [Self; 7] =
+        [Self::Random, Self::AllHit, Self::NoneHit, Self::OnlyOne, Self::Alternating, Self::Shrinking, Self::Script];
+
+    /// The name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Random => "random",
+            Self::AllHit => "all-hit",
+            Self::NoneHit => "none-hit",
+            Self::OnlyOne => "only-one",
+            Self::Alternating => "alternating",
+            Self::Shrinking => "shrinking",
+            Self::Script => "script",
+        }
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl FromStr for Kind {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name).ok_or(UnknownName)
+    }
+}
+
+/// What a tape says of one node.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "std", derive(serde::Serialize, serde::Deserialize))]
+pub struct Cell {
+    /// The node is missed: nothing below it is seen.
+    #[cfg_attr(feature = "std", serde(default))]
+    pub miss: bool,
+    /// Distance at which it is entered, at least its parent's.
+    #[cfg_attr(feature = "std", serde(default))]
+    pub enter: u32,
+    /// Of an inner node: the right child comes first where both are entered at the same distance.
+    #[cfg_attr(feature = "std", serde(default))]
+    pub right_first: bool,
+    /// Of an inner node: the axis (0, 1, 2) whose sign orders its children, for traversals of fixed order.
+    #[cfg_attr(feature = "std", serde(default))]
+    pub axis: u8,
+    /// Of a leaf: distance at which it is hit, at least that of its entry.
+    #[cfg_attr(feature = "std", serde(default))]
+    pub hit: Option<u32>,
+}
+
+/// A decision tape for one tree: a [`Cell`] for each node, by slot.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Tape {
+    cells: Vec<Cell>,
+    axes: Vec<u8>,
+}
+
+impl Tape {
+    /// A tape whose cells are drawn one after the other, parents before children, left before right.
+    pub fn draw(source: &mut impl Source, tree: &impl Topology, kind: Kind) -> Self {
+        Self::fill(tree, |_| (), |(), _| (), |(), parent, depth| draw_inner(source, kind, parent, depth))
+    }
+
+    /// The tape of a seed: the cells of a node's children are a function of the seed and the node's key alone, so
+    /// that any language can make the same tape.
+    ///
+    /// The generator for node `k` is `SplitMix64` seeded with `h(k)`: `h(1) = mix(seed)` and
+    /// `h(2k + b) = mix(h(k) ^ (b + 1))`.
+    pub fn hashed(seed: u64, tree: &impl Topology, kind: Kind) -> Self {
+        Self::fill(
+            tree,
+            |_| mix(seed),
+            |hash, right| mix(hash ^ (u64::from(right) + 1)),
+            |hash, parent, depth| draw_inner(&mut Rng::new(hash), kind, parent, depth),
+        )
+    }
+
+    /// A tape with these cells, by slot.
+    ///
+    /// `None` if there is not one for each node, a child is entered before its parent, a leaf is hit before it is
+    /// entered, the root is missed or not entered at 0, or an axis is not 0, 1 or 2.
+    pub fn from_cells(tree: &impl Topology, cells: Vec<Cell>) -> Option<Self> {
+        let root = tree.slot(tree.root());
+        if cells.len() != tree.node_count() || cells[root].miss || cells[root].enter != 0 {
+            return None;
+        }
+        let mut pending = vec![tree.root()];
+        while let Some(node) = pending.pop() {
+            let cell = cells[tree.slot(node)];
+            if node.is_leaf() {
+                if cell.hit.is_some_and(|hit| hit < cell.enter) {
+                    return None;
+                }
+                continue;
+            }
+            let children = tree.children(node);
+            if cell.axis > 2 || children.iter().any(|&child| cells[tree.slot(child)].enter < cell.enter) {
+                return None;
+            }
+            pending.extend(children);
+        }
+        Some(Self::new(tree, cells))
+    }
+
+    /// The cells, by slot.
+    pub fn cells(&self) -> &[Cell] {
+        &self.cells
+    }
+
+    /// The axes, by index of the inner node, for [`SignOrder`](crate::order::SignOrder).
+    pub fn axes(&self) -> &[u8] {
+        &self.axes
+    }
+
+    fn new(tree: &impl Topology, cells: Vec<Cell>) -> Self {
+        let mut axes = vec![0; cells.len()];
+        let mut pending = vec![tree.root()];
+        while let Some(node) = pending.pop() {
+            if !node.is_leaf() {
+                axes[node.index()] = cells[tree.slot(node)].axis;
+                pending.extend(tree.children(node));
+            }
+        }
+        Self { cells, axes }
+    }
+
+    /// Walks down with a state for each node, `child` of its parent's, and draws the cells of each pair of children.
+    fn fill<T: Topology, S: Copy>(
+        tree: &T,
+        root: impl FnOnce(&T) -> S,
+        child: impl Fn(S, bool) -> S,
+        mut inner: impl FnMut(S, &mut Cell, u32) -> [Cell; 2],
+    ) -> Self {
+        let mut cells = vec![Cell::default(); tree.node_count()];
+        let mut pending = vec![(tree.root(), root(tree), 0)];
+        while let Some((node, state, depth)) = pending.pop() {
+            // Nothing below a missed node is ever seen, so nothing is drawn there.
+            if node.is_leaf() || cells[tree.slot(node)].miss {
+                continue;
+            }
+            let children = tree.children(node);
+            let drawn = inner(state, &mut cells[tree.slot(node)], depth);
+            for (i, cell) in drawn.into_iter().enumerate() {
+                let hit = cell.hit.filter(|_| children[i].is_leaf());
+                cells[tree.slot(children[i])] = Cell { hit, ..cell };
+            }
+            pending.push((children[1], child(state, true), depth + 1));
+            pending.push((children[0], child(state, false), depth + 1));
+        }
+        Self::new(tree, cells)
+    }
+}
+
+/// Draws what an inner node says of itself (order and axis), and the cells of its two children.
+fn draw_inner(source: &mut impl Source, kind: Kind, node: &mut Cell, depth: u32) -> [Cell; 2] {
+    let entered = Cell { enter: node.enter, ..Cell::default() };
+    let mut children = [entered; 2];
+    if kind == Kind::Script {
+        let decision = source.below(5);
+        (children[0].miss, children[1].miss) = (matches!(decision, 0 | 2), matches!(decision, 0 | 1));
+        node.right_first = decision == 4;
+        node.axis = u8::from(node.right_first);
+        return children;
+    }
+    node.right_first = match kind {
+        Kind::Alternating => depth % 2 == 1,
+        Kind::NoneHit => false,
+        _ => source.coin(),
+    };
+    node.axis = source.below(3) as u8;
+    match kind {
+        Kind::AllHit | Kind::Alternating | Kind::Script => {}
+        Kind::Random => children.iter_mut().for_each(|child| child.miss = source.below(4) == 1),
+        Kind::NoneHit => children.iter_mut().for_each(|child| child.miss = true),
+        Kind::OnlyOne => children[usize::from(source.coin())].miss = true,
+        Kind::Shrinking => {
+            for child in &mut children {
+                child.enter += source.below(8) as u32;
+                child.miss = source.below(8) == 1;
+                let distance = source.below(64) as u32;
+                child.hit = source.coin().then_some(child.enter + distance);
+            }
+        }
+    }
+    // Tapes without distances still have leaves that end an any-hit search.
+    if kind != Kind::Shrinking {
+        for child in &mut children {
+            child.hit = (source.below(8) == 1).then_some(u32::MAX - 1);
+        }
+    }
+    children
+}
+
+/// What a search found, in an order-free form, and what it cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Outcome {
+    /// Distance and slot of the closest hit, the smaller slot where distances are equal; for an any-hit search the
+    /// first hit.
+    pub hit: Option<(u32, usize)>,
+    /// Inner nodes asked about.
+    pub inner_visits: u64,
+    /// Leaves looked into.
+    pub leaf_visits: u64,
+}
+
+/// A query over a tape.
+#[derive(Debug)]
+pub struct Search<'a, T> {
+    tree: &'a T,
+    tape: &'a Tape,
+    any: bool,
+    /// What was found so far.
+    pub outcome: Outcome,
+}
+
+impl<'a, T: Topology> Search<'a, T> {
+    /// A closest-hit query, or an any-hit query, which stops at its first hit.
+    pub fn new(tree: &'a T, tape: &'a Tape, any: bool) -> Self {
+        Self { tree, tape, any, outcome: Outcome::default() }
+    }
+
+    #[inline]
+    fn cell(&self, node: Node) -> &Cell {
+        &self.tape.cells[self.tree.slot(node)]
+    }
+
+    /// The test of a node: not missed, and not entered behind the closest hit.
+    #[inline]
+    fn is_wanted(&self, cell: &Cell) -> bool {
+        !cell.miss && self.outcome.hit.is_none_or(|(t, _)| cell.enter <= t)
+    }
+
+    #[inline]
+    fn look_into(&mut self, leaf: Node) -> Flow {
+        let slot = self.tree.slot(leaf);
+        if let Some(t) = self.tape.cells[slot].hit
+            && self.outcome.hit.is_none_or(|best| (t, slot) < best)
+        {
+            self.outcome.hit = Some((t, slot));
+            if self.any {
+                return Flow::Stop;
+            }
+        }
+        Flow::Continue
+    }
+}
+
+impl<T: Topology> Visitor for Search<'_, T> {
+    #[inline]
+    fn inner(&mut self, node: Node) -> Descent {
+        self.outcome.inner_visits += 1;
+        let [left, right] = self.tree.children(node).map(|child| self.cell(child));
+        let right_first =
+            if left.enter == right.enter { self.cell(node).right_first } else { right.enter < left.enter };
+        Descent::new(self.is_wanted(left), self.is_wanted(right), right_first)
+    }
+
+    #[inline]
+    fn leaf(&mut self, node: Node) -> Flow {
+        self.outcome.leaf_visits += 1;
+        self.look_into(node)
+    }
+}
+
+impl<T: Topology> NodeTest for Search<'_, T> {
+    #[inline]
+    fn accept(&mut self, node: Node) -> bool {
+        self.outcome.inner_visits += 1;
+        self.is_wanted(self.cell(node))
+    }
+
+    #[inline]
+    fn leaf(&mut self, node: Node) -> Flow {
+        self.outcome.leaf_visits += 1;
+        if self.is_wanted(self.cell(node)) { self.look_into(node) } else { Flow::Continue }
+    }
+}

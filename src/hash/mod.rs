@@ -1,0 +1,37 @@
+//! From a key to an address.
+//!
+//! A traversal that backtracks in constant time knows the key of the next node and needs its address. [`Lookup`] is
+//! what it asks; the implicit layout answers by arithmetic, [`KeyMap`] by an ordinary open-addressing table.
+
+mod fold;
+mod map;
+
+pub(crate) use fold::{fold, for_each_folded_key};
+pub use map::KeyMap;
+
+use crate::tree::Node;
+
+/// Maps the keys of a tree's nodes to their addresses.
+pub trait Lookup<W> {
+    /// Address of the node with this key, which must be a key that the table was made for.
+    ///
+    /// For another key the answer is meaningless, as in every perfect hash; debug builds panic.
+    fn node(&self, key: &W) -> Node;
+}
+
+impl<W, L: Lookup<W>> Lookup<W> for &L {
+    #[inline]
+    fn node(&self, key: &W) -> Node {
+        (**self).node(key)
+    }
+}
+
+/// The finaliser of `SplitMix64` (Steele, Lea & Flood 2014): a bijection in which every input bit moves about half
+/// of the output bits.
+pub(crate) const fn mix(mut x: u64) -> u64 {
+    x ^= x >> 30;
+    x = x.wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    x ^= x >> 27;
+    x = x.wrapping_mul(0x94d0_49bb_1331_11eb);
+    x ^ x >> 31
+}

@@ -1,0 +1,76 @@
+//! The reference for traversing binary hierarchies without a stack.
+//!
+//! A traversal of a binary tree that visits only wanted children, in an order decided on the way, usually keeps the
+//! postponed children on a stack. The algorithms here do without: they find the next node from its key (Binder &
+//! Keller 2016), from a counter and the layout of the tree (Barringer & Akenine-Möller 2013), from parents, uncles or
+//! skip pointers, in constant state. Each is a small [`Cursor`](traverse::Cursor) behind one loop, and each is held to
+//! one oracle, visit by visit.
+//!
+//! # Map
+//!
+//! | module | what is there |
+//! |---|---|
+//! | [`key`], [`trail`], [`swap`] | bits: node keys, the bit trail, the swap mask, over words of any width |
+//! | [`tree`] | topology: arena, implicit layout, links, keys of nodes |
+//! | [`order`], [`event`] | what a visit decides; what can be observed |
+//! | [`oracle`], [`traverse`] | the reference, and every algorithm |
+//! | [`hash`] | from keys to addresses |
+//! | [`generate`] | trees, decision tapes, sources of choices |
+//! | [`geom`], [`bvh`], [`trace`], [`scene`] | rays, hierarchies, queries, files (feature `std`) |
+//! | [`check`] | the comparison of traversals with the oracle (feature `std`) |
+//!
+//! Everything above `geom` is `no_std` with `alloc` and knows no geometry.
+//!
+//! # Example
+//!
+//! ```
+//! use stackless_bvh::order::{Descent, Flow, Side, Visitor};
+//! use stackless_bvh::traverse::{self, Hashed};
+//! use stackless_bvh::tree::{Node, Reach, Tree, Uncles};
+//! use stackless_bvh::hash::KeyMap;
+//!
+//! /// Collects the leaves from right to left.
+//! struct Leaves(Vec<usize>);
+//! impl Visitor for Leaves {
+//!     fn inner(&mut self, _: Node) -> Descent {
+//!         Descent::Both { first: Side::Right }
+//!     }
+//!     fn leaf(&mut self, node: Node) -> Flow {
+//!         self.0.push(node.index());
+//!         Flow::Continue
+//!     }
+//! }
+//!
+//! let tree = Tree::new(&[Some([1, 2]), None, Some([3, 4]), None, None])?;
+//! let (uncles, map) = (Uncles::of(&tree, Reach::ALGORITHM_1), KeyMap::of(&tree));
+//! let mut leaves = Leaves(Vec::new());
+//! traverse::traverse(Hashed::<u32, _, _>::new(&tree, &uncles, &map)?, &mut leaves, &mut ());
+//! assert_eq!(leaves.0, [4, 3, 1]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+#![cfg_attr(not(any(test, feature = "std")), no_std)]
+#![forbid(unsafe_code)]
+
+extern crate alloc;
+
+pub mod event;
+pub mod generate;
+pub mod hash;
+pub mod key;
+pub mod oracle;
+pub mod order;
+pub mod swap;
+pub mod trail;
+pub mod traverse;
+pub mod tree;
+
+#[cfg(feature = "std")]
+pub mod bvh;
+#[cfg(feature = "std")]
+pub mod check;
+#[cfg(feature = "std")]
+pub mod geom;
+#[cfg(feature = "std")]
+pub mod scene;
+#[cfg(feature = "std")]
+pub mod trace;

@@ -1,0 +1,66 @@
+//! Lines of a file, and its text in messages.
+
+use std::path::Path;
+
+/// The lines of a file with their numbers, without terminator and surrounding white space.
+#[derive(Clone)]
+pub(super) struct Lines<'a> {
+    rest: &'a [u8],
+    number: u64,
+    terminator: u8,
+}
+
+impl<'a> Lines<'a> {
+    /// Lines end with `terminator`; a carriage return before a line feed counts as white space.
+    pub(super) fn new(bytes: &'a [u8], terminator: u8) -> Self {
+        Self { rest: bytes, number: 0, terminator }
+    }
+
+    /// Number of the line that came last, counted from 1.
+    pub(super) fn number(&self) -> u64 {
+        self.number
+    }
+
+    /// What follows the line that came last.
+    pub(super) fn rest(&self) -> &'a [u8] {
+        self.rest
+    }
+}
+
+impl<'a> Iterator for Lines<'a> {
+    type Item = &'a [u8];
+
+    fn next(&mut self) -> Option<&'a [u8]> {
+        if self.rest.is_empty() {
+            return None;
+        }
+        let end = self.rest.iter().position(|&byte| byte == self.terminator);
+        let (line, rest) = match end {
+            Some(end) => (&self.rest[..end], &self.rest[end + 1..]),
+            None => (self.rest, &[][..]),
+        };
+        self.rest = rest;
+        self.number += 1;
+        Some(line.trim_ascii())
+    }
+}
+
+/// Text from a file for a message: quoted, one line, shortened.
+pub(super) fn quote(text: &str) -> String {
+    const SHOWN: usize = 40;
+    let shown: String = text.chars().take(SHOWN).collect();
+    if shown.len() < text.len() { format!("{shown:?}...") } else { format!("{shown:?}") }
+}
+
+/// A path for a message: as it is, but for control characters, which could break the line.
+pub(super) fn one_line(path: &Path) -> String {
+    let mut line = String::new();
+    for character in path.to_string_lossy().chars() {
+        if character.is_control() {
+            line.extend(character.escape_default());
+        } else {
+            line.push(character);
+        }
+    }
+    line
+}

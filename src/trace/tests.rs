@@ -1,0 +1,110 @@
+use super::*;
+use crate::bvh::{Bvh, SahOptions};
+use crate::geom::Aabb;
+use crate::order::{ByNode, Descent, Flow, LeftFirst, SignOrder, Visitor};
+use crate::scene::procedural;
+use crate::tree::{Node, Topology};
+
+/// The traversal that all others are measured by.
+fn walk(bvh: &Bvh, node: Node, visitor: &mut impl Visitor) -> Flow {
+    if node.is_leaf() {
+        return visitor.leaf(node);
+    }
+    let children = bvh.children(node);
+    match visitor.inner(node) {
+        Descent::Neither => Flow::Continue,
+        Descent::Only(side) => walk(bvh, children[side.index()], visitor),
+        Descent::Both { first } => match walk(bvh, children[first.index()], visitor) {
+            Flow::Stop => Flow::Stop,
+            Flow::Continue => walk(bvh, children[first.other().index()], visitor),
+        },
+    }
+}
+
+fn bits(hit: Option<Hit>) -> Option<(u32, [u32; 3])> {
+    hit.map(|Hit { prim, t, u, v }| (prim, [t, u, v].map(f32::to_bits)))
+}
+
+fn trees(mesh: &Mesh) -> Vec<Bvh> {
+    let sah = |max_leaf, depth_limit| Bvh::sah(mesh, SahOptions { bins: 16, max_leaf, depth_limit });
+    let trees = [Bvh::median(mesh, 1), Bvh::median(mesh, 4), sah(1, 99), sah(4, 31), sah(9, 12)];
+    trees.map(|tree| tree.expect("a tree")).into()
+}
+
+fn compare(mesh: &Mesh, rays: usize) {
+    let trees: Vec<_> = trees(mesh).into_iter().map(|bvh| (bvh.own_boxes(), bvh.axes(), bvh)).collect();
+    let mut hits = 0;
+    let rays = procedural::rays(mesh, 3, rays);
+    for ray in &rays {
+        let truth = bits(brute_force(mesh, ray));
+        hits += usize::from(truth.is_some());
+        for (boxes, axes, bvh) in &trees {
+            compare_on_tree(bvh, boxes, axes, ray, truth);
+        }
+    }
+    let share = hits as f32 / rays.len() as f32;
+    assert!((0.1..0.9).contains(&share), "{share} of the rays hit");
+}
+
+fn compare_on_tree(bvh: &Bvh, boxes: &[Aabb], axes: &[u8], ray: &Ray, truth: Option<(u32, [u32; 3])>) {
+    let mut closest = Closest::new(bvh, ray);
+    walk(bvh, bvh.root(), &mut closest);
+    assert_eq!(bits(closest.hit()), truth, "{ray:?}");
+
+    let mut by_node = ByNode { test: ClosestByNode::new(bvh, boxes, ray), order: LeftFirst };
+    walk(bvh, bvh.root(), &mut by_node);
+    assert_eq!(bits(by_node.test.hit()), truth, "{ray:?}");
+
+    let order = SignOrder { axes, octant: ray.octant() };
+    let mut by_sign = ByNode { test: ClosestByNode::new(bvh, boxes, ray), order };
+    walk(bvh, bvh.root(), &mut by_sign);
+    assert_eq!(bits(by_sign.test.hit()), truth, "{ray:?}");
+
+    let mut any = Counted::new(Any::new(bvh, ray));
+    let flow = walk(bvh, bvh.root(), &mut any);
+    assert_eq!((any.inside.hit().is_some(), flow == Flow::Stop), (truth.is_some(), truth.is_some()), "{ray:?}");
+
+    let mut any = ByNode { test: AnyByNode::new(bvh, boxes, ray), order };
+    walk(bvh, bvh.root(), &mut any);
+    assert_eq!(any.test.hit().is_some(), truth.is_some(), "{ray:?}");
+}
+
+#[test]
+fn all_trees_give_the_truth_on_strands() {
+    compare(&procedural::strands(1, 40), 4000);
+}
+
+#[test]
+fn all_trees_give_the_truth_in_the_stadium() {
+    compare(&procedural::stadium(1), 400);
+}
+
+#[test]
+fn all_trees_give_the_truth_in_the_soup() {
+    compare(&procedural::soup(1, 500), 8000);
+    compare(&procedural::soup(2, 3), 400);
+    compare(&procedural::soup(3, 1), 400);
+}
+
+#[test]
+fn the_first_of_equal_triangles_is_hit() {
+    let corners = vec![glam::Vec3::ZERO, glam::Vec3::X, glam::Vec3::Y];
+    let mesh = Mesh::new(corners, vec![[0, 1, 2]; 1000]).expect("a mesh");
+    let ray = Ray::new(glam::Vec3::new(0.25, 0.25, -1.0), glam::Vec3::Z, 0.0, 1.0).expect("a ray");
+    for bvh in trees(&mesh) {
+        let mut closest = Closest::new(&bvh, &ray);
+        walk(&bvh, bvh.root(), &mut closest);
+        assert_eq!(closest.hit().map(|hit| hit.prim), Some(0));
+    }
+}
+
+#[test]
+fn counts_are_those_of_the_walk() {
+    let mesh = procedural::soup(1, 64);
+    let bvh = Bvh::median(&mesh, 1).expect("a tree");
+    let origin = mesh.vertices()[0] - glam::Vec3::ONE;
+    let ray = Ray::new(origin, glam::Vec3::NEG_ONE, 0.0, 1.0).expect("a ray");
+    let mut away = Counted::new(Closest::new(&bvh, &ray));
+    walk(&bvh, bvh.root(), &mut away);
+    assert_eq!((away.inner, away.leaves), (1, 0));
+}

@@ -1,0 +1,65 @@
+//! Áfra & Szirmay-Kalos 2014: a bit trail, and a climb along parent and sibling references.
+
+use super::Cursor;
+use crate::event::State;
+use crate::key::{KeyWord, TooDeep};
+use crate::order::Descent;
+use crate::trail;
+use crate::tree::{Node, Parents, Topology};
+
+/// Climbs while bit 0 of the trail is clear, then goes to the sibling; done when the trail is 0.
+#[derive(Debug)]
+pub struct Afra<'t, W, T> {
+    tree: &'t T,
+    parents: &'t Parents,
+    node: Node,
+    trail: W,
+}
+
+impl<'t, W: KeyWord, T: Topology> Afra<'t, W, T> {
+    /// Starts at the root.
+    ///
+    /// # Errors
+    /// [`TooDeep`] beyond as many edges as the word has bits.
+    #[inline]
+    pub fn new(tree: &'t T, parents: &'t Parents) -> Result<Self, TooDeep> {
+        W::carries(tree.depth(), 0)?;
+        Ok(Self { tree, parents, node: tree.root(), trail: W::zero() })
+    }
+}
+
+impl<W: KeyWord, T> State for Afra<'_, W, T> {
+    type Word = W;
+
+    #[inline]
+    fn node(&self) -> Node {
+        self.node
+    }
+
+    fn trail(&self) -> Option<W> {
+        Some(self.trail.clone())
+    }
+}
+
+impl<W: KeyWord, T: Topology> Cursor for Afra<'_, W, T> {
+    #[inline]
+    fn descend(&mut self, descent: Descent) -> bool {
+        let Some(first) = descent.first() else { return false };
+        self.node = self.tree.children(self.node)[first.index()];
+        self.trail = trail::child(core::mem::take(&mut self.trail), W::from_bit(descent.postpones()));
+        true
+    }
+
+    #[inline]
+    fn backtrack(&mut self) -> bool {
+        if self.trail.is_zero() {
+            return false;
+        }
+        for _ in 0..trail::levels(&self.trail) {
+            self.node = self.parents.parent(self.tree.slot(self.node));
+        }
+        self.node = self.parents.sibling(self.tree.slot(self.node));
+        self.trail = trail::leave(core::mem::take(&mut self.trail));
+        true
+    }
+}

@@ -1,0 +1,72 @@
+//! Key and trail, and a table from keys to addresses: backtracking in constant time and nothing else.
+
+use super::Cursor;
+use crate::event::State;
+use crate::hash::Lookup;
+use crate::key::{self, KeyWord, TooDeep};
+use crate::order::Descent;
+use crate::trail;
+use crate::tree::{Node, Topology};
+
+/// Finds every node, children too, by its key.
+///
+/// With [`Complete`](super::Complete) this is the constant-time traversal of complete trees (Binder & Keller 2016,
+/// Section 1.1), with [`Glassner`](super::Glassner) the traversal by hashed paths of Glassner (1984).
+#[derive(Debug)]
+pub struct ByKey<W, L> {
+    lookup: L,
+    node: Node,
+    key: W,
+    trail: W,
+}
+
+impl<W: KeyWord, L: Lookup<W>> ByKey<W, L> {
+    /// Starts at the root of the tree that the table was made for.
+    ///
+    /// # Errors
+    /// [`TooDeep`] where the key would lose its leading one: beyond as many edges as the word has bits, less one.
+    #[inline]
+    pub fn new(tree: &impl Topology, lookup: L) -> Result<Self, TooDeep> {
+        W::carries(tree.depth(), 1)?;
+        Ok(Self { lookup, node: tree.root(), key: key::root(), trail: W::zero() })
+    }
+}
+
+impl<W: KeyWord, L: Lookup<W>> State for ByKey<W, L> {
+    type Word = W;
+
+    #[inline]
+    fn node(&self) -> Node {
+        self.node
+    }
+
+    fn key(&self) -> Option<W> {
+        Some(self.key.clone())
+    }
+
+    fn trail(&self) -> Option<W> {
+        Some(self.trail.clone())
+    }
+}
+
+impl<W: KeyWord, L: Lookup<W>> Cursor for ByKey<W, L> {
+    #[inline]
+    fn descend(&mut self, descent: Descent) -> bool {
+        let Some(first) = descent.first() else { return false };
+        self.key = key::child(core::mem::take(&mut self.key), W::from_bit(first.is_right()));
+        self.trail = trail::child(core::mem::take(&mut self.trail), W::from_bit(descent.postpones()));
+        self.node = self.lookup.node(&self.key);
+        true
+    }
+
+    #[inline]
+    fn backtrack(&mut self) -> bool {
+        if self.trail.is_zero() {
+            return false;
+        }
+        let (key, trail) = (core::mem::take(&mut self.key), core::mem::take(&mut self.trail));
+        (self.key, self.trail) = trail::backtrack(key, trail);
+        self.node = self.lookup.node(&self.key);
+        true
+    }
+}

@@ -1,0 +1,69 @@
+//! Hapala et al. 2011: parent references and a three-state automaton; the order is asked again on the way up.
+
+use super::Cursor;
+use crate::event::State;
+use crate::order::{Descent, FixedOrder};
+use crate::tree::{Node, Parents, Topology};
+
+/// Climbs until it comes from a near child, then goes to the far one. No trail: whether a child was the near one is
+/// asked of the order again, which therefore has to be fixed for the ray (the sign of its direction).
+///
+/// The visitor tests a node at its visit and wants both children, the near one first
+/// ([`ByNode`](crate::order::ByNode) does). The paper starts at the root's near child; here the root is visited too.
+#[derive(Debug)]
+pub struct Hapala<'t, T, O> {
+    tree: &'t T,
+    parents: &'t Parents,
+    order: O,
+    node: Node,
+    /// The automaton's state: arrived from the parent (so this is the near child), else from the sibling.
+    from_parent: bool,
+}
+
+impl<'t, T: Topology, O: FixedOrder> Hapala<'t, T, O> {
+    /// Starts at the root. The state does not grow with the depth.
+    #[inline]
+    pub fn new(tree: &'t T, parents: &'t Parents, order: O) -> Self {
+        Self { tree, parents, order, node: tree.root(), from_parent: false }
+    }
+}
+
+impl<T, O> State for Hapala<'_, T, O> {
+    type Word = u64;
+
+    #[inline]
+    fn node(&self) -> Node {
+        self.node
+    }
+}
+
+impl<T: Topology, O: FixedOrder> Cursor for Hapala<'_, T, O> {
+    #[inline]
+    fn descend(&mut self, _: Descent) -> bool {
+        let near = self.order.first(self.node);
+        self.node = self.tree.children(self.node)[near.index()];
+        self.from_parent = true;
+        true
+    }
+
+    #[inline]
+    fn backtrack(&mut self) -> bool {
+        let root = self.tree.root();
+        while !self.from_parent {
+            // From sibling or from child: this subtree is done, and so is its parent's unless it is a near child.
+            if self.node == root {
+                return false;
+            }
+            let parent = self.parents.parent(self.tree.slot(self.node));
+            self.node = parent;
+            if parent != root {
+                let above = self.parents.parent(self.tree.slot(parent));
+                let near = self.order.first(above);
+                self.from_parent = self.tree.children(above)[near.index()] == parent;
+            }
+        }
+        self.node = self.parents.sibling(self.tree.slot(self.node));
+        self.from_parent = false;
+        true
+    }
+}

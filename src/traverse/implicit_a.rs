@@ -1,0 +1,152 @@
+//! Barringer & Akenine-Möller 2013, Algorithm 2: implicit addresses in any order, by a swap mask.
+
+use core::mem::take;
+
+use super::Cursor;
+use crate::event::State;
+use crate::hash::Lookup;
+use crate::key::{KeyWord, TooDeep};
+use crate::order::Descent;
+use crate::swap;
+use crate::tree::{Node, Topology};
+
+/// Algorithm 2 as printed: `levelStart`, `levelIndex` of a left-first walk, and the mask of swapped levels.
+#[derive(Debug)]
+pub struct ImplicitA<W, L> {
+    layout: L,
+    node: Node,
+    level_start: W,
+    level_index: W,
+    swap_mask: W,
+}
+
+/// Algorithm 2 with the combined index: `index = levelStart + levelIndex` in one word.
+///
+/// At the terminal carry the index has one bit more than the key: it carries one edge less than the other forms.
+#[derive(Debug)]
+pub struct ImplicitA1<W, L> {
+    layout: L,
+    node: Node,
+    index: W,
+    swap_mask: W,
+}
+
+impl<W: KeyWord, L: Lookup<W>> ImplicitA<W, L> {
+    /// Starts at the root of a tree in the given layout.
+    ///
+    /// # Errors
+    /// [`TooDeep`] where `levelStart` would leave its word: beyond as many edges as the word has bits, less one.
+    #[inline]
+    pub fn new(tree: &impl Topology, layout: L) -> Result<Self, TooDeep> {
+        W::carries(tree.depth(), 1)?;
+        let (level_start, zero) = (W::one(), W::zero());
+        Ok(Self { layout, node: tree.root(), level_start, level_index: zero.clone(), swap_mask: zero })
+    }
+
+    #[inline]
+    fn current_key(&self) -> W {
+        self.level_start.clone().or(&swap::fcomp(self.level_index.clone(), &self.swap_mask))
+    }
+}
+
+impl<W: KeyWord, L: Lookup<W>> ImplicitA1<W, L> {
+    /// Starts at the root of a tree in the given layout.
+    ///
+    /// # Errors
+    /// [`TooDeep`] where the combined index would wrap: beyond as many edges as the word has bits, less two.
+    #[inline]
+    pub fn new(tree: &impl Topology, layout: L) -> Result<Self, TooDeep> {
+        W::carries(tree.depth(), 2)?;
+        Ok(Self { layout, node: tree.root(), index: W::one(), swap_mask: W::zero() })
+    }
+}
+
+/// The mask one level down: a set bit where the right child comes first, or is the only one.
+///
+/// With one child, `rejected one` adds 1 to the index and toggles the bit, which the printed algorithm has set to
+/// "right child first". A rejected left child counts as right first (`hitR && (!hitL || prefer right)`): then both
+/// the index and the path are odd and the toggle leaves no swap; a rejected right child leaves one.
+#[inline]
+fn mask_bit(descent: Descent) -> bool {
+    let right_first = descent.first().is_some_and(crate::order::Side::is_right);
+    let rejected_one = !descent.postpones();
+    right_first ^ rejected_one
+}
+
+impl<W: KeyWord, L: Lookup<W>> State for ImplicitA<W, L> {
+    type Word = W;
+
+    #[inline]
+    fn node(&self) -> Node {
+        self.node
+    }
+
+    fn key(&self) -> Option<W> {
+        Some(self.current_key())
+    }
+
+    fn counter(&self) -> Option<W> {
+        Some(self.level_index.clone())
+    }
+}
+
+impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitA<W, L> {
+    #[inline]
+    fn descend(&mut self, descent: Descent) -> bool {
+        self.level_start = take(&mut self.level_start).shl1();
+        self.level_index = take(&mut self.level_index).shl1().or(&W::from_bit(!descent.postpones()));
+        self.swap_mask = take(&mut self.swap_mask).shl1().or(&W::from_bit(mask_bit(descent)));
+        self.node = self.layout.node(&self.current_key());
+        true
+    }
+
+    #[inline]
+    fn backtrack(&mut self) -> bool {
+        let index = take(&mut self.level_index).wrapping_add(&W::one());
+        let up = index.trailing_zeros();
+        self.level_start = take(&mut self.level_start).shr(up);
+        self.level_index = index.shr(up);
+        self.swap_mask = take(&mut self.swap_mask).shr(up);
+        if self.level_start == W::one() {
+            return false;
+        }
+        self.node = self.layout.node(&self.current_key());
+        true
+    }
+}
+
+impl<W: KeyWord, L: Lookup<W>> State for ImplicitA1<W, L> {
+    type Word = W;
+
+    #[inline]
+    fn node(&self) -> Node {
+        self.node
+    }
+
+    fn key(&self) -> Option<W> {
+        Some(swap::fcomp(self.index.clone(), &self.swap_mask))
+    }
+}
+
+impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitA1<W, L> {
+    #[inline]
+    fn descend(&mut self, descent: Descent) -> bool {
+        self.index = take(&mut self.index).shl1().or(&W::from_bit(!descent.postpones()));
+        self.swap_mask = take(&mut self.swap_mask).shl1().or(&W::from_bit(mask_bit(descent)));
+        self.node = self.layout.node(&swap::fcomp(self.index.clone(), &self.swap_mask));
+        true
+    }
+
+    #[inline]
+    fn backtrack(&mut self) -> bool {
+        let index = take(&mut self.index).wrapping_add(&W::one());
+        let up = index.trailing_zeros();
+        self.index = index.shr(up);
+        self.swap_mask = take(&mut self.swap_mask).shr(up);
+        if self.index == W::one() {
+            return false;
+        }
+        self.node = self.layout.node(&swap::fcomp(self.index.clone(), &self.swap_mask));
+        true
+    }
+}

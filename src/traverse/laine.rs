@@ -1,0 +1,140 @@
+//! Laine 2010: a trail of level bits, restarts from the root, and a short stack of the latest postponed nodes.
+
+use super::Cursor;
+use crate::event::State;
+use crate::key::{KeyWord, TooDeep};
+use crate::order::Descent;
+use crate::tree::{Node, Topology};
+
+/// The restart trail with a short stack of `K` nodes (0, 1, 2, 4, 8 in Barringer & Akenine-Möller's measurements).
+///
+/// One bit of the trail belongs to each level, the highest to the root's: 0 while the first child's subtree is being
+/// visited and the second is postponed, 1 when it is the second's turn, or where only one was wanted. To backtrack is
+/// to add 1 at the current level: the carry runs to the deepest level with a postponed node, the pop level. If the
+/// short stack has lost that node, traversal starts again at the root and follows the trail, asking the visitor again.
+///
+/// The ray may have become shorter since: at the pop level a node that wanted two children may want one, the first,
+/// which is done; then there is nowhere to go and the trail is advanced again.
+#[derive(Debug)]
+pub struct Laine<'t, const K: usize, W, T> {
+    tree: &'t T,
+    node: Node,
+    trail: W,
+    /// The highest bit, the level of the root: set by the last carry.
+    top: W,
+    /// The bit of the level at which the node was chosen.
+    level: W,
+    /// The bit of the level at which the last backtrack changed sides; 0 before the first.
+    pop_level: W,
+    short: ShortStack<K>,
+}
+
+impl<'t, const K: usize, W: KeyWord, T: Topology> Laine<'t, K, W, T> {
+    /// Starts at the root. Words that grow have no top bit, and are refused.
+    ///
+    /// # Errors
+    /// [`TooDeep`] beyond as many edges as the word has bits, less one.
+    #[inline]
+    pub fn new(tree: &'t T) -> Result<Self, TooDeep> {
+        let Some(level) = W::highest() else {
+            return Err(TooDeep { depth: tree.depth(), limit: 0, word: W::NAME });
+        };
+        W::carries(tree.depth(), 1)?;
+        let short = ShortStack { nodes: [tree.root(); K], head: 0, len: 0 };
+        let (trail, pop_level) = (W::zero(), W::zero());
+        Ok(Self { tree, node: tree.root(), trail, top: level.clone(), level, pop_level, short })
+    }
+
+    /// Whether the trail has a 1 at this level.
+    #[inline]
+    fn is_set(&self, level: &W) -> bool {
+        !self.trail.clone().and(level).is_zero()
+    }
+}
+
+impl<const K: usize, W: KeyWord, T> State for Laine<'_, K, W, T> {
+    type Word = W;
+
+    #[inline]
+    fn node(&self) -> Node {
+        self.node
+    }
+
+    fn is_restarting(&self) -> bool {
+        // Level bits are single: the trailing zeros compare them.
+        !self.pop_level.is_zero() && self.level.trailing_zeros() > self.pop_level.trailing_zeros()
+    }
+}
+
+impl<const K: usize, W: KeyWord, T: Topology> Cursor for Laine<'_, K, W, T> {
+    const RESTARTS: bool = true;
+
+    #[inline]
+    fn descend(&mut self, descent: Descent) -> bool {
+        let Some(first) = descent.first() else { return false };
+        let children = self.tree.children(self.node);
+        let level = self.level.clone().shr1();
+        let side = if descent.postpones() {
+            if self.is_set(&level) {
+                first.other()
+            } else {
+                self.short.push(children[first.other().index()]);
+                first
+            }
+        } else if level == self.pop_level {
+            return false;
+        } else {
+            self.trail = core::mem::take(&mut self.trail).or(&level);
+            first
+        };
+        self.node = children[side.index()];
+        self.level = level;
+        true
+    }
+
+    #[inline]
+    fn backtrack(&mut self) -> bool {
+        // Clear the bits below the level, which are those of the path that is left, and add 1 at the level.
+        let above = W::zero().wrapping_sub(&self.level);
+        self.trail = core::mem::take(&mut self.trail).and(&above).wrapping_add(&self.level);
+        self.pop_level = self.trail.clone().and(&W::zero().wrapping_sub(&self.trail));
+        if self.is_set(&self.top) {
+            return false;
+        }
+        if let Some(node) = self.short.pop() {
+            self.node = node;
+            self.level = self.pop_level.clone();
+        } else {
+            self.node = self.tree.root();
+            self.level = self.top.clone();
+        }
+        true
+    }
+}
+
+/// The latest `K` nodes that were pushed; older ones are lost.
+#[derive(Debug)]
+struct ShortStack<const K: usize> {
+    nodes: [Node; K],
+    /// Where the next node goes.
+    head: usize,
+    len: usize,
+}
+
+impl<const K: usize> ShortStack<K> {
+    #[inline]
+    fn push(&mut self, node: Node) {
+        if K > 0 {
+            self.nodes[self.head] = node;
+            self.head = (self.head + 1) % K;
+            self.len = (self.len + 1).min(K);
+        }
+    }
+
+    #[inline]
+    fn pop(&mut self) -> Option<Node> {
+        self.len = self.len.checked_sub(1)?;
+        self.head = (self.head + K - 1) % K;
+        Some(self.nodes[self.head])
+    }
+}

@@ -1,0 +1,79 @@
+//! Barringer & Akenine-Möller 2013, Algorithm 1: implicit addresses, left before right, nodes tested at their visit.
+
+use super::Cursor;
+use crate::event::State;
+use crate::hash::Lookup;
+use crate::key::{KeyWord, TooDeep};
+use crate::order::Descent;
+use crate::trail;
+use crate::tree::{Node, Topology};
+
+/// Two integers, the start of a level and an index in it, are all the state.
+///
+/// The visitor accepts a node with `Both { first: Left }` or rejects it with `Neither`
+/// ([`ByNode`](crate::order::ByNode) with [`order::LeftFirst`](crate::order::LeftFirst) does): there are no other
+/// descents here.
+#[derive(Debug)]
+pub struct LeftFirst<W, L> {
+    layout: L,
+    node: Node,
+    level_start: W,
+    level_index: W,
+}
+
+impl<W: KeyWord, L: Lookup<W>> LeftFirst<W, L> {
+    /// Starts at the root of a tree in the given layout.
+    ///
+    /// # Errors
+    /// [`TooDeep`] where `levelStart` would leave its word: beyond as many edges as the word has bits, less one.
+    #[inline]
+    pub fn new(tree: &impl Topology, layout: L) -> Result<Self, TooDeep> {
+        W::carries(tree.depth(), 1)?;
+        Ok(Self { layout, node: tree.root(), level_start: W::one(), level_index: W::zero() })
+    }
+
+    #[inline]
+    fn load(&mut self) {
+        self.node = self.layout.node(&self.level_start.clone().or(&self.level_index));
+    }
+}
+
+impl<W: KeyWord, L: Lookup<W>> State for LeftFirst<W, L> {
+    type Word = W;
+
+    #[inline]
+    fn node(&self) -> Node {
+        self.node
+    }
+
+    fn key(&self) -> Option<W> {
+        Some(self.level_start.clone().or(&self.level_index))
+    }
+
+    fn counter(&self) -> Option<W> {
+        Some(self.level_index.clone())
+    }
+}
+
+impl<W: KeyWord, L: Lookup<W>> Cursor for LeftFirst<W, L> {
+    #[inline]
+    fn descend(&mut self, _: Descent) -> bool {
+        self.level_start = core::mem::take(&mut self.level_start).shl1();
+        self.level_index = core::mem::take(&mut self.level_index).shl1();
+        self.load();
+        true
+    }
+
+    #[inline]
+    fn backtrack(&mut self) -> bool {
+        let index = core::mem::take(&mut self.level_index).wrapping_add(&W::one());
+        let up = trail::levels(&index);
+        self.level_start = core::mem::take(&mut self.level_start).shr(up);
+        self.level_index = index.shr(up);
+        if self.level_start == W::one() {
+            return false;
+        }
+        self.load();
+        true
+    }
+}

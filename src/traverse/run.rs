@@ -1,0 +1,187 @@
+//! Running a traversal by its name.
+
+use alloc::vec::Vec;
+use core::fmt;
+
+use super::{
+    Afra, ByKey, Complete, Glassner, Hapala, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine, LeftFirst,
+    Method, NotComplete, Skip, Sparse, Stack, Uncle, traverse,
+};
+use crate::event::Recorder;
+use crate::hash::{KeyMap, Lookup};
+use crate::key::{KeyWord, TooDeep};
+use crate::order::{self, ByNode, NodeTest, SignOrder, Visitor};
+use crate::tree::{Implicit, Node, Parents, Reach, Skips, Topology, Uncles};
+
+/// A tree with the tables that a choice of traversals needs beside it.
+#[derive(Debug)]
+pub struct Tables<'t, T> {
+    tree: &'t T,
+    axes: &'t [u8],
+    parents: Option<Parents>,
+    uncles: Option<Uncles>,
+    map: Option<KeyMap>,
+    implicit: Option<Implicit>,
+    complete: Option<Result<Complete, NotComplete>>,
+    glassner: Option<Glassner>,
+    skips: Option<Skips>,
+    octant_skips: Vec<Skips>,
+}
+
+/// Why a traversal does not run on a tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unfit {
+    /// The tree is too deep for the word.
+    TooDeep(TooDeep),
+    /// The traversal is for complete trees.
+    NotComplete(NotComplete),
+    /// The traversal does not exist for this word.
+    NoSuchWord {
+        /// Name of the word.
+        word: &'static str,
+    },
+    /// The tables were not made for this traversal.
+    NoTable,
+}
+
+impl fmt::Display for Unfit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooDeep(error) => error.fmt(f),
+            Self::NotComplete(error) => error.fmt(f),
+            Self::NoSuchWord { word } => write!(f, "not made for the word {word}"),
+            Self::NoTable => f.write_str("its tables were not built"),
+        }
+    }
+}
+
+impl core::error::Error for Unfit {}
+
+impl From<TooDeep> for Unfit {
+    fn from(error: TooDeep) -> Self {
+        Self::TooDeep(error)
+    }
+}
+
+impl From<NotComplete> for Unfit {
+    fn from(error: NotComplete) -> Self {
+        Self::NotComplete(error)
+    }
+}
+
+impl<'t, T: Topology> Tables<'t, T> {
+    /// Makes what `methods` need. `axes` has the split axis (0, 1, 2) of each inner node, by [`Node::index`].
+    ///
+    /// Trees of up to `implicit_depth` edges get the implicit layout; in deeper ones the implicit traversals look
+    /// their addresses up in the plain map.
+    pub fn new(tree: &'t T, axes: &'t [u8], methods: &[Method], implicit_depth: u32) -> Self {
+        use Method as M;
+        let needs = |users: &[M]| methods.iter().any(|method| users.contains(method));
+        let implicit_users = [M::LeftFirst, M::ImplicitA, M::ImplicitA1, M::ImplicitB, M::ImplicitB1];
+        let wants_implicit = needs(&implicit_users) && tree.depth() <= implicit_depth;
+        let implicit = wants_implicit.then(|| Implicit::of(tree).ok()).flatten();
+        let wants_map = needs(&[M::Hashed]) || needs(&implicit_users) && implicit.is_none();
+        let octants = if needs(&[M::SkipOctant]) { 0..8 } else { 0..0 };
+        Self {
+            tree,
+            axes,
+            parents: needs(&[M::Sparse, M::Afra, M::Hapala]).then(|| Parents::of(tree)),
+            uncles: needs(&[M::Uncle, M::Hashed]).then(|| Uncles::of(tree, Reach::ALGORITHM_1)),
+            map: wants_map.then(|| KeyMap::of(tree)),
+            implicit,
+            complete: needs(&[M::Complete]).then(|| Complete::of(tree)),
+            glassner: needs(&[M::Glassner]).then(|| Glassner::of(tree)),
+            skips: needs(&[M::Skip]).then(|| Skips::of(tree, &order::LeftFirst)),
+            octant_skips: octants.map(|octant| Skips::of(tree, &SignOrder { axes, octant })).collect(),
+        }
+    }
+
+    /// Runs one search. `memory` is the stack's, kept between searches; `octant` gives the signs of the direction,
+    /// for the traversals that order children by it.
+    ///
+    /// # Errors
+    /// [`Unfit`], before the first step.
+    #[inline]
+    pub fn run<W: KeyWord, S: Visitor + NodeTest>(
+        &self,
+        method: Method,
+        octant: u8,
+        memory: &mut Vec<Node>,
+        search: &mut S,
+        recorder: &mut impl Recorder,
+    ) -> Result<(), Unfit> {
+        let tree = self.tree;
+        if !method.exists_for::<W>() {
+            return Err(Unfit::NoSuchWord { word: W::NAME });
+        }
+        let by_sign = SignOrder { axes: self.axes, octant };
+        match method {
+            Method::Stack => traverse(Stack::new(tree, memory), search, recorder),
+            Method::LeftFirst | Method::ImplicitA | Method::ImplicitA1 | Method::ImplicitB | Method::ImplicitB1 => {
+                match &self.implicit {
+                    Some(layout) => self.run_implicit::<W, S>(method, layout, search, recorder)?,
+                    None => self.run_implicit::<W, S>(method, table(self.map.as_ref())?, search, recorder)?,
+                }
+            }
+            Method::Sparse => traverse(Sparse::<W, T>::new(tree, table(self.parents.as_ref())?)?, search, recorder),
+            Method::Afra => traverse(Afra::<W, T>::new(tree, table(self.parents.as_ref())?)?, search, recorder),
+            Method::Hapala => {
+                let mut search = ByNode { test: search, order: by_sign };
+                traverse(Hapala::new(tree, table(self.parents.as_ref())?, by_sign), &mut search, recorder);
+            }
+            Method::Laine0 => traverse(Laine::<0, W, T>::new(tree)?, search, recorder),
+            Method::Laine1 => traverse(Laine::<1, W, T>::new(tree)?, search, recorder),
+            Method::Laine2 => traverse(Laine::<2, W, T>::new(tree)?, search, recorder),
+            Method::Laine4 => traverse(Laine::<4, W, T>::new(tree)?, search, recorder),
+            Method::Laine8 => traverse(Laine::<8, W, T>::new(tree)?, search, recorder),
+            Method::Uncle => traverse(Uncle::<W, T>::new(tree, table(self.uncles.as_ref())?)?, search, recorder),
+            Method::Hashed => {
+                let cursor = Hashed::<W, T, _>::new(tree, table(self.uncles.as_ref())?, table(self.map.as_ref())?)?;
+                traverse(cursor, search, recorder);
+            }
+            Method::Skip => {
+                let mut search = ByNode { test: search, order: order::LeftFirst };
+                traverse(Skip::new(tree, table(self.skips.as_ref())?, order::LeftFirst), &mut search, recorder);
+            }
+            Method::SkipOctant => {
+                let skips = self.octant_skips.get(usize::from(octant)).ok_or(Unfit::NoTable)?;
+                let mut search = ByNode { test: search, order: by_sign };
+                traverse(Skip::new(tree, skips, by_sign), &mut search, recorder);
+            }
+            Method::Complete => {
+                let complete = table(self.complete.as_ref())?.as_ref().map_err(|&error| error)?;
+                traverse(ByKey::<W, _>::new(tree, complete)?, search, recorder);
+            }
+            Method::Glassner => {
+                traverse(ByKey::<W, _>::new(tree, table(self.glassner.as_ref())?)?, search, recorder);
+            }
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn run_implicit<W: KeyWord, S: Visitor + NodeTest>(
+        &self,
+        method: Method,
+        layout: impl Lookup<W>,
+        search: &mut S,
+        recorder: &mut impl Recorder,
+    ) -> Result<(), Unfit> {
+        let tree = self.tree;
+        match method {
+            Method::ImplicitA => traverse(ImplicitA::new(tree, layout)?, search, recorder),
+            Method::ImplicitA1 => traverse(ImplicitA1::new(tree, layout)?, search, recorder),
+            Method::ImplicitB => traverse(ImplicitB::new(tree, layout)?, search, recorder),
+            Method::ImplicitB1 => traverse(ImplicitB1::new(tree, layout)?, search, recorder),
+            _ => {
+                let mut search = ByNode { test: search, order: order::LeftFirst };
+                traverse(LeftFirst::new(tree, layout)?, &mut search, recorder);
+            }
+        }
+        Ok(())
+    }
+}
+
+fn table<X>(table: Option<&X>) -> Result<&X, Unfit> {
+    table.ok_or(Unfit::NoTable)
+}

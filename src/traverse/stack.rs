@@ -1,0 +1,58 @@
+//! The textbook traversal: a stack of postponed nodes.
+
+use alloc::vec::Vec;
+
+use super::Cursor;
+use crate::event::State;
+use crate::order::Descent;
+use crate::tree::{Node, Topology};
+
+/// Postponed nodes on a stack, popped without a second test (Binder & Keller 2016, Section 1).
+#[derive(Debug)]
+pub struct Stack<'t, T> {
+    tree: &'t T,
+    node: Node,
+    postponed: &'t mut Vec<Node>,
+}
+
+impl<'t, T: Topology> Stack<'t, T> {
+    /// Starts at the root. The memory of the stack is the caller's, so that many traversals can share it.
+    #[inline]
+    pub fn new(tree: &'t T, memory: &'t mut Vec<Node>) -> Self {
+        memory.clear();
+        Self { tree, node: tree.root(), postponed: memory }
+    }
+}
+
+impl<T> State for Stack<'_, T> {
+    type Word = u64;
+
+    #[inline]
+    fn node(&self) -> Node {
+        self.node
+    }
+}
+
+impl<T: Topology> Cursor for Stack<'_, T> {
+    #[inline]
+    fn descend(&mut self, descent: Descent) -> bool {
+        let Some(first) = descent.first() else { return false };
+        let children = self.tree.children(self.node);
+        self.node = children[first.index()];
+        if descent.postpones() {
+            self.postponed.push(children[first.other().index()]);
+        }
+        true
+    }
+
+    #[inline]
+    fn backtrack(&mut self) -> bool {
+        match self.postponed.pop() {
+            Some(node) => {
+                self.node = node;
+                true
+            }
+            None => false,
+        }
+    }
+}

@@ -1,0 +1,219 @@
+//! A tree from any array of children, validated.
+
+use alloc::vec;
+use alloc::vec::Vec;
+use core::fmt;
+
+use super::{Node, Topology};
+
+/// A binary tree in an array: node `i` is element `i`, the root is element 0, inner nodes and leaves mixed.
+///
+/// ```
+/// use stackless_bvh::tree::{Topology, Tree};
+/// // 0 has the children 1 and 2; 2 has 3 and 4.
+/// let tree = Tree::new(&[Some([1, 2]), None, Some([3, 4]), None, None])?;
+/// assert_eq!(tree.depth(), 2);
+/// # Ok::<(), stackless_bvh::tree::TreeError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Tree {
+    root: Node,
+    /// By node number; unused for leaves.
+    children: Vec<[Node; 2]>,
+    depth: u32,
+}
+
+/// Why an array of children is not a tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TreeError {
+    /// The array is empty.
+    Empty,
+    /// More nodes than addresses.
+    TooManyNodes {
+        /// Number of nodes.
+        nodes: usize,
+    },
+    /// A child's number is not in the array.
+    OutOfRange {
+        /// The parent.
+        node: u32,
+        /// What it names.
+        child: u32,
+        /// Number of nodes.
+        nodes: u32,
+    },
+    /// A node is reached a second time: it has two parents, or stands below itself.
+    ReachedTwice {
+        /// The node.
+        node: u32,
+        /// The second parent that names it.
+        parent: u32,
+    },
+    /// A node is not reached from the root.
+    NotReached {
+        /// The first such node.
+        node: u32,
+    },
+}
+
+impl fmt::Display for TreeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Empty => write!(f, "a tree has at least one node"),
+            Self::TooManyNodes { nodes } => {
+                write!(f, "{nodes} nodes are more than the {} that an address can tell apart", Node::MAX_INDEX)
+            }
+            Self::OutOfRange { node, child, nodes } => {
+                write!(f, "node {node}: child {child} is not one of the {nodes} nodes")
+            }
+            Self::ReachedTwice { node, parent } => {
+                write!(f, "node {node} is reached a second time, from node {parent}")
+            }
+            Self::NotReached { node } => write!(f, "node {node} is not reached from the root, node 0"),
+        }
+    }
+}
+
+impl core::error::Error for TreeError {}
+
+impl Tree {
+    /// Builds a tree from the children of each node (`None` for a leaf). Node 0 is the root.
+    ///
+    /// Linear in time and memory, without recursion, so that any depth is fine.
+    ///
+    /// # Errors
+    /// [`TreeError`] names the node at which the array is not a tree.
+    pub fn new(children: &[Option<[u32; 2]>]) -> Result<Self, TreeError> {
+        let nodes = children.len();
+        if nodes > Node::MAX_INDEX as usize {
+            return Err(TreeError::TooManyNodes { nodes });
+        }
+        let address = |index: u32| {
+            let leaf = children[index as usize].is_none();
+            if leaf { Node::leaf(index) } else { Node::inner(index) }
+        };
+        if nodes == 0 {
+            return Err(TreeError::Empty);
+        }
+        let mut arena = vec![[Node::inner(0); 2]; nodes];
+        let mut reached = vec![false; nodes];
+        reached[0] = true;
+        let mut pending = vec![(0_u32, 0_u32)];
+        let mut deepest = 0;
+        while let Some((node, depth)) = pending.pop() {
+            deepest = deepest.max(depth);
+            let Some(pair) = children[node as usize] else { continue };
+            for child in pair {
+                match reached.get_mut(child as usize) {
+                    None => return Err(TreeError::OutOfRange { node, child, nodes: nodes as u32 }),
+                    Some(true) => return Err(TreeError::ReachedTwice { node: child, parent: node }),
+                    Some(reached) => *reached = true,
+                }
+            }
+            arena[node as usize] = pair.map(address);
+            pending.extend(pair.iter().rev().map(|&child| (child, depth + 1)));
+        }
+        match reached.iter().position(|reached| !reached) {
+            Some(node) => Err(TreeError::NotReached { node: node as u32 }),
+            None => Ok(Self { root: address(0), children: arena, depth: deepest }),
+        }
+    }
+
+    /// The tree of a generator, which makes nothing but trees; a single leaf should that ever be wrong, which the
+    /// generators' tests would show.
+    pub(crate) fn from_generated(children: &[Option<[u32; 2]>]) -> Self {
+        let tree = Self::new(children);
+        debug_assert!(tree.is_ok(), "{tree:?}");
+        tree.unwrap_or_else(|_| Self { root: Node::leaf(0), children: vec![[Node::inner(0); 2]], depth: 0 })
+    }
+
+    /// The node with this number.
+    pub fn node(&self, index: u32) -> Option<Node> {
+        let pair = self.children.get(index as usize)?;
+        // The root is nobody's child, so only a leaf names it as one.
+        let leaf = pair[0] == Node::inner(0);
+        Some(if leaf { Node::leaf(index) } else { Node::inner(index) })
+    }
+
+    /// The array of children from which [`Tree::new`] makes this tree.
+    pub fn to_children(&self) -> Vec<Option<[u32; 2]>> {
+        let numbers = |pair: &[Node; 2]| pair.map(|child| child.index() as u32);
+        self.children.iter().map(|pair| (pair[0] != Node::inner(0)).then(|| numbers(pair))).collect()
+    }
+}
+
+impl Topology for Tree {
+    #[inline]
+    fn root(&self) -> Node {
+        self.root
+    }
+
+    #[inline]
+    fn children(&self, node: Node) -> [Node; 2] {
+        self.children[node.index()]
+    }
+
+    #[inline]
+    fn node_count(&self) -> usize {
+        self.children.len()
+    }
+
+    #[inline]
+    fn slot(&self, node: Node) -> usize {
+        node.index()
+    }
+
+    #[inline]
+    fn depth(&self) -> u32 {
+        self.depth
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_name_the_node() {
+        let leaf = None;
+        for (children, error, text) in [
+            (vec![], TreeError::Empty, "a tree has at least one node"),
+            (
+                vec![Some([1, 7]), leaf, leaf],
+                TreeError::OutOfRange { node: 0, child: 7, nodes: 3 },
+                "node 0: child 7 is not one of the 3 nodes",
+            ),
+            (
+                vec![Some([1, 1]), leaf],
+                TreeError::ReachedTwice { node: 1, parent: 0 },
+                "node 1 is reached a second time, from node 0",
+            ),
+            (
+                vec![Some([1, 2]), leaf, Some([0, 3]), leaf],
+                TreeError::ReachedTwice { node: 0, parent: 2 },
+                "node 0 is reached a second time, from node 2",
+            ),
+            (
+                vec![Some([1, 2]), leaf, leaf, Some([4, 5]), leaf, leaf],
+                TreeError::NotReached { node: 3 },
+                "node 3 is not reached from the root, node 0",
+            ),
+            (vec![leaf, leaf], TreeError::NotReached { node: 1 }, "node 1 is not reached from the root, node 0"),
+        ] {
+            assert_eq!(Tree::new(&children), Err(error));
+            assert_eq!(alloc::string::ToString::to_string(&error), text);
+        }
+    }
+
+    #[test]
+    fn round_trip() {
+        for children in [vec![None], vec![Some([2, 1]), None, Some([4, 3]), None, None]] {
+            let tree = Tree::new(&children).unwrap();
+            assert_eq!(tree.to_children(), children);
+            for (i, pair) in children.iter().enumerate() {
+                assert_eq!(tree.node(i as u32).map(Node::is_leaf), Some(pair.is_none()));
+            }
+            assert_eq!(tree.node(children.len() as u32), None);
+        }
+    }
+}

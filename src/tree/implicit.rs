@@ -1,0 +1,174 @@
+//! The implicit layout: the address of a node is its key minus one.
+//!
+//! Barringer & Akenine-Möller (2013, Section 2) store depth `d` at addresses `2^d - 1` to `2^(d+1) - 2` and leave gaps
+//! where the tree has no nodes: "it is enough to allocate the address space for them". So does this layout: a plain
+//! vector where the tree is shallow, reserved virtual memory, of which only the touched pages exist, where it is not.
+
+use alloc::vec;
+use alloc::vec::Vec;
+use core::fmt;
+
+use super::{Node, Topology};
+use crate::hash::Lookup;
+use crate::key::KeyWord;
+
+/// A tree in level order, with gaps.
+#[derive(Debug)]
+pub struct Implicit {
+    cells: Cells,
+}
+
+/// One 32-bit cell an address: the node's bits plus one, 0 in a gap (as untouched memory is).
+#[derive(Debug)]
+enum Cells {
+    Plain(Vec<u32>),
+    #[cfg(feature = "std")]
+    Reserved(memmap2::MmapMut),
+}
+
+/// Why a tree has no implicit layout.
+#[derive(Debug)]
+pub enum ImplicitError {
+    /// The address space would be larger than this crate reserves.
+    TooDeep {
+        /// Depth of the tree, in edges.
+        depth: u32,
+        /// Greatest depth that is laid out.
+        limit: u32,
+    },
+    /// The system refused to reserve the address space.
+    #[cfg(feature = "std")]
+    Reserve {
+        /// Bytes asked for.
+        bytes: usize,
+        /// What the system said.
+        source: std::io::Error,
+    },
+}
+
+impl fmt::Display for ImplicitError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooDeep { depth, limit } => {
+                write!(f, "the tree is {depth} edges deep, and the implicit layout is made for at most {limit}")
+            }
+            #[cfg(feature = "std")]
+            Self::Reserve { bytes, source } => {
+                write!(f, "the implicit layout needs {bytes} bytes of address space: {source}")
+            }
+        }
+    }
+}
+
+impl core::error::Error for ImplicitError {}
+
+impl Implicit {
+    /// Deepest tree that is laid out: 16 GiB of address space with `std`, 128 MiB of memory without.
+    pub const LIMIT: u32 = if cfg!(feature = "std") { 31 } else { 24 };
+
+    /// Moves a tree to its predetermined addresses.
+    ///
+    /// # Errors
+    /// [`ImplicitError`], for a tree that is too deep or where address space is short.
+    pub fn of(tree: &impl Topology) -> Result<Self, ImplicitError> {
+        let depth = tree.depth();
+        if depth > Self::LIMIT {
+            return Err(ImplicitError::TooDeep { depth, limit: Self::LIMIT });
+        }
+        let mut cells = Cells::for_depth(depth)?;
+        let mut pending = vec![(tree.root(), 0_usize)];
+        let array = cells.as_mut_slice();
+        while let Some((node, address)) = pending.pop() {
+            array[address] = node.to_bits() + 1;
+            if !node.is_leaf() {
+                let [left, right] = tree.children(node);
+                pending.extend([(left, 2 * address + 1), (right, 2 * address + 2)]);
+            }
+        }
+        Ok(Self { cells })
+    }
+
+    /// The node at an address; `None` in a gap and beyond the last level.
+    #[inline]
+    pub fn at(&self, address: usize) -> Option<Node> {
+        let cell = *self.cells.as_slice().get(address)?;
+        cell.checked_sub(1).map(Node::from_bits)
+    }
+}
+
+/// Deepest tree that is kept in a plain vector (64 KiB) where there is a choice.
+#[cfg(feature = "std")]
+const PLAIN: u32 = 13;
+
+impl Cells {
+    #[cfg(feature = "std")]
+    fn for_depth(depth: u32) -> Result<Self, ImplicitError> {
+        if depth <= PLAIN {
+            return Ok(Self::Plain(vec![0; 2 << depth]));
+        }
+        let bytes = 8 << depth;
+        let reserved = memmap2::MmapOptions::new().len(bytes).no_reserve_swap().map_anon();
+        reserved.map(Self::Reserved).map_err(|source| ImplicitError::Reserve { bytes, source })
+    }
+
+    #[cfg(not(feature = "std"))]
+    #[allow(clippy::unnecessary_wraps, reason = "the other form of this function can fail")]
+    fn for_depth(depth: u32) -> Result<Self, ImplicitError> {
+        Ok(Self::Plain(vec![0; 2 << depth]))
+    }
+
+    #[inline]
+    fn as_slice(&self) -> &[u32] {
+        match self {
+            Self::Plain(cells) => cells,
+            #[cfg(feature = "std")]
+            Self::Reserved(map) => bytemuck::cast_slice(map),
+        }
+    }
+
+    fn as_mut_slice(&mut self) -> &mut [u32] {
+        match self {
+            Self::Plain(cells) => cells,
+            #[cfg(feature = "std")]
+            Self::Reserved(map) => bytemuck::cast_slice_mut(map),
+        }
+    }
+}
+
+impl<W: KeyWord> Lookup<W> for Implicit {
+    /// Every node of the tree is there; for a key of no node the answer is meaningless (and a panic in debug builds).
+    #[inline]
+    fn node(&self, key: &W) -> Node {
+        let address = key.to_u64().map_or(usize::MAX, |key| (key as usize).wrapping_sub(1));
+        let node = self.at(address);
+        debug_assert!(node.is_some(), "no node has the key {key:?}");
+        node.unwrap_or(Node::inner(0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tree::Tree;
+
+    fn comb(depth: u32) -> Tree {
+        let children: Vec<_> = (0..depth).flat_map(|i| [Some([2 * i + 1, 2 * i + 2]), None]).chain([None]).collect();
+        Tree::new(&children).unwrap()
+    }
+
+    #[test]
+    fn addresses_are_keys_minus_one_with_gaps_between() {
+        for depth in [0, 1, 5, 13, 14, Implicit::LIMIT] {
+            let tree = comb(depth);
+            let layout = Implicit::of(&tree).unwrap();
+            // The comb leans right: the inner node at depth d has key 2^(d+1) - 1, its left child is a leaf.
+            for d in 0..depth {
+                let key = (2_usize << d) - 1;
+                assert_eq!(layout.at(key - 1), tree.node(2 * d));
+                assert_eq!(layout.at(2 * key - 1), tree.node(2 * d + 1));
+                assert_eq!(layout.at(4 * key - 1), None);
+            }
+        }
+        assert!(matches!(Implicit::of(&comb(32)), Err(ImplicitError::TooDeep { depth: 32, limit: Implicit::LIMIT })));
+    }
+}

@@ -1,0 +1,178 @@
+//! References beyond the children: tables beside a tree, made from any topology.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use super::{Node, Topology};
+use crate::order::FixedOrder;
+
+/// Parent and sibling of every node, as [`afra`](crate::traverse), `sparse` and `hapala` need them.
+///
+/// The root is its own parent and its own sibling: Barringer & Akenine-Möller's Algorithm 4 ends by that.
+#[derive(Clone, Debug)]
+pub struct Parents {
+    rows: Vec<[Node; 2]>,
+}
+
+impl Parents {
+    /// The table of a tree.
+    pub fn of(tree: &impl Topology) -> Self {
+        let mut rows = vec![[tree.root(); 2]; tree.node_count()];
+        for_each_parent(tree, |parent, children| {
+            let [left, right] = children;
+            rows[tree.slot(left)] = [parent, right];
+            rows[tree.slot(right)] = [parent, left];
+        });
+        Self { rows }
+    }
+
+    /// Parent of the node with this slot.
+    #[inline]
+    pub fn parent(&self, slot: usize) -> Node {
+        self.rows[slot][0]
+    }
+
+    /// Sibling of the node with this slot.
+    #[inline]
+    pub fn sibling(&self, slot: usize) -> Node {
+        self.rows[slot][1]
+    }
+}
+
+/// How many ancestors' siblings a record stores: 1 the uncle, 2 the grand uncle too, 3 the grand grand uncle too.
+///
+/// The text of Binder & Keller gives leaves three references, their Algorithm 1 and Fig. 5 two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reach {
+    inner: u32,
+    leaf: u32,
+}
+
+impl Reach {
+    /// Two for inner nodes and two for leaves: Algorithm 1 and Fig. 5.
+    pub const ALGORITHM_1: Self = Self { inner: 2, leaf: 2 };
+    /// Two for inner nodes and three for leaves: Section 2.1.
+    pub const SECTION_2_1: Self = Self { inner: 2, leaf: 3 };
+
+    /// Any reach from 1 to 3; `None` for others.
+    pub const fn new(inner: u32, leaf: u32) -> Option<Self> {
+        let fits = matches!(inner, 1..=3) && matches!(leaf, 1..=3);
+        if fits { Some(Self { inner, leaf }) } else { None }
+    }
+
+    /// Trail bits whose nodes a record of this kind names, from bit 1 up (0x6 for a reach of two).
+    #[inline]
+    pub const fn mask(self, leaf: bool) -> u32 {
+        let reach = if leaf { self.leaf } else { self.inner };
+        (2 << reach) - 2
+    }
+}
+
+/// Uncle, grand uncle and grand grand uncle of every node: the siblings of its parent, grandparent and so on.
+///
+/// Where there is none, the row names the root, which is never postponed.
+#[derive(Clone, Debug)]
+pub struct Uncles {
+    rows: Vec<[Node; 3]>,
+    reach: Reach,
+}
+
+impl Uncles {
+    /// The table of a tree, of which records reveal as much as `reach` says.
+    pub fn of(tree: &impl Topology, reach: Reach) -> Self {
+        let root = tree.root();
+        let mut rows = vec![[root; 3]; tree.node_count()];
+        // Parents come before their children: a child's uncles are its parent's, moved up by one.
+        let mut siblings = vec![root; tree.node_count()];
+        for_each_parent(tree, |parent, children| {
+            let slot = tree.slot(parent);
+            let [uncle, grand, _] = rows[slot];
+            for (child, sibling) in [(children[0], children[1]), (children[1], children[0])] {
+                rows[tree.slot(child)] = [siblings[slot], uncle, grand];
+                siblings[tree.slot(child)] = sibling;
+            }
+        });
+        Self { rows, reach }
+    }
+
+    /// The references of the node with this slot: uncle, grand uncle, grand grand uncle.
+    #[inline]
+    pub fn row(&self, slot: usize) -> [Node; 3] {
+        self.rows[slot]
+    }
+
+    /// The lowest postponed node that the record names, given the low bits of the trail. `[UNCLE-2]`
+    #[inline]
+    pub fn lowest_pending(&self, node: Node, slot: usize, trail: u32) -> Option<Node> {
+        let pending = trail & self.reach.mask(node.is_leaf());
+        (pending != 0).then(|| self.rows[slot][pending.trailing_zeros() as usize - 1])
+    }
+}
+
+/// Where to go after a node's subtree is done, in a fixed order of the children (Smits 1998).
+#[derive(Clone, Debug)]
+pub struct Skips {
+    rows: Vec<Node>,
+}
+
+impl Skips {
+    /// The skip pointers of a tree under an order.
+    pub fn of(tree: &impl Topology, order: &impl FixedOrder) -> Self {
+        let mut rows = vec![tree.root(); tree.node_count()];
+        for_each_parent(tree, |parent, children| {
+            let first = order.first(parent);
+            rows[tree.slot(children[first.index()])] = children[first.other().index()];
+            rows[tree.slot(children[first.other().index()])] = rows[tree.slot(parent)];
+        });
+        Self { rows }
+    }
+
+    /// The node to visit after the subtree of the node with this slot. The root, which nobody follows, means none.
+    #[inline]
+    pub fn after(&self, slot: usize) -> Node {
+        self.rows[slot]
+    }
+}
+
+/// Calls `f` for each inner node and its children, parents before children, without recursion.
+fn for_each_parent<T: Topology>(tree: &T, mut f: impl FnMut(Node, [Node; 2])) {
+    let mut pending = vec![tree.root()];
+    while let Some(node) = pending.pop() {
+        if !node.is_leaf() {
+            let children = tree.children(node);
+            f(node, children);
+            pending.extend(children);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::order::LeftFirst;
+    use crate::tree::Tree;
+
+    #[test]
+    fn the_tree_of_figure_2() {
+        // Keys 1; 2 3; 4 5; 10 11; 22 23 as nodes 0; 1 2; 3 4; 5 6; 7 8.
+        let leaf = None;
+        let children = [Some([1, 2]), Some([3, 4]), leaf, leaf, Some([5, 6]), leaf, Some([7, 8]), leaf, leaf];
+        let tree = Tree::new(&children).unwrap();
+        let node = |i| tree.node(i).unwrap();
+        let uncles = Uncles::of(&tree, Reach::SECTION_2_1);
+        assert_eq!(uncles.row(7), [node(5), node(3), node(2)]);
+        assert_eq!(uncles.lowest_pending(node(7), 7, 0b1000), Some(node(2)));
+        assert_eq!(uncles.lowest_pending(node(7), 7, 0b1101), Some(node(3)));
+        assert_eq!(uncles.lowest_pending(node(7), 7, 0b1_0001), None);
+        assert_eq!(Uncles::of(&tree, Reach::ALGORITHM_1).lowest_pending(node(7), 7, 0b1000), None);
+        assert_eq!(uncles.row(1), [node(0); 3]);
+
+        let parents = Parents::of(&tree);
+        assert_eq!((parents.parent(7), parents.sibling(7)), (node(6), node(8)));
+        assert_eq!((parents.parent(0), parents.sibling(0)), (node(0), node(0)));
+
+        let skips = Skips::of(&tree, &LeftFirst);
+        let after: Vec<_> = (0..9).map(|slot| skips.after(slot).index()).collect();
+        assert_eq!(after, [0, 2, 0, 4, 2, 6, 2, 8, 2]);
+    }
+}
