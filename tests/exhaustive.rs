@@ -58,9 +58,9 @@ fn all_trees_of_up_to_5_leaves_under_all_scripts_with_an_end_at_any_leaf() {
         let tree = Tree::new(&shape(&mut all, leaves)).unwrap();
         let tape = Tape::draw(&mut all, &tree, Kind::Script);
         let end = all.below(u64::from(leaves)) as usize;
-        let leaf_slots = (0..tree.node_count()).filter(|&slot| tree.node(slot as u32).unwrap().is_leaf());
+        let mut leaf_slots = (0..tree.node_count()).filter(|&slot| tree.node(slot as u32).unwrap().is_leaf());
         let mut cells = tape.cells().to_vec();
-        cells[leaf_slots.skip(end).next().unwrap()].hit = Some(0);
+        cells[leaf_slots.nth(end).unwrap()].hit = Some(0);
         let tape = Tape::from_cells(&tree, cells).unwrap();
         check(&Case { tree, tape, any: true, octant: OCTANT }, &mut comparisons);
     }

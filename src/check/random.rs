@@ -3,9 +3,10 @@
 use rayon::prelude::*;
 
 use super::watch::Fault;
-use super::{Battery, Case, CaseOptions, Tally, Verdict};
+use super::{Battery, Case, CaseOptions, Tally, Verdict, WithWord, with_word};
 use crate::generate::{Family, Kind, Rng};
 use crate::hash::mix;
+use crate::key::KeyWord;
 use crate::traverse::{Method, WordName};
 use crate::tree::Topology;
 
@@ -41,13 +42,13 @@ pub struct Disagreement {
 pub type Progress<'a> = &'a (dyn Fn(u64) + Sync);
 
 impl Plan {
-    /// The traversals and words of this plan that exist: each traversal without words appears once.
+    /// The traversals of this plan in its words, as far as they exist; one without words appears once.
     pub fn pairs(&self) -> Vec<(Method, WordName)> {
         let pairs = self.methods.iter().flat_map(|&method| {
             let words = if method.has_words() { &self.words[..] } else { &self.words[..1] };
             words.iter().map(move |&word| (method, word))
         });
-        pairs.collect()
+        pairs.filter(|&(method, word)| with_word(word, Exists(method))).collect()
     }
 
     /// Runs all traversals in all words on one case.
@@ -63,6 +64,16 @@ impl Plan {
             }
         }
         first
+    }
+}
+
+struct Exists(Method);
+
+impl WithWord for Exists {
+    type Output = bool;
+
+    fn call<W: KeyWord>(self) -> bool {
+        self.0.exists_for::<W>()
     }
 }
 

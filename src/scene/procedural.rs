@@ -5,7 +5,7 @@
 
 mod rays;
 
-pub use rays::rays;
+pub use rays::{camera_rays, rays};
 
 use glam::Vec3;
 

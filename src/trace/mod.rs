@@ -5,8 +5,10 @@
 //! closest-hit query is the same, bit for bit, for every tree over the same mesh, every order and every traversal;
 //! see [`Triangle`] for why. Of an any-hit query, only whether there is a hit is.
 
+mod bounce;
 mod query;
 
+pub use bounce::bounce;
 pub use query::{Any, AnyByNode, Closest, ClosestByNode, Counted, NodeSearch, Search};
 
 use crate::geom::{Ray, RaySlabs, Triangle};

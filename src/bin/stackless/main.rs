@@ -1,1 +1,49 @@
-fn main() {}
+//! The command `stackless`: check traversals, trace rays, measure.
+
+mod bench;
+mod check;
+mod input;
+mod output;
+mod trace;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Traversal of binary hierarchies without a stack: checked, exact about what it does, and measured.
+#[derive(Parser)]
+#[command(version, arg_required_else_help = true)]
+struct Command {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Subcommand)]
+enum What {
+    /// Compare every traversal with the oracle, on abstract trees and on scenes.
+    Check(check::Args),
+    /// Trace the rays of a file through a scene.
+    Trace(trace::Args),
+    /// Measure the traversals beside each other on scenes.
+    Bench(bench::Args),
+}
+
+/// What a subcommand ends with: whether all was well, or why it could not run.
+type Outcome = Result<bool, Box<dyn std::error::Error>>;
+
+/// 0 if all is well, 1 if a check found something wrong, 2 if it could not run (bad input or usage).
+fn main() -> ExitCode {
+    let outcome = match Command::parse().what {
+        What::Check(args) => check::run(args),
+        What::Trace(args) => trace::run(&args),
+        What::Bench(args) => bench::run(&args),
+    };
+    match outcome {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}

@@ -21,6 +21,13 @@ pub fn rays(mesh: &Mesh, seed: u64, n: usize) -> Vec<Ray> {
     (0..n).filter_map(|i| source.ray(i % KINDS, i / KINDS, &camera)).collect()
 }
 
+/// `n` primary rays of a camera that looks at the whole mesh from outside, row by row.
+pub fn camera_rays(mesh: &Mesh, seed: u64, n: usize) -> Vec<Ray> {
+    let mut source = Source { mesh, bounds: Aabb::of(mesh.vertices()), random: Random::new(seed) };
+    let camera = source.camera(n);
+    (0..n).filter_map(|i| Ray::new(camera.eye, camera.direction(i), 0.0, f32::INFINITY).ok()).collect()
+}
+
 const KINDS: usize = 8;
 
 struct Source<'a> {

@@ -1,0 +1,197 @@
+//! `stackless bench`: the traversals beside each other, in one run.
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use serde::Serialize;
+use stackless_bvh::bvh::{Bvh, SahOptions};
+use stackless_bvh::geom::{Aabb, Ray};
+use stackless_bvh::key::KeyWord;
+use stackless_bvh::scene::procedural;
+use stackless_bvh::trace::{self, ClosestByNode, Counted};
+use stackless_bvh::traverse::{Method, Tables, Unfit};
+use stackless_bvh::tree::{Implicit, Node, Topology};
+
+use crate::Outcome;
+use crate::input::{self, Scene};
+use crate::output::{bar, table, write_json};
+
+/// Measure closest-hit throughput on one thread, same tree, same rays.
+///
+/// Traversals take turns on chunks of the rays; the ratio is the median over all chunks of the time of `stack` to that
+/// of the traversal. The hits of all must be the same, or the exit code is 1.
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// Mesh files (.ply, .obj), or the made scenes `strands`, `stadium`, `soup`.
+    #[arg(required = true)]
+    scenes: Vec<PathBuf>,
+    /// Only these traversals (and `stack`), separated by commas.
+    #[arg(long, value_delimiter = ',', value_parser = input::method)]
+    methods: Vec<Method>,
+    /// Number of rays: half from a camera, half from where those hit, in all directions.
+    #[arg(long, default_value_t = 65_536)]
+    rays: usize,
+    /// How often each chunk is traced.
+    #[arg(long, default_value_t = 5)]
+    rounds: usize,
+    /// Seed of the rays.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Write the figures to this file.
+    #[arg(long)]
+    json: Option<PathBuf>,
+}
+
+/// Rays that are traced before it is another traversal's turn.
+const CHUNK: usize = 1024;
+
+#[derive(Serialize)]
+struct Row {
+    scene: String,
+    rays: &'static str,
+    method: &'static str,
+    mrays: f64,
+    ratio: f64,
+    state_bytes: usize,
+    nodes_per_ray: f64,
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    let scenes = input::scenes(&args.scenes)?;
+    let mut methods = if args.methods.is_empty() { Method::ALL.to_vec() } else { args.methods.clone() };
+    // The tree is built for speed and so is not complete; `stack` is what the others are measured by.
+    methods.retain(|&method| method != Method::Complete && method != Method::Stack);
+    methods.insert(0, Method::Stack);
+    let (mut rows, mut all_agree) = (Vec::new(), true);
+    for scene in &scenes {
+        let bvh = Bvh::sah(&scene.mesh, SahOptions::default())?;
+        let bench = Bench::new(scene, &bvh, &methods, args);
+        let measured = if bvh.depth() <= 30 { bench.run::<u32>() } else { bench.run::<u64>() };
+        let (measured, agree) = measured.map_err(|unfit| format!("{}: {unfit}", scene.name))?;
+        all_agree &= agree;
+        let lines = measured.iter().map(Row::cells).collect();
+        let header = ["scene", "method", "Mrays/s", "ratio", "state bytes", "nodes/ray"];
+        println!("{}", table(&header, 2, lines));
+        rows.extend(measured);
+    }
+    if let Some(path) = &args.json {
+        write_json(path, &rows)?;
+    }
+    if !all_agree {
+        println!("the hits differ: run `stackless check` on the scene");
+    }
+    Ok(all_agree)
+}
+
+struct Bench<'a> {
+    scene: &'a Scene,
+    bvh: &'a Bvh,
+    boxes: Vec<Aabb>,
+    axes: Vec<u8>,
+    methods: &'a [Method],
+    rays: Vec<Ray>,
+    rounds: usize,
+}
+
+impl<'a> Bench<'a> {
+    fn new(scene: &'a Scene, bvh: &'a Bvh, methods: &'a [Method], args: &Args) -> Self {
+        let (boxes, axes) = (bvh.own_boxes(), bvh.axes());
+        let mut rays = procedural::camera_rays(&scene.mesh, args.seed, args.rays / 2);
+        let bounced = trace::bounce(&scene.mesh, bvh, &rays, args.seed);
+        rays.extend(bounced);
+        Self { scene, bvh, boxes, axes, methods, rays, rounds: args.rounds.max(1) }
+    }
+
+    fn run<W: KeyWord>(&self) -> Result<(Vec<Row>, bool), Unfit> {
+        let tables = Tables::new(self.bvh, &self.axes, self.methods, Implicit::LIMIT);
+        let chunks: Vec<_> = self.rays.chunks(CHUNK).collect();
+        let progress = bar((self.rounds * chunks.len()) as u64, &self.scene.name);
+        // times[m] has the time of traversal m for each chunk of each round.
+        let mut times = vec![Vec::new(); self.methods.len()];
+        let mut hits = vec![0_u64; self.methods.len()];
+        let mut memory = Vec::new();
+        for turn in 0..self.rounds * chunks.len() {
+            // Each chunk starts with another traversal, so that none is always the one to warm the caches.
+            for i in 0..self.methods.len() {
+                let m = (turn + i) % self.methods.len();
+                let rays = chunks[turn % chunks.len()];
+                let start = Instant::now();
+                let sum = self.trace::<W>(&tables, self.methods[m], rays, &mut memory)?;
+                times[m].push(start.elapsed());
+                hits[m] = hits[m].wrapping_mul(31).wrapping_add(sum);
+            }
+            progress.inc(1);
+        }
+        progress.finish_and_clear();
+        let mut rows = Vec::new();
+        for (m, &method) in self.methods.iter().enumerate() {
+            let nodes = self.count::<W>(&tables, method, &mut memory)?;
+            let ratios = times[0].iter().zip(&times[m]).map(|(stack, own)| stack.as_secs_f64() / own.as_secs_f64());
+            let traced = (self.rounds * self.rays.len()) as f64;
+            rows.push(Row {
+                scene: self.scene.name.clone(),
+                rays: "camera + diffuse, closest hit",
+                method: method.name(),
+                mrays: traced / times[m].iter().sum::<Duration>().as_secs_f64() / 1e6,
+                ratio: median(ratios.collect()),
+                state_bytes: method.state_bytes::<W>(self.bvh.depth()),
+                nodes_per_ray: nodes as f64 / self.rays.len() as f64,
+            });
+        }
+        Ok((rows, hits.iter().all(|&sum| sum == hits[0])))
+    }
+
+    /// Traces rays and sums their hits up in one number.
+    #[inline(never)]
+    fn trace<W: KeyWord>(
+        &self,
+        tables: &Tables<'_, Bvh>,
+        method: Method,
+        rays: &[Ray],
+        memory: &mut Vec<Node>,
+    ) -> Result<u64, Unfit> {
+        let mut sum = 0_u64;
+        for ray in rays {
+            let mut search = ClosestByNode::new(self.bvh, &self.boxes, ray);
+            tables.run::<W, _>(method, ray.octant(), memory, &mut search, &mut ())?;
+            if let Some(hit) = search.hit() {
+                sum = sum.wrapping_add(u64::from(hit.t.to_bits()) << 32 | u64::from(hit.prim));
+            }
+        }
+        Ok(sum)
+    }
+
+    /// Visits of inner nodes and leaves by all rays.
+    fn count<W: KeyWord>(
+        &self,
+        tables: &Tables<'_, Bvh>,
+        method: Method,
+        memory: &mut Vec<Node>,
+    ) -> Result<u64, Unfit> {
+        let mut sum = 0;
+        for ray in &self.rays {
+            let mut search = Counted::new(ClosestByNode::new(self.bvh, &self.boxes, ray));
+            tables.run::<W, _>(method, ray.octant(), memory, &mut search, &mut ())?;
+            sum += search.inner + search.leaves;
+        }
+        Ok(sum)
+    }
+}
+
+impl Row {
+    fn cells(&self) -> Vec<String> {
+        vec![
+            self.scene.clone(),
+            self.method.to_owned(),
+            format!("{:.3}", self.mrays),
+            format!("{:.3}", self.ratio),
+            self.state_bytes.to_string(),
+            format!("{:.1}", self.nodes_per_ray),
+        ]
+    }
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}

@@ -1,0 +1,274 @@
+//! `stackless check`: every traversal against the oracle.
+
+use std::path::PathBuf;
+
+use serde::Serialize;
+use stackless_bvh::bvh::{Bvh, SahOptions};
+use stackless_bvh::check::{
+    Battery, CaseOptions, Disagreement, Plan, Replay, SceneDisagreement, SceneTree, Tally, Verdict, WithWord,
+    boundary_cases, check_cases, check_random, check_scene, merge, shrink, with_word,
+};
+use stackless_bvh::generate::Family;
+use stackless_bvh::key::KeyWord;
+use stackless_bvh::scene::procedural;
+use stackless_bvh::traverse::{Method, WordName};
+
+use crate::Outcome;
+use crate::input::{self, MADE, Scene};
+use crate::output::{bar, grouped, table, write_json};
+
+/// Compare every traversal with the oracle.
+///
+/// Without SCENE: random and boundary trees, and three made scenes. With SCENE: rays through each. The exit code is 0
+/// if all agree, 1 on any disagreement, 2 if the check could not run.
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// Mesh files (.ply, .obj), or the made scenes `strands`, `stadium`, `soup`.
+    scenes: Vec<PathBuf>,
+    /// Number of random trees [default: 200000, or 0 with SCENE].
+    #[arg(long)]
+    trees: Option<u64>,
+    /// Only trees of this family: catalan, skew, complete, comb, caterpillar, fibonacci.
+    #[arg(long, value_parser = |name: &str| name.parse::<Family>().map_err(|_| families()))]
+    family: Option<Family>,
+    /// Depth of the trees in edges: combs are that deep, others at most.
+    #[arg(long, value_parser = clap::value_parser!(u32).range(..=10_000_000))]
+    depth: Option<u32>,
+    /// Seed of trees, tapes and rays.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Only these traversals, separated by commas.
+    #[arg(long, value_delimiter = ',', value_parser = input::method)]
+    methods: Vec<Method>,
+    /// Only this word: u32, u64, u128, grow.
+    #[arg(long, value_parser = input::word)]
+    word: Option<WordName>,
+    /// Rays through each scene.
+    #[arg(long, default_value_t = 4000)]
+    rays: usize,
+    /// Write the counts to this file.
+    #[arg(long)]
+    json: Option<PathBuf>,
+    /// Run the case in this file and nothing else. A disagreement on a tree is printed as such a file.
+    #[arg(long, conflicts_with_all = ["scenes", "trees", "family", "depth"])]
+    replay: Option<PathBuf>,
+}
+
+fn families() -> String {
+    format!("expected one of: {}", Family::ALL.map(Family::name).join(", "))
+}
+
+/// All that is counted.
+#[derive(Default)]
+struct Total {
+    trees: u64,
+    rays: u64,
+    tally: Tally,
+}
+
+pub(crate) fn run(args: Args) -> Outcome {
+    let scenes = input::scenes(&args.scenes)?;
+    let methods = if args.methods.is_empty() { Method::ALL.to_vec() } else { args.methods.clone() };
+    let words = args.word.map_or_else(|| WordName::ALL.to_vec(), |word| vec![word]);
+    let options = CaseOptions { family: args.family, depth: args.depth };
+    let mut plan = Plan { trees: 0, seed: args.seed, options, methods, words };
+    let mut total = Total::default();
+    if let Some(path) = &args.replay {
+        let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
+        let replay = Replay::load(path).map_err(|error| named(&error))?;
+        if args.methods.is_empty() {
+            plan.methods = replay.methods().map_err(|error| named(&error))?;
+        }
+        if args.word.is_none() {
+            plan.words = replay.words().map_err(|error| named(&error))?;
+        }
+        let case = replay.case().map_err(|error| named(&error))?;
+        total.trees = 1;
+        let found = plan.check_case(&case, &mut total.tally);
+        return finish(&args, &plan, total, found.as_ref());
+    }
+    let abstract_only = args.family.is_some() || args.depth.is_some() || args.trees.is_some();
+    plan.trees = args.trees.unwrap_or(if scenes.is_empty() { 200_000 } else { 0 });
+    let mut found = None;
+    if plan.trees > 0 {
+        found = check_trees(&plan, abstract_only, &mut total);
+    }
+    let made = || MADE.iter().map(|name| Scene::load(name.as_ref())).collect::<Result<Vec<_>, _>>();
+    let scenes = if scenes.is_empty() && !abstract_only { made()? } else { scenes };
+    for scene in &scenes {
+        check_one_scene(&plan, scene, args.rays, &mut total)?;
+    }
+    finish(&args, &plan, total, found.as_ref())
+}
+
+/// The random trees and, unless the user has asked for some of his own, those at the depths where words end.
+fn check_trees(plan: &Plan, random_only: bool, total: &mut Total) -> Option<Disagreement> {
+    let progress = bar(plan.trees, "trees");
+    let result = check_random(plan, &|done| progress.inc(done));
+    progress.finish_and_clear();
+    total.trees += plan.trees;
+    let (tally, found) = if random_only {
+        result
+    } else {
+        total.trees += boundary_cases(plan.seed).count() as u64;
+        merge(result, check_cases(plan, boundary_cases(plan.seed)))
+    };
+    total.tally = std::mem::take(&mut total.tally).merge(&tally);
+    found
+}
+
+/// Rays through the scene under a tree by surface area and under a complete tree by medians.
+fn check_one_scene(
+    plan: &Plan,
+    scene: &Scene,
+    count: usize,
+    total: &mut Total,
+) -> Result<(), Box<dyn std::error::Error>> {
+    // Testing all triangles is for as many rays as 200 million tests allow.
+    let sample = (200_000_000 / scene.mesh.triangles().len()).clamp(1, count.max(1));
+    let rays = procedural::rays(&scene.mesh, plan.seed, count);
+    let trees =
+        [("surface area", Bvh::sah(&scene.mesh, SahOptions::default())?), ("median", Bvh::median(&scene.mesh, 4)?)];
+    for (kind, bvh) in &trees {
+        let progress = bar(rays.len() as u64, &scene.name);
+        let tree = SceneTree::new(&scene.mesh, bvh);
+        let (tally, found) = check_scene(plan, &tree, &rays, sample, &|done| progress.inc(done));
+        progress.finish_and_clear();
+        if let Some(found) = found {
+            print_scene(&scene.name, kind, &found);
+        }
+        total.tally = std::mem::take(&mut total.tally).merge(&tally);
+        total.trees += 1;
+        total.rays += rays.len() as u64;
+    }
+    Ok(())
+}
+
+fn print_scene(scene: &str, tree: &str, found: &SceneDisagreement) {
+    let SceneDisagreement { ray, any, method, expected, found } = found;
+    let who = method.map_or_else(|| "the oracle".to_owned(), |(method, word)| format!("{method} {word}"));
+    let query = if *any { "any hit" } else { "closest hit" };
+    let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin().to_array(), ray.direction().to_array());
+    println!("{scene}, {tree} tree, {query}: {who} differs for the ray");
+    println!("  {ox:?},{oy:?},{oz:?},{dx:?},{dy:?},{dz:?},{:?},{:?}", ray.tmin(), ray.tmax());
+    println!("  expected {expected:?}");
+    println!("  found    {found:?}");
+}
+
+/// Prints the table, the smallest disagreement and the closing line.
+fn finish(args: &Args, plan: &Plan, total: Total, found: Option<&Disagreement>) -> Outcome {
+    let rows = plan.pairs().into_iter().map(|(method, word)| Row::of(method, word, &total.tally)).collect::<Vec<_>>();
+    if total.tally.comparisons() == 0 {
+        let refusal = plan.pairs().into_iter().find_map(|(method, word)| {
+            total.tally.get(method, word).refusal.map(|refusal| format!("{method}: {refusal}"))
+        });
+        return Err(refusal.unwrap_or_else(|| "there is nothing to check".to_owned()).into());
+    }
+    let header = ["method", "word", "cases", "agree", "refused", "steps", "state bytes"];
+    println!("{}", table(&header, 2, rows.iter().map(Row::cells).collect()));
+    println!("state bytes: for one ray in a tree {} edges deep", Row::depth(&total.tally));
+    let refused: Vec<_> = rows.iter().filter_map(|row| row.refusal.as_ref().map(|why| (row, why))).collect();
+    if let Some((row, why)) = refused.first() {
+        println!("refused before the first step, e.g. {} {}: {why}", row.method, row.word);
+    }
+    if let Some(found) = found {
+        print_disagreement(found);
+    }
+    let disagreements = total.tally.disagreements();
+    let summary = Summary {
+        trees: total.trees,
+        rays: total.rays,
+        methods: plan.methods.len(),
+        disagreements,
+        rows,
+        smallest: found.map(smallest),
+    };
+    if let Some(path) = &args.json {
+        write_json(path, &summary)?;
+    }
+    println!(
+        "checked: {} trees, {} rays, {} methods, {disagreements} disagreements",
+        summary.trees, summary.rays, summary.methods
+    );
+    Ok(disagreements == 0)
+}
+
+fn print_disagreement(found: &Disagreement) {
+    let replay = smallest(found);
+    println!("{} {}: {}", found.method, found.word, replay.fault.as_deref().unwrap_or_default());
+    println!("smallest case, for `stackless check --replay FILE`:");
+    println!("{}", serde_json::to_string(&replay).unwrap_or_default());
+}
+
+/// The case made small, in the form of a file.
+fn smallest(found: &Disagreement) -> Replay {
+    let &Disagreement { method, word, fault, .. } = found;
+    let verdict = |case: &_| Battery::new(case, &[method]).check(method, word);
+    let case = shrink(found.case.clone(), |case| matches!(verdict(case), Verdict::Differs(_)));
+    let fault = if let Verdict::Differs(fault) = verdict(&case) { fault } else { fault };
+    Replay::of(&case, method, word, &fault)
+}
+
+/// The file of `--json`.
+#[derive(Serialize)]
+struct Summary {
+    trees: u64,
+    rays: u64,
+    methods: usize,
+    disagreements: u64,
+    rows: Vec<Row>,
+    smallest: Option<Replay>,
+}
+
+/// One line of the table.
+#[derive(Serialize)]
+struct Row {
+    method: String,
+    word: String,
+    cases: u64,
+    agree: u64,
+    refused: u64,
+    refusal: Option<String>,
+    steps: u64,
+    state_bytes: usize,
+}
+
+impl Row {
+    fn of(method: Method, word: WordName, tally: &Tally) -> Self {
+        let count = tally.get(method, word);
+        let word_name = if method.has_words() { word.name() } else { "-" };
+        Self {
+            method: method.to_string(),
+            word: word_name.to_owned(),
+            cases: count.cases,
+            agree: count.agree,
+            refused: count.refused,
+            refusal: count.refusal.map(|refusal| refusal.to_string()),
+            steps: count.steps,
+            state_bytes: with_word(word, StateBytes { method, depth: Self::depth(tally) }),
+        }
+    }
+
+    /// Random trees are of many depths: their state is given for the depth that a u32 carries.
+    fn depth(tally: &Tally) -> u32 {
+        tally.depth.min(31)
+    }
+
+    fn cells(&self) -> Vec<String> {
+        let numbers = [self.cases, self.agree, self.refused, self.steps, self.state_bytes as u64].map(grouped);
+        [self.method.clone(), self.word.clone()].into_iter().chain(numbers).collect()
+    }
+}
+
+struct StateBytes {
+    method: Method,
+    depth: u32,
+}
+
+impl WithWord for StateBytes {
+    type Output = usize;
+
+    fn call<W: KeyWord>(self) -> usize {
+        self.method.state_bytes::<W>(self.depth)
+    }
+}

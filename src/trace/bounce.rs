@@ -1,0 +1,40 @@
+//! Rays from where others hit.
+
+use glam::Vec3;
+
+use super::Closest;
+use crate::bvh::Bvh;
+use crate::generate::Rng;
+use crate::geom::Ray;
+use crate::scene::Mesh;
+use crate::traverse::{Stack, traverse};
+
+/// For each ray that hits, one from just before its hit in a random direction away from the surface: what a diffuse
+/// reflection sends out. `bvh` must be over `mesh`.
+pub fn bounce(mesh: &Mesh, bvh: &Bvh, rays: &[Ray], seed: u64) -> Vec<Ray> {
+    let (mut rng, mut memory) = (Rng::new(seed), Vec::new());
+    let bounced = rays.iter().filter_map(|ray| {
+        let mut search = Closest::new(bvh, ray);
+        traverse(Stack::new(bvh, &mut memory), &mut search, &mut ());
+        let hit = search.hit()?;
+        let [a, b, c] = mesh.triangle(hit.prim as usize);
+        let normal = (b - a).cross(c - a).try_normalize()?;
+        let outside = if normal.dot(ray.direction()) > 0.0 { -normal } else { normal };
+        // Added to the normal, a point of the unit sphere gives the cosine distribution.
+        let direction = outside + unit_vector(&mut rng);
+        let origin = ray.origin() + ray.direction() * (hit.t * (1.0 - 1e-4));
+        Ray::new(origin, direction, 0.0, f32::INFINITY).ok()
+    });
+    bounced.collect()
+}
+
+fn unit_vector(rng: &mut Rng) -> Vec3 {
+    loop {
+        let bits = rng.bits();
+        let component = |shift: u32| (bits >> shift & 0xf_ffff) as f32 / 524_288.0 - 1.0;
+        let v = Vec3::new(component(0), component(20), component(40));
+        if (1e-3..=1.0).contains(&v.length_squared()) {
+            return v.normalize();
+        }
+    }
+}
