@@ -28,7 +28,8 @@ pub trait State {
         None
     }
 
-    /// Barringer & Akenine-Möller's `levelIndex`, where the traversal carries one: the complement of the trail.
+    /// Barringer & Akenine-Möller's `levelStart + levelIndex`, where the traversal carries them: a leading one, and the
+    /// complement of the trail.
     fn counter(&self) -> Option<Self::Word> {
         None
     }
@@ -85,7 +86,7 @@ impl Trace {
     /// struct RightFirst;
     /// impl Visitor for RightFirst {
     ///     fn inner(&mut self, _: Node) -> Descent {
-    ///         Descent::Both { first: Side::Right }
+    ///         Descent::both(Side::Right)
     ///     }
     ///     fn leaf(&mut self, _: Node) -> Flow {
     ///         Flow::Continue

@@ -26,14 +26,14 @@
 //! ```
 //! use stackless_bvh::order::{Descent, Flow, Side, Visitor};
 //! use stackless_bvh::traverse::{self, Hashed};
-//! use stackless_bvh::tree::{Node, Reach, Tree, Uncles};
+//! use stackless_bvh::tree::{Node, Tree, Uncles};
 //! use stackless_bvh::hash::KeyMap;
 //!
 //! /// Collects the leaves from right to left.
 //! struct Leaves(Vec<usize>);
 //! impl Visitor for Leaves {
 //!     fn inner(&mut self, _: Node) -> Descent {
-//!         Descent::Both { first: Side::Right }
+//!         Descent::both(Side::Right)
 //!     }
 //!     fn leaf(&mut self, node: Node) -> Flow {
 //!         self.0.push(node.index());
@@ -42,7 +42,7 @@
 //! }
 //!
 //! let tree = Tree::new(&[Some([1, 2]), None, Some([3, 4]), None, None])?;
-//! let (uncles, map) = (Uncles::of(&tree, Reach::ALGORITHM_1), KeyMap::of(&tree));
+//! let (uncles, map) = (<Uncles>::of(&tree), KeyMap::of(&tree));
 //! let mut leaves = Leaves(Vec::new());
 //! traverse::traverse(Hashed::<u32, _, _>::new(&tree, &uncles, &map)?, &mut leaves, &mut ());
 //! assert_eq!(leaves.0, [4, 3, 1]);

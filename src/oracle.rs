@@ -1,7 +1,7 @@
 //! The reference: recursion, as short as it can be. Everything else is compared with it.
 
 use crate::event::{Recorder, State};
-use crate::order::{Descent, Flow, Visitor};
+use crate::order::{Flow, Visitor};
 use crate::tree::{Node, Topology};
 
 /// Deepest tree, in edges, that the recursion is used for. Deeper ones are compared with the explicit
@@ -29,13 +29,9 @@ fn visit<T: Topology>(
         return visitor.leaf(node);
     }
     let descent = visitor.inner(node);
-    let children = tree.children(node);
-    let wanted = match descent {
-        Descent::Neither => [None, None],
-        Descent::Only(side) => [Some(children[side.index()]), None],
-        Descent::Both { first } => [Some(children[first.index()]), Some(children[first.other().index()])],
-    };
-    for child in wanted.into_iter().flatten() {
+    let wanted = [(descent.first(), !descent.is_neither()), (descent.first().other(), descent.postpones())];
+    for (side, _) in wanted.into_iter().filter(|&(_, is_wanted)| is_wanted) {
+        let child = tree.children(node)[side.index()];
         let Some(left) = depth_left.checked_sub(1) else { return Flow::Continue };
         if visit(tree, child, left, visitor, recorder) == Flow::Stop {
             return Flow::Stop;

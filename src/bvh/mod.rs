@@ -15,7 +15,7 @@ use glam::Vec3;
 
 use crate::geom::{Aabb, Triangle};
 use crate::order::Side;
-use crate::tree::{Node, Topology};
+use crate::tree::{self, Node, Topology};
 
 /// A binary bounding volume hierarchy over the triangles of a mesh, with a copy of their corners.
 ///
@@ -36,6 +36,7 @@ pub struct Bvh {
     depth: u32,
     bounds: Aabb,
     nodes: Vec<BvhNode>,
+    axes: Vec<u8>,
     leaves: Vec<Leaf>,
     triangles: Vec<LeafTriangle>,
 }
@@ -48,10 +49,8 @@ pub struct BvhNode {
     pub planes: [[f32; 4]; 3],
     /// Left and right child.
     pub children: [Node; 2],
-    /// Axis (0, 1, 2) along which the node was split; the left child holds the smaller centroids.
-    pub axis: u32,
-    /// Unused, 0.
-    pub spare: u32,
+    /// Uncle and grand uncle, or the root where there is none (Binder & Keller 2016, Fig. 4).
+    pub uncles: [Node; 2],
 }
 
 /// A leaf: a range of [`Bvh::triangles`], never empty.
@@ -62,6 +61,8 @@ pub struct Leaf {
     pub first: u32,
     /// Number of triangles.
     pub count: u32,
+    /// Uncle and grand uncle, or the root where there is none (Binder & Keller 2016, Fig. 5).
+    pub uncles: [Node; 2],
 }
 
 /// A triangle as a leaf holds it.
@@ -106,13 +107,14 @@ impl Bvh {
     /// Triangles of a leaf, which must be one of this tree.
     #[inline]
     pub fn leaf_triangles(&self, leaf: Node) -> &[LeafTriangle] {
-        let Leaf { first, count } = self.leaves[leaf.index()];
+        let Leaf { first, count, .. } = self.leaves[leaf.index()];
         &self.triangles[first as usize..][..count as usize]
     }
 
-    /// Split axis of each inner node, for [`SignOrder`](crate::order::SignOrder).
-    pub fn axes(&self) -> Vec<u8> {
-        self.nodes.iter().map(|node| node.axis as u8).collect()
+    /// Axis (0, 1, 2) along which each inner node was split, the left child holding the smaller centroids; for
+    /// [`SignOrder`](crate::order::SignOrder).
+    pub fn axes(&self) -> &[u8] {
+        &self.axes
     }
 
     /// Each node's own box, by [`slot`](Topology::slot): the numbers that the parent's record holds, and
@@ -127,7 +129,7 @@ impl Bvh {
         boxes
     }
 
-    /// Memory of nodes, leaves and triangles, in bytes.
+    /// Memory of nodes, leaves and triangles, in bytes. (Axes, which few traversals use, are not counted.)
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.nodes) + size_of_val(&*self.leaves) + size_of_val(&*self.triangles)
     }
@@ -147,6 +149,18 @@ impl Bvh {
         self.bounds = if self.root.is_leaf() { self.leaf_box(self.root) } else { boxes[self.root.index()] };
     }
 
+    /// Writes the references to uncles into all records.
+    fn link(&mut self) {
+        let rows = tree::uncle_rows(self);
+        let (inner, leaves) = rows.split_at(self.nodes.len());
+        for (node, &[uncle, grand_uncle, _]) in self.nodes.iter_mut().zip(inner) {
+            node.uncles = [uncle, grand_uncle];
+        }
+        for (leaf, &[uncle, grand_uncle, _]) in self.leaves.iter_mut().zip(leaves) {
+            leaf.uncles = [uncle, grand_uncle];
+        }
+    }
+
     fn leaf_box(&self, leaf: Node) -> Aabb {
         let boxes = self.leaf_triangles(leaf).iter().map(|t| t.triangle.aabb());
         boxes.fold(Aabb::EMPTY, Aabb::union)
@@ -154,6 +168,13 @@ impl Bvh {
 }
 
 impl Topology for Bvh {
+    const RECORDS_UNCLES: bool = true;
+
+    #[inline]
+    fn uncles(&self, node: Node) -> [Node; 2] {
+        if node.is_leaf() { self.leaves[node.index()].uncles } else { self.nodes[node.index()].uncles }
+    }
+
     #[inline]
     fn root(&self) -> Node {
         self.root

@@ -68,8 +68,8 @@ fn a_single_triangle_is_a_leaf() {
 fn left_children_hold_the_smaller_centroids() {
     let mesh = scattered(700);
     for bvh in [Bvh::median(&mesh, 2), Bvh::sah(&mesh, SahOptions::default())].map(|bvh| bvh.expect("a tree")) {
-        for node in bvh.nodes() {
-            let [left, right] = node.children.map(|child| centroids(&bvh, child, node.axis as usize));
+        for (node, &axis) in bvh.nodes().iter().zip(bvh.axes()) {
+            let [left, right] = node.children.map(|child| centroids(&bvh, child, usize::from(axis)));
             assert!(left.1 <= right.0, "{left:?} {right:?}");
         }
     }
@@ -81,7 +81,7 @@ fn the_median_cuts_the_longest_axis() {
     let bvh = Bvh::median(&wide, 16).expect("a tree");
     assert_eq!(bvh.axes(), [1, 1, 1]);
     // Squares now: the first axis of equals.
-    assert_eq!(Bvh::median(&wide, 8).expect("a tree").node(2).axis, 0);
+    assert_eq!(Bvh::median(&wide, 8).expect("a tree").axes()[2], 0);
 }
 
 /// Least and greatest centroid below a node.
@@ -133,7 +133,10 @@ fn validation_bites() {
 
     assert_eq!(broken(&|_| ()), Ok(()));
     assert_eq!(broken(&|b| b.depth += 1), Err(BvhError::Depth { stored: bvh.depth + 1, found: bvh.depth }));
-    assert_eq!(broken(&|b| b.nodes[3].axis = 3), Err(BvhError::Axis { node: Node::inner(3), axis: 3 }));
+    assert_eq!(broken(&|b| b.axes[3] = 3), Err(BvhError::Axis { node: Node::inner(3), axis: Some(3) }));
+    assert_eq!(broken(&|b| b.axes.truncate(3)), Err(BvhError::Axis { node: Node::inner(3), axis: None }));
+    assert_eq!(broken(&|b| b.nodes[4].uncles[1] = child), Err(BvhError::Uncles(Node::inner(4))));
+    assert_eq!(broken(&|b| b.leaves[1].uncles.swap(0, 1)), Err(BvhError::Uncles(Node::leaf(1))));
 
     let order = |found, expected| Err(BvhError::Order { found, expected });
     assert_eq!(broken(&|b| b.nodes[0].children[0] = Node::inner(0)), order(Node::inner(0), 1));

@@ -4,7 +4,7 @@ use super::{Bvh, Leaf};
 use crate::geom::{Aabb, Triangle};
 use crate::order::Side;
 use crate::scene::Mesh;
-use crate::tree::{Node, Topology};
+use crate::tree::{self, Node, Topology};
 
 /// What is wrong with a hierarchy, and where.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -20,14 +20,17 @@ pub enum BvhError {
     /// A node or leaf is not reached from the root.
     #[error("{0:?} is not reached from the root")]
     Unreached(Node),
-    /// A split axis is not 0, 1 or 2.
-    #[error("{node:?} is split on axis {axis}")]
+    /// A split axis is not 0, 1 or 2, or is missing.
+    #[error("{node:?} is split on axis {axis:?}")]
     Axis {
         /// The inner node.
         node: Node,
-        /// What it holds.
-        axis: u32,
+        /// Its axis.
+        axis: Option<u8>,
     },
+    /// A record does not name the node's uncle and grand uncle.
+    #[error("{0:?} names other nodes than its uncle and grand uncle")]
+    Uncles(Node),
     /// A child's box sticks out of its parent's own box.
     #[error("the box of {0:?} is not inside its parent's")]
     Nesting(Node),
@@ -73,7 +76,7 @@ pub enum BvhError {
 }
 
 /// Checks that a hierarchy holds each triangle of the mesh once, in boxes that contain it and nest, with nodes and
-/// leaves in depth-first order, known split axes and the depth that it states.
+/// leaves in depth-first order, known split axes, the right uncles and the depth that it states.
 ///
 /// # Errors
 /// The first fault in depth-first order.
@@ -91,6 +94,14 @@ pub fn validate(bvh: &Bvh, mesh: &Mesh) -> Result<(), BvhError> {
         }
     }
     walk.end()?;
+    // The walk has shown the addresses to be those of a tree.
+    for (record, [uncle, grand_uncle, _]) in (0..).zip(tree::uncle_rows(bvh)) {
+        let inner = bvh.nodes.len() as u32;
+        let node = if record < inner { Node::inner(record) } else { Node::leaf(record - inner) };
+        if bvh.uncles(node) != [uncle, grand_uncle] {
+            return Err(BvhError::Uncles(node));
+        }
+    }
     if depth == bvh.depth() { Ok(()) } else { Err(BvhError::Depth { stored: bvh.depth(), found: depth }) }
 }
 
@@ -112,8 +123,9 @@ impl Walk<'_> {
             _ => return Err(BvhError::Order { found: node, expected: self.inner }),
         };
         self.inner += 1;
-        if record.axis > 2 {
-            return Err(BvhError::Axis { node, axis: record.axis });
+        let axis = self.bvh.axes.get(node.index()).copied();
+        if !matches!(axis, Some(0..=2)) {
+            return Err(BvhError::Axis { node, axis });
         }
         let children = [Side::Left, Side::Right].map(|s| (record.children[s.index()], record.child_box(s)));
         match children.iter().find(|(_, child)| !aabb.encloses(child)) {
@@ -123,7 +135,7 @@ impl Walk<'_> {
     }
 
     fn leaf(&mut self, leaf: Node, aabb: &Aabb) -> Result<(), BvhError> {
-        let Leaf { first, count } = match self.bvh.leaves.get(leaf.index()) {
+        let Leaf { first, count, .. } = match self.bvh.leaves.get(leaf.index()) {
             Some(range) if leaf.index() == self.leaves => *range,
             _ => return Err(BvhError::Order { found: leaf, expected: self.leaves }),
         };

@@ -22,7 +22,6 @@ pub struct SceneTree<'m> {
     mesh: &'m Mesh,
     bvh: &'m Bvh,
     boxes: Vec<Aabb>,
-    axes: Vec<u8>,
     keys: Keys,
 }
 
@@ -57,7 +56,7 @@ pub struct Seen {
 impl<'m> SceneTree<'m> {
     /// Prepares a hierarchy of a mesh.
     pub fn new(mesh: &'m Mesh, bvh: &'m Bvh) -> Self {
-        Self { mesh, bvh, boxes: bvh.own_boxes(), axes: bvh.axes(), keys: Keys::of(bvh) }
+        Self { mesh, bvh, boxes: bvh.own_boxes(), keys: Keys::of(bvh) }
     }
 
     /// Runs a search and says what was seen of it, and how many visits were made with restarts.
@@ -87,7 +86,7 @@ pub fn check_scene(
     sample: usize,
     progress: Progress<'_>,
 ) -> (Tally, Option<SceneDisagreement>) {
-    let tables = Tables::new(scene.bvh, &scene.axes, &plan.methods, Implicit::LIMIT);
+    let tables = Tables::new(scene.bvh, scene.bvh.axes(), &plan.methods, Implicit::LIMIT);
     let stride = rays.len().div_ceil(sample.max(1)).max(1);
     let pairs = plan.pairs();
     let check_ray = |(index, &ray): (usize, &Ray)| {
@@ -162,7 +161,7 @@ impl Run for Recursion {
             Test::Children => oracle::traverse(scene.bvh, test, watch),
             Test::NodeLeftFirst => oracle::traverse(scene.bvh, &mut ByNode { test, order: LeftFirst }, watch),
             Test::NodeBySign => {
-                let order = SignOrder { axes: &scene.axes, octant: ray.octant() };
+                let order = SignOrder { axes: scene.bvh.axes(), octant: ray.octant() };
                 oracle::traverse(scene.bvh, &mut ByNode { test, order }, watch);
             }
         }

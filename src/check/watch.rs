@@ -34,7 +34,7 @@ pub enum Fault {
         /// The node.
         node: Node,
     },
-    /// Its trail, or counter, has bits at or above the depth of the node.
+    /// Its trail has bits at or above the depth of the node, or its counter does not start at the node's level.
     Trail {
         /// Number of the visit.
         visit: usize,
@@ -80,7 +80,9 @@ impl fmt::Display for Fault {
             }
             Self::Early { visits, expected } => write!(f, "ends after {visits} visits, the oracle makes {expected}"),
             Self::Key { visit, node } => write!(f, "visit {visit}: the key is not that of {node:?}"),
-            Self::Trail { visit, node } => write!(f, "visit {visit}: the trail has bits above the depth of {node:?}"),
+            Self::Trail { visit, node } => {
+                write!(f, "visit {visit}: trail or counter do not fit the depth of {node:?}")
+            }
             Self::Register { visit, found } => {
                 write!(f, "visit {visit}: the register holds {found:?}, which does not come next")
             }
@@ -152,7 +154,9 @@ impl<'a> Watch<'a> {
         }
         let trail = state.trail();
         let depth = self.keys.depth(slot);
-        if trail.iter().chain(&state.counter()).any(|bits| bits.bit_length() > depth) {
+        if trail.as_ref().is_some_and(|trail| trail.bit_length() > depth)
+            || state.counter().is_some_and(|counter| counter.bit_length() != depth + 1)
+        {
             return Err(Fault::Trail { visit, node });
         }
         match (state.register(), trail) {

@@ -4,9 +4,11 @@
 //! what it asks; the implicit layout answers by arithmetic, [`KeyMap`] by an ordinary open-addressing table.
 
 mod fold;
+mod keys;
 mod map;
 
 pub(crate) use fold::{fold, for_each_folded_key};
+use keys::looked_up;
 pub use map::KeyMap;
 
 use crate::tree::Node;

@@ -244,6 +244,17 @@ impl KeyWord for Grow {
     }
 
     #[inline]
+    fn is_all_ones(&self) -> bool {
+        let is_row = |piece: u64| piece & (piece + 1) == 0;
+        if self.payload() + 1 != 1 << self.used {
+            return is_row(self.payload()) && self.extension.iter().all(|&piece| piece == 0);
+        }
+        let full = self.extension.iter().rev().take_while(|&&piece| piece == PAYLOAD).count();
+        let (above, _) = self.extension.split_at(self.extension.len() - full);
+        above.split_last().is_none_or(|(&last, zeros)| is_row(last) && zeros.iter().all(|&piece| piece == 0))
+    }
+
+    #[inline]
     fn low_bits(&self) -> u32 {
         if self.used >= 32 || !self.is_extended() {
             return self.payload() as u32;

@@ -9,6 +9,8 @@ fn same(word: &Grow, value: u128) -> bool {
     word.bit_length() == value.bit_length()
         && (0..3).all(|i| word.piece(i) == value.piece(i))
         && word.is_zero() == (value == 0)
+        && word.is_all_ones() == value.is_all_ones()
+        && value.is_all_ones() == (value.count_ones() == value.bit_length())
         && word.low_bits() == value as u32
         && word.to_u64() == value.to_u64()
         && (value == 0 || word.trailing_zeros() == value.trailing_zeros())
@@ -43,6 +45,7 @@ enum Step {
     Drop(u32),
     Toggle,
     Increment,
+    Fill,
     Combine(u8, u128),
 }
 
@@ -52,6 +55,7 @@ fn step() -> impl Strategy<Value = Step> {
         2 => (0..100_u32).prop_map(Step::Drop),
         2 => Just(Step::Toggle),
         2 => Just(Step::Increment),
+        1 => Just(Step::Fill),
         1 => (0..5_u8, any::<u128>(), 0..128_u32).prop_map(|(op, x, s)| Step::Combine(op, x >> s)),
     ]
 }
@@ -81,6 +85,11 @@ proptest! {
                 Step::Increment => {
                     word = word.wrapping_add(&Grow::one());
                     value += 1;
+                }
+                Step::Fill => {
+                    // Ones below the highest.
+                    let ones = u128::MAX.checked_shr(128 - value.bit_length()).unwrap_or(0);
+                    (word, value) = (word.or(&grow(ones)), value | ones);
                 }
                 Step::Combine(op, other) => {
                     let wide = grow(other);

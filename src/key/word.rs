@@ -59,6 +59,8 @@ pub trait KeyWord: Word<Shift = u32> + Default + Eq + Hash + Debug + Send + Sync
     fn highest() -> Option<Self>;
     /// Whether the value is 0.
     fn is_zero(&self) -> bool;
+    /// Whether the value is one less than a power of two: ones up to its highest.
+    fn is_all_ones(&self) -> bool;
     /// The lowest bits, as many as 32.
     fn low_bits(&self) -> u32;
     /// Position of the highest one, plus one; 0 for 0.
@@ -176,6 +178,10 @@ macro_rules! word {
             #[inline]
             fn is_zero(&self) -> bool {
                 *self == 0
+            }
+            #[inline]
+            fn is_all_ones(&self) -> bool {
+                *self & self.wrapping_add(1) == 0
             }
             #[inline]
             #[allow(clippy::cast_lossless, reason = "the same text serves narrower and wider words")]

@@ -46,7 +46,7 @@ impl<'a, const ANY: bool> Search<'a, ANY> {
 }
 
 impl<const ANY: bool> Visitor for Search<'_, ANY> {
-    #[inline]
+    #[inline(always)]
     fn inner(&mut self, node: Node) -> Descent {
         let planes = &self.bvh.node(node.index()).planes;
         let ([left, right], [near_left, near_right]) = self.slabs.pair(planes, self.best.t);
@@ -93,7 +93,7 @@ impl<'a, const ANY: bool> NodeSearch<'a, ANY> {
 
 /// The search itself: both forms of the query in one type, for traversals that are chosen when the program runs.
 impl<const ANY: bool> Visitor for NodeSearch<'_, ANY> {
-    #[inline]
+    #[inline(always)]
     fn inner(&mut self, node: Node) -> Descent {
         self.search.inner(node)
     }
@@ -136,7 +136,7 @@ impl<V> Counted<V> {
 }
 
 impl<V: Visitor> Visitor for Counted<V> {
-    #[inline]
+    #[inline(always)]
     fn inner(&mut self, node: Node) -> Descent {
         self.inner += 1;
         self.inside.inner(node)

@@ -1,7 +1,7 @@
 use super::*;
 use crate::bvh::{Bvh, SahOptions};
 use crate::geom::Aabb;
-use crate::order::{ByNode, Descent, Flow, LeftFirst, SignOrder, Visitor};
+use crate::order::{ByNode, Flow, LeftFirst, SignOrder, Visitor};
 use crate::scene::procedural;
 use crate::tree::{Node, Topology};
 
@@ -11,14 +11,15 @@ fn walk(bvh: &Bvh, node: Node, visitor: &mut impl Visitor) -> Flow {
         return visitor.leaf(node);
     }
     let children = bvh.children(node);
-    match visitor.inner(node) {
-        Descent::Neither => Flow::Continue,
-        Descent::Only(side) => walk(bvh, children[side.index()], visitor),
-        Descent::Both { first } => match walk(bvh, children[first.index()], visitor) {
-            Flow::Stop => Flow::Stop,
-            Flow::Continue => walk(bvh, children[first.other().index()], visitor),
-        },
+    let descent = visitor.inner(node);
+    if descent.is_neither() {
+        return Flow::Continue;
     }
+    let first = walk(bvh, children[descent.first().index()], visitor);
+    if first == Flow::Stop || !descent.postpones() {
+        return first;
+    }
+    walk(bvh, children[descent.first().other().index()], visitor)
 }
 
 fn bits(hit: Option<Hit>) -> Option<(u32, [u32; 3])> {
@@ -32,21 +33,21 @@ fn trees(mesh: &Mesh) -> Vec<Bvh> {
 }
 
 fn compare(mesh: &Mesh, rays: usize) {
-    let trees: Vec<_> = trees(mesh).into_iter().map(|bvh| (bvh.own_boxes(), bvh.axes(), bvh)).collect();
+    let trees: Vec<_> = trees(mesh).into_iter().map(|bvh| (bvh.own_boxes(), bvh)).collect();
     let mut hits = 0;
     let rays = procedural::rays(mesh, 3, rays);
     for ray in &rays {
         let truth = bits(brute_force(mesh, ray));
         hits += usize::from(truth.is_some());
-        for (boxes, axes, bvh) in &trees {
-            compare_on_tree(bvh, boxes, axes, ray, truth);
+        for (boxes, bvh) in &trees {
+            compare_on_tree(bvh, boxes, ray, truth);
         }
     }
     let share = hits as f32 / rays.len() as f32;
     assert!((0.1..0.9).contains(&share), "{share} of the rays hit");
 }
 
-fn compare_on_tree(bvh: &Bvh, boxes: &[Aabb], axes: &[u8], ray: &Ray, truth: Option<(u32, [u32; 3])>) {
+fn compare_on_tree(bvh: &Bvh, boxes: &[Aabb], ray: &Ray, truth: Option<(u32, [u32; 3])>) {
     let mut closest = Closest::new(bvh, ray);
     walk(bvh, bvh.root(), &mut closest);
     assert_eq!(bits(closest.hit()), truth, "{ray:?}");
@@ -55,7 +56,7 @@ fn compare_on_tree(bvh: &Bvh, boxes: &[Aabb], axes: &[u8], ray: &Ray, truth: Opt
     walk(bvh, bvh.root(), &mut by_node);
     assert_eq!(bits(by_node.test.hit()), truth, "{ray:?}");
 
-    let order = SignOrder { axes, octant: ray.octant() };
+    let order = SignOrder { axes: bvh.axes(), octant: ray.octant() };
     let mut by_sign = ByNode { test: ClosestByNode::new(bvh, boxes, ray), order };
     walk(bvh, bvh.root(), &mut by_sign);
     assert_eq!(bits(by_sign.test.hit()), truth, "{ray:?}");

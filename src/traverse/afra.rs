@@ -42,15 +42,14 @@ impl<W: KeyWord, T> State for Afra<'_, W, T> {
 }
 
 impl<W: KeyWord, T: Topology> Cursor for Afra<'_, W, T> {
-    #[inline]
+    #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
-        let Some(first) = descent.first() else { return false };
-        self.node = self.tree.children(self.node)[first.index()];
+        self.node = self.tree.child(self.node, descent.first());
         self.trail = trail::child(core::mem::take(&mut self.trail), W::from_bit(descent.postpones()));
         true
     }
 
-    #[inline]
+    #[inline(always)]
     fn backtrack(&mut self) -> bool {
         if self.trail.is_zero() {
             return false;

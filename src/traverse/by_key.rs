@@ -50,16 +50,16 @@ impl<W: KeyWord, L: Lookup<W>> State for ByKey<W, L> {
 }
 
 impl<W: KeyWord, L: Lookup<W>> Cursor for ByKey<W, L> {
-    #[inline]
+    #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
-        let Some(first) = descent.first() else { return false };
+        let first = descent.first();
         self.key = key::child(core::mem::take(&mut self.key), W::from_bit(first.is_right()));
         self.trail = trail::child(core::mem::take(&mut self.trail), W::from_bit(descent.postpones()));
         self.node = self.lookup.node(&self.key);
         true
     }
 
-    #[inline]
+    #[inline(always)]
     fn backtrack(&mut self) -> bool {
         if self.trail.is_zero() {
             return false;

@@ -39,7 +39,7 @@ impl Complete {
     /// [`NotComplete`]: a tree of depth `d` is complete if it has `2^(d+1) - 1` nodes.
     pub fn of(tree: &impl Topology) -> Result<Self, NotComplete> {
         let (count, depth) = (tree.node_count(), tree.depth());
-        if 2_usize.checked_shl(depth).is_none_or(|full| full - 1 != count) {
+        if 1_usize.checked_shl(depth + 1).is_none_or(|full| full - 1 != count) {
             return Err(NotComplete { nodes: count, depth });
         }
         let mut nodes = vec![tree.root()];

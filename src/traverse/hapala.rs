@@ -38,15 +38,15 @@ impl<T, O> State for Hapala<'_, T, O> {
 }
 
 impl<T: Topology, O: FixedOrder> Cursor for Hapala<'_, T, O> {
-    #[inline]
+    #[inline(always)]
     fn descend(&mut self, _: Descent) -> bool {
         let near = self.order.first(self.node);
-        self.node = self.tree.children(self.node)[near.index()];
+        self.node = self.tree.child(self.node, near);
         self.from_parent = true;
         true
     }
 
-    #[inline]
+    #[inline(always)]
     fn backtrack(&mut self) -> bool {
         let root = self.tree.root();
         while !self.from_parent {
@@ -59,7 +59,7 @@ impl<T: Topology, O: FixedOrder> Cursor for Hapala<'_, T, O> {
             if parent != root {
                 let above = self.parents.parent(self.tree.slot(parent));
                 let near = self.order.first(above);
-                self.from_parent = self.tree.children(above)[near.index()] == parent;
+                self.from_parent = self.tree.child(above, near) == parent;
             }
         }
         self.node = self.parents.sibling(self.tree.slot(self.node));

@@ -13,9 +13,9 @@ use crate::tree::{Node, Topology, Uncles};
 
 /// Goes to the register's node where it is set, else to the one that the table has for the key.
 #[derive(Debug)]
-pub struct Hashed<'t, W, T, L> {
+pub struct Hashed<'t, W, T, L, const INNER: u32 = 2, const LEAF: u32 = 2> {
     tree: &'t T,
-    uncles: &'t Uncles,
+    uncles: &'t Uncles<INNER, LEAF>,
     lookup: L,
     node: Node,
     key: W,
@@ -23,27 +23,25 @@ pub struct Hashed<'t, W, T, L> {
     register: Register,
 }
 
-impl<'t, W: KeyWord, T: Topology, L: Lookup<W>> Hashed<'t, W, T, L> {
+impl<'t, W: KeyWord, T: Topology, L: Lookup<W>, const INNER: u32, const LEAF: u32> Hashed<'t, W, T, L, INNER, LEAF> {
     /// Starts at the root.
     ///
     /// # Errors
     /// [`TooDeep`] where the key would lose its leading one: beyond as many edges as the word has bits, less one.
     #[inline]
-    pub fn new(tree: &'t T, uncles: &'t Uncles, lookup: L) -> Result<Self, TooDeep> {
+    pub fn new(tree: &'t T, uncles: &'t Uncles<INNER, LEAF>, lookup: L) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;
-        let register = Register::default();
+        let register = Register::empty(tree);
         Ok(Self { tree, uncles, lookup, node: tree.root(), key: key::root(), trail: W::zero(), register })
     }
 
-    /// The printed algorithm fills the register when it loads a record. Here it is filled when the visit is over,
-    /// which gives the same value (the trail is still that of the visit) and saves it where the visit overwrites it.
-    #[inline]
+    #[inline(always)]
     fn fill_register(&mut self) {
-        self.register.fill(self.uncles, self.node, self.tree.slot(self.node), self.trail.low_bits());
+        self.register.fill(self.uncles, self.tree, self.node, self.trail.low_bits());
     }
 }
 
-impl<W: KeyWord, T, L> State for Hashed<'_, W, T, L> {
+impl<W: KeyWord, T: Topology, L, const INNER: u32, const LEAF: u32> State for Hashed<'_, W, T, L, INNER, LEAF> {
     type Word = W;
 
     #[inline]
@@ -60,33 +58,45 @@ impl<W: KeyWord, T, L> State for Hashed<'_, W, T, L> {
     }
 
     fn register(&self) -> Option<Node> {
-        self.register.0
+        self.register.get(self.tree)
     }
 }
 
-impl<W: KeyWord, T: Topology, L: Lookup<W>> Cursor for Hashed<'_, W, T, L> {
-    #[inline]
+impl<W: KeyWord, T: Topology, L: Lookup<W>, const INNER: u32, const LEAF: u32> Cursor
+    for Hashed<'_, W, T, L, INNER, LEAF>
+{
+    #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
-        let Some(first) = descent.first() else { return false };
-        let children = self.tree.children(self.node);
-        if !descent.postpones() {
+        let first = descent.first();
+        let both = if descent.postpones() {
+            self.register.set(self.tree.child(self.node, first.other()));
+            W::one()
+        } else {
+            core::hint::cold_path();
             self.fill_register();
-        }
-        self.register.postpone(descent, children);
-        self.node = children[first.index()];
-        self.key = key::child(take(&mut self.key), W::from_bit(first.is_right()));
-        self.trail = trail::child(take(&mut self.trail), W::from_bit(descent.postpones()));
+            W::zero()
+        };
+        let [left, right] = self.tree.children(self.node);
+        let bit;
+        (self.node, bit) = if first.is_right() {
+            core::hint::cold_path();
+            (right, W::one())
+        } else {
+            (left, W::zero())
+        };
+        self.key = key::child(take(&mut self.key), bit);
+        self.trail = trail::child(take(&mut self.trail), both);
         true
     }
 
-    #[inline]
+    #[inline(always)]
     fn backtrack(&mut self) -> bool {
         if self.trail.is_zero() {
             return false;
         }
         self.fill_register();
         (self.key, self.trail) = trail::backtrack(take(&mut self.key), take(&mut self.trail));
-        self.node = self.register.0.take().unwrap_or_else(|| self.lookup.node(&self.key));
+        self.node = self.register.take(self.tree).unwrap_or_else(|| self.lookup.node(&self.key));
         true
     }
 }

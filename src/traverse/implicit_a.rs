@@ -68,7 +68,7 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitA1<W, L> {
 /// the index and the path are odd and the toggle leaves no swap; a rejected right child leaves one.
 #[inline]
 fn mask_bit(descent: Descent) -> bool {
-    let right_first = descent.first().is_some_and(crate::order::Side::is_right);
+    let right_first = descent.first().is_right();
     let rejected_one = !descent.postpones();
     right_first ^ rejected_one
 }
@@ -86,12 +86,12 @@ impl<W: KeyWord, L: Lookup<W>> State for ImplicitA<W, L> {
     }
 
     fn counter(&self) -> Option<W> {
-        Some(self.level_index.clone())
+        Some(self.level_start.clone().or(&self.level_index))
     }
 }
 
 impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitA<W, L> {
-    #[inline]
+    #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         self.level_start = take(&mut self.level_start).shl1();
         self.level_index = take(&mut self.level_index).shl1().or(&W::from_bit(!descent.postpones()));
@@ -100,7 +100,7 @@ impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitA<W, L> {
         true
     }
 
-    #[inline]
+    #[inline(always)]
     fn backtrack(&mut self) -> bool {
         let index = take(&mut self.level_index).wrapping_add(&W::one());
         let up = index.trailing_zeros();
@@ -126,10 +126,14 @@ impl<W: KeyWord, L: Lookup<W>> State for ImplicitA1<W, L> {
     fn key(&self) -> Option<W> {
         Some(swap::fcomp(self.index.clone(), &self.swap_mask))
     }
+
+    fn counter(&self) -> Option<W> {
+        Some(self.index.clone())
+    }
 }
 
 impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitA1<W, L> {
-    #[inline]
+    #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         self.index = take(&mut self.index).shl1().or(&W::from_bit(!descent.postpones()));
         self.swap_mask = take(&mut self.swap_mask).shl1().or(&W::from_bit(mask_bit(descent)));
@@ -137,7 +141,7 @@ impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitA1<W, L> {
         true
     }
 
-    #[inline]
+    #[inline(always)]
     fn backtrack(&mut self) -> bool {
         let index = take(&mut self.index).wrapping_add(&W::one());
         let up = index.trailing_zeros();

@@ -61,7 +61,7 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitB1<W, L> {
 /// One level down: the path takes the side, the counter a 1 where a child was rejected.
 #[inline]
 fn down<W: KeyWord>(path: &mut W, counter: &mut W, descent: Descent) {
-    let right = descent.first().is_some_and(crate::order::Side::is_right);
+    let right = descent.first().is_right();
     *path = take(path).shl1().or(&W::from_bit(right));
     *counter = take(counter).shl1().or(&W::from_bit(!descent.postpones()));
 }
@@ -91,12 +91,12 @@ impl<W: KeyWord, L: Lookup<W>> State for ImplicitB<W, L> {
     }
 
     fn counter(&self) -> Option<W> {
-        Some(self.level_index.clone())
+        Some(self.level_start.clone().or(&self.level_index))
     }
 }
 
 impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitB<W, L> {
-    #[inline]
+    #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         self.level_start = take(&mut self.level_start).shl1();
         down(&mut self.dynamic, &mut self.level_index, descent);
@@ -104,7 +104,7 @@ impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitB<W, L> {
         true
     }
 
-    #[inline]
+    #[inline(always)]
     fn backtrack(&mut self) -> bool {
         let up = up_and_over(&mut self.dynamic, &mut self.level_index);
         self.level_start = take(&mut self.level_start).shr(up);
@@ -127,21 +127,17 @@ impl<W: KeyWord, L: Lookup<W>> State for ImplicitB1<W, L> {
     fn key(&self) -> Option<W> {
         Some(self.index.clone())
     }
-
-    fn counter(&self) -> Option<W> {
-        Some(self.level_index.clone())
-    }
 }
 
 impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitB1<W, L> {
-    #[inline]
+    #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         down(&mut self.index, &mut self.level_index, descent);
         self.node = self.layout.node(&self.index);
         true
     }
 
-    #[inline]
+    #[inline(always)]
     fn backtrack(&mut self) -> bool {
         up_and_over(&mut self.index, &mut self.level_index);
         // At the end the climb reaches the root's key, 1, and the last step makes it 0.

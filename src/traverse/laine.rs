@@ -69,16 +69,15 @@ impl<const K: usize, W: KeyWord, T> State for Laine<'_, K, W, T> {
 impl<const K: usize, W: KeyWord, T: Topology> Cursor for Laine<'_, K, W, T> {
     const RESTARTS: bool = true;
 
-    #[inline]
+    #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
-        let Some(first) = descent.first() else { return false };
-        let children = self.tree.children(self.node);
+        let first = descent.first();
         let level = self.level.clone().shr1();
         let side = if descent.postpones() {
             if self.is_set(&level) {
                 first.other()
             } else {
-                self.short.push(children[first.other().index()]);
+                self.short.push(self.tree.child(self.node, first.other()));
                 first
             }
         } else if level == self.pop_level {
@@ -87,12 +86,12 @@ impl<const K: usize, W: KeyWord, T: Topology> Cursor for Laine<'_, K, W, T> {
             self.trail = core::mem::take(&mut self.trail).or(&level);
             first
         };
-        self.node = children[side.index()];
+        self.node = self.tree.child(self.node, side);
         self.level = level;
         true
     }
 
-    #[inline]
+    #[inline(always)]
     fn backtrack(&mut self) -> bool {
         // Clear the bits below the level, which are those of the path that is left, and add 1 at the level.
         let above = W::zero().wrapping_sub(&self.level);
@@ -122,7 +121,7 @@ struct ShortStack<const K: usize> {
 }
 
 impl<const K: usize> ShortStack<K> {
-    #[inline]
+    #[inline(always)]
     fn push(&mut self, node: Node) {
         if K > 0 {
             self.nodes[self.head] = node;
@@ -131,7 +130,7 @@ impl<const K: usize> ShortStack<K> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn pop(&mut self) -> Option<Node> {
         self.len = self.len.checked_sub(1)?;
         self.head = (self.head + K - 1) % K;

@@ -32,7 +32,7 @@ impl<W: KeyWord, L: Lookup<W>> LeftFirst<W, L> {
         Ok(Self { layout, node: tree.root(), level_start: W::one(), level_index: W::zero() })
     }
 
-    #[inline]
+    #[inline(always)]
     fn load(&mut self) {
         self.node = self.layout.node(&self.level_start.clone().or(&self.level_index));
     }
@@ -51,12 +51,12 @@ impl<W: KeyWord, L: Lookup<W>> State for LeftFirst<W, L> {
     }
 
     fn counter(&self) -> Option<W> {
-        Some(self.level_index.clone())
+        Some(self.level_start.clone().or(&self.level_index))
     }
 }
 
 impl<W: KeyWord, L: Lookup<W>> Cursor for LeftFirst<W, L> {
-    #[inline]
+    #[inline(always)]
     fn descend(&mut self, _: Descent) -> bool {
         self.level_start = core::mem::take(&mut self.level_start).shl1();
         self.level_index = core::mem::take(&mut self.level_index).shl1();
@@ -64,7 +64,7 @@ impl<W: KeyWord, L: Lookup<W>> Cursor for LeftFirst<W, L> {
         true
     }
 
-    #[inline]
+    #[inline(always)]
     fn backtrack(&mut self) -> bool {
         let index = core::mem::take(&mut self.level_index).wrapping_add(&W::one());
         let up = trail::levels(&index);

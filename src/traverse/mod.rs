@@ -74,10 +74,8 @@ pub fn traverse(mut cursor: impl Cursor, visitor: &mut impl Visitor, recorder: &
             }
             false
         } else {
-            match visitor.inner(node) {
-                Descent::Neither => false,
-                descent => cursor.descend(descent),
-            }
+            let descent = visitor.inner(node);
+            !descent.is_neither() && cursor.descend(descent)
         };
         if !descended && !cursor.backtrack() {
             return;

@@ -11,7 +11,7 @@ use crate::event::Recorder;
 use crate::hash::{KeyMap, Lookup};
 use crate::key::{KeyWord, TooDeep};
 use crate::order::{self, ByNode, NodeTest, SignOrder, Visitor};
-use crate::tree::{Implicit, Node, Parents, Reach, Skips, Topology, Uncles};
+use crate::tree::{Implicit, Node, Parents, Skips, Topology, Uncles};
 
 /// A tree with the tables that a choice of traversals needs beside it.
 #[derive(Debug)]
@@ -20,7 +20,10 @@ pub struct Tables<'t, T> {
     axes: &'t [u8],
     parents: Option<Parents>,
     uncles: Option<Uncles>,
+    /// The keys that `hashed` looks up.
     map: Option<KeyMap>,
+    /// All keys, in place of an implicit layout.
+    all_keys: Option<KeyMap>,
     implicit: Option<Implicit>,
     complete: Option<Result<Complete, NotComplete>>,
     glassner: Option<Glassner>,
@@ -80,14 +83,15 @@ impl<'t, T: Topology> Tables<'t, T> {
         let implicit_users = [M::LeftFirst, M::ImplicitA, M::ImplicitA1, M::ImplicitB, M::ImplicitB1];
         let wants_implicit = needs(&implicit_users) && tree.depth() <= implicit_depth;
         let implicit = wants_implicit.then(|| Implicit::of(tree).ok()).flatten();
-        let wants_map = needs(&[M::Hashed]) || needs(&implicit_users) && implicit.is_none();
+        let wants_all_keys = needs(&implicit_users) && implicit.is_none();
         let octants = if needs(&[M::SkipOctant]) { 0..8 } else { 0..0 };
         Self {
             tree,
             axes,
             parents: needs(&[M::Sparse, M::Afra, M::Hapala]).then(|| Parents::of(tree)),
-            uncles: needs(&[M::Uncle, M::Hashed]).then(|| Uncles::of(tree, Reach::ALGORITHM_1)),
-            map: wants_map.then(|| KeyMap::of(tree)),
+            uncles: needs(&[M::Uncle, M::Hashed]).then(|| Uncles::of(tree)),
+            map: needs(&[M::Hashed]).then(|| KeyMap::of_looked_up(tree, <Uncles>::REACH)),
+            all_keys: wants_all_keys.then(|| KeyMap::of(tree)),
             implicit,
             complete: needs(&[M::Complete]).then(|| Complete::of(tree)),
             glassner: needs(&[M::Glassner]).then(|| Glassner::of(tree)),
@@ -120,7 +124,7 @@ impl<'t, T: Topology> Tables<'t, T> {
             Method::LeftFirst | Method::ImplicitA | Method::ImplicitA1 | Method::ImplicitB | Method::ImplicitB1 => {
                 match &self.implicit {
                     Some(layout) => self.run_implicit::<W, S>(method, layout, search, recorder)?,
-                    None => self.run_implicit::<W, S>(method, table(self.map.as_ref())?, search, recorder)?,
+                    None => self.run_implicit::<W, S>(method, table(self.all_keys.as_ref())?, search, recorder)?,
                 }
             }
             Method::Sparse => traverse(Sparse::<W, T>::new(tree, table(self.parents.as_ref())?)?, search, recorder),

@@ -35,13 +35,13 @@ impl<T, O> State for Skip<'_, T, O> {
 }
 
 impl<T: Topology, O: FixedOrder> Cursor for Skip<'_, T, O> {
-    #[inline]
+    #[inline(always)]
     fn descend(&mut self, _: Descent) -> bool {
-        self.node = self.tree.children(self.node)[self.order.first(self.node).index()];
+        self.node = self.tree.child(self.node, self.order.first(self.node));
         true
     }
 
-    #[inline]
+    #[inline(always)]
     fn backtrack(&mut self) -> bool {
         self.node = self.skips.after(self.tree.slot(self.node));
         self.node != self.tree.root()

@@ -8,24 +8,27 @@ use crate::tree::{Node, Parents, Topology};
 
 /// Counts as if every left child came first; the carries of the increment say how far to climb.
 ///
-/// At the end the counter overflows its level, and the climb reaches the root, whose sibling is itself.
+/// As printed the counter `levelIndex` overflows its level at the end, and the climb goes on to the root, whose sibling
+/// is itself. Here the start of the level is kept in the same word, as Section 2.2 does for implicit trees: the end is
+/// where `levelStart + levelIndex` is all ones, and is seen without the climb (spec/DEPARTURES.md, D-9).
 #[derive(Debug)]
 pub struct Sparse<'t, W, T> {
     tree: &'t T,
     parents: &'t Parents,
     node: Node,
-    level_index: W,
+    /// `levelStart + levelIndex`.
+    index: W,
 }
 
 impl<'t, W: KeyWord, T: Topology> Sparse<'t, W, T> {
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`TooDeep`] where the counter could overflow its word: beyond as many edges as the word has bits, less one.
+    /// [`TooDeep`] where the counter would leave its word: beyond as many edges as the word has bits, less one.
     #[inline]
     pub fn new(tree: &'t T, parents: &'t Parents) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;
-        Ok(Self { tree, parents, node: tree.root(), level_index: W::zero() })
+        Ok(Self { tree, parents, node: tree.root(), index: W::one() })
     }
 }
 
@@ -38,29 +41,32 @@ impl<W: KeyWord, T> State for Sparse<'_, W, T> {
     }
 
     fn counter(&self) -> Option<W> {
-        Some(self.level_index.clone())
+        Some(self.index.clone())
     }
 }
 
 impl<W: KeyWord, T: Topology> Cursor for Sparse<'_, W, T> {
-    #[inline]
+    #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
-        let Some(first) = descent.first() else { return false };
-        self.node = self.tree.children(self.node)[first.index()];
+        self.node = self.tree.child(self.node, descent.first());
         let rejected_one = W::from_bit(!descent.postpones());
-        self.level_index = core::mem::take(&mut self.level_index).shl1().or(&rejected_one);
+        self.index = core::mem::take(&mut self.index).shl1().or(&rejected_one);
         true
     }
 
-    #[inline]
+    #[inline(always)]
     fn backtrack(&mut self) -> bool {
-        let index = core::mem::take(&mut self.level_index).wrapping_add(&W::one());
+        let index = core::mem::take(&mut self.index);
+        if index.is_all_ones() {
+            return false;
+        }
+        let index = index.wrapping_add(&W::one());
         let up = index.trailing_zeros();
         for _ in 0..up {
             self.node = self.parents.parent(self.tree.slot(self.node));
         }
-        self.level_index = index.shr(up);
+        self.index = index.shr(up);
         self.node = self.parents.sibling(self.tree.slot(self.node));
-        self.node != self.tree.root()
+        true
     }
 }

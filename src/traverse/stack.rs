@@ -34,18 +34,17 @@ impl<T> State for Stack<'_, T> {
 }
 
 impl<T: Topology> Cursor for Stack<'_, T> {
-    #[inline]
+    #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
-        let Some(first) = descent.first() else { return false };
-        let children = self.tree.children(self.node);
-        self.node = children[first.index()];
+        let (node, first) = (self.node, descent.first());
+        self.node = self.tree.child(node, first);
         if descent.postpones() {
-            self.postponed.push(children[first.other().index()]);
+            self.postponed.push(self.tree.child(node, first.other()));
         }
         true
     }
 
-    #[inline]
+    #[inline(always)]
     fn backtrack(&mut self) -> bool {
         match self.postponed.pop() {
             Some(node) => {

@@ -13,32 +13,32 @@ use crate::tree::{Node, Topology, Uncles};
 /// Goes to the register's node where it is set, else climbs along grand uncles, which stand in for the grandparents:
 /// they have the same uncles.
 #[derive(Debug)]
-pub struct Uncle<'t, W, T> {
+pub struct Uncle<'t, W, T, const INNER: u32 = 2, const LEAF: u32 = 2> {
     tree: &'t T,
-    uncles: &'t Uncles,
+    uncles: &'t Uncles<INNER, LEAF>,
     node: Node,
     trail: W,
     register: Register,
 }
 
-impl<'t, W: KeyWord, T: Topology> Uncle<'t, W, T> {
-    /// Starts at the root. The records must name grand uncles: a [`Reach`](crate::tree::Reach) of two or more.
+impl<'t, W: KeyWord, T: Topology, const INNER: u32, const LEAF: u32> Uncle<'t, W, T, INNER, LEAF> {
+    /// Starts at the root. Every record names the grand uncle for the climb, however far it reaches for the register.
     ///
     /// # Errors
     /// [`TooDeep`] beyond as many edges as the word has bits.
     #[inline]
-    pub fn new(tree: &'t T, uncles: &'t Uncles) -> Result<Self, TooDeep> {
+    pub fn new(tree: &'t T, uncles: &'t Uncles<INNER, LEAF>) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 0)?;
-        Ok(Self { tree, uncles, node: tree.root(), trail: W::zero(), register: Register::default() })
+        Ok(Self { tree, uncles, node: tree.root(), trail: W::zero(), register: Register::empty(tree) })
     }
 
-    #[inline]
+    #[inline(always)]
     fn fill_register(&mut self) {
-        self.register.fill(self.uncles, self.node, self.tree.slot(self.node), self.trail.low_bits());
+        self.register.fill(self.uncles, self.tree, self.node, self.trail.low_bits());
     }
 }
 
-impl<W: KeyWord, T> State for Uncle<'_, W, T> {
+impl<W: KeyWord, T: Topology, const INNER: u32, const LEAF: u32> State for Uncle<'_, W, T, INNER, LEAF> {
     type Word = W;
 
     #[inline]
@@ -51,38 +51,38 @@ impl<W: KeyWord, T> State for Uncle<'_, W, T> {
     }
 
     fn register(&self) -> Option<Node> {
-        self.register.0
+        self.register.get(self.tree)
     }
 }
 
-impl<W: KeyWord, T: Topology> Cursor for Uncle<'_, W, T> {
-    #[inline]
+impl<W: KeyWord, T: Topology, const INNER: u32, const LEAF: u32> Cursor for Uncle<'_, W, T, INNER, LEAF> {
+    #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
-        let Some(first) = descent.first() else { return false };
-        let children = self.tree.children(self.node);
-        if !descent.postpones() {
+        let first = descent.first();
+        if descent.postpones() {
+            self.register.set(self.tree.child(self.node, first.other()));
+        } else {
             self.fill_register();
         }
-        self.register.postpone(descent, children);
-        self.node = children[first.index()];
+        self.node = self.tree.child(self.node, first);
         self.trail = trail::child(take(&mut self.trail), W::from_bit(descent.postpones()));
         true
     }
 
-    #[inline]
+    #[inline(always)]
     fn backtrack(&mut self) -> bool {
         if self.trail.is_zero() {
             return false;
         }
         loop {
             self.fill_register();
-            if let Some(next) = self.register.0.take() {
+            if let Some(next) = self.register.take(self.tree) {
                 self.node = next;
                 self.trail = trail::leave(take(&mut self.trail));
                 return true;
             }
             // Neither uncle nor grand uncle is pending: two levels up.
-            let [_, grand_uncle, _] = self.uncles.row(self.tree.slot(self.node));
+            let [_, grand_uncle, _] = self.uncles.row(self.tree, self.node);
             self.node = grand_uncle;
             self.trail = take(&mut self.trail).shr1().shr1();
         }

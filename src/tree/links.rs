@@ -2,6 +2,7 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use core::hint::select_unpredictable;
 
 use super::{Node, Topology};
 use crate::order::FixedOrder;
@@ -60,53 +61,85 @@ impl Reach {
         if fits { Some(Self { inner, leaf }) } else { None }
     }
 
+    /// How many a record of this kind names.
+    #[inline]
+    pub const fn of(self, leaf: bool) -> u32 {
+        if leaf { self.leaf } else { self.inner }
+    }
+
     /// Trail bits whose nodes a record of this kind names, from bit 1 up (0x6 for a reach of two).
     #[inline]
     pub const fn mask(self, leaf: bool) -> u32 {
-        let reach = if leaf { self.leaf } else { self.inner };
-        (2 << reach) - 2
+        (2 << self.of(leaf)) - 2
     }
 }
 
 /// Uncle, grand uncle and grand grand uncle of every node: the siblings of its parent, grandparent and so on.
 ///
-/// Where there is none, the row names the root, which is never postponed.
+/// Records of inner nodes reveal `INNER` of them, those of leaves `LEAF` (1 to 3, else it does not compile). Where there
+/// is none, the row names the root, which is never postponed. A tree whose own records name them needs no rows here.
 #[derive(Clone, Debug)]
-pub struct Uncles {
+pub struct Uncles<const INNER: u32 = 2, const LEAF: u32 = 2> {
     rows: Vec<[Node; 3]>,
-    reach: Reach,
 }
 
-impl Uncles {
-    /// The table of a tree, of which records reveal as much as `reach` says.
-    pub fn of(tree: &impl Topology, reach: Reach) -> Self {
-        let root = tree.root();
-        let mut rows = vec![[root; 3]; tree.node_count()];
-        // Parents come before their children: a child's uncles are its parent's, moved up by one.
-        let mut siblings = vec![root; tree.node_count()];
-        for_each_parent(tree, |parent, children| {
-            let slot = tree.slot(parent);
-            let [uncle, grand, _] = rows[slot];
-            for (child, sibling) in [(children[0], children[1]), (children[1], children[0])] {
-                rows[tree.slot(child)] = [siblings[slot], uncle, grand];
-                siblings[tree.slot(child)] = sibling;
-            }
-        });
-        Self { rows, reach }
+impl<const INNER: u32, const LEAF: u32> Uncles<INNER, LEAF> {
+    /// How far records reach.
+    pub const REACH: Reach = match Reach::new(INNER, LEAF) {
+        Some(reach) => reach,
+        None => panic!("a record reaches from 1 to 3"),
+    };
+
+    /// The references of a tree.
+    pub fn of<T: Topology>(tree: &T) -> Self {
+        Self { rows: if Self::are_recorded::<T>() { Vec::new() } else { uncle_rows(tree) } }
     }
 
-    /// The references of the node with this slot: uncle, grand uncle, grand grand uncle.
     #[inline]
-    pub fn row(&self, slot: usize) -> [Node; 3] {
-        self.rows[slot]
+    const fn are_recorded<T: Topology>() -> bool {
+        T::RECORDS_UNCLES && INNER <= 2 && LEAF <= 2
     }
 
-    /// The lowest postponed node that the record names, given the low bits of the trail. `[UNCLE-2]`
-    #[inline]
-    pub fn lowest_pending(&self, node: Node, slot: usize, trail: u32) -> Option<Node> {
-        let pending = trail & self.reach.mask(node.is_leaf());
-        (pending != 0).then(|| self.rows[slot][pending.trailing_zeros() as usize - 1])
+    /// The references of a node: uncle, grand uncle, and grand grand uncle if the reach is three.
+    #[inline(always)]
+    pub fn row<T: Topology>(&self, tree: &T, node: Node) -> [Node; 3] {
+        if Self::are_recorded::<T>() {
+            let [uncle, grand_uncle] = tree.uncles(node);
+            [uncle, grand_uncle, tree.root()]
+        } else {
+            self.rows[tree.slot(node)]
+        }
     }
+
+    /// The lowest postponed node that the record of `node` names, given the low bits of its trail; `otherwise` if it
+    /// names none. `[UNCLE-2]`
+    ///
+    /// Without a branch: which bits of a trail are set is hard to predict, and the trail is known early.
+    #[inline(always)]
+    pub fn lowest_pending<T: Topology>(&self, tree: &T, node: Node, trail: u32, otherwise: Node) -> Node {
+        let pending = trail & Self::REACH.mask(node.is_leaf());
+        let [uncle, grand_uncle, grand_grand_uncle] = self.row(tree, node);
+        let named = select_unpredictable(pending & 8 != 0, grand_grand_uncle, otherwise);
+        let named = select_unpredictable(pending & 4 != 0, grand_uncle, named);
+        select_unpredictable(pending & 2 != 0, uncle, named)
+    }
+}
+
+/// Uncle, grand uncle and grand grand uncle of every node, by slot.
+pub(crate) fn uncle_rows(tree: &impl Topology) -> Vec<[Node; 3]> {
+    let root = tree.root();
+    let mut rows = vec![[root; 3]; tree.node_count()];
+    // Parents come before their children: a child's uncles are its parent's, moved up by one.
+    let mut siblings = vec![root; tree.node_count()];
+    for_each_parent(tree, |parent, children| {
+        let slot = tree.slot(parent);
+        let [uncle, grand_uncle, _] = rows[slot];
+        for (child, sibling) in [(children[0], children[1]), (children[1], children[0])] {
+            rows[tree.slot(child)] = [siblings[slot], uncle, grand_uncle];
+            siblings[tree.slot(child)] = sibling;
+        }
+    });
+    rows
 }
 
 /// Where to go after a node's subtree is done, in a fixed order of the children (Smits 1998).
@@ -135,7 +168,7 @@ impl Skips {
 }
 
 /// Calls `f` for each inner node and its children, parents before children, without recursion.
-fn for_each_parent<T: Topology>(tree: &T, mut f: impl FnMut(Node, [Node; 2])) {
+pub(crate) fn for_each_parent<T: Topology>(tree: &T, mut f: impl FnMut(Node, [Node; 2])) {
     let mut pending = vec![tree.root()];
     while let Some(node) = pending.pop() {
         if !node.is_leaf() {
@@ -159,13 +192,13 @@ mod tests {
         let children = [Some([1, 2]), Some([3, 4]), leaf, leaf, Some([5, 6]), leaf, Some([7, 8]), leaf, leaf];
         let tree = Tree::new(&children).unwrap();
         let node = |i| tree.node(i).unwrap();
-        let uncles = Uncles::of(&tree, Reach::SECTION_2_1);
-        assert_eq!(uncles.row(7), [node(5), node(3), node(2)]);
-        assert_eq!(uncles.lowest_pending(node(7), 7, 0b1000), Some(node(2)));
-        assert_eq!(uncles.lowest_pending(node(7), 7, 0b1101), Some(node(3)));
-        assert_eq!(uncles.lowest_pending(node(7), 7, 0b1_0001), None);
-        assert_eq!(Uncles::of(&tree, Reach::ALGORITHM_1).lowest_pending(node(7), 7, 0b1000), None);
-        assert_eq!(uncles.row(1), [node(0); 3]);
+        let uncles = Uncles::<2, 3>::of(&tree);
+        assert_eq!(uncles.row(&tree, node(7)), [node(5), node(3), node(2)]);
+        assert_eq!(uncles.lowest_pending(&tree, node(7), 0b1000, node(0)), node(2));
+        assert_eq!(uncles.lowest_pending(&tree, node(7), 0b1101, node(0)), node(3));
+        assert_eq!(uncles.lowest_pending(&tree, node(7), 0b1_0001, node(8)), node(8));
+        assert_eq!(Uncles::<2, 2>::of(&tree).lowest_pending(&tree, node(7), 0b1000, node(8)), node(8));
+        assert_eq!(uncles.row(&tree, node(1)), [node(0); 3]);
 
         let parents = Parents::of(&tree);
         assert_eq!((parents.parent(7), parents.sibling(7)), (node(6), node(8)));

@@ -12,7 +12,12 @@ mod links;
 pub use arena::{Tree, TreeError};
 pub use implicit::{Implicit, ImplicitError};
 pub use keys::Keys;
+pub(crate) use links::for_each_parent;
+#[cfg(feature = "std")]
+pub(crate) use links::uncle_rows;
 pub use links::{Parents, Reach, Skips, Uncles};
+
+use crate::order::Side;
 
 /// Address of a node. The top bit marks a leaf (Aila & Laine 2009; Binder & Keller's sign), the other 31 bits
 /// index the array of inner nodes or the array of leaves.
@@ -80,6 +85,22 @@ pub trait Topology {
     /// Left and right child of an inner node.
     fn children(&self, node: Node) -> [Node; 2];
 
+    /// One child of an inner node.
+    ///
+    /// The side is branched on, where a select would be shorter: then the processor goes on to the child that it expects
+    /// and loads its record while the boxes are still being tested. Selecting made the traversals of real scenes slower
+    /// by a fifth to a third (`benches/README.md`). A path called cold is what keeps the branch.
+    #[inline]
+    fn child(&self, node: Node, side: Side) -> Node {
+        let [left, right] = self.children(node);
+        if side.is_right() {
+            core::hint::cold_path();
+            right
+        } else {
+            left
+        }
+    }
+
     /// Number of inner nodes and leaves together.
     fn node_count(&self) -> usize;
 
@@ -88,4 +109,13 @@ pub trait Topology {
 
     /// Edges on the longest path from the root. 0 for a single leaf.
     fn depth(&self) -> u32;
+
+    /// Whether the records themselves name uncle and grand uncle, so that [`Uncles`] needs no table beside the tree.
+    const RECORDS_UNCLES: bool = false;
+
+    /// Uncle and grand uncle as the record of a node names them, where [`RECORDS_UNCLES`](Self::RECORDS_UNCLES); the
+    /// root where there is none.
+    fn uncles(&self, _: Node) -> [Node; 2] {
+        [self.root(); 2]
+    }
 }

@@ -18,7 +18,7 @@ use crate::output::{bar, table, write_json};
 
 /// Measure closest-hit throughput on one thread, same tree, same rays.
 ///
-/// Traversals take turns on chunks of the rays; the ratio is the median over all chunks of the time of `stack` to that
+/// Traversals take turns on chunks of the rays; the ratio is the median over the rounds of the time of `stack` to that
 /// of the traversal. The hits of all must be the same, or the exit code is 1.
 #[derive(clap::Args)]
 pub(crate) struct Args {
@@ -29,10 +29,10 @@ pub(crate) struct Args {
     #[arg(long, value_delimiter = ',', value_parser = input::method)]
     methods: Vec<Method>,
     /// Number of rays: half from a camera, half from where those hit, in all directions.
-    #[arg(long, default_value_t = 65_536)]
+    #[arg(long, default_value_t = 131_072)]
     rays: usize,
-    /// How often each chunk is traced.
-    #[arg(long, default_value_t = 5)]
+    /// How often all rays are traced.
+    #[arg(long, default_value_t = 7)]
     rounds: usize,
     /// Seed of the rays.
     #[arg(long, default_value_t = 1)]
@@ -43,7 +43,7 @@ pub(crate) struct Args {
 }
 
 /// Rays that are traced before it is another traversal's turn.
-const CHUNK: usize = 1024;
+const CHUNK: usize = 16_384;
 
 #[derive(Serialize)]
 struct Row {
@@ -87,7 +87,6 @@ struct Bench<'a> {
     scene: &'a Scene,
     bvh: &'a Bvh,
     boxes: Vec<Aabb>,
-    axes: Vec<u8>,
     methods: &'a [Method],
     rays: Vec<Ray>,
     rounds: usize,
@@ -95,19 +94,19 @@ struct Bench<'a> {
 
 impl<'a> Bench<'a> {
     fn new(scene: &'a Scene, bvh: &'a Bvh, methods: &'a [Method], args: &Args) -> Self {
-        let (boxes, axes) = (bvh.own_boxes(), bvh.axes());
+        let boxes = bvh.own_boxes();
         let mut rays = procedural::camera_rays(&scene.mesh, args.seed, args.rays / 2);
         let bounced = trace::bounce(&scene.mesh, bvh, &rays, args.seed);
         rays.extend(bounced);
-        Self { scene, bvh, boxes, axes, methods, rays, rounds: args.rounds.max(1) }
+        Self { scene, bvh, boxes, methods, rays, rounds: args.rounds.max(1) }
     }
 
     fn run<W: KeyWord>(&self) -> Result<(Vec<Row>, bool), Unfit> {
-        let tables = Tables::new(self.bvh, &self.axes, self.methods, Implicit::LIMIT);
+        let tables = Tables::new(self.bvh, self.bvh.axes(), self.methods, Implicit::LIMIT);
         let chunks: Vec<_> = self.rays.chunks(CHUNK).collect();
         let progress = bar((self.rounds * chunks.len()) as u64, &self.scene.name);
-        // times[m] has the time of traversal m for each chunk of each round.
-        let mut times = vec![Vec::new(); self.methods.len()];
+        // times[m] has the time of traversal m for each round.
+        let mut times = vec![vec![Duration::ZERO; self.rounds]; self.methods.len()];
         let mut hits = vec![0_u64; self.methods.len()];
         let mut memory = Vec::new();
         for turn in 0..self.rounds * chunks.len() {
@@ -117,7 +116,7 @@ impl<'a> Bench<'a> {
                 let rays = chunks[turn % chunks.len()];
                 let start = Instant::now();
                 let sum = self.trace::<W>(&tables, self.methods[m], rays, &mut memory)?;
-                times[m].push(start.elapsed());
+                times[m][turn / chunks.len()] += start.elapsed();
                 hits[m] = hits[m].wrapping_mul(31).wrapping_add(sum);
             }
             progress.inc(1);

@@ -47,8 +47,8 @@ pub(crate) fn run(args: &Args) -> Outcome {
         Method::Complete => Bvh::median(&scene.mesh, 4)?,
         _ => Bvh::sah(&scene.mesh, SahOptions::default())?,
     };
-    let (axes, boxes) = (bvh.axes(), bvh.own_boxes());
-    let tables = Tables::new(&bvh, &axes, &[args.method], Implicit::LIMIT);
+    let boxes = bvh.own_boxes();
+    let tables = Tables::new(&bvh, bvh.axes(), &[args.method], Implicit::LIMIT);
     let hits = with_word(narrowest(bvh.depth()), Trace { args, bvh: &bvh, tables, boxes, rays: &rays })
         .map_err(|unfit| format!("{}: {unfit}", args.method))?;
     let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (prim, t, u, v)));

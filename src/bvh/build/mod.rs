@@ -93,35 +93,34 @@ fn build(mesh: &Mesh, mut items: Vec<Item>, mut cut: impl FnMut(&mut [Item], u32
         depth: 0,
         bounds: Aabb::EMPTY,
         nodes: Vec::new(),
+        axes: Vec::new(),
         leaves: Vec::new(),
         triangles: Vec::with_capacity(items.len()),
     };
     let mut pending = vec![Pending { first: 0, end: items.len(), depth: 0, parent: None }];
     while let Some(Pending { first, end, depth, parent }) = pending.pop() {
         let range = &mut items[first..end];
-        let node =
-            if let Some(Cut { axis, left }) = cut(range, depth) {
-                let i = bvh.nodes.len();
-                bvh.nodes.push(BvhNode {
-                    planes: [[0.0; 4]; 3],
-                    children: [Node::leaf(0); 2],
-                    axis: axis as u32,
-                    spare: 0,
-                });
-                let middle = first + left;
-                // The left child is made next.
-                pending.push(Pending { first: middle, end, depth: depth + 1, parent: Some((i, 1)) });
-                pending.push(Pending { first, end: middle, depth: depth + 1, parent: Some((i, 0)) });
-                Node::inner(i as u32)
-            } else {
-                let leaf = Leaf { first: bvh.triangles.len() as u32, count: range.len() as u32 };
-                bvh.leaves.push(leaf);
-                bvh.triangles.extend(range.iter().map(|item| LeafTriangle {
+        let node = if let Some(Cut { axis, left }) = cut(range, depth) {
+            let i = bvh.nodes.len();
+            bvh.nodes.push(BvhNode { planes: [[0.0; 4]; 3], children: [Node::leaf(0); 2], uncles: [Node::leaf(0); 2] });
+            bvh.axes.push(axis as u8);
+            let middle = first + left;
+            // The left child is made next.
+            pending.push(Pending { first: middle, end, depth: depth + 1, parent: Some((i, 1)) });
+            pending.push(Pending { first, end: middle, depth: depth + 1, parent: Some((i, 0)) });
+            Node::inner(i as u32)
+        } else {
+            let first = bvh.triangles.len() as u32;
+            let leaf = Leaf { first, count: range.len() as u32, uncles: [Node::leaf(0); 2] };
+            bvh.leaves.push(leaf);
+            bvh.triangles.extend(
+                range.iter().map(|item| LeafTriangle {
                     triangle: Triangle(mesh.triangle(item.prim as usize)),
                     prim: item.prim,
-                }));
-                Node::leaf(bvh.leaves.len() as u32 - 1)
-            };
+                }),
+            );
+            Node::leaf(bvh.leaves.len() as u32 - 1)
+        };
         bvh.depth = bvh.depth.max(depth);
         match parent {
             Some((i, side)) => bvh.nodes[i].children[side] = node,
@@ -129,6 +128,7 @@ fn build(mesh: &Mesh, mut items: Vec<Item>, mut cut: impl FnMut(&mut [Item], u32
         }
     }
     bvh.fit();
+    bvh.link();
     bvh
 }
 
