@@ -74,3 +74,8 @@ pub mod geom;
 pub mod scene;
 #[cfg(feature = "std")]
 pub mod trace;
+
+/// The example of the README, compiled and run with the documentation's.
+#[cfg(all(doctest, feature = "std"))]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use stackless_bvh::swap;
-//! assert_eq!(swap::fcomp(0b010_u32, 0b110), 0b100);
+//! assert_eq!(swap::fcomp(0b010_u32, &0b110), 0b100);
 //! assert_eq!(swap::fcomp_printed(0b010_u32, &0b110), 0b100);
 //! ```
 
