@@ -6,6 +6,7 @@
 //! (Binder & Keller 2016, Section 2), except by the traversals that say so in their type
 //! ([`Cursor::RESTARTS`](crate::traverse::Cursor::RESTARTS)).
 
+use crate::key::KeyWord;
 use crate::tree::Node;
 
 /// Left or right child. The numeric value is the lowest bit of the child's key.
@@ -37,10 +38,31 @@ impl Side {
         matches!(self, Self::Right)
     }
 
+    /// The lowest bit of the child's key, by a branch: see [`branched`].
+    #[inline(always)]
+    pub(crate) fn bit<W: KeyWord>(self) -> W {
+        branched(self.is_right())
+    }
+
     /// Position in an array of two children.
     #[inline]
     pub const fn index(self) -> usize {
         self as usize
+    }
+}
+
+/// 0 or 1, by a branch that the compiler must not turn into arithmetic.
+///
+/// Keys, trails and counters say where the next record is. If they were computed from the results of the box tests, the
+/// processor could not load that record before the tests are done; behind a branch it goes on with the value that it
+/// expects. See [`Topology::child`](crate::tree::Topology::child).
+#[inline(always)]
+pub(crate) fn branched<W: KeyWord>(bit: bool) -> W {
+    if bit {
+        core::hint::cold_path();
+        W::one()
+    } else {
+        W::zero()
     }
 }
 

@@ -3,7 +3,7 @@
 use super::Cursor;
 use crate::event::State;
 use crate::key::{KeyWord, TooDeep};
-use crate::order::Descent;
+use crate::order::{Descent, branched};
 use crate::trail;
 use crate::tree::{Node, Parents, Topology};
 
@@ -45,7 +45,7 @@ impl<W: KeyWord, T: Topology> Cursor for Afra<'_, W, T> {
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         self.node = self.tree.child(self.node, descent.first());
-        self.trail = trail::child(core::mem::take(&mut self.trail), W::from_bit(descent.postpones()));
+        self.trail = trail::child(core::mem::take(&mut self.trail), branched(descent.postpones()));
         true
     }
 

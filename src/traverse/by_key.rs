@@ -4,7 +4,7 @@ use super::Cursor;
 use crate::event::State;
 use crate::hash::Lookup;
 use crate::key::{self, KeyWord, TooDeep};
-use crate::order::Descent;
+use crate::order::{Descent, branched};
 use crate::trail;
 use crate::tree::{Node, Topology};
 
@@ -53,8 +53,8 @@ impl<W: KeyWord, L: Lookup<W>> Cursor for ByKey<W, L> {
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         let first = descent.first();
-        self.key = key::child(core::mem::take(&mut self.key), W::from_bit(first.is_right()));
-        self.trail = trail::child(core::mem::take(&mut self.trail), W::from_bit(descent.postpones()));
+        self.key = key::child(core::mem::take(&mut self.key), first.bit());
+        self.trail = trail::child(core::mem::take(&mut self.trail), branched(descent.postpones()));
         self.node = self.lookup.node(&self.key);
         true
     }

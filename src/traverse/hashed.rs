@@ -7,7 +7,7 @@ use super::register::Register;
 use crate::event::State;
 use crate::hash::Lookup;
 use crate::key::{self, KeyWord, TooDeep};
-use crate::order::Descent;
+use crate::order::{Descent, branched};
 use crate::trail;
 use crate::tree::{Node, Topology, Uncles};
 
@@ -68,24 +68,14 @@ impl<W: KeyWord, T: Topology, L: Lookup<W>, const INNER: u32, const LEAF: u32> C
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         let first = descent.first();
-        let both = if descent.postpones() {
+        if descent.postpones() {
             self.register.set(self.tree.child(self.node, first.other()));
-            W::one()
         } else {
-            core::hint::cold_path();
             self.fill_register();
-            W::zero()
-        };
-        let [left, right] = self.tree.children(self.node);
-        let bit;
-        (self.node, bit) = if first.is_right() {
-            core::hint::cold_path();
-            (right, W::one())
-        } else {
-            (left, W::zero())
-        };
-        self.key = key::child(take(&mut self.key), bit);
-        self.trail = trail::child(take(&mut self.trail), both);
+        }
+        self.node = self.tree.child(self.node, first);
+        self.key = key::child(take(&mut self.key), first.bit());
+        self.trail = trail::child(take(&mut self.trail), branched(descent.postpones()));
         true
     }
 

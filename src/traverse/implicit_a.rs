@@ -6,7 +6,7 @@ use super::Cursor;
 use crate::event::State;
 use crate::hash::Lookup;
 use crate::key::{KeyWord, TooDeep};
-use crate::order::Descent;
+use crate::order::{Descent, branched};
 use crate::swap;
 use crate::tree::{Node, Topology};
 
@@ -67,10 +67,8 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitA1<W, L> {
 /// "right child first". A rejected left child counts as right first (`hitR && (!hitL || prefer right)`): then both
 /// the index and the path are odd and the toggle leaves no swap; a rejected right child leaves one.
 #[inline]
-fn mask_bit(descent: Descent) -> bool {
-    let right_first = descent.first().is_right();
-    let rejected_one = !descent.postpones();
-    right_first ^ rejected_one
+fn mask_bit<W: KeyWord>(descent: Descent) -> W {
+    descent.first().bit::<W>().xor(&branched(!descent.postpones()))
 }
 
 impl<W: KeyWord, L: Lookup<W>> State for ImplicitA<W, L> {
@@ -94,8 +92,8 @@ impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitA<W, L> {
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         self.level_start = take(&mut self.level_start).shl1();
-        self.level_index = take(&mut self.level_index).shl1().or(&W::from_bit(!descent.postpones()));
-        self.swap_mask = take(&mut self.swap_mask).shl1().or(&W::from_bit(mask_bit(descent)));
+        self.level_index = take(&mut self.level_index).shl1().or(&branched(!descent.postpones()));
+        self.swap_mask = take(&mut self.swap_mask).shl1().or(&mask_bit(descent));
         self.node = self.layout.node(&self.current_key());
         true
     }
@@ -135,8 +133,8 @@ impl<W: KeyWord, L: Lookup<W>> State for ImplicitA1<W, L> {
 impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitA1<W, L> {
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
-        self.index = take(&mut self.index).shl1().or(&W::from_bit(!descent.postpones()));
-        self.swap_mask = take(&mut self.swap_mask).shl1().or(&W::from_bit(mask_bit(descent)));
+        self.index = take(&mut self.index).shl1().or(&branched(!descent.postpones()));
+        self.swap_mask = take(&mut self.swap_mask).shl1().or(&mask_bit(descent));
         self.node = self.layout.node(&swap::fcomp(self.index.clone(), &self.swap_mask));
         true
     }

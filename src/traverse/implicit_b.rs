@@ -5,8 +5,8 @@ use core::mem::take;
 use super::Cursor;
 use crate::event::State;
 use crate::hash::Lookup;
-use crate::key::{KeyWord, TooDeep};
-use crate::order::Descent;
+use crate::key::{self, KeyWord, TooDeep};
+use crate::order::{Descent, branched};
 use crate::tree::{Node, Topology};
 
 /// Algorithm 3 as printed: `levelStart`, the counter `levelIndex`, and `levelIndexdynamic`, the path.
@@ -61,9 +61,8 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitB1<W, L> {
 /// One level down: the path takes the side, the counter a 1 where a child was rejected.
 #[inline]
 fn down<W: KeyWord>(path: &mut W, counter: &mut W, descent: Descent) {
-    let right = descent.first().is_right();
-    *path = take(path).shl1().or(&W::from_bit(right));
-    *counter = take(counter).shl1().or(&W::from_bit(!descent.postpones()));
+    *path = key::child(take(path), descent.first().bit());
+    *counter = key::child(take(counter), branched(!descent.postpones()));
 }
 
 /// Up as far as the counter's increment carries, then to the sibling. The levels climbed.

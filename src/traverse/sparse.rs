@@ -3,7 +3,7 @@
 use super::Cursor;
 use crate::event::State;
 use crate::key::{KeyWord, TooDeep};
-use crate::order::Descent;
+use crate::order::{Descent, branched};
 use crate::tree::{Node, Parents, Topology};
 
 /// Counts as if every left child came first; the carries of the increment say how far to climb.
@@ -49,7 +49,7 @@ impl<W: KeyWord, T: Topology> Cursor for Sparse<'_, W, T> {
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         self.node = self.tree.child(self.node, descent.first());
-        let rejected_one = W::from_bit(!descent.postpones());
+        let rejected_one = branched(!descent.postpones());
         self.index = core::mem::take(&mut self.index).shl1().or(&rejected_one);
         true
     }

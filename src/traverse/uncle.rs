@@ -6,7 +6,7 @@ use super::Cursor;
 use super::register::Register;
 use crate::event::State;
 use crate::key::{KeyWord, TooDeep};
-use crate::order::Descent;
+use crate::order::{Descent, branched};
 use crate::trail;
 use crate::tree::{Node, Topology, Uncles};
 
@@ -65,7 +65,7 @@ impl<W: KeyWord, T: Topology, const INNER: u32, const LEAF: u32> Cursor for Uncl
             self.fill_register();
         }
         self.node = self.tree.child(self.node, first);
-        self.trail = trail::child(take(&mut self.trail), W::from_bit(descent.postpones()));
+        self.trail = trail::child(take(&mut self.trail), branched(descent.postpones()));
         true
     }
 

@@ -42,6 +42,9 @@ pub(crate) struct Args {
     json: Option<PathBuf>,
 }
 
+/// Rays that are traced at the start of a turn and not timed.
+const WARM_UP: usize = 2048;
+
 /// Rays that are traced before it is another traversal's turn.
 const CHUNK: usize = 16_384;
 
@@ -114,6 +117,8 @@ impl<'a> Bench<'a> {
             for i in 0..self.methods.len() {
                 let m = (turn + i) % self.methods.len();
                 let rays = chunks[turn % chunks.len()];
+                // Its own tables come into the caches first, in place of those of the one before.
+                self.trace::<W>(&tables, self.methods[m], &rays[..rays.len().min(WARM_UP)], &mut memory)?;
                 let start = Instant::now();
                 let sum = self.trace::<W>(&tables, self.methods[m], rays, &mut memory)?;
                 times[m][turn / chunks.len()] += start.elapsed();
