@@ -57,6 +57,7 @@ pub mod event;
 pub mod generate;
 pub mod hash;
 pub mod key;
+pub mod name;
 pub mod oracle;
 pub mod order;
 pub mod swap;

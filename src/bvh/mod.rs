@@ -15,7 +15,7 @@ use glam::Vec3;
 
 use crate::geom::{Aabb, Triangle};
 use crate::order::Side;
-use crate::tree::{self, Node, Topology};
+use crate::tree::{self, Node, Recorded, Topology};
 
 /// A binary bounding volume hierarchy over the triangles of a mesh, with a copy of their corners.
 ///
@@ -34,6 +34,7 @@ use crate::tree::{self, Node, Topology};
 pub struct Bvh {
     root: Node,
     depth: u32,
+    recorded: Recorded,
     bounds: Aabb,
     nodes: Vec<BvhNode>,
     axes: Vec<u8>,
@@ -49,8 +50,8 @@ pub struct BvhNode {
     pub planes: [[f32; 4]; 3],
     /// Left and right child.
     pub children: [Node; 2],
-    /// Uncle and grand uncle, or the root where there is none (Binder & Keller 2016, Fig. 4).
-    pub uncles: [Node; 2],
+    /// Two more references, as [`Topology::recorded`] says (Binder & Keller 2016, Fig. 4).
+    pub links: [Node; 2],
 }
 
 /// A leaf: a range of [`Bvh::triangles`], never empty.
@@ -61,8 +62,8 @@ pub struct Leaf {
     pub first: u32,
     /// Number of triangles.
     pub count: u32,
-    /// Uncle and grand uncle, or the root where there is none (Binder & Keller 2016, Fig. 5).
-    pub uncles: [Node; 2],
+    /// Two more references, as [`Topology::recorded`] says (Binder & Keller 2016, Fig. 5).
+    pub links: [Node; 2],
 }
 
 /// A triangle as a leaf holds it.
@@ -129,6 +130,21 @@ impl Bvh {
         boxes
     }
 
+    /// The same hierarchy with other references in the two free places of each record. Uncles stand there at first.
+    #[must_use]
+    pub fn with_links(mut self, recorded: Recorded) -> Self {
+        self.recorded = recorded;
+        let rows = tree::link_rows(&self, recorded);
+        let (inner, leaves) = rows.split_at(self.nodes.len());
+        for (node, &links) in self.nodes.iter_mut().zip(inner) {
+            node.links = links;
+        }
+        for (leaf, &links) in self.leaves.iter_mut().zip(leaves) {
+            leaf.links = links;
+        }
+        self
+    }
+
     /// Memory of nodes, leaves and triangles, in bytes. (Axes, which few traversals use, are not counted.)
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.nodes) + size_of_val(&*self.leaves) + size_of_val(&*self.triangles)
@@ -149,18 +165,6 @@ impl Bvh {
         self.bounds = if self.root.is_leaf() { self.leaf_box(self.root) } else { boxes[self.root.index()] };
     }
 
-    /// Writes the references to uncles into all records.
-    fn link(&mut self) {
-        let rows = tree::uncle_rows(self);
-        let (inner, leaves) = rows.split_at(self.nodes.len());
-        for (node, &[uncle, grand_uncle, _]) in self.nodes.iter_mut().zip(inner) {
-            node.uncles = [uncle, grand_uncle];
-        }
-        for (leaf, &[uncle, grand_uncle, _]) in self.leaves.iter_mut().zip(leaves) {
-            leaf.uncles = [uncle, grand_uncle];
-        }
-    }
-
     fn leaf_box(&self, leaf: Node) -> Aabb {
         let boxes = self.leaf_triangles(leaf).iter().map(|t| t.triangle.aabb());
         boxes.fold(Aabb::EMPTY, Aabb::union)
@@ -168,11 +172,13 @@ impl Bvh {
 }
 
 impl Topology for Bvh {
-    const RECORDS_UNCLES: bool = true;
+    fn recorded(&self) -> Recorded {
+        self.recorded
+    }
 
     #[inline]
-    fn uncles(&self, node: Node) -> [Node; 2] {
-        if node.is_leaf() { self.leaves[node.index()].uncles } else { self.nodes[node.index()].uncles }
+    fn links(&self, node: Node) -> [Node; 2] {
+        if node.is_leaf() { self.leaves[node.index()].links } else { self.nodes[node.index()].links }
     }
 
     #[inline]

@@ -135,8 +135,10 @@ fn validation_bites() {
     assert_eq!(broken(&|b| b.depth += 1), Err(BvhError::Depth { stored: bvh.depth + 1, found: bvh.depth }));
     assert_eq!(broken(&|b| b.axes[3] = 3), Err(BvhError::Axis { node: Node::inner(3), axis: Some(3) }));
     assert_eq!(broken(&|b| b.axes.truncate(3)), Err(BvhError::Axis { node: Node::inner(3), axis: None }));
-    assert_eq!(broken(&|b| b.nodes[4].uncles[1] = child), Err(BvhError::Uncles(Node::inner(4))));
-    assert_eq!(broken(&|b| b.leaves[1].uncles.swap(0, 1)), Err(BvhError::Uncles(Node::leaf(1))));
+    assert_eq!(broken(&|b| b.nodes[4].links[1] = child), Err(BvhError::Links(Node::inner(4))));
+    assert_eq!(broken(&|b| b.leaves[1].links.swap(0, 1)), Err(BvhError::Links(Node::leaf(1))));
+    assert_eq!(broken(&|b| b.recorded = Recorded::ParentSibling), Err(BvhError::Links(Node::inner(1))));
+    assert_eq!(broken(&|b| *b = b.clone().with_links(Recorded::ParentSibling)), Ok(()));
 
     let order = |found, expected| Err(BvhError::Order { found, expected });
     assert_eq!(broken(&|b| b.nodes[0].children[0] = Node::inner(0)), order(Node::inner(0), 1));

@@ -28,9 +28,9 @@ pub enum BvhError {
         /// Its axis.
         axis: Option<u8>,
     },
-    /// A record does not name the node's uncle and grand uncle.
-    #[error("{0:?} names other nodes than its uncle and grand uncle")]
-    Uncles(Node),
+    /// A record names other nodes than the hierarchy says: parent and sibling, or uncle and grand uncle.
+    #[error("{0:?} names other relatives than its own")]
+    Links(Node),
     /// A child's box sticks out of its parent's own box.
     #[error("the box of {0:?} is not inside its parent's")]
     Nesting(Node),
@@ -76,7 +76,7 @@ pub enum BvhError {
 }
 
 /// Checks that a hierarchy holds each triangle of the mesh once, in boxes that contain it and nest, with nodes and
-/// leaves in depth-first order, known split axes, the right uncles and the depth that it states.
+/// leaves in depth-first order, known split axes, the relatives that it says records name, and the depth that it states.
 ///
 /// # Errors
 /// The first fault in depth-first order.
@@ -95,11 +95,11 @@ pub fn validate(bvh: &Bvh, mesh: &Mesh) -> Result<(), BvhError> {
     }
     walk.end()?;
     // The walk has shown the addresses to be those of a tree.
-    for (record, [uncle, grand_uncle, _]) in (0..).zip(tree::uncle_rows(bvh)) {
+    for (record, links) in (0..).zip(tree::link_rows(bvh, bvh.recorded())) {
         let inner = bvh.nodes.len() as u32;
         let node = if record < inner { Node::inner(record) } else { Node::leaf(record - inner) };
-        if bvh.uncles(node) != [uncle, grand_uncle] {
-            return Err(BvhError::Uncles(node));
+        if bvh.links(node) != links {
+            return Err(BvhError::Links(node));
         }
     }
     if depth == bvh.depth() { Ok(()) } else { Err(BvhError::Depth { stored: bvh.depth(), found: depth }) }

@@ -173,8 +173,8 @@ impl<'a> Watch<'a> {
         if levels > 1000 && !self.visits.is_multiple_of(512) {
             return true;
         }
-        let ancestor = (0..levels).fold(node, |node, _| self.parents.parent(self.tree.slot(node)));
-        self.parents.sibling(self.tree.slot(ancestor)) == next
+        let ancestor = (0..levels).fold(node, |node, _| self.parents.parent(self.tree, node));
+        self.parents.sibling(self.tree, ancestor) == next
     }
 }
 

@@ -2,11 +2,9 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
-use core::fmt;
-use core::str::FromStr;
 
 use super::Source;
-use crate::traverse::UnknownName;
+use crate::name::named;
 use crate::tree::Tree;
 
 /// A kind of tree.
@@ -84,19 +82,7 @@ impl Family {
     }
 }
 
-impl fmt::Display for Family {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
-    }
-}
-
-impl FromStr for Family {
-    type Err = UnknownName;
-
-    fn from_str(name: &str) -> Result<Self, UnknownName> {
-        Self::ALL.into_iter().find(|family| family.name() == name).ok_or(UnknownName)
-    }
-}
+named!(Family);
 
 /// Any shape with `leaves` leaves, by how many of them go left at each node: with the enumerating source, every shape
 /// exactly once.

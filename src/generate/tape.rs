@@ -6,13 +6,11 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
-use core::fmt;
-use core::str::FromStr;
 
 use super::{Rng, Source};
 use crate::hash::mix;
+use crate::name::named;
 use crate::order::{Descent, Flow, NodeTest, Visitor};
-use crate::traverse::UnknownName;
 use crate::tree::{Node, Topology};
 
 /// A kind of tape.
@@ -54,19 +52,7 @@ impl Kind {
     }
 }
 
-impl fmt::Display for Kind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
-    }
-}
-
-impl FromStr for Kind {
-    type Err = UnknownName;
-
-    fn from_str(name: &str) -> Result<Self, UnknownName> {
-        Self::ALL.into_iter().find(|kind| kind.name() == name).ok_or(UnknownName)
-    }
-}
+named!(Kind);
 
 /// What a tape says of one node.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -11,9 +11,12 @@
 //! ```
 
 mod grow;
+mod side;
 mod word;
 
 pub use grow::Grow;
+pub use side::Side;
+pub(crate) use side::branched;
 pub(crate) use word::PIECE;
 pub use word::{KeyWord, TooDeep, Word};
 

@@ -2,8 +2,8 @@
 
 use super::Cursor;
 use crate::event::State;
-use crate::key::{KeyWord, TooDeep};
-use crate::order::{Descent, branched};
+use crate::key::{KeyWord, TooDeep, branched};
+use crate::order::Descent;
 use crate::trail;
 use crate::tree::{Node, Parents, Topology};
 
@@ -55,9 +55,9 @@ impl<W: KeyWord, T: Topology> Cursor for Afra<'_, W, T> {
             return false;
         }
         for _ in 0..trail::levels(&self.trail) {
-            self.node = self.parents.parent(self.tree.slot(self.node));
+            self.node = self.parents.parent(self.tree, self.node);
         }
-        self.node = self.parents.sibling(self.tree.slot(self.node));
+        self.node = self.parents.sibling(self.tree, self.node);
         self.trail = trail::leave(core::mem::take(&mut self.trail));
         true
     }

@@ -3,8 +3,8 @@
 use super::Cursor;
 use crate::event::State;
 use crate::hash::Lookup;
-use crate::key::{self, KeyWord, TooDeep};
-use crate::order::{Descent, branched};
+use crate::key::{self, KeyWord, TooDeep, branched};
+use crate::order::Descent;
 use crate::trail;
 use crate::tree::{Node, Topology};
 

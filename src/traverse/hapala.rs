@@ -54,15 +54,15 @@ impl<T: Topology, O: FixedOrder> Cursor for Hapala<'_, T, O> {
             if self.node == root {
                 return false;
             }
-            let parent = self.parents.parent(self.tree.slot(self.node));
+            let parent = self.parents.parent(self.tree, self.node);
             self.node = parent;
             if parent != root {
-                let above = self.parents.parent(self.tree.slot(parent));
+                let above = self.parents.parent(self.tree, parent);
                 let near = self.order.first(above);
                 self.from_parent = self.tree.child(above, near) == parent;
             }
         }
-        self.node = self.parents.sibling(self.tree.slot(self.node));
+        self.node = self.parents.sibling(self.tree, self.node);
         self.from_parent = false;
         true
     }

@@ -6,8 +6,8 @@ use super::Cursor;
 use super::register::Register;
 use crate::event::State;
 use crate::hash::Lookup;
-use crate::key::{self, KeyWord, TooDeep};
-use crate::order::{Descent, branched};
+use crate::key::{self, KeyWord, TooDeep, branched};
+use crate::order::Descent;
 use crate::trail;
 use crate::tree::{Node, Topology, Uncles};
 

@@ -5,8 +5,8 @@ use core::mem::take;
 use super::Cursor;
 use crate::event::State;
 use crate::hash::Lookup;
-use crate::key::{KeyWord, TooDeep};
-use crate::order::{Descent, branched};
+use crate::key::{KeyWord, TooDeep, branched};
+use crate::order::Descent;
 use crate::swap;
 use crate::tree::{Node, Topology};
 

@@ -5,8 +5,8 @@ use core::mem::take;
 use super::Cursor;
 use crate::event::State;
 use crate::hash::Lookup;
-use crate::key::{self, KeyWord, TooDeep};
-use crate::order::{Descent, branched};
+use crate::key::{self, KeyWord, TooDeep, branched};
+use crate::order::Descent;
 use crate::tree::{Node, Topology};
 
 /// Algorithm 3 as printed: `levelStart`, the counter `levelIndex`, and `levelIndexdynamic`, the path.

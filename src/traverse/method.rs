@@ -1,9 +1,8 @@
 //! The traversals by name.
 
-use core::fmt;
-use core::str::FromStr;
-
 use crate::key::{Grow, KeyWord};
+use crate::name::named;
+use crate::tree::Recorded;
 
 /// A traversal, by the name that code, command line, suite and tables share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -102,6 +101,15 @@ impl Method {
         }
     }
 
+    /// What it wants the records to name besides the children, not to need a table beside the tree.
+    pub const fn wants_recorded(self) -> Recorded {
+        match self {
+            Self::Sparse | Self::Afra | Self::Hapala => Recorded::ParentSibling,
+            Self::Uncle | Self::Hashed => Recorded::Uncles,
+            _ => Recorded::Nothing,
+        }
+    }
+
     /// Whether it asks the visitor again on the way down from the root, so that its trace is the oracle's only
     /// where the answers do not change.
     pub const fn restarts(self) -> bool {
@@ -154,31 +162,7 @@ impl Method {
     }
 }
 
-impl fmt::Display for Method {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
-    }
-}
-
-/// A name that is none of a traversal or word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct UnknownName;
-
-impl fmt::Display for UnknownName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("unknown name")
-    }
-}
-
-impl core::error::Error for UnknownName {}
-
-impl FromStr for Method {
-    type Err = UnknownName;
-
-    fn from_str(name: &str) -> Result<Self, UnknownName> {
-        Self::ALL.into_iter().find(|method| method.name() == name).ok_or(UnknownName)
-    }
-}
+named!(Method);
 
 /// A key word, by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -205,16 +189,4 @@ impl WordName {
     }
 }
 
-impl fmt::Display for WordName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
-    }
-}
-
-impl FromStr for WordName {
-    type Err = UnknownName;
-
-    fn from_str(name: &str) -> Result<Self, UnknownName> {
-        Self::ALL.into_iter().find(|word| word.name() == name).ok_or(UnknownName)
-    }
-}
+named!(WordName);

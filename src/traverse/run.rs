@@ -5,13 +5,13 @@ use core::fmt;
 
 use super::{
     Afra, ByKey, Complete, Glassner, Hapala, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine, LeftFirst,
-    Method, NotComplete, Skip, Sparse, Stack, Uncle, traverse,
+    Method, NotComplete, Skip, Skips, Sparse, Stack, Uncle, traverse,
 };
 use crate::event::Recorder;
 use crate::hash::{KeyMap, Lookup};
 use crate::key::{KeyWord, TooDeep};
 use crate::order::{self, ByNode, NodeTest, SignOrder, Visitor};
-use crate::tree::{Implicit, Node, Parents, Skips, Topology, Uncles};
+use crate::tree::{Implicit, Node, Parents, Topology, Uncles};
 
 /// A tree with the tables that a choice of traversals needs beside it.
 #[derive(Debug)]

@@ -1,9 +1,37 @@
 //! Skip pointers: Smits 1998, and one set for each octant of ray directions, Boulos & Haines 2006.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use super::Cursor;
 use crate::event::State;
 use crate::order::{Descent, FixedOrder};
-use crate::tree::{Node, Skips, Topology};
+use crate::tree::{Node, Topology, for_each_parent};
+
+/// Where to go after a node's subtree is done, in a fixed order of the children (Smits 1998).
+#[derive(Clone, Debug)]
+pub struct Skips {
+    rows: Vec<Node>,
+}
+
+impl Skips {
+    /// The skip pointers of a tree under an order.
+    pub fn of(tree: &impl Topology, order: &impl FixedOrder) -> Self {
+        let mut rows = vec![tree.root(); tree.node_count()];
+        for_each_parent(tree, |parent, children| {
+            let first = order.first(parent);
+            rows[tree.slot(children[first.index()])] = children[first.other().index()];
+            rows[tree.slot(children[first.other().index()])] = rows[tree.slot(parent)];
+        });
+        Self { rows }
+    }
+
+    /// The node to visit after the subtree of the node with this slot. The root, which nobody follows, means none.
+    #[inline]
+    pub fn after(&self, slot: usize) -> Node {
+        self.rows[slot]
+    }
+}
 
 /// Goes to the first child or follows the skip pointer: a node is all the state. The order is fixed by the pointers.
 ///
@@ -45,5 +73,22 @@ impl<T: Topology, O: FixedOrder> Cursor for Skip<'_, T, O> {
     fn backtrack(&mut self) -> bool {
         self.node = self.skips.after(self.tree.slot(self.node));
         self.node != self.tree.root()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::order::LeftFirst;
+    use crate::tree::Tree;
+
+    #[test]
+    fn pointers_of_a_small_tree() {
+        let leaf = None;
+        let children = [Some([1, 2]), Some([3, 4]), leaf, leaf, Some([5, 6]), leaf, Some([7, 8]), leaf, leaf];
+        let tree = Tree::new(&children).unwrap();
+        let skips = Skips::of(&tree, &LeftFirst);
+        let after: Vec<_> = (0..9).map(|slot| skips.after(slot).index()).collect();
+        assert_eq!(after, [0, 2, 0, 4, 2, 6, 2, 8, 2]);
     }
 }

@@ -2,8 +2,8 @@
 
 use super::Cursor;
 use crate::event::State;
-use crate::key::{KeyWord, TooDeep};
-use crate::order::{Descent, branched};
+use crate::key::{KeyWord, TooDeep, branched};
+use crate::order::Descent;
 use crate::tree::{Node, Parents, Topology};
 
 /// Counts as if every left child came first; the carries of the increment say how far to climb.
@@ -63,10 +63,10 @@ impl<W: KeyWord, T: Topology> Cursor for Sparse<'_, W, T> {
         let index = index.wrapping_add(&W::one());
         let up = index.trailing_zeros();
         for _ in 0..up {
-            self.node = self.parents.parent(self.tree.slot(self.node));
+            self.node = self.parents.parent(self.tree, self.node);
         }
         self.index = index.shr(up);
-        self.node = self.parents.sibling(self.tree.slot(self.node));
+        self.node = self.parents.sibling(self.tree, self.node);
         true
     }
 }

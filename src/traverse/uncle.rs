@@ -5,8 +5,8 @@ use core::mem::take;
 use super::Cursor;
 use super::register::Register;
 use crate::event::State;
-use crate::key::{KeyWord, TooDeep};
-use crate::order::{Descent, branched};
+use crate::key::{KeyWord, TooDeep, branched};
+use crate::order::Descent;
 use crate::trail;
 use crate::tree::{Node, Topology, Uncles};
 

@@ -4,8 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::{Node, Topology};
-use crate::key::{self, KeyWord, PIECE};
-use crate::order::Side;
+use crate::key::{self, KeyWord, PIECE, Side};
 
 /// Maps nodes to keys, for every word, to check that address and key keep in step.
 ///

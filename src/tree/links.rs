@@ -4,40 +4,60 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::hint::select_unpredictable;
 
-use super::{Node, Topology};
-use crate::order::FixedOrder;
+use super::{Node, Recorded, Topology};
 
-/// Parent and sibling of every node, as [`afra`](crate::traverse), `sparse` and `hapala` need them.
+/// Parent and sibling of every node, as [`Afra`](crate::traverse::Afra), [`Sparse`](crate::traverse::Sparse) and
+/// [`Hapala`](crate::traverse::Hapala) need them.
 ///
-/// The root is its own parent and its own sibling: Barringer & Akenine-Möller's Algorithm 4 ends by that.
+/// The root is its own parent and its own sibling: Barringer & Akenine-Möller's Algorithm 4 ends by that. There are no
+/// rows here if the tree's own records name them.
 #[derive(Clone, Debug)]
 pub struct Parents {
     rows: Vec<[Node; 2]>,
 }
 
 impl Parents {
-    /// The table of a tree.
+    /// The references of a tree.
     pub fn of(tree: &impl Topology) -> Self {
-        let mut rows = vec![[tree.root(); 2]; tree.node_count()];
-        for_each_parent(tree, |parent, children| {
-            let [left, right] = children;
+        let are_recorded = tree.recorded() == Recorded::ParentSibling;
+        Self { rows: if are_recorded { Vec::new() } else { link_rows(tree, Recorded::ParentSibling) } }
+    }
+
+    #[inline(always)]
+    fn row(&self, tree: &impl Topology, node: Node) -> [Node; 2] {
+        if self.rows.is_empty() { tree.links(node) } else { self.rows[tree.slot(node)] }
+    }
+
+    /// Parent of a node.
+    #[inline(always)]
+    pub fn parent(&self, tree: &impl Topology, node: Node) -> Node {
+        self.row(tree, node)[0]
+    }
+
+    /// Sibling of a node.
+    #[inline(always)]
+    pub fn sibling(&self, tree: &impl Topology, node: Node) -> Node {
+        self.row(tree, node)[1]
+    }
+}
+
+/// The two nodes that each record is to name, by slot.
+pub(crate) fn link_rows(tree: &impl Topology, what: Recorded) -> Vec<[Node; 2]> {
+    let root = tree.root();
+    let mut rows = vec![[root; 2]; tree.node_count()];
+    match what {
+        Recorded::Nothing => {}
+        Recorded::ParentSibling => for_each_parent(tree, |parent, [left, right]| {
             rows[tree.slot(left)] = [parent, right];
             rows[tree.slot(right)] = [parent, left];
-        });
-        Self { rows }
+        }),
+        Recorded::Uncles => {
+            for (row, [uncle, grand_uncle, _]) in rows.iter_mut().zip(uncle_rows(tree)) {
+                *row = [uncle, grand_uncle];
+            }
+        }
     }
-
-    /// Parent of the node with this slot.
-    #[inline]
-    pub fn parent(&self, slot: usize) -> Node {
-        self.rows[slot][0]
-    }
-
-    /// Sibling of the node with this slot.
-    #[inline]
-    pub fn sibling(&self, slot: usize) -> Node {
-        self.rows[slot][1]
-    }
+    rows
 }
 
 /// How many ancestors' siblings a record stores: 1 the uncle, 2 the grand uncle too, 3 the grand grand uncle too.
@@ -77,7 +97,7 @@ impl Reach {
 /// Uncle, grand uncle and grand grand uncle of every node: the siblings of its parent, grandparent and so on.
 ///
 /// Records of inner nodes reveal `INNER` of them, those of leaves `LEAF` (1 to 3, else it does not compile). Where there
-/// is none, the row names the root, which is never postponed. A tree whose own records name them needs no rows here.
+/// is none, the row names the root, which is never postponed. There are no rows here if the tree's own records name them.
 #[derive(Clone, Debug)]
 pub struct Uncles<const INNER: u32 = 2, const LEAF: u32 = 2> {
     rows: Vec<[Node; 3]>,
@@ -91,20 +111,16 @@ impl<const INNER: u32, const LEAF: u32> Uncles<INNER, LEAF> {
     };
 
     /// The references of a tree.
-    pub fn of<T: Topology>(tree: &T) -> Self {
-        Self { rows: if Self::are_recorded::<T>() { Vec::new() } else { uncle_rows(tree) } }
-    }
-
-    #[inline]
-    const fn are_recorded<T: Topology>() -> bool {
-        T::RECORDS_UNCLES && INNER <= 2 && LEAF <= 2
+    pub fn of(tree: &impl Topology) -> Self {
+        let are_recorded = INNER <= 2 && LEAF <= 2 && tree.recorded() == Recorded::Uncles;
+        Self { rows: if are_recorded { Vec::new() } else { uncle_rows(tree) } }
     }
 
     /// The references of a node: uncle, grand uncle, and grand grand uncle if the reach is three.
     #[inline(always)]
-    pub fn row<T: Topology>(&self, tree: &T, node: Node) -> [Node; 3] {
-        if Self::are_recorded::<T>() {
-            let [uncle, grand_uncle] = tree.uncles(node);
+    pub fn row(&self, tree: &impl Topology, node: Node) -> [Node; 3] {
+        if INNER <= 2 && LEAF <= 2 && self.rows.is_empty() {
+            let [uncle, grand_uncle] = tree.links(node);
             [uncle, grand_uncle, tree.root()]
         } else {
             self.rows[tree.slot(node)]
@@ -126,7 +142,7 @@ impl<const INNER: u32, const LEAF: u32> Uncles<INNER, LEAF> {
 }
 
 /// Uncle, grand uncle and grand grand uncle of every node, by slot.
-pub(crate) fn uncle_rows(tree: &impl Topology) -> Vec<[Node; 3]> {
+fn uncle_rows(tree: &impl Topology) -> Vec<[Node; 3]> {
     let root = tree.root();
     let mut rows = vec![[root; 3]; tree.node_count()];
     // Parents come before their children: a child's uncles are its parent's, moved up by one.
@@ -140,31 +156,6 @@ pub(crate) fn uncle_rows(tree: &impl Topology) -> Vec<[Node; 3]> {
         }
     });
     rows
-}
-
-/// Where to go after a node's subtree is done, in a fixed order of the children (Smits 1998).
-#[derive(Clone, Debug)]
-pub struct Skips {
-    rows: Vec<Node>,
-}
-
-impl Skips {
-    /// The skip pointers of a tree under an order.
-    pub fn of(tree: &impl Topology, order: &impl FixedOrder) -> Self {
-        let mut rows = vec![tree.root(); tree.node_count()];
-        for_each_parent(tree, |parent, children| {
-            let first = order.first(parent);
-            rows[tree.slot(children[first.index()])] = children[first.other().index()];
-            rows[tree.slot(children[first.other().index()])] = rows[tree.slot(parent)];
-        });
-        Self { rows }
-    }
-
-    /// The node to visit after the subtree of the node with this slot. The root, which nobody follows, means none.
-    #[inline]
-    pub fn after(&self, slot: usize) -> Node {
-        self.rows[slot]
-    }
 }
 
 /// Calls `f` for each inner node and its children, parents before children, without recursion.
@@ -182,7 +173,6 @@ pub(crate) fn for_each_parent<T: Topology>(tree: &T, mut f: impl FnMut(Node, [No
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::order::LeftFirst;
     use crate::tree::Tree;
 
     #[test]
@@ -201,11 +191,8 @@ mod tests {
         assert_eq!(uncles.row(&tree, node(1)), [node(0); 3]);
 
         let parents = Parents::of(&tree);
-        assert_eq!((parents.parent(7), parents.sibling(7)), (node(6), node(8)));
-        assert_eq!((parents.parent(0), parents.sibling(0)), (node(0), node(0)));
-
-        let skips = Skips::of(&tree, &LeftFirst);
-        let after: Vec<_> = (0..9).map(|slot| skips.after(slot).index()).collect();
-        assert_eq!(after, [0, 2, 0, 4, 2, 6, 2, 8, 2]);
+        let of = |i| (parents.parent(&tree, node(i)), parents.sibling(&tree, node(i)));
+        assert_eq!(of(7), (node(6), node(8)));
+        assert_eq!(of(0), (node(0), node(0)));
     }
 }

@@ -14,10 +14,10 @@ pub use implicit::{Implicit, ImplicitError};
 pub use keys::Keys;
 pub(crate) use links::for_each_parent;
 #[cfg(feature = "std")]
-pub(crate) use links::uncle_rows;
-pub use links::{Parents, Reach, Skips, Uncles};
+pub(crate) use links::link_rows;
+pub use links::{Parents, Reach, Uncles};
 
-use crate::order::Side;
+use crate::key::Side;
 
 /// Address of a node. The top bit marks a leaf (Aila & Laine 2009; Binder & Keller's sign), the other 31 bits
 /// index the array of inner nodes or the array of leaves.
@@ -110,12 +110,27 @@ pub trait Topology {
     /// Edges on the longest path from the root. 0 for a single leaf.
     fn depth(&self) -> u32;
 
-    /// Whether the records themselves name uncle and grand uncle, so that [`Uncles`] needs no table beside the tree.
-    const RECORDS_UNCLES: bool = false;
+    /// Which nodes each record names besides the children; then no table beside the tree is needed for them.
+    fn recorded(&self) -> Recorded {
+        Recorded::Nothing
+    }
 
-    /// Uncle and grand uncle as the record of a node names them, where [`RECORDS_UNCLES`](Self::RECORDS_UNCLES); the
-    /// root where there is none.
-    fn uncles(&self, _: Node) -> [Node; 2] {
+    /// The two nodes that the record of a node names besides the children, as [`recorded`](Self::recorded) says; the root
+    /// where there is no such node.
+    fn links(&self, _: Node) -> [Node; 2] {
         [self.root(); 2]
     }
+}
+
+/// What records name besides the children: two references fit where a record of 64 bytes has padding (Binder & Keller
+/// 2016, Fig. 4).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Recorded {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// Parent and sibling. The root names itself.
+    ParentSibling,
+    /// Uncle and grand uncle.
+    Uncles,
 }

@@ -10,7 +10,7 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::scene::procedural;
 use stackless_bvh::trace::{self, ClosestByNode, Counted};
 use stackless_bvh::traverse::{Method, Tables, Unfit};
-use stackless_bvh::tree::{Implicit, Node, Topology};
+use stackless_bvh::tree::{Implicit, Node, Recorded, Topology};
 
 use crate::Outcome;
 use crate::input::{self, Scene};
@@ -68,7 +68,8 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let (mut rows, mut all_agree) = (Vec::new(), true);
     for scene in &scenes {
         let bvh = Bvh::sah(&scene.mesh, SahOptions::default())?;
-        let bench = Bench::new(scene, &bvh, &methods, args);
+        let with_parents = bvh.clone().with_links(Recorded::ParentSibling);
+        let bench = Bench::new(scene, [&bvh, &with_parents], &methods, args);
         let measured = if bvh.depth() <= 30 { bench.run::<u32>() } else { bench.run::<u64>() };
         let (measured, agree) = measured.map_err(|unfit| format!("{}: {unfit}", scene.name))?;
         all_agree &= agree;
@@ -88,39 +89,54 @@ pub(crate) fn run(args: &Args) -> Outcome {
 
 struct Bench<'a> {
     scene: &'a Scene,
-    bvh: &'a Bvh,
+    /// The hierarchy with uncles in its records, and the same with parents and siblings.
+    trees: [&'a Bvh; 2],
     boxes: Vec<Aabb>,
     methods: &'a [Method],
     rays: Vec<Ray>,
     rounds: usize,
 }
 
+/// A traversal with the tree whose records suit it, and that tree's tables.
+struct Runner<'a> {
+    method: Method,
+    bvh: &'a Bvh,
+    boxes: &'a [Aabb],
+    tables: Tables<'a, Bvh>,
+}
+
 impl<'a> Bench<'a> {
-    fn new(scene: &'a Scene, bvh: &'a Bvh, methods: &'a [Method], args: &Args) -> Self {
-        let boxes = bvh.own_boxes();
+    fn new(scene: &'a Scene, trees: [&'a Bvh; 2], methods: &'a [Method], args: &Args) -> Self {
+        let boxes = trees[0].own_boxes();
         let mut rays = procedural::camera_rays(&scene.mesh, args.seed, args.rays / 2);
-        let bounced = trace::bounce(&scene.mesh, bvh, &rays, args.seed);
+        let bounced = trace::bounce(&scene.mesh, trees[0], &rays, args.seed);
         rays.extend(bounced);
-        Self { scene, bvh, boxes, methods, rays, rounds: args.rounds.max(1) }
+        Self { scene, trees, boxes, methods, rays, rounds: args.rounds.max(1) }
+    }
+
+    fn runner(&self, method: Method) -> Runner<'_> {
+        let bvh = self.trees[usize::from(method.wants_recorded() == Recorded::ParentSibling)];
+        let tables = Tables::new(bvh, bvh.axes(), &[method], Implicit::LIMIT);
+        Runner { method, bvh, boxes: &self.boxes, tables }
     }
 
     fn run<W: KeyWord>(&self) -> Result<(Vec<Row>, bool), Unfit> {
-        let tables = Tables::new(self.bvh, self.bvh.axes(), self.methods, Implicit::LIMIT);
+        let runners: Vec<_> = self.methods.iter().map(|&method| self.runner(method)).collect();
         let chunks: Vec<_> = self.rays.chunks(CHUNK).collect();
         let progress = bar((self.rounds * chunks.len()) as u64, &self.scene.name);
         // times[m] has the time of traversal m for each round.
-        let mut times = vec![vec![Duration::ZERO; self.rounds]; self.methods.len()];
-        let mut hits = vec![0_u64; self.methods.len()];
+        let mut times = vec![vec![Duration::ZERO; self.rounds]; runners.len()];
+        let mut hits = vec![0_u64; runners.len()];
         let mut memory = Vec::new();
         for turn in 0..self.rounds * chunks.len() {
-            // Each chunk starts with another traversal, so that none is always the one to warm the caches.
-            for i in 0..self.methods.len() {
-                let m = (turn + i) % self.methods.len();
+            // Each turn starts with another traversal, so that none always has the same one before it.
+            for i in 0..runners.len() {
+                let m = (turn + i) % runners.len();
                 let rays = chunks[turn % chunks.len()];
-                // Its own tables come into the caches first, in place of those of the one before.
-                self.trace::<W>(&tables, self.methods[m], &rays[..rays.len().min(WARM_UP)], &mut memory)?;
+                // Its own tree and tables come into the caches first, in place of those of the one before.
+                runners[m].trace::<W>(&rays[..rays.len().min(WARM_UP)], &mut memory)?;
                 let start = Instant::now();
-                let sum = self.trace::<W>(&tables, self.methods[m], rays, &mut memory)?;
+                let sum = runners[m].trace::<W>(rays, &mut memory)?;
                 times[m][turn / chunks.len()] += start.elapsed();
                 hits[m] = hits[m].wrapping_mul(31).wrapping_add(sum);
             }
@@ -128,36 +144,32 @@ impl<'a> Bench<'a> {
         }
         progress.finish_and_clear();
         let mut rows = Vec::new();
-        for (m, &method) in self.methods.iter().enumerate() {
-            let nodes = self.count::<W>(&tables, method, &mut memory)?;
-            let ratios = times[0].iter().zip(&times[m]).map(|(stack, own)| stack.as_secs_f64() / own.as_secs_f64());
+        for (runner, own) in runners.iter().zip(&times) {
+            let nodes = runner.count::<W>(&self.rays, &mut memory)?;
+            let ratios = times[0].iter().zip(own).map(|(stack, own)| stack.as_secs_f64() / own.as_secs_f64());
             let traced = (self.rounds * self.rays.len()) as f64;
             rows.push(Row {
                 scene: self.scene.name.clone(),
                 rays: "camera + diffuse, closest hit",
-                method: method.name(),
-                mrays: traced / times[m].iter().sum::<Duration>().as_secs_f64() / 1e6,
+                method: runner.method.name(),
+                mrays: traced / own.iter().sum::<Duration>().as_secs_f64() / 1e6,
                 ratio: median(ratios.collect()),
-                state_bytes: method.state_bytes::<W>(self.bvh.depth()),
+                state_bytes: runner.method.state_bytes::<W>(runner.bvh.depth()),
                 nodes_per_ray: nodes as f64 / self.rays.len() as f64,
             });
         }
         Ok((rows, hits.iter().all(|&sum| sum == hits[0])))
     }
+}
 
+impl Runner<'_> {
     /// Traces rays and sums their hits up in one number.
     #[inline(never)]
-    fn trace<W: KeyWord>(
-        &self,
-        tables: &Tables<'_, Bvh>,
-        method: Method,
-        rays: &[Ray],
-        memory: &mut Vec<Node>,
-    ) -> Result<u64, Unfit> {
+    fn trace<W: KeyWord>(&self, rays: &[Ray], memory: &mut Vec<Node>) -> Result<u64, Unfit> {
         let mut sum = 0_u64;
         for ray in rays {
-            let mut search = ClosestByNode::new(self.bvh, &self.boxes, ray);
-            tables.run::<W, _>(method, ray.octant(), memory, &mut search, &mut ())?;
+            let mut search = ClosestByNode::new(self.bvh, self.boxes, ray);
+            self.tables.run::<W, _>(self.method, ray.octant(), memory, &mut search, &mut ())?;
             if let Some(hit) = search.hit() {
                 sum = sum.wrapping_add(u64::from(hit.t.to_bits()) << 32 | u64::from(hit.prim));
             }
@@ -166,16 +178,11 @@ impl<'a> Bench<'a> {
     }
 
     /// Visits of inner nodes and leaves by all rays.
-    fn count<W: KeyWord>(
-        &self,
-        tables: &Tables<'_, Bvh>,
-        method: Method,
-        memory: &mut Vec<Node>,
-    ) -> Result<u64, Unfit> {
+    fn count<W: KeyWord>(&self, rays: &[Ray], memory: &mut Vec<Node>) -> Result<u64, Unfit> {
         let mut sum = 0;
-        for ray in &self.rays {
-            let mut search = Counted::new(ClosestByNode::new(self.bvh, &self.boxes, ray));
-            tables.run::<W, _>(method, ray.octant(), memory, &mut search, &mut ())?;
+        for ray in rays {
+            let mut search = Counted::new(ClosestByNode::new(self.bvh, self.boxes, ray));
+            self.tables.run::<W, _>(self.method, ray.octant(), memory, &mut search, &mut ())?;
             sum += search.inner + search.leaves;
         }
         Ok(sum)

@@ -13,7 +13,7 @@ use glam::{Vec3, Vec3A};
 use super::{Bvh, BvhNode, Leaf, LeafTriangle};
 use crate::geom::{Aabb, Triangle};
 use crate::scene::Mesh;
-use crate::tree::Node;
+use crate::tree::{Node, Recorded};
 
 /// Why a hierarchy cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -91,6 +91,7 @@ fn build(mesh: &Mesh, mut items: Vec<Item>, mut cut: impl FnMut(&mut [Item], u32
     let mut bvh = Bvh {
         root: Node::leaf(0),
         depth: 0,
+        recorded: Recorded::Nothing,
         bounds: Aabb::EMPTY,
         nodes: Vec::new(),
         axes: Vec::new(),
@@ -102,7 +103,7 @@ fn build(mesh: &Mesh, mut items: Vec<Item>, mut cut: impl FnMut(&mut [Item], u32
         let range = &mut items[first..end];
         let node = if let Some(Cut { axis, left }) = cut(range, depth) {
             let i = bvh.nodes.len();
-            bvh.nodes.push(BvhNode { planes: [[0.0; 4]; 3], children: [Node::leaf(0); 2], uncles: [Node::leaf(0); 2] });
+            bvh.nodes.push(BvhNode { planes: [[0.0; 4]; 3], children: [Node::leaf(0); 2], links: [Node::leaf(0); 2] });
             bvh.axes.push(axis as u8);
             let middle = first + left;
             // The left child is made next.
@@ -111,7 +112,7 @@ fn build(mesh: &Mesh, mut items: Vec<Item>, mut cut: impl FnMut(&mut [Item], u32
             Node::inner(i as u32)
         } else {
             let first = bvh.triangles.len() as u32;
-            let leaf = Leaf { first, count: range.len() as u32, uncles: [Node::leaf(0); 2] };
+            let leaf = Leaf { first, count: range.len() as u32, links: [Node::leaf(0); 2] };
             bvh.leaves.push(leaf);
             bvh.triangles.extend(
                 range.iter().map(|item| LeafTriangle {
@@ -128,8 +129,7 @@ fn build(mesh: &Mesh, mut items: Vec<Item>, mut cut: impl FnMut(&mut [Item], u32
         }
     }
     bvh.fit();
-    bvh.link();
-    bvh
+    bvh.with_links(Recorded::Uncles)
 }
 
 /// Cuts at the exact middle of the count, along the axis on which the centroids spread most.

@@ -1,0 +1,35 @@
+//! Names of the things that command line, files and tables choose by name.
+
+use core::fmt;
+
+/// A name that none of the things that could be meant has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnknownName;
+
+impl fmt::Display for UnknownName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("unknown name")
+    }
+}
+
+impl core::error::Error for UnknownName {}
+
+/// Printing and parsing by name, for a type with `ALL` and `name`.
+macro_rules! named {
+    ($type:ty) => {
+        impl core::fmt::Display for $type {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                f.pad(self.name())
+            }
+        }
+
+        impl core::str::FromStr for $type {
+            type Err = crate::name::UnknownName;
+
+            fn from_str(name: &str) -> Result<Self, Self::Err> {
+                Self::ALL.into_iter().find(|it| it.name() == name).ok_or(crate::name::UnknownName)
+            }
+        }
+    };
+}
+pub(crate) use named;
