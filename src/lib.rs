@@ -18,6 +18,7 @@
 //! | [`generate`] | trees, decision tapes, sources of choices |
 //! | [`geom`], [`bvh`], [`trace`], [`scene`] | rays, hierarchies, queries, files (feature `std`) |
 //! | [`check`] | the comparison of traversals with the oracle (feature `std`) |
+//! | [`report`] | statistics and pictures (feature `std`) |
 //!
 //! Everything above `geom` is `no_std` with `alloc` and knows no geometry.
 //!
@@ -71,6 +72,8 @@ pub mod bvh;
 pub mod check;
 #[cfg(feature = "std")]
 pub mod geom;
+#[cfg(feature = "std")]
+pub mod report;
 #[cfg(feature = "std")]
 pub mod scene;
 #[cfg(feature = "std")]

@@ -61,11 +61,11 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitA1<W, L> {
     }
 }
 
-/// The mask one level down: a set bit where the right child comes first, or is the only one.
+/// The mask's new bit: whether the children are swapped.
 ///
-/// With one child, `rejected one` adds 1 to the index and toggles the bit, which the printed algorithm has set to
-/// "right child first". A rejected left child counts as right first (`hitR && (!hitL || prefer right)`): then both
-/// the index and the path are odd and the toggle leaves no swap; a rejected right child leaves one.
+/// If both are wanted they are where the right one comes first. If one is, the index counts it as the second, so they
+/// are where it is the left one. (Printed: set if "right child first", toggled if one is rejected, where a rejected left
+/// child has to count as right first; spec/DEPARTURES.md, D-10.)
 #[inline]
 fn mask_bit<W: KeyWord>(descent: Descent) -> W {
     descent.first().bit::<W>().xor(&branched(!descent.postpones()))

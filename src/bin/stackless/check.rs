@@ -157,7 +157,10 @@ fn print_scene(scene: &str, tree: &str, found: &SceneDisagreement) {
 
 /// Prints the table, the smallest disagreement and the closing line.
 fn finish(args: &Args, plan: &Plan, total: Total, found: Option<&Disagreement>) -> Outcome {
-    let rows = plan.pairs().into_iter().map(|(method, word)| Row::of(method, word, &total.tally)).collect::<Vec<_>>();
+    // The state is given for the depth asked for; of trees of many depths, for the depth that a u32 carries.
+    let depth = total.tally.depth.min(plan.options.depth.unwrap_or(31));
+    let rows =
+        plan.pairs().into_iter().map(|(method, word)| Row::of(method, word, &total.tally, depth)).collect::<Vec<_>>();
     if total.tally.comparisons() == 0 {
         let refusal = plan.pairs().into_iter().find_map(|(method, word)| {
             total.tally.get(method, word).refusal.map(|refusal| format!("{method}: {refusal}"))
@@ -166,7 +169,7 @@ fn finish(args: &Args, plan: &Plan, total: Total, found: Option<&Disagreement>) 
     }
     let header = ["method", "word", "cases", "agree", "refused", "steps", "state bytes"];
     println!("{}", table(&header, 2, rows.iter().map(Row::cells).collect()));
-    println!("state bytes: for one ray in a tree {} edges deep", Row::depth(&total.tally));
+    println!("state bytes: for one ray in a tree {depth} edges deep");
     let refused: Vec<_> = rows.iter().filter_map(|row| row.refusal.as_ref().map(|why| (row, why))).collect();
     if let Some((row, why)) = refused.first() {
         println!("refused before the first step, e.g. {} {}: {why}", row.method, row.word);
@@ -234,7 +237,7 @@ struct Row {
 }
 
 impl Row {
-    fn of(method: Method, word: WordName, tally: &Tally) -> Self {
+    fn of(method: Method, word: WordName, tally: &Tally, depth: u32) -> Self {
         let count = tally.get(method, word);
         let word_name = if method.has_words() { word.name() } else { "-" };
         Self {
@@ -245,13 +248,8 @@ impl Row {
             refused: count.refused,
             refusal: count.refusal.map(|refusal| refusal.to_string()),
             steps: count.steps,
-            state_bytes: with_word(word, StateBytes { method, depth: Self::depth(tally) }),
+            state_bytes: with_word(word, StateBytes { method, depth }),
         }
-    }
-
-    /// Random trees are of many depths: their state is given for the depth that a u32 carries.
-    fn depth(tally: &Tally) -> u32 {
-        tally.depth.min(31)
     }
 
     fn cells(&self) -> Vec<String> {
