@@ -51,7 +51,7 @@ impl<'c> Battery<'c> {
     pub fn new(case: &'c Case, methods: &[Method]) -> Self {
         Self {
             case,
-            tables: Tables::new(&case.tree, case.tape.axes(), methods, Self::IMPLICIT_DEPTH),
+            tables: Tables::new(&case.tree, case.tape.axes(), methods, Self::IMPLICIT_DEPTH).verified(),
             keys: Keys::of(&case.tree),
             parents: Parents::of(&case.tree),
             oracles: [None, None, None],
@@ -86,8 +86,13 @@ impl<'c> Battery<'c> {
         };
         let mut watch = Watch::new(&case.tree, &self.keys, &self.parents, exact.then_some(expected), step_limit);
         let mut search = Search::new(&case.tree, &case.tape, case.any);
+        let misses_before = self.tables.misses();
         if let Err(unfit) = run(&mut search, &mut watch, &self.tables, &mut self.memory) {
             return Verdict::Refused(unfit);
+        }
+        let lookups = self.tables.misses() - misses_before;
+        if lookups > 0 {
+            return Verdict::Differs(Fault::Miss { lookups });
         }
         match watch.finish().and_then(|steps| oracle.compare(search.outcome, exact, restarts).map(|()| steps)) {
             Ok(steps) => Verdict::Agrees { steps },

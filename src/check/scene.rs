@@ -86,7 +86,7 @@ pub fn check_scene(
     sample: usize,
     progress: Progress<'_>,
 ) -> (Tally, Option<SceneDisagreement>) {
-    let tables = Tables::new(scene.bvh, scene.bvh.axes(), &plan.methods, Implicit::LIMIT);
+    let tables = Tables::new(scene.bvh, scene.bvh.axes(), &plan.methods, Implicit::LIMIT).verified();
     let stride = rays.len().div_ceil(sample.max(1)).max(1);
     let pairs = plan.pairs();
     let check_ray = |(index, &ray): (usize, &Ray)| {
@@ -128,7 +128,10 @@ pub fn check_scene(
         progress(1);
         (tally, disagreement)
     };
-    rays.par_iter().enumerate().map(check_ray).reduce(Default::default, |(a, x), (b, y)| (a.merge(&b), x.or(y)))
+    let rays = rays.par_iter().enumerate();
+    let (mut tally, first) = rays.map(check_ray).reduce(Default::default, |(a, x), (b, y)| (a.merge(&b), x.or(y)));
+    tally.misses += tables.misses() as u64;
+    (tally, first)
 }
 
 fn agrees(method: Method, any: bool, expected: Seen, seen: Seen) -> bool {

@@ -26,6 +26,8 @@ pub struct Tally {
     pub depth: u32,
     /// Searches for which the oracle itself differs from the test of all triangles.
     pub oracle_faults: u64,
+    /// Lookups in a scene's perfect hash that did not find the node with the key.
+    pub misses: u64,
 }
 
 impl Tally {
@@ -58,6 +60,7 @@ impl Tally {
         }
         self.depth = self.depth.max(other.depth);
         self.oracle_faults += other.oracle_faults;
+        self.misses += other.misses;
         self
     }
 
@@ -66,9 +69,12 @@ impl Tally {
         self.counts[method as usize][word as usize]
     }
 
-    /// Number of cases in which a traversal differed from its oracle, or the oracle from the truth.
+    /// Number of cases in which a traversal differed from its oracle, or the oracle from the truth, and of lookups that
+    /// went wrong.
     pub fn disagreements(&self) -> u64 {
-        self.oracle_faults + self.counts.iter().flatten().map(|count| count.cases - count.agree).sum::<u64>()
+        self.misses
+            + self.oracle_faults
+            + self.counts.iter().flatten().map(|count| count.cases - count.agree).sum::<u64>()
     }
 
     /// Number of comparisons made.

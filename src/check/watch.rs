@@ -48,6 +48,11 @@ pub enum Fault {
         /// What the register holds.
         found: Node,
     },
+    /// Its table did not have a key that it looked up, or had another node for it.
+    Miss {
+        /// Number of such lookups.
+        lookups: usize,
+    },
     /// It makes more visits than any tree of this size needs.
     Endless {
         /// Number of visits.
@@ -86,6 +91,7 @@ impl fmt::Display for Fault {
             Self::Register { visit, found } => {
                 write!(f, "visit {visit}: the register holds {found:?}, which does not come next")
             }
+            Self::Miss { lookups } => write!(f, "{lookups} lookups in the perfect hash missed"),
             Self::Endless { visits } => write!(f, "no end after {visits} visits"),
             Self::Hit { expected, found } => write!(f, "found {found:?} (distance, leaf), the oracle {expected:?}"),
             Self::Visits { expected, found } => {

@@ -18,24 +18,50 @@ pub(crate) fn fold<W: KeyWord>(key: &W, seed: u64) -> u64 {
 
 /// Calls `f` with the folded key of each node: [`fold`] of all keys, in linear time at any depth.
 pub(crate) fn for_each_folded_key(tree: &impl Topology, seed: u64, mut f: impl FnMut(u64, Node)) {
-    let mut pending = vec![Path { node: tree.root(), low: 1, piece: 1, depth: 0, above: seed }];
-    while let Some(path) = pending.pop() {
-        let folded = if path.depth < u64::BITS {
-            path.low
-        } else {
-            add_length(add_piece(path.above, path.piece), path.depth + 1)
-        };
-        f(folded, path.node);
-        if !path.node.is_leaf() {
-            let [left, right] = tree.children(path.node);
-            pending.extend([path.child(left, 0), path.child(right, 1)]);
+    let mut pending = vec![(tree.root(), Path::root(seed))];
+    while let Some((node, path)) = pending.pop() {
+        f(path.key(), node);
+        if !node.is_leaf() {
+            let [left, right] = tree.children(node);
+            pending.extend([(left, path.child(0)), (right, path.child(1))]);
         }
     }
 }
 
-/// A node on the way down, with what folds its key.
-struct Path {
-    node: Node,
+/// What a walk carries down to know the key of each node.
+pub(super) trait Step: Copy {
+    /// For the left child (0) or the right one (1).
+    #[must_use]
+    fn child(self, right: u64) -> Self;
+    /// The folded key of the node.
+    fn key(self) -> u64;
+}
+
+/// For walks that want no keys.
+impl Step for () {
+    fn child(self, _: u64) -> Self {}
+
+    fn key(self) -> u64 {
+        0
+    }
+}
+
+/// The key itself, in trees of up to 63 edges.
+impl Step for u64 {
+    #[inline]
+    fn child(self, right: u64) -> Self {
+        self << 1 | right
+    }
+
+    #[inline]
+    fn key(self) -> u64 {
+        self
+    }
+}
+
+/// What folds the key of a node, at any depth.
+#[derive(Clone, Copy)]
+pub(super) struct Path {
     /// The lowest 64 bits of the key.
     low: u64,
     /// The last piece of the key.
@@ -46,13 +72,23 @@ struct Path {
 }
 
 impl Path {
-    const fn child(&self, node: Node, right: u64) -> Self {
+    pub(super) const fn root(seed: u64) -> Self {
+        Self { low: 1, piece: 1, depth: 0, above: seed }
+    }
+}
+
+impl Step for Path {
+    fn child(self, right: u64) -> Self {
         let (low, depth) = (self.low << 1 | right, self.depth + 1);
         if depth.is_multiple_of(PIECE) {
-            Self { node, low, piece: right, depth, above: add_piece(self.above, self.piece) }
+            Self { low, piece: right, depth, above: add_piece(self.above, self.piece) }
         } else {
-            Self { node, low, piece: self.piece << 1 | right, depth, above: self.above }
+            Self { low, piece: self.piece << 1 | right, depth, above: self.above }
         }
+    }
+
+    fn key(self) -> u64 {
+        if self.depth < u64::BITS { self.low } else { add_length(add_piece(self.above, self.piece), self.depth + 1) }
     }
 }
 

@@ -3,34 +3,197 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::tree::{Node, Reach, Topology, for_each_parent};
+use super::fold::Step;
+use crate::tree::{Node, Reach, Topology};
 
-/// By slot: whether a traversal with register and uncles can come to look the node up. `[HASH-3]`
-///
-/// A traversal goes from a visited node to the postponed sibling of one of its ancestors, or its own. It knows the
-/// address without a table where the register was set on the way and not used since, or where the record of the last
-/// visited node reaches that far. So a node is looked up only from deep below its sibling: from an inner node more than
-/// `reach` of inner nodes below it, or from a leaf more than `reach` of leaves below it; and if there is such a node, it
-/// is looked up by some search, which on its way postpones and finishes something nearer. Over the printed rule (a
-/// grand nephew that is an inner node) this one is exact for every reach.
-pub(crate) fn looked_up(tree: &impl Topology, reach: Reach) -> Vec<bool> {
-    let mut parents = Vec::new();
-    for_each_parent(tree, |parent, children| parents.push((parent, children)));
-    // Levels down to the deepest inner node and to the deepest leaf of each subtree.
-    let mut heights = vec![(0_u32, 0_u32); tree.node_count()];
-    let mut looked_up = vec![false; tree.node_count()];
-    for (parent, children) in parents.into_iter().rev() {
-        let below = children.map(|child| (child, heights[tree.slot(child)]));
-        let [(left, of_left), (right, of_right)] = below;
-        looked_up[tree.slot(left)] = reaches_too_far(right, of_right, reach);
-        looked_up[tree.slot(right)] = reaches_too_far(left, of_left, reach);
-        let inner = below.map(|(child, (inner, _))| if child.is_leaf() { 0 } else { inner + 1 });
-        heights[tree.slot(parent)] = (inner[0].max(inner[1]), of_left.1.max(of_right.1) + 1);
-    }
-    looked_up
+/// A set of nodes whose keys are hashed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum KeySet {
+    /// All nodes: what a traversal without uncles needs.
+    All,
+    /// The nodes with "at least a grand nephew, which is an internal node, or at least a grand grand nephew that is a
+    /// leaf node" (Binder & Keller 2016, Section 2.2.2). The second half follows from the first.
+    Paper,
+    /// The nodes that some search with register and uncles of this reach looks up, and no others. `[HASH-3]`
+    ///
+    /// **Rule.** Hash x iff the subtree of its sibling s holds an inner node more than Ui levels below s, or a leaf more
+    /// than Ul levels below s, where records of inner nodes name Ui ancestors' siblings and those of leaves Ul.
+    ///
+    /// **Sufficient.** Let a search go to x from the visited node y without knowing its address. Then x is the lowest
+    /// postponed node and y, some number δ of levels below s, does not name it. At δ = 0 the register still holds x from
+    /// the descent into s. So something below s was postponed after that, and the search has come back to it, which
+    /// leaves the register empty. Since the last such step, to a node z, the search only went down, entering single
+    /// children, from z to y, and no record on that way named x. If z is an inner node it is more than Ui below s; if it is
+    /// a leaf it is y, more than Ul below.
+    ///
+    /// **Necessary.** Let z be such a node. A search that postpones x, enters single children down to the parent of z,
+    /// there postpones z, finds nothing in the sibling of z, returns to z (which empties the register) and finds nothing
+    /// there either has x as its next node, and neither the register nor the record of z has its address.
+    ///
+    /// **In one number.** A subtree with a leaf more than Ul below s is one that is higher than Ul. One with an inner
+    /// node more than Ui below s is one that is higher than Ui + 1. So x is hashed iff its sibling's subtree is at
+    /// least min(Ui + 2, Ul + 1) high. The paper's rule is a height of at least 3: exact for reaches of (2, 2) and
+    /// (1, 2), with keys too many for (2, 3), and with keys missing for (1, 1).
+    Exact(Reach),
 }
 
-/// Whether the subtree of `sibling` has a node whose record does not reach up to the sibling of `sibling`.
-fn reaches_too_far(sibling: Node, (inner, leaf): (u32, u32), reach: Reach) -> bool {
-    !sibling.is_leaf() && (inner > reach.of(false) || leaf > reach.of(true))
+impl KeySet {
+    /// By slot: whether the node is hashed. Linear time, no recursion.
+    pub fn slots(self, tree: &impl Topology) -> Vec<bool> {
+        let mut hashed = vec![self == Self::All; tree.node_count()];
+        collect(tree, (tree.root(), ()), self.sibling_height(), &mut |(), node| hashed[tree.slot(node)] = true);
+        hashed
+    }
+
+    /// The least height (levels) of a sibling's subtree for which a node is hashed.
+    const fn sibling_height(self) -> u32 {
+        match self {
+            Self::All => 0,
+            Self::Paper => 3,
+            Self::Exact(reach) => {
+                let (inner, leaf) = (reach.of(false) + 2, reach.of(true) + 1);
+                if inner < leaf { inner } else { leaf }
+            }
+        }
+    }
+
+    /// The hashed keys of a tree with their nodes, in no particular order.
+    pub(super) fn keys<P: Step + Send>(self, tree: &impl Topology, root: P) -> Vec<HashedKey> {
+        let mut keys = self.root_key(tree, root);
+        let mut push = |path: P, node| keys.push(HashedKey { key: path.key(), node });
+        collect(tree, (tree.root(), root), self.sibling_height(), &mut push);
+        keys
+    }
+
+    /// The root is nobody's sibling: only [`All`](Self::All) has it.
+    fn root_key<P: Step>(self, tree: &impl Topology, root: P) -> Vec<HashedKey> {
+        let key = HashedKey { key: root.key(), node: tree.root() };
+        if self == Self::All { vec![key] } else { Vec::new() }
+    }
+
+    /// [`keys`](Self::keys), by all threads: the top of the tree first, then what hangs below it.
+    #[cfg(feature = "std")]
+    pub(super) fn keys_parallel<P: Step + Send + Sync>(self, tree: &(impl Topology + Sync), root: P) -> Vec<HashedKey> {
+        use rayon::prelude::*;
+
+        let height = self.sibling_height();
+        let top = Top::of(tree, root);
+        let below = top.below.par_iter().map(|&(node, path)| {
+            let mut keys = Vec::new();
+            let push = &mut |path: P, node| keys.push(HashedKey { key: path.key(), node });
+            (collect(tree, (node, path), height, push), keys)
+        });
+        let (heights, mut lists): (Vec<_>, Vec<_>) = below.unzip();
+        lists.push(self.root_key(tree, root));
+        let mut own = Vec::new();
+        top.finish(tree, heights, height, &mut |path, node| own.push(HashedKey { key: path.key(), node }));
+        lists.push(own);
+        lists.concat()
+    }
+}
+
+/// A key of up to 64 bits, or what a longer one folds to, and its node.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct HashedKey {
+    pub(super) key: u64,
+    pub(super) node: Node,
+}
+
+impl HashedKey {
+    /// Fills arrays.
+    pub(super) const NONE: Self = Self { key: 0, node: Node::inner(0) };
+}
+
+/// An inner node on the way to where the walk is.
+struct Open<P> {
+    left: Node,
+    right: Node,
+    path: P,
+    /// Of the left subtree, once the walk is in the right one.
+    left_height: Option<u32>,
+}
+
+/// Calls `found` for each node below `top` whose sibling's subtree is at least `sibling_height` high, and returns the
+/// height of the subtree of `top`. One walk, each record read once, children before parents.
+fn collect<P: Step>(
+    tree: &impl Topology,
+    (top, path): (Node, P),
+    sibling_height: u32,
+    found: &mut impl FnMut(P, Node),
+) -> u32 {
+    let mut open: Vec<Open<P>> = Vec::new();
+    let (mut node, mut path) = (top, path);
+    loop {
+        while !node.is_leaf() {
+            let [left, right] = tree.children(node);
+            open.push(Open { left, right, path, left_height: None });
+            (node, path) = (left, path.child(0));
+        }
+        let mut height = 0;
+        loop {
+            let Some(parent) = open.last_mut() else { return height };
+            let Some(left_height) = parent.left_height else {
+                parent.left_height = Some(height);
+                (node, path) = (parent.right, parent.path.child(1));
+                break;
+            };
+            if left_height >= sibling_height {
+                found(parent.path.child(1), parent.right);
+            }
+            if height >= sibling_height {
+                found(parent.path.child(0), parent.left);
+            }
+            height = 1 + height.max(left_height);
+            open.pop();
+        }
+    }
+}
+
+/// The top of a tree, and the subtrees below it.
+#[cfg(feature = "std")]
+struct Top<P> {
+    /// Inner nodes, parents before children, each with where its children's heights will stand.
+    inner: Vec<(Node, P)>,
+    below: Vec<(Node, P)>,
+}
+
+#[cfg(feature = "std")]
+impl<P: Step> Top<P> {
+    /// Enough subtrees to keep threads busy in a tree that is any good; a chain ends the search for more.
+    const SUBTREES: usize = 256;
+
+    fn of(tree: &impl Topology, root: P) -> Self {
+        let mut queue = std::collections::VecDeque::from([(tree.root(), root)]);
+        let (mut inner, mut leaves) = (Vec::new(), Vec::new());
+        while inner.len() < Self::SUBTREES
+            && let Some((node, path)) = queue.pop_front()
+        {
+            if node.is_leaf() {
+                leaves.push((node, path));
+            } else {
+                inner.push((node, path));
+                let [left, right] = tree.children(node);
+                queue.extend([(left, path.child(0)), (right, path.child(1))]);
+            }
+        }
+        leaves.extend(queue);
+        Self { inner, below: leaves }
+    }
+
+    /// What [`collect`] does, for the top alone: `heights` are those of the subtrees below.
+    fn finish(&self, tree: &impl Topology, heights: Vec<u32>, sibling_height: u32, found: &mut impl FnMut(P, Node)) {
+        let nodes = self.below.iter().map(|&(node, _)| node);
+        let mut heights: std::collections::HashMap<Node, u32> = nodes.zip(heights).collect();
+        for &(node, path) in self.inner.iter().rev() {
+            let [left, right] = tree.children(node);
+            let [of_left, of_right] = [left, right].map(|child| heights.get(&child).copied().unwrap_or(0));
+            if of_left >= sibling_height {
+                found(path.child(1), right);
+            }
+            if of_right >= sibling_height {
+                found(path.child(0), left);
+            }
+            heights.insert(node, 1 + of_left.max(of_right));
+        }
+    }
 }

@@ -4,7 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::fold::{fold, for_each_folded_key};
-use super::{Lookup, looked_up, mix};
+use super::{KeySet, Lookup, mix};
 use crate::key::KeyWord;
 use crate::tree::{Node, Reach, Topology};
 
@@ -27,7 +27,7 @@ impl KeyMap {
 
     /// The map of those nodes that a traversal with register and uncles can come to look up, about a tenth.
     pub fn of_looked_up(tree: &impl Topology, reach: Reach) -> Self {
-        let looked_up = looked_up(tree, reach);
+        let looked_up = KeySet::Exact(reach).slots(tree);
         let count = looked_up.iter().filter(|&&is| is).count();
         Self::filtered(tree, count, |node| looked_up[tree.slot(node)])
     }

@@ -1,15 +1,31 @@
 //! From a key to an address.
 //!
 //! A traversal that backtracks in constant time knows the key of the next node and needs its address. [`Lookup`] is
-//! what it asks; the implicit layout answers by arithmetic, [`KeyMap`] by an ordinary open-addressing table.
+//! what it asks; the implicit layout answers by arithmetic, [`KeyMap`] by an ordinary open-addressing table, and
+//! [`PerfectHash`] by the two small tables of Binder & Keller (2016, Section 2.2), which hold only the keys that can be
+//! asked for ([`KeySet`]) and which [`certify()`] proves right for a tree.
 
+mod address;
+mod build;
+mod bytes;
+mod certify;
 mod fold;
 mod keys;
 mod map;
+mod modulo;
+mod perfect;
+mod place;
+mod verified;
 
+pub use build::{BuildError, Options};
+pub use bytes::{AddressBounds, TableError};
+pub use certify::{CertificateError, certify};
 pub(crate) use fold::{fold, for_each_folded_key};
-use keys::looked_up;
+pub use keys::KeySet;
 pub use map::KeyMap;
+pub use modulo::{Constant, Modulo, Reciprocal, Remainder, TableSize};
+pub use perfect::{Header, Mix, PerfectHash, Sizing};
+pub use verified::Verified;
 
 use crate::tree::Node;
 

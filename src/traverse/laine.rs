@@ -137,3 +137,28 @@ impl<const K: usize> ShortStack<K> {
         Some(self.nodes[self.head])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generate::{Cell, Search, Tape};
+    use crate::traverse::traverse;
+    use crate::tree::Tree;
+
+    #[test]
+    fn a_child_that_is_culled_at_the_pop_level_is_not_replaced_by_its_sibling() {
+        // The hit in the first leaf, at 1, culls the second, which is entered at 5: the restart finds one child wanted
+        // where there were two, and that one is done.
+        let tree = Tree::new(&[Some([1, 2]), None, None]).unwrap();
+        let first = Cell { hit: Some(1), ..Cell::default() };
+        let second = Cell { enter: 5, hit: Some(6), ..Cell::default() };
+        let tape = Tape::from_cells(&tree, alloc::vec![Cell::default(), first, second]).unwrap();
+        let mut search = Search::new(&tree, &tape, false);
+        traverse(Laine::<0, u32, _>::new(&tree).unwrap(), &mut search, &mut ());
+        assert_eq!((search.outcome.hit, search.outcome.leaf_visits), (Some((1, 1)), 1));
+        // A short stack hands the node out without asking again.
+        let mut search = Search::new(&tree, &tape, false);
+        traverse(Laine::<1, u32, _>::new(&tree).unwrap(), &mut search, &mut ());
+        assert_eq!((search.outcome.hit, search.outcome.leaf_visits), (Some((1, 1)), 2));
+    }
+}

@@ -23,6 +23,7 @@ pub enum Method {
     Laine8,
     Afra,
     Uncle,
+    HashOnly,
     Hashed,
     Skip,
     SkipOctant,
@@ -43,7 +44,7 @@ pub enum Test {
 
 impl Method {
     /// All traversals, in the order of the tables.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 21] = [
         Self::Stack,
         Self::LeftFirst,
         Self::ImplicitA,
@@ -59,6 +60,7 @@ impl Method {
         Self::Laine8,
         Self::Afra,
         Self::Uncle,
+        Self::HashOnly,
         Self::Hashed,
         Self::Skip,
         Self::SkipOctant,
@@ -84,6 +86,7 @@ impl Method {
             Self::Laine8 => "laine-8",
             Self::Afra => "afra",
             Self::Uncle => "uncle",
+            Self::HashOnly => "hash-only",
             Self::Hashed => "hashed",
             Self::Skip => "skip",
             Self::SkipOctant => "skip-octant",
@@ -152,7 +155,7 @@ impl Method {
             Self::Uncle => 2 * NODE + word,
             Self::Hashed => 2 * NODE + 2 * word,
             Self::Skip | Self::SkipOctant => NODE,
-            Self::Glassner => NODE + 2 * word,
+            Self::HashOnly | Self::Glassner => NODE + 2 * word,
             Self::Laine0 | Self::Laine1 | Self::Laine2 | Self::Laine4 | Self::Laine8 => {
                 let short = self.short_stack().unwrap_or(0);
                 // Besides the nodes the short stack has a head and a length.

@@ -2,16 +2,17 @@
 
 use alloc::vec::Vec;
 use core::fmt;
+use core::sync::atomic::{AtomicUsize, Ordering};
 
 use super::{
-    Afra, ByKey, Complete, Glassner, Hapala, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine, LeftFirst,
-    Method, NotComplete, Skip, Skips, Sparse, Stack, Uncle, traverse,
+    Afra, ByKey, Complete, Glassner, Hapala, HashOnly, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine,
+    LeftFirst, Method, NotComplete, Skip, Skips, Sparse, Stack, Uncle, traverse,
 };
 use crate::event::Recorder;
-use crate::hash::{KeyMap, Lookup};
+use crate::hash::{KeyMap, KeySet, Lookup, Options, PerfectHash, Sizing, Verified};
 use crate::key::{KeyWord, TooDeep};
 use crate::order::{self, ByNode, NodeTest, SignOrder, Visitor};
-use crate::tree::{Implicit, Node, Parents, Topology, Uncles};
+use crate::tree::{Implicit, Keys, Node, Parents, Topology, Uncles};
 
 /// A tree with the tables that a choice of traversals needs beside it.
 #[derive(Debug)]
@@ -21,7 +22,12 @@ pub struct Tables<'t, T> {
     parents: Option<Parents>,
     uncles: Option<Uncles>,
     /// The keys that `hashed` looks up.
-    map: Option<KeyMap>,
+    hash: Option<PerfectHash>,
+    /// All keys, for `hash-only`.
+    full_hash: Option<PerfectHash>,
+    /// Where tables are to be verified: the keys of all nodes, and the lookups that went wrong.
+    keys: Option<Keys>,
+    misses: AtomicUsize,
     /// All keys, in place of an implicit layout.
     all_keys: Option<KeyMap>,
     implicit: Option<Implicit>,
@@ -90,7 +96,10 @@ impl<'t, T: Topology> Tables<'t, T> {
             axes,
             parents: needs(&[M::Sparse, M::Afra, M::Hapala]).then(|| Parents::of(tree)),
             uncles: needs(&[M::Uncle, M::Hashed]).then(|| Uncles::of(tree)),
-            map: needs(&[M::Hashed]).then(|| KeyMap::of_looked_up(tree, <Uncles>::REACH)),
+            hash: needs(&[M::Hashed]).then(|| perfect(tree, KeySet::Exact(<Uncles>::REACH))).flatten(),
+            full_hash: needs(&[M::HashOnly]).then(|| perfect(tree, KeySet::All)).flatten(),
+            keys: None,
+            misses: AtomicUsize::new(0),
             all_keys: wants_all_keys.then(|| KeyMap::of(tree)),
             implicit,
             complete: needs(&[M::Complete]).then(|| Complete::of(tree)),
@@ -98,6 +107,19 @@ impl<'t, T: Topology> Tables<'t, T> {
             skips: needs(&[M::Skip]).then(|| Skips::of(tree, &order::LeftFirst)),
             octant_skips: octants.map(|octant| Skips::of(tree, &SignOrder { axes, octant })).collect(),
         }
+    }
+
+    /// The same, with every lookup in a perfect hash verified: [`misses`](Self::misses) counts those that did not find
+    /// the node with the key.
+    #[must_use]
+    pub fn verified(mut self) -> Self {
+        self.keys = Some(Keys::of(self.tree));
+        self
+    }
+
+    /// Number of lookups that went wrong so far, if they are verified.
+    pub fn misses(&self) -> usize {
+        self.misses.load(Ordering::Relaxed)
     }
 
     /// Runs one search. `memory` is the stack's, kept between searches; `octant` gives the signs of the direction,
@@ -139,9 +161,17 @@ impl<'t, T: Topology> Tables<'t, T> {
             Method::Laine4 => traverse(Laine::<4, W, T>::new(tree)?, search, recorder),
             Method::Laine8 => traverse(Laine::<8, W, T>::new(tree)?, search, recorder),
             Method::Uncle => traverse(Uncle::<W, T>::new(tree, table(self.uncles.as_ref())?)?, search, recorder),
-            Method::Hashed => {
-                let cursor = Hashed::<W, T, _>::new(tree, table(self.uncles.as_ref())?, table(self.map.as_ref())?)?;
-                traverse(cursor, search, recorder);
+            Method::HashOnly | Method::Hashed => {
+                let hash = if method == Method::Hashed { &self.hash } else { &self.full_hash };
+                let hash = table(hash.as_ref())?;
+                match &self.keys {
+                    None => self.run_hashed::<W, S>(method, hash, search, recorder)?,
+                    Some(keys) => {
+                        let verified = Verified::new(hash, tree, keys);
+                        self.run_hashed::<W, S>(method, &verified, search, recorder)?;
+                        self.misses.fetch_add(verified.misses(), Ordering::Relaxed);
+                    }
+                }
             }
             Method::Skip => {
                 let mut search = ByNode { test: search, order: order::LeftFirst };
@@ -159,6 +189,23 @@ impl<'t, T: Topology> Tables<'t, T> {
             Method::Glassner => {
                 traverse(ByKey::<W, _>::new(tree, table(self.glassner.as_ref())?)?, search, recorder);
             }
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn run_hashed<W: KeyWord, S: Visitor + NodeTest>(
+        &self,
+        method: Method,
+        hash: impl Lookup<W>,
+        search: &mut S,
+        recorder: &mut impl Recorder,
+    ) -> Result<(), Unfit> {
+        if method == Method::HashOnly {
+            traverse(HashOnly::<W, T, _>::new(self.tree, hash)?, search, recorder);
+        } else {
+            let uncles: &Uncles = table(self.uncles.as_ref())?;
+            traverse(Hashed::<W, T, _>::new(self.tree, uncles, hash)?, search, recorder);
         }
         Ok(())
     }
@@ -184,6 +231,11 @@ impl<'t, T: Topology> Tables<'t, T> {
         }
         Ok(())
     }
+}
+
+/// The table that traversals use: the tight sizing, with the remedy where the plain function fails.
+fn perfect(tree: &impl Topology, key_set: KeySet) -> Option<PerfectHash> {
+    PerfectHash::build(tree, Options { key_set, sizing: Sizing::Tight }).ok()
 }
 
 fn table<X>(table: Option<&X>) -> Result<&X, Unfit> {

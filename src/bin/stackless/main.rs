@@ -4,6 +4,7 @@ mod bench;
 mod check;
 mod input;
 mod output;
+mod stats;
 mod trace;
 
 use std::process::ExitCode;
@@ -26,6 +27,8 @@ enum What {
     Trace(trace::Args),
     /// Measure the traversals beside each other on scenes.
     Bench(bench::Args),
+    /// Say what a scene's hierarchy and hash tables take, and how far backtracking goes.
+    Stats(stats::Args),
 }
 
 /// What a subcommand ends with: whether all was well, or why it could not run.
@@ -37,6 +40,7 @@ fn main() -> ExitCode {
         What::Check(args) => check::run(args),
         What::Trace(args) => trace::run(&args),
         What::Bench(args) => bench::run(&args),
+        What::Stats(args) => stats::run(&args),
     };
     match outcome {
         Ok(true) => ExitCode::SUCCESS,

@@ -1,0 +1,254 @@
+//! `stackless stats`: a scene's hierarchy, its tables, and where backtracking goes.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use serde::Serialize;
+use stackless_bvh::bvh::{Bvh, SahOptions};
+use stackless_bvh::check::{WithWord, with_word};
+use stackless_bvh::hash::{self, BuildError, KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::key::{KeyWord, TooDeep};
+use stackless_bvh::report::{Backtracks, Source, plot_distances};
+use stackless_bvh::scene::{self, procedural};
+use stackless_bvh::trace::{self, Closest};
+use stackless_bvh::traverse::{Hashed, WordName, traverse};
+use stackless_bvh::tree::{Topology, Uncles};
+
+use crate::Outcome;
+use crate::input::Scene;
+use crate::output::{grouped, table, write_json};
+
+/// What a scene's hierarchy and its hash tables take, and how far backtracking goes in it.
+///
+/// The counterparts of Table 1 and Fig. 3 of Binder & Keller 2016. Backtracks are those of closest-hit rays, half from a
+/// camera and half in random directions from where those hit.
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// Mesh file (.ply, .obj), or a made scene: `strands`, `stadium`, `soup`.
+    scene: PathBuf,
+    /// Number of rays.
+    #[arg(long, default_value_t = 65_536)]
+    rays: usize,
+    /// Seed of the rays.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Write the figures to this file.
+    #[arg(long)]
+    json: Option<PathBuf>,
+    /// Draw the backtracking distances into this file.
+    #[arg(long)]
+    plot: Option<PathBuf>,
+}
+
+/// The file of `--json`.
+#[derive(Serialize)]
+struct Stats {
+    scene: String,
+    triangles: usize,
+    nodes: usize,
+    depth: u32,
+    tree_bytes: usize,
+    /// Time of the builder, which runs on one thread.
+    build_seconds: f64,
+    /// The tables that traversals use.
+    tables: TableStats,
+    /// The other sizings.
+    other_tables: Vec<TableStats>,
+    backtracks: BacktrackStats,
+}
+
+#[derive(Serialize)]
+struct TableStats {
+    sizing: &'static str,
+    keys: u32,
+    #[serde(rename = "D")]
+    d: u32,
+    #[serde(rename = "H")]
+    h: u32,
+    bytes: usize,
+    /// Of the tree's bytes.
+    share: f64,
+    direct_share: f64,
+    /// Seeds that were tried; 0 for the printed function.
+    reseeds: u32,
+    /// On one thread.
+    build_seconds: f64,
+    /// On all threads.
+    parallel_build_seconds: f64,
+}
+
+#[derive(Serialize)]
+struct BacktrackStats {
+    total: u64,
+    register: f64,
+    uncle: f64,
+    grand_uncle: f64,
+    leaf: f64,
+    hash: f64,
+    /// Number over each distance, in levels.
+    distances: Vec<u64>,
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    let scene = Scene::load(&args.scene)?;
+    let (bvh, build_seconds) = timed(|| Bvh::sah(&scene.mesh, SahOptions::default()));
+    let bvh = bvh?;
+    let mut tables = Vec::new();
+    for sizing in [Sizing::Tight, Sizing::PrintedHashed, Sizing::Printed] {
+        tables.push(measure(&bvh, sizing)?);
+    }
+    let backtracks = with_word(narrowest(bvh.depth()), Count { args, scene: &scene, bvh: &bvh })?;
+    let stats = Stats {
+        triangles: scene.mesh.triangles().len(),
+        nodes: bvh.node_count(),
+        depth: bvh.depth(),
+        tree_bytes: bvh.bytes(),
+        build_seconds,
+        tables: tables.remove(0),
+        other_tables: tables,
+        backtracks: BacktrackStats::of(&backtracks),
+        scene: scene.name,
+    };
+    stats.print();
+    if let Some(path) = &args.plot {
+        let svg = plot_distances(&format!("Backtracking distance, {}", stats.scene), &backtracks)?;
+        scene::write_atomically(path, |file| file.write_all(svg.as_bytes()))
+            .map_err(|error| format!("{}: cannot be written: {error}", path.display()))?;
+    }
+    if let Some(path) = &args.json {
+        write_json(path, &stats)?;
+    }
+    Ok(true)
+}
+
+/// The narrowest word that carries the key.
+fn narrowest(depth: u32) -> WordName {
+    match depth {
+        0..=31 => WordName::U32,
+        32..=63 => WordName::U64,
+        64..=127 => WordName::U128,
+        _ => WordName::Grow,
+    }
+}
+
+/// Builds tables three times each way and keeps the median; every table is certified.
+fn measure(bvh: &Bvh, sizing: Sizing) -> Result<TableStats, Box<dyn std::error::Error>> {
+    let options = Options { key_set: KeySet::Exact(<Uncles>::REACH), sizing };
+    let hash = PerfectHash::build(bvh, options)?;
+    hash::certify(&hash, bvh, options.key_set)?;
+    let median = |build: &dyn Fn() -> Result<PerfectHash, BuildError>| {
+        let mut seconds = [(); 3].map(|()| timed(build).1);
+        seconds.sort_by(f64::total_cmp);
+        seconds[1]
+    };
+    let header = hash.header();
+    Ok(TableStats {
+        sizing: sizing.name(),
+        keys: header.keys,
+        d: header.displacements,
+        h: header.cells.get(),
+        bytes: header.bytes(),
+        share: header.bytes() as f64 / bvh.bytes() as f64,
+        direct_share: header.direct_share(),
+        reseeds: header.reseeds,
+        build_seconds: median(&|| PerfectHash::build(bvh, options)),
+        parallel_build_seconds: median(&|| PerfectHash::build_parallel(bvh, options)),
+    })
+}
+
+fn timed<T>(f: impl FnOnce() -> T) -> (T, f64) {
+    let start = Instant::now();
+    let value = f();
+    (value, start.elapsed().as_secs_f64())
+}
+
+struct Count<'a> {
+    args: &'a Args,
+    scene: &'a Scene,
+    bvh: &'a Bvh,
+}
+
+impl WithWord for Count<'_> {
+    type Output = Result<Backtracks, Box<dyn std::error::Error>>;
+
+    fn call<W: KeyWord>(self) -> Self::Output {
+        let Self { args, scene, bvh } = self;
+        let uncles = <Uncles>::of(bvh);
+        let options = Options { key_set: KeySet::Exact(<Uncles>::REACH), sizing: Sizing::Tight };
+        let hash = PerfectHash::build(bvh, options)?;
+        let mut rays = procedural::camera_rays(&scene.mesh, args.seed, args.rays / 2);
+        let bounced = trace::bounce(&scene.mesh, bvh, &rays, args.seed);
+        rays.extend(bounced);
+        let mut backtracks = Backtracks::new(<Uncles>::REACH);
+        for ray in &rays {
+            backtracks.begin();
+            let cursor: Result<_, TooDeep> = Hashed::<W, _, _>::new(bvh, &uncles, &hash);
+            traverse(cursor?, &mut Closest::new(bvh, ray), &mut backtracks);
+        }
+        Ok(backtracks)
+    }
+}
+
+impl BacktrackStats {
+    fn of(backtracks: &Backtracks) -> Self {
+        let total = backtracks.total();
+        let share = |source| backtracks.by(source) as f64 / total.max(1) as f64;
+        Self {
+            total,
+            register: share(Source::Register),
+            uncle: share(Source::Uncle),
+            grand_uncle: share(Source::GrandUncle),
+            leaf: share(Source::Leaf),
+            hash: share(Source::Hash),
+            distances: backtracks.distances().to_vec(),
+        }
+    }
+}
+
+impl Stats {
+    fn print(&self) {
+        println!(
+            "{}: {} triangles, {} nodes, depth {}, {} bytes, built in {:.1} ms",
+            self.scene,
+            grouped(self.triangles as u64),
+            grouped(self.nodes as u64),
+            self.depth,
+            grouped(self.tree_bytes as u64),
+            self.build_seconds * 1e3
+        );
+        let header =
+            ["tables", "keys", "D", "H", "bytes", "of tree", "direct", "reseeds", "ms", "of build", "ms parallel"];
+        let rows = std::iter::once(&self.tables).chain(&self.other_tables).map(|tables| {
+            let numbers = [u64::from(tables.keys), u64::from(tables.d), u64::from(tables.h), tables.bytes as u64];
+            let mut row = vec![tables.sizing.to_owned()];
+            row.extend(numbers.map(grouped));
+            row.extend([percent(tables.share), percent(tables.direct_share), tables.reseeds.to_string()]);
+            row.push(format!("{:.2}", tables.build_seconds * 1e3));
+            row.push(percent(tables.build_seconds / self.build_seconds));
+            row.push(format!("{:.2}", tables.parallel_build_seconds * 1e3));
+            row
+        });
+        println!("{}", table(&header, 1, rows.collect()));
+        let shares = &self.backtracks;
+        println!(
+            "{} backtracks: register {}, uncle {}, grand uncle {}, leaf {}, hash {}",
+            grouped(shares.total),
+            percent(shares.register),
+            percent(shares.uncle),
+            percent(shares.grand_uncle),
+            percent(shares.leaf),
+            percent(shares.hash)
+        );
+        let mut cumulative = 0;
+        let rows = shares.distances.iter().enumerate().map(|(distance, &count)| {
+            cumulative += count;
+            let of_all = |count: u64| percent(count as f64 / shares.total.max(1) as f64);
+            vec![distance.to_string(), grouped(count), of_all(count), of_all(cumulative)]
+        });
+        println!("{}", table(&["levels up", "backtracks", "share", "cumulative"], 0, rows.collect()));
+    }
+}
+
+fn percent(share: f64) -> String {
+    format!("{:.1} %", 100.0 * share)
+}

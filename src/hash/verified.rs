@@ -1,0 +1,48 @@
+//! A lookup that knows when it is wrong.
+
+use core::sync::atomic::{AtomicUsize, Ordering};
+
+use super::{Lookup, PerfectHash};
+use crate::key::KeyWord;
+use crate::tree::{Keys, Node, Topology};
+
+/// A perfect hash that compares the key of each node that it finds with the key that was asked for.
+///
+/// A miss is counted and answered from a walk down the tree, so that the search goes on as it should and every miss of
+/// it is counted.
+#[derive(Debug)]
+pub struct Verified<'a, T> {
+    hash: &'a PerfectHash,
+    tree: &'a T,
+    keys: &'a Keys,
+    lookups: AtomicUsize,
+    misses: AtomicUsize,
+}
+
+impl<'a, T: Topology> Verified<'a, T> {
+    /// The hash of a tree, with the tree's keys to verify it by.
+    pub const fn new(hash: &'a PerfectHash, tree: &'a T, keys: &'a Keys) -> Self {
+        Self { hash, tree, keys, lookups: AtomicUsize::new(0), misses: AtomicUsize::new(0) }
+    }
+
+    /// Number of lookups so far.
+    pub fn lookups(&self) -> usize {
+        self.lookups.load(Ordering::Relaxed)
+    }
+
+    /// How many of them found no node or another one.
+    pub fn misses(&self) -> usize {
+        self.misses.load(Ordering::Relaxed)
+    }
+}
+
+impl<W: KeyWord, T: Topology> Lookup<W> for Verified<'_, T> {
+    fn node(&self, key: &W) -> Node {
+        self.lookups.fetch_add(1, Ordering::Relaxed);
+        let found = self.hash.probe(key).filter(|&node| self.keys.is(self.tree.slot(node), key));
+        found.unwrap_or_else(|| {
+            self.misses.fetch_add(1, Ordering::Relaxed);
+            Keys::walk(self.tree, key).unwrap_or(self.tree.root())
+        })
+    }
+}
