@@ -84,7 +84,8 @@ impl<'c> Battery<'c> {
             (true, true) => (expected.len() as u64 + 1) * longest_way,
             (false, _) => (case.size() as u64 + 1) * longest_way,
         };
-        let mut watch = Watch::new(&case.tree, &self.keys, &self.parents, exact.then_some(expected), step_limit);
+        let mut watch =
+            Watch::new(&case.tree, &self.keys, &self.parents, exact.then_some(expected), step_limit, restarts);
         let mut search = Search::new(&case.tree, &case.tape, case.any);
         let misses_before = self.tables.misses();
         if let Err(unfit) = run(&mut search, &mut watch, &self.tables, &mut self.memory) {

@@ -2,7 +2,7 @@
 //!
 //! A [`Case`] is a tree, a decision tape and a query. A [`Battery`] runs the oracle on it once and then any traversal
 //! in any word, comparing at every visit ([`Fault`] lists what can differ). Tests, the command line, fuzzing and
-//! benchmarks all drive this one body. [`shrink`] makes a failing case small, and a [`Replay`] file keeps it.
+//! benchmarks all drive this one body. [`shrink()`] makes a failing case small, and a [`Replay`] file keeps it.
 
 mod battery;
 mod case;

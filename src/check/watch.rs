@@ -27,6 +27,13 @@ pub enum Fault {
         /// Number of visits that the oracle makes.
         expected: usize,
     },
+    /// It calls a visit a restart where it has not been before.
+    Restart {
+        /// Number of the visit.
+        visit: usize,
+        /// The node.
+        node: Node,
+    },
     /// Its key is not the key of the node that it addresses.
     Key {
         /// Number of the visit.
@@ -84,6 +91,9 @@ impl fmt::Display for Fault {
                 write!(f, "visit {visit} is {found:?}, the oracle has ended")
             }
             Self::Early { visits, expected } => write!(f, "ends after {visits} visits, the oracle makes {expected}"),
+            Self::Restart { visit, node } => {
+                write!(f, "after visit {visit} it restarts through {node:?}, where it has not been")
+            }
             Self::Key { visit, node } => write!(f, "visit {visit}: the key is not that of {node:?}"),
             Self::Trail { visit, node } => {
                 write!(f, "visit {visit}: trail or counter do not fit the depth of {node:?}")
@@ -115,6 +125,8 @@ pub struct Watch<'a> {
     steps: u64,
     step_limit: u64,
     fault: Option<Fault>,
+    /// By slot: whether a node has been visited. Only for traversals that restart.
+    seen: Vec<bool>,
 }
 
 impl<'a> Watch<'a> {
@@ -124,8 +136,19 @@ impl<'a> Watch<'a> {
         parents: &'a Parents,
         expected: Option<&'a [Node]>,
         step_limit: u64,
+        restarts: bool,
     ) -> Self {
-        Self { tree, keys, parents, expected, visits: 0, steps: 0, step_limit, fault: None }
+        Self {
+            tree,
+            keys,
+            parents,
+            expected,
+            visits: 0,
+            steps: 0,
+            step_limit,
+            fault: None,
+            seen: if restarts { vec![false; tree.node_count()] } else { Vec::new() },
+        }
     }
 
     /// Visits made, restarts included.
@@ -146,6 +169,10 @@ impl<'a> Watch<'a> {
     fn look(&mut self, state: &impl State) -> Result<(), Fault> {
         let (node, visit) = (state.node(), self.visits);
         let slot = self.tree.slot(node);
+        let seen = self.seen.get_mut(slot).is_some_and(|seen| std::mem::replace(seen, true));
+        if state.is_restarting() && !seen {
+            return Err(Fault::Restart { visit, node });
+        }
         if let Some(expected) = self.expected
             && !state.is_restarting()
         {

@@ -161,12 +161,17 @@ impl Tape {
         let mut cells = vec![Cell::default(); tree.node_count()];
         let mut pending = vec![(tree.root(), root(tree), 0)];
         while let Some((node, state, depth)) = pending.pop() {
-            // Nothing below a missed node is ever seen, so nothing is drawn there.
-            if node.is_leaf() || cells[tree.slot(node)].miss {
+            if node.is_leaf() {
                 continue;
             }
             let children = tree.children(node);
-            let drawn = inner(state, &mut cells[tree.slot(node)], depth);
+            let cell = &mut cells[tree.slot(node)];
+            // Nothing below a missed node is ever seen, so nothing is drawn there: the simplest cells that fit.
+            let drawn = if cell.miss {
+                [Cell { miss: true, enter: cell.enter, ..Cell::default() }; 2]
+            } else {
+                inner(state, cell, depth)
+            };
             for (i, cell) in drawn.into_iter().enumerate() {
                 let hit = cell.hit.filter(|_| children[i].is_leaf());
                 cells[tree.slot(children[i])] = Cell { hit, ..cell };

@@ -27,7 +27,8 @@ pub use modulo::{Constant, Modulo, Reciprocal, Remainder, TableSize};
 pub use perfect::{Header, Mix, PerfectHash, Sizing};
 pub use verified::Verified;
 
-use crate::tree::Node;
+use crate::key::KeyWord;
+use crate::tree::{Implicit, Node};
 
 /// Maps the keys of a tree's nodes to their addresses.
 pub trait Lookup<W> {
@@ -41,6 +42,17 @@ impl<W, L: Lookup<W>> Lookup<W> for &L {
     #[inline]
     fn node(&self, key: &W) -> Node {
         (**self).node(key)
+    }
+}
+
+impl<W: KeyWord> Lookup<W> for Implicit {
+    /// Every node of the tree is there; for a key of no node the answer is meaningless (and a panic in debug builds).
+    #[inline]
+    fn node(&self, key: &W) -> Node {
+        let address = key.to_u64().map_or(usize::MAX, |key| (key as usize).wrapping_sub(1));
+        let node = self.at(address);
+        debug_assert!(node.is_some(), "no node has the key {key:?}");
+        node.unwrap_or(Node::inner(0))
     }
 }
 

@@ -2,7 +2,6 @@
 
 use alloc::boxed::Box;
 use core::fmt;
-use core::hint::select_unpredictable;
 
 use super::address::{decode, is_address};
 use super::fold::fold;
@@ -44,9 +43,6 @@ use crate::tree::Node;
 pub struct PerfectHash {
     pub(super) header: Header,
     modulus: Reciprocal,
-    /// Whether it is easy to predict if an address is direct: nearly all are, or nearly none. Where it is not, a branch on
-    /// it costs more than always making the second load.
-    is_one_sided: bool,
     /// By the low bits of a key: a displacement below H, or an address.
     pub(super) displacements: Box<[u32]>,
     /// Addresses; 0 in empty cells.
@@ -176,7 +172,6 @@ impl PerfectHash {
         Self {
             header,
             modulus: Reciprocal::of(header.cells),
-            is_one_sided: !(0.125..0.875).contains(&header.direct_share()),
             displacements,
             cells,
             #[cfg(debug_assertions)]
@@ -223,18 +218,15 @@ impl PerfectHash {
         is_address(word).then(|| decode(word))
     }
 
+    /// The branch is as printed. Doing without, by two loads and a select, takes 3.5 ns instead of 6 where half of the keys
+    /// are direct and 3.5 instead of 2.2 where nearly all are, and makes no difference to a traversal.
     #[inline(always)]
     fn word(&self, low_bits: usize, remainder: impl FnOnce() -> u32) -> u32 {
         let displacement = self.displacements[low_bits & (self.displacements.len() - 1)];
-        let is_direct = is_address(displacement);
-        if self.is_one_sided {
-            if is_direct {
-                return displacement;
-            }
-            return self.cells[wrap(remainder() + displacement, self.modulus.size()) as usize];
+        if is_address(displacement) {
+            return displacement;
         }
-        let cell = wrap(remainder().wrapping_add(displacement), self.modulus.size());
-        select_unpredictable(is_direct, displacement, self.cells[select_unpredictable(is_direct, 0, cell) as usize])
+        self.cells[wrap(remainder() + displacement, self.modulus.size()) as usize]
     }
 }
 

@@ -2,8 +2,8 @@
 //!
 //! A [`Cursor`] is the state of one traversal. The loop of [`traverse`] visits the cursor's node, and tells it to
 //! descend or to backtrack; nothing else drives any algorithm of this crate. Geometry lives in the
-//! [`Visitor`], topology in the [`Topology`], and what an algorithm needs beyond the children in the tables that its
-//! constructor asks for. A constructor refuses a tree that is too deep for its word before the first step.
+//! [`Visitor`], topology in the [`Topology`](crate::tree::Topology), and what an algorithm needs beyond the children in
+//! the tables that its constructor asks for. A constructor refuses a tree that is too deep for its word before the first step.
 
 mod afra;
 mod by_key;

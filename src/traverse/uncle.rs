@@ -71,10 +71,8 @@ impl<W: KeyWord, T: Topology, const INNER: u32, const LEAF: u32> Cursor for Uncl
 
     #[inline(always)]
     fn backtrack(&mut self) -> bool {
-        if self.trail.is_zero() {
-            return false;
-        }
-        loop {
+        // Over right records the register is filled before the trail runs out; over wrong ones this still ends.
+        while !self.trail.is_zero() {
             self.fill_register();
             if let Some(next) = self.register.take(self.tree) {
                 self.node = next;
@@ -86,5 +84,6 @@ impl<W: KeyWord, T: Topology, const INNER: u32, const LEAF: u32> Cursor for Uncl
             self.node = grand_uncle;
             self.trail = take(&mut self.trail).shr1().shr1();
         }
+        false
     }
 }

@@ -9,8 +9,6 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use super::{Node, Topology};
-use crate::hash::Lookup;
-use crate::key::KeyWord;
 
 /// A tree in level order, with gaps.
 #[derive(Debug)]
@@ -132,17 +130,6 @@ impl Cells {
             #[cfg(feature = "std")]
             Self::Reserved(map) => bytemuck::cast_slice_mut(map),
         }
-    }
-}
-
-impl<W: KeyWord> Lookup<W> for Implicit {
-    /// Every node of the tree is there; for a key of no node the answer is meaningless (and a panic in debug builds).
-    #[inline]
-    fn node(&self, key: &W) -> Node {
-        let address = key.to_u64().map_or(usize::MAX, |key| (key as usize).wrapping_sub(1));
-        let node = self.at(address);
-        debug_assert!(node.is_some(), "no node has the key {key:?}");
-        node.unwrap_or(Node::inner(0))
     }
 }
 

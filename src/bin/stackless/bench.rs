@@ -14,7 +14,7 @@ use stackless_bvh::tree::{Implicit, Node, Recorded, Topology};
 
 use crate::Outcome;
 use crate::input::{self, Scene};
-use crate::output::{bar, table, write_json};
+use crate::output::{bar, say, table, write_json};
 
 /// Measure closest-hit throughput on one thread, same tree, same rays.
 ///
@@ -75,14 +75,14 @@ pub(crate) fn run(args: &Args) -> Outcome {
         all_agree &= agree;
         let lines = measured.iter().map(Row::cells).collect();
         let header = ["scene", "method", "Mrays/s", "ratio", "state bytes", "nodes/ray"];
-        println!("{}", table(&header, 2, lines));
+        say!("{}", table(&header, 2, lines));
         rows.extend(measured);
     }
     if let Some(path) = &args.json {
         write_json(path, &rows)?;
     }
     if !all_agree {
-        println!("the hits differ: run `stackless check` on the scene");
+        say!("the hits differ: run `stackless check` on the scene");
     }
     Ok(all_agree)
 }

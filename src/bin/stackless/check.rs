@@ -1,5 +1,6 @@
 //! `stackless check`: every traversal against the oracle.
 
+use std::collections::HashSet;
 use std::path::PathBuf;
 
 use serde::Serialize;
@@ -15,7 +16,7 @@ use stackless_bvh::traverse::{Method, WordName};
 
 use crate::Outcome;
 use crate::input::{self, MADE, Scene};
-use crate::output::{bar, grouped, table, write_json};
+use crate::output::{bar, grouped, say, table, write_json};
 
 /// Compare every traversal with the oracle.
 ///
@@ -149,10 +150,10 @@ fn print_scene(scene: &str, tree: &str, found: &SceneDisagreement) {
     let who = method.map_or_else(|| "the oracle".to_owned(), |(method, word)| format!("{method} {word}"));
     let query = if *any { "any hit" } else { "closest hit" };
     let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin().to_array(), ray.direction().to_array());
-    println!("{scene}, {tree} tree, {query}: {who} differs for the ray");
-    println!("  {ox:?},{oy:?},{oz:?},{dx:?},{dy:?},{dz:?},{:?},{:?}", ray.tmin(), ray.tmax());
-    println!("  expected {expected:?}");
-    println!("  found    {found:?}");
+    say!("{scene}, {tree} tree, {query}: {who} differs for the ray");
+    say!("  {ox:?},{oy:?},{oz:?},{dx:?},{dy:?},{dz:?},{:?},{:?}", ray.tmin(), ray.tmax());
+    say!("  expected {expected:?}");
+    say!("  found    {found:?}");
 }
 
 /// Prints the table, the smallest disagreement and the closing line.
@@ -168,11 +169,11 @@ fn finish(args: &Args, plan: &Plan, total: Total, found: Option<&Disagreement>) 
         return Err(refusal.unwrap_or_else(|| "there is nothing to check".to_owned()).into());
     }
     let header = ["method", "word", "cases", "agree", "refused", "steps", "state bytes"];
-    println!("{}", table(&header, 2, rows.iter().map(Row::cells).collect()));
-    println!("state bytes: for one ray in a tree {depth} edges deep");
+    say!("{}", table(&header, 2, rows.iter().map(Row::cells).collect()));
+    say!("state bytes: for one ray in a tree {depth} edges deep");
     let refused: Vec<_> = rows.iter().filter_map(|row| row.refusal.as_ref().map(|why| (row, why))).collect();
     if let Some((row, why)) = refused.first() {
-        println!("refused before the first step, e.g. {} {}: {why}", row.method, row.word);
+        say!("refused before the first step, e.g. {} {}: {why}", row.method, row.word);
     }
     if let Some(found) = found {
         print_disagreement(found);
@@ -181,7 +182,7 @@ fn finish(args: &Args, plan: &Plan, total: Total, found: Option<&Disagreement>) 
     let summary = Summary {
         trees: total.trees,
         rays: total.rays,
-        methods: plan.methods.len(),
+        methods: plan.pairs().into_iter().map(|(method, _)| method).collect::<HashSet<_>>().len(),
         disagreements,
         rows,
         smallest: found.map(smallest),
@@ -189,18 +190,20 @@ fn finish(args: &Args, plan: &Plan, total: Total, found: Option<&Disagreement>) 
     if let Some(path) = &args.json {
         write_json(path, &summary)?;
     }
-    println!(
+    say!(
         "checked: {} trees, {} rays, {} methods, {disagreements} disagreements",
-        summary.trees, summary.rays, summary.methods
+        summary.trees,
+        summary.rays,
+        summary.methods
     );
     Ok(disagreements == 0)
 }
 
 fn print_disagreement(found: &Disagreement) {
     let replay = smallest(found);
-    println!("{} {}: {}", found.method, found.word, replay.fault.as_deref().unwrap_or_default());
-    println!("smallest case, for `stackless check --replay FILE`:");
-    println!("{}", serde_json::to_string(&replay).unwrap_or_default());
+    say!("{} {}: {}", found.method, found.word, replay.fault.as_deref().unwrap_or_default());
+    say!("smallest case, for `stackless check --replay FILE`:");
+    say!("{}", serde_json::to_string(&replay).unwrap_or_default());
 }
 
 /// The case made small, in the form of a file.

@@ -1,5 +1,7 @@
 //! The command `stackless`: check traversals, trace rays, measure.
 
+#![forbid(unsafe_code)]
+
 mod bench;
 mod check;
 mod input;

@@ -19,6 +19,15 @@ pub(crate) fn table(header: &[&str], names: usize, rows: Vec<Vec<String>>) -> Ta
     table
 }
 
+/// Prints a line. A reader that has gone away is no reason to fail.
+macro_rules! say {
+    ($($what:tt)*) => {{
+        use std::io::Write;
+        let _ = writeln!(std::io::stdout(), $($what)*);
+    }};
+}
+pub(crate) use say;
+
 /// A progress bar on standard error, where that is a terminal.
 pub(crate) fn bar(length: u64, what: &str) -> ProgressBar {
     let style = ProgressStyle::with_template("{msg} {wide_bar} {human_pos}/{human_len} {per_sec} eta {eta}");

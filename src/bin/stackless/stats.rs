@@ -16,7 +16,7 @@ use stackless_bvh::tree::{Topology, Uncles};
 
 use crate::Outcome;
 use crate::input::Scene;
-use crate::output::{grouped, table, write_json};
+use crate::output::{grouped, say, table, write_json};
 
 /// What a scene's hierarchy and its hash tables take, and how far backtracking goes in it.
 ///
@@ -207,7 +207,7 @@ impl BacktrackStats {
 
 impl Stats {
     fn print(&self) {
-        println!(
+        say!(
             "{}: {} triangles, {} nodes, depth {}, {} bytes, built in {:.1} ms",
             self.scene,
             grouped(self.triangles as u64),
@@ -228,9 +228,9 @@ impl Stats {
             row.push(format!("{:.2}", tables.parallel_build_seconds * 1e3));
             row
         });
-        println!("{}", table(&header, 1, rows.collect()));
+        say!("{}", table(&header, 1, rows.collect()));
         let shares = &self.backtracks;
-        println!(
+        say!(
             "{} backtracks: register {}, uncle {}, grand uncle {}, leaf {}, hash {}",
             grouped(shares.total),
             percent(shares.register),
@@ -245,7 +245,7 @@ impl Stats {
             let of_all = |count: u64| percent(count as f64 / shares.total.max(1) as f64);
             vec![distance.to_string(), grouped(count), of_all(count), of_all(cumulative)]
         });
-        println!("{}", table(&["levels up", "backtracks", "share", "cumulative"], 0, rows.collect()));
+        say!("{}", table(&["levels up", "backtracks", "share", "cumulative"], 0, rows.collect()));
     }
 }
 

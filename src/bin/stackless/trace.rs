@@ -15,7 +15,7 @@ use stackless_bvh::tree::{Implicit, Node, Topology};
 
 use crate::Outcome;
 use crate::input::{self, Scene};
-use crate::output::bar;
+use crate::output::{bar, say};
 
 /// Trace rays through a scene.
 ///
@@ -55,7 +55,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     scene::write_atomically(&args.out, |file| scene::write_hits(file, rows))
         .map_err(|error| format!("{}: cannot be written: {error}", args.out.display()))?;
     let hit = hits.iter().flatten().count();
-    println!("{}: {} rays, {hit} hits, by {}", scene.name, rays.len(), args.method);
+    say!("{}: {} rays, {hit} hits, by {}", scene.name, rays.len(), args.method);
     Ok(true)
 }
 
