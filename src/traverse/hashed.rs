@@ -34,11 +34,6 @@ impl<'t, W: KeyWord, T: Topology, L: Lookup<W>, const INNER: u32, const LEAF: u3
         let register = Register::empty(tree);
         Ok(Self { tree, uncles, lookup, node: tree.root(), key: key::root(), trail: W::zero(), register })
     }
-
-    #[inline(always)]
-    fn fill_register(&mut self) {
-        self.register.fill(self.uncles, self.tree, self.node, self.trail.low_bits());
-    }
 }
 
 impl<W: KeyWord, T: Topology, L, const INNER: u32, const LEAF: u32> State for Hashed<'_, W, T, L, INNER, LEAF> {
@@ -71,7 +66,7 @@ impl<W: KeyWord, T: Topology, L: Lookup<W>, const INNER: u32, const LEAF: u32> C
         if descent.postpones() {
             self.register.set(self.tree.child(self.node, first.other()));
         } else {
-            self.fill_register();
+            self.register.keep(self.uncles, self.tree, self.node, self.trail.low_bits());
         }
         self.node = self.tree.child(self.node, first);
         self.key = key::child(take(&mut self.key), first.bit());
@@ -84,7 +79,7 @@ impl<W: KeyWord, T: Topology, L: Lookup<W>, const INNER: u32, const LEAF: u32> C
         if self.trail.is_zero() {
             return false;
         }
-        self.fill_register();
+        self.register.fill(self.uncles, self.tree, self.node, self.trail.low_bits());
         (self.key, self.trail) = trail::backtrack(take(&mut self.key), take(&mut self.trail));
         self.node = self.register.take(self.tree).unwrap_or_else(|| self.lookup.node(&self.key));
         true

@@ -25,10 +25,11 @@ impl Register {
         (self.0 != tree.root()).then_some(self.0)
     }
 
-    /// On a visit, if unset: takes the lowest postponed node that the record of `node` names.
+    /// Before backtracking, if unset: takes the lowest postponed node that the record of `node` names.
     ///
-    /// The printed algorithm fills the register when it loads a record. Here it is filled when the visit is over, which
-    /// gives the same value (the trail is still that of the visit).
+    /// The printed algorithm does so whenever it loads a record. What the next record on the way down names as well can
+    /// wait for it, and what is postponed on the way down replaces it: so here a node is taken when the search turns back,
+    /// and on a descent only where it gets out of reach. The register then holds the same node whenever it is used.
     #[inline(always)]
     pub(super) fn fill<const INNER: u32, const LEAF: u32>(
         &mut self,
@@ -39,6 +40,19 @@ impl Register {
     ) {
         let named = uncles.lowest_pending(tree, node, trail, self.0);
         self.0 = select_unpredictable(self.0 == tree.root(), named, self.0);
+    }
+
+    /// On a descent into a single child, if unset: takes the lowest postponed node if only this record names it.
+    #[inline(always)]
+    pub(super) fn keep<const INNER: u32, const LEAF: u32>(
+        &mut self,
+        uncles: &Uncles<INNER, LEAF>,
+        tree: &impl Topology,
+        node: Node,
+        trail: u32,
+    ) {
+        let leaving = uncles.lowest_leaving(tree, node, trail, self.0);
+        self.0 = select_unpredictable(self.0 == tree.root(), leaving, self.0);
     }
 
     /// On a descent that postpones a child: it replaces what was there.

@@ -31,11 +31,6 @@ impl<'t, W: KeyWord, T: Topology, const INNER: u32, const LEAF: u32> Uncle<'t, W
         W::carries(tree.depth(), 0)?;
         Ok(Self { tree, uncles, node: tree.root(), trail: W::zero(), register: Register::empty(tree) })
     }
-
-    #[inline(always)]
-    fn fill_register(&mut self) {
-        self.register.fill(self.uncles, self.tree, self.node, self.trail.low_bits());
-    }
 }
 
 impl<W: KeyWord, T: Topology, const INNER: u32, const LEAF: u32> State for Uncle<'_, W, T, INNER, LEAF> {
@@ -62,7 +57,7 @@ impl<W: KeyWord, T: Topology, const INNER: u32, const LEAF: u32> Cursor for Uncl
         if descent.postpones() {
             self.register.set(self.tree.child(self.node, first.other()));
         } else {
-            self.fill_register();
+            self.register.keep(self.uncles, self.tree, self.node, self.trail.low_bits());
         }
         self.node = self.tree.child(self.node, first);
         self.trail = trail::child(take(&mut self.trail), branched(descent.postpones()));
@@ -73,7 +68,7 @@ impl<W: KeyWord, T: Topology, const INNER: u32, const LEAF: u32> Cursor for Uncl
     fn backtrack(&mut self) -> bool {
         // Over right records the register is filled before the trail runs out; over wrong ones this still ends.
         while !self.trail.is_zero() {
-            self.fill_register();
+            self.register.fill(self.uncles, self.tree, self.node, self.trail.low_bits());
             if let Some(next) = self.register.take(self.tree) {
                 self.node = next;
                 self.trail = trail::leave(take(&mut self.trail));

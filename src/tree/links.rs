@@ -139,6 +139,15 @@ impl<const INNER: u32, const LEAF: u32> Uncles<INNER, LEAF> {
         let named = select_unpredictable(pending & 4 != 0, grand_uncle, named);
         select_unpredictable(pending & 2 != 0, uncle, named)
     }
+    /// The same on the way down from an inner node, of what the child's record, be it a leaf's or not, will not name any
+    /// more; `otherwise` also where the child still names the lowest one.
+    #[inline(always)]
+    pub fn lowest_leaving(&self, tree: &impl Topology, node: Node, trail: u32, otherwise: Node) -> Node {
+        // Bit b of the trail is bit b + 1 at the child.
+        let named_below = (1 << if INNER < LEAF { INNER } else { LEAF }) - 2;
+        let lowest = self.lowest_pending(tree, node, trail & !named_below, otherwise);
+        select_unpredictable(trail & named_below != 0, otherwise, lowest)
+    }
 }
 
 /// Uncle, grand uncle and grand grand uncle of every node, by slot.

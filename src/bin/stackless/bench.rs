@@ -42,10 +42,7 @@ pub(crate) struct Args {
     json: Option<PathBuf>,
 }
 
-/// Rays that are traced at the start of a turn and not timed.
-const WARM_UP: usize = 2048;
-
-/// Rays that are traced before it is another traversal's turn.
+/// Rays that are timed before it is another traversal's turn; as many others are traced first.
 const CHUNK: usize = 16_384;
 
 #[derive(Serialize)]
@@ -132,13 +129,15 @@ impl<'a> Bench<'a> {
             // Each turn starts with another traversal, so that none always has the same one before it.
             for i in 0..runners.len() {
                 let m = (turn + i) % runners.len();
-                let rays = chunks[turn % chunks.len()];
-                // Its own tree and tables come into the caches first, in place of those of the one before.
-                runners[m].trace::<W>(&rays[..rays.len().min(WARM_UP)], &mut memory)?;
+                // Other rays than the traversal before, which would leave these rays' nodes in the caches; and still
+                // others first, untimed, to bring its own tree and tables there.
+                let chunk = |ahead: usize| chunks[(turn + m + ahead) % chunks.len()];
+                runners[m].trace::<W>(chunk(chunks.len() / 2), &mut memory)?;
+                let rays = chunk(0);
                 let start = Instant::now();
                 let sum = runners[m].trace::<W>(rays, &mut memory)?;
                 times[m][turn / chunks.len()] += start.elapsed();
-                hits[m] = hits[m].wrapping_mul(31).wrapping_add(sum);
+                hits[m] = hits[m].wrapping_add(sum);
             }
             progress.inc(1);
         }
