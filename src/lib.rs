@@ -45,7 +45,7 @@
 //! let tree = Tree::new(&[Some([1, 2]), None, Some([3, 4]), None, None])?;
 //! let (uncles, map) = (<Uncles>::of(&tree), KeyMap::of(&tree));
 //! let mut leaves = Leaves(Vec::new());
-//! traverse::traverse(Hashed::<u32, _, _>::new(&tree, &uncles, &map)?, &mut leaves, &mut ());
+//! traverse::traverse(Hashed::<u32, _, _, _>::new(&tree, &uncles, &map)?, &mut leaves, &mut ());
 //! assert_eq!(leaves.0, [4, 3, 1]);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -19,7 +19,7 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{ByNode, Descent, FixedOrder, Flow, LeftFirst, Side, SignOrder, Visitor};
 use stackless_bvh::scene::{Mesh, procedural};
 use stackless_bvh::traverse::{Hapala, Hashed, Method, Skip, Skips, Test, Uncle, WordName, traverse};
-use stackless_bvh::tree::{Keys, Node, Parents, Recorded, Topology, Tree, Uncles};
+use stackless_bvh::tree::{Keys, Node, Parents, Recorded, RecordedUncles, Topology, Tree, UncleLinks, Uncles};
 
 use mutants::{Mutation, mutants};
 use textbook::{Bug, Textbook};
@@ -334,7 +334,7 @@ impl Topology for Misrecorded<'_> {
         Recorded::Uncles
     }
     fn links(&self, node: Node) -> [Node; 2] {
-        match self.uncles.row(self.tree, node) {
+        match (&self.uncles).row(self.tree, node) {
             [uncle, grand_uncle, _] if grand_uncle == self.root() => [uncle, grand_uncle],
             [uncle, grand_uncle, _] => [grand_uncle, uncle],
         }
@@ -355,11 +355,11 @@ fn bugs_in_what_a_traversal_is_given() {
     all_must_be_caught(vec![
         Suspect::new("hashed with a misled table", "node", |case, search, watch| {
             let uncles = <Uncles>::of(&case.tree);
-            traverse(Hashed::<u64, _, _>::new(&case.tree, &uncles, Misled(&case.tree)).unwrap(), search, watch);
+            traverse(Hashed::<u64, _, _, _>::new(&case.tree, &uncles, Misled(&case.tree)).unwrap(), search, watch);
         }),
         Suspect::new("uncle with misrecorded uncles", "register", |case, search, watch| {
             let tree = Misrecorded { tree: &case.tree, uncles: Uncles::of(&case.tree) };
-            traverse(Uncle::<u64, _>::new(&tree, &<Uncles>::of(&tree)).unwrap(), search, watch);
+            traverse(Uncle::<u64, _, _>::new(&tree, RecordedUncles::of(&tree).unwrap()).unwrap(), search, watch);
         }),
         by_node(
             Suspect::new("skip pointers of the other order", "early", |case, search, watch| {

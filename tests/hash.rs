@@ -208,7 +208,7 @@ impl<W: KeyWord> Lookup<W> for Asked<'_> {
 
 fn ask<const INNER: u32, const LEAF: u32>(tree: &Tree, tape: &Tape, slots: &mut [bool]) {
     let uncles = Uncles::<INNER, LEAF>::of(tree);
-    let cursor = Hashed::<u32, _, _, INNER, LEAF>::new(tree, &uncles, Asked { tree, slots: RefCell::new(slots) });
+    let cursor = Hashed::<u32, _, _, _>::new(tree, &uncles, Asked { tree, slots: RefCell::new(slots) });
     traverse(cursor.unwrap(), &mut Search::new(tree, tape, false), &mut ());
 }
 
@@ -265,7 +265,7 @@ fn misses<W: KeyWord, const INNER: u32, const LEAF: u32>(case: &Case, key_set: K
     let uncles = Uncles::<INNER, LEAF>::of(tree);
     let verified = Verified::new(&hash, tree, &keys);
     let verdict = Battery::new(case, &[]).judge(Test::Children, false, |search, watch, _, _| {
-        traverse(Hashed::<W, _, _, INNER, LEAF>::new(tree, &uncles, &verified)?, search, watch);
+        traverse(Hashed::<W, _, _, _>::new(tree, &uncles, &verified)?, search, watch);
         Ok(())
     });
     assert!(matches!(verdict, Verdict::Agrees { .. } | Verdict::Refused(_)), "{verdict:?}");

@@ -6,7 +6,7 @@ use crate::event::{Recorder, State};
 use crate::key::KeyWord;
 use crate::order::Flow;
 use crate::trail::levels;
-use crate::tree::{Keys, Node, Parents, Topology, Tree};
+use crate::tree::{Keys, Node, ParentLinks, Parents, Topology, Tree};
 
 /// How a traversal differs from its oracle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -169,7 +169,7 @@ mod tests {
                 let options = Options { key_set: KeySet::Exact(Uncles::<2, 3>::REACH), sizing: Sizing::Tight };
                 let hash = PerfectHash::build(&tree, options).unwrap();
                 let hash = Verified::new(&hash, &tree, &keys);
-                let cursor = Hashed::<u64, _, _, 2, 3>::new(&tree, &uncles, &hash).unwrap();
+                let cursor = Hashed::<u64, _, _, _>::new(&tree, &uncles, &hash).unwrap();
                 let mut compare = Compare(Backtracks::new(Uncles::<2, 3>::REACH), 0);
                 traverse(cursor, &mut Search::new(&tree, &tape, false), &mut compare);
                 assert_eq!(compare.0.total(), compare.0.distances().iter().sum::<u64>());

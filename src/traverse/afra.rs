@@ -5,30 +5,30 @@ use crate::event::State;
 use crate::key::{KeyWord, TooDeep, branched};
 use crate::order::Descent;
 use crate::trail;
-use crate::tree::{Node, Parents, Topology};
+use crate::tree::{Node, ParentLinks, Topology};
 
 /// Climbs while bit 0 of the trail is clear, then goes to the sibling; done when the trail is 0.
 #[derive(Debug)]
-pub struct Afra<'t, W, T> {
+pub struct Afra<'t, W, T, P> {
     tree: &'t T,
-    parents: &'t Parents,
+    parents: P,
     node: Node,
     trail: W,
 }
 
-impl<'t, W: KeyWord, T: Topology> Afra<'t, W, T> {
+impl<'t, W: KeyWord, T: Topology, P: ParentLinks<T>> Afra<'t, W, T, P> {
     /// Starts at the root.
     ///
     /// # Errors
     /// [`TooDeep`] beyond as many edges as the word has bits.
     #[inline]
-    pub fn new(tree: &'t T, parents: &'t Parents) -> Result<Self, TooDeep> {
+    pub fn new(tree: &'t T, parents: P) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 0)?;
         Ok(Self { tree, parents, node: tree.root(), trail: W::zero() })
     }
 }
 
-impl<W: KeyWord, T> State for Afra<'_, W, T> {
+impl<W: KeyWord, T, P> State for Afra<'_, W, T, P> {
     type Word = W;
 
     #[inline]
@@ -41,7 +41,7 @@ impl<W: KeyWord, T> State for Afra<'_, W, T> {
     }
 }
 
-impl<W: KeyWord, T: Topology> Cursor for Afra<'_, W, T> {
+impl<W: KeyWord, T: Topology, P: ParentLinks<T>> Cursor for Afra<'_, W, T, P> {
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         self.node = self.tree.child(self.node, descent.first());

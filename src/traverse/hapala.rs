@@ -3,7 +3,7 @@
 use super::Cursor;
 use crate::event::State;
 use crate::order::{Descent, FixedOrder};
-use crate::tree::{Node, Parents, Topology};
+use crate::tree::{Node, ParentLinks, Topology};
 
 /// Climbs until it comes from a near child, then goes to the far one. No trail: whether a child was the near one is
 /// asked of the order again, which therefore has to be fixed for the ray (the sign of its direction).
@@ -11,24 +11,24 @@ use crate::tree::{Node, Parents, Topology};
 /// The visitor tests a node at its visit and wants both children, the near one first
 /// ([`ByNode`](crate::order::ByNode) does). The paper starts at the root's near child; here the root is visited too.
 #[derive(Debug)]
-pub struct Hapala<'t, T, O> {
+pub struct Hapala<'t, T, P, O> {
     tree: &'t T,
-    parents: &'t Parents,
+    parents: P,
     order: O,
     node: Node,
     /// The automaton's state: arrived from the parent (so this is the near child), else from the sibling.
     from_parent: bool,
 }
 
-impl<'t, T: Topology, O: FixedOrder> Hapala<'t, T, O> {
+impl<'t, T: Topology, P: ParentLinks<T>, O: FixedOrder> Hapala<'t, T, P, O> {
     /// Starts at the root. The state does not grow with the depth.
     #[inline]
-    pub fn new(tree: &'t T, parents: &'t Parents, order: O) -> Self {
+    pub fn new(tree: &'t T, parents: P, order: O) -> Self {
         Self { tree, parents, order, node: tree.root(), from_parent: false }
     }
 }
 
-impl<T, O> State for Hapala<'_, T, O> {
+impl<T, P, O> State for Hapala<'_, T, P, O> {
     type Word = u64;
 
     #[inline]
@@ -37,7 +37,7 @@ impl<T, O> State for Hapala<'_, T, O> {
     }
 }
 
-impl<T: Topology, O: FixedOrder> Cursor for Hapala<'_, T, O> {
+impl<T: Topology, P: ParentLinks<T>, O: FixedOrder> Cursor for Hapala<'_, T, P, O> {
     #[inline(always)]
     fn descend(&mut self, _: Descent) -> bool {
         let near = self.order.first(self.node);

@@ -2,7 +2,7 @@
 
 use core::hint::select_unpredictable;
 
-use crate::tree::{Node, Topology, Uncles};
+use crate::tree::{Node, Topology, UncleLinks};
 
 /// Address of the node that comes next, if it is known (`mrpnAddr` of Binder & Keller's Algorithm 1).
 ///
@@ -31,26 +31,14 @@ impl Register {
     /// wait for it, and what is postponed on the way down replaces it: so here a node is taken when the search turns back,
     /// and on a descent only where it gets out of reach. The register then holds the same node whenever it is used.
     #[inline(always)]
-    pub(super) fn fill<const INNER: u32, const LEAF: u32>(
-        &mut self,
-        uncles: &Uncles<INNER, LEAF>,
-        tree: &impl Topology,
-        node: Node,
-        trail: u32,
-    ) {
+    pub(super) fn fill<T: Topology>(&mut self, uncles: &impl UncleLinks<T>, tree: &T, node: Node, trail: u32) {
         let named = uncles.lowest_pending(tree, node, trail, self.0);
         self.0 = select_unpredictable(self.0 == tree.root(), named, self.0);
     }
 
     /// On a descent into a single child, if unset: takes the lowest postponed node if only this record names it.
     #[inline(always)]
-    pub(super) fn keep<const INNER: u32, const LEAF: u32>(
-        &mut self,
-        uncles: &Uncles<INNER, LEAF>,
-        tree: &impl Topology,
-        node: Node,
-        trail: u32,
-    ) {
+    pub(super) fn keep<T: Topology>(&mut self, uncles: &impl UncleLinks<T>, tree: &T, node: Node, trail: u32) {
         let leaving = uncles.lowest_leaving(tree, node, trail, self.0);
         self.0 = select_unpredictable(self.0 == tree.root(), leaving, self.0);
     }

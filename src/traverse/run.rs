@@ -12,7 +12,7 @@ use crate::event::Recorder;
 use crate::hash::{KeyMap, KeySet, Lookup, Options, PerfectHash, Sizing, Verified};
 use crate::key::{KeyWord, TooDeep};
 use crate::order::{self, ByNode, NodeTest, SignOrder, Visitor};
-use crate::tree::{Implicit, Keys, Node, Parents, Topology, Uncles};
+use crate::tree::{Implicit, Keys, Node, ParentLinks, Parents, RecordedParents, RecordedUncles, Topology, Uncles};
 
 /// A tree with the tables that a choice of traversals needs beside it.
 #[derive(Debug)]
@@ -94,8 +94,9 @@ impl<'t, T: Topology> Tables<'t, T> {
         Self {
             tree,
             axes,
-            parents: needs(&[M::Sparse, M::Afra, M::Hapala]).then(|| Parents::of(tree)),
-            uncles: needs(&[M::Uncle, M::Hashed]).then(|| Uncles::of(tree)),
+            parents: (needs(&[M::Sparse, M::Afra, M::Hapala]) && RecordedParents::of(tree).is_none())
+                .then(|| Parents::of(tree)),
+            uncles: (needs(&[M::Uncle, M::Hashed]) && RecordedUncles::of(tree).is_none()).then(|| Uncles::of(tree)),
             hash: needs(&[M::Hashed]).then(|| perfect(tree, KeySet::Exact(<Uncles>::REACH))).flatten(),
             full_hash: needs(&[M::HashOnly]).then(|| perfect(tree, KeySet::All)).flatten(),
             keys: None,
@@ -149,18 +150,21 @@ impl<'t, T: Topology> Tables<'t, T> {
                     None => self.run_implicit::<W, S>(method, table(self.all_keys.as_ref())?, search, recorder)?,
                 }
             }
-            Method::Sparse => traverse(Sparse::<W, T>::new(tree, table(self.parents.as_ref())?)?, search, recorder),
-            Method::Afra => traverse(Afra::<W, T>::new(tree, table(self.parents.as_ref())?)?, search, recorder),
-            Method::Hapala => {
-                let mut search = ByNode { test: search, order: by_sign };
-                traverse(Hapala::new(tree, table(self.parents.as_ref())?, by_sign), &mut search, recorder);
-            }
+            Method::Sparse | Method::Afra | Method::Hapala => match RecordedParents::of(tree) {
+                Some(parents) => self.run_climbing::<W, S>(method, parents, by_sign, search, recorder)?,
+                None => {
+                    self.run_climbing::<W, S>(method, table(self.parents.as_ref())?, by_sign, search, recorder)?;
+                }
+            },
             Method::Laine0 => traverse(Laine::<0, W, T>::new(tree)?, search, recorder),
             Method::Laine1 => traverse(Laine::<1, W, T>::new(tree)?, search, recorder),
             Method::Laine2 => traverse(Laine::<2, W, T>::new(tree)?, search, recorder),
             Method::Laine4 => traverse(Laine::<4, W, T>::new(tree)?, search, recorder),
             Method::Laine8 => traverse(Laine::<8, W, T>::new(tree)?, search, recorder),
-            Method::Uncle => traverse(Uncle::<W, T>::new(tree, table(self.uncles.as_ref())?)?, search, recorder),
+            Method::Uncle => match RecordedUncles::of(tree) {
+                Some(uncles) => traverse(Uncle::<W, T, _>::new(tree, uncles)?, search, recorder),
+                None => traverse(Uncle::<W, T, _>::new(tree, table(self.uncles.as_ref())?)?, search, recorder),
+            },
             Method::HashOnly | Method::Hashed => {
                 let hash = if method == Method::Hashed { &self.hash } else { &self.full_hash };
                 let hash = table(hash.as_ref())?;
@@ -194,6 +198,27 @@ impl<'t, T: Topology> Tables<'t, T> {
     }
 
     #[inline]
+    fn run_climbing<W: KeyWord, S: Visitor + NodeTest>(
+        &self,
+        method: Method,
+        parents: impl ParentLinks<T>,
+        by_sign: SignOrder<'_>,
+        search: &mut S,
+        recorder: &mut impl Recorder,
+    ) -> Result<(), Unfit> {
+        let tree = self.tree;
+        match method {
+            Method::Sparse => traverse(Sparse::<W, T, _>::new(tree, parents)?, search, recorder),
+            Method::Afra => traverse(Afra::<W, T, _>::new(tree, parents)?, search, recorder),
+            _ => {
+                let mut search = ByNode { test: search, order: by_sign };
+                traverse(Hapala::new(tree, parents, by_sign), &mut search, recorder);
+            }
+        }
+        Ok(())
+    }
+
+    #[inline]
     fn run_hashed<W: KeyWord, S: Visitor + NodeTest>(
         &self,
         method: Method,
@@ -203,9 +228,11 @@ impl<'t, T: Topology> Tables<'t, T> {
     ) -> Result<(), Unfit> {
         if method == Method::HashOnly {
             traverse(HashOnly::<W, T, _>::new(self.tree, hash)?, search, recorder);
+        } else if let Some(uncles) = RecordedUncles::of(self.tree) {
+            traverse(Hashed::<W, T, _, _>::new(self.tree, uncles, hash)?, search, recorder);
         } else {
-            let uncles: &Uncles = table(self.uncles.as_ref())?;
-            traverse(Hashed::<W, T, _>::new(self.tree, uncles, hash)?, search, recorder);
+            let uncles = table(self.uncles.as_ref())?;
+            traverse(Hashed::<W, T, _, _>::new(self.tree, uncles, hash)?, search, recorder);
         }
         Ok(())
     }

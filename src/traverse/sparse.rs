@@ -4,7 +4,7 @@ use super::Cursor;
 use crate::event::State;
 use crate::key::{KeyWord, TooDeep, branched};
 use crate::order::Descent;
-use crate::tree::{Node, Parents, Topology};
+use crate::tree::{Node, ParentLinks, Topology};
 
 /// Counts as if every left child came first; the carries of the increment say how far to climb.
 ///
@@ -12,27 +12,27 @@ use crate::tree::{Node, Parents, Topology};
 /// is itself. Here the start of the level is kept in the same word, as Section 2.2 does for implicit trees: the end is
 /// where `levelStart + levelIndex` is all ones, and is seen without the climb (spec/DEPARTURES.md, D-9).
 #[derive(Debug)]
-pub struct Sparse<'t, W, T> {
+pub struct Sparse<'t, W, T, P> {
     tree: &'t T,
-    parents: &'t Parents,
+    parents: P,
     node: Node,
     /// `levelStart + levelIndex`.
     index: W,
 }
 
-impl<'t, W: KeyWord, T: Topology> Sparse<'t, W, T> {
+impl<'t, W: KeyWord, T: Topology, P: ParentLinks<T>> Sparse<'t, W, T, P> {
     /// Starts at the root.
     ///
     /// # Errors
     /// [`TooDeep`] where the counter would leave its word: beyond as many edges as the word has bits, less one.
     #[inline]
-    pub fn new(tree: &'t T, parents: &'t Parents) -> Result<Self, TooDeep> {
+    pub fn new(tree: &'t T, parents: P) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;
         Ok(Self { tree, parents, node: tree.root(), index: W::one() })
     }
 }
 
-impl<W: KeyWord, T> State for Sparse<'_, W, T> {
+impl<W: KeyWord, T, P> State for Sparse<'_, W, T, P> {
     type Word = W;
 
     #[inline]
@@ -45,7 +45,7 @@ impl<W: KeyWord, T> State for Sparse<'_, W, T> {
     }
 }
 
-impl<W: KeyWord, T: Topology> Cursor for Sparse<'_, W, T> {
+impl<W: KeyWord, T: Topology, P: ParentLinks<T>> Cursor for Sparse<'_, W, T, P> {
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         self.node = self.tree.child(self.node, descent.first());

@@ -8,32 +8,32 @@ use crate::event::State;
 use crate::key::{KeyWord, TooDeep, branched};
 use crate::order::Descent;
 use crate::trail;
-use crate::tree::{Node, Topology, Uncles};
+use crate::tree::{Node, Topology, UncleLinks};
 
 /// Goes to the register's node where it is set, else climbs along grand uncles, which stand in for the grandparents:
 /// they have the same uncles.
 #[derive(Debug)]
-pub struct Uncle<'t, W, T, const INNER: u32 = 2, const LEAF: u32 = 2> {
+pub struct Uncle<'t, W, T, U> {
     tree: &'t T,
-    uncles: &'t Uncles<INNER, LEAF>,
+    uncles: U,
     node: Node,
     trail: W,
     register: Register,
 }
 
-impl<'t, W: KeyWord, T: Topology, const INNER: u32, const LEAF: u32> Uncle<'t, W, T, INNER, LEAF> {
+impl<'t, W: KeyWord, T: Topology, U: UncleLinks<T>> Uncle<'t, W, T, U> {
     /// Starts at the root. Every record names the grand uncle for the climb, however far it reaches for the register.
     ///
     /// # Errors
     /// [`TooDeep`] beyond as many edges as the word has bits.
     #[inline]
-    pub fn new(tree: &'t T, uncles: &'t Uncles<INNER, LEAF>) -> Result<Self, TooDeep> {
+    pub fn new(tree: &'t T, uncles: U) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 0)?;
         Ok(Self { tree, uncles, node: tree.root(), trail: W::zero(), register: Register::empty(tree) })
     }
 }
 
-impl<W: KeyWord, T: Topology, const INNER: u32, const LEAF: u32> State for Uncle<'_, W, T, INNER, LEAF> {
+impl<W: KeyWord, T: Topology, U> State for Uncle<'_, W, T, U> {
     type Word = W;
 
     #[inline]
@@ -50,14 +50,14 @@ impl<W: KeyWord, T: Topology, const INNER: u32, const LEAF: u32> State for Uncle
     }
 }
 
-impl<W: KeyWord, T: Topology, const INNER: u32, const LEAF: u32> Cursor for Uncle<'_, W, T, INNER, LEAF> {
+impl<W: KeyWord, T: Topology, U: UncleLinks<T>> Cursor for Uncle<'_, W, T, U> {
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         let first = descent.first();
         if descent.postpones() {
             self.register.set(self.tree.child(self.node, first.other()));
         } else {
-            self.register.keep(self.uncles, self.tree, self.node, self.trail.low_bits());
+            self.register.keep(&self.uncles, self.tree, self.node, self.trail.low_bits());
         }
         self.node = self.tree.child(self.node, first);
         self.trail = trail::child(take(&mut self.trail), branched(descent.postpones()));
@@ -68,7 +68,7 @@ impl<W: KeyWord, T: Topology, const INNER: u32, const LEAF: u32> Cursor for Uncl
     fn backtrack(&mut self) -> bool {
         // Over right records the register is filled before the trail runs out; over wrong ones this still ends.
         while !self.trail.is_zero() {
-            self.register.fill(self.uncles, self.tree, self.node, self.trail.low_bits());
+            self.register.fill(&self.uncles, self.tree, self.node, self.trail.low_bits());
             if let Some(next) = self.register.take(self.tree) {
                 self.node = next;
                 self.trail = trail::leave(take(&mut self.trail));

@@ -6,38 +6,62 @@ use core::hint::select_unpredictable;
 
 use super::{Node, Recorded, Topology};
 
-/// Parent and sibling of every node, as [`Afra`](crate::traverse::Afra), [`Sparse`](crate::traverse::Sparse) and
-/// [`Hapala`](crate::traverse::Hapala) need them.
+/// Where [`Afra`](crate::traverse::Afra), [`Sparse`](crate::traverse::Sparse) and [`Hapala`](crate::traverse::Hapala)
+/// find parents and siblings: in a table, `&`[`Parents`], or in the tree's own records, [`RecordedParents`].
 ///
-/// The root is its own parent and its own sibling: Barringer & Akenine-Möller's Algorithm 4 ends by that. There are no
-/// rows here if the tree's own records name them.
+/// The root is its own parent and its own sibling: Barringer & Akenine-Möller's Algorithm 4 ends by that.
+pub trait ParentLinks<T> {
+    /// Parent and sibling of a node.
+    fn row(&self, tree: &T, node: Node) -> [Node; 2];
+
+    /// Parent of a node.
+    #[inline(always)]
+    fn parent(&self, tree: &T, node: Node) -> Node {
+        self.row(tree, node)[0]
+    }
+
+    /// Sibling of a node.
+    #[inline(always)]
+    fn sibling(&self, tree: &T, node: Node) -> Node {
+        self.row(tree, node)[1]
+    }
+}
+
+/// A table of parents and siblings, by slot.
 #[derive(Clone, Debug)]
 pub struct Parents {
     rows: Vec<[Node; 2]>,
 }
 
 impl Parents {
-    /// The references of a tree.
+    /// The table of a tree.
     pub fn of(tree: &impl Topology) -> Self {
-        let are_recorded = tree.recorded() == Recorded::ParentSibling;
-        Self { rows: if are_recorded { Vec::new() } else { link_rows(tree, Recorded::ParentSibling) } }
+        Self { rows: link_rows(tree, Recorded::ParentSibling) }
     }
+}
 
+impl<T: Topology> ParentLinks<T> for &Parents {
     #[inline(always)]
-    fn row(&self, tree: &impl Topology, node: Node) -> [Node; 2] {
-        if self.rows.is_empty() { tree.links(node) } else { self.rows[tree.slot(node)] }
+    fn row(&self, tree: &T, node: Node) -> [Node; 2] {
+        self.rows[tree.slot(node)]
     }
+}
 
-    /// Parent of a node.
-    #[inline(always)]
-    pub fn parent(&self, tree: &impl Topology, node: Node) -> Node {
-        self.row(tree, node)[0]
+/// Parents and siblings as the records of a tree name them.
+#[derive(Clone, Copy, Debug)]
+pub struct RecordedParents(());
+
+impl RecordedParents {
+    /// For a tree whose records name them.
+    pub fn of(tree: &impl Topology) -> Option<Self> {
+        (tree.recorded() == Recorded::ParentSibling).then_some(Self(()))
     }
+}
 
-    /// Sibling of a node.
+impl<T: Topology> ParentLinks<T> for RecordedParents {
     #[inline(always)]
-    pub fn sibling(&self, tree: &impl Topology, node: Node) -> Node {
-        self.row(tree, node)[1]
+    fn row(&self, tree: &T, node: Node) -> [Node; 2] {
+        tree.links(node)
     }
 }
 
@@ -94,10 +118,42 @@ impl Reach {
     }
 }
 
-/// Uncle, grand uncle and grand grand uncle of every node: the siblings of its parent, grandparent and so on.
-///
-/// Records of inner nodes reveal `INNER` of them, those of leaves `LEAF` (1 to 3, else it does not compile). Where there
-/// is none, the row names the root, which is never postponed. There are no rows here if the tree's own records name them.
+/// Where [`Hashed`](crate::traverse::Hashed) and [`Uncle`](crate::traverse::Uncle) find uncle, grand uncle and grand grand
+/// uncle, the siblings of a node's parent, grandparent and so on: in a table, `&`[`Uncles`], or in the tree's own records,
+/// [`RecordedUncles`]. Where there is none, it is the root, which is never postponed.
+pub trait UncleLinks<T> {
+    /// How many of them a record is taken to name.
+    const REACH: Reach;
+
+    /// The references of a node: uncle, grand uncle, and grand grand uncle if the reach is three.
+    fn row(&self, tree: &T, node: Node) -> [Node; 3];
+
+    /// The lowest postponed node that the record of `node` names, given the low bits of its trail; `otherwise` if it
+    /// names none. `[UNCLE-2]`
+    ///
+    /// Without a branch: which bits of a trail are set is hard to predict, and the trail is known early.
+    #[inline(always)]
+    fn lowest_pending(&self, tree: &T, node: Node, trail: u32, otherwise: Node) -> Node {
+        let pending = trail & Self::REACH.mask(node.is_leaf());
+        let [uncle, grand_uncle, grand_grand_uncle] = self.row(tree, node);
+        let named = select_unpredictable(pending & 8 != 0, grand_grand_uncle, otherwise);
+        let named = select_unpredictable(pending & 4 != 0, grand_uncle, named);
+        select_unpredictable(pending & 2 != 0, uncle, named)
+    }
+
+    /// The same on the way down from an inner node, of what the child's record, be it a leaf's or not, will not name any
+    /// more; `otherwise` also where the child still names the lowest one.
+    #[inline(always)]
+    fn lowest_leaving(&self, tree: &T, node: Node, trail: u32, otherwise: Node) -> Node {
+        // Bit b of the trail is bit b + 1 at the child.
+        let named_below = Self::REACH.mask(false) & Self::REACH.mask(true) >> 1;
+        let lowest = self.lowest_pending(tree, node, trail & !named_below, otherwise);
+        select_unpredictable(trail & named_below != 0, otherwise, lowest)
+    }
+}
+
+/// A table of uncles, grand uncles and grand grand uncles, by slot, of which records of inner nodes are taken to name the
+/// first `INNER` and those of leaves the first `LEAF` (1 to 3, else it does not compile).
 #[derive(Clone, Debug)]
 pub struct Uncles<const INNER: u32 = 2, const LEAF: u32 = 2> {
     rows: Vec<[Node; 3]>,
@@ -110,43 +166,39 @@ impl<const INNER: u32, const LEAF: u32> Uncles<INNER, LEAF> {
         None => panic!("a record reaches from 1 to 3"),
     };
 
-    /// The references of a tree.
+    /// The table of a tree.
     pub fn of(tree: &impl Topology) -> Self {
-        let are_recorded = INNER <= 2 && LEAF <= 2 && tree.recorded() == Recorded::Uncles;
-        Self { rows: if are_recorded { Vec::new() } else { uncle_rows(tree) } }
+        Self { rows: uncle_rows(tree) }
     }
+}
 
-    /// The references of a node: uncle, grand uncle, and grand grand uncle if the reach is three.
-    #[inline(always)]
-    pub fn row(&self, tree: &impl Topology, node: Node) -> [Node; 3] {
-        if INNER <= 2 && LEAF <= 2 && self.rows.is_empty() {
-            let [uncle, grand_uncle] = tree.links(node);
-            [uncle, grand_uncle, tree.root()]
-        } else {
-            self.rows[tree.slot(node)]
-        }
-    }
+impl<T: Topology, const INNER: u32, const LEAF: u32> UncleLinks<T> for &Uncles<INNER, LEAF> {
+    const REACH: Reach = Uncles::<INNER, LEAF>::REACH;
 
-    /// The lowest postponed node that the record of `node` names, given the low bits of its trail; `otherwise` if it
-    /// names none. `[UNCLE-2]`
-    ///
-    /// Without a branch: which bits of a trail are set is hard to predict, and the trail is known early.
     #[inline(always)]
-    pub fn lowest_pending<T: Topology>(&self, tree: &T, node: Node, trail: u32, otherwise: Node) -> Node {
-        let pending = trail & Self::REACH.mask(node.is_leaf());
-        let [uncle, grand_uncle, grand_grand_uncle] = self.row(tree, node);
-        let named = select_unpredictable(pending & 8 != 0, grand_grand_uncle, otherwise);
-        let named = select_unpredictable(pending & 4 != 0, grand_uncle, named);
-        select_unpredictable(pending & 2 != 0, uncle, named)
+    fn row(&self, tree: &T, node: Node) -> [Node; 3] {
+        self.rows[tree.slot(node)]
     }
-    /// The same on the way down from an inner node, of what the child's record, be it a leaf's or not, will not name any
-    /// more; `otherwise` also where the child still names the lowest one.
+}
+
+/// Uncle and grand uncle as the records of a tree name them: the reach of Algorithm 1.
+#[derive(Clone, Copy, Debug)]
+pub struct RecordedUncles(());
+
+impl RecordedUncles {
+    /// For a tree whose records name them.
+    pub fn of(tree: &impl Topology) -> Option<Self> {
+        (tree.recorded() == Recorded::Uncles).then_some(Self(()))
+    }
+}
+
+impl<T: Topology> UncleLinks<T> for RecordedUncles {
+    const REACH: Reach = Reach::ALGORITHM_1;
+
     #[inline(always)]
-    pub fn lowest_leaving(&self, tree: &impl Topology, node: Node, trail: u32, otherwise: Node) -> Node {
-        // Bit b of the trail is bit b + 1 at the child.
-        let named_below = (1 << if INNER < LEAF { INNER } else { LEAF }) - 2;
-        let lowest = self.lowest_pending(tree, node, trail & !named_below, otherwise);
-        select_unpredictable(trail & named_below != 0, otherwise, lowest)
+    fn row(&self, tree: &T, node: Node) -> [Node; 3] {
+        let [uncle, grand_uncle] = tree.links(node);
+        [uncle, grand_uncle, tree.root()]
     }
 }
 
@@ -191,15 +243,15 @@ mod tests {
         let children = [Some([1, 2]), Some([3, 4]), leaf, leaf, Some([5, 6]), leaf, Some([7, 8]), leaf, leaf];
         let tree = Tree::new(&children).unwrap();
         let node = |i| tree.node(i).unwrap();
-        let uncles = Uncles::<2, 3>::of(&tree);
+        let uncles = &Uncles::<2, 3>::of(&tree);
         assert_eq!(uncles.row(&tree, node(7)), [node(5), node(3), node(2)]);
         assert_eq!(uncles.lowest_pending(&tree, node(7), 0b1000, node(0)), node(2));
         assert_eq!(uncles.lowest_pending(&tree, node(7), 0b1101, node(0)), node(3));
         assert_eq!(uncles.lowest_pending(&tree, node(7), 0b1_0001, node(8)), node(8));
-        assert_eq!(Uncles::<2, 2>::of(&tree).lowest_pending(&tree, node(7), 0b1000, node(8)), node(8));
+        assert_eq!((&Uncles::<2, 2>::of(&tree)).lowest_pending(&tree, node(7), 0b1000, node(8)), node(8));
         assert_eq!(uncles.row(&tree, node(1)), [node(0); 3]);
 
-        let parents = Parents::of(&tree);
+        let parents = &Parents::of(&tree);
         let of = |i| (parents.parent(&tree, node(i)), parents.sibling(&tree, node(i)));
         assert_eq!(of(7), (node(6), node(8)));
         assert_eq!(of(0), (node(0), node(0)));

@@ -15,7 +15,7 @@ pub use keys::Keys;
 pub(crate) use links::for_each_parent;
 #[cfg(feature = "std")]
 pub(crate) use links::link_rows;
-pub use links::{Parents, Reach, Uncles};
+pub use links::{ParentLinks, Parents, Reach, RecordedParents, RecordedUncles, UncleLinks, Uncles};
 
 use crate::key::Side;
 

@@ -78,10 +78,10 @@ pub(crate) fn mutants(mutation: Mutation, fault: &'static str) -> Vec<Suspect> {
     }
     let mut suspects = mutants![
         "stack", |tree| Stack::new(tree, &mut Vec::new());
-        "sparse", |tree| Sparse::<u64, _>::new(tree, &Parents::of(tree)).unwrap();
-        "afra", |tree| Afra::<u64, _>::new(tree, &Parents::of(tree)).unwrap();
-        "uncle", |tree| Uncle::<u64, _>::new(tree, &<Uncles>::of(tree)).unwrap();
-        "hashed", |tree| Hashed::<u64, _, _>::new(tree, &<Uncles>::of(tree), KeyMap::of(tree)).unwrap();
+        "sparse", |tree| Sparse::<u64, _, _>::new(tree, &Parents::of(tree)).unwrap();
+        "afra", |tree| Afra::<u64, _, _>::new(tree, &Parents::of(tree)).unwrap();
+        "uncle", |tree| Uncle::<u64, _, _>::new(tree, &<Uncles>::of(tree)).unwrap();
+        "hashed", |tree| Hashed::<u64, _, _, _>::new(tree, &<Uncles>::of(tree), KeyMap::of(tree)).unwrap();
         "implicit-a", |tree| ImplicitA::<u64, _>::new(tree, KeyMap::of(tree)).unwrap();
         "implicit-a1", |tree| ImplicitA1::<u64, _>::new(tree, KeyMap::of(tree)).unwrap();
         "implicit-b", |tree| ImplicitB::<u64, _>::new(tree, KeyMap::of(tree)).unwrap();

@@ -4,7 +4,7 @@
 use stackless_bvh::event::State;
 use stackless_bvh::order::Descent;
 use stackless_bvh::traverse::Cursor;
-use stackless_bvh::tree::{Node, Parents, Topology, Tree};
+use stackless_bvh::tree::{Node, ParentLinks, Parents, Topology, Tree};
 
 /// A mistake in [`Textbook`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -166,8 +166,8 @@ impl Cursor for Textbook<'_> {
             _ => self.trail.trailing_zeros().min(63),
         };
         let climbed = if bug == Bug::SiblingForUncle && levels == 1 { 0 } else { levels };
-        let ancestor = (0..climbed).fold(self.node, |node, _| self.parents.parent(self.tree, node));
-        let sibling = self.parents.sibling(self.tree, ancestor);
+        let ancestor = (0..climbed).fold(self.node, |node, _| (&self.parents).parent(self.tree, node));
+        let sibling = (&self.parents).sibling(self.tree, ancestor);
         self.node = if bug == Bug::NearTwice { ancestor } else { sibling };
         self.key = match bug {
             Bug::KeyNotToggled | Bug::NearTwice => self.key >> levels,

@@ -182,7 +182,7 @@ impl WithWord for Count<'_> {
         let mut backtracks = Backtracks::new(<Uncles>::REACH);
         for ray in &rays {
             backtracks.begin();
-            let cursor: Result<_, TooDeep> = Hashed::<W, _, _>::new(bvh, &uncles, &hash);
+            let cursor: Result<_, TooDeep> = Hashed::<W, _, _, _>::new(bvh, &uncles, &hash);
             traverse(cursor?, &mut Closest::new(bvh, ray), &mut backtracks);
         }
         Ok(backtracks)
