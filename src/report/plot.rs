@@ -31,6 +31,7 @@ fn draw(svg: &mut String, title: &str, backtracks: &Backtracks) -> Result<(), Bo
     chart
         .configure_mesh()
         .disable_x_mesh()
+        .light_line_style(TRANSPARENT)
         .x_desc("levels up to the ancestor whose sibling comes next (0: sibling, 1: uncle, 2: grand uncle)")
         .y_desc("share of backtracks")
         .y_label_formatter(&|share| format!("{:.0} %", share * 100.0))

@@ -1,18 +1,19 @@
 //! `stackless stats`: a scene's hierarchy, its tables, and where backtracking goes.
 
+use std::cell::Cell;
 use std::path::PathBuf;
 use std::time::Instant;
 
 use serde::Serialize;
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::check::{WithWord, with_word};
-use stackless_bvh::hash::{self, BuildError, KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::hash::{self, BuildError, KeySet, Lookup, Options, PerfectHash, Sizing};
 use stackless_bvh::key::{KeyWord, TooDeep};
 use stackless_bvh::report::{Backtracks, Source, plot_distances};
 use stackless_bvh::scene::{self, procedural};
 use stackless_bvh::trace::{self, Closest};
 use stackless_bvh::traverse::{Hashed, WordName, traverse};
-use stackless_bvh::tree::{Topology, Uncles};
+use stackless_bvh::tree::{Node, Topology, Uncles};
 
 use crate::Outcome;
 use crate::input::Scene;
@@ -85,6 +86,10 @@ struct BacktrackStats {
     grand_uncle: f64,
     leaf: f64,
     hash: f64,
+    /// Share of the lookups in the hash that took one load.
+    hash_direct: f64,
+    /// Number of lookups in the hash for one ray.
+    hash_per_ray: f64,
     /// Number over each distance, in levels.
     distances: Vec<u64>,
 }
@@ -97,7 +102,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     for sizing in [Sizing::Tight, Sizing::PrintedHashed, Sizing::Printed] {
         tables.push(measure(&bvh, sizing)?);
     }
-    let backtracks = with_word(narrowest(bvh.depth()), Count { args, scene: &scene, bvh: &bvh })?;
+    let (backtracks, lookups) = with_word(narrowest(bvh.depth()), Count { args, scene: &scene, bvh: &bvh })?;
     let stats = Stats {
         triangles: scene.mesh.triangles().len(),
         nodes: bvh.node_count(),
@@ -106,7 +111,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         build_seconds,
         tables: tables.remove(0),
         other_tables: tables,
-        backtracks: BacktrackStats::of(&backtracks),
+        backtracks: BacktrackStats::of(&backtracks, lookups),
         scene: scene.name,
     };
     stats.print();
@@ -162,6 +167,29 @@ fn timed<T>(f: impl FnOnce() -> T) -> (T, f64) {
     (value, start.elapsed().as_secs_f64())
 }
 
+/// What was asked of the hash.
+#[derive(Clone, Copy, Default)]
+struct Lookups {
+    all: u64,
+    direct: u64,
+    rays: usize,
+}
+
+/// A hash that counts.
+struct Counted<'a> {
+    hash: &'a PerfectHash,
+    lookups: &'a Cell<Lookups>,
+}
+
+impl<W: KeyWord> Lookup<W> for Counted<'_> {
+    fn node(&self, key: &W) -> Node {
+        let Lookups { all, direct, rays } = self.lookups.get();
+        let direct = direct + u64::from(self.hash.is_direct(key));
+        self.lookups.set(Lookups { all: all + 1, direct, rays });
+        self.hash.node(key)
+    }
+}
+
 struct Count<'a> {
     args: &'a Args,
     scene: &'a Scene,
@@ -169,7 +197,7 @@ struct Count<'a> {
 }
 
 impl WithWord for Count<'_> {
-    type Output = Result<Backtracks, Box<dyn std::error::Error>>;
+    type Output = Result<(Backtracks, Lookups), Box<dyn std::error::Error>>;
 
     fn call<W: KeyWord>(self) -> Self::Output {
         let Self { args, scene, bvh } = self;
@@ -179,18 +207,20 @@ impl WithWord for Count<'_> {
         let mut rays = procedural::camera_rays(&scene.mesh, args.seed, args.rays / 2);
         let bounced = trace::bounce(&scene.mesh, bvh, &rays, args.seed);
         rays.extend(bounced);
+        let lookups = Cell::new(Lookups { rays: rays.len(), ..Lookups::default() });
         let mut backtracks = Backtracks::new(<Uncles>::REACH);
         for ray in &rays {
             backtracks.begin();
-            let cursor: Result<_, TooDeep> = Hashed::<W, _, _, _>::new(bvh, &uncles, &hash);
+            let cursor: Result<_, TooDeep> =
+                Hashed::<W, _, _, _>::new(bvh, &uncles, Counted { hash: &hash, lookups: &lookups });
             traverse(cursor?, &mut Closest::new(bvh, ray), &mut backtracks);
         }
-        Ok(backtracks)
+        Ok((backtracks, lookups.get()))
     }
 }
 
 impl BacktrackStats {
-    fn of(backtracks: &Backtracks) -> Self {
+    fn of(backtracks: &Backtracks, lookups: Lookups) -> Self {
         let total = backtracks.total();
         let share = |source| backtracks.by(source) as f64 / total.max(1) as f64;
         Self {
@@ -200,6 +230,8 @@ impl BacktrackStats {
             grand_uncle: share(Source::GrandUncle),
             leaf: share(Source::Leaf),
             hash: share(Source::Hash),
+            hash_direct: lookups.direct as f64 / lookups.all.max(1) as f64,
+            hash_per_ray: lookups.all as f64 / lookups.rays.max(1) as f64,
             distances: backtracks.distances().to_vec(),
         }
     }
@@ -238,6 +270,11 @@ impl Stats {
             percent(shares.grand_uncle),
             percent(shares.leaf),
             percent(shares.hash)
+        );
+        say!(
+            "{:.2} lookups in the hash for a ray, {} of them direct",
+            shares.hash_per_ray,
+            percent(shares.hash_direct)
         );
         let mut cumulative = 0;
         let rows = shares.distances.iter().enumerate().map(|(distance, &count)| {
