@@ -4,9 +4,9 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::fold::{fold, for_each_folded_key};
-use super::{KeySet, Lookup, mix};
+use super::{Lookup, mix};
 use crate::key::KeyWord;
-use crate::tree::{Node, Reach, Topology};
+use crate::tree::{Node, Topology};
 
 /// An ordinary hash table from keys to addresses: the yardstick for the perfect hash.
 ///
@@ -22,21 +22,10 @@ pub struct KeyMap {
 impl KeyMap {
     /// The map of all nodes of a tree.
     pub fn of(tree: &impl Topology) -> Self {
-        Self::filtered(tree, tree.node_count(), |_| true)
-    }
-
-    /// The map of those nodes that a traversal with register and uncles can come to look up, about a tenth.
-    pub fn of_looked_up(tree: &impl Topology, reach: Reach) -> Self {
-        let looked_up = KeySet::Exact(reach).slots(tree);
-        let count = looked_up.iter().filter(|&&is| is).count();
-        Self::filtered(tree, count, |node| looked_up[tree.slot(node)])
-    }
-
-    fn filtered(tree: &impl Topology, count: usize, holds: impl Fn(Node) -> bool) -> Self {
         let mut seed = 0;
         loop {
             // Among n keys two folds meet with probability n^2 / 2^65: a second seed is never seen in practice.
-            if let Some(map) = Self::with_seed(tree, count, &holds, mix(seed)) {
+            if let Some(map) = Self::with_seed(tree, mix(seed)) {
                 return map;
             }
             seed += 1;
@@ -44,15 +33,11 @@ impl KeyMap {
     }
 
     /// `None` if two keys fold to the same value.
-    fn with_seed(tree: &impl Topology, count: usize, holds: impl Fn(Node) -> bool, seed: u64) -> Option<Self> {
-        let size = (2 * count + 1).next_power_of_two();
+    fn with_seed(tree: &impl Topology, seed: u64) -> Option<Self> {
+        let size = (2 * tree.node_count() + 1).next_power_of_two();
         let mut map = Self { cells: vec![(0, 0); size], seed };
         let mut distinct = true;
-        for_each_folded_key(tree, seed, |key, node| {
-            if holds(node) {
-                distinct &= map.insert(key, node).is_some();
-            }
-        });
+        for_each_folded_key(tree, seed, |key, node| distinct &= map.insert(key, node).is_some());
         distinct.then_some(map)
     }
 

@@ -10,7 +10,7 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{NodeTest, Visitor};
 use stackless_bvh::scene;
 use stackless_bvh::trace::{AnyByNode, ClosestByNode, Hit};
-use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
+use stackless_bvh::traverse::{Method, Tables, Unfit};
 use stackless_bvh::tree::{Implicit, Node, Topology};
 
 use crate::Outcome;
@@ -49,7 +49,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     };
     let boxes = bvh.own_boxes();
     let tables = Tables::new(&bvh, bvh.axes(), &[args.method], Implicit::LIMIT);
-    let hits = with_word(narrowest(bvh.depth()), Trace { args, bvh: &bvh, tables, boxes, rays: &rays })
+    let hits = with_word(input::narrowest(bvh.depth()), Trace { args, bvh: &bvh, tables, boxes, rays: &rays })
         .map_err(|unfit| format!("{}: {unfit}", args.method))?;
     let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (prim, t, u, v)));
     scene::write_atomically(&args.out, |file| scene::write_hits(file, rows))
@@ -57,16 +57,6 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let hit = hits.iter().flatten().count();
     say!("{}: {} rays, {hit} hits, by {}", scene.name, rays.len(), args.method);
     Ok(true)
-}
-
-/// The narrowest word that carries the depth in every traversal.
-fn narrowest(depth: u32) -> WordName {
-    match depth {
-        0..=30 => WordName::U32,
-        31..=62 => WordName::U64,
-        63..=126 => WordName::U128,
-        _ => WordName::Grow,
-    }
 }
 
 struct Trace<'a> {
