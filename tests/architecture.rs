@@ -25,10 +25,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("trace", &["bvh", "generate", "geom", "order", "scene", "traverse", "tree"]),
     (
         "check",
-        &[
-            "bvh", "event", "generate", "geom", "hash", "key", "oracle", "order", "scene", "trace", "trail",
-            "traverse", "tree",
-        ],
+        &["bvh", "event", "generate", "geom", "hash", "key", "oracle", "order", "trace", "trail", "traverse", "tree"],
     ),
 ];
 

@@ -18,6 +18,7 @@ use stackless_bvh::hash::Lookup;
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{ByNode, Descent, FixedOrder, Flow, LeftFirst, Side, SignOrder, Visitor};
 use stackless_bvh::scene::{Mesh, procedural};
+use stackless_bvh::trace::Truth;
 use stackless_bvh::traverse::{Hapala, Hashed, Method, Skip, Skips, Test, Uncle, WordName, traverse};
 use stackless_bvh::tree::{Keys, Node, Parents, Recorded, RecordedUncles, Topology, Tree, UncleLinks, Uncles};
 
@@ -133,11 +134,12 @@ fn a_hierarchy_that_does_not_hold_the_mesh() {
         methods: vec![Method::Stack, Method::Hashed],
         words: vec![WordName::U64],
     };
-    let check = |held: &Mesh, sample| {
+    let truth = Truth::new(&mesh);
+    let check = |held: &Mesh| {
         let bvh = Bvh::sah(held, SahOptions::default()).unwrap();
-        check_scene(&plan, &SceneTree::new(&mesh, &bvh), &rays, sample, &|_| ())
+        check_scene(&plan, &SceneTree::new(&truth, &bvh), &rays, &|_| ())
     };
-    let (tally, found) = check(&mesh, rays.len());
+    let (tally, found) = check(&mesh);
     assert_eq!((tally.disagreements(), found.is_none()), (0, true));
 
     let without = |lost: usize| {
@@ -153,7 +155,7 @@ fn a_hierarchy_that_does_not_hold_the_mesh() {
         Mesh::new(moved, mesh.triangles().to_vec()).unwrap(),
         Mesh::new(mesh.vertices().to_vec(), turned).unwrap(),
     ] {
-        let (tally, found) = check(&held, rays.len());
+        let (tally, found) = check(&held);
         assert!(tally.oracle_faults > 0);
         assert_eq!(tally.disagreements(), tally.oracle_faults);
         let found = found.unwrap();

@@ -11,9 +11,11 @@ mod validate;
 pub use build::{BuildError, SahOptions};
 pub use validate::{BvhError, validate};
 
+use std::ops::Range;
+
 use glam::Vec3;
 
-use crate::geom::{Aabb, Triangle};
+use crate::geom::{Aabb, Region, Triangle};
 use crate::order::Side;
 use crate::tree::{self, Node, Recorded, Topology};
 
@@ -31,15 +33,17 @@ use crate::tree::{self, Node, Recorded, Topology};
 /// # }
 /// ```
 #[derive(Clone, Debug)]
-pub struct Bvh {
+pub struct Bvh<S = Triangle> {
     root: Node,
     depth: u32,
+    dropped: usize,
     recorded: Recorded,
     bounds: Aabb,
+    region: Region,
     nodes: Vec<BvhNode>,
     axes: Vec<u8>,
     leaves: Vec<Leaf>,
-    triangles: Vec<LeafTriangle>,
+    triangles: Vec<LeafTriangle<S>>,
 }
 
 /// An inner node: 64 bytes, one cache line.
@@ -66,22 +70,31 @@ pub struct Leaf {
     pub links: [Node; 2],
 }
 
-/// A triangle as a leaf holds it.
-///
-/// Corners and not edges: the test of the triangle's own box, which its answer rests on, needs them exactly.
+/// A triangle as a leaf holds it, by its corners or in another [`Shape`](crate::geom::Kernel::Shape) that a kernel wants.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
-pub struct LeafTriangle {
-    /// Corners, as in the mesh.
-    pub triangle: Triangle,
+pub struct LeafTriangle<S = Triangle> {
+    /// Corners, as in the mesh, or what a kernel makes of them.
+    pub shape: S,
     /// Index of the triangle in the mesh.
     pub prim: u32,
 }
 
-impl Bvh {
+impl<S> Bvh<S> {
     /// Box of all triangles.
     pub fn bounds(&self) -> Aabb {
         self.bounds
+    }
+
+    /// What the tests of a ray need to know of the whole.
+    #[inline]
+    pub fn region(&self) -> &Region {
+        &self.region
+    }
+
+    /// How many degenerate triangles of the mesh were left out, as no ray meets them.
+    pub fn dropped(&self) -> usize {
+        self.dropped
     }
 
     /// Inner nodes, by [`Node::index`].
@@ -95,7 +108,7 @@ impl Bvh {
     }
 
     /// All triangles, in the order of the leaves.
-    pub fn triangles(&self) -> &[LeafTriangle] {
+    pub fn triangles(&self) -> &[LeafTriangle<S>] {
         &self.triangles
     }
 
@@ -107,9 +120,15 @@ impl Bvh {
 
     /// Triangles of a leaf, which must be one of this tree.
     #[inline]
-    pub fn leaf_triangles(&self, leaf: Node) -> &[LeafTriangle] {
+    pub fn leaf_triangles(&self, leaf: Node) -> &[LeafTriangle<S>] {
+        &self.triangles[self.leaf_range(leaf)]
+    }
+
+    /// Where in [`triangles`](Self::triangles) those of a leaf are, which must be one of this tree.
+    #[inline]
+    pub fn leaf_range(&self, leaf: Node) -> Range<usize> {
         let Leaf { first, count, .. } = self.leaves[leaf.index()];
-        &self.triangles[first as usize..][..count as usize]
+        first as usize..first as usize + count as usize
     }
 
     /// Axis (0, 1, 2) along which each inner node was split, the left child holding the smaller centroids; for
@@ -150,6 +169,16 @@ impl Bvh {
         size_of_val(&*self.nodes) + size_of_val(&*self.leaves) + size_of_val(&*self.triangles)
     }
 
+    /// The same hierarchy with other shapes in its leaves, made from these.
+    #[must_use]
+    pub fn map<T>(self, shape: impl Fn(S) -> T) -> Bvh<T> {
+        let Self { root, depth, dropped, recorded, bounds, region, nodes, axes, leaves, triangles } = self;
+        let triangles = triangles.into_iter().map(|t| LeafTriangle { shape: shape(t.shape), prim: t.prim }).collect();
+        Bvh { root, depth, dropped, recorded, bounds, region, nodes, axes, leaves, triangles }
+    }
+}
+
+impl Bvh {
     /// Makes all boxes the smallest ones that nest.
     fn fit(&mut self) {
         // Children come after their parents, so that one sweep from the back has their boxes ready.
@@ -163,15 +192,16 @@ impl Bvh {
             }
         }
         self.bounds = if self.root.is_leaf() { self.leaf_box(self.root) } else { boxes[self.root.index()] };
+        self.region = Region::of(&self.bounds);
     }
 
     fn leaf_box(&self, leaf: Node) -> Aabb {
-        let boxes = self.leaf_triangles(leaf).iter().map(|t| t.triangle.aabb());
+        let boxes = self.leaf_triangles(leaf).iter().map(|t| t.shape.aabb());
         boxes.fold(Aabb::EMPTY, Aabb::union)
     }
 }
 
-impl Topology for Bvh {
+impl<S> Topology for Bvh<S> {
     fn recorded(&self) -> Recorded {
         self.recorded
     }

@@ -87,7 +87,7 @@ fn the_median_cuts_the_longest_axis() {
 /// Least and greatest centroid below a node.
 fn centroids(bvh: &Bvh, node: Node, axis: usize) -> (f32, f32) {
     let all: Vec<(f32, f32)> = if node.is_leaf() {
-        let of = |t: &LeafTriangle| t.triangle.aabb().centroid()[axis];
+        let of = |t: &LeafTriangle| t.shape.aabb().centroid()[axis];
         bvh.leaf_triangles(node).iter().map(|t| (of(t), of(t))).collect()
     } else {
         bvh.children(node).map(|child| centroids(bvh, child, axis)).into()
@@ -165,7 +165,7 @@ fn validation_bites() {
 
     let (leaf, prim) = (Node::leaf(0), bvh.triangles[0].prim);
     assert_eq!(broken(&|b| b.triangles[0].prim = 50), Err(BvhError::Triangle { leaf, prim: 50 }));
-    assert_eq!(broken(&|b| b.triangles[0].triangle.0[1].x += 1.0), Err(BvhError::Triangle { leaf, prim }));
+    assert_eq!(broken(&|b| b.triangles[0].shape.0[1].x += 1.0), Err(BvhError::Triangle { leaf, prim }));
 }
 
 #[test]

@@ -62,7 +62,7 @@ pub enum BvhError {
         /// Index in the mesh.
         prim: u32,
     },
-    /// A triangle of the mesh is in no leaf.
+    /// A triangle of the mesh that can be hit is in no leaf.
     #[error("triangle {0} is in no leaf")]
     Missing(u32),
     /// The stored depth is not that of the deepest leaf.
@@ -75,7 +75,7 @@ pub enum BvhError {
     },
 }
 
-/// Checks that a hierarchy holds each triangle of the mesh once, in boxes that contain it and nest, with nodes and
+/// Checks that a hierarchy holds each triangle of the mesh once (degenerate ones need not be there), in boxes that contain it and nest, with nodes and
 /// leaves in depth-first order, known split axes, the relatives that it says records name, and the depth that it states.
 ///
 /// # Errors
@@ -148,14 +148,14 @@ impl Walk<'_> {
         for held in self.bvh.leaf_triangles(leaf) {
             let prim = held.prim;
             match self.seen.get_mut(prim as usize) {
-                Some(seen) if held.triangle == Triangle(self.mesh.triangle(prim as usize)) => {
+                Some(seen) if held.shape == Triangle(self.mesh.triangle(prim as usize)) => {
                     if std::mem::replace(seen, true) {
                         return Err(BvhError::Twice { leaf, prim });
                     }
                 }
                 _ => return Err(BvhError::Triangle { leaf, prim }),
             }
-            if !held.triangle.0.iter().all(|&corner| aabb.contains(corner)) {
+            if !held.shape.0.iter().all(|&corner| aabb.contains(corner)) {
                 return Err(BvhError::Outside { leaf, prim });
             }
         }
@@ -173,6 +173,8 @@ impl Walk<'_> {
         if self.end != self.bvh.triangles.len() {
             return Err(BvhError::Range(Node::leaf(self.leaves as u32 - 1)));
         }
-        self.seen.iter().position(|seen| !seen).map_or(Ok(()), |prim| Err(BvhError::Missing(prim as u32)))
+        let can_be_hit = |prim: usize| !Triangle(self.mesh.triangle(prim)).is_degenerate();
+        let missing = (0..self.seen.len()).find(|&prim| !self.seen[prim] && can_be_hit(prim));
+        missing.map_or(Ok(()), |prim| Err(BvhError::Missing(prim as u32)))
     }
 }

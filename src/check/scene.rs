@@ -1,4 +1,4 @@
-//! Rays through real hierarchies: every traversal against the recursive oracle, and that against all triangles.
+//! Rays through real hierarchies: every traversal against the recursive oracle, and that against rational arithmetic.
 
 use rayon::prelude::*;
 
@@ -11,21 +11,20 @@ use crate::hash::mix;
 use crate::key::KeyWord;
 use crate::oracle;
 use crate::order::{ByNode, Flow, LeftFirst, NodeTest, SignOrder, Visitor};
-use crate::scene::Mesh;
-use crate::trace::{AnyByNode, ClosestByNode, Hit, brute_force};
+use crate::trace::{AnyByNode, ClosestByNode, Hit, Truth};
 use crate::traverse::{Method, Tables, Test, Unfit, WordName};
 use crate::tree::{Implicit, Keys, Node, Topology};
 
 /// A hierarchy over a mesh with all that its check needs.
 #[derive(Debug)]
 pub struct SceneTree<'m> {
-    mesh: &'m Mesh,
+    truth: &'m Truth,
     bvh: &'m Bvh,
     boxes: Vec<Aabb>,
     keys: Keys,
 }
 
-/// A ray for which a traversal differs from the oracle, or the oracle from the test of all triangles.
+/// A ray for which a traversal differs from the oracle, or the oracle from the truth.
 #[derive(Clone, Debug)]
 pub struct SceneDisagreement {
     /// The ray.
@@ -34,7 +33,7 @@ pub struct SceneDisagreement {
     pub any: bool,
     /// The traversal; `None` where it is the oracle that differs.
     pub method: Option<(Method, WordName)>,
-    /// What was seen of the oracle, or of the test of all triangles.
+    /// What was seen of the oracle, or the true hit.
     pub expected: Seen,
     /// What was seen instead.
     pub found: Seen,
@@ -54,9 +53,9 @@ pub struct Seen {
 }
 
 impl<'m> SceneTree<'m> {
-    /// Prepares a hierarchy of a mesh.
-    pub fn new(mesh: &'m Mesh, bvh: &'m Bvh) -> Self {
-        Self { mesh, bvh, boxes: bvh.own_boxes(), keys: Keys::of(bvh) }
+    /// Prepares a hierarchy of the mesh that the truth is of.
+    pub fn new(truth: &'m Truth, bvh: &'m Bvh) -> Self {
+        Self { truth, bvh, boxes: bvh.own_boxes(), keys: Keys::of(bvh) }
     }
 
     /// Runs a search and says what was seen of it, and how many visits were made with restarts.
@@ -77,23 +76,21 @@ impl<'m> SceneTree<'m> {
 
 /// Checks the traversals of a plan on rays through one hierarchy, on all cores; the first disagreement is returned.
 ///
-/// `sample` of the rays, evenly taken, are also traced by testing all triangles. Of a traversal that restarts only the
+/// Of a traversal that restarts only the
 /// hits are compared: its questions are answered anew when the ray has become shorter.
 pub fn check_scene(
     plan: &Plan,
     scene: &SceneTree<'_>,
     rays: &[Ray],
-    sample: usize,
     progress: Progress<'_>,
 ) -> (Tally, Option<SceneDisagreement>) {
     let tables = Tables::new(scene.bvh, scene.bvh.axes(), &plan.methods, Implicit::LIMIT).verified();
-    let stride = rays.len().div_ceil(sample.max(1)).max(1);
     let pairs = plan.pairs();
-    let check_ray = |(index, &ray): (usize, &Ray)| {
+    let check_ray = |&ray: &Ray| {
         let mut tally = Tally::default();
         tally.depth = scene.bvh.depth();
         let (mut disagreement, mut memory) = (None, Vec::new());
-        let truth = index.is_multiple_of(stride).then(|| brute_force(scene.mesh, &ray));
+        let truth = scene.truth.closest(&ray).map(|hit| hit.rounded());
         for any in [false, true] {
             let mut report = |method, expected, found| {
                 disagreement.get_or_insert(SceneDisagreement { ray, any, method, expected, found });
@@ -101,10 +98,9 @@ pub fn check_scene(
             let oracles = [Test::Children, Test::NodeLeftFirst, Test::NodeBySign]
                 .map(|test| scene.see(&ray, any, Recursion(test)).map(|(seen, _)| seen).unwrap_or_default());
             for oracle in oracles {
-                if truth.is_some_and(
-                    |truth| if any { truth.is_some() != oracle.hit.is_some() } else { truth != oracle.hit },
-                ) {
-                    report(None, Seen { hit: truth.flatten(), ..oracle }, oracle);
+                let is_true = if any { truth.is_some() == oracle.hit.is_some() } else { truth == oracle.hit };
+                if !is_true {
+                    report(None, Seen { hit: truth, ..oracle }, oracle);
                     tally.oracle_faults += 1;
                 }
             }
@@ -128,8 +124,8 @@ pub fn check_scene(
         progress(1);
         (tally, disagreement)
     };
-    let rays = rays.par_iter().enumerate();
-    let (mut tally, first) = rays.map(check_ray).reduce(Default::default, |(a, x), (b, y)| (a.merge(&b), x.or(y)));
+    let (mut tally, first) =
+        rays.par_iter().map(check_ray).reduce(Default::default, |(a, x), (b, y)| (a.merge(&b), x.or(y)));
     tally.misses += tables.misses() as u64;
     (tally, first)
 }

@@ -1,9 +1,18 @@
-//! Rays, boxes and triangles in single precision.
+//! Rays, boxes and triangles, and the tests of one against the other: exact, and less so.
 
 mod aabb;
+pub mod kernel;
 mod ray;
+mod region;
+pub mod slabs;
 mod triangle;
+pub mod truth;
+mod vector;
 
-pub use aabb::{Aabb, RaySlabs};
+pub use aabb::Aabb;
+pub use kernel::Kernel;
 pub use ray::{Ray, RayError};
-pub use triangle::{Hit, Triangle};
+pub use region::Region;
+pub use slabs::Slabs;
+pub use triangle::Triangle;
+pub use vector::{Real, Vector};

@@ -1,16 +1,19 @@
 //! A ray with its interval, valid by construction.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
-/// A half-line `origin + t direction` with `tmin <= t <= tmax`, both ends included.
+use super::Vector;
+
+/// A half-line `origin + t direction` with `tmin <= t <= tmax`, both ends included; in single precision, or with
+/// [`DVec3`] in double.
 ///
 /// The direction need not have unit length; `t` is measured in its lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ray {
-    origin: Vec3,
-    direction: Vec3,
-    tmin: f32,
-    tmax: f32,
+pub struct Ray<V: Vector = Vec3> {
+    origin: V,
+    direction: V,
+    tmin: V::Real,
+    tmax: V::Real,
 }
 
 /// Why numbers are not a ray.
@@ -18,10 +21,10 @@ pub struct Ray {
 pub enum RayError {
     /// A component of the origin is NaN or infinite.
     #[error("origin {0} is not finite")]
-    Origin(Vec3),
+    Origin(DVec3),
     /// A component of the direction is NaN or infinite.
     #[error("direction {0} is not finite")]
-    Direction(Vec3),
+    Direction(DVec3),
     /// All components of the direction are zero.
     #[error("direction is zero")]
     ZeroDirection,
@@ -29,77 +32,78 @@ pub enum RayError {
     #[error("interval [{tmin}, {tmax}] is not a number")]
     Interval {
         /// Near end.
-        tmin: f32,
+        tmin: f64,
         /// Far end.
-        tmax: f32,
+        tmax: f64,
     },
     /// The near end is negative.
     #[error("tmin {0} is negative")]
-    NegativeTmin(f32),
+    NegativeTmin(f64),
     /// The interval is empty.
     #[error("tmin {tmin} is greater than tmax {tmax}")]
     EmptyInterval {
         /// Near end.
-        tmin: f32,
+        tmin: f64,
         /// Far end.
-        tmax: f32,
+        tmax: f64,
     },
 }
 
-impl Ray {
+impl<V: Vector> Ray<V> {
     /// A ray over the given interval. `tmax` may be infinite.
     ///
     /// # Errors
     /// What [`RayError`] lists.
-    pub fn new(origin: Vec3, direction: Vec3, tmin: f32, tmax: f32) -> Result<Self, RayError> {
+    pub fn new(origin: V, direction: V, tmin: V::Real, tmax: V::Real) -> Result<Self, RayError> {
+        let (near, far): (f64, f64) = (tmin.into(), tmax.into());
         if !origin.is_finite() {
-            return Err(RayError::Origin(origin));
+            return Err(RayError::Origin(origin.widen()));
         }
         if !direction.is_finite() {
-            return Err(RayError::Direction(direction));
+            return Err(RayError::Direction(direction.widen()));
         }
-        if direction == Vec3::ZERO {
+        if direction.widen() == DVec3::ZERO {
             return Err(RayError::ZeroDirection);
         }
-        if !tmin.is_finite() || tmax.is_nan() {
-            return Err(RayError::Interval { tmin, tmax });
+        if !near.is_finite() || far.is_nan() {
+            return Err(RayError::Interval { tmin: near, tmax: far });
         }
-        if tmin < 0.0 {
-            return Err(RayError::NegativeTmin(tmin));
+        if near < 0.0 {
+            return Err(RayError::NegativeTmin(near));
         }
-        if tmin > tmax {
-            return Err(RayError::EmptyInterval { tmin, tmax });
+        if near > far {
+            return Err(RayError::EmptyInterval { tmin: near, tmax: far });
         }
         Ok(Self { origin, direction, tmin, tmax })
     }
 
     /// Where `t` is 0.
     #[inline]
-    pub const fn origin(&self) -> Vec3 {
+    pub const fn origin(&self) -> V {
         self.origin
     }
 
     /// Finite and not zero.
     #[inline]
-    pub const fn direction(&self) -> Vec3 {
+    pub const fn direction(&self) -> V {
         self.direction
     }
 
     /// Near end of the interval, at least 0.
     #[inline]
-    pub const fn tmin(&self) -> f32 {
+    pub const fn tmin(&self) -> V::Real {
         self.tmin
     }
 
     /// Far end of the interval, at least `tmin`.
     #[inline]
-    pub const fn tmax(&self) -> f32 {
+    pub const fn tmax(&self) -> V::Real {
         self.tmax
     }
 
     /// Bit `a` is set where component `a` of the direction is negative; for [`SignOrder`](crate::order::SignOrder).
     #[inline]
     pub fn octant(&self) -> u8 {
-        self.direction.cmplt(Vec3::ZERO).bitmask() as u8
+        self.direction.widen().cmplt(DVec3::ZERO).bitmask() as u8
     }
 }

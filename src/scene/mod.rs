@@ -18,6 +18,7 @@ mod output;
 mod ply;
 pub mod procedural;
 mod rays;
+pub mod stress;
 mod text;
 
 pub use error::{Fault, Place, ReadError, SceneError};

@@ -2,67 +2,93 @@
 
 use super::Hit;
 use crate::bvh::Bvh;
-use crate::geom::{Aabb, Ray, RaySlabs};
+use crate::geom::kernel::Exact;
+use crate::geom::slabs::Directed;
+use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs, Vector};
 use crate::order::{Descent, Flow, NodeTest, Visitor};
 use crate::tree::{Node, Topology};
 
-/// A closest-hit query: visits the nearer child first, the left one of equals.
-pub type Closest<'a> = Search<'a, false>;
+/// A closest-hit query, exact: visits the nearer child first, the left one of equals.
+pub type Closest<'a> = Search<'a, Exact, Directed, false>;
 
-/// An any-hit query, in the order of [`Closest`]. It stops at the first hit that it meets.
-pub type Any<'a> = Search<'a, true>;
+/// An any-hit query, exact, in the order of [`Closest`]. It stops at the first hit that it meets.
+pub type Any<'a> = Search<'a, Exact, Directed, true>;
 
-/// A closest-hit query that tests each node's own box.
-pub type ClosestByNode<'a> = NodeSearch<'a, false>;
+/// A closest-hit query, exact, that tests each node's own box.
+pub type ClosestByNode<'a> = NodeSearch<'a, Exact, Directed, false>;
 
-/// An any-hit query that tests each node's own box.
-pub type AnyByNode<'a> = NodeSearch<'a, true>;
+/// An any-hit query, exact, that tests each node's own box.
+pub type AnyByNode<'a> = NodeSearch<'a, Exact, Directed, true>;
 
-/// A ray on its way through a hierarchy. With `ANY`, the first hit ends it.
+type Real<K> = <<K as Kernel>::Vector as Vector>::Real;
+
+/// A ray on its way through a hierarchy, with the triangle test `K` and the box test `B`. With `ANY`, the first hit ends
+/// it.
 #[derive(Clone, Debug)]
-pub struct Search<'a, const ANY: bool> {
-    bvh: &'a Bvh,
-    ray: Ray,
-    slabs: RaySlabs,
-    best: Hit,
+pub struct Search<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> {
+    bvh: &'a Bvh<K::Shape>,
+    kernel: K,
+    slabs: B,
+    /// The distance of the best hit, or the ray's end, as the box test takes it.
+    limit: Real<K>,
+    t: Real<K>,
+    prim: u32,
+    /// Where the best hit's triangle is in the hierarchy.
+    place: usize,
 }
 
 /// No triangle has this index, and every hit up to the ray's end comes before it.
 const NO_PRIM: u32 = u32::MAX;
 
-impl<'a, const ANY: bool> Search<'a, ANY> {
+impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> Search<'a, K, B, ANY> {
     /// Prepares a query.
     #[inline]
-    pub fn new(bvh: &'a Bvh, ray: &Ray) -> Self {
-        let best = Hit { prim: NO_PRIM, t: ray.tmax(), u: 0.0, v: 0.0 };
-        Self { bvh, ray: *ray, slabs: RaySlabs::new(ray), best }
+    pub fn new(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>) -> Self {
+        let (region, t) = (bvh.region(), ray.tmax());
+        let slabs = B::new(ray, region);
+        Self { bvh, kernel: K::new(ray, region), slabs, limit: slabs.limit(t), t, prim: NO_PRIM, place: 0 }
     }
 
     /// The hit, after the traversal: the closest, or with `ANY` the first that was met.
+    pub fn hit(&self) -> Option<Hit<Real<K>>> {
+        let (prim, mut t) = self.found()?;
+        let shape = &self.bvh.triangles()[self.place].shape;
+        if ANY {
+            t = self.kernel.distance(shape, Real::<K>::INFINITY)?;
+        }
+        let [u, v] = self.kernel.weights(shape);
+        Some(Hit { prim, t, u, v })
+    }
+
+    /// Triangle and distance of the [`hit`](Self::hit), without the rest. With `ANY` the distance means nothing.
     #[inline]
-    pub fn hit(&self) -> Option<Hit> {
-        (self.best.prim != NO_PRIM).then_some(self.best)
+    pub fn found(&self) -> Option<(u32, Real<K>)> {
+        (self.prim != NO_PRIM).then_some((self.prim, self.t))
     }
 }
 
-impl<const ANY: bool> Visitor for Search<'_, ANY> {
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> Visitor for Search<'_, K, B, ANY> {
     #[inline(always)]
     fn inner(&mut self, node: Node) -> Descent {
         let planes = &self.bvh.node(node.index()).planes;
-        let ([left, right], [near_left, near_right]) = self.slabs.pair(planes, self.best.t);
+        let ([left, right], [near_left, near_right]) = self.slabs.pair(planes, self.limit);
         Descent::new(left, right, near_right < near_left)
     }
 
     #[inline]
     fn leaf(&mut self, node: Node) -> Flow {
-        for leaf in self.bvh.leaf_triangles(node) {
-            if let Some(hit) = leaf.triangle.intersect(&self.ray, &self.slabs) {
-                let hit = Hit { prim: leaf.prim, t: hit.t, u: hit.u, v: hit.v };
-                if hit.is_before(&self.best) {
-                    self.best = hit;
-                    if ANY {
-                        return Flow::Stop;
-                    }
+        let range = self.bvh.leaf_range(node);
+        for (place, held) in range.clone().zip(&self.bvh.triangles()[range]) {
+            if ANY {
+                if self.kernel.blocks(&held.shape) {
+                    (self.prim, self.place) = (held.prim, place);
+                    return Flow::Stop;
+                }
+            } else if let Some(t) = self.kernel.distance(&held.shape, self.t) {
+                // The order of hits: by distance, then by triangle.
+                if t < self.t || t == self.t && held.prim < self.prim {
+                    (self.t, self.prim, self.place) = (t, held.prim, place);
+                    self.limit = self.slabs.limit(t);
                 }
             }
         }
@@ -72,27 +98,32 @@ impl<const ANY: bool> Visitor for Search<'_, ANY> {
 
 /// A [`Search`] for the traversals that test a node at its own visit.
 #[derive(Clone, Debug)]
-pub struct NodeSearch<'a, const ANY: bool> {
-    search: Search<'a, ANY>,
+pub struct NodeSearch<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> {
+    search: Search<'a, K, B, ANY>,
     boxes: &'a [Aabb],
 }
 
-impl<'a, const ANY: bool> NodeSearch<'a, ANY> {
+impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> NodeSearch<'a, K, B, ANY> {
     /// Prepares a query. `boxes` must be the tree's [`own_boxes`](Bvh::own_boxes).
     #[inline]
-    pub fn new(bvh: &'a Bvh, boxes: &'a [Aabb], ray: &Ray) -> Self {
+    pub fn new(bvh: &'a Bvh<K::Shape>, boxes: &'a [Aabb], ray: &Ray<K::Vector>) -> Self {
         Self { search: Search::new(bvh, ray), boxes }
     }
 
-    /// The hit, after the traversal: the closest, or with `ANY` the first that was met.
-    #[inline]
-    pub fn hit(&self) -> Option<Hit> {
+    /// As [`Search::hit`].
+    pub fn hit(&self) -> Option<Hit<Real<K>>> {
         self.search.hit()
+    }
+
+    /// As [`Search::found`].
+    #[inline]
+    pub fn found(&self) -> Option<(u32, Real<K>)> {
+        self.search.found()
     }
 }
 
 /// The search itself: both forms of the query in one type, for traversals that are chosen when the program runs.
-impl<const ANY: bool> Visitor for NodeSearch<'_, ANY> {
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> Visitor for NodeSearch<'_, K, B, ANY> {
     #[inline(always)]
     fn inner(&mut self, node: Node) -> Descent {
         self.search.inner(node)
@@ -104,11 +135,11 @@ impl<const ANY: bool> Visitor for NodeSearch<'_, ANY> {
     }
 }
 
-impl<const ANY: bool> NodeTest for NodeSearch<'_, ANY> {
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> NodeTest for NodeSearch<'_, K, B, ANY> {
     #[inline]
     fn accept(&mut self, node: Node) -> bool {
-        let Search { bvh, slabs, best, .. } = &self.search;
-        slabs.one(&self.boxes[bvh.slot(node)], best.t).is_some()
+        let Search { bvh, slabs, limit, .. } = &self.search;
+        slabs.one(&self.boxes[bvh.slot(node)], *limit).is_some()
     }
 
     #[inline]

@@ -1,8 +1,9 @@
 use super::*;
 use crate::bvh::{Bvh, SahOptions};
 use crate::geom::Aabb;
+use crate::geom::Ray;
 use crate::order::{ByNode, Flow, LeftFirst, SignOrder, Visitor};
-use crate::scene::procedural;
+use crate::scene::{Mesh, procedural};
 use crate::tree::{Node, Topology};
 
 /// The traversal that all others are measured by.
@@ -35,9 +36,9 @@ fn trees(mesh: &Mesh) -> Vec<Bvh> {
 fn compare(mesh: &Mesh, rays: usize) {
     let trees: Vec<_> = trees(mesh).into_iter().map(|bvh| (bvh.own_boxes(), bvh)).collect();
     let mut hits = 0;
-    let rays = procedural::rays(mesh, 3, rays);
+    let (truth, rays) = (Truth::new(mesh), procedural::rays(mesh, 3, rays));
     for ray in &rays {
-        let truth = bits(brute_force(mesh, ray));
+        let truth = bits(truth.closest(ray).map(|hit| hit.rounded()));
         hits += usize::from(truth.is_some());
         for (boxes, bvh) in &trees {
             compare_on_tree(bvh, boxes, ray, truth);

@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use stackless_bvh::geom::{Ray, RaySlabs, Triangle};
+use stackless_bvh::geom::Ray;
 use stackless_bvh::scene::{self, Mesh, procedural};
-use stackless_bvh::trace::{Hit, brute_force};
+use stackless_bvh::trace::{Hit, Truth};
 use stackless_bvh::traverse::Method;
 
 use super::support::{Folder, data, stackless};
@@ -53,20 +53,22 @@ fn trace(scene: &Path, rays: &[Ray], args: &str) -> Vec<Option<Hit>> {
 }
 
 fn assert_true(mesh: &Mesh, scene: &Path, rays: &[Ray], methods: &[Method]) {
-    let truth: Vec<_> = rays.iter().map(|ray| brute_force(mesh, ray)).collect();
-    assert!(truth.iter().any(Option::is_some) && truth.iter().any(Option::is_none));
+    let truth = Truth::new(mesh);
+    let closest_hits: Vec<_> = rays.iter().map(|ray| truth.closest(ray).map(|hit| hit.rounded())).collect();
+    assert!(closest_hits.iter().any(Option::is_some) && closest_hits.iter().any(Option::is_none));
     for method in methods {
         let closest = trace(scene, rays, &format!("--method {method}"));
-        for ((ray, expected), found) in rays.iter().zip(&truth).zip(&closest) {
+        for ((ray, expected), found) in rays.iter().zip(&closest_hits).zip(&closest) {
             assert_eq!(found.map(bits), expected.map(bits), "{method}: {ray:?}");
         }
         let any = trace(scene, rays, &format!("--any --method {method}"));
-        for ((ray, expected), found) in rays.iter().zip(&truth).zip(&any) {
+        for ((ray, expected), found) in rays.iter().zip(&closest_hits).zip(&any) {
             assert_eq!(found.is_some(), expected.is_some(), "{method}: {ray:?}");
             // Not the closest, but a hit of the triangle that it names.
             if let Some(hit) = *found {
-                let own = Triangle(mesh.triangle(hit.prim as usize)).intersect(ray, &RaySlabs::new(ray)).unwrap();
-                assert_eq!(bits(hit), bits(Hit { prim: hit.prim, t: own.t, u: own.u, v: own.v }), "{method}: {ray:?}");
+                let all = truth.all(ray);
+                let own = all.iter().find(|own| own.prim == hit.prim).unwrap();
+                assert_eq!(bits(hit), bits(own.rounded()), "{method}: {ray:?}");
             }
         }
     }

@@ -12,6 +12,7 @@ use stackless_bvh::check::{
 use stackless_bvh::generate::Family;
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::scene::procedural;
+use stackless_bvh::trace::Truth;
 use stackless_bvh::traverse::{Method, WordName};
 
 use crate::Outcome;
@@ -125,15 +126,14 @@ fn check_one_scene(
     count: usize,
     total: &mut Total,
 ) -> Result<(), Box<dyn std::error::Error>> {
-    // Testing all triangles is for as many rays as 200 million tests allow.
-    let sample = (200_000_000 / scene.mesh.triangles().len()).clamp(1, count.max(1));
+    let truth = Truth::new(&scene.mesh);
     let rays = procedural::rays(&scene.mesh, plan.seed, count);
     let trees =
         [("surface area", Bvh::sah(&scene.mesh, SahOptions::default())?), ("median", Bvh::median(&scene.mesh, 4)?)];
     for (kind, bvh) in &trees {
         let progress = bar(rays.len() as u64, &scene.name);
-        let tree = SceneTree::new(&scene.mesh, bvh);
-        let (tally, found) = check_scene(plan, &tree, &rays, sample, &|done| progress.inc(done));
+        let tree = SceneTree::new(&truth, bvh);
+        let (tally, found) = check_scene(plan, &tree, &rays, &|done| progress.inc(done));
         progress.finish_and_clear();
         if let Some(found) = found {
             print_scene(&scene.name, kind, &found);

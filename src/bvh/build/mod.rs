@@ -11,7 +11,7 @@ pub use sah::SahOptions;
 use glam::{Vec3, Vec3A};
 
 use super::{Bvh, BvhNode, Leaf, LeafTriangle};
-use crate::geom::{Aabb, Triangle};
+use crate::geom::{Aabb, Region, Triangle};
 use crate::scene::Mesh;
 use crate::tree::{Node, Recorded};
 
@@ -78,11 +78,17 @@ struct Pending {
     parent: Option<(usize, usize)>,
 }
 
+/// All triangles that can be hit. No ray meets a degenerate one, so those are left out.
 fn items(mesh: &Mesh) -> Result<Vec<Item>, BuildError> {
     match mesh.triangles().len() {
         0 => Err(BuildError::Empty),
         n if n > Node::MAX_INDEX as usize => Err(BuildError::TooManyTriangles(n)),
-        n => Ok((0..n).map(|i| Item::new(mesh.triangle(i), i as u32)).collect()),
+        n => {
+            let item = |i: usize| Item::new(mesh.triangle(i), i as u32);
+            let items: Vec<_> = (0..n).filter(|&i| !Triangle(mesh.triangle(i)).is_degenerate()).map(item).collect();
+            // A tree has at least one leaf, even if nothing can be hit.
+            Ok(if items.is_empty() { vec![item(0)] } else { items })
+        }
     }
 }
 
@@ -91,8 +97,10 @@ fn build(mesh: &Mesh, mut items: Vec<Item>, mut cut: impl FnMut(&mut [Item], u32
     let mut bvh = Bvh {
         root: Node::leaf(0),
         depth: 0,
+        dropped: mesh.triangles().len() - items.len(),
         recorded: Recorded::Nothing,
         bounds: Aabb::EMPTY,
+        region: Region::of(&Aabb::EMPTY),
         nodes: Vec::new(),
         axes: Vec::new(),
         leaves: Vec::new(),
@@ -115,10 +123,9 @@ fn build(mesh: &Mesh, mut items: Vec<Item>, mut cut: impl FnMut(&mut [Item], u32
             let leaf = Leaf { first, count: range.len() as u32, links: [Node::leaf(0); 2] };
             bvh.leaves.push(leaf);
             bvh.triangles.extend(
-                range.iter().map(|item| LeafTriangle {
-                    triangle: Triangle(mesh.triangle(item.prim as usize)),
-                    prim: item.prim,
-                }),
+                range
+                    .iter()
+                    .map(|item| LeafTriangle { shape: Triangle(mesh.triangle(item.prim as usize)), prim: item.prim }),
             );
             Node::leaf(bvh.leaves.len() as u32 - 1)
         };

@@ -1,0 +1,54 @@
+//! Exact signs of edge functions.
+
+use glam::DVec3;
+
+use super::sum::{Sum, difference};
+
+/// A vector whose components are sums of two numbers.
+pub(super) type Pairs = [[f64; 2]; 3];
+
+/// a - b, exactly.
+pub(super) fn minus(a: DVec3, b: DVec3) -> Pairs {
+    [0, 1, 2].map(|k| difference(a[k], b[k]))
+}
+
+/// Adds d . (a x b), in up to 96 places.
+pub(super) fn add_edge<const N: usize>(sum: &mut Sum<N>, d: DVec3, a: &Pairs, b: &Pairs) {
+    for k in 0..3 {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        sum.add_product(a[i], b[j], d[k]);
+        sum.add_product(a[j], b[i], -d[k]);
+    }
+}
+
+fn edge(d: DVec3, a: &Pairs, b: &Pairs) -> f64 {
+    let mut sum = Sum::<96>::new();
+    add_edge(&mut sum, d, a, b);
+    sum.value()
+}
+
+/// Whether a line meets the closed triangle, in one point.
+///
+/// With A, B, C the corners as seen from the origin, the edge functions are d . (C x B), d . (A x C) and d . (B x A).
+/// None may differ in sign from another; all three are 0 only if the determinant, their sum, is.
+#[cold]
+#[inline(never)]
+pub(super) fn is_inside(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
+    let [a, b, c] = corners.map(|corner| minus(corner, o));
+    let edges = [edge(d, &c, &b), edge(d, &a, &c), edge(d, &b, &a)];
+    let (any_positive, any_negative) = (edges.iter().any(|&e| e > 0.0), edges.iter().any(|&e| e < 0.0));
+    any_positive != any_negative
+}
+
+/// Whether corners that are floats lie on a line: whether the cross product of two edges is 0, exactly.
+pub(in crate::geom) fn is_degenerate(&[v0, v1, v2]: &[DVec3; 3]) -> bool {
+    let (e1, e2) = (v1 - v0, v2 - v0);
+    let normal = e1.cross(e2);
+    // Four roundings in each product, and one of the difference: 5 u times 2 |e1| |e2|.
+    let bound = 8.0 * f64::EPSILON * e1.abs().max_element() * e2.abs().max_element();
+    if normal.abs().max_element() > bound {
+        return false;
+    }
+    let (e1, e2) = (minus(v1, v0), minus(v2, v0));
+    [DVec3::X, DVec3::Y, DVec3::Z].into_iter().all(|axis| edge(axis, &e1, &e2) == 0.0)
+}

@@ -1,0 +1,54 @@
+//! Triangle tests: whether a ray meets a triangle, and where.
+//!
+//! [`Exact`] gives the answer of rational arithmetic. The others are what renderers use, and leak or err in ways that
+//! `stackless accuracy` measures.
+
+mod affine;
+mod bounds;
+mod exact;
+mod moller;
+mod woop;
+
+pub use affine::{Affine, AffineTriangle};
+pub use bounds::{DETERMINANT, DISTANCE, EDGE, QUOTIENT, REGION};
+pub(super) use exact::is_degenerate;
+pub use exact::{Exact, ExactFromSingle, Sum};
+pub use moller::{Moller32, Moller64};
+pub use woop::Woop;
+
+use std::fmt::Debug;
+
+use super::{Ray, Real as _, Region, Triangle, Vector};
+
+/// A triangle test, and what it keeps of a ray.
+pub trait Kernel: Copy + Debug {
+    /// Positions and directions of the rays.
+    type Vector: Vector;
+    /// A triangle as the test wants it.
+    type Shape: Copy + Debug + From<Triangle<Self::Vector>>;
+
+    /// Prepares a ray. `region` must hold all triangles that it is asked about.
+    fn new(ray: &Ray<Self::Vector>, region: &Region) -> Self;
+
+    /// Distance along the ray, in lengths of its direction, at which it meets the triangle: from either side, edges and
+    /// corners and both ends of the ray's interval included. Degenerate triangles and those that the ray sees edge-on
+    /// are missed.
+    ///
+    /// A hit that is farther than `limit` may be left out.
+    fn distance(&self, shape: &Self::Shape, limit: Real<Self>) -> Option<Real<Self>>;
+
+    /// Whether the ray meets the triangle at all within its interval: [`distance`](Self::distance) without it.
+    #[inline]
+    fn blocks(&self, shape: &Self::Shape) -> bool {
+        self.distance(shape, Real::<Self>::INFINITY).is_some()
+    }
+
+    /// Weights of the second and of the third corner in the point where the ray's line meets the triangle, which it must.
+    fn weights(&self, shape: &Self::Shape) -> [Real<Self>; 2];
+}
+
+/// The numbers that a kernel takes and gives.
+pub type Real<K> = <<K as Kernel>::Vector as Vector>::Real;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,175 @@
+use glam::Vec3;
+use proptest::prelude::*;
+
+use super::*;
+use crate::geom::Aabb;
+use crate::geom::truth::{self, Meeting};
+
+const UNIT: Triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
+
+fn distance<K: Kernel<Vector = Vec3>>(triangle: Triangle, ray: &Ray) -> Option<f32> {
+    K::new(ray, &Region::of(&triangle.aabb())).distance(&triangle.into(), f32::INFINITY)
+}
+
+fn ray(o: [f32; 3], d: [f32; 3], tmin: f32, tmax: f32) -> Ray {
+    Ray::new(o.into(), d.into(), tmin, tmax).expect("a ray")
+}
+
+/// Runs a test for every kernel of single-precision rays.
+macro_rules! for_each_kernel {
+    ($test:ident) => {
+        mod $test {
+            #[test]
+            fn exact() {
+                super::$test::<super::Exact>();
+            }
+            #[test]
+            fn exact_from_single() {
+                super::$test::<super::ExactFromSingle>();
+            }
+            #[test]
+            fn moller_32() {
+                super::$test::<super::Moller32>();
+            }
+            #[test]
+            fn moller_64() {
+                super::$test::<super::Moller64>();
+            }
+            #[test]
+            fn woop() {
+                super::$test::<super::Woop>();
+            }
+            #[test]
+            fn affine() {
+                super::$test::<super::Affine>();
+            }
+        }
+    };
+}
+
+for_each_kernel!(edges_corners_and_both_sides_count);
+fn edges_corners_and_both_sides_count<K: Kernel<Vector = Vec3>>() {
+    for [x, y] in [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.5, 0.0], [0.0, 0.5], [0.5, 0.5], [0.25, 0.25]] {
+        for side in [1.0, -1.0] {
+            let ray = ray([x, y, -2.0 * side], [0.0, 0.0, side], 0.0, f32::INFINITY);
+            assert_eq!(distance::<K>(UNIT, &ray), Some(2.0));
+            let kernel = K::new(&ray, &Region::of(&UNIT.aabb()));
+            assert!(kernel.blocks(&UNIT.into()));
+            assert_eq!(kernel.weights(&UNIT.into()), [x, y]);
+        }
+    }
+    for [x, y] in [[-0.001, 0.5], [0.5, -0.001], [0.501, 0.501]] {
+        assert_eq!(distance::<K>(UNIT, &ray([x, y, -2.0], [0.0, 0.0, 1.0], 0.0, f32::INFINITY)), None);
+    }
+}
+
+for_each_kernel!(both_ends_of_the_interval_count);
+fn both_ends_of_the_interval_count<K: Kernel<Vector = Vec3>>() {
+    let within = |tmin, tmax| {
+        let ray = ray([0.25, 0.25, -2.0], [0.0, 0.0, 1.0], tmin, tmax);
+        let hit = distance::<K>(UNIT, &ray).is_some();
+        assert_eq!(K::new(&ray, &Region::of(&UNIT.aabb())).blocks(&UNIT.into()), hit);
+        hit
+    };
+    assert!(within(2.0, 2.0) && within(0.0, 2.0) && within(2.0, 9.0));
+    assert!(!within(0.0, 2.0f32.next_down()) && !within(2.0f32.next_up(), 9.0));
+    let behind = ray([0.25, 0.25, 1.0], [0.0, 0.0, 1.0], 0.0, f32::INFINITY);
+    assert!(distance::<K>(UNIT, &behind).is_none());
+}
+
+for_each_kernel!(flat_triangles_are_missed);
+fn flat_triangles_are_missed<K: Kernel<Vector = Vec3>>() {
+    let (point, line) = (Triangle([Vec3::X; 3]), Triangle([Vec3::ZERO, Vec3::X, Vec3::X * 2.0]));
+    for triangle in [point, line] {
+        assert_eq!(distance::<K>(triangle, &ray([1.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.0, f32::INFINITY)), None);
+    }
+    let edge_on = ray([-1.0, 0.25, 0.0], [1.0, 0.0, 0.0], 0.0, f32::INFINITY);
+    assert_eq!(distance::<K>(UNIT, &edge_on), None);
+}
+
+/// What rational arithmetic says.
+fn truth(Triangle(corners): Triangle, ray: &Ray) -> Option<f32> {
+    let meeting = truth::meet(corners.map(|v| v.to_array()), ray.origin().to_array(), ray.direction().to_array());
+    let Meeting::Hit(point) = meeting else { return None };
+    truth::holds([ray.tmin(), ray.tmax()], &point.t).then(|| truth::round_f32(&point.t))
+}
+
+/// Numbers of all magnitudes, and few enough others to meet again.
+fn number() -> impl Strategy<Value = f32> {
+    let few = [0.0, -0.0, 1.0, -1.0, 0.5, 3.0, f32::MAX, -f32::MAX, f32::MIN_POSITIVE, 1e-45, -1e-40];
+    prop_oneof![
+        4 => prop::sample::select(few.to_vec()),
+        2 => -2.0..2.0f32,
+        1 => any::<f32>().prop_filter("a number", |x| x.is_finite()),
+    ]
+}
+
+fn vector() -> impl Strategy<Value = Vec3> {
+    [number(), number(), number()].prop_map(Vec3::from)
+}
+
+/// A triangle, and a ray at a point with simple weights, so that edges and corners are often met or nearly so.
+fn aimed() -> impl Strategy<Value = (Triangle, Ray)> {
+    let weight = || prop_oneof![Just(0.0f32), Just(1.0), Just(0.5), 0.0..1.0f32, -0.1..1.1f32];
+    let tame = || [-2.0..2.0f32, -2.0..2.0f32, -2.0..2.0f32].prop_map(Vec3::from);
+    let integer = || [-9..10i8, -9..10i8, -9..10i8].prop_map(|p| Vec3::from(p.map(f32::from)));
+    let corners = prop_oneof![[tame(), tame(), tame()], [integer(), integer(), integer()]];
+    let scale = prop::sample::select(vec![1.0f32, 1e-3, 1e6, 1e-20, 1e20, 1e-37, 1e35]);
+    (corners, prop_oneof![tame(), integer()], weight(), weight(), scale, 0..5u8).prop_filter_map(
+        "not a ray",
+        |(corners, o, u, v, scale, end)| {
+            let ([a, b, c], o) = (corners.map(|corner| corner * scale), o * scale);
+            let target = a + (b - a) * u + (c - a) * (v * (1.0 - u));
+            let [tmin, tmax] =
+                [[0.0, f32::INFINITY], [0.0, 1.0], [1.0, 2.0], [0.0, 1.0f32.next_down()], [0.5, 1.0]][usize::from(end)];
+            Some((Triangle([a, b, c]), Ray::new(o, target - o, tmin, tmax).ok()?))
+        },
+    )
+}
+
+fn is_exact<K: Kernel<Vector = Vec3, Shape = Triangle>>(triangle: Triangle, ray: &Ray) -> Result<(), TestCaseError> {
+    let (truth, found) = (truth(triangle, ray), distance::<K>(triangle, ray));
+    prop_assert_eq!(found.map(f32::to_bits), truth.map(f32::to_bits), "{:?} instead of {:?}", found, truth);
+    // In a scene that is much greater, the bound for the scene is of no use, but right.
+    let scene = Region::of(&triangle.aabb().grow(Vec3::splat(1e30)));
+    prop_assert_eq!(K::new(ray, &scene).distance(&triangle, f32::INFINITY), truth);
+    prop_assert_eq!(K::new(ray, &scene).blocks(&triangle), truth.is_some());
+    if let Some(t) = truth {
+        let kernel = K::new(ray, &scene);
+        prop_assert_eq!(kernel.distance(&triangle, t), truth, "a limit of t itself is no reason to leave it out");
+        let Triangle(corners) = triangle;
+        let [o, d] = [ray.origin(), ray.direction()].map(|v| v.to_array());
+        let Meeting::Hit(point) = truth::meet(corners.map(|v| v.to_array()), o, d) else { unreachable!() };
+        prop_assert_eq!(kernel.weights(&triangle), [&point.u, &point.v].map(truth::round_f32));
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+    #[test]
+    fn exact_is_exact_for_aimed_rays((triangle, ray) in aimed()) {
+        is_exact::<Exact>(triangle, &ray)?;
+        is_exact::<ExactFromSingle>(triangle, &ray)?;
+    }
+
+    #[test]
+    fn exact_is_exact_for_wild_numbers(corners in [vector(), vector(), vector()], o in vector(), d in vector()) {
+        if let Ok(ray) = Ray::new(o, d, 0.0, f32::INFINITY) {
+            is_exact::<Exact>(Triangle(corners), &ray)?;
+            is_exact::<ExactFromSingle>(Triangle(corners), &ray)?;
+        }
+    }
+}
+
+#[test]
+fn the_box_of_doubles_holds_them() {
+    let (a, b) = (glam::DVec3::new(0.1, -0.1, 1e300), glam::DVec3::new(1.0, 1e-300, -1e300));
+    let Aabb { lo, hi } = Triangle([a, b, a]).aabb();
+    assert_eq!((lo.z, hi.z), (f32::NEG_INFINITY, f32::INFINITY));
+    for p in [a, b] {
+        assert!(lo.as_dvec3().cmple(p).all() && p.cmple(hi.as_dvec3()).all(), "{lo} {p} {hi}");
+    }
+    assert_eq!((lo.x, hi.x), (0.1f32.min(0.099_999_994), 1.0));
+}

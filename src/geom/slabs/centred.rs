@@ -1,0 +1,64 @@
+//! The textbook's slab test, with one reciprocal for both planes of an axis.
+
+use glam::{Vec3, Vec4, Vec4Swizzles};
+
+use super::{Slabs, near_and_far, twice};
+use crate::geom::{Aabb, Ray, Region};
+
+/// The slab test as it is usually written (Kay & Kajiya 1986; Williams et al. 2005): fast, and it leaks.
+///
+/// The distance to a plane takes three roundings, so a ray through an edge or a corner of a box may miss it.
+pub type Plain = Centred<false>;
+
+/// [`Plain`] with the near distance moved down and the far distance up by 6 units of 2^-24 each (after Ize 2013, "Robust
+/// BVH ray traversal", whose one-sided 2 ulps are not enough). `[BOX-5]`
+///
+/// It skips no box that the ray touches if coordinates are at most 2^126, `|b - o| >= 2^-100` or `b = o` for each
+/// plane `b` and the origin `o`, and the direction has a greatest component between 1 and 2 and others that are 0 or
+/// at least 2^-126.
+pub type TwoSided = Centred<true>;
+
+/// [`Plain`] or [`TwoSided`].
+#[derive(Clone, Copy, Debug)]
+pub struct Centred<const PADDED: bool> {
+    // Each component in all four lanes.
+    origin: [Vec4; 3],
+    inverse: [Vec4; 3],
+    tmin: f32,
+}
+
+impl<const PADDED: bool> Centred<PADDED> {
+    /// 1 - 6u and 1 + 6u with u = 2^-24; both are floats.
+    const DOWN: f32 = if PADDED { 1.0 - 3.0 * f32::EPSILON } else { 1.0 };
+    const UP: f32 = if PADDED { 1.0 + 3.0 * f32::EPSILON } else { 1.0 };
+}
+
+impl<const PADDED: bool> Slabs for Centred<PADDED> {
+    type Vector = Vec3;
+
+    #[inline]
+    fn new(ray: &Ray, _: &Region) -> Self {
+        let inverse = ray.direction().recip();
+        // Positive infinity, of -0 too: then an origin on a plane makes a NaN only where it is dropped.
+        let inverse = Vec3::select(inverse.is_finite_mask(), inverse, Vec3::INFINITY);
+        Self {
+            origin: ray.origin().to_array().map(Vec4::splat),
+            inverse: inverse.to_array().map(Vec4::splat),
+            tmin: ray.tmin(),
+        }
+    }
+
+    #[inline]
+    fn one(&self, aabb: &Aabb, limit: f32) -> Option<f32> {
+        let ([hit, _], [near, _]) = self.pair(&twice(aabb), limit);
+        hit.then_some(near)
+    }
+
+    #[inline(always)]
+    fn pair(&self, planes: &[[f32; 4]; 3], limit: f32) -> ([bool; 2], [f32; 2]) {
+        let [near, far] = near_and_far(planes, &self.origin, &self.inverse, self.tmin, limit);
+        let (near, far) = if PADDED { (near * Self::DOWN, far * Self::UP) } else { (near, far) };
+        let hit = near.cmple(far.yxwz()).bitmask();
+        ([hit & 1 != 0, hit & 4 != 0], [near.x, near.z])
+    }
+}

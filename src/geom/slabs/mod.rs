@@ -1,0 +1,92 @@
+//! Slab tests: whether a ray, up to its current end, meets a box.
+//!
+//! A box is skipped if the test says so, and then all triangles in it are. So what counts is that no box is skipped
+//! which the exact, closed interval of the ray touches. [`Plain`] does not promise it and leaks; [`TwoSided`] does for
+//! most rays; [`Directed`] does for every ray that [`Ray`] admits. Derivations: spec/exactness.md, `[BOX-1]` to
+//! `[BOX-6]`.
+//!
+//! All forms are monotone under nesting: of two boxes, one in the other, the inner is not entered before the outer,
+//! for any ray. And `one` and `pair` do the same operations on the same numbers, so that they agree in every bit.
+
+mod centred;
+mod directed;
+mod wide;
+
+pub use centred::{Centred, Plain, TwoSided};
+pub use directed::Directed;
+pub use wide::Wide;
+
+use std::fmt::Debug;
+
+use glam::{Vec4, Vec4Swizzles};
+
+use super::{Aabb, Ray, Region, Vector};
+
+/// What a slab test keeps of a ray.
+pub trait Slabs: Copy + Debug {
+    /// Positions and directions of the rays.
+    type Vector: Vector;
+
+    /// Prepares a ray. `region` must hold all boxes that it is asked about.
+    fn new(ray: &Ray<Self::Vector>, region: &Region) -> Self;
+
+    /// The end of the ray as [`one`](Self::one) and [`pair`](Self::pair) take it: `t` in the unit of the test, and not
+    /// less than it.
+    #[inline]
+    fn limit(&self, t: Real<Self>) -> Real<Self> {
+        t
+    }
+
+    /// Where the ray enters a box, in the unit of the test and not later than it does; `None` if it misses the box.
+    fn one(&self, aabb: &Aabb, limit: Real<Self>) -> Option<Real<Self>>;
+
+    /// Two boxes at once: which are hit, and where each is entered (meaningless where missed).
+    ///
+    /// `planes` holds for each axis lo and hi of the first box, then lo and hi of the second (Aila & Laine 2009).
+    fn pair(&self, planes: &[[f32; 4]; 3], limit: Real<Self>) -> ([bool; 2], [Real<Self>; 2]);
+}
+
+/// The numbers that a slab test calculates with.
+pub type Real<B> = <<B as Slabs>::Vector as Vector>::Real;
+
+/// Planes of one box in the places of both.
+#[inline]
+fn twice(aabb: &Aabb) -> [[f32; 4]; 3] {
+    [0, 1, 2].map(|axis| [aabb.lo[axis], aabb.hi[axis], aabb.lo[axis], aabb.hi[axis]])
+}
+
+/// Where two boxes are entered (even lanes) and left (odd lanes), from `tmin` to `limit`, each plane's distance being
+/// `(plane - origin) * inverse`.
+///
+/// A plane through the origin of a ray that runs along it gives 0 times infinity, a NaN. The order of operands drops
+/// it: then the plane does not bound the ray.
+#[inline(always)]
+fn near_and_far(planes: &[[f32; 4]; 3], origin: &[Vec4; 3], inverse: &[Vec4; 3], tmin: f32, limit: f32) -> [Vec4; 2] {
+    let (mut near, mut far) = (Vec4::splat(tmin), Vec4::splat(limit));
+    for axis in 0..3 {
+        let t = (Vec4::from_array(planes[axis]) - origin[axis]) * inverse[axis];
+        let other = t.yxwz();
+        // In the even lanes `t` is of lo and `other` of hi; there only `near` is used, in the odd lanes only `far`.
+        near = greater(lesser(other, t), near);
+        far = lesser(greater(other, t), far);
+    }
+    [near, far]
+}
+
+/// The lesser number in each lane; that of `b` if either is a NaN.
+///
+/// This is what SSE's instruction does, and so `Vec4::min` where it stands for that; elsewhere `Vec4::min` leaves open
+/// what becomes of a NaN. Written with comparisons only, LLVM merges the four operations of an axis into slower ones.
+#[inline(always)]
+fn lesser(a: Vec4, b: Vec4) -> Vec4 {
+    if cfg!(all(target_arch = "x86_64", target_feature = "sse2")) { a.min(b) } else { Vec4::select(a.cmplt(b), a, b) }
+}
+
+/// The greater number in each lane; that of `b` if either is a NaN.
+#[inline(always)]
+fn greater(a: Vec4, b: Vec4) -> Vec4 {
+    if cfg!(all(target_arch = "x86_64", target_feature = "sse2")) { a.max(b) } else { Vec4::select(a.cmpgt(b), a, b) }
+}
+
+#[cfg(test)]
+mod tests;

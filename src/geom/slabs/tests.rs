@@ -1,0 +1,137 @@
+use glam::{DVec3, Vec3};
+use proptest::prelude::*;
+
+use super::*;
+use crate::geom::truth;
+
+/// Few values, so that planes, origins and each other often coincide, and some extreme ones.
+fn coordinate() -> impl Strategy<Value = f32> {
+    let few = [0.0, -0.0, 1.0, -1.0, 2.0, 0.1, -3.0, 1e-20, 1e30, -1e38, f32::MAX, 1e-42, -1e-42, 1e-45];
+    prop_oneof![3 => prop::sample::select(few.to_vec()), 1 => -4.0..4.0f32]
+}
+
+fn point() -> impl Strategy<Value = Vec3> {
+    [coordinate(), coordinate(), coordinate()].prop_map(Vec3::from)
+}
+
+fn aabb() -> impl Strategy<Value = Aabb> {
+    (point(), point()).prop_map(|(a, b)| Aabb::of(&[a, b]))
+}
+
+fn ray() -> impl Strategy<Value = Ray> {
+    let end = || prop_oneof![Just(0.0), Just(f32::INFINITY), Just(1.0), 0.0..4.0f32, coordinate().prop_map(f32::abs)];
+    (point(), point(), end(), end()).prop_filter_map("not a ray", |(o, d, a, b)| Ray::new(o, d, a, b).ok())
+}
+
+/// A ray and a box in the grid of small integers, where a ray often runs in a face or through an edge or corner.
+fn lattice() -> impl Strategy<Value = (Ray, Aabb)> {
+    let small = || [-2..3i8, -2..3i8, -2..3i8].prop_map(|p| Vec3::from(p.map(f32::from)));
+    (small(), small(), small(), small()).prop_filter_map("no direction", |(o, d, a, b)| {
+        Some((Ray::new(o, d, 0.0, f32::INFINITY).ok()?, Aabb::of(&[a, b])))
+    })
+}
+
+fn planes(boxes: [Aabb; 2]) -> [[f32; 4]; 3] {
+    let [a, b] = boxes;
+    [0, 1, 2].map(|axis| [a.lo[axis], a.hi[axis], b.lo[axis], b.hi[axis]])
+}
+
+fn touches(ray: &Ray, aabb: &Aabb) -> bool {
+    let [o, d, lo, hi] = [ray.origin(), ray.direction(), aabb.lo, aabb.hi].map(|v| v.to_array());
+    truth::touches(o, d, [ray.tmin(), ray.tmax()], lo, hi)
+}
+
+/// Everything that a form must do for every ray.
+fn one_and_pair_agree_and_nest<B: Slabs<Vector = Vec3>>(ray: &Ray, a: Aabb, more: Aabb) -> Result<(), TestCaseError> {
+    let outer = a.union(more);
+    let slabs = B::new(ray, &Region::of(&outer));
+    let limit = slabs.limit(ray.tmax());
+    let (hits, nears) = slabs.pair(&planes([a, outer]), limit);
+    for (i, aabb) in [a, outer].iter().enumerate() {
+        let one = slabs.one(aabb, limit);
+        prop_assert_eq!(hits[i], one.is_some());
+        prop_assert!(one.is_none_or(|near| near.to_bits() == nears[i].to_bits()));
+    }
+    prop_assert!(!hits[0] || hits[1] && nears[1] <= nears[0], "{nears:?}");
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+    #[test]
+    fn all_forms_agree_with_themselves_and_nest(ray in ray(), a in aabb(), b in aabb()) {
+        one_and_pair_agree_and_nest::<Plain>(&ray, a, b)?;
+        one_and_pair_agree_and_nest::<TwoSided>(&ray, a, b)?;
+        one_and_pair_agree_and_nest::<Directed>(&ray, a, b)?;
+    }
+
+    #[test]
+    fn touched_boxes_are_hit(ray in ray(), aabb in aabb()) {
+        let slabs = Directed::new(&ray, &Region::of(&aabb));
+        let hit = slabs.one(&aabb, slabs.limit(ray.tmax())).is_some();
+        prop_assert!(hit || !touches(&ray, &aabb));
+        let [o, d] = [ray.origin(), ray.direction()].map(Vec3::as_dvec3);
+        let wide = Ray::new(o, d, ray.tmin().into(), ray.tmax().into()).expect("a ray");
+        let hit = Wide::new(&wide, &Region::of(&aabb)).one(&aabb, wide.tmax()).is_some();
+        prop_assert!(hit || !touches(&ray, &aabb));
+    }
+
+    #[test]
+    fn no_other_box_of_the_lattice_is((ray, aabb) in lattice()) {
+        // Distances differ by a thirtieth or more here, so that padding hits nothing that is not touched.
+        let slabs = Directed::new(&ray, &Region::of(&aabb));
+        prop_assert_eq!(slabs.one(&aabb, slabs.limit(f32::INFINITY)).is_some(), touches(&ray, &aabb));
+        let two_sided = TwoSided::new(&ray, &Region::of(&aabb));
+        prop_assert_eq!(two_sided.one(&aabb, f32::INFINITY).is_some(), touches(&ray, &aabb));
+    }
+
+    #[test]
+    fn a_box_is_hit_by_rays_that_end_where_they_enter_it(ray in ray(), aabb in aabb()) {
+        // The end is rounded as the distance of a hit is, perhaps down.
+        let [o, d, lo, hi] = [ray.origin(), ray.direction(), aabb.lo, aabb.hi].map(|v| v.to_array());
+        if let Some(entry) = truth::entry(o, d, [ray.tmin(), ray.tmax()], lo, hi) {
+            let t = truth::round_f32(&entry);
+            let slabs = Directed::new(&ray, &Region::of(&aabb));
+            prop_assert!(slabs.one(&aabb, slabs.limit(t)).is_some(), "{t}");
+        }
+    }
+
+    #[test]
+    fn a_box_is_hit_by_rays_at_its_corners(
+        corner in [-2047..2048i32, -2047..2048i32, -2047..2048i32],
+        d in [1..2048i32, 1..2048i32, 1..2048i32],
+        s in 1..2048i32,
+    ) {
+        // All of these numbers are exact. The box is met in one point, beyond the first of its planes.
+        let [corner, d] = [corner, d].map(|p| Vec3::from(p.map(|x| x as f32)));
+        let ray = Ray::new(corner - d * s as f32, d, 0.0, f32::INFINITY).expect("a ray");
+        let aabb = Aabb::of(&[corner, corner + Vec3::new(9.0, -9.0, 9.0)]);
+        let region = Region::of(&aabb);
+        prop_assert!(Directed::new(&ray, &region).one(&aabb, f32::INFINITY).is_some());
+        prop_assert!(TwoSided::new(&ray, &region).one(&aabb, f32::INFINITY).is_some());
+    }
+}
+
+/// A ray that touches the box in one edge, and that padding by 4 units of 2^-24 on one side misses.
+#[test]
+fn padding_suffices_where_2_ulps_do_not() {
+    let point = |bits: [u32; 3]| Vec3::from(bits.map(f32::from_bits));
+    let (o, d) = (point([0x33fd_9472, 0xb3f2_3a88, 0]), point([0x3feb_b676, 0x3ffe_1fe8, 0]));
+    let lo = Vec3::new(f32::from_bits(0x4000_4c97), -1.0, -1.0);
+    let hi = Vec3::new(9.0, f32::from_bits(0x400a_5221), 1.0);
+    let (ray, aabb) = (Ray::new(o, d, 0.0, f32::INFINITY).expect("a ray"), Aabb { lo, hi });
+    let region = Region::of(&aabb);
+    assert!(Plain::new(&ray, &region).one(&aabb, f32::INFINITY).is_none());
+    assert!(TwoSided::new(&ray, &region).one(&aabb, f32::INFINITY).is_some());
+    assert!(Directed::new(&ray, &region).one(&aabb, f32::INFINITY).is_some());
+}
+
+#[test]
+fn rays_in_double_precision_beyond_its_range_skip_nothing() {
+    let aabb = Aabb { lo: Vec3::ZERO, hi: Vec3::ONE };
+    for (o, d) in [(DVec3::splat(1e300), DVec3::X), (DVec3::splat(-1.0), DVec3::splat(1e-300))] {
+        let ray = Ray::new(o, d, 0.0, f64::INFINITY).expect("a ray");
+        assert!(Wide::new(&ray, &Region::of(&aabb)).one(&aabb, f64::INFINITY).is_some());
+    }
+}

@@ -1,0 +1,70 @@
+//! The slab test in double precision.
+
+use glam::DVec3;
+
+use super::directed::{FAR, NEAR};
+use super::{Slabs, twice};
+use crate::geom::{Aabb, Ray, Region};
+
+/// Half of the distance from 1 to the next double.
+const UNIT: f64 = f64::EPSILON / 2.0;
+
+/// As [`Directed`](super::Directed), in double precision: for rays in double precision, and for those in single
+/// precision that [`Directed`](super::Directed) cannot take. `[BOX-6]`
+///
+/// With rays in single precision nothing over- or underflows, so that every ray is served. For rays in double
+/// precision whose coordinates or direction leave 2^-400 to 2^400, no box is skipped.
+#[derive(Clone, Copy, Debug)]
+pub struct Wide {
+    origin: DVec3,
+    /// Reciprocals for lo and for hi.
+    inverse: [DVec3; 2],
+    tmin: f64,
+    skips: bool,
+}
+
+impl Wide {
+    /// Prepares a ray whose numbers are within the range for which the test skips boxes.
+    pub(super) fn of(origin: DVec3, direction: DVec3, tmin: f64) -> Self {
+        // Without -0, a component of 0 has the reciprocal +inf.
+        let inverse = (direction + 0.0).recip();
+        let (near, far) = (inverse * (1.0 - NEAR * UNIT), inverse * (1.0 + FAR * UNIT));
+        let backward = direction.cmplt(DVec3::ZERO);
+        let inverse = [DVec3::select(backward, far, near), DVec3::select(backward, near, far)];
+        Self { origin, inverse, tmin, skips: true }
+    }
+}
+
+impl Slabs for Wide {
+    type Vector = DVec3;
+
+    fn new(ray: &Ray<DVec3>, _: &Region) -> Self {
+        let usual = |x: f64| x == 0.0 || (2f64.powi(-400)..=2f64.powi(400)).contains(&x.abs());
+        let (origin, direction) = (ray.origin().to_array(), ray.direction().to_array());
+        let skips = origin.into_iter().chain(direction).chain([ray.tmin()]).all(usual);
+        Self { skips, ..Self::of(ray.origin(), ray.direction(), ray.tmin()) }
+    }
+
+    #[inline]
+    fn one(&self, aabb: &Aabb, limit: f64) -> Option<f64> {
+        let ([hit, _], [near, _]) = self.pair(&twice(aabb), limit);
+        hit.then_some(near)
+    }
+
+    #[inline]
+    fn pair(&self, planes: &[[f32; 4]; 3], limit: f64) -> ([bool; 2], [f64; 2]) {
+        let (mut near, mut far) = ([self.tmin; 2], [limit; 2]);
+        for axis in 0..3 {
+            let [lo, hi] = self.inverse.map(|inverse| inverse[axis]);
+            for side in 0..2 {
+                let t1 = (f64::from(planes[axis][2 * side]) - self.origin[axis]) * lo;
+                let t2 = (f64::from(planes[axis][2 * side + 1]) - self.origin[axis]) * hi;
+                // A NaN is dropped, as in the other forms.
+                let (first, last) = (if t2 < t1 { t2 } else { t1 }, if t1 > t2 { t1 } else { t2 });
+                near[side] = if first > near[side] { first } else { near[side] };
+                far[side] = if last < far[side] { last } else { far[side] };
+            }
+        }
+        ([0, 1].map(|side| !self.skips || near[side] <= far[side]), near)
+    }
+}

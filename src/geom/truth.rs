@@ -1,0 +1,241 @@
+//! The truth about lines, triangles and boxes, in rational arithmetic: slow, and without rounding.
+//!
+//! Finite floats are rational numbers; they are taken as they are. [`meet`] says where a line meets a triangle,
+//! [`touches`] and [`entry`] whether and where a ray's interval meets a box, and [`round_f32`] and [`round_f64`] which
+//! float the true value becomes. The kernels and slab tests of this crate are judged by these.
+//!
+//! # Integers
+//!
+//! All floats of one question are multiplied by one power of two that makes them integers, positions and direction
+//! alike. The signs and the quotients that answer the question do not change: the polynomials of the triangle test
+//! are all of degree three, and the distances to the planes of a box are quotients of two lengths.
+
+pub use dashu_ratio::RBig;
+
+use dashu_int::{IBig, Sign};
+use dashu_ratio::Relaxed;
+
+/// A float that is taken exactly: `f32` or `f64`.
+pub trait Number: Copy + Into<f64> + sealed::Sealed {}
+
+impl Number for f32 {}
+impl Number for f64 {}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+/// How a line and a triangle meet.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Meeting {
+    /// The line crosses the plane of the triangle outside of it.
+    Miss,
+    /// The line is parallel to the plane, or in it, or the triangle has no area, or the direction is zero: the
+    /// determinant is 0. Counted as a miss.
+    Coplanar,
+    /// The line crosses the triangle, its edges and corners included.
+    Hit(Point),
+}
+
+/// Where a line crosses a triangle.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Point {
+    /// On which part of the triangle.
+    pub place: Place,
+    /// Distance from the origin in lengths of the direction, of either sign.
+    pub t: RBig,
+    /// Weight of the second corner, 0 to 1.
+    pub u: RBig,
+    /// Weight of the third corner, 0 to 1; with `u` at most 1.
+    pub v: RBig,
+}
+
+/// The part of a triangle that a point is on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Place {
+    /// Not on the boundary.
+    Interior,
+    /// On an edge, between its ends.
+    Edge,
+    /// At a corner.
+    Vertex,
+}
+
+/// Where the line `origin + t direction` meets a triangle, given by its corners; `t` may have either sign.
+///
+/// The polynomials are those of Möller & Trumbore 1997, "Fast, minimum storage ray/triangle intersection", section 2,
+/// with no culling. With a number that is not finite there is no triangle or no line, so the answer is a miss.
+///
+/// ```
+/// use stackless_bvh::geom::truth::{Meeting, Place, Point, RBig, meet};
+///
+/// let triangle = [[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
+/// let third = RBig::from_parts(1.into(), 3u8.into());
+/// let point = Point { place: Place::Interior, t: 2.into(), u: third.clone(), v: third };
+/// assert_eq!(meet(triangle, [1.0, 1.0, -2.0], [0.0, 0.0, 1.0]), Meeting::Hit(point));
+/// assert_eq!(meet(triangle, [4.0, 1.0, -2.0], [0.0, 0.0, 1.0]), Meeting::Miss);
+/// assert_eq!(meet(triangle, [1.0, 1.0, 0.0], [1.0, 0.0, 0.0]), Meeting::Coplanar);
+/// ```
+pub fn meet<S: Number>(triangle: [[S; 3]; 3], origin: [S; 3], direction: [S; 3]) -> Meeting {
+    let [v0, v1, v2] = triangle;
+    let Some([v0, v1, v2, o, d]) = integers([v0, v1, v2, origin, direction]) else { return Meeting::Miss };
+    let (e1, e2, s) = (minus(&v1, &v0), minus(&v2, &v0), minus(&o, &v0));
+    let (p, q) = (cross(&d, &e2), cross(&s, &e1));
+    let det = dot(&e1, &p);
+    if det.is_zero() {
+        return Meeting::Coplanar;
+    }
+    let (u, v, t) = (dot(&s, &p), dot(&d, &q), dot(&e2, &q));
+    // Over the determinant, these are the weights of the three corners.
+    let weights = [&det - &u - &v, u.clone(), v.clone()];
+    if weights.iter().any(|weight| !weight.is_zero() && weight.sign() != det.sign()) {
+        return Meeting::Miss;
+    }
+    let place = match weights.iter().filter(|weight| weight.is_zero()).count() {
+        0 => Place::Interior,
+        1 => Place::Edge,
+        _ => Place::Vertex,
+    };
+    let over_det = |x| RBig::from_parts_signed(x, det.clone());
+    Meeting::Hit(Point { place, t: over_det(t), u: over_det(u), v: over_det(v) })
+}
+
+/// Whether a closed interval holds `t`. An infinite end is no bound; with a NaN nothing is held.
+///
+/// ```
+/// use stackless_bvh::geom::truth::{RBig, holds};
+///
+/// let tenth = RBig::from_parts(1.into(), 10u8.into());
+/// assert!(holds([0.0, f32::INFINITY], &tenth));
+/// // The float is above the tenth.
+/// assert!(!holds([0.1f32, 1.0], &tenth));
+/// ```
+pub fn holds<S: Number>([tmin, tmax]: [S; 2], t: &RBig) -> bool {
+    let (tmin, tmax): (f64, f64) = (tmin.into(), tmax.into());
+    let is_above = RBig::try_from(tmin).map_or(tmin == f64::NEG_INFINITY, |tmin| tmin <= *t);
+    let is_below = RBig::try_from(tmax).map_or(tmax == f64::INFINITY, |tmax| *t <= tmax);
+    is_above && is_below
+}
+
+/// Whether the part of the line `origin + t direction` with `tmin <= t <= tmax` meets the box from `lo` to `hi`, the
+/// ends of the interval and the faces of the box included.
+///
+/// `interval` is `[tmin, tmax]`; `tmax` may be infinite. A component of the direction that is 0, of either sign, keeps
+/// the line in a plane. A box with `lo > hi` on some axis has no points, and an interval with `tmin > tmax` neither.
+/// With another number that is not finite, nothing is touched.
+///
+/// ```
+/// use stackless_bvh::geom::truth::touches;
+///
+/// let corner = |o, tmax| touches(o, [1.0, 1.0, 0.0], [0.0, tmax], [1.0, 0.0, 0.0], [2.0, 1.0, 1.0]);
+/// assert!(corner([0.0, 0.0, 0.0], 1.0));
+/// assert!(!corner([0.0, 0.0, 0.0], 1.0 - f64::EPSILON));
+/// assert!(!corner([0.0, 1e-300, 0.0], f64::INFINITY));
+/// ```
+pub fn touches<S: Number>(origin: [S; 3], direction: [S; 3], interval: [S; 2], lo: [S; 3], hi: [S; 3]) -> bool {
+    first_touch(origin, direction, interval, lo, hi).is_some()
+}
+
+/// The least `t` at which [`touches`] has a point in common: the greatest of `tmin` and the distances to the planes
+/// where the line enters. `None` if nothing is touched.
+///
+/// ```
+/// use stackless_bvh::geom::truth::{RBig, entry};
+///
+/// let t = |tmin| entry([0.0, 0.5, 0.5], [3.0, 0.0, 0.0], [tmin, f32::INFINITY], [1.0; 3].map(|x| x - 1.0), [2.0; 3]);
+/// assert_eq!(t(0.25), Some(RBig::from_parts(1.into(), 4u8.into())));
+/// assert_eq!(t(0.75), None);
+/// ```
+pub fn entry<S: Number>(origin: [S; 3], direction: [S; 3], interval: [S; 2], lo: [S; 3], hi: [S; 3]) -> Option<RBig> {
+    first_touch(origin, direction, interval, lo, hi).map(Relaxed::canonicalize)
+}
+
+/// The `f32` nearest to `x`; of two equally near the one whose last bit is 0.
+///
+/// Subnormal numbers are rounded as IEEE 754 has it, and so is what lies beyond the greatest float: from the middle
+/// between it and 2^128 on, the result is infinite. A result of 0 has the sign of `x`.
+///
+/// ```
+/// use stackless_bvh::geom::truth::{RBig, round_f32};
+///
+/// assert_eq!(round_f32(&RBig::from_parts((-1).into(), 10u8.into())), -0.1);
+/// ```
+pub fn round_f32(x: &RBig) -> f32 {
+    x.to_f32().value()
+}
+
+/// The `f64` nearest to `x`, as [`round_f32`] has it; infinite from the middle between the greatest float and 2^1024.
+///
+/// ```
+/// use stackless_bvh::geom::truth::{RBig, round_f64};
+///
+/// assert_eq!(round_f64(&RBig::from_parts(2.into(), 3u8.into())), 2.0 / 3.0);
+/// ```
+pub fn round_f64(x: &RBig) -> f64 {
+    x.to_f64().value()
+}
+
+/// [`entry`], as a fraction that may not be in lowest terms: those cost most of the time.
+fn first_touch<S: Number>(
+    origin: [S; 3],
+    direction: [S; 3],
+    [tmin, tmax]: [S; 2],
+    lo: [S; 3],
+    hi: [S; 3],
+) -> Option<Relaxed> {
+    let [o, d, lo, hi] = integers([origin, direction, lo, hi])?;
+    let mut enter = Relaxed::try_from(tmin.into()).ok()?;
+    let mut leave = match tmax.into() {
+        f64::INFINITY => None,
+        tmax => Some(Relaxed::try_from(tmax).ok()?),
+    };
+    for k in 0..3 {
+        if lo[k] > hi[k] {
+            return None;
+        }
+        if d[k].is_zero() {
+            if o[k] < lo[k] || hi[k] < o[k] {
+                return None;
+            }
+            continue;
+        }
+        let (near, far) = if d[k].sign() == Sign::Positive { (&lo[k], &hi[k]) } else { (&hi[k], &lo[k]) };
+        let distance = |plane: &IBig| Relaxed::from_parts_signed(plane - &o[k], d[k].clone());
+        enter = enter.max(distance(near));
+        let far = distance(far);
+        leave = Some(leave.filter(|leave| *leave < far).unwrap_or(far));
+    }
+    leave.is_none_or(|leave| enter <= leave).then_some(enter)
+}
+
+type Vector = [IBig; 3];
+
+/// The vectors times the least power of two, not below 1, that makes all components integers. `None` if one is not
+/// finite.
+fn integers<S: Number, const N: usize>(vectors: [[S; 3]; N]) -> Option<[Vector; N]> {
+    let exact = vectors.as_flattened().iter().map(|&x| RBig::try_from(x.into()).ok());
+    let exact: Vec<RBig> = exact.collect::<Option<_>>()?;
+    // Denominators of floats are powers of two.
+    let log2 = |x: &RBig| x.denominator().trailing_zeros().unwrap_or(0);
+    let greatest = exact.iter().map(log2).max().unwrap_or(0);
+    let integer = |x: &RBig| x.numerator() << (greatest - log2(x));
+    Some(std::array::from_fn(|i| std::array::from_fn(|k| integer(&exact[3 * i + k]))))
+}
+
+fn minus(a: &Vector, b: &Vector) -> Vector {
+    std::array::from_fn(|k| &a[k] - &b[k])
+}
+
+fn dot(a: &Vector, b: &Vector) -> IBig {
+    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
+}
+
+fn cross(a: &Vector, b: &Vector) -> Vector {
+    let component = |i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
+    [component(1, 2), component(2, 0), component(0, 1)]
+}
+
+#[cfg(test)]
+mod tests;
