@@ -105,7 +105,19 @@ pub trait NodeTest {
     fn leaf(&mut self, node: Node) -> Flow;
 }
 
-impl<T: NodeTest> NodeTest for &mut T {
+impl<T: Visitor + ?Sized> Visitor for &mut T {
+    #[inline]
+    fn inner(&mut self, node: Node) -> Descent {
+        (**self).inner(node)
+    }
+
+    #[inline]
+    fn leaf(&mut self, node: Node) -> Flow {
+        (**self).leaf(node)
+    }
+}
+
+impl<T: NodeTest + ?Sized> NodeTest for &mut T {
     #[inline]
     fn accept(&mut self, node: Node) -> bool {
         (**self).accept(node)

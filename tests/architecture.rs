@@ -22,7 +22,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("geom", &[]),
     ("scene", &["generate", "geom"]),
     ("bvh", &["geom", "order", "scene", "tree"]),
-    ("trace", &["bvh", "generate", "geom", "order", "scene", "traverse", "tree"]),
+    ("trace", &["bvh", "generate", "geom", "name", "order", "scene", "traverse", "tree"]),
     (
         "check",
         &["bvh", "event", "generate", "geom", "hash", "key", "oracle", "order", "trace", "trail", "traverse", "tree"],

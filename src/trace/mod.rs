@@ -6,12 +6,14 @@
 //! every tree over the same mesh, every order and every traversal. `[DET-1]` Of an any-hit query, only whether there is a
 //! hit is.
 
+mod accuracy;
 mod bounce;
 mod query;
 pub mod truth;
 
+pub use accuracy::{Accuracy, KernelName, SlabsName, WithTests, with_tests};
 pub use bounce::bounce;
-pub use query::{Any, AnyByNode, Closest, ClosestByNode, Counted, NodeSearch, Search};
+pub use query::{Any, AnyByNode, Closest, ClosestByNode, Counted, NodeSearch, Query, Search};
 pub use truth::{TrueHit, Truth};
 
 /// Where a ray meets a mesh.

@@ -1,5 +1,7 @@
 //! The visitors.
 
+use glam::Vec3;
+
 use super::Hit;
 use crate::bvh::Bvh;
 use crate::geom::kernel::Exact;
@@ -119,6 +121,18 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> NodeSearch<'a
     #[inline]
     pub fn found(&self) -> Option<(u32, Real<K>)> {
         self.search.found()
+    }
+}
+
+/// A search whose tests are chosen when the program runs: as `&mut dyn Query` it is a visitor and a node test itself.
+pub trait Query: Visitor + NodeTest {
+    /// As [`Search::hit`].
+    fn hit(&self) -> Option<Hit>;
+}
+
+impl<K: Kernel<Vector = Vec3>, B: Slabs<Vector = Vec3>, const ANY: bool> Query for NodeSearch<'_, K, B, ANY> {
+    fn hit(&self) -> Option<Hit> {
+        self.search.hit()
     }
 }
 

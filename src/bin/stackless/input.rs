@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use stackless_bvh::scene::{self, Mesh, SceneError, procedural};
+use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::{Method, WordName};
 
 /// A scene with its name.
@@ -43,6 +44,11 @@ pub(crate) fn scenes(paths: &[PathBuf]) -> Result<Vec<Scene>, SceneError> {
 /// Reads a traversal's name; the error lists all of them.
 pub(crate) fn method(name: &str) -> Result<Method, String> {
     name.parse().map_err(|_| format!("expected one of: {}", Method::ALL.map(Method::name).join(", ")))
+}
+
+/// Reads the name of a level; the error lists all of them.
+pub(crate) fn accuracy(name: &str) -> Result<Accuracy, String> {
+    name.parse().map_err(|_| format!("expected one of: {}", Accuracy::ALL.map(Accuracy::name).join(", ")))
 }
 
 /// Reads a word's name; the error lists all of them.

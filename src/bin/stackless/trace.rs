@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
+use glam::Vec3;
 use rayon::prelude::*;
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::check::{WithWord, with_word};
-use stackless_bvh::geom::{Aabb, Ray};
+use stackless_bvh::geom::{Kernel, Ray, Slabs};
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::order::{NodeTest, Visitor};
 use stackless_bvh::scene;
-use stackless_bvh::trace::{AnyByNode, ClosestByNode, Hit};
+use stackless_bvh::trace::{self, Accuracy, Hit, NodeSearch, Query, WithTests};
 use stackless_bvh::traverse::{Method, Tables, Unfit};
 use stackless_bvh::tree::{Implicit, Node, Topology};
 
@@ -34,6 +34,9 @@ pub(crate) struct Args {
     /// The traversal.
     #[arg(long, default_value = "hashed", value_parser = input::method)]
     method: Method,
+    /// How exact the answers are to be: fast, watertight, precise or exact.
+    #[arg(long, default_value = "exact", value_parser = input::accuracy)]
+    accuracy: Accuracy,
     /// End at the first hit that is met, instead of finding the closest.
     #[arg(long)]
     any: bool,
@@ -47,56 +50,65 @@ pub(crate) fn run(args: &Args) -> Outcome {
         Method::Complete => Bvh::median(&scene.mesh, 4)?,
         _ => Bvh::sah(&scene.mesh, SahOptions::default())?,
     };
-    let boxes = bvh.own_boxes();
-    let tables = Tables::new(&bvh, bvh.axes(), &[args.method], Implicit::LIMIT);
-    let hits = with_word(input::narrowest(bvh.depth()), Trace { args, bvh: &bvh, tables, boxes, rays: &rays })
+    let hits = trace::with_tests(args.accuracy.tests(), WithRays { args, bvh, rays: &rays })
         .map_err(|unfit| format!("{}: {unfit}", args.method))?;
     let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (prim, t, u, v)));
     scene::write_atomically(&args.out, |file| scene::write_hits(file, rows))
         .map_err(|error| format!("{}: cannot be written: {error}", args.out.display()))?;
     let hit = hits.iter().flatten().count();
-    say!("{}: {} rays, {hit} hits, by {}", scene.name, rays.len(), args.method);
+    say!("{}: {} rays, {hit} hits, by {}, {}", scene.name, rays.len(), args.method, args.accuracy);
     Ok(true)
 }
 
-struct Trace<'a> {
+struct WithRays<'a> {
     args: &'a Args,
-    bvh: &'a Bvh,
-    tables: Tables<'a, Bvh>,
-    boxes: Vec<Aabb>,
+    bvh: Bvh,
     rays: &'a [Ray],
 }
 
-impl WithWord for Trace<'_> {
-    type Output = Result<Vec<Option<Hit>>, Unfit>;
+type Hits = Result<Vec<Option<Hit>>, Unfit>;
 
-    fn call<W: KeyWord>(self) -> Self::Output {
-        let progress = bar(self.rays.len() as u64, "rays");
+impl WithTests for WithRays<'_> {
+    type Output = Hits;
+
+    fn call<K: Kernel<Vector = Vec3>, B: Slabs<Vector = Vec3>>(self) -> Hits {
+        let Self { args, bvh, rays } = self;
+        let bvh = bvh.map(K::Shape::from);
+        let tables = Tables::new(&bvh, bvh.axes(), &[args.method], Implicit::LIMIT);
+        let (word, boxes) = (input::narrowest(bvh.depth()), bvh.own_boxes());
+        let progress = bar(rays.len() as u64, "rays");
         let trace = |memory: &mut Vec<Node>, ray: &Ray| {
-            let hit = if self.args.any {
-                let search = AnyByNode::new(self.bvh, &self.boxes, ray);
-                self.trace_one::<W, _>(search, ray, memory)?.hit()
+            let hit = if args.any {
+                let mut search = NodeSearch::<K, B, true>::new(&bvh, &boxes, ray);
+                with_word(word, Run { tables: &tables, method: args.method, ray, memory, search: &mut search })
             } else {
-                let search = ClosestByNode::new(self.bvh, &self.boxes, ray);
-                self.trace_one::<W, _>(search, ray, memory)?.hit()
+                let mut search = NodeSearch::<K, B, false>::new(&bvh, &boxes, ray);
+                with_word(word, Run { tables: &tables, method: args.method, ray, memory, search: &mut search })
             };
             progress.inc(1);
-            Ok(hit)
+            hit
         };
-        let hits = self.rays.par_iter().with_min_len(1024).map_init(Vec::new, trace).collect();
+        let hits = rays.par_iter().with_min_len(1024).map_init(Vec::new, trace).collect();
         progress.finish_and_clear();
         hits
     }
 }
 
-impl Trace<'_> {
-    fn trace_one<W: KeyWord, S: Visitor + NodeTest>(
-        &self,
-        mut search: S,
-        ray: &Ray,
-        memory: &mut Vec<Node>,
-    ) -> Result<S, Unfit> {
-        self.tables.run::<W, S>(self.args.method, ray.octant(), memory, &mut search, &mut ())?;
-        Ok(search)
+/// One search in a word that is known only now. It is not made for each kind of search anew: that would be 32 times all
+/// traversals.
+struct Run<'a, 't, S> {
+    tables: &'a Tables<'t, Bvh<S>>,
+    method: Method,
+    ray: &'a Ray,
+    memory: &'a mut Vec<Node>,
+    search: &'a mut dyn Query,
+}
+
+impl<S> WithWord for Run<'_, '_, S> {
+    type Output = Result<Option<Hit>, Unfit>;
+
+    fn call<W: KeyWord>(mut self) -> Self::Output {
+        self.tables.run::<W, _>(self.method, self.ray.octant(), self.memory, &mut self.search, &mut ())?;
+        Ok(self.search.hit())
     }
 }

@@ -25,7 +25,7 @@ pub trait Kernel: Copy + Debug {
     /// Positions and directions of the rays.
     type Vector: Vector;
     /// A triangle as the test wants it.
-    type Shape: Copy + Debug + From<Triangle<Self::Vector>>;
+    type Shape: Copy + Debug + Send + Sync + From<Triangle<Self::Vector>>;
 
     /// Prepares a ray. `region` must hold all triangles that it is asked about.
     fn new(ray: &Ray<Self::Vector>, region: &Region) -> Self;

@@ -1,0 +1,135 @@
+//! Which triangle test and which box test, by name.
+
+use glam::Vec3;
+
+use crate::geom::kernel::{Affine, Exact, ExactFromSingle, Moller32, Moller64, Woop};
+use crate::geom::slabs::{Directed, Plain, TwoSided};
+use crate::geom::{Kernel, Slabs};
+use crate::name::named;
+
+/// How exact an answer is to be.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Accuracy {
+    /// The fastest tests in single precision: nothing is promised.
+    Fast,
+    /// The test of Woop et al.: watertight as far as anyone has seen; primitive and distance are those of rounding.
+    Watertight,
+    /// Double precision: mostly right to the last bit, with rare leaks at edges.
+    Precise,
+    /// The answer of rational arithmetic, distance and weights rounded to the nearest floats. `[EXACT-1]`
+    #[default]
+    Exact,
+}
+
+impl Accuracy {
+    /// All levels, the least exact first.
+    pub const ALL: [Self; 4] = [Self::Fast, Self::Watertight, Self::Precise, Self::Exact];
+
+    /// The name on the command line and in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Fast => "fast",
+            Self::Watertight => "watertight",
+            Self::Precise => "precise",
+            Self::Exact => "exact",
+        }
+    }
+
+    /// The tests that it stands for.
+    pub const fn tests(self) -> (KernelName, SlabsName) {
+        match self {
+            Self::Fast => (KernelName::Affine, SlabsName::Plain),
+            Self::Watertight => (KernelName::Woop, SlabsName::Directed),
+            Self::Precise => (KernelName::Moller64, SlabsName::TwoSided),
+            Self::Exact => (KernelName::Exact, SlabsName::Directed),
+        }
+    }
+}
+
+named!(Accuracy);
+
+/// A triangle test, by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "the names are those of the types")]
+pub enum KernelName {
+    Affine,
+    Moller32,
+    Woop,
+    Moller64,
+    ExactFromSingle,
+    Exact,
+}
+
+impl KernelName {
+    /// All triangle tests.
+    pub const ALL: [Self; 6] =
+        [Self::Affine, Self::Moller32, Self::Woop, Self::Moller64, Self::ExactFromSingle, Self::Exact];
+
+    /// The name on the command line and in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Affine => "affine",
+            Self::Moller32 => "moller-32",
+            Self::Woop => "woop",
+            Self::Moller64 => "moller-64",
+            Self::ExactFromSingle => "exact-from-single",
+            Self::Exact => "exact",
+        }
+    }
+}
+
+named!(KernelName);
+
+/// A box test, by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "the names are those of the types")]
+pub enum SlabsName {
+    Plain,
+    TwoSided,
+    Directed,
+}
+
+impl SlabsName {
+    /// All box tests of single-precision rays.
+    pub const ALL: [Self; 3] = [Self::Plain, Self::TwoSided, Self::Directed];
+
+    /// The name on the command line and in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Plain => "plain",
+            Self::TwoSided => "two-sided",
+            Self::Directed => "directed",
+        }
+    }
+}
+
+named!(SlabsName);
+
+/// Something to do with tests that are known only when the program runs.
+pub trait WithTests {
+    /// What comes out.
+    type Output;
+
+    /// Does it with the triangle test `K` and the box test `B`.
+    fn call<K: Kernel<Vector = Vec3>, B: Slabs<Vector = Vec3>>(self) -> Self::Output;
+}
+
+/// Picks the types of the tests by their names.
+pub fn with_tests<F: WithTests>((kernel, slabs): (KernelName, SlabsName), f: F) -> F::Output {
+    match kernel {
+        KernelName::Affine => with_kernel::<Affine, F>(slabs, f),
+        KernelName::Moller32 => with_kernel::<Moller32, F>(slabs, f),
+        KernelName::Woop => with_kernel::<Woop, F>(slabs, f),
+        KernelName::Moller64 => with_kernel::<Moller64, F>(slabs, f),
+        KernelName::ExactFromSingle => with_kernel::<ExactFromSingle, F>(slabs, f),
+        KernelName::Exact => with_kernel::<Exact, F>(slabs, f),
+    }
+}
+
+fn with_kernel<K: Kernel<Vector = Vec3>, F: WithTests>(slabs: SlabsName, f: F) -> F::Output {
+    match slabs {
+        SlabsName::Plain => f.call::<K, Plain>(),
+        SlabsName::TwoSided => f.call::<K, TwoSided>(),
+        SlabsName::Directed => f.call::<K, Directed>(),
+    }
+}
