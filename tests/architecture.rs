@@ -25,7 +25,10 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("trace", &["bvh", "generate", "geom", "name", "order", "scene", "traverse", "tree"]),
     (
         "check",
-        &["bvh", "event", "generate", "geom", "hash", "key", "oracle", "order", "trace", "trail", "traverse", "tree"],
+        &[
+            "bvh", "event", "generate", "geom", "hash", "key", "oracle", "order", "scene", "trace", "trail",
+            "traverse", "tree",
+        ],
     ),
 ];
 

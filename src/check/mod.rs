@@ -10,6 +10,7 @@ mod random;
 mod replay;
 mod scene;
 mod shrink;
+mod stress;
 mod tally;
 mod watch;
 
@@ -19,6 +20,7 @@ pub use random::{Disagreement, Plan, Progress, boundary_cases, check_cases, chec
 pub use replay::{Replay, ReplayError};
 pub use scene::{SceneDisagreement, SceneTree, Seen, check_scene};
 pub use shrink::shrink;
+pub use stress::{Errors, Stress};
 pub use tally::{Count, Tally};
 pub use watch::{Fault, Watch};
 

@@ -7,6 +7,7 @@ mod check;
 mod input;
 mod output;
 mod stats;
+mod stress;
 mod trace;
 
 use std::process::ExitCode;
@@ -29,6 +30,8 @@ enum What {
     Trace(trace::Args),
     /// Measure the traversals beside each other on scenes.
     Bench(bench::Args),
+    /// Count the errors of each accuracy on hard scenes.
+    Stress(stress::Args),
     /// Say what a scene's hierarchy and hash tables take, and how far backtracking goes.
     Stats(stats::Args),
 }
@@ -42,6 +45,7 @@ fn main() -> ExitCode {
         What::Check(args) => check::run(args),
         What::Trace(args) => trace::run(&args),
         What::Bench(args) => bench::run(&args),
+        What::Stress(args) => stress::run(&args),
         What::Stats(args) => stats::run(&args),
     };
     match outcome {
