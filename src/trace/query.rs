@@ -31,8 +31,7 @@ pub struct Search<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> 
     bvh: &'a Bvh<K::Shape>,
     kernel: K,
     slabs: B,
-    /// The distance of the best hit, or the ray's end, as the box test takes it.
-    limit: Real<K>,
+    /// The distance of the best hit, or the ray's end.
     t: Real<K>,
     prim: u32,
     /// Where the best hit's triangle is in the hierarchy.
@@ -47,8 +46,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> Search<'a, K,
     #[inline]
     pub fn new(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>) -> Self {
         let (region, t) = (bvh.region(), ray.tmax());
-        let slabs = B::new(ray, region);
-        Self { bvh, kernel: K::new(ray, region), slabs, limit: slabs.limit(t), t, prim: NO_PRIM, place: 0 }
+        Self { bvh, kernel: K::new(ray, region), slabs: B::new(ray, region), t, prim: NO_PRIM, place: 0 }
     }
 
     /// The hit, after the traversal: the closest, or with `ANY` the first that was met.
@@ -73,7 +71,7 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> Visitor for Searc
     #[inline(always)]
     fn inner(&mut self, node: Node) -> Descent {
         let planes = &self.bvh.node(node.index()).planes;
-        let ([left, right], [near_left, near_right]) = self.slabs.pair(planes, self.limit);
+        let ([left, right], [near_left, near_right]) = self.slabs.pair(planes, self.t);
         Descent::new(left, right, near_right < near_left)
     }
 
@@ -90,7 +88,6 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> Visitor for Searc
                 // The order of hits: by distance, then by triangle.
                 if t < self.t || t == self.t && held.prim < self.prim {
                     (self.t, self.prim, self.place) = (t, held.prim, place);
-                    self.limit = self.slabs.limit(t);
                 }
             }
         }
@@ -152,8 +149,8 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> Visitor for NodeS
 impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> NodeTest for NodeSearch<'_, K, B, ANY> {
     #[inline]
     fn accept(&mut self, node: Node) -> bool {
-        let Search { bvh, slabs, limit, .. } = &self.search;
-        slabs.one(&self.boxes[bvh.slot(node)], *limit).is_some()
+        let Search { bvh, slabs, t, .. } = &self.search;
+        slabs.one(&self.boxes[bvh.slot(node)], *t).is_some()
     }
 
     #[inline]

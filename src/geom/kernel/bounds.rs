@@ -1,20 +1,24 @@
-//! Error bounds of the determinants, in units of last place (2^-24 or 2^-53), derived in spec/exactness.md.
+//! Error bounds of the determinants, derived in spec/exactness.md.
 //!
-//! With e1 = v1 - v0, e2 = v2 - v0, s = o - v0 and the greatest components C of s, E of e1 and e2, D of d, and the
-//! operations in the order of [`Determinants::of`](super::exact), each is off by at most so many times u times
-//! the product that is named. tests/bounds.rs has inputs that exceed half of each.
+//! With e1 = v1 - v0, e2 = v2 - v0, s = o - v0, the greatest components C of s, E of e1 and e2, D of d, and u = 2^-24 in
+//! single precision or 2^-53 in double, each determinant is off by at most so many times u times the product that is
+//! named. tests/bounds.rs has inputs that exceed five sixths of each.
 
-/// Edge functions U, V and W: times D E (2 C + E). `[EXACT-3]`
-pub const EDGE: u32 = 56;
+/// Edge functions U, V and W: times D E (2 C + E). `[EXACT-4]`
+pub const EDGE: u32 = 39;
 
-/// The determinant: times D E E. `[EXACT-3]`
-pub const DETERMINANT: u32 = 44;
+/// The determinant: times D E E. `[EXACT-4]`
+pub const DETERMINANT: u32 = 31;
 
-/// The distance times the determinant: times C E E. `[EXACT-3]`
-pub const DISTANCE: u32 = 44;
+/// The distance times the determinant: times C E E. `[EXACT-4]`
+pub const DISTANCE: u32 = 35;
 
-/// A quotient of two numbers with relative errors: beyond 17/16 of the sum of those, times the quotient. `[EXACT-5]`
+/// An edge function and the determinant together, for the greatest C and E of a scene: times D E (C + E). `[EXACT-6]`
+pub const REGION: u32 = 2 * EDGE;
+
+/// A quotient: beyond [`QUOTIENT_FACTOR`] times what the errors of its parts make, times u times the quotient.
+/// `[EXACT-9]`
 pub const QUOTIENT: u32 = 4;
 
-/// An edge function and the determinant together, for the greatest C and E of a scene: times D E (C + E). `[EXACT-4]`
-pub const REGION: u32 = 112;
+/// See [`QUOTIENT`].
+pub const QUOTIENT_FACTOR: f64 = 17.0 / 16.0;

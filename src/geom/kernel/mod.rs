@@ -10,7 +10,7 @@ mod moller;
 mod woop;
 
 pub use affine::{Affine, AffineTriangle};
-pub use bounds::{DETERMINANT, DISTANCE, EDGE, QUOTIENT, REGION};
+pub use bounds::{DETERMINANT, DISTANCE, EDGE, QUOTIENT, QUOTIENT_FACTOR, REGION};
 pub(super) use exact::is_degenerate;
 pub use exact::{Exact, ExactFromSingle, Sum};
 pub use moller::{Moller32, Moller64};

@@ -10,10 +10,10 @@ use crate::geom::{Aabb, Ray, Region};
 /// The distance to a plane takes three roundings, so a ray through an edge or a corner of a box may miss it.
 pub type Plain = Centred<false>;
 
-/// [`Plain`] with the near distance moved down and the far distance up by 6 units of 2^-24 each (after Ize 2013, "Robust
-/// BVH ray traversal", whose one-sided 2 ulps are not enough). `[BOX-5]`
+/// [`Plain`] with the near distance moved down by 3 units of 2^-24 and the far distance up by 4 (after Ize 2013, "Robust
+/// BVH ray traversal", whose 2 ulps on one side are not enough). `[BOX-5]`
 ///
-/// It skips no box that the ray touches if coordinates are at most 2^126, `|b - o| >= 2^-100` or `b = o` for each
+/// It skips no box that the ray touches if coordinates are at most 2^126, `|b - o| >= 2^-125` or `b = o` for each
 /// plane `b` and the origin `o`, and the direction has a greatest component between 1 and 2 and others that are 0 or
 /// at least 2^-126.
 pub type TwoSided = Centred<true>;
@@ -27,10 +27,13 @@ pub struct Centred<const PADDED: bool> {
     tmin: f32,
 }
 
+/// 1 - 3u and 1 + 4u with u = 2^-24: what near and far distances are multiplied with. With 1 - 2u or 1 + 2u, a ray may
+/// miss a box that it touches.
+pub const PADDING: [f32; 2] = [1.0 - 1.5 * f32::EPSILON, 1.0 + 2.0 * f32::EPSILON];
+
 impl<const PADDED: bool> Centred<PADDED> {
-    /// 1 - 6u and 1 + 6u with u = 2^-24; both are floats.
-    const DOWN: f32 = if PADDED { 1.0 - 3.0 * f32::EPSILON } else { 1.0 };
-    const UP: f32 = if PADDED { 1.0 + 3.0 * f32::EPSILON } else { 1.0 };
+    const DOWN: f32 = if PADDED { PADDING[0] } else { 1.0 };
+    const UP: f32 = if PADDED { PADDING[1] } else { 1.0 };
 }
 
 impl<const PADDED: bool> Slabs for Centred<PADDED> {
@@ -49,14 +52,14 @@ impl<const PADDED: bool> Slabs for Centred<PADDED> {
     }
 
     #[inline]
-    fn one(&self, aabb: &Aabb, limit: f32) -> Option<f32> {
-        let ([hit, _], [near, _]) = self.pair(&twice(aabb), limit);
+    fn one(&self, aabb: &Aabb, tmax: f32) -> Option<f32> {
+        let ([hit, _], [near, _]) = self.pair(&twice(aabb), tmax);
         hit.then_some(near)
     }
 
     #[inline(always)]
-    fn pair(&self, planes: &[[f32; 4]; 3], limit: f32) -> ([bool; 2], [f32; 2]) {
-        let [near, far] = near_and_far(planes, &self.origin, &self.inverse, self.tmin, limit);
+    fn pair(&self, planes: &[[f32; 4]; 3], tmax: f32) -> ([bool; 2], [f32; 2]) {
+        let [near, far] = near_and_far(planes, &self.origin, &self.inverse, self.tmin, tmax);
         let (near, far) = if PADDED { (near * Self::DOWN, far * Self::UP) } else { (near, far) };
         let hit = near.cmple(far.yxwz()).bitmask();
         ([hit & 1 != 0, hit & 4 != 0], [near.x, near.z])

@@ -3,7 +3,7 @@
 //! A box is skipped if the test says so, and then all triangles in it are. So what counts is that no box is skipped
 //! which the exact, closed interval of the ray touches. [`Plain`] does not promise it and leaks; [`TwoSided`] does for
 //! most rays; [`Directed`] does for every ray that [`Ray`] admits. Derivations: spec/exactness.md, `[BOX-1]` to
-//! `[BOX-6]`.
+//! `[BOX-7]`.
 //!
 //! All forms are monotone under nesting: of two boxes, one in the other, the inner is not entered before the outer,
 //! for any ray. And `one` and `pair` do the same operations on the same numbers, so that they agree in every bit.
@@ -12,9 +12,9 @@ mod centred;
 mod directed;
 mod wide;
 
-pub use centred::{Centred, Plain, TwoSided};
-pub use directed::Directed;
-pub use wide::Wide;
+pub use centred::{Centred, PADDING, Plain, TwoSided};
+pub use directed::{Directed, STEPS};
+pub use wide::{STRICT_STEPS, Wide};
 
 use std::fmt::Debug;
 
@@ -30,20 +30,13 @@ pub trait Slabs: Copy + Debug {
     /// Prepares a ray. `region` must hold all boxes that it is asked about.
     fn new(ray: &Ray<Self::Vector>, region: &Region) -> Self;
 
-    /// The end of the ray as [`one`](Self::one) and [`pair`](Self::pair) take it: `t` in the unit of the test, and not
-    /// less than it.
-    #[inline]
-    fn limit(&self, t: Real<Self>) -> Real<Self> {
-        t
-    }
-
-    /// Where the ray enters a box, in the unit of the test and not later than it does; `None` if it misses the box.
-    fn one(&self, aabb: &Aabb, limit: Real<Self>) -> Option<Real<Self>>;
+    /// Where the ray, up to `tmax`, enters a box; `None` if it misses the box.
+    fn one(&self, aabb: &Aabb, tmax: Real<Self>) -> Option<Real<Self>>;
 
     /// Two boxes at once: which are hit, and where each is entered (meaningless where missed).
     ///
     /// `planes` holds for each axis lo and hi of the first box, then lo and hi of the second (Aila & Laine 2009).
-    fn pair(&self, planes: &[[f32; 4]; 3], limit: Real<Self>) -> ([bool; 2], [Real<Self>; 2]);
+    fn pair(&self, planes: &[[f32; 4]; 3], tmax: Real<Self>) -> ([bool; 2], [Real<Self>; 2]);
 }
 
 /// The numbers that a slab test calculates with.
@@ -55,14 +48,14 @@ fn twice(aabb: &Aabb) -> [[f32; 4]; 3] {
     [0, 1, 2].map(|axis| [aabb.lo[axis], aabb.hi[axis], aabb.lo[axis], aabb.hi[axis]])
 }
 
-/// Where two boxes are entered (even lanes) and left (odd lanes), from `tmin` to `limit`, each plane's distance being
+/// Where two boxes are entered (even lanes) and left (odd lanes), from `tmin` to `tmax`, each plane's distance being
 /// `(plane - origin) * inverse`.
 ///
 /// A plane through the origin of a ray that runs along it gives 0 times infinity, a NaN. The order of operands drops
 /// it: then the plane does not bound the ray.
 #[inline(always)]
-fn near_and_far(planes: &[[f32; 4]; 3], origin: &[Vec4; 3], inverse: &[Vec4; 3], tmin: f32, limit: f32) -> [Vec4; 2] {
-    let (mut near, mut far) = (Vec4::splat(tmin), Vec4::splat(limit));
+fn near_and_far(planes: &[[f32; 4]; 3], origin: &[Vec4; 3], inverse: &[Vec4; 3], tmin: f32, tmax: f32) -> [Vec4; 2] {
+    let (mut near, mut far) = (Vec4::splat(tmin), Vec4::splat(tmax));
     for axis in 0..3 {
         let t = (Vec4::from_array(planes[axis]) - origin[axis]) * inverse[axis];
         let other = t.yxwz();

@@ -2,12 +2,12 @@
 
 use glam::DVec3;
 
-use super::directed::{FAR, NEAR};
 use super::{Slabs, twice};
 use crate::geom::{Aabb, Ray, Region};
 
-/// Half of the distance from 1 to the next double.
-const UNIT: f64 = f64::EPSILON / 2.0;
+/// Floats by which a reciprocal is moved: one more than in single precision, so that a near distance is below the exact
+/// one, and not only below the nearest double of it. `[BOX-6]`
+pub const STRICT_STEPS: u32 = 3;
 
 /// As [`Directed`](super::Directed), in double precision: for rays in double precision, and for those in single
 /// precision that [`Directed`](super::Directed) cannot take. `[BOX-6]`
@@ -28,7 +28,9 @@ impl Wide {
     pub(super) fn of(origin: DVec3, direction: DVec3, tmin: f64) -> Self {
         // Without -0, a component of 0 has the reciprocal +inf.
         let inverse = (direction + 0.0).recip();
-        let (near, far) = (inverse * (1.0 - NEAR * UNIT), inverse * (1.0 + FAR * UNIT));
+        let near = inverse.map(|i| f64::from_bits(i.to_bits() - u64::from(STRICT_STEPS)));
+        let far =
+            inverse.map(|i| if i.is_finite() { f64::from_bits(i.to_bits() + u64::from(STRICT_STEPS)) } else { i });
         let backward = direction.cmplt(DVec3::ZERO);
         let inverse = [DVec3::select(backward, far, near), DVec3::select(backward, near, far)];
         Self { origin, inverse, tmin, skips: true }
@@ -46,14 +48,14 @@ impl Slabs for Wide {
     }
 
     #[inline]
-    fn one(&self, aabb: &Aabb, limit: f64) -> Option<f64> {
-        let ([hit, _], [near, _]) = self.pair(&twice(aabb), limit);
+    fn one(&self, aabb: &Aabb, tmax: f64) -> Option<f64> {
+        let ([hit, _], [near, _]) = self.pair(&twice(aabb), tmax);
         hit.then_some(near)
     }
 
     #[inline]
-    fn pair(&self, planes: &[[f32; 4]; 3], limit: f64) -> ([bool; 2], [f64; 2]) {
-        let (mut near, mut far) = ([self.tmin; 2], [limit; 2]);
+    fn pair(&self, planes: &[[f32; 4]; 3], tmax: f64) -> ([bool; 2], [f64; 2]) {
+        let (mut near, mut far) = ([self.tmin; 2], [tmax; 2]);
         for axis in 0..3 {
             let [lo, hi] = self.inverse.map(|inverse| inverse[axis]);
             for side in 0..2 {

@@ -30,9 +30,9 @@ use filter::{Determinants, Distance};
 /// even), for every ray and triangle of finite floats. `[EXACT-1]`
 #[derive(Clone, Copy, Debug)]
 pub struct Exact {
-    ray: Ray,
     origin: DVec3,
     direction: DVec3,
+    interval: [f32; 2],
     /// Greatest component of the direction.
     greatest: f64,
     /// Beyond this, an edge function whose sign differs from the determinant's means a miss.
@@ -47,7 +47,7 @@ impl Kernel for Exact {
     fn new(ray: &Ray, region: &Region) -> Self {
         let [origin, direction] = [ray.origin(), ray.direction()].map(|v| f64::from(greatest(v.abs())));
         Self {
-            ray: *ray,
+            interval: [ray.tmin(), ray.tmax()],
             origin: ray.origin().widen(),
             direction: ray.direction().widen(),
             greatest: direction,
@@ -63,13 +63,13 @@ impl Kernel for Exact {
         }
         let errors = determinants.errors(self.greatest);
         match determinants.is_inside(&errors) {
-            Some(true) => match determinants.distance(&errors, [self.ray.tmin(), self.ray.tmax()], limit) {
+            Some(true) => match determinants.distance(&errors, self.interval, limit) {
                 Distance::Nearest(t) => Some(t),
                 Distance::Outside => None,
-                Distance::Unknown => place(self.ray, shape),
+                Distance::Unknown => place(self.numbers(), shape),
             },
             Some(false) => None,
-            None => settle(self.ray, shape),
+            None => settle(self.numbers(), shape),
         }
     }
 
@@ -81,11 +81,11 @@ impl Kernel for Exact {
         }
         let errors = determinants.errors(self.greatest);
         match determinants.is_inside(&errors) {
-            Some(true) => determinants
-                .is_within(&errors, [self.ray.tmin(), self.ray.tmax()])
-                .unwrap_or_else(|| place(self.ray, shape).is_some()),
+            Some(true) => {
+                determinants.is_within(&errors, self.interval).unwrap_or_else(|| place(self.numbers(), shape).is_some())
+            }
             Some(false) => false,
-            None => settle(self.ray, shape).is_some(),
+            None => settle(self.numbers(), shape).is_some(),
         }
     }
 
@@ -94,24 +94,45 @@ impl Kernel for Exact {
     }
 }
 
+impl Exact {
+    #[inline(always)]
+    fn numbers(&self) -> Numbers {
+        // They were single before.
+        let (o, d, [tmin, tmax]) = (self.origin.as_vec3(), self.direction.as_vec3(), self.interval);
+        [o.x, o.y, o.z, d.x, d.y, d.z, tmin, tmax]
+    }
+}
+
+/// What stays of a ray on the way to [`place`] and [`settle`]: numbers, so that the rays that do not go there need not be in
+/// memory as a whole.
+type Numbers = [f32; 8];
+
 /// The distance by exact sums, of a ray whose line meets the triangle.
 #[cold]
 #[inline(never)]
-fn place(ray: Ray, shape: &Triangle) -> Option<f32> {
-    quotient::distance(&shape.widen(), ray.origin().widen(), ray.direction().widen(), [ray.tmin(), ray.tmax()])
+fn place([ox, oy, oz, dx, dy, dz, tmin, tmax]: Numbers, shape: &Triangle) -> Option<f32> {
+    let [o, d] = [Vec3::new(ox, oy, oz), Vec3::new(dx, dy, dz)].map(Vector::widen);
+    quotient::distance(&shape.widen(), o, d, [tmin, tmax])
 }
 
-/// All by exact sums. (The ray is passed by value so that it need not be in memory where this is not called.)
+/// All by exact sums.
 #[cold]
 #[inline(never)]
-fn settle(ray: Ray, shape: &Triangle) -> Option<f32> {
-    let is_inside = predicates::is_inside(&shape.widen(), ray.origin().widen(), ray.direction().widen());
-    if is_inside { place(ray, shape) } else { None }
+fn settle(ray: Numbers, shape: &Triangle) -> Option<f32> {
+    let [ox, oy, oz, dx, dy, dz, ..] = ray;
+    let [o, d] = [Vec3::new(ox, oy, oz), Vec3::new(dx, dy, dz)].map(Vector::widen);
+    if predicates::is_inside(&shape.widen(), o, d) { place(ray, shape) } else { None }
 }
 
 #[inline(always)]
 fn greatest(v: Vec3) -> f32 {
-    v.x.max(v.y).max(v.z)
+    greater(greater(v.x, v.y), v.z)
+}
+
+/// The greater of two numbers, in one instruction: none is a NaN here.
+#[inline(always)]
+fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
 }
 
 #[cfg(test)]

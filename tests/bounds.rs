@@ -1,0 +1,48 @@
+//! The error bounds of spec/exactness.md: none is ever exceeded, and none could be halved.
+
+#[path = "bounds/draw.rs"]
+mod draw;
+#[path = "bounds/dyadic.rs"]
+mod dyadic;
+#[path = "bounds/filter.rs"]
+mod filter;
+#[path = "bounds/parity.rs"]
+mod parity;
+#[path = "bounds/quotient.rs"]
+mod quotient;
+#[path = "bounds/slab.rs"]
+mod slab;
+#[path = "bounds/worst.rs"]
+mod worst;
+
+/// The constants under test.
+mod constants {
+    /// |δU| and |δV| in units of u D C E.
+    pub(crate) const EDGE: f32 = 31.0;
+    /// |δdet| in units of u D E².
+    pub(crate) const DET: f32 = 31.0;
+    /// |δW|, |δU| and |δV| in units of u D E (2C + E).
+    pub(crate) const EDGES: f32 = 39.0;
+    /// |δT| in units of u C E².
+    pub(crate) const DISTANCE: f32 = 35.0;
+    /// Least E of the stage in single precision where the direction is scaled so that 1 <= D < 2.
+    pub(crate) const FLOOR: f32 = f32::from_bits((127 - 60) << 23);
+    /// Least E where the direction is taken as it is, with D in `LENGTHS`.
+    pub(crate) const FLOOR_UNSCALED: f32 = f32::from_bits((127 - 50) << 23);
+    /// 2^-20 and 2^20.
+    pub(crate) const LENGTHS: [f32; 2] = [f32::EPSILON * 8.0, 1_048_576.0];
+    /// Greatest coordinate of the stage in single precision.
+    pub(crate) const REACH: f32 = f32::from_bits((127 + 40) << 23);
+    /// Relative error of the quotient: this times the relative errors of T and det ...
+    pub(crate) const QUOTIENT: f64 = 17.0 / 16.0;
+    /// ... and this times u, where the sum is at most 2^-6.
+    pub(crate) const QUOTIENT_ROUNDINGS: f64 = 4.0;
+    /// Steps down and up from the rounded reciprocal.
+    pub(crate) const STEPS: u32 = 2;
+    /// The same where the rounded entry must be below the exact one, not only below its rounded value.
+    pub(crate) const STRICT_STEPS: u32 = 3;
+    /// Factors of the two-sided slab test: 1 - 3u and 1 + 4u.
+    pub(crate) const DOWN: f32 = 1.0 - 1.5 * f32::EPSILON;
+    /// See `DOWN`.
+    pub(crate) const UP: f32 = 1.0 + 2.0 * f32::EPSILON;
+}
