@@ -75,7 +75,7 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> Visitor for Searc
         Descent::new(left, right, near_right < near_left)
     }
 
-    #[inline]
+    #[inline(always)]
     fn leaf(&mut self, node: Node) -> Flow {
         let range = self.bvh.leaf_range(node);
         for (place, held) in range.clone().zip(&self.bvh.triangles()[range]) {

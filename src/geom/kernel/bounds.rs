@@ -13,12 +13,9 @@ pub const DETERMINANT: u32 = 31;
 /// The distance times the determinant: times C E E. `[EXACT-4]`
 pub const DISTANCE: u32 = 35;
 
-/// An edge function and the determinant together, for the greatest C and E of a scene: times D E (C + E). `[EXACT-6]`
-pub const REGION: u32 = 2 * EDGE;
-
-/// A quotient: beyond [`QUOTIENT_FACTOR`] times what the errors of its parts make, times u times the quotient.
+/// A quotient of these: beyond [`QUOTIENT_FACTOR`] times what the errors of its parts make of it, times u times itself.
 /// `[EXACT-9]`
 pub const QUOTIENT: u32 = 4;
 
-/// See [`QUOTIENT`].
-pub const QUOTIENT_FACTOR: f64 = 17.0 / 16.0;
+/// See [`QUOTIENT`]. For determinants of at least 7.5 times their error.
+pub const QUOTIENT_FACTOR: f64 = 5.0 / 4.0;

@@ -49,7 +49,8 @@ impl Slabs for Directed {
         let far = Vec4::select(inverse.abs().cmplt(Vec4::MAX), moved(STEPS as i32), inverse * 4.0);
         let backward = direction.cmplt(Vec4::ZERO);
         let (lo, hi) = (Vec4::select(backward, far, near), Vec4::select(backward, near, far));
-        let is_wide = origin.abs().cmpgt(Vec4::splat(MAX_COORDINATE)).bitmask() != 0 || region.reach() > MAX_COORDINATE;
+        let is_wide = origin.abs().cmpgt(Vec4::splat(MAX_COORDINATE)).bitmask() != 0
+            || region.reach() > f64::from(MAX_COORDINATE);
         Self {
             origin: [origin.xxxx(), origin.yyyy(), origin.zzzz()],
             inverse: [

@@ -1,10 +1,9 @@
 //! The answer of rational arithmetic, in stages.
 //!
-//! 1. Double precision with one error bound for all triangles of the scene: an edge function that certainly has another
-//!    sign than the determinant means a miss. Nearly all misses end here. ([`ExactFromSingle`] asks single precision
-//!    first, with a bound for each triangle.)
-//! 2. Bounds for this triangle: signs that are certain are taken, and the distance, if both ends of its error interval
-//!    round to the same number.
+//! 1. Double precision with error bounds for all triangles of the scene at once: signs that are certain are taken, and
+//!    the distance, if both ends of its error interval round to the same number. Nearly all tests end here.
+//!    ([`ExactFromSingle`] asks single precision first, with a bound for each triangle.)
+//! 2. The same with error bounds for this triangle.
 //! 3. Exact sums of floats ([`Sum`]), for what is left.
 //!
 //! The stages and their bounds: spec/exactness.md, `[EXACT-2]` to `[EXACT-6]`. After Shewchuk 1997, "Adaptive precision
@@ -17,14 +16,14 @@ mod single;
 mod sum;
 
 pub(in crate::geom) use predicates::is_degenerate;
-pub use single::ExactFromSingle;
+pub use single::{ExactFromSingle, MAX_COORDINATE, MIN_EDGE};
 pub use sum::Sum;
 
 use glam::{DVec3, Vec3};
 
 use super::Kernel;
 use crate::geom::{Ray, Region, Triangle, Vector};
-use filter::{Determinants, Distance};
+use filter::{Determinants, Errors};
 
 /// The exact test of single-precision triangles: closed triangles, `t` the nearest float to the exact distance (ties to
 /// even), for every ray and triangle of finite floats. `[EXACT-1]`
@@ -33,10 +32,8 @@ pub struct Exact {
     origin: DVec3,
     direction: DVec3,
     interval: [f32; 2],
-    /// Greatest component of the direction.
-    greatest: f64,
-    /// Beyond this, an edge function whose sign differs from the determinant's means a miss.
-    bound: f64,
+    /// For all triangles of the scene.
+    errors: Errors,
 }
 
 impl Kernel for Exact {
@@ -47,46 +44,47 @@ impl Kernel for Exact {
     fn new(ray: &Ray, region: &Region) -> Self {
         let [origin, direction] = [ray.origin(), ray.direction()].map(|v| f64::from(greatest(v.abs())));
         Self {
-            interval: [ray.tmin(), ray.tmax()],
             origin: ray.origin().widen(),
             direction: ray.direction().widen(),
-            greatest: direction,
-            bound: region.bound() * direction * (origin + region.reach_and_size()),
+            interval: [ray.tmin(), ray.tmax()],
+            errors: Errors::of_scene(origin, direction, region),
         }
     }
 
     #[inline(always)]
     fn distance(&self, shape: &Triangle, limit: f32) -> Option<f32> {
-        let determinants = Determinants::of(&shape.widen(), self.origin, self.direction);
-        if determinants.differ_in_sign(self.bound) {
+        let ([tmin, tmax], found) = (self.interval, Determinants::of(&shape.widen(), self.origin, self.direction));
+        if found.is_miss(&self.errors) {
             return None;
         }
-        let errors = determinants.errors(self.greatest);
-        match determinants.is_inside(&errors) {
-            Some(true) => match determinants.distance(&errors, self.interval, limit) {
-                Distance::Nearest(t) => Some(t),
-                Distance::Outside => None,
-                Distance::Unknown => place(self.numbers(), shape),
-            },
-            Some(false) => None,
-            None => settle(self.numbers(), shape),
+        if found.is_hit(&self.errors) {
+            let [near, far] = found.distance(&self.errors).map(|t| t as f32);
+            if near == far && tmin < near && near < tmax {
+                return Some(near);
+            }
+            if far < tmin || limit < near {
+                return None;
+            }
         }
+        self.settle(shape)
     }
 
     #[inline(always)]
     fn blocks(&self, shape: &Triangle) -> bool {
-        let determinants = Determinants::of(&shape.widen(), self.origin, self.direction);
-        if determinants.differ_in_sign(self.bound) {
+        let ([tmin, tmax], found) = (self.interval, Determinants::of(&shape.widen(), self.origin, self.direction));
+        if found.is_miss(&self.errors) {
             return false;
         }
-        let errors = determinants.errors(self.greatest);
-        match determinants.is_inside(&errors) {
-            Some(true) => {
-                determinants.is_within(&errors, self.interval).unwrap_or_else(|| place(self.numbers(), shape).is_some())
+        if found.is_hit(&self.errors) {
+            let [near, far] = found.distance(&self.errors).map(|t| t as f32);
+            if tmin < near && far < tmax {
+                return true;
             }
-            Some(false) => false,
-            None => settle(self.numbers(), shape).is_some(),
+            if far < tmin || tmax < near {
+                return false;
+            }
         }
+        self.settle(shape).is_some()
     }
 
     fn weights(&self, shape: &Triangle) -> [f32; 2] {
@@ -95,33 +93,25 @@ impl Kernel for Exact {
 }
 
 impl Exact {
-    #[inline(always)]
-    fn numbers(&self) -> Numbers {
-        // They were single before.
-        let (o, d, [tmin, tmax]) = (self.origin.as_vec3(), self.direction.as_vec3(), self.interval);
-        [o.x, o.y, o.z, d.x, d.y, d.z, tmin, tmax]
+    /// The second and the third stage.
+    #[cold]
+    #[inline(never)]
+    fn settle(&self, shape: &Triangle) -> Option<f32> {
+        let (corners, o, d, [tmin, tmax]) = (shape.widen(), self.origin, self.direction, self.interval);
+        let (found, errors) = (Determinants::of(&corners, o, d), Errors::of_triangle(&corners, o, d));
+        if found.is_miss(&errors) {
+            return None;
+        }
+        if found.is_hit(&errors) {
+            let [near, far] = found.distance(&errors).map(|t| t as f32);
+            if near == far && tmin < near && near < tmax {
+                return Some(near);
+            }
+        } else if !predicates::is_inside(&corners, o, d) {
+            return None;
+        }
+        quotient::distance(&corners, o, d, self.interval)
     }
-}
-
-/// What stays of a ray on the way to [`place`] and [`settle`]: numbers, so that the rays that do not go there need not be in
-/// memory as a whole.
-type Numbers = [f32; 8];
-
-/// The distance by exact sums, of a ray whose line meets the triangle.
-#[cold]
-#[inline(never)]
-fn place([ox, oy, oz, dx, dy, dz, tmin, tmax]: Numbers, shape: &Triangle) -> Option<f32> {
-    let [o, d] = [Vec3::new(ox, oy, oz), Vec3::new(dx, dy, dz)].map(Vector::widen);
-    quotient::distance(&shape.widen(), o, d, [tmin, tmax])
-}
-
-/// All by exact sums.
-#[cold]
-#[inline(never)]
-fn settle(ray: Numbers, shape: &Triangle) -> Option<f32> {
-    let [ox, oy, oz, dx, dy, dz, ..] = ray;
-    let [o, d] = [Vec3::new(ox, oy, oz), Vec3::new(dx, dy, dz)].map(Vector::widen);
-    if predicates::is_inside(&shape.widen(), o, d) { place(ray, shape) } else { None }
 }
 
 #[inline(always)]

@@ -20,11 +20,12 @@ pub struct ExactFromSingle {
     bound: f32,
 }
 
-/// Greatest coordinate for which nothing overflows in single precision.
-const MAX_COORDINATE: f32 = f32::from_bits((127 + 40) << 23);
+/// Greatest coordinate for which nothing overflows in single precision. `[EXACT-5]`
+pub const MAX_COORDINATE: f32 = f32::from_bits((127 + 40) << 23);
 
-/// Edges count at least this much in the error bound, so that it covers all errors of underflow too.
-const MIN_EDGE: f32 = f32::from_bits((127 - 60) << 23);
+/// Edges count at least this much in the error bound of single precision, so that it covers all errors of underflow too.
+/// `[EXACT-5]`
+pub const MIN_EDGE: f32 = f32::from_bits((127 - 60) << 23);
 
 /// Half of the distance from 1 to the next float.
 const UNIT: f32 = f32::EPSILON / 2.0;
@@ -40,7 +41,8 @@ impl Kernel for ExactFromSingle {
         // A subnormal direction has a power of 0 here; the reciprocal of others below 2^126 is not subnormal.
         let usual = power > 0.0
             && power < f32::from_bits(253 << 23)
-            && region.reach().max(ray.origin().abs().max_element()) <= MAX_COORDINATE;
+            && ray.origin().abs().max_element() <= MAX_COORDINATE
+            && region.reach() <= f64::from(MAX_COORDINATE);
         let (scale, size) = if usual { (power.recip(), greatest * power.recip()) } else { (0.0, f32::INFINITY) };
         Self {
             exact: Exact::new(ray, region),
