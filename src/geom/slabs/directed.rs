@@ -14,8 +14,8 @@ use crate::geom::{Aabb, Ray, Region, Vector};
 /// float too. Which plane is the near one depends on the ray alone, so the two reciprocals stand in the lanes of lo and hi
 /// where they are needed, and the test takes the very instructions of [`Plain`](super::Plain).
 ///
-/// Directions may be of any size, with components of any size. Rays for which the difference might overflow, with
-/// coordinates beyond 2^126, go to [`Wide`].
+/// Directions may be of any size. Rays with a component (other than 0) whose reciprocal overflows, and those with
+/// coordinates beyond 2^126, for which the difference might, go to [`Wide`].
 #[derive(Clone, Copy, Debug)]
 pub struct Directed {
     origin: [Vec4; 3],
@@ -44,13 +44,12 @@ impl Slabs for Directed {
         let inverse = Vec4::ONE / direction;
         let moved =
             |by: i32| Vec4::from(inverse.to_array().map(|i| f32::from_bits(i.to_bits().wrapping_add_signed(by))));
-        let near = moved(-(STEPS as i32));
-        // Not beyond infinity.
-        let far = Vec4::select(inverse.abs().cmplt(Vec4::MAX), moved(STEPS as i32), inverse * 4.0);
+        let is_zero = direction.cmpeq(Vec4::ZERO);
+        let (near, far) = (moved(-(STEPS as i32)), Vec4::select(is_zero, Vec4::INFINITY, moved(STEPS as i32)));
         let backward = direction.cmplt(Vec4::ZERO);
         let (lo, hi) = (Vec4::select(backward, far, near), Vec4::select(backward, near, far));
-        let is_wide = origin.abs().cmpgt(Vec4::splat(MAX_COORDINATE)).bitmask() != 0
-            || region.reach() > f64::from(MAX_COORDINATE);
+        let is_usual = (inverse.abs().cmplt(Vec4::MAX) | is_zero) & origin.abs().cmple(Vec4::splat(MAX_COORDINATE));
+        let is_wide = is_usual.bitmask() != 15 || region.reach() > f64::from(MAX_COORDINATE);
         Self {
             origin: [origin.xxxx(), origin.yyyy(), origin.zzzz()],
             inverse: [
