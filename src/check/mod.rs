@@ -5,6 +5,7 @@
 //! benchmarks all drive this one body. [`shrink()`] makes a failing case small, and a [`Replay`] file keeps it.
 
 mod battery;
+mod boxes;
 mod case;
 mod random;
 mod replay;
@@ -15,6 +16,7 @@ mod tally;
 mod watch;
 
 pub use battery::{Battery, Verdict};
+pub use boxes::{BoxTally, check_boxes};
 pub use case::{Case, CaseOptions};
 pub use random::{Disagreement, Plan, Progress, boundary_cases, check_cases, check_random, merge};
 pub use replay::{Replay, ReplayError};

@@ -4,14 +4,14 @@ use std::path::PathBuf;
 
 use rayon::prelude::*;
 use serde::Serialize;
-use stackless_bvh::check::{Errors, Stress};
+use stackless_bvh::check::{Errors, Stress, check_boxes};
 use stackless_bvh::scene::stress;
 use stackless_bvh::trace::{Accuracy, KernelName, SlabsName};
 use stackless_bvh::traverse::Method;
 
 use crate::Outcome;
 use crate::input;
-use crate::output::{bar, say, table, write_json};
+use crate::output::{bar, grouped, say, table, write_json};
 
 /// Trace the stress suite and count errors against rational arithmetic.
 ///
@@ -37,6 +37,12 @@ pub(crate) struct Args {
     /// Print a line only for cases with errors.
     #[arg(long)]
     brief: bool,
+    /// Instead, this many rays with a box each through every box test: how often is a box skipped that the ray touches?
+    #[arg(long, value_name = "RAYS", conflicts_with_all = ["cases", "all_tests", "list", "json"])]
+    boxes: Option<u64>,
+    /// Seed of those rays.
+    #[arg(long, default_value_t = 1, requires = "boxes")]
+    seed: u64,
     /// Write the figures to this file.
     #[arg(long)]
     json: Option<PathBuf>,
@@ -65,6 +71,9 @@ struct Tests {
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
+    if let Some(rays) = args.boxes {
+        return Ok(run_boxes(args.seed, rays));
+    }
     let names = if args.cases.is_empty() { stress::NAMES.to_vec() } else { args.cases.clone() };
     if args.list {
         for case in names.iter().filter_map(|name| stress::case(name, 0)) {
@@ -94,6 +103,18 @@ pub(crate) fn run(args: &Args) -> Outcome {
         write_json(path, &rows)?;
     }
     Ok(rows.iter().all(|row| row.accuracy != Accuracy::Exact.name() || row.errors() == 0))
+}
+
+/// Boxes alone, against rational arithmetic.
+fn run_boxes(seed: u64, rays: u64) -> bool {
+    let progress = bar(rays, "rays");
+    let tally = check_boxes(seed, rays, &|done| progress.inc(done));
+    progress.finish_and_clear();
+    let rows = SlabsName::ALL.into_iter().zip(tally.skipped).zip(tally.in_vain);
+    let rows = rows.map(|((form, skipped), in_vain)| vec![form.to_string(), grouped(skipped), grouped(in_vain)]);
+    say!("{}", table(&["box test", "touched and skipped", "not touched and entered"], 1, rows.collect()));
+    say!("stressed: {} rays with a box each, {} touched", grouped(tally.rays), grouped(tally.touched));
+    tally.skipped[2] == 0
 }
 
 fn tests(all: bool) -> Vec<Tests> {
