@@ -1,5 +1,7 @@
 //! The command `stackless`, run as its users run it.
 
+#[path = "cli/accuracy.rs"]
+mod accuracy;
 #[path = "cli/bad_input.rs"]
 mod bad_input;
 #[path = "cli/check.rs"]

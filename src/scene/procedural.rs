@@ -4,8 +4,10 @@
 //! Coordinates are made with operations that IEEE 754 rounds exactly (no sine).
 
 mod rays;
+mod view;
 
 pub use rays::{camera_rays, rays};
+pub use view::{View, view};
 
 use glam::Vec3;
 

@@ -2,6 +2,7 @@
 
 #![forbid(unsafe_code)]
 
+mod accuracy;
 mod bench;
 mod check;
 mod input;
@@ -32,6 +33,8 @@ enum What {
     Bench(bench::Args),
     /// Count the errors of each accuracy on hard scenes.
     Stress(stress::Args),
+    /// Measure run time against error, for every triangle test with every box test.
+    Accuracy(accuracy::Args),
     /// Say what a scene's hierarchy and hash tables take, and how far backtracking goes.
     Stats(stats::Args),
 }
@@ -46,6 +49,7 @@ fn main() -> ExitCode {
         What::Trace(args) => trace::run(&args),
         What::Bench(args) => bench::run(&args),
         What::Stress(args) => stress::run(&args),
+        What::Accuracy(args) => accuracy::run(&args),
         What::Stats(args) => stats::run(&args),
     };
     match outcome {

@@ -12,7 +12,7 @@ mod woop;
 pub use affine::{Affine, AffineTriangle};
 pub use bounds::{DETERMINANT, DISTANCE, EDGE, QUOTIENT, QUOTIENT_FACTOR};
 pub(super) use exact::is_degenerate;
-pub use exact::{Exact, ExactFromSingle, MAX_COORDINATE, MIN_EDGE, Sum};
+pub use exact::{Exact, ExactFromSingle, MAX_COORDINATE, MIN_EDGE, Stage, Sum};
 pub use moller::{Moller32, Moller64};
 pub use woop::Woop;
 

@@ -1,6 +1,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::geom::Aabb;
 
 proptest! {
     #[test]
@@ -41,4 +42,30 @@ fn a_sum_holds_what_doubles_drop() {
         other
     });
     assert_eq!(sum.value(), 1e-60);
+}
+
+#[test]
+fn the_stage_is_the_one_that_decides() {
+    let triangle = Triangle([Vec3::ZERO, Vec3::X * 3.0, Vec3::Y * 3.0]);
+    let stage_in = |region: Aabb, triangle: &Triangle, [x, y]: [f32; 2], tmax: f32| {
+        let ray = Ray::new(Vec3::new(x, y, 1.0), Vec3::NEG_Z, 0.0, tmax).unwrap();
+        Exact::new(&ray, &Region::of(&region)).stage(triangle)
+    };
+    let stage = |at, tmax| stage_in(triangle.aabb(), &triangle, at, tmax);
+    // Beside it, inside, on an edge, and at a corner.
+    assert_eq!(stage([4.0, 4.0], f32::INFINITY), Stage::Scene);
+    assert_eq!(stage([1.0, 1.0], f32::INFINITY), Stage::Scene);
+    assert_eq!(stage([1.0, 0.0], f32::INFINITY), Stage::Sums);
+    assert_eq!(stage([3.0, 0.0], f32::INFINITY), Stage::Sums);
+    // Near an edge, on either side, where the scene's bounds are too coarse.
+    let wide = Aabb { lo: Vec3::splat(-1e6), hi: Vec3::splat(1e6) };
+    assert_eq!(stage_in(wide, &triangle, [1.0, 0.001], f32::INFINITY), Stage::Triangle);
+    assert_eq!(stage_in(wide, &triangle, [1.0, -0.001], f32::INFINITY), Stage::Triangle);
+    assert_eq!(stage([1.0, 0.001], f32::INFINITY), Stage::Scene);
+    // The interval ends before the triangle, or right on it.
+    assert_eq!(stage([1.0, 1.0], 0.5), Stage::Scene);
+    assert_eq!(stage([1.0, 1.0], 1.0), Stage::Sums);
+    // The distance is in the middle between 1 and the next float.
+    let below = Triangle(triangle.0.map(|v| v - Vec3::Z * (f32::EPSILON / 2.0)));
+    assert_eq!(stage_in(below.aabb(), &below, [1.0, 1.0], f32::INFINITY), Stage::Sums);
 }

@@ -1,0 +1,170 @@
+//! `stackless accuracy`: run time against error.
+
+mod errors;
+mod leaks;
+mod pairs;
+mod rows;
+mod stages;
+mod tables;
+mod timing;
+
+use std::path::{Path, PathBuf};
+
+use stackless_bvh::geom::Ray;
+use stackless_bvh::scene::{procedural, stress, write_atomically};
+use stackless_bvh::trace;
+
+use crate::Outcome;
+use crate::input::Scene;
+use crate::output::{bar, say, write_json};
+use errors::Judge;
+use pairs::{Pair, Query, Trees};
+use rows::{Kind, Row};
+use stages::Stages;
+
+/// Measure run time against error, for every triangle test with every box test.
+///
+/// Times are of one thread, over one tree, in one run: a ratio is the median over chunks of rays of a pair's time to that
+/// of `moller-32` with `plain` boxes. Errors are told by rational arithmetic, on ordinary rays (a camera's, and from where
+/// those hit) and on rays that are aimed at edges, corners and planes. The exit code is 1 if an exact test with `directed`
+/// boxes errs at all.
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// Mesh files (.ply, .obj), the made scenes `strands`, `stadium`, `soup`, or `spheres`: closed ones, only for leaks.
+    #[arg(required = true)]
+    scenes: Vec<PathBuf>,
+    /// Draw time against error, as SVG.
+    #[arg(long)]
+    plot: Option<PathBuf>,
+    /// Write all counts to this file, a line for each scene, kind of rays and pair of tests.
+    #[arg(long)]
+    csv: Option<PathBuf>,
+    /// The same as JSON.
+    #[arg(long)]
+    json: Option<PathBuf>,
+    /// Rays of each kind: so many are timed, and up to 20,000 of them judged. Below 65,536 `spheres` has fewer too.
+    #[arg(long, default_value_t = 65_536, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
+    rays: u32,
+    /// How often all rays are timed; of a chunk's times the least counts.
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    rounds: u32,
+    /// Seed of the rays.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+}
+
+/// Rays of a kind that are judged.
+const JUDGED: usize = 20_000;
+
+/// The name of the scene that is several.
+const SPHERES: &str = "spheres";
+
+/// Rays of one kind, for one kind of query.
+struct Set {
+    name: &'static str,
+    kind: Kind,
+    query: Query,
+    rays: Vec<Ray>,
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    let (spheres, scenes): (Vec<&PathBuf>, Vec<_>) = args.scenes.iter().partition(|path| *path == Path::new(SPHERES));
+    let scenes = scenes.into_iter().map(|path| Scene::load(path)).collect::<Result<Vec<_>, _>>()?;
+    if args.plot.is_some() && scenes.is_empty() {
+        return Err(format!("--plot needs a scene that is timed, and {SPHERES} is not").into());
+    }
+    let pairs = Pair::all();
+    let (mut rows, mut stages, mut offences) = (Vec::new(), Vec::new(), Vec::new());
+    for scene in &scenes {
+        measure(scene, &pairs, args, &mut rows, &mut stages, &mut offences)?;
+    }
+    if !spheres.is_empty() {
+        let share = f64::from(args.rays.min(1 << 16)) / f64::from(1 << 16);
+        rows.extend(leaks::count(&pairs, share, &mut offences)?);
+    }
+    tables::print(&rows, &stages);
+    if let Some(path) = &args.csv {
+        write(path, &rows::csv(&rows))?;
+    }
+    if let Some(path) = &args.json {
+        write_json(path, &rows)?;
+    }
+    if let Some(path) = &args.plot {
+        write(path, &tables::plot(&rows)?)?;
+    }
+    for offence in &offences {
+        say!("{offence}");
+    }
+    Ok(offences.is_empty())
+}
+
+/// All of one scene. An offence is an error of a pair that promises none, in words.
+fn measure(
+    scene: &Scene,
+    pairs: &[Pair],
+    args: &Args,
+    rows: &mut Vec<Row>,
+    stages: &mut Vec<Stages>,
+    offences: &mut Vec<String>,
+) -> Result<(), Box<dyn std::error::Error>> {
+    let trees = Trees::new(&scene.mesh)?;
+    let judge = Judge::new(&scene.mesh);
+    for set in sets(scene, &trees, args) {
+        if set.rays.is_empty() {
+            say!("{}, {}: no rays", scene.name, set.name);
+            continue;
+        }
+        let name = format!("{}, {}", scene.name, set.name);
+        let judged = spread(&set.rays, JUDGED);
+        let counts = judge.counts(&trees, pairs, set.query, &judged, &name);
+        // Rays that are made to be hard come in an order that nobody traces them in, so they are not timed.
+        let times = match set.kind {
+            Kind::Ordinary => timing::measure(pairs, &trees, set.query, &set.rays, args.rounds as usize, &name),
+            Kind::Adversarial | Kind::Closed => Vec::new(),
+        };
+        if set.query == Query::Closest {
+            stages.push(Stages::count(&scene.name, set.name, trees.by_area(), &set.rays));
+        }
+        for (i, (pair, counts)) in pairs.iter().zip(counts).enumerate() {
+            if let Some(what) = counts.offence.as_ref().filter(|_| pair.is_exact()) {
+                offences.push(format!("{name}: {} with {}: {what}", pair.kernel, pair.slabs));
+            }
+            rows.push(Row::new(&scene.name, set.name, set.kind, pair).judged(&counts).timed(times.get(i)));
+        }
+    }
+    Ok(())
+}
+
+fn sets(scene: &Scene, trees: &Trees, args: &Args) -> [Set; 5] {
+    let n = args.rays as usize;
+    let primary = procedural::view(&scene.name, &scene.mesh).rays(n);
+    let progress = bar(1, &format!("{}, bounce", scene.name));
+    let diffuse = trace::bounce(&scene.mesh, trees.by_area(), &primary, args.seed);
+    progress.finish_and_clear();
+    let aimed = stress::aimed(&scene.mesh, args.seed, n.min(JUDGED));
+    let set = |name, kind, query, rays: &Vec<Ray>| Set { name, kind, query, rays: rays.clone() };
+    [
+        set("primary", Kind::Ordinary, Query::Closest, &primary),
+        set("any", Kind::Ordinary, Query::Any, &diffuse),
+        set("diffuse", Kind::Ordinary, Query::Closest, &diffuse),
+        set("aimed", Kind::Adversarial, Query::Closest, &aimed),
+        set("aimed-any", Kind::Adversarial, Query::Any, &aimed),
+    ]
+}
+
+/// At most `n` of the rays, from all over.
+fn spread(rays: &[Ray], n: usize) -> Vec<Ray> {
+    let n = n.min(rays.len());
+    (0..n).map(|i| rays[i * rays.len() / n]).collect()
+}
+
+fn write(path: &Path, text: &str) -> Result<(), String> {
+    write_atomically(path, |file| file.write_all(text.as_bytes()))
+        .map_err(|error| format!("{}: cannot be written: {error}", path.display()))
+}
+
+/// Rays as the user can give them back to `stackless trace`.
+fn csv_line(ray: &Ray) -> String {
+    let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin().to_array(), ray.direction().to_array());
+    format!("{ox:?},{oy:?},{oz:?},{dx:?},{dy:?},{dz:?},{:?},{:?}", ray.tmin(), ray.tmax())
+}

@@ -1,0 +1,201 @@
+//! Answers against the truth.
+
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::scene::Mesh;
+use stackless_bvh::trace::Truth;
+
+use super::csv_line;
+use super::pairs::{Answer, Pair, Query, Trees};
+use crate::output::bar;
+
+/// Tells errors.
+pub(super) struct Judge(Truth);
+
+/// What a pair got wrong.
+#[derive(Debug, Default)]
+pub(super) struct Counts {
+    pub(super) rays: u64,
+    /// Rays that truly hit.
+    pub(super) hits: u64,
+    pub(super) false_misses: u64,
+    pub(super) false_hits: u64,
+    /// Both hit, another triangle than the closest; for any hit, one that is not hit.
+    pub(super) wrong_primitives: u64,
+    /// Another answer for another tree or order.
+    pub(super) order_differences: u64,
+    /// How often a distance was so many floats away from the nearest to the true one.
+    pub(super) ulps: BTreeMap<u32, u64>,
+    /// The first error, in words.
+    pub(super) offence: Option<String>,
+}
+
+impl Judge {
+    pub(super) fn new(mesh: &Mesh) -> Self {
+        Self(Truth::new(mesh))
+    }
+
+    /// What each pair gets wrong on these rays.
+    pub(super) fn counts(&self, trees: &Trees, pairs: &[Pair], query: Query, rays: &[Ray], name: &str) -> Vec<Counts> {
+        let progress = bar(rays.len() as u64, &format!("{name}, truth"));
+        let truth = |ray: &Ray| {
+            let hits = self.0.all(ray).into_iter().map(|hit| (hit.prim, hit.t)).collect();
+            progress.inc(1);
+            hits
+        };
+        let truths: Vec<Vec<(u32, f32)>> = rays.par_iter().map(truth).collect();
+        progress.finish_and_clear();
+        let progress = bar(pairs.len() as u64, &format!("{name}, errors"));
+        let counts = pairs.iter().map(|pair| {
+            let ask = |memory: &mut Vec<_>, (ray, truth): (&Ray, &Vec<_>)| {
+                let mut counts = Counts::default();
+                counts.add(query, ray, truth, pair.answers(query, trees, ray, memory));
+                counts
+            };
+            let each = rays.par_iter().zip(&truths).with_min_len(256).map_init(Vec::new, ask);
+            let counts = each.reduce(Counts::default, Counts::merge);
+            progress.inc(1);
+            counts
+        });
+        let counts = counts.collect();
+        progress.finish_and_clear();
+        counts
+    }
+}
+
+impl Counts {
+    /// `truth` has all hits in their order; the first answer is the one that is judged.
+    fn add(&mut self, query: Query, ray: &Ray, truth: &[(u32, f32)], answers: [Answer; 3]) {
+        self.rays += 1;
+        self.hits += u64::from(!truth.is_empty());
+        let (error, ulps) = verdict(query, truth, answers[0]);
+        match error {
+            Some(Error::FalseMiss) => self.false_misses += 1,
+            Some(Error::FalseHit) => self.false_hits += 1,
+            Some(Error::WrongPrimitive) => self.wrong_primitives += 1,
+            None => {}
+        }
+        if let Some(ulps) = ulps {
+            *self.ulps.entry(ulps).or_default() += 1;
+        }
+        let differs = answers[1..].iter().any(|&other| !is_same(query, answers[0], other));
+        self.order_differences += u64::from(differs);
+        if (error.is_some() || differs || ulps.is_some_and(|ulps| ulps > 0)) && self.offence.is_none() {
+            let (ray, truth) = (csv_line(ray), truth.first());
+            self.offence = Some(format!("the ray {ray} truly has the closest hit {truth:?}, and gets {answers:?}"));
+        }
+    }
+
+    fn merge(mut self, other: Self) -> Self {
+        self.rays += other.rays;
+        self.hits += other.hits;
+        self.false_misses += other.false_misses;
+        self.false_hits += other.false_hits;
+        self.wrong_primitives += other.wrong_primitives;
+        self.order_differences += other.order_differences;
+        for (ulps, count) in other.ulps {
+            *self.ulps.entry(ulps).or_default() += count;
+        }
+        self.offence = self.offence.or(other.offence);
+        self
+    }
+
+    /// The error of the distance that this share of the distances does not exceed, in floats.
+    pub(super) fn quantile(&self, share: f64) -> Option<u32> {
+        let wanted = (share * self.ulps.values().sum::<u64>() as f64).ceil() as u64;
+        let mut seen = 0;
+        let reaches = |&(_, count): &(&u32, &u64)| {
+            seen += count;
+            seen >= wanted
+        };
+        self.ulps.iter().find(reaches).map(|(&ulps, _)| ulps)
+    }
+
+    /// The mean error of the distances, in floats.
+    pub(super) fn mean(&self) -> Option<f64> {
+        let sum: f64 = self.ulps.iter().map(|(&ulps, &count)| f64::from(ulps) * count as f64).sum();
+        (!self.ulps.is_empty()).then(|| sum / self.ulps.values().sum::<u64>() as f64)
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Error {
+    FalseMiss,
+    FalseHit,
+    WrongPrimitive,
+}
+
+/// What is wrong, and how many floats the distance is away from the true one where the triangle is right.
+fn verdict(query: Query, truth: &[(u32, f32)], answer: Answer) -> (Option<Error>, Option<u32>) {
+    let Some(closest) = truth.first() else { return (answer.map(|_| Error::FalseHit), None) };
+    let Some((prim, t)) = answer else { return (Some(Error::FalseMiss), None) };
+    match query {
+        Query::Any if truth.iter().any(|hit| hit.0 == prim) => (None, None),
+        Query::Closest if closest.0 == prim => (None, Some(place(t).abs_diff(place(closest.1)))),
+        _ => (Some(Error::WrongPrimitive), None),
+    }
+}
+
+/// The place of a number among all floats, those of zero being one.
+fn place(x: f32) -> i32 {
+    let magnitude = (x.to_bits() & 0x7fff_ffff) as i32;
+    if x.is_sign_negative() { -magnitude } else { magnitude }
+}
+
+fn is_same(query: Query, a: Answer, b: Answer) -> bool {
+    let bits = |answer: Answer| answer.map(|(prim, t)| (prim, t.to_bits()));
+    match query {
+        Query::Any => a.is_some() == b.is_some(),
+        Query::Closest => bits(a) == bits(b),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    #[test]
+    fn verdicts() {
+        use Query::{Any, Closest};
+        let truth = [(3, 1.0), (5, 1.0), (4, 2.0)];
+        for query in [Closest, Any] {
+            assert_eq!(verdict(query, &[], None), (None, None));
+            assert_eq!(verdict(query, &[], Some((1, 1.0))), (Some(Error::FalseHit), None));
+            assert_eq!(verdict(query, &truth, None), (Some(Error::FalseMiss), None));
+            assert_eq!(verdict(query, &truth, Some((7, 1.0))), (Some(Error::WrongPrimitive), None));
+        }
+        assert_eq!(verdict(Closest, &truth, Some((3, 1.0))), (None, Some(0)));
+        assert_eq!(verdict(Closest, &truth, Some((3, 1.0f32.next_down().next_down()))), (None, Some(2)));
+        assert_eq!(verdict(Closest, &[(0, 0.0)], Some((0, -0.0))), (None, Some(0)));
+        assert_eq!(verdict(Closest, &truth, Some((5, 1.0))), (Some(Error::WrongPrimitive), None));
+        assert_eq!(verdict(Any, &truth, Some((4, f32::NAN))), (None, None));
+    }
+
+    #[test]
+    fn answers_are_counted() {
+        let ray = Ray::new(Vec3::ZERO, Vec3::X, 0.0, f32::INFINITY).unwrap();
+        let (right, late) = (Some((3, 1.0)), Some((3, 1.0f32.next_up())));
+        let mut counts = Counts::default();
+        for _ in 0..999 {
+            counts.add(Query::Closest, &ray, &[(3, 1.0)], [right; 3]);
+        }
+        assert!(counts.offence.is_none());
+        counts.add(Query::Closest, &ray, &[(3, 1.0)], [late; 3]);
+        assert!(counts.offence.is_some());
+        assert_eq!((counts.quantile(0.999), counts.quantile(1.0), counts.mean()), (Some(0), Some(1), Some(0.001)));
+        let mut others = Counts::default();
+        for answers in [[right, late, right], [right, right, None], [None; 3]] {
+            others.add(Query::Closest, &ray, &[(3, 1.0)], answers);
+        }
+        others.add(Query::Any, &ray, &[(3, 1.0)], [right, late, right]);
+        others.add(Query::Any, &ray, &[], [right, right, None]);
+        let all = counts.merge(others);
+        assert_eq!((all.rays, all.hits), (1005, 1004));
+        assert_eq!((all.false_misses, all.false_hits, all.wrong_primitives, all.order_differences), (1, 1, 0, 3));
+        assert_eq!(all.ulps, [(0, 1001), (1, 1)].into());
+        assert_eq!(Counts::default().quantile(0.999), None);
+    }
+}

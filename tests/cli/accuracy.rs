@@ -1,0 +1,151 @@
+//! `stackless accuracy`: all pairs of tests are there, the exact ones do not err, and files say what is counted.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use serde_json::Value;
+use stackless_bvh::trace::{KernelName, SlabsName};
+
+use super::support::{Folder, data, read_json, stackless};
+
+const PAIRS: usize = KernelName::ALL.len() * SlabsName::ALL.len();
+const ERRORS: [&str; 5] = ["false_misses", "false_hits", "wrong_primitives", "order_differences", "leaks"];
+
+fn is_exact(row: &Value) -> bool {
+    row["kernel"].as_str().unwrap().starts_with("exact") && row["box"] == "directed"
+}
+
+/// Sum of a number over the rows that are chosen.
+fn sum(rows: &[Value], name: &str, choose: impl Fn(&Value) -> bool) -> u64 {
+    rows.iter().filter(|row| choose(row)).filter_map(|row| row[name].as_u64()).sum()
+}
+
+/// The rows of the table under a title: from its header to the next empty line or title.
+fn table<'a>(stdout: &'a str, title: &str) -> Vec<&'a str> {
+    stdout.lines().skip_while(|line| !line.starts_with(title)).skip(2).take(PAIRS).collect()
+}
+
+#[test]
+fn a_mesh_is_timed_and_judged() {
+    let folder = Folder::new();
+    let [csv, json, svg] = ["rows.csv", "rows.json", "picture.svg"].map(|name| folder.path(name));
+    let [as_csv, as_json, as_svg] = ["--csv", "--json", "--plot"].map(Path::new);
+    let paths = [as_csv, &csv, as_json, &json, as_svg, &svg, &data("cube.ply")];
+    let run = stackless("accuracy --rays 500 --rounds 1", &paths).passes();
+    assert_eq!(folder.names(), ["picture.svg", "rows.csv", "rows.json"]);
+
+    let rows = read_json(&json);
+    let rows = rows.as_array().unwrap();
+    let names = |row: &Value| ["set", "kernel", "box"].map(|name| row[name].as_str().unwrap().to_owned());
+    assert_eq!(rows.len(), 5 * PAIRS);
+    assert_eq!(rows.iter().map(names).collect::<BTreeSet<_>>().len(), rows.len());
+    for row in rows {
+        let (rays, hits) = (row["rays"].as_u64().unwrap(), row["hits"].as_u64().unwrap());
+        assert_eq!(row["scene"], "cube");
+        // From outside of a cube nothing bounces back to it.
+        let leaves = row["kind"] == "ordinary" && row["set"] != "primary";
+        assert!((0 < hits) != leaves && hits <= rays && rays <= 500, "{row}");
+        assert_eq!(row["kind"] == "adversarial", row["set"].as_str().unwrap().starts_with("aimed"), "{row}");
+        assert_eq!(row["ratio"].as_f64().is_some_and(|ratio| ratio > 0.0), row["kind"] == "ordinary", "{row}");
+        assert!(ERRORS.iter().all(|name| row[*name].as_u64().unwrap_or(0) <= rays), "{row}");
+        if (row["kernel"].as_str(), row["box"].as_str()) == (Some("moller-32"), Some("plain")) {
+            assert!(row["kind"] == "adversarial" || row["ratio"] == 1.0, "{row}");
+        }
+        if is_exact(row) {
+            assert!(ERRORS.iter().all(|name| row[*name].as_u64().unwrap_or(0) == 0), "{row}");
+            assert_eq!(row["max_ulp"].as_u64().unwrap_or(0), 0, "{row}");
+        }
+    }
+    // What is not exact does err: the judge is not blind.
+    for name in &ERRORS[..4] {
+        assert!(sum(rows, name, |row| !is_exact(row)) > 0, "{name}");
+    }
+    assert!(rows.iter().any(|row| row["max_ulp"].as_u64() > Some(0)));
+
+    let text = std::fs::read_to_string(&csv).unwrap();
+    let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().unwrap();
+    let lines: Vec<_> = lines.collect();
+    assert_eq!(lines.len(), rows.len());
+    for (line, row) in lines.iter().zip(rows) {
+        assert_eq!(line.len(), header.len());
+        assert_eq!(row.as_object().unwrap().len(), header.len());
+        for (name, field) in header.iter().zip(line) {
+            let expected = match &row[*name] {
+                Value::Null => String::new(),
+                Value::String(text) => text.clone(),
+                Value::Number(number) => {
+                    // The JSON reader of the tests may be off by a unit in the last place.
+                    let (here, there) = (field.parse::<f64>().unwrap(), number.as_f64().unwrap());
+                    assert!((here - there).abs() <= 1e-15 * there.abs(), "{name}: {here} {there}");
+                    continue;
+                }
+                other => panic!("{name}: {other}"),
+            };
+            assert_eq!(*field, expected, "{name}");
+        }
+    }
+
+    for title in ["ordinary rays", "adversarial rays"] {
+        let lines = table(&run.stdout, title);
+        assert!(lines.iter().any(|line| line.starts_with('*')), "{}", run.stdout);
+        let exact = lines.iter().find(|line| line.contains("directed") && line.contains(" exact ")).unwrap();
+        assert_eq!(exact.matches('<').count(), 4, "{exact}");
+    }
+    assert!(run.stdout.contains("stages of exact"), "{}", run.stdout);
+    let svg = std::fs::read_to_string(&svg).unwrap();
+    assert!(svg.starts_with("<svg") && svg.ends_with("</svg>\n"));
+    assert!(svg.contains("exact + directed") && svg.contains("adversarial rays"));
+}
+
+#[test]
+fn counts_repeat() {
+    let folder = Folder::new();
+    let counts = |seed: u32| {
+        let csv = folder.path("rows.csv");
+        stackless(&format!("accuracy --rays 300 --rounds 1 --seed {seed} --csv"), &[&csv, &data("cube.ply")]).passes();
+        let text = std::fs::read_to_string(csv).unwrap();
+        // Up to the times, which are last.
+        text.lines().map(|line| line.split(',').take(18).collect::<Vec<_>>().join(",")).collect::<Vec<_>>()
+    };
+    assert_eq!(counts(7), counts(7));
+    assert_ne!(counts(7), counts(8));
+}
+
+#[test]
+fn closed_spheres_leak_unless_the_tests_are_exact() {
+    let folder = Folder::new();
+    let json = folder.path("rows.json");
+    let run = stackless("accuracy --rays 100 --json", &[&json, Path::new("spheres")]).passes();
+    let rows = read_json(&json);
+    let rows = rows.as_array().unwrap();
+    assert_eq!(rows.len(), 6 * PAIRS);
+    for row in rows {
+        assert!(row["rays"].as_u64() > Some(900), "{row}");
+        assert!(row["leaks"].as_u64() <= row["misses"].as_u64(), "{row}");
+    }
+    assert_eq!(sum(rows, "leaks", is_exact), 0);
+    assert!(sum(rows, "leaks", |row| row["kernel"] == "moller-32") > 0);
+    assert!(run.stdout.contains("leaks"), "{}", run.stdout);
+}
+
+#[test]
+fn what_cannot_be_measured() {
+    let folder = Folder::new();
+    let svg = folder.path("picture.svg");
+    for (args, what) in
+        [("accuracy", "SCENES"), ("accuracy soup --rays 0", "--rays"), ("accuracy soup --rounds none", "--rounds")]
+    {
+        let run = stackless(args, &[]);
+        assert_eq!((run.code, run.stdout.as_str()), (Some(2), ""), "{args}");
+        assert!(run.stderr.contains(what), "{args}: {}", run.stderr);
+    }
+    // A good scene before the bad one is not begun with.
+    let run = stackless("accuracy soup --plot", &[&svg, &folder.path("missing.ply")]);
+    run.fails_naming(&["missing.ply", "cannot be read"]);
+    stackless("accuracy spheres --plot", &[&svg]).fails_naming(&["--plot", "spheres"]);
+    let run = stackless("accuracy --rays 20 --rounds 1 --csv", &[&folder.path("missing/rows.csv"), &data("cube.ply")]);
+    assert_eq!(run.code, Some(2), "{run:?}");
+    assert!(run.stderr.contains("missing/rows.csv: cannot be written"), "{run:?}");
+    assert!(folder.names().is_empty());
+}
