@@ -15,11 +15,13 @@ use std::ops::Range;
 
 use glam::Vec3;
 
-use crate::geom::{Aabb, Region, Triangle};
+use crate::geom::{Aabb, Region, Triangle, Vector};
 use crate::order::Side;
 use crate::tree::{self, Node, Recorded, Topology};
 
 /// A binary bounding volume hierarchy over the triangles of a mesh, with a copy of their corners.
+///
+/// Boxes are in single precision. Those of a [`Mesh`](crate::scene::Mesh) in double precision are rounded outwards.
 ///
 /// ```
 /// use glam::Vec3;
@@ -178,7 +180,7 @@ impl<S> Bvh<S> {
     }
 }
 
-impl Bvh {
+impl<V: Vector> Bvh<Triangle<V>> {
     /// Makes all boxes the smallest ones that nest.
     fn fit(&mut self) {
         // Children come after their parents, so that one sweep from the back has their boxes ready.

@@ -1,7 +1,7 @@
 //! Whether a hierarchy is sound.
 
 use super::{Bvh, Leaf};
-use crate::geom::{Aabb, Triangle};
+use crate::geom::{Aabb, Triangle, Vector};
 use crate::order::Side;
 use crate::scene::Mesh;
 use crate::tree::{self, Node, Topology};
@@ -80,7 +80,7 @@ pub enum BvhError {
 ///
 /// # Errors
 /// The first fault in depth-first order.
-pub fn validate(bvh: &Bvh, mesh: &Mesh) -> Result<(), BvhError> {
+pub fn validate<V: Vector>(bvh: &Bvh<Triangle<V>>, mesh: &Mesh<V>) -> Result<(), BvhError> {
     let mut walk = Walk { bvh, mesh, seen: vec![false; mesh.triangles().len()], inner: 0, leaves: 0, end: 0 };
     let mut depth = 0;
     let mut pending = vec![(bvh.root, bvh.bounds, 0)];
@@ -106,16 +106,16 @@ pub fn validate(bvh: &Bvh, mesh: &Mesh) -> Result<(), BvhError> {
 }
 
 /// How far the check has come.
-struct Walk<'a> {
-    bvh: &'a Bvh,
-    mesh: &'a Mesh,
+struct Walk<'a, V> {
+    bvh: &'a Bvh<Triangle<V>>,
+    mesh: &'a Mesh<V>,
     seen: Vec<bool>,
     inner: usize,
     leaves: usize,
     end: usize,
 }
 
-impl Walk<'_> {
+impl<V: Vector> Walk<'_, V> {
     fn inner(&mut self, node: Node, aabb: &Aabb) -> Result<[(Node, Aabb); 2], BvhError> {
         // An index that is always the next one is reached once, so the walk ends.
         let record = match self.bvh.nodes.get(node.index()) {
@@ -155,7 +155,7 @@ impl Walk<'_> {
                 }
                 _ => return Err(BvhError::Triangle { leaf, prim }),
             }
-            if !held.shape.0.iter().all(|&corner| aabb.contains(corner)) {
+            if !aabb.encloses(&held.shape.aabb()) {
                 return Err(BvhError::Outside { leaf, prim });
             }
         }

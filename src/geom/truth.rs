@@ -16,10 +16,22 @@ use dashu_int::{IBig, Sign};
 use dashu_ratio::Relaxed;
 
 /// A float that is taken exactly: `f32` or `f64`.
-pub trait Number: Copy + Into<f64> + sealed::Sealed {}
+pub trait Number: Copy + Into<f64> + sealed::Sealed {
+    /// The number of this kind that is nearest to `x`: [`round_f32`] or [`round_f64`].
+    fn nearest(x: &RBig) -> Self;
+}
 
-impl Number for f32 {}
-impl Number for f64 {}
+impl Number for f32 {
+    fn nearest(x: &RBig) -> Self {
+        round_f32(x)
+    }
+}
+
+impl Number for f64 {
+    fn nearest(x: &RBig) -> Self {
+        round_f64(x)
+    }
+}
 
 mod sealed {
     pub trait Sealed {}

@@ -5,6 +5,9 @@ use std::ops::Sub;
 
 use glam::{DVec3, Vec3};
 
+use super::truth::Number;
+use super::{Aabb, kernel};
+
 /// A position or direction, in single or in double precision.
 pub trait Vector: Copy + PartialEq + Debug + Sub<Output = Self> + private::Sealed {
     /// A coordinate.
@@ -15,10 +18,19 @@ pub trait Vector: Copy + PartialEq + Debug + Sub<Output = Self> + private::Seale
 
     /// The same in double precision; exact.
     fn widen(self) -> DVec3;
+
+    /// The components.
+    fn components(self) -> [Self::Real; 3];
+
+    /// The smallest box in single precision that holds these points; infinite beyond the range of single precision.
+    fn aabb(points: &[Self; 3]) -> Aabb;
+
+    /// Whether three points lie on a line, exactly.
+    fn are_collinear(points: &[Self; 3]) -> bool;
 }
 
 /// A coordinate or a distance.
-pub trait Real: Copy + PartialEq + PartialOrd + Debug + Default + Into<f64> + private::Sealed {
+pub trait Real: Number + PartialEq + PartialOrd + Debug + Default + private::Sealed {
     /// Beyond every number.
     const INFINITY: Self;
 }
@@ -35,6 +47,20 @@ impl Vector for Vec3 {
     fn widen(self) -> DVec3 {
         self.as_dvec3()
     }
+
+    #[inline]
+    fn components(self) -> [f32; 3] {
+        self.into()
+    }
+
+    #[inline]
+    fn aabb(points: &[Self; 3]) -> Aabb {
+        Aabb::of(points)
+    }
+
+    fn are_collinear(points: &[Self; 3]) -> bool {
+        kernel::is_degenerate(&points.map(Self::widen))
+    }
 }
 
 impl Vector for DVec3 {
@@ -48,6 +74,25 @@ impl Vector for DVec3 {
     #[inline]
     fn widen(self) -> DVec3 {
         self
+    }
+
+    #[inline]
+    fn components(self) -> [f64; 3] {
+        self.into()
+    }
+
+    fn aabb(&[a, b, c]: &[Self; 3]) -> Aabb {
+        let down = |x: f64| if f64::from(x as f32) > x { (x as f32).next_down() } else { x as f32 };
+        let (lo, hi) = (a.min(b).min(c), a.max(b).max(c));
+        Aabb {
+            lo: Vec3::from(lo.to_array().map(down)),
+            // -down(-x) is x rounded up.
+            hi: Vec3::from(hi.to_array().map(|x| -down(-x))),
+        }
+    }
+
+    fn are_collinear(points: &[Self; 3]) -> bool {
+        kernel::is_degenerate_64(points)
     }
 }
 

@@ -1,6 +1,8 @@
 //! An indexed triangle mesh, valid by construction.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
+
+use crate::geom::Vector;
 
 /// Greatest number of vertices and of triangles: what [`Node`](crate::tree::Node) can address.
 pub const MAX_COUNT: usize = (1 << 31) - 1;
@@ -9,9 +11,11 @@ pub const MAX_COUNT: usize = (1 << 31) - 1;
 ///
 /// The position of a triangle in [`triangles`](Self::triangles) is its primitive index: the order of the file, with
 /// polygons fanned out in place. Degenerate triangles and unused vertices are kept; they are input data.
+///
+/// Coordinates are in single precision, or with [`DVec3`] in double.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mesh {
-    vertices: Vec<Vec3>,
+pub struct Mesh<V = Vec3> {
+    vertices: Vec<V>,
     triangles: Vec<[u32; 3]>,
 }
 
@@ -35,7 +39,7 @@ pub enum MeshError {
         /// Index of the vertex.
         vertex: usize,
         /// Where it is.
-        position: Vec3,
+        position: DVec3,
     },
     /// A corner is not a vertex.
     #[error("triangle {triangle}: vertex index {index} is out of range, expected less than {vertices}")]
@@ -49,15 +53,15 @@ pub enum MeshError {
     },
 }
 
-impl Mesh {
+impl<V: Vector> Mesh<V> {
     /// The mesh of these triangles, each three indices into `vertices`.
     ///
     /// # Errors
     /// What [`MeshError`] lists; of several offenders the first.
-    pub fn new(vertices: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
+    pub fn new(vertices: Vec<V>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
         check_counts(vertices.len(), triangles.len())?;
         if let Some(vertex) = vertices.iter().position(|v| !v.is_finite()) {
-            return Err(MeshError::NonFinite { vertex, position: vertices[vertex] });
+            return Err(MeshError::NonFinite { vertex, position: vertices[vertex].widen() });
         }
         for (triangle, corners) in triangles.iter().enumerate() {
             if let Some(&index) = corners.iter().find(|&&index| index as usize >= vertices.len()) {
@@ -69,7 +73,7 @@ impl Mesh {
 
     /// Positions, in the order of the file.
     #[inline]
-    pub fn vertices(&self) -> &[Vec3] {
+    pub fn vertices(&self) -> &[V] {
         &self.vertices
     }
 
@@ -84,7 +88,7 @@ impl Mesh {
     /// # Panics
     /// If there is no such triangle.
     #[inline]
-    pub fn triangle(&self, index: usize) -> [Vec3; 3] {
+    pub fn triangle(&self, index: usize) -> [V; 3] {
         self.triangles[index].map(|corner| self.vertices[corner as usize])
     }
 }

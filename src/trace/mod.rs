@@ -8,12 +8,14 @@
 
 mod accuracy;
 mod bounce;
+mod crossings;
 mod query;
 pub mod truth;
 
 pub use accuracy::{Accuracy, KernelName, SlabsName, WithTests, with_tests};
 pub use bounce::bounce;
-pub use query::{Any, AnyByNode, Closest, ClosestByNode, Counted, NodeSearch, Query, Search};
+pub use crossings::{AllHits, AllHits64, Crossings, Sweep};
+pub use query::{Any, Any64, AnyByNode, Closest, Closest64, ClosestByNode, Counted, NodeSearch, Query, Search};
 pub use truth::{TrueHit, Truth};
 
 /// Where a ray meets a mesh.

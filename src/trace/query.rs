@@ -4,8 +4,8 @@ use glam::Vec3;
 
 use super::Hit;
 use crate::bvh::Bvh;
-use crate::geom::kernel::Exact;
-use crate::geom::slabs::Directed;
+use crate::geom::kernel::{Exact, Exact64};
+use crate::geom::slabs::{Directed, Wide};
 use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs, Vector};
 use crate::order::{Descent, Flow, NodeTest, Visitor};
 use crate::tree::{Node, Topology};
@@ -15,6 +15,27 @@ pub type Closest<'a> = Search<'a, Exact, Directed, false>;
 
 /// An any-hit query, exact, in the order of [`Closest`]. It stops at the first hit that it meets.
 pub type Any<'a> = Search<'a, Exact, Directed, true>;
+
+/// A closest-hit query in double precision, exact. `[EXACT-7]`
+///
+/// ```
+/// use glam::DVec3;
+/// use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, scene::Mesh, trace::Closest64};
+/// use stackless_bvh::traverse::{Stack, traverse};
+///
+/// let corners = [DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| corner + 1e9);
+/// let mesh = Mesh::new(corners.to_vec(), vec![[0, 1, 2]])?;
+/// let bvh = Bvh::sah(&mesh, SahOptions::default())?;
+/// let ray = Ray::new(DVec3::splat(1e9 + 0.25) - DVec3::Z, DVec3::Z, 0.0, f64::INFINITY)?;
+/// let mut closest = Closest64::new(&bvh, &ray);
+/// traverse(Stack::new(&bvh, &mut Vec::new()), &mut closest, &mut ());
+/// assert_eq!(closest.hit().map(|hit| (hit.t, hit.u, hit.v)), Some((0.75, 0.25, 0.25)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub type Closest64<'a> = Search<'a, Exact64, Wide, false>;
+
+/// An any-hit query in double precision, exact.
+pub type Any64<'a> = Search<'a, Exact64, Wide, true>;
 
 /// A closest-hit query, exact, that tests each node's own box.
 pub type ClosestByNode<'a> = NodeSearch<'a, Exact, Directed, false>;
@@ -204,3 +225,6 @@ impl<V: NodeTest> NodeTest for Counted<V> {
         self.inside.leaf(node)
     }
 }
+
+#[cfg(test)]
+mod tests;

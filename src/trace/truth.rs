@@ -2,36 +2,39 @@
 //!
 //! A ray hits a triangle if the line crosses it, edges and corners included, at an exact `t` with `tmin <= t <= tmax`
 //! ([`crate::geom::truth::meet`]). A triangle of determinant 0 is not hit. Hits are ordered by `t` rounded to the
-//! nearest `f32`, then by primitive; the closest hit is the first one. `[EXACT-1]`
+//! nearest `f32`, then by primitive; the closest hit is the first one. `[EXACT-1]` For a mesh and rays in double
+//! precision, read `f64`. `[EXACT-7]`
 //!
 //! [`brute_force`] is this definition. [`Truth`] gives the same answers sooner, by leaving out triangles that the ray
 //! misses by far. Its hierarchy and its box test are its own and as plain as can be, so that it does not rest on what
 //! it judges.
 
 use std::cmp::Ordering;
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
+
+use glam::Vec3;
 
 use super::Hit;
-use crate::geom::Ray;
-use crate::geom::truth::{Meeting, Point, holds, meet, round_f32};
+use crate::geom::truth::{Meeting, Number, Point, holds, meet};
+use crate::geom::{Ray, Vector};
 use crate::scene::Mesh;
 
 /// Where a ray truly hits a mesh.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TrueHit {
+pub struct TrueHit<R = f32> {
     /// Index of the triangle in the mesh.
     pub prim: u32,
-    /// The `f32` nearest to the distance, in lengths of the direction. Infinite if that is beyond all floats.
-    pub t: f32,
+    /// The float nearest to the distance, in lengths of the direction. Infinite if that is beyond all floats.
+    pub t: R,
     /// The point itself, with the exact distance.
     pub point: Point,
 }
 
-impl TrueHit {
+impl<R: Number> TrueHit<R> {
     /// The hit with distance and weights rounded to the nearest floats, ties to even: what an exact query answers.
-    pub fn rounded(&self) -> Hit {
+    pub fn rounded(&self) -> Hit<R> {
         let Point { u, v, .. } = &self.point;
-        Hit { prim: self.prim, t: self.t, u: round_f32(u), v: round_f32(v) }
+        Hit { prim: self.prim, t: self.t, u: R::nearest(u), v: R::nearest(v) }
     }
 }
 
@@ -49,7 +52,7 @@ impl TrueHit {
 /// # Ok(())
 /// # }
 /// ```
-pub fn brute_force(mesh: &Mesh, ray: &Ray) -> Vec<TrueHit> {
+pub fn brute_force<V: Vector>(mesh: &Mesh<V>, ray: &Ray<V>) -> Vec<TrueHit<V::Real>> {
     let corners = (0..mesh.triangles().len()).map(|prim| corners(mesh, prim));
     in_order((0..).zip(corners).filter_map(|(prim, corners)| hit(prim, corners, ray)))
 }
@@ -68,47 +71,47 @@ pub fn brute_force(mesh: &Mesh, ray: &Ray) -> Vec<TrueHit> {
 /// }
 /// ```
 #[derive(Clone, Debug)]
-pub struct Truth {
-    triangles: Vec<Corners>,
+pub struct Truth<V: Vector = Vec3> {
+    triangles: Vec<Corners<V>>,
     /// The leaves from left to right: all primitives, once each.
     prims: Vec<u32>,
     /// Of every node in preorder. A node over `n` primitives has `2 n - 1` in its subtree and halves them.
     boxes: Vec<Bounds>,
 }
 
-type Corners = [[f32; 3]; 3];
+type Corners<V> = [[<V as Vector>::Real; 3]; 3];
 
-impl Truth {
+impl<V: Vector> Truth<V> {
     /// Prepares a mesh; it is copied.
-    pub fn new(mesh: &Mesh) -> Self {
+    pub fn new(mesh: &Mesh<V>) -> Self {
         let triangles: Vec<_> = (0..mesh.triangles().len()).map(|prim| corners(mesh, prim)).collect();
         let (mut prims, mut boxes): (Vec<_>, _) = ((0..triangles.len() as u32).collect(), Vec::new());
-        build(&triangles, &mut prims, &mut boxes);
+        build::<V>(&triangles, &mut prims, &mut boxes);
         Self { triangles, prims, boxes }
     }
 
     /// The first hit in the order (rounded `t`, primitive).
-    pub fn closest(&self, ray: &Ray) -> Option<TrueHit> {
+    pub fn closest(&self, ray: &Ray<V>) -> Option<TrueHit<V::Real>> {
         self.hits(ray).min_by(order)
     }
 
     /// Whether there is a hit.
-    pub fn any(&self, ray: &Ray) -> bool {
+    pub fn any(&self, ray: &Ray<V>) -> bool {
         self.hits(ray).next().is_some()
     }
 
     /// All hits in the order (rounded `t`, primitive).
-    pub fn all(&self, ray: &Ray) -> Vec<TrueHit> {
+    pub fn all(&self, ray: &Ray<V>) -> Vec<TrueHit<V::Real>> {
         in_order(self.hits(ray))
     }
 
     /// All hits, in the order of the leaves.
-    fn hits(&self, ray: &Ray) -> impl Iterator<Item = TrueHit> {
+    fn hits(&self, ray: &Ray<V>) -> impl Iterator<Item = TrueHit<V::Real>> {
         self.candidates(ray).filter_map(|prim| hit(prim, self.triangles[prim as usize], ray))
     }
 
     /// The primitives whose box, and all boxes above it, the ray does not miss by far.
-    fn candidates(&self, ray: &Ray) -> impl Iterator<Item = u32> {
+    fn candidates(&self, ray: &Ray<V>) -> impl Iterator<Item = u32> {
         let gross = Gross::new(ray);
         let mut stack = vec![(0, 0..self.prims.len())];
         std::iter::from_fn(move || {
@@ -129,33 +132,34 @@ impl Truth {
 }
 
 /// The hit of one triangle, if the ray hits it.
-fn hit(prim: u32, corners: Corners, ray: &Ray) -> Option<TrueHit> {
-    match meet(corners, ray.origin().to_array(), ray.direction().to_array()) {
+fn hit<V: Vector>(prim: u32, corners: Corners<V>, ray: &Ray<V>) -> Option<TrueHit<V::Real>> {
+    match meet(corners, ray.origin().components(), ray.direction().components()) {
         Meeting::Hit(point) if holds([ray.tmin(), ray.tmax()], &point.t) => {
-            Some(TrueHit { prim, t: round_f32(&point.t), point })
+            Some(TrueHit { prim, t: Number::nearest(&point.t), point })
         }
         _ => None,
     }
 }
 
-fn order(a: &TrueHit, b: &TrueHit) -> Ordering {
-    a.t.total_cmp(&b.t).then(a.prim.cmp(&b.prim))
+fn order<R: Number>(a: &TrueHit<R>, b: &TrueHit<R>) -> Ordering {
+    let (t, other): (f64, f64) = (a.t.into(), b.t.into());
+    t.total_cmp(&other).then(a.prim.cmp(&b.prim))
 }
 
-fn in_order(hits: impl Iterator<Item = TrueHit>) -> Vec<TrueHit> {
+fn in_order<R: Number>(hits: impl Iterator<Item = TrueHit<R>>) -> Vec<TrueHit<R>> {
     let mut hits: Vec<_> = hits.collect();
     hits.sort_by(order);
     hits
 }
 
-fn corners(mesh: &Mesh, prim: usize) -> Corners {
-    mesh.triangle(prim).map(|corner| corner.to_array())
+fn corners<V: Vector>(mesh: &Mesh<V>, prim: usize) -> Corners<V> {
+    mesh.triangle(prim).map(Vector::components)
 }
 
 /// Adds the boxes of the tree over `prims`, at least one, and sorts these: along the axis on which the middles of
 /// their boxes differ most, halved, and again.
-fn build(triangles: &[Corners], prims: &mut [u32], boxes: &mut Vec<Bounds>) {
-    let bounds = |&prim: &u32| Bounds::of(&triangles[prim as usize]);
+fn build<V: Vector>(triangles: &[Corners<V>], prims: &mut [u32], boxes: &mut Vec<Bounds>) {
+    let bounds = |&prim: &u32| Bounds::of::<V>(&triangles[prim as usize]);
     let middles = |prim: &u32| bounds(prim).middle();
     boxes.push(prims.iter().map(bounds).fold(Bounds::EMPTY, Bounds::union));
     if prims.len() > 1 {
@@ -165,8 +169,8 @@ fn build(triangles: &[Corners], prims: &mut [u32], boxes: &mut Vec<Bounds>) {
         let (left, _) = halves(0..prims.len());
         prims.select_nth_unstable_by(left.end, |a, b| middles(a)[axis].total_cmp(&middles(b)[axis]));
         let (left, right) = prims.split_at_mut(left.end);
-        build(triangles, left, boxes);
-        build(triangles, right, boxes);
+        build::<V>(triangles, left, boxes);
+        build::<V>(triangles, right, boxes);
     }
 }
 
@@ -185,8 +189,8 @@ struct Bounds {
 impl Bounds {
     const EMPTY: Self = Self { lo: [f64::INFINITY; 3], hi: [f64::NEG_INFINITY; 3] };
 
-    fn of(corners: &Corners) -> Self {
-        corners.iter().map(|corner| corner.map(f64::from)).fold(Self::EMPTY, Self::grow)
+    fn of<V: Vector>(corners: &Corners<V>) -> Self {
+        corners.iter().map(|corner| corner.map(Into::into)).fold(Self::EMPTY, Self::grow)
     }
 
     fn grow(self, point: [f64; 3]) -> Self {
@@ -209,12 +213,18 @@ struct Gross {
     direction: [f64; 3],
     tmin: f64,
     tmax: f64,
+    /// Whether the components of the direction that are not 0 are in [`RANGE`].
+    in_range: bool,
 }
 
+/// Numbers of such size can be told to be far from each other without overflow. All in single precision are of it.
+const RANGE: RangeInclusive<f64> = f64::from_bits((1023 - 400) << 52)..=f64::from_bits((1023 + 400) << 52);
+
 impl Gross {
-    fn new(ray: &Ray) -> Self {
-        let [origin, direction] = [ray.origin(), ray.direction()].map(|x| x.to_array().map(f64::from));
-        Self { origin, direction, tmin: ray.tmin().into(), tmax: ray.tmax().into() }
+    fn new<V: Vector>(ray: &Ray<V>) -> Self {
+        let [origin, direction] = [ray.origin(), ray.direction()].map(|x| x.widen().to_array());
+        let in_range = direction.into_iter().all(|x| x == 0.0 || RANGE.contains(&x.abs()));
+        Self { origin, direction, tmin: ray.tmin().into(), tmax: ray.tmax().into(), in_range }
     }
 
     /// False for every box that the ray touches.
@@ -224,12 +234,18 @@ impl Gross {
     /// the origin, and 2.1 for the quotient, whose numerator is below 2.1 `m`. So the margin is a million times
     /// what it must be, and a ray that touches the box at some `t` has `near <= t <= far` on every axis.
     ///
-    /// Nothing overflows or underflows: coordinates are zero or between 2^-149 and 2^128, differences and margin zero
-    /// or above 2^-260, quotients below 2^279 and above 2^-390. No NaN arises; if one did, it would not bound the ray.
+    /// Of `m` and of the direction's components, none may be outside of 2^-400 to 2^400, unless it is 0; else no box is
+    /// missed. So nothing overflows, and no NaN arises: differences are below 2^402, quotients below 2^803. Sums and
+    /// differences do not underflow. A quotient may, by 2^-1075; but the margin, over a component of the direction, is
+    /// above 2^-830.
     fn misses(&self, bounds: &Bounds) -> bool {
         let Self { origin: o, direction: d, .. } = self;
         let Bounds { lo, hi } = bounds;
-        let margin = 1e-9 * [o, lo, hi].into_iter().flatten().fold(0.0, |greatest: f64, x| greatest.max(x.abs()));
+        let greatest = [o, lo, hi].into_iter().flatten().fold(0.0, |greatest: f64, x| greatest.max(x.abs()));
+        if !self.in_range || greatest != 0.0 && !RANGE.contains(&greatest) {
+            return false;
+        }
+        let margin = 1e-9 * greatest;
         let (mut near, mut far) = (self.tmin, self.tmax);
         for k in 0..3 {
             let (lo, hi) = (lo[k] - margin, hi[k] + margin);

@@ -2,9 +2,10 @@
 
 use super::{BuildError, build, halve, items};
 use crate::bvh::Bvh;
+use crate::geom::{Triangle, Vector};
 use crate::scene::Mesh;
 
-impl Bvh {
+impl<V: Vector> Bvh<Triangle<V>> {
     /// A complete tree: all leaves at the same depth, and their counts differ by at most 1.
     ///
     /// Each node is cut at the exact middle of its count, along the axis on which the centroids spread most. The
@@ -13,7 +14,7 @@ impl Bvh {
     ///
     /// # Errors
     /// Any but [`BuildError::Bins`] and [`BuildError::DepthLimit`].
-    pub fn median(mesh: &Mesh, leaf_size: u32) -> Result<Self, BuildError> {
+    pub fn median(mesh: &Mesh<V>, leaf_size: u32) -> Result<Self, BuildError> {
         if leaf_size == 0 {
             return Err(BuildError::ZeroLeafSize);
         }

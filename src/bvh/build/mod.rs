@@ -8,10 +8,10 @@ mod sah;
 
 pub use sah::SahOptions;
 
-use glam::{Vec3, Vec3A};
+use glam::Vec3A;
 
 use super::{Bvh, BvhNode, Leaf, LeafTriangle};
-use crate::geom::{Aabb, Region, Triangle};
+use crate::geom::{Aabb, Region, Triangle, Vector};
 use crate::scene::Mesh;
 use crate::tree::{Node, Recorded};
 
@@ -51,7 +51,7 @@ struct Item {
 }
 
 impl Item {
-    fn new(corners: [Vec3; 3], prim: u32) -> Self {
+    fn new<V: Vector>(corners: [V; 3], prim: u32) -> Self {
         let Aabb { lo, hi } = Triangle(corners).aabb();
         Self { lo: lo.into(), hi: hi.into(), prim }
     }
@@ -79,7 +79,7 @@ struct Pending {
 }
 
 /// All triangles that can be hit. No ray meets a degenerate one, so those are left out.
-fn items(mesh: &Mesh) -> Result<Vec<Item>, BuildError> {
+fn items<V: Vector>(mesh: &Mesh<V>) -> Result<Vec<Item>, BuildError> {
     match mesh.triangles().len() {
         0 => Err(BuildError::Empty),
         n if n > Node::MAX_INDEX as usize => Err(BuildError::TooManyTriangles(n)),
@@ -93,7 +93,11 @@ fn items(mesh: &Mesh) -> Result<Vec<Item>, BuildError> {
 }
 
 /// Builds with `cut`, which gets a range and its depth, and reorders it, or returns `None` for a leaf.
-fn build(mesh: &Mesh, mut items: Vec<Item>, mut cut: impl FnMut(&mut [Item], u32) -> Option<Cut>) -> Bvh {
+fn build<V: Vector>(
+    mesh: &Mesh<V>,
+    mut items: Vec<Item>,
+    mut cut: impl FnMut(&mut [Item], u32) -> Option<Cut>,
+) -> Bvh<Triangle<V>> {
     let mut bvh = Bvh {
         root: Node::leaf(0),
         depth: 0,

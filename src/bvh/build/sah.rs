@@ -7,6 +7,7 @@ use glam::Vec3A;
 
 use super::{BuildError, Cut, Item, Spread, build, halve, items, spread};
 use crate::bvh::Bvh;
+use crate::geom::{Triangle, Vector};
 use crate::scene::Mesh;
 
 /// What the builder by surface area may choose.
@@ -32,7 +33,7 @@ impl Default for SahOptions {
     }
 }
 
-impl Bvh {
+impl<V: Vector> Bvh<Triangle<V>> {
     /// A tree of low cost by the surface area heuristic.
     ///
     /// A node is cut by its middle where no plane separates the centroids, or where the cheapest cut would leave
@@ -40,7 +41,7 @@ impl Bvh {
     ///
     /// # Errors
     /// What [`BuildError`] lists.
-    pub fn sah(mesh: &Mesh, options: SahOptions) -> Result<Self, BuildError> {
+    pub fn sah(mesh: &Mesh<V>, options: SahOptions) -> Result<Self, BuildError> {
         let SahOptions { bins, max_leaf, depth_limit } = options;
         if max_leaf == 0 {
             return Err(BuildError::ZeroLeafSize);

@@ -237,3 +237,49 @@ fn all_triangles_at_a_corner_and_an_edge_are_hit_and_degenerate_ones_are_not() {
     assert_eq!(at(0.25, 0.5).iter().map(|hit| (hit.prim, hit.point.place)).collect::<Vec<_>>(), [(0, Place::Interior)]);
     assert_eq!(prims(&at(1.0, 1.0)), [0; 0]);
 }
+
+/// Double precision at its ends, where the gross test must not skip, and where it should.
+#[test]
+fn nothing_that_is_hit_is_left_out_in_double_precision() {
+    let soup = procedural::soup(50, 60);
+    let mut random = Rng::new(51);
+    for scale in [1.0, 1e12, 1e100, 1e-100, 1e-119, 1e-121, 1e119, 1e121, 1e-300, 1e298, 1e-321] {
+        for offset in [0.0, 1.0, 1e9] {
+            let place = |v: Vec3| (v.as_dvec3() + offset) * scale;
+            let corners: Vec<_> = soup.vertices().iter().copied().map(place).collect();
+            let mesh = Mesh::new(corners, soup.triangles().to_vec()).expect("a mesh");
+            let truth = Truth::new(&mesh);
+            let (mut hits, mut rays, mut candidates, mut usual) = (0, 0, 0, 0);
+            for ray in procedural::rays(&soup, 52, 60) {
+                let by = [1.0, 1e-100, 1e100, 1e-300, 1e200][random.below(5) as usize];
+                let direction = ray.direction().as_dvec3() * scale * by;
+                let Ok(ray) = Ray::new(place(ray.origin()), direction, 0.0, f64::INFINITY) else { continue };
+                let all = brute_force(&mesh, &ray);
+                assert_eq!(truth.all(&ray), all, "{ray:?}");
+                assert_eq!(truth.closest(&ray).as_ref(), all.first(), "{ray:?}");
+                assert!(all.iter().all(|hit| hit.t == f64::nearest(&hit.point.t)));
+                hits += usize::from(!all.is_empty());
+                rays += 1;
+                if by == 1.0 {
+                    usual += 1;
+                    candidates += truth.candidates(&ray).count();
+                }
+            }
+            assert!(hits * 5 > rays, "{hits} of {rays} at {scale}, {offset}");
+            // With this offset the margin is greater than the mesh.
+            let skips = (1e-100..=1e100).contains(&scale) && offset < 1e9;
+            assert!(!skips || candidates * 2 < usual * soup.triangles().len(), "{candidates} at {scale}, {offset}");
+        }
+    }
+}
+
+#[test]
+fn a_difference_that_overflows_leaves_nothing_out() {
+    let corner = |y: f64, z: f64| glam::DVec3::new(1.5e308, y, z);
+    let mesh = Mesh::new(vec![corner(-10.0, -10.0), corner(20.0, -10.0), corner(-10.0, 20.0)], vec![[0, 1, 2]]);
+    let mesh = mesh.expect("a mesh");
+    let origin = glam::DVec3::new(-1.5e308, 0.0, 0.0);
+    let ray = Ray::new(origin, glam::DVec3::new(1e308, 1.0, 0.0), 0.0, f64::INFINITY).expect("a ray");
+    assert_eq!(brute_force(&mesh, &ray).len(), 1);
+    assert!(Truth::new(&mesh).any(&ray));
+}

@@ -9,12 +9,16 @@
 //! The stages and their bounds: spec/exactness.md, `[EXACT-2]` to `[EXACT-6]`. After Shewchuk 1997, "Adaptive precision
 //! floating-point arithmetic and fast robust geometric predicates", and Bartels et al. 2022, arXiv:2208.00497.
 
+mod double;
 mod filter;
+mod parity;
 mod predicates;
 mod quotient;
 mod single;
 mod sum;
 
+pub use double::Exact64;
+pub(in crate::geom) use double::is_degenerate_64;
 pub(in crate::geom) use predicates::is_degenerate;
 pub use single::{ExactFromSingle, MAX_COORDINATE, MIN_EDGE};
 pub use sum::Sum;

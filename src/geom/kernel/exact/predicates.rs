@@ -21,7 +21,8 @@ pub(super) fn add_edge<const N: usize>(sum: &mut Sum<N>, d: DVec3, a: &Pairs, b:
     }
 }
 
-fn edge(d: DVec3, a: &Pairs, b: &Pairs) -> f64 {
+/// d . (a x b), with a relative error of at most 2^-50.
+pub(super) fn edge(d: DVec3, a: &Pairs, b: &Pairs) -> f64 {
     let mut sum = Sum::<96>::new();
     add_edge(&mut sum, d, a, b);
     sum.value()

@@ -1,12 +1,14 @@
 //! Quotients of exact determinants, rounded once.
 
+use std::ops::RangeInclusive;
+
 use glam::DVec3;
 
 use super::predicates::{Pairs, add_edge, minus};
-use super::sum::Sum;
+use super::sum::{Sum, two_product};
 
 /// A ratio of two exact sums: t, u or v.
-struct Ratio {
+pub(super) struct Ratio {
     /// d . (e2 x e1).
     det: Sum<96>,
     /// The numerator.
@@ -20,17 +22,7 @@ struct Ratio {
 #[cold]
 #[inline(never)]
 pub(super) fn distance(corners: &[DVec3; 3], o: DVec3, d: DVec3, [tmin, tmax]: [f32; 2]) -> Option<f32> {
-    let [a, b, c] = corners.map(|corner| minus(corner, o));
-    let ratio = Ratio::new(corners, d, |top| {
-        // T = -A . (B x C).
-        for k in 0..3 {
-            for half in a[k].into_iter().filter(|&half| half != 0.0) {
-                let mut only = DVec3::ZERO;
-                only[k] = -half;
-                add_edge(top, only, &b, &c);
-            }
-        }
-    });
+    let ratio = Ratio::distance(corners, o, d);
     let is_within = ratio.compare(tmin) >= 0 && ratio.compare(tmax) <= 0;
     is_within.then(|| ratio.nearest())
 }
@@ -39,13 +31,36 @@ pub(super) fn distance(corners: &[DVec3; 3], o: DVec3, d: DVec3, [tmin, tmax]: [
 #[cold]
 #[inline(never)]
 pub(super) fn weights(corners: [DVec3; 3], o: DVec3, d: DVec3) -> [f32; 2] {
-    let [a, b, c] = corners.map(|corner| minus(corner, o));
-    let u = Ratio::new(&corners, d, |top| add_edge(top, d, &a, &c));
-    let v = Ratio::new(&corners, d, |top| add_edge(top, d, &b, &a));
-    [u.nearest(), v.nearest()]
+    Ratio::weights(&corners, o, d).map(|weight| weight.nearest())
 }
 
+/// Ratios of sums are rounded to doubles within these bounds: there, nothing underflows.
+const DOUBLES: RangeInclusive<f64> = f64::from_bits((1023 - 250) << 52)..=f64::from_bits((1023 + 250) << 52);
+
 impl Ratio {
+    /// The distance to the plane of a triangle that is not parallel to the line.
+    pub(super) fn distance(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Self {
+        let [a, b, c] = corners.map(|corner| minus(corner, o));
+        Self::new(corners, d, |top| {
+            // T = -A . (B x C).
+            for k in 0..3 {
+                for half in a[k].into_iter().filter(|&half| half != 0.0) {
+                    let mut only = DVec3::ZERO;
+                    only[k] = -half;
+                    add_edge(top, only, &b, &c);
+                }
+            }
+        })
+    }
+
+    /// The weights of the second and third corner.
+    pub(super) fn weights(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> [Self; 2] {
+        let [a, b, c] = corners.map(|corner| minus(corner, o));
+        let u = Self::new(corners, d, |top| add_edge(top, d, &a, &c));
+        let v = Self::new(corners, d, |top| add_edge(top, d, &b, &a));
+        [u, v]
+    }
+
     fn new(&[v0, v1, v2]: &[DVec3; 3], d: DVec3, add_top: impl FnOnce(&mut Sum<192>)) -> Self {
         let (mut det, mut top) = (Sum::new(), Sum::new());
         let (e1, e2) = (minus(v1, v0), minus(v2, v0));
@@ -54,19 +69,31 @@ impl Ratio {
         Self { det, top, d, e1, e2 }
     }
 
-    /// The sign of the ratio minus `m`, which must have at most 25 bits: then its products with floats are exact.
-    fn compare_wide(&self, m: f64) -> i32 {
-        let mut difference = Sum::<288>::new();
+    /// The ratio minus a number, times the determinant, with a relative error of at most 2^-50. `products` sum up to
+    /// the number times d. `N` must be 192 and 96 for each of them.
+    fn minus<const N: usize>(&self, products: &[DVec3]) -> f64 {
+        let mut difference = Sum::<N>::new();
         difference.add_sum(&self.top);
-        add_edge(&mut difference, -self.d * m, &self.e2, &self.e1);
-        let (a, b) = (difference.value(), self.det.value());
-        if a == 0.0 {
+        for &product in products {
+            add_edge(&mut difference, -product, &self.e2, &self.e1);
+        }
+        difference.value()
+    }
+
+    /// The sign of the ratio, if `x` is a number with the sign of its numerator.
+    fn sign(&self, x: f64) -> i32 {
+        if x == 0.0 {
             0
-        } else if (a > 0.0) == (b > 0.0) {
+        } else if (x > 0.0) == (self.det.value() > 0.0) {
             1
         } else {
             -1
         }
+    }
+
+    /// The sign of the ratio minus `m`, which must have at most 25 bits: then its products with floats are exact.
+    fn compare_wide(&self, m: f64) -> i32 {
+        self.sign(self.minus::<288>(&[self.d * m]))
     }
 
     fn compare(&self, x: f32) -> i32 {
@@ -97,5 +124,44 @@ impl Ratio {
                 }
             }
         }
+    }
+
+    /// The sign of the ratio minus a number that is 0 or within [`DOUBLES`].
+    pub(super) fn compare_double(&self, m: f64) -> i32 {
+        self.sign(self.minus::<384>(&self.products(m)))
+    }
+
+    /// The nearest double, the even one of two. `None` if the ratio is neither 0 nor within [`DOUBLES`].
+    ///
+    /// All numbers of the ray and of the triangle must be 0 or within 2^-200 to 2^200. `[EXACT-7]`
+    pub(super) fn nearest_double(&self) -> Option<f64> {
+        let (top, det) = (self.top.value(), self.det.value());
+        if top == 0.0 {
+            return Some(0.0);
+        }
+        let first = top / det;
+        if !DOUBLES.contains(&first.abs()) {
+            return None;
+        }
+        // What the first quotient left, off by 2^-50 for the numerator and for the determinant, and by 2^-53.
+        let rest = self.minus::<384>(&self.products(first)) / det;
+        let error = rest.abs() * 2f64.powi(-47);
+        let [low, high] = [rest - error, rest + error].map(|rest| first + rest);
+        if low == high {
+            return Some(low);
+        }
+        // Neighbours, with the middle between them in two numbers.
+        let ([a, b], [c, d]) = (self.products(low), self.products(high * 0.5 - low * 0.5));
+        Some(match self.sign(self.minus::<576>(&[a, b, c, d])) {
+            1 => high,
+            0 if low.to_bits() & 1 == 1 => high,
+            _ => low,
+        })
+    }
+
+    /// The direction times `m`, as two vectors.
+    fn products(&self, m: f64) -> [DVec3; 2] {
+        let [x, y, z] = self.d.to_array().map(|d| two_product(d, m));
+        [DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1)]
     }
 }

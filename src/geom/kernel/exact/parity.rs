@@ -1,0 +1,77 @@
+//! Which triangles a ray crosses when crossings are counted.
+//!
+//! A closed triangle is met at its edges and corners too, so that no ray slips between two of them; but a ray through
+//! an edge meets both triangles there, and one that touches a surface meets two where it crosses none. Here the ray's
+//! origin is moved, by (ε, ε², ε³) with an ε that is positive and smaller than any number: then the ray meets no edge
+//! and no corner, and each crossing is that of one triangle. (Edelsbrunner & Mücke 1990, "Simulation of simplicity".)
+//!
+//! The edge function of the edge from X to Y, both as seen from the origin, is d . (Y x X). If the origin moves by m,
+//! it becomes d . ((Y - m) x (X - m)) = d . (Y x X) + m . ((Y - X) x d), exactly. So where it is 0, its sign is that of
+//! the first component of (Y - X) x d that is not 0. From Y to X both are the opposite: the two triangles at an edge
+//! decide alike. If all components are 0, the edge is parallel to the ray; then the determinant is 0, and the moved ray
+//! misses. The determinant does not change, and the distance changes by less than any number. `[PARITY-1]`
+
+use glam::DVec3;
+
+use super::Exact;
+use super::filter::Determinants;
+use super::predicates::{edge, minus};
+use crate::geom::{Kernel, Triangle};
+
+impl Exact {
+    /// Whether the ray crosses the triangle within its interval, ends included, in the sense that counts each crossing of
+    /// a closed mesh once: at an edge or corner, for one of the triangles there. `[PARITY-1]`
+    ///
+    /// It holds for some of the triangles that [`distance`](super::Kernel::distance) finds, and for no others. The number
+    /// of triangles of a closed mesh that a ray without end crosses is odd if the mesh winds around its origin an odd
+    /// number of times, as it does around a point inside; unless the origin is on the mesh.
+    ///
+    /// ```
+    /// use glam::Vec3;
+    /// use stackless_bvh::geom::kernel::{Exact, Kernel};
+    /// use stackless_bvh::geom::{Aabb, Ray, Region, Triangle};
+    ///
+    /// // A square of two triangles, and a ray through the diagonal.
+    /// let [a, b, c, d] = [Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y];
+    /// let ray = Ray::new(Vec3::new(0.5, 0.5, -1.0), Vec3::Z, 0.0, f32::INFINITY)?;
+    /// let exact = Exact::new(&ray, &Region::of(&Aabb::of(&[a, b, c, d])));
+    /// let square = [Triangle([a, b, c]), Triangle([a, c, d])];
+    /// assert_eq!(square.map(|triangle| exact.blocks(&triangle)), [true, true]);
+    /// assert_eq!(square.iter().filter(|triangle| exact.crosses(triangle)).count(), 1);
+    /// # Ok::<(), stackless_bvh::geom::RayError>(())
+    /// ```
+    #[inline]
+    pub fn crosses(&self, shape: &Triangle) -> bool {
+        let corners = shape.widen();
+        let found = Determinants::of(&corners, self.origin, self.direction);
+        if found.is_miss(&self.errors) {
+            false
+        } else if found.is_hit(&self.errors) {
+            self.blocks(shape)
+        } else {
+            is_crossed_by_line(&corners, self.origin, self.direction) && self.blocks(shape)
+        }
+    }
+}
+
+/// Whether the moved line meets the triangle: whether all edge functions have one sign.
+#[cold]
+#[inline(never)]
+fn is_crossed_by_line(&[a, b, c]: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
+    let sides = [[b, c], [c, a], [a, b]].map(|edge| side(edge, o, d));
+    sides.iter().all(|&side| side > 0.0) || sides.iter().all(|&side| side < 0.0)
+}
+
+/// A number with the sign of an edge function for the moved origin; 0 if the edge is parallel to the direction.
+fn side([from, to]: [DVec3; 2], o: DVec3, d: DVec3) -> f64 {
+    let in_place = edge(d, &minus(to, o), &minus(from, o));
+    if in_place != 0.0 {
+        return in_place;
+    }
+    let (along, d) = (minus(to, from), minus(d, DVec3::ZERO));
+    let moved = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| edge(axis, &along, &d));
+    moved.into_iter().find(|&moved| moved != 0.0).unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,169 @@
+//! Queries that look at everything along a ray: all hits, and the number of crossings.
+
+use super::Hit;
+use crate::bvh::Bvh;
+use crate::geom::kernel::{Exact, Exact64};
+use crate::geom::slabs::{Directed, Wide};
+use crate::geom::{Kernel, Ray, Real as _, Slabs, Vector};
+use crate::order::{Descent, Flow, Visitor};
+use crate::tree::Node;
+
+type Real<K> = <<K as Kernel>::Vector as Vector>::Real;
+
+/// All hits of a ray, exact: every closed triangle that it meets, edges and corners included. `[EXACT-1]`
+///
+/// ```
+/// use glam::Vec3;
+/// use stackless_bvh::{bvh::Bvh, geom::Ray, scene::Mesh, trace::AllHits};
+/// use stackless_bvh::traverse::{Stack, traverse};
+///
+/// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z], vec![[0, 1, 2], [0, 2, 1], [0, 1, 3]])?;
+/// let bvh = Bvh::median(&mesh, 1)?;
+/// let ray = Ray::new(Vec3::new(0.25, -0.25, -1.0), Vec3::new(0.0, 0.5, 1.0), 0.0, f32::INFINITY)?;
+/// let mut hits = AllHits::new(&bvh, &ray);
+/// traverse(Stack::new(&bvh, &mut Vec::new()), &mut hits, &mut ());
+/// let hits = hits.hits();
+/// assert_eq!(hits.iter().map(|hit| (hit.prim, hit.t)).collect::<Vec<_>>(), [(0, 1.0), (1, 1.0)]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub type AllHits<'a> = Sweep<'a, Exact, Directed>;
+
+/// [`AllHits`] in double precision. `[EXACT-7]`
+pub type AllHits64<'a> = Sweep<'a, Exact64, Wide>;
+
+/// A ray on its way through a hierarchy that collects all its hits, with the triangle test `K` and the box test `B`. It
+/// visits all boxes that the ray meets.
+#[derive(Clone, Debug)]
+pub struct Sweep<'a, K: Kernel, B: Slabs<Vector = K::Vector>> {
+    whole: Whole<'a, K, B>,
+    /// Distance, triangle, and where that is in the hierarchy.
+    found: Vec<(Real<K>, u32, usize)>,
+}
+
+impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Sweep<'a, K, B> {
+    /// Prepares a query.
+    pub fn new(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>) -> Self {
+        Self { whole: Whole::new(bvh, ray), found: Vec::new() }
+    }
+
+    /// All hits, after the traversal, in the order (`t`, primitive).
+    pub fn hits(&self) -> Vec<Hit<Real<K>>> {
+        let mut found = self.found.clone();
+        // No distance is a NaN.
+        found.sort_by(|(t, prim, _), (other, next, _)| {
+            t.partial_cmp(other).unwrap_or(prim.cmp(next)).then(prim.cmp(next))
+        });
+        let Whole { bvh, kernel, .. } = &self.whole;
+        let hit = |(t, prim, place): (Real<K>, u32, usize)| {
+            let [u, v] = kernel.weights(&bvh.triangles()[place].shape);
+            Hit { prim, t, u, v }
+        };
+        found.into_iter().map(hit).collect()
+    }
+}
+
+impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for Sweep<'_, K, B> {
+    #[inline]
+    fn inner(&mut self, node: Node) -> Descent {
+        self.whole.inner(node)
+    }
+
+    #[inline]
+    fn leaf(&mut self, node: Node) -> Flow {
+        let Whole { bvh, kernel, .. } = &self.whole;
+        let range = bvh.leaf_range(node);
+        for (place, held) in range.clone().zip(&bvh.triangles()[range]) {
+            if let Some(t) = kernel.distance(&held.shape, Real::<K>::INFINITY) {
+                self.found.push((t, held.prim, place));
+            }
+        }
+        Flow::Continue
+    }
+}
+
+/// Counts how often a ray crosses a closed mesh, exact: each crossing once, also at edges and corners, and not where the
+/// ray only touches. `[PARITY-1]`
+///
+/// The count is odd if the mesh winds around the ray's origin an odd number of times, as it does around a point inside,
+/// and even otherwise, if the ray has no end and its origin is not on the mesh.
+///
+/// ```
+/// use glam::Vec3;
+/// use stackless_bvh::{bvh::Bvh, geom::Ray, scene::stress, trace::Crossings};
+/// use stackless_bvh::traverse::{Stack, traverse};
+///
+/// let mesh = stress::icosphere(2, 1.0, Vec3::ZERO)?;
+/// let bvh = Bvh::median(&mesh, 4)?;
+/// for (origin, count) in [(Vec3::ZERO, 1), (Vec3::splat(4.0), 2)] {
+///     for &corner in mesh.vertices() {
+///         let ray = Ray::new(origin, corner - origin, 0.0, f32::INFINITY)?;
+///         let mut crossings = Crossings::new(&bvh, &ray);
+///         traverse(Stack::new(&bvh, &mut Vec::new()), &mut crossings, &mut ());
+///         assert_eq!(crossings.count() % 2, count % 2);
+///     }
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Crossings<'a> {
+    whole: Whole<'a, Exact, Directed>,
+    count: u32,
+}
+
+impl<'a> Crossings<'a> {
+    /// Prepares a query.
+    pub fn new(bvh: &'a Bvh, ray: &Ray) -> Self {
+        Self { whole: Whole::new(bvh, ray), count: 0 }
+    }
+
+    /// How many triangles are crossed, after the traversal.
+    pub const fn count(&self) -> u32 {
+        self.count
+    }
+
+    /// Whether that is an odd number.
+    pub const fn is_odd(&self) -> bool {
+        self.count % 2 == 1
+    }
+}
+
+impl Visitor for Crossings<'_> {
+    #[inline]
+    fn inner(&mut self, node: Node) -> Descent {
+        self.whole.inner(node)
+    }
+
+    #[inline]
+    fn leaf(&mut self, node: Node) -> Flow {
+        let Whole { bvh, kernel, .. } = &self.whole;
+        self.count += bvh.leaf_triangles(node).iter().filter(|held| kernel.crosses(&held.shape)).count() as u32;
+        Flow::Continue
+    }
+}
+
+/// A ray that does not become shorter.
+#[derive(Clone, Debug)]
+struct Whole<'a, K: Kernel, B: Slabs<Vector = K::Vector>> {
+    bvh: &'a Bvh<K::Shape>,
+    kernel: K,
+    slabs: B,
+    /// The end of the ray.
+    limit: Real<K>,
+}
+
+impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Whole<'a, K, B> {
+    fn new(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>) -> Self {
+        let (region, slabs) = (bvh.region(), B::new(ray, bvh.region()));
+        Self { bvh, kernel: K::new(ray, region), slabs, limit: ray.tmax() }
+    }
+
+    #[inline]
+    fn inner(&self, node: Node) -> Descent {
+        let planes = &self.bvh.node(node.index()).planes;
+        let ([left, right], [near_left, near_right]) = self.slabs.pair(planes, self.limit);
+        Descent::new(left, right, near_right < near_left)
+    }
+}
+
+#[cfg(test)]
+mod tests;
