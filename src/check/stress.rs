@@ -1,13 +1,12 @@
 //! Hard rays through every traversal, at any accuracy, against rational arithmetic.
 
-use super::{WithWord, with_word};
+use super::run_query;
 use crate::bvh::{BuildError, Bvh, SahOptions};
-use crate::geom::{Kernel, Ray, Slabs};
-use crate::key::KeyWord;
+use crate::geom::{Kernel, Slabs};
 use crate::scene::stress::Case;
-use crate::trace::{Hit, KernelName, NodeSearch, Query, SlabsName, Truth, WithTests, with_tests};
+use crate::trace::{Hit, KernelName, NodeSearch, SlabsName, Truth, WithTests, with_tests};
 use crate::traverse::{Method, Tables, Unfit, WordName};
-use crate::tree::{Implicit, Node, Topology};
+use crate::tree::{Implicit, Topology};
 use glam::Vec3;
 
 /// How often tests went wrong, in numbers of rays: a ray counts once if any traversal errs with it.
@@ -98,8 +97,8 @@ impl WithTests for Run<'_> {
                 for ((ray, truth), wrong) in case.rays.iter().zip(truth).zip(&mut wrong) {
                     let mut any = NodeSearch::<K, B, true>::new(&bvh, &boxes, ray);
                     let mut closest = NodeSearch::<K, B, false>::new(&bvh, &boxes, ray);
-                    with_word(word, One { tables: &tables, method, ray, memory: &mut memory, query: &mut any })?;
-                    with_word(word, One { tables: &tables, method, ray, memory: &mut memory, query: &mut closest })?;
+                    run_query(word, &tables, method, ray, &mut memory, &mut any)?;
+                    run_query(word, &tables, method, ray, &mut memory, &mut closest)?;
                     let (any, closest) = (any.found().is_some(), closest.hit());
                     wrong.miss |= truth.is_some() && (closest.is_none() || !any);
                     wrong.hit |= truth.is_none() && (closest.is_some() || any);
@@ -123,20 +122,4 @@ impl WithTests for Run<'_> {
 /// Steps from one float to the other, both not negative.
 fn floats_between(a: f32, b: f32) -> u32 {
     (a + 0.0).to_bits().abs_diff((b + 0.0).to_bits())
-}
-
-struct One<'a, 't, S> {
-    tables: &'a Tables<'t, Bvh<S>>,
-    method: Method,
-    ray: &'a Ray,
-    memory: &'a mut Vec<Node>,
-    query: &'a mut dyn Query,
-}
-
-impl<S> WithWord for One<'_, '_, S> {
-    type Output = Result<(), Unfit>;
-
-    fn call<W: KeyWord>(mut self) -> Self::Output {
-        self.tables.run::<W, _>(self.method, self.ray.octant(), self.memory, &mut self.query, &mut ())
-    }
 }

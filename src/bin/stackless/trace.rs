@@ -5,11 +5,10 @@ use std::path::PathBuf;
 use glam::Vec3;
 use rayon::prelude::*;
 use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::check::{WithWord, with_word};
+use stackless_bvh::check::run_query;
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
-use stackless_bvh::key::KeyWord;
 use stackless_bvh::scene;
-use stackless_bvh::trace::{self, Accuracy, Hit, NodeSearch, Query, WithTests};
+use stackless_bvh::trace::{self, Accuracy, Hit, NodeSearch, WithTests};
 use stackless_bvh::traverse::{Method, Tables, Unfit};
 use stackless_bvh::tree::{Implicit, Node, Topology};
 
@@ -80,35 +79,18 @@ impl WithTests for WithRays<'_> {
         let trace = |memory: &mut Vec<Node>, ray: &Ray| {
             let hit = if args.any {
                 let mut search = NodeSearch::<K, B, true>::new(&bvh, &boxes, ray);
-                with_word(word, Run { tables: &tables, method: args.method, ray, memory, search: &mut search })
+                run_query(word, &tables, args.method, ray, memory, &mut search)?;
+                search.hit()
             } else {
                 let mut search = NodeSearch::<K, B, false>::new(&bvh, &boxes, ray);
-                with_word(word, Run { tables: &tables, method: args.method, ray, memory, search: &mut search })
+                run_query(word, &tables, args.method, ray, memory, &mut search)?;
+                search.hit()
             };
             progress.inc(1);
-            hit
+            Ok(hit)
         };
         let hits = rays.par_iter().with_min_len(1024).map_init(Vec::new, trace).collect();
         progress.finish_and_clear();
         hits
-    }
-}
-
-/// One search in a word that is known only now. It is not made for each kind of search anew: that would be 32 times all
-/// traversals.
-struct Run<'a, 't, S> {
-    tables: &'a Tables<'t, Bvh<S>>,
-    method: Method,
-    ray: &'a Ray,
-    memory: &'a mut Vec<Node>,
-    search: &'a mut dyn Query,
-}
-
-impl<S> WithWord for Run<'_, '_, S> {
-    type Output = Result<Option<Hit>, Unfit>;
-
-    fn call<W: KeyWord>(mut self) -> Self::Output {
-        self.tables.run::<W, _>(self.method, self.ray.octant(), self.memory, &mut self.search, &mut ())?;
-        Ok(self.search.hit())
     }
 }

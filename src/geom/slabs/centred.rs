@@ -2,8 +2,8 @@
 
 use glam::{Vec3, Vec4, Vec4Swizzles};
 
-use super::{Slabs, near_and_far, twice};
-use crate::geom::{Aabb, Ray, Region};
+use super::{Slabs, near_and_far};
+use crate::geom::{Ray, Region};
 
 /// The slab test as it is usually written (Kay & Kajiya 1986; Williams et al. 2005): fast, and it leaks.
 ///
@@ -49,12 +49,6 @@ impl<const PADDED: bool> Slabs for Centred<PADDED> {
             inverse: inverse.to_array().map(Vec4::splat),
             tmin: ray.tmin(),
         }
-    }
-
-    #[inline]
-    fn one(&self, aabb: &Aabb, tmax: f32) -> Option<f32> {
-        let ([hit, _], [near, _]) = self.pair(&twice(aabb), tmax);
-        hit.then_some(near)
     }
 
     #[inline(always)]

@@ -2,8 +2,8 @@
 
 use glam::{Vec3, Vec4, Vec4Swizzles};
 
-use super::{Slabs, Wide, near_and_far, twice};
-use crate::geom::{Aabb, Ray, Region, Vector};
+use super::{Slabs, Wide, near_and_far};
+use crate::geom::{Ray, Region, Vector};
 
 /// The slab test with a reciprocal for the near plane of each axis that is too small, and one for the far plane that
 /// is too great: no box is skipped that the exact closed interval of the ray touches. `[BOX-1]` `[BOX-2]`
@@ -61,12 +61,6 @@ impl Slabs for Directed {
             is_wide,
             direction: ray.direction(),
         }
-    }
-
-    #[inline]
-    fn one(&self, aabb: &Aabb, tmax: f32) -> Option<f32> {
-        let ([hit, _], [near, _]) = self.pair(&twice(aabb), tmax);
-        hit.then_some(near)
     }
 
     #[inline(always)]

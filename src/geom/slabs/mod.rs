@@ -6,7 +6,7 @@
 //! `[BOX-7]`.
 //!
 //! All forms are monotone under nesting: of two boxes, one in the other, the inner is not entered before the outer,
-//! for any ray. And `one` and `pair` do the same operations on the same numbers, so that they agree in every bit.
+//! for any ray. And `one` is `pair` of a box and itself, so that both agree in every bit.
 
 mod centred;
 mod directed;
@@ -31,7 +31,12 @@ pub trait Slabs: Copy + Debug {
     fn new(ray: &Ray<Self::Vector>, region: &Region) -> Self;
 
     /// Where the ray, up to `tmax`, enters a box; `None` if it misses the box.
-    fn one(&self, aabb: &Aabb, tmax: Real<Self>) -> Option<Real<Self>>;
+    #[inline]
+    fn one(&self, aabb: &Aabb, tmax: Real<Self>) -> Option<Real<Self>> {
+        let planes = [0, 1, 2].map(|axis| [aabb.lo[axis], aabb.hi[axis], aabb.lo[axis], aabb.hi[axis]]);
+        let ([hit, _], [near, _]) = self.pair(&planes, tmax);
+        hit.then_some(near)
+    }
 
     /// Two boxes at once: which are hit, and where each is entered (meaningless where missed).
     ///
@@ -41,12 +46,6 @@ pub trait Slabs: Copy + Debug {
 
 /// The numbers that a slab test calculates with.
 pub type Real<B> = <<B as Slabs>::Vector as Vector>::Real;
-
-/// Planes of one box in the places of both.
-#[inline]
-fn twice(aabb: &Aabb) -> [[f32; 4]; 3] {
-    [0, 1, 2].map(|axis| [aabb.lo[axis], aabb.hi[axis], aabb.lo[axis], aabb.hi[axis]])
-}
 
 /// Where two boxes are entered (even lanes) and left (odd lanes), from `tmin` to `tmax`, each plane's distance being
 /// `(plane - origin) * inverse`.

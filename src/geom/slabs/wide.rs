@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::{Slabs, twice};
-use crate::geom::{Aabb, Ray, Region};
+use super::Slabs;
+use crate::geom::{Ray, Region};
 
 /// Floats by which a reciprocal is moved: one more than in single precision, so that a near distance is below the exact
 /// one, and not only below the nearest double of it. `[BOX-6]`
@@ -45,12 +45,6 @@ impl Slabs for Wide {
         let (origin, direction) = (ray.origin().to_array(), ray.direction().to_array());
         let skips = origin.into_iter().chain(direction).chain([ray.tmin()]).all(usual);
         Self { skips, ..Self::of(ray.origin(), ray.direction(), ray.tmin()) }
-    }
-
-    #[inline]
-    fn one(&self, aabb: &Aabb, tmax: f64) -> Option<f64> {
-        let ([hit, _], [near, _]) = self.pair(&twice(aabb), tmax);
-        hit.then_some(near)
     }
 
     #[inline]
