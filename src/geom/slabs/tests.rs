@@ -127,6 +127,39 @@ fn padding_suffices_where_2_ulps_do_not() {
     assert!(Directed::new(&ray, &region).one(&aabb, f32::INFINITY).is_some());
 }
 
+/// Two rays, found by `stackless accuracy`, that start on a plane which they leave so slowly that the reciprocal overflows:
+/// 0 times minus infinity fell on the wrong side of the sorted lanes, and the flat box was skipped.
+#[test]
+fn a_ray_that_hardly_leaves_its_plane_enters_the_box_there() {
+    let triangles = [
+        (
+            [0x3b98_0944, 0xbbc6_5931, 0x3b9b_2074],
+            [0x3c92_e57d, 0x8000_004a, 0xbcc7_1db8],
+            [
+                [0x3be9_6b85, 0xbbc6_5931, 0x3ca0_3ea4],
+                [0xbca0_5f16, 0xbbc6_5931, 0xbc82_a8d7],
+                [0x3c95_e108, 0xbbc6_5931, 0xbc8e_88ff],
+            ],
+        ),
+        (
+            [0xc250_ab4a, 0xc200_2000, 0xc225_18d2],
+            [0x430c_21c2, 0x8000_039c, 0x4175_12fc],
+            [
+                [0x4282_2000, 0xc200_2000, 0xc1a6_2000],
+                [0xc28f_0000, 0xc200_2000, 0xc22d_6000],
+                [0x4282_2000, 0xc200_2000, 0xc22d_6000],
+            ],
+        ),
+    ];
+    let point = |bits: [u32; 3]| Vec3::from(bits.map(f32::from_bits));
+    for (o, d, corners) in triangles {
+        let ray = Ray::new(point(o), point(d), 0.0, f32::INFINITY).expect("a ray");
+        let aabb = Aabb::of(&corners.map(point));
+        assert!(touches(&ray, &aabb));
+        assert_eq!(Directed::new(&ray, &Region::of(&aabb)).one(&aabb, 0.0), Some(0.0));
+    }
+}
+
 #[test]
 fn rays_in_double_precision_beyond_its_range_skip_nothing() {
     let aabb = Aabb { lo: Vec3::ZERO, hi: Vec3::ONE };
