@@ -65,10 +65,22 @@ impl Determinants {
     /// Bounds of the distance of a line that certainly meets the interior. `[EXACT-9]`
     #[inline(always)]
     pub(super) fn distance(&self, errors: &Errors) -> [f64; 2] {
+        self.over_determinant(self.t, errors.t, errors)
+    }
+
+    /// Bounds of the weights of the second and of the third corner, likewise.
+    pub(super) fn weights(&self, errors: &Errors) -> [[f64; 2]; 2] {
+        let [u, v, _] = self.edges;
+        [u, v].map(|edge| self.over_determinant(edge, errors.sign * QUOTIENT_FACTOR, errors))
+    }
+
+    /// Bounds of a quotient, given the error of its numerator, times [`QUOTIENT_FACTOR`].
+    #[inline(always)]
+    fn over_determinant(&self, numerator: f64, error: f64, errors: &Errors) -> [f64; 2] {
         let reciprocal = self.det.recip();
-        let t = self.t * reciprocal;
-        let error = (errors.t + t.abs() * errors.det) * reciprocal.abs() + t.abs() * (f64::from(QUOTIENT) * UNIT);
-        [t - error, t + error]
+        let x = numerator * reciprocal;
+        let error = (error + x.abs() * errors.det) * reciprocal.abs() + x.abs() * (f64::from(QUOTIENT) * UNIT);
+        [x - error, x + error]
     }
 }
 

@@ -92,7 +92,16 @@ impl Kernel for Exact {
     }
 
     fn weights(&self, shape: &Triangle) -> [f32; 2] {
-        quotient::weights(shape.widen(), self.origin, self.direction)
+        let corners = shape.widen();
+        let found = Determinants::of(&corners, self.origin, self.direction);
+        let errors = Errors::of_triangle(&corners, self.origin, self.direction);
+        if found.is_hit(&errors) {
+            let [[u, u_end], [v, v_end]] = found.weights(&errors).map(|ends| ends.map(|x| x as f32));
+            if u == u_end && v == v_end {
+                return [u, v];
+            }
+        }
+        quotient::weights(corners, self.origin, self.direction)
     }
 }
 
