@@ -25,6 +25,8 @@ mod constants {
     pub(crate) const DET: f32 = kernel::DETERMINANT as f32;
     /// |δW|, |δU| and |δV| in units of u D E (2C + E).
     pub(crate) const EDGES: f32 = kernel::EDGE as f32;
+    /// |δU|, |δV| or |δW|, with |δdet|, in units of u D E (C + E).
+    pub(crate) const SIGN: f64 = kernel::SIGN as f64;
     /// |δT| in units of u C E².
     pub(crate) const DISTANCE: f32 = kernel::DISTANCE as f32;
     /// Least E of the stage in single precision where the direction is scaled so that 1 <= D < 2.

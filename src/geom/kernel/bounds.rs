@@ -7,6 +7,9 @@
 /// Edge functions U, V and W: times D E (2 C + E). `[EXACT-4]`
 pub const EDGE: u32 = 39;
 
+/// An edge function and the determinant together: times D E (C + E). `[EXACT-6]`
+pub const SIGN: u32 = 2 * EDGE;
+
 /// The determinant: times D E E. `[EXACT-4]`
 pub const DETERMINANT: u32 = 31;
 

@@ -10,7 +10,7 @@ mod moller;
 mod woop;
 
 pub use affine::{Affine, AffineTriangle};
-pub use bounds::{DETERMINANT, DISTANCE, EDGE, QUOTIENT, QUOTIENT_FACTOR};
+pub use bounds::{DETERMINANT, DISTANCE, EDGE, QUOTIENT, QUOTIENT_FACTOR, SIGN};
 pub use exact::{Exact, Exact64, ExactFromSingle, MAX_COORDINATE, MIN_EDGE, Stage, Sum};
 pub(super) use exact::{is_degenerate, is_degenerate_64};
 pub use moller::{Moller32, Moller64};

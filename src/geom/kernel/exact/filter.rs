@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::super::{DETERMINANT, DISTANCE, EDGE, QUOTIENT, QUOTIENT_FACTOR};
+use super::super::{DETERMINANT, DISTANCE, QUOTIENT, QUOTIENT_FACTOR, SIGN};
 use crate::geom::Region;
 
 /// Half of the distance from 1 to the next double.
@@ -103,7 +103,7 @@ impl Errors {
     fn new(d: f64, c: f64, e: f64) -> Self {
         let square = e * e;
         Self {
-            sign: (f64::from(2 * EDGE) * UNIT) * (d * e) * (c + e),
+            sign: (f64::from(SIGN) * UNIT) * (d * e) * (c + e),
             det: (f64::from(DETERMINANT) * UNIT * QUOTIENT_FACTOR) * (d * square),
             t: (f64::from(DISTANCE) * UNIT * QUOTIENT_FACTOR) * (c * square),
         }
