@@ -8,6 +8,8 @@ mod bad_input;
 mod check;
 #[path = "cli/replay.rs"]
 mod replay;
+#[path = "cli/stress.rs"]
+mod stress;
 #[path = "cli/support.rs"]
 mod support;
 #[path = "cli/trace.rs"]

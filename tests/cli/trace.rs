@@ -42,7 +42,7 @@ fn bits(hit: Hit) -> [u32; 4] {
 }
 
 /// Traces the rays by the command, with these further arguments.
-fn trace(scene: &Path, rays: &[Ray], args: &str) -> Vec<Option<Hit>> {
+pub(crate) fn trace(scene: &Path, rays: &[Ray], args: &str) -> Vec<Option<Hit>> {
     let folder = Folder::new();
     let (rays_file, out) = (folder.file("rays.csv", ray_file(rays)), folder.path("hits.csv"));
     stackless(&format!("trace {args} --rays"), &[&rays_file, Path::new("--out"), &out, scene]).passes();
