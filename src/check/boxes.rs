@@ -4,9 +4,9 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use super::random::Progress;
-use crate::generate::{Rng, Source};
 use crate::geom::slabs::{Directed, Plain, TwoSided};
 use crate::geom::{Aabb, Ray, Region, Slabs, truth};
+use crate::scene::draw::Draw;
 use crate::trace::SlabsName;
 
 /// How often boxes were skipped that the ray touches, for each of [`SlabsName::ALL`].
@@ -35,10 +35,10 @@ const CHUNK: u64 = 4096;
 /// coordinates of all sizes.
 pub fn check_boxes(seed: u64, rays: u64, progress: Progress<'_>) -> BoxTally {
     let chunk = |start: u64| {
-        let mut rng = Rng::new(seed ^ start.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+        let mut draw = Draw::new(seed ^ start.wrapping_mul(0x9e37_79b9_7f4a_7c15));
         let mut tally = BoxTally::default();
         for i in start..rays.min(start + CHUNK) {
-            if let Some((ray, aabb)) = Draw(&mut rng).kind(i % KINDS) {
+            if let Some((ray, aabb)) = draw_kind(&mut draw, i % KINDS) {
                 tally.add(&ray, &aabb);
             }
         }
@@ -81,102 +81,72 @@ fn enters<B: Slabs<Vector = Vec3>>(ray: &Ray, aabb: &Aabb) -> bool {
     B::new(ray, &Region::of(aabb)).one(aabb, ray.tmax()).is_some()
 }
 
-/// Draws rays and boxes.
-struct Draw<'a>(&'a mut Rng);
-
-impl Draw<'_> {
-    /// `None` where the numbers are not a ray.
-    fn kind(&mut self, kind: u64) -> Option<(Ray, Aabb)> {
-        let (mut o, mut d) = (self.vector(Self::unit) * 4.0 - 1.5, self.vector(Self::unit) - 0.5);
-        let mut aabb = Aabb::of(&[self.vector(Self::unit), self.vector(Self::unit)]);
-        let mut interval = [0.0, f32::INFINITY];
-        match kind {
-            0 => d = aabb.lo + aabb.extent() * self.vector(Self::unit) - o,
-            // Whole numbers: a corner that is met exactly, from a distance of s directions.
-            1 => {
-                let corner = self.vector(|draw| draw.whole(2048));
-                d = self.vector(|draw| draw.whole(2048));
-                o = corner - d * self.whole(2048).abs();
-                aabb = Aabb::of(&[corner, self.vector(|draw| draw.whole(2048))]);
-            }
-            2 => {
-                (o, d) = (self.vector(|draw| draw.whole(3)), self.vector(|draw| draw.whole(3)));
-                aabb = Aabb::of(&[self.vector(|draw| draw.whole(3)), self.vector(|draw| draw.whole(3))]);
-            }
-            // A corner or an edge, as nearly as rounding allows.
-            3 | 4 => {
-                d = self.corner(&aabb) - o;
-                if kind == 4 {
-                    d[self.below(3)] *= 1.0 + self.unit() * f32::EPSILON;
-                }
-            }
-            // Along axes, on planes.
-            5 => {
-                let axis = self.below(3);
-                let corner = self.corner(&aabb);
-                d[axis] = [0.0, -0.0][self.below(2)];
-                o[axis] = corner[axis];
-                if self.below(2) == 0 {
-                    d[(axis + 1) % 3] = 0.0;
-                    o[(axis + 1) % 3] = corner[(axis + 1) % 3];
-                }
-            }
-            // One component of any size, down to the least, toward a plane that is near.
-            6 => {
-                let axis = self.below(3);
-                d[axis] = self.wild(-149, 127);
-                o[axis] = self.corner(&aabb)[axis] - [d[axis], d[axis] * 0.5, self.wild(-149, -60)][self.below(3)];
-            }
-            // Intervals that begin or end where the box does.
-            7 => {
-                let corner = self.corner(&aabb);
-                o = corner - self.vector(|draw| draw.whole(64));
-                d = corner - o;
-                interval = [[0.0, 1.0], [1.0, 1.0], [1.0, f32::INFINITY], [0.0, 1.0f32.next_down()]][self.below(4)];
-            }
-            // Flat boxes, and points.
-            8 => {
-                aabb.hi[self.below(3)] = aabb.lo[0].min(1.0);
-                aabb = Aabb::of(&[aabb.lo, aabb.lo.with_x(aabb.hi.x)]);
-                d = self.corner(&aabb) - o;
-            }
-            // Numbers of all sizes.
-            _ => {
-                o = self.vector(|draw| draw.wild(-149, 127));
-                let corner = self.vector(|draw| draw.wild(-149, 127));
-                d = if self.below(2) == 0 { corner - o } else { self.vector(|draw| draw.wild(-149, 127)) };
-                aabb = Aabb::of(&[corner, self.vector(|draw| draw.wild(-149, 127))]);
+/// A ray and a box of a kind; `None` where the numbers are not a ray.
+fn draw_kind(draw: &mut Draw, kind: u64) -> Option<(Ray, Aabb)> {
+    let (mut o, mut d) = (draw.cube() * 4.0 - 1.5, draw.cube() - 0.5);
+    let mut aabb = Aabb::of(&[draw.cube(), draw.cube()]);
+    let mut interval = [0.0, f32::INFINITY];
+    match kind {
+        0 => d = aabb.lo + aabb.extent() * draw.cube() - o,
+        // Whole numbers: a corner that is met exactly, from a distance of s directions.
+        1 => {
+            let corner = draw.ints(2048);
+            d = draw.ints(2048);
+            o = corner - d * draw.int(2048).abs();
+            aabb = Aabb::of(&[corner, draw.ints(2048)]);
+        }
+        2 => {
+            (o, d) = (draw.ints(3), draw.ints(3));
+            aabb = Aabb::of(&[draw.ints(3), draw.ints(3)]);
+        }
+        // A corner or an edge, as nearly as rounding allows.
+        3 | 4 => {
+            d = corner_of(draw, &aabb) - o;
+            if kind == 4 {
+                d[draw.below(3)] *= 1.0 + draw.unit() * f32::EPSILON;
             }
         }
-        Some((Ray::new(o, d, interval[0], interval[1]).ok()?, aabb))
+        // Along axes, on planes.
+        5 => {
+            let axis = draw.below(3);
+            let corner = corner_of(draw, &aabb);
+            d[axis] = [0.0, -0.0][draw.below(2)];
+            o[axis] = corner[axis];
+            if draw.below(2) == 0 {
+                d[(axis + 1) % 3] = 0.0;
+                o[(axis + 1) % 3] = corner[(axis + 1) % 3];
+            }
+        }
+        // One component of any size, down to the least, toward a plane that is near.
+        6 => {
+            let axis = draw.below(3);
+            d[axis] = draw.float(-149, 127);
+            o[axis] = corner_of(draw, &aabb)[axis] - [d[axis], d[axis] * 0.5, draw.float(-149, -60)][draw.below(3)];
+        }
+        // Intervals that begin or end where the box does.
+        7 => {
+            let corner = corner_of(draw, &aabb);
+            o = corner - draw.ints(64);
+            d = corner - o;
+            interval = [[0.0, 1.0], [1.0, 1.0], [1.0, f32::INFINITY], [0.0, 1.0f32.next_down()]][draw.below(4)];
+        }
+        // Flat boxes, and points.
+        8 => {
+            aabb.hi[draw.below(3)] = aabb.lo[0].min(1.0);
+            aabb = Aabb::of(&[aabb.lo, aabb.lo.with_x(aabb.hi.x)]);
+            d = corner_of(draw, &aabb) - o;
+        }
+        // Numbers of all sizes.
+        _ => {
+            o = draw.floats(-149, 127);
+            let corner = draw.floats(-149, 127);
+            d = if draw.below(2) == 0 { corner - o } else { draw.floats(-149, 127) };
+            aabb = Aabb::of(&[corner, draw.floats(-149, 127)]);
+        }
     }
+    Some((Ray::new(o, d, interval[0], interval[1]).ok()?, aabb))
+}
 
-    fn corner(&mut self, aabb: &Aabb) -> Vec3 {
-        Vec3::from([0, 1, 2].map(|axis| [aabb.lo, aabb.hi][self.below(2)][axis]))
-    }
-
-    fn vector(&mut self, mut component: impl FnMut(&mut Self) -> f32) -> Vec3 {
-        Vec3::new(component(self), component(self), component(self))
-    }
-
-    fn below(&mut self, n: u64) -> usize {
-        self.0.below(n) as usize
-    }
-
-    /// In 0..1.
-    fn unit(&mut self) -> f32 {
-        (self.0.bits() >> 40) as f32 * 2f32.powi(-24)
-    }
-
-    /// A whole number between -n and n.
-    fn whole(&mut self, n: u64) -> f32 {
-        self.0.below(2 * n + 1) as f32 - n as f32
-    }
-
-    /// A float of either sign with an exponent from `least` to `most`.
-    fn wild(&mut self, least: i32, most: i32) -> f32 {
-        let exponent = least + self.0.below((most - least + 1) as u64) as i32;
-        let sign = if self.below(2) == 0 { 1.0 } else { -1.0 };
-        (sign * (1.0 + f64::from(self.unit())) * 2f64.powi(exponent)) as f32
-    }
+fn corner_of(draw: &mut Draw, aabb: &Aabb) -> Vec3 {
+    Vec3::from([0, 1, 2].map(|axis| [aabb.lo, aabb.hi][draw.below(2)][axis]))
 }

@@ -24,7 +24,7 @@ pub use random::{Disagreement, Plan, Progress, boundary_cases, check_cases, chec
 pub use replay::{Replay, ReplayError};
 pub use scene::{SceneDisagreement, SceneTree, Seen, check_scene};
 pub use shrink::shrink;
-pub use stress::{Errors, Stress};
+pub use stress::{Errors, Stress, floats_between};
 pub use tally::{Count, Tally};
 pub use watch::{Fault, Watch};
 

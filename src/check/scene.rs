@@ -76,8 +76,8 @@ impl<'m> SceneTree<'m> {
 
 /// Checks the traversals of a plan on rays through one hierarchy, on all cores; the first disagreement is returned.
 ///
-/// Of a traversal that restarts only the
-/// hits are compared: its questions are answered anew when the ray has become shorter.
+/// Of a traversal that restarts only the hits are compared: its questions are answered anew when the ray has become
+/// shorter.
 pub fn check_scene(
     plan: &Plan,
     scene: &SceneTree<'_>,

@@ -92,7 +92,7 @@ impl WithTests for Run<'_> {
             let bvh = tree.clone().map(K::Shape::from);
             let boxes = bvh.own_boxes();
             let tables = Tables::new(&bvh, bvh.axes(), self.methods, Implicit::LIMIT);
-            let word = if bvh.depth() <= 30 { WordName::U32 } else { WordName::U64 };
+            let word = WordName::narrowest(bvh.depth());
             for &method in self.methods.iter().filter(|&&method| is_complete || method != Method::Complete) {
                 for ((ray, truth), wrong) in case.rays.iter().zip(truth).zip(&mut wrong) {
                     let mut any = NodeSearch::<K, B, true>::new(&bvh, &boxes, ray);
@@ -119,7 +119,11 @@ impl WithTests for Run<'_> {
     }
 }
 
-/// Steps from one float to the other, both not negative.
-fn floats_between(a: f32, b: f32) -> u32 {
-    (a + 0.0).to_bits().abs_diff((b + 0.0).to_bits())
+/// Steps from one float to the other; those of zero are one.
+pub fn floats_between(a: f32, b: f32) -> u32 {
+    let place = |x: f32| {
+        let magnitude = (x.to_bits() & 0x7fff_ffff) as i32;
+        if x.is_sign_negative() { -magnitude } else { magnitude }
+    };
+    place(a).abs_diff(place(b))
 }

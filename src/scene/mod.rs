@@ -11,6 +11,7 @@
 //! lines, refuses numbers such as `.5`, misreads what follows a repeated property, and counts in vain through billions
 //! of elements that have none.
 
+pub(crate) mod draw;
 mod error;
 mod mesh;
 mod obj;

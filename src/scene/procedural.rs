@@ -12,7 +12,7 @@ pub use view::{View, view};
 use glam::Vec3;
 
 use super::Mesh;
-use crate::generate::{Rng, Source};
+use super::draw::Draw;
 
 /// Segments of a strand, of two triangles each.
 const SEGMENTS: usize = 16;
@@ -23,7 +23,7 @@ const TIERS: usize = 32;
 
 /// Hair: `n` thin, curved ribbons (at least one) of 32 triangles each, tapering to the tip, on the unit sphere.
 pub fn strands(seed: u64, n: usize) -> Mesh {
-    let mut random = Random::new(seed);
+    let mut random = Draw::new(seed);
     let mut parts = Parts::default();
     for _ in 0..n.max(1) {
         let root = random.direction();
@@ -45,7 +45,7 @@ pub fn strands(seed: u64, n: usize) -> Mesh {
 /// Uneven density, as of a teapot in a stadium: a finely divided ball of radius 0.05 on a field 1200 wide, with
 /// coarse tiers around it. About 27,000 triangles.
 pub fn stadium(seed: u64) -> Mesh {
-    let mut random = Random::new(seed);
+    let mut random = Draw::new(seed);
     let mut parts = Parts::default();
     // The field is the innermost ring of the tiers: rings of squares, each wider or higher than the one before.
     let rings = (0..=2 * TIERS).map(|i| (600.0 * i.min(1) as f32 + 6.0 * (i / 2) as f32, 4.0 * (i / 2) as f32));
@@ -77,14 +77,14 @@ pub fn stadium(seed: u64) -> Mesh {
 
 /// `n` random triangles (at least one) in the unit cube, of sizes down to nothing; one in 32 repeats the one before it.
 pub fn soup(seed: u64, n: usize) -> Mesh {
-    let mut random = Random::new(seed);
+    let mut random = Draw::new(seed);
     let mut parts = Parts::default();
     let mut corners = [Vec3::ZERO; 3];
     for i in 0..n.max(1) {
         if i % 32 != 31 {
-            let centre = random.in_cube();
+            let centre = random.cube();
             let size = 0.5 * random.unit() * random.unit() * random.unit();
-            corners = [(); 3].map(|()| centre + (random.in_cube() - 0.5) * size);
+            corners = [(); 3].map(|()| centre + (random.cube() - 0.5) * size);
         }
         parts.add_triangle(corners);
     }
@@ -118,43 +118,6 @@ impl Parts {
 
     fn into_mesh(self) -> Mesh {
         Mesh::new(self.vertices, self.triangles).expect("coordinates are finite and indices in range")
-    }
-}
-
-/// Random numbers, points and directions.
-struct Random(Rng);
-
-impl Random {
-    fn new(seed: u64) -> Self {
-        Self(Rng::new(seed))
-    }
-
-    /// In 0..n.
-    fn below(&mut self, n: usize) -> usize {
-        self.0.below(n as u64) as usize
-    }
-
-    /// In 0..1, a multiple of 2^-24.
-    fn unit(&mut self) -> f32 {
-        (self.0.bits() >> 40) as f32 * 2f32.powi(-24)
-    }
-
-    fn between(&mut self, lo: f32, hi: f32) -> f32 {
-        lo + (hi - lo) * self.unit()
-    }
-
-    fn in_cube(&mut self) -> Vec3 {
-        Vec3::new(self.unit(), self.unit(), self.unit())
-    }
-
-    /// Of unit length, evenly distributed.
-    fn direction(&mut self) -> Vec3 {
-        loop {
-            let p = self.in_cube() * 2.0 - 1.0;
-            if (0.01..=1.0).contains(&p.length_squared()) {
-                return p.normalize();
-            }
-        }
     }
 }
 

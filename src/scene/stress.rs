@@ -25,7 +25,6 @@ mod boxes;
 mod build;
 mod closed;
 mod degenerate;
-mod draw;
 mod families;
 mod lattice;
 mod range;
@@ -38,9 +37,9 @@ pub use aim::aimed;
 pub use sphere::icosphere;
 
 use super::Mesh;
+use super::draw::Draw;
 use crate::geom::Ray;
 use aim::Target;
-use draw::Draw;
 
 /// A mesh, and rays that are hard to trace through it.
 #[derive(Clone, Debug, PartialEq)]

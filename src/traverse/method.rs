@@ -190,6 +190,16 @@ impl WordName {
             Self::Grow => Grow::NAME,
         }
     }
+
+    /// The narrowest word that carries this depth, in edges, in every traversal.
+    pub const fn narrowest(depth: u32) -> Self {
+        match depth {
+            0..=30 => Self::U32,
+            31..=62 => Self::U64,
+            63..=126 => Self::U128,
+            _ => Self::Grow,
+        }
+    }
 }
 
 named!(WordName);

@@ -55,13 +55,3 @@ pub(crate) fn accuracy(name: &str) -> Result<Accuracy, String> {
 pub(crate) fn word(name: &str) -> Result<WordName, String> {
     name.parse().map_err(|_| format!("expected one of: {}", WordName::ALL.map(WordName::name).join(", ")))
 }
-
-/// The narrowest word that carries the depth in every traversal.
-pub(crate) fn narrowest(depth: u32) -> WordName {
-    match depth {
-        0..=30 => WordName::U32,
-        31..=62 => WordName::U64,
-        63..=126 => WordName::U128,
-        _ => WordName::Grow,
-    }
-}

@@ -12,11 +12,11 @@ use stackless_bvh::key::{KeyWord, TooDeep};
 use stackless_bvh::report::{Backtracks, Source, plot_distances};
 use stackless_bvh::scene::{self, procedural};
 use stackless_bvh::trace::{self, Closest};
-use stackless_bvh::traverse::{Hashed, traverse};
+use stackless_bvh::traverse::{Hashed, WordName, traverse};
 use stackless_bvh::tree::{Node, Topology, Uncles};
 
 use crate::Outcome;
-use crate::input::{self, Scene};
+use crate::input::Scene;
 use crate::output::{grouped, say, table, write_json};
 
 /// What a scene's hierarchy and its hash tables take, and how far backtracking goes in it.
@@ -102,7 +102,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     for sizing in [Sizing::Tight, Sizing::PrintedHashed, Sizing::Printed] {
         tables.push(measure(&bvh, sizing)?);
     }
-    let (backtracks, lookups) = with_word(input::narrowest(bvh.depth()), Count { args, scene: &scene, bvh: &bvh })?;
+    let (backtracks, lookups) = with_word(WordName::narrowest(bvh.depth()), Count { args, scene: &scene, bvh: &bvh })?;
     let stats = Stats {
         triangles: scene.mesh.triangles().len(),
         nodes: bvh.node_count(),

@@ -9,7 +9,7 @@ use stackless_bvh::check::run_query;
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
 use stackless_bvh::scene;
 use stackless_bvh::trace::{self, Accuracy, Hit, NodeSearch, WithTests};
-use stackless_bvh::traverse::{Method, Tables, Unfit};
+use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
 use stackless_bvh::tree::{Implicit, Node, Topology};
 
 use crate::Outcome;
@@ -74,7 +74,7 @@ impl WithTests for WithRays<'_> {
         let Self { args, bvh, rays } = self;
         let bvh = bvh.map(K::Shape::from);
         let tables = Tables::new(&bvh, bvh.axes(), &[args.method], Implicit::LIMIT);
-        let (word, boxes) = (input::narrowest(bvh.depth()), bvh.own_boxes());
+        let (word, boxes) = (WordName::narrowest(bvh.depth()), bvh.own_boxes());
         let progress = bar(rays.len() as u64, "rays");
         let trace = |memory: &mut Vec<Node>, ray: &Ray| {
             let hit = if args.any {

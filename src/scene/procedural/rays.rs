@@ -2,9 +2,9 @@
 
 use glam::Vec3;
 
-use super::Random;
 use crate::geom::{Aabb, Ray};
 use crate::scene::Mesh;
+use crate::scene::draw::Draw;
 
 /// `n` rays for a mesh, ordinary and awkward kinds in turn; fewer where coordinates overflow.
 ///
@@ -13,7 +13,7 @@ use crate::scene::Mesh;
 /// `tmin > 0` and a finite `tmax`, some of them exactly as long as it takes to a vertex; rays that start on a
 /// triangle.
 pub fn rays(mesh: &Mesh, seed: u64, n: usize) -> Vec<Ray> {
-    let mut source = Source { mesh, bounds: Aabb::of(mesh.vertices()), random: Random::new(seed) };
+    let mut source = Source { mesh, bounds: Aabb::of(mesh.vertices()), random: Draw::new(seed) };
     if mesh.triangles().is_empty() {
         return Vec::new();
     }
@@ -23,7 +23,7 @@ pub fn rays(mesh: &Mesh, seed: u64, n: usize) -> Vec<Ray> {
 
 /// `n` primary rays of a camera that looks at the whole mesh from outside, row by row.
 pub fn camera_rays(mesh: &Mesh, seed: u64, n: usize) -> Vec<Ray> {
-    let mut source = Source { mesh, bounds: Aabb::of(mesh.vertices()), random: Random::new(seed) };
+    let mut source = Source { mesh, bounds: Aabb::of(mesh.vertices()), random: Draw::new(seed) };
     let camera = source.camera(n);
     (0..n).filter_map(|i| Ray::new(camera.eye, camera.direction(i), 0.0, f32::INFINITY).ok()).collect()
 }
@@ -33,7 +33,7 @@ const KINDS: usize = 8;
 struct Source<'a> {
     mesh: &'a Mesh,
     bounds: Aabb,
-    random: Random,
+    random: Draw,
 }
 
 /// A pinhole camera: the direction of pixel (x, y) is `forward + x right + y up`, each from -1 to 1.
@@ -64,8 +64,8 @@ impl Source<'_> {
             }
             4 => {
                 let axis = self.random.below(3);
-                let mut direction = self.zeros();
-                direction[axis] = self.sign();
+                let mut direction = self.random.zeros();
+                direction[axis] = self.random.sign();
                 let through = if self.random.below(2) == 0 { self.inside() } else { self.vertex() };
                 endless(through - direction * self.size() * self.random.unit(), direction)
             }
@@ -75,7 +75,7 @@ impl Source<'_> {
                 origin[axis] = plane[axis];
                 let mut direction = self.random.direction();
                 if self.random.below(4) != 0 {
-                    direction[axis] = self.zeros()[axis];
+                    direction[axis] = self.random.zeros()[axis];
                 }
                 endless(origin, direction)
             }
@@ -110,12 +110,12 @@ impl Source<'_> {
     }
 
     fn inside(&mut self) -> Vec3 {
-        self.bounds.lo + self.bounds.extent() * self.random.in_cube()
+        self.bounds.lo + self.bounds.extent() * self.random.cube()
     }
 
     /// A point in a cube twice as wide as the diagonal.
     fn around(&mut self) -> Vec3 {
-        self.bounds.centroid() + (self.random.in_cube() * 2.0 - 1.0) * self.size()
+        self.bounds.centroid() + (self.random.cube() * 2.0 - 1.0) * self.size()
     }
 
     fn corners(&mut self) -> [Vec3; 3] {
@@ -132,15 +132,6 @@ impl Source<'_> {
     fn plane(&mut self) -> Vec3 {
         let aabb = if self.random.below(2) == 0 { self.bounds } else { Aabb::of(&self.corners()) };
         if self.random.below(2) == 0 { aabb.lo } else { aabb.hi }
-    }
-
-    fn sign(&mut self) -> f32 {
-        if self.random.below(2) == 0 { 1.0 } else { -1.0 }
-    }
-
-    /// Zeros of random signs.
-    fn zeros(&mut self) -> Vec3 {
-        Vec3::new(self.sign(), self.sign(), self.sign()) * 0.0
     }
 }
 

@@ -2,9 +2,9 @@
 
 use glam::Vec3;
 
-use super::draw::{Draw, exp2, nudge, one_of};
 use crate::geom::{Aabb, Ray};
 use crate::scene::Mesh;
+use crate::scene::draw::{Draw, exp2, nudge, one_of};
 
 /// `n` adversarial rays for any mesh, the same for the same seed.
 ///

@@ -5,9 +5,9 @@ use glam::Vec3;
 use super::Recipe;
 use super::aim::{Target, middle, mixed, place, toward, turned, whole, within};
 use super::build::{both, grid, of, triangles};
-use super::draw::{Draw, exp2, nudge, one_of};
 use crate::geom::{Aabb, Ray};
 use crate::scene::Mesh;
+use crate::scene::draw::{Draw, exp2, nudge, one_of};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new(

@@ -2,8 +2,8 @@
 
 use glam::Vec3;
 
-use super::draw::Draw;
 use crate::scene::Mesh;
+use crate::scene::draw::Draw;
 
 /// `n` separate triangles.
 pub(super) fn triangles(draw: &mut Draw, n: usize, mut corners: impl FnMut(&mut Draw) -> [Vec3; 3]) -> Option<Mesh> {

@@ -5,10 +5,10 @@ use glam::{Vec3, Vec3Swizzles};
 use super::Recipe;
 use super::aim::{Target, middle, on_edge, turned, unit, whole};
 use super::build::{both, circle, cuboid, mapped};
-use super::draw::{Draw, exp2, one_of};
 use super::sphere::icosphere;
 use crate::geom::Ray;
 use crate::scene::Mesh;
+use crate::scene::draw::{Draw, exp2, one_of};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new(

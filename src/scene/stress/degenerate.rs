@@ -5,9 +5,9 @@ use glam::Vec3;
 use super::Recipe;
 use super::aim::{Target, middle, mixed, on_edge, turned, whole, within};
 use super::build::{of, triangles};
-use super::draw::{Draw, exp2, one_of};
 use crate::geom::Ray;
 use crate::scene::Mesh;
+use crate::scene::draw::{Draw, exp2, one_of};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new("collinear", "third corners that mirror the first at the second", collinear, mixed),

@@ -5,9 +5,9 @@ use glam::Vec3;
 use super::Recipe;
 use super::aim::{Target, late, middle, mixed, turned, whole};
 use super::build::{both, cuboid, grid, mapped, of, triangles};
-use super::draw::{Draw, exp2, one_of};
 use crate::geom::Ray;
 use crate::scene::Mesh;
+use crate::scene::draw::{Draw, exp2, one_of};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new("edge", "rays exactly through the middles of edges", even, |draw, t, i| at_edge(draw, t, i, 0)),

@@ -5,9 +5,9 @@ use glam::Vec3;
 use super::Recipe;
 use super::aim::{Target, middle, mixed, place, toward, turned, whole, within};
 use super::build::{mapped, triangles};
-use super::draw::{Draw, exp2, one_of};
 use crate::geom::Ray;
 use crate::scene::Mesh;
+use crate::scene::draw::{Draw, exp2, one_of};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new("near-max", "coordinates up to the greatest float: differences overflow", near_max, halved),

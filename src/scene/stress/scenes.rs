@@ -5,9 +5,9 @@ use glam::Vec3;
 use super::Recipe;
 use super::aim::{Target, middle, mixed, on_edge, toward, turned, whole, within};
 use super::build::{circle, grid, mapped, shuffled, triangles};
-use super::draw::{Draw, one_of};
 use super::sphere::icosphere;
 use crate::geom::Ray;
+use crate::scene::draw::{Draw, one_of};
 use crate::scene::{Mesh, procedural};
 
 pub(super) const CASES: &[Recipe] = &[

@@ -5,9 +5,9 @@ use glam::Vec3;
 use super::Recipe;
 use super::aim::{Target, middle, mixed, turned, whole, within};
 use super::build::{both, mapped, of, shuffled, triangles};
-use super::draw::{Draw, exp2, nudge, one_of};
 use crate::geom::Ray;
 use crate::scene::Mesh;
+use crate::scene::draw::{Draw, exp2, nudge, one_of};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new("stack-ulp", "parallel triangles an ulp apart, far ones first: t ties by rounding", stack, down_stack),

@@ -5,9 +5,9 @@ use glam::Vec3;
 use super::Recipe;
 use super::aim::{Target, late, middle, turned, whole};
 use super::build::triangles;
-use super::draw::{Draw, exp2, nudge, one_of};
 use crate::geom::Ray;
 use crate::scene::Mesh;
+use crate::scene::draw::{Draw, exp2, nudge, one_of};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new("edge-wide", "rays exactly through the middles of edges, coordinates of 22 bits", wide, at_edge),

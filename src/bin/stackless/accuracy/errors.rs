@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use rayon::prelude::*;
+use stackless_bvh::check::floats_between;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::scene::Mesh;
 use stackless_bvh::trace::Truth;
@@ -133,15 +134,9 @@ fn verdict(query: Query, truth: &[(u32, f32)], answer: Answer) -> (Option<Error>
     let Some((prim, t)) = answer else { return (Some(Error::FalseMiss), None) };
     match query {
         Query::Any if truth.iter().any(|hit| hit.0 == prim) => (None, None),
-        Query::Closest if closest.0 == prim => (None, Some(place(t).abs_diff(place(closest.1)))),
+        Query::Closest if closest.0 == prim => (None, Some(floats_between(t, closest.1))),
         _ => (Some(Error::WrongPrimitive), None),
     }
-}
-
-/// The place of a number among all floats, those of zero being one.
-fn place(x: f32) -> i32 {
-    let magnitude = (x.to_bits() & 0x7fff_ffff) as i32;
-    if x.is_sign_negative() { -magnitude } else { magnitude }
 }
 
 fn is_same(query: Query, a: Answer, b: Answer) -> bool {

@@ -57,13 +57,13 @@ impl Kernel for Exact {
 
     #[inline(always)]
     fn distance(&self, shape: &Triangle, limit: f32) -> Option<f32> {
-        let ([tmin, tmax], found) = (self.interval, Determinants::of(&shape.widen(), self.origin, self.direction));
+        let ([tmin, _], found) = (self.interval, Determinants::of(&shape.widen(), self.origin, self.direction));
         if found.is_miss(&self.errors) {
             return None;
         }
         if found.is_hit(&self.errors) {
             let [near, far] = found.distance(&self.errors).map(|t| t as f32);
-            if near == far && tmin < near && near < tmax {
+            if is_certain([near, far], self.interval) {
                 return Some(near);
             }
             if far < tmin || limit < near {
@@ -121,14 +121,14 @@ impl Exact {
     #[cold]
     #[inline(never)]
     fn settle(&self, shape: &Triangle) -> Option<f32> {
-        let (corners, o, d, [tmin, tmax]) = (shape.widen(), self.origin, self.direction, self.interval);
+        let (corners, o, d) = (shape.widen(), self.origin, self.direction);
         let (found, errors) = (Determinants::of(&corners, o, d), Errors::of_triangle(&corners, o, d));
         if found.is_miss(&errors) {
             return None;
         }
         if found.is_hit(&errors) {
             let [near, far] = found.distance(&errors).map(|t| t as f32);
-            if near == far && tmin < near && near < tmax {
+            if is_certain([near, far], self.interval) {
                 return Some(near);
             }
         } else if !predicates::is_inside(&corners, o, d) {
@@ -143,7 +143,7 @@ impl Exact {
         let (corners, [tmin, tmax]) = (shape.widen(), self.interval);
         let found = Determinants::of(&corners, self.origin, self.direction);
         let place = |errors| found.distance(errors).map(|t| t as f32);
-        let is_placed = |[near, far]: [f32; 2]| near == far && tmin < near && near < tmax;
+        let is_placed = |ends| is_certain(ends, self.interval);
         let is_outside = |[near, far]: [f32; 2]| far < tmin || tmax < near;
         let by_scene = || Some(place(&self.errors)).filter(|_| found.is_hit(&self.errors));
         if found.is_miss(&self.errors) || by_scene().is_some_and(|t| is_placed(t) || is_outside(t)) {
@@ -153,6 +153,12 @@ impl Exact {
         let is_decided = found.is_miss(&errors) || found.is_hit(&errors) && is_placed(place(&errors));
         if is_decided { Stage::Triangle } else { Stage::Sums }
     }
+}
+
+/// Whether bounds of a distance that are rounded to these floats settle it: it is that float, and within the interval.
+#[inline(always)]
+fn is_certain([near, far]: [f32; 2], [tmin, tmax]: [f32; 2]) -> bool {
+    near == far && tmin < near && near < tmax
 }
 
 #[inline(always)]

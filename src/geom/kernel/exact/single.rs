@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use super::super::EDGE;
-use super::{Exact, Kernel};
+use super::{Exact, Kernel, greatest};
 use crate::geom::{Ray, Region, Triangle};
 
 /// [`Exact`], asking single precision first. The same answers; the stage for hardware where double precision is slow.
@@ -81,9 +81,4 @@ impl ExactFromSingle {
         // False where the bound is infinite or a NaN.
         u.min(v).min(w) < -bound && u.max(v).max(w) > bound
     }
-}
-
-#[inline(always)]
-fn greatest(v: Vec3) -> f32 {
-    v.x.max(v.y).max(v.z)
 }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use glam::{DVec3, Vec2, Vec3};
 
 use crate::geom::Ray;
-use crate::scene::stress::draw::{exp2, nudge};
+use crate::scene::draw::{exp2, nudge};
 use crate::scene::stress::tests::{RAYS, aimed_at, named};
 
 /// det, U, V, W and T of ray and triangle in whole numbers, with signs as if det were not negative.
