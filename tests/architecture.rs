@@ -21,7 +21,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("report", &["event", "key", "order", "trail", "tree"]),
     ("geom", &[]),
     ("scene", &["generate", "geom"]),
-    ("bvh", &["geom", "order", "scene", "tree"]),
+    ("bvh", &["geom", "name", "order", "scene", "tree"]),
     ("trace", &["bvh", "generate", "geom", "name", "order", "scene", "traverse", "tree"]),
     (
         "check",

@@ -6,16 +6,18 @@
 //! leaves.
 
 mod build;
+mod primitives;
 mod validate;
 
-pub use build::{BuildError, SahOptions};
+pub use build::{BuildError, BuildOptions, Builder, SahOptions};
+pub use primitives::{Bounded, Primitives};
 pub use validate::{BvhError, validate};
 
 use std::ops::Range;
 
 use glam::Vec3;
 
-use crate::geom::{Aabb, Region, Triangle, Vector};
+use crate::geom::{Aabb, Region, Triangle};
 use crate::order::Side;
 use crate::tree::{self, Node, Recorded, Topology};
 
@@ -177,29 +179,6 @@ impl<S> Bvh<S> {
         let Self { root, depth, dropped, recorded, bounds, region, nodes, axes, leaves, triangles } = self;
         let triangles = triangles.into_iter().map(|t| LeafTriangle { shape: shape(t.shape), prim: t.prim }).collect();
         Bvh { root, depth, dropped, recorded, bounds, region, nodes, axes, leaves, triangles }
-    }
-}
-
-impl<V: Vector> Bvh<Triangle<V>> {
-    /// Makes all boxes the smallest ones that nest.
-    fn fit(&mut self) {
-        // Children come after their parents, so that one sweep from the back has their boxes ready.
-        let mut boxes = vec![Aabb::EMPTY; self.nodes.len()];
-        for i in (0..self.nodes.len()).rev() {
-            for side in [Side::Left, Side::Right] {
-                let child = self.nodes[i].children[side.index()];
-                let aabb = if child.is_leaf() { self.leaf_box(child) } else { boxes[child.index()] };
-                self.nodes[i].set_child_box(side, &aabb);
-                boxes[i] = boxes[i].union(aabb);
-            }
-        }
-        self.bounds = if self.root.is_leaf() { self.leaf_box(self.root) } else { boxes[self.root.index()] };
-        self.region = Region::of(&self.bounds);
-    }
-
-    fn leaf_box(&self, leaf: Node) -> Aabb {
-        let boxes = self.leaf_triangles(leaf).iter().map(|t| t.shape.aabb());
-        boxes.fold(Aabb::EMPTY, Aabb::union)
     }
 }
 

@@ -35,6 +35,13 @@ impl Aabb {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
+    /// What is in both: with a `lo` above its `hi` on some axis if nothing is.
+    #[inline]
+    #[must_use]
+    pub fn intersection(self, other: &Self) -> Self {
+        Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) }
+    }
+
     /// Whether a point is inside or on the boundary.
     #[inline]
     pub fn contains(&self, point: Vec3) -> bool {

@@ -9,7 +9,7 @@ use super::truth::Number;
 use super::{Aabb, kernel};
 
 /// A position or direction, in single or in double precision.
-pub trait Vector: Copy + PartialEq + Debug + Sub<Output = Self> + private::Sealed {
+pub trait Vector: Copy + PartialEq + Debug + Send + Sync + Sub<Output = Self> + private::Sealed {
     /// A coordinate.
     type Real: Real;
 

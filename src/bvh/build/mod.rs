@@ -1,19 +1,20 @@
-//! Construction from the top down, without recursion.
+//! Builders. Each makes a [`Draft`](draft::Draft); the layout is one for all.
 //!
-//! A builder is a function that cuts a range of triangles in two or makes it a leaf; this file does the rest. The
-//! same mesh and options give the same tree.
+//! The same primitives and options give the same tree, on any number of threads.
 
+mod draft;
+mod item;
 mod median;
 mod sah;
+mod top_down;
 
 pub use sah::SahOptions;
 
-use glam::Vec3A;
-
-use super::{Bvh, BvhNode, Leaf, LeafTriangle};
-use crate::geom::{Aabb, Region, Triangle, Vector};
+use super::{Bvh, Primitives};
+use crate::geom::{Triangle, Vector};
+use crate::name::named;
 use crate::scene::Mesh;
-use crate::tree::{Node, Recorded};
+use crate::tree::Node;
 
 /// Why a hierarchy cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -42,153 +43,92 @@ pub enum BuildError {
     },
 }
 
-/// A triangle while it is sorted: its box and its index in the mesh.
-#[derive(Clone, Copy, Debug)]
-struct Item {
-    lo: Vec3A,
-    hi: Vec3A,
-    prim: u32,
+/// How a hierarchy is built, by name.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Builder {
+    /// By surface area, at the borders of bins (Wald 2007).
+    #[default]
+    Sah,
+    /// A complete tree: all leaves at one depth.
+    Median,
 }
 
-impl Item {
-    fn new<V: Vector>(corners: [V; 3], prim: u32) -> Self {
-        let Aabb { lo, hi } = Triangle(corners).aabb();
-        Self { lo: lo.into(), hi: hi.into(), prim }
-    }
+impl Builder {
+    /// All builders.
+    pub const ALL: [Self; 2] = [Self::Sah, Self::Median];
 
-    /// Middle of the box. It does not overflow.
-    #[inline]
-    fn centroid(&self) -> Vec3A {
-        self.lo * 0.5 + self.hi * 0.5
-    }
-}
-
-/// A cut of a range that has been reordered: the `left` first items have the smaller centroids on `axis`.
-#[derive(Clone, Copy, Debug)]
-struct Cut {
-    axis: usize,
-    left: usize,
-}
-
-/// A range of items whose node is still to be made, and the place that waits for its address.
-struct Pending {
-    first: usize,
-    end: usize,
-    depth: u32,
-    parent: Option<(usize, usize)>,
-}
-
-/// All triangles that can be hit. No ray meets a degenerate one, so those are left out.
-fn items<V: Vector>(mesh: &Mesh<V>) -> Result<Vec<Item>, BuildError> {
-    match mesh.triangles().len() {
-        0 => Err(BuildError::Empty),
-        n if n > Node::MAX_INDEX as usize => Err(BuildError::TooManyTriangles(n)),
-        n => {
-            let item = |i: usize| Item::new(mesh.triangle(i), i as u32);
-            let items: Vec<_> = (0..n).filter(|&i| !Triangle(mesh.triangle(i)).is_degenerate()).map(item).collect();
-            // A tree has at least one leaf, even if nothing can be hit.
-            Ok(if items.is_empty() { vec![item(0)] } else { items })
+    /// The name on the command line and in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Sah => "sah",
+            Self::Median => "median",
         }
     }
 }
 
-/// Builds with `cut`, which gets a range and its depth, and reorders it, or returns `None` for a leaf.
-fn build<V: Vector>(
-    mesh: &Mesh<V>,
-    mut items: Vec<Item>,
-    mut cut: impl FnMut(&mut [Item], u32) -> Option<Cut>,
-) -> Bvh<Triangle<V>> {
-    let mut bvh = Bvh {
-        root: Node::leaf(0),
-        depth: 0,
-        dropped: mesh.triangles().len() - items.len(),
-        recorded: Recorded::Nothing,
-        bounds: Aabb::EMPTY,
-        region: Region::of(&Aabb::EMPTY),
-        nodes: Vec::new(),
-        axes: Vec::new(),
-        leaves: Vec::new(),
-        triangles: Vec::with_capacity(items.len()),
-    };
-    let mut pending = vec![Pending { first: 0, end: items.len(), depth: 0, parent: None }];
-    while let Some(Pending { first, end, depth, parent }) = pending.pop() {
-        let range = &mut items[first..end];
-        let node = if let Some(Cut { axis, left }) = cut(range, depth) {
-            let i = bvh.nodes.len();
-            bvh.nodes.push(BvhNode { planes: [[0.0; 4]; 3], children: [Node::leaf(0); 2], links: [Node::leaf(0); 2] });
-            bvh.axes.push(axis as u8);
-            let middle = first + left;
-            // The left child is made next.
-            pending.push(Pending { first: middle, end, depth: depth + 1, parent: Some((i, 1)) });
-            pending.push(Pending { first, end: middle, depth: depth + 1, parent: Some((i, 0)) });
-            Node::inner(i as u32)
-        } else {
-            let first = bvh.triangles.len() as u32;
-            let leaf = Leaf { first, count: range.len() as u32, links: [Node::leaf(0); 2] };
-            bvh.leaves.push(leaf);
-            bvh.triangles.extend(
-                range
-                    .iter()
-                    .map(|item| LeafTriangle { shape: Triangle(mesh.triangle(item.prim as usize)), prim: item.prim }),
-            );
-            Node::leaf(bvh.leaves.len() as u32 - 1)
+named!(Builder);
+
+/// What is to be built. Builders ignore what does not concern them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BuildOptions {
+    /// Which builder.
+    pub builder: Builder,
+    /// Bins, leaf size and depth limit.
+    pub sah: SahOptions,
+}
+
+impl<S> Bvh<S> {
+    /// A tree over primitives of any kind.
+    ///
+    /// `progress` is called now and then, from any thread, with the number of primitives that have found their leaf since the call
+    /// before; a call may say 0.
+    ///
+    /// # Errors
+    /// What [`BuildError`] lists.
+    pub fn build<P: Primitives<Shape = S> + ?Sized>(
+        primitives: &P,
+        options: &BuildOptions,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Self, BuildError> {
+        let sah = options.sah;
+        if sah.max_leaf == 0 {
+            return Err(BuildError::ZeroLeafSize);
+        }
+        if !(2..=SahOptions::MAX_BINS).contains(&sah.bins) {
+            return Err(BuildError::Bins(sah.bins));
+        }
+        let items = item::items(primitives)?;
+        let dropped = primitives.count() - items.len();
+        let draft = match options.builder {
+            Builder::Sah => sah::build(items, sah, progress)?,
+            Builder::Median => median::build(items, sah.max_leaf, progress),
         };
-        bvh.depth = bvh.depth.max(depth);
-        match parent {
-            Some((i, side)) => bvh.nodes[i].children[side] = node,
-            None => bvh.root = node,
-        }
-    }
-    bvh.fit();
-    bvh.with_links(Recorded::Uncles)
-}
-
-/// Cuts at the exact middle of the count, along the axis on which the centroids spread most.
-///
-/// The order is total (centroid, then index), so equal centroids are no trouble. The range needs two items.
-fn halve(items: &mut [Item]) -> Cut {
-    let axis = widest(spread(items).extent());
-    let left = items.len() / 2;
-    items.select_nth_unstable_by(left, |a, b| {
-        let by_centroid = a.centroid()[axis].total_cmp(&b.centroid()[axis]);
-        by_centroid.then(a.prim.cmp(&b.prim))
-    });
-    Cut { axis, left }
-}
-
-/// A box while it grows, in SIMD registers.
-#[derive(Clone, Copy, Debug)]
-struct Spread {
-    lo: Vec3A,
-    hi: Vec3A,
-}
-
-impl Spread {
-    const EMPTY: Self = Self { lo: Vec3A::INFINITY, hi: Vec3A::NEG_INFINITY };
-
-    #[inline]
-    fn union(self, other: Self) -> Self {
-        Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
-    }
-
-    #[inline]
-    fn extent(self) -> Vec3A {
-        self.hi - self.lo
-    }
-
-    #[inline]
-    fn half_area(self) -> f32 {
-        Aabb { lo: self.lo.into(), hi: self.hi.into() }.half_area()
+        Ok(draft.lay_out(primitives, dropped))
     }
 }
 
-/// Box of the centroids.
-fn spread(items: &[Item]) -> Spread {
-    items.iter().map(Item::centroid).fold(Spread::EMPTY, |s, c| s.union(Spread { lo: c, hi: c }))
-}
+impl<V: Vector> Bvh<Triangle<V>> {
+    /// A tree of low cost by the surface area heuristic.
+    ///
+    /// A node is cut by its middle where no plane separates the centroids, or where the cheapest cut would leave
+    /// one side with more triangles than fit below it within the depth limit.
+    ///
+    /// # Errors
+    /// What [`BuildError`] lists.
+    pub fn sah(mesh: &Mesh<V>, sah: SahOptions) -> Result<Self, BuildError> {
+        Self::build(mesh, &BuildOptions { builder: Builder::Sah, sah }, &|_| ())
+    }
 
-/// Axis of the greatest component, the first of equals.
-fn widest(extent: Vec3A) -> usize {
-    let later_wins = |best: usize, axis: usize| if extent[axis] > extent[best] { axis } else { best };
-    later_wins(later_wins(0, 1), 2)
+    /// A complete tree: all leaves at the same depth, and their counts differ by at most 1.
+    ///
+    /// Each node is cut at the exact middle of its count, along the axis on which the centroids spread most. The
+    /// depth is the least with which leaves hold at most `leaf_size` triangles. No leaf is empty: so with a
+    /// `leaf_size` of 1, some leaves hold 2 unless the number of triangles is a power of two.
+    ///
+    /// # Errors
+    /// Any but [`BuildError::Bins`] and [`BuildError::DepthLimit`].
+    pub fn median(mesh: &Mesh<V>, leaf_size: u32) -> Result<Self, BuildError> {
+        let sah = SahOptions { max_leaf: leaf_size, ..SahOptions::default() };
+        Self::build(mesh, &BuildOptions { builder: Builder::Median, sah }, &|_| ())
+    }
 }

@@ -5,10 +5,10 @@
 
 use glam::Vec3A;
 
-use super::{BuildError, Cut, Item, Spread, build, halve, items, spread};
-use crate::bvh::Bvh;
-use crate::geom::{Triangle, Vector};
-use crate::scene::Mesh;
+use super::BuildError;
+use super::draft::Draft;
+use super::item::{Item, Spread};
+use super::top_down::{self, Cut, halve};
 
 /// What the builder by surface area may choose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,43 +33,32 @@ impl Default for SahOptions {
     }
 }
 
-impl<V: Vector> Bvh<Triangle<V>> {
-    /// A tree of low cost by the surface area heuristic.
-    ///
-    /// A node is cut by its middle where no plane separates the centroids, or where the cheapest cut would leave
-    /// one side with more triangles than fit below it within the depth limit.
-    ///
-    /// # Errors
-    /// What [`BuildError`] lists.
-    pub fn sah(mesh: &Mesh<V>, options: SahOptions) -> Result<Self, BuildError> {
-        let SahOptions { bins, max_leaf, depth_limit } = options;
-        if max_leaf == 0 {
-            return Err(BuildError::ZeroLeafSize);
-        }
-        if !(2..=SahOptions::MAX_BINS).contains(&bins) {
-            return Err(BuildError::Bins(bins));
-        }
-        let items = items(mesh)?;
-        if items.len() > capacity(max_leaf, depth_limit) {
-            return Err(BuildError::DepthLimit { triangles: items.len(), max_leaf, limit: depth_limit });
-        }
-        let mut binning = Binning::new(bins as usize);
-        Ok(build(mesh, items, |range, depth| {
-            let levels = depth_limit - depth;
-            let may_be_leaf = range.len() <= max_leaf as usize;
-            if range.len() == 1 || levels == 0 {
-                return None;
-            }
-            let Some(plane) = binning.cheapest(range) else {
-                return (!may_be_leaf).then(|| halve(range));
-            };
-            if may_be_leaf && plane.cost >= range.len() as f32 {
-                return None;
-            }
-            let fits = plane.greater <= capacity(max_leaf, levels - 1);
-            Some(if fits { plane.part(range) } else { halve(range) })
-        }))
+pub(super) fn build(
+    items: Vec<Item>,
+    options: SahOptions,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Draft, BuildError> {
+    let SahOptions { bins, max_leaf, depth_limit } = options;
+    if items.len() > capacity(max_leaf, depth_limit) {
+        return Err(BuildError::DepthLimit { triangles: items.len(), max_leaf, limit: depth_limit });
     }
+    let mut binning = Binning::new(bins as usize);
+    let cut = |range: &mut [Item], depth: u32| {
+        let levels = depth_limit - depth;
+        let may_be_leaf = range.len() <= max_leaf as usize;
+        if range.len() == 1 || levels == 0 {
+            return None;
+        }
+        let Some(plane) = binning.cheapest(range) else {
+            return (!may_be_leaf).then(|| halve(range));
+        };
+        if may_be_leaf && plane.cost >= range.len() as f32 {
+            return None;
+        }
+        let fits = plane.greater <= capacity(max_leaf, levels - 1);
+        Some(if fits { plane.part(range) } else { halve(range) })
+    };
+    Ok(top_down::build(items, cut, progress))
 }
 
 /// Triangles that fit in a subtree with this many levels below its root.
@@ -116,12 +105,12 @@ impl Binning {
 
     /// The cheapest plane with centroids on both sides, if there is one of finite cost.
     fn cheapest(&mut self, items: &[Item]) -> Option<Plane> {
-        let scale = Scale::new(spread(items), self.from_here.len());
+        let scale = Scale::new(Spread::of_centroids(items), self.from_here.len());
         for bins in &mut self.bins {
             bins.fill(Bin::EMPTY);
         }
         for item in items {
-            let bin = Bin { aabb: Spread { lo: item.lo, hi: item.hi }, count: 1 };
+            let bin = Bin { aabb: item.spread(), count: 1 };
             for (bins, i) in self.bins.iter_mut().zip(scale.bins(item)) {
                 bins[i].add(&bin);
             }
