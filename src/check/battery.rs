@@ -1,13 +1,13 @@
 //! The property body: one traversal against its oracle.
 
+use super::Case;
 use super::watch::{Fault, Watch};
-use super::{Case, WithWord, with_word};
 use crate::event::Trace;
 use crate::generate::{Outcome, Search};
 use crate::key::KeyWord;
 use crate::oracle;
 use crate::order::{ByNode, LeftFirst, SignOrder, Visitor};
-use crate::traverse::{Method, Stack, Tables, Test, Unfit, WordName, traverse};
+use crate::traverse::{Method, Stack, Tables, Test, Unfit, WithWord, WordName, traverse, with_word};
 use crate::tree::{Keys, Node, Parents, Topology, Tree};
 
 /// What came of running a traversal.

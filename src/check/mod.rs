@@ -27,25 +27,3 @@ pub use shrink::shrink;
 pub use stress::{Errors, Stress, floats_between};
 pub use tally::{Count, Tally};
 pub use watch::{Fault, Watch};
-
-use crate::key::{Grow, KeyWord};
-use crate::traverse::WordName;
-
-/// Something to do with a word that is known only when the program runs.
-pub trait WithWord {
-    /// What comes out.
-    type Output;
-
-    /// Does it with the word `W`.
-    fn call<W: KeyWord>(self) -> Self::Output;
-}
-
-/// Picks the type of a word by its name.
-pub fn with_word<F: WithWord>(word: WordName, f: F) -> F::Output {
-    match word {
-        WordName::U32 => f.call::<u32>(),
-        WordName::U64 => f.call::<u64>(),
-        WordName::U128 => f.call::<u128>(),
-        WordName::Grow => f.call::<Grow>(),
-    }
-}

@@ -1,11 +1,10 @@
 //! Queries whose traversal, word and tests are known only when the program runs.
 
-use super::{WithWord, with_word};
 use crate::bvh::Bvh;
 use crate::geom::Ray;
 use crate::key::KeyWord;
 use crate::trace::Query;
-use crate::traverse::{Method, Tables, Unfit, WordName};
+use crate::traverse::{Method, Tables, Unfit, WithWord, WordName, with_word};
 use crate::tree::Node;
 
 /// Runs a query by a traversal in a word. `memory` is the stack's, kept between queries.

@@ -3,11 +3,11 @@
 use rayon::prelude::*;
 
 use super::watch::Fault;
-use super::{Battery, Case, CaseOptions, Tally, Verdict, WithWord, with_word};
+use super::{Battery, Case, CaseOptions, Tally, Verdict};
 use crate::generate::{Family, Kind, Rng};
 use crate::hash::mix;
 use crate::key::KeyWord;
-use crate::traverse::{Method, WordName};
+use crate::traverse::{Method, WithWord, WordName, with_word};
 use crate::tree::Topology;
 
 /// What to check.

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::random::Progress;
-use super::{Plan, Tally, Verdict, WithWord, with_word};
+use super::{Plan, Tally, Verdict};
 use crate::bvh::Bvh;
 use crate::event::{Recorder, State};
 use crate::geom::{Aabb, Ray};
@@ -12,7 +12,7 @@ use crate::key::KeyWord;
 use crate::oracle;
 use crate::order::{ByNode, Flow, LeftFirst, NodeTest, SignOrder, Visitor};
 use crate::trace::{AnyByNode, ClosestByNode, Hit, Truth};
-use crate::traverse::{Method, Tables, Test, Unfit, WordName};
+use crate::traverse::{Method, Tables, Test, Unfit, WithWord, WordName, with_word};
 use crate::tree::{Implicit, Keys, Node, Topology};
 
 /// A hierarchy over a mesh with all that its check needs.

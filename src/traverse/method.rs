@@ -1,6 +1,6 @@
 //! The traversals by name.
 
-use crate::key::{Grow, KeyWord};
+use crate::key::KeyWord;
 use crate::name::named;
 use crate::tree::Recorded;
 
@@ -166,40 +166,3 @@ impl Method {
 }
 
 named!(Method);
-
-/// A key word, by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs, reason = "the names are those of the types")]
-pub enum WordName {
-    U32,
-    U64,
-    U128,
-    Grow,
-}
-
-impl WordName {
-    /// All words that traversals are run with, narrowest first.
-    pub const ALL: [Self; 4] = [Self::U32, Self::U64, Self::U128, Self::Grow];
-
-    /// The name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::U32 => u32::NAME,
-            Self::U64 => u64::NAME,
-            Self::U128 => u128::NAME,
-            Self::Grow => Grow::NAME,
-        }
-    }
-
-    /// The narrowest word that carries this depth, in edges, in every traversal.
-    pub const fn narrowest(depth: u32) -> Self {
-        match depth {
-            0..=30 => Self::U32,
-            31..=62 => Self::U64,
-            63..=126 => Self::U128,
-            _ => Self::Grow,
-        }
-    }
-}
-
-named!(WordName);

@@ -23,6 +23,7 @@ mod skip;
 mod sparse;
 mod stack;
 mod uncle;
+mod word;
 
 pub use afra::Afra;
 pub use by_key::ByKey;
@@ -35,12 +36,13 @@ pub use implicit_a::{ImplicitA, ImplicitA1};
 pub use implicit_b::{ImplicitB, ImplicitB1};
 pub use laine::Laine;
 pub use left_first::LeftFirst;
-pub use method::{Method, Test, WordName};
+pub use method::{Method, Test};
 pub use run::{Tables, Unfit};
 pub use skip::{Skip, Skips};
 pub use sparse::Sparse;
 pub use stack::Stack;
 pub use uncle::Uncle;
+pub use word::{WithWord, WordName, with_word};
 
 use crate::event::{Recorder, State};
 use crate::order::{Descent, Flow, Visitor};

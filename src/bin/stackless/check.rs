@@ -6,14 +6,14 @@ use std::path::PathBuf;
 use serde::Serialize;
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::check::{
-    Battery, CaseOptions, Disagreement, Plan, Replay, SceneDisagreement, SceneTree, Tally, Verdict, WithWord,
-    boundary_cases, check_cases, check_random, check_scene, merge, shrink, with_word,
+    Battery, CaseOptions, Disagreement, Plan, Replay, SceneDisagreement, SceneTree, Tally, Verdict, boundary_cases,
+    check_cases, check_random, check_scene, merge, shrink,
 };
 use stackless_bvh::generate::Family;
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::scene::procedural;
 use stackless_bvh::trace::Truth;
-use stackless_bvh::traverse::{Method, WordName};
+use stackless_bvh::traverse::{Method, WithWord, WordName, with_word};
 
 use crate::Outcome;
 use crate::input::{self, MADE, Scene};

@@ -6,13 +6,12 @@ use std::time::Instant;
 
 use serde::Serialize;
 use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::check::{WithWord, with_word};
 use stackless_bvh::hash::{self, BuildError, KeySet, Lookup, Options, PerfectHash, Sizing};
 use stackless_bvh::key::{KeyWord, TooDeep};
 use stackless_bvh::report::{Backtracks, Source, plot_distances};
 use stackless_bvh::scene::{self, procedural};
 use stackless_bvh::trace::{self, Closest};
-use stackless_bvh::traverse::{Hashed, WordName, traverse};
+use stackless_bvh::traverse::{Hashed, WithWord, WordName, traverse, with_word};
 use stackless_bvh::tree::{Node, Topology, Uncles};
 
 use crate::Outcome;
