@@ -2,6 +2,7 @@
 
 mod aabb;
 pub mod kernel;
+mod nearest;
 mod ray;
 mod region;
 pub mod slabs;
@@ -11,6 +12,7 @@ mod vector;
 
 pub use aabb::Aabb;
 pub use kernel::Kernel;
+pub use nearest::Measure;
 pub use ray::{Ray, RayError};
 pub use region::Region;
 pub use slabs::Slabs;

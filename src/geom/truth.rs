@@ -12,6 +12,8 @@
 
 pub use dashu_ratio::RBig;
 
+use std::cmp::Ordering;
+
 use dashu_int::{IBig, Sign};
 use dashu_ratio::Relaxed;
 
@@ -189,6 +191,76 @@ pub fn round_f64(x: &RBig) -> f64 {
     x.to_f64().value()
 }
 
+/// The square of the distance from a point to a triangle. `None` if a coordinate is not finite.
+///
+/// The least of the distances to the three edges, and to the plane if the point is above the triangle.
+///
+/// ```
+/// use stackless_bvh::geom::truth::{RBig, square_distance};
+///
+/// let triangle = [[0.0_f32, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
+/// assert_eq!(square_distance(triangle, [1.0, 1.0, 0.5]), RBig::try_from(0.25).ok());
+/// assert_eq!(square_distance(triangle, [-1.0, -2.0, 2.0]), RBig::try_from(9.0).ok());
+/// ```
+pub fn square_distance<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Option<RBig> {
+    let [a, b, c, p] = integers([triangle[0], triangle[1], triangle[2], point])?;
+    let corners = [&a, &b, &c];
+    let normal = cross(&minus(&b, &a), &minus(&c, &a));
+    let mut least: Option<Relaxed> = None;
+    let mut is_above = !dot(&normal, &normal).is_zero();
+    for i in 0..3 {
+        let (edge, to_point) = (minus(corners[(i + 1) % 3], corners[i]), minus(&p, corners[i]));
+        let (along, length) = (dot(&edge, &to_point), dot(&edge, &edge));
+        // From the nearest point of the edge: the start, the end, or the foot of the perpendicular.
+        let square = if along.sign() == Sign::Negative || along.is_zero() {
+            Relaxed::from(dot(&to_point, &to_point))
+        } else if along >= length {
+            let to_point = minus(&p, corners[(i + 1) % 3]);
+            Relaxed::from(dot(&to_point, &to_point))
+        } else {
+            let square = dot(&to_point, &to_point);
+            Relaxed::from_parts_signed(square * &length - &along * &along, length)
+        };
+        least = Some(least.filter(|least| *least < square).unwrap_or(square));
+        is_above &= dot(&cross(&normal, &edge), &to_point).sign() == Sign::Positive;
+    }
+    if is_above {
+        let height = dot(&normal, &minus(&p, &a));
+        least = Some(Relaxed::from_parts_signed(&height * &height, dot(&normal, &normal)));
+    }
+    // The integers are multiples of the coordinates.
+    let scale = scale([triangle[0], triangle[1], triangle[2], point])?;
+    least.map(|square| (square / Relaxed::from(&scale * &scale)).canonicalize())
+}
+
+/// The `f32` nearest to the square root of `x`, which must not be negative; of two equally near the one whose last bit is 0.
+///
+/// ```
+/// use stackless_bvh::geom::truth::{RBig, round_root_f32};
+///
+/// assert_eq!(round_root_f32(&RBig::from(2u8)), 2f32.sqrt());
+/// ```
+pub fn round_root_f32(x: &RBig) -> f32 {
+    let mut root = round_f64(x).sqrt() as f32;
+    // How `x` compares with the square of the middle between a float and the next one. Infinity stands for 2^128.
+    let beyond_middle = |low: f32| {
+        let next = if low < f32::MAX { f64::from(low.next_up()) } else { 2f64.powi(128) };
+        let middle = RBig::try_from(f64::from(low) * 0.5 + next * 0.5);
+        middle.map_or(Ordering::Less, |middle| x.cmp(&(&middle * &middle)))
+    };
+    while beyond_middle(root).is_gt() || beyond_middle(root).is_eq() && root.to_bits() & 1 == 1 {
+        root = root.next_up();
+    }
+    let belongs_below = |root: f32| {
+        let order = beyond_middle(root.next_down());
+        order.is_lt() || order.is_eq() && root.to_bits() & 1 == 1
+    };
+    while root > 0.0 && belongs_below(root) {
+        root = root.next_down();
+    }
+    root
+}
+
 /// [`entry`], as a fraction that may not be in lowest terms: those cost most of the time.
 fn first_touch<S: Number>(
     origin: [S; 3],
@@ -224,16 +296,25 @@ fn first_touch<S: Number>(
 
 type Vector = [IBig; 3];
 
-/// The vectors times the least power of two, not below 1, that makes all components integers. `None` if one is not
-/// finite.
+/// The vectors times [`scale`]. `None` if one is not finite.
 fn integers<S: Number, const N: usize>(vectors: [[S; 3]; N]) -> Option<[Vector; N]> {
     let exact = vectors.as_flattened().iter().map(|&x| RBig::try_from(x.into()).ok());
     let exact: Vec<RBig> = exact.collect::<Option<_>>()?;
-    // Denominators of floats are powers of two.
-    let log2 = |x: &RBig| x.denominator().trailing_zeros().unwrap_or(0);
-    let greatest = exact.iter().map(log2).max().unwrap_or(0);
-    let integer = |x: &RBig| x.numerator() << (greatest - log2(x));
+    let greatest = exact.iter().map(log2_of_denominator).max().unwrap_or(0);
+    let integer = |x: &RBig| x.numerator() << (greatest - log2_of_denominator(x));
     Some(std::array::from_fn(|i| std::array::from_fn(|k| integer(&exact[3 * i + k]))))
+}
+
+/// The least power of two, not below 1, that makes all components integers. `None` if one is not finite.
+fn scale<S: Number, const N: usize>(vectors: [[S; 3]; N]) -> Option<IBig> {
+    let logs = vectors.as_flattened().iter().map(|&x| RBig::try_from(x.into()).ok().map(|x| log2_of_denominator(&x)));
+    let logs: Option<Vec<usize>> = logs.collect();
+    Some(IBig::ONE << logs?.into_iter().max().unwrap_or(0))
+}
+
+/// Denominators of floats are powers of two.
+fn log2_of_denominator(x: &RBig) -> usize {
+    x.denominator().trailing_zeros().unwrap_or(0)
 }
 
 fn minus(a: &Vector, b: &Vector) -> Vector {

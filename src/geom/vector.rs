@@ -30,9 +30,13 @@ pub trait Vector: Copy + PartialEq + Debug + Send + Sync + Sub<Output = Self> + 
 }
 
 /// A coordinate or a distance.
-pub trait Real: Number + PartialEq + PartialOrd + Debug + Default + private::Sealed {
+pub trait Real: Number + PartialEq + PartialOrd + Debug + Default + Send + Sync + private::Sealed {
     /// Beyond every number.
     const INFINITY: Self;
+
+    /// The greatest float below this one.
+    #[must_use]
+    fn next_down(self) -> Self;
 }
 
 impl Vector for Vec3 {
@@ -98,10 +102,18 @@ impl Vector for DVec3 {
 
 impl Real for f32 {
     const INFINITY: Self = f32::INFINITY;
+
+    fn next_down(self) -> Self {
+        self.next_down()
+    }
 }
 
 impl Real for f64 {
     const INFINITY: Self = f64::INFINITY;
+
+    fn next_down(self) -> Self {
+        self.next_down()
+    }
 }
 
 mod private {

@@ -1,12 +1,12 @@
 //! Queries that look at everything along a ray: all hits, and the number of crossings.
 
-use super::Hit;
+use super::{BoxQuery, Hit};
 use crate::bvh::Bvh;
 use crate::geom::kernel::{Exact, Exact64};
 use crate::geom::slabs::{Directed, Wide};
-use crate::geom::{Kernel, Ray, Real as _, Slabs, Vector};
+use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs, Vector};
 use crate::order::{Descent, Flow, Visitor};
-use crate::tree::Node;
+use crate::tree::{Node, Topology};
 
 type Real<K> = <<K as Kernel>::Vector as Vector>::Real;
 
@@ -78,6 +78,16 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for Sweep<'_, K, B> {
             }
         }
         Flow::Continue
+    }
+}
+
+impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
+    fn touches(&self, aabb: &Aabb) -> bool {
+        self.whole.slabs.one(aabb, self.whole.limit).is_some()
+    }
+
+    fn slot(&self, node: Node) -> usize {
+        self.whole.bvh.slot(node)
     }
 }
 

@@ -8,14 +8,24 @@
 
 mod accuracy;
 mod bounce;
+mod child_order;
 mod crossings;
+mod nearest;
+mod next;
 mod query;
+mod search;
+mod tracer;
 pub mod truth;
 
 pub use accuracy::{Accuracy, KernelName, SlabsName, WithTests, with_tests};
 pub use bounce::bounce;
+pub use child_order::{ChildOrder, FromLeft, Largest, Nearest};
 pub use crossings::{AllHits, AllHits64, Crossings, Sweep};
-pub use query::{Any, Any64, AnyByNode, Closest, Closest64, ClosestByNode, Counted, NodeSearch, Query, Search};
+pub use nearest::{Near, NearError, NearestPoint};
+pub use next::Following;
+pub use query::{BoxQuery, Counted, OwnBoxes, Query};
+pub use search::{Any, Any64, AnyByNode, Closest, Closest64, ClosestByNode, NodeSearch, Search};
+pub use tracer::Tracer;
 pub use truth::{TrueHit, Truth};
 
 /// Where a ray meets a mesh.

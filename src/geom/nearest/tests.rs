@@ -1,0 +1,109 @@
+use super::*;
+use crate::generate::Rng;
+use truth::{RBig, round_root_f32, square_distance};
+
+/// In -1..1, with 24 bits.
+fn unit(random: &mut Rng) -> f32 {
+    (random.bits() >> 39) as f32 / (1 << 24) as f32 - 1.0
+}
+
+fn vector(random: &mut Rng) -> Vec3 {
+    Vec3::new(unit(random), unit(random), unit(random))
+}
+
+/// Any triangle and point of a kind, of ever other sizes.
+fn case(random: &mut Rng, kind: usize) -> (Triangle, Vec3) {
+    let scale = 2f32.powi((random.bits() % 120) as i32 - 60);
+    let [a, b, c] = [(); 3].map(|()| vector(random));
+    let triangle = match kind % 4 {
+        // A sliver, a small one far away, and one on a grid.
+        0 => [a, b, a.lerp(b, unit(random)) + c * 1e-6],
+        1 => [a, b, c].map(|corner| corner * 1e-4 + Vec3::ONE),
+        2 => [a, b, c].map(|corner| (corner * 4.0).round()),
+        _ => [a, b, c],
+    };
+    let [u, v] = [unit(random).abs(), unit(random).abs()];
+    let inside = triangle[0] + (triangle[1] - triangle[0]) * u + (triangle[2] - triangle[0]) * (v * (1.0 - u));
+    let point = match kind / 4 % 5 {
+        0 => vector(random) * 2.0,
+        1 => triangle[0].lerp(triangle[1], u),
+        2 => triangle[2],
+        3 => inside,
+        _ => inside + vector(random) * 1e-5,
+    };
+    (Triangle(triangle.map(|corner| corner * scale)), point * scale)
+}
+
+fn square(triangle: &Triangle, point: Vec3) -> RBig {
+    square_distance(triangle.0.map(|corner| corner.to_array()), point.to_array()).expect("finite")
+}
+
+#[test]
+fn distances_are_the_truth_rounded() {
+    let mut random = Rng::new(1);
+    for kind in 0..20_000 {
+        let (triangle, point) = case(&mut random, kind);
+        let truth = square(&triangle, point);
+        let distance = round_root_f32(&truth);
+        for limit in [f32::INFINITY, distance] {
+            assert_eq!(
+                Measure::new(point, f32::INFINITY).distance(&triangle, limit),
+                Some(distance),
+                "{triangle:?} {point}"
+            );
+        }
+        // The radius is compared with what is not rounded.
+        let radius = RBig::try_from(distance).expect("finite");
+        let expected = (truth <= &radius * &radius).then_some(distance);
+        assert_eq!(Measure::new(point, distance).distance(&triangle, distance), expected, "{triangle:?} {point}");
+        assert_eq!(Measure::new(point, distance.next_up()).distance(&triangle, f32::INFINITY), Some(distance));
+        if distance > 0.0 {
+            assert_eq!(Measure::new(point, distance.next_down()).distance(&triangle, f32::INFINITY), None);
+        }
+    }
+}
+
+#[test]
+fn bounds_hold_the_truth_and_need_their_margin() {
+    let (mut random, mut bare) = (Rng::new(2), 0);
+    for kind in 0..20_000 {
+        let (triangle, point) = case(&mut random, kind);
+        let truth = square(&triangle, point);
+        let corners = Measure::new(point, 1.0).relative(&triangle);
+        let is_within = |[near, far]: [f64; 2]| {
+            let [near, far] = [near, far].map(|bound| RBig::try_from(bound).expect("finite"));
+            &near * &near <= truth && truth <= &far * &far
+        };
+        let [near, far] = bounds(&corners);
+        if far.is_nan() {
+            // No area: nothing is bounded, and rational arithmetic decides.
+            continue;
+        }
+        assert!(is_within([near, far]), "{triangle:?} {point}");
+        let margin = MARGIN * corners.iter().map(|corner| corner.abs().max_element()).fold(0.0, f64::max);
+        bare += usize::from(!is_within([(near + margin).max(0.0), (far - margin).max(0.0)]));
+    }
+    assert!(bare > 100, "{bare}");
+}
+
+#[test]
+fn boxes_are_not_farther_than_what_is_in_them() {
+    let mut random = Rng::new(3);
+    for kind in 0..20_000 {
+        let (triangle, point) = case(&mut random, kind);
+        let bound = RBig::try_from(Measure::new(point, 1.0).to_box(&triangle.aabb())).expect("finite");
+        assert!(&bound * &bound <= square(&triangle, point), "{triangle:?} {point}");
+    }
+}
+
+#[test]
+fn the_ends_of_the_range() {
+    let far = Triangle([Vec3::splat(f32::MAX), Vec3::new(f32::MAX, 0.0, 0.0), Vec3::new(0.0, f32::MAX, f32::MAX)]);
+    let measure = Measure::new(Vec3::splat(-f32::MAX), f32::INFINITY);
+    assert_eq!(measure.distance(&far, f32::INFINITY), Some(f32::INFINITY));
+    assert_eq!(Measure::new(Vec3::splat(-f32::MAX), f32::MAX).distance(&far, f32::INFINITY), None);
+    let least = f32::from_bits(1);
+    let small = Triangle([Vec3::X, Vec3::Y, Vec3::Z].map(|axis| axis * least));
+    assert_eq!(Measure::new(Vec3::ZERO, 1.0).distance(&small, 1.0), Some(least));
+    assert_eq!(Measure::new(Vec3::X * least, 0.0).distance(&small, 0.0), Some(0.0));
+}

@@ -1,0 +1,168 @@
+//! Closest hit and any hit.
+
+use std::marker::PhantomData;
+
+use super::Hit;
+use super::child_order::{ChildOrder, Nearest};
+use super::query::{BoxQuery, OwnBoxes};
+use crate::bvh::{Bvh, LeafTriangle};
+use crate::geom::kernel::{Exact, Exact64};
+use crate::geom::slabs::{Directed, Wide};
+use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs, Vector};
+use crate::order::{Descent, Flow, Visitor};
+use crate::tree::{Node, Topology};
+
+/// A closest-hit query, exact: visits the nearer child first, the left one of equals.
+pub type Closest<'a> = Search<'a, Exact, Directed, false>;
+
+/// An any-hit query, exact, in the order of [`Closest`]. It stops at the first hit that it meets.
+pub type Any<'a> = Search<'a, Exact, Directed, true>;
+
+/// A closest-hit query in double precision, exact. `[EXACT-7]`
+///
+/// ```
+/// use glam::DVec3;
+/// use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, scene::Mesh, trace::Closest64};
+/// use stackless_bvh::traverse::{Stack, traverse};
+///
+/// let corners = [DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| corner + 1e9);
+/// let mesh = Mesh::new(corners.to_vec(), vec![[0, 1, 2]])?;
+/// let bvh = Bvh::sah(&mesh, SahOptions::default())?;
+/// let ray = Ray::new(DVec3::splat(1e9 + 0.25) - DVec3::Z, DVec3::Z, 0.0, f64::INFINITY)?;
+/// let mut closest = Closest64::new(&bvh, &ray);
+/// traverse(Stack::new(&bvh, &mut Vec::new()), &mut closest, &mut ());
+/// assert_eq!(closest.hit().map(|hit| (hit.t, hit.u, hit.v)), Some((0.75, 0.25, 0.25)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub type Closest64<'a> = Search<'a, Exact64, Wide, false>;
+
+/// An any-hit query in double precision, exact.
+pub type Any64<'a> = Search<'a, Exact64, Wide, true>;
+
+/// A closest-hit query, exact, that tests each node's own box.
+pub type ClosestByNode<'a> = NodeSearch<'a, Exact, Directed, false>;
+
+/// An any-hit query, exact, that tests each node's own box.
+pub type AnyByNode<'a> = NodeSearch<'a, Exact, Directed, true>;
+
+type Real<K> = <<K as Kernel>::Vector as Vector>::Real;
+
+/// A ray on its way through a hierarchy, with the triangle test `K`, the box test `B` and the order `O` of children. With
+/// `ANY`, the first hit ends it.
+#[derive(Clone, Debug)]
+pub struct Search<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O = Nearest> {
+    bvh: &'a Bvh<K::Shape>,
+    kernel: K,
+    slabs: B,
+    /// The distance of the best hit, or the ray's end.
+    t: Real<K>,
+    prim: u32,
+    /// Where the best hit's triangle is in the hierarchy.
+    place: usize,
+    order: PhantomData<O>,
+}
+
+/// No triangle has this index, and every hit up to the ray's end comes before it.
+const NO_PRIM: u32 = u32::MAX;
+
+impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Search<'a, K, B, ANY, O> {
+    /// Prepares a query.
+    #[inline]
+    pub fn new(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>) -> Self {
+        let (region, t) = (bvh.region(), ray.tmax());
+        let (kernel, slabs) = (K::new(ray, region), B::new(ray, region));
+        Self { bvh, kernel, slabs, t, prim: NO_PRIM, place: 0, order: PhantomData }
+    }
+
+    /// The hit, after the traversal: the closest, or with `ANY` the first that was met.
+    pub fn hit(&self) -> Option<Hit<Real<K>>> {
+        let (prim, mut t) = self.found()?;
+        let shape = &self.bvh.triangles()[self.place].shape;
+        if ANY {
+            t = self.kernel.distance(shape, Real::<K>::INFINITY)?;
+        }
+        let [u, v] = self.kernel.weights(shape);
+        Some(Hit { prim, t, u, v })
+    }
+
+    /// Triangle and distance of the [`hit`](Self::hit), without the rest. With `ANY` the distance means nothing.
+    #[inline]
+    pub fn found(&self) -> Option<(u32, Real<K>)> {
+        (self.prim != NO_PRIM).then_some((self.prim, self.t))
+    }
+
+    /// Tests one triangle.
+    #[inline(always)]
+    fn meet(&mut self, place: usize, held: &LeafTriangle<K::Shape>) -> Flow {
+        if ANY {
+            if self.kernel.blocks(&held.shape) {
+                (self.prim, self.place) = (held.prim, place);
+                return Flow::Stop;
+            }
+        } else if let Some(t) = self.kernel.distance(&held.shape, self.t) {
+            // The order of hits: by distance, then by triangle.
+            if t < self.t || t == self.t && held.prim < self.prim {
+                (self.t, self.prim, self.place) = (t, held.prim, place);
+            }
+        }
+        Flow::Continue
+    }
+}
+
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Visitor for Search<'_, K, B, ANY, O> {
+    #[inline(always)]
+    fn inner(&mut self, node: Node) -> Descent {
+        let planes = &self.bvh.node(node.index()).planes;
+        let ([left, right], [near_left, near_right]) = self.slabs.pair(planes, self.t);
+        Descent::new(left, right, O::prefers_right(planes, [near_left, near_right]))
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, node: Node) -> Flow {
+        let range = self.bvh.leaf_range(node);
+        for (place, held) in range.clone().zip(&self.bvh.triangles()[range]) {
+            if self.meet(place, held) == Flow::Stop {
+                return Flow::Stop;
+            }
+        }
+        Flow::Continue
+    }
+}
+
+/// A [`Search`] for the traversals that test a node at its own visit, and for all others too.
+pub type NodeSearch<'a, K, B, const ANY: bool, O = Nearest> = OwnBoxes<'a, Search<'a, K, B, ANY, O>>;
+
+impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> NodeSearch<'a, K, B, ANY, O> {
+    /// Prepares a query. `boxes` must be the tree's [`own_boxes`](Bvh::own_boxes), or empty if the traversal tests no node's
+    /// own box.
+    #[inline]
+    pub fn new(bvh: &'a Bvh<K::Shape>, boxes: &'a [Aabb], ray: &Ray<K::Vector>) -> Self {
+        Self::over(Search::new(bvh, ray), boxes)
+    }
+
+    /// As [`Search::hit`].
+    pub fn hit(&self) -> Option<Hit<Real<K>>> {
+        self.query.hit()
+    }
+
+    /// As [`Search::found`].
+    #[inline]
+    pub fn found(&self) -> Option<(u32, Real<K>)> {
+        self.query.found()
+    }
+}
+
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> BoxQuery for Search<'_, K, B, ANY, O> {
+    #[inline]
+    fn touches(&self, aabb: &Aabb) -> bool {
+        self.slabs.one(aabb, self.t).is_some()
+    }
+
+    #[inline]
+    fn slot(&self, node: Node) -> usize {
+        self.bvh.slot(node)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,247 @@
+//! Ray queries as functions: the library's front door.
+
+use std::fmt;
+use std::marker::PhantomData;
+
+use glam::Vec3;
+use rayon::prelude::*;
+
+use super::{Following, Hit, Near, NearError, NearestPoint, NodeSearch, OwnBoxes, Query, Sweep};
+use crate::bvh::Bvh;
+use crate::geom::kernel::{Exact, Real};
+use crate::geom::slabs::Directed;
+use crate::geom::{Aabb, Kernel, Ray, Slabs};
+use crate::key::KeyWord;
+use crate::order::{Descent, Flow, NodeTest, Visitor};
+use crate::traverse::{Method, Tables, Test, Unfit, WithWord, WordName, with_word};
+use crate::tree::{Implicit, Node, Topology};
+
+/// Answers queries over a hierarchy by one of the traversals, with the triangle test `K` and the box test `B`.
+///
+/// The answers are exact unless other tests are asked for, and then the same for all trees and traversals. `[DET-1]` A
+/// tracer can be shared by threads.
+///
+/// ```
+/// use glam::Vec3;
+/// use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, scene::Mesh, trace::Tracer};
+///
+/// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
+/// let bvh = Bvh::sah(&mesh, SahOptions::default())?;
+/// let tracer = Tracer::new(&bvh);
+/// let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z, 0.0, f32::INFINITY)?;
+/// let hit = tracer.closest(&ray).ok_or("a miss")?;
+/// assert_eq!((hit.prim, hit.t, hit.u, hit.v), (0, 3.0, 0.25, 0.5));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Tracer<'a, K: Kernel = Exact, B = Directed> {
+    bvh: &'a Bvh<K::Shape>,
+    method: Method,
+    word: WordName,
+    tables: Tables<'a, Bvh<K::Shape>>,
+    /// Each node's own box, for the traversals that test it.
+    boxes: Vec<Aabb>,
+    slabs: PhantomData<fn() -> B>,
+}
+
+/// Rays that a thread takes at once.
+const CHUNK: usize = 1024;
+
+impl<'a> Tracer<'a> {
+    /// A tracer by `hashed`, with tables and words as narrow as the hierarchy allows.
+    pub fn new(bvh: &'a Bvh) -> Self {
+        // No hierarchy is known for which the hash cannot be built. Uncle references need none.
+        Self::with_method(bvh, Method::Hashed).unwrap_or_else(|_| Self::unchecked(bvh, Method::Uncle))
+    }
+
+    /// The point of the mesh that is nearest to `point`, if there is one within the radius, included. `[NEAR-1]`
+    ///
+    /// # Errors
+    /// What [`NearError`] lists.
+    pub fn nearest(&self, point: Vec3, radius: f32) -> Result<Option<Near>, NearError> {
+        let mut search = OwnBoxes::over(NearestPoint::new(self.bvh, point, radius)?, &self.boxes);
+        self.run(0, &mut Vec::new(), &mut search);
+        Ok(search.query.near())
+    }
+}
+
+impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
+    /// A tracer by any traversal, with tables and words as narrow as the hierarchy allows.
+    ///
+    /// # Errors
+    /// [`Unfit`] where the traversal is not for this hierarchy: `complete` on one that is not, `laine-*` on one that is deeper
+    /// than 126.
+    pub fn with_method(bvh: &'a Bvh<K::Shape>, method: Method) -> Result<Self, Unfit> {
+        let tracer = Self::unchecked(bvh, method);
+        // A search that is over at the root: what is unfit is found before the first step.
+        tracer.try_run(0, &mut Vec::new(), &mut Nothing).map(|()| tracer)
+    }
+
+    fn unchecked(bvh: &'a Bvh<K::Shape>, method: Method) -> Self {
+        let boxes = if method.test() == Test::Children { Vec::new() } else { bvh.own_boxes() };
+        let tables = Tables::new(bvh, bvh.axes(), &[method], Implicit::LIMIT);
+        Self { bvh, method, word: WordName::narrowest(bvh.depth()), tables, boxes, slabs: PhantomData }
+    }
+
+    /// The hierarchy.
+    pub fn bvh(&self) -> &'a Bvh<K::Shape> {
+        self.bvh
+    }
+
+    /// The traversal.
+    pub fn method(&self) -> Method {
+        self.method
+    }
+
+    /// The word of its keys.
+    pub fn word(&self) -> WordName {
+        self.word
+    }
+
+    /// The closest hit: the least distance, and of equal ones the least index. `[EXACT-1]`
+    pub fn closest(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
+        self.closest_in(ray, &mut Vec::new())
+    }
+
+    /// Whether there is any hit.
+    pub fn any(&self, ray: &Ray<K::Vector>) -> bool {
+        self.any_in(ray, &mut Vec::new())
+    }
+
+    /// The closest hit of each ray, on this thread.
+    pub fn closest_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
+        let mut memory = Vec::new();
+        rays.iter().map(|ray| self.closest_in(ray, &mut memory)).collect()
+    }
+
+    /// Whether there is any hit of each ray, on this thread.
+    pub fn any_each(&self, rays: &[Ray<K::Vector>]) -> Vec<bool> {
+        let mut memory = Vec::new();
+        rays.iter().map(|ray| self.any_in(ray, &mut memory)).collect()
+    }
+
+    /// The closest hit of each ray, on all threads.
+    pub fn closest_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
+        rays.par_chunks(CHUNK).flat_map_iter(|chunk| self.closest_each(chunk)).collect()
+    }
+
+    /// Whether there is any hit of each ray, on all threads.
+    pub fn any_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<bool> {
+        rays.par_chunks(CHUNK).flat_map_iter(|chunk| self.any_each(chunk)).collect()
+    }
+
+    /// All hits, each triangle once, in the order (`t`, primitive): edges and corners included.
+    pub fn all(&self, ray: &Ray<K::Vector>) -> Vec<Hit<Real<K>>> {
+        let mut search = OwnBoxes::over(Sweep::<K, B>::new(self.bvh, ray), &self.boxes);
+        self.run(ray.octant(), &mut Vec::new(), &mut search);
+        search.query.hits()
+    }
+
+    /// The first hit in the order (`t`, primitive) that comes after the given one, which need not be a hit. So hits can be
+    /// walked through one by one: none is lost or met again, not even where many have the same `t`.
+    ///
+    /// ```
+    /// # use glam::Vec3;
+    /// # use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, scene::Mesh, trace::Tracer};
+    /// # let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2], [2, 1, 0], [1, 0, 2]])?;
+    /// # let bvh = Bvh::sah(&mesh, SahOptions::default())?;
+    /// # let tracer = Tracer::new(&bvh);
+    /// # let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z, 0.0, f32::INFINITY)?;
+    /// let mut hits = Vec::new();
+    /// let mut hit = tracer.closest(&ray);
+    /// while let Some(found) = hit {
+    ///     hits.push(found);
+    ///     hit = tracer.next(&ray, (found.t, found.prim));
+    /// }
+    /// assert_eq!(hits, tracer.all(&ray));
+    /// # assert_eq!(hits.len(), 3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn next(&self, ray: &Ray<K::Vector>, after: (Real<K>, u32)) -> Option<Hit<Real<K>>> {
+        let mut search = OwnBoxes::over(Following::<K, B>::new(self.bvh, ray, after), &self.boxes);
+        self.run(ray.octant(), &mut Vec::new(), &mut search);
+        search.query.hit()
+    }
+
+    #[inline]
+    fn closest_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Option<Hit<Real<K>>> {
+        let mut search = NodeSearch::<K, B, false>::new(self.bvh, &self.boxes, ray);
+        self.run_fast(ray.octant(), memory, &mut search);
+        search.hit()
+    }
+
+    #[inline]
+    fn any_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> bool {
+        let mut search = NodeSearch::<K, B, true>::new(self.bvh, &self.boxes, ray);
+        self.run_fast(ray.octant(), memory, &mut search);
+        search.found().is_some()
+    }
+
+    /// Runs a query in a copy of the traversals that is compiled for it, if the keys are short.
+    #[inline]
+    fn run_fast(&self, octant: u8, memory: &mut Vec<Node>, search: &mut impl Query) {
+        let fits = match self.word {
+            WordName::U32 => self.tables.run::<u32, _>(self.method, octant, memory, search, &mut ()),
+            WordName::U64 => self.tables.run::<u64, _>(self.method, octant, memory, search, &mut ()),
+            WordName::U128 | WordName::Grow => self.try_run(octant, memory, search),
+        };
+        debug_assert_eq!(fits, Ok(()), "checked when the tracer was made");
+    }
+
+    /// Runs any query.
+    fn run(&self, octant: u8, memory: &mut Vec<Node>, query: &mut dyn Query) {
+        let fits = self.try_run(octant, memory, query);
+        debug_assert_eq!(fits, Ok(()), "checked when the tracer was made");
+    }
+
+    fn try_run(&self, octant: u8, memory: &mut Vec<Node>, query: &mut dyn Query) -> Result<(), Unfit> {
+        with_word(self.word, InWord { tables: &self.tables, method: self.method, octant, memory, query })
+    }
+}
+
+struct InWord<'a, 't, 'q, S> {
+    tables: &'a Tables<'t, Bvh<S>>,
+    method: Method,
+    octant: u8,
+    memory: &'a mut Vec<Node>,
+    query: &'a mut (dyn Query + 'q),
+}
+
+impl<S> WithWord for InWord<'_, '_, '_, S> {
+    type Output = Result<(), Unfit>;
+
+    fn call<W: KeyWord>(mut self) -> Self::Output {
+        self.tables.run::<W, _>(self.method, self.octant, self.memory, &mut self.query, &mut ())
+    }
+}
+
+/// A query that ends at the root.
+struct Nothing;
+
+impl Visitor for Nothing {
+    fn inner(&mut self, _: Node) -> Descent {
+        Descent::NEITHER
+    }
+
+    fn leaf(&mut self, _: Node) -> Flow {
+        Flow::Stop
+    }
+}
+
+impl NodeTest for Nothing {
+    fn accept(&mut self, _: Node) -> bool {
+        false
+    }
+
+    fn leaf(&mut self, _: Node) -> Flow {
+        Flow::Stop
+    }
+}
+
+impl<K: Kernel, B> fmt::Debug for Tracer<'_, K, B> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Tracer").field("method", &self.method).field("word", &self.word).finish_non_exhaustive()
+    }
+}
+
+#[cfg(test)]
+mod tests;
