@@ -22,7 +22,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("geom", &[]),
     ("scene", &["generate", "geom"]),
     ("bvh", &["geom", "name", "order", "scene", "tree"]),
-    ("trace", &["bvh", "generate", "geom", "name", "order", "scene", "traverse", "tree"]),
+    ("trace", &["bvh", "event", "generate", "geom", "key", "name", "order", "report", "scene", "traverse", "tree"]),
     (
         "check",
         &[

@@ -101,6 +101,11 @@ impl<S> Bvh<S> {
         self.dropped
     }
 
+    /// How many references there are beyond the first to each triangle. Builders that split triangles make some.
+    pub fn duplicates(&self) -> usize {
+        0
+    }
+
     /// Inner nodes, by [`Node::index`].
     pub fn nodes(&self) -> &[BvhNode] {
         &self.nodes

@@ -55,6 +55,11 @@ impl KeyMap {
         Some(())
     }
 
+    /// Memory of the cells, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.cells)
+    }
+
     /// The node with this key, if the tree has one.
     #[inline]
     pub fn get<W: KeyWord>(&self, key: &W) -> Option<Node> {

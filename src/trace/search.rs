@@ -91,6 +91,19 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
         (self.prim != NO_PRIM).then_some((self.prim, self.t))
     }
 
+    /// Tests the triangles of a leaf, each after it is shown to `watch`.
+    #[inline(always)]
+    pub(super) fn leaf_watched(&mut self, leaf: Node, mut watch: impl FnMut(&K, &K::Shape)) -> Flow {
+        let range = self.bvh.leaf_range(leaf);
+        for (place, held) in range.clone().zip(&self.bvh.triangles()[range]) {
+            watch(&self.kernel, &held.shape);
+            if self.meet(place, held) == Flow::Stop {
+                return Flow::Stop;
+            }
+        }
+        Flow::Continue
+    }
+
     /// Tests one triangle.
     #[inline(always)]
     fn meet(&mut self, place: usize, held: &LeafTriangle<K::Shape>) -> Flow {
@@ -119,13 +132,7 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
 
     #[inline(always)]
     fn leaf(&mut self, node: Node) -> Flow {
-        let range = self.bvh.leaf_range(node);
-        for (place, held) in range.clone().zip(&self.bvh.triangles()[range]) {
-            if self.meet(place, held) == Flow::Stop {
-                return Flow::Stop;
-            }
-        }
-        Flow::Continue
+        self.leaf_watched(node, |_, _| ())
     }
 }
 

@@ -6,15 +6,18 @@ use std::marker::PhantomData;
 use glam::Vec3;
 use rayon::prelude::*;
 
-use super::{Following, Hit, Near, NearError, NearestPoint, NodeSearch, OwnBoxes, Query, Sweep};
+use super::counters::{Counters, Counting};
+use super::{Ask, Following, Hit, Near, NearError, NearestPoint, NodeSearch, OwnBoxes, Part, Plan, Query, Sweep};
 use crate::bvh::Bvh;
+use crate::event::Recorder;
 use crate::geom::kernel::{Exact, Real};
 use crate::geom::slabs::Directed;
 use crate::geom::{Aabb, Kernel, Ray, Slabs};
 use crate::key::KeyWord;
 use crate::order::{Descent, Flow, NodeTest, Visitor};
-use crate::traverse::{Method, Tables, Test, Unfit, WithWord, WordName, with_word};
-use crate::tree::{Implicit, Node, Topology};
+use crate::report::Backtracks;
+use crate::traverse::{Method, Tables, Unfit, WithWord, WordName, with_word};
+use crate::tree::{Implicit, Node, Uncles};
 
 /// Answers queries over a hierarchy by one of the traversals, with the triangle test `K` and the box test `B`.
 ///
@@ -50,7 +53,8 @@ impl<'a> Tracer<'a> {
     /// A tracer by `hashed`, with tables and words as narrow as the hierarchy allows.
     pub fn new(bvh: &'a Bvh) -> Self {
         // No hierarchy is known for which the hash cannot be built. Uncle references need none.
-        Self::with_method(bvh, Method::Hashed).unwrap_or_else(|_| Self::unchecked(bvh, Method::Uncle))
+        Self::with_method(bvh, Method::Hashed)
+            .unwrap_or_else(|_| Self::unchecked(bvh, &Plan::new(bvh, Method::Uncle, Ask::All)))
     }
 
     /// The point of the mesh that is nearest to `point`, if there is one within the radius, included. `[NEAR-1]`
@@ -71,15 +75,25 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
     /// [`Unfit`] where the traversal is not for this hierarchy: `complete` on one that is not, `laine-*` on one that is deeper
     /// than 126.
     pub fn with_method(bvh: &'a Bvh<K::Shape>, method: Method) -> Result<Self, Unfit> {
-        let tracer = Self::unchecked(bvh, method);
+        Self::planned(bvh, &Plan::new(bvh, method, Ask::All))
+    }
+
+    /// A tracer that has what a plan says, which must be for this hierarchy.
+    ///
+    /// # Errors
+    /// As [`with_method`](Self::with_method).
+    pub fn planned(bvh: &'a Bvh<K::Shape>, plan: &Plan) -> Result<Self, Unfit> {
+        let tracer = Self::unchecked(bvh, plan);
         // A search that is over at the root: what is unfit is found before the first step.
         tracer.try_run(0, &mut Vec::new(), &mut Nothing).map(|()| tracer)
     }
 
-    fn unchecked(bvh: &'a Bvh<K::Shape>, method: Method) -> Self {
-        let boxes = if method.test() == Test::Children { Vec::new() } else { bvh.own_boxes() };
-        let tables = Tables::new(bvh, bvh.axes(), &[method], Implicit::LIMIT);
-        Self { bvh, method, word: WordName::narrowest(bvh.depth()), tables, boxes, slabs: PhantomData }
+    fn unchecked(bvh: &'a Bvh<K::Shape>, plan: &Plan) -> Self {
+        let (method, word) = (plan.method(), plan.word());
+        let boxes = if plan.skips(Part::OwnBoxes) { Vec::new() } else { bvh.own_boxes() };
+        let others: &[Method] = if plan.skips(Part::OtherTables) { &[] } else { &Method::ALL };
+        let tables = Tables::new(bvh, bvh.axes(), &[&[method], others].concat(), Implicit::LIMIT);
+        Self { bvh, method, word, tables, boxes, slabs: PhantomData }
     }
 
     /// The hierarchy.
@@ -97,6 +111,11 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
         self.word
     }
 
+    /// Memory of its tables, in bytes, besides the hierarchy.
+    pub fn bytes(&self) -> usize {
+        self.tables.bytes() + size_of_val(&*self.boxes)
+    }
+
     /// The closest hit: the least distance, and of equal ones the least index. `[EXACT-1]`
     pub fn closest(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
         self.closest_in(ray, &mut Vec::new())
@@ -105,6 +124,41 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
     /// Whether there is any hit.
     pub fn any(&self, ray: &Ray<K::Vector>) -> bool {
         self.any_in(ray, &mut Vec::new())
+    }
+
+    /// Triangle and distance of the [`closest`](Self::closest) hit, without its weights.
+    pub fn closest_distance(&self, ray: &Ray<K::Vector>) -> Option<(u32, Real<K>)> {
+        let mut search = NodeSearch::<K, B, false>::new(self.bvh, &self.boxes, ray);
+        self.run_fast(ray.octant(), &mut Vec::new(), &mut search);
+        search.found()
+    }
+
+    /// Any hit, whole: the first that is met, which depends on hierarchy and traversal.
+    pub fn any_hit(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
+        let mut search = NodeSearch::<K, B, true>::new(self.bvh, &self.boxes, ray);
+        self.run_fast(ray.octant(), &mut Vec::new(), &mut search);
+        search.hit()
+    }
+
+    /// What the closest hit (or with `any`, any hit) of each ray costs, counted. Of no use for timing.
+    pub fn count(&self, rays: &[Ray<K::Vector>], any: bool) -> Counters {
+        let count = |chunk: &[Ray<K::Vector>]| {
+            let (mut counters, mut memory) = (Counters::default(), Vec::new());
+            let mut backtracks = std::mem::replace(&mut counters.backtracks, Backtracks::new(<Uncles>::REACH));
+            for ray in chunk {
+                counters.rays += 1;
+                backtracks.begin();
+                let (bvh, boxes, counters) = (self.bvh, &*self.boxes, &mut counters);
+                let query: &mut dyn Query = if any {
+                    &mut Counting::<K, B, true> { search: NodeSearch::new(bvh, boxes, ray), counters }
+                } else {
+                    &mut Counting::<K, B, false> { search: NodeSearch::new(bvh, boxes, ray), counters }
+                };
+                self.run_recorded(ray.octant(), &mut memory, query, &mut backtracks);
+            }
+            Counters { backtracks, ..counters }
+        };
+        rays.par_chunks(CHUNK).map(count).reduce(Counters::default, |a, b| a.merge(&b))
     }
 
     /// The closest hit of each ray, on this thread.
@@ -189,28 +243,35 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
 
     /// Runs any query.
     fn run(&self, octant: u8, memory: &mut Vec<Node>, query: &mut dyn Query) {
-        let fits = self.try_run(octant, memory, query);
+        self.run_recorded(octant, memory, query, &mut ());
+    }
+
+    fn run_recorded(&self, octant: u8, memory: &mut Vec<Node>, query: &mut dyn Query, recorder: &mut impl Recorder) {
+        let (tables, method) = (&self.tables, self.method);
+        let fits = with_word(self.word, InWord { tables, method, octant, memory, query, recorder });
         debug_assert_eq!(fits, Ok(()), "checked when the tracer was made");
     }
 
     fn try_run(&self, octant: u8, memory: &mut Vec<Node>, query: &mut dyn Query) -> Result<(), Unfit> {
-        with_word(self.word, InWord { tables: &self.tables, method: self.method, octant, memory, query })
+        let (tables, method) = (&self.tables, self.method);
+        with_word(self.word, InWord { tables, method, octant, memory, query, recorder: &mut () })
     }
 }
 
-struct InWord<'a, 't, 'q, S> {
+struct InWord<'a, 't, 'q, S, R> {
     tables: &'a Tables<'t, Bvh<S>>,
     method: Method,
     octant: u8,
     memory: &'a mut Vec<Node>,
     query: &'a mut (dyn Query + 'q),
+    recorder: &'a mut R,
 }
 
-impl<S> WithWord for InWord<'_, '_, '_, S> {
+impl<S, R: Recorder> WithWord for InWord<'_, '_, '_, S, R> {
     type Output = Result<(), Unfit>;
 
     fn call<W: KeyWord>(mut self) -> Self::Output {
-        self.tables.run::<W, _>(self.method, self.octant, self.memory, &mut self.query, &mut ())
+        self.tables.run::<W, _>(self.method, self.octant, self.memory, &mut self.query, self.recorder)
     }
 }
 

@@ -33,6 +33,11 @@ impl fmt::Display for NotComplete {
 impl core::error::Error for NotComplete {}
 
 impl Complete {
+    /// Memory of the addresses, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.nodes)
+    }
+
     /// Lays out a complete tree.
     ///
     /// # Errors

@@ -29,6 +29,11 @@ struct Entry {
 }
 
 impl Glassner {
+    /// Memory of buckets, entries and keys, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.buckets) + size_of_val(&*self.entries) + self.keys.bytes()
+    }
+
     /// The table of all nodes of a tree.
     pub fn of(tree: &impl Topology) -> Self {
         let count = tree.node_count();

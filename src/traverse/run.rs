@@ -110,6 +110,20 @@ impl<'t, T: Topology> Tables<'t, T> {
         }
     }
 
+    /// Memory of all tables, in bytes, without those that only verify.
+    pub fn bytes(&self) -> usize {
+        let hashes = [&self.hash, &self.full_hash].map(|hash| hash.as_ref().map_or(0, |hash| hash.header().bytes()));
+        let complete = self.complete.as_ref().and_then(|complete| complete.as_ref().ok());
+        hashes.iter().sum::<usize>()
+            + self.parents.as_ref().map_or(0, Parents::bytes)
+            + self.uncles.as_ref().map_or(0, Uncles::bytes)
+            + self.all_keys.as_ref().map_or(0, KeyMap::bytes)
+            + self.implicit.as_ref().map_or(0, Implicit::bytes)
+            + complete.map_or(0, Complete::bytes)
+            + self.glassner.as_ref().map_or(0, Glassner::bytes)
+            + self.skips.iter().chain(&self.octant_skips).map(Skips::bytes).sum::<usize>()
+    }
+
     /// The same, with every lookup in a perfect hash verified: [`misses`](Self::misses) counts those that did not find
     /// the node with the key.
     #[must_use]

@@ -26,6 +26,11 @@ impl Skips {
         Self { rows }
     }
 
+    /// Memory of the pointers, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.rows)
+    }
+
     /// The node to visit after the subtree of the node with this slot. The root, which nobody follows, means none.
     #[inline]
     pub fn after(&self, slot: usize) -> Node {

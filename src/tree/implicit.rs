@@ -4,6 +4,7 @@
 //! where the tree has no nodes: "it is enough to allocate the address space for them". So does this layout: a plain
 //! vector where the tree is shallow, reserved virtual memory, of which only the touched pages exist, where it is not.
 
+use alloc::collections::BTreeSet;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
@@ -14,6 +15,8 @@ use super::{Node, Topology};
 #[derive(Debug)]
 pub struct Implicit {
     cells: Cells,
+    /// Pages of 4 KiB that hold nodes.
+    pages: usize,
 }
 
 /// One 32-bit cell an address: the node's bits plus one, 0 in a gap (as untouched memory is).
@@ -76,14 +79,21 @@ impl Implicit {
         let mut cells = Cells::for_depth(depth)?;
         let mut pending = vec![(tree.root(), 0_usize)];
         let array = cells.as_mut_slice();
+        let mut pages = BTreeSet::new();
         while let Some((node, address)) = pending.pop() {
             array[address] = node.to_bits() + 1;
+            pages.insert(address / (PAGE / size_of::<u32>()));
             if !node.is_leaf() {
                 let [left, right] = tree.children(node);
                 pending.extend([(left, 2 * address + 1), (right, 2 * address + 2)]);
             }
         }
-        Ok(Self { cells })
+        Ok(Self { cells, pages: pages.len() })
+    }
+
+    /// Memory of the pages that hold nodes, in bytes; of the address space in between, nothing exists.
+    pub fn bytes(&self) -> usize {
+        self.pages * PAGE
     }
 
     /// The node at an address; `None` in a gap and beyond the last level.
@@ -97,6 +107,8 @@ impl Implicit {
 /// Deepest tree that is kept in a plain vector (64 KiB) where there is a choice.
 #[cfg(feature = "std")]
 const PLAIN: u32 = 13;
+
+const PAGE: usize = 4096;
 
 impl Cells {
     #[cfg(feature = "std")]

@@ -47,6 +47,11 @@ impl Keys {
         Self { rows }
     }
 
+    /// Memory of the rows, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.rows)
+    }
+
     /// Depth, in edges, of the node with this slot.
     #[inline]
     pub fn depth(&self, slot: usize) -> u32 {

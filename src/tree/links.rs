@@ -38,6 +38,11 @@ impl Parents {
     pub fn of(tree: &impl Topology) -> Self {
         Self { rows: link_rows(tree, Recorded::ParentSibling) }
     }
+
+    /// Memory of the references, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.rows)
+    }
 }
 
 impl<T: Topology> ParentLinks<T> for &Parents {
@@ -169,6 +174,11 @@ impl<const INNER: u32, const LEAF: u32> Uncles<INNER, LEAF> {
     /// The table of a tree.
     pub fn of(tree: &impl Topology) -> Self {
         Self { rows: uncle_rows(tree) }
+    }
+
+    /// Memory of the references, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.rows)
     }
 }
 

@@ -11,7 +11,7 @@ mod woop;
 
 pub use affine::{Affine, AffineTriangle};
 pub use bounds::{DETERMINANT, DISTANCE, EDGE, QUOTIENT, QUOTIENT_FACTOR, SIGN};
-pub use exact::{Exact, Exact64, ExactFromSingle, MAX_COORDINATE, MIN_EDGE, Stage, Sum};
+pub use exact::{Exact, Exact64, ExactFromSingle, MAX_COORDINATE, MIN_EDGE, Sum};
 pub(super) use exact::{is_degenerate, is_degenerate_64};
 pub use moller::{Moller32, Moller64};
 pub use woop::Woop;
@@ -43,8 +43,25 @@ pub trait Kernel: Copy + Debug {
         self.distance(shape, Real::<Self>::INFINITY).is_some()
     }
 
+    /// The stage that decides about a triangle, if the distance is asked for and nothing is known but the ray's end: a
+    /// nearer limit may spare stages, and [`blocks`](Self::blocks) needs the later ones less often. For statistics.
+    fn stage(&self, _: &Self::Shape) -> Stage {
+        Stage::Scene
+    }
+
     /// Weights of the second and of the third corner in the point where the ray's line meets the triangle, which it must.
     fn weights(&self, shape: &Self::Shape) -> [Real<Self>; 2];
+}
+
+/// What it takes to decide about a ray and a triangle. Tests that are not exact have one stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Stage {
+    /// Error bounds for all triangles of the scene.
+    Scene,
+    /// Error bounds for this triangle.
+    Triangle,
+    /// Exact sums.
+    Sums,
 }
 
 /// The numbers that a kernel takes and gives.

@@ -25,7 +25,7 @@ pub use sum::Sum;
 
 use glam::{DVec3, Vec3};
 
-use super::Kernel;
+use super::{Kernel, Stage};
 use crate::geom::{Ray, Region, Triangle, Vector};
 use filter::{Determinants, Errors};
 
@@ -103,17 +103,21 @@ impl Kernel for Exact {
         }
         quotient::weights(corners, self.origin, self.direction)
     }
-}
 
-/// What it takes to decide about a ray and a triangle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Stage {
-    /// Error bounds for all triangles of the scene.
-    Scene,
-    /// Error bounds for this triangle.
-    Triangle,
-    /// Exact sums.
-    Sums,
+    fn stage(&self, shape: &Triangle) -> Stage {
+        let (corners, [tmin, tmax]) = (shape.widen(), self.interval);
+        let found = Determinants::of(&corners, self.origin, self.direction);
+        let place = |errors| found.distance(errors).map(|t| t as f32);
+        let is_placed = |ends| is_certain(ends, self.interval);
+        let is_outside = |[near, far]: [f32; 2]| far < tmin || tmax < near;
+        let by_scene = || Some(place(&self.errors)).filter(|_| found.is_hit(&self.errors));
+        if found.is_miss(&self.errors) || by_scene().is_some_and(|t| is_placed(t) || is_outside(t)) {
+            return Stage::Scene;
+        }
+        let errors = Errors::of_triangle(&corners, self.origin, self.direction);
+        let is_decided = found.is_miss(&errors) || found.is_hit(&errors) && is_placed(place(&errors));
+        if is_decided { Stage::Triangle } else { Stage::Sums }
+    }
 }
 
 impl Exact {
@@ -135,23 +139,6 @@ impl Exact {
             return None;
         }
         quotient::distance(&corners, o, d, self.interval)
-    }
-
-    /// The stage that decides about a triangle, if the distance is asked for and nothing is known but the ray's end: a
-    /// nearer limit may spare stages, and [`blocks`](Kernel::blocks) needs the later ones less often. For statistics.
-    pub fn stage(&self, shape: &Triangle) -> Stage {
-        let (corners, [tmin, tmax]) = (shape.widen(), self.interval);
-        let found = Determinants::of(&corners, self.origin, self.direction);
-        let place = |errors| found.distance(errors).map(|t| t as f32);
-        let is_placed = |ends| is_certain(ends, self.interval);
-        let is_outside = |[near, far]: [f32; 2]| far < tmin || tmax < near;
-        let by_scene = || Some(place(&self.errors)).filter(|_| found.is_hit(&self.errors));
-        if found.is_miss(&self.errors) || by_scene().is_some_and(|t| is_placed(t) || is_outside(t)) {
-            return Stage::Scene;
-        }
-        let errors = Errors::of_triangle(&corners, self.origin, self.direction);
-        let is_decided = found.is_miss(&errors) || found.is_hit(&errors) && is_placed(place(&errors));
-        if is_decided { Stage::Triangle } else { Stage::Sums }
     }
 }
 

@@ -1,0 +1,98 @@
+//! What queries cost, in things that can be counted.
+
+use crate::geom::kernel::Stage;
+use crate::geom::{Kernel, Slabs};
+use crate::order::{Descent, Flow, NodeTest, Visitor};
+use crate::report::Backtracks;
+use crate::tree::{Node, Uncles};
+
+use super::NodeSearch;
+
+/// Counts over many rays. Queries that nobody counts pay nothing: these run in a copy of their own.
+#[derive(Clone, Debug)]
+pub struct Counters {
+    /// Rays.
+    pub rays: u64,
+    /// Visits of inner nodes. Traversals that test nodes at their own visits also visit those that the ray misses.
+    pub inner: u64,
+    /// Visits of leaves whose box the ray meets.
+    pub leaves: u64,
+    /// Box tests.
+    pub boxes: u64,
+    /// Triangle tests.
+    pub triangles: u64,
+    /// Of the triangle tests, those that error bounds for the whole scene left open.
+    pub fallbacks: u64,
+    /// Of those, the ones that took exact sums.
+    pub sums: u64,
+    /// Backtracks by distance and by where the address would come from, if the traversal carries key and trail.
+    pub backtracks: Backtracks,
+}
+
+impl Default for Counters {
+    fn default() -> Self {
+        let backtracks = Backtracks::new(<Uncles>::REACH);
+        Self { rays: 0, inner: 0, leaves: 0, boxes: 0, triangles: 0, fallbacks: 0, sums: 0, backtracks }
+    }
+}
+
+impl Counters {
+    /// The sums of both.
+    #[must_use]
+    pub fn merge(self, other: &Self) -> Self {
+        Self {
+            rays: self.rays + other.rays,
+            inner: self.inner + other.inner,
+            leaves: self.leaves + other.leaves,
+            boxes: self.boxes + other.boxes,
+            triangles: self.triangles + other.triangles,
+            fallbacks: self.fallbacks + other.fallbacks,
+            sums: self.sums + other.sums,
+            backtracks: self.backtracks.merge(&other.backtracks),
+        }
+    }
+}
+
+/// A search that counts.
+pub(super) struct Counting<'a, 'c, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> {
+    pub(super) search: NodeSearch<'a, K, B, ANY>,
+    pub(super) counters: &'c mut Counters,
+}
+
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> Counting<'_, '_, K, B, ANY> {
+    fn triangles(&mut self, leaf: Node) -> Flow {
+        let Self { search, counters } = self;
+        counters.leaves += 1;
+        search.query.leaf_watched(leaf, |kernel, shape| {
+            let stage = kernel.stage(shape);
+            counters.triangles += 1;
+            counters.fallbacks += u64::from(stage > Stage::Scene);
+            counters.sums += u64::from(stage > Stage::Triangle);
+        })
+    }
+}
+
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> Visitor for Counting<'_, '_, K, B, ANY> {
+    fn inner(&mut self, node: Node) -> Descent {
+        self.counters.inner += 1;
+        self.counters.boxes += 2;
+        self.search.inner(node)
+    }
+
+    fn leaf(&mut self, node: Node) -> Flow {
+        self.triangles(node)
+    }
+}
+
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> NodeTest for Counting<'_, '_, K, B, ANY> {
+    fn accept(&mut self, node: Node) -> bool {
+        self.counters.inner += 1;
+        self.counters.boxes += 1;
+        self.search.accept(node)
+    }
+
+    fn leaf(&mut self, node: Node) -> Flow {
+        self.counters.boxes += 1;
+        if self.search.accept(node) { self.triangles(node) } else { Flow::Continue }
+    }
+}

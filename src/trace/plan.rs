@@ -1,0 +1,178 @@
+//! What a query on a scene can do without.
+
+use crate::bvh::Bvh;
+use crate::traverse::{Method, Test, WordName};
+use crate::tree::Topology;
+
+/// What is asked for each ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Ask {
+    /// Whether there is a hit.
+    Any,
+    /// Distance and triangle of the closest hit.
+    Distance,
+    /// The closest hit with its weights.
+    Hit,
+    /// All hits.
+    All,
+}
+
+/// Something that takes time or memory, and not every query on every scene needs it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// Keys of 128 bits.
+    LongKeys,
+    /// Tables of other traversals than the one that runs: parents, uncles, all keys, skip pointers, the implicit layout.
+    OtherTables,
+    /// Each node's own box beside the pair of its parent.
+    OwnBoxes,
+    /// Distance and weights of a hit, where nobody asks for them.
+    Weights,
+    /// Triangles that no ray can meet.
+    Degenerate,
+    /// The watch for triangles that are met again in another leaf.
+    Repeats,
+    /// Distances to boxes that err on the safe side.
+    Padding,
+}
+
+impl Part {
+    /// All parts.
+    pub const ALL: [Self; 7] = [
+        Self::LongKeys,
+        Self::OtherTables,
+        Self::OwnBoxes,
+        Self::Weights,
+        Self::Degenerate,
+        Self::Repeats,
+        Self::Padding,
+    ];
+
+    /// The name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::LongKeys => "keys of 128 bits",
+            Self::OtherTables => "tables of other traversals",
+            Self::OwnBoxes => "own boxes",
+            Self::Weights => "weights",
+            Self::Degenerate => "degenerate triangles",
+            Self::Repeats => "watch for repeats",
+            Self::Padding => "padding",
+        }
+    }
+}
+
+/// Whether a part is left out, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Decision {
+    /// The part.
+    pub part: Part,
+    /// Whether it is left out.
+    pub skipped: bool,
+    /// Why, in words with the figures of the scene.
+    pub reason: String,
+}
+
+/// What queries of a kind need on a hierarchy, and what they are spared. Whatever it decides, the answers are the same.
+///
+/// ```
+/// use stackless_bvh::bvh::{Bvh, SahOptions};
+/// use stackless_bvh::scene::procedural;
+/// use stackless_bvh::trace::{Ask, Part, Plan};
+/// use stackless_bvh::traverse::Method;
+///
+/// let bvh = Bvh::sah(&procedural::strands(1, 100), SahOptions::default())?;
+/// let plan = Plan::new(&bvh, Method::Hashed, Ask::Any);
+/// assert!(plan.skips(Part::LongKeys) && plan.skips(Part::Weights) && !plan.skips(Part::Padding));
+/// for decision in plan.decisions() {
+///     println!("{}: {}", decision.part.name(), decision.reason);
+/// }
+/// # Ok::<(), stackless_bvh::bvh::BuildError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Plan {
+    method: Method,
+    word: WordName,
+    decisions: Vec<Decision>,
+}
+
+impl Plan {
+    /// Looks at a hierarchy once.
+    pub fn new<S>(bvh: &Bvh<S>, method: Method, ask: Ask) -> Self {
+        let word = WordName::narrowest(bvh.depth());
+        let decisions = Part::ALL.map(|part| decide(part, bvh, method, ask)).into();
+        Self { method, word, decisions }
+    }
+
+    /// The same with a part back in that was left out: to see what it costs.
+    #[must_use]
+    pub fn with(mut self, part: Part) -> Self {
+        for decision in &mut self.decisions {
+            decision.skipped &= decision.part != part;
+        }
+        if part == Part::LongKeys && self.word != WordName::Grow {
+            self.word = WordName::U128;
+        }
+        self
+    }
+
+    /// The same with nothing left out.
+    #[must_use]
+    pub fn with_everything(self) -> Self {
+        Part::ALL.into_iter().fold(self, Self::with)
+    }
+
+    /// The decisions, in the order of [`Part::ALL`].
+    pub fn decisions(&self) -> &[Decision] {
+        &self.decisions
+    }
+
+    /// Whether a part is left out.
+    pub fn skips(&self, part: Part) -> bool {
+        self.decisions.iter().any(|decision| decision.part == part && decision.skipped)
+    }
+
+    /// The traversal.
+    pub fn method(&self) -> Method {
+        self.method
+    }
+
+    /// The word of the keys.
+    pub fn word(&self) -> WordName {
+        self.word
+    }
+}
+
+fn decide<S>(part: Part, bvh: &Bvh<S>, method: Method, ask: Ask) -> Decision {
+    let depth = bvh.depth();
+    let (skipped, reason) = match part {
+        Part::LongKeys => match WordName::narrowest(depth) {
+            word @ (WordName::U32 | WordName::U64) => (true, format!("{depth} levels fit in {word}")),
+            word => (false, format!("{depth} levels need {word}")),
+        },
+        Part::OtherTables => (true, format!("{method} alone runs")),
+        Part::OwnBoxes => match method.test() {
+            Test::Children => (true, format!("{method} tests both children at their parent")),
+            Test::NodeLeftFirst | Test::NodeBySign => (false, format!("{method} tests each node at its visit")),
+        },
+        Part::Weights => match ask {
+            Ask::Any => (true, "whether there is a hit takes no division".to_owned()),
+            Ask::Distance => (true, "nobody asks for them".to_owned()),
+            Ask::Hit | Ask::All => (false, "they are asked for".to_owned()),
+        },
+        Part::Degenerate => match bvh.dropped() {
+            0 => (false, "the mesh has none".to_owned()),
+            dropped => (true, format!("{dropped} triangles have no area")),
+        },
+        Part::Repeats => match (bvh.duplicates(), ask) {
+            (0, _) => (true, "each triangle is in one leaf".to_owned()),
+            (_, Ask::All) => (false, format!("{} references are to triangles of other leaves", bvh.duplicates())),
+            _ => (true, "a second meeting changes nothing".to_owned()),
+        },
+        Part::Padding => (false, "moved reciprocals take no instruction more".to_owned()),
+    };
+    Decision { part, skipped, reason }
+}
+
+#[cfg(test)]
+mod tests;
