@@ -1,0 +1,74 @@
+//! Instructions of 1,000 rays by each traversal, and of the builder: the same on every run, so that a change of a hundredth
+//! shows. `cargo bench --bench instructions` needs valgrind and `cargo install gungraun-runner`; a count that is more than
+//! 2 % above that of the run before fails.
+#![allow(missing_docs, missing_debug_implementations, reason = "macros make public items")]
+
+use std::hint::black_box;
+
+use gungraun::prelude::*;
+use gungraun::{Callgrind, EventKind};
+use stackless_bvh::bvh::{Bvh, SahOptions};
+use stackless_bvh::geom::Ray;
+use stackless_bvh::scene::{Mesh, procedural};
+use stackless_bvh::trace::{Tracer, bounce};
+use stackless_bvh::traverse::Method;
+use stackless_bvh::tree::Recorded;
+
+struct Scene {
+    bvh: Bvh,
+    rays: Vec<Ray>,
+}
+
+fn mesh() -> Mesh {
+    procedural::strands(1, 300)
+}
+
+/// Camera and diffuse rays, with the references in the records that a traversal wants.
+fn scene(method: Method) -> (Method, &'static Scene) {
+    let mesh = mesh();
+    let bvh = Bvh::sah(&mesh, SahOptions::default()).expect("a tree");
+    let mut rays = procedural::view("strands", &mesh).rays(500);
+    rays.extend(bounce(&mesh, &bvh, &rays, 1));
+    let bvh = match method.wants_recorded() {
+        Recorded::Nothing => bvh,
+        wanted => bvh.with_links(wanted),
+    };
+    (method, Box::leak(Box::new(Scene { bvh, rays })))
+}
+
+fn tracer(method: Method) -> (Tracer<'static>, &'static [Ray]) {
+    let (method, scene) = scene(method);
+    (Tracer::with_method(&scene.bvh, method).expect("it runs on any tree"), &scene.rays)
+}
+
+#[library_benchmark(setup = tracer)]
+#[bench::stack(Method::Stack)]
+#[bench::sparse(Method::Sparse)]
+#[bench::afra(Method::Afra)]
+#[bench::uncle(Method::Uncle)]
+#[bench::hash_only(Method::HashOnly)]
+#[bench::hashed(Method::Hashed)]
+#[bench::implicit_b1(Method::ImplicitB1)]
+fn closest((tracer, rays): (Tracer<'static>, &'static [Ray])) -> usize {
+    black_box(tracer.closest_each(black_box(rays))).iter().flatten().count()
+}
+
+#[library_benchmark(setup = tracer)]
+#[bench::stack(Method::Stack)]
+#[bench::hashed(Method::Hashed)]
+fn any((tracer, rays): (Tracer<'static>, &'static [Ray])) -> usize {
+    black_box(tracer.any_each(black_box(rays))).iter().filter(|&&hit| hit).count()
+}
+
+#[library_benchmark]
+#[bench::sah(mesh())]
+fn build(mesh: Mesh) -> Bvh {
+    black_box(Bvh::sah(black_box(&mesh), SahOptions::default()).expect("a tree"))
+}
+
+library_benchmark_group!(name = instructions, benchmarks = [closest, any, build]);
+
+main!(
+    config = LibraryBenchmarkConfig::default().tool(Callgrind::default().soft_limits([(EventKind::Ir, 2.0)])),
+    library_benchmark_groups = instructions
+);
