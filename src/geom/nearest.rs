@@ -10,7 +10,7 @@
 //! With u = 2^-53, corners relative to the query point are off by u of their components, of which M is the greatest. A dot
 //! product with `q` is then off by at most 7 u |q| M (4 roundings, |corner| <= sqrt(3) M), which moves the lower bound by
 //! 7 u M. `q = a + v (b - a) + w (c - a)` has components off by at most 13 u M, and `v + w` may exceed 1 by 3 u, which moves
-//! `q` by no more than 6 sqrt(3) u M: 33 u M together. [`MARGIN`] is nearly twice the greater one, for the roundings of the
+//! `q` by no more than 6 sqrt(3) u M: 34 u M together. [`MARGIN`] is nearly twice the greater one, for the roundings of the
 //! bounds themselves. Nothing over- or underflows: components of single precision, to the fourth power, stay in range.
 
 use glam::{DVec3, Vec3};
