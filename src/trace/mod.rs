@@ -9,12 +9,14 @@
 mod accuracy;
 mod bounce;
 mod crossings;
+mod forms;
 mod query;
 pub mod truth;
 
-pub use accuracy::{Accuracy, KernelName, SlabsName, WithTests, with_tests};
+pub use accuracy::{Accuracy, KernelName, SlabsName, WithTests, with_level, with_tests};
 pub use bounce::bounce;
 pub use crossings::{AllHits, AllHits64, Crossings, Sweep};
+pub use forms::{Form, Forms};
 pub use query::{Any, Any64, AnyByNode, Closest, Closest64, ClosestByNode, Counted, NodeSearch, Query, Search};
 pub use truth::{TrueHit, Truth};
 

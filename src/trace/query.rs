@@ -212,6 +212,12 @@ impl<V: Visitor> Visitor for Counted<V> {
     }
 }
 
+impl<V: Query> Query for Counted<V> {
+    fn hit(&self) -> Option<Hit> {
+        self.inside.hit()
+    }
+}
+
 impl<V: NodeTest> NodeTest for Counted<V> {
     #[inline]
     fn accept(&mut self, node: Node) -> bool {
