@@ -143,6 +143,7 @@ fn once_each<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<T> {
     once
 }
 
+/// A scene on which all are measured.
 struct Course<'a> {
     scene: &'a Scene,
     /// Only where somebody is judged.
@@ -182,12 +183,10 @@ impl Course<'_> {
             let _ = black_box(contestants[i].trace(set.query, rays, first, black_box(&mut answers[chunk])));
         });
         let counts = self.judge(set, contestants, &name);
-        let is_base = |other: &&mut Box<dyn Contestant + '_>| {
-            (other.method(), other.accuracy()) == (Method::Stack.name(), Some(Accuracy::Exact))
-        };
-        let exact_stack = contestants.iter_mut().position(|other| is_base(&other)).unwrap_or(0);
+        let exact_stack = (Method::Stack.name(), Some(Accuracy::Exact));
+        let exact_stack = contestants.iter().position(|other| (other.method(), other.accuracy()) == exact_stack);
         let rows = contestants.iter().zip(nodes).zip(counts).enumerate().map(|(i, ((contestant, nodes), counts))| {
-            let base = if contestant.accuracy().is_some() { 0 } else { exact_stack };
+            let base = if contestant.accuracy().is_some() { 0 } else { exact_stack.unwrap_or(0) };
             let row = Row::new(self.scene, set, contestant.as_ref());
             row.timed(&times, i, base).counted(nodes).judged(counts.as_ref())
         });
