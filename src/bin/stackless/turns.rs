@@ -98,22 +98,31 @@ mod tests {
     use super::*;
 
     #[test]
-    fn all_trace_all_rays_as_often_and_never_what_was_traced_just_now() {
+    fn all_time_all_rays_in_each_round_and_none_what_was_timed_before_it() {
         for (contestants, rays, chunk, rounds) in [(3, 1000, 64, 3), (2, 100, 64, 2), (4, 7, 64, 1), (1, 1, 1, 2)] {
             let mut calls = Vec::new();
             let times = take_turns(contestants, rays, chunk, rounds, "", |who, range| calls.push((who, range)));
-            assert!(calls.iter().all(|(who, range)| *who < contestants && range.len() <= chunk && range.end <= rays));
+            let chunks = times.lengths().len();
+            assert_eq!(times.lengths().iter().sum::<usize>(), rays);
+            // The last call of a turn is timed, after another chunk, or all others.
+            let turn = if rays >= 2 * chunk { 2 } else { chunks };
+            assert_eq!(calls.len(), contestants * chunks * rounds * turn);
+            let timed: Vec<_> = calls.chunks(turn).map(|turn| turn[turn.len() - 1].clone()).collect();
             for who in 0..contestants {
-                assert_eq!(times.by_round(who).len(), rounds);
-                let chunks = times.by_chunk(who);
-                assert!(chunks.iter().all(|&seconds| seconds > 0.0 && seconds.is_finite()));
-                let least: f64 = chunks.iter().sum();
+                let mut own: Vec<_> = timed.iter().filter(|call| call.0 == who).map(|call| call.1.clone()).collect();
+                own.sort_by_key(|range| range.start);
+                let all: Vec<_> = own.iter().step_by(rounds).flat_map(|range| vec![range.clone(); rounds]).collect();
+                assert_eq!(own, all);
+                assert_eq!(
+                    own.iter().step_by(rounds).flat_map(Clone::clone).collect::<Vec<_>>(),
+                    Vec::from_iter(0..rays)
+                );
+                let least: f64 = times.by_chunk(who).iter().sum();
+                assert!(least > 0.0 && times.by_round(who).len() == rounds);
                 assert!(times.by_round(who).iter().all(|&seconds| seconds >= least * 0.999));
-                let timed = calls.iter().filter(|call| call.0 == who).map(|call| call.1.len()).sum::<usize>();
-                assert!(timed >= rounds * rays, "{timed}");
             }
-            let repeats = calls.windows(2).filter(|pair| pair[0].1 == pair[1].1).count();
-            assert_eq!(repeats > 0, rays == 1, "{calls:?}");
+            let within = timed.chunks(contestants).flat_map(|turns| turns.windows(2));
+            assert!(within.clone().all(|pair| pair[0].1 != pair[1].1 || chunks == 1));
         }
     }
 
