@@ -115,7 +115,7 @@ mod tests {
                 assert_eq!(own, all);
                 assert_eq!(
                     own.iter().step_by(rounds).flat_map(Clone::clone).collect::<Vec<_>>(),
-                    Vec::from_iter(0..rays)
+                    (0..rays).collect::<Vec<_>>()
                 );
                 let least: f64 = times.by_chunk(who).iter().sum();
                 assert!(least > 0.0 && times.by_round(who).len() == rounds);
