@@ -91,7 +91,7 @@ macro_rules! api {
             }
 
             fn find() -> Result<Self, PeerError> {
-                let missing = |error: libloading::Error| PeerError::NotInstalled(error.to_string());
+                let missing = |error: libloading::Error| PeerError::NotInstalled(format!("{SONAME}: {error}"));
                 // SAFETY: Embree's initialisers do nothing that a program could mind.
                 let library = unsafe { Library::new(SONAME) }.map_err(missing)?;
                 Ok(Self {
