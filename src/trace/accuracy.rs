@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use super::Form;
 use crate::geom::kernel::{Affine, Exact, ExactFromSingle, Moller32, Moller64, Woop};
 use crate::geom::slabs::{Directed, Plain, TwoSided};
 use crate::geom::{Kernel, Slabs};
@@ -111,7 +112,17 @@ pub trait WithTests {
     type Output;
 
     /// Does it with the triangle test `K` and the box test `B`.
-    fn call<K: Kernel<Vector = Vec3>, B: Slabs<Vector = Vec3>>(self) -> Self::Output;
+    fn call<K: Kernel<Vector = Vec3, Shape: Form> + 'static, B: Slabs<Vector = Vec3> + 'static>(self) -> Self::Output;
+}
+
+/// [`with_tests`] for [`Accuracy::tests`], where what is done is not to be compiled for all pairs of tests.
+pub fn with_level<F: WithTests>(level: Accuracy, f: F) -> F::Output {
+    match level {
+        Accuracy::Fast => f.call::<Affine, Plain>(),
+        Accuracy::Watertight => f.call::<Woop, Directed>(),
+        Accuracy::Precise => f.call::<Moller64, TwoSided>(),
+        Accuracy::Exact => f.call::<Exact, Directed>(),
+    }
 }
 
 /// Picks the types of the tests by their names.
@@ -126,10 +137,32 @@ pub fn with_tests<F: WithTests>((kernel, slabs): (KernelName, SlabsName), f: F) 
     }
 }
 
-fn with_kernel<K: Kernel<Vector = Vec3>, F: WithTests>(slabs: SlabsName, f: F) -> F::Output {
+fn with_kernel<K: Kernel<Vector = Vec3, Shape: Form> + 'static, F: WithTests>(slabs: SlabsName, f: F) -> F::Output {
     match slabs {
         SlabsName::Plain => f.call::<K, Plain>(),
         SlabsName::TwoSided => f.call::<K, TwoSided>(),
         SlabsName::Directed => f.call::<K, Directed>(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct TypeNames;
+
+    impl WithTests for TypeNames {
+        type Output = [&'static str; 2];
+
+        fn call<K: Kernel<Vector = Vec3>, B: Slabs<Vector = Vec3>>(self) -> Self::Output {
+            [std::any::type_name::<K>(), std::any::type_name::<B>()]
+        }
+    }
+
+    #[test]
+    fn a_level_has_the_tests_that_it_names() {
+        for level in Accuracy::ALL {
+            assert_eq!(with_level(level, TypeNames), with_tests(level.tests(), TypeNames), "{level}");
+        }
     }
 }

@@ -62,9 +62,9 @@ fn compare_on_tree(bvh: &Bvh, boxes: &[Aabb], ray: &Ray, truth: Option<(u32, [u3
     walk(bvh, bvh.root(), &mut by_sign);
     assert_eq!(bits(by_sign.test.hit()), truth, "{ray:?}");
 
-    let mut any = Counted::new(Any::new(bvh, ray));
+    let mut any = Any::new(bvh, ray);
     let flow = walk(bvh, bvh.root(), &mut any);
-    assert_eq!((any.inside.hit().is_some(), flow == Flow::Stop), (truth.is_some(), truth.is_some()), "{ray:?}");
+    assert_eq!((any.hit().is_some(), flow == Flow::Stop), (truth.is_some(), truth.is_some()), "{ray:?}");
 
     let mut any = ByNode { test: AnyByNode::new(bvh, boxes, ray), order };
     walk(bvh, bvh.root(), &mut any);
@@ -106,7 +106,6 @@ fn counts_are_those_of_the_walk() {
     let bvh = Bvh::median(&mesh, 1).expect("a tree");
     let origin = mesh.vertices()[0] - glam::Vec3::ONE;
     let ray = Ray::new(origin, glam::Vec3::NEG_ONE, 0.0, 1.0).expect("a ray");
-    let mut away = Counted::new(Closest::new(&bvh, &ray));
-    walk(&bvh, bvh.root(), &mut away);
-    assert_eq!((away.inner, away.leaves), (1, 0));
+    let counters = Tracer::new(&bvh).count(&[ray], false);
+    assert_eq!((counters.inner, counters.leaves, counters.boxes), (1, 0, 2));
 }

@@ -126,11 +126,22 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
         self.any_in(ray, &mut Vec::new())
     }
 
+    /// [`closest_distance`](Self::closest_distance) of each ray, on this thread, into `found`, which has room for all.
+    pub fn closest_distances(&self, rays: &[Ray<K::Vector>], found: &mut [Option<(u32, Real<K>)>]) {
+        let mut memory = Vec::new();
+        for (ray, found) in rays.iter().zip(found) {
+            let mut search = NodeSearch::<K, B, false>::new(self.bvh, &self.boxes, ray);
+            self.run_fast(ray.octant(), &mut memory, &mut search);
+            *found = search.found();
+        }
+    }
+
     /// Triangle and distance of the [`closest`](Self::closest) hit, without its weights.
     pub fn closest_distance(&self, ray: &Ray<K::Vector>) -> Option<(u32, Real<K>)> {
-        let mut search = NodeSearch::<K, B, false>::new(self.bvh, &self.boxes, ray);
-        self.run_fast(ray.octant(), &mut Vec::new(), &mut search);
-        search.found()
+        let mut found = [None];
+        self.closest_distances(std::slice::from_ref(ray), &mut found);
+        let [found] = found;
+        found
     }
 
     /// Any hit, whole: the first that is met, which depends on hierarchy and traversal.

@@ -1,6 +1,7 @@
 //! The traversals by name.
 
-use crate::key::KeyWord;
+use super::WordName;
+use crate::key::{Grow, KeyWord};
 use crate::name::named;
 use crate::tree::Recorded;
 
@@ -139,6 +140,16 @@ impl Method {
     /// Whether it exists for this word. Laine's trail is aligned to a highest bit, which a growing word has not.
     pub fn exists_for<W: KeyWord>(self) -> bool {
         W::WIDTH.is_some() || !self.restarts()
+    }
+
+    /// [`state_bytes`](Self::state_bytes) for a word that is known only when the program runs.
+    pub fn state_bytes_in(self, word: WordName, depth: u32) -> usize {
+        match word {
+            WordName::U32 => self.state_bytes::<u32>(depth),
+            WordName::U64 => self.state_bytes::<u64>(depth),
+            WordName::U128 => self.state_bytes::<u128>(depth),
+            WordName::Grow => self.state_bytes::<Grow>(depth),
+        }
     }
 
     /// Bytes of its state for one ray in a tree of this depth, as Barringer & Akenine-Möller count: 4 for each

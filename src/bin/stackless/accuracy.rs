@@ -1,6 +1,5 @@
 //! `stackless accuracy`: run time against error.
 
-mod errors;
 mod leaks;
 mod pairs;
 mod rows;
@@ -10,15 +9,16 @@ mod timing;
 
 use std::path::{Path, PathBuf};
 
+use rayon::prelude::*;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::scene::{procedural, stress, write_atomically};
-use stackless_bvh::trace;
+use stackless_bvh::trace::{self, Truth};
 
 use crate::Outcome;
 use crate::input::Scene;
+use crate::judge::{Counts, Query, Truths};
 use crate::output::{bar, say, write_json};
-use errors::Judge;
-use pairs::{Pair, Query, Trees};
+use pairs::{Pair, Trees};
 use rows::{Kind, Row};
 use stages::Stages;
 
@@ -108,15 +108,15 @@ fn measure(
     offences: &mut Vec<String>,
 ) -> Result<(), Box<dyn std::error::Error>> {
     let trees = Trees::new(&scene.mesh)?;
-    let judge = Judge::new(&scene.mesh);
+    let truth = Truth::new(&scene.mesh);
     for set in sets(scene, &trees, args) {
         if set.rays.is_empty() {
             say!("{}, {}: no rays", scene.name, set.name);
             continue;
         }
         let name = format!("{}, {}", scene.name, set.name);
-        let judged = spread(&set.rays, JUDGED);
-        let counts = judge.counts(&trees, pairs, set.query, &judged, &name);
+        let truths = Truths::new(&truth, &set.rays, JUDGED, &name);
+        let counts = errors(&truths, &trees, pairs, set.query, &name);
         // Rays that are made to be hard come in an order that nobody traces them in, so they are not timed.
         let times = match set.kind {
             Kind::Ordinary => timing::measure(pairs, &trees, set.query, &set.rays, args.rounds as usize, &name),
@@ -133,6 +133,20 @@ fn measure(
         }
     }
     Ok(())
+}
+
+/// What each pair gets wrong.
+fn errors(truths: &Truths, trees: &Trees, pairs: &[Pair], query: Query, name: &str) -> Vec<Counts> {
+    let progress = bar(pairs.len() as u64, &format!("{name}, errors"));
+    let counts = pairs.iter().map(|pair| {
+        let ask = |memory: &mut Vec<_>, ray: &Ray| pair.answers(query, trees, ray, memory);
+        let answers: Vec<_> = truths.rays().par_iter().with_min_len(256).map_init(Vec::new, ask).collect();
+        progress.inc(1);
+        truths.counts(query, &answers)
+    });
+    let counts = counts.collect();
+    progress.finish_and_clear();
+    counts
 }
 
 fn sets(scene: &Scene, trees: &Trees, args: &Args) -> [Set; 5] {
@@ -152,19 +166,7 @@ fn sets(scene: &Scene, trees: &Trees, args: &Args) -> [Set; 5] {
     ]
 }
 
-/// At most `n` of the rays, from all over.
-fn spread(rays: &[Ray], n: usize) -> Vec<Ray> {
-    let n = n.min(rays.len());
-    (0..n).map(|i| rays[i * rays.len() / n]).collect()
-}
-
 fn write(path: &Path, text: &str) -> Result<(), String> {
     write_atomically(path, |file| file.write_all(text.as_bytes()))
         .map_err(|error| format!("{}: cannot be written: {error}", path.display()))
-}
-
-/// Rays as the user can give them back to `stackless trace`.
-fn csv_line(ray: &Ray) -> String {
-    let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin().to_array(), ray.direction().to_array());
-    format!("{ox:?},{oy:?},{oz:?},{dx:?},{dy:?},{dz:?},{:?},{:?}", ray.tmin(), ray.tmax())
 }

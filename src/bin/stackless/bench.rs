@@ -1,207 +1,209 @@
-//! `stackless bench`: the traversals beside each other, in one run.
+//! `stackless bench`: the traversals beside each other, and ray tracers by others beside them, in one run.
 
+mod own;
+#[cfg(feature = "peers")]
+mod peers;
+mod rays;
+mod rows;
+
+use std::hint::black_box;
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
 
-use serde::Serialize;
-use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::geom::{Aabb, Ray};
-use stackless_bvh::key::KeyWord;
-use stackless_bvh::scene::procedural;
-use stackless_bvh::trace::{self, ClosestByNode, Counted};
-use stackless_bvh::traverse::{Method, Tables, Unfit};
-use stackless_bvh::tree::{Implicit, Node, Recorded, Topology};
+use stackless_bvh::geom::Ray;
+use stackless_bvh::trace::{Accuracy, Truth};
+use stackless_bvh::traverse::Method;
 
 use crate::Outcome;
 use crate::input::{self, Scene};
-use crate::output::{bar, say, table, write_json};
+use crate::judge::{Answer, Counts, Query, Truths, csv_line, is_same};
+use crate::output::{say, write_json};
+use crate::turns::take_turns;
+use own::Trees;
+use rays::{Kind, Set};
+use rows::Row;
 
-/// Measure closest-hit throughput on one thread, same tree, same rays.
+/// Measure throughput on one thread: same tree, same rays.
 ///
-/// Traversals take turns on chunks of the rays; the ratio is the median over the rounds of the time of `stack` to that
-/// of the traversal. The hits of all must be the same, or the exit code is 1.
+/// All take turns on chunks of the rays; times are the thread's processor time, and the ratio is the median over the rounds
+/// of the time of `stack` (with the first accuracy) to that of the other: above 1 is faster. The hits of all exact ones
+/// must be the same, or the exit code is 1.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// Mesh files (.ply, .obj), or the made scenes `strands`, `stadium`, `soup`.
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
-    /// Only these traversals (and `stack`), separated by commas.
+    /// Traversals, separated by commas. `stack` is always there.
     #[arg(long, value_delimiter = ',', value_parser = input::method)]
+    #[arg(default_value = "stack,sparse,afra,uncle,hashed,hash-only,implicit-b1")]
     methods: Vec<Method>,
-    /// Number of rays: half from a camera, half from where those hit, in all directions.
-    #[arg(long, default_value_t = 131_072)]
-    rays: usize,
-    /// How often all rays are traced.
-    #[arg(long, default_value_t = 7)]
-    rounds: usize,
+    /// Kinds of rays, separated by commas.
+    #[arg(long, value_delimiter = ',', default_value = "primary,any,diffuse")]
+    rays: Vec<Kind>,
+    /// How exact the answers are to be: fast, watertight, precise or exact, separated by commas.
+    #[arg(long, value_delimiter = ',', default_value = "exact", value_parser = input::accuracy)]
+    accuracy: Vec<Accuracy>,
+    /// Rays of the camera; of the other kinds there is one for each of them that hits.
+    #[arg(long, default_value_t = 65_536, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
+    count: u32,
+    /// How often all rays are timed.
+    #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    rounds: u32,
     /// Seed of the rays.
     #[arg(long, default_value_t = 1)]
     seed: u64,
+    /// Measure ray tracers by others too (feature `peers`). Their ratios are to `stack` with exact tests, and their errors
+    /// on up to 5,000 rays of each kind are told by rational arithmetic.
+    #[arg(long)]
+    peers: bool,
     /// Write the figures to this file.
     #[arg(long)]
     json: Option<PathBuf>,
 }
 
-/// Rays that are timed before it is another traversal's turn; as many others are traced first.
-const CHUNK: usize = 16_384;
+/// Rays that are timed before it is another one's turn.
+const CHUNK: usize = 4096;
 
-#[derive(Serialize)]
-struct Row {
-    scene: String,
-    rays: &'static str,
-    method: &'static str,
-    mrays: f64,
-    ratio: f64,
-    state_bytes: usize,
-    nodes_per_ray: f64,
+/// Rays of a kind on which the peers are judged.
+const JUDGED: usize = 5000;
+
+/// Somebody who traces rays.
+trait Contestant {
+    /// Traversal, or name of the peer.
+    fn method(&self) -> &'static str;
+
+    /// Level of accuracy; a peer has none.
+    fn accuracy(&self) -> Option<Accuracy>;
+
+    /// Gets ready for these rays, untimed.
+    fn take(&mut self, _rays: &[Ray]) {}
+
+    /// Answers rays: some of those that were taken, from `first` on.
+    fn trace(&mut self, query: Query, rays: &[Ray], first: usize, answers: &mut [Answer]);
+
+    /// Visits of inner nodes and leaves by all rays, where they can be counted.
+    fn nodes(&mut self, query: Query, rays: &[Ray]) -> Option<u64>;
+
+    /// Bytes of the state for one ray, where they are known.
+    fn state_bytes(&self) -> Option<usize>;
+
+    /// Seconds that one thread takes to build the tree.
+    fn build_seconds(&self) -> f64;
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
-    let scenes = input::scenes(&args.scenes)?;
-    let mut methods = if args.methods.is_empty() { Method::ALL.to_vec() } else { args.methods.clone() };
-    // The tree is built for speed and so is not complete; `stack` is what the others are measured by.
-    methods.retain(|&method| method != Method::Complete && method != Method::Stack);
-    methods.insert(0, Method::Stack);
-    let (mut rows, mut all_agree) = (Vec::new(), true);
-    for scene in &scenes {
-        let bvh = Bvh::sah(&scene.mesh, SahOptions::default())?;
-        let with_parents = bvh.clone().with_links(Recorded::ParentSibling);
-        let bench = Bench::new(scene, [&bvh, &with_parents], &methods, args);
-        let measured = if bvh.depth() <= 30 { bench.run::<u32>() } else { bench.run::<u64>() };
-        let (measured, agree) = measured.map_err(|unfit| format!("{}: {unfit}", scene.name))?;
-        all_agree &= agree;
-        let lines = measured.iter().map(Row::cells).collect();
-        let header = ["scene", "method", "Mrays/s", "ratio", "state bytes", "nodes/ray"];
-        say!("{}", table(&header, 2, lines));
-        rows.extend(measured);
+    let accuracies = once_each(args.accuracy.iter().copied());
+    // `stack` is what the others are measured by.
+    let methods = once_each([Method::Stack].into_iter().chain(args.methods.iter().copied()));
+    if args.peers && !cfg!(feature = "peers") {
+        return Err("--peers: this program was built without the feature `peers`".into());
     }
+    if args.peers && !accuracies.contains(&Accuracy::Exact) {
+        return Err("--peers needs exact among --accuracy: it is what the peers are measured by".into());
+    }
+    let scenes = input::scenes(&args.scenes)?;
+    let (mut rows, mut notes, mut offences) = (Vec::new(), Vec::new(), Vec::new());
+    for scene in &scenes {
+        let trees = Trees::build(&scene.mesh)?;
+        let pairs = accuracies.iter().flat_map(|&accuracy| methods.iter().map(move |&method| (method, accuracy)));
+        let contestants = pairs.map(|(method, accuracy)| trees.contestant(method, accuracy));
+        let contestants: Result<Vec<_>, _> = contestants.collect();
+        let mut contestants = contestants.map_err(|unfit| format!("{}: {unfit}", scene.name))?;
+        #[cfg(feature = "peers")]
+        if args.peers {
+            contestants.extend(peers::build(&scene.mesh, &mut notes));
+        }
+        let course = Course { scene, truth: args.peers.then(|| Truth::new(&scene.mesh)), rounds: args.rounds as usize };
+        let first = rows.len();
+        for set in rays::sets(scene, trees.bvh(), once_each(args.rays.iter().copied()), args.count as usize, args.seed)
+        {
+            if set.rays.is_empty() {
+                notes.push(format!("{}, {}: no rays", scene.name, set.kind.name()));
+            } else {
+                rows.extend(course.measure(&set, &mut contestants, &mut offences));
+            }
+        }
+        say!("{}", rows::of_scene(&rows[first..]));
+    }
+    say!("{}", rows::means(&rows));
     if let Some(path) = &args.json {
         write_json(path, &rows)?;
     }
-    if !all_agree {
-        say!("the hits differ: run `stackless check` on the scene");
+    for note in once_each(notes).iter().chain(&offences) {
+        say!("{note}");
     }
-    Ok(all_agree)
+    Ok(offences.is_empty())
 }
 
-struct Bench<'a> {
+/// Everything once, in the order in which it first comes.
+fn once_each<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<T> {
+    let mut once = Vec::new();
+    for one in all {
+        if !once.contains(&one) {
+            once.push(one);
+        }
+    }
+    once
+}
+
+/// A scene on which all are measured.
+struct Course<'a> {
     scene: &'a Scene,
-    /// The hierarchy with uncles in its records, and the same with parents and siblings.
-    trees: [&'a Bvh; 2],
-    boxes: Vec<Aabb>,
-    methods: &'a [Method],
-    rays: Vec<Ray>,
+    /// Only where somebody is judged.
+    truth: Option<Truth>,
     rounds: usize,
 }
 
-/// A traversal with the tree whose records suit it, and that tree's tables.
-struct Runner<'a> {
-    method: Method,
-    bvh: &'a Bvh,
-    boxes: &'a [Aabb],
-    tables: Tables<'a, Bvh>,
-}
-
-impl<'a> Bench<'a> {
-    fn new(scene: &'a Scene, trees: [&'a Bvh; 2], methods: &'a [Method], args: &Args) -> Self {
-        let boxes = trees[0].own_boxes();
-        let mut rays = procedural::camera_rays(&scene.mesh, args.seed, args.rays / 2);
-        let bounced = trace::bounce(&scene.mesh, trees[0], &rays, args.seed);
-        rays.extend(bounced);
-        Self { scene, trees, boxes, methods, rays, rounds: args.rounds.max(1) }
-    }
-
-    fn runner(&self, method: Method) -> Runner<'_> {
-        let bvh = self.trees[usize::from(method.wants_recorded() == Recorded::ParentSibling)];
-        let tables = Tables::new(bvh, bvh.axes(), &[method], Implicit::LIMIT);
-        Runner { method, bvh, boxes: &self.boxes, tables }
-    }
-
-    fn run<W: KeyWord>(&self) -> Result<(Vec<Row>, bool), Unfit> {
-        let runners: Vec<_> = self.methods.iter().map(|&method| self.runner(method)).collect();
-        let chunks: Vec<_> = self.rays.chunks(CHUNK).collect();
-        let progress = bar((self.rounds * chunks.len()) as u64, &self.scene.name);
-        // times[m] has the time of traversal m for each round.
-        let mut times = vec![vec![Duration::ZERO; self.rounds]; runners.len()];
-        let mut hits = vec![0_u64; runners.len()];
-        let mut memory = Vec::new();
-        for turn in 0..self.rounds * chunks.len() {
-            // Each turn starts with another traversal, so that none always has the same one before it.
-            for i in 0..runners.len() {
-                let m = (turn + i) % runners.len();
-                // Other rays than the traversal before, which would leave these rays' nodes in the caches; and still
-                // others first, untimed, to bring its own tree and tables there.
-                let chunk = |ahead: usize| chunks[(turn + m + ahead) % chunks.len()];
-                runners[m].trace::<W>(chunk(chunks.len() / 2), &mut memory)?;
-                let rays = chunk(0);
-                let start = Instant::now();
-                let sum = runners[m].trace::<W>(rays, &mut memory)?;
-                times[m][turn / chunks.len()] += start.elapsed();
-                hits[m] = hits[m].wrapping_add(sum);
+impl Course<'_> {
+    /// All contestants on the rays of one set. An offence is a hit that differs between exact ones, in words.
+    fn measure(&self, set: &Set, contestants: &mut [Box<dyn Contestant + '_>], offences: &mut Vec<String>) -> Vec<Row> {
+        let name = format!("{}, {}", self.scene.name, set.kind.name());
+        let mut answers = vec![None; set.rays.len()];
+        let mut nodes = Vec::new();
+        let mut expected = None;
+        for contestant in contestants.iter_mut() {
+            contestant.take(&set.rays);
+            contestant.trace(set.query, &set.rays, 0, &mut answers);
+            if contestant.accuracy() == Some(Accuracy::Exact) {
+                let expected = expected.get_or_insert_with(|| answers.clone());
+                let differs = expected.iter().zip(&answers).position(|(a, b)| !is_same(set.query, *a, *b));
+                offences.extend(differs.map(|i| {
+                    let (ray, method) = (csv_line(&set.rays[i]), contestant.method());
+                    format!("{name}: the ray {ray} gets {:?} by {method}, and {:?} by stack", answers[i], expected[i])
+                }));
             }
-            progress.inc(1);
+            nodes.push(contestant.nodes(set.query, &set.rays));
         }
-        progress.finish_and_clear();
-        let mut rows = Vec::new();
-        for (runner, own) in runners.iter().zip(&times) {
-            let nodes = runner.count::<W>(&self.rays, &mut memory)?;
-            let ratios = times[0].iter().zip(own).map(|(stack, own)| stack.as_secs_f64() / own.as_secs_f64());
-            let traced = (self.rounds * self.rays.len()) as f64;
-            rows.push(Row {
-                scene: self.scene.name.clone(),
-                rays: "camera + diffuse, closest hit",
-                method: runner.method.name(),
-                mrays: traced / own.iter().sum::<Duration>().as_secs_f64() / 1e6,
-                ratio: median(ratios.collect()),
-                state_bytes: runner.method.state_bytes::<W>(runner.bvh.depth()),
-                nodes_per_ray: nodes as f64 / self.rays.len() as f64,
+        let times = take_turns(contestants.len(), set.rays.len(), CHUNK, self.rounds, &name, |i, chunk| {
+            let (first, rays) = (chunk.start, &set.rays[chunk.clone()]);
+            contestants[i].trace(set.query, rays, first, &mut answers[chunk.clone()]);
+            black_box(&answers[chunk]);
+        });
+        let counts = self.judge(set, contestants, &name);
+        let exact_stack = (Method::Stack.name(), Some(Accuracy::Exact));
+        let exact_stack = contestants.iter().position(|other| (other.method(), other.accuracy()) == exact_stack);
+        let rows = contestants.iter().zip(nodes).zip(counts).enumerate().map(|(i, ((contestant, nodes), counts))| {
+            let base = if contestant.accuracy().is_some() { 0 } else { exact_stack.unwrap_or(0) };
+            let row = Row::new(self.scene, set, contestant.as_ref());
+            row.timed(&times, i, base).counted(nodes).judged(counts.as_ref())
+        });
+        rows.collect()
+    }
+
+    /// What the peers get wrong; those with a level of accuracy are judged by `stackless accuracy`.
+    fn judge(&self, set: &Set, contestants: &mut [Box<dyn Contestant + '_>], name: &str) -> Vec<Option<Counts>> {
+        let truths = self.truth.as_ref().map(|truth| Truths::new(truth, &set.rays, JUDGED, name));
+        let counts = contestants.iter_mut().map(|peer| {
+            let truths = truths.as_ref().filter(|_| peer.accuracy().is_none())?;
+            let mut answers = vec![None; truths.rays().len()];
+            peer.take(truths.rays());
+            peer.trace(set.query, truths.rays(), 0, &mut answers);
+            let judged = answers.into_iter().enumerate().map(|(i, answer)| match set.query {
+                Query::Closest => [answer],
+                // Which triangle blocks a ray is not asked, so it is one that does, if there is one.
+                Query::Any => [answer.map(|answer| truths.closest(i).unwrap_or(answer))],
             });
-        }
-        Ok((rows, hits.iter().all(|&sum| sum == hits[0])))
+            Some(truths.counts(set.query, &judged.collect::<Vec<_>>()))
+        });
+        counts.collect()
     }
-}
-
-impl Runner<'_> {
-    /// Traces rays and sums their hits up in one number.
-    #[inline(never)]
-    fn trace<W: KeyWord>(&self, rays: &[Ray], memory: &mut Vec<Node>) -> Result<u64, Unfit> {
-        let mut sum = 0_u64;
-        for ray in rays {
-            let mut search = ClosestByNode::new(self.bvh, self.boxes, ray);
-            self.tables.run::<W, _>(self.method, ray.octant(), memory, &mut search, &mut ())?;
-            if let Some(hit) = search.hit() {
-                sum = sum.wrapping_add(u64::from(hit.t.to_bits()) << 32 | u64::from(hit.prim));
-            }
-        }
-        Ok(sum)
-    }
-
-    /// Visits of inner nodes and leaves by all rays.
-    fn count<W: KeyWord>(&self, rays: &[Ray], memory: &mut Vec<Node>) -> Result<u64, Unfit> {
-        let mut sum = 0;
-        for ray in rays {
-            let mut search = Counted::new(ClosestByNode::new(self.bvh, self.boxes, ray));
-            self.tables.run::<W, _>(self.method, ray.octant(), memory, &mut search, &mut ())?;
-            sum += search.inner + search.leaves;
-        }
-        Ok(sum)
-    }
-}
-
-impl Row {
-    fn cells(&self) -> Vec<String> {
-        vec![
-            self.scene.clone(),
-            self.method.to_owned(),
-            format!("{:.3}", self.mrays),
-            format!("{:.3}", self.ratio),
-            self.state_bytes.to_string(),
-            format!("{:.1}", self.nodes_per_ray),
-        ]
-    }
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }

@@ -10,10 +10,9 @@ use stackless_bvh::check::{
     check_cases, check_random, check_scene, merge, shrink,
 };
 use stackless_bvh::generate::Family;
-use stackless_bvh::key::KeyWord;
 use stackless_bvh::scene::procedural;
 use stackless_bvh::trace::Truth;
-use stackless_bvh::traverse::{Method, WithWord, WordName, with_word};
+use stackless_bvh::traverse::{Method, WordName};
 
 use crate::Outcome;
 use crate::input::{self, MADE, Scene};
@@ -251,25 +250,12 @@ impl Row {
             refused: count.refused,
             refusal: count.refusal.map(|refusal| refusal.to_string()),
             steps: count.steps,
-            state_bytes: with_word(word, StateBytes { method, depth }),
+            state_bytes: method.state_bytes_in(word, depth),
         }
     }
 
     fn cells(&self) -> Vec<String> {
         let numbers = [self.cases, self.agree, self.refused, self.steps, self.state_bytes as u64].map(grouped);
         [self.method.clone(), self.word.clone()].into_iter().chain(numbers).collect()
-    }
-}
-
-struct StateBytes {
-    method: Method,
-    depth: u32,
-}
-
-impl WithWord for StateBytes {
-    type Output = usize;
-
-    fn call<W: KeyWord>(self) -> usize {
-        self.method.state_bytes::<W>(self.depth)
     }
 }

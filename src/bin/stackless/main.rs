@@ -6,10 +6,12 @@ mod accuracy;
 mod bench;
 mod check;
 mod input;
+mod judge;
 mod output;
 mod stats;
 mod stress;
 mod trace;
+mod turns;
 
 use std::process::ExitCode;
 

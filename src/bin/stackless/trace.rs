@@ -49,7 +49,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         Method::Complete => Bvh::median(&scene.mesh, 4)?,
         _ => Bvh::sah(&scene.mesh, SahOptions::default())?,
     };
-    let hits = trace::with_tests(args.accuracy.tests(), WithRays { args, bvh, rays: &rays })
+    let hits = trace::with_level(args.accuracy, WithRays { args, bvh, rays: &rays })
         .map_err(|unfit| format!("{}: {unfit}", args.method))?;
     let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (prim, t, u, v)));
     scene::write_atomically(&args.out, |file| scene::write_hits(file, rows))

@@ -8,9 +8,9 @@ use stackless_bvh::geom::Ray;
 use stackless_bvh::scene::{Mesh, stress};
 use stackless_bvh::trace::Truth;
 
-use super::csv_line;
-use super::pairs::{Pair, Query, Trees};
+use super::pairs::{Pair, Trees};
 use super::rows::{Kind, Row};
+use crate::judge::{Query, csv_line};
 use crate::output::bar;
 
 /// Radius and offset of each sphere, of 81,920 triangles. Where the offset is great against the radius, most corners

@@ -2,24 +2,14 @@
 
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, Bvh, SahOptions};
-use stackless_bvh::geom::kernel::{Affine, AffineTriangle, Exact, ExactFromSingle, Moller32, Moller64, Woop};
-use stackless_bvh::geom::slabs::{Directed, Plain, TwoSided};
-use stackless_bvh::geom::{Aabb, Kernel, Ray, Slabs, Triangle};
+use stackless_bvh::geom::{Aabb, Kernel, Ray, Slabs};
 use stackless_bvh::order::{ByNode, LeftFirst};
 use stackless_bvh::scene::Mesh;
-use stackless_bvh::trace::{Accuracy, KernelName, NodeSearch, Search, SlabsName};
+use stackless_bvh::trace::{self, Accuracy, Form, Forms, KernelName, NodeSearch, Search, SlabsName, WithTests};
 use stackless_bvh::traverse::{Stack, traverse};
 use stackless_bvh::tree::Node;
 
-/// What is asked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Query {
-    Closest,
-    Any,
-}
-
-/// Triangle and distance; of any hit the distance means nothing.
-pub(super) type Answer = Option<(u32, f32)>;
+use crate::judge::{Answer, Query};
 
 /// A triangle test with a box test.
 pub(super) struct Pair {
@@ -43,34 +33,7 @@ impl Pair {
     /// All of them.
     pub(super) fn all() -> Vec<Self> {
         let pairs = KernelName::ALL.into_iter().flat_map(|kernel| SlabsName::ALL.map(|slabs| (kernel, slabs)));
-        pairs.map(|(kernel, slabs)| Self::of(kernel, slabs)).collect()
-    }
-
-    // `trace::with_tests` would not tell that a shape is one of those that trees are kept of.
-    fn of(kernel: KernelName, slabs: SlabsName) -> Self {
-        match kernel {
-            KernelName::Affine => Self::by_slabs::<Affine>(kernel, slabs),
-            KernelName::Moller32 => Self::by_slabs::<Moller32>(kernel, slabs),
-            KernelName::Woop => Self::by_slabs::<Woop>(kernel, slabs),
-            KernelName::Moller64 => Self::by_slabs::<Moller64>(kernel, slabs),
-            KernelName::ExactFromSingle => Self::by_slabs::<ExactFromSingle>(kernel, slabs),
-            KernelName::Exact => Self::by_slabs::<Exact>(kernel, slabs),
-        }
-    }
-
-    fn by_slabs<K: Kernel<Vector = Vec3, Shape: Kept>>(kernel: KernelName, slabs: SlabsName) -> Self {
-        match slabs {
-            SlabsName::Plain => Self::new::<K, Plain>(kernel, slabs),
-            SlabsName::TwoSided => Self::new::<K, TwoSided>(kernel, slabs),
-            SlabsName::Directed => Self::new::<K, Directed>(kernel, slabs),
-        }
-    }
-
-    fn new<K: Kernel<Vector = Vec3, Shape: Kept>, B: Slabs<Vector = Vec3>>(
-        kernel: KernelName,
-        slabs: SlabsName,
-    ) -> Self {
-        Self { kernel, slabs, closest: Searches::new::<K, B, false>(), any: Searches::new::<K, B, true>() }
+        pairs.map(|tests| trace::with_tests(tests, MakePair(tests))).collect()
     }
 
     fn searches(&self, query: Query) -> &Searches {
@@ -111,8 +74,19 @@ impl Pair {
     }
 }
 
+struct MakePair((KernelName, SlabsName));
+
+impl WithTests for MakePair {
+    type Output = Pair;
+
+    fn call<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>>(self) -> Pair {
+        let (kernel, slabs) = self.0;
+        Pair { kernel, slabs, closest: Searches::new::<K, B, false>(), any: Searches::new::<K, B, true>() }
+    }
+}
+
 impl Searches {
-    fn new<K: Kernel<Vector = Vec3, Shape: Kept>, B: Slabs<Vector = Vec3>, const ANY: bool>() -> Self {
+    fn new<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>, const ANY: bool>() -> Self {
         Self { trace: trace::<K, B, ANY>, answer: answer::<K, B, ANY>, answers: answers::<K, B, ANY> }
     }
 }
@@ -125,49 +99,26 @@ pub(super) struct Trees {
     boxes: Vec<Aabb>,
 }
 
-struct Forms {
-    corners: Bvh,
-    affine: Bvh<AffineTriangle>,
-}
-
 impl Trees {
     pub(super) fn new(mesh: &Mesh) -> Result<Self, BuildError> {
         let (area, median) = (Bvh::sah(mesh, SahOptions::default())?, Bvh::median(mesh, 4)?);
         let boxes = area.own_boxes();
-        let forms = |tree: Bvh| Forms { affine: tree.clone().map(AffineTriangle::from), corners: tree };
-        Ok(Self { area: forms(area), median: forms(median), boxes })
+        Ok(Self { area: Forms::new(area), median: Forms::new(median), boxes })
     }
 
     /// The tree by surface area.
     pub(super) fn by_area(&self) -> &Bvh {
-        &self.area.corners
-    }
-}
-
-/// A shape of which there are trees.
-trait Kept: Sized {
-    fn tree(forms: &Forms) -> &Bvh<Self>;
-}
-
-impl Kept for Triangle {
-    fn tree(forms: &Forms) -> &Bvh<Self> {
-        &forms.corners
-    }
-}
-
-impl Kept for AffineTriangle {
-    fn tree(forms: &Forms) -> &Bvh<Self> {
-        &forms.affine
+        self.area.corners()
     }
 }
 
 #[inline(never)]
-fn trace<K: Kernel<Vector = Vec3, Shape: Kept>, B: Slabs<Vector = Vec3>, const ANY: bool>(
+fn trace<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>, const ANY: bool>(
     trees: &Trees,
     rays: &[Ray],
     memory: &mut Vec<Node>,
 ) -> u64 {
-    let tree = K::Shape::tree(&trees.area);
+    let tree = trees.area.of::<K::Shape>();
     let mut sum = 0_u64;
     for ray in rays {
         let mut search = Search::<K, B, ANY>::new(tree, ray);
@@ -179,7 +130,7 @@ fn trace<K: Kernel<Vector = Vec3, Shape: Kept>, B: Slabs<Vector = Vec3>, const A
     sum
 }
 
-fn answer<K: Kernel<Vector = Vec3, Shape: Kept>, B: Slabs<Vector = Vec3>, const ANY: bool>(
+fn answer<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>, const ANY: bool>(
     trees: &Trees,
     ray: &Ray,
     memory: &mut Vec<Node>,
@@ -187,12 +138,12 @@ fn answer<K: Kernel<Vector = Vec3, Shape: Kept>, B: Slabs<Vector = Vec3>, const 
     nearer_first::<K, B, ANY>(&trees.area, ray, memory)
 }
 
-fn answers<K: Kernel<Vector = Vec3, Shape: Kept>, B: Slabs<Vector = Vec3>, const ANY: bool>(
+fn answers<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>, const ANY: bool>(
     trees: &Trees,
     ray: &Ray,
     memory: &mut Vec<Node>,
 ) -> [Answer; 3] {
-    let tree = K::Shape::tree(&trees.area);
+    let tree = trees.area.of::<K::Shape>();
     let test = NodeSearch::<K, B, ANY>::new(tree, &trees.boxes, ray);
     let mut left_first = ByNode { test, order: LeftFirst };
     traverse(Stack::new(tree, memory), &mut left_first, &mut ());
@@ -203,12 +154,12 @@ fn answers<K: Kernel<Vector = Vec3, Shape: Kept>, B: Slabs<Vector = Vec3>, const
     ]
 }
 
-fn nearer_first<K: Kernel<Vector = Vec3, Shape: Kept>, B: Slabs<Vector = Vec3>, const ANY: bool>(
+fn nearer_first<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>, const ANY: bool>(
     forms: &Forms,
     ray: &Ray,
     memory: &mut Vec<Node>,
 ) -> Answer {
-    let tree = K::Shape::tree(forms);
+    let tree = forms.of::<K::Shape>();
     let mut search = Search::<K, B, ANY>::new(tree, ray);
     traverse(Stack::new(tree, memory), &mut search, &mut ());
     search.found()

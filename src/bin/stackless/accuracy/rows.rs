@@ -5,9 +5,9 @@ use std::fmt::Write as _;
 use serde::Serialize;
 use stackless_bvh::trace::Accuracy;
 
-use super::errors::Counts;
 use super::pairs::Pair;
 use super::timing::Time;
+use crate::judge::Counts;
 
 /// What a set of rays is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

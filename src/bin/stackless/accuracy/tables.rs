@@ -9,6 +9,7 @@ use super::pairs::BASELINE;
 use super::rows::{Kind, Row};
 use super::stages::{Reached, Stages};
 use crate::output::{grouped, say, table};
+use crate::turns::geometric_mean;
 
 /// All rows of a pair of tests.
 struct Summary<'a>(Vec<&'a Row>);
@@ -91,10 +92,7 @@ impl Summary<'_> {
 
     /// Geometric mean of the time over scenes and sets, its greatest, and the geometric mean of the throughput.
     fn time(&self) -> Option<[f64; 3]> {
-        let mean = |of: fn(&Row) -> Option<f64>| {
-            let logarithms: Vec<_> = self.0.iter().filter_map(|row| of(row)).map(f64::ln).collect();
-            (!logarithms.is_empty()).then(|| (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp())
-        };
+        let mean = |of: fn(&Row) -> Option<f64>| geometric_mean(self.0.iter().filter_map(|row| of(row)));
         let most = self.0.iter().filter_map(|row| row.ratio).reduce(f64::max)?;
         Some([mean(|row| row.ratio)?, most, mean(|row| row.mrays)?])
     }

@@ -5,73 +5,88 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 use stackless_bvh::check::floats_between;
 use stackless_bvh::geom::Ray;
-use stackless_bvh::scene::Mesh;
 use stackless_bvh::trace::Truth;
 
-use super::csv_line;
-use super::pairs::{Answer, Pair, Query, Trees};
 use crate::output::bar;
 
-/// Tells errors.
-pub(super) struct Judge(Truth);
-
-/// What a pair got wrong.
-#[derive(Debug, Default)]
-pub(super) struct Counts {
-    pub(super) rays: u64,
-    /// Rays that truly hit.
-    pub(super) hits: u64,
-    pub(super) false_misses: u64,
-    pub(super) false_hits: u64,
-    /// Both hit, another triangle than the closest; for any hit, one that is not hit.
-    pub(super) wrong_primitives: u64,
-    /// Another answer for another tree or order.
-    pub(super) order_differences: u64,
-    /// How often a distance was so many floats away from the nearest to the true one.
-    pub(super) ulps: BTreeMap<u32, u64>,
-    /// The first error, in words.
-    pub(super) offence: Option<String>,
+/// What is asked of a ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Query {
+    Closest,
+    Any,
 }
 
-impl Judge {
-    pub(super) fn new(mesh: &Mesh) -> Self {
-        Self(Truth::new(mesh))
-    }
+/// Triangle and distance; of any hit the distance means nothing.
+pub(crate) type Answer = Option<(u32, f32)>;
 
-    /// What each pair gets wrong on these rays.
-    pub(super) fn counts(&self, trees: &Trees, pairs: &[Pair], query: Query, rays: &[Ray], name: &str) -> Vec<Counts> {
+/// Rays, each with all its true hits in their order.
+pub(crate) struct Truths {
+    rays: Vec<Ray>,
+    hits: Vec<Vec<(u32, f32)>>,
+}
+
+/// What one who answers got wrong.
+#[derive(Debug, Default)]
+pub(crate) struct Counts {
+    pub(crate) rays: u64,
+    /// Rays that truly hit.
+    pub(crate) hits: u64,
+    pub(crate) false_misses: u64,
+    pub(crate) false_hits: u64,
+    /// Both hit, another triangle than the closest; for any hit, one that is not hit.
+    pub(crate) wrong_primitives: u64,
+    /// Another answer for another tree or order.
+    pub(crate) order_differences: u64,
+    /// How often a distance was so many floats away from the nearest to the true one.
+    pub(crate) ulps: BTreeMap<u32, u64>,
+    /// The first error, in words.
+    pub(crate) offence: Option<String>,
+}
+
+impl Truths {
+    /// Asks for the truth about at most `n` of the rays, from all over.
+    pub(crate) fn new(truth: &Truth, rays: &[Ray], n: usize, name: &str) -> Self {
+        let n = n.min(rays.len());
+        let rays: Vec<_> = (0..n).map(|i| rays[i * rays.len() / n]).collect();
         let progress = bar(rays.len() as u64, &format!("{name}, truth"));
-        let truth = |ray: &Ray| {
-            let hits = self.0.all(ray).into_iter().map(|hit| (hit.prim, hit.t)).collect();
+        let hits = |ray: &Ray| {
+            let hits = truth.all(ray).into_iter().map(|hit| (hit.prim, hit.t)).collect();
             progress.inc(1);
             hits
         };
-        let truths: Vec<Vec<(u32, f32)>> = rays.par_iter().map(truth).collect();
+        let hits = rays.par_iter().map(hits).collect();
         progress.finish_and_clear();
-        let progress = bar(pairs.len() as u64, &format!("{name}, errors"));
-        let counts = pairs.iter().map(|pair| {
-            let ask = |memory: &mut Vec<_>, (ray, truth): (&Ray, &Vec<_>)| {
-                let mut counts = Counts::default();
-                counts.add(query, ray, truth, pair.answers(query, trees, ray, memory));
-                counts
-            };
-            let each = rays.par_iter().zip(&truths).with_min_len(256).map_init(Vec::new, ask);
-            let counts = each.reduce(Counts::default, Counts::merge);
-            progress.inc(1);
-            counts
-        });
-        let counts = counts.collect();
-        progress.finish_and_clear();
+        Self { rays, hits }
+    }
+
+    /// The rays.
+    pub(crate) fn rays(&self) -> &[Ray] {
+        &self.rays
+    }
+
+    /// The true closest hit of ray `i`, if there is such a ray.
+    pub(crate) fn closest(&self, i: usize) -> Answer {
+        self.hits.get(i)?.first().copied()
+    }
+
+    /// What is wrong about answers to all rays. The first of a ray is the one that is judged, and the others must be the
+    /// same.
+    pub(crate) fn counts<const N: usize>(&self, query: Query, answers: &[[Answer; N]]) -> Counts {
+        let mut counts = Counts::default();
+        for ((ray, truth), answers) in self.rays.iter().zip(&self.hits).zip(answers) {
+            counts.add(query, ray, truth, *answers);
+        }
         counts
     }
 }
 
 impl Counts {
     /// `truth` has all hits in their order; the first answer is the one that is judged.
-    fn add(&mut self, query: Query, ray: &Ray, truth: &[(u32, f32)], answers: [Answer; 3]) {
+    fn add<const N: usize>(&mut self, query: Query, ray: &Ray, truth: &[(u32, f32)], answers: [Answer; N]) {
         self.rays += 1;
         self.hits += u64::from(!truth.is_empty());
-        let (error, ulps) = verdict(query, truth, answers[0]);
+        let Some((&judged, others)) = answers.split_first() else { return };
+        let (error, ulps) = verdict(query, truth, judged);
         match error {
             Some(Error::FalseMiss) => self.false_misses += 1,
             Some(Error::FalseHit) => self.false_hits += 1,
@@ -81,7 +96,7 @@ impl Counts {
         if let Some(ulps) = ulps {
             *self.ulps.entry(ulps).or_default() += 1;
         }
-        let differs = answers[1..].iter().any(|&other| !is_same(query, answers[0], other));
+        let differs = others.iter().any(|&other| !is_same(query, judged, other));
         self.order_differences += u64::from(differs);
         if (error.is_some() || differs || ulps.is_some_and(|ulps| ulps > 0)) && self.offence.is_none() {
             let (ray, truth) = (csv_line(ray), truth.first());
@@ -89,22 +104,8 @@ impl Counts {
         }
     }
 
-    fn merge(mut self, other: Self) -> Self {
-        self.rays += other.rays;
-        self.hits += other.hits;
-        self.false_misses += other.false_misses;
-        self.false_hits += other.false_hits;
-        self.wrong_primitives += other.wrong_primitives;
-        self.order_differences += other.order_differences;
-        for (ulps, count) in other.ulps {
-            *self.ulps.entry(ulps).or_default() += count;
-        }
-        self.offence = self.offence.or(other.offence);
-        self
-    }
-
     /// The error of the distance that this share of the distances does not exceed, in floats.
-    pub(super) fn quantile(&self, share: f64) -> Option<u32> {
+    pub(crate) fn quantile(&self, share: f64) -> Option<u32> {
         let wanted = (share * self.ulps.values().sum::<u64>() as f64).ceil() as u64;
         let mut seen = 0;
         let reaches = |&(_, count): &(&u32, &u64)| {
@@ -115,7 +116,7 @@ impl Counts {
     }
 
     /// The mean error of the distances, in floats.
-    pub(super) fn mean(&self) -> Option<f64> {
+    pub(crate) fn mean(&self) -> Option<f64> {
         let sum: f64 = self.ulps.iter().map(|(&ulps, &count)| f64::from(ulps) * count as f64).sum();
         (!self.ulps.is_empty()).then(|| sum / self.ulps.values().sum::<u64>() as f64)
     }
@@ -139,12 +140,19 @@ fn verdict(query: Query, truth: &[(u32, f32)], answer: Answer) -> (Option<Error>
     }
 }
 
-fn is_same(query: Query, a: Answer, b: Answer) -> bool {
+/// Whether two exact answers may stand beside each other.
+pub(crate) fn is_same(query: Query, a: Answer, b: Answer) -> bool {
     let bits = |answer: Answer| answer.map(|(prim, t)| (prim, t.to_bits()));
     match query {
         Query::Any => a.is_some() == b.is_some(),
         Query::Closest => bits(a) == bits(b),
     }
+}
+
+/// Rays as the user can give them back to `stackless trace`.
+pub(crate) fn csv_line(ray: &Ray) -> String {
+    let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin().to_array(), ray.direction().to_array());
+    format!("{ox:?},{oy:?},{oz:?},{dx:?},{dy:?},{dz:?},{:?},{:?}", ray.tmin(), ray.tmax())
 }
 
 #[cfg(test)]
@@ -181,13 +189,12 @@ mod tests {
         counts.add(Query::Closest, &ray, &[(3, 1.0)], [late; 3]);
         assert!(counts.offence.is_some());
         assert_eq!((counts.quantile(0.999), counts.quantile(1.0), counts.mean()), (Some(0), Some(1), Some(0.001)));
-        let mut others = Counts::default();
         for answers in [[right, late, right], [right, right, None], [None; 3]] {
-            others.add(Query::Closest, &ray, &[(3, 1.0)], answers);
+            counts.add(Query::Closest, &ray, &[(3, 1.0)], answers);
         }
-        others.add(Query::Any, &ray, &[(3, 1.0)], [right, late, right]);
-        others.add(Query::Any, &ray, &[], [right, right, None]);
-        let all = counts.merge(others);
+        counts.add(Query::Any, &ray, &[(3, 1.0)], [right, late, right]);
+        counts.add(Query::Any, &ray, &[], [right, right, None]);
+        let all = counts;
         assert_eq!((all.rays, all.hits), (1005, 1004));
         assert_eq!((all.false_misses, all.false_hits, all.wrong_primitives, all.order_differences), (1, 1, 0, 3));
         assert_eq!(all.ulps, [(0, 1001), (1, 1)].into());

@@ -1,0 +1,221 @@
+//! Embree 3 through its C library, which is loaded when it is asked for.
+//!
+//! Scenes are static, of medium build quality, with the flag for robust tests or without flags; single rays, as the others
+//! have them. Its manual recommends to let the processor flush denormal numbers; as that would change what the exact tests
+//! in the same thread compute, it is not done.
+//!
+//! # Safety
+//!
+//! This is the one module with `unsafe`. What it rests on:
+//! - The types and the declarations of functions are those of the headers of Embree 3.13, whose binary interface is the same
+//!   for all libraries of this soname. Sizes are checked when compiling.
+//! - The library is never unloaded: what it keeps for a thread is cleared when the thread ends. So its functions are there
+//!   as long as the program.
+//! - [`Scene`] gives its handles back once, when it is dropped. It is neither `Send` nor `Sync`, so it stays on its thread.
+//! - Buffers are Embree's own and have as many items as are written. Indices have been checked before.
+//! - A ray and its hit are on the stack, with the alignment that Embree asks for, and outlive the call.
+#![allow(unsafe_code)]
+
+use std::ffi::{c_char, c_int, c_uint, c_void};
+use std::ptr;
+use std::sync::OnceLock;
+
+use libloading::Library;
+
+use crate::{Hit, PeerError, Ray, Tracer, each};
+
+/// A committed scene of one mesh.
+pub(crate) struct Scene {
+    device: Handle,
+    handle: Handle,
+    api: &'static Api,
+}
+
+type Handle = *mut c_void;
+
+/// `RTCRayHit`, whose first part is an `RTCRay`.
+#[repr(C, align(16))]
+struct RayHit {
+    ray: RayPart,
+    normal: [f32; 3],
+    weights: [f32; 2],
+    prim: c_uint,
+    geometry: c_uint,
+    instance: c_uint,
+}
+
+/// `RTCRay`.
+#[repr(C, align(16))]
+struct RayPart {
+    origin: [f32; 3],
+    tnear: f32,
+    direction: [f32; 3],
+    time: f32,
+    tfar: f32,
+    mask: c_uint,
+    id: c_uint,
+    flags: c_uint,
+}
+
+const _: () = assert!(size_of::<RayPart>() == 48 && size_of::<RayHit>() == 80);
+
+/// `RTCIntersectContext`.
+#[repr(C)]
+struct Context {
+    flags: c_int,
+    filter: *const c_void,
+    instance: c_uint,
+}
+
+const SONAME: &str = "libembree3.so.3";
+const NONE: c_uint = c_uint::MAX;
+const TRIANGLES: c_int = 0;
+const INDEX_BUFFER: c_int = 0;
+const VERTEX_BUFFER: c_int = 1;
+const UINT3: c_int = 0x5003;
+const FLOAT3: c_int = 0x9003;
+const ROBUST: c_int = 1 << 2;
+
+/// Declares the functions that are used, and how they are found.
+macro_rules! api {
+    ($($field:ident: $symbol:literal fn($($argument:ty),*) $(-> $result:ty)?;)*) => {
+        struct Api {
+            $($field: unsafe extern "C" fn($($argument),*) $(-> $result)?,)*
+            _library: Library,
+        }
+
+        impl Api {
+            fn load() -> Result<&'static Self, PeerError> {
+                static API: OnceLock<Result<Api, PeerError>> = OnceLock::new();
+                API.get_or_init(Self::find).as_ref().map_err(Clone::clone)
+            }
+
+            fn find() -> Result<Self, PeerError> {
+                let missing = |error: libloading::Error| PeerError::NotInstalled(format!("{SONAME}: {error}"));
+                // SAFETY: Embree's initialisers do nothing that a program could mind.
+                let library = unsafe { Library::new(SONAME) }.map_err(missing)?;
+                Ok(Self {
+                    // SAFETY: the declarations are those of the headers, and the library stays.
+                    $($field: *unsafe { library.get(concat!($symbol, "\0").as_bytes()) }.map_err(missing)?,)*
+                    _library: library,
+                })
+            }
+        }
+    };
+}
+
+api! {
+    new_device: "rtcNewDevice" fn(*const c_char) -> Handle;
+    release_device: "rtcReleaseDevice" fn(Handle);
+    device_error: "rtcGetDeviceError" fn(Handle) -> c_int;
+    new_scene: "rtcNewScene" fn(Handle) -> Handle;
+    set_scene_flags: "rtcSetSceneFlags" fn(Handle, c_int);
+    release_scene: "rtcReleaseScene" fn(Handle);
+    commit_scene: "rtcCommitScene" fn(Handle);
+    new_geometry: "rtcNewGeometry" fn(Handle, c_int) -> Handle;
+    new_buffer: "rtcSetNewGeometryBuffer" fn(Handle, c_int, c_uint, c_int, usize, usize) -> *mut c_void;
+    commit_geometry: "rtcCommitGeometry" fn(Handle);
+    attach_geometry: "rtcAttachGeometry" fn(Handle, Handle) -> c_uint;
+    release_geometry: "rtcReleaseGeometry" fn(Handle);
+    intersect: "rtcIntersect1" fn(Handle, *mut Context, *mut RayHit);
+    occluded: "rtcOccluded1" fn(Handle, *mut Context, *mut RayPart);
+}
+
+impl Scene {
+    /// All indices must be of vertices.
+    pub(crate) fn new(vertices: &[[f32; 3]], triangles: &[[u32; 3]], robust: bool) -> Result<Self, PeerError> {
+        let api = Api::load()?;
+        // SAFETY: the text ends with a zero.
+        let device = unsafe { (api.new_device)(c"threads=1".as_ptr()) };
+        if device.is_null() {
+            return Err(PeerError::Refused("Embree has no device for this processor".to_owned()));
+        }
+        // SAFETY: the device is one.
+        let scene = unsafe { (api.new_scene)(device) };
+        let this = Self { device, handle: scene, api };
+        let Api { set_scene_flags, new_geometry, commit_geometry, attach_geometry, .. } = *api;
+        let Api { release_geometry, commit_scene, device_error, .. } = *api;
+        // SAFETY: device, scene and geometry are what their functions made. The scene keeps the geometry when it is given
+        // back here.
+        let written = unsafe {
+            set_scene_flags(scene, if robust { ROBUST } else { 0 });
+            let geometry = new_geometry(device, TRIANGLES);
+            let written = this.fill(geometry, VERTEX_BUFFER, FLOAT3, vertices)
+                && this.fill(geometry, INDEX_BUFFER, UINT3, triangles);
+            if written {
+                commit_geometry(geometry);
+                attach_geometry(scene, geometry);
+                commit_scene(scene);
+            }
+            release_geometry(geometry);
+            written
+        };
+        // SAFETY: the device is one.
+        match unsafe { device_error(device) } {
+            0 if written => Ok(this),
+            error => Err(PeerError::Refused(format!("Embree's error {error}"))),
+        }
+    }
+
+    /// Makes a buffer of the geometry with these items, or says that there is no memory for it.
+    fn fill<T: Copy>(&self, geometry: Handle, kind: c_int, format: c_int, items: &[[T; 3]]) -> bool {
+        // SAFETY: the geometry is one. The buffer that is made has room for the items, aligned for theirs (4 bytes), and
+        // nobody else knows of it.
+        unsafe {
+            let buffer = (self.api.new_buffer)(geometry, kind, 0, format, size_of::<[T; 3]>(), items.len());
+            if !buffer.is_null() {
+                ptr::copy_nonoverlapping(items.as_ptr(), buffer.cast(), items.len());
+            }
+            !buffer.is_null()
+        }
+    }
+}
+
+impl Drop for Scene {
+    fn drop(&mut self) {
+        // SAFETY: both are what their functions made, and are given back once.
+        unsafe {
+            (self.api.release_scene)(self.handle);
+            (self.api.release_device)(self.device);
+        }
+    }
+}
+
+impl Tracer for Scene {
+    fn closest(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
+        let mut context = Context::new();
+        each(rays, hits, |ray| {
+            let ray = RayPart::new(ray);
+            let mut hit =
+                RayHit { ray, normal: [0.0; 3], weights: [0.0; 2], prim: NONE, geometry: NONE, instance: NONE };
+            // SAFETY: the scene is committed; context and ray are whole, aligned, and ours.
+            unsafe { (self.api.intersect)(self.handle, &raw mut context, &raw mut hit) };
+            (hit.geometry != NONE).then_some((hit.prim, hit.ray.tfar))
+        });
+    }
+
+    fn any(&self, rays: &[Ray], hits: &mut [bool]) {
+        let mut context = Context::new();
+        each(rays, hits, |ray| {
+            let mut ray = RayPart::new(ray);
+            // SAFETY: as above.
+            unsafe { (self.api.occluded)(self.handle, &raw mut context, &raw mut ray) };
+            ray.tfar == f32::NEG_INFINITY
+        });
+    }
+}
+
+impl Context {
+    /// What `rtcInitIntersectContext` makes.
+    fn new() -> Self {
+        Self { flags: 0, filter: ptr::null(), instance: NONE }
+    }
+}
+
+impl RayPart {
+    #[inline]
+    fn new(ray: &Ray) -> Self {
+        let Ray { origin, direction, tmin, tmax } = *ray;
+        Self { origin, tnear: tmin, direction, time: 0.0, tfar: tmax, mask: NONE, id: 0, flags: 0 }
+    }
+}

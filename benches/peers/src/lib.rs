@@ -1,0 +1,127 @@
+//! Ray tracers by others behind one interface on plain numbers, so that they can be measured in the same turns and on the
+//! same rays as `stackless-bvh`, whatever vectors they use.
+//!
+//! Each is used as its documentation recommends where many rays are traced; what was chosen stands in its file. All build
+//! with one thread.
+
+mod by_bvh;
+mod by_obvhs;
+mod by_parry;
+mod embree;
+
+/// Triangle and distance, in lengths of the ray's direction.
+pub type Hit = (u32, f32);
+
+/// A half-line `origin + t direction` with `tmin <= t <= tmax`; `tmax` may be infinite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs, reason = "the names say it all")]
+pub struct Ray {
+    pub origin: [f32; 3],
+    pub direction: [f32; 3],
+    pub tmin: f32,
+    pub tmax: f32,
+}
+
+/// A mesh that is ready to be traced. Both queries answer as many rays as there is room for hits.
+pub trait Tracer {
+    /// The closest hit of each ray.
+    fn closest(&self, rays: &[Ray], hits: &mut [Option<Hit>]);
+
+    /// Whether each ray hits anything.
+    fn any(&self, rays: &[Ray], hits: &mut [bool]);
+}
+
+/// A ray tracer by others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "each is documented where it is implemented")]
+pub enum Peer {
+    ObvhsBvh2,
+    ObvhsCwbvh,
+    Bvh,
+    Parry3d,
+    Embree,
+    EmbreeRobust,
+}
+
+/// Why a peer does not trace a mesh.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum PeerError {
+    /// A corner is not a vertex.
+    #[error("triangle {triangle} has a corner that is not a vertex")]
+    Index {
+        /// Index of the triangle.
+        triangle: usize,
+    },
+    /// A library that is found when the program runs is not there, or not as it should be.
+    #[error("not installed: {0}")]
+    NotInstalled(String),
+    /// The peer itself refuses.
+    #[error("{0}")]
+    Refused(String),
+}
+
+impl Peer {
+    /// All of them.
+    pub const ALL: [Self; 6] =
+        [Self::ObvhsBvh2, Self::ObvhsCwbvh, Self::Bvh, Self::Parry3d, Self::Embree, Self::EmbreeRobust];
+
+    /// The name in tables.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::ObvhsBvh2 => "obvhs-bvh2",
+            Self::ObvhsCwbvh => "obvhs-cwbvh",
+            Self::Bvh => "bvh",
+            Self::Parry3d => "parry3d",
+            Self::Embree => "embree",
+            Self::EmbreeRobust => "embree-robust",
+        }
+    }
+
+    /// Builds what the peer traces, from triangles that are three indices into `vertices` each.
+    ///
+    /// # Errors
+    /// What [`PeerError`] lists.
+    ///
+    /// ```
+    /// use stackless_peers::{Peer, Ray};
+    ///
+    /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    /// let ray = Ray { origin: [0.25, 0.25, -2.0], direction: [0.0, 0.0, 1.0], tmin: 0.0, tmax: f32::INFINITY };
+    /// let tracer = Peer::ObvhsBvh2.build(&corners, &[[0, 1, 2]])?;
+    /// let mut hits = [None];
+    /// tracer.closest(&[ray], &mut hits);
+    /// assert_eq!(hits, [Some((0, 2.0))]);
+    /// # Ok::<(), stackless_peers::PeerError>(())
+    /// ```
+    pub fn build(self, vertices: &[[f32; 3]], triangles: &[[u32; 3]]) -> Result<Box<dyn Tracer>, PeerError> {
+        let corners = corners(vertices, triangles)?;
+        Ok(match self {
+            Self::ObvhsBvh2 => Box::new(by_obvhs::Binary::new(&corners)),
+            Self::ObvhsCwbvh => Box::new(by_obvhs::Wide::new(&corners)),
+            Self::Bvh => Box::new(by_bvh::Hierarchy::new(&corners)?),
+            Self::Parry3d => Box::new(by_parry::Hierarchy::new(&corners)),
+            Self::Embree => Box::new(embree::Scene::new(vertices, triangles, false)?),
+            Self::EmbreeRobust => Box::new(embree::Scene::new(vertices, triangles, true)?),
+        })
+    }
+}
+
+fn corners(vertices: &[[f32; 3]], triangles: &[[u32; 3]]) -> Result<Vec<[[f32; 3]; 3]>, PeerError> {
+    let corners = triangles.iter().enumerate().map(|(triangle, &[a, b, c])| {
+        let vertex = |i: u32| vertices.get(i as usize).copied().ok_or(PeerError::Index { triangle });
+        Ok([vertex(a)?, vertex(b)?, vertex(c)?])
+    });
+    corners.collect()
+}
+
+/// Answers each ray in turn.
+#[inline]
+fn each<H>(rays: &[Ray], hits: &mut [H], mut answer: impl FnMut(&Ray) -> H) {
+    for (ray, hit) in rays.iter().zip(hits) {
+        *hit = answer(ray);
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,99 @@
+//! The traversals of this library, each with the tests of a level.
+
+use cpu_time::ProcessTime;
+use glam::Vec3;
+use stackless_bvh::bvh::{BuildError, Bvh, SahOptions};
+use stackless_bvh::geom::{Kernel, Ray, Slabs};
+use stackless_bvh::scene::Mesh;
+use stackless_bvh::trace::{self, Accuracy, Form, Forms, Tracer, WithTests};
+use stackless_bvh::traverse::{Method, Unfit};
+use stackless_bvh::tree::{Recorded, Topology};
+
+use super::Contestant;
+use crate::judge::{Answer, Query};
+
+/// The tree over a mesh.
+pub(super) struct Trees {
+    /// With uncles in its records.
+    uncles: Forms,
+    /// With parents and siblings.
+    parents: Forms,
+    build_seconds: f64,
+}
+
+impl Trees {
+    pub(super) fn build(mesh: &Mesh) -> Result<Self, BuildError> {
+        let start = ProcessTime::now();
+        let bvh = Bvh::sah(mesh, SahOptions::default())?;
+        let build_seconds = start.elapsed().as_secs_f64();
+        let parents = Forms::new(bvh.clone().with_links(Recorded::ParentSibling));
+        Ok(Self { uncles: Forms::new(bvh), parents, build_seconds })
+    }
+
+    pub(super) fn bvh(&self) -> &Bvh {
+        self.uncles.corners()
+    }
+
+    /// A traversal, over the tree whose records suit it.
+    pub(super) fn contestant(&self, method: Method, accuracy: Accuracy) -> Result<Box<dyn Contestant + '_>, Unfit> {
+        trace::with_level(accuracy, MakeRunner { trees: self, method, accuracy })
+    }
+}
+
+struct MakeRunner<'a> {
+    trees: &'a Trees,
+    method: Method,
+    accuracy: Accuracy,
+}
+
+impl<'a> WithTests for MakeRunner<'a> {
+    type Output = Result<Box<dyn Contestant + 'a>, Unfit>;
+
+    fn call<K: Kernel<Vector = Vec3, Shape: Form> + 'static, B: Slabs<Vector = Vec3> + 'static>(self) -> Self::Output {
+        let forms = match self.method.wants_recorded() {
+            Recorded::ParentSibling => &self.trees.parents,
+            _ => &self.trees.uncles,
+        };
+        Ok(Box::new(Runner { tracer: Tracer::<K, B>::with_method(forms.of(), self.method)?, make: self }))
+    }
+}
+
+/// A traversal with its tree, that tree's tables, and the types of its tests.
+struct Runner<'a, K: Kernel, B> {
+    make: MakeRunner<'a>,
+    tracer: Tracer<'a, K, B>,
+}
+
+impl<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>> Contestant for Runner<'_, K, B> {
+    fn method(&self) -> &'static str {
+        self.make.method.name()
+    }
+
+    fn accuracy(&self) -> Option<Accuracy> {
+        Some(self.make.accuracy)
+    }
+
+    fn trace(&mut self, query: Query, rays: &[Ray], _: usize, answers: &mut [Answer]) {
+        match query {
+            Query::Closest => self.tracer.closest_distances(rays, answers),
+            Query::Any => {
+                let hits = self.tracer.any_each(rays);
+                // Which hit it is does not count.
+                answers.iter_mut().zip(hits).for_each(|(answer, hit)| *answer = hit.then_some((0, 0.0)));
+            }
+        }
+    }
+
+    fn nodes(&mut self, query: Query, rays: &[Ray]) -> Option<u64> {
+        let counters = self.tracer.count(rays, query == Query::Any);
+        Some(counters.inner + counters.leaves)
+    }
+
+    fn state_bytes(&self) -> Option<usize> {
+        Some(self.make.method.state_bytes_in(self.tracer.word(), self.tracer.bvh().depth()))
+    }
+
+    fn build_seconds(&self) -> f64 {
+        self.make.trees.build_seconds
+    }
+}
