@@ -2,10 +2,12 @@
 //!
 //! The same primitives and options give the same tree, on any number of threads.
 
+mod bins;
 mod draft;
 mod item;
 mod median;
 mod sah;
+mod sweep;
 mod top_down;
 
 pub use sah::SahOptions;
