@@ -4,13 +4,13 @@ use glam::Vec3A;
 use rayon::prelude::*;
 
 use super::item::{CHUNK, Extents, Item, Spread};
-use super::sweep::{Candidates, Cheapest, half_areas, indices, unions};
+use super::sweep::{Candidates, Cheapest, half_areas, indices, rounded, unions};
 use super::top_down::Cut;
 
 /// At most `N` bins on each axis, a power of two.
 struct Bins<const N: usize> {
-    boxes: [[Spread; 3]; N],
-    counts: [[u32; 3]; N],
+    boxes: [[Spread; N]; 3],
+    counts: [[u32; N]; 3],
 }
 
 /// A border between bins.
@@ -38,7 +38,7 @@ impl Plane {
         };
         let Cheapest { axis, place: border, weight } = bins.cheapest(items.len())?;
         let [left, right] = [0..border, border..N].map(|range| {
-            let range = range.map(|bin| (bins.boxes[bin][axis], bins.counts[bin][axis]));
+            let range = range.map(|bin| (bins.boxes[axis][bin], bins.counts[axis][bin]));
             range.fold((Spread::EMPTY, 0), |(all, sum), (aabb, count)| (all.union(aabb), sum + count as usize))
         });
         Some(Self { axis, scale, border, boxes: [left.0, right.0], weight, greater: left.1.max(right.1) })
@@ -48,16 +48,17 @@ impl Plane {
     pub(super) fn part(&self, items: &mut [Item]) -> Cut {
         let mut left = 0;
         let mut centroids = [Spread::EMPTY; 2];
+        let border = rounded(Vec3A::splat(self.border as f32));
         for i in 0..items.len() {
             let item = items[i];
             let centroid = item.centroid();
-            let is_right = self.scale.bins(centroid)[self.axis] >= self.border as u32;
-            let side = &mut centroids[usize::from(is_right)];
+            let is_right = self.scale.bins(centroid).cmpge(border).bitmask() >> self.axis & 1;
+            let side = &mut centroids[is_right as usize];
             *side = side.add(centroid);
             // Swapped in any case, as branches would be mispredicted: an item of the right may change places with another.
             items[i] = items[left];
             items[left] = item;
-            left += usize::from(!is_right);
+            left += 1 - is_right as usize;
         }
         let extents = [0, 1].map(|side| Extents { boxes: self.boxes[side], centroids: centroids[side] });
         Cut { axis: self.axis, left, extents }
@@ -65,24 +66,26 @@ impl Plane {
 }
 
 impl<const N: usize> Bins<N> {
-    const EMPTY: Self = Self { boxes: [[Spread::EMPTY; 3]; N], counts: [[0; 3]; N] };
+    const EMPTY: Self = Self { boxes: [[Spread::EMPTY; N]; 3], counts: [[0; N]; 3] };
 
     fn of(items: &[Item], scale: Scale) -> Self {
         let mut bins = Self::EMPTY;
         for item in items {
-            for (axis, bin) in scale.bins(item.centroid()).into_iter().enumerate() {
+            for (axis, bin) in indices(scale.bins(item.centroid())).into_iter().enumerate() {
                 let bin = bin as usize % N;
-                bins.boxes[bin][axis] = bins.boxes[bin][axis].union(item.spread());
-                bins.counts[bin][axis] += 1;
+                bins.boxes[axis][bin] = bins.boxes[axis][bin].union(item.spread());
+                bins.counts[axis][bin] += 1;
             }
         }
         bins
     }
 
     fn merge(mut self, other: Self) -> Self {
-        for bin in 0..N {
-            self.boxes[bin] = unions(self.boxes[bin], other.boxes[bin]);
-            self.counts[bin] = [0, 1, 2].map(|axis| self.counts[bin][axis] + other.counts[bin][axis]);
+        for (aabb, other) in self.boxes.as_flattened_mut().iter_mut().zip(other.boxes.as_flattened()) {
+            *aabb = aabb.union(*other);
+        }
+        for (count, other) in self.counts.as_flattened_mut().iter_mut().zip(other.counts.as_flattened()) {
+            *count += other;
         }
         self
     }
@@ -94,15 +97,15 @@ impl<const N: usize> Bins<N> {
         let mut right = [Spread::EMPTY; 3];
         let mut right_areas = [Vec3A::ZERO; N];
         for bin in (1..N).rev() {
-            right = unions(right, self.boxes[bin]);
+            right = unions(right, self.boxes.each_ref().map(|boxes| boxes[bin]));
             right_areas[bin] = half_areas(right);
         }
         let mut left = [Spread::EMPTY; 3];
         let mut count = [0; 3];
         let mut best = Candidates::NONE;
         for border in 1..N {
-            left = unions(left, self.boxes[border - 1]);
-            count = [0, 1, 2].map(|axis| count[axis] + self.counts[border - 1][axis]);
+            left = unions(left, self.boxes.each_ref().map(|boxes| boxes[border - 1]));
+            count = [0, 1, 2].map(|axis| count[axis] + self.counts[axis][border - 1]);
             let others = count.map(|count| n as u32 - count);
             best.offer(half_areas(left) * numbers(count) + right_areas[border] * numbers(others), border);
         }
@@ -125,10 +128,10 @@ impl Scale {
         Self { start: centroids.lo, factor, last: Vec3A::splat(bins as f32 - 1.0) }
     }
 
-    /// Bin on each axis. Where the extent is 0 or overflows, the first bin has all.
+    /// Bin on each axis, for [`indices`]. Where the extent is 0 or overflows, the first bin has all.
     #[inline]
-    fn bins(&self, centroid: Vec3A) -> [u32; 3] {
+    fn bins(&self, centroid: Vec3A) -> Vec3A {
         // Less a half, as the nearest integer is taken.
-        indices(((centroid - self.start) * self.factor - 0.5).max(Vec3A::ZERO).min(self.last))
+        rounded(((centroid - self.start) * self.factor - 0.5).max(Vec3A::ZERO).min(self.last))
     }
 }

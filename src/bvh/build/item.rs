@@ -33,12 +33,11 @@ impl Item {
         Spread { lo: Vec3A::from_vec4(self.lo), hi: Vec3A::from_vec4(self.hi) }
     }
 
-    /// Middle of the box. It does not overflow, and is 0 where the box is infinite on both sides.
+    /// Middle of the box. It does not overflow, but is NaN where the box is infinite on both sides.
     #[inline]
     pub(super) fn centroid(&self) -> Vec3A {
         let Spread { lo, hi } = self.spread();
-        let middle = lo * 0.5 + hi * 0.5;
-        Vec3A::select(middle.cmpeq(middle), middle, Vec3A::ZERO)
+        lo * 0.5 + hi * 0.5
     }
 }
 
@@ -108,9 +107,10 @@ impl Spread {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
+    /// With a point. Where this is a NaN, SSE's instructions leave it out.
     #[inline]
     pub(super) fn add(self, point: Vec3A) -> Self {
-        self.union(Self { lo: point, hi: point })
+        Self { lo: point.min(self.lo), hi: point.max(self.hi) }
     }
 
     #[inline]

@@ -52,7 +52,7 @@ impl SahOptions {
         let n = range.len();
         let levels = self.depth_limit - depth;
         let may_be_leaf = n <= self.max_leaf as usize;
-        if n == 1 || levels == 0 {
+        if n == 1 || levels == 0 || may_be_leaf && n as f32 <= NODE_COST {
             return None;
         }
         let is_worth = |weight: f32| !may_be_leaf || NODE_COST + weight / extents.boxes.half_area() < n as f32;

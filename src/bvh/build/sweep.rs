@@ -18,9 +18,13 @@ pub(super) struct Sweep {
 impl Sweep {
     /// `None` if no cut has a finite cost.
     pub(super) fn new(items: &[Item]) -> Option<Self> {
-        let n = items.len();
+        let n = items.len().min(MAX);
         let order = order(items);
-        let sorted = |place: usize| [0, 1, 2].map(|axis: usize| items[usize::from(order[axis][place]) % n].spread());
+        let mut boxes = [Spread::EMPTY; MAX];
+        for (aabb, item) in boxes.iter_mut().zip(items) {
+            *aabb = item.spread();
+        }
+        let sorted = |place: usize| [0, 1, 2].map(|axis: usize| boxes[usize::from(order[axis][place]) % MAX]);
         let mut right = [Spread::EMPTY; 3];
         let mut right_weights = [Vec3A::ZERO; MAX];
         for place in (1..n).rev() {
@@ -65,6 +69,8 @@ fn order(items: &[Item]) -> [[u8; MAX]; 3] {
     let mut ranks = [Vec3A::ZERO; MAX];
     for (i, item) in items.iter().enumerate().take(MAX) {
         let centroid = item.centroid();
+        // All pairs must agree, so a NaN is as good as 0.
+        let centroid = Vec3A::select(centroid.cmpeq(centroid), centroid, Vec3A::ZERO);
         let mut rank = Vec3A::ZERO;
         for (earlier, earlier_rank) in centroids[..i].iter().zip(&mut ranks) {
             let is_later = earlier.cmple(centroid);
@@ -75,7 +81,7 @@ fn order(items: &[Item]) -> [[u8; MAX]; 3] {
     }
     let mut order = [[0; MAX]; 3];
     for (i, rank) in ranks[..items.len().min(MAX)].iter().enumerate() {
-        for (order, place) in order.iter_mut().zip(indices(*rank)) {
+        for (order, place) in order.iter_mut().zip(indices(rounded(*rank))) {
             order[place as usize % MAX] = i as u8;
         }
     }
@@ -128,10 +134,14 @@ pub(super) fn half_areas([a, b, c]: [Spread; 3]) -> Vec3A {
     (x + y) * z + x * y
 }
 
-/// The nearest integers to numbers from 0 up to 2^23, modulo 2^23. Equal numbers have equal ones, and greater ones none
-/// that is less.
+/// 2^23 more than the nearest integers to numbers from 0 up to 2^23; greater for none that is less.
 #[inline]
-pub(super) fn indices(numbers: Vec3A) -> [u32; 3] {
-    // From 2^23 on, the last bit of a float counts ones.
-    (numbers + 8_388_608.0).to_array().map(f32::to_bits).map(|bits| bits & 0x7f_ffff)
+pub(super) fn rounded(numbers: Vec3A) -> Vec3A {
+    numbers + 8_388_608.0
+}
+
+/// The integers of which [`rounded`] made these: from 2^23 on, the last bit of a float counts ones.
+#[inline]
+pub(super) fn indices(rounded: Vec3A) -> [u32; 3] {
+    rounded.to_array().map(|number| number.to_bits() & 0x7f_ffff)
 }
