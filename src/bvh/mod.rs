@@ -225,13 +225,6 @@ impl BvhNode {
         let at = |plane: usize| Vec3::from_array(self.planes.map(|axis| axis[2 * side.index() + plane]));
         Aabb { lo: at(0), hi: at(1) }
     }
-
-    fn set_child_box(&mut self, side: Side, aabb: &Aabb) {
-        for (axis, planes) in self.planes.iter_mut().enumerate() {
-            planes[2 * side.index()] = aabb.lo[axis];
-            planes[2 * side.index() + 1] = aabb.hi[axis];
-        }
-    }
 }
 
 #[cfg(test)]
