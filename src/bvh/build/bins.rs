@@ -115,14 +115,14 @@ impl<const N: usize> Bins<N> {
 
 /// Maps centroids to bins of equal width, monotonically on each axis.
 #[derive(Clone, Copy)]
-struct Scale {
+pub(super) struct Scale {
     start: Vec3A,
     factor: Vec3A,
     last: Vec3A,
 }
 
 impl Scale {
-    fn new(centroids: Spread, bins: usize) -> Self {
+    pub(super) fn new(centroids: Spread, bins: usize) -> Self {
         let extent = centroids.extent();
         let factor = Vec3A::select(extent.cmpgt(Vec3A::ZERO), bins as f32 / extent, Vec3A::ZERO);
         Self { start: centroids.lo, factor, last: Vec3A::splat(bins as f32 - 1.0) }
@@ -130,7 +130,7 @@ impl Scale {
 
     /// Bin on each axis, for [`indices`]. Where the extent is 0 or overflows, the first bin has all.
     #[inline]
-    fn bins(&self, centroid: Vec3A) -> Vec3A {
+    pub(super) fn bins(&self, centroid: Vec3A) -> Vec3A {
         // Less a half, as the nearest integer is taken.
         rounded(((centroid - self.start) * self.factor - 0.5).max(Vec3A::ZERO).min(self.last))
     }

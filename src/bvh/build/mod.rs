@@ -5,6 +5,7 @@
 mod bins;
 mod draft;
 mod item;
+mod linear;
 mod median;
 mod sah;
 mod sweep;
@@ -51,18 +52,21 @@ pub enum Builder {
     /// By surface area, at the borders of bins (Wald 2007).
     #[default]
     Sah,
+    /// Fast: along a space-filling curve, then by surface area.
+    Linear,
     /// A complete tree: all leaves at one depth.
     Median,
 }
 
 impl Builder {
     /// All builders.
-    pub const ALL: [Self; 2] = [Self::Sah, Self::Median];
+    pub const ALL: [Self; 3] = [Self::Sah, Self::Linear, Self::Median];
 
     /// The name on the command line and in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Sah => "sah",
+            Self::Linear => "lbvh",
             Self::Median => "median",
         }
     }
@@ -103,6 +107,7 @@ impl<S> Bvh<S> {
         let dropped = primitives.count() - items.len();
         let draft = match options.builder {
             Builder::Sah => sah::build(items, sah, progress)?,
+            Builder::Linear => linear::build(items, sah, progress)?,
             Builder::Median => median::build(items, sah.max_leaf, progress),
         };
         Ok(draft.lay_out(primitives, dropped))

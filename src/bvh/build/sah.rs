@@ -38,17 +38,21 @@ pub(super) fn build(
     options: SahOptions,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Draft, BuildError> {
-    let SahOptions { max_leaf, depth_limit, .. } = options;
-    if items.len() > capacity(max_leaf, depth_limit) {
-        return Err(BuildError::DepthLimit { triangles: items.len(), max_leaf, limit: depth_limit });
-    }
+    options.check(items.len())?;
     let cut = |range: &mut [Item], extents: &Extents, depth: u32| options.cut(range, extents, depth);
     Ok(top_down::build(items, cut, progress))
 }
 
 impl SahOptions {
+    /// Whether so many items fit.
+    pub(super) fn check(&self, triangles: usize) -> Result<(), BuildError> {
+        let Self { max_leaf, depth_limit: limit, .. } = *self;
+        let fits = triangles <= capacity(max_leaf, limit);
+        if fits { Ok(()) } else { Err(BuildError::DepthLimit { triangles, max_leaf, limit }) }
+    }
+
     /// Cuts a range by its cheapest plane, or where that is not to be, by its middle; `None` for a leaf.
-    fn cut(&self, range: &mut [Item], extents: &Extents, depth: u32) -> Option<Cut> {
+    pub(super) fn cut(&self, range: &mut [Item], extents: &Extents, depth: u32) -> Option<Cut> {
         let n = range.len();
         let levels = self.depth_limit - depth;
         let may_be_leaf = n <= self.max_leaf as usize;

@@ -4,6 +4,8 @@
 //! children, whether it needs them or not. So no two tasks write to the same memory, and where a node stands does not
 //! depend on who is first.
 
+use std::ops::Range;
+
 use rayon::Scope;
 
 use super::draft::{Draft, DraftNode};
@@ -30,8 +32,54 @@ where
     if let [own, below @ ..] = &mut *nodes {
         let root = Subtree { items: &mut items, first: 0, extents, depth: 0, own, below, place: 1 };
         let task = Task { cut, progress };
-        rayon::scope(|scope| task.run(root, scope));
+        rayon::scope(|scope| task.run(vec![root], scope));
     }
+    Draft { nodes, references: items.iter().map(Item::prim).collect() }
+}
+
+/// Goes on below the leaves of `top`, each of which names one of the `parts` of the items.
+pub(super) fn go_on<C>(
+    top: Draft,
+    mut items: Vec<Item>,
+    parts: &[Range<usize>],
+    cut: C,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Draft
+where
+    C: Fn(&mut [Item], &Extents, u32) -> Option<Cut> + Sync,
+{
+    let Draft { mut nodes, references } = top;
+    // Parents come before their children.
+    let mut depths = vec![0; nodes.len()];
+    for (place, node) in nodes.iter().enumerate().filter(|(_, node)| !node.is_leaf()) {
+        for child in node.children() {
+            depths[child] = depths[place] + 1;
+        }
+    }
+    let above = nodes.len();
+    nodes.resize((2 * items.len()).saturating_sub(1), DraftNode::NONE);
+    let (nodes_above, mut below) = nodes.split_at_mut(above);
+    let mut place = above;
+    let mut rest = &mut *items;
+    let mut slices: Vec<_> = parts.iter().map(|part| rest.split_off_mut(..part.len())).collect();
+    let mut subtrees = Vec::with_capacity(parts.len());
+    for (own, &depth) in nodes_above.iter_mut().zip(&depths).filter(|(own, _)| own.is_leaf()) {
+        let part = references[own.references().start] as usize;
+        let Some(items) = slices[part].take() else { continue };
+        let room = 2 * items.len() - 2;
+        let Some(below) = below.split_off_mut(..room) else { continue };
+        let extents = Extents::of(items);
+        subtrees.push(Subtree { items, first: parts[part].start, extents, depth, own, below, place });
+        place += room;
+    }
+    let task = Task { cut, progress };
+    rayon::scope(|scope| {
+        let task = &task;
+        while !subtrees.is_empty() {
+            let some = subtrees.split_off(subtrees.len().saturating_sub(TASK / 16));
+            scope.spawn(move |scope| task.run(some, scope));
+        }
+    });
     Draft { nodes, references: items.iter().map(Item::prim).collect() }
 }
 
@@ -60,9 +108,8 @@ struct Task<'b, C> {
 
 impl<C: Fn(&mut [Item], &Extents, u32) -> Option<Cut> + Sync> Task<'_, C> {
     /// Not by recursion: trees may be deep.
-    fn run<'a>(&'a self, subtree: Subtree<'a>, scope: &Scope<'a>) {
+    fn run<'a>(&'a self, mut pending: Vec<Subtree<'a>>, scope: &Scope<'a>) {
         let mut done = 0;
-        let mut pending = vec![subtree];
         while let Some(Subtree { items, first, extents, depth, own, below, place }) = pending.pop() {
             let aabb = extents.boxes.aabb();
             let Some(Cut { axis, left, extents }) = (self.cut)(items, &extents, depth) else {
@@ -90,7 +137,7 @@ impl<C: Fn(&mut [Item], &Extents, u32) -> Option<Cut> + Sync> Task<'_, C> {
                 if child.items.len() < TASK {
                     pending.push(child);
                 } else {
-                    scope.spawn(move |scope| self.run(child, scope));
+                    scope.spawn(move |scope| self.run(vec![child], scope));
                 }
             }
         }
