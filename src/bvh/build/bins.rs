@@ -4,6 +4,7 @@ use glam::Vec3A;
 use rayon::prelude::*;
 
 use super::item::{CHUNK, Extents, Item, Spread};
+use super::sah::Split;
 use super::sweep::{Candidates, Cheapest, half_areas, indices, rounded, unions};
 use super::top_down::Cut;
 
@@ -21,9 +22,8 @@ pub(super) struct Plane {
     border: usize,
     boxes: [Spread; 2],
     /// Sum over both sides of half area times count.
-    pub(super) weight: f32,
-    /// Items on the side that has more.
-    pub(super) greater: usize,
+    weight: f32,
+    greater: usize,
 }
 
 impl Plane {
@@ -43,9 +43,19 @@ impl Plane {
         });
         Some(Self { axis, scale, border, boxes: [left.0, right.0], weight, greater: left.1.max(right.1) })
     }
+}
+
+impl Split for Plane {
+    fn weight(&self) -> f32 {
+        self.weight
+    }
+
+    fn greater(&self) -> usize {
+        self.greater
+    }
 
     /// Moves what is left of the plane to the front.
-    pub(super) fn part(&self, items: &mut [Item]) -> Cut {
+    fn part(&self, items: &mut [Item]) -> Cut {
         let mut left = 0;
         let mut centroids = [Spread::EMPTY; 2];
         let border = rounded(Vec3A::splat(self.border as f32));

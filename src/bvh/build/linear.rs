@@ -71,9 +71,13 @@ fn spread(bits: u32) -> u64 {
     (bits | bits << 2) & 0x0002_4924_9249
 }
 
-/// Sorts by the codes alone, [`BITS`] bits at a time: equal ones stay in order.
+/// Sorts by the codes, [`BITS`] bits at a time; indices are in order already.
 fn sorted(mut codes: Vec<u64>) -> Vec<u64> {
     const DIGITS: usize = 1 << BITS;
+    if codes.len() < DIGITS {
+        codes.sort_unstable();
+        return codes;
+    }
     let digit = |code: u64, pass: u32| (code >> (INDEX_BITS + pass * BITS)) as usize % DIGITS;
     let mut starts = [[0_u32; DIGITS]; 3];
     for &code in &codes {

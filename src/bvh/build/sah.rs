@@ -59,30 +59,50 @@ impl SahOptions {
         if n == 1 || levels == 0 || may_be_leaf && n as f32 <= NODE_COST {
             return None;
         }
-        let is_worth = |weight: f32| !may_be_leaf || NODE_COST + weight / extents.boxes.half_area() < n as f32;
-        let fits = |greater: usize| greater <= capacity(self.max_leaf, levels - 1);
-        if n <= sweep::MAX {
-            match Sweep::new(range) {
-                Some(sweep) if !is_worth(sweep.weight()) => return None,
-                Some(sweep) if fits(sweep.greater(n)) => return Some(sweep.part(range)),
-                Some(_) => return Some(halve(range, extents)),
-                None => {}
-            }
-        } else {
-            let bins = self.bins as usize;
-            let plane = match bins {
-                0..=16 => Plane::cheapest::<16>(range, extents, bins),
-                17..=32 => Plane::cheapest::<32>(range, extents, bins),
-                _ => Plane::cheapest::<64>(range, extents, bins),
-            };
-            match plane {
-                Some(plane) if !is_worth(plane.weight) => return None,
-                Some(plane) if fits(plane.greater) => return Some(plane.part(range)),
-                Some(_) => return Some(halve(range, extents)),
-                None => {}
-            }
+        let choice = Choice { range, extents, may_be_leaf, most: capacity(self.max_leaf, levels - 1) };
+        let bins = self.bins as usize;
+        match n {
+            ..=4 => choice.take(Sweep::<4>::new),
+            ..=8 => choice.take(Sweep::<8>::new),
+            ..=sweep::MAX => choice.take(Sweep::<{ sweep::MAX }>::new),
+            _ if bins <= 16 => choice.take(|range| Plane::cheapest::<16>(range, extents, bins)),
+            _ if bins <= 32 => choice.take(|range| Plane::cheapest::<32>(range, extents, bins)),
+            _ => choice.take(|range| Plane::cheapest::<64>(range, extents, bins)),
         }
-        (!may_be_leaf).then(|| halve(range, extents))
+    }
+}
+
+/// A way to cut a range.
+pub(super) trait Split {
+    /// Sum over both sides of half area times count.
+    fn weight(&self) -> f32;
+
+    /// Items on the side that has more.
+    fn greater(&self) -> usize;
+
+    /// Cuts the range that it was found for.
+    fn part(&self, range: &mut [Item]) -> Cut;
+}
+
+/// What to do with a range.
+struct Choice<'a> {
+    range: &'a mut [Item],
+    extents: &'a Extents,
+    may_be_leaf: bool,
+    /// Items that fit on one side.
+    most: usize,
+}
+
+impl Choice<'_> {
+    /// Takes the cheapest way, which is found by `cheapest`, if it is worth its cost and the sides fit.
+    fn take<S: Split>(self, cheapest: impl Fn(&[Item]) -> Option<S>) -> Option<Cut> {
+        let Self { range, extents, may_be_leaf, most } = self;
+        match cheapest(range) {
+            None if may_be_leaf => None,
+            Some(s) if may_be_leaf && NODE_COST + s.weight() / extents.boxes.half_area() >= range.len() as f32 => None,
+            Some(split) if split.greater() <= most => Some(split.part(range)),
+            _ => Some(halve(range, extents)),
+        }
     }
 }
 

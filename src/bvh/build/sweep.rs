@@ -3,71 +3,76 @@
 use glam::{Mat3A, Vec3A};
 
 use super::item::{Extents, Item, Spread};
+use super::sah::Split;
 use super::top_down::Cut;
 
 /// Items that a sweep may have. For so few it is faster than bins.
 pub(super) const MAX: usize = 16;
 
-/// The cheapest cut of at most [`MAX`] items.
-pub(super) struct Sweep {
-    /// For each axis the items by their centroids.
-    order: [[u8; MAX]; 3],
+/// The cheapest cut of at most `N` items, a power of two.
+pub(super) struct Sweep<const N: usize> {
+    /// For each item its place in the order of the centroids, on each axis.
+    ranks: [[u32; 3]; N],
+    /// How many items there are.
+    n: usize,
     best: Cheapest,
 }
 
-impl Sweep {
+impl<const N: usize> Sweep<N> {
     /// `None` if no cut has a finite cost.
     pub(super) fn new(items: &[Item]) -> Option<Self> {
-        let n = items.len().min(MAX);
-        let order = order(items);
-        let mut boxes = [Spread::EMPTY; MAX];
-        for (aabb, item) in boxes.iter_mut().zip(items) {
-            *aabb = item.spread();
+        let n = items.len().min(N);
+        let ranks = ranks(items);
+        let mut sorted = [[Spread::EMPTY; N]; 3];
+        for (item, ranks) in items.iter().zip(&ranks) {
+            for (sorted, &rank) in sorted.iter_mut().zip(ranks) {
+                sorted[rank as usize % N] = item.spread();
+            }
         }
-        let sorted = |place: usize| [0, 1, 2].map(|axis: usize| boxes[usize::from(order[axis][place]) % MAX]);
+        let at = |place: usize| [0, 1, 2].map(|axis: usize| sorted[axis][place % N]);
         let mut right = [Spread::EMPTY; 3];
-        let mut right_weights = [Vec3A::ZERO; MAX];
+        let mut right_weights = [Vec3A::ZERO; N];
         for place in (1..n).rev() {
-            right = unions(right, sorted(place));
-            right_weights[place % MAX] = half_areas(right) * (n - place) as f32;
+            right = unions(right, at(place));
+            right_weights[place % N] = half_areas(right) * (n - place) as f32;
         }
         let mut left = [Spread::EMPTY; 3];
         let mut best = Candidates::NONE;
         for place in 1..n {
-            left = unions(left, sorted(place - 1));
-            best.offer(half_areas(left) * place as f32 + right_weights[place % MAX], place);
+            left = unions(left, at(place - 1));
+            best.offer(half_areas(left) * place as f32 + right_weights[place % N], place);
         }
-        Some(Self { order, best: best.cheapest()? })
+        Some(Self { ranks, n, best: best.cheapest()? })
     }
+}
 
-    /// Sum over both sides of half area times count.
-    pub(super) fn weight(&self) -> f32 {
+impl<const N: usize> Split for Sweep<N> {
+    fn weight(&self) -> f32 {
         self.best.weight
     }
 
-    /// Items on the side that has more.
-    pub(super) fn greater(&self, n: usize) -> usize {
-        self.best.place.max(n - self.best.place)
+    fn greater(&self) -> usize {
+        self.best.place.max(self.n - self.best.place)
     }
 
-    /// Puts the items, which must be the same, in order.
-    pub(super) fn part(&self, items: &mut [Item]) -> Cut {
+    /// Puts the items in order.
+    fn part(&self, items: &mut [Item]) -> Cut {
         let Cheapest { axis, place: left, .. } = self.best;
-        let mut before = [items[0]; MAX];
-        before[..items.len()].copy_from_slice(items);
-        for (item, &from) in items.iter_mut().zip(&self.order[axis]) {
-            *item = before[usize::from(from) % MAX];
+        let mut sorted = [items[0]; N];
+        for (item, ranks) in items.iter().zip(&self.ranks) {
+            sorted[ranks[axis] as usize % N] = *item;
         }
+        items.copy_from_slice(&sorted[..items.len()]);
         Cut { axis, left, extents: [Extents::of(&items[..left]), Extents::of(&items[left..])] }
     }
 }
 
-/// For each axis the items by their centroids, equal ones as they stand.
-fn order(items: &[Item]) -> [[u8; MAX]; 3] {
+/// For each item how many come before it on each axis, equal centroids as they stand.
+fn ranks<const N: usize>(items: &[Item]) -> [[u32; 3]; N] {
     // Each pair says which of the two comes later. Without a branch, for all axes at once.
-    let mut centroids = [Vec3A::ZERO; MAX];
-    let mut ranks = [Vec3A::ZERO; MAX];
-    for (i, item) in items.iter().enumerate().take(MAX) {
+    let mut centroids = [Vec3A::ZERO; N];
+    let mut ranks = [Vec3A::ZERO; N];
+    for (i, item) in items.iter().enumerate().take(N) {
         let centroid = item.centroid();
         // All pairs must agree, so a NaN is as good as 0.
         let centroid = Vec3A::select(centroid.cmpeq(centroid), centroid, Vec3A::ZERO);
@@ -79,13 +84,7 @@ fn order(items: &[Item]) -> [[u8; MAX]; 3] {
         }
         (centroids[i], ranks[i]) = (centroid, rank);
     }
-    let mut order = [[0; MAX]; 3];
-    for (i, rank) in ranks[..items.len().min(MAX)].iter().enumerate() {
-        for (order, place) in order.iter_mut().zip(indices(rounded(*rank))) {
-            order[place as usize % MAX] = i as u8;
-        }
-    }
-    order
+    ranks.map(|rank| indices(rounded(rank)))
 }
 
 /// The cheapest cut so far on each axis.
