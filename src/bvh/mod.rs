@@ -7,10 +7,12 @@
 
 mod build;
 mod primitives;
+mod refit;
 mod validate;
 
 pub use build::{BuildError, BuildOptions, Builder, SahOptions};
 pub use primitives::{Bounded, Primitives};
+pub use refit::RefitError;
 pub use validate::{BvhError, validate};
 
 use std::ops::Range;
@@ -224,6 +226,11 @@ impl BvhNode {
     pub fn child_box(&self, side: Side) -> Aabb {
         let at = |plane: usize| Vec3::from_array(self.planes.map(|axis| axis[2 * side.index() + plane]));
         Aabb { lo: at(0), hi: at(1) }
+    }
+
+    /// Sets the boxes of the left and of the right child.
+    fn set_child_boxes(&mut self, left: &Aabb, right: &Aabb) {
+        self.planes = [0, 1, 2].map(|axis| [left.lo[axis], left.hi[axis], right.lo[axis], right.hi[axis]]);
     }
 }
 

@@ -130,8 +130,9 @@ impl Layout {
             pending.push((right, depth + 1, Some((address.index(), 1))));
             pending.push((left, depth + 1, Some((address.index(), 0))));
             self.axes.push(node.axis() as u8);
-            let planes = planes(&draft.nodes[left].aabb, &draft.nodes[right].aabb);
-            self.nodes.push(BvhNode { planes, children: links, links });
+            let mut node = BvhNode { planes: [[0.0; 4]; 3], children: links, links };
+            node.set_child_boxes(&draft.nodes[left].aabb, &draft.nodes[right].aabb);
+            self.nodes.push(node);
         }
     }
 
@@ -155,9 +156,4 @@ impl Layout {
             }
         }
     }
-}
-
-/// Of an inner node with children in these boxes.
-fn planes(left: &Aabb, right: &Aabb) -> [[f32; 4]; 3] {
-    [0, 1, 2].map(|axis| [left.lo[axis], left.hi[axis], right.lo[axis], right.hi[axis]])
 }

@@ -19,6 +19,9 @@ use super::top_down;
 /// Items that a cluster may have.
 const CLUSTER: usize = sweep::MAX;
 
+/// Items that a cluster may have if all have the same code.
+const CELL: usize = 512;
+
 pub(super) fn build(
     items: Vec<Item>,
     options: SahOptions,
@@ -29,8 +32,10 @@ pub(super) fn build(
     let mut clusters = Vec::new();
     cluster(&mut items, &codes, 0, &mut clusters);
     // Levels that must be left for each cluster.
-    let below = CLUSTER.div_ceil(options.max_leaf as usize).next_power_of_two().ilog2();
-    let above = SahOptions { max_leaf: 1, depth_limit: options.depth_limit.saturating_sub(below), ..options };
+    let most = clusters.iter().map(ExactSizeIterator::len).max().unwrap_or(1);
+    let below = most.div_ceil(options.max_leaf as usize).next_power_of_two().ilog2();
+    let depth_limit = options.depth_limit.saturating_sub(below);
+    let above = SahOptions { max_leaf: 1, depth_limit, ..options };
     if options.depth_limit < below || above.check(clusters.len()).is_err() {
         return sah::build(items, options, progress);
     }
@@ -39,7 +44,10 @@ pub(super) fn build(
     };
     let as_items = clusters.par_iter().with_min_len(CHUNK).enumerate().map(boxes).collect();
     let top = top_down::build(as_items, |range, extents, depth| above.cut(range, extents, depth), &|_| ());
-    let cut = |range: &mut [Item], extents: &Extents, depth| options.cut(range, extents, depth);
+    // Whether few items are better in two leaves is not asked: it takes longer than it saves.
+    let cut = |range: &mut [Item], extents: &Extents, depth| {
+        (range.len() > options.max_leaf as usize).then(|| options.cut(range, extents, depth)).flatten()
+    };
     Ok(top_down::go_on(top, items, &clusters, cut, progress))
 }
 
@@ -115,16 +123,16 @@ fn cluster(items: &mut [Item], codes: &[u64], first: usize, clusters: &mut Vec<R
         let (codes, right_codes) = codes.split_at(left);
         cluster(items, codes, first, clusters);
         cluster(right_items, right_codes, first + left, clusters);
+    } else if items.len() <= CELL {
+        clusters.push(first..first + items.len());
     } else {
-        // Codes over a smaller region tell more.
+        // Codes over a smaller region tell more, unless all are equal.
         let (ordered, codes) = along_the_curve(items);
         items.copy_from_slice(&ordered);
-        let differ = |codes: &[u64]| codes.first().map(|code| code >> INDEX_BITS) != codes.last().map(|code| code >> INDEX_BITS);
-        if differ(&codes) {
+        if codes.first().map(|code| code >> INDEX_BITS) != codes.last().map(|code| code >> INDEX_BITS) {
             cluster(items, &codes, first, clusters);
         } else {
-            let starts = (0..items.len()).step_by(CLUSTER);
-            clusters.extend(starts.map(|start| first + start..first + items.len().min(start + CLUSTER)));
+            clusters.extend((0..items.len()).step_by(CELL).map(|start| first + start..first + items.len().min(start + CELL)));
         }
     }
 }
