@@ -47,7 +47,8 @@ pub(super) fn items<P: Primitives + ?Sized>(primitives: &P) -> Result<Vec<Item>,
         0 => Err(BuildError::Empty),
         n if n > Node::MAX_INDEX as usize => Err(BuildError::TooManyTriangles(n)),
         n => {
-            let item = |i: usize| Item::new(&primitives.aabb(i), if primitives.can_be_hit(i) { i as u32 } else { NONE });
+            let item =
+                |i: usize| Item::new(&primitives.aabb(i), if primitives.can_be_hit(i) { i as u32 } else { NONE });
             let mut items: Vec<_> = (0..n).into_par_iter().with_min_len(CHUNK).map(item).collect();
             items.retain(|item| item.prim() != NONE);
             // A tree has at least one leaf, even if nothing can be hit.

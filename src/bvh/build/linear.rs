@@ -6,12 +6,13 @@
 
 use std::ops::Range;
 
+use glam::Vec3A;
 use rayon::prelude::*;
 
 use super::BuildError;
 use super::bins::Scale;
 use super::draft::Draft;
-use super::item::{CHUNK, Extents, Item};
+use super::item::{CHUNK, Extents, Item, Spread};
 use super::sah::{self, SahOptions};
 use super::sweep::{self, indices};
 use super::top_down;
@@ -39,9 +40,8 @@ pub(super) fn build(
     if options.depth_limit < below || above.check(clusters.len()).is_err() {
         return sah::build(items, options, progress);
     }
-    let boxes = |(i, range): (usize, &Range<usize>)| {
-        Item::new(&Extents::of(&items[range.clone()]).boxes.aabb(), i as u32)
-    };
+    let boxes =
+        |(i, range): (usize, &Range<usize>)| Item::new(&Extents::of(&items[range.clone()]).boxes.aabb(), i as u32);
     let as_items = clusters.par_iter().with_min_len(CHUNK).enumerate().map(boxes).collect();
     let top = top_down::build(as_items, |range, extents, depth| above.cut(range, extents, depth), &|_| ());
     // Whether few items are better in two leaves is not asked: it takes longer than it saves.
@@ -59,7 +59,10 @@ const INDEX_BITS: u32 = 31;
 
 /// The items by the codes of their centroids, and codes with former indices below them.
 fn along_the_curve(items: &[Item]) -> (Vec<Item>, Vec<u64>) {
-    let scale = Scale::new(Extents::of(items).centroids, 1 << BITS);
+    // Cells are cubes: of flat ones a few far items would make sheets.
+    let Spread { lo, hi } = Extents::of(items).centroids;
+    let cube = Spread { lo, hi: lo + Vec3A::splat((hi - lo).max_element()) };
+    let scale = Scale::new(cube, 1 << BITS);
     let code = |(i, item): (usize, &Item)| {
         let [x, y, z] = indices(scale.bins(item.centroid())).map(spread);
         (x << 2 | y << 1 | z) << INDEX_BITS | i as u64
@@ -132,7 +135,12 @@ fn cluster(items: &mut [Item], codes: &[u64], first: usize, clusters: &mut Vec<R
         if codes.first().map(|code| code >> INDEX_BITS) != codes.last().map(|code| code >> INDEX_BITS) {
             cluster(items, &codes, first, clusters);
         } else {
-            clusters.extend((0..items.len()).step_by(CELL).map(|start| first + start..first + items.len().min(start + CELL)));
+            clusters.extend(
+                (0..items.len()).step_by(CELL).map(|start| first + start..first + items.len().min(start + CELL)),
+            );
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -139,7 +139,7 @@ impl<V: Vector> Bvh<Triangle<V>> {
     /// `leaf_size` of 1, some leaves hold 2 unless the number of triangles is a power of two.
     ///
     /// # Errors
-    /// Any but [`BuildError::Bins`] and [`BuildError::DepthLimit`]: a complete tree has no more than 31 levels.
+    /// Any but [`BuildError::Bins`] and [`BuildError::DepthLimit`].
     pub fn median(mesh: &Mesh<V>, leaf_size: u32) -> Result<Self, BuildError> {
         let sah = SahOptions { max_leaf: leaf_size, depth_limit: u32::MAX, ..SahOptions::default() };
         Self::build(mesh, &BuildOptions { builder: Builder::Median, sah }, &|_| ())

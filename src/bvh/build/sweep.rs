@@ -115,7 +115,13 @@ impl Candidates {
     #[inline]
     pub(super) fn cheapest(self) -> Option<Cheapest> {
         let [x, y, z] = self.weights.to_array();
-        let axis = if y < x { if z < y { 2 } else { 1 } } else if z < x { 2 } else { 0 };
+        let axis = if y < x {
+            if z < y { 2 } else { 1 }
+        } else if z < x {
+            2
+        } else {
+            0
+        };
         let weight = self.weights[axis];
         (weight < f32::INFINITY).then(|| Cheapest { axis, place: self.places[axis] as usize, weight })
     }
@@ -144,3 +150,6 @@ pub(super) fn rounded(numbers: Vec3A) -> Vec3A {
 pub(super) fn indices(rounded: Vec3A) -> [u32; 3] {
     rounded.to_array().map(|number| number.to_bits() & 0x7f_ffff)
 }
+
+#[cfg(test)]
+mod tests;
