@@ -7,10 +7,12 @@
 
 mod build;
 mod primitives;
+mod refit;
 mod validate;
 
 pub use build::{BuildError, BuildOptions, Builder, SahOptions};
 pub use primitives::{Bounded, Primitives};
+pub use refit::RefitError;
 pub use validate::{BvhError, validate};
 
 use std::ops::Range;
@@ -231,11 +233,9 @@ impl BvhNode {
         Aabb { lo: at(0), hi: at(1) }
     }
 
-    fn set_child_box(&mut self, side: Side, aabb: &Aabb) {
-        for (axis, planes) in self.planes.iter_mut().enumerate() {
-            planes[2 * side.index()] = aabb.lo[axis];
-            planes[2 * side.index() + 1] = aabb.hi[axis];
-        }
+    /// Sets the boxes of the left and of the right child.
+    fn set_child_boxes(&mut self, left: &Aabb, right: &Aabb) {
+        self.planes = [0, 1, 2].map(|axis| [left.lo[axis], left.hi[axis], right.lo[axis], right.hi[axis]]);
     }
 }
 

@@ -14,7 +14,8 @@ fn scattered(n: usize) -> Mesh {
     procedural::soup(11, n)
 }
 
-fn awkward() -> Vec<Mesh> {
+/// Meshes that are hard to divide.
+pub(super) fn awkward() -> Vec<Mesh> {
     let along = |n: usize| (0..n).map(|i| Vec3::splat(i as f32));
     let mut meshes: Vec<_> = [1, 2, 3, 5, 8, 9, 100].map(scattered).into();
     meshes.push(mesh([Vec3::ONE; 1000]));

@@ -1,9 +1,11 @@
 //! A hierarchy while it is built, in whatever order suits the builder, and its layout.
 
+use rayon::prelude::*;
+
 use super::Primitives;
+use super::item::CHUNK;
 use crate::bvh::{Bvh, BvhNode, Leaf, LeafTriangle};
 use crate::geom::{Aabb, Region};
-use crate::order::Side;
 use crate::tree::{Node, Recorded};
 
 /// What a builder makes. Node 0 is the root; nodes that are not reached from it do not count.
@@ -66,48 +68,92 @@ impl Draft {
     /// Writes nodes, leaves and shapes in depth-first order.
     pub(super) fn lay_out<P: Primitives + ?Sized>(&self, primitives: &P, dropped: usize) -> Bvh<P::Shape> {
         let bounds = self.nodes[0].aabb;
-        let mut bvh = Bvh {
-            root: Node::leaf(0),
+        let Layout { nodes, axes, leaves, prims, root, depth } = Layout::of(self);
+        let held = |&prim: &u32| LeafTriangle { shape: primitives.shape(prim as usize), prim };
+        let triangles = prims.par_iter().with_min_len(CHUNK).map(held).collect();
+        let (recorded, region) = (Recorded::Uncles, Region::of(&bounds));
+        Bvh { root, depth, dropped, recorded, bounds, region, nodes, axes, leaves, triangles }
+    }
+}
+
+/// All but the shapes.
+struct Layout {
+    nodes: Vec<BvhNode>,
+    axes: Vec<u8>,
+    leaves: Vec<Leaf>,
+    /// Of all leaves.
+    prims: Vec<u32>,
+    root: Node,
+    depth: u32,
+}
+
+impl Layout {
+    fn of(draft: &Draft) -> Self {
+        // Leaves that are not reached are counted too, so this is room enough.
+        let leaves = draft.nodes.iter().filter(|node| node.is_leaf() && node.tag > 0).count();
+        let mut layout = Self {
+            nodes: Vec::with_capacity(leaves),
+            axes: Vec::with_capacity(leaves),
+            leaves: Vec::with_capacity(leaves),
+            prims: Vec::with_capacity(draft.references.len()),
+            root: if draft.nodes[0].is_leaf() { Node::leaf(0) } else { Node::inner(0) },
             depth: 0,
-            dropped,
-            recorded: Recorded::Nothing,
-            bounds,
-            region: Region::of(&bounds),
-            nodes: Vec::new(),
-            axes: Vec::new(),
-            leaves: Vec::new(),
-            triangles: Vec::with_capacity(self.references.len()),
         };
-        // Nodes still to be laid out, and the place that waits for the address of each.
+        layout.place(draft);
+        layout.link();
+        layout
+    }
+
+    /// Places all nodes, which name no uncles yet.
+    fn place(&mut self, draft: &Draft) {
+        let links = [self.root; 2];
+        // Nodes still to be placed, and where the address of each is to stand.
         let mut pending = vec![(0, 0, None)];
         while let Some((index, depth, parent)) = pending.pop() {
-            let draft = &self.nodes[index];
-            let node = if draft.is_leaf() {
-                let first = bvh.triangles.len() as u32;
-                bvh.leaves.push(Leaf { first, count: draft.references().len() as u32, links: [Node::leaf(0); 2] });
-                let held = |&prim: &u32| LeafTriangle { shape: primitives.shape(prim as usize), prim };
-                bvh.triangles.extend(self.references[draft.references()].iter().map(held));
-                Node::leaf(bvh.leaves.len() as u32 - 1)
-            } else {
-                let i = bvh.nodes.len();
-                let [left, right] = draft.children();
-                let mut node =
-                    BvhNode { planes: [[0.0; 4]; 3], children: [Node::leaf(0); 2], links: [Node::leaf(0); 2] };
-                node.set_child_box(Side::Left, &self.nodes[left].aabb);
-                node.set_child_box(Side::Right, &self.nodes[right].aabb);
-                bvh.nodes.push(node);
-                bvh.axes.push(draft.axis() as u8);
-                // The left child is laid out next.
-                pending.push((right, depth + 1, Some((i, 1))));
-                pending.push((left, depth + 1, Some((i, 0))));
-                Node::inner(i as u32)
-            };
-            bvh.depth = bvh.depth.max(depth);
-            match parent {
-                Some((i, side)) => bvh.nodes[i].children[side] = node,
-                None => bvh.root = node,
+            let node = &draft.nodes[index];
+            let is_leaf = node.is_leaf();
+            let address =
+                if is_leaf { Node::leaf(self.leaves.len() as u32) } else { Node::inner(self.nodes.len() as u32) };
+            if let Some((parent, side)) = parent {
+                let parent: &mut BvhNode = &mut self.nodes[parent];
+                parent.children[side] = address;
+            }
+            if is_leaf {
+                let (first, count) = (self.prims.len() as u32, node.references().len() as u32);
+                self.leaves.push(Leaf { first, count, links });
+                self.prims.extend_from_slice(&draft.references[node.references()]);
+                self.depth = self.depth.max(depth);
+                continue;
+            }
+            let [left, right] = node.children();
+            // The left child is placed next.
+            pending.push((right, depth + 1, Some((address.index(), 1))));
+            pending.push((left, depth + 1, Some((address.index(), 0))));
+            self.axes.push(node.axis() as u8);
+            let mut node = BvhNode { planes: [[0.0; 4]; 3], children: links, links };
+            node.set_child_boxes(&draft.nodes[left].aabb, &draft.nodes[right].aabb);
+            self.nodes.push(node);
+        }
+    }
+
+    /// Has all records name uncle and grand uncle. Parents come before their children, so one pass is enough.
+    fn link(&mut self) {
+        for i in 0..self.nodes.len() {
+            let [left, right] = self.nodes[i].children;
+            for (child, sibling) in [(left, right), (right, left)] {
+                if !child.is_leaf() {
+                    let BvhNode { children, links: [uncle, _], .. } = self.nodes[child.index()];
+                    for grandchild in children {
+                        let index = grandchild.index();
+                        let links = if grandchild.is_leaf() {
+                            &mut self.leaves[index].links
+                        } else {
+                            &mut self.nodes[index].links
+                        };
+                        *links = [sibling, uncle];
+                    }
+                }
             }
         }
-        bvh.with_links(Recorded::Uncles)
     }
 }

@@ -1,6 +1,7 @@
 //! What builders sort.
 
 use glam::{Vec3A, Vec4};
+use rayon::prelude::*;
 
 use super::{BuildError, Primitives};
 use crate::geom::Aabb;
@@ -13,6 +14,9 @@ pub(super) struct Item {
     lo: Vec4,
     hi: Vec4,
 }
+
+/// Items that one task deals with before another thread may help.
+pub(super) const CHUNK: usize = 1 << 14;
 
 impl Item {
     pub(super) fn new(aabb: &Aabb, prim: u32) -> Self {
@@ -29,7 +33,7 @@ impl Item {
         Spread { lo: Vec3A::from_vec4(self.lo), hi: Vec3A::from_vec4(self.hi) }
     }
 
-    /// Middle of the box. It does not overflow.
+    /// Middle of the box. It does not overflow, but is NaN where the box is infinite on both sides.
     #[inline]
     pub(super) fn centroid(&self) -> Vec3A {
         let Spread { lo, hi } = self.spread();
@@ -43,11 +47,49 @@ pub(super) fn items<P: Primitives + ?Sized>(primitives: &P) -> Result<Vec<Item>,
         0 => Err(BuildError::Empty),
         n if n > Node::MAX_INDEX as usize => Err(BuildError::TooManyTriangles(n)),
         n => {
-            let item = |i: usize| Item::new(&primitives.aabb(i), i as u32);
-            let items: Vec<_> = (0..n).filter(|&i| primitives.can_be_hit(i)).map(item).collect();
+            let item =
+                |i: usize| Item::new(&primitives.aabb(i), if primitives.can_be_hit(i) { i as u32 } else { NONE });
+            let mut items: Vec<_> = (0..n).into_par_iter().with_min_len(CHUNK).map(item).collect();
+            items.retain(|item| item.prim() != NONE);
             // A tree has at least one leaf, even if nothing can be hit.
-            Ok(if items.is_empty() { vec![item(0)] } else { items })
+            if items.is_empty() {
+                items.push(Item::new(&primitives.aabb(0), 0));
+            }
+            Ok(items)
         }
+    }
+}
+
+/// No primitive has this index.
+const NONE: u32 = u32::MAX;
+
+/// What is known of a range of items: the box of all, and the box of their centroids.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Extents {
+    pub(super) boxes: Spread,
+    pub(super) centroids: Spread,
+}
+
+impl Extents {
+    pub(super) const EMPTY: Self = Self { boxes: Spread::EMPTY, centroids: Spread::EMPTY };
+
+    #[inline]
+    pub(super) fn add(self, item: &Item) -> Self {
+        Self { boxes: self.boxes.union(item.spread()), centroids: self.centroids.add(item.centroid()) }
+    }
+
+    fn union(self, other: Self) -> Self {
+        Self { boxes: self.boxes.union(other.boxes), centroids: self.centroids.union(other.centroids) }
+    }
+
+    /// Of all of these.
+    #[inline]
+    pub(super) fn of(items: &[Item]) -> Self {
+        let of_chunk = |chunk: &[Item]| chunk.iter().fold(Self::EMPTY, Self::add);
+        if items.len() < 2 * CHUNK {
+            return of_chunk(items);
+        }
+        items.par_chunks(CHUNK).map(of_chunk).reduce(|| Self::EMPTY, Self::union)
     }
 }
 
@@ -66,6 +108,12 @@ impl Spread {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
+    /// With a point. Where this is a NaN, SSE's instructions leave it out.
+    #[inline]
+    pub(super) fn add(self, point: Vec3A) -> Self {
+        Self { lo: point.min(self.lo), hi: point.max(self.hi) }
+    }
+
     #[inline]
     pub(super) fn extent(self) -> Vec3A {
         self.hi - self.lo
@@ -79,16 +127,6 @@ impl Spread {
     #[inline]
     pub(super) fn aabb(self) -> Aabb {
         Aabb { lo: self.lo.into(), hi: self.hi.into() }
-    }
-
-    /// Of all boxes.
-    pub(super) fn of(items: &[Item]) -> Self {
-        items.iter().map(Item::spread).fold(Self::EMPTY, Self::union)
-    }
-
-    /// Of the centroids.
-    pub(super) fn of_centroids(items: &[Item]) -> Self {
-        items.iter().map(Item::centroid).fold(Self::EMPTY, |s, c| s.union(Self { lo: c, hi: c }))
     }
 
     /// Axis of the greatest extent, the first of equals.

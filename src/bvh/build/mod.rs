@@ -2,10 +2,14 @@
 //!
 //! The same primitives and options give the same tree, on any number of threads.
 
+mod bins;
+mod bounded;
 mod draft;
 mod item;
+mod linear;
 mod median;
 mod sah;
+mod sweep;
 mod top_down;
 
 pub use sah::SahOptions;
@@ -49,18 +53,25 @@ pub enum Builder {
     /// By surface area, at the borders of bins (Wald 2007).
     #[default]
     Sah,
+    /// Fast: clusters along a space-filling curve, by surface area over and in them (Lauterbach et al. 2009; Garanzha et
+    /// al. 2011).
+    Linear,
+    /// Eight levels by surface area, then medians: of bounded depth (Barringer & Akenine-Möller 2013).
+    Bounded,
     /// A complete tree: all leaves at one depth.
     Median,
 }
 
 impl Builder {
     /// All builders.
-    pub const ALL: [Self; 2] = [Self::Sah, Self::Median];
+    pub const ALL: [Self; 4] = [Self::Sah, Self::Linear, Self::Bounded, Self::Median];
 
     /// The name on the command line and in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Sah => "sah",
+            Self::Linear => "lbvh",
+            Self::Bounded => "bounded",
             Self::Median => "median",
         }
     }
@@ -101,7 +112,9 @@ impl<S> Bvh<S> {
         let dropped = primitives.count() - items.len();
         let draft = match options.builder {
             Builder::Sah => sah::build(items, sah, progress)?,
-            Builder::Median => median::build(items, sah.max_leaf, progress),
+            Builder::Linear => linear::build(items, sah, progress)?,
+            Builder::Bounded => bounded::build(items, sah, progress)?,
+            Builder::Median => median::build(items, sah, progress)?,
         };
         Ok(draft.lay_out(primitives, dropped))
     }
@@ -128,7 +141,10 @@ impl<V: Vector> Bvh<Triangle<V>> {
     /// # Errors
     /// Any but [`BuildError::Bins`] and [`BuildError::DepthLimit`].
     pub fn median(mesh: &Mesh<V>, leaf_size: u32) -> Result<Self, BuildError> {
-        let sah = SahOptions { max_leaf: leaf_size, ..SahOptions::default() };
+        let sah = SahOptions { max_leaf: leaf_size, depth_limit: u32::MAX, ..SahOptions::default() };
         Self::build(mesh, &BuildOptions { builder: Builder::Median, sah }, &|_| ())
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -3,11 +3,11 @@
 //! Wald 2007, "On fast construction of SAH-based bounding volume hierarchies": centroids are counted in bins of
 //! equal width along each axis; the cheapest border between two bins is where the node is cut.
 
-use glam::Vec3A;
-
 use super::BuildError;
+use super::bins::Plane;
 use super::draft::Draft;
-use super::item::{Item, Spread};
+use super::item::{Extents, Item};
+use super::sweep::{self, Sweep};
 use super::top_down::{self, Cut, halve};
 
 /// What the builder by surface area may choose.
@@ -23,7 +23,7 @@ pub struct SahOptions {
 
 impl SahOptions {
     /// Greatest number of bins.
-    pub const MAX_BINS: u32 = 1024;
+    pub const MAX_BINS: u32 = 64;
 }
 
 impl Default for SahOptions {
@@ -38,161 +38,78 @@ pub(super) fn build(
     options: SahOptions,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Draft, BuildError> {
-    let SahOptions { bins, max_leaf, depth_limit } = options;
-    if items.len() > capacity(max_leaf, depth_limit) {
-        return Err(BuildError::DepthLimit { triangles: items.len(), max_leaf, limit: depth_limit });
-    }
-    let mut binning = Binning::new(bins as usize);
-    let cut = |range: &mut [Item], depth: u32| {
-        let levels = depth_limit - depth;
-        let may_be_leaf = range.len() <= max_leaf as usize;
-        if range.len() == 1 || levels == 0 {
-            return None;
-        }
-        let Some(plane) = binning.cheapest(range) else {
-            return (!may_be_leaf).then(|| halve(range));
-        };
-        if may_be_leaf && plane.cost >= range.len() as f32 {
-            return None;
-        }
-        let fits = plane.greater <= capacity(max_leaf, levels - 1);
-        Some(if fits { plane.part(range) } else { halve(range) })
-    };
+    options.check(items.len())?;
+    let cut = |range: &mut [Item], extents: &Extents, depth: u32| options.cut(range, extents, depth);
     Ok(top_down::build(items, cut, progress))
 }
 
+impl SahOptions {
+    /// Whether so many items fit.
+    pub(super) fn check(&self, triangles: usize) -> Result<(), BuildError> {
+        let Self { max_leaf, depth_limit: limit, .. } = *self;
+        let fits = triangles <= capacity(max_leaf, limit);
+        if fits { Ok(()) } else { Err(BuildError::DepthLimit { triangles, max_leaf, limit }) }
+    }
+
+    /// Cuts a range by its cheapest plane, or where that is not to be, by its middle; `None` for a leaf.
+    pub(super) fn cut(&self, range: &mut [Item], extents: &Extents, depth: u32) -> Option<Cut> {
+        let n = range.len();
+        let levels = self.depth_limit - depth;
+        let may_be_leaf = n <= self.max_leaf as usize;
+        if n == 1 || levels == 0 || may_be_leaf && n as f32 <= NODE_COST {
+            return None;
+        }
+        let choice = Choice { range, extents, may_be_leaf, most: capacity(self.max_leaf, levels - 1) };
+        let bins = self.bins as usize;
+        match n {
+            ..=4 => choice.take(Sweep::<4>::new),
+            ..=8 => choice.take(Sweep::<8>::new),
+            ..=sweep::MAX => choice.take(Sweep::<{ sweep::MAX }>::new),
+            _ if bins <= 16 => choice.take(|range| Plane::cheapest::<16>(range, extents, bins)),
+            _ if bins <= 32 => choice.take(|range| Plane::cheapest::<32>(range, extents, bins)),
+            _ => choice.take(|range| Plane::cheapest::<64>(range, extents, bins)),
+        }
+    }
+}
+
+/// A way to cut a range.
+pub(super) trait Split {
+    /// Sum over both sides of half area times count.
+    fn weight(&self) -> f32;
+
+    /// Items on the side that has more.
+    fn greater(&self) -> usize;
+
+    /// Cuts the range that it was found for.
+    fn part(&self, range: &mut [Item]) -> Cut;
+}
+
+/// What to do with a range.
+struct Choice<'a> {
+    range: &'a mut [Item],
+    extents: &'a Extents,
+    may_be_leaf: bool,
+    /// Items that fit on one side.
+    most: usize,
+}
+
+impl Choice<'_> {
+    /// Takes the cheapest way, which is found by `cheapest`, if it is worth its cost and the sides fit.
+    fn take<S: Split>(self, cheapest: impl Fn(&[Item]) -> Option<S>) -> Option<Cut> {
+        let Self { range, extents, may_be_leaf, most } = self;
+        match cheapest(range) {
+            None if may_be_leaf => None,
+            Some(s) if may_be_leaf && NODE_COST + s.weight() / extents.boxes.half_area() >= range.len() as f32 => None,
+            Some(split) if split.greater() <= most => Some(split.part(range)),
+            _ => Some(halve(range, extents)),
+        }
+    }
+}
+
 /// Triangles that fit in a subtree with this many levels below its root.
-fn capacity(max_leaf: u32, levels: u32) -> usize {
+pub(super) fn capacity(max_leaf: u32, levels: u32) -> usize {
     if levels < 32 { (max_leaf as usize).saturating_mul(1 << levels) } else { usize::MAX }
 }
 
 /// Cost of visiting a node, in triangle tests: two boxes are tested, and the next node is waited for.
 const NODE_COST: f32 = 2.0;
-
-#[derive(Clone, Copy, Debug)]
-struct Bin {
-    aabb: Spread,
-    count: usize,
-}
-
-impl Bin {
-    const EMPTY: Self = Self { aabb: Spread::EMPTY, count: 0 };
-
-    #[inline]
-    fn add(&mut self, other: &Self) {
-        self.aabb = self.aabb.union(other.aabb);
-        self.count += other.count;
-    }
-
-    /// Triangle tests expected below, times the half area of the box.
-    #[inline]
-    fn weight(&self) -> f32 {
-        self.aabb.half_area() * self.count as f32
-    }
-}
-
-/// Room for the bins of one node.
-struct Binning {
-    bins: [Vec<Bin>; 3],
-    /// Weight of all bins from here on, for each bin of one axis.
-    from_here: Vec<f32>,
-}
-
-impl Binning {
-    fn new(bins: usize) -> Self {
-        Self { bins: [(); 3].map(|()| vec![Bin::EMPTY; bins]), from_here: vec![0.0; bins] }
-    }
-
-    /// The cheapest plane with centroids on both sides, if there is one of finite cost.
-    fn cheapest(&mut self, items: &[Item]) -> Option<Plane> {
-        let scale = Scale::new(Spread::of_centroids(items), self.from_here.len());
-        for bins in &mut self.bins {
-            bins.fill(Bin::EMPTY);
-        }
-        for item in items {
-            let bin = Bin { aabb: item.spread(), count: 1 };
-            for (bins, i) in self.bins.iter_mut().zip(scale.bins(item)) {
-                bins[i].add(&bin);
-            }
-        }
-        let planes = (0..3).filter_map(|axis| self.cheapest_across(axis, scale));
-        planes.reduce(|best, plane| if plane.order() < best.order() { plane } else { best })
-    }
-
-    fn cheapest_across(&mut self, axis: usize, scale: Scale) -> Option<Plane> {
-        let bins = &self.bins[axis];
-        let mut right = Bin::EMPTY;
-        for (bin, weight) in bins.iter().zip(&mut self.from_here).skip(1).rev() {
-            right.add(bin);
-            *weight = right.weight();
-        }
-        let mut all = right;
-        all.add(&bins[0]);
-        let mut best = Plane { axis, scale, border: 0, greater: all.count, cost: f32::INFINITY };
-        let mut left = Bin::EMPTY;
-        for (border, (bin, right)) in bins.iter().zip(&self.from_here[1..]).enumerate() {
-            left.add(bin);
-            let separates = 0 < left.count && left.count < all.count;
-            let cost = NODE_COST + (left.weight() + right) / all.aabb.half_area();
-            let plane = Plane { border, greater: left.count.max(all.count - left.count), cost, ..best };
-            if separates && plane.order() < best.order() {
-                best = plane;
-            }
-        }
-        best.cost.is_finite().then_some(best)
-    }
-}
-
-/// A border between bins.
-#[derive(Clone, Copy)]
-struct Plane {
-    axis: usize,
-    scale: Scale,
-    /// Last bin of the left side.
-    border: usize,
-    /// Items on the side that has more.
-    greater: usize,
-    /// Of the node when cut here, in triangle tests.
-    cost: f32,
-}
-
-impl Plane {
-    /// Cheaper first, then more even.
-    fn order(&self) -> (f32, usize) {
-        (self.cost, self.greater)
-    }
-
-    /// Moves what is left of the plane to the front.
-    fn part(&self, items: &mut [Item]) -> Cut {
-        let mut left = 0;
-        for i in 0..items.len() {
-            if self.scale.bins(&items[i])[self.axis] <= self.border {
-                items.swap(left, i);
-                left += 1;
-            }
-        }
-        Cut { axis: self.axis, left }
-    }
-}
-
-/// Maps centroids to bins of equal width, monotonically on each axis.
-#[derive(Clone, Copy)]
-struct Scale {
-    start: Vec3A,
-    factor: Vec3A,
-    last: Vec3A,
-}
-
-impl Scale {
-    fn new(centroids: Spread, bins: usize) -> Self {
-        let last = Vec3A::splat(bins as f32 - 1.0);
-        Self { start: centroids.lo, factor: bins as f32 / centroids.extent(), last }
-    }
-
-    /// Bin on each axis. Where all centroids are equal, the factor is infinite, and the last bin has them all.
-    #[inline]
-    fn bins(&self, item: &Item) -> [usize; 3] {
-        let bins = ((item.centroid() - self.start) * self.factor).min(self.last);
-        bins.to_array().map(|bin| bin as usize)
-    }
-}

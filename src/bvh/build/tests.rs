@@ -1,0 +1,165 @@
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use glam::Vec3;
+
+use super::*;
+use crate::bvh::{Bounded, tests::awkward, validate};
+use crate::geom::Aabb;
+use crate::scene::procedural;
+use crate::tree::Topology;
+
+fn options(builder: Builder, max_leaf: u32, depth_limit: u32) -> BuildOptions {
+    BuildOptions { builder, sah: SahOptions { max_leaf, depth_limit, ..SahOptions::default() } }
+}
+
+#[test]
+fn every_builder_is_sound_and_keeps_its_word() {
+    for mesh in awkward() {
+        let n = mesh.triangles().len();
+        for builder in Builder::ALL {
+            for max_leaf in [1, 2, 3, 4, 8, 2000] {
+                let tightest = n.div_ceil(max_leaf as usize).next_power_of_two().ilog2();
+                for limit in [tightest, tightest + 1, tightest + 4, 31, 100_000] {
+                    let placed = AtomicUsize::new(0);
+                    let progress = |n| {
+                        placed.fetch_add(n, Ordering::Relaxed);
+                    };
+                    let bvh = Bvh::build(&mesh, &options(builder, max_leaf, limit), &progress).expect("a tree");
+                    validate(&bvh, &mesh).expect("sound");
+                    assert!(bvh.depth() <= limit, "{builder} {n} {max_leaf} {limit}: {}", bvh.depth());
+                    // Complete trees have no empty leaves, and so may need some of 2.
+                    let most = if builder == Builder::Median { max_leaf.max(2) } else { max_leaf };
+                    assert!(bvh.leaves().iter().all(|leaf| leaf.count <= most), "{builder} {n} {max_leaf}");
+                    assert_eq!(placed.into_inner(), bvh.triangles().len(), "{builder}");
+                    assert_eq!(bvh.triangles().len() + bvh.dropped(), n);
+                }
+            }
+            let refusal = Bvh::build(&mesh, &options(builder, 1, 0), &|_| ()).err();
+            let left = n - Bvh::median(&mesh, 4).expect("a tree").dropped();
+            let expected = (left > 1).then_some(BuildError::DepthLimit { triangles: left, max_leaf: 1, limit: 0 });
+            assert_eq!(refusal, expected, "{builder}");
+        }
+    }
+}
+
+#[test]
+fn any_number_of_threads_builds_the_same_tree() {
+    // More than one chunk, and more than bins are filled by one task.
+    let mesh = procedural::soup(3, 80_000);
+    for builder in Builder::ALL {
+        let build = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+            pool.install(|| Bvh::build(&mesh, &options(builder, 4, 31), &|_| ()).expect("a tree"))
+        };
+        let one = build(1);
+        validate(&one, &mesh).expect("sound");
+        for threads in [2, 5] {
+            let other = build(threads);
+            assert!(one.nodes() == other.nodes(), "{builder} on {threads} threads");
+            assert!(one.leaves() == other.leaves() && one.triangles() == other.triangles(), "{builder} on {threads}");
+            assert_eq!((one.axes(), one.depth()), (other.axes(), other.depth()));
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Ball {
+    centre: Vec3,
+    radius: f32,
+}
+
+impl Bounded for Ball {
+    fn aabb(&self) -> Aabb {
+        Aabb { lo: self.centre - self.radius, hi: self.centre + self.radius }
+    }
+}
+
+#[test]
+fn a_hierarchy_of_balls_has_each_ball_once_and_inside() {
+    let centres = procedural::soup(9, 2000);
+    let ball = |(i, &centre): (usize, &Vec3)| Ball { centre, radius: 0.001 * (i % 7) as f32 };
+    let mut balls: Vec<_> = centres.vertices().iter().enumerate().map(ball).collect();
+    // Shapes without bounds are allowed, even if they have no middle.
+    balls[17].radius = f32::INFINITY;
+    balls[3000].centre.x = f32::NEG_INFINITY;
+    for builder in Builder::ALL {
+        let bvh = Bvh::build(&balls[..], &options(builder, 4, 31), &|_| ()).expect("a tree");
+        let boxes = bvh.own_boxes();
+        let mut seen = vec![false; balls.len()];
+        for leaf in (0..bvh.leaves().len() as u32).map(Node::leaf) {
+            for held in bvh.leaf_triangles(leaf) {
+                assert!(!std::mem::replace(&mut seen[held.prim as usize], true), "{builder}: {} twice", held.prim);
+                assert_eq!(held.shape, balls[held.prim as usize]);
+                assert!(boxes[bvh.slot(leaf)].encloses(&held.shape.aabb()), "{builder}");
+            }
+        }
+        assert!(seen.iter().all(|&seen| seen), "{builder}");
+        let nested = |node: &crate::bvh::BvhNode, i: u32| {
+            node.children.iter().all(|&child| boxes[bvh.slot(Node::inner(i))].encloses(&boxes[bvh.slot(child)]))
+        };
+        assert!((0..).zip(bvh.nodes()).all(|(i, node)| nested(node, i)), "{builder}");
+    }
+}
+
+/// Expected cost of a ray through the root's box, in triangle tests.
+fn cost(bvh: &Bvh) -> f32 {
+    let boxes = bvh.own_boxes();
+    let (inner, leaves) = boxes.split_at(bvh.nodes().len());
+    let leaves = leaves.iter().zip(bvh.leaves()).map(|(aabb, leaf)| aabb.half_area() * leaf.count as f32);
+    (inner.iter().map(|aabb| 2.0 * aabb.half_area()).chain(leaves).sum::<f32>()) / bvh.bounds().half_area()
+}
+
+#[test]
+fn the_fast_builder_is_nearly_as_good() {
+    for mesh in [procedural::stadium(1), procedural::strands(1, 500), procedural::soup(1, 20_000)] {
+        let [sah, fast, median] = [Builder::Sah, Builder::Linear, Builder::Median]
+            .map(|builder| cost(&Bvh::build(&mesh, &options(builder, 4, 31), &|_| ()).expect("a tree")));
+        assert!(fast < 1.15 * sah && fast < median, "{sah} {fast} {median}");
+    }
+}
+
+#[test]
+fn a_small_object_far_from_another_is_sorted_too() {
+    // All but one triangle have the same code at first.
+    let mut corners: Vec<Vec3> = procedural::soup(4, 3000).vertices().to_vec();
+    corners.extend([1e8, 1.1e8, 1.2e8].map(|x| Vec3::new(x, x * x / 1e8, 0.0)));
+    let triangles = (0..corners.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let mesh = Mesh::new(corners, triangles).expect("a mesh");
+    let [sah, fast] = [Builder::Sah, Builder::Linear]
+        .map(|builder| Bvh::build(&mesh, &options(builder, 4, 31), &|_| ()).expect("a tree"));
+    validate(&fast, &mesh).expect("sound");
+    validate(&fast, &mesh).expect("sound");
+    let areas = |bvh: &Bvh| bvh.own_boxes().iter().skip(1).map(Aabb::half_area).filter(|&a| a < 10.0).sum::<f32>();
+    assert!(areas(&fast) < 1.2 * areas(&sah), "{} {}", areas(&fast), areas(&sah));
+}
+
+#[test]
+fn the_bounded_builder_has_eight_levels_and_then_medians() {
+    let mesh = procedural::stadium(2);
+    let sah = Bvh::sah(&mesh, SahOptions::default()).expect("a tree");
+    let bounded = Bvh::build(&mesh, &options(Builder::Bounded, 4, 31), &|_| ()).expect("a tree");
+    // Primitives below each node of the eighth level.
+    let mut rests = Vec::new();
+    let mut pending = vec![(bounded.root(), sah.root(), 0)];
+    while let Some((node, same, depth)) = pending.pop() {
+        if depth == 8 {
+            rests.push(below(&bounded, node));
+        } else if !node.is_leaf() {
+            assert_eq!(bounded.node(node.index()).planes, sah.node(same.index()).planes);
+            let children = bounded.children(node).into_iter().zip(sah.children(same));
+            pending.extend(children.map(|(child, same)| (child, same, depth + 1)));
+        }
+    }
+    let greatest = rests.iter().copied().max().expect("the tree is deep enough");
+    assert!(bounded.depth() <= 8 + greatest.next_power_of_two().ilog2(), "{} {greatest}", bounded.depth());
+    assert!(bounded.depth() < sah.depth());
+}
+
+/// Number of primitives below a node.
+fn below(bvh: &Bvh, node: Node) -> u32 {
+    if node.is_leaf() {
+        bvh.leaf_triangles(node).len() as u32
+    } else {
+        bvh.children(node).map(|child| below(bvh, child)).iter().sum()
+    }
+}
