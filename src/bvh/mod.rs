@@ -6,10 +6,11 @@
 //! leaves.
 
 mod build;
+mod cover;
 mod primitives;
 mod validate;
 
-pub use build::{BuildError, BuildOptions, Builder, SahOptions};
+pub use build::{BuildError, BuildOptions, Builder, SahOptions, SpatialOptions};
 pub use primitives::{Bounded, Primitives};
 pub use validate::{BvhError, validate};
 
@@ -41,6 +42,7 @@ pub struct Bvh<S = Triangle> {
     root: Node,
     depth: u32,
     dropped: usize,
+    duplicates: usize,
     recorded: Recorded,
     bounds: Aabb,
     region: Region,
@@ -99,6 +101,14 @@ impl<S> Bvh<S> {
     /// How many degenerate triangles of the mesh were left out, as no ray meets them.
     pub fn dropped(&self) -> usize {
         self.dropped
+    }
+
+    /// How many references to triangles there are beyond the first of each: 0 unless spatial splits cut some in two.
+    ///
+    /// A leaf's box holds all of its triangles where this is 0. Otherwise it holds those parts of them that other leaves
+    /// do not hold, and a query that looks at more than the closest hit meets some triangles again.
+    pub fn duplicates(&self) -> usize {
+        self.duplicates
     }
 
     /// Inner nodes, by [`Node::index`].
@@ -176,9 +186,9 @@ impl<S> Bvh<S> {
     /// The same hierarchy with other shapes in its leaves, made from these.
     #[must_use]
     pub fn map<T>(self, shape: impl Fn(S) -> T) -> Bvh<T> {
-        let Self { root, depth, dropped, recorded, bounds, region, nodes, axes, leaves, triangles } = self;
+        let Self { root, depth, dropped, duplicates, recorded, bounds, region, nodes, axes, leaves, triangles } = self;
         let triangles = triangles.into_iter().map(|t| LeafTriangle { shape: shape(t.shape), prim: t.prim }).collect();
-        Bvh { root, depth, dropped, recorded, bounds, region, nodes, axes, leaves, triangles }
+        Bvh { root, depth, dropped, duplicates, recorded, bounds, region, nodes, axes, leaves, triangles }
     }
 }
 

@@ -70,6 +70,7 @@ impl Draft {
             root: Node::leaf(0),
             depth: 0,
             dropped,
+            duplicates: self.references.len() + dropped - primitives.count(),
             recorded: Recorded::Nothing,
             bounds,
             region: Region::of(&bounds),

@@ -5,10 +5,13 @@
 mod draft;
 mod item;
 mod median;
+mod optimise;
 mod sah;
+mod spatial;
 mod top_down;
 
 pub use sah::SahOptions;
+pub use spatial::SpatialOptions;
 
 use super::{Bvh, Primitives};
 use crate::geom::{Triangle, Vector};
@@ -49,18 +52,21 @@ pub enum Builder {
     /// By surface area, at the borders of bins (Wald 2007).
     #[default]
     Sah,
+    /// By surface area, with triangles cut in two where that is cheaper (Stich, Friedrich & Dietrich 2009).
+    Spatial,
     /// A complete tree: all leaves at one depth.
     Median,
 }
 
 impl Builder {
     /// All builders.
-    pub const ALL: [Self; 2] = [Self::Sah, Self::Median];
+    pub const ALL: [Self; 3] = [Self::Sah, Self::Spatial, Self::Median];
 
     /// The name on the command line and in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Sah => "sah",
+            Self::Spatial => "sbvh",
             Self::Median => "median",
         }
     }
@@ -75,6 +81,10 @@ pub struct BuildOptions {
     pub builder: Builder,
     /// Bins, leaf size and depth limit.
     pub sah: SahOptions,
+    /// How primitives are cut.
+    pub spatial: SpatialOptions,
+    /// Rounds of reinsertion (Meister & Bittner 2018) after the build; 0 for none.
+    pub reinsertion: u32,
 }
 
 impl<S> Bvh<S> {
@@ -101,7 +111,12 @@ impl<S> Bvh<S> {
         let dropped = primitives.count() - items.len();
         let draft = match options.builder {
             Builder::Sah => sah::build(items, sah, progress)?,
+            Builder::Spatial => spatial::build(primitives, items, options, progress)?,
             Builder::Median => median::build(items, sah.max_leaf, progress),
+        };
+        let draft = match options.reinsertion {
+            0 => draft,
+            rounds => optimise::reinsert(draft, rounds, sah, progress),
         };
         Ok(draft.lay_out(primitives, dropped))
     }
@@ -116,7 +131,7 @@ impl<V: Vector> Bvh<Triangle<V>> {
     /// # Errors
     /// What [`BuildError`] lists.
     pub fn sah(mesh: &Mesh<V>, sah: SahOptions) -> Result<Self, BuildError> {
-        Self::build(mesh, &BuildOptions { builder: Builder::Sah, sah }, &|_| ())
+        Self::build(mesh, &BuildOptions { sah, ..BuildOptions::default() }, &|_| ())
     }
 
     /// A complete tree: all leaves at the same depth, and their counts differ by at most 1.
@@ -129,6 +144,6 @@ impl<V: Vector> Bvh<Triangle<V>> {
     /// Any but [`BuildError::Bins`] and [`BuildError::DepthLimit`].
     pub fn median(mesh: &Mesh<V>, leaf_size: u32) -> Result<Self, BuildError> {
         let sah = SahOptions { max_leaf: leaf_size, ..SahOptions::default() };
-        Self::build(mesh, &BuildOptions { builder: Builder::Median, sah }, &|_| ())
+        Self::build(mesh, &BuildOptions { builder: Builder::Median, sah, ..BuildOptions::default() }, &|_| ())
     }
 }

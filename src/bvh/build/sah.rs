@@ -62,12 +62,12 @@ pub(super) fn build(
 }
 
 /// Triangles that fit in a subtree with this many levels below its root.
-fn capacity(max_leaf: u32, levels: u32) -> usize {
+pub(super) fn capacity(max_leaf: u32, levels: u32) -> usize {
     if levels < 32 { (max_leaf as usize).saturating_mul(1 << levels) } else { usize::MAX }
 }
 
 /// Cost of visiting a node, in triangle tests: two boxes are tested, and the next node is waited for.
-const NODE_COST: f32 = 2.0;
+pub(super) const NODE_COST: f32 = 2.0;
 
 #[derive(Clone, Copy, Debug)]
 struct Bin {
