@@ -150,3 +150,14 @@ fn validation_sees_parts_that_are_too_small_by_one_float() {
     assert!(bvh.duplicates() > 10);
     assert!(matches!(validate(&bvh, mesh), Err(BvhError::Uncovered(_))));
 }
+
+#[test]
+fn validation_counts_duplicates() {
+    let mesh = &meshes()[0];
+    let bvh = build(mesh, &options(100, 0.0));
+    let found = bvh.duplicates();
+    let with = |duplicates: usize| validate(&Bvh { duplicates, ..bvh.clone() }, mesh);
+    assert_eq!(with(found + 1), Err(BvhError::Duplicates { stored: found + 1, found }));
+    assert_eq!(with(found - 1), Err(BvhError::Duplicates { stored: found - 1, found }));
+    assert!(matches!(with(0), Err(BvhError::Twice { .. } | BvhError::Outside { .. })));
+}
