@@ -6,11 +6,12 @@
 //! leaves.
 
 mod build;
+mod cover;
 mod primitives;
 mod refit;
 mod validate;
 
-pub use build::{BuildError, BuildOptions, Builder, SahOptions};
+pub use build::{BuildError, BuildOptions, Builder, SahOptions, SpatialOptions};
 pub use primitives::{Bounded, Primitives};
 pub use refit::RefitError;
 pub use validate::{BvhError, validate};
@@ -43,6 +44,7 @@ pub struct Bvh<S = Triangle> {
     root: Node,
     depth: u32,
     dropped: usize,
+    duplicates: usize,
     recorded: Recorded,
     bounds: Aabb,
     region: Region,
@@ -103,9 +105,12 @@ impl<S> Bvh<S> {
         self.dropped
     }
 
-    /// How many references there are beyond the first to each triangle. Builders that split triangles make some.
+    /// How many references to triangles there are beyond the first of each: 0 unless spatial splits cut some in two.
+    ///
+    /// A leaf's box holds all of its triangles where this is 0. Otherwise it holds those parts of them that other leaves
+    /// do not hold, and a query that looks at more than the closest hit meets some triangles again.
     pub fn duplicates(&self) -> usize {
-        0
+        self.duplicates
     }
 
     /// Inner nodes, by [`Node::index`].
@@ -183,9 +188,9 @@ impl<S> Bvh<S> {
     /// The same hierarchy with other shapes in its leaves, made from these.
     #[must_use]
     pub fn map<T>(self, shape: impl Fn(S) -> T) -> Bvh<T> {
-        let Self { root, depth, dropped, recorded, bounds, region, nodes, axes, leaves, triangles } = self;
+        let Self { root, depth, dropped, duplicates, recorded, bounds, region, nodes, axes, leaves, triangles } = self;
         let triangles = triangles.into_iter().map(|t| LeafTriangle { shape: shape(t.shape), prim: t.prim }).collect();
-        Bvh { root, depth, dropped, recorded, bounds, region, nodes, axes, leaves, triangles }
+        Bvh { root, depth, dropped, duplicates, recorded, bounds, region, nodes, axes, leaves, triangles }
     }
 }
 

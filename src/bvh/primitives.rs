@@ -56,6 +56,11 @@ impl<V: Vector> Primitives for Mesh<V> {
     fn can_be_hit(&self, index: usize) -> bool {
         !self.shape(index).is_degenerate()
     }
+
+    #[inline]
+    fn part(&self, index: usize, part: &Aabb) -> Aabb {
+        self.shape(index).part(part)
+    }
 }
 
 impl<S: Bounded + Copy + Send + Sync> Primitives for [S] {

@@ -27,7 +27,7 @@ pub enum RefitError {
 impl<S> Bvh<S> {
     /// Takes on new shapes, and the smallest boxes that hold them, in the same tree.
     ///
-    /// It takes a fraction of the time of a build, and queries stay right. They get slower the more the shapes move relative to each other;
+    /// Where spatial splits cut triangles in two, each of their leaves now holds them whole. It takes a fraction of the time of a build, and queries stay right. They get slower the more the shapes move relative to each other;
     /// [`axes`](Self::axes) stay what they were.
     ///
     /// ```
@@ -63,7 +63,7 @@ impl<S> Bvh<S> {
 
     /// The new boxes of [`triangles`](Self::triangles), if all is well.
     fn moved_boxes<P: Primitives<Shape = S> + ?Sized>(&self, primitives: &P) -> Result<Vec<Aabb>, RefitError> {
-        let (found, expected) = (primitives.count(), self.triangles.len() + self.dropped);
+        let (found, expected) = (primitives.count(), self.triangles.len() + self.dropped - self.duplicates);
         if found != expected {
             return Err(RefitError::Count { found, expected });
         }

@@ -1,6 +1,8 @@
 //! Whether a hierarchy is sound.
 
-use super::{Bvh, Leaf};
+use rayon::prelude::*;
+
+use super::{Bvh, Leaf, cover};
 use crate::geom::{Aabb, Triangle, Vector};
 use crate::order::Side;
 use crate::scene::Mesh;
@@ -54,13 +56,24 @@ pub enum BvhError {
         /// Index in the mesh.
         prim: u32,
     },
-    /// Two leaves hold the same triangle.
+    /// Two leaves hold the same triangle, though there are to be no duplicates, or one leaf holds it twice.
     #[error("triangle {prim} is there again in {leaf:?}")]
     Twice {
         /// The second leaf.
         leaf: Node,
         /// Index in the mesh.
         prim: u32,
+    },
+    /// A triangle sticks out of the boxes of all leaves that hold it together.
+    #[error("triangle {0} is not covered by the boxes of its leaves")]
+    Uncovered(u32),
+    /// The stored number of duplicates is not that of the references.
+    #[error("there are {found} duplicates, not {stored}")]
+    Duplicates {
+        /// What the hierarchy says.
+        stored: usize,
+        /// References beyond the first of each triangle.
+        found: usize,
     },
     /// A triangle of the mesh that can be hit is in no leaf.
     #[error("triangle {0} is in no leaf")]
@@ -75,13 +88,19 @@ pub enum BvhError {
     },
 }
 
-/// Checks that a hierarchy holds each triangle of the mesh once (degenerate ones need not be there), in boxes that contain it and nest, with nodes and
-/// leaves in depth-first order, known split axes, the relatives that it says records name, and the depth that it states.
+/// Checks that a hierarchy holds each triangle of the mesh (degenerate ones need not be there), in boxes that contain it and
+/// nest, with nodes and leaves in depth-first order, known split axes, the relatives that it says records name, and the
+/// depth that it states.
+///
+/// A triangle is held once, unless there are to be [`duplicates`](Bvh::duplicates): then their number must be right, and
+/// where a triangle is not inside of the box of a leaf that holds it, the boxes of all its leaves must cover it, in exact
+/// arithmetic.
 ///
 /// # Errors
-/// The first fault in depth-first order.
+/// The first fault in depth-first order; of triangles that are not covered the first one.
 pub fn validate<V: Vector>(bvh: &Bvh<Triangle<V>>, mesh: &Mesh<V>) -> Result<(), BvhError> {
-    let mut walk = Walk { bvh, mesh, seen: vec![false; mesh.triangles().len()], inner: 0, leaves: 0, end: 0 };
+    let mut walk =
+        Walk { bvh, mesh, seen: vec![UNSEEN; mesh.triangles().len()], held: Vec::new(), inner: 0, leaves: 0, end: 0 };
     let mut depth = 0;
     let mut pending = vec![(bvh.root, bvh.bounds, 0)];
     while let Some((node, aabb, level)) = pending.pop() {
@@ -94,6 +113,7 @@ pub fn validate<V: Vector>(bvh: &Bvh<Triangle<V>>, mesh: &Mesh<V>) -> Result<(),
         }
     }
     walk.end()?;
+    walk.cover()?;
     // The walk has shown the addresses to be those of a tree.
     for (record, links) in (0..).zip(tree::link_rows(bvh, bvh.recorded())) {
         let inner = bvh.nodes.len() as u32;
@@ -109,11 +129,17 @@ pub fn validate<V: Vector>(bvh: &Bvh<Triangle<V>>, mesh: &Mesh<V>) -> Result<(),
 struct Walk<'a, V> {
     bvh: &'a Bvh<Triangle<V>>,
     mesh: &'a Mesh<V>,
-    seen: Vec<bool>,
+    /// The last leaf that holds each triangle.
+    seen: Vec<u32>,
+    /// With duplicates, each reference with the box of its leaf.
+    held: Vec<(u32, Aabb)>,
     inner: usize,
     leaves: usize,
     end: usize,
 }
+
+/// In place of a leaf that there is not.
+const UNSEEN: u32 = u32::MAX;
 
 impl<V: Vector> Walk<'_, V> {
     fn inner(&mut self, node: Node, aabb: &Aabb) -> Result<[(Node, Aabb); 2], BvhError> {
@@ -145,17 +171,21 @@ impl<V: Vector> Walk<'_, V> {
             return Err(BvhError::Range(leaf));
         }
         self.end = end;
+        let may_repeat = self.bvh.duplicates > 0;
         for held in self.bvh.leaf_triangles(leaf) {
             let prim = held.prim;
             match self.seen.get_mut(prim as usize) {
                 Some(seen) if held.shape == Triangle(self.mesh.triangle(prim as usize)) => {
-                    if std::mem::replace(seen, true) {
+                    let last = std::mem::replace(seen, leaf.index() as u32);
+                    if last == leaf.index() as u32 || last != UNSEEN && !may_repeat {
                         return Err(BvhError::Twice { leaf, prim });
                     }
                 }
                 _ => return Err(BvhError::Triangle { leaf, prim }),
             }
-            if !aabb.encloses(&held.shape.aabb()) {
+            if may_repeat {
+                self.held.push((prim, *aabb));
+            } else if !aabb.encloses(&held.shape.aabb()) {
                 return Err(BvhError::Outside { leaf, prim });
             }
         }
@@ -174,7 +204,31 @@ impl<V: Vector> Walk<'_, V> {
             return Err(BvhError::Range(Node::leaf(self.leaves as u32 - 1)));
         }
         let can_be_hit = |prim: usize| !Triangle(self.mesh.triangle(prim)).is_degenerate();
-        let missing = (0..self.seen.len()).find(|&prim| !self.seen[prim] && can_be_hit(prim));
-        missing.map_or(Ok(()), |prim| Err(BvhError::Missing(prim as u32)))
+        let missing = (0..self.seen.len()).find(|&prim| self.seen[prim] == UNSEEN && can_be_hit(prim));
+        if let Some(prim) = missing {
+            return Err(BvhError::Missing(prim as u32));
+        }
+        let distinct = self.seen.iter().filter(|&&leaf| leaf != UNSEEN).count();
+        let (stored, found) = (self.bvh.duplicates, self.bvh.triangles.len() - distinct);
+        if stored == found { Ok(()) } else { Err(BvhError::Duplicates { stored, found }) }
+    }
+
+    /// Whether the boxes of the leaves that hold a triangle cover it.
+    fn cover(mut self) -> Result<(), BvhError> {
+        self.held.sort_by_key(|(prim, _)| *prim);
+        let by_triangle: Vec<_> = self.held.chunk_by(|(prim, _), (next, _)| prim == next).collect();
+        let is_covered = |held: &&&[(u32, Aabb)]| {
+            let triangle = held.first().map(|&(prim, _)| Triangle(self.mesh.triangle(prim as usize)));
+            let boxes: Vec<_> = held.iter().map(|(_, aabb)| *aabb).collect();
+            triangle.is_some_and(|triangle| {
+                let whole = triangle.aabb();
+                boxes.iter().any(|aabb| aabb.encloses(&whole)) || cover::covers(&boxes, &triangle)
+            })
+        };
+        let uncovered = by_triangle.par_iter().find_first(|held| !is_covered(held));
+        match uncovered.and_then(|held| held.first()) {
+            Some(&(prim, _)) => Err(BvhError::Uncovered(prim)),
+            None => Ok(()),
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! Rays, boxes and triangles, and the tests of one against the other: exact, and less so.
 
 mod aabb;
+mod clip;
 pub mod kernel;
 mod nearest;
 mod ray;

@@ -53,6 +53,8 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Sweep<'a, K, B> {
         found.sort_by(|(t, prim, _), (other, next, _)| {
             t.partial_cmp(other).unwrap_or(prim.cmp(next)).then(prim.cmp(next))
         });
+        // A triangle may be in several leaves.
+        found.dedup_by_key(|(_, prim, _)| *prim);
         let Whole { bvh, kernel, .. } = &self.whole;
         let hit = |(t, prim, place): (Real<K>, u32, usize)| {
             let [u, v] = kernel.weights(&bvh.triangles()[place].shape);
@@ -117,23 +119,24 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
 #[derive(Clone, Debug)]
 pub struct Crossings<'a> {
     whole: Whole<'a, Exact, Directed>,
-    count: u32,
+    /// The triangles.
+    crossed: Vec<u32>,
 }
 
 impl<'a> Crossings<'a> {
     /// Prepares a query.
     pub fn new(bvh: &'a Bvh, ray: &Ray) -> Self {
-        Self { whole: Whole::new(bvh, ray), count: 0 }
+        Self { whole: Whole::new(bvh, ray), crossed: Vec::new() }
     }
 
     /// How many triangles are crossed, after the traversal.
     pub const fn count(&self) -> u32 {
-        self.count
+        self.crossed.len() as u32
     }
 
     /// Whether that is an odd number.
     pub const fn is_odd(&self) -> bool {
-        self.count % 2 == 1
+        self.count() % 2 == 1
     }
 }
 
@@ -146,7 +149,12 @@ impl Visitor for Crossings<'_> {
     #[inline]
     fn leaf(&mut self, node: Node) -> Flow {
         let Whole { bvh, kernel, .. } = &self.whole;
-        self.count += bvh.leaf_triangles(node).iter().filter(|held| kernel.crosses(&held.shape)).count() as u32;
+        for held in bvh.leaf_triangles(node).iter().filter(|held| kernel.crosses(&held.shape)) {
+            // A triangle may be in several leaves.
+            if bvh.duplicates() == 0 || !self.crossed.contains(&held.prim) {
+                self.crossed.push(held.prim);
+            }
+        }
         Flow::Continue
     }
 }

@@ -72,7 +72,8 @@ impl Draft {
         let held = |&prim: &u32| LeafTriangle { shape: primitives.shape(prim as usize), prim };
         let triangles = prims.par_iter().with_min_len(CHUNK).map(held).collect();
         let (recorded, region) = (Recorded::Uncles, Region::of(&bounds));
-        Bvh { root, depth, dropped, recorded, bounds, region, nodes, axes, leaves, triangles }
+        let duplicates = self.references.len() + dropped - primitives.count();
+        Bvh { root, depth, dropped, duplicates, recorded, bounds, region, nodes, axes, leaves, triangles }
     }
 }
 

@@ -1,14 +1,18 @@
 use glam::Vec3;
 
 use super::*;
-use crate::bvh::SahOptions;
+use crate::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
 use crate::geom::Aabb;
 use crate::scene::{Mesh, procedural, stress};
 use crate::trace::{TrueHit, Truth};
 use crate::traverse::{Stack, traverse};
 
-fn trees(mesh: &Mesh) -> [Bvh; 2] {
-    [Bvh::median(mesh, 2).expect("a tree"), Bvh::sah(mesh, SahOptions::default()).expect("a tree")]
+/// In the last one triangles are in several leaves.
+fn trees(mesh: &Mesh) -> [Bvh; 3] {
+    let spatial = SpatialOptions { extra_percent: 200, overlap: 0.0 };
+    let options = BuildOptions { builder: Builder::Spatial, spatial, ..BuildOptions::default() };
+    let cut = Bvh::build(mesh, &options, &|_| ());
+    [Bvh::median(mesh, 2), Bvh::sah(mesh, SahOptions::default()), cut].map(|bvh| bvh.expect("a tree"))
 }
 
 fn count(bvh: &Bvh, ray: &Ray) -> u32 {
@@ -62,7 +66,7 @@ fn closed_meshes_are_crossed_an_odd_number_of_times_from_inside_and_an_even_one_
 #[test]
 fn a_crossing_is_a_hit_and_off_edges_a_hit_is_a_crossing() {
     let mesh = procedural::soup(4, 300);
-    let [bvh, _] = trees(&mesh);
+    let [bvh, ..] = trees(&mesh);
     let mut total = 0;
     for ray in procedural::rays(&mesh, 5, 3000) {
         let hits = all(&bvh, &ray);

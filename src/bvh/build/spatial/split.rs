@@ -1,0 +1,147 @@
+//! A cut of a range, and what comes to which side.
+
+use super::super::Primitives;
+use super::super::item::{Item, Spread};
+
+/// A border between bins.
+#[derive(Clone, Copy)]
+pub(super) struct Split {
+    pub(super) axis: usize,
+    pub(super) scale: Scale,
+    /// First bin of the right side.
+    pub(super) border: usize,
+    /// Of the node when cut here, in triangle tests.
+    pub(super) cost: f32,
+    pub(super) sides: [Side; 2],
+}
+
+impl Split {
+    /// Cheaper first, then more even.
+    pub(super) fn order(&self) -> (f32, usize) {
+        (self.cost, self.sides[0].count.max(self.sides[1].count))
+    }
+
+    /// Half area of what is in the boxes of both sides.
+    pub(super) fn overlap(&self) -> f32 {
+        let [left, right] = self.sides.map(|side| side.spread);
+        let both = Spread { lo: left.lo.max(right.lo), hi: left.hi.min(right.hi) };
+        if both.lo.cmple(both.hi).all() { both.half_area() } else { 0.0 }
+    }
+
+    /// Moves the items with centroids left of the border to the front.
+    pub(super) fn part(&self, items: &mut [Item]) -> [usize; 2] {
+        let mut left = 0;
+        for i in 0..items.len() {
+            if self.scale.bin(items[i].centroid()[self.axis]) < self.border {
+                items.swap(left, i);
+                left += 1;
+            }
+        }
+        [left, items.len() - left]
+    }
+
+    /// The items of both sides, of those that the plane cuts their parts. `None` if one side would have none.
+    pub(super) fn cut<P: Primitives + ?Sized>(
+        &self,
+        primitives: &P,
+        items: &[Item],
+        mut spare: usize,
+    ) -> Option<[Vec<Item>; 2]> {
+        let (axis, plane) = (self.axis, self.scale.border(self.border));
+        let (mut lists, mut sides) = ([Vec::new(), Vec::new()], [Side::EMPTY; 2]);
+        let mut cut = Vec::new();
+        for item in items {
+            let Spread { lo, hi } = item.spread();
+            let side = if hi[axis] <= plane {
+                0
+            } else if plane <= lo[axis] {
+                1
+            } else {
+                cut.push(item);
+                continue;
+            };
+            sides[side] = sides[side].with(&item.spread(), 1);
+            lists[side].push(*item);
+        }
+        for item in cut {
+            let whole = item.spread();
+            let [mut left, mut right] = [whole.aabb(); 2];
+            left.hi[axis] = plane;
+            right.lo[axis] = plane;
+            let parts = [left, right].map(|part| primitives.part(item.prim() as usize, &part));
+            // A box may reach farther than its primitive.
+            let holds = parts.map(|part| part.lo.cmple(part.hi).all());
+            let parts = parts.map(|part| Item::new(&part, item.prim()));
+            let alone = [0, 1].map(|i| sides[i].with(&whole, 1).weight() + sides[1 - i].weight());
+            let both = [0, 1].map(|i| sides[i].with(&parts[i].spread(), 1));
+            let chosen: &[(usize, Item)] =
+                if holds[0] && holds[1] && spare > 0 && both[0].weight() + both[1].weight() < alone[0].min(alone[1]) {
+                    spare -= 1;
+                    &[(0, parts[0]), (1, parts[1])]
+                } else if holds[0] != holds[1] {
+                    let side = usize::from(holds[1]);
+                    &[(side, parts[side])]
+                } else {
+                    &[(usize::from(alone[1] < alone[0]), *item)]
+                };
+            for &(side, item) in chosen {
+                sides[side] = sides[side].with(&item.spread(), 1);
+                lists[side].push(item);
+            }
+        }
+        lists.iter().all(|list| !list.is_empty()).then_some(lists)
+    }
+}
+
+/// What is on one side.
+#[derive(Clone, Copy)]
+pub(super) struct Side {
+    pub(super) spread: Spread,
+    pub(super) count: usize,
+}
+
+impl Side {
+    pub(super) const EMPTY: Self = Self { spread: Spread::EMPTY, count: 0 };
+
+    #[inline]
+    pub(super) fn with(self, spread: &Spread, count: usize) -> Self {
+        Self { spread: self.spread.union(*spread), count: self.count + count }
+    }
+
+    /// Triangle tests expected below, times the half area of the box.
+    #[inline]
+    pub(super) fn weight(&self) -> f32 {
+        if self.count == 0 { 0.0 } else { self.spread.half_area() * self.count as f32 }
+    }
+}
+
+/// Bins of equal width along an axis.
+#[derive(Clone, Copy)]
+pub(super) struct Scale {
+    start: f32,
+    width: f32,
+    factor: f32,
+    last: f32,
+}
+
+impl Scale {
+    /// `None` where there is no extent to divide.
+    pub(super) fn new(spread: &Spread, axis: usize, bins: usize) -> Option<Self> {
+        let extent = spread.extent()[axis];
+        let (width, factor) = (extent / bins as f32, bins as f32 / extent);
+        let is_usual = width > 0.0 && width.is_finite() && factor.is_finite();
+        is_usual.then_some(Self { start: spread.lo[axis], width, factor, last: bins as f32 - 1.0 })
+    }
+
+    /// Bin of a coordinate; monotone.
+    #[inline]
+    pub(super) fn bin(&self, coordinate: f32) -> usize {
+        ((coordinate - self.start) * self.factor).min(self.last) as usize
+    }
+
+    /// Where a bin begins, nearly.
+    #[inline]
+    pub(super) fn border(&self, bin: usize) -> f32 {
+        self.start + self.width * bin as f32
+    }
+}

@@ -1,0 +1,92 @@
+//! Whether boxes cover a triangle, in rational arithmetic.
+
+use crate::geom::truth::{Number, RBig};
+use crate::geom::{Aabb, Triangle, Vector};
+
+/// Whether each point of the closed triangle, which is not degenerate, is in one of these closed boxes; exact.
+///
+/// Each box in turn is taken away: what is left of a polygon beyond the first plane of the box, beyond the second within
+/// the first, and so on, are polygons again. What the boxes do not cover of a triangle is open in it, as they are closed,
+/// so it has an area or is empty. Therefore polygons without area are dropped, and borders need no care.
+pub(super) fn covers<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
+    let exact = |x: V::Real| RBig::try_from(x.into()).ok();
+    let Some(corners) = triangle.0.iter().map(|v| point(v.components(), exact)).collect() else { return false };
+    let mut pending = vec![(Polygon { corners }, boxes.to_vec())];
+    while let Some((polygon, mut boxes)) = pending.pop() {
+        let around = polygon.bounds();
+        boxes.retain(|aabb| (0..3).all(|k| around.0[k] <= aabb.hi[k].into() && f64::from(aabb.lo[k]) <= around.1[k]));
+        let Some(aabb) = boxes.pop() else { return false };
+        let mut within = Some(polygon);
+        for (axis, is_upper) in [(0, false), (0, true), (1, false), (1, true), (2, false), (2, true)] {
+            let plane = if is_upper { aabb.hi[axis] } else { aabb.lo[axis] };
+            // An infinite plane cuts nothing off.
+            let (Some(polygon), Ok(plane)) = (within.take(), RBig::try_from(plane)) else { continue };
+            let (outside, inside) = polygon.cut(axis, is_upper, &plane);
+            pending.extend(outside.map(|outside| (outside, boxes.clone())));
+            within = inside;
+        }
+    }
+    true
+}
+
+fn point<S: Number>([x, y, z]: [S; 3], exact: impl Fn(S) -> Option<RBig>) -> Option<Point> {
+    Some([exact(x)?, exact(y)?, exact(z)?])
+}
+
+type Point = [RBig; 3];
+
+/// Convex, with an area.
+struct Polygon {
+    corners: Vec<Point>,
+}
+
+impl Polygon {
+    /// Least and greatest coordinates, rounded to nearest. As rounding keeps the order, what is apart after it is apart.
+    fn bounds(&self) -> ([f64; 3], [f64; 3]) {
+        let (mut lo, mut hi) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for corner in &self.corners {
+            for (axis, x) in corner.iter().enumerate() {
+                let x = f64::nearest(x);
+                lo[axis] = lo[axis].min(x);
+                hi[axis] = hi[axis].max(x);
+            }
+        }
+        (lo, hi)
+    }
+
+    /// What is beyond a plane across an axis, and what is not, where these have an area. If all is in the plane, nothing is
+    /// beyond.
+    fn cut(self, axis: usize, is_upper: bool, plane: &RBig) -> (Option<Self>, Option<Self>) {
+        let beyond = |corner: &Point| if is_upper { &corner[axis] - plane } else { plane - &corner[axis] };
+        let heights: Vec<_> = self.corners.iter().map(beyond).collect();
+        if heights.iter().all(|height| *height <= RBig::ZERO) {
+            return (None, Some(self));
+        }
+        if heights.iter().all(|height| *height >= RBig::ZERO) {
+            return (Some(self), None);
+        }
+        let (mut outside, mut inside) = (Vec::new(), Vec::new());
+        let next = |i: usize| (i + 1) % self.corners.len();
+        for (i, (corner, height)) in self.corners.iter().zip(&heights).enumerate() {
+            if *height >= RBig::ZERO {
+                outside.push(corner.clone());
+            }
+            if *height <= RBig::ZERO {
+                inside.push(corner.clone());
+            }
+            let (other, other_height) = (&self.corners[next(i)], &heights[next(i)]);
+            if (*height < RBig::ZERO && *other_height > RBig::ZERO)
+                || (*height > RBig::ZERO && *other_height < RBig::ZERO)
+            {
+                let t = height / (height - other_height);
+                let crossing: Point = std::array::from_fn(|k| &corner[k] + (&other[k] - &corner[k]) * &t);
+                outside.push(crossing.clone());
+                inside.push(crossing);
+            }
+        }
+        (Some(Self { corners: outside }), Some(Self { corners: inside }))
+    }
+}
+
+#[cfg(test)]
+mod tests;

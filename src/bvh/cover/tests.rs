@@ -1,0 +1,50 @@
+use glam::{DVec3, Vec3};
+
+use super::*;
+
+fn aabb(lo: [f32; 3], hi: [f32; 3]) -> Aabb {
+    Aabb { lo: lo.into(), hi: hi.into() }
+}
+
+/// Half of the unit square, at z = 1.
+const FLAT: Triangle = Triangle([Vec3::Z, Vec3::new(1.0, 0.0, 1.0), Vec3::new(0.0, 1.0, 1.0)]);
+
+#[test]
+fn boxes_that_meet_cover_and_gaps_are_seen() {
+    let left = aabb([0.0, 0.0, 1.0], [0.3, 1.0, 1.0]);
+    let right = |x: f32, y: f32| aabb([x, 0.0, 0.0], [1.0, y, 1.0]);
+    assert!(covers(&[left, right(0.3, 0.7f32.next_up())], &FLAT));
+    assert!(covers(&[right(0.0, 1.0)], &FLAT));
+    assert!(!covers(&[left, right(0.3f32.next_up(), 1.0)], &FLAT));
+    // Above 0.3 the triangle ends at 1 - 0.3 exactly, a little below or above the float 0.7.
+    let exact = 1.0 - f64::from(0.3f32);
+    let least = if f64::from(0.7f32) < exact { 0.7f32.next_up() } else { 0.7 };
+    assert!(covers(&[left, right(0.3, least)], &FLAT));
+    assert!(!covers(&[left, right(0.3, least.next_down())], &FLAT));
+    assert!(!covers(&[left], &FLAT));
+    assert!(!covers(&[], &FLAT));
+    assert!(!covers(&[aabb([0.0; 3], [1.0, 1.0, 1.0f32.next_down()])], &FLAT));
+}
+
+#[test]
+fn a_grid_of_boxes_covers_unless_one_is_missing() {
+    let triangle = Triangle([Vec3::new(0.1, 0.2, 0.3), Vec3::new(0.9, 0.5, 0.2), Vec3::new(0.4, 0.95, 0.9)]);
+    let cell = |i: u32| {
+        let lo = Vec3::from([i % 5, i / 5 % 5, i / 25].map(|k| k as f32 / 5.0));
+        let hi = Vec3::from([i % 5, i / 5 % 5, i / 25].map(|k| (k + 1) as f32 / 5.0));
+        Aabb { lo, hi }
+    };
+    let cells: Vec<_> = (0..125).map(cell).collect();
+    assert!(covers(&cells, &triangle));
+    let without = |i: usize| cells.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, c)| *c).collect::<Vec<_>>();
+    let needed = (0..125).filter(|&i| !covers(&without(i), &triangle)).count();
+    assert!((10..40).contains(&needed), "{needed}");
+}
+
+#[test]
+fn double_precision_and_infinite_boxes() {
+    let corners = FLAT.0.map(|v| v.as_dvec3() + DVec3::splat(1e-12));
+    let all = Aabb { lo: Vec3::splat(f32::NEG_INFINITY), hi: Vec3::splat(f32::INFINITY) };
+    assert!(covers(&[all], &Triangle(corners)));
+    assert!(!covers(&[aabb([0.0; 3], [1.0; 3])], &Triangle(corners)));
+}

@@ -1,0 +1,118 @@
+use glam::Vec3;
+
+use super::*;
+use crate::geom::truth::RBig;
+use crate::scene::draw::Draw;
+
+type Point = [RBig; 3];
+
+fn exact(v: DVec3) -> Point {
+    v.to_array().map(|x| RBig::try_from(x).expect("finite"))
+}
+
+/// The corners of the exact part of a triangle in a box, given by least and greatest coordinates.
+fn exact_part(corners: &[DVec3; 3], [lo, hi]: [DVec3; 2]) -> Vec<Point> {
+    let mut polygon: Vec<Point> = corners.iter().map(|&v| exact(v)).collect();
+    for axis in 0..3 {
+        for (plane, is_upper) in [(lo[axis], false), (hi[axis], true)] {
+            let plane = RBig::try_from(plane).expect("finite");
+            let beyond = |v: &Point| if is_upper { &v[axis] - &plane } else { &plane - &v[axis] };
+            let mut left = Vec::new();
+            for (i, a) in polygon.iter().enumerate() {
+                let b = &polygon[(i + 1) % polygon.len()];
+                let [from, to] = [a, b].map(beyond);
+                if from <= RBig::ZERO {
+                    left.push(a.clone());
+                }
+                if from < RBig::ZERO && to > RBig::ZERO || from > RBig::ZERO && to < RBig::ZERO {
+                    let t = &from / (&from - &to);
+                    left.push(std::array::from_fn(|k| &a[k] + (&b[k] - &a[k]) * &t));
+                }
+            }
+            polygon = left;
+        }
+    }
+    polygon
+}
+
+/// Checks a part, and says whether it is tight: no plane more than two floats and 2^-44 of the coordinates farther out
+/// than the part in a box that is greater by as much.
+fn check<V: Vector>(corners: [V; 3], part: Aabb) -> Option<bool> {
+    let triangle = Triangle(corners);
+    let (found, wide) = (triangle.part(&part), triangle.widen());
+    let [lo, hi] = [part.lo, part.hi].map(Vec3::as_dvec3);
+    let points = exact_part(&wide, [lo, hi]);
+    for point in &points {
+        for (axis, x) in point.iter().enumerate() {
+            let [lo, hi] = [found.lo[axis], found.hi[axis]].map(|x| RBig::try_from(x).expect("finite"));
+            assert!(lo <= *x && *x <= hi, "{corners:?} {part:?}: {found:?}");
+        }
+    }
+    if points.is_empty() {
+        return None;
+    }
+    assert!(part.encloses(&found) && triangle.aabb().encloses(&found));
+    let slack = wide.iter().fold(DVec3::ZERO, |m, v| m.max(v.abs())) * 2f64.powi(-44);
+    let points = exact_part(&wide, [lo - slack, hi + slack]);
+    let tight = (0..3).all(|axis| {
+        let slack = RBig::try_from(slack[axis]).expect("finite");
+        let least = points.iter().map(|v| &v[axis]).min().expect("a corner");
+        let most = points.iter().map(|v| &v[axis]).max().expect("a corner");
+        let lo = RBig::try_from(found.lo[axis].next_up().next_up()).expect("finite") + &slack;
+        let hi = RBig::try_from(found.hi[axis].next_down().next_down()).expect("finite") - &slack;
+        lo >= *least && hi <= *most
+    });
+    Some(tight)
+}
+
+#[test]
+fn parts_hold_all_and_are_tight() {
+    let mut draw = Draw::new(17);
+    let (mut some, mut none) = (0, 0);
+    for i in 0..6000 {
+        let mut corner = || match i % 4 {
+            0 => draw.cube(),
+            1 => draw.ints(4),
+            2 => draw.cube() * Vec3::new(1e6, 1.0, 1e-6) + Vec3::X * 1e6,
+            _ => draw.floats(-149, 120),
+        };
+        let corners = [(); 3].map(|()| corner());
+        let [mut a, mut b] = [(); 2].map(|()| corner());
+        if i % 3 == 0 {
+            // Through a corner, as after cuts at corners.
+            a = corners[0];
+            b = corners[1].with_x(b.x);
+        }
+        match check(corners, Aabb::of(&[a, b])) {
+            Some(tight) => {
+                assert!(tight, "{corners:?} {a} {b}: {:?}", Triangle(corners).part(&Aabb::of(&[a, b])));
+                some += 1;
+            }
+            None => none += 1,
+        }
+    }
+    assert!(some > 1500 && none > 1000, "{some} {none}");
+}
+
+#[test]
+fn double_precision_of_all_sizes() {
+    let mut draw = Draw::new(18);
+    let mut some = 0;
+    for i in 0..2000 {
+        let scale = 2f64.powi([0, -60, 100, -1000][i % 4]);
+        let corners = [(); 3].map(|()| (draw.cube().as_dvec3() + draw.cube().as_dvec3() * 1e-9) * scale);
+        let part = Aabb::of(&[draw.cube(), draw.cube()].map(|v| (v.as_dvec3() * scale).as_vec3()));
+        some += usize::from(check(corners, part).is_some());
+    }
+    assert!(some > 400, "{some}");
+}
+
+#[test]
+fn what_is_apart_has_no_part() {
+    let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
+    let corner = Aabb { lo: Vec3::new(0.6, 0.6, 0.0), hi: Vec3::ONE };
+    let none = triangle.part(&corner);
+    assert!(!none.lo.cmple(none.hi).all());
+    let diagonal = triangle.part(&Aabb { lo: Vec3::new(0.5, 0.5, -1.0), hi: Vec3::ONE });
+    assert!(diagonal.contains(Vec3::new(0.5, 0.5, 0.0)) && diagonal.hi.x < 0.500_001);
+}
