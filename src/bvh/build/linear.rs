@@ -90,7 +90,7 @@ fn sorted(mut codes: Vec<u64>) -> Vec<u64> {
         return codes;
     }
     let digit = |code: u64, pass: u32| (code >> (INDEX_BITS + pass * BITS)) as usize % DIGITS;
-    let mut starts = [[0_u32; DIGITS]; 3];
+    let mut starts = vec![[0_u32; DIGITS]; 3];
     for &code in &codes {
         for (pass, counts) in (0..).zip(&mut starts) {
             counts[digit(code, pass)] += 1;
@@ -132,12 +132,12 @@ fn cluster(items: &mut [Item], codes: &[u64], first: usize, clusters: &mut Vec<R
         // Codes over a smaller region tell more, unless all are equal.
         let (ordered, codes) = along_the_curve(items);
         items.copy_from_slice(&ordered);
-        if codes.first().map(|code| code >> INDEX_BITS) != codes.last().map(|code| code >> INDEX_BITS) {
-            cluster(items, &codes, first, clusters);
+        let first_code = codes.first().map(|code| code >> INDEX_BITS);
+        if first_code == codes.last().map(|code| code >> INDEX_BITS) {
+            let starts = (0..items.len()).step_by(CELL);
+            clusters.extend(starts.map(|start| first + start..first + items.len().min(start + CELL)));
         } else {
-            clusters.extend(
-                (0..items.len()).step_by(CELL).map(|start| first + start..first + items.len().min(start + CELL)),
-            );
+            cluster(items, &codes, first, clusters);
         }
     }
 }

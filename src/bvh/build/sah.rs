@@ -63,8 +63,8 @@ impl SahOptions {
         let bins = self.bins as usize;
         match n {
             ..=4 => choice.take(Sweep::<4>::new),
-            ..=8 => choice.take(Sweep::<8>::new),
-            ..=sweep::MAX => choice.take(Sweep::<{ sweep::MAX }>::new),
+            5..=8 => choice.take(Sweep::<8>::new),
+            9..=sweep::MAX => choice.take(Sweep::<{ sweep::MAX }>::new),
             _ if bins <= 16 => choice.take(|range| Plane::cheapest::<16>(range, extents, bins)),
             _ if bins <= 32 => choice.take(|range| Plane::cheapest::<32>(range, extents, bins)),
             _ => choice.take(|range| Plane::cheapest::<64>(range, extents, bins)),
