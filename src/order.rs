@@ -149,17 +149,25 @@ impl FixedOrder for LeftFirst {
 /// Near child by the sign of the ray's direction on the axis along which the node was split.
 #[derive(Clone, Copy, Debug)]
 pub struct SignOrder<'a> {
-    /// Split axis (0, 1, 2) of each inner node, by [`Node::index`].
+    /// Split axis (0, 1, 2) of each inner node, by [`Node::index`], plus [`REVERSED`](Self::REVERSED) where the left child
+    /// holds the greater coordinates.
     pub axes: &'a [u8],
     /// Bit `a` is set where the direction's component `a` is negative.
     pub octant: u8,
 }
 
+impl SignOrder<'_> {
+    /// Added to an axis along which the left child holds the greater coordinates.
+    pub const REVERSED: u8 = 4;
+}
+
 impl FixedOrder for SignOrder<'_> {
-    /// The left child holds the smaller coordinates: it comes first unless the ray runs towards them.
+    /// The child with the smaller coordinates comes first unless the ray runs towards them.
     #[inline]
     fn first(&self, node: Node) -> Side {
-        Side::right_if(self.octant >> self.axes[node.index()] & 1 == 1)
+        let axis = self.axes[node.index()];
+        let reversed = u8::from(axis & Self::REVERSED != 0);
+        Side::right_if((self.octant >> (axis % Self::REVERSED) ^ reversed) & 1 == 1)
     }
 }
 

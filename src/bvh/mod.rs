@@ -2,8 +2,8 @@
 //!
 //! An inner node holds the boxes of both children, so that one visit decides on both (Aila & Laine 2009,
 //! "Understanding the efficiency of ray traversal on GPUs"). Inner nodes and leaves are numbered apart, each in
-//! depth-first order: a left child that is an inner node follows its parent. Triangles lie in the order of the
-//! leaves.
+//! depth-first order: a left child that is an inner node follows its parent. Of two children, builders make the one of
+//! the larger surface the left one. Triangles lie in the order of the leaves.
 
 mod build;
 mod cover;
@@ -147,8 +147,8 @@ impl<S> Bvh<S> {
         first as usize..first as usize + count as usize
     }
 
-    /// Axis (0, 1, 2) along which each inner node was split, the left child holding the smaller centroids; for
-    /// [`SignOrder`](crate::order::SignOrder).
+    /// Axis (0, 1, 2) along which each inner node was split, plus [`SignOrder::REVERSED`](crate::order::SignOrder::REVERSED)
+    /// where it is the right child that holds the smaller centroids.
     pub fn axes(&self) -> &[u8] {
         &self.axes
     }

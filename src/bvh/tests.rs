@@ -1,6 +1,7 @@
 use glam::Vec3;
 
 use super::*;
+use crate::order::SignOrder;
 use crate::scene::{Mesh, procedural};
 
 /// Triangles with the given first corners, all of the same shape.
@@ -66,13 +67,19 @@ fn a_single_triangle_is_a_leaf() {
 }
 
 #[test]
-fn left_children_hold_the_smaller_centroids() {
+fn left_children_are_the_larger_and_axes_say_which_holds_the_smaller_centroids() {
     let mesh = scattered(700);
     for bvh in [Bvh::median(&mesh, 2), Bvh::sah(&mesh, SahOptions::default())].map(|bvh| bvh.expect("a tree")) {
         for (node, &axis) in bvh.nodes().iter().zip(bvh.axes()) {
-            let [left, right] = node.children.map(|child| centroids(&bvh, child, usize::from(axis)));
-            assert!(left.1 <= right.0, "{left:?} {right:?}");
+            let [left, right] = [Side::Left, Side::Right].map(|side| node.child_box(side).half_area());
+            assert!(left >= right, "{left} {right}");
+            let mut sides = node.children.map(|child| centroids(&bvh, child, usize::from(axis % SignOrder::REVERSED)));
+            if axis >= SignOrder::REVERSED {
+                sides.reverse();
+            }
+            assert!(sides[0].1 <= sides[1].0, "{sides:?}");
         }
+        assert!(bvh.axes().iter().any(|&axis| axis < 4) && bvh.axes().iter().any(|&axis| axis >= 4));
     }
 }
 

@@ -150,7 +150,7 @@ impl<V: Vector> Walk<'_, V> {
         };
         self.inner += 1;
         let axis = self.bvh.axes.get(node.index()).copied();
-        if !matches!(axis, Some(0..=2)) {
+        if !matches!(axis, Some(0..=2 | 4..=6)) {
             return Err(BvhError::Axis { node, axis });
         }
         let children = [Side::Left, Side::Right].map(|s| (record.children[s.index()], record.child_box(s)));

@@ -6,7 +6,7 @@ use crate::order::{Descent, Flow, NodeTest, Visitor};
 use crate::report::Backtracks;
 use crate::tree::{Node, Uncles};
 
-use super::NodeSearch;
+use super::{ChildOrder, NodeSearch};
 
 /// Counts over many rays. Queries that nobody counts pay nothing: these run in a copy of their own.
 #[derive(Clone, Debug)]
@@ -54,12 +54,12 @@ impl Counters {
 }
 
 /// A search that counts.
-pub(super) struct Counting<'a, 'c, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> {
-    pub(super) search: NodeSearch<'a, K, B, ANY>,
+pub(super) struct Counting<'a, 'c, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O> {
+    pub(super) search: NodeSearch<'a, K, B, ANY, O>,
     pub(super) counters: &'c mut Counters,
 }
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> Counting<'_, '_, K, B, ANY> {
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Counting<'_, '_, K, B, ANY, O> {
     fn triangles(&mut self, leaf: Node) -> Flow {
         let Self { search, counters } = self;
         counters.leaves += 1;
@@ -72,7 +72,9 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> Counting<'_, '_, 
     }
 }
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> Visitor for Counting<'_, '_, K, B, ANY> {
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Visitor
+    for Counting<'_, '_, K, B, ANY, O>
+{
     fn inner(&mut self, node: Node) -> Descent {
         self.counters.inner += 1;
         self.counters.boxes += 2;
@@ -84,7 +86,9 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> Visitor for Count
     }
 }
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool> NodeTest for Counting<'_, '_, K, B, ANY> {
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> NodeTest
+    for Counting<'_, '_, K, B, ANY, O>
+{
     fn accept(&mut self, node: Node) -> bool {
         self.counters.inner += 1;
         self.counters.boxes += 1;

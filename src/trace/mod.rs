@@ -22,7 +22,7 @@ pub mod truth;
 
 pub use accuracy::{Accuracy, KernelName, SlabsName, WithTests, with_level, with_tests};
 pub use bounce::bounce;
-pub use child_order::{ChildOrder, FromLeft, Largest, Nearest};
+pub use child_order::{ChildOrder, FromLeft, Nearest};
 pub use counters::Counters;
 pub use crossings::{AllHits, AllHits64, Crossings, Sweep};
 pub use forms::{Form, Forms};

@@ -3,7 +3,7 @@
 use std::marker::PhantomData;
 
 use super::Hit;
-use super::child_order::{ChildOrder, Nearest};
+use super::child_order::{ChildOrder, FromLeft, Nearest};
 use super::query::{BoxQuery, OwnBoxes};
 use crate::bvh::{Bvh, LeafTriangle};
 use crate::geom::kernel::{Exact, Exact64};
@@ -15,8 +15,8 @@ use crate::tree::{Node, Topology};
 /// A closest-hit query, exact: visits the nearer child first, the left one of equals.
 pub type Closest<'a> = Search<'a, Exact, Directed, false>;
 
-/// An any-hit query, exact, in the order of [`Closest`]. It stops at the first hit that it meets.
-pub type Any<'a> = Search<'a, Exact, Directed, true>;
+/// An any-hit query, exact: visits the left child first, which is the larger one. It stops at the first hit that it meets.
+pub type Any<'a> = Search<'a, Exact, Directed, true, FromLeft>;
 
 /// A closest-hit query in double precision, exact. `[EXACT-7]`
 ///
@@ -37,13 +37,13 @@ pub type Any<'a> = Search<'a, Exact, Directed, true>;
 pub type Closest64<'a> = Search<'a, Exact64, Wide, false>;
 
 /// An any-hit query in double precision, exact.
-pub type Any64<'a> = Search<'a, Exact64, Wide, true>;
+pub type Any64<'a> = Search<'a, Exact64, Wide, true, FromLeft>;
 
 /// A closest-hit query, exact, that tests each node's own box.
 pub type ClosestByNode<'a> = NodeSearch<'a, Exact, Directed, false>;
 
 /// An any-hit query, exact, that tests each node's own box.
-pub type AnyByNode<'a> = NodeSearch<'a, Exact, Directed, true>;
+pub type AnyByNode<'a> = NodeSearch<'a, Exact, Directed, true, FromLeft>;
 
 type Real<K> = <<K as Kernel>::Vector as Vector>::Real;
 
@@ -127,7 +127,7 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
     fn inner(&mut self, node: Node) -> Descent {
         let planes = &self.bvh.node(node.index()).planes;
         let ([left, right], [near_left, near_right]) = self.slabs.pair(planes, self.t);
-        Descent::new(left, right, O::prefers_right(planes, [near_left, near_right]))
+        Descent::new(left, right, O::prefers_right([near_left, near_right]))
     }
 
     #[inline(always)]

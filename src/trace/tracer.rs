@@ -7,7 +7,10 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use super::counters::{Counters, Counting};
-use super::{Ask, Following, Hit, Near, NearError, NearestPoint, NodeSearch, OwnBoxes, Part, Plan, Query, Sweep};
+use super::{
+    Ask, Following, FromLeft, Hit, Near, NearError, Nearest, NearestPoint, NodeSearch, OwnBoxes, Part, Plan, Query,
+    Sweep,
+};
 use crate::bvh::Bvh;
 use crate::event::Recorder;
 use crate::geom::kernel::{Exact, Real};
@@ -146,7 +149,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
 
     /// Any hit, whole: the first that is met, which depends on hierarchy and traversal.
     pub fn any_hit(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
-        let mut search = NodeSearch::<K, B, true>::new(self.bvh, &self.boxes, ray);
+        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.bvh, &self.boxes, ray);
         self.run_fast(ray.octant(), &mut Vec::new(), &mut search);
         search.hit()
     }
@@ -161,9 +164,9 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
                 backtracks.begin();
                 let (bvh, boxes, counters) = (self.bvh, &*self.boxes, &mut counters);
                 let query: &mut dyn Query = if any {
-                    &mut Counting::<K, B, true> { search: NodeSearch::new(bvh, boxes, ray), counters }
+                    &mut Counting::<K, B, true, FromLeft> { search: NodeSearch::new(bvh, boxes, ray), counters }
                 } else {
-                    &mut Counting::<K, B, false> { search: NodeSearch::new(bvh, boxes, ray), counters }
+                    &mut Counting::<K, B, false, Nearest> { search: NodeSearch::new(bvh, boxes, ray), counters }
                 };
                 self.run_recorded(ray.octant(), &mut memory, query, &mut backtracks);
             }
@@ -236,7 +239,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
 
     #[inline]
     fn any_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> bool {
-        let mut search = NodeSearch::<K, B, true>::new(self.bvh, &self.boxes, ray);
+        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.bvh, &self.boxes, ray);
         self.run_fast(ray.octant(), memory, &mut search);
         search.found().is_some()
     }

@@ -79,7 +79,7 @@ impl From<NotComplete> for Unfit {
 }
 
 impl<'t, T: Topology> Tables<'t, T> {
-    /// Makes what `methods` need. `axes` has the split axis (0, 1, 2) of each inner node, by [`Node::index`].
+    /// Makes what `methods` need. `axes` is for [`SignOrder`].
     ///
     /// Trees of up to `implicit_depth` edges get the implicit layout; in deeper ones the implicit traversals look
     /// their addresses up in the plain map.

@@ -6,6 +6,7 @@ use super::Primitives;
 use super::item::CHUNK;
 use crate::bvh::{Bvh, BvhNode, Leaf, LeafTriangle};
 use crate::geom::{Aabb, Region};
+use crate::order::SignOrder;
 use crate::tree::{Node, Recorded};
 
 /// What a builder makes. Node 0 is the root; nodes that are not reached from it do not count.
@@ -126,11 +127,17 @@ impl Layout {
                 self.depth = self.depth.max(depth);
                 continue;
             }
-            let [left, right] = node.children();
+            let [mut left, mut right] = node.children();
+            let mut axis = node.axis() as u8;
+            // The larger one is the left one: it is visited more often, and stands behind its parent.
+            if draft.nodes[left].aabb.half_area() < draft.nodes[right].aabb.half_area() {
+                (left, right) = (right, left);
+                axis |= SignOrder::REVERSED;
+            }
             // The left child is placed next.
             pending.push((right, depth + 1, Some((address.index(), 1))));
             pending.push((left, depth + 1, Some((address.index(), 0))));
-            self.axes.push(node.axis() as u8);
+            self.axes.push(axis);
             let mut node = BvhNode { planes: [[0.0; 4]; 3], children: links, links };
             node.set_child_boxes(&draft.nodes[left].aabb, &draft.nodes[right].aabb);
             self.nodes.push(node);

@@ -1,6 +1,7 @@
 use super::super::{BuildOptions, Builder};
 use crate::bvh::{Bvh, validate};
 use crate::geom::Aabb;
+use crate::order::{Side, SignOrder};
 use crate::scene::{Mesh, procedural};
 use crate::tree::Topology;
 
@@ -45,8 +46,9 @@ fn small_leaves_are_merged() {
     let bvh = build(&mesh, &options);
     assert!(bvh.leaves().len() <= plain.leaves().len());
     for (node, &axis) in bvh.nodes().iter().zip(bvh.axes()) {
-        let [left, right] = [crate::order::Side::Left, crate::order::Side::Right].map(|s| node.child_box(s).centroid());
-        assert!(left[usize::from(axis)] <= right[usize::from(axis)]);
+        let (axis, reversed) = (usize::from(axis % SignOrder::REVERSED), axis >= SignOrder::REVERSED);
+        let [left, right] = [Side::Left, Side::Right].map(|side| node.child_box(side).centroid()[axis]);
+        assert!(if reversed { right <= left } else { left <= right });
     }
 }
 
