@@ -10,6 +10,8 @@ mod bench;
 mod check;
 #[path = "cli/replay.rs"]
 mod replay;
+#[path = "cli/stats.rs"]
+mod stats;
 #[path = "cli/stress.rs"]
 mod stress;
 #[path = "cli/support.rs"]

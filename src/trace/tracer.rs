@@ -149,9 +149,13 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
 
     /// Any hit, whole: the first that is met, which depends on hierarchy and traversal.
     pub fn any_hit(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
-        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.bvh, &self.boxes, ray);
-        self.run_fast(ray.octant(), &mut Vec::new(), &mut search);
-        search.hit()
+        self.any_hit_in(ray, &mut Vec::new())
+    }
+
+    /// [`any_hit`](Self::any_hit) of each ray, on this thread.
+    pub fn any_hit_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
+        let mut memory = Vec::new();
+        rays.iter().map(|ray| self.any_hit_in(ray, &mut memory)).collect()
     }
 
     /// What the closest hit (or with `any`, any hit) of each ray costs, counted. Of no use for timing.
@@ -242,6 +246,12 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
         let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.bvh, &self.boxes, ray);
         self.run_fast(ray.octant(), memory, &mut search);
         search.found().is_some()
+    }
+
+    fn any_hit_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Option<Hit<Real<K>>> {
+        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.bvh, &self.boxes, ray);
+        self.run_fast(ray.octant(), memory, &mut search);
+        search.hit()
     }
 
     /// Runs a query in a copy of the traversals that is compiled for it, if the keys are short.

@@ -84,10 +84,23 @@ fn the_geometric_mean_of_all_is_that_of_the_rows() {
     let fields: Vec<_> = line.split_whitespace().collect();
     let expected = ratios.iter().map(|ratio| ratio.ln()).sum::<f64>() / 3.0;
     let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
-    let printed = [2, 3, 4, 5, 6].map(|i| fields[i].parse::<f64>().unwrap());
+    let printed = [3, 4, 5, 6, 7].map(|i| fields[i].parse::<f64>().unwrap());
     for (printed, expected) in printed.into_iter().zip([ratios[0], ratios[1], ratios[2], expected.exp(), least]) {
         assert!((printed - expected).abs() < 1e-3, "{line}: {expected}");
     }
+}
+
+#[test]
+fn trees_are_measured_beside_each_other() {
+    let (_, rows) = bench("soup --rounds 1 --methods stack,hashed --rays diffuse --build sah,sbvh+1,lbvh");
+    let expected = ["sah", "sbvh+1", "lbvh"].map(|build| ["stack", "hashed"].map(|method| (build, method)));
+    let found: Vec<_> = rows.iter().map(|row| (row["build"].as_str().unwrap(), names(row)[2])).collect();
+    assert_eq!(found, expected.as_flattened());
+    assert!(rows.iter().all(|row| is_to(row, &rows[0])));
+    // Better trees are visited less.
+    assert!(number(&rows[2], "nodes_per_ray") < number(&rows[4], "nodes_per_ray"));
+    let run = stackless("bench soup --build bvh", &[]);
+    assert!(run.code == Some(2) && run.stderr.contains("sah, sbvh, lbvh, bounded, median"), "{run:?}");
 }
 
 #[test]

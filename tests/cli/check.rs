@@ -123,21 +123,21 @@ fn a_comb_of_depth_100_000() {
 fn scenes() {
     let (cube_ply, cube_obj) = (data("cube.ply"), data("cube.obj"));
     let (_, counts) = check("--rays 60", &[&cube_ply, &cube_obj]);
-    // Each scene under two trees, each ray as a closest-hit and as an any-hit query.
+    // Each scene under three trees, each ray as a closest-hit and as an any-hit query.
     assert_eq!(
         (&counts["trees"], &counts["rays"], &counts["methods"]),
-        (&4.into(), &240.into(), &Method::ALL.len().into())
+        (&6.into(), &360.into(), &Method::ALL.len().into())
     );
     for row in counts["rows"].as_array().unwrap() {
         let all = row["cases"].as_u64().unwrap() + row["refused"].as_u64().unwrap();
-        assert_eq!((all, &row["agree"]), (480, &row["cases"]), "{row}");
+        assert_eq!((all, &row["agree"]), (720, &row["cases"]), "{row}");
         // A cube's tree by surface area may be complete; other refusals there are none.
         assert!(row["method"] == "complete" || row["refused"] == 0, "{row}");
     }
     let (_, more) = check("--rays 60 --trees 25 --methods hashed --word u64", &[&cube_ply]);
-    assert_eq!((&more["trees"], &more["rays"], &more["rows"][0]["cases"]), (&27.into(), &120.into(), &265.into()));
+    assert_eq!((&more["trees"], &more["rays"], &more["rows"][0]["cases"]), (&28.into(), &180.into(), &385.into()));
     for made in ["strands", "stadium", "soup"] {
         let (_, counts) = check("--rays 40 --methods stack,hashed,complete --word u64", &[Path::new(made)]);
-        assert_eq!((&counts["trees"], &counts["rays"], &counts["disagreements"]), (&2.into(), &80.into(), &0.into()));
+        assert_eq!((&counts["trees"], &counts["rays"], &counts["disagreements"]), (&3.into(), &120.into(), &0.into()));
     }
 }

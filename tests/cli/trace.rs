@@ -113,6 +113,17 @@ const PENTAGON: [&str; 2] = [
 ];
 
 #[test]
+fn every_builder_gives_the_same_hits() {
+    let scene = Path::new("stadium");
+    let rays = procedural::rays(&procedural::stadium(1), 5, 400);
+    let expected = trace(scene, &rays, "");
+    assert!(expected.iter().any(Option::is_some) && expected.contains(&None));
+    for build in ["sah+2", "sbvh", "sbvh+3", "lbvh", "bounded", "median"] {
+        assert_eq!(trace(scene, &rays, &format!("--build {build}")), expected, "{build}");
+    }
+}
+
+#[test]
 fn polygons_fan_out_in_place() {
     let folder = Folder::new();
     let rays = "4,0.5,-2,0,0,1,0,inf\n3,3,-2,0,0,1,0,inf\n0.5,2,-2,0,0,1,0,inf\n1,6,-2,0,0,1,0,inf\n\

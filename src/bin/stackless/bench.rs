@@ -14,6 +14,7 @@ use stackless_bvh::trace::{Accuracy, Truth};
 use stackless_bvh::traverse::Method;
 
 use crate::Outcome;
+use crate::build::Build;
 use crate::input::{self, Scene};
 use crate::judge::{Answer, Counts, Query, Truths, csv_line, is_same};
 use crate::output::{say, write_json};
@@ -22,10 +23,10 @@ use own::Trees;
 use rays::{Kind, Set};
 use rows::Row;
 
-/// Measure throughput on one thread: same tree, same rays.
+/// Measure throughput on one thread: same rays, and unless several are asked for, same tree.
 ///
 /// All take turns on chunks of the rays; times are the thread's processor time, and the ratio is the median over the rounds
-/// of the time of `stack` (with the first accuracy) to that of the other: above 1 is faster. The hits of all exact ones
+/// of the time of `stack` (on the first tree, with the first accuracy) to that of the other: above 1 is faster. The hits of all exact ones
 /// must be the same, or the exit code is 1.
 #[derive(clap::Args)]
 pub(crate) struct Args {
@@ -36,6 +37,10 @@ pub(crate) struct Args {
     #[arg(long, value_delimiter = ',', value_parser = input::method)]
     #[arg(default_value = "stack,sparse,afra,uncle,hashed,hash-only,implicit-b1")]
     methods: Vec<Method>,
+    /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median, separated by commas; with `+N`, N rounds of
+    /// reinsertion follow.
+    #[arg(long, value_delimiter = ',', default_value = "sah")]
+    build: Vec<Build>,
     /// Kinds of rays, separated by commas.
     #[arg(long, value_delimiter = ',', default_value = "primary,any,diffuse")]
     rays: Vec<Kind>,
@@ -71,6 +76,9 @@ trait Contestant {
     /// Traversal, or name of the peer.
     fn method(&self) -> &'static str;
 
+    /// How the tree was built; a peer has its own way.
+    fn build(&self) -> Option<Build>;
+
     /// Level of accuracy; a peer has none.
     fn accuracy(&self) -> Option<Accuracy>;
 
@@ -91,6 +99,7 @@ trait Contestant {
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
+    let builds = once_each(args.build.iter().copied());
     let accuracies = once_each(args.accuracy.iter().copied());
     // `stack` is what the others are measured by.
     let methods = once_each([Method::Stack].into_iter().chain(args.methods.iter().copied()));
@@ -103,18 +112,25 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let scenes = input::scenes(&args.scenes)?;
     let (mut rows, mut notes, mut offences) = (Vec::new(), Vec::new(), Vec::new());
     for scene in &scenes {
-        let trees = Trees::build(&scene.mesh)?;
-        let pairs = accuracies.iter().flat_map(|&accuracy| methods.iter().map(move |&method| (method, accuracy)));
-        let contestants = pairs.map(|(method, accuracy)| trees.contestant(method, accuracy));
-        let contestants: Result<Vec<_>, _> = contestants.collect();
-        let mut contestants = contestants.map_err(|unfit| format!("{}: {unfit}", scene.name))?;
+        let trees: Result<Vec<_>, _> = builds.iter().map(|&build| Trees::build(scene, build)).collect();
+        let trees = trees?;
+        let mut contestants = Vec::new();
+        for trees in &trees {
+            for &accuracy in &accuracies {
+                for &method in &methods {
+                    let contestant = trees.contestant(method, accuracy);
+                    contestants.push(contestant.map_err(|unfit| format!("{}: {method}: {unfit}", scene.name))?);
+                }
+            }
+        }
         #[cfg(feature = "peers")]
         if args.peers {
             contestants.extend(peers::build(&scene.mesh, &mut notes));
         }
         let course = Course { scene, truth: args.peers.then(|| Truth::new(&scene.mesh)), rounds: args.rounds as usize };
         let first = rows.len();
-        for set in rays::sets(scene, trees.bvh(), once_each(args.rays.iter().copied()), args.count as usize, args.seed)
+        for set in
+            rays::sets(scene, trees[0].bvh(), once_each(args.rays.iter().copied()), args.count as usize, args.seed)
         {
             if set.rays.is_empty() {
                 notes.push(format!("{}, {}: no rays", scene.name, set.kind.name()));

@@ -4,7 +4,6 @@ use std::collections::HashSet;
 use std::path::PathBuf;
 
 use serde::Serialize;
-use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::check::{
     Battery, CaseOptions, Disagreement, Plan, Replay, SceneDisagreement, SceneTree, Tally, Verdict, boundary_cases,
     check_cases, check_random, check_scene, merge, shrink,
@@ -15,6 +14,7 @@ use stackless_bvh::trace::Truth;
 use stackless_bvh::traverse::{Method, WordName};
 
 use crate::Outcome;
+use crate::build::Build;
 use crate::input::{self, MADE, Scene};
 use crate::output::{bar, grouped, say, table, write_json};
 
@@ -118,7 +118,7 @@ fn check_trees(plan: &Plan, random_only: bool, total: &mut Total) -> Option<Disa
     found
 }
 
-/// Rays through the scene under a tree by surface area and under a complete tree by medians.
+/// Rays through the scene under a tree by surface area, a complete one by medians, and one with triangles in parts.
 fn check_one_scene(
     plan: &Plan,
     scene: &Scene,
@@ -127,15 +127,14 @@ fn check_one_scene(
 ) -> Result<(), Box<dyn std::error::Error>> {
     let truth = Truth::new(&scene.mesh);
     let rays = procedural::rays(&scene.mesh, plan.seed, count);
-    let trees =
-        [("surface area", Bvh::sah(&scene.mesh, SahOptions::default())?), ("median", Bvh::median(&scene.mesh, 4)?)];
-    for (kind, bvh) in &trees {
+    for build in Build::CHECKED {
+        let bvh = &build.run(scene)?;
         let progress = bar(rays.len() as u64, &scene.name);
         let tree = SceneTree::new(&truth, bvh);
         let (tally, found) = check_scene(plan, &tree, &rays, &|done| progress.inc(done));
         progress.finish_and_clear();
         if let Some(found) = found {
-            print_scene(&scene.name, kind, &found);
+            print_scene(&scene.name, build, &found);
         }
         total.tally = std::mem::take(&mut total.tally).merge(&tally);
         total.trees += 1;
@@ -144,7 +143,7 @@ fn check_one_scene(
     Ok(())
 }
 
-fn print_scene(scene: &str, tree: &str, found: &SceneDisagreement) {
+fn print_scene(scene: &str, tree: Build, found: &SceneDisagreement) {
     let SceneDisagreement { ray, any, method, expected, found } = found;
     let who = method.map_or_else(|| "the oracle".to_owned(), |(method, word)| format!("{method} {word}"));
     let query = if *any { "any hit" } else { "closest hit" };

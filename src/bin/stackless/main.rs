@@ -4,6 +4,7 @@
 
 mod accuracy;
 mod bench;
+mod build;
 mod check;
 mod input;
 mod judge;

@@ -1,11 +1,13 @@
 //! `stackless stats`: a scene's hierarchy, its tables, and where backtracking goes.
 
+mod plan;
+
 use std::cell::Cell;
 use std::path::PathBuf;
 use std::time::Instant;
 
 use serde::Serialize;
-use stackless_bvh::bvh::{Bvh, SahOptions};
+use stackless_bvh::bvh::Bvh;
 use stackless_bvh::hash::{self, BuildError, KeySet, Lookup, Options, PerfectHash, Sizing};
 use stackless_bvh::key::{KeyWord, TooDeep};
 use stackless_bvh::report::{Backtracks, Source, plot_distances};
@@ -15,6 +17,7 @@ use stackless_bvh::traverse::{Hashed, WithWord, WordName, traverse, with_word};
 use stackless_bvh::tree::{Node, Topology, Uncles};
 
 use crate::Outcome;
+use crate::build::Build;
 use crate::input::Scene;
 use crate::output::{grouped, say, table, write_json};
 
@@ -26,6 +29,9 @@ use crate::output::{grouped, say, table, write_json};
 pub(crate) struct Args {
     /// Mesh file (.ply, .obj), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
+    /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median; with `+N`, N rounds of reinsertion follow.
+    #[arg(long, default_value_t)]
+    build: Build,
     /// Number of rays.
     #[arg(long, default_value_t = 65_536)]
     rays: usize,
@@ -48,13 +54,20 @@ struct Stats {
     nodes: usize,
     depth: u32,
     tree_bytes: usize,
-    /// Time of the builder, which runs on one thread.
+    bytes_per_triangle: f64,
+    /// Degenerate triangles, which no ray meets, are left out.
+    dropped: usize,
+    /// References to triangles beyond the first of each.
+    duplicates: usize,
+    /// Time of the builder, on all threads.
     build_seconds: f64,
     /// The tables that traversals use.
     tables: TableStats,
     /// The other sizings.
     other_tables: Vec<TableStats>,
     backtracks: BacktrackStats,
+    /// What queries can do without.
+    plan: Vec<plan::Row>,
 }
 
 #[derive(Serialize)]
@@ -95,7 +108,7 @@ struct BacktrackStats {
 
 pub(crate) fn run(args: &Args) -> Outcome {
     let scene = Scene::load(&args.scene)?;
-    let (bvh, build_seconds) = timed(|| Bvh::sah(&scene.mesh, SahOptions::default()));
+    let (bvh, build_seconds) = timed(|| args.build.run(&scene));
     let bvh = bvh?;
     let mut tables = Vec::new();
     for sizing in [Sizing::Tight, Sizing::PrintedHashed, Sizing::Printed] {
@@ -107,10 +120,14 @@ pub(crate) fn run(args: &Args) -> Outcome {
         nodes: bvh.node_count(),
         depth: bvh.depth(),
         tree_bytes: bvh.bytes(),
+        bytes_per_triangle: bvh.bytes() as f64 / scene.mesh.triangles().len() as f64,
+        dropped: bvh.dropped(),
+        duplicates: bvh.duplicates(),
         build_seconds,
         tables: tables.remove(0),
         other_tables: tables,
         backtracks: BacktrackStats::of(&backtracks, lookups),
+        plan: plan::measure(&scene.mesh, &bvh, &procedural::view(&scene.name, &scene.mesh).rays(args.rays / 4))?,
         scene: scene.name,
     };
     stats.print();
@@ -229,13 +246,16 @@ impl BacktrackStats {
 impl Stats {
     fn print(&self) {
         say!(
-            "{}: {} triangles, {} nodes, depth {}, {} bytes, built in {:.1} ms",
+            "{}: {} triangles, {} nodes, depth {}, {} bytes ({:.1} a triangle), built in {:.1} ms; {} degenerate triangles left out, {} references twice",
             self.scene,
             grouped(self.triangles as u64),
             grouped(self.nodes as u64),
             self.depth,
             grouped(self.tree_bytes as u64),
-            self.build_seconds * 1e3
+            self.bytes_per_triangle,
+            self.build_seconds * 1e3,
+            grouped(self.dropped as u64),
+            grouped(self.duplicates as u64)
         );
         let header =
             ["tables", "keys", "D", "H", "bytes", "of tree", "direct", "reseeds", "ms", "of build", "ms parallel"];
@@ -271,6 +291,7 @@ impl Stats {
             let of_all = |count: u64| percent(count as f64 / shares.total.max(1) as f64);
             vec![distance.to_string(), grouped(count), of_all(count), of_all(cumulative)]
         });
+        plan::print(&self.plan);
         say!("{}", table(&["levels up", "backtracks", "share", "cumulative"], 0, rows.collect()));
     }
 }

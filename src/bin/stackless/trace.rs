@@ -4,15 +4,14 @@ use std::path::PathBuf;
 
 use glam::Vec3;
 use rayon::prelude::*;
-use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::check::run_query;
+use stackless_bvh::bvh::Bvh;
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
 use stackless_bvh::scene;
-use stackless_bvh::trace::{self, Accuracy, Hit, NodeSearch, WithTests};
-use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
-use stackless_bvh::tree::{Implicit, Node, Topology};
+use stackless_bvh::trace::{self, Accuracy, Hit, Tracer, WithTests};
+use stackless_bvh::traverse::{Method, Unfit};
 
 use crate::Outcome;
+use crate::build::Build;
 use crate::input::{self, Scene};
 use crate::output::{bar, say};
 
@@ -33,6 +32,9 @@ pub(crate) struct Args {
     /// The traversal.
     #[arg(long, default_value = "hashed", value_parser = input::method)]
     method: Method,
+    /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median; with `+N`, N rounds of reinsertion follow.
+    #[arg(long, default_value_t)]
+    build: Build,
     /// How exact the answers are to be: fast, watertight, precise or exact.
     #[arg(long, default_value = "exact", value_parser = input::accuracy)]
     accuracy: Accuracy,
@@ -44,11 +46,7 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Outcome {
     let rays = scene::read_rays(&args.rays)?;
     let scene = Scene::load(&args.scene)?;
-    // Only complete trees have computed addresses.
-    let bvh = match args.method {
-        Method::Complete => Bvh::median(&scene.mesh, 4)?,
-        _ => Bvh::sah(&scene.mesh, SahOptions::default())?,
-    };
+    let bvh = args.build.for_method(args.method).run(&scene)?;
     let hits = trace::with_level(args.accuracy, WithRays { args, bvh, rays: &rays })
         .map_err(|unfit| format!("{}: {unfit}", args.method))?;
     let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (prim, t, u, v)));
@@ -73,24 +71,14 @@ impl WithTests for WithRays<'_> {
     fn call<K: Kernel<Vector = Vec3>, B: Slabs<Vector = Vec3>>(self) -> Hits {
         let Self { args, bvh, rays } = self;
         let bvh = bvh.map(K::Shape::from);
-        let tables = Tables::new(&bvh, bvh.axes(), &[args.method], Implicit::LIMIT);
-        let (word, boxes) = (WordName::narrowest(bvh.depth()), bvh.own_boxes());
+        let tracer = Tracer::<K, B>::with_method(&bvh, args.method)?;
         let progress = bar(rays.len() as u64, "rays");
-        let trace = |memory: &mut Vec<Node>, ray: &Ray| {
-            let hit = if args.any {
-                let mut search = NodeSearch::<K, B, true>::new(&bvh, &boxes, ray);
-                run_query(word, &tables, args.method, ray, memory, &mut search)?;
-                search.hit()
-            } else {
-                let mut search = NodeSearch::<K, B, false>::new(&bvh, &boxes, ray);
-                run_query(word, &tables, args.method, ray, memory, &mut search)?;
-                search.hit()
-            };
-            progress.inc(1);
-            Ok(hit)
-        };
-        let hits = rays.par_iter().with_min_len(1024).map_init(Vec::new, trace).collect();
+        let hits = rays.par_chunks(1024).flat_map_iter(|chunk| {
+            progress.inc(chunk.len() as u64);
+            if args.any { tracer.any_hit_each(chunk) } else { tracer.closest_each(chunk) }
+        });
+        let hits = hits.collect();
         progress.finish_and_clear();
-        hits
+        Ok(hits)
     }
 }

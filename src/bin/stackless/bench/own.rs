@@ -2,18 +2,20 @@
 
 use cpu_time::ProcessTime;
 use glam::Vec3;
-use stackless_bvh::bvh::{BuildError, Bvh, SahOptions};
+use stackless_bvh::bvh::{BuildError, Bvh};
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
-use stackless_bvh::scene::Mesh;
 use stackless_bvh::trace::{self, Accuracy, Form, Forms, Tracer, WithTests};
 use stackless_bvh::traverse::{Method, Unfit};
 use stackless_bvh::tree::{Recorded, Topology};
 
 use super::Contestant;
+use crate::build::Build;
+use crate::input::Scene;
 use crate::judge::{Answer, Query};
 
 /// The tree over a mesh.
 pub(super) struct Trees {
+    build: Build,
     /// With uncles in its records.
     uncles: Forms,
     /// With parents and siblings.
@@ -22,12 +24,12 @@ pub(super) struct Trees {
 }
 
 impl Trees {
-    pub(super) fn build(mesh: &Mesh) -> Result<Self, BuildError> {
+    pub(super) fn build(scene: &Scene, build: Build) -> Result<Self, BuildError> {
         let start = ProcessTime::now();
-        let bvh = Bvh::sah(mesh, SahOptions::default())?;
+        let bvh = build.run(scene)?;
         let build_seconds = start.elapsed().as_secs_f64();
         let parents = Forms::new(bvh.clone().with_links(Recorded::ParentSibling));
-        Ok(Self { uncles: Forms::new(bvh), parents, build_seconds })
+        Ok(Self { build, uncles: Forms::new(bvh), parents, build_seconds })
     }
 
     pub(super) fn bvh(&self) -> &Bvh {
@@ -67,6 +69,10 @@ struct Runner<'a, K: Kernel, B> {
 impl<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>> Contestant for Runner<'_, K, B> {
     fn method(&self) -> &'static str {
         self.make.method.name()
+    }
+
+    fn build(&self) -> Option<Build> {
+        Some(self.make.trees.build)
     }
 
     fn accuracy(&self) -> Option<Accuracy> {

@@ -7,6 +7,7 @@ use stackless_bvh::trace::Accuracy;
 use stackless_peers as peers;
 
 use super::Contestant;
+use crate::build::Build;
 use crate::judge::{Answer, Query};
 
 /// Builds all peers that are there; a note says why one is not.
@@ -44,6 +45,10 @@ struct Foreign {
 impl Contestant for Foreign {
     fn method(&self) -> &'static str {
         self.peer.name()
+    }
+
+    fn build(&self) -> Option<Build> {
+        None
     }
 
     fn accuracy(&self) -> Option<Accuracy> {

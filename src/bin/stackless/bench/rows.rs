@@ -15,6 +15,8 @@ use crate::turns::{Times, geometric_mean, median_ratio};
 pub(super) struct Row {
     scene: String,
     rays: Kind,
+    /// How the tree was built; `own` for that of a peer.
+    build: String,
     method: &'static str,
     /// A level, or `own` for the tests of a peer.
     accuracy: &'static str,
@@ -46,6 +48,7 @@ impl Row {
         Self {
             scene: scene.name.clone(),
             rays: set.kind,
+            build: contestant.build().map_or_else(|| "own".to_owned(), |build| build.to_string()),
             method: contestant.method(),
             accuracy: contestant.accuracy().map_or("own", |level| level.name()),
             count: set.rays.len(),
@@ -83,20 +86,21 @@ impl Row {
     }
 
     fn is_as(&self, other: &Self) -> bool {
-        (self.method, self.accuracy) == (other.method, other.accuracy)
+        (&self.build, self.method, self.accuracy) == (&other.build, other.method, other.accuracy)
     }
 }
 
 /// All rows of a scene.
 pub(super) fn of_scene(rows: &[Row]) -> Table {
-    let mut header = vec!["scene", "rays", "method", "accuracy", "Mrays/s", "ratio", "state bytes", "nodes/ray"];
+    let mut header =
+        vec!["scene", "rays", "build", "method", "accuracy", "Mrays/s", "ratio", "state bytes", "nodes/ray"];
     header.push("build Mtri/s");
     let with_errors = rows.iter().any(|row| row.errors.is_some());
     if with_errors {
         header.extend(["judged", "false misses", "false hits", "wrong ids", "p99.9 ulp", "max ulp"]);
     }
     let cells = |row: &Row| {
-        let names = [&row.scene, row.rays.name(), row.method, row.accuracy].map(str::to_owned);
+        let names = [&row.scene, row.rays.name(), &row.build, row.method, row.accuracy].map(str::to_owned);
         let mut cells = names.to_vec();
         cells.extend([format!("{:.3}", row.mrays), format!("{:.3}", row.ratio), or_dash(row.state_bytes)]);
         cells.push(or_dash(row.nodes_per_ray.map(|nodes| format!("{nodes:.1}"))));
@@ -109,7 +113,7 @@ pub(super) fn of_scene(rows: &[Row]) -> Table {
         }
         cells
     };
-    table(&header, 4, rows.iter().map(cells).collect())
+    table(&header, 5, rows.iter().map(cells).collect())
 }
 
 /// Geometric means of the ratios of each contestant: of each kind of rays over the scenes, and of all.
@@ -120,7 +124,7 @@ pub(super) fn means(rows: &[Row]) -> Table {
             kinds.push(row.rays);
         }
     }
-    let header = ["geometric means of", "accuracy"].into_iter().chain(kinds.iter().map(|kind| kind.name()));
+    let header = ["geometric means of", "build", "accuracy"].into_iter().chain(kinds.iter().map(|kind| kind.name()));
     let header: Vec<_> = header.chain(["all", "least", "build Mtri/s"]).collect();
     let mut lines = Vec::new();
     for (i, first) in rows.iter().enumerate() {
@@ -133,13 +137,13 @@ pub(super) fn means(rows: &[Row]) -> Table {
             of_kind.map(|row| row.ratio)
         };
         let number = |x: Option<f64>| or_dash(x.map(|x| format!("{x:.3}")));
-        let mut line = vec![first.method.to_owned(), first.accuracy.to_owned()];
+        let mut line = vec![first.method.to_owned(), first.build.clone(), first.accuracy.to_owned()];
         line.extend(kinds.iter().map(|&kind| number(geometric_mean(ratios(Some(kind))))));
         line.extend([number(geometric_mean(ratios(None))), number(ratios(None).reduce(f64::min))]);
         line.push(or_dash(geometric_mean(own.iter().map(|row| row.build_mtriangles)).map(|x| format!("{x:.2}"))));
         lines.push(line);
     }
-    table(&header, 2, lines)
+    table(&header, 3, lines)
 }
 
 fn or_dash(what: Option<impl ToString>) -> String {

@@ -1,0 +1,87 @@
+//! `--build`: how a scene's hierarchy is built.
+
+use std::fmt;
+use std::str::FromStr;
+
+use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh};
+use stackless_bvh::traverse::Method;
+
+use crate::input::Scene;
+use crate::output::bar;
+
+/// A builder and how many rounds of reinsertion follow, as in `sbvh+2`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Build {
+    builder: Builder,
+    reinsertion: u32,
+}
+
+/// Rounds that nobody waits for.
+const MAX_ROUNDS: u32 = 1000;
+
+impl Build {
+    /// What trees are like in the checks: the default, complete, and with triangles in parts that have been moved about.
+    pub(crate) const CHECKED: [Self; 3] = [
+        Self { builder: Builder::Sah, reinsertion: 0 },
+        Self { builder: Builder::Median, reinsertion: 0 },
+        Self { builder: Builder::Spatial, reinsertion: 2 },
+    ];
+
+    /// The default, but for `complete`, which needs a complete tree.
+    pub(crate) fn for_method(self, method: Method) -> Self {
+        match method {
+            Method::Complete => Self { builder: Builder::Median, reinsertion: 0 },
+            _ => self,
+        }
+    }
+
+    /// Builds, with a progress bar.
+    pub(crate) fn run(self, scene: &Scene) -> Result<Bvh, BuildError> {
+        let Self { builder, reinsertion } = self;
+        let progress = bar(scene.mesh.triangles().len() as u64, &format!("{}, {self}", scene.name));
+        let options = BuildOptions { builder, reinsertion, ..BuildOptions::default() };
+        let bvh = Bvh::build(&scene.mesh, &options, &|placed| progress.inc(placed as u64));
+        progress.finish_and_clear();
+        bvh
+    }
+}
+
+impl fmt::Display for Build {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.reinsertion {
+            0 => write!(f, "{}", self.builder),
+            rounds => write!(f, "{}+{rounds}", self.builder),
+        }
+    }
+}
+
+impl FromStr for Build {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, rounds) = text.split_once('+').unwrap_or((text, "0"));
+        let builder = name.parse().map_err(|_| {
+            format!("expected one of: {}; and perhaps + and a number", Builder::ALL.map(Builder::name).join(", "))
+        })?;
+        match rounds.parse() {
+            Ok(reinsertion @ 0..=MAX_ROUNDS) => Ok(Self { builder, reinsertion }),
+            _ => Err(format!("expected up to {MAX_ROUNDS} rounds of reinsertion after the +")),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_read_and_written() {
+        for name in ["sah", "sbvh+2", "lbvh+1000"] {
+            assert_eq!(name.parse::<Build>().map(|build| build.to_string()), Ok(name.to_owned()));
+        }
+        assert_eq!("sah+0".parse(), Ok(Build::default()));
+        for bad in ["", "bvh", "+1", "sah+", "sah+1001", "sah+-1", "sah+1+1"] {
+            assert!(bad.parse::<Build>().is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! `stackless stats`: the figures fit together, and what the plan leaves out is told with its reason.
+
+use serde_json::Value;
+
+use super::support::{Folder, read_json, stackless};
+
+fn stats(args: &str, folder: &Folder) -> Value {
+    let json = folder.path("stats.json");
+    stackless(&format!("stats {args} --rays 2000 --json"), &[&json]).passes();
+    read_json(&json)
+}
+
+fn part<'v>(stats: &'v Value, query: &str, part: &str) -> &'v Value {
+    let rows = stats["plan"].as_array().unwrap();
+    rows.iter().find(|row| row["query"] == query && row["part"] == part).unwrap()
+}
+
+#[test]
+fn the_plan_says_what_is_left_out_and_why() {
+    let folder = Folder::new();
+    let stats = stats("strands", &folder);
+    for query in ["any hit", "closest hit"] {
+        let keys = part(&stats, query, "keys of 128 bits");
+        assert_eq!(keys["reason"], format!("{} levels fit in u32", stats["depth"]));
+        assert!(keys["skipped"] == true && keys["time_ratio"].as_f64().unwrap() > 0.0);
+        for saving in ["tables of other traversals", "own boxes"] {
+            assert!(part(&stats, query, saving)["saved_bytes"].as_u64().unwrap() > 0, "{saving}");
+        }
+        assert_eq!(part(&stats, query, "degenerate triangles")["skipped"], false);
+        assert_eq!(part(&stats, query, "padding")["saved_bytes"], Value::Null);
+        let all = part(&stats, query, "everything above")["saved_bytes"].as_u64().unwrap();
+        let own = part(&stats, query, "own boxes")["saved_bytes"].as_u64().unwrap();
+        // A box of 24 bytes for each node.
+        assert_eq!(own, 24 * stats["nodes"].as_u64().unwrap());
+        assert!(all > own);
+    }
+}
+
+#[test]
+fn degenerate_triangles_and_parts_are_counted() {
+    let folder = Folder::new();
+    let flat = folder.file("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\nf 1 1 3\n");
+    let counted = stats(flat.to_str().unwrap(), &folder);
+    assert_eq!((&counted["dropped"], &counted["duplicates"]), (&2.into(), &0.into()));
+    let decision = part(&counted, "any hit", "degenerate triangles");
+    assert_eq!(decision["reason"], "2 triangles have no area");
+    assert!(decision["saved_bytes"].as_u64().unwrap() >= 2 * 40);
+    let split = stats("stadium --build sbvh", &folder);
+    assert!(split["duplicates"].as_u64().unwrap() > 0);
+}
