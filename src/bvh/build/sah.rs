@@ -112,4 +112,4 @@ pub(super) fn capacity(max_leaf: u32, levels: u32) -> usize {
 }
 
 /// Cost of visiting a node, in triangle tests: two boxes are tested, and the next node is waited for.
-pub(super) const NODE_COST: f32 = 2.0;
+pub(super) const NODE_COST: f32 = 1.5;
