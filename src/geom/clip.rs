@@ -31,7 +31,7 @@ impl<V: Vector> Triangle<V> {
     ///   between corners strictly beyond the plane itself.
     /// - *The end.* After 6 cuts the box of the computed corners, grown by 128uM > 6δ, holds X.
     ///
-    /// Nothing overflows, and what underflows is too small to matter, if M is 0 or from 2^-900 to 2^1000, as in single
+    /// `[SPLIT-1]` Nothing overflows, and what underflows is too small to matter, if M is 0 or from 2^-900 to 2^1000, as in single
     /// precision it always is. Otherwise, the answer is the intersection of the two boxes.
     pub fn part(&self, part: &Aabb) -> Aabb {
         let whole = self.aabb();

@@ -19,6 +19,15 @@ fn part<'v>(stats: &'v Value, query: &str, part: &str) -> &'v Value {
 fn the_plan_says_what_is_left_out_and_why() {
     let folder = Folder::new();
     let stats = stats("strands", &folder);
+    let parts = stats["time"].as_array().unwrap();
+    let methods: Vec<_> = parts.iter().map(|row| row["method"].as_str().unwrap()).collect();
+    assert_eq!(methods, ["stack", "sparse", "afra", "uncle", "hashed"]);
+    for row in parts {
+        assert!(
+            ["all", "traversal", "boxes", "triangles"].iter().all(|part| row[part].as_f64().unwrap() > 0.0),
+            "{row}"
+        );
+    }
     for query in ["any hit", "closest hit"] {
         let keys = part(&stats, query, "keys of 128 bits");
         assert_eq!(keys["reason"], format!("{} levels fit in u32", stats["depth"]));

@@ -1,6 +1,7 @@
 //! `stackless stats`: a scene's hierarchy, its tables, and where backtracking goes.
 
 mod plan;
+mod time;
 
 use std::cell::Cell;
 use std::path::PathBuf;
@@ -66,6 +67,8 @@ struct Stats {
     /// The other sizings.
     other_tables: Vec<TableStats>,
     backtracks: BacktrackStats,
+    /// Where the time of closest-hit rays goes.
+    time: Vec<time::Row>,
     /// What queries can do without.
     plan: Vec<plan::Row>,
 }
@@ -115,6 +118,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         tables.push(measure(&bvh, sizing)?);
     }
     let (backtracks, lookups) = with_word(WordName::narrowest(bvh.depth()), Count { args, scene: &scene, bvh: &bvh })?;
+    let primary = procedural::view(&scene.name, &scene.mesh).rays(args.rays / 4);
     let stats = Stats {
         triangles: scene.mesh.triangles().len(),
         nodes: bvh.node_count(),
@@ -127,7 +131,8 @@ pub(crate) fn run(args: &Args) -> Outcome {
         tables: tables.remove(0),
         other_tables: tables,
         backtracks: BacktrackStats::of(&backtracks, lookups),
-        plan: plan::measure(&scene.mesh, &bvh, &procedural::view(&scene.name, &scene.mesh).rays(args.rays / 4))?,
+        time: time::measure(&bvh, &trace::bounce(&scene.mesh, &bvh, &primary, args.seed))?,
+        plan: plan::measure(&scene.mesh, &bvh, &primary)?,
         scene: scene.name,
     };
     stats.print();
@@ -291,6 +296,7 @@ impl Stats {
             let of_all = |count: u64| percent(count as f64 / shares.total.max(1) as f64);
             vec![distance.to_string(), grouped(count), of_all(count), of_all(cumulative)]
         });
+        time::print(&self.time);
         plan::print(&self.plan);
         say!("{}", table(&["levels up", "backtracks", "share", "cumulative"], 0, rows.collect()));
     }

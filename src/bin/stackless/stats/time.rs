@@ -1,0 +1,202 @@
+//! Where the time of a ray goes: finding the next node, boxes, triangles (Barringer & Akenine-Möller 2013, Fig. 5).
+
+use std::hint::black_box;
+
+use serde::Serialize;
+use stackless_bvh::bvh::Bvh;
+use stackless_bvh::geom::kernel::Exact;
+use stackless_bvh::geom::slabs::Directed;
+use stackless_bvh::geom::{Kernel, Ray, Slabs};
+use stackless_bvh::order::{Descent, Flow, NodeTest, Visitor};
+use stackless_bvh::trace::Closest;
+use stackless_bvh::traverse::{Method, Stack, Tables, Unfit, traverse};
+use stackless_bvh::tree::{Implicit, Node, Recorded};
+
+use crate::output::{say, table};
+use crate::turns::{median, take_turns};
+
+/// Nanoseconds of a ray by one traversal.
+#[derive(Serialize)]
+pub(super) struct Row {
+    method: &'static str,
+    /// Of the whole query.
+    all: f64,
+    /// Of the traversal alone, with decisions that are known.
+    traversal: f64,
+    /// Of preparing the ray and testing the boxes that the query tests.
+    boxes: f64,
+    /// Of preparing the ray and testing the triangles that the query tests.
+    triangles: f64,
+}
+
+const METHODS: [Method; 5] = [Method::Stack, Method::Sparse, Method::Afra, Method::Uncle, Method::Hashed];
+const CHUNK: usize = 1024;
+const ROUNDS: usize = 5;
+
+/// Times the parts alone, over what a query does. They do not add up to the whole: the processor does several at once, and
+/// memory is read for all of them.
+pub(super) fn measure(bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Unfit> {
+    let with_parents = bvh.clone().with_links(Recorded::ParentSibling);
+    let tree = |method: Method| if method.wants_recorded() == Recorded::ParentSibling { &with_parents } else { bvh };
+    let tables = METHODS.map(|method| Tables::new(tree(method), bvh.axes(), &[method], Implicit::LIMIT));
+    let tapes: Vec<_> = rays.iter().map(|ray| Tape::of(bvh, ray)).collect();
+    let mut memory = Vec::new();
+    let mut unfit = None;
+    // The whole and the traversal alone by each method, then boxes, then triangles.
+    let contestants = 2 * METHODS.len() + 2;
+    let times = take_turns(contestants, rays.len(), CHUNK, ROUNDS, "parts of the time", |who, chunk| {
+        for (ray, tape) in rays[chunk.clone()].iter().zip(&tapes[chunk]) {
+            let Some(&method) = METHODS.get(who / 2) else {
+                if who % 2 == 0 {
+                    tape.boxes(bvh, ray)
+                } else {
+                    tape.triangles(bvh, ray)
+                };
+                continue;
+            };
+            let tables = &tables[who / 2];
+            let ran = if who % 2 == 0 {
+                let mut search = ByParent(Closest::new(tree(method), ray));
+                let ran = run(tables, method, &mut memory, &mut search);
+                black_box(search.0.found());
+                ran
+            } else {
+                run(tables, method, &mut memory, &mut ByParent(Replay(tape.descents.iter())))
+            };
+            unfit = unfit.or(ran.err());
+        }
+    });
+    if let Some(unfit) = unfit {
+        return Err(unfit);
+    }
+    let nanoseconds = |who: usize| median(times.by_round(who)) / rays.len() as f64 * 1e9;
+    let [boxes, triangles] = [0, 1].map(|part| nanoseconds(2 * METHODS.len() + part));
+    let row = |(i, method): (usize, Method)| {
+        let [all, traversal] = [nanoseconds(2 * i), nanoseconds(2 * i + 1)];
+        Row { method: method.name(), all, traversal, boxes, triangles }
+    };
+    Ok(METHODS.into_iter().enumerate().map(row).collect())
+}
+
+/// In a word that fits. The octant is for traversals that are not among [`METHODS`].
+fn run<S: Visitor + NodeTest>(
+    tables: &Tables<'_, Bvh>,
+    method: Method,
+    memory: &mut Vec<Node>,
+    search: &mut S,
+) -> Result<(), Unfit> {
+    match tables.run::<u32, _>(method, 0, memory, search, &mut ()) {
+        Err(Unfit::TooDeep(_)) => tables.run::<u64, _>(method, 0, memory, search, &mut ()),
+        ran => ran,
+    }
+}
+
+pub(super) fn print(rows: &[Row]) {
+    let cells = |row: &Row| {
+        let numbers = [row.all, row.traversal, row.boxes, row.triangles].map(|ns| format!("{ns:.0}"));
+        [row.method.to_owned()].into_iter().chain(numbers).collect()
+    };
+    let header = ["ns a ray", "all", "traversal alone", "boxes alone", "triangles alone"];
+    say!("{}", table(&header, 1, rows.iter().map(cells).collect()));
+}
+
+/// What the closest-hit query of a ray does.
+struct Tape {
+    descents: Vec<Descent>,
+    /// Inner nodes, and how long the ray is when they are visited.
+    inner: Vec<(Node, f32)>,
+    leaves: Vec<(Node, f32)>,
+}
+
+impl Tape {
+    fn of(bvh: &Bvh, ray: &Ray) -> Self {
+        let tape = Self { descents: Vec::new(), inner: Vec::new(), leaves: Vec::new() };
+        let mut recording = Recording { search: Closest::new(bvh, ray), end: ray.tmax(), tape };
+        traverse(Stack::new(bvh, &mut Vec::new()), &mut recording, &mut ());
+        recording.tape
+    }
+
+    #[inline(never)]
+    fn boxes(&self, bvh: &Bvh, ray: &Ray) {
+        let slabs = Directed::new(ray, bvh.region());
+        for &(node, end) in &self.inner {
+            black_box(slabs.pair(&bvh.node(node.index()).planes, end));
+        }
+    }
+
+    #[inline(never)]
+    fn triangles(&self, bvh: &Bvh, ray: &Ray) {
+        let kernel = Exact::new(ray, bvh.region());
+        for &(leaf, end) in &self.leaves {
+            for held in bvh.leaf_triangles(leaf) {
+                black_box(kernel.distance(&held.shape, end));
+            }
+        }
+    }
+}
+
+struct Recording<'a> {
+    search: Closest<'a>,
+    end: f32,
+    tape: Tape,
+}
+
+impl Recording<'_> {
+    fn end(&self) -> f32 {
+        self.search.found().map_or(self.end, |(_, t)| t)
+    }
+}
+
+impl Visitor for Recording<'_> {
+    fn inner(&mut self, node: Node) -> Descent {
+        self.tape.inner.push((node, self.end()));
+        let descent = self.search.inner(node);
+        self.tape.descents.push(descent);
+        descent
+    }
+
+    fn leaf(&mut self, node: Node) -> Flow {
+        self.tape.leaves.push((node, self.end()));
+        self.search.leaf(node)
+    }
+}
+
+/// Decides as a query has decided before.
+struct Replay<'t>(std::slice::Iter<'t, Descent>);
+
+impl Visitor for Replay<'_> {
+    #[inline(always)]
+    fn inner(&mut self, _: Node) -> Descent {
+        self.0.next().copied().unwrap_or(Descent::NEITHER)
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, _: Node) -> Flow {
+        Flow::Continue
+    }
+}
+
+/// A visitor for traversals that never test a node at its own visit: [`METHODS`] are such.
+struct ByParent<V>(V);
+
+impl<V: Visitor> Visitor for ByParent<V> {
+    #[inline(always)]
+    fn inner(&mut self, node: Node) -> Descent {
+        self.0.inner(node)
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, node: Node) -> Flow {
+        self.0.leaf(node)
+    }
+}
+
+impl<V: Visitor> NodeTest for ByParent<V> {
+    fn accept(&mut self, _: Node) -> bool {
+        true
+    }
+
+    fn leaf(&mut self, node: Node) -> Flow {
+        self.0.leaf(node)
+    }
+}
