@@ -118,7 +118,7 @@ fn the_fast_builder_is_nearly_as_good() {
     for mesh in [procedural::stadium(1), procedural::strands(1, 500), procedural::soup(1, 20_000)] {
         let [sah, fast, median] = [Builder::Sah, Builder::Linear, Builder::Median]
             .map(|builder| cost(&Bvh::build(&mesh, &options(builder, 4, 31), &|_| ()).expect("a tree")));
-        assert!(fast < 1.15 * sah && fast < median, "{sah} {fast} {median}");
+        assert!(fast < 1.25 * sah && fast < median, "{sah} {fast} {median}");
     }
 }
 
