@@ -45,6 +45,14 @@ impl DraftNode {
         Self { aabb, first: first as u32, tag: count as u32 }
     }
 
+    /// The same where all places are `by` further on.
+    pub(super) fn moved(mut self, by: usize) -> Self {
+        if !self.is_leaf() {
+            self.first += by as u32;
+        }
+        self
+    }
+
     pub(super) fn is_leaf(&self) -> bool {
         self.tag & INNER == 0
     }

@@ -1,8 +1,11 @@
-//! The fast builder: clusters along a space-filling curve, then the surface area heuristic over them and in them.
+//! The fast builder: clusters along a space-filling curve, and the surface area heuristic over and in them.
 //!
 //! Centroids are sorted by their Morton codes (Lauterbach et al. 2009, "Fast BVH construction on GPUs"). Where the codes of
-//! few items have the same first bits, these are a cluster. A tree by surface area over the clusters (Garanzha, Pantaleoni &
-//! `McAllister` 2011, "Simpler and faster HLBVH with work queues") goes on in each cluster with its items (Ganestam et al. 2015, "Bonsai").
+//! some items have the same first bits, these are a cluster. Over the clusters stands a tree by surface area (Garanzha,
+//! Pantaleoni & `McAllister` 2011, "Simpler and faster HLBVH with work queues"). In a cluster, many items are cut where
+//! their codes first differ, few where it is cheapest by surface area between neighbours on the curve. So no item moves.
+
+mod forest;
 
 use std::ops::Range;
 
@@ -11,17 +14,18 @@ use rayon::prelude::*;
 
 use super::BuildError;
 use super::bins::Scale;
-use super::draft::Draft;
-use super::item::{CHUNK, Extents, Item, Spread};
+use super::draft::{Draft, DraftNode};
+use super::item::{CHUNK, Item, Spread};
 use super::sah::{self, SahOptions};
-use super::sweep::{self, indices};
+use super::sweep::indices;
 use super::top_down;
+use forest::{Forest, Growth};
 
 /// Items that a cluster may have.
-const CLUSTER: usize = sweep::MAX;
+const CLUSTER: usize = 64;
 
-/// Items that a cluster may have if all have the same code.
-const CELL: usize = 512;
+/// Levels in a cluster beyond those that it needs.
+const SPARE_LEVELS: u32 = 2;
 
 pub(super) fn build(
     items: Vec<Item>,
@@ -29,26 +33,33 @@ pub(super) fn build(
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Draft, BuildError> {
     options.check(items.len())?;
-    let (mut items, codes) = along_the_curve(&items);
+    let mut codes: Vec<_> = (0..items.len() as u64).collect();
+    sort(&items, &mut codes);
     let mut clusters = Vec::new();
-    cluster(&mut items, &codes, 0, &mut clusters);
+    cluster(&items, &mut codes, 0, &mut clusters);
     // Levels that must be left for each cluster.
     let most = clusters.iter().map(ExactSizeIterator::len).max().unwrap_or(1);
-    let below = most.div_ceil(options.max_leaf as usize).next_power_of_two().ilog2();
-    let depth_limit = options.depth_limit.saturating_sub(below);
-    let above = SahOptions { max_leaf: 1, depth_limit, ..options };
-    if options.depth_limit < below || above.check(clusters.len()).is_err() {
+    let levels = most.div_ceil(options.max_leaf as usize).next_power_of_two().ilog2() + SPARE_LEVELS;
+    let above = SahOptions { max_leaf: 1, depth_limit: options.depth_limit.saturating_sub(levels), ..options };
+    if options.depth_limit < levels || above.check(clusters.len()).is_err() {
         return sah::build(items, options, progress);
     }
-    let boxes =
-        |(i, range): (usize, &Range<usize>)| Item::new(&Extents::of(&items[range.clone()]).boxes.aabb(), i as u32);
-    let as_items = clusters.par_iter().with_min_len(CHUNK).enumerate().map(boxes).collect();
-    let top = top_down::build(as_items, |range, extents, depth| above.cut(range, extents, depth), &|_| ());
-    // Whether few items are better in two leaves is not asked: it takes longer than it saves.
-    let cut = |range: &mut [Item], extents: &Extents, depth| {
-        (range.len() > options.max_leaf as usize).then(|| options.cut(range, extents, depth)).flatten()
+    let growth = Growth { items: &items, codes: &codes, max_leaf: options.max_leaf, levels, progress };
+    let share = clusters.len().div_ceil(rayon::current_num_threads());
+    let forests = clusters.par_chunks(share).map(|clusters| growth.forest(clusters));
+    let Some(Forest { mut nodes, roots, references }) = forests.reduce_with(Forest::and) else {
+        return Err(BuildError::Empty);
     };
-    Ok(top_down::go_on(top, items, &clusters, cut, progress))
+    let as_items = (0..).zip(&roots).map(|(i, root)| Item::new(&root.aabb, i)).collect();
+    let top = top_down::build(as_items, |range, extents, depth| above.cut(range, extents, depth), &|_| ());
+    let by = nodes.len() - 1;
+    let mut above = top.nodes.iter().map(|node| {
+        // Its leaves are the clusters.
+        if node.is_leaf() { roots[top.references[node.references().start] as usize] } else { node.moved(by) }
+    });
+    nodes[0] = above.next().unwrap_or(DraftNode::NONE);
+    nodes.extend(above);
+    Ok(Draft { nodes, references })
 }
 
 /// Bits of a code along each axis.
@@ -57,20 +68,25 @@ const BITS: u32 = 11;
 /// Bits of the index below a code.
 const INDEX_BITS: u32 = 31;
 
-/// The items by the codes of their centroids, and codes with former indices below them.
-fn along_the_curve(items: &[Item]) -> (Vec<Item>, Vec<u64>) {
+/// Where the item of a code is.
+fn index(code: u64) -> usize {
+    (code & ((1 << INDEX_BITS) - 1)) as usize
+}
+
+/// Gives all items that `codes` refers to their codes, relative to each other, and sorts them.
+fn sort(items: &[Item], codes: &mut [u64]) {
+    let extents = codes
+        .par_chunks(CHUNK)
+        .map(|chunk| chunk.iter().fold(Spread::EMPTY, |all, &code| all.add(items[index(code)].centroid())));
+    let Spread { lo, hi } = extents.reduce(|| Spread::EMPTY, Spread::union);
     // Cells are cubes: of flat ones a few far items would make sheets.
-    let Spread { lo, hi } = Extents::of(items).centroids;
     let cube = Spread { lo, hi: lo + Vec3A::splat((hi - lo).max_element()) };
     let scale = Scale::new(cube, 1 << BITS);
-    let code = |(i, item): (usize, &Item)| {
-        let [x, y, z] = indices(scale.bins(item.centroid())).map(spread);
-        (x << 2 | y << 1 | z) << INDEX_BITS | i as u64
-    };
-    let codes: Vec<_> = items.par_iter().with_min_len(CHUNK).enumerate().map(code).collect();
-    let codes = sorted(codes);
-    let item = |code: &u64| items[(code & ((1 << INDEX_BITS) - 1)) as usize];
-    (codes.par_iter().with_min_len(CHUNK).map(item).collect(), codes)
+    codes.par_iter_mut().with_min_len(CHUNK).for_each(|code| {
+        let [x, y, z] = indices(scale.bins(items[index(*code)].centroid())).map(spread);
+        *code = (x << 2 | y << 1 | z) << INDEX_BITS | index(*code) as u64;
+    });
+    radix_sort(codes);
 }
 
 /// Puts two zeros between any two of the lowest [`BITS`] bits.
@@ -83,63 +99,61 @@ fn spread(bits: u32) -> u64 {
 }
 
 /// Sorts by the codes, [`BITS`] bits at a time; indices are in order already.
-fn sorted(mut codes: Vec<u64>) -> Vec<u64> {
+fn radix_sort(codes: &mut [u64]) {
     const DIGITS: usize = 1 << BITS;
     if codes.len() < DIGITS {
         codes.sort_unstable();
-        return codes;
+        return;
     }
     let digit = |code: u64, pass: u32| (code >> (INDEX_BITS + pass * BITS)) as usize % DIGITS;
     let mut starts = vec![[0_u32; DIGITS]; 3];
-    for &code in &codes {
+    for &code in &*codes {
         for (pass, counts) in (0..).zip(&mut starts) {
             counts[digit(code, pass)] += 1;
         }
     }
     let mut other = vec![0; codes.len()];
+    let (mut from, mut to) = (&mut *codes, &mut *other);
     for (pass, starts) in (0..).zip(&mut starts) {
         let mut start = 0;
         for count in &mut *starts {
             start += std::mem::replace(count, start);
         }
-        for &code in &codes {
+        for &code in &*from {
             let place = &mut starts[digit(code, pass)];
-            other[*place as usize] = code;
+            to[*place as usize] = code;
             *place += 1;
         }
-        std::mem::swap(&mut codes, &mut other);
+        std::mem::swap(&mut from, &mut to);
     }
-    codes
+    to.copy_from_slice(from);
 }
 
-/// Adds the clusters of these items, which start at `first` among all.
-fn cluster(items: &mut [Item], codes: &[u64], first: usize, clusters: &mut Vec<Range<usize>>) {
-    let (Some(lowest), Some(highest)) = (codes.first(), codes.last()) else { return };
-    let difference = (lowest ^ highest) >> INDEX_BITS;
-    if items.len() <= CLUSTER {
-        clusters.push(first..first + items.len());
-    } else if difference != 0 {
-        // The first bit in which they differ is where all others are divided.
-        let bit = INDEX_BITS + difference.ilog2();
-        let left = codes.partition_point(|code| code >> bit & 1 == 0);
-        let (items, right_items) = items.split_at_mut(left);
-        let (codes, right_codes) = codes.split_at(left);
+/// Adds the clusters of these codes, which start at `first` among all.
+fn cluster(items: &[Item], codes: &mut [u64], first: usize, clusters: &mut Vec<Range<usize>>) {
+    if codes.len() <= CLUSTER {
+        clusters.push(first..first + codes.len());
+    } else if let Some(left) = border(codes) {
+        let (codes, right_codes) = codes.split_at_mut(left);
         cluster(items, codes, first, clusters);
-        cluster(right_items, right_codes, first + left, clusters);
-    } else if items.len() <= CELL {
-        clusters.push(first..first + items.len());
+        cluster(items, right_codes, first + left, clusters);
     } else {
         // Codes over a smaller region tell more, unless all are equal.
-        let (ordered, codes) = along_the_curve(items);
-        items.copy_from_slice(&ordered);
-        let first_code = codes.first().map(|code| code >> INDEX_BITS);
-        if first_code == codes.last().map(|code| code >> INDEX_BITS) {
-            let starts = (0..items.len()).step_by(CELL);
-            clusters.extend(starts.map(|start| first + start..first + items.len().min(start + CELL)));
+        sort(items, codes);
+        if border(codes).is_none() {
+            let starts = (0..codes.len()).step_by(CLUSTER);
+            clusters.extend(starts.map(|start| first + start..first + codes.len().min(start + CLUSTER)));
         } else {
-            cluster(items, &codes, first, clusters);
+            cluster(items, codes, first, clusters);
         }
     }
+}
+
+/// How many sorted codes have a 0 where some of them first differ: those that have a 1 come after them.
+fn border(codes: &[u64]) -> Option<usize> {
+    let difference = (codes.first()? ^ codes.last()?) >> INDEX_BITS;
+    let bit = INDEX_BITS + difference.checked_ilog2()?;
+    Some(codes.partition_point(|code| code >> bit & 1 == 0))
 }
 
 #[cfg(test)]

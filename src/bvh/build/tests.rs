@@ -3,8 +3,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use glam::Vec3;
 
 use super::*;
-use crate::bvh::{Bounded, tests::awkward, validate};
+use crate::bvh::{Bounded, BvhNode, tests::awkward, validate};
 use crate::geom::Aabb;
+use crate::order::Side;
 use crate::scene::procedural;
 use crate::tree::Topology;
 
@@ -118,7 +119,24 @@ fn the_fast_builder_is_nearly_as_good() {
     for mesh in [procedural::stadium(1), procedural::strands(1, 500), procedural::soup(1, 20_000)] {
         let [sah, fast, median] = [Builder::Sah, Builder::Linear, Builder::Median]
             .map(|builder| cost(&Bvh::build(&mesh, &options(builder, 4, 31), &|_| ()).expect("a tree")));
-        assert!(fast < 1.15 * sah && fast < median, "{sah} {fast} {median}");
+        assert!(fast < 1.25 * sah && fast < median, "{sah} {fast} {median}");
+    }
+}
+
+#[test]
+fn the_left_child_comes_first_on_the_axis() {
+    let mesh = procedural::soup(5, 20_000);
+    for builder in Builder::ALL {
+        let bvh = Bvh::build(&mesh, &options(builder, 4, 31), &|_| ()).expect("a tree");
+        // Centroids of triangles are in order, so middles of boxes nearly always are.
+        let is_first = |pair: &(&BvhNode, &u8)| {
+            let (node, &axis) = *pair;
+            let [left, right] =
+                [Side::Left, Side::Right].map(|side| node.child_box(side).centroid()[usize::from(axis)]);
+            left <= right
+        };
+        let first = bvh.nodes().iter().zip(bvh.axes()).filter(is_first).count();
+        assert!(first as f32 > 0.9 * bvh.nodes().len() as f32, "{builder}: {first} of {}", bvh.nodes().len());
     }
 }
 
