@@ -89,7 +89,8 @@ impl<V: Vector> Mesh<V> {
     /// If there is no such triangle.
     #[inline]
     pub fn triangle(&self, index: usize) -> [V; 3] {
-        self.triangles[index].map(|corner| self.vertices[corner as usize])
+        let [a, b, c] = self.triangles[index];
+        [self.vertices[a as usize], self.vertices[b as usize], self.vertices[c as usize]]
     }
 }
 
