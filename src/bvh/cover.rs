@@ -1,14 +1,54 @@
-//! Whether boxes cover a triangle, in rational arithmetic.
+//! Whether boxes cover a triangle: exact.
 
 use crate::geom::truth::{Number, RBig};
 use crate::geom::{Aabb, Triangle, Vector};
 
-/// Whether each point of the closed triangle, which is not degenerate, is in one of these closed boxes; exact.
+/// Whether these closed boxes together hold the closed triangle; exact. A degenerate one, which no ray meets, may be said not
+/// to be held if no box holds all of it.
+pub(super) fn hold<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
+    surely_hold(boxes, triangle) || !triangle.is_degenerate() && covers(boxes, triangle)
+}
+
+/// The same where it is easily seen, as nearly always after a build: false if it is not known.
+///
+/// Each box in turn is taken away, of boxes that hold the parts of the triangle which are still to be found.
+fn surely_hold<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
+    let mut pending = vec![(triangle.aabb(), boxes)];
+    while let Some((mut around, boxes)) = pending.pop() {
+        let Some((aabb, boxes)) = boxes.split_first() else { return false };
+        for (axis, is_upper) in SIDES {
+            let (plane, sticks_out) = if is_upper {
+                (aabb.hi[axis], aabb.hi[axis] < around.hi[axis])
+            } else {
+                (aabb.lo[axis], around.lo[axis] < aabb.lo[axis])
+            };
+            if sticks_out {
+                let (mut outside, mut inside) = (around, around);
+                let (outer, inner) =
+                    if is_upper { (&mut outside.lo, &mut inside.hi) } else { (&mut outside.hi, &mut inside.lo) };
+                outer[axis] = if is_upper { outer[axis].max(plane) } else { outer[axis].min(plane) };
+                inner[axis] = plane;
+                let has_points = |aabb: &Aabb| aabb.lo.cmple(aabb.hi).all();
+                pending.extend(Some(triangle.part(&outside)).filter(has_points).map(|outside| (outside, boxes)));
+                around = triangle.part(&inside);
+                if !has_points(&around) {
+                    break;
+                }
+            }
+        }
+    }
+    true
+}
+
+/// The sides of a box: axis, and whether it is the upper one.
+const SIDES: [(usize, bool); 6] = [(0, false), (0, true), (1, false), (1, true), (2, false), (2, true)];
+
+/// Whether each point of the triangle, which is not degenerate, is in one of these boxes.
 ///
 /// Each box in turn is taken away: what is left of a polygon beyond the first plane of the box, beyond the second within
 /// the first, and so on, are polygons again. What the boxes do not cover of a triangle is open in it, as they are closed,
 /// so it has an area or is empty. Therefore polygons without area are dropped, and borders need no care.
-pub(super) fn covers<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
+fn covers<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
     let exact = |x: V::Real| RBig::try_from(x.into()).ok();
     let Some(corners) = triangle.0.iter().map(|v| point(v.components(), exact)).collect() else { return false };
     let mut pending = vec![(Polygon { corners }, boxes.to_vec())];
@@ -17,7 +57,7 @@ pub(super) fn covers<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool 
         boxes.retain(|aabb| (0..3).all(|k| around.0[k] <= aabb.hi[k].into() && f64::from(aabb.lo[k]) <= around.1[k]));
         let Some(aabb) = boxes.pop() else { return false };
         let mut within = Some(polygon);
-        for (axis, is_upper) in [(0, false), (0, true), (1, false), (1, true), (2, false), (2, true)] {
+        for (axis, is_upper) in SIDES {
             let plane = if is_upper { aabb.hi[axis] } else { aabb.lo[axis] };
             // An infinite plane cuts nothing off.
             let (Some(polygon), Ok(plane)) = (within.take(), RBig::try_from(plane)) else { continue };
