@@ -113,7 +113,9 @@ impl<V: Stored> Bvh<Triangle<V>> {
             bytes.extend([first, count, a.to_bits(), b.to_bits()].into_iter().flat_map(u32::to_le_bytes));
         }
         for LeafTriangle { shape: Triangle(corners), prim } in &self.triangles {
-            corners.iter().for_each(|corner| corner.write(&mut bytes));
+            for corner in corners {
+                corner.write(&mut bytes);
+            }
             bytes.extend(prim.to_le_bytes());
         }
         bytes.extend(&self.axes);

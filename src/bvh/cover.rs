@@ -3,10 +3,9 @@
 use crate::geom::truth::{Number, RBig};
 use crate::geom::{Aabb, Triangle, Vector};
 
-/// Whether these closed boxes together hold the closed triangle; exact. A degenerate one, which no ray meets, may be said not
-/// to be held if no box holds all of it.
+/// Whether these closed boxes together hold the closed triangle; exact.
 pub(super) fn hold<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
-    surely_hold(boxes, triangle) || !triangle.is_degenerate() && covers(boxes, triangle)
+    surely_hold(boxes, triangle) || covers(boxes, triangle)
 }
 
 /// The same where it is easily seen, as nearly always after a build: false if it is not known.
@@ -43,11 +42,12 @@ fn surely_hold<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
 /// The sides of a box: axis, and whether it is the upper one.
 const SIDES: [(usize, bool); 6] = [(0, false), (0, true), (1, false), (1, true), (2, false), (2, true)];
 
-/// Whether each point of the triangle, which is not degenerate, is in one of these boxes.
+/// The same in rational arithmetic.
 ///
 /// Each box in turn is taken away: what is left of a polygon beyond the first plane of the box, beyond the second within
 /// the first, and so on, are polygons again. What the boxes do not cover of a triangle is open in it, as they are closed,
-/// so it has an area or is empty. Therefore polygons without area are dropped, and borders need no care.
+/// so it is empty or has as many dimensions as the triangle (fewer than two, if that is degenerate). Therefore polygons of
+/// fewer are dropped, and borders need no care.
 fn covers<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
     let exact = |x: V::Real| RBig::try_from(x.into()).ok();
     let Some(corners) = triangle.0.iter().map(|v| point(v.components(), exact)).collect() else { return false };
@@ -75,7 +75,7 @@ fn point<S: Number>([x, y, z]: [S; 3], exact: impl Fn(S) -> Option<RBig>) -> Opt
 
 type Point = [RBig; 3];
 
-/// Convex, with an area.
+/// Convex, of as many dimensions as the triangle.
 struct Polygon {
     corners: Vec<Point>,
 }
@@ -94,8 +94,8 @@ impl Polygon {
         (lo, hi)
     }
 
-    /// What is beyond a plane across an axis, and what is not, where these have an area. If all is in the plane, nothing is
-    /// beyond.
+    /// What is beyond a plane across an axis, and what is not, where these have as many dimensions. If all is in the plane,
+    /// nothing is beyond.
     fn cut(self, axis: usize, is_upper: bool, plane: &RBig) -> (Option<Self>, Option<Self>) {
         let beyond = |corner: &Point| if is_upper { &corner[axis] - plane } else { plane - &corner[axis] };
         let heights: Vec<_> = self.corners.iter().map(beyond).collect();

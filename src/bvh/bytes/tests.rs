@@ -273,7 +273,7 @@ proptest! {
         let counts = [body.len() % 4, body.len() % 5, body.len() % 3].map(|count| count as u32);
         let mut bytes = MAGIC.to_vec();
         let [recorded, root, depth, dropped, duplicates, ..] = words;
-        bytes.extend([VERSION, 4, recorded % 3, root % 2 << 31, depth % 3].into_iter().flat_map(u32::to_le_bytes));
+        bytes.extend([VERSION, 4, recorded % 3, (root % 2) << 31, depth % 3].into_iter().flat_map(u32::to_le_bytes));
         bytes.extend(counts.into_iter().chain([dropped, duplicates % 2]).flat_map(u32::to_le_bytes));
         bytes.extend(words[7..].iter().flat_map(|word| word.to_le_bytes()));
         let [nodes, leaves, triangles] = counts;

@@ -82,3 +82,17 @@ fn what_is_seen_easily_is_true() {
     }
     assert!(covered < 19_000 && 10 * sure > 9 * covered, "{sure} {covered}");
 }
+
+#[test]
+fn degenerate_triangles_are_covered_too() {
+    let line = Triangle([Vec3::ZERO, Vec3::splat(2.0), Vec3::ONE]);
+    let [low, high] = [aabb([0.0; 3], [1.0; 3]), aabb([1.0; 3], [2.0; 3])];
+    let point = Triangle([Vec3::ONE; 3]);
+    for covers in [covers::<Vec3>, hold] {
+        assert!(covers(&[low, high], &line) && covers(&[high, low], &line));
+        assert!(!covers(&[low], &line) && !covers(&[high], &line));
+        assert!(covers(&[low], &point) && !covers(&[aabb([0.0; 3], [1.0, 1.0, 1f32.next_down()])], &point));
+    }
+    let gap = aabb([0.0; 3], [1f32.next_down(); 3]);
+    assert!(!hold(&[gap, high], &line) && !hold(&[high, gap], &line));
+}
