@@ -21,7 +21,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("report", &["event", "key", "order", "trail", "tree"]),
     ("geom", &[]),
     ("scene", &["generate", "geom"]),
-    ("bvh", &["geom", "name", "order", "scene", "tree"]),
+    ("bvh", &["geom", "hash", "name", "order", "scene", "tree"]),
     ("trace", &["bvh", "event", "generate", "geom", "key", "name", "order", "report", "scene", "traverse", "tree"]),
     (
         "check",

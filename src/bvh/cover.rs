@@ -1,14 +1,54 @@
-//! Whether boxes cover a triangle, in rational arithmetic.
+//! Whether boxes cover a triangle: exact.
 
 use crate::geom::truth::{Number, RBig};
 use crate::geom::{Aabb, Triangle, Vector};
 
-/// Whether each point of the closed triangle, which is not degenerate, is in one of these closed boxes; exact.
+/// Whether these closed boxes together hold the closed triangle; exact.
+pub(super) fn hold<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
+    surely_hold(boxes, triangle) || covers(boxes, triangle)
+}
+
+/// The same where it is easily seen, as nearly always after a build: false if it is not known.
+///
+/// Each box in turn is taken away, of boxes that hold the parts of the triangle which are still to be found.
+fn surely_hold<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
+    let mut pending = vec![(triangle.aabb(), boxes)];
+    while let Some((mut around, boxes)) = pending.pop() {
+        let Some((aabb, boxes)) = boxes.split_first() else { return false };
+        for (axis, is_upper) in SIDES {
+            let (plane, sticks_out) = if is_upper {
+                (aabb.hi[axis], aabb.hi[axis] < around.hi[axis])
+            } else {
+                (aabb.lo[axis], around.lo[axis] < aabb.lo[axis])
+            };
+            if sticks_out {
+                let (mut outside, mut inside) = (around, around);
+                let (outer, inner) =
+                    if is_upper { (&mut outside.lo, &mut inside.hi) } else { (&mut outside.hi, &mut inside.lo) };
+                outer[axis] = if is_upper { outer[axis].max(plane) } else { outer[axis].min(plane) };
+                inner[axis] = plane;
+                let has_points = |aabb: &Aabb| aabb.lo.cmple(aabb.hi).all();
+                pending.extend(Some(triangle.part(&outside)).filter(has_points).map(|outside| (outside, boxes)));
+                around = triangle.part(&inside);
+                if !has_points(&around) {
+                    break;
+                }
+            }
+        }
+    }
+    true
+}
+
+/// The sides of a box: axis, and whether it is the upper one.
+const SIDES: [(usize, bool); 6] = [(0, false), (0, true), (1, false), (1, true), (2, false), (2, true)];
+
+/// The same in rational arithmetic.
 ///
 /// Each box in turn is taken away: what is left of a polygon beyond the first plane of the box, beyond the second within
 /// the first, and so on, are polygons again. What the boxes do not cover of a triangle is open in it, as they are closed,
-/// so it has an area or is empty. Therefore polygons without area are dropped, and borders need no care.
-pub(super) fn covers<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
+/// so it is empty or has as many dimensions as the triangle (fewer than two, if that is degenerate). Therefore polygons of
+/// fewer are dropped, and borders need no care.
+fn covers<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
     let exact = |x: V::Real| RBig::try_from(x.into()).ok();
     let Some(corners) = triangle.0.iter().map(|v| point(v.components(), exact)).collect() else { return false };
     let mut pending = vec![(Polygon { corners }, boxes.to_vec())];
@@ -17,7 +57,7 @@ pub(super) fn covers<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool 
         boxes.retain(|aabb| (0..3).all(|k| around.0[k] <= aabb.hi[k].into() && f64::from(aabb.lo[k]) <= around.1[k]));
         let Some(aabb) = boxes.pop() else { return false };
         let mut within = Some(polygon);
-        for (axis, is_upper) in [(0, false), (0, true), (1, false), (1, true), (2, false), (2, true)] {
+        for (axis, is_upper) in SIDES {
             let plane = if is_upper { aabb.hi[axis] } else { aabb.lo[axis] };
             // An infinite plane cuts nothing off.
             let (Some(polygon), Ok(plane)) = (within.take(), RBig::try_from(plane)) else { continue };
@@ -35,7 +75,7 @@ fn point<S: Number>([x, y, z]: [S; 3], exact: impl Fn(S) -> Option<RBig>) -> Opt
 
 type Point = [RBig; 3];
 
-/// Convex, with an area.
+/// Convex, of as many dimensions as the triangle.
 struct Polygon {
     corners: Vec<Point>,
 }
@@ -54,8 +94,8 @@ impl Polygon {
         (lo, hi)
     }
 
-    /// What is beyond a plane across an axis, and what is not, where these have an area. If all is in the plane, nothing is
-    /// beyond.
+    /// What is beyond a plane across an axis, and what is not, where these have as many dimensions. If all is in the plane,
+    /// nothing is beyond.
     fn cut(self, axis: usize, is_upper: bool, plane: &RBig) -> (Option<Self>, Option<Self>) {
         let beyond = |corner: &Point| if is_upper { &corner[axis] - plane } else { plane - &corner[axis] };
         let heights: Vec<_> = self.corners.iter().map(beyond).collect();

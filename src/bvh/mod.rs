@@ -6,12 +6,14 @@
 //! the larger surface the left one. Triangles lie in the order of the leaves.
 
 mod build;
+mod bytes;
 mod cover;
 mod primitives;
 mod refit;
 mod validate;
 
 pub use build::{BuildError, BuildOptions, Builder, SahOptions, SpatialOptions};
+pub use bytes::{BvhFileError, Stored};
 pub use primitives::{Bounded, Primitives};
 pub use refit::RefitError;
 pub use validate::{BvhError, validate};

@@ -173,7 +173,8 @@ fn validation_bites() {
 
     let (leaf, prim) = (Node::leaf(0), bvh.triangles[0].prim);
     assert_eq!(broken(&|b| b.triangles[0].prim = 50), Err(BvhError::Triangle { leaf, prim: 50 }));
-    assert_eq!(broken(&|b| b.triangles[0].shape.0[1].x += 1.0), Err(BvhError::Triangle { leaf, prim }));
+    assert_eq!(broken(&|b| b.triangles[0].shape.0[1].x += 9.0), Err(BvhError::Outside { leaf, prim }));
+    assert_eq!(broken(&|b| b.triangles[0].shape.0.swap(1, 2)), Err(BvhError::Triangle { leaf, prim }));
 }
 
 #[test]
@@ -186,6 +187,6 @@ fn the_same_triangle_twice_is_found() {
     bvh.triangles.pop();
     bvh.nodes.clear();
     bvh.leaves.pop();
-    (bvh.root, bvh.depth) = (Node::leaf(0), 0);
-    assert_eq!(validate(&bvh, &mesh), Err(BvhError::Missing(1 - prim)));
+    (bvh.root, bvh.depth, bvh.dropped) = (Node::leaf(0), 0, 1);
+    assert_eq!(validate(&bvh.with_links(Recorded::Uncles), &mesh), Err(BvhError::Missing(1 - prim)));
 }

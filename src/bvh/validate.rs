@@ -1,12 +1,13 @@
-//! Whether a hierarchy is sound.
+//! Whether a hierarchy is sound, and that of a mesh.
 
-use rayon::prelude::*;
+mod sound;
 
-use super::{Bvh, Leaf, cover};
-use crate::geom::{Aabb, Triangle, Vector};
-use crate::order::Side;
+pub(super) use sound::check;
+
+use super::Bvh;
+use crate::geom::{Triangle, Vector};
 use crate::scene::Mesh;
-use crate::tree::{self, Node, Topology};
+use crate::tree::Node;
 
 /// What is wrong with a hierarchy, and where.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -33,6 +34,9 @@ pub enum BvhError {
     /// A record names other nodes than the hierarchy says: parent and sibling, or uncle and grand uncle.
     #[error("{0:?} names other relatives than its own")]
     Links(Node),
+    /// A box has a NaN, or its `lo` is above its `hi` on some axis.
+    #[error("the box of {0:?} has no points")]
+    NoBox(Node),
     /// A child's box sticks out of its parent's own box.
     #[error("the box of {0:?} is not inside its parent's")]
     Nesting(Node),
@@ -48,7 +52,15 @@ pub enum BvhError {
     /// triangles.
     #[error("{0:?} does not hold the next range of triangles")]
     Range(Node),
-    /// A leaf's triangle is not one of the mesh, or has other corners.
+    /// A corner of a triangle is NaN or infinite.
+    #[error("triangle {prim} in {leaf:?} has a corner that is not finite")]
+    NotFinite {
+        /// The leaf.
+        leaf: Node,
+        /// Index in the mesh.
+        prim: u32,
+    },
+    /// A leaf's triangle is not one of the mesh: there are not so many, or it has other corners.
     #[error("triangle {prim} in {leaf:?} is not that of the mesh")]
     Triangle {
         /// The leaf.
@@ -60,6 +72,14 @@ pub enum BvhError {
     #[error("triangle {prim} is there again in {leaf:?}")]
     Twice {
         /// The second leaf.
+        leaf: Node,
+        /// Index in the mesh.
+        prim: u32,
+    },
+    /// Two leaves hold the same triangle with different corners.
+    #[error("triangle {prim} in {leaf:?} has other corners than in another leaf")]
+    Corners {
+        /// One of the leaves.
         leaf: Node,
         /// Index in the mesh.
         prim: u32,
@@ -78,6 +98,14 @@ pub enum BvhError {
     /// A triangle of the mesh that can be hit is in no leaf.
     #[error("triangle {0} is in no leaf")]
     Missing(u32),
+    /// The stored number of dropped triangles is not that of the mesh's triangles in no leaf.
+    #[error("{found} triangles were left out, not {stored}")]
+    Dropped {
+        /// What the hierarchy says.
+        stored: usize,
+        /// Triangles of the mesh in no leaf.
+        found: usize,
+    },
     /// The stored depth is not that of the deepest leaf.
     #[error("the depth is {found}, not {stored}")]
     Depth {
@@ -88,147 +116,35 @@ pub enum BvhError {
     },
 }
 
-/// Checks that a hierarchy holds each triangle of the mesh (degenerate ones need not be there), in boxes that contain it and
-/// nest, with nodes and leaves in depth-first order, known split axes, the relatives that it says records name, and the
-/// depth that it states.
+/// Checks that a hierarchy is sound in itself and holds each triangle of the mesh (degenerate ones need not be there).
 ///
-/// A triangle is held once, unless there are to be [`duplicates`](Bvh::duplicates): then their number must be right, and
-/// where a triangle is not inside of the box of a leaf that holds it, the boxes of all its leaves must cover it, in exact
-/// arithmetic.
+/// Sound are boxes that nest, nodes and leaves in depth-first order, known split axes, records that name the relatives which
+/// they are said to name, the depth that is stated, and triangles with finite corners, each inside of its leaf's box.
+///
+/// A triangle is held once, unless there are to be [`duplicates`](Bvh::duplicates): then their number must be right, all
+/// references to a triangle must have the same corners, and where a triangle is not inside of the box of a leaf that holds
+/// it, the boxes of all its leaves must cover it, in exact arithmetic.
 ///
 /// # Errors
-/// The first fault in depth-first order; of triangles that are not covered the first one.
+/// Of the nodes the first fault in depth-first order; else that of the first triangle.
 pub fn validate<V: Vector>(bvh: &Bvh<Triangle<V>>, mesh: &Mesh<V>) -> Result<(), BvhError> {
-    let mut walk =
-        Walk { bvh, mesh, seen: vec![UNSEEN; mesh.triangles().len()], held: Vec::new(), inner: 0, leaves: 0, end: 0 };
-    let mut depth = 0;
-    let mut pending = vec![(bvh.root, bvh.bounds, 0)];
-    while let Some((node, aabb, level)) = pending.pop() {
-        depth = depth.max(level);
-        if node.is_leaf() {
-            walk.leaf(node, &aabb)?;
-        } else {
-            let children = walk.inner(node, &aabb)?;
-            pending.extend(children.into_iter().rev().map(|(child, aabb)| (child, aabb, level + 1)));
-        }
-    }
-    walk.end()?;
-    walk.cover()?;
-    // The walk has shown the addresses to be those of a tree.
-    for (record, links) in (0..).zip(tree::link_rows(bvh, bvh.recorded())) {
-        let inner = bvh.nodes.len() as u32;
-        let node = if record < inner { Node::inner(record) } else { Node::leaf(record - inner) };
-        if bvh.links(node) != links {
-            return Err(BvhError::Links(node));
-        }
-    }
-    if depth == bvh.depth() { Ok(()) } else { Err(BvhError::Depth { stored: bvh.depth(), found: depth }) }
-}
-
-/// How far the check has come.
-struct Walk<'a, V> {
-    bvh: &'a Bvh<Triangle<V>>,
-    mesh: &'a Mesh<V>,
-    /// The last leaf that holds each triangle.
-    seen: Vec<u32>,
-    /// With duplicates, each reference with the box of its leaf.
-    held: Vec<(u32, Aabb)>,
-    inner: usize,
-    leaves: usize,
-    end: usize,
-}
-
-/// In place of a leaf that there is not.
-const UNSEEN: u32 = u32::MAX;
-
-impl<V: Vector> Walk<'_, V> {
-    fn inner(&mut self, node: Node, aabb: &Aabb) -> Result<[(Node, Aabb); 2], BvhError> {
-        // An index that is always the next one is reached once, so the walk ends.
-        let record = match self.bvh.nodes.get(node.index()) {
-            Some(record) if node.index() == self.inner => record,
-            _ => return Err(BvhError::Order { found: node, expected: self.inner }),
-        };
-        self.inner += 1;
-        let axis = self.bvh.axes.get(node.index()).copied();
-        if !matches!(axis, Some(0..=2 | 4..=6)) {
-            return Err(BvhError::Axis { node, axis });
-        }
-        let children = [Side::Left, Side::Right].map(|s| (record.children[s.index()], record.child_box(s)));
-        match children.iter().find(|(_, child)| !aabb.encloses(child)) {
-            Some((child, _)) => Err(BvhError::Nesting(*child)),
-            None => Ok(children),
-        }
-    }
-
-    fn leaf(&mut self, leaf: Node, aabb: &Aabb) -> Result<(), BvhError> {
-        let Leaf { first, count, .. } = match self.bvh.leaves.get(leaf.index()) {
-            Some(range) if leaf.index() == self.leaves => *range,
-            _ => return Err(BvhError::Order { found: leaf, expected: self.leaves }),
-        };
-        self.leaves += 1;
-        let end = first as usize + count as usize;
-        if first as usize != self.end || count == 0 || end > self.bvh.triangles.len() {
-            return Err(BvhError::Range(leaf));
-        }
-        self.end = end;
-        let may_repeat = self.bvh.duplicates > 0;
-        for held in self.bvh.leaf_triangles(leaf) {
-            let prim = held.prim;
-            match self.seen.get_mut(prim as usize) {
-                Some(seen) if held.shape == Triangle(self.mesh.triangle(prim as usize)) => {
-                    let last = std::mem::replace(seen, leaf.index() as u32);
-                    if last == leaf.index() as u32 || last != UNSEEN && !may_repeat {
-                        return Err(BvhError::Twice { leaf, prim });
-                    }
-                }
-                _ => return Err(BvhError::Triangle { leaf, prim }),
+    let references = sound::check(bvh)?;
+    let mut is_held = vec![false; mesh.triangles().len()];
+    for (prim, place) in references {
+        match is_held.get_mut(prim as usize) {
+            Some(is_held) if bvh.triangles[place as usize].shape == Triangle(mesh.triangle(prim as usize)) => {
+                *is_held = true;
             }
-            if may_repeat {
-                self.held.push((prim, *aabb));
-            } else if !aabb.encloses(&held.shape.aabb()) {
-                return Err(BvhError::Outside { leaf, prim });
-            }
-        }
-        Ok(())
-    }
-
-    /// Whether everything has been seen.
-    fn end(&self) -> Result<(), BvhError> {
-        if self.inner != self.bvh.nodes.len() {
-            return Err(BvhError::Unreached(Node::inner(self.inner as u32)));
-        }
-        if self.leaves != self.bvh.leaves.len() {
-            return Err(BvhError::Unreached(Node::leaf(self.leaves as u32)));
-        }
-        if self.end != self.bvh.triangles.len() {
-            return Err(BvhError::Range(Node::leaf(self.leaves as u32 - 1)));
-        }
-        let can_be_hit = |prim: usize| !Triangle(self.mesh.triangle(prim)).is_degenerate();
-        let missing = (0..self.seen.len()).find(|&prim| self.seen[prim] == UNSEEN && can_be_hit(prim));
-        if let Some(prim) = missing {
-            return Err(BvhError::Missing(prim as u32));
-        }
-        let distinct = self.seen.iter().filter(|&&leaf| leaf != UNSEEN).count();
-        let (stored, found) = (self.bvh.duplicates, self.bvh.triangles.len() - distinct);
-        if stored == found { Ok(()) } else { Err(BvhError::Duplicates { stored, found }) }
-    }
-
-    /// Whether the boxes of the leaves that hold a triangle cover it.
-    fn cover(mut self) -> Result<(), BvhError> {
-        self.held.sort_by_key(|(prim, _)| *prim);
-        let by_triangle: Vec<_> = self.held.chunk_by(|(prim, _), (next, _)| prim == next).collect();
-        let is_covered = |held: &&&[(u32, Aabb)]| {
-            let triangle = held.first().map(|&(prim, _)| Triangle(self.mesh.triangle(prim as usize)));
-            let boxes: Vec<_> = held.iter().map(|(_, aabb)| *aabb).collect();
-            triangle.is_some_and(|triangle| {
-                let whole = triangle.aabb();
-                boxes.iter().any(|aabb| aabb.encloses(&whole)) || cover::covers(&boxes, &triangle)
-            })
-        };
-        let uncovered = by_triangle.par_iter().find_first(|held| !is_covered(held));
-        match uncovered.and_then(|held| held.first()) {
-            Some(&(prim, _)) => Err(BvhError::Uncovered(prim)),
-            None => Ok(()),
+            _ => return Err(BvhError::Triangle { leaf: sound::leaf_of(bvh, place), prim }),
         }
     }
+    let can_be_hit = |prim: usize| !Triangle(mesh.triangle(prim)).is_degenerate();
+    if let Some(prim) = (0..is_held.len()).find(|&prim| !is_held[prim] && can_be_hit(prim)) {
+        return Err(BvhError::Missing(prim as u32));
+    }
+    let (stored, found) = (bvh.dropped, is_held.iter().filter(|is_held| !**is_held).count());
+    if stored == found { Ok(()) } else { Err(BvhError::Dropped { stored, found }) }
 }
+
+#[cfg(test)]
+pub(super) mod tests;

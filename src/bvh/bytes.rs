@@ -1,0 +1,263 @@
+//! Hierarchies as bytes: the format of spec/bvh-file.md.
+
+use std::array;
+
+use glam::{DVec3, Vec3};
+
+use super::{Bvh, BvhError, BvhNode, Leaf, LeafTriangle, validate};
+use crate::geom::{Aabb, Region, Triangle, Vector};
+use crate::hash::mix;
+use crate::tree::{Node, Recorded};
+
+const MAGIC: [u8; 8] = *b"SBVHTREE";
+const VERSION: u32 = 1;
+/// Magic, 10 words, 6 planes.
+const HEADER_BYTES: usize = 8 + 10 * 4 + 6 * 4;
+const NODE_BYTES: usize = 64;
+const LEAF_BYTES: usize = 16;
+
+/// What `recorded` is in a file, by position.
+const RECORDED: [Recorded; 3] = [Recorded::Nothing, Recorded::ParentSibling, Recorded::Uncles];
+
+/// Why bytes are not a hierarchy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum BvhFileError {
+    /// They are fewer than the header or its counts say, or more.
+    #[error("{found} bytes, expected {expected}")]
+    Length {
+        /// Number of bytes that there should be.
+        expected: u64,
+        /// Number of bytes.
+        found: usize,
+    },
+    /// They do not begin as a hierarchy does.
+    #[error("not a hierarchy: it does not begin with SBVHTREE")]
+    Magic,
+    /// They are of another version of the format.
+    #[error("version {version} of the format, expected {VERSION}")]
+    Version {
+        /// Its number.
+        version: u32,
+    },
+    /// Coordinates of corners are of the other kind of numbers.
+    #[error("coordinates of {found} bytes, expected {expected}")]
+    Numbers {
+        /// Bytes of a coordinate that was asked for.
+        expected: u32,
+        /// What the header says.
+        found: u32,
+    },
+    /// The bytes have changed since they were written.
+    #[error("the checksum is {found:#018x}, not {stored:#018x}")]
+    Checksum {
+        /// What stands at the end.
+        stored: u64,
+        /// That of the bytes before it.
+        found: u64,
+    },
+    /// A field of the header holds a number that means nothing.
+    #[error("header: {name} is {value}")]
+    Field {
+        /// Its name.
+        name: &'static str,
+        /// The number.
+        value: u32,
+    },
+    /// What the bytes say is no sound hierarchy.
+    #[error(transparent)]
+    Unsound(#[from] BvhError),
+}
+
+/// A corner that can be stored: [`Vec3`] or [`DVec3`].
+pub trait Stored: Vector {
+    /// Bytes of a coordinate, of which a corner has three, little-endian.
+    const REAL_BYTES: u32;
+
+    /// Appends the bytes of a corner.
+    fn write(self, bytes: &mut Vec<u8>);
+
+    /// The corner that these bytes begin with. Missing ones are taken for zeros.
+    fn read(bytes: &[u8]) -> Self;
+}
+
+impl<V: Stored> Bvh<Triangle<V>> {
+    /// The hierarchy as bytes, about as many as [`bytes`](Self::bytes) says, with a checksum.
+    ///
+    /// ```
+    /// use stackless_bvh::bvh::{Bvh, SahOptions};
+    /// use stackless_bvh::scene::procedural;
+    ///
+    /// let bvh = Bvh::sah(&procedural::soup(1, 100), SahOptions::default())?;
+    /// let bytes = bvh.to_bytes();
+    /// let back: Bvh = Bvh::from_bytes(&bytes)?;
+    /// assert_eq!(back.triangles(), bvh.triangles());
+    /// assert_eq!(back.to_bytes(), bytes);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let recorded = RECORDED.iter().position(|&recorded| recorded == self.recorded).unwrap_or_default();
+        let words = [VERSION, V::REAL_BYTES, recorded as u32, self.root.to_bits(), self.depth];
+        let counts = [self.nodes.len(), self.leaves.len(), self.triangles.len(), self.dropped, self.duplicates];
+        let counts @ [nodes, leaves, triangles, ..] = counts.map(|count| count as u32);
+        let bounds = [self.bounds.lo, self.bounds.hi];
+
+        let mut bytes = Vec::with_capacity(file_bytes::<V>(nodes, leaves, triangles) as usize);
+        bytes.extend(MAGIC);
+        bytes.extend(words.into_iter().chain(counts).flat_map(u32::to_le_bytes));
+        bytes.extend(bounds.into_iter().flat_map(|corner| corner.to_array()).flat_map(f32::to_le_bytes));
+        for BvhNode { planes, children, links } in &self.nodes {
+            bytes.extend(planes.as_flattened().iter().flat_map(|plane| plane.to_le_bytes()));
+            bytes.extend([children, links].into_iter().flatten().flat_map(|node| node.to_bits().to_le_bytes()));
+        }
+        for &Leaf { first, count, links: [a, b] } in &self.leaves {
+            bytes.extend([first, count, a.to_bits(), b.to_bits()].into_iter().flat_map(u32::to_le_bytes));
+        }
+        for LeafTriangle { shape: Triangle(corners), prim } in &self.triangles {
+            for corner in corners {
+                corner.write(&mut bytes);
+            }
+            bytes.extend(prim.to_le_bytes());
+        }
+        bytes.extend(&self.axes);
+        bytes.extend(checksum(&bytes).to_le_bytes());
+        bytes
+    }
+
+    /// The hierarchy that these bytes are, sound in itself: all that [`validate`](super::validate()) checks
+    /// without a mesh has been checked, so that queries end and their answers are right for the triangles that it holds.
+    ///
+    /// Whether these are the triangles of some mesh is what [`validate`](super::validate()) tells. Nothing is allocated
+    /// before the length is known to be right, and then in proportion to it. The checksum finds damage, not intent.
+    ///
+    /// Where triangles were cut in two, that their boxes cover them is checked in rational arithmetic. Bytes made up to
+    /// be slow to check can make that take long.
+    ///
+    /// # Errors
+    /// [`BvhFileError`].
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, BvhFileError> {
+        let length = |expected| BvhFileError::Length { expected, found: bytes.len() };
+        let field = |name, value| BvhFileError::Field { name, value };
+        let (content, stored) = bytes.split_last_chunk().ok_or(length(file_bytes::<V>(0, 0, 0)))?;
+        let (header, mut body) = content.split_at_checked(HEADER_BYTES).ok_or(length(file_bytes::<V>(0, 0, 0)))?;
+        let header = header.strip_prefix(&MAGIC).ok_or(BvhFileError::Magic)?;
+        let [version, real_bytes, recorded, root, depth, nodes, leaves, triangles, dropped, duplicates, bounds @ ..] =
+            numbers::<_, 16>(header).map(u32::from_le_bytes);
+        if version != VERSION {
+            return Err(BvhFileError::Version { version });
+        }
+        if real_bytes != V::REAL_BYTES {
+            return Err(BvhFileError::Numbers { expected: V::REAL_BYTES, found: real_bytes });
+        }
+        let expected = file_bytes::<V>(nodes, leaves, triangles);
+        if bytes.len() as u64 != expected {
+            return Err(length(expected));
+        }
+        let (stored, found) = (u64::from_le_bytes(*stored), checksum(content));
+        if stored != found {
+            return Err(BvhFileError::Checksum { stored, found });
+        }
+        let recorded = *RECORDED.get(recorded as usize).ok_or(field("recorded", recorded))?;
+        if dropped > Node::MAX_INDEX {
+            return Err(field("dropped", dropped));
+        }
+
+        // The length is that of all of these.
+        let mut take = |count: u32, size: usize| {
+            let (taken, rest) = body.split_at(count as usize * size);
+            body = rest;
+            taken.chunks_exact(size)
+        };
+        let [x, y, z, end_x, end_y, end_z] = bounds.map(f32::from_bits);
+        let bounds = Aabb { lo: Vec3::new(x, y, z), hi: Vec3::new(end_x, end_y, end_z) };
+        let bvh = Self {
+            root: Node::from_bits(root),
+            depth,
+            dropped: dropped as usize,
+            duplicates: duplicates as usize,
+            recorded,
+            bounds,
+            region: Region::of(&bounds),
+            nodes: take(nodes, NODE_BYTES).map(read_node).collect(),
+            leaves: take(leaves, LEAF_BYTES).map(read_leaf).collect(),
+            triangles: take(triangles, triangle_bytes::<V>()).map(read_triangle).collect(),
+            axes: take(nodes, 1).flatten().copied().collect(),
+        };
+        validate::check(&bvh)?;
+        Ok(bvh)
+    }
+}
+
+impl Stored for Vec3 {
+    const REAL_BYTES: u32 = 4;
+
+    fn write(self, bytes: &mut Vec<u8>) {
+        bytes.extend(self.to_array().into_iter().flat_map(f32::to_le_bytes));
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self::from_array(numbers(bytes).map(f32::from_le_bytes))
+    }
+}
+
+impl Stored for DVec3 {
+    const REAL_BYTES: u32 = 8;
+
+    fn write(self, bytes: &mut Vec<u8>) {
+        bytes.extend(self.to_array().into_iter().flat_map(f64::to_le_bytes));
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self::from_array(numbers(bytes).map(f64::from_le_bytes))
+    }
+}
+
+/// Bytes of a file with these counts.
+fn file_bytes<V: Stored>(nodes: u32, leaves: u32, triangles: u32) -> u64 {
+    let of = |count: u32, size: usize| u64::from(count) * size as u64;
+    let fixed = HEADER_BYTES + size_of::<u64>();
+    fixed as u64 + of(nodes, NODE_BYTES + 1) + of(leaves, LEAF_BYTES) + of(triangles, triangle_bytes::<V>())
+}
+
+const fn triangle_bytes<V: Stored>() -> usize {
+    9 * V::REAL_BYTES as usize + 4
+}
+
+fn read_node(bytes: &[u8]) -> BvhNode {
+    let [planes @ .., left, right, a, b] = numbers::<_, 16>(bytes).map(u32::from_le_bytes);
+    let planes = planes.map(f32::from_bits);
+    BvhNode {
+        planes: array::from_fn(|axis| array::from_fn(|plane| planes[4 * axis + plane])),
+        children: [left, right].map(Node::from_bits),
+        links: [a, b].map(Node::from_bits),
+    }
+}
+
+fn read_leaf(bytes: &[u8]) -> Leaf {
+    let [first, count, a, b] = numbers(bytes).map(u32::from_le_bytes);
+    Leaf { first, count, links: [a, b].map(Node::from_bits) }
+}
+
+fn read_triangle<V: Stored>(bytes: &[u8]) -> LeafTriangle<Triangle<V>> {
+    let mut corners = bytes.chunks_exact(3 * V::REAL_BYTES as usize);
+    let shape = Triangle(array::from_fn(|_| V::read(corners.next().unwrap_or_default())));
+    let [prim] = numbers(corners.remainder()).map(u32::from_le_bytes);
+    LeafTriangle { shape, prim }
+}
+
+/// The numbers that these bytes begin with. Missing bytes are taken for zeros.
+#[inline]
+fn numbers<const SIZE: usize, const COUNT: usize>(bytes: &[u8]) -> [[u8; SIZE]; COUNT] {
+    let (numbers, _) = bytes.as_chunks();
+    array::from_fn(|i| numbers.get(i).copied().unwrap_or([0; SIZE]))
+}
+
+/// A number that changes if a single word of 64 bits does, and as good as always if others do. `[FILE-4]`
+fn checksum(bytes: &[u8]) -> u64 {
+    let (words, rest) = bytes.as_chunks();
+    let mut last = [0; 8];
+    last.iter_mut().zip(rest).for_each(|(last, byte)| *last = *byte);
+    words.iter().chain([&last]).fold(bytes.len() as u64, |sum, word| mix(sum ^ u64::from_le_bytes(*word)))
+}
+
+#[cfg(test)]
+mod tests;

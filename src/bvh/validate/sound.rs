@@ -1,0 +1,170 @@
+//! Whether a hierarchy is sound in itself, whatever the mesh: all that queries rely on.
+
+use rayon::prelude::*;
+
+use super::BvhError;
+use crate::bvh::{Bvh, Leaf, cover};
+use crate::geom::{Aabb, Triangle, Vector};
+use crate::order::Side;
+use crate::tree::{self, Node, Topology};
+
+/// A triangle of a leaf: its index in the mesh, and its place in [`Bvh::triangles`].
+type Reference = (u32, u32);
+
+/// Checks the nodes, then the triangles. Gives all references, sorted.
+///
+/// Memory is in proportion to nodes and triangles, whatever the numbers in them are.
+pub(in crate::bvh) fn check<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Result<Vec<Reference>, BvhError> {
+    check_nodes(bvh)?;
+    check_links(bvh)?;
+    let mut references: Vec<_> = bvh.triangles.iter().zip(0..).map(|(held, place)| (held.prim, place)).collect();
+    references.par_sort_unstable();
+    check_references(bvh, &references)?;
+    if bvh.duplicates > 0 {
+        check_cover(bvh, &references)?;
+    }
+    Ok(references)
+}
+
+/// The leaf that holds the triangle at a place, given that the ranges of leaves are sound.
+pub(super) fn leaf_of<S>(bvh: &Bvh<S>, place: u32) -> Node {
+    Node::leaf(bvh.leaves.partition_point(|leaf| leaf.first <= place).saturating_sub(1) as u32)
+}
+
+fn check_nodes<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Result<(), BvhError> {
+    let mut walk = Walk { bvh, inner: 0, leaves: 0, end: 0 };
+    let mut depth = 0;
+    let mut pending = vec![(bvh.root, bvh.bounds, 0)];
+    while let Some((node, aabb, level)) = pending.pop() {
+        depth = depth.max(level);
+        // A comparison with NaN is false.
+        if !aabb.lo.cmple(aabb.hi).all() {
+            return Err(BvhError::NoBox(node));
+        }
+        if node.is_leaf() {
+            walk.leaf(node, &aabb)?;
+        } else {
+            let children = walk.inner(node, &aabb)?;
+            pending.extend(children.into_iter().rev().map(|(child, aabb)| (child, aabb, level + 1)));
+        }
+    }
+    walk.end()?;
+    if depth == bvh.depth { Ok(()) } else { Err(BvhError::Depth { stored: bvh.depth, found: depth }) }
+}
+
+/// How far the check has come.
+struct Walk<'a, V> {
+    bvh: &'a Bvh<Triangle<V>>,
+    inner: usize,
+    leaves: usize,
+    end: usize,
+}
+
+impl<V: Vector> Walk<'_, V> {
+    fn inner(&mut self, node: Node, aabb: &Aabb) -> Result<[(Node, Aabb); 2], BvhError> {
+        // An index that is always the next one is reached once, so the walk ends.
+        let record = match self.bvh.nodes.get(node.index()) {
+            Some(record) if node.index() == self.inner => record,
+            _ => return Err(BvhError::Order { found: node, expected: self.inner }),
+        };
+        self.inner += 1;
+        let axis = self.bvh.axes.get(node.index()).copied();
+        if !matches!(axis, Some(0..=2 | 4..=6)) {
+            return Err(BvhError::Axis { node, axis });
+        }
+        let children = [Side::Left, Side::Right].map(|s| (record.children[s.index()], record.child_box(s)));
+        match children.iter().find(|(_, child)| !aabb.encloses(child)) {
+            Some((child, _)) => Err(BvhError::Nesting(*child)),
+            None => Ok(children),
+        }
+    }
+
+    fn leaf(&mut self, leaf: Node, aabb: &Aabb) -> Result<(), BvhError> {
+        let Leaf { first, count, .. } = match self.bvh.leaves.get(leaf.index()) {
+            Some(range) if leaf.index() == self.leaves => *range,
+            _ => return Err(BvhError::Order { found: leaf, expected: self.leaves }),
+        };
+        self.leaves += 1;
+        let start = std::mem::replace(&mut self.end, (first as usize).saturating_add(count as usize));
+        if first as usize != start || count == 0 || self.end > self.bvh.triangles.len() {
+            return Err(BvhError::Range(leaf));
+        }
+        for held in self.bvh.leaf_triangles(leaf) {
+            let prim = held.prim;
+            if !held.shape.0.iter().all(|corner| corner.is_finite()) {
+                return Err(BvhError::NotFinite { leaf, prim });
+            }
+            // Duplicates are parts of triangles: see `check_cover`.
+            if self.bvh.duplicates == 0 && !aabb.encloses(&held.shape.aabb()) {
+                return Err(BvhError::Outside { leaf, prim });
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether everything has been seen.
+    fn end(&self) -> Result<(), BvhError> {
+        if self.inner != self.bvh.nodes.len() {
+            return Err(BvhError::Unreached(Node::inner(self.inner as u32)));
+        }
+        if self.leaves != self.bvh.leaves.len() {
+            return Err(BvhError::Unreached(Node::leaf(self.leaves as u32)));
+        }
+        if self.end != self.bvh.triangles.len() {
+            return Err(BvhError::Range(Node::leaf(self.leaves as u32 - 1)));
+        }
+        Ok(())
+    }
+}
+
+/// Whether records name the relatives that they should, in what is known to be a tree.
+fn check_links<S>(bvh: &Bvh<S>) -> Result<(), BvhError> {
+    for (record, links) in (0..).zip(tree::link_rows(bvh, bvh.recorded)) {
+        let inner = bvh.nodes.len() as u32;
+        let node = if record < inner { Node::inner(record) } else { Node::leaf(record - inner) };
+        if bvh.links(node) != links {
+            return Err(BvhError::Links(node));
+        }
+    }
+    Ok(())
+}
+
+/// Whether sorted references are to as many triangles as they should, and those to one triangle have the same corners.
+fn check_references<V: Vector>(bvh: &Bvh<Triangle<V>>, references: &[Reference]) -> Result<(), BvhError> {
+    let mut repeated = 0;
+    for &[(prim, place), (next_prim, next_place)] in references.array_windows() {
+        if prim == next_prim {
+            repeated += 1;
+            let leaf = leaf_of(bvh, next_place);
+            if bvh.duplicates == 0 || leaf == leaf_of(bvh, place) {
+                return Err(BvhError::Twice { leaf, prim });
+            }
+            if bvh.triangles[place as usize].shape != bvh.triangles[next_place as usize].shape {
+                return Err(BvhError::Corners { leaf, prim });
+            }
+        }
+    }
+    if bvh.duplicates != repeated {
+        return Err(BvhError::Duplicates { stored: bvh.duplicates, found: repeated });
+    }
+    let count = bvh.dropped.saturating_add(bvh.triangles.len() - repeated);
+    match references.last() {
+        Some(&(prim, place)) if prim as usize >= count => Err(BvhError::Triangle { leaf: leaf_of(bvh, place), prim }),
+        _ => Ok(()),
+    }
+}
+
+/// Whether the boxes of the leaves that hold a triangle cover it.
+fn check_cover<V: Vector>(bvh: &Bvh<Triangle<V>>, references: &[Reference]) -> Result<(), BvhError> {
+    let own_boxes = bvh.own_boxes();
+    let is_covered = |held: &&&[Reference]| {
+        let boxes: Vec<_> = held.iter().map(|&(_, place)| own_boxes[bvh.slot(leaf_of(bvh, place))]).collect();
+        held.first().is_some_and(|&(_, place)| cover::hold(&boxes, &bvh.triangles[place as usize].shape))
+    };
+    let by_triangle: Vec<_> = references.chunk_by(|(prim, _), (next, _)| prim == next).collect();
+    let uncovered = by_triangle.par_iter().find_first(|held| !is_covered(held));
+    match uncovered.and_then(|held| held.first()) {
+        Some(&(prim, _)) => Err(BvhError::Uncovered(prim)),
+        None => Ok(()),
+    }
+}
