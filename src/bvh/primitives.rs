@@ -29,7 +29,60 @@ pub trait Primitives: Sync {
     }
 }
 
-/// A shape that has a box.
+/// A shape that has a box. With a [`Kernel`](crate::geom::Kernel) for it, rays can be traced:
+///
+/// ```
+/// use glam::{DVec3, Vec3};
+/// use stackless_bvh::bvh::{Bounded, BuildOptions, Bvh};
+/// use stackless_bvh::geom::{Aabb, Kernel, Ray, Region, slabs::Directed};
+/// use stackless_bvh::trace::Tracer;
+/// use stackless_bvh::traverse::Method;
+///
+/// #[derive(Clone, Copy, Debug)]
+/// struct Sphere {
+///     center: Vec3,
+///     radius: f32,
+/// }
+///
+/// impl Bounded for Sphere {
+///     fn aabb(&self) -> Aabb {
+///         Aabb { lo: self.center - self.radius, hi: self.center + self.radius }
+///     }
+/// }
+///
+/// /// A ray that meets spheres from outside.
+/// #[derive(Clone, Copy, Debug)]
+/// struct SphereTest(Ray);
+///
+/// impl Kernel for SphereTest {
+///     type Vector = Vec3;
+///     type Shape = Sphere;
+///
+///     fn new(ray: &Ray, _: &Region) -> Self {
+///         Self(*ray)
+///     }
+///
+///     fn distance(&self, sphere: &Sphere, _: f32) -> Option<f32> {
+///         let (d, r) = (self.0.direction().as_dvec3(), f64::from(sphere.radius));
+///         let to_center: DVec3 = (sphere.center - self.0.origin()).as_dvec3();
+///         let along = d.dot(to_center) / d.length_squared();
+///         let root = (along * along - (to_center.length_squared() - r * r) / d.length_squared()).sqrt();
+///         let t = (along - root) as f32;
+///         (self.0.tmin() <= t && t <= self.0.tmax()).then_some(t)
+///     }
+///
+///     fn weights(&self, _: &Sphere) -> [f32; 2] {
+///         [0.0; 2]
+///     }
+/// }
+///
+/// let spheres: Vec<_> = (0..100).map(|i| Sphere { center: Vec3::X * i as f32, radius: 0.25 }).collect();
+/// let bvh = Bvh::build(&spheres[..], &BuildOptions::default(), &|_| ())?;
+/// let tracer = Tracer::<SphereTest, Directed>::with_method(&bvh, Method::Hashed)?;
+/// let ray = Ray::new(Vec3::new(7.0, 0.0, -3.0), Vec3::Z, 0.0, f32::INFINITY)?;
+/// assert_eq!(tracer.closest_distance(&ray), Some((7, 2.75)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait Bounded {
     /// The smallest box that holds all of the shape. Its coordinates are not NaN.
     fn aabb(&self) -> Aabb;

@@ -4,7 +4,7 @@ use super::run_query;
 use crate::bvh::{BuildError, Bvh, SahOptions};
 use crate::geom::{Kernel, Slabs};
 use crate::scene::stress::Case;
-use crate::trace::{Hit, KernelName, NodeSearch, SlabsName, Truth, WithTests, with_tests};
+use crate::trace::{Form, Hit, KernelName, NodeSearch, SlabsName, Truth, WithTests, with_tests};
 use crate::traverse::{Method, Tables, Unfit, WordName};
 use crate::tree::{Implicit, Topology};
 use glam::Vec3;
@@ -83,7 +83,7 @@ struct Wrong {
 impl WithTests for Run<'_> {
     type Output = Result<Errors, Unfit>;
 
-    fn call<K: Kernel<Vector = Vec3>, B: Slabs<Vector = Vec3>>(self) -> Self::Output {
+    fn call<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>>(self) -> Self::Output {
         let Stress { case, truth, trees } = self.stress;
         let mut wrong = vec![Wrong::default(); case.rays.len()];
         let mut errors = Errors { rays: case.rays.len() as u64, ..Errors::default() };

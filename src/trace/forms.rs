@@ -42,7 +42,7 @@ impl Forms {
 }
 
 /// A shape of triangles that [`Forms`] have.
-pub trait Form: Copy + 'static {
+pub trait Form: Copy + From<Triangle> + 'static {
     /// As [`Forms::of`].
     fn form(forms: &Forms) -> &Bvh<Self>;
 }

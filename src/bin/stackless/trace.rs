@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
 use stackless_bvh::scene;
-use stackless_bvh::trace::{self, Accuracy, Hit, Tracer, WithTests};
+use stackless_bvh::trace::{self, Accuracy, Form, Hit, Tracer, WithTests};
 use stackless_bvh::traverse::{Method, Unfit};
 
 use crate::Outcome;
@@ -68,7 +68,7 @@ type Hits = Result<Vec<Option<Hit>>, Unfit>;
 impl WithTests for WithRays<'_> {
     type Output = Hits;
 
-    fn call<K: Kernel<Vector = Vec3>, B: Slabs<Vector = Vec3>>(self) -> Hits {
+    fn call<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>>(self) -> Hits {
         let Self { args, bvh, rays } = self;
         let bvh = bvh.map(K::Shape::from);
         let tracer = Tracer::<K, B>::with_method(&bvh, args.method)?;

@@ -18,14 +18,14 @@ pub use woop::Woop;
 
 use std::fmt::Debug;
 
-use super::{Ray, Real as _, Region, Triangle, Vector};
+use super::{Ray, Real as _, Region, Vector};
 
 /// A triangle test, and what it keeps of a ray.
 pub trait Kernel: Copy + Debug {
     /// Positions and directions of the rays.
     type Vector: Vector;
-    /// A triangle as the test wants it.
-    type Shape: Copy + Debug + Send + Sync + From<Triangle<Self::Vector>>;
+    /// A triangle as the test wants it, or any other shape that rays can meet.
+    type Shape: Copy + Debug + Send + Sync;
 
     /// Prepares a ray. `region` must hold all triangles that it is asked about.
     fn new(ray: &Ray<Self::Vector>, region: &Region) -> Self;

@@ -3,11 +3,12 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::geom::Aabb;
+use crate::geom::Triangle;
 use crate::geom::truth::{self, Meeting};
 
 const UNIT: Triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
 
-fn distance<K: Kernel<Vector = Vec3>>(triangle: Triangle, ray: &Ray) -> Option<f32> {
+fn distance<K: Kernel<Vector = Vec3, Shape: From<Triangle>>>(triangle: Triangle, ray: &Ray) -> Option<f32> {
     K::new(ray, &Region::of(&triangle.aabb())).distance(&triangle.into(), f32::INFINITY)
 }
 
@@ -48,7 +49,7 @@ macro_rules! for_each_kernel {
 }
 
 for_each_kernel!(edges_corners_and_both_sides_count);
-fn edges_corners_and_both_sides_count<K: Kernel<Vector = Vec3>>() {
+fn edges_corners_and_both_sides_count<K: Kernel<Vector = Vec3, Shape: From<Triangle>>>() {
     for [x, y] in [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.5, 0.0], [0.0, 0.5], [0.5, 0.5], [0.25, 0.25]] {
         for side in [1.0, -1.0] {
             let ray = ray([x, y, -2.0 * side], [0.0, 0.0, side], 0.0, f32::INFINITY);
@@ -64,7 +65,7 @@ fn edges_corners_and_both_sides_count<K: Kernel<Vector = Vec3>>() {
 }
 
 for_each_kernel!(both_ends_of_the_interval_count);
-fn both_ends_of_the_interval_count<K: Kernel<Vector = Vec3>>() {
+fn both_ends_of_the_interval_count<K: Kernel<Vector = Vec3, Shape: From<Triangle>>>() {
     let within = |tmin, tmax| {
         let ray = ray([0.25, 0.25, -2.0], [0.0, 0.0, 1.0], tmin, tmax);
         let hit = distance::<K>(UNIT, &ray).is_some();
@@ -78,7 +79,7 @@ fn both_ends_of_the_interval_count<K: Kernel<Vector = Vec3>>() {
 }
 
 for_each_kernel!(flat_triangles_are_missed);
-fn flat_triangles_are_missed<K: Kernel<Vector = Vec3>>() {
+fn flat_triangles_are_missed<K: Kernel<Vector = Vec3, Shape: From<Triangle>>>() {
     let (point, line) = (Triangle([Vec3::X; 3]), Triangle([Vec3::ZERO, Vec3::X, Vec3::X * 2.0]));
     for triangle in [point, line] {
         assert_eq!(distance::<K>(triangle, &ray([1.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.0, f32::INFINITY)), None);

@@ -48,10 +48,10 @@ pub(super) fn measure(bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Unfit> {
         for (ray, tape) in rays[chunk.clone()].iter().zip(&tapes[chunk]) {
             let Some(&method) = METHODS.get(who / 2) else {
                 if who % 2 == 0 {
-                    tape.boxes(bvh, ray)
+                    tape.boxes(bvh, ray);
                 } else {
-                    tape.triangles(bvh, ray)
-                };
+                    tape.triangles(bvh, ray);
+                }
                 continue;
             };
             let tables = &tables[who / 2];
