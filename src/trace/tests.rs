@@ -1,7 +1,8 @@
 use super::*;
 use crate::bvh::{Bvh, SahOptions};
-use crate::geom::Aabb;
-use crate::geom::Ray;
+use crate::geom::kernel::Exact;
+use crate::geom::slabs::Directed;
+use crate::geom::{Aabb, Ray};
 use crate::order::{ByNode, Flow, LeftFirst, SignOrder, Visitor};
 use crate::scene::{Mesh, procedural};
 use crate::tree::{Node, Topology};
@@ -52,6 +53,14 @@ fn compare_on_tree(bvh: &Bvh, boxes: &[Aabb], ray: &Ray, truth: Option<(u32, [u3
     let mut closest = Closest::new(bvh, ray);
     walk(bvh, bvh.root(), &mut closest);
     assert_eq!(bits(closest.hit()), truth, "{ray:?}");
+
+    let mut from_left = Search::<Exact, Directed, false, FromLeft>::new(bvh, ray);
+    walk(bvh, bvh.root(), &mut from_left);
+    assert_eq!(bits(from_left.hit()), truth, "{ray:?}");
+
+    let mut nearest = Search::<Exact, Directed, true, Nearest>::new(bvh, ray);
+    walk(bvh, bvh.root(), &mut nearest);
+    assert_eq!(nearest.hit().is_some(), truth.is_some(), "{ray:?}");
 
     let mut by_node = ByNode { test: ClosestByNode::new(bvh, boxes, ray), order: LeftFirst };
     walk(bvh, bvh.root(), &mut by_node);

@@ -15,7 +15,7 @@ use crate::bvh::Bvh;
 use crate::event::Recorder;
 use crate::geom::kernel::{Exact, Real};
 use crate::geom::slabs::Directed;
-use crate::geom::{Aabb, Kernel, Ray, Slabs};
+use crate::geom::{Aabb, Kernel, Ray, Slabs, Vector};
 use crate::key::KeyWord;
 use crate::order::{Descent, Flow, NodeTest, Visitor};
 use crate::report::Backtracks;
@@ -50,7 +50,7 @@ pub struct Tracer<'a, K: Kernel = Exact, B = Directed> {
 }
 
 /// Rays that a thread takes at once.
-const CHUNK: usize = 1024;
+const CHUNK: usize = 256;
 
 impl<'a> Tracer<'a> {
     /// A tracer by `hashed`, with tables and words as narrow as the hierarchy allows.
@@ -193,12 +193,12 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
 
     /// The closest hit of each ray, on all threads.
     pub fn closest_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
-        rays.par_chunks(CHUNK).flat_map_iter(|chunk| self.closest_each(chunk)).collect()
+        in_parallel(rays, |ray, memory| self.closest_in(ray, memory))
     }
 
     /// Whether there is any hit of each ray, on all threads.
     pub fn any_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<bool> {
-        rays.par_chunks(CHUNK).flat_map_iter(|chunk| self.any_each(chunk)).collect()
+        in_parallel(rays, |ray, memory| self.any_in(ray, memory))
     }
 
     /// All hits, each triangle once, in the order (`t`, primitive): edges and corners included.
@@ -280,6 +280,21 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
         let (tables, method) = (&self.tables, self.method);
         with_word(self.word, InWord { tables, method, octant, memory, query, recorder: &mut () })
     }
+}
+
+/// Answers each ray into its place. Threads keep their memory between chunks.
+fn in_parallel<V: Vector, A: Clone + Default + Send>(
+    rays: &[Ray<V>],
+    answer: impl Fn(&Ray<V>, &mut Vec<Node>) -> A + Sync,
+) -> Vec<A> {
+    let mut answers = vec![A::default(); rays.len()];
+    let chunks = rays.par_chunks(CHUNK).zip(answers.par_chunks_mut(CHUNK));
+    chunks.for_each_init(Vec::new, |memory, (rays, answers)| {
+        for (ray, place) in rays.iter().zip(answers) {
+            *place = answer(ray, memory);
+        }
+    });
+    answers
 }
 
 struct InWord<'a, 't, 'q, S, R> {

@@ -4,7 +4,6 @@
 //! where the tree has no nodes: "it is enough to allocate the address space for them". So does this layout: a plain
 //! vector where the tree is shallow, reserved virtual memory, of which only the touched pages exist, where it is not.
 
-use alloc::collections::BTreeSet;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
@@ -79,21 +78,21 @@ impl Implicit {
         let mut cells = Cells::for_depth(depth)?;
         let mut pending = vec![(tree.root(), 0_usize)];
         let array = cells.as_mut_slice();
-        let mut pages = BTreeSet::new();
+        let mut is_touched = vec![false; array.len().div_ceil(PAGE_CELLS)];
         while let Some((node, address)) = pending.pop() {
             array[address] = node.to_bits() + 1;
-            pages.insert(address / (PAGE / size_of::<u32>()));
+            is_touched[address / PAGE_CELLS] = true;
             if !node.is_leaf() {
                 let [left, right] = tree.children(node);
                 pending.extend([(left, 2 * address + 1), (right, 2 * address + 2)]);
             }
         }
-        Ok(Self { cells, pages: pages.len() })
+        Ok(Self { cells, pages: is_touched.into_iter().filter(|&is_touched| is_touched).count() })
     }
 
     /// Memory of the pages that hold nodes, in bytes; of the address space in between, nothing exists.
     pub fn bytes(&self) -> usize {
-        self.pages * PAGE
+        self.pages * PAGE_CELLS * size_of::<u32>()
     }
 
     /// The node at an address; `None` in a gap and beyond the last level.
@@ -108,7 +107,8 @@ impl Implicit {
 #[cfg(feature = "std")]
 const PLAIN: u32 = 13;
 
-const PAGE: usize = 4096;
+/// Cells in a page of 4 KiB.
+const PAGE_CELLS: usize = 1024;
 
 impl Cells {
     #[cfg(feature = "std")]
@@ -160,6 +160,8 @@ mod tests {
         for depth in [0, 1, 5, 13, 14, Implicit::LIMIT] {
             let tree = comb(depth);
             let layout = Implicit::of(&tree).unwrap();
+            // The first 10 levels share a page; each level below has both its nodes in another one.
+            assert_eq!(layout.bytes(), 4096 * (1 + depth.saturating_sub(9) as usize));
             // The comb leans right: the inner node at depth d has key 2^(d+1) - 1, its left child is a leaf.
             for d in 0..depth {
                 let key = (2_usize << d) - 1;
