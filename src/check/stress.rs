@@ -1,7 +1,7 @@
 //! Hard rays through every traversal, at any accuracy, against rational arithmetic.
 
 use super::run_query;
-use crate::bvh::{BuildError, Bvh, SahOptions};
+use crate::bvh::{BuildError, BuildOptions, Builder, Bvh, SahOptions};
 use crate::geom::{Kernel, Slabs};
 use crate::scene::stress::Case;
 use crate::trace::{Form, Hit, KernelName, NodeSearch, SlabsName, Truth, WithTests, with_tests};
@@ -37,8 +37,8 @@ impl Errors {
 pub struct Stress<'c> {
     case: &'c Case,
     truth: Vec<Option<Hit>>,
-    /// By surface area, and complete.
-    trees: [Bvh; 2],
+    /// By surface area, complete, and with triangles in parts that have been moved about.
+    trees: [Bvh; 3],
 }
 
 impl<'c> Stress<'c> {
@@ -49,7 +49,12 @@ impl<'c> Stress<'c> {
     pub fn new(case: &'c Case) -> Result<Self, BuildError> {
         let truth = Truth::new(&case.mesh);
         let truth = case.rays.iter().map(|ray| truth.closest(ray).map(|hit| hit.rounded())).collect();
-        let trees = [Bvh::sah(&case.mesh, SahOptions::default())?, Bvh::median(&case.mesh, 2)?];
+        let in_parts = BuildOptions { builder: Builder::Spatial, reinsertion: 2, ..BuildOptions::default() };
+        let trees = [
+            Bvh::sah(&case.mesh, SahOptions::default())?,
+            Bvh::median(&case.mesh, 2)?,
+            Bvh::build(&case.mesh, &in_parts, &|_| ())?,
+        ];
         Ok(Self { case, truth, trees })
     }
 
@@ -58,7 +63,8 @@ impl<'c> Stress<'c> {
         &self.truth
     }
 
-    /// Traces all rays by all of `methods`, closest hit and any hit, through a tree by surface area and a complete one.
+    /// Traces all rays by all of `methods`, closest hit and any hit, through a tree by surface area, a complete one, and one with triangles in
+    /// parts.
     ///
     /// # Errors
     /// A traversal that does not run at all.
@@ -88,7 +94,7 @@ impl WithTests for Run<'_> {
         let mut wrong = vec![Wrong::default(); case.rays.len()];
         let mut errors = Errors { rays: case.rays.len() as u64, ..Errors::default() };
         let mut memory = Vec::new();
-        for (tree, is_complete) in trees.iter().zip([false, true]) {
+        for (tree, is_complete) in trees.iter().zip([false, true, false]) {
             let bvh = tree.clone().map(K::Shape::from);
             let boxes = bvh.own_boxes();
             let tables = Tables::new(&bvh, bvh.axes(), self.methods, Implicit::LIMIT);
