@@ -7,7 +7,6 @@
 mod battery;
 mod boxes;
 mod case;
-mod query;
 mod random;
 mod replay;
 mod scene;
@@ -19,7 +18,6 @@ mod watch;
 pub use battery::{Battery, Verdict};
 pub use boxes::{BoxTally, check_boxes};
 pub use case::{Case, CaseOptions};
-pub use query::run_query;
 pub use random::{Disagreement, Plan, Progress, boundary_cases, check_cases, check_random, merge};
 pub use replay::{Replay, ReplayError};
 pub use scene::{SceneDisagreement, SceneTree, Seen, check_scene};

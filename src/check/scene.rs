@@ -8,11 +8,10 @@ use crate::bvh::Bvh;
 use crate::event::{Recorder, State};
 use crate::geom::{Aabb, Ray};
 use crate::hash::mix;
-use crate::key::KeyWord;
 use crate::oracle;
 use crate::order::{ByNode, Flow, LeftFirst, NodeTest, SignOrder, Visitor};
 use crate::trace::{AnyByNode, ClosestByNode, Hit, Truth};
-use crate::traverse::{Method, Tables, Test, Unfit, WithWord, WordName, with_word};
+use crate::traverse::{Method, Tables, Test, Unfit, WordName};
 use crate::tree::{Implicit, Keys, Node, Topology};
 
 /// A hierarchy over a mesh with all that its check needs.
@@ -184,24 +183,7 @@ impl Run for Traversal<'_, '_> {
         watch: &mut Watch<'_>,
     ) -> Result<(), Unfit> {
         let Self { tables, method, word, memory } = self;
-        with_word(word, InWord { tables, method, octant: ray.octant(), memory, search, watch })
-    }
-}
-
-struct InWord<'a, 'm, 'w, S> {
-    tables: &'a Tables<'m, Bvh>,
-    method: Method,
-    octant: u8,
-    memory: &'a mut Vec<Node>,
-    search: &'a mut S,
-    watch: &'a mut Watch<'w>,
-}
-
-impl<S: Visitor + NodeTest> WithWord for InWord<'_, '_, '_, S> {
-    type Output = Result<(), Unfit>;
-
-    fn call<W: KeyWord>(self) -> Self::Output {
-        self.tables.run::<W, S>(self.method, self.octant, self.memory, self.search, self.watch)
+        tables.run_in(word, method, ray.octant(), memory, search, watch)
     }
 }
 

@@ -1,10 +1,9 @@
 //! Hard rays through every traversal, at any accuracy, against rational arithmetic.
 
-use super::run_query;
 use crate::bvh::{BuildError, BuildOptions, Builder, Bvh, SahOptions};
 use crate::geom::{Kernel, Slabs};
 use crate::scene::stress::Case;
-use crate::trace::{Form, Hit, KernelName, NodeSearch, SlabsName, Truth, WithTests, with_tests};
+use crate::trace::{Form, Hit, KernelName, NodeSearch, Query, SlabsName, Truth, WithTests, with_tests};
 use crate::traverse::{Method, Tables, Unfit, WordName};
 use crate::tree::{Implicit, Topology};
 use glam::Vec3;
@@ -103,8 +102,22 @@ impl WithTests for Run<'_> {
                 for ((ray, truth), wrong) in case.rays.iter().zip(truth).zip(&mut wrong) {
                     let mut any = NodeSearch::<K, B, true>::new(&bvh, &boxes, ray);
                     let mut closest = NodeSearch::<K, B, false>::new(&bvh, &boxes, ray);
-                    run_query(word, &tables, method, ray, &mut memory, &mut any)?;
-                    run_query(word, &tables, method, ray, &mut memory, &mut closest)?;
+                    tables.run_in(
+                        word,
+                        method,
+                        ray.octant(),
+                        &mut memory,
+                        &mut (&mut any as &mut dyn Query),
+                        &mut (),
+                    )?;
+                    tables.run_in(
+                        word,
+                        method,
+                        ray.octant(),
+                        &mut memory,
+                        &mut (&mut closest as &mut dyn Query),
+                        &mut (),
+                    )?;
                     let (any, closest) = (any.found().is_some(), closest.hit());
                     wrong.miss |= truth.is_some() && (closest.is_none() || !any);
                     wrong.hit |= truth.is_none() && (closest.is_some() || any);

@@ -2,13 +2,11 @@
 
 use super::{BoxQuery, Hit};
 use crate::bvh::Bvh;
-use crate::geom::kernel::{Exact, Exact64};
+use crate::geom::kernel::{Exact, Exact64, Real};
 use crate::geom::slabs::{Directed, Wide};
-use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs, Vector};
+use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs};
 use crate::order::{Descent, Flow, Visitor};
 use crate::tree::{Node, Topology};
-
-type Real<K> = <<K as Kernel>::Vector as Vector>::Real;
 
 /// All hits of a ray, exact: every closed triangle that it meets, edges and corners included. `[EXACT-1]`
 ///

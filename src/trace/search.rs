@@ -6,9 +6,9 @@ use super::Hit;
 use super::child_order::{ChildOrder, FromLeft, Nearest};
 use super::query::{BoxQuery, OwnBoxes};
 use crate::bvh::{Bvh, LeafTriangle};
-use crate::geom::kernel::{Exact, Exact64};
+use crate::geom::kernel::{Exact, Exact64, Real};
 use crate::geom::slabs::{Directed, Wide};
-use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs, Vector};
+use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs};
 use crate::order::{Descent, Flow, Visitor};
 use crate::tree::{Node, Topology};
 
@@ -44,8 +44,6 @@ pub type ClosestByNode<'a> = NodeSearch<'a, Exact, Directed, false>;
 
 /// An any-hit query, exact, that tests each node's own box.
 pub type AnyByNode<'a> = NodeSearch<'a, Exact, Directed, true, FromLeft>;
-
-type Real<K> = <<K as Kernel>::Vector as Vector>::Real;
 
 /// A ray on its way through a hierarchy, with the triangle test `K`, the box test `B` and the order `O` of children. With
 /// `ANY`, the first hit ends it.

@@ -16,10 +16,9 @@ use crate::event::Recorder;
 use crate::geom::kernel::{Exact, Real};
 use crate::geom::slabs::Directed;
 use crate::geom::{Aabb, Kernel, Ray, Slabs, Vector};
-use crate::key::KeyWord;
 use crate::order::{Descent, Flow, NodeTest, Visitor};
 use crate::report::Backtracks;
-use crate::traverse::{Method, Tables, Unfit, WithWord, WordName, with_word};
+use crate::traverse::{Method, Tables, Unfit, WordName};
 use crate::tree::{Implicit, Node, Uncles};
 
 /// Answers queries over a hierarchy by one of the traversals, with the triangle test `K` and the box test `B`.
@@ -88,7 +87,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
     pub fn planned(bvh: &'a Bvh<K::Shape>, plan: &Plan) -> Result<Self, Unfit> {
         let tracer = Self::unchecked(bvh, plan);
         // A search that is over at the root: what is unfit is found before the first step.
-        tracer.try_run(0, &mut Vec::new(), &mut Nothing).map(|()| tracer)
+        tracer.try_run(0, &mut Vec::new(), &mut Nothing, &mut ()).map(|()| tracer)
     }
 
     fn unchecked(bvh: &'a Bvh<K::Shape>, plan: &Plan) -> Self {
@@ -143,8 +142,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
     pub fn closest_distance(&self, ray: &Ray<K::Vector>) -> Option<(u32, Real<K>)> {
         let mut found = [None];
         self.closest_distances(std::slice::from_ref(ray), &mut found);
-        let [found] = found;
-        found
+        found[0]
     }
 
     /// Any hit, whole: the first that is met, which depends on hierarchy and traversal.
@@ -162,7 +160,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
     pub fn count(&self, rays: &[Ray<K::Vector>], any: bool) -> Counters {
         let count = |chunk: &[Ray<K::Vector>]| {
             let (mut counters, mut memory) = (Counters::default(), Vec::new());
-            let mut backtracks = std::mem::replace(&mut counters.backtracks, Backtracks::new(<Uncles>::REACH));
+            let mut backtracks = Backtracks::new(<Uncles>::REACH);
             for ray in chunk {
                 counters.rays += 1;
                 backtracks.begin();
@@ -260,7 +258,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
         let fits = match self.word {
             WordName::U32 => self.tables.run::<u32, _>(self.method, octant, memory, search, &mut ()),
             WordName::U64 => self.tables.run::<u64, _>(self.method, octant, memory, search, &mut ()),
-            WordName::U128 | WordName::Grow => self.try_run(octant, memory, search),
+            WordName::U128 | WordName::Grow => self.try_run(octant, memory, search, &mut ()),
         };
         debug_assert_eq!(fits, Ok(()), "checked when the tracer was made");
     }
@@ -271,14 +269,18 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
     }
 
     fn run_recorded(&self, octant: u8, memory: &mut Vec<Node>, query: &mut dyn Query, recorder: &mut impl Recorder) {
-        let (tables, method) = (&self.tables, self.method);
-        let fits = with_word(self.word, InWord { tables, method, octant, memory, query, recorder });
+        let fits = self.try_run(octant, memory, query, recorder);
         debug_assert_eq!(fits, Ok(()), "checked when the tracer was made");
     }
 
-    fn try_run(&self, octant: u8, memory: &mut Vec<Node>, query: &mut dyn Query) -> Result<(), Unfit> {
-        let (tables, method) = (&self.tables, self.method);
-        with_word(self.word, InWord { tables, method, octant, memory, query, recorder: &mut () })
+    fn try_run(
+        &self,
+        octant: u8,
+        memory: &mut Vec<Node>,
+        mut query: &mut dyn Query,
+        recorder: &mut impl Recorder,
+    ) -> Result<(), Unfit> {
+        self.tables.run_in(self.word, self.method, octant, memory, &mut query, recorder)
     }
 }
 
@@ -295,23 +297,6 @@ fn in_parallel<V: Vector, A: Clone + Default + Send>(
         }
     });
     answers
-}
-
-struct InWord<'a, 't, 'q, S, R> {
-    tables: &'a Tables<'t, Bvh<S>>,
-    method: Method,
-    octant: u8,
-    memory: &'a mut Vec<Node>,
-    query: &'a mut (dyn Query + 'q),
-    recorder: &'a mut R,
-}
-
-impl<S, R: Recorder> WithWord for InWord<'_, '_, '_, S, R> {
-    type Output = Result<(), Unfit>;
-
-    fn call<W: KeyWord>(mut self) -> Self::Output {
-        self.tables.run::<W, _>(self.method, self.octant, self.memory, &mut self.query, self.recorder)
-    }
 }
 
 /// A query that ends at the root.

@@ -6,11 +6,11 @@ use core::sync::atomic::{AtomicUsize, Ordering};
 
 use super::{
     Afra, ByKey, Complete, Glassner, Hapala, HashOnly, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine,
-    LeftFirst, Method, NotComplete, Skip, Skips, Sparse, Stack, Uncle, traverse,
+    LeftFirst, Method, NotComplete, Skip, Skips, Sparse, Stack, Uncle, WordName, traverse,
 };
 use crate::event::Recorder;
 use crate::hash::{KeyMap, KeySet, Lookup, Options, PerfectHash, Sizing, Verified};
-use crate::key::{KeyWord, TooDeep};
+use crate::key::{Grow, KeyWord, TooDeep};
 use crate::order::{self, ByNode, NodeTest, SignOrder, Visitor};
 use crate::tree::{Implicit, Keys, Node, ParentLinks, Parents, RecordedParents, RecordedUncles, Topology, Uncles};
 
@@ -209,6 +209,29 @@ impl<'t, T: Topology> Tables<'t, T> {
             }
         }
         Ok(())
+    }
+
+    /// [`run`](Self::run) in a word that is known only when the program runs.
+    ///
+    /// A search of type `&mut dyn` shares one body with all others, so that not all traversals are compiled for each of them.
+    ///
+    /// # Errors
+    /// [`Unfit`], before the first step.
+    pub fn run_in<S: Visitor + NodeTest>(
+        &self,
+        word: WordName,
+        method: Method,
+        octant: u8,
+        memory: &mut Vec<Node>,
+        search: &mut S,
+        recorder: &mut impl Recorder,
+    ) -> Result<(), Unfit> {
+        match word {
+            WordName::U32 => self.run::<u32, S>(method, octant, memory, search, recorder),
+            WordName::U64 => self.run::<u64, S>(method, octant, memory, search, recorder),
+            WordName::U128 => self.run::<u128, S>(method, octant, memory, search, recorder),
+            WordName::Grow => self.run::<Grow, S>(method, octant, memory, search, recorder),
+        }
     }
 
     #[inline]

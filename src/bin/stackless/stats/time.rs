@@ -9,8 +9,8 @@ use stackless_bvh::geom::slabs::Directed;
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
 use stackless_bvh::order::{Descent, Flow, NodeTest, Visitor};
 use stackless_bvh::trace::Closest;
-use stackless_bvh::traverse::{Method, Stack, Tables, Unfit, traverse};
-use stackless_bvh::tree::{Implicit, Node, Recorded};
+use stackless_bvh::traverse::{Method, Stack, Tables, Unfit, WordName, traverse};
+use stackless_bvh::tree::{Implicit, Node, Recorded, Topology};
 
 use crate::output::{say, table};
 use crate::turns::{median, take_turns};
@@ -33,6 +33,9 @@ const METHODS: [Method; 5] = [Method::Stack, Method::Sparse, Method::Afra, Metho
 const CHUNK: usize = 1024;
 const ROUNDS: usize = 5;
 
+/// For traversals that are not among [`METHODS`].
+const OCTANT: u8 = 0;
+
 /// Times the parts alone, over what a query does. They do not add up to the whole: the processor does several at once, and
 /// memory is read for all of them.
 pub(super) fn measure(bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Unfit> {
@@ -41,7 +44,7 @@ pub(super) fn measure(bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Unfit> {
     let tables = METHODS.map(|method| Tables::new(tree(method), bvh.axes(), &[method], Implicit::LIMIT));
     let tapes: Vec<_> = rays.iter().map(|ray| Tape::of(bvh, ray)).collect();
     let mut memory = Vec::new();
-    let mut unfit = None;
+    let (word, mut unfit) = (WordName::narrowest(bvh.depth()), None);
     // The whole and the traversal alone by each method, then boxes, then triangles.
     let contestants = 2 * METHODS.len() + 2;
     let times = take_turns(contestants, rays.len(), CHUNK, ROUNDS, "parts of the time", |who, chunk| {
@@ -57,11 +60,12 @@ pub(super) fn measure(bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Unfit> {
             let tables = &tables[who / 2];
             let ran = if who % 2 == 0 {
                 let mut search = ByParent(Closest::new(tree(method), ray));
-                let ran = run(tables, method, &mut memory, &mut search);
+                let ran = tables.run_in(word, method, OCTANT, &mut memory, &mut search, &mut ());
                 black_box(search.0.found());
                 ran
             } else {
-                run(tables, method, &mut memory, &mut ByParent(Replay(tape.descents.iter())))
+                let mut replay = ByParent(Replay(tape.descents.iter()));
+                tables.run_in(word, method, OCTANT, &mut memory, &mut replay, &mut ())
             };
             unfit = unfit.or(ran.err());
         }
@@ -76,19 +80,6 @@ pub(super) fn measure(bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Unfit> {
         Row { method: method.name(), all, traversal, boxes, triangles }
     };
     Ok(METHODS.into_iter().enumerate().map(row).collect())
-}
-
-/// In a word that fits. The octant is for traversals that are not among [`METHODS`].
-fn run<S: Visitor + NodeTest>(
-    tables: &Tables<'_, Bvh>,
-    method: Method,
-    memory: &mut Vec<Node>,
-    search: &mut S,
-) -> Result<(), Unfit> {
-    match tables.run::<u32, _>(method, 0, memory, search, &mut ()) {
-        Err(Unfit::TooDeep(_)) => tables.run::<u64, _>(method, 0, memory, search, &mut ()),
-        ran => ran,
-    }
 }
 
 pub(super) fn print(rows: &[Row]) {
