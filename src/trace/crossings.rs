@@ -1,12 +1,13 @@
 //! Queries that look at everything along a ray: all hits, and the number of crossings.
 
+use super::cast::Cast;
 use super::{BoxQuery, Hit};
 use crate::bvh::Bvh;
 use crate::geom::kernel::{Exact, Exact64, Real};
 use crate::geom::slabs::{Directed, Wide};
 use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs};
 use crate::order::{Descent, Flow, Visitor};
-use crate::tree::{Node, Topology};
+use crate::tree::Node;
 
 /// All hits of a ray, exact: every closed triangle that it meets, edges and corners included. `[EXACT-1]`
 ///
@@ -33,7 +34,7 @@ pub type AllHits64<'a> = Sweep<'a, Exact64, Wide>;
 /// visits all boxes that the ray meets.
 #[derive(Clone, Debug)]
 pub struct Sweep<'a, K: Kernel, B: Slabs<Vector = K::Vector>> {
-    whole: Whole<'a, K, B>,
+    cast: Cast<'a, K, B>,
     /// Distance, triangle, and where that is in the hierarchy.
     found: Vec<(Real<K>, u32, usize)>,
 }
@@ -41,7 +42,7 @@ pub struct Sweep<'a, K: Kernel, B: Slabs<Vector = K::Vector>> {
 impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Sweep<'a, K, B> {
     /// Prepares a query.
     pub fn new(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>) -> Self {
-        Self { whole: Whole::new(bvh, ray), found: Vec::new() }
+        Self { cast: Cast::new(bvh, ray), found: Vec::new() }
     }
 
     /// All hits, after the traversal, in the order (`t`, primitive).
@@ -53,7 +54,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Sweep<'a, K, B> {
         });
         // A triangle may be in several leaves.
         found.dedup_by_key(|(_, prim, _)| *prim);
-        let Whole { bvh, kernel, .. } = &self.whole;
+        let Cast { bvh, kernel, .. } = &self.cast;
         let hit = |(t, prim, place): (Real<K>, u32, usize)| {
             let [u, v] = kernel.weights(&bvh.triangles()[place].shape);
             Hit { prim, t, u, v }
@@ -65,12 +66,12 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Sweep<'a, K, B> {
 impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for Sweep<'_, K, B> {
     #[inline]
     fn inner(&mut self, node: Node) -> Descent {
-        self.whole.inner(node)
+        self.cast.inner(node)
     }
 
     #[inline]
     fn leaf(&mut self, node: Node) -> Flow {
-        let Whole { bvh, kernel, .. } = &self.whole;
+        let Cast { bvh, kernel, .. } = &self.cast;
         let range = bvh.leaf_range(node);
         for (place, held) in range.clone().zip(&bvh.triangles()[range]) {
             if let Some(t) = kernel.distance(&held.shape, Real::<K>::INFINITY) {
@@ -83,11 +84,11 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for Sweep<'_, K, B> {
 
 impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
     fn touches(&self, aabb: &Aabb) -> bool {
-        self.whole.slabs.one(aabb, self.whole.limit).is_some()
+        self.cast.touches(aabb)
     }
 
     fn slot(&self, node: Node) -> usize {
-        self.whole.bvh.slot(node)
+        self.cast.slot(node)
     }
 }
 
@@ -116,7 +117,7 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Crossings<'a> {
-    whole: Whole<'a, Exact, Directed>,
+    cast: Cast<'a, Exact, Directed>,
     /// The triangles.
     crossed: Vec<u32>,
 }
@@ -124,7 +125,7 @@ pub struct Crossings<'a> {
 impl<'a> Crossings<'a> {
     /// Prepares a query.
     pub fn new(bvh: &'a Bvh, ray: &Ray) -> Self {
-        Self { whole: Whole::new(bvh, ray), crossed: Vec::new() }
+        Self { cast: Cast::new(bvh, ray), crossed: Vec::new() }
     }
 
     /// How many triangles are crossed, after the traversal.
@@ -141,12 +142,12 @@ impl<'a> Crossings<'a> {
 impl Visitor for Crossings<'_> {
     #[inline]
     fn inner(&mut self, node: Node) -> Descent {
-        self.whole.inner(node)
+        self.cast.inner(node)
     }
 
     #[inline]
     fn leaf(&mut self, node: Node) -> Flow {
-        let Whole { bvh, kernel, .. } = &self.whole;
+        let Cast { bvh, kernel, .. } = &self.cast;
         for held in bvh.leaf_triangles(node).iter().filter(|held| kernel.crosses(&held.shape)) {
             // A triangle may be in several leaves.
             if bvh.duplicates() == 0 || !self.crossed.contains(&held.prim) {
@@ -154,30 +155,6 @@ impl Visitor for Crossings<'_> {
             }
         }
         Flow::Continue
-    }
-}
-
-/// A ray that does not become shorter.
-#[derive(Clone, Debug)]
-struct Whole<'a, K: Kernel, B: Slabs<Vector = K::Vector>> {
-    bvh: &'a Bvh<K::Shape>,
-    kernel: K,
-    slabs: B,
-    /// The end of the ray.
-    limit: Real<K>,
-}
-
-impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Whole<'a, K, B> {
-    fn new(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>) -> Self {
-        let (region, slabs) = (bvh.region(), B::new(ray, bvh.region()));
-        Self { bvh, kernel: K::new(ray, region), slabs, limit: ray.tmax() }
-    }
-
-    #[inline]
-    fn inner(&self, node: Node) -> Descent {
-        let planes = &self.bvh.node(node.index()).planes;
-        let ([left, right], [near_left, near_right]) = self.slabs.pair(planes, self.limit);
-        Descent::new(left, right, near_right < near_left)
     }
 }
 

@@ -8,6 +8,7 @@
 
 mod accuracy;
 mod bounce;
+mod cast;
 mod child_order;
 mod counters;
 mod crossings;
