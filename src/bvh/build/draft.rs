@@ -73,6 +73,14 @@ impl DraftNode {
     }
 }
 
+/// For children that no plane has parted: the axis on which their centres differ most, and whether the first one has the
+/// smaller centre there.
+pub(super) fn order_of(first: &Aabb, second: &Aabb) -> (usize, bool) {
+    let apart = second.centroid() - first.centroid();
+    let axis = apart.abs().max_position();
+    (axis, apart[axis] >= 0.0)
+}
+
 impl Draft {
     /// Writes nodes, leaves and shapes in depth-first order.
     pub(super) fn lay_out<P: Primitives + ?Sized>(&self, primitives: &P, dropped: usize) -> Bvh<P::Shape> {

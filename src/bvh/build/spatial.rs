@@ -47,9 +47,7 @@ pub(super) fn build<P: Primitives + ?Sized>(
 ) -> Result<Draft, BuildError> {
     let SahOptions { bins, max_leaf, depth_limit } = options.sah;
     let count = items.len();
-    if count > capacity(max_leaf, depth_limit) {
-        return Err(BuildError::DepthLimit { triangles: count, max_leaf, limit: depth_limit });
-    }
+    options.sah.check(count)?;
     let extra = (count as u64 * u64::from(options.spatial.extra_percent) / 100) as usize;
     let places = count.saturating_add(extra).min(Node::MAX_INDEX as usize);
     items.resize(places, Item::new(&Aabb::EMPTY, 0));

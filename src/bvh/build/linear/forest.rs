@@ -2,9 +2,7 @@
 
 use std::ops::Range;
 
-use glam::Vec3A;
-
-use super::super::draft::DraftNode;
+use super::super::draft::{DraftNode, order_of};
 use super::super::item::{CHUNK, Item, Spread};
 use super::super::sah::capacity;
 use super::super::top_down::append;
@@ -130,9 +128,8 @@ fn room(nodes: &mut Vec<DraftNode>) -> usize {
 
 /// Puts children in their places. The left one is the one whose middle comes first, on the axis where that differs most.
 fn join([a, b]: [DraftNode; 2], place: usize, nodes: &mut [DraftNode]) -> DraftNode {
-    let between = Spread { lo: a.aabb.centroid().into(), hi: b.aabb.centroid().into() }.extent();
-    let axis = Spread { lo: Vec3A::ZERO, hi: between.abs() }.widest_axis();
-    let children = if between[axis] < 0.0 { [b, a] } else { [a, b] };
+    let (axis, in_order) = order_of(&a.aabb, &b.aabb);
+    let children = if in_order { [a, b] } else { [b, a] };
     nodes[place..place + 2].copy_from_slice(&children);
     DraftNode::inner(a.aabb.union(b.aabb), place, axis)
 }

@@ -1,9 +1,8 @@
 //! The moved tree as a draft, with subtrees made leaves where that is cheaper.
 
-use super::super::draft::{Draft, DraftNode};
+use super::super::draft::{Draft, DraftNode, order_of};
 use super::super::sah::NODE_COST;
 use super::tree::Tree;
-use crate::geom::Aabb;
 
 /// The left child is the one with the smaller centre, on the axis on which the two centres differ most.
 pub(super) fn to_draft(tree: &Tree, draft: &Draft, max_leaf: u32) -> Draft {
@@ -14,7 +13,7 @@ pub(super) fn to_draft(tree: &Tree, draft: &Draft, max_leaf: u32) -> Draft {
         let aabb = tree.node(index).aabb;
         let children = tree.node(index).children().filter(|_| !leaves.is_leaf[index]);
         made.nodes[place] = if let Some([left, right]) = children {
-            let (axis, in_order) = order(&tree.node(left).aabb, &tree.node(right).aabb);
+            let (axis, in_order) = order_of(&tree.node(left).aabb, &tree.node(right).aabb);
             let child = made.nodes.len();
             made.nodes.extend([DraftNode::NONE; 2]);
             let [left, right] = if in_order { [left, right] } else { [right, left] };
@@ -77,10 +76,4 @@ fn references_below(tree: &Tree, draft: &Draft, index: usize) -> Vec<u32> {
         }
     }
     held
-}
-
-/// The axis on which the centres differ most, and whether the left one is the smaller.
-fn order(left: &Aabb, right: &Aabb) -> (usize, bool) {
-    let apart = right.centroid() - left.centroid();
-    (apart.abs().max_position(), apart[apart.abs().max_position()] >= 0.0)
 }
