@@ -60,7 +60,8 @@ fn covers<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
         for (axis, is_upper) in SIDES {
             let plane = if is_upper { aabb.hi[axis] } else { aabb.lo[axis] };
             // An infinite plane cuts nothing off.
-            let (Some(polygon), Ok(plane)) = (within.take(), RBig::try_from(plane)) else { continue };
+            let Ok(plane) = RBig::try_from(plane) else { continue };
+            let Some(polygon) = within.take() else { break };
             let (outside, inside) = polygon.cut(axis, is_upper, &plane);
             pending.extend(outside.map(|outside| (outside, boxes.clone())));
             within = inside;

@@ -96,3 +96,11 @@ fn degenerate_triangles_are_covered_too() {
     let gap = aabb([0.0; 3], [1f32.next_down(); 3]);
     assert!(!hold(&[gap, high], &line) && !hold(&[high, gap], &line));
 }
+
+#[test]
+fn a_box_without_end_on_one_side_ends_on_the_other() {
+    let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
+    let below = |end: f32| Aabb { lo: Vec3::NEG_INFINITY, hi: Vec3::new(end, 2.0, 2.0) };
+    assert!(hold(&[below(1.0)], &triangle) && covers(&[below(1.0)], &triangle));
+    assert!(!hold(&[below(0.5)], &triangle));
+}
