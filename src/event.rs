@@ -34,6 +34,11 @@ pub trait State {
         None
     }
 
+    /// The second trail, where the traversal carries one: 1 where a node's siblings were marked as disjoint.
+    fn disjoint(&self) -> Option<Self::Word> {
+        None
+    }
+
     /// The most recently postponed node, where a register holds it.
     fn register(&self) -> Option<Node> {
         None
@@ -42,6 +47,39 @@ pub trait State {
     /// Whether the node has been visited before and is only passed again on the way down from the root.
     fn is_restarting(&self) -> bool {
         false
+    }
+}
+
+impl<S: State> State for &mut S {
+    type Word = S::Word;
+
+    #[inline]
+    fn node(&self) -> Node {
+        (**self).node()
+    }
+
+    fn key(&self) -> Option<S::Word> {
+        (**self).key()
+    }
+
+    fn trail(&self) -> Option<S::Word> {
+        (**self).trail()
+    }
+
+    fn counter(&self) -> Option<S::Word> {
+        (**self).counter()
+    }
+
+    fn disjoint(&self) -> Option<S::Word> {
+        (**self).disjoint()
+    }
+
+    fn register(&self) -> Option<Node> {
+        (**self).register()
+    }
+
+    fn is_restarting(&self) -> bool {
+        (**self).is_restarting()
     }
 }
 

@@ -9,9 +9,10 @@
 pub use crate::key::Side;
 use crate::tree::Node;
 
-/// The decision at an inner node: no child is wanted, one is, or both are and one of them comes first.
+/// The decision at an inner node: no child is wanted, one is, or both are and one of them comes first. Of both, it may say
+/// that what is sought cannot be below the second if it is found below the first.
 ///
-/// Three bits, made and read without a branch: which children are hit is hard to predict, and a traversal that branches
+/// Four bits, made and read without a branch: which children are hit is hard to predict, and a traversal that branches
 /// on it more than once loses up to a third of its speed (`benches/README.md`).
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Descent(u8);
@@ -20,6 +21,7 @@ impl Descent {
     const RIGHT: u8 = 1;
     const BOTH: u8 = 2;
     const ANY: u8 = 4;
+    const DISJOINT: u8 = 8;
 
     /// No child is wanted: backtrack.
     pub const NEITHER: Self = Self(0);
@@ -47,6 +49,22 @@ impl Descent {
         Self(((left | right) * Self::ANY) | ((left & right) * Self::BOTH) | (first * Self::RIGHT))
     }
 
+    /// The same, with a mark where all that is below the first child comes before all that is below the second: their
+    /// intervals along the ray are disjoint (Binder & Keller 2016, Section 2.3). `[ORDER-2]`
+    ///
+    /// A promise: after [`Flow::Prune`] from below the first child, the second need not be visited.
+    #[inline]
+    #[must_use]
+    pub const fn disjoint_if(self, disjoint: bool) -> Self {
+        Self(self.0 | (disjoint as u8 * Self::DISJOINT))
+    }
+
+    /// Whether the second child is only wanted while nothing is found below the first.
+    #[inline]
+    pub const fn is_disjoint(self) -> bool {
+        self.0 & Self::DISJOINT != 0
+    }
+
     /// Whether no child is wanted.
     #[inline]
     pub const fn is_neither(self) -> bool {
@@ -71,7 +89,10 @@ impl core::fmt::Debug for Descent {
         match (self.is_neither(), self.postpones()) {
             (true, _) => f.write_str("neither"),
             (false, false) => write!(f, "only {:?}", self.first()),
-            (false, true) => write!(f, "both, {:?} first", self.first()),
+            (false, true) => {
+                write!(f, "both, {:?} first", self.first())?;
+                f.write_str(if self.is_disjoint() { ", disjoint" } else { "" })
+            }
         }
     }
 }
@@ -81,8 +102,22 @@ impl core::fmt::Debug for Descent {
 pub enum Flow {
     /// Go on.
     Continue,
+    /// Go on, but not where a [`Descent`] has marked the children as disjoint and this leaf is below the first: something
+    /// has been found here that comes before all that is below the second. `[ORDER-3]`
+    Prune,
     /// End the traversal now (an any-hit query that has its hit).
     Stop,
+}
+
+/// Which postponed nodes are not visited after all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pruning {
+    /// None is left out.
+    Never,
+    /// Those marked as disjoint from their siblings, after [`Flow::Prune`] from below the sibling. `[ORACLE-2]`
+    Disjoint,
+    /// Those that begin beyond the end of the search by now. `[ORACLE-3]`
+    Distance,
 }
 
 /// What the caller does at a node.
@@ -92,7 +127,34 @@ pub trait Visitor {
 
     /// Looks into a leaf.
     fn leaf(&mut self, node: Node) -> Flow;
+
+    /// Whether children are taken in the order in which what is sought would be found, descents are marked as
+    /// [disjoint](Descent::disjoint_if), and [`Flow::Prune`] is answered. Traversals that prune refuse other searches.
+    #[inline]
+    fn is_ordered(&self) -> bool {
+        false
+    }
+
+    /// Where the child begins that this descent from `node` has postponed, in any measure that orders as the distance does
+    /// (the bits of a positive float are one): what a traversal keeps that prunes by distance. It may begin later, never
+    /// earlier.
+    #[inline]
+    fn postponed(&self, _node: Node, _descent: Descent) -> u32 {
+        0
+    }
+
+    /// Where the search ends by now, in the same measure, or later: nodes that begin beyond it are not wanted any more.
+    #[inline]
+    fn end(&self) -> u32 {
+        u32::MAX
+    }
 }
+
+/// A search whose answer does not change if it is shown nodes that it did not want, or leaves that it has seen: closest
+/// hit and any hit are such, all hits are not.
+///
+/// Only they can be taken up again from a key alone, by [`Revisiting`](crate::traverse::Revisiting). `[PAUSE-4]`
+pub trait Repeatable: Visitor {}
 
 /// A search that tests a node itself, at its visit, instead of its two children at the parent's.
 ///
@@ -115,7 +177,24 @@ impl<T: Visitor + ?Sized> Visitor for &mut T {
     fn leaf(&mut self, node: Node) -> Flow {
         (**self).leaf(node)
     }
+
+    #[inline]
+    fn is_ordered(&self) -> bool {
+        (**self).is_ordered()
+    }
+
+    #[inline]
+    fn postponed(&self, node: Node, descent: Descent) -> u32 {
+        (**self).postponed(node, descent)
+    }
+
+    #[inline]
+    fn end(&self) -> u32 {
+        (**self).end()
+    }
 }
+
+impl<T: Repeatable + ?Sized> Repeatable for &mut T {}
 
 impl<T: NodeTest + ?Sized> NodeTest for &mut T {
     #[inline]
@@ -211,5 +290,8 @@ mod tests {
             assert_eq!((both.is_neither(), both.first(), both.postpones()), (false, side, true));
         }
         assert!(Descent::NEITHER.is_neither() && !Descent::NEITHER.postpones());
+        let marked = Descent::both(Left).disjoint_if(true);
+        assert!(marked.is_disjoint() && marked.postpones() && marked != Descent::both(Left));
+        assert_eq!(Descent::both(Left).disjoint_if(false), Descent::both(Left));
     }
 }

@@ -2,6 +2,8 @@
 
 #[path = "bites/mutants.rs"]
 mod mutants;
+#[path = "bites/printed.rs"]
+mod printed;
 #[path = "bites/textbook.rs"]
 mod textbook;
 #[path = "bites/wanderer.rs"]
@@ -13,7 +15,7 @@ use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::check::{
     Battery, Case, CaseOptions, Fault, Plan, Replay, SceneTree, Verdict, Watch, check_scene, shrink,
 };
-use stackless_bvh::generate::Search;
+use stackless_bvh::generate::{Family, Kind, Rng, Search};
 use stackless_bvh::hash::Lookup;
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{ByNode, Descent, FixedOrder, Flow, LeftFirst, Side, SignOrder, Visitor};
@@ -23,6 +25,7 @@ use stackless_bvh::traverse::{Hapala, Hashed, Method, Skip, Skips, Test, Uncle, 
 use stackless_bvh::tree::{Keys, Node, Parents, Recorded, RecordedUncles, Topology, Tree, UncleLinks, Uncles};
 
 use mutants::{Mutation, mutants};
+use printed::{Printed, Slip};
 use textbook::{Bug, Textbook};
 use wanderer::Wanderer;
 
@@ -102,6 +105,39 @@ impl Suspect {
     }
 }
 
+#[test]
+fn slips_with_the_second_trail_and_with_resuming() {
+    let printed = |resumes, slip, fault| Suspect {
+        test: Test::Disjoint,
+        ..Suspect::new(format!("{slip:?}"), fault, move |case, search, watch| {
+            traverse(Printed::new(&case.tree, resumes, slip), search, watch);
+        })
+    };
+    // Trees that are deep enough to look keys up, under intervals that often are disjoint.
+    let cases: Vec<_> = (0..CASES)
+        .map(|seed| {
+            let mut rng = Rng::new(seed);
+            let tree = Family::ALL[seed as usize % Family::ALL.len()].tree(&mut rng, 24);
+            Case { any: false, ..Case::with_tree(tree, Kind::Intervals, &mut rng) }
+        })
+        .collect();
+    for resumes in [false, true] {
+        let control = printed(resumes, Slip::None, "none");
+        assert!(cases.iter().all(|case| control.fault(case).is_none()));
+    }
+    for slip in [
+        Slip::FillBeforeMask,
+        Slip::RegisterKept,
+        Slip::RegisterLost,
+        Slip::MaskInverted,
+        Slip::MaskNotShifted,
+        Slip::MaskLeftBehind,
+    ] {
+        printed(false, slip, "node").must_be_caught(&cases);
+    }
+    printed(true, Slip::NoGuard, "node").must_be_caught(&cases);
+}
+
 fn kind(fault: &Fault) -> &'static str {
     match fault {
         Fault::Node { expected: Some(_), .. } => "node",
@@ -115,6 +151,7 @@ fn kind(fault: &Fault) -> &'static str {
         Fault::Visits { .. } => "visits",
         Fault::Restart { .. } => "restart",
         Fault::Miss { .. } => "miss",
+        Fault::Unpruned { .. } => "unpruned",
     }
 }
 

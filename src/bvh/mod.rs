@@ -136,6 +136,12 @@ impl<S> Bvh<S> {
         &self.nodes[i]
     }
 
+    /// The leaf that holds the triangle at `place` in [`triangles`](Self::triangles), which must be one.
+    pub fn leaf_of(&self, place: usize) -> Node {
+        let after = self.leaves.partition_point(|leaf| leaf.first as usize <= place);
+        Node::leaf(after.saturating_sub(1) as u32)
+    }
+
     /// Triangles of a leaf, which must be one of this tree.
     #[inline]
     pub fn leaf_triangles(&self, leaf: Node) -> &[LeafTriangle<S>] {

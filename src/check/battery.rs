@@ -6,8 +6,8 @@ use crate::event::Trace;
 use crate::generate::{Outcome, Search};
 use crate::key::KeyWord;
 use crate::oracle;
-use crate::order::{ByNode, LeftFirst, SignOrder, Visitor};
-use crate::traverse::{Method, Stack, Tables, Test, Unfit, WithWord, WordName, traverse, with_word};
+use crate::order::{ByNode, LeftFirst, Pruning, SignOrder, Visitor};
+use crate::traverse::{Method, PruningStack, Stack, Tables, Test, Unfit, WithWord, WordName, traverse, with_word};
 use crate::tree::{Keys, Node, Parents, Topology, Tree};
 
 /// What came of running a traversal.
@@ -32,7 +32,7 @@ pub struct Battery<'c> {
     keys: Keys,
     parents: Parents,
     /// By [`Test`]: filled when first asked for.
-    oracles: [Option<Oracle>; 3],
+    oracles: [Option<Oracle>; Test::ALL.len()],
     memory: Vec<Node>,
 }
 
@@ -54,7 +54,7 @@ impl<'c> Battery<'c> {
             tables: Tables::new(&case.tree, case.tape.axes(), methods, Self::IMPLICIT_DEPTH).verified(),
             keys: Keys::of(&case.tree),
             parents: Parents::of(&case.tree),
-            oracles: [None, None, None],
+            oracles: Default::default(),
             memory: Vec::new(),
         }
     }
@@ -75,6 +75,11 @@ impl<'c> Battery<'c> {
         run: impl FnOnce(&mut Search<'_, Tree>, &mut Watch<'_>, &Tables<'c, Tree>, &mut Vec<Node>) -> Result<(), Unfit>,
     ) -> Verdict {
         let case = self.case;
+        if test.pruning() != Pruning::Never
+            && let Err(fault) = self.is_pruning_right(test)
+        {
+            return Verdict::Differs(fault);
+        }
         let oracle = self.oracles[test as usize].get_or_insert_with(|| Oracle::run(case, test, &mut self.memory));
         let exact = !restarts || case.is_static();
         let expected = oracle.trace.nodes();
@@ -100,6 +105,20 @@ impl<'c> Battery<'c> {
             Err(fault) => Verdict::Differs(fault),
         }
     }
+
+    /// Whether the oracle that leaves nodes out has lost nothing by it; looked at once.
+    fn is_pruning_right(&mut self, test: Test) -> Result<(), Fault> {
+        let case = self.case;
+        if self.oracles[test as usize].is_some() {
+            return Ok(());
+        }
+        let whole = self.oracles[Test::Children as usize]
+            .get_or_insert_with(|| Oracle::run(case, Test::Children, &mut self.memory));
+        let pruned = Oracle::run(case, test, &mut self.memory);
+        pruned.is_part_of(whole)?;
+        self.oracles[test as usize] = Some(pruned);
+        Ok(())
+    }
 }
 
 struct Check<'a, 'c> {
@@ -122,25 +141,42 @@ impl WithWord for Check<'_, '_> {
 impl Oracle {
     fn run(case: &Case, test: Test, memory: &mut Vec<Node>) -> Self {
         let mut search = Search::new(&case.tree, &case.tape, case.any);
+        let tree = &case.tree;
         let trace = match test {
-            Test::Children => Self::trace(&case.tree, &mut search, memory),
-            Test::NodeLeftFirst => Self::trace(&case.tree, &mut ByNode { test: &mut search, order: LeftFirst }, memory),
+            Test::Children | Test::Disjoint | Test::Distance => Self::trace(tree, test, &mut search, memory),
+            Test::NodeLeftFirst => Self::trace(tree, test, &mut ByNode { test: &mut search, order: LeftFirst }, memory),
             Test::NodeBySign => {
                 let order = SignOrder { axes: case.tape.axes(), octant: case.octant };
-                Self::trace(&case.tree, &mut ByNode { test: &mut search, order }, memory)
+                Self::trace(tree, test, &mut ByNode { test: &mut search, order }, memory)
             }
         };
         Self { trace, outcome: search.outcome }
     }
 
-    fn trace(tree: &Tree, visitor: &mut impl Visitor, memory: &mut Vec<Node>) -> Trace {
-        let mut trace = Trace::default();
+    fn trace(tree: &Tree, test: Test, visitor: &mut impl Visitor, memory: &mut Vec<Node>) -> Trace {
+        let (mut trace, pruning) = (Trace::default(), test.pruning());
         if tree.depth() <= oracle::DEPTH_LIMIT {
-            oracle::traverse(tree, visitor, &mut trace);
-        } else {
-            traverse(Stack::new(tree, memory), visitor, &mut trace);
+            oracle::traverse_pruned(tree, tree.root(), pruning, visitor, &mut trace);
+            return trace;
         }
+        match pruning {
+            Pruning::Never => traverse(Stack::new(tree, memory), visitor, &mut trace),
+            Pruning::Disjoint => traverse(PruningStack::<_, false>::new(tree, memory), visitor, &mut trace),
+            Pruning::Distance => traverse(PruningStack::<_, true>::new(tree, memory), visitor, &mut trace),
+        };
         trace
+    }
+
+    /// Whether this, with some nodes left out, has the hit of the whole, and visits nothing else.
+    fn is_part_of(&self, whole: &Self) -> Result<(), Fault> {
+        if self.outcome.hit != whole.outcome.hit {
+            return Err(Fault::Hit { expected: whole.outcome.hit, found: self.outcome.hit });
+        }
+        let mut rest = whole.trace.nodes().iter();
+        match self.trace.nodes().iter().find(|&node| !rest.any(|other| other == node)) {
+            Some(&node) => Err(Fault::Unpruned { node }),
+            None => Ok(()),
+        }
     }
 
     fn compare(&self, found: Outcome, exact: bool, restarts: bool) -> Result<(), Fault> {

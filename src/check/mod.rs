@@ -7,6 +7,7 @@
 mod battery;
 mod boxes;
 mod case;
+mod pauses;
 mod random;
 mod replay;
 mod scene;
@@ -18,6 +19,7 @@ mod watch;
 pub use battery::{Battery, Verdict};
 pub use boxes::{BoxTally, check_boxes};
 pub use case::{Case, CaseOptions};
+pub use pauses::{PauseFault, Pauses, Way};
 pub use random::{Disagreement, Plan, Progress, boundary_cases, check_cases, check_random, merge};
 pub use replay::{Replay, ReplayError};
 pub use scene::{SceneDisagreement, SceneTree, Seen, check_scene};

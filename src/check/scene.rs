@@ -94,8 +94,8 @@ pub fn check_scene(
             let mut report = |method, expected, found| {
                 disagreement.get_or_insert(SceneDisagreement { ray, any, method, expected, found });
             };
-            let oracles = [Test::Children, Test::NodeLeftFirst, Test::NodeBySign]
-                .map(|test| scene.see(&ray, any, Recursion(test)).map(|(seen, _)| seen).unwrap_or_default());
+            let oracles =
+                Test::ALL.map(|test| scene.see(&ray, any, Recursion(test)).map(|(seen, _)| seen).unwrap_or_default());
             for oracle in oracles {
                 let is_true = if any { truth.is_some() == oracle.hit.is_some() } else { truth == oracle.hit };
                 if !is_true {
@@ -156,7 +156,9 @@ impl Run for Recursion {
         watch: &mut Watch<'_>,
     ) -> Result<(), Unfit> {
         match self.0 {
-            Test::Children => oracle::traverse(scene.bvh, test, watch),
+            Test::Children | Test::Disjoint | Test::Distance => {
+                oracle::traverse_pruned(scene.bvh, scene.bvh.root(), self.0.pruning(), test, watch);
+            }
             Test::NodeLeftFirst => oracle::traverse(scene.bvh, &mut ByNode { test, order: LeftFirst }, watch),
             Test::NodeBySign => {
                 let order = SignOrder { axes: scene.bvh.axes(), octant: ray.octant() };

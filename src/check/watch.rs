@@ -60,6 +60,11 @@ pub enum Fault {
         /// Number of such lookups.
         lookups: usize,
     },
+    /// Its oracle, which leaves nodes out, visits one that the plain oracle does not.
+    Unpruned {
+        /// The node.
+        node: Node,
+    },
     /// It makes more visits than any tree of this size needs.
     Endless {
         /// Number of visits.
@@ -102,6 +107,7 @@ impl fmt::Display for Fault {
                 write!(f, "visit {visit}: the register holds {found:?}, which does not come next")
             }
             Self::Miss { lookups } => write!(f, "{lookups} lookups in the perfect hash missed"),
+            Self::Unpruned { node } => write!(f, "with pruning {node:?} is visited, without it is not"),
             Self::Endless { visits } => write!(f, "no end after {visits} visits"),
             Self::Hit { expected, found } => write!(f, "found {found:?} (distance, leaf), the oracle {expected:?}"),
             Self::Visits { expected, found } => {
@@ -188,6 +194,7 @@ impl<'a> Watch<'a> {
         let trail = state.trail();
         let depth = self.keys.depth(slot);
         if trail.as_ref().is_some_and(|trail| trail.bit_length() > depth)
+            || state.disjoint().is_some_and(|disjoint| disjoint.bit_length() > depth)
             || state.counter().is_some_and(|counter| counter.bit_length() != depth + 1)
         {
             return Err(Fault::Trail { visit, node });

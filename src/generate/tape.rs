@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 use super::{Rng, Source};
 use crate::hash::mix;
 use crate::name::named;
-use crate::order::{Descent, Flow, NodeTest, Visitor};
+use crate::order::{Descent, Flow, NodeTest, Repeatable, Visitor};
 use crate::tree::{Node, Topology};
 
 /// A kind of tape.
@@ -28,6 +28,11 @@ pub enum Kind {
     Alternating,
     /// Nodes have distances, the nearer child comes first, hits shorten the search.
     Shrinking,
+    /// Nodes have intervals, each within its parent's; leaves are hit within theirs. The child that begins first comes
+    /// first, hits shorten the search.
+    Intervals,
+    /// The same, but leaves may be hit beyond the ends of their intervals: leaves that hold parts of triangles.
+    Clipped,
     /// One of the five decisions for each node that is reached, and no hits: what an enumeration needs. Sign order
     /// under the octant 2 (binary 010) is the tape's own order.
     Script,
@@ -35,8 +40,17 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 7] =
-        [Self::Random, Self::AllHit, Self::NoneHit, Self::OnlyOne, Self::Alternating, Self::Shrinking, Self::Script];
+    pub const ALL: [Self; 9] = [
+        Self::Random,
+        Self::AllHit,
+        Self::NoneHit,
+        Self::OnlyOne,
+        Self::Alternating,
+        Self::Shrinking,
+        Self::Intervals,
+        Self::Clipped,
+        Self::Script,
+    ];
 
     /// The name.
     pub const fn name(self) -> &'static str {
@@ -47,6 +61,8 @@ impl Kind {
             Self::OnlyOne => "only-one",
             Self::Alternating => "alternating",
             Self::Shrinking => "shrinking",
+            Self::Intervals => "intervals",
+            Self::Clipped => "clipped",
             Self::Script => "script",
         }
     }
@@ -64,15 +80,25 @@ pub struct Cell {
     /// Distance at which it is entered, at least its parent's.
     #[cfg_attr(feature = "std", serde(default))]
     pub enter: u32,
+    /// Distance at which it is left, at most its parent's; none is beyond all others.
+    #[cfg_attr(feature = "std", serde(default))]
+    pub exit: Option<u32>,
     /// Of an inner node: the right child comes first where both are entered at the same distance.
     #[cfg_attr(feature = "std", serde(default))]
     pub right_first: bool,
     /// Of an inner node: the axis (0, 1, 2) whose sign orders its children, for traversals of fixed order.
     #[cfg_attr(feature = "std", serde(default))]
     pub axis: u8,
-    /// Of a leaf: distance at which it is hit, at least that of its entry.
+    /// Of a leaf that is not missed: distance at which it is hit, at least that of its entry. It may be beyond the exit, where a leaf holds a
+    /// part of something and is hit in the rest of it.
     #[cfg_attr(feature = "std", serde(default))]
     pub hit: Option<u32>,
+}
+
+impl Cell {
+    fn ends(&self) -> u32 {
+        self.exit.unwrap_or(u32::MAX)
+    }
 }
 
 /// A decision tape for one tree: a [`Cell`] for each node, by slot.
@@ -104,8 +130,8 @@ impl Tape {
 
     /// A tape with these cells, by slot.
     ///
-    /// `None` if there is not one for each node, a child is entered before its parent, a leaf is hit before it is
-    /// entered, the root is missed or not entered at 0, or an axis is not 0, 1 or 2.
+    /// `None` if there is not one for each node, a child is entered before its parent or left after it, a leaf is hit or a
+    /// node left before it is entered, the root is missed or not entered at 0, or an axis is not 0, 1 or 2.
     pub fn from_cells(tree: &impl Topology, cells: Vec<Cell>) -> Option<Self> {
         let root = tree.slot(tree.root());
         if cells.len() != tree.node_count() || cells[root].miss || cells[root].enter != 0 {
@@ -114,6 +140,9 @@ impl Tape {
         let mut pending = vec![tree.root()];
         while let Some(node) = pending.pop() {
             let cell = cells[tree.slot(node)];
+            if cell.ends() < cell.enter {
+                return None;
+            }
             if node.is_leaf() {
                 if cell.hit.is_some_and(|hit| hit < cell.enter) {
                     return None;
@@ -121,7 +150,8 @@ impl Tape {
                 continue;
             }
             let children = tree.children(node);
-            if cell.axis > 2 || children.iter().any(|&child| cells[tree.slot(child)].enter < cell.enter) {
+            let juts_out = |child: Cell| child.enter < cell.enter || child.ends() > cell.ends();
+            if cell.axis > 2 || children.iter().any(|&child| juts_out(cells[tree.slot(child)])) {
                 return None;
             }
             pending.extend(children);
@@ -167,11 +197,8 @@ impl Tape {
             let children = tree.children(node);
             let cell = &mut cells[tree.slot(node)];
             // Nothing below a missed node is ever seen, so nothing is drawn there: the simplest cells that fit.
-            let drawn = if cell.miss {
-                [Cell { miss: true, enter: cell.enter, ..Cell::default() }; 2]
-            } else {
-                inner(state, cell, depth)
-            };
+            let drawn =
+                if cell.miss { [Cell { miss: true, ..interval_of(cell) }; 2] } else { inner(state, cell, depth) };
             for (i, cell) in drawn.into_iter().enumerate() {
                 let hit = cell.hit.filter(|_| children[i].is_leaf());
                 cells[tree.slot(children[i])] = Cell { hit, ..cell };
@@ -185,8 +212,7 @@ impl Tape {
 
 /// Draws what an inner node says of itself (order and axis), and the cells of its two children.
 fn draw_inner(source: &mut impl Source, kind: Kind, node: &mut Cell, depth: u32) -> [Cell; 2] {
-    let entered = Cell { enter: node.enter, ..Cell::default() };
-    let mut children = [entered; 2];
+    let mut children = [interval_of(node); 2];
     if kind == Kind::Script {
         let decision = source.below(5);
         (children[0].miss, children[1].miss) = (matches!(decision, 0 | 2), matches!(decision, 0 | 1));
@@ -213,14 +239,35 @@ fn draw_inner(source: &mut impl Source, kind: Kind, node: &mut Cell, depth: u32)
                 child.hit = source.coin().then_some(child.enter + distance);
             }
         }
+        Kind::Intervals | Kind::Clipped => {
+            let exit = node.exit.unwrap_or(ROOT_EXIT);
+            for child in &mut children {
+                // Two places within the parent's interval, more often apart than not.
+                let length = u64::from(exit - child.enter);
+                let [a, b] = [(); 2].map(|()| source.below(length + 1) as u32);
+                (child.exit, child.enter) = (Some(child.enter + a.max(b)), child.enter + a.min(b));
+                child.miss = source.below(8) == 1;
+                let reach = if kind == Kind::Clipped { exit } else { child.ends() };
+                let distance = source.below(u64::from(reach - child.enter) + 1) as u32;
+                child.hit = source.coin().then_some(child.enter + distance);
+            }
+        }
     }
     // Tapes without distances still have leaves that end an any-hit search.
-    if kind != Kind::Shrinking {
+    if !matches!(kind, Kind::Shrinking | Kind::Intervals | Kind::Clipped) {
         for child in &mut children {
             child.hit = (source.below(8) == 1).then_some(u32::MAX - 1);
         }
     }
     children
+}
+
+/// The exit of the children's parent, where that is the root, which has none.
+const ROOT_EXIT: u32 = 1 << 20;
+
+/// A cell that is entered and left where `cell` is.
+fn interval_of(cell: &Cell) -> Cell {
+    Cell { enter: cell.enter, exit: cell.exit, ..Cell::default() }
 }
 
 /// What a search found, in an order-free form, and what it cost.
@@ -236,7 +283,7 @@ pub struct Outcome {
 }
 
 /// A query over a tape.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Search<'a, T> {
     tree: &'a T,
     tape: &'a Tape,
@@ -265,12 +312,17 @@ impl<'a, T: Topology> Search<'a, T> {
     #[inline]
     fn look_into(&mut self, leaf: Node) -> Flow {
         let slot = self.tree.slot(leaf);
-        if let Some(t) = self.tape.cells[slot].hit
+        let cell = &self.tape.cells[slot];
+        if let Some(t) = cell.hit.filter(|_| !cell.miss)
             && self.outcome.hit.is_none_or(|best| (t, slot) < best)
         {
             self.outcome.hit = Some((t, slot));
             if self.any {
                 return Flow::Stop;
+            }
+            // What is hit beyond its leaf may come after what is in others.
+            if t <= cell.ends() {
+                return Flow::Prune;
             }
         }
         Flow::Continue
@@ -284,7 +336,10 @@ impl<T: Topology> Visitor for Search<'_, T> {
         let [left, right] = self.tree.children(node).map(|child| self.cell(child));
         let right_first =
             if left.enter == right.enter { self.cell(node).right_first } else { right.enter < left.enter };
-        Descent::new(self.is_wanted(left), self.is_wanted(right), right_first)
+        let descent = Descent::new(self.is_wanted(left), self.is_wanted(right), right_first);
+        let (first, second) = if right_first { (right, left) } else { (left, right) };
+        let is_disjoint = first.ends() < second.enter;
+        descent.disjoint_if(is_disjoint)
     }
 
     #[inline]
@@ -292,7 +347,21 @@ impl<T: Topology> Visitor for Search<'_, T> {
         self.outcome.leaf_visits += 1;
         self.look_into(node)
     }
+
+    fn is_ordered(&self) -> bool {
+        true
+    }
+
+    fn postponed(&self, node: Node, descent: Descent) -> u32 {
+        self.cell(self.tree.child(node, descent.first().other())).enter
+    }
+
+    fn end(&self) -> u32 {
+        self.outcome.hit.map_or(u32::MAX, |(t, _)| t)
+    }
 }
+
+impl<T: Topology> Repeatable for Search<'_, T> {}
 
 impl<T: Topology> NodeTest for Search<'_, T> {
     #[inline]

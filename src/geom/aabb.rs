@@ -54,6 +54,12 @@ impl Aabb {
         self.lo.cmple(other.lo).all() && other.hi.cmple(self.hi).all()
     }
 
+    /// For each axis lo and hi, twice: a pair of boxes, both this one.
+    #[inline]
+    pub fn planes_twice(&self) -> [[f32; 4]; 3] {
+        [0, 1, 2].map(|axis| [self.lo[axis], self.hi[axis], self.lo[axis], self.hi[axis]])
+    }
+
     /// Lengths of the edges. Negative for the empty box.
     #[inline]
     pub fn extent(&self) -> Vec3 {

@@ -37,6 +37,10 @@ pub trait Real: Number + PartialEq + PartialOrd + Debug + Default + Send + Sync 
     /// The greatest float below this one.
     #[must_use]
     fn next_down(self) -> Self;
+
+    /// A number that orders as these do, and equal only where these are equal or nearly so: for a distance, which is
+    /// not negative. Rounded down, or up.
+    fn ranks(self) -> [u32; 2];
 }
 
 impl Vector for Vec3 {
@@ -106,6 +110,12 @@ impl Real for f32 {
     fn next_down(self) -> Self {
         self.next_down()
     }
+
+    /// The bits, with one zero.
+    #[inline]
+    fn ranks(self) -> [u32; 2] {
+        [(self + 0.0).to_bits(); 2]
+    }
 }
 
 impl Real for f64 {
@@ -113,6 +123,14 @@ impl Real for f64 {
 
     fn next_down(self) -> Self {
         self.next_down()
+    }
+
+    #[inline]
+    fn ranks(self) -> [u32; 2] {
+        let nearest = self as f32;
+        let down = if f64::from(nearest) > self { nearest.next_down() } else { nearest };
+        let up = if f64::from(nearest) < self { nearest.next_up() } else { nearest };
+        [down, up].map(|bound| (bound + 0.0).to_bits())
     }
 }
 

@@ -37,7 +37,8 @@ impl AddressBounds {
         bounds
     }
 
-    const fn contains(self, node: Node) -> bool {
+    /// Whether a node has one of these indices.
+    pub const fn contains(self, node: Node) -> bool {
         node.index() < if node.is_leaf() { self.leaf } else { self.inner }
     }
 }

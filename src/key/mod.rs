@@ -50,5 +50,14 @@ pub fn depth<W: KeyWord>(key: &W) -> u32 {
     key.bit_length().saturating_sub(1)
 }
 
+/// Key of the leftmost node at the depth of this key: its leading one. 0 for 0. `[KEY-6]`
+pub fn level_start<W: KeyWord>(key: &W) -> W {
+    match (W::highest(), W::WIDTH) {
+        (Some(highest), Some(width)) if !key.is_zero() => highest.shr(width - key.bit_length()),
+        _ if key.is_zero() => W::zero(),
+        _ => (0..depth(key)).fold(W::one(), |start, _| start.shl1()),
+    }
+}
+
 #[cfg(test)]
 mod tests;

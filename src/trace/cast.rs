@@ -3,6 +3,7 @@
 
 use crate::bvh::Bvh;
 use crate::geom::kernel::Real;
+use crate::geom::slabs::Intervals;
 use crate::geom::{Aabb, Kernel, Ray, Slabs};
 use crate::order::Descent;
 use crate::tree::{Node, Topology};
@@ -27,8 +28,8 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Cast<'a, K, B> {
     #[inline]
     pub(super) fn inner(&self, node: Node) -> Descent {
         let planes = &self.bvh.node(node.index()).planes;
-        let ([left, right], [near_left, near_right]) = self.slabs.pair(planes, self.end);
-        Descent::new(left, right, near_right < near_left)
+        let Intervals { hit: [left, right], near, .. } = self.slabs.pair(planes, self.end);
+        Descent::new(left, right, near[1] < near[0])
     }
 
     /// Whether the ray meets a box.

@@ -8,6 +8,9 @@ use std::fmt::Debug;
 pub trait ChildOrder: Copy + Debug {
     /// Whether the right child comes first, if the ray meets both. `nears` are the distances at which it enters them.
     fn prefers_right<R: PartialOrd>(nears: [R; 2]) -> bool;
+
+    /// Whether it is the order along the ray.
+    const IS_BY_DISTANCE: bool;
 }
 
 /// The child that the ray enters first; the left one of equals.
@@ -20,6 +23,8 @@ pub struct Nearest;
 pub struct FromLeft;
 
 impl ChildOrder for Nearest {
+    const IS_BY_DISTANCE: bool = true;
+
     #[inline(always)]
     fn prefers_right<R: PartialOrd>([left, right]: [R; 2]) -> bool {
         right < left
@@ -27,6 +32,8 @@ impl ChildOrder for Nearest {
 }
 
 impl ChildOrder for FromLeft {
+    const IS_BY_DISTANCE: bool = false;
+
     #[inline(always)]
     fn prefers_right<R: PartialOrd>(_: [R; 2]) -> bool {
         false

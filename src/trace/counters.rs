@@ -2,7 +2,7 @@
 
 use crate::geom::kernel::Stage;
 use crate::geom::{Kernel, Slabs};
-use crate::order::{Descent, Flow, NodeTest, Visitor};
+use crate::order::{Descent, Flow, NodeTest, Repeatable, Visitor};
 use crate::report::Backtracks;
 use crate::tree::{Node, Uncles};
 
@@ -63,12 +63,13 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Co
     fn triangles(&mut self, leaf: Node) -> Flow {
         let Self { search, counters } = self;
         counters.leaves += 1;
-        search.query.leaf_watched(leaf, |kernel, shape| {
+        let flow = search.query.leaf_watched(leaf, |kernel, shape| {
             let stage = kernel.stage(shape);
             counters.triangles += 1;
             counters.fallbacks += u64::from(stage > Stage::Scene);
             counters.sums += u64::from(stage > Stage::Triangle);
-        })
+        });
+        search.guarded(leaf, flow)
     }
 }
 
@@ -84,6 +85,23 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
     fn leaf(&mut self, node: Node) -> Flow {
         self.triangles(node)
     }
+
+    fn is_ordered(&self) -> bool {
+        self.search.is_ordered()
+    }
+
+    fn postponed(&self, node: Node, descent: Descent) -> u32 {
+        self.search.postponed(node, descent)
+    }
+
+    fn end(&self) -> u32 {
+        self.search.end()
+    }
+}
+
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Repeatable
+    for Counting<'_, '_, K, B, ANY, O>
+{
 }
 
 impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> NodeTest

@@ -24,6 +24,8 @@ pub enum Part {
     LongKeys,
     /// Tables of other traversals than the one that runs: parents, uncles, all keys, skip pointers, the implicit layout.
     OtherTables,
+    /// The second trail, by which a hit ends what lies behind it.
+    SecondTrail,
     /// Each node's own box beside the pair of its parent.
     OwnBoxes,
     /// Distance and weights of a hit, where nobody asks for them.
@@ -38,9 +40,10 @@ pub enum Part {
 
 impl Part {
     /// All parts.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::LongKeys,
         Self::OtherTables,
+        Self::SecondTrail,
         Self::OwnBoxes,
         Self::Weights,
         Self::Degenerate,
@@ -53,6 +56,7 @@ impl Part {
         match self {
             Self::LongKeys => "keys of 128 bits",
             Self::OtherTables => "tables of other traversals",
+            Self::SecondTrail => "second trail",
             Self::OwnBoxes => "own boxes",
             Self::Weights => "weights",
             Self::Degenerate => "degenerate triangles",
@@ -113,6 +117,9 @@ impl Plan {
         if part == Part::LongKeys && self.word != WordName::Grow {
             self.word = WordName::U128;
         }
+        if part == Part::SecondTrail {
+            self.method = self.method.with_second_trail().unwrap_or(self.method);
+        }
         self
     }
 
@@ -151,8 +158,19 @@ fn decide<S>(part: Part, bvh: &Bvh<S>, method: Method, ask: Ask) -> Decision {
             word => (false, format!("{depth} levels need {word}")),
         },
         Part::OtherTables => (true, format!("{method} alone runs")),
+        Part::SecondTrail => match (method.test(), ask) {
+            (Test::Disjoint, Ask::Distance | Ask::Hit) => (false, format!("{method} prunes by it")),
+            (_, Ask::Any) => (true, "the first hit ends the search".to_owned()),
+            (_, Ask::All) => (true, "a hit ends nothing".to_owned()),
+            _ => (true, format!("{method} visits what a hit has left behind, and turns back there")),
+        },
         Part::OwnBoxes => match method.test() {
-            Test::Children => (true, format!("{method} tests both children at their parent")),
+            Test::Disjoint if bvh.duplicates() > 0 => {
+                (false, format!("{method} asks whether hits are in their leaves' boxes"))
+            }
+            Test::Children | Test::Disjoint | Test::Distance => {
+                (true, format!("{method} tests both children at their parent"))
+            }
             Test::NodeLeftFirst | Test::NodeBySign => (false, format!("{method} tests each node at its visit")),
         },
         Part::Weights => match ask {

@@ -1,7 +1,7 @@
 //! What a query is to a traversal.
 
 use crate::geom::Aabb;
-use crate::order::{Descent, Flow, NodeTest, Visitor};
+use crate::order::{Descent, Flow, NodeTest, Repeatable, Visitor};
 use crate::tree::Node;
 
 /// A query that every traversal can run. As `&mut dyn Query` it is one type for all kinds, so that not all traversals are
@@ -17,6 +17,21 @@ pub trait BoxQuery: Visitor {
 
     /// The [slot](crate::tree::Topology::slot) of a node.
     fn slot(&self, node: Node) -> usize;
+
+    /// Whether it takes children in the order of distance and marks what is disjoint.
+    fn is_sorted(&self) -> bool {
+        false
+    }
+
+    /// Whether it may find what lies outside a leaf's box: parts of triangles, which are tested as a whole.
+    fn is_in_parts(&self) -> bool {
+        false
+    }
+
+    /// Whether what was found lies before the end of a box.
+    fn ends_in(&self, _: &Aabb) -> bool {
+        false
+    }
 }
 
 /// Both forms of a query in one type, for traversals that are chosen when the program runs: those that test a node at its own
@@ -43,7 +58,35 @@ impl<Q: BoxQuery> Visitor for OwnBoxes<'_, Q> {
 
     #[inline]
     fn leaf(&mut self, node: Node) -> Flow {
-        self.query.leaf(node)
+        let flow = self.query.leaf(node);
+        self.guarded(node, flow)
+    }
+
+    #[inline]
+    fn is_ordered(&self) -> bool {
+        self.query.is_sorted() && (!self.query.is_in_parts() || !self.boxes.is_empty())
+    }
+
+    #[inline]
+    fn postponed(&self, node: Node, descent: Descent) -> u32 {
+        self.query.postponed(node, descent)
+    }
+
+    #[inline]
+    fn end(&self) -> u32 {
+        self.query.end()
+    }
+}
+
+impl<Q: BoxQuery + Repeatable> Repeatable for OwnBoxes<'_, Q> {}
+
+impl<Q: BoxQuery> OwnBoxes<'_, Q> {
+    /// What is found beyond the box of its leaf may come after what is in others, and then nothing is pruned.
+    /// `[DISJOINT-4]`
+    #[inline]
+    pub(super) fn guarded(&self, leaf: Node, flow: Flow) -> Flow {
+        let is_inside = || self.boxes.get(self.query.slot(leaf)).is_some_and(|aabb| self.query.ends_in(aabb));
+        if flow == Flow::Prune && self.query.is_in_parts() && !is_inside() { Flow::Continue } else { flow }
     }
 }
 

@@ -7,9 +7,9 @@ use super::child_order::{ChildOrder, FromLeft, Nearest};
 use super::query::{BoxQuery, OwnBoxes};
 use crate::bvh::{Bvh, LeafTriangle};
 use crate::geom::kernel::{Exact, Exact64, Real};
-use crate::geom::slabs::{Directed, Wide};
+use crate::geom::slabs::{Directed, Intervals, Wide};
 use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs};
-use crate::order::{Descent, Flow, Visitor};
+use crate::order::{Descent, Flow, Repeatable, Visitor};
 use crate::tree::{Node, Topology};
 
 /// A closest-hit query, exact: visits the nearer child first, the left one of equals.
@@ -69,7 +69,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
     pub fn new(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>) -> Self {
         let (region, t) = (bvh.region(), ray.tmax());
         let (kernel, slabs) = (K::new(ray, region), B::new(ray, region));
-        Self { bvh, kernel, slabs, t, prim: NO_PRIM, place: 0, order: PhantomData }
+        Self { bvh, kernel, slabs, t, prim: NO_PRIM, place: usize::MAX, order: PhantomData }
     }
 
     /// The hit, after the traversal: the closest, or with `ANY` the first that was met.
@@ -92,6 +92,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
     /// Tests the triangles of a leaf, each after it is shown to `watch`.
     #[inline(always)]
     pub(super) fn leaf_watched(&mut self, leaf: Node, mut watch: impl FnMut(&K, &K::Shape)) -> Flow {
+        let before = self.place;
         let range = self.bvh.leaf_range(leaf);
         for (place, held) in range.clone().zip(&self.bvh.triangles()[range]) {
             watch(&self.kernel, &held.shape);
@@ -99,7 +100,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
                 return Flow::Stop;
             }
         }
-        Flow::Continue
+        if self.place == before { Flow::Continue } else { Flow::Prune }
     }
 
     /// Tests one triangle.
@@ -111,8 +112,9 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
                 return Flow::Stop;
             }
         } else if let Some(t) = self.kernel.distance(&held.shape, self.t) {
-            // The order of hits: by distance, then by triangle.
-            if t < self.t || t == self.t && held.prim < self.prim {
+            // The order of hits: by distance, then by triangle. Of a triangle in parts, the part that is met last counts: its
+            // leaf may be the one whose box holds the hit.
+            if t < self.t || t == self.t && held.prim <= self.prim {
                 (self.t, self.prim, self.place) = (t, held.prim, place);
             }
         }
@@ -124,15 +126,39 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
     #[inline(always)]
     fn inner(&mut self, node: Node) -> Descent {
         let planes = &self.bvh.node(node.index()).planes;
-        let ([left, right], [near_left, near_right]) = self.slabs.pair(planes, self.t);
-        Descent::new(left, right, O::prefers_right([near_left, near_right]))
+        let Intervals { hit: [left, right], near, far } = self.slabs.pair(planes, self.t);
+        let prefers_right = O::prefers_right(near);
+        // Whatever the order, the first interval must end before the second begins.
+        let is_disjoint = if prefers_right { far[1] < near[0] } else { far[0] < near[1] };
+        Descent::new(left, right, prefers_right).disjoint_if(is_disjoint)
     }
 
     #[inline(always)]
     fn leaf(&mut self, node: Node) -> Flow {
         self.leaf_watched(node, |_, _| ())
     }
+
+    /// Not over triangles in parts: there a hit may lie beyond the leaf's box and behind what is in others, and the box is
+    /// known to [`NodeSearch`] only.
+    fn is_ordered(&self) -> bool {
+        self.is_sorted() && !self.is_in_parts()
+    }
+
+    #[inline(always)]
+    fn postponed(&self, node: Node, descent: Descent) -> u32 {
+        let planes = &self.bvh.node(node.index()).planes;
+        let [begins, _] = self.slabs.pair(planes, self.t).near[descent.first().other().index()].ranks();
+        begins
+    }
+
+    #[inline(always)]
+    fn end(&self) -> u32 {
+        let [_, end] = self.t.ranks();
+        end
+    }
 }
+
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Repeatable for Search<'_, K, B, ANY, O> {}
 
 /// A [`Search`] for the traversals that test a node at its own visit, and for all others too.
 pub type NodeSearch<'a, K, B, const ANY: bool, O = Nearest> = OwnBoxes<'a, Search<'a, K, B, ANY, O>>;
@@ -166,6 +192,23 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Bo
     #[inline]
     fn slot(&self, node: Node) -> usize {
         self.bvh.slot(node)
+    }
+
+    #[inline]
+    fn is_sorted(&self) -> bool {
+        !ANY && O::IS_BY_DISTANCE
+    }
+
+    #[inline]
+    fn is_in_parts(&self) -> bool {
+        self.bvh.duplicates() > 0
+    }
+
+    /// The end of the ray in the box is the hit, or before it.
+    #[inline]
+    fn ends_in(&self, aabb: &Aabb) -> bool {
+        let planes = aabb.planes_twice();
+        self.slabs.pair(&planes, self.t).far[0] >= self.t
     }
 }
 

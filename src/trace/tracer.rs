@@ -255,9 +255,10 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
     /// Runs a query in a copy of the traversals that is compiled for it, if the keys are short.
     #[inline]
     fn run_fast(&self, octant: u8, memory: &mut Vec<Node>, search: &mut impl Query) {
+        let method = self.method_for(search);
         let fits = match self.word {
-            WordName::U32 => self.tables.run::<u32, _>(self.method, octant, memory, search, &mut ()),
-            WordName::U64 => self.tables.run::<u64, _>(self.method, octant, memory, search, &mut ()),
+            WordName::U32 => self.tables.run::<u32, _>(method, octant, memory, search, &mut ()),
+            WordName::U64 => self.tables.run::<u64, _>(method, octant, memory, search, &mut ()),
             WordName::U128 | WordName::Grow => self.try_run(octant, memory, search, &mut ()),
         };
         debug_assert_eq!(fits, Ok(()), "checked when the tracer was made");
@@ -280,7 +281,13 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
         mut query: &mut dyn Query,
         recorder: &mut impl Recorder,
     ) -> Result<(), Unfit> {
-        self.tables.run_in(self.word, self.method, octant, memory, &mut query, recorder)
+        self.tables.run_in(self.word, self.method_for(&query), octant, memory, &mut query, recorder)
+    }
+
+    /// Searches that are not ordered have nothing that could be pruned.
+    #[inline]
+    fn method_for(&self, query: &impl Query) -> Method {
+        if query.is_ordered() { self.method } else { self.method.without_pruning() }
     }
 }
 
@@ -309,6 +316,10 @@ impl Visitor for Nothing {
 
     fn leaf(&mut self, _: Node) -> Flow {
         Flow::Stop
+    }
+
+    fn is_ordered(&self) -> bool {
+        true
     }
 }
 

@@ -2,7 +2,7 @@
 
 use core::mem::take;
 
-use super::Cursor;
+use super::{Cursor, Incomplete, Next, Pause, Paused};
 use crate::event::State;
 use crate::hash::Lookup;
 use crate::key::{self, KeyWord, TooDeep, branched};
@@ -68,5 +68,18 @@ impl<W: KeyWord, T: Topology, L: Lookup<W>> Cursor for HashOnly<'_, W, T, L> {
         (self.key, self.trail) = trail::backtrack(take(&mut self.key), take(&mut self.trail));
         self.node = self.lookup.node(&self.key);
         true
+    }
+}
+
+impl<W: KeyWord, T: Topology, L: Lookup<W>> Pause for HashOnly<'_, W, T, L> {
+    fn put_aside(&self, next: Next) -> Paused<W> {
+        let (key, trail) = (Some(self.key.clone()), self.trail.clone());
+        Paused { node: self.node, register: None, key, trail, disjoint: None, next }
+    }
+
+    fn take_up(&mut self, paused: Paused<W>) -> Result<(), Incomplete> {
+        self.key = paused.key.ok_or(Incomplete::Key)?;
+        (self.node, self.trail) = (paused.node, paused.trail);
+        Ok(())
     }
 }

@@ -2,8 +2,9 @@
 
 use core::mem::take;
 
-use super::Cursor;
+use super::marks::{self, Marks};
 use super::register::Register;
+use super::{Cursor, Incomplete, Next, Pause, Paused};
 use crate::event::State;
 use crate::hash::Lookup;
 use crate::key::{self, KeyWord, TooDeep, branched};
@@ -12,8 +13,11 @@ use crate::trail;
 use crate::tree::{Node, Topology, UncleLinks};
 
 /// Goes to the register's node where it is set, else to the one that the table has for the key.
+///
+/// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it (Section
+/// 2.3).
 #[derive(Debug)]
-pub struct Hashed<'t, W, T, U, L> {
+pub struct Hashed<'t, W, T, U, L, M = ()> {
     tree: &'t T,
     uncles: U,
     lookup: L,
@@ -21,9 +25,10 @@ pub struct Hashed<'t, W, T, U, L> {
     key: W,
     trail: W,
     register: Register,
+    marks: M,
 }
 
-impl<'t, W: KeyWord, T: Topology, U: UncleLinks<T>, L: Lookup<W>> Hashed<'t, W, T, U, L> {
+impl<'t, W: KeyWord, T: Topology, U: UncleLinks<T>, L: Lookup<W>, M: Marks<W>> Hashed<'t, W, T, U, L, M> {
     /// Starts at the root.
     ///
     /// # Errors
@@ -32,11 +37,12 @@ impl<'t, W: KeyWord, T: Topology, U: UncleLinks<T>, L: Lookup<W>> Hashed<'t, W, 
     pub fn new(tree: &'t T, uncles: U, lookup: L) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;
         let register = Register::empty(tree);
-        Ok(Self { tree, uncles, lookup, node: tree.root(), key: key::root(), trail: W::zero(), register })
+        let (key, trail, marks) = (key::root(), W::zero(), M::default());
+        Ok(Self { tree, uncles, lookup, node: tree.root(), key, trail, register, marks })
     }
 }
 
-impl<W: KeyWord, T: Topology, U, L> State for Hashed<'_, W, T, U, L> {
+impl<W: KeyWord, T: Topology, U, L, M: Marks<W>> State for Hashed<'_, W, T, U, L, M> {
     type Word = W;
 
     #[inline]
@@ -55,9 +61,15 @@ impl<W: KeyWord, T: Topology, U, L> State for Hashed<'_, W, T, U, L> {
     fn register(&self) -> Option<Node> {
         self.register.get(self.tree)
     }
+
+    fn disjoint(&self) -> Option<W> {
+        self.marks.get()
+    }
 }
 
-impl<W: KeyWord, T: Topology, U: UncleLinks<T>, L: Lookup<W>> Cursor for Hashed<'_, W, T, U, L> {
+impl<W: KeyWord, T: Topology, U: UncleLinks<T>, L: Lookup<W>, M: Marks<W>> Cursor for Hashed<'_, W, T, U, L, M> {
+    const PRUNES: bool = M::PRUNES;
+
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         let first = descent.first();
@@ -69,6 +81,7 @@ impl<W: KeyWord, T: Topology, U: UncleLinks<T>, L: Lookup<W>> Cursor for Hashed<
         self.node = self.tree.child(self.node, first);
         self.key = key::child(take(&mut self.key), first.bit());
         self.trail = trail::child(take(&mut self.trail), branched(descent.postpones()));
+        self.marks.descend(descent.is_disjoint());
         true
     }
 
@@ -78,8 +91,31 @@ impl<W: KeyWord, T: Topology, U: UncleLinks<T>, L: Lookup<W>> Cursor for Hashed<
             return false;
         }
         self.register.fill(&self.uncles, self.tree, self.node, self.trail.low_bits());
+        self.marks.climb(trail::levels(&self.trail));
         (self.key, self.trail) = trail::backtrack(take(&mut self.key), take(&mut self.trail));
         self.node = self.register.take(self.tree).unwrap_or_else(|| self.lookup.node(&self.key));
         true
+    }
+
+    #[inline(always)]
+    fn prune(&mut self) {
+        let trail = marks::prune(self.trail.clone(), &self.marks);
+        self.register.prune(self.tree, &self.trail, &trail);
+        self.trail = trail;
+    }
+}
+
+impl<W: KeyWord, T: Topology, U: UncleLinks<T>, L: Lookup<W>, M: Marks<W>> Pause for Hashed<'_, W, T, U, L, M> {
+    fn put_aside(&self, next: Next) -> Paused<W> {
+        let (key, disjoint) = (Some(self.key.clone()), self.marks.get());
+        Paused { node: self.node, register: self.register(), key, trail: self.trail.clone(), disjoint, next }
+    }
+
+    fn take_up(&mut self, paused: Paused<W>) -> Result<(), Incomplete> {
+        let key = paused.key.ok_or(Incomplete::Key)?;
+        self.register = Register::of(self.tree, paused.register, &paused.trail)?;
+        (self.node, self.key, self.trail) = (paused.node, key, paused.trail);
+        self.marks.set(paused.disjoint);
+        Ok(())
     }
 }

@@ -3,6 +3,7 @@
 use super::WordName;
 use crate::key::{Grow, KeyWord};
 use crate::name::named;
+use crate::order::Pruning;
 use crate::tree::Recorded;
 
 /// A traversal, by the name that code, command line, suite and tables share.
@@ -10,12 +11,15 @@ use crate::tree::Recorded;
 #[allow(missing_docs, reason = "each is documented where it is implemented")]
 pub enum Method {
     Stack,
+    StackDisjoint,
+    StackT0,
     LeftFirst,
     ImplicitA,
     ImplicitA1,
     ImplicitB,
     ImplicitB1,
     Sparse,
+    SparseDisjoint,
     Hapala,
     Laine0,
     Laine1,
@@ -23,9 +27,12 @@ pub enum Method {
     Laine4,
     Laine8,
     Afra,
+    AfraDisjoint,
     Uncle,
+    UncleDisjoint,
     HashOnly,
     Hashed,
+    HashedDisjoint,
     Skip,
     SkipOctant,
     Complete,
@@ -37,22 +44,43 @@ pub enum Method {
 pub enum Test {
     /// Both children at their parent's visit, in any order.
     Children,
+    /// The same; postponed nodes that are disjoint from what is found are left out. `[ORACLE-2]`
+    Disjoint,
+    /// The same; postponed nodes that begin beyond the end of the search are left out. `[ORACLE-3]`
+    Distance,
     /// The node itself at its visit; left before right.
     NodeLeftFirst,
     /// The node itself at its visit; the near child by the sign of the ray's direction first.
     NodeBySign,
 }
 
+impl Test {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Children, Self::Disjoint, Self::Distance, Self::NodeLeftFirst, Self::NodeBySign];
+
+    /// Which postponed nodes are not visited.
+    pub const fn pruning(self) -> Pruning {
+        match self {
+            Self::Disjoint => Pruning::Disjoint,
+            Self::Distance => Pruning::Distance,
+            _ => Pruning::Never,
+        }
+    }
+}
+
 impl Method {
     /// All traversals, in the order of the tables.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 27] = [
         Self::Stack,
+        Self::StackDisjoint,
+        Self::StackT0,
         Self::LeftFirst,
         Self::ImplicitA,
         Self::ImplicitA1,
         Self::ImplicitB,
         Self::ImplicitB1,
         Self::Sparse,
+        Self::SparseDisjoint,
         Self::Hapala,
         Self::Laine0,
         Self::Laine1,
@@ -60,9 +88,12 @@ impl Method {
         Self::Laine4,
         Self::Laine8,
         Self::Afra,
+        Self::AfraDisjoint,
         Self::Uncle,
+        Self::UncleDisjoint,
         Self::HashOnly,
         Self::Hashed,
+        Self::HashedDisjoint,
         Self::Skip,
         Self::SkipOctant,
         Self::Complete,
@@ -73,12 +104,15 @@ impl Method {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Stack => "stack",
+            Self::StackDisjoint => "stack-disjoint",
+            Self::StackT0 => "stack-t0",
             Self::LeftFirst => "left-first",
             Self::ImplicitA => "implicit-a",
             Self::ImplicitA1 => "implicit-a1",
             Self::ImplicitB => "implicit-b",
             Self::ImplicitB1 => "implicit-b1",
             Self::Sparse => "sparse",
+            Self::SparseDisjoint => "sparse-disjoint",
             Self::Hapala => "hapala",
             Self::Laine0 => "laine-0",
             Self::Laine1 => "laine-1",
@@ -86,9 +120,12 @@ impl Method {
             Self::Laine4 => "laine-4",
             Self::Laine8 => "laine-8",
             Self::Afra => "afra",
+            Self::AfraDisjoint => "afra-disjoint",
             Self::Uncle => "uncle",
+            Self::UncleDisjoint => "uncle-disjoint",
             Self::HashOnly => "hash-only",
             Self::Hashed => "hashed",
+            Self::HashedDisjoint => "hashed-disjoint",
             Self::Skip => "skip",
             Self::SkipOctant => "skip-octant",
             Self::Complete => "complete",
@@ -101,16 +138,51 @@ impl Method {
         match self {
             Self::LeftFirst | Self::Skip => Test::NodeLeftFirst,
             Self::Hapala | Self::SkipOctant => Test::NodeBySign,
+            Self::StackT0 => Test::Distance,
+            Self::StackDisjoint
+            | Self::SparseDisjoint
+            | Self::AfraDisjoint
+            | Self::UncleDisjoint
+            | Self::HashedDisjoint => Test::Disjoint,
             _ => Test::Children,
         }
     }
 
     /// What it wants the records to name besides the children, not to need a table beside the tree.
     pub const fn wants_recorded(self) -> Recorded {
-        match self {
+        match self.without_pruning() {
             Self::Sparse | Self::Afra | Self::Hapala => Recorded::ParentSibling,
             Self::Uncle | Self::Hashed => Recorded::Uncles,
             _ => Recorded::Nothing,
+        }
+    }
+
+    /// Whether its state is of constant size and can be put aside ([`Pause`](super::Pause)).
+    pub const fn can_pause(self) -> bool {
+        matches!(self.without_pruning(), Self::Sparse | Self::Afra | Self::Uncle | Self::HashOnly | Self::Hashed)
+    }
+
+    /// The same traversal, with no postponed nodes left out: for searches that are not ordered.
+    #[must_use]
+    pub const fn without_pruning(self) -> Self {
+        match self {
+            Self::StackDisjoint | Self::StackT0 => Self::Stack,
+            Self::SparseDisjoint => Self::Sparse,
+            Self::AfraDisjoint => Self::Afra,
+            Self::UncleDisjoint => Self::Uncle,
+            Self::HashedDisjoint => Self::Hashed,
+            other => other,
+        }
+    }
+
+    /// The same traversal with a second trail, where that exists.
+    pub const fn with_second_trail(self) -> Option<Self> {
+        match self {
+            Self::Sparse => Some(Self::SparseDisjoint),
+            Self::Afra => Some(Self::AfraDisjoint),
+            Self::Uncle => Some(Self::UncleDisjoint),
+            Self::Hashed => Some(Self::HashedDisjoint),
+            _ => None,
         }
     }
 
@@ -134,7 +206,7 @@ impl Method {
 
     /// Whether its state has words, and so comes in several widths. The others are run once.
     pub const fn has_words(self) -> bool {
-        !matches!(self, Self::Stack | Self::Hapala | Self::Skip | Self::SkipOctant)
+        !matches!(self.without_pruning(), Self::Stack | Self::Hapala | Self::Skip | Self::SkipOctant)
     }
 
     /// Whether it exists for this word. Laine's trail is aligned to a highest bit, which a growing word has not.
@@ -159,12 +231,15 @@ impl Method {
         let word = W::bytes(depth);
         match self {
             Self::Stack => NODE + 4 + NODE * depth as usize,
+            Self::StackDisjoint | Self::StackT0 => NODE + 4 + 2 * NODE * depth as usize,
             Self::LeftFirst | Self::ImplicitA1 | Self::ImplicitB1 | Self::Complete => 2 * word,
             Self::ImplicitA | Self::ImplicitB => 3 * word,
             Self::Sparse | Self::Afra => NODE + word,
+            Self::SparseDisjoint | Self::AfraDisjoint => NODE + 2 * word,
             Self::Hapala => NODE + 4,
             Self::Uncle => 2 * NODE + word,
-            Self::Hashed => 2 * NODE + 2 * word,
+            Self::Hashed | Self::UncleDisjoint => 2 * NODE + 2 * word,
+            Self::HashedDisjoint => 2 * NODE + 3 * word,
             Self::Skip | Self::SkipOctant => NODE,
             Self::HashOnly | Self::Glassner => NODE + 2 * word,
             Self::Laine0 | Self::Laine1 | Self::Laine2 | Self::Laine4 | Self::Laine8 => {

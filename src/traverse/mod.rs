@@ -8,6 +8,7 @@
 mod afra;
 mod by_key;
 mod complete;
+mod cursors;
 mod glassner;
 mod hapala;
 mod hash_only;
@@ -16,18 +17,23 @@ mod implicit_a;
 mod implicit_b;
 mod laine;
 mod left_first;
+mod marks;
 mod method;
+mod pause;
+mod pruning_stack;
 mod register;
 mod run;
 mod skip;
 mod sparse;
 mod stack;
+mod states;
 mod uncle;
 mod word;
 
 pub use afra::Afra;
 pub use by_key::ByKey;
 pub use complete::{Complete, NotComplete};
+pub use cursors::WithCursor;
 pub use glassner::Glassner;
 pub use hapala::Hapala;
 pub use hash_only::HashOnly;
@@ -36,11 +42,17 @@ pub use implicit_a::{ImplicitA, ImplicitA1};
 pub use implicit_b::{ImplicitB, ImplicitB1};
 pub use laine::Laine;
 pub use left_first::LeftFirst;
+pub use marks::{Disjoint, Marks};
 pub use method::{Method, Test};
+pub use pause::{
+    ByTable, ByWalk, Incomplete, KeyOnly, KeyTrail, Locate, Next, NoSuchKey, Pause, Paused, resume, revisit,
+};
+pub use pruning_stack::PruningStack;
 pub use run::{Tables, Unfit};
 pub use skip::{Skip, Skips};
 pub use sparse::Sparse;
 pub use stack::Stack;
+pub use states::{StateError, States};
 pub use uncle::Uncle;
 pub use word::{WithWord, WordName, with_word};
 
@@ -54,6 +66,13 @@ pub trait Cursor: State {
     /// The answers may have become narrower in between (a shorter ray), never wider.
     const RESTARTS: bool = false;
 
+    /// Whether it leaves out postponed nodes after [`Flow::Prune`]. Then it is for searches that
+    /// [are ordered](Visitor::is_ordered).
+    const PRUNES: bool = false;
+
+    /// Whether it keeps the distances of postponed nodes.
+    const KEEPS_DISTANCES: bool = false;
+
     /// Moves to the first wanted child of the current inner node and postpones the other, if both are wanted.
     ///
     /// `descent` wants at least one child. `false` if there is nowhere to go after all (only where
@@ -62,27 +81,86 @@ pub trait Cursor: State {
 
     /// Moves to the most recently postponed node. `false` if none is left: the traversal is done.
     fn backtrack(&mut self) -> bool;
+
+    /// Forgets the postponed nodes whose siblings, or ancestors whose siblings, were marked as disjoint.
+    fn prune(&mut self) {}
+
+    /// After a descent that has postponed a node: where that begins ([`Visitor::postponed`]).
+    fn keep_distance(&mut self, _: u32) {}
+
+    /// Before backtracking: forgets the most recently postponed nodes that begin beyond the end ([`Visitor::end`]).
+    fn drop_beyond(&mut self, _: u32) {}
+}
+
+impl<C: Cursor> Cursor for &mut C {
+    const RESTARTS: bool = C::RESTARTS;
+    const PRUNES: bool = C::PRUNES;
+    const KEEPS_DISTANCES: bool = C::KEEPS_DISTANCES;
+
+    #[inline]
+    fn descend(&mut self, descent: Descent) -> bool {
+        (**self).descend(descent)
+    }
+
+    #[inline]
+    fn backtrack(&mut self) -> bool {
+        (**self).backtrack()
+    }
+
+    #[inline]
+    fn prune(&mut self) {
+        (**self).prune();
+    }
+
+    #[inline]
+    fn keep_distance(&mut self, distance: u32) {
+        (**self).keep_distance(distance);
+    }
+
+    #[inline]
+    fn drop_beyond(&mut self, end: u32) {
+        (**self).drop_beyond(end);
+    }
 }
 
 /// Runs a traversal to its end: the loop that all algorithms share. `[TRAVERSE-1]`
+///
+/// Where the recorder or the visitor stops it, the answer is what comes next, for a traversal that is to go on later
+/// ([`Pause`]; a cursor that is passed by `&mut` has its state). Otherwise `None`. A search that stops where it has found
+/// something, and will go on, calls [`Cursor::prune`] itself.
 #[inline]
-pub fn traverse(mut cursor: impl Cursor, visitor: &mut impl Visitor, recorder: &mut impl Recorder) {
+pub fn traverse<C: Cursor>(mut cursor: C, visitor: &mut impl Visitor, recorder: &mut impl Recorder) -> Option<Next> {
     loop {
         if recorder.visit(&cursor) == Flow::Stop {
-            return;
+            return Some(Next::Visit);
         }
         let node = cursor.node();
         let descended = if node.is_leaf() {
-            if visitor.leaf(node) == Flow::Stop {
-                return;
+            match visitor.leaf(node) {
+                Flow::Continue => {}
+                Flow::Prune => {
+                    if C::PRUNES {
+                        cursor.prune();
+                    }
+                }
+                Flow::Stop => return Some(Next::Backtrack),
             }
             false
         } else {
             let descent = visitor.inner(node);
-            !descent.is_neither() && cursor.descend(descent)
+            let descended = !descent.is_neither() && cursor.descend(descent);
+            if C::KEEPS_DISTANCES && descent.postpones() {
+                cursor.keep_distance(visitor.postponed(node, descent));
+            }
+            descended
         };
-        if !descended && !cursor.backtrack() {
-            return;
+        if !descended {
+            if C::KEEPS_DISTANCES {
+                cursor.drop_beyond(visitor.end());
+            }
+            if !cursor.backtrack() {
+                return None;
+            }
         }
     }
 }

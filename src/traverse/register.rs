@@ -2,6 +2,9 @@
 
 use core::hint::select_unpredictable;
 
+use super::Incomplete;
+use crate::key::KeyWord;
+use crate::trail::{is_pending, levels};
 use crate::tree::{Node, Topology, UncleLinks};
 
 /// Address of the node that comes next, if it is known (`mrpnAddr` of Binder & Keller's Algorithm 1).
@@ -47,6 +50,29 @@ impl Register {
     #[inline]
     pub(super) fn set(&mut self, postponed: Node) {
         self.0 = postponed;
+    }
+
+    /// After a hit: not set, if the node that it holds is pruned, the lowest of the trail. `[DISJOINT-3]`
+    ///
+    /// Before the register is filled again, else an uncle could be taken for that node.
+    #[inline(always)]
+    pub(super) fn prune<W: KeyWord>(&mut self, tree: &impl Topology, trail: &W, pruned: &W) {
+        if pruned.is_zero() || levels(trail) != levels(pruned) {
+            *self = Self::empty(tree);
+        }
+    }
+
+    /// That of a traversal that was put aside.
+    ///
+    /// # Errors
+    /// [`Incomplete::Register`] where the sibling is postponed and the register does not say where it is: no record names
+    /// its node's sibling, so the next one to be named, the uncle, would be taken for it. `[PAUSE-3]`
+    pub(super) fn of<W: KeyWord>(tree: &impl Topology, node: Option<Node>, trail: &W) -> Result<Self, Incomplete> {
+        match node {
+            Some(node) => Ok(Self(node)),
+            None if is_pending(trail) => Err(Incomplete::Register),
+            None => Ok(Self::empty(tree)),
+        }
     }
 
     /// On backtracking: the node, if set; it is not set afterwards.

@@ -5,29 +5,29 @@ use core::fmt;
 use core::sync::atomic::{AtomicUsize, Ordering};
 
 use super::{
-    Afra, ByKey, Complete, Glassner, Hapala, HashOnly, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine,
-    LeftFirst, Method, NotComplete, Skip, Skips, Sparse, Stack, Uncle, WordName, traverse,
+    ByKey, Complete, Glassner, Hapala, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine, LeftFirst, Method, Next,
+    NotComplete, Pause, PruningStack, Skip, Skips, Stack, WithCursor, WordName, traverse,
 };
 use crate::event::Recorder;
-use crate::hash::{KeyMap, KeySet, Lookup, Options, PerfectHash, Sizing, Verified};
+use crate::hash::{KeyMap, KeySet, Lookup, Options, PerfectHash, Sizing};
 use crate::key::{Grow, KeyWord, TooDeep};
-use crate::order::{self, ByNode, NodeTest, SignOrder, Visitor};
+use crate::order::{self, ByNode, NodeTest, Pruning, SignOrder, Visitor};
 use crate::tree::{Implicit, Keys, Node, ParentLinks, Parents, RecordedParents, RecordedUncles, Topology, Uncles};
 
 /// A tree with the tables that a choice of traversals needs beside it.
 #[derive(Debug)]
 pub struct Tables<'t, T> {
-    tree: &'t T,
+    pub(super) tree: &'t T,
     axes: &'t [u8],
-    parents: Option<Parents>,
-    uncles: Option<Uncles>,
+    pub(super) parents: Option<Parents>,
+    pub(super) uncles: Option<Uncles>,
     /// The keys that `hashed` looks up.
-    hash: Option<PerfectHash>,
+    pub(super) hash: Option<PerfectHash>,
     /// All keys, for `hash-only`.
-    full_hash: Option<PerfectHash>,
+    pub(super) full_hash: Option<PerfectHash>,
     /// Where tables are to be verified: the keys of all nodes, and the lookups that went wrong.
-    keys: Option<Keys>,
-    misses: AtomicUsize,
+    pub(super) keys: Option<Keys>,
+    pub(super) misses: AtomicUsize,
     /// All keys, in place of an implicit layout.
     all_keys: Option<KeyMap>,
     implicit: Option<Implicit>,
@@ -51,6 +51,11 @@ pub enum Unfit {
     },
     /// The tables were not made for this traversal.
     NoTable,
+    /// The traversal's state cannot be put aside.
+    NoPause,
+    /// The traversal leaves out what lies behind a hit, and the search does not take children in the order of distance, or
+    /// does not say which are disjoint: hits would be lost.
+    Unordered,
 }
 
 impl fmt::Display for Unfit {
@@ -60,6 +65,8 @@ impl fmt::Display for Unfit {
             Self::NotComplete(error) => error.fmt(f),
             Self::NoSuchWord { word } => write!(f, "not made for the word {word}"),
             Self::NoTable => f.write_str("its tables were not built"),
+            Self::NoPause => f.write_str("its state cannot be put aside"),
+            Self::Unordered => f.write_str("it prunes, and the search is not ordered by distance"),
         }
     }
 }
@@ -85,7 +92,7 @@ impl<'t, T: Topology> Tables<'t, T> {
     /// their addresses up in the plain map.
     pub fn new(tree: &'t T, axes: &'t [u8], methods: &[Method], implicit_depth: u32) -> Self {
         use Method as M;
-        let needs = |users: &[M]| methods.iter().any(|method| users.contains(method));
+        let needs = |users: &[M]| methods.iter().any(|method| users.contains(&method.without_pruning()));
         let implicit_users = [M::LeftFirst, M::ImplicitA, M::ImplicitA1, M::ImplicitB, M::ImplicitB1];
         let wants_implicit = needs(&implicit_users) && tree.depth() <= implicit_depth;
         let implicit = wants_implicit.then(|| Implicit::of(tree).ok()).flatten();
@@ -155,59 +162,45 @@ impl<'t, T: Topology> Tables<'t, T> {
         if !method.exists_for::<W>() {
             return Err(Unfit::NoSuchWord { word: W::NAME });
         }
+        if method.test().pruning() != Pruning::Never && !search.is_ordered() {
+            return Err(Unfit::Unordered);
+        }
         let by_sign = SignOrder { axes: self.axes, octant };
-        match method {
+        let _: Option<Next> = match method {
             Method::Stack => traverse(Stack::new(tree, memory), search, recorder),
+            Method::StackDisjoint => traverse(PruningStack::<T, false>::new(tree, memory), search, recorder),
+            Method::StackT0 => traverse(PruningStack::<T, true>::new(tree, memory), search, recorder),
             Method::LeftFirst | Method::ImplicitA | Method::ImplicitA1 | Method::ImplicitB | Method::ImplicitB1 => {
                 match &self.implicit {
                     Some(layout) => self.run_implicit::<W, S>(method, layout, search, recorder)?,
                     None => self.run_implicit::<W, S>(method, table(self.all_keys.as_ref())?, search, recorder)?,
                 }
             }
-            Method::Sparse | Method::Afra | Method::Hapala => match RecordedParents::of(tree) {
-                Some(parents) => self.run_climbing::<W, S>(method, parents, by_sign, search, recorder)?,
-                None => {
-                    self.run_climbing::<W, S>(method, table(self.parents.as_ref())?, by_sign, search, recorder)?;
-                }
+            Method::Hapala => match RecordedParents::of(tree) {
+                Some(parents) => self.run_hapala(parents, by_sign, search, recorder),
+                None => self.run_hapala(table(self.parents.as_ref())?, by_sign, search, recorder),
             },
             Method::Laine0 => traverse(Laine::<0, W, T>::new(tree)?, search, recorder),
             Method::Laine1 => traverse(Laine::<1, W, T>::new(tree)?, search, recorder),
             Method::Laine2 => traverse(Laine::<2, W, T>::new(tree)?, search, recorder),
             Method::Laine4 => traverse(Laine::<4, W, T>::new(tree)?, search, recorder),
             Method::Laine8 => traverse(Laine::<8, W, T>::new(tree)?, search, recorder),
-            Method::Uncle => match RecordedUncles::of(tree) {
-                Some(uncles) => traverse(Uncle::<W, T, _>::new(tree, uncles)?, search, recorder),
-                None => traverse(Uncle::<W, T, _>::new(tree, table(self.uncles.as_ref())?)?, search, recorder),
-            },
-            Method::HashOnly | Method::Hashed => {
-                let hash = if method == Method::Hashed { &self.hash } else { &self.full_hash };
-                let hash = table(hash.as_ref())?;
-                match &self.keys {
-                    None => self.run_hashed::<W, S>(method, hash, search, recorder)?,
-                    Some(keys) => {
-                        let verified = Verified::new(hash, tree, keys);
-                        self.run_hashed::<W, S>(method, &verified, search, recorder)?;
-                        self.misses.fetch_add(verified.misses(), Ordering::Relaxed);
-                    }
-                }
-            }
             Method::Skip => {
                 let mut search = ByNode { test: search, order: order::LeftFirst };
-                traverse(Skip::new(tree, table(self.skips.as_ref())?, order::LeftFirst), &mut search, recorder);
+                traverse(Skip::new(tree, table(self.skips.as_ref())?, order::LeftFirst), &mut search, recorder)
             }
             Method::SkipOctant => {
                 let skips = self.octant_skips.get(usize::from(octant)).ok_or(Unfit::NoTable)?;
                 let mut search = ByNode { test: search, order: by_sign };
-                traverse(Skip::new(tree, skips, by_sign), &mut search, recorder);
+                traverse(Skip::new(tree, skips, by_sign), &mut search, recorder)
             }
             Method::Complete => {
                 let complete = table(self.complete.as_ref())?.as_ref().map_err(|&error| error)?;
-                traverse(ByKey::<W, _>::new(tree, complete)?, search, recorder);
+                traverse(ByKey::<W, _>::new(tree, complete)?, search, recorder)
             }
-            Method::Glassner => {
-                traverse(ByKey::<W, _>::new(tree, table(self.glassner.as_ref())?)?, search, recorder);
-            }
-        }
+            Method::Glassner => traverse(ByKey::<W, _>::new(tree, table(self.glassner.as_ref())?)?, search, recorder),
+            _ => self.with_cursor::<W, _>(method, Run { search, recorder })?,
+        };
         Ok(())
     }
 
@@ -235,43 +228,15 @@ impl<'t, T: Topology> Tables<'t, T> {
     }
 
     #[inline]
-    fn run_climbing<W: KeyWord, S: Visitor + NodeTest>(
+    fn run_hapala<S: NodeTest>(
         &self,
-        method: Method,
         parents: impl ParentLinks<T>,
         by_sign: SignOrder<'_>,
         search: &mut S,
         recorder: &mut impl Recorder,
-    ) -> Result<(), Unfit> {
-        let tree = self.tree;
-        match method {
-            Method::Sparse => traverse(Sparse::<W, T, _>::new(tree, parents)?, search, recorder),
-            Method::Afra => traverse(Afra::<W, T, _>::new(tree, parents)?, search, recorder),
-            _ => {
-                let mut search = ByNode { test: search, order: by_sign };
-                traverse(Hapala::new(tree, parents, by_sign), &mut search, recorder);
-            }
-        }
-        Ok(())
-    }
-
-    #[inline]
-    fn run_hashed<W: KeyWord, S: Visitor + NodeTest>(
-        &self,
-        method: Method,
-        hash: impl Lookup<W>,
-        search: &mut S,
-        recorder: &mut impl Recorder,
-    ) -> Result<(), Unfit> {
-        if method == Method::HashOnly {
-            traverse(HashOnly::<W, T, _>::new(self.tree, hash)?, search, recorder);
-        } else if let Some(uncles) = RecordedUncles::of(self.tree) {
-            traverse(Hashed::<W, T, _, _>::new(self.tree, uncles, hash)?, search, recorder);
-        } else {
-            let uncles = table(self.uncles.as_ref())?;
-            traverse(Hashed::<W, T, _, _>::new(self.tree, uncles, hash)?, search, recorder);
-        }
-        Ok(())
+    ) -> Option<Next> {
+        let mut search = ByNode { test: search, order: by_sign };
+        traverse(Hapala::new(self.tree, parents, by_sign), &mut search, recorder)
     }
 
     #[inline]
@@ -281,19 +246,33 @@ impl<'t, T: Topology> Tables<'t, T> {
         layout: impl Lookup<W>,
         search: &mut S,
         recorder: &mut impl Recorder,
-    ) -> Result<(), Unfit> {
+    ) -> Result<Option<Next>, Unfit> {
         let tree = self.tree;
-        match method {
+        Ok(match method {
             Method::ImplicitA => traverse(ImplicitA::new(tree, layout)?, search, recorder),
             Method::ImplicitA1 => traverse(ImplicitA1::new(tree, layout)?, search, recorder),
             Method::ImplicitB => traverse(ImplicitB::new(tree, layout)?, search, recorder),
             Method::ImplicitB1 => traverse(ImplicitB1::new(tree, layout)?, search, recorder),
             _ => {
                 let mut search = ByNode { test: search, order: order::LeftFirst };
-                traverse(LeftFirst::new(tree, layout)?, &mut search, recorder);
+                traverse(LeftFirst::new(tree, layout)?, &mut search, recorder)
             }
-        }
-        Ok(())
+        })
+    }
+}
+
+/// Runs to the end.
+struct Run<'a, S, R> {
+    search: &'a mut S,
+    recorder: &'a mut R,
+}
+
+impl<W, S: Visitor, R: Recorder> WithCursor<W> for Run<'_, S, R> {
+    type Output = Option<Next>;
+
+    #[inline]
+    fn call(self, cursor: impl Pause<Word = W>) -> Option<Next> {
+        traverse(cursor, self.search, self.recorder)
     }
 }
 
@@ -302,6 +281,6 @@ fn perfect(tree: &impl Topology, key_set: KeySet) -> Option<PerfectHash> {
     PerfectHash::build(tree, Options { key_set, sizing: Sizing::Tight }).ok()
 }
 
-fn table<X>(table: Option<&X>) -> Result<&X, Unfit> {
+pub(super) fn table<X>(table: Option<&X>) -> Result<&X, Unfit> {
     table.ok_or(Unfit::NoTable)
 }

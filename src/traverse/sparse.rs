@@ -1,9 +1,11 @@
 //! Barringer & Akenine-Möller 2013, Algorithm 4: the counter, and a climb along parent references.
 
-use super::Cursor;
+use super::marks::Marks;
+use super::{Cursor, Incomplete, Next, Pause, Paused};
 use crate::event::State;
-use crate::key::{KeyWord, TooDeep, branched};
+use crate::key::{self, KeyWord, TooDeep, branched};
 use crate::order::Descent;
+use crate::trail;
 use crate::tree::{Node, ParentLinks, Topology};
 
 /// Counts as if every left child came first; the carries of the increment say how far to climb.
@@ -11,16 +13,20 @@ use crate::tree::{Node, ParentLinks, Topology};
 /// As printed the counter `levelIndex` overflows its level at the end, and the climb goes on to the root, whose sibling
 /// is itself. Here the start of the level is kept in the same word, as Section 2.2 does for implicit trees: the end is
 /// where `levelStart + levelIndex` is all ones, and is seen without the climb (spec/DEPARTURES.md, D-9).
+///
+/// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it (Binder &
+/// Keller 2016, Section 2.3). To end something is to count it as done.
 #[derive(Debug)]
-pub struct Sparse<'t, W, T, P> {
+pub struct Sparse<'t, W, T, P, M = ()> {
     tree: &'t T,
     parents: P,
     node: Node,
     /// `levelStart + levelIndex`.
     index: W,
+    marks: M,
 }
 
-impl<'t, W: KeyWord, T: Topology, P: ParentLinks<T>> Sparse<'t, W, T, P> {
+impl<'t, W: KeyWord, T: Topology, P: ParentLinks<T>, M: Marks<W>> Sparse<'t, W, T, P, M> {
     /// Starts at the root.
     ///
     /// # Errors
@@ -28,11 +34,11 @@ impl<'t, W: KeyWord, T: Topology, P: ParentLinks<T>> Sparse<'t, W, T, P> {
     #[inline]
     pub fn new(tree: &'t T, parents: P) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;
-        Ok(Self { tree, parents, node: tree.root(), index: W::one() })
+        Ok(Self { tree, parents, node: tree.root(), index: W::one(), marks: M::default() })
     }
 }
 
-impl<W: KeyWord, T, P> State for Sparse<'_, W, T, P> {
+impl<W: KeyWord, T, P, M: Marks<W>> State for Sparse<'_, W, T, P, M> {
     type Word = W;
 
     #[inline]
@@ -43,14 +49,21 @@ impl<W: KeyWord, T, P> State for Sparse<'_, W, T, P> {
     fn counter(&self) -> Option<W> {
         Some(self.index.clone())
     }
+
+    fn disjoint(&self) -> Option<W> {
+        self.marks.get()
+    }
 }
 
-impl<W: KeyWord, T: Topology, P: ParentLinks<T>> Cursor for Sparse<'_, W, T, P> {
+impl<W: KeyWord, T: Topology, P: ParentLinks<T>, M: Marks<W>> Cursor for Sparse<'_, W, T, P, M> {
+    const PRUNES: bool = M::PRUNES;
+
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         self.node = self.tree.child(self.node, descent.first());
         let rejected_one = branched(!descent.postpones());
         self.index = core::mem::take(&mut self.index).shl1().or(&rejected_one);
+        self.marks.descend(descent.is_disjoint());
         true
     }
 
@@ -66,7 +79,36 @@ impl<W: KeyWord, T: Topology, P: ParentLinks<T>> Cursor for Sparse<'_, W, T, P> 
             self.node = self.parents.parent(self.tree, self.node);
         }
         self.index = index.shr(up);
+        self.marks.climb(up);
         self.node = self.parents.sibling(self.tree, self.node);
         true
+    }
+
+    #[inline(always)]
+    fn prune(&mut self) {
+        if let Some(disjoint) = self.marks.get() {
+            self.index = core::mem::take(&mut self.index).or(&disjoint);
+        }
+    }
+}
+
+impl<W: KeyWord, T: Topology, P: ParentLinks<T>, M: Marks<W>> Pause for Sparse<'_, W, T, P, M> {
+    fn put_aside(&self, next: Next) -> Paused<W> {
+        let start = key::level_start(&self.index);
+        let trail = trail::counter(self.index.clone().xor(&start), start);
+        Paused { node: self.node, register: None, key: None, trail, disjoint: self.marks.get(), next }
+    }
+
+    /// Climbs to the root to count the levels.
+    fn take_up(&mut self, paused: Paused<W>) -> Result<(), Incomplete> {
+        let (mut start, mut ancestor) = (W::one(), paused.node);
+        while ancestor != self.tree.root() {
+            ancestor = self.parents.parent(self.tree, ancestor);
+            start = start.shl1();
+        }
+        self.index = trail::counter(paused.trail, start.clone()).or(&start);
+        self.node = paused.node;
+        self.marks.set(paused.disjoint);
+        Ok(())
     }
 }

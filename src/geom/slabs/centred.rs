@@ -2,7 +2,7 @@
 
 use glam::{Vec3, Vec4, Vec4Swizzles};
 
-use super::{Slabs, near_and_far};
+use super::{Intervals, Slabs, near_and_far};
 use crate::geom::{Ray, Region};
 
 /// The slab test as it is usually written (Kay & Kajiya 1986; Williams et al. 2005): fast, and it leaks.
@@ -52,10 +52,10 @@ impl<const PADDED: bool> Slabs for Centred<PADDED> {
     }
 
     #[inline(always)]
-    fn pair(&self, planes: &[[f32; 4]; 3], tmax: f32) -> ([bool; 2], [f32; 2]) {
+    fn pair(&self, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
         let [near, far] = near_and_far(planes, &self.origin, &self.inverse, self.tmin, tmax);
         let (near, far) = if PADDED { (near * Self::DOWN, far * Self::UP) } else { (near, far) };
         let hit = near.cmple(far.yxwz()).bitmask();
-        ([hit & 1 != 0, hit & 4 != 0], [near.x, near.z])
+        Intervals { hit: [hit & 1 != 0, hit & 4 != 0], near: [near.x, near.z], far: [far.y, far.w] }
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::{Vec3, Vec4, Vec4Swizzles};
 
-use super::{Slabs, Wide, near_and_far};
+use super::{Intervals, Slabs, Wide, near_and_far};
 use crate::geom::{Ray, Region, Vector};
 
 /// The slab test with a reciprocal for the near plane of each axis that is too small, and one for the far plane that
@@ -64,14 +64,14 @@ impl Slabs for Directed {
     }
 
     #[inline(always)]
-    fn pair(&self, planes: &[[f32; 4]; 3], tmax: f32) -> ([bool; 2], [f32; 2]) {
+    fn pair(&self, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
         if self.is_wide {
             let ([ox, oy, oz], d) = (self.origin.map(|o| o.x), self.direction);
             return pair_wide([ox, oy, oz, d.x, d.y, d.z, self.tmin], planes, tmax);
         }
         let [near, far] = near_and_far(planes, &self.origin, &self.inverse, self.tmin, tmax);
         let hit = near.cmple(far.yxwz()).bitmask();
-        ([hit & 1 != 0, hit & 4 != 0], [near.x, near.z])
+        Intervals { hit: [hit & 1 != 0, hit & 4 != 0], near: [near.x, near.z], far: [far.y, far.w] }
     }
 }
 
@@ -79,11 +79,11 @@ impl Slabs for Directed {
 /// that the other rays need not be in memory as a whole.)
 #[cold]
 #[inline(never)]
-fn pair_wide([ox, oy, oz, dx, dy, dz, tmin]: [f32; 7], planes: &[[f32; 4]; 3], tmax: f32) -> ([bool; 2], [f32; 2]) {
+fn pair_wide([ox, oy, oz, dx, dy, dz, tmin]: [f32; 7], planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
     let wide = Wide::of(Vec3::new(ox, oy, oz).widen(), Vec3::new(dx, dy, dz).widen(), f64::from(tmin));
-    let (hits, nears) = wide.pair(planes, f64::INFINITY);
+    let Intervals { hit, near, far } = wide.pair(planes, f64::INFINITY);
     // A hit's distance is rounded to single precision, perhaps to below where its box is entered. Rounding keeps the
     // order, so entries are rounded before they are compared with it.
-    let nears = nears.map(|near| near as f32);
-    ([0, 1].map(|i| hits[i] && nears[i] <= tmax), nears)
+    let [near, far] = [near, far].map(|distances| distances.map(|distance| distance as f32));
+    Intervals { hit: [0, 1].map(|i| hit[i] && near[i] <= tmax), near, far: far.map(|far| far.min(tmax)) }
 }

@@ -33,15 +33,25 @@ pub trait Slabs: Copy + Debug {
     /// Where the ray, up to `tmax`, enters a box; `None` if it misses the box.
     #[inline]
     fn one(&self, aabb: &Aabb, tmax: Real<Self>) -> Option<Real<Self>> {
-        let planes = [0, 1, 2].map(|axis| [aabb.lo[axis], aabb.hi[axis], aabb.lo[axis], aabb.hi[axis]]);
-        let ([hit, _], [near, _]) = self.pair(&planes, tmax);
+        let Intervals { hit: [hit, _], near: [near, _], .. } = self.pair(&aabb.planes_twice(), tmax);
         hit.then_some(near)
     }
 
-    /// Two boxes at once: which are hit, and where each is entered (meaningless where missed).
+    /// Two boxes at once.
     ///
     /// `planes` holds for each axis lo and hi of the first box, then lo and hi of the second (Aila & Laine 2009).
-    fn pair(&self, planes: &[[f32; 4]; 3], tmax: Real<Self>) -> ([bool; 2], [Real<Self>; 2]);
+    fn pair(&self, planes: &[[f32; 4]; 3], tmax: Real<Self>) -> Intervals<Real<Self>>;
+}
+
+/// The parts of a ray in two boxes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Intervals<R> {
+    /// Which box is hit.
+    pub hit: [bool; 2],
+    /// Where each is entered; meaningless where missed. Nothing in the box is hit before.
+    pub near: [R; 2],
+    /// Where each is left, or the ray ends; meaningless where missed. Nothing in the box is hit beyond.
+    pub far: [R; 2],
 }
 
 /// The numbers that a slab test calculates with.

@@ -46,7 +46,7 @@ fn one_and_pair_agree_and_nest<B: Slabs<Vector = Vec3>>(ray: &Ray, a: Aabb, more
     let outer = a.union(more);
     let slabs = B::new(ray, &Region::of(&outer));
     let tmax = ray.tmax();
-    let (hits, nears) = slabs.pair(&planes([a, outer]), tmax);
+    let Intervals { hit: hits, near: nears, .. } = slabs.pair(&planes([a, outer]), tmax);
     for (i, aabb) in [a, outer].iter().enumerate() {
         let one = slabs.one(aabb, tmax);
         prop_assert_eq!(hits[i], one.is_some());

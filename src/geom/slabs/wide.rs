@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::Slabs;
+use super::{Intervals, Slabs};
 use crate::geom::{Ray, Region};
 
 /// Floats by which a reciprocal is moved: one more than in single precision, so that a near distance is below the exact
@@ -48,7 +48,7 @@ impl Slabs for Wide {
     }
 
     #[inline]
-    fn pair(&self, planes: &[[f32; 4]; 3], tmax: f64) -> ([bool; 2], [f64; 2]) {
+    fn pair(&self, planes: &[[f32; 4]; 3], tmax: f64) -> Intervals<f64> {
         let (mut near, mut far) = ([self.tmin; 2], [tmax; 2]);
         for axis in 0..3 {
             let [lo, hi] = self.inverse.map(|inverse| inverse[axis]);
@@ -61,6 +61,10 @@ impl Slabs for Wide {
                 far[side] = if last < far[side] { last } else { far[side] };
             }
         }
-        ([0, 1].map(|side| !self.skips || near[side] <= far[side]), near)
+        if self.skips {
+            Intervals { hit: [0, 1].map(|side| near[side] <= far[side]), near, far }
+        } else {
+            Intervals { hit: [true; 2], near: [self.tmin; 2], far: [tmax; 2] }
+        }
     }
 }

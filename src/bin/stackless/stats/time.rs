@@ -133,21 +133,21 @@ struct Recording<'a> {
 }
 
 impl Recording<'_> {
-    fn end(&self) -> f32 {
+    fn length(&self) -> f32 {
         self.search.found().map_or(self.end, |(_, t)| t)
     }
 }
 
 impl Visitor for Recording<'_> {
     fn inner(&mut self, node: Node) -> Descent {
-        self.tape.inner.push((node, self.end()));
+        self.tape.inner.push((node, self.length()));
         let descent = self.search.inner(node);
         self.tape.descents.push(descent);
         descent
     }
 
     fn leaf(&mut self, node: Node) -> Flow {
-        self.tape.leaves.push((node, self.end()));
+        self.tape.leaves.push((node, self.length()));
         self.search.leaf(node)
     }
 }

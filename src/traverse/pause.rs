@@ -1,0 +1,246 @@
+//! Traversals that are put aside and taken up again.
+//!
+//! A traversal without a stack has a state of a few words (Binder & Keller 2016, Section 2.4). [`Paused`] is that state,
+//! with the addresses that the traversal holds. Where addresses are not to be kept, key and trail are enough
+//! ([`KeyTrail`]): the address is found by walking down along the key's bits, or asked of a table of all keys. From the key
+//! alone a search can be taken up as well, if it does not mind to see nodes that it did not want or has seen
+//! ([`KeyOnly`]); so can a search that starts at a node and not at the root.
+
+use core::fmt;
+
+use super::{Cursor, traverse};
+use crate::event::Recorder;
+use crate::hash::{KeyMap, Lookup};
+use crate::key::{self, KeyWord};
+use crate::order::{Repeatable, Visitor};
+use crate::trail;
+use crate::tree::{Keys, Node, Topology};
+
+/// What a traversal that was stopped has to do next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Next {
+    /// To visit its node: it was stopped before the visit.
+    Visit,
+    /// To backtrack: its node, a leaf, has been looked into.
+    Backtrack,
+}
+
+/// A cursor whose state can be put aside.
+pub trait Pause: Cursor {
+    /// The state; what comes next is what [`traverse`] has answered.
+    fn put_aside(&self, next: Next) -> Paused<Self::Word>;
+
+    /// Takes over a state, of any traversal of the same tree in the same word. `[PAUSE-1]`
+    ///
+    /// Every part must be right; [`States`](super::States) checks states that come from elsewhere.
+    ///
+    /// # Errors
+    /// [`Incomplete`] names what this traversal needs and the state does not have. Then nothing has changed.
+    fn take_up(&mut self, paused: Paused<Self::Word>) -> Result<(), Incomplete>;
+}
+
+/// The state of a traversal, with addresses.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Paused<W> {
+    /// The node.
+    pub node: Node,
+    /// The most recently postponed node, if a register holds it. It must be there where bit 0 of the trail is set, for the
+    /// traversals that have a register.
+    pub register: Option<Node>,
+    /// The node's key, where the traversal has it.
+    pub key: Option<W>,
+    /// The trail. Of a traversal that counts, the complement of its counter.
+    pub trail: W,
+    /// The second trail, where there is one: 1 where the siblings are disjoint.
+    pub disjoint: Option<W>,
+    /// What to do first.
+    pub next: Next,
+}
+
+/// What a state lacks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Incomplete {
+    /// The key.
+    Key,
+    /// The address of the postponed sibling.
+    Register,
+}
+
+impl fmt::Display for Incomplete {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Key => "the state has no key",
+            Self::Register => "the sibling is postponed, and the state does not have its address",
+        })
+    }
+}
+
+impl core::error::Error for Incomplete {}
+
+/// A key that no node of the tree has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NoSuchKey;
+
+impl fmt::Display for NoSuchKey {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("no node of the tree has this key")
+    }
+}
+
+impl core::error::Error for NoSuchKey {}
+
+/// Finds the nodes of a state that was kept without addresses.
+pub trait Locate<W> {
+    /// The node with this key, if there is one.
+    fn locate(&self, key: &W) -> Option<Node>;
+}
+
+/// Finds nodes by walking down from the root along the key's bits.
+#[derive(Debug)]
+pub struct ByWalk<'t, T>(pub &'t T);
+
+impl<W: KeyWord, T: Topology> Locate<W> for ByWalk<'_, T> {
+    fn locate(&self, key: &W) -> Option<Node> {
+        Keys::walk(self.0, key)
+    }
+}
+
+/// Asks a table, which must have the keys of all nodes, and of nodes only: for states that are known to be right.
+#[derive(Debug)]
+pub struct ByTable<L>(pub L);
+
+impl<W, L: Lookup<W>> Locate<W> for ByTable<L> {
+    fn locate(&self, key: &W) -> Option<Node> {
+        Some(self.0.node(key))
+    }
+}
+
+impl<W: KeyWord> Locate<W> for KeyMap {
+    fn locate(&self, key: &W) -> Option<Node> {
+        self.get(key)
+    }
+}
+
+/// The state of a traversal without addresses.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct KeyTrail<W> {
+    /// The node's key.
+    pub key: W,
+    /// The trail.
+    pub trail: W,
+    /// The second trail, where there is one.
+    pub disjoint: Option<W>,
+    /// What to do first.
+    pub next: Next,
+}
+
+impl<W: KeyWord> KeyTrail<W> {
+    /// The state with its addresses: the node, and the most recently postponed one. `[PAUSE-2]`
+    ///
+    /// # Errors
+    /// [`NoSuchKey`] where the tree has no such nodes, or the trail has bits above the root.
+    pub fn locate(self, nodes: &impl Locate<W>) -> Result<Paused<W>, NoSuchKey> {
+        let Self { key, trail, disjoint, next } = self;
+        if [Some(&trail), disjoint.as_ref()].into_iter().flatten().any(|bits| bits.bit_length() > key::depth(&key)) {
+            return Err(NoSuchKey);
+        }
+        let node = nodes.locate(&key).ok_or(NoSuchKey)?;
+        let register = if trail.is_zero() {
+            None
+        } else {
+            let (postponed, _) = trail::backtrack(key.clone(), trail.clone());
+            Some(nodes.locate(&postponed).ok_or(NoSuchKey)?)
+        };
+        Ok(Paused { node, register, key: Some(key), trail, disjoint, next })
+    }
+}
+
+impl<W: KeyWord> Paused<W> {
+    /// The state without addresses; `None` where it has no key.
+    pub fn key_trail(self) -> Option<KeyTrail<W>> {
+        Some(KeyTrail { key: self.key?, trail: self.trail, disjoint: self.disjoint, next: self.next })
+    }
+}
+
+/// Goes on with a traversal that was put aside. Returns what [`traverse`] returns.
+///
+/// # Errors
+/// [`Incomplete`], before the first step.
+pub fn resume<C: Pause>(
+    mut cursor: C,
+    paused: Paused<C::Word>,
+    visitor: &mut impl Visitor,
+    recorder: &mut impl Recorder,
+) -> Result<Option<Next>, Incomplete> {
+    let next = paused.next;
+    cursor.take_up(paused)?;
+    if next == Next::Backtrack && !cursor.backtrack() {
+        return Ok(None);
+    }
+    Ok(traverse(cursor, visitor, recorder))
+}
+
+/// A node from which all that is not below it is still to be visited: its subtree, its sibling's, its uncle's and so on up
+/// to the root's other child. `[PAUSE-4]`
+///
+/// This is what is left of a traversal of which only the key was kept: nobody knows any more which nodes were wanted, and
+/// which have been visited. So it is no [`Paused`] state, and only searches that do not mind can go on from it.
+///
+/// ```compile_fail
+/// # use stackless_bvh::bvh::Bvh;
+/// # use stackless_bvh::geom::{Ray, kernel::Exact, slabs::Directed};
+/// # use stackless_bvh::trace::Sweep;
+/// # use stackless_bvh::traverse::{KeyOnly, Pause, revisit};
+/// // All hits would be counted twice.
+/// fn all_hits(bvh: &Bvh, ray: &Ray, cursor: impl Pause<Word = u64>, from: KeyOnly<u64>) {
+///     let mut search = Sweep::<Exact, Directed>::new(bvh, ray);
+///     let _ = revisit(cursor, from, &mut search, &mut ());
+/// }
+/// ```
+///
+/// With `Closest::new(bvh, ray)` for the search it compiles:
+///
+/// ```
+/// # use stackless_bvh::bvh::Bvh;
+/// # use stackless_bvh::geom::Ray;
+/// # use stackless_bvh::trace::Closest;
+/// # use stackless_bvh::traverse::{KeyOnly, Pause, revisit};
+/// fn closest_hit(bvh: &Bvh, ray: &Ray, cursor: impl Pause<Word = u64>, from: KeyOnly<u64>) {
+///     let mut search = Closest::new(bvh, ray);
+///     let _ = revisit(cursor, from, &mut search, &mut ());
+/// }
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct KeyOnly<W>(Paused<W>);
+
+impl<W: KeyWord> KeyOnly<W> {
+    /// The key.
+    pub fn key(&self) -> Option<&W> {
+        self.0.key.as_ref()
+    }
+
+    /// From a key. The trail gets a one for each level. `[PAUSE-5]`
+    ///
+    /// # Errors
+    /// [`NoSuchKey`].
+    pub fn locate(key: W, next: Next, nodes: &impl Locate<W>) -> Result<Self, NoSuchKey> {
+        if key.is_zero() {
+            return Err(NoSuchKey);
+        }
+        let trail = key::level_start(&key).wrapping_sub(&W::one());
+        KeyTrail { key, trail, disjoint: None, next }.locate(nodes).map(Self)
+    }
+}
+
+/// Goes on with a search from a node, as [`KeyOnly`] says. Returns what [`traverse`] returns.
+///
+/// # Errors
+/// [`Incomplete`], before the first step.
+pub fn revisit<C: Pause>(
+    cursor: C,
+    from: KeyOnly<C::Word>,
+    visitor: &mut impl Repeatable,
+    recorder: &mut impl Recorder,
+) -> Result<Option<Next>, Incomplete> {
+    resume(cursor, from.0, visitor, recorder)
+}

@@ -1,0 +1,92 @@
+//! The stack, with what it takes to leave out postponed nodes after a hit.
+
+use alloc::vec::Vec;
+
+use super::Cursor;
+use crate::event::State;
+use crate::order::Descent;
+use crate::tree::{Node, Topology};
+
+/// Postponed nodes on a stack, each with the distance at which it begins (`BY_DISTANCE`): those that begin beyond the end
+/// of the search are dropped when they are popped (Dammertz 2011, named by Binder & Keller 2016, Section 2.3). Or each with
+/// the mark of its descent: those that are disjoint from what is found are dropped when it is found.
+#[derive(Debug)]
+pub struct PruningStack<'t, T, const BY_DISTANCE: bool> {
+    tree: &'t T,
+    node: Node,
+    /// Two places for each: the node, and, as the bits of an address, its distance or its mark.
+    postponed: &'t mut Vec<Node>,
+}
+
+impl<'t, T: Topology, const BY_DISTANCE: bool> PruningStack<'t, T, BY_DISTANCE> {
+    /// Starts at the root. The memory of the stack is the caller's, so that many traversals can share it.
+    #[inline]
+    pub fn new(tree: &'t T, memory: &'t mut Vec<Node>) -> Self {
+        memory.clear();
+        Self { tree, node: tree.root(), postponed: memory }
+    }
+}
+
+impl<T, const BY_DISTANCE: bool> State for PruningStack<'_, T, BY_DISTANCE> {
+    type Word = u64;
+
+    #[inline]
+    fn node(&self) -> Node {
+        self.node
+    }
+}
+
+impl<T: Topology, const BY_DISTANCE: bool> Cursor for PruningStack<'_, T, BY_DISTANCE> {
+    const KEEPS_DISTANCES: bool = BY_DISTANCE;
+
+    #[inline(always)]
+    fn descend(&mut self, descent: Descent) -> bool {
+        let (node, first) = (self.node, descent.first());
+        self.node = self.tree.child(node, first);
+        if descent.postpones() {
+            let mark = Node::from_bits(u32::from(descent.is_disjoint()));
+            self.postponed.extend([self.tree.child(node, first.other()), mark]);
+        }
+        true
+    }
+
+    #[inline(always)]
+    fn keep_distance(&mut self, distance: u32) {
+        if let Some(last) = self.postponed.last_mut() {
+            *last = Node::from_bits(distance);
+        }
+    }
+
+    #[inline(always)]
+    fn drop_beyond(&mut self, end: u32) {
+        while self.postponed.last().is_some_and(|distance| distance.to_bits() > end) {
+            self.postponed.truncate(self.postponed.len() - 2);
+        }
+    }
+
+    fn prune(&mut self) {
+        if BY_DISTANCE {
+            return;
+        }
+        let mut kept = 0;
+        for i in (0..self.postponed.len()).step_by(2) {
+            if self.postponed[i + 1].to_bits() == 0 {
+                self.postponed.copy_within(i..i + 2, kept);
+                kept += 2;
+            }
+        }
+        self.postponed.truncate(kept);
+    }
+
+    #[inline(always)]
+    fn backtrack(&mut self) -> bool {
+        self.postponed.pop();
+        match self.postponed.pop() {
+            Some(node) => {
+                self.node = node;
+                true
+            }
+            None => false,
+        }
+    }
+}

@@ -1,0 +1,261 @@
+//! States as bytes, and their check.
+
+use alloc::vec::Vec;
+use core::fmt;
+
+use super::{Next, Paused};
+use crate::hash::{AddressBounds, mix};
+use crate::key::{self, Grow, KeyWord, Word};
+use crate::trail;
+use crate::tree::{Keys, Node, Topology, for_each_parent};
+
+const MAGIC: [u8; 4] = *b"SBVP";
+const VERSION: u8 = 1;
+/// Magic, version, flags, bytes of a word; the tree; node and register.
+const HEADER_BYTES: usize = 10 + 8 + 8;
+const CHECKSUM_BYTES: usize = 8;
+/// Flags: which parts there are, and what comes next.
+const KEY: u8 = 1;
+const REGISTER: u8 = 2;
+const DISJOINT: u8 = 4;
+const BACKTRACK: u8 = 8;
+
+/// Writes and reads the states of traversals of one tree.
+///
+/// A state that is read is one of this tree, or it is refused: the bytes name the tree that they are of by a hash of its
+/// structure, a checksum finds damage, and every part is checked against the tree, so that also what was made up to have the
+/// right checksum is followed only where a traversal could be. `[PAUSE-6]`
+///
+/// All numbers are little-endian: `SBVP`, version (1 byte), flags (1; bit 0 key, 1 register, 2 second trail, 3 backtrack
+/// next), bytes of a word (4), the tree (8), node (4), register (4, or 0), trail, key and second trail as flagged (a word
+/// each), checksum (8).
+///
+/// ```
+/// use stackless_bvh::traverse::{Afra, Next, Pause, StateError, States};
+/// use stackless_bvh::tree::{Parents, Tree};
+///
+/// let tree = Tree::new(&[Some([1, 2]), None, None])?;
+/// let (parents, states) = (Parents::of(&tree), States::of(&tree));
+/// let paused = Afra::<u32, _, _>::new(&tree, &parents)?.put_aside(Next::Visit);
+/// let bytes = states.to_bytes(&paused);
+/// assert_eq!(bytes.len(), states.bytes(&paused));
+/// assert_eq!(states.from_bytes(&bytes), Ok(paused));
+///
+/// let other = Tree::new(&[Some([2, 1]), None, None])?;
+/// assert_eq!(States::of(&other).from_bytes::<u32>(&bytes), Err(StateError::Tree));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct States<'t, T> {
+    tree: &'t T,
+    keys: Keys,
+    bounds: AddressBounds,
+    fingerprint: u64,
+}
+
+/// Why bytes are not a state of a tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StateError {
+    /// They do not begin as a state does, or are too few to.
+    Magic,
+    /// They are of another version of the format.
+    Version {
+        /// Its number.
+        version: u8,
+    },
+    /// They are of a traversal in another word.
+    WordBytes {
+        /// Bytes of the word that is asked for.
+        expected: u32,
+        /// Bytes of the state's.
+        found: u32,
+    },
+    /// They are fewer or more than their header says.
+    Length {
+        /// Number of bytes that there should be.
+        expected: usize,
+        /// Number of bytes.
+        found: usize,
+    },
+    /// The checksum is wrong: they are damaged.
+    Checksum,
+    /// A flag is set that means nothing.
+    Flags {
+        /// All flags.
+        flags: u8,
+    },
+    /// They are of another tree.
+    Tree,
+    /// The tree has no such node.
+    Node(Node),
+    /// The key is not that of the node.
+    Key,
+    /// The trail, or the second one, has bits above the root.
+    Trail,
+    /// The register does not address the most recently postponed node.
+    Register,
+    /// The node is no leaf, and yet has been looked into.
+    Backtrack,
+}
+
+impl fmt::Display for StateError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Magic => f.write_str("not a paused state: it does not begin with SBVP"),
+            Self::Version { version } => write!(f, "version {version} of the format, expected {VERSION}"),
+            Self::WordBytes { expected, found } => write!(f, "words of {found} bytes, expected {expected}"),
+            Self::Length { expected, found } => write!(f, "{found} bytes, expected {expected}"),
+            Self::Checksum => f.write_str("the checksum is wrong"),
+            Self::Flags { flags } => write!(f, "unknown flags in {flags:#010b}"),
+            Self::Tree => f.write_str("the state is of another tree"),
+            Self::Node(node) => write!(f, "the tree has no {node:?}"),
+            Self::Key => f.write_str("the key is not that of the node"),
+            Self::Trail => f.write_str("a trail has bits above the root"),
+            Self::Register => f.write_str("the register does not address the most recently postponed node"),
+            Self::Backtrack => f.write_str("an inner node cannot have been looked into as a leaf"),
+        }
+    }
+}
+
+impl core::error::Error for StateError {}
+
+impl<'t, T: Topology> States<'t, T> {
+    /// Takes time and memory linear in the size of the tree.
+    pub fn of(tree: &'t T) -> Self {
+        let mut fingerprint = mix(u64::from(tree.root().to_bits()));
+        for_each_parent(tree, |parent, children| {
+            for node in [parent].into_iter().chain(children) {
+                fingerprint = mix(fingerprint ^ u64::from(node.to_bits())).wrapping_add(1);
+            }
+        });
+        Self { tree, keys: Keys::of(tree), bounds: AddressBounds::of(tree), fingerprint }
+    }
+
+    /// Number of bytes that a state takes: the same at every step of a traversal that has these parts.
+    pub fn bytes<W: KeyWord>(&self, paused: &Paused<W>) -> usize {
+        self.length::<W>(flags(paused))
+    }
+
+    /// The state as bytes.
+    pub fn to_bytes<W: KeyWord>(&self, paused: &Paused<W>) -> Vec<u8> {
+        let flags = flags(paused);
+        let mut bytes = Vec::with_capacity(self.length::<W>(flags));
+        bytes.extend(MAGIC);
+        bytes.extend([VERSION, flags]);
+        bytes.extend((self.word_bytes::<W>() as u32).to_le_bytes());
+        bytes.extend(self.fingerprint.to_le_bytes());
+        bytes.extend(paused.node.to_bits().to_le_bytes());
+        bytes.extend(paused.register.map_or(0, Node::to_bits).to_le_bytes());
+        for word in [Some(&paused.trail), paused.key.as_ref(), paused.disjoint.as_ref()].into_iter().flatten() {
+            let mut rest = word.clone();
+            for _ in 0..self.word_bytes::<W>() {
+                bytes.push(rest.low_bits() as u8);
+                rest = (0..8).fold(rest, |rest, _| rest.shr1());
+            }
+        }
+        bytes.extend(checksum(&bytes).to_le_bytes());
+        bytes
+    }
+
+    /// The state that bytes are.
+    ///
+    /// # Errors
+    /// What [`StateError`] lists.
+    pub fn from_bytes<W: KeyWord>(&self, bytes: &[u8]) -> Result<Paused<W>, StateError> {
+        let Some(&[version, flags]) = bytes.strip_prefix(&MAGIC).and_then(<[u8]>::first_chunk) else {
+            return Err(StateError::Magic);
+        };
+        if version != VERSION {
+            return Err(StateError::Version { version });
+        }
+        if flags & !(KEY | REGISTER | DISJOINT | BACKTRACK) != 0 {
+            return Err(StateError::Flags { flags });
+        }
+        // Before the length is known to be right, there are bytes for magic, version and flags.
+        let number = |at: usize| u32::from_le_bytes(bytes[at..].first_chunk().copied().unwrap_or_default());
+        let (expected, found) = (self.word_bytes::<W>() as u32, number(6));
+        if expected != found {
+            return Err(StateError::WordBytes { expected, found });
+        }
+        let expected = self.length::<W>(flags);
+        if expected != bytes.len() {
+            return Err(StateError::Length { expected, found: bytes.len() });
+        }
+        let (content, stored) = bytes.split_at(bytes.len() - CHECKSUM_BYTES);
+        if stored != checksum(content).to_le_bytes() {
+            return Err(StateError::Checksum);
+        }
+        if (u64::from(number(14)) << 32 | u64::from(number(10))) != self.fingerprint {
+            return Err(StateError::Tree);
+        }
+        let mut words = content[HEADER_BYTES..].chunks_exact(self.word_bytes::<W>()).map(word_of);
+        let mut word = |wanted: bool| if wanted { words.next() } else { None };
+        let trail = word(true).unwrap_or_default();
+        let (key, disjoint) = (word(flags & KEY != 0), word(flags & DISJOINT != 0));
+        let register = (flags & REGISTER != 0).then(|| Node::from_bits(number(22)));
+        let next = if flags & BACKTRACK == 0 { Next::Visit } else { Next::Backtrack };
+        let paused = Paused { node: Node::from_bits(number(18)), register, key, trail, disjoint, next };
+        self.check(&paused).map(|()| paused)
+    }
+
+    /// Whether a state is one that a traversal of this tree can be in.
+    ///
+    /// # Errors
+    /// What does not fit the tree.
+    pub fn check<W: KeyWord>(&self, paused: &Paused<W>) -> Result<(), StateError> {
+        let Paused { node, register, key, trail, disjoint, next } = paused;
+        if !self.bounds.contains(*node) {
+            return Err(StateError::Node(*node));
+        }
+        let slot = self.tree.slot(*node);
+        // A leaf may have the index of an inner node. (Traversals that have no key carry trees that are a level deeper than
+        // their word can hold keys of.)
+        let true_key: Grow = self.keys.key(slot);
+        if Keys::walk(self.tree, &true_key) != Some(*node) {
+            return Err(StateError::Node(*node));
+        }
+        let depth = self.keys.depth(slot);
+        if key.as_ref().is_some_and(|key| !self.keys.is(slot, key)) {
+            return Err(StateError::Key);
+        }
+        if [Some(trail), disjoint.as_ref()].into_iter().flatten().any(|bits| bits.bit_length() > depth) {
+            return Err(StateError::Trail);
+        }
+        if *next == Next::Backtrack && !node.is_leaf() {
+            return Err(StateError::Backtrack);
+        }
+        let postponed = || Keys::walk(self.tree, &key::sibling(true_key.clone().shr(trail::levels(trail))));
+        if register.is_some() && (trail.is_zero() || *register != postponed()) {
+            return Err(StateError::Register);
+        }
+        Ok(())
+    }
+
+    fn length<W: KeyWord>(&self, flags: u8) -> usize {
+        let words = 1 + (flags & (KEY | DISJOINT)).count_ones() as usize;
+        HEADER_BYTES + words * self.word_bytes::<W>() + CHECKSUM_BYTES
+    }
+
+    /// Bytes of a word: a word that grows has as many as the longest key of the tree.
+    fn word_bytes<W: KeyWord>(&self) -> usize {
+        W::WIDTH.unwrap_or(self.tree.depth() + 1).div_ceil(8) as usize
+    }
+}
+
+fn flags<W>(paused: &Paused<W>) -> u8 {
+    let flag = |is_set: bool, flag: u8| if is_set { flag } else { 0 };
+    flag(paused.key.is_some(), KEY)
+        | flag(paused.register.is_some(), REGISTER)
+        | flag(paused.disjoint.is_some(), DISJOINT)
+        | flag(paused.next == Next::Backtrack, BACKTRACK)
+}
+
+fn word_of<W: KeyWord>(bytes: &[u8]) -> W {
+    let bits = bytes.iter().rev().flat_map(|byte| (0..8).rev().map(move |bit| byte >> bit & 1 == 1));
+    bits.fold(W::zero(), |word, bit| word.shl1().or(&W::from_bit(bit)))
+}
+
+/// Changes with every byte, as each step is a bijection.
+fn checksum(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(mix(bytes.len() as u64), |sum, &byte| mix(sum ^ u64::from(byte)).wrapping_add(1))
+}
