@@ -89,6 +89,11 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
         (self.prim != NO_PRIM).then_some((self.prim, self.t))
     }
 
+    /// The leaf of the [`hit`](Self::hit).
+    pub(super) fn hit_leaf(&self) -> Option<Node> {
+        self.found().map(|_| self.bvh.leaf_of(self.place))
+    }
+
     /// Tests the triangles of a leaf, each after it is shown to `watch`.
     #[inline(always)]
     pub(super) fn leaf_watched(&mut self, leaf: Node, mut watch: impl FnMut(&K, &K::Shape)) -> Flow {

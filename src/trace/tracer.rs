@@ -39,12 +39,12 @@ use crate::tree::{Implicit, Node, Uncles};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Tracer<'a, K: Kernel = Exact, B = Directed> {
-    bvh: &'a Bvh<K::Shape>,
-    method: Method,
-    word: WordName,
-    tables: Tables<'a, Bvh<K::Shape>>,
+    pub(super) bvh: &'a Bvh<K::Shape>,
+    pub(super) method: Method,
+    pub(super) word: WordName,
+    pub(super) tables: Tables<'a, Bvh<K::Shape>>,
     /// Each node's own box, for the traversals that test it.
-    boxes: Vec<Aabb>,
+    pub(super) boxes: Vec<Aabb>,
     slabs: PhantomData<fn() -> B>,
 }
 

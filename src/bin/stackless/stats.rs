@@ -1,6 +1,7 @@
 //! `stackless stats`: a scene's hierarchy, its tables, and where backtracking goes.
 
 mod plan;
+mod state;
 mod time;
 
 use std::cell::Cell;
@@ -45,7 +46,13 @@ pub(crate) struct Args {
     /// Draw the backtracking distances into this file.
     #[arg(long)]
     plot: Option<PathBuf>,
+    /// Draw the nodes that diffuse rays visit into this file (PNG): from the root, and from the last hit.
+    #[arg(long)]
+    heatmap: Option<PathBuf>,
 }
+
+/// Width and height of each heat map.
+const HEATMAP_SIDE: usize = 320;
 
 /// The file of `--json`.
 #[derive(Serialize)]
@@ -71,6 +78,8 @@ struct Stats {
     time: Vec<time::Row>,
     /// What queries can do without.
     plan: Vec<plan::Row>,
+    /// What is visited where a traversal prunes, goes on after a hit, or begins at the last hit.
+    state: Vec<state::Row>,
 }
 
 #[derive(Serialize)]
@@ -133,9 +142,15 @@ pub(crate) fn run(args: &Args) -> Outcome {
         backtracks: BacktrackStats::of(&backtracks, lookups),
         time: time::measure(&bvh, &trace::bounce(&scene.mesh, &bvh, &primary, args.seed))?,
         plan: plan::measure(&scene.mesh, &bvh, &primary)?,
+        state: state::measure(&scene.mesh, &bvh, &primary, args.seed)?,
         scene: scene.name,
     };
     stats.print();
+    if let Some(path) = &args.heatmap {
+        let rays = procedural::view(&stats.scene, &scene.mesh).rays(HEATMAP_SIDE * HEATMAP_SIDE);
+        let most = state::draw(&scene.mesh, &bvh, &rays, args.seed, path)?;
+        say!("{}: the scale ends at {most} nodes, which one ray of 100 exceeds", path.display());
+    }
     if let Some(path) = &args.plot {
         let svg = plot_distances(&format!("Backtracking distance, {}", stats.scene), &backtracks)?;
         scene::write_atomically(path, |file| file.write_all(svg.as_bytes()))
@@ -298,6 +313,7 @@ impl Stats {
         });
         time::print(&self.time);
         plan::print(&self.plan);
+        state::print(&self.state);
         say!("{}", table(&["levels up", "backtracks", "share", "cumulative"], 0, rows.collect()));
     }
 }

@@ -1,0 +1,203 @@
+//! What a small state is good for: less to visit after a hit, from hit to hit, and along paths.
+
+use std::path::Path;
+
+use image::{ImageFormat, Rgb, RgbImage};
+use rayon::prelude::*;
+use serde::Serialize;
+use stackless_bvh::bvh::Bvh;
+use stackless_bvh::geom::kernel::Exact;
+use stackless_bvh::geom::slabs::Directed;
+use stackless_bvh::geom::{Kernel, Ray};
+use stackless_bvh::order::{Descent, Flow, Visitor};
+use stackless_bvh::scene::{self, Mesh};
+use stackless_bvh::trace::{self, Any, Ask, Continuation, Counters, Place, Plan, Tracer};
+use stackless_bvh::traverse::{Method, Stack, Unfit, traverse};
+use stackless_bvh::tree::Node;
+
+use crate::output::{say, table};
+
+/// What a ray costs on average.
+#[derive(Serialize)]
+pub(super) struct Row {
+    query: &'static str,
+    way: &'static str,
+    /// Visited nodes.
+    nodes: f64,
+    boxes: f64,
+    triangles: f64,
+}
+
+/// A ray from where another has hit, with the place of that hit.
+type Step = (Ray, Place);
+
+/// Counts for primary rays, and for rays from where they hit.
+pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, primary: &[Ray], seed: u64) -> Result<Vec<Row>, Unfit> {
+    let tracer = |method| Tracer::<Exact, Directed>::planned(bvh, &Plan::new(bvh, method, Ask::Distance));
+    let hashed = tracer(Method::Hashed)?;
+    let continuation = Continuation::new(&hashed)?;
+    let steps: Vec<Step> = primary
+        .par_iter()
+        .enumerate()
+        .filter_map(|(i, ray)| step(mesh, bvh, &continuation, ray, seed.wrapping_add(i as u64)))
+        .collect();
+    let diffuse: Vec<_> = steps.iter().map(|&(ray, _)| ray).collect();
+
+    let mut rows = Vec::new();
+    for (query, rays) in [("closest, primary", primary), ("closest, diffuse", &diffuse)] {
+        for (way, method) in [
+            ("nothing is pruned", Method::Hashed),
+            ("disjoint intervals", Method::HashedDisjoint),
+            ("stored distances", Method::StackT0),
+        ] {
+            rows.push(Row::of(query, way, &tracer(method)?.count(rays, false)));
+        }
+    }
+    for (query, any) in [("closest, diffuse", false), ("any, diffuse", true)] {
+        for (way, goes_on) in [("from the root", false), ("from the last hit", true)] {
+            let count = |&(ray, place): &Step| continuation.count(&ray, goes_on.then_some(place), any);
+            let sum = steps.par_iter().map(count).reduce(Counters::default, |a, b| a.merge(&b));
+            rows.push(Row::of(query, way, &sum));
+        }
+    }
+    rows.extend(one_by_one(bvh, primary));
+    Ok(rows)
+}
+
+/// A diffuse ray from the hit of another.
+fn step(
+    mesh: &Mesh,
+    bvh: &Bvh,
+    continuation: &Continuation<'_, '_, Exact, Directed>,
+    ray: &Ray,
+    seed: u64,
+) -> Option<Step> {
+    let (_, place) = continuation.closest(ray, None)?;
+    let bounced = trace::bounce(mesh, bvh, std::slice::from_ref(ray), seed);
+    Some((*bounced.first()?, place))
+}
+
+/// All hits of each ray one by one, each time from the root again or from where the search was put aside.
+fn one_by_one(bvh: &Bvh, rays: &[Ray]) -> [Row; 2] {
+    let count = |ray: &Ray| {
+        let mut search = OneByOne::new(bvh, ray);
+        traverse(Stack::new(bvh, &mut Vec::new()), &mut search, &mut ());
+        // The last search finds that there is nothing left.
+        let again = search.again.merge(&search.so_far);
+        [search.so_far, again]
+    };
+    let sums = rays.par_iter().map(count).reduce(Default::default, |[a, b], [c, d]| [a.merge(&c), b.merge(&d)]);
+    let [resumed, again] = sums.map(|sum| Counters { rays: rays.len() as u64, ..sum });
+    let query = "hits one by one, primary";
+    [Row::of(query, "from the root again", &again), Row::of(query, "resumed", &resumed)]
+}
+
+struct OneByOne<'a> {
+    bvh: &'a Bvh,
+    search: Any<'a>,
+    kernel: Exact,
+    end: f32,
+    so_far: Counters,
+    /// What searches have cost that began at the root for each hit.
+    again: Counters,
+}
+
+impl<'a> OneByOne<'a> {
+    fn new(bvh: &'a Bvh, ray: &Ray) -> Self {
+        let (search, kernel) = (Any::new(bvh, ray), Exact::new(ray, bvh.region()));
+        Self { bvh, search, kernel, end: ray.tmax(), so_far: Counters::default(), again: Counters::default() }
+    }
+}
+
+impl Visitor for OneByOne<'_> {
+    fn inner(&mut self, node: Node) -> Descent {
+        self.so_far.inner += 1;
+        self.so_far.boxes += 2;
+        self.search.inner(node)
+    }
+
+    fn leaf(&mut self, node: Node) -> Flow {
+        self.so_far.leaves += 1;
+        for held in self.bvh.leaf_triangles(node) {
+            self.so_far.triangles += 1;
+            if self.kernel.distance(&held.shape, self.end).is_some() {
+                self.again = std::mem::take(&mut self.again).merge(&self.so_far);
+            }
+        }
+        Flow::Continue
+    }
+}
+
+impl Row {
+    fn of(query: &'static str, way: &'static str, counters: &Counters) -> Self {
+        let a_ray = |count: u64| count as f64 / counters.rays.max(1) as f64;
+        Self {
+            query,
+            way,
+            nodes: a_ray(counters.inner + counters.leaves),
+            boxes: a_ray(counters.boxes),
+            triangles: a_ray(counters.triangles),
+        }
+    }
+}
+
+pub(super) fn print(rows: &[Row]) {
+    let cells = |row: &Row| {
+        let numbers = [row.nodes, row.boxes, row.triangles].map(|number| format!("{number:.2}"));
+        [row.query, row.way].map(str::to_owned).into_iter().chain(numbers).collect()
+    };
+    let header = ["a ray", "way", "nodes", "box tests", "triangle tests"];
+    say!("{}", table(&header, 2, rows.iter().map(cells).collect()));
+}
+
+/// Draws how many nodes a diffuse ray visits from where each pixel's ray hits: on the left from the root, on the right from
+/// the leaf of the hit (Binder & Keller 2016, Fig. 8). Below, the scale from 0 to the number that is returned.
+pub(super) fn draw(
+    mesh: &Mesh,
+    bvh: &Bvh,
+    rays: &[Ray],
+    seed: u64,
+    path: &Path,
+) -> Result<u64, Box<dyn std::error::Error>> {
+    const SCALE: u32 = 12;
+    let tracer = Tracer::new(bvh);
+    let continuation = Continuation::new(&tracer)?;
+    let side = (rays.len() as f64).sqrt() as u32;
+    let count = |(i, ray): (usize, &Ray)| {
+        let (ray, place) = step(mesh, bvh, &continuation, ray, seed.wrapping_add(i as u64))?;
+        Some([None, Some(place)].map(|from| {
+            let counters = continuation.count(&ray, from, false);
+            counters.inner + counters.leaves
+        }))
+    };
+    let counts: Vec<_> = rays.par_iter().enumerate().map(count).collect();
+    let mut sorted: Vec<_> = counts.iter().flatten().flatten().copied().collect();
+    sorted.sort_unstable();
+    // A few rays take many times what others do: they are all white.
+    let most = sorted.get(sorted.len() * 99 / 100).copied().unwrap_or(1).max(1);
+    let picture = RgbImage::from_fn(2 * side, side + SCALE, |x, y| {
+        if y >= side {
+            return colour(f64::from(x) / f64::from(2 * side - 1));
+        }
+        let (right, x) = (x / side, x % side);
+        let counts = counts.get((y * side + x) as usize).copied().flatten();
+        counts.map_or(Rgb([0; 3]), |counts| colour(counts[right as usize] as f64 / most as f64))
+    });
+    let mut png = std::io::Cursor::new(Vec::new());
+    picture.write_to(&mut png, ImageFormat::Png)?;
+    scene::write_atomically(path, |file| file.write_all(png.get_ref()))
+        .map_err(|error| format!("{}: cannot be written: {error}", path.display()))?;
+    Ok(most)
+}
+
+/// From blue over green and red to white.
+fn colour(share: f64) -> Rgb<u8> {
+    const STOPS: [[f64; 3]; 5] =
+        [[20.0, 20.0, 90.0], [0.0, 130.0, 160.0], [70.0, 190.0, 60.0], [250.0, 140.0, 20.0], [255.0; 3]];
+    let at = share.clamp(0.0, 1.0) * (STOPS.len() - 1) as f64;
+    let below = (at as usize).min(STOPS.len() - 2);
+    Rgb([0, 1, 2].map(|i| {
+        let (from, to) = (STOPS[below][i], STOPS[below + 1][i]);
+        (from + (to - from) * (at - below as f64)) as u8
+    }))
+}
