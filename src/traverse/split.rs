@@ -46,8 +46,8 @@ use crate::tree::{Node, Topology};
 /// # Ok::<(), stackless_bvh::key::TooDeep>(())
 /// ```
 #[derive(Debug)]
-pub struct Split<'m, 'c, 't, T, C, F> {
-    cuts: &'c Cuts<'t, T>,
+pub struct Split<'m, 'c, T, C, F> {
+    cuts: &'c Cuts<'c, T>,
     start: F,
     /// In the piece of the current node.
     cursor: C,
@@ -55,20 +55,22 @@ pub struct Split<'m, 'c, 't, T, C, F> {
     waiting: &'m mut Vec<C>,
 }
 
-impl<'m, 'c, 't, T, C, F> Split<'m, 'c, 't, T, C, F>
+impl<'m, 'c, T, C, F> Split<'m, 'c, T, C, F>
 where
     T: Topology,
     C: Cursor,
-    F: Fn(&'c Piece<'t, T>) -> Result<C, TooDeep>,
+    F: Fn(&'c Piece<'c, T>) -> Result<C, TooDeep>,
 {
-    /// Starts at the root. `start` makes a cursor at the root of a piece; it must not depend on more than the piece. The memory
-    /// for what waits is the caller's, so that many traversals can share it.
+    /// Starts at the root. `start` makes a cursor at the root of a piece. The memory for what waits is the caller's, so that
+    /// many traversals can share it.
+    ///
+    /// All pieces say that they have the same [`depth`](Topology::depth), so the constructors of cursors take all or none. If
+    /// `start` refused one after it took the first, what is below would be left out (and a panic in debug builds).
     ///
     /// # Errors
-    /// [`TooDeep`] where the cursor's word does not carry as many levels as there are between cuts. All pieces have the
-    /// same [`depth`](Topology::depth), so that what takes the first one takes all.
+    /// [`TooDeep`] where the cursor's word does not carry as many levels as there are between cuts.
     #[inline]
-    pub fn new(cuts: &'c Cuts<'t, T>, waiting: &'m mut Vec<C>, start: F) -> Result<Self, TooDeep> {
+    pub fn new(cuts: &'c Cuts<'c, T>, waiting: &'m mut Vec<C>, start: F) -> Result<Self, TooDeep> {
         waiting.clear();
         let cursor = start(cuts.top())?;
         Ok(Self { cuts, start, cursor, waiting })
@@ -82,7 +84,7 @@ where
 }
 
 /// Key and counter are those of the whole tree. The trail is the piece's.
-impl<T, C: State, F> State for Split<'_, '_, '_, T, C, F> {
+impl<T, C: State, F> State for Split<'_, '_, T, C, F> {
     type Word = Grow;
 
     #[inline]
@@ -111,11 +113,11 @@ impl<T, C: State, F> State for Split<'_, '_, '_, T, C, F> {
     }
 }
 
-impl<'c, 't, T, C, F> Cursor for Split<'_, 'c, 't, T, C, F>
+impl<'c, T, C, F> Cursor for Split<'_, 'c, T, C, F>
 where
     T: Topology,
     C: Cursor,
-    F: Fn(&'c Piece<'t, T>) -> Result<C, TooDeep>,
+    F: Fn(&'c Piece<'c, T>) -> Result<C, TooDeep>,
 {
     const RESTARTS: bool = C::RESTARTS;
 

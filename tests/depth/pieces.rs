@@ -33,8 +33,8 @@ pub(crate) const METHODS: [Method; 16] = [
 ];
 
 /// A cut tree with the tables of all traversals whose state has words.
-pub(crate) struct Pieces<'c, 't, T> {
-    cuts: &'c Cuts<'t, T>,
+pub(crate) struct Pieces<'c, T> {
+    cuts: &'c Cuts<'c, T>,
     parents: Parents,
     uncles: Uncles,
     pub(crate) hashes: Vec<PieceTable<PerfectHash>>,
@@ -43,8 +43,8 @@ pub(crate) struct Pieces<'c, 't, T> {
     maps: Vec<PieceTable<KeyMap>>,
 }
 
-impl<'c, 't, T: Topology> Pieces<'c, 't, T> {
-    pub(crate) fn new(tree: &T, cuts: &'c Cuts<'t, T>) -> Self {
+impl<'c, T: Topology> Pieces<'c, T> {
+    pub(crate) fn new(tree: &T, cuts: &'c Cuts<'c, T>) -> Self {
         let hashes = |key_set| {
             let options = Options { key_set, sizing: Sizing::Tight };
             cuts.tables(|tree| PerfectHash::build(tree, options)).unwrap_or_else(|error: BuildError| panic!("{error}"))

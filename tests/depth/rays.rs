@@ -2,16 +2,16 @@
 
 use glam::Vec3;
 use stackless_bvh::bvh::{self, Bvh, SahOptions};
-use stackless_bvh::check::{Plan, SceneTree, check_scene};
+use stackless_bvh::check::{CaseOptions, Plan, SceneTree, check_scene};
 use stackless_bvh::event::{Recorder, State, Trace};
 use stackless_bvh::geom::Ray;
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::Flow;
 use stackless_bvh::scene::{Mesh, procedural};
-use stackless_bvh::trace::{AnyByNode, ClosestByNode, Tracer, Truth};
-use stackless_bvh::traverse::{Cuts, Method, Unfit, WordName};
-use stackless_bvh::tree::{Keys, Topology};
+use stackless_bvh::trace::{AnyByNode, Closest, ClosestByNode, Tracer, Truth};
+use stackless_bvh::traverse::{Afra, Cuts, Hashed, Method, Split, Unfit, WordName, traverse};
+use stackless_bvh::tree::{Keys, Recorded, RecordedParents, RecordedUncles, Topology};
 
 use super::{FOR_ANY_DEPTH, Pieces};
 
@@ -58,7 +58,7 @@ fn all_traversals_find_the_truth_in_the_words_that_carry_it() {
     let plan = Plan {
         trees: 0,
         seed: 0,
-        options: Default::default(),
+        options: CaseOptions::default(),
         methods: Method::ALL.to_vec(),
         words: WordName::ALL.to_vec(),
     };
@@ -120,6 +120,32 @@ fn pieces_find_the_same_hits_by_the_same_way_in_narrow_words() {
     check::<u8>(7, &mesh, &bvh);
     check::<u32>(30, &mesh, &bvh);
     check::<u64>(62, &mesh, &bvh);
+}
+
+#[test]
+fn links_in_records_serve_all_pieces() {
+    let (mesh, bvh) = deep();
+    let climbing = bvh.clone().with_links(Recorded::ParentSibling);
+    let (by_uncles, by_parents) = (Cuts::every(31, &bvh), Cuts::every(31, &climbing));
+    let pieces = Pieces::new(&bvh, &by_uncles);
+    let (uncles, parents) = (RecordedUncles::of(&bvh).unwrap(), RecordedParents::of(&climbing).unwrap());
+    for ray in rays(&mesh) {
+        let (mut search, mut expected) = (Closest::new(&bvh, &ray), Trace::default());
+        oracle::traverse(&bvh, &mut search, &mut expected);
+        let hit = search.hit();
+
+        let (mut search, mut trace, mut waiting) = (Closest::new(&bvh, &ray), Trace::default(), Vec::new());
+        let split = Split::new(&by_uncles, &mut waiting, |piece| {
+            Hashed::<u32, _, _, _>::new(piece, uncles, &pieces.hashes[piece.number()])
+        });
+        traverse(split.unwrap(), &mut search, &mut trace);
+        assert_eq!((search.hit(), &trace), (hit, &expected));
+
+        let (mut search, mut trace, mut waiting) = (Closest::new(&climbing, &ray), Trace::default(), Vec::new());
+        let split = Split::new(&by_parents, &mut waiting, |piece| Afra::<u32, _, _>::new(piece, parents));
+        traverse(split.unwrap(), &mut search, &mut trace);
+        assert_eq!((search.hit(), &trace), (hit, &expected));
+    }
 }
 
 /// How deep a search gets, and how far it goes back at once.

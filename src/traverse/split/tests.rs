@@ -19,7 +19,7 @@ fn a_tree_is_cut_at_inner_nodes_of_certain_depths() {
         let tree = comb(depth);
         for levels in [1, 2, 3, 7, 32, 64, 400] {
             let cuts = Cuts::every(levels, &tree);
-            let below: Vec<_> = (0..2 * depth + 1).filter_map(|slot| cuts.below(tree.node(slot).unwrap())).collect();
+            let below: Vec<_> = (0..=2 * depth).filter_map(|slot| cuts.below(tree.node(slot).unwrap())).collect();
             let expected = (levels..depth).step_by(levels as usize).map(|at| 2 * at as usize);
             assert!(below.iter().map(|piece| piece.root().index()).eq(expected), "{depth} {levels}");
             let numbers: Vec<_> = cuts.pieces().map(Piece::number).collect();
