@@ -108,6 +108,16 @@ fn a_depth_of_1000_in_narrow_words() {
 /// Traversals that are made for such depths.
 const FOR_ANY_DEPTH: [Method; 5] = [Method::Sparse, Method::Afra, Method::Uncle, Method::HashOnly, Method::Hashed];
 
+/// The first visits, so many of them: then the traversal is stopped.
+#[derive(PartialEq)]
+struct First(Trace, usize);
+
+impl Recorder for First {
+    fn visit(&mut self, state: &impl State) -> Flow {
+        if self.0.nodes().len() == self.1 { Flow::Stop } else { self.0.visit(state) }
+    }
+}
+
 /// A chain that goes to one side all the way.
 fn chain(depth: u32, right: bool) -> Tree {
     let next = |i: u32| if right { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
@@ -126,8 +136,8 @@ fn a_depth_of_100_000_in_narrow_words() {
             let pieces = Pieces::new(&tree, &cuts);
             for (kind, any) in [(Kind::AllHit, false), (Kind::Shrinking, false), (Kind::OnlyOne, true)] {
                 let tape = Tape::hashed(u64::from(levels), &tree, kind);
-                let see = |run: &dyn Fn(&mut Search<'_, Tree>, &mut Trace)| {
-                    let (mut search, mut trace) = (Search::new(&tree, &tape, any), Trace::default());
+                let see = |run: &dyn Fn(&mut Search<'_, Tree>, &mut First)| {
+                    let (mut search, mut trace) = (Search::new(&tree, &tape, any), First(Trace::default(), 200_002));
                     run(&mut search, &mut trace);
                     (trace, search.outcome)
                 };
@@ -151,13 +161,6 @@ fn a_depth_of_100_000_in_narrow_words() {
 /// A recorder may end a traversal anywhere: in a piece, at a cut, and on the way back.
 #[test]
 fn the_memory_of_a_stopped_traversal_serves_the_next() {
-    struct First(Trace, usize);
-    impl Recorder for First {
-        fn visit(&mut self, state: &impl State) -> Flow {
-            if self.0.nodes().len() == self.1 { Flow::Stop } else { self.0.visit(state) }
-        }
-    }
-
     let case = Case::random(8, CaseOptions { family: Some(Family::Comb), depth: Some(40) });
     let tape = &Tape::hashed(2, &case.tree, Kind::AllHit);
     let (parents, cuts, mut waiting) = (&Parents::of(&case.tree), &Cuts::every(3, &case.tree), Vec::new());
@@ -171,6 +174,7 @@ fn the_memory_of_a_stopped_traversal_serves_the_next() {
     assert_eq!(whole.nodes().len(), 81);
     for visits in 0..81 {
         assert_eq!(run(visits).nodes(), &whole.nodes()[..visits]);
+        assert!(run(usize::MAX) == whole, "after {visits} visits");
     }
 }
 

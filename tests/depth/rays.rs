@@ -15,12 +15,16 @@ use stackless_bvh::tree::{Keys, Recorded, RecordedParents, RecordedUncles, Topol
 
 use super::{FOR_ANY_DEPTH, Pieces};
 
-const LAYERS: usize = 256;
-
-fn deep() -> (Mesh, Bvh) {
-    let mesh = procedural::layers(LAYERS);
+/// A mesh of so many triangles, with a hierarchy that is a chain.
+fn chain(layers: usize) -> (Mesh, Bvh) {
+    let mesh = procedural::layers(layers);
     let bvh = Bvh::sah(&mesh, SahOptions { depth_limit: u32::MAX, ..SahOptions::default() }).unwrap();
     (mesh, bvh)
+}
+
+/// Deeper than any machine word.
+fn deep() -> (Mesh, Bvh) {
+    chain(256)
 }
 
 /// Rays of all kinds, and some through the whole chain, to and from its end, and past it.
@@ -44,34 +48,34 @@ fn rays(mesh: &Mesh) -> Vec<Ray> {
 }
 
 #[test]
-fn the_hierarchy_is_deeper_than_200_levels() {
-    let (mesh, bvh) = deep();
-    bvh::validate(&bvh, &mesh).unwrap();
-    assert_eq!((bvh.depth(), bvh.dropped()), (LAYERS as u32 - 4, 0));
+fn the_hierarchy_is_a_chain_with_one_leaf_of_several_triangles() {
+    for layers in [128, 256] {
+        let (mesh, bvh) = chain(layers);
+        bvh::validate(&bvh, &mesh).unwrap();
+        assert_eq!((bvh.depth(), bvh.dropped()), (layers as u32 - 4, 0));
+    }
 }
 
 #[test]
 fn all_traversals_find_the_truth_in_the_words_that_carry_it() {
-    let (mesh, bvh) = deep();
-    let truth = Truth::new(&mesh);
-    let rays = rays(&mesh);
-    let plan = Plan {
-        trees: 0,
-        seed: 0,
-        options: CaseOptions::default(),
-        methods: Method::ALL.to_vec(),
-        words: WordName::ALL.to_vec(),
-    };
-    let (tally, found) = check_scene(&plan, &SceneTree::new(&truth, &bvh), &rays, &|_| ());
-    assert!(found.is_none(), "{found:?}");
-    assert_eq!((tally.oracle_faults, tally.misses), (0, 0));
-    let all = 2 * rays.len() as u64;
-    for (method, word) in plan.pairs() {
-        let count = tally.get(method, word);
-        let carried = method != Method::Complete && (word == WordName::Grow || !method.has_words());
-        assert_eq!((count.agree, count.refused), if carried { (all, 0) } else { (0, all) }, "{method} {word}");
-        if !carried && method != Method::Complete {
-            assert!(matches!(count.refusal, Some(Unfit::TooDeep(_))), "{method} {word}: {:?}", count.refusal);
+    for (layers, narrowest) in [(128, WordName::U128), (256, WordName::Grow)] {
+        let (mesh, bvh) = chain(layers);
+        assert_eq!(WordName::narrowest(bvh.depth()), narrowest);
+        let (truth, rays) = (Truth::new(&mesh), rays(&mesh));
+        let (options, words) = (CaseOptions::default(), WordName::ALL.to_vec());
+        let plan = Plan { trees: 0, seed: 0, options, methods: Method::ALL.to_vec(), words };
+        let (tally, found) = check_scene(&plan, &SceneTree::new(&truth, &bvh), &rays, &|_| ());
+        assert!(found.is_none(), "{found:?}");
+        assert_eq!((tally.oracle_faults, tally.misses), (0, 0));
+        let all = 2 * rays.len() as u64;
+        for (method, word) in plan.pairs() {
+            let count = tally.get(method, word);
+            let is_wide = !method.has_words() || word as u8 >= narrowest as u8;
+            let carried = is_wide && method != Method::Complete;
+            assert_eq!((count.agree, count.refused), if carried { (all, 0) } else { (0, all) }, "{method} {word}");
+            if !is_wide && method != Method::Complete {
+                assert!(matches!(count.refusal, Some(Unfit::TooDeep(_))), "{method} {word}: {:?}", count.refusal);
+            }
         }
     }
 }
