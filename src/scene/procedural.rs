@@ -1,6 +1,6 @@
 //! Scenes and rays out of a seed: the same on every machine.
 //!
-//! Three scenes that are hard for hierarchies in different ways, and rays that are ordinary and awkward in turn.
+//! Four scenes that are hard for hierarchies in different ways, and rays that are ordinary and awkward in turn.
 //! Coordinates are made with operations that IEEE 754 rounds exactly (no sine).
 
 mod rays;
@@ -87,6 +87,26 @@ pub fn soup(seed: u64, n: usize) -> Mesh {
             corners = [(); 3].map(|()| centre + (random.cube() - 0.5) * size);
         }
         parts.add_triangle(corners);
+    }
+    parts.into_mesh()
+}
+
+/// Depth: `n` parallel triangles (at least one), each a quarter nearer to a last plane than the one before, x = 0.
+///
+/// They are so near and so wide, 65,536 in y and z, that in single precision all boxes over some of them have the same
+/// surface. So every cut costs the same, and by surface area the farthest triangle is cut off alone again and again: the
+/// hierarchy is a chain about as deep as there are triangles, where the options allow it. From about 280 on their planes
+/// are not to be told apart. The first one stands beside the others in y, so that a ray can meet its box and, of the others,
+/// only the last.
+pub fn layers(n: usize) -> Mesh {
+    let mut parts = Parts::default();
+    let (width, mut x) = (65_536.0, 1.0 / 1024.0);
+    for i in 0..n.max(1) {
+        let start = if i == 0 { width } else { 0.0 };
+        // Half of the same square each, the halves by turns.
+        let [near, far] = if i % 2 == 0 { [0.0, width] } else { [width, 0.0] };
+        parts.add_triangle([[near, near], [near, far], [far, near]].map(|[y, z]| Vec3::new(-x, start + y, z)));
+        x *= 0.75;
     }
     parts.into_mesh()
 }

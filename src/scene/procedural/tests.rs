@@ -31,3 +31,12 @@ fn rays_are_of_all_kinds() {
     assert!(count(|ray| ray.direction().cmpeq(Vec3::ZERO).bitmask().count_ones() == 2) >= 100);
     assert!(count(|ray| ray.tmax() < f32::INFINITY && ray.tmin() > 0.0) >= 90);
 }
+
+#[test]
+fn layers_come_ever_nearer_to_the_last_plane() {
+    let mesh = layers(256);
+    let planes: Vec<_> = mesh.vertices().chunks(3).map(|corners| corners[0].x).collect();
+    assert_eq!((mesh.triangles().len(), layers(0).triangles().len()), (256, 1));
+    assert!(planes.windows(2).all(|pair| pair[0] < pair[1]) && planes[255] < -f32::MIN_POSITIVE);
+    assert!(mesh.vertices().chunks(3).all(|corners| corners.iter().all(|corner| corner.x == corners[0].x)));
+}

@@ -1,0 +1,93 @@
+use alloc::vec::Vec;
+
+use super::*;
+use crate::hash::{KeyMap, Lookup};
+use crate::key::TooDeep;
+use crate::traverse::{Afra, Method};
+use crate::tree::{Keys, Parents, Tree};
+
+/// A chain of `depth` inner nodes, 0, 2, 4 and so on, each with the leaf of the next number, turning every third time.
+fn comb(depth: u32) -> Tree {
+    let inner = |i: u32| if (i / 3).is_multiple_of(2) { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
+    let children: Vec<_> = (0..depth).flat_map(|i| [Some(inner(i)), None]).chain([None]).collect();
+    Tree::new(&children).unwrap()
+}
+
+#[test]
+fn a_tree_is_cut_at_inner_nodes_of_certain_depths() {
+    for depth in [0, 1, 2, 3, 9, 10, 63, 64, 65, 300] {
+        let tree = comb(depth);
+        for levels in [1, 2, 3, 7, 32, 64, 400] {
+            let cuts = Cuts::every(levels, &tree);
+            let below: Vec<_> = (0..=2 * depth).filter_map(|slot| cuts.below(tree.node(slot).unwrap())).collect();
+            let expected = (levels..depth).step_by(levels as usize).map(|at| 2 * at as usize);
+            assert!(below.iter().map(|piece| piece.root().index()).eq(expected), "{depth} {levels}");
+            let numbers: Vec<_> = cuts.pieces().map(Piece::number).collect();
+            assert!(numbers.iter().copied().eq(0..=below.len()));
+            assert_eq!(cuts.nesting() as usize, numbers.len(), "{depth} {levels}");
+            assert_eq!((cuts.top().root(), cuts.top().depth()), (tree.root(), depth.min(levels)));
+        }
+    }
+    assert_eq!(Cuts::every(0, &comb(5)).nesting(), 5);
+}
+
+#[test]
+fn tables_of_pieces_know_their_nodes_by_keys_from_their_roots() {
+    let tree = comb(20);
+    let cuts = Cuts::every(6, &tree);
+    let tables = cuts.tables(|tree| Ok::<_, TooDeep>(KeyMap::of(tree))).unwrap();
+    assert_eq!(tables.iter().map(|table| table.bytes() / size_of::<Node>()).collect::<Vec<_>>(), [13, 13, 13, 5]);
+    for (piece, table) in cuts.pieces().zip(&tables) {
+        let mut key = key::root::<u8>();
+        let mut node = piece.root();
+        assert_eq!(table.node(&key), node);
+        for _ in 0..6 {
+            if node.is_leaf() {
+                break;
+            }
+            let [left, right] = tree.children(node);
+            assert_eq!([key::child(key, 0), key::child(key, 1)].map(|key| table.node(&key)), [left, right]);
+            let side = u8::from(left.is_leaf());
+            (key, node) = (key::child(key, side), [left, right][usize::from(side)]);
+        }
+    }
+}
+
+#[test]
+fn state_takes_one_traversal_for_each_piece_on_the_way() {
+    let tree = comb(200);
+    let cuts = Cuts::every(30, &tree);
+    assert_eq!(cuts.state_bytes::<u32>(Method::Afra), 7 * 8);
+    assert_eq!(cuts.state_bytes::<u32>(Method::Hashed), 7 * 16);
+    assert_eq!(Cuts::every(31, &comb(31)).state_bytes::<u32>(Method::Afra), 8);
+    // Marks for 401 nodes, and the pieces below 6 cuts.
+    assert_eq!(cuts.bytes(), 7 * 12 + 6 * size_of::<Piece<'_, Tree>>());
+}
+
+#[test]
+fn words_must_carry_a_piece() {
+    let tree = comb(100);
+    let parents = &Parents::of(&tree);
+    let refused = |levels| {
+        let cuts = Cuts::every(levels, &tree);
+        Split::new(&cuts, &mut Vec::new(), |piece| Afra::<u8, _, _>::new(piece, parents)).err()
+    };
+    assert_eq!(refused(8), None);
+    assert_eq!(refused(9), Some(TooDeep { depth: 9, limit: 8, word: "u8" }));
+    assert_eq!(refused(200), Some(TooDeep { depth: 100, limit: 8, word: "u8" }));
+}
+
+#[test]
+fn keys_are_put_together() {
+    let tree = comb(150);
+    let keys = Keys::of(&tree);
+    let long: Grow = keys.key(2 * 140);
+    let parts = [31, 31, 31, 31, 16].into_iter().rev().fold((long.clone(), Vec::new()), |(rest, mut parts), bits| {
+        let low = (0..bits).fold(0_u32, |low, at| low | (rest.clone().shr(at).low_bits() & 1) << at);
+        parts.insert(0, low | 1 << bits);
+        (rest.shr(bits), parts)
+    });
+    assert_eq!(parts.0, Grow::one());
+    let whole = parts.1.iter().fold(key::root(), |whole, part| append(whole, part, key::depth(part)));
+    assert_eq!(whole, long);
+}
