@@ -151,9 +151,9 @@ pub trait Visitor {
 }
 
 /// A search whose answer does not change if it is shown nodes that it did not want, or leaves that it has seen: closest
-/// hit and any hit are such, all hits are not.
+/// hit, any hit and nearest point are such, all hits are not.
 ///
-/// Only they can be taken up again from a key alone, by [`Revisiting`](crate::traverse::Revisiting). `[PAUSE-4]`
+/// Only they can be taken up again from a key alone: [`KeyOnly`](crate::traverse::KeyOnly). `[PAUSE-4]`
 pub trait Repeatable: Visitor {}
 
 /// A search that tests a node itself, at its visit, instead of its two children at the parent's.

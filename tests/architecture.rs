@@ -22,7 +22,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("geom", &[]),
     ("scene", &["generate", "geom"]),
     ("bvh", &["geom", "hash", "name", "order", "scene", "tree"]),
-    ("trace", &["bvh", "event", "generate", "geom", "name", "order", "report", "scene", "traverse", "tree"]),
+    ("trace", &["bvh", "event", "generate", "geom", "key", "name", "order", "report", "scene", "traverse", "tree"]),
     (
         "check",
         &[

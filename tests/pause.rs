@@ -1,18 +1,21 @@
 //! Traversals put aside at every step and taken up again in every way; states that are no states of the tree.
 
+use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::check::{Case, CaseOptions, Pauses};
 use stackless_bvh::event::{Recorder, State};
-use stackless_bvh::generate::Search;
-use stackless_bvh::generate::{Family, Kind, Rng, Source};
-use stackless_bvh::hash::KeyMap;
+use stackless_bvh::generate::{Family, Kind, Rng, Search, Source};
+use stackless_bvh::geom::kernel::Exact;
+use stackless_bvh::geom::{Kernel, Ray};
+use stackless_bvh::hash::{KeyMap, KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::key::Grow;
-use stackless_bvh::order::Flow;
-use stackless_bvh::traverse::ByWalk;
+use stackless_bvh::order::{Descent, Flow, Visitor};
+use stackless_bvh::scene::procedural;
+use stackless_bvh::trace::{Any, Closest, Tracer, Truth};
 use stackless_bvh::traverse::{
-    Afra, HashOnly, Hashed, Incomplete, KeyOnly, KeyTrail, Method, Next, NoSuchKey, Pause, Paused, Sparse, StateError,
-    States, Uncle, traverse,
+    Afra, ByTable, ByWalk, Cursor, Disjoint, HashOnly, Hashed, Incomplete, KeyOnly, KeyTrail, Method, Next, NoSuchKey,
+    Pause, Paused, Sparse, StateError, States, Uncle, resume, traverse,
 };
-use stackless_bvh::tree::{Node, Parents, Topology, Tree, Uncles};
+use stackless_bvh::tree::{Node, Parents, RecordedUncles, Topology, Tree, Uncles};
 
 fn methods() -> impl Iterator<Item = Method> {
     Method::ALL.into_iter().filter(|method| method.can_pause())
@@ -89,6 +92,7 @@ fn states_that_are_made_up_are_followed_only_where_a_traversal_could_be() {
     let case = Case::with_tree(Family::Catalan.tree(&mut rng, 12), Kind::Random, &mut rng);
     let (tree, states, uncles, map) =
         (&case.tree, States::of(&case.tree), <Uncles>::of(&case.tree), KeyMap::of(&case.tree));
+    let parents = Parents::of(tree);
     let (mut followed, mut refused) = (0, 0);
     for _ in 0..200_000 {
         let node = |rng: &mut Rng| {
@@ -112,9 +116,9 @@ fn states_that_are_made_up_are_followed_only_where_a_traversal_could_be() {
         let mut search = Search::new(tree, &case.tape, false);
         let cursor = Hashed::<u32, _, _, _>::new(tree, &uncles, &map).expect("not deep");
         let mut steps = Steps(0);
-        let _ = stackless_bvh::traverse::resume(cursor, paused.clone(), &mut search, &mut steps);
-        let afra = Afra::<u32, _, _>::new(tree, Box::leak(Box::new(Parents::of(tree))) as &Parents).expect("not deep");
-        assert!(stackless_bvh::traverse::resume(afra, paused, &mut search, &mut steps).is_ok());
+        let _ = resume(cursor, paused.clone(), &mut search, &mut steps);
+        let afra = Afra::<u32, _, _>::new(tree, &parents).expect("not deep");
+        assert!(resume(afra, paused, &mut search, &mut steps).is_ok());
         assert!(steps.0 <= 2 * tree.node_count());
     }
     assert!(followed > 20 && refused > 100_000, "{followed} {refused}");
@@ -162,7 +166,7 @@ fn another_thread_goes_on() {
     let mut search = Search::new(&case.tree, &case.tape, false);
     // One visit a thread.
     let mut next = Next::Visit;
-    let visits = (1..).find(|_| {
+    let visits = (1..1000).find(|_| {
         let paused = cursor.put_aside(next);
         let (parents, case) = (&parents, &case);
         let (ended, found) = std::thread::scope(|scope| {
@@ -189,6 +193,79 @@ fn another_thread_goes_on() {
     assert_eq!(search.outcome, whole.outcome);
 }
 
+/// Goes on with shorter rays from every visit, and hit by hit from every leaf.
+#[test]
+fn rays_are_put_aside() {
+    let mesh = procedural::soup(5, 90);
+    let bvh = Bvh::sah(&mesh, SahOptions::default()).expect("a tree");
+    let truth = Truth::new(&mesh);
+    let uncles = RecordedUncles::of(&bvh).expect("builders record them");
+    let all = Options { key_set: KeySet::All, sizing: Sizing::Tight };
+    let hash = PerfectHash::build(&bvh, all).expect("a table");
+    let cursor = || Hashed::<u32, _, _, _>::new(&bvh, uncles, &hash).expect("not deep");
+    let (mut shortened, mut walked) = (0, 0);
+    for ray in procedural::rays(&mesh, 2, 120) {
+        let hits = Tracer::new(&bvh).all(&ray);
+        for end in [0.3, 0.7].map(|share| share * hits.last().map_or(1.0, |hit| hit.t)) {
+            let shorter = Ray::new(ray.origin(), ray.direction(), ray.tmin(), end.max(ray.tmin())).expect("a ray");
+            let expected = truth.closest(&shorter).map(|hit| hit.rounded()).map(|hit| (hit.t, hit.prim));
+            for visits in 0.. {
+                let (mut before, mut search) = (cursor(), Closest::new(&bvh, &ray));
+                let Some(next) = traverse(&mut before, &mut search, &mut Steps(usize::MAX - visits)) else { break };
+                let kept = before.put_aside(next).key_trail().expect("a key");
+                // What was found so far counts if the shorter ray reaches it.
+                let so_far = search.found().map(|(prim, t)| (t, prim)).filter(|&(t, _)| t <= shorter.tmax());
+                let mut search = Closest::new(&bvh, &shorter);
+                let paused = kept.locate(&ByTable(&hash)).expect("a node of this tree");
+                resume(cursor(), paused, &mut search, &mut ()).expect("complete");
+                let found = search.found().map(|(prim, t)| (t, prim));
+                let best = [so_far, found].into_iter().flatten().min_by(|a, b| a.partial_cmp(b).expect("no NaN"));
+                assert_eq!(best, expected, "{visits} {ray:?}");
+                shortened += 1;
+            }
+        }
+
+        let mut met = Vec::new();
+        let (mut cursor, mut search) = (cursor(), LeafByLeaf { bvh: &bvh, ray, met: &mut met });
+        let mut next = traverse(&mut cursor, &mut search, &mut ());
+        while next == Some(Next::Backtrack) {
+            walked += 1;
+            // As if from elsewhere.
+            let kept = cursor.put_aside(Next::Backtrack).key_trail().expect("a key");
+            let paused = kept.locate(&ByWalk(&bvh)).expect("a node of this tree");
+            cursor = Hashed::new(&bvh, uncles, &hash).expect("not deep");
+            cursor.take_up(paused).expect("complete");
+            next = if cursor.backtrack() { traverse(&mut cursor, &mut search, &mut ()) } else { None };
+        }
+        met.sort_unstable();
+        let mut expected: Vec<_> = hits.iter().map(|hit| hit.prim).collect();
+        expected.sort_unstable();
+        assert_eq!(met, expected);
+    }
+    assert!(shortened > 3000 && walked > 100, "{shortened} {walked}");
+}
+
+/// All hits, and a stop at each leaf that has some.
+struct LeafByLeaf<'a> {
+    bvh: &'a Bvh,
+    ray: Ray,
+    met: &'a mut Vec<u32>,
+}
+
+impl Visitor for LeafByLeaf<'_> {
+    fn inner(&mut self, node: Node) -> Descent {
+        Any::new(self.bvh, &self.ray).inner(node)
+    }
+
+    fn leaf(&mut self, node: Node) -> Flow {
+        let (kernel, before) = (Exact::new(&self.ray, self.bvh.region()), self.met.len());
+        let held = self.bvh.leaf_triangles(node).iter();
+        self.met
+            .extend(held.filter(|held| kernel.distance(&held.shape, self.ray.tmax()).is_some()).map(|held| held.prim));
+        if self.met.len() > before { Flow::Stop } else { Flow::Continue }
+    }
+}
+
 /// Counts visits, and stops at the end of the numbers.
 struct Steps(usize);
 
@@ -206,8 +283,7 @@ impl Recorder for Steps {
 fn for_each_state(case: &Case, mut f: impl FnMut(&Paused<u32>)) {
     let (uncles, map) = (<Uncles>::of(&case.tree), KeyMap::of(&case.tree));
     let mut search = Search::new(&case.tree, &case.tape, false);
-    type Cursor<'t> = Hashed<'t, u32, Tree, &'t Uncles, &'t KeyMap, stackless_bvh::traverse::Disjoint<u32>>;
-    let mut cursor = Cursor::new(&case.tree, &uncles, &map).expect("not deep");
+    let mut cursor = Hashed::<u32, _, _, _, Disjoint<u32>>::new(&case.tree, &uncles, &map).expect("not deep");
     let mut visits = Steps(usize::MAX - 1);
     while let Some(next) = traverse(&mut cursor, &mut search, &mut visits) {
         f(&cursor.put_aside(next));

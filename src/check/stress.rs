@@ -102,22 +102,12 @@ impl WithTests for Run<'_> {
                 for ((ray, truth), wrong) in case.rays.iter().zip(truth).zip(&mut wrong) {
                     let mut any = NodeSearch::<K, B, true>::new(&bvh, &boxes, ray);
                     let mut closest = NodeSearch::<K, B, false>::new(&bvh, &boxes, ray);
-                    tables.run_in(
-                        word,
-                        method,
-                        ray.octant(),
-                        &mut memory,
-                        &mut (&mut any as &mut dyn Query),
-                        &mut (),
-                    )?;
-                    tables.run_in(
-                        word,
-                        method,
-                        ray.octant(),
-                        &mut memory,
-                        &mut (&mut closest as &mut dyn Query),
-                        &mut (),
-                    )?;
+                    // The first hit ends an any-hit query: there is nothing left to be pruned.
+                    let queries: [(&mut dyn Query, Method); 2] =
+                        [(&mut any, method.without_pruning()), (&mut closest, method)];
+                    for (mut query, method) in queries {
+                        tables.run_in(word, method, ray.octant(), &mut memory, &mut query, &mut ())?;
+                    }
                     let (any, closest) = (any.found().is_some(), closest.hit());
                     wrong.miss |= truth.is_some() && (closest.is_none() || !any);
                     wrong.hit |= truth.is_none() && (closest.is_some() || any);

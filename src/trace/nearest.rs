@@ -5,7 +5,7 @@ use glam::Vec3;
 use super::query::BoxQuery;
 use crate::bvh::Bvh;
 use crate::geom::{Aabb, Measure, Triangle};
-use crate::order::{Descent, Flow, Side, Visitor};
+use crate::order::{Descent, Flow, Repeatable, Side, Visitor};
 use crate::tree::{Node, Topology};
 
 /// The point of a mesh that is nearest to another point.
@@ -97,6 +97,8 @@ impl Visitor for NearestPoint<'_> {
         Flow::Continue
     }
 }
+
+impl Repeatable for NearestPoint<'_> {}
 
 impl BoxQuery for NearestPoint<'_> {
     fn touches(&self, aabb: &Aabb) -> bool {

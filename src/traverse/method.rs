@@ -235,13 +235,12 @@ impl Method {
             Self::LeftFirst | Self::ImplicitA1 | Self::ImplicitB1 | Self::Complete => 2 * word,
             Self::ImplicitA | Self::ImplicitB => 3 * word,
             Self::Sparse | Self::Afra => NODE + word,
-            Self::SparseDisjoint | Self::AfraDisjoint => NODE + 2 * word,
             Self::Hapala => NODE + 4,
             Self::Uncle => 2 * NODE + word,
             Self::Hashed | Self::UncleDisjoint => 2 * NODE + 2 * word,
             Self::HashedDisjoint => 2 * NODE + 3 * word,
             Self::Skip | Self::SkipOctant => NODE,
-            Self::HashOnly | Self::Glassner => NODE + 2 * word,
+            Self::HashOnly | Self::Glassner | Self::SparseDisjoint | Self::AfraDisjoint => NODE + 2 * word,
             Self::Laine0 | Self::Laine1 | Self::Laine2 | Self::Laine4 | Self::Laine8 => {
                 let short = self.short_stack().unwrap_or(0);
                 // Besides the nodes the short stack has a head and a length.

@@ -1,5 +1,7 @@
 //! `stackless stats`: the figures fit together, and what the plan leaves out is told with its reason.
 
+use std::path::Path;
+
 use serde_json::Value;
 
 use super::support::{Folder, read_json, stackless};
@@ -56,4 +58,37 @@ fn degenerate_triangles_and_parts_are_counted() {
     assert!(decision["saved_bytes"].as_u64().unwrap() >= 2 * 40);
     let split = stats("stadium --build sbvh", &folder);
     assert!(split["duplicates"].as_u64().unwrap() > 0);
+}
+
+#[test]
+fn what_a_small_state_saves_is_counted_and_drawn() {
+    let folder = Folder::new();
+    let (json, picture) = (folder.path("stats.json"), folder.path("heat.png"));
+    let args = "stats stadium --rays 4000 --json";
+    let run = stackless(args, &[&json, Path::new("--heatmap"), &picture]).passes();
+    assert!(run.stdout.contains("the scale ends at"));
+    let stats = read_json(&json);
+    let nodes = |query: &str, way: &str| {
+        let rows = stats["state"].as_array().unwrap();
+        let row = rows.iter().find(|row| row["query"] == query && row["way"] == way).unwrap();
+        assert!(row["boxes"].as_f64().unwrap() > 0.0 && row["triangles"].as_f64().unwrap() > 0.0, "{row}");
+        row["nodes"].as_f64().unwrap()
+    };
+    for query in ["closest, primary", "closest, diffuse"] {
+        let [none, disjoint, stored] =
+            ["nothing is pruned", "disjoint intervals", "stored distances"].map(|way| nodes(query, way));
+        assert!(none > disjoint && disjoint >= stored && stored > 1.0, "{none} {disjoint} {stored}");
+    }
+    // By the traversal of the library and by that of the paths: the same rays, the same visits.
+    assert_eq!(nodes("closest, diffuse", "nothing is pruned"), nodes("closest, diffuse", "from the root"));
+    for query in ["closest, diffuse", "any, diffuse"] {
+        assert!(nodes(query, "from the last hit") > 1.0);
+    }
+    let query = "hits one by one, primary";
+    assert!(nodes(query, "from the root again") > nodes(query, "resumed"));
+
+    let bytes = std::fs::read(picture).unwrap();
+    assert_eq!(&bytes[1..4], b"PNG");
+    let number = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap());
+    assert_eq!((number(16), number(20)), (640, 332));
 }
