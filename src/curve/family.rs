@@ -73,13 +73,13 @@ impl Family {
             }
             Self::Grid => {
                 let mut whole = |_| source.below(5) as f64 - 2.0;
-                any.iter_mut().for_each(|point| *point = point.map(&mut whole));
+                change(&mut any, &mut whole);
                 target = target.map(&mut whole);
             }
             Self::Coincident => any = vec![any[0]; degree + 1],
             Self::Collinear => {
                 let [start, end] = [any[0], any[1]];
-                any.iter_mut().for_each(|point| *point = between(start, end, 2.0 * unit(source)));
+                any = any.iter().map(|_| between(start, end, 2.0 * unit(source))).collect();
                 if source.coin() {
                     target = between(start, end, 2.0 * unit(source));
                 }
@@ -102,14 +102,14 @@ impl Family {
             }
             Self::Far => {
                 let offset = unit(source) * 1e9;
-                any.iter_mut().for_each(|point| *point = point.map(|x| x + offset));
+                change(&mut any, |x| x + offset);
                 target = target.map(|x| x + offset);
             }
             Self::Scaled => {
                 let exponent = [source.below(800) as i32 - 400, -1060][usize::from(source.below(4) == 0)];
                 // In two steps: no power of two beyond the normal ones is needed.
                 let scale = |x: f64| x * 2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2);
-                any.iter_mut().for_each(|point| *point = point.map(scale));
+                change(&mut any, scale);
                 target = target.map(scale);
             }
         }
@@ -118,6 +118,12 @@ impl Family {
 }
 
 named!(Family);
+
+fn change<const D: usize>(points: &mut [[f64; D]], mut to: impl FnMut(f64) -> f64) {
+    for x in points.as_flattened_mut() {
+        *x = to(*x);
+    }
+}
 
 /// In -1..1, with 53 bits.
 fn unit(source: &mut impl Source) -> f64 {

@@ -204,9 +204,10 @@ fn other_traversals_are_refused_and_so_are_bad_numbers() {
     let line = Bezier::new(&[[0.0, 0.0], [1.0, 0.0]]).unwrap();
     for method in Method::ALL {
         let answer = line.closest(&[0.5, 1.0], &Options { method, ..Options::default() });
-        match Options::METHODS.contains(&method) {
-            true => assert_eq!(answer.unwrap().end, End::Reached, "{method}"),
-            false => assert_eq!(answer, Err(CurveError::Method(method))),
+        if Options::METHODS.contains(&method) {
+            assert_eq!(answer.unwrap().end, End::Reached, "{method}");
+        } else {
+            assert_eq!(answer, Err(CurveError::Method(method)));
         }
     }
     assert_eq!(Bezier::new(&[[0.0; 3]]), Err(CurveError::Degree(1)));

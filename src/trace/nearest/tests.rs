@@ -10,7 +10,8 @@ use crate::traverse::Method;
 /// In the last one triangles are in several leaves.
 fn trees(mesh: &Mesh) -> [Bvh; 2] {
     let spatial = SpatialOptions { extra_percent: 200, overlap: 0.0 };
-    let options = BuildOptions { builder: Builder::Spatial, spatial, ..BuildOptions::default() };
+    let sah = SahOptions { max_leaf: 1, ..SahOptions::default() };
+    let options = BuildOptions { builder: Builder::Spatial, sah, spatial, ..BuildOptions::default() };
     let cut = Bvh::build(mesh, &options, &|_| ());
     [Bvh::sah(mesh, SahOptions::default()), cut].map(|bvh| bvh.expect("a tree"))
 }
@@ -63,7 +64,7 @@ fn truth(mesh: &Mesh, point: Vec3, radius: f32, k: usize) -> Vec<(f32, u32)> {
     let p = point.as_dvec3();
     // As f32, the distance is at least that of the box and at most that of the nearest corner, with what f64 may lose.
     let bounds = |prim: usize| {
-        let corners = mesh.triangle(prim).map(|corner| corner.as_dvec3());
+        let corners = Triangle(mesh.triangle(prim)).widen();
         let [lo, hi] = [corners[0].min(corners[1]).min(corners[2]), corners[0].max(corners[1]).max(corners[2])];
         let to_box = (lo - p).max(p - hi).max(glam::DVec3::ZERO).length();
         let to_corner = corners.map(|corner| (corner - p).length()).into_iter().fold(f64::INFINITY, f64::min);
