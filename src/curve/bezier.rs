@@ -174,13 +174,13 @@ impl<const D: usize> Seen<D> {
     }
 }
 
-fn dot<const D: usize>(a: &[Interval; D], b: &[Interval; D]) -> Interval {
+pub(super) fn dot<const D: usize>(a: &[Interval; D], b: &[Interval; D]) -> Interval {
     let products = a.iter().zip(b).map(|(a, b)| a.product(*b));
     products.reduce(Interval::plus).unwrap_or_default()
 }
 
 /// The square of a length: of one and the same point, where [`dot`] would allow for two in the same intervals.
-fn norm<const D: usize>(a: &[Interval; D]) -> Interval {
+pub(super) fn norm<const D: usize>(a: &[Interval; D]) -> Interval {
     a.iter().map(|a| a.square()).reduce(Interval::plus).unwrap_or_default()
 }
 

@@ -182,6 +182,23 @@ fn every_traversal_gives_what_the_oracle_gives() {
     assert!(longest > 50, "{longest}");
 }
 
+/// What is left out where the tree ends is not forgotten.
+#[test]
+fn enclosures_of_shallow_trees_hold() {
+    for seed in 0..300 {
+        let mut random = Rng::new(seed);
+        let (points, target) = Family::ALL[seed as usize % 10].draw(1 + random.below(8) as usize, &mut random);
+        let options = Options { tolerance: 0.0, ..Options::default() };
+        for depth in [1, 2, 4] {
+            for method in [Method::ImplicitB1, Method::LeftFirst] {
+                let search = Search::new(&Bezier::new(&points).unwrap(), &target, &options).unwrap();
+                let (closest, _) = by(method, depth, &search);
+                assert!(is_true(&points, &target, &closest), "{method} {depth} {points:?} {target:?} {closest:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn two_trees_are_one() {
     let mut below = 0;
@@ -254,6 +271,13 @@ fn computed_links_are_those_of_the_tables() {
     }
     assert_eq!(Span(0b1_0110).ends(), [6.0 / 16.0, 7.0 / 16.0]);
     assert_eq!(Span(0b1_01).below(Node::inner(0b1_10)), Span(0b1_0110));
+}
+
+/// Two numbers of one interval are not one number.
+#[test]
+fn products_of_equal_intervals_are_no_squares() {
+    let both = [Interval { lo: -1.0, hi: 1.0 }];
+    assert!(bezier::dot(&both, &both).lo <= -1.0 && bezier::norm(&both).lo == 0.0);
 }
 
 /// Results hold those of exact arithmetic, for floats of all sizes.

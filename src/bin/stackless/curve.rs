@@ -67,7 +67,7 @@ struct Row {
     method: String,
     tolerance: f64,
     queries: usize,
-    /// Medians over the chunks and the queries.
+    /// For one query: the median over the chunks, and the mean.
     nanoseconds: f64,
     steps: f64,
     /// How many answers are as narrow as asked for, and why the others are not.
@@ -137,7 +137,7 @@ impl Row {
             tolerance: options.tolerance,
             queries: answers.len(),
             nanoseconds,
-            steps: median(answers.iter().map(|answer| f64::from(answer.steps)).collect()),
+            steps: answers.iter().map(|answer| f64::from(answer.steps)).sum::<f64>() / answers.len() as f64,
             reached: ends(End::Reached),
             out_of_steps: ends(End::OutOfSteps),
             rounding: ends(End::Rounding),
@@ -152,7 +152,7 @@ impl Row {
             self.method.clone(),
             format!("{:.0e}", self.tolerance),
             format!("{:.0}", self.nanoseconds),
-            format!("{:.0}", self.steps),
+            format!("{:.1}", self.steps),
             format!("{share:.1} %"),
             self.out_of_steps.to_string(),
             self.rounding.to_string(),
@@ -166,11 +166,7 @@ fn print(args: &Args, rows: &[Row]) {
     let header =
         ["traversal", "tolerance", "ns", "steps", "reached", "out of steps", "rounding", "median error", "max error"];
     say!("{}", table(&header, 1, rows.iter().map(Row::cells).collect()));
-    say!(
-        "{} curves of degree {}: medians of a query; an error is the width of what is proved",
-        args.curves,
-        args.degree
-    );
+    say!("{} curves of degree {}: an error is the width of the interval that is proved", args.curves, args.degree);
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

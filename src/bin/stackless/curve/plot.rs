@@ -8,7 +8,7 @@ const COLORS: [RGBColor; 5] =
     [RGBColor(40, 90, 180), RGBColor(190, 75, 0), RGBColor(0, 110, 40), RGBColor(120, 60, 150), RGBColor(80, 80, 80)];
 const FONT: (&str, i32) = ("sans-serif", 12);
 
-/// Time against the width that is proved, both logarithmic, a line for each traversal, as SVG.
+/// Time against the greatest width, both logarithmic, a line for each traversal, as SVG.
 pub(super) fn plot(rows: &[Row], args: &Args) -> Result<String, String> {
     let mut svg = String::new();
     draw(&mut svg, rows, args).map_err(|error| error.to_string())?;
@@ -17,7 +17,7 @@ pub(super) fn plot(rows: &[Row], args: &Args) -> Result<String, String> {
 
 fn draw(svg: &mut String, rows: &[Row], args: &Args) -> Result<(), Box<dyn std::error::Error>> {
     // An error of 0 is not on a logarithmic axis.
-    let seen = |row: &Row| (row.median_error.max(1e-20), row.nanoseconds.max(1.0));
+    let seen = |row: &Row| (row.max_error.max(1e-20), row.nanoseconds.max(1.0));
     let points: Vec<_> = rows.iter().map(seen).collect();
     let (errors, times) = (range(points.iter().map(|point| point.0)), range(points.iter().map(|point| point.1)));
     let root = SVGBackend::with_string(svg, (800, 520)).into_drawing_area();
@@ -33,8 +33,8 @@ fn draw(svg: &mut String, rows: &[Row], args: &Args) -> Result<(), Box<dyn std::
         .configure_mesh()
         .light_line_style(TRANSPARENT)
         .bold_line_style(BLACK.mix(0.1))
-        .x_desc("width of the enclosure, median")
-        .y_desc("time of a query in ns, median")
+        .x_desc("greatest width of an enclosure")
+        .y_desc("time of a query in ns")
         .x_label_formatter(&|error| format!("{error:.0e}"))
         .y_label_formatter(&|time| format!("{time:.0}"))
         .draw()?;
