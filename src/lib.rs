@@ -17,6 +17,7 @@
 //! | [`hash`] | from keys to addresses |
 //! | [`generate`] | trees, decision tapes, sources of choices |
 //! | [`geom`], [`bvh`], [`trace`], [`scene`] | rays, hierarchies, queries, files (feature `std`) |
+//! | [`curve`] | another search: the closest point of a Bézier curve (feature `std`) |
 //! | [`check`] | the comparison of traversals with the oracle (feature `std`) |
 //! | [`report`] | statistics and pictures (feature `std`) |
 //!
@@ -70,6 +71,8 @@ pub mod tree;
 pub mod bvh;
 #[cfg(feature = "std")]
 pub mod check;
+#[cfg(feature = "std")]
+pub mod curve;
 #[cfg(feature = "std")]
 pub mod geom;
 #[cfg(feature = "std")]

@@ -22,6 +22,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("geom", &[]),
     ("scene", &["generate", "geom"]),
     ("bvh", &["geom", "hash", "name", "order", "scene", "tree"]),
+    ("curve", &["event", "generate", "hash", "key", "name", "order", "traverse", "tree"]),
     ("trace", &["bvh", "event", "generate", "geom", "key", "name", "order", "report", "scene", "traverse", "tree"]),
     (
         "check",

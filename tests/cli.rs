@@ -8,6 +8,8 @@ mod bad_input;
 mod bench;
 #[path = "cli/check.rs"]
 mod check;
+#[path = "cli/curve.rs"]
+mod curve;
 #[path = "cli/replay.rs"]
 mod replay;
 #[path = "cli/stats.rs"]

@@ -15,7 +15,7 @@ use stackless_bvh::traverse::{
     Afra, ByTable, ByWalk, Cursor, Disjoint, HashOnly, Hashed, Incomplete, KeyOnly, KeyTrail, Method, Next, NoSuchKey,
     Pause, Paused, Sparse, StateError, States, Uncle, resume, traverse,
 };
-use stackless_bvh::tree::{Node, Parents, RecordedUncles, Topology, Tree, Uncles};
+use stackless_bvh::tree::{Node, Parents, RecordedUncles, Topology, Uncles};
 
 fn methods() -> impl Iterator<Item = Method> {
     Method::ALL.into_iter().filter(|method| method.can_pause())

@@ -29,7 +29,7 @@ pub use continuation::{Continuation, Place};
 pub use counters::Counters;
 pub use crossings::{AllHits, AllHits64, Crossings, Sweep};
 pub use forms::{Form, Forms};
-pub use nearest::{Near, NearError, NearestPoint};
+pub use nearest::{Near, NearError, NearestPoint, NearestPoints};
 pub use next::Following;
 pub use plan::{Ask, Decision, Part, Plan};
 pub use query::{BoxQuery, OwnBoxes, Query};

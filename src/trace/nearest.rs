@@ -1,10 +1,14 @@
-//! The nearest point of a mesh.
+//! The nearest point of a mesh, and the nearest several triangles.
+
+mod several;
+
+pub use several::NearestPoints;
 
 use glam::Vec3;
 
 use super::query::BoxQuery;
 use crate::bvh::Bvh;
-use crate::geom::{Aabb, Measure, Triangle};
+use crate::geom::{Aabb, Measure};
 use crate::order::{Descent, Flow, Repeatable, Side, Visitor};
 use crate::tree::{Node, Topology};
 
@@ -26,11 +30,8 @@ pub struct Near {
 /// mesh, as they are not for rays.
 #[derive(Clone, Debug)]
 pub struct NearestPoint<'a> {
-    bvh: &'a Bvh,
-    measure: Measure,
-    /// Distance of the best triangle, or the radius.
-    limit: f32,
-    /// The best triangle, and where it is in the hierarchy.
+    around: Around<'a>,
+    /// The best triangle, and where it is in the hierarchy. Its distance is the limit.
     found: Option<(u32, usize)>,
 }
 
@@ -51,49 +52,30 @@ impl<'a> NearestPoint<'a> {
     /// # Errors
     /// What [`NearError`] lists.
     pub fn new(bvh: &'a Bvh, point: Vec3, radius: f32) -> Result<Self, NearError> {
-        if !point.is_finite() {
-            return Err(NearError::Point(point));
-        }
-        if radius.is_nan() || radius < 0.0 {
-            return Err(NearError::Radius(radius));
-        }
-        Ok(Self { bvh, measure: Measure::new(point, radius), limit: radius, found: None })
+        Ok(Self { around: Around::new(bvh, point, radius)?, found: None })
     }
 
     /// What is nearest, after the traversal.
     pub fn near(&self) -> Option<Near> {
         let (prim, place) = self.found?;
-        let point = self.measure.nearest(&self.bvh.triangles()[place].shape);
-        Some(Near { prim, distance: self.limit, point })
-    }
-
-    fn is_better(&self, distance: f32, prim: u32, triangle: &Triangle) -> bool {
-        let is_better = match self.found {
-            Some((best, _)) => (distance, prim) < (self.limit, best),
-            None => true,
-        };
-        // A hierarchy has a triangle even if all of the mesh are degenerate.
-        is_better && !triangle.is_degenerate()
+        Some(self.around.near(prim, self.around.limit, place))
     }
 }
 
 impl Visitor for NearestPoint<'_> {
     fn inner(&mut self, node: Node) -> Descent {
-        let record = self.bvh.node(node.index());
-        // Rounding keeps the order, so what is in the box is at least at its rounded distance.
-        let [left, right] = [Side::Left, Side::Right].map(|side| self.measure.to_box(&record.child_box(side)) as f32);
-        Descent::new(left <= self.limit, right <= self.limit, right < left)
+        self.around.descend(node)
     }
 
     fn leaf(&mut self, node: Node) -> Flow {
-        let range = self.bvh.leaf_range(node);
-        for (place, held) in range.clone().zip(&self.bvh.triangles()[range]) {
-            if let Some(distance) = self.measure.distance(&held.shape, self.limit)
-                && self.is_better(distance, held.prim, &held.shape)
-            {
-                (self.limit, self.found) = (distance, Some((held.prim, place)));
+        let found = &mut self.found;
+        self.around.meet(node, |limit, (distance, prim, place)| {
+            if found.is_none_or(|(best, _)| (distance, prim) < (limit, best)) {
+                *found = Some((prim, place));
+                return distance;
             }
-        }
+            limit
+        });
         Flow::Continue
     }
 }
@@ -102,10 +84,64 @@ impl Repeatable for NearestPoint<'_> {}
 
 impl BoxQuery for NearestPoint<'_> {
     fn touches(&self, aabb: &Aabb) -> bool {
-        self.measure.to_box(aabb) as f32 <= self.limit
+        self.around.touches(aabb)
     }
 
     fn slot(&self, node: Node) -> usize {
-        self.bvh.slot(node)
+        self.around.bvh.slot(node)
     }
 }
+
+/// A ball around a point that shrinks as nearer triangles are found.
+#[derive(Clone, Debug)]
+struct Around<'a> {
+    bvh: &'a Bvh,
+    measure: Measure,
+    /// What is farther away does not matter any more.
+    limit: f32,
+}
+
+impl<'a> Around<'a> {
+    fn new(bvh: &'a Bvh, point: Vec3, radius: f32) -> Result<Self, NearError> {
+        if !point.is_finite() {
+            return Err(NearError::Point(point));
+        }
+        if radius.is_nan() || radius < 0.0 {
+            return Err(NearError::Radius(radius));
+        }
+        Ok(Self { bvh, measure: Measure::new(point, radius), limit: radius })
+    }
+
+    fn descend(&self, node: Node) -> Descent {
+        let record = self.bvh.node(node.index());
+        // Rounding keeps the order, so what is in the box is at least at its rounded distance.
+        let [left, right] = [Side::Left, Side::Right].map(|side| self.measure.to_box(&record.child_box(side)) as f32);
+        Descent::new(left <= self.limit, right <= self.limit, right < left)
+    }
+
+    fn touches(&self, aabb: &Aabb) -> bool {
+        self.measure.to_box(aabb) as f32 <= self.limit
+    }
+
+    /// Shows the triangles of a leaf within the limit: the limit and, of each, distance, index and place in the hierarchy.
+    /// The answer is the new limit.
+    fn meet(&mut self, leaf: Node, mut found: impl FnMut(f32, (f32, u32, usize)) -> f32) {
+        let range = self.bvh.leaf_range(leaf);
+        for (place, held) in range.clone().zip(&self.bvh.triangles()[range]) {
+            if let Some(distance) = self.measure.distance(&held.shape, self.limit)
+                && distance <= self.limit
+                // A hierarchy has a triangle even if all of the mesh are degenerate.
+                && !held.shape.is_degenerate()
+            {
+                self.limit = found(self.limit, (distance, held.prim, place));
+            }
+        }
+    }
+
+    fn near(&self, prim: u32, distance: f32, place: usize) -> Near {
+        Near { prim, distance, point: self.measure.nearest(&self.bvh.triangles()[place].shape) }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -8,8 +8,8 @@ use rayon::prelude::*;
 
 use super::counters::{Counters, Counting};
 use super::{
-    Ask, Following, FromLeft, Hit, Near, NearError, Nearest, NearestPoint, NodeSearch, OwnBoxes, Part, Plan, Query,
-    Sweep,
+    Ask, Following, FromLeft, Hit, Near, NearError, Nearest, NearestPoint, NearestPoints, NodeSearch, OwnBoxes, Part,
+    Plan, Query, Sweep,
 };
 use crate::bvh::Bvh;
 use crate::event::Recorder;
@@ -67,6 +67,17 @@ impl<'a> Tracer<'a> {
         let mut search = OwnBoxes::over(NearestPoint::new(self.bvh, point, radius)?, &self.boxes);
         self.run(0, &mut Vec::new(), &mut search);
         Ok(search.query.near())
+    }
+
+    /// The `k` triangles that are nearest to `point`, in order of distance and then index, as many as there are within the
+    /// radius, included. `[NEAR-2]`
+    ///
+    /// # Errors
+    /// What [`NearError`] lists.
+    pub fn nearest_k(&self, point: Vec3, radius: f32, k: usize) -> Result<Vec<Near>, NearError> {
+        let mut search = OwnBoxes::over(NearestPoints::new(self.bvh, point, radius, k)?, &self.boxes);
+        self.run(0, &mut Vec::new(), &mut search);
+        Ok(search.query.nears().collect())
     }
 }
 

@@ -6,6 +6,7 @@ mod accuracy;
 mod bench;
 mod build;
 mod check;
+mod curve;
 mod input;
 mod judge;
 mod output;
@@ -38,6 +39,8 @@ enum What {
     Stress(stress::Args),
     /// Measure run time against error, for every triangle test with every box test.
     Accuracy(accuracy::Args),
+    /// Measure run time against proved error of another search: the closest point of a Bézier curve.
+    Curve(curve::Args),
     /// Say what a scene's hierarchy and hash tables take, and how far backtracking goes.
     Stats(stats::Args),
 }
@@ -53,6 +56,7 @@ fn main() -> ExitCode {
         What::Bench(args) => bench::run(&args),
         What::Stress(args) => stress::run(&args),
         What::Accuracy(args) => accuracy::run(&args),
+        What::Curve(args) => curve::run(&args),
         What::Stats(args) => stats::run(&args),
     };
     match outcome {
