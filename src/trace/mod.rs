@@ -13,6 +13,7 @@ mod child_order;
 mod counters;
 mod crossings;
 mod forms;
+mod instances;
 mod nearest;
 mod next;
 mod plan;
@@ -27,6 +28,9 @@ pub use child_order::{ChildOrder, FromLeft, Nearest};
 pub use counters::Counters;
 pub use crossings::{AllHits, AllHits64, Crossings, Sweep};
 pub use forms::{Form, Forms};
+pub use instances::{
+    Assembly, AssemblyError, Instance, InstanceCounts, InstanceError, InstanceHit, InstanceTracer, Object,
+};
 pub use nearest::{Near, NearError, NearestPoint};
 pub use next::Following;
 pub use plan::{Ask, Decision, Part, Plan};
