@@ -97,3 +97,42 @@ fn numbers_beyond_the_range_are_left_open() {
     let test = Enclosed::new(&ray, [0.0, 1.0], &Region::of(&triangle.aabb()));
     assert_eq!((test.distance(&triangle, 1.0), test.weights(&triangle)), (Verdict::Open, None));
 }
+
+/// A line through the middle of an edge, at the end of bounds that change the edge function as much as can be: with half of
+/// [`OFF_SIGN`](crate::geom::kernel::OFF_SIGN) the triangle is missed.
+#[test]
+fn bounds_of_signs_are_needed() {
+    let corners = [[64.9375, -62.9375, 63.0], [64.0, -64.0, 64.0], [66.0, -62.0, 62.0]];
+    let (triangle, d) = (Triangle(corners.map(Vec3::from)), [65.0, -63.0, 63.0]);
+    assert!(truth(&triangle, [0.0; 3], d).is_some());
+    for off in [2f64.powi(-20), -2f64.powi(-20)] {
+        let ends = |x: f64| Interval::between(if off > 0.0 { [x, x + 2.0 * off] } else { [x + 2.0 * off, x] });
+        let ray = EnclosedRay { origin: [Interval::exact(0.0); 3], direction: d.map(ends) };
+        assert_eq!(Enclosed::new(&ray, INTERVAL, &Region::of(&triangle.aabb())).blocks(&triangle), Verdict::Open);
+    }
+}
+
+/// The same for distances: of many rays some are next to the middle of two floats. With half of
+/// [`OFF`](crate::geom::kernel::OFF), for the determinant or for the distance, hundreds have another distance than is certain.
+#[test]
+fn bounds_of_distances_are_needed() {
+    // The normal is (0, 2, 2): a sum of all changes counts.
+    let triangle = Triangle([Vec3::new(-1.0, 1.0, 3.0), Vec3::new(0.0, 0.0, 4.0), Vec3::new(0.0, 2.0, 2.0)]);
+    let region = Region::of(&triangle.aabb());
+    let mut certain = 0;
+    for step in 0..40_000 {
+        let (height, off) = (f64::from(step) * 1e-5, 2f64.powi(-30) * (1.0 + f64::from(step % 97)));
+        for of_origin in [true, false] {
+            let exact = |v: [f64; 3]| v.map(Interval::exact);
+            let (o, d) = ([-0.5, 0.5, 0.5 - height], [0.0, 0.25, 1.0]);
+            let wide = |v: [f64; 3]| v.map(|x| Interval::between([x, x + 2.0 * off]));
+            let (origin, direction) = if of_origin { (wide(o), exact(d)) } else { (exact(o), wide(d)) };
+            let test = Enclosed::new(&EnclosedRay { origin, direction }, INTERVAL, &region);
+            if let Verdict::Hit(t) = test.distance(&triangle, 8.0) {
+                certain += 1;
+                assert_eq!(truth(&triangle, o, d).map(|hit| round_f32(&hit.t)), Some(t));
+            }
+        }
+    }
+    assert!(certain > 1000, "{certain}");
+}
