@@ -2,6 +2,8 @@
 
 use std::ops::{Add, Mul, Sub};
 
+use super::kernel::two_sum;
+
 /// All numbers from a least to a greatest. Sums, differences and products hold all sums, differences and products of numbers
 /// that the operands hold: ends are rounded outwards, where they are rounded at all. `[INST-3]`
 ///
@@ -101,14 +103,6 @@ impl Mul for Interval {
         }
         Self { lo: lo.next_down(), hi: hi.next_up() }
     }
-}
-
-/// The rounded sum, and what rounding left out (Knuth).
-#[inline]
-fn two_sum(a: f64, b: f64) -> (f64, f64) {
-    let sum = a + b;
-    let b_of_sum = sum - a;
-    (sum, (a - (sum - b_of_sum)) + (b - b_of_sum))
 }
 
 #[cfg(test)]

@@ -21,7 +21,7 @@ use std::fmt;
 
 use crate::geom::kernel;
 use crate::geom::truth::{Meeting, Point, holds, round_f32};
-use crate::geom::{Affine, EnclosedRay, Ray, Region, Triangle, meet_image, slabs};
+use crate::geom::{Affine, EnclosedRay, Ray, Triangle, meet_image, slabs};
 use crate::trace::OwnBoxes;
 use crate::traverse::{Method, Unfit};
 use assembly::{Group, Part};
@@ -151,8 +151,9 @@ impl<'a> InstanceTracer<'a> {
     /// The closest hit: the least distance, of equal ones the least path, and of these the least triangle. `[INST-6]`
     pub fn closest(&self, ray: &Ray) -> Option<InstanceHit> {
         let search = self.search(ray, false);
-        let (t, Found { path, prim, triangle }) = (search.t, search.found?);
-        let [u, v] = self.weights(&path, &triangle, ray);
+        let (t, Found { path, prim, triangle, test }) = (search.t, search.found?);
+        let exact = || self.truth(&path, &triangle, ray).map(|Point { u, v, .. }| [&u, &v].map(round_f32));
+        let [u, v] = test.weights(&triangle).or_else(exact)?;
         Some(InstanceHit { path, prim, t, u, v })
     }
 
@@ -218,14 +219,6 @@ impl<'a> InstanceTracer<'a> {
         };
         debug_assert_eq!(fits, Ok(()), "checked when the tracer was made");
         search.memory[depth] = memory;
-    }
-
-    /// The weights of the second and third corner in a hit.
-    fn weights(&self, path: &[u32], triangle: &Triangle, ray: &Ray) -> [f32; 2] {
-        let inside = self.maps(path).iter().fold(EnclosedRay::exact(ray), |ray, affine| affine.pull_back(&ray));
-        let test = kernel::Enclosed::new(&inside, [ray.tmin(), ray.tmax()], &Region::of(&triangle.aabb()));
-        let exact = || self.truth(path, triangle, ray).map(|Point { u, v, .. }| [&u, &v].map(round_f32));
-        test.weights(triangle).or_else(exact).unwrap_or_default()
     }
 
     /// The hit by rational arithmetic.

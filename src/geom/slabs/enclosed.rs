@@ -2,6 +2,7 @@
 
 use glam::{Vec3, Vec4, Vec4Swizzles};
 
+use super::directed::MAX_COORDINATE;
 use super::{STEPS, Slabs, near_and_far};
 use crate::geom::{EnclosedRay, Ray, Region};
 
@@ -20,9 +21,6 @@ pub struct Enclosed {
     is_wide: bool,
     ray: EnclosedRay,
 }
-
-/// Greatest magnitude of a coordinate for which no difference overflows.
-const MAX_COORDINATE: f32 = f32::from_bits((127 + 126) << 23);
 
 impl Enclosed {
     /// Prepares a ray from `tmin` on. `region` must hold all boxes that it is asked about.

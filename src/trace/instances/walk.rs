@@ -1,7 +1,7 @@
 //! A ray on its way through the hierarchy of one object, as a visitor.
 
 use super::{Instance, InstanceCounts, InstanceTracer};
-use crate::bvh::Bvh;
+use crate::bvh::{Bvh, LeafTriangle};
 use crate::geom::kernel::{self, Verdict};
 use crate::geom::truth::round_f32;
 use crate::geom::{Aabb, EnclosedRay, Ray, Slabs, Triangle, slabs};
@@ -34,6 +34,8 @@ pub(super) struct Found {
     pub(super) path: Vec<u32>,
     pub(super) prim: u32,
     pub(super) triangle: Triangle,
+    /// The ray in the space of its mesh.
+    pub(super) test: kernel::Enclosed,
 }
 
 impl<'r> Search<'r> {
@@ -50,7 +52,8 @@ impl<'r> Search<'r> {
 
     /// Takes a hit that is not behind the best one so far, if it comes first: by distance, then by path, then by triangle.
     #[inline]
-    fn offer(&mut self, t: f32, prim: u32, triangle: &Triangle) {
+    fn offer(&mut self, t: f32, held: &LeafTriangle, test: &kernel::Enclosed) {
+        let LeafTriangle { shape: triangle, prim } = *held;
         if let Some(best) = &self.found
             && (t > self.t || t == self.t && (&best.path, best.prim) <= (&self.path, prim))
         {
@@ -58,7 +61,7 @@ impl<'r> Search<'r> {
         }
         let mut path = self.found.take().map(|best| best.path).unwrap_or_default();
         path.clone_from(&self.path);
-        (self.t, self.found) = (t, Some(Found { path, prim, triangle: *triangle }));
+        (self.t, self.found) = (t, Some(Found { path, prim, triangle, test: *test }));
     }
 }
 
@@ -137,7 +140,7 @@ impl Leaves for Triangles<'_> {
         if let Some(t) = t
             && t <= search.t
         {
-            search.offer(t, held.prim, &held.shape);
+            search.offer(t, held, &self.test);
         }
     }
 }
