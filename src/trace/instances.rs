@@ -138,7 +138,9 @@ impl<'a> InstanceTracer<'a> {
                 None => Ok(None),
                 Some(Part::Mesh(bvh)) => Level::new(bvh, meshes).map(|level| Some(AnyLevel::Mesh(level))),
                 Some(Part::Group(Group { instances, bvh, .. })) => {
-                    instances.iter().for_each(|instance| is_used[instance.object.index()] = true);
+                    for instance in instances {
+                        is_used[instance.object.index()] = true;
+                    }
                     Level::new(bvh, groups).map(|level| Some(AnyLevel::Group(level, instances)))
                 }
             };
@@ -212,7 +214,7 @@ impl<'a> InstanceTracer<'a> {
             }
             Some(AnyLevel::Group(level, instances)) => {
                 let slabs = slabs::Enclosed::of(&ray, tmin, level.bvh.region());
-                let leaves = Instances { tracer: self, bvh: level.bvh, instances, ray };
+                let leaves = Instances { tracer: self, bvh: level.bvh, placed: instances, ray };
                 let walk = Walk { bvh: level.bvh, slabs, leaves, search: &mut *search };
                 level.run(octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes))
             }

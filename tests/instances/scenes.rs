@@ -13,9 +13,11 @@ pub(crate) struct Scene {
     pub(crate) shapes: Vec<Shape>,
 }
 
+type Maker = fn(&mut Rng) -> Vec<Shape>;
+
 /// All scenes, in three variants each.
 pub(crate) fn all() -> Vec<Scene> {
-    let makers: [(&str, fn(&mut Rng) -> Vec<Shape>); 12] = [
+    let makers: [(&str, Maker); 12] = [
         ("lattice", |rng| one_group(rng, 6, lattice)),
         ("rotated", |rng| one_group(rng, 6, rotated)),
         ("sheared", |rng| one_group(rng, 5, |rng| map(rng, |rng| unit(rng) * 2.0))),

@@ -38,11 +38,11 @@ impl Enclosed {
     #[inline(never)]
     fn pair_wide(&self, planes: &[[f32; 4]; 3], tmax: f32) -> ([bool; 2], [f32; 2]) {
         let (mut near, mut far) = ([f64::from(self.tmin); 2], [f64::INFINITY; 2]);
-        for axis in 0..3 {
+        for (axis, planes) in planes.iter().enumerate() {
             let ([o_least, o_most], [d_least, d_most]) =
                 (self.ray.origin[axis].ends(), self.ray.direction[axis].ends());
             for side in 0..2 {
-                let [lo, hi] = [0, 1].map(|plane| f64::from(planes[axis][2 * side + plane]));
+                let [lo, hi] = [0, 1].map(|plane| f64::from(planes[2 * side + plane]));
                 // o_most + t d_most >= lo, and the same for hi with all signs changed.
                 for (way, speed) in [((lo - o_most).next_down(), d_most), ((o_least - hi).next_down(), -d_least)] {
                     // A NaN is no bound.

@@ -159,7 +159,7 @@ impl Triangles<'_> {
 pub(super) struct Instances<'s> {
     pub(super) tracer: &'s InstanceTracer<'s>,
     pub(super) bvh: &'s Bvh<()>,
-    pub(super) instances: &'s [Instance],
+    pub(super) placed: &'s [Instance],
     pub(super) ray: EnclosedRay,
 }
 
@@ -168,7 +168,7 @@ impl Leaves for Instances<'_> {
     /// Section 2.4).
     fn meet(&self, place: usize, search: &mut Search<'_>) {
         let index = self.bvh.triangles()[place].prim;
-        let Instance { object, affine } = &self.instances[index as usize];
+        let Instance { object, affine } = &self.placed[index as usize];
         search.counts.instances += 1;
         search.path.push(index);
         self.tracer.visit(*object, affine.pull_back(&self.ray), search);
