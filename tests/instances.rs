@@ -104,9 +104,9 @@ fn answers_are_those_of_rational_arithmetic() {
     for (seed, scene) in scenes::all().iter().enumerate() {
         let (flat, mut rng) = (Flat::new(&scene.shapes), Rng::new(seed as u64));
         let mut cases: Vec<(Ray, Option<InstanceHit>)> =
-            rays(&flat, &mut rng, 60).into_iter().map(|ray| (ray, flat.closest(&ray))).collect();
+            rays(&flat, &mut rng, 36).into_iter().map(|ray| (ray, flat.closest(&ray))).collect();
         let cut: Vec<_> =
-            cases.iter().take(20).filter_map(|(ray, hit)| hit.as_ref().map(|hit| cut(ray, hit))).flatten().collect();
+            cases.iter().take(10).filter_map(|(ray, hit)| hit.as_ref().map(|hit| cut(ray, hit))).flatten().collect();
         cases.extend(cut.into_iter().map(|ray| (ray, flat.closest(&ray))));
         asked += cases.len();
         hits += cases.iter().filter(|(_, hit)| hit.is_some()).count();
@@ -135,7 +135,7 @@ fn answers_are_those_of_rational_arithmetic() {
     }
     // Of 21 traversals in pairs and alone, over four kinds of trees, `complete` takes part over one.
     assert!(tracers >= 36 * (42 + 3 * 39), "{tracers}");
-    assert!(asked > 3000 && hits > asked / 2 && deep > 100, "{hits} of {asked}, {deep}");
+    assert!(asked > 2000 && hits > asked / 2 && deep > 100, "{hits} of {asked}, {deep}");
 }
 
 /// More rays, by one traversal.

@@ -55,7 +55,8 @@ impl<'r> Search<'r> {
     fn offer(&mut self, t: f32, held: &LeafTriangle, test: &kernel::Enclosed) {
         let LeafTriangle { shape: triangle, prim } = *held;
         if let Some(best) = &self.found
-            && (t > self.t || t == self.t && (&best.path, best.prim) <= (&self.path, prim))
+            && t == self.t
+            && (&best.path, best.prim) <= (&self.path, prim)
         {
             return;
         }
