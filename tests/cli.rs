@@ -35,7 +35,7 @@ fn usage() {
         ("", "Usage: stackless"),
         ("nosuch", "nosuch"),
         ("check --nosuch", "--nosuch"),
-        ("check --methods stack,nosuch", "expected one of: stack, left-first, "),
+        ("check --methods stack,nosuch", "expected one of: stack, stack-disjoint, "),
         ("check --word u16", "expected one of: u32, u64, u128, grow"),
         ("check --family oak", "expected one of: catalan, "),
         ("check --trees many", "many"),

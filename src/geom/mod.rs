@@ -1,7 +1,10 @@
 //! Rays, boxes and triangles, and the tests of one against the other: exact, and less so.
 
 mod aabb;
+mod affine;
 mod clip;
+mod enclosed_ray;
+mod interval;
 pub mod kernel;
 mod nearest;
 mod ray;
@@ -12,6 +15,9 @@ pub mod truth;
 mod vector;
 
 pub use aabb::Aabb;
+pub use affine::{Affine, AffineError, meet_image};
+pub use enclosed_ray::EnclosedRay;
+pub use interval::Interval;
 pub use kernel::Kernel;
 pub use nearest::Measure;
 pub use ray::{Ray, RayError};

@@ -94,7 +94,11 @@ pub enum Place {
 /// ```
 pub fn meet<S: Number>(triangle: [[S; 3]; 3], origin: [S; 3], direction: [S; 3]) -> Meeting {
     let [v0, v1, v2] = triangle;
-    let Some([v0, v1, v2, o, d]) = integers([v0, v1, v2, origin, direction]) else { return Meeting::Miss };
+    integers([v0, v1, v2, origin, direction]).map_or(Meeting::Miss, meet_integers)
+}
+
+/// [`meet`] for corners, origin and direction that are all multiplied by one positive number.
+pub(super) fn meet_integers([v0, v1, v2, o, d]: [Vector; 5]) -> Meeting {
     let (e1, e2, s) = (minus(&v1, &v0), minus(&v2, &v0), minus(&o, &v0));
     let (p, q) = (cross(&d, &e2), cross(&s, &e1));
     let det = dot(&e1, &p);

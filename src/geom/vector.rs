@@ -6,7 +6,7 @@ use std::ops::Sub;
 use glam::{DVec3, Vec3};
 
 use super::truth::Number;
-use super::{Aabb, kernel};
+use super::{Aabb, Interval, kernel};
 
 /// A position or direction, in single or in double precision.
 pub trait Vector: Copy + PartialEq + Debug + Send + Sync + Sub<Output = Self> + private::Sealed {
@@ -90,13 +90,9 @@ impl Vector for DVec3 {
     }
 
     fn aabb(&[a, b, c]: &[Self; 3]) -> Aabb {
-        let down = |x: f64| if f64::from(x as f32) > x { (x as f32).next_down() } else { x as f32 };
         let (lo, hi) = (a.min(b).min(c), a.max(b).max(c));
-        Aabb {
-            lo: Vec3::from(lo.to_array().map(down)),
-            // -down(-x) is x rounded up.
-            hi: Vec3::from(hi.to_array().map(|x| -down(-x))),
-        }
+        let ends = [0, 1, 2].map(|k| Interval::between([lo[k], hi[k]]).ends_in_single());
+        Aabb { lo: Vec3::from(ends.map(|[lo, _]| lo)), hi: Vec3::from(ends.map(|[_, hi]| hi)) }
     }
 
     fn are_collinear(points: &[Self; 3]) -> bool {

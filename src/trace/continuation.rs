@@ -1,6 +1,7 @@
 //! Paths: rays that start where others have hit, and are traced on from there.
 
 use super::counters::{Counters, Counting};
+use super::level::Level;
 use super::{FromLeft, Hit, Nearest, NodeSearch, Tracer};
 use crate::event::Recorder;
 use crate::geom::kernel::Real;
@@ -54,19 +55,23 @@ impl<'t, 'a, K: Kernel, B: Slabs<Vector = K::Vector>> Continuation<'t, 'a, K, B>
     /// # Errors
     /// [`Unfit::NoPause`] where the tracer's traversal cannot begin but at the root.
     pub fn new(tracer: &'t Tracer<'a, K, B>) -> Result<Self, Unfit> {
-        if tracer.method.can_pause() { Ok(Self { tracer, keys: Keys::of(tracer.bvh) }) } else { Err(Unfit::NoPause) }
+        if tracer.method().can_pause() {
+            Ok(Self { tracer, keys: Keys::of(tracer.bvh()) })
+        } else {
+            Err(Unfit::NoPause)
+        }
     }
 
     /// The closest hit, and its place. The first ray of a path comes from nowhere.
     pub fn closest(&self, ray: &Ray<K::Vector>, from: Option<Place>) -> Option<(Hit<Real<K>>, Place)> {
-        let mut search = NodeSearch::<K, B, false>::new(self.tracer.bvh, &self.tracer.boxes, ray);
+        let mut search = NodeSearch::<K, B, false>::new(self.tracer.level.bvh, &self.tracer.level.boxes, ray);
         self.run(from, &mut search, &mut ());
         Some((search.hit()?, Place(search.query.hit_leaf()?)))
     }
 
     /// Whether there is any hit.
     pub fn any(&self, ray: &Ray<K::Vector>, from: Option<Place>) -> bool {
-        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.tracer.bvh, &self.tracer.boxes, ray);
+        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.tracer.level.bvh, &self.tracer.level.boxes, ray);
         self.run(from, &mut search, &mut ());
         search.found().is_some()
     }
@@ -74,7 +79,7 @@ impl<'t, 'a, K: Kernel, B: Slabs<Vector = K::Vector>> Continuation<'t, 'a, K, B>
     /// What a closest hit (or with `any`, any hit) costs, counted, without backtracks.
     pub fn count(&self, ray: &Ray<K::Vector>, from: Option<Place>, any: bool) -> Counters {
         let mut counters = Counters { rays: 1, ..Counters::default() };
-        let (bvh, boxes, counted) = (self.tracer.bvh, &*self.tracer.boxes, &mut counters);
+        let (bvh, boxes, counted) = (self.tracer.level.bvh, &*self.tracer.level.boxes, &mut counters);
         let query: &mut dyn Repeatable = if any {
             let search = NodeSearch::new(bvh, boxes, ray);
             &mut Counting::<K, B, true, FromLeft> { search, counters: counted }
@@ -87,7 +92,7 @@ impl<'t, 'a, K: Kernel, B: Slabs<Vector = K::Vector>> Continuation<'t, 'a, K, B>
     }
 
     fn run(&self, from: Option<Place>, query: &mut dyn Repeatable, recorder: &mut impl Recorder) {
-        let ran = with_word(self.tracer.word, Begin { at: self, from, query, recorder });
+        let ran = with_word(self.tracer.level.word, Begin { at: self, from, query, recorder });
         debug_assert_eq!(ran, Ok(()), "checked when the tracer and this were made");
     }
 }
@@ -110,11 +115,11 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, R: Recorder> WithWord for Begin<'_
 
     fn call<W: KeyWord>(self) -> Result<(), Unfit> {
         let Self { at: Continuation { tracer, keys }, from, query, recorder } = self;
-        let method = if query.is_ordered() { tracer.method } else { tracer.method.without_pruning() };
+        let Level { bvh, tables, .. } = &tracer.level;
         // A place of another hierarchy is no place in this one: then from the root.
-        let key = from.map(|Place(leaf)| keys.key::<W>(tracer.bvh.slot(leaf).min(tracer.bvh.node_count() - 1)));
-        let from = key.and_then(|key| KeyOnly::locate(key, Next::Visit, &ByWalk(tracer.bvh)).ok());
-        tracer.tables.with_cursor::<W, _>(method, Run { from, query, recorder })
+        let key = from.map(|Place(leaf)| keys.key::<W>(bvh.slot(leaf).min(bvh.node_count() - 1)));
+        let from = key.and_then(|key| KeyOnly::locate(key, Next::Visit, &ByWalk(*bvh)).ok());
+        tables.with_cursor::<W, _>(tracer.level.method_for(query), Run { from, query, recorder })
     }
 }
 

@@ -14,6 +14,8 @@ mod continuation;
 mod counters;
 mod crossings;
 mod forms;
+mod instances;
+mod level;
 mod nearest;
 mod next;
 mod plan;
@@ -29,6 +31,9 @@ pub use continuation::{Continuation, Place};
 pub use counters::Counters;
 pub use crossings::{AllHits, AllHits64, Crossings, Sweep};
 pub use forms::{Form, Forms};
+pub use instances::{
+    Assembly, AssemblyError, Instance, InstanceCounts, InstanceError, InstanceHit, InstanceTracer, Object,
+};
 pub use nearest::{Near, NearError, NearestPoint, NearestPoints};
 pub use next::Following;
 pub use plan::{Ask, Decision, Part, Plan};

@@ -7,19 +7,18 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use super::counters::{Counters, Counting};
+use super::level::Level;
 use super::{
-    Ask, Following, FromLeft, Hit, Near, NearError, Nearest, NearestPoint, NearestPoints, NodeSearch, OwnBoxes, Part,
-    Plan, Query, Sweep,
+    Ask, Following, FromLeft, Hit, Near, NearError, Nearest, NearestPoint, NearestPoints, NodeSearch, OwnBoxes, Plan,
+    Query, Sweep,
 };
 use crate::bvh::Bvh;
-use crate::event::Recorder;
 use crate::geom::kernel::{Exact, Real};
 use crate::geom::slabs::Directed;
-use crate::geom::{Aabb, Kernel, Ray, Slabs, Vector};
-use crate::order::{Descent, Flow, NodeTest, Visitor};
+use crate::geom::{Kernel, Ray, Slabs, Vector};
 use crate::report::Backtracks;
-use crate::traverse::{Method, Tables, Unfit, WordName};
-use crate::tree::{Implicit, Node, Uncles};
+use crate::traverse::{Method, Unfit, WordName};
+use crate::tree::{Node, Uncles};
 
 /// Answers queries over a hierarchy by one of the traversals, with the triangle test `K` and the box test `B`.
 ///
@@ -39,12 +38,7 @@ use crate::tree::{Implicit, Node, Uncles};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Tracer<'a, K: Kernel = Exact, B = Directed> {
-    pub(super) bvh: &'a Bvh<K::Shape>,
-    pub(super) method: Method,
-    pub(super) word: WordName,
-    pub(super) tables: Tables<'a, Bvh<K::Shape>>,
-    /// Each node's own box, for the traversals that test it.
-    pub(super) boxes: Vec<Aabb>,
+    pub(super) level: Level<'a, K::Shape>,
     slabs: PhantomData<fn() -> B>,
 }
 
@@ -56,7 +50,7 @@ impl<'a> Tracer<'a> {
     pub fn new(bvh: &'a Bvh) -> Self {
         // No hierarchy is known for which the hash cannot be built. Uncle references need none.
         Self::with_method(bvh, Method::Hashed)
-            .unwrap_or_else(|_| Self::unchecked(bvh, &Plan::new(bvh, Method::Uncle, Ask::All)))
+            .unwrap_or_else(|_| Self::over(Level::unchecked(bvh, &Plan::new(bvh, Method::Uncle, Ask::All))))
     }
 
     /// The point of the mesh that is nearest to `point`, if there is one within the radius, included. `[NEAR-1]`
@@ -64,8 +58,8 @@ impl<'a> Tracer<'a> {
     /// # Errors
     /// What [`NearError`] lists.
     pub fn nearest(&self, point: Vec3, radius: f32) -> Result<Option<Near>, NearError> {
-        let mut search = OwnBoxes::over(NearestPoint::new(self.bvh, point, radius)?, &self.boxes);
-        self.run(0, &mut Vec::new(), &mut search);
+        let mut search = OwnBoxes::over(NearestPoint::new(self.level.bvh, point, radius)?, &self.level.boxes);
+        self.level.run(0, &mut Vec::new(), &mut search, &mut ());
         Ok(search.query.near())
     }
 
@@ -75,8 +69,8 @@ impl<'a> Tracer<'a> {
     /// # Errors
     /// What [`NearError`] lists.
     pub fn nearest_k(&self, point: Vec3, radius: f32, k: usize) -> Result<Vec<Near>, NearError> {
-        let mut search = OwnBoxes::over(NearestPoints::new(self.bvh, point, radius, k)?, &self.boxes);
-        self.run(0, &mut Vec::new(), &mut search);
+        let mut search = OwnBoxes::over(NearestPoints::new(self.level.bvh, point, radius, k)?, &self.level.boxes);
+        self.level.run(0, &mut Vec::new(), &mut search, &mut ());
         Ok(search.query.nears().collect())
     }
 }
@@ -96,37 +90,31 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
     /// # Errors
     /// As [`with_method`](Self::with_method).
     pub fn planned(bvh: &'a Bvh<K::Shape>, plan: &Plan) -> Result<Self, Unfit> {
-        let tracer = Self::unchecked(bvh, plan);
-        // A search that is over at the root: what is unfit is found before the first step.
-        tracer.try_run(0, &mut Vec::new(), &mut Nothing, &mut ()).map(|()| tracer)
+        Level::new(bvh, plan).map(Self::over)
     }
 
-    fn unchecked(bvh: &'a Bvh<K::Shape>, plan: &Plan) -> Self {
-        let (method, word) = (plan.method(), plan.word());
-        let boxes = if plan.skips(Part::OwnBoxes) { Vec::new() } else { bvh.own_boxes() };
-        let others: &[Method] = if plan.skips(Part::OtherTables) { &[] } else { &Method::ALL };
-        let tables = Tables::new(bvh, bvh.axes(), &[&[method], others].concat(), Implicit::LIMIT);
-        Self { bvh, method, word, tables, boxes, slabs: PhantomData }
+    fn over(level: Level<'a, K::Shape>) -> Self {
+        Self { level, slabs: PhantomData }
     }
 
     /// The hierarchy.
     pub fn bvh(&self) -> &'a Bvh<K::Shape> {
-        self.bvh
+        self.level.bvh
     }
 
     /// The traversal.
     pub fn method(&self) -> Method {
-        self.method
+        self.level.method
     }
 
     /// The word of its keys.
     pub fn word(&self) -> WordName {
-        self.word
+        self.level.word
     }
 
     /// Memory of its tables, in bytes, besides the hierarchy.
     pub fn bytes(&self) -> usize {
-        self.tables.bytes() + size_of_val(&*self.boxes)
+        self.level.bytes()
     }
 
     /// The closest hit: the least distance, and of equal ones the least index. `[EXACT-1]`
@@ -143,8 +131,8 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
     pub fn closest_distances(&self, rays: &[Ray<K::Vector>], found: &mut [Option<(u32, Real<K>)>]) {
         let mut memory = Vec::new();
         for (ray, found) in rays.iter().zip(found) {
-            let mut search = NodeSearch::<K, B, false>::new(self.bvh, &self.boxes, ray);
-            self.run_fast(ray.octant(), &mut memory, &mut search);
+            let mut search = NodeSearch::<K, B, false>::new(self.level.bvh, &self.level.boxes, ray);
+            self.level.run_fast(ray.octant(), &mut memory, &mut search);
             *found = search.found();
         }
     }
@@ -175,13 +163,13 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
             for ray in chunk {
                 counters.rays += 1;
                 backtracks.begin();
-                let (bvh, boxes, counters) = (self.bvh, &*self.boxes, &mut counters);
+                let (bvh, boxes, counters) = (self.level.bvh, &*self.level.boxes, &mut counters);
                 let query: &mut dyn Query = if any {
                     &mut Counting::<K, B, true, FromLeft> { search: NodeSearch::new(bvh, boxes, ray), counters }
                 } else {
                     &mut Counting::<K, B, false, Nearest> { search: NodeSearch::new(bvh, boxes, ray), counters }
                 };
-                self.run_recorded(ray.octant(), &mut memory, query, &mut backtracks);
+                self.level.run(ray.octant(), &mut memory, query, &mut backtracks);
             }
             Counters { backtracks, ..counters }
         };
@@ -212,8 +200,8 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
 
     /// All hits, each triangle once, in the order (`t`, primitive): edges and corners included.
     pub fn all(&self, ray: &Ray<K::Vector>) -> Vec<Hit<Real<K>>> {
-        let mut search = OwnBoxes::over(Sweep::<K, B>::new(self.bvh, ray), &self.boxes);
-        self.run(ray.octant(), &mut Vec::new(), &mut search);
+        let mut search = OwnBoxes::over(Sweep::<K, B>::new(self.level.bvh, ray), &self.level.boxes);
+        self.level.run(ray.octant(), &mut Vec::new(), &mut search, &mut ());
         search.query.hits()
     }
 
@@ -238,67 +226,29 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn next(&self, ray: &Ray<K::Vector>, after: (Real<K>, u32)) -> Option<Hit<Real<K>>> {
-        let mut search = OwnBoxes::over(Following::<K, B>::new(self.bvh, ray, after), &self.boxes);
-        self.run(ray.octant(), &mut Vec::new(), &mut search);
+        let mut search = OwnBoxes::over(Following::<K, B>::new(self.level.bvh, ray, after), &self.level.boxes);
+        self.level.run(ray.octant(), &mut Vec::new(), &mut search, &mut ());
         search.query.hit()
     }
 
     #[inline]
     fn closest_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Option<Hit<Real<K>>> {
-        let mut search = NodeSearch::<K, B, false>::new(self.bvh, &self.boxes, ray);
-        self.run_fast(ray.octant(), memory, &mut search);
+        let mut search = NodeSearch::<K, B, false>::new(self.level.bvh, &self.level.boxes, ray);
+        self.level.run_fast(ray.octant(), memory, &mut search);
         search.hit()
     }
 
     #[inline]
     fn any_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> bool {
-        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.bvh, &self.boxes, ray);
-        self.run_fast(ray.octant(), memory, &mut search);
+        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.level.bvh, &self.level.boxes, ray);
+        self.level.run_fast(ray.octant(), memory, &mut search);
         search.found().is_some()
     }
 
     fn any_hit_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Option<Hit<Real<K>>> {
-        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.bvh, &self.boxes, ray);
-        self.run_fast(ray.octant(), memory, &mut search);
+        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.level.bvh, &self.level.boxes, ray);
+        self.level.run_fast(ray.octant(), memory, &mut search);
         search.hit()
-    }
-
-    /// Runs a query in a copy of the traversals that is compiled for it, if the keys are short.
-    #[inline]
-    fn run_fast(&self, octant: u8, memory: &mut Vec<Node>, search: &mut impl Query) {
-        let method = self.method_for(search);
-        let fits = match self.word {
-            WordName::U32 => self.tables.run::<u32, _>(method, octant, memory, search, &mut ()),
-            WordName::U64 => self.tables.run::<u64, _>(method, octant, memory, search, &mut ()),
-            WordName::U128 | WordName::Grow => self.try_run(octant, memory, search, &mut ()),
-        };
-        debug_assert_eq!(fits, Ok(()), "checked when the tracer was made");
-    }
-
-    /// Runs any query.
-    fn run(&self, octant: u8, memory: &mut Vec<Node>, query: &mut dyn Query) {
-        self.run_recorded(octant, memory, query, &mut ());
-    }
-
-    fn run_recorded(&self, octant: u8, memory: &mut Vec<Node>, query: &mut dyn Query, recorder: &mut impl Recorder) {
-        let fits = self.try_run(octant, memory, query, recorder);
-        debug_assert_eq!(fits, Ok(()), "checked when the tracer was made");
-    }
-
-    fn try_run(
-        &self,
-        octant: u8,
-        memory: &mut Vec<Node>,
-        mut query: &mut dyn Query,
-        recorder: &mut impl Recorder,
-    ) -> Result<(), Unfit> {
-        self.tables.run_in(self.word, self.method_for(&query), octant, memory, &mut query, recorder)
-    }
-
-    /// Searches that are not ordered have nothing that could be pruned.
-    #[inline]
-    fn method_for(&self, query: &impl Query) -> Method {
-        if query.is_ordered() { self.method } else { self.method.without_pruning() }
     }
 }
 
@@ -317,36 +267,9 @@ fn in_parallel<V: Vector, A: Clone + Default + Send>(
     answers
 }
 
-/// A query that ends at the root.
-struct Nothing;
-
-impl Visitor for Nothing {
-    fn inner(&mut self, _: Node) -> Descent {
-        Descent::NEITHER
-    }
-
-    fn leaf(&mut self, _: Node) -> Flow {
-        Flow::Stop
-    }
-
-    fn is_ordered(&self) -> bool {
-        true
-    }
-}
-
-impl NodeTest for Nothing {
-    fn accept(&mut self, _: Node) -> bool {
-        false
-    }
-
-    fn leaf(&mut self, _: Node) -> Flow {
-        Flow::Stop
-    }
-}
-
 impl<K: Kernel, B> fmt::Debug for Tracer<'_, K, B> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Tracer").field("method", &self.method).field("word", &self.word).finish_non_exhaustive()
+        f.debug_struct("Tracer").field("level", &self.level).finish_non_exhaustive()
     }
 }
 

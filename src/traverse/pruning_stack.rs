@@ -37,6 +37,7 @@ impl<T, const BY_DISTANCE: bool> State for PruningStack<'_, T, BY_DISTANCE> {
 }
 
 impl<T: Topology, const BY_DISTANCE: bool> Cursor for PruningStack<'_, T, BY_DISTANCE> {
+    const PRUNES: bool = !BY_DISTANCE;
     const KEEPS_DISTANCES: bool = BY_DISTANCE;
 
     #[inline(always)]
@@ -65,9 +66,6 @@ impl<T: Topology, const BY_DISTANCE: bool> Cursor for PruningStack<'_, T, BY_DIS
     }
 
     fn prune(&mut self) {
-        if BY_DISTANCE {
-            return;
-        }
         let mut kept = 0;
         for i in (0..self.postponed.len()).step_by(2) {
             if self.postponed[i + 1].to_bits() == 0 {

@@ -22,3 +22,11 @@ pub const QUOTIENT: u32 = 4;
 
 /// See [`QUOTIENT`]. For determinants of at least 7.5 times their error.
 pub const QUOTIENT_FACTOR: f64 = 5.0 / 4.0;
+
+/// An edge function and the determinant together, where each component of d may be off by ε and each of s by ω: times
+/// E (ε (C + E) + ω (D + ε)), beyond [`SIGN`]. `[INST-5]`
+pub const OFF_SIGN: f64 = 12.0;
+
+/// The determinant: times ε E E, and the distance times the determinant: times ω E E. Beyond [`DETERMINANT`] and [`DISTANCE`], with
+/// [`QUOTIENT_FACTOR`] in it. `[INST-5]`
+pub const OFF: f64 = 6.0;

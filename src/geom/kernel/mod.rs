@@ -10,9 +10,9 @@ mod moller;
 mod woop;
 
 pub use affine::{Affine, AffineTriangle};
-pub use bounds::{DETERMINANT, DISTANCE, EDGE, QUOTIENT, QUOTIENT_FACTOR, SIGN};
-pub use exact::{Exact, Exact64, ExactFromSingle, MAX_COORDINATE, MIN_EDGE, Sum};
-pub(super) use exact::{is_degenerate, is_degenerate_64};
+pub use bounds::{DETERMINANT, DISTANCE, EDGE, OFF, OFF_SIGN, QUOTIENT, QUOTIENT_FACTOR, SIGN};
+pub use exact::{Enclosed, Exact, Exact64, ExactFromSingle, MAX_COORDINATE, MIN_EDGE, Sum, Verdict};
+pub(super) use exact::{is_degenerate, is_degenerate_64, two_sum};
 pub use moller::{Moller32, Moller64};
 pub use woop::Woop;
 

@@ -10,10 +10,12 @@
 
 mod centred;
 mod directed;
+mod enclosed;
 mod wide;
 
 pub use centred::{Centred, PADDING, Plain, TwoSided};
 pub use directed::{Directed, STEPS};
+pub use enclosed::Enclosed;
 pub use wide::{STRICT_STEPS, Wide};
 
 use std::fmt::Debug;

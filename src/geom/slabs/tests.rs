@@ -2,7 +2,7 @@ use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
 use super::*;
-use crate::geom::truth;
+use crate::geom::{EnclosedRay, Interval, truth};
 
 /// Few values, so that planes, origins and each other often coincide, and some extreme ones.
 fn coordinate() -> impl Strategy<Value = f32> {
@@ -29,6 +29,11 @@ fn lattice() -> impl Strategy<Value = (Ray, Aabb)> {
     (small(), small(), small(), small()).prop_filter_map("no direction", |(o, d, a, b)| {
         Some((Ray::new(o, d, 0.0, f32::INFINITY).ok()?, Aabb::of(&[a, b])))
     })
+}
+
+/// Half the width of an interval: in parts of the number in it if that is small.
+fn width() -> impl Strategy<Value = f64> {
+    prop::sample::select(vec![0.0, 0.0, 1e-16, 1e-9, 1e-5, 0.01, 1.0])
 }
 
 fn planes(boxes: [Aabb; 2]) -> [[f32; 4]; 3] {
@@ -64,6 +69,38 @@ proptest! {
         one_and_pair_agree_and_nest::<Plain>(&ray, a, b)?;
         one_and_pair_agree_and_nest::<TwoSided>(&ray, a, b)?;
         one_and_pair_agree_and_nest::<Directed>(&ray, a, b)?;
+        one_and_pair_agree_and_nest::<Enclosed>(&ray, a, b)?;
+    }
+
+    /// Every ray at a corner of the bounds, or in the middle, and ends that are rounded as the distance of a hit is.
+    #[test]
+    fn what_any_ray_within_bounds_touches_is_hit(
+        ray in ray(), wide in [width(), width(), width(), width(), width(), width()], a in aabb(), b in aabb(),
+    ) {
+        let numbers = [ray.origin().to_array(), ray.direction().to_array()].concat();
+        let bounds: Vec<_> = numbers.iter().zip(wide).map(|(&x, wide)| {
+            let x = f64::from(x);
+            let most = if wide < 1e-3 { (x.abs() * wide).max(wide * 1e-30) } else { wide };
+            if wide == 0.0 { Interval::exact(x) } else { Interval::between([x - most, x + most]) }
+        }).collect();
+        let rays = EnclosedRay { origin: [bounds[0], bounds[1], bounds[2]], direction: [bounds[3], bounds[4], bounds[5]] };
+        let slabs = Enclosed::of(&rays, ray.tmin(), &Region::of(&a.union(b)));
+        let Intervals { hit: hits, near: nears, .. } = slabs.pair(&planes([a, b]), ray.tmax());
+        for corner in 0..65 {
+            let pick = |k: usize| {
+                let [lo, hi] = bounds[k].ends();
+                if corner == 64 { numbers[k].into() } else if corner >> k & 1 == 0 { lo } else { hi }
+            };
+            let ([o, d], interval) = ([[0, 1, 2], [3, 4, 5]].map(|k| k.map(pick)), [ray.tmin(), ray.tmax()].map(f64::from));
+            for (side, aabb) in [a, b].iter().enumerate() {
+                let [lo, hi] = [aabb.lo, aabb.hi].map(|v| v.as_dvec3().to_array());
+                if let Some(entry) = truth::entry(o, d, interval, lo, hi) {
+                    let t = truth::round_f32(&entry);
+                    prop_assert!(hits[side] && nears[side] <= t, "{o:?} {d:?} {aabb:?}");
+                    prop_assert!(slabs.one(aabb, t).is_some());
+                }
+            }
+        }
     }
 
     #[test]

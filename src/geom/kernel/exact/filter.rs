@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::super::{DETERMINANT, DISTANCE, QUOTIENT, QUOTIENT_FACTOR, SIGN};
+use super::super::{DETERMINANT, DISTANCE, OFF, OFF_SIGN, QUOTIENT, QUOTIENT_FACTOR, SIGN};
 use crate::geom::Region;
 
 /// Half of the distance from 1 to the next double.
@@ -93,9 +93,29 @@ impl Errors {
 
     /// For one triangle.
     #[inline(always)]
-    pub(super) fn of_triangle(&[v0, v1, v2]: &[DVec3; 3], o: DVec3, d: DVec3) -> Self {
-        let greatest = |v: DVec3| v.abs().max_element();
-        Self::new(greatest(d), greatest(o - v0), greatest(v1 - v0).max(greatest(v2 - v0)))
+    pub(super) fn of_triangle(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Self {
+        let [d, c, e] = greatest(corners, o, d);
+        Self::new(d, c, e)
+    }
+
+    /// As [`of_scene`](Self::of_scene), for a ray that may be off by `off` in each component of origin and direction.
+    pub(super) fn of_scene_within(off: [f64; 2], origin: f64, direction: f64, region: &Region) -> Self {
+        Self::within(off, [direction, region.reach() + origin, region.size()])
+    }
+
+    /// As [`of_triangle`](Self::of_triangle), for a ray that may be off by `off` in each component of origin and direction.
+    pub(super) fn of_triangle_within(off: [f64; 2], corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Self {
+        Self::within(off, greatest(corners, o, d))
+    }
+
+    /// From what the ray may be off by, and the greatest components of d, s, and e1 and e2. `[INST-5]`
+    fn within([origin, direction]: [f64; 2], [d, c, e]: [f64; 3]) -> Self {
+        let (exact, square) = (Self::new(d, c, e), e * e);
+        Self {
+            sign: exact.sign + OFF_SIGN * e * (direction * (c + e) + origin * (d + direction)),
+            det: exact.det + OFF * direction * square,
+            t: exact.t + OFF * origin * square,
+        }
     }
 
     /// From the greatest components of d, s, and e1 and e2.
@@ -108,4 +128,11 @@ impl Errors {
             t: (f64::from(DISTANCE) * UNIT * QUOTIENT_FACTOR) * (c * square),
         }
     }
+}
+
+/// The greatest components of d, s, and e1 and e2.
+#[inline(always)]
+fn greatest(&[v0, v1, v2]: &[DVec3; 3], o: DVec3, d: DVec3) -> [f64; 3] {
+    let greatest = |v: DVec3| v.abs().max_element();
+    [greatest(d), greatest(o - v0), greatest(v1 - v0).max(greatest(v2 - v0))]
 }

@@ -10,6 +10,7 @@
 //! floating-point arithmetic and fast robust geometric predicates", and Bartels et al. 2022, arXiv:2208.00497.
 
 mod double;
+mod enclosed;
 mod filter;
 mod parity;
 mod predicates;
@@ -19,9 +20,11 @@ mod sum;
 
 pub use double::Exact64;
 pub(in crate::geom) use double::is_degenerate_64;
+pub use enclosed::{Enclosed, Verdict};
 pub(in crate::geom) use predicates::is_degenerate;
 pub use single::{ExactFromSingle, MAX_COORDINATE, MIN_EDGE};
 pub use sum::Sum;
+pub(in crate::geom) use sum::two_sum;
 
 use glam::{DVec3, Vec3};
 

@@ -82,7 +82,7 @@ impl<const N: usize> Default for Sum<N> {
 
 /// The rounded sum, and what rounding left out (Knuth).
 #[inline]
-pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub(in crate::geom) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let b_of_sum = sum - a;
     (sum, (a - (sum - b_of_sum)) + (b - b_of_sum))

@@ -1,0 +1,185 @@
+//! Affine maps as they are written down, and what they make of points, boxes and rays.
+
+use dashu_int::IBig;
+use glam::Vec3;
+
+use super::truth::{Meeting, RBig, meet_integers, round_f64};
+use super::{Aabb, EnclosedRay, Interval};
+
+/// An invertible affine map x -> A x + b, from an object's space to the space that it is placed in.
+///
+/// The numbers are taken as the rational ones that they are, subnormal ones too. So the image of a point is exact, and has
+/// more digits than a float: only [`image_of_box`](Self::image_of_box) and [`pull_back`](Self::pull_back) round, outwards.
+/// `[INST-1]`
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Affine {
+    rows: [[f32; 4]; 3],
+    /// Bounds of the inverse of A, each as narrow as can be.
+    inverse: [[Interval; 3]; 3],
+}
+
+/// Why numbers are not an invertible map.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum AffineError {
+    /// A number is NaN or infinite.
+    #[error("row {row}, column {column}: {value}, expected a finite number")]
+    NotFinite {
+        /// Row, from 0.
+        row: usize,
+        /// Column, from 0; 3 is the translation.
+        column: usize,
+        /// What stands there.
+        value: f32,
+    },
+    /// The determinant of A is 0, exactly: objects would become flat.
+    #[error("the determinant is 0, so the map has no inverse")]
+    Singular,
+}
+
+impl Affine {
+    /// The map that changes nothing.
+    pub const IDENTITY: Self = {
+        const ZERO: Interval = Interval::exact(0.0);
+        const ONE: Interval = Interval::exact(1.0);
+        Self {
+            rows: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
+            inverse: [[ONE, ZERO, ZERO], [ZERO, ONE, ZERO], [ZERO, ZERO, ONE]],
+        }
+    };
+
+    /// The map with these rows: three numbers of A, then the one of b.
+    ///
+    /// That the determinant is not 0 is decided in integers: neither tiny nor huge numbers under- or overflow.
+    ///
+    /// # Errors
+    /// What [`AffineError`] lists.
+    ///
+    /// ```
+    /// use stackless_bvh::geom::{Affine, AffineError};
+    ///
+    /// let tiny = f32::from_bits(1);
+    /// assert!(Affine::new([[tiny, 0.0, 0.0, 1.0], [0.0, tiny, 0.0, 2.0], [0.0, 0.0, tiny, 3.0]]).is_ok());
+    /// let flat = Affine::new([[0.1, 0.2, 0.0, 0.0], [0.1, 0.2, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]);
+    /// assert_eq!(flat, Err(AffineError::Singular));
+    /// ```
+    pub fn new(rows: [[f32; 4]; 3]) -> Result<Self, AffineError> {
+        for (row, numbers) in rows.iter().enumerate() {
+            if let Some(column) = numbers.iter().position(|x| !x.is_finite()) {
+                return Err(AffineError::NotFinite { row, column, value: numbers[column] });
+            }
+        }
+        let a = rows.map(|[x, y, z, _]| [x, y, z].map(integer));
+        // Entry (i, j) of the adjugate.
+        let adjugate = |i: usize, j: usize| {
+            let ([p, q], [r, s]) = ([(j + 1) % 3, (j + 2) % 3], [(i + 1) % 3, (i + 2) % 3]);
+            &a[p][r] * &a[q][s] - &a[p][s] * &a[q][r]
+        };
+        let determinant = (0..3).map(|i| &a[0][i] * adjugate(i, 0)).fold(IBig::ZERO, |sum, x| sum + x);
+        if determinant.is_zero() {
+            return Err(AffineError::Singular);
+        }
+        let entry = |i: usize, j: usize| enclose(&RBig::from_parts_signed(adjugate(i, j) << UNIT, determinant.clone()));
+        Ok(Self { rows, inverse: [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j))) })
+    }
+
+    /// The map that adds a vector.
+    ///
+    /// # Errors
+    /// [`AffineError::NotFinite`].
+    pub fn translation(by: Vec3) -> Result<Self, AffineError> {
+        Self::new([[1.0, 0.0, 0.0, by.x], [0.0, 1.0, 0.0, by.y], [0.0, 0.0, 1.0, by.z]])
+    }
+
+    /// Three numbers of A, then the one of b, for each row.
+    pub const fn rows(&self) -> &[[f32; 4]; 3] {
+        &self.rows
+    }
+
+    /// The smallest box in single precision that holds the image of a box, up to a few units of the last digit of doubles;
+    /// infinite beyond the range of single precision. Never too small. `[INST-2]`
+    pub fn image_of_box(&self, aabb: &Aabb) -> Aabb {
+        let ends = self.rows.map(|row| {
+            let terms = [0, 1, 2].map(|k| {
+                // Exact: a product of two floats has 48 bits.
+                let [a, b] = [aabb.lo[k], aabb.hi[k]].map(|x| f64::from(row[k]) * f64::from(x));
+                Interval::between(if a < b { [a, b] } else { [b, a] })
+            });
+            (terms[0] + terms[1] + terms[2] + Interval::exact(row[3].into())).ends_in_single()
+        });
+        Aabb { lo: Vec3::from(ends.map(|[lo, _]| lo)), hi: Vec3::from(ends.map(|[_, hi]| hi)) }
+    }
+
+    /// The ray in the object's space: bounds of A^-1 (o - b) and A^-1 d for all o and d within the bounds. Distances along it
+    /// are the same in every space. `[INST-3]`
+    pub fn pull_back(&self, ray: &EnclosedRay) -> EnclosedRay {
+        let solve = |v: [Interval; 3]| self.inverse.map(|[x, y, z]| x * v[0] + y * v[1] + z * v[2]);
+        let offset = self.rows.map(|row| Interval::exact(row[3].into()));
+        let [x, y, z] = ray.origin;
+        EnclosedRay { origin: solve([x - offset[0], y - offset[1], z - offset[2]]), direction: solve(ray.direction) }
+    }
+}
+
+/// Where the line `origin + t direction` meets the exact image of a triangle under maps, the first of which is applied
+/// first: the truth about instances, as slow as rational arithmetic is. `[INST-1]`
+///
+/// ```
+/// use glam::Vec3;
+/// use stackless_bvh::geom::{Affine, meet_image, truth::{Meeting, RBig}};
+///
+/// let third = Affine::new([[3.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.1, -1.0]])?;
+/// let Meeting::Hit(point) = meet_image([Vec3::ZERO, Vec3::X, Vec3::Y], &[third], Vec3::X, Vec3::NEG_Z) else {
+///     return Err("a miss".into());
+/// };
+/// assert_eq!((point.t, point.u), (RBig::ONE, RBig::from_parts(1.into(), 3u8.into())));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn meet_image<'a>(
+    triangle: [Vec3; 3],
+    maps: impl IntoIterator<Item = &'a Affine>,
+    origin: Vec3,
+    direction: Vec3,
+) -> Meeting {
+    let integers = |v: Vec3| v.to_array().map(integer);
+    let mut corners = triangle.map(integers);
+    // Corners are integers times 2^-(149 + shift).
+    let mut shift = 0;
+    for map in maps {
+        shift += UNIT;
+        corners = corners.map(|corner| {
+            [0, 1, 2].map(|row| {
+                let numbers = map.rows[row].map(integer);
+                &numbers[0] * &corner[0] + &numbers[1] * &corner[1] + &numbers[2] * &corner[2] + (&numbers[3] << shift)
+            })
+        });
+    }
+    let [v0, v1, v2] = corners;
+    let [o, d] = [origin, direction].map(|v| integers(v).map(|x| x << shift));
+    meet_integers([v0, v1, v2, o, d])
+}
+
+/// All floats of single precision are multiples of 2^-149.
+const UNIT: usize = 149;
+
+/// A finite float times 2^149.
+fn integer(x: f32) -> IBig {
+    let (exponent, fraction) = (x.to_bits() >> 23 & 0xff, x.to_bits() & 0x7f_ffff);
+    // Subnormal numbers have the exponent of the least normal ones, and no leading one.
+    let magnitude =
+        if exponent == 0 { IBig::from(fraction) } else { IBig::from(fraction | 1 << 23) << (exponent - 1) as usize };
+    if x.is_sign_negative() { -magnitude } else { magnitude }
+}
+
+/// The narrowest interval that holds a number.
+fn enclose(x: &RBig) -> Interval {
+    let nearest = round_f64(x);
+    // An infinity is beyond all numbers.
+    let order = RBig::try_from(nearest).map_or_else(|_| nearest.total_cmp(&0.0), |nearest| nearest.cmp(x));
+    Interval::between(match order {
+        std::cmp::Ordering::Less => [nearest, nearest.next_up()],
+        std::cmp::Ordering::Equal => [nearest, nearest],
+        std::cmp::Ordering::Greater => [nearest.next_down(), nearest],
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,159 @@
+use proptest::prelude::*;
+
+use super::*;
+use crate::geom::Ray;
+use crate::geom::truth::{Place, Point};
+
+fn number() -> impl Strategy<Value = f32> {
+    let few = [0.0, -0.0, 1.0, -1.0, 2.0, 0.1, -3.0, 1e-20, 1e10, -1e30, 1e-42, 1e-45, -1e-45];
+    prop_oneof![3 => prop::sample::select(few.to_vec()), 3 => -4.0..4.0f32]
+}
+
+fn vector() -> impl Strategy<Value = Vec3> {
+    [number(), number(), number()].prop_map(Vec3::from)
+}
+
+fn affine() -> impl Strategy<Value = Affine> {
+    let row = || [number(), number(), number(), number()];
+    [row(), row(), row()].prop_filter_map("singular", |rows| Affine::new(rows).ok())
+}
+
+fn exact(x: impl Into<f64>) -> RBig {
+    RBig::try_from(x.into()).expect("a finite number")
+}
+
+fn exact_vector(v: Vec3) -> [RBig; 3] {
+    v.to_array().map(exact)
+}
+
+fn image(affine: &Affine, v: &[RBig; 3]) -> [RBig; 3] {
+    affine.rows().map(|[x, y, z, b]| exact(x) * &v[0] + exact(y) * &v[1] + exact(z) * &v[2] + exact(b))
+}
+
+/// The v with A v = w, by Cramer's rule.
+fn solution(affine: &Affine, w: &[RBig; 3]) -> [RBig; 3] {
+    let a = affine.rows().map(|[x, y, z, _]| [x, y, z].map(exact));
+    let determinant = |a: &[[RBig; 3]; 3]| {
+        let minor = |p: usize, q: usize| &a[1][p] * &a[2][q] - &a[1][q] * &a[2][p];
+        &a[0][0] * minor(1, 2) + &a[0][1] * minor(2, 0) + &a[0][2] * minor(0, 1)
+    };
+    [0, 1, 2].map(|column| {
+        let mut with = a.clone();
+        for row in 0..3 {
+            with[row][column] = w[row].clone();
+        }
+        determinant(&with) / determinant(&a)
+    })
+}
+
+fn holds(interval: Interval, x: &RBig) -> bool {
+    let [lo, hi] = interval.ends();
+    let is_above = RBig::try_from(lo).map_or(lo == f64::NEG_INFINITY, |lo| lo <= *x);
+    is_above && RBig::try_from(hi).map_or(hi == f64::INFINITY, |hi| *x <= hi)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4000))]
+
+    #[test]
+    fn rays_are_held_through_three_levels(maps in [affine(), affine(), affine()], o in vector(), d in vector()) {
+        let Ok(ray) = Ray::new(o, d, 0.0, 1.0) else { return Ok(()) };
+        let (mut bounds, mut origin, mut direction) = (EnclosedRay::exact(&ray), exact_vector(o), exact_vector(d));
+        for map in &maps {
+            let offset = map.rows().map(|row| exact(row[3]));
+            origin = solution(map, &[0, 1, 2].map(|k| &origin[k] - &offset[k]));
+            direction = solution(map, &direction);
+            bounds = map.pull_back(&bounds);
+            for k in 0..3 {
+                prop_assert!(holds(bounds.origin[k], &origin[k]), "{:?}", bounds.origin);
+                prop_assert!(holds(bounds.direction[k], &direction[k]), "{:?}", bounds.direction);
+            }
+        }
+    }
+
+    #[test]
+    fn boxes_hold_the_images_and_hardly_more(map in affine(), a in vector(), b in vector()) {
+        let aabb = Aabb::of(&[a, b]);
+        let found = map.image_of_box(&aabb);
+        let corners: Vec<_> = (0..8).map(|i| {
+            let corner = [0, 1, 2].map(|k| if i >> k & 1 == 0 { aabb.lo[k] } else { aabb.hi[k] });
+            image(&map, &corner.map(exact))
+        }).collect();
+        for k in 0..3 {
+            let (least, most) = corners.iter().map(|corner| &corner[k]).fold(None, |ends: Option<(&RBig, &RBig)>, x| {
+                Some(ends.map_or((x, x), |(least, most)| (least.min(x), most.max(x))))
+            }).expect("eight corners");
+            let below = |float: f32, x: &RBig| RBig::try_from(float).map_or(float < 0.0, |float| float <= *x);
+            prop_assert!(below(found.lo[k], least) && below(-found.hi[k], &-most), "{found:?}");
+            // Two floats further in is inside, unless digits cancelled.
+            let sizes: f64 = map.rows()[k].iter().zip([a, a, a, Vec3::ONE].iter().zip([b, b, b, Vec3::ONE]).enumerate())
+                .map(|(m, (axis, (a, b)))| f64::from(*m).abs() * f64::from(a[axis.min(2)].abs().max(b[axis.min(2)].abs())))
+                .sum();
+            let near = |float: f32, x: &RBig| {
+                let x = round_f64(x);
+                (f64::from(float) - x).abs() <= 2f64.powi(-23) * x.abs() + 2f64.powi(-50) * sizes + 2f64.powi(-149)
+            };
+            prop_assert!(near(found.lo[k], least) && near(found.hi[k], most) || !found.lo.is_finite() || !found.hi.is_finite());
+        }
+    }
+
+    #[test]
+    fn images_are_met_where_they_are(maps in [affine(), affine()], corners in [vector(), vector(), vector()], o in vector()) {
+        // A line through the image of the second corner meets it there, at t = 1, if the direction is a float.
+        let [inner, outer] = &maps;
+        let target = image(outer, &image(inner, &exact_vector(corners[1])));
+        let way = [0, 1, 2].map(|k| &target[k] - exact(o[k]));
+        let d = Vec3::from([0, 1, 2].map(|k| way[k].to_f32().value()));
+        if !d.is_finite() || exact_vector(d) != way {
+            return Ok(());
+        }
+        match meet_image(corners, &maps, o, d) {
+            Meeting::Hit(Point { place, t, u, v }) => {
+                prop_assert_eq!((place, t, u, v), (Place::Vertex, RBig::ONE, RBig::ONE, RBig::ZERO));
+            }
+            Meeting::Coplanar => (),
+            Meeting::Miss => prop_assert!(false, "a miss"),
+        }
+    }
+}
+
+#[test]
+fn maps_without_an_inverse_are_refused_exactly() {
+    let map = |rows: [[f32; 3]; 3]| Affine::new(rows.map(|[x, y, z]| [x, y, z, 7.0]));
+    // The last bit of a product that no double holds.
+    let (x, next) = (1f32.next_up(), 1f32.next_up().next_up());
+    let (flat, steep) =
+        ([[x, x * x, 0.0], [1.0, x, 0.0], [0.0, 0.0, 1.0]], [[x, next, 0.0], [1.0, x, 0.0], [0.0, 0.0, 1.0]]);
+    assert!(map(flat).is_ok() && map(steep).is_ok(), "x times x is not a float");
+    assert_eq!(map([[x, x, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]]), Err(AffineError::Singular));
+    assert_eq!(map([[0.0; 3]; 3]), Err(AffineError::Singular));
+    let (tiny, huge) = (f32::from_bits(1), f32::MAX);
+    assert!(map([[tiny, 0.0, 0.0], [0.0, tiny, 0.0], [0.0, 0.0, tiny]]).is_ok());
+    assert!(map([[huge, 0.0, 0.0], [0.0, huge, 0.0], [0.0, 0.0, huge]]).is_ok());
+    assert_eq!(map([[huge, huge, 0.0], [huge, huge, 0.0], [0.0, 0.0, 1.0]]), Err(AffineError::Singular));
+}
+
+#[test]
+fn the_first_number_that_is_not_finite_is_named() {
+    let mut rows = *Affine::IDENTITY.rows();
+    rows[1][3] = f32::INFINITY;
+    assert_eq!(
+        Affine::new(rows).map_err(|error| error.to_string()),
+        Err("row 1, column 3: inf, expected a finite number".to_owned())
+    );
+    rows[0][2] = f32::NAN;
+    assert!(matches!(Affine::new(rows), Err(AffineError::NotFinite { row: 0, column: 2, .. })));
+    assert_eq!(Affine::new(*Affine::IDENTITY.rows()), Ok(Affine::IDENTITY));
+    assert_eq!(Affine::translation(Vec3::ZERO), Ok(Affine::IDENTITY));
+}
+
+#[test]
+fn what_needs_no_rounding_is_exact() {
+    let map = Affine::new([[0.0, 2.0, 0.0, 5.0], [0.0, 0.0, -4.0, 1.0], [0.5, 0.0, 0.0, 0.0]]).expect("a map");
+    let aabb = Aabb { lo: Vec3::new(-1.0, 0.1, 2.0), hi: Vec3::new(1.0, 3.0, 2.5) };
+    assert_eq!(map.image_of_box(&aabb), Aabb { lo: Vec3::new(5.2, -9.0, -0.5), hi: Vec3::new(11.0, -7.0, 0.5) });
+    let ray = Ray::new(Vec3::new(5.0, 1.0, 0.0), Vec3::Y, 0.0, 1.0).expect("a ray");
+    let EnclosedRay { origin, direction } = map.pull_back(&EnclosedRay::exact(&ray));
+    assert!(origin.iter().all(Interval::is_zero));
+    assert_eq!(direction.map(|x| x.is_zero()), [true, true, false], "a ray along an axis stays so");
+}

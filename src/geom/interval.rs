@@ -1,0 +1,158 @@
+//! Intervals of doubles that hold what they stand for.
+
+use std::ops::{Add, Mul, Sub};
+
+use super::kernel::two_sum;
+
+/// All numbers from a least to a greatest. Sums, differences and products hold all sums, differences and products of numbers
+/// that the operands hold: ends are rounded outwards, where they are rounded at all. `[INST-3]`
+///
+/// Lower ends are never +infinity, upper ends never -infinity, and neither is NaN.
+///
+/// ```
+/// use stackless_bvh::geom::Interval;
+///
+/// let sum = Interval::exact(1.0) + Interval::exact(1e-30);
+/// assert_eq!(sum.ends(), [1.0, 1f64.next_up()]);
+/// assert_eq!((Interval::exact(1.0) + Interval::exact(0.5)).ends(), [1.5, 1.5]);
+/// assert_eq!((sum * Interval::exact(0.0)).ends(), [0.0, 0.0]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    lo: f64,
+    hi: f64,
+}
+
+impl Interval {
+    /// One number, which must be finite.
+    pub const fn exact(x: f64) -> Self {
+        Self { lo: x, hi: x }
+    }
+
+    /// From one end to the other, in this order.
+    pub const fn between([lo, hi]: [f64; 2]) -> Self {
+        Self { lo, hi }
+    }
+
+    /// The least and the greatest number.
+    #[inline]
+    pub const fn ends(&self) -> [f64; 2] {
+        [self.lo, self.hi]
+    }
+
+    /// Whether 0 is the only number.
+    #[inline]
+    pub fn is_zero(&self) -> bool {
+        self.lo == 0.0 && self.hi == 0.0
+    }
+
+    /// A number, and how far from it the others may be. NaN or infinite if an end is.
+    #[inline]
+    pub fn middle_and_radius(&self) -> [f64; 2] {
+        let middle = self.lo * 0.5 + self.hi * 0.5;
+        let (below, above) = (middle - self.lo, self.hi - middle);
+        let radius = if below > above { below } else { above };
+        [middle, if radius == 0.0 { 0.0 } else { radius.next_up() }]
+    }
+
+    /// The greatest float of single precision that is not above, and the least that is not below.
+    #[inline]
+    pub fn ends_in_single(&self) -> [f32; 2] {
+        let down = |x: f64| if f64::from(x as f32) > x { (x as f32).next_down() } else { x as f32 };
+        // -down(-x) is x rounded up.
+        [down(self.lo), -down(-self.hi)]
+    }
+}
+
+impl Add for Interval {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let (lo, below) = two_sum(self.lo, other.lo);
+        let (hi, above) = two_sum(self.hi, other.hi);
+        // What rounding left out is NaN after an overflow: then the neighbour is the greatest float.
+        Self { lo: if below >= 0.0 { lo } else { lo.next_down() }, hi: if above <= 0.0 { hi } else { hi.next_up() } }
+    }
+}
+
+impl Sub for Interval {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + Self { lo: -other.hi, hi: -other.lo }
+    }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        // The only exact product: that a component of a direction is 0 must not be lost.
+        if self.is_zero() || other.is_zero() {
+            return Self::exact(0.0);
+        }
+        let products = [self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi];
+        // 0 times infinity is dropped. The other ends then give 0, or infinities of both signs.
+        let (mut lo, mut hi) = (f64::INFINITY, f64::NEG_INFINITY);
+        for product in products {
+            lo = if product < lo { product } else { lo };
+            hi = if product > hi { product } else { hi };
+        }
+        Self { lo: lo.next_down(), hi: hi.next_up() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::geom::truth::RBig;
+
+    fn number() -> impl Strategy<Value = f64> {
+        let few = [0.0, -0.0, 1.0, -1.0, 3.0, 0.1, 5e-324, -5e-324, 1e-200, -1e200, f64::MAX, f64::MIN];
+        prop_oneof![prop::sample::select(few.to_vec()), any::<f64>().prop_filter("finite", |x| x.is_finite())]
+    }
+
+    fn holds(interval: Interval, x: &RBig) -> bool {
+        let [lo, hi] = interval.ends();
+        let is_above = RBig::try_from(lo).map_or(lo == f64::NEG_INFINITY, |lo| lo <= *x);
+        is_above && RBig::try_from(hi).map_or(hi == f64::INFINITY, |hi| *x <= hi)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        #[test]
+        fn results_hold_the_exact_ones(a in [number(), number()], b in [number(), number()], c in number()) {
+            let sorted = |[x, y]: [f64; 2]| Interval::between(if x <= y { [x, y] } else { [y, x] });
+            let (p, q, r) = (sorted(a), sorted(b), Interval::exact(c));
+            let exact = |x: f64| RBig::try_from(x).expect("finite");
+            for x in a {
+                for y in b {
+                    let (x, y, z) = (exact(x), exact(y), exact(c));
+                    prop_assert!(holds(p + q, &(&x + &y)) && holds(p - q, &(&x - &y)) && holds(p * q, &(&x * &y)));
+                    prop_assert!(holds((p + q) * r, &((&x + &y) * &z)) && holds((p * q) - r, &(&x * &y - &z)));
+                    prop_assert!(holds((p * q) * (q - r), &(&x * &y * (&y - &z))));
+                }
+                let ([lo, hi], [middle, radius]) = (p.ends_in_single(), p.middle_and_radius());
+                prop_assert!(f64::from(lo) <= x && x <= f64::from(hi));
+                if middle.is_finite() && radius.is_finite() {
+                    prop_assert!(holds(Interval::between([-radius, radius]), &(exact(x) - exact(middle))));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_exact_stays_so() {
+        let [one, three] = [1.0, 3.0].map(Interval::exact);
+        assert_eq!(one + three, Interval::exact(4.0));
+        assert_eq!(one - one, Interval::exact(0.0));
+        assert!((three * Interval::exact(0.0) + Interval::exact(-0.0) * one).is_zero());
+        assert_eq!(Interval::between([1.0, 1e300]).ends_in_single(), [1.0, f32::INFINITY]);
+    }
+}

@@ -1,0 +1,138 @@
+use glam::Vec3;
+use proptest::prelude::*;
+
+use super::*;
+use crate::geom::truth::{Meeting, Point, holds, meet, round_f32};
+use crate::geom::{Interval, Region};
+
+fn coordinate() -> impl Strategy<Value = f64> {
+    let few = [0.0, 1.0, -1.0, 0.5, 2.0, 1e-3, 1e6];
+    prop_oneof![1 => prop::sample::select(few.to_vec()), 3 => -2.0..2.0f64]
+}
+
+/// A number, and half the width of an interval around it.
+fn around() -> impl Strategy<Value = (f64, f64)> {
+    let width = prop_oneof![Just(0.0), Just(1e-15), Just(1e-9), Just(1e-4), Just(0.05), Just(1.0)];
+    (coordinate(), width)
+}
+
+fn triangle() -> impl Strategy<Value = Triangle> {
+    let corner = || [coordinate(), coordinate(), coordinate()].prop_map(|x| Vec3::from(x.map(|x| x as f32)));
+    [corner(), corner(), corner()].prop_map(Triangle)
+}
+
+const INTERVAL: [f32; 2] = [0.0, 8.0];
+
+/// The exact hit of a ray in double precision.
+fn truth(triangle: &Triangle, o: [f64; 3], d: [f64; 3]) -> Option<Point> {
+    match meet(triangle.widen().map(|corner| corner.to_array()), o, d) {
+        Meeting::Hit(point) if holds(INTERVAL, &point.t) => Some(point),
+        _ => None,
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40_000))]
+
+    /// For all 64 corners of the bounds and for the middle.
+    #[test]
+    fn verdicts_hold_for_every_ray_within_bounds(
+        triangle in triangle(),
+        numbers in [around(), around(), around(), around(), around(), around()],
+        aim in [0.0..1.0f64, 0.0..1.0f64],
+        aims in any::<bool>(),
+    ) {
+        let mut numbers = numbers;
+        if aims {
+            // At a point near the edge between the first corners, or inside.
+            let [a, b, c] = triangle.widen();
+            let target = a + (b - a) * aim[0] + (c - a) * (aim[1] * aim[1] * (1.0 - aim[0]));
+            for k in 0..3 {
+                numbers[3 + k].0 = target[k] - numbers[k].0;
+            }
+        }
+        let interval = |(x, width): (f64, f64)| Interval::between([x - width, x + width]);
+        let [ox, oy, oz, dx, dy, dz] = numbers.map(interval);
+        let ray = EnclosedRay { origin: [ox, oy, oz], direction: [dx, dy, dz] };
+        let test = Enclosed::new(&ray, INTERVAL, &Region::of(&triangle.aabb()));
+        let (distance, blocks, weights) = (test.distance(&triangle, 8.0), test.blocks(&triangle), test.weights(&triangle));
+        if (distance, blocks, weights) == (Verdict::Open, Verdict::Open, None) {
+            return Ok(());
+        }
+        for corner in 0..65 {
+            let pick = |k: usize| {
+                let [lo, hi] = [ox, oy, oz, dx, dy, dz][k].ends();
+                if corner == 64 { lo * 0.5 + hi * 0.5 } else if corner >> k & 1 == 0 { lo } else { hi }
+            };
+            let hit = truth(&triangle, [0, 1, 2].map(pick), [3, 4, 5].map(pick));
+            match blocks {
+                Verdict::Hit(()) => prop_assert!(hit.is_some()),
+                Verdict::Miss => prop_assert!(hit.is_none()),
+                Verdict::Open => (),
+            }
+            match distance {
+                Verdict::Hit(t) => prop_assert_eq!(hit.as_ref().map(|hit| round_f32(&hit.t)), Some(t)),
+                Verdict::Miss => prop_assert!(hit.is_none()),
+                Verdict::Open => (),
+            }
+            if let (Some([u, v]), Some(hit)) = (weights, hit) {
+                prop_assert_eq!([u, v], [round_f32(&hit.u), round_f32(&hit.v)]);
+            }
+        }
+    }
+}
+
+#[test]
+fn numbers_beyond_the_range_are_left_open() {
+    let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
+    let along = |z: f64, d: f64| {
+        let exact = |v: [f64; 3]| v.map(Interval::exact);
+        let ray = EnclosedRay { origin: exact([0.25, 0.25, z]), direction: exact([0.0, 0.0, d]) };
+        Enclosed::new(&ray, [0.0, f32::INFINITY], &Region::of(&triangle.aabb())).distance(&triangle, f32::INFINITY)
+    };
+    assert_eq!(along(-3.0, 1.0), Verdict::Hit(3.0));
+    assert_eq!((along(-3.0, 1e-100), along(-1e100, 1.0)), (Verdict::Open, Verdict::Open));
+    let nowhere = Interval::between([f64::NEG_INFINITY, f64::INFINITY]);
+    let ray = EnclosedRay { origin: [nowhere; 3], direction: [nowhere; 3] };
+    let test = Enclosed::new(&ray, [0.0, 1.0], &Region::of(&triangle.aabb()));
+    assert_eq!((test.distance(&triangle, 1.0), test.weights(&triangle)), (Verdict::Open, None));
+}
+
+/// A line through the middle of an edge, at the end of bounds that change the edge function as much as can be: with half of
+/// [`OFF_SIGN`](crate::geom::kernel::OFF_SIGN) the triangle is missed.
+#[test]
+fn bounds_of_signs_are_needed() {
+    let corners = [[64.9375, -62.9375, 63.0], [64.0, -64.0, 64.0], [66.0, -62.0, 62.0]];
+    let (triangle, d) = (Triangle(corners.map(Vec3::from)), [65.0, -63.0, 63.0]);
+    assert!(truth(&triangle, [0.0; 3], d).is_some());
+    for off in [2f64.powi(-20), -2f64.powi(-20)] {
+        let ends = |x: f64| Interval::between(if off > 0.0 { [x, x + 2.0 * off] } else { [x + 2.0 * off, x] });
+        let ray = EnclosedRay { origin: [Interval::exact(0.0); 3], direction: d.map(ends) };
+        assert_eq!(Enclosed::new(&ray, INTERVAL, &Region::of(&triangle.aabb())).blocks(&triangle), Verdict::Open);
+    }
+}
+
+/// The same for distances: of many rays some are next to the middle of two floats. With half of
+/// [`OFF`](crate::geom::kernel::OFF), for the determinant or for the distance, hundreds have another distance than is certain.
+#[test]
+fn bounds_of_distances_are_needed() {
+    // The normal is (0, 2, 2): a sum of all changes counts.
+    let triangle = Triangle([Vec3::new(-1.0, 1.0, 3.0), Vec3::new(0.0, 0.0, 4.0), Vec3::new(0.0, 2.0, 2.0)]);
+    let region = Region::of(&triangle.aabb());
+    let mut certain = 0;
+    for step in 0..40_000 {
+        let (height, off) = (f64::from(step) * 1e-5, 2f64.powi(-30) * (1.0 + f64::from(step % 97)));
+        for of_origin in [true, false] {
+            let exact = |v: [f64; 3]| v.map(Interval::exact);
+            let (o, d) = ([-0.5, 0.5, 0.5 - height], [0.0, 0.25, 1.0]);
+            let wide = |v: [f64; 3]| v.map(|x| Interval::between([x, x + 2.0 * off]));
+            let (origin, direction) = if of_origin { (wide(o), exact(d)) } else { (exact(o), wide(d)) };
+            let test = Enclosed::new(&EnclosedRay { origin, direction }, INTERVAL, &region);
+            if let Verdict::Hit(t) = test.distance(&triangle, 8.0) {
+                certain += 1;
+                assert_eq!(truth(&triangle, o, d).map(|hit| round_f32(&hit.t)), Some(t));
+            }
+        }
+    }
+    assert!(certain > 1000, "{certain}");
+}

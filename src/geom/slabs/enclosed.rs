@@ -1,0 +1,106 @@
+//! The slab test for a ray that is known within bounds.
+
+use glam::{Vec3, Vec4, Vec4Swizzles};
+
+use super::directed::MAX_COORDINATE;
+use super::{Intervals, STEPS, Slabs, near_and_far};
+use crate::geom::{EnclosedRay, Ray, Region};
+
+/// A slab test that skips no box which any ray within the bounds touches. `[INST-4]`
+///
+/// At distances that are not negative, a ray is never above the line from the greatest origin in the greatest direction, and
+/// never below the one from the least origin in the least direction. So where the first reaches the lower plane of a box
+/// and the second the upper one bounds the distances at which the box is touched. In single precision, with
+/// reciprocals that are moved as [`Directed`](super::Directed) moves them, this takes the same instructions.
+#[derive(Clone, Copy, Debug)]
+pub struct Enclosed {
+    /// Greatest and least origin, in the lanes of lo and hi, twice.
+    origin: [Vec4; 3],
+    inverse: [Vec4; 3],
+    tmin: f32,
+    is_wide: bool,
+    ray: EnclosedRay,
+}
+
+impl Enclosed {
+    /// Prepares a ray from `tmin` on. `region` must hold all boxes that it is asked about.
+    pub fn of(ray: &EnclosedRay, tmin: f32, region: &Region) -> Self {
+        let lanes = [0, 1, 2].map(|axis| lanes(ray, axis));
+        let is_wide = lanes.contains(&None) || region.reach() > f64::from(MAX_COORDINATE);
+        let twice = |[lo, hi]: [f32; 2]| Vec4::new(lo, hi, lo, hi);
+        let [origin, inverse] = [0, 1].map(|i| lanes.map(|lanes| twice(lanes.unwrap_or_default()[i])));
+        Self { origin, inverse, tmin, is_wide, ray: *ray }
+    }
+
+    /// The test in double precision, each operation rounded outwards: for rays that may run either way along an axis, and for
+    /// huge and tiny numbers.
+    #[cold]
+    #[inline(never)]
+    fn pair_wide(&self, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
+        let (mut near, mut far) = ([f64::from(self.tmin); 2], [f64::INFINITY; 2]);
+        for (axis, planes) in planes.iter().enumerate() {
+            let ([o_least, o_most], [d_least, d_most]) =
+                (self.ray.origin[axis].ends(), self.ray.direction[axis].ends());
+            for side in 0..2 {
+                let [lo, hi] = [0, 1].map(|plane| f64::from(planes[2 * side + plane]));
+                // o_most + t d_most >= lo, and the same for hi with all signs changed.
+                for (way, speed) in [((lo - o_most).next_down(), d_most), ((o_least - hi).next_down(), -d_least)] {
+                    // A NaN is no bound.
+                    let t = way / speed;
+                    if speed > 0.0 && t.next_down() > near[side] {
+                        near[side] = t.next_down();
+                    } else if speed < 0.0 && t.next_up() < far[side] {
+                        far[side] = t.next_up();
+                    } else if speed == 0.0 && way > 0.0 {
+                        far[side] = f64::NEG_INFINITY;
+                    }
+                }
+            }
+        }
+        // Rounding keeps the order, so entries are rounded before they are compared with the rounded distance of a hit.
+        let nears = near.map(|near| near as f32);
+        let hit = [0, 1].map(|side| near[side] <= far[side] && nears[side] <= tmax);
+        Intervals { hit, near: nears, far: far.map(|far| (far as f32).min(tmax)) }
+    }
+}
+
+/// For the lower and the upper plane of an axis: where the ray that bounds it starts, and the reciprocal of its direction.
+/// `None` where single precision will not do.
+fn lanes(ray: &EnclosedRay, axis: usize) -> Option<[[f32; 2]; 2]> {
+    let ([o_least, o_most], [d_least, d_most]) =
+        (ray.origin[axis].ends_in_single(), ray.direction[axis].ends_in_single());
+    let is_usual = |d: f32| d.is_finite() && d.recip().abs() < f32::MAX;
+    let moved = |d: f32, by: i32| f32::from_bits(d.recip().to_bits().wrapping_add_signed(by));
+    let (toward, away) = (-(STEPS as i32), STEPS as i32);
+    let inverse = if ray.direction[axis].is_zero() {
+        [moved(0.0, toward), f32::INFINITY]
+    } else if !(is_usual(d_least) && is_usual(d_most)) {
+        return None;
+    } else if d_least > 0.0 {
+        [moved(d_most, toward), moved(d_least, away)]
+    } else if d_most < 0.0 {
+        [moved(d_most, away), moved(d_least, toward)]
+    } else {
+        return None;
+    };
+    let is_near = o_least >= -MAX_COORDINATE && o_most <= MAX_COORDINATE;
+    is_near.then_some([[o_most, o_least], inverse])
+}
+
+impl Slabs for Enclosed {
+    type Vector = Vec3;
+
+    fn new(ray: &Ray, region: &Region) -> Self {
+        Self::of(&EnclosedRay::exact(ray), ray.tmin(), region)
+    }
+
+    #[inline(always)]
+    fn pair(&self, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
+        if self.is_wide {
+            return self.pair_wide(planes, tmax);
+        }
+        let [near, far] = near_and_far(planes, &self.origin, &self.inverse, self.tmin, tmax);
+        let hit = near.cmple(far.yxwz()).bitmask();
+        Intervals { hit: [hit & 1 != 0, hit & 4 != 0], near: [near.x, near.z], far: [far.y, far.w] }
+    }
+}

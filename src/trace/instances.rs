@@ -1,0 +1,253 @@
+//! Objects that are placed many times, by affine maps, in groups that may be placed in turn.
+//!
+//! The hierarchy of a group is over the boxes of its instances. At a leaf of it, the ray and the state of its traversal wait,
+//! and a traversal of the instance's object starts with the ray in the object's space, and with the best hit so far. When it
+//! ends, the one that waits goes on (Binder & Keller 2016, Section 2.4).
+//!
+//! # What is exact
+//!
+//! The answers are those of rational arithmetic on the exact images of the triangles under the maps as they are written, and
+//! the ray as it is given. `[INST-1]` Distances along a ray are the same in every space, so nothing is
+//! transformed back. In an object's space the ray is known within bounds only; where they decide, no more is asked. Else exact
+//! images of the triangle's corners are made, which takes some thousand times as long. `[INST-5]`
+
+mod assembly;
+mod walk;
+
+pub use assembly::{Assembly, AssemblyError, Instance, Object};
+
+use std::fmt;
+
+use crate::geom::kernel;
+use crate::geom::truth::{Meeting, Point, holds, round_f32};
+use crate::geom::{Affine, EnclosedRay, Ray, Triangle, meet_image, slabs};
+use crate::trace::level::Level;
+use crate::trace::{Ask, OwnBoxes, Plan};
+use crate::traverse::{Method, Unfit};
+use assembly::{Group, Part};
+use walk::{Found, Instances, Search, Triangles, Walk};
+
+/// Answers queries over an object of an assembly by one of the traversals.
+///
+/// ```
+/// use glam::Vec3;
+/// use stackless_bvh::bvh::{BuildOptions, Bvh};
+/// use stackless_bvh::geom::{Affine, Ray};
+/// use stackless_bvh::scene::Mesh;
+/// use stackless_bvh::trace::{Assembly, Instance, InstanceTracer};
+/// use stackless_bvh::traverse::Method;
+///
+/// let bvh = Bvh::median(&Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?, 1)?;
+/// let mut assembly = Assembly::new();
+/// let triangle = assembly.add_mesh(&bvh);
+/// let row = |z| Affine::translation(Vec3::Z * z).map(|affine| Instance { object: triangle, affine });
+/// let row = assembly.add_group(vec![row(3.0)?, row(1.0)?], &BuildOptions::default())?;
+/// let grown = Affine::new([[2.0, 0.0, 0.0, 0.0], [0.0, 2.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0]])?;
+/// let scene = assembly.add_group(vec![Instance { object: row, affine: grown }], &BuildOptions::default())?;
+///
+/// let tracer = InstanceTracer::new(&assembly, scene, Method::Hashed)?;
+/// let hit = tracer.closest(&Ray::new(Vec3::new(1.0, 0.5, 0.0), Vec3::Z, 0.0, 10.0)?).ok_or("a miss")?;
+/// assert_eq!((hit.path, hit.prim, hit.t, hit.u, hit.v), (vec![0, 1], 0, 2.0, 0.5, 0.25));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct InstanceTracer<'a> {
+    assembly: &'a Assembly<'a>,
+    root: Object,
+    /// Of the objects up to the root, by index; `None` for those that are not in it.
+    levels: Vec<Option<AnyLevel<'a>>>,
+}
+
+/// Where a ray meets a triangle of an instance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InstanceHit {
+    /// The index of the instance in each group, from the outermost on. Empty if the object is a mesh.
+    pub path: Vec<u32>,
+    /// Index of the triangle in its mesh.
+    pub prim: u32,
+    /// Distance along the ray, in lengths of its direction; the float nearest to the exact one.
+    pub t: f32,
+    /// Weight of the triangle's second corner, likewise.
+    pub u: f32,
+    /// Weight of the triangle's third corner, likewise.
+    pub v: f32,
+}
+
+/// What rays met.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct InstanceCounts {
+    /// Instances that were entered.
+    pub instances: u64,
+    /// Triangles that were tested.
+    pub triangles: u64,
+    /// Those of them that took rational arithmetic.
+    pub rational: u64,
+}
+
+/// Why there is no tracer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum InstanceError {
+    /// The object is not one of the assembly.
+    #[error("the assembly has no such object")]
+    UnknownObject,
+    /// The traversal is not for the hierarchy of an object.
+    #[error("object {object}: {unfit}")]
+    Unfit {
+        /// Index of the object in the order in which objects were added.
+        object: usize,
+        /// Why.
+        unfit: Unfit,
+    },
+}
+
+#[derive(Debug)]
+enum AnyLevel<'a> {
+    Mesh(Level<'a, Triangle>),
+    Group(Level<'a, ()>, &'a [Instance]),
+}
+
+impl<'a> InstanceTracer<'a> {
+    /// Bytes of a ray as it waits: bounds of origin and direction in doubles.
+    pub const RAY_BYTES: usize = size_of::<EnclosedRay>();
+
+    /// A tracer by one traversal on all levels.
+    ///
+    /// # Errors
+    /// What [`InstanceError`] lists.
+    pub fn new(assembly: &'a Assembly<'a>, root: Object, method: Method) -> Result<Self, InstanceError> {
+        Self::with_methods(assembly, root, method, method)
+    }
+
+    /// A tracer by one traversal for groups and another for meshes.
+    ///
+    /// # Errors
+    /// What [`InstanceError`] lists.
+    pub fn with_methods(
+        assembly: &'a Assembly<'a>,
+        root: Object,
+        groups: Method,
+        meshes: Method,
+    ) -> Result<Self, InstanceError> {
+        let mut levels = Vec::new();
+        assembly.part(root).ok_or(InstanceError::UnknownObject)?;
+        // Objects come after those that they are made of.
+        let mut is_used = vec![false; root.index() + 1];
+        is_used[root.index()] = true;
+        for object in (0..=root.index()).rev() {
+            let level = match assembly.parts().get(object).filter(|_| is_used[object]) {
+                None => Ok(None),
+                Some(Part::Mesh(bvh)) => {
+                    Level::new(bvh, &Plan::new(bvh, meshes, Ask::Hit)).map(|level| Some(AnyLevel::Mesh(level)))
+                }
+                Some(Part::Group(Group { instances, bvh, .. })) => {
+                    for instance in instances {
+                        is_used[instance.object.index()] = true;
+                    }
+                    Level::new(bvh, &Plan::new(bvh, groups, Ask::Hit))
+                        .map(|level| Some(AnyLevel::Group(level, instances)))
+                }
+            };
+            levels.push(level.map_err(|unfit| InstanceError::Unfit { object, unfit })?);
+        }
+        levels.reverse();
+        Ok(Self { assembly, root, levels })
+    }
+
+    /// The closest hit: the least distance, of equal ones the least path, and of these the least triangle. `[INST-6]`
+    pub fn closest(&self, ray: &Ray) -> Option<InstanceHit> {
+        let search = self.search(ray, false);
+        let (t, Found { path, prim, triangle, test }) = (search.t, search.found?);
+        let exact = || self.truth(&path, &triangle, ray).map(|Point { u, v, .. }| [&u, &v].map(round_f32));
+        let [u, v] = test.weights(&triangle).or_else(exact)?;
+        Some(InstanceHit { path, prim, t, u, v })
+    }
+
+    /// Whether there is any hit.
+    pub fn any(&self, ray: &Ray) -> bool {
+        self.search(ray, true).found.is_some()
+    }
+
+    /// What the closest hits (or with `any`, any hits) of these rays cost.
+    pub fn count(&self, rays: &[Ray], any: bool) -> InstanceCounts {
+        rays.iter().map(|ray| self.search(ray, any).counts).fold(InstanceCounts::default(), |a, b| InstanceCounts {
+            instances: a.instances + b.instances,
+            triangles: a.triangles + b.triangles,
+            rational: a.rational + b.rational,
+        })
+    }
+
+    /// Bytes of the state of one ray: for each level that a ray can be in at once, those of the traversal's state, as
+    /// [`Method::state_bytes_in`] counts them, and [`RAY_BYTES`](Self::RAY_BYTES). The deepest levels count. What is found so far is
+    /// not in it.
+    pub fn state_bytes(&self) -> usize {
+        let mut bytes: Vec<usize> = Vec::new();
+        for level in &self.levels {
+            bytes.push(match level {
+                None => 0,
+                Some(AnyLevel::Mesh(level)) => level.state_bytes() + Self::RAY_BYTES,
+                Some(AnyLevel::Group(level, instances)) => {
+                    let inner = instances.iter().map(|instance| bytes[instance.object.index()]).max();
+                    level.state_bytes() + Self::RAY_BYTES + inner.unwrap_or(0)
+                }
+            });
+        }
+        bytes.last().copied().unwrap_or(0)
+    }
+
+    fn search<'r>(&self, ray: &'r Ray, any: bool) -> Search<'r> {
+        let levels = self.assembly.levels(self.root) as usize;
+        let mut search = Search::new(ray, any, levels);
+        self.visit(self.root, EnclosedRay::exact(ray), &mut search);
+        search
+    }
+
+    /// Traverses an object with a ray in its space.
+    fn visit(&self, object: Object, ray: EnclosedRay, search: &mut Search<'_>) {
+        let (tmin, octant, depth) = (search.ray.tmin(), ray.octant(), search.path.len());
+        let mut memory = std::mem::take(&mut search.memory[depth]);
+        match &self.levels[object.index()] {
+            None => {}
+            Some(AnyLevel::Mesh(level)) => {
+                let region = level.bvh.region();
+                let test = kernel::Enclosed::new(&ray, [tmin, search.ray.tmax()], region);
+                let leaves = Triangles { tracer: self, bvh: level.bvh, test };
+                let slabs = slabs::Enclosed::of(&ray, tmin, region);
+                let walk = Walk { bvh: level.bvh, slabs, leaves, search: &mut *search };
+                level.run_fast(octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
+            }
+            Some(AnyLevel::Group(level, instances)) => {
+                let slabs = slabs::Enclosed::of(&ray, tmin, level.bvh.region());
+                let leaves = Instances { tracer: self, bvh: level.bvh, placed: instances, ray };
+                let walk = Walk { bvh: level.bvh, slabs, leaves, search: &mut *search };
+                level.run_fast(octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
+            }
+        }
+        search.memory[depth] = memory;
+    }
+
+    /// The hit by rational arithmetic.
+    fn truth(&self, path: &[u32], triangle: &Triangle, ray: &Ray) -> Option<Point> {
+        match meet_image(triangle.0, self.maps(path).into_iter().rev(), ray.origin(), ray.direction()) {
+            Meeting::Hit(point) if holds([ray.tmin(), ray.tmax()], &point.t) => Some(point),
+            _ => None,
+        }
+    }
+
+    /// The maps of the instances on a path, from the outermost on.
+    fn maps(&self, path: &[u32]) -> Vec<&Affine> {
+        let (mut object, mut maps) = (self.root, Vec::new());
+        for &index in path {
+            if let Some(Part::Group(group)) = self.assembly.part(object) {
+                let instance = &group.instances[index as usize];
+                maps.push(&instance.affine);
+                object = instance.object;
+            }
+        }
+        maps
+    }
+}
+
+impl fmt::Debug for InstanceTracer<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("InstanceTracer").field("root", &self.root).finish_non_exhaustive()
+    }
+}

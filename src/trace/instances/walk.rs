@@ -1,0 +1,179 @@
+//! A ray on its way through the hierarchy of one object, as a visitor.
+
+use super::{Instance, InstanceCounts, InstanceTracer};
+use crate::bvh::{Bvh, LeafTriangle};
+use crate::geom::kernel::{self, Verdict};
+use crate::geom::slabs::Intervals;
+use crate::geom::truth::round_f32;
+use crate::geom::{Aabb, EnclosedRay, Ray, Slabs, Triangle, slabs};
+use crate::order::{Descent, Flow, Visitor};
+use crate::trace::BoxQuery;
+use crate::tree::{Node, Topology};
+
+/// What one ray carries through all levels.
+#[derive(Debug)]
+pub(super) struct Search<'r> {
+    /// The ray itself.
+    pub(super) ray: &'r Ray,
+    /// Whether the first hit ends it.
+    pub(super) any: bool,
+    /// The distance of the best hit, or the ray's end.
+    pub(super) t: f32,
+    /// The best hit so far.
+    pub(super) found: Option<Found>,
+    /// The instances that it is in, from the outermost on.
+    pub(super) path: Vec<u32>,
+    /// Memory of the traversals that have a stack, for each level.
+    pub(super) memory: Vec<Vec<Node>>,
+    pub(super) counts: InstanceCounts,
+}
+
+/// A triangle of an instance that is hit.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    /// The instances from the outermost on.
+    pub(super) path: Vec<u32>,
+    pub(super) prim: u32,
+    pub(super) triangle: Triangle,
+    /// The ray in the space of its mesh.
+    pub(super) test: kernel::Enclosed,
+}
+
+impl<'r> Search<'r> {
+    /// A search through at most so many levels.
+    pub(super) fn new(ray: &'r Ray, any: bool, levels: usize) -> Self {
+        let (found, path, memory) = (None, Vec::with_capacity(levels), vec![Vec::new(); levels]);
+        Self { ray, any, t: ray.tmax(), found, path, memory, counts: InstanceCounts::default() }
+    }
+
+    /// Whether nothing is left to be found.
+    fn is_over(&self) -> bool {
+        self.any && self.found.is_some()
+    }
+
+    /// Takes a hit that is not behind the best one so far, if it comes first: by distance, then by path, then by triangle.
+    #[inline]
+    fn offer(&mut self, t: f32, held: &LeafTriangle, test: &kernel::Enclosed) {
+        let LeafTriangle { shape: triangle, prim } = *held;
+        if let Some(best) = &self.found
+            && t == self.t
+            && (&best.path, best.prim) <= (&self.path, prim)
+        {
+            return;
+        }
+        let mut path = self.found.take().map(|best| best.path).unwrap_or_default();
+        path.clone_from(&self.path);
+        (self.t, self.found) = (t, Some(Found { path, prim, triangle, test: *test }));
+    }
+}
+
+/// What the leaves of a hierarchy hold, and a ray in the space of it.
+pub(super) trait Leaves {
+    /// What is held at a place meets the ray.
+    fn meet(&self, place: usize, search: &mut Search<'_>);
+}
+
+/// A ray on its way.
+pub(super) struct Walk<'s, 'r, S, L> {
+    pub(super) bvh: &'s Bvh<S>,
+    pub(super) slabs: slabs::Enclosed,
+    pub(super) leaves: L,
+    pub(super) search: &'s mut Search<'r>,
+}
+
+impl<S, L: Leaves> Visitor for Walk<'_, '_, S, L> {
+    #[inline(always)]
+    fn inner(&mut self, node: Node) -> Descent {
+        let planes = &self.bvh.node(node.index()).planes;
+        let Intervals { hit: [left, right], near, .. } = self.slabs.pair(planes, self.search.t);
+        Descent::new(left, right, near[1] < near[0] && !self.search.any)
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, node: Node) -> Flow {
+        for place in self.bvh.leaf_range(node) {
+            self.leaves.meet(place, self.search);
+            if self.search.is_over() {
+                return Flow::Stop;
+            }
+        }
+        Flow::Continue
+    }
+}
+
+impl<S, L: Leaves> BoxQuery for Walk<'_, '_, S, L> {
+    #[inline]
+    fn touches(&self, aabb: &Aabb) -> bool {
+        self.slabs.one(aabb, self.search.t).is_some()
+    }
+
+    #[inline]
+    fn slot(&self, node: Node) -> usize {
+        self.bvh.slot(node)
+    }
+}
+
+/// Triangles of a mesh.
+pub(super) struct Triangles<'s> {
+    pub(super) tracer: &'s InstanceTracer<'s>,
+    pub(super) bvh: &'s Bvh,
+    pub(super) test: kernel::Enclosed,
+}
+
+impl Leaves for Triangles<'_> {
+    #[inline(always)]
+    fn meet(&self, place: usize, search: &mut Search<'_>) {
+        let held = &self.bvh.triangles()[place];
+        search.counts.triangles += 1;
+        let verdict = if search.any {
+            match self.test.blocks(&held.shape) {
+                Verdict::Hit(()) => Verdict::Hit(search.t),
+                Verdict::Miss => Verdict::Miss,
+                Verdict::Open => Verdict::Open,
+            }
+        } else {
+            self.test.distance(&held.shape, search.t)
+        };
+        let t = match verdict {
+            Verdict::Hit(t) => Some(t),
+            Verdict::Miss => None,
+            Verdict::Open => self.ask_truth(&held.shape, search),
+        };
+        if let Some(t) = t
+            && t <= search.t
+        {
+            search.offer(t, held, &self.test);
+        }
+    }
+}
+
+impl Triangles<'_> {
+    /// What bounds leave open.
+    #[cold]
+    #[inline(never)]
+    fn ask_truth(&self, triangle: &Triangle, search: &mut Search<'_>) -> Option<f32> {
+        search.counts.rational += 1;
+        self.tracer.truth(&search.path, triangle, search.ray).map(|point| round_f32(&point.t))
+    }
+}
+
+/// Instances of a group.
+pub(super) struct Instances<'s> {
+    pub(super) tracer: &'s InstanceTracer<'s>,
+    pub(super) bvh: &'s Bvh<()>,
+    pub(super) placed: &'s [Instance],
+    pub(super) ray: EnclosedRay,
+}
+
+impl Leaves for Instances<'_> {
+    /// Here the ray of the group waits, with the state of its traversal, until the instance is done (Binder & Keller 2016,
+    /// Section 2.4).
+    fn meet(&self, place: usize, search: &mut Search<'_>) {
+        let index = self.bvh.triangles()[place].prim;
+        let Instance { object, affine } = &self.placed[index as usize];
+        search.counts.instances += 1;
+        search.path.push(index);
+        self.tracer.visit(*object, affine.pull_back(&self.ray), search);
+        search.path.pop();
+    }
+}
