@@ -128,11 +128,13 @@ pub trait Visitor {
     /// Looks into a leaf.
     fn leaf(&mut self, node: Node) -> Flow;
 
-    /// Whether children are taken in the order in which what is sought would be found, descents are marked as
-    /// [disjoint](Descent::disjoint_if), and [`Flow::Prune`] is answered. Traversals that prune refuse other searches.
+    /// Whether nothing is lost by leaving out nodes in this way: with [`Pruning::Disjoint`], that descents are marked as
+    /// [disjoint](Descent::disjoint_if) only where they are and [`Flow::Prune`] is answered only where it holds; with
+    /// [`Pruning::Distance`], that [`postponed`](Self::postponed) and [`end`](Self::end) are what they say. Traversals that
+    /// prune refuse other searches.
     #[inline]
-    fn is_ordered(&self) -> bool {
-        false
+    fn allows(&self, pruning: Pruning) -> bool {
+        pruning == Pruning::Never
     }
 
     /// Where the child begins that this descent from `node` has postponed, in any measure that orders as the distance does
@@ -179,8 +181,8 @@ impl<T: Visitor + ?Sized> Visitor for &mut T {
     }
 
     #[inline]
-    fn is_ordered(&self) -> bool {
-        (**self).is_ordered()
+    fn allows(&self, pruning: Pruning) -> bool {
+        (**self).allows(pruning)
     }
 
     #[inline]

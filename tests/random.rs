@@ -55,7 +55,7 @@ fn words_end_at_their_depths_and_no_sooner() {
                 WordName::U128 => 128,
                 WordName::Grow => u32::MAX,
             };
-            let limit = match method {
+            let limit = match method.without_pruning() {
                 _ if !method.has_words() => u32::MAX,
                 Method::Afra | Method::Uncle => width,
                 Method::ImplicitA1 => width - 2,

@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 use super::{Rng, Source};
 use crate::hash::mix;
 use crate::name::named;
-use crate::order::{Descent, Flow, NodeTest, Repeatable, Visitor};
+use crate::order::{Descent, Flow, NodeTest, Pruning, Repeatable, Visitor};
 use crate::tree::{Node, Topology};
 
 /// A kind of tape.
@@ -348,7 +348,7 @@ impl<T: Topology> Visitor for Search<'_, T> {
         self.look_into(node)
     }
 
-    fn is_ordered(&self) -> bool {
+    fn allows(&self, _: Pruning) -> bool {
         true
     }
 

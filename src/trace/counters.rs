@@ -2,7 +2,7 @@
 
 use crate::geom::kernel::Stage;
 use crate::geom::{Kernel, Slabs};
-use crate::order::{Descent, Flow, NodeTest, Repeatable, Visitor};
+use crate::order::{Descent, Flow, NodeTest, Pruning, Repeatable, Visitor};
 use crate::report::Backtracks;
 use crate::tree::{Node, Uncles};
 
@@ -86,8 +86,8 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
         self.triangles(node)
     }
 
-    fn is_ordered(&self) -> bool {
-        self.search.is_ordered()
+    fn allows(&self, pruning: Pruning) -> bool {
+        self.search.allows(pruning)
     }
 
     fn postponed(&self, node: Node, descent: Descent) -> u32 {

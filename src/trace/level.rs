@@ -4,7 +4,7 @@ use super::{Part, Plan, Query};
 use crate::bvh::Bvh;
 use crate::event::Recorder;
 use crate::geom::Aabb;
-use crate::order::{Descent, Flow, NodeTest, Visitor};
+use crate::order::{Descent, Flow, NodeTest, Pruning, Visitor};
 use crate::traverse::{Method, Tables, Unfit, WordName};
 use crate::tree::{Implicit, Node, Topology};
 
@@ -72,10 +72,10 @@ impl<'a, S> Level<'a, S> {
         self.tables.run_in(self.word, self.method_for(&query), octant, memory, &mut query, recorder)
     }
 
-    /// Searches that are not ordered have nothing that could be pruned.
+    /// Searches that nothing can be pruned from are traversed as a whole.
     #[inline]
     pub(super) fn method_for(&self, query: &(impl Visitor + ?Sized)) -> Method {
-        if query.is_ordered() { self.method } else { self.method.without_pruning() }
+        if query.allows(self.method.test().pruning()) { self.method } else { self.method.without_pruning() }
     }
 }
 
@@ -97,7 +97,7 @@ impl Visitor for Nothing {
         Flow::Stop
     }
 
-    fn is_ordered(&self) -> bool {
+    fn allows(&self, _: Pruning) -> bool {
         true
     }
 }

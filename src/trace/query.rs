@@ -1,7 +1,7 @@
 //! What a query is to a traversal.
 
 use crate::geom::Aabb;
-use crate::order::{Descent, Flow, NodeTest, Repeatable, Visitor};
+use crate::order::{Descent, Flow, NodeTest, Pruning, Repeatable, Visitor};
 use crate::tree::Node;
 
 /// A query that every traversal can run. As `&mut dyn Query` it is one type for all kinds, so that not all traversals are
@@ -63,8 +63,11 @@ impl<Q: BoxQuery> Visitor for OwnBoxes<'_, Q> {
     }
 
     #[inline]
-    fn is_ordered(&self) -> bool {
-        self.query.is_sorted() && (!self.query.is_in_parts() || !self.boxes.is_empty())
+    fn allows(&self, pruning: Pruning) -> bool {
+        match pruning {
+            Pruning::Disjoint => self.query.is_sorted() && (!self.query.is_in_parts() || !self.boxes.is_empty()),
+            other => self.query.allows(other),
+        }
     }
 
     #[inline]

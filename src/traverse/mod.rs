@@ -69,7 +69,7 @@ pub trait Cursor: State {
     const RESTARTS: bool = false;
 
     /// Whether it leaves out postponed nodes after [`Flow::Prune`]. Then it is for searches that
-    /// [are ordered](Visitor::is_ordered).
+    /// [allow](Visitor::allows) it.
     const PRUNES: bool = false;
 
     /// Whether it keeps the distances of postponed nodes.

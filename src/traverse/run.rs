@@ -11,7 +11,7 @@ use super::{
 use crate::event::Recorder;
 use crate::hash::{KeyMap, KeySet, Lookup, Options, PerfectHash, Sizing};
 use crate::key::{Grow, KeyWord, TooDeep};
-use crate::order::{self, ByNode, NodeTest, Pruning, SignOrder, Visitor};
+use crate::order::{self, ByNode, NodeTest, SignOrder, Visitor};
 use crate::tree::{Implicit, Keys, Node, ParentLinks, Parents, RecordedParents, RecordedUncles, Topology, Uncles};
 
 /// A tree with the tables that a choice of traversals needs beside it.
@@ -53,8 +53,8 @@ pub enum Unfit {
     NoTable,
     /// The traversal's state cannot be put aside.
     NoPause,
-    /// The traversal leaves out what lies behind a hit, and the search does not take children in the order of distance, or
-    /// does not say which are disjoint: hits would be lost.
+    /// The traversal leaves out what lies behind a hit, and the search does not [allow](Visitor::allows) that: it does not
+    /// take children in the order of distance, or does not say which are disjoint.
     Unordered,
 }
 
@@ -162,7 +162,7 @@ impl<'t, T: Topology> Tables<'t, T> {
         if !method.exists_for::<W>() {
             return Err(Unfit::NoSuchWord { word: W::NAME });
         }
-        if method.test().pruning() != Pruning::Never && !search.is_ordered() {
+        if !search.allows(method.test().pruning()) {
             return Err(Unfit::Unordered);
         }
         let by_sign = SignOrder { axes: self.axes, octant };
