@@ -23,44 +23,42 @@ pub fn traverse_pruned<T: Topology>(
     visitor: &mut impl Visitor,
     recorder: &mut impl Recorder,
 ) -> Flow {
-    visit(&Reference { tree, pruning }, node, DEPTH_LIMIT, visitor, recorder)
+    Reference { tree, pruning, visitor, recorder, found: false }.visit(node, DEPTH_LIMIT)
 }
 
-struct Reference<'t, T> {
-    tree: &'t T,
+struct Reference<'a, T, V, R> {
+    tree: &'a T,
     pruning: Pruning,
+    visitor: &'a mut V,
+    recorder: &'a mut R,
+    /// Whether something has been found in the subtree that is being looked at.
+    found: bool,
 }
 
-fn visit<T: Topology>(
-    reference: &Reference<'_, T>,
-    node: Node,
-    depth_left: u32,
-    visitor: &mut impl Visitor,
-    recorder: &mut impl Recorder,
-) -> Flow {
-    if recorder.visit(&At(node)) == Flow::Stop {
-        return Flow::Stop;
-    }
-    if node.is_leaf() {
-        return visitor.leaf(node);
-    }
-    let descent = visitor.inner(node);
-    let begins = visitor.postponed(node, descent);
-    let Some(left) = depth_left.checked_sub(1).filter(|_| !descent.is_neither()) else { return Flow::Continue };
-    let [first, second] =
-        [descent.first(), descent.first().other()].map(|side| reference.tree.children(node)[side.index()]);
-    let flow = visit(reference, first, left, visitor, recorder);
-    let is_pruned = match reference.pruning {
-        Pruning::Never => false,
-        Pruning::Disjoint => descent.is_disjoint() && flow == Flow::Prune,
-        Pruning::Distance => begins > visitor.end(),
-    };
-    if flow == Flow::Stop || !descent.postpones() || is_pruned {
-        return flow;
-    }
-    match visit(reference, second, left, visitor, recorder) {
-        Flow::Continue => flow,
-        other => other,
+impl<T: Topology, V: Visitor, R: Recorder> Reference<'_, T, V, R> {
+    fn visit(&mut self, node: Node, depth_left: u32) -> Flow {
+        if self.recorder.visit(&At(node)) == Flow::Stop {
+            return Flow::Stop;
+        }
+        if node.is_leaf() {
+            let flow = self.visitor.leaf(node);
+            self.found |= self.visitor.found_at(node);
+            return flow;
+        }
+        let descent = self.visitor.inner(node);
+        let (is_disjoint, begins) = (self.visitor.is_disjoint(node, descent), self.visitor.postponed(node, descent));
+        let Some(left) = depth_left.checked_sub(1).filter(|_| !descent.is_neither()) else { return Flow::Continue };
+        let sides = [descent.first(), descent.first().other()];
+        let [first, second] = sides.map(|side| self.tree.children(node)[side.index()]);
+        let found_before = core::mem::replace(&mut self.found, false);
+        let flow = self.visit(first, left);
+        let is_pruned = match self.pruning {
+            Pruning::Never => false,
+            Pruning::Disjoint => is_disjoint && self.found,
+            Pruning::Distance => begins > self.visitor.end(),
+        };
+        self.found |= found_before;
+        if flow == Flow::Stop || !descent.postpones() || is_pruned { flow } else { self.visit(second, left) }
     }
 }
 

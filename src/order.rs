@@ -9,8 +9,8 @@
 pub use crate::key::Side;
 use crate::tree::Node;
 
-/// The decision at an inner node: no child is wanted, one is, or both are and one of them comes first. Of both, it may say
-/// that what is sought cannot be below the second if it is found below the first.
+/// The decision at an inner node: no child is wanted, one is, or both are and one of them comes first. Where traversals ask
+/// for it, both may be marked as disjoint.
 ///
 /// Four bits, made and read without a branch: which children are hit is hard to predict, and a traversal that branches
 /// on it more than once loses up to a third of its speed (`benches/README.md`).
@@ -52,7 +52,7 @@ impl Descent {
     /// The same, with a mark where all that is below the first child comes before all that is below the second: their
     /// intervals along the ray are disjoint (Binder & Keller 2016, Section 2.3). `[ORDER-2]`
     ///
-    /// A promise: after [`Flow::Prune`] from below the first child, the second need not be visited.
+    /// Traversals that prune mark descents by what [`Visitor::is_disjoint`] says.
     #[inline]
     #[must_use]
     pub const fn disjoint_if(self, disjoint: bool) -> Self {
@@ -102,9 +102,6 @@ impl core::fmt::Debug for Descent {
 pub enum Flow {
     /// Go on.
     Continue,
-    /// Go on, but not where a [`Descent`] has marked the children as disjoint and this leaf is below the first: something
-    /// has been found here that comes before all that is below the second. `[ORDER-3]`
-    Prune,
     /// End the traversal now (an any-hit query that has its hit).
     Stop,
 }
@@ -114,7 +111,7 @@ pub enum Flow {
 pub enum Pruning {
     /// None is left out.
     Never,
-    /// Those marked as disjoint from their siblings, after [`Flow::Prune`] from below the sibling. `[ORACLE-2]`
+    /// Those that are disjoint from their siblings, after something has been found below the sibling. `[ORACLE-2]`
     Disjoint,
     /// Those that begin beyond the end of the search by now. `[ORACLE-3]`
     Distance,
@@ -128,13 +125,25 @@ pub trait Visitor {
     /// Looks into a leaf.
     fn leaf(&mut self, node: Node) -> Flow;
 
-    /// Whether nothing is lost by leaving out nodes in this way: with [`Pruning::Disjoint`], that descents are marked as
-    /// [disjoint](Descent::disjoint_if) only where they are and [`Flow::Prune`] is answered only where it holds; with
-    /// [`Pruning::Distance`], that [`postponed`](Self::postponed) and [`end`](Self::end) are what they say. Traversals that
-    /// prune refuse other searches.
+    /// Whether nothing is lost by leaving out nodes in this way, by what the methods below say. Traversals that prune refuse
+    /// other searches. Those that do not prune never ask, and so pay nothing.
     #[inline]
     fn allows(&self, pruning: Pruning) -> bool {
         pruning == Pruning::Never
+    }
+
+    /// Whether all that is sought below the first child of this descent from `node` comes before all that is sought below
+    /// the second. `[ORDER-2]`
+    #[inline]
+    fn is_disjoint(&self, _node: Node, _descent: Descent) -> bool {
+        false
+    }
+
+    /// Whether the best of what has been found is in this leaf, and before all that is sought below the second child of any
+    /// disjoint descent that has the leaf below its first. `[ORDER-3]`
+    #[inline]
+    fn found_at(&self, _leaf: Node) -> bool {
+        false
     }
 
     /// Where the child begins that this descent from `node` has postponed, in any measure that orders as the distance does
@@ -183,6 +192,16 @@ impl<T: Visitor + ?Sized> Visitor for &mut T {
     #[inline]
     fn allows(&self, pruning: Pruning) -> bool {
         (**self).allows(pruning)
+    }
+
+    #[inline]
+    fn is_disjoint(&self, node: Node, descent: Descent) -> bool {
+        (**self).is_disjoint(node, descent)
+    }
+
+    #[inline]
+    fn found_at(&self, leaf: Node) -> bool {
+        (**self).found_at(leaf)
     }
 
     #[inline]

@@ -36,22 +36,30 @@ struct Slipping<'a> {
 impl Visitor for Slipping<'_> {
     fn inner(&mut self, node: Node) -> Descent {
         let descent = self.search.inner(node);
-        let [first, second] = [descent.first(), descent.first().other()]
-            .map(|side| self.cells[self.tree.slot(self.tree.child(node, side))]);
         match self.slip {
-            Slip::NotStrict => descent.disjoint_if(first.exit.is_some_and(|exit| exit <= second.enter)),
-            Slip::WrongOrder if descent.postpones() => {
-                Descent::both(descent.first().other()).disjoint_if(descent.is_disjoint())
-            }
+            Slip::WrongOrder if descent.postpones() => Descent::both(descent.first().other()),
             _ => descent,
         }
     }
 
     fn leaf(&mut self, node: Node) -> Flow {
-        let before = self.search.outcome.hit;
-        let flow = Visitor::leaf(&mut self.search, node);
-        let is_new = self.search.outcome.hit != before;
-        if self.slip == Slip::NoGuard && is_new { Flow::Prune } else { flow }
+        Visitor::leaf(&mut self.search, node)
+    }
+
+    fn is_disjoint(&self, node: Node, descent: Descent) -> bool {
+        let [first, second] = [descent.first(), descent.first().other()]
+            .map(|side| self.cells[self.tree.slot(self.tree.child(node, side))]);
+        match self.slip {
+            Slip::NotStrict => first.exit.is_some_and(|exit| exit <= second.enter),
+            // Apart, as it would be asked where the near child always comes first.
+            Slip::WrongOrder => second.exit.is_some_and(|exit| exit < first.enter),
+            _ => self.search.is_disjoint(node, descent),
+        }
+    }
+
+    fn found_at(&self, leaf: Node) -> bool {
+        let is_here = self.search.outcome.hit.is_some_and(|(_, slot)| slot == self.tree.slot(leaf));
+        if self.slip == Slip::NoGuard { is_here } else { self.search.found_at(leaf) }
     }
 }
 

@@ -247,13 +247,8 @@ impl<W: KeyWord> WithCursor<W> for PutAside<'_, '_> {
         recorder.visits += 1;
         let mut visitor = StopAtLeaf { search, flow: Flow::Continue };
         let stopped = traverse(&mut cursor, &mut visitor, &mut recorder)?;
-        match visitor.flow {
-            // A search that has ended by itself is not put aside.
-            Flow::Stop => return None,
-            Flow::Prune => cursor.prune(),
-            Flow::Continue => {}
-        }
-        Some(cursor.put_aside(stopped))
+        // A search that has ended by itself is not put aside.
+        (visitor.flow == Flow::Continue).then(|| cursor.put_aside(stopped))
     }
 }
 
@@ -283,6 +278,10 @@ impl Visitor for StopAtLeaf<'_, '_> {
     fn leaf(&mut self, node: Node) -> Flow {
         self.flow = Visitor::leaf(self.search, node);
         Flow::Stop
+    }
+
+    fn found_at(&self, leaf: Node) -> bool {
+        self.search.found_at(leaf)
     }
 }
 

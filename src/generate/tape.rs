@@ -320,10 +320,6 @@ impl<'a, T: Topology> Search<'a, T> {
             if self.any {
                 return Flow::Stop;
             }
-            // What is hit beyond its leaf may come after what is in others.
-            if t <= cell.ends() {
-                return Flow::Prune;
-            }
         }
         Flow::Continue
     }
@@ -336,10 +332,7 @@ impl<T: Topology> Visitor for Search<'_, T> {
         let [left, right] = self.tree.children(node).map(|child| self.cell(child));
         let right_first =
             if left.enter == right.enter { self.cell(node).right_first } else { right.enter < left.enter };
-        let descent = Descent::new(self.is_wanted(left), self.is_wanted(right), right_first);
-        let (first, second) = if right_first { (right, left) } else { (left, right) };
-        let is_disjoint = first.ends() < second.enter;
-        descent.disjoint_if(is_disjoint)
+        Descent::new(self.is_wanted(left), self.is_wanted(right), right_first)
     }
 
     #[inline]
@@ -350,6 +343,18 @@ impl<T: Topology> Visitor for Search<'_, T> {
 
     fn allows(&self, _: Pruning) -> bool {
         true
+    }
+
+    fn is_disjoint(&self, node: Node, descent: Descent) -> bool {
+        let [first, second] =
+            [descent.first(), descent.first().other()].map(|side| self.cell(self.tree.child(node, side)));
+        first.ends() < second.enter
+    }
+
+    /// What is hit beyond its leaf may come after what is in others.
+    fn found_at(&self, leaf: Node) -> bool {
+        let slot = self.tree.slot(leaf);
+        self.outcome.hit.is_some_and(|(t, best)| best == slot && t <= self.tape.cells[slot].ends())
     }
 
     fn postponed(&self, node: Node, descent: Descent) -> u32 {

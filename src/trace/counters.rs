@@ -63,13 +63,12 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Co
     fn triangles(&mut self, leaf: Node) -> Flow {
         let Self { search, counters } = self;
         counters.leaves += 1;
-        let flow = search.query.leaf_watched(leaf, |kernel, shape| {
+        search.query.leaf_watched(leaf, |kernel, shape| {
             let stage = kernel.stage(shape);
             counters.triangles += 1;
             counters.fallbacks += u64::from(stage > Stage::Scene);
             counters.sums += u64::from(stage > Stage::Triangle);
-        });
-        search.guarded(leaf, flow)
+        })
     }
 }
 
@@ -88,6 +87,14 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
 
     fn allows(&self, pruning: Pruning) -> bool {
         self.search.allows(pruning)
+    }
+
+    fn is_disjoint(&self, node: Node, descent: Descent) -> bool {
+        self.search.is_disjoint(node, descent)
+    }
+
+    fn found_at(&self, leaf: Node) -> bool {
+        self.search.found_at(leaf)
     }
 
     fn postponed(&self, node: Node, descent: Descent) -> u32 {

@@ -58,8 +58,7 @@ impl<Q: BoxQuery> Visitor for OwnBoxes<'_, Q> {
 
     #[inline]
     fn leaf(&mut self, node: Node) -> Flow {
-        let flow = self.query.leaf(node);
-        self.guarded(node, flow)
+        self.query.leaf(node)
     }
 
     #[inline]
@@ -68,6 +67,18 @@ impl<Q: BoxQuery> Visitor for OwnBoxes<'_, Q> {
             Pruning::Disjoint => self.query.is_sorted() && (!self.query.is_in_parts() || !self.boxes.is_empty()),
             other => self.query.allows(other),
         }
+    }
+
+    #[inline]
+    fn is_disjoint(&self, node: Node, descent: Descent) -> bool {
+        self.query.is_disjoint(node, descent)
+    }
+
+    /// What is found beyond the box of its leaf may come after what is in others. `[DISJOINT-4]`
+    #[inline]
+    fn found_at(&self, leaf: Node) -> bool {
+        let is_inside = || self.boxes.get(self.query.slot(leaf)).is_some_and(|aabb| self.query.ends_in(aabb));
+        self.query.found_at(leaf) && (!self.query.is_in_parts() || is_inside())
     }
 
     #[inline]
@@ -82,16 +93,6 @@ impl<Q: BoxQuery> Visitor for OwnBoxes<'_, Q> {
 }
 
 impl<Q: BoxQuery + Repeatable> Repeatable for OwnBoxes<'_, Q> {}
-
-impl<Q: BoxQuery> OwnBoxes<'_, Q> {
-    /// What is found beyond the box of its leaf may come after what is in others, and then nothing is pruned.
-    /// `[DISJOINT-4]`
-    #[inline]
-    pub(super) fn guarded(&self, leaf: Node, flow: Flow) -> Flow {
-        let is_inside = || self.boxes.get(self.query.slot(leaf)).is_some_and(|aabb| self.query.ends_in(aabb));
-        if flow == Flow::Prune && self.query.is_in_parts() && !is_inside() { Flow::Continue } else { flow }
-    }
-}
 
 impl<Q: BoxQuery> NodeTest for OwnBoxes<'_, Q> {
     #[inline]

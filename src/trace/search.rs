@@ -97,7 +97,6 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
     /// Tests the triangles of a leaf, each after it is shown to `watch`.
     #[inline(always)]
     pub(super) fn leaf_watched(&mut self, leaf: Node, mut watch: impl FnMut(&K, &K::Shape)) -> Flow {
-        let before = self.place;
         let range = self.bvh.leaf_range(leaf);
         for (place, held) in range.clone().zip(&self.bvh.triangles()[range]) {
             watch(&self.kernel, &held.shape);
@@ -105,7 +104,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
                 return Flow::Stop;
             }
         }
-        if self.place == before { Flow::Continue } else { Flow::Prune }
+        Flow::Continue
     }
 
     /// Tests one triangle.
@@ -131,11 +130,8 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
     #[inline(always)]
     fn inner(&mut self, node: Node) -> Descent {
         let planes = &self.bvh.node(node.index()).planes;
-        let Intervals { hit: [left, right], near, far } = self.slabs.pair(planes, self.t);
-        let prefers_right = O::prefers_right(near);
-        // Whatever the order, the first interval must end before the second begins.
-        let is_disjoint = if prefers_right { far[1] < near[0] } else { far[0] < near[1] };
-        Descent::new(left, right, prefers_right).disjoint_if(is_disjoint)
+        let Intervals { hit: [left, right], near, .. } = self.slabs.pair(planes, self.t);
+        Descent::new(left, right, O::prefers_right(near))
     }
 
     #[inline(always)]
@@ -151,6 +147,19 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
             Pruning::Disjoint => self.is_sorted() && !self.is_in_parts(),
             Pruning::Distance => !ANY,
         }
+    }
+
+    /// Whatever the order, the first interval must end before the second begins.
+    #[inline(always)]
+    fn is_disjoint(&self, node: Node, descent: Descent) -> bool {
+        let Intervals { near, far, .. } = self.slabs.pair(&self.bvh.node(node.index()).planes, self.t);
+        let first = descent.first();
+        far[first.index()] < near[first.other().index()]
+    }
+
+    #[inline(always)]
+    fn found_at(&self, leaf: Node) -> bool {
+        self.bvh.leaf_range(leaf).contains(&self.place)
     }
 
     #[inline(always)]

@@ -68,8 +68,8 @@ pub trait Cursor: State {
     /// The answers may have become narrower in between (a shorter ray), never wider.
     const RESTARTS: bool = false;
 
-    /// Whether it leaves out postponed nodes after [`Flow::Prune`]. Then it is for searches that
-    /// [allow](Visitor::allows) it.
+    /// Whether it leaves out postponed nodes that are disjoint from what is found. Then descents are marked, and it is for
+    /// searches that [allow](Visitor::allows) it.
     const PRUNES: bool = false;
 
     /// Whether it keeps the distances of postponed nodes.
@@ -84,7 +84,7 @@ pub trait Cursor: State {
     /// Moves to the most recently postponed node. `false` if none is left: the traversal is done.
     fn backtrack(&mut self) -> bool;
 
-    /// Forgets the postponed nodes whose siblings, or ancestors whose siblings, were marked as disjoint.
+    /// At a leaf where something was found: forgets all postponed nodes whose descents were marked as disjoint.
     fn prune(&mut self) {}
 
     /// After a descent that has postponed a node: where that begins ([`Visitor::postponed`]).
@@ -128,8 +128,7 @@ impl<C: Cursor> Cursor for &mut C {
 /// Runs a traversal to its end: the loop that all algorithms share. `[TRAVERSE-1]`
 ///
 /// Where the recorder or the visitor stops it, the answer is what comes next, for a traversal that is to go on later
-/// ([`Pause`]; a cursor that is passed by `&mut` has its state). Otherwise `None`. A search that stops where it has found
-/// something, and will go on, calls [`Cursor::prune`] itself.
+/// ([`Pause`]; a cursor that is passed by `&mut` has its state). Otherwise `None`.
 #[inline]
 pub fn traverse<C: Cursor>(mut cursor: C, visitor: &mut impl Visitor, recorder: &mut impl Recorder) -> Option<Next> {
     loop {
@@ -138,18 +137,19 @@ pub fn traverse<C: Cursor>(mut cursor: C, visitor: &mut impl Visitor, recorder: 
         }
         let node = cursor.node();
         let descended = if node.is_leaf() {
-            match visitor.leaf(node) {
-                Flow::Continue => {}
-                Flow::Prune => {
-                    if C::PRUNES {
-                        cursor.prune();
-                    }
-                }
-                Flow::Stop => return Some(Next::Backtrack),
+            let flow = visitor.leaf(node);
+            if C::PRUNES && visitor.found_at(node) {
+                cursor.prune();
+            }
+            if flow == Flow::Stop {
+                return Some(Next::Backtrack);
             }
             false
         } else {
-            let descent = visitor.inner(node);
+            let mut descent = visitor.inner(node);
+            if C::PRUNES {
+                descent = descent.disjoint_if(visitor.is_disjoint(node, descent));
+            }
             let descended = !descent.is_neither() && cursor.descend(descent);
             if C::KEEPS_DISTANCES && descent.postpones() {
                 cursor.keep_distance(visitor.postponed(node, descent));
