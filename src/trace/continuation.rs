@@ -2,12 +2,12 @@
 
 use super::counters::{Counters, Counting};
 use super::level::Level;
-use super::{FromLeft, Hit, Nearest, NodeSearch, Tracer};
-use crate::event::Recorder;
+use super::{BoxQuery, FromLeft, Hit, Nearest, NodeSearch, Tracer};
+use crate::bvh::Bvh;
 use crate::geom::kernel::Real;
-use crate::geom::{Kernel, Ray, Slabs};
+use crate::geom::{Aabb, Kernel, Ray, Slabs};
 use crate::key::KeyWord;
-use crate::order::Repeatable;
+use crate::order::{Descent, Flow, Pruning, Repeatable, Visitor};
 use crate::traverse::{ByWalk, KeyOnly, Next, Pause, Unfit, WithCursor, WithWord, revisit, traverse, with_word};
 use crate::tree::{Keys, Node, Topology};
 
@@ -21,9 +21,9 @@ pub struct Place(Node);
 /// Where a ray begins in the hierarchy changes what it costs, never what it hits: the answers are those of the tracer, for
 /// any place. Close hits are found sooner, and keep what is far away from being looked at.
 ///
-/// The traversal has nothing but the key of the leaf, as the decisions that led there were another ray's: so the siblings
-/// on the way up are visited without a test of their own boxes. Addresses of leaf and sibling are found by a walk along the
-/// key, which tests no boxes.
+/// The traversal has nothing but the key of the leaf, as the decisions that led there were another ray's: so each sibling on the
+/// way up is visited, and its own box tested then. Addresses of leaf and sibling are found by a walk along the key, which tests
+/// no boxes.
 ///
 /// ```
 /// use glam::Vec3;
@@ -47,53 +47,63 @@ pub struct Place(Node);
 pub struct Continuation<'t, 'a, K: Kernel, B> {
     tracer: &'t Tracer<'a, K, B>,
     keys: Keys,
+    /// Of each node.
+    boxes: Vec<Aabb>,
 }
 
 impl<'t, 'a, K: Kernel, B: Slabs<Vector = K::Vector>> Continuation<'t, 'a, K, B> {
-    /// Makes a table of the keys of all nodes.
+    /// Makes tables of the keys and boxes of all nodes.
     ///
     /// # Errors
     /// [`Unfit::NoPause`] where the tracer's traversal cannot begin but at the root.
     pub fn new(tracer: &'t Tracer<'a, K, B>) -> Result<Self, Unfit> {
-        if tracer.method().can_pause() {
-            Ok(Self { tracer, keys: Keys::of(tracer.bvh()) })
-        } else {
-            Err(Unfit::NoPause)
+        if !tracer.method().can_pause() {
+            return Err(Unfit::NoPause);
         }
+        let bvh = tracer.bvh();
+        Ok(Self { tracer, keys: Keys::of(bvh), boxes: bvh.own_boxes() })
     }
 
     /// The closest hit, and its place. The first ray of a path comes from nowhere.
     pub fn closest(&self, ray: &Ray<K::Vector>, from: Option<Place>) -> Option<(Hit<Real<K>>, Place)> {
-        let mut search = NodeSearch::<K, B, false>::new(self.tracer.level.bvh, &self.tracer.level.boxes, ray);
-        self.run(from, &mut search, &mut ());
+        let mut search = NodeSearch::<K, B, false>::new(self.tracer.level.bvh, &self.boxes, ray);
+        self.run(from, &mut search);
         Some((search.hit()?, Place(search.query.hit_leaf()?)))
     }
 
     /// Whether there is any hit.
     pub fn any(&self, ray: &Ray<K::Vector>, from: Option<Place>) -> bool {
-        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.tracer.level.bvh, &self.tracer.level.boxes, ray);
-        self.run(from, &mut search, &mut ());
+        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.tracer.level.bvh, &self.boxes, ray);
+        self.run(from, &mut search);
         search.found().is_some()
     }
 
     /// What a closest hit (or with `any`, any hit) costs, counted, without backtracks.
     pub fn count(&self, ray: &Ray<K::Vector>, from: Option<Place>, any: bool) -> Counters {
         let mut counters = Counters { rays: 1, ..Counters::default() };
-        let (bvh, boxes, counted) = (self.tracer.level.bvh, &*self.tracer.level.boxes, &mut counters);
-        let query: &mut dyn Repeatable = if any {
+        let (bvh, boxes, counted) = (self.tracer.level.bvh, &*self.boxes, &mut counters);
+        let query: &mut dyn Seeking = if any {
             let search = NodeSearch::new(bvh, boxes, ray);
             &mut Counting::<K, B, true, FromLeft> { search, counters: counted }
         } else {
             let search = NodeSearch::new(bvh, boxes, ray);
             &mut Counting::<K, B, false, Nearest> { search, counters: counted }
         };
-        self.run(from, query, &mut ());
-        counters
+        let tests = self.run(from, query);
+        Counters { boxes: counters.boxes + tests, ..counters }
     }
 
-    fn run(&self, from: Option<Place>, query: &mut dyn Repeatable, recorder: &mut impl Recorder) {
-        let ran = with_word(self.tracer.level.word, Begin { at: self, from, query, recorder });
+    /// Returns the number of tests of siblings' own boxes.
+    fn run(&self, from: Option<Place>, query: &mut dyn Seeking) -> u64 {
+        let bvh = self.tracer.bvh();
+        // A place of another hierarchy is no place in this one: then from the last leaf.
+        let last = bvh.leaves().len() as u32 - 1;
+        let from = from.map(|Place(leaf)| Node::leaf((leaf.index() as u32).min(last)));
+        let next = from.unwrap_or(bvh.root());
+        let mut upwards = Upwards { query, bvh, boxes: &self.boxes, next, postponed: 0, tests: 0 };
+        let ran = with_word(self.tracer.level.word, Begin { at: self, from, query: &mut upwards });
         debug_assert_eq!(ran, Ok(()), "checked when the tracer and this were made");
+        upwards.tests
     }
 }
 
@@ -103,43 +113,102 @@ impl<K: Kernel, B> std::fmt::Debug for Continuation<'_, '_, K, B> {
     }
 }
 
-struct Begin<'q, 'c, 't, 'a, K: Kernel, B, R> {
-    at: &'c Continuation<'t, 'a, K, B>,
-    from: Option<Place>,
-    query: &'q mut dyn Repeatable,
-    recorder: &'q mut R,
+/// What runs from below: one type for all queries.
+trait Seeking: BoxQuery + Repeatable {}
+
+impl<Q: BoxQuery + Repeatable> Seeking for Q {}
+
+/// A query that tests a node's own box where no descent has done so: at the siblings on the way up.
+struct Upwards<'q, S> {
+    query: &'q mut dyn Seeking,
+    bvh: &'q Bvh<S>,
+    boxes: &'q [Aabb],
+    /// The node that is visited next, unless the search turns back.
+    next: Node,
+    /// How many nodes descents have postponed: they come before what is further up. (Where some are left out again, a
+    /// sibling may be taken for one of them, and not be tested.)
+    postponed: u32,
+    tests: u64,
 }
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>, R: Recorder> WithWord for Begin<'_, '_, '_, '_, K, B, R> {
+impl<S> Upwards<'_, S> {
+    fn is_wanted(&mut self, node: Node) -> bool {
+        if node == self.next {
+            return true;
+        }
+        if self.postponed > 0 {
+            self.postponed -= 1;
+            return true;
+        }
+        self.tests += 1;
+        self.query.touches(&self.boxes[self.bvh.slot(node)])
+    }
+}
+
+impl<S> Visitor for Upwards<'_, S> {
+    fn inner(&mut self, node: Node) -> Descent {
+        if !self.is_wanted(node) {
+            return Descent::NEITHER;
+        }
+        let descent = self.query.inner(node);
+        self.next = self.bvh.child(node, descent.first());
+        self.postponed += u32::from(descent.postpones());
+        descent
+    }
+
+    fn leaf(&mut self, node: Node) -> Flow {
+        if self.is_wanted(node) { self.query.leaf(node) } else { Flow::Continue }
+    }
+
+    fn allows(&self, pruning: Pruning) -> bool {
+        self.query.allows(pruning)
+    }
+
+    fn is_disjoint(&self, node: Node, descent: Descent) -> bool {
+        self.query.is_disjoint(node, descent)
+    }
+
+    fn found_at(&self, leaf: Node) -> bool {
+        self.query.found_at(leaf)
+    }
+}
+
+impl<S> Repeatable for Upwards<'_, S> {}
+
+struct Begin<'q, 'c, 't, 'a, K: Kernel, B> {
+    at: &'c Continuation<'t, 'a, K, B>,
+    from: Option<Node>,
+    query: &'q mut Upwards<'c, K::Shape>,
+}
+
+impl<K: Kernel, B: Slabs<Vector = K::Vector>> WithWord for Begin<'_, '_, '_, '_, K, B> {
     type Output = Result<(), Unfit>;
 
     fn call<W: KeyWord>(self) -> Result<(), Unfit> {
-        let Self { at: Continuation { tracer, keys }, from, query, recorder } = self;
+        let Self { at: Continuation { tracer, keys, .. }, from, query } = self;
         let Level { bvh, tables, .. } = &tracer.level;
-        // A place of another hierarchy is no place in this one: then from the root.
-        let key = from.map(|Place(leaf)| keys.key::<W>(bvh.slot(leaf).min(bvh.node_count() - 1)));
-        let from = key.and_then(|key| KeyOnly::locate(key, Next::Visit, &ByWalk(*bvh)).ok());
-        tables.with_cursor::<W, _>(tracer.level.method_for(query), Run { from, query, recorder })
+        let locate = |leaf| KeyOnly::locate(keys.key::<W>(bvh.slot(leaf)), Next::Visit, &ByWalk(*bvh)).ok();
+        let from = from.and_then(locate);
+        tables.with_cursor::<W, _>(tracer.level.method_for(query), Run { from, query })
     }
 }
 
 /// From a node, or from the root.
-struct Run<'q, W, R> {
+struct Run<'q, W, Q> {
     from: Option<KeyOnly<W>>,
-    query: &'q mut dyn Repeatable,
-    recorder: &'q mut R,
+    query: &'q mut Q,
 }
 
-impl<W: KeyWord, R: Recorder> WithCursor<W> for Run<'_, W, R> {
+impl<W: KeyWord, Q: Repeatable> WithCursor<W> for Run<'_, W, Q> {
     type Output = ();
 
     fn call(self, cursor: impl Pause<Word = W>) {
-        let Self { from, mut query, recorder } = self;
+        let Self { from, query } = self;
         if let Some(from) = from {
-            let began = revisit(cursor, from, &mut query, recorder);
+            let began = revisit(cursor, from, query, &mut ());
             debug_assert!(began.is_ok(), "located with its sibling");
         } else {
-            traverse(cursor, &mut query, recorder);
+            traverse(cursor, query, &mut ());
         }
     }
 }

@@ -1,12 +1,12 @@
 //! What queries cost, in things that can be counted.
 
 use crate::geom::kernel::Stage;
-use crate::geom::{Kernel, Slabs};
+use crate::geom::{Aabb, Kernel, Slabs};
 use crate::order::{Descent, Flow, NodeTest, Pruning, Repeatable, Visitor};
 use crate::report::Backtracks;
 use crate::tree::{Node, Uncles};
 
-use super::{ChildOrder, NodeSearch};
+use super::{BoxQuery, ChildOrder, NodeSearch};
 
 /// Counts over many rays. Queries that nobody counts pay nothing: these run in a copy of their own.
 #[derive(Clone, Debug)]
@@ -103,6 +103,18 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
 
     fn end(&self) -> u32 {
         self.search.end()
+    }
+}
+
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> BoxQuery
+    for Counting<'_, '_, K, B, ANY, O>
+{
+    fn touches(&self, aabb: &Aabb) -> bool {
+        self.search.touches(aabb)
+    }
+
+    fn slot(&self, node: Node) -> usize {
+        self.search.slot(node)
     }
 }
 

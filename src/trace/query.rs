@@ -92,6 +92,16 @@ impl<Q: BoxQuery> Visitor for OwnBoxes<'_, Q> {
     }
 }
 
+impl<Q: BoxQuery> BoxQuery for OwnBoxes<'_, Q> {
+    fn touches(&self, aabb: &Aabb) -> bool {
+        self.query.touches(aabb)
+    }
+
+    fn slot(&self, node: Node) -> usize {
+        self.query.slot(node)
+    }
+}
+
 impl<Q: BoxQuery + Repeatable> Repeatable for OwnBoxes<'_, Q> {}
 
 impl<Q: BoxQuery> NodeTest for OwnBoxes<'_, Q> {
