@@ -1,6 +1,6 @@
 //! The textbook's slab test, with one reciprocal for both planes of an axis.
 
-use glam::{Vec3, Vec4, Vec4Swizzles};
+use glam::{Vec3, Vec4};
 
 use super::{Intervals, Slabs, near_and_far};
 use crate::geom::{Ray, Region};
@@ -55,7 +55,6 @@ impl<const PADDED: bool> Slabs for Centred<PADDED> {
     fn pair(&self, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
         let [near, far] = near_and_far(planes, &self.origin, &self.inverse, self.tmin, tmax);
         let (near, far) = if PADDED { (near * Self::DOWN, far * Self::UP) } else { (near, far) };
-        let hit = near.cmple(far.yxwz()).bitmask();
-        Intervals { hit: [hit & 1 != 0, hit & 4 != 0], near: [near.x, near.z], far: [far.y, far.w] }
+        Intervals::of_lanes([near, far])
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::{Vec3, Vec4, Vec4Swizzles};
 
-use super::{Intervals, Slabs, Wide, near_and_far};
+use super::{Intervals, MISSED, Slabs, Wide, near_and_far};
 use crate::geom::{Ray, Region, Vector};
 
 /// The slab test with a reciprocal for the near plane of each axis that is too small, and one for the far plane that
@@ -65,25 +65,27 @@ impl Slabs for Directed {
 
     #[inline(always)]
     fn pair(&self, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
-        if self.is_wide {
+        let lanes = if self.is_wide {
             let ([ox, oy, oz], d) = (self.origin.map(|o| o.x), self.direction);
-            return pair_wide([ox, oy, oz, d.x, d.y, d.z, self.tmin], planes, tmax);
-        }
-        let [near, far] = near_and_far(planes, &self.origin, &self.inverse, self.tmin, tmax);
-        let hit = near.cmple(far.yxwz()).bitmask();
-        Intervals { hit: [hit & 1 != 0, hit & 4 != 0], near: [near.x, near.z], far: [far.y, far.w] }
+            [Vec4::from_array(pair_wide([ox, oy, oz, d.x, d.y, d.z, self.tmin], planes, tmax)); 2]
+        } else {
+            near_and_far(planes, &self.origin, &self.inverse, self.tmin, tmax)
+        };
+        Intervals::of_lanes(lanes)
     }
 }
 
-/// The test in double precision. Rays that need it are so rare that it prepares them anew each time. (It takes numbers, so
-/// that the other rays need not be in memory as a whole.)
+/// The test in double precision: near and far of the first box, then of the second. Rays that need it are so rare that it
+/// prepares them anew each time. (It takes numbers, so that the other rays need not be in memory as a whole, and gives no more than
+/// fits registers, so that their results need not be either.)
 #[cold]
 #[inline(never)]
-fn pair_wide([ox, oy, oz, dx, dy, dz, tmin]: [f32; 7], planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
+fn pair_wide([ox, oy, oz, dx, dy, dz, tmin]: [f32; 7], planes: &[[f32; 4]; 3], tmax: f32) -> [f32; 4] {
     let wide = Wide::of(Vec3::new(ox, oy, oz).widen(), Vec3::new(dx, dy, dz).widen(), f64::from(tmin));
     let Intervals { hit, near, far } = wide.pair(planes, f64::INFINITY);
     // A hit's distance is rounded to single precision, perhaps to below where its box is entered. Rounding keeps the
     // order, so entries are rounded before they are compared with it.
     let [near, far] = [near, far].map(|distances| distances.map(|distance| distance as f32));
-    Intervals { hit: [0, 1].map(|i| hit[i] && near[i] <= tmax), near, far: far.map(|far| far.min(tmax)) }
+    let lanes = [0, 1].map(|i| if hit[i] { [near[i], far[i].min(tmax)] } else { MISSED });
+    [lanes[0][0], lanes[0][1], lanes[1][0], lanes[1][1]]
 }

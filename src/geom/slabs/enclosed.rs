@@ -1,9 +1,9 @@
 //! The slab test for a ray that is known within bounds.
 
-use glam::{Vec3, Vec4, Vec4Swizzles};
+use glam::{Vec3, Vec4};
 
 use super::directed::MAX_COORDINATE;
-use super::{Intervals, STEPS, Slabs, near_and_far};
+use super::{Intervals, MISSED, STEPS, Slabs, near_and_far};
 use crate::geom::{EnclosedRay, Ray, Region};
 
 /// A slab test that skips no box which any ray within the bounds touches. `[INST-4]`
@@ -36,7 +36,7 @@ impl Enclosed {
     /// huge and tiny numbers.
     #[cold]
     #[inline(never)]
-    fn pair_wide(&self, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
+    fn pair_wide(&self, planes: &[[f32; 4]; 3], tmax: f32) -> [f32; 4] {
         let (mut near, mut far) = ([f64::from(self.tmin); 2], [f64::INFINITY; 2]);
         for (axis, planes) in planes.iter().enumerate() {
             let ([o_least, o_most], [d_least, d_most]) =
@@ -58,9 +58,10 @@ impl Enclosed {
             }
         }
         // Rounding keeps the order, so entries are rounded before they are compared with the rounded distance of a hit.
-        let nears = near.map(|near| near as f32);
-        let hit = [0, 1].map(|side| near[side] <= far[side] && nears[side] <= tmax);
-        Intervals { hit, near: nears, far: far.map(|far| (far as f32).min(tmax)) }
+        let lanes = [0, 1].map(|side| {
+            if near[side] <= far[side] { [near[side] as f32, (far[side] as f32).min(tmax)] } else { MISSED }
+        });
+        [lanes[0][0], lanes[0][1], lanes[1][0], lanes[1][1]]
     }
 }
 
@@ -96,11 +97,10 @@ impl Slabs for Enclosed {
 
     #[inline(always)]
     fn pair(&self, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
-        if self.is_wide {
-            return self.pair_wide(planes, tmax);
-        }
-        let [near, far] = near_and_far(planes, &self.origin, &self.inverse, self.tmin, tmax);
-        let hit = near.cmple(far.yxwz()).bitmask();
-        Intervals { hit: [hit & 1 != 0, hit & 4 != 0], near: [near.x, near.z], far: [far.y, far.w] }
+        Intervals::of_lanes(if self.is_wide {
+            [Vec4::from_array(self.pair_wide(planes, tmax)); 2]
+        } else {
+            near_and_far(planes, &self.origin, &self.inverse, self.tmin, tmax)
+        })
     }
 }

@@ -56,6 +56,18 @@ pub struct Intervals<R> {
     pub far: [R; 2],
 }
 
+impl Intervals<f32> {
+    /// From what [`near_and_far`] gives: a box is hit if it is not left before it is entered.
+    #[inline(always)]
+    fn of_lanes([near, far]: [Vec4; 2]) -> Self {
+        let hit = near.cmple(far.yxwz()).bitmask();
+        Self { hit: [hit & 1 != 0, hit & 4 != 0], near: [near.x, near.z], far: [far.y, far.w] }
+    }
+}
+
+/// Near and far of a box that is missed.
+const MISSED: [f32; 2] = [f32::INFINITY, f32::NEG_INFINITY];
+
 /// The numbers that a slab test calculates with.
 pub type Real<B> = <<B as Slabs>::Vector as Vector>::Real;
 
