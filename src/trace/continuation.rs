@@ -89,21 +89,21 @@ impl<'t, 'a, K: Kernel, B: Slabs<Vector = K::Vector>> Continuation<'t, 'a, K, B>
             let search = NodeSearch::new(bvh, boxes, ray);
             &mut Counting::<K, B, false, Nearest> { search, counters: counted }
         };
-        let tests = self.run(from, query);
-        Counters { boxes: counters.boxes + tests, ..counters }
+        let [tests, missed] = self.run(from, query);
+        Counters { boxes: counters.boxes + tests, inner: counters.inner + missed, ..counters }
     }
 
-    /// Returns the number of tests of siblings' own boxes.
-    fn run(&self, from: Option<Place>, query: &mut dyn Seeking) -> u64 {
+    /// Returns how many siblings were tested, and how many of those were inner nodes and missed.
+    fn run(&self, from: Option<Place>, query: &mut dyn Seeking) -> [u64; 2] {
         let bvh = self.tracer.bvh();
         // A place of another hierarchy is no place in this one: then from the last leaf.
         let last = bvh.leaves().len() as u32 - 1;
         let from = from.map(|Place(leaf)| Node::leaf((leaf.index() as u32).min(last)));
         let next = from.unwrap_or(bvh.root());
-        let mut upwards = Upwards { query, bvh, boxes: &self.boxes, next, postponed: 0, tests: 0 };
+        let mut upwards = Upwards { query, bvh, boxes: &self.boxes, next, postponed: 0, tests: 0, missed: 0 };
         let ran = with_word(self.tracer.level.word, Begin { at: self, from, query: &mut upwards });
         debug_assert_eq!(ran, Ok(()), "checked when the tracer and this were made");
-        upwards.tests
+        [upwards.tests, upwards.missed]
     }
 }
 
@@ -129,6 +129,8 @@ struct Upwards<'q, S> {
     /// sibling may be taken for one of them, and not be tested.)
     postponed: u32,
     tests: u64,
+    /// Inner nodes that were tested and missed.
+    missed: u64,
 }
 
 impl<S> Upwards<'_, S> {
@@ -140,8 +142,10 @@ impl<S> Upwards<'_, S> {
             self.postponed -= 1;
             return true;
         }
+        let is_met = self.query.touches(&self.boxes[self.bvh.slot(node)]);
         self.tests += 1;
-        self.query.touches(&self.boxes[self.bvh.slot(node)])
+        self.missed += u64::from(!is_met && !node.is_leaf());
+        is_met
     }
 }
 

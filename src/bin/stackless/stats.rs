@@ -149,7 +149,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     if let Some(path) = &args.heatmap {
         let rays = procedural::view(&stats.scene, &scene.mesh).rays(HEATMAP_SIDE * HEATMAP_SIDE);
         let most = state::draw(&scene.mesh, &bvh, &rays, args.seed, path)?;
-        say!("{}: the scale ends at {most} nodes, which one ray of 100 exceeds", path.display());
+        say!("{}: the scale ends at {most} nodes a ray, which one pixel of 100 exceeds", path.display());
     }
     if let Some(path) = &args.plot {
         let svg = plot_distances(&format!("Backtracking distance, {}", stats.scene), &backtracks)?;

@@ -150,7 +150,7 @@ pub(super) fn print(rows: &[Row]) {
     say!("{}", table(&header, 2, rows.iter().map(cells).collect()));
 }
 
-/// Draws how many nodes a diffuse ray visits from where each pixel's ray hits: on the left from the root, on the right from
+/// Draws how many nodes four diffuse rays visit from where each pixel's ray hits: on the left from the root, on the right from
 /// the leaf of the hit (Binder & Keller 2016, Fig. 8). Below, the scale from 0 to the number that is returned.
 pub(super) fn draw(
     mesh: &Mesh,
@@ -160,15 +160,20 @@ pub(super) fn draw(
     path: &Path,
 ) -> Result<u64, Box<dyn std::error::Error>> {
     const SCALE: u32 = 12;
+    const RAYS_OF_A_PIXEL: u64 = 4;
     let tracer = Tracer::new(bvh);
     let continuation = Continuation::new(&tracer)?;
     let side = (rays.len() as f64).sqrt() as u32;
     let count = |(i, ray): (usize, &Ray)| {
-        let (ray, place) = step(mesh, bvh, &continuation, ray, seed.wrapping_add(i as u64))?;
-        Some([None, Some(place)].map(|from| {
-            let counters = continuation.count(&ray, from, false);
-            counters.inner + counters.leaves
-        }))
+        let seeds = (0..RAYS_OF_A_PIXEL).map(|k| seed.wrapping_add(i as u64 * RAYS_OF_A_PIXEL + k));
+        let steps = seeds.filter_map(|seed| step(mesh, bvh, &continuation, ray, seed));
+        let counts = steps.map(|(ray, place)| {
+            [None, Some(place)].map(|from| {
+                let counters = continuation.count(&ray, from, false);
+                counters.inner + counters.leaves
+            })
+        });
+        counts.reduce(|[a, b], [c, d]| [a + c, b + d])
     };
     let counts: Vec<_> = rays.par_iter().enumerate().map(count).collect();
     let mut sorted: Vec<_> = counts.iter().flatten().flatten().copied().collect();
@@ -187,7 +192,7 @@ pub(super) fn draw(
     picture.write_to(&mut png, ImageFormat::Png)?;
     scene::write_atomically(path, |file| file.write_all(png.get_ref()))
         .map_err(|error| format!("{}: cannot be written: {error}", path.display()))?;
-    Ok(most)
+    Ok(most / RAYS_OF_A_PIXEL)
 }
 
 /// From blue over green and red to white.
