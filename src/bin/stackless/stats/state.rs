@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use image::{ImageFormat, Rgb, RgbImage};
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{Rgb, RgbImage};
 use rayon::prelude::*;
 use serde::Serialize;
 use stackless_bvh::bvh::Bvh;
@@ -189,7 +190,7 @@ pub(super) fn draw(
         counts.map_or(Rgb([0; 3]), |counts| colour(counts[right as usize] as f64 / most as f64))
     });
     let mut png = std::io::Cursor::new(Vec::new());
-    picture.write_to(&mut png, ImageFormat::Png)?;
+    picture.write_with_encoder(PngEncoder::new_with_quality(&mut png, CompressionType::Best, FilterType::Adaptive))?;
     scene::write_atomically(path, |file| file.write_all(png.get_ref()))
         .map_err(|error| format!("{}: cannot be written: {error}", path.display()))?;
     Ok(most / RAYS_OF_A_PIXEL)
