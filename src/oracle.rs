@@ -45,8 +45,11 @@ impl<T: Topology, V: Visitor, R: Recorder> Reference<'_, T, V, R> {
             self.found |= self.visitor.found_at(node);
             return flow;
         }
-        let descent = self.visitor.inner(node);
-        let (is_disjoint, begins) = (self.visitor.is_disjoint(node, descent), self.visitor.postponed(node, descent));
+        let descent = match self.pruning {
+            Pruning::Disjoint => self.visitor.inner_marked(node),
+            _ => self.visitor.inner(node),
+        };
+        let begins = self.visitor.postponed(node, descent);
         let Some(left) = depth_left.checked_sub(1).filter(|_| !descent.is_neither()) else { return Flow::Continue };
         let sides = [descent.first(), descent.first().other()];
         let [first, second] = sides.map(|side| self.tree.children(node)[side.index()]);
@@ -54,7 +57,7 @@ impl<T: Topology, V: Visitor, R: Recorder> Reference<'_, T, V, R> {
         let flow = self.visit(first, left);
         let is_pruned = match self.pruning {
             Pruning::Never => false,
-            Pruning::Disjoint => is_disjoint && self.found,
+            Pruning::Disjoint => descent.is_disjoint() && self.found,
             Pruning::Distance => begins > self.visitor.end(),
         };
         self.found |= found_before;

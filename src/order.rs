@@ -52,7 +52,7 @@ impl Descent {
     /// The same, with a mark where all that is below the first child comes before all that is below the second: their
     /// intervals along the ray are disjoint (Binder & Keller 2016, Section 2.3). `[ORDER-2]`
     ///
-    /// Traversals that prune mark descents by what [`Visitor::is_disjoint`] says.
+    /// What [`Visitor::inner_marked`] answers to traversals that prune.
     #[inline]
     #[must_use]
     pub const fn disjoint_if(self, disjoint: bool) -> Self {
@@ -132,11 +132,11 @@ pub trait Visitor {
         pruning == Pruning::Never
     }
 
-    /// Whether all that is sought below the first child of this descent from `node` comes before all that is sought below
-    /// the second. `[ORDER-2]`
+    /// [`inner`](Self::inner), with a [mark](Descent::disjoint_if) where all that is sought below the first child comes before
+    /// all that is sought below the second. `[ORDER-2]`
     #[inline]
-    fn is_disjoint(&self, _node: Node, _descent: Descent) -> bool {
-        false
+    fn inner_marked(&mut self, node: Node) -> Descent {
+        self.inner(node)
     }
 
     /// Whether the best of what has been found is in this leaf, and before all that is sought below the second child of any
@@ -195,8 +195,8 @@ impl<T: Visitor + ?Sized> Visitor for &mut T {
     }
 
     #[inline]
-    fn is_disjoint(&self, node: Node, descent: Descent) -> bool {
-        (**self).is_disjoint(node, descent)
+    fn inner_marked(&mut self, node: Node) -> Descent {
+        (**self).inner_marked(node)
     }
 
     #[inline]

@@ -46,15 +46,16 @@ impl Visitor for Slipping<'_> {
         Visitor::leaf(&mut self.search, node)
     }
 
-    fn is_disjoint(&self, node: Node, descent: Descent) -> bool {
+    fn inner_marked(&mut self, node: Node) -> Descent {
+        let descent = self.inner(node);
         let [first, second] = [descent.first(), descent.first().other()]
             .map(|side| self.cells[self.tree.slot(self.tree.child(node, side))]);
-        match self.slip {
+        descent.disjoint_if(match self.slip {
             Slip::NotStrict => first.exit.is_some_and(|exit| exit <= second.enter),
             // Apart, as it would be asked where the near child always comes first.
             Slip::WrongOrder => second.exit.is_some_and(|exit| exit < first.enter),
-            _ => self.search.is_disjoint(node, descent),
-        }
+            _ => first.exit.is_some_and(|exit| exit < second.enter),
+        })
     }
 
     fn found_at(&self, leaf: Node) -> bool {

@@ -345,10 +345,11 @@ impl<T: Topology> Visitor for Search<'_, T> {
         true
     }
 
-    fn is_disjoint(&self, node: Node, descent: Descent) -> bool {
+    fn inner_marked(&mut self, node: Node) -> Descent {
+        let descent = self.inner(node);
         let [first, second] =
             [descent.first(), descent.first().other()].map(|side| self.cell(self.tree.child(node, side)));
-        first.ends() < second.enter
+        descent.disjoint_if(first.ends() < second.enter)
     }
 
     /// What is hit beyond its leaf may come after what is in others.

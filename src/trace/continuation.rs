@@ -147,6 +147,12 @@ impl<S> Upwards<'_, S> {
         self.missed += u64::from(!is_met && !node.is_leaf());
         is_met
     }
+
+    fn follow(&mut self, node: Node, descent: Descent) -> Descent {
+        self.next = self.bvh.child(node, descent.first());
+        self.postponed += u32::from(descent.postpones());
+        descent
+    }
 }
 
 impl<S> Visitor for Upwards<'_, S> {
@@ -155,9 +161,15 @@ impl<S> Visitor for Upwards<'_, S> {
             return Descent::NEITHER;
         }
         let descent = self.query.inner(node);
-        self.next = self.bvh.child(node, descent.first());
-        self.postponed += u32::from(descent.postpones());
-        descent
+        self.follow(node, descent)
+    }
+
+    fn inner_marked(&mut self, node: Node) -> Descent {
+        if !self.is_wanted(node) {
+            return Descent::NEITHER;
+        }
+        let descent = self.query.inner_marked(node);
+        self.follow(node, descent)
     }
 
     fn leaf(&mut self, node: Node) -> Flow {
@@ -166,10 +178,6 @@ impl<S> Visitor for Upwards<'_, S> {
 
     fn allows(&self, pruning: Pruning) -> bool {
         self.query.allows(pruning)
-    }
-
-    fn is_disjoint(&self, node: Node, descent: Descent) -> bool {
-        self.query.is_disjoint(node, descent)
     }
 
     fn found_at(&self, leaf: Node) -> bool {

@@ -89,8 +89,10 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
         self.search.allows(pruning)
     }
 
-    fn is_disjoint(&self, node: Node, descent: Descent) -> bool {
-        self.search.is_disjoint(node, descent)
+    fn inner_marked(&mut self, node: Node) -> Descent {
+        self.counters.inner += 1;
+        self.counters.boxes += 2;
+        self.search.inner_marked(node)
     }
 
     fn found_at(&self, leaf: Node) -> bool {

@@ -70,8 +70,8 @@ impl<Q: BoxQuery> Visitor for OwnBoxes<'_, Q> {
     }
 
     #[inline]
-    fn is_disjoint(&self, node: Node, descent: Descent) -> bool {
-        self.query.is_disjoint(node, descent)
+    fn inner_marked(&mut self, node: Node) -> Descent {
+        self.query.inner_marked(node)
     }
 
     /// What is found beyond the box of its leaf may come after what is in others. `[DISJOINT-4]`

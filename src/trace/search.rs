@@ -151,10 +151,12 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
 
     /// Whatever the order, the first interval must end before the second begins.
     #[inline(always)]
-    fn is_disjoint(&self, node: Node, descent: Descent) -> bool {
-        let Intervals { near, far, .. } = self.slabs.pair(&self.bvh.node(node.index()).planes, self.t);
-        let first = descent.first();
-        far[first.index()] < near[first.other().index()]
+    fn inner_marked(&mut self, node: Node) -> Descent {
+        let planes = &self.bvh.node(node.index()).planes;
+        let Intervals { hit: [left, right], near, far } = self.slabs.pair(planes, self.t);
+        let prefers_right = O::prefers_right(near);
+        let is_disjoint = if prefers_right { far[1] < near[0] } else { far[0] < near[1] };
+        Descent::new(left, right, prefers_right).disjoint_if(is_disjoint)
     }
 
     #[inline(always)]

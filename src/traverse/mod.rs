@@ -146,10 +146,7 @@ pub fn traverse<C: Cursor>(mut cursor: C, visitor: &mut impl Visitor, recorder: 
             }
             false
         } else {
-            let mut descent = visitor.inner(node);
-            if C::PRUNES {
-                descent = descent.disjoint_if(visitor.is_disjoint(node, descent));
-            }
+            let descent = if C::PRUNES { visitor.inner_marked(node) } else { visitor.inner(node) };
             let descended = !descent.is_neither() && cursor.descend(descent);
             if C::KEEPS_DISTANCES && descent.postpones() {
                 cursor.keep_distance(visitor.postponed(node, descent));

@@ -90,5 +90,5 @@ fn what_a_small_state_saves_is_counted_and_drawn() {
     let bytes = std::fs::read(picture).unwrap();
     assert_eq!(&bytes[1..4], b"PNG");
     let number = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap());
-    assert_eq!((number(16), number(20)), (640, 332));
+    assert_eq!((number(16), number(20)), (448, 236));
 }

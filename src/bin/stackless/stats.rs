@@ -52,7 +52,7 @@ pub(crate) struct Args {
 }
 
 /// Width and height of each heat map.
-const HEATMAP_SIDE: usize = 320;
+const HEATMAP_SIDE: usize = 224;
 
 /// The file of `--json`.
 #[derive(Serialize)]
