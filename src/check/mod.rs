@@ -19,7 +19,7 @@ mod watch;
 pub use battery::{Battery, Verdict};
 pub use boxes::{BoxTally, check_boxes};
 pub use case::{Case, CaseOptions};
-pub use pauses::{PauseFault, Pauses, Way};
+pub use pauses::{PauseFault, Pauses, Way, check_pauses};
 pub use random::{Disagreement, Plan, Progress, boundary_cases, check_cases, check_random, merge};
 pub use replay::{Replay, ReplayError};
 pub use scene::{SceneDisagreement, SceneTree, Seen, check_scene};

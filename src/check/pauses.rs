@@ -3,7 +3,10 @@
 
 use std::fmt;
 
-use super::Case;
+use rayon::prelude::*;
+
+use super::random::Progress;
+use super::{Case, Plan};
 use crate::event::{Recorder, State, Trace};
 use crate::generate::Search;
 use crate::hash::{KeyMap, KeySet, Options, PerfectHash, Sizing};
@@ -11,8 +14,8 @@ use crate::key::{self, KeyWord};
 use crate::oracle;
 use crate::order::{Descent, Flow, Visitor};
 use crate::traverse::{
-    ByTable, ByWalk, KeyOnly, KeyTrail, Method, Next, Pause, Paused, States, Tables, WithCursor, resume, revisit,
-    traverse,
+    ByTable, ByWalk, KeyOnly, KeyTrail, Method, Next, Pause, Paused, States, Tables, WithCursor, WithWord, resume,
+    revisit, traverse, with_word,
 };
 use crate::tree::{Keys, Node, Topology, Tree};
 
@@ -58,6 +61,45 @@ impl fmt::Display for PauseFault {
 }
 
 impl std::error::Error for PauseFault {}
+
+/// Puts the traversals of a plan aside, in its words, on the first random cases that are small: as many as `count` at most. Returns
+/// how often, and the first fault.
+pub fn check_pauses(plan: &Plan, count: u64, progress: Progress<'_>) -> (u64, Option<Box<PauseFault>>) {
+    // Each step of each traversal is taken up in each way: that is for trees that are not large.
+    const NODES: usize = 2 * Case::LEAVES as usize;
+    let pairs: Vec<_> = plan.pairs().into_iter().filter(|(method, _)| method.can_pause()).collect();
+    let check = |i: u64| {
+        progress(1);
+        let case = plan.case(i);
+        if case.size() > NODES {
+            return (0, None);
+        }
+        let pauses = Pauses::new(&case);
+        let (mut resumes, mut first) = (0, None);
+        for &(method, word) in &pairs {
+            match with_word(word, InWord { pauses: &pauses, method }) {
+                Ok(count) => resumes += count as u64,
+                Err(fault) => first = first.or(Some(fault)),
+            }
+        }
+        (resumes, first)
+    };
+    let merge = |(a, x): (u64, Option<_>), (b, y): (u64, Option<_>)| (a + b, x.or(y));
+    (0..count.min(plan.trees)).into_par_iter().map(check).reduce(<_>::default, merge)
+}
+
+struct InWord<'a, 'c> {
+    pauses: &'a Pauses<'c>,
+    method: Method,
+}
+
+impl WithWord for InWord<'_, '_> {
+    type Output = Result<usize, Box<PauseFault>>;
+
+    fn call<W: KeyWord>(self) -> Self::Output {
+        self.pauses.check::<W>(self.method)
+    }
+}
 
 /// A case with what it takes to put its traversals aside.
 #[derive(Debug)]

@@ -51,6 +51,11 @@ impl Plan {
         pairs.filter(|&(method, word)| with_word(word, Exists(method))).collect()
     }
 
+    /// Random case number `i`.
+    pub fn case(&self, i: u64) -> Case {
+        Case::random(mix(self.seed.wrapping_add(i)), self.options)
+    }
+
     /// Runs all traversals in all words on one case.
     pub fn check_case(&self, case: &Case, tally: &mut Tally) -> Option<Disagreement> {
         let mut battery = Battery::new(case, &self.methods);
@@ -85,7 +90,7 @@ pub fn check_random(plan: &Plan, progress: Progress<'_>) -> (Tally, Option<Disag
     let chunks = plan.trees.div_ceil(CHUNK);
     let chunk = |index: u64| {
         let range = index * CHUNK..plan.trees.min((index + 1) * CHUNK);
-        let cases = range.clone().map(|i| Case::random(mix(plan.seed.wrapping_add(i)), plan.options));
+        let cases = range.clone().map(|i| plan.case(i));
         let result = check_cases(plan, cases);
         progress(range.end - range.start);
         result

@@ -186,7 +186,7 @@ pub fn resume<C: Pause>(
 /// This is what is left of a traversal of which only the key was kept: nobody knows any more which nodes were wanted, and
 /// which have been visited. So it is no [`Paused`] state, and only searches that do not mind can go on from it.
 ///
-/// ```compile_fail
+/// ```compile_fail,E0277
 /// # use stackless_bvh::bvh::Bvh;
 /// # use stackless_bvh::geom::{Ray, kernel::Exact, slabs::Directed};
 /// # use stackless_bvh::trace::Sweep;

@@ -68,6 +68,11 @@ fn assert_same(args: &str, plan: &Plan) {
 #[test]
 fn two_thousand_trees() {
     assert_same("--trees 2000", &plan(2000));
+    let (stdout, counts) = check("--trees 50 --methods hashed,afra-disjoint,stack", &[]);
+    assert!(counts["resumes"].as_u64().unwrap() > 10_000, "{}", counts["resumes"]);
+    assert!(stdout.contains("put aside and taken up again: "));
+    // Stacks are not put aside.
+    assert_eq!(check("--trees 50 --methods stack", &[]).1["resumes"], 0);
 }
 
 #[test]

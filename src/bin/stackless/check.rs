@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 use stackless_bvh::check::{
-    Battery, CaseOptions, Disagreement, Plan, Replay, SceneDisagreement, SceneTree, Tally, Verdict, boundary_cases,
-    check_cases, check_random, check_scene, merge, shrink,
+    Battery, CaseOptions, Disagreement, PauseFault, Plan, Replay, SceneDisagreement, SceneTree, Tally, Verdict,
+    boundary_cases, check_cases, check_pauses, check_random, check_scene, merge, shrink,
 };
 use stackless_bvh::generate::Family;
 use stackless_bvh::scene::procedural;
@@ -65,7 +65,13 @@ struct Total {
     trees: u64,
     rays: u64,
     tally: Tally,
+    /// How often a traversal was put aside and taken up again, and what went wrong then.
+    resumes: u64,
+    pause_fault: Option<Box<PauseFault>>,
 }
+
+/// Random trees, if they are small, on which traversals are put aside at every step.
+const PAUSED_TREES: u64 = 400;
 
 pub(crate) fn run(args: Args) -> Outcome {
     let scenes = input::scenes(&args.scenes)?;
@@ -93,6 +99,9 @@ pub(crate) fn run(args: Args) -> Outcome {
     let mut found = None;
     if plan.trees > 0 {
         found = check_trees(&plan, abstract_only, &mut total);
+        let progress = bar(PAUSED_TREES.min(plan.trees), "trees, putting aside");
+        (total.resumes, total.pause_fault) = check_pauses(&plan, PAUSED_TREES, &|done| progress.inc(done));
+        progress.finish_and_clear();
     }
     let made = || MADE.iter().map(|name| Scene::load(name.as_ref())).collect::<Result<Vec<_>, _>>();
     let scenes = if scenes.is_empty() && !abstract_only { made()? } else { scenes };
@@ -176,12 +185,19 @@ fn finish(args: &Args, plan: &Plan, total: Total, found: Option<&Disagreement>) 
     if let Some(found) = found {
         print_disagreement(found);
     }
-    let disagreements = total.tally.disagreements();
+    if total.resumes > 0 {
+        say!("put aside and taken up again: {} times", grouped(total.resumes));
+    }
+    if let Some(fault) = &total.pause_fault {
+        say!("{fault}");
+    }
+    let disagreements = total.tally.disagreements() + u64::from(total.pause_fault.is_some());
     let summary = Summary {
         trees: total.trees,
         rays: total.rays,
         methods: plan.pairs().into_iter().map(|(method, _)| method).collect::<HashSet<_>>().len(),
         disagreements,
+        resumes: total.resumes,
         rows,
         smallest: found.map(smallest),
     };
@@ -220,6 +236,8 @@ struct Summary {
     rays: u64,
     methods: usize,
     disagreements: u64,
+    /// How often a traversal was put aside and taken up again.
+    resumes: u64,
     rows: Vec<Row>,
     smallest: Option<Replay>,
 }
