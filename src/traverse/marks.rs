@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::mem::take;
 
-use crate::key::{KeyWord, branched};
+use crate::key::KeyWord;
 use crate::trail;
 
 /// What a traversal keeps of the marks of its descents: nothing, `()`, or a bit a level, [`Disjoint`].
@@ -54,7 +54,8 @@ impl<W: KeyWord> Marks<W> for Disjoint<W> {
 
     #[inline(always)]
     fn descend(&mut self, disjoint: bool) {
-        self.0 = trail::child(take(&mut self.0), branched(disjoint));
+        // Without a branch: no address waits for it, and it is hard to predict.
+        self.0 = trail::child(take(&mut self.0), W::from_bit(disjoint));
     }
 
     #[inline(always)]
