@@ -6,7 +6,7 @@ use glam::{DVec3, Vec3};
 
 use super::{Bvh, BvhError, BvhNode, Leaf, LeafTriangle, validate};
 use crate::geom::{Aabb, Region, Triangle, Vector};
-use crate::hash::mix;
+use crate::hash::checksum;
 use crate::tree::{Node, Recorded};
 
 const MAGIC: [u8; 8] = *b"SBVHTREE";
@@ -249,14 +249,6 @@ fn read_triangle<V: Stored>(bytes: &[u8]) -> LeafTriangle<Triangle<V>> {
 fn numbers<const SIZE: usize, const COUNT: usize>(bytes: &[u8]) -> [[u8; SIZE]; COUNT] {
     let (numbers, _) = bytes.as_chunks();
     array::from_fn(|i| numbers.get(i).copied().unwrap_or([0; SIZE]))
-}
-
-/// A number that changes if a single word of 64 bits does, and as good as always if others do. `[FILE-4]`
-fn checksum(bytes: &[u8]) -> u64 {
-    let (words, rest) = bytes.as_chunks();
-    let mut last = [0; 8];
-    last.iter_mut().zip(rest).for_each(|(last, byte)| *last = *byte);
-    words.iter().chain([&last]).fold(bytes.len() as u64, |sum, word| mix(sum ^ u64::from_le_bytes(*word)))
 }
 
 #[cfg(test)]

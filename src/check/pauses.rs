@@ -118,7 +118,7 @@ impl<'c> Pauses<'c> {
         let all = Options { key_set: KeySet::All, sizing: Sizing::Tight };
         Self {
             case,
-            tables: Tables::new(&case.tree, case.tape.axes(), &Method::ALL, 0),
+            tables: Tables::new(&case.tree, case.tape.axes(), &methods().collect::<Vec<_>>(), 0),
             states: States::of(&case.tree),
             keys: Keys::of(&case.tree),
             map: KeyMap::of(&case.tree),
@@ -166,7 +166,7 @@ impl<'c> Pauses<'c> {
         let mut go_on = |method, way, paused: &Paused<W>, exactly| {
             let mut trace = before.trace.clone();
             let mut search = before.search.clone();
-            let resumed = Resume { paused: paused.clone(), search: &mut search, trace: &mut trace };
+            let resumed = GoOn { from: Start::State(paused.clone()), search: &mut search, trace: &mut trace };
             match self.tables.with_cursor::<W, _>(method, resumed) {
                 Ok(ran) => ran.map_err(|what| fault(way, what))?,
                 // Not all carry the same depth.
@@ -205,7 +205,7 @@ impl<'c> Pauses<'c> {
             let by_hash = kept.locate(&ByTable(hash)).map_err(|error| refused(Way::Hash)(&error))?;
             go_on(method, Way::Hash, &by_hash, true)?;
         }
-        for other in Method::ALL.into_iter().filter(|other| other.can_pause()) {
+        for other in methods() {
             // Where the second trail gets lost, or begins in the middle, only what is found must be the same.
             go_on(other, Way::Other(other), &located, other.test() == method.test())?;
         }
@@ -223,7 +223,7 @@ impl<'c> Pauses<'c> {
         found: &Search<'_, Tree>,
     ) -> Result<(), String> {
         let (mut trace, mut search) = (Trace::default(), before.search.clone());
-        let again = Revisit { from: from.clone(), search: &mut search, trace: &mut trace };
+        let again = GoOn { from: Start::Key(from.clone()), search: &mut search, trace: &mut trace };
         self.tables.with_cursor::<W, _>(method, again).map_err(|unfit| unfit.to_string())??;
         if search.outcome.hit != found.outcome.hit {
             return Err(format!("finds {:?}, expected {:?}", search.outcome.hit, found.outcome.hit));
@@ -249,6 +249,11 @@ impl<'c> Pauses<'c> {
             Err(format!("visits {:?}, expected {:?}", trace.nodes(), expected.nodes()))
         }
     }
+}
+
+/// The traversals that can be put aside.
+fn methods() -> impl Iterator<Item = Method> {
+    Method::ALL.into_iter().filter(|method| method.can_pause())
 }
 
 /// Runs to the end.
@@ -328,31 +333,25 @@ impl Visitor for StopAtLeaf<'_, '_> {
 }
 
 /// Goes on.
-struct Resume<'a, 'c, W> {
-    paused: Paused<W>,
+struct GoOn<'a, 'c, W> {
+    from: Start<W>,
     search: &'a mut Search<'c, Tree>,
     trace: &'a mut Trace,
 }
 
-impl<W: KeyWord> WithCursor<W> for Resume<'_, '_, W> {
+enum Start<W> {
+    State(Paused<W>),
+    Key(KeyOnly<W>),
+}
+
+impl<W: KeyWord> WithCursor<W> for GoOn<'_, '_, W> {
     type Output = Result<(), String>;
 
     fn call(self, cursor: impl Pause<Word = W>) -> Result<(), String> {
-        resume(cursor, self.paused, self.search, self.trace).map(|_| ()).map_err(|error| error.to_string())
-    }
-}
-
-/// Goes on from a key.
-struct Revisit<'a, 'c, W> {
-    from: KeyOnly<W>,
-    search: &'a mut Search<'c, Tree>,
-    trace: &'a mut Trace,
-}
-
-impl<W: KeyWord> WithCursor<W> for Revisit<'_, '_, W> {
-    type Output = Result<(), String>;
-
-    fn call(self, cursor: impl Pause<Word = W>) -> Result<(), String> {
-        revisit(cursor, self.from, self.search, self.trace).map(|_| ()).map_err(|error| error.to_string())
+        let ran = match self.from {
+            Start::State(paused) => resume(cursor, paused, self.search, self.trace),
+            Start::Key(key) => revisit(cursor, key, self.search, self.trace),
+        };
+        ran.map(|_| ()).map_err(|error| error.to_string())
     }
 }

@@ -65,3 +65,11 @@ pub(crate) const fn mix(mut x: u64) -> u64 {
     x = x.wrapping_mul(0x94d0_49bb_1331_11eb);
     x ^ x >> 31
 }
+
+/// A number that changes if a single word of 64 bits does, and as good as always if others do. `[FILE-4]`
+pub(crate) fn checksum(bytes: &[u8]) -> u64 {
+    let (words, rest) = bytes.as_chunks();
+    let mut last = [0; 8];
+    last.iter_mut().zip(rest).for_each(|(last, byte)| *last = *byte);
+    words.iter().chain([&last]).fold(bytes.len() as u64, |sum, word| mix(sum ^ u64::from_le_bytes(*word)))
+}

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::Closest;
+use super::{Closest, Hit};
 use crate::bvh::Bvh;
 use crate::generate::Rng;
 use crate::geom::Ray;
@@ -16,16 +16,20 @@ pub fn bounce(mesh: &Mesh, bvh: &Bvh, rays: &[Ray], seed: u64) -> Vec<Ray> {
     let bounced = rays.iter().filter_map(|ray| {
         let mut search = Closest::new(bvh, ray);
         traverse(Stack::new(bvh, &mut memory), &mut search, &mut ());
-        let hit = search.hit()?;
-        let [a, b, c] = mesh.triangle(hit.prim as usize);
-        let normal = (b - a).cross(c - a).try_normalize()?;
-        let outside = if normal.dot(ray.direction()) > 0.0 { -normal } else { normal };
-        // Added to the normal, a point of the unit sphere gives the cosine distribution.
-        let direction = outside + unit_vector(&mut rng);
-        let origin = ray.origin() + ray.direction() * (hit.t * (1.0 - 1e-4));
-        Ray::new(origin, direction, 0.0, f32::INFINITY).ok()
+        reflect(mesh, ray, &search.hit()?, &mut rng)
     });
     bounced.collect()
+}
+
+/// The ray of [`bounce`] from a hit of one ray; `None` where the triangle is too small to have a normal.
+pub fn reflect(mesh: &Mesh, ray: &Ray, hit: &Hit, rng: &mut Rng) -> Option<Ray> {
+    let [a, b, c] = mesh.triangle(hit.prim as usize);
+    let normal = (b - a).cross(c - a).try_normalize()?;
+    let outside = if normal.dot(ray.direction()) > 0.0 { -normal } else { normal };
+    // Added to the normal, a point of the unit sphere gives the cosine distribution.
+    let direction = outside + unit_vector(rng);
+    let origin = ray.origin() + ray.direction() * (hit.t * (1.0 - 1e-4));
+    Ray::new(origin, direction, 0.0, f32::INFINITY).ok()
 }
 
 fn unit_vector(rng: &mut Rng) -> Vec3 {

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use super::{Next, Paused};
-use crate::hash::{AddressBounds, mix};
+use crate::hash::{AddressBounds, checksum, mix};
 use crate::key::{self, Grow, KeyWord, Word};
 use crate::trail;
 use crate::tree::{Keys, Node, Topology, for_each_parent};
@@ -253,9 +253,4 @@ fn flags<W>(paused: &Paused<W>) -> u8 {
 fn word_of<W: KeyWord>(bytes: &[u8]) -> W {
     let bits = bytes.iter().rev().flat_map(|byte| (0..8).rev().map(move |bit| byte >> bit & 1 == 1));
     bits.fold(W::zero(), |word, bit| word.shl1().or(&W::from_bit(bit)))
-}
-
-/// Changes with every byte, as each step is a bijection.
-fn checksum(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(mix(bytes.len() as u64), |sum, &byte| mix(sum ^ u64::from(byte)).wrapping_add(1))
 }

@@ -11,13 +11,13 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 use stackless_bvh::geom::Ray;
-use stackless_bvh::scene::{procedural, stress, write_atomically};
+use stackless_bvh::scene::{procedural, stress};
 use stackless_bvh::trace::{self, Truth};
 
 use crate::Outcome;
 use crate::input::Scene;
 use crate::judge::{Counts, Query, Truths};
-use crate::output::{bar, say, write_json};
+use crate::output::{bar, say, write_file, write_json};
 use pairs::{Pair, Trees};
 use rows::{Kind, Row};
 use stages::Stages;
@@ -84,13 +84,15 @@ pub(crate) fn run(args: &Args) -> Outcome {
     }
     tables::print(&rows, &stages);
     if let Some(path) = &args.csv {
-        write(path, &rows::csv(&rows))?;
+        let csv = rows::csv(&rows);
+        write_file(path, |file| file.write_all(csv.as_bytes()))?;
     }
     if let Some(path) = &args.json {
         write_json(path, &rows)?;
     }
     if let Some(path) = &args.plot {
-        write(path, &tables::plot(&rows)?)?;
+        let svg = tables::plot(&rows)?;
+        write_file(path, |file| file.write_all(svg.as_bytes()))?;
     }
     for offence in &offences {
         say!("{offence}");
@@ -164,9 +166,4 @@ fn sets(scene: &Scene, trees: &Trees, args: &Args) -> [Set; 5] {
         set("aimed", Kind::Adversarial, Query::Closest, &aimed),
         set("aimed-any", Kind::Adversarial, Query::Any, &aimed),
     ]
-}
-
-fn write(path: &Path, text: &str) -> Result<(), String> {
-    write_atomically(path, |file| file.write_all(text.as_bytes()))
-        .map_err(|error| format!("{}: cannot be written: {error}", path.display()))
 }

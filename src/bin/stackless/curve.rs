@@ -8,12 +8,11 @@ use std::path::PathBuf;
 use serde::Serialize;
 use stackless_bvh::curve::{Bezier, Closest, End, Family, Options};
 use stackless_bvh::generate::Rng;
-use stackless_bvh::scene::write_atomically;
 use stackless_bvh::traverse::Method;
 
 use crate::Outcome;
 use crate::input;
-use crate::output::{say, table, write_json};
+use crate::output::{say, table, write_file, write_json};
 use crate::turns::{median, take_turns};
 
 /// Measure run time against proved error: the closest point of a Bézier curve, by interval arithmetic over an implicit tree.
@@ -111,8 +110,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     }
     if let Some(path) = &args.plot {
         let svg = plot::plot(&rows, args)?;
-        write_atomically(path, |file| file.write_all(svg.as_bytes()))
-            .map_err(|error| format!("{}: cannot be written: {error}", path.display()))?;
+        write_file(path, |file| file.write_all(svg.as_bytes()))?;
     }
     Ok(true)
 }

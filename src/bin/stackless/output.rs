@@ -1,5 +1,6 @@
 //! What the subcommands put out: tables, bars, files.
 
+use std::io::{self, Write};
 use std::path::Path;
 
 use comfy_table::{CellAlignment, Table};
@@ -39,8 +40,12 @@ pub(crate) fn bar(length: u64, what: &str) -> ProgressBar {
 /// Writes a value as JSON, whole or not at all.
 pub(crate) fn write_json(path: &Path, value: &impl serde::Serialize) -> Result<(), String> {
     let text = serde_json::to_string_pretty(value).map_err(|error| error.to_string())?;
-    scene::write_atomically(path, |file| writeln!(file, "{text}"))
-        .map_err(|error| format!("{}: cannot be written: {error}", path.display()))
+    write_file(path, |file| writeln!(file, "{text}"))
+}
+
+/// Writes a file, whole or not at all.
+pub(crate) fn write_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
+    scene::write_atomically(path, write).map_err(|error| format!("{}: cannot be written: {error}", path.display()))
 }
 
 /// A number with thousands apart.

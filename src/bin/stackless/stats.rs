@@ -13,7 +13,7 @@ use stackless_bvh::bvh::Bvh;
 use stackless_bvh::hash::{self, BuildError, KeySet, Lookup, Options, PerfectHash, Sizing};
 use stackless_bvh::key::{KeyWord, TooDeep};
 use stackless_bvh::report::{Backtracks, Source, plot_distances};
-use stackless_bvh::scene::{self, procedural};
+use stackless_bvh::scene::procedural;
 use stackless_bvh::trace::{self, Closest};
 use stackless_bvh::traverse::{Hashed, WithWord, WordName, traverse, with_word};
 use stackless_bvh::tree::{Node, Topology, Uncles};
@@ -21,7 +21,7 @@ use stackless_bvh::tree::{Node, Topology, Uncles};
 use crate::Outcome;
 use crate::build::Build;
 use crate::input::Scene;
-use crate::output::{grouped, say, table, write_json};
+use crate::output::{grouped, say, table, write_file, write_json};
 
 /// What a scene's hierarchy and its hash tables take, and how far backtracking goes in it.
 ///
@@ -153,8 +153,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     }
     if let Some(path) = &args.plot {
         let svg = plot_distances(&format!("Backtracking distance, {}", stats.scene), &backtracks)?;
-        scene::write_atomically(path, |file| file.write_all(svg.as_bytes()))
-            .map_err(|error| format!("{}: cannot be written: {error}", path.display()))?;
+        write_file(path, |file| file.write_all(svg.as_bytes()))?;
     }
     if let Some(path) = &args.json {
         write_json(path, &stats)?;

@@ -13,7 +13,7 @@ use stackless_bvh::traverse::{Method, Unfit};
 use crate::Outcome;
 use crate::build::Build;
 use crate::input::{self, Scene};
-use crate::output::{bar, say};
+use crate::output::{bar, say, write_file};
 
 /// Trace rays through a scene.
 ///
@@ -50,8 +50,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let hits = trace::with_level(args.accuracy, WithRays { args, bvh, rays: &rays })
         .map_err(|unfit| format!("{}: {unfit}", args.method))?;
     let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (prim, t, u, v)));
-    scene::write_atomically(&args.out, |file| scene::write_hits(file, rows))
-        .map_err(|error| format!("{}: cannot be written: {error}", args.out.display()))?;
+    write_file(&args.out, |file| scene::write_hits(file, rows))?;
     let hit = hits.iter().flatten().count();
     say!("{}: {} rays, {hit} hits, by {}, {}", scene.name, rays.len(), args.method, args.accuracy);
     Ok(true)

@@ -7,16 +7,17 @@ use image::{Rgb, RgbImage};
 use rayon::prelude::*;
 use serde::Serialize;
 use stackless_bvh::bvh::Bvh;
+use stackless_bvh::generate::Rng;
 use stackless_bvh::geom::kernel::Exact;
 use stackless_bvh::geom::slabs::Directed;
 use stackless_bvh::geom::{Kernel, Ray};
 use stackless_bvh::order::{Descent, Flow, Visitor};
-use stackless_bvh::scene::{self, Mesh};
+use stackless_bvh::scene::Mesh;
 use stackless_bvh::trace::{self, Any, Ask, Continuation, Counters, Place, Plan, Tracer};
 use stackless_bvh::traverse::{Method, Stack, Unfit, traverse};
 use stackless_bvh::tree::Node;
 
-use crate::output::{say, table};
+use crate::output::{say, table, write_file};
 
 /// What a ray costs on average.
 #[derive(Serialize)]
@@ -35,23 +36,23 @@ type Step = (Ray, Place);
 /// Counts for primary rays, and for rays from where they hit.
 pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, primary: &[Ray], seed: u64) -> Result<Vec<Row>, Unfit> {
     let tracer = |method| Tracer::<Exact, Directed>::planned(bvh, &Plan::new(bvh, method, Ask::Distance));
-    let hashed = tracer(Method::Hashed)?;
-    let continuation = Continuation::new(&hashed)?;
+    let tracers = [
+        ("nothing is pruned", tracer(Method::Hashed)?),
+        ("disjoint intervals", tracer(Method::HashedDisjoint)?),
+        ("stored distances", tracer(Method::StackT0)?),
+    ];
+    let continuation = Continuation::new(&tracers[0].1)?;
     let steps: Vec<Step> = primary
         .par_iter()
         .enumerate()
-        .filter_map(|(i, ray)| step(mesh, bvh, &continuation, ray, seed.wrapping_add(i as u64)))
+        .filter_map(|(i, ray)| step(mesh, &continuation, ray, seed.wrapping_add(i as u64)))
         .collect();
     let diffuse: Vec<_> = steps.iter().map(|&(ray, _)| ray).collect();
 
     let mut rows = Vec::new();
     for (query, rays) in [("closest, primary", primary), ("closest, diffuse", &diffuse)] {
-        for (way, method) in [
-            ("nothing is pruned", Method::Hashed),
-            ("disjoint intervals", Method::HashedDisjoint),
-            ("stored distances", Method::StackT0),
-        ] {
-            rows.push(Row::of(query, way, &tracer(method)?.count(rays, false)));
+        for (way, tracer) in &tracers {
+            rows.push(Row::of(query, way, &tracer.count(rays, false)));
         }
     }
     for (query, any) in [("closest, diffuse", false), ("any, diffuse", true)] {
@@ -66,16 +67,9 @@ pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, primary: &[Ray], seed: u64) -> Res
 }
 
 /// A diffuse ray from the hit of another.
-fn step(
-    mesh: &Mesh,
-    bvh: &Bvh,
-    continuation: &Continuation<'_, '_, Exact, Directed>,
-    ray: &Ray,
-    seed: u64,
-) -> Option<Step> {
-    let (_, place) = continuation.closest(ray, None)?;
-    let bounced = trace::bounce(mesh, bvh, std::slice::from_ref(ray), seed);
-    Some((*bounced.first()?, place))
+fn step(mesh: &Mesh, continuation: &Continuation<'_, '_, Exact, Directed>, ray: &Ray, seed: u64) -> Option<Step> {
+    let (hit, place) = continuation.closest(ray, None)?;
+    Some((trace::reflect(mesh, ray, &hit, &mut Rng::new(seed))?, place))
 }
 
 /// All hits of each ray one by one, each time from the root again or from where the search was put aside.
@@ -166,9 +160,10 @@ pub(super) fn draw(
     let continuation = Continuation::new(&tracer)?;
     let side = (rays.len() as f64).sqrt() as u32;
     let count = |(i, ray): (usize, &Ray)| {
+        let (hit, place) = continuation.closest(ray, None)?;
         let seeds = (0..RAYS_OF_A_PIXEL).map(|k| seed.wrapping_add(i as u64 * RAYS_OF_A_PIXEL + k));
-        let steps = seeds.filter_map(|seed| step(mesh, bvh, &continuation, ray, seed));
-        let counts = steps.map(|(ray, place)| {
+        let diffuse = seeds.filter_map(|seed| trace::reflect(mesh, ray, &hit, &mut Rng::new(seed)));
+        let counts = diffuse.map(|ray| {
             [None, Some(place)].map(|from| {
                 let counters = continuation.count(&ray, from, false);
                 counters.inner + counters.leaves
@@ -191,8 +186,7 @@ pub(super) fn draw(
     });
     let mut png = std::io::Cursor::new(Vec::new());
     picture.write_with_encoder(PngEncoder::new_with_quality(&mut png, CompressionType::Best, FilterType::Adaptive))?;
-    scene::write_atomically(path, |file| file.write_all(png.get_ref()))
-        .map_err(|error| format!("{}: cannot be written: {error}", path.display()))?;
+    write_file(path, |file| file.write_all(png.get_ref()))?;
     Ok(most / RAYS_OF_A_PIXEL)
 }
 
