@@ -8,7 +8,7 @@ use crate::tree::{Node, Topology};
 /// [`Stack`](crate::traverse::Stack), which is itself compared with this function.
 pub const DEPTH_LIMIT: u32 = 2000;
 
-/// Visits the root, then, at each inner node, the wanted children in the wanted order. `[ORACLE-1]`
+/// Visits the root, then, at each inner node, the wanted children in the wanted order. `[ORACLE-1]` `[CONF-4]`
 ///
 /// The tree must be at most [`DEPTH_LIMIT`] deep; below that depth nothing is visited.
 pub fn traverse<T: Topology>(tree: &T, visitor: &mut impl Visitor, recorder: &mut impl Recorder) {

@@ -10,7 +10,7 @@ pub use crate::key::Side;
 use crate::tree::Node;
 
 /// The decision at an inner node: no child is wanted, one is, or both are and one of them comes first. Where traversals ask
-/// for it, both may be marked as disjoint.
+/// for it, both may be marked as disjoint. `[ORDER-1]`
 ///
 /// Four bits, made and read without a branch: which children are hit is hard to predict, and a traversal that branches
 /// on it more than once loses up to a third of its speed (`benches/README.md`).

@@ -197,6 +197,14 @@ fn files_are_short() {
     }
 }
 
+/// [CONF-4]
+#[test]
+fn the_reference_is_short() {
+    let text = read(Path::new("src/oracle.rs"));
+    let lines = code(&text).lines().filter(|line| !line.trim().is_empty()).count();
+    assert!(lines <= 60, "{lines} lines");
+}
+
 #[test]
 fn nothing_is_unsafe() {
     for file in ["src/lib.rs", "src/bin/stackless/main.rs"] {

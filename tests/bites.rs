@@ -105,6 +105,7 @@ impl Suspect {
     }
 }
 
+/// [DISJOINT-3] [PAUSE-3]
 #[test]
 fn slips_with_the_second_trail_and_with_resuming() {
     let printed = |resumes, slip, fault| Suspect {
@@ -218,6 +219,7 @@ fn all_must_be_caught(suspects: Vec<Suspect>) {
     }
 }
 
+/// [CONF-1] [REGISTER-2]
 #[test]
 fn bugs_in_a_textbook_traversal() {
     let control = Suspect::textbook(Bug::None, "");

@@ -48,6 +48,7 @@ fn agreeing<W: KeyWord>(case: &Case, levels: u32) -> usize {
     METHODS.iter().filter(agrees).count()
 }
 
+/// [DEPTH-4]
 #[test]
 fn all_small_trees_under_all_scripts() {
     let (mut all, mut count) = (Exhaustive::new(), 0);
@@ -125,6 +126,7 @@ fn chain(depth: u32, right: bool) -> Tree {
     Tree::new(&children).unwrap()
 }
 
+/// [DEPTH-4]
 #[test]
 fn a_depth_of_100_000_in_narrow_words() {
     let mut rng = Rng::new(5);

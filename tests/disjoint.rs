@@ -95,6 +95,7 @@ fn lost(slip: Slip) -> (usize, usize) {
     (lost, saved)
 }
 
+/// [ORACLE-3] [DISJOINT-1]
 #[test]
 fn nothing_is_lost_and_something_is_saved() {
     let (lost, saved) = lost(Slip::None);
@@ -102,6 +103,7 @@ fn nothing_is_lost_and_something_is_saved() {
     assert!(saved > 1000, "{saved}");
 }
 
+/// [ORDER-2] [ORDER-3] [DISJOINT-4]
 #[test]
 fn what_the_marks_need() {
     for slip in [Slip::NotStrict, Slip::NoGuard, Slip::WrongOrder] {
@@ -132,6 +134,7 @@ fn in_parts(mesh: &Mesh) -> Bvh {
     bvh
 }
 
+/// [DISJOINT-5]
 #[test]
 fn searches_without_order_are_refused() {
     let mesh = diagonals();
@@ -159,6 +162,7 @@ fn searches_without_order_are_refused() {
     }
 }
 
+/// [DISJOINT-4] [SPLIT-1]
 #[test]
 fn rays_through_triangles_in_parts() {
     let mesh = diagonals();

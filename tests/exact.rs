@@ -10,6 +10,7 @@ use stackless_bvh::scene::{Mesh, procedural, stress};
 use stackless_bvh::trace::{Accuracy, Closest, ClosestByNode, Hit, KernelName, SlabsName, Truth};
 use stackless_bvh::traverse::Method;
 
+/// [BOX-2]
 #[test]
 fn no_touched_box_is_skipped() {
     let tally = check_boxes(1, 300_000, &|_| ());
@@ -20,6 +21,7 @@ fn no_touched_box_is_skipped() {
     assert!(plain > 1000 && two_sided < plain, "{tally:?}");
 }
 
+/// [EXACT-1] [CONF-2]
 #[test]
 fn the_stress_suite_finds_no_error_of_the_exact_kernels() {
     let methods = [Method::Stack, Method::Sparse, Method::Hashed, Method::Skip];
@@ -60,6 +62,7 @@ fn answers(bvh: &Bvh, ray: &Ray) -> [Option<[u32; 4]>; 3] {
 }
 
 /// Builders x leaf sizes x orders, bit for bit, and the truth. (Traversals and threads: `stackless check`.) `[DET-1]`
+/// [CONF-2]
 #[test]
 fn the_answer_does_not_depend_on_tree_and_order() {
     let sphere = stress::icosphere(3, 1.0, Vec3::splat(1000.0)).expect("a mesh");

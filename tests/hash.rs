@@ -82,6 +82,7 @@ fn check_all(tree: &Tree) -> u32 {
     options.map(|options| check(tree, &keys, options).header().reseeds).sum()
 }
 
+/// [HASH-9]
 #[test]
 fn every_family_at_every_size() {
     let mut rng = Rng::new(1);
@@ -92,6 +93,7 @@ fn every_family_at_every_size() {
     }
 }
 
+/// [HASH-7]
 #[test]
 fn combs_of_every_depth() {
     for depth in (0..130).chain([1000]) {
@@ -110,6 +112,7 @@ fn combs_of_every_depth() {
     }
 }
 
+/// [HASH-8]
 #[test]
 fn parallel_chains() {
     for (width, length) in [(2, 30), (16, 27), (256, 30), (1024, 20), (256, 70)] {
@@ -117,6 +120,7 @@ fn parallel_chains() {
     }
 }
 
+/// [HASH-9]
 #[test]
 fn ten_thousand_random_trees_with_keys_of_up_to_63_bits() {
     let mut rng = Rng::new(3);
@@ -150,6 +154,7 @@ fn depths_that_fail(options: Options, right: impl Fn(u32) -> bool + Copy) -> Vec
 }
 
 /// The hidden failure of the printed function (INVENTORY H9), by the side to which a comb grows and by sizing.
+/// [HASH-4] [HASH-7]
 #[test]
 fn the_printed_function_fails_on_combs_and_the_seed_is_the_remedy() {
     let exact = KeySet::Exact(Reach::ALGORITHM_1);
@@ -213,7 +218,7 @@ fn ask<const INNER: u32, const LEAF: u32>(tree: &Tree, tape: &Tape, slots: &mut 
 }
 
 /// Every tree of up to 7 leaves under every script of decisions: the nodes that some search looks up are those of the
-/// exact set. So a key too few would be missed by a search, and a key too many would show here.
+/// exact set. So a key too few would be missed by a search, and a key too many would show here. [HASH-3]
 #[test]
 fn the_exact_sets_are_what_is_looked_up_and_nothing_else() {
     type Asked = [Vec<bool>; REACHES.len()];
@@ -272,6 +277,7 @@ fn misses<W: KeyWord, const INNER: u32, const LEAF: u32>(case: &Case, key_set: K
     (verified.lookups(), verified.misses())
 }
 
+/// [HASH-10] [HASHED-1]
 #[test]
 fn searches_follow_the_oracle_by_the_tables_and_miss_nothing() {
     let (mut lookups, mut paper, mut by_key) = ([0; 4], [0; 4], 0);

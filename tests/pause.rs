@@ -40,6 +40,7 @@ fn check(case: &Case) -> usize {
     methods().map(in_each).sum()
 }
 
+/// [PAUSE-1] [PAUSE-2] [PAUSE-4]
 #[test]
 fn whatever_is_put_aside_goes_on() {
     let resumes: usize = (0..250).map(|seed| check(&Case::random(seed, CaseOptions::default()))).sum();
@@ -56,6 +57,17 @@ fn at_the_depths_where_words_end() {
     }
 }
 
+/// [STATE-1]
+#[test]
+fn states_are_as_large_in_any_tree() {
+    for method in Method::ALL {
+        let grows = matches!(method, Method::Stack | Method::StackDisjoint | Method::StackT0);
+        assert_eq!(method.state_bytes::<u64>(60) > method.state_bytes::<u64>(1), grows, "{method}");
+        assert!(grows || method.state_bytes::<u32>(20) <= 4 * (4 + 8 + 2), "{method}");
+    }
+}
+
+/// [PAUSE-6]
 #[test]
 fn other_states_are_refused() {
     let mut rng = Rng::new(9);
@@ -86,6 +98,7 @@ fn other_states_are_refused() {
     assert!(seen > 20);
 }
 
+/// [PAUSE-6]
 #[test]
 fn states_that_are_made_up_are_followed_only_where_a_traversal_could_be() {
     let mut rng = Rng::new(4);
@@ -124,6 +137,7 @@ fn states_that_are_made_up_are_followed_only_where_a_traversal_could_be() {
     assert!(followed > 20 && refused > 100_000, "{followed} {refused}");
 }
 
+/// [PAUSE-3] [PAUSE-5]
 #[test]
 fn what_is_missing_is_named() {
     let mut rng = Rng::new(1);

@@ -42,6 +42,7 @@ fn twenty_thousand_random_cases() {
     }
 }
 
+/// [DEPTH-2] [CONF-3]
 #[test]
 fn words_end_at_their_depths_and_no_sooner() {
     let plan = everything(0);
@@ -74,6 +75,7 @@ fn words_end_at_their_depths_and_no_sooner() {
     }
 }
 
+/// [DEPTH-3]
 #[test]
 fn a_comb_of_depth_100_000() {
     let mut rng = Rng::new(9);

@@ -82,6 +82,7 @@ pub trait Stored: Vector {
 
 impl<V: Stored> Bvh<Triangle<V>> {
     /// The hierarchy as bytes, about as many as [`bytes`](Self::bytes) says, with a checksum.
+    /// `[FILE-1]` `[FILE-2]` `[FILE-3]`
     ///
     /// ```
     /// use stackless_bvh::bvh::{Bvh, SahOptions};
@@ -125,6 +126,7 @@ impl<V: Stored> Bvh<Triangle<V>> {
 
     /// The hierarchy that these bytes are, sound in itself: all that [`validate`](super::validate()) checks
     /// without a mesh has been checked, so that queries end and their answers are right for the triangles that it holds.
+    /// `[FILE-5]`
     ///
     /// Whether these are the triangles of some mesh is what [`validate`](super::validate()) tells. Nothing is allocated
     /// before the length is known to be right, and then in proportion to it. The checksum finds damage, not intent.

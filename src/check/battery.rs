@@ -24,7 +24,7 @@ pub enum Verdict<F = Fault> {
     Differs(F),
 }
 
-/// A case with its oracles and with the tables of the traversals to be checked.
+/// A case with its oracles and with the tables of the traversals to be checked. `[CONF-1]`
 #[derive(Debug)]
 pub struct Battery<'c> {
     case: &'c Case,

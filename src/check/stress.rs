@@ -8,7 +8,7 @@ use crate::traverse::{Method, Tables, Unfit, WordName};
 use crate::tree::{Implicit, Topology};
 use glam::Vec3;
 
-/// How often tests went wrong, in numbers of rays: a ray counts once if any traversal errs with it.
+/// How often tests went wrong, in numbers of rays: a ray counts once if any traversal errs with it. `[CONF-2]`
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Errors {
     /// Rays.

@@ -113,6 +113,7 @@ fn check_many(curves: u64) {
     assert!(reached > curves / 2 && reached < curves, "{reached} of {curves}");
 }
 
+/// [CURVE-1] [CURVE-3] [CURVE-4]
 #[test]
 fn enclosures_hold() {
     check_many(1000);
@@ -199,6 +200,7 @@ fn enclosures_of_shallow_trees_hold() {
     }
 }
 
+/// [CURVE-5]
 #[test]
 fn two_trees_are_one() {
     let mut below = 0;
@@ -280,7 +282,7 @@ fn products_of_equal_intervals_are_no_squares() {
     assert!(bezier::dot(&both, &both).lo <= -1.0 && bezier::norm(&both).lo == 0.0);
 }
 
-/// Results hold those of exact arithmetic, for floats of all sizes.
+/// Results hold those of exact arithmetic, for floats of all sizes. [CURVE-2]
 #[test]
 fn intervals_are_rounded_outwards() {
     let mut random = Rng::new(1);

@@ -6,7 +6,7 @@ use super::{Lookup, PerfectHash};
 use crate::key::KeyWord;
 use crate::tree::{Keys, Node, Topology};
 
-/// A perfect hash that compares the key of each node that it finds with the key that was asked for.
+/// A perfect hash that compares the key of each node that it finds with the key that was asked for. `[HASH-10]`
 ///
 /// A miss is counted and answered from a walk down the tree, so that the search goes on as it should and every miss of
 /// it is counted.

@@ -13,7 +13,7 @@ use core::hash::{Hash, Hasher};
 use super::word::PIECE;
 use super::{KeyWord, Word};
 
-/// An unsigned integer of any length, for the keys, trails and counters of trees deeper than a word.
+/// An unsigned integer of any length, for the keys, trails and counters of trees deeper than a word. `[DEPTH-3]`
 ///
 /// It does not wrap: sums grow, and a difference below zero (which no bit function here asks for) is zero.
 ///

@@ -63,6 +63,7 @@ fn step() -> impl Strategy<Value = Step> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
+    /// [DEPTH-3]
     #[test]
     fn the_growing_word_is_u128_where_u128_reaches(steps in prop::collection::vec(step(), 0..200)) {
         let (mut word, mut value) = (Grow::one(), 1_u128);

@@ -80,7 +80,7 @@ pub trait KeyWord: Word<Shift = u32> + Default + Eq + Hash + Debug + Send + Sync
         Self::WIDTH.map_or_else(|| 8 + (depth / PIECE) as usize * 8, |width| width as usize / 8)
     }
 
-    /// Refuses trees that a state of `WIDTH - spare` bits below the leading one cannot carry.
+    /// Refuses trees that a state of `WIDTH - spare` bits below the leading one cannot carry. `[DEPTH-2]`
     ///
     /// # Errors
     /// [`TooDeep`] names the depth, the limit and the word.

@@ -232,6 +232,7 @@ mod tests {
     use crate::scene::procedural;
     use crate::traverse::Method;
 
+    /// [PAUSE-7]
     #[test]
     fn a_path_hits_what_it_hits_wherever_it_begins() {
         let mesh = procedural::strands(4, 60);

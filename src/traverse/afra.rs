@@ -8,7 +8,7 @@ use crate::order::Descent;
 use crate::trail;
 use crate::tree::{Node, ParentLinks, Topology};
 
-/// Climbs while bit 0 of the trail is clear, then goes to the sibling; done when the trail is 0.
+/// Climbs while bit 0 of the trail is clear, then goes to the sibling; done when the trail is 0. `[AFRA-1]`
 ///
 /// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it (Binder &
 /// Keller 2016, Section 2.3).

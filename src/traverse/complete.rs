@@ -9,6 +9,7 @@ use crate::key::KeyWord;
 use crate::tree::{Node, Topology};
 
 /// A complete tree in level order: all leaves at one depth, no gaps, the node with key `k` at element `k - 1`.
+/// `[COMPLETE-1]`
 #[derive(Clone, Debug)]
 pub struct Complete {
     nodes: Vec<Node>,

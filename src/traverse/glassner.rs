@@ -8,6 +8,7 @@ use crate::key::KeyWord;
 use crate::tree::{Keys, Node, Topology};
 
 /// A chained hash table from keys to nodes: one bucket for each node, the bucket being the key modulo their number.
+/// `[GLASSNER-1]`
 ///
 /// Binder & Keller (2016, Section 1.1) name its two costs, which the perfect hash avoids: keys are compared, and a
 /// loop walks the chain. Keys longer than 64 bits are folded to choose the bucket, and compared in full.

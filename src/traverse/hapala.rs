@@ -6,7 +6,7 @@ use crate::order::{Descent, FixedOrder};
 use crate::tree::{Node, ParentLinks, Topology};
 
 /// Climbs until it comes from a near child, then goes to the far one. No trail: whether a child was the near one is
-/// asked of the order again, which therefore has to be fixed for the ray (the sign of its direction).
+/// asked of the order again, which therefore has to be fixed for the ray (the sign of its direction). `[HAPALA-1]`
 ///
 /// The visitor tests a node at its visit and wants both children, the near one first
 /// ([`ByNode`](crate::order::ByNode) does). The paper starts at the root's near child; here the root is visited too.

@@ -11,7 +11,7 @@ use crate::trail;
 use crate::tree::{Node, Topology};
 
 /// Children by their parent's record, postponed nodes by their key. "In principle hashing node keys is sufficient for
-/// traversal": this is the principle, which needs the keys of all nodes.
+/// traversal": this is the principle, which needs the keys of all nodes. `[HASHONLY-1]`
 #[derive(Debug)]
 pub struct HashOnly<'t, W, T, L> {
     tree: &'t T,

@@ -12,7 +12,7 @@ use crate::order::Descent;
 use crate::trail;
 use crate::tree::{Node, Topology, UncleLinks};
 
-/// Goes to the register's node where it is set, else to the one that the table has for the key.
+/// Goes to the register's node where it is set, else to the one that the table has for the key. `[HASHED-1]`
 ///
 /// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it (Section
 /// 2.3).

@@ -11,6 +11,7 @@ use crate::swap;
 use crate::tree::{Node, Topology};
 
 /// Algorithm 2 as printed: `levelStart`, `levelIndex` of a left-first walk, and the mask of swapped levels.
+/// `[IMPLICIT-1]`
 #[derive(Debug)]
 pub struct ImplicitA<W, L> {
     layout: L,
@@ -20,7 +21,7 @@ pub struct ImplicitA<W, L> {
     swap_mask: W,
 }
 
-/// Algorithm 2 with the combined index: `index = levelStart + levelIndex` in one word.
+/// Algorithm 2 with the combined index: `index = levelStart + levelIndex` in one word. `[IMPLICIT-3]`
 ///
 /// At the terminal carry the index has one bit more than the key: it carries one edge less than the other forms.
 #[derive(Debug)]

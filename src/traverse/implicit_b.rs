@@ -9,7 +9,7 @@ use crate::key::{self, KeyWord, TooDeep, branched};
 use crate::order::Descent;
 use crate::tree::{Node, Topology};
 
-/// Algorithm 3 as printed: `levelStart`, the counter `levelIndex`, and `levelIndexdynamic`, the path.
+/// Algorithm 3 as printed: `levelStart`, the counter `levelIndex`, and `levelIndexdynamic`, the path. `[IMPLICIT-2]`
 #[derive(Debug)]
 pub struct ImplicitB<W, L> {
     layout: L,
@@ -19,7 +19,7 @@ pub struct ImplicitB<W, L> {
     dynamic: W,
 }
 
-/// Algorithm 3 with `index = levelStart + levelIndexdynamic`, which is the node's key.
+/// Algorithm 3 with `index = levelStart + levelIndexdynamic`, which is the node's key. `[IMPLICIT-3]`
 #[derive(Debug)]
 pub struct ImplicitB1<W, L> {
     layout: L,

@@ -7,6 +7,7 @@ use crate::order::Descent;
 use crate::tree::{Node, Topology};
 
 /// The restart trail with a short stack of `K` nodes (0, 1, 2, 4, 8 in Barringer & Akenine-Möller's measurements).
+/// `[LAINE-1]`
 ///
 /// One bit of the trail belongs to each level, the highest to the root's: 0 while the first child's subtree is being
 /// visited and the second is postponed, 1 when it is the second's turn, or where only one was wanted. To backtrack is

@@ -225,7 +225,7 @@ impl Method {
     }
 
     /// Bytes of its state for one ray in a tree of this depth, as Barringer & Akenine-Möller count: 4 for each
-    /// variable, one word for each key, trail, counter or mask, and a head for a stack.
+    /// variable, one word for each key, trail, counter or mask, and a head for a stack. `[STATE-1]`
     pub fn state_bytes<W: KeyWord>(self, depth: u32) -> usize {
         const NODE: usize = 4;
         let word = W::bytes(depth);

@@ -28,7 +28,7 @@ impl Register {
         (self.0 != tree.root()).then_some(self.0)
     }
 
-    /// Before backtracking, if unset: takes the lowest postponed node that the record of `node` names.
+    /// Before backtracking, if unset: takes the lowest postponed node that the record of `node` names. `[REGISTER-2]`
     ///
     /// The printed algorithm does so whenever it loads a record. What the next record on the way down names as well can
     /// wait for it, and what is postponed on the way down replaces it: so here a node is taken when the search turns back,

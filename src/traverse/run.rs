@@ -37,7 +37,7 @@ pub struct Tables<'t, T> {
     octant_skips: Vec<Skips>,
 }
 
-/// Why a traversal does not run on a tree.
+/// Why a traversal does not run on a tree. `[CONF-3]` `[DISJOINT-5]`
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unfit {
     /// The tree is too deep for the word.

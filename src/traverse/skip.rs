@@ -8,7 +8,7 @@ use crate::event::State;
 use crate::order::{Descent, FixedOrder};
 use crate::tree::{Node, Topology, for_each_parent};
 
-/// Where to go after a node's subtree is done, in a fixed order of the children (Smits 1998).
+/// Where to go after a node's subtree is done, in a fixed order of the children (Smits 1998). `[SKIP-1]`
 #[derive(Clone, Debug)]
 pub struct Skips {
     rows: Vec<Node>,

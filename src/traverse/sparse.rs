@@ -8,7 +8,7 @@ use crate::order::Descent;
 use crate::trail;
 use crate::tree::{Node, ParentLinks, Topology};
 
-/// Counts as if every left child came first; the carries of the increment say how far to climb.
+/// Counts as if every left child came first; the carries of the increment say how far to climb. `[SPARSE-1]`
 ///
 /// As printed the counter `levelIndex` overflows its level at the end, and the climb goes on to the root, whose sibling
 /// is itself. Here the start of the level is kept in the same word, as Section 2.2 does for implicit trees: the end is

@@ -23,7 +23,7 @@ use crate::key::{self, Grow, KeyWord, TooDeep, Word};
 use crate::order::Descent;
 use crate::tree::{Node, Topology};
 
-/// A traversal, piece by piece, by cursors of one type.
+/// A traversal, piece by piece, by cursors of one type. `[DEPTH-4]`
 ///
 /// ```
 /// use stackless_bvh::generate::{Family, Kind, Rng, Search, Tape};

@@ -7,7 +7,7 @@ use crate::event::State;
 use crate::order::Descent;
 use crate::tree::{Node, Topology};
 
-/// Postponed nodes on a stack, popped without a second test (Binder & Keller 2016, Section 1).
+/// Postponed nodes on a stack, popped without a second test (Binder & Keller 2016, Section 1). `[STACK-1]`
 #[derive(Debug)]
 pub struct Stack<'t, T> {
     tree: &'t T,

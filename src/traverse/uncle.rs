@@ -12,7 +12,7 @@ use crate::trail;
 use crate::tree::{Node, Topology, UncleLinks};
 
 /// Goes to the register's node where it is set, else climbs along grand uncles, which stand in for the grandparents:
-/// they have the same uncles.
+/// they have the same uncles. `[UNCLE-2]`
 ///
 /// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it.
 #[derive(Debug)]

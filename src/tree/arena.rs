@@ -77,7 +77,7 @@ impl fmt::Display for TreeError {
 impl core::error::Error for TreeError {}
 
 impl Tree {
-    /// Builds a tree from the children of each node (`None` for a leaf). Node 0 is the root.
+    /// Builds a tree from the children of each node (`None` for a leaf). Node 0 is the root. `[TREE-2]`
     ///
     /// Linear in time and memory, without recursion, so that any depth is fine.
     ///
@@ -173,6 +173,7 @@ impl Topology for Tree {
 mod tests {
     use super::*;
 
+    /// [TREE-2]
     #[test]
     fn errors_name_the_node() {
         let leaf = None;

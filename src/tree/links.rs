@@ -125,7 +125,7 @@ impl Reach {
 
 /// Where [`Hashed`](crate::traverse::Hashed) and [`Uncle`](crate::traverse::Uncle) find uncle, grand uncle and grand grand
 /// uncle, the siblings of a node's parent, grandparent and so on: in a table, `&`[`Uncles`], or in the tree's own records,
-/// [`RecordedUncles`]. Where there is none, it is the root, which is never postponed.
+/// [`RecordedUncles`]. Where there is none, it is the root, which is never postponed. `[UNCLE-1]`
 pub trait UncleLinks<T> {
     /// How many of them a record is taken to name.
     const REACH: Reach;

@@ -75,7 +75,7 @@ impl core::fmt::Debug for Node {
     }
 }
 
-/// A binary tree: every inner node has two children, and every node is reached from the root exactly once.
+/// A binary tree: every inner node has two children, and every node is reached from the root exactly once. `[TREE-1]`
 ///
 /// Methods that take a node require one of this tree, and `children` an inner one; they panic for others.
 pub trait Topology {

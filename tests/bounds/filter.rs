@@ -261,6 +261,7 @@ fn judge(prepared: &Prepared, truth: &[Dyadic; 5], counts: &mut Counts) -> f64 {
 }
 
 /// The common bound in single precision, underflow and the scaling of the direction included; and the decision.
+/// [EXACT-5]
 #[test]
 fn no_bound_of_the_first_stage_is_exceeded() {
     let (mut rng, mut counts, mut worst) = (Rng::new(2), Counts::default(), 0.0_f64);

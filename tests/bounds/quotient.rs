@@ -45,6 +45,7 @@ fn the_true_quotient_is_between_the_ends_and_half_of_a_constant_is_too_little() 
     assert_ne!(escapes(QUOTIENT, QUOTIENT_ROUNDINGS / 2.0), 0);
 }
 
+/// [EXACT-3]
 #[test]
 fn ends_that_round_alike_give_the_nearest_float() {
     let mut rng = Rng::new(5);

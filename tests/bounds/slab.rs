@@ -131,6 +131,7 @@ fn is_valid([o, d, lo, hi]: &Case<f32>) -> bool {
 
 const CASES: u32 = 60_000;
 
+/// [BOX-2]
 #[test]
 fn no_touched_box_is_skipped() {
     let mut rng = Rng::new(10);
@@ -189,6 +190,7 @@ fn count_faults(steps: u32) -> [u32; 4] {
     counts
 }
 
+/// [BOX-4]
 #[test]
 fn one_step_less_is_too_little() {
     assert!(count_faults(STEPS - 1).into_iter().all(|count| count > 100));
@@ -201,7 +203,7 @@ fn one_step_less_is_too_little() {
     assert_eq!(count_faults(STRICT_STEPS), [0; 4]);
 }
 
-/// With one step less this box, touched at an edge, is skipped.
+/// With one step less this box, touched at an edge, is skipped. [BOX-4]
 #[test]
 fn a_touched_box_needs_both_steps() {
     let bits = [[0xbf80_9c14, 0xbf8c_d7c2], [0x3f00_5797, 0x3f0d_173c], [0xbb93_066e, 0xba36_e47f]];
@@ -236,6 +238,7 @@ fn reciprocals_of_any_size_are_directed() {
     assert_eq!(checked, CASES);
 }
 
+/// [BOX-3]
 #[test]
 fn a_box_within_is_not_entered_before() {
     let mut rng = Rng::new(13);
@@ -277,6 +280,7 @@ fn is_two_sided([o, d, lo, hi]: &Case<f32>) -> bool {
         && (0..3).all(|k| is_far(lo[k], o[k]) && is_far(hi[k], o[k]))
 }
 
+/// [BOX-5]
 #[test]
 fn no_touched_box_is_skipped_by_the_two_sided_test() {
     let mut rng = Rng::new(14);
@@ -296,7 +300,7 @@ fn no_touched_box_is_skipped_by_the_two_sided_test() {
 }
 
 /// Factors nearer to 1, even by less than half, let an entry rise above the nearest float of the true one, or an exit
-/// fall below.
+/// fall below. [BOX-5]
 #[test]
 fn factors_halved_are_too_little() {
     let along_x = |bits: [u32; 3]| {
@@ -312,7 +316,7 @@ fn factors_halved_are_too_little() {
     assert!(Some(two_sided(case, interval, [DOWN, 1.0 + f32::EPSILON])[1]) < truth(case));
 }
 
-/// Meshes and rays in double precision: the same steps, the nearest number of that precision.
+/// Meshes and rays in double precision: the same steps, the nearest number of that precision. [BOX-6]
 #[test]
 fn no_touched_box_is_skipped_in_double_precision() {
     let mut rng = Rng::new(15);

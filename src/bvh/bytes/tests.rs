@@ -129,6 +129,7 @@ fn other_lengths_are_refused_before_anything_is_allocated() {
     }
 }
 
+/// [FILE-5]
 #[test]
 fn malformed_files_are_refused_by_name() {
     use BvhFileError as E;
@@ -160,6 +161,7 @@ fn malformed_files_are_refused_by_name() {
     assert!(matches!(load(&nothing), Err(E::Unsound(BvhError::Order { .. }))));
 }
 
+/// [FILE-5]
 #[test]
 fn every_flipped_bit_is_refused() {
     for bvh in small() {

@@ -55,6 +55,7 @@ fn holds(interval: Interval, x: &RBig) -> bool {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(4000))]
 
+    /// [INST-3]
     #[test]
     fn rays_are_held_through_three_levels(maps in [affine(), affine(), affine()], o in vector(), d in vector()) {
         let Ok(ray) = Ray::new(o, d, 0.0, 1.0) else { return Ok(()) };
@@ -71,6 +72,7 @@ proptest! {
         }
     }
 
+    /// [INST-2]
     #[test]
     fn boxes_hold_the_images_and_hardly_more(map in affine(), a in vector(), b in vector()) {
         let aabb = Aabb::of(&[a, b]);
@@ -97,6 +99,7 @@ proptest! {
         }
     }
 
+    /// [INST-5]
     #[test]
     fn images_are_met_where_they_are(maps in [affine(), affine()], corners in [vector(), vector(), vector()], o in vector()) {
         // A line through the image of the second corner meets it there, at t = 1, if the direction is a float.

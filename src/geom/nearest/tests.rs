@@ -38,6 +38,7 @@ fn square(triangle: &Triangle, point: Vec3) -> RBig {
     square_distance(triangle.0.map(|corner| corner.to_array()), point.to_array()).expect("finite")
 }
 
+/// [NEAR-1]
 #[test]
 fn distances_are_the_truth_rounded() {
     let mut random = Rng::new(1);

@@ -73,6 +73,7 @@ proptest! {
     }
 
     /// Every ray at a corner of the bounds, or in the middle, and ends that are rounded as the distance of a hit is.
+    /// [INST-4]
     #[test]
     fn what_any_ray_within_bounds_touches_is_hit(
         ray in ray(), wide in [width(), width(), width(), width(), width(), width()], a in aabb(), b in aabb(),

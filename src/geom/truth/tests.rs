@@ -116,6 +116,7 @@ impl Seen {
     }
 }
 
+/// [EXACT-2]
 #[test]
 fn a_meeting_is_what_plane_and_edges_say() {
     let (mut random, mut seen) = (Rng::new(1), Seen::default());

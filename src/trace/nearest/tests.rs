@@ -91,6 +91,7 @@ fn all(nears: &[Near]) -> Vec<(f32, u32)> {
     nears.iter().map(|near| (near.distance, near.prim)).collect()
 }
 
+/// [NEAR-2]
 #[test]
 fn every_traversal_finds_the_nearest_triangles() {
     let mut duplicates = 0;
