@@ -92,16 +92,8 @@ impl<const N: u32> Word for Symbolic<N> {
         Self(self.0.bvlshr(&n.0))
     }
 
-    /// Bit j of the count says whether the lowest one stands at a position that has bit j.
     fn trailing_zeros(&self) -> Self {
-        require(self.is_number(0).not());
-        let lowest = self.0.bvand(self.0.bvneg());
-        let bit = |j: u32| {
-            let positions = (0..N).rev().filter(|position| position >> j & 1 == 1);
-            let bits = positions.map(|position| lowest.extract(position, position));
-            bits.reduce(|any, bit| any.bvor(bit)).map(|any| any.zero_ext(N - 1).bvshl(BV::from_u64(j.into(), N)))
-        };
-        Self((0..N.ilog2()).filter_map(bit).fold(Self::zero().0, |count, bit| count.bvor(bit)))
+        Self(trailing_zeros(&self.0))
     }
 
     fn and(self, other: &Self) -> Self {
@@ -123,4 +115,19 @@ impl<const N: u32> Word for Symbolic<N> {
     fn wrapping_sub(self, other: &Self) -> Self {
         Self(self.0.bvsub(&other.0))
     }
+}
+
+/// The number of zeros below the lowest one, which is required. Bit j of it says whether the lowest one stands at a
+/// position that has bit j.
+pub(crate) fn trailing_zeros(word: &BV) -> BV {
+    let width = word.get_size();
+    let number = |value: u32| BV::from_u64(value.into(), width);
+    require(word.eq(number(0)).not());
+    let lowest = word.bvand(word.bvneg());
+    let bit = |j: u32| {
+        let positions = (0..width).rev().filter(|position| position >> j & 1 == 1);
+        let bits = positions.map(|position| lowest.extract(position, position));
+        bits.reduce(|any, bit| any.bvor(bit)).map(|any| any.zero_ext(width - 1).bvshl(number(j)))
+    };
+    (0..width.ilog2()).filter_map(bit).fold(number(0), |count, bit| count.bvor(bit))
 }
