@@ -12,7 +12,10 @@ use crate::source::{Machine, Number, Source, Type};
 pub(crate) fn lemmas() -> Result<Vec<Lemma>, String> {
     let leaf = ("if node.is_leaf() { !index }", "if node.is_leaf() { SIGN | index }");
     let wrap = ("r.min(r.wrapping_sub(size))", "r.min(size.wrapping_sub(r))");
-    let bucket = ("displacements[low_bits & (self.displacements.len() - 1)]", "displacements[low_bits & self.displacements.len()]");
+    let bucket = (
+        "displacements[low_bits & (self.displacements.len() - 1)]",
+        "displacements[low_bits & self.displacements.len()]",
+    );
     let factor = ("x = x.wrapping_mul(0x94d0_49bb_1331_11eb)", "x = x.wrapping_mul(0x94d0_49bb_1331_11ea)");
     let shift = ("x ^= x >> 15", "x |= x >> 15");
     Ok(vec![
@@ -104,12 +107,12 @@ fn addresses(source: &Source, q: &mut Query) -> Result<(), String> {
     let machine = Machine::new(source, Type::unsigned(32), []);
     let encode = source.function("encode")?.body;
     let word = Machine::new(source, Type::unsigned(32), node).run(&encode)?.ok_or("encode has no value")?;
-    let is_address = |word: &Bits| machine.call("is_address", &[word.clone()]).map(|found| found.is_true());
+    let is_address = |word: &Bits| machine.call("is_address", &[word.clone()]).and_then(|found| found.is_true());
     q.claim("the word is an address", is_address(&word)?);
     q.claim("a displacement is none", is_address(&Bits::new(other))?.not());
     let bits = leaf.concat(number(0, 31)).bvor(&index);
     q.claim("it comes back", machine.call("decode", &[word.clone()])?.bits.eq(&bits));
-    let is_leaf = Bits::new(leaf).is_true();
+    let is_leaf = Bits::new(leaf).is_true()?;
     q.claim("leaves are from 0xC0000000 up", word.bits.bvuge(number(0xc000_0000, 32)).iff(&is_leaf));
     let printed = is_leaf.ite(&index.bvnot(), &number(0x8000_0000, 32).bvadd(&index));
     q.claim("it is 0x80000000 + a, or !i", word.bits.eq(printed));

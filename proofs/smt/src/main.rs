@@ -1,5 +1,6 @@
 //! Straight-line facts of `stackless-bvh` at full width, proved by Z3.
 
+mod cursors;
 mod formulas;
 mod hash;
 mod keys;
@@ -37,11 +38,12 @@ fn table(lemmas: &[Lemma]) -> bool {
 
 fn all() -> Result<Vec<Lemma>, String> {
     let only = std::env::args().nth(1);
-    let words = [of_words::<32>(), of_words::<64>(), of_words::<128>()].into_iter().flatten();
+    let words = [of_words::<32>()?, of_words::<64>()?, of_words::<128>()?].into_iter().flatten();
     let lemmas = words.chain(hash::lemmas()?).chain(modulo::lemmas()?);
     Ok(lemmas.filter(|lemma| only.as_ref().is_none_or(|only| lemma.name.contains(only))).collect())
 }
 
-fn of_words<const N: u32>() -> Vec<Lemma> {
-    [keys::lemmas::<N>(), trails::lemmas::<N>(), swaps::lemmas::<N>()].into_iter().flatten().collect()
+fn of_words<const N: u32>() -> Result<Vec<Lemma>, String> {
+    let kinds = [keys::lemmas::<N>(), trails::lemmas::<N>(), swaps::lemmas::<N>(), cursors::lemmas::<N>()?];
+    Ok(kinds.into_iter().flatten().collect())
 }

@@ -60,7 +60,10 @@ fn remainder(source: &Source, q: &mut Query, width: u32) -> Result<(), String> {
         let low = stored.modulo(power(32));
         let high = Int::sub(&[power(32), one.clone()]);
         q.claim("a low half times H", between(&zero, &times(&low, &size), &times(&high, &size)));
-        q.claim("halves", times(&stored, &size).eq(Int::add(&[times(&power(32), &times(&m, &size)), times(&low, &size)])));
+        q.claim(
+            "halves",
+            times(&stored, &size).eq(Int::add(&[times(&power(32), &times(&m, &size)), times(&low, &size)])),
+        );
     }
     let word = power(width);
     let after = Int::sub(&[&word, &times(&m, &size)]);
@@ -86,6 +89,7 @@ fn remainder(source: &Source, q: &mut Query, width: u32) -> Result<(), String> {
     let result = result.ok_or("no value")?.number;
     q.claim("it is k - qH, or that less H", Bool::or(&[result.eq(&rest), result.eq(Int::sub(&[&rest, &size]))]));
     q.claim("it is below H", Bool::and(&[result.ge(0), result.lt(&size)]));
+    q.claim("it is k mod H", result.eq(key.modulo(&size)));
     Ok(())
 }
 

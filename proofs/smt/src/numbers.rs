@@ -18,11 +18,6 @@ impl Bits {
         Self { bits, signed: false }
     }
 
-    /// As a truth value.
-    pub(crate) fn is_true(&self) -> Bool {
-        self.bits.eq(BV::from_u64(1, 1))
-    }
-
     fn truth(condition: &Bool) -> Self {
         Self::new(condition.ite(&BV::from_u64(1, 1), &BV::from_u64(0, 1)))
     }
@@ -36,6 +31,10 @@ impl Number for Bits {
 
     fn ty(&self) -> Type {
         Type { width: self.bits.get_size(), signed: self.signed }
+    }
+
+    fn is_true(&self) -> Result<Bool, String> {
+        if self.bits.get_size() == 1 { Ok(self.bits.eq(BV::from_u64(1, 1))) } else { Err("not a truth value".into()) }
     }
 
     fn cast(&self, to: Type) -> Self {
@@ -96,7 +95,7 @@ impl Number for Bits {
     }
 
     fn select(&self, yes: &Self, no: &Self) -> Result<Self, String> {
-        Ok(Self { bits: self.is_true().ite(&yes.bits, &no.bits), signed: yes.signed })
+        Ok(Self { bits: self.is_true()?.ite(&yes.bits, &no.bits), signed: yes.signed })
     }
 }
 
@@ -137,6 +136,10 @@ impl Number for Whole {
 
     fn ty(&self) -> Type {
         Type::unsigned(self.width)
+    }
+
+    fn is_true(&self) -> Result<Bool, String> {
+        Err("a whole number is no truth value".into())
     }
 
     fn cast(&self, to: Type) -> Self {

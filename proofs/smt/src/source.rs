@@ -8,6 +8,9 @@ use std::collections::BTreeMap;
 use quote::ToTokens;
 use syn::visit::{self, Visit};
 use syn::{BinOp, Block, Expr, Lit, Pat, Stmt, UnOp};
+use z3::ast::Bool;
+
+use crate::word::{require, take_required};
 
 /// The files that functions are taken from.
 const FILES: &[&str] = &[
@@ -72,6 +75,7 @@ pub(crate) enum Op {
 pub(crate) trait Number: Clone {
     fn literal(value: u128, ty: Type) -> Self;
     fn ty(&self) -> Type;
+    fn is_true(&self) -> Result<Bool, String>;
     fn cast(&self, to: Type) -> Self;
     fn binary(&self, op: Op, other: &Self) -> Result<Self, String>;
     fn not(&self) -> Result<Self, String>;
@@ -102,7 +106,8 @@ impl Source {
         files.map(|text| syn::parse_file(&text).map_err(|error| error.to_string())).collect::<Result<_, _>>().map(Self)
     }
 
-    /// A function, by its name: `wrap`, or `Reciprocal::of_u32`.
+    /// A function, by its name if that is one of its own, else by its type's too: `wrap`, `Reciprocal::of_u32`, or `::prune`
+    /// where there is no type.
     pub(crate) fn function(&self, name: &str) -> Result<Function, String> {
         let mut finder = Finder { name, owner: String::new(), found: Vec::new(), constants: BTreeMap::new() };
         self.0.iter().for_each(|file| finder.visit_file(file));
@@ -204,7 +209,12 @@ impl<'s, N: Number> Machine<'s, N> {
     pub(crate) fn run(&mut self, body: &Block) -> Result<Option<N>, String> {
         let mut last = None;
         for statement in &body.stmts {
+            // Nothing is required of statements that are not reached.
+            let returned = self.returned.iter().map(N::is_true).collect::<Result<Vec<_>, _>>()?;
+            let before = take_required();
             last = self.step(statement)?;
+            let here = take_required().into_iter().map(|required| Bool::or(&[&returned[..], &[required]].concat()));
+            before.into_iter().chain(here.collect::<Vec<_>>()).for_each(require);
         }
         Ok(last)
     }

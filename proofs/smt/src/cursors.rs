@@ -1,0 +1,237 @@
+//! Lemmas about the steps of the counting traversals, from the text of their files.
+//!
+//! `start` is two to the power of the node's depth, `trail` what a traversal with a trail would have there, and the
+//! counter its complement below the depth, by the library's own function.
+
+use stackless_bvh::key::Word;
+use stackless_bvh::trail;
+use syn::visit::{self, Visit};
+use syn::{Block, Expr};
+use z3::ast::Bool;
+
+use crate::hash::lemma;
+use crate::lemma::{Lemma, Query};
+use crate::numbers::Bits;
+use crate::source::{Machine, Number, Source, Type, text};
+use crate::word::Symbolic;
+
+/// Statements without effect on words.
+const NODES: &[&str] = &["self.node=", "self.marks.", "for_in"];
+
+/// All of them, for words of `N` bits.
+pub(crate) fn lemmas<const N: u32>() -> Result<Vec<Lemma>, String> {
+    let combined = ("self.index = take(&mut self.index).shl1().or(", "self.index = take(&mut self.index).or(");
+    let apart = ("self.level_index = index.shr(up);", "self.level_index = index.shr1();");
+    let all_ones = ("if index.is_all_ones() {", "if index.is_zero() {");
+    let one = ("self.index = index.shr(up);\n        self.marks", "self.index = index.shr1();\n        self.marks");
+    let toggle = ("take(path).shr(up).xor(&W::one())", "take(path).shr(up).wrapping_add(&W::one())");
+    let kept = ("trail.or(&disjoint).xor(&disjoint)", "trail.xor(&disjoint)");
+    let counted = ("core::mem::take(&mut self.index).or(&disjoint)", "core::mem::take(&mut self.index).xor(&disjoint)");
+    Ok(vec![
+        lemma("Alg. 2, combined: descend", "[IMPLICIT-3]", N, combined_descends::<N>, combined)?,
+        lemma(
+            "Alg. 2, combined: backtrack, to depth W - 2",
+            "[IMPLICIT-1] [IMPLICIT-3]",
+            N,
+            combined_backtracks::<N>,
+            apart,
+        )?,
+        lemma("Alg. 3: up and over", "[IMPLICIT-2]", N, up_and_over::<N>, toggle)?,
+        lemma("Alg. 4: end", "[SPARSE-1] [TRAIL-6]", N, sparse_ends::<N>, all_ones)?,
+        lemma("Alg. 4: backtrack", "[SPARSE-1] [TRAIL-6]", N, sparse_backtracks::<N>, one)?,
+        lemma("what is pruned of a trail", "[DISJOINT-2]", N, prunes::<N>, kept)?,
+        lemma("what is pruned of a counter", "[DISJOINT-2]", N, prunes_counter::<N>, counted)?,
+    ])
+}
+
+/// The level start and the trail of a node.
+fn node<const N: u32>(q: &mut Query) -> (Symbolic<N>, Symbolic<N>) {
+    let (start, trail) = (q.word::<N>("start"), q.word::<N>("trail"));
+    q.assume(start.is_power());
+    q.assume(trail.less(&start));
+    (start, trail)
+}
+
+fn machine<const N: u32>(
+    source: &Source,
+    values: impl IntoIterator<Item = (&'static str, Symbolic<N>)>,
+) -> Machine<'_, Bits> {
+    let values = values.into_iter().map(|(text, word)| (text, Bits::new(word.0)));
+    Machine::new(source, Type::unsigned(N), values).ignoring(NODES)
+}
+
+/// The value of a word after a run.
+fn word<const N: u32>(machine: &Machine<'_, Bits>, name: &str) -> Result<Symbolic<N>, String> {
+    machine.value(name).map(|value| Symbolic(value.bits))
+}
+
+/// Whether the run has returned early, where it can do so once.
+fn ended(machine: &Machine<'_, Bits>) -> Result<Bool, String> {
+    match machine.returned.as_slice() {
+        [condition] => condition.is_true(),
+        all => Err(format!("{} early returns", all.len())),
+    }
+}
+
+/// Runs a method on these values.
+fn run<'s, const N: u32>(
+    source: &'s Source,
+    name: &str,
+    values: impl IntoIterator<Item = (&'static str, Symbolic<N>)>,
+) -> Result<Machine<'s, Bits>, String> {
+    let mut machine = machine(source, values);
+    machine.run(&source.function(name)?.body)?;
+    Ok(machine)
+}
+
+fn combined_descends<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
+    let (start, trail) = node::<N>(q);
+    let (rejected, swapped, mask) = (q.bit::<N>("rejected"), q.bit::<N>("swapped"), q.word::<N>("mask"));
+    q.assume(start.less(&Symbolic::highest()));
+    let counter = trail::counter(trail, start.clone());
+    let decided = [("branched(!descent.postpones())", rejected), ("mask_bit(descent)", swapped)];
+    let [combined, apart] = [
+        vec![("self.index", start.clone().wrapping_add(&counter))],
+        vec![("self.level_start", start), ("self.level_index", counter)],
+    ];
+    let values = |own: Vec<_>| own.into_iter().chain(decided.clone()).chain([("self.swap_mask", mask.clone())]);
+    let combined = run::<N>(source, "ImplicitA1::descend", values(combined))?;
+    let apart = run::<N>(source, "ImplicitA::descend", values(apart))?;
+    let (start, index): (Symbolic<N>, Symbolic<N>) =
+        (word(&apart, "self.level_start")?, word(&apart, "self.level_index")?);
+    q.claim("the index stays below its level's start", index.less(&start));
+    let sum = start.wrapping_add(&index);
+    q.claim("the combined index is their sum", word::<N>(&combined, "self.index")?.is(&sum));
+    let masks: [Symbolic<N>; 2] = [word(&combined, "self.swap_mask")?, word(&apart, "self.swap_mask")?];
+    q.claim("the masks are equal", masks[0].is(&masks[1]));
+    Ok(())
+}
+
+fn combined_backtracks<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
+    let (start, trail) = node::<N>(q);
+    let mask = q.word::<N>("mask");
+    let last = trail.is_number(0);
+    let counter = trail::counter(trail, start.clone());
+    let sum = start.clone().wrapping_add(&counter);
+    let deepest = start.is(&Symbolic::highest());
+    // At depth W - 1 the combined index has no room for the last carry; it is shown with another one there.
+    let wraps = sum.clone().wrapping_add(&Word::one()).is_number(0);
+    q.claim(
+        "it wraps at depth W - 1, at the last carry, and nowhere else",
+        wraps.iff(Bool::and(&[deepest.clone(), last.clone()])),
+    );
+    let sum = Symbolic(deepest.ite(&Symbolic::<N>::one().0, &sum.0));
+    let combined = run::<N>(source, "ImplicitA1::backtrack", [("self.index", sum), ("self.swap_mask", mask.clone())])?;
+    let values = [("self.level_start", start), ("self.level_index", counter), ("self.swap_mask", mask)];
+    let apart = run::<N>(source, "ImplicitA::backtrack", values)?;
+    let (ended, same) = (ended(&apart)?, ended(&combined)?);
+    q.claim("both words: it ends where the trail is 0", ended.iff(&last));
+    q.claim("one word: it ends there too", Bool::or(&[deepest.clone(), same.iff(&last)]));
+    let (start, index): (Symbolic<N>, Symbolic<N>) =
+        (word(&apart, "self.level_start")?, word(&apart, "self.level_index")?);
+    let sum = start.clone().wrapping_add(&index);
+    let unless = Bool::or(&[deepest, last]);
+    q.claim("the index stays below its level's start", Bool::or(&[unless.clone(), index.less(&start)]));
+    let equal = word::<N>(&combined, "self.index")?.is(&sum);
+    q.claim("the combined index is their sum", Bool::or(&[unless.clone(), equal]));
+    let masks: [Symbolic<N>; 2] = [word(&combined, "self.swap_mask")?, word(&apart, "self.swap_mask")?];
+    q.claim("the masks are equal", Bool::or(&[unless, masks[0].is(&masks[1])]));
+    Ok(())
+}
+
+/// The body of Algorithm 3 on a key and its counter, which is backtracking, also as printed.
+fn up_and_over<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
+    let (start, trail) = node::<N>(q);
+    let path = q.word::<N>("path");
+    q.assume(path.less(&start));
+    let (key, last) = (start.clone().or(&path), trail.is_number(0));
+    let counter = trail::counter(trail.clone(), start);
+    let moved = run::<N>(source, "up_and_over", [("path", key.clone()), ("counter", counter.clone())])?;
+    let (to, left): (Symbolic<N>, Symbolic<N>) = (word(&moved, "path")?, word(&moved, "counter")?);
+    q.claim("the key ends as 0 where the trail is 0, and only there", to.is_number(0).iff(&last));
+    let next = counter.wrapping_add(&Word::one());
+    let ancestor = key.clone().shr(next.trailing_zeros());
+    let even = ancestor.clone().and(&Word::one()).shl1();
+    let printed = ancestor.wrapping_add(&Word::one()).wrapping_sub(&even);
+    q.claim("it is x + 1 - 2 (x & 1), as printed", to.is(&printed));
+    // Where the trail is 0, of any other one.
+    let some = Symbolic(last.ite(&Symbolic::<N>::one().0, &trail.0));
+    let (back, _) = trail::backtrack(key, some);
+    q.claim("it is backtracking", Bool::or(&[last, to.is(&back)]));
+    q.claim("the counter takes the carry", left.is(&next.clone().shr(next.trailing_zeros())));
+    Ok(())
+}
+
+fn sparse_ends<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
+    let (start, trail) = node::<N>(q);
+    let last = trail.is_number(0);
+    let index = start.clone().wrapping_add(&trail::counter(trail, start));
+    let moved = run::<N>(source, "Sparse::backtrack", [("self.index", index)])?;
+    q.claim("it ends where the trail is 0, and only there, to depth W - 1", ended(&moved)?.iff(last));
+    Ok(())
+}
+
+fn sparse_backtracks<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
+    let (start, trail) = node::<N>(q);
+    q.assume(trail.is_number(0).not());
+    let index = start.clone().wrapping_add(&trail::counter(trail.clone(), start.clone()));
+    let moved = run::<N>(source, "Sparse::backtrack", [("self.index", index)])?;
+    let up = trail::levels(&trail);
+    q.chain();
+    q.claim("it climbs as many levels as the trail says", word::<N>(&moved, "up")?.is(&up));
+    let (start, left) = (start.shr(up), trail::leave(trail));
+    let counted = start.clone().wrapping_add(&trail::counter(left, start));
+    q.claim("the index is that of the trail left", word::<N>(&moved, "self.index")?.is(&counted));
+    Ok(())
+}
+
+/// What `body` does where there are marks: the value of the arm, or the block of the `if let`.
+fn marked(body: &Block) -> Result<Expr, String> {
+    struct Marked(Option<Expr>);
+    impl<'ast> Visit<'ast> for Marked {
+        fn visit_arm(&mut self, arm: &'ast syn::Arm) {
+            if text(&arm.pat) == "Some(disjoint)" {
+                self.0 = Some((*arm.body).clone());
+            }
+        }
+
+        fn visit_expr_if(&mut self, branch: &'ast syn::ExprIf) {
+            if text(&branch.cond).starts_with("letSome(disjoint)=") {
+                let block = branch.then_branch.clone();
+                self.0 = Some(Expr::Block(syn::ExprBlock { attrs: Vec::new(), label: None, block }));
+            }
+            visit::visit_expr_if(self, branch);
+        }
+    }
+    let mut found = Marked(None);
+    found.visit_block(body);
+    found.0.ok_or_else(|| "nothing is done with marks".into())
+}
+
+/// The library's pruned trail.
+fn pruned<const N: u32>(source: &Source, trail: &Symbolic<N>, marks: &Symbolic<N>) -> Result<Symbolic<N>, String> {
+    let values = [("trail", trail.clone()), ("disjoint", marks.clone())];
+    let expr = marked(&source.function("::prune")?.body)?;
+    machine(source, values).eval(&expr, None).map(|value| Symbolic(value.bits))
+}
+
+fn prunes<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
+    let (trail, marks) = (q.word::<N>("T"), q.word::<N>("S"));
+    let kept = pruned(source, &trail, &marks)?;
+    q.claim("it is T & ~S", kept.is(&trail.and(&Symbolic(marks.0.bvnot()))));
+    Ok(())
+}
+
+fn prunes_counter<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
+    let (start, trail) = node::<N>(q);
+    let marks = q.word::<N>("S");
+    q.assume(marks.less(&start));
+    let index = |trail: Symbolic<N>| start.clone().wrapping_add(&trail::counter(trail, start.clone()));
+    let values = [("self.index", index(trail.clone())), ("disjoint", marks.clone())];
+    let mut machine = machine(source, values);
+    let Expr::Block(block) = marked(&source.function("Sparse::prune")?.body)? else { return Err("no block".into()) };
+    machine.run(&block.block)?;
+    let kept = pruned(source, &trail, &marks)?;
+    q.claim("c | S is the counter of T & ~S", word::<N>(&machine, "self.index")?.is(&index(kept)));
+    Ok(())
+}
