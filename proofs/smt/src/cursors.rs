@@ -9,10 +9,11 @@ use syn::visit::{self, Visit};
 use syn::{Block, Expr};
 use z3::ast::Bool;
 
-use crate::hash::lemma;
+use crate::hash::{Slip, lemma};
 use crate::lemma::{Lemma, Query};
+use crate::machine::{Machine, Number, Type};
 use crate::numbers::Bits;
-use crate::source::{Machine, Number, Source, Type, text};
+use crate::source::{Source, text};
 use crate::word::Symbolic;
 
 /// Statements without effect on words.
@@ -20,13 +21,15 @@ const NODES: &[&str] = &["self.node=", "self.marks.", "for_in"];
 
 /// All of them, for words of `N` bits.
 pub(crate) fn lemmas<const N: u32>() -> Result<Vec<Lemma>, String> {
-    let combined = ("self.index = take(&mut self.index).shl1().or(", "self.index = take(&mut self.index).or(");
-    let apart = ("self.level_index = index.shr(up);", "self.level_index = index.shr1();");
-    let all_ones = ("if index.is_all_ones() {", "if index.is_zero() {");
-    let one = ("self.index = index.shr(up);\n        self.marks", "self.index = index.shr1();\n        self.marks");
-    let toggle = ("take(path).shr(up).xor(&W::one())", "take(path).shr(up).wrapping_add(&W::one())");
-    let kept = ("trail.or(&disjoint).xor(&disjoint)", "trail.xor(&disjoint)");
-    let counted = ("core::mem::take(&mut self.index).or(&disjoint)", "core::mem::take(&mut self.index).xor(&disjoint)");
+    let slip = |says, from, to| Slip { says, from, to };
+    let combined = slip("no shift", "self.index = take(&mut self.index).shl1()", "self.index = take(&mut self.index)");
+    let apart = slip("shift by one level", "self.level_index = index.shr(up);", "self.level_index = index.shr1();");
+    let toggle = slip("+ for xor", "take(path).shr(up).xor(&W::one())", "take(path).shr(up).wrapping_add(&W::one())");
+    let all_ones = slip("all zeros", "if index.is_all_ones() {", "if index.is_zero() {");
+    let shift = slip("no addition", "let index = index.wrapping_add(&W::one());\n        let up", "let up");
+    let kept = slip("T xor S", "trail.or(&disjoint).xor(&disjoint)", "trail.xor(&disjoint)");
+    let taken = "core::mem::take(&mut self.index).or(&disjoint)";
+    let counted = slip("c xor S", taken, "core::mem::take(&mut self.index).xor(&disjoint)");
     Ok(vec![
         lemma("Alg. 2, combined: descend", "[IMPLICIT-3]", N, combined_descends::<N>, combined)?,
         lemma(
@@ -38,7 +41,7 @@ pub(crate) fn lemmas<const N: u32>() -> Result<Vec<Lemma>, String> {
         )?,
         lemma("Alg. 3: up and over", "[IMPLICIT-2]", N, up_and_over::<N>, toggle)?,
         lemma("Alg. 4: end", "[SPARSE-1] [TRAIL-6]", N, sparse_ends::<N>, all_ones)?,
-        lemma("Alg. 4: backtrack", "[SPARSE-1] [TRAIL-6]", N, sparse_backtracks::<N>, one)?,
+        lemma("Alg. 4: backtrack", "[SPARSE-1] [TRAIL-6]", N, sparse_backtracks::<N>, shift)?,
         lemma("what is pruned of a trail", "[DISJOINT-2]", N, prunes::<N>, kept)?,
         lemma("what is pruned of a counter", "[DISJOINT-2]", N, prunes_counter::<N>, counted)?,
     ])

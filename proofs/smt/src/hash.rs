@@ -5,43 +5,61 @@ use syn::{Block, Expr};
 use z3::ast::{BV, Bool};
 
 use crate::lemma::{Lemma, Query};
+use crate::machine::{Machine, Number, Type};
 use crate::numbers::Bits;
-use crate::source::{Machine, Number, Source, Type};
+use crate::source::Source;
 
 /// All of them.
 pub(crate) fn lemmas() -> Result<Vec<Lemma>, String> {
-    let leaf = ("if node.is_leaf() { !index }", "if node.is_leaf() { SIGN | index }");
-    let wrap = ("r.min(r.wrapping_sub(size))", "r.min(size.wrapping_sub(r))");
-    let bucket = (
-        "displacements[low_bits & (self.displacements.len() - 1)]",
-        "displacements[low_bits & self.displacements.len()]",
-    );
-    let factor = ("x = x.wrapping_mul(0x94d0_49bb_1331_11eb)", "x = x.wrapping_mul(0x94d0_49bb_1331_11ea)");
-    let shift = ("x ^= x >> 15", "x |= x >> 15");
+    let bucket = Slip {
+        says: "k & D",
+        from: "displacements[low_bits & (self.displacements.len() - 1)]",
+        to: "displacements[low_bits & self.displacements.len()]",
+    };
+    let cell_slip =
+        Slip { says: "min(r, H - r)", from: "r.min(r.wrapping_sub(size))", to: "r.min(size.wrapping_sub(r))" };
+    let leaf = Slip {
+        says: "leaf not complemented",
+        from: "if node.is_leaf() { !index }",
+        to: "if node.is_leaf() { SIGN | index }",
+    };
+    let factor = Slip {
+        says: "an even factor",
+        from: "x = x.wrapping_mul(0x94d0_49bb_1331_11eb)",
+        to: "x = x.wrapping_mul(0x94d0_49bb_1331_11ea)",
+    };
+    let shift = Slip { says: "or for xor", from: "x ^= x >> 15", to: "x |= x >> 15" };
     Ok(vec![
         lemma("bucket = k mod D", "[HASH-1]", 64, bucket_of_key, bucket)?,
-        lemma("cell = (k mod H + d) mod H", "[HASH-1]", 32, cell, wrap)?,
+        lemma("cell = (k mod H + d) mod H", "[HASH-1]", 32, cell, cell_slip)?,
         lemma("addresses come back", "[HASH-5]", 32, addresses, leaf)?,
         lemma("mix is a bijection", "[HASH-7]", 64, mix, factor)?,
         lemma("mix_u32 is a bijection", "[HASH-7]", 32, mix_u32, shift)?,
     ])
 }
 
-/// A lemma about functions of the library's files, and about them with a slip: a text that stands there once, and
-/// another.
+/// A slip in the library's files: a text that stands there once, and what it is replaced by.
+pub(crate) struct Slip {
+    /// It, in a few words.
+    pub(crate) says: &'static str,
+    pub(crate) from: &'static str,
+    pub(crate) to: &'static str,
+}
+
+/// A lemma about functions of the library's files, and about them with a slip.
 pub(crate) fn lemma(
     name: &'static str,
     clauses: &'static str,
     width: u32,
     says: fn(&Source, &mut Query) -> Result<(), String>,
-    slip: (&'static str, &'static str),
+    slip: Slip,
 ) -> Result<Lemma, String> {
     let query = |source: Source| {
         let mut query = Query::default();
         says(&source, &mut query).map(|()| query).map_err(|error| format!("{name}: {error}"))
     };
-    let (library, control) = (query(Source::library()?)?, query(Source::with(slip.0, slip.1)?)?);
-    Ok(Lemma { name, clauses, width, slip: slip.1, library, control })
+    let (library, control) = (query(Source::library()?)?, query(Source::with(slip.from, slip.to)?)?);
+    Ok(Lemma { name, clauses, width, slip: slip.says, library, control })
 }
 
 fn number(value: u64, width: u32) -> BV {

@@ -166,9 +166,16 @@ impl Lemma {
             Proof::Proved => "NOT REFUTED".into(),
             Proof::Unknown(..) => control.to_string(),
         };
-        println!(
-            "| {name} | {clauses} | {width} | {proof} | {seconds:.2} | {slip}: {control_text} | {control_seconds:.2} |"
-        );
+        let cells = [
+            (*name).to_owned(),
+            (*clauses).to_owned(),
+            width.to_string(),
+            proof.to_string(),
+            format!("{seconds:.2}"),
+            format!("{slip}: {control_text}"),
+            format!("{control_seconds:.2}"),
+        ];
+        println!("| {} |", cells.map(|cell| cell.replace('|', "\\|")).join(" | "));
         matches!(proof, Proof::Proved) && matches!(control, Proof::Refuted(..))
     }
 }

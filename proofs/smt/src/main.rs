@@ -5,6 +5,7 @@ mod formulas;
 mod hash;
 mod keys;
 mod lemma;
+mod machine;
 mod modulo;
 mod numbers;
 mod source;

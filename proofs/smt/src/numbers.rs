@@ -2,7 +2,7 @@
 
 use z3::ast::{BV, Bool, Int};
 
-use crate::source::{Number, Op, Type};
+use crate::machine::{Number, Op, Type};
 use crate::word::{self, require};
 
 /// Unknown bits.
