@@ -14,6 +14,7 @@ use crate::lemma::{Lemma, Query};
 use crate::machine::{Machine, Number, Type};
 use crate::numbers::Bits;
 use crate::source::{Source, text};
+use crate::trails::trail_and_start;
 use crate::word::Symbolic;
 
 /// Statements without effect on words.
@@ -45,14 +46,6 @@ pub(crate) fn lemmas<const N: u32>() -> Result<Vec<Lemma>, String> {
         lemma("what is pruned of a trail", "[DISJOINT-2]", N, prunes::<N>, kept)?,
         lemma("what is pruned of a counter", "[DISJOINT-2]", N, prunes_counter::<N>, counted)?,
     ])
-}
-
-/// The level start and the trail of a node.
-fn node<const N: u32>(q: &mut Query) -> (Symbolic<N>, Symbolic<N>) {
-    let (start, trail) = (q.word::<N>("start"), q.word::<N>("trail"));
-    q.assume(start.is_power());
-    q.assume(trail.less(&start));
-    (start, trail)
 }
 
 fn machine<const N: u32>(
@@ -88,7 +81,7 @@ fn run<'s, const N: u32>(
 }
 
 fn combined_descends<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
-    let (start, trail) = node::<N>(q);
+    let (trail, start) = trail_and_start::<N>(q);
     let (rejected, swapped, mask) = (q.bit::<N>("rejected"), q.bit::<N>("swapped"), q.word::<N>("mask"));
     q.assume(start.less(&Symbolic::highest()));
     let counter = trail::counter(trail, start.clone());
@@ -111,7 +104,7 @@ fn combined_descends<const N: u32>(source: &Source, q: &mut Query) -> Result<(),
 }
 
 fn combined_backtracks<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
-    let (start, trail) = node::<N>(q);
+    let (trail, start) = trail_and_start::<N>(q);
     let mask = q.word::<N>("mask");
     let last = trail.is_number(0);
     let counter = trail::counter(trail, start.clone());
@@ -144,7 +137,7 @@ fn combined_backtracks<const N: u32>(source: &Source, q: &mut Query) -> Result<(
 
 /// The body of Algorithm 3 on a key and its counter, which is backtracking, also as printed.
 fn up_and_over<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
-    let (start, trail) = node::<N>(q);
+    let (trail, start) = trail_and_start::<N>(q);
     let path = q.word::<N>("path");
     q.assume(path.less(&start));
     let (key, last) = (start.clone().or(&path), trail.is_number(0));
@@ -166,7 +159,7 @@ fn up_and_over<const N: u32>(source: &Source, q: &mut Query) -> Result<(), Strin
 }
 
 fn sparse_ends<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
-    let (start, trail) = node::<N>(q);
+    let (trail, start) = trail_and_start::<N>(q);
     let last = trail.is_number(0);
     let index = start.clone().wrapping_add(&trail::counter(trail, start));
     let moved = run::<N>(source, "Sparse::backtrack", [("self.index", index)])?;
@@ -175,7 +168,7 @@ fn sparse_ends<const N: u32>(source: &Source, q: &mut Query) -> Result<(), Strin
 }
 
 fn sparse_backtracks<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
-    let (start, trail) = node::<N>(q);
+    let (trail, start) = trail_and_start::<N>(q);
     q.assume(trail.is_number(0).not());
     let index = start.clone().wrapping_add(&trail::counter(trail.clone(), start.clone()));
     let moved = run::<N>(source, "Sparse::backtrack", [("self.index", index)])?;
@@ -226,7 +219,7 @@ fn prunes<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
 }
 
 fn prunes_counter<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
-    let (start, trail) = node::<N>(q);
+    let (trail, start) = trail_and_start::<N>(q);
     let marks = q.word::<N>("S");
     q.assume(marks.less(&start));
     let index = |trail: Symbolic<N>| start.clone().wrapping_add(&trail::counter(trail, start.clone()));

@@ -84,6 +84,12 @@ impl Query {
         self.chained = true;
     }
 
+    /// Whether all that it claims holds.
+    #[cfg(test)]
+    pub(crate) fn is_proved(&self) -> bool {
+        matches!(self.prove(), Proof::Proved)
+    }
+
     fn prove(&self) -> Proof {
         let mut given = self.given.clone();
         for (says, claim) in &self.claims {

@@ -119,7 +119,7 @@ fn climb<const N: u32>(f: &Formulas<N>, q: &mut Query) {
 }
 
 /// A trail of a node, and two to the power of the node's depth, which is at most W - 1.
-fn trail_and_start<const N: u32>(q: &mut Query) -> (Symbolic<N>, Symbolic<N>) {
+pub(crate) fn trail_and_start<const N: u32>(q: &mut Query) -> (Symbolic<N>, Symbolic<N>) {
     let (trail, start) = (q.word::<N>("trail"), q.word::<N>("start"));
     q.assume(start.is_power());
     q.assume(trail.less(&start));
