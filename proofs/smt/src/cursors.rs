@@ -5,15 +5,14 @@
 
 use stackless_bvh::key::Word;
 use stackless_bvh::trail;
-use syn::visit::{self, Visit};
-use syn::{Block, Expr};
+use syn::Expr;
 use z3::ast::Bool;
 
 use crate::hash::{Slip, lemma};
 use crate::lemma::{Lemma, Query};
 use crate::machine::{Machine, Number, Type};
 use crate::numbers::Bits;
-use crate::source::{Source, text};
+use crate::source::{Source, where_some};
 use crate::trails::trail_and_start;
 use crate::word::Symbolic;
 
@@ -181,33 +180,10 @@ fn sparse_backtracks<const N: u32>(source: &Source, q: &mut Query) -> Result<(),
     Ok(())
 }
 
-/// What `body` does where there are marks: the value of the arm, or the block of the `if let`.
-fn marked(body: &Block) -> Result<Expr, String> {
-    struct Marked(Option<Expr>);
-    impl<'ast> Visit<'ast> for Marked {
-        fn visit_arm(&mut self, arm: &'ast syn::Arm) {
-            if text(&arm.pat) == "Some(disjoint)" {
-                self.0 = Some((*arm.body).clone());
-            }
-        }
-
-        fn visit_expr_if(&mut self, branch: &'ast syn::ExprIf) {
-            if text(&branch.cond).starts_with("letSome(disjoint)=") {
-                let block = branch.then_branch.clone();
-                self.0 = Some(Expr::Block(syn::ExprBlock { attrs: Vec::new(), label: None, block }));
-            }
-            visit::visit_expr_if(self, branch);
-        }
-    }
-    let mut found = Marked(None);
-    found.visit_block(body);
-    found.0.ok_or_else(|| "nothing is done with marks".into())
-}
-
 /// The library's pruned trail.
 fn pruned<const N: u32>(source: &Source, trail: &Symbolic<N>, marks: &Symbolic<N>) -> Result<Symbolic<N>, String> {
     let values = [("trail", trail.clone()), ("disjoint", marks.clone())];
-    let expr = marked(&source.function("::prune")?.body)?;
+    let expr = where_some(&source.function("::prune")?.body, "disjoint")?;
     machine(source, values).eval(&expr, None).map(|value| Symbolic(value.bits))
 }
 
@@ -225,7 +201,9 @@ fn prunes_counter<const N: u32>(source: &Source, q: &mut Query) -> Result<(), St
     let index = |trail: Symbolic<N>| start.clone().wrapping_add(&trail::counter(trail, start.clone()));
     let values = [("self.index", index(trail.clone())), ("disjoint", marks.clone())];
     let mut machine = machine(source, values);
-    let Expr::Block(block) = marked(&source.function("Sparse::prune")?.body)? else { return Err("no block".into()) };
+    let Expr::Block(block) = where_some(&source.function("Sparse::prune")?.body, "disjoint")? else {
+        return Err("no block".into());
+    };
     machine.run(&block.block)?;
     let kept = pruned(source, &trail, &marks)?;
     q.claim("c | S is the counter of T & ~S", word::<N>(&machine, "self.index")?.is(&index(kept)));

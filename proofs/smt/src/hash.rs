@@ -7,7 +7,7 @@ use z3::ast::{BV, Bool};
 use crate::lemma::{Lemma, Query};
 use crate::machine::{Machine, Number, Type};
 use crate::numbers::Bits;
-use crate::source::Source;
+use crate::source::{Source, text, where_some};
 
 /// All of them.
 pub(crate) fn lemmas() -> Result<Vec<Lemma>, String> {
@@ -125,11 +125,12 @@ fn addresses(source: &Source, q: &mut Query) -> Result<(), String> {
     let machine = Machine::new(source, Type::unsigned(32), []);
     let encode = source.function("encode")?.body;
     let word = Machine::new(source, Type::unsigned(32), node).run(&encode)?.ok_or("encode has no value")?;
-    let is_address = |word: &Bits| machine.call("is_address", &[word.clone()]).and_then(|found| found.is_true());
+    let is_address =
+        |word: &Bits| machine.call("is_address", std::slice::from_ref(word)).and_then(|found| found.is_true());
     q.claim("the word is an address", is_address(&word)?);
     q.claim("a displacement is none", is_address(&Bits::new(other))?.not());
     let bits = leaf.concat(number(0, 31)).bvor(&index);
-    q.claim("it comes back", machine.call("decode", &[word.clone()])?.bits.eq(&bits));
+    q.claim("it comes back", machine.call("decode", std::slice::from_ref(&word))?.bits.eq(&bits));
     let is_leaf = Bits::new(leaf).is_true()?;
     q.claim("leaves are from 0xC0000000 up", word.bits.bvuge(number(0xc000_0000, 32)).iff(&is_leaf));
     let printed = is_leaf.ite(&index.bvnot(), &number(0x8000_0000, 32).bvadd(&index));
@@ -166,12 +167,30 @@ impl Undo {
 
 fn mix(source: &Source, q: &mut Query) -> Result<(), String> {
     let factors = [0xbf58_476d_1ce4_e5b9, 0x94d0_49bb_1331_11eb].map(Undo::Times);
+    seeded(source, q, "Mix::wide", "mix", 64)?;
     bijection(source, q, "mix", 64, [Undo::Shift(30), factors[0], Undo::Shift(27), factors[1], Undo::Shift(31)])
 }
 
 fn mix_u32(source: &Source, q: &mut Query) -> Result<(), String> {
     let factors = [0x7feb_352d, 0x846c_a68b].map(Undo::Times);
+    seeded(source, q, "Mix::narrow", "mix_u32", 32)?;
     bijection(source, q, "mix_u32", 32, [Undo::Shift(16), factors[0], Undo::Shift(15), factors[1], Undo::Shift(16)])
+}
+
+/// What is mixed under a seed differs for different keys: the seed's part is its own inverse.
+fn seeded(source: &Source, q: &mut Query, name: &str, mix: &str, width: u32) -> Result<(), String> {
+    let (key, seed) = (q.bits("key", width), q.bits("seed", 64));
+    let Expr::Call(call) = where_some(&source.function(name)?.body, "seed")? else { return Err("no call".into()) };
+    if text(&call.func) != mix {
+        return Err(format!("{name} calls {}", text(&call.func)));
+    }
+    let argument = call.args.first().ok_or("no argument")?;
+    let apply = |key: &BV| {
+        let values = [("key", key), ("seed", &seed)].map(|(text, bits)| (text, Bits::new(bits.clone())));
+        Machine::new(source, Type::unsigned(width), values).eval(argument, None).map(|value| value.bits)
+    };
+    q.claim("the seed is undone by itself", apply(&apply(&key)?)?.eq(&key));
+    Ok(())
 }
 
 /// Each statement of the function is undone, from both sides; so is their composition.

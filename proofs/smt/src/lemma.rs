@@ -97,7 +97,9 @@ impl Query {
             let mut params = Params::new();
             params.set_u32("timeout", TIMEOUT);
             solver.set_params(&params);
-            given.iter().for_each(|given| solver.assert(given));
+            for given in &given {
+                solver.assert(given);
+            }
             solver.assert(claim.not());
             match solver.check() {
                 SatResult::Unsat if self.chained => given.push(claim.clone()),
@@ -126,7 +128,8 @@ impl Query {
             let value = value(input).unwrap_or_else(|| "?".into());
             format!("{name} = {}", shorten(&value))
         });
-        inputs.collect::<Vec<_>>().join(", ")
+        let inputs = inputs.collect::<Vec<_>>();
+        if inputs.is_empty() { "no inputs".into() } else { inputs.join(", ") }
     }
 }
 

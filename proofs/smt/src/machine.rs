@@ -110,7 +110,7 @@ impl<'s, N: Number> Machine<'s, N> {
             Expr::Reference(inner) => self.eval(&inner.expr, expected),
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => self.eval(&unary.expr, expected),
             Expr::Unary(unary) if matches!(unary.op, UnOp::Not(_)) => self.eval(&unary.expr, expected)?.not(),
-            Expr::Lit(literal) => self.literal(&literal.lit, expected),
+            Expr::Lit(literal) => Self::literal(&literal.lit, expected),
             Expr::Cast(cast) => {
                 let to = Type::named(&text(&*cast.ty))?;
                 Ok(self.eval(&cast.expr, Some(to))?.cast(to))
@@ -143,7 +143,7 @@ impl<'s, N: Number> Machine<'s, N> {
         inside.run(block)?.ok_or_else(|| "a block without a value".into())
     }
 
-    fn literal(&self, literal: &Lit, expected: Option<Type>) -> Result<N, String> {
+    fn literal(literal: &Lit, expected: Option<Type>) -> Result<N, String> {
         match literal {
             Lit::Int(value) => {
                 let named = Some(value.suffix()).filter(|suffix| !suffix.is_empty()).map(Type::named).transpose()?;

@@ -118,6 +118,32 @@ impl<'ast> Visit<'ast> for Finder<'_> {
     }
 }
 
+/// What a body does where there is something: the arm `Some(name)` of its `match`, or the block of its `if let`.
+pub(crate) fn where_some(body: &Block, name: &str) -> Result<Expr, String> {
+    struct Arms {
+        pattern: String,
+        found: Vec<Expr>,
+    }
+    impl<'ast> Visit<'ast> for Arms {
+        fn visit_arm(&mut self, arm: &'ast syn::Arm) {
+            if text(&arm.pat) == self.pattern && arm.guard.is_none() {
+                self.found.push((*arm.body).clone());
+            }
+        }
+
+        fn visit_expr_if(&mut self, branch: &'ast syn::ExprIf) {
+            if text(&branch.cond).starts_with(&format!("let{}=", self.pattern)) {
+                let block = branch.then_branch.clone();
+                self.found.push(Expr::Block(syn::ExprBlock { attrs: Vec::new(), label: None, block }));
+            }
+            visit::visit_expr_if(self, branch);
+        }
+    }
+    let mut arms = Arms { pattern: format!("Some({name})"), found: Vec::new() };
+    arms.visit_block(body);
+    only(&arms.pattern, arms.found)
+}
+
 /// Tokens without spaces.
 pub(crate) fn text(tokens: &impl ToTokens) -> String {
     tokens.to_token_stream().to_string().split_whitespace().collect()

@@ -22,7 +22,7 @@ pub(crate) fn lemmas<const N: u32>() -> Vec<Lemma> {
         lemma::<N>("fcomp of disjoint masks composes", "[SWAP-4]", composes, "& for xor", |f| f.fcomp = Word::and),
         lemma::<N>("fcomp by one swap and the rest", "[SWAP-3] [SWAP-4]", peel, "| for xor", |f| f.fcomp = Word::or),
         lemma::<N>("fcomp of a key swaps its level's index", "[SWAP-3] [IMPLICIT-3]", of_key, "x + m", |f| {
-            f.fcomp = plus
+            f.fcomp = plus;
         }),
     ]
 }

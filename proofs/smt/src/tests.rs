@@ -93,7 +93,7 @@ fn interpreted_remainders_are_those_of_the_library() {
         let modulo = Reciprocal::of(TableSize::new(size).unwrap());
         for key in SAMPLES.map(|sample| sample as u64) {
             for (name, key, width, expected) in [
-                ("Reciprocal::of_u32", key as u32 as u64, 32, modulo.of_u32(key as u32)),
+                ("Reciprocal::of_u32", u64::from(key as u32), 32, modulo.of_u32(key as u32)),
                 ("Reciprocal::of_u64", key, 64, modulo.of_u64(key)),
             ] {
                 let stored = u64::MAX / u64::from(size);

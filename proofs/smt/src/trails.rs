@@ -20,7 +20,7 @@ pub(crate) fn lemmas<const N: u32>() -> Vec<Lemma> {
             };
         }),
         lemma::<N>("levels", "[TRAIL-3]", levels, "zeros of t / 2", |f| {
-            f.levels = |trail| trail.clone().shr1().trailing_zeros()
+            f.levels = |trail| trail.clone().shr1().trailing_zeros();
         }),
         lemma::<N>("backtrack", "[TRAIL-4]", backtrack, "+ for xor on the key", |f| {
             f.backtrack = |key, trail| {
