@@ -30,9 +30,10 @@ use lemma::Lemma;
 
 fn main() -> ExitCode {
     let part = std::env::args().nth(1).unwrap_or_default();
-    match all() {
-        Ok(lemmas) if table(lemmas.into_iter().filter(|lemma| lemma.name.contains(&part))) => ExitCode::SUCCESS,
-        Ok(_) => ExitCode::FAILURE,
+    let passed = all().map(|lemmas| table(lemmas.into_iter().filter(|lemma| lemma.name.contains(&part))));
+    match passed {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
         Err(error) => {
             eprintln!("{error}");
             ExitCode::FAILURE
