@@ -13,16 +13,20 @@ use crate::lemma::{Lemma, Query};
 use crate::machine::{Machine, Number, Type};
 use crate::numbers::Bits;
 use crate::source::{Source, where_some};
-use crate::trails::trail_and_start;
+use crate::trails::{climbed, trail_and_start};
 use crate::word::Symbolic;
 
 /// Statements without effect on words.
 const NODES: &[&str] = &["self.node=", "self.marks.", "for_in"];
 
+/// The count of zeros by which the steps shift. Where a claim has shown it to be a number, that stands in its place.
+const ZEROS: &str = "index.trailing_zeros()";
+
 /// All of them, for words of `N` bits.
 pub(crate) fn lemmas<const N: u32>() -> Result<Vec<Lemma>, String> {
     let slip = |says, from, to| Slip { says, from, to };
     let combined = slip("no shift", "self.index = take(&mut self.index).shl1()", "self.index = take(&mut self.index)");
+    let carry = slip("end at 2", "if self.index == W::one() {", "if self.index == W::one().shl1() {");
     let apart = slip("shift by one level", "self.level_index = index.shr(up);", "self.level_index = index.shr1();");
     let toggle = slip("+ for xor", "take(path).shr(up).xor(&W::one())", "take(path).shr(up).wrapping_add(&W::one())");
     let all_ones = slip("all zeros", "if index.is_all_ones() {", "if index.is_zero() {");
@@ -32,13 +36,8 @@ pub(crate) fn lemmas<const N: u32>() -> Result<Vec<Lemma>, String> {
     let counted = slip("c xor S", taken, "core::mem::take(&mut self.index).xor(&disjoint)");
     Ok(vec![
         lemma("Alg. 2, combined: descend", "[IMPLICIT-3]", N, combined_descends::<N>, combined)?,
-        lemma(
-            "Alg. 2, combined: backtrack, to depth W - 2",
-            "[IMPLICIT-1] [IMPLICIT-3]",
-            N,
-            combined_backtracks::<N>,
-            apart,
-        )?,
+        lemma("Alg. 2, combined: end", "[IMPLICIT-1] [IMPLICIT-3]", N, combined_ends::<N>, carry)?,
+        lemma("Alg. 2, combined: backtrack", "[IMPLICIT-1] [IMPLICIT-3]", N, combined_backtracks::<N>, apart)?,
         lemma("Alg. 3: up and over", "[IMPLICIT-2]", N, up_and_over::<N>, toggle)?,
         lemma("Alg. 4: end", "[SPARSE-1] [TRAIL-6]", N, sparse_ends::<N>, all_ones)?,
         lemma("Alg. 4: backtrack", "[SPARSE-1] [TRAIL-6]", N, sparse_backtracks::<N>, shift)?,
@@ -102,35 +101,51 @@ fn combined_descends<const N: u32>(source: &Source, q: &mut Query) -> Result<(),
     Ok(())
 }
 
-fn combined_backtracks<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
+fn combined_ends<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
     let (trail, start) = trail_and_start::<N>(q);
-    let mask = q.word::<N>("mask");
     let last = trail.is_number(0);
     let counter = trail::counter(trail, start.clone());
     let sum = start.clone().wrapping_add(&counter);
     let deepest = start.is(&Symbolic::highest());
-    // At depth W - 1 the combined index has no room for the last carry; it is shown with another one there.
     let wraps = sum.clone().wrapping_add(&Word::one()).is_number(0);
-    q.claim(
-        "it wraps at depth W - 1, at the last carry, and nowhere else",
-        wraps.iff(Bool::and(&[deepest.clone(), last.clone()])),
-    );
-    let sum = Symbolic(deepest.ite(&Symbolic::<N>::one().0, &sum.0));
-    let combined = run::<N>(source, "ImplicitA1::backtrack", [("self.index", sum), ("self.swap_mask", mask.clone())])?;
-    let values = [("self.level_start", start), ("self.level_index", counter), ("self.swap_mask", mask)];
+    let carried = Bool::and(&[deepest.clone(), last.clone()]);
+    q.claim("one word wraps at depth W - 1, at the last carry, and nowhere else", wraps.iff(carried));
+    let mask = ("self.swap_mask", Word::zero());
+    let values = [("self.level_start", start), ("self.level_index", counter), mask.clone()];
     let apart = run::<N>(source, "ImplicitA::backtrack", values)?;
-    let (ended, same) = (ended(&apart)?, ended(&combined)?);
-    q.claim("both words: it ends where the trail is 0", ended.iff(&last));
-    q.claim("one word: it ends there too", Bool::or(&[deepest.clone(), same.iff(&last)]));
-    let (start, index): (Symbolic<N>, Symbolic<N>) =
-        (word(&apart, "self.level_start")?, word(&apart, "self.level_index")?);
-    let sum = start.clone().wrapping_add(&index);
-    let unless = Bool::or(&[deepest, last]);
-    q.claim("the index stays below its level's start", Bool::or(&[unless.clone(), index.less(&start)]));
-    let equal = word::<N>(&combined, "self.index")?.is(&sum);
-    q.claim("the combined index is their sum", Bool::or(&[unless.clone(), equal]));
-    let masks: [Symbolic<N>; 2] = [word(&combined, "self.swap_mask")?, word(&apart, "self.swap_mask")?];
-    q.claim("the masks are equal", Bool::or(&[unless, masks[0].is(&masks[1])]));
+    q.claim("two words end where the trail is 0, to depth W - 1", ended(&apart)?.iff(&last));
+    // At depth W - 1 there is nothing to claim of one word: it is given another one.
+    let sum = Symbolic(deepest.ite(&Symbolic::<N>::one().0, &sum.0));
+    let combined = run::<N>(source, "ImplicitA1::backtrack", [("self.index", sum), mask])?;
+    q.claim("one word ends there, to depth W - 2", Bool::or(&[deepest, ended(&combined)?.iff(&last)]));
+    Ok(())
+}
+
+fn combined_backtracks<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
+    let (trail, start) = trail_and_start::<N>(q);
+    let up = climbed(q, &trail);
+    let mask = ("self.swap_mask", q.word::<N>("mask"));
+    let counter = trail::counter(trail, start.clone());
+    let sum = start.clone().wrapping_add(&counter);
+    let zeros = [None, Some((ZEROS, up.clone()))];
+    for (i, zeros) in zeros.into_iter().enumerate() {
+        let combined = [("self.index", sum.clone()), mask.clone()].into_iter().chain(zeros.clone());
+        let combined = run::<N>(source, "ImplicitA1::backtrack", combined)?;
+        let apart = [("self.level_start", start.clone()), ("self.level_index", counter.clone()), mask.clone()];
+        let apart = run::<N>(source, "ImplicitA::backtrack", apart.into_iter().chain(zeros))?;
+        if i == 0 {
+            q.claim("two words climb as far as the trail says", word::<N>(&apart, "up")?.is(&up));
+            q.claim("so does one", word::<N>(&combined, "up")?.is(&up));
+            continue;
+        }
+        let start: Symbolic<N> = word(&apart, "self.level_start")?;
+        let index: Symbolic<N> = word(&apart, "self.level_index")?;
+        q.claim("the index stays below its level's start", index.less(&start));
+        let sum = start.wrapping_add(&index);
+        q.claim("the combined index is their sum", word::<N>(&combined, "self.index")?.is(&sum));
+        let masks: [Symbolic<N>; 2] = [word(&combined, "self.swap_mask")?, word(&apart, "self.swap_mask")?];
+        q.claim("the masks are equal", masks[0].is(&masks[1]));
+    }
     Ok(())
 }
 
@@ -168,13 +183,14 @@ fn sparse_ends<const N: u32>(source: &Source, q: &mut Query) -> Result<(), Strin
 
 fn sparse_backtracks<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
     let (trail, start) = trail_and_start::<N>(q);
-    q.assume(trail.is_number(0).not());
+    let up = climbed(q, &trail);
     let index = start.clone().wrapping_add(&trail::counter(trail.clone(), start.clone()));
-    let moved = run::<N>(source, "Sparse::backtrack", [("self.index", index)])?;
-    let up = trail::levels(&trail);
-    q.chain();
+    let values = [("self.index", index)];
+    let moved = run::<N>(source, "Sparse::backtrack", values.clone())?;
     q.claim("it climbs as many levels as the trail says", word::<N>(&moved, "up")?.is(&up));
-    let (start, left) = (start.shr(up), trail::leave(trail));
+    let moved = run::<N>(source, "Sparse::backtrack", values.into_iter().chain([(ZEROS, up.clone())]))?;
+    let (start, left) = (start.shr(up.clone()), trail.clone().shr(up).xor(&Word::one()));
+    q.claim("the trail left is that of backtracking", trail::leave(trail).is(&left));
     let counted = start.clone().wrapping_add(&trail::counter(left, start));
     q.claim("the index is that of the trail left", word::<N>(&moved, "self.index")?.is(&counted));
     Ok(())

@@ -155,15 +155,25 @@ fn counter_descends<const N: u32>(f: &Formulas<N>, q: &mut Query) {
     q.claim("it takes a 1 where a child is rejected", below.is(&counted));
 }
 
+/// The levels that a trail, which is not 0, says to climb, as an unknown: where it is shared by all shifts, the solver
+/// need not compare counts of zeros.
+pub(crate) fn climbed<const N: u32>(q: &mut Query, trail: &Symbolic<N>) -> Symbolic<N> {
+    let up = q.word::<N>("levels");
+    q.assume(up.less(&Symbolic::number(N.into())));
+    let above = Symbolic(trail.0.bvlshr(&up.0));
+    q.assume(above.shl(&up).is(trail));
+    q.assume(above.and(&Word::one()).is_number(1));
+    up
+}
+
 fn counter_backtracks<const N: u32>(f: &Formulas<N>, q: &mut Query) {
     let (trail, start) = trail_and_start::<N>(q);
-    q.assume(trail.is_number(0).not());
+    let up = climbed(q, &trail);
     let next = (f.counter)(trail.clone(), start.clone()).wrapping_add(&Word::one());
-    let up = (f.levels)(&next);
-    q.chain();
-    q.claim("both climb as far", up.is(&(f.levels)(&trail)));
-    let left = (f.leave)(trail);
+    q.claim("counter + 1 climbs as far as the trail", (f.levels)(&next).is(&up));
+    let left = trail.clone().shr(up.clone()).xor(&Word::one());
+    q.claim("the trail left", (f.leave)(trail).is(&left));
     let above = start.shr(up.clone());
-    q.claim("the trail is one of the level above", left.less(&above));
-    q.claim("(c + 1) >> n is the counter of the trail left", next.shr(up).is(&(f.counter)(left, above)));
+    q.claim("is one of the level above", left.less(&above));
+    q.claim("(c + 1) >> n is its counter", next.shr(up).is(&(f.counter)(left, above)));
 }
