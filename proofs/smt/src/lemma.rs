@@ -1,0 +1,190 @@
+//! Lemmas, their proof, and the control that shows that each can fail.
+
+use std::fmt;
+use std::time::Instant;
+
+use z3::ast::{BV, Bool, Dynamic, Int};
+use z3::{Model, Params, SatResult, Solver, Tactic};
+
+use crate::word::{Symbolic, take_required};
+
+/// Longest time that the solver may take for one claim, in milliseconds.
+const TIMEOUT: u32 = 60_000;
+
+/// A lemma: what is claimed of the library's formulas, and of formulas with a slip.
+pub(crate) struct Lemma {
+    /// What it says, in a few words.
+    pub(crate) name: &'static str,
+    /// Clauses of the specification that it covers.
+    pub(crate) clauses: &'static str,
+    /// Bits of a word.
+    pub(crate) width: u32,
+    /// The slip of the control.
+    pub(crate) slip: &'static str,
+    /// The lemma about the library's formulas.
+    pub(crate) library: Query,
+    /// The very same about formulas with the slip.
+    pub(crate) control: Query,
+}
+
+/// Unknowns, what is assumed of them, and what is claimed.
+#[derive(Default)]
+pub(crate) struct Query {
+    inputs: Vec<(&'static str, Dynamic)>,
+    given: Vec<Bool>,
+    claims: Vec<(&'static str, Bool)>,
+    /// Proved claims serve the later ones.
+    chained: bool,
+    /// It is about integers.
+    integers: bool,
+}
+
+impl Query {
+    /// An unknown word.
+    pub(crate) fn word<const N: u32>(&mut self, name: &'static str) -> Symbolic<N> {
+        Symbolic(self.bits(name, N))
+    }
+
+    /// Unknown bits.
+    pub(crate) fn bits(&mut self, name: &'static str, width: u32) -> BV {
+        let bits = BV::new_const(name, width);
+        self.inputs.push((name, Dynamic::from_ast(&bits)));
+        bits
+    }
+
+    /// An unknown integer.
+    pub(crate) fn integer(&mut self, name: &'static str) -> Int {
+        let integer = Int::new_const(name);
+        self.integers = true;
+        self.inputs.push((name, Dynamic::from_ast(&integer)));
+        integer
+    }
+
+    /// An unknown bit: 0 or 1.
+    pub(crate) fn bit<const N: u32>(&mut self, name: &'static str) -> Symbolic<N> {
+        let bit = self.word(name);
+        self.assume(bit.less(&Symbolic::number(2)));
+        bit
+    }
+
+    /// Assumes something of the unknowns.
+    pub(crate) fn assume(&mut self, condition: Bool) {
+        self.given.push(condition);
+    }
+
+    /// Claims something. What the operations so far require is claimed with it.
+    pub(crate) fn claim(&mut self, says: &'static str, claim: Bool) {
+        self.claims.push((says, claim));
+        let required = take_required().into_iter();
+        self.claims.extend(required.map(|required| ("no shift or count out of range, no overflow", required)));
+    }
+
+    /// Lets each claim be used in the proof of those after it.
+    pub(crate) fn chain(&mut self) {
+        self.chained = true;
+    }
+
+    /// Whether all that it claims holds.
+    #[cfg(test)]
+    pub(crate) fn is_proved(&self) -> bool {
+        matches!(self.prove(), Proof::Proved)
+    }
+
+    fn prove(&self) -> Proof {
+        let mut given = self.given.clone();
+        for (says, claim) in &self.claims {
+            let solver = self.solver();
+            let mut params = Params::new();
+            params.set_u32("timeout", TIMEOUT);
+            solver.set_params(&params);
+            for given in &given {
+                solver.assert(given);
+            }
+            solver.assert(claim.not());
+            match solver.check() {
+                SatResult::Unsat if self.chained => given.push(claim.clone()),
+                SatResult::Unsat => {}
+                SatResult::Unknown => return Proof::Unknown(says, solver.get_reason_unknown().unwrap_or_default()),
+                SatResult::Sat => return Proof::Refuted(says, self.example(solver.get_model())),
+            }
+        }
+        if self.claims.is_empty() { Proof::Unknown("nothing", "it claims nothing".into()) } else { Proof::Proved }
+    }
+
+    /// Bits are blasted: half the time that the default strategy takes on 128 bits.
+    fn solver(&self) -> Solver {
+        if self.integers {
+            return Solver::new();
+        }
+        let tactics = ["simplify", "solve-eqs", "bit-blast", "sat"].map(Tactic::new);
+        let [first, rest @ ..] = tactics;
+        rest.iter().fold(first, |all, next| all.and_then(next)).solver()
+    }
+
+    /// The inputs of a counterexample.
+    fn example(&self, model: Option<Model>) -> String {
+        let value = |input: &Dynamic| model.as_ref().and_then(|model| model.eval(input, true)).map(|v| v.to_string());
+        let inputs = self.inputs.iter().map(|(name, input)| {
+            let value = value(input).unwrap_or_else(|| "?".into());
+            format!("{name} = {}", shorten(&value))
+        });
+        let inputs = inputs.collect::<Vec<_>>();
+        if inputs.is_empty() { "no inputs".into() } else { inputs.join(", ") }
+    }
+}
+
+/// `#x0000002a` as `0x2a`.
+fn shorten(value: &str) -> String {
+    match value.strip_prefix("#x") {
+        Some(digits) => match digits.trim_start_matches('0') {
+            "" => "0".into(),
+            digits => format!("0x{digits}"),
+        },
+        None => value.strip_prefix("#b").unwrap_or(value).into(),
+    }
+}
+
+enum Proof {
+    Proved,
+    Refuted(&'static str, String),
+    Unknown(&'static str, String),
+}
+
+impl fmt::Display for Proof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Proved => f.write_str("proved"),
+            Self::Refuted(says, inputs) => write!(f, "REFUTED: not \"{says}\" for {inputs}"),
+            Self::Unknown(says, reason) => write!(f, "UNKNOWN: \"{says}\": {reason}"),
+        }
+    }
+}
+
+impl Lemma {
+    /// Proves it, refutes its control, and prints a row about both. Whether both succeeded.
+    pub(crate) fn check(&self) -> bool {
+        let start = Instant::now();
+        let proof = self.library.prove();
+        let seconds = start.elapsed().as_secs_f64();
+        let start = Instant::now();
+        let control = self.control.prove();
+        let control_seconds = start.elapsed().as_secs_f64();
+        let Self { name, clauses, width, slip, .. } = self;
+        let control_text = match &control {
+            Proof::Refuted(says, inputs) => format!("refuted: \"{says}\" for {inputs}"),
+            Proof::Proved => "NOT REFUTED".into(),
+            Proof::Unknown(..) => control.to_string(),
+        };
+        let cells = [
+            (*name).to_owned(),
+            (*clauses).to_owned(),
+            width.to_string(),
+            proof.to_string(),
+            format!("{seconds:.2}"),
+            format!("{slip}: {control_text}"),
+            format!("{control_seconds:.2}"),
+        ];
+        println!("| {} |", cells.map(|cell| cell.replace('|', "\\|")).join(" | "));
+        matches!(proof, Proof::Proved) && matches!(control, Proof::Refuted(..))
+    }
+}

@@ -1,0 +1,159 @@
+//! The library's straight-line functions that take no [`Word`](stackless_bvh::key::Word): read from its files.
+
+use quote::ToTokens;
+use syn::visit::{self, Visit};
+use syn::{Block, Expr, Pat};
+
+use crate::machine::Type;
+
+/// The files that functions are taken from.
+const FILES: &[&str] = &[
+    include_str!("../../../src/hash/modulo.rs"),
+    include_str!("../../../src/hash/address.rs"),
+    include_str!("../../../src/hash/perfect.rs"),
+    include_str!("../../../src/hash/mod.rs"),
+    include_str!("../../../src/traverse/marks.rs"),
+    include_str!("../../../src/traverse/sparse.rs"),
+    include_str!("../../../src/traverse/implicit_a.rs"),
+    include_str!("../../../src/traverse/implicit_b.rs"),
+];
+
+/// The library's files, parsed.
+pub(crate) struct Source(Vec<syn::File>);
+
+impl Source {
+    /// As they are.
+    pub(crate) fn library() -> Result<Self, String> {
+        Self::parse(FILES.iter().map(ToString::to_string))
+    }
+
+    /// With a slip: `from`, which must stand in them once, replaced by `to`.
+    pub(crate) fn with(from: &str, to: &str) -> Result<Self, String> {
+        let found: usize = FILES.iter().map(|text| text.matches(from).count()).sum();
+        if found != 1 {
+            return Err(format!("the slip's text {from:?} stands in the files {found} times"));
+        }
+        Self::parse(FILES.iter().map(|text| text.replace(from, to)))
+    }
+
+    fn parse(files: impl Iterator<Item = String>) -> Result<Self, String> {
+        files.map(|text| syn::parse_file(&text).map_err(|error| error.to_string())).collect::<Result<_, _>>().map(Self)
+    }
+
+    /// A function, by its name if that is one of its own, else by its type's too: `wrap`, `Reciprocal::of_u32`, or `::prune`
+    /// where there is no type.
+    pub(crate) fn function(&self, name: &str) -> Result<Function, String> {
+        only(name, self.find(name).functions)
+    }
+
+    /// A constant of the modules, by its name.
+    pub(crate) fn constant(&self, name: &str) -> Result<(Type, Expr), String> {
+        only(name, self.find(name).constants)
+    }
+
+    fn find<'n>(&self, name: &'n str) -> Finder<'n> {
+        let mut finder = Finder { name, owner: String::new(), functions: Vec::new(), constants: Vec::new() };
+        self.0.iter().for_each(|file| finder.visit_file(file));
+        finder
+    }
+}
+
+fn only<T>(name: &str, found: Vec<T>) -> Result<T, String> {
+    match <[_; 1]>::try_from(found) {
+        Ok([item]) => Ok(item),
+        Err(found) => Err(format!("{name} is the name of {} items", found.len())),
+    }
+}
+
+/// A function's parameters and body.
+#[derive(Clone)]
+pub(crate) struct Function {
+    pub(crate) parameters: Vec<String>,
+    pub(crate) body: Block,
+}
+
+struct Finder<'n> {
+    name: &'n str,
+    owner: String,
+    functions: Vec<Function>,
+    constants: Vec<(Type, Expr)>,
+}
+
+impl Finder<'_> {
+    fn meet(&mut self, signature: &syn::Signature, body: &Block) {
+        let name = signature.ident.to_string();
+        if name == self.name || format!("{}::{name}", self.owner) == self.name {
+            let parameters = signature.inputs.iter().filter_map(|input| match input {
+                syn::FnArg::Typed(typed) => Some(pattern(&typed.pat)),
+                syn::FnArg::Receiver(_) => None,
+            });
+            self.functions.push(Function { parameters: parameters.collect(), body: body.clone() });
+        }
+    }
+}
+
+impl<'ast> Visit<'ast> for Finder<'_> {
+    fn visit_item_fn(&mut self, item: &'ast syn::ItemFn) {
+        self.meet(&item.sig, &item.block);
+    }
+
+    fn visit_item_impl(&mut self, item: &'ast syn::ItemImpl) {
+        if let syn::Type::Path(path) = &*item.self_ty {
+            self.owner = path.path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
+        }
+        visit::visit_item_impl(self, item);
+        self.owner.clear();
+    }
+
+    fn visit_impl_item_fn(&mut self, item: &'ast syn::ImplItemFn) {
+        self.meet(&item.sig, &item.block);
+    }
+
+    fn visit_item_const(&mut self, item: &'ast syn::ItemConst) {
+        if let Ok(ty) = Type::named(&text(&*item.ty))
+            && item.ident == self.name
+        {
+            self.constants.push((ty, (*item.expr).clone()));
+        }
+    }
+}
+
+/// What a body does where there is something: the arm `Some(name)` of its `match`, or the block of its `if let`.
+pub(crate) fn where_some(body: &Block, name: &str) -> Result<Expr, String> {
+    struct Arms {
+        pattern: String,
+        found: Vec<Expr>,
+    }
+    impl<'ast> Visit<'ast> for Arms {
+        fn visit_arm(&mut self, arm: &'ast syn::Arm) {
+            if text(&arm.pat) == self.pattern && arm.guard.is_none() {
+                self.found.push((*arm.body).clone());
+            }
+        }
+
+        fn visit_expr_if(&mut self, branch: &'ast syn::ExprIf) {
+            if text(&branch.cond).starts_with(&format!("let{}=", self.pattern)) {
+                let block = branch.then_branch.clone();
+                self.found.push(Expr::Block(syn::ExprBlock { attrs: Vec::new(), label: None, block }));
+            }
+            visit::visit_expr_if(self, branch);
+        }
+    }
+    let mut arms = Arms { pattern: format!("Some({name})"), found: Vec::new() };
+    arms.visit_block(body);
+    only(&arms.pattern, arms.found)
+}
+
+/// Tokens without spaces.
+pub(crate) fn text(tokens: &impl ToTokens) -> String {
+    tokens.to_token_stream().to_string().split_whitespace().collect()
+}
+
+/// The name that a pattern binds.
+pub(crate) fn pattern(pat: &Pat) -> String {
+    match pat {
+        Pat::Type(typed) => pattern(&typed.pat),
+        Pat::Ident(ident) => ident.ident.to_string(),
+        other => text(other),
+    }
+}

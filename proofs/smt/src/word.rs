@@ -1,0 +1,133 @@
+//! A word of unknown bits, on which the library's generic functions run as they are.
+
+use std::cell::RefCell;
+
+use stackless_bvh::key::Word;
+use z3::ast::{BV, Bool};
+
+/// A word of `N` unknown bits.
+#[derive(Clone, Debug)]
+pub(crate) struct Symbolic<const N: u32>(pub(crate) BV);
+
+thread_local! {
+    /// What the operations so far require of their inputs.
+    static REQUIRED: RefCell<Vec<Bool>> = const { RefCell::new(Vec::new()) };
+}
+
+/// Notes what an operation requires of its inputs: no lemma holds unless all of it does.
+pub(crate) fn require(condition: Bool) {
+    REQUIRED.with_borrow_mut(|all| all.push(condition));
+}
+
+/// What was required since the last call.
+pub(crate) fn take_required() -> Vec<Bool> {
+    REQUIRED.take()
+}
+
+impl<const N: u32> Symbolic<N> {
+    /// A number, at most `u64::MAX`.
+    pub(crate) fn number(value: u64) -> Self {
+        Self(BV::from_u64(value, N))
+    }
+
+    /// The highest bit alone.
+    pub(crate) fn highest() -> Self {
+        Self(BV::from_u64(1, N).bvshl(BV::from_u64(u64::from(N) - 1, N)))
+    }
+
+    /// Whether two words are equal.
+    pub(crate) fn is(&self, other: &Self) -> Bool {
+        self.0.eq(&other.0)
+    }
+
+    /// Whether it is this number.
+    pub(crate) fn is_number(&self, value: u64) -> Bool {
+        self.is(&Self::number(value))
+    }
+
+    /// Whether it is less, as a number.
+    pub(crate) fn less(&self, other: &Self) -> Bool {
+        self.0.bvult(&other.0)
+    }
+
+    /// Whether exactly one bit is set.
+    pub(crate) fn is_power(&self) -> Bool {
+        let below = Self(self.0.bvsub(BV::from_u64(1, N)));
+        Bool::and(&[self.is_number(0).not(), self.clone().and(&below).is_number(0)])
+    }
+
+    /// Shifted left by any number of bits.
+    pub(crate) fn shl(&self, n: &Self) -> Self {
+        Self(self.0.bvshl(&n.0))
+    }
+
+    /// The same number in twice the bits, where sums do not wrap.
+    pub(crate) fn wide(&self) -> BV {
+        self.0.zero_ext(N)
+    }
+}
+
+/// Shift counts are words too. Counting the zeros of 0, or shifting by the width or more, makes a lemma false.
+impl<const N: u32> Word for Symbolic<N> {
+    type Shift = Self;
+
+    fn zero() -> Self {
+        Self::number(0)
+    }
+
+    fn one() -> Self {
+        Self::number(1)
+    }
+
+    fn shl1(self) -> Self {
+        self.shl(&Self::one())
+    }
+
+    fn shr1(self) -> Self {
+        Self(self.0.bvlshr(Self::one().0))
+    }
+
+    fn shr(self, n: Self) -> Self {
+        require(n.less(&Self::number(N.into())));
+        Self(self.0.bvlshr(&n.0))
+    }
+
+    fn trailing_zeros(&self) -> Self {
+        Self(trailing_zeros(&self.0))
+    }
+
+    fn and(self, other: &Self) -> Self {
+        Self(self.0.bvand(&other.0))
+    }
+
+    fn or(self, other: &Self) -> Self {
+        Self(self.0.bvor(&other.0))
+    }
+
+    fn xor(self, other: &Self) -> Self {
+        Self(self.0.bvxor(&other.0))
+    }
+
+    fn wrapping_add(self, other: &Self) -> Self {
+        Self(self.0.bvadd(&other.0))
+    }
+
+    fn wrapping_sub(self, other: &Self) -> Self {
+        Self(self.0.bvsub(&other.0))
+    }
+}
+
+/// The number of zeros below the lowest one, which is required. Bit j of it says whether the lowest one stands at a
+/// position that has bit j.
+pub(crate) fn trailing_zeros(word: &BV) -> BV {
+    let width = word.get_size();
+    let number = |value: u32| BV::from_u64(value.into(), width);
+    require(word.eq(number(0)).not());
+    let lowest = word.bvand(word.bvneg());
+    let bit = |j: u32| {
+        let positions = (0..width).rev().filter(|position| position >> j & 1 == 1);
+        let bits = positions.map(|position| lowest.extract(position, position));
+        bits.reduce(|any, bit| any.bvor(bit)).map(|any| any.zero_ext(width - 1).bvshl(number(j)))
+    };
+    (0..width.ilog2()).filter_map(bit).fold(number(0), |count, bit| count.bvor(bit))
+}
