@@ -20,11 +20,9 @@ pub enum KeySet {
     /// than Ul levels below s, where records of inner nodes name Ui ancestors' siblings and those of leaves Ul.
     ///
     /// **Sufficient.** Let a search go to x from the visited node y without knowing its address. Then x is the lowest
-    /// postponed node and y, some number δ of levels below s, does not name it. At δ = 0 the register still holds x from
-    /// the descent into s. So something below s was postponed after that, and the search has come back to it, which
-    /// leaves the register empty. Since the last such step, to a node z, the search only went down, entering single
-    /// children, from z to y, and no record on that way named x. If z is an inner node it is more than Ui below s; if it is
-    /// a leaf it is y, more than Ul below.
+    /// postponed node and y, some number δ of levels below s, does not name it. δ is not 0: there the register still holds x
+    /// from the descent into s. So y is a node below s that does not name x: more than Ui below s if it is an inner node,
+    /// more than Ul if it is a leaf.
     ///
     /// **Necessary.** Let z be such a node. A search that postpones x, enters single children down to the parent of z,
     /// there postpones z, finds nothing in the sibling of z, returns to z (which empties the register) and finds nothing

@@ -66,7 +66,7 @@ impl<const H: u32> Modulo for Constant<H> {
     }
 }
 
-/// A multiplication by the reciprocal, exact for every key. `[HASH-4]`
+/// A multiplication by the reciprocal, exact for every key. `[HASH-1]`
 ///
 /// Let W be 2^32 or 2^64, k < W the key, H the size, and M = floor((W - 1) / H). Then W/H - 1 <= M <= (W - 1)/H: if M
 /// were below W/H - 1 by any amount, (M + 1) H <= W - 1 would hold and M would not be the floor. So

@@ -26,12 +26,13 @@ pub struct Uncle<'t, W, T, U, M = ()> {
 }
 
 impl<'t, W: KeyWord, T: Topology, U: UncleLinks<T>, M: Marks<W>> Uncle<'t, W, T, U, M> {
-    /// Starts at the root. Every record names the grand uncle for the climb, however far it reaches for the register.
+    /// Starts at the root. Records that name no grand uncle do not compile: the climb by two levels would pass over it.
     ///
     /// # Errors
     /// [`TooDeep`] beyond as many edges as the word has bits.
     #[inline]
     pub fn new(tree: &'t T, uncles: U) -> Result<Self, TooDeep> {
+        const { assert!(U::REACH.of(false) >= 2 && U::REACH.of(true) >= 2, "the climb needs grand uncles") };
         W::carries(tree.depth(), 0)?;
         let (register, marks) = (Register::empty(tree), M::default());
         Ok(Self { tree, uncles, node: tree.root(), trail: W::zero(), register, marks })

@@ -150,8 +150,8 @@ pub trait UncleLinks<T> {
     /// more; `otherwise` also where the child still names the lowest one.
     #[inline(always)]
     fn lowest_leaving(&self, tree: &T, node: Node, trail: u32, otherwise: Node) -> Node {
-        // Bit b of the trail is bit b + 1 at the child.
-        let named_below = Self::REACH.mask(false) & Self::REACH.mask(true) >> 1;
+        // Bit b of the trail is bit b + 1 at the child. (Bit 0, which no record names, has its node in the register.)
+        let named_below = (Self::REACH.mask(false) & Self::REACH.mask(true)) >> 1;
         let lowest = self.lowest_pending(tree, node, trail & !named_below, otherwise);
         select_unpredictable(trail & named_below != 0, otherwise, lowest)
     }
