@@ -18,6 +18,12 @@ Proof. revert k. induction n as [|n IH]; intros k; [reflexivity|apply IH]. Qed.
 Lemma depth_up n : forall k, depth (up n k) = depth k - n.
 Proof. induction n as [|n IH]; intros k; [simpl; lia|]. simpl. rewrite IH. destruct k; simpl; lia. Qed.
 
+Lemma depth_root k : depth k = 0 -> k = xH.
+Proof. destruct k; [discriminate..|reflexivity]. Qed.
+
+Lemma up_root k : up (depth k) k = xH.
+Proof. apply depth_root. rewrite depth_up. lia. Qed.
+
 Lemma depth_sibling k : depth (sibling k) = depth k.
 Proof. destruct k; reflexivity. Qed.
 
@@ -101,6 +107,14 @@ Qed.
 (** [TRAIL-5] A trail of 0 has nothing to climb to. *)
 Theorem climb_of_nothing fuel : forall k, climb fuel k 0 = None.
 Proof. induction fuel as [|fuel IH]; intros k; [reflexivity|apply IH]. Qed.
+
+(** The two cases of the machine's backtrack. *)
+Lemma backtrack_none k t : trail_backtrack (k, t) = None -> t = 0%N.
+Proof. unfold trail_backtrack. destruct (N.eqb_spec t 0); [auto|discriminate]. Qed.
+
+Lemma backtrack_some k t k' t' : trail_backtrack (k, t) = Some (k', t') ->
+  t <> 0%N /\ k' = sibling (up (ctz t) k) /\ t' = N.lxor (shr t (ctz t)) 1.
+Proof. unfold trail_backtrack. destruct (N.eqb_spec t 0); [discriminate|]. intros [= <- <-]. auto. Qed.
 
 (** The first set bit of a trail that fits is below the root. *)
 Lemma ctz_fits k : forall t, fits k t -> t <> 0%N -> ctz t < depth k.

@@ -35,8 +35,7 @@ Lemma combined_moves k t k' t' : fits k t -> trail_backtrack (k, t) = Some (k', 
   n = ctz (level_index k t + 1) /\ shr (combined_index k t + 1) n = combined_index k' t'.
 Proof.
   intros Hf Hb. destruct (carry_moves k t k' t' Hf Hb) as (Hn & Hf' & _ & Hs & _ & Hx & _). cbv zeta.
-  assert (H0 : t <> 0%N) by (intros ->; discriminate).
-  pose proof (ctz_fits k t Hf H0) as Hd.
+  destruct (backtrack_some _ _ _ _ Hb) as (H0 & _). pose proof (ctz_fits k t Hf H0) as Hd.
   destruct (counter_carry (S (depth k)) t H0) as (H1 & H2).
   { apply fits_range in Hf. rewrite Nat2N.inj_succ, N.pow_succ_r'. lia. }
   rewrite combined_is_counter, H1, H2, Hn by exact Hf. split; [reflexivity|]. rewrite Hn in Hs, Hx.
@@ -52,7 +51,7 @@ Lemma combined_ends k t : fits k t -> trail_backtrack (k, t) = None ->
   shr (combined_index k t + 1) (ctz (combined_index k t + 1)) = 1%N.
 Proof.
   intros Hf Hb. destruct (carry_ends k t Hb) as (H1 & _). rewrite combined_is_counter, H1 by exact Hf.
-  unfold trail_backtrack in Hb. destruct (N.eqb_spec t 0) as [->|]; [|discriminate].
+  apply backtrack_none in Hb as ->.
   rewrite counter_overflow, ctz_pow, shr_pow, Nat.sub_diag by lia. auto.
 Qed.
 
@@ -160,11 +159,8 @@ Proof.
     rewrite !N.double_spec. destruct (rejected_one d), (right_first d); simpl bit; f_equal; lia.
   - intros [k t] b (_ & ->) Hb. cbv [backtrack implicit_b1 implicit_b1_backtrack].
     destruct (carry_ends k t Hb) as (H1 & H2). rewrite H1.
-    assert (E : shr (Npos k) (depth k) = 1%N).
-    { rewrite <- key_is_xor, shr_lxor, H2, shr_path by lia. assert (H : path (up (depth k) k) = 0%N).
-      { pose proof (path_range (up (depth k) k)) as H. unfold level_start in H. rewrite depth_up, Nat.sub_diag in H.
-        simpl in H. lia. }
-      rewrite H. reflexivity. }
+    assert (E : shr (Npos k) (depth k) = 1%N)
+      by (rewrite <- key_is_xor, shr_lxor, H2, shr_path, up_root by lia; reflexivity).
     rewrite E. reflexivity.
   - intros [k t] b [k' t'] (Hf & ->) Hb. cbv [backtrack implicit_b1 implicit_b1_backtrack].
     destruct (carry_moves k t k' t' Hf Hb) as (_ & Hf' & Hs & Hs' & Hc & Hx & Hp).

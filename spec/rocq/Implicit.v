@@ -33,11 +33,16 @@ Proof.
 Qed.
 
 (** Two to the power [d] has no bit in common with what is below it. *)
+Lemma high_bit_clear d x : (x < 2 ^ d)%N -> N.testbit x d = false.
+Proof.
+  intros Hx. destruct (N.eq_dec x 0) as [->|H0]; [apply N.bits_0|].
+  apply N.bits_above_log2, N.log2_lt_pow2; lia.
+Qed.
+
 Lemma high_bit_apart d x : (x < 2 ^ d -> N.land (2 ^ d) x = 0)%N.
 Proof.
   intros Hx. apply N.bits_inj. intros i. rewrite N.land_spec, N.pow2_bits_eqb, N.bits_0.
-  destruct (N.eqb_spec d i) as [<-|]; [|reflexivity]. destruct (N.eq_dec x 0) as [->|H0]; [apply N.bits_0|].
-  apply N.bits_above_log2, N.log2_lt_pow2; lia.
+  destruct (N.eqb_spec d i) as [<-|]; [apply high_bit_clear, Hx|reflexivity].
 Qed.
 
 (** So the sum is also the exclusive or, and the library's [levelStart | path]. *)
@@ -101,12 +106,11 @@ Lemma carry_moves k t k' t' : fits k t -> trail_backtrack (k, t) = Some (k', t')
   shr (level_index k t + 1) n = level_index k' t' /\ level_index k' t' = N.lxor (shr (level_index k t) n) 1 /\
   path k' = N.lxor (shr (path k) n) 1.
 Proof.
-  intros Hf Hb. assert (H0 : t <> 0%N) by (intros ->; discriminate).
+  intros Hf Hb. destruct (backtrack_some _ _ _ _ Hb) as (H0 & Ek & Et).
   destruct (counter_carry (depth k) t H0) as (H1 & H2); [apply fits_range, Hf|].
   pose proof (ctz_fits k t Hf H0) as Hn. pose proof (trail_pops k t Hf) as Hp. rewrite Hb in Hp.
   destruct (pending k t) as [|q p]; [discriminate|]. destruct Hp as (t1 & [= <- <-] & Hf' & _).
-  unfold trail_backtrack in Hb. destruct (N.eqb_spec t 0); [contradiction|]. injection Hb as <- <-.
-  unfold level_index, level_start. cbv zeta. rewrite H1.
+  subst k' t'. unfold level_index, level_start. cbv zeta. rewrite H1.
   rewrite depth_sibling, depth_up, path_sibling, shr_path, shr_pow, H2 by (rewrite ?depth_up; lia).
   repeat split; try exact Hf'.
   - change 1%N with (2 ^ 0)%N. apply N.pow_lt_mono_r; lia.
@@ -120,8 +124,7 @@ Qed.
 Lemma carry_ends k t : trail_backtrack (k, t) = None ->
   ctz (level_index k t + 1) = depth k /\ shr (level_start k) (depth k) = 1%N.
 Proof.
-  unfold trail_backtrack. destruct (N.eqb_spec t 0) as [->|]; [intros _|discriminate].
-  unfold level_index, level_start. rewrite counter_overflow, ctz_pow, shr_pow, Nat.sub_diag by lia. auto.
+  intros ->%backtrack_none. unfold level_index, level_start. rewrite counter_overflow, ctz_pow, shr_pow, Nat.sub_diag by lia. auto.
 Qed.
 
 (** * Algorithm 1 *)
