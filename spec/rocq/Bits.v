@@ -52,6 +52,10 @@ Qed.
 
 (** * The bits of the trail *)
 
+(** A trail fits the child if what it was fits the parent. *)
+Lemma fits_child sd k t : fits k t -> fits (child sd k) (N.double t) /\ fits (child sd k) (N.succ_double t).
+Proof. destruct sd, t; auto. Qed.
+
 (** A trail that fits is less than two to the depth. *)
 Lemma fits_range k : forall t, fits k t <-> (t < 2 ^ N.of_nat (depth k))%N.
 Proof.
@@ -149,11 +153,12 @@ Proof. unfold counter. rewrite ones_succ. destruct t as [|p], (N.ones (N.of_nat 
 Lemma counter_succ_double d t : counter (S d) (N.succ_double t) = N.double (counter d t).
 Proof. unfold counter. rewrite ones_succ. destruct t as [|p], (N.ones (N.of_nat d)) as [|q]; reflexivity. Qed.
 
-(** [TRAIL-6] The counter is the trail's complement, bit by bit, below the depth; and the other way round. *)
+(** [TRAIL-6] The counter is the trail's complement, bit by bit, below the depth. *)
 Theorem counter_bits d t i : (N.of_nat i < N.of_nat d)%N ->
   N.testbit (counter d t) (N.of_nat i) = negb (N.testbit t (N.of_nat i)).
 Proof. intros Hi. unfold counter. rewrite N.lxor_spec, N.ones_spec_low by exact Hi. apply xorb_true_r. Qed.
 
+(** [TRAIL-6] The complement of the counter is the trail. *)
 Theorem counter_involutive d t : counter d (counter d t) = t.
 Proof. unfold counter. rewrite N.lxor_assoc, N.lxor_nilpotent. apply N.lxor_0_r. Qed.
 

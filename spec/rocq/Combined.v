@@ -44,7 +44,7 @@ Proof.
   rewrite shr_lxor, Hs, N.lxor_assoc, <- Hx. reflexivity.
 Qed.
 
-(** At the end the carry takes the high bit with it: one trailing zero more than without it (spec/DEPARTURES.md, D-11), and
+(** [IMPLICIT-3] At the end the carry takes the high bit with it: one trailing zero more than without it (spec/DEPARTURES.md, D-11), and
     the shift comes to 1 as it does without it. *)
 Lemma combined_ends k t : fits k t -> trail_backtrack (k, t) = None ->
   ctz (combined_index k t + 1) = S (ctz (level_index k t + 1)) /\

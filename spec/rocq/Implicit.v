@@ -248,7 +248,7 @@ Proof.
   intros Hd. destruct d as [|sd|sd]; [contradiction| |]; do 2 eexists; (split; [reflexivity|]).
   all: rewrite level_start_child, path_child; unfold level_index; rewrite depth_child;
     rewrite ?counter_double, ?counter_succ_double.
-  all: (split; [exists sd; reflexivity|]); (split; [destruct sd; simpl; rewrite ?(proj1 (div2_double t)), ?(proj2 (div2_double t)); auto|]).
+  all: (split; [exists sd; reflexivity|]); (split; [apply fits_child|]).
   all: rewrite ?N.succ_double_spec; destruct sd; simpl bit; rewrite ?N.succ_double_spec, ?N.double_spec; repeat split; lia.
 Qed.
 
