@@ -6,7 +6,13 @@ Require Import Arith List PArith NArith Lia Bool.
 Require Import Tree Machine.
 Import ListNotations.
 
-(** * Ancestors *)
+(** * Keys *)
+
+Definition side_bit (sd : side) : N := match sd with L => 0%N | R => 1%N end.
+
+(** [KEY-2] The key of a child, as a number. *)
+Lemma child_number sd k : (2 * Npos k + side_bit sd)%N = Npos (child sd k).
+Proof. destruct sd; reflexivity. Qed.
 
 Lemma up_succ n : forall k, up (S n) k = Pos.div2 (up n k).
 Proof. induction n as [|n IH]; intros k; [reflexivity|apply (IH (Pos.div2 k))]. Qed.
@@ -66,6 +72,24 @@ Qed.
 
 Lemma bit_div2 t i : N.testbit (N.div2 t) (N.of_nat i) = N.testbit t (N.of_nat (S i)).
 Proof. rewrite N.div2_spec, N.shiftr_spec', Nat2N.inj_succ. f_equal. lia. Qed.
+
+(** [TRAIL-2] The child's trail is shifted with the key, and its bit 0 says whether the sibling is postponed. *)
+Theorem descend_bits d k t : d <> Neither ->
+  N.testbit (snd (trail_descend d (k, t))) 0 = match d with Both _ => true | _ => false end /\
+  forall i, N.testbit (snd (trail_descend d (k, t))) (N.of_nat (S i)) = N.testbit t (N.of_nat i).
+Proof.
+  intros Hd. destruct d; [contradiction|..]; split; try (destruct t; reflexivity); intros i; rewrite <- bit_div2; simpl;
+    [rewrite (proj1 (div2_double t))|rewrite (proj2 (div2_double t))]; reflexivity.
+Qed.
+
+(** [TRAIL-3] The number of trailing zeros is the place of the lowest bit that is set. *)
+Theorem ctz_lowest t : t <> 0%N ->
+  N.testbit t (N.of_nat (ctz t)) = true /\ forall i, i < ctz t -> N.testbit t (N.of_nat i) = false.
+Proof.
+  destruct t as [|p]; [contradiction|intros _]. induction p as [p _|p IH|]; simpl ctz in *;
+    [split; [reflexivity|lia]| |split; [reflexivity|lia]].
+  rewrite <- bit_div2. split; [apply IH|]. intros [|i] Hi; [reflexivity|]. rewrite <- bit_div2. apply IH. lia.
+Qed.
 
 (** Which keys key and trail stand for: where bit [i] is set, the sibling of the ancestor [i] levels up. *)
 Lemma pending_bits k : forall t x, In x (pending k t) <->

@@ -44,8 +44,8 @@ Proof.
   rewrite shr_lxor, Hs, N.lxor_assoc, <- Hx. reflexivity.
 Qed.
 
-(** [IMPLICIT-3] At the end the carry takes the high bit with it: one trailing zero more than without it (spec/DEPARTURES.md, D-11), and
-    the shift comes to 1 as it does without it. *)
+(** [IMPLICIT-3] At the end the carry takes the high bit with it: one trailing zero more than without it (spec/DEPARTURES.md,
+    D-11), and the shift comes to 1 as it does without it. *)
 Lemma combined_ends k t : fits k t -> trail_backtrack (k, t) = None ->
   ctz (combined_index k t + 1) = S (ctz (level_index k t + 1)) /\
   shr (combined_index k t + 1) (ctz (combined_index k t + 1)) = 1%N.
@@ -96,7 +96,8 @@ Proof.
     assert (1 <= combined_index k t)%N.
     { unfold combined_index. pose proof (path_range k). lia. }
     lia.
-  - intros [k t] b d k0 l r (Hf & ->) _ _ Hd _. destruct (level_index_child d k t Hd) as (k' & t' & He & _ & Hf' & Hs & Hi & Hp).
+  - intros [k t] b d k0 l r (Hf & ->) _ _ Hd _.
+    destruct (level_index_child d k t Hd) as (k' & t' & He & _ & Hf' & Hs & Hi & Hp).
     cbv [descend trail_machine]. rewrite He. split; [auto|].
     unfold swap_mask, combined_index in *. rewrite Hs, Hi, Hp, <- swap_mask_step. cbv [implicit_a1 implicit_a1_descend].
     rewrite !N.double_spec. destruct (rejected_one d); simpl bit; f_equal; lia.
@@ -153,7 +154,8 @@ Proof.
   split.
   - repeat split.
   - intros [k t] b (_ & ->). reflexivity.
-  - intros [k t] b d k0 l r (Hf & ->) _ _ Hd _. destruct (level_index_child d k t Hd) as (k' & t' & He & _ & Hf' & Hs & Hi & Hp).
+  - intros [k t] b d k0 l r (Hf & ->) _ _ Hd _.
+    destruct (level_index_child d k t Hd) as (k' & t' & He & _ & Hf' & Hs & Hi & Hp).
     cbv [descend trail_machine]. rewrite He. split; [auto|].
     rewrite <- (key_is_sum k'), <- (key_is_sum k), Hs, Hi, Hp. cbv [implicit_b1 implicit_b1_descend].
     rewrite !N.double_spec. destruct (rejected_one d), (right_first d); simpl bit; f_equal; lia.

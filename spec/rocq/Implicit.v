@@ -94,7 +94,8 @@ Proof. destruct x; [contradiction|reflexivity]. Qed.
 
 Lemma ctz_pow d : ctz (2 ^ N.of_nat d) = d.
 Proof.
-  induction d as [|d IH]; [reflexivity|]. rewrite Nat2N.inj_succ, N.pow_succ_r', <- N.double_spec, ctz_double, IH; [reflexivity|].
+  induction d as [|d IH]; [reflexivity|]. rewrite Nat2N.inj_succ, N.pow_succ_r', <- N.double_spec, ctz_double, IH;
+    [reflexivity|].
   apply N.pow_nonzero. lia.
 Qed.
 
@@ -124,7 +125,8 @@ Qed.
 Lemma carry_ends k t : trail_backtrack (k, t) = None ->
   ctz (level_index k t + 1) = depth k /\ shr (level_start k) (depth k) = 1%N.
 Proof.
-  intros ->%backtrack_none. unfold level_index, level_start. rewrite counter_overflow, ctz_pow, shr_pow, Nat.sub_diag by lia. auto.
+  intros ->%backtrack_none. unfold level_index, level_start.
+  rewrite counter_overflow, ctz_pow, shr_pow, Nat.sub_diag by lia. auto.
 Qed.
 
 (** * Algorithm 1 *)
@@ -273,8 +275,10 @@ Proof.
   - intros [k t] b (_ & ->). cbv [key_of implicit_a trail_machine fst]. f_equal. apply number_key. rewrite <- (key_is_sum k).
     pose proof (fcomp_is_xor (level_index k t) (swap_mask k t)) as H. rewrite swap_mask_leads in H. unfold fcomp in H.
     pose proof (add_carries (level_index k t) (swap_mask k t)). pose proof (path_range k). lia.
-  - intros [k t] b d k0 l r (Hf & ->) _ _ Hd _. destruct (level_index_child d k t Hd) as (k' & t' & He & _ & Hf' & Hs & Hi & Hp).
-    cbv [descend trail_machine]. rewrite He. split; [auto|]. unfold swap_mask in *. rewrite Hs, Hi, Hp, <- swap_mask_step. simpl.
+  - intros [k t] b d k0 l r (Hf & ->) _ _ Hd _.
+    destruct (level_index_child d k t Hd) as (k' & t' & He & _ & Hf' & Hs & Hi & Hp).
+    cbv [descend trail_machine]. rewrite He. split; [auto|]. unfold swap_mask in *.
+    rewrite Hs, Hi, Hp, <- swap_mask_step. simpl.
     destruct (rejected_one d); simpl bit; rewrite ?N.add_0_r; reflexivity.
   - intros [k t] b (_ & ->) Hb. simpl in *. destruct (carry_ends k t Hb) as (H1 & H2).
     rewrite H1, H2. reflexivity.
@@ -327,7 +331,8 @@ Proof.
   split.
   - repeat split.
   - intros [k t] b (_ & ->). simpl. f_equal. apply number_key. rewrite <- (key_is_sum k). pose proof (path_range k). lia.
-  - intros [k t] b d k0 l r (Hf & ->) _ _ Hd _. destruct (level_index_child d k t Hd) as (k' & t' & He & _ & Hf' & Hs & Hi & Hp).
+  - intros [k t] b d k0 l r (Hf & ->) _ _ Hd _.
+    destruct (level_index_child d k t Hd) as (k' & t' & He & _ & Hf' & Hs & Hi & Hp).
     cbv [descend trail_machine]. rewrite He. split; [auto|]. rewrite Hs, Hi, Hp. cbv [implicit_b implicit_b_descend].
     destruct (rejected_one d), (right_first d); simpl bit; rewrite ?N.add_0_r; reflexivity.
   - intros [k t] b (_ & ->) Hb. simpl in *. destruct (carry_ends k t Hb) as (H1 & H2).

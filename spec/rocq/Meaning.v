@@ -55,7 +55,8 @@ Lemma postponed_cons h k x : postponed (k :: h) x <->
   postponed h x \/ exists l r sd, at_key T k = Some (Node l r) /\ decide (k :: h) = Both sd /\ x = child (other sd) k.
 Proof.
   split.
-  - intros (later & a & before & l & r & sd & He & Hk & Hd & Hx). destruct later as [|y later]; simpl in He; injection He as -> ->.
+  - intros (later & a & before & l & r & sd & He & Hk & Hd & Hx). destruct later as [|y later];
+      simpl in He; injection He as -> ->.
     + right. exists l, r, sd. auto.
     + left. exists later, a, before, l, r, sd. auto.
   - intros [(later & a & before & l & r & sd & -> & H)|(l & r & sd & Hk & Hd & Hx)].
@@ -144,6 +145,25 @@ Proof.
               destruct Hx as [<-|Hx]; [eapply Hlow; eauto|]. now apply (proj1 (HW x) Hx).
         -- intros ([Hx1|(l' & r' & sd' & _ & [= <-] & ->)] & Hx2); [|now left]. right. apply HW. split; [exact Hx1|].
            intros Hin. apply Hx2. now right.
+Qed.
+
+(** A visit is of the present node. *)
+Lemma step_visits k s h s' h' : key_of C s = Some k -> step C T decide stop s h = Going s' h' -> h' = k :: h.
+Proof.
+  unfold step, back. intros ->. destruct (at_key T k) as [[|l r]|]; [destruct (stop (k :: h))|destruct (decide (k :: h))|];
+    try discriminate; try (destruct (backtrack C s); [|discriminate]); congruence.
+Qed.
+
+(** [ORDER-1] No node is visited twice, so that no decision is asked for twice. *)
+Theorem visited_once s h : reached C T decide stop s h -> exists k, key_of C s = Some k /\ NoDup (k :: h).
+Proof.
+  intros Hr. destruct (stack_is_what_waits s h Hr) as (k & p & HR & (HA & _) & _).
+  exists k. pose proof (r_key _ _ _ _ Ref _ _ _ HR) as Hk. split; [exact Hk|]. constructor.
+  - intros Hin. apply (HA k k Hin (or_introl eq_refl)), within_refl.
+  - clear k p HR HA Hk. induction Hr as [|s h s' h' Hr IH Hstep]; [constructor|].
+    destruct (stack_is_what_waits s h Hr) as (k & p & HR & (HA & _) & _).
+    rewrite (step_visits k s h s' h' (r_key _ _ _ _ Ref _ _ _ HR) Hstep). constructor; [|exact IH].
+    intros Hin. apply (HA k k Hin (or_introl eq_refl)), within_refl.
 Qed.
 
 End Meaning.

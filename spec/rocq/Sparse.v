@@ -100,12 +100,14 @@ Proof.
   split.
   - repeat split.
   - intros [k t] b (_ & ->). reflexivity.
-  - intros [k t] b d k0 l r (Hf & ->) _ _ Hd _. destruct (level_index_child d k t Hd) as (k' & t' & He & _ & Hf' & _ & Hi & _).
+  - intros [k t] b d k0 l r (Hf & ->) _ _ Hd _.
+    destruct (level_index_child d k t Hd) as (k' & t' & He & _ & Hf' & _ & Hi & _).
     pose proof (trail_descend_key d k t) as Hk. cbv [descend trail_machine]. rewrite He in *. simpl in Hk. subst k'.
     split; [auto|]. rewrite Hi. simpl. destruct (rejected_one d); simpl bit; rewrite ?N.add_0_r; reflexivity.
   - intros [k t] b (_ & ->) Hb. destruct (carry_ends k t Hb) as (Hn & _).
     assert (Hs : shr (level_index k t + 1) (ctz (level_index k t + 1)) = 1%N).
-    { apply backtrack_none in Hb as ->. rewrite Hn. unfold level_index. rewrite counter_overflow, shr_pow, Nat.sub_diag by lia. reflexivity. }
+    { apply backtrack_none in Hb as ->. rewrite Hn. unfold level_index.
+      rewrite counter_overflow, shr_pow, Nat.sub_diag by lia. reflexivity. }
     cbv [backtrack sparse_printed printed_backtrack]. rewrite N.add_1_r, <- N.succ_pos_spec in Hn, Hs. simpl ctz in Hn, Hs.
     rewrite Hn in Hs. destruct (climb_parents_leads (N.succ_pos (level_index k t)) k (up (depth k) k)) as (j & -> & _).
     + rewrite Hn. apply parents_up. lia.
@@ -196,7 +198,8 @@ Proof.
   split.
   - repeat split.
   - intros [k t] b (_ & ->). reflexivity.
-  - intros [k t] b d k0 l r (Hf & ->) _ _ Hd _. destruct (level_index_child d k t Hd) as (k' & t' & He & _ & Hf' & Hs & Hi & _).
+  - intros [k t] b d k0 l r (Hf & ->) _ _ Hd _.
+    destruct (level_index_child d k t Hd) as (k' & t' & He & _ & Hf' & Hs & Hi & _).
     pose proof (trail_descend_key d k t) as Hk. cbv [descend trail_machine]. rewrite He in *. simpl in Hk. subst k'.
     split; [auto|]. unfold combined_index. rewrite Hs, Hi. simpl. rewrite !N.double_spec.
     destruct (rejected_one d); simpl bit; do 2 f_equal; lia.

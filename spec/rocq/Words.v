@@ -14,8 +14,6 @@ Variable W : nat.
 (** What a word keeps. *)
 Definition word (x : N) : N := (x mod 2 ^ N.of_nat W)%N.
 
-Definition side_bit (sd : side) : N := match sd with L => 0%N | R => 1%N end.
-
 (** The key, and the trail, of the child. *)
 Definition word_descend (d : descent) (s : N * N) : N * N :=
   let '(k, t) := s in
@@ -46,9 +44,6 @@ Proof.
   induction k as [k IH|k IH|]; intros t Hk; simpl in *; [| |injection Hk as ->; lia].
   all: destruct (at_key T k) as [[|l r]|]; try discriminate; injection Hk as <-; specialize (IH _ eq_refl); simpl in IH; lia.
 Qed.
-
-Lemma child_number sd k : (2 * Npos k + side_bit sd)%N = Npos (child sd k).
-Proof. destruct sd; reflexivity. Qed.
 
 Lemma word_simulates T : height T < W -> simulates T trail_machine word_machine any_descent
   (fun a b => let '(k, t) := a in fits k t /\ depth k < W /\ b = (Npos k, t)).
@@ -165,8 +160,9 @@ Lemma run_extends C T decide stop fuel : forall s h b h', run C T decide stop fu
 Proof.
   induction fuel as [|fuel IH]; intros s h b h'; [discriminate|]. simpl. unfold step.
   destruct (key_of C s) as [k|]; [|discriminate].
-  assert (B : match back C s (k :: h) with Going s h => run C T decide stop fuel s h | Done b h => Some (b, h) | Lost => None end
-    = Some (b, h') -> exists k0 later, Some k = Some k0 /\ h' = later ++ k0 :: h).
+  assert (B : match back C s (k :: h) with
+      Going s h => run C T decide stop fuel s h | Done b h => Some (b, h) | Lost => None end = Some (b, h') ->
+    exists k0 later, Some k = Some k0 /\ h' = later ++ k0 :: h).
   { unfold back. destruct (backtrack C s) as [s'|].
     - intros (k' & later & _ & ->)%IH. exists k, (later ++ [k']). rewrite <- app_assoc. auto.
     - intros [= _ <-]. exists k, []. auto. }
@@ -193,8 +189,8 @@ Proof.
     - destruct (ancestor_inner T x t n Hx Hn) as (l & r & Ht).
       assert (Hw : word (Npos (up (S n) x)) = Npos (up (S n) x)).
       { apply (word_id _ (depth (up (S n) x))); [rewrite depth_up; lia|apply key_range]. }
-      destruct f as [|f]; [discriminate|]. cbn [run] in He. unfold step in He. cbn [key_of word_machine fst] in He. rewrite Hw, Ht, Hh in He.
-      rewrite straight_step in He by exact Hn. revert He. apply IH; [lia| |symmetry; apply lineage_up, Hn].
+      destruct f as [|f]; [discriminate|]. cbn [run] in He. unfold step in He. cbn [key_of word_machine fst] in He.
+      rewrite Hw, Ht, Hh, straight_step in He by exact Hn. revert He. apply IH; [lia| |symmetry; apply lineage_up, Hn].
       cbn [descend word_machine word_descend]. rewrite child_number, <- up_child by exact Hn. reflexivity. }
   apply (H (depth x)); [lia| |]; rewrite up_root; reflexivity.
 Qed.
