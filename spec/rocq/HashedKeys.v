@@ -263,3 +263,80 @@ Theorem hashed_keys_do T Ui Ul keep decide stop lookup fuel : (forall x, hashed_
   run (hashed T Ui Ul keep lookup) T decide stop fuel (start (hashed T Ui Ul keep lookup)) [] =
   Some (reference decide stop T).
 Proof. intros Hl. apply hashed_reference. intros x Hx. eapply Hl, hashed_keys_suffice, Hx. Qed.
+
+(** * In one number *)
+
+(** [below t n u]: the subtree [u] is [n] levels below the root of [t]. *)
+Inductive below : tree -> nat -> tree -> Prop :=
+  | below_here t : below t 0 t
+  | below_child sd l r n u : below (subtree sd l r) n u -> below (Node l r) (S n) u.
+
+Lemma below_key n : forall T s t u, at_key T s = Some t ->
+  (below t n u <-> exists z, up n z = s /\ depth z = n + depth s /\ at_key T z = Some u).
+Proof.
+  induction n as [|n IH]; intros T s t u Hs; split.
+  - inversion 1; subst. exists s. auto.
+  - intros (z & <- & _ & Hz). cbn in Hs. replace t with u by congruence. constructor.
+  - inversion 1 as [|sd l r m v Hb]; subst. apply (IH T (child sd s)) in Hb; [|now apply at_child].
+    destruct Hb as (z & Hu & Hd & Hz). exists z. rewrite up_succ, Hu. split; [now destruct sd|].
+    split; [|exact Hz]. rewrite Hd. destruct sd; cbn; lia.
+  - intros (z & Hu & Hd & Hz). rewrite up_succ in Hu. pose proof (depth_up n z) as Hc.
+    assert (H1 : up n z <> xH) by (intros E; rewrite E in Hc; cbn in Hc; lia).
+    destruct (at_up T n z u Hz) as (t' & Ht'). destruct (at_parent T _ _ Ht' H1) as (l & r & Hp & _).
+    rewrite Hu, Hs in Hp. injection Hp as ->. apply (below_child (side_of (up n z))).
+    pose proof (at_child T (side_of (up n z)) s l r Hs) as Hat. rewrite <- Hu, child_side in Hat by exact H1.
+    apply (IH T (up n z) _ _ Hat).
+    exists z. repeat split; [lia|exact Hz].
+Qed.
+
+Lemma below_height t n u : below t n u -> n + height u <= height t.
+Proof. induction 1 as [|[|] l r n u _ IH]; cbn in *; lia. Qed.
+
+Lemma leaf_at_height t : below t (height t) Leaf.
+Proof.
+  induction t as [|l IHl r IHr]; [constructor|]. cbn [height].
+  destruct (Nat.max_dec (height l) (height r)) as [->| ->]; [apply (below_child L)|apply (below_child R)]; assumption.
+Qed.
+
+Lemma inner_above_height t : forall n, n < height t -> exists l r, below t n (Node l r).
+Proof.
+  induction t as [|l IHl r IHr]; intros n Hn; [cbn in Hn; lia|]. destruct n as [|n]; [do 2 eexists; constructor|].
+  cbn [height] in Hn. destruct (Nat.max_dec (height l) (height r)) as [E|E];
+    [destruct (IHl n) as (l' & r' & H)|destruct (IHr n) as (l' & r' & H)]; try lia; do 2 eexists;
+    [apply (below_child L)|apply (below_child R)]; exact H.
+Qed.
+
+(** [HASH-3] A key is hashed iff its sibling's subtree is at least min(Ui + 2, Ul + 1) levels high, where a leaf is 0 levels
+    high. *)
+Theorem hashed_iff_high T Ui Ul x t : x <> xH -> at_key T (sibling x) = Some t ->
+  (hashed_key T Ui Ul x <-> Nat.min (Ui + 2) (Ul + 1) <= height t).
+Proof.
+  intros H1 Hs. split.
+  - intros (z & n & _ & Hu & Hd & Hz). destruct (at_key T z) as [u|] eqn:Hat; [|tauto].
+    assert (Hb : below t n u).
+    { apply (below_key n T (sibling x) t u Hs). exists z. rewrite depth_sibling. auto. }
+    apply below_height in Hb. destruct u; cbn in Hb; lia.
+  - assert (H : forall n u, below t n u -> match u with Leaf => Ul < n | _ => Ui < n end -> hashed_key T Ui Ul x).
+    { intros n u Hb Hn. apply (below_key n T (sibling x) t u Hs) in Hb. destruct Hb as (z & Hu & Hd & Hz).
+      exists z, n. repeat split; [exact H1|exact Hu|now rewrite depth_sibling in Hd|]. rewrite Hz. now destruct u. }
+    intros Hh. destruct (Nat.le_gt_cases (Ul + 1) (height t)) as [Hl|Hl].
+    + apply (H (height t) Leaf (leaf_at_height t)). lia.
+    + destruct (inner_above_height t (Ui + 1)) as (l & r & Hb); [lia|]. apply (H _ _ Hb). lia.
+Qed.
+
+(** [HASH-3] The printed rule, an inner grand nephew, is a height of at least 3: so it is exact where
+    min(Ui + 2, Ul + 1) = 3, as for (2,2) and (1,2); has keys too many for (2,3), and keys missing for (1,1). *)
+Theorem printed_rule t : (exists l r, below t 2 (Node l r)) <-> 3 <= height t.
+Proof.
+  split; [|intros H; now apply inner_above_height].
+  intros (l & r & H). apply below_height in H. cbn in H. lia.
+Qed.
+
+(** [HASH-3] A key of a node of the tree other than the root, or of no node: the set has only the former. *)
+Theorem hashed_keys_are_nodes T Ui Ul x : hashed_key T Ui Ul x -> x <> xH /\ exists t, at_key T x = Some t.
+Proof.
+  intros (z & n & H1 & Hu & _ & Hz). split; [exact H1|]. destruct (at_key T z) as [u|] eqn:Hat; [|tauto].
+  destruct (at_up T n z u Hat) as (t & Ht). rewrite Hu in Ht.
+  destruct (at_parent T (sibling x) t Ht) as (_ & _ & _ & t' & Hs); [now destruct x|].
+  rewrite sibling_sibling in Hs. eauto.
+Qed.
