@@ -73,26 +73,32 @@ Proof.
     specialize (IH (Npos p) Hf ltac:(discriminate)); cbn in IH; lia.
 Qed.
 
-(** [HASH-3] Sufficient: whatever is looked up, by whatever search and with whatever filling, is in the set. The node from
-    which the search turns back is itself out of reach: at level 0 the register would hold the sibling. *)
-Theorem hashed_keys_suffice decide stop x : looked_up T Ui Ul keep decide stop x -> hashed_key T Ui Ul x.
+(** What the record of a node in the tree does not reach is in the set: the node itself is the witness. *)
+Lemma out_of_reach_is_hashed k t u : fits k t -> t <> 0%N -> reach T Ui Ul k < ctz t -> at_key T k = Some u ->
+  hashed_key T Ui Ul (next k t).
 Proof.
-  intros (s & h & H & Hb & Ha).
-  destruct (reached_refines _ _ _ _ _ _ (hashed_refines T Ui Ul keep) (any_decision decide) _ _ H)
-    as (k & p & ((k' & t) & (Hk' & Hf & _) & Hn & Hk & Ht & Hr) & _).
-  cbn [fst snd] in *. subst k'. exists k, (ctz t).
-  unfold asks in Ha. rewrite Hk, Ht in Ha. unfold trail_backtrack in Ha.
-  destruct (N.eqb_spec t 0) as [|Hz]; [discriminate|].
-  destruct (filled T Ui Ul s) as [|] eqn:Hfill; [discriminate|]. injection Ha as <-.
-  unfold filled in Hfill. rewrite Hn, Ht in Hfill. pose proof (fill_none T Ui Ul k t _ Hr Hz Hfill) as Hreach.
-  pose proof (fits_ctz k t Hf Hz) as Hd.
+  intros Hf Hz Hreach Hu. pose proof (fits_ctz k t Hf Hz) as Hd. exists k, (ctz t). unfold next.
   assert (Hx : depth (sibling (up (ctz t) k)) = depth k - ctz t) by (rewrite depth_sibling; apply depth_up).
   repeat split.
   - intros H1. rewrite H1 in Hx. cbn in Hx. lia.
   - now rewrite sibling_sibling.
   - rewrite Hx. lia.
-  - unfold turns_back in Hb. rewrite Hn in Hb. unfold reach in Hreach.
-    now destruct (at_key T k) as [[|]|].
+  - unfold reach in Hreach. rewrite Hu in *. now destruct u.
+Qed.
+
+(** [HASH-3] Sufficient: whatever is looked up, by whatever search and with whatever filling, is in the set. The node from
+    which the search turns back is itself out of reach: at level 0 the register would hold the sibling. *)
+Theorem hashed_keys_suffice decide stop x : looked_up T Ui Ul keep decide stop x -> hashed_key T Ui Ul x.
+Proof.
+  intros (s & h & H & _ & Ha).
+  destruct (reached_refines _ _ _ _ _ _ (hashed_refines T Ui Ul keep) (any_decision decide) _ _ H)
+    as (k & p & ((k' & t) & (Hk' & Hf & _) & Hn & Hk & Ht & Hr) & Hin).
+  cbn [fst snd] in *. subst k'. destruct (Hin k (or_introl eq_refl)) as (u & Hu).
+  unfold asks in Ha. rewrite Hk, Ht in Ha. unfold trail_backtrack in Ha.
+  destruct (N.eqb_spec t 0) as [|Hz]; [discriminate|].
+  destruct (filled T Ui Ul s) as [|] eqn:Hfill; [discriminate|]. injection Ha as <-.
+  unfold filled in Hfill. rewrite Hn, Ht in Hfill.
+  exact (out_of_reach_is_hashed k t u Hf Hz (fill_none T Ui Ul k t _ Hr Hz Hfill) Hu).
 Qed.
 
 (** ** Necessary: a search that looks a key of the set up *)
