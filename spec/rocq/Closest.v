@@ -335,3 +335,38 @@ Proof.
 Qed.
 
 End Closest.
+
+(** * What the promise is worth *)
+
+Module Promise.
+
+(** Two leaves, the left one first and marked. The search says *found* at the left one if its hit is the best. *)
+Definition T := Node Leaf Leaf.
+Definition decide (h : history) := Both L.
+Definition mark (h : history) := true.
+Definition offer (left right : nat) (k : positive) :=
+  match k with 2%positive => Some left | 3%positive => Some right | _ => None end.
+Definition closest left right := best nat Nat.ltb T (offer left right).
+Definition found (left right : nat) (h : history) :=
+  match h, closest left right h with 2%positive :: _, Some x => x =? left | _, _ => false end.
+Definition pruned left right := snd (pruned_reference T decide mark never (found left right)).
+Definition whole := snd (reference decide never T).
+
+(** [ORDER-2, ORDER-3] Where the promise is kept, the theorem's condition holds, and a visit is saved. *)
+Example kept : found_is_true nat Nat.ltb T (offer 1 2) decide mark (found 1 2) /\
+  pruned 1 2 = [2; 1]%positive /\ whole = [3; 2; 1]%positive.
+Proof.
+  split; [|split; reflexivity]. apply marks_are_promises.
+  - intros a h l r sd q1 o1 q2 o2 Ha [= <-] _ H1 E1 H2 E2. pose proof (at_height T a _ Ha) as Hh. cbn in Hh.
+    assert (E : a = xH) by (apply depth_zero; lia). subst a. injection Ha as <- <-. cbn in H1, H2.
+    destruct H1 as [<-|[]], H2 as [<-|[]]. cbn in E1, E2. injection E1 as <-. injection E2 as <-. reflexivity.
+  - intros k h. unfold found. fold (closest 1 2).
+    destruct k as [|[| |]|], (closest 1 2 (_ :: h)) as [x|]; intros Hx; try discriminate Hx.
+    apply Nat.eqb_eq in Hx. subst x. exists 1. auto.
+Qed.
+
+(** [ORDER-2] Where it is broken, the closest hit is lost. *)
+Example broken : closest 2 1 (pruned 2 1) = Some 2 /\ closest 2 1 whole = Some 1.
+Proof. split; reflexivity. Qed.
+
+End Promise.

@@ -4,8 +4,8 @@ Require Import List PArith NArith Lia Bool Arith.
 Require Import Tree Machine Register.
 Import ListNotations.
 
-(** The rule here, where the printed one is [always]: on a descent into a single child only if none of the lowest [m] ancestors' siblings is postponed. What they
-    are at the child, one level further away, its record names, if that reaches one further. *)
+(** The rule here, where the printed one is [always]: on a descent into a single child only if none of the siblings of the
+    lowest [m] ancestors is postponed. For those can wait: the child's record names them too, if it reaches one further. *)
 Definition leaving (m : nat) (k : positive) (t : N) : bool :=
   match lowest (row m k) (N.div2 t) with None => true | Some _ => false end.
 

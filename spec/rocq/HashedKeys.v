@@ -51,6 +51,13 @@ Proof.
   destruct (at_parent T k t Hk H1) as (l & r & Hp & _). eauto.
 Qed.
 
+Lemma at_height T k : forall t, at_key T k = Some t -> height t + depth k <= height T.
+Proof.
+  induction k as [k IH|k IH|]; intros t Ht; cbn in Ht; [| |injection Ht as ->; cbn; lia];
+    destruct (at_key T k) as [[|l r]|]; try discriminate; specialize (IH _ eq_refl); injection Ht as <-;
+    cbn [height depth] in *; lia.
+Qed.
+
 (** * The set *)
 
 (** [HASH-3] The node [z] is [n] levels below the sibling of [x], and out of the reach of its own record. *)

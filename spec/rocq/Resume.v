@@ -185,12 +185,7 @@ Proof.
   destruct (at_key (Node Leaf Leaf) z) as [u|] eqn:Hat; [|tauto].
   destruct (at_up _ n z u Hat) as (ts & Hts). rewrite Hu in Hts. apply (hashed_iff_high _ 2 2 x ts H1 Hts) in H.
   assert (Hne : sibling x <> xH) by now destruct x.
-  destruct (at_parent _ _ ts Hts Hne) as (l & r & Hp & _).
-  assert (E : forall k t, at_key (Node Leaf Leaf) k = Some t -> height t + depth k <= 1).
-  { induction k as [k IH|k IH|]; intros t' Ht'; cbn in Ht'; [| |injection Ht' as <-; cbn; lia];
-      destruct (at_key (Node Leaf Leaf) k) as [[|l' r']|]; try discriminate; specialize (IH _ eq_refl); injection Ht' as <-;
-      cbn [height depth] in *; lia. }
-  specialize (E _ _ Hts). cbn in H. lia.
+  pose proof (at_height _ _ _ Hts) as E. pose proof (depth_pos _ Hne). cbn in H, E. lia.
 Qed.
 
 (** * From the key alone *)
