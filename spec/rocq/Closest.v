@@ -107,12 +107,14 @@ Proof. intros H. cbn. unfold found_in. rewrite H. apply closer_none. Qed.
 Variable decide : history -> descent.
 
 (** A search may drop a child only if nothing below it is better than the best so far. *)
-Hypothesis culls : forall k h l r, at_key T k = Some (Node l r) ->
+Definition culls : Prop := forall k h l r, at_key T k = Some (Node l r) ->
   match decide (k :: h) with
   | Neither => forall sd, nothing_better (best (k :: h)) (subtree sd l r) (child sd k)
   | Only sd => nothing_better (best (k :: h)) (subtree (other sd) l r) (child (other sd) k)
   | Both _ => True
   end.
+
+Hypothesis search_culls : culls.
 
 (** [ORACLE-1] Without pruning: the closest of all. *)
 Lemma visit_best t : forall k h, at_key T k = Some t ->
@@ -123,7 +125,7 @@ Proof.
   - assert (IH : forall sd h, let v := visit decide never (subtree sd l r) (child sd k) h in
       best (snd v) = closer (best h) (best_below (subtree sd l r) (child sd k)) /\ fst v = false).
     { intros sd h'. pose proof (at_child T sd k l r Hk). destruct sd; [apply IHl|apply IHr]; assumption. }
-    clear IHl IHr. pose proof (culls k h l r Hk) as Hc. cbn [visit]. destruct (decide (k :: h)) as [|sd|sd].
+    clear IHl IHr. pose proof (search_culls k h l r Hk) as Hc. cbn [visit]. destruct (decide (k :: h)) as [|sd|sd].
     + cbn [snd fst]. split; [|reflexivity].
       rewrite (best_below_node L), closer_assoc, <- (best_inner k h l r Hk).
       now rewrite (nothing_better_spec _ _ _ (Hc L)), (nothing_better_spec _ _ _ (Hc (other L))).
@@ -228,7 +230,7 @@ Proof.
     intros Hf. exists [], k, h, []. auto.
   - assert (IH : forall sd h, well_pruned (subtree sd l r) (child sd k) h).
     { intros sd h'. pose proof (at_child T sd k l r Hk). destruct sd; [apply IHl|apply IHr]; assumption. }
-    clear IHl IHr. pose proof (culls k h l r Hk) as Hc. cbn [Disjoint.pvisit].
+    clear IHl IHr. pose proof (search_culls k h l r Hk) as Hc. cbn [Disjoint.pvisit].
     destruct (decide (k :: h)) as [|sd|sd] eqn:Hd.
     + split; [reflexivity|]. split; [now exists [k]|]. split; [discriminate|].
       rewrite (best_below_node L), closer_assoc, <- (best_inner k h l r Hk).

@@ -301,6 +301,29 @@ Proof. intros H. eapply prefines_reference; [apply marked_refines|exact H]. Qed.
 
 (** * Register and table under pruning *)
 
+Lemma marked_pending_siblings k : forall t s q m, In (q, m) (marked_pending k t s) -> In q (siblings k).
+Proof.
+  induction k as [k IH|k IH|]; intros t s q m; cbn [marked_pending siblings]; [| |tauto]; intros H;
+    apply in_app_or in H; (destruct H as [H|H]; [left|right; eapply IH, H]);
+    destruct (N.odd t); [|destruct H| |destruct H]; destruct H as [[= <- _]|[]]; reflexivity.
+Qed.
+
+Lemma odd_ctz t : N.odd t = true -> ctz t = 0.
+Proof. destruct t as [|[|p|]]; [discriminate|reflexivity|discriminate|reflexivity]. Qed.
+
+Lemma prune_holds k t s r : holds k t r ->
+  holds k (N.ldiff t s) (if (N.ldiff t s =? 0)%N || negb (ctz t =? ctz (N.ldiff t s)) then None else r).
+Proof.
+  intros Hr. destruct (N.eqb_spec (N.ldiff t s) 0) as [->|Hz]; [reflexivity|]. cbn [orb].
+  assert (Hodd : N.odd (N.ldiff t s) = true -> ctz t = 0 /\ ctz (N.ldiff t s) = 0 /\ N.odd t = true).
+  { intros H. pose proof (odd_ldiff t s) as E. rewrite H in E. symmetry in E. apply andb_prop in E. destruct E as [E _].
+    auto using odd_ctz. }
+  destruct (Nat.eqb_spec (ctz t) (ctz (N.ldiff t s))) as [E|E]; cbn [negb].
+  - destruct r as [x|]; cbn in *; [|destruct (N.odd (N.ldiff t s)); [destruct Hodd as (_ & _ & ?); congruence|reflexivity]].
+    split; [exact Hz|]. destruct Hr as [_ ->]. unfold next. now rewrite E.
+  - cbn. destruct (N.odd (N.ldiff t s)); [|reflexivity]. destruct Hodd as (? & ? & _); [reflexivity|congruence].
+Qed.
+
 Section Hashed.
 
 Variable T : tree.
@@ -329,29 +352,6 @@ Definition hashed_disjoint : pruner := {|
 Definition hashed_marked_stack (x : hashed_state * N) (k : positive) (p : list (positive * bool)) : Prop :=
   node (fst x) = k /\ key (fst x) = k /\ holds k (trail (fst x)) (register (fst x)) /\ (exists u, at_key T k = Some u) /\
   fits k (trail (fst x)) /\ marked_pending k (trail (fst x)) (snd x) = p.
-
-Lemma marked_pending_siblings k : forall t s q m, In (q, m) (marked_pending k t s) -> In q (siblings k).
-Proof.
-  induction k as [k IH|k IH|]; intros t s q m; cbn [marked_pending siblings]; [| |tauto]; intros H;
-    apply in_app_or in H; (destruct H as [H|H]; [left|right; eapply IH, H]);
-    destruct (N.odd t); [|destruct H| |destruct H]; destruct H as [[= <- _]|[]]; reflexivity.
-Qed.
-
-Lemma odd_ctz t : N.odd t = true -> ctz t = 0.
-Proof. destruct t as [|[|p|]]; [discriminate|reflexivity|discriminate|reflexivity]. Qed.
-
-Lemma prune_holds k t s r : holds k t r ->
-  holds k (N.ldiff t s) (if (N.ldiff t s =? 0)%N || negb (ctz t =? ctz (N.ldiff t s)) then None else r).
-Proof.
-  intros Hr. destruct (N.eqb_spec (N.ldiff t s) 0) as [->|Hz]; [reflexivity|]. cbn [orb].
-  assert (Hodd : N.odd (N.ldiff t s) = true -> ctz t = 0 /\ ctz (N.ldiff t s) = 0 /\ N.odd t = true).
-  { intros H. pose proof (odd_ldiff t s) as E. rewrite H in E. symmetry in E. apply andb_prop in E. destruct E as [E _].
-    auto using odd_ctz. }
-  destruct (Nat.eqb_spec (ctz t) (ctz (N.ldiff t s))) as [E|E]; cbn [negb].
-  - destruct r as [x|]; cbn in *; [|destruct (N.odd (N.ldiff t s)); [destruct Hodd as (_ & _ & ?); congruence|reflexivity]].
-    split; [exact Hz|]. destruct Hr as [_ ->]. unfold next. now rewrite E.
-  - cbn. destruct (N.odd (N.ldiff t s)); [|reflexivity]. destruct Hodd as (? & ? & _); [reflexivity|congruence].
-Qed.
 
 Lemma hashed_disjoint_refines : prefines T hashed_disjoint hashed_marked_stack.
 Proof.
