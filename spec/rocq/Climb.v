@@ -2,7 +2,7 @@
     Szirmay-Kalos 2014). *)
 
 Require Import List PArith NArith Lia Bool Arith.
-Require Import Tree Machine Register.
+Require Import Tree Machine Register HashedKeys Resume Disjoint.
 Import ListNotations.
 
 (** * The climb by grand uncles *)
@@ -94,6 +94,78 @@ Theorem uncle_reference decide stop fuel : size T <= fuel ->
 Proof.
   eapply refines_reference; [exact (simulates_refines _ _ _ _ _ _ (trail_refines T) uncle_simulates)|apply any_decision].
 Qed.
+
+(** ** With a second trail *)
+
+(** The same climb; the second trail is shifted with the first. *)
+Fixpoint marked_climb (fuel : nat) (y : positive) (t : N) (r : option positive) (s : N) : option (uncle_state * N) :=
+  match fuel with
+  | 0 => None
+  | S fuel =>
+      if N.eqb t 0 then None else
+      match fill T Ui Ul y t r with
+      | Some x => Some (Uncle x (N.lxor (shr t (ctz t)) 1) None, shr s (ctz t))
+      | None => marked_climb fuel (grand_uncle y) (N.div2 (N.div2 t)) None (shr s 2)
+      end
+  end.
+
+Definition uncle_disjoint : pruner := {|
+  pstate := uncle_state * N;
+  pstart := (Uncle 1 0 None, 0%N);
+  pkey x := Some (u_node (fst x));
+  pdescend d m x := (uncle_descend d (fst x), match d with Neither => snd x | _ => push m (snd x) end);
+  pprune x := let '(Uncle y t r, s) := x in (Uncle y (N.ldiff t s) (prune_register t s r), s);
+  pback x := let '(Uncle y t r, s) := x in marked_climb (N.size_nat t) y t r s |}.
+
+Lemma marked_climb_next fuel : forall y t r s, t <> 0%N -> N.size_nat t <= fuel -> holds y t r ->
+  marked_climb fuel y t r s = Some (Uncle (next y t) (N.lxor (shr t (ctz t)) 1) None, shr s (ctz t)).
+Proof.
+  induction fuel as [|fuel IH]; intros y t r s Ht Hf Hh; [destruct t as [|[| |]]; simpl in Hf; [congruence|lia|lia|lia]|].
+  pose proof (uncle_climb_next (S fuel) y t r Ht Hf Hh) as Hu. cbn [uncle_climb marked_climb] in *.
+  rewrite (proj2 (N.eqb_neq t 0) Ht) in *.
+  destruct (fill T Ui Ul y t r) as [x|] eqn:Hx; [congruence|].
+  assert (Hc : 2 < ctz t).
+  { pose proof (fill_none _ _ _ _ _ _ Hh Ht Hx). unfold reach in H. destruct (at_key T y) as [[|]|]; lia. }
+  destruct t as [|[p|[p|[p|p|]|]|]]; cbn in Hc; try lia.
+  cbn [N.div2 Pos.div2] in *. rewrite IH by (cbn in *; first [discriminate|reflexivity|lia]).
+  rewrite uncle_climb_next in Hu by (cbn in *; first [discriminate|reflexivity|lia]).
+  f_equal. f_equal; [congruence|]. cbn [ctz ctz_pos]. unfold shr. rewrite N.shiftr_shiftr. f_equal. lia.
+Qed.
+
+Definition uncle_marked_stack (x : uncle_state * N) (k : positive) (p : list (positive * bool)) : Prop :=
+  u_node (fst x) = k /\ holds k (u_trail (fst x)) (u_register (fst x)) /\
+  fits k (u_trail (fst x)) /\ marked_pending k (u_trail (fst x)) (snd x) = p.
+
+Lemma uncle_disjoint_refines : prefines T uncle_disjoint uncle_marked_stack.
+Proof.
+  split; unfold uncle_marked_stack; cbn [uncle_disjoint pstate pstart pkey pdescend pprune pback].
+  - repeat split.
+  - intros x k p (<- & _). reflexivity.
+  - intros [[y t r] s] k p sd m l rr (Hy & Hr & Hf & Hp) _. cbn [fst snd u_node u_trail u_register] in *. subst y p.
+    cbn [uncle_descend u_node u_trail u_register]. split; [reflexivity|].
+    split; [apply only_holds; destruct (keep k t); auto using fill_holds|].
+    split; [now apply (fits_child sd k t false)|apply (marked_child sd k t s false m)].
+  - intros [[y t r] s] k p sd m l rr (Hy & Hr & Hf & Hp) _. cbn [fst snd u_node u_trail u_register] in *. subst y p.
+    cbn [uncle_descend u_node u_trail u_register]. split; [reflexivity|]. split; [apply both_holds|].
+    split; [now apply (fits_child sd k t true)|apply (marked_child sd k t s true m)].
+  - intros [[y t r] s] k p (Hy & Hr & Hf & Hp) _. cbn [fst snd u_node u_trail u_register] in *. subst y p.
+    split; [reflexivity|]. split; [now apply prune_holds|]. split; [now apply fits_ldiff|apply mask_is_unmarked].
+  - intros [[y t r] s] k (Hy & Hr & Hf & Hp). cbn [fst snd u_node u_trail u_register] in *. subst y.
+    pose proof (marked_pops k t s Hf) as H. rewrite Hp in H. unfold trail_backtrack in H.
+    destruct (N.eqb_spec t 0) as [->|]; [reflexivity|discriminate].
+  - intros [[y t r] s] k q m p (Hy & Hr & Hf & Hp). cbn [fst snd u_node u_trail u_register] in *. subst y.
+    pose proof (marked_pops k t s Hf) as H. rewrite Hp in H. destruct H as (t' & Hb & Hf' & Hp').
+    assert (Hz : t <> 0%N) by (intros ->; discriminate).
+    eexists; split; [apply marked_climb_next; auto|]. cbn [fst snd u_node u_trail u_register holds].
+    pose proof (backtrack_even k t q t' Hb) as He. unfold trail_backtrack in Hb.
+    rewrite (proj2 (N.eqb_neq t 0) Hz) in Hb. injection Hb as <- <-. auto.
+Qed.
+
+(** [UNCLE-2, DISJOINT-1, DISJOINT-2, DISJOINT-3] The same with a second trail and the reference that leaves nodes out. *)
+Theorem uncle_disjoint_reference decide mark stop found fuel : size T <= fuel ->
+  prun T decide mark stop found uncle_disjoint fuel (pstart uncle_disjoint) [] =
+  Some (pruned_reference T decide mark stop found).
+Proof. intros H. eapply prefines_reference; [apply uncle_disjoint_refines|exact H]. Qed.
 
 End Uncle.
 

@@ -301,6 +301,10 @@ Proof. intros H. eapply prefines_reference; [apply marked_refines|exact H]. Qed.
 
 (** * Register and table under pruning *)
 
+(** [DISJOINT-3] The register is unset if nothing is left or the next node is another one. *)
+Definition prune_register (t marks : N) (r : option positive) : option positive :=
+  let t' := N.ldiff t marks in if (t' =? 0)%N || negb (ctz t =? ctz t') then None else r.
+
 Lemma marked_pending_siblings k : forall t s q m, In (q, m) (marked_pending k t s) -> In q (siblings k).
 Proof.
   induction k as [k IH|k IH|]; intros t s q m; cbn [marked_pending siblings]; [| |tauto]; intros H;
@@ -311,9 +315,10 @@ Qed.
 Lemma odd_ctz t : N.odd t = true -> ctz t = 0.
 Proof. destruct t as [|[|p|]]; [discriminate|reflexivity|discriminate|reflexivity]. Qed.
 
-Lemma prune_holds k t s r : holds k t r ->
-  holds k (N.ldiff t s) (if (N.ldiff t s =? 0)%N || negb (ctz t =? ctz (N.ldiff t s)) then None else r).
+(** Then it still holds nothing but the next node. *)
+Lemma prune_holds k t s r : holds k t r -> holds k (N.ldiff t s) (prune_register t s r).
 Proof.
+  unfold prune_register.
   intros Hr. destruct (N.eqb_spec (N.ldiff t s) 0) as [->|Hz]; [reflexivity|]. cbn [orb].
   assert (Hodd : N.odd (N.ldiff t s) = true -> ctz t = 0 /\ ctz (N.ldiff t s) = 0 /\ N.odd t = true).
   { intros H. pose proof (odd_ldiff t s) as E. rewrite H in E. symmetry in E. apply andb_prop in E. destruct E as [E _].
@@ -332,12 +337,9 @@ Variable keep : positive -> N -> bool.
 Variable lookup : positive -> positive.
 Hypothesis table : forall x, hashed_key T Ui Ul x -> lookup x = x.
 
-(** [DISJOINT-3] The register is unset if nothing is left or the next node is another one; then the trail loses its bits; then
-    the leaf's record may fill the register, on backtracking. *)
+(** [DISJOINT-3] After a hit: the trail loses its bits. The leaf's record may fill the register later, on backtracking. *)
 Definition hashed_prune (s : hashed_state) (marks : N) : hashed_state :=
-  let '(Hashed y k t r) := s in
-  let t' := N.ldiff t marks in
-  Hashed y k t' (if (t' =? 0)%N || negb (ctz t =? ctz t') then None else r).
+  let '(Hashed y k t r) := s in Hashed y k (N.ldiff t marks) (prune_register t marks r).
 
 (** Algorithm 1 with a second trail. *)
 Definition hashed_disjoint : pruner := {|
