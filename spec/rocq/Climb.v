@@ -2,7 +2,7 @@
     Szirmay-Kalos 2014). *)
 
 Require Import List PArith NArith Lia Bool Arith.
-Require Import Tree Machine Register HashedKeys Resume Disjoint.
+Require Import Tree Machine Register HashedKeys Resume Disjoint DisjointHashed.
 Import ListNotations.
 
 (** * The climb by grand uncles *)
@@ -79,7 +79,8 @@ Proof.
     destruct d as [|sd|sd]; [congruence| |]; (do 2 (split; [reflexivity|])).
     + apply only_holds. cbn. destruct (keep k t); auto using fill_holds.
     + apply both_holds.
-  - intros [k t] [y t2 r] (Hn & Ht & Hr) H. cbn in *. subst. destruct (N.eqb_spec t 0) as [->|]; [reflexivity|discriminate].
+  - intros [k t] [y t2 r] (Hn & Ht & Hr) H. cbn in *. subst.
+    destruct (N.eqb_spec t 0) as [->|]; [reflexivity|discriminate].
   - intros [k t] [y t2 r] [k' t'] (Hn & Ht & Hr) H. cbn in *. subst.
     assert (Hz : t <> 0%N) by (intros ->; discriminate).
     eexists; split; [apply uncle_climb_next; auto|]. cbn.
@@ -87,12 +88,13 @@ Proof.
     rewrite (proj2 (N.eqb_neq t 0) Hz) in H. injection H as <- <-. auto.
 Qed.
 
-(** [UNCLE-2] Register, uncles and the climb by grand uncles, without key and table, do what the reference does, where all
-    records reach two levels at least. *)
+(** [UNCLE-2] Register, uncles and the climb by grand uncles, without key and table, do what the reference does, where
+    all records reach two levels at least. *)
 Theorem uncle_reference decide stop fuel : size T <= fuel ->
   run uncle T decide stop fuel (start uncle) [] = Some (reference decide stop T).
 Proof.
-  eapply refines_reference; [exact (simulates_refines _ _ _ _ _ _ (trail_refines T) uncle_simulates)|apply any_decision].
+  eapply refines_reference; [exact (simulates_refines _ _ _ _ _ _
+    (trail_refines T) uncle_simulates)|apply any_decision].
 Qed.
 
 (** ** With a second trail *)
@@ -120,7 +122,8 @@ Definition uncle_disjoint : pruner := {|
 Lemma marked_climb_next fuel : forall y t r s, t <> 0%N -> N.size_nat t <= fuel -> holds y t r ->
   marked_climb fuel y t r s = Some (Uncle (next y t) (N.lxor (shr t (ctz t)) 1) None, shr s (ctz t)).
 Proof.
-  induction fuel as [|fuel IH]; intros y t r s Ht Hf Hh; [destruct t as [|[| |]]; simpl in Hf; [congruence|lia|lia|lia]|].
+  induction fuel as [|fuel IH]; intros y t r s Ht Hf Hh; [destruct t as [|[| |]]; simpl in Hf;
+    [congruence|lia|lia|lia]|].
   pose proof (uncle_climb_next (S fuel) y t r Ht Hf Hh) as Hu. cbn [uncle_climb marked_climb] in *.
   rewrite (proj2 (N.eqb_neq t 0) Ht) in *.
   destruct (fill T Ui Ul y t r) as [x|] eqn:Hx; [congruence|].
@@ -161,7 +164,8 @@ Proof.
     rewrite (proj2 (N.eqb_neq t 0) Hz) in Hb. injection Hb as <- <-. auto.
 Qed.
 
-(** [UNCLE-2, DISJOINT-1, DISJOINT-2, DISJOINT-3] The same with a second trail and the reference that leaves nodes out. *)
+(** [UNCLE-2, DISJOINT-1, DISJOINT-2, DISJOINT-3] The same with a second trail and the reference that leaves nodes
+    out. *)
 Theorem uncle_disjoint_reference decide mark stop found fuel : size T <= fuel ->
   prun T decide mark stop found uncle_disjoint fuel (pstart uncle_disjoint) [] =
   Some (pruned_reference T decide mark stop found).
@@ -214,8 +218,8 @@ Definition T2 := Node Leaf (Node (Node Leaf Leaf) Leaf).
 Definition d2 := by_key (fun k => match k with 1 => Both R | 3 => Only L | 6 => Both L | _ => Neither end)%positive.
 Definition visits2 Ul := run (uncle T2 2 Ul always) T2 d2 never (size T2) (Uncle 1 0 None) [].
 
-(** [UNCLE-2] The bound of [uncle_reference] is needed: if the record of a leaf names the uncle only, the climb passes over
-    a grand uncle that is postponed, and node 2 is lost. *)
+(** [UNCLE-2] The bound of [uncle_reference] is needed: if the record of a leaf names the uncle only, the climb passes
+    over a grand uncle that is postponed, and node 2 is lost. *)
 Example climb_passes_over : visits2 2 = Some (false, [2; 13; 12; 6; 3; 1]%positive) /\
   visits2 1 = Some (false, [13; 12; 6; 3; 1]%positive).
 Proof. split; reflexivity. Qed.

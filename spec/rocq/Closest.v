@@ -1,7 +1,7 @@
 (** What a search for the closest hit may leave out: the outcome is that of the search which leaves out nothing.
 
-    Hits are ordered by any strict total order; for rays, by distance, those at one distance by index. So "the closest" is
-    one hit, and "not better" may be an equal one. *)
+    Hits are ordered by any strict total order; for rays, by distance, those at one distance by index. So "the
+    closest" is one hit, and "not better" may be an equal one. *)
 
 Require Import List PArith NArith Lia Bool Arith.
 Require Import Tree Machine Register HashedKeys Resume Disjoint.
@@ -96,7 +96,8 @@ Proof.
 Qed.
 
 Lemma best_below_node sd l r k :
-  best_below (Node l r) k = closer (best_below (subtree sd l r) (child sd k)) (best_below (subtree (other sd) l r) (child (other sd) k)).
+  best_below (Node l r) k = closer (best_below (subtree sd l r) (child sd k)) (best_below (subtree (other sd) l r)
+    (child (other sd) k)).
 Proof. destruct sd; [reflexivity|apply closer_comm]. Qed.
 
 Lemma best_inner k h l r : at_key T k = Some (Node l r) -> best (k :: h) = best h.
@@ -141,7 +142,8 @@ Qed.
 (** ** From the key of a node alone *)
 
 Lemma best_around k : forall t, at_key T k = Some t ->
-  fold_left closer (map (fun q => match at_key T q with Some t => best_below t q | None => None end) (siblings k)) (best_below t k)
+  fold_left closer (map (fun q => match at_key T q with Some t => best_below t q | None => None end) (siblings k))
+    (best_below t k)
   = best_below T xH.
 Proof.
   induction k as [k IH|k IH|]; intros t Ht; cbn in Ht; [| |now injection Ht as ->];
@@ -162,8 +164,8 @@ Qed.
 Lemma fold_closer l : forall a b, fold_left closer l (closer a b) = closer a (fold_left closer l b).
 Proof. induction l as [|c l IH]; intros a b; [reflexivity|]. cbn. now rewrite <- closer_assoc, IH. Qed.
 
-(** [PAUSE-4, PAUSE-7] A search for the closest hit that starts from any node, or is taken up there from the key alone with
-    what it has found so far, ends with the closest of all hits, or with what it knew if that is closer. *)
+(** [PAUSE-4, PAUSE-7] A search for the closest hit that starts from any node, or is taken up there from the key alone
+    with what it has found so far, ends with the closest of all hits, or with what it knew if that is closer. *)
 Theorem key_only_is_closest k t h : at_key T k = Some t ->
   best (snd (visit_all T decide never (k :: siblings k) h)) = closer (best h) (best_below T xH).
 Proof.
@@ -193,8 +195,8 @@ Proof.
   rewrite before_irreflexive in H0. discriminate.
 Qed.
 
-(** [ORDER-2, ORDER-3] It is so if marks are promises, all below the first child strictly before all below the second, and
-    the best that the search knows is in the leaf where it says *found*. *)
+(** [ORDER-2, ORDER-3] It is so if marks are promises, all below the first child strictly before all below the second,
+    and the best that the search knows is in the leaf where it says *found*. *)
 Theorem marks_are_promises :
   (forall a h l r sd q1 o1 q2 o2, at_key T a = Some (Node l r) -> decide (a :: h) = Both sd -> mark (a :: h) = true ->
     In q1 (leaves (subtree sd l r) (child sd a)) -> offer q1 = Some o1 ->
@@ -211,8 +213,8 @@ Hypothesis promise : found_is_true.
 
 Let pvisit := pvisit decide mark never found.
 
-(** What pruning needs to know of the visits of a subtree: they go on from the history; something was found at one of its
-    leaves, if so it says; and the best of all is known in the end. *)
+(** What pruning needs to know of the visits of a subtree: they go on from the history; something was found at one of
+    its leaves, if so it says; and the best of all is known in the end. *)
 Definition well_pruned (t : tree) (k : positive) (h : history) : Prop :=
   let '(stopped, b, h') := pvisit t k h in
   stopped = false /\
@@ -248,7 +250,8 @@ Proof.
       destruct (mark (k :: h) && b1) eqn:Hm.
       * apply andb_prop in Hm. destruct Hm as [Hm ->]. destruct (Hf eq_refl) as (g1 & q & h0 & g0 & E & -> & Hq & Hin).
         split; [reflexivity|]. split; [exists (g ++ [k]); now rewrite <- app_assoc|]. split.
-        -- intros _. exists g1, q, (g0 ++ k :: h), (g0 ++ [k]). rewrite <- app_assoc. repeat split; eauto using leaves_child.
+        -- intros _. exists g1, q, (g0 ++ k :: h), (g0 ++ [k]). rewrite <- app_assoc.
+           repeat split; eauto using leaves_child.
         -- rewrite (best_below_node sd), closer_assoc, <- Hb. symmetry. rewrite E, best_app. apply closer_absorbs.
            apply nothing_better_spec, found_nothing_better; [exact promise|exact Hq|].
            exists (q :: g0), k, h, sd, l, r, q. repeat split; assumption.
@@ -268,8 +271,8 @@ Proof.
 Qed.
 
 (** [ORACLE-2, ORDER-2, ORDER-3] Pruning by marks loses no closest hit: the search that leaves nodes out, the one that
-    does not, and so the machine with the second trail, all end with the closest hit of the tree, even if the decisions of
-    the two searches are different ones. *)
+    does not, and so the machine with the second trail, all end with the closest hit of the tree, even if the
+    decisions of the two searches are different ones. *)
 Theorem pruning_loses_nothing :
   best (snd (pruned_reference T decide mark never found)) = best (snd (reference decide never T)).
 Proof.
@@ -327,8 +330,8 @@ Proof.
     now destruct (Disjoint.pvisit decide mark never found (subtree (other sd) l r) _ _) as [[s2 b2] h2'].
 Qed.
 
-(** [ORACLE-2] If decisions depend on the best that has been found and on nothing else of the past, the visits of the search
-    that prunes are a subsequence of those of the one that does not. *)
+(** [ORACLE-2] If decisions depend on the best that has been found and on nothing else of the past, the visits of the
+    search that prunes are a subsequence of those of the one that does not. *)
 Theorem pruned_visits :
   subsequence (snd (pruned_reference T decide mark never found)) (snd (reference decide never T)).
 Proof.

@@ -4,8 +4,9 @@ Require Import List PArith NArith Lia Bool Arith.
 Require Import Tree Machine Register.
 Import ListNotations.
 
-(** The rule here, where the printed one is [always]: on a descent into a single child only if none of the siblings of the
-    lowest [m] ancestors is postponed. For those can wait: the child's record names them too, if it reaches one further. *)
+(** The rule here, where the printed one is [always]: on a descent into a single child only if none of the siblings of
+    the lowest [m] ancestors is postponed. For those can wait: the child's record names them too, if it reaches one
+    further. *)
 Definition leaving (m : nat) (k : positive) (t : N) : bool :=
   match lowest (row m k) (N.div2 t) with None => true | Some _ => false end.
 
@@ -57,8 +58,9 @@ Proof.
     rewrite next_only by assumption. destruct t as [|p]; [congruence|]. cbn in *. repeat split; try discriminate. lia.
 Qed.
 
-(** [REGISTER-1] Departure D-6: at every visit, and so whenever the search turns back, the register holds the same node as
-    in the printed algorithm once the present record has been read. So there is no other visit and no other lookup. *)
+(** [REGISTER-1] Departure D-6: at every visit, and so whenever the search turns back, the register holds the same
+    node as in the printed algorithm once the present record has been read. So there is no other visit and no other
+    lookup. *)
 Theorem filling_is_as_printed s h : reached A T decide stop s h -> exists s', reached B T decide stop s' h /\
   node s' = node s /\ key s' = key s /\ trail s' = trail s /\ filled T Ui Ul s' = filled T Ui Ul s.
 Proof.
@@ -105,13 +107,16 @@ Fixpoint lookups T Ui Ul keep decide (fuel : nat) (s : hashed_state) (h : histor
 
 Module Late.
 
-(** Node 2 is postponed; at node 7, to which the search returns, the register is empty; 7 and 14 have single children. *)
+(** Node 2 is postponed; at node 7, to which the search returns, the register is empty; 7 and 14 have single
+    children. *)
 Definition T1 := Node Leaf (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) Leaf)).
-Definition d1 := by_key (fun k => match k with 1 => Both R | 3 => Both L | 7 | 14 => Only L | _ => Neither end)%positive.
+Definition d1 := by_key (fun k => match k with 1 => Both R | 3 => Both L | 7 | 14 => Only L
+  | _ => Neither end)%positive.
 Definition lookups1 m := lookups T1 2 3 (leaving m) d1 (size T1) (Hashed 1 1 0 None) [].
 
-(** [REGISTER-1] The bound of [filling_is_as_printed] is needed: where leaves name more than inner nodes do, and node 14
-    leaves to its inner child what only a leaf would name, one lookup is made that the printed algorithm does not make. *)
+(** [REGISTER-1] The bound of [filling_is_as_printed] is needed: where leaves name more than inner nodes do, and node
+    14 leaves to its inner child what only a leaf would name, one lookup is made that the printed algorithm does not
+    make. *)
 Example leaving_too_late : lookups T1 2 3 always d1 (size T1) (Hashed 1 1 0 None) [] = [] /\
   lookups1 (Nat.min 2 3 - 1) = [] /\ lookups1 (Nat.min 2 (3 - 1)) = [2%positive].
 Proof. repeat split. Qed.

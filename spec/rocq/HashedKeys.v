@@ -93,8 +93,8 @@ Proof.
   - unfold reach in Hreach. rewrite Hu in *. now destruct u.
 Qed.
 
-(** [HASH-3] Sufficient: whatever is looked up, by whatever search and with whatever filling, is in the set. The node from
-    which the search turns back is itself out of reach: at level 0 the register would hold the sibling. *)
+(** [HASH-3] Sufficient: whatever is looked up, by whatever search and with whatever filling, is in the set. The node
+    from which the search turns back is itself out of reach: at level 0 the register would hold the sibling. *)
 Theorem hashed_keys_suffice decide stop x : looked_up T Ui Ul keep decide stop x -> hashed_key T Ui Ul x.
 Proof.
   intros (s & h & H & _ & Ha).
@@ -125,7 +125,8 @@ Definition decisions (k : positive) : descent :=
   else Only (side_of (up (i - 1) z)).
 
 Let C := hashed T Ui Ul keep ideal.
-Let at_ (y : positive) (t : N) (r : option positive) := exists h, reached C T (by_key decisions) never (Hashed y y t r) h.
+Let at_ (y : positive) (t : N) (r : option positive) :=
+  exists h, reached C T (by_key decisions) never (Hashed y y t r) h.
 
 Lemma positive_levels : 1 <= n.
 Proof. destruct Hz as (_ & _ & _ & H). destruct (at_key T z) as [[|]|]; [lia|lia|tauto]. Qed.
@@ -143,7 +144,8 @@ Qed.
 
 (** One step down from a node of the path. *)
 Lemma step_down j t r : j < depth z -> at_ (up (S j) z) t r -> forall d, decisions (up (S j) z) = d -> d <> Neither ->
-  exists h, reached C T (by_key decisions) never (hashed_descend T Ui Ul keep d (Hashed (up (S j) z) (up (S j) z) t r)) h.
+  exists h, reached C T (by_key decisions) never
+    (hashed_descend T Ui Ul keep d (Hashed (up (S j) z) (up (S j) z) t r)) h.
 Proof.
   intros Hj (h & H) d Hd Hne. destruct (on_path (S j)) as (t' & Ht & Hi & _); [lia|].
   destruct (Hi ltac:(lia)) as (l & rr & ->). eexists. eapply reached_step; [exact H|].
@@ -319,8 +321,8 @@ Proof.
     [apply (below_child L)|apply (below_child R)]; exact H.
 Qed.
 
-(** [HASH-3] A key is hashed iff its sibling's subtree is at least min(Ui + 2, Ul + 1) levels high, where a leaf is 0 levels
-    high. *)
+(** [HASH-3] A key is hashed iff its sibling's subtree is at least min(Ui + 2, Ul + 1) levels high, where a leaf is 0
+    levels high. *)
 Theorem hashed_iff_high T Ui Ul x t : x <> xH -> at_key T (sibling x) = Some t ->
   (hashed_key T Ui Ul x <-> Nat.min (Ui + 2) (Ul + 1) <= height t).
 Proof.

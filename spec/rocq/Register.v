@@ -1,8 +1,8 @@
 (** The register and the uncles: Algorithm 1 of Binder & Keller 2016.
 
-    A node is modelled by its key. The library works with addresses; an address and a key determine each other, and the
-    only places where an address comes from are modelled as such: the children of a node, the rows of the records, and the
-    lookup. So the state has a node and a key, and that they agree is a theorem, not an assumption. *)
+    A node is modelled by its key. The library works with addresses; an address and a key determine each other, and
+    the only places where an address comes from are modelled as such: the children of a node, the rows of the records,
+    and the lookup. So the state has a node and a key, and that they agree is a theorem, not an assumption. *)
 
 Require Import List PArith NArith Lia Bool Arith.
 Require Import Tree Machine.
@@ -10,16 +10,16 @@ Import ListNotations.
 
 (** * Records *)
 
-(** [UNCLE-1] What a record names: the siblings of the ancestors, from the parent's up. Where there is none it is the root,
-    which is its own sibling here, and which is never postponed. *)
+(** [UNCLE-1] What a record names: the siblings of the ancestors, from the parent's up. Where there is none it is the
+    root, which is its own sibling here, and which is never postponed. *)
 Definition row (reach : nat) (k : positive) : list positive := map (fun i => sibling (up i k)) (seq 1 reach).
 
 (** The same from one level below. *)
 Lemma row_parent reach k : row reach k = map (fun i => sibling (up i (Pos.div2 k))) (seq 0 reach).
 Proof. unfold row. rewrite <- seq_shift, map_map. reflexivity. Qed.
 
-(** [UNCLE-1] How the table is built, parents before children: a child's row is the parent's, moved up by one, behind the
-    parent's sibling. *)
+(** [UNCLE-1] How the table is built, parents before children: a child's row is the parent's, moved up by one, behind
+    the parent's sibling. *)
 Theorem row_child reach sd k : row (S reach) (child sd k) = sibling k :: row reach k.
 Proof. rewrite row_parent. unfold row. destruct sd; reflexivity. Qed.
 
@@ -57,8 +57,9 @@ Qed.
 Lemma row_zero reach k : lowest (row reach k) 0 = None.
 Proof. unfold row. generalize (seq 1 reach). intros l. induction l; simpl; auto. Qed.
 
-(** When the register is filled on a descent into a single child, by key and trail. As printed always, whenever a record is
-    loaded. (On other descents it does not matter: the node that is postponed replaces what the register held.) *)
+(** When the register is filled on a descent into a single child, by key and trail. As printed always, whenever a
+    record is loaded. (On other descents it does not matter: the node that is postponed replaces what the register
+    held.) *)
 Definition always (k : positive) (t : N) : bool := true.
 
 Section Traversals.
@@ -212,12 +213,13 @@ Definition looked_up (x : positive) : Prop :=
 
 Lemma reached_follows s h : reached (C ideal) T decide stop s h -> exists a, follows a s.
 Proof.
-  intros H. destruct (reached_refines _ _ _ _ _ _ hashed_refines (any_decision decide) _ _ H) as (k & p & (a & Hs & Ha) & _).
+  intros H. destruct (reached_refines _ _ _ _ _ _ hashed_refines (any_decision decide) _ _ H)
+    as (k & p & (a & Hs & Ha) & _).
   eauto.
 Qed.
 
-(** [REGISTER-1] Whenever the register is set, before a visit or after the record is loaded, it holds the node with the key
-    (k >> n) ^ 1: the next one. Address and key agree at every step. *)
+(** [REGISTER-1] Whenever the register is set, before a visit or after the record is loaded, it holds the node with
+    the key (k >> n) ^ 1: the next one. Address and key agree at every step. *)
 Theorem register_is_next s h : reached (C ideal) T decide stop s h ->
   node s = key s /\
   (forall x, register s = Some x -> trail s <> 0%N /\ x = sibling (up (ctz (trail s)) (key s))) /\
@@ -267,8 +269,8 @@ Proof.
   apply IH. eapply reached_step; [exact H|]. rewrite <- (step_lookup lookup s h Hl H), Hs. reflexivity.
 Qed.
 
-(** [HASHED-1] Algorithm 1, over any table that is right on the keys that are asked, visits what the reference visits, and
-    ends: for every tree, every search, every reach of the records, and however early the register is filled. *)
+(** [HASHED-1] Algorithm 1, over any table that is right on the keys that are asked, visits what the reference visits,
+    and ends: for every tree, every search, every reach of the records, and however early the register is filled. *)
 Theorem hashed_reference lookup fuel : (forall x, looked_up x -> lookup x = x) -> size T <= fuel ->
   run (C lookup) T decide stop fuel (start (C lookup)) [] = Some (reference decide stop T).
 Proof.

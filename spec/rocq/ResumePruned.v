@@ -1,7 +1,7 @@
 (** Traversals that prune, put aside and taken up again: [PAUSE-1, PAUSE-2, PAUSE-4] with a second trail. *)
 
 Require Import List PArith NArith Lia Bool Arith.
-Require Import Tree Machine Register HashedKeys Resume Disjoint Closest.
+Require Import Tree Machine Register HashedKeys Resume Disjoint DisjointHashed Closest.
 Import ListNotations.
 
 Section ResumePruned.
@@ -10,8 +10,8 @@ Variable T : tree.
 Variable decide : history -> descent.
 Variables mark stop found : history -> bool.
 
-(** The reference that leaves nodes out, taken up with a stack of keys with their marks: the marked ones are left out once
-    something has been found. *)
+(** The reference that leaves nodes out, taken up with a stack of keys with their marks: the marked ones are left out
+    once something has been found. *)
 Fixpoint pvisit_all (ks : list (positive * bool)) (b : bool) (h : history) : bool * history :=
   match ks with
   | [] => (false, h)
@@ -84,8 +84,8 @@ Qed.
 
 End Pruner.
 
-(** [PAUSE-1] A traversal that prunes, put aside before any visit, is taken up by any other that prunes so: what counts is the
-    node, the postponed nodes and their marks. *)
+(** [PAUSE-1] A traversal that prunes, put aside before any visit, is taken up by any other that prunes so: what
+    counts is the node, the postponed nodes and their marks. *)
 Theorem pruned_resumes P1 P2 R1 R2 s1 s2 k p h : prefines T P1 R1 -> prefines T P2 R2 ->
   preached P1 s1 h -> R1 s1 k p -> R2 s2 k p -> in_tree ((k, false) :: p) ->
   comes_to (fun f => prun T decide mark stop found P2 f s2 h) (pruned_reference T decide mark stop found).
@@ -102,7 +102,8 @@ Theorem marked_key_and_trail_resume Ui Ul keep lookup k t s h u : (forall x, has
     (pruned_reference T decide mark stop found).
 Proof.
   intros Hl H Hf Hu.
-  apply (pruned_resumes marked_machine (hashed_disjoint T Ui Ul keep lookup) _ _ (Marked k t s) _ k (marked_pending k t s) h (marked_refines T)
+  apply (pruned_resumes marked_machine (hashed_disjoint T Ui Ul keep lookup) _ _ (Marked k t s) _ k
+    (marked_pending k t s) h (marked_refines T)
     (hashed_disjoint_refines T Ui Ul keep lookup Hl) H).
   - repeat split. exact Hf.
   - repeat split; [apply located_holds|now exists u|exact Hf].
@@ -119,8 +120,8 @@ Proof.
     rewrite IH, map_app; now destruct (N.odd t).
 Qed.
 
-(** [PAUSE-4] From the key alone, with a trail of ones and a second trail of 0, a search that prunes visits the same whole
-    subtrees, each with the pruning of what is below it. *)
+(** [PAUSE-4] From the key alone, with a trail of ones and a second trail of 0, a search that prunes visits the same
+    whole subtrees, each with the pruning of what is below it. *)
 Theorem marked_key_only T decide mark stop found k t h : at_key T k = Some t ->
   comes_to (fun f => prun T decide mark stop found marked_machine f (Marked k (all_ones k) 0) h)
     (pvisit_all T decide mark stop found (map (fun q => (q, false)) (k :: siblings k)) false h).
@@ -148,7 +149,8 @@ Hypothesis promise : found_is_true hit before T offer decide mark found.
 
 (** [PAUSE-4, PAUSE-7] And such a search ends with the closest of all hits too. *)
 Theorem marked_key_only_is_closest k t h : at_key T k = Some t ->
-  best hit before T offer (snd (pvisit_all T decide mark never found (map (fun q => (q, false)) (k :: siblings k)) false h)) =
+  best hit before T offer (snd (pvisit_all T decide mark never found (map (fun q => (q, false))
+    (k :: siblings k)) false h)) =
   best hit before T offer (snd (visit_all T decide never (k :: siblings k) h)).
 Proof.
   intros Hk. pose proof (siblings_in_tree T k t Hk) as Hin. revert Hin. generalize (k :: siblings k). clear k t Hk.
