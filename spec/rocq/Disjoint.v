@@ -159,6 +159,8 @@ Proof.
               ** intros f. rewrite E. apply Hv3.
 Qed.
 
+(** [ORACLE-2] So the loop of any such traversal ends, with the visits and the answer of the reference that leaves nodes
+    out. *)
 Theorem prefines_reference fuel : size T <= fuel -> prun fuel (pstart P) [] = Some pruned_reference.
 Proof.
   intros Hf. destruct (prun_visit T xH (pstart P) [] [] eq_refl (p_start _ Ref)) as (n & Hn & Hv).

@@ -231,6 +231,7 @@ Proof.
   - exact (siblings_in_tree T k t Hk).
 Qed.
 
+(** [PAUSE-4] The same. *)
 Theorem key_only_hashed T Ui Ul keep decide stop k t h : at_key T k = Some t ->
   comes_to (fun f => run (hashed T Ui Ul keep ideal) T decide stop f (located k (all_ones k)) h)
     (visit_all T decide stop (k :: siblings k) h).
