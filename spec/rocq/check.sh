@@ -25,6 +25,8 @@ without_proof() {
 statements() {
     awk '
         FNR == 1 { module = FILENAME; sub(/.*\//, "", module); sub(/\.v$/, "", module) }
+        /^Module / { inner = $2; sub(/\.$/, "", inner); module = module "." inner }
+        inner != "" && $0 == "End " inner "." { sub(/\.[^.]*$/, "", module); inner = "" }
         /^ *\(\*\*/ { clauses = ""; inside = 1 }
         inside {
             line = $0
@@ -69,7 +71,7 @@ assumptions() {
         } > All.v
         # A theorem and the answer on one line.
         coqc -q -R . Stackless All.v | awk '
-            /^[A-Z][A-Za-z0-9]*\.[a-z].*:$/ { if (line) print line; line = $0; next }
+            /^[A-Z][A-Za-z0-9.]*\.[a-z].*:$/ { if (line) print line; line = $0; next }
             { line = line " " $0 }
             END { print line }
         '
