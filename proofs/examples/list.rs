@@ -1,0 +1,21 @@
+//! The harnesses, one a line, for scripts: name, twin, unwind, `long` or `daily`, covers as `number:name` with semicolons
+//! between, and the claim, with tabs between.
+
+use proofs::{ALL, Cases, Drawn, id};
+use stackless_bvh::generate::Rng;
+
+/// Cases after which every cover has been named, reached or not.
+const CASES: u32 = 5000;
+
+fn main() {
+    for harness in ALL.into_iter().flatten() {
+        let mut drawn = Drawn::new(Cases::Some(Rng::new(0)));
+        for _ in 0..CASES {
+            let _ = (harness.body)(&mut drawn);
+        }
+        let covers: Vec<_> = drawn.covers.keys().map(|name| format!("{}:{name}", id(name))).collect();
+        let often = if harness.long { "long" } else { "daily" };
+        let (name, twin, unwind, claim) = (harness.name, harness.twin, harness.unwind, harness.claim.trim());
+        println!("{name}\t{twin}\t{unwind}\t{often}\t{}\t{claim}", covers.join(";"));
+    }
+}

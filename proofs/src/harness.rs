@@ -1,0 +1,67 @@
+//! A harness with its twin, declared once for all ways to run it.
+
+#[cfg(not(kani))]
+use crate::Drawn;
+
+/// A harness, as tests and scripts see it.
+#[derive(Clone, Copy, Debug)]
+pub struct Harness {
+    /// Its name under Kani and CBMC.
+    pub name: &'static str,
+    /// Name of the twin, which must be refuted.
+    pub twin: &'static str,
+    /// Bound of its loops, plus one.
+    pub unwind: u32,
+    /// Whether it takes long: then it is proved only when asked for.
+    pub long: bool,
+    /// What it claims, with the clauses.
+    pub claim: &'static str,
+    /// The body, on drawn choices; `None` where they are not as assumed.
+    #[cfg(not(kani))]
+    pub body: fn(&mut Drawn<false>) -> Option<()>,
+    /// The twin's.
+    #[cfg(not(kani))]
+    pub planted: fn(&mut Drawn<true>) -> Option<()>,
+}
+
+/// Declares harnesses: claim, names of the proof and of its twin, unwind (`long` where it is not for every day), and body.
+macro_rules! harnesses {
+    ($($(#[doc = $claim:literal])+ $name:ident, $twin:ident, $unwind:literal $($long:ident)? => $body:expr;)*) => {
+        $(
+            #[cfg(kani)]
+            #[kani::proof]
+            #[kani::unwind($unwind)]
+            fn $name() {
+                let _ = $body(&mut $crate::choose::Symbolic::<false>);
+            }
+
+            #[cfg(kani)]
+            #[kani::proof]
+            #[kani::should_panic]
+            #[kani::unwind($unwind)]
+            fn $twin() {
+                let _ = $body(&mut $crate::choose::Symbolic::<true>);
+            }
+        )*
+
+        /// The harnesses of this topic.
+        #[cfg(not(kani))]
+        pub const HARNESSES: &[$crate::Harness] = &[$($crate::Harness {
+            name: stringify!($name),
+            twin: stringify!($twin),
+            unwind: $unwind,
+            long: $crate::harness::is_long(&[$(stringify!($long))?]),
+            claim: concat!($($claim),+),
+            body: |choose| $body(choose),
+            planted: |choose| $body(choose),
+        }),*];
+    };
+}
+
+pub(crate) use harnesses;
+
+/// Whether a harness is marked `long`.
+#[cfg(not(kani))]
+pub(crate) const fn is_long(marks: &[&str]) -> bool {
+    !marks.is_empty()
+}
