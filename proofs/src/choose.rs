@@ -17,6 +17,10 @@ pub trait Choose {
     /// Any number whose ones are among those of `of`.
     fn subset(&mut self, of: u64) -> u64;
 
+    /// The inner nodes of any tree with at most so many of them, as a set of keys. (There may be keys in it that no path leads to;
+    /// they are no nodes, and only count.)
+    fn inner_keys(&mut self, most: u32) -> Option<u64>;
+
     /// Goes on only where this holds.
     fn assume(&mut self, condition: bool) -> Option<()>;
 
@@ -105,6 +109,12 @@ impl<const PLANTED: bool> Choose for Symbolic<PLANTED> {
 
     fn subset(&mut self, of: u64) -> u64 {
         kani::any::<u64>() & of
+    }
+
+    fn inner_keys(&mut self, most: u32) -> Option<u64> {
+        let keys = self.subset((1 << (1 << most)) - 2);
+        self.assume(keys.count_ones() <= most)?;
+        Some(keys)
     }
 
     fn assume(&mut self, condition: bool) -> Option<()> {

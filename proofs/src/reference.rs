@@ -178,18 +178,19 @@ impl<T: Keyed> Recorder for Watch<'_, T> {
             return Flow::Continue;
         }
         assert!(reference.key() == Some(key));
-        let (start, trail) = (1 << reference.depth(), reference.bits_of(reference.pending));
+        let trail = || reference.bits_of(reference.pending);
         if let Some(shown) = state.key() {
             assert!(shown.to_u64() == Some(u64::from(key)));
         }
         if let Some(shown) = state.trail() {
-            assert!(shown.to_u64() == Some(u64::from(trail)));
+            assert!(shown.to_u64() == Some(u64::from(trail())));
         }
         if let Some(shown) = state.counter() {
-            assert!(shown.to_u64() == Some(u64::from(start | (start - 1) ^ trail)));
+            let start = 1 << reference.depth();
+            assert!(shown.to_u64() == Some(u64::from(start | (start - 1) ^ trail())));
         }
         if let Some(shown) = state.disjoint() {
-            assert!(shown.low_bits() & trail == reference.bits_of(reference.disjoint) & trail);
+            assert!(shown.low_bits() & trail() == reference.bits_of(reference.disjoint) & trail());
         }
         if let Some(shown) = state.register() {
             assert!(reference.postponed() == Some(self.tree.key(shown)));

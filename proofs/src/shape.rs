@@ -21,11 +21,9 @@ impl Shape {
     /// Most inner nodes that a shape can have: then keys of leaves have 6 bits.
     pub const LIMIT: u32 = 5;
 
-    /// Any shape with at most `inner_nodes` inner nodes. (Keys in the set that no path leads to are no nodes; they only count.)
+    /// Any shape with at most `inner_nodes` inner nodes.
     pub fn any(choose: &mut impl Choose, inner_nodes: u32) -> Option<Self> {
-        let inner = choose.subset((1 << (1 << inner_nodes)) - 2);
-        choose.assume(inner.count_ones() <= inner_nodes)?;
-        Some(Self { inner, inner_nodes })
+        Some(Self { inner: choose.inner_keys(inner_nodes)?, inner_nodes })
     }
 
     /// Whether the node with this key is an inner one.

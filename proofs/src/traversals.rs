@@ -23,9 +23,9 @@ use resumed::{Resumed, by_key_and_trail};
 
 harnesses! {
     /// The reference of these harnesses is the oracle: trees of up to 5 nodes. `[ORACLE-1]` `[TRACE-1]`
-    oracle_5, oracle_5_twin, 7 => oracle::<2>;
+    oracle_5, oracle_5_twin, 4 => oracle::<2>;
     /// So it is where disjoint nodes are left out. `[ORACLE-2]`
-    oracle_disjoint_5, oracle_disjoint_5_twin, 7 => oracle_disjoint::<2>;
+    oracle_disjoint_5, oracle_disjoint_5_twin, 4 => oracle_disjoint::<2>;
     /// Key and trail, every node by its key: trees of up to 9 nodes. `[TRAIL-7]` `[TRAVERSE-1]`
     by_key_9, by_key_9_twin, 11 => by_key::<4>;
     /// Up to 11 nodes. `[TRAIL-7]` `[TRAVERSE-1]`
@@ -34,7 +34,9 @@ harnesses! {
     /// `[HASHONLY-1]` `[TRAVERSE-1]`
     hash_only_9, hash_only_9_twin, 11 => hash_only::<4>;
     /// The climb while bit 0 is clear. `[AFRA-1]` `[TRAVERSE-1]`
-    afra_9, afra_9_twin, 11 => afra::<4>;
+    afra_7, afra_7_twin, 9 => afra::<3>;
+    /// Up to 9 nodes. `[AFRA-1]` `[TRAVERSE-1]`
+    afra_9, afra_9_twin, 11 long => afra::<4>;
     /// Register and uncles, no table. `[UNCLE-1]` `[UNCLE-2]` `[REGISTER-1]` `[TRAVERSE-1]`
     uncle_9, uncle_9_twin, 11 => uncle::<4>;
     /// Algorithm 1; the table is asked for hashed keys alone. `[HASHED-1]` `[REGISTER-1]` `[HASH-3]` `[TRAVERSE-1]`
@@ -42,7 +44,9 @@ harnesses! {
     /// Up to 11 nodes. `[HASHED-1]` `[REGISTER-1]` `[HASH-3]` `[TRAVERSE-1]`
     hashed_11, hashed_11_twin, 13 long => hashed::<5>;
     /// The counter, and the climb by its carries. `[SPARSE-1]` `[SPARSE-2]` `[TRAVERSE-1]`
-    sparse_9, sparse_9_twin, 11 => sparse::<4>;
+    sparse_7, sparse_7_twin, 9 => sparse::<3>;
+    /// Up to 9 nodes. `[SPARSE-1]` `[SPARSE-2]` `[TRAVERSE-1]`
+    sparse_9, sparse_9_twin, 11 long => sparse::<4>;
     /// Algorithm 2, level index and swap mask. `[IMPLICIT-1]` `[TRAVERSE-1]`
     implicit_a_9, implicit_a_9_twin, 11 => implicit_a::<4>;
     /// Algorithm 2 with the combined index. `[IMPLICIT-1]` `[IMPLICIT-3]` `[TRAVERSE-1]`
@@ -58,11 +62,17 @@ harnesses! {
     /// Restarts with a short stack of two. `[LAINE-1]` `[TRAVERSE-1]`
     laine_2_7, laine_2_7_twin, 17 => laine::<2, 3>;
     /// Parents, and an order that is asked again on the way up. `[HAPALA-1]` `[TRAVERSE-1]`
-    hapala_9, hapala_9_twin, 11 => hapala::<4>;
+    hapala_7, hapala_7_twin, 9 => hapala::<3>;
+    /// Up to 9 nodes. `[HAPALA-1]` `[TRAVERSE-1]`
+    hapala_9, hapala_9_twin, 11 long => hapala::<4>;
     /// The second trail beside the trail. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
-    afra_disjoint_9, afra_disjoint_9_twin, 11 => afra_disjoint::<4>;
+    afra_disjoint_7, afra_disjoint_7_twin, 9 => afra_disjoint::<3>;
+    /// Up to 9 nodes. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
+    afra_disjoint_9, afra_disjoint_9_twin, 11 long => afra_disjoint::<4>;
     /// The second trail beside the counter. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
-    sparse_disjoint_9, sparse_disjoint_9_twin, 11 => sparse_disjoint::<4>;
+    sparse_disjoint_7, sparse_disjoint_7_twin, 9 => sparse_disjoint::<3>;
+    /// Up to 9 nodes. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
+    sparse_disjoint_9, sparse_disjoint_9_twin, 11 long => sparse_disjoint::<4>;
     /// The second trail and the register, without a table. `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]` `[TRAVERSE-1]`
     uncle_disjoint_9, uncle_disjoint_9_twin, 11 => uncle_disjoint::<4>;
     /// The second trail and the register: the table needs no more keys. `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]` `[TRAVERSE-1]`

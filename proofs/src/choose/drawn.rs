@@ -64,6 +64,19 @@ impl<const PLANTED: bool> Choose for Drawn<PLANTED> {
         subset
     }
 
+    /// Each tree once: a node is an inner one only where its parent is.
+    fn inner_keys(&mut self, most: u32) -> Option<u64> {
+        let mut keys = 1_u64;
+        for key in 1..1 << most {
+            let parent: u32 = key >> 1;
+            if keys >> parent & 1 == 1 && keys.count_ones() <= most {
+                keys |= self.subset(1 << key);
+            }
+        }
+        // The root's parent is no node.
+        Some(keys & !1)
+    }
+
     fn assume(&mut self, condition: bool) -> Option<()> {
         condition.then_some(())
     }
