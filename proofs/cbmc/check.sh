@@ -34,7 +34,7 @@ build() {
     # All in registers: what is inlined is not in memory, where every access is a case distinction.
     local flags="--cfg kani -C linker-flavor=wasm-ld -C linker=$linker -C strip=debuginfo
         -C llvm-args=-inline-threshold=20000 -C panic=immediate-abort -Z unstable-options
-        -C link-arg=-zstack-size=4096 -C link-arg=--initial-memory=65536 -C link-arg=--max-memory=65536"
+        -C link-arg=-zstack-size=2048 -C link-arg=--initial-memory=65536 -C link-arg=--max-memory=65536"
     (cd "$here" && RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 RUSTFLAGS=$(echo $flags) CARGO_TARGET_DIR="$work/wasm" \
         cargo build -q --release --target wasm32-unknown-unknown -Z build-std=core,alloc)
     cd "$work"

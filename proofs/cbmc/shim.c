@@ -35,7 +35,7 @@ uint32_t wasm_rt_register_func_type(uint32_t parameters, uint32_t results, ...) 
 }
 
 /* Less memory than a page is less to reason about; an access beyond it is a trap. */
-#define BYTES 16384
+#define BYTES 4096
 static uint8_t bytes[BYTES];
 
 void wasm_rt_allocate_memory(wasm_rt_memory_t *memory, uint32_t pages, uint32_t most) {

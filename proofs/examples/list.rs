@@ -5,7 +5,7 @@ use proofs::{ALL, Cases, Drawn, id};
 use stackless_bvh::generate::Rng;
 
 /// Cases after which every cover has been named, reached or not.
-const CASES: u32 = 5000;
+const CASES: u32 = 20_000;
 
 fn main() {
     for harness in ALL.into_iter().flatten() {

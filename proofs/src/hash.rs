@@ -9,17 +9,13 @@ use crate::harness::harnesses;
 use crate::{Choose, cover};
 
 harnesses! {
-    /// The remainder by multiplication is the remainder, for all keys of 32 bits: 3 cells. `[HASH-4]`
-    remainder_u32_3, remainder_u32_3_twin, 2 => remainder_u32::<3, 32>;
-    /// 5 cells. `[HASH-4]`
-    remainder_u32_5, remainder_u32_5_twin, 2 => remainder_u32::<5, 32>;
-    /// 127 cells, all keys of 24 bits. `[HASH-4]`
-    remainder_u32_127, remainder_u32_127_twin, 2 => remainder_u32::<127, 24>;
-    /// 3 cells, all keys of 64 bits. `[HASH-4]`
-    remainder_u64_3, remainder_u64_3_twin, 2 long => remainder_u64::<3, 64>;
-    /// 127 cells, all keys of 16 bits by the way for 64. `[HASH-4]`
+    /// The remainder by multiplication is the remainder: 5 cells, all keys of 16 bits. `[HASH-4]`
+    remainder_u32_5, remainder_u32_5_twin, 2 => remainder_u32::<5, 16>;
+    /// 127 cells. `[HASH-4]`
+    remainder_u32_127, remainder_u32_127_twin, 2 => remainder_u32::<127, 16>;
+    /// 127 cells, by the way for keys of 64 bits. `[HASH-4]`
     remainder_u64_127, remainder_u64_127_twin, 2 => remainder_u64::<127, 16>;
-    /// Every address of 31 bits comes back from the word that stands for it. `[HASH-5]`
+    /// Every address with an index of 30 bits comes back from the word that stands for it. `[HASH-5]`
     addresses, addresses_twin, 13 => every_address;
     /// A table that was read answers every key with an address of the tree or none, and does not panic. `[HASH-1]` `[HASH-10]`
     lookups, lookups_twin, 13 => any_lookup;

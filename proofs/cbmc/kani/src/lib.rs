@@ -56,7 +56,7 @@ struct Bump {
     next: Cell<usize>,
 }
 
-const BYTES: usize = 8192;
+const BYTES: usize = 1024;
 
 static mut HEAP: [u64; BYTES / 8] = [0; BYTES / 8];
 
