@@ -1,7 +1,7 @@
-//! The harnesses, one a line, for scripts: name, twin, unwind, `long` or `daily`, covers as `number:name` with semicolons
+//! The harnesses, one a line, for scripts: name, twin, unwind, how often, covers as `number:name` with semicolons
 //! between, and the claim, with tabs between.
 
-use proofs::{ALL, Cases, Drawn, id};
+use proofs::{ALL, Cases, Drawn, Harness, id};
 use stackless_bvh::generate::Rng;
 
 /// Cases after which every cover has been named, reached or not.
@@ -14,8 +14,7 @@ fn main() {
             let _ = (harness.body)(&mut drawn);
         }
         let covers: Vec<_> = drawn.covers.keys().map(|name| format!("{}:{name}", id(name))).collect();
-        let often = if harness.long { "long" } else { "daily" };
-        let (name, twin, unwind, claim) = (harness.name, harness.twin, harness.unwind, harness.claim.trim());
-        println!("{name}\t{twin}\t{unwind}\t{often}\t{}\t{claim}", covers.join(";"));
+        let Harness { name, twin, unwind, often, claim, .. } = harness;
+        println!("{name}\t{twin}\t{unwind}\t{often}\t{}\t{}", covers.join(";"), claim.trim());
     }
 }

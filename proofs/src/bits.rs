@@ -44,7 +44,7 @@ harnesses! {
     /// The same. `[SWAP-1]` `[SWAP-2]` `[SWAP-3]`
     swaps_u64, swaps_u64_twin, 2 => swaps::<u64>;
     /// The same. `[SWAP-1]` `[SWAP-2]` `[SWAP-3]`
-    swaps_u128, swaps_u128_twin, 2 => swaps::<u128>;
+    swaps_u128, swaps_u128_twin, 2 long => swaps::<u128>;
     /// One level swap after the other is the exclusive or. `[SWAP-4]`
     composition_u8, composition_u8_twin, 10 => composition::<u8>;
     /// The same. `[SWAP-4]`
@@ -82,7 +82,8 @@ pub fn backtrack<W: Full>(choose: &mut impl Choose) -> Option<()> {
     cover!(choose, levels == width::<W>() - 1, "only the highest bit is pending");
     let (expected_key, expected_trail) = trail::backtrack_climbing(key, trail);
     let (next_key, next_trail) = trail::backtrack(key, trail);
-    let next_trail = choose.plant(next_trail, |next| if levels == width::<W>() - 1 { next.or(&W::one()) } else { next });
+    let next_trail =
+        choose.plant(next_trail, |next| if levels == width::<W>() - 1 { next.or(&W::one()) } else { next });
     assert!(next_key == expected_key && next_trail == expected_trail);
     Some(())
 }
@@ -171,7 +172,8 @@ pub fn composition<W: Full>(choose: &mut impl Choose) -> Option<()> {
     let (index, mask): (W, W) = (choose.any(), choose.any());
     cover!(choose, mask.wrapping_add(&W::one()) == W::zero(), "all levels are swapped");
     let swapped = swap::swap_levels(index, &mask);
-    let swapped = choose.plant(swapped, |swapped| if mask == W::highest().unwrap_or_default() { index } else { swapped });
+    let swapped =
+        choose.plant(swapped, |swapped| if mask == W::highest().unwrap_or_default() { index } else { swapped });
     assert!(swapped == swap::fcomp(index, &mask));
     Some(())
 }

@@ -12,8 +12,8 @@ pub struct Harness {
     pub twin: &'static str,
     /// Bound of its loops, plus one.
     pub unwind: u32,
-    /// Whether it takes long: then it is proved only when asked for.
-    pub long: bool,
+    /// How often `check.sh` proves it: `daily`; `long`, only when asked to; or `kani`, never, as memory is too much for it there.
+    pub often: &'static str,
     /// What it claims, with the clauses.
     pub claim: &'static str,
     /// The body, on drawn choices; `None` where they are not as assumed.
@@ -24,9 +24,9 @@ pub struct Harness {
     pub planted: fn(&mut Drawn<true>) -> Option<()>,
 }
 
-/// Declares harnesses: claim, names of the proof and of its twin, unwind (`long` where it is not for every day), and body.
+/// Declares harnesses: claim, names of the proof and of its twin, unwind (then how often, if not daily), and body.
 macro_rules! harnesses {
-    ($($(#[doc = $claim:literal])+ $name:ident, $twin:ident, $unwind:literal $($long:ident)? => $body:expr;)*) => {
+    ($($(#[doc = $claim:literal])+ $name:ident, $twin:ident, $unwind:literal $($often:ident)? => $body:expr;)*) => {
         $(
             #[cfg(kani)]
             #[kani::proof]
@@ -50,7 +50,7 @@ macro_rules! harnesses {
             name: stringify!($name),
             twin: stringify!($twin),
             unwind: $unwind,
-            long: $crate::harness::is_long(&[$(stringify!($long))?]),
+            often: $crate::harness::often(&[$(stringify!($often))?]),
             claim: concat!($($claim),+),
             body: |choose| $body(choose),
             planted: |choose| $body(choose),
@@ -60,8 +60,11 @@ macro_rules! harnesses {
 
 pub(crate) use harnesses;
 
-/// Whether a harness is marked `long`.
+/// The mark of a harness, or none.
 #[cfg(not(kani))]
-pub(crate) const fn is_long(marks: &[&str]) -> bool {
-    !marks.is_empty()
+pub(crate) const fn often(marks: &[&'static str]) -> &'static str {
+    match marks {
+        [mark, ..] => mark,
+        [] => "daily",
+    }
 }

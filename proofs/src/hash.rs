@@ -16,11 +16,11 @@ harnesses! {
     /// 127 cells, by the way for keys of 64 bits. `[HASH-4]`
     remainder_u64_127, remainder_u64_127_twin, 2 => remainder_u64::<127, 16>;
     /// Every address with an index of 30 bits comes back from the word that stands for it. `[HASH-5]`
-    addresses, addresses_twin, 13 => every_address;
+    addresses, addresses_twin, 13 kani => every_address;
     /// A table that was read answers every key with an address of the tree or none, and does not panic. `[HASH-1]` `[HASH-10]`
-    lookups, lookups_twin, 13 => any_lookup;
+    lookups, lookups_twin, 13 kani => any_lookup;
     /// A table that is certified answers every key of its tree right: 3 nodes, any words. `[HASH-9]`
-    certificate, certificate_twin, 13 long => small_certificate;
+    certificate, certificate_twin, 13 kani => small_certificate;
 }
 
 /// `[HASH-4]`

@@ -54,9 +54,9 @@ impl Shape {
         let below = |path: u32| {
             let sibling = key ^ 1;
             self.is_inner(sibling)
-                && self.is_inner(2 * sibling | path >> 1)
+                && self.is_inner((2 * sibling) | (path >> 1))
                 && 4 * sibling < 1 << self.inner_nodes
-                && self.is_inner(4 * sibling | path)
+                && self.is_inner((4 * sibling) | path)
         };
         below(0) || below(1) || below(2) || below(3)
     }
@@ -145,22 +145,26 @@ impl Script {
     }
 
     /// The same, with marks, and with leaves in which something is found. `[ORDER-2]` `[ORDER-3]`
+    #[must_use]
     pub fn with_marks(self, choose: &mut impl Choose, shape: Shape) -> Self {
         let [disjoint, found] = [shape.keys(), shape.leaf_keys()].map(|keys| choose.subset(keys));
         Self { disjoint, found, ..self }
     }
 
     /// The same, with leaves at which the search ends.
+    #[must_use]
     pub fn with_ends(self, choose: &mut impl Choose, shape: Shape) -> Self {
         Self { last: choose.subset(shape.leaf_keys()), ..self }
     }
 
     /// Both children of a node or none, as tests of nodes at their visit want them.
+    #[must_use]
     pub fn by_node(self) -> Self {
         Self { right: self.left, ..self }
     }
 
     /// The same, left before right.
+    #[must_use]
     pub fn left_first(self) -> Self {
         Self { right_first: 0, ..self.by_node() }
     }

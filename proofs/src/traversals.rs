@@ -23,9 +23,9 @@ use resumed::{Resumed, by_key_and_trail};
 
 harnesses! {
     /// The reference of these harnesses is the oracle: trees of up to 5 nodes. `[ORACLE-1]` `[TRACE-1]`
-    oracle_5, oracle_5_twin, 4 => oracle::<2>;
+    oracle_5, oracle_5_twin, 4 long => oracle::<2>;
     /// So it is where disjoint nodes are left out. `[ORACLE-2]`
-    oracle_disjoint_5, oracle_disjoint_5_twin, 4 => oracle_disjoint::<2>;
+    oracle_disjoint_5, oracle_disjoint_5_twin, 4 long => oracle_disjoint::<2>;
     /// Key and trail, every node by its key: trees of up to 9 nodes. `[TRAIL-7]` `[TRAVERSE-1]`
     by_key_9, by_key_9_twin, 11 => by_key::<4>;
     /// Up to 11 nodes. `[TRAIL-7]` `[TRAVERSE-1]`
@@ -112,11 +112,7 @@ pub fn follows<C: Choose, T: Keyed>(
 }
 
 /// Runs a cursor. (One that is refused has not visited anything, which the comparison finds.)
-fn run<T: Keyed>(
-    cursor: Result<impl Cursor, TooDeep>,
-    visitor: &mut impl Visitor,
-    watch: &mut Watch<'_, T>,
-) {
+fn run<T: Keyed>(cursor: Result<impl Cursor, TooDeep>, visitor: &mut impl Visitor, watch: &mut Watch<'_, T>) {
     if let Ok(cursor) = cursor {
         traverse(cursor, visitor, watch);
     }
@@ -202,24 +198,45 @@ bodies! {
 /// `[HAPALA-1]`
 pub fn hapala<const INNER: u32>(choose: &mut impl Choose) -> Option<()> {
     let script = |choose: &mut _, shape| Script::any(choose, shape).by_node();
-    follows(choose, INNER, Pruning::Never, script, |shape| shape, |tree, told, watch| {
-        let cursor = Hapala::new(tree, Computed(*tree), *told);
-        traverse(cursor, told, watch);
-    })
+    follows(
+        choose,
+        INNER,
+        Pruning::Never,
+        script,
+        |shape| shape,
+        |tree, told, watch| {
+            let cursor = Hapala::new(tree, Computed(*tree), *told);
+            traverse(cursor, told, watch);
+        },
+    )
 }
 
 /// `[ORACLE-1]`
 pub fn oracle<const INNER: u32>(choose: &mut impl Choose) -> Option<()> {
     let script = |choose: &mut _, shape| Script::any(choose, shape).with_ends(choose, shape);
-    follows(choose, INNER, Pruning::Never, script, |shape| shape, |tree, told, watch| {
-        oracle::traverse(tree, told, watch);
-    })
+    follows(
+        choose,
+        INNER,
+        Pruning::Never,
+        script,
+        |shape| shape,
+        |tree, told, watch| {
+            oracle::traverse(tree, told, watch);
+        },
+    )
 }
 
 /// `[ORACLE-2]`
 pub fn oracle_disjoint<const INNER: u32>(choose: &mut impl Choose) -> Option<()> {
     let script = |choose: &mut _, shape| Script::any(choose, shape).with_marks(choose, shape);
-    follows(choose, INNER, Pruning::Disjoint, script, |shape| shape, |tree, told, watch| {
-        oracle::traverse_pruned(tree, tree.root(), Pruning::Disjoint, told, watch);
-    })
+    follows(
+        choose,
+        INNER,
+        Pruning::Disjoint,
+        script,
+        |shape| shape,
+        |tree, told, watch| {
+            oracle::traverse_pruned(tree, tree.root(), Pruning::Disjoint, told, watch);
+        },
+    )
 }

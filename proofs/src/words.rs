@@ -14,7 +14,7 @@ harnesses! {
     /// The same. `[DEPTH-3]`
     pieces_u128, pieces_u128_twin, 5 => pieces::<u128>;
     /// A growing word of up to 65 bits, beyond its register, is the wide number in all that a traversal asks of it. `[DEPTH-3]`
-    grow, grow_twin, 66 long => grow_is_u128::<65>;
+    grow, grow_twin, 66 kani => grow_is_u128::<65>;
 }
 
 /// Bits of a piece.
@@ -54,7 +54,10 @@ pub fn grow_is_u128<const BITS: u32>(choose: &mut impl Choose) -> Option<()> {
         let zeros = wide.trailing_zeros();
         assert!(Word::trailing_zeros(&word) == choose.plant(zeros, |zeros| if zeros == 64 { 0 } else { zeros }));
         let climbed = word.shr(zeros).xor(&Grow::one());
-        assert!(climbed.to_u64() == ((wide >> zeros) ^ 1).to_u64() && climbed.bit_length() == ((wide >> zeros) ^ 1).bit_length());
+        assert!(
+            climbed.to_u64() == ((wide >> zeros) ^ 1).to_u64()
+                && climbed.bit_length() == ((wide >> zeros) ^ 1).bit_length()
+        );
     }
     Some(())
 }

@@ -74,7 +74,7 @@ type Run = Box<dyn Fn(&Case, &mut Told<'_, Case>, &mut Watch<'_, Case>)>;
 /// A traversal with a bug.
 struct Suspect {
     name: String,
-    /// Whether it says that it restarts, as its table in the checks has it.
+    #[allow(dead_code, reason = "the list of mutants fills it in for the checks")]
     restarts: bool,
     run: Run,
 }
@@ -110,7 +110,8 @@ impl Body {
     }
 
     fn run(self, choose: &mut Drawn<false>, suspect: &Suspect) -> Option<()> {
-        let run = |tree: &Case, told: &mut Told<'_, Case>, watch: &mut Watch<'_, Case>| (suspect.run)(tree, told, watch);
+        let run =
+            |tree: &Case, told: &mut Told<'_, Case>, watch: &mut Watch<'_, Case>| (suspect.run)(tree, told, watch);
         match self {
             Self::Traversal7 => follows(choose, 3, Pruning::Never, Script::any, Case::new, run),
             Self::Traversal11 => follows(choose, 5, Pruning::Never, Script::any, Case::new, run),

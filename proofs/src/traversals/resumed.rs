@@ -68,7 +68,9 @@ impl<C: State, F, P> State for Resumed<C, F, P> {
     }
 }
 
-impl<C: Pause, F: Fn() -> Result<C, TooDeep>, P: Fn(Paused<C::Word>) -> Option<Paused<C::Word>>> Cursor for Resumed<C, F, P> {
+impl<C: Pause, F: Fn() -> Result<C, TooDeep>, P: Fn(Paused<C::Word>) -> Option<Paused<C::Word>>> Cursor
+    for Resumed<C, F, P>
+{
     const PRUNES: bool = C::PRUNES;
 
     fn descend(&mut self, descent: Descent) -> bool {
