@@ -18,15 +18,15 @@ harnesses! {
     backtrack_u64, backtrack_u64_twin, 66 => backtrack::<u64>;
     /// The same. `[TRAIL-4]` `[TRAIL-5]`
     backtrack_u128, backtrack_u128_twin, 130 => backtrack::<u128>;
-    /// Keys go down and up without loss: root, child, parent, sibling, depth, start of the level. `[KEY-1]` `[KEY-2]` `[KEY-3]`
-    /// `[KEY-4]` `[KEY-5]` `[KEY-6]`
+    /// Keys go down and up without loss: root, child, parent, sibling, depth, start of the level. `[KEY-1]` `[KEY-2]`
+    /// `[KEY-3]` `[KEY-4]` `[KEY-5]` `[KEY-6]`
     keys_u32, keys_u32_twin, 2 => keys::<u32>;
     /// The same. `[KEY-1]` `[KEY-2]` `[KEY-3]` `[KEY-4]` `[KEY-5]` `[KEY-6]`
     keys_u64, keys_u64_twin, 2 => keys::<u64>;
     /// The same. `[KEY-1]` `[KEY-2]` `[KEY-3]` `[KEY-4]` `[KEY-5]` `[KEY-6]`
     keys_u128, keys_u128_twin, 2 => keys::<u128>;
-    /// A trail stays below its key's leading one, down and on backtracking, which goes to the sibling of the ancestor that the
-    /// lowest set bit means. `[TRAIL-1]` `[TRAIL-2]` `[TRAIL-3]`
+    /// A trail stays below its key's leading one, down and on backtracking, which goes to the sibling of the ancestor
+    /// that the lowest set bit means. `[TRAIL-1]` `[TRAIL-2]` `[TRAIL-3]`
     trails_u32, trails_u32_twin, 2 => trails::<u32>;
     /// The same. `[TRAIL-1]` `[TRAIL-2]` `[TRAIL-3]`
     trails_u64, trails_u64_twin, 2 => trails::<u64>;
@@ -38,8 +38,8 @@ harnesses! {
     counter_u64, counter_u64_twin, 2 => counter::<u64>;
     /// The same. `[TRAIL-6]`
     counter_u128, counter_u128_twin, 2 => counter::<u128>;
-    /// Equation 1 as printed is the exclusive or, also at full width; so is the swap at one level, and two of them commute.
-    /// `[SWAP-1]` `[SWAP-2]` `[SWAP-3]`
+    /// Equation 1 as printed is the exclusive or, also at full width; so is the swap at one level, and two of them
+    /// commute. `[SWAP-1]` `[SWAP-2]` `[SWAP-3]`
     swaps_u32, swaps_u32_twin, 2 => swaps::<u32>;
     /// The same. `[SWAP-1]` `[SWAP-2]` `[SWAP-3]`
     swaps_u64, swaps_u64_twin, 2 => swaps::<u64>;
@@ -49,13 +49,15 @@ harnesses! {
     composition_u8, composition_u8_twin, 10 => composition::<u8>;
     /// The same. `[SWAP-4]`
     composition_u16, composition_u16_twin, 18 => composition::<u16>;
-    /// A key keeps its leading one down to the depth that `carries` accepts, and would lose it one below. `[DEPTH-1]` `[DEPTH-2]`
+    /// A key keeps its leading one down to the depth that `carries` accepts, and would lose it one below. `[DEPTH-1]`
+    /// `[DEPTH-2]`
     depth_u32, depth_u32_twin, 2 => depth::<u32>;
     /// The same. `[DEPTH-1]` `[DEPTH-2]`
     depth_u64, depth_u64_twin, 2 => depth::<u64>;
     /// The same. `[DEPTH-1]` `[DEPTH-2]`
     depth_u128, depth_u128_twin, 2 => depth::<u128>;
-    /// Each step of key and trail in a narrow word is the step in a wide one, at every depth that is accepted. `[DEPTH-1]`
+    /// Each step of key and trail in a narrow word is the step in a wide one, at every depth that is accepted.
+    /// `[DEPTH-1]`
     narrow_u32, narrow_u32_twin, 2 => narrow::<u32>;
     /// The same. `[DEPTH-1]`
     narrow_u64, narrow_u64_twin, 2 => narrow::<u64>;

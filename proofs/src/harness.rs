@@ -12,7 +12,8 @@ pub struct Harness {
     pub twin: &'static str,
     /// Bound of its loops, plus one.
     pub unwind: u32,
-    /// How often `check.sh` proves it: `daily`; `long`, only when asked to; or `kani`, never, as memory is too much for it there.
+    /// How often `check.sh` proves it: `daily`; `long`, only when asked to; or `kani`, never, as it has too much memory
+    /// for the way there.
     pub often: &'static str,
     /// What it claims, with the clauses.
     pub claim: &'static str,

@@ -9,21 +9,22 @@ use crate::harness::harnesses;
 use crate::{Choose, cover};
 
 harnesses! {
-    /// The remainder by multiplication is the remainder: 5 cells, all keys of 16 bits. `[HASH-4]`
+    /// The remainder by multiplication is the remainder: 5 cells, all keys of 16 bits. `[HASH-1]`
     remainder_u32_5, remainder_u32_5_twin, 2 => remainder_u32::<5, 16>;
-    /// 127 cells. `[HASH-4]`
+    /// 127 cells. `[HASH-1]`
     remainder_u32_127, remainder_u32_127_twin, 2 => remainder_u32::<127, 16>;
-    /// 127 cells, by the way for keys of 64 bits. `[HASH-4]`
+    /// 127 cells, by the way for keys of 64 bits. `[HASH-1]`
     remainder_u64_127, remainder_u64_127_twin, 2 => remainder_u64::<127, 16>;
     /// Every address with an index of 30 bits comes back from the word that stands for it. `[HASH-5]`
     addresses, addresses_twin, 13 kani => every_address;
-    /// A table that was read answers every key with an address of the tree or none, and does not panic. `[HASH-1]` `[HASH-10]`
+    /// A table that was read answers every key with an address of the tree or none, and does not panic. `[HASH-1]`
+    /// `[HASH-5]`
     lookups, lookups_twin, 13 kani => any_lookup;
     /// A table that is certified answers every key of its tree right: 3 nodes, any words. `[HASH-9]`
     certificate, certificate_twin, 13 kani => small_certificate;
 }
 
-/// `[HASH-4]`
+/// `[HASH-1]`
 pub fn remainder_u32<const H: u32, const BITS: u32>(choose: &mut impl Choose) -> Option<()> {
     let (key, size) = (choose.bits(BITS) as u32, TableSize::new(H)?);
     let last = u32::MAX >> (32 - BITS);
@@ -34,7 +35,7 @@ pub fn remainder_u32<const H: u32, const BITS: u32>(choose: &mut impl Choose) ->
     Some(())
 }
 
-/// `[HASH-4]`
+/// `[HASH-1]`
 pub fn remainder_u64<const H: u32, const BITS: u32>(choose: &mut impl Choose) -> Option<()> {
     let (key, size) = (choose.bits(BITS), TableSize::new(H)?);
     let last = u64::MAX >> (64 - BITS);
@@ -48,7 +49,7 @@ pub fn remainder_u64<const H: u32, const BITS: u32>(choose: &mut impl Choose) ->
 /// Bytes of a header.
 const HEADER: usize = 72;
 
-/// The bytes of a table for all keys of a tree in 32 bits, with the printed function: `BYTES` is 72 and 4 for each word.
+/// The bytes of a table for all keys of a tree in 32 bits, with the printed function: 72, and 4 for each word.
 fn table<const BYTES: usize>(displacements: u32, cells: u32, keys: u32, direct: u32, words: &[u32]) -> [u8; BYTES] {
     let mut bytes = [0; BYTES];
     bytes[..8].copy_from_slice(b"SBVHHASH");
@@ -79,7 +80,7 @@ pub fn every_address(choose: &mut impl Choose) -> Option<()> {
     Some(())
 }
 
-/// `[HASH-1]` `[HASH-10]`
+/// `[HASH-1]` `[HASH-5]`
 pub fn any_lookup(choose: &mut impl Choose) -> Option<()> {
     let words = [(); 5].map(|()| choose.bits(32) as u32);
     let (keys, direct) = (choose.bits(3) as u32, choose.bits(2) as u32);

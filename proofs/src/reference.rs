@@ -1,7 +1,7 @@
 //! What a traversal is compared with: the postponed nodes, one a level, and nothing else.
 //!
-//! It is the oracle's recursion with its activations laid out, as a bounded proof needs it: the tests of this package hold it to
-//! [`oracle`](stackless_bvh::oracle) itself.
+//! It is the oracle's recursion with its activations laid out, as a bounded proof needs it: the tests of this package hold
+//! it to [`oracle`](stackless_bvh::oracle) itself.
 
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::key::KeyWord;

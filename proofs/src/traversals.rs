@@ -1,17 +1,19 @@
 //! Every traversal is the oracle's, on all trees up to a size, whatever is decided.
 //!
-//! The cursors are the library's; the trees and links are [`Shape`]'s, computed from keys, so that a proof has no memory to
-//! reason about. At each visit node, key, trail, counter, marks and register are compared with the [reference](crate::reference).
-//! `INNER` is the greatest number of inner nodes: trees have up to `2 INNER + 1` nodes and are up to `INNER` edges deep.
+//! The cursors are the library's; the trees and links are [`Shape`]'s, computed from keys, so that a proof has no memory
+//! to reason about. At each visit node, key, trail, counter, marks and register are compared with the
+//! [reference](crate::reference). `INNER` is the greatest number of inner nodes: trees have up to `2 INNER + 1` nodes and are up to `INNER` edges deep.
 
 mod resumed;
+
+use alloc::vec::Vec;
 
 use stackless_bvh::key::TooDeep;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{Pruning, Visitor};
 use stackless_bvh::traverse::{
     Afra, ByKey, Cursor, Disjoint, Hapala, HashOnly, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine,
-    LeftFirst, Sparse, Uncle, traverse,
+    LeftFirst, Skip, Skips, Sparse, Stack, Uncle, traverse,
 };
 use stackless_bvh::tree::Topology;
 
@@ -23,9 +25,9 @@ use resumed::{Resumed, by_key_and_trail};
 
 harnesses! {
     /// The reference of these harnesses is the oracle: trees of up to 5 nodes. `[ORACLE-1]` `[TRACE-1]`
-    oracle_5, oracle_5_twin, 4 long => oracle::<2>;
+    oracle_5, oracle_5_twin, 4 kani => oracle::<2>;
     /// So it is where disjoint nodes are left out. `[ORACLE-2]`
-    oracle_disjoint_5, oracle_disjoint_5_twin, 4 long => oracle_disjoint::<2>;
+    oracle_disjoint_5, oracle_disjoint_5_twin, 4 kani => oracle_disjoint::<2>;
     /// Key and trail, every node by its key: trees of up to 9 nodes. `[TRAIL-7]` `[TRAVERSE-1]`
     by_key_9, by_key_9_twin, 11 => by_key::<4>;
     /// Up to 11 nodes. `[TRAIL-7]` `[TRAVERSE-1]`
@@ -65,6 +67,10 @@ harnesses! {
     hapala_7, hapala_7_twin, 9 => hapala::<3>;
     /// Up to 9 nodes. `[HAPALA-1]` `[TRAVERSE-1]`
     hapala_9, hapala_9_twin, 11 long => hapala::<4>;
+    /// A stack in memory. `[STACK-1]` `[TRAVERSE-1]`
+    stack_9, stack_9_twin, 11 kani => stack::<4>;
+    /// Skip pointers, which are a table in memory. `[SKIP-1]` `[TRAVERSE-1]`
+    skip_7, skip_7_twin, 17 kani => skip::<3>;
     /// The second trail beside the trail. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
     afra_disjoint_7, afra_disjoint_7_twin, 9 => afra_disjoint::<3>;
     /// Up to 9 nodes. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
@@ -75,7 +81,8 @@ harnesses! {
     sparse_disjoint_9, sparse_disjoint_9_twin, 11 long => sparse_disjoint::<4>;
     /// The second trail and the register, without a table. `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]` `[TRAVERSE-1]`
     uncle_disjoint_9, uncle_disjoint_9_twin, 11 => uncle_disjoint::<4>;
-    /// The second trail and the register: the table needs no more keys. `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]` `[TRAVERSE-1]`
+    /// The second trail and the register: the table needs no more keys. `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]`
+    /// `[TRAVERSE-1]`
     hashed_disjoint_9, hashed_disjoint_9_twin, 11 => hashed_disjoint::<4>;
     /// Put aside and taken up before each step. `[PAUSE-1]`
     afra_resumed_7, afra_resumed_7_twin, 9 => afra_resumed::<3>;
@@ -207,6 +214,36 @@ pub fn hapala<const INNER: u32>(choose: &mut impl Choose) -> Option<()> {
         |tree, told, watch| {
             let cursor = Hapala::new(tree, Computed(*tree), *told);
             traverse(cursor, told, watch);
+        },
+    )
+}
+
+/// `[STACK-1]`
+pub fn stack<const INNER: u32>(choose: &mut impl Choose) -> Option<()> {
+    follows(
+        choose,
+        INNER,
+        Pruning::Never,
+        Script::any,
+        |shape| shape,
+        |tree, told, watch| {
+            traverse(Stack::new(tree, &mut Vec::new()), told, watch);
+        },
+    )
+}
+
+/// `[SKIP-1]`
+pub fn skip<const INNER: u32>(choose: &mut impl Choose) -> Option<()> {
+    let script = |choose: &mut _, shape| Script::any(choose, shape).by_node();
+    follows(
+        choose,
+        INNER,
+        Pruning::Never,
+        script,
+        |shape| shape,
+        |tree, told, watch| {
+            let skips = Skips::of(tree, told);
+            traverse(Skip::new(tree, &skips, *told), told, watch);
         },
     )
 }

@@ -7,11 +7,11 @@ use crate::harness::harnesses;
 use crate::{Choose, cover};
 
 harnesses! {
-    /// The pieces of a word are its bits from the highest one down, 63 each. `[DEPTH-3]`
+    /// The pieces of a word are its bits from the highest one down, 63 each. `[HASH-6]`
     pieces_u32, pieces_u32_twin, 4 => pieces::<u32>;
-    /// The same. `[DEPTH-3]`
+    /// The same. `[HASH-6]`
     pieces_u64, pieces_u64_twin, 4 => pieces::<u64>;
-    /// The same. `[DEPTH-3]`
+    /// The same. `[HASH-6]`
     pieces_u128, pieces_u128_twin, 5 => pieces::<u128>;
     /// A growing word of up to 65 bits, beyond its register, is the wide number in all that a traversal asks of it. `[DEPTH-3]`
     grow, grow_twin, 66 kani => grow_is_u128::<65>;
@@ -20,7 +20,7 @@ harnesses! {
 /// Bits of a piece.
 const PIECE: u32 = 63;
 
-/// `[DEPTH-3]`
+/// `[HASH-6]`
 pub fn pieces<W: Full + Into<u128>>(choose: &mut impl Choose) -> Option<()> {
     let word: W = choose.any();
     let (count, length) = (word.piece_count(), word.bit_length());

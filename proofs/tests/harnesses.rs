@@ -97,6 +97,13 @@ fn all_trees_of_up_to_7_nodes_and_all_decisions() {
     assert_eq!(exhaust(traversals::implicit_b1::<3>), cases);
     assert_eq!(exhaust(traversals::left_first::<3>), cases);
     assert_eq!(exhaust(traversals::hapala::<3>), cases);
+    assert_eq!(exhaust(traversals::stack::<3>), cases);
+    assert_eq!(exhaust(traversals::skip::<3>), cases);
+    assert_eq!(exhaust(traversals::afra_resumed::<3>), cases);
+    assert_eq!(exhaust(traversals::sparse_resumed::<3>), cases);
+    assert_eq!(exhaust(traversals::uncle_resumed::<3>), cases);
+    assert_eq!(exhaust(traversals::hashed_resumed::<3>), cases);
+    assert_eq!(exhaust(traversals::hashed_by_key_and_trail::<3>), cases);
     assert_eq!(exhaust(traversals::laine::<0, 3>), cases);
     assert_eq!(exhaust(traversals::laine::<1, 3>), cases);
     assert_eq!(exhaust(traversals::laine::<2, 3>), cases);
