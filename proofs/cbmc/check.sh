@@ -18,6 +18,7 @@ install_tools() {
     [[ -x /usr/bin/rustc ]] || missing+=(rustc-web rust-web-src libstd-rust-web-dev)
     [[ -n $(compgen -c wasm-ld) ]] || missing+=(lld-22)
     [[ -n $(command -v wasm2c) ]] || missing+=(wabt)
+    [[ -n $(command -v gcc) ]] || missing+=(gcc libc6-dev)
     if ((${#missing[@]})); then
         apt-get -qq update
         apt-get -qq install -y --no-install-recommends "${missing[@]}"
@@ -97,7 +98,7 @@ build
 pick "$@" > "$work/picked.tsv"
 echo "| harness | unwind | proof | covers reached | twin refuted | CPU seconds | twin's | |"
 echo "|---|---|---|---|---|---|---|---|"
-tr '\n' '\0' < "$work/picked.tsv" | xargs -0 -n1 -P2 bash -c 'check_one "$1"' check_one | tee "$work/table.md"
+tr '\n' '\0' < "$work/picked.tsv" | xargs -0 -n1 -P"$(nproc)" bash -c 'check_one "$1"' check_one | tee "$work/table.md"
 rows=$(grep -c '| ok |$' "$work/table.md" || true)
 picked=$(wc -l < "$work/picked.tsv")
 echo "$rows of $picked harnesses as they must be, in $SECONDS s"

@@ -14,6 +14,7 @@ fn main() {
             let _ = (harness.body)(&mut drawn);
         }
         let covers: Vec<_> = drawn.covers.keys().map(|name| format!("{}:{name}", id(name))).collect();
+        assert!(!covers.is_empty(), "{}: no case was as assumed", harness.name);
         let Harness { name, twin, unwind, often, claim, .. } = harness;
         println!("{name}\t{twin}\t{unwind}\t{often}\t{}\t{}", covers.join(";"), claim.trim());
     }

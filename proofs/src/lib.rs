@@ -11,7 +11,7 @@
 //! Each harness has a twin: the same body with one planted mistake ([`Choose::PLANTED`]), which must be refuted. What a
 //! harness assumes must be possible: each has a [`cover!`] that must be reached. `README.md` lists the harnesses with their
 //! bounds and times, `SOUNDNESS.md` says what they do not prove.
-#![cfg_attr(not(test), no_std)]
+#![cfg_attr(target_family = "wasm", no_std)]
 #![forbid(unsafe_code)]
 
 extern crate alloc;
