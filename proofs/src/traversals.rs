@@ -60,9 +60,9 @@ harnesses! {
     /// Algorithm 1 of Barringer & Akenine-Möller: node tests, left first. `[LEFT-1]` `[TRAVERSE-1]`
     left_first_9, left_first_9_twin, 11 => left_first::<4>;
     /// Restarts from the root. `[LAINE-1]` `[TRAVERSE-1]`
-    laine_0_5, laine_0_5_twin, 10 => laine::<0, 2>;
+    laine_0_5, laine_0_5_twin, 10 kani => laine::<0, 2>;
     /// Restarts with a short stack of two. `[LAINE-1]` `[TRAVERSE-1]`
-    laine_2_5, laine_2_5_twin, 10 => laine::<2, 2>;
+    laine_2_5, laine_2_5_twin, 10 kani => laine::<2, 2>;
     /// Parents, and an order that is asked again on the way up. `[HAPALA-1]` `[TRAVERSE-1]`
     hapala_7, hapala_7_twin, 9 => hapala::<3>;
     /// Up to 9 nodes. `[HAPALA-1]` `[TRAVERSE-1]`
