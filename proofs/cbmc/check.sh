@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# Proves the harnesses of `proofs` by CBMC, on the library compiled to WebAssembly and from there to C. This is not Kani.
+#
+# `check.sh` proves those for every day, `check.sh --long` those too that take long, and
+# `check.sh HARNESS...` the named ones. Each is proved within its
+# bound, its covers must be reached, and its twin must be refuted; anything else fails. What is missing is installed
+# (Debian; needs root for that).
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+export work=${CARGO_TARGET_DIR:-$here/../../target}/cbmc
+mkdir -p "$work"
+work=$(cd "$work" && pwd)
+# Seconds for one run of CBMC.
+export limit=${CBMC_LIMIT:-300}
+
+install_tools() {
+    local missing=()
+    [[ -x /usr/bin/rustc ]] || missing+=(rustc-web rust-web-src libstd-rust-web-dev)
+    [[ -n $(compgen -c wasm-ld) ]] || missing+=(lld-22)
+    [[ -n $(command -v wasm2c) ]] || missing+=(wabt)
+    [[ -n $(command -v gcc) ]] || missing+=(gcc libc6-dev)
+    if ((${#missing[@]})); then
+        apt-get -qq update
+        apt-get -qq install -y --no-install-recommends "${missing[@]}"
+    fi
+    "$work/tools/cbmc" --version > /dev/null 2>&1 || "$here/get-cbmc.sh" "$work/tools"
+}
+
+# One line a harness: name, twin, unwind, how often, covers, claim.
+list() {
+    cargo run -q -p proofs --example list > "$work/list.tsv"
+}
+
+build() {
+    local linker=$(compgen -c wasm-ld | sort | tail -1)
+    # All in registers: what is inlined is not in memory, where every access is a case distinction.
+    local flags="--cfg kani -C linker-flavor=wasm-ld -C linker=$linker -C strip=debuginfo
+        -C llvm-args=-inline-threshold=20000 -C panic=immediate-abort -Z unstable-options
+        -C link-arg=-zstack-size=2048 -C link-arg=--initial-memory=65536 -C link-arg=--max-memory=65536"
+    (cd "$here" && RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 RUSTFLAGS=$(echo $flags) CARGO_TARGET_DIR="$work/wasm" \
+        cargo build -q --release --target wasm32-unknown-unknown -Z build-std=core,alloc)
+    cd "$work"
+    wasm2c wasm/wasm32-unknown-unknown/release/harnesses.wasm -n harnesses -o harnesses.c
+    # Typed accesses in place of copies of bytes, and no barriers for compilers.
+    sed -i -e 's/wasm_rt_memcpy(&result, &mem->data\[addr\], sizeof(t1));/result = *(t1*)(\&mem->data[addr]);/' \
+        -e 's/wasm_rt_memcpy(&mem->data\[addr\], &wrapped, sizeof(t1));/*(t1*)(\&mem->data[addr]) = wrapped;/' \
+        -e 's/#define wasm_asm __asm__/#define wasm_asm(...)/' harnesses.c
+    cut -f5 list.tsv | tr ';' '\n' | sort -u | sed -n 's/^\([0-9]*\):\(.*\)/COVER(\1u, "\2")/p' > covers.inc
+    cut -f1,2 list.tsv | tr '\t' '\n' | sed 's/.*/HARNESS(&)/' > names.inc
+    tools/goto-cc -I. -DWASM_RT_MEMCHECK_SIGNAL_HANDLER=0 -DWASM_RT_USE_STACK_DEPTH_COUNT=0 \
+        -DWASM_RT_SKIP_SIGNAL_RECOVERY=1 harnesses.c "$here/shim.c" -o harnesses.gb
+}
+
+# One run; what CBMC says goes to NAME.log, the seconds of its processor to NAME.seconds.
+solve() {
+    local name=$1 unwind=$2 TIMEFORMAT=%U
+    shift 2
+    { time timeout "$limit" "$work/tools/cbmc" "$work/harnesses.gb" --function "prove_$name" --unwind "$unwind" \
+        --unwinding-assertions --no-standard-checks --drop-unused-functions --slice-formula "$@" \
+        > "$work/$name.log" 2>&1 || true; } 2> "$work/$name.seconds"
+}
+
+# Proof, covers and twin of one harness: a row of the table, and whether all is as it must be.
+check_one() {
+    local name twin unwind often covers claim
+    IFS=$'\t' read -r name twin unwind often covers claim <<< "$1"
+    local proof="$work/$name.log" verdict=proved refuted=no reached=0 wanted=0 outcome=ok cover failures
+    solve "$name" "$unwind"
+    failures=$(grep ': FAILURE$' "$proof" | grep -vc '\] line [0-9]* cover: ' || true)
+    grep -q '^\[wasm_rt_trap.assertion.1\] .*: SUCCESS$' "$proof" && grep -q '^VERIFICATION ' "$proof" || verdict="no answer"
+    ((failures == 0)) || verdict=refuted
+    while IFS= read -r cover; do
+        wanted=$((wanted + 1))
+        if grep -q "\] line [0-9]* cover: ${cover#*:}: FAILURE\$" "$proof"; then reached=$((reached + 1)); fi
+    done < <(tr ';' '\n' <<< "$covers")
+    solve "$twin" "$unwind" --property wasm_rt_trap.assertion.1
+    grep -q '^\[wasm_rt_trap.assertion.1\] .*: FAILURE$' "$work/$twin.log" && refuted=yes
+    [[ $verdict == proved && $reached == "$wanted" && $wanted != 0 && $refuted == yes ]] || outcome=FAILED
+    printf '| %s | %s | %s | %s of %s | %s | %s | %s | %s |\n' "$name" "$unwind" "$verdict" "$reached" "$wanted" \
+        "$refuted" "$(tail -1 "$work/$name.seconds")" "$(tail -1 "$work/$twin.seconds")" "$outcome"
+}
+export -f solve check_one
+
+pick() {
+    case ${1:-} in
+        '') awk -F'\t' '$4 == "daily"' "$work/list.tsv" ;;
+        --long) awk -F'\t' '$4 != "kani"' "$work/list.tsv" ;;
+        *) for name in "$@"; do
+            awk -F'\t' -v name="$name" '$1 == name { print; found = 1 } END { exit !found }' "$work/list.tsv" ||
+                { echo "no harness is called $name" >&2; return 1; }
+        done ;;
+    esac
+}
+
+install_tools
+list
+build
+pick "$@" > "$work/picked.tsv"
+echo "| harness | unwind | proof | covers reached | twin refuted | CPU seconds | twin's | |"
+echo "|---|---|---|---|---|---|---|---|"
+tr '\n' '\0' < "$work/picked.tsv" | xargs -0 -n1 -P"$(nproc)" bash -c 'check_one "$1"' check_one | tee "$work/table.md"
+rows=$(grep -c '| ok |$' "$work/table.md" || true)
+picked=$(wc -l < "$work/picked.tsv")
+echo "$rows of $picked harnesses as they must be, in $SECONDS s"
+[[ $rows == "$picked" && $picked != 0 ]]

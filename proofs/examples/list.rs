@@ -1,0 +1,21 @@
+//! The harnesses, one a line, for scripts: name, twin, unwind, how often, covers as `number:name` with semicolons
+//! between, and the claim, with tabs between.
+
+use proofs::{ALL, Cases, Drawn, Harness, id};
+use stackless_bvh::generate::Rng;
+
+/// Cases after which every cover has been named, reached or not.
+const CASES: u32 = 20_000;
+
+fn main() {
+    for harness in ALL.into_iter().flatten() {
+        let mut drawn = Drawn::new(Cases::Some(Rng::new(0)));
+        for _ in 0..CASES {
+            let _ = (harness.body)(&mut drawn);
+        }
+        let covers: Vec<_> = drawn.covers.keys().map(|name| format!("{}:{name}", id(name))).collect();
+        assert!(!covers.is_empty(), "{}: no case was as assumed", harness.name);
+        let Harness { name, twin, unwind, often, claim, .. } = harness;
+        println!("{name}\t{twin}\t{unwind}\t{often}\t{}\t{}", covers.join(";"), claim.trim());
+    }
+}

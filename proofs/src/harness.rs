@@ -1,0 +1,71 @@
+//! A harness with its twin, declared once for all ways to run it.
+
+#[cfg(not(kani))]
+use crate::Drawn;
+
+/// A harness, as tests and scripts see it.
+#[derive(Clone, Copy, Debug)]
+pub struct Harness {
+    /// Its name under Kani and CBMC.
+    pub name: &'static str,
+    /// Name of the twin, which must be refuted.
+    pub twin: &'static str,
+    /// Bound of its loops, plus one.
+    pub unwind: u32,
+    /// How often `check.sh` proves it: `daily`; `long`, only when asked to; or `kani`, never, as it has too much memory
+    /// for the way there.
+    pub often: &'static str,
+    /// What it claims, with the clauses.
+    pub claim: &'static str,
+    /// The body, on drawn choices; `None` where they are not as assumed.
+    #[cfg(not(kani))]
+    pub body: fn(&mut Drawn<false>) -> Option<()>,
+    /// The twin's.
+    #[cfg(not(kani))]
+    pub planted: fn(&mut Drawn<true>) -> Option<()>,
+}
+
+/// Declares harnesses: claim, names of the proof and of its twin, unwind (then how often, if not daily), and body.
+macro_rules! harnesses {
+    ($($(#[doc = $claim:literal])+ $name:ident, $twin:ident, $unwind:literal $($often:ident)? => $body:expr;)*) => {
+        $(
+            #[cfg(kani)]
+            #[kani::proof]
+            #[kani::unwind($unwind)]
+            fn $name() {
+                let _ = $body(&mut $crate::choose::Symbolic::<false>);
+            }
+
+            #[cfg(kani)]
+            #[kani::proof]
+            #[kani::should_panic]
+            #[kani::unwind($unwind)]
+            fn $twin() {
+                let _ = $body(&mut $crate::choose::Symbolic::<true>);
+            }
+        )*
+
+        /// The harnesses of this topic.
+        #[cfg(not(kani))]
+        pub const HARNESSES: &[$crate::Harness] = &[$($crate::Harness {
+            name: stringify!($name),
+            twin: stringify!($twin),
+            unwind: $unwind,
+            often: $crate::harness::often(&[$(stringify!($often))?]),
+            claim: concat!($($claim),+),
+            body: |choose| $body(choose),
+            planted: |choose| $body(choose),
+        }),*];
+    };
+}
+
+pub(crate) use harnesses;
+
+/// The mark of a harness, or none.
+#[cfg(not(kani))]
+pub(crate) const fn often(marks: &[&'static str]) -> &'static str {
+    match marks {
+        [mark, ..] => mark,
+        [] => "daily",
+    }
+}

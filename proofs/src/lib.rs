@@ -1,0 +1,35 @@
+//! Proof harnesses: what holds for all inputs, within stated bounds.
+//!
+//! A harness is a claim about the library's own functions, written once, as a function over a source of choices
+//! ([`Choose`]), and run three ways:
+//!
+//! - by `cargo kani -p proofs`: each choice is any value, and the claim is proved for all of them;
+//! - by `proofs/cbmc/check.sh`: the same, by CBMC on the library compiled to WebAssembly and from there to C, with a small
+//!   crate in place of Kani's;
+//! - by `cargo test -p proofs`: the choices are enumerated where they are few, and drawn where they are many.
+//!
+//! Each harness has a twin: the same body with one planted mistake ([`Choose::PLANTED`]), which must be refuted. What a
+//! harness assumes must be possible: each has a [`cover!`] that must be reached. `README.md` lists the harnesses with their
+//! bounds and times, `SOUNDNESS.md` says what they do not prove.
+#![cfg_attr(target_family = "wasm", no_std)]
+#![forbid(unsafe_code)]
+
+extern crate alloc;
+
+pub mod bits;
+mod choose;
+mod harness;
+pub mod hash;
+pub mod reference;
+pub mod shape;
+pub mod traversals;
+pub mod words;
+
+pub use choose::{Any, Choose, id};
+#[cfg(not(kani))]
+pub use choose::{Cases, Drawn};
+pub use harness::Harness;
+
+/// All harnesses, topic by topic.
+#[cfg(not(kani))]
+pub const ALL: [&[Harness]; 4] = [bits::HARNESSES, words::HARNESSES, hash::HARNESSES, traversals::HARNESSES];

@@ -1,0 +1,205 @@
+//! Small trees without memory: nodes are named by their keys, and links are arithmetic on them.
+
+use stackless_bvh::hash::Lookup;
+use stackless_bvh::key::KeyWord;
+use stackless_bvh::order::{Descent, Side};
+use stackless_bvh::tree::{Node, ParentLinks, Reach, Topology, UncleLinks};
+
+use crate::Choose;
+
+/// Any tree with at most so many inner nodes: a set of keys, bit `k` for the inner node with key `k`.
+///
+/// The node with key `k` has the index `k`. So the links of a node are computed, and what a traversal says of its key can be
+/// compared with where it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shape {
+    inner: u64,
+    inner_nodes: u32,
+}
+
+impl Shape {
+    /// Most inner nodes that a shape can have: then keys of leaves have 6 bits.
+    pub const LIMIT: u32 = 5;
+
+    /// Any shape with at most `inner_nodes` inner nodes.
+    pub fn any(choose: &mut impl Choose, inner_nodes: u32) -> Option<Self> {
+        Some(Self { inner: choose.inner_keys(inner_nodes)?, inner_nodes })
+    }
+
+    /// Whether the node with this key is an inner one.
+    pub fn is_inner(self, key: u32) -> bool {
+        self.inner >> key & 1 == 1
+    }
+
+    /// The node with this key.
+    pub fn node(self, key: u32) -> Node {
+        if self.is_inner(key) { Node::inner(key) } else { Node::leaf(key) }
+    }
+
+    /// The keys that inner nodes may have.
+    pub fn keys(self) -> u64 {
+        self.inner
+    }
+
+    /// The node that is the sibling of the ancestor `levels` up, the root where there is none.
+    fn uncle(self, node: Node, levels: u32) -> Node {
+        let ancestor = node.index() as u32 >> levels;
+        self.node(if ancestor > 1 { ancestor ^ 1 } else { 1 })
+    }
+
+    /// Whether a key has to be hashed: below its sibling there is a node whose record does not name it any more, an inner
+    /// one or a leaf three levels down. `[HASH-3]`
+    fn is_hashed(self, key: u32) -> bool {
+        // There is a node three levels down if there is an inner node two levels down.
+        let below = |path: u32| {
+            let sibling = key ^ 1;
+            self.is_inner(sibling)
+                && self.is_inner((2 * sibling) | (path >> 1))
+                && 4 * sibling < 1 << self.inner_nodes
+                && self.is_inner((4 * sibling) | path)
+        };
+        below(0) || below(1) || below(2) || below(3)
+    }
+}
+
+impl Topology for Shape {
+    fn root(&self) -> Node {
+        self.node(1)
+    }
+
+    fn children(&self, node: Node) -> [Node; 2] {
+        let key = node.index() as u32;
+        [self.node(2 * key), self.node(2 * key + 1)]
+    }
+
+    /// As many as there are keys.
+    fn node_count(&self) -> usize {
+        2 << self.inner_nodes
+    }
+
+    fn slot(&self, node: Node) -> usize {
+        node.index()
+    }
+
+    /// That of the deepest shape.
+    fn depth(&self) -> u32 {
+        self.inner_nodes
+    }
+}
+
+/// The links and the address table of a [`Shape`], computed.
+#[derive(Clone, Copy, Debug)]
+pub struct Computed(pub Shape);
+
+impl ParentLinks<Shape> for Computed {
+    fn row(&self, shape: &Shape, node: Node) -> [Node; 2] {
+        let key = node.index() as u32;
+        [shape.node(if key > 1 { key >> 1 } else { 1 }), shape.uncle(node, 0)]
+    }
+}
+
+impl UncleLinks<Shape> for Computed {
+    const REACH: Reach = Reach::ALGORITHM_1;
+
+    fn row(&self, shape: &Shape, node: Node) -> [Node; 3] {
+        [shape.uncle(node, 1), shape.uncle(node, 2), shape.root()]
+    }
+}
+
+impl<W: KeyWord> Lookup<W> for Computed {
+    fn node(&self, key: &W) -> Node {
+        self.0.node(key.low_bits())
+    }
+}
+
+/// A table of the hashed keys only: it panics if it is asked for another.
+#[derive(Clone, Copy, Debug)]
+pub struct HashedKeys(pub Shape);
+
+impl<W: KeyWord> Lookup<W> for HashedKeys {
+    fn node(&self, key: &W) -> Node {
+        let key = key.low_bits();
+        assert!(self.0.is_hashed(key));
+        self.0.node(key)
+    }
+}
+
+/// Whatever a search may decide, fixed for each node: which children are wanted, which comes first, whether they are disjoint,
+/// in which leaves something is found, and at which the search ends.
+#[derive(Clone, Copy, Debug)]
+pub struct Script {
+    left: u64,
+    right: u64,
+    right_first: u64,
+    disjoint: u64,
+    found: u64,
+    last: u64,
+}
+
+impl Script {
+    /// Any decisions, without marks.
+    pub fn any(choose: &mut impl Choose, shape: Shape) -> Self {
+        let inner = shape.keys();
+        let [left, right, right_first] = [(); 3].map(|()| choose.subset(inner));
+        Self { left, right, right_first, disjoint: 0, found: 0, last: 0 }
+    }
+
+    /// The same, with marks, and with leaves in which something is found. `[ORDER-2]` `[ORDER-3]`
+    #[must_use]
+    pub fn with_marks(self, choose: &mut impl Choose, shape: Shape) -> Self {
+        let [disjoint, found] = [shape.keys(), shape.leaf_keys()].map(|keys| choose.subset(keys));
+        Self { disjoint, found, ..self }
+    }
+
+    /// The same, with leaves at which the search ends.
+    #[must_use]
+    pub fn with_ends(self, choose: &mut impl Choose, shape: Shape) -> Self {
+        Self { last: choose.subset(shape.leaf_keys()), ..self }
+    }
+
+    /// Both children of a node or none, as tests of nodes at their visit want them.
+    #[must_use]
+    pub fn by_node(self) -> Self {
+        Self { right: self.left, ..self }
+    }
+
+    /// The same, left before right.
+    #[must_use]
+    pub fn left_first(self) -> Self {
+        Self { right_first: 0, ..self.by_node() }
+    }
+
+    /// What is decided at an inner node.
+    pub fn descent(&self, key: u32) -> Descent {
+        let bit = |keys: u64| keys >> key & 1 == 1;
+        Descent::new(bit(self.left), bit(self.right), bit(self.right_first))
+    }
+
+    /// The child that comes first, for orders that are asked apart from the decision.
+    pub fn first(&self, key: u32) -> Side {
+        Side::right_if(self.right_first >> key & 1 == 1)
+    }
+
+    /// Whether the children of an inner node are disjoint.
+    pub fn is_disjoint(&self, key: u32) -> bool {
+        self.disjoint >> key & 1 == 1
+    }
+
+    /// Whether something is found in a leaf.
+    pub fn finds(&self, key: u32) -> bool {
+        self.found >> key & 1 == 1
+    }
+
+    /// Whether the search ends at a leaf.
+    pub fn ends(&self, key: u32) -> bool {
+        self.last >> key & 1 == 1
+    }
+}
+
+impl Shape {
+    /// Keys that leaves may have.
+    fn leaf_keys(self) -> u64 {
+        let reached = (u64::MAX >> (64 - (2 << self.inner_nodes))) & !1;
+        reached & !self.inner
+    }
+}

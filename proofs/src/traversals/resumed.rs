@@ -1,0 +1,89 @@
+//! A cursor that is put aside and taken up again before every step.
+
+use stackless_bvh::event::State;
+use stackless_bvh::key::TooDeep;
+use stackless_bvh::order::Descent;
+use stackless_bvh::traverse::{ByTable, Cursor, Next, Pause, Paused};
+use stackless_bvh::tree::Node;
+
+use crate::shape::{Computed, Shape};
+
+/// At each step a new cursor takes up the state of the last one.
+#[derive(Debug)]
+pub(super) struct Resumed<C, F, P> {
+    cursor: C,
+    /// Makes a cursor at the root.
+    start: F,
+    /// What becomes of the state in between.
+    keep: P,
+}
+
+impl<C: Pause, F: Fn() -> Result<C, TooDeep>, P: Fn(Paused<C::Word>) -> Option<Paused<C::Word>>> Resumed<C, F, P> {
+    /// At the root.
+    ///
+    /// # Errors
+    /// As `start`.
+    pub(super) fn new(start: F, keep: P) -> Result<Self, TooDeep> {
+        Ok(Self { cursor: start()?, start, keep })
+    }
+
+    fn resume(&mut self, next: Next) {
+        let paused = (self.keep)(self.cursor.put_aside(next));
+        let (Ok(mut cursor), Some(paused)) = ((self.start)(), paused) else { panic!("the state is lost") };
+        assert!(paused.next == next && cursor.take_up(paused).is_ok());
+        self.cursor = cursor;
+    }
+}
+
+/// Keeps key and trail alone, and finds the nodes again by their keys.
+pub(super) fn by_key_and_trail(shape: Shape) -> impl Fn(Paused<u32>) -> Option<Paused<u32>> {
+    move |paused| paused.key_trail()?.locate(&ByTable(Computed(shape))).ok()
+}
+
+impl<C: State, F, P> State for Resumed<C, F, P> {
+    type Word = C::Word;
+
+    fn node(&self) -> Node {
+        self.cursor.node()
+    }
+
+    fn key(&self) -> Option<C::Word> {
+        self.cursor.key()
+    }
+
+    fn trail(&self) -> Option<C::Word> {
+        self.cursor.trail()
+    }
+
+    fn counter(&self) -> Option<C::Word> {
+        self.cursor.counter()
+    }
+
+    fn disjoint(&self) -> Option<C::Word> {
+        self.cursor.disjoint()
+    }
+
+    fn register(&self) -> Option<Node> {
+        self.cursor.register()
+    }
+}
+
+impl<C: Pause, F: Fn() -> Result<C, TooDeep>, P: Fn(Paused<C::Word>) -> Option<Paused<C::Word>>> Cursor
+    for Resumed<C, F, P>
+{
+    const PRUNES: bool = C::PRUNES;
+
+    fn descend(&mut self, descent: Descent) -> bool {
+        self.resume(Next::Visit);
+        self.cursor.descend(descent)
+    }
+
+    fn backtrack(&mut self) -> bool {
+        self.resume(Next::Backtrack);
+        self.cursor.backtrack()
+    }
+
+    fn prune(&mut self) {
+        self.cursor.prune();
+    }
+}
