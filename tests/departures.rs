@@ -3,27 +3,16 @@
 //!
 //! The cases are found anew by `UPDATE=1 cargo test --test departures`.
 
-#[allow(dead_code, reason = "not every slip is one of the paper")]
-#[path = "bites/printed.rs"]
-mod printed;
-#[path = "departures/slips.rs"]
-mod slips;
-
 use std::fs;
 use std::path::PathBuf;
 
-use stackless_bvh::check::{Battery, Case, Fault, Replay, Verdict, Watch, shrink};
-use stackless_bvh::generate::{Cell, Exhaustive, Family, Kind, Rng, Search, Source, Tape, shape};
+use stackless_bvh::check::planted::{self, Planted};
+use stackless_bvh::check::{Battery, Case, Fault, Replay, Verdict, shrink};
+use stackless_bvh::generate::{Cell, Exhaustive, Family, Kind, Rng, Source, Tape, shape};
 use stackless_bvh::hash::{BuildError, KeySet, Options, PerfectHash, Sizing};
-use stackless_bvh::order::{ByNode, Descent, Flow, Side, SignOrder, Visitor};
-use stackless_bvh::traverse::{Hapala, Method, Test, WordName, traverse};
-use stackless_bvh::tree::{Node, Parents, Reach, Topology, Tree};
+use stackless_bvh::traverse::{Method, WordName};
+use stackless_bvh::tree::{Node, Reach, Tree};
 use stackless_bvh::{swap, trail};
-
-use printed::{Printed, Slip};
-use slips::{Barringer, BarringerPrinted, Binder, BinderPrinted, HapalaPrinted};
-
-type Run = fn(&Case, &mut Search<'_, Tree>, &mut Watch<'_>);
 
 /// Where the smallest case is looked for.
 #[derive(Clone, Copy)]
@@ -38,153 +27,39 @@ enum Among {
 
 struct Departure {
     id: &'static str,
-    test: Test,
+    /// What is printed, as a planted bug.
+    printed: &'static str,
     among: Among,
-    run: Run,
+}
+
+const fn departure(id: &'static str, printed: &'static str, among: Among) -> Departure {
+    Departure { id, printed, among }
 }
 
 const DEPARTURES: [Departure; 12] = [
-    Departure {
-        id: "D-1",
-        test: Test::Children,
-        among: Among::Small(3),
-        run: |case, search, watch| {
-            traverse(BinderPrinted::new(&case.tree, &case.tape, Binder::ClosestOfMissed, 64), search, watch);
-        },
-    },
-    Departure {
-        id: "D-3",
-        test: Test::Children,
-        among: Among::Small(6),
-        run: |case, search, watch| {
-            traverse(BinderPrinted::new(&case.tree, &case.tape, Binder::DanglingElse, 64), search, watch);
-        },
-    },
-    Departure {
-        id: "D-4",
-        test: Test::Children,
-        among: Among::Small(3),
-        run: |case, search, watch| {
-            traverse(BinderPrinted::new(&case.tree, &case.tape, Binder::DoneIsMinusOne, 64), search, watch);
-        },
-    },
-    Departure {
-        id: "D-7",
-        test: Test::Children,
-        among: Among::Chains,
-        run: |case, search, watch| {
-            traverse(BinderPrinted::new(&case.tree, &case.tape, Binder::AnyDepth, 8), search, watch);
-        },
-    },
-    Departure {
-        id: "D-10",
-        test: Test::Children,
-        among: Among::Small(3),
-        run: |case, search, watch| {
-            traverse(BarringerPrinted::new(&case.tree, &case.tape, Barringer::MaskOfRejected), search, watch);
-        },
-    },
-    Departure {
-        id: "D-11",
-        test: Test::Children,
-        among: Among::Chains,
-        run: |case, search, watch| {
-            traverse(BarringerPrinted::new(&case.tree, &case.tape, Barringer::Combined), search, watch);
-        },
-    },
-    Departure {
-        id: "D-14",
-        test: Test::Children,
-        among: Among::Chains,
-        run: |case, search, watch| {
-            traverse(BarringerPrinted::new(&case.tree, &case.tape, Barringer::AnyDepth), search, watch);
-        },
-    },
-    Departure {
-        id: "D-15",
-        test: Test::NodeBySign,
-        among: Among::Small(3),
-        run: |case, search, watch| {
-            let order = SignOrder { axes: case.tape.axes(), octant: case.octant };
-            let near = if case.tree.root().is_leaf() {
-                Side::Left
-            } else {
-                stackless_bvh::order::FixedOrder::first(&order, case.tree.root())
-            };
-            let parents = Parents::of(&case.tree);
-            let hapala = Hapala::new(&case.tree, &parents, order);
-            traverse(HapalaPrinted::new(&case.tree, hapala, near), &mut ByNode { test: search, order }, watch);
-        },
-    },
-    Departure {
-        id: "D-19",
-        test: Test::Disjoint,
-        among: Among::Random(Kind::Intervals),
-        run: |case, search, watch| {
-            traverse(Printed::new(&case.tree, false, Slip::MaskInverted), search, watch);
-        },
-    },
-    Departure {
-        id: "D-20",
-        test: Test::Disjoint,
-        among: Among::Random(Kind::Intervals),
-        run: |case, search, watch| {
-            traverse(Printed::new(&case.tree, false, Slip::FillBeforeMask), search, watch);
-        },
-    },
-    Departure {
-        id: "D-21",
-        test: Test::Disjoint,
-        among: Among::Random(Kind::Clipped),
-        run: |case, search, watch| {
-            traverse(Printed::new(&case.tree, false, Slip::None), &mut Unguarded { search, case }, watch);
-        },
-    },
-    Departure {
-        id: "D-22",
-        test: Test::Disjoint,
-        among: Among::Random(Kind::Intervals),
-        run: |case, search, watch| {
-            traverse(Printed::new(&case.tree, true, Slip::NoGuard), search, watch);
-        },
-    },
+    departure("D-1", "Algorithm 1 of H: ClosestOfMissed", Among::Small(3)),
+    departure("D-3", "Algorithm 1 of H: DanglingElse", Among::Small(6)),
+    departure("D-4", "Algorithm 1 of H: DoneIsMinusOne", Among::Small(3)),
+    departure("D-7", "Algorithm 1 of H: AnyDepth", Among::Chains),
+    departure("D-10", "Algorithm 2 of J: MaskOfRejected", Among::Small(3)),
+    departure("D-11", "Algorithm 2 of J: Combined", Among::Chains),
+    departure("D-14", "Algorithm 2 of J: AnyDepth", Among::Chains),
+    departure("D-15", "hapala: the root untested", Among::Small(3)),
+    departure("D-19", "second trail: MaskInverted", Among::Random(Kind::Intervals)),
+    departure("D-20", "second trail: FillBeforeMask", Among::Random(Kind::Intervals)),
+    departure("D-21", "FoundBeyondEnd", Among::Random(Kind::Clipped)),
+    departure("D-22", "resumed: NoGuard", Among::Random(Kind::Intervals)),
 ];
-
-/// A search that says *found* wherever the best hit is, also beyond its leaf's end.
-struct Unguarded<'a, 'c> {
-    search: &'a mut Search<'c, Tree>,
-    case: &'a Case,
-}
-
-impl Visitor for Unguarded<'_, '_> {
-    fn inner(&mut self, node: Node) -> Descent {
-        self.search.inner(node)
-    }
-
-    fn leaf(&mut self, node: Node) -> Flow {
-        Visitor::leaf(self.search, node)
-    }
-
-    fn inner_marked(&mut self, node: Node) -> Descent {
-        self.search.inner_marked(node)
-    }
-
-    fn found_at(&self, leaf: Node) -> bool {
-        self.search.outcome.hit.is_some_and(|(_, slot)| slot == self.case.tree.slot(leaf))
-    }
-}
 
 impl Departure {
     /// How what is printed goes wrong.
     fn fault(&self, case: &Case) -> Option<Fault> {
-        let verdict = Battery::new(case, &[]).judge(self.test, false, |search, watch, _, _| {
-            (self.run)(case, search, watch);
-            Ok(())
-        });
-        match verdict {
-            Verdict::Differs(fault) => Some(fault),
-            _ => None,
-        }
+        self.bug().fault(case)
+    }
+
+    fn bug(&self) -> Planted {
+        let bug = planted::all().into_iter().find(|bug| bug.name() == self.printed);
+        bug.unwrap_or_else(|| panic!("{}: no bug is named {}", self.id, self.printed))
     }
 
     /// The first case that goes wrong, smaller ones first.

@@ -8,6 +8,8 @@ mod battery;
 mod boxes;
 mod case;
 mod pauses;
+#[cfg(feature = "planted")]
+pub mod planted;
 mod random;
 mod replay;
 mod scene;

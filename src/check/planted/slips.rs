@@ -2,16 +2,16 @@
 
 use std::collections::HashMap;
 
-use stackless_bvh::event::State;
-use stackless_bvh::generate::Tape;
-use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
-use stackless_bvh::order::{Descent, Side};
-use stackless_bvh::traverse::Cursor;
-use stackless_bvh::tree::{Keys, Node, Reach, Topology, Tree, UncleLinks, Uncles};
+use crate::event::State;
+use crate::generate::Tape;
+use crate::hash::{KeySet, Options, PerfectHash, Sizing};
+use crate::order::{Descent, Side};
+use crate::traverse::Cursor;
+use crate::tree::{Keys, Node, Reach, Topology, Tree, UncleLinks, Uncles};
 
 /// A reading of Algorithm 1 of Binder & Keller 2016.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Binder {
+pub(super) enum Binder {
     /// `closest` is computed from missed boxes too.
     ClosestOfMissed,
     /// The last `else` belongs to the nearest `if`.
@@ -23,14 +23,15 @@ pub(crate) enum Binder {
 }
 
 /// Key, trail and register, the key and the trail in `bits` bits.
-pub(crate) struct BinderPrinted<'t> {
+pub(super) struct BinderPrinted<'t> {
     tree: &'t Tree,
     tape: &'t Tape,
     reading: Binder,
     bits: u32,
     nodes: HashMap<u64, Node>,
     uncles: Uncles,
-    table: PerfectHash,
+    /// None, if there is no table for the tree.
+    table: Option<PerfectHash>,
     node: Node,
     key: u64,
     trail: u64,
@@ -44,9 +45,9 @@ fn nodes_by_key(tree: &Tree) -> HashMap<u64, Node> {
 }
 
 impl<'t> BinderPrinted<'t> {
-    pub(crate) fn new(tree: &'t Tree, tape: &'t Tape, reading: Binder, bits: u32) -> Self {
+    pub(super) fn new(tree: &'t Tree, tape: &'t Tape, reading: Binder, bits: u32) -> Self {
         let options = Options { key_set: KeySet::Exact(Reach::ALGORITHM_1), sizing: Sizing::PrintedHashed };
-        let table = PerfectHash::build(tree, options).expect("a table");
+        let table = PerfectHash::build(tree, options).ok();
         let (nodes, uncles, node) = (nodes_by_key(tree), Uncles::of(tree), tree.root());
         Self { tree, tape, reading, bits, nodes, uncles, table, node, key: 1, trail: 0, register: None }
     }
@@ -71,7 +72,7 @@ impl<'t> BinderPrinted<'t> {
         if self.reading != Binder::DanglingElse {
             return found;
         }
-        match (self.table.is_direct(&self.key), found.is_leaf()) {
+        match (self.table.as_ref().is_some_and(|table| table.is_direct(&self.key)), found.is_leaf()) {
             // d < 0 and an inner node: as meant.
             (true, false) => found,
             // d < 0 and a leaf: on to the other table, with the leaf for a displacement.
@@ -131,7 +132,7 @@ impl Cursor for BinderPrinted<'_> {
 
 /// A reading of Algorithm 2 of Barringer & Akenine-Möller 2013.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Barringer {
+pub(super) enum Barringer {
     /// The mask's bit is set for "right child first" and toggled where one child is rejected.
     MaskOfRejected,
     /// Start and index of the level in one word.
@@ -141,7 +142,7 @@ pub(crate) enum Barringer {
 }
 
 /// `levelStart`, `levelIndex` and `swapMask`, in words of eight bits.
-pub(crate) struct BarringerPrinted<'t> {
+pub(super) struct BarringerPrinted<'t> {
     tree: &'t Tree,
     tape: &'t Tape,
     reading: Barringer,
@@ -153,7 +154,7 @@ pub(crate) struct BarringerPrinted<'t> {
 }
 
 impl<'t> BarringerPrinted<'t> {
-    pub(crate) fn new(tree: &'t Tree, tape: &'t Tape, reading: Barringer) -> Self {
+    pub(super) fn new(tree: &'t Tree, tape: &'t Tape, reading: Barringer) -> Self {
         let (level_start, level_index) = if reading == Barringer::Combined { (0, 1) } else { (1, 0) };
         let nodes = nodes_by_key(tree);
         Self { tree, tape, reading, nodes, node: tree.root(), level_start, level_index, swap_mask: 0 }
@@ -207,14 +208,14 @@ impl Cursor for BarringerPrinted<'_> {
 }
 
 /// Hapala et al. 2011 from the root's near child, the root untested; then as a stack would.
-pub(crate) struct HapalaPrinted<'t, C> {
+pub(super) struct HapalaPrinted<'t, C> {
     inner: C,
     root: Node,
     tree: &'t Tree,
 }
 
 impl<'t, C: Cursor> HapalaPrinted<'t, C> {
-    pub(crate) fn new(tree: &'t Tree, mut inner: C, near: Side) -> Self {
+    pub(super) fn new(tree: &'t Tree, mut inner: C, near: Side) -> Self {
         if !tree.root().is_leaf() {
             inner.descend(Descent::both(near));
         }

@@ -1,14 +1,14 @@
 //! A traversal by key, trail, register and parent references, as one would write it from the papers, and the mistakes
 //! that one would make on the way.
 
-use stackless_bvh::event::State;
-use stackless_bvh::order::Descent;
-use stackless_bvh::traverse::Cursor;
-use stackless_bvh::tree::{Node, ParentLinks, Parents, Topology, Tree};
+use crate::event::State;
+use crate::order::Descent;
+use crate::traverse::Cursor;
+use crate::tree::{Node, ParentLinks, Parents, Topology, Tree};
 
 /// A mistake in [`Textbook`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Bug {
+pub(super) enum Bug {
     /// None: the control.
     None,
     /// No test for the end: a trail of 0 is backtracked like any other.
@@ -64,7 +64,7 @@ pub(crate) enum Bug {
 }
 
 /// Key, trail, register and address of one node.
-pub(crate) struct Textbook<'t> {
+pub(super) struct Textbook<'t> {
     tree: &'t Tree,
     parents: Parents,
     bug: Bug,
@@ -76,14 +76,14 @@ pub(crate) struct Textbook<'t> {
 }
 
 impl<'t> Textbook<'t> {
-    pub(crate) fn new(tree: &'t Tree, bug: Bug) -> Self {
+    pub(super) fn new(tree: &'t Tree, bug: Bug) -> Self {
         let trail = u64::from(bug == Bug::TrailAboveRoot);
         let parents = Parents::of(tree);
         Self { tree, parents, bug, node: tree.root(), key: 1, trail, register: None, restarting: false }
     }
 
     fn level_start(&self) -> u64 {
-        1 << self.key.ilog2()
+        1 << self.key.max(1).ilog2()
     }
 }
 

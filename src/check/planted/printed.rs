@@ -1,15 +1,15 @@
 //! Algorithm 1 of Binder & Keller 2016 with the second trail of Section 2.3 and the resuming of Section 2.4, as one would
 //! write it from the paper, and the mistakes that it invites.
 
-use stackless_bvh::event::State;
-use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
-use stackless_bvh::order::Descent;
-use stackless_bvh::traverse::Cursor;
-use stackless_bvh::tree::{Keys, Node, Reach, Topology, Tree, UncleLinks, Uncles};
+use crate::event::State;
+use crate::hash::{KeySet, Options, PerfectHash, Sizing};
+use crate::order::Descent;
+use crate::traverse::Cursor;
+use crate::tree::{Keys, Node, Reach, Topology, Tree, UncleLinks, Uncles};
 
 /// A mistake in [`Printed`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Slip {
+pub(super) enum Slip {
     /// None: the control.
     None,
     /// The register is filled from the leaf's record before the mask is applied.
@@ -29,11 +29,12 @@ pub(crate) enum Slip {
 }
 
 /// Key, trail, mask, register and address of one node; the table has only the keys that Algorithm 1 asks for.
-pub(crate) struct Printed<'t> {
+pub(super) struct Printed<'t> {
     tree: &'t Tree,
     uncles: Uncles,
     keys: Keys,
-    table: PerfectHash,
+    /// None, if there is no table for the tree: then no key is found.
+    table: Option<PerfectHash>,
     slip: Slip,
     /// Put aside and taken up by key and trail alone before each step; then the table must have all keys.
     resumes: bool,
@@ -46,9 +47,9 @@ pub(crate) struct Printed<'t> {
 }
 
 impl<'t> Printed<'t> {
-    pub(crate) fn new(tree: &'t Tree, resumes: bool, slip: Slip) -> Self {
+    pub(super) fn new(tree: &'t Tree, resumes: bool, slip: Slip) -> Self {
         let key_set = if resumes { KeySet::All } else { KeySet::Exact(Reach::ALGORITHM_1) };
-        let table = PerfectHash::build(tree, Options { key_set, sizing: Sizing::Tight }).expect("a table");
+        let table = PerfectHash::build(tree, Options { key_set, sizing: Sizing::Tight }).ok();
         let (uncles, keys) = (Uncles::of(tree), Keys::of(tree));
         Self { tree, uncles, keys, table, slip, resumes, node: tree.root(), key: 1, trail: 0, mask: 0, register: None }
     }
@@ -124,7 +125,11 @@ impl Cursor for Printed<'_> {
             self.mask >>= levels;
         }
         let asked = |key: &u64| {
-            let found = self.table.probe(key).filter(|&node| self.keys.is(self.tree.slot(node), key));
+            let found = self
+                .table
+                .as_ref()
+                .and_then(|table| table.probe(key))
+                .filter(|&node| self.keys.is(self.tree.slot(node), key));
             // Another node, as a table answers that does not have the key.
             found.unwrap_or(self.tree.root())
         };

@@ -1,15 +1,15 @@
 //! The traversals of this crate, told something else than what the visitor has said.
 
-use stackless_bvh::event::State;
-use stackless_bvh::hash::KeyMap;
-use stackless_bvh::order::Descent;
-use stackless_bvh::traverse::{
+use crate::event::State;
+use crate::hash::KeyMap;
+use crate::key::TooDeep;
+use crate::order::Descent;
+use crate::traverse::{
     Afra, ByKey, Cursor, Glassner, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine, Sparse, Stack, Uncle,
-    traverse,
 };
-use stackless_bvh::tree::{Node, Parents, Uncles};
+use crate::tree::{Node, Parents, Uncles};
 
-use super::Suspect;
+use super::{Planted, drive};
 
 /// One of this crate's traversals, told something else than what the visitor has said.
 struct Mutant<C> {
@@ -18,7 +18,7 @@ struct Mutant<C> {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Mutation {
+pub(super) enum Mutation {
     None,
     FarFirst,
     FarLost,
@@ -67,31 +67,33 @@ impl<C: Cursor> Cursor for Mutant<C> {
 }
 
 /// Every traversal that tests children at their parent, with a mutation.
-pub(crate) fn mutants(mutation: Mutation, fault: &'static str) -> Vec<Suspect> {
+pub(super) fn mutants(mutation: Mutation) -> Vec<Planted> {
     macro_rules! mutants {
         ($($name:literal, |$tree:ident| $cursor:expr;)*) => {
-            vec![$(Suspect::new(format!("{mutation:?} in {}", $name), fault, move |case, search, watch| {
-                let $tree = &case.tree;
-                traverse(Mutant { cursor: $cursor, mutation }, search, watch);
+            vec![$(Planted::any(format!("{mutation:?} in {}", $name), "ORDER-1", move |tree, _, visitor, watcher| {
+                let $tree = tree;
+                if let Ok(cursor) = $cursor {
+                    drive(Mutant { cursor, mutation }, visitor, watcher);
+                }
             })),*]
         };
     }
-    let mut suspects = mutants![
-        "stack", |tree| Stack::new(tree, &mut Vec::new());
-        "sparse", |tree| Sparse::<u64, _, _>::new(tree, &Parents::of(tree)).unwrap();
-        "afra", |tree| Afra::<u64, _, _>::new(tree, &Parents::of(tree)).unwrap();
-        "uncle", |tree| Uncle::<u64, _, _>::new(tree, &<Uncles>::of(tree)).unwrap();
-        "hashed", |tree| Hashed::<u64, _, _, _>::new(tree, &<Uncles>::of(tree), KeyMap::of(tree)).unwrap();
-        "implicit-a", |tree| ImplicitA::<u64, _>::new(tree, KeyMap::of(tree)).unwrap();
-        "implicit-a1", |tree| ImplicitA1::<u64, _>::new(tree, KeyMap::of(tree)).unwrap();
-        "implicit-b", |tree| ImplicitB::<u64, _>::new(tree, KeyMap::of(tree)).unwrap();
-        "implicit-b1", |tree| ImplicitB1::<u64, _>::new(tree, KeyMap::of(tree)).unwrap();
-        "glassner", |tree| ByKey::<u64, _>::new(tree, &Glassner::of(tree)).unwrap();
+    let mut all = mutants![
+        "stack", |tree| Ok::<_, TooDeep>(Stack::new(tree, &mut Vec::new()));
+        "sparse", |tree| Sparse::<u64, _, _>::new(tree, &Parents::of(tree));
+        "afra", |tree| Afra::<u64, _, _>::new(tree, &Parents::of(tree));
+        "uncle", |tree| Uncle::<u64, _, _>::new(tree, &<Uncles>::of(tree));
+        "hashed", |tree| Hashed::<u64, _, _, _>::new(tree, &<Uncles>::of(tree), KeyMap::of(tree));
+        "implicit-a", |tree| ImplicitA::<u64, _>::new(tree, KeyMap::of(tree));
+        "implicit-a1", |tree| ImplicitA1::<u64, _>::new(tree, KeyMap::of(tree));
+        "implicit-b", |tree| ImplicitB::<u64, _>::new(tree, KeyMap::of(tree));
+        "implicit-b1", |tree| ImplicitB1::<u64, _>::new(tree, KeyMap::of(tree));
+        "glassner", |tree| ByKey::<u64, _>::new(tree, &Glassner::of(tree));
     ];
     let restarting = mutants![
-        "laine-0", |tree| Laine::<0, u64, _>::new(tree).unwrap();
-        "laine-2", |tree| Laine::<2, u64, _>::new(tree).unwrap();
+        "laine-0", |tree| Laine::<0, u64, _>::new(tree);
+        "laine-2", |tree| Laine::<2, u64, _>::new(tree);
     ];
-    suspects.extend(restarting.into_iter().map(|suspect| Suspect { restarts: true, ..suspect }));
-    suspects
+    all.extend(restarting.into_iter().map(Planted::restarting));
+    all
 }

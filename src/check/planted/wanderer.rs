@@ -1,19 +1,19 @@
 //! A traversal that passes nodes nobody wants, and calls it a restart.
 
-use stackless_bvh::event::State;
-use stackless_bvh::order::Descent;
-use stackless_bvh::traverse::{Cursor, Stack};
-use stackless_bvh::tree::{Node, Topology, Tree};
+use crate::event::State;
+use crate::order::Descent;
+use crate::traverse::{Cursor, Stack};
+use crate::tree::{Node, Topology, Tree};
 
 /// The stack, with a detour by the last inner node of the array after each backtracking.
-pub(crate) struct Wanderer<'t> {
+pub(super) struct Wanderer<'t> {
     tree: &'t Tree,
     stack: Stack<'t, Tree>,
     detour: Option<Node>,
 }
 
 impl<'t> Wanderer<'t> {
-    pub(crate) fn new(tree: &'t Tree, memory: &'t mut Vec<Node>) -> Self {
+    pub(super) fn new(tree: &'t Tree, memory: &'t mut Vec<Node>) -> Self {
         Self { tree, stack: Stack::new(tree, memory), detour: None }
     }
 }

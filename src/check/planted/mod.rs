@@ -1,0 +1,191 @@
+//! Planted bugs (feature `planted`): traversals with one mistake each, which every layer of checks has to catch.
+//!
+//! Battery, fuzzer, proof harnesses, conformance cases: a check that lets one of these pass where it could show is no check.
+//! `tests/PLANTED.md` says what the battery sees of each.
+
+mod asked;
+mod given;
+mod list;
+mod mutants;
+mod printed;
+mod slips;
+mod textbook;
+mod wanderer;
+
+pub use list::{all, controls};
+
+use super::{Battery, Case, Fault, Verdict, Watch};
+use crate::event::{Recorder, State};
+use crate::generate::{Search, Tape};
+use crate::order::{Flow, Visitor};
+use crate::traverse::{Cursor, Test, traverse};
+use crate::tree::{Node, Tree};
+
+/// A traversal with a bug, or, as a control, without one.
+pub struct Planted {
+    name: String,
+    clause: &'static str,
+    test: Test,
+    restarts: bool,
+    run: Run,
+}
+
+/// What a bug can be run over.
+enum Run {
+    /// Any search over any tree; the tape says which child is preferred where only one is wanted.
+    Any(Box<AnyRun>),
+    /// Cases only: the bug is in what a traversal asks or is given.
+    Case(Box<CaseRun>),
+}
+
+type AnyRun = dyn Fn(&Tree, &Tape, &mut dyn Visitor, &mut Watcher<'_>);
+type CaseRun = dyn Fn(&Case, &mut Search<'_, Tree>, &mut Watcher<'_>);
+
+/// Looks at each visit.
+struct Watcher<'a>(&'a mut dyn FnMut(&Snapshot) -> Flow);
+
+/// A traversal's state at a visit.
+#[derive(Clone, Copy, Debug)]
+pub struct Snapshot {
+    node: Node,
+    key: Option<u64>,
+    trail: Option<u64>,
+    counter: Option<u64>,
+    disjoint: Option<u64>,
+    register: Option<Node>,
+    is_restarting: bool,
+}
+
+impl Planted {
+    fn any(
+        name: impl Into<String>,
+        clause: &'static str,
+        run: impl Fn(&Tree, &Tape, &mut dyn Visitor, &mut Watcher<'_>) + 'static,
+    ) -> Self {
+        Self { name: name.into(), clause, test: Test::Children, restarts: false, run: Run::Any(Box::new(run)) }
+    }
+
+    fn case(
+        name: impl Into<String>,
+        clause: &'static str,
+        run: impl Fn(&Case, &mut Search<'_, Tree>, &mut Watcher<'_>) + 'static,
+    ) -> Self {
+        Self { name: name.into(), clause, test: Test::Children, restarts: false, run: Run::Case(Box::new(run)) }
+    }
+
+    fn held_to(self, test: Test) -> Self {
+        Self { test, ..self }
+    }
+
+    fn restarting(self) -> Self {
+        Self { restarts: true, ..self }
+    }
+
+    /// What is wrong, in a few words: unique.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The clause that it breaks.
+    pub fn clause(&self) -> &'static str {
+        self.clause
+    }
+
+    /// The reference that it is held to.
+    pub fn test(&self) -> Test {
+        self.test
+    }
+
+    /// How it differs from its reference over a case; `None` if it does not.
+    pub fn fault(&self, case: &Case) -> Option<Fault> {
+        let verdict = Battery::new(case, &[]).judge(self.test, self.restarts, |search, watch: &mut Watch<'_>, _, _| {
+            self.run(case, search, |seen| watch.visit(seen));
+            Ok(())
+        });
+        match verdict {
+            Verdict::Differs(fault) => Some(fault),
+            Verdict::Agrees { .. } | Verdict::Refused(_) => None,
+        }
+    }
+
+    /// Runs it over a case.
+    pub fn run(&self, case: &Case, search: &mut Search<'_, Tree>, mut watch: impl FnMut(&Snapshot) -> Flow) {
+        let watcher = &mut Watcher(&mut watch);
+        match &self.run {
+            Run::Any(run) => run(&case.tree, &case.tape, search, watcher),
+            Run::Case(run) => run(case, search, watcher),
+        }
+    }
+
+    /// Runs it over any search; `false`, and nothing is run, if the bug is one of [`Search`]es or of node tests.
+    pub fn run_any(
+        &self,
+        tree: &Tree,
+        tape: &Tape,
+        visitor: &mut dyn Visitor,
+        mut watch: impl FnMut(&Snapshot) -> Flow,
+    ) -> bool {
+        match &self.run {
+            Run::Any(run) => run(tree, tape, visitor, &mut Watcher(&mut watch)),
+            Run::Case(_) => return false,
+        }
+        true
+    }
+}
+
+impl core::fmt::Debug for Planted {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(&self.name)
+    }
+}
+
+impl Recorder for &mut Watcher<'_> {
+    fn visit(&mut self, state: &impl State) -> Flow {
+        let word = |word: Option<_>| word.and_then(|word| crate::key::KeyWord::to_u64(&word));
+        (self.0)(&Snapshot {
+            node: state.node(),
+            key: word(state.key()),
+            trail: word(state.trail()),
+            counter: word(state.counter()),
+            disjoint: word(state.disjoint()),
+            register: state.register(),
+            is_restarting: state.is_restarting(),
+        })
+    }
+}
+
+impl State for Snapshot {
+    type Word = u64;
+
+    fn node(&self) -> Node {
+        self.node
+    }
+
+    fn key(&self) -> Option<u64> {
+        self.key
+    }
+
+    fn trail(&self) -> Option<u64> {
+        self.trail
+    }
+
+    fn counter(&self) -> Option<u64> {
+        self.counter
+    }
+
+    fn disjoint(&self) -> Option<u64> {
+        self.disjoint
+    }
+
+    fn register(&self) -> Option<Node> {
+        self.register
+    }
+
+    fn is_restarting(&self) -> bool {
+        self.is_restarting
+    }
+}
+
+fn drive(cursor: impl Cursor, visitor: &mut (impl Visitor + ?Sized), mut watcher: &mut Watcher<'_>) {
+    traverse(cursor, &mut { visitor }, &mut watcher);
+}
