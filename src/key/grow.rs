@@ -278,8 +278,8 @@ impl KeyWord for Grow {
 
     fn piece(&self, index: u32) -> u64 {
         let length = self.bit_length();
-        let end = length.min((index + 1).saturating_mul(PIECE));
-        let start = (index * PIECE).min(end);
+        let end = length.min(index.saturating_add(1).saturating_mul(PIECE));
+        let start = index.saturating_mul(PIECE).min(end);
         self.bits_at(length - end, end - start)
     }
 }

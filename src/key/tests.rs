@@ -120,6 +120,7 @@ proptest! {
             sum = sum << bits | u128::from(value.piece(i));
         }
         prop_assert_eq!(sum, value);
+        prop_assert_eq!((value.piece(value.piece_count()), value.piece(u32::MAX), grow(value).piece(u32::MAX)), (0, 0, 0));
     }
 }
 

@@ -199,8 +199,8 @@ macro_rules! word {
             #[allow(clippy::cast_lossless, reason = "the same text serves narrower and wider words")]
             fn piece(&self, index: u32) -> u64 {
                 let length = self.bit_length();
-                let end = length.min((index + 1).saturating_mul(PIECE));
-                let start = (index * PIECE).min(end);
+                let end = length.min(index.saturating_add(1).saturating_mul(PIECE));
+                let start = index.saturating_mul(PIECE).min(end);
                 let mask = (1_u64 << (end - start)) - 1;
                 self.checked_shr(length - end).unwrap_or(0) as u64 & mask
             }
