@@ -28,7 +28,7 @@ install_tools() {
 
 # One line a harness: name, twin, unwind, how often, covers, claim.
 list() {
-    cargo run -q -p proofs --example list > "$work/list.tsv"
+    cargo run -q -p proofs --bin list > "$work/list.tsv"
 }
 
 build() {
