@@ -5,7 +5,8 @@ use stackless_bvh::check::{
 };
 use stackless_bvh::generate::{Bytes, Family, Kind, Rng, Source, Tape, shape};
 use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
-use stackless_bvh::key::{Grow, KeyWord};
+use stackless_bvh::key::{self, Grow, KeyWord};
+use stackless_bvh::trail;
 use stackless_bvh::traverse::{Cuts, Method, Next, Paused, States, Unfit, WordName};
 use stackless_bvh::tree::{Keys, Node, Reach, Topology, Tree};
 
@@ -164,29 +165,30 @@ fn state<W: KeyWord>(tree: &Tree, source: &mut impl Source) -> Paused<W> {
     let slot = source.below(tree.node_count() as u64) as usize;
     let node = tree.node(slot as u32).unwrap_or(tree.root());
     let depth = Keys::of(tree).depth(slot);
-    let bits = |source: &mut dyn FnMut(u64) -> u64, count: u32| {
-        (0..count).fold(W::zero(), |word, _| word.shl1().or(&W::from_bit(source(2) == 1)))
-    };
     let fits = W::carries(depth, 1).is_ok();
-    let trail = bits(&mut |bound| source.below(bound), if fits { depth } else { 1 });
+    let count = if fits { depth } else { 1 };
+    let trail: W = bits(source, count);
     let key: W = if fits { Keys::of(tree).key(slot) } else { W::one() };
-    let lowest = stackless_bvh::trail::levels(&trail);
-    let sibling = stackless_bvh::key::sibling(key.clone().shr(lowest.min(depth)));
-    let register = Keys::walk(tree, &sibling).filter(|_| !trail.is_zero());
+    let postponed = || key::sibling(key.clone().shr(trail::levels(&trail)));
+    let register = if fits && !trail.is_zero() { Keys::walk(tree, &postponed()) } else { None };
     let other = Node::from_bits(source.below(1 << 32) as u32);
     let next = if node.is_leaf() && source.coin() { Next::Backtrack } else { Next::Visit };
-    let disjoint = source.coin().then(|| bits(&mut |bound| source.below(bound), if fits { depth } else { 1 }));
+    let disjoint = source.coin().then(|| bits(source, count));
     let paused = Paused { node, register, key: Some(key), trail, disjoint, next };
     match source.below(8) {
         1 => Paused { node: other, ..paused },
         2 => Paused { register: Some(other), ..paused },
         3 => Paused { register: None, ..paused },
         4 => Paused { key: None, ..paused },
-        5 => Paused { key: Some(bits(&mut |bound| source.below(bound), 6)), ..paused },
-        6 => Paused { trail: bits(&mut |bound| source.below(bound), 6), ..paused },
+        5 => Paused { key: Some(bits(source, 6)), ..paused },
+        6 => Paused { trail: bits(source, 6), ..paused },
         7 => Paused { next: Next::Backtrack, ..paused },
         _ => paused,
     }
+}
+
+fn bits<W: KeyWord>(source: &mut impl Source, count: u32) -> W {
+    (0..count).fold(W::zero(), |word, _| word.shl1().or(&W::from_bit(source.coin())))
 }
 
 fn options(source: &mut impl Source) -> Options {
