@@ -6,7 +6,7 @@ use stackless_bvh::scene::{read_obj, read_ply};
 use stackless_bvh::traverse::Method;
 
 use super::draw::patched;
-use super::{right, traversals};
+use super::{right, said, traversals};
 
 /// A PLY file.
 pub(crate) fn ply(bytes: &[u8]) {
@@ -33,7 +33,12 @@ pub(crate) fn replay(bytes: &[u8]) {
         patched(&mut source, text(&case).into_bytes())
     };
     let Ok(replay) = serde_json::from_slice::<Replay>(&text) else { return };
-    let (Ok(case), Ok(_), Ok(_)) = (replay.case(), replay.methods(), replay.words()) else { return };
+    let case = match (replay.case(), replay.methods(), replay.words()) {
+        (Ok(case), Ok(_), Ok(_)) => case,
+        (case, methods, words) => {
+            return case.err().into_iter().chain(methods.err()).chain(words.err()).for_each(said);
+        }
+    };
     let back = serde_json::from_str::<Replay>(&self::text(&case)).map(|replay| replay.case());
     assert!(matches!(&back, Ok(Ok(back)) if *back == case), "{back:?} instead of {case:?}");
     if case.size() <= 64 {

@@ -8,6 +8,7 @@ mod draw;
 mod files;
 mod geometry;
 mod hierarchies;
+mod keys;
 mod traversals;
 
 use std::fmt::Display;
@@ -24,7 +25,8 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 18] = [
+pub const TARGETS: [Target; 19] = [
+    target("keys", keys::keys, 128),
     target("traversals", traversals::traversals, 512),
     target("deep", traversals::deep, 512),
     target("pieces", traversals::pieces, 512),
@@ -62,4 +64,10 @@ pub fn run(name: &str, bytes: &[u8]) {
 /// The value, or the fault with what it is about.
 fn right<T, E: Display>(result: Result<T, E>, about: impl Display) -> T {
     result.unwrap_or_else(|fault| panic!("{fault}\n{about}"))
+}
+
+/// That a refusal says why, in one line.
+fn said(refusal: impl Display) {
+    let message = refusal.to_string();
+    assert!(!message.is_empty() && !message.contains(['\n', '\r']), "not a message of one line: {message:?}");
 }

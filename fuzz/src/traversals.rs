@@ -4,14 +4,16 @@ use stackless_bvh::check::{
     Battery, Case, Disagreement, Pauses, Pieces, Plan, Replay, Tally, Verdict, check_table, check_table_bytes, shrink,
 };
 use stackless_bvh::generate::{Bytes, Family, Kind, Rng, Source, Tape, shape};
-use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::hash::{AddressBounds, KeySet, Options, PerfectHash, Remainder, Sizing, certify};
 use stackless_bvh::key::{self, Grow, KeyWord};
 use stackless_bvh::trail;
-use stackless_bvh::traverse::{Cuts, Method, Next, Paused, States, Unfit, WordName};
+use stackless_bvh::traverse::{
+    ByWalk, Cuts, KeyTrail, Method, Next, Paused, PieceTable, States, Tables, Unfit, WordName,
+};
 use stackless_bvh::tree::{Keys, Node, Reach, Topology, Tree};
 
 use super::draw::patched;
-use super::right;
+use super::{right, said};
 
 /// Every traversal in every word on a small tree under a drawn tape. `[CONF-1]`
 pub(crate) fn traversals(bytes: &[u8]) {
@@ -20,7 +22,25 @@ pub(crate) fn traversals(bytes: &[u8]) {
 
 /// The same on a tree of a depth at which a word ends.
 pub(crate) fn deep(bytes: &[u8]) {
-    check(&deep_case(&mut Bytes::new(bytes)), &Method::ALL);
+    let case = deep_case(&mut Bytes::new(bytes));
+    check(&case, &Method::ALL);
+    // The narrowest word that is said to carry a tree does.
+    let narrowest = WordName::narrowest(case.tree.depth());
+    let mut battery = Battery::new(&case, &[Method::Hashed]);
+    let verdict = battery.check(Method::Hashed, narrowest);
+    assert!(matches!(verdict, Verdict::Agrees { .. }), "{narrowest}: {verdict:?} {case:?}");
+    // Without its tables, or in a word that is too narrow or does not exist, a traversal says so.
+    for (method, word) in [
+        (Method::Hashed, WordName::U32),
+        (Method::Glassner, WordName::U32),
+        (Method::ImplicitA, WordName::U64),
+        (Method::Laine0, WordName::Grow),
+        (Method::Complete, WordName::U32),
+    ] {
+        if let Verdict::Refused(unfit) = battery.check(method, word) {
+            said(unfit);
+        }
+    }
 }
 
 /// A deep tree in pieces. `[DEPTH-4]`
@@ -69,8 +89,38 @@ pub(crate) fn states(bytes: &[u8]) {
 /// A perfect hash, of any set of keys and sizing. `[HASH-9]`
 pub(crate) fn hash(bytes: &[u8]) {
     let mut source = Bytes::new(bytes);
-    let (options, tree) = (options(&mut source), tree(&mut source));
-    right(check_table(&tree, &Keys::of(&tree), options), format_args!("{options:?} {:?}", tree.to_children()));
+    let (options, method, tree) = (options(&mut source), Method::ALL[source.below(27) as usize], tree(&mut source));
+    let keys = Keys::of(&tree);
+    let hash = right(check_table(&tree, &keys, options), format_args!("{options:?} {:?}", tree.to_children()));
+    if let Err(refusal) = PerfectHash::build_plain(&tree, options) {
+        said(refusal);
+    }
+    // The header counts what takes one load, and the division finds what the reciprocal finds.
+    let (header, division) = (hash.header(), Remainder(hash.header().cells));
+    let hashed = options.key_set.slots(&tree);
+    let all = (0..tree.node_count()).filter(|&slot| hashed[slot]).map(|slot| keys.key::<Grow>(slot));
+    let is_direct: Vec<_> = all
+        .map(|key| {
+            assert_eq!(hash.probe_by(&division, &key), hash.probe(&key), "{key:?}");
+            hash.is_direct(&key)
+        })
+        .collect();
+    let direct = is_direct.iter().filter(|&&is| is).count();
+    assert_eq!((direct, is_direct.len()), (header.direct as usize, header.keys as usize), "{header:?}");
+    assert!(header.direct_share() <= 1.0, "{} {header:?}", header.sizing);
+    // Tables for all traversals take no less than those for one.
+    let axes = vec![0; tree.node_count()];
+    let bytes = |methods: &[Method]| Tables::new(&tree, &axes, methods, 13).bytes();
+    assert!(bytes(&[method]) <= bytes(&Method::ALL), "{method}");
+    for word in WordName::ALL {
+        let [narrow, wide] = [1, 60].map(|depth| method.state_bytes_in(word, depth));
+        assert!(narrow <= wide && wide > 0, "{method} in {word}");
+    }
+    let recorded = method.wants_recorded();
+    assert_eq!(method.without_pruning().wants_recorded(), recorded);
+    let pruning = method.with_second_trail();
+    assert!(pruning.is_none_or(|other| other.without_pruning() == method), "{method}");
+    assert_eq!(method.name().parse(), Ok(method));
 }
 
 /// Bytes that may be a table of a tree: those of one, changed, and any.
@@ -84,6 +134,12 @@ pub(crate) fn hash_bytes(bytes: &[u8]) {
         _ => rest.to_vec(),
     };
     right(check_table_bytes(&table, &tree, &Keys::of(&tree)), format_args!("{table:?} {:?}", tree.to_children()));
+    match PerfectHash::from_bytes(&table, AddressBounds::of(&tree)) {
+        Err(refusal) => said(refusal),
+        Ok(hash) => [options.key_set, hash.header().key_set]
+            .into_iter()
+            .for_each(|key_set| certify(&hash, &tree, key_set).unwrap_or_else(said)),
+    }
 }
 
 /// All traversals in all words; a disagreement is made small, and printed as a file that `stackless check` replays.
@@ -136,6 +192,12 @@ fn chain(depth: u32, right_at: impl Fn(u32) -> bool) -> Tree {
 fn in_pieces<W: KeyWord>(case: &Case, levels: u32) {
     let (cuts, mut battery) = (Cuts::every(levels, &case.tree), Battery::new(case, &[]));
     let pieces = right(Pieces::new(&case.tree, &cuts), "tables of pieces");
+    // As many states as there are pieces on a way, each as large as in a tree of so many levels. [STATE-1]
+    assert_eq!(cuts.nesting(), case.tree.depth().div_ceil(levels).max(1));
+    let one = Method::Hashed.state_bytes::<W>(levels.min(case.tree.depth()));
+    assert_eq!(cuts.state_bytes::<W>(Method::Hashed), cuts.nesting() as usize * one);
+    let of_pieces = |tables: &[PieceTable<PerfectHash>]| tables.iter().map(PieceTable::bytes).sum::<usize>();
+    assert!(of_pieces(pieces.hashes()) <= of_pieces(pieces.full_hashes()) + cuts.bytes());
     for method in Pieces::<Tree>::METHODS {
         let verdict = battery
             .judge(method.test(), method.restarts(), |search, watch, _, _| pieces.run::<W>(method, search, watch));
@@ -158,6 +220,23 @@ fn follow<W: KeyWord>(case: &Case, pauses: &Pauses<'_>, kind: u64, rest: &[u8]) 
         _ => rest.to_vec(),
     };
     right(pauses.follow::<W>(&state), format_args!("{state:?} {case:?}"));
+    match states.from_bytes::<W>(&state) {
+        Err(refusal) => said(refusal),
+        // Without addresses, and back.
+        Ok(paused) => {
+            assert_eq!(states.bytes(&paused), state.len());
+            if let Some(kept) = paused.clone().key_trail() {
+                let located = right(kept.locate(&ByWalk(&case.tree)), format_args!("{paused:?} {case:?}"));
+                assert_eq!(located.node, paused.node, "{paused:?} {case:?}");
+            }
+        }
+    }
+    // A key and a trail that may be of no node.
+    let kept =
+        KeyTrail { key: bits::<W>(&mut source, 7), trail: bits(&mut source, 7), disjoint: None, next: Next::Visit };
+    if let Err(refusal) = kept.locate(&ByWalk(&case.tree)) {
+        said(refusal);
+    }
 }
 
 /// A state that is nearly one of the tree: the key is that of the node, and the register that of the trail, unless drawn anew.
