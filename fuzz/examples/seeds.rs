@@ -41,7 +41,11 @@ fn seeds(target: Target) -> Vec<Vec<u8>> {
         ],
         "replay" => {
             let random = random(target, &[16, 64]);
-            random.iter().map(|bytes| json(&Case::draw(&mut Bytes::new(bytes), 5))).chain(random.clone()).collect()
+            let cases = random.iter().map(|bytes| json(&Case::draw(&mut Bytes::new(bytes), 5)));
+            // Not trees: empty, a child that is not there, one that is there twice, and one that nobody has.
+            let not_trees = ["[]", "[[1,2]]", "[[1,1],null]", "[null,null]"];
+            let not_trees = not_trees.map(|tree| format!("{{\"children\":{tree},\"cells\":[]}}").into_bytes());
+            cases.chain(random.clone()).chain(not_trees).collect()
         }
         "bvh_bytes" => {
             // Behind the choices: the fourth kind takes all bytes as they are.

@@ -1,5 +1,7 @@
 //! The target of keys, trails and swaps: the literal formulas, and every word by the widest one.
 
+use std::collections::HashSet;
+
 use stackless_bvh::generate::{Bytes, Source};
 use stackless_bvh::key::{self, Grow, KeyWord};
 use stackless_bvh::{swap, trail};
@@ -11,6 +13,11 @@ pub(crate) fn keys(bytes: &[u8]) {
     let mut bits = |count: u32| (0..count).map(|_| source.coin()).collect::<Vec<_>>();
     let (key, trail, mask) = (bits(depth), bits(depth), bits(depth + 1));
     let grown = forms::<Grow>(&key, &trail, &mask);
+    // Equal words have one hash and one text.
+    let [one, other] =
+        [(); 2].map(|()| key.iter().fold(key::root::<Grow>(), |key, &bit| key::child(key, Grow::from_bit(bit))));
+    assert_eq!(format!("{one:?}"), format!("{other:?}"));
+    assert!(HashSet::from([one]).contains(&other), "{key:?}");
     if depth < 128 {
         assert_eq!(forms::<u128>(&key, &trail, &mask), grown);
     }

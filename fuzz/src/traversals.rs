@@ -3,21 +3,32 @@
 use stackless_bvh::check::{
     Battery, Case, Disagreement, Pauses, Pieces, Plan, Replay, Tally, Verdict, check_table, check_table_bytes, shrink,
 };
-use stackless_bvh::generate::{Bytes, Family, Kind, Rng, Source, Tape, shape};
+use stackless_bvh::event::{Event, Trace};
+use stackless_bvh::generate::{Bytes, Family, Kind, Rng, Search, Source, Tape, shape};
 use stackless_bvh::hash::{AddressBounds, KeySet, Options, PerfectHash, Remainder, Sizing, certify};
 use stackless_bvh::key::{self, Grow, KeyWord};
-use stackless_bvh::trail;
 use stackless_bvh::traverse::{
     ByWalk, Cuts, KeyTrail, Method, Next, Paused, PieceTable, States, Tables, Unfit, WordName,
 };
 use stackless_bvh::tree::{Keys, Node, Reach, Topology, Tree};
+use stackless_bvh::{oracle, trail};
 
 use super::draw::patched;
 use super::{right, said};
 
 /// Every traversal in every word on a small tree under a drawn tape. `[CONF-1]`
 pub(crate) fn traversals(bytes: &[u8]) {
-    check(&Case::draw(&mut Bytes::new(bytes), Case::LEAVES), &Method::ALL);
+    let case = Case::draw(&mut Bytes::new(bytes), Case::LEAVES);
+    check(&case, &Method::ALL);
+    // As events, the oracle's visits are the same nodes.
+    let (mut trace, mut search) = (Trace::default(), Search::new(&case.tree, &case.tape, case.any));
+    oracle::traverse(&case.tree, &mut search, &mut trace);
+    let keys = Keys::of(&case.tree);
+    let visited = trace.events::<u64>(&case.tree, &keys).filter_map(|event| match event {
+        Event::Enter(key) | Event::Leaf(key) => Keys::walk(&case.tree, &key),
+        Event::Backtrack(..) | Event::End => None,
+    });
+    assert!(visited.eq(trace.nodes().iter().copied()), "{case:?}");
 }
 
 /// The same on a tree of a depth at which a word ends.
@@ -107,7 +118,8 @@ pub(crate) fn hash(bytes: &[u8]) {
         .collect();
     let direct = is_direct.iter().filter(|&&is| is).count();
     assert_eq!((direct, is_direct.len()), (header.direct as usize, header.keys as usize), "{header:?}");
-    assert!(header.direct_share() <= 1.0, "{} {header:?}", header.sizing);
+    assert!(header.direct_share() <= 1.0, "{header:?}");
+    said(header.sizing);
     // Tables for all traversals take no less than those for one.
     let axes = vec![0; tree.node_count()];
     let bytes = |methods: &[Method]| Tables::new(&tree, &axes, methods, 13).bytes();
