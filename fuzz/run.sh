@@ -100,7 +100,7 @@ case ${1:-} in
         cargo +nightly run --example seeds -- seeds
         ;;
     *)
-        sed -n 's/^# \{0,1\}//; 2,12p' "${BASH_SOURCE[0]##*/}" >&2
+        sed -n 's/^# \{0,1\}//; 2,11p' "${BASH_SOURCE[0]##*/}" >&2
         exit 2
         ;;
 esac
