@@ -133,12 +133,11 @@ impl<'a> Draw<'a> {
     /// A ray in double precision.
     pub(crate) fn ray_64(&mut self, [a, b, c]: [DVec3; 3]) -> Option<Ray<DVec3>> {
         let origin = self.point_64();
-        let direction = match self.below(4) {
-            0 => self.point_64(),
-            _ => {
-                let [u, v] = [self.below(9) as f64 / 8.0, self.below(9) as f64 / 8.0];
-                a + (b - a) * u + (c - a) * (v * (1.0 - u)) - origin
-            }
+        let direction = if self.below(4) == 0 {
+            self.point_64()
+        } else {
+            let [u, v] = [self.below(9) as f64 / 8.0, self.below(9) as f64 / 8.0];
+            a + (b - a) * u + (c - a) * (v * (1.0 - u)) - origin
         };
         let [tmin, tmax] = match self.below(3) {
             0 => [0.0, f64::INFINITY],

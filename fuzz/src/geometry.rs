@@ -5,7 +5,7 @@ use stackless_bvh::check::{check_degenerate, check_distance, check_nearest, chec
 use stackless_bvh::generate::Source;
 use stackless_bvh::geom::kernel::{Exact, Exact64, ExactFromSingle};
 use stackless_bvh::geom::slabs::{Directed, Enclosed, Plain, TwoSided, Wide};
-use stackless_bvh::geom::{Aabb, Ray, Triangle};
+use stackless_bvh::geom::{Aabb, Ray, Triangle, Vector};
 
 use super::draw::Draw;
 use super::right;
@@ -37,7 +37,7 @@ pub(crate) fn slabs(bytes: &[u8]) {
     // At points of a face of the box, or of a diagonal.
     let (flat, diagonal) = ([a.lo, a.hi, a.lo.with_x(a.hi.x)], [a.lo, a.lo, a.hi]);
     if draw.coin() {
-        let corners = flat.map(|corner| corner.as_dvec3());
+        let corners = flat.map(Vector::widen);
         if let Some(ray) = draw.ray_64(corners) {
             right(check_slabs::<Wide>(&ray, &a, &b, true), format_args!("{ray:?} {a:?} {b:?}"));
         }
@@ -49,7 +49,7 @@ pub(crate) fn slabs(bytes: &[u8]) {
     right(check_slabs::<TwoSided>(&ray, &a, &b, false), about("two-sided"));
     right(check_slabs::<Directed>(&ray, &a, &b, true), about("directed"));
     right(check_slabs::<Enclosed>(&ray, &a, &b, true), about("enclosed"));
-    let [o, d] = [ray.origin(), ray.direction()].map(|v| v.as_dvec3());
+    let [o, d] = [ray.origin(), ray.direction()].map(Vector::widen);
     if let Ok(ray) = Ray::new(o, d, f64::from(ray.tmin()), f64::from(ray.tmax())) {
         right(check_slabs::<Wide>(&ray, &a, &b, true), about("wide"));
     }
