@@ -1,11 +1,9 @@
 //! Trees deeper than a word: cut into pieces, and, in ray tracing, by the growing word and by pieces.
 
-#[path = "depth/pieces.rs"]
-mod pieces;
 #[path = "depth/rays.rs"]
 mod rays;
 
-use stackless_bvh::check::{Battery, Case, CaseOptions, Fault, Verdict, Watch};
+use stackless_bvh::check::{Battery, Case, CaseOptions, Fault, Pieces, Verdict, Watch};
 use stackless_bvh::event::{Recorder, State, Trace};
 use stackless_bvh::generate::{Exhaustive, Family, Kind, Rng, Search, Source, Tape, shape};
 use stackless_bvh::key::KeyWord;
@@ -13,7 +11,7 @@ use stackless_bvh::order::{Descent, Flow, Visitor};
 use stackless_bvh::traverse::{Afra, Cursor, Cuts, HashOnly, Method, Piece, Split, Stack, Unfit, traverse};
 use stackless_bvh::tree::{Node, Parents, Topology, Tree};
 
-use pieces::{METHODS, Pieces};
+const METHODS: [Method; 20] = Pieces::<Tree>::METHODS;
 
 /// What a battery says of a traversal in pieces.
 fn check<W: KeyWord>(battery: &mut Battery<'_>, pieces: &Pieces<'_, Tree>, method: Method) -> Verdict {
@@ -24,7 +22,7 @@ fn check<W: KeyWord>(battery: &mut Battery<'_>, pieces: &Pieces<'_, Tree>, metho
 /// for the word.
 fn agreeing<W: KeyWord>(case: &Case, levels: u32) -> usize {
     let (cuts, mut battery) = (Cuts::every(levels, &case.tree), Battery::new(case, &[]));
-    let pieces = Pieces::new(&case.tree, &cuts);
+    let pieces = Pieces::new(&case.tree, &cuts).expect("tables");
     let agrees = |&&method: &&Method| {
         let carried = W::WIDTH.map_or(u32::MAX, |width| match method.without_pruning() {
             Method::Afra | Method::Uncle => width,
@@ -135,7 +133,7 @@ fn a_depth_of_100_000_in_narrow_words() {
         for levels in [6, 30, 62] {
             let cuts = Cuts::every(levels, &tree);
             assert_eq!(cuts.nesting(), 100_000_u32.div_ceil(levels));
-            let pieces = Pieces::new(&tree, &cuts);
+            let pieces = Pieces::new(&tree, &cuts).expect("tables");
             for (kind, any) in [(Kind::AllHit, false), (Kind::Shrinking, false), (Kind::OnlyOne, true)] {
                 let tape = Tape::hashed(u64::from(levels), &tree, kind);
                 let see = |run: &dyn Fn(&mut Search<'_, Tree>, &mut First)| {
@@ -368,10 +366,10 @@ mod bites {
         let tape = Tape::hashed(1, &tree, Kind::AllHit);
         let case = Case { tape, tree, any: false, octant: 0 };
         let cuts = Cuts::every(5, &case.tree);
-        let pieces = Pieces::new(&case.tree, &cuts);
+        let pieces = Pieces::new(&case.tree, &cuts).expect("tables");
         let verdict = |off_by: usize| {
             Battery::new(&case, &[]).judge(Method::HashOnly.test(), false, |search, watch, _, _| {
-                let table = |piece: usize| &pieces.full_hashes[(piece + off_by) % pieces.full_hashes.len()];
+                let table = |piece: usize| &pieces.full_hashes()[(piece + off_by) % pieces.full_hashes().len()];
                 let mut waiting = Vec::new();
                 let split =
                     Split::new(&cuts, &mut waiting, |piece| HashOnly::<u8, _, _>::new(piece, table(piece.number())))?;

@@ -3,9 +3,9 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-use stackless_bvh::check::{Battery, Case, CaseOptions, Verdict};
+use stackless_bvh::check::{Battery, Case, CaseOptions, Verdict, check_table};
 use stackless_bvh::generate::{Exhaustive, Family, Kind, Rng, Search, Source, Tape, shape};
-use stackless_bvh::hash::{BuildError, KeySet, Lookup, Options, PerfectHash, Sizing, Verified, certify};
+use stackless_bvh::hash::{BuildError, KeySet, Lookup, Options, PerfectHash, Sizing, Verified};
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::traverse::{ByKey, Hashed, Test, traverse};
 use stackless_bvh::tree::{Keys, Node, Reach, Topology, Tree, Uncles};
@@ -43,37 +43,8 @@ fn chains(width: u32, length: u32) -> Tree {
     Tree::new(&children).unwrap()
 }
 
-fn find_all<W: KeyWord>(hash: &PerfectHash, tree: &Tree, keys: &Keys, hashed: &[bool]) {
-    if W::carries(tree.depth(), 1).is_err() {
-        return;
-    }
-    for slot in (0..tree.node_count()).filter(|&slot| hashed[slot]) {
-        let key: W = keys.key(slot);
-        assert_eq!(Some(hash.node(&key)), tree.node(slot as u32));
-    }
-}
-
-/// Builds, certifies and asks for every key; all of it twice, by one thread and by many.
 fn check(tree: &Tree, keys: &Keys, options: Options) -> PerfectHash {
-    let hash = PerfectHash::build(tree, options).unwrap();
-    certify(&hash, tree, options.key_set).unwrap();
-    assert_eq!(PerfectHash::build_parallel(tree, options).as_ref(), Ok(&hash));
-    match PerfectHash::build_plain(tree, options) {
-        Ok(plain) => assert_eq!(plain, hash),
-        Err(BuildError::NoDisplacement { .. }) => {
-            assert!(hash.header().mix.seed.is_some() && hash.header().reseeds > 0);
-        }
-        Err(error) => panic!("{error}"),
-    }
-    // Whole keys are as long as the tree is deep: asking for all of them is quadratic.
-    if tree.depth() <= 1000 {
-        let hashed = options.key_set.slots(tree);
-        find_all::<u32>(&hash, tree, keys, &hashed);
-        find_all::<u64>(&hash, tree, keys, &hashed);
-        find_all::<u128>(&hash, tree, keys, &hashed);
-        find_all::<Grow>(&hash, tree, keys, &hashed);
-    }
-    hash
+    check_table(tree, keys, options).unwrap_or_else(|fault| panic!("{options:?}: {fault}\n{:?}", tree.to_children()))
 }
 
 fn check_all(tree: &Tree) -> u32 {

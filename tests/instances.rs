@@ -1,54 +1,30 @@
 //! Instances against an oracle that moves every triangle in rational arithmetic. `[INST-1]` to `[INST-6]`
 
 mod instances {
-    pub(crate) mod flat;
     pub(crate) mod scenes;
 }
 
 use glam::Vec3;
-use instances::flat::{Flat, Shape};
 use instances::scenes::{self, Scene, unit};
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions};
+use stackless_bvh::check::{Flat, Hierarchies, check_answer, check_instances};
 use stackless_bvh::generate::{Rng, Source};
 use stackless_bvh::geom::{Affine, Ray};
 use stackless_bvh::scene::{Mesh, stress};
 use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceError, InstanceHit, InstanceTracer, Object};
 use stackless_bvh::traverse::Method;
 
-/// One way to build all hierarchies of a scene.
-struct Built {
-    bvhs: Vec<Option<Bvh>>,
-    options: BuildOptions,
-}
-
 fn options(builder: Builder, max_leaf: u32) -> BuildOptions {
     BuildOptions { builder, sah: SahOptions { max_leaf, ..SahOptions::default() }, ..BuildOptions::default() }
 }
 
-impl Built {
-    fn new(scene: &Scene, builder: Builder, max_leaf: u32) -> Self {
-        let options = options(builder, max_leaf);
-        let build = |shape: &Shape| match shape {
-            Shape::Mesh(mesh) => Some(Bvh::build(mesh, &options, &|_| ()).expect("a tree")),
-            Shape::Group(_) => None,
-        };
-        Self { bvhs: scene.shapes.iter().map(build).collect(), options }
-    }
+fn hierarchies(scene: &Scene, builder: Builder, max_leaf: u32) -> Hierarchies {
+    Hierarchies::new(&scene.shapes, options(builder, max_leaf)).expect("trees")
+}
 
-    fn assembly(&self, scene: &Scene) -> (Assembly<'_>, Object) {
-        let (mut assembly, mut objects) = (Assembly::new(), Vec::<Object>::new());
-        for (shape, bvh) in scene.shapes.iter().zip(&self.bvhs) {
-            objects.push(match (shape, bvh) {
-                (Shape::Group(instances), _) => {
-                    let place = |&(object, affine): &(usize, Affine)| Instance { object: objects[object], affine };
-                    let instances = instances.iter().map(place).collect();
-                    assembly.add_group(instances, &self.options).expect("a group")
-                }
-                (Shape::Mesh(_), bvh) => assembly.add_mesh(bvh.as_ref().expect("a tree")),
-            });
-        }
-        (assembly, *objects.last().expect("a shape"))
-    }
+fn assembly<'a>(built: &'a Hierarchies, scene: &Scene) -> (Assembly<'a>, Object) {
+    let (assembly, objects) = built.assembly(&scene.shapes).expect("groups");
+    (assembly, *objects.last().expect("a shape"))
 }
 
 /// Rays at corners, edges and insides of triangles, along the axes through corners, and from corner to corner.
@@ -93,10 +69,6 @@ fn cut(ray: &Ray, hit: &InstanceHit) -> impl Iterator<Item = Ray> {
     ends.into_iter().filter_map(move |(tmin, tmax)| Ray::new(ray.origin(), ray.direction(), tmin, tmax).ok())
 }
 
-fn bits(hit: Option<InstanceHit>) -> Option<(Vec<u32>, u32, [u32; 3])> {
-    hit.map(|InstanceHit { path, prim, t, u, v }| (path, prim, [t, u, v].map(f32::to_bits)))
-}
-
 /// Every scene by every traversal, alone and with another one inside, over four kinds of trees.
 #[test]
 fn answers_are_those_of_rational_arithmetic() {
@@ -112,8 +84,8 @@ fn answers_are_those_of_rational_arithmetic() {
         hits += cases.iter().filter(|(_, hit)| hit.is_some()).count();
         deep += cases.iter().flat_map(|(_, hit)| hit).filter(|hit| hit.path.len() > 1).count();
         for (builder, leaf) in [(Builder::Median, 1), (Builder::Sah, 1), (Builder::Spatial, 2), (Builder::Linear, 4)] {
-            let built = Built::new(scene, builder, leaf);
-            let (assembly, root) = built.assembly(scene);
+            let built = hierarchies(scene, builder, leaf);
+            let (assembly, root) = assembly(&built, scene);
             for (i, method) in Method::ALL.into_iter().enumerate() {
                 let other = Method::ALL[(i + 5) % Method::ALL.len()];
                 for (groups, meshes) in [(method, method), (method, other)] {
@@ -125,9 +97,9 @@ fn answers_are_those_of_rational_arithmetic() {
                     };
                     tracers += 1;
                     for (ray, hit) in &cases {
-                        let context = || format!("{}, {builder}, {groups} and {meshes}, {ray:?}", scene.name);
-                        assert_eq!(bits(tracer.closest(ray)), bits(hit.clone()), "{}", context());
-                        assert_eq!(tracer.any(ray), hit.is_some(), "{}", context());
+                        check_answer(&tracer, hit, ray).unwrap_or_else(|fault| {
+                            panic!("{}, {builder}, {groups} and {meshes}, {ray:?}: {fault}", scene.name)
+                        });
                     }
                 }
             }
@@ -144,13 +116,13 @@ fn many_rays_are_answered_by_rational_arithmetic() {
     let (mut counts, mut asked) = ([0; 3], 0);
     for (seed, scene) in scenes::all().iter().enumerate() {
         let (flat, mut rng) = (Flat::new(&scene.shapes), Rng::new(1000 + seed as u64));
-        let built = Built::new(scene, Builder::Sah, 2);
-        let (assembly, root) = built.assembly(scene);
+        let built = hierarchies(scene, Builder::Sah, 2);
+        let (assembly, root) = assembly(&built, scene);
         let tracer = InstanceTracer::new(&assembly, root, Method::Hashed).expect("any tree");
         let rays = rays(&flat, &mut rng, 300);
         asked += rays.len();
         for ray in &rays {
-            assert_eq!(bits(tracer.closest(ray)), bits(flat.closest(ray)), "{}, {ray:?}", scene.name);
+            check_instances(&tracer, &flat, ray).unwrap_or_else(|fault| panic!("{}, {ray:?}: {fault}", scene.name));
         }
         let found = tracer.count(&rays, false);
         for (sum, count) in counts.iter_mut().zip([found.instances, found.triangles, found.rational]) {

@@ -104,10 +104,10 @@ impl WithWord for InWord<'_, '_> {
 /// A case with what it takes to put its traversals aside.
 #[derive(Debug)]
 pub struct Pauses<'c> {
-    case: &'c Case,
-    tables: Tables<'c, Tree>,
-    states: States<'c, Tree>,
-    keys: Keys,
+    pub(super) case: &'c Case,
+    pub(super) tables: Tables<'c, Tree>,
+    pub(super) states: States<'c, Tree>,
+    pub(super) keys: Keys,
     map: KeyMap,
     hash: Option<PerfectHash>,
 }
@@ -144,7 +144,7 @@ impl<'c> Pauses<'c> {
         Ok(resumes)
     }
 
-    fn search(&self) -> Search<'c, Tree> {
+    pub(super) fn search(&self) -> Search<'c, Tree> {
         Search::new(&self.case.tree, &self.case.tape, self.case.any)
     }
 
@@ -228,31 +228,48 @@ impl<'c> Pauses<'c> {
         if search.outcome.hit != found.outcome.hit {
             return Err(format!("finds {:?}, expected {:?}", search.outcome.hit, found.outcome.hit));
         }
-        let (mut expected, mut search) = (Trace::default(), before.search.clone());
-        let mut key: W = from.key().cloned().unwrap_or_default();
+        let key: W = from.key().cloned().unwrap_or_default();
         // The node itself, its sibling, its parent's sibling and so on.
-        let mut subtrees = if before.next == Next::Visit { vec![key.clone()] } else { Vec::new() };
-        while key::depth(&key) > 0 {
-            subtrees.push(key::sibling(key.clone()));
-            key = key::parent(key);
-        }
-        for subtree in subtrees {
-            let node = Keys::walk(&self.case.tree, &subtree).ok_or("no such node")?;
-            let pruning = method.test().pruning();
-            if oracle::traverse_pruned(&self.case.tree, node, pruning, &mut search, &mut expected) == Flow::Stop {
-                break;
-            }
-        }
+        let trail = key::level_start(&key).wrapping_sub(&W::one());
+        let expected = self.expected(&key, &trail, before.next, method, &mut before.search.clone())?;
         if trace == expected {
             Ok(())
         } else {
             Err(format!("visits {:?}, expected {:?}", trace.nodes(), expected.nodes()))
         }
     }
+
+    /// The visits of the oracle below a node, if that is to be visited, and below all nodes that a trail postpones.
+    pub(super) fn expected<W: KeyWord>(
+        &self,
+        key: &W,
+        trail: &W,
+        next: Next,
+        method: Method,
+        search: &mut Search<'_, Tree>,
+    ) -> Result<Trace, String> {
+        let mut expected = Trace::default();
+        let mut subtrees = if next == Next::Visit { vec![key.clone()] } else { Vec::new() };
+        let (mut key, mut trail) = (key.clone(), trail.clone());
+        while key::depth(&key) > 0 {
+            if trail.low_bits() & 1 == 1 {
+                subtrees.push(key::sibling(key.clone()));
+            }
+            (key, trail) = (key::parent(key), trail.shr1());
+        }
+        for subtree in subtrees {
+            let node = Keys::walk(&self.case.tree, &subtree).ok_or("no such node")?;
+            let pruning = method.test().pruning();
+            if oracle::traverse_pruned(&self.case.tree, node, pruning, search, &mut expected) == Flow::Stop {
+                break;
+            }
+        }
+        Ok(expected)
+    }
 }
 
 /// The traversals that can be put aside.
-fn methods() -> impl Iterator<Item = Method> {
+pub(super) fn methods() -> impl Iterator<Item = Method> {
     Method::ALL.into_iter().filter(|method| method.can_pause())
 }
 
@@ -333,13 +350,13 @@ impl Visitor for StopAtLeaf<'_, '_> {
 }
 
 /// Goes on.
-struct GoOn<'a, 'c, W> {
-    from: Start<W>,
-    search: &'a mut Search<'c, Tree>,
-    trace: &'a mut Trace,
+pub(super) struct GoOn<'a, 'c, W> {
+    pub(super) from: Start<W>,
+    pub(super) search: &'a mut Search<'c, Tree>,
+    pub(super) trace: &'a mut Trace,
 }
 
-enum Start<W> {
+pub(super) enum Start<W> {
     State(Paused<W>),
     Key(KeyOnly<W>),
 }

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 use stackless_bvh::bvh::{self, Bvh, SahOptions};
-use stackless_bvh::check::{CaseOptions, Plan, SceneTree, check_scene};
+use stackless_bvh::check::{CaseOptions, Pieces, Plan, SceneTree, check_scene};
 use stackless_bvh::event::{Recorder, State, Trace};
 use stackless_bvh::geom::Ray;
 use stackless_bvh::key::KeyWord;
@@ -13,7 +13,7 @@ use stackless_bvh::trace::{AnyByNode, Closest, ClosestByNode, Tracer, Truth};
 use stackless_bvh::traverse::{Afra, Cuts, Hashed, Method, Split, Unfit, WordName, traverse};
 use stackless_bvh::tree::{Keys, Recorded, RecordedParents, RecordedUncles, Topology};
 
-use super::{FOR_ANY_DEPTH, Pieces};
+use super::FOR_ANY_DEPTH;
 
 /// A mesh of so many triangles, with a hierarchy that is a chain.
 fn chain(layers: usize) -> (Mesh, Bvh) {
@@ -103,7 +103,7 @@ fn pieces_find_the_same_hits_by_the_same_way_in_narrow_words() {
     fn check<W: KeyWord>(levels: u32, mesh: &Mesh, bvh: &Bvh) {
         let (truth, boxes, cuts) = (Truth::new(mesh), bvh.own_boxes(), Cuts::every(levels, bvh));
         assert_eq!(cuts.nesting(), bvh.depth().div_ceil(levels));
-        let pieces = Pieces::new(bvh, &cuts);
+        let pieces = Pieces::new(bvh, &cuts).expect("tables");
         for ray in rays(mesh) {
             let hit = truth.closest(&ray).map(|hit| hit.rounded());
             let (mut search, mut expected) = (ClosestByNode::new(bvh, &boxes, &ray), Trace::default());
@@ -134,7 +134,7 @@ fn links_in_records_serve_all_pieces() {
     let (mesh, bvh) = deep();
     let climbing = bvh.clone().with_links(Recorded::ParentSibling);
     let (by_uncles, by_parents) = (Cuts::every(31, &bvh), Cuts::every(31, &climbing));
-    let pieces = Pieces::new(&bvh, &by_uncles);
+    let pieces = Pieces::new(&bvh, &by_uncles).expect("tables");
     let (uncles, parents) = (RecordedUncles::of(&bvh).unwrap(), RecordedParents::of(&climbing).unwrap());
     for ray in rays(&mesh) {
         let (mut search, mut expected) = (Closest::new(&bvh, &ray), Trace::default());
@@ -143,7 +143,7 @@ fn links_in_records_serve_all_pieces() {
 
         let (mut search, mut trace, mut waiting) = (Closest::new(&bvh, &ray), Trace::default(), Vec::new());
         let split = Split::new(&by_uncles, &mut waiting, |piece| {
-            Hashed::<u32, _, _, _>::new(piece, uncles, &pieces.hashes[piece.number()])
+            Hashed::<u32, _, _, _>::new(piece, uncles, &pieces.hashes()[piece.number()])
         });
         traverse(split.unwrap(), &mut search, &mut trace);
         assert_eq!((search.hit(), &trace), (hit, &expected));
@@ -179,7 +179,7 @@ fn rays_reach_the_deepest_leaves_and_go_back_to_the_top_at_once() {
     let (mesh, bvh) = deep();
     let mut reach = Reach { bvh: &bvh, keys: Keys::of(&bvh), before: 0, deepest: 0, farthest: 0 };
     let (boxes, cuts) = (bvh.own_boxes(), Cuts::every(30, &bvh));
-    let pieces = Pieces::new(&bvh, &cuts);
+    let pieces = Pieces::new(&bvh, &cuts).expect("tables");
     for ray in rays(&mesh) {
         reach.before = 0;
         let mut search = ClosestByNode::new(&bvh, &boxes, &ray);

@@ -1,11 +1,10 @@
 //! Small scenes of instances, in which much goes wrong that can.
 
 use glam::{Mat3, Vec3};
+use stackless_bvh::check::Shape;
 use stackless_bvh::generate::{Rng, Source};
 use stackless_bvh::geom::Affine;
 use stackless_bvh::scene::{Mesh, procedural};
-
-use super::flat::Shape;
 
 /// A scene, by name.
 pub(crate) struct Scene {

@@ -2,9 +2,10 @@ use glam::Vec3;
 
 use super::*;
 use crate::bvh::{Bounded, BuildOptions, Builder, SahOptions, validate};
+use crate::check::check_tree;
+use crate::geom::kernel::Exact;
+use crate::geom::slabs::Directed;
 use crate::scene::{Mesh, procedural};
-use crate::trace::{Closest, truth};
-use crate::traverse::{Stack, traverse};
 
 /// The same triangles, bent and stretched.
 fn deformed(mesh: &Mesh) -> Mesh {
@@ -21,17 +22,10 @@ fn a_deformed_mesh_is_hit_where_it_is() {
         let mut bvh = Bvh::build(&mesh, &options, &|_| ()).expect("a tree");
         assert!(validate(&bvh, &moved).is_err());
         bvh.refit(&moved).expect("the same triangles");
-        validate(&bvh, &moved).expect("sound");
         assert_eq!(bvh.bounds(), Aabb::of(moved.vertices()));
         assert_eq!(bvh.region(), &Region::of(&bvh.bounds()));
-        let mut hits = 0;
-        for ray in procedural::rays(&moved, 3, 200) {
-            let mut closest = Closest::new(&bvh, &ray);
-            traverse(Stack::new(&bvh, &mut Vec::new()), &mut closest, &mut ());
-            let truth = truth::brute_force(&moved, &ray);
-            hits += truth.len().min(1);
-            assert_eq!(closest.hit(), truth.first().map(truth::TrueHit::rounded));
-        }
+        let rays = procedural::rays(&moved, 3, 200);
+        let hits = check_tree::<Exact, Directed, _>(&bvh, &moved, &rays).expect("the truth");
         assert!(hits > 20, "{hits}");
     }
 }

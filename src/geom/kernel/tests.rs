@@ -2,9 +2,8 @@ use glam::Vec3;
 use proptest::prelude::*;
 
 use super::*;
-use crate::geom::Aabb;
-use crate::geom::Triangle;
-use crate::geom::truth::{self, Meeting};
+use crate::check::check_triangle;
+use crate::geom::{Aabb, Triangle};
 
 const UNIT: Triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
 
@@ -88,13 +87,6 @@ fn flat_triangles_are_missed<K: Kernel<Vector = Vec3, Shape: From<Triangle>>>() 
     assert_eq!(distance::<K>(UNIT, &edge_on), None);
 }
 
-/// What rational arithmetic says.
-fn truth(Triangle(corners): Triangle, ray: &Ray) -> Option<f32> {
-    let meeting = truth::meet(corners.map(|v| v.to_array()), ray.origin().to_array(), ray.direction().to_array());
-    let Meeting::Hit(point) = meeting else { return None };
-    truth::holds([ray.tmin(), ray.tmax()], &point.t).then(|| truth::round_f32(&point.t))
-}
-
 /// Numbers of all magnitudes, and few enough others to meet again.
 fn number() -> impl Strategy<Value = f32> {
     let few = [0.0, -0.0, 1.0, -1.0, 0.5, 3.0, f32::MAX, -f32::MAX, f32::MIN_POSITIVE, 1e-45, -1e-40];
@@ -129,21 +121,7 @@ fn aimed() -> impl Strategy<Value = (Triangle, Ray)> {
 }
 
 fn is_exact<K: Kernel<Vector = Vec3, Shape = Triangle>>(triangle: Triangle, ray: &Ray) -> Result<(), TestCaseError> {
-    let (truth, found) = (truth(triangle, ray), distance::<K>(triangle, ray));
-    prop_assert_eq!(found.map(f32::to_bits), truth.map(f32::to_bits), "{:?} instead of {:?}", found, truth);
-    // In a scene that is much greater, the bound for the scene is of no use, but right.
-    let scene = Region::of(&triangle.aabb().grow(Vec3::splat(1e30)));
-    prop_assert_eq!(K::new(ray, &scene).distance(&triangle, f32::INFINITY), truth);
-    prop_assert_eq!(K::new(ray, &scene).blocks(&triangle), truth.is_some());
-    if let Some(t) = truth {
-        let kernel = K::new(ray, &scene);
-        prop_assert_eq!(kernel.distance(&triangle, t), truth, "a limit of t itself is no reason to leave it out");
-        let Triangle(corners) = triangle;
-        let [o, d] = [ray.origin(), ray.direction()].map(|v| v.to_array());
-        let Meeting::Hit(point) = truth::meet(corners.map(|v| v.to_array()), o, d) else { unreachable!() };
-        prop_assert_eq!(kernel.weights(&triangle), [&point.u, &point.v].map(truth::round_f32));
-    }
-    Ok(())
+    check_triangle::<K, _>(&triangle, ray).map(|_| ()).map_err(|fault| TestCaseError::fail(fault.to_string()))
 }
 
 proptest! {

@@ -1,6 +1,7 @@
 use super::*;
+use crate::check::check_distance;
 use crate::generate::Rng;
-use truth::{RBig, round_root_f32, square_distance};
+use truth::{RBig, square_distance};
 
 /// In -1..1, with 24 bits.
 fn unit(random: &mut Rng) -> f32 {
@@ -44,23 +45,7 @@ fn distances_are_the_truth_rounded() {
     let mut random = Rng::new(1);
     for kind in 0..20_000 {
         let (triangle, point) = case(&mut random, kind);
-        let truth = square(&triangle, point);
-        let distance = round_root_f32(&truth);
-        for limit in [f32::INFINITY, distance] {
-            assert_eq!(
-                Measure::new(point, f32::INFINITY).distance(&triangle, limit),
-                Some(distance),
-                "{triangle:?} {point}"
-            );
-        }
-        // The radius is compared with what is not rounded.
-        let radius = RBig::try_from(distance).expect("finite");
-        let expected = (truth <= &radius * &radius).then_some(distance);
-        assert_eq!(Measure::new(point, distance).distance(&triangle, distance), expected, "{triangle:?} {point}");
-        assert_eq!(Measure::new(point, distance.next_up()).distance(&triangle, f32::INFINITY), Some(distance));
-        if distance > 0.0 {
-            assert_eq!(Measure::new(point, distance.next_down()).distance(&triangle, f32::INFINITY), None);
-        }
+        check_distance(&triangle, point).unwrap_or_else(|fault| panic!("{fault}: {triangle:?} {point}"));
     }
 }
 

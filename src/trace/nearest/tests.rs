@@ -1,8 +1,7 @@
 use super::*;
 use crate::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
+use crate::check::nearest as truth;
 use crate::generate::{Rng, Source};
-use crate::geom::Triangle;
-use crate::geom::truth::{round_root_f32, square_distance};
 use crate::scene::{Mesh, procedural, stress};
 use crate::trace::Tracer;
 use crate::traverse::Method;
@@ -57,34 +56,6 @@ fn point(mesh: &Mesh, random: &mut Rng) -> Vec3 {
         7 => a + (a - other),
         _ => any,
     }
-}
-
-/// The first `k` triangles within a radius, by exact arithmetic on all that can be among them.
-fn truth(mesh: &Mesh, point: Vec3, radius: f32, k: usize) -> Vec<(f32, u32)> {
-    let p = point.as_dvec3();
-    // As f32, the distance is at least that of the box and at most that of the nearest corner, with what f64 may lose.
-    let bounds = |prim: usize| {
-        let corners = Triangle(mesh.triangle(prim)).widen();
-        let [lo, hi] = [corners[0].min(corners[1]).min(corners[2]), corners[0].max(corners[1]).max(corners[2])];
-        let to_box = (lo - p).max(p - hi).max(glam::DVec3::ZERO).length();
-        let to_corner = corners.map(|corner| (corner - p).length()).into_iter().fold(f64::INFINITY, f64::min);
-        ((to_box * (1.0 - 1e-12)) as f32, (to_corner * (1.0 + 1e-12)) as f32)
-    };
-    let prims = (0..mesh.triangles().len()).filter(|&prim| !Triangle(mesh.triangle(prim)).is_degenerate());
-    let all: Vec<_> = prims.map(|prim| (prim, bounds(prim))).collect();
-    let mut most: Vec<f32> = all.iter().map(|&(_, (_, most))| most).collect();
-    most.sort_by(f32::total_cmp);
-    let most = k.checked_sub(1).map_or(f32::NEG_INFINITY, |last| most.get(last).copied().unwrap_or(f32::INFINITY));
-    let candidates = all.into_iter().filter(|&(_, (least, _))| least <= most && least <= radius);
-    let exact = candidates.map(|(prim, _)| {
-        let corners = mesh.triangle(prim).map(|corner| corner.to_array());
-        (round_root_f32(&square_distance(corners, point.to_array()).expect("finite")), prim as u32)
-    });
-    // The radii of these tests are infinite, or distances to be: what rounds to them may be beyond.
-    let mut found: Vec<_> = exact.filter(|&(distance, _)| distance <= radius).collect();
-    found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    found.truncate(k);
-    found
 }
 
 fn all(nears: &[Near]) -> Vec<(f32, u32)> {

@@ -1,37 +1,15 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::check::{check_degenerate, check_triangle};
 use crate::geom::Aabb;
 
 fn kernel(ray: &Ray<DVec3>, aabb: &Aabb) -> Exact64 {
     Exact64::new(ray, &Region::of(aabb))
 }
 
-/// Everything that the kernel says against rational arithmetic.
 fn is_exact(triangle: Triangle<DVec3>, ray: &Ray<DVec3>) -> Result<bool, TestCaseError> {
-    let Triangle(corners) = triangle;
-    let [o, d] = [ray.origin(), ray.direction()].map(|v| v.to_array());
-    let point = match truth::meet(corners.map(|v| v.to_array()), o, d) {
-        Meeting::Hit(point) => Some(point),
-        _ => None,
-    };
-    let point = point.filter(|point| truth::holds([ray.tmin(), ray.tmax()], &point.t));
-    let t = point.as_ref().map(|point| truth::round_f64(&point.t));
-    let aabb = triangle.aabb();
-    // In a scene that is much greater, the bound for the scene is of no use, but right.
-    let scene = aabb.union(Aabb { lo: glam::Vec3::splat(-1e30), hi: glam::Vec3::splat(1e30) });
-    for exact in [kernel(ray, &aabb), kernel(ray, &scene)] {
-        let found = exact.distance(&triangle, f64::INFINITY);
-        prop_assert_eq!(found.map(f64::to_bits), t.map(f64::to_bits), "{:?} instead of {:?}", found, t);
-        prop_assert_eq!(exact.blocks(&triangle), t.is_some());
-        if let (Some(t), Some(point)) = (t, &point) {
-            prop_assert_eq!(exact.distance(&triangle, t), Some(t), "a limit of t itself is no reason to leave it out");
-            prop_assert!(exact.distance(&triangle, t.next_down()).is_none_or(|found| found == t));
-            let weights = [&point.u, &point.v].map(|x| truth::round_f64(x).to_bits());
-            prop_assert_eq!(exact.weights(&triangle).map(f64::to_bits), weights);
-        }
-    }
-    Ok(t.is_some())
+    check_triangle::<Exact64, _>(&triangle, ray).map_err(|fault| TestCaseError::fail(fault.to_string()))
 }
 
 /// The same at the ends of intervals that are the distance, and its neighbours.
@@ -113,10 +91,7 @@ proptest! {
             if !c.is_finite() {
                 continue;
             }
-            let is_met = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().any(|axis| {
-                truth::meet([a.to_array(), b.to_array(), c.to_array()], a.to_array(), axis.to_array()) != Meeting::Coplanar
-            });
-            prop_assert_eq!(Triangle([a, b, c]).is_degenerate(), !is_met);
+            check_degenerate(&Triangle([a, b, c])).map_err(|fault| TestCaseError::fail(fault.to_string()))?;
         }
     }
 }

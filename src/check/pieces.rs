@@ -2,68 +2,87 @@
 
 use std::convert::Infallible;
 
-use stackless_bvh::event::Recorder;
-use stackless_bvh::hash::{BuildError, KeyMap, KeySet, Options, PerfectHash, Sizing};
-use stackless_bvh::key::KeyWord;
-use stackless_bvh::order::{self, ByNode, NodeTest, Visitor};
-use stackless_bvh::traverse::{
+use crate::event::Recorder;
+use crate::hash::{BuildError, KeyMap, KeySet, Options, PerfectHash, Sizing};
+use crate::key::KeyWord;
+use crate::order::{self, ByNode, NodeTest, Visitor};
+use crate::traverse::{
     Afra, ByKey, Cuts, Disjoint, HashOnly, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine, LeftFirst,
     Method, PieceTable, Sparse, Split, Uncle, Unfit, traverse,
 };
-use stackless_bvh::tree::{Parents, Topology, Uncles};
+use crate::tree::{Parents, Topology, Uncles};
 
-/// All traversals whose state has words, but `complete`, which is Glassner's with another table.
-pub(crate) const METHODS: [Method; 20] = [
-    Method::LeftFirst,
-    Method::ImplicitA,
-    Method::ImplicitA1,
-    Method::ImplicitB,
-    Method::ImplicitB1,
-    Method::Sparse,
-    Method::SparseDisjoint,
-    Method::Laine0,
-    Method::Laine1,
-    Method::Laine2,
-    Method::Laine4,
-    Method::Laine8,
-    Method::Afra,
-    Method::AfraDisjoint,
-    Method::Uncle,
-    Method::UncleDisjoint,
-    Method::HashOnly,
-    Method::Hashed,
-    Method::HashedDisjoint,
-    Method::Glassner,
-];
-
-/// A cut tree with the tables of all traversals whose state has words.
-pub(crate) struct Pieces<'c, T> {
+/// A cut tree with the tables of all traversals whose state has words. `[DEPTH-4]`
+#[derive(Debug)]
+pub struct Pieces<'c, T> {
     cuts: &'c Cuts<'c, T>,
     parents: Parents,
     uncles: Uncles,
-    pub(crate) hashes: Vec<PieceTable<PerfectHash>>,
-    pub(crate) full_hashes: Vec<PieceTable<PerfectHash>>,
+    hashes: Vec<PieceTable<PerfectHash>>,
+    full_hashes: Vec<PieceTable<PerfectHash>>,
     /// In place of implicit layouts and of Glassner's table.
     maps: Vec<PieceTable<KeyMap>>,
 }
 
 impl<'c, T: Topology> Pieces<'c, T> {
-    pub(crate) fn new(tree: &T, cuts: &'c Cuts<'c, T>) -> Self {
+    /// All traversals whose state has words, but `complete`, which is Glassner's with another table.
+    pub const METHODS: [Method; 20] = [
+        Method::LeftFirst,
+        Method::ImplicitA,
+        Method::ImplicitA1,
+        Method::ImplicitB,
+        Method::ImplicitB1,
+        Method::Sparse,
+        Method::SparseDisjoint,
+        Method::Laine0,
+        Method::Laine1,
+        Method::Laine2,
+        Method::Laine4,
+        Method::Laine8,
+        Method::Afra,
+        Method::AfraDisjoint,
+        Method::Uncle,
+        Method::UncleDisjoint,
+        Method::HashOnly,
+        Method::Hashed,
+        Method::HashedDisjoint,
+        Method::Glassner,
+    ];
+
+    /// Makes the tables.
+    ///
+    /// # Errors
+    /// Those of the perfect hashes.
+    pub fn new(tree: &T, cuts: &'c Cuts<'c, T>) -> Result<Self, BuildError> {
         let hashes = |key_set| {
             let options = Options { key_set, sizing: Sizing::Tight };
-            cuts.tables(|tree| PerfectHash::build(tree, options)).unwrap_or_else(|error: BuildError| panic!("{error}"))
+            cuts.tables(|tree| PerfectHash::build(tree, options))
         };
-        Self {
+        Ok(Self {
             cuts,
             parents: Parents::of(tree),
             uncles: <Uncles>::of(tree),
-            hashes: hashes(KeySet::Exact(<Uncles>::REACH)),
-            full_hashes: hashes(KeySet::All),
+            hashes: hashes(KeySet::Exact(<Uncles>::REACH))?,
+            full_hashes: hashes(KeySet::All)?,
             maps: cuts.tables(|tree| Ok::<_, Infallible>(KeyMap::of(tree))).unwrap_or_else(|error| match error {}),
-        }
+        })
     }
 
-    pub(crate) fn run<W: KeyWord>(
+    /// By piece: the keys that `hashed` looks up.
+    pub fn hashes(&self) -> &[PieceTable<PerfectHash>] {
+        &self.hashes
+    }
+
+    /// By piece: all keys.
+    pub fn full_hashes(&self) -> &[PieceTable<PerfectHash>] {
+        &self.full_hashes
+    }
+
+    /// Runs one search.
+    ///
+    /// # Errors
+    /// [`Unfit`], before the first step.
+    pub fn run<W: KeyWord>(
         &self,
         method: Method,
         search: &mut (impl Visitor + NodeTest),

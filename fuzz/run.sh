@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# Fuzzing, by recipe: `fuzz/run.sh COMMAND`. Needs nightly, and `cargo install cargo-fuzz`.
+#
+#   smoke [SECONDS]         every target for 10 s (or so many), two at a time: what CI runs
+#   rates [SECONDS]         the same, one at a time, with a table of executions per second
+#   long TARGET SECONDS     two processes that share a corpus, and go on after a finding
+#   minimise TARGET [FILE]  with a file: the smallest input that fails the same way; else the fewest inputs that cover as much
+#   coverage                lines of the core that seeds, regressions and corpora reach; needs llvm-22
+#   seeds                   writes the seeds anew
+#
+# Without a sanitizer, as nothing of the library is unsafe; SANITIZER=address asks for one, for the unsafe code of dependencies.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+sanitizer=${SANITIZER:-none}
+triple=$(rustc -vV | sed -n 's/^host: //p')
+binaries=${CARGO_TARGET_DIR:-target}/$triple/release
+# One thread is enough for inputs so small.
+export RAYON_NUM_THREADS=1
+
+targets() {
+    sed -n 's/^name = "\([a-z_]*\)"$/\1/p' Cargo.toml
+}
+
+build() {
+    cargo +nightly fuzz build --sanitizer "$sanitizer" "$@"
+}
+
+# Inputs are cut in the target, so longer ones are of no use.
+fuzz() {
+    local target=$1 seconds=$2
+    shift 2
+    mkdir -p "corpus/$target" "artifacts/$target" "regressions/$target"
+    local dictionary=()
+    [[ ! -e dictionaries/$target ]] || dictionary=("-dict=dictionaries/$target")
+    "$binaries/$target" "-max_total_time=$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=4096 \
+        "-artifact_prefix=artifacts/$target/" -print_final_stats=1 "${dictionary[@]}" "$@" \
+        "corpus/$target" "seeds/$target" "regressions/$target" > "artifacts/$target.log" 2>&1 || {
+        echo "$target: failed"
+        grep -a -A 20 -m 1 -e 'panicked at' -e 'ERROR:' "artifacts/$target.log" | cut -c 1-2000
+        return 1
+    }
+    local executions
+    executions=$(sed -n 's/^stat::average_exec_per_sec: *//p' "artifacts/$target.log" | tail -n 1)
+    echo "$target: clean for $seconds s, ${executions:-?} executions/s"
+}
+
+each() {
+    export binaries
+    export -f fuzz
+    targets | xargs -P "$1" -I{} bash -c 'set -euo pipefail; fuzz {} '"$2"
+}
+
+case ${1:-} in
+    smoke)
+        build
+        each 2 "${2:-10}"
+        ;;
+    rates)
+        build
+        each 1 "${2:-60}"
+        ;;
+    long)
+        build "$2"
+        fuzz "$2" "$3" -fork=2 -ignore_crashes=1
+        # Those of a fork are kept, and the run goes on: a finding is a failure all the same.
+        [[ -z $(find "artifacts/$2" -type f) ]]
+        ;;
+    minimise)
+        if [[ -n ${3:-} ]]; then
+            cargo +nightly fuzz tmin --sanitizer "$sanitizer" "$2" "$3"
+        else
+            cargo +nightly fuzz cmin --sanitizer "$sanitizer" "$2"
+        fi
+        ;;
+    coverage)
+        llvm=${LLVM:-/usr/lib/llvm-22/bin}
+        folder=${CARGO_TARGET_DIR:-target}/coverage
+        rm -rf "$folder"/*.profraw
+        export RUSTFLAGS="-C instrument-coverage" CARGO_TARGET_DIR=$folder
+        LLVM_PROFILE_FILE=/dev/null cargo +nightly build --example replay
+        LLVM_PROFILE_FILE=$folder/%p.profraw "$folder/debug/examples/replay" seeds regressions corpus
+        "$llvm/llvm-profdata" merge -sparse "$folder"/*.profraw -o "$folder/all.profdata"
+        # What is compiled only for tests is not here; the rest of the core counts, whoever calls it.
+        files=$(cd .. && find src/{key,tree,hash,traverse} src/{trail,swap,order,event,oracle}.rs -name '*.rs' \
+            ! -name 'tests.rs' ! -path '*/tests/*' | sort)
+        "$llvm/llvm-cov" export --format=lcov --instr-profile="$folder/all.profdata" \
+            "$folder/debug/examples/replay" > "$folder/all.lcov"
+        awk -v files="$files" '
+            BEGIN { n = split(files, list, "\n"); for (i = 1; i <= n; i++) wanted[list[i]] = 1 }
+            /^SF:/ { file = substr($0, 4); sub(/^.*\/src\//, "src/", file); on = file in wanted }
+            on && /^DA:/ { split(substr($0, 4), a, ","); key = file ":" a[1]
+                if (!(key in seen)) { seen[key] = 0; lines[file]++; all++ }
+                if (a[2] > 0 && !seen[key]) { seen[key] = 1; hit[file]++; hits++ } }
+            END { for (i = 1; i <= n; i++) if (lines[list[i]]) { f = list[i]
+                      printf "%6.2f %%  %4d of %4d  %s\n", 100 * hit[f] / lines[f], hit[f], lines[f], f }
+                  printf "%6.2f %%  %4d of %4d  in all\n", 100 * hits / all, hits, all }' "$folder/all.lcov"
+        ;;
+    seeds)
+        cargo +nightly run --example seeds -- seeds
+        ;;
+    *)
+        sed -n 's/^# \{0,1\}//; 2,11p' "${BASH_SOURCE[0]##*/}" >&2
+        exit 2
+        ;;
+esac

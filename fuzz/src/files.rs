@@ -1,0 +1,60 @@
+//! Targets of the readers of text.
+
+use stackless_bvh::check::{Case, Replay, check_mesh_file, check_ray_file};
+use stackless_bvh::generate::Bytes;
+use stackless_bvh::scene::{read_obj, read_ply};
+use stackless_bvh::traverse::Method;
+
+use super::draw::patched;
+use super::{right, said, traversals};
+
+/// A PLY file.
+pub(crate) fn ply(bytes: &[u8]) {
+    right(check_mesh_file(bytes, read_ply), bytes.escape_ascii());
+}
+
+/// An OBJ file.
+pub(crate) fn obj(bytes: &[u8]) {
+    right(check_mesh_file(bytes, read_obj), bytes.escape_ascii());
+}
+
+/// A file of rays.
+pub(crate) fn rays(bytes: &[u8]) {
+    right(check_ray_file(bytes), bytes.escape_ascii());
+}
+
+/// A case as JSON: any text, or that of a case, changed. What is accepted is a case like any other, and comes back.
+pub(crate) fn replay(bytes: &[u8]) {
+    let text = if bytes.first() == Some(&b'{') {
+        bytes.to_vec()
+    } else {
+        let mut source = Bytes::new(bytes);
+        let case = Case::draw(&mut source, 6);
+        patched(&mut source, text(&case).into_bytes())
+    };
+    let Ok(replay) = serde_json::from_slice::<Replay>(&text) else { return };
+    let case = match (replay.case(), replay.methods(), replay.words()) {
+        (Ok(case), Ok(_), Ok(_)) => case,
+        (case, methods, words) => {
+            return case.err().into_iter().chain(methods.err()).chain(words.err()).for_each(said);
+        }
+    };
+    let back = serde_json::from_str::<Replay>(&self::text(&case)).map(|replay| replay.case());
+    assert!(matches!(&back, Ok(Ok(back)) if *back == case), "{back:?} instead of {case:?}");
+    if case.size() <= 64 {
+        traversals::check(&case, &Method::ALL);
+    }
+}
+
+fn text(case: &Case) -> String {
+    let replay = Replay {
+        children: case.tree.to_children(),
+        cells: case.tape.cells().to_vec(),
+        any: case.any,
+        octant: case.octant,
+        methods: Vec::new(),
+        word: None,
+        fault: None,
+    };
+    right(serde_json::to_string(&replay), "JSON")
+}

@@ -1,0 +1,179 @@
+//! Targets of hierarchies: builders, refit, files, instances.
+
+use glam::DVec3;
+use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, BvhFileError, SahOptions, SpatialOptions};
+use stackless_bvh::check::{Flat, Hierarchies, Shape, check_held, check_instances, check_tree};
+use stackless_bvh::generate::{Bytes, Source};
+use stackless_bvh::geom::kernel::{Exact, Exact64};
+use stackless_bvh::geom::slabs::{Directed, Wide};
+use stackless_bvh::geom::{Affine, Triangle};
+use stackless_bvh::scene::Mesh;
+use stackless_bvh::trace::{InstanceError, InstanceTracer};
+use stackless_bvh::traverse::Method;
+use stackless_bvh::tree::{Recorded, Topology};
+
+use super::draw::{Draw, patched};
+use super::right;
+
+/// Every builder on a small mesh of wild numbers: sound, and right about rays. `[DET-1]`
+pub(crate) fn builders(bytes: &[u8]) {
+    let mut draw = Draw::new(bytes);
+    let options = options(&mut draw);
+    if draw.below(4) == 1 {
+        return builders_64(&mut draw, options);
+    }
+    let Some(mesh) = draw.mesh(12) else { return };
+    let rays = draw.rays(&mesh, 4);
+    for builder in Builder::ALL {
+        let options = BuildOptions { builder, ..options };
+        if let Some(bvh) = built(Bvh::build(&mesh, &options, &|_| ()), options) {
+            right(
+                check_tree::<Exact, Directed, _>(&bvh, &mesh, &rays),
+                format_args!("{options:?}\n{mesh:?}\n{rays:?}"),
+            );
+        }
+    }
+}
+
+fn builders_64(draw: &mut Draw<'_>, options: BuildOptions) {
+    let triangles = draw.triangles(6);
+    let count = triangles.iter().flatten().max().map_or(1, |&last| last + 1);
+    let vertices: Vec<DVec3> = (0..count).map(|_| draw.point_64()).collect();
+    let Ok(mesh) = Mesh::new(vertices, triangles) else { return };
+    let rays: Vec<_> = (0..3).filter_map(|i| draw.ray_64(mesh.triangle(i % mesh.triangles().len()))).collect();
+    for builder in Builder::ALL {
+        let options = BuildOptions { builder, ..options };
+        if let Some(bvh) = built(Bvh::build(&mesh, &options, &|_| ()), options) {
+            right(check_tree::<Exact64, Wide, _>(&bvh, &mesh, &rays), format_args!("{options:?}\n{mesh:?}\n{rays:?}"));
+        }
+    }
+}
+
+/// A hierarchy that takes on other vertices.
+pub(crate) fn refit(bytes: &[u8]) {
+    let mut draw = Draw::new(bytes);
+    let options = BuildOptions { builder: draw.one_of(Builder::ALL), ..options(&mut draw) };
+    let Some(mesh) = draw.mesh(8) else { return };
+    let Ok(moved) = Mesh::new(draw.vertices(mesh.triangles()), mesh.triangles().to_vec()) else { return };
+    let rays = draw.rays(&moved, 4);
+    let Some(mut bvh) = built(Bvh::build(&mesh, &options, &|_| ()), options) else { return };
+    let before = format!("{bvh:?}");
+    if bvh.refit(&moved).is_ok() {
+        right(check_tree::<Exact, Directed, _>(&bvh, &moved, &rays), format_args!("{mesh:?}\n{moved:?}\n{rays:?}"));
+    } else {
+        assert_eq!(format!("{bvh:?}"), before, "a refusal changes nothing");
+    }
+}
+
+/// Bytes that may be a hierarchy: those of one, changed, and any; mostly with a right checksum. `[FILE-5]`
+pub(crate) fn bvh_bytes(bytes: &[u8]) {
+    let (head, rest) = bytes.split_at(bytes.len().min(160));
+    let mut draw = Draw::new(head);
+    let kind = draw.below(4);
+    let options = BuildOptions { builder: draw.one_of(Builder::ALL), ..options(&mut draw) };
+    let recorded = draw.one_of([Recorded::Uncles, Recorded::ParentSibling, Recorded::Nothing]);
+    let Some(mesh) = draw.mesh(6) else { return };
+    let rays = draw.rays(&mesh, 3);
+    let file = match Bvh::build(&mesh, &options, &|_| ()) {
+        Ok(bvh) if kind < 3 => patched(&mut Bytes::new(rest), bvh.with_links(recorded).to_bytes()),
+        _ => rest.to_vec(),
+    };
+    let file = if kind == 2 { file } else { sealed(file) };
+    if let Ok(bvh) = Bvh::<Triangle>::from_bytes(&file) {
+        assert!(bvh.to_bytes() == file, "another file than was read: {file:?}");
+        right(check_held::<Exact, Directed, _>(&bvh, &rays), format_args!("{file:?}\n{rays:?}"));
+    }
+    // No file is one of both kinds of numbers.
+    if let Ok(bvh) = Bvh::<Triangle<DVec3>>::from_bytes(&file) {
+        assert!(bvh.to_bytes() == file, "another file than was read: {file:?}");
+    }
+}
+
+/// Placed objects in groups, against all triangles moved one by one. `[INST-1]` `[INST-6]`
+pub(crate) fn instances(bytes: &[u8]) {
+    let mut draw = Draw::new(bytes);
+    let (groups, meshes, levels) = (draw.below(27), draw.below(27), 1 + draw.below(2));
+    let options = options(&mut draw);
+    let mut shapes: Vec<_> = (0..=draw.below(2)).filter_map(|_| draw.mesh(3)).map(Shape::Mesh).collect();
+    if shapes.is_empty() {
+        return;
+    }
+    for _ in 0..levels {
+        let count = shapes.len() as u64;
+        let group = (0..=draw.below(3)).map(|_| (draw.below(count) as usize, affine(&mut draw)));
+        let group = group.collect();
+        shapes.push(Shape::Group(group));
+    }
+    let Ok(hierarchies) = Hierarchies::new(&shapes, options) else { return };
+    // Images beyond single precision are refused.
+    let Ok((assembly, objects)) = hierarchies.assembly(&shapes) else { return };
+    let Some(&root) = objects.last() else { return };
+    let [groups, meshes] = [groups, meshes].map(|i| Method::ALL[i as usize]);
+    let tracer = match InstanceTracer::with_methods(&assembly, root, groups, meshes) {
+        Ok(tracer) => tracer,
+        Err(InstanceError::Unfit { .. }) => return,
+        Err(error) => panic!("{error}"),
+    };
+    let flat = Flat::new(&shapes);
+    let aims: Vec<_> = flat.corners().copied().filter(|corners| corners.iter().all(|v| v.is_finite())).collect();
+    for _ in 0..3 {
+        if let Some(ray) = draw.ray(&aims) {
+            right(check_instances(&tracer, &flat, &ray), format_args!("{groups} {meshes} {shapes:?} {ray:?}"));
+        }
+    }
+}
+
+/// A map of an axis onto an axis, or any; the identity where the numbers have no inverse.
+fn affine(draw: &mut Draw<'_>) -> Affine {
+    let rows = if draw.coin() {
+        [(); 3].map(|()| [(); 4].map(|()| draw.float()))
+    } else {
+        let (first, mirror) = (draw.below(3) as usize, draw.coin());
+        let mut rows = [[0.0; 4]; 3];
+        for (axis, row) in rows.iter_mut().enumerate() {
+            row[(first + if mirror { 3 - axis } else { axis }) % 3] = draw.one_of([1.0, -1.0, 2.0, 0.5, 0.1]);
+            row[3] = draw.float();
+        }
+        rows
+    };
+    Affine::new(rows).unwrap_or(Affine::IDENTITY)
+}
+
+fn options(draw: &mut Draw<'_>) -> BuildOptions {
+    let bins = draw.one_of([16, 2, 3, 32, 256, 1, 0, u32::MAX]);
+    let max_leaf = draw.one_of([4, 1, 2, 3, 8, 100, 0, u32::MAX]);
+    let depth_limit = draw.one_of([u32::MAX, 60, 31, 4, 3, 2, 1, 0]);
+    let extra_percent = draw.one_of([0, 30, 100, 300]);
+    let overlap = draw.one_of([0.0, 1e-5, 0.5, 1.0]);
+    BuildOptions {
+        builder: Builder::Sah,
+        sah: SahOptions { bins, max_leaf, depth_limit },
+        spatial: SpatialOptions { extra_percent, overlap },
+        reinsertion: draw.below(3) as u32,
+    }
+}
+
+/// A tree, or nothing where the options forbid one.
+fn built<S>(result: Result<Bvh<S>, BuildError>, options: BuildOptions) -> Option<Bvh<S>> {
+    let SahOptions { bins, max_leaf, depth_limit } = options.sah;
+    match result {
+        Ok(bvh) => {
+            assert!(bvh.depth() <= depth_limit, "deeper than {depth_limit}: {options:?}");
+            Some(bvh)
+        }
+        Err(BuildError::ZeroLeafSize) if max_leaf == 0 => None,
+        Err(BuildError::Bins(_)) if !(2..=SahOptions::MAX_BINS).contains(&bins) => None,
+        Err(BuildError::DepthLimit { .. }) if depth_limit < 8 => None,
+        Err(error) => panic!("{error}: {options:?}"),
+    }
+}
+
+/// The file with the checksum that it should have: what a reader finds behind it is what is to be tested.
+fn sealed(mut file: Vec<u8>) -> Vec<u8> {
+    if let (Err(BvhFileError::Checksum { found, .. }), Some(sum)) =
+        (Bvh::<Triangle>::from_bytes(&file), file.last_chunk_mut())
+    {
+        *sum = found.to_le_bytes();
+    }
+    file
+}

@@ -1,0 +1,73 @@
+//! What each fuzz target does with its bytes: a few lines that turn them into the input of a property body of the library
+//! ([`stackless_bvh::check`]), and stop if it finds a fault.
+//!
+//! This is all plain Rust. The targets of libFuzzer, the seeds, the coverage and `tests/regressions.rs` all run these
+//! functions.
+
+mod draw;
+mod files;
+mod geometry;
+mod hierarchies;
+mod keys;
+mod traversals;
+
+use std::fmt::Display;
+
+/// A fuzz target: its name, what it does, and the greatest length of its input in bytes.
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
+    /// Name of the binary, of its folder of seeds, and of those of its findings.
+    pub name: &'static str,
+    /// Panics if there is a fault.
+    pub run: fn(&[u8]),
+    /// What the input is cut to: more would take longer and find nothing else.
+    pub longest: usize,
+}
+
+/// All targets.
+pub const TARGETS: [Target; 19] = [
+    target("keys", keys::keys, 128),
+    target("traversals", traversals::traversals, 512),
+    target("deep", traversals::deep, 512),
+    target("pieces", traversals::pieces, 512),
+    target("pauses", traversals::pauses, 96),
+    target("states", traversals::states, 256),
+    target("hash", traversals::hash, 256),
+    target("hash_bytes", traversals::hash_bytes, 512),
+    target("triangle", geometry::triangle, 160),
+    target("slabs", geometry::slabs, 160),
+    target("nearest", geometry::nearest, 512),
+    target("builders", hierarchies::builders, 512),
+    target("refit", hierarchies::refit, 512),
+    target("bvh_bytes", hierarchies::bvh_bytes, 4096),
+    target("instances", hierarchies::instances, 512),
+    target("ply", files::ply, 4096),
+    target("obj", files::obj, 4096),
+    target("rays", files::rays, 2048),
+    target("replay", files::replay, 4096),
+];
+
+const fn target(name: &'static str, run: fn(&[u8]), longest: usize) -> Target {
+    Target { name, run, longest }
+}
+
+/// Runs the target of this name, as all its users do.
+///
+/// # Panics
+/// If there is no such target, or a fault.
+pub fn run(name: &str, bytes: &[u8]) {
+    let target = TARGETS.iter().find(|target| target.name == name);
+    let Target { run, longest, .. } = target.unwrap_or_else(|| panic!("no target has the name {name:?}"));
+    run(&bytes[..bytes.len().min(*longest)]);
+}
+
+/// The value, or the fault with what it is about.
+fn right<T, E: Display>(result: Result<T, E>, about: impl Display) -> T {
+    result.unwrap_or_else(|fault| panic!("{fault}\n{about}"))
+}
+
+/// That a refusal says why, in one line.
+fn said(refusal: impl Display) {
+    let message = refusal.to_string();
+    assert!(!message.is_empty() && !message.contains(['\n', '\r']), "not a message of one line: {message:?}");
+}
