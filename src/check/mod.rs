@@ -4,6 +4,7 @@
 //! in any word, comparing at every visit ([`Fault`] lists what can differ). Tests, the command line, fuzzing and
 //! benchmarks all drive this one body. [`shrink()`] makes a failing case small, and a [`Replay`] file keeps it.
 
+pub mod adversary;
 mod battery;
 mod boxes;
 mod case;
