@@ -43,7 +43,8 @@ fn there_is_one_file_for_each_goal() {
     let mut names: Vec<_> =
         fs::read_dir(folder.parent().unwrap()).unwrap().map(|entry| entry.unwrap().path()).collect();
     let mut expected: Vec<_> = GOALS.iter().map(file).collect();
-    (names.sort(), expected.sort());
+    names.sort();
+    expected.sort();
     assert_eq!(names, expected);
 }
 
@@ -82,16 +83,15 @@ fn what_is_found_stays_within_its_limits() {
     }
 }
 
-/// Each node is left once, so that no more edges are climbed than were descended.
+/// Each edge is climbed at most once, after it was descended; Hapala's automaton looks two parents up for each far child. The
+/// counter and the trail climb alike.
 #[test]
-fn a_climb_has_a_bound_that_is_nearly_met() {
-    let worst = |name| {
-        let goal = goal(name);
-        goal.cost(&found(goal).0).unwrap()
-    };
-    for (name, most) in [("climb-afra", 1.0), ("climb-sparse", 1.0), ("climb-hapala", 2.0)] {
-        let ratio = worst(name).ratio();
-        assert!(0.9 * most < ratio && ratio < most, "{name}: {ratio}");
+fn climbs_have_a_bound_that_is_nearly_met() {
+    for name in ["climb-afra", "climb-sparse", "climb-hapala"] {
+        let (subject, _) = found(goal(name));
+        let ratio = goal(name).cost(&subject).unwrap().ratio();
+        assert!(0.9 < ratio && ratio < 1.0, "{name}: {ratio}");
+        assert_eq!(goal("climb-sparse").cost(&subject), goal("climb-afra").cost(&subject), "{name}");
     }
 }
 

@@ -21,7 +21,7 @@ pub const GOALS: &[Goal] = &[
     tree("register-misses", "backtracks that the register does not serve, per visit", trees::register_misses),
     tree("table-hashed", "bytes of the hash table of hashed, per node", trees::table_hashed),
     tree("table-hash-only", "bytes of the hash table of all keys, per node", trees::table_hash_only),
-    tree("reseeds-tight", "seeds tried for the table of hashed", trees::reseeds_tight),
+    tree("cells-hashed", "cells of the hash table of hashed, out of as few as it begins with", trees::cells),
     tree("reseeds-printed", "seeds tried for all keys in the printed size", trees::reseeds_printed),
     scene("fallbacks", "triangles that bounds for the scene leave open, per ray", kernels::fallbacks),
     scene("sums", "triangles that take exact sums, per ray", kernels::sums),

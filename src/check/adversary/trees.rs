@@ -69,9 +69,11 @@ pub(super) fn table_hash_only(case: &Case) -> Option<Cost> {
     Cost::new(hash.header().bytes() as u64, case.size() as u64)
 }
 
-/// Seeds that are tried for the table of `hashed`.
-pub(super) fn reseeds_tight(case: &Case) -> Option<Cost> {
-    Cost::new(table(case, REACHED, Sizing::Tight)?.header().reseeds.into(), 1)
+/// Cells of the table of `hashed`, out of as few as it begins with: it grows where two keys are equal modulo D and H.
+pub(super) fn cells(case: &Case) -> Option<Cost> {
+    let hash = table(case, REACHED, Sizing::Tight)?;
+    let shared = hash.header().keys - hash.header().direct;
+    Cost::new(hash.header().cells.get().into(), (2 * shared + 1).into())
 }
 
 /// Seeds that are tried for a table of all keys in the printed size.
