@@ -8,7 +8,7 @@ use super::{Cost, below};
 use crate::check::{Case, Replay, ReplayError};
 use crate::event::{Recorder, State};
 use crate::generate::{Family, Kind, Rng, Search, Source as _, Tape};
-use crate::hash::{KeySet, Options, PerfectHash, Sizing, Verified};
+use crate::hash::{BuildError, KeySet, Options, PerfectHash, Sizing, Verified};
 use crate::order::{ByNode, Flow, SignOrder, Visitor};
 use crate::report::{Backtracks, Source};
 use crate::traverse::{Afra, Cursor, Hapala, Hashed, Laine, Sparse, traverse};
@@ -76,9 +76,14 @@ pub(super) fn cells(case: &Case) -> Option<Cost> {
     Cost::new(hash.header().cells.get().into(), (2 * shared + 1).into())
 }
 
-/// Seeds that are tried for a table of all keys in the printed size.
+/// Seeds that are tried for a table of all keys in the printed size; one more than there are, if none gives a table.
 pub(super) fn reseeds_printed(case: &Case) -> Option<Cost> {
-    Cost::new(table(case, KeySet::All, Sizing::Printed)?.header().reseeds.into(), 1)
+    let options = Options { key_set: KeySet::All, sizing: Sizing::Printed };
+    match PerfectHash::build(&case.tree, options) {
+        Ok(hash) => Cost::new(hash.header().reseeds.into(), 1),
+        Err(BuildError::NoSeed { seeds }) => Cost::new(u64::from(seeds) + 1, 1),
+        Err(_) => None,
+    }
 }
 
 /// A case of a random family.
