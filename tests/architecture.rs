@@ -27,7 +27,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     (
         "check",
         &[
-            "bvh", "event", "generate", "geom", "hash", "key", "oracle", "order", "scene", "trace", "trail",
+            "bvh", "event", "generate", "geom", "hash", "key", "oracle", "order", "report", "scene", "trace", "trail",
             "traverse", "tree",
         ],
     ),

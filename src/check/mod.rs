@@ -7,6 +7,7 @@
 //! Beside it are the bodies of what traversals rest on: [`Pauses`], [`check_table`], [`check_triangle`], [`check_slabs`],
 //! [`check_tree`], [`Flat`]. Each takes its inputs from whoever drives it.
 
+pub mod adversary;
 mod battery;
 mod boxes;
 mod case;

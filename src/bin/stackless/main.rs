@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 mod accuracy;
+mod adversary;
 mod bench;
 mod build;
 mod check;
@@ -37,6 +38,8 @@ enum What {
     Bench(bench::Args),
     /// Count the errors of each accuracy on hard scenes.
     Stress(stress::Args),
+    /// Search for the cases that cost most.
+    Adversary(adversary::Args),
     /// Measure run time against error, for every triangle test with every box test.
     Accuracy(accuracy::Args),
     /// Measure run time against proved error of another search: the closest point of a Bézier curve.
@@ -55,6 +58,7 @@ fn main() -> ExitCode {
         What::Trace(args) => trace::run(&args),
         What::Bench(args) => bench::run(&args),
         What::Stress(args) => stress::run(&args),
+        What::Adversary(args) => adversary::run(&args),
         What::Accuracy(args) => accuracy::run(&args),
         What::Curve(args) => curve::run(&args),
         What::Stats(args) => stats::run(&args),
