@@ -1,9 +1,12 @@
 //! The order of the modules, as the picture of the design has it: imports point from a later row of [`ALLOWED`] to
 //! earlier ones. And the habits that a script can see: short files, no `unsafe`, no panics on purpose.
 
+mod files;
+
 use std::collections::BTreeSet;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+use files::{files, read, root};
 
 /// What each module of the library imports of the others, all of it from rows above its own.
 const ALLOWED: &[(&str, &[&str])] = &[
@@ -44,31 +47,6 @@ const LONGEST: usize = 400;
 
 /// An import of another module of the library: who, and the path that follows `crate::`.
 type Import = (String, String);
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
-/// All source files, relative to the package, in order.
-fn sources() -> Vec<PathBuf> {
-    let (mut files, mut folders) = (Vec::new(), vec![root().join("src")]);
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "rs") {
-                files.push(path.strip_prefix(root()).unwrap().to_path_buf());
-            }
-        }
-    }
-    files.sort();
-    files
-}
-
-fn read(file: &Path) -> String {
-    fs::read_to_string(root().join(file)).unwrap()
-}
 
 fn is_test(file: &Path) -> bool {
     file.file_stem().is_some_and(|stem| stem == "tests")
@@ -132,7 +110,7 @@ fn imports(module: &[String], code: &str) -> BTreeSet<Import> {
 }
 
 fn all_imports() -> BTreeSet<Import> {
-    let library = sources().into_iter().filter(|file| !is_test(file) && !file.starts_with("src/bin"));
+    let library = files("src", "rs").into_iter().filter(|file| !is_test(file) && !file.starts_with("src/bin"));
     library.flat_map(|file| imports(&module(&file), &code(&read(&file)))).collect()
 }
 
@@ -191,7 +169,7 @@ fn a_backward_import_is_seen_in_every_form() {
 
 #[test]
 fn files_are_short() {
-    for file in sources() {
+    for file in files("src", "rs") {
         let lines = read(&file).lines().count();
         assert!(lines <= LONGEST, "{}: {lines} lines", file.display());
     }
@@ -224,7 +202,7 @@ fn nothing_panics_on_purpose() {
     assert_eq!(panics("a.unwrap();\nb.unwrap_or(1);\nc\n  .expect(\"c\")\npanic!()").count(), 3);
     assert_eq!(panics(&code("a(); // b.unwrap()\n#[cfg(test)]\nmod tests {\n    a.unwrap();\n}")).count(), 0);
     let (mut used, mut unknown) = (BTreeSet::new(), Vec::new());
-    for file in sources().into_iter().filter(|file| !is_test(file)) {
+    for file in files("src", "rs").into_iter().filter(|file| !is_test(file)) {
         for (line, text) in panics(&code(&read(&file))) {
             let known = PANICS.iter().position(|(known, what, _)| file == Path::new(known) && text.contains(what));
             match known {

@@ -1,7 +1,10 @@
 //! Every work that the source or a text names by author and year is in `spec/BIBLIOGRAPHY.toml`.
 
-use std::fs;
+mod files;
+
 use std::path::{Path, PathBuf};
+
+use files::{files, read};
 
 /// Surnames and the year of each work.
 fn works(text: &str) -> Vec<(Vec<String>, String)> {
@@ -41,27 +44,16 @@ fn named(text: &str) -> Vec<(String, String)> {
     pairs.filter_map(|pair| Some((pair[0].to_owned(), year(pair[1])?))).collect()
 }
 
-fn files(folder: &Path, into: &mut Vec<PathBuf>) {
-    for path in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
-        if path.is_dir() {
-            files(&path, into);
-        } else if path.extension().is_some_and(|extension| extension == "rs" || extension == "md") {
-            into.push(path);
-        }
-    }
-}
-
 #[test]
 fn whatever_is_named_is_listed() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let works = works(&fs::read_to_string(root.join("spec/BIBLIOGRAPHY.toml")).unwrap());
-    let mut paths = vec![root.join("README.md"), root.join("ARCHITECTURE.md"), root.join("benches/README.md")];
+    let works = works(&read(Path::new("spec/BIBLIOGRAPHY.toml")));
+    let mut paths = ["README.md", "ARCHITECTURE.md", "benches/README.md"].map(PathBuf::from).to_vec();
     for folder in ["src", "spec", "tests", "proofs"] {
-        files(&root.join(folder), &mut paths);
+        paths.extend(["rs", "md"].into_iter().flat_map(|ending| files(folder, ending)));
     }
     let mut found = 0;
     for path in paths.iter().filter(|path| !path.ends_with("tests/bibliography.rs")) {
-        for (name, year) in named(&fs::read_to_string(path).unwrap()) {
+        for (name, year) in named(&read(path)) {
             let is_listed = works.iter().any(|(names, of)| names.contains(&name) && *of == year);
             assert!(is_listed, "{}: {name} {year} is not in the bibliography", path.display());
             found += 1;

@@ -51,7 +51,7 @@ fn made_small(bug: &Planted, case: &Case) -> usize {
     let fault = bug.fault(&small).unwrap();
     // Words of 8 bits are too narrow only for trees that are deeper than 7 edges.
     let words_of_8_bits = ["AnyDepth", "Algorithm 2 of J", "Narrow"];
-    let most = if words_of_8_bits.iter().any(|name| bug.name().contains(name)) { 2 * 8 + 1 } else { 11 };
+    let most = if words_of_8_bits.iter().any(|name| bug.name().contains(name)) { 2 * 8 + 1 } else { 9 };
     assert!(small.size() <= most, "{bug:?}: {} nodes, {fault}", small.size());
 
     let folder = tempfile::tempdir().unwrap();

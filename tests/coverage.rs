@@ -2,10 +2,14 @@
 //!
 //! What covers what is in `spec/COVERAGE.txt`. To make it anew: `UPDATE=1 cargo test --test coverage`.
 
+mod files;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
+
+use files::{files, read, root};
 
 /// What a clause is, which says how it has to be covered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -152,30 +156,6 @@ fn judge(clauses: &[Clause], citations: &[Citation]) -> (Vec<String>, String) {
         }
     }
     (wrong, text)
-}
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
-/// The files below a folder with this ending, relative to the package, in order.
-fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
-    let (mut files, mut folders) = (Vec::new(), vec![root().join(folder)]);
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()) {
-            if entry.is_dir() {
-                folders.push(entry);
-            } else if entry.extension().is_some_and(|extension| extension == ending) {
-                files.push(entry.strip_prefix(root()).unwrap().to_path_buf());
-            }
-        }
-    }
-    files.sort();
-    files
-}
-
-fn read(file: &Path) -> String {
-    fs::read_to_string(root().join(file)).unwrap()
 }
 
 fn all_clauses() -> Vec<Clause> {

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use stackless_bvh::check::planted::{self, Planted};
-use stackless_bvh::check::{Battery, Case, Fault, Replay, Verdict, shrink};
+use stackless_bvh::check::{Battery, Case, Replay, Verdict, shrink};
 use stackless_bvh::generate::{Cell, Exhaustive, Family, Kind, Rng, Source, Tape, shape};
 use stackless_bvh::hash::{BuildError, KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::traverse::{Method, WordName};
@@ -52,11 +52,7 @@ const DEPARTURES: [Departure; 12] = [
 ];
 
 impl Departure {
-    /// How what is printed goes wrong.
-    fn fault(&self, case: &Case) -> Option<Fault> {
-        self.bug().fault(case)
-    }
-
+    /// What is printed.
     fn bug(&self) -> Planted {
         let bug = planted::all().into_iter().find(|bug| bug.name() == self.printed);
         bug.unwrap_or_else(|| panic!("{}: no bug is named {}", self.id, self.printed))
@@ -64,33 +60,34 @@ impl Departure {
 
     /// The first case that goes wrong, smaller ones first.
     fn smallest(&self) -> Case {
+        let bug = self.bug();
         let found = match self.among {
-            Among::Small(leaves) => (1..=leaves).find_map(|leaves| self.first(leaves)),
-            Among::Chains => chains().find(|case| self.fault(case).is_some()),
+            Among::Small(leaves) => (1..=leaves).find_map(|leaves| first(&bug, leaves)),
+            Among::Chains => chains().find(|case| bug.fault(case).is_some()),
             Among::Random(kind) => (0..2000)
                 .filter_map(|seed| {
                     let mut rng = Rng::new(seed);
                     let tree = Family::ALL[seed as usize % Family::ALL.len()].tree(&mut rng, 2 + seed as u32 % 12);
                     let case = Case { any: false, ..Case::with_tree(tree, kind, &mut rng) };
-                    let fails = |case: &Case| self.fault(case).is_some();
+                    let fails = |case: &Case| bug.fault(case).is_some();
                     fails(&case).then(|| shrink(case, fails))
                 })
                 .min_by_key(Case::size),
         };
         found.unwrap_or_else(|| panic!("{}: nothing goes wrong", self.id))
     }
+}
 
-    /// The first case of so many leaves that goes wrong.
-    fn first(&self, leaves: u32) -> Option<Case> {
-        let mut all = Exhaustive::new();
-        while all.next_case() {
-            let case = small(&mut all, leaves);
-            if self.fault(&case).is_some() {
-                return Some(case);
-            }
+/// The first case of so many leaves that goes wrong.
+fn first(bug: &Planted, leaves: u32) -> Option<Case> {
+    let mut all = Exhaustive::new();
+    while all.next_case() {
+        let case = small(&mut all, leaves);
+        if bug.fault(&case).is_some() {
+            return Some(case);
         }
-        None
     }
+    None
 }
 
 /// A tree with so many leaves, and any hits and preferences at the nodes that are reached.
@@ -143,17 +140,17 @@ fn file(id: &str) -> PathBuf {
 #[test]
 fn what_is_printed_goes_wrong_where_the_file_says() {
     for departure in DEPARTURES {
-        let id = departure.id;
+        let (id, bug) = (departure.id, departure.bug());
         if std::env::var_os("UPDATE").is_some() {
             let case = departure.smallest();
-            let fault = departure.fault(&case).expect("a fault");
+            let fault = bug.fault(&case).expect("a fault");
             let replay =
                 Replay { methods: Vec::new(), word: None, ..Replay::of(&case, Method::Stack, WordName::U64, &fault) };
             fs::write(file(id), serde_json::to_string_pretty(&replay).expect("text") + "\n").expect("a file");
         }
         let replay = Replay::load(&file(id)).unwrap_or_else(|error| panic!("{id}: {error}"));
         let case = replay.case().expect("a case");
-        let fault = departure.fault(&case).map(|fault| fault.to_string());
+        let fault = bug.fault(&case).map(|fault| fault.to_string());
         assert!(fault.is_some(), "{id}: what is printed is right");
         assert_eq!(fault, replay.fault, "{id}");
 
@@ -170,17 +167,18 @@ fn what_is_printed_goes_wrong_where_the_file_says() {
 #[test]
 fn no_smaller_case_does() {
     for departure in DEPARTURES {
+        let bug = departure.bug();
         let case = Replay::load(&file(departure.id)).expect("a replay").case().expect("a case");
         match departure.among {
             Among::Small(_) => {
                 let leaves = (case.size() as u32).div_ceil(2);
                 for fewer in (1..leaves).take_while(|&fewer| fewer <= 5) {
-                    assert_eq!(departure.first(fewer), None, "{}", departure.id);
+                    assert_eq!(first(&bug, fewer), None, "{}", departure.id);
                 }
             }
             Among::Chains => {
                 let mut shallower = chains().take_while(|chain| chain.size() < case.size());
-                assert!(shallower.all(|chain| departure.fault(&chain).is_none()), "{}", departure.id);
+                assert!(shallower.all(|chain| bug.fault(&chain).is_none()), "{}", departure.id);
             }
             Among::Random(_) => assert!(case.size() <= 9, "{}: {}", departure.id, case.size()),
         }

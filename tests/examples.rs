@@ -200,8 +200,9 @@ fn table() -> String {
     let sets = [("all", KeySet::All), ("HASH-3", KeySet::Exact(Reach::ALGORITHM_1))];
     for (name, key_set) in sets {
         let hash = PerfectHash::build(&script.tree, Options { key_set, ..printed() }).expect("a table");
+        let hashed = key_set.slots(&script.tree);
         let mut keys: Vec<_> = (0..script.tree.node_count() as u32)
-            .filter(|&slot| key_set.slots(&script.tree)[slot as usize])
+            .filter(|&slot| hashed[slot as usize])
             .map(|slot| script.key(script.tree.node(slot).unwrap()))
             .collect();
         keys.sort_unstable();

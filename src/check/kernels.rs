@@ -31,10 +31,8 @@ where
     V: Vector,
 {
     let corners = triangle.0.map(Vector::components);
-    let point = match truth::meet(corners, ray.origin().components(), ray.direction().components()) {
-        Meeting::Hit(point) if truth::holds([ray.tmin(), ray.tmax()], &point.t) => Some(point),
-        _ => None,
-    };
+    let meeting = truth::meet(corners, ray.origin().components(), ray.direction().components());
+    let point = meeting.within([ray.tmin(), ray.tmax()]);
     let t = point.as_ref().map(|point| V::Real::nearest(&point.t));
     let aabb = triangle.aabb();
     let scene = aabb.union(Aabb { lo: Vec3::splat(-1e30), hi: Vec3::splat(1e30) });

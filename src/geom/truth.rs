@@ -53,6 +53,16 @@ pub enum Meeting {
     Hit(Point),
 }
 
+impl Meeting {
+    /// Where the triangle is hit, if that is within an interval `[tmin, tmax]`, as [`holds`] has it.
+    pub fn within<S: Number>(self, interval: [S; 2]) -> Option<Point> {
+        match self {
+            Self::Hit(point) if holds(interval, &point.t) => Some(point),
+            _ => None,
+        }
+    }
+}
+
 /// Where a line crosses a triangle.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Point {

@@ -19,7 +19,7 @@ pub use assembly::{Assembly, AssemblyError, Instance, Object};
 use std::fmt;
 
 use crate::geom::kernel;
-use crate::geom::truth::{Meeting, Point, holds, round_f32};
+use crate::geom::truth::{Point, round_f32};
 use crate::geom::{Affine, EnclosedRay, Ray, Triangle, meet_image, slabs};
 use crate::trace::level::Level;
 use crate::trace::{Ask, OwnBoxes, Plan};
@@ -226,10 +226,8 @@ impl<'a> InstanceTracer<'a> {
 
     /// The hit by rational arithmetic.
     fn truth(&self, path: &[u32], triangle: &Triangle, ray: &Ray) -> Option<Point> {
-        match meet_image(triangle.0, self.maps(path).into_iter().rev(), ray.origin(), ray.direction()) {
-            Meeting::Hit(point) if holds([ray.tmin(), ray.tmax()], &point.t) => Some(point),
-            _ => None,
-        }
+        let meeting = meet_image(triangle.0, self.maps(path).into_iter().rev(), ray.origin(), ray.direction());
+        meeting.within([ray.tmin(), ray.tmax()])
     }
 
     /// The maps of the instances on a path, from the outermost on.

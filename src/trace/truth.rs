@@ -15,7 +15,7 @@ use std::ops::{Range, RangeInclusive};
 use glam::Vec3;
 
 use super::Hit;
-use crate::geom::truth::{Meeting, Number, Point, holds, meet};
+use crate::geom::truth::{Number, Point, meet};
 use crate::geom::{Ray, Vector};
 use crate::scene::Mesh;
 
@@ -133,12 +133,9 @@ impl<V: Vector> Truth<V> {
 
 /// The hit of one triangle, if the ray hits it.
 fn hit<V: Vector>(prim: u32, corners: Corners<V>, ray: &Ray<V>) -> Option<TrueHit<V::Real>> {
-    match meet(corners, ray.origin().components(), ray.direction().components()) {
-        Meeting::Hit(point) if holds([ray.tmin(), ray.tmax()], &point.t) => {
-            Some(TrueHit { prim, t: Number::nearest(&point.t), point })
-        }
-        _ => None,
-    }
+    let meeting = meet(corners, ray.origin().components(), ray.direction().components());
+    let point = meeting.within([ray.tmin(), ray.tmax()])?;
+    Some(TrueHit { prim, t: Number::nearest(&point.t), point })
 }
 
 fn order<R: Number>(a: &TrueHit<R>, b: &TrueHit<R>) -> Ordering {

@@ -5,7 +5,7 @@ use glam::Vec3;
 use super::Cost;
 use crate::bvh::Bvh;
 use crate::check::floats_between;
-use crate::geom::truth::{Meeting, holds, meet, round_f32};
+use crate::geom::truth::{meet, round_f32};
 use crate::geom::{Aabb, Kernel, Region, Triangle};
 use crate::scene::stress::Case;
 use crate::trace::{Counters, Tracer};
@@ -70,10 +70,7 @@ fn answers<K: Kernel<Vector = Vec3, Shape: From<Triangle>>>(
         triangles.clone().map(move |i| {
             let corners = case.mesh.triangle(i);
             let meeting = meet(corners.map(Vec3::into), ray.origin().into(), ray.direction().into());
-            let truth = match meeting {
-                Meeting::Hit(point) if holds([ray.tmin(), ray.tmax()], &point.t) => Some(round_f32(&point.t)),
-                _ => None,
-            };
+            let truth = meeting.within([ray.tmin(), ray.tmax()]).map(|point| round_f32(&point.t));
             (truth, kernel.distance(&Triangle(corners).into(), ray.tmax()))
         })
     })

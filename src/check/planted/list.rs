@@ -4,12 +4,12 @@ use super::asked::{Misasked, Misuse};
 use super::given::{Misled, Misrecorded, RightFirst, Short};
 use super::mutants::{Mutation, mutants};
 use super::printed::{Printed, Slip};
-use super::slips::{Barringer, BarringerPrinted, Binder, BinderPrinted, HapalaPrinted};
+use super::slips::{Barringer, BarringerPrinted, Binder, BinderPrinted};
 use super::textbook::{Bug, Textbook};
 use super::wanderer::Wanderer;
 use super::{Planted, drive};
-use crate::order::{ByNode, FixedOrder, LeftFirst, Side, SignOrder};
-use crate::traverse::{Hapala, Hashed, Skip, Skips, Test, Uncle};
+use crate::order::{ByNode, Descent, FixedOrder, LeftFirst, SignOrder};
+use crate::traverse::{Cursor, Hapala, Hashed, Skip, Skips, Test, Uncle};
 use crate::tree::{Parents, RecordedUncles, Topology, Uncles};
 
 /// All bugs.
@@ -153,9 +153,12 @@ fn found_beyond_end() -> Planted {
 fn root_untested() -> Planted {
     let run = Planted::case("hapala: the root untested", "HAPALA-1", |case, search, watcher| {
         let (tree, order) = (&case.tree, SignOrder { axes: case.tape.axes(), octant: case.octant });
-        let near = if tree.root().is_leaf() { Side::Left } else { order.first(tree.root()) };
         let parents = Parents::of(tree);
-        let hapala = HapalaPrinted::new(tree, Hapala::new(tree, &parents, order), near);
+        let mut hapala = Hapala::new(tree, &parents, order);
+        // The first visit is that of the root's near child.
+        if !tree.root().is_leaf() {
+            hapala.descend(Descent::both(order.first(tree.root())));
+        }
         drive(hapala, &mut ByNode { test: search, order }, watcher);
     });
     run.held_to(Test::NodeBySign)

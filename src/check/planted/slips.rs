@@ -1,7 +1,5 @@
 //! The printed algorithms over narrow words, with what is wrong or left open in them as one would read it.
 
-use std::collections::HashMap;
-
 use crate::event::State;
 use crate::generate::Tape;
 use crate::hash::{KeySet, Options, PerfectHash, Sizing};
@@ -28,7 +26,6 @@ pub(super) struct BinderPrinted<'t> {
     tape: &'t Tape,
     reading: Binder,
     bits: u32,
-    nodes: HashMap<u64, Node>,
     uncles: Uncles,
     /// None, if there is no table for the tree.
     table: Option<PerfectHash>,
@@ -38,18 +35,12 @@ pub(super) struct BinderPrinted<'t> {
     register: Option<Node>,
 }
 
-fn nodes_by_key(tree: &Tree) -> HashMap<u64, Node> {
-    let keys = Keys::of(tree);
-    let nodes = (0..tree.node_count() as u32).filter_map(|slot| tree.node(slot));
-    nodes.map(|node| (keys.key::<u64>(tree.slot(node)), node)).collect()
-}
-
 impl<'t> BinderPrinted<'t> {
     pub(super) fn new(tree: &'t Tree, tape: &'t Tape, reading: Binder, bits: u32) -> Self {
         let options = Options { key_set: KeySet::Exact(Reach::ALGORITHM_1), sizing: Sizing::PrintedHashed };
         let table = PerfectHash::build(tree, options).ok();
-        let (nodes, uncles, node) = (nodes_by_key(tree), Uncles::of(tree), tree.root());
-        Self { tree, tape, reading, bits, nodes, uncles, table, node, key: 1, trail: 0, register: None }
+        let (uncles, node) = (Uncles::of(tree), tree.root());
+        Self { tree, tape, reading, bits, uncles, table, node, key: 1, trail: 0, register: None }
     }
 
     fn cut(&self, word: u64) -> u64 {
@@ -68,7 +59,7 @@ impl<'t> BinderPrinted<'t> {
     }
 
     fn look_up(&self) -> Node {
-        let found = self.nodes.get(&self.key).copied().unwrap_or(self.tree.root());
+        let found = Keys::walk(self.tree, &self.key).unwrap_or(self.tree.root());
         if self.reading != Binder::DanglingElse {
             return found;
         }
@@ -146,7 +137,6 @@ pub(super) struct BarringerPrinted<'t> {
     tree: &'t Tree,
     tape: &'t Tape,
     reading: Barringer,
-    nodes: HashMap<u64, Node>,
     node: Node,
     level_start: u8,
     level_index: u8,
@@ -156,13 +146,12 @@ pub(super) struct BarringerPrinted<'t> {
 impl<'t> BarringerPrinted<'t> {
     pub(super) fn new(tree: &'t Tree, tape: &'t Tape, reading: Barringer) -> Self {
         let (level_start, level_index) = if reading == Barringer::Combined { (0, 1) } else { (1, 0) };
-        let nodes = nodes_by_key(tree);
-        Self { tree, tape, reading, nodes, node: tree.root(), level_start, level_index, swap_mask: 0 }
+        Self { tree, tape, reading, node: tree.root(), level_start, level_index, swap_mask: 0 }
     }
 
     fn load(&mut self) {
         let key = u64::from(self.level_start | (self.level_index ^ self.swap_mask));
-        self.node = self.nodes.get(&key).copied().unwrap_or(self.tree.root());
+        self.node = Keys::walk(self.tree, &key).unwrap_or(self.tree.root());
     }
 }
 
@@ -204,40 +193,5 @@ impl Cursor for BarringerPrinted<'_> {
             self.load();
         }
         !is_done
-    }
-}
-
-/// Hapala et al. 2011 from the root's near child, the root untested; then as a stack would.
-pub(super) struct HapalaPrinted<'t, C> {
-    inner: C,
-    root: Node,
-    tree: &'t Tree,
-}
-
-impl<'t, C: Cursor> HapalaPrinted<'t, C> {
-    pub(super) fn new(tree: &'t Tree, mut inner: C, near: Side) -> Self {
-        if !tree.root().is_leaf() {
-            inner.descend(Descent::both(near));
-        }
-        Self { inner, root: tree.root(), tree }
-    }
-}
-
-impl<C: State> State for HapalaPrinted<'_, C> {
-    type Word = C::Word;
-
-    fn node(&self) -> Node {
-        debug_assert!(self.inner.node() != self.root || self.tree.node_count() == 1);
-        self.inner.node()
-    }
-}
-
-impl<C: Cursor> Cursor for HapalaPrinted<'_, C> {
-    fn descend(&mut self, descent: Descent) -> bool {
-        self.inner.descend(descent)
-    }
-
-    fn backtrack(&mut self) -> bool {
-        self.inner.backtrack()
     }
 }

@@ -1,0 +1,28 @@
+//! The files of the package, for tests that read them.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+pub(crate) fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The files below a folder with this ending, relative to the package, in order.
+pub(crate) fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
+    let (mut files, mut folders) = (Vec::new(), vec![root().join(folder)]);
+    while let Some(folder) = folders.pop() {
+        for path in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == ending) {
+                files.push(path.strip_prefix(root()).unwrap().to_path_buf());
+            }
+        }
+    }
+    files.sort();
+    files
+}
+
+pub(crate) fn read(file: &Path) -> String {
+    fs::read_to_string(root().join(file)).unwrap()
+}
