@@ -19,6 +19,7 @@
 //! | [`geom`], [`bvh`], [`trace`], [`scene`] | rays, hierarchies, queries, files (feature `std`) |
 //! | [`curve`] | another search: the closest point of a Bézier curve (feature `std`) |
 //! | [`check`] | the comparison of traversals with the oracle (feature `std`) |
+//! | [`suite`] | the conformance suite for other implementations (feature `std`) |
 //! | [`report`] | statistics and pictures (feature `std`) |
 //!
 //! Everything above `geom` is `no_std` with `alloc` and knows no geometry.
@@ -79,6 +80,8 @@ pub mod geom;
 pub mod report;
 #[cfg(feature = "std")]
 pub mod scene;
+#[cfg(feature = "std")]
+pub mod suite;
 #[cfg(feature = "std")]
 pub mod trace;
 

@@ -35,6 +35,7 @@ pub use case::{Case, CaseOptions};
 pub use files::{FileFault, check_mesh_file, check_ray_file};
 pub use flat::{Flat, Hierarchies, InstanceFault, Shape, check_answer, check_instances};
 pub use kernels::{GeometryFault, check_degenerate, check_distance, check_slabs, check_triangle};
+pub(crate) use pauses::{GoOn, Start};
 pub use pauses::{PauseFault, Pauses, Way, check_pauses};
 pub use pieces::Pieces;
 pub use random::{Disagreement, Plan, Progress, boundary_cases, check_cases, check_random, merge};

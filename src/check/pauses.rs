@@ -350,13 +350,13 @@ impl Visitor for StopAtLeaf<'_, '_> {
 }
 
 /// Goes on.
-pub(super) struct GoOn<'a, 'c, W> {
-    pub(super) from: Start<W>,
-    pub(super) search: &'a mut Search<'c, Tree>,
-    pub(super) trace: &'a mut Trace,
+pub(crate) struct GoOn<'a, 'c, W> {
+    pub(crate) from: Start<W>,
+    pub(crate) search: &'a mut Search<'c, Tree>,
+    pub(crate) trace: &'a mut Trace,
 }
 
-pub(super) enum Start<W> {
+pub(crate) enum Start<W> {
     State(Paused<W>),
     Key(KeyOnly<W>),
 }

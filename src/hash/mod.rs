@@ -17,12 +17,16 @@ mod perfect;
 mod place;
 mod verified;
 
+#[cfg(feature = "std")]
+pub(crate) use address::{decode, encode, is_address};
 pub use build::{BuildError, Options};
 pub use bytes::{AddressBounds, TableError};
 pub use certify::{CertificateError, certify};
 pub(crate) use fold::{fold, for_each_folded_key};
 pub use keys::KeySet;
 pub use map::KeyMap;
+#[cfg(feature = "std")]
+pub(crate) use modulo::wrap;
 pub use modulo::{Constant, Modulo, Reciprocal, Remainder, TableSize};
 pub use perfect::{Header, Mix, PerfectHash, Sizing};
 pub use verified::Verified;

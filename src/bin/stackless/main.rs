@@ -7,12 +7,14 @@ mod adversary;
 mod bench;
 mod build;
 mod check;
+mod conform;
 mod curve;
 mod input;
 mod judge;
 mod output;
 mod stats;
 mod stress;
+mod suite;
 mod trace;
 mod turns;
 
@@ -38,6 +40,10 @@ enum What {
     Bench(bench::Args),
     /// Count the errors of each accuracy on hard scenes.
     Stress(stress::Args),
+    /// Ask another implementation the cases of the conformance suite.
+    Conform(conform::Args),
+    /// The conformance suite: as files, and as what this library answers.
+    Suite(suite::Args),
     /// Search for the cases that cost most.
     Adversary(adversary::Args),
     /// Measure run time against error, for every triangle test with every box test.
@@ -58,6 +64,8 @@ fn main() -> ExitCode {
         What::Trace(args) => trace::run(&args),
         What::Bench(args) => bench::run(&args),
         What::Stress(args) => stress::run(&args),
+        What::Conform(args) => conform::run(&args),
+        What::Suite(args) => suite::run(&args),
         What::Adversary(args) => adversary::run(&args),
         What::Accuracy(args) => accuracy::run(&args),
         What::Curve(args) => curve::run(&args),

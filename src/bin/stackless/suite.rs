@@ -1,0 +1,125 @@
+//! `stackless suite`: the conformance suite as files, and as what this library answers.
+
+use std::io::{BufReader, stdin, stdout};
+use std::path::{Path, PathBuf};
+
+use clap::Subcommand;
+use stackless_bvh::suite::{Feature, Level, Library, Suite, VERSION, serve};
+use stackless_bvh::traverse::{Method, WordName};
+
+use crate::Outcome;
+use crate::conform::{load, select};
+use crate::output::{grouped, say, table, write_file};
+
+/// The conformance suite: list it, write it as files, show a case, answer it.
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Subcommand)]
+enum What {
+    /// Say what there is: profiles and numbers of cases.
+    List(Chosen),
+    /// Write the cases as files, for those who want no runner.
+    Export {
+        #[command(flatten)]
+        chosen: Chosen,
+        /// The folder; `vectors/LEVEL/PROFILE.json`, `index.json` and `VERSION` are written there.
+        folder: PathBuf,
+    },
+    /// Print cases, one JSON object a line.
+    Show(Chosen),
+    /// Answer the cases as this library does: an implementation for `stackless conform`.
+    Serve {
+        /// The traversal; one for each profile if none is named.
+        #[arg(long, value_parser = method)]
+        method: Option<Method>,
+        /// The word of keys and trails.
+        #[arg(long, value_parser = word)]
+        word: Option<WordName>,
+    },
+}
+
+/// Which cases.
+#[derive(clap::Args)]
+struct Chosen {
+    /// The suite, as a folder like spec/suite; without it the program's own.
+    #[arg(long)]
+    suite: Option<PathBuf>,
+    /// Cases of this level only.
+    #[arg(long, value_parser = level)]
+    level: Option<Level>,
+    /// Cases with such ids only; `*` is any text, `?` any character.
+    #[arg(long)]
+    filter: Option<String>,
+    /// Cases that need no features but these; without it all.
+    #[arg(long, value_delimiter = ',', value_parser = feature)]
+    features: Option<Vec<Feature>>,
+}
+
+fn level(name: &str) -> Result<Level, String> {
+    name.parse().map_err(|_| format!("expected one of {}", Level::ALL.map(Level::name).join(", ")))
+}
+
+fn feature(name: &str) -> Result<Feature, String> {
+    name.parse().map_err(|_| format!("expected some of {}", Feature::ALL.map(Feature::name).join(", ")))
+}
+
+fn method(name: &str) -> Result<Method, String> {
+    name.parse().map_err(|_| format!("expected one of {}", Method::ALL.map(Method::name).join(", ")))
+}
+
+fn word(name: &str) -> Result<WordName, String> {
+    name.parse().map_err(|_| format!("expected one of {}", WordName::ALL.map(WordName::name).join(", ")))
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    match &args.what {
+        What::List(chosen) => list(&chosen.load()?),
+        What::Export { chosen, folder } => export(&chosen.load()?, folder)?,
+        What::Show(chosen) => {
+            for (_, case) in chosen.load()?.cases() {
+                say!("{}", serde_json::to_string(case)?);
+            }
+        }
+        What::Serve { method, word } => {
+            serve(&mut Library::new(*method, *word), BufReader::new(stdin()), stdout().lock())?;
+        }
+    }
+    Ok(true)
+}
+
+impl Chosen {
+    fn load(&self) -> Result<Suite, Box<dyn std::error::Error>> {
+        let mut suite = load(self.suite.as_deref())?;
+        if let Some(features) = &self.features {
+            for profile in &mut suite.profiles {
+                profile.cases.retain(|case| case.features.iter().all(|feature| features.contains(feature)));
+            }
+        }
+        Ok(select(suite, self.level, self.filter.as_deref())?)
+    }
+}
+
+fn list(suite: &Suite) {
+    let row = |profile: &stackless_bvh::suite::Profile| {
+        vec![profile.name(), grouped(profile.cases.len() as u64), grouped(profile.to_text().len() as u64)]
+    };
+    say!("{}", table(&["profile", "cases", "bytes"], 1, suite.profiles.iter().map(row).collect()));
+    say!("version {VERSION}, {} cases", grouped(suite.cases().count() as u64));
+}
+
+fn export(suite: &Suite, folder: &Path) -> Result<(), String> {
+    let files = suite.files();
+    for (path, text) in &files {
+        let path = folder.join(path);
+        if let Some(parent) = path.parent() {
+            std::fs::create_dir_all(parent).map_err(|error| format!("{}: {error}", parent.display()))?;
+        }
+        write_file(&path, |file| file.write_all(text.as_bytes()))?;
+    }
+    say!("{} cases in {} files", grouped(suite.cases().count() as u64), files.len());
+    Ok(())
+}

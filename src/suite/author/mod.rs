@@ -1,0 +1,97 @@
+//! The cases, and what has to be answered, from references that are as plain as can be.
+//!
+//! Nothing here calls what it makes cases about: words are lists of bits ([`bits`]), traversals a recursion that keeps its
+//! postponed nodes in a list ([`reference`]), rays rational arithmetic. Trees and tapes come from `generate`. `[CONF-4]`
+
+mod bits;
+mod hash;
+mod key;
+mod ray;
+mod reference;
+mod resume;
+mod trace;
+mod trees;
+
+use std::collections::HashSet;
+
+use serde_json::{Map, Value};
+
+pub(super) use hash::{keys_of, mixed};
+pub(super) use ray::hit;
+pub(super) use trees::depth_of;
+
+use super::{Ask, Case, Expect, Feature, Level, Profile, Strength, Suite, VERSION};
+
+/// The whole suite: the same on every machine.
+pub fn suite() -> Suite {
+    let levels = [key::profiles(), hash::profiles(), trace::profiles(), resume::profiles(), ray::profiles()];
+    Suite { profiles: levels.into_iter().flatten().collect() }
+}
+
+/// `level/profile` of all files.
+pub(super) fn names() -> Vec<String> {
+    let all = |(level, profiles): &(Level, &[&str])| -> Vec<String> {
+        profiles.iter().map(|profile| format!("{level}/{profile}")).collect()
+    };
+    PROFILES.iter().flat_map(all).collect()
+}
+
+/// Every profile that there is.
+pub(super) const PROFILES: [(Level, &[&str]); 5] = [
+    (Level::Key, &["u32", "u64", "u128", "wide"]),
+    (Level::Hash, &["function", "address", "keys", "lookup", "build"]),
+    (Level::Trace, &["script", "complete", "tape", "node-left", "node-sign", "disjoint", "distance", "invalid"]),
+    (Level::Resume, &["state", "disjoint", "key-only", "invalid"]),
+    (Level::Ray, &["grid", "exact", "invalid"]),
+];
+
+/// Collects the cases of a profile.
+struct Author(Profile);
+
+impl Author {
+    fn new(level: Level, profile: &str) -> Self {
+        Self(Profile { suite: VERSION.to_owned(), level, profile: profile.to_owned(), cases: Vec::new() })
+    }
+
+    fn case(&mut self, name: &str, clauses: &[&str], why: &str, ask: &Ask, expect: Expect) -> &mut Case {
+        let input = match serde_json::to_value(ask) {
+            Ok(Value::Object(input)) => input,
+            _ => Map::new(),
+        };
+        let cases = &mut self.0.cases;
+        let at = cases.len();
+        cases.push(Case {
+            id: format!("{}/{}/{name}", self.0.level, self.0.profile),
+            clauses: clauses.iter().map(|&clause| clause.to_owned()).collect(),
+            strength: Strength::Must,
+            features: Vec::new(),
+            why: why.to_owned(),
+            input,
+            expect,
+        });
+        &mut cases[at]
+    }
+
+    /// The profile, without cases that ask what another one before them asks.
+    fn done(self) -> Profile {
+        let mut seen = HashSet::new();
+        let Self(mut profile) = self;
+        profile.cases.retain(|case| seen.insert(serde_json::to_string(&case.input).unwrap_or_default()));
+        profile
+    }
+
+    fn reject(&mut self, name: &str, clauses: &[&str], why: &str, ask: &Ask, code: &str) -> &mut Case {
+        self.case(name, clauses, why, ask, Expect::Reject(code.to_owned()))
+    }
+}
+
+impl Case {
+    fn needs(&mut self, feature: Feature) {
+        self.features.push(feature);
+    }
+}
+
+/// A result of these fields.
+fn result<const N: usize>(fields: [(&str, Value); N]) -> Expect {
+    Expect::Result(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+}

@@ -1,0 +1,177 @@
+//! Level `ray`.
+
+use glam::Vec3;
+use serde_json::{Value, json};
+
+use super::{Author, result};
+use crate::generate::{Rng, Source};
+use crate::geom::Ray;
+use crate::scene::{Mesh, stress};
+use crate::suite::ask::Rays;
+use crate::suite::text::floats;
+use crate::suite::{Ask, Level, Profile, Query, Strength};
+use crate::trace::{Hit, Truth};
+
+pub(super) fn profiles() -> Vec<Profile> {
+    vec![grid(), exact(), invalid()]
+}
+
+/// Most triangles of a case: the suite is to be small.
+const TRIANGLES: usize = 700;
+/// Rays of a case of the stress scenes.
+const RAYS: usize = 12;
+
+/// Meshes of small whole numbers, and rays along which nothing is rounded.
+fn grid() -> Profile {
+    let mut author = Author::new(Level::Ray, "grid");
+    for seed in 0..80 {
+        let mut rng = Rng::new(6000 + seed);
+        let Some(mesh) = grid_mesh(&mut rng, 1 + seed as usize) else { continue };
+        let truth = Truth::new(&mesh);
+        let mut rays = Vec::new();
+        for _ in 0..2000 {
+            if rays.len() == 16 {
+                break;
+            }
+            let Some(ray) = grid_ray(&mut rng, &mesh) else { continue };
+            let hit = truth.closest(&ray).map(|hit| hit.rounded());
+            // Misses are easy, and numbers that have to be rounded differ from device to device.
+            if hit.is_none_or(|hit| [hit.t, hit.u, hit.v].into_iter().all(is_dyadic))
+                && (hit.is_some() || rays.len() % 4 == 0)
+            {
+                rays.push(ray);
+            }
+        }
+        let why = "Whole numbers and dyadic rays: nothing is rounded, on any device.";
+        traced(&mut author, &format!("soup-{seed}"), why, &mesh, &rays, &truth);
+    }
+    author.done()
+}
+
+/// Triangles with corners on a grid, some of them lying on each other: the lower number wins.
+fn grid_mesh(rng: &mut Rng, triangles: usize) -> Option<Mesh> {
+    let corner = |rng: &mut Rng| Vec3::from_array([(); 3].map(|()| rng.below(17) as f32 - 8.0));
+    let (mut vertices, mut indices) = (Vec::new(), Vec::new());
+    for i in 0..triangles as u32 {
+        if i % 5 == 4 {
+            let [a, b, c]: [u32; 3] = indices[rng.below(u64::from(i)) as usize];
+            indices.push([b, c, a]);
+        } else {
+            let first = vertices.len() as u32;
+            vertices.extend([corner(rng), corner(rng), corner(rng)]);
+            indices.push([first, first + 1, first + 2]);
+        }
+    }
+    Mesh::new(vertices, indices).ok()
+}
+
+/// From a grid point, along powers of two or zeros.
+fn grid_ray(rng: &mut Rng, mesh: &Mesh) -> Option<Ray> {
+    let direction = Vec3::from_array([(); 3].map(|()| [0.0, 1.0, -1.0, 0.5, -2.0][rng.below(5) as usize]));
+    let origin = if rng.coin() {
+        // Towards a corner or a middle of two: what is met exactly is hit.
+        let corner = |rng: &mut Rng| mesh.vertices()[rng.below(mesh.vertices().len() as u64) as usize];
+        let (a, b) = (corner(rng), corner(rng));
+        (if rng.coin() { a } else { (a + b) / 2.0 }) - 4.0 * direction
+    } else {
+        Vec3::from_array([(); 3].map(|()| rng.below(33) as f32 - 16.0))
+    };
+    let (tmin, tmax) = [(0.0, f32::INFINITY), (0.0, 4.0), (4.0, 64.0), (0.0, 64.0)][rng.below(4) as usize];
+    Ray::new(origin, direction, tmin, tmax).ok()
+}
+
+fn is_dyadic(x: f32) -> bool {
+    (x * 4096.0).fract() == 0.0 && x.abs() < 4096.0
+}
+
+/// The stress scenes that are not large.
+fn exact() -> Profile {
+    let mut author = Author::new(Level::Ray, "exact");
+    for case in stress::cases(RAYS).filter(|case| case.mesh.triangles().len() <= TRIANGLES) {
+        traced(&mut author, case.name, case.about, &case.mesh, &case.rays, &Truth::new(&case.mesh));
+    }
+    author.done()
+}
+
+/// The closest hits, and, of the first rays, whether there is any.
+fn traced(author: &mut Author, name: &str, why: &str, mesh: &Mesh, rays: &[Ray], truth: &Truth) {
+    let ask = |query, rays: &[Ray]| Ask::Ray(asked(mesh, rays, query));
+    let hits: Vec<Value> = rays.iter().map(|ray| hit(truth.closest(ray).map(|hit| hit.rounded()))).collect();
+    author.case(
+        name,
+        &["EXACT-1", "DET-1", "CONF-2"],
+        why,
+        &ask(Query::Closest, rays),
+        result([("hits", json!(hits))]),
+    );
+    if author.0.cases.len() % 8 == 1 {
+        let hits: Vec<bool> = rays.iter().map(|ray| truth.any(ray)).collect();
+        let answer = result([("hits", json!(hits))]);
+        author.case(&format!("{name}-any"), &["EXACT-1", "CONF-2"], why, &ask(Query::Any, rays), answer);
+    }
+}
+
+fn asked(mesh: &Mesh, rays: &[Ray], query: Query) -> Rays {
+    Rays {
+        vertices: mesh.vertices().iter().map(|vertex| floats(&vertex.to_array())).collect(),
+        triangles: mesh.triangles().to_vec(),
+        rays: rays.iter().map(numbers).map(|numbers| floats(&numbers)).collect(),
+        query,
+    }
+}
+
+fn numbers(ray: &Ray) -> [f32; 8] {
+    let ([a, b, c], [x, y, z]) = (ray.origin().to_array(), ray.direction().to_array());
+    [a, b, c, x, y, z, ray.tmin(), ray.tmax()]
+}
+
+/// A hit as an answer has it.
+pub(in crate::suite) fn hit(hit: Option<Hit>) -> Value {
+    let bits = |x: f32| format!("{:08x}", x.to_bits());
+    hit.map_or(Value::Null, |hit| json!({ "prim": hit.prim, "t": bits(hit.t), "u": bits(hit.u), "v": bits(hit.v) }))
+}
+
+fn invalid() -> Profile {
+    let mut author = Author::new(Level::Ray, "invalid");
+    let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let ray = [0.25, 0.25, -1.0, 0.0, 0.0, 1.0, 0.0, f32::INFINITY];
+    let mut fault =
+        |name: &str, why: &str, code: &str, change: &dyn Fn(&mut [[f32; 3]; 3], &mut [u32; 3], &mut [f32; 8])| {
+            let (mut vertices, mut triangle, mut ray) = (vertices, [0, 1, 2], ray);
+            change(&mut vertices, &mut triangle, &mut ray);
+            let ask = Ask::Ray(Rays {
+                vertices: vertices.iter().map(|vertex| floats(vertex)).collect(),
+                triangles: vec![triangle],
+                rays: vec![floats(&ray)],
+                query: Query::Closest,
+            });
+            let case = author.reject(name, &["EXACT-1"], why, &ask, code);
+            if name == "negative-tmin" {
+                case.strength = Strength::May;
+            }
+        };
+    fault("vertex-nan", "No number.", "not-finite", &|vertices, _, _| vertices[1][2] = f32::NAN);
+    fault("vertex-infinite", "No finite number.", "not-finite", &|vertices, _, _| vertices[0][0] = f32::NEG_INFINITY);
+    fault("index", "There are three vertices.", "index", &|_, triangle, _| triangle[2] = 3);
+    fault("index-far", "There are three vertices.", "index", &|_, triangle, _| triangle[0] = (1 << 31) - 1);
+    fault("origin-nan", "No number.", "not-finite", &|_, _, ray| ray[1] = f32::NAN);
+    fault("direction-infinite", "No finite number.", "not-finite", &|_, _, ray| ray[4] = f32::INFINITY);
+    fault("direction-zero", "The ray goes nowhere.", "no-direction", &|_, _, ray| ray[5] = 0.0);
+    fault("direction-negative-zero", "The ray goes nowhere.", "no-direction", &|_, _, ray| ray[5] = -0.0);
+    fault("empty-interval", "tmin is above tmax.", "interval", &|_, _, ray| (ray[6], ray[7]) = (2.0, 1.0));
+    fault("tmax-nan", "No number.", "interval", &|_, _, ray| ray[7] = f32::NAN);
+    fault("tmin-nan", "No number.", "interval", &|_, _, ray| ray[6] = f32::NAN);
+    fault("negative-tmin", "A ray begins at its origin.", "interval", &|_, _, ray| ray[6] = -1.0);
+    author.done()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn floats_are_written_by_their_bits() {
+        let written = hit(Some(Hit { prim: 3, t: 1.0, u: -0.0, v: 0.5 }));
+        assert_eq!(written, json!({ "prim": 3, "t": "3f800000", "u": "80000000", "v": "3f000000" }));
+    }
+}

@@ -1,0 +1,119 @@
+//! A program that is asked: its lines in, its lines out, and nobody waits for ever.
+
+use std::io::{self, BufRead, BufReader, Read, Write};
+use std::process::{Child, Command, Stdio};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::thread;
+use std::time::Duration;
+
+/// Longest line that is read.
+const LINE_BYTES: u64 = 64 << 20;
+
+/// What came, or did not.
+#[derive(Debug)]
+pub(super) enum Heard {
+    Line(String),
+    /// A line that is too long or no text.
+    Garbage(String),
+    /// The program has ended or closed its output.
+    End,
+    /// Nothing in time.
+    Silence,
+}
+
+/// A running program. Ended, if need be by force, when this is dropped.
+#[derive(Debug)]
+pub(super) struct Process {
+    child: Child,
+    /// To the thread that writes; `None` when its input is closed.
+    input: Option<Sender<String>>,
+    output: Receiver<Heard>,
+}
+
+impl Process {
+    /// Its standard error is ours.
+    pub(super) fn start(command: &[String]) -> io::Result<Self> {
+        let (program, arguments) =
+            command.split_first().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "no command"))?;
+        let mut child = Command::new(program).args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
+        let (input, to_write) = channel::<String>();
+        let (heard, output) = channel();
+        // Threads of their own: a program that does not read, or writes without being asked, must not block us.
+        if let Some(mut stdin) = child.stdin.take() {
+            thread::spawn(move || {
+                for line in to_write {
+                    if stdin.write_all(line.as_bytes()).and_then(|()| stdin.flush()).is_err() {
+                        return;
+                    }
+                }
+            });
+        }
+        if let Some(stdout) = child.stdout.take() {
+            thread::spawn(move || listen(BufReader::new(stdout), &heard));
+        }
+        Ok(Self { child, input: Some(input), output })
+    }
+
+    /// Writes a line, some time.
+    pub(super) fn say(&self, line: String) {
+        if let Some(input) = &self.input {
+            // Where nobody writes any more the program has ended, which is heard.
+            let _ = input.send(line + "\n");
+        }
+    }
+
+    /// The next line.
+    pub(super) fn hear(&self, within: Duration) -> Heard {
+        match self.output.recv_timeout(within) {
+            Ok(heard) => heard,
+            Err(RecvTimeoutError::Timeout) => Heard::Silence,
+            Err(RecvTimeoutError::Disconnected) => Heard::End,
+        }
+    }
+
+    /// Closes its input.
+    pub(super) fn close(&mut self) {
+        self.input = None;
+    }
+
+    /// How it has ended, or was ended just now.
+    pub(super) fn end(mut self) -> String {
+        // It has closed its output; a little time to end by itself.
+        for _ in 0..50 {
+            match self.child.try_wait() {
+                Ok(Some(status)) => return status.to_string(),
+                Ok(None) => thread::sleep(Duration::from_millis(2)),
+                Err(error) => return error.to_string(),
+            }
+        }
+        "its output is closed".to_owned()
+    }
+}
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        self.input = None;
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+fn listen(mut output: impl BufRead, heard: &Sender<Heard>) {
+    loop {
+        let mut bytes = Vec::new();
+        let said = match output.by_ref().take(LINE_BYTES).read_until(b'\n', &mut bytes) {
+            Ok(0) | Err(_) => Heard::End,
+            Ok(_) if bytes.last() != Some(&b'\n') && bytes.len() as u64 == LINE_BYTES => {
+                Heard::Garbage(format!("a line of more than {LINE_BYTES} bytes"))
+            }
+            Ok(_) => match String::from_utf8(bytes) {
+                Ok(line) => Heard::Line(line),
+                Err(error) => Heard::Garbage(format!("a line that is not UTF-8: {error}")),
+            },
+        };
+        let is_end = matches!(said, Heard::End);
+        if heard.send(said).is_err() || is_end {
+            return;
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! One JSON object a line: what a runner writes, and what an implementation answers.
+
+use std::io::{self, BufRead, Write};
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use super::{Feature, Level};
+
+/// Version of the protocol.
+pub const PROTOCOL: u32 = 1;
+
+/// What a runner writes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "cmd", rename_all = "kebab-case")]
+pub(super) enum Request {
+    Hello { protocol: u32 },
+    Case { seq: u64, level: Level, profile: String, input: Map<String, Value> },
+    Bye,
+}
+
+/// What an implementation says of itself.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Hello {
+    /// Version of the protocol.
+    pub protocol: u32,
+    /// Its name.
+    pub name: String,
+    /// Its version.
+    #[serde(default)]
+    pub version: String,
+    /// What it answers: `level/profile`.
+    pub profiles: Vec<String>,
+    /// What it has beyond that.
+    #[serde(default)]
+    pub features: Vec<Feature>,
+    /// What it carries.
+    #[serde(default)]
+    pub limits: Limits,
+}
+
+/// Limits of an implementation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Limits {
+    /// Deepest tree, in edges.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_depth: Option<u32>,
+}
+
+/// The answer to a case, with the case's number.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Reply {
+    /// Of the case.
+    pub seq: u64,
+    /// What is answered.
+    #[serde(flatten)]
+    pub answer: Answer,
+}
+
+/// What is answered to a case.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Answer {
+    /// The result.
+    Result(Map<String, Value>),
+    /// The input is rejected, with a code.
+    Reject(String),
+    /// It is not answered, and why.
+    Unsupported(String),
+}
+
+impl Answer {
+    /// A result of these fields.
+    pub(super) fn of<const N: usize>(fields: [(&str, Value); N]) -> Self {
+        Self::Result(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+    }
+}
+
+/// Whoever answers cases.
+pub trait Implementation {
+    /// What it is and has.
+    fn hello(&self) -> Hello;
+
+    /// Answers a case.
+    fn answer(&mut self, level: Level, profile: &str, input: &Map<String, Value>) -> Answer;
+}
+
+/// Answers a runner until it says `bye` or goes away: a conformance adapter is `serve(&mut mine, stdin, stdout)`.
+///
+/// # Errors
+/// A line that is not of the protocol, or a reader or writer that fails.
+pub fn serve(implementation: &mut impl Implementation, input: impl BufRead, mut output: impl Write) -> io::Result<()> {
+    for line in input.lines() {
+        let line = line?;
+        let text = match serde_json::from_str(&line).map_err(io::Error::other)? {
+            Request::Hello { .. } => serde_json::to_string(&implementation.hello()),
+            Request::Case { seq, level, profile, input } => {
+                serde_json::to_string(&Reply { seq, answer: implementation.answer(level, &profile, &input) })
+            }
+            Request::Bye => break,
+        };
+        writeln!(output, "{}", text.map_err(io::Error::other)?)?;
+        output.flush()?;
+    }
+    Ok(())
+}

@@ -1,0 +1,192 @@
+//! What came of a run.
+
+use core::fmt;
+
+use serde::Serialize;
+
+use super::{Flaw, Hello, Strength};
+
+/// What came of a case.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// The answer is right.
+    Pass,
+    /// The answer is wrong.
+    Fail(Flaw),
+    /// The implementation has said that it does not have the profile or a feature; it was not asked.
+    Unsupported,
+    /// What was written is not an answer to the case.
+    Error(String),
+    /// The program ended.
+    Crash(String),
+    /// There was no answer in time.
+    Timeout,
+}
+
+impl Outcome {
+    /// The name.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Pass => "pass",
+            Self::Fail(_) => "fail",
+            Self::Unsupported => "unsupported",
+            Self::Error(_) => "error",
+            Self::Crash(_) => "crash",
+            Self::Timeout => "timeout",
+        }
+    }
+
+    /// Whether the case was asked, and not answered right.
+    pub const fn is_bad(&self) -> bool {
+        !matches!(self, Self::Pass | Self::Unsupported)
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Fail(flaw) => write!(f, "{flaw}"),
+            Self::Error(what) => f.write_str(what),
+            Self::Crash(how) => write!(f, "the program ended: {how}"),
+            Self::Timeout => f.write_str("no answer in time (is every line flushed?)"),
+            Self::Pass | Self::Unsupported => f.write_str(self.name()),
+        }
+    }
+}
+
+/// A case, and what came of it.
+#[derive(Clone, Debug)]
+pub struct Verdict {
+    /// Of the case.
+    pub id: String,
+    /// Of the case.
+    pub clauses: Vec<String>,
+    /// Of the case.
+    pub strength: Strength,
+    /// What came of it.
+    pub outcome: Outcome,
+    /// Why it is known to fail.
+    pub waived: Option<String>,
+}
+
+impl Verdict {
+    /// Whether the implementation does not conform for this: a must that is not waived, or a waiver that has grown old.
+    pub const fn is_failure(&self) -> bool {
+        match self.waived {
+            Some(_) => matches!(self.outcome, Outcome::Pass),
+            None => self.outcome.is_bad() && matches!(self.strength, Strength::Must),
+        }
+    }
+}
+
+/// A run.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// What the implementation has said of itself.
+    pub hello: Hello,
+    /// Of each case, in order.
+    pub verdicts: Vec<Verdict>,
+    /// What is wrong beside the cases.
+    pub faults: Vec<String>,
+}
+
+impl Report {
+    /// Whether nothing failed, and every waiver still fails.
+    pub fn is_conforming(&self) -> bool {
+        self.faults.is_empty() && !self.verdicts.iter().any(Verdict::is_failure)
+    }
+
+    /// Number of cases with this outcome, waived ones apart.
+    pub fn count(&self, name: &str) -> usize {
+        self.verdicts.iter().filter(|verdict| verdict.waived.is_none() && verdict.outcome.name() == name).count()
+    }
+
+    /// Number of cases that are waived.
+    pub fn waived(&self) -> usize {
+        self.verdicts.iter().filter(|verdict| verdict.waived.is_some()).count()
+    }
+
+    /// The run as JSON.
+    pub fn to_json(&self) -> impl Serialize {
+        #[derive(Serialize)]
+        struct Row {
+            id: String,
+            clauses: Vec<String>,
+            strength: Strength,
+            outcome: &'static str,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            why: Option<String>,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            waived: Option<String>,
+        }
+        #[derive(Serialize)]
+        struct Text {
+            implementation: Hello,
+            conforms: bool,
+            faults: Vec<String>,
+            cases: Vec<Row>,
+        }
+        let row = |verdict: &Verdict| Row {
+            id: verdict.id.clone(),
+            clauses: verdict.clauses.clone(),
+            strength: verdict.strength,
+            outcome: verdict.outcome.name(),
+            why: verdict.outcome.is_bad().then(|| verdict.outcome.to_string()),
+            waived: verdict.waived.clone(),
+        };
+        Text {
+            implementation: self.hello.clone(),
+            conforms: self.is_conforming(),
+            faults: self.faults.clone(),
+            cases: self.verdicts.iter().map(row).collect(),
+        }
+    }
+
+    /// The run in the format of `JUnit`, which build servers read: a test case each, `skipped` where it was not asked or is
+    /// waived.
+    pub fn to_junit(&self) -> String {
+        let failures = self.verdicts.iter().filter(|verdict| verdict.is_failure()).count();
+        let mut text = format!(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n",
+            escaped(&self.hello.name),
+            self.verdicts.len(),
+            failures + self.faults.len()
+        );
+        for verdict in &self.verdicts {
+            let (group, name) = verdict.id.rsplit_once('/').unwrap_or(("", &verdict.id));
+            let inside = match (&verdict.outcome, &verdict.waived) {
+                (Outcome::Pass, Some(_)) => "<failure message=\"waived, and passes\"/>".to_owned(),
+                (Outcome::Pass, None) => String::new(),
+                (outcome, None) if verdict.is_failure() => {
+                    let clauses = verdict.clauses.join(", ");
+                    format!("<failure message=\"{}\">{}</failure>", escaped(&outcome.to_string()), escaped(&clauses))
+                }
+                (outcome, waived) => {
+                    let why = waived.clone().unwrap_or_else(|| outcome.to_string());
+                    format!("<skipped message=\"{}\"/>", escaped(&why))
+                }
+            };
+            text +=
+                &format!("<testcase classname=\"{}\" name=\"{}\">{inside}</testcase>\n", escaped(group), escaped(name));
+        }
+        for fault in &self.faults {
+            let fault = escaped(fault);
+            text +=
+                &format!("<testcase classname=\"run\" name=\"{fault}\"><failure message=\"{fault}\"/></testcase>\n");
+        }
+        text + "</testsuite>\n"
+    }
+}
+
+fn escaped(text: &str) -> String {
+    let plain = |c: char| match c {
+        '&' => "&amp;".to_owned(),
+        '<' => "&lt;".to_owned(),
+        '>' => "&gt;".to_owned(),
+        '"' => "&quot;".to_owned(),
+        // XML has no way to write the others.
+        c if c.is_control() && !matches!(c, '\n' | '\t') => "\u{fffd}".to_owned(),
+        c => c.to_string(),
+    };
+    text.chars().map(plain).collect()
+}

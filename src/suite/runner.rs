@@ -1,0 +1,273 @@
+//! Asks a program the cases, and survives whatever it does.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use super::process::{Heard, Process};
+use super::protocol::Request;
+use super::{Case, Hello, Outcome, PROTOCOL, Profile, Reply, Report, Suite, Verdict, Waivers, judge};
+
+/// A run to be.
+#[derive(Debug)]
+pub struct Runner<'s> {
+    /// The program and its arguments.
+    pub command: Vec<String>,
+    /// The cases.
+    pub suite: &'s Suite,
+    /// Cases that are known to fail.
+    pub waivers: Waivers,
+    /// How long to wait for an answer.
+    pub timeout: Duration,
+    /// How many cases are asked before the first is answered; at least 1.
+    pub window: usize,
+}
+
+/// Why there was no run.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    /// The program does not start.
+    #[error("{command}: {error}")]
+    Start {
+        /// Which.
+        command: String,
+        /// Why.
+        error: std::io::Error,
+    },
+    /// It does not say hello.
+    #[error("{command}: expected an answer to {{\"cmd\":\"hello\",\"protocol\":{PROTOCOL}}}: {what}")]
+    Hello {
+        /// Which.
+        command: String,
+        /// What came instead.
+        what: String,
+    },
+    /// A waiver is of no case.
+    #[error("waivers: there is no case '{id}' in what is run")]
+    Waiver {
+        /// Its id.
+        id: String,
+    },
+}
+
+/// Programs that do nothing but end or keep silent are started this often in a row.
+const PATIENCE: usize = 20;
+
+impl Runner<'_> {
+    /// Asks all cases; `progress` gets each verdict.
+    ///
+    /// # Errors
+    /// [`RunError`], where there is nothing to report about.
+    pub fn run(&self, mut progress: impl FnMut(&Verdict)) -> Result<Report, RunError> {
+        let cases: Vec<_> = self.suite.cases().collect();
+        if let Some(id) = self.waivers.ids().find(|id| !cases.iter().any(|(_, case)| case.id == *id)) {
+            return Err(RunError::Waiver { id: id.to_owned() });
+        }
+        let (hello, process) = self.start()?;
+        let mut faults = unknown_profiles(&hello, self.suite);
+        let mut outcomes: Vec<Option<Outcome>> = cases
+            .iter()
+            .map(|(profile, case)| (!asks(&hello, profile, case)).then_some(Outcome::Unsupported))
+            .collect();
+        let to_ask = (0..cases.len()).filter(|&i| outcomes[i].is_none()).collect();
+        let verdict = |i: usize, outcome: Outcome| {
+            let (_, Case { id, clauses, strength, .. }) = cases[i];
+            let waived = self.waivers.reason(id).map(ToOwned::to_owned);
+            Verdict { id: id.clone(), clauses: clauses.clone(), strength: *strength, outcome, waived }
+        };
+        let mut turn = Turn {
+            runner: self,
+            cases: &cases,
+            hello: &hello,
+            outcomes: &mut outcomes,
+            to_ask,
+            asked: VecDeque::new(),
+        };
+        let mut process = Some(process);
+        let (mut failed_starts, mut alone) = (0, 0);
+        while !turn.to_ask.is_empty() {
+            let before = turn.to_ask.len();
+            let running = match process.take() {
+                Some(process) => process,
+                None => match self.start() {
+                    Ok((_, process)) => process,
+                    Err(error) => {
+                        turn.give_up(&error.to_string(), &mut |i, outcome| progress(&verdict(i, outcome.clone())));
+                        break;
+                    }
+                },
+            };
+            let end = turn.ask(running, &mut alone, &mut |i, outcome| progress(&verdict(i, outcome.clone())));
+            faults.extend(end);
+            // One case less at least: the one that is to blame. Where it is all that came of a start, patience ends.
+            failed_starts = if before - turn.to_ask.len() <= 1 { failed_starts + 1 } else { 0 };
+            if failed_starts >= PATIENCE {
+                let why = format!("given up: the last {PATIENCE} starts answered nothing");
+                turn.give_up(&why, &mut |i, outcome| progress(&verdict(i, outcome.clone())));
+            }
+        }
+        let outcomes = outcomes.into_iter().map(|outcome| outcome.unwrap_or(Outcome::Unsupported));
+        Ok(Report { hello, verdicts: outcomes.enumerate().map(|(i, outcome)| verdict(i, outcome)).collect(), faults })
+    }
+
+    fn start(&self) -> Result<(Hello, Process), RunError> {
+        let command = || self.command.join(" ");
+        let process = Process::start(&self.command).map_err(|error| RunError::Start { command: command(), error })?;
+        process.say(text(&Request::Hello { protocol: PROTOCOL }));
+        let wrong = |what: String| Err(RunError::Hello { command: command(), what });
+        let line = match process.hear(self.timeout) {
+            Heard::Line(line) => line,
+            Heard::Garbage(what) => return wrong(what),
+            Heard::End => return wrong(process.end()),
+            Heard::Silence => return wrong(format!("nothing in {:?}", self.timeout)),
+        };
+        match serde_json::from_str::<Hello>(&line) {
+            Ok(hello) if hello.protocol == PROTOCOL => Ok((hello, process)),
+            Ok(hello) => wrong(format!("protocol {}", hello.protocol)),
+            Err(error) => wrong(format!("{error} in {}", shortened(&line))),
+        }
+    }
+}
+
+fn text(request: &Request) -> String {
+    serde_json::to_string(request).unwrap_or_default()
+}
+
+fn shortened(line: &str) -> String {
+    let line = line.trim_end();
+    if line.chars().count() <= 120 { line.to_owned() } else { line.chars().take(120).chain(['…']).collect() }
+}
+
+/// Whether a case is put to an implementation.
+fn asks(hello: &Hello, profile: &Profile, case: &Case) -> bool {
+    hello.profiles.contains(&profile.name()) && case.features.iter().all(|feature| hello.features.contains(feature))
+}
+
+fn unknown_profiles(hello: &Hello, suite: &Suite) -> Vec<String> {
+    let known = super::author::names();
+    let is_known = |name: &String| known.contains(name) || suite.profiles.iter().any(|profile| profile.name() == *name);
+    hello.profiles.iter().filter(|name| !is_known(name)).map(|name| format!("there is no profile '{name}'")).collect()
+}
+
+/// What is asked of one start of the program after another.
+struct Turn<'a> {
+    runner: &'a Runner<'a>,
+    cases: &'a [(&'a Profile, &'a Case)],
+    hello: &'a Hello,
+    outcomes: &'a mut [Option<Outcome>],
+    to_ask: VecDeque<usize>,
+    asked: VecDeque<usize>,
+}
+
+type Told<'a> = &'a mut dyn FnMut(usize, &Outcome);
+
+impl Turn<'_> {
+    /// Asks until all is answered or the program is of no use any more; then whoever was not to blame is asked again. Returns what is wrong with how
+    /// it ends.
+    fn ask(&mut self, mut process: Process, alone: &mut usize, told: Told<'_>) -> Option<String> {
+        let mut last = None;
+        loop {
+            let window = if *alone > 0 { 1 } else { self.runner.window.max(1) };
+            while self.asked.len() < window
+                && let Some(i) = self.to_ask.get(self.asked.len()).copied()
+            {
+                let (profile, case) = self.cases[i];
+                let (level, name) = (profile.level, profile.profile.clone());
+                process.say(text(&Request::Case { seq: i as u64, level, profile: name, input: case.input.clone() }));
+                self.asked.push_back(i);
+            }
+            let Some(&front) = self.asked.front() else { return self.bye(process, last) };
+            match process.hear(self.runner.timeout) {
+                Heard::Line(line) => match self.judge(front, last, &line) {
+                    Ok(outcome) => {
+                        self.settle(front, outcome, told);
+                        *alone = alone.saturating_sub(1);
+                        last = Some(front);
+                    }
+                    Err((blamed, what)) => {
+                        self.settle(blamed, Outcome::Error(what), told);
+                        self.asked.clear();
+                        return None;
+                    }
+                },
+                Heard::Garbage(what) => {
+                    self.settle(front, Outcome::Error(what), told);
+                    self.asked.clear();
+                    return None;
+                }
+                // Of several that were asked any may be to blame: they are asked again, one at a time.
+                Heard::End if self.asked.len() > 1 => {
+                    *alone = self.asked.len();
+                    self.asked.clear();
+                    return None;
+                }
+                Heard::End => {
+                    process.close();
+                    let how = process.end();
+                    self.settle(front, Outcome::Crash(how), told);
+                    *alone = alone.saturating_sub(1);
+                    self.asked.clear();
+                    return None;
+                }
+                Heard::Silence => {
+                    self.settle(front, Outcome::Timeout, told);
+                    self.asked.clear();
+                    return None;
+                }
+            }
+        }
+    }
+
+    /// What a line says of the case that is to be answered, or who is to blame for what it is.
+    fn judge(&self, front: usize, last: Option<usize>, line: &str) -> Result<Outcome, (usize, String)> {
+        let reply: Reply = serde_json::from_str(line)
+            .map_err(|error| (front, format!("not an answer: {error} in {}", shortened(line))))?;
+        if reply.seq != front as u64 {
+            return Err(match last {
+                Some(last) if reply.seq == last as u64 => (last, "answered twice".to_owned()),
+                _ => (front, format!("answered out of order: seq {}, expected {front}", reply.seq)),
+            });
+        }
+        let (_, case) = self.cases[front];
+        Ok(match judge(case, self.hello, &reply.answer) {
+            Ok(()) => Outcome::Pass,
+            Err(flaw) => Outcome::Fail(flaw),
+        })
+    }
+
+    /// A case is done with. One that was done with before gets another outcome.
+    fn settle(&mut self, i: usize, outcome: Outcome, told: Told<'_>) {
+        if self.to_ask.front() == Some(&i) {
+            self.to_ask.pop_front();
+            self.asked.pop_front();
+        }
+        told(i, &outcome);
+        self.outcomes[i] = Some(outcome);
+    }
+
+    /// Says goodbye; whoever goes on talking is to blame.
+    fn bye(&mut self, mut process: Process, last: Option<usize>) -> Option<String> {
+        process.say(text(&Request::Bye));
+        process.close();
+        match process.hear(self.runner.timeout) {
+            Heard::End => None,
+            Heard::Silence => Some(format!("the program does not end within {:?} after 'bye'", self.runner.timeout)),
+            Heard::Line(line) => {
+                let what = format!("wrote more than was asked: {}", shortened(&line));
+                match last {
+                    Some(last) => {
+                        self.outcomes[last] = Some(Outcome::Error(what));
+                        None
+                    }
+                    None => Some(what),
+                }
+            }
+            Heard::Garbage(what) => Some(what),
+        }
+    }
+
+    fn give_up(&mut self, why: &str, told: Told<'_>) {
+        while let Some(&i) = self.to_ask.front() {
+            self.settle(i, Outcome::Error(why.to_owned()), told);
+        }
+    }
+}
