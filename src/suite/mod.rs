@@ -15,6 +15,7 @@ mod report;
 mod runner;
 mod text;
 mod waivers;
+mod walk;
 
 pub use ask::{Ask, Best, Build, Children, Lookup, Query, Rays, Start, Walk};
 pub use case::{Case, Expect, Feature, Level, Profile, Strength, Suite, SuiteError, VERSION};
@@ -24,3 +25,4 @@ pub use protocol::{Answer, Hello, Implementation, Limits, PROTOCOL, Reply, serve
 pub use report::{Outcome, Report, Verdict};
 pub use runner::{RunError, Runner};
 pub use waivers::{WaiverError, Waivers};
+pub use walk::WalkError;

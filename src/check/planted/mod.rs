@@ -96,6 +96,11 @@ impl Planted {
         self.test
     }
 
+    /// Whether it goes down from the root again, and asks again on its way.
+    pub fn restarts(&self) -> bool {
+        self.restarts
+    }
+
     /// How it differs from its reference over a case; `None` if it does not.
     pub fn fault(&self, case: &Case) -> Option<Fault> {
         let verdict = Battery::new(case, &[]).judge(self.test, self.restarts, |search, watch: &mut Watch<'_>, _, _| {

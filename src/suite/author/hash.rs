@@ -144,7 +144,7 @@ fn trees() -> Vec<(String, Children)> {
     for seed in 0..12 {
         let mut rng = Rng::new(seed);
         let family = Family::ALL[seed as usize % Family::ALL.len()];
-        trees.push((format!("{family}-{seed}"), family.tree(&mut rng, 8 + 2 * seed as u32).to_children()));
+        trees.push((format!("random-{family}-{seed}"), family.tree(&mut rng, 8 + 2 * seed as u32).to_children()));
     }
     trees
 }

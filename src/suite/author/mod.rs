@@ -25,7 +25,9 @@ use super::{Ask, Case, Expect, Feature, Level, Profile, Strength, Suite, VERSION
 /// The whole suite: the same on every machine.
 pub fn suite() -> Suite {
     let levels = [key::profiles(), hash::profiles(), trace::profiles(), resume::profiles(), ray::profiles()];
-    Suite { profiles: levels.into_iter().flatten().collect() }
+    let mut profiles: Vec<_> = levels.into_iter().flatten().collect();
+    profiles.sort_by(|a, b| (a.level, &a.profile).cmp(&(b.level, &b.profile)));
+    Suite { profiles }
 }
 
 /// `level/profile` of all files.
@@ -95,3 +97,6 @@ impl Case {
 fn result<const N: usize>(fields: [(&str, Value); N]) -> Expect {
     Expect::Result(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
 }
+
+#[cfg(test)]
+mod tests;

@@ -78,7 +78,7 @@ fn disjoint() -> Profile {
             });
             let left = &run.events[visit.events..];
             let why = "The second trail says what a hit will end.";
-            let clauses = ["DISJOINT-1", "DISJOINT-2", "PAUSE-1", "PAUSE-2"];
+            let clauses = ["DISJOINT-1", "DISJOINT-2", "PAUSE-1", "PAUSE-2", "PAUSE-3"];
             let answer = result([("events", json!(left)), ("hit", json!(run.best))]);
             author.case(&format!("{kind}-{seed}-{i}"), &clauses, why, &ask, answer);
         }

@@ -17,7 +17,7 @@ pub(super) fn profiles() -> Vec<Profile> {
         tapes(),
         by_rule("node-left", &["LEFT-1", "SKIP-1"], 60, |_| Rule::NodeLeft),
         by_rule("node-sign", &["HAPALA-1", "SKIP-1"], 80, |case| Rule::NodeSign(case.octant)),
-        by_rule("disjoint", &["ORACLE-2", "DISJOINT-1", "DISJOINT-2", "DISJOINT-3"], 120, |_| Rule::Disjoint),
+        by_rule("disjoint", &["ORACLE-2", "DISJOINT-1", "DISJOINT-2", "DISJOINT-3"], 300, |_| Rule::Disjoint),
         by_rule("distance", &["ORACLE-3"], 60, |_| Rule::Distance),
         invalid(),
     ]
@@ -134,8 +134,12 @@ fn clauses(run: &Reference<'_>, children: &Children) -> Vec<&'static str> {
     if !levels.is_empty() {
         clauses.extend(["TRAIL-3", "TRAIL-4", "TRAIL-7", "REGISTER-1"]);
     }
+    // Who comes from further away than the sibling has to find the node somewhere: by records, or by a table.
     if levels.iter().any(|&levels| levels > 0) {
-        clauses.push("REGISTER-2");
+        clauses.extend(["REGISTER-2", "UNCLE-1", "UNCLE-2"]);
+    }
+    if levels.iter().any(|&levels| levels > 2) {
+        clauses.extend(["HASHED-1", "HASH-3"]);
     }
     let depth = depth_of(children);
     if depth > 7 {
@@ -188,8 +192,9 @@ fn by_rule(name: &str, clauses: &[&str], count: u64, rule: impl Fn(&check::Case)
     let mut author = Author::new(Level::Trace, name);
     let kinds = [Kind::Intervals, Kind::Clipped, Kind::Shrinking, Kind::Random];
     for seed in 0..count {
-        let kind = kinds[seed as usize % kinds.len()];
-        let mut case = random(2000 + seed, 3 + seed as u32 / 4, kind);
+        // Where much is given up, trees have to be large for anything to be left.
+        let kind = kinds[seed as usize % if count > 100 { 2 } else { kinds.len() }];
+        let mut case = random(2000 + seed, 3 + (seed as u32 / 4).min(40), kind);
         let rule = rule(&case);
         let nodes = matches!(rule, Rule::NodeLeft | Rule::NodeSign(_));
         case.any = nodes && seed / 4 % 4 == 3;

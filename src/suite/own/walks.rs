@@ -9,7 +9,7 @@ use crate::key::{Grow, KeyWord, TooDeep};
 use crate::order::Flow;
 use crate::suite::ask::{Best, Walk};
 use crate::suite::text::{hex, word};
-use crate::suite::{Answer, Ask, Children, Feature, Start};
+use crate::suite::{Answer, Ask, Children, Feature, Start, WalkError};
 use crate::traverse::{ByWalk, KeyOnly, KeyTrail, Method, Next, Tables, Test, Unfit, WithWord, WordName, with_word};
 use crate::tree::{Keys, Node, Topology, Tree};
 
@@ -53,55 +53,15 @@ pub(super) fn answer(method: Method, word: WordName, features: &[Feature], ask: 
         Ask::Trace(walk) | Ask::Resume(walk) | Ask::ResumeDisjoint(walk) | Ask::ResumeKey(walk) => walk,
         _ => return None,
     };
-    let case = match read(walk)? {
+    let case = match walk.case() {
         Ok(case) => case,
-        Err(code) => return Some(Answer::Reject(code.to_owned())),
+        Err(WalkError::Tree(_)) => return Some(Answer::Reject("not-a-tree".to_owned())),
+        Err(WalkError::Search) => return None,
     };
     if matches!(ask, Ask::Trace(_)) {
         return trace(method, word, features, &case, walk);
     }
     with_word(word, Resume { method, case: &case, walk, by_key: matches!(ask, Ask::ResumeKey(_)) })
-}
-
-/// The case that is asked for, or the code of what is wrong with it.
-pub(in crate::suite) fn read(walk: &Walk) -> Option<Result<check::Case, &'static str>> {
-    let Ok(tree) = Tree::new(&walk.children) else { return Some(Err("not-a-tree")) };
-    let (cells, any) = match (&walk.script, &walk.cells) {
-        (Some(script), None) => (cells_of(script, &walk.children)?, true),
-        (None, Some(cells)) => (cells.clone(), walk.any.unwrap_or(false)),
-        _ => return None,
-    };
-    let tape = Tape::from_cells(&tree, cells)?;
-    Some(Ok(check::Case { tree, tape, any, octant: walk.octant.unwrap_or(0) }))
-}
-
-/// A script as a tape: children that are not wanted are missed, leaves that stop are hit.
-fn cells_of(script: &str, children: &Children) -> Option<Vec<Cell>> {
-    let mut cells = vec![Cell::default(); children.len()];
-    if script.len() != children.len() {
-        return None;
-    }
-    for (node, (decision, pair)) in script.bytes().zip(children).enumerate() {
-        match (decision, pair) {
-            (b'.', None) => {}
-            (b'!', None) => cells[node].hit = Some(u32::MAX - 1),
-            (_, Some(pair)) => {
-                let missed = match decision {
-                    b'n' => [true, true],
-                    b'l' => [false, true],
-                    b'r' => [true, false],
-                    b'L' | b'R' => [false, false],
-                    _ => return None,
-                };
-                cells[node].right_first = decision == b'R';
-                for (&child, missed) in pair.iter().zip(missed) {
-                    cells.get_mut(child as usize)?.miss = missed;
-                }
-            }
-            _ => return None,
-        }
-    }
-    Some(cells)
 }
 
 fn trace(method: Method, word: WordName, features: &[Feature], case: &check::Case, walk: &Walk) -> Option<Answer> {
