@@ -14,7 +14,7 @@ use crate::scene::Mesh;
 use crate::tree::{Node, Recorded};
 
 pub(super) const MISTAKES: [Mistake; 16] = [
-    Mistake::new("a triangle is in no leaf", "TREE-1", lost),
+    Mistake::new("a triangle is in no leaf", "DET-1", lost),
     Mistake::new("a leaf ends a triangle early", "FILE-5", |draw| {
         stored(draw, |file, at| file.add(file.leaf(at) + 4, -1))
     }),

@@ -10,9 +10,7 @@ use crate::key::KeyWord;
 use crate::traverse::HashOnly;
 use crate::tree::{Node, Topology, Tree};
 
-pub(super) const MISTAKES: [Mistake; 9] = [
-    Mistake::new("key plus displacement overflows", "HASH-1", |draw| fault(draw, Slip::Overflow)),
-    Mistake::new("key plus displacement saturates", "HASH-1", |draw| fault(draw, Slip::Saturated)),
+pub(super) const MISTAKES: [Mistake; 7] = [
     Mistake::new("the sum of the remainder stays below H by clamping", "HASH-1", |draw| fault(draw, Slip::Clamped)),
     Mistake::new("the remainder is by H - 1", "HASH-1", |draw| fault(draw, Slip::Short)),
     Mistake::new("the bucket of the parent", "HASH-1", |draw| fault(draw, Slip::Bucket)),
@@ -28,8 +26,6 @@ pub(super) const CONTROLS: [Mistake; 1] =
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Slip {
     None,
-    Overflow,
-    Saturated,
     Clamped,
     Short,
     Bucket,
@@ -70,12 +66,6 @@ impl Slipping<'_> {
         }
         let (size, by) = (u64::from(self.hash.header().cells.get()), u64::from(displacement));
         let cell = match slip {
-            Slip::Overflow if self.hash.header().mix.narrow => {
-                u64::from((key as u32).wrapping_add(displacement)) % size
-            }
-            Slip::Saturated if self.hash.header().mix.narrow => {
-                u64::from((key as u32).saturating_add(displacement)) % size
-            }
             Slip::Clamped => (key % size + by).min(size - 1),
             Slip::Short => (key % (size - 1).max(1) + by) % size,
             _ => (key % size + by) % size,

@@ -12,12 +12,11 @@ use crate::generate::Source;
 use crate::geom::slabs::{Directed, Enclosed, Intervals, Plain, TwoSided};
 use crate::geom::{Aabb, Ray, Region, Slabs};
 
-pub(super) const MISTAKES: [Mistake; 12] = [
+pub(super) const MISTAKES: [Mistake; 11] = [
     Mistake::new("nothing is padded", "BOX-2", fault::<Plain>),
     Mistake::new("padded on both sides, for rays of any size", "BOX-5", fault::<TwoSided>),
-    Mistake::new("reciprocals as they are rounded", "BOX-4", fault::<Spoilt<Stepped<0, true>>>),
-    Mistake::new("reciprocals moved the wrong way", "BOX-1", fault::<Spoilt<Stepped<-2, true>>>),
-    Mistake::new("no double precision for extreme numbers", "BOX-2", fault::<Spoilt<Stepped<2, false>>>),
+    Mistake::new("reciprocals as they are rounded", "BOX-4", fault::<Spoilt<Stepped<0>>>),
+    Mistake::new("reciprocals moved the wrong way", "BOX-1", fault::<Spoilt<Stepped<-2>>>),
     Mistake::new("entered a float too late", "BOX-2", fault::<Spoilt<Late>>),
     Mistake::new("0 times infinity bounds the ray", "BOX-1", fault::<Spoilt<NotANumber>>),
     Mistake::new("-0 has a negative reciprocal", "BOX-1", fault::<Spoilt<MinusZero>>),
@@ -31,7 +30,7 @@ pub(super) const CONTROLS: [Mistake; 4] = [
     Mistake::new("the directed test", "BOX-2", fault::<Directed>),
     Mistake::new("the test of enclosed rays", "INST-4", fault::<Enclosed>),
     Mistake::new("the directed test, wrapped", "BOX-2", fault::<Spoilt<Nothing>>),
-    Mistake::new("the directed test, written plainly", "BOX-1", fault::<Spoilt<Stepped<2, true>>>),
+    Mistake::new("the directed test, written plainly", "BOX-1", fault::<Spoilt<Stepped<2>>>),
 ];
 
 fn fault<B: Slabs<Vector = Vec3>>(draw: &mut Draw<'_>) -> Option<String> {
@@ -97,15 +96,15 @@ marks! { Nothing Late NotANumber MinusZero NotExchanged Strict BeforeEnd FirstLa
 
 impl Spoil for Nothing {}
 
-/// [BOX-1] as it is written, with another number of steps; `WIDE` leaves extreme numbers to double precision.
+/// [BOX-1] as it is written, with another number of steps; extreme numbers are left to double precision.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stepped<const STEPS: i32, const WIDE: bool>;
+pub(super) struct Stepped<const STEPS: i32>;
 
-impl<const STEPS: i32, const WIDE: bool> Spoil for Stepped<STEPS, WIDE> {
+impl<const STEPS: i32> Spoil for Stepped<STEPS> {
     fn pair(test: &Spoilt<Self>, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
         let (o, d) = (test.ray.origin(), test.ray.direction());
         let is_usual = d.to_array().iter().all(|&d| d == 0.0 || d.recip().abs() < f32::MAX);
-        if WIDE && !is_usual {
+        if !is_usual {
             return test.directed.pair(planes, tmax);
         }
         let part = |i: usize| {
