@@ -1,6 +1,9 @@
-//! The checks bite: planted bugs are caught, made small, and reproduced from a file.
+//! The checks bite: planted bugs are caught, made small, and reproduced from a file; and so are mistakes in what traversals rest on.
 //!
-//! What the battery sees of each is in `tests/PLANTED.md`. To make it anew: `UPDATE=1 cargo test --test bites`.
+//! What is seen of each is in `tests/PLANTED.md`. To make it anew: `UPDATE=1 cargo test --test bites`.
+
+#[path = "bites/layers.rs"]
+mod layers;
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -88,6 +91,7 @@ fn every_planted_bug_is_caught() {
         writeln!(table, "{}", row(bug, cases(bug))).unwrap();
     }
     writeln!(table, "\n{} bugs.", bugs.len()).unwrap();
+    table += &layers::tables();
     let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/PLANTED.md");
     if std::env::var_os("UPDATE").is_some() {
         std::fs::write(&file, &table).unwrap();

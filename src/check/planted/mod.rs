@@ -1,17 +1,28 @@
 //! Planted bugs (feature `planted`): traversals with one mistake each, which every layer of checks has to catch.
 //!
 //! Battery, fuzzer, proof harnesses, conformance cases: a check that lets one of these pass where it could show is no check.
-//! `tests/PLANTED.md` says what the battery sees of each.
+//!
+//! Beside them are the layers below ([`LAYERS`]): tables, tests of triangles and boxes, searches and hierarchies with one mistake each,
+//! for the property bodies of these. `tests/PLANTED.md` says what is seen of each.
 
 mod asked;
+mod draw;
 mod given;
+mod hierarchies;
+mod kernels;
+mod layers;
 mod list;
+mod lookups;
 mod mutants;
 mod printed;
+mod searches;
+mod slabs;
 mod slips;
+mod tables;
 mod textbook;
 mod wanderer;
 
+pub use layers::{LAYERS, Layer, Mistake};
 pub use list::{all, controls};
 
 use super::{Battery, Case, Fault, Verdict, Watch};

@@ -1,0 +1,93 @@
+//! Searches over rays with a mistake, against rational arithmetic; and a restart trail with one.
+
+use glam::Vec3;
+
+use super::draw::Draw;
+use super::kernels::{self, BelowLimit, Endless, OpenInterval};
+use super::layers::Mistake;
+use super::slabs::{self, BeforeEnd};
+use super::{Planted, drive};
+use crate::bvh::{BuildOptions, Builder, Bvh, SahOptions};
+use crate::check::{Case, check_tree};
+use crate::event::State;
+use crate::geom::kernel::{Exact, Moller32};
+use crate::geom::slabs::{Directed, Plain};
+use crate::geom::{Kernel, Slabs, Triangle};
+use crate::order::Descent;
+use crate::scene::Mesh;
+use crate::traverse::{Cursor, Laine};
+use crate::tree::{Node, Tree};
+
+pub(super) const MISTAKES: [Mistake; 7] = [
+    Mistake::new("of equal hits the first that is met", "DET-1", fault::<kernels::Spoilt<BelowLimit>, Directed>),
+    Mistake::new("an open interval", "EXACT-1", fault::<kernels::Spoilt<OpenInterval>, Directed>),
+    Mistake::new("any hit, whatever the end of the ray", "EXACT-1", fault::<kernels::Spoilt<Endless>, Directed>),
+    Mistake::new("boxes that begin at the best hit are skipped", "DET-1", fault::<Exact, slabs::Spoilt<BeforeEnd>>),
+    Mistake::new("boxes without padding", "BOX-2", fault::<Exact, Plain>),
+    Mistake::new("triangles in single precision", "EXACT-1", fault::<Moller32, Directed>),
+    Mistake::new("a restart takes a node that wants one child for done", "LAINE-1", |draw| restart(draw, true)),
+];
+
+pub(super) const CONTROLS: [Mistake; 2] = [
+    Mistake::new("the exact search", "DET-1", fault::<Exact, Directed>),
+    Mistake::new("a restart trail, wrapped", "LAINE-1", |draw| restart(draw, false)),
+];
+
+fn fault<K, B>(draw: &mut Draw<'_>) -> Option<String>
+where
+    K: Kernel<Vector = Vec3, Shape = Triangle>,
+    B: Slabs<Vector = Vec3>,
+{
+    let (mesh, rays) = draw.scene()?;
+    let bvh = built(draw, &mesh)?;
+    check_tree::<K, B, _>(&bvh, &mesh, &rays).err().map(|fault| fault.to_string())
+}
+
+/// A hierarchy by any builder.
+pub(super) fn built(draw: &mut Draw<'_>, mesh: &Mesh) -> Option<Bvh> {
+    let sah = SahOptions { max_leaf: draw.one_of([1, 2, 4]), ..SahOptions::default() };
+    let options = BuildOptions { builder: draw.one_of(Builder::ALL), sah, ..BuildOptions::default() };
+    Bvh::build(mesh, &options, &|_| ()).ok()
+}
+
+fn restart(draw: &mut Draw<'_>, is_hasty: bool) -> Option<String> {
+    let case = Case::draw(draw, Case::LEAVES);
+    let planted = Planted::any("", "", move |tree, _, visitor, watcher| {
+        if let Ok(laine) = Laine::new(tree) {
+            drive(Hasty { laine, is_hasty }, visitor, watcher);
+        }
+    });
+    planted.restarting().fault(&case).map(|fault| fault.to_string())
+}
+
+/// The restart trail. If hasty, it forgets that the interval may have been so short from the start that a node above the pop
+/// level wanted one child, and takes that child for what the shorter interval has left of two.
+struct Hasty<'t> {
+    laine: Laine<'t, 0, u64, Tree>,
+    is_hasty: bool,
+}
+
+impl State for Hasty<'_> {
+    type Word = u64;
+
+    fn node(&self) -> Node {
+        self.laine.node()
+    }
+
+    fn is_restarting(&self) -> bool {
+        self.laine.is_restarting()
+    }
+}
+
+impl Cursor for Hasty<'_> {
+    const RESTARTS: bool = true;
+
+    fn descend(&mut self, descent: Descent) -> bool {
+        let is_done = self.is_hasty && self.is_restarting() && !descent.postpones();
+        !is_done && self.laine.descend(descent)
+    }
+
+    fn backtrack(&mut self) -> bool {
+        self.laine.backtrack()
+    }
+}
