@@ -34,6 +34,13 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "traverse", "tree",
         ],
     ),
+    (
+        "suite",
+        &[
+            "bvh", "check", "event", "generate", "geom", "hash", "key", "name", "order", "scene", "swap", "trace",
+            "trail", "traverse", "tree",
+        ],
+    ),
 ];
 
 /// Lines that may panic on purpose, by file and text, and why.

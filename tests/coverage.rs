@@ -10,6 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use files::{files, read, root};
+use stackless_bvh::suite::author;
 
 /// What a clause is, which says how it has to be covered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -28,6 +29,8 @@ enum Cover {
     Smt,
     Harness,
     Test,
+    /// Cases of the conformance suite.
+    Suite,
 }
 
 impl Kind {
@@ -95,6 +98,7 @@ fn citations(file: &str, text: &str, cover: Cover) -> Vec<Citation> {
                 _ if line.starts_with("//!") => None,
                 // The clauses of a lemma stand beside its name.
                 Cover::Smt => lines[..=at].iter().rev().find_map(|line| quoted(line)),
+                Cover::Suite => None,
                 // Those of a harness stand before it, in a list.
                 Cover::Harness => {
                     lines[at..].iter().find(|line| !line.trim_start().starts_with("//")).and_then(|line| word(line))
@@ -184,7 +188,47 @@ fn all_citations() -> Vec<Citation> {
     for file in files("proofs/src", "rs") {
         of(&file, &read(&file), Cover::Harness);
     }
+    let mut cases = BTreeMap::<_, u32>::new();
+    for (profile, case) in author::suite().cases() {
+        for id in &case.clauses {
+            *cases.entry((id.clone(), profile.name())).or_default() += 1;
+        }
+    }
+    let cite = |((id, profile), count)| Citation { id, cover: Cover::Suite, by: format!("{profile}: {count} cases") };
+    all.extend(cases.into_iter().map(cite));
     all
+}
+
+/// Clauses of what is asked of an implementation that have no case, and why.
+const NOT_ASKED: [(&[&str], &str); 9] = [
+    (&["KEY-7"], "follows from KEY-2 to KEY-4"),
+    (
+        &["STACK-1", "IMPLICIT-1", "IMPLICIT-2", "IMPLICIT-3", "SPARSE-1", "SPARSE-2", "AFRA-1"],
+        "says how; seen as TRAVERSE-1",
+    ),
+    (&["HASHONLY-1", "LAINE-1", "GLASSNER-1"], "says how; seen as TRAVERSE-1"),
+    (&["STATE-1"], "memory is not seen from outside"),
+    (&["HASH-2", "HASH-8"], "a choice of this library: tables of any size, made in any way, are right"),
+    (&["HASH-6", "PAUSE-6"], "a format of this library"),
+    (&["HASH-10", "DISJOINT-5"], "about an interface, not about what is computed"),
+    (&["PAUSE-7"], "follows from PAUSE-4"),
+    (&["CONF-1", "CONF-4"], "about the suite itself"),
+];
+
+/// [CONF-1]
+#[test]
+fn every_clause_that_can_be_asked_has_a_case() {
+    let cited: BTreeSet<_> =
+        all_citations().into_iter().filter(|it| it.cover == Cover::Suite).map(|it| it.id).collect();
+    let texts = ["spec/traversal.md", "spec/hash.md", "spec/state.md", "spec/conformance.md"];
+    let mut asked: Vec<_> = texts.iter().flat_map(|text| clauses(&read(Path::new(text)))).map(|it| it.id).collect();
+    asked.extend(["EXACT-1", "DET-1"].map(ToOwned::to_owned));
+    let excused: Vec<_> = NOT_ASKED.iter().flat_map(|(ids, _)| ids.iter().copied()).collect();
+    for id in &asked {
+        let is_excused = excused.contains(&id.as_str());
+        assert_ne!(cited.contains(id), is_excused, "{id}: has a case, or a reason for having none, not both");
+    }
+    assert!(excused.iter().all(|id| asked.iter().any(|it| it == id)), "{excused:?}");
 }
 
 #[test]

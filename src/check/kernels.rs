@@ -104,9 +104,18 @@ pub fn check_slabs<B: Slabs>(
         }
     }
     match nears {
-        [Some(near), outer] if !outer.is_some_and(|outer| outer <= near) => fault("the outer box", Some(near), outer),
+        [Some(near), outer] if !outer.is_some_and(|outer| outer <= near) && !is_behind(ray, inner) => {
+            fault("the outer box", Some(near), outer)
+        }
         _ => Ok(is_touched),
     }
+}
+
+/// Whether a box lies behind the origin on an axis, wholly: it is not touched, and nothing is promised about it.
+fn is_behind<V: Vector>(ray: &Ray<V>, aabb: &Aabb) -> bool {
+    let [o, d] = [ray.origin(), ray.direction()].map(|v| v.widen().to_array());
+    let (lo, hi) = (aabb.lo.widen().to_array(), aabb.hi.widen().to_array());
+    (0..3).any(|k| d[k] > 0.0 && hi[k] < o[k] || d[k] < 0.0 && lo[k] > o[k])
 }
 
 /// Asks for the distance of a triangle from a point: without a limit, up to the distance itself as limit and as radius, and

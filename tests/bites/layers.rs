@@ -9,7 +9,7 @@ use stackless_bvh::generate::Rng;
 fn draws(layer: &Layer) -> u64 {
     match layer.name {
         "triangle tests" => 6000,
-        "box tests" => 5000,
+        "box tests" => 6000,
         "tables" | "lookups" => 500,
         _ => 800,
     }

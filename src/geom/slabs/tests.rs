@@ -52,6 +52,18 @@ fn holds<B: Slabs<Vector = Vec3>>(ray: &Ray, a: Aabb, more: Aabb, promises: bool
     check_slabs::<B>(ray, &a, &more, promises).map(|_| ()).map_err(|fault| TestCaseError::fail(fault.to_string()))
 }
 
+/// A flat box just behind the origin: one product underflows to 0, the other does not. Nothing is promised there. [BOX-3]
+#[test]
+fn a_box_behind_the_origin_may_count_as_hit() {
+    let ray = Ray::new(Vec3::new(1e-45, 2.0, 1.0), Vec3::new(2.0, -0.0, 1.0), 0.0, f32::INFINITY).unwrap();
+    let inner = Aabb { lo: Vec3::new(-0.0, 2.0, 1.0), hi: Vec3::new(-0.0, 3.0, 2.0) };
+    let outer = Aabb { lo: Vec3::new(-3.0, -3.0, -0.0), hi: Vec3::new(-0.0, 3.0, 2.0) };
+    let slabs = Directed::new(&ray, &Region::of(&outer));
+    let hits = [inner, outer].map(|aabb| slabs.one(&aabb, f32::INFINITY).is_some());
+    assert_eq!((hits, [inner, outer].map(|aabb| touches(&ray, &aabb))), ([true, false], [false; 2]));
+    assert!(check_slabs::<Directed>(&ray, &inner, &outer, true).is_ok());
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(20_000))]
 

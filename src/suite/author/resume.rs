@@ -131,7 +131,7 @@ fn invalid() -> Profile {
             next: Some(Start::Visit),
             ..Walk::default()
         });
-        author.reject(name, &["PAUSE-5", "PAUSE-6"], why, &ask, code);
+        author.reject(name, &["PAUSE-5"], why, &ask, code);
     }
     author.done()
 }

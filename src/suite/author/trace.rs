@@ -17,7 +17,9 @@ pub(super) fn profiles() -> Vec<Profile> {
         tapes(),
         by_rule("node-left", &["LEFT-1", "SKIP-1"], 60, |_| Rule::NodeLeft),
         by_rule("node-sign", &["HAPALA-1", "SKIP-1"], 80, |case| Rule::NodeSign(case.octant)),
-        by_rule("disjoint", &["ORACLE-2", "DISJOINT-1", "DISJOINT-2", "DISJOINT-3"], 300, |_| Rule::Disjoint),
+        by_rule("disjoint", &["ORDER-2", "ORDER-3", "ORACLE-2", "DISJOINT-1", "DISJOINT-2", "DISJOINT-3"], 300, |_| {
+            Rule::Disjoint
+        }),
         by_rule("distance", &["ORACLE-3"], 60, |_| Rule::Distance),
         invalid(),
     ]
