@@ -3,6 +3,8 @@
 #
 #   smoke [SECONDS]         every target for 10 s (or so many), two at a time: what CI runs
 #   rates [SECONDS]         the same, one at a time, with a table of executions per second
+#   planted [SECONDS]       every planted bug from an empty corpus, for 60 s (or so many) at most, compared with tests/FUZZED.md;
+#                           UPDATE=1 writes that file anew
 #   long TARGET SECONDS     two processes that share a corpus, and go on after a finding
 #   minimise TARGET [FILE]  with a file: the smallest input that fails the same way; else the fewest inputs that cover as much
 #   coverage                lines of the core that seeds, regressions and corpora reach; needs llvm-22
@@ -19,7 +21,7 @@ binaries=${CARGO_TARGET_DIR:-target}/$triple/release
 export RAYON_NUM_THREADS=1
 
 targets() {
-    sed -n 's/^name = "\([a-z_]*\)"$/\1/p' Cargo.toml
+    ls seeds
 }
 
 build() {
@@ -51,6 +53,61 @@ each() {
     targets | xargs -P "$1" -I{} bash -c 'set -euo pipefail; fuzz {} '"$2"
 }
 
+# A row of tests/FUZZED.md: after how many executions a planted bug is found, and in what time. The same seed and one process make
+# the same executions; that also addresses are the same is to be sure.
+find_planted() {
+    local bug=$1 seconds=$2 folder executions start=${EPOCHREALTIME/./} took
+    folder=$(mktemp -d)
+    mkdir "$folder/corpus"
+    if PLANTED=$bug "$binaries/planted" -seed=1 "-max_total_time=$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=4096 \
+        -exact_artifact_path=/dev/null -print_final_stats=1 "$folder/corpus" > "$folder/log" 2>&1; then
+        echo "| $bug | not found | $seconds s |"
+    else
+        executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")
+        took=$(((${EPOCHREALTIME/./} - start) / 1000))
+        grep -q "panicked at fuzz.*planted.rs\|panicked at src/planted.rs" "$folder/log" || executions="another failure: $folder/log"
+        echo "| $bug | $executions | $((took < 1000 ? 1 : took < 10000 ? 10 : 60)) s |"
+    fi
+    [[ $executions == another* ]] || rm -r "$folder"
+}
+
+planted() {
+    local seconds=$1 names rows table most
+    names=$("$binaries/planted" 2> /dev/null)
+    export binaries
+    export -f find_planted
+    rows=$(sed -n 's/^bug //p' <<< "$names" | xargs -d '\n' -P 2 -I{} bash -c 'set -euo pipefail; find_planted "$1" '"$seconds" - {})
+    # In the order of the names.
+    rows=$(awk -F ' [|] ' 'NR == FNR { row[substr($1, 3)] = $0; next } sub(/^bug /, "") { print row[$0] }' \
+        <(echo "$rows") <(echo "$names"))
+    table=$(
+        echo "# Planted bugs found by fuzzing"
+        echo
+        echo "Each from an empty corpus with the seed 1: after how many executions it is found, and within what time here. Made by"
+        echo "\`UPDATE=1 fuzz/run.sh planted\` with $(rustc +nightly --version); with the same compiler the executions are the same."
+        echo
+        echo "| bug | executions | within |"
+        echo "|---|---:|---:|"
+        echo "$rows"
+        echo
+        echo "$(grep -c '' <<< "$rows") bugs."
+    )
+    [[ -z ${UPDATE:-} ]] || echo "$table" > ../tests/FUZZED.md
+    if grep -e 'not found' -e 'another' <<< "$rows"; then
+        return 1
+    fi
+    # Executions are compared if the compiler is the same.
+    if grep -q "$(rustc +nightly --version)" ../tests/FUZZED.md; then
+        diff <(cut -d '|' -f 1-3 ../tests/FUZZED.md) <(cut -d '|' -f 1-3 <<< "$table")
+    fi
+    # Those without a bug, for longer than the bug that is hardest to find.
+    most=$(awk -F ' [|] ' '$2 > most { most = $2 } END { print 10 * most }' <<< "$rows")
+    sed -n 's/^control //p' <<< "$names" | xargs -d '\n' -P 2 -I{} bash -c '
+        PLANTED=$1 "$binaries/planted" -seed=1 "-runs=$2" -max_len=4096 -exact_artifact_path=/dev/null > /dev/null 2>&1 ||
+            { echo "$1: not clean"; exit 1; }' - {} "$most"
+    echo "all planted bugs found; their controls are clean for $most executions"
+}
+
 case ${1:-} in
     smoke)
         build
@@ -59,6 +116,10 @@ case ${1:-} in
     rates)
         build
         each 1 "${2:-60}"
+        ;;
+    planted)
+        build planted
+        planted "${2:-60}"
         ;;
     long)
         build "$2"
@@ -100,7 +161,7 @@ case ${1:-} in
         cargo +nightly run --example seeds -- seeds
         ;;
     *)
-        sed -n 's/^# \{0,1\}//; 2,11p' "${BASH_SOURCE[0]##*/}" >&2
+        sed -n 's/^# \{0,1\}//; 2,13p' "${BASH_SOURCE[0]##*/}" >&2
         exit 2
         ;;
 esac
