@@ -17,7 +17,10 @@ impl Bug {
         &self.name
     }
 
-    /// Panics if the bug shows.
+    /// Runs it on the case of these bytes.
+    ///
+    /// # Panics
+    /// If the bug shows.
     pub fn run(&self, bytes: &[u8]) {
         if let Some(fault) = (self.fault)(bytes) {
             panic!("{}: {fault}", self.name);
