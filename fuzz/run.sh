@@ -7,7 +7,7 @@
 #                           UPDATE=1 writes that file anew
 #   long TARGET SECONDS     two processes that share a corpus, and go on after a finding
 #   minimise TARGET [FILE]  with a file: the smallest input that fails the same way; else the fewest inputs that cover as much
-#   coverage                lines of the core that seeds, regressions and corpora reach; needs llvm-22
+#   coverage [FOLDER...]    lines of the core that seeds, regressions and corpora (or these) reach; needs llvm-22
 #   seeds                   writes the seeds anew
 #
 # Without a sanitizer, as nothing of the library is unsafe; SANITIZER=address asks for one, for the unsafe code of dependencies.
@@ -155,10 +155,12 @@ case ${1:-} in
     coverage)
         llvm=${LLVM:-/usr/lib/llvm-22/bin}
         folder=${CARGO_TARGET_DIR:-target}/coverage
+        folders=("${@:2}")
+        [[ -n ${folders[*]} ]] || folders=(seeds regressions corpus)
         rm -rf "$folder"/*.profraw
         export RUSTFLAGS="-C instrument-coverage" CARGO_TARGET_DIR=$folder
         LLVM_PROFILE_FILE=/dev/null cargo +nightly build --example replay
-        LLVM_PROFILE_FILE=$folder/%p.profraw "$folder/debug/examples/replay" seeds regressions corpus
+        LLVM_PROFILE_FILE=$folder/%p.profraw "$folder/debug/examples/replay" "${folders[@]}" > /dev/null
         "$llvm/llvm-profdata" merge -sparse "$folder"/*.profraw -o "$folder/all.profdata"
         # What is compiled only for tests is not here; the rest of the core counts, whoever calls it.
         files=$(cd .. && find src/{key,tree,hash,traverse} src/{trail,swap,order,event,oracle}.rs -name '*.rs' \
