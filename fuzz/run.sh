@@ -3,9 +3,11 @@
 #
 #   smoke [SECONDS]         every target for 10 s (or so many), two at a time: what CI runs
 #   rates [SECONDS]         the same, one at a time, with a table of executions per second
+#   planted [SECONDS]       every planted bug from an empty corpus, for 60 s (or so many) at most, compared with tests/FUZZED.md;
+#                           UPDATE=1 writes that file anew
 #   long TARGET SECONDS     two processes that share a corpus, and go on after a finding
 #   minimise TARGET [FILE]  with a file: the smallest input that fails the same way; else the fewest inputs that cover as much
-#   coverage                lines of the core that seeds, regressions and corpora reach; needs llvm-22
+#   coverage [FOLDER...]    lines of the core that seeds, regressions and corpora (or these) reach; needs llvm-22
 #   seeds                   writes the seeds anew
 #
 # Without a sanitizer, as nothing of the library is unsafe; SANITIZER=address asks for one, for the unsafe code of dependencies.
@@ -19,7 +21,7 @@ binaries=${CARGO_TARGET_DIR:-target}/$triple/release
 export RAYON_NUM_THREADS=1
 
 targets() {
-    sed -n 's/^name = "\([a-z_]*\)"$/\1/p' Cargo.toml
+    ls seeds
 }
 
 build() {
@@ -41,7 +43,7 @@ fuzz() {
         return 1
     }
     local executions
-    executions=$(sed -n 's/^stat::average_exec_per_sec: *//p' "artifacts/$target.log" | tail -n 1)
+    executions=$(sed -n 's/^stat::average_exec_per_sec: *//p; s/^#.* exec\/s: \([0-9]*\) oom.*/\1/p' "artifacts/$target.log" | tail -n 1)
     echo "$target: clean for $seconds s, ${executions:-?} executions/s"
 }
 
@@ -49,6 +51,78 @@ each() {
     export binaries
     export -f fuzz
     targets | xargs -P "$1" -I{} bash -c 'set -euo pipefail; fuzz {} '"$2"
+}
+
+# A row of tests/FUZZED.md: after how many executions a planted bug is found, and in what time of the processor. The same seed and
+# one process make the same executions.
+find_planted() {
+    local bug=$1 seconds=$2 folder executions took TIMEFORMAT=%U
+    folder=$(mktemp -d)
+    mkdir "$folder/corpus"
+    if took=$({ time PLANTED=$bug "$binaries/planted" -seed=1 "-max_total_time=$seconds" -timeout=10 -rss_limit_mb=2048 \
+        -max_len=4096 -exact_artifact_path=/dev/null -print_final_stats=1 "$folder/corpus" > "$folder/log" 2>&1; } 2>&1); then
+        echo "| $bug | not found | $seconds s |"
+    elif ! grep -q 'panicked at src/planted.rs' "$folder/log"; then
+        echo "| $bug | not found, but: $(grep -a -m 1 -e 'panicked at' -e 'ERROR:' "$folder/log") | $took s |"
+    else
+        executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")
+        took=${took%.*}
+        echo "| $bug | $executions | $((took < 1 ? 1 : took < 10 ? 10 : 60)) s |"
+    fi
+    rm -r "$folder"
+}
+
+planted() {
+    local bug=$1 seconds=$2 folder executions start=${EPOCHREALTIME/./} took
+    folder=$(mktemp -d)
+    mkdir "$folder/corpus"
+    if PLANTED=$bug "$binaries/planted" -seed=1 "-max_total_time=$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=4096 \
+        -exact_artifact_path=/dev/null -print_final_stats=1 "$folder/corpus" > "$folder/log" 2>&1; then
+        echo "| $bug | not found | $seconds s |"
+    else
+        executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")
+        took=$(((${EPOCHREALTIME/./} - start) / 1000))
+        grep -q "panicked at fuzz.*planted.rs\|panicked at src/planted.rs" "$folder/log" || executions="another failure: $folder/log"
+        echo "| $bug | $executions | $((took < 1000 ? 1 : took < 10000 ? 10 : 60)) s |"
+    fi
+    [[ $executions == another* ]] || rm -r "$folder"
+}
+
+planted() {
+    local seconds=$1 names rows table most
+    names=$("$binaries/planted" 2> /dev/null)
+    export binaries
+    export -f find_planted
+    rows=$(sed -n 's/^bug //p' <<< "$names" | xargs -d '\n' -P 2 -I{} bash -c 'set -euo pipefail; find_planted "$1" '"$seconds" - {})
+    # In the order of the names.
+    rows=$(awk -F ' [|] ' 'NR == FNR { row[substr($1, 3)] = $0; next } sub(/^bug /, "") { print row[$0] }' \
+        <(echo "$rows") <(echo "$names"))
+    table=$(
+        echo "# Planted bugs found by fuzzing"
+        echo
+        echo "Each from an empty corpus with the seed 1: after how many executions it is found, and within what time of the processor. Made"
+        echo "by \`UPDATE=1 fuzz/run.sh planted\` with $(rustc +nightly --version); with the same compiler the executions are the same."
+        echo
+        echo "| bug | executions | within |"
+        echo "|---|---:|---:|"
+        echo "$rows"
+        echo
+        echo "$(grep -c '' <<< "$rows") bugs."
+    )
+    [[ -z ${UPDATE:-} ]] || echo "$table" > ../tests/FUZZED.md
+    if grep 'not found' <<< "$rows"; then
+        return 1
+    fi
+    # Executions are compared if the compiler is the same.
+    if grep -q "$(rustc +nightly --version)" ../tests/FUZZED.md; then
+        diff <(cut -d '|' -f 1-3 ../tests/FUZZED.md) <(cut -d '|' -f 1-3 <<< "$table")
+    fi
+    # Those without a bug, for longer than the bug that is hardest to find.
+    most=$(awk -F ' [|] ' '$2 > most { most = $2 } END { print 10 * most }' <<< "$rows")
+    sed -n 's/^control //p' <<< "$names" | xargs -d '\n' -P 2 -I{} bash -c '
+        PLANTED=$1 "$binaries/planted" -seed=1 "-runs=$2" -max_len=4096 -exact_artifact_path=/dev/null > /dev/null 2>&1 ||
+            { echo "$1: not clean"; exit 1; }' - {} "$most"
+    echo "all planted bugs found; their controls are clean for $most executions"
 }
 
 case ${1:-} in
@@ -60,11 +134,16 @@ case ${1:-} in
         build
         each 1 "${2:-60}"
         ;;
+    planted)
+        build planted
+        planted "${2:-60}"
+        ;;
     long)
         build "$2"
         fuzz "$2" "$3" -fork=2 -ignore_crashes=1
         # Those of a fork are kept, and the run goes on: a finding is a failure all the same.
-        [[ -z $(find "artifacts/$2" -type f) ]]
+        findings=$(find "artifacts/$2" -type f)
+        [[ -z $findings ]] || { echo "found: $findings"; exit 1; }
         ;;
     minimise)
         if [[ -n ${3:-} ]]; then
@@ -76,10 +155,12 @@ case ${1:-} in
     coverage)
         llvm=${LLVM:-/usr/lib/llvm-22/bin}
         folder=${CARGO_TARGET_DIR:-target}/coverage
+        folders=("${@:2}")
+        [[ -n ${folders[*]} ]] || folders=(seeds regressions corpus)
         rm -rf "$folder"/*.profraw
         export RUSTFLAGS="-C instrument-coverage" CARGO_TARGET_DIR=$folder
         LLVM_PROFILE_FILE=/dev/null cargo +nightly build --example replay
-        LLVM_PROFILE_FILE=$folder/%p.profraw "$folder/debug/examples/replay" seeds regressions corpus
+        LLVM_PROFILE_FILE=$folder/%p.profraw "$folder/debug/examples/replay" "${folders[@]}" > /dev/null
         "$llvm/llvm-profdata" merge -sparse "$folder"/*.profraw -o "$folder/all.profdata"
         # What is compiled only for tests is not here; the rest of the core counts, whoever calls it.
         files=$(cd .. && find src/{key,tree,hash,traverse} src/{trail,swap,order,event,oracle}.rs -name '*.rs' \
@@ -100,7 +181,7 @@ case ${1:-} in
         cargo +nightly run --example seeds -- seeds
         ;;
     *)
-        sed -n 's/^# \{0,1\}//; 2,11p' "${BASH_SOURCE[0]##*/}" >&2
+        sed -n 's/^# \{0,1\}//; 2,13p' "${BASH_SOURCE[0]##*/}" >&2
         exit 2
         ;;
 esac

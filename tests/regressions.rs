@@ -61,9 +61,37 @@ fn every_target_is_built_and_told_of() {
         assert!(text(&format!("fuzz_targets/{name}.rs")).contains(&format!("run(\"{name}\", bytes)")), "{name}");
         assert!(readme.contains(&format!("| `{name}` |")), "{name}");
     }
-    assert_eq!(manifest.matches("[[bin]]").count(), targets::TARGETS.len());
+    assert!(manifest.contains("name = \"planted\""));
+    assert_eq!(manifest.matches("[[bin]]").count(), targets::TARGETS.len() + 1);
     for (_, file) in inputs("regressions") {
         let name = file.strip_prefix(folder().join("regressions")).expect("below it").display().to_string();
         assert!(readme.contains(&format!("`{name}`")), "{name} has no story");
     }
+}
+
+/// `tests/FUZZED.md` has a row for every planted bug, and each was found. On the seeds, those without a bug show none.
+#[test]
+fn fuzzing_finds_every_planted_bug() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/FUZZED.md");
+    let table = fs::read_to_string(file).expect("a file");
+    let rows: Vec<_> = table.lines().filter_map(|line| line.strip_prefix("| ")?.split_once(" | ")).skip(1).collect();
+    let named: Vec<_> = rows.iter().map(|&(name, _)| name).collect();
+    let bugs = targets::planted::bugs();
+    assert_eq!(named, bugs.iter().map(targets::planted::Bug::name).collect::<Vec<_>>());
+    for (name, found) in rows {
+        let executions = found.split(' ').next().and_then(|count| count.parse::<u64>().ok());
+        assert!(executions.is_some(), "{name}: {found}");
+    }
+    for (_, seed) in inputs("seeds") {
+        let bytes = fs::read(seed).expect("a file");
+        targets::planted::controls().iter().for_each(|control| control.run(&bytes));
+    }
+}
+
+/// A bug that shows stops the fuzzer.
+#[test]
+#[should_panic(expected = "NoExit: ")]
+fn a_planted_bug_that_shows_panics() {
+    let bugs = targets::planted::bugs();
+    bugs.iter().filter(|bug| bug.name() == "NoExit").for_each(|bug| bug.run(&[]));
 }

@@ -9,6 +9,7 @@ mod files;
 mod geometry;
 mod hierarchies;
 mod keys;
+pub mod planted;
 mod traversals;
 
 use std::fmt::Display;

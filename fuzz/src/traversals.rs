@@ -1,7 +1,8 @@
 //! Targets of the core: traversals, states, hashes.
 
 use stackless_bvh::check::{
-    Battery, Case, Disagreement, Pauses, Pieces, Plan, Replay, Tally, Verdict, check_table, check_table_bytes, shrink,
+    Battery, Case, CaseOptions, Disagreement, Pauses, Pieces, Plan, Replay, Tally, Verdict, check_table,
+    check_table_bytes, shrink,
 };
 use stackless_bvh::event::{Event, Trace};
 use stackless_bvh::generate::{Bytes, Family, Kind, Rng, Search, Source, Tape, shape};
@@ -10,7 +11,7 @@ use stackless_bvh::key::{self, Grow, KeyWord};
 use stackless_bvh::traverse::{
     ByWalk, Cuts, KeyTrail, Method, Next, Paused, PieceTable, States, Tables, Unfit, WordName,
 };
-use stackless_bvh::tree::{Keys, Node, Reach, Topology, Tree};
+use stackless_bvh::tree::{Implicit, Keys, Node, Reach, Topology, Tree};
 use stackless_bvh::{oracle, trail};
 
 use super::draw::patched;
@@ -18,7 +19,7 @@ use super::{right, said};
 
 /// Every traversal in every word on a small tree under a drawn tape. `[CONF-1]`
 pub(crate) fn traversals(bytes: &[u8]) {
-    let case = Case::draw(&mut Bytes::new(bytes), Case::LEAVES);
+    let case = small_case(bytes);
     check(&case, &Method::ALL);
     // As events, the oracle's visits are the same nodes.
     let (mut trace, mut search) = (Trace::default(), Search::new(&case.tree, &case.tape, case.any));
@@ -50,6 +51,17 @@ pub(crate) fn deep(bytes: &[u8]) {
     ] {
         if let Verdict::Refused(unfit) = battery.check(method, word) {
             said(unfit);
+        }
+    }
+    // Where it has an address, every node is at its key minus one.
+    match Implicit::of(&case.tree) {
+        Err(refusal) => said(refusal),
+        Ok(layout) => {
+            let keys = Keys::of(&case.tree);
+            for slot in 0..case.tree.node_count() {
+                let node = layout.at(keys.key::<u64>(slot) as usize - 1);
+                assert_eq!(node.map(|node| case.tree.slot(node)), Some(slot), "{case:?}");
+            }
         }
     }
 }
@@ -166,6 +178,16 @@ pub(crate) fn check(case: &Case, methods: &[Method]) {
         let fault = fails(&small, &[method], &[word]).map(|found| found.fault);
         let replay = fault.map(|fault| serde_json::to_string(&Replay::of(&small, method, word, &fault)));
         panic!("{method} in {word}\n{replay:?}");
+    }
+}
+
+/// A tree of up to 32 leaves under a tape: both drawn, or those of a seed, so that two bytes are enough for intervals within
+/// intervals.
+pub(crate) fn small_case(bytes: &[u8]) -> Case {
+    let mut source = Bytes::new(bytes);
+    match source.below(4) {
+        1 => Case::random(source.below(1 << 16), CaseOptions::default()),
+        _ => Case::draw(&mut source, Case::LEAVES),
     }
 }
 
