@@ -10,6 +10,7 @@ mod geometry;
 mod hierarchies;
 mod keys;
 pub mod planted;
+mod suite;
 mod traversals;
 
 use std::fmt::Display;
@@ -26,7 +27,7 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 19] = [
+pub const TARGETS: [Target; 21] = [
     target("keys", keys::keys, 128),
     target("traversals", traversals::traversals, 512),
     target("deep", traversals::deep, 512),
@@ -46,6 +47,8 @@ pub const TARGETS: [Target; 19] = [
     target("obj", files::obj, 4096),
     target("rays", files::rays, 2048),
     target("replay", files::replay, 4096),
+    target("requests", suite::requests, 4096),
+    target("answers", suite::answers, 512),
 ];
 
 const fn target(name: &'static str, run: fn(&[u8]), longest: usize) -> Target {

@@ -1,6 +1,7 @@
 //! Planted bugs in place of the library, on the cases that the targets draw: fuzzing finds what is there to be found.
 
-use stackless_bvh::check::planted::{self, Planted};
+use stackless_bvh::check::planted::{self, LAYERS, Layer, Mistake, Planted};
+use stackless_bvh::generate::Bytes;
 
 use super::traversals::small_case;
 
@@ -30,12 +31,12 @@ impl Bug {
 
 /// All that a target can reach.
 pub fn bugs() -> Vec<Bug> {
-    [traversals(planted::all())].into_iter().flatten().collect()
+    [traversals(planted::all()), layers(|layer| layer.mistakes)].into_iter().flatten().collect()
 }
 
 /// The same without a bug.
 pub fn controls() -> Vec<Bug> {
-    [traversals(planted::controls())].into_iter().flatten().collect()
+    [traversals(planted::controls()), layers(|layer| layer.controls)].into_iter().flatten().collect()
 }
 
 /// On the cases of the target `traversals`.
@@ -48,4 +49,13 @@ fn traversals(list: Vec<Planted>) -> Vec<Bug> {
         }),
     };
     list.into_iter().map(of).collect()
+}
+
+/// On the inputs of the layers below the traversals.
+fn layers(list: fn(&Layer) -> &'static [Mistake]) -> Vec<Bug> {
+    let of = |layer: &Layer, mistake: &'static Mistake| Bug {
+        name: format!("{}: {}", layer.name, mistake.name()),
+        fault: Box::new(|bytes| mistake.fault(&mut Bytes::new(bytes))),
+    };
+    LAYERS.iter().flat_map(|layer| list(layer).iter().map(move |mistake| of(layer, mistake))).collect()
 }

@@ -8,8 +8,8 @@ use super::ask::{Ask, Build};
 use super::author::keys_of;
 use super::text::word;
 use super::{Answer, Case, Expect, Feature, Hello};
-use crate::key::Grow;
-use crate::key::KeyWord;
+use crate::key::{Grow, KeyWord};
+use crate::tree::{Topology, Tree};
 
 /// What is wrong with an answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -120,7 +120,7 @@ fn is_too_deep(case: &Case, hello: &Hello) -> bool {
     }
     match serde_json::from_value(Value::Object(case.input.clone())) {
         Ok(Ask::Trace(walk) | Ask::Resume(walk) | Ask::ResumeDisjoint(walk) | Ask::ResumeKey(walk)) => {
-            super::author::depth_of(&walk.children) > limit
+            Tree::new(&walk.children).is_ok_and(|tree| tree.depth() > limit)
         }
         _ => false,
     }
@@ -226,8 +226,11 @@ fn judge_table(case: &Case, result: &Map<String, Value>) -> Result<(), Flaw> {
     let wrong = |what: String| Err(Flaw::Table(what));
     let Ok(Ask::Build(Build { children, reach, sizes })) = serde_json::from_value(Value::Object(case.input.clone()))
     else {
-        return wrong("no tree".to_owned());
+        return wrong("nobody has asked for one".to_owned());
     };
+    if let Err(error) = Tree::new(&children) {
+        return wrong(error.to_string());
+    }
     if let Some(name) = result.keys().find(|name| !["displacements", "cells", "seed", "bits"].contains(&name.as_str()))
     {
         return Err(Flaw::Unknown(name.clone()));

@@ -20,7 +20,7 @@ mod walk;
 pub use ask::{Ask, Best, Build, Children, Lookup, Query, Rays, Start, Walk};
 pub use case::{Case, Expect, Feature, Level, Profile, Strength, Suite, SuiteError, VERSION};
 pub use judge::{Flaw, judge};
-pub use own::Library;
+pub use own::{Library, RaysError};
 pub use protocol::{Answer, Hello, Implementation, Limits, PROTOCOL, Reply, serve};
 pub use report::{Outcome, Report, Verdict};
 pub use runner::{RunError, Runner};

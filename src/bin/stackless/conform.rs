@@ -140,6 +140,8 @@ fn print(report: &Report, args: &Args, took: Duration) {
             *count = (count.parse().unwrap_or(0) + 1).to_string();
         }
     }
+    // What was not asked at all is in the sum.
+    rows.retain(|row| row[1..=5].iter().chain(&row[7..]).any(|count| count != "0"));
     let header = ["profile"].into_iter().chain(names).chain(["waived"]).collect::<Vec<_>>();
     say!("{}", table(&header, 1, rows));
     let advised =

@@ -1,10 +1,14 @@
 //! `stackless suite`: the conformance suite as files, and as what this library answers.
 
+#[cfg(feature = "peers")]
+mod peer;
+
 use std::io::{BufReader, stdin, stdout};
 use std::path::{Path, PathBuf};
 
 use clap::Subcommand;
 use stackless_bvh::suite::{Feature, Level, Library, Suite, VERSION, serve};
+use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::{Method, WordName};
 
 use crate::Outcome;
@@ -39,6 +43,13 @@ enum What {
         /// The word of keys and trails.
         #[arg(long, value_parser = word)]
         word: Option<WordName>,
+        /// The tests of triangles and boxes: what is not exact does not conform.
+        #[arg(long, default_value_t = Accuracy::Exact, value_parser = accuracy)]
+        accuracy: Accuracy,
+        /// Answer rays as another ray tracer does.
+        #[cfg(feature = "peers")]
+        #[arg(long, conflicts_with_all = ["method", "word", "accuracy"], value_parser = peer::named)]
+        peer: Option<stackless_peers::Peer>,
     },
 }
 
@@ -71,6 +82,10 @@ fn method(name: &str) -> Result<Method, String> {
     name.parse().map_err(|_| format!("expected one of {}", Method::ALL.map(Method::name).join(", ")))
 }
 
+fn accuracy(name: &str) -> Result<Accuracy, String> {
+    name.parse().map_err(|_| format!("expected one of {}", Accuracy::ALL.map(Accuracy::name).join(", ")))
+}
+
 fn word(name: &str) -> Result<WordName, String> {
     name.parse().map_err(|_| format!("expected one of {}", WordName::ALL.map(WordName::name).join(", ")))
 }
@@ -84,8 +99,13 @@ pub(crate) fn run(args: &Args) -> Outcome {
                 say!("{}", serde_json::to_string(case)?);
             }
         }
-        What::Serve { method, word } => {
-            serve(&mut Library::new(*method, *word), BufReader::new(stdin()), stdout().lock())?;
+        #[cfg(feature = "peers")]
+        What::Serve { peer: Some(peer), .. } => {
+            serve(&mut peer::Foreign(*peer), BufReader::new(stdin()), stdout().lock())?
+        }
+        What::Serve { method, word, accuracy, .. } => {
+            let mut library = Library::new(*method, *word).with_accuracy(*accuracy);
+            serve(&mut library, BufReader::new(stdin()), stdout().lock())?;
         }
     }
     Ok(true)

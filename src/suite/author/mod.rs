@@ -18,7 +18,6 @@ use serde_json::{Map, Value};
 
 pub(super) use hash::{keys_of, mixed};
 pub(super) use ray::hit;
-pub(super) use trees::depth_of;
 
 use super::{Ask, Case, Expect, Feature, Level, Profile, Strength, Suite, VERSION};
 

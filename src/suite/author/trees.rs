@@ -48,7 +48,7 @@ pub(super) fn depths(children: &Children) -> Vec<u32> {
 }
 
 /// Edges on the longest path.
-pub(in crate::suite) fn depth_of(children: &Children) -> u32 {
+pub(super) fn depth_of(children: &Children) -> u32 {
     depths(children).into_iter().max().unwrap_or(0)
 }
 

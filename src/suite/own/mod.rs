@@ -5,10 +5,13 @@ mod tables;
 mod walks;
 mod words;
 
+pub use rays::RaysError;
+
 use serde_json::{Map, Value};
 
 use super::author::PROFILES;
 use super::{Answer, Ask, Feature, Hello, Implementation, Level, Limits, PROTOCOL};
+use crate::trace::Accuracy;
 use crate::traverse::{Method, Test, WordName};
 
 /// This library as an implementation: one traversal in one word, or for each profile one that has it.
@@ -27,6 +30,7 @@ use crate::traverse::{Method, Test, WordName};
 pub struct Library {
     method: Option<Method>,
     word: Option<WordName>,
+    accuracy: Accuracy,
     features: Vec<Feature>,
     max_depth: Option<u32>,
 }
@@ -41,7 +45,13 @@ impl Library {
     /// A traversal in a word; where none is given, one for each profile, in the word that grows.
     pub fn new(method: Option<Method>, word: Option<WordName>) -> Self {
         let (features, max_depth) = walks::claims(method, word.unwrap_or(WordName::Grow));
-        Self { method, word, features, max_depth }
+        Self { method, word, accuracy: Accuracy::Exact, features, max_depth }
+    }
+
+    /// The same, with rays traced by other tests: what is not exact does not conform.
+    #[must_use]
+    pub fn with_accuracy(self, accuracy: Accuracy) -> Self {
+        Self { accuracy, ..self }
     }
 
     fn word(&self) -> WordName {
@@ -84,7 +94,11 @@ impl Implementation for Library {
         let method = self.method.map_or("stackless-bvh", Method::name);
         Hello {
             protocol: PROTOCOL,
-            name: self.word.map_or_else(|| method.to_owned(), |word| format!("{method} in {word}")),
+            name: match (self.word, self.accuracy) {
+                (None, Accuracy::Exact) => method.to_owned(),
+                (Some(word), Accuracy::Exact) => format!("{method} in {word}"),
+                (_, accuracy) => format!("{method}, {accuracy}"),
+            },
             version: env!("CARGO_PKG_VERSION").to_owned(),
             profiles,
             features: self.features.iter().copied().chain([Feature::Weights]).collect(),
@@ -101,7 +115,7 @@ impl Implementation for Library {
         match level {
             Level::Key => words::answer(profile, &ask),
             Level::Hash => tables::answer(&ask),
-            Level::Ray => rays::answer(&ask),
+            Level::Ray => rays::answer(self.accuracy, &ask),
             Level::Trace | Level::Resume => match self.method_for(level, profile) {
                 Some(method) => walks::answer(method, self.word(), &self.features, &ask),
                 None => None,

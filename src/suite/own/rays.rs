@@ -4,49 +4,93 @@ use glam::Vec3;
 use serde_json::{Value, json};
 
 use crate::bvh::{Bvh, SahOptions};
-use crate::geom::{Ray, RayError};
+use crate::geom::{Kernel, Ray, RayError, Slabs};
 use crate::scene::{Mesh, MeshError};
 use crate::suite::ask::Rays;
 use crate::suite::author::hit;
 use crate::suite::text::parse_floats;
 use crate::suite::{Answer, Ask, Query};
-use crate::trace::Tracer;
+use crate::trace::{Accuracy, Form, Tracer, WithTests, with_level};
+use crate::traverse::Method;
 
-pub(super) fn answer(ask: &Ask) -> Option<Answer> {
+pub(super) fn answer(accuracy: Accuracy, ask: &Ask) -> Option<Answer> {
     let Ask::Ray(asked) = ask else { return None };
-    let (mesh, rays) = match read(asked)? {
+    let (mesh, rays) = match asked.read() {
         Ok(read) => read,
-        Err(code) => return Some(Answer::Reject(code.to_owned())),
+        Err(error) => return error.code().map(|code| Answer::Reject(code.to_owned())),
     };
     let bvh = Bvh::sah(&mesh, SahOptions::default()).ok()?;
-    let tracer = Tracer::new(&bvh);
-    let hits: Vec<Value> = match asked.query {
-        Query::Closest => tracer.closest_each(&rays).into_iter().map(hit).collect(),
-        Query::Any => tracer.any_each(&rays).into_iter().map(|any| json!(any)).collect(),
-    };
-    Some(Answer::of([("hits", Value::Array(hits))]))
+    with_level(accuracy, Cast { bvh, rays, query: asked.query })
 }
 
-/// Mesh and rays, or the code of what is wrong with them; `None` where texts are no numbers.
-fn read(asked: &Rays) -> Option<Result<(Mesh, Vec<Ray>), &'static str>> {
-    let vertices = asked.vertices.iter().map(|vertex| parse_floats(vertex).map(Vec3::from_array));
-    let mesh = match Mesh::new(vertices.collect::<Option<_>>()?, asked.triangles.clone()) {
-        Ok(mesh) => mesh,
-        Err(MeshError::NonFinite { .. }) => return Some(Err("not-finite")),
-        Err(MeshError::Index { .. }) => return Some(Err("index")),
-        Err(_) => return None,
-    };
-    let mut rays = Vec::new();
-    for ray in &asked.rays {
-        let [a, b, c, x, y, z, tmin, tmax] = parse_floats(ray)?;
-        rays.push(match Ray::new(Vec3::new(a, b, c), Vec3::new(x, y, z), tmin, tmax) {
-            Ok(ray) => ray,
-            Err(RayError::Origin(_) | RayError::Direction(_)) => return Some(Err("not-finite")),
-            Err(RayError::ZeroDirection) => return Some(Err("no-direction")),
-            Err(RayError::Interval { .. } | RayError::NegativeTmin(_) | RayError::EmptyInterval { .. }) => {
-                return Some(Err("interval"));
-            }
-        });
+struct Cast {
+    bvh: Bvh,
+    rays: Vec<Ray>,
+    query: Query,
+}
+
+impl WithTests for Cast {
+    type Output = Option<Answer>;
+
+    fn call<K: Kernel<Vector = Vec3, Shape: Form> + 'static, B: Slabs<Vector = Vec3> + 'static>(
+        self,
+    ) -> Option<Answer> {
+        let Self { bvh, rays, query } = self;
+        let bvh = bvh.map(K::Shape::from);
+        let tracer = Tracer::<K, B>::with_method(&bvh, Method::Stack).ok()?;
+        let hits: Vec<Value> = match query {
+            Query::Closest => tracer.closest_each(&rays).into_iter().map(hit).collect(),
+            Query::Any => tracer.any_each(&rays).into_iter().map(|any| json!(any)).collect(),
+        };
+        Some(Answer::of([("hits", Value::Array(hits))]))
     }
-    Some(Ok((mesh, rays)))
+}
+
+impl Rays {
+    /// The mesh and the rays.
+    ///
+    /// # Errors
+    /// [`RaysError`].
+    pub fn read(&self) -> Result<(Mesh, Vec<Ray>), RaysError> {
+        let vertices =
+            self.vertices.iter().map(|text| parse_floats(text).map(Vec3::from_array).ok_or(RaysError::Floats));
+        let mesh = Mesh::new(vertices.collect::<Result<_, _>>()?, self.triangles.clone())?;
+        let ray = |text: &String| {
+            let [a, b, c, x, y, z, tmin, tmax] = parse_floats(text).ok_or(RaysError::Floats)?;
+            Ok(Ray::new(Vec3::new(a, b, c), Vec3::new(x, y, z), tmin, tmax)?)
+        };
+        let rays = self.rays.iter().map(ray).collect::<Result<_, RaysError>>()?;
+        Ok((mesh, rays))
+    }
+}
+
+/// Why texts are no mesh and rays.
+#[derive(Debug, thiserror::Error)]
+pub enum RaysError {
+    /// A text is not as many floats as there should be.
+    #[error("expected floats of 8 hexadecimal digits, a space between")]
+    Floats,
+    /// The triangles are no mesh.
+    #[error("{0}")]
+    Mesh(#[from] MeshError),
+    /// The numbers are no ray.
+    #[error("{0}")]
+    Ray(#[from] RayError),
+}
+
+impl RaysError {
+    /// The code by which the input is rejected; `None` if the suite has none for it.
+    pub const fn code(&self) -> Option<&'static str> {
+        Some(match self {
+            Self::Mesh(MeshError::NonFinite { .. }) | Self::Ray(RayError::Origin(_) | RayError::Direction(_)) => {
+                "not-finite"
+            }
+            Self::Mesh(MeshError::Index { .. }) => "index",
+            Self::Ray(RayError::ZeroDirection) => "no-direction",
+            Self::Ray(RayError::Interval { .. } | RayError::NegativeTmin(_) | RayError::EmptyInterval { .. }) => {
+                "interval"
+            }
+            _ => return None,
+        })
+    }
 }

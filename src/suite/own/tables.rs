@@ -15,6 +15,9 @@ pub(super) fn answer(ask: &Ask) -> Option<Answer> {
     match ask {
         Ask::Cell { key, displacements, cells, displacement } => {
             let key: u64 = word(key)?;
+            if !displacements.is_power_of_two() || displacement >= cells {
+                return None;
+            }
             let modulus = Reciprocal::of(TableSize::new(*cells)?);
             let cell = wrap(modulus.of_u64(key) + displacement, *cells);
             Some(Answer::of([("bucket", json!(key & u64::from(displacements - 1))), ("cell", json!(cell))]))
@@ -24,6 +27,9 @@ pub(super) fn answer(ask: &Ask) -> Option<Answer> {
             Some(Answer::of([("key", Value::String(hex(&mix.apply(word(key)?))))]))
         }
         Ask::Encode { leaf, index } => {
+            if index >> 30 != 0 {
+                return None;
+            }
             let node = if *leaf { Node::leaf(*index) } else { Node::inner(*index) };
             Some(Answer::of([("word", Value::String(hex(&encode(node))))]))
         }

@@ -36,16 +36,19 @@ fn of_word<W: KeyWord>(ask: &Ask) -> Option<Answer> {
         }
         Ask::Backtrack { key, trail } => {
             let (key, trail): (W, W) = (word(key)?, word(trail)?);
+            if trail.is_zero() {
+                return None;
+            }
             let levels = trail::levels(&trail);
             let (key, trail) = trail::backtrack(key, trail);
             Some(Answer::of([("levels", json!(levels)), ("key", text(&key)), ("trail", text(&trail))]))
         }
         Ask::Counter { trail, depth } => {
-            let counter = trail::counter(word(trail)?, level_start::<W>(*depth));
+            let counter = trail::counter(word(trail)?, level_start::<W>(*depth)?);
             Some(Answer::of([("counter", text(&counter))]))
         }
         Ask::CounterLevels { counter, depth } => {
-            let trail = trail::counter(word(counter)?, level_start::<W>(*depth));
+            let trail = trail::counter(word(counter)?, level_start::<W>(*depth)?);
             let levels = if trail.is_zero() { Value::Null } else { json!(trail::levels(&trail)) };
             Some(Answer::of([("levels", levels)]))
         }
@@ -57,6 +60,7 @@ fn of_word<W: KeyWord>(ask: &Ask) -> Option<Answer> {
     }
 }
 
-fn level_start<W: KeyWord>(depth: u32) -> W {
-    (0..depth).fold(W::one(), |start, _| start.shl1())
+/// Two to the depth; `None` where the word does not hold it, or nobody would wait for it.
+fn level_start<W: KeyWord>(depth: u32) -> Option<W> {
+    (depth < W::WIDTH.unwrap_or(1 << 16)).then(|| (0..depth).fold(W::one(), |start, _| start.shl1()))
 }

@@ -1,0 +1,64 @@
+//! The conformance suite as seen by whoever answers and whoever asks.
+
+use serde_json::{Map, Value};
+use stackless_bvh::suite::{Answer, Case, Hello, Implementation, Level, Library, Profile, Reply, author, judge, serve};
+
+use super::draw::patched;
+use super::right;
+use stackless_bvh::generate::{Bytes, Source};
+
+/// A line of a runner: any text, or a case of the suite, changed. What is answered is an answer.
+pub(crate) fn requests(bytes: &[u8]) {
+    let line = if bytes.first() == Some(&b'{') { bytes.to_vec() } else { changed(&mut Bytes::new(bytes)) };
+    let mut said = Vec::new();
+    let served = serve(&mut Library::default(), &line[..], &mut said);
+    if served.is_ok() {
+        for line in said.split(|&byte| byte == b'\n').filter(|line| !line.is_empty()) {
+            let is_one = serde_json::from_slice::<Reply>(line).is_ok() || serde_json::from_slice::<Hello>(line).is_ok();
+            assert!(is_one, "{}", line.escape_ascii());
+        }
+    }
+}
+
+/// A case and an answer, both any text or a right one, changed: they are judged, whatever they are. A right answer is right.
+pub(crate) fn answers(bytes: &[u8]) {
+    let mut source = Bytes::new(bytes);
+    let profiles = some_profiles();
+    let profile = &profiles[source.below(profiles.len() as u64) as usize];
+    let case = &profile.cases[source.below(profile.cases.len() as u64) as usize];
+    let mut library = Library::default();
+    let hello = library.hello();
+    let answer = library.answer(profile.level, &profile.profile, &case.input);
+    right(judge(case, &hello, &answer), &case.id);
+    let case = patched(&mut source, right(serde_json::to_vec(case), "a case"));
+    let answer = patched(&mut source, right(serde_json::to_vec(&Reply { seq: 0, answer }), "an answer"));
+    let (case, reply) = (serde_json::from_slice::<Case>(&case), serde_json::from_slice::<Reply>(&answer));
+    if let (Ok(case), Ok(Reply { answer: Answer::Result(_) | Answer::Reject(_), .. })) = (&case, &reply) {
+        let _ = judge(case, &hello, &reply.expect("just looked at").answer);
+    }
+}
+
+fn changed(source: &mut Bytes<'_>) -> Vec<u8> {
+    let profiles = some_profiles();
+    let Profile { level, profile, cases, .. } = &profiles[source.below(profiles.len() as u64) as usize];
+    let case = &cases[source.below(cases.len() as u64) as usize];
+    patched(source, line(*level, profile, &case.input))
+}
+
+fn line(level: Level, profile: &str, input: &Map<String, Value>) -> Vec<u8> {
+    let request = serde_json::json!({ "cmd": "case", "seq": 0, "level": level, "profile": profile, "input": input });
+    request.to_string().into_bytes()
+}
+
+/// Cases that are small: made once.
+fn some_profiles() -> &'static [Profile] {
+    static PROFILES: std::sync::OnceLock<Vec<Profile>> = std::sync::OnceLock::new();
+    PROFILES.get_or_init(|| {
+        let mut profiles = author::suite().profiles;
+        for profile in &mut profiles {
+            profile.cases.retain(|case| serde_json::to_string(case).is_ok_and(|text| text.len() < 2000));
+        }
+        profiles.retain(|profile| !profile.cases.is_empty());
+        profiles
+    })
+}
