@@ -95,7 +95,7 @@ fn the_c_adapter_conforms() {
 
 #[test]
 fn the_python_adapter_conforms() {
-    conforms(Language::Python, 3036);
+    conforms(Language::Python, 3217);
 }
 
 #[test]
@@ -137,6 +137,21 @@ fn a_mistake_in_the_python_adapter_is_caught() {
     ] {
         is_caught(Language::Python, from, to, profile, clause);
     }
+}
+
+/// What a reader copies first works, as far as the text says.
+#[test]
+fn the_first_example_of_the_readme_runs() {
+    let readme = text("README.md");
+    let example = readme.split("```python\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let Some(command) = Language::Python.command("example", example) else { return };
+    let mut suite = author::suite();
+    suite.profiles.retain(|asked| asked.name() == "key/u32");
+    let report = ask(command, &suite);
+    let (passed, asked) = (report.count("pass"), report.verdicts.len());
+    assert!(readme.contains(&format!("{passed} of {asked} cases pass,")), "{passed} of {asked}");
+    let first = report.verdicts.iter().find(|verdict| verdict.outcome.is_bad()).unwrap();
+    assert!(readme.contains(&format!("{}: fail: {}\n", first.id, first.outcome)), "{}: {}", first.id, first.outcome);
 }
 
 /// The alternatives of a definition, which say what a field is.
