@@ -129,7 +129,7 @@ fn a_mistake_in_the_python_adapter_is_caught() {
         ("trail &= ~marks", "trail &= marks", "trace/disjoint", "DISJOINT-2"),
         ("marks >>= climbed", "marks >>= 0", "trace/disjoint", "DISJOINT-1"),
         ("visit = next == \"visit\"", "visit = True", "resume/state", "PAUSE-1"),
-        ("if trail >> depth_of(key):", "if False:", "resume/invalid", "PAUSE-5"),
+        ("Reject(\"trail\")", "Reject(\"no-such-node\")", "resume/invalid", "PAUSE-5"),
         ("(1 << depth_of(key)) - 1)", "0)", "resume/key-only", "PAUSE-4"),
         ("min(u, v, w) < 0 < max(u, v, w)", "min(u, v, w) <= 0 <= max(u, v, w)", "ray/grid", "EXACT-1"),
         ("round(x / Fraction", "math.floor(x / Fraction", "ray/exact", "EXACT-1"),
