@@ -1,0 +1,466 @@
+/*
+ * A small implementation of the specification, which answers the cases of the conformance suite:
+ *
+ *     cc -std=c11 -Wall -Wextra -Werror -O2 -o traverse spec/suite/adapters/traverse.c
+ *     stackless conform -- ./traverse
+ *
+ * It is the traversal of Binder & Keller 2016 (HASHED-1): a key, a trail, a register for the node postponed last,
+ * records that name uncle and grand uncle, and a table of all keys for what these do not name. (Theirs is a perfect
+ * hash of few of them.) Keys and trails have 64 bits, so trees are at most 63 deep.
+ */
+#include <inttypes.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    MAX_LINE = 1 << 20,
+    MAX_TOKENS = 1 << 17,
+    MAX_NESTING = 8,
+    MAX_NODES = 1 << 14,
+    MAX_DEPTH = 63,
+    ROOT = 0,
+    NONE = -1,
+};
+
+/* Words. */
+
+static int trailing_zeros(uint64_t word) { /* TRAIL-3; the word is not 0 */
+    int n = 0;
+    while ((word >> n & 1) == 0)
+        n++;
+    return n;
+}
+
+static int depth_of(uint64_t key) { /* KEY-5; the key is not 0 */
+    int depth = 0;
+    while (key >>= 1)
+        depth++;
+    return depth;
+}
+
+static void back(uint64_t *key, uint64_t *trail) { /* TRAIL-4; the trail is not 0 */
+    int n = trailing_zeros(*trail);
+    *key = *key >> n ^ 1;
+    *trail = *trail >> n ^ 1;
+}
+
+static uint64_t complement(uint64_t trail, int depth) { /* TRAIL-6 */
+    return trail ^ (((uint64_t)1 << depth) - 1);
+}
+
+/* JSON: a line becomes a list of tokens, each value before what is in it. Nothing that is asked here is negative, has a
+ * fraction, or has an escape in it. */
+
+typedef struct {
+    char kind; /* its first character */
+    const char *text;
+    size_t length;
+    int after; /* the first token that is not in this one */
+} Token;
+
+static Token tokens[MAX_TOKENS];
+static int token_count;
+
+static const char *skip_space(const char *at) {
+    while (*at == ' ' || *at == '\t' || *at == '\r' || *at == '\n')
+        at++;
+    return at;
+}
+
+/* Reads a value; returns where it ends, or NULL if it is not JSON, or more of it than we take. Commas and colons are
+ * taken for each other: whoever asks writes JSON, and what else comes only must do no harm. */
+static const char *parse(const char *at, int nesting) {
+    if (nesting == 0 || token_count == MAX_TOKENS)
+        return NULL;
+    Token *token = &tokens[token_count++];
+    *token = (Token){.kind = *at, .text = at};
+    if (*at == '{' || *at == '[') {
+        char close = *at == '{' ? '}' : ']';
+        at = skip_space(at + 1);
+        while (*at != close) {
+            if (!(at = parse(at, nesting - 1)))
+                return NULL;
+            at = skip_space(at);
+            if (*at == ',' || *at == ':')
+                at = skip_space(at + 1);
+            else if (*at != close)
+                return NULL;
+        }
+        at++;
+    } else if (*at == '"') {
+        token->text = ++at;
+        at = strchr(at, '"');
+        if (!at)
+            return NULL;
+        token->length = (size_t)(at++ - token->text);
+    } else if (strchr("0123456789tfn", *at) && *at != '\0') {
+        while (strchr("0123456789truefalsn", *at) && *at != '\0')
+            at++;
+    } else {
+        return NULL;
+    }
+    token->after = token_count;
+    return at;
+}
+
+static bool is_text(int token, const char *text) {
+    const Token *it = &tokens[token];
+    return it->kind == '"' && it->length == strlen(text) && memcmp(it->text, text, it->length) == 0;
+}
+
+/* The value of a field of an object, or NONE. */
+static int field(int object, const char *name) {
+    if (object == NONE || tokens[object].kind != '{')
+        return NONE;
+    for (int i = object + 1; i + 1 < tokens[object].after; i = tokens[i + 1].after)
+        if (is_text(i, name))
+            return i + 1;
+    return NONE;
+}
+
+/* A word of so many bits: lower-case hexadecimal without leading zeros. */
+static bool get_word(int object, const char *name, int bits, uint64_t *word) {
+    int token = field(object, name);
+    if (token == NONE || tokens[token].kind != '"')
+        return false;
+    const char *digits = tokens[token].text;
+    size_t length = tokens[token].length;
+    if (length == 0 || length > 16 || (digits[0] == '0' && length > 1))
+        return false;
+    *word = 0;
+    for (size_t i = 0; i < length; i++) {
+        const char *all = "0123456789abcdef", *digit = strchr(all, digits[i]);
+        if (!digit)
+            return false;
+        *word = *word << 4 | (uint64_t)(digit - all);
+    }
+    return bits == 64 || *word >> bits == 0;
+}
+
+/* A whole number from 0 to 2^31 - 1. */
+static bool number(int token, int *value) {
+    if (token == NONE || tokens[token].kind < '0' || tokens[token].kind > '9')
+        return false;
+    int64_t sum = 0;
+    for (const char *digit = tokens[token].text; *digit >= '0' && *digit <= '9' && sum <= INT32_MAX; digit++)
+        sum = 10 * sum + (*digit - '0');
+    *value = (int)sum;
+    return sum <= INT32_MAX;
+}
+
+static bool get_number(int object, const char *name, int *value) {
+    return number(field(object, name), value);
+}
+
+static bool get_pair(int token, int values[2]) {
+    bool is_pair = token != NONE && tokens[token].kind == '[' && tokens[token].after == token + 3;
+    return is_pair && number(token + 1, &values[0]) && number(token + 2, &values[1]);
+}
+
+static bool get_bool(int object, const char *name, bool *value) {
+    int token = field(object, name);
+    *value = token != NONE && tokens[token].kind == 't';
+    return *value || (token != NONE && tokens[token].kind == 'f');
+}
+
+/* Level key. Each operation says whether it has understood its input, and has then answered. */
+
+/* Writes an answer, or the last part of it. */
+#define ANSWER(...) (printf(__VA_ARGS__) > 0)
+
+static bool answer_word(const char *name, uint64_t word) {
+    return ANSWER("\"result\":{\"%s\":\"%" PRIx64 "\"}", name, word);
+}
+
+static bool answer_levels(uint64_t trail) {
+    if (trail == 0)
+        return ANSWER("\"result\":{\"levels\":null}");
+    return ANSWER("\"result\":{\"levels\":%d}", trailing_zeros(trail));
+}
+
+static bool answer_key(int input, int op, int bits) {
+    uint64_t ones = bits == 64 ? UINT64_MAX : UINT32_MAX;
+    uint64_t key = 0, trail = 0, other = 0;
+    bool flag = false;
+    int depth = 0;
+    bool has_key = get_word(input, "key", bits, &key), has_trail = get_word(input, "trail", bits, &trail);
+    bool has_depth = get_number(input, "depth", &depth) && depth < bits;
+    if (is_text(op, "child") && has_key && get_bool(input, "right", &flag))
+        return answer_word("key", (key << 1 | flag) & ones); /* KEY-2 */
+    if (is_text(op, "parent") && has_key)
+        return answer_word("key", key >> 1); /* KEY-3 */
+    if (is_text(op, "sibling") && has_key)
+        return answer_word("key", key ^ 1); /* KEY-4 */
+    if (is_text(op, "depth") && has_key && key != 0)
+        return ANSWER("\"result\":{\"depth\":%d}", depth_of(key));
+    if (is_text(op, "level-start") && has_key && key != 0)
+        return answer_word("key", (uint64_t)1 << depth_of(key)); /* KEY-6 */
+    if (is_text(op, "descend") && has_trail && get_bool(input, "both", &flag))
+        return answer_word("trail", (trail << 1 | flag) & ones); /* TRAIL-2 */
+    if (is_text(op, "levels") && has_trail)
+        return answer_levels(trail);
+    if (is_text(op, "backtrack") && has_key && has_trail && trail != 0) {
+        int levels = trailing_zeros(trail);
+        back(&key, &trail);
+        return ANSWER("\"result\":{\"levels\":%d,\"key\":\"%" PRIx64 "\",\"trail\":\"%" PRIx64 "\"}", levels, key,
+                      trail);
+    }
+    if (is_text(op, "counter") && has_trail && has_depth)
+        return answer_word("counter", complement(trail, depth));
+    if (is_text(op, "counter-levels") && has_depth && get_word(input, "counter", bits, &other))
+        return answer_levels(complement(other, depth));
+    if (is_text(op, "swap") && get_word(input, "index", bits, &key) && get_word(input, "mask", bits, &other))
+        return answer_word("index", key ^ other); /* SWAP-3 */
+    return false;
+}
+
+/* Trees. */
+
+typedef struct {
+    bool is_leaf;
+    int child[2];
+    int sibling, uncle, grand_uncle; /* NONE where there is none */
+    uint64_t key;
+} Node;
+
+static Node nodes[MAX_NODES];
+static int node_count;
+static int depth; /* of the tree */
+
+typedef enum { UNKNOWN, NOT_A_TREE, TREE } Tree;
+
+/* Reads the children, then walks down from the root: each node must be met once. */
+static Tree read_tree(int input) {
+    int list = field(input, "children");
+    if (list == NONE || tokens[list].kind != '[')
+        return UNKNOWN;
+    node_count = 0;
+    for (int i = list + 1; i < tokens[list].after; i = tokens[i].after) {
+        if (node_count == MAX_NODES)
+            return UNKNOWN;
+        Node *node = &nodes[node_count++];
+        *node = (Node){.is_leaf = tokens[i].kind == 'n', .sibling = NONE, .uncle = NONE, .grand_uncle = NONE};
+        if (!node->is_leaf && !get_pair(i, node->child))
+            return UNKNOWN;
+    }
+    static int met[MAX_NODES], depths[MAX_NODES];
+    int met_count = 1;
+    if (node_count == 0)
+        return NOT_A_TREE;
+    met[0] = ROOT;
+    depths[ROOT] = depth = 0;
+    nodes[ROOT].key = 1;
+    for (int i = 0; i < met_count; i++) {
+        const Node *node = &nodes[met[i]];
+        for (int right = 0; right < 2 && !node->is_leaf; right++) {
+            int child = node->child[right];
+            if (child >= node_count || child == ROOT || nodes[child].sibling != NONE)
+                return NOT_A_TREE;
+            Node *at = &nodes[child];
+            at->sibling = node->child[!right];
+            at->uncle = node->sibling;
+            at->grand_uncle = node->uncle;
+            at->key = node->key << 1 | (uint64_t)right; /* of no use in a tree that is too deep */
+            depths[child] = depths[met[i]] + 1;
+            depth = depths[child] > depth ? depths[child] : depth;
+            met[met_count++] = child;
+        }
+    }
+    return met_count == node_count ? TREE : NOT_A_TREE;
+}
+
+/* The table of all keys, by open addressing. */
+
+static uint64_t mix(uint64_t key, uint64_t seed, bool narrow) { /* HASH-7 */
+    static const int shifts[2][3] = {{30, 27, 31}, {16, 15, 16}};
+    static const uint64_t factors[2][3] = {{UINT64_C(0xbf58476d1ce4e5b9), UINT64_C(0x94d049bb133111eb), 1},
+                                           {UINT64_C(0x7feb352d), UINT64_C(0x846ca68b), 1}};
+    uint64_t ones = narrow ? UINT32_MAX : UINT64_MAX;
+    key = (key ^ seed) & ones;
+    for (int i = 0; i < 3; i++)
+        key = (key ^ key >> shifts[narrow][i]) * factors[narrow][i] & ones;
+    return key;
+}
+
+static int table[2 * MAX_NODES];
+
+/* The place of a key: that of its node, or the free one where it belongs. */
+static int *place_of(uint64_t key) {
+    uint64_t at = mix(key, 0, false) % (2 * MAX_NODES);
+    while (table[at] != NONE && nodes[table[at]].key != key)
+        at = (at + 1) % (2 * MAX_NODES);
+    return &table[at];
+}
+
+static void fill_table(void) {
+    for (int i = 0; i < 2 * MAX_NODES; i++)
+        table[i] = NONE;
+    for (int node = 0; node < node_count; node++)
+        *place_of(nodes[node].key) = node;
+}
+
+/* Level hash. */
+
+static bool answer_hash(int input, int op) {
+    uint64_t key = 0, word = 0;
+    int displacements = 0, cells = 0, displacement = 0, index = 0, bits = 0;
+    bool leaf = false;
+    bool has_key = get_word(input, "key", 64, &key);
+    bool has_sizes = get_number(input, "displacements", &displacements) && get_number(input, "cells", &cells);
+    if (is_text(op, "cell") && has_key && has_sizes && displacements > 0 && cells > 0 &&
+        get_number(input, "displacement", &displacement)) { /* HASH-1 */
+        uint64_t bucket = key % (uint64_t)displacements;
+        uint64_t cell = (key % (uint64_t)cells + (uint64_t)displacement) % (uint64_t)cells;
+        return ANSWER("\"result\":{\"bucket\":%" PRIu64 ",\"cell\":%" PRIu64 "}", bucket, cell);
+    }
+    if (is_text(op, "mix") && has_key && get_word(input, "seed", 64, &word) && get_number(input, "bits", &bits) &&
+        (bits == 32 || bits == 64))
+        return answer_word("key", mix(key, word, bits == 32));
+    if (is_text(op, "encode") && get_bool(input, "leaf", &leaf) && get_number(input, "index", &index)) /* HASH-5 */
+        return answer_word("word", leaf ? UINT32_MAX - (uint32_t)index : UINT32_C(0x80000000) + (uint32_t)index);
+    if (is_text(op, "decode") && get_word(input, "word", 32, &word)) {
+        if (word >> 31 == 0)
+            return ANSWER("\"result\":{\"displacement\":%" PRIu64 "}", word);
+        leaf = word >> 30 == 3;
+        index = (int)((leaf ? ~word : word) & 0x3fffffff);
+        return ANSWER("\"result\":{\"leaf\":%s,\"index\":%d}", leaf ? "true" : "false", index);
+    }
+    return false;
+}
+
+/* Level trace. */
+
+typedef struct {
+    int levels; /* up to the sibling of what was postponed last; NONE if it was a step down that led here */
+    int node, postponed;
+    uint64_t key, trail;
+} Visit;
+
+static Visit visits[MAX_NODES];
+
+/* One character for each node, and one that it can have. */
+static bool is_script(int script) {
+    if (script == NONE || tokens[script].kind != '"' || tokens[script].length != (size_t)node_count)
+        return false;
+    for (int i = 0; i < node_count; i++)
+        if (!memchr(nodes[i].is_leaf ? ".!..." : "nlrLR", tokens[script].text[i], 5))
+            return false;
+    return true;
+}
+
+/* HASHED-1: returns the number of visits. The register is the node postponed last, or NONE; it is set whenever bit 0 of
+ * the trail is. */
+static int traverse(const char *script) {
+    uint64_t key = 1, trail = 0;
+    int node = ROOT, postponed = NONE, levels = NONE, count = 0;
+    for (;;) {
+        visits[count++] = (Visit){levels, node, postponed, key, trail};
+        const Node *at = &nodes[node];
+        char decision = script[node];
+        if (!at->is_leaf && decision != 'n') {
+            bool both = decision == 'L' || decision == 'R', right = decision == 'r' || decision == 'R';
+            levels = NONE;
+            node = at->child[right];
+            key = key << 1 | right; /* KEY-2 */
+            trail = trail << 1 | both; /* TRAIL-2 */
+            if (both)
+                postponed = at->child[!right];
+            else if (postponed == NONE && trail != 0 && trailing_zeros(trail) == 3)
+                postponed = at->grand_uncle; /* REGISTER-2: the child's record names it no more */
+            continue;
+        }
+        if (decision == '!' || trail == 0)
+            return count;
+        levels = trailing_zeros(trail);
+        back(&key, &trail);
+        if (postponed != NONE)
+            node = postponed;
+        else if (levels == 1)
+            node = at->uncle;
+        else if (levels == 2)
+            node = at->grand_uncle;
+        else
+            node = *place_of(key);
+        postponed = NONE;
+    }
+}
+
+static bool answer_trace(int input) {
+    Tree tree = read_tree(input);
+    if (tree == NOT_A_TREE)
+        return ANSWER("\"reject\":\"not-a-tree\"");
+    if (tree == TREE && depth > MAX_DEPTH)
+        return ANSWER("\"reject\":\"too-deep\"");
+    int script = field(input, "script");
+    if (tree != TREE || !is_script(script))
+        return false;
+    fill_table();
+    int count = traverse(tokens[script].text);
+    printf("\"result\":{\"events\":[");
+    for (int i = 0; i < count; i++) {
+        const Visit *visit = &visits[i];
+        if (visit->levels != NONE)
+            printf("\"backtrack %" PRIx64 " %d\",", visit->key, visit->levels);
+        printf("\"%s %" PRIx64 "\",", nodes[visit->node].is_leaf ? "leaf" : "enter", visit->key);
+    }
+    printf("\"end\"],\"trails\":[");
+    for (int i = 0; i < count; i++)
+        printf("%s\"%" PRIx64 "\"", i == 0 ? "" : ",", visits[i].trail);
+    printf("],\"registers\":[");
+    for (int i = 0; i < count; i++)
+        if (visits[i].postponed == NONE)
+            printf("%snull", i == 0 ? "" : ",");
+        else
+            printf("%s\"%" PRIx64 "\"", i == 0 ? "" : ",", nodes[visits[i].postponed].key);
+    return ANSWER("]}");
+}
+
+/* Protocol. */
+
+static const char HELLO[] =
+    "{\"protocol\":1,\"name\":\"traverse.c\",\"version\":\"1.0\",\"profiles\":[\"key/u32\",\"key/u64\","
+    "\"hash/function\",\"hash/address\",\"trace/script\",\"trace/complete\",\"trace/invalid\"],"
+    "\"features\":[\"trails\",\"registers\",\"changing\"],\"limits\":{\"max_depth\":%d}}\n";
+
+static bool answer_case(int request) {
+    int seq = 0, level = field(request, "level"), profile = field(request, "profile"), input = field(request, "input");
+    int op = field(input, "op");
+    if (!get_number(request, "seq", &seq) || level == NONE || profile == NONE || op == NONE)
+        return false;
+    printf("{\"seq\":%d,", seq);
+    bool is_answered = false;
+    if (is_text(level, "key") && (is_text(profile, "u32") || is_text(profile, "u64")))
+        is_answered = answer_key(input, op, is_text(profile, "u32") ? 32 : 64);
+    else if (is_text(level, "hash"))
+        is_answered = answer_hash(input, op);
+    else if (is_text(level, "trace") && is_text(op, "trace"))
+        is_answered = answer_trace(input);
+    if (!is_answered)
+        printf("\"unsupported\":\"not asked for here, too large, or not as it must be\"");
+    printf("}\n");
+    return true;
+}
+
+int main(void) {
+    static char line[MAX_LINE];
+    while (fgets(line, sizeof line, stdin)) {
+        token_count = 0;
+        const char *end = strchr(line, '\n') ? parse(skip_space(line), MAX_NESTING) : NULL;
+        int cmd = end && *skip_space(end) == '\0' ? field(0, "cmd") : NONE;
+        if (cmd != NONE && is_text(cmd, "bye"))
+            break;
+        bool is_answered = false;
+        if (cmd != NONE && is_text(cmd, "hello"))
+            is_answered = ANSWER(HELLO, MAX_DEPTH);
+        else if (cmd != NONE && is_text(cmd, "case"))
+            is_answered = answer_case(0);
+        if (!is_answered) {
+            fprintf(stderr, "traverse: a line that is not of the protocol\n");
+            return EXIT_FAILURE;
+        }
+        fflush(stdout);
+    }
+    return EXIT_SUCCESS;
+}
