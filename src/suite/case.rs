@@ -199,9 +199,17 @@ pub enum SuiteError {
         /// Its version.
         found: String,
     },
-    /// An id stands twice, or is not in its place.
-    #[error("{path}: case '{id}': expected an id of its own that begins with '{prefix}/'")]
-    Id {
+    /// An id stands twice.
+    #[error("{path}: case '{id}' stands twice")]
+    Twice {
+        /// The file.
+        path: String,
+        /// The id.
+        id: String,
+    },
+    /// An id is not in its place.
+    #[error("{path}: case '{id}': expected an id that begins with '{prefix}/'")]
+    Place {
         /// The file.
         path: String,
         /// The id.
@@ -276,9 +284,11 @@ fn load_profile(path: &Path) -> Result<Profile, SuiteError> {
     }
     let (prefix, mut seen) = (profile.name(), std::collections::HashSet::new());
     for Case { id, .. } in &profile.cases {
-        let is_placed = id.strip_prefix(&prefix).is_some_and(|rest| rest.starts_with('/'));
-        if !is_placed || !seen.insert(id) {
-            return Err(SuiteError::Id { path: name(), id: id.clone(), prefix });
+        if !id.strip_prefix(&prefix).is_some_and(|rest| rest.starts_with('/')) {
+            return Err(SuiteError::Place { path: name(), id: id.clone(), prefix });
+        }
+        if !seen.insert(id) {
+            return Err(SuiteError::Twice { path: name(), id: id.clone() });
         }
     }
     Ok(profile)

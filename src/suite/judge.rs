@@ -85,8 +85,9 @@ pub fn judge(case: &Case, hello: &Hello, answer: &Answer) -> Result<(), Flaw> {
             continue;
         }
         let found = result.get(name).ok_or_else(|| Flaw::Missing(name.clone()))?;
-        if name == "hits" && !has(Feature::Weights) {
-            compare(name, &without_weights(expected), &without_weights(found))?;
+        if name == "hits" {
+            let plain = |hits| plain_hits(hits, has(Feature::Weights));
+            compare(name, &plain(expected), &plain(found))?;
         } else {
             compare(name, expected, found)?;
         }
@@ -145,17 +146,14 @@ fn compare(name: &str, expected: &Value, found: &Value) -> Result<(), Flaw> {
     differs(name.to_owned(), Some(expected), Some(found))
 }
 
-fn without_weights(hits: &Value) -> Value {
+/// Hits as they are compared: zeros of either sign are one, and weights are there only if they are asked for.
+fn plain_hits(hits: &Value, has_weights: bool) -> Value {
     let Value::Array(hits) = hits else { return hits.clone() };
-    let plain = |hit: &Value| match hit {
-        Value::Object(fields) => Value::Object(
-            fields
-                .iter()
-                .filter(|(name, _)| !matches!(name.as_str(), "u" | "v"))
-                .map(|(name, value)| (name.clone(), value.clone()))
-                .collect(),
-        ),
-        other => other.clone(),
+    let plain = |hit: &Value| {
+        let Value::Object(fields) = hit else { return hit.clone() };
+        let wanted = fields.iter().filter(|(name, _)| has_weights || !matches!(name.as_str(), "u" | "v"));
+        let unsigned = |value: &Value| if value == "80000000" { Value::from("00000000") } else { value.clone() };
+        Value::Object(wanted.map(|(name, value)| (name.clone(), unsigned(value))).collect())
     };
     hits.iter().map(plain).collect()
 }

@@ -196,7 +196,37 @@ fn lookup() -> Profile {
             }
         }
     }
+    for bits in [32, 64] {
+        author.case(
+            &format!("seed-0-{bits}"),
+            &["HASH-1", "HASH-5", "HASH-7"],
+            "A seed of 0 is a seed.",
+            &Ask::Lookup(Lookup { seed: Some("0".to_owned()), bits: Some(bits), ..of_seed_0(bits) }),
+            result([("words", json!(["80000000", "fffffffe", "fffffffd"]))]),
+        );
+    }
     author.done()
+}
+
+/// A table of direct addresses for the keys 1, 2, 3 under the seed 0: of the first size that keeps them apart, and would not without.
+fn of_seed_0(bits: u32) -> Lookup {
+    let keys = [1, 2, 3];
+    let of_size = |size: u64| {
+        let mut displacements = vec!["0".to_owned(); size as usize];
+        let buckets = keys.map(|key| mixed(key, 0, bits == 32) % size);
+        let is_apart = buckets[0] != buckets[1] && buckets[0] != buckets[2] && buckets[1] != buckets[2];
+        for (bucket, word) in buckets.into_iter().zip(["80000000", "fffffffe", "fffffffd"]) {
+            displacements[bucket as usize] = word.to_owned();
+        }
+        (is_apart && buckets != keys).then_some(displacements)
+    };
+    let displacements = [4, 8, 16, 32].into_iter().find_map(of_size).unwrap_or_default();
+    Lookup {
+        displacements,
+        cells: vec!["0".to_owned()],
+        keys: keys.map(|key| format!("{key:x}")).to_vec(),
+        ..Lookup::default()
+    }
 }
 
 fn build() -> Profile {

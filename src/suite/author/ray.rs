@@ -21,39 +21,51 @@ const TRIANGLES: usize = 700;
 /// Rays of a case of the stress scenes.
 const RAYS: usize = 12;
 
-/// Meshes of small whole numbers, and rays along which nothing is rounded.
+/// Meshes of small whole numbers, and rays along which nothing is rounded: those that meet triangles inside, and those that meet
+/// corners, edges, and triangles which lie on each other.
 fn grid() -> Profile {
     let mut author = Author::new(Level::Ray, "grid");
-    for seed in 0..80 {
-        let mut rng = Rng::new(6000 + seed);
-        let Some(mesh) = grid_mesh(&mut rng, 1 + seed as usize) else { continue };
-        let truth = Truth::new(&mesh);
-        let mut rays = Vec::new();
-        for _ in 0..2000 {
-            if rays.len() == 16 {
-                break;
+    for (name, why, is_inside) in [
+        ("inside", "Nothing is rounded, and no edge is met.", true),
+        (
+            "edges",
+            "Nothing is rounded: corners and edges are hit, and of equal distances the lower number wins.",
+            false,
+        ),
+    ] {
+        for seed in 0..40 {
+            let mut rng = Rng::new(6000 + seed);
+            let Some(mesh) = grid_mesh(&mut rng, 1 + 2 * seed as usize, is_inside) else { continue };
+            let truth = Truth::new(&mesh);
+            let mut rays = Vec::new();
+            for _ in 0..2000 {
+                if rays.len() == 16 {
+                    break;
+                }
+                let Some(ray) = grid_ray(&mut rng, &mesh, is_inside) else { continue };
+                let hits = truth.all(&ray);
+                let fits = |hit: Hit| {
+                    let Hit { t, u, v, .. } = hit;
+                    // Numbers that have to be rounded differ from device to device.
+                    [t, u, v].into_iter().all(is_dyadic) && (!is_inside || u > 0.0 && v > 0.0 && u + v < 1.0)
+                };
+                // Misses are easy.
+                if hits.iter().all(|hit| fits(hit.rounded())) && (!hits.is_empty() || rays.len() % 4 == 0) {
+                    rays.push(ray);
+                }
             }
-            let Some(ray) = grid_ray(&mut rng, &mesh) else { continue };
-            let hit = truth.closest(&ray).map(|hit| hit.rounded());
-            // Misses are easy, and numbers that have to be rounded differ from device to device.
-            if hit.is_none_or(|hit| [hit.t, hit.u, hit.v].into_iter().all(is_dyadic))
-                && (hit.is_some() || rays.len() % 4 == 0)
-            {
-                rays.push(ray);
-            }
+            traced(&mut author, &format!("{name}-{seed}"), why, &mesh, &rays, &truth);
         }
-        let why = "Whole numbers and dyadic rays: nothing is rounded, on any device.";
-        traced(&mut author, &format!("soup-{seed}"), why, &mesh, &rays, &truth);
     }
     author.done()
 }
 
-/// Triangles with corners on a grid, some of them lying on each other: the lower number wins.
-fn grid_mesh(rng: &mut Rng, triangles: usize) -> Option<Mesh> {
+/// Triangles with corners on a grid; some lie on each other, if they may.
+fn grid_mesh(rng: &mut Rng, triangles: usize, are_apart: bool) -> Option<Mesh> {
     let corner = |rng: &mut Rng| Vec3::from_array([(); 3].map(|()| rng.below(17) as f32 - 8.0));
     let (mut vertices, mut indices) = (Vec::new(), Vec::new());
     for i in 0..triangles as u32 {
-        if i % 5 == 4 {
+        if i % 5 == 4 && !are_apart {
             let [a, b, c]: [u32; 3] = indices[rng.below(u64::from(i)) as usize];
             indices.push([b, c, a]);
         } else {
@@ -65,19 +77,22 @@ fn grid_mesh(rng: &mut Rng, triangles: usize) -> Option<Mesh> {
     Mesh::new(vertices, indices).ok()
 }
 
-/// From a grid point, along powers of two or zeros.
-fn grid_ray(rng: &mut Rng, mesh: &Mesh) -> Option<Ray> {
+/// Along powers of two or zeros, towards a point inside a triangle, a corner, the middle of two corners, or anywhere.
+fn grid_ray(rng: &mut Rng, mesh: &Mesh, is_inside: bool) -> Option<Ray> {
     let direction = Vec3::from_array([(); 3].map(|()| [0.0, 1.0, -1.0, 0.5, -2.0][rng.below(5) as usize]));
-    let origin = if rng.coin() {
-        // Towards a corner or a middle of two: what is met exactly is hit.
-        let corner = |rng: &mut Rng| mesh.vertices()[rng.below(mesh.vertices().len() as u64) as usize];
-        let (a, b) = (corner(rng), corner(rng));
-        (if rng.coin() { a } else { (a + b) / 2.0 }) - 4.0 * direction
-    } else {
-        Vec3::from_array([(); 3].map(|()| rng.below(33) as f32 - 16.0))
+    let corner = |rng: &mut Rng| mesh.vertices()[rng.below(mesh.vertices().len() as u64) as usize];
+    let target = match rng.below(4) {
+        0 => Vec3::from_array([(); 3].map(|()| rng.below(33) as f32 - 16.0)),
+        _ if is_inside => {
+            let [a, b, c] = mesh.triangles()[rng.below(mesh.triangles().len() as u64) as usize];
+            let [a, b, c] = [a, b, c].map(|corner| mesh.vertices()[corner as usize]);
+            (2.0 * a + b + c) / 4.0
+        }
+        1 => corner(rng),
+        _ => (corner(rng) + corner(rng)) / 2.0,
     };
     let (tmin, tmax) = [(0.0, f32::INFINITY), (0.0, 4.0), (4.0, 64.0), (0.0, 64.0)][rng.below(4) as usize];
-    Ray::new(origin, direction, tmin, tmax).ok()
+    Ray::new(target - 4.0 * direction, direction, tmin, tmax).ok()
 }
 
 fn is_dyadic(x: f32) -> bool {

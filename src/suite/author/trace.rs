@@ -6,7 +6,7 @@ use super::reference::{Reference, Rule, Search};
 use super::trees::{comb, complete, depth_of, depths, random, random_script, script};
 use super::{Author, result};
 use crate::check;
-use crate::generate::Kind;
+use crate::generate::{Cell, Kind, Tape};
 use crate::suite::ask::Walk;
 use crate::suite::{Ask, Children, Feature, Level, Profile};
 
@@ -186,6 +186,11 @@ fn tapes() -> Profile {
         if !case.is_static() {
             made.needs(Feature::Changing);
         }
+        if seed % 8 == 6 {
+            let why = "Distances are equal often: what is entered where the best hit is, is wanted.";
+            let case = with_ties(case);
+            taped(&mut author, &format!("ties-{seed}"), &clauses, why, &case, Rule::Children).needs(Feature::Changing);
+        }
     }
     author.done()
 }
@@ -204,8 +209,26 @@ fn by_rule(name: &str, clauses: &[&str], count: u64, rule: impl Fn(&check::Case)
         let beyond = (kind == Kind::Clipped && rule == Rule::Disjoint).then_some("DISJOINT-4");
         let clauses: Vec<_> = clauses.iter().copied().chain(beyond).collect();
         taped(&mut author, &format!("{kind}-{seed}"), &clauses, why, &case, rule);
+        if seed % 4 == 0 {
+            let why = "Distances are equal often: what is entered where the best hit is, is wanted.";
+            taped(&mut author, &format!("ties-{seed}"), &clauses, why, &with_ties(case), rule);
+        }
     }
     author.done()
+}
+
+/// The same with distances in few steps.
+fn with_ties(case: check::Case) -> check::Case {
+    let coarse = |t: u32| t >> 18 << 18;
+    let cell = |cell: &Cell| Cell {
+        enter: coarse(cell.enter),
+        exit: cell.exit.map(coarse),
+        hit: cell.hit.map(coarse),
+        ..*cell
+    };
+    let cells = case.tape.cells().iter().map(cell).collect();
+    let tape = Tape::from_cells(&case.tree, cells).unwrap_or(case.tape);
+    check::Case { tape, ..case }
 }
 
 fn taped<'a>(
@@ -233,7 +256,7 @@ fn taped<'a>(
 
 fn invalid() -> Profile {
     let mut author = Author::new(Level::Trace, "invalid");
-    let faults: [(&str, &str, Children); 10] = [
+    let faults: [(&str, &str, Children); 11] = [
         ("empty", "There is no root.", vec![]),
         ("out-of-range", "A child that there is not.", vec![Some([1, 2]), None]),
         ("far-out-of-range", "A child that there is not.", vec![Some([1, (1 << 31) - 1]), None]),
