@@ -267,6 +267,11 @@ fn invalid() -> Profile {
         ("unreached", "A node without a parent.", vec![Some([1, 2]), None, None, None]),
         ("unreached-tree", "Two trees.", vec![Some([1, 2]), None, None, Some([4, 5]), None, None]),
         (
+            "cycle-below",
+            "A node is its own grandchild.",
+            vec![Some([1, 2]), Some([3, 4]), None, Some([1, 5]), None, None],
+        ),
+        (
             "cycle",
             "Nodes that are each other's children.",
             vec![Some([1, 2]), None, None, Some([4, 5]), Some([3, 6]), None, None],
