@@ -59,7 +59,7 @@ fn text(path: &str) -> String {
 }
 
 fn ask(command: Vec<String>, suite: &Suite) -> Report {
-    let timeout = Duration::from_secs(60);
+    let timeout = Duration::from_mins(1);
     Runner { command, suite, waivers: Waivers::default(), timeout, window: 64 }.run(|_| {}).unwrap()
 }
 

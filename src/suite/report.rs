@@ -1,6 +1,6 @@
 //! What came of a run.
 
-use core::fmt;
+use core::fmt::{self, Write as _};
 
 use serde::Serialize;
 
@@ -166,13 +166,19 @@ impl Report {
                     format!("<skipped message=\"{}\"/>", escaped(&why))
                 }
             };
-            text +=
-                &format!("<testcase classname=\"{}\" name=\"{}\">{inside}</testcase>\n", escaped(group), escaped(name));
+            let _ = writeln!(
+                text,
+                "<testcase classname=\"{}\" name=\"{}\">{inside}</testcase>",
+                escaped(group),
+                escaped(name)
+            );
         }
         for fault in &self.faults {
             let fault = escaped(fault);
-            text +=
-                &format!("<testcase classname=\"run\" name=\"{fault}\"><failure message=\"{fault}\"/></testcase>\n");
+            let _ = writeln!(
+                text,
+                "<testcase classname=\"run\" name=\"{fault}\"><failure message=\"{fault}\"/></testcase>"
+            );
         }
         text + "</testsuite>\n"
     }

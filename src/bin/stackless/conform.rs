@@ -28,7 +28,7 @@ pub(crate) struct Args {
     /// Write what came of each case to this file, as JSON.
     #[arg(long)]
     json: Option<PathBuf>,
-    /// The same in the format of JUnit.
+    /// The same as XML that build servers read (`JUnit`).
     #[arg(long)]
     junit: Option<PathBuf>,
     /// Cases that are known to fail: a file like `[{"id": "...", "reason": "..."}]`.
@@ -113,9 +113,10 @@ fn print(report: &Report, args: &Args, took: Duration) {
     let bad: Vec<_> = report.verdicts.iter().filter(|verdict| verdict.is_failure()).collect();
     for verdict in bad.iter().take(args.show) {
         let Verdict { id, clauses, outcome, waived, .. } = verdict;
-        match waived {
-            Some(reason) => say!("{id}: waived ({reason}), and passes: the waiver is not needed any more"),
-            None => say!("{id}: {}: {outcome}\n  clauses {}", outcome.name(), clauses.join(", ")),
+        if let Some(reason) = waived {
+            say!("{id}: waived ({reason}), and passes: the waiver is not needed any more");
+        } else {
+            say!("{id}: {}: {outcome}\n  clauses {}", outcome.name(), clauses.join(", "));
         }
         say!("  alone: stackless conform --filter '{id}' -- {}", args.command.join(" "));
     }

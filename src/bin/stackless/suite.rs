@@ -101,7 +101,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         }
         #[cfg(feature = "peers")]
         What::Serve { peer: Some(peer), .. } => {
-            serve(&mut peer::Foreign(*peer), BufReader::new(stdin()), stdout().lock())?
+            serve(&mut peer::Foreign(*peer), BufReader::new(stdin()), stdout().lock())?;
         }
         What::Serve { method, word, accuracy, .. } => {
             let mut library = Library::new(*method, *word).with_accuracy(*accuracy);

@@ -54,7 +54,7 @@ pub(super) struct Spoilt<S> {
 
 /// What is not as in the exact test.
 pub(super) trait Spoil: Copy + Debug {
-    fn new(ray: &Ray, region: &Region) -> Exact {
+    fn prepare(ray: &Ray, region: &Region) -> Exact {
         Exact::new(ray, region)
     }
 
@@ -76,7 +76,7 @@ impl<S: Spoil> Kernel for Spoilt<S> {
     type Shape = Triangle;
 
     fn new(ray: &Ray, region: &Region) -> Self {
-        Self { exact: S::new(ray, region), ray: *ray, spoil: PhantomData }
+        Self { exact: S::prepare(ray, region), ray: *ray, spoil: PhantomData }
     }
 
     fn distance(&self, shape: &Triangle, limit: f32) -> Option<f32> {
@@ -120,7 +120,7 @@ impl Spoil for Nothing {}
 pub(super) struct Part<const OF: u16>;
 
 impl<const OF: u16> Spoil for Part<OF> {
-    fn new(ray: &Ray, region: &Region) -> Exact {
+    fn prepare(ray: &Ray, region: &Region) -> Exact {
         let part = if OF == 0 { 0.0 } else { 1.0 / f64::from(OF) };
         let [reach, size] = [region.reach(), region.size()].map(|length| (length * part) as f32);
         Exact::new(ray, &Region::of(&Aabb { lo: Vec3::splat(reach - size), hi: Vec3::splat(reach) }))

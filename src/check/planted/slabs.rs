@@ -56,7 +56,7 @@ pub(super) struct Spoilt<S> {
 
 /// What is not as in the directed test.
 pub(super) trait Spoil: Copy + Debug {
-    fn new(ray: &Ray, region: &Region) -> Directed {
+    fn prepare(ray: &Ray, region: &Region) -> Directed {
         Directed::new(ray, region)
     }
 
@@ -84,7 +84,7 @@ impl<S: Spoil> Slabs for Spoilt<S> {
     type Vector = Vec3;
 
     fn new(ray: &Ray, region: &Region) -> Self {
-        Self { directed: S::new(ray, region), ray: *ray, spoil: PhantomData }
+        Self { directed: S::prepare(ray, region), ray: *ray, spoil: PhantomData }
     }
 
     fn pair(&self, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {

@@ -94,7 +94,7 @@ fn missing_generation(draw: &mut Draw<'_>) -> Option<String> {
     let hash = PerfectHash::build(&tree, Options { key_set: further, sizing }).ok()?;
     let promised = Reach::ALGORITHM_1;
     let reach = [promised.of(false), promised.of(true)];
-    fault(&hash, &tree, KeySet::Exact(promised), |table| table.words[SET + 1..SET + 3].copy_from_slice(&reach))
+    fault(&hash, &tree, KeySet::Exact(promised), |table| table.words[SET + 1..=SET + 2].copy_from_slice(&reach))
 }
 
 /// Left and right are exchanged: all addresses are of the tree.

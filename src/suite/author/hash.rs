@@ -216,7 +216,7 @@ fn of_seed_0(bits: u32) -> Lookup {
         let buckets = keys.map(|key| mixed(key, 0, bits == 32) % size);
         let is_apart = buckets[0] != buckets[1] && buckets[0] != buckets[2] && buckets[1] != buckets[2];
         for (bucket, word) in buckets.into_iter().zip(["80000000", "fffffffe", "fffffffd"]) {
-            displacements[bucket as usize] = word.to_owned();
+            word.clone_into(&mut displacements[bucket as usize]);
         }
         (is_apart && buckets != keys).then_some(displacements)
     };

@@ -146,37 +146,39 @@ pub(in crate::suite) fn hit(hit: Option<Hit>) -> Value {
     hit.map_or(Value::Null, |hit| json!({ "prim": hit.prim, "t": bits(hit.t), "u": bits(hit.u), "v": bits(hit.v) }))
 }
 
+/// Changes corners, triangle, or ray.
+type Spoil = fn(&mut [[f32; 3]; 3], &mut [u32; 3], &mut [f32; 8]);
+
 fn invalid() -> Profile {
     let mut author = Author::new(Level::Ray, "invalid");
     let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let ray = [0.25, 0.25, -1.0, 0.0, 0.0, 1.0, 0.0, f32::INFINITY];
-    let mut fault =
-        |name: &str, why: &str, code: &str, change: &dyn Fn(&mut [[f32; 3]; 3], &mut [u32; 3], &mut [f32; 8])| {
-            let (mut vertices, mut triangle, mut ray) = (vertices, [0, 1, 2], ray);
-            change(&mut vertices, &mut triangle, &mut ray);
-            let ask = Ask::Ray(Rays {
-                vertices: vertices.iter().map(|vertex| floats(vertex)).collect(),
-                triangles: vec![triangle],
-                rays: vec![floats(&ray)],
-                query: Query::Closest,
-            });
-            let case = author.reject(name, &["EXACT-1"], why, &ask, code);
-            if name == "negative-tmin" {
-                case.strength = Strength::May;
-            }
-        };
-    fault("vertex-nan", "No number.", "not-finite", &|vertices, _, _| vertices[1][2] = f32::NAN);
-    fault("vertex-infinite", "No finite number.", "not-finite", &|vertices, _, _| vertices[0][0] = f32::NEG_INFINITY);
-    fault("index", "There are three vertices.", "index", &|_, triangle, _| triangle[2] = 3);
-    fault("index-far", "There are three vertices.", "index", &|_, triangle, _| triangle[0] = (1 << 31) - 1);
-    fault("origin-nan", "No number.", "not-finite", &|_, _, ray| ray[1] = f32::NAN);
-    fault("direction-infinite", "No finite number.", "not-finite", &|_, _, ray| ray[4] = f32::INFINITY);
-    fault("direction-zero", "The ray goes nowhere.", "no-direction", &|_, _, ray| ray[5] = 0.0);
-    fault("direction-negative-zero", "The ray goes nowhere.", "no-direction", &|_, _, ray| ray[5] = -0.0);
-    fault("empty-interval", "tmin is above tmax.", "interval", &|_, _, ray| (ray[6], ray[7]) = (2.0, 1.0));
-    fault("tmax-nan", "No number.", "interval", &|_, _, ray| ray[7] = f32::NAN);
-    fault("tmin-nan", "No number.", "interval", &|_, _, ray| ray[6] = f32::NAN);
-    fault("negative-tmin", "A ray begins at its origin.", "interval", &|_, _, ray| ray[6] = -1.0);
+    let mut fault = |name: &str, why: &str, code: &str, change: Spoil| {
+        let (mut vertices, mut triangle, mut ray) = (vertices, [0, 1, 2], ray);
+        change(&mut vertices, &mut triangle, &mut ray);
+        let ask = Ask::Ray(Rays {
+            vertices: vertices.iter().map(|vertex| floats(vertex)).collect(),
+            triangles: vec![triangle],
+            rays: vec![floats(&ray)],
+            query: Query::Closest,
+        });
+        let case = author.reject(name, &["EXACT-1"], why, &ask, code);
+        if name == "negative-tmin" {
+            case.strength = Strength::May;
+        }
+    };
+    fault("vertex-nan", "No number.", "not-finite", |vertices, _, _| vertices[1][2] = f32::NAN);
+    fault("vertex-infinite", "No finite number.", "not-finite", |vertices, _, _| vertices[0][0] = f32::NEG_INFINITY);
+    fault("index", "There are three vertices.", "index", |_, triangle, _| triangle[2] = 3);
+    fault("index-far", "There are three vertices.", "index", |_, triangle, _| triangle[0] = (1 << 31) - 1);
+    fault("origin-nan", "No number.", "not-finite", |_, _, ray| ray[1] = f32::NAN);
+    fault("direction-infinite", "No finite number.", "not-finite", |_, _, ray| ray[4] = f32::INFINITY);
+    fault("direction-zero", "The ray goes nowhere.", "no-direction", |_, _, ray| ray[5] = 0.0);
+    fault("direction-negative-zero", "The ray goes nowhere.", "no-direction", |_, _, ray| ray[5] = -0.0);
+    fault("empty-interval", "tmin is above tmax.", "interval", |_, _, ray| (ray[6], ray[7]) = (2.0, 1.0));
+    fault("tmax-nan", "No number.", "interval", |_, _, ray| ray[7] = f32::NAN);
+    fault("tmin-nan", "No number.", "interval", |_, _, ray| ray[6] = f32::NAN);
+    fault("negative-tmin", "A ray begins at its origin.", "interval", |_, _, ray| ray[6] = -1.0);
     author.done()
 }
 

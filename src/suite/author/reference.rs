@@ -108,7 +108,7 @@ impl<'a> Reference<'a> {
             return true;
         }
         while self.key.len() > 1 {
-            if self.to_postponed() {
+            if self.turn_back() {
                 return true;
             }
             self.leave();
@@ -117,7 +117,7 @@ impl<'a> Reference<'a> {
     }
 
     /// Visits the sibling of the present node if that is postponed still.
-    fn to_postponed(&mut self) -> Stopped {
+    fn turn_back(&mut self) -> Stopped {
         let last = self.key.len() - 1;
         let Some(begins) = self.postponed[last].take() else { return false };
         if self.rule() == Rule::Distance && self.best.is_some_and(|best| begins > best.t) {
@@ -148,7 +148,7 @@ impl<'a> Reference<'a> {
         self.postponed.push(postpones.then_some(begins));
         self.marks.push(marked);
         self.path.push(pair[usize::from(right)]);
-        let stopped = self.visit() || self.to_postponed();
+        let stopped = self.visit() || self.turn_back();
         if !stopped {
             self.leave();
         }

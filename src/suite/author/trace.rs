@@ -95,7 +95,7 @@ fn complete_trees() -> Profile {
         let orders: [(&str, &dyn Fn(u32) -> char); 4] = [
             ("left", &|_| 'L'),
             ("right", &|_| 'R'),
-            ("turns", &|node| if depths[node as usize] % 2 == 0 { 'L' } else { 'R' }),
+            ("turns", &|node| if depths[node as usize] % 2 == 1 { 'R' } else { 'L' }),
             ("some", &|node| ['L', 'r', 'R', 'l', 'L', 'R'][node as usize * 7 % 6]),
         ];
         for (name, order) in orders {

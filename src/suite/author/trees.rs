@@ -21,7 +21,7 @@ pub(super) fn comb(depth: u32, goes_right: impl Fn(u32) -> bool) -> Children {
 /// All leaves at one depth, in level order.
 pub(super) fn complete(depth: u32) -> Children {
     let inner = (1 << depth) - 1;
-    (0..2 * inner + 1).map(|node| (node < inner).then(|| [2 * node + 1, 2 * node + 2])).collect()
+    (0..=2 * inner).map(|node| (node < inner).then(|| [2 * node + 1, 2 * node + 2])).collect()
 }
 
 /// A script for a tree, by its inner nodes and its leaves.

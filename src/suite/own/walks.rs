@@ -42,16 +42,15 @@ pub(super) fn claims(method: Option<Method>, word: WordName) -> (Vec<Feature>, O
 /// A case over a chain.
 fn chain(depth: u32) -> check::Case {
     let children: Children =
-        (0..2 * depth + 1).map(|node| (node % 2 == 0 && node < 2 * depth).then(|| [node + 2, node + 1])).collect();
+        (0..=2 * depth).map(|node| (node % 2 == 0 && node < 2 * depth).then(|| [node + 2, node + 1])).collect();
     let tree = Tree::from_generated(&children);
     let tape = Tape::from_cells(&tree, vec![Cell::default(); children.len()]).unwrap_or_default();
     check::Case { tree, tape, any: false, octant: 0 }
 }
 
 pub(super) fn answer(method: Method, word: WordName, features: &[Feature], ask: &Ask) -> Option<Answer> {
-    let walk = match ask {
-        Ask::Trace(walk) | Ask::Resume(walk) | Ask::ResumeDisjoint(walk) | Ask::ResumeKey(walk) => walk,
-        _ => return None,
+    let (Ask::Trace(walk) | Ask::Resume(walk) | Ask::ResumeDisjoint(walk) | Ask::ResumeKey(walk)) = ask else {
+        return None;
     };
     let case = match walk.case() {
         Ok(case) => case,
@@ -59,16 +58,16 @@ pub(super) fn answer(method: Method, word: WordName, features: &[Feature], ask: 
         Err(WalkError::Search) => return None,
     };
     if matches!(ask, Ask::Trace(_)) {
-        return trace(method, word, features, &case, walk);
+        return Some(trace(method, word, features, &case, walk));
     }
     with_word(word, Resume { method, case: &case, walk, by_key: matches!(ask, Ask::ResumeKey(_)) })
 }
 
-fn trace(method: Method, word: WordName, features: &[Feature], case: &check::Case, walk: &Walk) -> Option<Answer> {
+fn trace(method: Method, word: WordName, features: &[Feature], case: &check::Case, walk: &Walk) -> Answer {
     let (record, search) = match run(method, word, case) {
         Ok(run) => run,
-        Err(Unfit::TooDeep(_)) => return Some(Answer::Reject("too-deep".to_owned())),
-        Err(unfit) => return Some(Answer::Unsupported(unfit.to_string())),
+        Err(Unfit::TooDeep(_)) => return Answer::Reject("too-deep".to_owned()),
+        Err(unfit) => return Answer::Unsupported(unfit.to_string()),
     };
     let keys = Keys::of(&case.tree);
     let mut fields = vec![("events", json!(events(&record.trace, &case.tree, &keys)))];
@@ -86,7 +85,7 @@ fn trace(method: Method, word: WordName, features: &[Feature], case: &check::Cas
             Feature::Changing | Feature::Weights => {}
         }
     }
-    Some(Answer::Result(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()))
+    Answer::Result(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
 }
 
 fn run(method: Method, word: WordName, case: &check::Case) -> Result<(Record, Search<'_, Tree>), Unfit> {
