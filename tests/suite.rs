@@ -164,10 +164,8 @@ fn failures<'s>(bug: &Planted, suite: &'s Suite) -> (usize, Vec<(&'s Case, Flaw)
 
 /// What a planted traversal shows, as an implementation would say it.
 fn answer(bug: &Planted, case: &Case) -> Option<(Vec<Feature>, Answer)> {
-    let walk = match serde_json::from_value(case.input.clone().into()).unwrap() {
-        Ask::Trace(walk) | Ask::ResumeDisjoint(walk) => walk,
-        _ => return None,
-    };
+    let ask = serde_json::from_value(case.input.clone().into()).unwrap();
+    let (Ask::Trace(walk) | Ask::ResumeDisjoint(walk)) = ask else { return None };
     let of_tree = walk.case().unwrap();
     // Words of 64 bits, and none of them refuses.
     if of_tree.tree.depth() > 62 {

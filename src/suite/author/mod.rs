@@ -1,7 +1,7 @@
 //! The cases, and what has to be answered, from references that are as plain as can be.
 //!
-//! Nothing here calls what it makes cases about: words are lists of bits ([`bits`]), traversals a recursion that keeps its
-//! postponed nodes in a list ([`reference`]), rays rational arithmetic. Trees and tapes come from `generate`. `[CONF-4]`
+//! Nothing here calls what it makes cases about: words are lists of bits (`bits`), traversals a recursion that keeps its
+//! postponed nodes in a list (`reference`), rays rational arithmetic. Trees and tapes come from `generate`. `[CONF-4]`
 
 mod bits;
 mod hash;
