@@ -9,8 +9,11 @@ use super::traversals::small_case;
 pub struct Bug {
     name: String,
     /// The fault that it shows on the case of these bytes.
-    fault: Box<dyn Fn(&[u8]) -> Option<String>>,
+    fault: Box<Fault>,
 }
+
+/// The fault that some bytes show.
+type Fault = dyn Fn(&[u8]) -> Option<String>;
 
 impl Bug {
     /// What is wrong, in a few words: unique.
