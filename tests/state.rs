@@ -7,8 +7,8 @@ use stackless_bvh::hash::{KeyMap, KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::order::{Flow, Pruning};
 use stackless_bvh::traverse::{
-    Complete, Cursor, Glassner, Incomplete, KeyTrail, Method, Next, NoSuchKey, Paused, PruningStack, Stack, StateError,
-    States, Tables, Test, Unfit, WordName, traverse,
+    Afra, Complete, Cursor, Cuts, Disjoint, Glassner, Incomplete, KeyTrail, Method, Next, NoSuchKey, Paused,
+    PruningStack, Split, Stack, StateError, States, Tables, Test, Unfit, WordName, traverse,
 };
 use stackless_bvh::tree::{Keys, Node, ParentLinks, Parents, Reach, Recorded, Topology, Tree};
 
@@ -214,14 +214,17 @@ fn a_tree_without_a_node_more_is_complete() {
 
 #[test]
 fn every_method_runs_by_its_name_in_every_word() {
-    for seed in 0..12 {
-        let case = whole(Case::random(seed, CaseOptions::default()));
+    for seed in 0..18 {
+        let mut rng = Rng::new(seed);
+        let tree = Family::ALL[seed as usize % Family::ALL.len()].tree(&mut rng, 16);
+        let kind = Kind::ALL[seed as usize % Kind::ALL.len()];
+        let case = whole(Case::with_tree(tree, kind, &mut rng));
         let tables = Tables::new(&case.tree, case.tape.axes(), &Method::ALL, 13);
+        let is_complete = Complete::of(&case.tree).is_ok();
         for (method, word) in Method::ALL.into_iter().flat_map(|method| WordName::ALL.map(|word| (method, word))) {
             let run = |word: Option<WordName>| {
                 let (mut trace, mut memory) = (Trace::default(), Vec::new());
-                let search = &mut Search::new(&case.tree, &case.tape, false);
-                let octant = case.octant;
+                let (search, octant) = (&mut Search::new(&case.tree, &case.tape, false), case.octant);
                 let result = match word {
                     Some(word) => tables.run_in(word, method, octant, &mut memory, search, &mut trace),
                     None => tables.run::<u64, _>(method, octant, &mut memory, search, &mut trace),
@@ -229,10 +232,8 @@ fn every_method_runs_by_its_name_in_every_word() {
                 (result, trace)
             };
             let (result, trace) = run(None);
-            let refused = result.is_err();
-            // Complete trees only, and searches that say what may be left out.
-            assert_eq!(refused, trace.nodes().is_empty(), "{method}");
-            assert!(!refused || method == Method::Complete || method.test().pruning() != Pruning::Never, "{method}");
+            let is_fit = method != Method::Complete || is_complete;
+            assert_eq!((result.is_ok(), trace.nodes().is_empty()), (is_fit, !is_fit), "{method}");
             if word == WordName::Grow && method.restarts() {
                 assert_eq!(run(Some(word)).0, Err(Unfit::NoSuchWord { word: "grow" }));
             } else {
@@ -240,6 +241,28 @@ fn every_method_runs_by_its_name_in_every_word() {
             }
         }
     }
+}
+
+#[test]
+fn pieces_prune_what_waits_above_them_too() {
+    fn run(case: &Case, cursor: impl Cursor) -> Trace {
+        let (mut trace, mut search) = (Trace::default(), Search::new(&case.tree, &case.tape, false));
+        traverse(cursor, &mut search, &mut trace);
+        trace
+    }
+    let mut pruned = 0;
+    for seed in 0..100 {
+        let mut rng = Rng::new(seed);
+        let tree = Family::ALL[seed as usize % Family::ALL.len()].tree(&mut rng, 24);
+        let case = whole(Case::with_tree(tree, Kind::Intervals, &mut rng));
+        let (parents, cuts) = (Parents::of(&case.tree), Cuts::every(2, &case.tree));
+        let whole = run(&case, Afra::<u64, _, _, Disjoint<u64>>::new(&case.tree, &parents).unwrap());
+        let mut waiting = Vec::new();
+        let start = |piece| Afra::<u64, _, _, Disjoint<u64>>::new(piece, &parents);
+        assert_eq!(run(&case, Split::new(&cuts, &mut waiting, start).unwrap()), whole, "{case:?}");
+        pruned += u32::from(whole != run(&case, Stack::new(&case.tree, &mut Vec::new())));
+    }
+    assert!(pruned > 10, "{pruned}");
 }
 
 #[test]

@@ -181,6 +181,25 @@ fn operands_of_any_two_lengths() {
     }
 }
 
+/// Shifted up from 1 or 0, a word is stored in no more bits than it was shifted by.
+#[test]
+fn operands_of_any_two_shifts() {
+    let number = |word: &Grow| {
+        let pieces = (0..word.piece_count()).map(|i| (word.piece(i), PIECE.min(word.bit_length() - i * PIECE)));
+        pieces.fold(0_u128, |sum, (piece, bits)| sum << bits | u128::from(piece))
+    };
+    let shifted = |word: Grow, n: u32| (0..n).fold(word, |word, _| word.shl1());
+    for (a, b) in (0..70).flat_map(|a| (0..70).map(move |b| (a, b))) {
+        let (p, q) = (shifted(Grow::one(), a), shifted(Grow::one(), b));
+        let sum = p.clone().wrapping_add(&q);
+        let (x, y) = (1_u128 << a, 1_u128 << b);
+        for (word, value) in [(p.clone().or(&q), x | y), (p.clone().xor(&q), x ^ y), (p.and(&q), x & y), (sum, x + y)] {
+            assert_eq!(number(&shifted(word, 50)), value << 50, "{a} {b}");
+        }
+        assert_eq!(number(&shifted(shifted(Grow::zero(), a).or(&q), 50)), y << 50, "{a} {b}");
+    }
+}
+
 /// [KEY-6]
 #[test]
 fn a_level_starts_at_the_leading_one() {
@@ -201,6 +220,9 @@ fn growing_words_are_equal_by_value() {
     assert_eq!((0..63).fold(Grow::zero(), |word, _| word.shl1()), Grow::zero());
     assert_eq!(short(0b101), grow(0b101));
     assert_ne!(short(0b101), grow(0b110));
+    assert_ne!(short(0b101), short(0b110));
+    let long = 1 << 100 | 1;
+    assert!(short(long) != short(long ^ 2) && short(long) != short(long ^ 1 << 99));
     // The first piece of one is all of the other.
     assert!(short(ones(63)) != grow(ones(126)) && grow(ones(126)) != short(ones(63)));
     let hash = |word: &Grow| {
