@@ -3,14 +3,14 @@
 use stackless_bvh::check::{Case, CaseOptions};
 use stackless_bvh::event::{Recorder, State, Trace};
 use stackless_bvh::generate::{Exhaustive, Family, Kind, Rng, Search, Source, shape};
-use stackless_bvh::hash::{KeyMap, KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::hash::{KeyMap, KeySet, Lookup, Options, PerfectHash, Sizing};
 use stackless_bvh::key::{Grow, KeyWord};
-use stackless_bvh::order::{Flow, Pruning};
+use stackless_bvh::order::{Descent, Flow, Pruning, Side, Visitor};
 use stackless_bvh::traverse::{
-    Afra, Complete, Cursor, Cuts, Disjoint, Glassner, Incomplete, KeyTrail, Method, Next, NoSuchKey, Paused,
-    PruningStack, Split, Stack, StateError, States, Tables, Test, Unfit, WordName, traverse,
+    Afra, Complete, Cursor, Cuts, Disjoint, Glassner, Hashed, Incomplete, KeyTrail, Method, Next, NoSuchKey, Pause,
+    Paused, PruningStack, Sparse, Split, Stack, StateError, States, Tables, Test, Unfit, WordName, traverse,
 };
-use stackless_bvh::tree::{Keys, Node, ParentLinks, Parents, Reach, Recorded, Topology, Tree};
+use stackless_bvh::tree::{Keys, Node, ParentLinks, Parents, Reach, Recorded, Topology, Tree, Uncles};
 
 /// One visit.
 #[derive(Clone, Copy, Debug)]
@@ -412,4 +412,52 @@ fn states_of_other_trees_are_told_apart() {
         }
     }
     assert_eq!((seen.len(), count > 1000), (count - 1, true));
+}
+
+/// Nothing is to be looked up here.
+struct Never;
+
+impl<W: KeyWord> Lookup<W> for Never {
+    fn node(&self, key: &W) -> Node {
+        panic!("{key:?} is looked up")
+    }
+}
+
+/// Both children of some nodes, the left child of the others.
+struct LeftDown(&'static [usize]);
+
+impl Visitor for LeftDown {
+    fn inner(&mut self, node: Node) -> Descent {
+        if self.0.contains(&node.index()) { Descent::both(Side::Left) } else { Descent::only(Side::Left) }
+    }
+    fn leaf(&mut self, _: Node) -> Flow {
+        Flow::Continue
+    }
+}
+
+/// Node 2 is postponed at the root and named by the records of nodes 4 and 5, but not by that of node 7, two single children
+/// down: the register takes it at 5.
+#[test]
+fn what_the_next_record_does_not_name_is_kept() {
+    let leaf = None;
+    let children = [Some([1, 2]), Some([3, 4]), leaf, leaf, Some([5, 6]), Some([7, 8]), leaf, leaf, leaf];
+    let tree = Tree::new(&children).unwrap();
+    let uncles = <Uncles>::of(&tree);
+    let mut trace = Trace::default();
+    let cursor = Hashed::<u32, _, _, _>::new(&tree, &uncles, &Never).unwrap();
+    traverse(cursor, &mut LeftDown(&[0, 1]), &mut trace);
+    assert_eq!(trace.nodes().iter().map(|node| node.index()).collect::<Vec<_>>(), [0, 1, 3, 4, 5, 7, 2]);
+}
+
+#[test]
+fn marks_are_taken_up() {
+    let tree = chain(8);
+    let (node, parents) = (tree.node(9).unwrap(), Parents::of(&tree));
+    let paused = Paused { node, register: None, key: None, trail: 0b101_u32, disjoint: Some(0b100), next: Next::Visit };
+    let mut afra = Afra::<u32, _, _, Disjoint<u32>>::new(&tree, &parents).unwrap();
+    let mut sparse = Sparse::<u32, _, _, Disjoint<u32>>::new(&tree, &parents).unwrap();
+    afra.take_up(paused.clone()).unwrap();
+    sparse.take_up(paused).unwrap();
+    assert_eq!((State::node(&afra), afra.trail(), State::disjoint(&afra)), (node, Some(0b101), Some(0b100)));
+    assert_eq!((State::node(&sparse), State::disjoint(&sparse)), (node, Some(0b100)));
 }
