@@ -179,3 +179,6 @@ pub enum Event<W> {
     /// Nothing is left, or the search was stopped.
     End,
 }
+
+#[cfg(test)]
+mod tests;

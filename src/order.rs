@@ -293,26 +293,4 @@ impl<T: NodeTest, O: FixedOrder> Visitor for ByNode<T, O> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn decisions_from_hits() {
-        use Side::{Left, Right};
-        for prefer_right in [false, true] {
-            assert_eq!(Descent::new(false, false, prefer_right), Descent::NEITHER);
-            assert_eq!(Descent::new(true, false, prefer_right), Descent::only(Left));
-            assert_eq!(Descent::new(false, true, prefer_right), Descent::only(Right));
-            assert_eq!(Descent::new(true, true, prefer_right), Descent::both(Side::right_if(prefer_right)));
-        }
-        for side in [Left, Right] {
-            let (only, both) = (Descent::only(side), Descent::both(side));
-            assert_eq!((only.is_neither(), only.first(), only.postpones()), (false, side, false));
-            assert_eq!((both.is_neither(), both.first(), both.postpones()), (false, side, true));
-        }
-        assert!(Descent::NEITHER.is_neither() && !Descent::NEITHER.postpones());
-        let marked = Descent::both(Left).disjoint_if(true);
-        assert!(marked.is_disjoint() && marked.postpones() && marked != Descent::both(Left));
-        assert_eq!(Descent::both(Left).disjoint_if(false), Descent::both(Left));
-    }
-}
+mod tests;

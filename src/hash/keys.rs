@@ -195,3 +195,6 @@ impl<P: Step> Top<P> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

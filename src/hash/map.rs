@@ -116,4 +116,15 @@ mod tests {
             assert_eq!(map.get(&0_u32), None);
         }
     }
+
+    #[test]
+    fn at_least_half_of_the_cells_are_empty() {
+        let bytes = |leaves: u32| {
+            let inner = |i: u32| Some([2 * i + 1, 2 * i + 2]);
+            let children: Vec<_> = (1..leaves).map(|i| inner(i - 1)).chain((0..leaves).map(|_| None)).collect();
+            KeyMap::of(&Tree::new(&children).unwrap()).bytes()
+        };
+        // The power of two above twice the number of nodes, 16 bytes each.
+        assert_eq!([1, 2, 3, 8].map(bytes), [4, 8, 16, 32].map(|cells| 16 * cells));
+    }
 }

@@ -148,3 +148,103 @@ fn the_extension_is_left_alone_by_shallow_values() {
     assert!(!format!("{word:?}").contains("bits"));
     assert_eq!(word.clone().shl1().shl1().shr(2), word);
 }
+
+/// As children make it: nothing is stored above its highest bit.
+fn short(value: u128) -> Grow {
+    let below = (0..value.bit_length().saturating_sub(1)).rev();
+    below.fold(Grow::from_bit(value > 0), |word, bit| child(word, Grow::from_bit(value >> bit & 1 == 1)))
+}
+
+/// Bits that an operation loses, or stores where they do not count, show after the result has been shifted up.
+#[test]
+fn operands_of_any_two_lengths() {
+    let lengths = [1, 2, 3, 30, 62, 63, 64, 65, 100, 125, 126];
+    let ones = |n: u32| u128::MAX >> (128 - n);
+    for (a, b) in lengths.iter().flat_map(|&a| lengths.map(|b| (a, b))) {
+        let odd = 0x5555_5555_5555_5555_5555_5555_5555_5555 & ones(b);
+        for (x, y) in [(1 << (a - 1), ones(b)), (ones(a), 1 << (b - 1)), (ones(a), odd | 1 << (b - 1))] {
+            let (p, q) = (short(x), short(y));
+            let results = [
+                (p.clone().and(&q), x & y),
+                (p.clone().or(&q), x | y),
+                (p.clone().xor(&q), x ^ y),
+                (p.clone().wrapping_add(&q), x + y),
+                (p.wrapping_sub(&q), x.saturating_sub(y)),
+            ];
+            for (i, (word, value)) in results.into_iter().enumerate() {
+                assert!(same(&word, value), "{i}: {x:#b} {y:#b}");
+                let up = 128 - value.bit_length().max(1);
+                let shifted = (0..up).fold(word, |word, _| word.shl1());
+                assert!(same(&shifted, value << up), "{i}: {x:#b} {y:#b}");
+            }
+        }
+    }
+}
+
+/// Shifted up from 1 or 0, a word is stored in no more bits than it was shifted by.
+#[test]
+fn operands_of_any_two_shifts() {
+    let number = |word: &Grow| {
+        let pieces = (0..word.piece_count()).map(|i| (word.piece(i), PIECE.min(word.bit_length() - i * PIECE)));
+        pieces.fold(0_u128, |sum, (piece, bits)| sum << bits | u128::from(piece))
+    };
+    let shifted = |word: Grow, n: u32| (0..n).fold(word, |word, _| word.shl1());
+    for (a, b) in (0..70).flat_map(|a| (0..70).map(move |b| (a, b))) {
+        let (p, q) = (shifted(Grow::one(), a), shifted(Grow::one(), b));
+        let sum = p.clone().wrapping_add(&q);
+        let (x, y) = (1_u128 << a, 1_u128 << b);
+        for (word, value) in [(p.clone().or(&q), x | y), (p.clone().xor(&q), x ^ y), (p.and(&q), x & y), (sum, x + y)] {
+            assert_eq!(number(&shifted(word, 50)), value << 50, "{a} {b}");
+        }
+        assert_eq!(number(&shifted(shifted(Grow::zero(), a).or(&q), 50)), y << 50, "{a} {b}");
+    }
+}
+
+/// [KEY-6]
+#[test]
+fn a_level_starts_at_the_leading_one() {
+    assert!(level_start(&0_u8) == 0 && level_start(&Grow::zero()).is_zero());
+    for key in 1..=u8::MAX {
+        assert_eq!(level_start(&key), 1 << depth(&key));
+    }
+    for length in [1, 2, 63, 64, 65, 128] {
+        let ones = u128::MAX >> (128 - length);
+        assert_eq!((level_start(&ones), level_start(&short(ones))), (1 << (length - 1), short(1 << (length - 1))));
+    }
+}
+
+#[test]
+fn growing_words_are_equal_by_value() {
+    let ones = |n: u32| u128::MAX >> (128 - n);
+    // Stored in as many bits and in more, with and without leading zeros.
+    assert_eq!((0..63).fold(Grow::zero(), |word, _| word.shl1()), Grow::zero());
+    assert_eq!(short(0b101), grow(0b101));
+    assert_ne!(short(0b101), grow(0b110));
+    assert_ne!(short(0b101), short(0b110));
+    let long = 1 << 100 | 1;
+    assert!(short(long) != short(long ^ 2) && short(long) != short(long ^ 1 << 99));
+    // The first piece of one is all of the other.
+    assert!(short(ones(63)) != grow(ones(126)) && grow(ones(126)) != short(ones(63)));
+    let hash = |word: &Grow| {
+        let mut hasher = std::hash::DefaultHasher::new();
+        std::hash::Hash::hash(word, &mut hasher);
+        std::hash::Hasher::finish(&hasher)
+    };
+    assert_eq!(hash(&short(0b101)), hash(&grow(0b101)));
+    assert_ne!(hash(&short(0b101)), hash(&short(0b110)));
+    assert_ne!(hash(&short(ones(63))), hash(&short(ones(126))));
+}
+
+#[test]
+fn words_say_what_they_are() {
+    assert_eq!(
+        (format!("{:?}", short(5)), format!("{:?}", short(1 << 99))),
+        ("5".into(), "a number of 100 bits".into())
+    );
+    let text = "the tree is 32 edges deep, and this state in u32 carries at most 31";
+    assert_eq!(u32::carries(32, 1).unwrap_err().to_string(), text);
+    assert_eq!((Grow::highest(), u8::highest(), u64::highest()), (None, Some(1 << 7), Some(1 << 63)));
+    // A register, and a piece for every 63 bits below the leading one.
+    assert_eq!([0, 62, 63, 125, 126, 200].map(Grow::bytes), [8, 8, 16, 16, 24, 32]);
+    assert_eq!((u8::bytes(200), u64::bytes(0), u128::bytes(1)), (1, 8, 16));
+}

@@ -284,3 +284,6 @@ fn perfect(tree: &impl Topology, key_set: KeySet) -> Option<PerfectHash> {
 pub(super) fn table<X>(table: Option<&X>) -> Result<&X, Unfit> {
     table.ok_or(Unfit::NoTable)
 }
+
+#[cfg(test)]
+mod tests;

@@ -217,4 +217,18 @@ mod tests {
             assert_eq!(tree.node(children.len() as u32), None);
         }
     }
+
+    #[test]
+    fn addresses_keep_the_top_bit_for_leaves() {
+        assert_eq!(Node::MAX_INDEX, (1 << 31) - 2);
+        // One more, and all bits plus one would be 0, which marks an empty cell of a table.
+        assert_eq!(Node::leaf(Node::MAX_INDEX + 1).to_bits(), u32::MAX);
+        for index in [0, 5, Node::MAX_INDEX] {
+            let (inner, leaf) = (Node::inner(index), Node::leaf(index));
+            assert_eq!((inner.to_bits(), leaf.to_bits()), (index, index + (1 << 31)));
+            assert_eq!((inner.index(), leaf.index()), (index as usize, index as usize));
+            assert!(!inner.is_leaf() && leaf.is_leaf());
+            assert_eq!((Node::inner(index | 1 << 31), Node::leaf(index | 1 << 31)), (inner, leaf));
+        }
+    }
 }

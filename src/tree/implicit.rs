@@ -172,4 +172,14 @@ mod tests {
         }
         assert!(matches!(Implicit::of(&comb(32)), Err(ImplicitError::TooDeep { depth: 32, limit: Implicit::LIMIT })));
     }
+
+    #[test]
+    fn deep_trees_take_address_space_and_others_memory() {
+        for (depth, is_plain) in [(0, true), (PLAIN, true), (PLAIN + 1, false)] {
+            assert_eq!(matches!(Cells::for_depth(depth), Ok(Cells::Plain(_))), is_plain, "{depth}");
+        }
+        let error = Implicit::of(&comb(32)).unwrap_err();
+        let text = "the tree is 32 edges deep, and the implicit layout is made for at most 31";
+        assert_eq!(std::string::ToString::to_string(&error), text);
+    }
 }

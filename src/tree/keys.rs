@@ -118,7 +118,7 @@ impl Keys {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::key::Grow;
+    use crate::key::{Grow, Word};
     use crate::tree::Tree;
 
     /// A comb of the given depth whose teeth change sides every third level: node 2i is inner, 2i + 1 its tooth.
@@ -159,5 +159,19 @@ mod tests {
         assert_eq!(Keys::walk(&tree, &1_u32), Some(tree.root()));
         let beyond: Vec<_> = (2..32_u32).filter(|key| Keys::walk(&tree, key).is_some()).collect();
         assert_eq!(beyond.len(), 4);
+    }
+
+    #[test]
+    fn a_bit_in_any_piece_makes_another_key() {
+        let tree = comb(200);
+        let keys = Keys::of(&tree);
+        assert_eq!(keys.bytes(), 16 * tree.node_count());
+        let slot = tree.node_count() - 1;
+        let key: Grow = keys.key(slot);
+        for bit in 0..200 {
+            let flipped = (0..bit).fold(Grow::one(), |word, _| word.shl1()).xor(&key);
+            assert!(!keys.is(slot, &flipped), "{bit}");
+        }
+        assert!(keys.is(slot, &key) && !keys.is(slot, &0_u32));
     }
 }

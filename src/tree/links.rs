@@ -266,4 +266,66 @@ mod tests {
         assert_eq!(of(7), (node(6), node(8)));
         assert_eq!(of(0), (node(0), node(0)));
     }
+
+    /// A tree whose records name what is beside its children.
+    struct Records(Tree, Recorded);
+
+    impl Topology for Records {
+        fn root(&self) -> Node {
+            self.0.root()
+        }
+        fn children(&self, node: Node) -> [Node; 2] {
+            self.0.children(node)
+        }
+        fn node_count(&self) -> usize {
+            self.0.node_count()
+        }
+        fn slot(&self, node: Node) -> usize {
+            self.0.slot(node)
+        }
+        fn depth(&self) -> u32 {
+            self.0.depth()
+        }
+        fn recorded(&self) -> Recorded {
+            self.1
+        }
+        fn links(&self, node: Node) -> [Node; 2] {
+            link_rows(&self.0, self.1)[self.0.slot(node)]
+        }
+    }
+
+    #[test]
+    fn records_are_the_tables() {
+        let leaf = None;
+        let children = [Some([1, 2]), Some([3, 4]), leaf, leaf, Some([5, 6]), leaf, Some([7, 8]), leaf, leaf];
+        let tree = || Tree::new(&children).unwrap();
+        let (uncles, parents) = (&Uncles::<2, 3>::of(&tree()), &Parents::of(&tree()));
+        assert_eq!((parents.bytes(), uncles.bytes()), (8 * 9, 12 * 9));
+        let nothing = tree();
+        assert!(RecordedParents::of(&nothing).is_none() && RecordedUncles::of(&nothing).is_none());
+        assert_eq!((nothing.recorded(), nothing.links(nothing.root())), (Recorded::Nothing, [nothing.root(); 2]));
+
+        let with_parents = Records(tree(), Recorded::ParentSibling);
+        let recorded = RecordedParents::of(&with_parents).unwrap();
+        assert!(RecordedUncles::of(&with_parents).is_none());
+        let with_uncles = Records(tree(), Recorded::Uncles);
+        let of_uncles = RecordedUncles::of(&with_uncles).unwrap();
+        assert!(RecordedParents::of(&with_uncles).is_none());
+        for i in 0..9 {
+            let node = nothing.node(i).unwrap();
+            assert_eq!(recorded.row(&with_parents, node), parents.row(&nothing, node));
+            assert_eq!(of_uncles.row(&with_uncles, node)[..2], uncles.row(&nothing, node)[..2]);
+        }
+    }
+
+    #[test]
+    fn a_reach_is_one_to_three_and_a_mask() {
+        for (inner, leaf) in (0..5).flat_map(|inner| (0..5).map(move |leaf| (inner, leaf))) {
+            let reach = Reach::new(inner, leaf);
+            assert_eq!(reach.is_some(), (1..=3).contains(&inner) && (1..=3).contains(&leaf));
+            let of = |is_leaf| reach.map(|reach| (reach.of(is_leaf), reach.mask(is_leaf)));
+            let mask = |n: u32| (1..=n).map(|bit| 1 << bit).sum::<u32>();
+            assert_eq!((of(false), of(true)), (reach.map(|_| (inner, mask(inner))), reach.map(|_| (leaf, mask(leaf)))));
+        }
+    }
 }

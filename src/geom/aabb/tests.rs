@@ -10,3 +10,18 @@ fn boxes_measure_themselves() {
     let greatest = Aabb::of(&[Vec3::MAX, Vec3::splat(1e38)]);
     assert!(greatest.centroid().is_finite());
 }
+
+#[test]
+fn a_box_encloses_what_is_inside_it_on_every_side() {
+    let aabb = Aabb { lo: Vec3::new(-1.0, 2.0, 5.0), hi: Vec3::new(1.0, 6.0, 7.0) };
+    assert_eq!(aabb.extent(), Vec3::new(2.0, 4.0, 2.0));
+    assert!(aabb.encloses(&aabb));
+    for axis in 0..3 {
+        let (mut lower, mut upper) = (aabb, aabb);
+        lower.lo[axis] -= 1.0;
+        upper.hi[axis] += 1.0;
+        for wide in [lower, upper] {
+            assert!(wide.encloses(&aabb) && !aabb.encloses(&wide));
+        }
+    }
+}

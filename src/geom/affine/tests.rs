@@ -160,3 +160,25 @@ fn what_needs_no_rounding_is_exact() {
     assert!(origin.iter().all(Interval::is_zero));
     assert_eq!(direction.map(|x| x.is_zero()), [true, true, false], "a ray along an axis stays so");
 }
+
+/// The images of whole numbers under whole maps are whole: the line to any point of an image is one of floats. `[INST-1]`
+#[test]
+fn whole_images_are_met_at_their_points() {
+    let inner = Affine::new([[2.0, 1.0, 0.0, 3.0], [0.0, 3.0, -1.0, -4.0], [1.0, 0.0, 5.0, 2.0]]).unwrap();
+    let outer = Affine::new([[0.0, -1.0, 2.0, 7.0], [4.0, 0.0, 1.0, 1.0], [-1.0, 2.0, 0.0, -6.0]]).unwrap();
+    let corners = [[1.0, 2.0, 3.0], [5.0, -4.0, 3.0], [-3.0, 2.0, 7.0]].map(Vec3::from);
+    let origin = Vec3::new(11.0, -60.0, 35.0);
+    let apply = |map: &Affine, v: Vec3| Vec3::from(map.rows().map(|[x, y, z, b]| x * v.x + y * v.y + z * v.z + b));
+    let lists: [&[Affine]; 4] = [&[], &[inner], &[inner, outer], &[outer, inner, outer]];
+    for maps in lists {
+        for [u, v] in [[0.25, 0.5], [0.5, 0.25], [0.125, 0.125]] {
+            let point = corners[0] + (corners[1] - corners[0]) * u + (corners[2] - corners[0]) * v;
+            let way = maps.iter().fold(point, |point, map| apply(map, point)) - origin;
+            let Meeting::Hit(point) = meet_image(corners, maps, origin, way) else { panic!("{maps:?} {u} {v}") };
+            assert_eq!((point.place, point.t, point.u, point.v), (Place::Interior, RBig::ONE, exact(u), exact(v)));
+            let beside = corners[0] - (corners[1] - corners[0]) * u + (corners[2] - corners[0]) * v;
+            let way = maps.iter().fold(beside, |point, map| apply(map, point)) - origin;
+            assert!(matches!(meet_image(corners, maps, origin, way), Meeting::Miss));
+        }
+    }
+}

@@ -87,6 +87,31 @@ fn flat_triangles_are_missed<K: Kernel<Vector = Vec3, Shape: From<Triangle>>>() 
     assert_eq!(distance::<K>(UNIT, &edge_on), None);
 }
 
+for_each_kernel!(any_triangle_is_met_in_and_missed_beside_it);
+fn any_triangle_is_met_in_and_missed_beside_it<K: Kernel<Vector = Vec3, Shape: From<Triangle>>>() {
+    // All weights and points are exact, and the determinants are none of 1 and -1.
+    let [a, b, c] = [[1.0, 2.0, 3.0], [5.0, 1.0, 4.0], [2.0, 6.0, 8.0]].map(Vec3::from);
+    let corners = [[a, b, c], [a, c, b], [a * -2.0, c * -2.0, b * -2.0], [c * 0.25, a * 0.25, b * 0.25]];
+    let ways = [[1.0, 2.0, -4.0], [-3.0, 1.0, 2.0], [2.0, -5.0, 1.0], [0.0, 0.0, -3.0]].map(Vec3::from);
+    for ([a, b, c], way) in corners.into_iter().flat_map(|corners| ways.map(|way| (corners, way))) {
+        let triangle = Triangle([a, b, c]);
+        let at = |u: f32, v: f32| Ray::new(a + (b - a) * u + (c - a) * v - way * 2.0, way, 0.0, f32::INFINITY).unwrap();
+        for [u, v] in [[0.25, 0.5], [0.5, 0.25], [0.125, 0.125], [0.625, 0.125]] {
+            let ray = at(u, v);
+            let kernel = K::new(&ray, &Region::of(&triangle.aabb()));
+            let t = distance::<K>(triangle, &ray).expect("a hit");
+            assert!((t - 2.0).abs() < 1e-5 && kernel.blocks(&triangle.into()), "{triangle:?} {way} {t}");
+            let [p, q] = kernel.weights(&triangle.into());
+            assert!((p - u).abs() < 1e-5 && (q - v).abs() < 1e-5, "{triangle:?} {way}: {p} {q}");
+        }
+        for [u, v] in [[-0.25, 0.5], [0.5, -0.25], [0.75, 0.5], [-0.5, -0.5], [-0.25, 1.5], [1.5, -0.25]] {
+            let ray = at(u, v);
+            assert_eq!(distance::<K>(triangle, &ray), None, "{triangle:?} {way} {u} {v}");
+            assert!(!K::new(&ray, &Region::of(&triangle.aabb())).blocks(&triangle.into()));
+        }
+    }
+}
+
 /// Numbers of all magnitudes, and few enough others to meet again.
 fn number() -> impl Strategy<Value = f32> {
     let few = [0.0, -0.0, 1.0, -1.0, 0.5, 3.0, f32::MAX, -f32::MAX, f32::MIN_POSITIVE, 1e-45, -1e-40];
@@ -151,4 +176,46 @@ fn the_box_of_doubles_holds_them() {
         assert!(lo.as_dvec3().cmple(p).all() && p.cmple(hi.as_dvec3()).all(), "{lo} {p} {hi}");
     }
     assert_eq!((lo.x, hi.x), (0.1f32.min(0.099_999_994), 1.0));
+}
+
+#[test]
+fn numbers_and_vectors_answer_for_their_precision() {
+    use crate::geom::{Real, Vector};
+    let third = 1.0 / 3.0;
+    let ([down, up], [zero, same]) = (third.ranks(), [(-0.0_f64).ranks(), 0.5_f64.ranks()]);
+    assert_eq!((f32::from_bits(down), f32::from_bits(up)), ((third as f32).next_down(), third as f32));
+    assert_eq!((zero, same), ([0; 2], [0.5_f32.to_bits(); 2]));
+    let [down, up] = (2.0 / 3.0_f64 + 1e-9).ranks();
+    assert!(f64::from(f32::from_bits(down)) < 2.0 / 3.0 + 1e-9 && f32::from_bits(down).next_up() == f32::from_bits(up));
+    assert_eq!(((-0.0_f32).ranks(), 0.5_f32.ranks()), ([0; 2], [0.5_f32.to_bits(); 2]));
+    assert_eq!((Real::next_down(1.0_f32), Real::next_down(1.0_f64)), (1.0_f32.next_down(), 1.0_f64.next_down()));
+    for bad in [f32::NAN, f32::INFINITY] {
+        assert!(
+            !Vector::is_finite(Vec3::new(0.0, bad, 0.0)) && !Vector::is_finite(Vec3::new(0.0, bad, 0.0).as_dvec3())
+        );
+    }
+    assert!(Vector::is_finite(Vec3::MAX) && Vector::is_finite(glam::DVec3::MAX));
+    for ([a, b, c], are) in [
+        ([Vec3::ZERO, Vec3::X, Vec3::X * 3.0], true),
+        ([Vec3::ONE; 3], true),
+        ([Vec3::ZERO, Vec3::new(0.1, 0.2, 0.3), Vec3::new(0.1, 0.2, 0.3) * 2.0], true),
+        ([Vec3::ZERO, Vec3::new(0.1, 0.2, 0.3), Vec3::new(0.2, 0.4, 0.6_f32.next_up())], false),
+        ([Vec3::ZERO, Vec3::X, Vec3::Y], false),
+        ([Vec3::ZERO, Vec3::Y, Vec3::Z], false),
+        ([Vec3::ZERO, Vec3::Z, Vec3::X], false),
+    ] {
+        assert_eq!(Vec3::are_collinear(&[a, b, c]), are, "{a} {b} {c}");
+        assert_eq!(glam::DVec3::are_collinear(&[a, b, c].map(Vec3::as_dvec3)), are, "{a} {b} {c}");
+    }
+}
+
+#[test]
+fn octants_are_the_signs() {
+    use crate::geom::EnclosedRay;
+    for octant in 0..8_u8 {
+        let sign = |axis: u8| if octant >> axis & 1 == 1 { -2.0 } else { 3.0 };
+        let ray = ray([0.0; 3], [sign(0), sign(1), sign(2)], 0.0, 1.0);
+        assert_eq!((ray.octant(), EnclosedRay::exact(&ray).octant()), (octant, octant));
+    }
+    assert_eq!(ray([0.0; 3], [0.0, -0.0, 1.0], 0.0, 1.0).octant(), 0);
 }

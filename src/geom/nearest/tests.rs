@@ -93,3 +93,52 @@ fn the_ends_of_the_range() {
     assert_eq!(Measure::new(Vec3::ZERO, 1.0).distance(&small, 1.0), Some(least));
     assert_eq!(Measure::new(Vec3::X * least, 0.0).distance(&small, 0.0), Some(0.0));
 }
+
+/// The nearest point by another way: the foot on the plane if it is inside, else the nearest point of an edge.
+fn nearest_by_edges([a, b, c]: [DVec3; 3]) -> DVec3 {
+    let normal = (b - a).cross(c - a);
+    let foot = normal * (normal.dot(a) / normal.length_squared());
+    let edges = [(a, b), (b, c), (c, a)];
+    if edges.iter().all(|&(p, q)| normal.cross(q - p).dot(foot - p) >= 0.0) {
+        return foot;
+    }
+    let of_edge = |(p, q): (DVec3, DVec3)| p + (q - p) * (-p.dot(q - p) / (q - p).length_squared()).clamp(0.0, 1.0);
+    edges.map(of_edge).into_iter().min_by(|p, q| p.length().total_cmp(&q.length())).unwrap_or(a)
+}
+
+#[test]
+fn the_nearest_point_is_that_of_the_plane_the_edges_and_the_corners() {
+    let (mut random, mut regions) = (Rng::new(4), 0);
+    for _ in 0..20_000 {
+        let corners = [(); 3].map(|()| vector(&mut random).as_dvec3());
+        if (corners[1] - corners[0]).cross(corners[2] - corners[0]).length() < 0.1 {
+            continue;
+        }
+        let point = vector(&mut random) * 2.0;
+        let triangle = Triangle(corners.map(DVec3::as_vec3));
+        let relative = corners.map(|corner| corner - point.as_dvec3());
+        let (expected, found) = (nearest_by_edges(relative), nearest(&relative));
+        assert!((expected - found).length() < 1e-12, "{corners:?} {point}: {expected} {found}");
+        let [near, far] = bounds(&relative);
+        assert!(far - near < 1e-13 && near <= expected.length() && expected.length() <= far, "{near} {far}");
+        let placed = Measure::new(point, 1.0).nearest(&triangle);
+        assert!((placed.as_dvec3() - point.as_dvec3() - expected).length() < 1e-6);
+        regions += 1;
+    }
+    assert!(regions > 15_000, "{regions}");
+}
+
+/// The margins are as they are derived.
+#[test]
+fn bounds_of_a_face_ahead() {
+    let u = 2f64.powi(-53);
+    let corners = [DVec3::new(-1.0, -1.0, 1.0), DVec3::new(1.0, -1.0, 1.0), DVec3::new(0.0, 1.0, 1.0)];
+    assert_eq!(bounds(&corners), [1.0 - 72.0 * u, 1.0 + 72.0 * u]);
+    let aabb = Aabb { lo: Vec3::ONE, hi: Vec3::splat(2.0) };
+    assert_eq!(Measure::new(Vec3::new(1.5, 1.5, 0.0), 9.0).to_box(&aabb), 1.0 - 8.0 * u);
+    assert_eq!(Measure::new(Vec3::new(1.5, 1.5, 4.0), 9.0).to_box(&aabb), 2.0 - 16.0 * u);
+    let triangle = Triangle(corners.map(DVec3::as_vec3));
+    for (limit, expected) in [(0.5, None), (1.0, Some(1.0)), (2.0, Some(1.0))] {
+        assert_eq!(Measure::new(Vec3::ZERO, f32::INFINITY).distance(&triangle, limit), expected);
+    }
+}

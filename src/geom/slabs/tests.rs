@@ -128,6 +128,26 @@ proptest! {
     }
 
     #[test]
+    fn no_form_hits_another_box_of_the_lattice_or_far_before_it((ray, aabb) in lattice()) {
+        let expected = touches(&ray, &aabb);
+        let [o, d, lo, hi] = [ray.origin(), ray.direction(), aabb.lo, aabb.hi].map(|v| v.to_array());
+        let entry = truth::entry(o, d, [0.0, f32::INFINITY], lo, hi).map(|entry| truth::round_f32(&entry));
+        let is_right = |near: Option<f32>| match (near, entry) {
+            (Some(near), Some(entry)) => expected && near <= entry && entry - near <= 1e-4 * entry,
+            (near, entry) => near.is_none() && entry.is_none() && !expected,
+        };
+        // In the greater region nothing is asked of single precision.
+        let great = Aabb { lo: Vec3::splat(-f32::MAX), hi: Vec3::splat(f32::MAX) };
+        for region in [aabb, great].map(|aabb| Region::of(&aabb)) {
+            prop_assert!(is_right(Directed::new(&ray, &region).one(&aabb, f32::INFINITY)));
+            prop_assert!(is_right(Enclosed::new(&ray, &region).one(&aabb, f32::INFINITY)));
+            let [o, d] = [ray.origin(), ray.direction()].map(Vec3::as_dvec3);
+            let wide = Wide::new(&Ray::new(o, d, 0.0, f64::INFINITY).expect("a ray"), &region);
+            prop_assert!(is_right(wide.one(&aabb, f64::INFINITY).map(|near| near as f32)));
+        }
+    }
+
+    #[test]
     fn a_box_is_hit_by_rays_that_end_where_they_enter_it(ray in ray(), aabb in aabb()) {
         // The end is rounded as the distance of a hit is, perhaps down.
         let [o, d, lo, hi] = [ray.origin(), ray.direction(), aabb.lo, aabb.hi].map(|v| v.to_array());

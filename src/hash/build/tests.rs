@@ -1,5 +1,5 @@
 use super::*;
-use crate::hash::{AddressBounds, certify};
+use crate::hash::{AddressBounds, Mix, certify};
 use crate::key::Grow;
 use crate::tree::{Keys, Reach, Tree};
 
@@ -94,4 +94,93 @@ fn another_fold_where_two_meet() {
     let never = |_| keys(0);
     let none = with_fold_seeds(&tree, options, never, |request| remedied(request, false));
     assert_eq!(none, Err(BuildError::NoSeed { seeds: SEEDS }));
+}
+
+/// [HASH-9]
+#[test]
+fn keys_of_64_bits_are_whole_and_those_of_65_are_folded() {
+    for depth in [62, 63, 64, 65, 130] {
+        let tree = comb(depth);
+        let options = Options { key_set: KeySet::All, sizing: Sizing::Tight };
+        let hash = PerfectHash::build(&tree, options).unwrap();
+        assert_eq!(PerfectHash::build_parallel(&tree, options).as_ref(), Ok(&hash), "{depth}");
+        assert_eq!(certify(&hash, &tree, options.key_set), Ok(()), "{depth}");
+        let keys = Keys::of(&tree);
+        for slot in 0..tree.node_count() {
+            assert_eq!(hash.probe(&keys.key::<Grow>(slot)), tree.node(slot as u32), "{depth}");
+        }
+    }
+}
+
+#[test]
+fn tight_tables_grow_where_keys_clash() {
+    let keys = |keys: &[u64]| keys.iter().map(|&key| HashedKey { key, ..HashedKey::NONE }).collect::<Vec<_>>();
+    let sizes = |list: &[u64]| tight(&keys(list)).ok().map(|(buckets, cells)| (buckets.size(), cells.get()));
+    // Both in bucket 1 of 4. They are equal modulo 5, and not modulo 7, the odd number above 2 (5 * 9 / 16 + 1).
+    assert_eq!(sizes(&[1, 3]), Some((4, 1)));
+    assert_eq!(sizes(&[1, 5]), Some((4, 5)));
+    assert_eq!(sizes(&[1, 21]), Some((4, 7)));
+    assert_eq!(sizes(&(0..100).collect::<Vec<_>>()), Some((256, 1)));
+}
+
+/// The first numbers of `SplitMix64` from seed 0, as its authors' program prints them.
+#[test]
+fn the_mix_is_the_finaliser_of_splitmix64() {
+    let states = (1..=3_u64).map(|i| i.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    let expected = [0xe220_a839_7b1d_cdaf, 0x6e78_9e6a_a1b9_65f4, 0x06c4_5d18_8009_454f];
+    assert_eq!(states.map(mix).collect::<Vec<_>>(), expected);
+    // That of 32 bits, by the formula of its author.
+    let narrow = Mix { narrow: true, seed: Some(0) };
+    assert_eq!([1, 2, 0xdead_beef].map(|key| narrow.apply(key)), [0x6889_90c0, 0xd113_2181, 0xe628_c683]);
+}
+
+#[test]
+fn tables_say_what_they_are() {
+    let names = Sizing::ALL.map(|sizing| (sizing.name(), alloc::format!("{sizing:>9}")));
+    let names = names.each_ref().map(|(name, text)| (*name, text.as_str()));
+    assert_eq!(names, [("printed", "  printed"), ("printed-hashed", "printed-hashed"), ("tight", "    tight")]);
+    let (tree, other) = (comb(40), comb(41));
+    let keys = Keys::of(&tree);
+    for (key_set, sizing) in [KeySet::All, KeySet::Paper].into_iter().flat_map(|set| Sizing::ALL.map(|s| (set, s))) {
+        let options = Options { key_set, sizing };
+        let hash = PerfectHash::build(&tree, options).unwrap();
+        assert_ne!(hash, PerfectHash::build(&other, options).unwrap());
+        let (header, hashed) = (hash.header(), key_set.slots(&tree));
+        let keys = (0..tree.node_count()).filter(|&slot| hashed[slot]).map(|slot| keys.key::<u64>(slot));
+        let direct = keys.filter(|key| {
+            let lead = header.mix.apply(*key) % u64::from(header.displacements);
+            let is_direct = hash.displacements()[lead as usize] >> 31 == 1;
+            assert_eq!(hash.is_direct(key), is_direct);
+            is_direct
+        });
+        assert_eq!(direct.count(), header.direct as usize);
+        let share = f64::from(header.direct) / f64::from(header.keys);
+        assert!(header.direct > 0 && header.direct < header.keys && header.direct_share() == share);
+    }
+    let leaf = Tree::new(&[None]).unwrap();
+    let empty = PerfectHash::build(&leaf, Options { key_set: KeySet::Paper, sizing: Sizing::Tight }).unwrap();
+    assert_eq!((empty.header().keys, empty.header().direct_share()), (0, 1.0));
+}
+
+fn comb(depth: u32) -> Tree {
+    let inner = |i: u32| if i % 3 == 0 { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
+    let children: Vec<_> = (0..depth).flat_map(|i| [Some(inner(i)), None]).chain([None]).collect();
+    Tree::new(&children).unwrap()
+}
+
+#[test]
+fn lookups_and_misses_are_counted() {
+    use crate::hash::{Lookup, Verified};
+    let tree = comb(10);
+    let keys = Keys::of(&tree);
+    let hash = PerfectHash::build(&tree, Options { key_set: KeySet::All, sizing: Sizing::Tight }).unwrap();
+    let verified = Verified::new(&hash, &tree, &keys);
+    assert_eq!((verified.lookups(), verified.misses()), (0, 0));
+    for slot in 0..5 {
+        assert_eq!(Some(verified.node(&keys.key::<u64>(slot))), tree.node(slot as u32));
+    }
+    assert_eq!((verified.lookups(), verified.misses()), (5, 0));
+    // No node has this key.
+    assert_eq!(verified.node(&(1_u64 << 40)), tree.root());
+    assert_eq!((verified.lookups(), verified.misses()), (6, 1));
 }

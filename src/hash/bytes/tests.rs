@@ -152,3 +152,16 @@ fn no_bytes_make_a_lookup_panic() {
     }
     assert!(accepted > 1000 && refused > 1000, "{accepted} {refused}");
 }
+
+#[test]
+fn only_exact_sets_have_a_reach() {
+    let tree = tree();
+    for (key_set, value) in [(KeySet::All, 0), (KeySet::Paper, 1)] {
+        let hash = PerfectHash::build(&tree, Options { key_set, sizing: Sizing::Tight }).unwrap();
+        for (at, word) in [(SET_AT + 4, 1), (SET_AT + 8, 1), (SET_AT + 4, 4)] {
+            let bytes = patched(&hash.to_bytes(), at, word);
+            let error = TableError::Field { name: "set of keys", value };
+            assert_eq!(PerfectHash::from_bytes(&bytes, AddressBounds::of(&tree)), Err(error));
+        }
+    }
+}

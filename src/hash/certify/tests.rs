@@ -101,3 +101,17 @@ fn sets_by_definition_are_sets_by_height() {
         }
     }
 }
+
+/// A power of two below half of n is not half of n.
+#[test]
+fn sizes_of_a_power_of_two_of_keys_are_certified() {
+    let (mut rng, mut powers) = (Rng::new(3), 0);
+    for i in 0..400 {
+        let tree = Family::ALL[i % 6].tree(&mut rng, 1 + i as u32 % 30);
+        let key_set = KeySet::Exact(Reach::ALGORITHM_1);
+        let hash = PerfectHash::build(&tree, Options { key_set, sizing: Sizing::PrintedHashed }).unwrap();
+        assert_eq!(certify(&hash, &tree, key_set), Ok(()));
+        powers += u32::from(hash.header().keys > 2 && hash.header().keys.is_power_of_two());
+    }
+    assert!(powers > 9, "{powers}");
+}

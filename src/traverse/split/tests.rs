@@ -1,10 +1,12 @@
 use alloc::vec::Vec;
 
 use super::*;
+use crate::event::Recorder;
 use crate::hash::{KeyMap, Lookup};
 use crate::key::TooDeep;
-use crate::traverse::{Afra, Method};
-use crate::tree::{Keys, Parents, Tree};
+use crate::order::{Flow, Side, Visitor};
+use crate::traverse::{Afra, HashOnly, Laine, Method, Sparse, Uncle, traverse};
+use crate::tree::{Keys, Parents, Recorded, Tree, Uncles};
 
 /// A chain of `depth` inner nodes, 0, 2, 4 and so on, each with the leaf of the next number, turning every third time.
 fn comb(depth: u32) -> Tree {
@@ -90,4 +92,107 @@ fn keys_are_put_together() {
     assert_eq!(parts.0, Grow::one());
     let whole = parts.1.iter().fold(key::root(), |whole, part| append(whole, part, key::depth(part)));
     assert_eq!(whole, long);
+}
+
+/// At each visit: the node's key, and whether the state shows a trail, a register, a counter of as many bits, a restart.
+#[derive(Default)]
+struct Shown(Vec<(Node, Option<Grow>, [bool; 4])>);
+
+impl Recorder for Shown {
+    fn visit(&mut self, state: &impl State) -> Flow {
+        let grow = |word: Option<_>| word.map(|word| append(Grow::zero(), &word, KeyWord::bit_length(&word)));
+        let (key, counter) = (grow(state.key()), grow(state.counter()));
+        let shows = [state.trail().is_some(), state.register().is_some(), counter.is_some(), state.is_restarting()];
+        self.0.push((state.node(), key.or(counter), shows));
+        Flow::Continue
+    }
+}
+
+/// Both children, the inner one first or last.
+struct Both(bool);
+
+impl Visitor for Both {
+    fn inner(&mut self, node: Node) -> Descent {
+        // The comb turns every third time.
+        let is_left = (node.index() / 6).is_multiple_of(2);
+        Descent::both(if is_left == self.0 { Side::Left } else { Side::Right })
+    }
+    fn leaf(&mut self, _: Node) -> Flow {
+        Flow::Continue
+    }
+}
+
+#[test]
+fn pieces_show_the_state_of_the_whole() {
+    let tree = comb(40);
+    let (keys, cuts) = (Keys::of(&tree), Cuts::every(12, &tree));
+    let (uncles, parents) = (<Uncles>::of(&tree), Parents::of(&tree));
+    let tables = cuts.tables(|tree| Ok::<_, TooDeep>(KeyMap::of(tree))).unwrap();
+    let table = |piece: &Piece<'_, Tree>| &tables[piece.number()];
+    for leaf_first in [false, true] {
+        let check = |shown: Shown, has_key: bool| {
+            assert_eq!(shown.0.iter().filter(|visit| !visit.2[3]).count(), 81);
+            for (node, key, shows) in &shown.0 {
+                let slot = tree.slot(*node);
+                let is_as_long = key.as_ref().is_some_and(|key| key::depth(key) == keys.depth(slot));
+                assert!(!(has_key || shows[2]) || is_as_long, "{node:?} {key:?}");
+                assert!(!has_key || *key == Some(keys.key(slot)));
+            }
+            [0, 1, 2, 3].map(|i| shown.0.iter().filter(|visit| visit.2[i]).count())
+        };
+        let mut shown = Shown::default();
+        let start = |piece| HashOnly::<u32, _, _>::new(piece, table(piece));
+        traverse(Split::new(&cuts, &mut Vec::new(), start).unwrap(), &mut Both(leaf_first), &mut shown);
+        assert_eq!(check(shown, true), [81, 0, 0, 0]);
+        let mut shown = Shown::default();
+        let start = |piece| Uncle::<u32, _, _>::new(piece, &uncles);
+        traverse(Split::new(&cuts, &mut Vec::new(), start).unwrap(), &mut Both(leaf_first), &mut shown);
+        let [trails, registers, ..] = check(shown, false);
+        assert!(trails == 81 && registers > 0, "{registers}");
+        let mut shown = Shown::default();
+        let start = |piece| Sparse::<u32, _, _>::new(piece, &parents);
+        traverse(Split::new(&cuts, &mut Vec::new(), start).unwrap(), &mut Both(leaf_first), &mut shown);
+        assert_eq!(check(shown, false), [0, 0, 81, 0]);
+        let mut shown = Shown::default();
+        traverse(
+            Split::new(&cuts, &mut Vec::new(), Laine::<0, u32, _>::new).unwrap(),
+            &mut Both(leaf_first),
+            &mut shown,
+        );
+        let [.., restarts] = check(shown, false);
+        assert!(restarts > 0);
+    }
+}
+
+/// A tree whose records name uncles.
+struct Recording(Tree);
+
+impl Topology for Recording {
+    fn root(&self) -> Node {
+        self.0.root()
+    }
+    fn children(&self, node: Node) -> [Node; 2] {
+        self.0.children(node)
+    }
+    fn node_count(&self) -> usize {
+        self.0.node_count()
+    }
+    fn slot(&self, node: Node) -> usize {
+        self.0.slot(node)
+    }
+    fn depth(&self) -> u32 {
+        self.0.depth()
+    }
+    fn recorded(&self) -> Recorded {
+        Recorded::Uncles
+    }
+}
+
+#[test]
+fn a_piece_is_the_tree_from_another_root() {
+    let tree = Recording(comb(20));
+    let cuts = Cuts::every(6, &tree);
+    for piece in cuts.pieces() {
+        assert_eq!((piece.node_count(), piece.recorded()), (41, Recorded::Uncles));
+    }
 }

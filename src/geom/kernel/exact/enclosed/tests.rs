@@ -136,3 +136,47 @@ fn bounds_of_distances_are_needed() {
     }
     assert!(certain > 1000, "{certain}");
 }
+
+/// A ray that is known exactly: all is certain but what is at an end of the interval.
+#[test]
+fn only_the_ends_of_the_interval_are_left_open() {
+    let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y].map(|corner| corner * 4.0));
+    let ray = |x: f64, y: f64| EnclosedRay {
+        origin: [x, y, -2.0].map(Interval::exact),
+        direction: [0.0, 0.0, 1.0].map(Interval::exact),
+    };
+    let test = |interval| Enclosed::new(&ray(1.0, 1.0), interval, &Region::of(&triangle.aabb()));
+    let (below, above) = (2f32.next_down(), 2f32.next_up());
+    for (interval, distance, blocks) in [
+        ([0.0, 9.0], Verdict::Hit(2.0), Verdict::Hit(())),
+        ([0.0, above], Verdict::Hit(2.0), Verdict::Hit(())),
+        ([below, 9.0], Verdict::Hit(2.0), Verdict::Hit(())),
+        ([0.0, 2.0], Verdict::Open, Verdict::Open),
+        ([2.0, 9.0], Verdict::Open, Verdict::Open),
+        ([2.0, 2.0], Verdict::Open, Verdict::Open),
+        ([0.0, 1.0], Verdict::Miss, Verdict::Miss),
+        ([3.0, 9.0], Verdict::Miss, Verdict::Miss),
+    ] {
+        let test = test(interval);
+        assert_eq!((test.distance(&triangle, interval[1]), test.blocks(&triangle)), (distance, blocks), "{interval:?}");
+    }
+    // What is nearer ends the search: a miss only if it is nearer than the triangle.
+    let whole = test([0.0, 9.0]);
+    assert_eq!([1.0, below, 2.0, 3.0].map(|limit| whole.distance(&triangle, limit) == Verdict::Hit(2.0)), [true; 4]);
+    let at_end = test([2.0, 9.0]);
+    assert_eq!(at_end.distance(&triangle, 1.0), Verdict::Miss);
+    assert_eq!(at_end.distance(&triangle, 2.0), Verdict::Open);
+    let weights = whole.weights(&triangle).expect("certain");
+    assert_eq!(weights, [0.25, 0.25]);
+    let beside = Enclosed::new(&ray(5.0, 5.0), [0.0, 9.0], &Region::of(&triangle.aabb()));
+    assert_eq!((beside.distance(&triangle, 9.0), beside.weights(&triangle)), (Verdict::Miss, None));
+    // An edge is not certain, and neither are weights that the bounds leave between two floats.
+    let edge = Enclosed::new(&ray(1.0, 0.0), [0.0, 9.0], &Region::of(&triangle.aabb()));
+    assert_eq!((edge.distance(&triangle, 9.0), edge.weights(&triangle)), (Verdict::Open, None));
+    let about = |x: f64, off: f64| Interval::between([x - off, x + off]);
+    for [of_x, of_y] in [[1e-5, 0.0], [0.0, 1e-5]] {
+        let rays = EnclosedRay { origin: [about(1.0, of_x), about(1.0, of_y), Interval::exact(-2.0)], ..ray(1.0, 1.0) };
+        let test = Enclosed::new(&rays, [0.0, 9.0], &Region::of(&triangle.aabb()));
+        assert_eq!((test.blocks(&triangle), test.weights(&triangle)), (Verdict::Hit(()), None));
+    }
+}

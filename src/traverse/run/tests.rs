@@ -1,0 +1,48 @@
+use alloc::vec;
+
+use super::*;
+use crate::order::{Descent, Flow, Side};
+use crate::tree::Tree;
+
+/// All leaves from the right.
+struct Leaves;
+
+impl Visitor for Leaves {
+    fn inner(&mut self, _: Node) -> Descent {
+        Descent::both(Side::Right)
+    }
+    fn leaf(&mut self, _: Node) -> Flow {
+        Flow::Continue
+    }
+}
+
+impl NodeTest for Leaves {
+    fn accept(&mut self, _: Node) -> bool {
+        true
+    }
+    fn leaf(&mut self, _: Node) -> Flow {
+        Flow::Continue
+    }
+}
+
+/// A chain that leans to one side.
+fn chain(depth: u32, right: bool) -> Tree {
+    let inner = |i: u32| if right { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
+    let children: Vec<_> = (0..depth).flat_map(|i| [Some(inner(i)), None]).chain([None]).collect();
+    Tree::new(&children).unwrap()
+}
+
+#[test]
+fn lookups_in_the_table_of_another_tree_are_misses() {
+    let (tree, other) = (chain(9, true), chain(9, false));
+    let axes = vec![0; 19];
+    let run = |tables: &Tables<'_, Tree>| {
+        tables.run::<u64, _>(Method::HashOnly, 0, &mut Vec::new(), &mut Leaves, &mut ()).map(|()| tables.misses())
+    };
+    let mut tables = Tables::new(&tree, &axes, &[Method::HashOnly], 0).verified();
+    assert_eq!((run(&tables), run(&tables)), (Ok(0), Ok(0)));
+    tables.full_hash = perfect(&other, KeySet::All);
+    let Ok(misses) = run(&tables) else { panic!("it runs") };
+    assert!(misses > 1, "{misses}");
+    assert_eq!(run(&tables), Ok(2 * misses));
+}
