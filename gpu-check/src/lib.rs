@@ -1,0 +1,11 @@
+//! WGSL kernels of stackless traversal, held to the oracle of `stackless_bvh` and measured. README.md says what there is.
+
+mod device;
+mod error;
+pub mod kernel;
+pub mod launch;
+pub mod layout;
+pub mod tapes;
+
+pub use device::{Access, Checks, Gpu, PATIENCE, Pass, Pipeline};
+pub use error::GpuError;
