@@ -5,6 +5,7 @@ mod error;
 pub mod kernel;
 pub mod launch;
 pub mod layout;
+pub mod planted;
 pub mod tapes;
 
 pub use device::{Access, Checks, Gpu, PATIENCE, Pass, Pipeline};

@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use gpu_check::kernel::Kernel;
-use gpu_check::{Gpu, GpuError, tapes};
+use gpu_check::{Gpu, GpuError, planted, tapes};
 
 #[derive(Parser)]
 #[command(version, about)]
@@ -26,6 +26,12 @@ enum Command {
         /// Seed of the trees and tapes.
         #[arg(long, default_value_t = 1)]
         seed: u64,
+    },
+    /// Kernels with a mistake each: all have to be caught by `tapes`.
+    Planted {
+        /// Number of trees.
+        #[arg(long, default_value_t = 1024)]
+        trees: usize,
     },
 }
 
@@ -53,6 +59,7 @@ fn run(arguments: &Arguments) -> Result<bool, GpuError> {
     println!("device: {}", gpu.name());
     match &arguments.command {
         Command::Tapes { trees, seed } => run_tapes(&gpu, *trees, *seed),
+        Command::Planted { trees } => run_planted(&gpu, *trees),
     }
 }
 
@@ -72,6 +79,18 @@ fn run_tapes(gpu: &Gpu, trees: usize, seed: u64) -> Result<bool, GpuError> {
             }
             good &= mismatches == 0;
         }
+    }
+    Ok(good)
+}
+
+fn run_planted(gpu: &Gpu, trees: usize) -> Result<bool, GpuError> {
+    let batch = tapes::Batch::new(gpu, tapes::cases(trees, 1))?;
+    let mut good = true;
+    for bug in planted::BUGS {
+        let seen = planted::hunt(gpu, &batch, bug)?;
+        let verdict = if seen > 0 { "caught" } else { "NOT CAUGHT" };
+        println!("{verdict}: {seen:5} searches, {:20} {}", bug.kernel, bug.name);
+        good &= seen > 0;
     }
     Ok(good)
 }

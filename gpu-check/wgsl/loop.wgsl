@@ -12,6 +12,9 @@ fn visit_inner() {
     if (descent & ANY) == 0u || !cursor_descend(record, descent) {
         cursor_backtrack(links, INNER_REACH);
     }
+    if record_is_full() {
+        node = DONE;
+    }
 }
 
 fn visit_leaf() {
@@ -25,5 +28,8 @@ fn visit_leaf() {
         }
         cursor_load(links, LEAF_REACH);
         cursor_backtrack(links, LEAF_REACH);
+    }
+    if record_is_full() {
+        node = DONE;
     }
 }

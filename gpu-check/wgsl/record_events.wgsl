@@ -1,9 +1,12 @@
 // The event trace itself: five words for each visit, into `work`, as many as fit.
 
+// Visits, and steps, which are more where a traversal restarts.
 var<private> visits: u32;
+var<private> steps: u32;
 
 fn record_begin() {
     visits = 0u;
+    steps = 0u;
 }
 
 fn record_word(at: u32, word: u32) {
@@ -13,6 +16,7 @@ fn record_word(at: u32, word: u32) {
 }
 
 fn record_visit(address: u32) {
+    steps++;
     if cursor_is_restarting() {
         return;
     }
@@ -28,4 +32,9 @@ fn record_visit(address: u32) {
 
 fn record_end() -> vec2<u32> {
     return vec2(0u, 0u);
+}
+
+// A traversal that does not end is ended.
+fn record_is_full() -> bool {
+    return steps >= params.z;
 }

@@ -1,10 +1,13 @@
 // The event trace as a number: five words for each visit, folded into two.
 
+// Visits, and steps, which are more where a traversal restarts.
 var<private> visits: u32;
+var<private> steps: u32;
 var<private> trace_hash: vec2<u32>;
 
 fn record_begin() {
     visits = 0u;
+    steps = 0u;
     trace_hash = vec2(0u, 0u);
 }
 
@@ -15,6 +18,7 @@ fn record_word(word: u32) {
 }
 
 fn record_visit(address: u32) {
+    steps++;
     if cursor_is_restarting() {
         return;
     }
@@ -29,4 +33,9 @@ fn record_visit(address: u32) {
 
 fn record_end() -> vec2<u32> {
     return trace_hash;
+}
+
+// A traversal that does not end is ended.
+fn record_is_full() -> bool {
+    return steps >= params.z;
 }

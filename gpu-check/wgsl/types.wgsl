@@ -9,7 +9,7 @@
 @group(0) @binding(3) var<storage, read> cells: array<u32>;
 @group(0) @binding(4) var<storage, read> tasks: array<vec4<u32>>;
 @group(0) @binding(5) var<storage, read_write> results: array<vec4<u32>>;
-// Number of tasks, and invocations in a row of work groups.
+// Number of tasks, invocations in a row of work groups, and steps of a traversal at most where events are recorded.
 @group(0) @binding(6) var<uniform> params: vec4<u32>;
 @group(0) @binding(7) var<storage, read_write> work: array<atomic<u32>>;
 

@@ -16,8 +16,8 @@ use crate::{Access, Checks, Gpu, GpuError, Pass};
 pub struct Case {
     /// The tree.
     pub tree: Tree,
-    /// How it was made.
-    pub family: Family,
+    /// How it was made: the name of a family, or `far`.
+    pub shape: &'static str,
     /// The tape's kind.
     pub kind: Kind,
     /// The tape's seed.
@@ -48,24 +48,47 @@ struct Placed {
 const EDGES: [u32; 9] = [30, 31, 32, 33, 62, 63, 64, 94, 95];
 
 /// So many cases: the families by turns, of all sizes up to 96 leaves, every eighth a chain that is as deep as words are
-/// long.
+/// long, and half of these such that backtracks go over its whole length.
 pub fn cases(count: usize, seed: u64) -> Vec<Case> {
     (0..count)
         .map(|i| {
             let mut rng = Rng::new(seed ^ (i as u64) << 20);
-            let (family, leaves) = if i % 8 == 7 {
-                (Family::Comb, EDGES[i / 8 % EDGES.len()] + 1)
-            } else {
-                let most = 4_u64 << rng.below(6);
-                (Family::ALL[i % 8 % 6], 1 + rng.below(most.min(96)) as u32)
+            let depth = EDGES[i / 16 % EDGES.len()];
+            let (shape, tree, kind) = match i % 16 {
+                15 => ("far", far_chain(&mut rng, depth), Kind::Alternating),
+                7 => (Family::Comb.name(), Family::Comb.tree(&mut rng, depth + 1), Kind::ALL[i / 16 % Kind::ALL.len()]),
+                turn => {
+                    let family = Family::ALL[turn % Family::ALL.len()];
+                    let most = 4_u64 << rng.below(6);
+                    let leaves = 1 + rng.below(most.min(96)) as u32;
+                    (family.name(), family.tree(&mut rng, leaves), Kind::ALL[i / 2 % Kind::ALL.len()])
+                }
             };
-            let kind = Kind::ALL[i / 2 % Kind::ALL.len()];
-            let tree = family.tree(&mut rng, leaves);
             let seed = rng.bits();
             let tape = Tape::hashed(seed, &tree, kind);
-            Case { tree, family, kind, seed, tape }
+            Case { tree, shape, kind, seed, tape }
         })
         .collect()
+}
+
+/// A chain for the tape that takes left and right first by turns: the leaf comes before the rest of the chain, so that nothing
+/// is postponed when that is entered, except at the root and at one other level.
+fn far_chain(rng: &mut Rng, depth: u32) -> Tree {
+    let other = rng.below(u64::from(depth)) as u32;
+    let mut children = Vec::with_capacity(2 * depth as usize + 1);
+    for level in 0..depth {
+        let next = 2 * level + 1;
+        let right_first = level % 2 == 1;
+        let chain_first = level == 0 || level == other;
+        let chain_is_right = right_first == chain_first;
+        let (chain, leaf) = (next, next + 1);
+        children.push(Some(if chain_is_right { [leaf, chain] } else { [chain, leaf] }));
+        if level > 0 {
+            children.push(None);
+        }
+    }
+    children.extend([None, None]);
+    Tree::new(&children).unwrap_or_else(|_| Family::Comb.tree(rng, depth + 1))
 }
 
 impl Batch {
@@ -124,9 +147,9 @@ impl Batch {
 
     /// The name of a search, by which it can be made again.
     pub fn describe(&self, search: usize) -> String {
-        let Case { tree, family, kind, seed, .. } = self.case(search);
+        let Case { tree, shape, kind, seed, .. } = self.case(search);
         let query = if search % 2 == 1 { "any hit" } else { "closest hit" };
-        format!("{family} of {} nodes, {} deep, tape {kind} of seed {seed}, {query}", tree.node_count(), tree.depth())
+        format!("{shape} of {} nodes, {} deep, tape {kind} of seed {seed}, {query}", tree.node_count(), tree.depth())
     }
 
     /// What the events and the outcome of a search should be.
