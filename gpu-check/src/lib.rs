@@ -5,7 +5,12 @@ mod error;
 pub mod kernel;
 pub mod launch;
 pub mod layout;
+pub mod made;
+pub mod model;
 pub mod planted;
+pub mod probe;
+pub mod rays;
+pub mod scene;
 pub mod tapes;
 
 pub use device::{Access, Checks, Gpu, PATIENCE, Pass, Pipeline};

@@ -1,10 +1,12 @@
 //! The command `gpu-check`.
 
+mod commands;
+
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use gpu_check::kernel::Kernel;
-use gpu_check::{Gpu, GpuError, planted, tapes};
+use gpu_check::{Gpu, GpuError, probe};
 
 #[derive(Parser)]
 #[command(version, about)]
@@ -27,6 +29,16 @@ enum Command {
         #[arg(long, default_value_t = 1)]
         seed: u64,
     },
+    /// Every kernel on rays: made scenes, or files.
+    Rays {
+        /// Meshes (PLY, OBJ); the made scenes without any.
+        scenes: Vec<PathBuf>,
+        /// Rays of each scene.
+        #[arg(long, default_value_t = 7000)]
+        rays: usize,
+    },
+    /// What the arithmetic of the device does.
+    Probe,
     /// Kernels with a mistake each: all have to be caught by `tapes`.
     Planted {
         /// Number of trees.
@@ -58,39 +70,12 @@ fn run(arguments: &Arguments) -> Result<bool, GpuError> {
     let gpu = Gpu::open(arguments.adapter.as_deref())?;
     println!("device: {}", gpu.name());
     match &arguments.command {
-        Command::Tapes { trees, seed } => run_tapes(&gpu, *trees, *seed),
-        Command::Planted { trees } => run_planted(&gpu, *trees),
+        Command::Tapes { trees, seed } => commands::tapes(&gpu, *trees, *seed),
+        Command::Rays { scenes, rays } => commands::rays(&gpu, scenes, *rays),
+        Command::Probe => probe::probe(&gpu).map(|arithmetic| {
+            println!("arithmetic: {arithmetic}");
+            true
+        }),
+        Command::Planted { trees } => commands::planted(&gpu, *trees),
     }
-}
-
-fn run_tapes(gpu: &Gpu, trees: usize, seed: u64) -> Result<bool, GpuError> {
-    const BATCH: usize = 4096;
-    let mut good = true;
-    for from in (0..trees).step_by(BATCH) {
-        let batch = tapes::Batch::new(gpu, tapes::cases(BATCH.min(trees - from), seed.wrapping_add(from as u64)))?;
-        for kernel in (1..=3).flat_map(Kernel::all) {
-            let start = std::time::Instant::now();
-            let report = tapes::compare(gpu, &batch, &kernel, &tapes::unchanged)?;
-            let tapes::Report { name, compared, too_deep, mismatches, first } = report;
-            let seconds = start.elapsed().as_secs_f32();
-            println!("{name:20} {compared:6} searches, {too_deep:5} too deep, {mismatches} mismatches, {seconds:.1} s");
-            if let Some(first) = first {
-                println!("{first}");
-            }
-            good &= mismatches == 0;
-        }
-    }
-    Ok(good)
-}
-
-fn run_planted(gpu: &Gpu, trees: usize) -> Result<bool, GpuError> {
-    let batch = tapes::Batch::new(gpu, tapes::cases(trees, 1))?;
-    let mut good = true;
-    for bug in planted::BUGS {
-        let seen = planted::hunt(gpu, &batch, bug)?;
-        let verdict = if seen > 0 { "caught" } else { "NOT CAUGHT" };
-        println!("{verdict}: {seen:5} searches, {:20} {}", bug.kernel, bug.name);
-        good &= seen > 0;
-    }
-    Ok(good)
 }

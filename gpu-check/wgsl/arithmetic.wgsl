@@ -18,12 +18,14 @@ fn cross3(a: vec3<f32>, b: vec3<f32>) -> vec3<f32> {
     return vec3(fma(a.y, b.z, -(a.z * b.y)), fma(a.z, b.x, -(a.x * b.z)), fma(a.x, b.y, -(a.y * b.x)));
 }
 
-// With REFINES, for devices that divide with an error: one step with the exact remainder, which a fused multiply-add gives.
+// The quotient, and +0 for 0. With REFINES, for devices that divide with an error: one step with the exact remainder, which a fused
+// multiply-add gives.
 fn divide(a: f32, b: f32) -> f32 {
+    var quotient = a / b;
     if REFINES {
         let r = 1.0 / b;
         let q = a * r;
-        return fma(fma(-q, b, a), r, q);
+        quotient = fma(fma(-q, b, a), r, q);
     }
-    return a / b;
+    return select(quotient, 0.0, quotient == 0.0);
 }

@@ -4,7 +4,6 @@
 // hi of x and y of the left box, of the right one, and of z of both. Triangles are three corners, with the index in the word after
 // the first; leaves end with a terminator.
 
-const root = 0u;
 const END = 1e38;
 
 var<private> origin: vec3<f32>;
