@@ -3,8 +3,6 @@
 use std::sync::{Arc, Mutex, OnceLock};
 use std::time::Duration;
 
-use wgpu::util::DeviceExt as _;
-
 use crate::GpuError;
 
 /// How long one submission may take. Whatever takes longer hangs.
@@ -136,16 +134,14 @@ impl Gpu {
         self.device.destroy();
     }
 
-    /// A storage buffer with these words, at least one.
+    /// A storage buffer with these words.
     ///
     /// # Errors
     /// [`GpuError::Limit`] before anything is allocated, [`GpuError::Refused`] without memory.
     pub fn buffer(&self, what: &str, words: &[u32]) -> Result<wgpu::Buffer, GpuError> {
-        self.check_size(what, words.len())?;
-        let contents: &[u8] = if words.is_empty() { &[0; 16] } else { bytemuck::cast_slice(words) };
-        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
-        let descriptor = wgpu::util::BufferInitDescriptor { label: Some(what), contents, usage };
-        self.guarded(what, || self.device.create_buffer_init(&descriptor))
+        let buffer = self.zeros(what, words.len())?;
+        self.write(&buffer, words)?;
+        Ok(buffer)
     }
 
     /// A storage buffer of so many words, all 0.
@@ -163,10 +159,9 @@ impl Gpu {
     /// # Errors
     /// As [`buffer`](Self::buffer).
     pub fn uniform(&self, words: [u32; 4]) -> Result<wgpu::Buffer, GpuError> {
-        let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
-        let descriptor =
-            wgpu::util::BufferInitDescriptor { label: Some("params"), contents: bytemuck::cast_slice(&words), usage };
-        self.guarded("params", || self.device.create_buffer_init(&descriptor))
+        let buffer = self.raw("params", 4, wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST)?;
+        self.write(&buffer, &words)?;
+        Ok(buffer)
     }
 
     /// Writes words over the start of a buffer.
@@ -362,6 +357,8 @@ impl Gpu {
 
     /// An error; of a device that is lost, that.
     fn refused(&self, what: &str, message: String) -> GpuError {
+        // The callback that says so is called while waiting.
+        let _ = self.device.poll(wgpu::PollType::Poll);
         match self.lost.get() {
             Some(reason) => GpuError::Lost(reason.clone()),
             None => GpuError::Refused { what: what.to_owned(), message },
