@@ -1,15 +1,20 @@
 //! What the commands do, and print.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
 
-use gpu_check::kernel::Kernel;
+use gpu_check::bench::{self, Setting, Traffic};
+use gpu_check::exact::{self, Settled};
+use gpu_check::kernel::{Kernel, Table};
 use gpu_check::made::{self, Made};
 use gpu_check::scene::{Query, Scene};
-use gpu_check::{Gpu, GpuError, planted, probe, rays, tapes};
+use gpu_check::{Gpu, GpuError, planted, probe, rays, tables, tapes};
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::geom::Ray;
-use stackless_bvh::scene;
-use stackless_bvh::trace::Tracer;
+use stackless_bvh::hash::PerfectHash;
+use stackless_bvh::scene::{self, Mesh, procedural};
+use stackless_bvh::trace::{Tracer, bounce};
+use stackless_bvh::tree::Topology as _;
 
 pub(crate) fn tapes(gpu: &Gpu, trees: usize, seed: u64) -> Result<bool, GpuError> {
     const BATCH: usize = 4096;
@@ -17,7 +22,7 @@ pub(crate) fn tapes(gpu: &Gpu, trees: usize, seed: u64) -> Result<bool, GpuError
     for from in (0..trees).step_by(BATCH) {
         let batch = tapes::Batch::new(gpu, tapes::cases(BATCH.min(trees - from), seed.wrapping_add(from as u64)))?;
         for kernel in (1..=3).flat_map(Kernel::all) {
-            let start = std::time::Instant::now();
+            let start = Instant::now();
             let report = tapes::compare(gpu, &batch, &kernel, &tapes::unchanged)?;
             let tapes::Report { name, compared, too_deep, mismatches, first } = report;
             let seconds = start.elapsed().as_secs_f32();
@@ -44,25 +49,134 @@ pub(crate) fn planted(gpu: &Gpu, trees: usize) -> Result<bool, GpuError> {
 }
 
 pub(crate) fn rays(gpu: &Gpu, files: &[PathBuf], count: usize) -> Result<bool, GpuError> {
-    let data = |error: &dyn std::fmt::Display| GpuError::Data(error.to_string());
     let mut good = true;
     for made in Made::ALL.into_iter().filter(|_| files.is_empty()) {
-        let mesh = made.mesh(1).map_err(|error| data(&error))?;
+        let mesh = made.mesh(1).map_err(data)?;
         let rays = made::rays(&mesh, count, 2);
         good &= compare(gpu, made.name(), &mesh, &rays, true)?;
     }
     for file in files {
-        let mesh = scene::load(file).map_err(|error| data(&error))?;
+        let mesh = scene::load(file).map_err(data)?;
         let rays = made::view(&mesh, count, 2);
         good &= compare(gpu, &file.display().to_string(), &mesh, &rays, false)?;
     }
     Ok(good)
 }
 
-/// All kernels on one scene. Where arithmetic is exact, hits must be those of the exact tracer.
-fn compare(gpu: &Gpu, name: &str, mesh: &scene::Mesh, rays: &[Ray], is_exact: bool) -> Result<bool, GpuError> {
+/// Meshes from files, or made ones, with their names.
+fn meshes(files: &[PathBuf]) -> Result<Vec<(String, Mesh)>, GpuError> {
+    if files.is_empty() {
+        let made = Made::ALL.into_iter().map(|made| Ok((made.name().to_owned(), made.mesh(1).map_err(data)?)));
+        let large = [("soup-20000", procedural::soup(1, 20_000)), ("strands-400", procedural::strands(1, 400))];
+        return made.chain(large.map(|(name, mesh)| Ok((name.to_owned(), mesh)))).collect();
+    }
+    let load = |file: &PathBuf| Ok((file.display().to_string(), scene::load(file).map_err(data)?));
+    files.iter().map(load).collect()
+}
+
+fn data(error: impl std::fmt::Display) -> GpuError {
+    GpuError::Data(error.to_string())
+}
+
+fn hierarchy(mesh: &Mesh) -> Result<Bvh, GpuError> {
+    Bvh::sah(mesh, SahOptions::default()).map_err(data)
+}
+
+/// Rays of a camera and where they bounce.
+fn mixed_rays(mesh: &Mesh, bvh: &Bvh, count: usize) -> Vec<Ray> {
+    let mut rays = made::view(mesh, count / 2, 2);
+    rays.extend(bounce(mesh, bvh, &rays, 3));
+    rays
+}
+
+pub(crate) fn exact(gpu: &Gpu, files: &[PathBuf], count: usize) -> Result<bool, GpuError> {
     let arithmetic = probe::probe(gpu)?;
-    let bvh = Bvh::sah(mesh, SahOptions::default()).map_err(|error| GpuError::Data(error.to_string()))?;
+    let mut good = true;
+    for (name, mesh) in meshes(files)? {
+        let bvh = hierarchy(&mesh)?;
+        let on_device = Scene::new(gpu, &bvh)?;
+        let rays = mixed_rays(&mesh, &bvh, count);
+        let start = Instant::now();
+        let truth = Tracer::new(&bvh).closest_parallel(&rays);
+        let exact_seconds = start.elapsed().as_secs_f64();
+        for kernel in Kernel::all(if bvh.depth() < 32 { 1 } else { 2 }) {
+            if !matches!(kernel.name, "stack" | "hashed") {
+                continue;
+            }
+            let factor = exact::EDGE_FACTOR;
+            let settled = exact::closest(gpu, (&on_device, &bvh), &arithmetic, &kernel, &rays, factor)?;
+            let wrong = settled.hits.iter().zip(&truth).filter(|(a, b)| a != b).count();
+            let share = 100.0 * settled.uncertain as f64 / rays.len().max(1) as f64;
+            let Settled { device_seconds, settle_seconds, .. } = settled;
+            println!(
+                "{name} {}: {} rays, {wrong} wrong, {share:.2} % in doubt; device {device_seconds:.2} s, then CPU \
+                 {settle_seconds:.2} s; CPU alone {exact_seconds:.2} s",
+                kernel.full_name(),
+                rays.len()
+            );
+            good &= wrong == 0;
+        }
+    }
+    Ok(good)
+}
+
+pub(crate) fn hash(gpu: &Gpu, files: &[PathBuf]) -> Result<bool, GpuError> {
+    for (name, mesh) in meshes(files)? {
+        let bvh = hierarchy(&mesh)?;
+        for table in [Table::Printed, Table::Tight] {
+            let start = Instant::now();
+            let on_cpu = PerfectHash::build(&bvh, table.options()).map_err(data)?;
+            let cpu = start.elapsed().as_secs_f64() * 1e3;
+            let built = tables::build(gpu, &bvh, table.options())?;
+            let header = built.hash.header();
+            let time = built.nanoseconds.map_or("no clock".to_owned(), |ns| format!("{:.2} ms", ns / 1e6));
+            println!(
+                "{name} {table:?}: {} nodes, {} keys, D = {}, H = {} (CPU {}), {} direct (CPU {}); device {time}, CPU \
+                 {cpu:.2} ms; certified",
+                bvh.node_count(),
+                header.keys,
+                header.displacements,
+                header.cells.get(),
+                on_cpu.header().cells.get(),
+                header.direct,
+                on_cpu.header().direct
+            );
+        }
+    }
+    Ok(true)
+}
+
+pub(crate) fn bench(gpu: &Gpu, files: &[PathBuf], setting: Setting, csv: Option<&Path>) -> Result<bool, GpuError> {
+    let arithmetic = probe::probe(gpu)?;
+    let mut lines = format!("{}\n", bench::HEADER);
+    println!("{}", bench::HEADER);
+    for (name, mesh) in meshes(files)? {
+        let bvh = hierarchy(&mesh)?;
+        let name = Path::new(&name).file_stem().map_or(name.clone(), |stem| stem.to_string_lossy().into_owned());
+        bench::bench(gpu, &arithmetic, (&name, &mesh, &bvh), setting, &mut |said| match said {
+            Ok(row) => {
+                println!("{row}");
+                lines.push_str(&format!("{row}\n"));
+            }
+            Err(traffic) => {
+                let Traffic { nodes, triangles, leaves } = traffic;
+                println!(
+                    "# a ray: {nodes:.1} nodes, {triangles:.1} triangles, {leaves:.1} leaves, {:.0} bytes and lookups",
+                    traffic.bytes()
+                );
+            }
+        })?;
+    }
+    if let Some(csv) = csv {
+        scene::write_atomically(csv, |file| file.write_all(lines.as_bytes())).map_err(data)?;
+    }
+    Ok(true)
+}
+
+/// All kernels on one scene. Where arithmetic is exact, hits must be those of the exact tracer.
+fn compare(gpu: &Gpu, name: &str, mesh: &Mesh, rays: &[Ray], is_exact: bool) -> Result<bool, GpuError> {
+    let arithmetic = probe::probe(gpu)?;
+    let bvh = hierarchy(mesh)?;
     let on_device = Scene::new(gpu, &bvh)?;
     let truth = Tracer::new(&bvh).closest_parallel(rays);
     println!(
@@ -79,7 +193,7 @@ fn compare(gpu: &Gpu, name: &str, mesh: &scene::Mesh, rays: &[Ray], is_exact: bo
                 println!("{:20} too deep", kernel.full_name());
                 continue;
             }
-            let start = std::time::Instant::now();
+            let start = Instant::now();
             let found = rays::trace(gpu, &on_device, &kernel, query, rays)?;
             let seconds = start.elapsed().as_secs_f32();
             let expected = rays::model(&arithmetic, &bvh, &kernel, rays, any);

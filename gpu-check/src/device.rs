@@ -46,6 +46,8 @@ pub struct Pass<'a> {
     pub buffers: Vec<&'a wgpu::Buffer>,
     /// Work groups along x and y.
     pub groups: [u32; 2],
+    /// Buffers that are set to 0 before.
+    pub clear: Vec<&'a wgpu::Buffer>,
 }
 
 /// Which run-time checks are compiled into a kernel.
@@ -321,6 +323,9 @@ impl Gpu {
             beginning_of_pass_write_index: Some(first),
             end_of_pass_write_index: Some(first + 1),
         });
+        for buffer in &pass.clear {
+            encoder.clear_buffer(buffer, 0, None);
+        }
         let descriptor = wgpu::ComputePassDescriptor { label: None, timestamp_writes };
         let mut compute = encoder.begin_compute_pass(&descriptor);
         compute.set_pipeline(&pass.pipeline.pipeline);

@@ -235,6 +235,7 @@ impl Kernel {
                 words => parts.extend([
                     include_str!("../wgsl/wide.wgsl"),
                     include_str!("../wgsl/table_wide.wgsl"),
+                    include_str!("../wgsl/remainder.wgsl"),
                     if words == 2 { include_str!("../wgsl/fold2.wgsl") } else { include_str!("../wgsl/fold3.wgsl") },
                 ]),
             }

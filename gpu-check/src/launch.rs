@@ -56,7 +56,7 @@ impl<'a> Buffers<'a> {
             self.params,
             self.work,
         ];
-        Pass { pipeline, buffers, groups }
+        Pass { pipeline, buffers, groups, clear: Vec::new() }
     }
 }
 

@@ -6,7 +6,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use gpu_check::{Gpu, GpuError, probe};
+use gpu_check::bench::Setting;
+use gpu_check::{Checks, Gpu, GpuError, probe};
 
 #[derive(Parser)]
 #[command(version, about)]
@@ -36,6 +37,42 @@ enum Command {
         /// Rays of each scene.
         #[arg(long, default_value_t = 7000)]
         rays: usize,
+    },
+    /// Exact closest hits: what is certain on the device, the rest on the CPU; compared with the exact tracer.
+    Exact {
+        /// Meshes (PLY, OBJ); made ones without any.
+        scenes: Vec<PathBuf>,
+        /// Rays of each scene.
+        #[arg(long, default_value_t = 7000)]
+        rays: usize,
+    },
+    /// Hash tables made on the device, certified on the CPU.
+    Hash {
+        /// Meshes (PLY, OBJ); made ones without any.
+        scenes: Vec<PathBuf>,
+    },
+    /// Times of all kernels by turns, as lines of CSV.
+    Bench {
+        /// Meshes (PLY, OBJ); a made one without any.
+        scenes: Vec<PathBuf>,
+        /// Rays of a set.
+        #[arg(long, default_value_t = 4_194_304)]
+        rays: usize,
+        /// Views of the camera.
+        #[arg(long, default_value_t = 3)]
+        views: u64,
+        /// Passes that are not counted.
+        #[arg(long, default_value_t = 50)]
+        warm_up: usize,
+        /// Passes that are.
+        #[arg(long, default_value_t = 100)]
+        passes: usize,
+        /// Kernels with wgpu's run-time checks. Software devices always have them.
+        #[arg(long)]
+        checked: bool,
+        /// Where the lines go too.
+        #[arg(long)]
+        csv: Option<PathBuf>,
     },
     /// What the arithmetic of the device does.
     Probe,
@@ -72,6 +109,14 @@ fn run(arguments: &Arguments) -> Result<bool, GpuError> {
     match &arguments.command {
         Command::Tapes { trees, seed } => commands::tapes(&gpu, *trees, *seed),
         Command::Rays { scenes, rays } => commands::rays(&gpu, scenes, *rays),
+        Command::Exact { scenes, rays } => commands::exact(&gpu, scenes, *rays),
+        Command::Hash { scenes } => commands::hash(&gpu, scenes),
+        Command::Bench { scenes, rays, views, warm_up, passes, checked, csv } => {
+            // Software devices miscompile loops that are not bounded.
+            let checks = if *checked || gpu.is_software() { Checks::All } else { Checks::None };
+            let setting = Setting { rays: *rays, views: *views, warm_up: *warm_up, passes: *passes, checks };
+            commands::bench(&gpu, scenes, setting, csv.as_deref())
+        }
         Command::Probe => probe::probe(&gpu).map(|arithmetic| {
             println!("arithmetic: {arithmetic}");
             true

@@ -12,6 +12,8 @@ use crate::{Access, Checks, Gpu, GpuError, Pass};
 pub struct Arithmetic {
     /// `fma` rounds once; else twice.
     pub fuses: bool,
+    /// Differences and products are rounded to nearest.
+    pub rounds: bool,
     /// `a * b + c` is contracted to one rounding.
     pub contracts: bool,
     /// Quotients are rounded to nearest.
@@ -49,7 +51,8 @@ impl fmt::Display for Arithmetic {
         let say = |is: bool, yes: &'static str, no: &'static str| if is { yes } else { no };
         write!(
             f,
-            "fma {}, a * b + c {}, division {}, subnormal numbers {}, min {}",
+            "{}, fma {}, a * b + c {}, division {}, subnormal numbers {}, min {}",
+            say(self.rounds, "rounds to nearest", "does not round to nearest"),
             say(self.fuses, "rounds once", "rounds twice"),
             say(self.contracts, "is contracted", "is not contracted"),
             match (self.divides, self.divides_refined) {
@@ -75,7 +78,7 @@ pub fn probe(gpu: &Gpu) -> Result<Arithmetic, GpuError> {
     let (inputs, outputs) = (gpu.buffer("samples", &words)?, gpu.zeros("answers", 2 * words.len())?);
     let params = params(gpu, samples.len() as u32)?;
     let groups = groups(samples.len() as u32);
-    gpu.run(&[Pass { pipeline: &pipeline, buffers: vec![&inputs, &outputs, &params], groups }])?;
+    gpu.run(&[Pass { pipeline: &pipeline, buffers: vec![&inputs, &outputs, &params], groups, clear: Vec::new() }])?;
     let answers = gpu.read(&outputs, 2 * words.len())?;
     let (answers, _) = answers.as_chunks::<8>();
     let all = |column: usize, expected: &dyn Fn([f32; 4]) -> f32| {
@@ -92,6 +95,7 @@ pub fn probe(gpu: &Gpu) -> Result<Arithmetic, GpuError> {
     let [difference, product, zeros] = [ORDINARY, ORDINARY + 1, ORDINARY + 2];
     Ok(Arithmetic {
         fuses,
+        rounds: all(4, &|[a, _, c, _]| a - c) && all(5, &|[a, b, _, _]| a * b),
         contracts: !all(1, &twice),
         divides: all(2, &quotient),
         divides_refined: all(3, &quotient),

@@ -3,13 +3,20 @@
 use std::process::Command;
 use std::time::Duration;
 
-use gpu_check::kernel::Kernel;
+use glam::Vec3;
+use gpu_check::bench::{self, Setting};
+use gpu_check::kernel::{Kernel, Table};
 use gpu_check::made::{self, Made};
 use gpu_check::scene::{Query, Scene};
 use gpu_check::tapes::{Batch, cases, compare, unchanged};
-use gpu_check::{Access, Checks, Gpu, GpuError, planted, probe, rays};
+use gpu_check::{Access, Checks, Gpu, GpuError, exact, planted, probe, rays, tables};
 use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::trace::Tracer;
+use stackless_bvh::generate::{Family, Rng};
+use stackless_bvh::geom::Ray;
+use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::scene::{Mesh, procedural};
+use stackless_bvh::trace::{Tracer, bounce};
+use stackless_bvh::tree::Topology as _;
 
 fn gpu() -> Gpu {
     Gpu::open(None).unwrap()
@@ -75,6 +82,86 @@ fn hits_are_those_of_the_model_and_of_rational_arithmetic() {
             }
         }
     }
+}
+
+/// Coordinates that no float arithmetic is exact on: the answers are those of the exact tracer all the same, and would not be
+/// without the bounds.
+#[test]
+fn certain_and_settled_hits_are_exact() {
+    let gpu = gpu();
+    let arithmetic = probe::probe(&gpu).unwrap();
+    let terrain = Made::Terrain.mesh(1).unwrap();
+    let moved: Vec<_> = terrain.vertices().iter().map(|v| *v * 0.7 + Vec3::new(0.3, 5.1, -2.3)).collect();
+    let edges = Mesh::new(moved, terrain.triangles().to_vec()).unwrap();
+    let mut to_edges = Vec::new();
+    for (i, ray) in made::view(&edges, 3000, 1).iter().enumerate() {
+        let [a, b, _] = edges.triangle(i % edges.triangles().len());
+        let aim = a + (b - a) * (0.1 + (i % 7) as f32 / 8.0) - ray.origin();
+        to_edges.push(Ray::new(ray.origin(), aim, 0.0, f32::INFINITY).unwrap());
+    }
+    let soup = procedural::soup(3, 2000);
+    let mut from_soup = made::view(&soup, 2000, 2);
+    from_soup.extend(bounce(&soup, &Bvh::sah(&soup, SahOptions::default()).unwrap(), &from_soup, 1));
+    let mut wrong_without_bounds = 0;
+    for (mesh, rays) in [(&edges, &to_edges), (&soup, &from_soup)] {
+        let bvh = Bvh::sah(mesh, SahOptions::default()).unwrap();
+        let scene = Scene::new(&gpu, &bvh).unwrap();
+        let truth = Tracer::new(&bvh).closest_parallel(rays);
+        assert!(truth.iter().flatten().count() > 500);
+        for name in ["stack", "hashed", "laine-4", "afra"] {
+            let kernel = Kernel::all(1).into_iter().find(|kernel| kernel.name == name).unwrap();
+            let trace = |factor| exact::closest(&gpu, (&scene, &bvh), &arithmetic, &kernel, rays, factor).unwrap();
+            let settled = trace(exact::EDGE_FACTOR);
+            assert_eq!(settled.hits, truth, "{name}");
+            assert!(settled.uncertain < rays.len(), "{name}: {}", settled.uncertain);
+            wrong_without_bounds += trace(0.0).hits.iter().zip(&truth).filter(|(a, b)| a != b).count();
+        }
+    }
+    assert!(wrong_without_bounds > 0);
+}
+
+#[test]
+fn tables_from_the_device_are_certified() {
+    let gpu = gpu();
+    for mesh in [procedural::soup(1, 3000), procedural::strands(2, 40), Made::City.mesh(4).unwrap()] {
+        let bvh = Bvh::sah(&mesh, SahOptions::default()).unwrap();
+        for table in [Table::Printed, Table::Tight] {
+            let built = tables::build(&gpu, &bvh, table.options()).unwrap();
+            let header = PerfectHash::build(&bvh, table.options()).unwrap();
+            assert_eq!((built.hash.header().keys, built.hash.header().direct), {
+                let header = header.header();
+                (header.keys, header.direct)
+            });
+        }
+    }
+    let mut rng = Rng::new(1);
+    for leaves in [1, 2, 3, 9, 40, 200, 2000] {
+        let tree = Family::Catalan.tree(&mut rng, leaves);
+        let built = tables::build(&gpu, &tree, Table::Tight.options());
+        assert!(built.is_ok() || tree.depth() > 63, "{built:?}");
+    }
+    // The chain for which the printed sizes have no displacements: said, and no endless search [HASH-4].
+    let chain = Family::Comb.tree(&mut rng, 32);
+    let options = Options { key_set: KeySet::All, sizing: Sizing::Printed };
+    assert!(matches!(tables::build(&gpu, &chain, options), Err(GpuError::Data(_))));
+}
+
+#[test]
+fn a_small_bench_has_all_kernels_and_the_noise() {
+    let gpu = gpu();
+    let arithmetic = probe::probe(&gpu).unwrap();
+    let mesh = Made::Terrain.mesh(1).unwrap();
+    let bvh = Bvh::sah(&mesh, SahOptions::default()).unwrap();
+    let setting = Setting { rays: 500, views: 1, warm_up: 1, passes: 3, checks: Checks::All };
+    let (mut rows, mut traffic) = (Vec::new(), 0);
+    bench::bench(&gpu, &arithmetic, ("terrain", &mesh, &bvh), setting, &mut |said| match said {
+        Ok(row) => rows.push(row.clone()),
+        Err(_) => traffic += 1,
+    })
+    .unwrap();
+    assert_eq!((rows.len(), traffic), (3 * (Kernel::all(1).len() + 1), 3));
+    assert!(rows.iter().all(|row| row.nanoseconds > 0.0 && row.to_best[0] > 0.0));
+    assert_eq!(rows.iter().filter(|row| row.is_noise).count(), 3);
 }
 
 #[test]

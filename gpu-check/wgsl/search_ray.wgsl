@@ -9,6 +9,7 @@ const END = 1e38;
 var<private> origin: vec3<f32>;
 var<private> direction: vec3<f32>;
 var<private> tmin: f32;
+var<private> ray_end: f32;
 // Reciprocals moved down for near planes and up for far ones [BOX-1], and the planes that are near.
 var<private> inverse_near: vec3<f32>;
 var<private> inverse_far: vec3<f32>;
@@ -30,7 +31,8 @@ fn begin(task: u32) {
     origin = first.xyz;
     tmin = first.w;
     direction = second.xyz;
-    best_t = second.w;
+    ray_end = second.w;
+    best_t = ray_end;
     best_triangle = NONE;
     best_weights = vec2(0.0);
     // Two floats towards zero and two away from it.
@@ -40,6 +42,7 @@ fn begin(task: u32) {
     parallel = (inverse & vec3(0x7fffffffu)) == vec3(CLAMPED_RECIPROCAL);
     stopped = false;
     found_here = false;
+    begin_triangles();
 }
 
 // Distances at which the ray enters and leaves a box, within its interval.

@@ -20,8 +20,3 @@ fn table_mixed(key: Word) -> vec2<u32> {
     }
     return folded;
 }
-
-// Barrett's reduction by floor((2^64 - 1) / H): the quotient is right or one too small.
-fn remainder(key: vec2<u32>) -> u32 {
-    return wrap(key.x - wide_multiply_high(key, RECIPROCAL) * TABLE_SIZE);
-}

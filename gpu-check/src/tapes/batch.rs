@@ -279,6 +279,7 @@ impl Fill {
                 pipeline: &self.pipeline,
                 buffers: vec![&buffers[0], &buffers[1], &self.jobs, &self.params],
                 groups: groups(self.count),
+                clear: Vec::new(),
             };
             gpu.run(&[pass])?;
         }
