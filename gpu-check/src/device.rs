@@ -6,7 +6,7 @@ use std::time::Duration;
 use crate::GpuError;
 
 /// How long one submission may take. Whatever takes longer hangs.
-pub const PATIENCE: Duration = Duration::from_secs(120);
+pub const PATIENCE: Duration = Duration::from_mins(2);
 
 /// A device with its queue.
 #[derive(Debug)]
@@ -291,7 +291,10 @@ impl Gpu {
             None => return Err(self.refused("read", "no answer".to_owned())),
         }
         let view = copy.slice(..).get_mapped_range().map_err(|error| self.refused("read", error.to_string()))?;
-        Ok(bytemuck::pod_collect_to_vec(&view))
+        let mut read: Vec<u32> = bytemuck::pod_collect_to_vec(&view);
+        // Copies are of four words at least.
+        read.truncate(words);
+        Ok(read)
     }
 
     fn raw(&self, what: &str, words: usize, usage: wgpu::BufferUsages) -> Result<wgpu::Buffer, GpuError> {

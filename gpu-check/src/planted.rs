@@ -1,8 +1,13 @@
 //! Planted bugs: one change of text each, which the comparison has to see.
 
+use stackless_bvh::bvh::{Bvh, SahOptions};
+use stackless_bvh::trace::Tracer;
+
 use crate::kernel::Kernel;
+use crate::made::{self, Made};
+use crate::scene::{Query, Scene};
 use crate::tapes::{self, Batch};
-use crate::{Gpu, GpuError};
+use crate::{Gpu, GpuError, probe, rays};
 
 /// A mistake in a kernel.
 #[derive(Clone, Copy, Debug)]
@@ -111,13 +116,66 @@ pub const BUGS: &[Bug] = bugs! {
         "select(64u + firstTrailingBit(word.z)" => "select(32u + firstTrailingBit(word.z)";
 };
 
+/// Those in the part that tests boxes and triangles; rays of made scenes show them.
+pub const RAY_BUGS: &[Bug] = bugs! {
+    "near planes are not chosen by the direction", "stack":
+        "(select(lo, hi, backward) - origin)" => "(lo - origin)";
+    "a plane of a box bounds a ray that lies in it", "stack":
+        "if HAS_PARALLEL {" => "if false {";
+    "the planes of the two boxes are exchanged", "hashed":
+        "vec3(left.xz, both.x)" => "vec3(left.xz, both.z)";
+    "boxes end where the best hit is, not after it", "stack":
+        "first.x <= first.y" => "first.x < first.y";
+    "of equal hits the last triangle counts", "stack":
+        "corner.w <= best_triangle" => "corner.w >= best_triangle";
+    "a hit where the ray begins is left out", "stack":
+        "t >= tmin" => "t > tmin";
+    "edges do not belong to triangles", "afra":
+        "u >= 0.0" => "u > 0.0";
+    "triangles are seen from one side", "stack":
+        "select(1.0, -1.0, det < 0.0)" => "1.0";
+    "a postponed box is taken to begin later than it does", "stack-t0":
+        "bitcast<u32>(select(nears.y, nears.x, (descent & RIGHT) != 0u))" =>
+        "bitcast<u32>(select(nears.y, nears.x, (descent & RIGHT) != 0u) * 1.5)";
+    "zeros keep their sign", "stack":
+        "select(quotient, 0.0, quotient == 0.0)" => "quotient";
+};
+
+/// Runs the ray kernel with the bug over the made scenes. The answer is how many closest hits are not those of rational arithmetic.
+///
+/// # Errors
+/// As [`hunt`].
+pub fn hunt_rays(gpu: &Gpu, bug: &Bug) -> Result<usize, GpuError> {
+    let kernel = by_name(bug.kernel)?;
+    let arithmetic = probe::probe(gpu)?;
+    let mut seen = 0;
+    for scene in Made::ALL {
+        let data = |error: &dyn std::fmt::Display| GpuError::Data(error.to_string());
+        let mesh = scene.mesh(1).map_err(|error| data(&error))?;
+        let bvh = Bvh::sah(&mesh, SahOptions::default()).map_err(|error| data(&error))?;
+        let rays = made::rays(&mesh, 2000, 3);
+        let on_device = Scene::new(gpu, &bvh)?;
+        let query = Query::single(&arithmetic, &rays, false)?;
+        if !on_device.source(gpu, &kernel, query).contains(bug.from) {
+            return Err(GpuError::Data(format!("{}: nothing to change in {}", bug.name, bug.kernel)));
+        }
+        let found = rays::trace(gpu, &on_device, &kernel, query, &rays, &|text| text.replace(bug.from, bug.to))?;
+        seen += rays::errors(&found, &Tracer::new(&bvh).closest_parallel(&rays), false).differences;
+    }
+    Ok(seen)
+}
+
+fn by_name(name: &str) -> Result<Kernel, GpuError> {
+    let kernel = (1..=3).flat_map(Kernel::all).find(|kernel| kernel.full_name() == name);
+    kernel.ok_or_else(|| GpuError::Data(format!("no kernel {name}")))
+}
+
 /// Runs the kernel with the bug. The answer is how many searches show it.
 ///
 /// # Errors
 /// [`GpuError`]; [`GpuError::Data`] where the text has nothing to change.
 pub fn hunt(gpu: &Gpu, batch: &Batch, bug: &Bug) -> Result<usize, GpuError> {
-    let kernel = (1..=3).flat_map(Kernel::all).find(|kernel| kernel.full_name() == bug.kernel);
-    let kernel = kernel.ok_or_else(|| GpuError::Data(format!("no kernel {}", bug.kernel)))?;
+    let kernel = by_name(bug.kernel)?;
     let shape = crate::kernel::Shape { depth: 1, subgroups: false };
     let text = kernel.source(shape, crate::kernel::TAPE_SEARCH, crate::kernel::Record::Hash);
     if !text.contains(bug.from) {

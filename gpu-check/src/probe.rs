@@ -9,6 +9,7 @@ use crate::{Access, Checks, Gpu, GpuError, Pass};
 
 /// The arithmetic of a device, as far as samples show it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(clippy::struct_excessive_bools, reason = "seven questions with yes or no")]
 pub struct Arithmetic {
     /// `fma` rounds once; else twice.
     pub fuses: bool,

@@ -13,6 +13,7 @@ use crate::launch::{BINDINGS, Buffers, params};
 use crate::model::{Found, Model};
 use crate::probe::Arithmetic;
 use crate::scene::{Query, Scene, rays_words};
+use crate::tapes::Edit;
 use crate::{Checks, Gpu, GpuError};
 
 /// How a kernel's hits compare.
@@ -49,7 +50,7 @@ impl fmt::Display for Errors {
     }
 }
 
-/// The hits of a kernel.
+/// The hits of a kernel, whose text may be edited.
 ///
 /// # Errors
 /// [`GpuError`].
@@ -59,8 +60,9 @@ pub fn trace(
     kernel: &Kernel,
     query: Query<'_>,
     rays: &[Ray],
+    edit: Edit<'_>,
 ) -> Result<Vec<Found>, GpuError> {
-    let source = scene.source(gpu, kernel, query);
+    let source = edit(scene.source(gpu, kernel, query));
     let pipeline = gpu.compile(&kernel.full_name(), &source, &BINDINGS, Checks::All)?;
     let count = rays.len() as u32;
     let tasks = gpu.buffer("rays", &rays_words(rays)?)?;
