@@ -162,12 +162,13 @@ struct Cell {
 impl Cell {
     fn new(gpu: &Gpu, scene: &Scene, query: Query<'_>, rays: &[Ray], setting: Setting) -> Result<Self, GpuError> {
         // Words as narrow as the depth allows, as in the paper.
-        let words = if scene.depth() < 32 { 1 } else { 2 };
+        let words = Kernel::words_for(scene.depth());
         let mut kernels = Kernel::all(1);
         if words > 1 {
             kernels.retain(|kernel| !kernel.has_words());
             kernels.extend(Kernel::all(words));
         }
+        kernels.retain(|kernel| scene.carries(kernel));
         kernels.push(kernels[0]);
         let compile = |kernel: &Kernel| {
             gpu.compile(&kernel.full_name(), &scene.source(gpu, kernel, query), &BINDINGS, setting.checks)

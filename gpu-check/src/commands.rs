@@ -8,6 +8,7 @@ use gpu_check::exact::{self, Settled};
 use gpu_check::kernel::{Kernel, Table};
 use gpu_check::made::{self, Made};
 use gpu_check::scene::{Query, Scene};
+use gpu_check::summary::Summary;
 use gpu_check::tapes::unchanged;
 use gpu_check::{Gpu, GpuError, planted, probe, rays, tables, tapes};
 use stackless_bvh::bvh::{Bvh, SahOptions};
@@ -106,8 +107,8 @@ pub(crate) fn exact(gpu: &Gpu, files: &[PathBuf], count: usize) -> Result<bool, 
         let start = Instant::now();
         let truth = Tracer::new(&bvh).closest_parallel(&rays);
         let exact_seconds = start.elapsed().as_secs_f64();
-        for kernel in Kernel::all(if bvh.depth() < 32 { 1 } else { 2 }) {
-            if !matches!(kernel.name, "stack" | "hashed") {
+        for kernel in Kernel::all(Kernel::words_for(bvh.depth())) {
+            if kernel.name != "hashed" {
                 continue;
             }
             let factor = exact::EDGE_FACTOR;
@@ -153,17 +154,23 @@ pub(crate) fn hash(gpu: &Gpu, files: &[PathBuf]) -> Result<bool, GpuError> {
     Ok(true)
 }
 
-pub(crate) fn bench(gpu: &Gpu, files: &[PathBuf], setting: Setting, csv: Option<&Path>) -> Result<bool, GpuError> {
+/// `files` are where the lines go and the picture.
+pub(crate) fn bench(
+    gpu: &Gpu,
+    scenes: &[PathBuf],
+    setting: Setting,
+    files: [Option<&Path>; 2],
+) -> Result<bool, GpuError> {
     let arithmetic = probe::probe(gpu)?;
-    let mut lines = format!("{}\n", bench::HEADER);
+    let mut rows = Vec::new();
     println!("{}", bench::HEADER);
-    for (name, mesh) in meshes(files)? {
+    for (name, mesh) in meshes(scenes)? {
         let bvh = hierarchy(&mesh)?;
         let name = Path::new(&name).file_stem().map_or(name.clone(), |stem| stem.to_string_lossy().into_owned());
         bench::bench(gpu, &arithmetic, (&name, &mesh, &bvh), setting, &mut |said| match said {
             Ok(row) => {
                 println!("{row}");
-                lines.extend([row.to_string(), "\n".to_owned()]);
+                rows.push(row.clone());
             }
             Err(traffic) => {
                 let Traffic { nodes, triangles, leaves } = traffic;
@@ -174,8 +181,14 @@ pub(crate) fn bench(gpu: &Gpu, files: &[PathBuf], setting: Setting, csv: Option<
             }
         })?;
     }
-    if let Some(csv) = csv {
-        scene::write_atomically(csv, |file| file.write_all(lines.as_bytes())).map_err(data)?;
+    let summary = Summary::of(&rows);
+    println!("{summary}");
+    let lines = [bench::HEADER.to_owned()].into_iter().chain(rows.iter().map(ToString::to_string));
+    let texts = [lines.map(|line| line + "\n").collect(), summary.svg()];
+    for (file, text) in files.into_iter().zip(texts) {
+        if let Some(file) = file {
+            scene::write_atomically(file, |file| file.write_all(text.as_bytes())).map_err(data)?;
+        }
     }
     Ok(true)
 }
@@ -196,8 +209,8 @@ fn compare(gpu: &Gpu, name: &str, mesh: &Mesh, rays: &[Ray], is_exact: bool) -> 
     for any in [false, true] {
         let query = Query::single(&arithmetic, rays, any)?;
         for kernel in (1..=2).flat_map(Kernel::all) {
-            if kernel.depth_limit().is_some_and(|limit| on_device.depth() > limit) {
-                println!("{:20} too deep", kernel.full_name());
+            if !on_device.carries(&kernel) {
+                println!("{:20} not for this hierarchy", kernel.full_name());
                 continue;
             }
             let start = Instant::now();

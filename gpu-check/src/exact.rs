@@ -1,12 +1,14 @@
 //! Exact answers by a device that has single precision: kernels say what is certain, the CPU settles the rest.
 //!
-//! `triangle_band.wgsl` tells certain misses from certain hits by the error bounds of EXACT-4 and EXACT-5, and knows a hit's distance
-//! within bounds. A hit replaces another only if its upper bound is less than the other's lower one: both are floats, so the
-//! rounded distances are in that order too. A box is skipped only if it begins beyond the upper bound of the best
-//! hit. What is in doubt ends the search; such rays are queued, and traced by the exact tracer. For the others the triangle is
-//! certain, and the CPU computes its exact distance and weights. So the hits are those of the exact tracer, bit for bit.
+//! `triangle_band.wgsl` tells certain misses from certain hits by the error bounds of EXACT-4 and EXACT-5, and knows a
+//! hit's distance within bounds. A hit replaces another only if its upper bound is less than the other's lower one:
+//! both are floats, so the rounded distances are in that order too. A box is skipped only if it begins beyond the upper
+//! bound of the best hit. What is in doubt ends the search; such rays are queued, and traced by the exact tracer. For
+//! the others the triangle is certain, and the CPU computes its exact distance and weights. So the hits are those of
+//! the exact tracer, bit for bit.
 //!
-//! Rounding must be to nearest and subnormal numbers must be kept, as the bounds and BOX-2 ask. Divisions may be off by less than 8 u.
+//! Rounding must be to nearest and subnormal numbers must be kept, as the bounds and BOX-2 ask. Divisions may be off by
+//! less than 8 u.
 
 use std::fmt::Write as _;
 use std::time::Instant;
@@ -43,7 +45,8 @@ pub struct Settled {
     pub settle_seconds: f64,
 }
 
-/// Traces rays exactly, by a kernel whose edge functions are taken to be off by `factor`, which should be [`EDGE_FACTOR`].
+/// Traces rays exactly, by a kernel whose edge functions are taken to be off by `factor`, which should be
+/// [`EDGE_FACTOR`].
 ///
 /// # Errors
 /// [`GpuError::Feature`] for a device on which the bounds do not hold; what else a device may refuse.

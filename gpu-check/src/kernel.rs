@@ -1,7 +1,7 @@
 //! The kernels: which there are, and how the text of each is put together from parts.
 //!
-//! A part stands once: a traversal, a way to keep its stack, a width of its words, a search, a driver. What a kernel does not need
-//! is a constant that is false, and is compiled out.
+//! A part stands once: a traversal, a way to keep its stack, a width of its words, a search, a driver. What a kernel
+//! does not need is a constant that is false, and is compiled out.
 
 use std::fmt::Write as _;
 
@@ -109,6 +109,15 @@ impl Kernel {
             all.push(Self { name: "stack-speculative", driver: Driver::Speculative, ..stack });
         }
         all
+    }
+
+    /// Words of 32 bits that keys and trails need over a tree of this depth.
+    pub const fn words_for(depth: u32) -> u32 {
+        match depth {
+            0..32 => 1,
+            32..64 => 2,
+            _ => 3,
+        }
     }
 
     /// The name, with the words if they are more than one.

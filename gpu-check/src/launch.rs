@@ -67,7 +67,8 @@ pub fn groups(invocations: u32) -> [u32; 2] {
     [groups.min(ROW), groups.div_ceil(ROW)]
 }
 
-/// Steps of a traversal at most, where events are recorded: more than any that ends takes over trees of 200 nodes, 95 deep.
+/// Steps of a traversal at most, where events are recorded: more than any that ends takes over trees of 200 nodes, 95
+/// deep.
 const MOST_STEPS: u32 = 1 << 15;
 
 /// The parameters of a launch: number of tasks, invocations in a row, and steps at most.

@@ -53,8 +53,8 @@ pub struct TableHead {
 }
 
 impl Addresses {
-    /// Those of a tree's nodes where inner nodes begin at the record `first` and leaves at the piece `first_leaf`, each leaf
-    /// as many pieces long as `pieces` says; and where the next tree may begin.
+    /// Those of a tree's nodes where inner nodes begin at the record `first` and leaves at the piece `first_leaf`, each
+    /// leaf as many pieces long as `pieces` says; and where the next tree may begin.
     pub fn of(tree: &impl Topology, first: u32, first_leaf: u32, pieces: impl Fn(Node) -> u32) -> (Self, u32, u32) {
         let mut addresses = vec![NOWHERE; tree.node_count()];
         let (mut next, mut next_leaf) = (first, first_leaf);

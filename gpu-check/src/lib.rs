@@ -1,4 +1,5 @@
-//! WGSL kernels of stackless traversal, held to the oracle of `stackless_bvh` and measured. README.md says what there is.
+//! WGSL kernels of stackless traversal, held to the oracle of `stackless_bvh` and measured. README.md says what there
+//! is.
 
 pub mod bench;
 mod device;
@@ -14,6 +15,7 @@ pub mod probe;
 pub mod rays;
 pub mod scene;
 pub mod statistics;
+pub mod summary;
 pub mod tables;
 pub mod tapes;
 

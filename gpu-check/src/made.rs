@@ -1,5 +1,5 @@
-//! Made scenes with small integer coordinates, and rays for them: single precision is exact there but for divisions, which
-//! are rounded once. So kernels must have the hits of rational arithmetic, bit for bit.
+//! Made scenes with small integer coordinates, and rays for them: single precision is exact there but for divisions,
+//! which are rounded once. So kernels must have the hits of rational arithmetic, bit for bit.
 
 use glam::Vec3;
 use stackless_bvh::generate::{Rng, Source as _};

@@ -73,6 +73,9 @@ enum Command {
         /// Where the lines go too.
         #[arg(long)]
         csv: Option<PathBuf>,
+        /// Where a picture goes.
+        #[arg(long)]
+        svg: Option<PathBuf>,
     },
     /// What the arithmetic of the device does.
     Probe,
@@ -86,7 +89,12 @@ enum Command {
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    match run(&arguments) {
+    let gpu = match Gpu::open(arguments.adapter.as_deref()) {
+        Ok(gpu) => gpu,
+        Err(error) => return failed(&error),
+    };
+    println!("device: {}", gpu.name());
+    match run(&arguments, &gpu) {
         Ok(true) => {
             println!("pass");
             ExitCode::SUCCESS
@@ -95,32 +103,37 @@ fn main() -> ExitCode {
             println!("fail");
             ExitCode::from(1)
         }
-        Err(error) => {
-            eprintln!("gpu-check: {error}");
-            ExitCode::from(error.exit_code())
+        Err(error @ GpuError::Timeout(_)) => {
+            failed(&error);
+            // To give the device back is to wait for it.
+            std::process::exit(error.exit_code().into());
         }
+        Err(error) => failed(&error),
     }
 }
 
+fn failed(error: &GpuError) -> ExitCode {
+    eprintln!("gpu-check: {error}");
+    ExitCode::from(error.exit_code())
+}
+
 /// Whether all was as it should be.
-fn run(arguments: &Arguments) -> Result<bool, GpuError> {
-    let gpu = Gpu::open(arguments.adapter.as_deref())?;
-    println!("device: {}", gpu.name());
+fn run(arguments: &Arguments, gpu: &Gpu) -> Result<bool, GpuError> {
     match &arguments.command {
-        Command::Tapes { trees, seed } => commands::tapes(&gpu, *trees, *seed),
-        Command::Rays { scenes, rays } => commands::rays(&gpu, scenes, *rays),
-        Command::Exact { scenes, rays } => commands::exact(&gpu, scenes, *rays),
-        Command::Hash { scenes } => commands::hash(&gpu, scenes),
-        Command::Bench { scenes, rays, views, warm_up, passes, checked, csv } => {
+        Command::Tapes { trees, seed } => commands::tapes(gpu, *trees, *seed),
+        Command::Rays { scenes, rays } => commands::rays(gpu, scenes, *rays),
+        Command::Exact { scenes, rays } => commands::exact(gpu, scenes, *rays),
+        Command::Hash { scenes } => commands::hash(gpu, scenes),
+        Command::Bench { scenes, rays, views, warm_up, passes, checked, csv, svg } => {
             // Software devices miscompile loops that are not bounded.
             let checks = if *checked || gpu.is_software() { Checks::All } else { Checks::None };
             let setting = Setting { rays: *rays, views: *views, warm_up: *warm_up, passes: *passes, checks };
-            commands::bench(&gpu, scenes, setting, csv.as_deref())
+            commands::bench(gpu, scenes, setting, [csv.as_deref(), svg.as_deref()])
         }
-        Command::Probe => probe::probe(&gpu).map(|arithmetic| {
+        Command::Probe => probe::probe(gpu).map(|arithmetic| {
             println!("arithmetic: {arithmetic}");
             true
         }),
-        Command::Planted { trees } => commands::planted(&gpu, *trees),
+        Command::Planted { trees } => commands::planted(gpu, *trees),
     }
 }

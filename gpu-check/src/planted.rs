@@ -141,7 +141,8 @@ pub const RAY_BUGS: &[Bug] = bugs! {
         "select(quotient, 0.0, quotient == 0.0)" => "quotient";
 };
 
-/// Runs the ray kernel with the bug over the made scenes. The answer is how many closest hits are not those of rational arithmetic.
+/// Runs the ray kernel with the bug over the made scenes. The answer is how many closest hits are not those of rational
+/// arithmetic.
 ///
 /// # Errors
 /// As [`hunt`].

@@ -6,7 +6,7 @@ use stackless_bvh::bvh::Bvh;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::tree::{Node, Topology as _};
 
-use crate::kernel::{Kernel, Links, Record, Shape, Table};
+use crate::kernel::{Kernel, Links, Record, Shape, Table, Traversal};
 use crate::layout::{Addresses, HashTables, Records, TERMINATOR, TableHead, links};
 use crate::model::{CLAMPED_RECIPROCAL, has_parallel, ray_words};
 use crate::probe::Arithmetic;
@@ -26,7 +26,7 @@ pub struct Scene {
     tables: [([wgpu::Buffer; 2], TableHead); 2],
     root: u32,
     depth: u32,
-    node_bytes: u64,
+    is_in_parts: bool,
 }
 
 /// What rays are asked.
@@ -78,7 +78,7 @@ impl Scene {
             tables: [table(Table::Printed)?, table(Table::Tight)?],
             root: addresses.at(bvh, bvh.root()),
             depth: bvh.depth(),
-            node_bytes: 64 * u64::from(inner) + 16 * u64::from(leaves),
+            is_in_parts: bvh.duplicates() > 0,
         })
     }
 
@@ -87,9 +87,11 @@ impl Scene {
         self.depth
     }
 
-    /// Bytes of nodes and leaves.
-    pub const fn bytes(&self) -> u64 {
-        self.node_bytes
+    /// Whether a kernel is for this hierarchy: its words carry the depth, and it does not prune by leaves that hold
+    /// parts of triangles. `[DISJOINT-5]`
+    pub fn carries(&self, kernel: &Kernel) -> bool {
+        let is_deep_enough = kernel.depth_limit().is_none_or(|limit| self.depth <= limit);
+        is_deep_enough && !(self.is_in_parts && kernel.traversal == Traversal::HashedDisjoint)
     }
 
     /// Nodes and leaves, displacements and cells, as a kernel reads them.

@@ -20,7 +20,7 @@ pub fn deviation(values: &[f64]) -> f64 {
     median(&values.iter().map(|value| (value - middle).abs()).collect::<Vec<_>>())
 }
 
-/// The median of the ratios `above[i] / below[i]`, and its interval of 95 % by 1,000 resamplings (Efron 1979).
+/// The median of the ratios `above[i] / below[i]`, and its interval of 95 % by 1,000 resamplings (bootstrap).
 pub fn ratio(above: &[f64], below: &[f64]) -> [f64; 3] {
     const RESAMPLINGS: usize = 1000;
     let ratios: Vec<f64> = above.iter().zip(below).map(|(a, b)| a / b).collect();

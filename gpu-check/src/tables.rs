@@ -29,7 +29,8 @@ const GROWTHS: u32 = 16;
 /// Builds the table of a tree of up to 63 edges, and has it certified.
 ///
 /// # Errors
-/// [`GpuError::Data`] where the plain function has no displacements (the seeded one is the CPU's), or where the table is wrong.
+/// [`GpuError::Data`] where the plain function has no displacements (the seeded one is the CPU's), or where the table
+/// is wrong.
 pub fn build(gpu: &Gpu, tree: &impl Topology, options: Options) -> Result<Built, GpuError> {
     if tree.depth() > 63 {
         return Err(GpuError::Data(format!("a tree of {} edges has keys beyond 64 bits", tree.depth())));

@@ -8,6 +8,7 @@ use gpu_check::bench::{self, Setting};
 use gpu_check::kernel::{Kernel, Table};
 use gpu_check::made::{self, Made};
 use gpu_check::scene::{Query, Scene};
+use gpu_check::summary::Summary;
 use gpu_check::tapes::{Batch, cases, compare, unchanged};
 use gpu_check::{Access, Checks, Gpu, GpuError, exact, planted, probe, rays, tables};
 use stackless_bvh::bvh::{Bvh, SahOptions};
@@ -180,6 +181,11 @@ fn a_small_bench_has_all_kernels_and_the_noise() {
     assert_eq!((rows.len(), traffic), (3 * (Kernel::all(1).len() + 1), 3));
     assert!(rows.iter().all(|row| row.nanoseconds > 0.0 && row.to_best[0] > 0.0));
     assert_eq!(rows.iter().filter(|row| row.is_noise).count(), 3);
+    let summary = Summary::of(&rows);
+    assert_eq!(summary.lines.len(), 3 * Kernel::all(1).len());
+    let of = |kernel: &str| summary.lines.iter().find(|line| line.kernel == kernel).unwrap().to_best;
+    assert!((of("hashed") - rows.iter().find(|row| row.kernel == "hashed").unwrap().to_best[0]).abs() < 1e-9);
+    assert_eq!(summary.svg().matches("<rect x").count(), summary.lines.len());
 }
 
 #[test]

@@ -1,7 +1,7 @@
-// [HASHED-1]: key, trail, the register of the most recently postponed node (`latest`), uncles, perfect hash. Links are (uncle, grand uncle,
-// grand grand uncle). With FILLS_AT_LOAD the register is filled whenever a record is loaded, as H Algorithm 1 has it; else
-// when the search turns back, and on a descent where a node gets out of reach [REGISTER-2]. With PRUNES there is a second
-// trail [DISJOINT-1].
+// [HASHED-1]: key, trail, the register of the most recently postponed node (`latest`), uncles, perfect hash. Links are
+// (uncle, grand uncle, grand grand uncle). With FILLS_AT_LOAD the register is filled whenever a record is loaded, as H
+// Algorithm 1 has it; else when the search turns back, and on a descent where a node gets out of reach [REGISTER-2].
+// With PRUNES there is a second trail [DISJOINT-1].
 
 var<private> key: Word;
 var<private> trail: Word;

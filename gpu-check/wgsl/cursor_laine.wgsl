@@ -1,5 +1,5 @@
-// [LAINE-1]: a trail of level bits, the highest for the root; restarts from there, and a short stack of the SHORT latest
-// postponed nodes.
+// [LAINE-1]: a trail of level bits, the highest for the root; restarts from there, and a short stack of the SHORT
+// latest postponed nodes.
 
 var<private> laine_root: u32;
 var<private> trail: Word;

@@ -1,5 +1,5 @@
-// Construction of a perfect hash (Binder & Keller 2016, Section 2.2.2) in passes: STAGE says which. Each invocation of the first and
-// the third has a key, of the others a bucket.
+// Construction of a perfect hash (Binder & Keller 2016, Section 2.2.2) in passes: STAGE says which. Each invocation of
+// the first and the third has a key, of the others a bucket.
 
 // Keys: 64 bits, the address that an entry holds, nothing.
 @group(0) @binding(0) var<storage, read> keys: array<vec4<u32>>;
@@ -69,7 +69,8 @@ fn claim_all(start: u32, count: u32, displacement: u32) -> bool {
     return false;
 }
 
-// Buckets of one size side by side: which of them gets a cell that two want is not determined, so neither are the tables.
+// Buckets of one size side by side: which of them gets a cell that two want is not determined, so neither are the
+// tables.
 fn place(at: u32) {
     if atomicLoad(&counts[at]) != params.z {
         return;

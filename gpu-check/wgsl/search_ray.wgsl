@@ -1,8 +1,8 @@
 // The search of a ray: boxes and triangles in single precision.
 //
-// A ray is 12 words: origin and tmin, direction and tmax, reciprocals of the direction, clamped, and nothing. Records hold lo and
-// hi of x and y of the left box, of the right one, and of z of both. Triangles are three corners, with the index in the word after
-// the first; leaves end with a terminator.
+// A ray is 12 words: origin and tmin, direction and tmax, reciprocals of the direction, clamped, and nothing. Records
+// hold lo and hi of x and y of the left box, of the right one, and of z of both. Triangles are three corners, with the
+// index in the word after the first; leaves end with a terminator.
 
 const END = 1e38;
 

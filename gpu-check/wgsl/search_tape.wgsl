@@ -7,7 +7,8 @@ var<private> any_hit: bool;
 // The closest hit, or the first: distance and slot.
 var<private> found: bool;
 var<private> best: vec2<u32>;
-// Whether a leaf has ended the search, and whether the best hit is in the leaf that was looked into last, within its box.
+// Whether a leaf has ended the search, and whether the best hit is in the leaf that was looked into last, within its
+// box.
 var<private> stopped: bool;
 var<private> found_here: bool;
 

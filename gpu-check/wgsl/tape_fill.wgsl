@@ -1,7 +1,7 @@
 // Decision tapes: what the tape of a seed says of the children of each inner node, written into the records. The same
 // numbers as `generate::Tape::hashed`: the generator for the node with key k is SplitMix64 seeded with h(k), where
-// h(1) = mix(seed) and h(2k + b) = mix(h(k) ^ (b + 1)). A cell is a function of those above it, so each invocation walks
-// down from the root.
+// h(1) = mix(seed) and h(2k + b) = mix(h(k) ^ (b + 1)). A cell is a function of those above it, so each invocation
+// walks down from the root.
 
 @group(0) @binding(0) var<storage, read_write> nodes: array<vec4<u32>>;
 @group(0) @binding(1) var<storage, read_write> leaves: array<vec4<u32>>;

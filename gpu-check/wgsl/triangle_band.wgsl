@@ -1,5 +1,5 @@
-// A triangle test that says what is certain. Error bounds are those of [EXACT-4] and [EXACT-5] for single precision; a fused
-// multiply-add only removes roundings. What is not certain ends the search, and the ray is settled elsewhere.
+// A triangle test that says what is certain. Error bounds are those of [EXACT-4] and [EXACT-5] for single precision; a
+// fused multiply-add only removes roundings. What is not certain ends the search, and the ray is settled elsewhere.
 //
 // U is 2^-24. FLOOR stands in for sizes so small that underflow would matter.
 
@@ -21,7 +21,8 @@ fn largest(v: vec3<f32>) -> f32 {
     return greater(a.z, greater(a.y, a.x));
 }
 
-// The sign of any hit is all that counts with ANY_HIT; then a triangle that is uncertain does not matter if another is not.
+// The sign of any hit is all that counts with ANY_HIT; then a triangle that is uncertain does not matter if another is
+// not.
 fn doubt() {
     is_uncertain = true;
     stopped = stopped || !ANY_HIT;

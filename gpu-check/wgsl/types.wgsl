@@ -1,7 +1,8 @@
 // What all kernels share: the records of a tree, addresses, and what a visit decides.
 //
-// An address counts pieces of 16 bytes. An inner node has its address in `nodes`; a leaf at `o` in `leaves` is `~o`, with
-// the sign bit set. 0 is the first record, the root or nothing: it is never postponed, so a register that holds 0 is empty.
+// An address counts pieces of 16 bytes. An inner node has its address in `nodes`; a leaf at `o` in `leaves` is `~o`,
+// with the sign bit set. 0 is the first record, the root or nothing: it is never postponed, so a register that holds 0
+// is empty.
 
 @group(0) @binding(0) var<storage, read> nodes: array<vec4<u32>>;
 @group(0) @binding(1) var<storage, read> leaves: array<vec4<u32>>;
@@ -13,8 +14,8 @@
 @group(0) @binding(6) var<uniform> params: vec4<u32>;
 @group(0) @binding(7) var<storage, read_write> work: array<atomic<u32>>;
 
-// An inner node, 64 bytes: what the search wants to know of the left child, of the right one, of both; then left and right
-// child and two links.
+// An inner node, 64 bytes: what the search wants to know of the left child, of the right one, of both; then left and
+// right child and two links.
 struct Record {
     left: vec4<u32>,
     right: vec4<u32>,

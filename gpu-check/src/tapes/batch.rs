@@ -47,8 +47,8 @@ struct Placed {
 /// Depths at which words end.
 const EDGES: [u32; 9] = [30, 31, 32, 33, 62, 63, 64, 94, 95];
 
-/// So many cases: the families by turns, of all sizes up to 96 leaves, every eighth a chain that is as deep as words are
-/// long, and half of these such that backtracks go over its whole length.
+/// So many cases: the families by turns, of all sizes up to 96 leaves, every eighth a chain that is as deep as words
+/// are long, and half of these such that backtracks go over its whole length.
 pub fn cases(count: usize, seed: u64) -> Vec<Case> {
     (0..count)
         .map(|i| {
@@ -71,8 +71,8 @@ pub fn cases(count: usize, seed: u64) -> Vec<Case> {
         .collect()
 }
 
-/// A chain for the tape that takes left and right first by turns: the leaf comes before the rest of the chain, so that nothing
-/// is postponed when that is entered, except at the root and at one other level.
+/// A chain for the tape that takes left and right first by turns: the leaf comes before the rest of the chain, so that
+/// nothing is postponed when that is entered, except at the root and at one other level.
 fn far_chain(rng: &mut Rng, depth: u32) -> Tree {
     let other = rng.below(u64::from(depth)) as u32;
     let mut children = Vec::with_capacity(2 * depth as usize + 1);

@@ -43,8 +43,8 @@ impl References {
 fn reference(Case { tree, tape, .. }: &Case, method: Method, any: bool) -> (Trace, Outcome) {
     let (mut search, mut trace) = (Search::new(tree, tape, any), Trace::default());
     match method {
-        // What a restart asks again may have become narrower, so these have traces of their own [D-16]. The growing word has no
-        // highest bit, and 127 edges are enough here.
+        // What a restart asks again may have become narrower, so these have traces of their own [D-16]. The growing
+        // word has no highest bit, and 127 edges are enough here.
         Method::Laine0 => drop(Laine::<0, u128, _>::new(tree).map(|c| traverse(c, &mut search, &mut trace))),
         Method::Laine1 => drop(Laine::<1, u128, _>::new(tree).map(|c| traverse(c, &mut search, &mut trace))),
         Method::Laine4 => drop(Laine::<4, u128, _>::new(tree).map(|c| traverse(c, &mut search, &mut trace))),
