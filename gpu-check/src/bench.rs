@@ -1,0 +1,251 @@
+//! Measurement: kernels by turns, each in a pass of its own with timestamps, ratios of one run.
+
+use std::fmt;
+
+use stackless_bvh::bvh::Bvh;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::scene::Mesh;
+use stackless_bvh::trace::{Tracer, bounce};
+
+use crate::kernel::{Kernel, Traversal};
+use crate::launch::{BINDINGS, Buffers, params};
+use crate::model::Found;
+use crate::probe::Arithmetic;
+use crate::scene::{Query, Scene, rays_words};
+use crate::statistics::{deviation, median, ratio};
+use crate::{Checks, Gpu, GpuError, made};
+
+/// How much is measured.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting {
+    /// Rays of a set.
+    pub rays: usize,
+    /// Views of the camera.
+    pub views: u64,
+    /// Passes of each kernel that are not counted.
+    pub warm_up: usize,
+    /// Passes of each kernel that are.
+    pub passes: usize,
+    /// Run-time checks of the kernels.
+    pub checks: Checks,
+}
+
+/// Which rays, and what they are asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rays {
+    /// From the camera: the closest hit.
+    Primary,
+    /// From the hits of the camera's rays: the closest hit.
+    Diffuse,
+    /// The same rays: any hit.
+    DiffuseAny,
+}
+
+/// One line of the table.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The scene.
+    pub scene: String,
+    /// The rays.
+    pub rays: Rays,
+    /// The view.
+    pub view: u64,
+    /// The kernel.
+    pub kernel: String,
+    /// Number of rays.
+    pub count: usize,
+    /// Median nanoseconds of a pass.
+    pub nanoseconds: f64,
+    /// Median distance from that.
+    pub deviation: f64,
+    /// Speed relative to the best stack kernel of the cell: median of paired ratios, and its interval.
+    pub to_best: [f64; 3],
+    /// The same, relative to the best of while-while, speculative and persistent.
+    pub to_paper: [f64; 3],
+    /// Whether this is the first kernel once more: what differs is noise.
+    pub is_noise: bool,
+}
+
+impl Rays {
+    /// All of them, as in Table 2 of Binder & Keller 2016.
+    pub const ALL: [Self; 3] = [Self::Primary, Self::DiffuseAny, Self::Diffuse];
+
+    /// The name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Primary => "primary",
+            Self::Diffuse => "diffuse",
+            Self::DiffuseAny => "diffuse-any",
+        }
+    }
+
+    const fn is_any(self) -> bool {
+        matches!(self, Self::DiffuseAny)
+    }
+}
+
+impl fmt::Display for Row {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { scene, rays, view, kernel, count, nanoseconds, deviation, to_best, to_paper, is_noise } = self;
+        let speed = *count as f64 * 1e3 / nanoseconds;
+        let name = if *is_noise { format!("{kernel} again") } else { kernel.clone() };
+        let [best, low, high] = to_best;
+        write!(f, "{scene},{},{view},{name},{count},{nanoseconds:.0},{deviation:.0},{speed:.3},", rays.name())?;
+        write!(f, "{best:.4},{low:.4},{high:.4},{:.4}", to_paper[0])
+    }
+}
+
+/// The columns of [`Row`].
+pub const HEADER: &str = "scene,rays,view,kernel,count,median ns,deviation ns,Mrays/s,\
+                          to best stack,low 95 %,high 95 %,to paper's stack";
+
+/// What a ray costs in memory, from counts of the same search on the CPU.
+#[derive(Clone, Copy, Debug)]
+pub struct Traffic {
+    /// Inner nodes visited.
+    pub nodes: f64,
+    /// Triangles tested.
+    pub triangles: f64,
+    /// Leaves looked into.
+    pub leaves: f64,
+}
+
+impl Traffic {
+    /// Bytes of nodes, triangles, terminators, ray and hit. Lookups come on top, 4 or 8 bytes each, in sectors of 32.
+    pub fn bytes(&self) -> f64 {
+        64.0 * self.nodes + 48.0 * self.triangles + 16.0 * self.leaves + 64.0
+    }
+}
+
+/// Measures all kernels on one scene. `say` is told of each line, and of the traffic of each set of rays.
+///
+/// # Errors
+/// [`GpuError`]; [`GpuError::Data`] where kernels have different hits, with their names.
+pub fn bench(
+    gpu: &Gpu,
+    arithmetic: &Arithmetic,
+    (name, mesh, bvh): (&str, &Mesh, &Bvh),
+    setting: Setting,
+    say: &mut dyn FnMut(Result<&Row, Traffic>),
+) -> Result<(), GpuError> {
+    let scene = Scene::new(gpu, bvh)?;
+    let tracer = Tracer::new(bvh);
+    for view in 0..setting.views {
+        let primary = made::view(mesh, setting.rays, view + 1);
+        let mut diffuse: Vec<Ray> = bounce(mesh, bvh, &primary, view + 1);
+        diffuse.truncate(setting.rays);
+        for kind in Rays::ALL {
+            let rays = if kind == Rays::Primary { &primary } else { &diffuse };
+            if rays.is_empty() {
+                continue;
+            }
+            let counters = tracer.count(rays, kind.is_any());
+            let each = |count: u64| count as f64 / rays.len() as f64;
+            let (nodes, triangles, leaves) = (each(counters.inner), each(counters.triangles), each(counters.leaves));
+            say(Err(Traffic { nodes, triangles, leaves }));
+            let query = Query::single(arithmetic, rays, kind.is_any())?;
+            let cell = Cell::new(gpu, &scene, query, rays, setting)?;
+            for row in cell.rows(name, kind, view, rays.len()) {
+                say(Ok(&row));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Times of all kernels over one set of rays: by kernel, then by pass. The last kernel is the first one again.
+struct Cell {
+    kernels: Vec<Kernel>,
+    times: Vec<Vec<f64>>,
+}
+
+impl Cell {
+    fn new(gpu: &Gpu, scene: &Scene, query: Query<'_>, rays: &[Ray], setting: Setting) -> Result<Self, GpuError> {
+        // Words as narrow as the depth allows, as in the paper.
+        let words = Kernel::words_for(scene.depth());
+        let mut kernels = Kernel::all(1);
+        if words > 1 {
+            kernels.retain(|kernel| !kernel.has_words());
+            kernels.extend(Kernel::all(words));
+        }
+        kernels.retain(|kernel| scene.carries(kernel));
+        kernels.push(kernels[0]);
+        let compile = |kernel: &Kernel| {
+            gpu.compile(&kernel.full_name(), &scene.source(gpu, kernel, query), &BINDINGS, setting.checks)
+        };
+        let pipelines = kernels.iter().map(compile).collect::<Result<Vec<_>, _>>()?;
+        let count = rays.len() as u32;
+        let tasks = gpu.buffer("rays", &rays_words(rays)?)?;
+        let (work, params) = (gpu.zeros("work", 4)?, params(gpu, count)?);
+        let results = kernels.iter().map(|_| gpu.zeros("hits", 4 * rays.len())).collect::<Result<Vec<_>, _>>()?;
+        let passes: Vec<_> = (0..kernels.len())
+            .map(|i| {
+                let [nodes, leaves, displacements, cells] = scene.buffers(&kernels[i]);
+                let (tasks, results, params, work) = (&tasks, &results[i], &params, &work);
+                let buffers = Buffers { nodes, leaves, displacements, cells, tasks, results, params, work };
+                let mut pass = buffers.pass(&kernels[i], &pipelines[i], count);
+                // Hits of the pass before must not count for this one's.
+                pass.clear = vec![results, work];
+                pass
+            })
+            .collect();
+        let mut times = vec![Vec::new(); kernels.len()];
+        for round in 0..setting.warm_up + setting.passes {
+            let nanoseconds = gpu.time(&passes)?;
+            if round >= setting.warm_up {
+                times.iter_mut().zip(nanoseconds).for_each(|(times, time)| times.push(time));
+            }
+        }
+        let mut first: Option<Vec<Found>> = None;
+        for (kernel, results) in kernels.iter().zip(&results).filter(|(kernel, _)| kernel.keeps_order()) {
+            let words = gpu.read(results, 4 * rays.len())?;
+            let found: Vec<Found> = words.as_chunks().0.iter().map(|&words| Found::of_words(words)).collect();
+            let differ = first.as_ref().map_or(0, |first| first.iter().zip(&found).filter(|(a, b)| a != b).count());
+            // Only rounding can make a kernel that prunes miss what others find, and only beside a box's end.
+            let allowed = if is_pruning(kernel) { rays.len() / 1000 } else { 0 };
+            if differ > allowed {
+                return Err(GpuError::Data(format!("{}: {differ} hits are not those of stack", kernel.full_name())));
+            }
+            first.get_or_insert(found);
+        }
+        Ok(Self { kernels, times })
+    }
+
+    fn rows(&self, scene: &str, rays: Rays, view: u64, count: usize) -> Vec<Row> {
+        let last = self.kernels.len() - 1;
+        let best = |of: &dyn Fn(&Kernel) -> bool| {
+            let candidates = (0..last).filter(|&i| of(&self.kernels[i]));
+            candidates.min_by(|&a, &b| median(&self.times[a]).total_cmp(&median(&self.times[b]))).unwrap_or(0)
+        };
+        let (stack, paper) = (best(&is_stack), best(&is_of_paper));
+        (0..=last)
+            .map(|i| Row {
+                scene: scene.to_owned(),
+                rays,
+                view,
+                kernel: self.kernels[i].full_name(),
+                count,
+                nanoseconds: median(&self.times[i]),
+                deviation: deviation(&self.times[i]),
+                to_best: ratio(&self.times[stack], &self.times[i]),
+                to_paper: ratio(&self.times[paper], &self.times[i]),
+                is_noise: i == last,
+            })
+            .collect()
+    }
+}
+
+fn is_pruning(kernel: &Kernel) -> bool {
+    matches!(kernel.traversal, Traversal::StackT0 | Traversal::HashedDisjoint)
+}
+
+/// The kernels with a stack, short ones included: the best of them is what ratios are to.
+fn is_stack(kernel: &Kernel) -> bool {
+    let is_short = matches!(kernel.traversal, Traversal::Laine(short) if short > 0);
+    is_short || matches!(kernel.traversal, Traversal::Stack | Traversal::StackWorkgroup | Traversal::StackT0)
+}
+
+/// Those that Binder & Keller compare with: while-while, speculative, persistent.
+fn is_of_paper(kernel: &Kernel) -> bool {
+    kernel.traversal == Traversal::Stack
+}

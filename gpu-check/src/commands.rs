@@ -1,0 +1,233 @@
+//! What the commands do, and print.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use gpu_check::bench::{self, Setting, Traffic};
+use gpu_check::exact::{self, Settled};
+use gpu_check::kernel::{Kernel, Table};
+use gpu_check::made::{self, Made};
+use gpu_check::scene::{Query, Scene};
+use gpu_check::summary::Summary;
+use gpu_check::tapes::unchanged;
+use gpu_check::{Gpu, GpuError, planted, probe, rays, tables, tapes};
+use stackless_bvh::bvh::{Bvh, SahOptions};
+use stackless_bvh::geom::Ray;
+use stackless_bvh::hash::PerfectHash;
+use stackless_bvh::scene::{self, Mesh, procedural};
+use stackless_bvh::trace::{Tracer, bounce};
+use stackless_bvh::tree::Topology as _;
+
+pub(crate) fn tapes(gpu: &Gpu, trees: usize, seed: u64) -> Result<bool, GpuError> {
+    const BATCH: usize = 4096;
+    let mut good = true;
+    for from in (0..trees).step_by(BATCH) {
+        let batch = tapes::Batch::new(gpu, tapes::cases(BATCH.min(trees - from), seed.wrapping_add(from as u64)))?;
+        for kernel in (1..=3).flat_map(Kernel::all) {
+            let start = Instant::now();
+            let report = tapes::compare(gpu, &batch, &kernel, &tapes::unchanged)?;
+            let tapes::Report { name, compared, too_deep, mismatches, first } = report;
+            let seconds = start.elapsed().as_secs_f32();
+            println!("{name:20} {compared:6} searches, {too_deep:5} too deep, {mismatches} mismatches, {seconds:.1} s");
+            if let Some(first) = first {
+                println!("{first}");
+            }
+            good &= mismatches == 0;
+        }
+    }
+    Ok(good)
+}
+
+pub(crate) fn planted(gpu: &Gpu, trees: usize) -> Result<bool, GpuError> {
+    let batch = tapes::Batch::new(gpu, tapes::cases(trees, 1))?;
+    let mut good = true;
+    for bug in planted::BUGS {
+        let seen = planted::hunt(gpu, &batch, bug)?;
+        let verdict = if seen > 0 { "caught" } else { "NOT CAUGHT" };
+        println!("{verdict}: {seen:5} searches, {:20} {}", bug.kernel, bug.name);
+        good &= seen > 0;
+    }
+    for bug in planted::RAY_BUGS {
+        let seen = planted::hunt_rays(gpu, bug)?;
+        let verdict = if seen > 0 { "caught" } else { "NOT CAUGHT" };
+        println!("{verdict}: {seen:5} rays, {:20} {}", bug.kernel, bug.name);
+        good &= seen > 0;
+    }
+    Ok(good)
+}
+
+pub(crate) fn rays(gpu: &Gpu, files: &[PathBuf], count: usize) -> Result<bool, GpuError> {
+    let mut good = true;
+    for made in Made::ALL.into_iter().filter(|_| files.is_empty()) {
+        let mesh = made.mesh(1).map_err(data)?;
+        let rays = made::rays(&mesh, count, 2);
+        good &= compare(gpu, made.name(), &mesh, &rays, true)?;
+    }
+    for file in files {
+        let mesh = scene::load(file).map_err(data)?;
+        let rays = made::view(&mesh, count, 2);
+        good &= compare(gpu, &file.display().to_string(), &mesh, &rays, false)?;
+    }
+    Ok(good)
+}
+
+/// Meshes from files, or made ones, with their names.
+fn meshes(files: &[PathBuf]) -> Result<Vec<(String, Mesh)>, GpuError> {
+    if files.is_empty() {
+        let made = Made::ALL.into_iter().map(|made| Ok((made.name().to_owned(), made.mesh(1).map_err(data)?)));
+        let large = [("soup-20000", procedural::soup(1, 20_000)), ("strands-400", procedural::strands(1, 400))];
+        return made.chain(large.map(|(name, mesh)| Ok((name.to_owned(), mesh)))).collect();
+    }
+    let load = |file: &PathBuf| Ok((file.display().to_string(), scene::load(file).map_err(data)?));
+    files.iter().map(load).collect()
+}
+
+fn data(error: impl std::fmt::Display) -> GpuError {
+    GpuError::Data(error.to_string())
+}
+
+fn hierarchy(mesh: &Mesh) -> Result<Bvh, GpuError> {
+    Bvh::sah(mesh, SahOptions::default()).map_err(data)
+}
+
+/// Rays of a camera and where they bounce.
+fn mixed_rays(mesh: &Mesh, bvh: &Bvh, count: usize) -> Vec<Ray> {
+    let mut rays = made::view(mesh, count / 2, 2);
+    rays.extend(bounce(mesh, bvh, &rays, 3));
+    rays
+}
+
+pub(crate) fn exact(gpu: &Gpu, files: &[PathBuf], count: usize) -> Result<bool, GpuError> {
+    let arithmetic = probe::probe(gpu)?;
+    let mut good = true;
+    for (name, mesh) in meshes(files)? {
+        let bvh = hierarchy(&mesh)?;
+        let on_device = Scene::new(gpu, &bvh)?;
+        let rays = mixed_rays(&mesh, &bvh, count);
+        let start = Instant::now();
+        let truth = Tracer::new(&bvh).closest_parallel(&rays);
+        let exact_seconds = start.elapsed().as_secs_f64();
+        for kernel in Kernel::all(Kernel::words_for(bvh.depth())) {
+            if kernel.name != "hashed" {
+                continue;
+            }
+            let factor = exact::EDGE_FACTOR;
+            let settled = exact::closest(gpu, (&on_device, &bvh), &arithmetic, &kernel, &rays, factor)?;
+            let wrong = settled.hits.iter().zip(&truth).filter(|(a, b)| a != b).count();
+            let share = 100.0 * settled.uncertain as f64 / rays.len().max(1) as f64;
+            let Settled { device_seconds, settle_seconds, .. } = settled;
+            println!(
+                "{name} {}: {} rays, {wrong} wrong, {share:.2} % in doubt; device {device_seconds:.2} s, then CPU \
+                 {settle_seconds:.2} s; CPU alone {exact_seconds:.2} s",
+                kernel.full_name(),
+                rays.len()
+            );
+            good &= wrong == 0;
+        }
+    }
+    Ok(good)
+}
+
+pub(crate) fn hash(gpu: &Gpu, files: &[PathBuf]) -> Result<bool, GpuError> {
+    for (name, mesh) in meshes(files)? {
+        let bvh = hierarchy(&mesh)?;
+        for table in [Table::Printed, Table::Tight] {
+            let start = Instant::now();
+            let on_cpu = PerfectHash::build(&bvh, table.options()).map_err(data)?;
+            let cpu = start.elapsed().as_secs_f64() * 1e3;
+            let built = tables::build(gpu, &bvh, table.options())?;
+            let header = built.hash.header();
+            let time = built.nanoseconds.map_or("no clock".to_owned(), |ns| format!("{:.2} ms", ns / 1e6));
+            println!(
+                "{name} {table:?}: {} nodes, {} keys, D = {}, H = {} (CPU {}), {} direct (CPU {}); device {time}, CPU \
+                 {cpu:.2} ms; certified",
+                bvh.node_count(),
+                header.keys,
+                header.displacements,
+                header.cells.get(),
+                on_cpu.header().cells.get(),
+                header.direct,
+                on_cpu.header().direct
+            );
+        }
+    }
+    Ok(true)
+}
+
+/// `files` are where the lines go and the picture.
+pub(crate) fn bench(
+    gpu: &Gpu,
+    scenes: &[PathBuf],
+    setting: Setting,
+    files: [Option<&Path>; 2],
+) -> Result<bool, GpuError> {
+    let arithmetic = probe::probe(gpu)?;
+    let mut rows = Vec::new();
+    println!("{}", bench::HEADER);
+    for (name, mesh) in meshes(scenes)? {
+        let bvh = hierarchy(&mesh)?;
+        let name = Path::new(&name).file_stem().map_or(name.clone(), |stem| stem.to_string_lossy().into_owned());
+        bench::bench(gpu, &arithmetic, (&name, &mesh, &bvh), setting, &mut |said| match said {
+            Ok(row) => {
+                println!("{row}");
+                rows.push(row.clone());
+            }
+            Err(traffic) => {
+                let Traffic { nodes, triangles, leaves } = traffic;
+                println!(
+                    "# a ray: {nodes:.1} nodes, {triangles:.1} triangles, {leaves:.1} leaves, {:.0} bytes and lookups",
+                    traffic.bytes()
+                );
+            }
+        })?;
+    }
+    let summary = Summary::of(&rows);
+    println!("{summary}");
+    let lines = [bench::HEADER.to_owned()].into_iter().chain(rows.iter().map(ToString::to_string));
+    let texts = [lines.map(|line| line + "\n").collect(), summary.svg()];
+    for (file, text) in files.into_iter().zip(texts) {
+        if let Some(file) = file {
+            scene::write_atomically(file, |file| file.write_all(text.as_bytes())).map_err(data)?;
+        }
+    }
+    Ok(true)
+}
+
+/// All kernels on one scene. Where arithmetic is exact, hits must be those of the exact tracer.
+fn compare(gpu: &Gpu, name: &str, mesh: &Mesh, rays: &[Ray], is_exact: bool) -> Result<bool, GpuError> {
+    let arithmetic = probe::probe(gpu)?;
+    let bvh = hierarchy(mesh)?;
+    let on_device = Scene::new(gpu, &bvh)?;
+    let truth = Tracer::new(&bvh).closest_parallel(rays);
+    println!(
+        "{name}: {} triangles, {} deep, {} rays, {arithmetic}",
+        mesh.triangles().len(),
+        on_device.depth(),
+        rays.len()
+    );
+    let mut good = true;
+    for any in [false, true] {
+        let query = Query::single(&arithmetic, rays, any)?;
+        for kernel in (1..=2).flat_map(Kernel::all) {
+            if !on_device.carries(&kernel) {
+                println!("{:20} not for this hierarchy", kernel.full_name());
+                continue;
+            }
+            let start = Instant::now();
+            let found = rays::trace(gpu, &on_device, &kernel, query, rays, &unchanged)?;
+            let seconds = start.elapsed().as_secs_f32();
+            let expected = rays::model(&arithmetic, &bvh, &kernel, rays, any);
+            let report = rays::compare(&kernel, &found, &expected, any, rays);
+            let errors = rays::errors(&found, &truth, any);
+            let query = if any { "any" } else { "closest" };
+            println!("{:20} {query:8} {} mismatches, {errors}, {seconds:.1} s", kernel.full_name(), report.mismatches);
+            if let Some(first) = report.first {
+                println!("  {first}");
+            }
+            // In another order, roundings may decide otherwise which boxes are skipped.
+            good &= report.mismatches == 0 || (!is_exact && !kernel.keeps_order());
+            good &= !is_exact || errors.differences == 0;
+        }
+    }
+    Ok(good)
+}

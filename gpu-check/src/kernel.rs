@@ -1,0 +1,288 @@
+//! The kernels: which there are, and how the text of each is put together from parts.
+//!
+//! A part stands once: a traversal, a way to keep its stack, a width of its words, a search, a driver. What a kernel
+//! does not need is a constant that is false, and is compiled out.
+
+use std::fmt::Write as _;
+
+use stackless_bvh::traverse::Method;
+
+/// Invocations of a work group.
+pub const WORKGROUP: u32 = 64;
+
+/// How the next node is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Traversal {
+    /// A stack in private memory.
+    Stack,
+    /// A stack in the memory of the work group.
+    StackWorkgroup,
+    /// A stack in private memory that keeps where each postponed node begins.
+    StackT0,
+    /// Laine's restart trail with a short stack of so many nodes.
+    Laine(u32),
+    /// Parents and siblings (Áfra & Szirmay-Kalos 2014).
+    Afra,
+    /// Binder & Keller's Algorithm 1 as printed, with printed sizes and keys.
+    HashedPrinted,
+    /// The same with the keys that can be looked up and sizes made for direct addresses.
+    Hashed,
+    /// The same with a second trail.
+    HashedDisjoint,
+}
+
+/// How invocations come to their tasks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Driver {
+    /// One each, while-while.
+    Single,
+    /// Whoever is done fetches the next.
+    Persistent,
+    /// One each, with a leaf put aside.
+    Speculative,
+}
+
+/// A kernel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Kernel {
+    /// The name that commands and tables share; without its words.
+    pub name: &'static str,
+    /// The traversal.
+    pub traversal: Traversal,
+    /// The driver.
+    pub driver: Driver,
+    /// Words of 32 bits of a key or trail: 1, 2 or 3.
+    pub words: u32,
+}
+
+/// Which two links the records of a kernel have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Links {
+    /// Uncles, or nothing that is read.
+    Uncles,
+    /// Parent and sibling.
+    Parents,
+}
+
+/// Which tables a kernel looks keys up in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Table {
+    /// Sizes and keys as printed.
+    Printed,
+    /// The keys of HASH-3 for leaves with three references, and sizes for direct addresses.
+    Tight,
+}
+
+/// What is recorded of a traversal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Record {
+    /// Nothing.
+    Nothing,
+    /// A hash of the events.
+    Hash,
+    /// The events.
+    Events,
+}
+
+const SINGLE: [(&str, Traversal); 11] = [
+    ("stack", Traversal::Stack),
+    ("stack-workgroup", Traversal::StackWorkgroup),
+    ("stack-t0", Traversal::StackT0),
+    ("laine-0", Traversal::Laine(0)),
+    ("laine-1", Traversal::Laine(1)),
+    ("laine-4", Traversal::Laine(4)),
+    ("laine-8", Traversal::Laine(8)),
+    ("afra", Traversal::Afra),
+    ("hashed-printed", Traversal::HashedPrinted),
+    ("hashed", Traversal::Hashed),
+    ("hashed-disjoint", Traversal::HashedDisjoint),
+];
+
+impl Kernel {
+    /// All kernels with words of this number, those without words only for 1.
+    pub fn all(words: u32) -> Vec<Self> {
+        let single = SINGLE.map(|(name, traversal)| Self { name, traversal, driver: Driver::Single, words });
+        let mut all: Vec<Self> = single.into_iter().filter(|kernel| words == 1 || kernel.has_words()).collect();
+        if words == 1 {
+            let stack = all[0];
+            all.push(Self { name: "stack-persistent", driver: Driver::Persistent, ..stack });
+            all.push(Self { name: "stack-speculative", driver: Driver::Speculative, ..stack });
+        }
+        all
+    }
+
+    /// Words of 32 bits that keys and trails need over a tree of this depth.
+    pub const fn words_for(depth: u32) -> u32 {
+        match depth {
+            0..32 => 1,
+            32..64 => 2,
+            _ => 3,
+        }
+    }
+
+    /// The name, with the words if they are more than one.
+    pub fn full_name(&self) -> String {
+        if self.words == 1 { self.name.to_owned() } else { format!("{}/{}", self.name, 32 * self.words) }
+    }
+
+    /// Whether it keeps words that limit the depth.
+    pub const fn has_words(&self) -> bool {
+        !matches!(self.traversal, Traversal::Stack | Traversal::StackWorkgroup | Traversal::StackT0)
+    }
+
+    /// Edges that its state carries, where it is limited.
+    pub const fn depth_limit(&self) -> Option<u32> {
+        if !self.has_words() {
+            return None;
+        }
+        Some(if matches!(self.traversal, Traversal::Afra) { 32 * self.words } else { 32 * self.words - 1 })
+    }
+
+    /// The traversal of the library whose events it has to have.
+    pub const fn method(&self) -> Method {
+        match self.traversal {
+            Traversal::Stack | Traversal::StackWorkgroup => Method::Stack,
+            Traversal::StackT0 => Method::StackT0,
+            Traversal::Laine(0) => Method::Laine0,
+            Traversal::Laine(1) => Method::Laine1,
+            Traversal::Laine(4) => Method::Laine4,
+            Traversal::Laine(_) => Method::Laine8,
+            Traversal::Afra => Method::Afra,
+            Traversal::HashedPrinted | Traversal::Hashed => Method::Hashed,
+            Traversal::HashedDisjoint => Method::HashedDisjoint,
+        }
+    }
+
+    /// Whether it visits nodes in the order of its oracle: all but the speculative one.
+    pub const fn keeps_order(&self) -> bool {
+        !matches!(self.driver, Driver::Speculative)
+    }
+
+    /// Whether its events have keys.
+    pub const fn has_keys(&self) -> bool {
+        self.table().is_some()
+    }
+
+    /// Whether its events have the levels of backtracks.
+    pub const fn has_levels(&self) -> bool {
+        self.has_keys() || matches!(self.traversal, Traversal::Afra)
+    }
+
+    /// Which links it reads.
+    pub const fn links(&self) -> Links {
+        if matches!(self.traversal, Traversal::Afra) { Links::Parents } else { Links::Uncles }
+    }
+
+    /// Which tables it reads.
+    pub const fn table(&self) -> Option<Table> {
+        match self.traversal {
+            Traversal::HashedPrinted => Some(Table::Printed),
+            Traversal::Hashed | Traversal::HashedDisjoint => Some(Table::Tight),
+            _ => None,
+        }
+    }
+
+    /// The text of the kernel: constants, then `search` (with what belongs to it), then the parts.
+    pub fn source(&self, shape: Shape, search: &str, record: Record) -> String {
+        let mut text = String::new();
+        let leaf_reach = if self.table() == Some(Table::Printed) { 6 } else { 14 };
+        let short = if let Traversal::Laine(short) = self.traversal { short } else { 0 };
+        let entry = if self.traversal == Traversal::StackT0 { 2 } else { 1 };
+        for (name, value) in [
+            ("WORKGROUP", WORKGROUP),
+            ("STACK_SIZE", (entry * shape.depth).max(1)),
+            ("SHORT", short),
+            ("RING_SIZE", short.max(1)),
+            ("LEAF_REACH", leaf_reach),
+        ] {
+            let _ = writeln!(text, "const {name} = {value}u;");
+        }
+        for (name, value) in [
+            ("KEEPS_DISTANCES", self.traversal == Traversal::StackT0),
+            ("PRUNES", self.traversal == Traversal::HashedDisjoint),
+            ("FILLS_AT_LOAD", self.traversal == Traversal::HashedPrinted),
+        ] {
+            let _ = writeln!(text, "const {name} = {value};");
+        }
+        for part in self.parts(record) {
+            text.push_str(part);
+            text.push('\n');
+        }
+        text.push_str(search);
+        if self.driver == Driver::Speculative {
+            text.push_str(if shape.subgroups { ALL_LANES } else { EACH_LANE });
+        }
+        text
+    }
+
+    fn parts(&self, record: Record) -> Vec<&'static str> {
+        let mut parts = vec![include_str!("../wgsl/types.wgsl"), include_str!("../wgsl/loop.wgsl")];
+        parts.push(match self.words {
+            1 => include_str!("../wgsl/word1.wgsl"),
+            2 => include_str!("../wgsl/word2.wgsl"),
+            _ => include_str!("../wgsl/word3.wgsl"),
+        });
+        parts.push(match record {
+            Record::Nothing => include_str!("../wgsl/record_none.wgsl"),
+            Record::Hash => include_str!("../wgsl/record_hash.wgsl"),
+            Record::Events => include_str!("../wgsl/record_events.wgsl"),
+        });
+        parts.extend(match self.traversal {
+            Traversal::Stack | Traversal::StackT0 => {
+                vec![include_str!("../wgsl/cursor_stack.wgsl"), include_str!("../wgsl/store_private.wgsl")]
+            }
+            Traversal::StackWorkgroup => {
+                vec![include_str!("../wgsl/cursor_stack.wgsl"), include_str!("../wgsl/store_workgroup.wgsl")]
+            }
+            Traversal::Laine(_) => vec![include_str!("../wgsl/cursor_laine.wgsl")],
+            Traversal::Afra => vec![include_str!("../wgsl/cursor_afra.wgsl")],
+            _ => vec![include_str!("../wgsl/cursor_hashed.wgsl"), include_str!("../wgsl/table.wgsl")],
+        });
+        if self.has_keys() {
+            match self.words {
+                1 => parts.push(include_str!("../wgsl/table_narrow.wgsl")),
+                words => parts.extend([
+                    include_str!("../wgsl/wide.wgsl"),
+                    include_str!("../wgsl/table_wide.wgsl"),
+                    include_str!("../wgsl/remainder.wgsl"),
+                    if words == 2 { include_str!("../wgsl/fold2.wgsl") } else { include_str!("../wgsl/fold3.wgsl") },
+                ]),
+            }
+        }
+        parts.push(match self.driver {
+            Driver::Single => include_str!("../wgsl/drive_single.wgsl"),
+            Driver::Persistent => include_str!("../wgsl/drive_persistent.wgsl"),
+            Driver::Speculative => include_str!("../wgsl/drive_speculative.wgsl"),
+        });
+        parts
+    }
+}
+
+/// What the text of a kernel depends on besides the kernel.
+#[derive(Clone, Copy, Debug)]
+pub struct Shape {
+    /// Depth of the deepest tree, in edges: nodes that a stack must hold.
+    pub depth: u32,
+    /// Whether lanes can vote.
+    pub subgroups: bool,
+}
+
+/// The search of a decision tape.
+pub const TAPE_SEARCH: &str = include_str!("../wgsl/search_tape.wgsl");
+
+/// The pass that writes tapes into records.
+pub fn tape_fill() -> String {
+    [include_str!("../wgsl/wide.wgsl"), include_str!("../wgsl/tape_fill.wgsl")].concat()
+}
+
+const ALL_LANES: &str = "
+fn all_lanes(is: bool) -> bool {
+    return subgroupAll(is);
+}
+";
+
+const EACH_LANE: &str = "
+fn all_lanes(is: bool) -> bool {
+    return is;
+}
+";

@@ -1,0 +1,80 @@
+//! One launch of a traversal kernel: its eight buffers and its work groups.
+
+use wgpu::Buffer;
+
+use crate::kernel::{Driver, Kernel, WORKGROUP};
+use crate::{Access, Gpu, GpuError, Pass, Pipeline};
+
+/// How traversal kernels use their bindings: nodes, leaves, displacements, cells, tasks, results, parameters, work.
+pub const BINDINGS: [Access; 8] = [
+    Access::Read,
+    Access::Read,
+    Access::Read,
+    Access::Read,
+    Access::Read,
+    Access::Write,
+    Access::Uniform,
+    Access::Write,
+];
+
+/// Work groups that persistent kernels are launched with, where there are as many tasks.
+const PERSISTENT_GROUPS: u32 = 1024;
+
+/// The buffers of a launch, in the order of the bindings.
+#[derive(Debug)]
+pub struct Buffers<'a> {
+    /// Inner nodes.
+    pub nodes: &'a Buffer,
+    /// Leaves.
+    pub leaves: &'a Buffer,
+    /// Displacement tables.
+    pub displacements: &'a Buffer,
+    /// Hash tables.
+    pub cells: &'a Buffer,
+    /// Cases or rays.
+    pub tasks: &'a Buffer,
+    /// Where the results go.
+    pub results: &'a Buffer,
+    /// Made by [`params`].
+    pub params: &'a Buffer,
+    /// The queue of persistent kernels, counters, or recorded events.
+    pub work: &'a Buffer,
+}
+
+impl<'a> Buffers<'a> {
+    /// The pass of a kernel over so many tasks.
+    pub fn pass(&self, kernel: &Kernel, pipeline: &'a Pipeline, tasks: u32) -> Pass<'a> {
+        let [x, y] = groups(tasks);
+        let groups = if kernel.driver == Driver::Persistent { [(x * y).min(PERSISTENT_GROUPS), 1] } else { [x, y] };
+        let buffers = vec![
+            self.nodes,
+            self.leaves,
+            self.displacements,
+            self.cells,
+            self.tasks,
+            self.results,
+            self.params,
+            self.work,
+        ];
+        Pass { pipeline, buffers, groups, clear: Vec::new() }
+    }
+}
+
+/// Work groups for so many invocations, in rows, since the number along one axis is limited.
+pub fn groups(invocations: u32) -> [u32; 2] {
+    const ROW: u32 = 1 << 15;
+    let groups = invocations.div_ceil(WORKGROUP).max(1);
+    [groups.min(ROW), groups.div_ceil(ROW)]
+}
+
+/// Steps of a traversal at most, where events are recorded: more than any that ends takes over trees of 200 nodes, 95
+/// deep.
+const MOST_STEPS: u32 = 1 << 15;
+
+/// The parameters of a launch: number of tasks, invocations in a row, and steps at most.
+///
+/// # Errors
+/// As [`Gpu::uniform`].
+pub fn params(gpu: &Gpu, tasks: u32) -> Result<Buffer, GpuError> {
+    gpu.uniform([tasks, groups(tasks)[0] * WORKGROUP, MOST_STEPS, 0])
+}

@@ -1,0 +1,123 @@
+//! Rays: the hits of every kernel, held to a model of the same arithmetic and to the exact tracer.
+
+use std::fmt;
+
+use rayon::prelude::*;
+use stackless_bvh::bvh::Bvh;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::order::Pruning;
+use stackless_bvh::trace::Hit;
+
+use crate::kernel::Kernel;
+use crate::launch::{BINDINGS, Buffers, params};
+use crate::model::{Found, Model};
+use crate::probe::Arithmetic;
+use crate::scene::{Query, Scene, rays_words};
+use crate::tapes::Edit;
+use crate::{Checks, Gpu, GpuError};
+
+/// How a kernel's hits compare.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    /// Rays.
+    pub rays: usize,
+    /// Rays whose hit is not that of the model, bit for bit. Kernels of another order are held to it only where
+    /// arithmetic is exact.
+    pub mismatches: usize,
+    /// The first of them.
+    pub first: Option<String>,
+}
+
+/// Single precision against the truth.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Errors {
+    /// Rays that hit and are said to miss.
+    pub missed: usize,
+    /// Rays that miss and are said to hit.
+    pub invented: usize,
+    /// Hits of another triangle.
+    pub other: usize,
+    /// Greatest number of floats between the distances of one triangle.
+    pub ulps: u32,
+    /// Hits that are not the same, bit for bit.
+    pub differences: usize,
+}
+
+impl fmt::Display for Errors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { missed, invented, other, ulps, .. } = self;
+        write!(f, "against the truth {missed} missed, {invented} invented, {other} other triangles, {ulps} ulps")
+    }
+}
+
+/// The hits of a kernel, whose text may be edited.
+///
+/// # Errors
+/// [`GpuError`].
+pub fn trace(
+    gpu: &Gpu,
+    scene: &Scene,
+    kernel: &Kernel,
+    query: Query<'_>,
+    rays: &[Ray],
+    edit: Edit<'_>,
+) -> Result<Vec<Found>, GpuError> {
+    let source = edit(scene.source(gpu, kernel, query));
+    let pipeline = gpu.compile(&kernel.full_name(), &source, &BINDINGS, Checks::All)?;
+    let count = rays.len() as u32;
+    let tasks = gpu.buffer("rays", &rays_words(rays)?)?;
+    // What no kernel writes, so that a ray that is left out shows.
+    let results = gpu.buffer("hits", &vec![0xdead_beef; 4 * rays.len()])?;
+    let (work, params) = (gpu.zeros("work", 4)?, params(gpu, count)?);
+    let [nodes, leaves, displacements, cells] = scene.buffers(kernel);
+    let buffers =
+        Buffers { nodes, leaves, displacements, cells, tasks: &tasks, results: &results, params: &params, work: &work };
+    gpu.run(&[buffers.pass(kernel, &pipeline, count)])?;
+    let words = gpu.read(&results, 4 * rays.len())?;
+    Ok(words.as_chunks().0.iter().map(|&words| Found::of_words(words)).collect())
+}
+
+/// What a kernel should find, by the model.
+pub fn model(arithmetic: &Arithmetic, bvh: &Bvh, kernel: &Kernel, rays: &[Ray], any: bool) -> Vec<Found> {
+    let pruning: Pruning = kernel.method().test().pruning();
+    rays.par_iter().map(|ray| Model::trace(arithmetic, bvh, ray, pruning, any)).collect()
+}
+
+/// Compares with the model.
+pub fn compare(kernel: &Kernel, found: &[Found], expected: &[Found], any: bool, rays: &[Ray]) -> Report {
+    let agrees = |found: &Found, expected: &Found| {
+        if any && !kernel.keeps_order() { found.is_hit() == expected.is_hit() } else { same(found, expected) }
+    };
+    let wrong: Vec<usize> = (0..found.len()).filter(|&i| !agrees(&found[i], &expected[i])).collect();
+    let first =
+        wrong.first().map(|&i| format!("ray {i} {:?}: expected {:?}, found {:?}", rays[i], expected[i], found[i]));
+    Report { rays: found.len(), mismatches: wrong.len(), first }
+}
+
+/// Whether two results are the same, bit for bit; of a miss only that it is one.
+fn same(a: &Found, b: &Found) -> bool {
+    let bits = |found: &Found| (found.t.to_bits(), found.weights.map(f32::to_bits));
+    a.triangle == b.triangle && (!a.is_hit() || bits(a) == bits(b))
+}
+
+/// Compares with the truth about the closest hits; of any hits, only whether there are some.
+pub fn errors(found: &[Found], truth: &[Option<Hit>], any: bool) -> Errors {
+    let mut errors = Errors::default();
+    for (found, truth) in found.iter().zip(truth) {
+        match truth {
+            None => errors.invented += usize::from(found.is_hit()),
+            Some(_) if !found.is_hit() => errors.missed += 1,
+            Some(_) if any => {}
+            Some(hit) if hit.prim != found.triangle => errors.other += 1,
+            Some(hit) => errors.ulps = errors.ulps.max(hit.t.to_bits().abs_diff(found.t.to_bits())),
+        }
+        let exact = truth.map_or(Found { triangle: u32::MAX, t: 0.0, weights: [0.0; 2] }, |hit| Found {
+            triangle: hit.prim,
+            t: hit.t,
+            weights: [hit.u, hit.v],
+        });
+        let is_same = if any { found.is_hit() == truth.is_some() } else { same(found, &exact) };
+        errors.differences += usize::from(!is_same);
+    }
+    errors
+}

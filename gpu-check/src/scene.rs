@@ -1,0 +1,213 @@
+//! A hierarchy and its rays on the device.
+
+use std::fmt::Write as _;
+
+use stackless_bvh::bvh::Bvh;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::tree::{Node, Topology as _};
+
+use crate::kernel::{Kernel, Links, Record, Shape, Table, Traversal};
+use crate::layout::{Addresses, HashTables, Records, TERMINATOR, TableHead, links};
+use crate::model::{CLAMPED_RECIPROCAL, has_parallel, ray_words};
+use crate::probe::Arithmetic;
+use crate::{Gpu, GpuError};
+
+/// Greatest magnitude of coordinates.
+const MOST: f32 = (1_u64 << 40) as f32;
+/// Least and greatest magnitude of the largest component of a direction.
+const DIRECTIONS: [f32; 2] = [1.0 / (1 << 20) as f32, (1 << 20) as f32];
+
+/// A hierarchy, with records and tables for all kernels.
+#[derive(Debug)]
+pub struct Scene {
+    /// By kind of link: nodes and leaves.
+    records: [[wgpu::Buffer; 2]; 2],
+    /// Printed and tight: displacements, cells, and what a kernel has to know of them.
+    tables: [([wgpu::Buffer; 2], TableHead); 2],
+    root: u32,
+    depth: u32,
+    is_in_parts: bool,
+}
+
+/// What rays are asked.
+#[derive(Clone, Copy, Debug)]
+pub struct Query<'a> {
+    /// The parts of the search that test triangles.
+    pub triangles: &'a str,
+    /// Whether any hit will do.
+    pub any: bool,
+    /// Whether some ray has a component that counts as 0.
+    pub parallel: bool,
+    /// Whether divisions need a step more.
+    pub refines: bool,
+}
+
+/// Möller & Trumbore's test in single precision.
+pub const SINGLE: &str = include_str!("../wgsl/triangle_single.wgsl");
+
+impl Scene {
+    /// Uploads a hierarchy.
+    ///
+    /// # Errors
+    /// [`GpuError::Data`] for coordinates beyond 2^40, and what else a device may refuse.
+    pub fn new(gpu: &Gpu, bvh: &Bvh) -> Result<Self, GpuError> {
+        let bounds = bvh.bounds();
+        if bounds.lo.abs().max(bounds.hi.abs()).max_element() > MOST {
+            return Err(GpuError::Data(format!("coordinates beyond {MOST}")));
+        }
+        let pieces = |leaf: Node| 3 * bvh.leaf_triangles(leaf).len() as u32 + 1;
+        let (addresses, inner, leaves) = Addresses::of(bvh, 0, 0, pieces);
+        if 4 * u64::from(inner) >= 1 << 30 || u64::from(leaves) >= 1 << 30 {
+            return Err(GpuError::Data("more nodes or triangles than addresses".to_owned()));
+        }
+        let mut records = Records::default();
+        records.fill(bvh, &addresses);
+        let mut upload = |kind| {
+            records.link(bvh, &addresses, kind);
+            Ok::<_, GpuError>([gpu.buffer("nodes", &records.nodes)?, gpu.buffer("leaves", &records.leaves)?])
+        };
+        let buffers = [upload(Links::Uncles)?, upload(Links::Parents)?];
+        let table = |table| {
+            let mut tables = HashTables::default();
+            let head = tables.add(bvh, &addresses, table).map_err(|error| GpuError::Data(error.to_string()))?;
+            let buffers = [gpu.buffer("displacements", &tables.displacements)?, gpu.buffer("cells", &tables.cells)?];
+            Ok::<_, GpuError>((buffers, head))
+        };
+        Ok(Self {
+            records: buffers,
+            tables: [table(Table::Printed)?, table(Table::Tight)?],
+            root: addresses.at(bvh, bvh.root()),
+            depth: bvh.depth(),
+            is_in_parts: bvh.duplicates() > 0,
+        })
+    }
+
+    /// Depth of the hierarchy, in edges.
+    pub const fn depth(&self) -> u32 {
+        self.depth
+    }
+
+    /// Whether a kernel is for this hierarchy: its words carry the depth, and it does not prune by leaves that hold
+    /// parts of triangles. `[DISJOINT-5]`
+    pub fn carries(&self, kernel: &Kernel) -> bool {
+        let is_deep_enough = kernel.depth_limit().is_none_or(|limit| self.depth <= limit);
+        is_deep_enough && !(self.is_in_parts && kernel.traversal == Traversal::HashedDisjoint)
+    }
+
+    /// Nodes and leaves, displacements and cells, as a kernel reads them.
+    pub fn buffers(&self, kernel: &Kernel) -> [&wgpu::Buffer; 4] {
+        let [nodes, leaves] = self.records[usize::from(kernel.links() == Links::Parents)].each_ref();
+        let [displacements, cells] = self.table(kernel).0.each_ref();
+        [nodes, leaves, displacements, cells]
+    }
+
+    fn table(&self, kernel: &Kernel) -> &([wgpu::Buffer; 2], TableHead) {
+        &self.tables[usize::from(kernel.table() == Some(Table::Tight))]
+    }
+
+    /// The text of a kernel for this scene.
+    pub fn source(&self, gpu: &Gpu, kernel: &Kernel, query: Query<'_>) -> String {
+        let (_, head) = self.table(kernel);
+        let mut search = String::new();
+        for (name, value) in [
+            ("root", self.root),
+            ("DIRECT_MASK", head.mask),
+            ("DISPLACEMENTS_AT", head.displacements_at),
+            ("TABLE_SIZE", head.size),
+            ("CELLS_AT", head.cells_at),
+            ("CLAMPED_RECIPROCAL", CLAMPED_RECIPROCAL.to_bits()),
+        ] {
+            let _ = writeln!(search, "const {name} = {value}u;");
+        }
+        for (name, value) in
+            [("RECIPROCAL", head.reciprocal), ("SEED", head.mix.seed.unwrap_or(0)), ("FOLD_SEED", head.fold_seed)]
+        {
+            let _ = writeln!(search, "const {name} = vec2({}u, {}u);", value as u32, value >> 32);
+        }
+        for (name, value) in [
+            ("IS_SEEDED", head.mix.seed.is_some()),
+            ("IS_NARROW", head.mix.narrow),
+            ("ANY_HIT", query.any),
+            ("HAS_PARALLEL", query.parallel),
+            ("REFINES", query.refines),
+        ] {
+            let _ = writeln!(search, "const {name} = {value};");
+        }
+        search.push_str(include_str!("../wgsl/arithmetic.wgsl"));
+        search.push_str(include_str!("../wgsl/search_ray.wgsl"));
+        search.push_str(query.triangles);
+        let shape = Shape { depth: self.depth, subgroups: gpu.has_subgroups() };
+        kernel.source(shape, &search, Record::Nothing)
+    }
+}
+
+impl Query<'_> {
+    /// The closest hit of these rays, or any, in single precision.
+    ///
+    /// # Errors
+    /// [`GpuError::Feature`] for a device whose divisions have no model.
+    pub fn single(arithmetic: &Arithmetic, rays: &[Ray], any: bool) -> Result<Self, GpuError> {
+        let (parallel, refines) = (rays.iter().any(has_parallel), arithmetic.refines()?);
+        Ok(Self { triangles: SINGLE, any, parallel, refines })
+    }
+}
+
+/// The words of rays.
+///
+/// # Errors
+/// [`GpuError::Data`] for origins beyond 2^40 and directions whose largest component is not within 2^-20 and 2^20.
+pub fn rays_words(rays: &[Ray]) -> Result<Vec<u32>, GpuError> {
+    let mut words = Vec::with_capacity(12 * rays.len());
+    for (i, ray) in rays.iter().enumerate() {
+        let (reach, size) = (ray.origin().abs().max_element(), ray.direction().abs().max_element());
+        if reach > MOST || !(DIRECTIONS[0]..=DIRECTIONS[1]).contains(&size) {
+            return Err(GpuError::Data(format!("ray {i}: beyond what kernels take")));
+        }
+        words.extend(ray_words(ray));
+    }
+    Ok(words)
+}
+
+impl Records {
+    /// Boxes, children and triangles of a hierarchy.
+    fn fill(&mut self, bvh: &Bvh, addresses: &Addresses) {
+        self.nodes = vec![0; 16 * bvh.nodes().len()];
+        self.leaves = Vec::new();
+        for (i, node) in bvh.nodes().iter().enumerate() {
+            let [[a0, a1, b0, b1], [c0, c1, d0, d1], [e0, e1, f0, f1]] = node.planes;
+            let boxes = [a0, a1, c0, c1, b0, b1, d0, d1, e0, e1, f0, f1].map(f32::to_bits);
+            let at = addresses.at(bvh, Node::inner(i as u32)) as usize * 4;
+            self.nodes[at..at + 12].copy_from_slice(&boxes);
+            let children = node.children.map(|child| addresses.at(bvh, child));
+            self.nodes[at + 12..at + 14].copy_from_slice(&children);
+        }
+        let mut ordered: Vec<Node> = (0..bvh.leaves().len() as u32).map(Node::leaf).collect();
+        ordered.sort_by_key(|&leaf| !addresses.at(bvh, leaf));
+        for leaf in ordered {
+            debug_assert_eq!(self.leaves.len(), 4 * !addresses.at(bvh, leaf) as usize);
+            for held in bvh.leaf_triangles(leaf) {
+                for (corner, last) in held.shape.0.into_iter().zip([held.prim, 0, 0]) {
+                    // Without -0, whose bits are those of the terminator.
+                    self.leaves.extend((corner + 0.0).to_array().map(f32::to_bits));
+                    self.leaves.push(last);
+                }
+            }
+            self.leaves.extend([TERMINATOR, 0, 0, 0]);
+        }
+    }
+
+    /// The links of a kind, into records and terminators.
+    fn link(&mut self, bvh: &Bvh, addresses: &Addresses, kind: Links) {
+        let rows = links(bvh, addresses, kind);
+        for i in 0..bvh.nodes().len() as u32 {
+            let node = Node::inner(i);
+            let at = addresses.at(bvh, node) as usize * 4 + 14;
+            self.nodes[at..at + 2].copy_from_slice(&rows[bvh.slot(node)][..2]);
+        }
+        for i in 0..bvh.leaves().len() as u32 {
+            let leaf = Node::leaf(i);
+            let end = !addresses.at(bvh, leaf) as usize + 3 * bvh.leaf_triangles(leaf).len();
+            self.leaves[4 * end + 1..4 * end + 4].copy_from_slice(&rows[bvh.slot(leaf)]);
+        }
+    }
+}

@@ -1,0 +1,243 @@
+//! Perfect hash tables made on the device, and certified on the CPU.
+
+use std::fmt::Write as _;
+
+use stackless_bvh::hash::KeySet;
+use stackless_bvh::hash::{AddressBounds, Options, PerfectHash, Sizing, certify};
+use stackless_bvh::tree::{Keys, Node, Topology};
+
+use crate::launch::groups;
+use crate::{Access, Checks, Gpu, GpuError, Pass, Pipeline};
+
+/// A certified table, and what it took.
+#[derive(Debug)]
+pub struct Built {
+    /// The table.
+    pub hash: PerfectHash,
+    /// Nanoseconds on the device, where it has a clock.
+    pub nanoseconds: Option<f64>,
+    /// Sizes that were tried.
+    pub attempts: u32,
+}
+
+/// A key and the entry that stands for its node.
+type Keyed = (u64, u32);
+
+/// Times that H grows by an eighth. `[HASH-2]`
+const GROWTHS: u32 = 16;
+
+/// Builds the table of a tree of up to 63 edges, and has it certified.
+///
+/// # Errors
+/// [`GpuError::Data`] where the plain function has no displacements (the seeded one is the CPU's), or where the table
+/// is wrong.
+pub fn build(gpu: &Gpu, tree: &impl Topology, options: Options) -> Result<Built, GpuError> {
+    if tree.depth() > 63 {
+        return Err(GpuError::Data(format!("a tree of {} edges has keys beyond 64 bits", tree.depth())));
+    }
+    let keys = keyed(tree, options.key_set);
+    let count = match options.sizing {
+        Sizing::Printed => tree.node_count(),
+        _ => keys.len(),
+    } as u64;
+    let displacements = match options.sizing {
+        Sizing::Tight => nearest_power(2 * keys.len() as u64),
+        _ => 1 << (count.max(3) - 1).ilog2().saturating_sub(1),
+    };
+    let grouped = Grouped::new(gpu, &keys, displacements)?;
+    let mut cells = match options.sizing {
+        Sizing::Tight => 2 * u64::from(grouped.shared) + 1,
+        _ => 2 * count + 1,
+    };
+    for attempts in 1..=GROWTHS {
+        if let Some((tables, nanoseconds)) = grouped.place(gpu, cells)? {
+            let hash = checked(tree, options, &keys, grouped.direct(), tables)?;
+            let nanoseconds = nanoseconds.zip(grouped.nanoseconds).map(|(a, b)| a + b);
+            return Ok(Built { hash, nanoseconds, attempts });
+        }
+        if options.sizing != Sizing::Tight {
+            break;
+        }
+        cells = 2 * (cells * 9 / 16 + 1) + 1;
+    }
+    Err(GpuError::Data("no displacements: the plain function does not work for these keys".to_owned()))
+}
+
+fn keyed(tree: &impl Topology, key_set: KeySet) -> Vec<Keyed> {
+    let (hashed, keys) = (key_set.slots(tree), Keys::of(tree));
+    let mut keyed = Vec::new();
+    let mut pending = vec![tree.root()];
+    while let Some(node) = pending.pop() {
+        let slot = tree.slot(node);
+        if hashed[slot] {
+            keyed.push((keys.key::<u64>(slot), entry(node)));
+        }
+        if !node.is_leaf() {
+            pending.extend(tree.children(node));
+        }
+    }
+    keyed
+}
+
+/// `[HASH-5]`
+const fn entry(node: Node) -> u32 {
+    let index = node.index() as u32;
+    if node.is_leaf() { !index } else { 1 << 31 | index }
+}
+
+/// The power of two that is nearest in ratio.
+fn nearest_power(count: u64) -> u64 {
+    let power = count.next_power_of_two();
+    if power > 1 && count * count < power * power / 2 { power / 2 } else { power }
+}
+
+/// Displacements and cells.
+type Words = [Vec<u32>; 2];
+
+/// Keys in their buckets, on the device.
+struct Grouped {
+    keys: wgpu::Buffer,
+    counts: wgpu::Buffer,
+    starts: wgpu::Buffer,
+    fills: wgpu::Buffer,
+    order: wgpu::Buffer,
+    displacements: wgpu::Buffer,
+    key_count: u32,
+    size: u32,
+    shared: u32,
+    largest: u32,
+    nanoseconds: Option<f64>,
+}
+
+impl Grouped {
+    fn new(gpu: &Gpu, keys: &[Keyed], size: u64) -> Result<Self, GpuError> {
+        let size = u32::try_from(size).map_err(|_| GpuError::Data("too many keys".to_owned()))?;
+        let words: Vec<u32> = keys.iter().flat_map(|&(key, word)| [key as u32, (key >> 32) as u32, word, 0]).collect();
+        let zeros = |what: &str| gpu.zeros(what, size as usize);
+        let mut grouped = Self {
+            keys: gpu.buffer("keys", &words)?,
+            counts: zeros("counts")?,
+            starts: zeros("starts")?,
+            fills: zeros("fills")?,
+            order: gpu.zeros("order", keys.len())?,
+            displacements: zeros("displacements")?,
+            key_count: keys.len() as u32,
+            size,
+            shared: 0,
+            largest: 0,
+            nanoseconds: None,
+        };
+        let (cells, totals) = (gpu.zeros("cells", 1)?, gpu.zeros("totals", 4)?);
+        let mut pipelines = Vec::new();
+        for stage in 0..3 {
+            pipelines.push(grouped.pipeline(gpu, stage, 1)?);
+        }
+        let (by_key, by_bucket) = (grouped.params(gpu, grouped.key_count, 0)?, grouped.params(gpu, size, 0)?);
+        let passes = pipelines
+            .iter()
+            .zip([&by_key, &by_bucket, &by_key])
+            .map(|(pipeline, (params, count))| grouped.pass(pipeline, &cells, &totals, params, *count));
+        let nanoseconds = run(gpu, &passes.collect::<Vec<_>>())?;
+        let found = gpu.read(&totals, 3)?;
+        (grouped.shared, grouped.largest, grouped.nanoseconds) = (found[0], found[2], nanoseconds);
+        Ok(grouped)
+    }
+
+    /// Keys that are alone in their buckets.
+    const fn direct(&self) -> u32 {
+        self.key_count - self.shared
+    }
+
+    /// The tables for so many cells, and nanoseconds; nothing if some bucket has no displacement.
+    fn place(&self, gpu: &Gpu, size: u64) -> Result<Option<(Words, Option<f64>)>, GpuError> {
+        if size > 1 << 31 {
+            return Err(GpuError::Data(format!("{size} cells are more than 2^31")));
+        }
+        let (cells, totals) = (gpu.zeros("cells", size as usize)?, gpu.zeros("totals", 4)?);
+        let pipeline = self.pipeline(gpu, 3, size as u32)?;
+        let batches = (2..=self.largest).rev().map(|count| self.params(gpu, self.size, count));
+        let batches = batches.collect::<Result<Vec<_>, _>>()?;
+        let passes = batches.iter().map(|(params, count)| self.pass(&pipeline, &cells, &totals, params, *count));
+        let nanoseconds = run(gpu, &passes.collect::<Vec<_>>())?;
+        if gpu.read(&totals, 2)?[1] > 0 {
+            return Ok(None);
+        }
+        let tables = [gpu.read(&self.displacements, self.size as usize)?, gpu.read(&cells, size as usize)?];
+        Ok(Some((tables, nanoseconds)))
+    }
+
+    fn pipeline(&self, gpu: &Gpu, stage: u32, cells: u32) -> Result<Pipeline, GpuError> {
+        let mut text = String::new();
+        for (name, value) in [("STAGE", stage), ("DIRECT_MASK", self.size - 1), ("TABLE_SIZE", cells)] {
+            let _ = writeln!(text, "const {name} = {value}u;");
+        }
+        let reciprocal = u64::MAX / u64::from(cells);
+        let _ = writeln!(text, "const RECIPROCAL = vec2({}u, {}u);", reciprocal as u32, reciprocal >> 32);
+        text.push_str(include_str!("../wgsl/wide.wgsl"));
+        text.push_str(include_str!("../wgsl/table.wgsl"));
+        text.push_str(include_str!("../wgsl/remainder.wgsl"));
+        text.push_str(include_str!("../wgsl/hash_build.wgsl"));
+        let mut bindings = vec![Access::Read];
+        bindings.extend([Access::Write; 7]);
+        bindings.push(Access::Uniform);
+        gpu.compile("hash", &text, &bindings, Checks::All)
+    }
+
+    #[allow(clippy::unused_self, reason = "beside `pass`, which takes what it gives")]
+    fn params(&self, gpu: &Gpu, invocations: u32, batch: u32) -> Result<(wgpu::Buffer, u32), GpuError> {
+        let row = groups(invocations)[0] * crate::kernel::WORKGROUP;
+        Ok((gpu.uniform([invocations, row, batch, 0])?, invocations))
+    }
+
+    fn pass<'a>(
+        &'a self,
+        pipeline: &'a Pipeline,
+        cells: &'a wgpu::Buffer,
+        totals: &'a wgpu::Buffer,
+        params: &'a wgpu::Buffer,
+        invocations: u32,
+    ) -> Pass<'a> {
+        let Self { keys, counts, starts, fills, order, displacements, .. } = self;
+        let buffers = vec![keys, counts, starts, fills, order, displacements, cells, totals, params];
+        Pass { pipeline, buffers, groups: groups(invocations), clear: Vec::new() }
+    }
+}
+
+/// Runs passes, and says how long they took where there is a clock.
+fn run(gpu: &Gpu, passes: &[Pass<'_>]) -> Result<Option<f64>, GpuError> {
+    if passes.is_empty() {
+        return Ok(Some(0.0));
+    }
+    match gpu.time(passes) {
+        Ok(times) => Ok(Some(times.iter().sum())),
+        Err(GpuError::Feature(_)) => gpu.run(passes).map(|()| None),
+        Err(error) => Err(error),
+    }
+}
+
+/// The library's table of these words, if it is right.
+fn checked(
+    tree: &impl Topology,
+    options: Options,
+    keys: &[Keyed],
+    direct: u32,
+    [displacements, cells]: Words,
+) -> Result<PerfectHash, GpuError> {
+    let (set, reach) = match options.key_set {
+        KeySet::All => (0, [0, 0]),
+        KeySet::Paper => (1, [0, 0]),
+        KeySet::Exact(reach) => (2, [reach.of(false), reach.of(true)]),
+    };
+    let sizing = Sizing::ALL.iter().position(|&of| of == options.sizing).unwrap_or(0) as u32;
+    let narrow = u32::from(tree.depth() < 32);
+    let sizes = [keys.len() as u32, direct, displacements.len() as u32, cells.len() as u32];
+    let header = [1, set, reach[0], reach[1], sizing, narrow].into_iter().chain(sizes).chain([0; 2 + 2]);
+    // The seed of long keys, of which there are none.
+    let header = header.chain([0; 2]);
+    let mut bytes = b"SBVHHASH".to_vec();
+    bytes.extend(header.chain(displacements).chain(cells).flat_map(u32::to_le_bytes));
+    let wrong = |error: &dyn std::fmt::Display| GpuError::Data(format!("a wrong table: {error}"));
+    let hash = PerfectHash::from_bytes(&bytes, AddressBounds::of(tree)).map_err(|error| wrong(&error))?;
+    certify(&hash, tree, options.key_set).map_err(|error| wrong(&error))?;
+    Ok(hash)
+}

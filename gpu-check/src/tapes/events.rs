@@ -1,0 +1,174 @@
+//! What kernels are held to: the events of the oracle, as kernels record them.
+
+use std::fmt;
+
+use stackless_bvh::event::Trace;
+use stackless_bvh::generate::{Outcome, Search};
+use stackless_bvh::oracle;
+use stackless_bvh::order::Pruning;
+use stackless_bvh::traverse::{Laine, Method, Test, traverse};
+use stackless_bvh::tree::{Keys, Node, Topology as _, Tree};
+
+use super::{Batch, Case};
+use crate::kernel::Kernel;
+
+/// Words of one event: address, one more than the levels of a backtrack, key.
+const WORDS: usize = 5;
+
+/// The traversals that kernels are held to, each with its own trace.
+const REFERENCES: [Method; 7] = [
+    Method::Stack,
+    Method::HashedDisjoint,
+    Method::StackT0,
+    Method::Laine0,
+    Method::Laine1,
+    Method::Laine4,
+    Method::Laine8,
+];
+
+/// Traces and outcomes of a case, by reference and query.
+#[derive(Debug)]
+pub(super) struct References {
+    keys: Keys,
+    found: Vec<[(Trace, Outcome); 2]>,
+}
+
+impl References {
+    pub(super) fn of(case: &Case) -> Self {
+        let found = REFERENCES.map(|method| [false, true].map(|any| reference(case, method, any))).into();
+        Self { keys: Keys::of(&case.tree), found }
+    }
+}
+
+fn reference(Case { tree, tape, .. }: &Case, method: Method, any: bool) -> (Trace, Outcome) {
+    let (mut search, mut trace) = (Search::new(tree, tape, any), Trace::default());
+    match method {
+        // What a restart asks again may have become narrower, so these have traces of their own [D-16]. The growing
+        // word has no highest bit, and 127 edges are enough here.
+        Method::Laine0 => drop(Laine::<0, u128, _>::new(tree).map(|c| traverse(c, &mut search, &mut trace))),
+        Method::Laine1 => drop(Laine::<1, u128, _>::new(tree).map(|c| traverse(c, &mut search, &mut trace))),
+        Method::Laine4 => drop(Laine::<4, u128, _>::new(tree).map(|c| traverse(c, &mut search, &mut trace))),
+        Method::Laine8 => drop(Laine::<8, u128, _>::new(tree).map(|c| traverse(c, &mut search, &mut trace))),
+        _ => {
+            let pruning = match method.test() {
+                Test::Disjoint => Pruning::Disjoint,
+                Test::Distance => Pruning::Distance,
+                _ => Pruning::Never,
+            };
+            oracle::traverse_pruned(tree, tree.root(), pruning, &mut search, &mut trace);
+        }
+    }
+    (trace, search.outcome)
+}
+
+/// What a kernel should record and find.
+#[derive(Clone, Debug)]
+pub struct Expected {
+    events: Vec<[u32; WORDS]>,
+    hit: Option<(u32, usize)>,
+    any: bool,
+}
+
+impl Expected {
+    pub(super) fn new(
+        tree: &Tree,
+        references: &References,
+        any: bool,
+        kernel: &Kernel,
+        address: impl Fn(Node) -> u32,
+    ) -> Self {
+        let method = kernel.method();
+        // What does not prune or restart has the trace of the stack.
+        let at = REFERENCES.iter().position(|&of| of == method).unwrap_or(0);
+        let (trace, outcome) = &references.found[at][usize::from(any)];
+        let keys = &references.keys;
+        let mut before: Option<Node> = None;
+        let events = trace.nodes().iter().map(|&node| {
+            let slot = tree.slot(node);
+            let back = before.filter(|&before| before.is_leaf() || !tree.children(before).contains(&node));
+            before = Some(node);
+            let levels = back.map_or(0, |before| keys.depth(tree.slot(before)) - keys.depth(slot) + 1);
+            let key = if kernel.has_keys() { keys.key::<u128>(slot) } else { 0 };
+            let levels = if kernel.has_levels() { levels } else { 0 };
+            [address(node), levels, key as u32, (key >> 32) as u32, (key >> 64) as u32]
+        });
+        Self { events: events.collect(), hit: outcome.hit, any }
+    }
+
+    /// Whether these 8 words are the result of a right kernel: the hit, and the number and the hash of the events.
+    pub(super) fn agrees(&self, result: &[u32], kernel: &Kernel) -> bool {
+        let is_hit_right = if kernel.keeps_order() { self.has_hit(result) } else { self.may_have_hit(result) };
+        is_hit_right
+            && (!kernel.keeps_order()
+                || (result[3] as usize == self.events.len() && [result[4], result[5]] == hash(&self.events)))
+    }
+
+    fn has_hit(&self, result: &[u32]) -> bool {
+        match self.hit {
+            Some((t, slot)) => (result[0], result[1] as usize, result[2]) == (t, slot, 1),
+            None => result[2] == 0,
+        }
+    }
+
+    /// In another order any hit may be found first.
+    fn may_have_hit(&self, result: &[u32]) -> bool {
+        if self.any { (result[2] == 1) == self.hit.is_some() } else { self.has_hit(result) }
+    }
+
+    /// Where recorded events differ.
+    pub(super) fn difference(&self, batch: &Batch, search: usize, result: &[u32], recorded: &[u32]) -> Difference {
+        let (recorded, _) = recorded.as_chunks::<WORDS>();
+        let recorded = &recorded[..recorded.len().min(result[3] as usize)];
+        let at = self.events.iter().zip(recorded).position(|(a, b)| a != b);
+        let at = at.unwrap_or(self.events.len().min(recorded.len()));
+        let show =
+            |events: &[[u32; WORDS]]| events.get(at).map_or("nothing".to_owned(), |event| show(batch, search, event));
+        Difference {
+            search: batch.describe(search),
+            visit: at,
+            expected: show(&self.events),
+            recorded: show(recorded),
+            hit: format!("{:?}", self.hit),
+            hit_recorded: format!("{:?}", (result[2] == 1).then_some((result[0], result[1]))),
+        }
+    }
+}
+
+fn show(batch: &Batch, search: usize, &[address, levels, key, key1, key2]: &[u32; WORDS]) -> String {
+    let node = batch.node_at(search, address).map_or(format!("address {address:#x}"), |node| format!("{node:?}"));
+    let key = u128::from(key) | u128::from(key1) << 32 | u128::from(key2) << 64;
+    let back = if levels > 0 { format!("backtrack {} to ", levels - 1) } else { String::new() };
+    let key = if key > 0 { format!(" with key {key:b}") } else { String::new() };
+    format!("{back}{node}{key}")
+}
+
+/// The first event at which a kernel and its reference part, and the hits of both.
+#[derive(Clone, Debug)]
+pub struct Difference {
+    search: String,
+    visit: usize,
+    expected: String,
+    recorded: String,
+    hit: String,
+    hit_recorded: String,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { search, visit, expected, recorded, hit, hit_recorded } = self;
+        writeln!(f, "{search}")?;
+        writeln!(f, "  visit {visit}: expected {expected}, recorded {recorded}")?;
+        write!(f, "  hit (distance, slot): expected {hit}, found {hit_recorded}")
+    }
+}
+
+/// What `record_hash.wgsl` computes.
+fn hash(events: &[[u32; WORDS]]) -> [u32; 2] {
+    let mut hash = [0_u32; 2];
+    for &word in events.iter().flatten() {
+        let a = (hash[0] ^ word).wrapping_mul(0x9e37_79b1);
+        let b = hash[1].wrapping_add(word).wrapping_mul(0x85eb_ca77);
+        hash = [a ^ a >> 15, b ^ b >> 13];
+    }
+    hash
+}

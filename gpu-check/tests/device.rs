@@ -1,0 +1,228 @@
+//! The checks of the command on the device that is here. Without one they fail: nothing has been checked then.
+
+use std::process::Command;
+use std::time::Duration;
+
+use glam::Vec3;
+use gpu_check::bench::{self, Setting};
+use gpu_check::kernel::{Kernel, Table};
+use gpu_check::made::{self, Made};
+use gpu_check::scene::{Query, Scene};
+use gpu_check::summary::Summary;
+use gpu_check::tapes::{Batch, cases, compare, unchanged};
+use gpu_check::{Access, Checks, Gpu, GpuError, exact, planted, probe, rays, tables};
+use stackless_bvh::bvh::{Bvh, SahOptions};
+use stackless_bvh::generate::{Bytes, Family, Rng};
+use stackless_bvh::geom::Ray;
+use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::scene::{Mesh, procedural};
+use stackless_bvh::trace::{Tracer, bounce};
+use stackless_bvh::tree::Topology as _;
+
+fn gpu() -> Gpu {
+    Gpu::open(None).unwrap()
+}
+
+#[test]
+fn every_kernel_has_the_events_of_the_oracle() {
+    let gpu = gpu();
+    let batch = Batch::new(&gpu, cases(2048, 1)).unwrap();
+    for depth in [31, 32, 62, 63, 64] {
+        assert!((0..batch.searches()).filter(|&i| batch.depth(i) == depth).count() >= 20, "{depth}");
+    }
+    for kernel in (1..=3).flat_map(Kernel::all) {
+        let report = compare(&gpu, &batch, &kernel, &unchanged).unwrap();
+        assert!(report.compared >= 3000, "{report:?}");
+        assert_eq!(report.mismatches, 0, "{}: {}", report.name, report.first.unwrap());
+    }
+}
+
+#[test]
+fn planted_bugs_are_caught() {
+    let gpu = gpu();
+    let batch = Batch::new(&gpu, cases(1024, 1)).unwrap();
+    let caught = |bug: &planted::Bug| planted::hunt(&gpu, &batch, bug).unwrap() > 0;
+    let missed: Vec<_> = planted::BUGS.iter().filter(|bug| !caught(bug)).map(|bug| (bug.kernel, bug.name)).collect();
+    assert_eq!(missed, []);
+    let missed: Vec<_> = planted::RAY_BUGS.iter().filter(|bug| planted::hunt_rays(&gpu, bug).unwrap() == 0).collect();
+    assert!(missed.is_empty(), "{missed:?}");
+}
+
+/// A corner at -0 has the bits of the word that ends leaves.
+#[test]
+fn zeros_of_either_sign_are_coordinates() {
+    let gpu = gpu();
+    let arithmetic = probe::probe(&gpu).unwrap();
+    let soup = Made::Soup.mesh(5).unwrap();
+    let mirrored = Mesh::new(soup.vertices().iter().map(|v| -*v).collect(), soup.triangles().to_vec()).unwrap();
+    assert!(mirrored.vertices().iter().any(|v| v.x.to_bits() == 1 << 31));
+    let bvh = Bvh::sah(&mirrored, SahOptions { max_leaf: 8, ..SahOptions::default() }).unwrap();
+    let (scene, rays) = (Scene::new(&gpu, &bvh).unwrap(), made::rays(&mirrored, 3000, 5));
+    let query = Query::single(&arithmetic, &rays, false).unwrap();
+    for kernel in Kernel::all(1) {
+        let found = rays::trace(&gpu, &scene, &kernel, query, &rays, &unchanged).unwrap();
+        let errors = rays::errors(&found, &Tracer::new(&bvh).closest_parallel(&rays), false);
+        assert_eq!(errors, rays::Errors::default(), "{}", kernel.full_name());
+    }
+}
+
+#[test]
+fn a_mismatch_is_shown_event_by_event() {
+    let gpu = gpu();
+    let batch = Batch::new(&gpu, cases(64, 1)).unwrap();
+    let bug = |text: String| text.replace("stack[at] = word;", "stack[at] = word + 4u;");
+    let report = compare(&gpu, &batch, &Kernel::all(1)[0], &bug).unwrap();
+    let text = report.first.unwrap().to_string();
+    assert!(text.contains("visit ") && text.contains("expected ") && text.contains("tape "), "{text}");
+}
+
+/// Two searches for each of three scenes, 20,000 rays in all, by every kernel of one and two words.
+#[test]
+fn hits_are_those_of_the_model_and_of_rational_arithmetic() {
+    let gpu = gpu();
+    let arithmetic = probe::probe(&gpu).unwrap();
+    for scene in Made::ALL {
+        let mesh = scene.mesh(1).unwrap();
+        let bvh = Bvh::sah(&mesh, SahOptions::default()).unwrap();
+        let rays = made::rays(&mesh, 6700, 2);
+        let on_device = Scene::new(&gpu, &bvh).unwrap();
+        let tracer = Tracer::new(&bvh);
+        let truth = tracer.closest_parallel(&rays);
+        let hits = truth.iter().flatten().count();
+        assert!((1000..6600).contains(&hits), "{hits}");
+        for any in [false, true] {
+            let query = Query::single(&arithmetic, &rays, any).unwrap();
+            for kernel in (1..=2).flat_map(Kernel::all) {
+                let name = format!("{} {} {any}", scene.name(), kernel.full_name());
+                let found = rays::trace(&gpu, &on_device, &kernel, query, &rays, &unchanged).unwrap();
+                let expected = rays::model(&arithmetic, &bvh, &kernel, &rays, any);
+                let report = rays::compare(&kernel, &found, &expected, any, &rays);
+                assert_eq!(report.mismatches, 0, "{name}: {}", report.first.unwrap());
+                let errors = rays::errors(&found, &truth, any);
+                assert_eq!(errors, rays::Errors::default(), "{name}");
+            }
+        }
+    }
+}
+
+/// Coordinates that no float arithmetic is exact on: the answers are those of the exact tracer all the same, and would not be
+/// without the bounds.
+#[test]
+fn certain_and_settled_hits_are_exact() {
+    let gpu = gpu();
+    let arithmetic = probe::probe(&gpu).unwrap();
+    let terrain = Made::Terrain.mesh(1).unwrap();
+    let moved: Vec<_> = terrain.vertices().iter().map(|v| *v * 0.7 + Vec3::new(0.3, 5.1, -2.3)).collect();
+    let edges = Mesh::new(moved, terrain.triangles().to_vec()).unwrap();
+    let mut to_edges = Vec::new();
+    for (i, ray) in made::view(&edges, 3000, 1).iter().enumerate() {
+        let [a, b, _] = edges.triangle(i % edges.triangles().len());
+        let aim = a + (b - a) * (0.1 + (i % 7) as f32 / 8.0) - ray.origin();
+        to_edges.push(Ray::new(ray.origin(), aim, 0.0, f32::INFINITY).unwrap());
+    }
+    let soup = procedural::soup(3, 2000);
+    let mut from_soup = made::view(&soup, 2000, 2);
+    from_soup.extend(bounce(&soup, &Bvh::sah(&soup, SahOptions::default()).unwrap(), &from_soup, 1));
+    let mut wrong_without_bounds = 0;
+    for (mesh, rays) in [(&edges, &to_edges), (&soup, &from_soup)] {
+        let bvh = Bvh::sah(mesh, SahOptions::default()).unwrap();
+        let scene = Scene::new(&gpu, &bvh).unwrap();
+        let truth = Tracer::new(&bvh).closest_parallel(rays);
+        assert!(truth.iter().flatten().count() > 500);
+        for name in ["stack", "hashed", "laine-4", "afra"] {
+            let kernel = Kernel::all(1).into_iter().find(|kernel| kernel.name == name).unwrap();
+            let trace = |factor| exact::closest(&gpu, (&scene, &bvh), &arithmetic, &kernel, rays, factor).unwrap();
+            let settled = trace(exact::EDGE_FACTOR);
+            assert_eq!(settled.hits, truth, "{name}");
+            assert!(settled.uncertain < rays.len(), "{name}: {}", settled.uncertain);
+            wrong_without_bounds += trace(0.0).hits.iter().zip(&truth).filter(|(a, b)| a != b).count();
+        }
+    }
+    assert!(wrong_without_bounds > 0);
+}
+
+#[test]
+fn tables_from_the_device_are_certified() {
+    let gpu = gpu();
+    for mesh in [procedural::soup(1, 3000), procedural::strands(2, 40), Made::City.mesh(4).unwrap()] {
+        let bvh = Bvh::sah(&mesh, SahOptions::default()).unwrap();
+        for table in [Table::Printed, Table::Tight] {
+            let built = tables::build(&gpu, &bvh, table.options()).unwrap();
+            let on_cpu = PerfectHash::build(&bvh, table.options()).unwrap();
+            let facts = |hash: &PerfectHash| (hash.header().keys, hash.header().direct, hash.header().displacements);
+            assert_eq!(facts(&built.hash), facts(&on_cpu));
+        }
+    }
+    let mut rng = Rng::new(1);
+    for leaves in [1, 2, 3, 9, 40, 200, 2000] {
+        let tree = Family::Catalan.tree(&mut rng, leaves);
+        let built = tables::build(&gpu, &tree, Table::Tight.options());
+        assert!(built.is_ok() || tree.depth() > 63, "{built:?}");
+    }
+    // The chain for which the printed sizes have no displacements: said, and no endless search [HASH-4].
+    let chain = Family::Comb.tree(&mut Bytes::new(&[]), 32);
+    let options = Options { key_set: KeySet::All, sizing: Sizing::Printed };
+    assert!(matches!(tables::build(&gpu, &chain, options), Err(GpuError::Data(_))));
+}
+
+#[test]
+fn a_small_bench_has_all_kernels_and_the_noise() {
+    let gpu = gpu();
+    let arithmetic = probe::probe(&gpu).unwrap();
+    let mesh = Made::Terrain.mesh(1).unwrap();
+    let bvh = Bvh::sah(&mesh, SahOptions::default()).unwrap();
+    let setting = Setting { rays: 500, views: 1, warm_up: 1, passes: 3, checks: Checks::All };
+    let (mut rows, mut traffic) = (Vec::new(), 0);
+    bench::bench(&gpu, &arithmetic, ("terrain", &mesh, &bvh), setting, &mut |said| match said {
+        Ok(row) => rows.push(row.clone()),
+        Err(_) => traffic += 1,
+    })
+    .unwrap();
+    assert_eq!((rows.len(), traffic), (3 * (Kernel::all(1).len() + 1), 3));
+    assert!(rows.iter().all(|row| row.nanoseconds > 0.0 && row.to_best[0] > 0.0));
+    assert_eq!(rows.iter().filter(|row| row.is_noise).count(), 3);
+    let summary = Summary::of(&rows);
+    assert_eq!(summary.lines.len(), 3 * Kernel::all(1).len());
+    let of = |kernel: &str| summary.lines.iter().find(|line| line.kernel == kernel).unwrap().to_best;
+    assert!((of("hashed") - rows.iter().find(|row| row.kernel == "hashed").unwrap().to_best[0]).abs() < 1e-9);
+    assert_eq!(summary.svg().matches("<rect x").count(), summary.lines.len());
+}
+
+#[test]
+fn what_the_device_refuses_is_an_error() {
+    let gpu = gpu();
+    let refused = gpu.compile("nonsense", "fn main( {", &[Access::Read], Checks::All);
+    assert!(matches!(refused, Err(GpuError::Refused { .. })), "{refused:?}");
+    // Whatever the limit is, this is beyond it, and nothing is allocated.
+    let too_large = gpu.zeros("all memory there is", 1 << 46);
+    assert!(matches!(too_large, Err(GpuError::Limit { .. })), "{too_large:?}");
+    assert_eq!(too_large.unwrap_err().exit_code(), 3);
+    // It works on.
+    assert!(probe::probe(&gpu).is_ok());
+}
+
+#[test]
+fn a_lost_device_is_an_error() {
+    let gpu = gpu();
+    gpu.lose();
+    let error = probe::probe(&gpu).unwrap_err();
+    assert!(matches!(error, GpuError::Lost(_)), "{error:?}");
+}
+
+#[test]
+fn nothing_hangs() {
+    let gpu = gpu().with_patience(Duration::ZERO);
+    let error = (0..20).find_map(|_| Batch::new(&gpu, cases(512, 1)).err()).unwrap();
+    assert!(matches!(error, GpuError::Timeout(_)), "{error:?}");
+}
+
+#[test]
+fn without_an_adapter_nothing_passes() {
+    let run = |arguments: &[&str]| Command::new(env!("CARGO_BIN_EXE_gpu-check")).args(arguments).output().unwrap();
+    for command in ["tapes", "rays", "probe", "planted"] {
+        let output = run(&["--adapter", "none of this name", command]);
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert_eq!((output.status.code(), text.contains("pass")), (Some(3), false), "{command}: {text}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains("unsupported: "));
+    }
+}

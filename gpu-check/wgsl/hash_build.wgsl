@@ -1,0 +1,105 @@
+// Construction of a perfect hash (Binder & Keller 2016, Section 2.2.2) in passes: STAGE says which. Each invocation of
+// the first and the third has a key, of the others a bucket.
+
+// Keys: 64 bits, the address that an entry holds, nothing.
+@group(0) @binding(0) var<storage, read> keys: array<vec4<u32>>;
+@group(0) @binding(1) var<storage, read_write> counts: array<atomic<u32>>;
+// Where the keys of a bucket begin in `order`, and how many are there so far.
+@group(0) @binding(2) var<storage, read_write> starts: array<u32>;
+@group(0) @binding(3) var<storage, read_write> fills: array<atomic<u32>>;
+@group(0) @binding(4) var<storage, read_write> order: array<u32>;
+@group(0) @binding(5) var<storage, read_write> displacements: array<u32>;
+@group(0) @binding(6) var<storage, read_write> cells: array<atomic<u32>>;
+// Keys that share a bucket, buckets without a displacement, keys of the largest bucket.
+@group(0) @binding(7) var<storage, read_write> totals: array<atomic<u32>>;
+// Invocations, those in a row, keys of the buckets that are placed now.
+@group(0) @binding(8) var<uniform> params: vec4<u32>;
+
+fn bucket(key: u32) -> u32 {
+    return keys[key].x & DIRECT_MASK;
+}
+
+fn count_key(key: u32) {
+    let count = atomicAdd(&counts[bucket(key)], 1u) + 1u;
+    atomicMax(&totals[2], count);
+}
+
+fn reserve(at: u32) {
+    let count = atomicLoad(&counts[at]);
+    if count > 1u {
+        starts[at] = atomicAdd(&totals[0], count);
+    }
+}
+
+fn sort_key(key: u32) {
+    let at = bucket(key);
+    if atomicLoad(&counts[at]) == 1u {
+        displacements[at] = keys[key].z;
+    } else {
+        order[starts[at] + atomicAdd(&fills[at], 1u)] = key;
+    }
+}
+
+// Whether the cell was empty; it holds the address then.
+fn claim(cell: u32, address: u32) -> bool {
+    var result = atomicCompareExchangeWeak(&cells[cell], 0u, address);
+    // It may fail although the cell is empty.
+    while !result.exchanged && result.old_value == 0u {
+        result = atomicCompareExchangeWeak(&cells[cell], 0u, address);
+    }
+    return result.exchanged;
+}
+
+// Claims the cells of all keys of a bucket, or none.
+fn claim_all(start: u32, count: u32, displacement: u32) -> bool {
+    var claimed = 0u;
+    while claimed < count {
+        let key = keys[order[start + claimed]];
+        if !claim(wrap(remainder(key.xy) + displacement), key.z) {
+            break;
+        }
+        claimed++;
+    }
+    if claimed == count {
+        return true;
+    }
+    for (var i = 0u; i < claimed; i++) {
+        atomicStore(&cells[wrap(remainder(keys[order[start + i]].xy) + displacement)], 0u);
+    }
+    return false;
+}
+
+// Buckets of one size side by side: which of them gets a cell that two want is not determined, so neither are the
+// tables.
+fn place(at: u32) {
+    if atomicLoad(&counts[at]) != params.z {
+        return;
+    }
+    var is_placed = false;
+    for (var displacement = 0u; displacement < TABLE_SIZE && !is_placed; displacement++) {
+        if claim_all(starts[at], params.z, displacement) {
+            displacements[at] = displacement;
+            is_placed = true;
+        }
+    }
+    if !is_placed {
+        atomicAdd(&totals[1], 1u);
+    }
+}
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    let i = id.x + id.y * params.y;
+    if i >= params.x {
+        return;
+    }
+    if STAGE == 0u {
+        count_key(i);
+    } else if STAGE == 1u {
+        reserve(i);
+    } else if STAGE == 2u {
+        sort_key(i);
+    } else {
+        place(i);
+    }
+}

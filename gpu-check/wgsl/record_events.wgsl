@@ -1,0 +1,40 @@
+// The event trace itself: five words for each visit, into `work`, as many as fit.
+
+// Visits, and steps, which are more where a traversal restarts.
+var<private> visits: u32;
+var<private> steps: u32;
+
+fn record_begin() {
+    visits = 0u;
+    steps = 0u;
+}
+
+fn record_word(at: u32, word: u32) {
+    if at < arrayLength(&work) {
+        atomicStore(&work[at], word);
+    }
+}
+
+fn record_visit(address: u32) {
+    steps++;
+    if cursor_is_restarting() {
+        return;
+    }
+    let at = 5u * visits;
+    visits++;
+    let parts = word_parts(cursor_key());
+    record_word(at, address);
+    record_word(at + 1u, cursor_levels());
+    record_word(at + 2u, parts.x);
+    record_word(at + 3u, parts.y);
+    record_word(at + 4u, parts.z);
+}
+
+fn record_end() -> vec2<u32> {
+    return vec2(0u, 0u);
+}
+
+// A traversal that does not end is ended.
+fn record_is_full() -> bool {
+    return steps >= params.z;
+}

@@ -1,0 +1,101 @@
+// A triangle test that says what is certain. Error bounds are those of [EXACT-4] and [EXACT-5] for single precision; a
+// fused multiply-add only removes roundings. What is not certain ends the search, and the ray is settled elsewhere.
+//
+// U is 2^-24. FLOOR stands in for sizes so small that underflow would matter.
+
+const U = 5.9604644775390625e-8;
+const FLOOR = 9.094947017729282379150390625e-13;
+const UNCERTAIN = 0xfffffffeu;
+
+// Bounds of the best hit's distance; `best_t` is the upper one.
+var<private> best_low: f32;
+var<private> is_uncertain: bool;
+
+fn begin_triangles() {
+    best_low = END;
+    is_uncertain = false;
+}
+
+fn largest(v: vec3<f32>) -> f32 {
+    let a = abs(v);
+    return greater(a.z, greater(a.y, a.x));
+}
+
+// The sign of any hit is all that counts with ANY_HIT; then a triangle that is uncertain does not matter if another is
+// not.
+fn doubt() {
+    is_uncertain = true;
+    stopped = stopped || !ANY_HIT;
+}
+
+fn test_triangle(at: u32) {
+    let corner = leaves[at];
+    let v0 = bitcast<vec3<f32>>(corner.xyz);
+    let e1 = bitcast<vec3<f32>>(leaves[at + 1u].xyz) - v0;
+    let e2 = bitcast<vec3<f32>>(leaves[at + 2u].xyz) - v0;
+    let s = origin - v0;
+    let p = cross3(direction, e2);
+    let q = cross3(s, e1);
+    let det = product3(e1, p);
+    let u = product3(s, p);
+    let v = product3(direction, q);
+    let w = (det - u) - v;
+
+    let reach = greater(largest(s), FLOOR);
+    let edge = greater(FLOOR, greater(largest(e1), largest(e2)));
+    let size = largest(direction);
+    let delta = (((EDGE_FACTOR * U) * size) * edge) * (2.0 * reach + edge);
+    let least = lesser(u, lesser(v, w));
+    let most = greater(u, greater(v, w));
+    if least < -delta && most > delta {
+        return;
+    }
+    if !(least > delta || most < -delta) {
+        doubt();
+        return;
+    }
+    // The line meets the interior. Where is the hit?
+    let sign = select(1.0, -1.0, det < 0.0);
+    let t_off = (((36.0 * U) * reach) * edge) * edge;
+    let det_off = (((32.0 * U) * size) * edge) * edge;
+    let above = product3(e2, q) * sign;
+    let below = det * sign;
+    if !(below > 2.0 * det_off) {
+        doubt();
+        return;
+    }
+    // Divided by whichever end of the determinant is on the safe side; a quotient is off by less than 16 U of itself.
+    let low = above - t_off;
+    let high = above + t_off;
+    let first = low / select(below + det_off, below - det_off, low < 0.0);
+    let last = high / select(below - det_off, below + det_off, high < 0.0);
+    let t_low = (first - (16.0 * U) * abs(first)) - FLOOR;
+    let t_high = (last + (16.0 * U) * abs(last)) + FLOOR;
+    let t_least = select(t_low, 0.0, low >= 0.0 && t_low < 0.0);
+    if t_high < tmin || t_least > best_t {
+        return;
+    }
+    if !(t_least >= tmin && t_high <= ray_end) {
+        doubt();
+        return;
+    }
+    if ANY_HIT {
+        best_triangle = corner.w;
+        stopped = true;
+    } else if best_triangle == NONE || t_high < best_low {
+        best_triangle = corner.w;
+        best_low = t_least;
+        best_t = lesser(t_high, best_t);
+    } else if best_triangle != corner.w {
+        doubt();
+    }
+    found_here = best_triangle == corner.w;
+}
+
+fn finish(task: u32) {
+    let is_open = is_uncertain && !(ANY_HIT && best_triangle != NONE);
+    results[task] = vec4(select(best_triangle, UNCERTAIN, is_open), 0u, 0u, 0u);
+    if is_open {
+        atomicStore(&work[1u + atomicAdd(&work[0], 1u)], task);
+    }
+}
