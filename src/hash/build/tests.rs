@@ -163,7 +163,7 @@ fn tables_say_what_they_are() {
 }
 
 fn comb(depth: u32) -> Tree {
-    let inner = |i: u32| if i % 3 == 0 { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
+    let inner = |i: u32| if i.is_multiple_of(3) { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
     let children: Vec<_> = (0..depth).flat_map(|i| [Some(inner(i)), None]).chain([None]).collect();
     Tree::new(&children).unwrap()
 }
