@@ -9,8 +9,8 @@ use stackless_bvh::event::State;
 use stackless_bvh::generate::Search;
 use stackless_bvh::order::Flow;
 use stackless_bvh::suite::{
-    Answer, Ask, Case, Expect, Feature, Flaw, Hello, Implementation, Level, Library, Limits, PROTOCOL, Profile, Suite,
-    author, judge,
+    Answer, Ask, Case, Expect, Feature, Flaw, Hello, Implementation, Level, Library, Limits, PROTOCOL, Suite, author,
+    judge,
 };
 use stackless_bvh::traverse::{Method, Test, WordName};
 use stackless_bvh::tree::{Keys, Topology};
@@ -48,7 +48,7 @@ fn the_suite_is_as_promised() {
     for (_, case) in suite.cases() {
         let Case { id, clauses, why, input, .. } = case;
         assert!(!clauses.is_empty() && !why.is_empty() && !why.contains('\n'), "{id}");
-        assert!(serde_json::from_value::<Ask>(input.clone().into()).is_ok(), "{id}");
+        assert!(Ask::of(input).is_ok(), "{id}");
     }
 }
 
@@ -68,7 +68,7 @@ fn this_library_conforms() {
         for (profile, case) in suite.cases() {
             // Words and methods make no difference to the others.
             let is_walk = matches!(profile.level, Level::Trace | Level::Resume);
-            if is_asked(&hello, profile, case) && (is_walk || method.is_none()) {
+            if hello.asks_for(profile, case) && (is_walk || method.is_none()) {
                 asked += 1;
                 let answer = library.answer(profile.level, &profile.profile, &case.input);
                 assert_eq!(judge(case, &hello, &answer), Ok(()), "{}: {}", hello.name, case.id);
@@ -77,10 +77,6 @@ fn this_library_conforms() {
         let least = if method == Some(Method::Complete) { 30 } else { 60 };
         assert!(asked >= least, "{}: {asked} cases", hello.name);
     }
-}
-
-fn is_asked(hello: &Hello, profile: &Profile, case: &Case) -> bool {
-    hello.profiles.contains(&profile.name()) && case.features.iter().all(|feature| hello.features.contains(feature))
 }
 
 /// Bugs that do not show in events, hits and states, and why.
@@ -164,8 +160,7 @@ fn failures<'s>(bug: &Planted, suite: &'s Suite) -> (usize, Vec<(&'s Case, Flaw)
 
 /// What a planted traversal shows, as an implementation would say it.
 fn answer(bug: &Planted, case: &Case) -> Option<(Vec<Feature>, Answer)> {
-    let ask = serde_json::from_value(case.input.clone().into()).unwrap();
-    let (Ask::Trace(walk) | Ask::ResumeDisjoint(walk)) = ask else { return None };
+    let (Ask::Trace(walk) | Ask::ResumeDisjoint(walk)) = Ask::of(&case.input).unwrap() else { return None };
     let of_tree = walk.case().unwrap();
     // Words of 64 bits, and none of them refuses.
     if of_tree.tree.depth() > 62 {

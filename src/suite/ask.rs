@@ -1,6 +1,7 @@
 //! What a case asks.
 
 use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
 
 use crate::generate::Cell;
 
@@ -35,6 +36,16 @@ pub enum Ask {
     ResumeDisjoint(Walk),
     ResumeKey(Walk),
     Ray(Rays),
+}
+
+impl Ask {
+    /// What the input of a case asks.
+    ///
+    /// # Errors
+    /// An unknown operation, or a field that is missing, unknown or of another type.
+    pub fn of(input: &Map<String, Value>) -> serde_json::Result<Self> {
+        Self::deserialize(input)
+    }
 }
 
 /// A table to look keys up in.

@@ -119,7 +119,7 @@ fn is_too_deep(case: &Case, hello: &Hello) -> bool {
     if !is_walk || matches!(case.expect, Expect::Reject(_)) {
         return false;
     }
-    match serde_json::from_value(Value::Object(case.input.clone())) {
+    match Ask::of(&case.input) {
         Ok(Ask::Trace(walk) | Ask::Resume(walk) | Ask::ResumeDisjoint(walk) | Ask::ResumeKey(walk)) => {
             Tree::new(&walk.children).is_ok_and(|tree| tree.depth() > limit)
         }
@@ -222,8 +222,7 @@ fn climbed(key: &Grow, trail: &Grow) -> Grow {
 /// Whether a table that was built leads each key of the tree to its node. `[HASH-9]`
 fn judge_table(case: &Case, result: &Map<String, Value>) -> Result<(), Flaw> {
     let wrong = |what: String| Err(Flaw::Table(what));
-    let Ok(Ask::Build(Build { children, reach, sizes })) = serde_json::from_value(Value::Object(case.input.clone()))
-    else {
+    let Ok(Ask::Build(Build { children, reach, sizes })) = Ask::of(&case.input) else {
         return wrong("nobody has asked for one".to_owned());
     };
     if let Err(error) = Tree::new(&children) {

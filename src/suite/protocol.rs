@@ -5,7 +5,8 @@ use std::io::{self, BufRead, Write};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use super::{Feature, Level};
+use super::text::object;
+use super::{Case, Feature, Level, Profile};
 
 /// Version of the protocol.
 pub const PROTOCOL: u32 = 1;
@@ -37,6 +38,13 @@ pub struct Hello {
     /// What it carries.
     #[serde(default)]
     pub limits: Limits,
+}
+
+impl Hello {
+    /// Whether a case is put to the implementation: it has named the profile, and has the features.
+    pub fn asks_for(&self, profile: &Profile, case: &Case) -> bool {
+        self.profiles.contains(&profile.name()) && case.features.iter().all(|feature| self.features.contains(feature))
+    }
 }
 
 /// Limits of an implementation.
@@ -72,8 +80,8 @@ pub enum Answer {
 
 impl Answer {
     /// A result of these fields.
-    pub(super) fn of<const N: usize>(fields: [(&str, Value); N]) -> Self {
-        Self::Result(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+    pub(super) fn of<'a>(fields: impl IntoIterator<Item = (&'a str, Value)>) -> Self {
+        Self::Result(object(fields))
     }
 }
 

@@ -66,7 +66,7 @@ impl Runner<'_> {
         let mut faults = unknown_profiles(&hello, self.suite);
         let mut outcomes: Vec<Option<Outcome>> = cases
             .iter()
-            .map(|(profile, case)| (!asks(&hello, profile, case)).then_some(Outcome::Unsupported))
+            .map(|(profile, case)| (!hello.asks_for(profile, case)).then_some(Outcome::Unsupported))
             .collect();
         let to_ask = (0..cases.len()).filter(|&i| outcomes[i].is_none()).collect();
         let verdict = |i: usize, outcome: Outcome| {
@@ -74,6 +74,7 @@ impl Runner<'_> {
             let waived = self.waivers.reason(id).map(ToOwned::to_owned);
             Verdict { id: id.clone(), clauses: clauses.clone(), strength: *strength, outcome, waived }
         };
+        let mut told = |i: usize, outcome: &Outcome| progress(&verdict(i, outcome.clone()));
         let mut turn = Turn {
             runner: self,
             cases: &cases,
@@ -91,18 +92,18 @@ impl Runner<'_> {
                 None => match self.start() {
                     Ok((_, process)) => process,
                     Err(error) => {
-                        turn.give_up(&error.to_string(), &mut |i, outcome| progress(&verdict(i, outcome.clone())));
+                        turn.give_up(&error.to_string(), &mut told);
                         break;
                     }
                 },
             };
-            let end = turn.ask(running, &mut alone, &mut |i, outcome| progress(&verdict(i, outcome.clone())));
+            let end = turn.ask(running, &mut alone, &mut told);
             faults.extend(end);
             // One case less at least: the one that is to blame. Where it is all that came of a start, patience ends.
             failed_starts = if before - turn.to_ask.len() <= 1 { failed_starts + 1 } else { 0 };
             if failed_starts >= PATIENCE {
                 let why = format!("given up: the last {PATIENCE} starts answered nothing");
-                turn.give_up(&why, &mut |i, outcome| progress(&verdict(i, outcome.clone())));
+                turn.give_up(&why, &mut told);
             }
         }
         let outcomes = outcomes.into_iter().map(|outcome| outcome.unwrap_or(Outcome::Unsupported));
@@ -135,11 +136,6 @@ fn text(request: &Request) -> String {
 fn shortened(line: &str) -> String {
     let line = line.trim_end();
     if line.chars().count() <= 120 { line.to_owned() } else { line.chars().take(120).chain(['…']).collect() }
-}
-
-/// Whether a case is put to an implementation.
-fn asks(hello: &Hello, profile: &Profile, case: &Case) -> bool {
-    hello.profiles.contains(&profile.name()) && case.features.iter().all(|feature| hello.features.contains(feature))
 }
 
 fn unknown_profiles(hello: &Hello, suite: &Suite) -> Vec<String> {

@@ -1,6 +1,10 @@
 //! Words and floats as the suite's files have them.
 
-use crate::key::KeyWord;
+use serde_json::{Map, Value};
+
+use crate::event::{Event, Trace};
+use crate::key::{Grow, KeyWord};
+use crate::tree::{Keys, Tree};
 
 /// Lower-case hexadecimal without leading zeros.
 pub(super) fn hex<W: KeyWord>(word: &W) -> String {
@@ -32,6 +36,22 @@ pub(super) fn word<W: KeyWord>(digits: &str) -> Option<W> {
     Some(word)
 }
 
+/// A trace as answers have it. `[TRACE-1]`
+pub(super) fn events(trace: &Trace, tree: &Tree, keys: &Keys) -> Vec<String> {
+    let text = |event| match event {
+        Event::Enter(key) => format!("enter {}", hex(&key)),
+        Event::Leaf(key) => format!("leaf {}", hex(&key)),
+        Event::Backtrack(key, levels) => format!("backtrack {} {levels}", hex(&key)),
+        Event::End => "end".to_owned(),
+    };
+    trace.events::<Grow>(tree, keys).map(text).collect()
+}
+
+/// Named values as an object.
+pub(super) fn object<'a>(fields: impl IntoIterator<Item = (&'a str, Value)>) -> Map<String, Value> {
+    fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+}
+
 /// The bits of floats, 8 digits each, a space between.
 pub(super) fn floats(floats: &[f32]) -> String {
     floats.iter().map(|float| format!("{:08x}", float.to_bits())).collect::<Vec<_>>().join(" ")
@@ -51,7 +71,6 @@ pub(super) fn parse_floats<const N: usize>(text: &str) -> Option<[f32; N]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::key::Grow;
 
     #[test]
     fn words_come_back() {

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use stackless_bvh::suite::{Hello, Level, Report, Runner, Strength, Suite, Verdict, Waivers, author};
 
 use crate::Outcome;
+use crate::input;
 use crate::output::{bar, grouped, say, table, write_file, write_json};
 
 /// Ask a program the cases of the conformance suite, and say where it is wrong.
@@ -20,7 +21,7 @@ pub(crate) struct Args {
     #[arg(long)]
     suite: Option<PathBuf>,
     /// Cases of this level only.
-    #[arg(long, value_parser = level)]
+    #[arg(long, value_parser = input::level)]
     level: Option<Level>,
     /// Cases with such ids only; `*` is any text, `?` any character.
     #[arg(long)]
@@ -46,10 +47,6 @@ pub(crate) struct Args {
     /// The program and its arguments.
     #[arg(last = true, required = true)]
     command: Vec<String>,
-}
-
-fn level(name: &str) -> Result<Level, String> {
-    name.parse().map_err(|_| format!("expected one of {}", Level::ALL.map(Level::name).join(", ")))
 }
 
 fn seconds(text: &str) -> Result<f64, String> {
@@ -127,22 +124,23 @@ fn print(report: &Report, args: &Args, took: Duration) {
         say!("{fault}");
     }
     let names = ["pass", "fail", "error", "crash", "timeout", "unsupported"];
-    let mut rows: Vec<Vec<String>> = Vec::new();
+    let mut rows: Vec<(&str, [u64; 7])> = Vec::new();
     for verdict in &report.verdicts {
         let profile = verdict.id.rsplit_once('/').map_or("", |(profile, _)| profile);
-        if rows.last().is_none_or(|row| row[0] != profile) {
-            rows.push([vec![profile.to_owned()], vec!["0".to_owned(); names.len() + 1]].concat());
+        if rows.last().is_none_or(|&(last, _)| last != profile) {
+            rows.push((profile, [0; 7]));
         }
-        let column = match &verdict.waived {
-            Some(_) => names.len() + 1,
-            None => 1 + names.iter().position(|&name| name == verdict.outcome.name()).unwrap_or(0),
-        };
-        if let Some(count) = rows.last_mut().and_then(|row| row.get_mut(column)) {
-            *count = (count.parse().unwrap_or(0) + 1).to_string();
+        let column = names.iter().position(|&name| verdict.waived.is_none() && name == verdict.outcome.name());
+        if let Some((_, counts)) = rows.last_mut() {
+            counts[column.unwrap_or(names.len())] += 1;
         }
     }
     // What was not asked at all is in the sum.
-    rows.retain(|row| row[1..=5].iter().chain(&row[7..]).any(|count| count != "0"));
+    rows.retain(|(_, counts)| counts[..5].iter().chain(&counts[6..]).any(|&count| count > 0));
+    let row = |(profile, counts): (&str, [u64; 7])| {
+        [profile.to_owned()].into_iter().chain(counts.map(|count| count.to_string())).collect()
+    };
+    let rows = rows.into_iter().map(row).collect();
     let header = ["profile"].into_iter().chain(names).chain(["waived"]).collect::<Vec<_>>();
     say!("{}", table(&header, 1, rows));
     let advised =

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use stackless_bvh::scene::{self, Mesh, SceneError, procedural};
+use stackless_bvh::suite::Level;
 use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::{Method, WordName};
 
@@ -54,4 +55,9 @@ pub(crate) fn accuracy(name: &str) -> Result<Accuracy, String> {
 /// Reads a word's name; the error lists all of them.
 pub(crate) fn word(name: &str) -> Result<WordName, String> {
     name.parse().map_err(|_| format!("expected one of: {}", WordName::ALL.map(WordName::name).join(", ")))
+}
+
+/// Reads the name of a level of the conformance suite; the error lists all of them.
+pub(crate) fn level(name: &str) -> Result<Level, String> {
+    name.parse().map_err(|_| format!("expected one of: {}", Level::ALL.map(Level::name).join(", ")))
 }

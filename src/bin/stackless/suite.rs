@@ -13,6 +13,7 @@ use stackless_bvh::traverse::{Method, WordName};
 
 use crate::Outcome;
 use crate::conform::{load, select};
+use crate::input;
 use crate::output::{grouped, say, table, write_file};
 
 /// The conformance suite: list it, write it as files, show a case, answer it.
@@ -38,13 +39,13 @@ enum What {
     /// Answer the cases as this library does: an implementation for `stackless conform`.
     Serve {
         /// The traversal; one for each profile if none is named.
-        #[arg(long, value_parser = method)]
+        #[arg(long, value_parser = input::method)]
         method: Option<Method>,
         /// The word of keys and trails.
-        #[arg(long, value_parser = word)]
+        #[arg(long, value_parser = input::word)]
         word: Option<WordName>,
         /// The tests of triangles and boxes: what is not exact does not conform.
-        #[arg(long, default_value_t = Accuracy::Exact, value_parser = accuracy)]
+        #[arg(long, default_value_t = Accuracy::Exact, value_parser = input::accuracy)]
         accuracy: Accuracy,
         /// Answer rays as another ray tracer does.
         #[cfg(feature = "peers")]
@@ -60,7 +61,7 @@ struct Chosen {
     #[arg(long)]
     suite: Option<PathBuf>,
     /// Cases of this level only.
-    #[arg(long, value_parser = level)]
+    #[arg(long, value_parser = input::level)]
     level: Option<Level>,
     /// Cases with such ids only; `*` is any text, `?` any character.
     #[arg(long)]
@@ -70,24 +71,8 @@ struct Chosen {
     features: Option<Vec<Feature>>,
 }
 
-fn level(name: &str) -> Result<Level, String> {
-    name.parse().map_err(|_| format!("expected one of {}", Level::ALL.map(Level::name).join(", ")))
-}
-
 fn feature(name: &str) -> Result<Feature, String> {
-    name.parse().map_err(|_| format!("expected some of {}", Feature::ALL.map(Feature::name).join(", ")))
-}
-
-fn method(name: &str) -> Result<Method, String> {
-    name.parse().map_err(|_| format!("expected one of {}", Method::ALL.map(Method::name).join(", ")))
-}
-
-fn accuracy(name: &str) -> Result<Accuracy, String> {
-    name.parse().map_err(|_| format!("expected one of {}", Accuracy::ALL.map(Accuracy::name).join(", ")))
-}
-
-fn word(name: &str) -> Result<WordName, String> {
-    name.parse().map_err(|_| format!("expected one of {}", WordName::ALL.map(WordName::name).join(", ")))
+    name.parse().map_err(|_| format!("expected some of: {}", Feature::ALL.map(Feature::name).join(", ")))
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {

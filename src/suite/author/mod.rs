@@ -19,6 +19,7 @@ use serde_json::{Map, Value};
 pub(super) use hash::{keys_of, mixed};
 pub(super) use ray::hit;
 
+use super::text::object;
 use super::{Ask, Case, Expect, Feature, Level, Profile, Strength, Suite, VERSION};
 
 /// The whole suite: the same on every machine.
@@ -93,8 +94,8 @@ impl Case {
 }
 
 /// A result of these fields.
-fn result<const N: usize>(fields: [(&str, Value); N]) -> Expect {
-    Expect::Result(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+fn result<'a>(fields: impl IntoIterator<Item = (&'a str, Value)>) -> Expect {
+    Expect::Result(object(fields))
 }
 
 #[cfg(test)]

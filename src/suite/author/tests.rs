@@ -1,13 +1,12 @@
 use super::reference::{Reference, Rule, Search};
 use super::trees::{random, random_script};
 use crate::check;
-use crate::event::{Event, Trace};
+use crate::event::Trace;
 use crate::generate::{self, Kind};
-use crate::key::Grow;
 use crate::oracle;
 use crate::order::{ByNode, LeftFirst, Pruning, SignOrder};
 use crate::suite::Walk;
-use crate::suite::text::hex;
+use crate::suite::text::events;
 use crate::tree::{Keys, Topology};
 
 /// What the library's oracle says of a case.
@@ -29,14 +28,7 @@ fn by_oracle(case: &check::Case, rule: Rule) -> (Vec<String>, Option<(u32, usize
             oracle::traverse_pruned(tree, tree.root(), pruning, &mut search, &mut trace);
         }
     }
-    let keys = Keys::of(tree);
-    let text = |event| match event {
-        Event::Enter(key) => format!("enter {}", hex(&key)),
-        Event::Leaf(key) => format!("leaf {}", hex(&key)),
-        Event::Backtrack(key, levels) => format!("backtrack {} {levels}", hex(&key)),
-        Event::End => "end".to_owned(),
-    };
-    (trace.events::<Grow>(tree, &keys).map(text).collect(), search.outcome.hit)
+    (events(&trace, tree, &Keys::of(tree)), search.outcome.hit)
 }
 
 /// Two references that were written apart: one over addresses with a recorder, one over numbers with a list. `[CONF-4]` `[ORACLE-1]`

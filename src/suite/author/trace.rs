@@ -246,12 +246,10 @@ fn taped<'a>(
     if rule != Rule::Distance {
         fields.push(("trails", trails(&run)));
     }
-    let expect =
-        crate::suite::Expect::Result(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect());
     let searches = matches!(rule, Rule::Children | Rule::NodeLeft | Rule::NodeSign(_));
     let octant = if let Rule::NodeSign(octant) = rule { Some(octant) } else { None };
     let walk = Walk { children, cells: Some(cells), any: searches.then_some(case.any), octant, ..Walk::default() };
-    author.case(name, clauses, why, &Ask::Trace(walk), expect)
+    author.case(name, clauses, why, &Ask::Trace(walk), result(fields))
 }
 
 fn invalid() -> Profile {

@@ -107,7 +107,7 @@ impl Implementation for Library {
     }
 
     fn answer(&mut self, level: Level, profile: &str, input: &Map<String, Value>) -> Answer {
-        let ask: Ask = match serde_json::from_value(Value::Object(input.clone())) {
+        let ask = match Ask::of(input) {
             Ok(ask) => ask,
             Err(error) => return Answer::Unsupported(error.to_string()),
         };

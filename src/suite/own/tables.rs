@@ -91,6 +91,5 @@ fn build(Build { children, reach, sizes }: &Build) -> Option<Answer> {
     let tables = [("displacements", words(hash.displacements())), ("cells", words(hash.cells()))];
     let seed =
         mix.seed.map(|seed| [("seed", Value::String(hex(&seed))), ("bits", json!(if mix.narrow { 32 } else { 64 }))]);
-    let fields = tables.into_iter().chain(seed.into_iter().flatten());
-    Some(Answer::Result(fields.map(|(name, value)| (name.to_owned(), value)).collect()))
+    Some(Answer::of(tables.into_iter().chain(seed.into_iter().flatten())))
 }

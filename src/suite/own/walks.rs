@@ -3,12 +3,12 @@
 use serde_json::{Value, json};
 
 use crate::check::{self, GoOn};
-use crate::event::{Event, Recorder, State, Trace};
+use crate::event::{Recorder, State, Trace};
 use crate::generate::{Cell, Search, Tape};
 use crate::key::{Grow, KeyWord, TooDeep};
 use crate::order::Flow;
 use crate::suite::ask::{Best, Walk};
-use crate::suite::text::{hex, word};
+use crate::suite::text::{events, hex, word};
 use crate::suite::{Answer, Ask, Children, Feature, Start, WalkError};
 use crate::traverse::{ByWalk, KeyOnly, KeyTrail, Method, Next, Tables, Test, Unfit, WithWord, WordName, with_word};
 use crate::tree::{Keys, Node, Topology, Tree};
@@ -85,7 +85,7 @@ fn trace(method: Method, word: WordName, features: &[Feature], case: &check::Cas
             Feature::Changing | Feature::Weights => {}
         }
     }
-    Answer::Result(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+    Answer::of(fields)
 }
 
 fn run(method: Method, word: WordName, case: &check::Case) -> Result<(Record, Search<'_, Tree>), Unfit> {
@@ -98,16 +98,6 @@ fn run(method: Method, word: WordName, case: &check::Case) -> Result<(Record, Se
 
 fn best(search: &Search<'_, Tree>) -> Option<Best> {
     search.outcome.hit.map(|(t, node)| Best { t, node: node as u32 })
-}
-
-fn events(trace: &Trace, tree: &Tree, keys: &Keys) -> Vec<String> {
-    let text = |event| match event {
-        Event::Enter(key) => format!("enter {}", hex(&key)),
-        Event::Leaf(key) => format!("leaf {}", hex(&key)),
-        Event::Backtrack(key, levels) => format!("backtrack {} {levels}", hex(&key)),
-        Event::End => "end".to_owned(),
-    };
-    trace.events::<Grow>(tree, keys).map(text).collect()
 }
 
 /// What is seen at each visit that is no restart.
@@ -179,7 +169,6 @@ impl WithWord for Resume<'_> {
             events.insert(0, format!("backtrack {} {levels}", hex::<Grow>(&keys.key(first))));
         }
         let hit: Option<(&str, Value)> = walk.cells.is_some().then(|| ("hit", json!(best(&search))));
-        let fields = [("events", json!(events))].into_iter().chain(hit);
-        Some(Answer::Result(fields.map(|(name, value)| (name.to_owned(), value)).collect()))
+        Some(Answer::of([("events", json!(events))].into_iter().chain(hit)))
     }
 }

@@ -36,7 +36,7 @@ impl Implementation for Foreign {
 }
 
 fn hits(peer: Peer, input: &Map<String, Value>) -> Result<Vec<Value>, Box<dyn std::error::Error>> {
-    let Ask::Ray(asked) = serde_json::from_value(Value::Object(input.clone()))? else { return Err("no rays".into()) };
+    let Ask::Ray(asked) = Ask::of(input)? else { return Err("no rays".into()) };
     let (mesh, rays) = asked.read()?;
     let vertices: Vec<_> = mesh.vertices().iter().map(glam::Vec3::to_array).collect();
     let tracer = peer.build(&vertices, mesh.triangles())?;
