@@ -34,7 +34,7 @@ pub enum Entry {
 
 impl Table {
     /// Most entries of a table that is drawn.
-    pub const DRAWN: usize = 64;
+    pub const DRAWN: usize = 128;
 
     pub(super) fn of(hash: &PerfectHash, tree: &Tree) -> Self {
         let (buckets, cells) = (hash.displacements(), hash.cells());

@@ -172,31 +172,32 @@ fn back(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static st
     let mut text = String::new();
     if let Some(levels) = next.levels {
         let up = match levels {
-            0 => "over to the sibling".to_owned(),
-            1 => "1 level up and over".to_owned(),
-            levels => format!("{levels} levels up and over"),
+            0 => format!("over to the sibling {name}"),
+            1 => format!("1 level up and over to {name}"),
+            levels => format!("{levels} levels up and over to {name}"),
         };
-        let zeros = match levels {
+        let end = match levels {
+            0 => "a 1".to_owned(),
             1 => "1 zero".to_owned(),
             levels => format!("{levels} zeros"),
         };
         text = match (&seen.key, &seen.trail, &seen.counter) {
             // The hit has changed the trail since it was shown.
-            (_, Some(_), _) if seen.prunes && seen.disjoint.is_some() => format!("Back: {up}, to {name}."),
+            (_, Some(_), _) if seen.prunes && seen.disjoint.is_some() => format!("Back: {up}."),
             (Some(key), Some(trail), _) => {
                 clauses.extend(["TRAIL-3", "TRAIL-4"]);
                 let next = binary(&judge.key_of(next.node));
-                format!("The trail {trail} ends in {zeros}: {up}, from key {key} to {next} = {name}.")
+                format!("The trail {trail} ends in {end}: {up}; the key {key} becomes {next}.")
             }
             (None, Some(trail), _) => {
                 clauses.push("TRAIL-3");
-                format!("The trail {trail} ends in {zeros}: {up}, to {name}.")
+                format!("The trail {trail} ends in {end}: {up}.")
             }
             (_, None, Some(counter)) => {
                 clauses.push("TRAIL-6");
-                format!("The counter {counter} plus 1 ends in {zeros}: {up}, to {name}.")
+                format!("The counter {counter} plus 1 ends in {end}: {up}.")
             }
-            _ => format!("Back: {up}, to {name}."),
+            _ => format!("Back: {up}."),
         };
     }
     let (how, clause) = source(judge, next, &name);
@@ -210,33 +211,29 @@ fn source(judge: &Judge<'_>, next: &Next, name: &str) -> (String, Option<&'stati
     let steps = next.way.len();
     match (next.by, &next.lookup) {
         (By::Table, Some(lookup)) => {
+            let reason = if judge.method == Method::HashOnly { "" } else { "No record names it. " };
             let bucket = lookup.bucket;
             let text = match (lookup.entry, lookup.cell) {
                 (Entry::Displacement(displacement), Some(cell)) => {
                     format!(
-                        "No record names it; by the table's bucket {bucket}, displacement {displacement}, it is in cell {cell}."
+                        "{reason}Bucket {bucket} of the table holds the displacement {displacement}, which leads to cell {cell}."
                     )
                 }
-                _ => format!("No record names it; its address stands in bucket {bucket} of the table."),
-            };
-            let text = match judge.method {
-                Method::HashOnly => {
-                    text.replacen("No record names it; by", "By", 1).replacen("No record names it; its", "Its", 1)
-                }
-                _ => text,
+                _ => format!("{reason}Its address stands in bucket {bucket} of the table."),
             };
             (text, None)
         }
-        (By::Register, _) => ("The register holds it.".to_owned(), Some("REGISTER-1")),
+        (By::Register, _) => ("The register holds its address.".to_owned(), Some("REGISTER-1")),
         (By::Uncle, _) => (format!("It is the uncle: the record names {name}."), Some("REGISTER-2")),
         (By::GrandUncle, _) => (format!("It is the grand uncle: the record names {name}."), Some("REGISTER-2")),
         (By::Climb, _) if matches!(judge.method.without_pruning(), Method::Uncle) => {
             (format!("By grand uncles, two levels a step, by way of {}.", way()), None)
         }
-        (By::Climb, _) if steps == 0 => ("The record names the sibling.".to_owned(), None),
-        (By::Climb, _) => (format!("Along the parents {} and to the sibling.", way()), None),
-        (By::Stack, _) if judge.method.restarts() => ("The short stack still has it.".to_owned(), None),
-        (By::Stack, _) => ("It is on top of the stack.".to_owned(), None),
+        (By::Climb, _) if steps == 1 => (format!("Through the parent {} to its sibling.", way()), None),
+        (By::Climb, _) if steps == 0 => ("The record names it.".to_owned(), None),
+        (By::Climb, _) => (format!("Through the parents {} to the sibling of the last.", way()), None),
+        (By::Stack, _) if judge.method.restarts() => ("The short stack has its address.".to_owned(), None),
+        (By::Stack, _) => ("Its address is on top of the stack.".to_owned(), None),
         (By::Skip, _) => ("The skip pointer names it.".to_owned(), None),
         (By::Restart, _) => {
             ("The short stack has lost the node that comes next: start again at the root.".to_owned(), None)

@@ -36,12 +36,13 @@ page() {
 }
 
 page example
-page tape --tape 7
-page pruned --tape 24 --methods hashed-disjoint,uncle-disjoint,sparse-disjoint,afra-disjoint,stack-disjoint,stack-t0
+page leaf --tape 7
+page tape --tape 34
+page pruned --tape 2 --methods hashed-disjoint,uncle-disjoint,sparse-disjoint,afra-disjoint,stack-disjoint,stack-t0
 page others --methods left-first,implicit-a1,implicit-b,implicit-b1,laine-0,laine-2,laine-4,laine-8,skip,skip-octant,glassner
-page deep --suite-case trace/script/chain-turns-64-two-1 --methods hashed,hash-only,sparse
+page deep --suite-case trace/script/chain-turns-64-two-1 --methods hashed,sparse
 for width in 1200 360; do
-    for name in example tape pruned others deep; do
+    for name in example leaf tape pruned others deep; do
         frame "$name-$width" "$width" "$folder/page-$name.html"
     done
 done
@@ -66,10 +67,11 @@ mistake link-off-by-one 1200 's/, 10) - 1 ||/, 10) ||/'
 mistake done-too-late 1200 's/seen\[node\] < at/seen[node] < at - 1/'
 mistake other-trail 1200 's/"trail":"1001"/"trail":"1011"/'
 mistake image-from-elsewhere 1200 's|^<main>|<img src="http://localhost/a.png" alt=""><main>|'
+mistake link-of-another-step 1200 's/&step=${at + 1}`), 250/\&step=${at}`), 250/'
 mistake error-on-the-way 1200 's/^function showTree(step, way) {/&if (at === 3) console.error("oh");/'
 mistake deep-too-wide 360 's/^\.scroll { overflow: auto }//'
 
-timeout 300 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" --window-size=1280,900 \
+timeout 900 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" --window-size=1280,900 \
     --virtual-time-budget=120000 --dump-dom "file://$frames" > "$folder/dom.html" 2> "$folder/log"
 
 failed=0

@@ -25,7 +25,6 @@
     const step = recording.steps[at], { node, next } = step, own = key[node], deep = depth(node);
     where = `${recording.method}, visit ${at + 1}`;
     same("count", find("#count").textContent, `visit ${at + 1} of ${recording.steps.length}`);
-    same("link", location.hash, `#method=${recording.method}&step=${at + 1}`);
     same("method", find("#method").value, recording.method);
     same("slider", find("#slider").value, String(at + 1));
     same("sentence", find("#text").textContent, step.text);
@@ -107,6 +106,8 @@
       find("#slider").value = last + 1; find("#slider").dispatchEvent(new Event("input")); look(recording, last);
       location.hash = `#method=${recording.method}&step=${Math.min(2, last + 1)}`;
       await wait(50); look(recording, Math.min(1, last));
+      press("Home");
+      await wait(300); same("link", location.hash, `#method=${recording.method}&step=1`);
     }
     const recording = data.methods.at(-1), last = recording.steps.length - 1;
     press("Home"); press(" ");
