@@ -176,7 +176,7 @@ fn a_page_is_one_file_and_no_text_breaks_out_of_it() {
     let html = explain::page(title, &case, &USUAL).unwrap();
     assert_eq!(html.matches("<").count(), plain.matches("<").count());
     assert_eq!(data(&html)["title"], title);
-    let links: Vec<_> = html.match_indices("://").map(|(at, _)| html[at - 5..].split('"').next().unwrap()).collect();
+    let links: Vec<_> = html.match_indices("://").map(|(at, _)| html[at - 4..].split('"').next().unwrap()).collect();
     assert_eq!(links, ["http://www.w3.org/2000/svg"], "something is asked of the network");
     assert_eq!(explain::page("plain", &case, &USUAL).unwrap(), plain);
     let data = data(&plain);

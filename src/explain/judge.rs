@@ -31,8 +31,8 @@ impl<'a> Judge<'a> {
         Self { tree, method, keys, parents, links, expected, stacks }
     }
 
-    /// The oracle's postponed nodes at each visit, restarts included, if every visit is the oracle's and every word names
-    /// just these nodes. `[TRAIL-1]` `[TRAIL-6]` `[REGISTER-1]`
+    /// The oracle's postponed nodes at each visit, restarts included, if every visit is the oracle's and every word
+    /// names just these nodes. `[TRAIL-1]` `[TRAIL-6]` `[REGISTER-1]`
     ///
     /// On the way down again the node that comes next is still postponed.
     pub(super) fn compare(&self, steps: &[Seen]) -> Result<Vec<Vec<Node>>, ExplainError> {
@@ -41,8 +41,7 @@ impl<'a> Judge<'a> {
         };
         let visits: Vec<&Seen> = steps.iter().filter(|seen| !seen.restart).collect();
         let Some(stacks) = &self.stacks else {
-            let found = "one that the decisions do not lead to".to_owned();
-            return differs(0, "the oracle's way", "that of its decisions".to_owned(), found);
+            return differs(0, "the way of its oracle", "that of its decisions".to_owned(), "another".to_owned());
         };
         for (visit, ((seen, expected), stack)) in visits.iter().zip(&self.expected).zip(stacks).enumerate() {
             let node = |node: Option<Node>| node.map_or_else(|| "none".to_owned(), |node| self.name(node));
@@ -203,8 +202,8 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// The postponed nodes at each visit of the oracle, which keeps them in its recursion: a decision postpones the second child,
-/// and a visit that is not of the first child is of the last one of them. `None` if it is not.
+/// The postponed nodes at each visit of the oracle, which keeps them in its recursion: a decision postpones the second
+/// child, and a visit that is not of the first child is of the last one of them. `None` if it is not.
 ///
 /// A node is left out, where that is allowed, when a hit comes before it, or when its turn comes.
 fn stacks(tree: &Tree, pruning: Pruning, steps: &[Seen]) -> Option<Vec<Vec<Node>>> {

@@ -201,7 +201,7 @@ impl<T: Topology, L: UncleLinks<T>> UncleLinks<T> for Read<'_, L> {
     }
 }
 
-/// A table that says what it is asked. A key that is not there leads anywhere, which the comparison with the oracle shows.
+/// A table that says what it is asked. A key that is not there leads anywhere, which the comparison shows.
 struct Asked<'a> {
     hash: &'a PerfectHash,
     tree: &'a Tree,

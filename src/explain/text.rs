@@ -216,7 +216,7 @@ fn source(judge: &Judge<'_>, next: &Next, name: &str) -> (String, Option<&'stati
             let text = match (lookup.entry, lookup.cell) {
                 (Entry::Displacement(displacement), Some(cell)) => {
                     format!(
-                        "{reason}Bucket {bucket} of the table holds the displacement {displacement}, which leads to cell {cell}."
+                        "{reason}Bucket {bucket} of the table has the displacement {displacement}, which leads to cell {cell}."
                     )
                 }
                 _ => format!("{reason}Its address stands in bucket {bucket} of the table."),

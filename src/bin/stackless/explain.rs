@@ -14,9 +14,9 @@ use crate::output::{say, write_file};
 
 /// Write a page that steps through traversals: the tree, the bits, the lookups, and the oracle's stack beside them.
 ///
-/// One HTML file that needs nothing else and no network. Without a case it shows the papers' example, backtracking from key 22
-/// with trail 1000 to key 3. Arrow keys step, Home and End go to the ends, digits choose the traversal, space plays;
-/// `FILE.html#method=hashed&step=6` is a link to a step.
+/// One HTML file that needs nothing else and no network. Without a case it shows the papers' example, backtracking from
+/// key 22 with trail 1000 to key 3. Arrow keys step, Home and End go to the ends, digits choose the traversal, space
+/// plays; `FILE.html#method=hashed&step=6` is a link to a step.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless explain -o example.html\n  \
     stackless explain --tape 7 --methods hashed,sparse -o tape.html\n  \
