@@ -5,7 +5,7 @@
 # 77 where there is no Chromium and none can be installed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-stackless=${1:-target/debug/stackless}
+stackless=${1:-${CARGO_TARGET_DIR:-target}/debug/stackless}
 
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
 if [[ -z $browser ]]; then
@@ -14,7 +14,7 @@ if [[ -z $browser ]]; then
 fi
 
 folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT; [[ -n ${KEEP:-} ]] && cp -r "$folder" "$KEEP"
+trap 'rm -rf "$folder"' EXIT
 # Frames may be narrower than a window can be.
 frames=$folder/frames.html
 printf '<!doctype html><pre id="results"></pre><script>addEventListener("message", (e) => results.append(e.data + "\\n"))</script>\n' > "$frames"
