@@ -1,5 +1,6 @@
 //! Traversals recorded step by step, and the pages that show them. (`tests/page` looks at the pages in a browser.)
 
+#[allow(dead_code, reason = "the tests of the command use the rest")]
 #[path = "cli/support.rs"]
 mod support;
 
