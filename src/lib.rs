@@ -20,6 +20,7 @@
 //! | [`curve`] | another search: the closest point of a Bézier curve (feature `std`) |
 //! | [`check`] | the comparison of traversals with the oracle (feature `std`) |
 //! | [`suite`] | the conformance suite for other implementations (feature `std`) |
+//! | [`explain`] | a traversal step by step, as a page for the browser (feature `std`) |
 //! | [`report`] | statistics and pictures (feature `std`) |
 //!
 //! Everything above `geom` is `no_std` with `alloc` and knows no geometry.
@@ -74,6 +75,8 @@ pub mod bvh;
 pub mod check;
 #[cfg(feature = "std")]
 pub mod curve;
+#[cfg(feature = "std")]
+pub mod explain;
 #[cfg(feature = "std")]
 pub mod geom;
 #[cfg(feature = "std")]

@@ -9,6 +9,7 @@ mod build;
 mod check;
 mod conform;
 mod curve;
+mod explain;
 mod input;
 mod judge;
 mod output;
@@ -50,6 +51,8 @@ enum What {
     Accuracy(accuracy::Args),
     /// Measure run time against proved error of another search: the closest point of a Bézier curve.
     Curve(curve::Args),
+    /// Write a page that steps through traversals of a small tree.
+    Explain(explain::Args),
     /// Say what a scene's hierarchy and hash tables take, and how far backtracking goes.
     Stats(stats::Args),
 }
@@ -69,6 +72,7 @@ fn main() -> ExitCode {
         What::Adversary(args) => adversary::run(&args),
         What::Accuracy(args) => accuracy::run(&args),
         What::Curve(args) => curve::run(&args),
+        What::Explain(args) => explain::run(&args),
         What::Stats(args) => stats::run(&args),
     };
     match outcome {

@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# The pages of `stackless explain` in Chromium: every visit of every traversal, forwards and backwards, on a wide window and on one
+# of 360 pixels (test.js). Pages with a mistake each must fail. usage: check.sh [STACKLESS]
+#
+# 77 where there is no Chromium and none can be installed.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+stackless=${1:-${CARGO_TARGET_DIR:-target}/debug/stackless}
+
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
+if [[ -z $browser ]]; then
+    (apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends chromium) > /dev/null 2>&1 || true
+    browser=$(command -v chromium) || { echo "no chromium, and apt-get cannot install it" >&2; exit 77; }
+fi
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+# Frames may be narrower than a window can be.
+frames=$folder/frames.html
+printf '<!doctype html><pre id="results"></pre><script>addEventListener("message", (e) => results.append(e.data + "\\n"))</script>\n' > "$frames"
+names=()
+
+# frame NAME WIDTH PAGE: the page with the test in it.
+frame() {
+    local faults='<script>window.faults = []; console.error = (...all) => faults.push(all.join(" ")); addEventListener("error", (e) => faults.push(e.message), true); addEventListener("securitypolicyviolation", (e) => faults.push(e.blockedURI))<\/script>'
+    sed -e "s|^<head>\$|&$faults|" -e "s|^</body>\$|<script>TEST</script>\n&|" "$3" |
+        sed -e '/^<script>TEST<\/script>$/{s/.*/<script type="module">/;r tests/page/test.js
+a </script>
+}' > "$folder/$1.html"
+    echo "<iframe name=\"$1\" width=\"$2\" height=\"800\" src=\"$1.html\"></iframe>" >> "$frames"
+    names+=("$1")
+}
+
+page() {
+    "$stackless" explain "${@:2}" -o "$folder/page-$1.html" > /dev/null
+}
+
+page example
+page leaf --tape 7
+page tape --tape 34
+page pruned --tape 2 --methods hashed-disjoint,uncle-disjoint,sparse-disjoint,afra-disjoint,stack-disjoint,stack-t0
+page others --methods left-first,implicit-a1,implicit-b,implicit-b1,laine-0,laine-2,laine-4,laine-8,skip,skip-octant,glassner
+page deep --suite-case trace/script/chain-turns-64-two-1 --methods hashed,sparse
+for width in 1200 360; do
+    for name in example leaf tape pruned others deep; do
+        frame "$name-$width" "$width" "$folder/page-$name.html"
+    done
+done
+
+# mistake NAME WIDTH SED: the example or, where the name begins so, another page.
+mistakes=()
+mistake() {
+    local from=$folder/page-example.html
+    [[ $1 == deep-* ]] && from=$folder/page-deep.html
+    sed -e "$3" "$from" > "$folder/bad.html"
+    ! cmp -s "$folder/bad.html" "$from" || { echo "$1: there is nothing to be mistaken" >&2; exit 1; }
+    frame "bad-$1" "$2" "$folder/bad.html"
+    mistakes+=("bad-$1")
+}
+mistake trail-to-the-left 1200 's/bits.padStart(depth, "0")/bits.padEnd(depth, "0")/'
+mistake left-is-right 1200 's/ArrowLeft: () => go(at - 1)/ArrowLeft: () => go(at + 1)/'
+mistake stack-upside-down 1200 's/make("li", {}, name(node))).reverse()/make("li", {}, name(node)))/'
+mistake one-level-more 1200 's/up < back ? "gone"/up <= back ? "gone"/'
+mistake node-for-sibling 1200 's/child !== node)/child === node)/'
+mistake bucket-for-cell 1200 's/lookup?.cell)/lookup?.bucket)/'
+mistake link-off-by-one 1200 's/, 10) - 1 ||/, 10) ||/'
+mistake done-too-late 1200 's/seen\[node\] < at/seen[node] < at - 1/'
+mistake other-trail 1200 's/"trail":"1001"/"trail":"1011"/'
+mistake image-from-elsewhere 1200 's|^<main>|<img src="http://localhost/a.png" alt=""><main>|'
+mistake link-of-another-step 1200 's/&step=${at + 1}`), 250/\&step=${at}`), 250/'
+mistake error-on-the-way 1200 's/^function showTree(step, way) {/&if (at === 3) console.error("oh");/'
+mistake deep-too-wide 360 's/^\.scroll { overflow: auto }//'
+
+timeout 900 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" --window-size=1280,900 \
+    --virtual-time-budget=120000 --dump-dom "file://$frames" > "$folder/dom.html" 2> "$folder/log"
+
+failed=0
+for name in "${names[@]}"; do
+    line=$(grep -o "^\(.*>\)\?$name: .*" "$folder/dom.html" | sed 's/.*>//' || echo "$name: no answer")
+    wanted=passed
+    [[ $name == bad-* ]] && wanted=failed
+    [[ $line == "$name: $wanted"* ]] || { failed=1; echo -n "NOT $wanted: "; }
+    echo "$line"
+done
+exit $failed

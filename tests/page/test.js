@@ -1,0 +1,127 @@
+// What a page of `stackless explain` shows, beside what was recorded. It stands in a copy of the page, uses it by keyboard and
+// mouse as a reader does, looks at nothing but the document, and computes with numbers where the page works with digits.
+
+(async () => {
+  const data = JSON.parse(document.getElementById("data").textContent), find = (selector) => document.querySelector(selector);
+  const all = (selector) => [...document.querySelectorAll(selector)], texts = (elements) => elements.map((element) => element.textContent);
+  const key = data.keys.map((digits) => BigInt(`0b${digits}`)), label = (node) => String(key[node]);
+  const nodeOf = (wanted) => key.indexOf(wanted), depth = (node) => data.keys[node].length - 1;
+  let checks = 0, where = "start";
+  function same(what, found, expected) {
+    checks++;
+    const [a, b] = [found, expected].map((value) => JSON.stringify(value, (_, it) => typeof it === "bigint" ? String(it) : it) ?? "undefined");
+    if (a !== b) throw new Error(`${where}: ${what}: shown ${a}, expected ${b}`);
+  }
+  const press = (pressed) => document.body.dispatchEvent(new KeyboardEvent("keydown", { key: pressed, bubbles: true, cancelable: true }));
+  const value = (id) => find(`[data-value="${id}"]`)?.textContent;
+  /** The cells of a row of bits, without its name and its sum. */
+  const row = (name) => find(`tr[data-row="${name}"]`) && all(`tr[data-row="${name}"] td:not(.sum)`);
+  const number = (cells) => BigInt(`0b${texts(cells).join("") || "0"}`);
+  /** Names of the nodes of the tree that are drawn in a way: that of the tip is never cut. */
+  const labelled = (kind) => texts(all(`#tree .node.${kind} title`)).map((title) => title.split(":")[0]).sort();
+  const names = (nodes) => nodes.map(label).sort();
+
+  function look(recording, at) {
+    const step = recording.steps[at], { node, next } = step, own = key[node], deep = depth(node);
+    where = `${recording.method}, visit ${at + 1}`;
+    same("count", find("#count").textContent, `visit ${at + 1} of ${recording.steps.length}`);
+    same("method", find("#method").value, recording.method);
+    same("slider", find("#slider").value, String(at + 1));
+    same("sentence", find("#text").textContent, step.text);
+    same("clauses", texts(all("#clauses .clause")), step.clauses);
+    same("present node", labelled("now"), names([node]));
+    same("postponed nodes", labelled("wait"), names(step.stack));
+    const ancestors = Array.from({ length: deep }, (_, up) => nodeOf(own >> BigInt(up + 1)));
+    same("path", labelled("path"), names(ancestors.filter((ancestor) => !step.stack.includes(ancestor))));
+    const done = new Set(recording.steps.slice(0, at).map((before) => before.node));
+    [node, ...ancestors, ...step.stack].forEach((shown) => done.delete(shown));
+    same("nodes that are done", labelled("seen"), names([...done]));
+    same("edges of the path", all("#tree .edge.path").length, deep);
+    same("key along the path", texts(all("#tree text.bit")).join(""), own.toString(2).slice(1));
+    same("arrow", find("#arrow").style.display !== "none", next !== undefined && key[next.node] >> 1n !== own);
+
+    same("levels", texts(row("level")), Array.from({ length: deep + 1 }, (_, level) => String(level)));
+    same("path names", row("path").map((cell) => cell.title), [...ancestors.reverse(), node].map(label));
+    for (const [name, digits] of [["key", step.key], ["counter", step.counter], ["trail", step.trail], ["disjoint", step.disjoint]]) {
+      const cells = row(name);
+      same(`${name} is shown`, Boolean(cells), digits !== undefined);
+      if (!digits) continue;
+      same(name, number(cells), BigInt(`0b${digits}`));
+      same(`${name}: columns`, cells.length, deep + 1);
+      const first = name === "key" || name === "counter" ? 0 : 1;
+      same(`${name}: from level ${first} on`, texts(cells).map((text) => text !== ""), cells.map((_, level) => level >= first));
+      if (name === "disjoint") continue;
+      const back = next?.levels;
+      same(`${name}: levels that are left`, texts(cells).filter((_, i) => cells[i].classList.contains("gone")).length, back === undefined ? 0 : Math.min(back, deep));
+      same(`${name}: bit that is toggled`, cells.findIndex((cell) => cell.classList.contains("turn")), back === undefined ? -1 : deep - back);
+    }
+    if (row("postponed")) {
+      const shown = row("postponed").map((cell) => cell.title).filter(Boolean);
+      if (!step.restart) same("postponed nodes by the word, and the oracle's", shown, step.stack.map(label));
+    }
+    same("next key is shown", Boolean(row("next key")), Boolean(step.key && next));
+    if (row("next key")) same("next key", [number(row("next key")), find('tr[data-row="next key"] .sum').textContent], [key[next.node], `= ${label(next.node)}`]);
+    same("oracle's stack", texts(all("#stack li:not(.none)")), [...step.stack].reverse().map(label));
+    same("node", value("now"), label(node));
+    const uncles = recording.links.includes("uncle");
+    same("register", value("register"), uncles ? step.register === undefined ? "not set" : label(step.register) : undefined);
+    recording.links.forEach((link, i) => same(link, value(`link-${i}`), step.links[i] === null ? "none" : label(step.links[i]) + (step.stack.includes(step.links[i]) ? ", postponed" : "")));
+    if (step.decision) same("decision", value("decision"), step.decision);
+    same("levels up", value("levels"), next?.levels === undefined ? undefined : String(next.levels));
+    same("next node", value("next").split(/[,:]/)[0], next ? label(next.node) : "none");
+    same("table is shown", find("#hash").hidden, !recording.table);
+    if (recording.table) lookup(recording.table, next?.lookup);
+    same("no wider than the window", document.documentElement.scrollWidth <= window.innerWidth, true);
+  }
+
+  function lookup(table, asked) {
+    const text = find("#lookup").textContent, lit = texts(all("#tables .cell.hit"));
+    if (!asked) return same("no lookup", [text.startsWith("No lookup"), lit], [true, []]);
+    const k = BigInt(asked.number), [D, H] = [BigInt(table.displacements), BigInt(table.cells)], found = label(asked.node);
+    same("bucket", [k % D, text.includes(`bucket ${k % D},`)], [BigInt(asked.bucket), true]);
+    if (asked.entry.direct !== undefined) {
+      same("direct address", text.includes(`address of ${found} itself`), true);
+      if (table.buckets.length) same("table", lit, [`→${found}`]);
+    } else {
+      const d = BigInt(asked.entry.displacement), cell = ((k % H) + d) % H;
+      same("cell", [cell, text.endsWith(`is cell ${cell}, which holds ${found}.`)], [BigInt(asked.cell), true]);
+      if (table.buckets.length) same("table", lit, [`+${d}`, found]);
+    }
+  }
+
+  async function run() {
+    const wait = (time) => new Promise((done) => setTimeout(done, time));
+    same("title", [document.title, find("h1").textContent], [data.title, data.title]);
+    same("every control has a name", all("button, select, input").filter((it) => !it.textContent && !it.ariaLabel && !it.labels?.length).length, 0);
+    for (const [i, recording] of data.methods.entries()) {
+      const last = recording.steps.length - 1;
+      if (i < 9) press(String(i + 1));
+      else { find("#method").value = recording.method; find("#method").dispatchEvent(new Event("change")); }
+      press("Home");
+      for (let at = 0; at <= last; at++) { look(recording, at); press("ArrowRight"); }
+      for (let at = last; at >= 0; at--) { look(recording, at); press("ArrowLeft"); }
+      press("End"); look(recording, last);
+      press("Home"); look(recording, 0);
+      for (const [id, at] of [["last", last], ["back", Math.max(last - 1, 0)], ["forth", last], ["first", 0]]) { find(`#${id}`).click(); look(recording, at); }
+      find("#slider").value = last + 1; find("#slider").dispatchEvent(new Event("input")); look(recording, last);
+      location.hash = `#method=${recording.method}&step=${Math.min(2, last + 1)}`;
+      await wait(50); look(recording, Math.min(1, last));
+      press("Home");
+      await wait(300); same("link", location.hash, `#method=${recording.method}&step=1`);
+    }
+    const recording = data.methods.at(-1), last = recording.steps.length - 1;
+    press("Home"); press(" ");
+    await wait(1300); look(recording, Math.min(1, last));
+    same("playing", find("#play").textContent, last > 1 ? "Pause" : find("#play").textContent);
+    if (find("#play").textContent === "Pause") press(" ");
+    await wait(3000); look(recording, Math.min(1, last));
+    location.hash = "#method=nosuch&step=99999"; await wait(50); look(recording, last);
+    location.hash = "#step=-3"; await wait(50); look(recording, 0);
+    where = "the end";
+    same("faults", window.faults, []);
+  }
+
+  let result;
+  try { await run(); result = `passed ${checks} checks`; } catch (error) { result = `failed: ${error.message}`; }
+  window.parent.postMessage(`${window.name}: ${result}`, "*");
+})();
