@@ -10,8 +10,14 @@ mod bench;
 mod check;
 #[path = "cli/curve.rs"]
 mod curve;
+#[path = "cli/habits.rs"]
+mod habits;
+#[path = "cli/render.rs"]
+mod render;
 #[path = "cli/replay.rs"]
 mod replay;
+#[path = "cli/report.rs"]
+mod report;
 #[path = "cli/stats.rs"]
 mod stats;
 #[path = "cli/stress.rs"]

@@ -75,21 +75,15 @@ fn the_walk_of_the_specification_is_recorded_as_it_stands_there() {
 /// A visit as spec/traversal.md writes it.
 fn line(case: &Case, step: &Step) -> String {
     let kind = if step.decision.is_some() { "enter" } else { "leaf" };
-    let mut line = format!("{kind:5} {:<2}", key(&case.tree, step.node));
-    for (name, word) in [("key", &step.key), ("trail", &step.trail), ("counter", &step.counter)] {
-        if let Some(word) = word {
-            line += &format!("  {name} {word:5}");
-        }
-    }
-    if let Some(register) = step.register {
-        line += &format!("  register {}", key(&case.tree, register));
-    }
-    if let Some(decision) = &step.decision {
-        let decision =
-            decision.replace("left", "Left").replace("right", "Right").replace("the ", "").replace(" child", "");
-        line += &format!("  -> {decision}");
-    }
-    line.trim_end().to_owned()
+    let mut parts = vec![format!("{kind:5} {:<2}", key(&case.tree, step.node))];
+    let words = [("key", &step.key), ("trail", &step.trail), ("counter", &step.counter)];
+    parts.extend(words.iter().filter_map(|(name, word)| Some(format!("{name} {:5}", word.as_ref()?))));
+    parts.extend(step.register.map(|register| format!("register {}", key(&case.tree, register))));
+    parts.extend(step.decision.as_ref().map(|decision| {
+        let decision = decision.replace("left", "Left").replace("right", "Right");
+        format!("-> {}", decision.replace("the ", "").replace(" child", ""))
+    }));
+    parts.join("  ").trim_end().to_owned()
 }
 
 /// Cases of all kinds: random ones, and the walks of the suite.
@@ -175,7 +169,7 @@ fn a_page_is_one_file_and_no_text_breaks_out_of_it() {
     let plain = explain::page("plain", &case, &USUAL).unwrap();
     let title = "</script><script>alert(1)</script> <!-- &amp; \u{2028} \"";
     let html = explain::page(title, &case, &USUAL).unwrap();
-    assert_eq!(html.matches("<").count(), plain.matches("<").count());
+    assert_eq!(html.matches('<').count(), plain.matches('<').count());
     assert_eq!(data(&html)["title"], title);
     let links: Vec<_> = html.match_indices("://").map(|(at, _)| html[at - 4..].split('"').next().unwrap()).collect();
     assert_eq!(links, ["http://www.w3.org/2000/svg"], "something is asked of the network");
@@ -219,19 +213,22 @@ fn the_command_writes_pages() {
     let said = stackless("explain -o", &[&file]).passes().stdout;
     assert!(said.contains("13 nodes"), "{said}");
     let html = std::fs::read_to_string(&file).unwrap();
-    assert_eq!(stackless("explain -o -", &[]).passes().stdout, html);
+    assert_eq!(stackless("-q explain -o -", &[]).passes().stdout, html);
     assert_eq!(data(&html)["title"], "The papers' example: from key 22 to key 3");
 
-    let tape = stackless("explain --tape 7 --methods sparse,hashed -o -", &[]).passes().stdout;
+    let tape = stackless("-q explain --tape 7 --methods sparse,hashed -o -", &[]).passes().stdout;
     assert_eq!((&data(&tape)["methods"][0]["method"], &data(&tape)["title"]), (&"sparse".into(), &"Tape 7".into()));
-    let suite = stackless("explain --suite-case trace/script/three-neither -o -", &[]).passes().stdout;
+    let suite = stackless("-q explain --suite-case trace/script/three-neither -o -", &[]).passes().stdout;
     assert_eq!(data(&suite)["children"].as_array().unwrap().len(), 3);
     let text = r#"{"children": [[1, 2], null, null], "cells": [{}, {}, {}], "methods": ["uncle"]}"#;
     let replay = folder.file("case.json", text);
-    let case = stackless("explain -o - --case", &[&replay]).passes().stdout;
+    let case = stackless("-q explain -o - --case", &[&replay]).passes().stdout;
     assert_eq!(data(&case)["methods"][0]["method"], "uncle");
-    let case = stackless("explain -o - --methods afra --case", &[&replay]).passes().stdout;
+    let case = stackless("-q explain -o - --methods afra --case", &[&replay]).passes().stdout;
     assert_eq!(data(&case)["methods"].as_array().unwrap().iter().map(|it| &it["method"]).collect::<Vec<_>>(), ["afra"]);
+    let pixel = stackless("-q explain stadium --pixel 256,256 --methods hashed -o -", &[]).passes().stdout;
+    assert_eq!(data(&pixel)["title"], "stadium, pixel 256,256");
+    assert!(data(&pixel)["methods"][0]["steps"].as_array().unwrap().iter().any(|step| step["hit"] == true));
     assert_eq!(folder.names(), ["a.html", "case.json"]);
 }
 
@@ -239,14 +236,15 @@ fn the_command_writes_pages() {
 fn the_command_refuses_what_it_cannot_show() {
     let folder = Folder::new();
     stackless("explain -o", &[&folder.path("no/such/folder.html")]).fails_naming(&["folder.html"]);
-    stackless("explain -o - --case", &[&folder.path("missing.json")]).fails_naming(&["missing.json"]);
+    stackless("-q explain -o - --case", &[&folder.path("missing.json")]).fails_naming(&["missing.json"]);
     let bad = folder.file("bad.json", r#"{"children": [[1, 9], null, null], "cells": [{}, {}, {}]}"#);
-    stackless("explain -o - --case", &[&bad]).fails_naming(&["bad.json: ", "node 0: child 9"]);
+    stackless("-q explain -o - --case", &[&bad]).fails_naming(&["bad.json: ", "node 0: child 9"]);
     for (args, what) in [
         ("--suite-case nosuch", "case 'nosuch': not in the suite"),
         ("--suite-case key/u128/child-left-root", "expected one whose level is trace"),
         ("--suite-case trace/script/chain-left-200-two-1", "200 edges deep"),
         ("--methods complete", "complete: "),
+        ("soup --pixel 3,512", "pixel 3,512 is outside of the image of 512x512 pixels"),
     ] {
         stackless(&format!("explain {args} -o -"), &[]).fails_naming(&[what]);
     }

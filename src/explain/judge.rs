@@ -110,7 +110,7 @@ impl<'a> Judge<'a> {
             stack: slots(stack),
             decision: seen.descent.map(text::decision),
             wanted: slots(&wanted),
-            hit: seen.hit,
+            hit: seen.found.hit,
             next,
             text,
             clauses,
@@ -226,10 +226,10 @@ fn stacks(tree: &Tree, pruning: Pruning, steps: &[Seen]) -> Option<Vec<Vec<Node>
                 stack.push((tree.child(seen.node, first.other()), descent.is_disjoint()));
             }
         }
-        if seen.prunes && pruning == Pruning::Disjoint {
+        if seen.found.prunes && pruning == Pruning::Disjoint {
             stack.retain(|&(_, is_disjoint)| !is_disjoint);
         }
     }
-    let stopped = steps.last().is_some_and(|seen| seen.stops);
+    let stopped = steps.last().is_some_and(|seen| seen.found.stops);
     (stopped || pruning == Pruning::Distance || stack.is_empty()).then_some(all)
 }

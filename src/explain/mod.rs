@@ -9,9 +9,11 @@
 mod judge;
 mod lookup;
 mod observe;
+mod ray;
 mod text;
 
 pub use lookup::{Entry, Lookup, Table};
+pub use ray::of_ray;
 
 use serde::Serialize;
 
@@ -307,12 +309,18 @@ pub fn record(case: &Case, method: Method) -> Result<Recording, ExplainError> {
 pub fn example() -> Case {
     let inner = [(0, [1, 2]), (1, [3, 4]), (2, [5, 6]), (4, [7, 8]), (6, [9, 10]), (8, [11, 12])];
     let mut children = [None; 13];
-    inner.iter().for_each(|&(node, pair)| children[node] = Some(pair));
+    for (node, pair) in inner {
+        children[node] = Some(pair);
+    }
     let tree = Tree::from_generated(&children);
     let mut cells = vec![Cell::default(); children.len()];
     // Keys 4 and 10 are missed; 3 and 11 take the right child first, also where children are ordered by sign.
-    [3, 7].into_iter().for_each(|node: usize| cells[node].miss = true);
-    [2, 8].into_iter().for_each(|node: usize| (cells[node].right_first, cells[node].axis) = (true, 1));
+    for node in [3, 7] {
+        cells[node].miss = true;
+    }
+    for node in [2, 8] {
+        (cells[node].right_first, cells[node].axis) = (true, 1);
+    }
     let tape = Tape::from_cells(&tree, cells).unwrap_or_default();
     Case { tree, tape, any: false, octant: 2 }
 }

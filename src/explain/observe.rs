@@ -10,6 +10,7 @@ use crate::generate::Search;
 use crate::hash::{KeySet, Options, PerfectHash, Sizing};
 use crate::oracle;
 use crate::order::{ByNode, Descent, FixedOrder, Flow, LeftFirst, NodeTest, Pruning, SignOrder, Visitor};
+use crate::report::Watched;
 use crate::traverse::{
     Afra, Disjoint, Hapala, HashOnly, Hashed, Marks, Method, Sparse, Tables, Test, Uncle, Unfit, traverse,
 };
@@ -33,13 +34,21 @@ pub(super) struct Seen {
     pub(super) register: Option<Node>,
     /// At an inner node.
     pub(super) descent: Option<Descent>,
-    /// At a leaf: something better than before is found, and the search says that it comes before what is disjoint.
-    pub(super) hit: bool,
-    pub(super) prunes: bool,
-    pub(super) stops: bool,
+    pub(super) found: Found,
     /// Nodes whose links were read, in order.
     pub(super) read: Vec<Node>,
     pub(super) lookup: Option<Lookup>,
+}
+
+/// What is found at a leaf.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Found {
+    /// Something better than before.
+    pub(super) hit: bool,
+    /// It comes before what is disjoint.
+    pub(super) prunes: bool,
+    /// It ends the search.
+    pub(super) stops: bool,
 }
 
 /// The visits so far. All who watch write to it.
@@ -149,56 +158,39 @@ fn by_sign(case: &Case) -> SignOrder<'_> {
 /// Runs the traversals that read links or a perfect hash, so that it is seen what they read; `false` for the others.
 fn run_own<M: Marks<Word>>(case: &Case, method: Method, hash: Option<&PerfectHash>, log: &Log) -> Result<bool, Unfit> {
     let tree = &case.tree;
-    let (mut search, mut watch) = (Deciding::new(case, method, log), Watching::new(case, log));
+    let (mut search, mut watching) = (Deciding::new(case, method, log), Watching::new(case, log));
+    let watch = |node| log.note(|seen| seen.read.push(node));
     let table = || Some(Asked { hash: hash?, tree, log });
     match (method.without_pruning(), &LinkTable::of(tree, method)) {
         (Method::Sparse, LinkTable::Parents(parents)) => {
-            traverse(Sparse::<Word, _, _, M>::new(tree, Read { links: parents, log })?, &mut search, &mut watch);
+            traverse(
+                Sparse::<Word, _, _, M>::new(tree, Watched { links: parents, watch })?,
+                &mut search,
+                &mut watching,
+            );
         }
         (Method::Afra, LinkTable::Parents(parents)) => {
-            traverse(Afra::<Word, _, _, M>::new(tree, Read { links: parents, log })?, &mut search, &mut watch);
+            traverse(Afra::<Word, _, _, M>::new(tree, Watched { links: parents, watch })?, &mut search, &mut watching);
         }
         (Method::Hapala, LinkTable::Parents(parents)) => {
             let order = by_sign(case);
             let mut search = ByNode { test: search, order };
-            traverse(Hapala::new(tree, Read { links: parents, log }, order), &mut search, &mut watch);
+            traverse(Hapala::new(tree, Watched { links: parents, watch }, order), &mut search, &mut watching);
         }
         (Method::Uncle, LinkTable::Uncles(uncles)) => {
-            traverse(Uncle::<Word, _, _, M>::new(tree, Read { links: uncles, log })?, &mut search, &mut watch);
+            traverse(Uncle::<Word, _, _, M>::new(tree, Watched { links: uncles, watch })?, &mut search, &mut watching);
         }
         (Method::Hashed, LinkTable::Uncles(uncles)) => {
-            let (links, table) = (Read { links: uncles, log }, table().ok_or(Unfit::NoTable)?);
-            traverse(Hashed::<Word, _, _, _, M>::new(tree, links, table)?, &mut search, &mut watch);
+            let (links, table) = (Watched { links: uncles, watch }, table().ok_or(Unfit::NoTable)?);
+            traverse(Hashed::<Word, _, _, _, M>::new(tree, links, table)?, &mut search, &mut watching);
         }
         (Method::HashOnly, _) => {
             let table = table().ok_or(Unfit::NoTable)?;
-            traverse(HashOnly::<Word, _, _>::new(tree, table)?, &mut search, &mut watch);
+            traverse(HashOnly::<Word, _, _>::new(tree, table)?, &mut search, &mut watching);
         }
         _ => return Ok(false),
     }
     Ok(true)
-}
-
-/// Links that say who reads them.
-struct Read<'a, L> {
-    links: L,
-    log: &'a Log,
-}
-
-impl<T: Topology, L: ParentLinks<T>> ParentLinks<T> for Read<'_, L> {
-    fn row(&self, tree: &T, node: Node) -> [Node; 2] {
-        self.log.note(|seen| seen.read.push(node));
-        self.links.row(tree, node)
-    }
-}
-
-impl<T: Topology, L: UncleLinks<T>> UncleLinks<T> for Read<'_, L> {
-    const REACH: Reach = L::REACH;
-
-    fn row(&self, tree: &T, node: Node) -> [Node; 3] {
-        self.log.note(|seen| seen.read.push(node));
-        self.links.row(tree, node)
-    }
 }
 
 /// A table that says what it is asked. A key that is not there leads anywhere, which the comparison shows.
@@ -242,9 +234,7 @@ impl Recorder for Watching<'_> {
             disjoint: word(state.disjoint()),
             register: state.register(),
             descent: None,
-            hit: false,
-            prunes: false,
-            stops: false,
+            found: Found::default(),
             read: Vec::new(),
             lookup: None,
         });
@@ -275,7 +265,7 @@ impl<'a> Deciding<'a> {
         let before = self.search.outcome.hit;
         let flow = look(&mut self.search);
         let hit = self.search.outcome.hit != before;
-        self.log.note(|seen| (seen.hit, seen.stops) = (hit, flow == Flow::Stop));
+        self.log.note(|seen| (seen.found.hit, seen.found.stops) = (hit, flow == Flow::Stop));
         flow
     }
 }
@@ -301,7 +291,7 @@ impl Visitor for Deciding<'_> {
 
     fn found_at(&self, leaf: Node) -> bool {
         let prunes = self.search.found_at(leaf);
-        self.log.note(|seen| seen.prunes = prunes);
+        self.log.note(|seen| seen.found.prunes = prunes);
         prunes
     }
 

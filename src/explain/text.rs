@@ -106,20 +106,20 @@ fn visited(judge: &Judge<'_>, seen: &Seen) -> (String, Vec<&'static str>) {
         (Some(_), [first, second]) => format!("Both children of {node} are wanted, {first} before {second}."),
         (Some(_), _) if tests_nodes => format!("Node {node} is not wanted."),
         (Some(_), _) => format!("No child of {node} is wanted."),
-        (None, _) if seen.stops => format!("Leaf {node} is hit, which is all that was asked."),
-        (None, _) if seen.hit && seen.prunes && seen.disjoint.is_some() => {
+        (None, _) if seen.found.stops => format!("Leaf {node} is hit, which is all that was asked."),
+        (None, _) if seen.found.hit && seen.found.prunes && seen.disjoint.is_some() => {
             format!("Leaf {node} is hit: what is marked as disjoint leaves the trail.")
         }
-        (None, _) if seen.hit => format!("Leaf {node} is hit."),
+        (None, _) if seen.found.hit => format!("Leaf {node} is hit."),
         (None, _) => format!("Leaf {node} has nothing to offer."),
     };
     let clause = if seen.descent.is_some() { "ORDER-1" } else { "TRACE-1" };
-    let pruned = seen.prunes && seen.disjoint.is_some();
+    let pruned = seen.found.prunes && seen.disjoint.is_some();
     (text, if pruned { vec![clause, "DISJOINT-2"] } else { vec![clause] })
 }
 
 fn end(method: Method, seen: &Seen) -> (String, Vec<&'static str>) {
-    let text = match (seen.stops, &seen.trail, &seen.counter) {
+    let text = match (seen.found.stops, &seen.trail, &seen.counter) {
         (true, ..) => return ("The search stops.".to_owned(), vec!["ORACLE-1"]),
         (_, Some(trail), _) if trail == "0" => "The trail is 0: nothing is left.",
         (_, _, Some(counter)) if !counter.contains('0') => "The counter is all ones: nothing is left.",
@@ -183,7 +183,7 @@ fn back(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static st
         };
         text = match (&seen.key, &seen.trail, &seen.counter) {
             // The hit has changed the trail since it was shown.
-            (_, Some(_), _) if seen.prunes && seen.disjoint.is_some() => format!("Back: {up}."),
+            (_, Some(_), _) if seen.found.prunes && seen.disjoint.is_some() => format!("Back: {up}."),
             (Some(key), Some(trail), _) => {
                 clauses.extend(["TRAIL-3", "TRAIL-4"]);
                 let next = binary(&judge.key_of(next.node));

@@ -32,6 +32,12 @@ pub fn reflect(mesh: &Mesh, ray: &Ray, hit: &Hit, rng: &mut Rng) -> Option<Ray> 
     Ray::new(origin, direction, 0.0, f32::INFINITY).ok()
 }
 
+/// A ray from its origin up to this length, not in lengths of its direction; `None` if that is not a number.
+pub fn cut(ray: &Ray, length: f32) -> Option<Ray> {
+    let tmax = length / ray.direction().length();
+    Ray::new(ray.origin(), ray.direction(), 0.0, tmax).ok()
+}
+
 fn unit_vector(rng: &mut Rng) -> Vec3 {
     loop {
         let bits = rng.bits();

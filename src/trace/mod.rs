@@ -25,7 +25,7 @@ mod tracer;
 pub mod truth;
 
 pub use accuracy::{Accuracy, KernelName, SlabsName, WithTests, with_level, with_tests};
-pub use bounce::{bounce, reflect};
+pub use bounce::{bounce, cut, reflect};
 pub use child_order::{ChildOrder, FromLeft, Nearest};
 pub use continuation::{Continuation, Place};
 pub use counters::Counters;

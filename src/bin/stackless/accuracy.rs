@@ -17,7 +17,7 @@ use stackless_bvh::trace::{self, Truth};
 use crate::Outcome;
 use crate::input::Scene;
 use crate::judge::{Counts, Query, Truths};
-use crate::output::{bar, say, write_file, write_json};
+use crate::output::{self, Block, bar, say, write_file, write_json};
 use pairs::{Pair, Trees};
 use rows::{Kind, Row};
 use stages::Stages;
@@ -34,13 +34,13 @@ pub(crate) struct Args {
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
     /// Draw time against error, as SVG.
-    #[arg(long)]
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
     plot: Option<PathBuf>,
     /// Write all counts to this file, a line for each scene, kind of rays and pair of tests.
-    #[arg(long)]
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
     csv: Option<PathBuf>,
     /// The same as JSON.
-    #[arg(long)]
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
     json: Option<PathBuf>,
     /// Rays of each kind: so many are timed, and up to 20,000 of them judged. Below 65,536 `spheres` has fewer too.
     #[arg(long, default_value_t = 65_536, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
@@ -73,47 +73,81 @@ pub(crate) fn run(args: &Args) -> Outcome {
     if args.plot.is_some() && scenes.is_empty() {
         return Err(format!("--plot needs a scene that is timed, and {SPHERES} is not").into());
     }
-    let pairs = Pair::all();
-    let (mut rows, mut stages, mut offences) = (Vec::new(), Vec::new(), Vec::new());
-    for scene in &scenes {
-        measure(scene, &pairs, args, &mut rows, &mut stages, &mut offences)?;
-    }
+    let mut found = measure(args, &scenes)?;
     if !spheres.is_empty() {
         let share = f64::from(args.rays.min(1 << 16)) / f64::from(1 << 16);
-        rows.extend(leaks::count(&pairs, share, &mut offences)?);
+        found.rows.extend(leaks::count(&Pair::all(), share, &mut found.offences)?);
     }
-    tables::print(&rows, &stages);
+    output::print(&found.blocks());
+    let Found { rows, offences, .. } = &found;
     if let Some(path) = &args.csv {
-        let csv = rows::csv(&rows);
+        let csv = rows::csv(rows);
         write_file(path, |file| file.write_all(csv.as_bytes()))?;
     }
     if let Some(path) = &args.json {
-        write_json(path, &rows)?;
+        write_json(path, rows)?;
     }
     if let Some(path) = &args.plot {
-        let svg = tables::plot(&rows)?;
+        let svg = found.plot()?;
         write_file(path, |file| file.write_all(svg.as_bytes()))?;
     }
-    for offence in &offences {
+    for offence in offences {
         say!("{offence}");
     }
     Ok(offences.is_empty())
 }
 
-/// All of one scene. An offence is an error of a pair that promises none, in words.
-fn measure(
+/// What was measured.
+#[derive(Default)]
+pub(crate) struct Found {
+    rows: Vec<Row>,
+    stages: Vec<Stages>,
+    /// Sets without rays.
+    notes: Vec<String>,
+    /// Errors of pairs that promise none, in words.
+    pub(crate) offences: Vec<String>,
+}
+
+impl Found {
+    pub(crate) fn blocks(&self) -> Vec<Block> {
+        let notes = self.notes.iter().cloned().map(Block::Line);
+        notes.chain(tables::blocks(&self.rows, &self.stages)).collect()
+    }
+
+    /// Time against error, as SVG.
+    pub(crate) fn plot(&self) -> Result<String, String> {
+        tables::plot(&self.rows)
+    }
+}
+
+impl Args {
+    /// So many rays of each kind.
+    pub(crate) fn of(rays: u32, rounds: u32, seed: u64) -> Self {
+        Self { scenes: Vec::new(), plot: None, csv: None, json: None, rays, rounds, seed }
+    }
+}
+
+/// Measures all scenes.
+pub(crate) fn measure(args: &Args, scenes: &[Scene]) -> Result<Found, Box<dyn std::error::Error>> {
+    let (pairs, mut found) = (Pair::all(), Found::default());
+    for scene in scenes {
+        measure_scene(scene, &pairs, args, &mut found)?;
+    }
+    Ok(found)
+}
+
+fn measure_scene(
     scene: &Scene,
     pairs: &[Pair],
     args: &Args,
-    rows: &mut Vec<Row>,
-    stages: &mut Vec<Stages>,
-    offences: &mut Vec<String>,
+    found: &mut Found,
 ) -> Result<(), Box<dyn std::error::Error>> {
+    let Found { rows, stages, notes, offences } = found;
     let trees = Trees::new(&scene.mesh)?;
     let truth = Truth::new(&scene.mesh);
     for set in sets(scene, &trees, args) {
         if set.rays.is_empty() {
-            say!("{}, {}: no rays", scene.name, set.name);
+            notes.push(format!("{}, {}: no rays", scene.name, set.name));
             continue;
         }
         let name = format!("{}, {}", scene.name, set.name);

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use stackless_bvh::check::adversary::{GOALS, Goal, Search};
 
 use crate::Outcome;
-use crate::output::{bar, grouped, say, table, write_file};
+use crate::output::{self, bar, grouped, say, table, write_file};
 
 /// Search for the case that costs most: trees and tapes, or triangles and rays.
 ///
@@ -28,7 +28,7 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Write the worst case to this file, each time that a worse one is found: the search may be interrupted.
-    #[arg(short)]
+    #[arg(short, value_name = "FILE", value_parser = output::file)]
     o: Option<PathBuf>,
     /// Do not search: run the case in this file.
     #[arg(long, conflicts_with_all = ["steps", "seconds", "seed", "o"])]

@@ -17,11 +17,11 @@ use crate::Outcome;
 use crate::build::Build;
 use crate::input::{self, Scene};
 use crate::judge::{Answer, Counts, Query, Truths, csv_line, is_same};
-use crate::output::{say, write_json};
+use crate::output::{self, say, write_json};
 use crate::turns::take_turns;
 use own::Trees;
 use rays::{Kind, Set};
-use rows::Row;
+pub(crate) use rows::{Row, means, of_scene};
 
 /// Measure throughput on one thread: same rays, and unless several are asked for, same tree.
 ///
@@ -61,8 +61,26 @@ pub(crate) struct Args {
     #[arg(long)]
     peers: bool,
     /// Write the figures to this file.
-    #[arg(long)]
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
     json: Option<PathBuf>,
+}
+
+impl Args {
+    /// These traversals on trees of one kind, exact, with all kinds of rays.
+    pub(crate) fn of(methods: &[Method], build: Build, count: u32, rounds: u32, seed: u64) -> Self {
+        Self {
+            scenes: Vec::new(),
+            methods: methods.to_vec(),
+            build: vec![build],
+            rays: vec![Kind::Primary, Kind::Any, Kind::Diffuse],
+            accuracy: vec![Accuracy::Exact],
+            count,
+            rounds,
+            seed,
+            peers: false,
+            json: None,
+        }
+    }
 }
 
 /// Rays that are timed before it is another one's turn.
@@ -99,19 +117,46 @@ trait Contestant {
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
+    if args.peers && !cfg!(feature = "peers") {
+        return Err("--peers: this program was built without the feature `peers`".into());
+    }
+    if args.peers && !args.accuracy.contains(&Accuracy::Exact) {
+        return Err("--peers needs exact among --accuracy: it is what the peers are measured by".into());
+    }
+    let scenes = input::scenes(&args.scenes)?;
+    let Found { rows, notes, offences } = measure(args, &scenes, |rows| say!("{}", of_scene(rows)))?;
+    say!("{}", means(&rows));
+    if let Some(path) = &args.json {
+        write_json(path, &rows)?;
+    }
+    for note in notes.iter().chain(&offences) {
+        say!("{note}");
+    }
+    Ok(offences.is_empty())
+}
+
+/// What was measured.
+#[derive(Default)]
+pub(crate) struct Found {
+    pub(crate) rows: Vec<Row>,
+    /// What was left out.
+    pub(crate) notes: Vec<String>,
+    /// Hits that differ between exact ones.
+    pub(crate) offences: Vec<String>,
+}
+
+/// Measures all scenes, and shows the rows of each once it is done.
+pub(crate) fn measure(
+    args: &Args,
+    scenes: &[Scene],
+    show: impl Fn(&[Row]),
+) -> Result<Found, Box<dyn std::error::Error>> {
     let builds = once_each(args.build.iter().copied());
     let accuracies = once_each(args.accuracy.iter().copied());
     // `stack` is what the others are measured by.
     let methods = once_each([Method::Stack].into_iter().chain(args.methods.iter().copied()));
-    if args.peers && !cfg!(feature = "peers") {
-        return Err("--peers: this program was built without the feature `peers`".into());
-    }
-    if args.peers && !accuracies.contains(&Accuracy::Exact) {
-        return Err("--peers needs exact among --accuracy: it is what the peers are measured by".into());
-    }
-    let scenes = input::scenes(&args.scenes)?;
-    let (mut rows, mut notes, mut offences) = (Vec::new(), Vec::new(), Vec::new());
-    for scene in &scenes {
+    let Found { mut rows, mut notes, mut offences } = Found::default();
+    for scene in scenes {
         let trees: Result<Vec<_>, _> = builds.iter().map(|&build| Trees::build(scene, build)).collect();
         let trees = trees?;
         let mut contestants = Vec::new();
@@ -138,16 +183,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
                 rows.extend(course.measure(&set, &mut contestants, &mut offences));
             }
         }
-        say!("{}", rows::of_scene(&rows[first..]));
+        show(&rows[first..]);
     }
-    say!("{}", rows::means(&rows));
-    if let Some(path) = &args.json {
-        write_json(path, &rows)?;
-    }
-    for note in once_each(notes).iter().chain(&offences) {
-        say!("{note}");
-    }
-    Ok(offences.is_empty())
+    Ok(Found { rows, notes: once_each(notes), offences })
 }
 
 /// Everything once, in the order in which it first comes.

@@ -16,7 +16,7 @@ use stackless_bvh::traverse::{Method, WordName};
 use crate::Outcome;
 use crate::build::Build;
 use crate::input::{self, MADE, Scene};
-use crate::output::{bar, grouped, say, table, write_json};
+use crate::output::{self, bar, grouped, say, table, write_json};
 
 /// Compare every traversal with the oracle.
 ///
@@ -48,7 +48,7 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = 4000)]
     rays: usize,
     /// Write the counts to this file.
-    #[arg(long)]
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
     json: Option<PathBuf>,
     /// Run the case in this file and nothing else. A disagreement on a tree is printed as such a file.
     #[arg(long, conflicts_with_all = ["scenes", "trees", "family", "depth"])]

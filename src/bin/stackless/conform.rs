@@ -7,7 +7,7 @@ use stackless_bvh::suite::{Hello, Level, Report, Runner, Strength, Suite, Verdic
 
 use crate::Outcome;
 use crate::input;
-use crate::output::{bar, grouped, say, table, write_file, write_json};
+use crate::output::{self, bar, grouped, say, table, write_file, write_json};
 
 /// Ask a program the cases of the conformance suite, and say where it is wrong.
 ///
@@ -27,10 +27,10 @@ pub(crate) struct Args {
     #[arg(long)]
     filter: Option<String>,
     /// Write what came of each case to this file, as JSON.
-    #[arg(long)]
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
     json: Option<PathBuf>,
     /// The same as XML that build servers read (`JUnit`).
-    #[arg(long)]
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
     junit: Option<PathBuf>,
     /// Cases that are known to fail: a file like `[{"id": "...", "reason": "..."}]`.
     #[arg(long)]

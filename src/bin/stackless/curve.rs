@@ -12,7 +12,7 @@ use stackless_bvh::traverse::Method;
 
 use crate::Outcome;
 use crate::input;
-use crate::output::{say, table, write_file, write_json};
+use crate::output::{self, say, table, write_file, write_json};
 use crate::turns::{median, take_turns};
 
 /// Measure run time against proved error: the closest point of a Bézier curve, by interval arithmetic over an implicit tree.
@@ -47,10 +47,10 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Write the figures to this file.
-    #[arg(long)]
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
     json: Option<PathBuf>,
     /// Draw time against error, as SVG.
-    #[arg(long)]
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
     plot: Option<PathBuf>,
 }
 

@@ -1,7 +1,6 @@
 //! `stackless explain`: a traversal step by step, as a page for the browser.
 
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use stackless_bvh::check::{Case, CaseOptions, Replay};
 use stackless_bvh::explain::{self, USUAL};
@@ -9,8 +8,10 @@ use stackless_bvh::suite::{Ask, author};
 use stackless_bvh::traverse::Method;
 
 use crate::Outcome;
-use crate::input;
-use crate::output::{say, write_file};
+use crate::build::Build;
+use crate::camera;
+use crate::input::{self, Scene};
+use crate::output::{self, say, write_file};
 
 /// Write a page that steps through traversals: the tree, the bits, the lookups, and the oracle's stack beside them.
 ///
@@ -22,6 +23,17 @@ use crate::output::{say, write_file};
     stackless explain --tape 7 --methods hashed,sparse -o tape.html\n  \
     stackless explain --suite-case trace/script/three-neither -o - > case.html")]
 pub(crate) struct Args {
+    /// Mesh file (.ply, .obj), or a made scene: what the ray through a pixel does in it.
+    #[arg(group = "what", requires = "pixel")]
+    scene: Option<PathBuf>,
+    /// The pixel, from the upper left.
+    #[arg(long, value_name = "X,Y", value_parser = pixel, requires = "scene")]
+    pixel: Option<[u32; 2]>,
+    #[command(flatten)]
+    camera: camera::Options,
+    /// How the scene's hierarchy is built, as in `stackless trace`.
+    #[arg(long, default_value_t)]
+    build: Build,
     /// A case as `stackless check` prints it.
     #[arg(long = "case", value_name = "FILE", group = "what")]
     file: Option<PathBuf>,
@@ -35,7 +47,7 @@ pub(crate) struct Args {
     #[arg(long, value_delimiter = ',', value_parser = input::method)]
     methods: Vec<Method>,
     /// The page; `-` is the standard output.
-    #[arg(short, long, value_name = "FILE.html")]
+    #[arg(short, long, value_name = "FILE.html", value_parser = output::file)]
     output: PathBuf,
 }
 
@@ -47,18 +59,24 @@ pub(crate) fn run(args: &Args) -> Outcome {
         (methods, _) => methods,
     };
     let html = explain::page(&title, &case, methods).map_err(|error| format!("{title}: {error}"))?;
-    if args.output == Path::new("-") {
-        // A reader that has gone away is no reason to fail.
-        let _ = std::io::stdout().write_all(html.as_bytes());
-    } else {
-        write_file(&args.output, |file| file.write_all(html.as_bytes()))?;
-        say!("{}: {} nodes, {} bytes", args.output.display(), case.size(), html.len());
-    }
+    write_file(&args.output, |file| file.write_all(html.as_bytes()))?;
+    say!("{}: {} nodes, {} bytes", args.output.display(), case.size(), html.len());
     Ok(true)
 }
 
 /// The case with its title, and the traversals that it names.
-fn load(args: &Args) -> Result<(String, Case, Vec<Method>), String> {
+fn load(args: &Args) -> Result<(String, Case, Vec<Method>), Box<dyn std::error::Error>> {
+    if let (Some(path), Some([x, y])) = (&args.scene, args.pixel) {
+        let scene = Scene::load(path)?;
+        let camera::Size { width, height } = args.camera.size;
+        if x >= width || y >= height {
+            return Err(format!("pixel {x},{y} is outside of the image of {width}x{height} pixels").into());
+        }
+        let pixel = y as usize * width as usize + x as usize;
+        let ray = args.camera.of(&scene).ray(pixel, [0.5; 2]).ok_or("the camera is too far away for a ray")?;
+        let bvh = args.build.run(&scene)?;
+        return Ok((format!("{}, pixel {x},{y}", scene.name), explain::of_ray(&bvh, &ray), Vec::new()));
+    }
     if let Some(path) = &args.file {
         let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
         let replay = Replay::load(path).map_err(|error| named(&error))?;
@@ -75,6 +93,12 @@ fn load(args: &Args) -> Result<(String, Case, Vec<Method>), String> {
         return Ok((format!("Suite case {id}"), case, Vec::new()));
     }
     Ok(("The papers' example: from key 22 to key 3".to_owned(), explain::example(), Vec::new()))
+}
+
+fn pixel(text: &str) -> Result<[u32; 2], String> {
+    let number = |text: &str| text.trim().parse().ok();
+    let both = text.split_once(',').and_then(|(x, y)| Some([number(x)?, number(y)?]));
+    both.ok_or_else(|| "expected two numbers: X,Y".to_owned())
 }
 
 fn suite_case(id: &str) -> Result<Case, String> {

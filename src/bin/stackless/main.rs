@@ -6,6 +6,7 @@ mod accuracy;
 mod adversary;
 mod bench;
 mod build;
+mod camera;
 mod check;
 mod conform;
 mod curve;
@@ -13,6 +14,8 @@ mod explain;
 mod input;
 mod judge;
 mod output;
+mod render;
+mod report;
 mod stats;
 mod stress;
 mod suite;
@@ -21,12 +24,21 @@ mod turns;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 /// Traversal of binary hierarchies without a stack: checked, exact about what it does, and measured.
 #[derive(Parser)]
-#[command(version, arg_required_else_help = true)]
+#[command(name = "stackless", version, arg_required_else_help = true)]
+#[command(
+    after_help = "Exit codes: 0 all is well; 1 a check found something wrong; 2 it could not run: bad input or usage.\n\
+    Where a file is written, `-` is the standard output. Files are written whole or not at all.\n\n\
+    Examples:\n  stackless check\n  stackless render bunny.ply -o bunny.png\n  stackless conform -- python3 mine.py\n  \
+    stackless completions bash > ~/.local/share/bash-completion/completions/stackless"
+)]
 struct Command {
+    /// Say nothing but errors.
+    #[arg(short, long, global = true)]
+    quiet: bool,
     #[command(subcommand)]
     what: What,
 }
@@ -37,6 +49,8 @@ enum What {
     Check(check::Args),
     /// Trace the rays of a file through a scene.
     Trace(trace::Args),
+    /// Draw a scene, or what its traversal costs.
+    Render(render::Args),
     /// Measure the traversals beside each other on scenes.
     Bench(bench::Args),
     /// Count the errors of each accuracy on hard scenes.
@@ -55,6 +69,13 @@ enum What {
     Explain(explain::Args),
     /// Say what a scene's hierarchy and hash tables take, and how far backtracking goes.
     Stats(stats::Args),
+    /// Measure scenes and put all tables and pictures on one page.
+    Report(report::Args),
+    /// Write the completions for a shell to the standard output.
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
 }
 
 /// What a subcommand ends with: whether all was well, or why it could not run.
@@ -62,9 +83,14 @@ type Outcome = Result<bool, Box<dyn std::error::Error>>;
 
 /// 0 if all is well, 1 if a check found something wrong, 2 if it could not run (bad input or usage).
 fn main() -> ExitCode {
-    let outcome = match Command::parse().what {
+    let command = Command::parse();
+    if command.quiet {
+        output::be_quiet();
+    }
+    let outcome = match command.what {
         What::Check(args) => check::run(args),
         What::Trace(args) => trace::run(&args),
+        What::Render(args) => render::run(&args),
         What::Bench(args) => bench::run(&args),
         What::Stress(args) => stress::run(&args),
         What::Conform(args) => conform::run(&args),
@@ -74,6 +100,11 @@ fn main() -> ExitCode {
         What::Curve(args) => curve::run(&args),
         What::Explain(args) => explain::run(&args),
         What::Stats(args) => stats::run(&args),
+        What::Report(args) => report::run(&args),
+        What::Completions { shell } => {
+            clap_complete::generate(shell, &mut Command::command(), "stackless", &mut std::io::stdout());
+            Ok(true)
+        }
     };
     match outcome {
         Ok(true) => ExitCode::SUCCESS,

@@ -21,7 +21,8 @@ use stackless_bvh::tree::{Node, Topology, Uncles};
 use crate::Outcome;
 use crate::build::Build;
 use crate::input::Scene;
-use crate::output::{grouped, say, table, write_file, write_json};
+use crate::output::{self, Block, grouped, table, write_file, write_json};
+use crate::report::Bar;
 
 /// What a scene's hierarchy and its hash tables take, and how far backtracking goes in it.
 ///
@@ -41,22 +42,16 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Write the figures to this file.
-    #[arg(long)]
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
     json: Option<PathBuf>,
     /// Draw the backtracking distances into this file.
-    #[arg(long)]
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
     plot: Option<PathBuf>,
-    /// Draw the nodes that diffuse rays visit into this file (PNG): from the root, and from the last hit.
-    #[arg(long)]
-    heatmap: Option<PathBuf>,
 }
-
-/// Width and height of each heat map.
-const HEATMAP_SIDE: usize = 224;
 
 /// The file of `--json`.
 #[derive(Serialize)]
-struct Stats {
+pub(crate) struct Stats {
     scene: String,
     triangles: usize,
     nodes: usize,
@@ -80,6 +75,8 @@ struct Stats {
     plan: Vec<plan::Row>,
     /// What is visited where a traversal prunes, goes on after a hit, or begins at the last hit.
     state: Vec<state::Row>,
+    #[serde(skip)]
+    counted: Backtracks,
 }
 
 #[derive(Serialize)]
@@ -120,39 +117,10 @@ struct BacktrackStats {
 
 pub(crate) fn run(args: &Args) -> Outcome {
     let scene = Scene::load(&args.scene)?;
-    let (bvh, build_seconds) = timed(|| args.build.run(&scene));
-    let bvh = bvh?;
-    let mut tables = Vec::new();
-    for sizing in [Sizing::Tight, Sizing::PrintedHashed, Sizing::Printed] {
-        tables.push(measure(&bvh, sizing)?);
-    }
-    let (backtracks, lookups) = with_word(WordName::narrowest(bvh.depth()), Count { args, scene: &scene, bvh: &bvh })?;
-    let primary = procedural::view(&scene.name, &scene.mesh).rays(args.rays / 4);
-    let stats = Stats {
-        triangles: scene.mesh.triangles().len(),
-        nodes: bvh.node_count(),
-        depth: bvh.depth(),
-        tree_bytes: bvh.bytes(),
-        bytes_per_triangle: bvh.bytes() as f64 / scene.mesh.triangles().len() as f64,
-        dropped: bvh.dropped(),
-        duplicates: bvh.duplicates(),
-        build_seconds,
-        tables: tables.remove(0),
-        other_tables: tables,
-        backtracks: BacktrackStats::of(&backtracks, lookups),
-        time: time::measure(&bvh, &trace::bounce(&scene.mesh, &bvh, &primary, args.seed))?,
-        plan: plan::measure(&scene.mesh, &bvh, &primary)?,
-        state: state::measure(&scene.mesh, &bvh, &primary, args.seed)?,
-        scene: scene.name,
-    };
-    stats.print();
-    if let Some(path) = &args.heatmap {
-        let rays = procedural::view(&stats.scene, &scene.mesh).rays(HEATMAP_SIDE * HEATMAP_SIDE);
-        let most = state::draw(&scene.mesh, &bvh, &rays, args.seed, path)?;
-        say!("{}: the scale ends at {most} nodes a ray, which one pixel of 100 exceeds", path.display());
-    }
+    let stats = Stats::of(&scene, args.build, args.rays, args.seed)?;
+    output::print(&stats.blocks());
     if let Some(path) = &args.plot {
-        let svg = plot_distances(&format!("Backtracking distance, {}", stats.scene), &backtracks)?;
+        let svg = stats.plot()?;
         write_file(path, |file| file.write_all(svg.as_bytes()))?;
     }
     if let Some(path) = &args.json {
@@ -216,7 +184,8 @@ impl<W: KeyWord> Lookup<W> for Counted<'_> {
 }
 
 struct Count<'a> {
-    args: &'a Args,
+    rays: usize,
+    seed: u64,
     scene: &'a Scene,
     bvh: &'a Bvh,
 }
@@ -225,12 +194,12 @@ impl WithWord for Count<'_> {
     type Output = Result<(Backtracks, Lookups), Box<dyn std::error::Error>>;
 
     fn call<W: KeyWord>(self) -> Self::Output {
-        let Self { args, scene, bvh } = self;
+        let Self { rays: n, seed, scene, bvh } = self;
         let uncles = <Uncles>::of(bvh);
         let options = Options { key_set: KeySet::Exact(<Uncles>::REACH), sizing: Sizing::Tight };
         let hash = PerfectHash::build(bvh, options)?;
-        let mut rays = procedural::camera_rays(&scene.mesh, args.seed, args.rays / 2);
-        let bounced = trace::bounce(&scene.mesh, bvh, &rays, args.seed);
+        let mut rays = procedural::camera_rays(&scene.mesh, seed, n / 2);
+        let bounced = trace::bounce(&scene.mesh, bvh, &rays, seed);
         rays.extend(bounced);
         let lookups = Cell::new(Lookups { rays: rays.len(), ..Lookups::default() });
         let mut backtracks = Backtracks::new(<Uncles>::REACH);
@@ -263,8 +232,61 @@ impl BacktrackStats {
 }
 
 impl Stats {
-    fn print(&self) {
-        say!(
+    /// Measures a scene with so many rays.
+    pub(crate) fn of(scene: &Scene, build: Build, rays: usize, seed: u64) -> Result<Self, Box<dyn std::error::Error>> {
+        let (bvh, build_seconds) = timed(|| build.run(scene));
+        let bvh = bvh?;
+        let mut tables = Vec::new();
+        for sizing in [Sizing::Tight, Sizing::PrintedHashed, Sizing::Printed] {
+            tables.push(measure(&bvh, sizing)?);
+        }
+        let word = WordName::narrowest(bvh.depth());
+        let (counted, lookups) = with_word(word, Count { rays, seed, scene, bvh: &bvh })?;
+        let primary = procedural::view(&scene.name, &scene.mesh).rays(rays / 4);
+        Ok(Self {
+            scene: scene.name.clone(),
+            triangles: scene.mesh.triangles().len(),
+            nodes: bvh.node_count(),
+            depth: bvh.depth(),
+            tree_bytes: bvh.bytes(),
+            bytes_per_triangle: bvh.bytes() as f64 / scene.mesh.triangles().len() as f64,
+            dropped: bvh.dropped(),
+            duplicates: bvh.duplicates(),
+            build_seconds,
+            tables: tables.remove(0),
+            other_tables: tables,
+            backtracks: BacktrackStats::of(&counted, lookups),
+            time: time::measure(&bvh, &trace::bounce(&scene.mesh, &bvh, &primary, seed))?,
+            plan: plan::measure(&scene.mesh, &bvh, &primary)?,
+            state: state::measure(&scene.mesh, &bvh, &primary, seed)?,
+            counted,
+        })
+    }
+
+    /// The backtracking distances as a picture (SVG).
+    pub(crate) fn plot(&self) -> Result<String, String> {
+        plot_distances(&format!("Backtracking distance, {}", self.scene), &self.counted)
+    }
+
+    /// A row of the papers' table of scenes: name, triangles, nodes, depth, megabytes of tree and hash, the share of these,
+    /// milliseconds of their builders.
+    pub(crate) fn cells(&self) -> Vec<String> {
+        let tables = &self.tables;
+        let counts = [self.triangles as u64, self.nodes as u64, self.depth.into()].map(grouped);
+        let megabytes = [self.tree_bytes, tables.bytes].map(|bytes| format!("{:.2}", bytes as f64 / 1e6));
+        let seconds = [self.build_seconds, tables.build_seconds, tables.parallel_build_seconds];
+        let times = seconds.map(|seconds| format!("{:.2}", seconds * 1e3));
+        let cells = [self.scene.clone()].into_iter().chain(counts).chain(megabytes).chain([percent(tables.share)]);
+        cells.chain(times).collect()
+    }
+
+    /// Where the time of a ray goes, by traversal.
+    pub(crate) fn parts(&self) -> Vec<Bar> {
+        self.time.iter().map(time::Row::bar).collect()
+    }
+
+    pub(crate) fn blocks(&self) -> Vec<Block> {
+        let mut blocks = vec![Block::Line(format!(
             "{}: {} triangles, {} nodes, depth {}, {} bytes ({:.1} a triangle), built in {:.1} ms; {} degenerate triangles left out, {} references twice",
             self.scene,
             grouped(self.triangles as u64),
@@ -275,7 +297,7 @@ impl Stats {
             self.build_seconds * 1e3,
             grouped(self.dropped as u64),
             grouped(self.duplicates as u64)
-        );
+        ))];
         let header =
             ["tables", "keys", "D", "H", "bytes", "of tree", "direct", "reseeds", "ms", "of build", "ms parallel"];
         let rows = std::iter::once(&self.tables).chain(&self.other_tables).map(|tables| {
@@ -288,9 +310,9 @@ impl Stats {
             row.push(format!("{:.2}", tables.parallel_build_seconds * 1e3));
             row
         });
-        say!("{}", table(&header, 1, rows.collect()));
+        blocks.push(Block::Table(table(&header, 1, rows.collect())));
         let shares = &self.backtracks;
-        say!(
+        blocks.push(Block::Line(format!(
             "{} backtracks: register {}, uncle {}, grand uncle {}, leaf {}, hash {}",
             grouped(shares.total),
             percent(shares.register),
@@ -298,22 +320,23 @@ impl Stats {
             percent(shares.grand_uncle),
             percent(shares.leaf),
             percent(shares.hash)
-        );
-        say!(
+        )));
+        blocks.push(Block::Line(format!(
             "{:.2} lookups in the hash for a ray, {} of them direct",
             shares.hash_per_ray,
             percent(shares.hash_direct)
-        );
+        )));
         let mut cumulative = 0;
         let rows = shares.distances.iter().enumerate().map(|(distance, &count)| {
             cumulative += count;
             let of_all = |count: u64| percent(count as f64 / shares.total.max(1) as f64);
             vec![distance.to_string(), grouped(count), of_all(count), of_all(cumulative)]
         });
-        time::print(&self.time);
-        plan::print(&self.plan);
-        state::print(&self.state);
-        say!("{}", table(&["levels up", "backtracks", "share", "cumulative"], 0, rows.collect()));
+        blocks.push(Block::Table(time::to_table(&self.time)));
+        blocks.push(Block::Table(plan::to_table(&self.plan)));
+        blocks.push(Block::Table(state::to_table(&self.state)));
+        blocks.push(Block::Table(table(&["levels up", "backtracks", "share", "cumulative"], 0, rows.collect())));
+        blocks
     }
 }
 

@@ -11,7 +11,7 @@ use stackless_bvh::traverse::Method;
 
 use crate::Outcome;
 use crate::input;
-use crate::output::{bar, grouped, say, table, write_json};
+use crate::output::{self, bar, grouped, say, table, write_json};
 
 /// Trace the stress suite and count errors against rational arithmetic.
 ///
@@ -44,7 +44,7 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = 1, requires = "boxes")]
     seed: u64,
     /// Write the figures to this file.
-    #[arg(long)]
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
     json: Option<PathBuf>,
 }
 

@@ -13,21 +13,23 @@ use stackless_bvh::traverse::{Method, Unfit};
 use crate::Outcome;
 use crate::build::Build;
 use crate::input::{self, Scene};
-use crate::output::{bar, say, write_file};
+use crate::output::{self, bar, say, write_file};
 
 /// Trace rays through a scene.
 ///
 /// A ray is a line of ox,oy,oz,dx,dy,dz,tmin,tmax; a hit is a line of prim,t,u,v, where prim is the index of the
 /// triangle in the file's order (polygons are fanned out in place), or -1 for a miss, with the other columns empty.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:\n  stackless trace bunny.ply --rays rays.csv --out hits.csv\n  \
+    echo 0,0,5,0,0,-1,0,inf | stackless trace soup --rays - --out - --method uncle")]
 pub(crate) struct Args {
     /// Mesh file (.ply, .obj), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
-    /// File of the rays.
+    /// File of the rays; `-` is the standard input.
     #[arg(long)]
     rays: PathBuf,
-    /// File for the hits; written whole or not at all.
-    #[arg(long)]
+    /// File for the hits; written whole or not at all. `-` is the standard output.
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
     out: PathBuf,
     /// The traversal.
     #[arg(long, default_value = "hashed", value_parser = input::method)]
@@ -44,7 +46,11 @@ pub(crate) struct Args {
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
-    let rays = scene::read_rays(&args.rays)?;
+    let rays = if args.rays.as_os_str() == "-" {
+        scene::read_rays_from(std::io::stdin().lock(), "standard input")?
+    } else {
+        scene::read_rays(&args.rays)?
+    };
     let scene = Scene::load(&args.scene)?;
     let bvh = args.build.for_method(args.method).run(&scene)?;
     let hits = trace::with_level(args.accuracy, WithRays { args, bvh, rays: &rays })

@@ -55,14 +55,20 @@ impl View {
     /// assert_eq!(procedural::view("strands", &mesh).rays(1000).len(), 1000);
     /// ```
     pub fn rays(&self, n: usize) -> Vec<Ray> {
-        let [forward, right, up] = self.frame();
-        let (tangent, width) = (self.tangent(), (n as f64).sqrt().ceil());
+        let width = (n as f64).sqrt().ceil();
         let ray = |i: usize| {
             let [x, y] = [i as f64 % width, (i as f64 / width).floor()].map(|i| 2.0 * (i + 0.5) / width - 1.0);
-            let direction = forward + (right * x - up * y) * tangent;
-            Ray::new(self.eye, direction.as_vec3(), 0.0, f32::INFINITY).ok()
+            self.ray(x, -y)
         };
         (0..n).filter_map(ray).collect()
+    }
+
+    /// The primary ray through a place of the image: from -1 at the left and lower edges to 1 at the right and upper ones, and
+    /// beyond in a wider image. `None` where coordinates overflow.
+    pub fn ray(&self, x: f64, y: f64) -> Option<Ray> {
+        let [forward, right, up] = self.frame();
+        let direction = forward + (right * x + up * y) * self.tangent();
+        Ray::new(self.eye, direction.as_vec3(), 0.0, f32::INFINITY).ok()
     }
 
     /// Forward, right and up: of unit length and across each other.

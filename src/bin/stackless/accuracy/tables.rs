@@ -8,7 +8,7 @@ use stackless_bvh::trace::{Accuracy, KernelName};
 use super::pairs::BASELINE;
 use super::rows::{Kind, Row};
 use super::stages::{Reached, Stages};
-use crate::output::{grouped, say, table};
+use crate::output::{Block, Table, grouped, table};
 use crate::turns::geometric_mean;
 
 /// All rows of a pair of tests.
@@ -31,20 +31,21 @@ const SIDES: [(&str, &[Kind], &[Event]); 2] = [
     ("adversarial rays", &[Kind::Adversarial, Kind::Closed], &EVENTS),
 ];
 
-/// Prints all tables.
-pub(super) fn print(rows: &[Row], stages: &[Stages]) {
-    let summaries = summaries(rows);
+/// All tables.
+pub(super) fn blocks(rows: &[Row], stages: &[Stages]) -> Vec<Block> {
+    let (summaries, mut blocks) = (summaries(rows), Vec::new());
     for (name, kinds, events) in SIDES {
         if rows.iter().any(|row| kinds.contains(&row.kind)) {
-            print_side(&summaries, name, kinds, events);
+            blocks.extend(side(&summaries, name, kinds, events));
         }
     }
     if rows.iter().any(|row| row.ratio.is_some()) {
-        say!("{}", levels(rows));
+        blocks.push(Block::Table(levels(rows)));
     }
     if !stages.is_empty() {
-        say!("{}", stage_table(stages));
+        blocks.push(Block::Table(stage_table(stages)));
     }
+    blocks
 }
 
 /// The same as two charts, as SVG.
@@ -69,7 +70,7 @@ fn summaries(rows: &[Row]) -> Vec<Summary<'_>> {
     by_pair
 }
 
-fn print_side(summaries: &[Summary<'_>], name: &str, kinds: &[Kind], events: &[Event]) {
+fn side(summaries: &[Summary<'_>], name: &str, kinds: &[Kind], events: &[Event]) -> [Block; 2] {
     let choices: Vec<_> = summaries.iter().map(|summary| summary.choice(kinds, events)).collect();
     let known: Vec<_> = choices.iter().flatten().cloned().collect();
     let mut on_front = front(&known).into_iter();
@@ -79,10 +80,9 @@ fn print_side(summaries: &[Summary<'_>], name: &str, kinds: &[Kind], events: &[E
         let star = choice.is_some() && on_front.next() == Some(true);
         summary.cells(kinds, events, star)
     });
-    say!(
-        "{name}: errors in 10^9 rays, the most of any scene; `<`: none was seen (95 %). *: nobody is faster and errs less"
-    );
-    say!("{}", table(&header, 4, lines.collect()));
+    let caption =
+        "errors in 10^9 rays, the most of any scene; `<`: none was seen (95 %). *: nobody is faster and errs less";
+    [Block::Line(format!("{name}: {caption}")), Block::Table(table(&header, 4, lines.collect()))]
 }
 
 impl Summary<'_> {
@@ -150,7 +150,7 @@ impl Summary<'_> {
 }
 
 /// The times of the levels of accuracy, by scene and set.
-fn levels(rows: &[Row]) -> comfy_table::Table {
+fn levels(rows: &[Row]) -> Table {
     let mut lines = Vec::new();
     let timed = |row: &&Row| row.ratio.is_some();
     let baseline = rows.iter().filter(|row| (row.kernel, row.slabs) == (BASELINE.0.name(), BASELINE.1.name()));
@@ -170,7 +170,7 @@ fn levels(rows: &[Row]) -> comfy_table::Table {
 }
 
 /// How often the exact test needed more than its first stage.
-fn stage_table(stages: &[Stages]) -> comfy_table::Table {
+fn stage_table(stages: &[Stages]) -> Table {
     let shares = |Reached { all, triangle, sums }: Reached| {
         [triangle, sums].map(|count| format!("{:.2e}", count as f64 / all.max(1) as f64))
     };

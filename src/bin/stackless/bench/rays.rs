@@ -53,17 +53,11 @@ pub(super) fn sets(scene: &Scene, bvh: &Bvh, kinds: Vec<Kind>, n: usize, seed: u
     let set = |kind| match kind {
         Kind::Primary => Set { kind, query: Query::Closest, rays: primary.clone() },
         Kind::Any => {
-            Set { kind, query: Query::Any, rays: diffuse.iter().filter_map(|ray| shortened(ray, reach)).collect() }
+            Set { kind, query: Query::Any, rays: diffuse.iter().filter_map(|ray| trace::cut(ray, reach)).collect() }
         }
         Kind::Diffuse => Set { kind, query: Query::Closest, rays: diffuse.clone() },
     };
     kinds.into_iter().map(set).collect()
-}
-
-/// A ray of this length, unless that is not a number.
-fn shortened(ray: &Ray, length: f32) -> Option<Ray> {
-    let tmax = length / ray.direction().length();
-    Ray::new(ray.origin(), ray.direction(), 0.0, tmax).ok()
 }
 
 #[cfg(test)]

@@ -1,18 +1,17 @@
 //! The figures, as they are printed and written.
 
-use comfy_table::Table;
 use serde::Serialize;
 
 use super::Contestant;
 use super::rays::{Kind, Set};
 use crate::input::Scene;
 use crate::judge::Counts;
-use crate::output::table;
+use crate::output::{Table, table};
 use crate::turns::{Times, geometric_mean, median_ratio};
 
 /// One contestant on one set of rays. What is not known is `None`.
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Row {
+pub(crate) struct Row {
     scene: String,
     rays: Kind,
     /// How the tree was built; `own` for that of a peer.
@@ -91,7 +90,7 @@ impl Row {
 }
 
 /// All rows of a scene.
-pub(super) fn of_scene(rows: &[Row]) -> Table {
+pub(crate) fn of_scene(rows: &[Row]) -> Table {
     let mut header =
         vec!["scene", "rays", "build", "method", "accuracy", "Mrays/s", "ratio", "state bytes", "nodes/ray"];
     header.push("build Mtri/s");
@@ -117,7 +116,7 @@ pub(super) fn of_scene(rows: &[Row]) -> Table {
 }
 
 /// Geometric means of the ratios of each contestant: of each kind of rays over the scenes, and of all.
-pub(super) fn means(rows: &[Row]) -> Table {
+pub(crate) fn means(rows: &[Row]) -> Table {
     let mut kinds = Vec::new();
     for row in rows {
         if !kinds.contains(&row.rays) {

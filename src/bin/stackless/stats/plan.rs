@@ -9,7 +9,7 @@ use stackless_bvh::scene::Mesh;
 use stackless_bvh::trace::{self, Ask, Part, Plan, Tracer};
 use stackless_bvh::traverse::{Method, Unfit};
 
-use crate::output::{grouped, say, table};
+use crate::output::{Table, grouped, table};
 use crate::turns::{median_ratio, take_turns};
 
 /// A decision of the plan for a kind of query.
@@ -70,7 +70,7 @@ pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, 
     Ok(rows)
 }
 
-pub(super) fn print(rows: &[Row]) {
+pub(super) fn to_table(rows: &[Row]) -> Table {
     let cells = |row: &Row| {
         let saved = row.saved_bytes.map_or_else(|| "-".to_owned(), |bytes| grouped(bytes as u64));
         let ratio = row.time_ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.3}"));
@@ -79,7 +79,7 @@ pub(super) fn print(rows: &[Row]) {
         names.into_iter().chain([saved, ratio]).collect()
     };
     let header = ["query", "part", "plan", "reason", "bytes saved", "time with it"];
-    say!("{}", table(&header, 4, rows.iter().map(cells).collect()));
+    table(&header, 4, rows.iter().map(cells).collect())
 }
 
 /// A tracer by a plan.

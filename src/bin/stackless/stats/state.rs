@@ -1,9 +1,5 @@
 //! What a small state is good for: less to visit after a hit, from hit to hit, and along paths.
 
-use std::path::Path;
-
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{Rgb, RgbImage};
 use rayon::prelude::*;
 use serde::Serialize;
 use stackless_bvh::bvh::Bvh;
@@ -17,7 +13,7 @@ use stackless_bvh::trace::{self, Any, Ask, Continuation, Counters, Place, Plan, 
 use stackless_bvh::traverse::{Method, Stack, Unfit, traverse};
 use stackless_bvh::tree::Node;
 
-use crate::output::{say, table, write_file};
+use crate::output::{Table, table};
 
 /// What a ray costs on average.
 #[derive(Serialize)]
@@ -136,68 +132,11 @@ impl Row {
     }
 }
 
-pub(super) fn print(rows: &[Row]) {
+pub(super) fn to_table(rows: &[Row]) -> Table {
     let cells = |row: &Row| {
         let numbers = [row.nodes, row.boxes, row.triangles].map(|number| format!("{number:.2}"));
         [row.query, row.way].map(str::to_owned).into_iter().chain(numbers).collect()
     };
     let header = ["a ray", "way", "nodes", "box tests", "triangle tests"];
-    say!("{}", table(&header, 2, rows.iter().map(cells).collect()));
-}
-
-/// Draws how many nodes four diffuse rays visit from where each pixel's ray hits: on the left from the root, on the right from
-/// the leaf of the hit (Binder & Keller 2016, Fig. 8). Below, the scale from 0 to the number that is returned.
-pub(super) fn draw(
-    mesh: &Mesh,
-    bvh: &Bvh,
-    rays: &[Ray],
-    seed: u64,
-    path: &Path,
-) -> Result<u64, Box<dyn std::error::Error>> {
-    const SCALE: u32 = 12;
-    const RAYS_OF_A_PIXEL: u64 = 4;
-    let tracer = Tracer::new(bvh);
-    let continuation = Continuation::new(&tracer)?;
-    let side = (rays.len() as f64).sqrt() as u32;
-    let count = |(i, ray): (usize, &Ray)| {
-        let (hit, place) = continuation.closest(ray, None)?;
-        let seeds = (0..RAYS_OF_A_PIXEL).map(|k| seed.wrapping_add(i as u64 * RAYS_OF_A_PIXEL + k));
-        let diffuse = seeds.filter_map(|seed| trace::reflect(mesh, ray, &hit, &mut Rng::new(seed)));
-        let counts = diffuse.map(|ray| {
-            [None, Some(place)].map(|from| {
-                let counters = continuation.count(&ray, from, false);
-                counters.inner + counters.leaves
-            })
-        });
-        counts.reduce(|[a, b], [c, d]| [a + c, b + d])
-    };
-    let counts: Vec<_> = rays.par_iter().enumerate().map(count).collect();
-    let mut sorted: Vec<_> = counts.iter().flatten().flatten().copied().collect();
-    sorted.sort_unstable();
-    // A few rays take many times what others do: they are all white.
-    let most = sorted.get(sorted.len() * 99 / 100).copied().unwrap_or(1).max(1);
-    let picture = RgbImage::from_fn(2 * side, side + SCALE, |x, y| {
-        if y >= side {
-            return colour(f64::from(x) / f64::from(2 * side - 1));
-        }
-        let (right, x) = (x / side, x % side);
-        let counts = counts.get((y * side + x) as usize).copied().flatten();
-        counts.map_or(Rgb([0; 3]), |counts| colour(counts[right as usize] as f64 / most as f64))
-    });
-    let mut png = std::io::Cursor::new(Vec::new());
-    picture.write_with_encoder(PngEncoder::new_with_quality(&mut png, CompressionType::Best, FilterType::Adaptive))?;
-    write_file(path, |file| file.write_all(png.get_ref()))?;
-    Ok(most / RAYS_OF_A_PIXEL)
-}
-
-/// From blue over green and red to white.
-fn colour(share: f64) -> Rgb<u8> {
-    const STOPS: [[f64; 3]; 5] =
-        [[20.0, 20.0, 90.0], [0.0, 130.0, 160.0], [70.0, 190.0, 60.0], [250.0, 140.0, 20.0], [255.0; 3]];
-    let at = share.clamp(0.0, 1.0) * (STOPS.len() - 1) as f64;
-    let below = (at as usize).min(STOPS.len() - 2);
-    Rgb([0, 1, 2].map(|i| {
-        let (from, to) = (STOPS[below][i], STOPS[below + 1][i]);
-        (from + (to - from) * (at - below as f64)) as u8
-    }))
+    table(&header, 2, rows.iter().map(cells).collect())
 }

@@ -12,7 +12,8 @@ use stackless_bvh::trace::Closest;
 use stackless_bvh::traverse::{Method, Stack, Tables, Unfit, WordName, traverse};
 use stackless_bvh::tree::{Implicit, Node, Recorded, Topology};
 
-use crate::output::{say, table};
+use crate::output::{Table, table};
+use crate::report::Bar;
 use crate::turns::{median, take_turns};
 
 /// Nanoseconds of a ray by one traversal.
@@ -27,6 +28,13 @@ pub(super) struct Row {
     boxes: f64,
     /// Of preparing the ray and testing the triangles that the query tests.
     triangles: f64,
+}
+
+impl Row {
+    pub(super) fn bar(&self) -> Bar {
+        let parts = [("traversal", self.traversal), ("boxes", self.boxes), ("triangles", self.triangles)];
+        Bar { label: self.method, parts: parts.to_vec() }
+    }
 }
 
 const METHODS: [Method; 5] = [Method::Stack, Method::Sparse, Method::Afra, Method::Uncle, Method::Hashed];
@@ -82,13 +90,13 @@ pub(super) fn measure(bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Unfit> {
     Ok(METHODS.into_iter().enumerate().map(row).collect())
 }
 
-pub(super) fn print(rows: &[Row]) {
+pub(super) fn to_table(rows: &[Row]) -> Table {
     let cells = |row: &Row| {
         let numbers = [row.all, row.traversal, row.boxes, row.triangles].map(|ns| format!("{ns:.0}"));
         [row.method.to_owned()].into_iter().chain(numbers).collect()
     };
     let header = ["ns a ray", "all", "traversal alone", "boxes alone", "triangles alone"];
-    say!("{}", table(&header, 1, rows.iter().map(cells).collect()));
+    table(&header, 1, rows.iter().map(cells).collect())
 }
 
 /// What the closest-hit query of a ray does.

@@ -1,0 +1,68 @@
+//! Rays through spheres: any shape that has a box can be built over, and traced with a test of its own.
+//!
+//! `cargo run --release --example own_primitives`
+
+use glam::Vec3;
+use stackless_bvh::bvh::{Bounded, BuildOptions, Bvh};
+use stackless_bvh::geom::slabs::Directed;
+use stackless_bvh::geom::{Aabb, Kernel, Ray, Region};
+use stackless_bvh::trace::Tracer;
+use stackless_bvh::traverse::Method;
+use stackless_bvh::tree::Topology;
+
+#[derive(Clone, Copy, Debug)]
+struct Sphere {
+    center: Vec3,
+    radius: f32,
+}
+
+impl Bounded for Sphere {
+    fn aabb(&self) -> Aabb {
+        // One float further on each side, so that rounding does not make the box too small.
+        let [lo, hi] = [self.center - self.radius, self.center + self.radius];
+        Aabb { lo: lo.map(f32::next_down), hi: hi.map(f32::next_up) }
+    }
+}
+
+/// A ray that meets spheres from outside.
+#[derive(Clone, Copy, Debug)]
+struct SphereTest(Ray);
+
+impl Kernel for SphereTest {
+    type Vector = Vec3;
+    type Shape = Sphere;
+
+    fn new(ray: &Ray, _: &Region) -> Self {
+        Self(*ray)
+    }
+
+    fn distance(&self, sphere: &Sphere, tmax: f32) -> Option<f32> {
+        let Self(ray) = self;
+        let (direction, radius) = (ray.direction().as_dvec3(), f64::from(sphere.radius));
+        let to_center = sphere.center.as_dvec3() - ray.origin().as_dvec3();
+        let along = direction.dot(to_center) / direction.length_squared();
+        let miss = (to_center - direction * along).length_squared();
+        // Not a number where the ray misses, which no comparison holds for.
+        let t = (along - ((radius * radius - miss) / direction.length_squared()).sqrt()) as f32;
+        (ray.tmin() <= t && t <= tmax).then_some(t)
+    }
+
+    /// Where on the shape the hit is; spheres have no corners to weigh.
+    fn weights(&self, _: &Sphere) -> [f32; 2] {
+        [0.0; 2]
+    }
+}
+
+/// Spheres on a grid, and one ray along a row of them.
+pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let place = |i: u32| Vec3::new((i % 100) as f32, (i / 100) as f32, 0.0);
+    let spheres: Vec<_> = (0..10_000).map(|i| Sphere { center: place(i), radius: 0.3 }).collect();
+    let bvh = Bvh::build(&spheres[..], &BuildOptions::default(), &|_| ())?;
+    let tracer = Tracer::<SphereTest, Directed>::with_method(&bvh, Method::Hashed)?;
+
+    let ray = Ray::new(Vec3::new(-5.0, 42.0, 0.0), Vec3::X, 0.0, f32::INFINITY)?;
+    let hit = tracer.closest_distance(&ray);
+    println!("{} spheres, depth {}: {hit:?}", spheres.len(), bvh.depth());
+    assert_eq!(hit, Some((4200, 4.7)));
+    Ok(())
+}
