@@ -252,7 +252,7 @@ fn every_proof_file_cites_a_clause() {
         files(folder, ending).into_iter().filter(|file| !cites(file)).collect::<Vec<_>>()
     };
     // Written by a program: evaluations, which a clause would have to be named at each of.
-    let evaluated = ["spec/rocq/Cases.v", "spec/rocq/Vectors.v"].map(PathBuf::from);
+    let evaluated = ["spec/rocq/Cases.v", "spec/rocq/Suite.v", "spec/rocq/Vectors.v"].map(PathBuf::from);
     assert_eq!(silent("spec/rocq", "v"), evaluated);
 }
 

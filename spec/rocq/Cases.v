@@ -56,3 +56,18 @@ Definition seen_left T keys leaf :=
 
 Definition expected_left (stopped : bool) (visits : list positive) :=
   let answer := (stopped, rev visits) in (answer, Some answer, map (fun k => (level_start k, path k)) visits).
+
+(** A case of the conformance suite (`Suite.v`, by tests/rocq_suite.rs): what the reference answers, key and trail at each visit,
+    and what machines answer whose words have no width. *)
+Definition unbounded : list cursor := [stack_machine; trail_machine; implicit_a; implicit_b; sparse].
+
+Definition stop_in (leaves : list positive) (h : history) : bool :=
+  match h with k :: _ => existsb (Pos.eqb k) leaves | [] => false end.
+
+Definition suite_seen T ds leaves :=
+  let (decide, stop) := (decide_by ds, stop_in leaves) in
+  (reference decide stop T, all_states trail_machine T decide stop, map (answer T decide stop) unbounded).
+
+(** The same from the suite's file: whether a hit ends the search, and the keys and trails that are expected. *)
+Definition suite_expected (stopped : bool) (visits : list (positive * N)) :=
+  let answer := (stopped, rev (map fst visits)) in (answer, visits, repeat (Some answer) (length unbounded)).

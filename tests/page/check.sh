@@ -41,8 +41,9 @@ page tape --tape 34
 page pruned --tape 2 --methods hashed-disjoint,uncle-disjoint,sparse-disjoint,afra-disjoint,stack-disjoint,stack-t0
 page others --methods left-first,implicit-a1,implicit-b,implicit-b1,laine-0,laine-2,laine-4,laine-8,skip,skip-octant,glassner
 page deep --suite-case trace/script/chain-turns-64-two-1 --methods hashed,sparse
+page ray stadium --pixel 256,256
 for width in 1200 360; do
-    for name in example leaf tape pruned others deep; do
+    for name in example leaf tape pruned others deep ray; do
         frame "$name-$width" "$width" "$folder/page-$name.html"
     done
 done
