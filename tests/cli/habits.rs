@@ -29,6 +29,7 @@ fn every_command_has_help_and_a_completion() {
     for command in COMMANDS {
         let help = stackless(&format!("{command} --help"), &[]).passes().stdout;
         assert!(all.contains(&format!("  {command} ")) && help.contains("Usage: stackless"), "{command}");
+        assert!(help.contains("Examples:") || *command == "completions", "{command}");
         assert!(completions.contains(&format!("stackless__subcmd__{command})")), "{command}");
     }
     assert!(all.contains("Exit codes: 0") && all.contains("Examples:"), "{all}");

@@ -29,6 +29,8 @@ use stages::Stages;
 /// those hit) and on rays that are aimed at edges, corners and planes. The exit code is 1 if an exact test with `directed`
 /// boxes errs at all.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:\n  \
+    stackless accuracy bunny.ply spheres --plot accuracy.svg --csv accuracy.csv")]
 pub(crate) struct Args {
     /// Mesh files (.ply, .obj), the made scenes `strands`, `stadium`, `soup`, or `spheres`: closed ones, only for leaks.
     #[arg(required = true)]

@@ -14,6 +14,10 @@ use crate::output::{self, bar, grouped, say, table, write_file};
 /// worst case is checked: all traversals against the oracle, the exact tests against rational arithmetic. The exit code is 1 if
 /// anything is wrong with it.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:\n  \
+    stackless adversary --list\n  \
+    stackless adversary climb-afra --seconds 10 -o worst.json\n  \
+    stackless adversary --replay worst.json")]
 pub(crate) struct Args {
     /// What to make as great as can be; `--list` names them.
     #[arg(required_unless_present = "list", value_parser = goal)]

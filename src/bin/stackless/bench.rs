@@ -29,6 +29,10 @@ pub(crate) use rows::{Row, means, of_scene};
 /// of the time of `stack` (on the first tree, with the first accuracy) to that of the other: above 1 is faster. The hits of all exact ones
 /// must be the same, or the exit code is 1.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:\n  \
+    stackless bench bunny.ply sibenik.ply\n  \
+    stackless bench sibenik.ply --methods stack,hashed,laine-4 --rays diffuse --count 1000000\n  \
+    stackless bench bunny.ply --accuracy fast,exact --build sah,sbvh --json bench.json")]
 pub(crate) struct Args {
     /// Mesh files (.ply, .obj), or the made scenes `strands`, `stadium`, `soup`.
     #[arg(required = true)]

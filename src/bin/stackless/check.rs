@@ -23,6 +23,11 @@ use crate::output::{self, bar, grouped, say, table, write_json};
 /// Without SCENE: random and boundary trees, and three made scenes. With SCENE: rays through each. The exit code is 0
 /// if all agree, 1 on any disagreement, 2 if the check could not run.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:\n  \
+    stackless check\n  \
+    stackless check bunny.ply --trees 1000\n  \
+    stackless check --family comb --depth 100000 --trees 1 --word grow --methods hashed,afra\n  \
+    stackless check --replay case.json")]
 pub(crate) struct Args {
     /// Mesh files (.ply, .obj), or the made scenes `strands`, `stadium`, `soup`.
     scenes: Vec<PathBuf>,

@@ -21,6 +21,9 @@ use crate::turns::{median, take_turns};
 /// error is the width of the interval that is proved to hold the least distance. Times are of one thread; the traversals and
 /// tolerances take turns.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:\n  \
+    stackless curve\n  \
+    stackless curve --plot curve.svg")]
 pub(crate) struct Args {
     /// Number of curves; the families take turns.
     #[arg(long, default_value_t = 1024, value_parser = clap::value_parser!(u32).range(1..=1 << 24))]

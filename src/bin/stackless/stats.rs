@@ -29,6 +29,9 @@ use crate::report::Bar;
 /// The counterparts of Table 1 and Fig. 3 of Binder & Keller 2016. Backtracks are those of closest-hit rays, half from a
 /// camera and half in random directions from where those hit.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:\n  \
+    stackless stats sibenik.ply\n  \
+    stackless stats bunny.ply --build sbvh --plot distances.svg --json stats.json")]
 pub(crate) struct Args {
     /// Mesh file (.ply, .obj), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,

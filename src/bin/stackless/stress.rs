@@ -18,6 +18,10 @@ use crate::output::{self, bar, grouped, say, table, write_json};
 /// Every ray goes through every traversal, as a closest-hit and as an any-hit query, on three trees; it counts as wrong if
 /// any of them errs. max ulp is the greatest error of a distance, in floats. The exit code is 1 if `exact` errs.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:\n  \
+    stackless stress\n  \
+    stackless stress --list\n  \
+    stackless stress --boxes 1000000")]
 pub(crate) struct Args {
     /// Only these cases, separated by commas.
     #[arg(long, value_delimiter = ',', value_parser = case)]

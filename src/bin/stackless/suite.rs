@@ -18,6 +18,11 @@ use crate::output::{grouped, say, table, write_file};
 
 /// The conformance suite: list it, write it as files, show a case, answer it.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:\n  \
+    stackless suite list\n  \
+    stackless suite show --filter 'trace/script/three-*'\n  \
+    stackless suite export --level key suite\n  \
+    stackless suite serve --method afra --word u64")]
 pub(crate) struct Args {
     #[command(subcommand)]
     what: What,
