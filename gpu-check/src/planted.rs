@@ -147,8 +147,6 @@ pub const BAND_BUGS: &[Bug] = bugs! {
         "(((EDGE_FACTOR * U) * size) * edge) * (2.0 * reach + edge)" => "0.0";
     "the numerator of the distance is taken for exact", "stack":
         "(((36.0 * U) * reach) * edge) * edge" => "0.0";
-    "the determinant is taken for exact", "stack":
-        "(((32.0 * U) * size) * edge) * edge" => "0.0";
     "the distance is taken for exact", "stack":
         "let t_low = (first - (16.0 * U) * abs(first)) - FLOOR;\n    let t_high = (last + (16.0 * U) * abs(last)) + FLOOR;" =>
         "let t_low = above / below;\n    let t_high = above / below;";

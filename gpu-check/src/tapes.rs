@@ -77,7 +77,7 @@ fn run(
     let tasks = gpu.buffer("searches", &batch.task_words(kernel, searches))?;
     let count = searches.len() as u32;
     let results = gpu.buffer("results", &vec![u32::MAX; 8 * searches.len()])?;
-    let event_words = if record == Record::Events { RECORDED * batch.most_visits(searches) } else { 4 };
+    let event_words = if record == Record::Events { 1 + RECORDED * batch.most_visits(searches) } else { 4 };
     let work = gpu.zeros("work", event_words)?;
     let params = params(gpu, count)?;
     let [nodes, leaves] = batch.records(kernel.links());

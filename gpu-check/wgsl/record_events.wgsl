@@ -1,4 +1,4 @@
-// The event trace itself: nine words for each visit, into `work`, as many as fit.
+// The event trace itself: nine words for each visit, into `work` behind the queue, as many as fit.
 
 // Visits, and steps, which are more where a traversal restarts.
 var<private> visits: u32;
@@ -20,7 +20,7 @@ fn record_visit(address: u32) {
     if cursor_is_restarting() {
         return;
     }
-    let at = 9u * visits;
+    let at = 1u + 9u * visits;
     visits++;
     let parts = word_parts(cursor_key());
     record_word(at, address);

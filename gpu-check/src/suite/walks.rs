@@ -104,7 +104,8 @@ impl Walks {
         let tasks = gpu.buffer("tasks", &head.words(addresses.at(tree, tree.root()), u32::from(*any)))?;
         // Each node once is the most that there is; one visit more shows a kernel that does not know that.
         let most = tree.node_count() + 1;
-        let work = gpu.zeros("work", RECORDED * most)?;
+        // The first word is the queue of persistent kernels.
+        let work = gpu.zeros("work", 1 + RECORDED * most)?;
         let (results, params) = (&self.results, &self.params);
         let buffers = Buffers {
             nodes: &nodes,
@@ -118,8 +119,8 @@ impl Walks {
         };
         let mut pass = buffers.pass(kernel, &self.pipeline, 1);
         pass.clear = vec![results];
-        let [words, recorded] = gpu.run_and_read(&[pass], [(results, 8), (&work, RECORDED * most)])?;
-        let visits = recorded.as_chunks().0.iter().take(words[3] as usize).copied().collect();
+        let [words, recorded] = gpu.run_and_read(&[pass], [(results, 8), (&work, 1 + RECORDED * most)])?;
+        let visits = recorded[1..].as_chunks().0.iter().take(words[3] as usize).copied().collect();
         Ok((visits, [words[0], words[1], words[2], words[3]]))
     }
 }

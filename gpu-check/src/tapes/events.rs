@@ -120,7 +120,8 @@ impl Expected {
 
     /// Where recorded events differ.
     pub(super) fn difference(&self, batch: &Batch, search: usize, result: &[u32], recorded: &[u32]) -> Difference {
-        let (recorded, _) = recorded.as_chunks::<RECORDED>();
+        // The first word is the queue of persistent kernels.
+        let (recorded, _) = recorded.get(1..).unwrap_or_default().as_chunks::<RECORDED>();
         let visits = recorded.iter().take(result[3] as usize);
         let recorded: Vec<[u32; WORDS]> = visits.map(|words| array::from_fn(|i| words[i])).collect();
         let at = self.events.iter().zip(&recorded).position(|(a, b)| a != b);
