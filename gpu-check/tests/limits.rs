@@ -90,7 +90,7 @@ fn a_device_that_does_not_answer_is_not_waited_for() {
     let impatient = Gpu::open(None).unwrap().with_patience(Duration::ZERO);
     let error = (0..20).find_map(|_| Adapter::new(&impatient, Kernel::all(1)[0], None).err());
     assert!(matches!(error, Some(GpuError::Timeout(_))), "{error:?}");
-    assert!(start.elapsed() < Duration::from_secs(60));
+    assert!(start.elapsed() < Duration::from_mins(1));
 }
 
 #[test]

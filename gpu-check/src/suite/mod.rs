@@ -108,9 +108,7 @@ impl<'g> Adapter<'g> {
             Level::Key => lazily(&mut self.words, || words::Words::new(device))?.answer(device, ask),
             Level::Hash => lazily(&mut self.tables, || tables::Tables::new(device))?.answer(device, ask),
             Level::Trace => lazily(&mut self.walks, || walks::Walks::new(device))?.answer(device, ask),
-            Level::Ray => {
-                lazily(&mut self.rays, || Ok(rays::Rays::new(&self.arithmetic)))?.answer(device, profile, ask)
-            }
+            Level::Ray => lazily(&mut self.rays, || Ok(rays::Rays::new(self.arithmetic)))?.answer(device, profile, ask),
             Level::Resume => Ok(None),
         }
     }

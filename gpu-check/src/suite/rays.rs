@@ -34,7 +34,7 @@ pub(super) struct Rays {
 }
 
 impl Rays {
-    pub(super) fn new(arithmetic: &Arithmetic) -> Self {
+    pub(super) fn new(arithmetic: Arithmetic) -> Self {
         Self { refines: arithmetic.refines().ok(), pipelines: Default::default(), share: Share::default() }
     }
 

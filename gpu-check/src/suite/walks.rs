@@ -100,7 +100,7 @@ impl Walks {
             Some(_) => Some([gpu.buffer("displacements", &tables.displacements)?, gpu.buffer("cells", &tables.cells)?]),
             None => None,
         };
-        let [displacements, cells] = uploaded.as_ref().map_or([&self.unread; 2], |both| both.each_ref());
+        let [displacements, cells] = uploaded.as_ref().map_or([&self.unread; 2], <[_; 2]>::each_ref);
         let tasks = gpu.buffer("tasks", &head.words(addresses.at(tree, tree.root()), u32::from(*any)))?;
         // Each node once is the most that there is; one visit more shows a kernel that does not know that.
         let most = tree.node_count() + 1;
