@@ -47,9 +47,10 @@ fn named(text: &str) -> Vec<(String, String)> {
 #[test]
 fn whatever_is_named_is_listed() {
     let works = works(&read(Path::new("spec/BIBLIOGRAPHY.toml")));
-    let mut paths = ["README.md", "ARCHITECTURE.md", "benches/README.md"].map(PathBuf::from).to_vec();
-    for folder in ["src", "spec", "tests", "proofs"] {
-        paths.extend(["rs", "md"].into_iter().flat_map(|ending| files(folder, ending)));
+    let mut paths =
+        ["README.md", "ARCHITECTURE.md", "benches/README.md", "gpu-check/README.md"].map(PathBuf::from).to_vec();
+    for folder in ["src", "spec", "tests", "proofs", "gpu-check/src", "gpu-check/tests", "gpu-check/wgsl"] {
+        paths.extend(["rs", "md", "wgsl"].into_iter().flat_map(|ending| files(folder, ending)));
     }
     let mut found = 0;
     for path in paths.iter().filter(|path| !path.ends_with("tests/bibliography.rs")) {

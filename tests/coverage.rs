@@ -179,6 +179,10 @@ fn all_citations() -> Vec<Citation> {
     for file in files("tests", "rs").iter().filter(|file| !file.ends_with("coverage.rs")) {
         of(file, &read(file), Cover::Test);
     }
+    for file in ["rs", "wgsl"].into_iter().flat_map(kernels) {
+        let cover = if file.starts_with("gpu-check/tests") { Cover::Test } else { Cover::Source };
+        of(&file, &read(&file), cover);
+    }
     for file in files("spec/rocq", "v") {
         of(&file, &read(&file), Cover::Rocq);
     }
@@ -197,6 +201,11 @@ fn all_citations() -> Vec<Citation> {
     let cite = |((id, profile), count)| Citation { id, cover: Cover::Suite, by: format!("{profile}: {count} cases") };
     all.extend(cases.into_iter().map(cite));
     all
+}
+
+/// The texts of the kernels for GPUs, and of what runs and tests them.
+fn kernels(ending: &str) -> Vec<PathBuf> {
+    ["src", "wgsl", "tests"].iter().flat_map(|folder| files(&format!("gpu-check/{folder}"), ending)).collect()
 }
 
 /// Clauses of what is asked of an implementation that have no case, and why.

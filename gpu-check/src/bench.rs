@@ -8,7 +8,7 @@ use stackless_bvh::scene::Mesh;
 use stackless_bvh::trace::{Tracer, bounce};
 
 use crate::kernel::{Kernel, Traversal};
-use crate::launch::{BINDINGS, Buffers, params};
+use crate::launch::{self, Buffers, params};
 use crate::model::Found;
 use crate::probe::Arithmetic;
 use crate::scene::{Query, Scene, rays_words};
@@ -168,10 +168,11 @@ impl Cell {
             kernels.retain(|kernel| !kernel.has_words());
             kernels.extend(Kernel::all(words));
         }
-        kernels.retain(|kernel| scene.carries(kernel));
+        let fits = |kernel: &Kernel| kernel.workgroup_bytes(scene.depth()) <= gpu.workgroup_bytes();
+        kernels.retain(|kernel| scene.carries(kernel) && fits(kernel));
         kernels.push(kernels[0]);
         let compile = |kernel: &Kernel| {
-            gpu.compile(&kernel.full_name(), &scene.source(gpu, kernel, query), &BINDINGS, setting.checks)
+            launch::compile(gpu, kernel, scene.depth(), &scene.source(gpu, kernel, query), setting.checks)
         };
         let pipelines = kernels.iter().map(compile).collect::<Result<Vec<_>, _>>()?;
         let count = rays.len() as u32;

@@ -1,5 +1,6 @@
 //! What the commands do, and print.
 
+use std::io::{stdin, stdout};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -7,7 +8,9 @@ use gpu_check::bench::{self, Setting, Traffic};
 use gpu_check::exact::{self, Settled};
 use gpu_check::kernel::{Kernel, Table};
 use gpu_check::made::{self, Made};
+use gpu_check::record::Record;
 use gpu_check::scene::{Query, Scene};
+use gpu_check::suite::{Adapter, Share};
 use gpu_check::summary::Summary;
 use gpu_check::tapes::unchanged;
 use gpu_check::{Gpu, GpuError, planted, probe, rays, tables, tapes};
@@ -15,6 +18,7 @@ use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::geom::Ray;
 use stackless_bvh::hash::PerfectHash;
 use stackless_bvh::scene::{self, Mesh, procedural};
+use stackless_bvh::suite::serve;
 use stackless_bvh::trace::{Tracer, bounce};
 use stackless_bvh::tree::Topology as _;
 
@@ -54,6 +58,21 @@ pub(crate) fn planted(gpu: &Gpu, trees: usize) -> Result<bool, GpuError> {
         good &= seen > 0;
     }
     Ok(good)
+}
+
+/// Answers the lines on standard input.
+pub(crate) fn suite(gpu: &Gpu, kernel: &str, planted: Option<&str>) -> Result<(), GpuError> {
+    let bug = planted.map(planted::named).transpose()?;
+    let mut adapter = Adapter::new(gpu, planted::by_name(kernel)?, bug)?;
+    let served = serve(&mut adapter, stdin().lock(), stdout().lock());
+    let Share { rays, certain } = adapter.share();
+    if rays > 0 {
+        eprintln!("ray/exact: the device was certain of {certain} of {rays} rays");
+    }
+    if let Some(error) = adapter.into_failure() {
+        return Err(error);
+    }
+    served.map_err(data)
 }
 
 pub(crate) fn rays(gpu: &Gpu, files: &[PathBuf], count: usize) -> Result<bool, GpuError> {
@@ -154,15 +173,10 @@ pub(crate) fn hash(gpu: &Gpu, files: &[PathBuf]) -> Result<bool, GpuError> {
     Ok(true)
 }
 
-/// `files` are where the lines go and the picture.
-pub(crate) fn bench(
-    gpu: &Gpu,
-    scenes: &[PathBuf],
-    setting: Setting,
-    files: [Option<&Path>; 2],
-) -> Result<bool, GpuError> {
+/// `folder` is where the record goes.
+pub(crate) fn bench(gpu: &Gpu, scenes: &[PathBuf], setting: Setting, folder: Option<&Path>) -> Result<bool, GpuError> {
     let arithmetic = probe::probe(gpu)?;
-    let mut rows = Vec::new();
+    let (mut rows, mut traffics) = (Vec::new(), Vec::new());
     println!("{}", bench::HEADER);
     for (name, mesh) in meshes(scenes)? {
         let bvh = hierarchy(&mesh)?;
@@ -174,21 +188,21 @@ pub(crate) fn bench(
             }
             Err(traffic) => {
                 let Traffic { nodes, triangles, leaves } = traffic;
-                println!(
-                    "# a ray: {nodes:.1} nodes, {triangles:.1} triangles, {leaves:.1} leaves, {:.0} bytes and lookups",
-                    traffic.bytes()
+                let bytes = traffic.bytes();
+                let line = format!(
+                    "# a ray: {nodes:.1} nodes, {triangles:.1} triangles, {leaves:.1} leaves, {bytes:.0} bytes and lookups"
                 );
+                println!("{line}");
+                traffics.push(format!("{name}: {}", line.trim_start_matches("# ")));
             }
         })?;
     }
     let summary = Summary::of(&rows);
     println!("{summary}");
-    let lines = [bench::HEADER.to_owned()].into_iter().chain(rows.iter().map(ToString::to_string));
-    let texts = [lines.map(|line| line + "\n").collect(), summary.svg()];
-    for (file, text) in files.into_iter().zip(texts) {
-        if let Some(file) = file {
-            scene::write_atomically(file, |file| file.write_all(text.as_bytes())).map_err(data)?;
-        }
+    if let Some(folder) = folder {
+        let (device, arithmetic) = (gpu.name(), arithmetic.to_string());
+        let record = Record { device, arithmetic, setting, rows: &rows, traffic: &traffics };
+        println!("# record: {}", record.write(folder)?.display());
     }
     Ok(true)
 }

@@ -84,6 +84,11 @@ impl Gpu {
         self.device.features().contains(wgpu::Features::SUBGROUP)
     }
 
+    /// Memory of a work group.
+    pub fn workgroup_bytes(&self) -> u32 {
+        self.device.limits().max_compute_workgroup_storage_size
+    }
+
     /// Gives the device up, as a driver may do on its own: nothing works afterwards.
     pub fn lose(&self) {
         self.device.destroy();
@@ -109,13 +114,13 @@ impl Gpu {
         self.raw(what, words, usage)
     }
 
-    /// A uniform buffer of four words.
+    /// A uniform buffer of a multiple of four words.
     ///
     /// # Errors
     /// As [`buffer`](Self::buffer).
-    pub fn uniform(&self, words: [u32; 4]) -> Result<wgpu::Buffer, GpuError> {
-        let buffer = self.raw("params", 4, wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST)?;
-        self.write(&buffer, &words)?;
+    pub fn uniform(&self, words: &[u32]) -> Result<wgpu::Buffer, GpuError> {
+        let buffer = self.raw("params", words.len(), wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST)?;
+        self.write(&buffer, words)?;
         Ok(buffer)
     }
 
@@ -228,9 +233,32 @@ impl Gpu {
     /// # Errors
     /// As [`run`](Self::run).
     pub fn read(&self, buffer: &wgpu::Buffer, words: usize) -> Result<Vec<u32>, GpuError> {
+        self.run_and_read(&[], [(buffer, words)]).map(|[read]| read)
+    }
+
+    /// Runs passes, and reads the first words of buffers, all in one submission.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn run_and_read<const N: usize>(
+        &self,
+        passes: &[Pass<'_>],
+        wanted: [(&wgpu::Buffer, usize); N],
+    ) -> Result<[Vec<u32>; N], GpuError> {
+        let words = wanted.iter().map(|&(_, words)| words).sum();
         let copy = self.raw("copy", words, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST)?;
         let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.guarded("copy", || encoder.copy_buffer_to_buffer(buffer, 0, &copy, 0, 4 * words as u64))?;
+        self.guarded("passes", || {
+            for pass in passes {
+                self.encode(&mut encoder, pass, None);
+            }
+            let mut at = 0;
+            for (buffer, words) in wanted {
+                let bytes = 4 * words as u64;
+                encoder.copy_buffer_to_buffer(buffer, 0, &copy, at, bytes);
+                at += bytes;
+            }
+        })?;
         self.submit(encoder)?;
         let answer = Arc::new(OnceLock::new());
         let told = answer.clone();
@@ -244,10 +272,8 @@ impl Gpu {
             None => return Err(self.refused("read", "no answer".to_owned())),
         }
         let view = copy.slice(..).get_mapped_range().map_err(|error| self.refused("read", error.to_string()))?;
-        let mut read: Vec<u32> = bytemuck::pod_collect_to_vec(&view);
-        // Copies are of four words at least.
-        read.truncate(words);
-        Ok(read)
+        let mut rest: Vec<u32> = bytemuck::pod_collect_to_vec(&view);
+        Ok(wanted.map(|(_, words)| rest.drain(..words.min(rest.len())).collect()))
     }
 
     fn raw(&self, what: &str, words: usize, usage: wgpu::BufferUsages) -> Result<wgpu::Buffer, GpuError> {

@@ -138,6 +138,11 @@ impl Kernel {
         Some(if matches!(self.traversal, Traversal::Afra) { 32 * self.words } else { 32 * self.words - 1 })
     }
 
+    /// Memory of a work group that it needs for trees of this depth.
+    pub const fn workgroup_bytes(&self, depth: u32) -> u32 {
+        if matches!(self.traversal, Traversal::StackWorkgroup) { 4 * WORKGROUP * depth } else { 0 }
+    }
+
     /// The traversal of the library whose events it has to have.
     pub const fn method(&self) -> Method {
         match self.traversal {
@@ -166,6 +171,21 @@ impl Kernel {
     /// Whether its events have the levels of backtracks.
     pub const fn has_levels(&self) -> bool {
         self.has_keys() || matches!(self.traversal, Traversal::Afra)
+    }
+
+    /// Whether it keeps the trail of TRAIL-1.
+    pub const fn has_trail(&self) -> bool {
+        self.has_levels()
+    }
+
+    /// Whether it keeps the most recently postponed node in a register.
+    pub const fn has_register(&self) -> bool {
+        self.has_keys()
+    }
+
+    /// Whether it decides once at a visit, and never asks again on its way down from the root.
+    pub const fn decides_once(&self) -> bool {
+        !matches!(self.traversal, Traversal::Laine(_))
     }
 
     /// Which links it reads.
@@ -268,7 +288,7 @@ pub struct Shape {
 }
 
 /// The search of a decision tape.
-pub const TAPE_SEARCH: &str = include_str!("../wgsl/search_tape.wgsl");
+pub const TAPE_SEARCH: &str = concat!(include_str!("../wgsl/head.wgsl"), include_str!("../wgsl/search_tape.wgsl"));
 
 /// The pass that writes tapes into records.
 pub fn tape_fill() -> String {

@@ -3,7 +3,7 @@
 use wgpu::Buffer;
 
 use crate::kernel::{Driver, Kernel, WORKGROUP};
-use crate::{Access, Gpu, GpuError, Pass, Pipeline};
+use crate::{Access, Checks, Gpu, GpuError, Pass, Pipeline};
 
 /// How traversal kernels use their bindings: nodes, leaves, displacements, cells, tasks, results, parameters, work.
 pub const BINDINGS: [Access; 8] = [
@@ -16,6 +16,19 @@ pub const BINDINGS: [Access; 8] = [
     Access::Uniform,
     Access::Write,
 ];
+
+/// Compiles a kernel for trees of this depth.
+///
+/// # Errors
+/// [`GpuError::Limit`] where a work group has too little memory for its stacks, and as [`Gpu::compile`].
+pub fn compile(gpu: &Gpu, kernel: &Kernel, depth: u32, source: &str, checks: Checks) -> Result<Pipeline, GpuError> {
+    let (needed, limit) = (kernel.workgroup_bytes(depth), gpu.workgroup_bytes());
+    if needed > limit {
+        let what = format!("{}: bytes of a work group", kernel.full_name());
+        return Err(GpuError::Limit { what, needed: needed.into(), limit: limit.into() });
+    }
+    gpu.compile(&kernel.full_name(), source, &BINDINGS, checks)
+}
 
 /// Work groups that persistent kernels are launched with, where there are as many tasks.
 const PERSISTENT_GROUPS: u32 = 1024;
@@ -76,5 +89,5 @@ const MOST_STEPS: u32 = 1 << 15;
 /// # Errors
 /// As [`Gpu::uniform`].
 pub fn params(gpu: &Gpu, tasks: u32) -> Result<Buffer, GpuError> {
-    gpu.uniform([tasks, groups(tasks)[0] * WORKGROUP, MOST_STEPS, 0])
+    gpu.uniform(&[tasks, groups(tasks)[0] * WORKGROUP, MOST_STEPS, 0])
 }

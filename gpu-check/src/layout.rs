@@ -1,7 +1,8 @@
 //! Trees as kernels read them: records, links, tables, in pieces of 16 bytes.
 
+use stackless_bvh::generate::Tape;
 use stackless_bvh::hash::{BuildError, KeySet, Mix, Options, PerfectHash, Sizing};
-use stackless_bvh::tree::{Node, ParentLinks as _, Parents, Reach, Topology, UncleLinks as _, Uncles};
+use stackless_bvh::tree::{Node, ParentLinks as _, Parents, Reach, Topology, Tree, UncleLinks as _, Uncles};
 
 use crate::kernel::{Links, Table};
 
@@ -50,6 +51,91 @@ pub struct TableHead {
     pub mix: Mix,
     /// Seed of the fold of long keys.
     pub fold_seed: u64,
+}
+
+impl TableHead {
+    /// What kernels read where it is not compiled in, with the address of the root, and a word for the search.
+    pub const fn words(&self, root: u32, search: u32) -> [u32; 16] {
+        let [recip, recip_high] = halves(self.reciprocal);
+        let (seed, is_seeded) = match self.mix.seed {
+            Some(seed) => (halves(seed), 1),
+            None => ([0; 2], 0),
+        };
+        let [fold, fold_high] = halves(self.fold_seed);
+        let Self { mask, displacements_at, size, cells_at, .. } = *self;
+        let narrow = self.mix.narrow as u32;
+        [
+            root,
+            search,
+            mask,
+            displacements_at,
+            size,
+            cells_at,
+            recip,
+            recip_high,
+            is_seeded,
+            narrow,
+            seed[0],
+            seed[1],
+            fold,
+            fold_high,
+            0,
+            0,
+        ]
+    }
+}
+
+/// Low and high half.
+pub const fn halves(word: u64) -> [u32; 2] {
+    [word as u32, (word >> 32) as u32]
+}
+
+impl Records {
+    /// Room for so many inner nodes and pieces of leaves.
+    pub fn with_room(inner: u32, pieces: u32) -> Self {
+        Self { nodes: vec![0; 16 * inner as usize], leaves: vec![0; 4 * pieces as usize] }
+    }
+
+    /// Writes children and links of a tree whose leaves are two pieces long, and never hit.
+    pub fn add_tree(&mut self, tree: &Tree, addresses: &Addresses, kind: Links) {
+        let rows = links(tree, addresses, kind);
+        for node in (0..tree.node_count() as u32).filter_map(|i| tree.node(i)) {
+            let (address, slot) = (addresses.at(tree, node), tree.slot(node));
+            let row = rows[slot];
+            if node.is_leaf() {
+                let at = 4 * !address as usize;
+                let words = [u32::MAX, u32::MAX, slot as u32, 0, TERMINATOR, row[0], row[1], row[2]];
+                self.leaves[at..at + 8].copy_from_slice(&words);
+            } else {
+                let at = 4 * address as usize + 12;
+                let [left, right] = tree.children(node).map(|child| addresses.at(tree, child));
+                self.nodes[at..at + 4].copy_from_slice(&[left, right, row[0], row[1]]);
+            }
+        }
+    }
+}
+
+impl Records {
+    /// Writes what a tape says of the nodes of a tree that has been added.
+    pub fn add_cells(&mut self, tree: &Tree, addresses: &Addresses, tape: &Tape) {
+        let cell = |node: Node| tape.cells()[tree.slot(node)];
+        for node in (0..tree.node_count() as u32).filter_map(|i| tree.node(i)) {
+            let (address, said) = (addresses.at(tree, node), cell(node));
+            let none = |distance: Option<u32>| distance.unwrap_or(u32::MAX);
+            if node.is_leaf() {
+                let at = 4 * !address as usize;
+                self.leaves[at] = none(said.hit.filter(|_| !said.miss));
+                self.leaves[at + 1] = none(said.exit);
+            } else {
+                let at = 4 * address as usize;
+                for (child, at) in tree.children(node).map(cell).into_iter().zip([at, at + 4]) {
+                    let words = [child.enter, none(child.exit), none(child.hit), u32::from(child.miss)];
+                    self.nodes[at..at + 4].copy_from_slice(&words);
+                }
+                self.nodes[at + 8] = u32::from(said.right_first);
+            }
+        }
+    }
 }
 
 impl Addresses {

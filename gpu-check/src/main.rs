@@ -70,15 +70,21 @@ enum Command {
         /// Kernels with wgpu's run-time checks. Software devices always have them.
         #[arg(long)]
         checked: bool,
-        /// Where the lines go too.
+        /// A folder for a dated record: `DATE-gpu.md`, the lines as `.csv`, a picture as `.svg`.
         #[arg(long)]
-        csv: Option<PathBuf>,
-        /// Where a picture goes.
-        #[arg(long)]
-        svg: Option<PathBuf>,
+        record: Option<PathBuf>,
     },
     /// What the arithmetic of the device does.
     Probe,
+    /// Answer the conformance suite as a kernel does: an implementation for `stackless conform`.
+    Suite {
+        /// The kernel, by its full name.
+        #[arg(long, default_value = "hashed/64")]
+        kernel: String,
+        /// A mistake in it, by its name.
+        #[arg(long)]
+        planted: Option<String>,
+    },
     /// Kernels with a mistake each: all have to be caught by `tapes`.
     Planted {
         /// Number of trees.
@@ -93,6 +99,13 @@ fn main() -> ExitCode {
         Ok(gpu) => gpu,
         Err(error) => return failed(&error),
     };
+    // The suite's adapter speaks with a runner.
+    if let Command::Suite { kernel, planted } = &arguments.command {
+        return match commands::suite(&gpu, kernel, planted.as_deref()) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(error) => ended(&error),
+        };
+    }
     println!("device: {}", gpu.name());
     match run(&arguments, &gpu) {
         Ok(true) => {
@@ -103,13 +116,17 @@ fn main() -> ExitCode {
             println!("fail");
             ExitCode::from(1)
         }
-        Err(error @ GpuError::Timeout(_)) => {
-            failed(&error);
-            // To give the device back is to wait for it.
-            std::process::exit(error.exit_code().into());
-        }
-        Err(error) => failed(&error),
+        Err(error) => ended(&error),
     }
+}
+
+fn ended(error: &GpuError) -> ExitCode {
+    let code = failed(error);
+    if matches!(error, GpuError::Timeout(_)) {
+        // To give the device back is to wait for it.
+        std::process::exit(error.exit_code().into());
+    }
+    code
 }
 
 fn failed(error: &GpuError) -> ExitCode {
@@ -124,16 +141,17 @@ fn run(arguments: &Arguments, gpu: &Gpu) -> Result<bool, GpuError> {
         Command::Rays { scenes, rays } => commands::rays(gpu, scenes, *rays),
         Command::Exact { scenes, rays } => commands::exact(gpu, scenes, *rays),
         Command::Hash { scenes } => commands::hash(gpu, scenes),
-        Command::Bench { scenes, rays, views, warm_up, passes, checked, csv, svg } => {
+        Command::Bench { scenes, rays, views, warm_up, passes, checked, record } => {
             // Software devices miscompile loops that are not bounded.
             let checks = if *checked || gpu.is_software() { Checks::All } else { Checks::None };
             let setting = Setting { rays: *rays, views: *views, warm_up: *warm_up, passes: *passes, checks };
-            commands::bench(gpu, scenes, setting, [csv.as_deref(), svg.as_deref()])
+            commands::bench(gpu, scenes, setting, record.as_deref())
         }
         Command::Probe => probe::probe(gpu).map(|arithmetic| {
             println!("arithmetic: {arithmetic}");
             true
         }),
         Command::Planted { trees } => commands::planted(gpu, *trees),
+        Command::Suite { .. } => Ok(true),
     }
 }

@@ -141,6 +141,23 @@ pub const RAY_BUGS: &[Bug] = bugs! {
         "select(quotient, 0.0, quotient == 0.0)" => "quotient";
 };
 
+/// Those in what is certain; the cases of `ray/exact` show them. BAND-2 to BAND-5 in `spec/exactness.md` say why each is one.
+pub const BAND_BUGS: &[Bug] = bugs! {
+    "edge functions are taken for exact", "stack":
+        "(((EDGE_FACTOR * U) * size) * edge) * (2.0 * reach + edge)" => "0.0";
+    "the numerator of the distance is taken for exact", "stack":
+        "(((36.0 * U) * reach) * edge) * edge" => "0.0";
+    "the distance is taken for exact", "stack":
+        "let t_low = (first - (16.0 * U) * abs(first)) - FLOOR;\n    let t_high = (last + (16.0 * U) * abs(last)) + FLOOR;" =>
+        "let t_low = above / below;\n    let t_high = above / below;";
+    "hits that may be equally far are put in order", "stack":
+        "} else if best_triangle != corner.w {\n        doubt();" => "} else if best_triangle != corner.w {";
+    "the end of the interval is not left in doubt", "stack":
+        "if !(t_least >= tmin && t_high <= ray_end) {\n        doubt();\n        return;\n    }" => "";
+    "a line that may meet an edge misses", "stack":
+        "if !(least > delta || most < -delta) {\n        doubt();" => "if !(least > delta || most < -delta) {";
+};
+
 /// Runs the ray kernel with the bug over the made scenes. The answer is how many closest hits are not those of rational
 /// arithmetic.
 ///
@@ -166,7 +183,20 @@ pub fn hunt_rays(gpu: &Gpu, bug: &Bug) -> Result<usize, GpuError> {
     Ok(seen)
 }
 
-fn by_name(name: &str) -> Result<Kernel, GpuError> {
+/// The mistake of a name.
+///
+/// # Errors
+/// [`GpuError::Data`] if there is none.
+pub fn named(name: &str) -> Result<Bug, GpuError> {
+    let bug = BUGS.iter().chain(RAY_BUGS).chain(BAND_BUGS).find(|bug| bug.name == name);
+    bug.copied().ok_or_else(|| GpuError::Data(format!("no mistake {name:?}")))
+}
+
+/// The kernel of a full name.
+///
+/// # Errors
+/// [`GpuError::Data`] if there is none.
+pub fn by_name(name: &str) -> Result<Kernel, GpuError> {
     let kernel = (1..=3).flat_map(Kernel::all).find(|kernel| kernel.full_name() == name);
     kernel.ok_or_else(|| GpuError::Data(format!("no kernel {name}")))
 }

@@ -9,12 +9,12 @@ use stackless_bvh::order::Pruning;
 use stackless_bvh::trace::Hit;
 
 use crate::kernel::Kernel;
-use crate::launch::{BINDINGS, Buffers, params};
+use crate::launch::{Buffers, compile, params};
 use crate::model::{Found, Model};
 use crate::probe::Arithmetic;
 use crate::scene::{Query, Scene, rays_words};
 use crate::tapes::Edit;
-use crate::{Checks, Gpu, GpuError};
+use crate::{Checks, Gpu, GpuError, Pipeline};
 
 /// How a kernel's hits compare.
 #[derive(Clone, Debug, Default)]
@@ -63,17 +63,33 @@ pub fn trace(
     edit: Edit<'_>,
 ) -> Result<Vec<Found>, GpuError> {
     let source = edit(scene.source(gpu, kernel, query));
-    let pipeline = gpu.compile(&kernel.full_name(), &source, &BINDINGS, Checks::All)?;
+    let pipeline = compile(gpu, kernel, scene.depth(), &source, Checks::All)?;
+    launch(gpu, scene, kernel, &pipeline, rays)
+}
+
+/// The hits of a compiled kernel, for this scene or any.
+///
+/// # Errors
+/// [`GpuError`].
+pub fn launch(
+    gpu: &Gpu,
+    scene: &Scene,
+    kernel: &Kernel,
+    pipeline: &Pipeline,
+    rays: &[Ray],
+) -> Result<Vec<Found>, GpuError> {
     let count = rays.len() as u32;
-    let tasks = gpu.buffer("rays", &rays_words(rays)?)?;
+    let mut words = rays_words(rays)?;
+    words.extend(scene.head(kernel));
+    let tasks = gpu.buffer("rays", &words)?;
     // What no kernel writes, so that a ray that is left out shows.
     let results = gpu.buffer("hits", &vec![0xdead_beef; 4 * rays.len()])?;
     let (work, params) = (gpu.zeros("work", 4)?, params(gpu, count)?);
     let [nodes, leaves, displacements, cells] = scene.buffers(kernel);
     let buffers =
         Buffers { nodes, leaves, displacements, cells, tasks: &tasks, results: &results, params: &params, work: &work };
-    gpu.run(&[buffers.pass(kernel, &pipeline, count)])?;
-    let words = gpu.read(&results, 4 * rays.len())?;
+    let pass = buffers.pass(kernel, pipeline, count);
+    let [words] = gpu.run_and_read(&[pass], [(&results, 4 * rays.len())])?;
     Ok(words.as_chunks().0.iter().map(|&words| Found::of_words(words)).collect())
 }
 

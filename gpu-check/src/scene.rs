@@ -51,8 +51,7 @@ impl Scene {
     /// # Errors
     /// [`GpuError::Data`] for coordinates beyond 2^40, and what else a device may refuse.
     pub fn new(gpu: &Gpu, bvh: &Bvh) -> Result<Self, GpuError> {
-        let bounds = bvh.bounds();
-        if bounds.lo.abs().max(bounds.hi.abs()).max_element() > MOST {
+        if !takes(bvh) {
             return Err(GpuError::Data(format!("coordinates beyond {MOST}")));
         }
         let pieces = |leaf: Node| 3 * bvh.leaf_triangles(leaf).len() as u32 + 1;
@@ -105,6 +104,17 @@ impl Scene {
         &self.tables[usize::from(kernel.table() == Some(Table::Tight))]
     }
 
+    /// What kernels that are compiled for any scene read of this one, behind the rays.
+    pub fn head(&self, kernel: &Kernel) -> [u32; 16] {
+        self.table(kernel).1.words(self.root, 0)
+    }
+
+    /// The text of a kernel for scenes of up to this depth, which reads the [`head`](Self::head) of each.
+    pub fn source_for_any(gpu: &Gpu, kernel: &Kernel, query: Query<'_>, depth: u32) -> String {
+        let head = [include_str!("../wgsl/head.wgsl"), include_str!("../wgsl/scene_read.wgsl")].concat();
+        source(gpu, kernel, query, depth, head)
+    }
+
     /// The text of a kernel for this scene.
     pub fn source(&self, gpu: &Gpu, kernel: &Kernel, query: Query<'_>) -> String {
         let (_, head) = self.table(kernel);
@@ -115,7 +125,6 @@ impl Scene {
             ("DISPLACEMENTS_AT", head.displacements_at),
             ("TABLE_SIZE", head.size),
             ("CELLS_AT", head.cells_at),
-            ("CLAMPED_RECIPROCAL", CLAMPED_RECIPROCAL.to_bits()),
         ] {
             let _ = writeln!(search, "const {name} = {value}u;");
         }
@@ -124,21 +133,24 @@ impl Scene {
         {
             let _ = writeln!(search, "const {name} = vec2({}u, {}u);", value as u32, value >> 32);
         }
-        for (name, value) in [
-            ("IS_SEEDED", head.mix.seed.is_some()),
-            ("IS_NARROW", head.mix.narrow),
-            ("ANY_HIT", query.any),
-            ("HAS_PARALLEL", query.parallel),
-            ("REFINES", query.refines),
-        ] {
+        for (name, value) in [("IS_SEEDED", head.mix.seed.is_some()), ("IS_NARROW", head.mix.narrow)] {
             let _ = writeln!(search, "const {name} = {value};");
         }
-        search.push_str(include_str!("../wgsl/arithmetic.wgsl"));
-        search.push_str(include_str!("../wgsl/search_ray.wgsl"));
-        search.push_str(query.triangles);
-        let shape = Shape { depth: self.depth, subgroups: gpu.has_subgroups() };
-        kernel.source(shape, &search, Record::Nothing)
+        search.push_str("fn begin_scene() {}\n");
+        source(gpu, kernel, query, self.depth, search)
     }
+}
+
+/// The text of a kernel, after what it knows of its scene.
+fn source(gpu: &Gpu, kernel: &Kernel, query: Query<'_>, depth: u32, mut search: String) -> String {
+    let _ = writeln!(search, "const CLAMPED_RECIPROCAL = {}u;", CLAMPED_RECIPROCAL.to_bits());
+    for (name, value) in [("ANY_HIT", query.any), ("HAS_PARALLEL", query.parallel), ("REFINES", query.refines)] {
+        let _ = writeln!(search, "const {name} = {value};");
+    }
+    search.push_str(include_str!("../wgsl/arithmetic.wgsl"));
+    search.push_str(include_str!("../wgsl/search_ray.wgsl"));
+    search.push_str(query.triangles);
+    kernel.source(Shape { depth, subgroups: gpu.has_subgroups() }, &search, Record::Nothing)
 }
 
 impl Query<'_> {
@@ -152,6 +164,18 @@ impl Query<'_> {
     }
 }
 
+/// Whether kernels take a hierarchy: coordinates of up to 2^40.
+pub fn takes(bvh: &Bvh) -> bool {
+    let bounds = bvh.bounds();
+    bounds.lo.abs().max(bounds.hi.abs()).max_element() <= MOST
+}
+
+/// Whether kernels take a ray `[BAND-1]`: an origin of up to 2^40, and a direction whose largest component is within 2^-20 and 2^20.
+pub fn takes_ray(ray: &Ray) -> bool {
+    let (reach, size) = (ray.origin().abs().max_element(), ray.direction().abs().max_element());
+    reach <= MOST && (DIRECTIONS[0]..=DIRECTIONS[1]).contains(&size)
+}
+
 /// The words of rays.
 ///
 /// # Errors
@@ -159,8 +183,7 @@ impl Query<'_> {
 pub fn rays_words(rays: &[Ray]) -> Result<Vec<u32>, GpuError> {
     let mut words = Vec::with_capacity(12 * rays.len());
     for (i, ray) in rays.iter().enumerate() {
-        let (reach, size) = (ray.origin().abs().max_element(), ray.direction().abs().max_element());
-        if reach > MOST || !(DIRECTIONS[0]..=DIRECTIONS[1]).contains(&size) {
+        if !takes_ray(ray) {
             return Err(GpuError::Data(format!("ray {i}: beyond what kernels take")));
         }
         words.extend(ray_words(ray));

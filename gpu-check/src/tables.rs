@@ -1,12 +1,12 @@
 //! Perfect hash tables made on the device, and certified on the CPU.
 
-use std::fmt::Write as _;
-
 use stackless_bvh::hash::KeySet;
 use stackless_bvh::hash::{AddressBounds, Options, PerfectHash, Sizing, certify};
 use stackless_bvh::tree::{Keys, Node, Topology};
 
 use crate::launch::groups;
+use crate::layout::halves;
+use crate::tapes::{Edit, unchanged};
 use crate::{Access, Checks, Gpu, GpuError, Pass, Pipeline};
 
 /// A certified table, and what it took.
@@ -26,43 +26,117 @@ type Keyed = (u64, u32);
 /// Times that H grows by an eighth. `[HASH-2]`
 const GROWTHS: u32 = 16;
 
-/// Builds the table of a tree of up to 63 edges, and has it certified.
+/// Builds one table, as [`Builder::build`].
 ///
 /// # Errors
-/// [`GpuError::Data`] where the plain function has no displacements (the seeded one is the CPU's), or where the table
-/// is wrong.
+/// As [`Builder::build`].
 pub fn build(gpu: &Gpu, tree: &impl Topology, options: Options) -> Result<Built, GpuError> {
-    if tree.depth() > 63 {
-        return Err(GpuError::Data(format!("a tree of {} edges has keys beyond 64 bits", tree.depth())));
-    }
-    let keys = keyed(tree, options.key_set);
-    let count = match options.sizing {
-        Sizing::Printed => tree.node_count(),
-        _ => keys.len(),
-    } as u64;
-    let displacements = match options.sizing {
-        Sizing::Tight => nearest_power(2 * keys.len() as u64),
-        _ => 1 << (count.max(3) - 1).ilog2().saturating_sub(1),
-    };
-    let grouped = Grouped::new(gpu, &keys, displacements)?;
-    let mut cells = match options.sizing {
-        Sizing::Tight => 2 * u64::from(grouped.shared) + 1,
-        _ => 2 * count + 1,
-    };
-    for attempts in 1..=GROWTHS {
-        if let Some((tables, nanoseconds)) = grouped.place(gpu, cells)? {
-            let hash = checked(tree, options, &keys, grouped.direct(), tables)?;
-            let nanoseconds = nanoseconds.zip(grouped.nanoseconds).map(|(a, b)| a + b);
-            return Ok(Built { hash, nanoseconds, attempts });
-        }
-        if options.sizing != Sizing::Tight {
-            break;
-        }
-        cells = 2 * (cells * 9 / 16 + 1) + 1;
-    }
-    Err(GpuError::Data("no displacements: the plain function does not work for these keys".to_owned()))
+    Builder::new(gpu, &unchanged)?.build(tree, options)
 }
 
+/// The passes that build tables.
+#[derive(Debug)]
+pub struct Builder<'g> {
+    gpu: &'g Gpu,
+    stages: [Pipeline; 4],
+}
+
+/// Displacements and cells as the device has made them, and what that took.
+#[derive(Debug)]
+pub struct Made {
+    /// Displacements, and the entries of keys that are alone in their buckets.
+    pub displacements: Vec<u32>,
+    /// Entries; 0 in empty cells.
+    pub cells: Vec<u32>,
+    direct: u32,
+    nanoseconds: Option<f64>,
+    attempts: u32,
+}
+
+impl<'g> Builder<'g> {
+    /// Compiles the passes, whose text may be edited.
+    ///
+    /// # Errors
+    /// What the device may refuse.
+    pub fn new(gpu: &'g Gpu, edit: Edit<'_>) -> Result<Self, GpuError> {
+        let stage = |stage: u32| {
+            let parts = [
+                &format!("const STAGE = {stage}u;\n"),
+                include_str!("../wgsl/wide.wgsl"),
+                include_str!("../wgsl/table.wgsl"),
+                include_str!("../wgsl/remainder.wgsl"),
+                include_str!("../wgsl/hash_build.wgsl"),
+            ];
+            let mut bindings = vec![Access::Read];
+            bindings.extend([Access::Write; 7]);
+            bindings.push(Access::Uniform);
+            gpu.compile("hash", &edit(parts.concat()), &bindings, Checks::All)
+        };
+        Ok(Self { gpu, stages: [stage(0)?, stage(1)?, stage(2)?, stage(3)?] })
+    }
+
+    /// Builds the table of a tree of up to 63 edges, and has it certified.
+    ///
+    /// # Errors
+    /// [`GpuError::Data`] where the plain function has no displacements (the seeded one is the CPU's), or where the
+    /// table is wrong.
+    pub fn build(&self, tree: &impl Topology, options: Options) -> Result<Built, GpuError> {
+        let made = self.make(tree, options, None)?;
+        let Some(made) = made else {
+            return Err(GpuError::Data("no displacements: the plain function does not work for these keys".to_owned()));
+        };
+        let (nanoseconds, attempts) = (made.nanoseconds, made.attempts);
+        let hash = checked(tree, options, keyed(tree, options.key_set).len() as u32, made)?;
+        Ok(Built { hash, nanoseconds, attempts })
+    }
+
+    /// The tables of a tree of up to 63 edges, of exactly these sizes D and H if they are given; `None` if there are none,
+    /// or none was found.
+    ///
+    /// # Errors
+    /// What the device may refuse; [`GpuError::Data`] for keys that are too long or sizes that cannot be.
+    pub fn make(
+        &self,
+        tree: &impl Topology,
+        options: Options,
+        sizes: Option<[u32; 2]>,
+    ) -> Result<Option<Made>, GpuError> {
+        if tree.depth() > 63 {
+            return Err(GpuError::Data(format!("a tree of {} edges has keys beyond 64 bits", tree.depth())));
+        }
+        let keys = keyed(tree, options.key_set);
+        let count = match options.sizing {
+            Sizing::Printed => tree.node_count(),
+            _ => keys.len(),
+        } as u64;
+        let displacements = match (sizes, options.sizing) {
+            (Some([displacements, _]), _) => displacements.into(),
+            (None, Sizing::Tight) => nearest_power(2 * keys.len() as u64),
+            _ => 1 << (count.max(3) - 1).ilog2().saturating_sub(1),
+        };
+        if !displacements.is_power_of_two() {
+            return Err(GpuError::Data(format!("{displacements} displacements are no power of two")));
+        }
+        let grouped = Grouped::new(self, &keys, displacements)?;
+        let mut cells = match (sizes, options.sizing) {
+            (Some([_, cells]), _) => cells.into(),
+            (None, Sizing::Tight) => 2 * u64::from(grouped.shared) + 1,
+            _ => 2 * count + 1,
+        };
+        for attempts in 1..=GROWTHS {
+            if let Some(made) = grouped.place(self, cells)? {
+                return Ok(Some(Made { attempts, ..made }));
+            }
+            if options.sizing != Sizing::Tight || sizes.is_some() {
+                break;
+            }
+            cells = 2 * (cells * 9 / 16 + 1) + 1;
+        }
+        Ok(None)
+    }
+}
+
+/// Keys of a set with their entries, by a walk over the tree.
 fn keyed(tree: &impl Topology, key_set: KeySet) -> Vec<Keyed> {
     let (hashed, keys) = (key_set.slots(tree), Keys::of(tree));
     let mut keyed = Vec::new();
@@ -79,8 +153,8 @@ fn keyed(tree: &impl Topology, key_set: KeySet) -> Vec<Keyed> {
     keyed
 }
 
-/// `[HASH-5]`
-const fn entry(node: Node) -> u32 {
+/// The word that stands for a node. `[HASH-5]`
+pub const fn entry(node: Node) -> u32 {
     let index = node.index() as u32;
     if node.is_leaf() { !index } else { 1 << 31 | index }
 }
@@ -90,9 +164,6 @@ fn nearest_power(count: u64) -> u64 {
     let power = count.next_power_of_two();
     if power > 1 && count * count < power * power / 2 { power / 2 } else { power }
 }
-
-/// Displacements and cells.
-type Words = [Vec<u32>; 2];
 
 /// Keys in their buckets, on the device.
 struct Grouped {
@@ -110,7 +181,7 @@ struct Grouped {
 }
 
 impl Grouped {
-    fn new(gpu: &Gpu, keys: &[Keyed], size: u64) -> Result<Self, GpuError> {
+    fn new(Builder { gpu, stages }: &Builder<'_>, keys: &[Keyed], size: u64) -> Result<Self, GpuError> {
         let size = u32::try_from(size).map_err(|_| GpuError::Data("too many keys".to_owned()))?;
         let words: Vec<u32> = keys.iter().flat_map(|&(key, word)| [key as u32, (key >> 32) as u32, word, 0]).collect();
         let zeros = |what: &str| gpu.zeros(what, size as usize);
@@ -128,12 +199,8 @@ impl Grouped {
             nanoseconds: None,
         };
         let (cells, totals) = (gpu.zeros("cells", 1)?, gpu.zeros("totals", 4)?);
-        let mut pipelines = Vec::new();
-        for stage in 0..3 {
-            pipelines.push(grouped.pipeline(gpu, stage, 1)?);
-        }
-        let (by_key, by_bucket) = (grouped.params(gpu, grouped.key_count, 0)?, grouped.params(gpu, size, 0)?);
-        let passes = pipelines
+        let (by_key, by_bucket) = (grouped.params(gpu, grouped.key_count, 0, 1)?, grouped.params(gpu, size, 0, 1)?);
+        let passes = stages
             .iter()
             .zip([&by_key, &by_bucket, &by_key])
             .map(|(pipeline, (params, count))| grouped.pass(pipeline, &cells, &totals, params, *count));
@@ -143,50 +210,34 @@ impl Grouped {
         Ok(grouped)
     }
 
-    /// Keys that are alone in their buckets.
-    const fn direct(&self) -> u32 {
-        self.key_count - self.shared
-    }
-
-    /// The tables for so many cells, and nanoseconds; nothing if some bucket has no displacement.
-    fn place(&self, gpu: &Gpu, size: u64) -> Result<Option<(Words, Option<f64>)>, GpuError> {
-        if size > 1 << 31 {
-            return Err(GpuError::Data(format!("{size} cells are more than 2^31")));
-        }
+    /// The tables for so many cells; nothing if some bucket has no displacement.
+    fn place(&self, Builder { gpu, stages }: &Builder<'_>, size: u64) -> Result<Option<Made>, GpuError> {
+        let size = u32::try_from(size).ok().filter(|size| (1..=1 << 31).contains(size));
+        let Some(size) = size else {
+            return Err(GpuError::Data("cells are not between 1 and 2^31".to_owned()));
+        };
         let (cells, totals) = (gpu.zeros("cells", size as usize)?, gpu.zeros("totals", 4)?);
-        let pipeline = self.pipeline(gpu, 3, size as u32)?;
-        let batches = (2..=self.largest).rev().map(|count| self.params(gpu, self.size, count));
+        let batches = (2..=self.largest).rev().map(|count| self.params(gpu, self.size, count, size));
         let batches = batches.collect::<Result<Vec<_>, _>>()?;
-        let passes = batches.iter().map(|(params, count)| self.pass(&pipeline, &cells, &totals, params, *count));
+        let passes = batches.iter().map(|(params, count)| self.pass(&stages[3], &cells, &totals, params, *count));
         let nanoseconds = run(gpu, &passes.collect::<Vec<_>>())?;
         if gpu.read(&totals, 2)?[1] > 0 {
             return Ok(None);
         }
-        let tables = [gpu.read(&self.displacements, self.size as usize)?, gpu.read(&cells, size as usize)?];
-        Ok(Some((tables, nanoseconds)))
+        Ok(Some(Made {
+            displacements: gpu.read(&self.displacements, self.size as usize)?,
+            cells: gpu.read(&cells, size as usize)?,
+            // Keys that are alone in their buckets.
+            direct: self.key_count - self.shared,
+            nanoseconds: nanoseconds.zip(self.nanoseconds).map(|(a, b)| a + b),
+            attempts: 1,
+        }))
     }
 
-    fn pipeline(&self, gpu: &Gpu, stage: u32, cells: u32) -> Result<Pipeline, GpuError> {
-        let mut text = String::new();
-        for (name, value) in [("STAGE", stage), ("DIRECT_MASK", self.size - 1), ("TABLE_SIZE", cells)] {
-            let _ = writeln!(text, "const {name} = {value}u;");
-        }
-        let reciprocal = u64::MAX / u64::from(cells);
-        let _ = writeln!(text, "const RECIPROCAL = vec2({}u, {}u);", reciprocal as u32, reciprocal >> 32);
-        text.push_str(include_str!("../wgsl/wide.wgsl"));
-        text.push_str(include_str!("../wgsl/table.wgsl"));
-        text.push_str(include_str!("../wgsl/remainder.wgsl"));
-        text.push_str(include_str!("../wgsl/hash_build.wgsl"));
-        let mut bindings = vec![Access::Read];
-        bindings.extend([Access::Write; 7]);
-        bindings.push(Access::Uniform);
-        gpu.compile("hash", &text, &bindings, Checks::All)
-    }
-
-    #[allow(clippy::unused_self, reason = "beside `pass`, which takes what it gives")]
-    fn params(&self, gpu: &Gpu, invocations: u32, batch: u32) -> Result<(wgpu::Buffer, u32), GpuError> {
+    fn params(&self, gpu: &Gpu, invocations: u32, batch: u32, cells: u32) -> Result<(wgpu::Buffer, u32), GpuError> {
         let row = groups(invocations)[0] * crate::kernel::WORKGROUP;
-        Ok((gpu.uniform([invocations, row, batch, 0])?, invocations))
+        let [low, high] = halves(u64::MAX / u64::from(cells));
+        Ok((gpu.uniform(&[invocations, row, batch, self.size - 1, cells, low, high, 0])?, invocations))
     }
 
     fn pass<'a>(
@@ -219,9 +270,8 @@ fn run(gpu: &Gpu, passes: &[Pass<'_>]) -> Result<Option<f64>, GpuError> {
 fn checked(
     tree: &impl Topology,
     options: Options,
-    keys: &[Keyed],
-    direct: u32,
-    [displacements, cells]: Words,
+    keys: u32,
+    Made { displacements, cells, direct, .. }: Made,
 ) -> Result<PerfectHash, GpuError> {
     let (set, reach) = match options.key_set {
         KeySet::All => (0, [0, 0]),
@@ -230,7 +280,7 @@ fn checked(
     };
     let sizing = Sizing::ALL.iter().position(|&of| of == options.sizing).unwrap_or(0) as u32;
     let narrow = u32::from(tree.depth() < 32);
-    let sizes = [keys.len() as u32, direct, displacements.len() as u32, cells.len() as u32];
+    let sizes = [keys, direct, displacements.len() as u32, cells.len() as u32];
     let header = [1, set, reach[0], reach[1], sizing, narrow].into_iter().chain(sizes).chain([0; 2 + 2]);
     // The seed of long keys, of which there are none.
     let header = header.chain([0; 2]);

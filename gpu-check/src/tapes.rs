@@ -4,10 +4,10 @@ mod batch;
 mod events;
 
 pub use batch::{Batch, Case, cases};
-pub use events::{Difference, Expected};
+pub use events::{Difference, Expected, RECORDED};
 
 use crate::kernel::{Kernel, Record, Shape, TAPE_SEARCH};
-use crate::launch::{BINDINGS, Buffers, params};
+use crate::launch::{Buffers, compile, params};
 use crate::{Checks, Gpu, GpuError};
 
 /// What became of one kernel.
@@ -73,11 +73,11 @@ fn run(
     let depth = searches.iter().map(|&i| batch.depth(i)).max().unwrap_or(0);
     let shape = Shape { depth, subgroups: gpu.has_subgroups() };
     let source = edit(kernel.source(shape, TAPE_SEARCH, record));
-    let pipeline = gpu.compile(&kernel.full_name(), &source, &BINDINGS, Checks::All)?;
+    let pipeline = compile(gpu, kernel, depth, &source, Checks::All)?;
     let tasks = gpu.buffer("searches", &batch.task_words(kernel, searches))?;
     let count = searches.len() as u32;
     let results = gpu.buffer("results", &vec![u32::MAX; 8 * searches.len()])?;
-    let event_words = if record == Record::Events { 5 * batch.most_visits(searches) } else { 4 };
+    let event_words = if record == Record::Events { 1 + RECORDED * batch.most_visits(searches) } else { 4 };
     let work = gpu.zeros("work", event_words)?;
     let params = params(gpu, count)?;
     let [nodes, leaves] = batch.records(kernel.links());

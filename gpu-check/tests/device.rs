@@ -106,7 +106,7 @@ fn hits_are_those_of_the_model_and_of_rational_arithmetic() {
 }
 
 /// Coordinates that no float arithmetic is exact on: the answers are those of the exact tracer all the same, and would not be
-/// without the bounds.
+/// without the bounds. [BAND-2] [BAND-3] [BAND-4] [BAND-5] [BAND-6]
 #[test]
 fn certain_and_settled_hits_are_exact() {
     let gpu = gpu();
@@ -141,6 +141,7 @@ fn certain_and_settled_hits_are_exact() {
     assert!(wrong_without_bounds > 0);
 }
 
+/// [HASH-4] [HASH-9]
 #[test]
 fn tables_from_the_device_are_certified() {
     let gpu = gpu();
@@ -159,7 +160,7 @@ fn tables_from_the_device_are_certified() {
         let built = tables::build(&gpu, &tree, Table::Tight.options());
         assert!(built.is_ok() || tree.depth() > 63, "{built:?}");
     }
-    // The chain for which the printed sizes have no displacements: said, and no endless search [HASH-4].
+    // The chain for which the printed sizes have no displacements: said, and no endless search.
     let chain = Family::Comb.tree(&mut Bytes::new(&[]), 32);
     let options = Options { key_set: KeySet::All, sizing: Sizing::Printed };
     assert!(matches!(tables::build(&gpu, &chain, options), Err(GpuError::Data(_))));
@@ -219,7 +220,7 @@ fn nothing_hangs() {
 #[test]
 fn without_an_adapter_nothing_passes() {
     let run = |arguments: &[&str]| Command::new(env!("CARGO_BIN_EXE_gpu-check")).args(arguments).output().unwrap();
-    for command in ["tapes", "rays", "probe", "planted"] {
+    for command in ["tapes", "rays", "probe", "planted", "suite"] {
         let output = run(&["--adapter", "none of this name", command]);
         let text = String::from_utf8_lossy(&output.stdout).into_owned();
         assert_eq!((output.status.code(), text.contains("pass")), (Some(3), false), "{command}: {text}");

@@ -97,3 +97,11 @@ fn cursor_levels() -> u32 {
 fn cursor_key() -> Word {
     return key;
 }
+
+fn cursor_trail() -> Word {
+    return trail;
+}
+
+fn cursor_register() -> u32 {
+    return latest;
+}

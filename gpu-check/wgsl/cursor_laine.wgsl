@@ -80,3 +80,11 @@ fn cursor_levels() -> u32 {
 fn cursor_key() -> Word {
     return WORD_ZERO;
 }
+
+fn cursor_trail() -> Word {
+    return WORD_ZERO;
+}
+
+fn cursor_register() -> u32 {
+    return 0u;
+}

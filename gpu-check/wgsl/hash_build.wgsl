@@ -12,8 +12,12 @@
 @group(0) @binding(6) var<storage, read_write> cells: array<atomic<u32>>;
 // Keys that share a bucket, buckets without a displacement, keys of the largest bucket.
 @group(0) @binding(7) var<storage, read_write> totals: array<atomic<u32>>;
-// Invocations, those in a row, keys of the buckets that are placed now.
-@group(0) @binding(8) var<uniform> params: vec4<u32>;
+// Invocations, those in a row, keys of the buckets that are placed now, D - 1; H, and floor((2^64 - 1) / H).
+@group(0) @binding(8) var<uniform> params: array<vec4<u32>, 2>;
+
+var<private> DIRECT_MASK: u32;
+var<private> TABLE_SIZE: u32;
+var<private> RECIPROCAL: vec2<u32>;
 
 fn bucket(key: u32) -> u32 {
     return keys[key].x & DIRECT_MASK;
@@ -72,12 +76,12 @@ fn claim_all(start: u32, count: u32, displacement: u32) -> bool {
 // Buckets of one size side by side: which of them gets a cell that two want is not determined, so neither are the
 // tables.
 fn place(at: u32) {
-    if atomicLoad(&counts[at]) != params.z {
+    if atomicLoad(&counts[at]) != params[0].z {
         return;
     }
     var is_placed = false;
     for (var displacement = 0u; displacement < TABLE_SIZE && !is_placed; displacement++) {
-        if claim_all(starts[at], params.z, displacement) {
+        if claim_all(starts[at], params[0].z, displacement) {
             displacements[at] = displacement;
             is_placed = true;
         }
@@ -89,10 +93,13 @@ fn place(at: u32) {
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
-    let i = id.x + id.y * params.y;
-    if i >= params.x {
+    let i = id.x + id.y * params[0].y;
+    if i >= params[0].x {
         return;
     }
+    DIRECT_MASK = params[0].w;
+    TABLE_SIZE = params[1].x;
+    RECIPROCAL = params[1].yz;
     if STAGE == 0u {
         count_key(i);
     } else if STAGE == 1u {

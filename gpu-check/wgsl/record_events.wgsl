@@ -1,4 +1,4 @@
-// The event trace itself: five words for each visit, into `work`, as many as fit.
+// The event trace itself: nine words for each visit, into `work` behind the queue, as many as fit.
 
 // Visits, and steps, which are more where a traversal restarts.
 var<private> visits: u32;
@@ -20,7 +20,7 @@ fn record_visit(address: u32) {
     if cursor_is_restarting() {
         return;
     }
-    let at = 5u * visits;
+    let at = 1u + 9u * visits;
     visits++;
     let parts = word_parts(cursor_key());
     record_word(at, address);
@@ -28,6 +28,11 @@ fn record_visit(address: u32) {
     record_word(at + 2u, parts.x);
     record_word(at + 3u, parts.y);
     record_word(at + 4u, parts.z);
+    let trail_parts = word_parts(cursor_trail());
+    record_word(at + 5u, trail_parts.x);
+    record_word(at + 6u, trail_parts.y);
+    record_word(at + 7u, trail_parts.z);
+    record_word(at + 8u, cursor_register());
 }
 
 fn record_end() -> vec2<u32> {

@@ -25,6 +25,7 @@ var<private> stopped: bool;
 var<private> found_here: bool;
 
 fn begin(task: u32) {
+    begin_scene();
     let first = bitcast<vec4<f32>>(tasks[3u * task]);
     let second = bitcast<vec4<f32>>(tasks[3u * task + 1u]);
     let inverse = tasks[3u * task + 2u].xyz;

@@ -1,7 +1,6 @@
 // The search of a decision tape: no floats. A task is a tree and a query.
 
-// Root, whether any hit ends the search, then what the table needs.
-var<private> root: u32;
+// Whether any hit ends the search.
 var<private> any_hit: bool;
 
 // The closest hit, or the first: distance and slot.
@@ -12,31 +11,9 @@ var<private> best: vec2<u32>;
 var<private> stopped: bool;
 var<private> found_here: bool;
 
-var<private> DIRECT_MASK: u32;
-var<private> DISPLACEMENTS_AT: u32;
-var<private> TABLE_SIZE: u32;
-var<private> CELLS_AT: u32;
-var<private> RECIPROCAL: vec2<u32>;
-var<private> IS_SEEDED: bool;
-var<private> IS_NARROW: bool;
-var<private> SEED: vec2<u32>;
-var<private> FOLD_SEED: vec2<u32>;
-
 fn begin(task: u32) {
-    let first = tasks[4u * task];
-    let second = tasks[4u * task + 1u];
-    let third = tasks[4u * task + 2u];
-    root = first.x;
-    any_hit = first.y == 1u;
-    DIRECT_MASK = first.z;
-    DISPLACEMENTS_AT = first.w;
-    TABLE_SIZE = second.x;
-    CELLS_AT = second.y;
-    RECIPROCAL = second.zw;
-    IS_SEEDED = third.x == 1u;
-    IS_NARROW = third.y == 1u;
-    SEED = third.zw;
-    FOLD_SEED = tasks[4u * task + 3u].xy;
+    read_head(4u * task);
+    any_hit = tasks[4u * task].y == 1u;
     found = false;
     best = vec2(NONE, NONE);
     stopped = false;

@@ -1,5 +1,5 @@
-// A triangle test that says what is certain. Error bounds are those of [EXACT-4] and [EXACT-5] for single precision; a
-// fused multiply-add only removes roundings. What is not certain ends the search, and the ray is settled elsewhere.
+// A triangle test that says what is certain, by the error bounds of [BAND-2], [BAND-3] and [BAND-4]. What is not certain
+// ends the search, and the ray is settled elsewhere.
 //
 // U is 2^-24. FLOOR stands in for sizes so small that underflow would matter.
 

@@ -64,3 +64,7 @@ fn word_low(word: Word) -> u32 {
 fn word_parts(word: Word) -> vec3<u32> {
     return vec3(word, 0u, 0u);
 }
+
+fn word_of(parts: vec3<u32>) -> Word {
+    return parts.x;
+}

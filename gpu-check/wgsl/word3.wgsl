@@ -73,3 +73,7 @@ fn word_low(word: Word) -> u32 {
 fn word_parts(word: Word) -> vec3<u32> {
     return word;
 }
+
+fn word_of(parts: vec3<u32>) -> Word {
+    return parts;
+}

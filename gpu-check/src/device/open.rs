@@ -11,6 +11,17 @@ impl Gpu {
     /// # Errors
     /// [`GpuError::NoAdapter`] with a list of what there is.
     pub fn open(wanted: Option<&str>) -> Result<Self, GpuError> {
+        Self::open_within(wanted, |limits| limits)
+    }
+
+    /// The same with limits that are changed first: a lesser device.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open), also for limits that the adapter does not have.
+    pub fn open_within(
+        wanted: Option<&str>,
+        limits: impl FnOnce(wgpu::Limits) -> wgpu::Limits,
+    ) -> Result<Self, GpuError> {
         let mut description = wgpu::InstanceDescriptor::new_without_display_handle();
         description.backends = wgpu::Backends::VULKAN;
         let instance = wgpu::Instance::new(description);
@@ -26,10 +37,13 @@ impl Gpu {
                 None => format!("no Vulkan adapter: {found}"),
             }));
         };
-        Self::with_adapter(&adapters[at])
+        Self::with_adapter(&adapters[at], limits)
     }
 
-    fn with_adapter(adapter: &wgpu::Adapter) -> Result<Self, GpuError> {
+    fn with_adapter(
+        adapter: &wgpu::Adapter,
+        limits: impl FnOnce(wgpu::Limits) -> wgpu::Limits,
+    ) -> Result<Self, GpuError> {
         let features = adapter.features()
             & (wgpu::Features::TIMESTAMP_QUERY
                 | wgpu::Features::SUBGROUP
@@ -37,7 +51,7 @@ impl Gpu {
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("gpu-check"),
             required_features: features,
-            required_limits: adapter.limits(),
+            required_limits: limits(adapter.limits()),
             ..Default::default()
         };
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))

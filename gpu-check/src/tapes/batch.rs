@@ -8,7 +8,7 @@ use super::Expected;
 use super::events::References;
 use crate::kernel::{Kernel, Links, Table, tape_fill};
 use crate::launch::{groups, params};
-use crate::layout::{Addresses, HashTables, NOWHERE, Records, TERMINATOR, TableHead, links};
+use crate::layout::{Addresses, HashTables, Records, TableHead, halves};
 use crate::{Access, Checks, Gpu, GpuError, Pass};
 
 /// A tree and a tape.
@@ -187,21 +187,10 @@ impl Batch {
         for &search in searches {
             let Placed { case, addresses, heads, .. } = &self.cases[search / 2];
             let head = &heads[usize::from(kernel.table() == Some(Table::Tight))];
-            let root = addresses.at(&case.tree, case.tree.root());
-            words.extend([root, (search % 2) as u32, head.mask, head.displacements_at, head.size, head.cells_at]);
-            words.extend(halves(head.reciprocal));
-            words.extend([u32::from(head.mix.seed.is_some()), u32::from(head.mix.narrow)]);
-            words.extend(halves(head.mix.seed.unwrap_or(0)));
-            words.extend(halves(head.fold_seed));
-            words.extend([0, 0]);
+            words.extend(head.words(addresses.at(&case.tree, case.tree.root()), (search % 2) as u32));
         }
         words
     }
-}
-
-/// Low and high half.
-pub(super) const fn halves(word: u64) -> [u32; 2] {
-    [word as u32, (word >> 32) as u32]
 }
 
 /// The pass that writes tapes into records.
@@ -247,32 +236,10 @@ impl Fill {
         inner: u32,
         pieces: u32,
     ) -> Result<[wgpu::Buffer; 2], GpuError> {
-        let mut records = Records { nodes: vec![0; 16 * inner as usize], leaves: vec![0; 4 * pieces as usize] };
+        let mut records = Records::with_room(inner, pieces);
         for (Case { tree, .. }, addresses, _) in placed {
-            let rows = links(tree, addresses, kind);
-            for node in (0..tree.node_count() as u32).filter_map(|i| tree.node(i)) {
-                let (address, row) = (addresses.at(tree, node), rows[tree.slot(node)]);
-                if node.is_leaf() {
-                    let at = 4 * !address as usize;
-                    // Never hit, until the tape says otherwise.
-                    records.leaves[at..at + 8].copy_from_slice(&[
-                        u32::MAX,
-                        u32::MAX,
-                        tree.slot(node) as u32,
-                        0,
-                        TERMINATOR,
-                        row[0],
-                        row[1],
-                        row[2],
-                    ]);
-                } else {
-                    let at = 4 * address as usize + 12;
-                    let [left, right] = tree.children(node).map(|child| addresses.at(tree, child));
-                    records.nodes[at..at + 4].copy_from_slice(&[left, right, row[0], row[1]]);
-                }
-            }
+            records.add_tree(tree, addresses, kind);
         }
-        debug_assert_eq!(NOWHERE, 0);
         let buffers = [gpu.buffer("nodes", &records.nodes)?, gpu.buffer("leaves", &records.leaves)?];
         if self.count > 0 {
             let pass = Pass {

@@ -1,6 +1,6 @@
 //! What kernels are held to: the events of the oracle, as kernels record them.
 
-use std::fmt;
+use std::{array, fmt};
 
 use stackless_bvh::event::Trace;
 use stackless_bvh::generate::{Outcome, Search};
@@ -11,6 +11,9 @@ use stackless_bvh::tree::{Keys, Node, Topology as _, Tree};
 
 use super::{Batch, Case};
 use crate::kernel::Kernel;
+
+/// Words that `record_events.wgsl` writes for a visit: those of an event, then trail and register.
+pub const RECORDED: usize = 9;
 
 /// Words of one event: address, one more than the levels of a backtrack, key.
 const WORDS: usize = 5;
@@ -43,7 +46,7 @@ impl References {
 fn reference(Case { tree, tape, .. }: &Case, method: Method, any: bool) -> (Trace, Outcome) {
     let (mut search, mut trace) = (Search::new(tree, tape, any), Trace::default());
     match method {
-        // What a restart asks again may have become narrower, so these have traces of their own [D-16]. The growing
+        // What a restart asks again may have become narrower, so these have traces of their own (D-16). The growing
         // word has no highest bit, and 127 edges are enough here.
         Method::Laine0 => drop(Laine::<0, u128, _>::new(tree).map(|c| traverse(c, &mut search, &mut trace))),
         Method::Laine1 => drop(Laine::<1, u128, _>::new(tree).map(|c| traverse(c, &mut search, &mut trace))),
@@ -117,9 +120,11 @@ impl Expected {
 
     /// Where recorded events differ.
     pub(super) fn difference(&self, batch: &Batch, search: usize, result: &[u32], recorded: &[u32]) -> Difference {
-        let (recorded, _) = recorded.as_chunks::<WORDS>();
-        let recorded = &recorded[..recorded.len().min(result[3] as usize)];
-        let at = self.events.iter().zip(recorded).position(|(a, b)| a != b);
+        // The first word is the queue of persistent kernels.
+        let (recorded, _) = recorded.get(1..).unwrap_or_default().as_chunks::<RECORDED>();
+        let visits = recorded.iter().take(result[3] as usize);
+        let recorded: Vec<[u32; WORDS]> = visits.map(|words| array::from_fn(|i| words[i])).collect();
+        let at = self.events.iter().zip(&recorded).position(|(a, b)| a != b);
         let at = at.unwrap_or(self.events.len().min(recorded.len()));
         let show =
             |events: &[[u32; WORDS]]| events.get(at).map_or("nothing".to_owned(), |event| show(batch, search, event));
@@ -127,7 +132,7 @@ impl Expected {
             search: batch.describe(search),
             visit: at,
             expected: show(&self.events),
-            recorded: show(recorded),
+            recorded: show(&recorded),
             hit: format!("{:?}", self.hit),
             hit_recorded: format!("{:?}", (result[2] == 1).then_some((result[0], result[1]))),
         }

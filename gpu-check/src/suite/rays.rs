@@ -1,0 +1,116 @@
+//! Level `ray`: `grid` by the test in single precision, `exact` by the one that says what is certain.
+
+use serde_json::{Value, json};
+use stackless_bvh::bvh::{Bvh, SahOptions};
+use stackless_bvh::geom::Ray;
+use stackless_bvh::suite::{Answer, Ask, Query as Asked};
+use stackless_bvh::trace::{Hit, Tracer};
+use stackless_bvh::tree::Topology as _;
+
+use super::{Device, lazily, result};
+use crate::exact::{self, EDGE_FACTOR, UNCERTAIN};
+use crate::launch::BINDINGS;
+use crate::model::Found;
+use crate::probe::Arithmetic;
+use crate::rays;
+use crate::scene::{Query, SINGLE, Scene, takes, takes_ray};
+use crate::{GpuError, Pipeline};
+
+/// Of the rays of `ray/exact`, those that the kernel was certain of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Share {
+    /// Rays.
+    pub rays: usize,
+    /// Rays that the device answered.
+    pub certain: usize,
+}
+
+/// A kernel with both tests, for the closest hit and for any.
+#[derive(Debug)]
+pub(super) struct Rays {
+    refines: Option<bool>,
+    pipelines: [[Option<Pipeline>; 2]; 2],
+    share: Share,
+}
+
+impl Rays {
+    pub(super) fn new(arithmetic: Arithmetic) -> Self {
+        Self { refines: arithmetic.refines().ok(), pipelines: Default::default(), share: Share::default() }
+    }
+
+    pub(super) const fn share(&self) -> Share {
+        self.share
+    }
+
+    pub(super) fn answer(&mut self, device: &Device<'_>, profile: &str, ask: &Ask) -> Result<Option<Answer>, GpuError> {
+        let Ask::Ray(asked) = ask else { return Ok(None) };
+        let (mesh, rays) = match asked.read() {
+            Ok(read) => read,
+            Err(error) => return Ok(error.code().map(|code| Answer::Reject(code.to_owned()))),
+        };
+        let Ok(bvh) = Bvh::sah(&mesh, SahOptions::default()) else { return Ok(None) };
+        if bvh.depth() > device.scene_depth() {
+            return Err(GpuError::Data(format!("a hierarchy of {} edges", bvh.depth())));
+        }
+        let any = asked.query == Asked::Any;
+        let hits = if profile == "exact" {
+            self.exact(device, &bvh, &rays, any)?
+        } else {
+            let Some(refines) = self.refines else { return Ok(None) };
+            let pipeline = self.pipeline(device, SINGLE, [0, usize::from(any)], refines)?;
+            let scene = Scene::new(device.gpu, &bvh)?;
+            let found = rays::launch(device.gpu, &scene, &device.kernel, pipeline, &rays)?;
+            let hit = |found: &Found| {
+                let [u, v] = found.weights;
+                found.is_hit().then_some(Hit { prim: found.triangle, t: found.t, u, v })
+            };
+            found.iter().map(|found| if any { json!(found.is_hit()) } else { text(hit(found)) }).collect()
+        };
+        Ok(Some(result([("hits", Value::Array(hits))])))
+    }
+
+    fn exact(&mut self, device: &Device<'_>, bvh: &Bvh, rays: &[Ray], any: bool) -> Result<Vec<Value>, GpuError> {
+        // What is beyond the kernels' range is in doubt from the start.
+        let mut found = vec![UNCERTAIN; rays.len()];
+        let taken: Vec<usize> = (0..rays.len()).filter(|&i| takes(bvh) && takes_ray(&rays[i])).collect();
+        if !taken.is_empty() {
+            let test = exact::triangles(EDGE_FACTOR);
+            let pipeline = self.pipeline(device, &test, [1, usize::from(any)], false)?;
+            let scene = Scene::new(device.gpu, bvh)?;
+            let within: Vec<Ray> = taken.iter().map(|&i| rays[i]).collect();
+            let said = exact::launch(device.gpu, &scene, &device.kernel, pipeline, &within)?;
+            taken.iter().zip(said).for_each(|(&i, said)| found[i] = said);
+        }
+        self.share.rays += rays.len();
+        self.share.certain += found.iter().filter(|&&said| said != UNCERTAIN).count();
+        if !any {
+            return Ok(exact::settle(bvh, rays, &found).0.into_iter().map(text).collect());
+        }
+        let tracer = Tracer::new(bvh);
+        let settled = |(ray, &said): (&Ray, &u32)| match said {
+            UNCERTAIN => tracer.any(ray),
+            said => said != u32::MAX,
+        };
+        Ok(rays.iter().zip(&found).map(settled).map(|hit| json!(hit)).collect())
+    }
+
+    fn pipeline(
+        &mut self,
+        device: &Device<'_>,
+        triangles: &str,
+        [test, any]: [usize; 2],
+        refines: bool,
+    ) -> Result<&Pipeline, GpuError> {
+        let query = Query { triangles, any: any == 1, parallel: true, refines };
+        let made = lazily(&mut self.pipelines[test][any], || {
+            let source = Scene::source_for_any(device.gpu, &device.kernel, query, device.scene_depth());
+            device.compile(&device.kernel.full_name(), &source, &BINDINGS)
+        })?;
+        Ok(made)
+    }
+}
+
+fn text(hit: Option<Hit>) -> Value {
+    let bits = |float: f32| json!(format!("{:08x}", float.to_bits()));
+    hit.map_or(Value::Null, |Hit { prim, t, u, v }| json!({ "prim": prim, "t": bits(t), "u": bits(u), "v": bits(v) }))
+}
