@@ -4,7 +4,7 @@
 #   smoke [SECONDS]         every target for 10 s (or so many), two at a time: what CI runs
 #   rates [SECONDS]         the same, one at a time, with a table of executions per second
 #   planted [SECONDS]       every planted bug from an empty corpus, for 60 s (or so many) at most: each must be found;
-#                           UPDATE=1 writes tests/FUZZED.md anew
+#                           UPDATE=1 writes the column of tests/PLANTED.md anew
 #   long TARGET SECONDS     two processes that share a corpus, and go on after a finding
 #   minimise TARGET [FILE]  with a file: the smallest input that fails the same way; else the fewest inputs that cover as much
 #   coverage [FOLDER...]    lines of the core that seeds, regressions and corpora (or these) reach; needs llvm-22
@@ -53,52 +53,36 @@ each() {
     targets | xargs -P "$1" -I{} bash -c 'set -euo pipefail; fuzz {} '"$2"
 }
 
-# A row of tests/FUZZED.md: after how many executions a planted bug is found, and in what time of the processor. The same seed and
-# one process make the same executions.
-find_planted() {
-    local bug=$1 seconds=$2 folder executions took TIMEFORMAT=%U
-    folder=$(mktemp -d)
-    mkdir "$folder/corpus"
-    if took=$({ time PLANTED=$bug "$binaries/planted" -seed=1 "-max_total_time=$seconds" -timeout=10 -rss_limit_mb=2048 \
-        -max_len=4096 -exact_artifact_path=/dev/null -print_final_stats=1 "$folder/corpus" > "$folder/log" 2>&1; } 2>&1); then
-        echo "| $bug | not found | $seconds s |"
-    elif ! grep -q 'panicked at src/planted.rs' "$folder/log"; then
-        echo "| $bug | not found, but: $(grep -a -m 1 -e 'panicked at' -e 'ERROR:' "$folder/log") | $took s |"
-    else
-        executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")
-        took=${took%.*}
-        echo "| $bug | $executions | $((took < 1 ? 1 : took < 10 ? 10 : 60)) s |"
-    fi
-    rm -r "$folder"
+# A planted bug, and after how many executions it is found, in what time of the processor. The same seed and one process make the
+# same executions.
+find_# The lines of tests/PLANTED.md that have the column, with the bug's name as it is called here: `LINE | NAME | CELL`.
+planted_column() {
+    awk -F ' [|] ' '
+        /^## / { layer = $0 == "## Traversals" ? "" : tolower(substr($0, 4)) ": "; column = 0 }
+        /^[|] / && !column { for (i = 1; i <= NF; i++) if ($i == "fuzz") column = i; if (!column) column = -1; next }
+        /^[|] / && column > 0 { print NR " | " layer substr($1, 3) " | " $column }' ../tests/PLANTED.md
 }
 
 planted() {
-    local seconds=$1 names rows table
+    local seconds=$1 names rows
     names=$("$binaries/planted" 2> /dev/null)
     export binaries
     export -f find_planted
-    rows=$(sed -n 's/^bug //p' <<< "$names" | xargs -d '\n' -P 2 -I{} bash -c 'set -euo pipefail; find_planted "$1" '"$seconds" - {})
-    # In the order of the names.
-    rows=$(awk -F ' [|] ' 'NR == FNR { row[substr($1, 3)] = $0; next } sub(/^bug /, "") { print row[$0] }' \
-        <(echo "$rows") <(echo "$names"))
-    table=$(
-        echo "# Planted bugs found by fuzzing"
-        echo
-        echo "Each from an empty corpus with the seed 1: after how many executions it is found, and within what time of the processor. Made"
-        echo "by \`UPDATE=1 fuzz/run.sh planted\` with $(rustc +nightly --version); the same library and compiler give the same executions."
-        echo
-        echo "| bug | executions | within |"
-        echo "|---|---:|---:|"
-        echo "$rows"
-        echo
-        echo "$(grep -c '' <<< "$rows") bugs."
-    )
-    [[ -z ${UPDATE:-} ]] || echo "$table" > ../tests/FUZZED.md
+    rows=$(sed -n 's/^bug //p' <<< "$names" | { grep "${ONLY:-}" || true; } |
+        xargs -d '\n' -P 2 -I{} bash -c 'set -euo pipefail; find_planted "$1" '"$seconds" - {})
+    if [[ -n ${UPDATE:-} ]]; then
+        awk -F ' [|] ' -v OFS=' | ' '
+            FILENAME == ARGV[1] { found[$1] = $2; next }
+            FILENAME == ARGV[2] { if ($2 in found) cell[$1] = found[$2]; next }
+            FNR in cell { $4 = cell[FNR] }
+            { print }' <(echo "$rows") <(planted_column) ../tests/PLANTED.md > ../tests/PLANTED.md.new
+        mv ../tests/PLANTED.md.new ../tests/PLANTED.md
+    fi
     if grep 'not found' <<< "$rows"; then
         return 1
     fi
-    # How many executions it takes moves with every change of the library; that there is a row for each bug does not.
-    diff <(grep '^|' ../tests/FUZZED.md | cut -d '|' -f 2) <(grep '^|' <<< "$table" | cut -d '|' -f 2)
+    # How many executions it takes moves with every change of the library; that each was found, or why it was not, does not.
+    diff <(sed -n 's/^bug //p' <<< "$names") <(planted_column | awk -F ' [|] ' '$3 ~ /^([0-9]+, |no: )/ { print $2 }')
     # Those without a bug.
     sed -n 's/^control //p' <<< "$names" | xargs -d '\n' -P 2 -I{} bash -c '
         PLANTED=$1 "$binaries/planted" -seed=1 -max_total_time=5 -max_len=4096 -exact_artifact_path=/dev/null > /dev/null 2>&1 ||

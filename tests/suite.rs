@@ -1,10 +1,9 @@
 //! The conformance suite: its files are as made, this library conforms, and implementations with bugs do not.
 
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use stackless_bvh::check::planted::{self, Planted, Snapshot};
+use stackless_bvh::check::planted::{self, Instead, LAYERS, Planted, Snapshot};
 use stackless_bvh::event::State;
 use stackless_bvh::generate::Search;
 use stackless_bvh::order::Flow;
@@ -15,8 +14,13 @@ use stackless_bvh::suite::{
 use stackless_bvh::traverse::{Method, Test, WordName};
 use stackless_bvh::tree::{Keys, Topology};
 
+#[path = "suite/layers.rs"]
+mod layers;
 #[path = "suite/runner.rs"]
 mod runner;
+#[path = "bites/table.rs"]
+#[allow(dead_code, reason = "of the whole table this test has a column")]
+mod table;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("spec/suite")
@@ -79,54 +83,76 @@ fn this_library_conforms() {
     }
 }
 
-/// Bugs that do not show in events, hits and states, and why.
-const UNSEEN: [(&str, &str); 2] = [
+/// Bugs that do not show in what the suite asks for, and why.
+const UNSEEN: &[(&str, &str)] = &[
     ("AsksTwice", "the second answer is the first one"),
     ("a detour that passes for a restart", "visits on the way down again are not told"),
+    ("triangle tests: bounds for the scene a tenth", "no ray of the suite passes an edge so closely"),
+    ("tables: the seed of another fold", "keys of the suite have at most 64 bits, which are not folded"),
+    ("halved bounds: edge functions in single precision", HALF),
+    ("halved bounds: signs", HALF),
+    ("halved bounds: the determinant", HALF),
+    ("halved bounds: the distance times the determinant", HALF),
 ];
 
-/// Each planted traversal, as an implementation, fails a case of the clause that it breaks. `[CONF-4]`
+const HALF: &str = "bounds are of errors, and no ray is known whose answer turns on an error of more than half of one";
+
+/// Each planted bug, as an implementation, fails a case of the clause that it breaks. `[CONF-4]`
 #[test]
 fn every_planted_bug_fails_a_case_of_its_clause() {
     let suite = author::suite();
-    let mut table = "# Planted bugs, by the conformance suite\n\nHow many cases each fails of those that it is asked, how many of them are about the \
-         clause that it breaks, and the first. Made by `UPDATE=1 cargo test --test suite`, and compared by that test.\n\n\
-         | bug | breaks | asked | failed | of its clause | first |\n|---|---|---:|---:|---:|---|\n"
-        .to_owned();
     for control in planted::controls() {
         let (_, failed) = failures(&control, &suite);
-        assert_eq!(failed, [], "{control:?}");
+        assert!(failed.is_empty(), "{control:?}: {:?}", failed.iter().map(|(case, flaw)| (&case.id, flaw)).next());
     }
-    for bug in planted::all() {
-        let (asked, failed) = failures(&bug, &suite);
-        // Clauses that say how, not what, are not seen from outside: the whole trace is.
-        let is_cited = suite.cases().any(|(_, case)| case.clauses.iter().any(|clause| clause == bug.clause()));
-        let clause = if is_cited { bug.clause() } else { "TRAVERSE-1" };
-        let of_clause: Vec<_> = failed.iter().filter(|(case, _)| case.clauses.iter().any(|it| it == clause)).collect();
-        let unseen = UNSEEN.iter().find(|(name, _)| *name == bug.name());
-        assert_eq!(
-            of_clause.is_empty(),
-            unseen.is_some(),
-            "{bug:?}: {} failed of {asked}, {} about {clause}",
-            failed.len(),
-            of_clause.len()
-        );
-        let first = match (of_clause.first(), unseen) {
-            (Some((case, flaw)), _) => format!("`{}`: {flaw}", case.id),
-            (None, unseen) => format!("cannot show: {}", unseen.map_or("", |(_, why)| why)),
+    let asked = layers::Asked::of(&suite);
+    let with_mistake = |instead| match instead {
+        Instead::Walk(walk) => failures(&walk(), &suite),
+        instead => asked.failures(instead),
+    };
+    for control in LAYERS.iter().flat_map(|layer| layer.controls) {
+        let (asked, failed) = with_mistake(control.instead());
+        let first = failed.iter().map(|(case, flaw)| (&case.id, flaw)).next();
+        assert!(asked > 0 && failed.is_empty(), "{control:?}: {first:?}");
+    }
+    let bugs = planted::all().into_iter().map(|bug| {
+        let seen = seen(bug.name(), bug.clause(), "TRAVERSE-1", failures(&bug, &suite), &suite);
+        (bug.name().to_owned(), seen)
+    });
+    let mistakes = LAYERS.iter().flat_map(|layer| layer.mistakes.iter().map(move |mistake| (layer.name, mistake)));
+    let mistakes = mistakes.map(|(layer, mistake)| {
+        let (name, instead) = (format!("{layer}: {}", mistake.name()), mistake.instead());
+        let seen = match instead {
+            Instead::Nothing(why) => Ok(format!("{}{why}", table::NO)),
+            _ => seen(&name, mistake.clause(), layers::seen_as(instead), with_mistake(instead), &suite),
         };
-        let breaks = if is_cited { clause.to_owned() } else { format!("{} ({clause})", bug.clause()) };
-        writeln!(table, "| {} | {breaks} | {asked} | {} | {} | {first} |", bug.name(), failed.len(), of_clause.len())
-            .unwrap();
+        (name, seen)
+    });
+    let (seen, wrong): (Vec<_>, Vec<_>) = bugs.chain(mistakes).partition(|(_, seen)| seen.is_ok());
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    let seen = seen.into_iter().filter_map(|(name, seen)| Some((name, seen.ok()?))).collect();
+    table::compare_column("suite", &seen);
+}
+
+/// What the table says of a bug; an error where it fails no case of its clause and should, or fails one and should not.
+fn seen(
+    name: &str,
+    clause: &str,
+    seen_as: &str,
+    (asked, failed): (usize, Vec<(&Case, Flaw)>),
+    suite: &Suite,
+) -> Result<String, String> {
+    // Clauses that say how, not what, are not seen from outside: what comes of it is.
+    let cites = |case: &Case, clause: &str| case.clauses.iter().any(|it| it == clause);
+    let clause = if suite.cases().any(|(_, case)| cites(case, clause)) { clause } else { seen_as };
+    let of_clause: Vec<_> = failed.iter().filter(|(case, _)| cites(case, clause)).collect();
+    let (failed, count) = (failed.len(), of_clause.len());
+    match (of_clause.first(), UNSEEN.iter().find(|(unseen, _)| *unseen == name)) {
+        (Some((case, flaw)), None) => Ok(format!("{failed} of {asked}, {count} about {clause}; `{}`: {flaw}", case.id)),
+        (None, Some((_, why))) => Ok(format!("{}{why}", table::NO)),
+        (None, None) => Err(format!("fails {failed} of {asked}, none about {clause}")),
+        (Some((case, flaw)), Some(_)) => Err(format!("does show: {}: {flaw}", case.id)),
     }
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/PLANTED-SUITE.md");
-    if std::env::var_os("UPDATE").is_some() {
-        std::fs::write(&file, &table).unwrap();
-    }
-    assert!(
-        std::fs::read_to_string(&file).unwrap_or_default() == table,
-        "tests/PLANTED-SUITE.md is not what is seen:\n{table}"
-    );
 }
 
 /// The cases that a planted traversal is asked, and those that it fails.
@@ -149,7 +175,7 @@ fn failures<'s>(bug: &Planted, suite: &'s Suite) -> (usize, Vec<(&'s Case, Flaw)
             version: String::new(),
             profiles: vec![profile.name()],
             features,
-            limits: Limits::default(),
+            limits: Limits { max_depth: Some(63) },
         };
         if let Err(flaw) = judge(case, &hello, &answer) {
             failed.push((case, flaw));
@@ -162,8 +188,8 @@ fn failures<'s>(bug: &Planted, suite: &'s Suite) -> (usize, Vec<(&'s Case, Flaw)
 fn answer(bug: &Planted, case: &Case) -> Option<(Vec<Feature>, Answer)> {
     let (Ask::Trace(walk) | Ask::ResumeDisjoint(walk)) = Ask::of(&case.input).unwrap() else { return None };
     let of_tree = walk.case().unwrap();
-    // Words of 64 bits, and none of them refuses.
-    if of_tree.tree.depth() > 62 {
+    // None of them says that it refuses: it would be right.
+    if of_tree.tree.depth() > bug.carries() {
         return None;
     }
     let keys = Keys::of(&of_tree.tree);

@@ -35,6 +35,12 @@ impl Draw<'_> {
         if drawn & 1 == 1 { -size } else { size }
     }
 
+    /// A power of two that is not far from 1.
+    pub(super) fn power(&mut self) -> f32 {
+        let exponent = self.below(9) as u32;
+        f32::from_bits((127 + exponent - 4) << 23)
+    }
+
     pub(super) fn ints(&mut self, bits: u32) -> Vec3 {
         Vec3::new(self.int(bits), self.int(bits), self.int(bits))
     }
@@ -88,6 +94,21 @@ impl Draw<'_> {
         };
         let rays = (0..4).filter_map(|_| ray(self)).collect();
         Some((mesh, rays))
+    }
+
+    /// A chain to the right, so that keys are as large as can be, with a few more leaves beside it.
+    pub(super) fn to_the_right(&mut self, depth: u32) -> Tree {
+        let inner = |i: u32| Some([2 * i + 1, 2 * i + 2]);
+        let mut children: Vec<_> = (0..depth).flat_map(|i| [inner(i), None]).chain([None]).collect();
+        for i in 0..depth as usize {
+            if self.below(4) == 1 {
+                let next = children.len() as u32;
+                children[2 * i + 1] = Some([next, next + 1]);
+                children.extend([None, None]);
+            }
+        }
+        // A child comes after its parent: a generated tree.
+        Tree::from_generated(&children)
     }
 
     /// A tree of any shape, or one that is deep, mostly a chain to the right but for one turn, so that keys are large.

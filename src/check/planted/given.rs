@@ -1,9 +1,14 @@
 //! Tables and records that are not those of the tree.
 
+use super::{Planted, drive};
+use crate::event::State;
 use crate::hash::{KeySet, Lookup, Options, PerfectHash, Sizing};
 use crate::key::KeyWord;
-use crate::order::{FixedOrder, Side};
-use crate::tree::{Keys, Node, Reach, Recorded, Topology, Tree, UncleLinks, Uncles};
+use crate::order::{Descent, FixedOrder, Side};
+use crate::traverse::{Cursor, Sparse, Uncle};
+use crate::tree::{
+    Keys, Node, ParentLinks, Parents, Reach, Recorded, RecordedUncles, Topology, Tree, UncleLinks, Uncles,
+};
 
 /// A table that answers with the sibling.
 pub(super) struct Misled<'t>(pub(super) &'t Tree);
@@ -33,25 +38,55 @@ impl<W: KeyWord> Lookup<W> for Short {
     }
 }
 
-/// A tree whose records name uncle and grand uncle the wrong way round.
-pub(super) struct Misrecorded<'t> {
-    pub(super) tree: &'t Tree,
-    pub(super) uncles: Uncles,
+/// What a record names in place of the uncle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Misrecord {
+    /// The grand uncle; and the uncle in its place.
+    GrandUncle,
+    Sibling,
+}
+
+/// A traversal by records with a mistake.
+pub(super) fn misrecorded(name: &str, how: Misrecord) -> Planted {
+    Planted::any(name, "UNCLE-1", move |tree, _, visitor, watcher| {
+        let tree = Misrecorded { tree, uncles: Uncles::of(tree), parents: Parents::of(tree), how };
+        let uncles = RecordedUncles::of(&tree);
+        if let Some(Ok(cursor)) = uncles.map(|uncles| Uncle::<u64, _, _>::new(&tree, uncles)) {
+            drive(cursor, visitor, watcher);
+        }
+    })
+}
+
+struct Misrecorded<'t> {
+    tree: &'t Tree,
+    uncles: Uncles,
+    parents: Parents,
+    how: Misrecord,
+}
+
+/// A tree that is said to be a level less deep.
+struct Shallow<'t>(&'t Tree);
+
+macro_rules! as_the_tree {
+    ($tree:tt) => {
+        fn root(&self) -> Node {
+            self.$tree.root()
+        }
+        fn children(&self, node: Node) -> [Node; 2] {
+            self.$tree.children(node)
+        }
+        fn node_count(&self) -> usize {
+            self.$tree.node_count()
+        }
+        fn slot(&self, node: Node) -> usize {
+            self.$tree.slot(node)
+        }
+    };
 }
 
 impl Topology for Misrecorded<'_> {
-    fn root(&self) -> Node {
-        self.tree.root()
-    }
-    fn children(&self, node: Node) -> [Node; 2] {
-        self.tree.children(node)
-    }
-    fn node_count(&self) -> usize {
-        self.tree.node_count()
-    }
-    fn slot(&self, node: Node) -> usize {
-        self.tree.slot(node)
-    }
+    as_the_tree!(tree);
+
     fn depth(&self) -> u32 {
         self.tree.depth()
     }
@@ -59,10 +94,73 @@ impl Topology for Misrecorded<'_> {
         Recorded::Uncles
     }
     fn links(&self, node: Node) -> [Node; 2] {
-        match (&self.uncles).row(self.tree, node) {
-            [uncle, grand_uncle, _] if grand_uncle == self.root() => [uncle, grand_uncle],
-            [uncle, grand_uncle, _] => [grand_uncle, uncle],
+        match ((&self.uncles).row(self.tree, node), self.how) {
+            ([uncle, grand_uncle, _], Misrecord::GrandUncle) if grand_uncle != self.root() => [grand_uncle, uncle],
+            ([_, grand_uncle, _], Misrecord::Sibling) => [(&self.parents).sibling(self.tree, node), grand_uncle],
+            ([uncle, grand_uncle, _], Misrecord::GrandUncle) => [uncle, grand_uncle],
         }
+    }
+}
+
+impl Topology for Shallow<'_> {
+    as_the_tree!(0);
+
+    fn depth(&self) -> u32 {
+        self.0.depth().saturating_sub(1)
+    }
+}
+
+/// A traversal in words of 64 bits that takes a tree of 64 levels for one of 63.
+pub(super) fn shallow() -> Planted {
+    let run = Planted::any("", "DEPTH-1", |tree, _, visitor, watcher| {
+        let shallow = Shallow(tree);
+        if let Ok(cursor) = Sparse::<u64, _, _>::new(&shallow, &Parents::of(tree)) {
+            drive(cursor, visitor, watcher);
+        }
+    });
+    run.carrying(64)
+}
+
+/// Algorithm 4 of Barringer & Akenine-Möller 2013 as printed: its end is where the climb arrives at the root, which is its own
+/// sibling. Here it is not.
+pub(super) fn with_sibling_of_root() -> Planted {
+    Planted::any("", "SPARSE-1", |tree, _, visitor, watcher| {
+        if let Ok(sparse) = Sparse::<u64, _, _>::new(tree, &Parents::of(tree)) {
+            drive(Passing { sparse, tree, beyond: None }, visitor, watcher);
+        }
+    })
+}
+
+/// Goes on at the root's left child, once.
+struct Passing<'t, C> {
+    sparse: C,
+    tree: &'t Tree,
+    beyond: Option<Node>,
+}
+
+impl<C: State> State for Passing<'_, C> {
+    type Word = C::Word;
+
+    fn node(&self) -> Node {
+        self.beyond.unwrap_or_else(|| self.sparse.node())
+    }
+}
+
+impl<C: Cursor> Cursor for Passing<'_, C> {
+    fn descend(&mut self, descent: Descent) -> bool {
+        self.beyond.is_none() && self.sparse.descend(descent)
+    }
+
+    fn backtrack(&mut self) -> bool {
+        if self.beyond.is_some() {
+            return false;
+        }
+        if !self.sparse.backtrack() {
+            let root = self.tree.root();
+            self.beyond = (!root.is_leaf()).then(|| self.tree.child(root, Side::Left));
+            return self.beyond.is_some();
+        }
+        true
     }
 }
 

@@ -1,7 +1,9 @@
 //! Hierarchies with a mistake of a builder or of a refit, as files with the right checksum.
 
 use super::draw::Draw;
-use super::layers::Mistake;
+use super::files::{BOUNDS, DEPTH, File, HEADER_BYTES, PLANES_BYTES, ROOT, cast, hierarchy};
+use super::given::{self, Misrecord, misrecorded};
+use super::layers::{Hits, Instead, Mistake};
 use super::searches::built;
 use crate::bvh::{BuildOptions, Builder, Bvh, SpatialOptions};
 use crate::check::check_tree;
@@ -13,104 +15,78 @@ use crate::hash::checksum;
 use crate::scene::Mesh;
 use crate::tree::{Node, Recorded};
 
-pub(super) const MISTAKES: [Mistake; 16] = [
-    Mistake::new("a triangle is in no leaf", "DET-1", lost),
-    Mistake::new("a leaf ends a triangle early", "FILE-5", |draw| {
-        stored(draw, |file, at| file.add(file.leaf(at) + 4, -1))
-    }),
-    Mistake::new("a leaf begins a triangle late", "FILE-5", |draw| stored(draw, |file, at| file.add(file.leaf(at), 1))),
-    Mistake::new("the box of a leaf is a float short", "BOX-2", |draw| stored(draw, short_box)),
-    Mistake::new("the box of a part is a float short", "SPLIT-1", short_part),
-    Mistake::new("boxes of two children exchanged", "FILE-5", |draw| stored(draw, exchanged_boxes)),
-    Mistake::new("children exchanged, their boxes not", "FILE-5", |draw| {
-        stored(draw, |file, at| file.swap(file.node(at) + 48))
-    }),
-    Mistake::new("indices of two triangles exchanged", "FILE-5", |draw| stored(draw, exchanged_triangles)),
-    Mistake::new("the depth is a level short", "DEPTH-1", |draw| stored(draw, |file, _| file.add(DEPTH, -1))),
-    Mistake::new("uncle and grand uncle exchanged", "UNCLE-1", |draw| {
-        stored(draw, |file, at| file.swap(file.node(at) + 56))
-    }),
-    Mistake::new("the sibling for the uncle", "UNCLE-1", |draw| stored(draw, sibling_for_uncle)),
-    Mistake::new("the root's sibling is a child", "SPARSE-1", sibling_of_root),
-    Mistake::new("the last axis is lost", "FILE-1", |draw| stored(draw, |file, _| file.cut())),
-    Mistake::new("a refit of corners only", "DET-1", |draw| refitted(draw, boxes_kept)),
-    Mistake::new("a refit that ends at the leaves' parents", "DET-1", |draw| refitted(draw, inner_boxes_kept)),
-    Mistake::new("a refit that keeps the bounds of all", "DET-1", |draw| refitted(draw, bounds_kept)),
-];
-
-pub(super) const CONTROLS: [Mistake; 2] = [
-    Mistake::new("a hierarchy, unchanged", "FILE-5", |draw| stored(draw, |_, _| ())),
-    Mistake::new("a refit, unchanged", "DET-1", |draw| refitted(draw, |_, _| ())),
-];
-
-/// A hierarchy as bytes, without the checksum: spec/bvh-file.md.
-struct File {
-    bytes: Vec<u8>,
-    /// Numbers of inner nodes, leaves and triangles.
-    counts: [usize; 3],
+/// A change of each record in turn.
+macro_rules! each {
+    ($name:literal, $clause:literal, $change:expr) => {
+        Mistake::new(
+            $name,
+            $clause,
+            |draw| stored(draw, $change),
+            Instead::Rays(|mesh, rays| of_each(mesh, rays, $change)),
+        )
+    };
 }
 
-const ROOT: usize = 20;
-const DEPTH: usize = 24;
-const BOUNDS: usize = 48;
-const HEADER_BYTES: usize = 72;
-const PLANES_BYTES: usize = 48;
+/// A refit after which something is as it was before.
+macro_rules! refit {
+    ($name:literal, $keep:expr) => {
+        Mistake::new(
+            $name,
+            "DET-1",
+            |draw| refitted(draw, $keep),
+            Instead::Rays(|mesh, rays| moved_to(mesh, rays, $keep)),
+        )
+    };
+}
+
+pub(super) const MISTAKES: [Mistake; 16] = [
+    Mistake::new("a triangle is in no leaf", "DET-1", lost, Instead::Rays(without_last)),
+    each!("a leaf ends a triangle early", "FILE-5", |file, at| file.add(file.leaf(at) + 4, -1)),
+    each!("a leaf begins a triangle late", "FILE-5", |file, at| file.add(file.leaf(at), 1)),
+    each!("the box of a leaf is a float short", "BOX-2", short_box),
+    Mistake::new("the box of a part is a float short", "SPLIT-1", short_part, Instead::Rays(of_parts)),
+    each!("boxes of two children exchanged", "FILE-5", exchanged_boxes),
+    each!("children exchanged, their boxes not", "FILE-5", |file, at| file.swap(file.node(at) + 48)),
+    each!("indices of two triangles exchanged", "FILE-5", exchanged_triangles),
+    Mistake::new(
+        "the depth is a level short",
+        "DEPTH-1",
+        |draw| stored(draw, |file, _| file.add(DEPTH, -1)),
+        Instead::Walk(given::shallow),
+    ),
+    Mistake::new(
+        "uncle and grand uncle exchanged",
+        "UNCLE-1",
+        |draw| stored(draw, |file, at| file.swap(file.node(at) + 56)),
+        Instead::Walk(|| misrecorded("", Misrecord::GrandUncle)),
+    ),
+    Mistake::new(
+        "the sibling for the uncle",
+        "UNCLE-1",
+        |draw| stored(draw, sibling_for_uncle),
+        Instead::Walk(|| misrecorded("", Misrecord::Sibling)),
+    ),
+    Mistake::new(
+        "the root's sibling is a child",
+        "SPARSE-1",
+        sibling_of_root,
+        Instead::Walk(given::with_sibling_of_root),
+    ),
+    Mistake::new(
+        "the last axis is lost",
+        "FILE-1",
+        |draw| stored(draw, |file, _| file.cut()),
+        Instead::Nothing("the suite has no files of hierarchies"),
+    ),
+    refit!("a refit of corners only", boxes_kept),
+    refit!("a refit that ends at the leaves' parents", inner_boxes_kept),
+    refit!("a refit that keeps the bounds of all", bounds_kept),
+];
+
+pub(super) const CONTROLS: [Mistake; 2] =
+    [each!("a hierarchy, unchanged", "FILE-5", |_, _| ()), refit!("a refit, unchanged", |_, _| ())];
 
 impl File {
-    fn of(bvh: &Bvh) -> Self {
-        let mut bytes = bvh.to_bytes();
-        bytes.truncate(bytes.len() - size_of::<u64>());
-        Self { bytes, counts: [bvh.nodes().len(), bvh.leaves().len(), bvh.triangles().len()] }
-    }
-
-    /// Where the record of an inner node begins, that of a leaf, that of a triangle; of the first one where there are fewer.
-    fn node(&self, at: usize) -> usize {
-        HEADER_BYTES + 64 * (at % self.counts[0].max(1))
-    }
-
-    fn leaf(&self, at: usize) -> usize {
-        HEADER_BYTES + 64 * self.counts[0] + 16 * (at % self.counts[1].max(1))
-    }
-
-    fn triangle(&self, at: usize) -> usize {
-        HEADER_BYTES + 64 * self.counts[0] + 16 * self.counts[1] + 40 * (at % self.counts[2].max(1))
-    }
-
-    fn record(&self, node: Node) -> usize {
-        if node.is_leaf() { self.leaf(node.index()) } else { self.node(node.index()) }
-    }
-
-    fn word(&self, at: usize) -> u32 {
-        self.bytes[at..].first_chunk().map_or(0, |&word| u32::from_le_bytes(word))
-    }
-
-    fn set(&mut self, at: usize, word: u32) {
-        self.bytes[at..at + 4].copy_from_slice(&word.to_le_bytes());
-    }
-
-    fn add(&mut self, at: usize, by: i32) {
-        self.set(at, self.word(at).wrapping_add_signed(by));
-    }
-
-    /// Exchanges a word and the next one.
-    fn swap(&mut self, at: usize) {
-        let (word, next) = (self.word(at), self.word(at + 4));
-        self.set(at, next);
-        self.set(at + 4, word);
-    }
-
-    fn cut(&mut self) {
-        self.bytes.pop();
-    }
-
-    fn copy(&mut self, other: &Self, at: usize, bytes: usize) {
-        self.bytes[at..at + bytes].copy_from_slice(&other.bytes[at..at + bytes]);
-    }
-
-    fn children(&self, node: usize) -> [Node; 2] {
-        [0, 4].map(|at| Node::from_bits(self.word(self.node(node) + PLANES_BYTES + at)))
-    }
-
     /// What the checks say: of the file, and of the hierarchy that is read from it.
     fn fault(mut self, mesh: &Mesh, rays: &[Ray]) -> Option<String> {
         self.bytes.extend(checksum(&self.bytes).to_le_bytes());
@@ -119,6 +95,35 @@ impl File {
             Ok(bvh) => check_tree::<Exact, Directed, _>(&bvh, mesh, rays).err().map(|fault| fault.to_string()),
         }
     }
+}
+
+fn of_each(mesh: &Mesh, rays: &[Ray], change: fn(&mut File, usize)) -> Option<Hits> {
+    let mut file = File::of(&hierarchy(mesh)?);
+    (0..file.counts[0]).for_each(|at| change(&mut file, at));
+    Some(file.cast::<Exact, Directed>(rays))
+}
+
+fn of_parts(mesh: &Mesh, rays: &[Ray]) -> Option<Hits> {
+    let mut file = File::of(&in_parts(mesh)?);
+    (0..file.counts[0]).for_each(|at| short_box(&mut file, at));
+    Some(file.cast::<Exact, Directed>(rays))
+}
+
+fn without_last(mesh: &Mesh, rays: &[Ray]) -> Option<Hits> {
+    let (_, rest) = mesh.triangles().split_last()?;
+    let rest = Mesh::new(mesh.vertices().to_vec(), rest.to_vec()).ok()?;
+    cast::<Exact, Directed>(&rest, rays)
+}
+
+/// The hierarchy of the mesh at half its size, refitted.
+fn moved_to(mesh: &Mesh, rays: &[Ray], keep: fn(&mut File, &File)) -> Option<Hits> {
+    let half = mesh.vertices().iter().map(|&vertex| vertex * 0.5).collect();
+    let mut bvh = hierarchy(&Mesh::new(half, mesh.triangles().to_vec()).ok()?)?;
+    let before = File::of(&bvh);
+    bvh.refit(mesh).ok()?;
+    let mut after = File::of(&bvh);
+    keep(&mut after, &before);
+    Some(after.cast::<Exact, Directed>(rays))
 }
 
 /// A hierarchy of a drawn mesh is changed, at a drawn record.
@@ -169,10 +174,15 @@ fn short_box(file: &mut File, at: usize) {
 
 fn short_part(draw: &mut Draw<'_>) -> Option<String> {
     let (mesh, rays) = draw.scene()?;
+    let bvh = in_parts(&mesh)?;
+    changed(draw, &bvh, short_box)?.fault(&mesh, &rays)
+}
+
+/// With triangles that are cut.
+fn in_parts(mesh: &Mesh) -> Option<Bvh> {
     let spatial = SpatialOptions { extra_percent: 200, overlap: 0.0 };
     let options = BuildOptions { builder: Builder::Spatial, spatial, ..BuildOptions::default() };
-    let bvh = Bvh::build(&mesh, &options, &|_| ()).ok().filter(|bvh| bvh.duplicates() > 0)?;
-    changed(draw, &bvh, short_box)?.fault(&mesh, &rays)
+    Bvh::build(mesh, &options, &|_| ()).ok().filter(|bvh| bvh.duplicates() > 0)
 }
 
 fn exchanged_boxes(file: &mut File, at: usize) {

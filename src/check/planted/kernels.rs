@@ -6,35 +6,41 @@ use std::marker::PhantomData;
 use glam::Vec3;
 
 use super::draw::Draw;
-use super::layers::{Mistake, marks};
+use super::files::cast;
+use super::layers::{Instead, Mistake, marks};
 use crate::check::check_triangle;
 use crate::geom::kernel::{Exact, ExactFromSingle, Moller32, Moller64, Woop};
+use crate::geom::slabs::Directed;
 use crate::geom::{Aabb, Kernel, Ray, Region, Triangle};
 
 pub(super) const MISTAKES: [Mistake; 17] = [
-    Mistake::new("bounds for the scene a tenth", "EXACT-6", fault::<Spoilt<Part<10>>>),
-    Mistake::new("no bounds, and so no exact sums", "EXACT-6", fault::<Spoilt<Part<0>>>),
-    Mistake::new("a miss in single precision is believed", "EXACT-5", fault::<Spoilt<FirstStage>>),
-    Mistake::new("edges are not part of the triangle", "EXACT-1", fault::<Spoilt<Open>>),
-    Mistake::new("distance rounded to double, then to single", "EXACT-3", fault::<Spoilt<Twice>>),
-    Mistake::new("distance divided in single precision", "EXACT-9", fault::<Spoilt<Single>>),
-    Mistake::new("weights of the two corners exchanged", "EXACT-1", fault::<Spoilt<Exchanged>>),
-    Mistake::new("weights begin at the first corner", "EXACT-1", fault::<Spoilt<FromFirst>>),
-    Mistake::new("back faces are culled", "EXACT-1", fault::<Spoilt<Culled>>),
-    Mistake::new("edge-on triangles are hit", "EXACT-1", fault::<Spoilt<EdgeOn>>),
-    Mistake::new("the ends of the interval are left out", "EXACT-1", fault::<Spoilt<OpenInterval>>),
-    Mistake::new("the rounded distance is compared with the interval", "EXACT-3", fault::<Spoilt<RoundedFirst>>),
-    Mistake::new("a hit at the limit is left out", "DET-1", fault::<Spoilt<BelowLimit>>),
-    Mistake::new("what is behind is in front", "EXACT-1", fault::<Spoilt<Behind>>),
-    Mistake::new("shadows beyond the end of the ray", "EXACT-1", fault::<Spoilt<Endless>>),
-    Mistake::new("signs of single precision, watertight", "EXACT-2", fault::<Woop>),
-    Mistake::new("double precision without bounds", "EXACT-6", fault::<Moller64>),
+    of::<Spoilt<Part<10>>>("bounds for the scene a tenth", "EXACT-6"),
+    of::<Spoilt<Part<0>>>("no bounds, and so no exact sums", "EXACT-6"),
+    of::<Spoilt<FirstStage>>("a miss in single precision is believed", "EXACT-5"),
+    of::<Spoilt<Open>>("edges are not part of the triangle", "EXACT-1"),
+    of::<Spoilt<Twice>>("distance rounded to double, then to single", "EXACT-3"),
+    of::<Spoilt<Single>>("distance divided in single precision", "EXACT-9"),
+    of::<Spoilt<Exchanged>>("weights of the two corners exchanged", "EXACT-1"),
+    of::<Spoilt<FromFirst>>("weights begin at the first corner", "EXACT-1"),
+    of::<Spoilt<Culled>>("back faces are culled", "EXACT-1"),
+    of::<Spoilt<EdgeOn>>("edge-on triangles are hit", "EXACT-1"),
+    of::<Spoilt<OpenInterval>>("the ends of the interval are left out", "EXACT-1"),
+    of::<Spoilt<RoundedFirst>>("the rounded distance is compared with the interval", "EXACT-3"),
+    of::<Spoilt<BelowLimit>>("a hit at the limit is left out", "DET-1"),
+    of::<Spoilt<Behind>>("what is behind is in front", "EXACT-1"),
+    of::<Spoilt<Endless>>("shadows beyond the end of the ray", "EXACT-1"),
+    of::<Woop>("signs of single precision, watertight", "EXACT-2"),
+    of::<Moller64>("double precision without bounds", "EXACT-6"),
 ];
 
 pub(super) const CONTROLS: [Mistake; 2] = [
-    Mistake::new("the exact test, wrapped", "EXACT-1", fault::<Spoilt<Nothing>>),
-    Mistake::new("the exact test from single precision", "EXACT-5", fault::<ExactFromSingle>),
+    of::<Spoilt<Nothing>>("the exact test, wrapped", "EXACT-1"),
+    of::<ExactFromSingle>("the exact test from single precision", "EXACT-5"),
 ];
+
+const fn of<K: Kernel<Vector = Vec3, Shape = Triangle>>(name: &'static str, clause: &'static str) -> Mistake {
+    Mistake::new(name, clause, fault::<K>, Instead::Rays(cast::<K, Directed>))
+}
 
 fn fault<K: Kernel<Vector = Vec3, Shape = Triangle>>(draw: &mut Draw<'_>) -> Option<String> {
     let bits = draw.bits();

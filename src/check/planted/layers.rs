@@ -1,8 +1,14 @@
 //! What traversals rest on, with one mistake each: tables, lookups, tests of triangles and boxes, searches, hierarchies.
 
 use super::draw::Draw;
-use super::{hierarchies, kernels, lookups, searches, slabs, tables};
+use super::lookups::Function;
+use super::{Planted, filters, hierarchies, kernels, lookups, searches, slabs, tables};
 use crate::generate::Source;
+use crate::geom::Ray;
+use crate::hash::{KeySet, Mix};
+use crate::scene::Mesh;
+use crate::trace::Hit;
+use crate::tree::{Reach, Tree};
 
 /// A layer below the traversals, with its mistakes, and the same without one.
 #[derive(Debug)]
@@ -23,6 +29,44 @@ pub struct Mistake {
     name: &'static str,
     clause: &'static str,
     fault: Body,
+    instead: Instead,
+}
+
+/// What an implementation with the mistake has where one without has what is right.
+#[derive(Clone, Copy)]
+pub enum Instead {
+    /// This table for the hashed keys of a tree; `None` where there is none.
+    Table(fn(&Tree, KeySet) -> Option<Table>),
+    /// Records that are taken to name so many ancestors' siblings.
+    Reach(fn(Reach) -> Option<Reach>),
+    /// This function of keys.
+    Function(Function),
+    /// These answers to rays; `None` where the mesh has no hierarchy.
+    Rays(fn(&Mesh, &[Ray]) -> Option<Hits>),
+    /// This traversal.
+    Walk(fn() -> Planted),
+    /// Nothing that the conformance suite asks for, and why.
+    Nothing(&'static str),
+}
+
+/// A perfect hash, by its words.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Table {
+    /// D displacements or direct addresses.
+    pub displacements: Vec<u32>,
+    /// H addresses.
+    pub cells: Vec<u32>,
+    /// What keys go through first.
+    pub mix: Mix,
+}
+
+/// The answers to rays, in their order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hits {
+    /// The closest hits.
+    pub closest: Vec<Option<Hit>>,
+    /// Whether there is any.
+    pub any: Vec<bool>,
 }
 
 /// Draws an input, makes the mistake, and asks the property body.
@@ -38,7 +82,7 @@ pub(super) type Body = fn(&mut Draw<'_>) -> Option<String>;
 ///     assert!(layer.controls.iter().all(|control| control.fault(&mut Rng::new(1)).is_none()));
 /// }
 /// ```
-pub const LAYERS: [Layer; 6] = [
+pub static LAYERS: [Layer; 7] = [
     Layer {
         name: "tables",
         body: "check_table_bytes, certify",
@@ -51,6 +95,12 @@ pub const LAYERS: [Layer; 6] = [
         body: "check_triangle",
         mistakes: &kernels::MISTAKES,
         controls: &kernels::CONTROLS,
+    },
+    Layer {
+        name: "halved bounds",
+        body: "an error within its bound",
+        mistakes: &filters::MISTAKES,
+        controls: &filters::CONTROLS,
     },
     Layer { name: "box tests", body: "check_slabs", mistakes: &slabs::MISTAKES, controls: &slabs::CONTROLS },
     Layer {
@@ -68,8 +118,8 @@ pub const LAYERS: [Layer; 6] = [
 ];
 
 impl Mistake {
-    pub(super) const fn new(name: &'static str, clause: &'static str, fault: Body) -> Self {
-        Self { name, clause, fault }
+    pub(super) const fn new(name: &'static str, clause: &'static str, fault: Body, instead: Instead) -> Self {
+        Self { name, clause, fault, instead }
     }
 
     /// What is wrong, in a few words: unique.
@@ -82,6 +132,11 @@ impl Mistake {
         self.clause
     }
 
+    /// What an implementation with it has in place of what is right.
+    pub const fn instead(&self) -> Instead {
+        self.instead
+    }
+
     /// What the property body says of an input that is drawn; `None` if it sees nothing wrong.
     pub fn fault(&self, source: &mut dyn Source) -> Option<String> {
         (self.fault)(&mut Draw(source))
@@ -91,6 +146,19 @@ impl Mistake {
 impl core::fmt::Debug for Mistake {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(self.name)
+    }
+}
+
+impl core::fmt::Debug for Instead {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Table(_) => "Table",
+            Self::Reach(_) => "Reach",
+            Self::Function(_) => "Function",
+            Self::Rays(_) => "Rays",
+            Self::Walk(_) => "Walk",
+            Self::Nothing(_) => "Nothing",
+        })
     }
 }
 

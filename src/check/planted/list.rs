@@ -1,7 +1,7 @@
 //! The bugs, each with the clause that it breaks.
 
 use super::asked::{Misasked, Misuse};
-use super::given::{Misled, Misrecorded, RightFirst, Short};
+use super::given::{Misled, Misrecord, RightFirst, Short, misrecorded};
 use super::mutants::{Mutation, mutants};
 use super::printed::{Printed, Slip};
 use super::slips::{Barringer, BarringerPrinted, Binder, BinderPrinted};
@@ -9,8 +9,8 @@ use super::textbook::{Bug, Textbook};
 use super::wanderer::Wanderer;
 use super::{Planted, drive};
 use crate::order::{ByNode, Descent, FixedOrder, LeftFirst, SignOrder};
-use crate::traverse::{Cursor, Hapala, Hashed, Skip, Skips, Test, Uncle};
-use crate::tree::{Parents, RecordedUncles, Topology, Uncles};
+use crate::traverse::{Cursor, Hapala, Hashed, Skip, Skips, Test};
+use crate::tree::{Parents, Topology, Uncles};
 
 /// All bugs.
 pub fn all() -> Vec<Planted> {
@@ -42,7 +42,7 @@ pub fn controls() -> Vec<Planted> {
     controls
 }
 
-const BUGS: [(Bug, &str); 24] = [
+const BUGS: [(Bug, &str); 26] = [
     (Bug::NoExit, "TRAIL-3"),
     (Bug::TrailNotToggled, "TRAIL-4"),
     (Bug::KeyNotToggled, "TRAIL-4"),
@@ -67,6 +67,8 @@ const BUGS: [(Bug, &str); 24] = [
     (Bug::TrailAboveRoot, "TRAIL-1"),
     (Bug::TrailNotShifted, "TRAIL-4"),
     (Bug::CounterWithoutStart, "SPARSE-1"),
+    (Bug::ShiftByWord, "TRAIL-3"),
+    (Bug::AddressToggled, "TRAIL-4"),
 ];
 
 const SLIPS: [(Slip, &str); 6] = [
@@ -176,13 +178,7 @@ fn given() -> Vec<Planted> {
                 drive(cursor, visitor, watcher);
             }
         }),
-        Planted::any("uncle: uncle and grand uncle changed places", "UNCLE-1", |tree, _, visitor, watcher| {
-            let tree = Misrecorded { tree, uncles: Uncles::of(tree) };
-            let uncles = RecordedUncles::of(&tree);
-            if let Some(Ok(cursor)) = uncles.map(|uncles| Uncle::<u64, _, _>::new(&tree, uncles)) {
-                drive(cursor, visitor, watcher);
-            }
-        }),
+        misrecorded("uncle: uncle and grand uncle changed places", Misrecord::GrandUncle),
         Planted::case("skip: pointers of the other order", "SKIP-1", |case, search, watcher| {
             let skips = Skips::of(&case.tree, &RightFirst);
             drive(Skip::new(&case.tree, &skips, LeftFirst), &mut ByNode { test: search, order: LeftFirst }, watcher);

@@ -7,6 +7,8 @@
 
 mod asked;
 mod draw;
+mod files;
+mod filters;
 mod given;
 mod hierarchies;
 mod kernels;
@@ -22,8 +24,9 @@ mod tables;
 mod textbook;
 mod wanderer;
 
-pub use layers::{LAYERS, Layer, Mistake};
+pub use layers::{Hits, Instead, LAYERS, Layer, Mistake, Table};
 pub use list::{all, controls};
+pub use lookups::Function;
 
 use super::{Battery, Case, Fault, Verdict, Watch};
 use crate::event::{Recorder, State};
@@ -38,8 +41,12 @@ pub struct Planted {
     clause: &'static str,
     test: Test,
     restarts: bool,
+    carries: u32,
     run: Run,
 }
+
+/// The deepest tree that every traversal carries in words of 64 bits.
+const DEEPEST: u32 = 62;
 
 /// What a bug can be run over.
 enum Run {
@@ -73,7 +80,14 @@ impl Planted {
         clause: &'static str,
         run: impl Fn(&Tree, &Tape, &mut dyn Visitor, &mut Watcher<'_>) + 'static,
     ) -> Self {
-        Self { name: name.into(), clause, test: Test::Children, restarts: false, run: Run::Any(Box::new(run)) }
+        Self {
+            name: name.into(),
+            clause,
+            test: Test::Children,
+            restarts: false,
+            carries: DEEPEST,
+            run: Run::Any(Box::new(run)),
+        }
     }
 
     fn case(
@@ -81,7 +95,14 @@ impl Planted {
         clause: &'static str,
         run: impl Fn(&Case, &mut Search<'_, Tree>, &mut Watcher<'_>) + 'static,
     ) -> Self {
-        Self { name: name.into(), clause, test: Test::Children, restarts: false, run: Run::Case(Box::new(run)) }
+        Self {
+            name: name.into(),
+            clause,
+            test: Test::Children,
+            restarts: false,
+            carries: DEEPEST,
+            run: Run::Case(Box::new(run)),
+        }
     }
 
     fn held_to(self, test: Test) -> Self {
@@ -90,6 +111,10 @@ impl Planted {
 
     fn restarting(self) -> Self {
         Self { restarts: true, ..self }
+    }
+
+    fn carrying(self, depth: u32) -> Self {
+        Self { carries: depth, ..self }
     }
 
     /// What is wrong, in a few words: unique.
@@ -110,6 +135,11 @@ impl Planted {
     /// Whether it goes down from the root again, and asks again on its way.
     pub fn restarts(&self) -> bool {
         self.restarts
+    }
+
+    /// The deepest tree, in edges, that it does not refuse.
+    pub fn carries(&self) -> u32 {
+        self.carries
     }
 
     /// How it differs from its reference over a case; `None` if it does not.

@@ -3,8 +3,9 @@
 use glam::Vec3;
 
 use super::draw::Draw;
+use super::files::cast;
 use super::kernels::{self, BelowLimit, Endless, OpenInterval};
-use super::layers::Mistake;
+use super::layers::{Instead, Mistake};
 use super::slabs::{self, BeforeEnd};
 use super::{Planted, drive};
 use crate::bvh::{BuildOptions, Builder, Bvh, SahOptions};
@@ -19,19 +20,37 @@ use crate::traverse::{Cursor, Laine};
 use crate::tree::{Node, Tree};
 
 pub(super) const MISTAKES: [Mistake; 7] = [
-    Mistake::new("of equal hits the first that is met", "DET-1", fault::<kernels::Spoilt<BelowLimit>, Directed>),
-    Mistake::new("an open interval", "EXACT-1", fault::<kernels::Spoilt<OpenInterval>, Directed>),
-    Mistake::new("any hit, whatever the end of the ray", "EXACT-1", fault::<kernels::Spoilt<Endless>, Directed>),
-    Mistake::new("boxes that begin at the best hit are skipped", "DET-1", fault::<Exact, slabs::Spoilt<BeforeEnd>>),
-    Mistake::new("boxes without padding", "BOX-2", fault::<Exact, Plain>),
-    Mistake::new("triangles in single precision", "EXACT-1", fault::<Moller32, Directed>),
-    Mistake::new("a restart takes a node that wants one child for done", "LAINE-1", |draw| restart(draw, true)),
+    of::<kernels::Spoilt<BelowLimit>, Directed>("of equal hits the first that is met", "DET-1"),
+    of::<kernels::Spoilt<OpenInterval>, Directed>("an open interval", "EXACT-1"),
+    of::<kernels::Spoilt<Endless>, Directed>("any hit, whatever the end of the ray", "EXACT-1"),
+    of::<Exact, slabs::Spoilt<BeforeEnd>>("boxes that begin at the best hit are skipped", "DET-1"),
+    of::<Exact, Plain>("boxes without padding", "BOX-2"),
+    of::<Moller32, Directed>("triangles in single precision", "EXACT-1"),
+    Mistake::new(
+        "a restart takes a node that wants one child for done",
+        "LAINE-1",
+        |draw| restart(draw, true),
+        Instead::Walk(|| restarted(true)),
+    ),
 ];
 
 pub(super) const CONTROLS: [Mistake; 2] = [
-    Mistake::new("the exact search", "DET-1", fault::<Exact, Directed>),
-    Mistake::new("a restart trail, wrapped", "LAINE-1", |draw| restart(draw, false)),
+    of::<Exact, Directed>("the exact search", "DET-1"),
+    Mistake::new(
+        "a restart trail, wrapped",
+        "LAINE-1",
+        |draw| restart(draw, false),
+        Instead::Walk(|| restarted(false)),
+    ),
 ];
+
+const fn of<K, B>(name: &'static str, clause: &'static str) -> Mistake
+where
+    K: Kernel<Vector = Vec3, Shape = Triangle>,
+    B: Slabs<Vector = Vec3>,
+{
+    Mistake::new(name, clause, fault::<K, B>, Instead::Rays(cast::<K, B>))
+}
 
 fn fault<K, B>(draw: &mut Draw<'_>) -> Option<String>
 where
@@ -52,12 +71,16 @@ pub(super) fn built(draw: &mut Draw<'_>, mesh: &Mesh) -> Option<Bvh> {
 
 fn restart(draw: &mut Draw<'_>, is_hasty: bool) -> Option<String> {
     let case = Case::draw(draw, Case::LEAVES);
-    let planted = Planted::any("", "", move |tree, _, visitor, watcher| {
+    restarted(is_hasty).fault(&case).map(|fault| fault.to_string())
+}
+
+fn restarted(is_hasty: bool) -> Planted {
+    let run = Planted::any("", "", move |tree, _, visitor, watcher| {
         if let Ok(laine) = Laine::new(tree) {
             drive(Hasty { laine, is_hasty }, visitor, watcher);
         }
     });
-    planted.restarting().fault(&case).map(|fault| fault.to_string())
+    run.restarting()
 }
 
 /// The restart trail. If hasty, it forgets that the interval may have been so short from the start that a node above the pop

@@ -6,32 +6,38 @@ use std::marker::PhantomData;
 use glam::Vec3;
 
 use super::draw::Draw;
-use super::layers::{Mistake, marks};
+use super::files::cast;
+use super::layers::{Instead, Mistake, marks};
 use crate::check::check_slabs;
 use crate::generate::Source;
+use crate::geom::kernel::Exact;
 use crate::geom::slabs::{Directed, Enclosed, Intervals, Plain, TwoSided};
 use crate::geom::{Aabb, Ray, Region, Slabs};
 
 pub(super) const MISTAKES: [Mistake; 11] = [
-    Mistake::new("nothing is padded", "BOX-2", fault::<Plain>),
-    Mistake::new("padded on both sides, for rays of any size", "BOX-5", fault::<TwoSided>),
-    Mistake::new("reciprocals as they are rounded", "BOX-4", fault::<Spoilt<Stepped<0>>>),
-    Mistake::new("reciprocals moved the wrong way", "BOX-1", fault::<Spoilt<Stepped<-2>>>),
-    Mistake::new("entered a float too late", "BOX-2", fault::<Spoilt<Late>>),
-    Mistake::new("0 times infinity bounds the ray", "BOX-1", fault::<Spoilt<NotANumber>>),
-    Mistake::new("-0 has a negative reciprocal", "BOX-1", fault::<Spoilt<MinusZero>>),
-    Mistake::new("lo and hi not exchanged for negative directions", "BOX-1", fault::<Spoilt<NotExchanged>>),
-    Mistake::new("a box that is only touched is skipped", "BOX-2", fault::<Spoilt<Strict>>),
-    Mistake::new("a box at the end of the ray is skipped", "BOX-2", fault::<Spoilt<BeforeEnd>>),
-    Mistake::new("the second box is hit if the first one is", "BOX-3", fault::<Spoilt<FirstLane>>),
+    of::<Plain>("nothing is padded", "BOX-2"),
+    of::<TwoSided>("padded on both sides, for rays of any size", "BOX-5"),
+    of::<Spoilt<Stepped<0>>>("reciprocals as they are rounded", "BOX-4"),
+    of::<Spoilt<Stepped<-2>>>("reciprocals moved the wrong way", "BOX-1"),
+    of::<Spoilt<Late>>("entered a float too late", "BOX-2"),
+    of::<Spoilt<NotANumber>>("0 times infinity bounds the ray", "BOX-1"),
+    of::<Spoilt<MinusZero>>("-0 has a negative reciprocal", "BOX-1"),
+    of::<Spoilt<NotExchanged>>("lo and hi not exchanged for negative directions", "BOX-1"),
+    of::<Spoilt<Strict>>("a box that is only touched is skipped", "BOX-2"),
+    of::<Spoilt<BeforeEnd>>("a box at the end of the ray is skipped", "BOX-2"),
+    of::<Spoilt<FirstLane>>("the second box is hit if the first one is", "BOX-3"),
 ];
 
 pub(super) const CONTROLS: [Mistake; 4] = [
-    Mistake::new("the directed test", "BOX-2", fault::<Directed>),
-    Mistake::new("the test of enclosed rays", "INST-4", fault::<Enclosed>),
-    Mistake::new("the directed test, wrapped", "BOX-2", fault::<Spoilt<Nothing>>),
-    Mistake::new("the directed test, written plainly", "BOX-1", fault::<Spoilt<Stepped<2>>>),
+    of::<Directed>("the directed test", "BOX-2"),
+    of::<Enclosed>("the test of enclosed rays", "INST-4"),
+    of::<Spoilt<Nothing>>("the directed test, wrapped", "BOX-2"),
+    of::<Spoilt<Stepped<2>>>("the directed test, written plainly", "BOX-1"),
 ];
+
+const fn of<B: Slabs<Vector = Vec3>>(name: &'static str, clause: &'static str) -> Mistake {
+    Mistake::new(name, clause, fault::<B>, Instead::Rays(cast::<Exact, B>))
+}
 
 fn fault<B: Slabs<Vector = Vec3>>(draw: &mut Draw<'_>) -> Option<String> {
     let bits = draw.bits();

@@ -1,27 +1,39 @@
 //! Tables of perfect hashes with a mistake in them, as bytes.
 
 use super::draw::Draw;
-use super::layers::Mistake;
+use super::layers::{Instead, Mistake, Table};
 use crate::check::check_table_bytes;
-use crate::hash::{AddressBounds, KeySet, Options, PerfectHash, Sizing, certify};
+use crate::hash::{AddressBounds, KeySet, Mix, Options, PerfectHash, Sizing, certify};
 use crate::tree::{Keys, Reach, Tree};
 
+/// A change of a table's words.
+macro_rules! of {
+    ($name:literal, $clause:literal, $change:expr) => {
+        Mistake::new(
+            $name,
+            $clause,
+            |draw| changed(draw, $change),
+            Instead::Table(|tree, keys| built(tree, keys, $change)),
+        )
+    };
+}
+
 pub(super) const MISTAKES: [Mistake; 12] = [
-    Mistake::new("H is even, so not coprime to D", "HASH-2", |draw| changed(draw, even_cells)),
-    Mistake::new("H two short, for the cells of an H before", "HASH-2", |draw| changed(draw, fewer_cells)),
-    Mistake::new("keys of a generation are missing", "HASH-3", missing_generation),
-    Mistake::new("keys of another tree", "HASH-9", another_tree),
-    Mistake::new("two displacements exchanged", "HASH-1", |draw| changed(draw, exchanged_displacements)),
-    Mistake::new("a cell written over another", "HASH-8", |draw| changed(draw, overwritten_cell)),
-    Mistake::new("a direct address without its mark", "HASH-5", |draw| changed(draw, unmarked)),
-    Mistake::new("a leaf as an inner node", "HASH-5", |draw| changed(draw, leaf_as_inner)),
-    Mistake::new("keys said to fit 32 bits that do not", "HASH-1", |draw| changed(draw, other_width)),
-    Mistake::new("the seed of the remedy not stored", "HASH-7", |draw| changed(draw, seed_not_stored)),
-    Mistake::new("the seed of another fold", "HASH-6", |draw| changed(draw, other_fold)),
-    Mistake::new("a word lost at the end", "HASH-9", |draw| changed(draw, truncated)),
+    of!("H is even, so not coprime to D", "HASH-2", even_cells),
+    of!("H two short, for the cells of an H before", "HASH-2", fewer_cells),
+    Mistake::new("keys of a generation are missing", "HASH-3", missing_generation, Instead::Reach(further)),
+    Mistake::new("keys of another tree", "HASH-9", another_tree, Instead::Table(table_of_another)),
+    of!("two displacements exchanged", "HASH-1", exchanged_displacements),
+    of!("a cell written over another", "HASH-8", overwritten_cell),
+    of!("a direct address without its mark", "HASH-5", unmarked),
+    of!("a leaf as an inner node", "HASH-5", leaf_as_inner),
+    of!("keys said to fit 32 bits that do not", "HASH-1", other_width),
+    of!("the seed of the remedy not stored", "HASH-7", seed_not_stored),
+    of!("the seed of another fold", "HASH-6", other_fold),
+    of!("a word lost at the end", "HASH-9", truncated),
 ];
 
-pub(super) const CONTROLS: [Mistake; 1] = [Mistake::new("a table, unchanged", "HASH-9", |draw| changed(draw, |_| ()))];
+pub(super) const CONTROLS: [Mistake; 1] = [of!("a table, unchanged", "HASH-9", |_| ())];
 
 /// A table as words: 12 of the header, two seeds of two words each, displacements, cells.
 struct Words {
@@ -45,6 +57,12 @@ const SEEDED: u32 = 2;
 const MARK: u32 = 1 << 31;
 
 impl Words {
+    fn of(hash: &PerfectHash) -> Self {
+        let bytes = hash.to_bytes();
+        let words = bytes[MAGIC_BYTES..].as_chunks().0.iter().map(|&word| u32::from_le_bytes(word)).collect();
+        Self { words, displacements: hash.displacements().len() }
+    }
+
     fn tables(&mut self) -> &mut [u32] {
         &mut self.words[TABLES..]
     }
@@ -62,14 +80,24 @@ fn changed(draw: &mut Draw<'_>, change: fn(&mut Words)) -> Option<String> {
     fault(&hash, &tree, options.key_set, change)
 }
 
+/// The table that an implementation builds, changed.
+fn built(tree: &Tree, key_set: KeySet, change: fn(&mut Words)) -> Option<Table> {
+    let hash = PerfectHash::build(tree, Options { key_set, sizing: Sizing::Tight }).ok()?;
+    let mut table = Words::of(&hash);
+    change(&mut table);
+    let Words { words, displacements } = table;
+    let (header, tables) = words.split_at_checked(TABLES)?;
+    let (displacements, cells) = tables.split_at_checked(displacements)?;
+    let seed = u64::from(header[SEED]) | u64::from(header[SEED + 1]) << 32;
+    let mix = Mix { narrow: header[FLAGS] & NARROW != 0, seed: (header[FLAGS] & SEEDED != 0).then_some(seed) };
+    Some(Table { displacements: displacements.to_vec(), cells: cells.to_vec(), mix })
+}
+
 /// What the checks say of a table, once its words are changed, that was promised for a tree and a set of keys.
 fn fault(hash: &PerfectHash, tree: &Tree, key_set: KeySet, change: impl FnOnce(&mut Words)) -> Option<String> {
-    let bytes = hash.to_bytes();
-    let (magic, rest) = bytes.split_at(MAGIC_BYTES);
-    let words = rest.as_chunks().0.iter().map(|&word| u32::from_le_bytes(word)).collect();
-    let mut table = Words { words, displacements: hash.displacements().len() };
+    let (magic, mut table) = (hash.to_bytes()[..MAGIC_BYTES].to_vec(), Words::of(hash));
     change(&mut table);
-    let bytes = [magic, &table.words.into_iter().flat_map(u32::to_le_bytes).collect::<Vec<_>>()].concat();
+    let bytes = [magic, table.words.into_iter().flat_map(u32::to_le_bytes).collect()].concat();
     match check_table_bytes(&bytes, tree, &Keys::of(tree)) {
         Err(fault) => Some(fault.to_string()),
         Ok(verdict) => match PerfectHash::from_bytes(&bytes, AddressBounds::of(tree)) {
@@ -100,10 +128,22 @@ fn missing_generation(draw: &mut Draw<'_>) -> Option<String> {
 /// Left and right are exchanged: all addresses are of the tree.
 fn another_tree(draw: &mut Draw<'_>) -> Option<String> {
     let (tree, options) = (draw.tree(70), options(draw));
-    let mirrored: Vec<_> =
-        tree.to_children().into_iter().map(|children| children.map(|[left, right]| [right, left])).collect();
-    let hash = PerfectHash::build(&Tree::new(&mirrored).ok()?, options).ok()?;
+    let hash = PerfectHash::build(&mirrored(&tree)?, options).ok()?;
     fault(&hash, &tree, options.key_set, |_| ())
+}
+
+fn table_of_another(tree: &Tree, key_set: KeySet) -> Option<Table> {
+    built(&mirrored(tree)?, key_set, |_| ())
+}
+
+fn mirrored(tree: &Tree) -> Option<Tree> {
+    let children = tree.to_children().into_iter().map(|children| children.map(|[left, right]| [right, left]));
+    Tree::new(&children.collect::<Vec<_>>()).ok()
+}
+
+fn further(reach: Reach) -> Option<Reach> {
+    let [inner, leaf] = [false, true].map(|leaf| (reach.of(leaf) + 1).min(3));
+    Reach::new(inner, leaf)
 }
 
 fn even_cells(table: &mut Words) {

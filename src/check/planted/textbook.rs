@@ -59,6 +59,10 @@ pub(super) enum Bug {
     TrailNotShifted,
     /// The counter is shown without its leading one.
     CounterWithoutStart,
+    /// The end is where the key, shifted by as many bits as the word has, is that of the root: processors do not shift it.
+    ShiftByWord,
+    /// The sibling is the neighbour in the array, as in a heap.
+    AddressToggled,
     /// It starts again at the end, and again.
     Endless,
 }
@@ -156,19 +160,25 @@ impl Cursor for Textbook<'_> {
             (self.node, self.key, self.register, self.restarting) = (self.tree.root(), 1, None, true);
             return true;
         }
-        if self.trail == 0 && bug != Bug::NoExit || is_last {
+        if self.trail == 0 && !matches!(bug, Bug::NoExit | Bug::ShiftByWord) || is_last {
             return false;
         }
         let levels = match bug {
             Bug::ShiftShort => self.trail.trailing_zeros().saturating_sub(1),
             Bug::ShiftLong => self.trail.trailing_zeros() + 1,
             Bug::OldestFirst => self.trail.ilog2(),
+            Bug::ShiftByWord => self.trail.trailing_zeros() % u64::BITS,
             _ => self.trail.trailing_zeros().min(63),
         };
         let climbed = if bug == Bug::SiblingForUncle && levels == 1 { 0 } else { levels };
         let ancestor = (0..climbed).fold(self.node, |node, _| (&self.parents).parent(self.tree, node));
         let sibling = (&self.parents).sibling(self.tree, ancestor);
-        self.node = if bug == Bug::NearTwice { ancestor } else { sibling };
+        let neighbour = || self.tree.node(self.tree.slot(ancestor) as u32 ^ 1).unwrap_or(self.tree.root());
+        self.node = match bug {
+            Bug::NearTwice => ancestor,
+            Bug::AddressToggled => neighbour(),
+            _ => sibling,
+        };
         self.key = match bug {
             Bug::KeyNotToggled | Bug::NearTwice => self.key >> levels,
             Bug::StaleKey => self.key,
