@@ -116,3 +116,40 @@ fn what_is_apart_has_no_part() {
     let diagonal = triangle.part(&Aabb { lo: Vec3::new(0.5, 0.5, -1.0), hi: Vec3::ONE });
     assert!(diagonal.contains(Vec3::new(0.5, 0.5, 0.0)) && diagonal.hi.x < 0.500_001);
 }
+
+/// From 2^-900 to 2^1000 triangles are cut; of others the boxes are.
+#[test]
+fn all_that_cannot_overflow_is_cut() {
+    let part = Aabb { lo: Vec3::new(0.5, 0.0, f32::NEG_INFINITY), hi: Vec3::new(1.0, 1.0, f32::INFINITY) };
+    for (exponent, is_cut) in [(-901, false), (-900, true), (-3, true), (1000, true), (1001, false)] {
+        let z = DVec3::Z * 2f64.powi(exponent);
+        let triangle = Triangle([DVec3::ZERO, DVec3::X + z, DVec3::Y + z]);
+        assert_eq!(triangle.part(&part).hi.y < 0.75, is_cut, "{exponent}");
+    }
+}
+
+#[test]
+fn parts_do_not_depend_on_the_order_of_corners() {
+    let mut draw = Draw::new(19);
+    for _ in 0..1000 {
+        let ([a, b, c], part) = ([(); 3].map(|()| draw.cube()), Aabb::of(&[draw.cube(), draw.cube()]));
+        let found = Triangle([a, b, c]).part(&part);
+        for corners in [[b, c, a], [c, a, b], [a, c, b], [b, a, c], [c, b, a]] {
+            assert_eq!(Triangle(corners).part(&part), found, "{a} {b} {c} {part:?}");
+        }
+    }
+}
+
+/// However often it crosses the plane.
+#[test]
+fn a_cut_adds_half_as_many_corners_at_most() {
+    let mut polygon = Polygon::EMPTY;
+    for i in 0..19 {
+        polygon.push(DVec3::new(f64::from(i % 2), f64::from(i), 0.0));
+    }
+    let mut left = Polygon::EMPTY;
+    polygon.cut(0, 1.0, 0.5, &mut left);
+    assert_eq!(left.count, MOST);
+    polygon.cut(0, -1.0, -0.5, &mut left);
+    assert_eq!(left.count, MOST - 1);
+}
