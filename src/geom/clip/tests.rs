@@ -153,3 +153,13 @@ fn a_cut_adds_half_as_many_corners_at_most() {
     polygon.cut(0, -1.0, -0.5, &mut left);
     assert_eq!(left.count, MOST - 1);
 }
+
+/// An edge rises by a float from end to end, and is cut next to its start: in doubles the point there is as high as that.
+#[test]
+fn what_rounding_would_lose_is_held() {
+    for sign in [1.0, -1.0] {
+        let corners = [Vec3::Y, Vec3::new(1.0, 1f32.next_up(), 0.0), Vec3::ZERO].map(|v| v * Vec3::new(1.0, sign, 1.0));
+        let part = Aabb { lo: Vec3::splat(-2.0), hi: Vec3::new(2f32.powi(-31), 2.0, 2.0) };
+        assert_eq!(check(corners, part), Some(true));
+    }
+}
