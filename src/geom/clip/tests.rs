@@ -163,3 +163,13 @@ fn what_rounding_would_lose_is_held() {
         assert_eq!(check(corners, part), Some(true));
     }
 }
+
+/// Not where the way back from a dropped corner would end: 1 + (1e-20 - 1) is 0.
+#[test]
+fn an_edge_from_a_corner_on_the_plane_is_cut_in_that_corner() {
+    let on_plane = DVec3::new(0.0, 1e-20, 0.0);
+    let polygon = Polygon::of([on_plane, DVec3::new(1.0, 1.0, 0.0), DVec3::new(1.0, -1.0, 0.0)]);
+    let mut left = Polygon::EMPTY;
+    polygon.cut(0, 1.0, 0.0, &mut left);
+    assert_eq!(left.corners(), [on_plane; 3]);
+}
