@@ -42,7 +42,8 @@ impl<V: Vector> Triangle<V> {
             return within;
         }
         let margin = size * MARGIN;
-        let (mut polygon, mut room) = (&mut Polygon::of(corners), &mut Polygon::EMPTY);
+        let mut buffers = [Polygon::of(corners), Polygon::EMPTY];
+        let [mut polygon, mut room] = buffers.each_mut();
         let mut cut = |axis: usize, sign: f64, plane: f32| {
             polygon.cut(axis, sign, sign * f64::from(plane) + margin[axis], room);
             std::mem::swap(&mut polygon, &mut room);
