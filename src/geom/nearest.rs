@@ -46,7 +46,7 @@ impl Measure {
         if outside || near > limit {
             return None;
         }
-        if near == far && far < self.radius { Some(near) } else { self.exact_distance(triangle) }
+        if self.is_certain([near, far]) { Some(near) } else { self.exact_distance(triangle) }
     }
 
     /// The point of the triangle that is nearest, to about the precision of floats.
@@ -61,6 +61,12 @@ impl Measure {
         let beside = (aabb.lo.as_dvec3() - point).max(point - aabb.hi.as_dvec3()).max(DVec3::ZERO);
         // Six roundings, each of a unit at most.
         beside.length() * (1.0 - 8.0 * UNIT)
+    }
+
+    /// Whether bounds that are rounded to these floats settle a distance: it is that float, and within the radius.
+    #[inline]
+    fn is_certain(&self, [near, far]: [f32; 2]) -> bool {
+        near == far && far < self.radius
     }
 
     #[cold]

@@ -225,18 +225,17 @@ pub fn square_distance<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Optio
     for i in 0..3 {
         let (edge, to_point) = (minus(corners[(i + 1) % 3], corners[i]), minus(&p, corners[i]));
         let (along, length) = (dot(&edge, &to_point), dot(&edge, &edge));
-        // From the nearest point of the edge: the start, the end, or the foot of the perpendicular.
-        let square = if along.sign() == Sign::Negative || along.is_zero() {
-            Relaxed::from(dot(&to_point, &to_point))
-        } else if along >= length {
-            let to_point = minus(&p, corners[(i + 1) % 3]);
-            Relaxed::from(dot(&to_point, &to_point))
-        } else {
-            let square = dot(&to_point, &to_point);
-            Relaxed::from_parts_signed(square * &length - &along * &along, length)
-        };
-        least = Some(least.filter(|least| *least < square).unwrap_or(square));
         is_above &= dot(&cross(&normal, &edge), &to_point).sign() == Sign::Positive;
+        // From the nearest point of the edge: the start, or the foot of the perpendicular. At the end the next edge starts.
+        let square = dot(&to_point, &to_point);
+        let square = if along.sign() == Sign::Negative || along.is_zero() {
+            Relaxed::from(square)
+        } else if along < length {
+            Relaxed::from_parts_signed(square * &length - &along * &along, length)
+        } else {
+            continue;
+        };
+        least = least.into_iter().chain([square]).min();
     }
     if is_above {
         let height = dot(&normal, &minus(&p, &a));
@@ -255,22 +254,16 @@ pub fn square_distance<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Optio
 /// assert_eq!(round_root_f32(&RBig::from(2u8)), 2f32.sqrt());
 /// ```
 pub fn round_root_f32(x: &RBig) -> f32 {
-    let mut root = round_f64(x).sqrt() as f32;
+    // A double is so near that the answer is this float or one of the next two.
+    let mut root = (round_f64(x).sqrt() as f32).next_down().max(0.0);
     // How `x` compares with the square of the middle between a float and the next one. Infinity stands for 2^128.
     let beyond_middle = |low: f32| {
         let next = if low < f32::MAX { f64::from(low.next_up()) } else { 2f64.powi(128) };
-        let middle = RBig::try_from(f64::from(low) * 0.5 + next * 0.5);
+        let middle = RBig::try_from(f64::midpoint(low.into(), next));
         middle.map_or(Ordering::Less, |middle| x.cmp(&(&middle * &middle)))
     };
     while beyond_middle(root).is_gt() || beyond_middle(root).is_eq() && root.to_bits() & 1 == 1 {
         root = root.next_up();
-    }
-    let belongs_below = |root: f32| {
-        let order = beyond_middle(root.next_down());
-        order.is_lt() || order.is_eq() && root.to_bits() & 1 == 1
-    };
-    while root > 0.0 && belongs_below(root) {
-        root = root.next_down();
     }
     root
 }
@@ -302,8 +295,7 @@ fn first_touch<S: Number>(
         let (near, far) = if d[k].sign() == Sign::Positive { (&lo[k], &hi[k]) } else { (&hi[k], &lo[k]) };
         let distance = |plane: &IBig| Relaxed::from_parts_signed(plane - &o[k], d[k].clone());
         enter = enter.max(distance(near));
-        let far = distance(far);
-        leave = Some(leave.filter(|leave| *leave < far).unwrap_or(far));
+        leave = leave.into_iter().chain([distance(far)]).min();
     }
     leave.is_none_or(|leave| enter <= leave).then_some(enter)
 }

@@ -116,3 +116,60 @@ fn what_is_apart_has_no_part() {
     let diagonal = triangle.part(&Aabb { lo: Vec3::new(0.5, 0.5, -1.0), hi: Vec3::ONE });
     assert!(diagonal.contains(Vec3::new(0.5, 0.5, 0.0)) && diagonal.hi.x < 0.500_001);
 }
+
+/// From 2^-900 to 2^1000 triangles are cut; of others the boxes are.
+#[test]
+fn all_that_cannot_overflow_is_cut() {
+    let part = Aabb { lo: Vec3::new(0.5, 0.0, f32::NEG_INFINITY), hi: Vec3::new(1.0, 1.0, f32::INFINITY) };
+    for (exponent, is_cut) in [(-901, false), (-900, true), (-3, true), (1000, true), (1001, false)] {
+        let z = DVec3::Z * 2f64.powi(exponent);
+        let triangle = Triangle([DVec3::ZERO, DVec3::X + z, DVec3::Y + z]);
+        assert_eq!(triangle.part(&part).hi.y < 0.75, is_cut, "{exponent}");
+    }
+}
+
+#[test]
+fn parts_do_not_depend_on_the_order_of_corners() {
+    let mut draw = Draw::new(19);
+    for _ in 0..1000 {
+        let ([a, b, c], part) = ([(); 3].map(|()| draw.cube()), Aabb::of(&[draw.cube(), draw.cube()]));
+        let found = Triangle([a, b, c]).part(&part);
+        for corners in [[b, c, a], [c, a, b], [a, c, b], [b, a, c], [c, b, a]] {
+            assert_eq!(Triangle(corners).part(&part), found, "{a} {b} {c} {part:?}");
+        }
+    }
+}
+
+/// However often it crosses the plane.
+#[test]
+fn a_cut_adds_half_as_many_corners_at_most() {
+    let mut polygon = Polygon::EMPTY;
+    for i in 0..19 {
+        polygon.push(DVec3::new(f64::from(i % 2), f64::from(i), 0.0));
+    }
+    let mut left = Polygon::EMPTY;
+    polygon.cut(0, 1.0, 0.5, &mut left);
+    assert_eq!(left.count, MOST);
+    polygon.cut(0, -1.0, -0.5, &mut left);
+    assert_eq!(left.count, MOST - 1);
+}
+
+/// An edge rises by a float from end to end, and is cut next to its start: in doubles the point there is as high as that.
+#[test]
+fn what_rounding_would_lose_is_held() {
+    for sign in [1.0, -1.0] {
+        let corners = [Vec3::Y, Vec3::new(1.0, 1f32.next_up(), 0.0), Vec3::ZERO].map(|v| v * Vec3::new(1.0, sign, 1.0));
+        let part = Aabb { lo: Vec3::splat(-2.0), hi: Vec3::new(2f32.powi(-31), 2.0, 2.0) };
+        assert_eq!(check(corners, part), Some(true));
+    }
+}
+
+/// Not where the way back from a dropped corner would end: 1 + (1e-20 - 1) is 0.
+#[test]
+fn an_edge_from_a_corner_on_the_plane_is_cut_in_that_corner() {
+    let on_plane = DVec3::new(0.0, 1e-20, 0.0);
+    let polygon = Polygon::of([on_plane, DVec3::new(1.0, 1.0, 0.0), DVec3::new(1.0, -1.0, 0.0)]);
+    let mut left = Polygon::EMPTY;
+    polygon.cut(0, 1.0, 0.0, &mut left);
+    assert_eq!(left.corners(), [on_plane; 3]);
+}

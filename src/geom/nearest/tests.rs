@@ -142,3 +142,20 @@ fn bounds_of_a_face_ahead() {
         assert_eq!(Measure::new(Vec3::ZERO, f32::INFINITY).distance(&triangle, limit), expected);
     }
 }
+
+/// Within the radius, where both bounds are the same float: then nothing is left to rational arithmetic.
+#[test]
+fn bounds_that_agree_within_the_radius_are_certain() {
+    let measure = Measure::new(Vec3::ZERO, 2.0);
+    let (below, above) = (1f32.next_down(), 1f32.next_up());
+    for (bounds, expected) in [
+        ([1.0; 2], true),
+        ([0.0; 2], true),
+        ([below, 1.0], false),
+        ([1.0, above], false),
+        ([2.0; 2], false),
+        ([3.0; 2], false),
+    ] {
+        assert_eq!(measure.is_certain(bounds), expected, "{bounds:?}");
+    }
+}

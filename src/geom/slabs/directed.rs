@@ -89,3 +89,6 @@ fn pair_wide([ox, oy, oz, dx, dy, dz, tmin]: [f32; 7], planes: &[[f32; 4]; 3], t
     let lanes = [0, 1].map(|i| if hit[i] { [near[i], far[i].min(tmax)] } else { MISSED });
     [lanes[0][0], lanes[0][1], lanes[1][0], lanes[1][1]]
 }
+
+#[cfg(test)]
+mod tests;

@@ -47,11 +47,12 @@ impl Enclosed {
                 for (way, speed) in [((lo - o_most).next_down(), d_most), ((o_least - hi).next_down(), -d_least)] {
                     // A NaN is no bound.
                     let t = way / speed;
-                    if speed > 0.0 && t.next_down() > near[side] {
-                        near[side] = t.next_down();
-                    } else if speed < 0.0 && t.next_up() < far[side] {
-                        far[side] = t.next_up();
-                    } else if speed == 0.0 && way > 0.0 {
+                    if speed > 0.0 {
+                        near[side] = near[side].max(t.next_down());
+                    } else if speed < 0.0 {
+                        far[side] = far[side].min(t.next_up());
+                    } else if way >= 0.0 {
+                        // It was above 0 before it was rounded down.
                         far[side] = f64::NEG_INFINITY;
                     }
                 }
@@ -70,7 +71,7 @@ impl Enclosed {
 fn lanes(ray: &EnclosedRay, axis: usize) -> Option<[[f32; 2]; 2]> {
     let ([o_least, o_most], [d_least, d_most]) =
         (ray.origin[axis].ends_in_single(), ray.direction[axis].ends_in_single());
-    let is_usual = |d: f32| d.is_finite() && d.recip().abs() < f32::MAX;
+    let is_usual = |d: f32| d.is_finite() && d.recip().is_finite();
     let moved = |d: f32, by: i32| f32::from_bits(d.recip().to_bits().wrapping_add_signed(by));
     let (toward, away) = (-(STEPS as i32), STEPS as i32);
     let inverse = if ray.direction[axis].is_zero() {
@@ -104,3 +105,6 @@ impl Slabs for Enclosed {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -27,7 +27,9 @@ fn ray() -> impl Strategy<Value = Ray> {
 /// A ray and a box in the grid of small integers, where a ray often runs in a face or through an edge or corner.
 fn lattice() -> impl Strategy<Value = (Ray, Aabb)> {
     let small = || [-2..3i8, -2..3i8, -2..3i8].prop_map(|p| Vec3::from(p.map(f32::from)));
-    (small(), small(), small(), small()).prop_filter_map("no direction", |(o, d, a, b)| {
+    // With zeros of either sign.
+    (small(), small(), small(), small(), any::<bool>()).prop_filter_map("no direction", |(o, d, a, b, is_back)| {
+        let d = if is_back { -d } else { d };
         Some((Ray::new(o, d, 0.0, f32::INFINITY).ok()?, Aabb::of(&[a, b])))
     })
 }

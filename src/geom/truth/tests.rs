@@ -346,3 +346,45 @@ macro_rules! rounding {
 
 rounding!(rounding_to_single_is_to_the_nearest, round_f32, f32, u32, wild, 128);
 rounding!(rounding_to_double_is_to_the_nearest, round_f64, f64, u64, wild64, 1024);
+
+/// Where the middle between two floats begins, squared, exactly and all but.
+#[test]
+fn roots_are_rounded_to_the_nearest() {
+    let value = |bits: u32| {
+        let x = f32::from_bits(bits);
+        if x.is_infinite() { RBig::from(IBig::ONE << 128) } else { rational(x) }
+    };
+    let root = |x: RBig| round_root_f32(&x).to_bits();
+    let hair = RBig::from_parts(1.into(), dashu_int::UBig::ONE << 1200);
+    let mut random = Rng::new(8);
+    let limits = [0, 1, 2, 3, f32::MIN_POSITIVE.to_bits() - 1, f32::MIN_POSITIVE.to_bits()];
+    let limits = limits.into_iter().chain([f32::MAX.to_bits() - 1, f32::MAX.to_bits()]);
+    for bits in limits.chain((0..3000).map(|_| wild(&mut random).abs().to_bits())) {
+        let [this, next] = [value(bits), value(bits + 1)];
+        let middle = (&this + &next) / RBig::from(2);
+        let square = &middle * &middle;
+        assert_eq!(root(&this * &this), bits);
+        assert_eq!(root(square.clone()), bits + bits % 2);
+        assert_eq!([root(&square - &hair), root(&square + &hair)], [bits, bits + 1]);
+    }
+    assert_eq!(round_root_f32(&RBig::from(IBig::ONE << 400)), f32::INFINITY);
+}
+
+/// Integers and fractions of them, which are scaled; and the corners in any order.
+#[test]
+fn squares_of_distances_grow_with_the_square_of_the_size() {
+    let mut random = Rng::new(9);
+    for _ in 0..2000 {
+        let mut vector = || std::array::from_fn(|_| whole(&mut random, 9));
+        let ([a, b, c], p): ([[f32; 3]; 3], _) = ([vector(), vector(), vector()], vector());
+        let square = square_distance([a, b, c], p).expect("finite");
+        for scale in [0.125, 0.25, 8.0f32] {
+            let small = |v: [f32; 3]| v.map(|x| x * scale);
+            let scaled = square_distance([a, b, c].map(small), small(p)).expect("finite");
+            assert_eq!(scaled, &square * rational(scale * scale));
+        }
+        for corners in [[b, c, a], [c, b, a], [b, a, c]] {
+            assert_eq!(square_distance(corners, p), Some(square.clone()));
+        }
+    }
+}

@@ -184,3 +184,24 @@ fn lookups_and_misses_are_counted() {
     assert_eq!(verified.node(&(1_u64 << 40)), tree.root());
     assert_eq!((verified.lookups(), verified.misses()), (6, 1));
 }
+
+#[test]
+#[cfg(feature = "std")]
+fn given_tables_answer_as_those_that_were_built() {
+    let tree = comb(40);
+    let (keys, hash) =
+        (Keys::of(&tree), PerfectHash::build(&tree, Options { key_set: KeySet::All, sizing: Sizing::Tight }).unwrap());
+    let (cells, displacements, mix) = (hash.cells(), hash.displacements(), hash.header().mix);
+    let given = |displacements: &[u32], cells: &[u32]| PerfectHash::given(displacements.into(), cells.into(), mix);
+    let same = given(displacements, cells).expect("tables that were built");
+    for slot in 0..tree.node_count() {
+        let key = keys.key::<u64>(slot);
+        assert_eq!(same.probe(&key), hash.probe(&key));
+    }
+    // D is no power of two, there are no cells, and a displacement is not below their number.
+    assert_eq!(given(&displacements[1..], cells), None);
+    assert_eq!(given(displacements, &[]), None);
+    let size = cells.len() as u32;
+    let with = |word: u32| given(&[&[word], &displacements[1..]].concat(), cells).is_some();
+    assert_eq!([size - 1, size, u32::MAX].map(with), [true, false, true]);
+}

@@ -25,8 +25,8 @@ use std::ops::RangeInclusive;
 use glam::DVec3;
 
 use super::filter::{Determinants, Errors};
-use super::predicates;
 use super::quotient::Ratio;
+use super::{is_within, predicates};
 use crate::geom::kernel::Kernel;
 use crate::geom::truth::{self, Meeting, Point};
 use crate::geom::{Ray, Region, Triangle};
@@ -118,8 +118,7 @@ impl Exact64 {
         }
         let ([tmin, tmax], found, errors) = (self.interval(), self.determinants(shape), self.errors_of(shape));
         if found.is_hit(&errors) {
-            let [least, most] = found.distance(&errors);
-            if most < tmin || tmax < least || limit < least {
+            if is_within(found.distance(&errors), [tmin, tmax.min(limit)]) == Some(false) {
                 return None;
             }
         } else if found.is_miss(&errors) || !self.is_inside(shape) {
@@ -134,14 +133,10 @@ impl Exact64 {
         if !self.can_sum(shape) {
             return self.rational(shape).is_some();
         }
-        let ([tmin, tmax], found, errors) = (self.interval(), self.determinants(shape), self.errors_of(shape));
+        let (found, errors) = (self.determinants(shape), self.errors_of(shape));
         if found.is_hit(&errors) {
-            let [least, most] = found.distance(&errors);
-            if tmin <= least && most <= tmax {
-                return true;
-            }
-            if most < tmin || tmax < least {
-                return false;
+            if let Some(is_within) = is_within(found.distance(&errors), self.interval()) {
+                return is_within;
             }
         } else if found.is_miss(&errors) || !self.is_inside(shape) {
             return false;

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use glam::DVec3;
 
 use super::filter::{Determinants, Errors};
-use super::is_certain;
+use super::{is_certain, is_within};
 use crate::geom::{EnclosedRay, Region, Triangle, Vector};
 
 /// What is certain about a ray within bounds and a triangle, whatever ray it is.
@@ -89,15 +89,10 @@ impl Enclosed {
     /// [`Kernel::blocks`](crate::geom::Kernel::blocks), where it is certain.
     #[inline]
     pub fn blocks(&self, shape: &Triangle) -> Verdict<()> {
-        let [tmin, tmax] = self.interval;
-        self.decide(shape, |[near, far]| {
-            if tmin < near && far < tmax {
-                Verdict::Hit(())
-            } else if far < tmin || tmax < near {
-                Verdict::Miss
-            } else {
-                Verdict::Open
-            }
+        self.decide(shape, |ends| match is_within(ends, self.interval) {
+            Some(true) => Verdict::Hit(()),
+            Some(false) => Verdict::Miss,
+            None => Verdict::Open,
         })
     }
 

@@ -136,3 +136,6 @@ fn greatest(&[v0, v1, v2]: &[DVec3; 3], o: DVec3, d: DVec3) -> [f64; 3] {
     let greatest = |v: DVec3| v.abs().max_element();
     [greatest(d), greatest(o - v0), greatest(v1 - v0).max(greatest(v2 - v0))]
 }
+
+#[cfg(test)]
+mod tests;

@@ -78,17 +78,14 @@ impl Kernel for Exact {
 
     #[inline(always)]
     fn blocks(&self, shape: &Triangle) -> bool {
-        let ([tmin, tmax], found) = (self.interval, Determinants::of(&shape.widen(), self.origin, self.direction));
+        let found = Determinants::of(&shape.widen(), self.origin, self.direction);
         if found.is_miss(&self.errors) {
             return false;
         }
         if found.is_hit(&self.errors) {
-            let [near, far] = found.distance(&self.errors).map(|t| t as f32);
-            if tmin < near && far < tmax {
-                return true;
-            }
-            if far < tmin || tmax < near {
-                return false;
+            let ends = found.distance(&self.errors).map(|t| t as f32);
+            if let Some(is_within) = is_within(ends, self.interval) {
+                return is_within;
             }
         }
         self.settle(shape).is_some()
@@ -108,11 +105,11 @@ impl Kernel for Exact {
     }
 
     fn stage(&self, shape: &Triangle) -> Stage {
-        let (corners, [tmin, tmax]) = (shape.widen(), self.interval);
+        let corners = shape.widen();
         let found = Determinants::of(&corners, self.origin, self.direction);
         let place = |errors| found.distance(errors).map(|t| t as f32);
         let is_placed = |ends| is_certain(ends, self.interval);
-        let is_outside = |[near, far]: [f32; 2]| far < tmin || tmax < near;
+        let is_outside = |ends| is_within(ends, self.interval) == Some(false);
         let by_scene = || Some(place(&self.errors)).filter(|_| found.is_hit(&self.errors));
         if found.is_miss(&self.errors) || by_scene().is_some_and(|t| is_placed(t) || is_outside(t)) {
             return Stage::Scene;
@@ -149,6 +146,18 @@ impl Exact {
 #[inline(always)]
 fn is_certain([near, far]: [f32; 2], [tmin, tmax]: [f32; 2]) -> bool {
     near == far && tmin < near && near < tmax
+}
+
+/// Whether a distance within bounds is within an interval; `None` if bounds and ends of the interval leave that open.
+#[inline(always)]
+fn is_within<R: PartialOrd>([near, far]: [R; 2], [tmin, tmax]: [R; 2]) -> Option<bool> {
+    if tmin < near && far < tmax {
+        Some(true)
+    } else if far < tmin || tmax < near {
+        Some(false)
+    } else {
+        None
+    }
 }
 
 #[inline(always)]

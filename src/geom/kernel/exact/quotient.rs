@@ -84,7 +84,7 @@ impl Ratio {
     fn sign(&self, x: f64) -> i32 {
         if x == 0.0 {
             0
-        } else if (x > 0.0) == (self.det.value() > 0.0) {
+        } else if x.is_sign_positive() == self.det.value().is_sign_positive() {
             1
         } else {
             -1
@@ -165,3 +165,6 @@ impl Ratio {
         [DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1)]
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -82,3 +82,6 @@ impl ExactFromSingle {
         u.min(v).min(w) < -bound && u.max(v).max(w) > bound
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -65,7 +65,39 @@ fn the_stage_is_the_one_that_decides() {
     // The interval ends before the triangle, or right on it.
     assert_eq!(stage([1.0, 1.0], 0.5), Stage::Scene);
     assert_eq!(stage([1.0, 1.0], 1.0), Stage::Sums);
+    // It begins before it, right on it, or behind it.
+    let from = |tmin: f32| {
+        let ray = Ray::new(Vec3::ONE, Vec3::NEG_Z, tmin, f32::INFINITY).unwrap();
+        Exact::new(&ray, &Region::of(&triangle.aabb())).stage(&triangle)
+    };
+    assert_eq!([0.5, 1.0, 2.0].map(from), [Stage::Scene, Stage::Sums, Stage::Scene]);
     // The distance is in the middle between 1 and the next float.
     let below = Triangle(triangle.0.map(|v| v - Vec3::Z * (f32::EPSILON / 2.0)));
     assert_eq!(stage_in(below.aabb(), &below, [1.0, 1.0], f32::INFINITY), Stage::Sums);
+}
+
+/// The distance is in the middle between 1 and the next float: beyond the limit, no exact sum is spent on it.
+#[test]
+fn what_is_beyond_the_limit_is_not_placed() {
+    let triangle = Triangle([Vec3::ZERO, Vec3::X * 3.0, Vec3::Y * 3.0].map(|v| v - Vec3::Z * (f32::EPSILON / 2.0)));
+    let ray = Ray::new(Vec3::ONE, Vec3::NEG_Z, 0.0, f32::INFINITY).unwrap();
+    let exact = Exact::new(&ray, &Region::of(&triangle.aabb()));
+    assert_eq!([2.0, 1.0, 0.5].map(|limit| exact.distance(&triangle, limit)), [Some(1.0), Some(1.0), None]);
+}
+
+#[test]
+fn a_distance_that_may_be_an_end_is_open() {
+    for (interval, expected) in [
+        ([1.0, 4.0], Some(true)),
+        ([2.0, 4.0], None),
+        ([1.0, 3.0], None),
+        ([2.5, 4.0], None),
+        ([1.0, 2.5], None),
+        ([3.0, 4.0], None),
+        ([1.0, 2.0], None),
+        ([3.5, 4.0], Some(false)),
+        ([1.0, 1.5], Some(false)),
+    ] {
+        assert_eq!(is_within([2.0, 3.0], interval), expected, "{interval:?}");
+    }
 }

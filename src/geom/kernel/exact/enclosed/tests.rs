@@ -3,7 +3,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::geom::truth::{Meeting, Point, holds, meet, round_f32};
-use crate::geom::{Interval, Region};
+use crate::geom::{Aabb, Interval, Ray, Region};
 
 fn coordinate() -> impl Strategy<Value = f64> {
     let few = [0.0, 1.0, -1.0, 0.5, 2.0, 1e-3, 1e6];
@@ -178,5 +178,34 @@ fn only_the_ends_of_the_interval_are_left_open() {
         let rays = EnclosedRay { origin: [about(1.0, of_x), about(1.0, of_y), Interval::exact(-2.0)], ..ray(1.0, 1.0) };
         let test = Enclosed::new(&rays, [0.0, 9.0], &Region::of(&triangle.aabb()));
         assert_eq!((test.blocks(&triangle), test.weights(&triangle)), (Verdict::Hit(()), None));
+    }
+}
+
+#[test]
+fn directions_are_usual_from_one_end_of_the_range_to_the_other() {
+    let asked = |size: f32, d: f64| {
+        let triangle = Triangle([Vec3::ZERO, Vec3::X * size, Vec3::Y * size]);
+        let size = f64::from(size);
+        let ray = EnclosedRay {
+            origin: [size / 4.0, size / 4.0, -3.0 * size].map(Interval::exact),
+            direction: [0.0, 0.0, d].map(Interval::exact),
+        };
+        Enclosed::new(&ray, [0.0, f32::INFINITY], &Region::of(&triangle.aabb())).distance(&triangle, f32::INFINITY)
+    };
+    let ([small, great], [least, most]) = ([-100, 100].map(|k| 2f32.powi(k)), [-200, 200].map(|k| 2f64.powi(k)));
+    assert_eq!([asked(small, least), asked(small, least.next_down())], [Verdict::Hit(3.0 * great), Verdict::Open]);
+    assert_eq!([asked(great, most), asked(great, most.next_up())], [Verdict::Hit(3.0 * small), Verdict::Open]);
+}
+
+/// Near an edge, on either side, where the bounds for the object are too coarse.
+#[test]
+fn what_the_object_leaves_open_its_triangle_decides() {
+    let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y].map(|corner| corner * 3.0));
+    let wide = Aabb { lo: Vec3::splat(-1e6), hi: Vec3::splat(1e6) };
+    for (y, distance, blocks) in [(0.001, Verdict::Hit(1.0), Verdict::Hit(())), (-0.001, Verdict::Miss, Verdict::Miss)]
+    {
+        let ray = Ray::new(Vec3::new(1.0, y, 1.0), Vec3::NEG_Z, 0.0, 9.0).expect("a ray");
+        let test = Enclosed::new(&EnclosedRay::exact(&ray), [0.0, 9.0], &Region::of(&wide));
+        assert_eq!((test.distance(&triangle, 9.0), test.blocks(&triangle)), (distance, blocks));
     }
 }

@@ -1,0 +1,41 @@
+use super::*;
+use crate::generate::Rng;
+
+/// As seen along each axis.
+fn turned(corners: [DVec3; 3]) -> [[DVec3; 3]; 3] {
+    [0, 1, 2].map(|turn| corners.map(|v| DVec3::from([0, 1, 2].map(|k| v[(k + turn) % 3]))))
+}
+
+/// The products are 1 + k ε and 1, and the bound of their difference is 4 ε of their sum.
+#[test]
+fn an_area_is_certain_beyond_four_roundings() {
+    for (roundings, expected) in [(0.0, false), (8.0, false), (9.0, true), (1e9, true)] {
+        let tip = DVec3::new(1.0, 1.0 + roundings * f64::EPSILON, 0.0);
+        for corners in turned([DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0), tip]) {
+            assert_eq!(has_certain_area(&corners), expected, "{corners:?}");
+            assert_eq!(is_degenerate(&corners), roundings == 0.0, "{corners:?}");
+        }
+    }
+}
+
+/// No exact sum is needed for any triangle with an area to speak of.
+#[test]
+fn double_precision_is_certain_of_triangles_in_general_position() {
+    let (mut random, mut asked) = (Rng::new(1), 0);
+    let mut unit = || (random.bits() >> 11) as f64 / 2f64.powi(52) - 1.0;
+    for exponent in [-200, -60, 0, 60, 200] {
+        for _ in 0..1000 {
+            let [a, b, c] = [(); 3].map(|()| DVec3::new(unit(), unit(), unit()));
+            if (b - a).cross(c - a).length() > 1e-9 {
+                for corners in [[a, b, c], [b, c, a], [c, b, a]] {
+                    assert!(has_certain_area(&corners.map(|v| v * 2f64.powi(exponent))), "{corners:?}");
+                }
+                asked += 1;
+            }
+            // In a plane of two axes.
+            let flat = [DVec3::ZERO, DVec3::new(unit(), 0.0, 0.0), DVec3::new(unit(), unit(), 0.0)];
+            assert!(turned(flat).iter().all(has_certain_area), "{flat:?}");
+        }
+    }
+    assert!(asked > 4990, "{asked}");
+}
