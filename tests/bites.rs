@@ -7,6 +7,7 @@ mod gpu;
 #[path = "bites/layers.rs"]
 mod layers;
 #[path = "bites/table.rs"]
+#[allow(dead_code, reason = "the other columns are written by those who look")]
 mod table;
 
 use std::collections::BTreeMap;

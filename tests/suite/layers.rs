@@ -14,7 +14,9 @@ use stackless_bvh::trace::Hit;
 use stackless_bvh::tree::{Reach, Tree};
 
 /// Cases with what they ask, which is read once.
-pub(crate) struct Asked<'s>(Vec<(&'s Profile, &'s Case, Ask, Option<(Mesh, Vec<Ray>)>)>);
+pub(crate) struct Asked<'s>(Vec<(&'s Profile, &'s Case, Ask, Option<Scene>)>);
+
+type Scene = (Mesh, Vec<Ray>);
 
 impl<'s> Asked<'s> {
     /// All but traversals.
@@ -58,7 +60,7 @@ fn answer(
     profile: &Profile,
     input: &Map<String, Value>,
     ask: &Ask,
-    scene: Option<&(Mesh, Vec<Ray>)>,
+    scene: Option<&Scene>,
 ) -> Option<Answer> {
     match (instead, ask) {
         (Instead::Table(table), Ask::Build(Build { children, reach, sizes: None })) => {

@@ -97,7 +97,7 @@ impl Draw<'_> {
     }
 
     /// A chain to the right, so that keys are as large as can be, with a few more leaves beside it.
-    pub(super) fn to_the_right(&mut self, depth: u32) -> Tree {
+    pub(super) fn leaning_right(&mut self, depth: u32) -> Tree {
         let inner = |i: u32| Some([2 * i + 1, 2 * i + 2]);
         let mut children: Vec<_> = (0..depth).flat_map(|i| [inner(i), None]).chain([None]).collect();
         for i in 0..depth as usize {

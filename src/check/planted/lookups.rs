@@ -118,7 +118,7 @@ impl<W: KeyWord> Lookup<W> for Slipping<'_> {
 /// What the battery says of a traversal that backtracks by such lookups only.
 fn fault(draw: &mut Draw<'_>, slip: Slip) -> Option<String> {
     let tree = match slip {
-        Slip::Overflowing => draw.to_the_right(31),
+        Slip::Overflowing => draw.leaning_right(31),
         Slip::Narrow => draw.tree(40),
         _ => draw.tree(31),
     };
