@@ -179,8 +179,8 @@ impl PerfectHash {
         }
     }
 
-    /// Tables that were made elsewhere, to look keys of up to 64 bits up in; `None` if D is no power of two, H is even or too
-    /// large, or a displacement is not below it.
+    /// Tables that were made elsewhere, to look keys of up to 64 bits up in; `None` if D is no power of two, H is 0 or
+    /// too large, or a displacement is not below it.
     #[cfg(feature = "std")]
     pub(crate) fn given(displacements: Box<[u32]>, cells: Box<[u32]>, mix: Mix) -> Option<Self> {
         let size = TableSize::new(u32::try_from(cells.len()).ok()?)?;

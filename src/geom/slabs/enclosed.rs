@@ -51,7 +51,7 @@ impl Enclosed {
                         near[side] = near[side].max(t.next_down());
                     } else if speed < 0.0 {
                         far[side] = far[side].min(t.next_up());
-                    } else if way >= 0.0 {
+                    } else if speed == 0.0 && way >= 0.0 {
                         // It was above 0 before it was rounded down.
                         far[side] = f64::NEG_INFINITY;
                     }

@@ -66,3 +66,16 @@ fn double_precision_is_asked_only_where_it_is_needed() {
         assert_eq!(is_wide(d, reach), expected, "{d:?} {reach}");
     }
 }
+
+#[test]
+fn what_is_not_a_number_bounds_nothing() {
+    let aabb = Aabb { lo: Vec3::new(2.0, 10.0, 2.0), hi: Vec3::new(3.0, 11.0, 3.0) };
+    let region = Region::of(&aabb);
+    let touches = |o, d| Enclosed::of(&ray(o, d), 0.0, &region).one(&aabb, f32::INFINITY).is_some();
+    let unknown = [f64::NAN; 2];
+    for (o, d) in [([0.0; 2], unknown), (unknown, [0.0; 2]), (unknown, [1.0; 2]), (unknown, unknown)] {
+        assert!(touches(o, d), "{o:?} {d:?}");
+    }
+    assert!(!touches([0.0; 2], [0.0; 2]) && !touches([0.0, 9.0], [0.0; 2]));
+    assert!(touches([0.0, 10.0], [0.0; 2]) && touches([0.0; 2], [-1.0, 20.0]));
+}
