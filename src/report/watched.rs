@@ -69,8 +69,9 @@ impl Reads {
 /// let mut steps = Steps::new(&case.tree, &reads);
 /// let mut search = Search::new(&case.tree, &case.tape, false);
 /// traverse(Afra::<u32, _, _>::new(&case.tree, links)?, &mut search, &mut steps);
-/// // From key 23 to its sibling in one step; from key 22 to key 3 along three parents.
-/// assert_eq!((steps.backtracks(), steps.steps()), (3, 6));
+/// // From key 23 to its sibling one step, from key 22 to key 3 four: along three parents and to the sibling of the last. From 14
+/// // to 15 one, from 15 to 6 two.
+/// assert_eq!((steps.backtracks(), steps.steps()), (4, 8));
 /// # Ok::<(), stackless_bvh::key::TooDeep>(())
 /// ```
 #[derive(Debug)]
