@@ -5,6 +5,7 @@ mod page;
 use std::fs;
 use std::path::PathBuf;
 
+use stackless_bvh::bvh::Bvh;
 use stackless_bvh::traverse::Method;
 
 use crate::build::Build;
@@ -71,15 +72,15 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let scenes = input::scenes(&args.scenes)?;
     // A place that cannot be written to is known before hours of work.
     fs::create_dir_all(&args.output).map_err(|error| format!("{}: {error}", args.output.display()))?;
-    let stats: Result<Vec<_>, _> =
+    let measured: Result<Vec<_>, _> =
         scenes.iter().map(|scene| Stats::of(scene, args.build, args.rays as usize, args.seed)).collect();
-    let stats = stats?;
+    let (stats, hierarchies): (Vec<_>, Vec<_>) = measured?.into_iter().unzip();
     let (traversals, mut offences) = traversals(args, &scenes)?;
     let (errors, more) = errors(args, &scenes)?;
     offences.extend(more);
     let mut sections = vec![overview(&stats), traversals, errors];
-    for (scene, stats) in scenes.iter().zip(&stats) {
-        sections.push(details(args, scene, stats)?);
+    for ((scene, stats), bvh) in scenes.iter().zip(&stats).zip(&hierarchies) {
+        sections.push(details(args, scene, stats, bvh)?);
     }
     if !offences.is_empty() {
         let pieces = offences.iter().cloned().map(Piece::line).collect();
@@ -160,8 +161,7 @@ fn errors(args: &Args, scenes: &[Scene]) -> Result<(Section, Vec<String>), Box<d
 }
 
 /// One scene: where backtracking goes, what it costs, where the time goes, what is not needed.
-fn details(args: &Args, scene: &Scene, stats: &Stats) -> Result<Section, Box<dyn std::error::Error>> {
-    let bvh = args.build.run(scene)?;
+fn details(args: &Args, scene: &Scene, stats: &Stats, bvh: &Bvh) -> Result<Section, Box<dyn std::error::Error>> {
     let title = format!("{}: where backtracking goes, where time goes, what is not needed", scene.name);
     let mut pieces = Vec::new();
     for (figure, about) in [
@@ -170,7 +170,7 @@ fn details(args: &Args, scene: &Scene, stats: &Stats) -> Result<Section, Box<dyn
         (Figure::Continuing, "Nodes that diffuse rays visit, from the root and from the node of the last hit (Fig. 8)"),
     ] {
         let job = Job::figure(figure, camera::Options::automatic(args.pixels), args.seed);
-        let Drawn { png, lines } = job.draw(scene, &bvh)?;
+        let Drawn { png, lines } = job.draw(scene, bvh)?;
         pieces.push(Piece::Png(png, about.to_owned()));
         pieces.extend(lines.into_iter().map(Piece::line));
     }

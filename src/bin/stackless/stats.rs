@@ -120,7 +120,7 @@ struct BacktrackStats {
 
 pub(crate) fn run(args: &Args) -> Outcome {
     let scene = Scene::load(&args.scene)?;
-    let stats = Stats::of(&scene, args.build, args.rays, args.seed)?;
+    let (stats, _) = Stats::of(&scene, args.build, args.rays, args.seed)?;
     output::print(&stats.blocks());
     if let Some(path) = &args.plot {
         let svg = stats.plot()?;
@@ -235,8 +235,13 @@ impl BacktrackStats {
 }
 
 impl Stats {
-    /// Measures a scene with so many rays.
-    pub(crate) fn of(scene: &Scene, build: Build, rays: usize, seed: u64) -> Result<Self, Box<dyn std::error::Error>> {
+    /// Builds a scene's hierarchy, and measures both with so many rays.
+    pub(crate) fn of(
+        scene: &Scene,
+        build: Build,
+        rays: usize,
+        seed: u64,
+    ) -> Result<(Self, Bvh), Box<dyn std::error::Error>> {
         let (bvh, build_seconds) = timed(|| build.run(scene));
         let bvh = bvh?;
         let mut tables = Vec::new();
@@ -246,7 +251,7 @@ impl Stats {
         let word = WordName::narrowest(bvh.depth());
         let (counted, lookups) = with_word(word, Count { rays, seed, scene, bvh: &bvh })?;
         let primary = procedural::view(&scene.name, &scene.mesh).rays(rays / 4);
-        Ok(Self {
+        let stats = Self {
             scene: scene.name.clone(),
             triangles: scene.mesh.triangles().len(),
             nodes: bvh.node_count(),
@@ -263,7 +268,8 @@ impl Stats {
             plan: plan::measure(&scene.mesh, &bvh, &primary)?,
             state: state::measure(&scene.mesh, &bvh, &primary, seed)?,
             counted,
-        })
+        };
+        Ok((stats, bvh))
     }
 
     /// The backtracking distances as a picture (SVG).
