@@ -1,6 +1,6 @@
 //! Level `ray`.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use serde_json::{Value, json};
 
 use super::{Author, result};
@@ -105,7 +105,64 @@ fn exact() -> Profile {
     for case in stress::cases(RAYS).filter(|case| case.mesh.triangles().len() <= TRIANGLES) {
         traced(&mut author, case.name, case.about, &case.mesh, &case.rays, &Truth::new(&case.mesh));
     }
+    for (seed, &(name, why, target)) in ZEROS.iter().enumerate() {
+        let Some((mesh, rays)) = zeros(&mut Rng::new(7000 + seed as u64), target) else { continue };
+        traced(&mut author, name, why, &mesh, &rays, &Truth::new(&mesh));
+    }
+    let [o, d, corners @ ..] = FAR_OFF.map(|v| Vec3::from_array(v.map(f32::from_bits)));
+    if let (Ok(mesh), Ok(ray)) = (Mesh::new(corners.to_vec(), vec![[0, 1, 2]]), Ray::new(o, d, 0.0, f32::INFINITY)) {
+        let why =
+            "The distance is between two floats, and double precision off by more than half of what can be proved.";
+        traced(&mut author, "far-off", why, &mesh, &[ray], &Truth::new(&mesh));
+    }
     author.done()
+}
+
+/// A ray and a triangle that a hill climb found: the quotient in double precision is off by 0.52 of its bound `[EXACT-9]`, and the
+/// middle of two floats is between 0.51 of it and the truth. Rows: origin, direction, corners.
+const FAR_OFF: [[u32; 3]; 5] = [
+    [0x392f_f724, 0x48fe_b697, 0xb825_8d2f],
+    [0x3007_e0de, 0xc6d8_6334, 0x4606_ce34],
+    [0x4901_261a, 0x2e32_c451, 0x4901_771a],
+    [0x3540_c401, 0xc901_c2ce, 0x43ff_6667],
+    [0xaf3f_fffe, 0x4900_3fa4, 0x2f3f_fffa],
+];
+
+/// Name, why, and where the ray meets its triangle, as parts of the corners: something that decides is 0 there.
+type Zero = (&'static str, &'static str, [f32; 3]);
+
+const ZEROS: [Zero; 2] = [
+    ("begins-within", "Rays begin on a triangle: t is 0, and double precision finds it to be less.", [0.5, 0.25, 0.25]),
+    ("through-edge", "Rays pass through an edge, and double precision finds them outside.", [0.5, 0.5, 0.0]),
+];
+
+/// Of many triangles of large whole numbers, each with a ray, those of which double precision is most wrong.
+fn zeros(rng: &mut Rng, [a, b, c]: [f32; 3]) -> Option<(Mesh, Vec<Ray>)> {
+    let point = |rng: &mut Rng| Vec3::from_array([(); 3].map(|()| (rng.below(1 << 19) as f32 - 262_144.0) * 4.0));
+    let mut drawn = Vec::new();
+    for _ in 0..10_000 {
+        let (corners, d) = ([point(rng), point(rng), point(rng)], point(rng) / 4.0);
+        let target = a * corners[0] + b * corners[1] + c * corners[2];
+        let Ok(ray) = Ray::new(if c == 0.0 { target - d } else { target }, d, 0.0, f32::INFINITY) else { continue };
+        drawn.push((off(&ray, corners), corners, ray));
+    }
+    drawn.sort_by(|(a, ..), (b, ..)| b.total_cmp(a));
+    drawn.truncate(RAYS);
+    let vertices = drawn.iter().flat_map(|(_, corners, _)| *corners).collect();
+    let triangles = (0..drawn.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    Some((Mesh::new(vertices, triangles).ok()?, drawn.into_iter().map(|(.., ray)| ray).collect()))
+}
+
+/// How far outside, or before its beginning, a ray seems to meet a triangle in double precision, beside what is multiplied there.
+fn off(ray: &Ray, corners: [Vec3; 3]) -> f64 {
+    let [o, d, v0, v1, v2] = [ray.origin(), ray.direction(), corners[0], corners[1], corners[2]].map(Vec3::as_dvec3);
+    let (e1, e2, s) = (v1 - v0, v2 - v0, o - v0);
+    let (p, q) = (d.cross(e2), s.cross(e1));
+    let (determinant, size) = (e1.dot(p), |v: DVec3| v.abs().max_element());
+    let (edges, most) = ([s.dot(p), d.dot(q)].map(|edge| edge / determinant.signum()), size(e1).max(size(e2)));
+    let least = edges[0].min(edges[1]) / (size(s) * size(d) * most);
+    let t = e2.dot(q) / determinant.signum() / (size(s) * most * most);
+    -least.min(t)
 }
 
 /// The closest hits, and, of the first rays, whether there is any.
