@@ -218,7 +218,7 @@ const NOT_ASKED: [(&[&str], &str); 9] = [
     (&["HASHONLY-1", "LAINE-1", "GLASSNER-1"], "says how; seen as TRAVERSE-1"),
     (&["STATE-1"], "memory is not seen from outside"),
     (&["HASH-2", "HASH-8"], "a choice of this library: tables of any size, made in any way, are right"),
-    (&["HASH-6", "PAUSE-6"], "a format of this library"),
+    (&["PAUSE-6"], "a format of this library"),
     (&["HASH-10", "DISJOINT-5"], "about an interface, not about what is computed"),
     (&["PAUSE-7"], "follows from PAUSE-4"),
     (&["CONF-1", "CONF-4"], "about the suite itself"),

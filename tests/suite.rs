@@ -87,7 +87,6 @@ fn this_library_conforms() {
 const UNSEEN: &[(&str, &str)] = &[
     ("AsksTwice", "the second answer is the first one"),
     ("a detour that passes for a restart", "visits on the way down again are not told"),
-    ("tables: the seed of another fold", "keys of the suite have at most 64 bits, which are not folded"),
     ("halved bounds: edge functions in single precision", HALF),
     ("halved bounds: signs", HALF),
 ];

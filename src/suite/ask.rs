@@ -26,6 +26,7 @@ pub enum Ask {
     Swap { index: String, mask: String },
     Cell { key: String, displacements: u32, cells: u32, displacement: u32 },
     Mix { key: String, seed: String, bits: u32 },
+    Fold { key: String, seed: String },
     Encode { leaf: bool, index: u32 },
     Decode { word: String },
     HashedKeys { children: Children, reach: [u32; 2] },

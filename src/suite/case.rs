@@ -236,7 +236,8 @@ impl Suite {
             let folder = folder.join("vectors").join(level.name());
             let Ok(entries) = std::fs::read_dir(&folder) else { continue };
             let mut paths: Vec<_> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
-            paths.sort();
+            // By the name alone: with the dot of the extension `a-b` would come before `a`.
+            paths.sort_by(|a, b| a.file_stem().cmp(&b.file_stem()));
             for path in paths.into_iter().filter(|path| path.extension().is_some_and(|end| end == "json")) {
                 profiles.push(load_profile(&path)?);
             }

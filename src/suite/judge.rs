@@ -225,13 +225,21 @@ fn judge_table(case: &Case, result: &Map<String, Value>) -> Result<(), Flaw> {
     let Ok(Ask::Build(Build { children, reach, sizes })) = Ask::of(&case.input) else {
         return wrong("nobody has asked for one".to_owned());
     };
-    if let Err(error) = Tree::new(&children) {
-        return wrong(error.to_string());
-    }
-    if let Some(name) = result.keys().find(|name| !["displacements", "cells", "seed", "bits"].contains(&name.as_str()))
-    {
+    let tree = match Tree::new(&children) {
+        Ok(tree) => tree,
+        Err(error) => return wrong(error.to_string()),
+    };
+    // Only long keys are folded.
+    let known: &[_] = &["displacements", "cells", "seed", "bits", "fold"];
+    let known = if tree.depth() < u64::BITS { &known[..4] } else { known };
+    if let Some(name) = result.keys().find(|name| !known.contains(&name.as_str())) {
         return Err(Flaw::Unknown(name.clone()));
     }
+    if let Some(name) = known.iter().find(|&&name| name == "fold" && !result.contains_key(name)) {
+        return Err(Flaw::Missing((*name).to_owned()));
+    }
+    let fold = result.get("fold").map_or(Some(0), |seed| word::<u64>(seed.as_str()?));
+    let Some(fold) = fold else { return wrong("fold: not a word of 64 bits".to_owned()) };
     let words = |name: &str| -> Result<Vec<u32>, Flaw> {
         let list = result.get(name).and_then(Value::as_array).ok_or_else(|| Flaw::Missing(name.to_owned()))?;
         let words = list.iter().map(|text| word::<u32>(text.as_str()?)).collect::<Option<_>>();
@@ -255,7 +263,7 @@ fn judge_table(case: &Case, result: &Map<String, Value>) -> Result<(), Flaw> {
         }
         _ => return wrong("a seed where none is allowed, or without bits".to_owned()),
     };
-    for (key, node) in keys_of(&children, reach) {
+    for (key, node) in keys_of(&children, reach, fold) {
         let mixed = mix.map_or(key, |(seed, narrow)| super::author::mixed(key, seed, narrow));
         let displacement = displacements[(mixed % d) as usize];
         let found = if displacement >> 31 == 1 {

@@ -11,7 +11,7 @@ use stackless_bvh::suite::{
     Answer, Ask, Build, Case, Flaw, Implementation as _, Level, Library, Lookup, Profile, Query, Rays, Suite, judge,
 };
 use stackless_bvh::trace::Hit;
-use stackless_bvh::tree::{Reach, Tree};
+use stackless_bvh::tree::{Reach, Topology as _, Tree};
 
 /// Cases with what they ask, which is read once.
 pub(crate) struct Asked<'s>(Vec<(&'s Profile, &'s Case, Ask, Option<Scene>)>);
@@ -66,7 +66,7 @@ fn answer(
         (Instead::Table(table), Ask::Build(Build { children, reach, sizes: None })) => {
             let tree = Tree::new(children).unwrap();
             let key_set = reach.map_or(KeySet::All, |[inner, leaf]| KeySet::Exact(Reach::new(inner, leaf).unwrap()));
-            Some(words(&table(&tree, key_set)?))
+            Some(words(&table(&tree, key_set)?, tree.depth() >= u64::BITS))
         }
         (Instead::Reach(change), Ask::HashedKeys { reach, .. } | Ask::Build(Build { reach: Some(reach), .. })) => {
             let [inner, leaf] = *reach;
@@ -115,12 +115,13 @@ fn look_up(function: Function, ask: &Ask) -> Option<Answer> {
     }
 }
 
-fn words(table: &Table) -> Answer {
-    let Table { displacements, cells, mix } = table;
+fn words(table: &Table, has_long_keys: bool) -> Answer {
+    let Table { displacements, cells, mix, fold } = table;
     let words = |words: &[u32]| words.iter().map(hex).collect();
     let tables = [("displacements", words(displacements)), ("cells", words(cells))];
     let seed = mix.seed.map(|seed| [("seed", hex(seed)), ("bits", json!(if mix.narrow { 32 } else { 64 }))]);
-    result(tables.into_iter().chain(seed.into_iter().flatten()))
+    let fold = has_long_keys.then(|| ("fold", hex(fold)));
+    result(tables.into_iter().chain(seed.into_iter().flatten()).chain(fold))
 }
 
 fn hit(hit: Option<Hit>) -> Value {

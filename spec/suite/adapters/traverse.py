@@ -108,6 +108,17 @@ def mixed(key, seed, bits):
     return key
 
 
+def folded(key, seed):
+    bits = rest = key.bit_length()
+    if bits <= 64:
+        return key
+    while rest > 0:  # pieces of 63 bits from the root down: HASH-6
+        rest = max(rest - 63, 0)
+        seed = mixed(key >> rest, seed, 64)
+        key &= (1 << rest) - 1
+    return mixed(bits, seed, 64)
+
+
 def address(leaf, index):
     return ~index & 0xFFFFFFFF if leaf else 0x80000000 + index  # HASH-5
 
@@ -119,6 +130,7 @@ def numbers(words):
 HASH_LEVEL = {
     "cell": cell,
     "mix": lambda key, seed, bits: {"key": word(mixed(key, seed, bits))},
+    "fold": lambda key, seed: {"key": word(folded(key, seed))},
     "encode": lambda leaf, index: {"word": word(address(leaf, index))},
     "decode": decode,
     "hashed-keys": hashed_keys,
@@ -346,7 +358,7 @@ OPERATIONS = {**KEY_LEVEL, **HASH_LEVEL, **WALKS, "ray": ray}
 WORDS = ("key", "trail", "marks", "counter", "index", "mask", "seed", "word")
 PROFILES = {
     "key": ["u32", "u64", "u128", "wide"],
-    "hash": ["function", "address", "keys", "lookup"],
+    "hash": ["function", "fold", "address", "keys", "lookup"],
     "trace": ["script", "complete", "tape", "node-left", "node-sign", "disjoint", "invalid"],
     "resume": ["state", "disjoint", "key-only", "invalid"],
     "ray": ["grid", "exact", "invalid"],

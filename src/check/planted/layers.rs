@@ -58,6 +58,8 @@ pub struct Table {
     pub cells: Vec<u32>,
     /// What keys go through first.
     pub mix: Mix,
+    /// Under which long keys are folded.
+    pub fold: u64,
 }
 
 /// The answers to rays, in their order.

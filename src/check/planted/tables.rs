@@ -88,9 +88,9 @@ fn built(tree: &Tree, key_set: KeySet, change: fn(&mut Words)) -> Option<Table> 
     let Words { words, displacements } = table;
     let (header, tables) = words.split_at_checked(TABLES)?;
     let (displacements, cells) = tables.split_at_checked(displacements)?;
-    let seed = u64::from(header[SEED]) | u64::from(header[SEED + 1]) << 32;
-    let mix = Mix { narrow: header[FLAGS] & NARROW != 0, seed: (header[FLAGS] & SEEDED != 0).then_some(seed) };
-    Some(Table { displacements: displacements.to_vec(), cells: cells.to_vec(), mix })
+    let seed = |at: usize| u64::from(header[at]) | u64::from(header[at + 1]) << 32;
+    let mix = Mix { narrow: header[FLAGS] & NARROW != 0, seed: (header[FLAGS] & SEEDED != 0).then(|| seed(SEED)) };
+    Some(Table { displacements: displacements.to_vec(), cells: cells.to_vec(), mix, fold: seed(FOLD_SEED) })
 }
 
 /// What the checks say of a table, once its words are changed, that was promised for a tree and a set of keys.

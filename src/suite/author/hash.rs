@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::bits::Bits;
 use super::trees::{comb, complete, depths};
 use super::{Author, result};
 use crate::generate::{Family, Rng, Source};
@@ -11,20 +12,21 @@ use crate::suite::{Ask, Children, Expect, Level, Profile};
 use crate::tree::{Reach, Tree};
 
 pub(super) fn profiles() -> Vec<Profile> {
-    vec![function(), address(), keys(), lookup(), build()]
+    vec![function(), fold(), address(), keys(), lookup(), build(), build_deep()]
 }
 
 const SIGN: u32 = 1 << 31;
 
 /// The keys that are hashed, ascending, each with the word of its node: those of a reach (HASH-3, by its first sentence),
-/// or all. Trees are at most 63 deep.
-pub(in crate::suite) fn keys_of(children: &Children, reach: Option<[u32; 2]>) -> Vec<(u64, u32)> {
+/// or all. Long ones are folded under a seed, which is nothing to the others.
+pub(in crate::suite) fn keys_of(children: &Children, reach: Option<[u32; 2]>, seed: u64) -> Vec<(u64, u32)> {
     let depths = depths(children);
-    let mut keys = vec![(1_u64, 0_u32, None)];
+    let mut keys = vec![(Bits::root(), 0_u32, None)];
     let mut at = 0;
-    while let Some(&(key, node, _)) = keys.get(at) {
-        if let Some([left, right]) = children[node as usize] {
-            keys.extend([(2 * key, left, Some(right)), (2 * key + 1, right, Some(left))]);
+    while let Some((key, node, _)) = keys.get(at) {
+        if let Some([left, right]) = children[*node as usize] {
+            let below = [(key.clone().then(false), left, Some(right)), (key.clone().then(true), right, Some(left))];
+            keys.extend(below);
         }
         at += 1;
     }
@@ -37,10 +39,20 @@ pub(in crate::suite) fn keys_of(children: &Children, reach: Option<[u32; 2]>) ->
         }),
     };
     let word = |node: u32| if children[node as usize].is_some() { SIGN | node } else { !node };
-    let mut hashed: Vec<_> =
-        keys.into_iter().filter(|&(.., sibling)| is_hashed(sibling)).map(|(key, node, _)| (key, word(node))).collect();
+    let hashed = keys.into_iter().filter(|&(.., sibling)| is_hashed(sibling));
+    let mut hashed: Vec<_> = hashed.map(|(key, node, _)| (folded(&key, seed), word(node))).collect();
     hashed.sort_unstable();
     hashed
+}
+
+/// A key of up to 64 bits is itself; of a longer one, pieces from the root down and then the length are mixed in. `[HASH-6]`
+fn folded(key: &Bits, seed: u64) -> u64 {
+    let number = |bits: &[bool]| bits.iter().fold(0, |number, &bit| 2 * number + u64::from(bit));
+    if key.0.len() <= 64 {
+        return number(&key.0);
+    }
+    let pieces = key.0.chunks(63).map(number).chain([key.0.len() as u64]);
+    pieces.fold(seed, |folded, piece| mix_64(piece, folded))
 }
 
 fn subtree(children: &Children, top: u32) -> impl Iterator<Item = u32> {
@@ -107,6 +119,24 @@ fn mix_32(key: u32, seed: u32) -> u32 {
     k ^ k >> 16
 }
 
+fn fold() -> Profile {
+    let mut author = Author::new(Level::Hash, "fold");
+    let mut rng = Rng::new(2);
+    for length in [1, 63, 64, 65, 66, 126, 127, 128, 189, 190, 300] {
+        let below = |bit: bool| vec![bit; length - 1];
+        let random = (1..length).map(|_| rng.coin()).collect();
+        for (name, below) in [("left", below(false)), ("right", below(true)), ("random", random)] {
+            let (key, seed) = (Bits([vec![true], below].concat()), if name == "random" { rng.bits() } else { 0 });
+            let answer = result([("key", Value::String(format!("{:x}", folded(&key, seed))))]);
+            let why =
+                if length > 64 { "Longer than 64 bits: pieces of 63, and the length." } else { "Short: as it is." };
+            let ask = Ask::Fold { key: key.hex(), seed: format!("{seed:x}") };
+            author.case(&format!("{name}-{length}"), &["HASH-6"], why, &ask, answer);
+        }
+    }
+    author.done()
+}
+
 fn address() -> Profile {
     let mut author = Author::new(Level::Hash, "address");
     for index in [0, 1, 5, 0x1234_5678, (1 << 30) - 2, (1 << 30) - 1] {
@@ -155,7 +185,7 @@ fn keys() -> Profile {
     let mut author = Author::new(Level::Hash, "keys");
     for (name, children) in trees() {
         for reach in REACHES {
-            let keys: Vec<_> = keys_of(&children, Some(reach)).iter().map(|(key, _)| format!("{key:x}")).collect();
+            let keys: Vec<_> = keys_of(&children, Some(reach), 0).iter().map(|(key, _)| format!("{key:x}")).collect();
             let why = "Those that neither register nor record can name, somewhere below their sibling.";
             let ask = Ask::HashedKeys { children: children.clone(), reach };
             let name = format!("{name}-reach-{}-{}", reach[0], reach[1]);
@@ -172,7 +202,7 @@ fn lookup() -> Profile {
         let sets = [(KeySet::All, None), (KeySet::Exact(Reach::SECTION_2_1), Some([2, 3]))];
         for (set, (key_set, reach)) in ["all", "few"].into_iter().zip(sets) {
             for sizing in Sizing::ALL {
-                let keys = keys_of(&children, reach);
+                let keys = keys_of(&children, reach, 0);
                 let Ok(hash) = PerfectHash::build(&tree, Options { key_set, sizing }) else { continue };
                 if keys.is_empty() {
                     continue;
@@ -241,10 +271,36 @@ fn build() -> Profile {
         // The sizes of H: D is the highest power of two below N/2, H = 2N + 1.
         let nodes = children.len() as u32;
         let sizes = [if nodes < 3 { 1 } else { 1 << ((nodes - 1).ilog2() - 1) }, 2 * nodes + 1];
-        if is_inseparable(&keys_of(&children, None), sizes) {
+        if is_inseparable(&keys_of(&children, None, 0), sizes) {
             let ask = Ask::Build(Build { children, reach: None, sizes: Some(sizes) });
             let why = "Two keys are equal modulo both sizes: no displacement separates them.";
             author.reject(&format!("{name}-printed"), &["HASH-1", "HASH-4"], why, &ask, "no-table");
+        }
+    }
+    author.done()
+}
+
+/// Trees whose keys do not all fit 64 bits.
+fn build_deep() -> Profile {
+    let mut author = Author::new(Level::Hash, "build-deep");
+    for depth in [64, 65, 125, 126, 127, 200] {
+        let combs = [
+            ("left", comb(depth, |_| false)),
+            ("right", comb(depth, |_| true)),
+            ("turns", comb(depth, |i| i % 2 == 0)),
+        ];
+        for (name, children) in combs {
+            for (set, reach) in [("all", None), ("few", Some([2, 3]))] {
+                let ask = Ask::Build(Build { children: children.clone(), reach, sizes: None });
+                let why = "Long keys are folded under a seed that keeps them apart, then each leads to its node.";
+                author.case(
+                    &format!("{name}-{depth}-{set}"),
+                    &["HASH-6", "HASH-1", "HASH-9"],
+                    why,
+                    &ask,
+                    Expect::Valid(true),
+                );
+            }
         }
     }
     author.done()

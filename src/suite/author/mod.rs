@@ -41,7 +41,7 @@ pub(super) fn names() -> Vec<String> {
 /// Every profile that there is.
 pub(super) const PROFILES: [(Level, &[&str]); 5] = [
     (Level::Key, &["u32", "u64", "u128", "wide"]),
-    (Level::Hash, &["function", "address", "keys", "lookup", "build"]),
+    (Level::Hash, &["function", "fold", "address", "keys", "lookup", "build", "build-deep"]),
     (Level::Trace, &["script", "complete", "tape", "node-left", "node-sign", "disjoint", "distance", "invalid"]),
     (Level::Resume, &["state", "disjoint", "key-only", "invalid"]),
     (Level::Ray, &["grid", "exact", "invalid"]),

@@ -3,9 +3,10 @@
 use serde_json::{Value, json};
 
 use crate::hash::{
-    self, BuildError, KeySet, Mix, Modulo, Options, PerfectHash, Reciprocal, Sizing, TableSize, decode, encode,
+    self, BuildError, KeySet, Mix, Modulo, Options, PerfectHash, Reciprocal, Sizing, TableSize, decode, encode, fold,
     is_address, wrap,
 };
+use crate::key::Grow;
 use crate::suite::ask::{Build, Lookup};
 use crate::suite::text::{hex, word};
 use crate::suite::{Answer, Ask};
@@ -25,6 +26,9 @@ pub(super) fn answer(ask: &Ask) -> Option<Answer> {
         Ask::Mix { key, seed, bits } => {
             let mix = Mix { narrow: *bits == 32, seed: Some(word(seed)?) };
             Some(Answer::of([("key", Value::String(hex(&mix.apply(word(key)?))))]))
+        }
+        Ask::Fold { key, seed } => {
+            Some(Answer::of([("key", Value::String(hex(&fold(&word::<Grow>(key)?, word(seed)?))))]))
         }
         Ask::Encode { leaf, index } => {
             if index >> 30 != 0 {
@@ -83,7 +87,7 @@ fn build(Build { children, reach, sizes }: &Build) -> Option<Answer> {
         Err(BuildError::NoDisplacement { .. }) => return Some(Answer::Reject("no-table".to_owned())),
         Err(_) => return None,
     };
-    let hash::Header { mix, displacements, cells, .. } = *hash.header();
+    let hash::Header { mix, displacements, cells, fold_seed, .. } = *hash.header();
     if sizes.is_some_and(|sizes| sizes != [displacements, cells.get()]) {
         return None;
     }
@@ -91,5 +95,6 @@ fn build(Build { children, reach, sizes }: &Build) -> Option<Answer> {
     let tables = [("displacements", words(hash.displacements())), ("cells", words(hash.cells()))];
     let seed =
         mix.seed.map(|seed| [("seed", Value::String(hex(&seed))), ("bits", json!(if mix.narrow { 32 } else { 64 }))]);
-    Some(Answer::of(tables.into_iter().chain(seed.into_iter().flatten())))
+    let fold = (tree.depth() >= u64::BITS).then(|| ("fold", Value::String(hex(&fold_seed))));
+    Some(Answer::of(tables.into_iter().chain(seed.into_iter().flatten()).chain(fold)))
 }
