@@ -18,7 +18,7 @@ use crate::input::{self, Scene};
 use crate::output::{self, bar, say, write_file};
 use cost::{Costs, Heat};
 use picture::Picture;
-use sample::{Rays, Samples};
+use sample::{Rays, Sample, Samples};
 
 /// Draw a scene, or what its traversal costs, as a PNG file.
 ///
@@ -161,25 +161,27 @@ impl Job {
 
     fn heat_map(&self, samples: &Samples<'_>, heat: Heat) -> Result<Drawn, Box<dyn std::error::Error>> {
         let (size, any, bvh) = (self.camera.size, self.rays == Rays::Ao, samples.tracer.bvh());
-        let mut panels = Vec::new();
+        let mut counts: Vec<(&str, Box<Count<'_>>)> = Vec::new();
         for &method in &self.methods {
             let costs = Costs::new(bvh, method, heat, any).map_err(|unfit| format!("{method}: {unfit}"))?;
-            let mean = |pixel| mean(samples.of(pixel).filter_map(|sample| Some(costs.of(&sample.traced?))));
-            panels.push((method.name(), for_pixels(size.pixels(), method.name(), mean)));
+            counts.push((method.name(), Box::new(move |sample| Some(costs.of(sample.traced.as_ref()?)))));
         }
         if self.continues {
             let continuation = Continuation::new(samples.tracer)?;
-            let from_hit = |pixel| {
-                mean(samples.of(pixel).filter_map(|sample| {
-                    let (_, place) = continuation.closest(&sample.primary, None)?;
-                    let counters = continuation.count(&sample.traced?, Some(place), any);
-                    Some(counters.inner + counters.leaves)
-                }))
+            counts[0].0 = "from the root";
+            let from_hit = move |sample: &Sample| {
+                let (_, place) = continuation.closest(&sample.primary, None)?;
+                let counters = continuation.count(sample.traced.as_ref()?, Some(place), any);
+                Some(counters.inner + counters.leaves)
             };
-            let name = "from the last hit";
-            panels[0].0 = "from the root";
-            panels.push((name, for_pixels(size.pixels(), name, from_hit)));
+            counts.push(("from the last hit", Box::new(from_hit)));
         }
+        let means = for_pixels(size.pixels(), &samples.scene.name, |pixel| {
+            let samples: Vec<_> = samples.of(pixel).collect();
+            counts.iter().map(|(_, count)| mean(samples.iter().filter_map(count))).collect::<Vec<_>>()
+        });
+        let of_count = |i: usize| means.iter().map(|means| means[i]).collect::<Vec<_>>();
+        let panels: Vec<_> = (0..).zip(&counts).map(|(i, (name, _))| (*name, of_count(i))).collect();
         let mut costs: Vec<f64> = panels.iter().flat_map(|(_, costs)| costs).flatten().copied().collect();
         costs.sort_by(f64::total_cmp);
         let end = costs.get((costs.len() as f64 * SCALE) as usize).copied().unwrap_or(1.0).max(1.0);
@@ -195,6 +197,9 @@ impl Job {
         Ok(Drawn { png: picture::heat_maps(size, &labelled, end, &unit).to_png(), lines })
     }
 }
+
+/// What a sample costs, if it is counted at all.
+type Count<'a> = dyn Fn(&Sample) -> Option<u64> + Sync + 'a;
 
 /// Answers for each pixel, on all threads, with a progress bar.
 fn for_pixels<T: Send>(pixels: usize, name: &str, answer: impl Fn(usize) -> T + Sync) -> Vec<T> {

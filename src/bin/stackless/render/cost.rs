@@ -46,10 +46,16 @@ impl Heat {
 
 /// Counts the cost of rays.
 pub(super) struct Costs<'a> {
-    bvh: &'a Bvh,
     heat: Heat,
     any: bool,
     tracer: Tracer<'a>,
+    /// Where the tracer's own counts do not tell.
+    steps: Option<Box<Walks<'a>>>,
+}
+
+/// What traversals read, to be run with all their reads counted.
+struct Walks<'a> {
+    bvh: &'a Bvh,
     tables: Tables<'a, Bvh>,
     parents: Option<Parents>,
     uncles: Option<Uncles>,
@@ -58,59 +64,64 @@ pub(super) struct Costs<'a> {
 
 impl<'a> Costs<'a> {
     pub(super) fn new(bvh: &'a Bvh, method: Method, heat: Heat, any: bool) -> Result<Self, Unfit> {
-        let climbs = |methods: &[Method]| methods.contains(&method.without_pruning());
-        Ok(Self {
-            bvh,
-            heat,
-            any,
-            tracer: Tracer::with_method(bvh, method)?,
-            tables: Tables::new(bvh, bvh.axes(), &[method], Implicit::LIMIT),
-            parents: climbs(&[Method::Sparse, Method::Afra, Method::Hapala]).then(|| Parents::of(bvh)),
-            uncles: climbs(&[Method::Uncle]).then(|| Uncles::of(bvh)),
-            boxes: bvh.own_boxes(),
-        })
+        let needs_steps = match heat {
+            Heat::Nodes | Heat::Boxes | Heat::Triangles | Heat::Fallback => false,
+            Heat::Postponed | Heat::Backtrack => true,
+            // Each of its backtracks is a lookup.
+            Heat::Hash => method.without_pruning() == Method::HashOnly,
+        };
+        let steps = needs_steps.then(|| Box::new(Walks::new(bvh, method)));
+        Ok(Self { heat, any, tracer: Tracer::with_method(bvh, method)?, steps })
     }
 
     /// What a ray costs.
     pub(super) fn of(&self, ray: &Ray) -> u64 {
-        let counters = || self.tracer.count(std::slice::from_ref(ray), self.any);
+        if let Some(walks) = &self.steps {
+            let [backtracks, steps] = walks.count(&self.tracer, ray, self.any);
+            return if self.heat == Heat::Backtrack { steps } else { backtracks };
+        }
+        let counters = self.tracer.count(std::slice::from_ref(ray), self.any);
         match self.heat {
-            Heat::Nodes => {
-                let counters = counters();
-                counters.inner + counters.leaves
-            }
-            Heat::Boxes => counters().boxes,
-            Heat::Triangles => counters().triangles,
-            Heat::Fallback => counters().fallbacks,
-            Heat::Postponed => self.steps(ray)[0],
-            Heat::Backtrack => self.steps(ray)[1],
-            Heat::Hash => match self.tracer.method().without_pruning() {
-                Method::Hashed => counters().backtracks.by(Source::Hash),
-                Method::HashOnly => self.steps(ray)[0],
-                _ => 0,
-            },
+            Heat::Nodes => counters.inner + counters.leaves,
+            Heat::Boxes => counters.boxes,
+            Heat::Triangles => counters.triangles,
+            Heat::Fallback => counters.fallbacks,
+            Heat::Postponed | Heat::Backtrack | Heat::Hash => counters.backtracks.by(Source::Hash),
+        }
+    }
+}
+
+impl<'a> Walks<'a> {
+    fn new(bvh: &'a Bvh, method: Method) -> Self {
+        let climbs = |methods: &[Method]| methods.contains(&method.without_pruning());
+        Self {
+            bvh,
+            tables: Tables::new(bvh, bvh.axes(), &[method], Implicit::LIMIT),
+            parents: climbs(&[Method::Sparse, Method::Afra, Method::Hapala]).then(|| Parents::of(bvh)),
+            uncles: climbs(&[Method::Uncle]).then(|| Uncles::of(bvh)),
+            boxes: bvh.own_boxes(),
         }
     }
 
     /// Backtracks and their steps.
-    fn steps(&self, ray: &Ray) -> [u64; 2] {
+    fn count(&self, tracer: &Tracer<'_>, ray: &Ray, any: bool) -> [u64; 2] {
         let (bvh, boxes) = (self.bvh, &*self.boxes);
         let query: &mut dyn Query =
-            if self.any { &mut AnyByNode::new(bvh, boxes, ray) } else { &mut ClosestByNode::new(bvh, boxes, ray) };
+            if any { &mut AnyByNode::new(bvh, boxes, ray) } else { &mut ClosestByNode::new(bvh, boxes, ray) };
         // Searches that nothing can be pruned from are traversed as a whole, as the tracer has it.
-        let method = self.tracer.method();
+        let method = tracer.method();
         let method = if query.allows(method.test().pruning()) { method } else { method.without_pruning() };
         let reads = Reads::default();
         let mut steps = Steps::new(bvh, &reads);
-        let run = Run { costs: self, method, octant: ray.octant(), query, reads: &reads, steps: &mut steps };
-        let ran = with_word(self.tracer.word(), run);
+        let run = Run { walks: self, method, octant: ray.octant(), query, reads: &reads, steps: &mut steps };
+        let ran = with_word(tracer.word(), run);
         debug_assert_eq!(ran, Ok(()), "checked when the tracer was made");
         [steps.backtracks(), steps.steps()]
     }
 }
 
 struct Run<'r, 'a, 'q> {
-    costs: &'r Costs<'a>,
+    walks: &'r Walks<'a>,
     method: Method,
     octant: u8,
     query: &'q mut dyn Query,
@@ -128,9 +139,9 @@ impl WithWord for Run<'_, '_, '_> {
 
 impl Run<'_, '_, '_> {
     fn run<W: KeyWord, M: Marks<W>>(self) -> Result<(), Unfit> {
-        let Self { costs, method, octant, mut query, reads, steps } = self;
+        let Self { walks, method, octant, mut query, reads, steps } = self;
         let query = &mut query;
-        let Costs { bvh, tables, parents, uncles, .. } = costs;
+        let Walks { bvh, tables, parents, uncles, .. } = walks;
         let watch = |node| reads.count(node);
         match (method.without_pruning(), parents, uncles) {
             (Method::Sparse, Some(links), _) => {
