@@ -1,6 +1,6 @@
 //! The conformance suite: its files are as made, this library conforms, and implementations with bugs do not.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use stackless_bvh::check::planted::{self, Instead, LAYERS, Planted, Snapshot};
@@ -39,6 +39,18 @@ fn the_files_are_as_made() {
         assert!(std::fs::read_to_string(&path).unwrap_or_default() == text, "{} is not what is made", path.display());
     }
     assert_eq!(Suite::load(&root()).unwrap(), suite);
+}
+
+/// `spec/suite/peers.py` makes the table anew; what others answer is not asked here.
+#[test]
+fn the_table_of_other_ray_tracers_has_each_case() {
+    let suite = author::suite();
+    let text = std::fs::read_to_string(root().join("PEERS.md")).unwrap();
+    let rows: Vec<_> = text.lines().filter_map(|line| line.strip_prefix("| `ray/")?.split('`').next()).collect();
+    let has_hits = |case: &&Case| case.id.starts_with("ray/") && matches!(case.expect, Expect::Result(_));
+    let cases: Vec<_> =
+        suite.cases().map(|(_, case)| case).filter(has_hits).map(|case| &case.id["ray/".len()..]).collect();
+    assert_eq!(BTreeSet::from_iter(rows), BTreeSet::from_iter(cases));
 }
 
 /// What the suite promises to those who read it.

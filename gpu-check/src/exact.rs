@@ -16,10 +16,11 @@ use stackless_bvh::geom::{Kernel as _, Ray};
 use stackless_bvh::trace::{Hit, Tracer};
 
 use crate::kernel::Kernel;
-use crate::launch::{Buffers, compile, params};
+use crate::launch::compile;
 use crate::model::has_parallel;
 use crate::probe::Arithmetic;
-use crate::scene::{Query, Scene, rays_words};
+use crate::rays::run;
+use crate::scene::{Query, Scene};
 use crate::{Checks, Gpu, GpuError, Pipeline};
 
 /// What is written for a ray in doubt.
@@ -95,17 +96,7 @@ pub fn launch(
     pipeline: &Pipeline,
     rays: &[Ray],
 ) -> Result<Vec<u32>, GpuError> {
-    let count = rays.len() as u32;
-    let mut words = rays_words(rays)?;
-    words.extend(scene.head(kernel));
-    let tasks = gpu.buffer("rays", &words)?;
-    let results = gpu.buffer("hits", &vec![UNCERTAIN; 4 * rays.len()])?;
-    let (work, params) = (gpu.zeros("queue", 1 + rays.len())?, params(gpu, count)?);
-    let [nodes, leaves, displacements, cells] = scene.buffers(kernel);
-    let buffers =
-        Buffers { nodes, leaves, displacements, cells, tasks: &tasks, results: &results, params: &params, work: &work };
-    let wanted = [(&results, 4 * rays.len()), (&work, 1 + rays.len())];
-    let [words, queue] = gpu.run_and_read(&[buffers.pass(kernel, pipeline, count)], wanted)?;
+    let [words, queue] = run(gpu, scene, kernel, pipeline, rays, UNCERTAIN, 1 + rays.len())?;
     let mut found: Vec<u32> = words.iter().step_by(4).copied().collect();
     for &ray in queue.iter().skip(1).take(queue[0] as usize) {
         if let Some(found) = found.get_mut(ray as usize) {

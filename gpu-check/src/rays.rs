@@ -78,19 +78,39 @@ pub fn launch(
     pipeline: &Pipeline,
     rays: &[Ray],
 ) -> Result<Vec<Found>, GpuError> {
+    // What no kernel writes, so that a ray that is left out shows.
+    let [words, _] = run(gpu, scene, kernel, pipeline, rays, 0xdead_beef, 4)?;
+    Ok(words.as_chunks().0.iter().map(|&words| Found::of_words(words)).collect())
+}
+
+/// The four words of each ray, which hold `unwritten` before the kernel runs, and its `work` words, which hold 0.
+pub(crate) fn run(
+    gpu: &Gpu,
+    scene: &Scene,
+    kernel: &Kernel,
+    pipeline: &Pipeline,
+    rays: &[Ray],
+    unwritten: u32,
+    work: usize,
+) -> Result<[Vec<u32>; 2], GpuError> {
     let count = rays.len() as u32;
     let mut words = rays_words(rays)?;
     words.extend(scene.head(kernel));
     let tasks = gpu.buffer("rays", &words)?;
-    // What no kernel writes, so that a ray that is left out shows.
-    let results = gpu.buffer("hits", &vec![0xdead_beef; 4 * rays.len()])?;
-    let (work, params) = (gpu.zeros("work", 4)?, params(gpu, count)?);
+    let results = gpu.buffer("hits", &vec![unwritten; 4 * rays.len()])?;
+    let (worked, params) = (gpu.zeros("work", work)?, params(gpu, count)?);
     let [nodes, leaves, displacements, cells] = scene.buffers(kernel);
-    let buffers =
-        Buffers { nodes, leaves, displacements, cells, tasks: &tasks, results: &results, params: &params, work: &work };
-    let pass = buffers.pass(kernel, pipeline, count);
-    let [words] = gpu.run_and_read(&[pass], [(&results, 4 * rays.len())])?;
-    Ok(words.as_chunks().0.iter().map(|&words| Found::of_words(words)).collect())
+    let buffers = Buffers {
+        nodes,
+        leaves,
+        displacements,
+        cells,
+        tasks: &tasks,
+        results: &results,
+        params: &params,
+        work: &worked,
+    };
+    gpu.run_and_read(&[buffers.pass(kernel, pipeline, count)], [(&results, 4 * rays.len()), (&worked, work)])
 }
 
 /// What a kernel should find, by the model.

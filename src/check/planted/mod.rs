@@ -80,14 +80,7 @@ impl Planted {
         clause: &'static str,
         run: impl Fn(&Tree, &Tape, &mut dyn Visitor, &mut Watcher<'_>) + 'static,
     ) -> Self {
-        Self {
-            name: name.into(),
-            clause,
-            test: Test::Children,
-            restarts: false,
-            carries: DEEPEST,
-            run: Run::Any(Box::new(run)),
-        }
+        Self::new(name.into(), clause, Run::Any(Box::new(run)))
     }
 
     fn case(
@@ -95,14 +88,11 @@ impl Planted {
         clause: &'static str,
         run: impl Fn(&Case, &mut Search<'_, Tree>, &mut Watcher<'_>) + 'static,
     ) -> Self {
-        Self {
-            name: name.into(),
-            clause,
-            test: Test::Children,
-            restarts: false,
-            carries: DEEPEST,
-            run: Run::Case(Box::new(run)),
-        }
+        Self::new(name.into(), clause, Run::Case(Box::new(run)))
+    }
+
+    fn new(name: String, clause: &'static str, run: Run) -> Self {
+        Self { name, clause, test: Test::Children, restarts: false, carries: DEEPEST, run }
     }
 
     fn held_to(self, test: Test) -> Self {
