@@ -95,7 +95,7 @@ fn the_c_adapter_conforms() {
 
 #[test]
 fn the_python_adapter_conforms() {
-    conforms(Language::Python, 3386);
+    conforms(Language::Python, 3388);
 }
 
 #[test]

@@ -10,36 +10,36 @@ use stackless_bvh::suite::{Implementation as _, RunError, Runner, Suite, Waivers
 
 /// Cases that a kernel passes, by its full name. It fails none; all others it does not name.
 const PASSED: [(&str, usize); 29] = [
-    ("stack", 962),
-    ("stack-workgroup", 962),
-    ("stack-t0", 860),
-    ("laine-0", 1197),
-    ("laine-1", 1197),
-    ("laine-4", 1197),
-    ("laine-8", 1197),
-    ("afra", 1239),
-    ("hashed-printed", 1239),
-    ("hashed", 1239),
-    ("hashed-disjoint", 1437),
-    ("stack-persistent", 962),
+    ("stack", 964),
+    ("stack-workgroup", 964),
+    ("stack-t0", 862),
+    ("laine-0", 1199),
+    ("laine-1", 1199),
+    ("laine-4", 1199),
+    ("laine-8", 1199),
+    ("afra", 1241),
+    ("hashed-printed", 1241),
+    ("hashed", 1241),
+    ("hashed-disjoint", 1439),
+    ("stack-persistent", 964),
     // In another order: no traces.
-    ("stack-speculative", 234),
-    ("laine-0/64", 1196),
-    ("laine-1/64", 1196),
-    ("laine-4/64", 1196),
-    ("laine-8/64", 1196),
-    ("afra/64", 1238),
-    ("hashed-printed/64", 1645),
-    ("hashed/64", 1645),
-    ("hashed-disjoint/64", 1843),
-    ("laine-0/96", 920),
-    ("laine-1/96", 920),
-    ("laine-4/96", 920),
-    ("laine-8/96", 920),
-    ("afra/96", 962),
-    ("hashed-printed/96", 1369),
-    ("hashed/96", 1369),
-    ("hashed-disjoint/96", 1567),
+    ("stack-speculative", 236),
+    ("laine-0/64", 1198),
+    ("laine-1/64", 1198),
+    ("laine-4/64", 1198),
+    ("laine-8/64", 1198),
+    ("afra/64", 1240),
+    ("hashed-printed/64", 1647),
+    ("hashed/64", 1647),
+    ("hashed-disjoint/64", 1845),
+    ("laine-0/96", 922),
+    ("laine-1/96", 922),
+    ("laine-4/96", 922),
+    ("laine-8/96", 922),
+    ("afra/96", 964),
+    ("hashed-printed/96", 1371),
+    ("hashed/96", 1371),
+    ("hashed-disjoint/96", 1569),
 ];
 
 /// Where the mistakes of [`planted`] show: the kernel, if it is not the mistake's own, profile, and a clause.
@@ -145,14 +145,14 @@ fn failed(gpu: &Gpu, bug: &str, kernel: &str, suite: &Suite) -> usize {
 #[test]
 fn every_kernel_conforms_in_what_it_names() {
     let suite = author::suite();
-    assert_eq!(suite.cases().count(), 3586);
+    assert_eq!(suite.cases().count(), 3588);
     let kernels: Vec<_> = (1..=3).flat_map(Kernel::all).map(|kernel| kernel.full_name()).collect();
     assert_eq!(kernels, PASSED.map(|(kernel, _)| kernel));
     for (kernel, passed) in PASSED {
         let report = runner(&suite, command(&["suite", "--kernel", kernel])).run(|_| {}).unwrap();
         let bad: Vec<_> = report.verdicts.iter().filter(|verdict| verdict.outcome.is_bad()).take(3).collect();
         assert!(bad.is_empty() && report.is_conforming(), "{kernel}: {:?} {bad:#?}", report.faults);
-        assert_eq!((report.count("pass"), report.count("unsupported")), (passed, 3586 - passed), "{kernel}");
+        assert_eq!((report.count("pass"), report.count("unsupported")), (passed, 3588 - passed), "{kernel}");
     }
 }
 

@@ -15,22 +15,24 @@ use crate::geom::slabs::Directed;
 use crate::geom::truth::{RBig, round_f64};
 use crate::geom::{Kernel, Ray, Region, Triangle, Vector};
 
-macro_rules! halved {
-    ($name:literal, $clause:literal, $share:ident, $filter:ty) => {
+macro_rules! smaller {
+    ($name:literal, $clause:literal, $part:literal of $share:ident, $filter:ty) => {
         Mistake::new(
             $name,
             $clause,
-            |draw| beyond(draw, 0.5, |shares| shares.$share),
+            |draw| beyond(draw, $part, |shares| shares.$share),
             Instead::Rays(cast::<$filter, Directed>),
         )
     };
 }
 
-pub(super) const MISTAKES: [Mistake; 4] = [
-    halved!("edge functions in single precision", "EXACT-4", edge, Filter<50, 100, 100>),
-    halved!("signs", "EXACT-6", sign, Filter<100, 50, 100>),
-    halved!("the determinant", "EXACT-4", determinant, Filter<100, 100, 50>),
-    halved!("the distance times the determinant", "EXACT-4", distance, Filter<100, 100, 50>),
+pub(super) const MISTAKES: [Mistake; 6] = [
+    smaller!("half for edge functions in single precision", "EXACT-4", 0.5 of edge, Filter<50, 100, 100>),
+    smaller!("a third for edge functions in single precision", "EXACT-4", 0.33 of edge, Filter<33, 100, 100>),
+    smaller!("half for signs", "EXACT-6", 0.5 of sign, Filter<100, 50, 100>),
+    smaller!("a quarter for signs", "EXACT-6", 0.25 of sign, Filter<100, 25, 100>),
+    smaller!("half for the determinant", "EXACT-4", 0.5 of determinant, Filter<100, 100, 50>),
+    smaller!("half for the distance times the determinant", "EXACT-4", 0.5 of distance, Filter<100, 100, 50>),
 ];
 
 pub(super) const CONTROLS: [Mistake; 1] = [Mistake::new(

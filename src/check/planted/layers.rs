@@ -99,7 +99,7 @@ pub static LAYERS: [Layer; 7] = [
         controls: &kernels::CONTROLS,
     },
     Layer {
-        name: "halved bounds",
+        name: "smaller bounds",
         body: "an error within its bound",
         mistakes: &filters::MISTAKES,
         controls: &filters::CONTROLS,

@@ -9,12 +9,17 @@ fn number() -> impl Strategy<Value = f32> {
     prop_oneof![3 => prop::sample::select(few.to_vec()), 3 => -4.0..4.0f32]
 }
 
-fn vector() -> impl Strategy<Value = Vec3> {
+/// Of few bits: what is made of them by a few sums and products is a float.
+fn whole() -> impl Strategy<Value = f32> {
+    (-3..=3i8).prop_map(f32::from)
+}
+
+fn vector<S: Strategy<Value = f32>>(number: fn() -> S) -> impl Strategy<Value = Vec3> {
     [number(), number(), number()].prop_map(Vec3::from)
 }
 
-fn affine() -> impl Strategy<Value = Affine> {
-    let row = || [number(), number(), number(), number()];
+fn affine<S: Strategy<Value = f32>>(number: fn() -> S) -> impl Strategy<Value = Affine> {
+    let row = move || [number(), number(), number(), number()];
     [row(), row(), row()].prop_filter_map("singular", |rows| Affine::new(rows).ok())
 }
 
@@ -57,7 +62,7 @@ proptest! {
 
     /// [INST-3]
     #[test]
-    fn rays_are_held_through_three_levels(maps in [affine(), affine(), affine()], o in vector(), d in vector()) {
+    fn rays_are_held_through_three_levels(maps in [affine(number), affine(number), affine(number)], o in vector(number), d in vector(number)) {
         let Ok(ray) = Ray::new(o, d, 0.0, 1.0) else { return Ok(()) };
         let (mut bounds, mut origin, mut direction) = (EnclosedRay::exact(&ray), exact_vector(o), exact_vector(d));
         for map in &maps {
@@ -74,7 +79,7 @@ proptest! {
 
     /// [INST-2]
     #[test]
-    fn boxes_hold_the_images_and_hardly_more(map in affine(), a in vector(), b in vector()) {
+    fn boxes_hold_the_images_and_hardly_more(map in affine(number), a in vector(number), b in vector(number)) {
         let aabb = Aabb::of(&[a, b]);
         let found = map.image_of_box(&aabb);
         let corners: Vec<_> = (0..8).map(|i| {
@@ -101,20 +106,22 @@ proptest! {
 
     /// [INST-5]
     #[test]
-    fn images_are_met_where_they_are(maps in [affine(), affine()], corners in [vector(), vector(), vector()], o in vector()) {
-        // A line through the image of the second corner meets it there, at t = 1, if the direction is a float.
+    fn images_are_met_where_they_are(
+        maps in [affine(whole), affine(whole)],
+        corners in [vector(whole), vector(whole), vector(whole)],
+        o in vector(whole),
+    ) {
+        // A line through the image of the second corner meets it there, at t = 1.
         let [inner, outer] = &maps;
         let target = image(outer, &image(inner, &exact_vector(corners[1])));
         let way = [0, 1, 2].map(|k| &target[k] - exact(o[k]));
         let d = Vec3::from([0, 1, 2].map(|k| way[k].to_f32().value()));
-        if !d.is_finite() || exact_vector(d) != way {
-            return Ok(());
-        }
+        prop_assert_eq!(exact_vector(d), way);
         match meet_image(corners, &maps, o, d) {
             Meeting::Hit(Point { place, t, u, v }) => {
                 prop_assert_eq!((place, t, u, v), (Place::Vertex, RBig::ONE, RBig::ONE, RBig::ZERO));
             }
-            Meeting::Coplanar => (),
+            Meeting::Coplanar => return Err(TestCaseError::reject("seen edge-on, or no triangle")),
             Meeting::Miss => prop_assert!(false, "a miss"),
         }
     }
