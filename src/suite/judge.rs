@@ -230,15 +230,17 @@ fn judge_table(case: &Case, result: &Map<String, Value>) -> Result<(), Flaw> {
         Err(error) => return wrong(error.to_string()),
     };
     // Only long keys are folded.
-    let known: &[_] = &["displacements", "cells", "seed", "bits", "fold"];
-    let known = if tree.depth() < u64::BITS { &known[..4] } else { known };
-    if let Some(name) = result.keys().find(|name| !known.contains(&name.as_str())) {
+    let has_long_keys = tree.depth() >= u64::BITS;
+    let is_known =
+        |name: &str| matches!(name, "displacements" | "cells" | "seed" | "bits") || name == "fold" && has_long_keys;
+    if let Some(name) = result.keys().find(|name| !is_known(name)) {
         return Err(Flaw::Unknown(name.clone()));
     }
-    if let Some(name) = known.iter().find(|&&name| name == "fold" && !result.contains_key(name)) {
-        return Err(Flaw::Missing((*name).to_owned()));
-    }
-    let fold = result.get("fold").map_or(Some(0), |seed| word::<u64>(seed.as_str()?));
+    let fold = match result.get("fold") {
+        Some(seed) => seed.as_str().and_then(word::<u64>),
+        None if has_long_keys => return Err(Flaw::Missing("fold".to_owned())),
+        None => Some(0),
+    };
     let Some(fold) = fold else { return wrong("fold: not a word of 64 bits".to_owned()) };
     let words = |name: &str| -> Result<Vec<u32>, Flaw> {
         let list = result.get(name).and_then(Value::as_array).ok_or_else(|| Flaw::Missing(name.to_owned()))?;

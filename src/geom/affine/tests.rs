@@ -62,7 +62,11 @@ proptest! {
 
     /// [INST-3]
     #[test]
-    fn rays_are_held_through_three_levels(maps in [affine(number), affine(number), affine(number)], o in vector(number), d in vector(number)) {
+    fn rays_are_held_through_three_levels(
+        maps in [affine(number), affine(number), affine(number)],
+        o in vector(number),
+        d in vector(number),
+    ) {
         let Ok(ray) = Ray::new(o, d, 0.0, 1.0) else { return Ok(()) };
         let (mut bounds, mut origin, mut direction) = (EnclosedRay::exact(&ray), exact_vector(o), exact_vector(d));
         for map in &maps {
