@@ -7,8 +7,8 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use stackless_bvh::check::{Case, CaseOptions, Plan, Tally};
 use stackless_bvh::traverse::{Method, WordName};
+use stackless_check::{Case, CaseOptions, Plan, Tally};
 
 /// Enough that the mix of families, sizes and tapes is that of a long run.
 const CASES: u64 = 2000;

@@ -4,7 +4,7 @@
 //! `suite::serve(&mut Mine, stdin, stdout)`.
 
 use serde_json::{Map, Value, json};
-use stackless_bvh::suite::{Answer, Ask, Hello, Implementation, Level, Limits, PROTOCOL, author, judge};
+use stackless_suite::{Answer, Ask, Hello, Implementation, Level, Limits, PROTOCOL, author, judge};
 
 /// What we are to check.
 struct Mine;

@@ -4,8 +4,8 @@
 //! oracle, are in `gpu-check`.
 
 use stackless_bvh::bvh::{Bvh, SahOptions};
+use stackless_bvh::generate::procedural;
 use stackless_bvh::hash::{self, KeySet, Options, PerfectHash, Sizing};
-use stackless_bvh::scene::procedural;
 use stackless_bvh::tree::{Topology, Uncles};
 
 /// Buffers of 32-bit words, as they are uploaded.

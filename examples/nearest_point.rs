@@ -4,7 +4,7 @@
 
 use glam::Vec3;
 use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::scene::procedural;
+use stackless_bvh::generate::procedural;
 use stackless_bvh::trace::Tracer;
 
 /// The distance from the corner of a cube to the soup in it.

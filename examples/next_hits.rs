@@ -4,8 +4,8 @@
 
 use glam::Vec3;
 use stackless_bvh::bvh::{Bvh, SahOptions};
+use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::Ray;
-use stackless_bvh::scene::procedural;
 use stackless_bvh::trace::Tracer;
 
 /// How much light comes through a soup of triangles, each of which lets nine tenths pass.

@@ -4,6 +4,10 @@
 //! nodes; its [`events`](Trace::events) are the sequence of (key, enter | leaf | backtrack n | end) on which
 //! implementations are compared. With `()` as the recorder nothing is recorded and nothing is paid.
 
+mod backtracks;
+
+pub use backtracks::{Backtracks, Source};
+
 use alloc::vec::Vec;
 
 use crate::key::KeyWord;

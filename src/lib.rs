@@ -58,6 +58,7 @@
 extern crate alloc;
 
 pub mod event;
+#[cfg(any(test, feature = "generate"))]
 pub mod generate;
 pub mod hash;
 pub mod key;
@@ -69,26 +70,14 @@ pub mod trail;
 pub mod traverse;
 pub mod tree;
 
-#[cfg(feature = "std")]
+#[cfg(feature = "rays")]
 pub mod bvh;
-#[cfg(feature = "std")]
-pub mod check;
-#[cfg(feature = "std")]
-pub mod curve;
-#[cfg(feature = "std")]
-pub mod explain;
-#[cfg(feature = "std")]
+#[cfg(feature = "rays")]
 pub mod geom;
-#[cfg(feature = "std")]
-pub mod report;
-#[cfg(feature = "std")]
-pub mod scene;
-#[cfg(feature = "std")]
-pub mod suite;
-#[cfg(feature = "std")]
+#[cfg(feature = "rays")]
 pub mod trace;
 
 /// The example of the README, compiled and run with the documentation's.
-#[cfg(all(doctest, feature = "std"))]
+#[cfg(all(doctest, feature = "rays", feature = "generate"))]
 #[doc = include_str!("../README.md")]
 struct Readme;

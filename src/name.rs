@@ -15,6 +15,8 @@ impl fmt::Display for UnknownName {
 impl core::error::Error for UnknownName {}
 
 /// Printing and parsing by name, for a type with `ALL` and `name`.
+#[macro_export]
+#[doc(hidden)]
 macro_rules! named {
     ($type:ty) => {
         impl core::fmt::Display for $type {
@@ -24,12 +26,13 @@ macro_rules! named {
         }
 
         impl core::str::FromStr for $type {
-            type Err = crate::name::UnknownName;
+            type Err = $crate::name::UnknownName;
 
             fn from_str(name: &str) -> Result<Self, Self::Err> {
-                Self::ALL.into_iter().find(|it| it.name() == name).ok_or(crate::name::UnknownName)
+                Self::ALL.into_iter().find(|it| it.name() == name).ok_or($crate::name::UnknownName)
             }
         }
     };
 }
-pub(crate) use named;
+#[doc(hidden)]
+pub use crate::named;

@@ -1,9 +1,10 @@
 //! Targets of the readers of text.
 
-use stackless_bvh::check::{Case, Replay, check_mesh_file, check_ray_file};
 use stackless_bvh::generate::Bytes;
-use stackless_bvh::scene::{read_obj, read_ply};
 use stackless_bvh::traverse::Method;
+use stackless_check::{Case, Replay};
+use stackless_scene::{check_mesh_file, check_ray_file};
+use stackless_scene::{read_obj, read_ply};
 
 use super::draw::patched;
 use super::{right, said, traversals};

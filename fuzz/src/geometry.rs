@@ -1,11 +1,11 @@
 //! Targets of the geometric tests, each against rational arithmetic.
 
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, SpatialOptions};
-use stackless_bvh::check::{check_degenerate, check_distance, check_nearest, check_slabs, check_triangle};
 use stackless_bvh::generate::Source;
 use stackless_bvh::geom::kernel::{Exact, Exact64, ExactFromSingle};
 use stackless_bvh::geom::slabs::{Directed, Enclosed, Plain, TwoSided, Wide};
 use stackless_bvh::geom::{Aabb, Ray, Triangle, Vector};
+use stackless_check::{check_degenerate, check_distance, check_nearest, check_slabs, check_triangle};
 
 use super::draw::Draw;
 use super::right;

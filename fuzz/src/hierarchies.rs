@@ -2,15 +2,15 @@
 
 use glam::DVec3;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, BvhFileError, SahOptions, SpatialOptions};
-use stackless_bvh::check::{Flat, Hierarchies, Shape, check_held, check_instances, check_tree};
 use stackless_bvh::generate::{Bytes, Source};
+use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::kernel::{Exact, Exact64};
 use stackless_bvh::geom::slabs::{Directed, Wide};
 use stackless_bvh::geom::{Affine, Triangle};
-use stackless_bvh::scene::Mesh;
 use stackless_bvh::trace::{InstanceError, InstanceTracer};
 use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::{Recorded, Topology};
+use stackless_check::{Flat, Hierarchies, Shape, check_held, check_instances, check_tree};
 
 use super::draw::{Draw, patched};
 use super::right;

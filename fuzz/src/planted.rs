@@ -1,7 +1,7 @@
 //! Planted bugs in place of the library, on the cases that the targets draw: fuzzing finds what is there to be found.
 
-use stackless_bvh::check::planted::{self, LAYERS, Layer, Mistake, Planted};
 use stackless_bvh::generate::Bytes;
+use stackless_check::planted::{self, LAYERS, Layer, Mistake, Planted};
 
 use super::traversals::small_case;
 

@@ -1,7 +1,7 @@
 //! The conformance suite as seen by whoever answers and whoever asks.
 
 use serde_json::{Map, Value};
-use stackless_bvh::suite::{Answer, Case, Hello, Implementation, Level, Library, Profile, Reply, author, judge, serve};
+use stackless_suite::{Answer, Case, Hello, Implementation, Level, Library, Profile, Reply, author, judge, serve};
 
 use super::draw::patched;
 use super::right;

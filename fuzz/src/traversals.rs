@@ -1,9 +1,5 @@
 //! Targets of the core: traversals, states, hashes.
 
-use stackless_bvh::check::{
-    Battery, Case, CaseOptions, Disagreement, Pauses, Pieces, Plan, Replay, Tally, Verdict, check_table,
-    check_table_bytes, shrink,
-};
 use stackless_bvh::event::{Event, Trace};
 use stackless_bvh::generate::{Bytes, Family, Kind, Rng, Search, Source, Tape, shape};
 use stackless_bvh::hash::{AddressBounds, KeySet, Options, PerfectHash, Remainder, Sizing, certify};
@@ -13,6 +9,10 @@ use stackless_bvh::traverse::{
 };
 use stackless_bvh::tree::{Implicit, Keys, Node, Reach, Topology, Tree};
 use stackless_bvh::{oracle, trail};
+use stackless_check::{
+    Battery, Case, CaseOptions, Disagreement, Pauses, Pieces, Plan, Replay, Tally, Verdict, check_table,
+    check_table_bytes, shrink,
+};
 
 use super::draw::patched;
 use super::{right, said};

@@ -15,12 +15,14 @@ use gpu_check::summary::Summary;
 use gpu_check::tapes::unchanged;
 use gpu_check::{Gpu, GpuError, planted, probe, rays, tables, tapes};
 use stackless_bvh::bvh::{Bvh, SahOptions};
+use stackless_bvh::generate::procedural;
+use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::hash::PerfectHash;
-use stackless_bvh::scene::{self, Mesh, procedural};
-use stackless_bvh::suite::serve;
 use stackless_bvh::trace::{Tracer, bounce};
 use stackless_bvh::tree::Topology as _;
+use stackless_scene::{self};
+use stackless_suite::serve;
 
 pub(crate) fn tapes(gpu: &Gpu, trees: usize, seed: u64) -> Result<bool, GpuError> {
     const BATCH: usize = 4096;
@@ -83,7 +85,7 @@ pub(crate) fn rays(gpu: &Gpu, files: &[PathBuf], count: usize) -> Result<bool, G
         good &= compare(gpu, made.name(), &mesh, &rays, true)?;
     }
     for file in files {
-        let mesh = scene::load(file).map_err(data)?;
+        let mesh = stackless_scene::load(file).map_err(data)?;
         let rays = made::view(&mesh, count, 2);
         good &= compare(gpu, &file.display().to_string(), &mesh, &rays, false)?;
     }
@@ -97,7 +99,7 @@ fn meshes(files: &[PathBuf]) -> Result<Vec<(String, Mesh)>, GpuError> {
         let large = [("soup-20000", procedural::soup(1, 20_000)), ("strands-400", procedural::strands(1, 400))];
         return made.chain(large.map(|(name, mesh)| Ok((name.to_owned(), mesh)))).collect();
     }
-    let load = |file: &PathBuf| Ok((file.display().to_string(), scene::load(file).map_err(data)?));
+    let load = |file: &PathBuf| Ok((file.display().to_string(), stackless_scene::load(file).map_err(data)?));
     files.iter().map(load).collect()
 }
 

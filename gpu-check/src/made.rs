@@ -3,8 +3,8 @@
 
 use glam::Vec3;
 use stackless_bvh::generate::{Rng, Source as _};
+use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::Ray;
-use stackless_bvh::scene::Mesh;
 
 /// A scene, by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,7 +37,7 @@ impl Made {
     ///
     /// # Errors
     /// None: all indices are those of corners.
-    pub fn mesh(self, seed: u64) -> Result<Mesh, stackless_bvh::scene::MeshError> {
+    pub fn mesh(self, seed: u64) -> Result<Mesh, stackless_bvh::geom::MeshError> {
         let mut rng = Rng::new(seed);
         let mut triangles: Vec<[[i32; 3]; 3]> = Vec::new();
         match self {

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use stackless_bvh::scene::write_atomically;
+use stackless_scene::write_atomically;
 
 use crate::bench::{HEADER, Rays, Row, Setting};
 use crate::summary::Summary;

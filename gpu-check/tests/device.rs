@@ -12,10 +12,11 @@ use gpu_check::summary::Summary;
 use gpu_check::tapes::{Batch, cases, compare, unchanged};
 use gpu_check::{Access, Checks, Gpu, GpuError, exact, planted, probe, rays, tables};
 use stackless_bvh::bvh::{Bvh, SahOptions};
+use stackless_bvh::generate::procedural;
 use stackless_bvh::generate::{Bytes, Family, Rng};
+use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
-use stackless_bvh::scene::{Mesh, procedural};
 use stackless_bvh::trace::{Tracer, bounce};
 use stackless_bvh::tree::Topology as _;
 

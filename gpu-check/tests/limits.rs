@@ -8,7 +8,7 @@ use gpu_check::planted::by_name;
 use gpu_check::suite::Adapter;
 use gpu_check::tapes::{Batch, cases, compare, unchanged};
 use gpu_check::{Gpu, GpuError, probe};
-use stackless_bvh::suite::{Answer, Implementation as _, author};
+use stackless_suite::{Answer, Implementation as _, author};
 use wgpu::Limits;
 
 /// What a limit is for, if it is one.

@@ -6,7 +6,7 @@ use gpu_check::Gpu;
 use gpu_check::kernel::Kernel;
 use gpu_check::planted::{self, BAND_BUGS, BUGS, RAY_BUGS};
 use gpu_check::suite::Adapter;
-use stackless_bvh::suite::{Implementation as _, RunError, Runner, Suite, Waivers, author, judge};
+use stackless_suite::{Implementation as _, RunError, Runner, Suite, Waivers, author, judge};
 
 /// Cases that a kernel passes, by its full name. It fails none; all others it does not name.
 const PASSED: [(&str, usize); 29] = [

@@ -1,6 +1,6 @@
 //! The planted bugs of the checks, each caught by a harness body; tests/PLANTED.md has by which.
 
-#[path = "../../tests/bites/table.rs"]
+#[path = "../../tests/library/bites/table.rs"]
 #[allow(dead_code, reason = "of the whole table this test has a column")]
 mod table;
 
@@ -10,11 +10,11 @@ use proofs::reference::{Keyed, Told, Watch};
 use proofs::shape::{Script, Shape};
 use proofs::traversals::follows;
 use proofs::{Cases, Drawn};
-use stackless_bvh::check::planted::{self, Planted};
 use stackless_bvh::event::Recorder;
 use stackless_bvh::generate::{Cell, Rng, Tape};
 use stackless_bvh::order::{Descent, Flow, Pruning, Visitor};
 use stackless_bvh::tree::{Node, Topology, Tree};
+use stackless_check::planted::{self, Planted};
 
 /// Random cases for a bug.
 const CASES: u32 = 30_000;

@@ -86,7 +86,7 @@ impl<V: Stored> Bvh<Triangle<V>> {
     ///
     /// ```
     /// use stackless_bvh::bvh::{Bvh, SahOptions};
-    /// use stackless_bvh::scene::procedural;
+    /// use stackless_bvh::generate::procedural;
     ///
     /// let bvh = Bvh::sah(&procedural::soup(1, 100), SahOptions::default())?;
     /// let bytes = bvh.to_bytes();

@@ -28,11 +28,11 @@ use crate::tree::{self, Node, Recorded, Topology};
 
 /// A binary bounding volume hierarchy over the triangles of a mesh, with a copy of their corners.
 ///
-/// Boxes are in single precision. Those of a [`Mesh`](crate::scene::Mesh) in double precision are rounded outwards.
+/// Boxes are in single precision. Those of a [`Mesh`](crate::geom::Mesh) in double precision are rounded outwards.
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::{bvh::{self, Bvh, SahOptions}, scene::Mesh};
+/// use stackless_bvh::{bvh::{self, Bvh, SahOptions}, geom::Mesh};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;

@@ -32,7 +32,7 @@ impl<S> Bvh<S> {
     ///
     /// ```
     /// use glam::Vec3;
-    /// use stackless_bvh::{bvh::{self, Bvh, SahOptions}, scene::Mesh};
+    /// use stackless_bvh::{bvh::{self, Bvh, SahOptions}, geom::Mesh};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let corners = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
@@ -94,6 +94,3 @@ impl<S> Bvh<S> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,8 +1,9 @@
 use glam::Vec3;
 
 use super::*;
+use crate::generate::procedural;
+use crate::geom::Mesh;
 use crate::order::SignOrder;
-use crate::scene::{Mesh, procedural};
 
 /// Triangles with the given first corners, all of the same shape.
 fn mesh(corners: impl IntoIterator<Item = Vec3>) -> Mesh {

@@ -4,8 +4,14 @@
 //! generator, the bytes of a fuzzer, or the enumeration of all choices. It is written once, so that tests, fuzzing and
 //! proofs see the same cases. The smallest choice (0) is everywhere the simplest one: shrinking bytes shrinks cases.
 
+#[cfg(feature = "rays")]
+pub mod draw;
 mod family;
+#[cfg(feature = "rays")]
+pub mod procedural;
 mod source;
+#[cfg(feature = "rays")]
+pub mod stress;
 mod tape;
 
 pub use family::{Family, shape};

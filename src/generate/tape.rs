@@ -72,31 +72,31 @@ named!(Kind);
 
 /// What a tape says of one node.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "std", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Cell {
     /// The node is missed: nothing below it is seen.
-    #[cfg_attr(feature = "std", serde(default, skip_serializing_if = "is_default"))]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub miss: bool,
     /// Distance at which it is entered, at least its parent's.
-    #[cfg_attr(feature = "std", serde(default, skip_serializing_if = "is_default"))]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub enter: u32,
     /// Distance at which it is left, at most its parent's; none is beyond all others.
-    #[cfg_attr(feature = "std", serde(default, skip_serializing_if = "is_default"))]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub exit: Option<u32>,
     /// Of an inner node: the right child comes first where both are entered at the same distance.
-    #[cfg_attr(feature = "std", serde(default, skip_serializing_if = "is_default"))]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub right_first: bool,
     /// Of an inner node: the axis (0, 1, 2) whose sign orders its children, for traversals of fixed order.
-    #[cfg_attr(feature = "std", serde(default, skip_serializing_if = "is_default"))]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub axis: u8,
     /// Of a leaf that is not missed: distance at which it is hit, at least that of its entry. It may be beyond the exit, where a leaf holds a
     /// part of something and is hit in the rest of it.
-    #[cfg_attr(feature = "std", serde(default, skip_serializing_if = "is_default"))]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub hit: Option<u32>,
 }
 
 /// What a file leaves out.
-#[cfg(feature = "std")]
+#[cfg(feature = "serde")]
 fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
 }

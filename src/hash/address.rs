@@ -12,20 +12,20 @@ const SIGN: u32 = 1 << 31;
 ///
 /// Binder & Keller (2016, Section 2.2.2) mark direct addresses so in the table of displacements; here the cells hold
 /// the same words. The index must be below [`LIMIT`].
-pub(crate) const fn encode(node: Node) -> u32 {
+pub const fn encode(node: Node) -> u32 {
     let index = node.index() as u32;
     if node.is_leaf() { !index } else { SIGN | index }
 }
 
 /// Whether a word stands for a node.
 #[inline(always)]
-pub(crate) const fn is_address(word: u32) -> bool {
+pub const fn is_address(word: u32) -> bool {
     word & SIGN != 0
 }
 
 /// The node of a word: bit 30 is extended over the sign, as hardware does, and a negative number is a leaf.
 #[inline(always)]
-pub(crate) const fn decode(word: u32) -> Node {
+pub const fn decode(word: u32) -> Node {
     let signed = (word << 1).cast_signed() >> 1;
     // `signed` for an inner node; `!signed` with the top bit set, which marks a leaf here, for a leaf.
     Node::from_bits((signed ^ (signed >> 31 & i32::MAX)).cast_unsigned())

@@ -107,7 +107,7 @@ impl PerfectHash {
     ///
     /// # Errors
     /// As [`build`](Self::build).
-    #[cfg(feature = "std")]
+    #[cfg(feature = "parallel")]
     pub fn build_parallel(tree: &(impl Topology + Sync), options: Options) -> Result<Self, BuildError> {
         let keys = |seed| {
             if tree.depth() < u64::BITS {

@@ -9,7 +9,7 @@ use crate::tree::{Node, Topology};
 /// A key as 64 bits: itself if it has no more, else a seeded fold of its 63-bit pieces from the root down, and of
 /// its length.
 #[inline]
-pub(crate) fn fold<W: KeyWord>(key: &W, seed: u64) -> u64 {
+pub fn fold<W: KeyWord>(key: &W, seed: u64) -> u64 {
     key.to_u64().unwrap_or_else(|| {
         let pieces = (0..key.piece_count()).fold(seed, |folded, i| add_piece(folded, key.piece(i)));
         add_length(pieces, key.bit_length())
@@ -17,7 +17,7 @@ pub(crate) fn fold<W: KeyWord>(key: &W, seed: u64) -> u64 {
 }
 
 /// Calls `f` with the folded key of each node: [`fold`] of all keys, in linear time at any depth.
-pub(crate) fn for_each_folded_key(tree: &impl Topology, seed: u64, mut f: impl FnMut(u64, Node)) {
+pub fn for_each_folded_key(tree: &impl Topology, seed: u64, mut f: impl FnMut(u64, Node)) {
     let mut pending = vec![(tree.root(), Path::root(seed))];
     while let Some((node, path)) = pending.pop() {
         f(path.key(), node);

@@ -70,7 +70,7 @@ impl KeySet {
     }
 
     /// [`keys`](Self::keys), by all threads: the top of the tree first, then what hangs below it.
-    #[cfg(feature = "std")]
+    #[cfg(feature = "parallel")]
     pub(super) fn keys_parallel<P: Step + Send + Sync>(self, tree: &(impl Topology + Sync), root: P) -> Vec<HashedKey> {
         use rayon::prelude::*;
 
@@ -148,14 +148,14 @@ fn collect<P: Step>(
 }
 
 /// The top of a tree, and the subtrees below it.
-#[cfg(feature = "std")]
+#[cfg(feature = "parallel")]
 struct Top<P> {
     /// Inner nodes, parents before children, each with where its children's heights will stand.
     inner: Vec<(Node, P)>,
     below: Vec<(Node, P)>,
 }
 
-#[cfg(feature = "std")]
+#[cfg(feature = "parallel")]
 impl<P: Step> Top<P> {
     /// Enough subtrees to keep threads busy in a tree that is any good; a chain ends the search for more.
     const SUBTREES: usize = 256;

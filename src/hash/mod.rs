@@ -17,16 +17,14 @@ mod perfect;
 mod place;
 mod verified;
 
-#[cfg(feature = "std")]
-pub(crate) use address::{decode, encode, is_address};
+pub use address::{decode, encode, is_address};
 pub use build::{BuildError, Options};
 pub use bytes::{AddressBounds, TableError};
 pub use certify::{CertificateError, certify};
-pub(crate) use fold::{fold, for_each_folded_key};
+pub use fold::{fold, for_each_folded_key};
 pub use keys::KeySet;
 pub use map::KeyMap;
-#[cfg(feature = "std")]
-pub(crate) use modulo::wrap;
+pub use modulo::wrap;
 pub use modulo::{Constant, Modulo, Reciprocal, Remainder, TableSize};
 pub use perfect::{Header, Mix, PerfectHash, Sizing};
 pub use verified::Verified;
@@ -62,7 +60,7 @@ impl<W: KeyWord> Lookup<W> for Implicit {
 
 /// The finaliser of `SplitMix64` (Steele, Lea & Flood 2014): a bijection in which every input bit moves about half
 /// of the output bits.
-pub(crate) const fn mix(mut x: u64) -> u64 {
+pub const fn mix(mut x: u64) -> u64 {
     x ^= x >> 30;
     x = x.wrapping_mul(0xbf58_476d_1ce4_e5b9);
     x ^= x >> 27;
@@ -71,7 +69,7 @@ pub(crate) const fn mix(mut x: u64) -> u64 {
 }
 
 /// A number that changes if a single word of 64 bits does, and as good as always if others do. `[FILE-4]`
-pub(crate) fn checksum(bytes: &[u8]) -> u64 {
+pub fn checksum(bytes: &[u8]) -> u64 {
     let (words, rest) = bytes.as_chunks();
     let mut last = [0; 8];
     last.iter_mut().zip(rest).for_each(|(last, byte)| *last = *byte);

@@ -100,7 +100,7 @@ impl Reciprocal {
 
 /// `r` modulo `size`, for `r` below twice the size.
 #[inline(always)]
-pub(crate) fn wrap(r: u32, size: u32) -> u32 {
+pub fn wrap(r: u32, size: u32) -> u32 {
     r.min(r.wrapping_sub(size))
 }
 

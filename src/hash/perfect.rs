@@ -149,7 +149,7 @@ impl Mix {
     }
 
     /// Any key.
-    pub(crate) const fn apply(self, key: u64) -> u64 {
+    pub const fn apply(self, key: u64) -> u64 {
         if self.narrow { self.narrow(key as u32) as u64 } else { self.wide(key) }
     }
 }
@@ -181,8 +181,7 @@ impl PerfectHash {
 
     /// Tables that were made elsewhere, to look keys of up to 64 bits up in; `None` if D is no power of two, H is 0 or
     /// too large, or a displacement is not below it.
-    #[cfg(feature = "std")]
-    pub(crate) fn given(displacements: Box<[u32]>, cells: Box<[u32]>, mix: Mix) -> Option<Self> {
+    pub fn given(displacements: Box<[u32]>, cells: Box<[u32]>, mix: Mix) -> Option<Self> {
         let size = TableSize::new(u32::try_from(cells.len()).ok()?)?;
         let fits = |&word: &u32| is_address(word) || word < size.get();
         if !displacements.len().is_power_of_two() || !displacements.iter().all(fits) {

@@ -152,14 +152,14 @@ impl Buckets {
 /// Buckets that threads search for at once.
 const BATCH: usize = 1 << 12;
 
-#[cfg(feature = "std")]
+#[cfg(feature = "parallel")]
 fn first_fits(taken: &Taken, batch: &[Bucket], remainders: &[u32]) -> Vec<Option<u32>> {
     use rayon::prelude::*;
 
     batch.par_iter().with_min_len(64).map(|bucket| taken.first_fit(&remainders[bucket.range()], 0)).collect()
 }
 
-#[cfg(not(feature = "std"))]
+#[cfg(not(feature = "parallel"))]
 fn first_fits(_: &Taken, _: &[Bucket], _: &[u32]) -> Vec<Option<u32>> {
     Vec::new()
 }

@@ -27,7 +27,7 @@ pub struct Place(Node);
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, scene::procedural, trace::{Continuation, Tracer}};
+/// use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, generate::procedural, trace::{Continuation, Tracer}};
 ///
 /// let mesh = procedural::soup(1, 500);
 /// let bvh = Bvh::sah(&mesh, SahOptions::default())?;
@@ -229,7 +229,7 @@ impl<W: KeyWord, Q: Repeatable> WithCursor<W> for Run<'_, W, Q> {
 mod tests {
     use super::*;
     use crate::bvh::{BuildOptions, Builder, Bvh};
-    use crate::scene::procedural;
+    use crate::generate::procedural;
     use crate::traverse::Method;
 
     /// [PAUSE-7]

@@ -1,9 +1,9 @@
 //! What queries cost, in things that can be counted.
 
+use crate::event::Backtracks;
 use crate::geom::kernel::Stage;
 use crate::geom::{Aabb, Kernel, Slabs};
 use crate::order::{Descent, Flow, NodeTest, Pruning, Repeatable, Visitor};
-use crate::report::Backtracks;
 use crate::tree::{Node, Uncles};
 
 use super::{BoxQuery, ChildOrder, NodeSearch};

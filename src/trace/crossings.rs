@@ -13,7 +13,7 @@ use crate::tree::Node;
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::{bvh::Bvh, geom::Ray, scene::Mesh, trace::AllHits};
+/// use stackless_bvh::{bvh::Bvh, geom::Ray, geom::Mesh, trace::AllHits};
 /// use stackless_bvh::traverse::{Stack, traverse};
 ///
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z], vec![[0, 1, 2], [0, 2, 1], [0, 1, 3]])?;
@@ -100,7 +100,7 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::{bvh::Bvh, geom::Ray, scene::stress, trace::Crossings};
+/// use stackless_bvh::{bvh::Bvh, geom::Ray, generate::stress, trace::Crossings};
 /// use stackless_bvh::traverse::{Stack, traverse};
 ///
 /// let mesh = stress::icosphere(2, 1.0, Vec3::ZERO)?;

@@ -11,7 +11,7 @@ use crate::geom::kernel::AffineTriangle;
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::{bvh::Bvh, geom::kernel::AffineTriangle, scene::Mesh, trace::Forms};
+/// use stackless_bvh::{bvh::Bvh, geom::kernel::AffineTriangle, geom::Mesh, trace::Forms};
 ///
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
 /// let forms = Forms::new(Bvh::median(&mesh, 1)?);

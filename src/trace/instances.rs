@@ -33,7 +33,7 @@ use walk::{Found, Instances, Search, Triangles, Walk};
 /// use glam::Vec3;
 /// use stackless_bvh::bvh::{BuildOptions, Bvh};
 /// use stackless_bvh::geom::{Affine, Ray};
-/// use stackless_bvh::scene::Mesh;
+/// use stackless_bvh::geom::Mesh;
 /// use stackless_bvh::trace::{Assembly, Instance, InstanceTracer};
 /// use stackless_bvh::traverse::Method;
 ///

@@ -142,6 +142,3 @@ impl<'a> Around<'a> {
         Near { prim, distance, point: self.measure.nearest(&self.bvh.triangles()[place].shape) }
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -81,7 +81,7 @@ pub struct Decision {
 ///
 /// ```
 /// use stackless_bvh::bvh::{Bvh, SahOptions};
-/// use stackless_bvh::scene::procedural;
+/// use stackless_bvh::generate::procedural;
 /// use stackless_bvh::trace::{Ask, Part, Plan};
 /// use stackless_bvh::traverse::Method;
 ///

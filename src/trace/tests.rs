@@ -1,10 +1,11 @@
 use super::*;
 use crate::bvh::{Bvh, SahOptions};
+use crate::generate::procedural;
+use crate::geom::Mesh;
 use crate::geom::kernel::Exact;
 use crate::geom::slabs::Directed;
 use crate::geom::{Aabb, Ray};
 use crate::order::{ByNode, Flow, LeftFirst, SignOrder, Visitor};
-use crate::scene::{Mesh, procedural};
 use crate::tree::{Node, Topology};
 
 /// The traversal that all others are measured by.

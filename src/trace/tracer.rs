@@ -13,10 +13,10 @@ use super::{
     Query, Sweep,
 };
 use crate::bvh::Bvh;
+use crate::event::Backtracks;
 use crate::geom::kernel::{Exact, Real};
 use crate::geom::slabs::Directed;
 use crate::geom::{Kernel, Ray, Slabs, Vector};
-use crate::report::Backtracks;
 use crate::traverse::{Method, Unfit, WordName};
 use crate::tree::{Node, Uncles};
 
@@ -27,7 +27,7 @@ use crate::tree::{Node, Uncles};
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, scene::Mesh, trace::Tracer};
+/// use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, geom::Mesh, trace::Tracer};
 ///
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
 /// let bvh = Bvh::sah(&mesh, SahOptions::default())?;
@@ -210,7 +210,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
     ///
     /// ```
     /// # use glam::Vec3;
-    /// # use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, scene::Mesh, trace::Tracer};
+    /// # use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, geom::Mesh, trace::Tracer};
     /// # let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2], [2, 1, 0], [1, 0, 2]])?;
     /// # let bvh = Bvh::sah(&mesh, SahOptions::default())?;
     /// # let tracer = Tracer::new(&bvh);

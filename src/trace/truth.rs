@@ -15,9 +15,9 @@ use std::ops::{Range, RangeInclusive};
 use glam::Vec3;
 
 use super::Hit;
+use crate::geom::Mesh;
 use crate::geom::truth::{Number, Point, meet};
 use crate::geom::{Ray, Vector};
-use crate::scene::Mesh;
 
 /// Where a ray truly hits a mesh.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,7 +42,7 @@ impl<R: Number> TrueHit<R> {
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::{geom::Ray, scene::Mesh, trace};
+/// use stackless_bvh::{geom::Ray, geom::Mesh, trace};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2], [2, 1, 0]])?;
@@ -60,7 +60,7 @@ pub fn brute_force<V: Vector>(mesh: &Mesh<V>, ray: &Ray<V>) -> Vec<TrueHit<V::Re
 /// The answers of [`brute_force`], in time that does not grow much with the mesh: for tests of many rays.
 ///
 /// ```
-/// use stackless_bvh::scene::procedural;
+/// use stackless_bvh::generate::procedural;
 /// use stackless_bvh::trace::{Truth, truth};
 ///
 /// let mesh = procedural::soup(1, 100);

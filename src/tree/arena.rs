@@ -121,7 +121,7 @@ impl Tree {
 
     /// The tree of a generator, which makes nothing but trees; a single leaf should that ever be wrong, which the
     /// generators' tests would show.
-    pub(crate) fn from_generated(children: &[Option<[u32; 2]>]) -> Self {
+    pub fn from_generated(children: &[Option<[u32; 2]>]) -> Self {
         let tree = Self::new(children);
         debug_assert!(tree.is_ok(), "{tree:?}");
         tree.unwrap_or_else(|_| Self { root: Node::leaf(0), children: vec![[Node::inner(0); 2]], depth: 0 })

@@ -13,7 +13,6 @@ pub use arena::{Tree, TreeError};
 pub use implicit::{Implicit, ImplicitError};
 pub use keys::Keys;
 pub(crate) use links::for_each_parent;
-#[cfg(feature = "std")]
 pub(crate) use links::link_rows;
 pub use links::{ParentLinks, Parents, Reach, RecordedParents, RecordedUncles, UncleLinks, Uncles};
 

@@ -10,7 +10,7 @@ mod walks;
 mod words;
 
 use serde_json::{Map, Value};
-use stackless_bvh::suite::{Answer, Ask, Feature, Hello, Implementation, Level, Limits, PROTOCOL};
+use stackless_suite::{Answer, Ask, Feature, Hello, Implementation, Level, Limits, PROTOCOL};
 
 pub use rays::Share;
 

@@ -3,9 +3,9 @@
 use serde_json::{Value, json};
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::geom::Ray;
-use stackless_bvh::suite::{Answer, Ask, Query as Asked};
 use stackless_bvh::trace::{Hit, Tracer};
 use stackless_bvh::tree::Topology as _;
+use stackless_suite::{Answer, Ask, Query as Asked};
 
 use super::{Device, lazily, result};
 use crate::exact::{self, EDGE_FACTOR, UNCERTAIN};

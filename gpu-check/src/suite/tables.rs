@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 use stackless_bvh::hash::{KeySet, Mix, Options, Sizing};
-use stackless_bvh::suite::{Answer, Ask, Build, Lookup};
 use stackless_bvh::tree::{Reach, Tree};
+use stackless_suite::{Answer, Ask, Build, Lookup};
 
 use super::{Device, hex, number, result};
 use crate::layout::{TableHead, encoded, halves, node_of};

@@ -3,11 +3,10 @@
 use std::collections::HashMap;
 
 use serde_json::{Value, json};
-use stackless_bvh::check;
 use stackless_bvh::hash::Mix;
 use stackless_bvh::key::{Grow, KeyWord as _, Word as _};
-use stackless_bvh::suite::{Answer, Ask, WalkError};
 use stackless_bvh::tree::{Keys, Node, Topology as _, Tree};
+use stackless_suite::{Answer, Ask, WalkError};
 
 use super::{Device, hex};
 use crate::GpuError;
@@ -74,11 +73,11 @@ impl Walks {
     fn run(
         &self,
         Device { gpu, kernel, .. }: &Device<'_>,
-        case: &check::Case,
+        case: &stackless_check::Case,
         addresses: &Addresses,
         [inner, pieces]: [u32; 2],
     ) -> Result<(Vec<Visit>, [u32; 4]), GpuError> {
-        let check::Case { tree, tape, any, .. } = case;
+        let stackless_check::Case { tree, tape, any, .. } = case;
         let mut records = Records::with_room(inner, pieces);
         records.add_tree(tree, addresses, kernel.links());
         records.add_cells(tree, addresses, tape);

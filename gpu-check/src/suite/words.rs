@@ -1,7 +1,7 @@
 //! Level `key`: the functions of words, one invocation for each question.
 
 use serde_json::{Value, json};
-use stackless_bvh::suite::{Answer, Ask};
+use stackless_suite::{Answer, Ask};
 
 use super::{Device, hex, number, result};
 use crate::layout::halves;

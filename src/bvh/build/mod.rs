@@ -18,9 +18,9 @@ pub use sah::SahOptions;
 pub use spatial::SpatialOptions;
 
 use super::{Bvh, Primitives};
+use crate::geom::Mesh;
 use crate::geom::{Triangle, Vector};
 use crate::name::named;
-use crate::scene::Mesh;
 use crate::tree::Node;
 
 /// Why a hierarchy cannot be built.

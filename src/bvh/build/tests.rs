@@ -4,9 +4,9 @@ use glam::Vec3;
 
 use super::*;
 use crate::bvh::{Bounded, BvhNode, tests::awkward, validate};
+use crate::generate::procedural;
 use crate::geom::Aabb;
 use crate::order::{Side, SignOrder};
-use crate::scene::procedural;
 use crate::tree::Topology;
 
 fn options(builder: Builder, max_leaf: u32, depth_limit: u32) -> BuildOptions {

@@ -2,7 +2,7 @@ use glam::Vec3;
 
 use super::*;
 use crate::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
-use crate::scene::procedural;
+use crate::generate::procedural;
 
 /// A hierarchy in which some triangles are in several leaves, and its mesh: long diagonals side by side.
 pub(in crate::bvh) fn cut(n: u32, max_leaf: u32) -> (Bvh, Mesh) {

@@ -1,8 +1,8 @@
 use glam::Vec3;
 
 use super::*;
+use crate::generate::draw::Draw;
 use crate::geom::truth::RBig;
-use crate::scene::draw::Draw;
 
 type Point = [RBig; 3];
 

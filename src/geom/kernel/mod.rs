@@ -66,6 +66,3 @@ pub enum Stage {
 
 /// The numbers that a kernel takes and gives.
 pub type Real<K> = <<K as Kernel>::Vector as Vector>::Real;
-
-#[cfg(test)]
-mod tests;

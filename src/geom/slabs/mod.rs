@@ -103,6 +103,3 @@ fn lesser(a: Vec4, b: Vec4) -> Vec4 {
 fn greater(a: Vec4, b: Vec4) -> Vec4 {
     if cfg!(all(target_arch = "x86_64", target_feature = "sse2")) { a.max(b) } else { Vec4::select(a.cmpgt(b), a, b) }
 }
-
-#[cfg(test)]
-mod tests;

@@ -2,8 +2,9 @@ use glam::Vec3;
 
 use super::*;
 use crate::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
+use crate::generate::{procedural, stress};
 use crate::geom::Aabb;
-use crate::scene::{Mesh, procedural, stress};
+use crate::geom::Mesh;
 use crate::trace::{TrueHit, Truth};
 use crate::traverse::{Stack, traverse};
 

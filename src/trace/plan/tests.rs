@@ -1,9 +1,10 @@
 use super::*;
 use crate::bvh::SahOptions;
+use crate::generate::procedural;
+use crate::geom::Mesh;
 use crate::geom::Ray;
 use crate::geom::kernel::Exact;
 use crate::geom::slabs::Directed;
-use crate::scene::{Mesh, procedural};
 use crate::trace::Tracer;
 
 fn scenes() -> Vec<(Mesh, Vec<Ray>)> {

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::*;
 use crate::bvh::{SahOptions, validate};
 use crate::generate::{Rng, Source};
-use crate::scene::Mesh;
+use crate::geom::Mesh;
 use crate::trace::{AllHits64, Truth};
 use crate::traverse::{Stack, traverse};
 

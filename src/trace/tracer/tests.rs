@@ -2,8 +2,9 @@ use glam::Vec3;
 
 use super::*;
 use crate::bvh::SahOptions;
+use crate::generate::{procedural, stress};
+use crate::geom::Mesh;
 use crate::geom::truth::{round_root_f32, square_distance};
-use crate::scene::{Mesh, procedural, stress};
 use crate::trace::{TrueHit, truth};
 
 fn meshes() -> Vec<(Mesh, Vec<Ray>)> {

@@ -2,9 +2,9 @@ use dashu_int::IBig;
 use glam::Vec3;
 
 use super::*;
+use crate::generate::procedural;
 use crate::generate::{Rng, Source};
 use crate::geom::truth::{Place, RBig};
-use crate::scene::procedural;
 
 /// In -1..1.
 fn unit(random: &mut Rng) -> f32 {

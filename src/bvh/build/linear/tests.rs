@@ -1,6 +1,6 @@
 use super::*;
 use crate::bvh::Primitives;
-use crate::scene::procedural;
+use crate::generate::procedural;
 
 #[test]
 fn bits_are_spread() {

@@ -1,8 +1,9 @@
 use super::super::{BuildOptions, Builder};
 use crate::bvh::{Bvh, validate};
+use crate::generate::procedural;
 use crate::geom::Aabb;
+use crate::geom::Mesh;
 use crate::order::{Side, SignOrder};
-use crate::scene::{Mesh, procedural};
 use crate::tree::Topology;
 
 fn build(mesh: &Mesh, options: &BuildOptions) -> Bvh {

@@ -4,8 +4,9 @@ use glam::Vec3;
 
 use super::*;
 use crate::bvh::{Bvh, BvhError, validate};
+use crate::generate::{procedural, stress};
+use crate::geom::Mesh;
 use crate::geom::{Ray, Triangle};
-use crate::scene::{Mesh, procedural, stress};
 use crate::trace::{Closest, Hit, Truth};
 use crate::traverse::{Stack, traverse};
 use crate::tree::Topology;

@@ -2,8 +2,8 @@ use glam::Vec3;
 
 use super::*;
 use crate::bvh::Primitives;
+use crate::generate::procedural;
 use crate::geom::Aabb;
-use crate::scene::procedural;
 
 /// Sum over both sides of half area times count, the items being divided by this many along this axis.
 fn weight(items: &[Item], axis: usize, left: usize) -> f32 {

@@ -1,0 +1,152 @@
+//! Slab tests against rational arithmetic: whether a box is skipped that the ray touches.
+
+use glam::Vec3;
+use rayon::prelude::*;
+
+use super::random::Progress;
+use stackless_bvh::generate::draw::Draw;
+use stackless_bvh::geom::slabs::{Directed, Plain, TwoSided};
+use stackless_bvh::geom::{Aabb, Ray, Region, Slabs, truth};
+use stackless_bvh::trace::SlabsName;
+
+/// How often boxes were skipped that the ray touches, for each of [`SlabsName::ALL`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BoxTally {
+    /// Rays, each with one box.
+    pub rays: u64,
+    /// Boxes that the exact, closed interval of the ray touches.
+    pub touched: u64,
+    /// Touched boxes that were skipped.
+    pub skipped: [u64; 3],
+    /// Boxes that are not touched and were entered all the same: what the promise costs.
+    pub in_vain: [u64; 3],
+}
+
+/// Number of kinds of rays and boxes; they come in turn.
+const KINDS: u64 = 10;
+
+/// Rays of a chunk: what one thread does at a time.
+const CHUNK: u64 = 4096;
+
+/// Tests `rays` random and adversarial rays with a box each, on all cores. The same seed gives the same rays.
+///
+/// Random points; grids of small integers; corners that are met exactly, and that rounding hides; intervals that begin or
+/// end at the box; origins on planes; flat boxes and points; components of 0, -0, and of all sizes down to the least;
+/// coordinates of all sizes.
+pub fn check_boxes(seed: u64, rays: u64, progress: Progress<'_>) -> BoxTally {
+    let chunk = |start: u64| {
+        let mut draw = Draw::new(seed ^ start.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+        let mut tally = BoxTally::default();
+        for i in start..rays.min(start + CHUNK) {
+            if let Some((ray, aabb)) = draw_kind(&mut draw, i % KINDS) {
+                tally.add(&ray, &aabb);
+            }
+        }
+        progress(CHUNK.min(rays - start));
+        tally
+    };
+    let starts: Vec<_> = (0..rays.div_ceil(CHUNK)).map(|i| i * CHUNK).collect();
+    starts.into_par_iter().map(chunk).reduce(BoxTally::default, BoxTally::merge)
+}
+
+impl BoxTally {
+    fn add(&mut self, ray: &Ray, aabb: &Aabb) {
+        let [o, d, lo, hi] = [ray.origin(), ray.direction(), aabb.lo, aabb.hi].map(|v| v.to_array());
+        let touched = truth::touches(o, d, [ray.tmin(), ray.tmax()], lo, hi);
+        self.rays += 1;
+        self.touched += u64::from(touched);
+        for (i, form) in SlabsName::ALL.into_iter().enumerate() {
+            let entered = match form {
+                SlabsName::Plain => enters::<Plain>(ray, aabb),
+                SlabsName::TwoSided => enters::<TwoSided>(ray, aabb),
+                SlabsName::Directed => enters::<Directed>(ray, aabb),
+            };
+            self.skipped[i] += u64::from(touched && !entered);
+            self.in_vain[i] += u64::from(!touched && entered);
+        }
+    }
+
+    fn merge(self, other: Self) -> Self {
+        let sum = |a: [u64; 3], b: [u64; 3]| [0, 1, 2].map(|i| a[i] + b[i]);
+        Self {
+            rays: self.rays + other.rays,
+            touched: self.touched + other.touched,
+            skipped: sum(self.skipped, other.skipped),
+            in_vain: sum(self.in_vain, other.in_vain),
+        }
+    }
+}
+
+fn enters<B: Slabs<Vector = Vec3>>(ray: &Ray, aabb: &Aabb) -> bool {
+    B::new(ray, &Region::of(aabb)).one(aabb, ray.tmax()).is_some()
+}
+
+/// A ray and a box of a kind; `None` where the numbers are not a ray.
+fn draw_kind(draw: &mut Draw, kind: u64) -> Option<(Ray, Aabb)> {
+    let (mut o, mut d) = (draw.cube() * 4.0 - 1.5, draw.cube() - 0.5);
+    let mut aabb = Aabb::of(&[draw.cube(), draw.cube()]);
+    let mut interval = [0.0, f32::INFINITY];
+    match kind {
+        0 => d = aabb.lo + aabb.extent() * draw.cube() - o,
+        // Whole numbers: a corner that is met exactly, from a distance of s directions.
+        1 => {
+            let corner = draw.ints(2048);
+            d = draw.ints(2048);
+            o = corner - d * draw.int(2048).abs();
+            aabb = Aabb::of(&[corner, draw.ints(2048)]);
+        }
+        2 => {
+            (o, d) = (draw.ints(3), draw.ints(3));
+            aabb = Aabb::of(&[draw.ints(3), draw.ints(3)]);
+        }
+        // A corner or an edge, as nearly as rounding allows.
+        3 | 4 => {
+            d = corner_of(draw, &aabb) - o;
+            if kind == 4 {
+                d[draw.below(3)] *= 1.0 + draw.unit() * f32::EPSILON;
+            }
+        }
+        // Along axes, on planes.
+        5 => {
+            let axis = draw.below(3);
+            let corner = corner_of(draw, &aabb);
+            d[axis] = [0.0, -0.0][draw.below(2)];
+            o[axis] = corner[axis];
+            if draw.below(2) == 0 {
+                d[(axis + 1) % 3] = 0.0;
+                o[(axis + 1) % 3] = corner[(axis + 1) % 3];
+            }
+        }
+        // One component of any size, down to the least, toward a plane that is near.
+        6 => {
+            let axis = draw.below(3);
+            d[axis] = draw.float(-149, 127);
+            o[axis] = corner_of(draw, &aabb)[axis] - [d[axis], d[axis] * 0.5, draw.float(-149, -60)][draw.below(3)];
+        }
+        // Intervals that begin or end where the box does.
+        7 => {
+            let corner = corner_of(draw, &aabb);
+            o = corner - draw.ints(64);
+            d = corner - o;
+            interval = [[0.0, 1.0], [1.0, 1.0], [1.0, f32::INFINITY], [0.0, 1.0f32.next_down()]][draw.below(4)];
+        }
+        // Flat boxes, and points.
+        8 => {
+            aabb.hi[draw.below(3)] = aabb.lo[0].min(1.0);
+            aabb = Aabb::of(&[aabb.lo, aabb.lo.with_x(aabb.hi.x)]);
+            d = corner_of(draw, &aabb) - o;
+        }
+        // Numbers of all sizes.
+        _ => {
+            o = draw.floats(-149, 127);
+            let corner = draw.floats(-149, 127);
+            d = if draw.below(2) == 0 { corner - o } else { draw.floats(-149, 127) };
+            aabb = Aabb::of(&[corner, draw.floats(-149, 127)]);
+        }
+    }
+    Some((Ray::new(o, d, interval[0], interval[1]).ok()?, aabb))
+}
+
+fn corner_of(draw: &mut Draw, aabb: &Aabb) -> Vec3 {
+    Vec3::from([0, 1, 2].map(|axis| [aabb.lo, aabb.hi][draw.below(2)][axis]))
+}

@@ -1,0 +1,76 @@
+//! One case: a tree, a tape, a query.
+
+use stackless_bvh::generate::{Family, Kind, Rng, Source, Tape, shape};
+use stackless_bvh::hash::mix;
+use stackless_bvh::tree::{Topology, Tree};
+
+/// What every traversal is asked to do.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Case {
+    /// The tree.
+    pub tree: Tree,
+    /// What the search decides.
+    pub tape: Tape,
+    /// An any-hit query, which stops at the first hit.
+    pub any: bool,
+    /// Signs of the direction, one bit an axis, for traversals of fixed order.
+    pub octant: u8,
+}
+
+/// Limits of random cases. What is `None` is drawn.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct CaseOptions {
+    /// Family of the trees.
+    pub family: Option<Family>,
+    /// Depth: combs are that deep, other trees have one leaf more and so are at most that deep.
+    pub depth: Option<u32>,
+}
+
+impl Case {
+    /// Most leaves of a random tree: 64 nodes and the one that a binary tree has more.
+    pub const LEAVES: u32 = 32;
+
+    /// The case of a seed: the same on every machine.
+    ///
+    /// # Panics
+    /// None: every generator makes a tree.
+    pub fn random(seed: u64, options: CaseOptions) -> Self {
+        let mut rng = Rng::new(seed);
+        let families = Family::ALL;
+        let drawn = families[rng.below(families.len() as u64) as usize];
+        let leaves = match options.depth {
+            Some(depth) => depth.saturating_add(1),
+            None => 1 + rng.below(u64::from(Self::LEAVES)) as u32,
+        };
+        let tree = options.family.unwrap_or(drawn).tree(&mut rng, leaves);
+        Self::with_tree(tree, Kind::ALL[rng.below(Kind::ALL.len() as u64) as usize], &mut rng)
+    }
+
+    /// A case from the choices of a source, as fuzzers and shrinking tests make them: at most `leaves` leaves.
+    pub fn draw(source: &mut impl Source, leaves: u32) -> Self {
+        let leaves = 1 + source.below(u64::from(leaves)) as u32;
+        let tree = Tree::from_generated(&shape(source, leaves));
+        let kind = Kind::ALL[source.below(Kind::ALL.len() as u64) as usize];
+        let tape = Tape::draw(source, &tree, kind);
+        Self { tree, tape, any: source.coin(), octant: source.below(8) as u8 }
+    }
+
+    /// A case over a given tree, with the tape of a drawn seed.
+    pub fn with_tree(tree: Tree, kind: Kind, rng: &mut Rng) -> Self {
+        let tape = Tape::hashed(mix(rng.bits()), &tree, kind);
+        Self { tree, tape, any: rng.below(4) == 1, octant: rng.below(8) as u8 }
+    }
+
+    /// Whether the answers at a node are the same whenever it is visited: no hit that can shorten the search comes
+    /// before the entry of any node.
+    pub fn is_static(&self) -> bool {
+        let nearest_hit = self.tape.cells().iter().filter_map(|cell| cell.hit).min();
+        let farthest = self.tape.cells().iter().map(|cell| cell.enter).max();
+        self.any || nearest_hit.is_none() || farthest <= nearest_hit
+    }
+
+    /// Number of nodes.
+    pub fn size(&self) -> usize {
+        self.tree.node_count()
+    }
+}

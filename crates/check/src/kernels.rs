@@ -1,0 +1,155 @@
+//! The property bodies of triangle tests, box tests and distances: each against rational arithmetic.
+
+use glam::Vec3;
+
+use stackless_bvh::geom::truth::{self, Meeting, Number, RBig};
+use stackless_bvh::geom::{Aabb, Kernel, Measure, Ray, Real, Region, Slabs, Triangle, Vector};
+
+/// A geometric test whose answer is not that of rational arithmetic.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("{what}: {found:?}, expected {expected:?}")]
+pub struct GeometryFault {
+    /// What was asked.
+    pub what: &'static str,
+    /// The answer that is right; `None` for a miss.
+    pub expected: Option<f64>,
+    /// The answer that was given.
+    pub found: Option<f64>,
+}
+
+/// Asks a triangle test everything that it can be asked about one triangle, in a scene of that triangle alone and in one that is
+/// much greater: distance, whether it blocks, weights, and that a limit of the distance itself leaves nothing out.
+/// `[EXACT-1]`
+///
+/// Returns whether the triangle is hit.
+///
+/// # Errors
+/// The first answer that differs from the rounded truth, in any bit.
+pub fn check_triangle<K, V>(triangle: &Triangle<V>, ray: &Ray<V>) -> Result<bool, GeometryFault>
+where
+    K: Kernel<Vector = V, Shape = Triangle<V>>,
+    V: Vector,
+{
+    let corners = triangle.0.map(Vector::components);
+    let meeting = truth::meet(corners, ray.origin().components(), ray.direction().components());
+    let point = meeting.within([ray.tmin(), ray.tmax()]);
+    let t = point.as_ref().map(|point| V::Real::nearest(&point.t));
+    let aabb = triangle.aabb();
+    let scene = aabb.union(Aabb { lo: Vec3::splat(-1e30), hi: Vec3::splat(1e30) });
+    for region in [aabb, scene] {
+        let kernel = K::new(ray, &Region::of(&region));
+        same("distance", t, kernel.distance(triangle, Real::INFINITY))?;
+        same("whether it blocks", t.map(|_| 1.0), kernel.blocks(triangle).then_some(1.0))?;
+        if let (Some(t), Some(point)) = (t, &point) {
+            same("distance within itself", Some(t), kernel.distance(triangle, t))?;
+            let nearer = kernel.distance(triangle, t.next_down());
+            same("distance within less", nearer.map(|_| t), nearer)?;
+            let [u, v] = kernel.weights(triangle);
+            same("second weight", Some(Number::nearest(&point.u)), Some(u))?;
+            same("third weight", Some(Number::nearest(&point.v)), Some(v))?;
+        }
+    }
+    Ok(t.is_some())
+}
+
+/// Asks whether a triangle is degenerate: whether no line along an axis crosses it.
+///
+/// # Errors
+/// If the answer is wrong.
+pub fn check_degenerate<V: Vector>(triangle: &Triangle<V>) -> Result<(), GeometryFault> {
+    let corners = triangle.0.map(|corner| corner.widen().to_array());
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let is_flat = axes.iter().all(|&axis| truth::meet(corners, corners[0], axis) == Meeting::Coplanar);
+    let as_number = |is: bool| Some(f64::from(u8::from(is)));
+    same("whether it is degenerate", as_number(is_flat), as_number(triangle.is_degenerate()))
+}
+
+/// Asks a box test about a box and one around it, one by one and as a pair: the answers must be the same, and the outer box
+/// entered no later. `[BOX-3]`
+///
+/// Of a form that `promises` to skip no box that is touched, also whether both are entered no later than they truly are, even
+/// if the ray ends there. `[BOX-2]` `[BOX-6]`
+///
+/// Returns whether the inner box is touched.
+///
+/// # Errors
+/// The first of these that does not hold.
+pub fn check_slabs<B: Slabs>(
+    ray: &Ray<B::Vector>,
+    inner: &Aabb,
+    other: &Aabb,
+    promises: bool,
+) -> Result<bool, GeometryFault> {
+    let boxes = [*inner, inner.union(*other)];
+    let slabs = B::new(ray, &Region::of(&boxes[1]));
+    let planes = [0, 1, 2].map(|k| [boxes[0].lo[k], boxes[0].hi[k], boxes[1].lo[k], boxes[1].hi[k]]);
+    let pair = slabs.pair(&planes, ray.tmax());
+    let nears = [0, 1].map(|i| pair.hit[i].then_some(pair.near[i]));
+    let mut is_touched = false;
+    for (i, aabb) in boxes.iter().enumerate() {
+        let one = slabs.one(aabb, ray.tmax());
+        same("one box of a pair", one, nears[i])?;
+        let (o, d) = (ray.origin().widen().to_array(), ray.direction().widen().to_array());
+        let (lo, hi) = (aabb.lo.widen().to_array(), aabb.hi.widen().to_array());
+        let entry = truth::entry(o, d, [ray.tmin().into(), ray.tmax().into()], lo, hi);
+        is_touched |= i == 0 && entry.is_some();
+        if let Some(entry) = entry.filter(|_| promises) {
+            let t = <B::Vector as Vector>::Real::nearest(&entry);
+            if !one.is_some_and(|near| near <= t) {
+                return fault("a box that is touched", Some(t), one);
+            }
+            if slabs.one(aabb, t).is_none() {
+                return fault("a box that is touched where the ray ends", Some(t), None);
+            }
+        }
+    }
+    match nears {
+        [Some(near), outer] if !outer.is_some_and(|outer| outer <= near) && !is_behind(ray, inner) => {
+            fault("the outer box", Some(near), outer)
+        }
+        _ => Ok(is_touched),
+    }
+}
+
+/// Whether a box lies behind the origin on an axis, wholly: it is not touched, and nothing is promised about it.
+fn is_behind<V: Vector>(ray: &Ray<V>, aabb: &Aabb) -> bool {
+    let [o, d] = [ray.origin(), ray.direction()].map(|v| v.widen().to_array());
+    let (lo, hi) = (aabb.lo.widen().to_array(), aabb.hi.widen().to_array());
+    (0..3).any(|k| d[k] > 0.0 && hi[k] < o[k] || d[k] < 0.0 && lo[k] > o[k])
+}
+
+/// Asks for the distance of a triangle from a point: without a limit, up to the distance itself as limit and as radius, and
+/// around it. `[NEAR-1]`
+///
+/// # Errors
+/// The first answer that is not the truth, rounded.
+pub fn check_distance(triangle: &Triangle, point: Vec3) -> Result<(), GeometryFault> {
+    let corners = triangle.0.map(|corner| corner.to_array());
+    let Some(square) = truth::square_distance(corners, point.to_array()) else { return Ok(()) };
+    let distance = truth::round_root_f32(&square);
+    let ask = |what, radius: f32, limit: f32, expected: Option<f32>| {
+        same(what, expected, Measure::new(point, radius).distance(triangle, limit))
+    };
+    ask("distance", f32::INFINITY, f32::INFINITY, Some(distance))?;
+    ask("distance within itself", f32::INFINITY, distance, Some(distance))?;
+    // The radius is compared with what is not rounded.
+    if let Ok(radius) = RBig::try_from(distance) {
+        let is_within = square <= &radius * &radius;
+        ask("distance within its radius", distance, distance, is_within.then_some(distance))?;
+        ask("distance within more", distance.next_up(), f32::INFINITY, Some(distance))?;
+    }
+    if distance > 0.0 {
+        ask("distance within less", distance.next_down(), f32::INFINITY, None)?;
+    }
+    Ok(())
+}
+
+fn same<R: Into<f64>>(what: &'static str, expected: Option<R>, found: Option<R>) -> Result<(), GeometryFault> {
+    let (expected, found) = (expected.map(Into::into), found.map(Into::into));
+    let is_same = expected.map(f64::to_bits) == found.map(f64::to_bits);
+    if is_same { Ok(()) } else { Err(GeometryFault { what, expected, found }) }
+}
+
+fn fault<T, R: Into<f64>>(what: &'static str, expected: Option<R>, found: Option<R>) -> Result<T, GeometryFault> {
+    Err(GeometryFault { what, expected: expected.map(Into::into), found: found.map(Into::into) })
+}

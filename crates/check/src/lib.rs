@@ -1,0 +1,49 @@
+//! Checking traversals against the oracle.
+//!
+//! A [`Case`] is a tree, a decision tape and a query. A [`Battery`] runs the oracle on it once and then any traversal
+//! in any word, comparing at every visit ([`Fault`] lists what can differ). Tests, the command line, fuzzing and
+//! benchmarks all drive this one body. [`shrink()`] makes a failing case small, and a [`Replay`] file keeps it.
+//!
+//! Beside it are the bodies of what traversals rest on: [`Pauses`], [`check_table`], [`check_triangle`], [`check_slabs`],
+//! [`check_tree`], [`Flat`]. Each takes its inputs from whoever drives it.
+
+#![forbid(unsafe_code)]
+
+pub mod adversary;
+mod battery;
+mod boxes;
+mod case;
+mod flat;
+mod kernels;
+mod pauses;
+mod pieces;
+pub mod planted;
+mod random;
+mod replay;
+mod scene;
+mod shrink;
+mod states;
+mod stress;
+mod tables;
+mod tally;
+mod trees;
+mod watch;
+mod watched;
+
+pub use battery::{Battery, Verdict};
+pub use boxes::{BoxTally, check_boxes};
+pub use case::{Case, CaseOptions};
+pub use flat::{Flat, Hierarchies, InstanceFault, Shape, check_answer, check_instances};
+pub use kernels::{GeometryFault, check_degenerate, check_distance, check_slabs, check_triangle};
+pub use pauses::{GoOn, PauseFault, Pauses, Start, Way, check_pauses};
+pub use pieces::Pieces;
+pub use random::{Disagreement, Plan, Progress, boundary_cases, check_cases, check_random, merge};
+pub use replay::{Replay, ReplayError};
+pub use scene::{SceneDisagreement, SceneTree, Seen, check_scene};
+pub use shrink::shrink;
+pub use stress::{Errors, Stress, floats_between};
+pub use tables::{TableFault, check_table, check_table_bytes};
+pub use tally::{Count, Tally};
+pub use trees::{TreeFault, check_held, check_nearest, check_tree, nearest};
+pub use watch::{Fault, Watch};
+pub use watched::{Reads, Steps, Watched};

@@ -1,0 +1,374 @@
+//! The property body of pausing: stopped at any step and taken up again in any way, a traversal goes on as if nothing had
+//! happened.
+
+use std::fmt;
+
+use rayon::prelude::*;
+
+use super::random::Progress;
+use super::{Case, Plan};
+use stackless_bvh::event::{Recorder, State, Trace};
+use stackless_bvh::generate::Search;
+use stackless_bvh::hash::{KeyMap, KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::key::{self, KeyWord};
+use stackless_bvh::oracle;
+use stackless_bvh::order::{Descent, Flow, Visitor};
+use stackless_bvh::traverse::{
+    ByTable, ByWalk, KeyOnly, KeyTrail, Method, Next, Pause, Paused, States, Tables, WithCursor, WithWord, resume,
+    revisit, traverse, with_word,
+};
+use stackless_bvh::tree::{Keys, Node, Topology, Tree};
+
+/// How a traversal is taken up again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// By the addresses that were kept.
+    Addresses,
+    /// From bytes.
+    Bytes,
+    /// By key and trail; the addresses by walking down from the root.
+    Walk,
+    /// By key and trail; the addresses from a plain table.
+    Map,
+    /// By key and trail; the addresses from a perfect hash of all keys.
+    Hash,
+    /// By another traversal.
+    Other(Method),
+    /// By the key alone.
+    KeyOnly,
+}
+
+/// A traversal that did not go on as it should.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PauseFault {
+    /// The traversal.
+    pub method: Method,
+    /// How it was taken up again.
+    pub way: Way,
+    /// Number of visits before it was put aside.
+    pub visits: usize,
+    /// What came next.
+    pub next: Next,
+    /// What went wrong.
+    pub what: String,
+}
+
+impl fmt::Display for PauseFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { method, way, visits, next, what } = self;
+        write!(f, "{method}, put aside after {visits} visits ({next:?} next), taken up by {way:?}: {what}")
+    }
+}
+
+impl std::error::Error for PauseFault {}
+
+/// Puts the traversals of a plan aside, in its words, on the first random cases that are small: as many as `count` at most. Returns
+/// how often, and the first fault.
+pub fn check_pauses(plan: &Plan, count: u64, progress: Progress<'_>) -> (u64, Option<Box<PauseFault>>) {
+    // Each step of each traversal is taken up in each way: that is for trees that are not large.
+    const NODES: usize = 2 * Case::LEAVES as usize;
+    let pairs: Vec<_> = plan.pairs().into_iter().filter(|(method, _)| method.can_pause()).collect();
+    let check = |i: u64| {
+        progress(1);
+        let case = plan.case(i);
+        if case.size() > NODES {
+            return (0, None);
+        }
+        let pauses = Pauses::new(&case);
+        let (mut resumes, mut first) = (0, None);
+        for &(method, word) in &pairs {
+            match with_word(word, InWord { pauses: &pauses, method }) {
+                Ok(count) => resumes += count as u64,
+                Err(fault) => first = first.or(Some(fault)),
+            }
+        }
+        (resumes, first)
+    };
+    let merge = |(a, x): (u64, Option<_>), (b, y): (u64, Option<_>)| (a + b, x.or(y));
+    (0..count.min(plan.trees)).into_par_iter().map(check).reduce(<_>::default, merge)
+}
+
+struct InWord<'a, 'c> {
+    pauses: &'a Pauses<'c>,
+    method: Method,
+}
+
+impl WithWord for InWord<'_, '_> {
+    type Output = Result<usize, Box<PauseFault>>;
+
+    fn call<W: KeyWord>(self) -> Self::Output {
+        self.pauses.check::<W>(self.method)
+    }
+}
+
+/// A case with what it takes to put its traversals aside.
+#[derive(Debug)]
+pub struct Pauses<'c> {
+    pub(super) case: &'c Case,
+    pub(super) tables: Tables<'c, Tree>,
+    pub(super) states: States<'c, Tree>,
+    pub(super) keys: Keys,
+    map: KeyMap,
+    hash: Option<PerfectHash>,
+}
+
+impl<'c> Pauses<'c> {
+    /// Prepares a case.
+    pub fn new(case: &'c Case) -> Self {
+        let all = Options { key_set: KeySet::All, sizing: Sizing::Tight };
+        Self {
+            case,
+            tables: Tables::new(&case.tree, case.tape.axes(), &methods().collect::<Vec<_>>(), 0),
+            states: States::of(&case.tree),
+            keys: Keys::of(&case.tree),
+            map: KeyMap::of(&case.tree),
+            hash: PerfectHash::build(&case.tree, all).ok(),
+        }
+    }
+
+    /// Puts one traversal aside before each visit and after each leaf, and takes it up in every way. Returns how often.
+    ///
+    /// # Errors
+    /// The first fault; `Ok(0)` where the traversal does not run on this tree in this word.
+    pub fn check<W: KeyWord>(&self, method: Method) -> Result<usize, Box<PauseFault>> {
+        let (mut whole, mut search) = (Trace::default(), self.search());
+        if self.tables.with_cursor::<W, _>(method, Run(&mut search, &mut whole)).is_err() {
+            return Ok(0);
+        }
+        let mut resumes = 0;
+        for visits in 0..whole.nodes().len() {
+            for next in [Next::Visit, Next::Backtrack] {
+                resumes += self.check_at::<W>(method, visits, next, &whole, &search)?;
+            }
+        }
+        Ok(resumes)
+    }
+
+    pub(super) fn search(&self) -> Search<'c, Tree> {
+        Search::new(&self.case.tree, &self.case.tape, self.case.any)
+    }
+
+    fn check_at<W: KeyWord>(
+        &self,
+        method: Method,
+        visits: usize,
+        next: Next,
+        whole: &Trace,
+        found: &Search<'_, Tree>,
+    ) -> Result<usize, Box<PauseFault>> {
+        let mut before = Before { trace: Trace::default(), search: self.search(), visits, next };
+        let Ok(Some(paused)) = self.tables.with_cursor::<W, _>(method, PutAside(&mut before)) else {
+            return Ok(0);
+        };
+        let fault = |way, what: String| Box::new(PauseFault { method, way, visits, next, what });
+        let refused = |way| move |error: &dyn fmt::Display| fault(way, error.to_string());
+        let mut resumes = 0;
+        let mut go_on = |method, way, paused: &Paused<W>, exactly| {
+            let mut trace = before.trace.clone();
+            let mut search = before.search.clone();
+            let resumed = GoOn { from: Start::State(paused.clone()), search: &mut search, trace: &mut trace };
+            match self.tables.with_cursor::<W, _>(method, resumed) {
+                Ok(ran) => ran.map_err(|what| fault(way, what))?,
+                // Not all carry the same depth.
+                Err(_) if way == Way::Other(method) => return Ok(()),
+                Err(unfit) => return Err(refused(way)(&unfit)),
+            }
+            resumes += 1;
+            if exactly && trace != *whole {
+                return Err(fault(way, format!("visits {:?}, expected {:?}", trace.nodes(), whole.nodes())));
+            }
+            if search.outcome.hit != found.outcome.hit {
+                let (expected, hit) = (found.outcome.hit, search.outcome.hit);
+                return Err(fault(way, format!("finds {hit:?}, expected {expected:?}")));
+            }
+            Ok(())
+        };
+        self.states.check(&paused).map_err(|error| refused(Way::Addresses)(&error))?;
+        go_on(method, Way::Addresses, &paused, true)?;
+        let bytes = self.states.to_bytes(&paused);
+        let read = self.states.from_bytes::<W>(&bytes).map_err(|error| refused(Way::Bytes)(&error))?;
+        go_on(method, Way::Bytes, &read, true)?;
+
+        // Traversals without a key know the address, and the check knows its key.
+        let slot = self.case.tree.slot(paused.node);
+        if W::carries(self.keys.depth(slot), 1).is_err() {
+            return Ok(resumes);
+        }
+        let key: W = self.keys.key(slot);
+        let kept = KeyTrail { key: key.clone(), trail: paused.trail.clone(), disjoint: paused.disjoint.clone(), next };
+        let walk = ByWalk(&self.case.tree);
+        let located = kept.clone().locate(&walk).map_err(|error| refused(Way::Walk)(&error))?;
+        go_on(method, Way::Walk, &located, true)?;
+        let by_map = kept.clone().locate(&self.map).map_err(|error| refused(Way::Map)(&error))?;
+        go_on(method, Way::Map, &by_map, true)?;
+        if let Some(hash) = &self.hash {
+            let by_hash = kept.locate(&ByTable(hash)).map_err(|error| refused(Way::Hash)(&error))?;
+            go_on(method, Way::Hash, &by_hash, true)?;
+        }
+        for other in methods() {
+            // Where the second trail gets lost, or begins in the middle, only what is found must be the same.
+            go_on(other, Way::Other(other), &located, other.test() == method.test())?;
+        }
+        let from = KeyOnly::locate(key, next, &walk).map_err(|error| refused(Way::KeyOnly)(&error))?;
+        self.check_key_only(method, &from, &before, found).map_err(|what| fault(Way::KeyOnly, what))?;
+        Ok(resumes + 1)
+    }
+
+    /// From the key alone everything that is not below the nodes before is visited, in the order of the keys' climb.
+    fn check_key_only<W: KeyWord>(
+        &self,
+        method: Method,
+        from: &KeyOnly<W>,
+        before: &Before<'_>,
+        found: &Search<'_, Tree>,
+    ) -> Result<(), String> {
+        let (mut trace, mut search) = (Trace::default(), before.search.clone());
+        let again = GoOn { from: Start::Key(from.clone()), search: &mut search, trace: &mut trace };
+        self.tables.with_cursor::<W, _>(method, again).map_err(|unfit| unfit.to_string())??;
+        if search.outcome.hit != found.outcome.hit {
+            return Err(format!("finds {:?}, expected {:?}", search.outcome.hit, found.outcome.hit));
+        }
+        let key: W = from.key().cloned().unwrap_or_default();
+        // The node itself, its sibling, its parent's sibling and so on.
+        let trail = key::level_start(&key).wrapping_sub(&W::one());
+        let expected = self.expected(&key, &trail, before.next, method, &mut before.search.clone())?;
+        if trace == expected {
+            Ok(())
+        } else {
+            Err(format!("visits {:?}, expected {:?}", trace.nodes(), expected.nodes()))
+        }
+    }
+
+    /// The visits of the oracle below a node, if that is to be visited, and below all nodes that a trail postpones.
+    pub(super) fn expected<W: KeyWord>(
+        &self,
+        key: &W,
+        trail: &W,
+        next: Next,
+        method: Method,
+        search: &mut Search<'_, Tree>,
+    ) -> Result<Trace, String> {
+        let mut expected = Trace::default();
+        let mut subtrees = if next == Next::Visit { vec![key.clone()] } else { Vec::new() };
+        let (mut key, mut trail) = (key.clone(), trail.clone());
+        while key::depth(&key) > 0 {
+            if trail.low_bits() & 1 == 1 {
+                subtrees.push(key::sibling(key.clone()));
+            }
+            (key, trail) = (key::parent(key), trail.shr1());
+        }
+        for subtree in subtrees {
+            let node = Keys::walk(&self.case.tree, &subtree).ok_or("no such node")?;
+            let pruning = method.test().pruning();
+            if oracle::traverse_pruned(&self.case.tree, node, pruning, search, &mut expected) == Flow::Stop {
+                break;
+            }
+        }
+        Ok(expected)
+    }
+}
+
+/// The traversals that can be put aside.
+pub(super) fn methods() -> impl Iterator<Item = Method> {
+    Method::ALL.into_iter().filter(|method| method.can_pause())
+}
+
+/// Runs to the end.
+struct Run<'a, 'c>(&'a mut Search<'c, Tree>, &'a mut Trace);
+
+impl<W> WithCursor<W> for Run<'_, '_> {
+    type Output = ();
+
+    fn call(self, cursor: impl Pause<Word = W>) {
+        traverse(cursor, self.0, self.1);
+    }
+}
+
+/// A traversal up to where it is put aside.
+struct Before<'c> {
+    trace: Trace,
+    search: Search<'c, Tree>,
+    visits: usize,
+    next: Next,
+}
+
+/// Stops before visit number `visits`, counted from 0, or where it is a leaf's, after it.
+struct PutAside<'a, 'c>(&'a mut Before<'c>);
+
+impl<W: KeyWord> WithCursor<W> for PutAside<'_, '_> {
+    type Output = Option<Paused<W>>;
+
+    fn call(self, mut cursor: impl Pause<Word = W>) -> Option<Paused<W>> {
+        let Before { trace, search, visits, next } = self.0;
+        let mut recorder = Until { trace, visits: *visits };
+        let stopped = traverse(&mut cursor, search, &mut recorder)?;
+        if *next == Next::Visit {
+            return Some(cursor.put_aside(stopped));
+        }
+        if !cursor.node().is_leaf() {
+            return None;
+        }
+        recorder.visits += 1;
+        let mut visitor = StopAtLeaf { search, flow: Flow::Continue };
+        let stopped = traverse(&mut cursor, &mut visitor, &mut recorder)?;
+        // A search that has ended by itself is not put aside.
+        (visitor.flow == Flow::Continue).then(|| cursor.put_aside(stopped))
+    }
+}
+
+/// Records, and stops when enough visits are recorded.
+struct Until<'a> {
+    trace: &'a mut Trace,
+    visits: usize,
+}
+
+impl Recorder for Until<'_> {
+    fn visit(&mut self, state: &impl State) -> Flow {
+        if self.trace.nodes().len() == self.visits { Flow::Stop } else { self.trace.visit(state) }
+    }
+}
+
+/// Stops at a leaf, and keeps what the search has answered there.
+struct StopAtLeaf<'a, 'c> {
+    search: &'a mut Search<'c, Tree>,
+    flow: Flow,
+}
+
+impl Visitor for StopAtLeaf<'_, '_> {
+    fn inner(&mut self, node: Node) -> Descent {
+        self.search.inner(node)
+    }
+
+    fn leaf(&mut self, node: Node) -> Flow {
+        self.flow = Visitor::leaf(self.search, node);
+        Flow::Stop
+    }
+
+    fn found_at(&self, leaf: Node) -> bool {
+        self.search.found_at(leaf)
+    }
+}
+
+/// Goes on.
+pub struct GoOn<'a, 'c, W> {
+    pub from: Start<W>,
+    pub search: &'a mut Search<'c, Tree>,
+    pub trace: &'a mut Trace,
+}
+
+pub enum Start<W> {
+    State(Paused<W>),
+    Key(KeyOnly<W>),
+}
+
+impl<W: KeyWord> WithCursor<W> for GoOn<'_, '_, W> {
+    type Output = Result<(), String>;
+
+    fn call(self, cursor: impl Pause<Word = W>) -> Result<(), String> {
+        let ran = match self.from {
+            Start::State(paused) => resume(cursor, paused, self.search, self.trace),
+            Start::Key(key) => revisit(cursor, key, self.search, self.trace),
+        };
+        ran.map(|_| ()).map_err(|error| error.to_string())
+    }
+}

@@ -1,0 +1,227 @@
+//! Planted bugs (feature `planted`): traversals with one mistake each, which every layer of checks has to catch.
+//!
+//! Battery, fuzzer, proof harnesses, conformance cases: a check that lets one of these pass where it could show is no check.
+//!
+//! Beside them are the layers below ([`LAYERS`]): tables, tests of triangles and boxes, searches and hierarchies with one mistake each,
+//! for the property bodies of these. `tests/PLANTED.md` says what is seen of each.
+
+mod asked;
+mod draw;
+mod files;
+mod filters;
+mod given;
+mod hierarchies;
+mod kernels;
+mod layers;
+mod list;
+mod lookups;
+mod mutants;
+mod printed;
+mod searches;
+mod slabs;
+mod slips;
+mod tables;
+mod textbook;
+mod wanderer;
+
+pub use layers::{Hits, Instead, LAYERS, Layer, Mistake, Table};
+pub use list::{all, controls};
+pub use lookups::Function;
+
+use super::{Battery, Case, Fault, Verdict, Watch};
+use stackless_bvh::event::{Recorder, State};
+use stackless_bvh::generate::{Search, Tape};
+use stackless_bvh::order::{Flow, Visitor};
+use stackless_bvh::traverse::{Cursor, Test, traverse};
+use stackless_bvh::tree::{Node, Tree};
+
+/// A traversal with a bug, or, as a control, without one.
+pub struct Planted {
+    name: String,
+    clause: &'static str,
+    test: Test,
+    restarts: bool,
+    carries: u32,
+    run: Run,
+}
+
+/// The deepest tree that every traversal carries in words of 64 bits.
+const DEEPEST: u32 = 62;
+
+/// What a bug can be run over.
+enum Run {
+    /// Any search over any tree; the tape says which child is preferred where only one is wanted.
+    Any(Box<AnyRun>),
+    /// Cases only: the bug is in what a traversal asks or is given.
+    Case(Box<CaseRun>),
+}
+
+type AnyRun = dyn Fn(&Tree, &Tape, &mut dyn Visitor, &mut Watcher<'_>);
+type CaseRun = dyn Fn(&Case, &mut Search<'_, Tree>, &mut Watcher<'_>);
+
+/// Looks at each visit.
+struct Watcher<'a>(&'a mut dyn FnMut(&Snapshot) -> Flow);
+
+/// A traversal's state at a visit.
+#[derive(Clone, Copy, Debug)]
+pub struct Snapshot {
+    node: Node,
+    key: Option<u64>,
+    trail: Option<u64>,
+    counter: Option<u64>,
+    disjoint: Option<u64>,
+    register: Option<Node>,
+    is_restarting: bool,
+}
+
+impl Planted {
+    fn any(
+        name: impl Into<String>,
+        clause: &'static str,
+        run: impl Fn(&Tree, &Tape, &mut dyn Visitor, &mut Watcher<'_>) + 'static,
+    ) -> Self {
+        Self::new(name.into(), clause, Run::Any(Box::new(run)))
+    }
+
+    fn case(
+        name: impl Into<String>,
+        clause: &'static str,
+        run: impl Fn(&Case, &mut Search<'_, Tree>, &mut Watcher<'_>) + 'static,
+    ) -> Self {
+        Self::new(name.into(), clause, Run::Case(Box::new(run)))
+    }
+
+    fn new(name: String, clause: &'static str, run: Run) -> Self {
+        Self { name, clause, test: Test::Children, restarts: false, carries: DEEPEST, run }
+    }
+
+    fn held_to(self, test: Test) -> Self {
+        Self { test, ..self }
+    }
+
+    fn restarting(self) -> Self {
+        Self { restarts: true, ..self }
+    }
+
+    fn carrying(self, depth: u32) -> Self {
+        Self { carries: depth, ..self }
+    }
+
+    /// What is wrong, in a few words: unique.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The clause that it breaks.
+    pub fn clause(&self) -> &'static str {
+        self.clause
+    }
+
+    /// The reference that it is held to.
+    pub fn test(&self) -> Test {
+        self.test
+    }
+
+    /// Whether it goes down from the root again, and asks again on its way.
+    pub fn restarts(&self) -> bool {
+        self.restarts
+    }
+
+    /// The deepest tree, in edges, that it does not refuse.
+    pub fn carries(&self) -> u32 {
+        self.carries
+    }
+
+    /// How it differs from its reference over a case; `None` if it does not.
+    pub fn fault(&self, case: &Case) -> Option<Fault> {
+        let verdict = Battery::new(case, &[]).judge(self.test, self.restarts, |search, watch: &mut Watch<'_>, _, _| {
+            self.run(case, search, |seen| watch.visit(seen));
+            Ok(())
+        });
+        match verdict {
+            Verdict::Differs(fault) => Some(fault),
+            Verdict::Agrees { .. } | Verdict::Refused(_) => None,
+        }
+    }
+
+    /// Runs it over a case.
+    pub fn run(&self, case: &Case, search: &mut Search<'_, Tree>, mut watch: impl FnMut(&Snapshot) -> Flow) {
+        let watcher = &mut Watcher(&mut watch);
+        match &self.run {
+            Run::Any(run) => run(&case.tree, &case.tape, search, watcher),
+            Run::Case(run) => run(case, search, watcher),
+        }
+    }
+
+    /// Runs it over any search; `false`, and nothing is run, if the bug is one of [`Search`]es or of node tests.
+    pub fn run_any(
+        &self,
+        tree: &Tree,
+        tape: &Tape,
+        visitor: &mut dyn Visitor,
+        mut watch: impl FnMut(&Snapshot) -> Flow,
+    ) -> bool {
+        match &self.run {
+            Run::Any(run) => run(tree, tape, visitor, &mut Watcher(&mut watch)),
+            Run::Case(_) => return false,
+        }
+        true
+    }
+}
+
+impl core::fmt::Debug for Planted {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(&self.name)
+    }
+}
+
+impl Recorder for &mut Watcher<'_> {
+    fn visit(&mut self, state: &impl State) -> Flow {
+        let word = |word: Option<_>| word.and_then(|word| stackless_bvh::key::KeyWord::to_u64(&word));
+        (self.0)(&Snapshot {
+            node: state.node(),
+            key: word(state.key()),
+            trail: word(state.trail()),
+            counter: word(state.counter()),
+            disjoint: word(state.disjoint()),
+            register: state.register(),
+            is_restarting: state.is_restarting(),
+        })
+    }
+}
+
+impl State for Snapshot {
+    type Word = u64;
+
+    fn node(&self) -> Node {
+        self.node
+    }
+
+    fn key(&self) -> Option<u64> {
+        self.key
+    }
+
+    fn trail(&self) -> Option<u64> {
+        self.trail
+    }
+
+    fn counter(&self) -> Option<u64> {
+        self.counter
+    }
+
+    fn disjoint(&self) -> Option<u64> {
+        self.disjoint
+    }
+
+    fn register(&self) -> Option<Node> {
+        self.register
+    }
+
+    fn is_restarting(&self) -> bool {
+        self.is_restarting
+    }
+}
+
+fn drive(cursor: impl Cursor, visitor: &mut (impl Visitor + ?Sized), mut watcher: &mut Watcher<'_>) {
+    traverse(cursor, &mut { visitor }, &mut watcher);
+}

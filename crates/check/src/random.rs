@@ -1,0 +1,138 @@
+//! Many cases: the random ones, and those at the limits of the words.
+
+use rayon::prelude::*;
+
+use super::watch::Fault;
+use super::{Battery, Case, CaseOptions, Tally, Verdict};
+use stackless_bvh::generate::{Family, Kind, Rng};
+use stackless_bvh::hash::mix;
+use stackless_bvh::key::KeyWord;
+use stackless_bvh::traverse::{Method, WithWord, WordName, with_word};
+use stackless_bvh::tree::Topology;
+
+/// What to check.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// Number of random trees.
+    pub trees: u64,
+    /// Seed of the first.
+    pub seed: u64,
+    /// Limits of the random cases.
+    pub options: CaseOptions,
+    /// The traversals.
+    pub methods: Vec<Method>,
+    /// The words. Traversals without words are run once.
+    pub words: Vec<WordName>,
+}
+
+/// A traversal that differs from its oracle.
+#[derive(Clone, Debug)]
+pub struct Disagreement {
+    /// The case.
+    pub case: Case,
+    /// The traversal.
+    pub method: Method,
+    /// Its word.
+    pub word: WordName,
+    /// The first difference.
+    pub fault: Fault,
+}
+
+/// Called with the number of trees that were just done, from any thread.
+pub type Progress<'a> = &'a (dyn Fn(u64) + Sync);
+
+impl Plan {
+    /// The traversals of this plan in its words, as far as they exist; one without words appears once.
+    pub fn pairs(&self) -> Vec<(Method, WordName)> {
+        let pairs = self.methods.iter().flat_map(|&method| {
+            let words = if method.has_words() { &self.words[..] } else { &self.words[..1] };
+            words.iter().map(move |&word| (method, word))
+        });
+        pairs.filter(|&(method, word)| with_word(word, Exists(method))).collect()
+    }
+
+    /// Random case number `i`.
+    pub fn case(&self, i: u64) -> Case {
+        Case::random(mix(self.seed.wrapping_add(i)), self.options)
+    }
+
+    /// Runs all traversals in all words on one case.
+    pub fn check_case(&self, case: &Case, tally: &mut Tally) -> Option<Disagreement> {
+        let mut battery = Battery::new(case, &self.methods);
+        tally.depth = tally.depth.max(case.tree.depth());
+        let mut first = None;
+        for (method, word) in self.pairs() {
+            let verdict = battery.check(method, word);
+            tally.add(method, word, &verdict);
+            if let Verdict::Differs(fault) = verdict {
+                first.get_or_insert_with(|| Disagreement { case: case.clone(), method, word, fault });
+            }
+        }
+        first
+    }
+}
+
+struct Exists(Method);
+
+impl WithWord for Exists {
+    type Output = bool;
+
+    fn call<W: KeyWord>(self) -> bool {
+        self.0.exists_for::<W>()
+    }
+}
+
+/// Checks the random cases of a plan on all cores. The result does not depend on their number.
+///
+/// Of the disagreements, the one of the smallest tree is returned.
+pub fn check_random(plan: &Plan, progress: Progress<'_>) -> (Tally, Option<Disagreement>) {
+    const CHUNK: u64 = 256;
+    let chunks = plan.trees.div_ceil(CHUNK);
+    let chunk = |index: u64| {
+        let range = index * CHUNK..plan.trees.min((index + 1) * CHUNK);
+        let cases = range.clone().map(|i| plan.case(i));
+        let result = check_cases(plan, cases);
+        progress(range.end - range.start);
+        result
+    };
+    (0..chunks).into_par_iter().map(chunk).reduce(<(Tally, Option<Disagreement>)>::default, merge)
+}
+
+/// Checks given cases, one after the other.
+pub fn check_cases(plan: &Plan, cases: impl Iterator<Item = Case>) -> (Tally, Option<Disagreement>) {
+    let mut tally = Tally::default();
+    let mut smallest = None;
+    for case in cases {
+        smallest = smaller(smallest, plan.check_case(&case, &mut tally));
+    }
+    (tally, smallest)
+}
+
+/// Combines two results.
+pub fn merge(
+    (tally, found): (Tally, Option<Disagreement>),
+    (other, also): (Tally, Option<Disagreement>),
+) -> (Tally, Option<Disagreement>) {
+    (tally.merge(&other), smaller(found, also))
+}
+
+fn smaller(a: Option<Disagreement>, b: Option<Disagreement>) -> Option<Disagreement> {
+    // Of equal sizes the first: cases come in the order of their seeds.
+    match (a, b) {
+        (Some(a), Some(b)) => Some(if b.case.size() < a.case.size() { b } else { a }),
+        (a, b) => a.or(b),
+    }
+}
+
+/// Cases at and around the depths that words carry: combs and caterpillars with every kind of tape.
+pub fn boundary_cases(seed: u64) -> impl Iterator<Item = Case> {
+    let depths = [0, 1, 2, 30, 31, 32, 33, 62, 63, 64, 65, 126, 127, 128, 129, 200];
+    let families = [Family::Comb, Family::Caterpillar, Family::Skew];
+    let mut rng = Rng::new(seed);
+    families.into_iter().flat_map(move |family| depths.map(|depth| (family, depth))).flat_map(move |(family, depth)| {
+        Kind::ALL.map(|kind| {
+            let tree = family.tree(&mut rng, depth + 1);
+            Case::with_tree(tree, kind, &mut rng)
+        })
+    })
+}

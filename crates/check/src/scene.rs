@@ -1,0 +1,210 @@
+//! Rays through real hierarchies: every traversal against the recursive oracle, and that against rational arithmetic.
+
+use rayon::prelude::*;
+
+use super::random::Progress;
+use super::{Plan, Tally, Verdict};
+use stackless_bvh::bvh::Bvh;
+use stackless_bvh::event::{Recorder, State};
+use stackless_bvh::geom::{Aabb, Ray};
+use stackless_bvh::hash::mix;
+use stackless_bvh::oracle;
+use stackless_bvh::order::{ByNode, Flow, LeftFirst, NodeTest, SignOrder, Visitor};
+use stackless_bvh::trace::{AnyByNode, ClosestByNode, Hit, Truth};
+use stackless_bvh::traverse::{Method, Tables, Test, Unfit, WordName};
+use stackless_bvh::tree::{Implicit, Keys, Node, Topology};
+
+/// A hierarchy over a mesh with all that its check needs.
+#[derive(Debug)]
+pub struct SceneTree<'m> {
+    truth: &'m Truth,
+    bvh: &'m Bvh,
+    boxes: Vec<Aabb>,
+    keys: Keys,
+}
+
+/// A ray for which a traversal differs from the oracle, or the oracle from the truth.
+#[derive(Clone, Debug)]
+pub struct SceneDisagreement {
+    /// The ray.
+    pub ray: Ray,
+    /// An any-hit query.
+    pub any: bool,
+    /// The traversal; `None` where it is the oracle that differs.
+    pub method: Option<(Method, WordName)>,
+    /// What was seen of the oracle, or the true hit.
+    pub expected: Seen,
+    /// What was seen instead.
+    pub found: Seen,
+}
+
+/// What is seen of one search: its hit, and the sequence of its visits in one number, restarts left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Seen {
+    /// The hit.
+    pub hit: Option<Hit>,
+    /// Number of visits.
+    pub visits: u64,
+    /// Hash of the visited nodes, in order.
+    pub hash: u64,
+    /// Visits at which the key was not that of the node.
+    pub wrong_keys: u64,
+}
+
+impl<'m> SceneTree<'m> {
+    /// Prepares a hierarchy of the mesh that the truth is of.
+    pub fn new(truth: &'m Truth, bvh: &'m Bvh) -> Self {
+        Self { truth, bvh, boxes: bvh.own_boxes(), keys: Keys::of(bvh) }
+    }
+
+    /// Runs a search and says what was seen of it, and how many visits were made with restarts.
+    fn see(&self, ray: &Ray, any: bool, run: impl Run) -> Result<(Seen, u64), Unfit> {
+        let mut watch = Watch { scene: self, seen: Seen::default(), steps: 0 };
+        let hit = if any {
+            let mut search = AnyByNode::new(self.bvh, &self.boxes, ray);
+            run.run(self, ray, &mut search, &mut watch)?;
+            search.hit()
+        } else {
+            let mut search = ClosestByNode::new(self.bvh, &self.boxes, ray);
+            run.run(self, ray, &mut search, &mut watch)?;
+            search.hit()
+        };
+        Ok((Seen { hit, ..watch.seen }, watch.steps))
+    }
+}
+
+/// Checks the traversals of a plan on rays through one hierarchy, on all cores; the first disagreement is returned.
+///
+/// Of a traversal that restarts only the hits are compared: its questions are answered anew when the ray has become
+/// shorter.
+pub fn check_scene(
+    plan: &Plan,
+    scene: &SceneTree<'_>,
+    rays: &[Ray],
+    progress: Progress<'_>,
+) -> (Tally, Option<SceneDisagreement>) {
+    let tables = Tables::new(scene.bvh, scene.bvh.axes(), &plan.methods, Implicit::LIMIT).verified();
+    let pairs = plan.pairs();
+    let check_ray = |&ray: &Ray| {
+        let mut tally = Tally::default();
+        tally.depth = scene.bvh.depth();
+        let (mut disagreement, mut memory) = (None, Vec::new());
+        let truth = scene.truth.closest(&ray).map(|hit| hit.rounded());
+        for any in [false, true] {
+            let mut report = |method, expected, found| {
+                disagreement.get_or_insert(SceneDisagreement { ray, any, method, expected, found });
+            };
+            let oracles =
+                Test::ALL.map(|test| scene.see(&ray, any, Recursion(test)).map(|(seen, _)| seen).unwrap_or_default());
+            for oracle in oracles {
+                let is_true = if any { truth.is_some() == oracle.hit.is_some() } else { truth == oracle.hit };
+                if !is_true {
+                    report(None, Seen { hit: truth, ..oracle }, oracle);
+                    tally.oracle_faults += 1;
+                }
+            }
+            for &(method, word) in &pairs {
+                let traversal = Traversal { tables: &tables, method, word, memory: &mut memory };
+                let verdict = match scene.see(&ray, any, traversal) {
+                    Err(unfit) => Verdict::Refused(unfit),
+                    Ok((seen, steps)) => {
+                        let expected = oracles[method.test() as usize];
+                        if agrees(method, any, expected, seen) {
+                            Verdict::Agrees { steps }
+                        } else {
+                            report(Some((method, word)), expected, seen);
+                            Verdict::Differs(())
+                        }
+                    }
+                };
+                tally.add(method, word, &verdict);
+            }
+        }
+        progress(1);
+        (tally, disagreement)
+    };
+    let (mut tally, first) =
+        rays.par_iter().map(check_ray).reduce(Default::default, |(a, x), (b, y)| (a.merge(&b), x.or(y)));
+    tally.misses += tables.misses() as u64;
+    (tally, first)
+}
+
+fn agrees(method: Method, any: bool, expected: Seen, seen: Seen) -> bool {
+    let changing = method.restarts() && !any;
+    if changing { expected.hit == seen.hit } else { expected == seen }
+}
+
+/// A way to run a search: the recursion of the oracle, or a traversal.
+trait Run {
+    fn run<S: Visitor + NodeTest>(
+        self,
+        scene: &SceneTree<'_>,
+        ray: &Ray,
+        search: &mut S,
+        watch: &mut Watch<'_>,
+    ) -> Result<(), Unfit>;
+}
+
+struct Recursion(Test);
+
+impl Run for Recursion {
+    fn run<S: Visitor + NodeTest>(
+        self,
+        scene: &SceneTree<'_>,
+        ray: &Ray,
+        test: &mut S,
+        watch: &mut Watch<'_>,
+    ) -> Result<(), Unfit> {
+        match self.0 {
+            Test::Children | Test::Disjoint | Test::Distance => {
+                oracle::traverse_pruned(scene.bvh, scene.bvh.root(), self.0.pruning(), test, watch);
+            }
+            Test::NodeLeftFirst => oracle::traverse(scene.bvh, &mut ByNode { test, order: LeftFirst }, watch),
+            Test::NodeBySign => {
+                let order = SignOrder { axes: scene.bvh.axes(), octant: ray.octant() };
+                oracle::traverse(scene.bvh, &mut ByNode { test, order }, watch);
+            }
+        }
+        Ok(())
+    }
+}
+
+struct Traversal<'a, 'm> {
+    tables: &'a Tables<'m, Bvh>,
+    method: Method,
+    word: WordName,
+    memory: &'a mut Vec<Node>,
+}
+
+impl Run for Traversal<'_, '_> {
+    fn run<S: Visitor + NodeTest>(
+        self,
+        _: &SceneTree<'_>,
+        ray: &Ray,
+        search: &mut S,
+        watch: &mut Watch<'_>,
+    ) -> Result<(), Unfit> {
+        let Self { tables, method, word, memory } = self;
+        tables.run_in(word, method, ray.octant(), memory, search, watch)
+    }
+}
+
+/// Hashes the visits and looks at the keys.
+struct Watch<'a> {
+    scene: &'a SceneTree<'a>,
+    seen: Seen,
+    steps: u64,
+}
+
+impl Recorder for Watch<'_> {
+    fn visit(&mut self, state: &impl State) -> Flow {
+        self.steps += 1;
+        let slot = self.scene.bvh.slot(state.node());
+        if !state.is_restarting() {
+            self.seen.visits += 1;
+            self.seen.hash = mix(self.seen.hash ^ slot as u64);
+        }
+        self.seen.wrong_keys += u64::from(state.key().is_some_and(|key| !self.scene.keys.is(slot, &key)));
+        Flow::Continue
+    }
+}

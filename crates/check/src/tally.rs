@@ -1,0 +1,84 @@
+//! Counts of a check, by traversal and word.
+
+use super::Verdict;
+use stackless_bvh::traverse::{Method, Unfit, WordName};
+
+/// What was counted for one traversal in one word.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Count {
+    /// Cases that were run.
+    pub cases: u64,
+    /// Cases in which it did what its oracle did.
+    pub agree: u64,
+    /// Cases that it refused before the first step.
+    pub refused: u64,
+    /// The first reason to refuse one.
+    pub refusal: Option<Unfit>,
+    /// Visits, restarts included.
+    pub steps: u64,
+}
+
+/// Counts for all traversals and words.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    counts: [[Count; WordName::ALL.len()]; Method::ALL.len()],
+    /// Depth of the deepest tree that was checked, in edges.
+    pub depth: u32,
+    /// Searches for which the oracle itself differs from the test of all triangles.
+    pub oracle_faults: u64,
+    /// Lookups in a scene's perfect hash that did not find the node with the key.
+    pub misses: u64,
+}
+
+impl Tally {
+    /// Adds one verdict.
+    pub fn add<F>(&mut self, method: Method, word: WordName, verdict: &Verdict<F>) {
+        let count = &mut self.counts[method as usize][word as usize];
+        match verdict {
+            Verdict::Agrees { steps } => {
+                count.cases += 1;
+                count.agree += 1;
+                count.steps += steps;
+            }
+            Verdict::Refused(unfit) => {
+                count.refused += 1;
+                count.refusal.get_or_insert(*unfit);
+            }
+            Verdict::Differs(_) => count.cases += 1,
+        }
+    }
+
+    /// Adds the counts of another tally.
+    #[must_use]
+    pub fn merge(mut self, other: &Self) -> Self {
+        for (mine, theirs) in self.counts.iter_mut().flatten().zip(other.counts.iter().flatten()) {
+            mine.cases += theirs.cases;
+            mine.agree += theirs.agree;
+            mine.refused += theirs.refused;
+            mine.refusal = mine.refusal.or(theirs.refusal);
+            mine.steps += theirs.steps;
+        }
+        self.depth = self.depth.max(other.depth);
+        self.oracle_faults += other.oracle_faults;
+        self.misses += other.misses;
+        self
+    }
+
+    /// The counts of one traversal in one word.
+    pub fn get(&self, method: Method, word: WordName) -> Count {
+        self.counts[method as usize][word as usize]
+    }
+
+    /// Number of cases in which a traversal differed from its oracle, or the oracle from the truth, and of lookups that
+    /// went wrong.
+    pub fn disagreements(&self) -> u64 {
+        self.misses
+            + self.oracle_faults
+            + self.counts.iter().flatten().map(|count| count.cases - count.agree).sum::<u64>()
+    }
+
+    /// Number of comparisons made.
+    pub fn comparisons(&self) -> u64 {
+        self.counts.iter().flatten().map(|count| count.cases).sum()
+    }
+}

@@ -1,0 +1,175 @@
+//! How many steps backtracking takes (Binder & Keller 2016, Fig. 1).
+
+use std::cell::Cell;
+
+use stackless_bvh::event::{Recorder, State};
+use stackless_bvh::order::Flow;
+use stackless_bvh::tree::{Node, ParentLinks, Reach, Topology, UncleLinks};
+
+/// Links that tell a closure whose record is read.
+#[derive(Clone, Copy, Debug)]
+pub struct Watched<L, F> {
+    /// The links.
+    pub links: L,
+    /// Gets each node whose links are read.
+    pub watch: F,
+}
+
+impl<T: Topology, L: ParentLinks<T>, F: Fn(Node)> ParentLinks<T> for Watched<L, F> {
+    fn row(&self, tree: &T, node: Node) -> [Node; 2] {
+        (self.watch)(node);
+        self.links.row(tree, node)
+    }
+}
+
+impl<T: Topology, L: UncleLinks<T>, F: Fn(Node)> UncleLinks<T> for Watched<L, F> {
+    const REACH: Reach = L::REACH;
+
+    fn row(&self, tree: &T, node: Node) -> [Node; 3] {
+        (self.watch)(node);
+        self.links.row(tree, node)
+    }
+}
+
+/// How many records were read since the last visit, counted by [`Watched`] links.
+#[derive(Debug, Default)]
+pub struct Reads {
+    count: Cell<u64>,
+    last: Cell<Option<Node>>,
+}
+
+impl Reads {
+    /// Counts a record, unless it was the last one that was read.
+    pub fn count(&self, node: Node) {
+        if self.last.replace(Some(node)) != Some(node) {
+            self.count.set(self.count.get() + 1);
+        }
+    }
+
+    fn take(&self) -> u64 {
+        self.last.take();
+        self.count.take()
+    }
+}
+
+/// Counts backtracks, and the steps that they take: from the record of one node to that of the next. It is one step where the
+/// address comes out of a register, a stack, a table or the node's own record, and one more for each other record that
+/// the traversal climbs along, or passes again on the way down from the root.
+///
+/// ```
+/// use stackless_cli::explain;
+/// use stackless_bvh::generate::Search;
+/// use stackless_check::{Reads, Steps, Watched};
+/// use stackless_bvh::traverse::{Afra, traverse};
+/// use stackless_bvh::tree::Parents;
+///
+/// let case = explain::example();
+/// let (parents, reads) = (Parents::of(&case.tree), Reads::default());
+/// let links = Watched { links: &parents, watch: |node| reads.count(node) };
+/// let mut steps = Steps::new(&case.tree, &reads);
+/// let mut search = Search::new(&case.tree, &case.tape, false);
+/// traverse(Afra::<u32, _, _>::new(&case.tree, links)?, &mut search, &mut steps);
+/// // From key 23 to its sibling one step, from key 22 to key 3 four: along three parents and to the sibling of the last. From 14
+/// // to 15 one, from 15 to 6 two.
+/// assert_eq!((steps.backtracks(), steps.steps()), (4, 8));
+/// # Ok::<(), stackless_bvh::key::TooDeep>(())
+/// ```
+#[derive(Debug)]
+pub struct Steps<'a, T> {
+    tree: &'a T,
+    reads: &'a Reads,
+    last: Option<Node>,
+    backtracks: u64,
+    taken: u64,
+}
+
+impl<'a, T: Topology> Steps<'a, T> {
+    /// Counts for one traversal of a tree, whose links report to `reads` where it has any.
+    pub fn new(tree: &'a T, reads: &'a Reads) -> Self {
+        Self { tree, reads, last: None, backtracks: 0, taken: 0 }
+    }
+
+    /// Number of postponed nodes that were visited.
+    pub fn backtracks(&self) -> u64 {
+        self.backtracks
+    }
+
+    /// Number of steps that this took.
+    pub fn steps(&self) -> u64 {
+        self.taken
+    }
+}
+
+impl<T: Topology> Recorder for Steps<'_, T> {
+    fn visit(&mut self, state: &impl State) -> Flow {
+        let (node, reads) = (state.node(), self.reads.take());
+        if state.is_restarting() {
+            self.taken += 1;
+            return Flow::Continue;
+        }
+        if let Some(last) = self.last.replace(node)
+            && (last.is_leaf() || !self.tree.children(last).contains(&node))
+        {
+            self.backtracks += 1;
+            self.taken += reads.max(1);
+        }
+        Flow::Continue
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stackless_bvh::event::Backtracks;
+    use stackless_bvh::generate::{Family, Kind, Rng, Search, Tape};
+    use stackless_bvh::hash::KeyMap;
+    use stackless_bvh::traverse::{Afra, HashOnly, Sparse, Stack, Uncle, traverse};
+    use stackless_bvh::tree::{Parents, Uncles};
+
+    /// By distance `d` in levels: along parents `d + 1`, along uncles two levels a step unless the register knows, else one.
+    #[test]
+    fn steps_are_those_of_the_distances() {
+        let mut rng = Rng::new(7);
+        let mut climbs = 0;
+        for kind in Kind::ALL {
+            for family in Family::ALL {
+                let tree = family.tree(&mut rng, 50);
+                let tape = Tape::draw(&mut rng, &tree, kind);
+                let (parents, uncles, reads) = (Parents::of(&tree), <Uncles>::of(&tree), Reads::default());
+                let watch = |node| reads.count(node);
+                let search = || Search::new(&tree, &tape, false);
+                let steps = || Steps::new(&tree, &reads);
+                let mut distances = Backtracks::new(<Uncles>::REACH);
+                let keys = KeyMap::of(&tree);
+                traverse(HashOnly::<u64, _, _>::new(&tree, &keys).unwrap(), &mut search(), &mut distances);
+                let (mut least, mut along_uncles, mut along_parents) = (0, 0, 0);
+                for (d, count) in (0_u64..).zip(distances.distances()) {
+                    least += count;
+                    along_uncles += count * d.div_ceil(2).max(1);
+                    along_parents += count * (d + 1);
+                }
+
+                let mut by_stack = steps();
+                traverse(Stack::new(&tree, &mut Vec::new()), &mut search(), &mut by_stack);
+                assert_eq!((by_stack.backtracks(), by_stack.steps()), (least, least));
+
+                let mut by_afra = steps();
+                let links = Watched { links: &parents, watch };
+                traverse(Afra::<u64, _, _>::new(&tree, links).unwrap(), &mut search(), &mut by_afra);
+                assert_eq!((by_afra.backtracks(), by_afra.steps()), (least, along_parents));
+
+                let mut by_sparse = steps();
+                traverse(Sparse::<u64, _, _>::new(&tree, links).unwrap(), &mut search(), &mut by_sparse);
+                assert_eq!((by_sparse.backtracks(), by_sparse.steps()), (least, along_parents));
+
+                let mut by_uncles = steps();
+                let links = Watched { links: &uncles, watch };
+                traverse(Uncle::<u64, _, _>::new(&tree, links).unwrap(), &mut search(), &mut by_uncles);
+                assert_eq!(by_uncles.backtracks(), least);
+                assert!((least..=along_uncles).contains(&by_uncles.steps()));
+                climbs += by_uncles.steps() - least;
+            }
+        }
+        assert!(climbs > 10, "{climbs}");
+    }
+}

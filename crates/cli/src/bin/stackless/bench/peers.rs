@@ -1,0 +1,95 @@
+//! Ray tracers by others.
+
+use cpu_time::ProcessTime;
+use stackless_bvh::geom::Mesh;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::trace::Accuracy;
+use stackless_peers as peers;
+
+use super::Contestant;
+use crate::build::Build;
+use crate::judge::{Answer, Query};
+
+/// Builds all peers that are there; a note says why one is not.
+pub(super) fn build(mesh: &Mesh, notes: &mut Vec<String>) -> Vec<Box<dyn Contestant>> {
+    let vertices: Vec<_> = mesh.vertices().iter().map(glam::Vec3::to_array).collect();
+    let mut built = Vec::<Box<dyn Contestant>>::new();
+    for peer in peers::Peer::ALL {
+        // Of all threads, if a peer should have started some.
+        let start = ProcessTime::now();
+        match peer.build(&vertices, mesh.triangles()) {
+            Ok(tracer) => built.push(Box::new(Foreign {
+                peer,
+                tracer,
+                build_seconds: start.elapsed().as_secs_f64(),
+                rays: Vec::new(),
+                blocked: Vec::new(),
+            })),
+            Err(error @ peers::PeerError::NotInstalled(_)) => notes.push(error.to_string()),
+            Err(error) => notes.push(format!("{}: {error}", peer.name())),
+        }
+    }
+    built
+}
+
+struct Foreign {
+    peer: peers::Peer,
+    tracer: Box<dyn peers::Tracer>,
+    build_seconds: f64,
+    /// The rays that were taken.
+    rays: Vec<peers::Ray>,
+    /// Room for answers.
+    blocked: Vec<bool>,
+}
+
+impl Contestant for Foreign {
+    fn method(&self) -> &'static str {
+        self.peer.name()
+    }
+
+    fn build(&self) -> Option<Build> {
+        None
+    }
+
+    fn accuracy(&self) -> Option<Accuracy> {
+        None
+    }
+
+    fn take(&mut self, rays: &[Ray]) {
+        let plain = |ray: &Ray| peers::Ray {
+            origin: ray.origin().to_array(),
+            direction: ray.direction().to_array(),
+            tmin: ray.tmin(),
+            tmax: ray.tmax(),
+        };
+        self.rays = rays.iter().map(plain).collect();
+        self.blocked = vec![false; rays.len()];
+    }
+
+    fn trace(&mut self, query: Query, rays: &[Ray], first: usize, answers: &mut [Answer]) {
+        let rays = &self.rays[first..first + rays.len()];
+        match query {
+            Query::Closest => self.tracer.closest(rays, answers),
+            Query::Any => {
+                let blocked = &mut self.blocked[..rays.len()];
+                self.tracer.any(rays, blocked);
+                // Peers do not say which triangle they met.
+                for (answer, &blocked) in answers.iter_mut().zip(&*blocked) {
+                    *answer = blocked.then_some((0, 0.0));
+                }
+            }
+        }
+    }
+
+    fn nodes(&mut self, _: Query, _: &[Ray]) -> Option<u64> {
+        None
+    }
+
+    fn state_bytes(&self) -> Option<usize> {
+        None
+    }
+
+    fn build_seconds(&self) -> f64 {
+        self.build_seconds
+    }
+}

@@ -1,0 +1,83 @@
+//! The rays that are traced.
+
+use serde::Serialize;
+use stackless_bvh::bvh::Bvh;
+use stackless_bvh::generate::procedural;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::trace;
+
+use crate::input::Scene;
+use crate::judge::Query;
+
+/// What rays are for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, clap::ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Kind {
+    /// Closest hits of a camera's rays, row by row.
+    Primary,
+    /// Any hit of rays from where the camera's hit: ambient occlusion within a tenth of the scene's diagonal.
+    Any,
+    /// Closest hits of endless rays from there.
+    Diffuse,
+}
+
+impl Kind {
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::Primary => "primary",
+            Self::Any => "any",
+            Self::Diffuse => "diffuse",
+        }
+    }
+}
+
+/// Rays of one kind.
+pub(super) struct Set {
+    pub(super) kind: Kind,
+    pub(super) query: Query,
+    pub(super) rays: Vec<Ray>,
+}
+
+/// How far an occlusion ray reaches, in diagonals of the scene. Occlusion counts nearby; endless rays would all hit in a
+/// closed room.
+const REACH: f32 = 0.1;
+
+/// The sets of these kinds: `n` rays of the scene's camera, and one from each of their hits.
+///
+/// Occlusion rays go where the diffuse ones go (by the cosine, as Binder & Keller and Barringer & Akenine-Möller have it),
+/// only not as far.
+pub(super) fn sets(scene: &Scene, bvh: &Bvh, kinds: Vec<Kind>, n: usize, seed: u64) -> Vec<Set> {
+    let primary = procedural::view(&scene.name, &scene.mesh).rays(n);
+    let diffuse = trace::bounce(&scene.mesh, bvh, &primary, seed);
+    let reach = REACH * bvh.bounds().extent().length();
+    let set = |kind| match kind {
+        Kind::Primary => Set { kind, query: Query::Closest, rays: primary.clone() },
+        Kind::Any => {
+            Set { kind, query: Query::Any, rays: diffuse.iter().filter_map(|ray| trace::cut(ray, reach)).collect() }
+        }
+        Kind::Diffuse => Set { kind, query: Query::Closest, rays: diffuse.clone() },
+    };
+    kinds.into_iter().map(set).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn occlusion_rays_are_the_diffuse_ones_cut_at_a_tenth_of_the_diagonal() {
+        let scene = Scene { name: "soup".to_owned(), mesh: procedural::soup(1, 500) };
+        let bvh = Bvh::median(&scene.mesh, 4).unwrap();
+        let sets = sets(&scene, &bvh, vec![Kind::Diffuse, Kind::Primary, Kind::Any], 400, 1);
+        let [diffuse, primary, any] = sets.as_slice() else { panic!() };
+        assert_eq!((primary.rays.len(), primary.query), (400, Query::Closest));
+        assert_eq!((diffuse.query, any.query), (Query::Closest, Query::Any));
+        assert!(!any.rays.is_empty() && any.rays.len() == diffuse.rays.len() && diffuse.rays.len() < 400);
+        let tenth = 0.1 * bvh.bounds().extent().length();
+        for (short, long) in any.rays.iter().zip(&diffuse.rays) {
+            assert_eq!((short.origin(), short.direction()), (long.origin(), long.direction()));
+            assert!((short.tmax() * short.direction().length() / tenth - 1.0).abs() < 1e-6);
+            assert_eq!(long.tmax(), f32::INFINITY);
+        }
+    }
+}

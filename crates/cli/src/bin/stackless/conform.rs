@@ -1,0 +1,159 @@
+//! `stackless conform`: asks another implementation the cases of the suite.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use stackless_suite::{Hello, Level, Report, Runner, Strength, Suite, Verdict, Waivers, author};
+
+use crate::Outcome;
+use crate::input;
+use crate::output::{self, bar, grouped, say, table, write_file, write_json};
+
+/// Ask a program the cases of the conformance suite, and say where it is wrong.
+///
+/// The program reads one JSON object a line and answers each with one (spec/suite/INTERPRETING.md). The exit code is 0 if nothing failed and
+/// every waiver still fails, 1 otherwise, 2 if the program could not be asked.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:\n  stackless conform -- stackless suite serve --method hashed --word u32\n  \
+    stackless conform --level trace -- python3 spec/suite/adapters/traverse.py")]
+pub(crate) struct Args {
+    /// The suite, as a folder like spec/suite; without it the program's own, which is the same.
+    #[arg(long)]
+    suite: Option<PathBuf>,
+    /// Cases of this level only.
+    #[arg(long, value_parser = input::level)]
+    level: Option<Level>,
+    /// Cases with such ids only; `*` is any text, `?` any character.
+    #[arg(long)]
+    filter: Option<String>,
+    /// Write what came of each case to this file, as JSON.
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
+    json: Option<PathBuf>,
+    /// The same as XML that build servers read (`JUnit`).
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
+    junit: Option<PathBuf>,
+    /// Cases that are known to fail: a file like `[{"id": "...", "reason": "..."}]`.
+    #[arg(long)]
+    waivers: Option<PathBuf>,
+    /// Seconds to wait for an answer.
+    #[arg(long, default_value_t = 10.0, value_parser = seconds)]
+    timeout: f64,
+    /// Cases that are asked before the first is answered.
+    #[arg(long, default_value_t = 64)]
+    window: usize,
+    /// Failures to print.
+    #[arg(long, default_value_t = 10)]
+    show: usize,
+    /// The program and its arguments.
+    #[arg(last = true, required = true)]
+    command: Vec<String>,
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    text.parse()
+        .ok()
+        .filter(|seconds| (0.001..1e6).contains(seconds))
+        .ok_or_else(|| "expected 0.001 to 1000000".to_owned())
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    let suite = select(load(args.suite.as_deref())?, args.level, args.filter.as_deref())?;
+    let named = |path: &Path, error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
+    let waivers = match &args.waivers {
+        Some(path) => Waivers::load(path).map_err(|error| named(path, &error))?,
+        None => Waivers::default(),
+    };
+    let runner = Runner {
+        command: args.command.clone(),
+        suite: &suite,
+        waivers,
+        timeout: Duration::from_secs_f64(args.timeout),
+        window: args.window,
+    };
+    let start = Instant::now();
+    let progress = bar(suite.cases().count() as u64, "cases");
+    let report = runner.run(|_| progress.inc(1));
+    progress.finish_and_clear();
+    let report = report?;
+    if let Some(path) = &args.json {
+        write_json(path, &report.to_json())?;
+    }
+    if let Some(path) = &args.junit {
+        write_file(path, |file| file.write_all(report.to_junit().as_bytes()))?;
+    }
+    print(&report, args, start.elapsed());
+    Ok(report.is_conforming())
+}
+
+/// The suite of a folder, or the program's own.
+pub(crate) fn load(folder: Option<&Path>) -> Result<Suite, Box<dyn std::error::Error>> {
+    Ok(match folder {
+        Some(folder) => Suite::load(folder)?,
+        None => author::suite(),
+    })
+}
+
+/// The cases of a level with such ids.
+pub(crate) fn select(mut suite: Suite, level: Option<Level>, filter: Option<&str>) -> Result<Suite, String> {
+    let pattern = wildmatch::WildMatch::new(filter.unwrap_or("*"));
+    suite.profiles.retain(|profile| level.is_none_or(|level| profile.level == level));
+    suite.profiles.iter_mut().for_each(|profile| profile.cases.retain(|case| pattern.matches(&case.id)));
+    suite.profiles.retain(|profile| !profile.cases.is_empty());
+    if suite.profiles.is_empty() {
+        return Err("no case is of this level and has such an id".to_owned());
+    }
+    Ok(suite)
+}
+
+fn print(report: &Report, args: &Args, took: Duration) {
+    let Hello { name, version, .. } = &report.hello;
+    let bad: Vec<_> = report.verdicts.iter().filter(|verdict| verdict.is_failure()).collect();
+    for verdict in bad.iter().take(args.show) {
+        let Verdict { id, clauses, outcome, waived, .. } = verdict;
+        if let Some(reason) = waived {
+            say!("{id}: waived ({reason}), and passes: the waiver is not needed any more");
+        } else {
+            say!("{id}: {}: {outcome}\n  clauses {}", outcome.name(), clauses.join(", "));
+        }
+        say!("  alone: stackless conform --filter '{id}' -- {}", args.command.join(" "));
+    }
+    if bad.len() > args.show {
+        say!("and {} more (--show {}, --json FILE)", grouped((bad.len() - args.show) as u64), bad.len());
+    }
+    for fault in &report.faults {
+        say!("{fault}");
+    }
+    let names = ["pass", "fail", "error", "crash", "timeout", "unsupported"];
+    let mut rows: Vec<(&str, [u64; 7])> = Vec::new();
+    for verdict in &report.verdicts {
+        let profile = verdict.id.rsplit_once('/').map_or("", |(profile, _)| profile);
+        if rows.last().is_none_or(|&(last, _)| last != profile) {
+            rows.push((profile, [0; 7]));
+        }
+        let column = names.iter().position(|&name| verdict.waived.is_none() && name == verdict.outcome.name());
+        if let Some((_, counts)) = rows.last_mut() {
+            counts[column.unwrap_or(names.len())] += 1;
+        }
+    }
+    // What was not asked at all is in the sum.
+    rows.retain(|(_, counts)| counts[..5].iter().chain(&counts[6..]).any(|&count| count > 0));
+    let row = |(profile, counts): (&str, [u64; 7])| {
+        [profile.to_owned()].into_iter().chain(counts.map(|count| count.to_string())).collect()
+    };
+    let rows = rows.into_iter().map(row).collect();
+    let header = ["profile"].into_iter().chain(names).chain(["waived"]).collect::<Vec<_>>();
+    say!("{}", table(&header, 1, rows));
+    let advised =
+        report.verdicts.iter().filter(|verdict| verdict.strength == Strength::May && verdict.outcome.is_bad()).count();
+    let advised = if advised > 0 { format!("; {advised} of the failed are only advised") } else { String::new() };
+    let verdict = if report.is_conforming() { "conforms in what it names" } else { "does not conform" };
+    say!(
+        "{name} {version} {verdict}: {} of {} cases passed, {} failed, {} not asked, {} waived, {:.1} s{advised}",
+        grouped(report.count("pass") as u64),
+        grouped(report.verdicts.len() as u64),
+        grouped((report.verdicts.len() - report.count("pass") - report.count("unsupported") - report.waived()) as u64),
+        grouped(report.count("unsupported") as u64),
+        report.waived(),
+        took.as_secs_f64()
+    );
+}

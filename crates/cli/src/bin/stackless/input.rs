@@ -1,0 +1,65 @@
+//! What the subcommands take in: scenes, names of traversals and words.
+
+use std::path::{Path, PathBuf};
+
+use stackless_bvh::generate::procedural;
+use stackless_bvh::geom::Mesh;
+use stackless_bvh::trace::Accuracy;
+use stackless_bvh::traverse::{Method, WordName};
+use stackless_scene::{self, SceneError};
+use stackless_suite::Level;
+
+/// A scene with its name.
+pub(crate) struct Scene {
+    pub(crate) name: String,
+    pub(crate) mesh: Mesh,
+}
+
+/// Names of the scenes that are made and not read.
+pub(crate) const MADE: [&str; 3] = ["strands", "stadium", "soup"];
+
+impl Scene {
+    /// Reads a mesh file, or makes the scene of this name.
+    pub(crate) fn load(path: &Path) -> Result<Self, SceneError> {
+        let name = path.to_string_lossy();
+        if let Some(mesh) = made(&name) {
+            return Ok(Self { name: name.into_owned(), mesh });
+        }
+        let stem = path.file_stem().map_or_else(|| name.clone(), |stem| stem.to_string_lossy());
+        Ok(Self { name: stem.into_owned(), mesh: stackless_scene::load(path)? })
+    }
+}
+
+fn made(name: &str) -> Option<Mesh> {
+    match name {
+        "strands" => Some(procedural::strands(1, 2000)),
+        "stadium" => Some(procedural::stadium(1)),
+        "soup" => Some(procedural::soup(1, 20_000)),
+        _ => None,
+    }
+}
+
+/// Loads all scenes before anything is done with one, so that a bad one is known at once.
+pub(crate) fn scenes(paths: &[PathBuf]) -> Result<Vec<Scene>, SceneError> {
+    paths.iter().map(|path| Scene::load(path)).collect()
+}
+
+/// Reads a traversal's name; the error lists all of them.
+pub(crate) fn method(name: &str) -> Result<Method, String> {
+    name.parse().map_err(|_| format!("expected one of: {}", Method::ALL.map(Method::name).join(", ")))
+}
+
+/// Reads the name of a level; the error lists all of them.
+pub(crate) fn accuracy(name: &str) -> Result<Accuracy, String> {
+    name.parse().map_err(|_| format!("expected one of: {}", Accuracy::ALL.map(Accuracy::name).join(", ")))
+}
+
+/// Reads a word's name; the error lists all of them.
+pub(crate) fn word(name: &str) -> Result<WordName, String> {
+    name.parse().map_err(|_| format!("expected one of: {}", WordName::ALL.map(WordName::name).join(", ")))
+}
+
+/// Reads the name of a level of the conformance suite; the error lists all of them.
+pub(crate) fn level(name: &str) -> Result<Level, String> {
+    name.parse().map_err(|_| format!("expected one of: {}", Level::ALL.map(Level::name).join(", ")))
+}

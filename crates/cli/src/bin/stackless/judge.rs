@@ -1,0 +1,203 @@
+//! Answers against the truth.
+
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::trace::Truth;
+use stackless_check::floats_between;
+
+use crate::output::bar;
+
+/// What is asked of a ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Query {
+    Closest,
+    Any,
+}
+
+/// Triangle and distance; of any hit the distance means nothing.
+pub(crate) type Answer = Option<(u32, f32)>;
+
+/// Rays, each with all its true hits in their order.
+pub(crate) struct Truths {
+    rays: Vec<Ray>,
+    hits: Vec<Vec<(u32, f32)>>,
+}
+
+/// What one who answers got wrong.
+#[derive(Debug, Default)]
+pub(crate) struct Counts {
+    pub(crate) rays: u64,
+    /// Rays that truly hit.
+    pub(crate) hits: u64,
+    pub(crate) false_misses: u64,
+    pub(crate) false_hits: u64,
+    /// Both hit, another triangle than the closest; for any hit, one that is not hit.
+    pub(crate) wrong_primitives: u64,
+    /// Another answer for another tree or order.
+    pub(crate) order_differences: u64,
+    /// How often a distance was so many floats away from the nearest to the true one.
+    pub(crate) ulps: BTreeMap<u32, u64>,
+    /// The first error, in words.
+    pub(crate) offence: Option<String>,
+}
+
+impl Truths {
+    /// Asks for the truth about at most `n` of the rays, from all over.
+    pub(crate) fn new(truth: &Truth, rays: &[Ray], n: usize, name: &str) -> Self {
+        let n = n.min(rays.len());
+        let rays: Vec<_> = (0..n).map(|i| rays[i * rays.len() / n]).collect();
+        let progress = bar(rays.len() as u64, &format!("{name}, truth"));
+        let hits = |ray: &Ray| {
+            let hits = truth.all(ray).into_iter().map(|hit| (hit.prim, hit.t)).collect();
+            progress.inc(1);
+            hits
+        };
+        let hits = rays.par_iter().map(hits).collect();
+        progress.finish_and_clear();
+        Self { rays, hits }
+    }
+
+    /// The rays.
+    pub(crate) fn rays(&self) -> &[Ray] {
+        &self.rays
+    }
+
+    /// The true closest hit of ray `i`, if there is such a ray.
+    pub(crate) fn closest(&self, i: usize) -> Answer {
+        self.hits.get(i)?.first().copied()
+    }
+
+    /// What is wrong about answers to all rays. The first of a ray is the one that is judged, and the others must be the
+    /// same.
+    pub(crate) fn counts<const N: usize>(&self, query: Query, answers: &[[Answer; N]]) -> Counts {
+        let mut counts = Counts::default();
+        for ((ray, truth), answers) in self.rays.iter().zip(&self.hits).zip(answers) {
+            counts.add(query, ray, truth, *answers);
+        }
+        counts
+    }
+}
+
+impl Counts {
+    /// `truth` has all hits in their order; the first answer is the one that is judged.
+    fn add<const N: usize>(&mut self, query: Query, ray: &Ray, truth: &[(u32, f32)], answers: [Answer; N]) {
+        self.rays += 1;
+        self.hits += u64::from(!truth.is_empty());
+        let Some((&judged, others)) = answers.split_first() else { return };
+        let (error, ulps) = verdict(query, truth, judged);
+        match error {
+            Some(Error::FalseMiss) => self.false_misses += 1,
+            Some(Error::FalseHit) => self.false_hits += 1,
+            Some(Error::WrongPrimitive) => self.wrong_primitives += 1,
+            None => {}
+        }
+        if let Some(ulps) = ulps {
+            *self.ulps.entry(ulps).or_default() += 1;
+        }
+        let differs = others.iter().any(|&other| !is_same(query, judged, other));
+        self.order_differences += u64::from(differs);
+        if (error.is_some() || differs || ulps.is_some_and(|ulps| ulps > 0)) && self.offence.is_none() {
+            let (ray, truth) = (csv_line(ray), truth.first());
+            self.offence = Some(format!("the ray {ray} truly has the closest hit {truth:?}, and gets {answers:?}"));
+        }
+    }
+
+    /// The error of the distance that this share of the distances does not exceed, in floats.
+    pub(crate) fn quantile(&self, share: f64) -> Option<u32> {
+        let wanted = (share * self.ulps.values().sum::<u64>() as f64).ceil() as u64;
+        let mut seen = 0;
+        let reaches = |&(_, count): &(&u32, &u64)| {
+            seen += count;
+            seen >= wanted
+        };
+        self.ulps.iter().find(reaches).map(|(&ulps, _)| ulps)
+    }
+
+    /// The mean error of the distances, in floats.
+    pub(crate) fn mean(&self) -> Option<f64> {
+        let sum: f64 = self.ulps.iter().map(|(&ulps, &count)| f64::from(ulps) * count as f64).sum();
+        (!self.ulps.is_empty()).then(|| sum / self.ulps.values().sum::<u64>() as f64)
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Error {
+    FalseMiss,
+    FalseHit,
+    WrongPrimitive,
+}
+
+/// What is wrong, and how many floats the distance is away from the true one where the triangle is right.
+fn verdict(query: Query, truth: &[(u32, f32)], answer: Answer) -> (Option<Error>, Option<u32>) {
+    let Some(closest) = truth.first() else { return (answer.map(|_| Error::FalseHit), None) };
+    let Some((prim, t)) = answer else { return (Some(Error::FalseMiss), None) };
+    match query {
+        Query::Any if truth.iter().any(|hit| hit.0 == prim) => (None, None),
+        Query::Closest if closest.0 == prim => (None, Some(floats_between(t, closest.1))),
+        _ => (Some(Error::WrongPrimitive), None),
+    }
+}
+
+/// Whether two exact answers may stand beside each other.
+pub(crate) fn is_same(query: Query, a: Answer, b: Answer) -> bool {
+    let bits = |answer: Answer| answer.map(|(prim, t)| (prim, t.to_bits()));
+    match query {
+        Query::Any => a.is_some() == b.is_some(),
+        Query::Closest => bits(a) == bits(b),
+    }
+}
+
+/// Rays as the user can give them back to `stackless trace`.
+pub(crate) fn csv_line(ray: &Ray) -> String {
+    let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin().to_array(), ray.direction().to_array());
+    format!("{ox:?},{oy:?},{oz:?},{dx:?},{dy:?},{dz:?},{:?},{:?}", ray.tmin(), ray.tmax())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    #[test]
+    fn verdicts() {
+        use Query::{Any, Closest};
+        let truth = [(3, 1.0), (5, 1.0), (4, 2.0)];
+        for query in [Closest, Any] {
+            assert_eq!(verdict(query, &[], None), (None, None));
+            assert_eq!(verdict(query, &[], Some((1, 1.0))), (Some(Error::FalseHit), None));
+            assert_eq!(verdict(query, &truth, None), (Some(Error::FalseMiss), None));
+            assert_eq!(verdict(query, &truth, Some((7, 1.0))), (Some(Error::WrongPrimitive), None));
+        }
+        assert_eq!(verdict(Closest, &truth, Some((3, 1.0))), (None, Some(0)));
+        assert_eq!(verdict(Closest, &truth, Some((3, 1.0f32.next_down().next_down()))), (None, Some(2)));
+        assert_eq!(verdict(Closest, &[(0, 0.0)], Some((0, -0.0))), (None, Some(0)));
+        assert_eq!(verdict(Closest, &truth, Some((5, 1.0))), (Some(Error::WrongPrimitive), None));
+        assert_eq!(verdict(Any, &truth, Some((4, f32::NAN))), (None, None));
+    }
+
+    #[test]
+    fn answers_are_counted() {
+        let ray = Ray::new(Vec3::ZERO, Vec3::X, 0.0, f32::INFINITY).unwrap();
+        let (right, late) = (Some((3, 1.0)), Some((3, 1.0f32.next_up())));
+        let mut counts = Counts::default();
+        for _ in 0..999 {
+            counts.add(Query::Closest, &ray, &[(3, 1.0)], [right; 3]);
+        }
+        assert!(counts.offence.is_none());
+        counts.add(Query::Closest, &ray, &[(3, 1.0)], [late; 3]);
+        assert!(counts.offence.is_some());
+        assert_eq!((counts.quantile(0.999), counts.quantile(1.0), counts.mean()), (Some(0), Some(1), Some(0.001)));
+        for answers in [[right, late, right], [right, right, None], [None; 3]] {
+            counts.add(Query::Closest, &ray, &[(3, 1.0)], answers);
+        }
+        counts.add(Query::Any, &ray, &[(3, 1.0)], [right, late, right]);
+        counts.add(Query::Any, &ray, &[], [right, right, None]);
+        let all = counts;
+        assert_eq!((all.rays, all.hits), (1005, 1004));
+        assert_eq!((all.false_misses, all.false_hits, all.wrong_primitives, all.order_differences), (1, 1, 0, 3));
+        assert_eq!(all.ulps, [(0, 1001), (1, 1)].into());
+        assert_eq!(Counts::default().quantile(0.999), None);
+    }
+}

@@ -1,0 +1,165 @@
+//! What rays cost, by traversal.
+
+use stackless_bvh::bvh::Bvh;
+use stackless_bvh::event::Source;
+use stackless_bvh::geom::{Aabb, Ray};
+use stackless_bvh::key::KeyWord;
+use stackless_bvh::order::{ByNode, SignOrder, Visitor};
+use stackless_bvh::trace::{AnyByNode, ClosestByNode, Query, Tracer};
+use stackless_bvh::traverse::{
+    Afra, Disjoint, Hapala, Marks, Method, Sparse, Tables, Test, Uncle, Unfit, WithWord, traverse, with_word,
+};
+use stackless_bvh::tree::{Implicit, Parents, Uncles};
+use stackless_check::{Reads, Steps, Watched};
+
+/// What is counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum Heat {
+    /// Nodes that are visited.
+    Nodes,
+    /// Box tests.
+    Boxes,
+    /// Triangle tests.
+    Triangles,
+    /// Postponed nodes that are visited.
+    Postponed,
+    /// Records that are read to find them, at least one for each: what climbing costs.
+    Backtrack,
+    /// Lookups in a perfect hash.
+    Hash,
+    /// Triangle tests that error bounds for the whole scene leave open.
+    Fallback,
+}
+
+impl Heat {
+    pub(super) const fn unit(self) -> &'static str {
+        match self {
+            Self::Nodes => "nodes",
+            Self::Boxes => "box tests",
+            Self::Triangles => "triangle tests",
+            Self::Postponed => "postponed nodes",
+            Self::Backtrack => "backtracking steps",
+            Self::Hash => "lookups",
+            Self::Fallback => "fallbacks",
+        }
+    }
+}
+
+/// Counts the cost of rays.
+pub(super) struct Costs<'a> {
+    heat: Heat,
+    any: bool,
+    tracer: Tracer<'a>,
+    /// Where the tracer's own counts do not tell.
+    steps: Option<Box<Walks<'a>>>,
+}
+
+/// What traversals read, to be run with all their reads counted.
+struct Walks<'a> {
+    bvh: &'a Bvh,
+    tables: Tables<'a, Bvh>,
+    parents: Option<Parents>,
+    uncles: Option<Uncles>,
+    boxes: Vec<Aabb>,
+}
+
+impl<'a> Costs<'a> {
+    pub(super) fn new(bvh: &'a Bvh, method: Method, heat: Heat, any: bool) -> Result<Self, Unfit> {
+        let needs_steps = match heat {
+            Heat::Nodes | Heat::Boxes | Heat::Triangles | Heat::Fallback => false,
+            Heat::Postponed | Heat::Backtrack => true,
+            // Each of its backtracks is a lookup.
+            Heat::Hash => method.without_pruning() == Method::HashOnly,
+        };
+        let steps = needs_steps.then(|| Box::new(Walks::new(bvh, method)));
+        Ok(Self { heat, any, tracer: Tracer::with_method(bvh, method)?, steps })
+    }
+
+    /// What a ray costs.
+    pub(super) fn of(&self, ray: &Ray) -> u64 {
+        if let Some(walks) = &self.steps {
+            let [backtracks, steps] = walks.count(&self.tracer, ray, self.any);
+            return if self.heat == Heat::Backtrack { steps } else { backtracks };
+        }
+        let counters = self.tracer.count(std::slice::from_ref(ray), self.any);
+        match self.heat {
+            Heat::Nodes => counters.inner + counters.leaves,
+            Heat::Boxes => counters.boxes,
+            Heat::Triangles => counters.triangles,
+            Heat::Fallback => counters.fallbacks,
+            Heat::Postponed | Heat::Backtrack | Heat::Hash => counters.backtracks.by(Source::Hash),
+        }
+    }
+}
+
+impl<'a> Walks<'a> {
+    fn new(bvh: &'a Bvh, method: Method) -> Self {
+        let climbs = |methods: &[Method]| methods.contains(&method.without_pruning());
+        Self {
+            bvh,
+            tables: Tables::new(bvh, bvh.axes(), &[method], Implicit::LIMIT),
+            parents: climbs(&[Method::Sparse, Method::Afra, Method::Hapala]).then(|| Parents::of(bvh)),
+            uncles: climbs(&[Method::Uncle]).then(|| Uncles::of(bvh)),
+            boxes: bvh.own_boxes(),
+        }
+    }
+
+    /// Backtracks and their steps.
+    fn count(&self, tracer: &Tracer<'_>, ray: &Ray, any: bool) -> [u64; 2] {
+        let (bvh, boxes) = (self.bvh, &*self.boxes);
+        let query: &mut dyn Query =
+            if any { &mut AnyByNode::new(bvh, boxes, ray) } else { &mut ClosestByNode::new(bvh, boxes, ray) };
+        // Searches that nothing can be pruned from are traversed as a whole, as the tracer has it.
+        let method = tracer.method();
+        let method = if query.allows(method.test().pruning()) { method } else { method.without_pruning() };
+        let reads = Reads::default();
+        let mut steps = Steps::new(bvh, &reads);
+        let run = Run { walks: self, method, octant: ray.octant(), query, reads: &reads, steps: &mut steps };
+        let ran = with_word(tracer.word(), run);
+        debug_assert_eq!(ran, Ok(()), "checked when the tracer was made");
+        [steps.backtracks(), steps.steps()]
+    }
+}
+
+struct Run<'r, 'a, 'q> {
+    walks: &'r Walks<'a>,
+    method: Method,
+    octant: u8,
+    query: &'q mut dyn Query,
+    reads: &'r Reads,
+    steps: &'r mut Steps<'q, Bvh>,
+}
+
+impl WithWord for Run<'_, '_, '_> {
+    type Output = Result<(), Unfit>;
+
+    fn call<W: KeyWord>(self) -> Result<(), Unfit> {
+        if self.method.test() == Test::Disjoint { self.run::<W, Disjoint<W>>() } else { self.run::<W, ()>() }
+    }
+}
+
+impl Run<'_, '_, '_> {
+    fn run<W: KeyWord, M: Marks<W>>(self) -> Result<(), Unfit> {
+        let Self { walks, method, octant, mut query, reads, steps } = self;
+        let query = &mut query;
+        let Walks { bvh, tables, parents, uncles, .. } = walks;
+        let watch = |node| reads.count(node);
+        match (method.without_pruning(), parents, uncles) {
+            (Method::Sparse, Some(links), _) => {
+                traverse(Sparse::<W, _, _, M>::new(*bvh, Watched { links, watch })?, query, steps);
+            }
+            (Method::Afra, Some(links), _) => {
+                traverse(Afra::<W, _, _, M>::new(*bvh, Watched { links, watch })?, query, steps);
+            }
+            (Method::Hapala, Some(links), _) => {
+                let order = SignOrder { axes: bvh.axes(), octant };
+                traverse(Hapala::new(*bvh, Watched { links, watch }, order), &mut ByNode { test: query, order }, steps);
+            }
+            (Method::Uncle, _, Some(links)) => {
+                traverse(Uncle::<W, _, _, M>::new(*bvh, Watched { links, watch })?, query, steps);
+            }
+            _ => tables.run::<W, _>(method, octant, &mut Vec::new(), query, steps)?,
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,355 @@
+//! `stackless stats`: a scene's hierarchy, its tables, and where backtracking goes.
+
+mod plan;
+mod state;
+mod time;
+
+use std::cell::Cell;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use serde::Serialize;
+use stackless_bvh::bvh::Bvh;
+use stackless_bvh::event::{Backtracks, Source};
+use stackless_bvh::generate::procedural;
+use stackless_bvh::hash::{self, BuildError, KeySet, Lookup, Options, PerfectHash, Sizing};
+use stackless_bvh::key::{KeyWord, TooDeep};
+use stackless_bvh::trace::{self, Closest};
+use stackless_bvh::traverse::{Hashed, WithWord, WordName, traverse, with_word};
+use stackless_bvh::tree::{Node, Topology, Uncles};
+use stackless_cli::plots::plot_distances;
+
+use crate::Outcome;
+use crate::build::Build;
+use crate::input::Scene;
+use crate::output::{self, Block, grouped, table, write_file, write_json};
+use crate::report::Bar;
+
+/// What a scene's hierarchy and its hash tables take, and how far backtracking goes in it.
+///
+/// The counterparts of Table 1 and Fig. 3 of Binder & Keller 2016. Backtracks are those of closest-hit rays, half from a
+/// camera and half in random directions from where those hit.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:\n  \
+    stackless stats sibenik.ply\n  \
+    stackless stats bunny.ply --build sbvh --plot distances.svg --json stats.json")]
+pub(crate) struct Args {
+    /// Mesh file (.ply, .obj), or a made scene: `strands`, `stadium`, `soup`.
+    scene: PathBuf,
+    /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median; with `+N`, N rounds of reinsertion follow.
+    #[arg(long, default_value_t)]
+    build: Build,
+    /// Number of rays.
+    #[arg(long, default_value_t = 65_536)]
+    rays: usize,
+    /// Seed of the rays.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Write the figures to this file.
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
+    json: Option<PathBuf>,
+    /// Draw the backtracking distances into this file.
+    #[arg(long, value_name = "FILE", value_parser = output::file)]
+    plot: Option<PathBuf>,
+}
+
+/// The file of `--json`.
+#[derive(Serialize)]
+pub(crate) struct Stats {
+    scene: String,
+    triangles: usize,
+    nodes: usize,
+    depth: u32,
+    tree_bytes: usize,
+    bytes_per_triangle: f64,
+    /// Degenerate triangles, which no ray meets, are left out.
+    dropped: usize,
+    /// References to triangles beyond the first of each.
+    duplicates: usize,
+    /// Time of the builder, on all threads.
+    build_seconds: f64,
+    /// The tables that traversals use.
+    tables: TableStats,
+    /// The other sizings.
+    other_tables: Vec<TableStats>,
+    backtracks: BacktrackStats,
+    /// Where the time of closest-hit rays goes.
+    time: Vec<time::Row>,
+    /// What queries can do without.
+    plan: Vec<plan::Row>,
+    /// What is visited where a traversal prunes, goes on after a hit, or begins at the last hit.
+    state: Vec<state::Row>,
+    #[serde(skip)]
+    counted: Backtracks,
+}
+
+#[derive(Serialize)]
+struct TableStats {
+    sizing: &'static str,
+    keys: u32,
+    #[serde(rename = "D")]
+    d: u32,
+    #[serde(rename = "H")]
+    h: u32,
+    bytes: usize,
+    /// Of the tree's bytes.
+    share: f64,
+    direct_share: f64,
+    /// Seeds that were tried; 0 for the printed function.
+    reseeds: u32,
+    /// On one thread.
+    build_seconds: f64,
+    /// On all threads.
+    parallel_build_seconds: f64,
+}
+
+#[derive(Serialize)]
+struct BacktrackStats {
+    total: u64,
+    register: f64,
+    uncle: f64,
+    grand_uncle: f64,
+    leaf: f64,
+    hash: f64,
+    /// Share of the lookups in the hash that took one load.
+    hash_direct: f64,
+    /// Number of lookups in the hash for one ray.
+    hash_per_ray: f64,
+    /// Number over each distance, in levels.
+    distances: Vec<u64>,
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    let scene = Scene::load(&args.scene)?;
+    let (stats, _) = Stats::of(&scene, args.build, args.rays, args.seed)?;
+    output::print(&stats.blocks());
+    if let Some(path) = &args.plot {
+        let svg = stats.plot()?;
+        write_file(path, |file| file.write_all(svg.as_bytes()))?;
+    }
+    if let Some(path) = &args.json {
+        write_json(path, &stats)?;
+    }
+    Ok(true)
+}
+
+/// Builds tables three times each way and keeps the median; every table is certified.
+fn measure(bvh: &Bvh, sizing: Sizing) -> Result<TableStats, Box<dyn std::error::Error>> {
+    let options = Options { key_set: KeySet::Exact(<Uncles>::REACH), sizing };
+    let hash = PerfectHash::build(bvh, options)?;
+    hash::certify(&hash, bvh, options.key_set)?;
+    let median = |build: &dyn Fn() -> Result<PerfectHash, BuildError>| {
+        let mut seconds = [(); 3].map(|()| timed(build).1);
+        seconds.sort_by(f64::total_cmp);
+        seconds[1]
+    };
+    let header = hash.header();
+    Ok(TableStats {
+        sizing: sizing.name(),
+        keys: header.keys,
+        d: header.displacements,
+        h: header.cells.get(),
+        bytes: header.bytes(),
+        share: header.bytes() as f64 / bvh.bytes() as f64,
+        direct_share: header.direct_share(),
+        reseeds: header.reseeds,
+        build_seconds: median(&|| PerfectHash::build(bvh, options)),
+        parallel_build_seconds: median(&|| PerfectHash::build_parallel(bvh, options)),
+    })
+}
+
+fn timed<T>(f: impl FnOnce() -> T) -> (T, f64) {
+    let start = Instant::now();
+    let value = f();
+    (value, start.elapsed().as_secs_f64())
+}
+
+/// What was asked of the hash.
+#[derive(Clone, Copy, Default)]
+struct Lookups {
+    all: u64,
+    direct: u64,
+    rays: usize,
+}
+
+/// A hash that counts.
+struct Counted<'a> {
+    hash: &'a PerfectHash,
+    lookups: &'a Cell<Lookups>,
+}
+
+impl<W: KeyWord> Lookup<W> for Counted<'_> {
+    fn node(&self, key: &W) -> Node {
+        let Lookups { all, direct, rays } = self.lookups.get();
+        let direct = direct + u64::from(self.hash.is_direct(key));
+        self.lookups.set(Lookups { all: all + 1, direct, rays });
+        self.hash.node(key)
+    }
+}
+
+struct Count<'a> {
+    rays: usize,
+    seed: u64,
+    scene: &'a Scene,
+    bvh: &'a Bvh,
+}
+
+impl WithWord for Count<'_> {
+    type Output = Result<(Backtracks, Lookups), Box<dyn std::error::Error>>;
+
+    fn call<W: KeyWord>(self) -> Self::Output {
+        let Self { rays: n, seed, scene, bvh } = self;
+        let uncles = <Uncles>::of(bvh);
+        let options = Options { key_set: KeySet::Exact(<Uncles>::REACH), sizing: Sizing::Tight };
+        let hash = PerfectHash::build(bvh, options)?;
+        let mut rays = procedural::camera_rays(&scene.mesh, seed, n / 2);
+        let bounced = trace::bounce(&scene.mesh, bvh, &rays, seed);
+        rays.extend(bounced);
+        let lookups = Cell::new(Lookups { rays: rays.len(), ..Lookups::default() });
+        let mut backtracks = Backtracks::new(<Uncles>::REACH);
+        for ray in &rays {
+            backtracks.begin();
+            let cursor: Result<_, TooDeep> =
+                Hashed::<W, _, _, _>::new(bvh, &uncles, Counted { hash: &hash, lookups: &lookups });
+            traverse(cursor?, &mut Closest::new(bvh, ray), &mut backtracks);
+        }
+        Ok((backtracks, lookups.get()))
+    }
+}
+
+impl BacktrackStats {
+    fn of(backtracks: &Backtracks, lookups: Lookups) -> Self {
+        let total = backtracks.total();
+        let share = |source| backtracks.by(source) as f64 / total.max(1) as f64;
+        Self {
+            total,
+            register: share(Source::Register),
+            uncle: share(Source::Uncle),
+            grand_uncle: share(Source::GrandUncle),
+            leaf: share(Source::Leaf),
+            hash: share(Source::Hash),
+            hash_direct: lookups.direct as f64 / lookups.all.max(1) as f64,
+            hash_per_ray: lookups.all as f64 / lookups.rays.max(1) as f64,
+            distances: backtracks.distances().to_vec(),
+        }
+    }
+}
+
+impl Stats {
+    /// Builds a scene's hierarchy, and measures both with so many rays.
+    pub(crate) fn of(
+        scene: &Scene,
+        build: Build,
+        rays: usize,
+        seed: u64,
+    ) -> Result<(Self, Bvh), Box<dyn std::error::Error>> {
+        let (bvh, build_seconds) = timed(|| build.run(scene));
+        let bvh = bvh?;
+        let mut tables = Vec::new();
+        for sizing in [Sizing::Tight, Sizing::PrintedHashed, Sizing::Printed] {
+            tables.push(measure(&bvh, sizing)?);
+        }
+        let word = WordName::narrowest(bvh.depth());
+        let (counted, lookups) = with_word(word, Count { rays, seed, scene, bvh: &bvh })?;
+        let primary = procedural::view(&scene.name, &scene.mesh).rays(rays / 4);
+        let stats = Self {
+            scene: scene.name.clone(),
+            triangles: scene.mesh.triangles().len(),
+            nodes: bvh.node_count(),
+            depth: bvh.depth(),
+            tree_bytes: bvh.bytes(),
+            bytes_per_triangle: bvh.bytes() as f64 / scene.mesh.triangles().len() as f64,
+            dropped: bvh.dropped(),
+            duplicates: bvh.duplicates(),
+            build_seconds,
+            tables: tables.remove(0),
+            other_tables: tables,
+            backtracks: BacktrackStats::of(&counted, lookups),
+            time: time::measure(&bvh, &trace::bounce(&scene.mesh, &bvh, &primary, seed))?,
+            plan: plan::measure(&scene.mesh, &bvh, &primary)?,
+            state: state::measure(&scene.mesh, &bvh, &primary, seed)?,
+            counted,
+        };
+        Ok((stats, bvh))
+    }
+
+    /// The backtracking distances as a picture (SVG).
+    pub(crate) fn plot(&self) -> Result<String, String> {
+        plot_distances(&format!("Backtracking distance, {}", self.scene), &self.counted)
+    }
+
+    /// A row of the papers' table of scenes: name, triangles, nodes, depth, megabytes of tree and hash, the share of these,
+    /// milliseconds of their builders.
+    pub(crate) fn cells(&self) -> Vec<String> {
+        let tables = &self.tables;
+        let counts = [self.triangles as u64, self.nodes as u64, self.depth.into()].map(grouped);
+        let megabytes = [self.tree_bytes, tables.bytes].map(|bytes| format!("{:.2}", bytes as f64 / 1e6));
+        let seconds = [self.build_seconds, tables.build_seconds, tables.parallel_build_seconds];
+        let times = seconds.map(|seconds| format!("{:.2}", seconds * 1e3));
+        let cells = [self.scene.clone()].into_iter().chain(counts).chain(megabytes).chain([percent(tables.share)]);
+        cells.chain(times).collect()
+    }
+
+    /// Where the time of a ray goes, by traversal.
+    pub(crate) fn parts(&self) -> Vec<Bar> {
+        self.time.iter().map(time::Row::bar).collect()
+    }
+
+    pub(crate) fn blocks(&self) -> Vec<Block> {
+        let mut blocks = vec![Block::Line(format!(
+            "{}: {} triangles, {} nodes, depth {}, {} bytes ({:.1} a triangle), built in {:.1} ms; {} degenerate triangles left out, {} references twice",
+            self.scene,
+            grouped(self.triangles as u64),
+            grouped(self.nodes as u64),
+            self.depth,
+            grouped(self.tree_bytes as u64),
+            self.bytes_per_triangle,
+            self.build_seconds * 1e3,
+            grouped(self.dropped as u64),
+            grouped(self.duplicates as u64)
+        ))];
+        let header =
+            ["tables", "keys", "D", "H", "bytes", "of tree", "direct", "reseeds", "ms", "of build", "ms parallel"];
+        let rows = std::iter::once(&self.tables).chain(&self.other_tables).map(|tables| {
+            let numbers = [u64::from(tables.keys), u64::from(tables.d), u64::from(tables.h), tables.bytes as u64];
+            let mut row = vec![tables.sizing.to_owned()];
+            row.extend(numbers.map(grouped));
+            row.extend([percent(tables.share), percent(tables.direct_share), tables.reseeds.to_string()]);
+            row.push(format!("{:.2}", tables.build_seconds * 1e3));
+            row.push(percent(tables.build_seconds / self.build_seconds));
+            row.push(format!("{:.2}", tables.parallel_build_seconds * 1e3));
+            row
+        });
+        blocks.push(Block::Table(table(&header, 1, rows.collect())));
+        let shares = &self.backtracks;
+        blocks.push(Block::Line(format!(
+            "{} backtracks: register {}, uncle {}, grand uncle {}, leaf {}, hash {}",
+            grouped(shares.total),
+            percent(shares.register),
+            percent(shares.uncle),
+            percent(shares.grand_uncle),
+            percent(shares.leaf),
+            percent(shares.hash)
+        )));
+        blocks.push(Block::Line(format!(
+            "{:.2} lookups in the hash for a ray, {} of them direct",
+            shares.hash_per_ray,
+            percent(shares.hash_direct)
+        )));
+        let mut cumulative = 0;
+        let rows = shares.distances.iter().enumerate().map(|(distance, &count)| {
+            cumulative += count;
+            let of_all = |count: u64| percent(count as f64 / shares.total.max(1) as f64);
+            vec![distance.to_string(), grouped(count), of_all(count), of_all(cumulative)]
+        });
+        blocks.push(Block::Table(time::to_table(&self.time)));
+        blocks.push(Block::Table(plan::to_table(&self.plan)));
+        blocks.push(Block::Table(state::to_table(&self.state)));
+        blocks.push(Block::Table(table(&["levels up", "backtracks", "share", "cumulative"], 0, rows.collect())));
+        blocks
+    }
+}
+
+fn percent(share: f64) -> String {
+    format!("{:.1} %", 100.0 * share)
+}

@@ -1,0 +1,147 @@
+//! What a scene does not need, and what that saves.
+
+use std::hint::black_box;
+
+use serde::Serialize;
+use stackless_bvh::bvh::{BuildError, BuildOptions, Bvh, Primitives};
+use stackless_bvh::geom::Mesh;
+use stackless_bvh::geom::{Aabb, Ray, Triangle};
+use stackless_bvh::trace::{self, Ask, Part, Plan, Tracer};
+use stackless_bvh::traverse::{Method, Unfit};
+
+use crate::output::{Table, grouped, table};
+use crate::turns::{median_ratio, take_turns};
+
+/// A decision of the plan for a kind of query.
+#[derive(Serialize)]
+pub(super) struct Row {
+    query: &'static str,
+    part: &'static str,
+    skipped: bool,
+    reason: String,
+    /// Bytes that the part takes.
+    saved_bytes: Option<usize>,
+    /// Time with the part, where it is left out, to the time without it.
+    time_ratio: Option<f64>,
+}
+
+const CHUNK: usize = 2048;
+const ROUNDS: usize = 5;
+
+/// The decisions for any-hit and closest-hit queries by `hashed`, each measured, and all together. The answers of all must be
+/// the same; the one that differs is the error.
+pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
+    let with_degenerate = All::over(mesh)?;
+    let bounced = trace::bounce(mesh, bvh, rays, 1);
+    let mut rows = Vec::new();
+    for (query, ask, rays) in [("any hit", Ask::Any, &*bounced), ("closest hit", Ask::Distance, rays)] {
+        let lean = Plan::new(bvh, Method::Hashed, ask);
+        // These queries never watch for repeats, so there is nothing to put back.
+        let is_measured = |part: &Part| lean.skips(*part) && *part != Part::Repeats;
+        let parts: Vec<_> = Part::ALL.into_iter().filter(is_measured).collect();
+        let plans = parts.iter().map(|&part| lean.clone().with(part));
+        let plans: Vec<_> = [lean.clone()].into_iter().chain(plans).chain([lean.clone().with_everything()]).collect();
+        let setups = plans.iter().map(|plan| {
+            let whole = !plan.skips(Part::Degenerate) && lean.skips(Part::Degenerate);
+            Setup::new(plan, ask, if whole { &with_degenerate } else { bvh })
+        });
+        let setups: Vec<_> = setups.collect::<Result<_, _>>()?;
+        if let Some(i) = (1..setups.len()).find(|&i| setups[i].answers(rays) != setups[0].answers(rays)) {
+            let what = parts.get(i - 1).map_or("everything", |part| part.name());
+            return Err(format!("{query}: the answers with {what} differ from those without").into());
+        }
+        let times = take_turns(setups.len(), rays.len(), CHUNK, ROUNDS, query, |i, chunk| {
+            black_box(setups[i].answers(&rays[chunk]));
+        });
+        let saved = |i: usize| {
+            let ratio = median_ratio(&times.by_round(i), &times.by_round(0));
+            (Some(setups[i].bytes.saturating_sub(setups[0].bytes)), Some(ratio))
+        };
+        for decision in lean.decisions() {
+            let at = parts.iter().position(|&part| part == decision.part);
+            let (saved_bytes, time_ratio) = at.map_or((None, None), |i| saved(i + 1));
+            let (part, skipped, reason) = (decision.part.name(), decision.skipped, decision.reason.clone());
+            rows.push(Row { query, part, skipped, reason, saved_bytes, time_ratio });
+        }
+        let (saved_bytes, time_ratio) = saved(setups.len() - 1);
+        let reason = format!("{} bytes are needed besides the tree", grouped(Tracer::bytes(&setups[0].tracer) as u64));
+        rows.push(Row { query, part: "everything above", skipped: true, reason, saved_bytes, time_ratio });
+    }
+    Ok(rows)
+}
+
+pub(super) fn to_table(rows: &[Row]) -> Table {
+    let cells = |row: &Row| {
+        let saved = row.saved_bytes.map_or_else(|| "-".to_owned(), |bytes| grouped(bytes as u64));
+        let ratio = row.time_ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.3}"));
+        let choice = if row.skipped { "left out" } else { "needed" };
+        let names = [row.query, row.part, choice, &row.reason].map(str::to_owned);
+        names.into_iter().chain([saved, ratio]).collect()
+    };
+    let header = ["query", "part", "plan", "reason", "bytes saved", "time with it"];
+    table(&header, 4, rows.iter().map(cells).collect())
+}
+
+/// A tracer by a plan.
+struct Setup<'a> {
+    tracer: Tracer<'a>,
+    ask: Ask,
+    with_weights: bool,
+    /// Of hierarchy and tables.
+    bytes: usize,
+}
+
+impl<'a> Setup<'a> {
+    fn new(plan: &Plan, ask: Ask, bvh: &'a Bvh) -> Result<Self, Unfit> {
+        let tracer = Tracer::planned(bvh, plan)?;
+        let bytes = bvh.bytes() + tracer.bytes();
+        Ok(Self { tracer, ask, with_weights: !plan.skips(Part::Weights), bytes })
+    }
+
+    /// What is asked for, and the weights as well if the plan has not left them out.
+    fn answers(&self, rays: &[Ray]) -> Vec<Option<(u32, f32)>> {
+        // Which triangle blocks a ray is not asked, and may differ.
+        let blocked = |is_hit: bool| is_hit.then_some((0, 0.0));
+        match (self.ask, self.with_weights) {
+            (Ask::Any, false) => self.tracer.any_each(rays).into_iter().map(blocked).collect(),
+            (Ask::Any, true) => {
+                let hits = self.tracer.any_hit_each(rays);
+                hits.into_iter().map(|hit| blocked(black_box(hit).is_some())).collect()
+            }
+            (_, false) => {
+                let mut found = vec![None; rays.len()];
+                self.tracer.closest_distances(rays, &mut found);
+                found
+            }
+            (_, true) => {
+                let hits = self.tracer.closest_each(rays);
+                hits.into_iter().map(|hit| black_box(hit).map(|hit| (hit.prim, hit.t))).collect()
+            }
+        }
+    }
+}
+
+/// All triangles of a mesh, degenerate ones too.
+struct All<'m>(&'m Mesh);
+
+impl All<'_> {
+    fn over(mesh: &Mesh) -> Result<Bvh, BuildError> {
+        Bvh::build(&All(mesh), &BuildOptions::default(), &|_| ())
+    }
+}
+
+impl Primitives for All<'_> {
+    type Shape = Triangle;
+
+    fn count(&self) -> usize {
+        self.0.count()
+    }
+
+    fn shape(&self, index: usize) -> Triangle {
+        self.0.shape(index)
+    }
+
+    fn aabb(&self, index: usize) -> Aabb {
+        self.0.aabb(index)
+    }
+}

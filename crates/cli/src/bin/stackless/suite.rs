@@ -1,0 +1,135 @@
+//! `stackless suite`: the conformance suite as files, and as what this library answers.
+
+#[cfg(feature = "peers")]
+mod peer;
+
+use std::io::{BufReader, stdin, stdout};
+use std::path::{Path, PathBuf};
+
+use clap::Subcommand;
+use stackless_bvh::trace::Accuracy;
+use stackless_bvh::traverse::{Method, WordName};
+use stackless_suite::{Feature, Level, Library, Suite, VERSION, serve};
+
+use crate::Outcome;
+use crate::conform::{load, select};
+use crate::input;
+use crate::output::{grouped, say, table, write_file};
+
+/// The conformance suite: list it, write it as files, show a case, answer it.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:\n  \
+    stackless suite list\n  \
+    stackless suite show --filter 'trace/script/three-*'\n  \
+    stackless suite export --level key suite\n  \
+    stackless suite serve --method afra --word u64")]
+pub(crate) struct Args {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Subcommand)]
+enum What {
+    /// Say what there is: profiles and numbers of cases.
+    List(Chosen),
+    /// Write the cases as files, for those who want no runner.
+    Export {
+        #[command(flatten)]
+        chosen: Chosen,
+        /// The folder; `vectors/LEVEL/PROFILE.json`, `index.json` and `VERSION` are written there.
+        folder: PathBuf,
+    },
+    /// Print cases, one JSON object a line.
+    Show(Chosen),
+    /// Answer the cases as this library does: an implementation for `stackless conform`.
+    Serve {
+        /// The traversal; one for each profile if none is named.
+        #[arg(long, value_parser = input::method)]
+        method: Option<Method>,
+        /// The word of keys and trails.
+        #[arg(long, value_parser = input::word)]
+        word: Option<WordName>,
+        /// The tests of triangles and boxes: what is not exact does not conform.
+        #[arg(long, default_value_t = Accuracy::Exact, value_parser = input::accuracy)]
+        accuracy: Accuracy,
+        /// Answer rays as another ray tracer does.
+        #[cfg(feature = "peers")]
+        #[arg(long, conflicts_with_all = ["method", "word", "accuracy"], value_parser = peer::named)]
+        peer: Option<stackless_peers::Peer>,
+    },
+}
+
+/// Which cases.
+#[derive(clap::Args)]
+struct Chosen {
+    /// The suite, as a folder like spec/suite; without it the program's own.
+    #[arg(long)]
+    suite: Option<PathBuf>,
+    /// Cases of this level only.
+    #[arg(long, value_parser = input::level)]
+    level: Option<Level>,
+    /// Cases with such ids only; `*` is any text, `?` any character.
+    #[arg(long)]
+    filter: Option<String>,
+    /// Cases that need no features but these; without it all.
+    #[arg(long, value_delimiter = ',', value_parser = feature)]
+    features: Option<Vec<Feature>>,
+}
+
+fn feature(name: &str) -> Result<Feature, String> {
+    name.parse().map_err(|_| format!("expected some of: {}", Feature::ALL.map(Feature::name).join(", ")))
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    match &args.what {
+        What::List(chosen) => list(&chosen.load()?),
+        What::Export { chosen, folder } => export(&chosen.load()?, folder)?,
+        What::Show(chosen) => {
+            for (_, case) in chosen.load()?.cases() {
+                say!("{}", serde_json::to_string(case)?);
+            }
+        }
+        #[cfg(feature = "peers")]
+        What::Serve { peer: Some(peer), .. } => {
+            serve(&mut peer::Foreign(*peer), BufReader::new(stdin()), stdout().lock())?;
+        }
+        What::Serve { method, word, accuracy, .. } => {
+            let mut library = Library::new(*method, *word).with_accuracy(*accuracy);
+            serve(&mut library, BufReader::new(stdin()), stdout().lock())?;
+        }
+    }
+    Ok(true)
+}
+
+impl Chosen {
+    fn load(&self) -> Result<Suite, Box<dyn std::error::Error>> {
+        let mut suite = load(self.suite.as_deref())?;
+        if let Some(features) = &self.features {
+            for profile in &mut suite.profiles {
+                profile.cases.retain(|case| case.features.iter().all(|feature| features.contains(feature)));
+            }
+        }
+        Ok(select(suite, self.level, self.filter.as_deref())?)
+    }
+}
+
+fn list(suite: &Suite) {
+    let row = |profile: &stackless_suite::Profile| {
+        vec![profile.name(), grouped(profile.cases.len() as u64), grouped(profile.to_text().len() as u64)]
+    };
+    say!("{}", table(&["profile", "cases", "bytes"], 1, suite.profiles.iter().map(row).collect()));
+    say!("version {VERSION}, {} cases", grouped(suite.cases().count() as u64));
+}
+
+fn export(suite: &Suite, folder: &Path) -> Result<(), String> {
+    let files = suite.files();
+    for (path, text) in &files {
+        let path = folder.join(path);
+        if let Some(parent) = path.parent() {
+            std::fs::create_dir_all(parent).map_err(|error| format!("{}: {error}", parent.display()))?;
+        }
+        write_file(&path, |file| file.write_all(text.as_bytes()))?;
+    }
+    say!("{} cases in {} files", grouped(suite.cases().count() as u64), files.len());
+    Ok(())
+}

@@ -1,0 +1,63 @@
+//! Ray tracers by others, as implementations of the level `ray`.
+
+use serde_json::{Map, Value, json};
+use stackless_peers::{Peer, Ray};
+use stackless_suite::{Answer, Ask, Hello, Implementation, Level, Limits, PROTOCOL, Query};
+
+/// A peer.
+pub(super) struct Foreign(pub(super) Peer);
+
+pub(super) fn named(name: &str) -> Result<Peer, String> {
+    let names = Peer::ALL.map(Peer::name);
+    Peer::ALL
+        .into_iter()
+        .find(|peer| peer.name() == name)
+        .ok_or_else(|| format!("expected one of {}", names.join(", ")))
+}
+
+impl Implementation for Foreign {
+    fn hello(&self) -> Hello {
+        Hello {
+            protocol: PROTOCOL,
+            name: self.0.name().to_owned(),
+            version: String::new(),
+            profiles: ["ray/grid", "ray/exact"].map(ToOwned::to_owned).to_vec(),
+            features: Vec::new(),
+            limits: Limits::default(),
+        }
+    }
+
+    fn answer(&mut self, _: Level, _: &str, input: &Map<String, Value>) -> Answer {
+        match hits(self.0, input) {
+            Ok(hits) => Answer::Result([("hits".to_owned(), Value::Array(hits))].into_iter().collect()),
+            Err(error) => Answer::Unsupported(error.to_string()),
+        }
+    }
+}
+
+fn hits(peer: Peer, input: &Map<String, Value>) -> Result<Vec<Value>, Box<dyn std::error::Error>> {
+    let Ask::Ray(asked) = Ask::of(input)? else { return Err("no rays".into()) };
+    let (mesh, rays) = asked.read()?;
+    let vertices: Vec<_> = mesh.vertices().iter().map(glam::Vec3::to_array).collect();
+    let tracer = peer.build(&vertices, mesh.triangles())?;
+    let plain = |ray: &stackless_bvh::geom::Ray| Ray {
+        origin: ray.origin().to_array(),
+        direction: ray.direction().to_array(),
+        tmin: ray.tmin(),
+        tmax: ray.tmax(),
+    };
+    let rays: Vec<_> = rays.iter().map(plain).collect();
+    Ok(match asked.query {
+        Query::Closest => {
+            let mut hits = vec![None; rays.len()];
+            tracer.closest(&rays, &mut hits);
+            let text = |(prim, t): (u32, f32)| json!({ "prim": prim, "t": format!("{:08x}", t.to_bits()) });
+            hits.into_iter().map(|hit| hit.map_or(Value::Null, text)).collect()
+        }
+        Query::Any => {
+            let mut hits = vec![false; rays.len()];
+            tracer.any(&rays, &mut hits);
+            hits.into_iter().map(Value::Bool).collect()
+        }
+    })
+}

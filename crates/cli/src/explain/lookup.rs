@@ -1,0 +1,101 @@
+//! A perfect hash, and how a key is looked up in it.
+
+use serde::Serialize;
+
+use super::text::binary;
+use stackless_bvh::hash::{PerfectHash, decode, fold, is_address};
+use stackless_bvh::key::KeyWord;
+use stackless_bvh::tree::{Topology, Tree};
+
+/// The tables of a perfect hash, as far as they can be drawn.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Table {
+    /// Number of hashed keys.
+    pub keys: u32,
+    /// D, the number of displacements.
+    pub displacements: usize,
+    /// H, the number of cells.
+    pub cells: usize,
+    /// What stands in the buckets; empty where D or H is more than [`Table::DRAWN`].
+    pub buckets: Vec<Entry>,
+    /// Nodes in the cells; empty where D or H is more than [`Table::DRAWN`].
+    pub nodes: Vec<Option<u32>>,
+}
+
+/// What stands in a bucket. `[HASH-5]`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Entry {
+    /// A displacement.
+    Displacement(u32),
+    /// The address of a node, by its slot.
+    Direct(u32),
+}
+
+impl Table {
+    /// Most entries of a table that is drawn.
+    pub const DRAWN: usize = 128;
+
+    pub(super) fn of(hash: &PerfectHash, tree: &Tree) -> Self {
+        let (buckets, cells) = (hash.displacements(), hash.cells());
+        let drawn = if buckets.len().max(cells.len()) <= Self::DRAWN { Self::DRAWN } else { 0 };
+        Self {
+            keys: hash.header().keys,
+            displacements: buckets.len(),
+            cells: cells.len(),
+            buckets: buckets.iter().take(drawn).map(|&word| Entry::of(word, tree)).collect(),
+            nodes: cells.iter().take(drawn).map(|&word| node_of(word, tree)).collect(),
+        }
+    }
+}
+
+impl Entry {
+    fn of(word: u32, tree: &Tree) -> Self {
+        node_of(word, tree).map_or(Self::Displacement(word), Self::Direct)
+    }
+}
+
+/// The node whose address a word is, by its slot.
+fn node_of(word: u32, tree: &Tree) -> Option<u32> {
+    is_address(word).then(|| tree.slot(decode(word)) as u32)
+}
+
+/// A lookup by h(k) = ((k mod H) + d[k mod D]) mod H, or in one load where the bucket holds an address. `[HASH-1]`
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Lookup {
+    /// The key, in binary.
+    pub key: String,
+    /// The number that it goes through the function as, in decimal: the key itself, unless the tree needs the remedy.
+    pub number: String,
+    /// k mod D.
+    pub bucket: usize,
+    /// What stands there.
+    pub entry: Entry,
+    /// k mod H, where the bucket holds a displacement.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub remainder: Option<usize>,
+    /// h(k), where the bucket holds a displacement.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cell: Option<usize>,
+    /// The node that is found.
+    pub node: Option<u32>,
+}
+
+impl Lookup {
+    /// Each part by the definition, from the words of the tables.
+    pub(super) fn of<W: KeyWord>(hash: &PerfectHash, key: &W, tree: &Tree) -> Self {
+        let header = hash.header();
+        let number = header.mix.apply(fold(key, header.fold_seed));
+        let (buckets, cells) = (hash.displacements(), hash.cells());
+        let bucket = (number % buckets.len() as u64) as usize;
+        let word = buckets[bucket];
+        let remainder = (number % cells.len() as u64) as usize;
+        let cell = (remainder + word as usize) % cells.len();
+        let entry = Entry::of(word, tree);
+        let (remainder, cell, node) = match entry {
+            Entry::Direct(node) => (None, None, Some(node)),
+            Entry::Displacement(_) => (Some(remainder), Some(cell), node_of(cells[cell], tree)),
+        };
+        Self { key: binary(key), number: number.to_string(), bucket, entry, remainder, cell, node }
+    }
+}

@@ -1,0 +1,318 @@
+//! Watching a traversal without changing it: its states, the answers of the search, the links and tables that it reads.
+
+use std::cell::RefCell;
+
+use super::text::binary;
+use super::{ExplainError, Lookup, Table};
+use stackless_bvh::event::{Recorder, State};
+use stackless_bvh::generate::Search;
+use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::oracle;
+use stackless_bvh::order::{ByNode, Descent, FixedOrder, Flow, LeftFirst, NodeTest, Pruning, SignOrder, Visitor};
+use stackless_bvh::traverse::{
+    Afra, Disjoint, Hapala, HashOnly, Hashed, Marks, Method, Sparse, Tables, Test, Uncle, Unfit, traverse,
+};
+use stackless_bvh::tree::{Node, ParentLinks, Parents, Reach, Topology, Tree, UncleLinks, Uncles};
+use stackless_check::Case;
+use stackless_check::Watched;
+
+/// Deepest tree that gets the implicit layout.
+const IMPLICIT_DEPTH: u32 = 13;
+
+/// The words that traversals run in.
+type Word = u128;
+
+/// What is seen from a visit to the next.
+#[derive(Clone, Debug)]
+pub(super) struct Seen {
+    pub(super) node: Node,
+    pub(super) restart: bool,
+    pub(super) key: Option<String>,
+    pub(super) trail: Option<String>,
+    pub(super) counter: Option<String>,
+    pub(super) disjoint: Option<String>,
+    pub(super) register: Option<Node>,
+    /// At an inner node.
+    pub(super) descent: Option<Descent>,
+    pub(super) found: Found,
+    /// Nodes whose links were read, in order.
+    pub(super) read: Vec<Node>,
+    pub(super) lookup: Option<Lookup>,
+}
+
+/// What is found at a leaf.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Found {
+    /// Something better than before.
+    pub(super) hit: bool,
+    /// It comes before what is disjoint.
+    pub(super) prunes: bool,
+    /// It ends the search.
+    pub(super) stops: bool,
+}
+
+/// The visits so far. All who watch write to it.
+#[derive(Debug, Default)]
+pub(super) struct Log(RefCell<Vec<Seen>>);
+
+impl Log {
+    pub(super) fn into_steps(self) -> Vec<Seen> {
+        self.0.into_inner()
+    }
+
+    /// Adds to what is seen at the present visit.
+    fn note(&self, add: impl FnOnce(&mut Seen)) {
+        if let Some(seen) = self.0.borrow_mut().last_mut() {
+            add(seen);
+        }
+    }
+}
+
+/// Runs a traversal over a case. The hash is that of the papers' sizes.
+pub(super) fn run(case: &Case, method: Method, log: &Log) -> Result<Option<Table>, ExplainError> {
+    let tree = &case.tree;
+    let unfit = |error| ExplainError::Unfit { method, error };
+    let hash = key_set(method).map(|key_set| PerfectHash::build(tree, Options { key_set, sizing: Sizing::Printed }));
+    let hash = hash.transpose().map_err(|error| ExplainError::Table { method, error })?;
+    let ran = match method.test() {
+        Test::Disjoint => run_own::<Disjoint<Word>>(case, method, hash.as_ref(), log),
+        _ => run_own::<()>(case, method, hash.as_ref(), log),
+    };
+    if !ran.map_err(unfit)? {
+        let tables = Tables::new(tree, case.tape.axes(), &[method], IMPLICIT_DEPTH);
+        let (mut search, mut watch) = (Deciding::new(case, method, log), Watching::new(case, log));
+        tables.run::<Word, _>(method, case.octant, &mut Vec::new(), &mut search, &mut watch).map_err(unfit)?;
+    }
+    Ok(hash.map(|hash| Table::of(&hash, tree)))
+}
+
+/// What the oracle of a traversal does.
+pub(super) fn run_oracle(case: &Case, method: Method, log: &Log) {
+    let (tree, root) = (&case.tree, case.tree.root());
+    let (mut search, mut watch) = (Deciding::new(case, method, log), Watching::new(case, log));
+    match method.test() {
+        Test::NodeLeftFirst => {
+            oracle::traverse(tree, &mut ByNode { test: search, order: LeftFirst }, &mut watch);
+        }
+        Test::NodeBySign => {
+            let order = by_sign(case);
+            oracle::traverse(tree, &mut ByNode { test: search, order }, &mut watch);
+        }
+        test => {
+            oracle::traverse_pruned(tree, root, test.pruning(), &mut search, &mut watch);
+        }
+    }
+}
+
+/// What records name for a traversal.
+pub(super) const fn link_names(method: Method) -> &'static [&'static str] {
+    match method.without_pruning() {
+        Method::Sparse | Method::Afra | Method::Hapala => &["parent", "sibling"],
+        Method::Uncle | Method::Hashed => &["uncle", "grand uncle"],
+        _ => &[],
+    }
+}
+
+/// The nodes that they name, in the order of [`link_names`].
+#[derive(Debug)]
+pub(super) enum LinkTable {
+    Nothing,
+    Parents(Parents),
+    Uncles(Uncles),
+}
+
+impl LinkTable {
+    pub(super) fn of(tree: &Tree, method: Method) -> Self {
+        match method.without_pruning() {
+            Method::Sparse | Method::Afra | Method::Hapala => Self::Parents(Parents::of(tree)),
+            Method::Uncle | Method::Hashed => Self::Uncles(<Uncles>::of(tree)),
+            _ => Self::Nothing,
+        }
+    }
+
+    /// What the record of a node names; nothing where the root stands for "none".
+    pub(super) fn of_node(&self, tree: &Tree, node: Node) -> Vec<Option<Node>> {
+        let root = tree.root();
+        match self {
+            Self::Nothing => Vec::new(),
+            Self::Parents(parents) => parents.row(tree, node).map(|link| (node != root).then_some(link)).to_vec(),
+            Self::Uncles(uncles) => {
+                uncles.row(tree, node).into_iter().take(2).map(|link| (link != root).then_some(link)).collect()
+            }
+        }
+    }
+}
+
+const fn key_set(method: Method) -> Option<KeySet> {
+    match method.without_pruning() {
+        Method::Hashed => Some(KeySet::Exact(Reach::ALGORITHM_1)),
+        Method::HashOnly => Some(KeySet::All),
+        _ => None,
+    }
+}
+
+fn by_sign(case: &Case) -> SignOrder<'_> {
+    SignOrder { axes: case.tape.axes(), octant: case.octant }
+}
+
+/// Runs the traversals that read links or a perfect hash, so that it is seen what they read; `false` for the others.
+fn run_own<M: Marks<Word>>(case: &Case, method: Method, hash: Option<&PerfectHash>, log: &Log) -> Result<bool, Unfit> {
+    let tree = &case.tree;
+    let (mut search, mut watching) = (Deciding::new(case, method, log), Watching::new(case, log));
+    let watch = |node| log.note(|seen| seen.read.push(node));
+    let table = || Some(Asked { hash: hash?, tree, log });
+    match (method.without_pruning(), &LinkTable::of(tree, method)) {
+        (Method::Sparse, LinkTable::Parents(parents)) => {
+            traverse(
+                Sparse::<Word, _, _, M>::new(tree, Watched { links: parents, watch })?,
+                &mut search,
+                &mut watching,
+            );
+        }
+        (Method::Afra, LinkTable::Parents(parents)) => {
+            traverse(Afra::<Word, _, _, M>::new(tree, Watched { links: parents, watch })?, &mut search, &mut watching);
+        }
+        (Method::Hapala, LinkTable::Parents(parents)) => {
+            let order = by_sign(case);
+            let mut search = ByNode { test: search, order };
+            traverse(Hapala::new(tree, Watched { links: parents, watch }, order), &mut search, &mut watching);
+        }
+        (Method::Uncle, LinkTable::Uncles(uncles)) => {
+            traverse(Uncle::<Word, _, _, M>::new(tree, Watched { links: uncles, watch })?, &mut search, &mut watching);
+        }
+        (Method::Hashed, LinkTable::Uncles(uncles)) => {
+            let (links, table) = (Watched { links: uncles, watch }, table().ok_or(Unfit::NoTable)?);
+            traverse(Hashed::<Word, _, _, _, M>::new(tree, links, table)?, &mut search, &mut watching);
+        }
+        (Method::HashOnly, _) => {
+            let table = table().ok_or(Unfit::NoTable)?;
+            traverse(HashOnly::<Word, _, _>::new(tree, table)?, &mut search, &mut watching);
+        }
+        _ => return Ok(false),
+    }
+    Ok(true)
+}
+
+/// A table that says what it is asked. A key that is not there leads anywhere, which the comparison shows.
+struct Asked<'a> {
+    hash: &'a PerfectHash,
+    tree: &'a Tree,
+    log: &'a Log,
+}
+
+impl stackless_bvh::hash::Lookup<Word> for Asked<'_> {
+    fn node(&self, key: &Word) -> Node {
+        let lookup = Lookup::of(self.hash, key, self.tree);
+        self.log.note(|seen| seen.lookup = Some(lookup));
+        self.hash.probe(key).unwrap_or(self.tree.root())
+    }
+}
+
+/// Looks at each state. A traversal that does not end is stopped.
+struct Watching<'a> {
+    log: &'a Log,
+    limit: usize,
+}
+
+impl<'a> Watching<'a> {
+    /// Restarts pass each level once for each visit.
+    fn new(case: &Case, log: &'a Log) -> Self {
+        Self { log, limit: (case.size() + 1) * (case.tree.depth() as usize + 2) }
+    }
+}
+
+impl Recorder for Watching<'_> {
+    fn visit(&mut self, state: &impl State) -> Flow {
+        let word = |word: Option<_>| word.map(|word| binary(&word));
+        let mut steps = self.log.0.borrow_mut();
+        steps.push(Seen {
+            node: state.node(),
+            restart: state.is_restarting(),
+            key: word(state.key()),
+            trail: word(state.trail()),
+            counter: word(state.counter()),
+            disjoint: word(state.disjoint()),
+            register: state.register(),
+            descent: None,
+            found: Found::default(),
+            read: Vec::new(),
+            lookup: None,
+        });
+        if steps.len() < self.limit { Flow::Continue } else { Flow::Stop }
+    }
+}
+
+/// A search that says what it answers.
+struct Deciding<'a> {
+    search: Search<'a, Tree>,
+    log: &'a Log,
+    /// The order of the children where nodes are tested at their visit: by sign, or left first.
+    order: Option<SignOrder<'a>>,
+}
+
+impl<'a> Deciding<'a> {
+    fn new(case: &'a Case, method: Method, log: &'a Log) -> Self {
+        let order = (method.test() == Test::NodeBySign).then(|| by_sign(case));
+        Self { search: Search::new(&case.tree, &case.tape, case.any), log, order }
+    }
+
+    fn decides(&self, descent: Descent) -> Descent {
+        self.log.note(|seen| seen.descent = Some(descent));
+        descent
+    }
+
+    fn look_into(&mut self, look: impl FnOnce(&mut Search<'a, Tree>) -> Flow) -> Flow {
+        let before = self.search.outcome.hit;
+        let flow = look(&mut self.search);
+        let hit = self.search.outcome.hit != before;
+        self.log.note(|seen| (seen.found.hit, seen.found.stops) = (hit, flow == Flow::Stop));
+        flow
+    }
+}
+
+impl Visitor for Deciding<'_> {
+    fn inner(&mut self, node: Node) -> Descent {
+        let descent = self.search.inner(node);
+        self.decides(descent)
+    }
+
+    fn leaf(&mut self, node: Node) -> Flow {
+        self.look_into(|search| Visitor::leaf(search, node))
+    }
+
+    fn allows(&self, pruning: Pruning) -> bool {
+        self.search.allows(pruning)
+    }
+
+    fn inner_marked(&mut self, node: Node) -> Descent {
+        let descent = self.search.inner_marked(node);
+        self.decides(descent)
+    }
+
+    fn found_at(&self, leaf: Node) -> bool {
+        let prunes = self.search.found_at(leaf);
+        self.log.note(|seen| seen.found.prunes = prunes);
+        prunes
+    }
+
+    fn postponed(&self, node: Node, descent: Descent) -> u32 {
+        self.search.postponed(node, descent)
+    }
+
+    fn end(&self) -> u32 {
+        self.search.end()
+    }
+}
+
+impl NodeTest for Deciding<'_> {
+    fn accept(&mut self, node: Node) -> bool {
+        let accepted = self.search.accept(node);
+        let first = self.order.map_or_else(|| LeftFirst.first(node), |order| order.first(node));
+        self.decides(if accepted { Descent::both(first) } else { Descent::NEITHER });
+        accepted
+    }
+
+    fn leaf(&mut self, node: Node) -> Flow {
+        self.look_into(|search| NodeTest::leaf(search, node))
+    }
+}

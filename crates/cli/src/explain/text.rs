@@ -1,0 +1,243 @@
+//! What happens at a visit, in words.
+
+use super::judge::Judge;
+use super::observe::Seen;
+use super::{By, Entry, Next};
+use stackless_bvh::key::{KeyWord, Side};
+use stackless_bvh::order::Descent;
+use stackless_bvh::traverse::{Method, Test};
+
+/// A word in binary, without leading zeros.
+pub(super) fn binary<W: KeyWord>(word: &W) -> String {
+    let (mut rest, mut digits) = (word.clone(), Vec::new());
+    while !rest.is_zero() {
+        digits.push(if rest.low_bits() & 1 == 1 { '1' } else { '0' });
+        rest = rest.shr1();
+    }
+    if digits.is_empty() { "0".to_owned() } else { digits.into_iter().rev().collect() }
+}
+
+/// A decision in few words.
+pub(super) fn decision(descent: Descent) -> String {
+    let side = side(descent.first());
+    match (descent.is_neither(), descent.postpones()) {
+        (true, _) => "neither child".to_owned(),
+        (false, false) => format!("only the {side} child"),
+        (false, true) if descent.is_disjoint() => format!("both, {side} first, disjoint"),
+        (false, true) => format!("both, {side} first"),
+    }
+}
+
+/// How a traversal works, and the clause that defines it.
+pub(super) const fn about(method: Method) -> (&'static str, &'static str) {
+    match method {
+        Method::Stack => ("Postponed nodes are pushed on a stack; the last one pushed comes next.", "STACK-1"),
+        Method::StackDisjoint => {
+            ("A stack with a mark for each node: a hit drops what is disjoint from it.", "ORACLE-2")
+        }
+        Method::StackT0 => {
+            ("A stack with the distance of each node: what begins beyond the hit is dropped.", "ORACLE-3")
+        }
+        Method::LeftFirst => {
+            ("A counter in an implicit tree, left before right; nodes are tested at their visit.", "LEFT-1")
+        }
+        Method::ImplicitA => {
+            ("A counter and a mask of swapped levels; their exclusive or is the address.", "IMPLICIT-1")
+        }
+        Method::ImplicitB => ("A counter, and the path itself as the address.", "IMPLICIT-2"),
+        Method::ImplicitA1 | Method::ImplicitB1 => {
+            ("An implicit tree with two variables combined in one word.", "IMPLICIT-3")
+        }
+        Method::Sparse => ("A counter whose carry says how far to climb along parents.", "SPARSE-1"),
+        Method::Afra => ("A trail, and a climb along parents while its lowest bit is clear.", "AFRA-1"),
+        Method::Uncle => (
+            "A trail and a register; records name uncle and grand uncle, so a climb takes two levels a step.",
+            "UNCLE-2",
+        ),
+        Method::SparseDisjoint | Method::AfraDisjoint | Method::UncleDisjoint | Method::HashedDisjoint => {
+            ("The same with a second trail, by which a hit drops what is disjoint from it.", "DISJOINT-2")
+        }
+        Method::Hapala => {
+            ("Nothing but the node: a fixed order says on the way up which child was the near one.", "HAPALA-1")
+        }
+        Method::Laine0 => ("A trail of levels; the next node is found by starting again at the root.", "LAINE-1"),
+        Method::Laine1 | Method::Laine2 | Method::Laine4 | Method::Laine8 => {
+            ("A trail of levels and a short stack; what it has lost is found by starting again at the root.", "LAINE-1")
+        }
+        Method::HashOnly => {
+            ("Key and trail; a perfect hash turns the key of the next node into its address.", "HASHONLY-1")
+        }
+        Method::Hashed => {
+            ("Key, trail and a register; uncles fill it, and what they do not reach is in a perfect hash.", "HASHED-1")
+        }
+        Method::Skip | Method::SkipOctant => ("Each node names the one after its subtree, in a fixed order.", "SKIP-1"),
+        Method::Complete => ("Key and trail in a complete tree: the address is the key less one.", "COMPLETE-1"),
+        Method::Glassner => ("Key and trail; a chained table compares keys.", "GLASSNER-1"),
+    }
+}
+
+/// The sentence of a visit, and its clauses.
+pub(super) fn of(judge: &Judge<'_>, seen: &Seen, next: Option<&Next>) -> (String, Vec<&'static str>) {
+    let (visit, mut clauses) = visited(judge, seen);
+    let (way, by) = match next {
+        None => end(judge.method, seen),
+        Some(next) if next.by == By::Child => down(judge, seen, next),
+        Some(next) => back(judge, seen, next),
+    };
+    clauses.extend(by);
+    (format!("{visit} {way}"), clauses)
+}
+
+const fn side(side: Side) -> &'static str {
+    if side.is_right() { "right" } else { "left" }
+}
+
+/// What is found, or decided.
+fn visited(judge: &Judge<'_>, seen: &Seen) -> (String, Vec<&'static str>) {
+    let node = judge.name(seen.node);
+    let wanted: Vec<_> = judge.wanted(seen.node, seen.descent).into_iter().map(|node| judge.name(node)).collect();
+    if seen.restart {
+        return (format!("Node {node} is passed again on the way down from the root."), vec!["LAINE-1"]);
+    }
+    let tests_nodes = matches!(judge.method.test(), Test::NodeLeftFirst | Test::NodeBySign);
+    let text = match (seen.descent, &wanted[..]) {
+        (Some(descent), [only]) => format!("Of {node} only the {} child, {only}, is wanted.", side(descent.first())),
+        (Some(_), [first, _]) if tests_nodes => format!("Node {node} is wanted; its near child is {first}."),
+        (Some(_), [first, second]) => format!("Both children of {node} are wanted, {first} before {second}."),
+        (Some(_), _) if tests_nodes => format!("Node {node} is not wanted."),
+        (Some(_), _) => format!("No child of {node} is wanted."),
+        (None, _) if seen.found.stops => format!("Leaf {node} is hit, which is all that was asked."),
+        (None, _) if seen.found.hit && seen.found.prunes && seen.disjoint.is_some() => {
+            format!("Leaf {node} is hit: what is marked as disjoint leaves the trail.")
+        }
+        (None, _) if seen.found.hit => format!("Leaf {node} is hit."),
+        (None, _) => format!("Leaf {node} has nothing to offer."),
+    };
+    let clause = if seen.descent.is_some() { "ORDER-1" } else { "TRACE-1" };
+    let pruned = seen.found.prunes && seen.disjoint.is_some();
+    (text, if pruned { vec![clause, "DISJOINT-2"] } else { vec![clause] })
+}
+
+fn end(method: Method, seen: &Seen) -> (String, Vec<&'static str>) {
+    let text = match (seen.found.stops, &seen.trail, &seen.counter) {
+        (true, ..) => return ("The search stops.".to_owned(), vec!["ORACLE-1"]),
+        (_, Some(trail), _) if trail == "0" => "The trail is 0: nothing is left.",
+        (_, _, Some(counter)) if !counter.contains('0') => "The counter is all ones: nothing is left.",
+        _ => "Nothing is left.",
+    };
+    let clause = if seen.trail.is_some() { "TRAIL-3" } else { about(method).1 };
+    (text.to_owned(), vec![clause])
+}
+
+/// To a child.
+fn down(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static str>) {
+    let child = judge.name_of(next.node);
+    if seen.restart {
+        return (format!("The trail leads on to {child}."), vec![]);
+    }
+    let postponed = judge.wanted(seen.node, seen.descent).get(1).map(|&node| judge.name(node));
+    let has_register = matches!(judge.method.without_pruning(), Method::Uncle | Method::Hashed);
+    let mut clauses = Vec::new();
+    let word = match (&seen.trail, &seen.counter, postponed.is_some()) {
+        (Some(_), _, pending) => {
+            clauses.push("TRAIL-2");
+            Some(if pending { "the trail gets a 1" } else { "the trail gets a 0" })
+        }
+        (None, Some(_), pending) => {
+            clauses.push(about(judge.method).1);
+            Some(if pending { "the counter gets a 0" } else { "the counter gets a 1" })
+        }
+        _ => None,
+    };
+    let text = match (postponed, word) {
+        (Some(postponed), Some(word)) if has_register => {
+            clauses.push("REGISTER-2");
+            format!("On to {child}; {postponed} is postponed: {word}, and the register takes {postponed}.")
+        }
+        (Some(postponed), Some(word)) => format!("On to {child}; {postponed} is postponed: {word}."),
+        (Some(postponed), None) => {
+            clauses.push(about(judge.method).1);
+            format!("On to {child}; {postponed} is postponed.")
+        }
+        (None, Some(word)) => format!("On to {child}; {word}."),
+        (None, None) => format!("On to {child}."),
+    };
+    (text, clauses)
+}
+
+/// To a postponed node.
+fn back(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static str>) {
+    let (name, method) = (judge.name_of(next.node), judge.method);
+    let mut clauses = Vec::new();
+    let mut text = String::new();
+    if let Some(levels) = next.levels {
+        let up = match levels {
+            0 => format!("over to the sibling {name}"),
+            1 => format!("1 level up and over to {name}"),
+            levels => format!("{levels} levels up and over to {name}"),
+        };
+        let end = match levels {
+            0 => "a 1".to_owned(),
+            1 => "1 zero".to_owned(),
+            levels => format!("{levels} zeros"),
+        };
+        text = match (&seen.key, &seen.trail, &seen.counter) {
+            // The hit has changed the trail since it was shown.
+            (_, Some(_), _) if seen.found.prunes && seen.disjoint.is_some() => format!("Back: {up}."),
+            (Some(key), Some(trail), _) => {
+                clauses.extend(["TRAIL-3", "TRAIL-4"]);
+                let next = binary(&judge.key_of(next.node));
+                format!("The trail {trail} ends in {end}: {up}; the key {key} becomes {next}.")
+            }
+            (None, Some(trail), _) => {
+                clauses.push("TRAIL-3");
+                format!("The trail {trail} ends in {end}: {up}.")
+            }
+            (_, None, Some(counter)) => {
+                clauses.push("TRAIL-6");
+                format!("The counter {counter} plus 1 ends in {end}: {up}.")
+            }
+            _ => format!("Back: {up}."),
+        };
+    }
+    let (how, clause) = source(judge, next, &name);
+    clauses.push(clause.unwrap_or(about(method).1));
+    (format!("{text} {how}").trim_start().to_owned(), clauses)
+}
+
+/// Where the address comes from, and the clause if it is not the traversal's own.
+fn source(judge: &Judge<'_>, next: &Next, name: &str) -> (String, Option<&'static str>) {
+    let way = || next.way.iter().map(|&node| judge.name_of(node)).collect::<Vec<_>>().join(", ");
+    let steps = next.way.len();
+    match (next.by, &next.lookup) {
+        (By::Table, Some(lookup)) => {
+            let reason = if judge.method == Method::HashOnly { "" } else { "No record names it. " };
+            let bucket = lookup.bucket;
+            let text = match (lookup.entry, lookup.cell) {
+                (Entry::Displacement(displacement), Some(cell)) => {
+                    format!(
+                        "{reason}Bucket {bucket} of the table has the displacement {displacement}, which leads to cell {cell}."
+                    )
+                }
+                _ => format!("{reason}Its address stands in bucket {bucket} of the table."),
+            };
+            (text, None)
+        }
+        (By::Register, _) => ("The register holds its address.".to_owned(), Some("REGISTER-1")),
+        (By::Uncle, _) => (format!("It is the uncle: the record names {name}."), Some("REGISTER-2")),
+        (By::GrandUncle, _) => (format!("It is the grand uncle: the record names {name}."), Some("REGISTER-2")),
+        (By::Climb, _) if matches!(judge.method.without_pruning(), Method::Uncle) => {
+            (format!("By grand uncles, two levels a step, by way of {}.", way()), None)
+        }
+        (By::Climb, _) if steps == 1 => (format!("Through the parent {} to its sibling.", way()), None),
+        (By::Climb, _) if steps == 0 => ("The record names it.".to_owned(), None),
+        (By::Climb, _) => (format!("Through the parents {} to the sibling of the last.", way()), None),
+        (By::Stack, _) if judge.method.restarts() => ("The short stack has its address.".to_owned(), None),
+        (By::Stack, _) => ("Its address is on top of the stack.".to_owned(), None),
+        (By::Skip, _) => ("The skip pointer names it.".to_owned(), None),
+        (By::Restart, _) => {
+            ("The short stack has lost the node that comes next: start again at the root.".to_owned(), None)
+        }
+        (By::Key | By::Child | By::Table, _) => ("Its address follows from its key.".to_owned(), None),
+    }
+}

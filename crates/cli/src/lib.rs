@@ -1,0 +1,6 @@
+//! What the command `stackless` shows: a traversal step by step as a page for the browser, and plots.
+
+#![forbid(unsafe_code)]
+
+pub mod explain;
+pub mod plots;

@@ -1,0 +1,150 @@
+//! `stackless check`: the options do what they say, and the counts are those of the library.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use serde_json::Value;
+use stackless_bvh::generate::Family;
+use stackless_bvh::traverse::{Method, WordName};
+use stackless_check::{CaseOptions, Plan, Tally, check_random};
+
+use super::support::{Folder, data, read_json, stackless};
+
+/// Runs `check` and gives the file of `--json`.
+fn check(args: &str, scenes: &[&Path]) -> (String, Value) {
+    let folder = Folder::new();
+    let json = folder.path("counts.json");
+    let paths: Vec<_> = [json.as_path()].into_iter().chain(scenes.iter().copied()).collect();
+    let run = stackless(&format!("check {args} --json"), &paths).passes();
+    assert_eq!(folder.names(), ["counts.json"]);
+    let counts = read_json(&json);
+    assert_eq!(
+        run.last_line(),
+        format!(
+            "checked: {} trees, {} rays, {} methods, {} disagreements",
+            counts["trees"], counts["rays"], counts["methods"], counts["disagreements"]
+        )
+    );
+    (run.stdout, counts)
+}
+
+fn plan(trees: u64) -> Plan {
+    let options = CaseOptions::default();
+    Plan { trees, seed: 1, options, methods: Method::ALL.to_vec(), words: WordName::ALL.to_vec() }
+}
+
+/// The rows of the file are those of a tally, in order.
+fn assert_rows(counts: &Value, plan: &Plan, tally: &Tally) {
+    let rows = counts["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), plan.pairs().len());
+    for (row, (method, word)) in rows.iter().zip(plan.pairs()) {
+        let count = tally.get(method, word);
+        assert_eq!(row["method"], method.name());
+        assert_eq!(row["word"], if method.has_words() { word.name() } else { "-" });
+        assert_eq!(row["cases"], count.cases, "{method} {word}");
+        assert_eq!(row["agree"], count.cases, "{method} {word}");
+        assert_eq!(row["refused"], count.refused, "{method} {word}");
+        assert_eq!(row["steps"], count.steps, "{method} {word}");
+        assert!(row["state_bytes"].as_u64().unwrap() >= 4);
+    }
+}
+
+fn assert_same(args: &str, plan: &Plan) {
+    let (stdout, counts) = check(args, &[]);
+    let (tally, found) = check_random(plan, &|_| ());
+    assert!(found.is_none());
+    assert_eq!(counts["trees"], plan.trees);
+    assert_eq!(counts["rays"], 0);
+    let methods: BTreeSet<_> = plan.pairs().into_iter().map(|(method, _)| method.name()).collect();
+    assert_eq!(counts["methods"], methods.len());
+    assert_eq!((&counts["disagreements"], &counts["smallest"]), (&0.into(), &Value::Null));
+    assert_rows(&counts, plan, &tally);
+    for method in Method::ALL {
+        let is_listed = stdout.lines().any(|line| line.split_whitespace().next() == Some(method.name()));
+        assert_eq!(is_listed, plan.pairs().iter().any(|&(listed, _)| listed == method), "{method}");
+    }
+}
+
+#[test]
+fn two_thousand_trees() {
+    assert_same("--trees 2000", &plan(2000));
+    let (stdout, counts) = check("--trees 50 --methods hashed,afra-disjoint,stack", &[]);
+    assert!(counts["resumes"].as_u64().unwrap() > 10_000, "{}", counts["resumes"]);
+    assert!(stdout.contains("put aside and taken up again: "));
+    // Stacks are not put aside.
+    assert_eq!(check("--trees 50 --methods stack", &[]).1["resumes"], 0);
+}
+
+#[test]
+fn families_and_depths() {
+    for family in Family::ALL {
+        let options = CaseOptions { family: Some(family), depth: Some(9) };
+        assert_same(&format!("--trees 40 --family {family} --depth 9"), &Plan { options, ..plan(40) });
+    }
+    let options = CaseOptions { family: Some(Family::Skew), depth: None };
+    assert_same("--trees 40 --family skew", &Plan { options, ..plan(40) });
+    let options = CaseOptions { family: None, depth: Some(70) };
+    assert_same("--trees 40 --depth 70", &Plan { options, ..plan(40) });
+}
+
+#[test]
+fn methods_and_words() {
+    let methods = vec![Method::Uncle, Method::Laine4, Method::Stack];
+    assert_same("--trees 30 --methods uncle,laine-4,stack", &Plan { methods, ..plan(30) });
+    for word in WordName::ALL {
+        assert_same(&format!("--trees 30 --word {word}"), &Plan { words: vec![word], ..plan(30) });
+    }
+}
+
+#[test]
+fn a_seed_is_repeated_and_another_differs() {
+    let (first, counts) = check("--trees 300 --seed 7", &[]);
+    let (again, same) = check("--trees 300 --seed 7", &[]);
+    assert_eq!((first, &counts), (again, &same));
+    let (_, other) = check("--trees 300 --seed 100000", &[]);
+    assert_ne!(counts["rows"][0]["steps"], other["rows"][0]["steps"]);
+    assert_same("--trees 300 --seed 100000", &Plan { seed: 100_000, ..plan(300) });
+}
+
+#[test]
+fn a_comb_of_depth_100_000() {
+    const COMB: &str = "check --family comb --depth 100000 --trees 1";
+    let run = stackless(&format!("{COMB} --word grow --methods sparse,afra,uncle,hashed,stack"), &[]).passes();
+    assert_eq!(run.last_line(), "checked: 1 trees, 0 rays, 5 methods, 0 disagreements");
+    for (word, width) in [("u32", 32), ("u64", 64), ("u128", 128)] {
+        for (methods, limit) in [("sparse", width - 1), ("hashed", width - 1), ("afra", width), ("uncle,sparse", width)]
+        {
+            let limit = format!("in {word} carries at most {limit}");
+            let run = stackless(&format!("{COMB} --word {word} --methods {methods}"), &[]);
+            run.fails_naming(&["the tree is 100000 edges deep", &limit]);
+        }
+    }
+    // What needs no word runs; what was refused is said.
+    let run = stackless(&format!("{COMB} --word u32 --methods stack,sparse"), &[]).passes();
+    assert!(run.stdout.contains("refused before the first step, e.g. sparse u32: the tree is 100000 edges deep"));
+}
+
+#[test]
+fn scenes() {
+    let (cube_ply, cube_obj) = (data("cube.ply"), data("cube.obj"));
+    let (_, counts) = check("--rays 60", &[&cube_ply, &cube_obj]);
+    // Each scene under three trees, each ray as a closest-hit and as an any-hit query.
+    assert_eq!(
+        (&counts["trees"], &counts["rays"], &counts["methods"]),
+        (&6.into(), &360.into(), &Method::ALL.len().into())
+    );
+    for row in counts["rows"].as_array().unwrap() {
+        let all = row["cases"].as_u64().unwrap() + row["refused"].as_u64().unwrap();
+        assert_eq!((all, &row["agree"]), (720, &row["cases"]), "{row}");
+        // A cube's tree by surface area may be complete. What prunes is not for any-hit rays.
+        let method: Method = row["method"].as_str().unwrap().parse().unwrap();
+        let prunes = method != method.without_pruning();
+        assert!(method == Method::Complete || row["refused"] == if prunes { 360 } else { 0 }, "{row}");
+    }
+    let (_, more) = check("--rays 60 --trees 25 --methods hashed --word u64", &[&cube_ply]);
+    assert_eq!((&more["trees"], &more["rays"], &more["rows"][0]["cases"]), (&28.into(), &180.into(), &385.into()));
+    for made in ["strands", "stadium", "soup"] {
+        let (_, counts) = check("--rays 40 --methods stack,hashed,complete --word u64", &[Path::new(made)]);
+        assert_eq!((&counts["trees"], &counts["rays"], &counts["disagreements"]), (&3.into(), &120.into(), &0.into()));
+    }
+}

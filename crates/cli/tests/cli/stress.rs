@@ -1,0 +1,70 @@
+//! `stackless stress`, and the levels of accuracy of `stackless trace`.
+
+use std::path::Path;
+
+use stackless_bvh::generate::{procedural, stress};
+use stackless_bvh::trace::{Accuracy, Truth};
+
+use crate::support::{Folder, read_json, stackless};
+
+#[test]
+fn the_exact_level_has_no_errors_and_the_others_have() {
+    let folder = Folder::new();
+    let json = folder.path("errors.json");
+    let args = "stress --rays 40 --cases edge,vertex,t-junction --methods stack,hashed --json";
+    let run = stackless(args, &[&json]).passes();
+    assert!(run.stdout.contains("stressed: 3 cases, 120 rays, exact: 0 errors"), "{}", run.stdout);
+    let rows = read_json(&json);
+    let rows = rows.as_array().unwrap();
+    assert_eq!(rows.len(), 3 * Accuracy::ALL.len());
+    let mut errors_of_others = 0;
+    for row in rows {
+        assert_eq!(row["rays"], 40, "{row}");
+        let counts =
+            ["false_misses", "false_hits", "wrong_primitives", "max_ulp"].map(|name| row[name].as_u64().unwrap());
+        if row["accuracy"] == "exact" {
+            assert_eq!(counts, [0; 4], "{row}");
+        } else {
+            errors_of_others += counts.iter().sum::<u64>();
+        }
+    }
+    assert!(errors_of_others > 0);
+}
+
+#[test]
+fn cases_and_boxes() {
+    let list = stackless("stress --list", &[]).passes().stdout;
+    assert_eq!(list.lines().count(), stress::NAMES.len());
+    assert!(list.lines().zip(stress::NAMES).all(|(line, name)| line.starts_with(name)), "{list}");
+    let boxes = stackless("stress --boxes 20000 --seed 3", &[]).passes().stdout;
+    let directed = boxes.lines().find(|line| line.starts_with("directed")).unwrap();
+    assert_eq!(directed.split_whitespace().nth(1), Some("0"), "{boxes}");
+    for (args, what) in [
+        ("stress --cases nosuch", "--list"),
+        ("stress --boxes many", "many"),
+        ("stress --boxes 5 --all-tests", "cannot be used with"),
+        ("trace soup --accuracy best --rays a --out b", "expected one of: fast, watertight, precise, exact"),
+    ] {
+        let run = stackless(args, &[]);
+        assert_eq!((run.code, run.stdout.as_str()), (Some(2), ""), "{args}");
+        assert!(run.stderr.contains(what), "{args}: {}", run.stderr);
+    }
+}
+
+/// On ordinary rays, all levels hit the same triangles; only `exact`, which is the default, has all bits right.
+#[test]
+fn trace_has_all_levels() {
+    let mesh = procedural::soup(1, 20_000);
+    let (rays, truth) = (procedural::camera_rays(&mesh, 3, 200), Truth::new(&mesh));
+    let expected: Vec<_> = rays.iter().map(|ray| truth.closest(ray).map(|hit| hit.rounded())).collect();
+    let prims =
+        |hits: &[Option<stackless_bvh::trace::Hit>]| hits.iter().map(|hit| hit.map(|h| h.prim)).collect::<Vec<_>>();
+    for level in Accuracy::ALL {
+        let hits = crate::trace::trace(Path::new("soup"), &rays, &format!("--accuracy {level}"));
+        let differ = prims(&hits).iter().zip(prims(&expected)).filter(|(a, b)| **a != *b).count();
+        assert!(differ <= 2, "{level}: {differ}");
+        assert!(level != Accuracy::Exact || hits == expected);
+        assert!(level != Accuracy::Fast || hits != expected);
+    }
+    assert_eq!(crate::trace::trace(Path::new("soup"), &rays, ""), expected);
+}

@@ -1,0 +1,145 @@
+//! `stackless trace`: hits survive the file bit for bit, and are those of testing all triangles.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use stackless_bvh::generate::procedural;
+use stackless_bvh::geom::Mesh;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::trace::{Hit, Truth};
+use stackless_bvh::traverse::Method;
+use stackless_scene::{self};
+
+use super::support::{Folder, data, stackless};
+
+fn ray_file(rays: &[Ray]) -> String {
+    let mut text = "ox,oy,oz,dx,dy,dz,tmin,tmax\n".to_owned();
+    for ray in rays {
+        for number in ray.origin().to_array().into_iter().chain(ray.direction().to_array()) {
+            write!(text, "{number:?},").unwrap();
+        }
+        writeln!(text, "{:?},{:?}", ray.tmin(), ray.tmax()).unwrap();
+    }
+    text
+}
+
+fn parse_hits(text: &str) -> Vec<Option<Hit>> {
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some("prim,t,u,v"));
+    let parse = |line: &str| {
+        let columns: Vec<_> = line.split(',').collect();
+        let [prim, t, u, v] = columns[..] else { panic!("{line}") };
+        if prim == "-1" {
+            assert_eq!([t, u, v], [""; 3], "{line}");
+            return None;
+        }
+        let [t, u, v] = [t, u, v].map(|number| number.parse().unwrap());
+        Some(Hit { prim: prim.parse().unwrap(), t, u, v })
+    };
+    lines.map(parse).collect()
+}
+
+fn bits(hit: Hit) -> [u32; 4] {
+    [hit.prim, hit.t.to_bits(), hit.u.to_bits(), hit.v.to_bits()]
+}
+
+/// Traces the rays by the command, with these further arguments.
+pub(crate) fn trace(scene: &Path, rays: &[Ray], args: &str) -> Vec<Option<Hit>> {
+    let folder = Folder::new();
+    let (rays_file, out) = (folder.file("rays.csv", ray_file(rays)), folder.path("hits.csv"));
+    stackless(&format!("trace {args} --rays"), &[&rays_file, Path::new("--out"), &out, scene]).passes();
+    assert_eq!(folder.names(), ["hits.csv", "rays.csv"]);
+    let hits = parse_hits(&std::fs::read_to_string(&out).unwrap());
+    assert_eq!(hits.len(), rays.len());
+    hits
+}
+
+fn assert_true(mesh: &Mesh, scene: &Path, rays: &[Ray], methods: &[Method]) {
+    let truth = Truth::new(mesh);
+    let closest_hits: Vec<_> = rays.iter().map(|ray| truth.closest(ray).map(|hit| hit.rounded())).collect();
+    assert!(closest_hits.iter().any(Option::is_some) && closest_hits.iter().any(Option::is_none));
+    for method in methods {
+        let closest = trace(scene, rays, &format!("--method {method}"));
+        for ((ray, expected), found) in rays.iter().zip(&closest_hits).zip(&closest) {
+            assert_eq!(found.map(bits), expected.map(bits), "{method}: {ray:?}");
+        }
+        let any = trace(scene, rays, &format!("--any --method {method}"));
+        for ((ray, expected), found) in rays.iter().zip(&closest_hits).zip(&any) {
+            assert_eq!(found.is_some(), expected.is_some(), "{method}: {ray:?}");
+            // Not the closest, but a hit of the triangle that it names.
+            if let Some(hit) = *found {
+                let all = truth.all(ray);
+                let own = all.iter().find(|own| own.prim == hit.prim).unwrap();
+                assert_eq!(bits(hit), bits(own.rounded()), "{method}: {ray:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_method_on_a_mesh_file() {
+    for name in ["cube.ply", "cube.obj"] {
+        let mesh = stackless_scene::load(&data(name)).unwrap();
+        assert_true(&mesh, &data(name), &procedural::rays(&mesh, 3, 500), &Method::ALL);
+    }
+}
+
+#[test]
+fn every_method_on_a_made_scene() {
+    let mesh = procedural::soup(1, 20_000);
+    assert_true(&mesh, Path::new("soup"), &procedural::rays(&mesh, 4, 60), &Method::ALL);
+}
+
+#[test]
+fn every_made_scene() {
+    for (name, mesh) in [("strands", procedural::strands(1, 2000)), ("stadium", procedural::stadium(1))] {
+        let methods = [Method::Hashed, Method::Complete, Method::Hapala];
+        assert_true(&mesh, Path::new(name), &procedural::rays(&mesh, 5, 40), &methods);
+    }
+}
+
+#[test]
+fn the_method_of_choice_is_hashed() {
+    let mesh = stackless_scene::load(&data("cube.ply")).unwrap();
+    let rays = procedural::rays(&mesh, 3, 500);
+    let by_default = trace(&data("cube.ply"), &rays, "");
+    assert_eq!(by_default, trace(&data("cube.ply"), &rays, "--method hashed"));
+}
+
+/// A pentagon in the plane z = 0 and, behind it, a triangle in z = 1: three triangles, then the fourth.
+const PENTAGON: [&str; 2] = [
+    "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n\
+     property list uchar int vertex_indices\nend_header\n\
+     0 0 0\n4 0 0\n6 2 0\n3 4 0\n0 2 0\n0 0 1\n9 0 1\n0 9 1\n5 0 1 2 3 4\n3 5 6 7\n",
+    "v 0 0 0\nv 4 0 0\nv 6 2 0\nv 3 4 0\nv 0 2 0\nv 0 0 1\nv 9 0 1\nv 0 9 1\nf 1 2 3 4 5\nf 6 7 8\n",
+];
+
+#[test]
+fn every_builder_gives_the_same_hits() {
+    let scene = Path::new("stadium");
+    let rays = procedural::rays(&procedural::stadium(1), 5, 400);
+    let expected = trace(scene, &rays, "");
+    assert!(expected.iter().any(Option::is_some) && expected.contains(&None));
+    for build in ["sah+2", "sbvh", "sbvh+3", "lbvh", "bounded", "median"] {
+        assert_eq!(trace(scene, &rays, &format!("--build {build}")), expected, "{build}");
+    }
+}
+
+#[test]
+fn polygons_fan_out_in_place() {
+    let folder = Folder::new();
+    let rays = "4,0.5,-2,0,0,1,0,inf\n3,3,-2,0,0,1,0,inf\n0.5,2,-2,0,0,1,0,inf\n1,6,-2,0,0,1,0,inf\n\
+                # a comment, then a ray away from all\n4,0.5,-2,0,0,-1,0,inf\n4,0.5,-2,0,0,2,0,0.75\n";
+    let rays = folder.file("rays.csv", rays);
+    for (extension, text) in ["ply", "obj"].into_iter().zip(PENTAGON) {
+        let mesh = folder.file(&format!("pentagon.{extension}"), text);
+        let out = folder.path("hits.csv");
+        for method in Method::ALL {
+            stackless(&format!("trace --method {method} --rays"), &[&rays, Path::new("--out"), &out, &mesh]).passes();
+            let hits = parse_hits(&std::fs::read_to_string(&out).unwrap());
+            let seen: Vec<_> = hits.iter().map(|hit| hit.map(|hit| (hit.prim, hit.t))).collect();
+            let expected = [Some((0, 2.0)), Some((1, 2.0)), Some((2, 2.0)), Some((3, 3.0)), None, None];
+            assert_eq!(seen, expected, "{method}");
+        }
+    }
+}

@@ -1,0 +1,255 @@
+//! Traversals recorded step by step, and the pages that show them. (`tests/page` looks at the pages in a browser.)
+
+#[allow(dead_code, reason = "the tests of the command use the rest")]
+#[path = "cli/support.rs"]
+mod support;
+
+use std::collections::BTreeSet;
+
+use serde_json::Value;
+use stackless_bvh::generate::{Cell, Tape};
+use stackless_bvh::traverse::{Method, Test};
+use stackless_bvh::tree::{Topology, Tree};
+use stackless_check::{Case, CaseOptions};
+use stackless_cli::explain::{self, By, DEEPEST, Entry, ExplainError, MOST_NODES, Recording, Step, USUAL};
+use stackless_suite::{Ask, author};
+use support::{Folder, stackless};
+
+fn spec(name: &str) -> String {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("spec").join(name);
+    std::fs::read_to_string(path).unwrap()
+}
+
+/// The lines of a block `as-run NAME` of the specification.
+fn as_run(name: &str) -> Vec<String> {
+    let text = spec("traversal.md");
+    let block = text.split(&format!("```as-run {name}\n")).nth(1).unwrap().split("```").next().unwrap();
+    block.lines().map(str::to_owned).collect()
+}
+
+/// The data of a page.
+fn data(html: &str) -> Value {
+    let start = html.split(r#"<script type="application/json" id="data">"#).nth(1).unwrap();
+    serde_json::from_str(start.split("</script>").next().unwrap()).unwrap()
+}
+
+fn key(tree: &Tree, slot: u32) -> u128 {
+    stackless_bvh::tree::Keys::of(tree).key(slot as usize)
+}
+
+/// [TRAIL-3] [TRAIL-4] [HASHED-1]
+#[test]
+fn the_papers_example_goes_from_22_to_3_by_the_table() {
+    let case = explain::example();
+    let recording = explain::record(&case, Method::Hashed).unwrap();
+    let at = recording.steps.iter().position(|step| step.key.as_deref() == Some("10110")).unwrap();
+    let (step, after) = (&recording.steps[at], &recording.steps[at + 1]);
+    let next = step.next.as_ref().unwrap();
+    let [trail, next_key, next_trail] = [&step.trail, &after.key, &after.trail].map(|word| word.as_deref().unwrap());
+    let levels = next.levels.unwrap();
+    let line = format!("key 10110 trail {trail} -> levels {levels} key {next_key} trail {next_trail}");
+    assert_eq!(as_run("backtrack"), [line]);
+    assert_eq!((key(&case.tree, next.node), next.by, step.register), (3, By::Table, None));
+    assert_eq!(next.lookup.as_ref().map(|lookup| (lookup.number.as_str(), lookup.node)), Some(("3", Some(next.node))));
+    // Its uncle is 10 and its grand uncle 4, and neither is postponed.
+    let links: Vec<_> = step.links.iter().map(|link| key(&case.tree, link.unwrap())).collect();
+    assert_eq!((links, step.stack.as_slice()), (vec![10, 4], &[next.node][..]));
+}
+
+/// Each line of the walk in spec/traversal.md, from what is recorded. [TRAIL-2] [TRAIL-6] [SPARSE-1] [REGISTER-1]
+#[test]
+fn the_walk_of_the_specification_is_recorded_as_it_stands_there() {
+    let mut case = explain::example();
+    let mut cells = case.tape.cells().to_vec();
+    cells[8].right_first = false;
+    case.tape = Tape::from_cells(&case.tree, cells).unwrap();
+    let mut text = Vec::new();
+    for method in [Method::Hashed, Method::Sparse] {
+        text.push(method.name().to_owned());
+        text.extend(explain::record(&case, method).unwrap().steps.iter().map(|step| line(&case, step)));
+        text.push("end".to_owned());
+    }
+    assert_eq!(text, as_run("walk"));
+}
+
+/// A visit as spec/traversal.md writes it.
+fn line(case: &Case, step: &Step) -> String {
+    let kind = if step.decision.is_some() { "enter" } else { "leaf" };
+    let mut parts = vec![format!("{kind:5} {:<2}", key(&case.tree, step.node))];
+    let words = [("key", &step.key), ("trail", &step.trail), ("counter", &step.counter)];
+    parts.extend(words.iter().filter_map(|(name, word)| Some(format!("{name} {:5}", word.as_ref()?))));
+    parts.extend(step.register.map(|register| format!("register {}", key(&case.tree, register))));
+    parts.extend(step.decision.as_ref().map(|decision| {
+        let decision = decision.replace("left", "Left").replace("right", "Right");
+        format!("-> {}", decision.replace("the ", "").replace(" child", ""))
+    }));
+    parts.join("  ").trim_end().to_owned()
+}
+
+/// Cases of all kinds: random ones, and the walks of the suite.
+fn cases() -> Vec<Case> {
+    let random = (0..150).map(|seed| Case::random(seed, CaseOptions::default()));
+    let suite = author::suite();
+    let asks = suite.cases().step_by(17).filter_map(|(_, case)| {
+        serde_json::from_value(Value::Object(case.input.clone())).ok().and_then(|ask| match ask {
+            Ask::Trace(walk) => walk.case().ok(),
+            _ => None,
+        })
+    });
+    random.chain(asks).filter(|case| case.tree.depth() <= DEEPEST && case.size() <= MOST_NODES).collect()
+}
+
+/// [TRAVERSE-1] [CONF-3]
+#[test]
+fn every_traversal_is_recorded_as_its_oracle_goes() {
+    let clauses: BTreeSet<String> = ["traversal.md", "state.md", "hash.md"]
+        .iter()
+        .flat_map(|name| spec(name).lines().map(str::to_owned).collect::<Vec<_>>())
+        .filter_map(|line| Some(line.strip_prefix("**[")?.split(']').next()?.to_owned()))
+        .collect();
+    let (mut seen, mut refused) = (BTreeSet::new(), BTreeSet::new());
+    for case in cases() {
+        for method in Method::ALL {
+            match explain::record(&case, method) {
+                Ok(recording) => look(&case, method, &recording, &clauses, &mut seen),
+                Err(ExplainError::Unfit { method, .. } | ExplainError::Changing { method }) => {
+                    refused.insert(method.name());
+                }
+                Err(error) => panic!("{error}"),
+            }
+        }
+    }
+    assert_eq!(seen.len(), 10, "not all sources are seen: {seen:?}");
+    assert_eq!(
+        refused.into_iter().collect::<Vec<_>>(),
+        ["complete", "laine-0", "laine-1", "laine-2", "laine-4", "laine-8"]
+    );
+}
+
+fn look(case: &Case, method: Method, recording: &Recording, clauses: &BTreeSet<String>, seen: &mut BTreeSet<String>) {
+    let steps = &recording.steps;
+    assert!(clauses.contains(recording.clause), "{}", recording.clause);
+    for (step, after) in steps.iter().zip(steps.iter().skip(1).map(Some).chain([None])) {
+        let unknown: Vec<_> = step.clauses.iter().filter(|&&clause| !clauses.contains(clause)).collect();
+        assert!(unknown.is_empty() && !step.clauses.is_empty(), "{method}: {unknown:?}");
+        assert_eq!(step.next.as_ref().map(|next| next.node), after.map(|after| after.node));
+        let (Some(next), Some(after)) = (&step.next, after) else { continue };
+        seen.insert(format!("{:?}", next.by));
+        // Whoever is postponed last comes next; pruning takes some away.
+        if next.by != By::Child && method.test() != Test::Distance && !step.hit && !step.restart {
+            assert_eq!(
+                step.stack.last(),
+                Some(if after.restart { step.stack.last().unwrap() } else { &next.node }),
+                "{method}"
+            );
+        }
+        // Key and trail alone give the next key.
+        if let (Some(levels), Some(key), Some(trail), false) = (next.levels, &step.key, &step.trail, step.hit) {
+            let [key, trail] = [key, trail].map(|word| u128::from_str_radix(word, 2).unwrap());
+            assert_eq!(
+                (levels, key >> levels ^ 1),
+                (trail.trailing_zeros(), self::key(&case.tree, next.node)),
+                "{method}"
+            );
+        }
+        let Some(lookup) = &next.lookup else { continue };
+        let table = recording.table.as_ref().unwrap();
+        let number: u64 = lookup.number.parse().unwrap();
+        let (d, h) = (table.displacements as u64, table.cells as u64);
+        assert_eq!((next.by, lookup.bucket as u64, lookup.node), (By::Table, number % d, Some(next.node)));
+        if let Entry::Displacement(displacement) = lookup.entry {
+            assert_eq!(lookup.cell.map(|cell| cell as u64), Some((number % h + u64::from(displacement)) % h));
+        }
+    }
+}
+
+#[test]
+fn a_page_is_one_file_and_no_text_breaks_out_of_it() {
+    let case = explain::example();
+    let plain = explain::page("plain", &case, &USUAL).unwrap();
+    let title = "</script><script>alert(1)</script> <!-- &amp; \u{2028} \"";
+    let html = explain::page(title, &case, &USUAL).unwrap();
+    assert_eq!(html.matches('<').count(), plain.matches('<').count());
+    assert_eq!(data(&html)["title"], title);
+    let links: Vec<_> = html.match_indices("://").map(|(at, _)| html[at - 4..].split('"').next().unwrap()).collect();
+    assert_eq!(links, ["http://www.w3.org/2000/svg"], "something is asked of the network");
+    assert_eq!(explain::page("plain", &case, &USUAL).unwrap(), plain);
+    let data = data(&plain);
+    let names: Vec<_> = data["methods"].as_array().unwrap().iter().map(|it| it["method"].as_str().unwrap()).collect();
+    assert_eq!(names, USUAL.map(Method::name));
+    assert_eq!((data["names"][11].as_str(), data["keys"][11].as_str()), (Some("22"), Some("10110")));
+}
+
+/// [DEPTH-2]
+#[test]
+fn what_is_too_large_or_does_not_run_is_refused() {
+    let chain = |depth: u32| {
+        let children: Vec<_> =
+            (0..=2 * depth).map(|i| (i % 2 == 0 && i < 2 * depth).then_some([i + 2, i + 1])).collect();
+        let tree = Tree::new(&children).unwrap();
+        let tape = Tape::from_cells(&tree, vec![Cell::default(); children.len()]).unwrap();
+        Case { tree, tape, any: false, octant: 0 }
+    };
+    for method in Method::ALL.into_iter().filter(|&method| method != Method::Complete) {
+        assert!(explain::record(&chain(DEEPEST), method).is_ok(), "{method}");
+    }
+    let error = explain::record(&chain(DEEPEST + 1), Method::Hashed).unwrap_err();
+    assert_eq!(error.to_string(), "the tree is 127 edges deep, and a page shows at most 126");
+    let error = explain::page("a", &chain(1000), &[Method::Stack]).unwrap_err();
+    assert_eq!(error.to_string(), "the tree has 2001 nodes, and a page shows at most 2000");
+    let example = explain::example();
+    assert!(matches!(explain::page("a", &example, &[]), Err(ExplainError::NoMethod)));
+    let complete = explain::page("a", &example, &[Method::Complete]);
+    assert!(matches!(complete, Err(ExplainError::Unfit { method: Method::Complete, .. })));
+    let html = explain::page("a", &example, &[Method::Complete, Method::Stack]).unwrap();
+    let left_out = data(&html)["left_out"][0].as_str().unwrap().to_owned();
+    assert!(left_out.starts_with("complete: "), "{left_out}");
+}
+
+#[test]
+fn the_command_writes_pages() {
+    let folder = Folder::new();
+    let file = folder.path("a.html");
+    let said = stackless("explain -o", &[&file]).passes().stdout;
+    assert!(said.contains("13 nodes"), "{said}");
+    let html = std::fs::read_to_string(&file).unwrap();
+    assert_eq!(stackless("-q explain -o -", &[]).passes().stdout, html);
+    assert_eq!(data(&html)["title"], "The papers' example: from key 22 to key 3");
+
+    let tape = stackless("-q explain --tape 7 --methods sparse,hashed -o -", &[]).passes().stdout;
+    assert_eq!((&data(&tape)["methods"][0]["method"], &data(&tape)["title"]), (&"sparse".into(), &"Tape 7".into()));
+    let suite = stackless("-q explain --suite-case trace/script/three-neither -o -", &[]).passes().stdout;
+    assert_eq!(data(&suite)["children"].as_array().unwrap().len(), 3);
+    let text = r#"{"children": [[1, 2], null, null], "cells": [{}, {}, {}], "methods": ["uncle"]}"#;
+    let replay = folder.file("case.json", text);
+    let case = stackless("-q explain -o - --case", &[&replay]).passes().stdout;
+    assert_eq!(data(&case)["methods"][0]["method"], "uncle");
+    let case = stackless("-q explain -o - --methods afra --case", &[&replay]).passes().stdout;
+    assert_eq!(data(&case)["methods"].as_array().unwrap().iter().map(|it| &it["method"]).collect::<Vec<_>>(), ["afra"]);
+    let pixel = stackless("-q explain stadium --pixel 256,256 --methods hashed -o -", &[]).passes().stdout;
+    assert_eq!(data(&pixel)["title"], "stadium, pixel 256,256");
+    assert!(data(&pixel)["methods"][0]["steps"].as_array().unwrap().iter().any(|step| step["hit"] == true));
+    assert_eq!(folder.names(), ["a.html", "case.json"]);
+}
+
+#[test]
+fn the_command_refuses_what_it_cannot_show() {
+    let folder = Folder::new();
+    stackless("explain -o", &[&folder.path("no/such/folder.html")]).fails_naming(&["folder.html"]);
+    stackless("-q explain -o - --case", &[&folder.path("missing.json")]).fails_naming(&["missing.json"]);
+    let bad = folder.file("bad.json", r#"{"children": [[1, 9], null, null], "cells": [{}, {}, {}]}"#);
+    stackless("-q explain -o - --case", &[&bad]).fails_naming(&["bad.json: ", "node 0: child 9"]);
+    for (args, what) in [
+        ("--suite-case nosuch", "case 'nosuch': not in the suite"),
+        ("--suite-case key/u128/child-left-root", "expected one whose level is trace"),
+        ("--suite-case trace/script/chain-left-200-two-1", "200 edges deep"),
+        ("--methods complete", "complete: "),
+        ("soup --pixel 3,512", "pixel 3,512 is outside of the image of 512x512 pixels"),
+    ] {
+        stackless(&format!("explain {args} -o -"), &[]).fails_naming(&[what]);
+    }
+    for args in ["explain", "explain --tape 1 --suite-case a -o -", "explain --methods nosuch -o -"] {
+        assert_eq!(stackless(args, &[]).code, Some(2), "{args}");
+    }
+    assert_eq!(folder.names(), ["bad.json"]);
+}

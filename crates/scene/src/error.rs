@@ -1,0 +1,148 @@
+//! What can be wrong with a mesh file, and where.
+
+use stackless_bvh::geom::MeshError;
+
+use super::text::{one_line, quote};
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Why a mesh could not be loaded. One line that begins with the file.
+#[derive(Debug, thiserror::Error)]
+pub enum SceneError {
+    /// The extension tells no format that we read.
+    #[error("{}: {}, expected .ply or .obj", one_line(.file), extension(.file))]
+    Extension {
+        /// The file.
+        file: PathBuf,
+    },
+    /// The file is missing or cannot be read.
+    #[error("{}: cannot be read: {error}", one_line(.file))]
+    Io {
+        /// The file.
+        file: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+    /// The file was read, but does not hold a mesh.
+    #[error("{}: {error}", one_line(.file))]
+    Content {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong.
+        error: Box<ReadError>,
+    },
+}
+
+/// Why bytes are not a mesh.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ReadError {
+    /// A fault at one place.
+    #[error("{place}: {fault}")]
+    At {
+        /// Where.
+        place: Place,
+        /// What.
+        fault: Fault,
+    },
+    /// The file is in order, but what it holds is not a mesh.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+}
+
+/// A place in a mesh file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// A line, counted from 1.
+    Line(u64),
+    /// An element of a PLY file.
+    Element {
+        /// Its line, counted from 1, if the file is text.
+        line: Option<u64>,
+        /// Name of its kind, such as `vertex`, shortened.
+        name: String,
+        /// Its index among its kind, counted from 0.
+        index: u64,
+        /// How many of its kind the header promises.
+        count: u64,
+    },
+    /// Behind the last element of a PLY file.
+    End,
+}
+
+/// What is wrong at a place.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Fault {
+    /// The file is cut off.
+    #[error("the file ends, expected {expected}")]
+    Ends {
+        /// What should follow.
+        expected: &'static str,
+    },
+    /// Text or bytes that do not belong there.
+    #[error("found {found}, expected {expected}")]
+    Unexpected {
+        /// What stands there, shortened.
+        found: String,
+        /// What should.
+        expected: String,
+    },
+    /// A coordinate that is NaN, infinite, or too large for single precision.
+    #[error("coordinate {} is {value:?}, expected a finite number in single precision", ["x", "y", "z"][*.axis])]
+    NonFinite {
+        /// 0, 1 or 2.
+        axis: usize,
+        /// The coordinate.
+        value: f64,
+    },
+    /// A corner that is not a vertex.
+    #[error("vertex index {found} is out of range, expected {expected}")]
+    Index {
+        /// The corner.
+        found: String,
+        /// The range.
+        expected: String,
+    },
+    /// A face that is no polygon.
+    #[error("face with {corners} corners, expected at least 3")]
+    FewCorners {
+        /// How many it has.
+        corners: u64,
+    },
+}
+
+impl Fault {
+    pub(super) fn unexpected(found: impl Into<String>, expected: impl Into<String>) -> Self {
+        Self::Unexpected { found: found.into(), expected: expected.into() }
+    }
+
+    pub(super) fn at(self, place: Place) -> ReadError {
+        ReadError::At { place, fault: self }
+    }
+
+    pub(super) fn at_line(self, line: u64) -> ReadError {
+        self.at(Place::Line(line))
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Line(line) => write!(f, "line {line}"),
+            Self::Element { line, name, index, count } => {
+                if let Some(line) = line {
+                    write!(f, "line {line}, ")?;
+                }
+                write!(f, "{name} {index} (of {count})")
+            }
+            Self::End => f.write_str("after the last element"),
+        }
+    }
+}
+
+fn extension(file: &Path) -> String {
+    match file.extension() {
+        Some(extension) => format!("extension {}", quote(&extension.to_string_lossy())),
+        None => "no extension".into(),
+    }
+}

@@ -1,0 +1,54 @@
+//! Triangle meshes, rays and hits: reading and writing files.
+//!
+//! [`load`] reads a mesh, [`read_rays`] the rays to trace through it, [`write_hits`] writes what they hit, and
+//! [`write_atomically`] sees to it that a failed run leaves no half a file behind.
+//!
+//! A file is data from outside: whatever it holds, the answer is a valid [`Mesh`] or an error of one line that
+//! says where (line, or element such as `face 3`), what was found and what was expected. No count in a file is
+//! believed before the bytes it promises are there, so memory stays within a small multiple of the file's size.
+//!
+//! The readers are our own: `tobj` 4.0 re-indexes vertices and reports no line, and `ply-rs-bw` 4.0 reports in several
+//! lines, refuses numbers such as `.5`, misreads what follows a repeated property, and counts in vain through billions
+//! of elements that have none.
+
+#![forbid(unsafe_code)]
+
+mod error;
+mod fan;
+mod obj;
+mod output;
+mod ply;
+mod property;
+mod rays;
+mod text;
+
+pub use error::{Fault, Place, ReadError, SceneError};
+pub use obj::read_obj;
+pub use output::write_atomically;
+pub use ply::read_ply;
+pub use property::{FileFault, check_mesh_file, check_ray_file};
+pub use rays::{RayFault, RayFileError, read_rays, read_rays_from, write_hits};
+
+use std::path::Path;
+
+use stackless_bvh::geom::Mesh;
+
+/// Reads the triangle mesh in a `.ply` or `.obj` file (either case of letters); see [`read_ply`] and [`read_obj`].
+///
+/// # Errors
+/// [`SceneError`]: unknown extension, unreadable file, or content that is not a mesh.
+pub fn load(path: &Path) -> Result<Mesh, SceneError> {
+    let extension = path.extension().unwrap_or_default();
+    let read = if extension.eq_ignore_ascii_case("ply") {
+        read_ply
+    } else if extension.eq_ignore_ascii_case("obj") {
+        read_obj
+    } else {
+        return Err(SceneError::Extension { file: path.into() });
+    };
+    let bytes = std::fs::read(path).map_err(|error| SceneError::Io { file: path.into(), error })?;
+    read(&bytes).map_err(|error| SceneError::Content { file: path.into(), error: error.into() })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,114 @@
+//! The property bodies of file readers: whatever the bytes are, a mesh or rays that are in order, or a message of one line.
+
+use std::fmt::Write;
+
+use crate::{ReadError, read_obj, read_ply, read_rays_from};
+use stackless_bvh::geom::Mesh;
+use stackless_bvh::geom::Ray;
+
+/// What is wrong with a reader.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum FileFault {
+    /// The message has more than one line, or is longer than a terminal's screen.
+    #[error("not a message of one line: {0:?}")]
+    Message(String),
+    /// More was read than there are bytes.
+    #[error("{elements} vertices, triangles or rays from {bytes} bytes")]
+    Size {
+        /// What was read.
+        elements: usize,
+        /// How many bytes there are.
+        bytes: usize,
+    },
+    /// What was read is not valid, or does not come back when it is written as text and read.
+    #[error("what was read is not valid, or does not come back: {0}")]
+    Changed(String),
+}
+
+/// Longest message, in bytes.
+const LONGEST: usize = 400;
+
+/// Reads a mesh. If it is accepted, it is written as OBJ and as PLY, and must come back, bit for bit.
+///
+/// Returns whether it is accepted.
+///
+/// # Errors
+/// The first fault.
+pub fn check_mesh_file(bytes: &[u8], read: fn(&[u8]) -> Result<Mesh, ReadError>) -> Result<bool, FileFault> {
+    let mesh = match read(bytes) {
+        Ok(mesh) => mesh,
+        Err(error) => return message(error.to_string()),
+    };
+    let elements = mesh.vertices().len() + mesh.triangles().len();
+    if elements >= bytes.len() {
+        return Err(FileFault::Size { elements, bytes: bytes.len() });
+    }
+    for back in [read_obj(as_obj(&mesh).as_bytes()), read_ply(as_ply(&mesh).as_bytes())] {
+        let back = back.map_err(|error| FileFault::Changed(error.to_string()))?;
+        if bits(&back) != bits(&mesh) || back.triangles() != mesh.triangles() {
+            return Err(FileFault::Changed(format!("{back:?} instead of {mesh:?}")));
+        }
+    }
+    Ok(true)
+}
+
+/// Reads rays. If they are accepted, they are written, and must come back.
+///
+/// Returns whether they are accepted.
+///
+/// # Errors
+/// The first fault.
+pub fn check_ray_file(bytes: &[u8]) -> Result<bool, FileFault> {
+    let rays = match read_rays_from(bytes, "rays") {
+        Ok(rays) => rays,
+        Err(error) => return message(error.to_string()),
+    };
+    if rays.len() >= bytes.len() {
+        return Err(FileFault::Size { elements: rays.len(), bytes: bytes.len() });
+    }
+    let text = rays.iter().fold(String::new(), |mut text, ray: &Ray| {
+        let (o, d) = (ray.origin(), ray.direction());
+        let numbers = [o.x, o.y, o.z, d.x, d.y, d.z, ray.tmin(), ray.tmax()].map(|x| format!("{x:?}"));
+        let _ = writeln!(text, "{}", numbers.join(","));
+        text
+    });
+    match read_rays_from(text.as_bytes(), "rays") {
+        Ok(back) if format!("{back:?}") == format!("{rays:?}") => Ok(true),
+        back => Err(FileFault::Changed(format!("{back:?} instead of {rays:?}"))),
+    }
+}
+
+fn message(message: String) -> Result<bool, FileFault> {
+    let is_one_line = !message.contains(['\n', '\r']) && message.len() < LONGEST;
+    if is_one_line { Ok(false) } else { Err(FileFault::Message(message)) }
+}
+
+fn bits(mesh: &Mesh) -> Vec<[u32; 3]> {
+    mesh.vertices().iter().map(|vertex| vertex.to_array().map(f32::to_bits)).collect()
+}
+
+fn as_obj(mesh: &Mesh) -> String {
+    let mut text = String::new();
+    for v in mesh.vertices() {
+        let _ = writeln!(text, "v {:?} {:?} {:?}", v.x, v.y, v.z);
+    }
+    for [a, b, c] in mesh.triangles() {
+        let _ = writeln!(text, "f {} {} {}", a + 1, b + 1, c + 1);
+    }
+    text
+}
+
+fn as_ply(mesh: &Mesh) -> String {
+    let (vertices, faces) = (mesh.vertices().len(), mesh.triangles().len());
+    let mut text = format!(
+        "ply\nformat ascii 1.0\nelement vertex {vertices}\nproperty float x\nproperty float y\nproperty float z\n\
+         element face {faces}\nproperty list uchar int vertex_indices\nend_header\n"
+    );
+    for v in mesh.vertices() {
+        let _ = writeln!(text, "{:?} {:?} {:?}", v.x, v.y, v.z);
+    }
+    for [a, b, c] in mesh.triangles() {
+        let _ = writeln!(text, "3 {a} {b} {c}");
+    }
+    text
+}

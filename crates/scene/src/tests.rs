@@ -1,0 +1,136 @@
+//! Loading from files, and what the tests of the readers share.
+
+use super::*;
+use std::fs;
+use std::path::PathBuf;
+
+/// A folder of one test, removed at its end.
+pub(super) struct Folder(PathBuf);
+
+impl Folder {
+    pub(super) fn new(test: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("stackless-{}-{test}", std::process::id()));
+        fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    pub(super) fn file(&self, name: &str) -> PathBuf {
+        self.0.join(name)
+    }
+
+    pub(super) fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.0).unwrap();
+        let mut names: Vec<_> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        fs::remove_dir_all(&self.0).ok();
+    }
+}
+
+/// `SplitMix64` (Steele, Lea & Flood 2014).
+pub(super) struct Random(pub(super) u64);
+
+impl Random {
+    pub(super) fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mixed = (self.0 ^ self.0 >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
+        mixed ^ mixed >> 31
+    }
+
+    pub(super) fn below(&mut self, end: usize) -> usize {
+        (self.next() % end as u64) as usize
+    }
+}
+
+/// Changes, removes and doubles bytes of a valid file, in every second case only from `body` on: the reader answers
+/// with a mesh or with a message of one line.
+pub(super) fn survives_corruption(valid: &[u8], body: usize, read: fn(&[u8]) -> Result<Mesh, ReadError>, seeds: u64) {
+    let (mut meshes, mut refusals) = (0, 0);
+    for seed in 0..seeds {
+        let mut random = Random(seed);
+        let mut bytes = valid.to_vec();
+        let first = if seed % 2 == 0 { 0 } else { body };
+        for _ in 0..=random.below(4) {
+            let at = first.min(bytes.len() - 1) + random.below(bytes.len().saturating_sub(first).max(1));
+            match random.below(6) {
+                0 => bytes.truncate(at + 1),
+                1 if bytes.len() > 1 => drop(bytes.remove(at)),
+                2 => bytes.insert(at, b"0123456789 -.e\n\\/"[random.below(17)]),
+                3 => bytes[at] ^= 1 << random.below(8),
+                4 => bytes[at] = [0, 0x7F, 0x80, 0xFF][random.below(4)],
+                _ => bytes.extend_from_within(at..),
+            }
+        }
+        match check_mesh_file(&bytes, read) {
+            Ok(is_mesh) => *if is_mesh { &mut meshes } else { &mut refusals } += 1,
+            Err(fault) => panic!("seed {seed}: {fault}"),
+        }
+    }
+    // Neither outcome is rare, or the changes would reach nothing or break everything.
+    assert!(meshes > seeds / 50 && refusals > seeds / 50, "{meshes} meshes, {refusals} refusals");
+}
+
+fn data(name: &str) -> PathBuf {
+    [env!("CARGO_MANIFEST_DIR"), "..", "..", "tests", "data", name].iter().collect()
+}
+
+fn refusal(path: &Path) -> String {
+    load(path).unwrap_err().to_string()
+}
+
+#[test]
+fn both_formats_give_the_same_cube() {
+    let cube = load(&data("cube.ply")).unwrap();
+    assert_eq!((cube.vertices().len(), cube.triangles().len()), (8, 12));
+    assert_eq!(cube.triangles()[..4], [[0, 3, 2], [0, 2, 1], [4, 5, 6], [4, 6, 7]]);
+    assert_eq!(load(&data("cube.obj")).unwrap(), cube);
+}
+
+#[test]
+fn the_extension_may_be_in_capitals_and_must_be_known() {
+    let folder = Folder::new("extension");
+    for name in ["cube.PLY", "cube.Obj"] {
+        fs::copy(data(&name.to_lowercase()), folder.file(name)).unwrap();
+        assert_eq!(load(&folder.file(name)).unwrap(), load(&data("cube.ply")).unwrap());
+    }
+    for (name, found) in [
+        ("a.stl", "extension \"stl\""),
+        ("a.ply.gz", "extension \"gz\""),
+        ("ply", "no extension"),
+        (".ply", "no extension"),
+        ("a.", "extension \"\""),
+    ] {
+        assert_eq!(refusal(name.as_ref()), format!("{name}: {found}, expected .ply or .obj"));
+    }
+}
+
+#[test]
+fn an_unreadable_file_is_named() {
+    let folder = Folder::new("unreadable");
+    let missing = folder.file("missing.ply");
+    let begin = format!("{}: cannot be read: ", missing.display());
+    assert!(refusal(&missing).starts_with(&begin), "{}", refusal(&missing));
+
+    let directory = folder.file("directory.obj");
+    fs::create_dir(&directory).unwrap();
+    let begin = format!("{}: cannot be read: ", directory.display());
+    assert!(refusal(&directory).starts_with(&begin), "{}", refusal(&directory));
+}
+
+#[test]
+fn a_message_is_one_line_that_begins_with_the_file() {
+    let folder = Folder::new("message");
+    let path = folder.file("flat.obj");
+    fs::write(&path, "v 0 0 0\nf 1 1\n").unwrap();
+    let message = format!("{}: line 2: face with 2 corners, expected at least 3", path.display());
+    assert_eq!(refusal(&path), message);
+    fs::write(&path, "").unwrap();
+    assert_eq!(refusal(&path), format!("{}: no triangles, expected at least one", path.display()));
+    assert_eq!(refusal("two\nlines.s\nl".as_ref()), "two\\nlines.s\\nl: extension \"s\\nl\", expected .ply or .obj");
+}

@@ -1,0 +1,280 @@
+//! Level `ray`.
+
+use glam::{DVec3, Vec3};
+use serde_json::{Value, json};
+
+use super::{Author, result};
+use crate::ask::Rays;
+use crate::text::floats;
+use crate::{Ask, Level, Profile, Query, Strength};
+use stackless_bvh::generate::stress;
+use stackless_bvh::generate::{Rng, Source};
+use stackless_bvh::geom::Mesh;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::trace::{Hit, Truth};
+
+pub(super) fn profiles() -> Vec<Profile> {
+    vec![grid(), exact(), invalid()]
+}
+
+/// Most triangles of a case: the suite is to be small.
+const TRIANGLES: usize = 700;
+/// Rays of a case of the stress scenes.
+const RAYS: usize = 12;
+
+/// Meshes of small whole numbers, and rays along which nothing is rounded: those that meet triangles inside, and those that meet
+/// corners, edges, and triangles which lie on each other.
+fn grid() -> Profile {
+    let mut author = Author::new(Level::Ray, "grid");
+    for (name, why, is_inside) in [
+        ("inside", "Nothing is rounded, and no edge is met.", true),
+        (
+            "edges",
+            "Nothing is rounded: corners and edges are hit, and of equal distances the lower number wins.",
+            false,
+        ),
+    ] {
+        for seed in 0..40 {
+            let mut rng = Rng::new(6000 + seed);
+            let Some(mesh) = grid_mesh(&mut rng, 1 + 2 * seed as usize, is_inside) else { continue };
+            let truth = Truth::new(&mesh);
+            let mut rays = Vec::new();
+            for _ in 0..2000 {
+                if rays.len() == 16 {
+                    break;
+                }
+                let Some(ray) = grid_ray(&mut rng, &mesh, is_inside) else { continue };
+                let hits = truth.all(&ray);
+                let fits = |hit: Hit| {
+                    let Hit { t, u, v, .. } = hit;
+                    // Numbers that have to be rounded differ from device to device.
+                    [t, u, v].into_iter().all(is_dyadic) && (!is_inside || u > 0.0 && v > 0.0 && u + v < 1.0)
+                };
+                // Misses are easy.
+                if hits.iter().all(|hit| fits(hit.rounded())) && (!hits.is_empty() || rays.len() % 4 == 0) {
+                    rays.push(ray);
+                }
+            }
+            traced(&mut author, &format!("{name}-{seed}"), why, &mesh, &rays, &truth);
+        }
+    }
+    author.done()
+}
+
+/// Triangles with corners on a grid; some lie on each other, if they may.
+fn grid_mesh(rng: &mut Rng, triangles: usize, are_apart: bool) -> Option<Mesh> {
+    let corner = |rng: &mut Rng| Vec3::from_array([(); 3].map(|()| rng.below(17) as f32 - 8.0));
+    let (mut vertices, mut indices) = (Vec::new(), Vec::new());
+    for i in 0..triangles as u32 {
+        if i % 5 == 4 && !are_apart {
+            let [a, b, c]: [u32; 3] = indices[rng.below(u64::from(i)) as usize];
+            indices.push([b, c, a]);
+        } else {
+            let first = vertices.len() as u32;
+            vertices.extend([corner(rng), corner(rng), corner(rng)]);
+            indices.push([first, first + 1, first + 2]);
+        }
+    }
+    Mesh::new(vertices, indices).ok()
+}
+
+/// Along powers of two or zeros, towards a point inside a triangle, a corner, the middle of two corners, or anywhere.
+fn grid_ray(rng: &mut Rng, mesh: &Mesh, is_inside: bool) -> Option<Ray> {
+    let direction = Vec3::from_array([(); 3].map(|()| [0.0, 1.0, -1.0, 0.5, -2.0][rng.below(5) as usize]));
+    let corner = |rng: &mut Rng| mesh.vertices()[rng.below(mesh.vertices().len() as u64) as usize];
+    let target = match rng.below(4) {
+        0 => Vec3::from_array([(); 3].map(|()| rng.below(33) as f32 - 16.0)),
+        _ if is_inside => {
+            let [a, b, c] = mesh.triangles()[rng.below(mesh.triangles().len() as u64) as usize];
+            let [a, b, c] = [a, b, c].map(|corner| mesh.vertices()[corner as usize]);
+            (2.0 * a + b + c) / 4.0
+        }
+        1 => corner(rng),
+        _ => (corner(rng) + corner(rng)) / 2.0,
+    };
+    let (tmin, tmax) = [(0.0, f32::INFINITY), (0.0, 4.0), (4.0, 64.0), (0.0, 64.0)][rng.below(4) as usize];
+    Ray::new(target - 4.0 * direction, direction, tmin, tmax).ok()
+}
+
+fn is_dyadic(x: f32) -> bool {
+    (x * 4096.0).fract() == 0.0 && x.abs() < 4096.0
+}
+
+/// The stress scenes that are not large.
+fn exact() -> Profile {
+    let mut author = Author::new(Level::Ray, "exact");
+    for case in stress::cases(RAYS).filter(|case| case.mesh.triangles().len() <= TRIANGLES) {
+        traced(&mut author, case.name, case.about, &case.mesh, &case.rays, &Truth::new(&case.mesh));
+    }
+    for (seed, &(name, why, target)) in ZEROS.iter().enumerate() {
+        let Some((mesh, rays)) = zeros(&mut Rng::new(7000 + seed as u64), target) else { continue };
+        traced(&mut author, name, why, &mesh, &rays, &Truth::new(&mesh));
+    }
+    for (name, why, rows) in FAR_OFF {
+        let [o, d, corners @ ..] = rows.map(|v| Vec3::from_array(v.map(f32::from_bits)));
+        let Ok(mesh) = Mesh::new(corners.to_vec(), vec![[0, 1, 2]]) else { continue };
+        let Ok(ray) = Ray::new(o, d, 0.0, f32::INFINITY) else { continue };
+        traced(&mut author, name, why, &mesh, &[ray], &Truth::new(&mesh));
+    }
+    author.done()
+}
+
+/// Rays and triangles that a hill climb found: rounding gets them wrong by as much of the bounds of [EXACT-4] to [EXACT-9] as is said.
+/// Rows: origin, direction, corners.
+const FAR_OFF: [(&str, &str, [[u32; 3]; 5]); 3] = [
+    (
+        "far-off",
+        "The distance is between two floats, and double precision off by more than half of what can be proved.",
+        [
+            [0x392f_f724, 0x48fe_b697, 0xb825_8d2f],
+            [0x3007_e0de, 0xc6d8_6334, 0x4606_ce34],
+            [0x4901_261a, 0x2e32_c451, 0x4901_771a],
+            [0x3540_c401, 0xc901_c2ce, 0x43ff_6667],
+            [0xaf3f_fffe, 0x4900_3fa4, 0x2f3f_fffa],
+        ],
+    ),
+    (
+        "far-off-single",
+        "Single precision has an edge on the wrong side, by more than a third of what can be proved.",
+        [
+            [0xbc8c_4bc4, 0xbc69_28c8, 0xbd69_7e6a],
+            [0x4900_574c, 0x4900_74a8, 0x48fe_7b50],
+            [0x4880_7324, 0xc886_0436, 0xc87e_ad22],
+            [0x4901_deab, 0x3afd_410b, 0xc8ff_fa9a],
+            [0xbc6c_b595, 0x3c7c_f8e6, 0xbb45_dbca],
+        ],
+    ),
+    (
+        "far-off-double",
+        "Double precision has an edge on the wrong side, by more than a quarter of what can be proved.",
+        [
+            [0xaff6_8a7e, 0xc783_e97e, 0xacf5_ecf3],
+            [0x4671_6dce, 0xc671_5f11, 0xb091_cbeb],
+            [0x4783_9ba1, 0xa5da_5316, 0x4783_fe00],
+            [0x4803_cc96, 0x4783_6509, 0xafbe_d22a],
+            [0x2f3c_a7c6, 0xc783_fd93, 0xad03_ea14],
+        ],
+    ),
+];
+
+/// Name, why, and where the ray meets its triangle, as parts of the corners: something that decides is 0 there.
+type Zero = (&'static str, &'static str, [f32; 3]);
+
+const ZEROS: [Zero; 2] = [
+    ("begins-within", "Rays begin on a triangle: t is 0, and double precision finds it to be less.", [0.5, 0.25, 0.25]),
+    ("through-edge", "Rays pass through an edge, and double precision finds them outside.", [0.5, 0.5, 0.0]),
+];
+
+/// Of many triangles of large whole numbers, each with a ray, those of which double precision is most wrong.
+fn zeros(rng: &mut Rng, [a, b, c]: [f32; 3]) -> Option<(Mesh, Vec<Ray>)> {
+    let point = |rng: &mut Rng| Vec3::from_array([(); 3].map(|()| (rng.below(1 << 19) as f32 - 262_144.0) * 4.0));
+    let mut drawn = Vec::new();
+    for _ in 0..10_000 {
+        let (corners, d) = ([point(rng), point(rng), point(rng)], point(rng) / 4.0);
+        let target = a * corners[0] + b * corners[1] + c * corners[2];
+        let Ok(ray) = Ray::new(if c == 0.0 { target - d } else { target }, d, 0.0, f32::INFINITY) else { continue };
+        drawn.push((off(&ray, corners), corners, ray));
+    }
+    drawn.sort_by(|(a, ..), (b, ..)| b.total_cmp(a));
+    drawn.truncate(RAYS);
+    let vertices = drawn.iter().flat_map(|(_, corners, _)| *corners).collect();
+    let triangles = (0..drawn.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    Some((Mesh::new(vertices, triangles).ok()?, drawn.into_iter().map(|(.., ray)| ray).collect()))
+}
+
+/// How far outside, or before its beginning, a ray seems to meet a triangle in double precision, beside what is multiplied there.
+fn off(ray: &Ray, corners: [Vec3; 3]) -> f64 {
+    let [o, d, v0, v1, v2] = [ray.origin(), ray.direction(), corners[0], corners[1], corners[2]].map(Vec3::as_dvec3);
+    let (e1, e2, s) = (v1 - v0, v2 - v0, o - v0);
+    let (p, q) = (d.cross(e2), s.cross(e1));
+    let (determinant, size) = (e1.dot(p), |v: DVec3| v.abs().max_element());
+    let (edges, most) = ([s.dot(p), d.dot(q)].map(|edge| edge / determinant.signum()), size(e1).max(size(e2)));
+    let least = edges[0].min(edges[1]) / (size(s) * size(d) * most);
+    let t = e2.dot(q) / determinant.signum() / (size(s) * most * most);
+    -least.min(t)
+}
+
+/// The closest hits, and, of the first rays, whether there is any.
+fn traced(author: &mut Author, name: &str, why: &str, mesh: &Mesh, rays: &[Ray], truth: &Truth) {
+    let ask = |query, rays: &[Ray]| Ask::Ray(asked(mesh, rays, query));
+    let hits: Vec<Value> = rays.iter().map(|ray| hit(truth.closest(ray).map(|hit| hit.rounded()))).collect();
+    author.case(
+        name,
+        &["EXACT-1", "DET-1", "CONF-2"],
+        why,
+        &ask(Query::Closest, rays),
+        result([("hits", json!(hits))]),
+    );
+    if author.0.cases.len() % 8 == 1 {
+        let hits: Vec<bool> = rays.iter().map(|ray| truth.any(ray)).collect();
+        let answer = result([("hits", json!(hits))]);
+        author.case(&format!("{name}-any"), &["EXACT-1", "CONF-2"], why, &ask(Query::Any, rays), answer);
+    }
+}
+
+fn asked(mesh: &Mesh, rays: &[Ray], query: Query) -> Rays {
+    Rays {
+        vertices: mesh.vertices().iter().map(|vertex| floats(&vertex.to_array())).collect(),
+        triangles: mesh.triangles().to_vec(),
+        rays: rays.iter().map(numbers).map(|numbers| floats(&numbers)).collect(),
+        query,
+    }
+}
+
+fn numbers(ray: &Ray) -> [f32; 8] {
+    let ([a, b, c], [x, y, z]) = (ray.origin().to_array(), ray.direction().to_array());
+    [a, b, c, x, y, z, ray.tmin(), ray.tmax()]
+}
+
+/// A hit as an answer has it.
+pub(crate) fn hit(hit: Option<Hit>) -> Value {
+    let bits = |x: f32| format!("{:08x}", x.to_bits());
+    hit.map_or(Value::Null, |hit| json!({ "prim": hit.prim, "t": bits(hit.t), "u": bits(hit.u), "v": bits(hit.v) }))
+}
+
+/// Changes corners, triangle, or ray.
+type Spoil = fn(&mut [[f32; 3]; 3], &mut [u32; 3], &mut [f32; 8]);
+
+fn invalid() -> Profile {
+    let mut author = Author::new(Level::Ray, "invalid");
+    let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let ray = [0.25, 0.25, -1.0, 0.0, 0.0, 1.0, 0.0, f32::INFINITY];
+    let mut fault = |name: &str, why: &str, code: &str, change: Spoil| {
+        let (mut vertices, mut triangle, mut ray) = (vertices, [0, 1, 2], ray);
+        change(&mut vertices, &mut triangle, &mut ray);
+        let ask = Ask::Ray(Rays {
+            vertices: vertices.iter().map(|vertex| floats(vertex)).collect(),
+            triangles: vec![triangle],
+            rays: vec![floats(&ray)],
+            query: Query::Closest,
+        });
+        let case = author.reject(name, &["EXACT-1"], why, &ask, code);
+        if name == "negative-tmin" {
+            case.strength = Strength::May;
+        }
+    };
+    fault("vertex-nan", "No number.", "not-finite", |vertices, _, _| vertices[1][2] = f32::NAN);
+    fault("vertex-infinite", "No finite number.", "not-finite", |vertices, _, _| vertices[0][0] = f32::NEG_INFINITY);
+    fault("index", "There are three vertices.", "index", |_, triangle, _| triangle[2] = 3);
+    fault("index-far", "There are three vertices.", "index", |_, triangle, _| triangle[0] = (1 << 31) - 1);
+    fault("origin-nan", "No number.", "not-finite", |_, _, ray| ray[1] = f32::NAN);
+    fault("direction-infinite", "No finite number.", "not-finite", |_, _, ray| ray[4] = f32::INFINITY);
+    fault("direction-zero", "The ray goes nowhere.", "no-direction", |_, _, ray| ray[5] = 0.0);
+    fault("direction-negative-zero", "The ray goes nowhere.", "no-direction", |_, _, ray| ray[5] = -0.0);
+    fault("empty-interval", "tmin is above tmax.", "interval", |_, _, ray| (ray[6], ray[7]) = (2.0, 1.0));
+    fault("tmax-nan", "No number.", "interval", |_, _, ray| ray[7] = f32::NAN);
+    fault("tmin-nan", "No number.", "interval", |_, _, ray| ray[6] = f32::NAN);
+    fault("negative-tmin", "A ray begins at its origin.", "interval", |_, _, ray| ray[6] = -1.0);
+    author.done()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn floats_are_written_by_their_bits() {
+        let written = hit(Some(Hit { prim: 3, t: 1.0, u: -0.0, v: 0.5 }));
+        assert_eq!(written, json!({ "prim": 3, "t": "3f800000", "u": "80000000", "v": "3f000000" }));
+    }
+}

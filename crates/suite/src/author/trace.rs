@@ -1,0 +1,283 @@
+//! Level `trace`.
+
+use serde_json::{Value, json};
+
+use super::reference::{Reference, Rule, Search};
+use super::trees::{comb, complete, depth_of, depths, random, random_script, script};
+use super::{Author, result};
+use crate::ask::Walk;
+use crate::{Ask, Children, Feature, Level, Profile};
+use stackless_bvh::generate::{Cell, Kind, Tape};
+
+pub(super) fn profiles() -> Vec<Profile> {
+    vec![
+        scripts(),
+        complete_trees(),
+        tapes(),
+        by_rule("node-left", &["LEFT-1", "SKIP-1"], 60, |_| Rule::NodeLeft),
+        by_rule("node-sign", &["HAPALA-1", "SKIP-1"], 80, |case| Rule::NodeSign(case.octant)),
+        by_rule("disjoint", &["ORDER-2", "ORDER-3", "ORACLE-2", "DISJOINT-1", "DISJOINT-2", "DISJOINT-3"], 300, |_| {
+            Rule::Disjoint
+        }),
+        by_rule("distance", &["ORACLE-3"], 60, |_| Rule::Distance),
+        invalid(),
+    ]
+}
+
+/// Trees with scripts: small ones, all at hand; random ones; chains around the ends of words.
+fn scripts() -> Profile {
+    let mut author = Author::new(Level::Trace, "script");
+    for (name, text) in [("leaf", "."), ("leaf-stop", "!")] {
+        scripted(&mut author, name, "Nothing to descend into.", vec![None], text.to_owned());
+    }
+    for decision in ['n', 'l', 'r', 'L', 'R'] {
+        for stop in [".", "!"] {
+            let name = format!("three-{}{}", name_of(decision), if stop == "!" { "-stop" } else { "" });
+            let text = format!("{decision}{stop}.");
+            scripted(&mut author, &name, "One decision.", vec![Some([1, 2]), None, None], text);
+        }
+    }
+    for seed in 0..180 {
+        // Small ones first: what fails there is easy to see.
+        let (children, text) = random_script(seed, 3 + seed as u32 / 6, seed % 3 == 2);
+        scripted(&mut author, &format!("random-{seed}"), "Decisions of all kinds.", children, text);
+    }
+    for depth in [1, 2, 3, 4, 5, 8, 16, 30, 31, 32, 33, 62, 63, 64, 65, 126, 127, 128, 129, 200] {
+        chains(&mut author, depth);
+    }
+    author.done()
+}
+
+fn name_of(decision: char) -> String {
+    let side = if decision.eq_ignore_ascii_case(&'l') { "left" } else { "right" };
+    match decision {
+        'n' => "neither".to_owned(),
+        'l' | 'r' => format!("only-{side}"),
+        _ => format!("both-{side}-first"),
+    }
+}
+
+/// Chains, where the spine comes first and its side leaves are postponed: all, the first, or two.
+fn chains(author: &mut Author, depth: u32) {
+    type Side = fn(u32) -> bool;
+    let sides: [(&str, Side); 3] = [("left", |_| false), ("right", |_| true), ("turns", |level| level % 2 == 1)];
+    for (name, goes_right) in sides {
+        let children = comb(depth, goes_right);
+        let depths = depths(&children);
+        let down = |node: u32, postpones: bool| match (goes_right(depths[node as usize]), postpones) {
+            (false, false) => 'l',
+            (true, false) => 'r',
+            (false, true) => 'L',
+            (true, true) => 'R',
+        };
+        let mut chain = |label: &str, why: &str, postpones: &dyn Fn(u32) -> bool| {
+            let text = script(&children, |node| down(node, postpones(depths[node as usize])), |_| '.');
+            scripted(author, &format!("chain-{name}-{depth}-{label}"), why, children.clone(), text);
+        };
+        chain("all", "A leaf is postponed at each level.", &|_| true);
+        chain("first", "From the bottom to the root's other child in one step.", &|level| level == 0);
+        // The second one empties the register, so that the first must be found again.
+        let mut two = |second: u32| {
+            chain(&format!("two-{second}"), "Two are postponed; the lower one comes first.", &|level| {
+                level == 0 || level == second
+            });
+        };
+        [1, 2, 3, 4, depth / 2].into_iter().filter(|&second| second + 1 < depth).for_each(&mut two);
+    }
+}
+
+fn complete_trees() -> Profile {
+    let mut author = Author::new(Level::Trace, "complete");
+    for depth in 0..=6 {
+        let children = complete(depth);
+        let depths = depths(&children);
+        let orders: [(&str, &dyn Fn(u32) -> char); 4] = [
+            ("left", &|_| 'L'),
+            ("right", &|_| 'R'),
+            ("turns", &|node| if depths[node as usize] % 2 == 1 { 'R' } else { 'L' }),
+            ("some", &|node| ['L', 'r', 'R', 'l', 'L', 'R'][node as usize * 7 % 6]),
+        ];
+        for (name, order) in orders {
+            let text = script(&children, order, |leaf| if name == "some" && leaf % 16 == 9 { '!' } else { '.' });
+            scripted(
+                &mut author,
+                &format!("{name}-{depth}"),
+                "The address is the key less one.",
+                children.clone(),
+                text,
+            );
+        }
+    }
+    author.done()
+}
+
+/// A case of a script; what it is about follows from what happens.
+fn scripted(author: &mut Author, name: &str, why: &str, children: Children, text: String) {
+    let run = Reference::run(&children, Search::Script(text.as_bytes()));
+    let clauses = clauses(&run, &children);
+    let clauses: Vec<_> =
+        clauses.iter().copied().chain(author.0.profile.eq("complete").then_some("COMPLETE-1")).collect();
+    let expect = result([("events", json!(run.events)), ("trails", trails(&run))]);
+    let ask = Ask::Trace(Walk { children, script: Some(text), ..Walk::default() });
+    author.case(name, &clauses, why, &ask, expect);
+}
+
+fn clauses(run: &Reference<'_>, children: &Children) -> Vec<&'static str> {
+    let levels: Vec<u32> = run
+        .events
+        .iter()
+        .filter_map(|event| event.strip_prefix("backtrack ")?.split(' ').nth(1)?.parse().ok())
+        .collect();
+    let mut clauses = vec!["ORACLE-1", "TRACE-1", "TRAVERSE-1", "KEY-1"];
+    if run.visits.len() > 1 {
+        clauses.extend(["ORDER-1", "KEY-2", "TRAIL-1", "TRAIL-2"]);
+    }
+    if !levels.is_empty() {
+        clauses.extend(["TRAIL-3", "TRAIL-4", "TRAIL-7", "REGISTER-1"]);
+    }
+    // Who comes from further away than the sibling has to find the node somewhere: by records, or by a table.
+    if levels.iter().any(|&levels| levels > 0) {
+        clauses.extend(["REGISTER-2", "UNCLE-1", "UNCLE-2"]);
+    }
+    if levels.iter().any(|&levels| levels > 2) {
+        clauses.extend(["HASHED-1", "HASH-3"]);
+    }
+    let depth = depth_of(children);
+    if depth > 7 {
+        clauses.push("DEPTH-1");
+    }
+    if depth > 30 {
+        clauses.extend(["DEPTH-2", "CONF-3"]);
+    }
+    if depth > 127 {
+        clauses.extend(["DEPTH-3", "DEPTH-4"]);
+    }
+    clauses
+}
+
+fn trails(run: &Reference<'_>) -> Value {
+    run.visits.iter().map(|visit| visit.trail.hex()).collect()
+}
+
+fn tapes() -> Profile {
+    let mut author = Author::new(Level::Trace, "tape");
+    let kinds = [
+        Kind::Random,
+        Kind::AllHit,
+        Kind::NoneHit,
+        Kind::OnlyOne,
+        Kind::Alternating,
+        Kind::Shrinking,
+        Kind::Intervals,
+        Kind::Clipped,
+    ];
+    for seed in 0..160 {
+        let kind = kinds[seed as usize % kinds.len()];
+        let mut case = random(1000 + seed, 3 + seed as u32 / 6, kind);
+        case.any = seed / 8 % 3 == 1;
+        let why = if case.any {
+            "The first hit ends the search."
+        } else {
+            "A hit shortens the search: less is wanted later."
+        };
+        let clauses = ["ORACLE-1", "ORDER-1", "TRACE-1", "TRAVERSE-1", "TRAIL-2", "TRAIL-4"];
+        let made = taped(&mut author, &format!("{kind}-{seed}"), &clauses, why, &case, Rule::Children);
+        if !case.is_static() {
+            made.needs(Feature::Changing);
+        }
+        if seed % 8 == 6 {
+            let why = "Distances are equal often: what is entered where the best hit is, is wanted.";
+            let case = with_ties(case);
+            taped(&mut author, &format!("ties-{seed}"), &clauses, why, &case, Rule::Children).needs(Feature::Changing);
+        }
+    }
+    author.done()
+}
+
+fn by_rule(name: &str, clauses: &[&str], count: u64, rule: impl Fn(&stackless_check::Case) -> Rule) -> Profile {
+    let mut author = Author::new(Level::Trace, name);
+    let kinds = [Kind::Intervals, Kind::Clipped, Kind::Shrinking, Kind::Random];
+    for seed in 0..count {
+        // Where much is given up, trees have to be large for anything to be left.
+        let kind = kinds[seed as usize % if count > 100 { 2 } else { kinds.len() }];
+        let mut case = random(2000 + seed, 3 + (seed as u32 / 4).min(40), kind);
+        let rule = rule(&case);
+        let nodes = matches!(rule, Rule::NodeLeft | Rule::NodeSign(_));
+        case.any = nodes && seed / 4 % 4 == 3;
+        let why = if nodes { "Each node is tested at its own visit." } else { "What lies behind a hit is given up." };
+        let beyond = (kind == Kind::Clipped && rule == Rule::Disjoint).then_some("DISJOINT-4");
+        let clauses: Vec<_> = clauses.iter().copied().chain(beyond).collect();
+        taped(&mut author, &format!("{kind}-{seed}"), &clauses, why, &case, rule);
+        if seed % 4 == 0 {
+            let why = "Distances are equal often: what is entered where the best hit is, is wanted.";
+            taped(&mut author, &format!("ties-{seed}"), &clauses, why, &with_ties(case), rule);
+        }
+    }
+    author.done()
+}
+
+/// The same with distances in few steps.
+fn with_ties(case: stackless_check::Case) -> stackless_check::Case {
+    let coarse = |t: u32| t >> 18 << 18;
+    let cell = |cell: &Cell| Cell {
+        enter: coarse(cell.enter),
+        exit: cell.exit.map(coarse),
+        hit: cell.hit.map(coarse),
+        ..*cell
+    };
+    let cells = case.tape.cells().iter().map(cell).collect();
+    let tape = Tape::from_cells(&case.tree, cells).unwrap_or(case.tape);
+    stackless_check::Case { tape, ..case }
+}
+
+fn taped<'a>(
+    author: &'a mut Author,
+    name: &str,
+    clauses: &[&str],
+    why: &str,
+    case: &stackless_check::Case,
+    rule: Rule,
+) -> &'a mut crate::Case {
+    let (children, cells) = (case.tree.to_children(), case.tape.cells().to_vec());
+    let run = Reference::run(&children, Search::Cells { cells: &cells, any: case.any, rule });
+    let mut fields = vec![("events", json!(run.events)), ("hit", json!(run.best))];
+    // What is postponed by distance is known only when its turn comes.
+    if rule != Rule::Distance {
+        fields.push(("trails", trails(&run)));
+    }
+    let searches = matches!(rule, Rule::Children | Rule::NodeLeft | Rule::NodeSign(_));
+    let octant = if let Rule::NodeSign(octant) = rule { Some(octant) } else { None };
+    let walk = Walk { children, cells: Some(cells), any: searches.then_some(case.any), octant, ..Walk::default() };
+    author.case(name, clauses, why, &Ask::Trace(walk), result(fields))
+}
+
+fn invalid() -> Profile {
+    let mut author = Author::new(Level::Trace, "invalid");
+    let faults: [(&str, &str, Children); 11] = [
+        ("empty", "There is no root.", vec![]),
+        ("out-of-range", "A child that there is not.", vec![Some([1, 2]), None]),
+        ("far-out-of-range", "A child that there is not.", vec![Some([1, (1 << 31) - 1]), None]),
+        ("own-child", "A node is its own child.", vec![Some([0, 1]), None]),
+        ("root-as-child", "The root is the child of another.", vec![Some([1, 2]), Some([0, 3]), None, None]),
+        ("twice", "Both children are one node.", vec![Some([1, 1]), None]),
+        ("two-parents", "A node with two parents.", vec![Some([1, 2]), Some([3, 4]), Some([4, 5]), None, None, None]),
+        ("unreached", "A node without a parent.", vec![Some([1, 2]), None, None, None]),
+        ("unreached-tree", "Two trees.", vec![Some([1, 2]), None, None, Some([4, 5]), None, None]),
+        (
+            "cycle-below",
+            "A node is its own grandchild.",
+            vec![Some([1, 2]), Some([3, 4]), None, Some([1, 5]), None, None],
+        ),
+        (
+            "cycle",
+            "Nodes that are each other's children.",
+            vec![Some([1, 2]), None, None, Some([4, 5]), Some([3, 6]), None, None],
+        ),
+    ];
+    for (name, why, children) in faults {
+        let text = script(&children, |_| 'L', |_| '.');
+        let ask = Ask::Trace(Walk { children, script: Some(text), ..Walk::default() });
+        author.reject(name, &["TREE-1", "TREE-2"], why, &ask, "not-a-tree");
+    }
+    author.done()
+}

@@ -1,0 +1,281 @@
+//! Whether an answer is right.
+
+use core::fmt;
+
+use serde_json::{Map, Value};
+
+use super::ask::{Ask, Build};
+use super::author::keys_of;
+use super::text::word;
+use super::{Answer, Case, Expect, Feature, Hello};
+use stackless_bvh::key::{Grow, KeyWord};
+use stackless_bvh::tree::{Topology, Tree};
+
+/// What is wrong with an answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Flaw {
+    /// It says that it does not support what it has said that it does.
+    Unsupported(String),
+    /// It is an answer, and a rejection is expected.
+    NotRejected(String),
+    /// It is a rejection, and an answer is expected.
+    Rejected(String),
+    /// It is rejected for another reason.
+    Code {
+        /// What is expected.
+        expected: String,
+        /// What was said.
+        found: String,
+    },
+    /// A field is not there.
+    Missing(String),
+    /// A field is there that nobody has asked for.
+    Unknown(String),
+    /// A field, or an element of it, has another value.
+    Differs {
+        /// Which: its name, and the number of the element from 0.
+        at: String,
+        /// What is expected.
+        expected: String,
+        /// What was said.
+        found: String,
+    },
+    /// A table is not right.
+    Table(String),
+}
+
+impl fmt::Display for Flaw {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unsupported(why) => write!(f, "unsupported ({why}), though profile and features were named"),
+            Self::NotRejected(code) => write!(f, "answered, expected the rejection '{code}'"),
+            Self::Rejected(code) => write!(f, "rejected as '{code}', expected an answer"),
+            Self::Code { expected, found } => write!(f, "rejected as '{found}', expected '{expected}'"),
+            Self::Missing(field) => write!(f, "no field '{field}'"),
+            Self::Unknown(field) => write!(f, "unknown field '{field}'"),
+            Self::Differs { at, expected, found } => write!(f, "{at}: {found}, expected {expected}"),
+            Self::Table(what) => write!(f, "the table is wrong: {what}"),
+        }
+    }
+}
+
+impl std::error::Error for Flaw {}
+
+/// Judges an answer of an implementation with these features and limits. `[CONF-1]` `[CONF-3]`
+///
+/// # Errors
+/// The first flaw.
+pub fn judge(case: &Case, hello: &Hello, answer: &Answer) -> Result<(), Flaw> {
+    let has = |feature| hello.features.contains(&feature);
+    let expect = if is_too_deep(case, hello) { &Expect::Reject("too-deep".to_owned()) } else { &case.expect };
+    let result = match (expect, answer) {
+        (_, Answer::Unsupported(why)) => return Err(Flaw::Unsupported(why.clone())),
+        (Expect::Reject(expected), Answer::Reject(found)) if expected == found => return Ok(()),
+        (Expect::Reject(expected), Answer::Reject(found)) => {
+            return Err(Flaw::Code { expected: expected.clone(), found: found.clone() });
+        }
+        (Expect::Reject(expected), Answer::Result(_)) => return Err(Flaw::NotRejected(expected.clone())),
+        (_, Answer::Reject(code)) => return Err(Flaw::Rejected(code.clone())),
+        (_, Answer::Result(result)) => result,
+    };
+    let Expect::Result(expected) = expect else { return judge_table(case, result) };
+    let mut known: Vec<_> = expected.keys().map(String::as_str).collect();
+    for (name, expected) in expected {
+        if name == "trails" && !has(Feature::Trails) {
+            continue;
+        }
+        let found = result.get(name).ok_or_else(|| Flaw::Missing(name.clone()))?;
+        if name == "hits" {
+            let plain = |hits| plain_hits(hits, has(Feature::Weights));
+            compare(name, &plain(expected), &plain(found))?;
+        } else {
+            compare(name, expected, found)?;
+        }
+    }
+    if let (Some(events), Some(trails)) = (expected.get("events"), expected.get("trails")) {
+        let states = States::of(events, trails);
+        for (feature, name) in [(Feature::Counters, "counters"), (Feature::Registers, "registers")] {
+            if !has(feature) {
+                continue;
+            }
+            known.push(name);
+            let found = result.get(name).ok_or_else(|| Flaw::Missing(name.to_owned()))?;
+            match feature {
+                Feature::Counters => compare(name, &states.counters(), found)?,
+                _ => states.judge_registers(found)?,
+            }
+        }
+    }
+    match result.keys().find(|name| !known.contains(&name.as_str())) {
+        Some(name) => Err(Flaw::Unknown(name.clone())),
+        None => Ok(()),
+    }
+}
+
+/// Whether the implementation has said that it does not carry the case's tree.
+fn is_too_deep(case: &Case, hello: &Hello) -> bool {
+    let Some(limit) = hello.limits.max_depth else { return false };
+    let is_walk = case.id.starts_with("trace/") || case.id.starts_with("resume/");
+    if !is_walk || matches!(case.expect, Expect::Reject(_)) {
+        return false;
+    }
+    match Ask::of(&case.input) {
+        Ok(Ask::Trace(walk) | Ask::Resume(walk) | Ask::ResumeDisjoint(walk) | Ask::ResumeKey(walk)) => {
+            Tree::new(&walk.children).is_ok_and(|tree| tree.depth() > limit)
+        }
+        _ => false,
+    }
+}
+
+/// The first element that differs.
+fn compare(name: &str, expected: &Value, found: &Value) -> Result<(), Flaw> {
+    if expected == found {
+        return Ok(());
+    }
+    let differs = |at: String, expected: Option<&Value>, found: Option<&Value>| {
+        let text = |value: Option<&Value>| value.map_or("nothing".to_owned(), ToString::to_string);
+        Err(Flaw::Differs { at, expected: text(expected), found: text(found) })
+    };
+    if let (Value::Array(expected), Value::Array(found)) = (expected, found) {
+        for i in 0..expected.len().max(found.len()) {
+            if expected.get(i) != found.get(i) {
+                return differs(format!("{name}[{i}]"), expected.get(i), found.get(i));
+            }
+        }
+    }
+    differs(name.to_owned(), Some(expected), Some(found))
+}
+
+/// Hits as they are compared: zeros of either sign are one, and weights are there only if they are asked for.
+fn plain_hits(hits: &Value, has_weights: bool) -> Value {
+    let Value::Array(hits) = hits else { return hits.clone() };
+    let plain = |hit: &Value| {
+        let Value::Object(fields) = hit else { return hit.clone() };
+        let wanted = fields.iter().filter(|(name, _)| has_weights || !matches!(name.as_str(), "u" | "v"));
+        let unsigned = |value: &Value| if value == "80000000" { Value::from("00000000") } else { value.clone() };
+        Value::Object(wanted.map(|(name, value)| (name.clone(), unsigned(value))).collect())
+    };
+    hits.iter().map(plain).collect()
+}
+
+/// What keys and trails say of the rest of the state.
+struct States {
+    /// Key and trail at each visit.
+    visits: Vec<(Grow, Grow)>,
+}
+
+impl States {
+    fn of(events: &Value, trails: &Value) -> Self {
+        let texts = |list: &Value| -> Vec<String> {
+            list.as_array().into_iter().flatten().filter_map(|text| Some(text.as_str()?.to_owned())).collect()
+        };
+        let keys = texts(events).into_iter().filter_map(|event| {
+            let (_, key) = event.split_once(' ').filter(|(kind, _)| *kind != "backtrack")?;
+            word::<Grow>(key)
+        });
+        let trails = texts(trails).into_iter().filter_map(|trail| word::<Grow>(&trail));
+        Self { visits: keys.zip(trails).collect() }
+    }
+
+    /// Below the depth the complement of the trail, and a one above. `[TRAIL-6]`
+    fn counters(&self) -> Value {
+        use stackless_bvh::key::{Word, level_start};
+        let counter = |(key, trail): &(Grow, Grow)| {
+            let start = level_start(key);
+            let ones = start.clone().wrapping_sub(&Grow::one());
+            super::text::hex(&trail.clone().xor(&ones).or(&start))
+        };
+        self.visits.iter().map(counter).collect()
+    }
+
+    /// Unset, or the node that comes next; always set while the sibling is postponed. `[REGISTER-1]`
+    fn judge_registers(&self, found: &Value) -> Result<(), Flaw> {
+        let none = Vec::new();
+        let found = found.as_array().unwrap_or(&none);
+        for (i, (key, trail)) in self.visits.iter().enumerate() {
+            let next = (!trail.is_zero()).then(|| super::text::hex(&climbed(key, trail)));
+            let register = found.get(i).ok_or_else(|| Flaw::Missing(format!("registers[{i}]")))?;
+            let may_be_unset = trail.low_bits() & 1 == 0;
+            let is_right = match (register, &next) {
+                (Value::Null, _) => may_be_unset,
+                (Value::String(key), Some(next)) => key == next,
+                _ => false,
+            };
+            if !is_right {
+                let expected = match (next, may_be_unset) {
+                    (Some(next), false) => format!("\"{next}\""),
+                    (Some(next), true) => format!("\"{next}\" or null"),
+                    (None, _) => "null".to_owned(),
+                };
+                return Err(Flaw::Differs { at: format!("registers[{i}]"), expected, found: register.to_string() });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The key of the lowest postponed node, by the literal climb.
+fn climbed(key: &Grow, trail: &Grow) -> Grow {
+    stackless_bvh::trail::backtrack_climbing(key.clone(), trail.clone()).0
+}
+
+/// Whether a table that was built leads each key of the tree to its node. `[HASH-9]`
+fn judge_table(case: &Case, result: &Map<String, Value>) -> Result<(), Flaw> {
+    let wrong = |what: String| Err(Flaw::Table(what));
+    let Ok(Ask::Build(Build { children, reach, sizes })) = Ask::of(&case.input) else {
+        return wrong("nobody has asked for one".to_owned());
+    };
+    let tree = match Tree::new(&children) {
+        Ok(tree) => tree,
+        Err(error) => return wrong(error.to_string()),
+    };
+    // Only long keys are folded.
+    let has_long_keys = tree.depth() >= u64::BITS;
+    let is_known =
+        |name: &str| matches!(name, "displacements" | "cells" | "seed" | "bits") || name == "fold" && has_long_keys;
+    if let Some(name) = result.keys().find(|name| !is_known(name)) {
+        return Err(Flaw::Unknown(name.clone()));
+    }
+    let fold = match result.get("fold") {
+        Some(seed) => seed.as_str().and_then(word::<u64>),
+        None if has_long_keys => return Err(Flaw::Missing("fold".to_owned())),
+        None => Some(0),
+    };
+    let Some(fold) = fold else { return wrong("fold: not a word of 64 bits".to_owned()) };
+    let words = |name: &str| -> Result<Vec<u32>, Flaw> {
+        let list = result.get(name).and_then(Value::as_array).ok_or_else(|| Flaw::Missing(name.to_owned()))?;
+        let words = list.iter().map(|text| word::<u32>(text.as_str()?)).collect::<Option<_>>();
+        words.ok_or_else(|| Flaw::Table(format!("{name}: not all are words of 32 bits")))
+    };
+    let (displacements, cells) = (words("displacements")?, words("cells")?);
+    let (d, h) = (displacements.len() as u64, cells.len() as u64);
+    if !displacements.len().is_power_of_two() || h % 2 == 0 {
+        return wrong(format!("D = {d}, H = {h}"));
+    }
+    if sizes.is_some_and(|sizes| sizes.map(u64::from) != [d, h]) {
+        return wrong(format!("D = {d}, H = {h}, expected {sizes:?}"));
+    }
+    let mix = match (result.get("seed"), result.get("bits")) {
+        (None, None) => None,
+        (Some(seed), Some(bits)) if sizes.is_none() => {
+            let seed = seed.as_str().and_then(word::<u64>);
+            let bits = bits.as_u64().filter(|bits| [32, 64].contains(bits));
+            let (Some(seed), Some(bits)) = (seed, bits) else { return wrong("seed or bits".to_owned()) };
+            Some((seed, bits == 32))
+        }
+        _ => return wrong("a seed where none is allowed, or without bits".to_owned()),
+    };
+    for (key, node) in keys_of(&children, reach, fold) {
+        let mixed = mix.map_or(key, |(seed, narrow)| super::author::mixed(key, seed, narrow));
+        let displacement = displacements[(mixed % d) as usize];
+        let found = if displacement >> 31 == 1 {
+            displacement
+        } else {
+            cells[((mixed % h + u64::from(displacement) % h) % h) as usize]
+        };
+        if found != node {
+            return wrong(format!("the key {key:x} leads to {found:x}, expected {node:x}"));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,30 @@
+//! The conformance suite: cases that tell any implementation, in any language, where it is wrong.
+//!
+//! [`author`] makes the cases, with expectations from references that share nothing with the traversals. `spec/suite` holds
+//! them as files, with the text that says what they mean. A [`Runner`] asks a program the cases, one JSON line each, and
+//! judges what it answers ([`judge()`]); [`serve`] is the other side of the line, and [`Library`] what this library answers.
+
+#![forbid(unsafe_code)]
+
+mod ask;
+pub mod author;
+mod case;
+mod judge;
+mod own;
+mod process;
+mod protocol;
+mod report;
+mod runner;
+mod text;
+mod waivers;
+mod walk;
+
+pub use ask::{Ask, Best, Build, Children, Lookup, Query, Rays, Start, Walk};
+pub use case::{Case, Expect, Feature, Level, Profile, Strength, Suite, SuiteError, VERSION};
+pub use judge::{Flaw, judge};
+pub use own::{Library, RaysError};
+pub use protocol::{Answer, Hello, Implementation, Limits, PROTOCOL, Reply, serve};
+pub use report::{Outcome, Report, Verdict};
+pub use runner::{RunError, Runner};
+pub use waivers::{WaiverError, Waivers};
+pub use walk::WalkError;

@@ -1,0 +1,176 @@
+//! Levels `trace` and `resume`.
+
+use serde_json::{Value, json};
+
+use crate::ask::{Best, Walk};
+use crate::text::{events, hex, word};
+use crate::{Answer, Ask, Children, Feature, Start, WalkError};
+use stackless_bvh::event::{Recorder, State, Trace};
+use stackless_bvh::generate::{Cell, Search, Tape};
+use stackless_bvh::key::{Grow, KeyWord, TooDeep};
+use stackless_bvh::order::Flow;
+use stackless_bvh::traverse::{
+    ByWalk, KeyOnly, KeyTrail, Method, Next, Tables, Test, Unfit, WithWord, WordName, with_word,
+};
+use stackless_bvh::tree::{Keys, Node, Topology, Tree};
+use stackless_check::GoOn;
+
+/// Deepest tree that gets the implicit layout.
+const IMPLICIT_DEPTH: u32 = 13;
+
+/// What a traversal has beyond its profiles, and the deepest tree that it carries.
+pub(super) fn claims(method: Option<Method>, word: WordName) -> (Vec<Feature>, Option<u32>) {
+    let Some(method) = method else { return (vec![Feature::Changing], None) };
+    let (shallow, deep) = (chain(1), chain(200));
+    let mut features = Vec::new();
+    if let Ok((record, _)) = run(method, word, &shallow) {
+        let has = |words: &[Option<String>]| words.iter().all(Option::is_some);
+        let register = matches!(method.without_pruning(), Method::Uncle | Method::Hashed);
+        let wants = [
+            (has(&record.trails) && method.test() != Test::Distance, Feature::Trails),
+            (has(&record.counters) && method.test() != Test::Distance, Feature::Counters),
+            (register, Feature::Registers),
+            (!method.restarts(), Feature::Changing),
+        ];
+        features.extend(wants.into_iter().filter_map(|(has, feature)| has.then_some(feature)));
+    }
+    let limit = match run(method, word, &deep) {
+        Err(Unfit::TooDeep(TooDeep { limit, .. })) => Some(limit),
+        _ => None,
+    };
+    (features, limit)
+}
+
+/// A case over a chain.
+fn chain(depth: u32) -> stackless_check::Case {
+    let children: Children =
+        (0..=2 * depth).map(|node| (node % 2 == 0 && node < 2 * depth).then(|| [node + 2, node + 1])).collect();
+    let tree = Tree::from_generated(&children);
+    let tape = Tape::from_cells(&tree, vec![Cell::default(); children.len()]).unwrap_or_default();
+    stackless_check::Case { tree, tape, any: false, octant: 0 }
+}
+
+pub(super) fn answer(method: Method, word: WordName, features: &[Feature], ask: &Ask) -> Option<Answer> {
+    let (Ask::Trace(walk) | Ask::Resume(walk) | Ask::ResumeDisjoint(walk) | Ask::ResumeKey(walk)) = ask else {
+        return None;
+    };
+    let case = match walk.case() {
+        Ok(case) => case,
+        Err(WalkError::Tree(_)) => return Some(Answer::Reject("not-a-tree".to_owned())),
+        Err(WalkError::Search) => return None,
+    };
+    if matches!(ask, Ask::Trace(_)) {
+        return Some(trace(method, word, features, &case, walk));
+    }
+    with_word(word, Resume { method, case: &case, walk, by_key: matches!(ask, Ask::ResumeKey(_)) })
+}
+
+fn trace(method: Method, word: WordName, features: &[Feature], case: &stackless_check::Case, walk: &Walk) -> Answer {
+    let (record, search) = match run(method, word, case) {
+        Ok(run) => run,
+        Err(Unfit::TooDeep(_)) => return Answer::Reject("too-deep".to_owned()),
+        Err(unfit) => return Answer::Unsupported(unfit.to_string()),
+    };
+    let keys = Keys::of(&case.tree);
+    let mut fields = vec![("events", json!(events(&record.trace, &case.tree, &keys)))];
+    if walk.cells.is_some() {
+        fields.push(("hit", json!(best(&search))));
+    }
+    for feature in features {
+        match feature {
+            Feature::Trails => fields.push(("trails", json!(record.trails))),
+            Feature::Counters => fields.push(("counters", json!(record.counters))),
+            Feature::Registers => {
+                let key = |node: &Option<Node>| node.map(|node| hex::<Grow>(&keys.key(case.tree.slot(node))));
+                fields.push(("registers", record.registers.iter().map(|node| json!(key(node))).collect()));
+            }
+            Feature::Changing | Feature::Weights => {}
+        }
+    }
+    Answer::of(fields)
+}
+
+fn run(method: Method, word: WordName, case: &stackless_check::Case) -> Result<(Record, Search<'_, Tree>), Unfit> {
+    let tables = Tables::new(&case.tree, case.tape.axes(), &[method], IMPLICIT_DEPTH);
+    let mut search = Search::new(&case.tree, &case.tape, case.any);
+    let mut record = Record::default();
+    tables.run_in(word, method, case.octant, &mut Vec::new(), &mut search, &mut record)?;
+    Ok((record, search))
+}
+
+fn best(search: &Search<'_, Tree>) -> Option<Best> {
+    search.outcome.hit.map(|(t, node)| Best { t, node: node as u32 })
+}
+
+/// What is seen at each visit that is no restart.
+#[derive(Debug, Default)]
+struct Record {
+    trace: Trace,
+    trails: Vec<Option<String>>,
+    counters: Vec<Option<String>>,
+    registers: Vec<Option<Node>>,
+}
+
+impl Recorder for Record {
+    fn visit(&mut self, state: &impl State) -> Flow {
+        if !state.is_restarting() {
+            let text = |word: Option<_>| word.map(|word| hex(&word));
+            self.trails.push(text(state.trail()));
+            self.counters.push(text(state.counter()));
+            self.registers.push(state.register());
+        }
+        self.trace.visit(state)
+    }
+}
+
+/// Goes on from a state.
+struct Resume<'a> {
+    method: Method,
+    case: &'a stackless_check::Case,
+    walk: &'a Walk,
+    by_key: bool,
+}
+
+impl WithWord for Resume<'_> {
+    type Output = Option<Answer>;
+
+    fn call<W: KeyWord>(self) -> Option<Answer> {
+        let Self { method, case, walk, by_key } = self;
+        let tree = &case.tree;
+        let reject = |code: &str| Some(Answer::Reject(code.to_owned()));
+        if W::carries(tree.depth(), 1).is_err() {
+            return reject("too-deep");
+        }
+        let bits = |text: &Option<String>| text.as_ref().map_or(Some(W::zero()), |text| word(text));
+        let (key, trail): (W, W) = (bits(&walk.key)?, bits(&walk.trail)?);
+        let disjoint = if walk.marks.is_some() { Some(bits(&walk.marks)?) } else { None };
+        let next = if walk.next == Some(Start::Backtrack) { Next::Backtrack } else { Next::Visit };
+        let Some(from) = Keys::walk(tree, &key) else { return reject("no-such-node") };
+        let nodes = ByWalk(tree);
+        let start = if by_key {
+            KeyOnly::locate(key, next, &nodes).map(stackless_check::Start::Key)
+        } else {
+            KeyTrail { key, trail, disjoint, next }.locate(&nodes).map(stackless_check::Start::State)
+        };
+        // The node is there, so it is the trail.
+        let Ok(start) = start else { return reject("trail") };
+        let tables = Tables::new(tree, case.tape.axes(), &[method], 0);
+        let (mut search, mut trace) = (Search::new(tree, &case.tape, case.any), Trace::default());
+        search.outcome.hit = walk.hit.map(|best| (best.t, best.node as usize));
+        match tables.with_cursor::<W, _>(method, GoOn { from: start, search: &mut search, trace: &mut trace }) {
+            Ok(Ok(())) => {}
+            Ok(Err(error)) => return Some(Answer::Unsupported(error)),
+            Err(unfit) => return Some(Answer::Unsupported(unfit.to_string())),
+        }
+        let keys = Keys::of(tree);
+        let mut events = events(&trace, tree, &keys);
+        // The first visit is reached by backtracking from a node that is not in the trace.
+        if let (Next::Backtrack, Some(&first)) = (next, trace.nodes().first()) {
+            let [from, first] = [from, first].map(|node| tree.slot(node));
+            let levels = keys.depth(from).saturating_sub(keys.depth(first));
+            events.insert(0, format!("backtrack {} {levels}", hex::<Grow>(&keys.key(first))));
+        }
+        let hit: Option<(&str, Value)> = walk.cells.is_some().then(|| ("hit", json!(best(&search))));
+        Some(Answer::of([("events", json!(events))].into_iter().chain(hit)))
+    }
+}

@@ -1,0 +1,198 @@
+//! The example adapters of the conformance suite, asked as programs: they pass what they name, and a mistake that is
+//! planted in their text is found. And the JSON Schemas, which name all that there is.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Duration;
+
+use serde_json::Value;
+use stackless_suite::{Feature, Report, Runner, Suite, Waivers, author};
+
+/// A language that an adapter is written in.
+#[derive(Clone, Copy)]
+enum Language {
+    C,
+    Python,
+}
+
+impl Language {
+    const fn file(self) -> &'static str {
+        match self {
+            Self::C => "traverse.c",
+            Self::Python => "traverse.py",
+        }
+    }
+
+    fn source(self) -> String {
+        text(&format!("adapters/{}", self.file()))
+    }
+
+    /// The command that runs a source; `None`, with a message, where compiler or interpreter is not there.
+    fn command(self, name: &str, source: &str) -> Option<Vec<String>> {
+        let tool = match self {
+            Self::C => "cc",
+            Self::Python => "python3",
+        };
+        if Command::new(tool).arg("--version").output().is_err() {
+            println!("SKIPPED: no {tool}");
+            return None;
+        }
+        let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}-{}", self.file()));
+        std::fs::write(&path, source).unwrap();
+        let path = path.display().to_string();
+        if let Self::Python = self {
+            return Some(vec![tool.to_owned(), path]);
+        }
+        let program = path.trim_end_matches(".c").to_owned();
+        let flags = ["-std=c11", "-Wall", "-Wextra", "-Werror", "-O2", "-o", &program, &path];
+        let compiled = Command::new(tool).args(flags).output().unwrap();
+        assert!(compiled.status.success(), "{name}: {}", String::from_utf8_lossy(&compiled.stderr));
+        Some(vec![program])
+    }
+}
+
+/// Of a file of `spec/suite`.
+fn text(path: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("spec/suite").join(path);
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn ask(command: Vec<String>, suite: &Suite) -> Report {
+    let timeout = Duration::from_mins(1);
+    Runner { command, suite, waivers: Waivers::default(), timeout, window: 64 }.run(|_| {}).unwrap()
+}
+
+/// Asks all that it names, which is so many cases.
+fn conforms(language: Language, cases: usize) {
+    let Some(command) = language.command("as-it-is", &language.source()) else { return };
+    let report = ask(command, &author::suite());
+    let bad: Vec<_> = report.verdicts.iter().filter(|verdict| verdict.outcome.is_bad()).collect();
+    assert!(bad.is_empty() && report.is_conforming(), "{:?} {bad:#?}", report.faults);
+    assert_eq!(report.count("pass"), cases);
+}
+
+/// Asks the cases of a profile with some words of the source replaced, which stand there once. The first case that fails is one of
+/// this clause.
+fn is_caught(language: Language, from: &str, to: &str, profile: &str, clause: &str) {
+    let source = language.source();
+    assert_eq!(source.matches(from).count(), 1, "{from}");
+    let name = format!("{clause}-{}", profile.replace('/', "-"));
+    let Some(command) = language.command(&name, &source.replace(from, to)) else { return };
+    let mut suite = author::suite();
+    suite.profiles.retain(|asked| asked.name() == profile);
+    let report = ask(command, &suite);
+    let caught = report.verdicts.iter().find(|verdict| verdict.outcome.is_bad());
+    let caught = caught.unwrap_or_else(|| panic!("'{to}' is not caught"));
+    assert!(caught.clauses.iter().any(|it| it == clause), "'{to}' is caught, but by {}", caught.id);
+    assert!(!report.is_conforming());
+}
+
+#[test]
+fn the_c_adapter_conforms() {
+    conforms(Language::C, 1266);
+}
+
+#[test]
+fn the_python_adapter_conforms() {
+    conforms(Language::Python, 3388);
+}
+
+#[test]
+fn a_mistake_in_the_c_adapter_is_caught() {
+    for (from, to, profile, clause) in [
+        ("*key = *key >> n ^ 1;", "*key = *key >> n;", "key/u64", "TRAIL-4"),
+        ("*trail = *trail >> n ^ 1;", "*trail = *trail >> n;", "key/u32", "TRAIL-4"),
+        ("at->sibling = node->child[!right];", "at->sibling = node->child[right];", "trace/script", "REGISTER-2"),
+        ("postponed = at->grand_uncle;", "postponed = at->uncle;", "trace/script", "REGISTER-2"),
+        ("postponed = at->child[!right];", "postponed = at->child[right];", "trace/script", "REGISTER-1"),
+        ("trail = trail << 1 | both;", "trail = trail << 1;", "trace/script", "TRAIL-2"),
+        ("MAX_DEPTH = 63", "MAX_DEPTH = 64", "trace/script", "CONF-3"),
+        ("met_count == node_count", "met_count <= node_count", "trace/invalid", "TREE-2"),
+        ("(key % (uint64_t)cells + ", "(key + ", "hash/function", "HASH-1"),
+        ("leaf = word >> 30 == 3;", "leaf = word >> 31;", "hash/address", "HASH-5"),
+    ] {
+        is_caught(Language::C, from, to, profile, clause);
+    }
+}
+
+#[test]
+fn a_mistake_in_the_python_adapter_is_caught() {
+    for (from, to, profile, clause) in [
+        ("return (key >> n) ^ 1,", "return (key >> n + 1) ^ 1,", "key/wide", "TRAIL-4"),
+        ("(1 << depth) - 1)", "(1 << depth))", "key/u128", "TRAIL-6"),
+        ("min(inner + 2, leaf + 1)", "inner + 2", "hash/keys", "HASH-3"),
+        ("(key % len(cells) + entry)", "(key % len(cells) ^ entry)", "hash/lookup", "HASH-1"),
+        ("self.enter(node) <= self.best[0]", "self.enter(node) <= self.best[1]", "trace/tape", "ORACLE-1"),
+        ("right = self.octant >>", "right = ~self.octant >>", "trace/node-sign", "HAPALA-1"),
+        ("leaves < self.enter(second)", "leaves < self.enter(first)", "trace/disjoint", "DISJOINT-1"),
+        ("trail &= ~marks", "trail &= marks", "trace/disjoint", "DISJOINT-2"),
+        ("marks >>= climbed", "marks >>= 0", "trace/disjoint", "DISJOINT-1"),
+        ("visit = next == \"visit\"", "visit = True", "resume/state", "PAUSE-1"),
+        ("Reject(\"trail\")", "Reject(\"no-such-node\")", "resume/invalid", "PAUSE-5"),
+        ("(1 << depth_of(key)) - 1)", "0)", "resume/key-only", "PAUSE-4"),
+        ("min(u, v, w) < 0 < max(u, v, w)", "min(u, v, w) <= 0 <= max(u, v, w)", "ray/grid", "EXACT-1"),
+        ("round(x / Fraction", "math.floor(x / Fraction", "ray/exact", "EXACT-1"),
+        ("if hit and tmin <= hit[0] <= tmax", "if hit and tmin <= hit[0] < tmax", "ray/grid", "EXACT-1"),
+    ] {
+        is_caught(Language::Python, from, to, profile, clause);
+    }
+}
+
+/// What a reader copies first works, as far as the text says.
+#[test]
+fn the_first_example_of_the_readme_runs() {
+    let readme = text("README.md");
+    let example = readme.split("```python\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let Some(command) = Language::Python.command("example", example) else { return };
+    let mut suite = author::suite();
+    suite.profiles.retain(|asked| asked.name() == "key/u32");
+    let report = ask(command, &suite);
+    let (passed, asked) = (report.count("pass"), report.verdicts.len());
+    assert!(readme.contains(&format!("{passed} of {asked} cases pass,")), "{passed} of {asked}");
+    let first = report.verdicts.iter().find(|verdict| verdict.outcome.is_bad()).unwrap();
+    assert!(readme.contains(&format!("{}: fail: {}\n", first.id, first.outcome)), "{}: {}", first.id, first.outcome);
+}
+
+/// The alternatives of a definition, which say what a field is.
+fn constants<'a>(schema: &'a Value, definition: &str) -> BTreeSet<&'a str> {
+    schema["$defs"][definition]["enum"].as_array().into_iter().flatten().filter_map(Value::as_str).collect()
+}
+
+#[test]
+fn the_schemas_name_all_that_there_is() {
+    let suite = author::suite();
+    let ops: BTreeSet<_> = suite.cases().filter_map(|(_, case)| case.input.get("op")?.as_str()).collect();
+    let profiles: Vec<_> = suite.profiles.iter().map(stackless_suite::Profile::name).collect();
+    let schema = |name: &str| -> Value {
+        let schema: Value = serde_json::from_str(&text(&format!("schema/{name}.json"))).unwrap();
+        assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema", "{name}");
+        schema
+    };
+    let vectors = schema("vectors");
+    let inputs = vectors["$defs"]["input"]["oneOf"].as_array().unwrap();
+    let named = inputs.iter().filter_map(|input| input["properties"]["op"]["const"].as_str());
+    assert_eq!(named.collect::<BTreeSet<_>>(), ops);
+    let rejections: BTreeSet<_> = suite.cases().filter_map(|(_, case)| rejection(case)).collect();
+    for (schema, is_whole) in [(&vectors, false), (&schema("reply"), true)] {
+        // No case is too deep for everybody.
+        let codes = constants(schema, "code");
+        let missing: Vec<_> = codes.symmetric_difference(&rejections).copied().collect();
+        assert_eq!(missing, if is_whole { vec!["too-deep"] } else { vec![] });
+    }
+    let features: BTreeSet<_> = Feature::ALL.iter().map(|feature| feature.name()).collect();
+    for schema in [&vectors, &schema("hello")] {
+        assert_eq!(constants(schema, "feature"), features);
+    }
+    for schema in [&schema("index"), &schema("hello")] {
+        assert_eq!(constants(schema, "profile"), profiles.iter().map(String::as_str).collect());
+    }
+    schema("waivers");
+}
+
+fn rejection(case: &stackless_suite::Case) -> Option<&str> {
+    match &case.expect {
+        stackless_suite::Expect::Reject(code) => Some(code),
+        _ => None,
+    }
+}

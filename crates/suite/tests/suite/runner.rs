@@ -1,0 +1,174 @@
+//! The runner survives whatever a program does, and says who is to blame.
+
+use std::time::Duration;
+
+use stackless_suite::{Outcome, Report, RunError, Runner, Suite, Waivers, author};
+
+/// A program that answers each case by `answer`, a shell command that finds the number in `$seq`.
+fn program(answer: &str) -> Vec<String> {
+    let script = format!(
+        r#"read -r hello
+printf '{{"protocol":1,"name":"shell","profiles":["key/u32"]}}\n'
+while read -r line; do
+    case $line in *'"bye"'*) break ;; esac
+    seq=${{line#*'"seq":'}}; seq=${{seq%%,*}}
+    {answer}
+done"#
+    );
+    ["sh", "-c", &script].map(ToOwned::to_owned).to_vec()
+}
+
+/// The first cases of a profile.
+fn some_cases(count: usize) -> Suite {
+    let mut suite = author::suite();
+    suite.profiles.retain(|profile| profile.name() == "key/u32");
+    suite.profiles[0].cases.truncate(count);
+    suite
+}
+
+fn run(command: Vec<String>, count: usize, window: usize, waivers: Waivers) -> Result<Report, RunError> {
+    let suite = some_cases(count);
+    Runner { command, suite: &suite, waivers, timeout: Duration::from_millis(700), window }.run(|_| ())
+}
+
+fn outcomes(answer: &str, count: usize) -> Report {
+    let [one, few, many] = [1, 4, 64].map(|window| run(program(answer), count, window, Waivers::default()).unwrap());
+    let names = |report: &Report| report.verdicts.iter().map(|it| it.outcome.name()).collect::<Vec<_>>();
+    // How many are asked at once makes no difference.
+    assert_eq!(names(&one), names(&few), "{answer}");
+    assert_eq!(names(&one), names(&many), "{answer}");
+    assert!(!many.is_conforming());
+    many
+}
+
+const RIGHT: &str = r#"printf '{"seq":%s,"result":{"key":"2"}}\n' "$seq""#;
+
+/// The first case asks for the left child of the root, which is 2; the others have other answers.
+#[test]
+fn a_wrong_answer_is_a_failure() {
+    let report = outcomes(RIGHT, 4);
+    assert_eq!(report.verdicts[0].outcome, Outcome::Pass);
+    assert!(matches!(report.verdicts[1].outcome, Outcome::Fail(_)));
+    assert_eq!((report.count("pass"), report.count("fail")), (1, 3));
+}
+
+#[test]
+fn a_crash_is_that_of_its_case() {
+    let report = outcomes(&format!("[ \"$seq\" = 2 ] && exit 3; {RIGHT}"), 5);
+    assert!(matches!(&report.verdicts[2].outcome, Outcome::Crash(how) if how.contains('3')), "{report:?}");
+    assert_eq!((report.count("crash"), report.count("pass"), report.count("fail")), (1, 1, 3));
+}
+
+#[test]
+fn silence_is_a_timeout() {
+    let report = outcomes(&format!("[ \"$seq\" = 1 ] && sleep 60; {RIGHT}"), 3);
+    assert_eq!(report.verdicts[1].outcome, Outcome::Timeout);
+    assert_eq!(report.count("timeout"), 1);
+}
+
+#[test]
+fn garbage_is_an_error() {
+    for garbage in ["echo nonsense", "echo", "echo '{}'", "echo '{\"seq\":1}'", "printf '\\377\\n'", "echo '[1,2]'"] {
+        let report = outcomes(&format!("if [ \"$seq\" = 1 ]; then {garbage}; else {RIGHT}; fi"), 3);
+        assert!(matches!(report.verdicts[1].outcome, Outcome::Error(_)), "{garbage}: {report:?}");
+        assert_eq!(report.count("error"), 1, "{garbage}");
+    }
+}
+
+#[test]
+fn answers_out_of_order_are_errors() {
+    let report = outcomes(r#"printf '{"seq":%s,"result":{"key":"2"}}\n' "$((seq + 1))""#, 3);
+    assert_eq!(report.count("error"), 3);
+    assert!(report.verdicts[0].outcome.to_string().contains("out of order"), "{report:?}");
+}
+
+#[test]
+fn answers_beyond_what_was_asked_are_errors() {
+    let twice = outcomes(&format!("{RIGHT}; [ \"$seq\" = 0 ] && {RIGHT}"), 3);
+    assert!(matches!(&twice.verdicts[0].outcome, Outcome::Error(what) if what.contains("twice")), "{twice:?}");
+    assert_eq!(twice.count("error"), 1);
+    let after_all = outcomes(&format!("{RIGHT}; [ \"$seq\" = 2 ] && {RIGHT}"), 3);
+    assert!(matches!(&after_all.verdicts[2].outcome, Outcome::Error(what) if what.contains("more")), "{after_all:?}");
+}
+
+#[test]
+fn unsupported_is_a_failure_where_the_profile_was_named() {
+    let report = outcomes(r#"printf '{"seq":%s,"unsupported":"no"}\n' "$seq""#, 3);
+    assert_eq!(report.count("fail"), 3);
+}
+
+/// A program that answers nothing is not started for ever.
+#[test]
+fn whoever_only_ends_is_given_up() {
+    let report = run(program("exit 1"), 60, 64, Waivers::default()).unwrap();
+    assert!(report.count("crash") > 10 && report.count("error") > 10, "{report:?}");
+    assert_eq!(report.count("crash") + report.count("error"), 60);
+    assert!(report.verdicts[59].outcome.to_string().contains("given up"), "{report:?}");
+}
+
+#[test]
+fn a_program_that_goes_on_after_bye_is_reported() {
+    let mut command = program(RIGHT);
+    command[2] += "\nsleep 60";
+    let report = run(command, 1, 1, Waivers::default()).unwrap();
+    assert_eq!(report.count("pass"), 1);
+    assert!(!report.is_conforming());
+    assert!(report.faults[0].contains("bye"), "{report:?}");
+}
+
+#[test]
+fn no_program_and_no_hello_are_errors() {
+    let no = |command: &[&str]| run(command.iter().map(|&word| word.to_owned()).collect(), 1, 1, Waivers::default());
+    assert!(matches!(no(&["/no/such/program"]), Err(RunError::Start { .. })));
+    assert!(matches!(no(&[]), Err(RunError::Start { .. })));
+    for hello in ["exit 7", "sleep 60", "echo hello", "echo '{\"protocol\":2,\"name\":\"x\",\"profiles\":[]}'"] {
+        assert!(matches!(no(&["sh", "-c", hello]), Err(RunError::Hello { .. })), "{hello}");
+    }
+}
+
+#[test]
+fn a_profile_that_there_is_not_is_reported() {
+    let command =
+        ["sh", "-c", r#"read -r hello; echo '{"protocol":1,"name":"x","profiles":["key/u23"]}'; read -r bye"#];
+    let report = run(command.map(ToOwned::to_owned).to_vec(), 3, 1, Waivers::default()).unwrap();
+    assert_eq!(report.count("unsupported"), 3);
+    assert!(report.faults[0].contains("key/u23") && !report.is_conforming(), "{report:?}");
+}
+
+/// Waivers excuse what fails, and only that.
+#[test]
+fn waivers_are_for_what_fails() {
+    let folder = tempfile::tempdir().unwrap();
+    let load = |ids: &[&str]| {
+        let list: Vec<_> = ids.iter().map(|id| serde_json::json!({ "id": id, "reason": "known" })).collect();
+        let path = folder.path().join("waivers.json");
+        std::fs::write(&path, serde_json::to_string(&list).unwrap()).unwrap();
+        Waivers::load(&path)
+    };
+    let ids: Vec<_> = some_cases(3).profiles[0].cases.iter().map(|case| case.id.clone()).collect();
+    let [first, second, third] = [&ids[0], &ids[1], &ids[2]].map(String::as_str);
+    let excused = run(program(RIGHT), 3, 4, load(&[second, third]).unwrap()).unwrap();
+    assert!(excused.is_conforming() && excused.waived() == 2, "{excused:?}");
+    let stale = run(program(RIGHT), 3, 4, load(&[first, second, third]).unwrap()).unwrap();
+    assert!(!stale.is_conforming());
+    assert!(stale.to_junit().contains("waived, and passes"));
+    let unknown = run(program(RIGHT), 3, 4, load(&["key/u32/none"]).unwrap());
+    assert!(matches!(unknown, Err(RunError::Waiver { id }) if id == "key/u32/none"));
+    assert!(load(&[second, second]).is_err());
+}
+
+/// Reports name what happened, and are whole.
+#[test]
+fn reports_can_be_read() {
+    let report =
+        outcomes(r#"if [ "$seq" = 1 ]; then echo '<&">'; else printf '{"seq":%s,"reject":"a<b"}\n' "$seq"; fi"#, 3);
+    let junit = report.to_junit();
+    assert!(
+        junit.contains("failures=\"3\"") && junit.contains("&lt;&amp;&quot;&gt;") && !junit.contains("a<b"),
+        "{junit}"
+    );
+    let json = serde_json::to_value(report.to_json()).unwrap();
+    assert_eq!(json["conforms"], false);
+    assert_eq!(json["cases"][1]["outcome"], "error");
+    assert_eq!(json["cases"].as_array().unwrap().len(), 3);
+}

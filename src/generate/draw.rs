@@ -1,0 +1,158 @@
+//! Random numbers, and floats by their bits.
+
+use glam::Vec3;
+
+use crate::generate::{Rng, Source};
+use crate::geom::Ray;
+
+/// Random numbers, points and directions.
+pub struct Draw(Rng);
+
+impl Draw {
+    pub const fn new(seed: u64) -> Self {
+        Self(Rng::new(seed))
+    }
+
+    /// The stream of this name (its FNV-1a hash is the seed).
+    pub fn named(name: &str) -> Self {
+        let step = |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        Self::new(name.bytes().fold(0xcbf2_9ce4_8422_2325, step))
+    }
+
+    /// `n` rays, each by the first of a bounded number of tries that is a ray.
+    ///
+    /// The closure gets the running number of the ray.
+    pub fn rays(&mut self, n: usize, mut ray: impl FnMut(&mut Self, usize) -> Option<Ray>) -> Vec<Ray> {
+        const TRIES: usize = 64;
+        (0..n).filter_map(|i| (0..TRIES).find_map(|_| ray(self, i))).collect()
+    }
+
+    /// In 0..n; 0 if `n` is 0.
+    pub fn below(&mut self, n: usize) -> usize {
+        self.0.below(n as u64) as usize
+    }
+
+    pub fn one_in(&mut self, n: usize) -> bool {
+        self.below(n) == 0
+    }
+
+    pub fn sign(&mut self) -> f32 {
+        one_of([1.0, -1.0], self)
+    }
+
+    /// In 0..1, a multiple of 2^-24.
+    pub fn unit(&mut self) -> f32 {
+        (self.0.bits() >> 40) as f32 * exp2(-24)
+    }
+
+    pub fn between(&mut self, lo: f32, hi: f32) -> f32 {
+        lo + (hi - lo) * self.unit()
+    }
+
+    /// A whole number from `-most` to `most`.
+    pub fn int(&mut self, most: i32) -> f32 {
+        (self.below(2 * most.unsigned_abs() as usize + 1) as i32 - most) as f32
+    }
+
+    /// Whole numbers from `-most` to `most`.
+    pub fn ints(&mut self, most: i32) -> Vec3 {
+        Vec3::new(self.int(most), self.int(most), self.int(most))
+    }
+
+    /// Of either sign, with the exponent evenly from `lo` to `hi`.
+    pub fn float(&mut self, lo: i32, hi: i32) -> f32 {
+        let exponent = lo + self.below((hi - lo).unsigned_abs() as usize + 1) as i32;
+        self.sign() * (1.0 + self.unit()) * exp2(exponent)
+    }
+
+    /// Each component by [`float`](Self::float).
+    pub fn floats(&mut self, lo: i32, hi: i32) -> Vec3 {
+        Vec3::new(self.float(lo, hi), self.float(lo, hi), self.float(lo, hi))
+    }
+
+    /// In the cube from 0 to 1.
+    pub fn cube(&mut self) -> Vec3 {
+        Vec3::new(self.unit(), self.unit(), self.unit())
+    }
+
+    /// In the cube from -1 to 1.
+    pub fn centred(&mut self) -> Vec3 {
+        self.cube() * 2.0 - 1.0
+    }
+
+    /// Of unit length, evenly distributed.
+    pub fn direction(&mut self) -> Vec3 {
+        loop {
+            let p = self.centred();
+            if (0.01..=1.0).contains(&p.length_squared()) {
+                return p.normalize();
+            }
+        }
+    }
+
+    /// Zeros of random signs.
+    pub fn zeros(&mut self) -> Vec3 {
+        Vec3::new(self.sign(), self.sign(), self.sign()) * 0.0
+    }
+
+    /// Along or against an axis, with zeros of random signs.
+    pub fn axis(&mut self) -> Vec3 {
+        let (axis, mut direction) = (self.below(3), self.zeros());
+        direction[axis] = self.sign();
+        direction
+    }
+
+    /// Up to `most` floats away, in each component.
+    pub fn nudged(&mut self, v: Vec3, most: i32) -> Vec3 {
+        let by = self.ints(most);
+        Vec3::new(nudge(v.x, by.x as i32), nudge(v.y, by.y as i32), nudge(v.z, by.z as i32))
+    }
+}
+
+/// One of these (at least one). The choices come first because they may be drawn, too.
+pub fn one_of<T: Copy, const N: usize>(choices: [T; N], draw: &mut Draw) -> T {
+    choices[draw.below(N)]
+}
+
+/// 2 to this power, which is cut off to what a float can hold (-149 to 127).
+pub const fn exp2(power: i32) -> f32 {
+    match power {
+        ..-148 => f32::from_bits(1),
+        -148..-126 => f32::from_bits(1 << (power + 149)),
+        -126..127 => f32::from_bits(((power + 127) as u32) << 23),
+        127.. => f32::from_bits(254 << 23),
+    }
+}
+
+/// The float so many above, or below if negative.
+pub fn nudge(x: f32, floats: i32) -> f32 {
+    (0..floats.unsigned_abs()).fold(x, |x, _| if floats > 0 { x.next_up() } else { x.next_down() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_and_neighbours_are_those_of_the_format() {
+        let mut power = f64::from(f32::MIN_POSITIVE) * f64::from(f32::EPSILON);
+        for exponent in -149..=127 {
+            assert_eq!(f64::from(exp2(exponent)), power, "{exponent}");
+            power *= 2.0;
+        }
+        assert_eq!((exp2(-200), exp2(200)), (exp2(-149), exp2(127)));
+        assert_eq!([nudge(1.0, 2), nudge(1.0, 0), nudge(1.0, -1)], [1.0 + 2.0 * exp2(-23), 1.0, 1.0 - exp2(-24)]);
+        assert_eq!([nudge(0.0, 1), nudge(0.0, -2)], [exp2(-149), -exp2(-148)]);
+    }
+
+    #[test]
+    fn numbers_keep_their_range() {
+        let mut draw = Draw::new(1);
+        for _ in 0..10_000 {
+            let (unit, int, float) = (draw.unit(), draw.int(5), draw.float(-149, 120).abs());
+            assert!((0.0..1.0).contains(&unit) && int.abs() <= 5.0 && int.fract() == 0.0);
+            assert!((exp2(-149)..=exp2(121)).contains(&float));
+            assert!((draw.direction().length() - 1.0).abs() < 1e-6);
+        }
+    }
+}

@@ -1,0 +1,239 @@
+//! The slips of the papers (spec/DEPARTURES.md): what is printed goes wrong on the case of `spec/departures`, in the way that
+//! the file says, and on no smaller one; the library is right there.
+//!
+//! The cases are found anew by `UPDATE=1 cargo test --test departures`.
+
+use std::fs;
+use std::path::PathBuf;
+
+use stackless_bvh::generate::{Cell, Exhaustive, Family, Kind, Rng, Source, Tape, shape};
+use stackless_bvh::hash::{BuildError, KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::traverse::{Method, WordName};
+use stackless_bvh::tree::{Node, Reach, Tree};
+use stackless_bvh::{swap, trail};
+use stackless_check::planted::{self, Planted};
+use stackless_check::{Battery, Case, Replay, Verdict, shrink};
+
+/// Where the smallest case is looked for.
+#[derive(Clone, Copy)]
+enum Among {
+    /// All trees of up to so many leaves under all hits and preferences.
+    Small(u32),
+    /// Chains: what needs depth.
+    Chains,
+    /// Random trees under tapes of a kind, made small.
+    Random(Kind),
+}
+
+struct Departure {
+    id: &'static str,
+    /// What is printed, as a planted bug.
+    printed: &'static str,
+    among: Among,
+}
+
+const fn departure(id: &'static str, printed: &'static str, among: Among) -> Departure {
+    Departure { id, printed, among }
+}
+
+const DEPARTURES: [Departure; 12] = [
+    departure("D-1", "Algorithm 1 of H: ClosestOfMissed", Among::Small(3)),
+    departure("D-3", "Algorithm 1 of H: DanglingElse", Among::Small(6)),
+    departure("D-4", "Algorithm 1 of H: DoneIsMinusOne", Among::Small(3)),
+    departure("D-7", "Algorithm 1 of H: AnyDepth", Among::Chains),
+    departure("D-10", "Algorithm 2 of J: MaskOfRejected", Among::Small(3)),
+    departure("D-11", "Algorithm 2 of J: Combined", Among::Chains),
+    departure("D-14", "Algorithm 2 of J: AnyDepth", Among::Chains),
+    departure("D-15", "hapala: the root untested", Among::Small(3)),
+    departure("D-19", "second trail: MaskInverted", Among::Random(Kind::Intervals)),
+    departure("D-20", "second trail: FillBeforeMask", Among::Random(Kind::Intervals)),
+    departure("D-21", "FoundBeyondEnd", Among::Random(Kind::Clipped)),
+    departure("D-22", "resumed: NoGuard", Among::Random(Kind::Intervals)),
+];
+
+impl Departure {
+    /// What is printed.
+    fn bug(&self) -> Planted {
+        let bug = planted::all().into_iter().find(|bug| bug.name() == self.printed);
+        bug.unwrap_or_else(|| panic!("{}: no bug is named {}", self.id, self.printed))
+    }
+
+    /// The first case that goes wrong, smaller ones first.
+    fn smallest(&self) -> Case {
+        let bug = self.bug();
+        let found = match self.among {
+            Among::Small(leaves) => (1..=leaves).find_map(|leaves| first(&bug, leaves)),
+            Among::Chains => chains().find(|case| bug.fault(case).is_some()),
+            Among::Random(kind) => (0..2000)
+                .filter_map(|seed| {
+                    let mut rng = Rng::new(seed);
+                    let tree = Family::ALL[seed as usize % Family::ALL.len()].tree(&mut rng, 2 + seed as u32 % 12);
+                    let case = Case { any: false, ..Case::with_tree(tree, kind, &mut rng) };
+                    let fails = |case: &Case| bug.fault(case).is_some();
+                    fails(&case).then(|| shrink(case, fails))
+                })
+                .min_by_key(Case::size),
+        };
+        found.unwrap_or_else(|| panic!("{}: nothing goes wrong", self.id))
+    }
+}
+
+/// The first case of so many leaves that goes wrong.
+fn first(bug: &Planted, leaves: u32) -> Option<Case> {
+    let mut all = Exhaustive::new();
+    while all.next_case() {
+        let case = small(&mut all, leaves);
+        if bug.fault(&case).is_some() {
+            return Some(case);
+        }
+    }
+    None
+}
+
+/// A tree with so many leaves, and any hits and preferences at the nodes that are reached.
+fn small(source: &mut impl Source, leaves: u32) -> Case {
+    let children = shape(source, leaves);
+    let tree = Tree::new(&children).expect("a tree");
+    let mut cells = vec![Cell::default(); children.len()];
+    for (at, children) in children.iter().enumerate() {
+        let Some(children) = *children else { continue };
+        let is_missed = cells[at].miss;
+        let says = if is_missed { 3 } else { source.below(8) };
+        (cells[at].right_first, cells[at].axis) = (says & 4 != 0, u8::from(says & 4 != 0));
+        for (child, bit) in children.into_iter().zip([1, 2]) {
+            cells[child as usize].miss = says & bit != 0;
+        }
+    }
+    let tape = Tape::from_cells(&tree, cells).expect("a tape");
+    // Under this octant the order by sign is the tape's own.
+    Case { tree, tape, any: false, octant: 2 }
+}
+
+/// Chains of growing depth: only the deep child is wanted, or it comes first, or last.
+fn chains() -> impl Iterator<Item = Case> {
+    (1..=10_u32).flat_map(|depth| {
+        (0..6).map(move |kind| {
+            let (right, order) = (kind & 1 == 1, kind / 2);
+            let tree = Tree::new(&chain(depth, right)).expect("a chain");
+            let cell = |at: u32| Cell {
+                miss: order == 0 && at % 2 == 1,
+                right_first: at.is_multiple_of(2) && at < 2 * depth && right == (order != 2),
+                ..Cell::default()
+            };
+            let tape = Tape::from_cells(&tree, (0..=2 * depth).map(cell).collect()).expect("a tape");
+            Case { tree, tape, any: false, octant: 0 }
+        })
+    })
+}
+
+/// A leaf beside each inner node; even places go down.
+fn chain(depth: u32, right: bool) -> Vec<Option<[u32; 2]>> {
+    let children = |at| if right { [at + 1, at + 2] } else { [at + 2, at + 1] };
+    (0..=2 * depth).map(|at| (at % 2 == 0 && at < 2 * depth).then(|| children(at))).collect()
+}
+
+fn file(id: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("spec/departures/{id}.json"))
+}
+
+/// [CONF-1]
+#[test]
+fn what_is_printed_goes_wrong_where_the_file_says() {
+    for departure in DEPARTURES {
+        let (id, bug) = (departure.id, departure.bug());
+        if std::env::var_os("UPDATE").is_some() {
+            let case = departure.smallest();
+            let fault = bug.fault(&case).expect("a fault");
+            let replay =
+                Replay { methods: Vec::new(), word: None, ..Replay::of(&case, Method::Stack, WordName::U64, &fault) };
+            fs::write(file(id), serde_json::to_string_pretty(&replay).expect("text") + "\n").expect("a file");
+        }
+        let replay = Replay::load(&file(id)).unwrap_or_else(|error| panic!("{id}: {error}"));
+        let case = replay.case().expect("a case");
+        let fault = bug.fault(&case).map(|fault| fault.to_string());
+        assert!(fault.is_some(), "{id}: what is printed is right");
+        assert_eq!(fault, replay.fault, "{id}");
+
+        let mut battery = Battery::new(&case, &Method::ALL);
+        for method in Method::ALL {
+            for word in WordName::ALL {
+                let verdict = battery.check(method, word);
+                assert!(!matches!(verdict, Verdict::Differs(_)), "{id}: {method} {word}: {verdict:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn no_smaller_case_does() {
+    for departure in DEPARTURES {
+        let bug = departure.bug();
+        let case = Replay::load(&file(departure.id)).expect("a replay").case().expect("a case");
+        match departure.among {
+            Among::Small(_) => {
+                let leaves = (case.size() as u32).div_ceil(2);
+                for fewer in (1..leaves).take_while(|&fewer| fewer <= 5) {
+                    assert_eq!(first(&bug, fewer), None, "{}", departure.id);
+                }
+            }
+            Among::Chains => {
+                let mut shallower = chains().take_while(|chain| chain.size() < case.size());
+                assert!(shallower.all(|chain| bug.fault(&chain).is_none()), "{}", departure.id);
+            }
+            Among::Random(_) => assert!(case.size() <= 9, "{}: {}", departure.id, case.size()),
+        }
+    }
+}
+
+/// What is no case of a tree: addresses that are shared, numbers, sizes.
+#[test]
+fn slips_that_numbers_show() {
+    // D-2: both children at one address. By address the key turns right wherever the search goes.
+    let [left, right] = [Node::leaf(0); 2];
+    let by_address = |key: u32, to: Node| key << 1 | u32::from(to == right);
+    assert_eq!((by_address(1, left), by_address(1, right)), (3, 3));
+
+    // D-12: levelIndex 2 under the mask 010 at depth 3.
+    assert_eq!(7 + swap::fcomp(2_u32, &0b010), 7);
+    assert_eq!(8 + 2 - 1, 9);
+
+    // D-13: the address as printed, at depth 7 in 8 bits; the key does not leave the word.
+    let (level_start, level_index, swap_mask) = (128_u8, 127_u8, 127_u8);
+    assert_eq!(level_start.checked_add(level_index).and_then(|sum| sum.checked_add(swap_mask)), None);
+    assert_eq!(level_start | swap::fcomp(level_index, &swap_mask), 128);
+
+    // D-23: three nodes, of which none is hashed. D-24: resumed by key alone at 3, the search comes to 2 again.
+    let tree = Tree::new(&chain(1, false)).expect("a chain");
+    assert!(!KeySet::Exact(Reach::ALGORITHM_1).slots(&tree).contains(&true));
+    assert_eq!(trail::backtrack(3_u32, 1), (2, 0));
+
+    // D-25: (k + d) mod H in 32 bits. Reduced first it is right.
+    let (k, d, h) = (u32::MAX, 1_u32, 7_u32);
+    assert_eq!(k.wrapping_add(d) % h, 0);
+    assert_eq!((k % h + d) % h, ((u64::from(k) + u64::from(d)) % u64::from(h)) as u32);
+    assert_ne!((k % h + d) % h, 0);
+}
+
+/// D-26: the printed function has no table for some trees, and its linear search no end that is stated. [HASH-4]
+#[test]
+fn chains_without_a_printed_table() {
+    let shallowest = |key_set| {
+        let fails = |depth: &u32| {
+            let tree = Tree::new(&chain(*depth, false)).expect("a chain");
+            let table = PerfectHash::build_plain(&tree, Options { key_set, sizing: Sizing::Printed });
+            matches!(table, Err(BuildError::NoDisplacement { .. }))
+        };
+        (1..=31).find(fails)
+    };
+    assert_eq!(shallowest(KeySet::All), Some(7));
+    assert_eq!(shallowest(KeySet::Paper), Some(15));
+}
+
+/// D-9: a counter that is not asked whether it is at its end climbs to the root, one step for each level.
+#[test]
+fn what_the_climb_to_the_root_costs() {
+    for depth in 1..=7_u32 {
+        let at_the_end = trail::counter(0, 1_u32 << depth);
+        assert_eq!((at_the_end + 1).trailing_zeros(), depth);
+    }
+}

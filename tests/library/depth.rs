@@ -1,0 +1,382 @@
+//! Trees deeper than a word: cut into pieces, and, in ray tracing, by the growing word and by pieces.
+
+mod rays;
+
+use stackless_bvh::event::{Recorder, State, Trace};
+use stackless_bvh::generate::{Exhaustive, Family, Kind, Rng, Search, Source, Tape, shape};
+use stackless_bvh::key::KeyWord;
+use stackless_bvh::order::{Descent, Flow, Visitor};
+use stackless_bvh::traverse::{Afra, Cursor, Cuts, HashOnly, Method, Piece, Split, Stack, Unfit, traverse};
+use stackless_bvh::tree::{Node, Parents, Topology, Tree};
+use stackless_check::{Battery, Case, CaseOptions, Fault, Pieces, Verdict, Watch};
+
+const METHODS: [Method; 20] = Pieces::<Tree>::METHODS;
+
+/// What a battery says of a traversal in pieces.
+fn check<W: KeyWord>(battery: &mut Battery<'_>, pieces: &Pieces<'_, Tree>, method: Method) -> Verdict {
+    battery.judge(method.test(), method.restarts(), |search, watch, _, _| pieces.run::<W>(method, search, watch))
+}
+
+/// All traversals of a case whose tree is cut every `levels` levels, in one word: how many agreed. What is refused is too deep
+/// for the word.
+fn agreeing<W: KeyWord>(case: &Case, levels: u32) -> usize {
+    let (cuts, mut battery) = (Cuts::every(levels, &case.tree), Battery::new(case, &[]));
+    let pieces = Pieces::new(&case.tree, &cuts).expect("tables");
+    let agrees = |&&method: &&Method| {
+        let carried = W::WIDTH.map_or(u32::MAX, |width| match method.without_pruning() {
+            Method::Afra | Method::Uncle => width,
+            Method::ImplicitA1 => width - 2,
+            _ => width - 1,
+        });
+        let depth = cuts.top().depth();
+        match check::<W>(&mut battery, &pieces, method) {
+            Verdict::Agrees { .. } => {
+                assert!(depth <= carried, "{method} {} carries {depth}", W::NAME);
+                true
+            }
+            Verdict::Refused(Unfit::TooDeep(error)) => {
+                assert_eq!((error.depth, error.limit, error.word), (depth, carried, W::NAME), "{method}");
+                assert!(depth > carried, "{method} {} refuses {depth}", W::NAME);
+                false
+            }
+            verdict => panic!("{method} {} cut every {levels} levels: {verdict:?}\n{case:?}", W::NAME),
+        }
+    };
+    METHODS.iter().filter(agrees).count()
+}
+
+/// [DEPTH-4]
+#[test]
+fn all_small_trees_under_all_scripts() {
+    let (mut all, mut count) = (Exhaustive::new(), 0);
+    while all.next_case() {
+        let leaves = 1 + all.below(5) as u32;
+        let tree = Tree::new(&shape(&mut all, leaves)).unwrap();
+        let tape = Tape::draw(&mut all, &tree, Kind::Script);
+        let case = Case { tree, tape, any: false, octant: 2 };
+        for levels in 1..=3 {
+            count += agreeing::<u8>(&case, levels);
+        }
+    }
+    assert!(count > 100_000, "{count}");
+}
+
+#[test]
+fn random_trees_cut_every_1_to_31_levels() {
+    for levels in 1..=31 {
+        for seed in 0..60 {
+            let case = Case::random(1000 * u64::from(levels) + seed, CaseOptions::default());
+            // One form of Algorithm 2 carries 30 levels in 32 bits, all others more.
+            let refused = usize::from(levels.min(case.tree.depth()) == 31);
+            assert_eq!(agreeing::<u32>(&case, levels), METHODS.len() - refused);
+        }
+    }
+}
+
+#[test]
+fn deep_trees_of_all_families_in_all_words() {
+    let mut rng = Rng::new(3);
+    for family in [Family::Comb, Family::Caterpillar, Family::Skew, Family::Catalan] {
+        for leaves in [32, 65, 129, 201] {
+            for kind in Kind::ALL {
+                let case = Case::with_tree(family.tree(&mut rng, leaves), kind, &mut rng);
+                for around in [0, 1, 2, 3, 4] {
+                    agreeing::<u8>(&case, 5 + around);
+                    agreeing::<u16>(&case, 13 + around);
+                    agreeing::<u32>(&case, 29 + around);
+                    agreeing::<u64>(&case, 61 + around);
+                }
+                assert_eq!(agreeing::<u8>(&case, 6), METHODS.len());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_depth_of_1000_in_narrow_words() {
+    let mut rng = Rng::new(4);
+    for kind in [Kind::Random, Kind::AllHit, Kind::OnlyOne, Kind::Shrinking, Kind::Intervals] {
+        let case = Case::with_tree(Family::Comb.tree(&mut rng, 1001), kind, &mut rng);
+        assert_eq!(agreeing::<u8>(&case, 6), METHODS.len());
+        assert_eq!(agreeing::<u32>(&case, 30), METHODS.len());
+        assert_eq!(agreeing::<u64>(&case, 62), METHODS.len());
+    }
+}
+
+/// Traversals that are made for such depths.
+const FOR_ANY_DEPTH: [Method; 5] = [Method::Sparse, Method::Afra, Method::Uncle, Method::HashOnly, Method::Hashed];
+
+/// The first visits, so many of them: then the traversal is stopped.
+#[derive(PartialEq)]
+struct First(Trace, usize);
+
+impl Recorder for First {
+    fn visit(&mut self, state: &impl State) -> Flow {
+        if self.0.nodes().len() == self.1 { Flow::Stop } else { self.0.visit(state) }
+    }
+}
+
+/// A chain that goes to one side all the way.
+fn chain(depth: u32, right: bool) -> Tree {
+    let next = |i: u32| if right { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
+    let children: Vec<_> = (0..depth).flat_map(|i| [Some(next(i)), None]).chain([None]).collect();
+    Tree::new(&children).unwrap()
+}
+
+/// [DEPTH-4]
+#[test]
+fn a_depth_of_100_000_in_narrow_words() {
+    let mut rng = Rng::new(5);
+    for tree in [Family::Comb.tree(&mut rng, 100_001), chain(100_000, false), chain(100_000, true)] {
+        assert_eq!(tree.depth(), 100_000);
+        for levels in [6, 30, 62] {
+            let cuts = Cuts::every(levels, &tree);
+            assert_eq!(cuts.nesting(), 100_000_u32.div_ceil(levels));
+            let pieces = Pieces::new(&tree, &cuts).expect("tables");
+            for (kind, any) in [(Kind::AllHit, false), (Kind::Shrinking, false), (Kind::OnlyOne, true)] {
+                let tape = Tape::hashed(u64::from(levels), &tree, kind);
+                let see = |run: &dyn Fn(&mut Search<'_, Tree>, &mut First)| {
+                    let (mut search, mut trace) = (Search::new(&tree, &tape, any), First(Trace::default(), 200_002));
+                    run(&mut search, &mut trace);
+                    (trace, search.outcome)
+                };
+                let expected = see(&|search, trace| {
+                    traverse(Stack::new(&tree, &mut Vec::new()), search, trace);
+                });
+                for method in FOR_ANY_DEPTH {
+                    let found = see(&|search, trace| {
+                        let run = match levels {
+                            6 => Pieces::run::<u8>,
+                            30 => Pieces::run::<u32>,
+                            _ => Pieces::run::<u64>,
+                        };
+                        run(&pieces, method, search, trace).unwrap();
+                    });
+                    assert!(found == expected, "{method} cut every {levels} levels, {}", kind.name());
+                }
+            }
+        }
+    }
+}
+
+/// A recorder may end a traversal anywhere: in a piece, at a cut, and on the way back.
+#[test]
+fn the_memory_of_a_stopped_traversal_serves_the_next() {
+    let case = Case::random(8, CaseOptions { family: Some(Family::Comb), depth: Some(40) });
+    let tape = &Tape::hashed(2, &case.tree, Kind::AllHit);
+    let (parents, cuts, mut waiting) = (&Parents::of(&case.tree), &Cuts::every(3, &case.tree), Vec::new());
+    let mut run = |visits| {
+        let mut recorder = First(Trace::default(), visits);
+        let split = Split::new(cuts, &mut waiting, |piece| Afra::<u8, _, _>::new(piece, parents)).unwrap();
+        traverse(split, &mut Search::new(&case.tree, tape, false), &mut recorder);
+        recorder.0
+    };
+    let whole = run(usize::MAX);
+    assert_eq!(whole.nodes().len(), 81);
+    for visits in 0..81 {
+        assert_eq!(run(visits).nodes(), &whole.nodes()[..visits]);
+        assert!(run(usize::MAX) == whole, "after {visits} visits");
+    }
+}
+
+mod bites {
+    use super::*;
+
+    /// A way to get pieces wrong.
+    #[derive(Clone, Copy, Debug)]
+    enum Bug {
+        None,
+        /// A piece begins with a second visit of its root.
+        SecondVisit,
+        /// What waits above is forgotten.
+        Forgets,
+        /// What waits above goes on where it is, instead of backtracking from there.
+        NoBacktrack,
+        /// Where nothing is left in the piece above either, the pieces above that are forgotten.
+        OneAbove,
+    }
+
+    struct Careless<'c, C, F> {
+        cuts: &'c Cuts<'c, Tree>,
+        start: F,
+        cursor: C,
+        waiting: Vec<C>,
+        bug: Bug,
+    }
+
+    impl<C: Cursor, F> State for Careless<'_, C, F> {
+        type Word = C::Word;
+
+        fn node(&self) -> Node {
+            self.cursor.node()
+        }
+    }
+
+    impl<'c, C: Cursor, F: Fn(&'c Piece<'c, Tree>) -> C> Cursor for Careless<'c, C, F> {
+        fn descend(&mut self, descent: Descent) -> bool {
+            if let Some(piece) = self.cuts.below(self.cursor.node()) {
+                let is_new = self.waiting.last().is_none_or(|above| above.node() != piece.root());
+                if is_new {
+                    self.waiting.push(std::mem::replace(&mut self.cursor, (self.start)(piece)));
+                    if matches!(self.bug, Bug::SecondVisit) {
+                        return true;
+                    }
+                }
+            }
+            self.cursor.descend(descent)
+        }
+
+        fn backtrack(&mut self) -> bool {
+            while !self.cursor.backtrack() {
+                let Some(above) = self.waiting.pop() else { return false };
+                self.cursor = above;
+                match self.bug {
+                    Bug::Forgets => return false,
+                    Bug::NoBacktrack => return true,
+                    Bug::OneAbove => return self.cursor.backtrack(),
+                    Bug::None | Bug::SecondVisit => {}
+                }
+            }
+            true
+        }
+    }
+
+    /// Deep cases, some of which show any bug.
+    fn cases() -> impl Iterator<Item = Case> {
+        let mut rng = Rng::new(12);
+        (0..120).map(move |i| {
+            let family = [Family::Comb, Family::Caterpillar, Family::Catalan][i % 3];
+            let case = Case::with_tree(family.tree(&mut rng, 40), Kind::ALL[i % Kind::ALL.len()], &mut rng);
+            Case { any: i % 2 == 0, ..case }
+        })
+    }
+
+    fn faults(run: impl Fn(&Case, &mut Search<'_, Tree>, &mut Watch<'_>)) -> Vec<Fault> {
+        let fault = |case: Case| {
+            let verdict = Battery::new(&case, &[]).judge(Method::Afra.test(), false, |search, watch, _, _| {
+                run(&case, search, watch);
+                Ok(())
+            });
+            if let Verdict::Differs(fault) = verdict { Some(fault) } else { None }
+        };
+        cases().filter_map(fault).collect()
+    }
+
+    fn careless(bug: Bug) -> Vec<Fault> {
+        faults(|case, search, watch| {
+            let (parents, cuts) = (&Parents::of(&case.tree), &Cuts::every(2, &case.tree));
+            let start = |piece| Afra::<u8, _, _>::new(piece, parents).unwrap();
+            let cursor = start(cuts.top());
+            traverse(Careless { cuts, start, cursor, waiting: Vec::new(), bug }, search, watch);
+        })
+    }
+
+    #[test]
+    fn careless_pieces_are_caught() {
+        assert_eq!(careless(Bug::None), []);
+        let sees_nodes = |fault: &Fault| matches!(fault, Fault::Node { .. });
+        assert!(careless(Bug::SecondVisit).iter().any(sees_nodes));
+        assert!(careless(Bug::NoBacktrack).iter().any(sees_nodes));
+        for bug in [Bug::Forgets, Bug::OneAbove] {
+            assert!(careless(bug).iter().any(|fault| matches!(fault, Fault::Early { .. })), "{bug:?}");
+        }
+    }
+
+    /// A tree that says it is as deep as a byte carries.
+    struct Shallow<'t>(&'t Tree);
+
+    impl Topology for Shallow<'_> {
+        fn root(&self) -> Node {
+            self.0.root()
+        }
+        fn children(&self, node: Node) -> [Node; 2] {
+            self.0.children(node)
+        }
+        fn node_count(&self) -> usize {
+            self.0.node_count()
+        }
+        fn slot(&self, node: Node) -> usize {
+            self.0.slot(node)
+        }
+        fn depth(&self) -> u32 {
+            self.0.depth().min(8)
+        }
+    }
+
+    #[test]
+    fn a_trail_that_is_carried_over_cuts_is_caught() {
+        let faults = faults(|case, search, watch| {
+            let tree = Shallow(&case.tree);
+            traverse(Afra::<u8, _, _>::new(&tree, &Parents::of(&case.tree)).unwrap(), search, watch);
+        });
+        assert!(faults.iter().any(|fault| matches!(fault, Fault::Early { .. })), "{faults:?}");
+    }
+
+    /// Traverses pieces by recursion, and does not say above that the search was stopped below.
+    struct Deaf<'a, S> {
+        cuts: &'a Cuts<'a, Tree>,
+        parents: &'a Parents,
+        search: S,
+        root: Node,
+    }
+
+    impl<S: Visitor> Visitor for Deaf<'_, S> {
+        fn inner(&mut self, node: Node) -> Descent {
+            let Self { cuts, parents, .. } = *self;
+            match cuts.below(node) {
+                Some(piece) if node != self.root => {
+                    let mut below = Deaf { cuts, parents, search: &mut self.search as &mut dyn Visitor, root: node };
+                    traverse(Afra::<u8, _, _>::new(piece, parents).unwrap(), &mut below, &mut ());
+                    Descent::NEITHER
+                }
+                _ => self.search.inner(node),
+            }
+        }
+
+        fn leaf(&mut self, node: Node) -> Flow {
+            self.search.leaf(node)
+        }
+    }
+
+    #[test]
+    fn a_stop_that_does_not_reach_the_top_is_caught() {
+        let (mut stopped, mut differ) = (0, 0);
+        for case in cases() {
+            let (parents, cuts) = (&Parents::of(&case.tree), &Cuts::every(5, &case.tree));
+            let mut expected = Search::new(&case.tree, &case.tape, case.any);
+            traverse(Stack::new(&case.tree, &mut Vec::new()), &mut expected, &mut ());
+            let mut found = Search::new(&case.tree, &case.tape, case.any);
+            let mut deaf = Deaf { cuts, parents, search: &mut found, root: case.tree.root() };
+            traverse(Afra::<u8, _, _>::new(cuts.top(), parents).unwrap(), &mut deaf, &mut ());
+            if case.any && expected.outcome.hit.is_some() {
+                stopped += 1;
+                differ += u32::from(found.outcome.leaf_visits > expected.outcome.leaf_visits);
+            } else {
+                assert_eq!(found.outcome, expected.outcome);
+            }
+        }
+        assert!(stopped > 20 && differ > 5, "{stopped} {differ}");
+    }
+
+    #[test]
+    fn the_table_of_another_piece_is_caught() {
+        // In a chain to one side all pieces but the last have the same keys, so that only the nodes are wrong.
+        let tree = chain(40, false);
+        let tape = Tape::hashed(1, &tree, Kind::AllHit);
+        let case = Case { tape, tree, any: false, octant: 0 };
+        let cuts = Cuts::every(5, &case.tree);
+        let pieces = Pieces::new(&case.tree, &cuts).expect("tables");
+        let verdict = |off_by: usize| {
+            Battery::new(&case, &[]).judge(Method::HashOnly.test(), false, |search, watch, _, _| {
+                let table = |piece: usize| &pieces.full_hashes()[(piece + off_by) % pieces.full_hashes().len()];
+                let mut waiting = Vec::new();
+                let split =
+                    Split::new(&cuts, &mut waiting, |piece| HashOnly::<u8, _, _>::new(piece, table(piece.number())))?;
+                traverse(split, search, watch);
+                Ok(())
+            })
+        };
+        assert!(matches!(verdict(0), Verdict::Agrees { .. }));
+        assert!(matches!(verdict(1), Verdict::Differs(Fault::Node { .. })), "{:?}", verdict(1));
+    }
+}

@@ -1,0 +1,187 @@
+//! The second trail loses no hit, and what it needs for that.
+
+use glam::Vec3;
+use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, SpatialOptions};
+use stackless_bvh::event::Trace;
+use stackless_bvh::generate::procedural;
+use stackless_bvh::generate::{Cell, Family, Kind, Rng, Search, Source, Tape};
+use stackless_bvh::geom::Mesh;
+use stackless_bvh::geom::kernel::Exact;
+use stackless_bvh::geom::slabs::Directed;
+use stackless_bvh::oracle;
+use stackless_bvh::order::{Descent, Flow, Pruning, Visitor};
+use stackless_bvh::trace::{Any, Ask, Closest, NodeSearch, Part, Plan, Tracer, Truth};
+use stackless_bvh::traverse::{Method, Tables, Unfit};
+use stackless_bvh::tree::{Node, Topology, Tree};
+use stackless_check::Case;
+
+/// A mistake of a search that marks and prunes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Slip {
+    None,
+    /// Intervals that touch count as disjoint.
+    NotStrict,
+    /// A hit beyond the end of its leaf prunes as well.
+    NoGuard,
+    /// The far child comes first, and children are marked whatever comes first.
+    WrongOrder,
+}
+
+struct Slipping<'a> {
+    search: Search<'a, Tree>,
+    cells: &'a [Cell],
+    tree: &'a Tree,
+    slip: Slip,
+}
+
+impl Visitor for Slipping<'_> {
+    fn inner(&mut self, node: Node) -> Descent {
+        let descent = self.search.inner(node);
+        match self.slip {
+            Slip::WrongOrder if descent.postpones() => Descent::both(descent.first().other()),
+            _ => descent,
+        }
+    }
+
+    fn leaf(&mut self, node: Node) -> Flow {
+        Visitor::leaf(&mut self.search, node)
+    }
+
+    fn inner_marked(&mut self, node: Node) -> Descent {
+        let descent = self.inner(node);
+        let [first, second] = [descent.first(), descent.first().other()]
+            .map(|side| self.cells[self.tree.slot(self.tree.child(node, side))]);
+        descent.disjoint_if(match self.slip {
+            Slip::NotStrict => first.exit.is_some_and(|exit| exit <= second.enter),
+            // Apart, as it would be asked where the near child always comes first.
+            Slip::WrongOrder => second.exit.is_some_and(|exit| exit < first.enter),
+            _ => first.exit.is_some_and(|exit| exit < second.enter),
+        })
+    }
+
+    fn found_at(&self, leaf: Node) -> bool {
+        let is_here = self.search.outcome.hit.is_some_and(|(_, slot)| slot == self.tree.slot(leaf));
+        if self.slip == Slip::NoGuard { is_here } else { self.search.found_at(leaf) }
+    }
+}
+
+/// In how many of the cases a hit is lost, and how many visits are saved in all.
+fn lost(slip: Slip) -> (usize, usize) {
+    let (mut lost, mut saved) = (0, 0);
+    for seed in 0..4000 {
+        let mut rng = Rng::new(seed);
+        let kind = if seed % 2 == 0 { Kind::Intervals } else { Kind::Clipped };
+        let tree = Family::ALL[(seed / 2) as usize % Family::ALL.len()].tree(&mut rng, 16);
+        let case = Case { any: false, ..Case::with_tree(tree, kind, &mut rng) };
+        // Few distances, so that many are equal.
+        let coarse = |distance: u32| distance >> 15;
+        let cells = case.tape.cells().iter().map(|cell| Cell {
+            enter: coarse(cell.enter),
+            exit: cell.exit.map(coarse),
+            hit: cell.hit.map(coarse),
+            ..*cell
+        });
+        let tape = Tape::from_cells(&case.tree, cells.collect()).expect("a tape");
+        let run = |pruning| {
+            let search = Search::new(&case.tree, &tape, false);
+            let mut slipping = Slipping { search, cells: tape.cells(), tree: &case.tree, slip };
+            let mut trace = Trace::default();
+            oracle::traverse_pruned(&case.tree, case.tree.root(), pruning, &mut slipping, &mut trace);
+            (slipping.search.outcome.hit, trace.nodes().len())
+        };
+        let ((whole, all), (pruned, some)) = (run(Pruning::Never), run(Pruning::Disjoint));
+        lost += usize::from(whole != pruned);
+        saved += all - some.min(all);
+    }
+    (lost, saved)
+}
+
+/// [ORACLE-3] [DISJOINT-1]
+#[test]
+fn nothing_is_lost_and_something_is_saved() {
+    let (lost, saved) = lost(Slip::None);
+    assert_eq!(lost, 0);
+    assert!(saved > 1000, "{saved}");
+}
+
+/// [ORDER-2] [ORDER-3] [DISJOINT-4]
+#[test]
+fn what_the_marks_need() {
+    for slip in [Slip::NotStrict, Slip::NoGuard, Slip::WrongOrder] {
+        let (lost, _) = lost(slip);
+        assert!(lost > 10, "{slip:?}: {lost}");
+    }
+}
+
+/// Long, thin triangles across each other: their boxes say little, those of their parts more.
+fn diagonals() -> Mesh {
+    let mut rng = Rng::new(8);
+    let mut point = || Vec3::from([0; 3].map(|_| rng.below(1000) as f32));
+    let vertices: Vec<_> = (0..150)
+        .flat_map(|_| {
+            let from = point();
+            [from, point(), from + Vec3::ONE * 5.0]
+        })
+        .collect();
+    let count = vertices.len() as u32 / 3;
+    Mesh::new(vertices, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).expect("a mesh")
+}
+
+fn in_parts(mesh: &Mesh) -> Bvh {
+    let spatial = SpatialOptions { extra_percent: 300, overlap: 0.0 };
+    let options = BuildOptions { builder: Builder::Spatial, spatial, ..BuildOptions::default() };
+    let bvh = Bvh::build(mesh, &options, &|_| ()).expect("a tree");
+    assert!(bvh.duplicates() > 20, "{}", bvh.duplicates());
+    bvh
+}
+
+/// [DISJOINT-5]
+#[test]
+fn searches_without_order_are_refused() {
+    let mesh = diagonals();
+    let rays = procedural::rays(&mesh, 1, 20);
+    let (bvh, split) = (Bvh::sah(&mesh, SahOptions::default()).expect("a tree"), in_parts(&mesh));
+    for method in Method::ALL.into_iter().filter(|method| method.test().pruning() != Pruning::Never) {
+        let run = |bvh: &Bvh, any| {
+            let tables = Tables::new(bvh, bvh.axes(), &[method], 0);
+            let mut memory = Vec::new();
+            let ray = &rays[0];
+            if any {
+                let mut search = NodeSearch::over(Any::new(bvh, ray), &[]);
+                tables.run::<u64, _>(method, 0, &mut memory, &mut search, &mut ())
+            } else {
+                let mut search = NodeSearch::over(Closest::new(bvh, ray), &[]);
+                tables.run::<u64, _>(method, 0, &mut memory, &mut search, &mut ())
+            }
+        };
+        assert_eq!(run(&bvh, false), Ok(()), "{method}");
+        // The order is not that along the ray.
+        assert_eq!(run(&bvh, true), Err(Unfit::Unordered), "{method}");
+        // Hits may lie outside the leaves' boxes, and the boxes are not there. Distances need none.
+        let expected = if method == Method::StackT0 { Ok(()) } else { Err(Unfit::Unordered) };
+        assert_eq!(run(&split, false), expected, "{method}");
+    }
+}
+
+/// [DISJOINT-4] [SPLIT-1]
+#[test]
+fn rays_through_triangles_in_parts() {
+    let mesh = diagonals();
+    let truth = Truth::new(&mesh);
+    let rays = procedural::rays(&mesh, 5, 3000);
+    let bvh = in_parts(&mesh);
+    for method in [Method::HashedDisjoint, Method::UncleDisjoint, Method::StackT0] {
+        let plan = Plan::new(&bvh, method, Ask::Hit);
+        assert_eq!(plan.skips(Part::OwnBoxes), method == Method::StackT0);
+        let tracer = Tracer::<Exact, Directed>::planned(&bvh, &Plan::new(&bvh, method, Ask::All)).expect("a tracer");
+        for ray in &rays {
+            assert_eq!(tracer.closest(ray), truth.closest(ray).map(|hit| hit.rounded()), "{method} {ray:?}");
+        }
+        let without = Tracer::<Exact, Directed>::with_method(&bvh, method.without_pruning()).expect("a tracer");
+        let [pruned, whole] = [&tracer, &without].map(|tracer| {
+            let counters = tracer.count(&rays, false);
+            counters.inner + counters.leaves
+        });
+        assert!(pruned < whole, "{method}: {pruned} of {whole}");
+    }
+}

@@ -1,0 +1,94 @@
+//! The exact level: the answers of rational arithmetic, the same for every tree, order and traversal.
+
+use glam::Vec3;
+use stackless_bvh::bvh::{Bvh, SahOptions};
+use stackless_bvh::generate::{procedural, stress};
+use stackless_bvh::geom::Mesh;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::oracle;
+use stackless_bvh::order::{ByNode, LeftFirst, SignOrder};
+use stackless_bvh::trace::{Accuracy, Closest, ClosestByNode, Hit, KernelName, SlabsName, Truth};
+use stackless_bvh::traverse::Method;
+use stackless_check::{Stress, check_boxes};
+
+/// [BOX-2]
+#[test]
+fn no_touched_box_is_skipped() {
+    let tally = check_boxes(1, 300_000, &|_| ());
+    let [plain, two_sided, directed] = tally.skipped;
+    assert!(tally.rays > 200_000 && tally.touched > tally.rays / 4, "{tally:?}");
+    assert_eq!(directed, 0, "{tally:?}");
+    // The plain form leaks; the two-sided one only where its preconditions fail.
+    assert!(plain > 1000 && two_sided < plain, "{tally:?}");
+}
+
+/// [EXACT-1] [CONF-2]
+#[test]
+fn the_stress_suite_finds_no_error_of_the_exact_kernels() {
+    let methods = [Method::Stack, Method::Sparse, Method::Hashed, Method::Skip];
+    let mut others = 0;
+    for case in stress::cases(48) {
+        let stress = Stress::new(&case).expect("a case can be built");
+        for kernel in [KernelName::Exact, KernelName::ExactFromSingle] {
+            let errors = stress.run((kernel, SlabsName::Directed), &methods).expect("a depth that u64 carries");
+            assert!(errors.is_none(), "{}: {kernel}: {errors:?}", case.name);
+        }
+        for level in [Accuracy::Fast, Accuracy::Watertight, Accuracy::Precise] {
+            let errors = stress.run(level.tests(), &[Method::Stack]).expect("a depth that u64 carries");
+            others += u32::from(!errors.is_none());
+        }
+        if case.closed {
+            assert!(stress.truth().iter().all(Option::is_some), "{}: a closed mesh cannot be left", case.name);
+        }
+    }
+    assert!(others > 300, "the suite is hard for the others: {others}");
+}
+
+fn bits(hit: Option<Hit>) -> Option<[u32; 4]> {
+    hit.map(|Hit { prim, t, u, v }| [prim, t.to_bits(), u.to_bits(), v.to_bits()])
+}
+
+/// All answers of one tree, in three orders.
+fn answers(bvh: &Bvh, ray: &Ray) -> [Option<[u32; 4]>; 3] {
+    let boxes = bvh.own_boxes();
+    let mut nearer_first = Closest::new(bvh, ray);
+    oracle::traverse(bvh, &mut nearer_first, &mut ());
+    let mut left_first = ByNode { test: ClosestByNode::new(bvh, &boxes, ray), order: LeftFirst };
+    oracle::traverse(bvh, &mut left_first, &mut ());
+    // Against the ray: the farther child first.
+    let order = SignOrder { axes: bvh.axes(), octant: !ray.octant() & 7 };
+    let mut farther_first = ByNode { test: ClosestByNode::new(bvh, &boxes, ray), order };
+    oracle::traverse(bvh, &mut farther_first, &mut ());
+    [nearer_first.hit(), left_first.test.hit(), farther_first.test.hit()].map(bits)
+}
+
+/// Builders x leaf sizes x orders, bit for bit, and the truth. (Traversals and threads: `stackless check`.) `[DET-1]`
+/// [CONF-2]
+#[test]
+fn the_answer_does_not_depend_on_tree_and_order() {
+    let sphere = stress::icosphere(3, 1.0, Vec3::splat(1000.0)).expect("a mesh");
+    // Everything twice, in other places of the list: ties.
+    let soup = procedural::soup(7, 300);
+    let doubled = soup.triangles().iter().rev().chain(soup.triangles()).copied().collect();
+    let doubled = Mesh::new(soup.vertices().to_vec(), doubled).expect("a mesh");
+    for mesh in [sphere, doubled, procedural::strands(2, 12)] {
+        let mut trees = Vec::new();
+        for leaf in [1, 2, 4, 9] {
+            trees.push(Bvh::median(&mesh, leaf).expect("a tree"));
+            trees
+                .extend([2, 32].map(|bins| {
+                    Bvh::sah(&mesh, SahOptions { bins, max_leaf: leaf, depth_limit: 60 }).expect("a tree")
+                }));
+        }
+        let truth = Truth::new(&mesh);
+        let mut hits = 0;
+        for ray in stress::aimed(&mesh, 5, 400).into_iter().chain(procedural::rays(&mesh, 6, 400)) {
+            let expected = bits(truth.closest(&ray).map(|hit| hit.rounded()));
+            hits += u32::from(expected.is_some());
+            for bvh in &trees {
+                assert_eq!(answers(bvh, &ray), [expected; 3], "{ray:?}");
+            }
+        }
+        assert!((100..750).contains(&hits), "{hits} of 800 rays hit");
+    }
+}

@@ -1,0 +1,214 @@
+//! Instances against an oracle that moves every triangle in rational arithmetic. `[INST-1]` to `[INST-6]`
+
+pub(crate) mod scenes;
+
+use glam::Vec3;
+use scenes::{Scene, unit};
+use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions};
+use stackless_bvh::generate::stress;
+use stackless_bvh::generate::{Rng, Source};
+use stackless_bvh::geom::Mesh;
+use stackless_bvh::geom::{Affine, Ray};
+use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceError, InstanceHit, InstanceTracer, Object};
+use stackless_bvh::traverse::Method;
+use stackless_check::{Flat, Hierarchies, check_answer, check_instances};
+
+fn options(builder: Builder, max_leaf: u32) -> BuildOptions {
+    BuildOptions { builder, sah: SahOptions { max_leaf, ..SahOptions::default() }, ..BuildOptions::default() }
+}
+
+fn hierarchies(scene: &Scene, builder: Builder, max_leaf: u32) -> Hierarchies {
+    Hierarchies::new(&scene.shapes, options(builder, max_leaf)).expect("trees")
+}
+
+fn assembly<'a>(built: &'a Hierarchies, scene: &Scene) -> (Assembly<'a>, Object) {
+    let (assembly, objects) = built.assembly(&scene.shapes).expect("groups");
+    (assembly, *objects.last().expect("a shape"))
+}
+
+/// Rays at corners, edges and insides of triangles, along the axes through corners, and from corner to corner.
+fn rays(flat: &Flat, rng: &mut Rng, n: usize) -> Vec<Ray> {
+    let corners: Vec<_> = flat.corners().collect();
+    let all = corners.iter().flat_map(|corners| corners.iter());
+    let (lo, hi) = all.fold((Vec3::MAX, Vec3::MIN), |(lo, hi), corner| (lo.min(*corner), hi.max(*corner)));
+    let size = (hi - lo).max_element();
+    let mut rays = Vec::new();
+    while rays.len() < n {
+        let [a, b, c] = corners[rng.below(corners.len() as u64) as usize];
+        let (u, v) = (unit(rng).abs(), unit(rng).abs());
+        let target = match rng.below(4) {
+            0 => *a,
+            1 => a + (b - a) * 0.5,
+            2 => a + (b - a) * u,
+            _ => a + (b - a) * u + (c - a) * (v * (1.0 - u)),
+        };
+        let axis = Vec3::AXES[rng.below(3) as usize] * size.max(f32::MIN_POSITIVE);
+        let (origin, direction) = match rng.below(5) {
+            0 => (target - axis * 2.0, axis),
+            1 => (target + axis, -axis),
+            2 => {
+                let other = corners[rng.below(corners.len() as u64) as usize][0];
+                (target + (target - other), other - target)
+            }
+            _ => {
+                let origin = (lo + hi) * 0.5 + Vec3::new(unit(rng), unit(rng), unit(rng)) * (2.0 * size);
+                (origin, target - origin)
+            }
+        };
+        rays.extend(Ray::new(origin, direction, 0.0, f32::INFINITY));
+    }
+    rays
+}
+
+/// The same ray, ending and beginning at a hit: where rounding must not decide.
+fn cut(ray: &Ray, hit: &InstanceHit) -> impl Iterator<Item = Ray> {
+    let t = hit.t;
+    let ends = [(0.0, t), (t, f32::INFINITY), (0.0, t.next_down()), (t.next_up(), f32::INFINITY)];
+    let ray = *ray;
+    ends.into_iter().filter_map(move |(tmin, tmax)| Ray::new(ray.origin(), ray.direction(), tmin, tmax).ok())
+}
+
+/// Every scene by every traversal, alone and with another one inside, over four kinds of trees.
+#[test]
+fn answers_are_those_of_rational_arithmetic() {
+    let (mut hits, mut asked, mut deep, mut tracers) = (0, 0, 0, 0);
+    for (seed, scene) in scenes::all().iter().enumerate() {
+        let (flat, mut rng) = (Flat::new(&scene.shapes), Rng::new(seed as u64));
+        let mut cases: Vec<(Ray, Option<InstanceHit>)> =
+            rays(&flat, &mut rng, 36).into_iter().map(|ray| (ray, flat.closest(&ray))).collect();
+        let cut: Vec<_> =
+            cases.iter().take(10).filter_map(|(ray, hit)| hit.as_ref().map(|hit| cut(ray, hit))).flatten().collect();
+        cases.extend(cut.into_iter().map(|ray| (ray, flat.closest(&ray))));
+        asked += cases.len();
+        hits += cases.iter().filter(|(_, hit)| hit.is_some()).count();
+        deep += cases.iter().flat_map(|(_, hit)| hit).filter(|hit| hit.path.len() > 1).count();
+        for (builder, leaf) in [(Builder::Median, 1), (Builder::Sah, 1), (Builder::Spatial, 2), (Builder::Linear, 4)] {
+            let built = hierarchies(scene, builder, leaf);
+            let (assembly, root) = assembly(&built, scene);
+            for (i, method) in Method::ALL.into_iter().enumerate() {
+                let other = Method::ALL[(i + 5) % Method::ALL.len()];
+                for (groups, meshes) in [(method, method), (method, other)] {
+                    let tracer = match InstanceTracer::with_methods(&assembly, root, groups, meshes) {
+                        Ok(tracer) => tracer,
+                        // `complete` on other trees, and traversals that want searches of another kind.
+                        Err(InstanceError::Unfit { .. }) => continue,
+                        Err(error) => panic!("{error}"),
+                    };
+                    tracers += 1;
+                    for (ray, hit) in &cases {
+                        check_answer(&tracer, hit, ray).unwrap_or_else(|fault| {
+                            panic!("{}, {builder}, {groups} and {meshes}, {ray:?}: {fault}", scene.name)
+                        });
+                    }
+                }
+            }
+        }
+    }
+    // Of 21 traversals in pairs and alone, over four kinds of trees, `complete` takes part over one.
+    assert!(tracers >= 36 * (42 + 3 * 39), "{tracers}");
+    assert!(asked > 2000 && hits > asked / 2 && deep > 100, "{hits} of {asked}, {deep}");
+}
+
+/// More rays, by one traversal.
+#[test]
+fn many_rays_are_answered_by_rational_arithmetic() {
+    let (mut counts, mut asked) = ([0; 3], 0);
+    for (seed, scene) in scenes::all().iter().enumerate() {
+        let (flat, mut rng) = (Flat::new(&scene.shapes), Rng::new(1000 + seed as u64));
+        let built = hierarchies(scene, Builder::Sah, 2);
+        let (assembly, root) = assembly(&built, scene);
+        let tracer = InstanceTracer::new(&assembly, root, Method::Hashed).expect("any tree");
+        let rays = rays(&flat, &mut rng, 300);
+        asked += rays.len();
+        for ray in &rays {
+            check_instances(&tracer, &flat, ray).unwrap_or_else(|fault| panic!("{}, {ray:?}: {fault}", scene.name));
+        }
+        let found = tracer.count(&rays, false);
+        for (sum, count) in counts.iter_mut().zip([found.instances, found.triangles, found.rational]) {
+            *sum += count;
+        }
+    }
+    let [instances, triangles, rational] = counts;
+    assert!(instances > asked as u64 && rational > triangles / 100, "the scenes are hard: {counts:?}");
+}
+
+/// What is found in an instance ends the search in those behind it, and within them.
+#[test]
+fn what_is_behind_a_hit_is_not_entered() {
+    let bvh = Bvh::sah(&stress::icosphere(3, 1.0, Vec3::ZERO).expect("a mesh"), SahOptions::default()).expect("a tree");
+    let (mut assembly, options) = (Assembly::new(), options(Builder::Sah, 1));
+    let object = assembly.add_mesh(&bvh);
+    let place = |i: u8| Affine::translation(Vec3::Z * f32::from(i) * 3.0).expect("a map");
+    let instances = (0..64).map(|i| Instance { object, affine: place(i) }).collect();
+    let row = assembly.add_group(instances, &options).expect("a group");
+    let tracer = InstanceTracer::new(&assembly, row, Method::Hashed).expect("any tree");
+    let ray = Ray::new(Vec3::new(0.1, 0.2, -5.0), Vec3::new(0.001, 0.002, 1.0), 0.0, 1000.0).expect("a ray");
+    let (closest, any) = (tracer.count(&[ray], false), tracer.count(&[ray], true));
+    // The second one was postponed before the first was entered, and postponed nodes are not tested again.
+    assert!(closest.instances <= 2 && closest.rational == 0 && any.instances == 1, "{closest:?}, {any:?}");
+    assert!(closest.triangles < 10 && any.triangles < 10, "{closest:?}, {any:?}");
+}
+
+/// A triangle, as small as a scene can be.
+fn triangle() -> Bvh {
+    let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]]).expect("a mesh");
+    Bvh::median(&mesh, 1).expect("a tree")
+}
+
+#[test]
+fn what_cannot_be_placed_is_refused_by_name() {
+    let (bvh, options) = (triangle(), BuildOptions::default());
+    let mut assembly = Assembly::new();
+    let mesh = assembly.add_mesh(&bvh);
+    let place = |object| Instance { object, affine: Affine::IDENTITY };
+    let mut other = Assembly::new();
+    other.add_mesh(&bvh);
+    let unknown = other.add_group(vec![place(mesh)], &options).expect("a group");
+    let refusal = |result: Result<Object, AssemblyError>| result.expect_err("refused").to_string();
+    assert_eq!(
+        refusal(assembly.add_group(vec![place(mesh), place(unknown)], &options)),
+        "instance 1: object 1 is not one of the 1 of this assembly"
+    );
+    let wide = |x| Affine::new([[x, x, 0.0, 0.0], [0.0, x, 0.0, 0.0], [0.0, 0.0, 1.0, f32::MAX]]).expect("a map");
+    let far = Instance { object: mesh, affine: wide(f32::MAX) };
+    assert_eq!(
+        refusal(assembly.add_group(vec![place(mesh), far], &options)),
+        "instance 1: the image of its object leaves the range of single precision"
+    );
+    assert!(assembly.add_group(vec![Instance { object: mesh, affine: wide(1e38) }], &options).is_ok());
+    assert!(matches!(assembly.add_group(Vec::new(), &options), Err(AssemblyError::Build(_))));
+    assert_eq!(
+        InstanceTracer::new(&assembly, other.add_mesh(&bvh), Method::Stack).err(),
+        Some(InstanceError::UnknownObject)
+    );
+}
+
+#[test]
+fn levels_end_where_they_must() {
+    let (bvh, options) = (triangle(), BuildOptions::default());
+    let mut assembly = Assembly::new();
+    let (mut object, mut expected) = (assembly.add_mesh(&bvh), Vec::new());
+    let half = Affine::new([[0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, 0.5, 1.0]]).expect("a map");
+    let ray = Ray::new(Vec3::new(0.0, 0.0, -8.0), Vec3::Z, 0.0, 100.0).expect("a ray");
+    let (mut height, mut bytes) = (0.0, Vec::new());
+    for levels in 1..=Assembly::MAX_LEVELS {
+        assert_eq!(assembly.levels(object), levels);
+        for method in Method::ALL {
+            let tracer = InstanceTracer::new(&assembly, object, method).expect("trees of one leaf are complete");
+            let hit = tracer.closest(&ray).expect("the corner");
+            assert_eq!((hit.path, hit.t, hit.u), (expected.clone(), (8.0 + height) as f32, 0.0), "{method}");
+        }
+        bytes.push(InstanceTracer::new(&assembly, object, Method::Hashed).expect("any tree").state_bytes());
+        let group = assembly.add_group(vec![Instance { object, affine: half }], &options);
+        if levels == Assembly::MAX_LEVELS {
+            let error = AssemblyError::TooManyLevels { instance: 0, levels };
+            assert_eq!(group, Err(error));
+        } else {
+            object = group.expect("a group");
+        }
+        expected.push(0);
+        height = height * 0.5 + 1.0;
+    }
+    let one = InstanceTracer::RAY_BYTES + Method::Hashed.state_bytes::<u32>(0);
+    assert!(bytes.iter().zip(1..).all(|(&bytes, levels)| bytes == levels * one), "as much for each level: {bytes:?}");
+}

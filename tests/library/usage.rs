@@ -1,0 +1,24 @@
+//! The programs of `examples/` run, and what they assert holds.
+
+#[path = "../../examples/foreign_traversal.rs"]
+mod foreign_traversal;
+#[path = "../../examples/gpu_upload.rs"]
+mod gpu_upload;
+#[path = "../../examples/nearest_point.rs"]
+mod nearest_point;
+#[path = "../../examples/next_hits.rs"]
+mod next_hits;
+#[path = "../../examples/own_primitives.rs"]
+mod own_primitives;
+
+/// What a program returns.
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+#[test]
+fn the_examples_run() {
+    let programs: [fn() -> Outcome; 5] =
+        [foreign_traversal::main, gpu_upload::main, nearest_point::main, next_hits::main, own_primitives::main];
+    for program in programs {
+        program().unwrap();
+    }
+}

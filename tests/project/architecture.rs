@@ -1,0 +1,225 @@
+//! The order of the modules, as the picture of the design has it: imports point from a later row of [`ALLOWED`] to
+//! earlier ones. And the habits that a script can see: short files, no `unsafe`, no panics on purpose.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use crate::files::{files, read, root};
+
+/// What each module of the library imports of the others, all of it from rows above its own.
+const ALLOWED: &[(&str, &[&str])] = &[
+    ("key", &[]),
+    ("name", &[]),
+    ("trail", &["key"]),
+    ("swap", &["key"]),
+    ("tree", &["key"]),
+    ("order", &["key", "tree"]),
+    ("hash", &["key", "tree"]),
+    ("event", &["key", "order", "tree"]),
+    ("oracle", &["event", "order", "tree"]),
+    ("traverse", &["event", "hash", "key", "name", "order", "swap", "trail", "tree"]),
+    ("generate", &["hash", "name", "order", "tree"]),
+    ("report", &["event", "key", "order", "trail", "tree"]),
+    ("geom", &[]),
+    ("scene", &["generate", "geom"]),
+    ("bvh", &["geom", "hash", "name", "order", "scene", "tree"]),
+    ("curve", &["event", "generate", "hash", "key", "name", "order", "traverse", "tree"]),
+    ("trace", &["bvh", "event", "generate", "geom", "key", "name", "order", "report", "scene", "traverse", "tree"]),
+    (
+        "check",
+        &[
+            "bvh", "event", "generate", "geom", "hash", "key", "oracle", "order", "report", "scene", "trace", "trail",
+            "traverse", "tree",
+        ],
+    ),
+    (
+        "suite",
+        &[
+            "bvh", "check", "event", "generate", "geom", "hash", "key", "name", "order", "scene", "swap", "trace",
+            "trail", "traverse", "tree",
+        ],
+    ),
+    (
+        "explain",
+        &["bvh", "check", "event", "generate", "geom", "hash", "key", "oracle", "order", "report", "traverse", "tree"],
+    ),
+];
+
+/// Lines that may panic on purpose, by file and text, and why.
+const PANICS: &[(&str, &str, &str)] = &[
+    ("src/hash/modulo.rs", ".expect(\"a table has 1 to 2^31 cells\")", "a constant: it is the compiler that stops"),
+    ("src/scene/procedural.rs", ".expect(\"coordinates are finite", "a made scene is a mesh, whatever the seed"),
+    ("src/tree/links.rs", "None => panic!(", "a constant: it is the compiler that stops"),
+];
+
+const LONGEST: usize = 400;
+
+/// An import of another module of the library: who, and the path that follows `crate::`.
+type Import = (String, String);
+
+fn is_test(file: &Path) -> bool {
+    file.file_stem().is_some_and(|stem| stem == "tests")
+}
+
+/// The text without comments, and without the unit tests at its end.
+fn code(text: &str) -> String {
+    let text = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
+    text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
+}
+
+/// `src/hash/fold.rs` is the module `hash::fold`, `src/hash/mod.rs` is `hash`; the crate's own root has no name.
+fn module(file: &Path) -> Vec<String> {
+    let path = file.strip_prefix("src").unwrap().with_extension("");
+    let names = path.iter().map(|name| name.to_string_lossy().into_owned());
+    names.filter(|name| !matches!(name.as_str(), "mod" | "lib")).collect()
+}
+
+/// The paths of a use tree: `a::{b, c::d}` gives `a::b` and `a::c::d`. It ends where Rust's would.
+fn expand(tree: &str) -> Vec<String> {
+    let is_path = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
+    let path = &tree[..tree.find(|c| !is_path(c)).unwrap_or(tree.len())];
+    let Some(inside) = tree[path.len()..].strip_prefix('{').filter(|_| path.is_empty() || path.ends_with("::")) else {
+        return vec![path.trim_end_matches(':').to_owned()];
+    };
+    let (mut depth, mut start, mut paths) = (0, 0, Vec::new());
+    for (at, c) in inside.char_indices() {
+        match c {
+            '{' => depth += 1,
+            ',' | '}' if depth == 0 => {
+                let item = inside[start..at].trim();
+                paths.extend(expand(item).into_iter().filter(|_| !item.is_empty()).map(|item| format!("{path}{item}")));
+                start = at + 1;
+                if c == '}' {
+                    break;
+                }
+            }
+            '}' => depth -= 1,
+            _ => {}
+        }
+    }
+    paths
+}
+
+/// What a file imports of other modules: by `crate::`, and by as many `super::` as lead there.
+fn imports(module: &[String], code: &str) -> BTreeSet<Import> {
+    let Some(own) = module.first() else { return BTreeSet::new() };
+    let mut found = BTreeSet::new();
+    let to_root = "super::".repeat(module.len());
+    for start in ["crate::", &to_root] {
+        let at = code.match_indices(start).map(|(at, _)| at);
+        // Of `stackless_bvh::` or a longer chain of `super::` this would be the tail.
+        let whole = at.filter(|&at| !code[..at].ends_with(|c: char| c.is_alphanumeric() || "_:".contains(c)));
+        for path in whole.flat_map(|at| expand(&code[at + start.len()..])) {
+            if path.split("::").next() != Some(own) {
+                found.insert((own.clone(), path));
+            }
+        }
+    }
+    found
+}
+
+fn all_imports() -> BTreeSet<Import> {
+    let library = files("src", "rs").into_iter().filter(|file| !is_test(file) && !file.starts_with("src/bin"));
+    library.flat_map(|file| imports(&module(&file), &code(&read(&file)))).collect()
+}
+
+/// The imports that are not allowed.
+fn forbidden(imports: &BTreeSet<Import>) -> Vec<&Import> {
+    let is_allowed = |(from, path): &&Import| {
+        let row = ALLOWED.iter().find(|(module, _)| module == from);
+        let to = path.split("::").next().unwrap_or_default();
+        row.is_some_and(|(_, allowed)| allowed.contains(&to))
+    };
+    imports.iter().filter(|import| !is_allowed(import)).collect()
+}
+
+#[test]
+fn imports_point_to_earlier_modules() {
+    let imports = all_imports();
+    assert_eq!(forbidden(&imports), Vec::<&Import>::new());
+}
+
+#[test]
+fn the_table_is_an_order_and_says_no_more_than_there_is() {
+    let imports = all_imports();
+    for (row, &(from, allowed)) in ALLOWED.iter().enumerate() {
+        assert!(
+            root().join(format!("src/{from}.rs")).exists() || root().join(format!("src/{from}")).is_dir(),
+            "{from}"
+        );
+        for to in allowed {
+            assert!(ALLOWED[..row].iter().any(|(earlier, _)| earlier == to), "{to} does not come before {from}");
+            let is_used = |(module, path): &Import| module == from && path.split("::").next() == Some(to);
+            assert!(imports.iter().any(is_used), "{from} no longer imports {to}");
+        }
+    }
+}
+
+#[test]
+fn a_backward_import_is_seen_in_every_form() {
+    let seen = |module: &[&str], text: &str| {
+        let module: Vec<_> = module.iter().map(|&name| name.to_owned()).collect();
+        let imports = imports(&module, &code(text));
+        forbidden(&imports).into_iter().map(|(from, path)| format!("{from} {path}")).collect::<Vec<_>>()
+    };
+    assert_eq!(seen(&["key"], "use crate::tree::Node;"), ["key tree::Node"]);
+    assert_eq!(seen(&["key", "word"], "use super::super::tree::Node;"), ["key tree::Node"]);
+    assert_eq!(seen(&["key"], "use super::tree;"), ["key tree"]);
+    assert_eq!(seen(&["tree", "links"], "fn f(side: &crate::order::Side) {}"), ["tree order::Side"]);
+    assert_eq!(
+        seen(&["tree"], "use crate::{hash::{KeyMap, Lookup}, key::{self, Grow},\n traverse};"),
+        ["tree hash::KeyMap", "tree hash::Lookup", "tree traverse"]
+    );
+    assert_eq!(seen(&["nosuch"], "use crate::key;"), ["nosuch key"]);
+    let fine = "use crate::key::Side;\nuse super::order;\nuse stackless_check::Case;\n\
+                // use crate::check;\n/// [`x`](crate::bvh)\n#[cfg(test)]\nmod tests { use crate::check::Case; }";
+    assert_eq!(seen(&["tree", "implicit"], fine), [""; 0]);
+}
+
+#[test]
+fn files_are_short() {
+    for file in files("src", "rs") {
+        let lines = read(&file).lines().count();
+        assert!(lines <= LONGEST, "{}: {lines} lines", file.display());
+    }
+}
+
+/// [CONF-4]
+#[test]
+fn the_reference_is_short() {
+    let text = read(Path::new("src/oracle.rs"));
+    let lines = code(&text).lines().filter(|line| !line.trim().is_empty()).count();
+    assert!(lines <= 60, "{lines} lines");
+}
+
+#[test]
+fn nothing_is_unsafe() {
+    for file in ["src/lib.rs", "src/bin/stackless/main.rs"] {
+        assert!(read(Path::new(file)).contains("\n#![forbid(unsafe_code)]\n"), "{file}");
+    }
+    assert!(read(Path::new("Cargo.toml")).contains("\nunsafe_code = \"forbid\"\n"));
+}
+
+/// Lines of code that panic on purpose: what cannot be is an error or is not asked for.
+fn panics(code: &str) -> impl Iterator<Item = (usize, &str)> {
+    const WORDS: [&str; 6] = [".unwrap()", ".expect(", "panic!(", "unreachable!(", "todo!(", "unimplemented!("];
+    code.lines().enumerate().filter(|(_, line)| WORDS.iter().any(|word| line.contains(word)))
+}
+
+#[test]
+fn nothing_panics_on_purpose() {
+    assert_eq!(panics("a.unwrap();\nb.unwrap_or(1);\nc\n  .expect(\"c\")\npanic!()").count(), 3);
+    assert_eq!(panics(&code("a(); // b.unwrap()\n#[cfg(test)]\nmod tests {\n    a.unwrap();\n}")).count(), 0);
+    let (mut used, mut unknown) = (BTreeSet::new(), Vec::new());
+    for file in files("src", "rs").into_iter().filter(|file| !is_test(file)) {
+        for (line, text) in panics(&code(&read(&file))) {
+            let known = PANICS.iter().position(|(known, what, _)| file == Path::new(known) && text.contains(what));
+            match known {
+                Some(known) => drop(used.insert(known)),
+                None => unknown.push(format!("{}:{}: {}", file.display(), line + 1, text.trim())),
+            }
+        }
+    }
+    assert_eq!(unknown, [""; 0]);
+    assert_eq!(used.len(), PANICS.len(), "an exception is no longer needed");
+}

@@ -1,0 +1,299 @@
+//! Every clause of the specification is covered as its kind requires, and whatever cites a clause cites one that there is.
+//!
+//! What covers what is in `spec/COVERAGE.txt`. To make it anew: `UPDATE=1 cargo test --test coverage`.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::files::{files, read, root};
+use stackless_suite::author;
+
+/// What a clause is, which says how it has to be covered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    Definition,
+    Rule,
+    Theorem,
+    Argument,
+}
+
+/// What covers it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Cover {
+    Source,
+    Rocq,
+    Smt,
+    Harness,
+    Test,
+    /// Cases of the conformance suite.
+    Suite,
+}
+
+impl Kind {
+    const ALL: [Self; 4] = [Self::Definition, Self::Rule, Self::Theorem, Self::Argument];
+
+    fn is_covered(self, covers: &BTreeSet<Cover>) -> bool {
+        let has = |cover| covers.contains(&cover);
+        match self {
+            Self::Definition => has(Cover::Source),
+            Self::Rule => has(Cover::Source) && (has(Cover::Test) || has(Cover::Harness)),
+            Self::Theorem => has(Cover::Rocq) || has(Cover::Smt) || has(Cover::Harness),
+            Self::Argument => has(Cover::Test),
+        }
+    }
+}
+
+#[derive(Debug, PartialEq, Eq)]
+struct Clause {
+    id: String,
+    kind: Option<Kind>,
+    title: String,
+}
+
+/// A clause that something cites, and the name of that thing.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Citation {
+    id: String,
+    cover: Cover,
+    by: String,
+}
+
+/// The clauses of a text: paragraphs that begin with `**[ID] Title.** *Kind.*`.
+fn clauses(text: &str) -> Vec<Clause> {
+    let heads = text.lines().filter_map(|line| line.strip_prefix("**[")?.split_once("] "));
+    let clause = |(id, rest): (&str, &str)| {
+        let (title, rest) = rest.split_once(".**").unwrap_or((rest, ""));
+        let kind = Kind::ALL.into_iter().find(|kind| rest.starts_with(&format!(" *{kind:?}.*")));
+        Clause { id: id.to_owned(), kind, title: title.to_owned() }
+    };
+    heads.map(clause).collect()
+}
+
+/// Ids in brackets, one or a list of them: capitals, a hyphen, a number.
+fn ids(line: &str) -> impl Iterator<Item = &str> {
+    let is_id = |id: &str| {
+        id.split_once('-').is_some_and(|(name, number)| {
+            !name.is_empty()
+                && name.bytes().all(|byte| byte.is_ascii_uppercase())
+                && !number.is_empty()
+                && number.bytes().all(|byte| byte.is_ascii_digit())
+        })
+    };
+    let inside = line.split('[').skip(1).filter_map(|rest| rest.split_once(']')).map(|(inside, _)| inside);
+    inside.filter(move |list| list.split(", ").all(is_id)).flat_map(|list| list.split(", "))
+}
+
+/// The citations of a file. Those of tests and proofs go by the item that they belong to, or by the file if it is its heading.
+fn citations(file: &str, text: &str, cover: Cover) -> Vec<Citation> {
+    let lines: Vec<_> = text.lines().collect();
+    let mut found = Vec::new();
+    for (at, line) in lines.iter().enumerate() {
+        for id in ids(line) {
+            let item = match cover {
+                Cover::Source => None,
+                _ if line.starts_with("//!") => None,
+                // The clauses of a lemma stand beside its name.
+                Cover::Smt => lines[..=at].iter().rev().find_map(|line| quoted(line)),
+                Cover::Suite => None,
+                // Those of a harness stand before it, in a list.
+                Cover::Harness => {
+                    lines[at..].iter().find(|line| !line.trim_start().starts_with("//")).and_then(|line| word(line))
+                }
+                Cover::Rocq | Cover::Test => lines[at..].iter().find_map(|line| name_of_item(line)),
+            };
+            let by = item.map_or_else(|| file.to_owned(), |item| format!("{file}: {item}"));
+            found.push(Citation { id: id.to_owned(), cover, by });
+        }
+    }
+    found
+}
+
+/// The name that a line declares.
+fn name_of_item(line: &str) -> Option<&str> {
+    let line = line.trim_start();
+    let words = ["fn ", "struct ", "enum ", "Theorem ", "Lemma ", "Corollary ", "Example "];
+    word(words.iter().find_map(|word| line.strip_prefix(word))?)
+}
+
+fn word(line: &str) -> Option<&str> {
+    line.trim_start()
+        .split(|c: char| !c.is_alphanumeric() && c != '_' && c != '\'')
+        .next()
+        .filter(|name| !name.is_empty())
+}
+
+/// The first string of a line that is not a list of clauses.
+fn quoted(line: &str) -> Option<&str> {
+    line.split('"').nth(1).filter(|text| !text.is_empty() && !text.starts_with('['))
+}
+
+/// What is wrong, and the coverage as a text.
+fn judge(clauses: &[Clause], citations: &[Citation]) -> (Vec<String>, String) {
+    let (mut wrong, mut text) = (Vec::new(), String::new());
+    let mut known = BTreeSet::new();
+    for Clause { id, kind, title } in clauses {
+        if !known.insert(id.as_str()) {
+            wrong.push(format!("{id} stands twice in the specification"));
+        }
+        let mine: BTreeSet<_> = citations.iter().filter(|citation| citation.id == *id).collect();
+        let covers = mine.iter().map(|citation| citation.cover).collect();
+        match kind {
+            None => wrong.push(format!("{id} has no kind")),
+            Some(kind) if !kind.is_covered(&covers) => {
+                wrong.push(format!("{id}, of kind {kind:?}, is covered by {covers:?} alone"));
+            }
+            Some(kind) => {
+                writeln!(text, "{id} {title} ({kind:?})").unwrap();
+                for Citation { cover, by, .. } in mine {
+                    writeln!(text, "    {:7} {by}", format!("{cover:?}").to_lowercase()).unwrap();
+                }
+            }
+        }
+    }
+    for Citation { id, by, .. } in citations {
+        if !known.contains(id.as_str()) {
+            wrong.push(format!("{by} cites {id}, which is not in the specification"));
+        }
+    }
+    (wrong, text)
+}
+
+fn all_clauses() -> Vec<Clause> {
+    files("spec", "md").iter().flat_map(|file| clauses(&read(file))).collect()
+}
+
+fn all_citations() -> Vec<Citation> {
+    let mut all = Vec::new();
+    let mut of = |file: &Path, text: &str, cover| all.extend(citations(&file.display().to_string(), text, cover));
+    for file in files("src", "rs") {
+        let text = read(&file);
+        let (source, tests) = text.split_once("#[cfg(test)]\nmod tests {").unwrap_or((&text, ""));
+        let is_test = file.file_stem().is_some_and(|stem| stem == "tests");
+        of(&file, source, if is_test { Cover::Test } else { Cover::Source });
+        of(&file, tests, Cover::Test);
+    }
+    for file in files("tests", "rs").iter().filter(|file| !file.ends_with("coverage.rs")) {
+        of(file, &read(file), Cover::Test);
+    }
+    for file in ["rs", "wgsl"].into_iter().flat_map(kernels) {
+        let cover = if file.starts_with("gpu-check/tests") { Cover::Test } else { Cover::Source };
+        of(&file, &read(&file), cover);
+    }
+    for file in files("spec/rocq", "v") {
+        of(&file, &read(&file), Cover::Rocq);
+    }
+    for file in files("proofs/smt/src", "rs") {
+        of(&file, &read(&file), Cover::Smt);
+    }
+    for file in files("proofs/src", "rs") {
+        of(&file, &read(&file), Cover::Harness);
+    }
+    let mut cases = BTreeMap::<_, u32>::new();
+    for (profile, case) in author::suite().cases() {
+        for id in &case.clauses {
+            *cases.entry((id.clone(), profile.name())).or_default() += 1;
+        }
+    }
+    let cite = |((id, profile), count)| Citation { id, cover: Cover::Suite, by: format!("{profile}: {count} cases") };
+    all.extend(cases.into_iter().map(cite));
+    all
+}
+
+/// The texts of the kernels for GPUs, and of what runs and tests them.
+fn kernels(ending: &str) -> Vec<PathBuf> {
+    ["src", "wgsl", "tests"].iter().flat_map(|folder| files(&format!("gpu-check/{folder}"), ending)).collect()
+}
+
+/// Clauses of what is asked of an implementation that have no case, and why.
+const NOT_ASKED: [(&[&str], &str); 9] = [
+    (&["KEY-7"], "follows from KEY-2 to KEY-4"),
+    (
+        &["STACK-1", "IMPLICIT-1", "IMPLICIT-2", "IMPLICIT-3", "SPARSE-1", "SPARSE-2", "AFRA-1"],
+        "says how; seen as TRAVERSE-1",
+    ),
+    (&["HASHONLY-1", "LAINE-1", "GLASSNER-1"], "says how; seen as TRAVERSE-1"),
+    (&["STATE-1"], "memory is not seen from outside"),
+    (&["HASH-2", "HASH-8"], "a choice of this library: tables of any size, made in any way, are right"),
+    (&["PAUSE-6"], "a format of this library"),
+    (&["HASH-10", "DISJOINT-5"], "about an interface, not about what is computed"),
+    (&["PAUSE-7"], "follows from PAUSE-4"),
+    (&["CONF-1", "CONF-4"], "about the suite itself"),
+];
+
+/// [CONF-1]
+#[test]
+fn every_clause_that_can_be_asked_has_a_case() {
+    let cited: BTreeSet<_> =
+        all_citations().into_iter().filter(|it| it.cover == Cover::Suite).map(|it| it.id).collect();
+    let texts = ["spec/traversal.md", "spec/hash.md", "spec/state.md", "spec/conformance.md"];
+    let mut asked: Vec<_> = texts.iter().flat_map(|text| clauses(&read(Path::new(text)))).map(|it| it.id).collect();
+    asked.extend(["EXACT-1", "DET-1"].map(ToOwned::to_owned));
+    let excused: Vec<_> = NOT_ASKED.iter().flat_map(|(ids, _)| ids.iter().copied()).collect();
+    for id in &asked {
+        let is_excused = excused.contains(&id.as_str());
+        assert_ne!(cited.contains(id), is_excused, "{id}: has a case, or a reason for having none, not both");
+    }
+    assert!(excused.iter().all(|id| asked.iter().any(|it| it == id)), "{excused:?}");
+}
+
+#[test]
+fn every_clause_is_covered_as_its_kind_requires() {
+    let (wrong, text) = judge(&all_clauses(), &all_citations());
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    let snapshot = root().join("spec/COVERAGE.txt");
+    if std::env::var_os("UPDATE").is_some() {
+        fs::write(&snapshot, &text).unwrap();
+    }
+    let committed = fs::read_to_string(&snapshot).unwrap_or_default();
+    assert!(committed == text, "spec/COVERAGE.txt is not what covers the clauses now: UPDATE=1 makes it anew");
+}
+
+/// No proof without a clause: what is proved for nothing is not in the specification, or is not said to be.
+#[test]
+fn every_proof_file_cites_a_clause() {
+    let cited: BTreeMap<_, _> = all_citations().into_iter().map(|citation| (citation.by, citation.cover)).collect();
+    let silent = |folder: &str, ending: &str| {
+        let cites = |file: &PathBuf| cited.keys().any(|by| by.starts_with(&file.display().to_string()));
+        files(folder, ending).into_iter().filter(|file| !cites(file)).collect::<Vec<_>>()
+    };
+    // Written by a program: evaluations, which a clause would have to be named at each of.
+    let evaluated = ["spec/rocq/Cases.v", "spec/rocq/Suite.v", "spec/rocq/Vectors.v"].map(PathBuf::from);
+    assert_eq!(silent("spec/rocq", "v"), evaluated);
+}
+
+#[test]
+fn what_is_not_covered_is_seen() {
+    let text = "**[A-1] One.** *Definition.* x\n\n**[A-2] Two.** *Rule.*\n**[A-3] Three.** *Theorem.*\n**[A-4] Four.** *Argument.*\n";
+    let spec = clauses(text);
+    assert_eq!(spec.iter().map(|clause| clause.kind).collect::<Vec<_>>(), Kind::ALL.map(Some));
+    let cite = |file: &str, text: &str, cover| citations(file, text, cover);
+    let fine = [
+        cite("a.rs", "/// x `[A-1]` and [A-2]\nfn f() {}", Cover::Source),
+        cite("t.rs", "/// [A-2] [A-4]\n#[test]\nfn holds() {}", Cover::Test),
+        cite("b.v", "(** [A-3] *)\nTheorem three : True.", Cover::Rocq),
+    ]
+    .concat();
+    let (wrong, text) = judge(&spec, &fine);
+    assert_eq!(wrong, [""; 0]);
+    assert!(text.contains("A-3 Three (Theorem)\n    rocq    b.v: three\n"), "{text}");
+    assert!(text.contains("    source  a.rs\n    test    t.rs: holds\n"), "{text}");
+    for missing in 0..fine.len() {
+        let rest: Vec<_> = fine.iter().enumerate().filter(|&(i, _)| i != missing).map(|(_, x)| x.clone()).collect();
+        assert_eq!(judge(&spec, &rest).0.len(), 1, "{:?} is missed by nobody", fine[missing]);
+    }
+    let by = |text, cover| cite("p", text, cover).remove(0).by;
+    assert_eq!(by("    lemma::<N>(\n  \"one step\",\n  \"[A-3] [A-1]\",", Cover::Smt), "p: one step");
+    assert_eq!(by("lemma(\"step\", \"[A-3]\", step)", Cover::Smt), "p: step");
+    assert_eq!(
+        by("    /// Says `[A-3]`\n    /// more.\n    step_u32, step_u32_twin, 2 => step;", Cover::Harness),
+        "p: step_u32"
+    );
+    let stray = cite("a.rs", "[A-9]", Cover::Source);
+    assert_eq!(judge(&spec, &[fine.clone(), stray].concat()).0, ["a.rs cites A-9, which is not in the specification"]);
+    let tests_are_no_proof = cite("t.rs", "[A-3]", Cover::Test);
+    assert_eq!(judge(&spec, &[fine[..4].to_vec(), tests_are_no_proof].concat()).0.len(), 1);
+    assert_eq!(judge(&clauses("**[A-1] One.** *Definition.*\n**[A-1] One.** x"), &fine[..1]).0.len(), 2);
+    assert_eq!(ids("[KEY-1] [a-1] [A] [A-b] [x, B-2][T-22, U-3]").collect::<Vec<_>>(), ["KEY-1", "T-22", "U-3"]);
+}

@@ -1,0 +1,6 @@
+//! The habits of the repository that a script can see: which module imports which, what covers a clause, what is cited.
+
+mod architecture;
+mod bibliography;
+mod coverage;
+mod files;
