@@ -30,9 +30,9 @@ column is written by who looks, and compared in CI:
 
 | column | made by | says |
 |---|---|---|
-| bug, breaks, battery | `UPDATE=1 cargo test --test bites` | in how many of the random cases it is seen, and from which on |
+| bug, breaks, battery | `UPDATE=1 cargo test --test library bites` | in how many of the random cases it is seen, and from which on |
 | fuzz | `UPDATE=1 fuzz/run.sh planted` | after how many executions it is found from an empty corpus, and within what time of the processor |
-| suite | `UPDATE=1 cargo test --test suite` | how many cases it fails as an implementation, of those that ask for it; how many of them are about the clause that it breaks, or, where no case cites that, about the one that is named; the first of these |
+| suite | `UPDATE=1 cargo test -p stackless-suite --test suite` | how many cases it fails as an implementation, of those that ask for it; how many of them are about the clause that it breaks, or, where no case cites that, about the one that is named; the first of these |
 | harness | `UPDATE=1 cargo test -p proofs --test planted` | the bodies of harnesses that it fails, each with the first random case |
 | gpu-check | `cargo test` in `gpu-check` | by what it is seen |
 

@@ -1,6 +1,6 @@
 //! The worked examples of the specification: blocks that begin with `as-run NAME`, run again and compared.
 //!
-//! `UPDATE=1 cargo test --test examples` writes them anew.
+//! `UPDATE=1 cargo test --test library examples` writes them anew.
 
 use std::fmt::Write as _;
 use std::fs;

@@ -197,7 +197,7 @@ fn write(text: &mut String, index: u32, case: &Case) -> std::fmt::Result {
 
 fn vectors() -> String {
     let mut text = String::from(
-        "(** Cases with the visits and the states that the library saw. Written by tests/rocq_vectors.rs. *)\n\n\
+        "(** Cases with the visits and the states that the library saw. Written by tests/library/rocq_vectors.rs. *)\n\n\
          Require Import List PArith NArith.\nRequire Import Tree Cases.\nImport ListNotations.\nOpen Scope N_scope.\n",
     );
     let mut rng = Rng::new(16);

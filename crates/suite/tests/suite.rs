@@ -26,7 +26,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("spec/suite")
 }
 
-/// To make the files anew: `UPDATE=1 cargo test --test suite`.
+/// To make the files anew: `UPDATE=1 cargo test -p stackless-suite --test suite`.
 #[test]
 fn the_files_are_as_made() {
     let suite = author::suite();
