@@ -53,11 +53,9 @@ fn is_beside(corners: [[f32; 3]; 3], ray: &Ray) -> bool {
 /// Seen from the origin: the direction spans a volume with each edge, and the weight of a corner is the volume with the edge
 /// across over the sum of the three. A sum of 0 is a triangle without area, or one that is parallel to the ray.
 fn meet(corners: [[f32; 3]; 3], &[x, y, z, dx, dy, dz, tmin, tmax]: &Ray) -> Option<[f32; 3]> {
-    let (o, d) = (whole([x, y, z]), whole([dx, dy, dz]));
-    let [a, b, c] = corners.map(|corner| {
-        let [x, y, z] = whole(corner);
-        [x - &o[0], y - &o[1], z - &o[2]]
-    });
+    let [corner_a, corner_b, corner_c] = corners;
+    let [o, d, a, b, c] = whole([[x, y, z], [dx, dy, dz], corner_a, corner_b, corner_c]);
+    let [a, b, c] = [a, b, c].map(|[x, y, z]| [x - &o[0], y - &o[1], z - &o[2]]);
     let across = cross(&b, &c);
     let [of_a, of_b, of_c] = [dot(&d, &across), dot(&d, &cross(&c, &a)), dot(&d, &cross(&a, &b))];
     let (sum, along) = (&of_a + &of_b + &of_c, dot(&a, &across));
@@ -72,16 +70,31 @@ fn meet(corners: [[f32; 3]; 3], &[x, y, z, dx, dy, dz, tmin, tmax]: &Ray) -> Opt
     is_hit.then(|| [along, of_b, of_c].map(|part| nearest(&part, &sum)))
 }
 
-/// A float in units of 2^-149.
-fn unit(x: f32) -> IBig {
-    let (exponent, mantissa) = (x.to_bits() >> 23 & 255, x.to_bits() & 0x7f_ffff);
-    let size =
-        if exponent == 0 { IBig::from(mantissa) } else { IBig::from(mantissa | 1 << 23) << (exponent - 1) as usize };
-    if x.is_sign_negative() { -size } else { size }
+/// A float as an odd number, or 0, times a power of two above 2^-149.
+fn parts(x: f32) -> (i64, usize) {
+    let (exponent, fraction) = (x.to_bits() >> 23 & 255, x.to_bits() & 0x7f_ffff);
+    let size = i64::from(if exponent == 0 { fraction } else { fraction | 1 << 23 });
+    let zeros = if size == 0 { 0 } else { size.trailing_zeros() };
+    let odd = (size >> zeros) * if x.is_sign_negative() { -1 } else { 1 };
+    (odd, (exponent.saturating_sub(1) + zeros) as usize)
 }
 
-fn whole(point: [f32; 3]) -> [IBig; 3] {
-    point.map(unit)
+/// A float in units of 2^-149.
+fn unit(x: f32) -> IBig {
+    let (odd, power) = parts(x);
+    IBig::from(odd) << power
+}
+
+/// Floats in the greatest unit of which all are multiples.
+fn whole(points: [[f32; 3]; 5]) -> [[IBig; 3]; 5] {
+    let powers = points.as_flattened().iter().filter(|x| **x != 0.0).map(|&x| parts(x).1);
+    let least = powers.min().unwrap_or(0);
+    points.map(|point| {
+        point.map(|x| {
+            let (odd, power) = parts(x);
+            IBig::from(odd) << power.saturating_sub(least)
+        })
+    })
 }
 
 fn dot([a, b, c]: &[IBig; 3], [x, y, z]: &[IBig; 3]) -> IBig {
