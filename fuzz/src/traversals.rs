@@ -112,7 +112,7 @@ pub(crate) fn states(bytes: &[u8]) {
 /// A perfect hash, of any set of keys and sizing. `[HASH-9]`
 pub(crate) fn hash(bytes: &[u8]) {
     let mut source = Bytes::new(bytes);
-    let (options, method, tree) = (options(&mut source), Method::ALL[source.below(27) as usize], tree(&mut source));
+    let (options, method, tree) = (options(&mut source), Method::ALL[source.below(Method::ALL.len() as u64) as usize], tree(&mut source));
     let keys = Keys::of(&tree);
     let hash = right(check_table(&tree, &keys, options), format_args!("{options:?} {:?}", tree.to_children()));
     if let Err(refusal) = PerfectHash::build_plain(&tree, options) {

@@ -22,7 +22,7 @@ enum Slip {
     /// Intervals that touch count as disjoint.
     NotStrict,
     /// A hit beyond the end of its leaf prunes as well.
-    NoGuard,
+    PrunesFromBeyond,
     /// The far child comes first, and children are marked whatever comes first.
     WrongOrder,
 }
@@ -61,7 +61,7 @@ impl Visitor for Slipping<'_> {
 
     fn found_at(&self, leaf: Node) -> bool {
         let is_here = self.search.outcome.hit.is_some_and(|(_, slot)| slot == self.tree.slot(leaf));
-        if self.slip == Slip::NoGuard { is_here } else { self.search.found_at(leaf) }
+        if self.slip == Slip::PrunesFromBeyond { is_here } else { self.search.found_at(leaf) }
     }
 }
 
@@ -107,7 +107,7 @@ fn nothing_is_lost_and_something_is_saved() {
 /// [ORDER-2] [ORDER-3] [DISJOINT-4]
 #[test]
 fn what_the_marks_need() {
-    for slip in [Slip::NotStrict, Slip::NoGuard, Slip::WrongOrder] {
+    for slip in [Slip::NotStrict, Slip::PrunesFromBeyond, Slip::WrongOrder] {
         let (lost, _) = lost(slip);
         assert!(lost > 10, "{slip:?}: {lost}");
     }

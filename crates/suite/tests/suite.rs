@@ -14,6 +14,8 @@ use stackless_suite::{
     judge,
 };
 
+#[path = "suite/imports.rs"]
+mod imports;
 #[path = "suite/layers.rs"]
 mod layers;
 #[path = "suite/runner.rs"]
@@ -23,7 +25,7 @@ mod runner;
 mod table;
 
 fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("spec/suite")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../spec/suite")
 }
 
 /// To make the files anew: `UPDATE=1 cargo test -p stackless-suite --test suite`.

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
+use super::text::{events, hex, word};
 use crate::ask::{Best, Walk};
-use crate::text::{events, hex, word};
 use crate::{Answer, Ask, Children, Feature, Start, WalkError};
 use stackless_bvh::event::{Recorder, State, Trace};
 use stackless_bvh::generate::{Cell, Search, Tape};
