@@ -9,7 +9,7 @@ use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::kernel::Exact;
 use stackless_bvh::geom::slabs::Directed;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{Descent, Flow, Pruning, Visitor};
+use stackless_bvh::order::{Descent, Flow, Pruned, Pruning, Visitor};
 use stackless_bvh::trace::{Any, Ask, Closest, NodeSearch, Part, Plan, Tracer, Truth};
 use stackless_bvh::traverse::{Method, Tables, Unfit};
 use stackless_bvh::tree::{Node, Topology, Tree};
@@ -46,7 +46,9 @@ impl Visitor for Slipping<'_> {
     fn leaf(&mut self, node: Node) -> Flow {
         Visitor::leaf(&mut self.search, node)
     }
+}
 
+impl Pruned for Slipping<'_> {
     fn inner_marked(&mut self, node: Node) -> Descent {
         let descent = self.inner(node);
         let [first, second] = [descent.first(), descent.first().other()]

@@ -6,7 +6,7 @@ use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::Flow;
 use stackless_bvh::trail::levels;
-use stackless_bvh::tree::{Keys, Node, ParentLinks, Parents, Topology, Tree};
+use stackless_bvh::tree::{Keys, Node, Parents, Topology, Tree};
 
 /// How a traversal differs from its oracle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -172,15 +172,16 @@ impl<'a> Watch<'a> {
         }
     }
 
-    fn look(&mut self, state: &impl State) -> Result<(), Fault> {
-        let (node, visit) = (state.node(), self.visits);
+    fn look<W: KeyWord>(&mut self, state: State<W>) -> Result<(), Fault> {
+        let State { node, key, trail, counter, disjoint, register, is_restarting } = state;
+        let visit = self.visits;
         let slot = self.tree.slot(node);
         let seen = self.seen.get_mut(slot).is_some_and(|seen| std::mem::replace(seen, true));
-        if state.is_restarting() && !seen {
+        if is_restarting && !seen {
             return Err(Fault::Restart { visit, node });
         }
         if let Some(expected) = self.expected
-            && !state.is_restarting()
+            && !is_restarting
         {
             let expected = expected.get(visit).copied();
             if expected != Some(node) {
@@ -188,18 +189,17 @@ impl<'a> Watch<'a> {
             }
             self.visits += 1;
         }
-        if state.key().is_some_and(|key| !self.keys.is(slot, &key)) {
+        if key.is_some_and(|key| !self.keys.is(slot, &key)) {
             return Err(Fault::Key { visit, node });
         }
-        let trail = state.trail();
         let depth = self.keys.depth(slot);
         if trail.as_ref().is_some_and(|trail| trail.bit_length() > depth)
-            || state.disjoint().is_some_and(|disjoint| disjoint.bit_length() > depth)
-            || state.counter().is_some_and(|counter| counter.bit_length() != depth + 1)
+            || disjoint.is_some_and(|disjoint| disjoint.bit_length() > depth)
+            || counter.is_some_and(|counter| counter.bit_length() != depth + 1)
         {
             return Err(Fault::Trail { visit, node });
         }
-        match (state.register(), trail) {
+        match (register, trail) {
             (Some(found), Some(trail)) if trail.is_zero() || !self.comes_next(found, node, levels(&trail)) => {
                 Err(Fault::Register { visit, found })
             }
@@ -213,16 +213,16 @@ impl<'a> Watch<'a> {
         if levels > 1000 && !self.visits.is_multiple_of(512) {
             return true;
         }
-        let ancestor = (0..levels).fold(node, |node, _| self.parents.parent(self.tree, node));
-        self.parents.sibling(self.tree, ancestor) == next
+        let ancestor = (0..levels).fold(node, |node, _| self.parents.row(self.tree, node)[0]);
+        self.parents.row(self.tree, ancestor)[1] == next
     }
 }
 
 impl Recorder for Watch<'_> {
-    fn visit(&mut self, state: &impl State) -> Flow {
+    fn visit<W: KeyWord>(&mut self, _: Node, state: impl FnOnce() -> State<W>) -> Flow {
         self.steps += 1;
         let looked =
-            if self.steps > self.step_limit { Err(Fault::Endless { visits: self.steps }) } else { self.look(state) };
+            if self.steps > self.step_limit { Err(Fault::Endless { visits: self.steps }) } else { self.look(state()) };
         match looked {
             Ok(()) => Flow::Continue,
             Err(fault) => {

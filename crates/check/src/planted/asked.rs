@@ -1,7 +1,7 @@
 //! Searches that are asked in a wrong way.
 
 use stackless_bvh::generate::Search;
-use stackless_bvh::order::{Descent, Flow, Visitor};
+use stackless_bvh::order::{Descent, Flow, Pruned, Visitor};
 use stackless_bvh::tree::{Node, Topology, Tree};
 
 /// A search asked in a wrong way.
@@ -51,7 +51,9 @@ impl Visitor for Misasked<'_, '_> {
             _ => flow,
         }
     }
+}
 
+impl Pruned for Misasked<'_, '_> {
     fn inner_marked(&mut self, node: Node) -> Descent {
         self.search.inner_marked(node)
     }

@@ -7,7 +7,7 @@ use stackless_bvh::order::Descent;
 use stackless_bvh::traverse::{
     Afra, ByKey, Cursor, Glassner, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine, Sparse, Stack, Uncle,
 };
-use stackless_bvh::tree::{Node, Parents, Uncles};
+use stackless_bvh::tree::{Linked, Node};
 
 use super::{Planted, drive};
 
@@ -25,31 +25,17 @@ pub(super) enum Mutation {
     MissedWanted,
 }
 
-impl<C: State> State for Mutant<C> {
+impl<C: Cursor> Cursor for Mutant<C> {
     type Word = C::Word;
+    const RESTARTS: bool = C::RESTARTS;
 
     fn node(&self) -> Node {
         self.cursor.node()
     }
-    fn key(&self) -> Option<C::Word> {
-        self.cursor.key()
-    }
-    fn trail(&self) -> Option<C::Word> {
-        self.cursor.trail()
-    }
-    fn counter(&self) -> Option<C::Word> {
-        self.cursor.counter()
-    }
-    fn register(&self) -> Option<Node> {
-        self.cursor.register()
-    }
-    fn is_restarting(&self) -> bool {
-        self.cursor.is_restarting()
-    }
-}
 
-impl<C: Cursor> Cursor for Mutant<C> {
-    const RESTARTS: bool = C::RESTARTS;
+    fn state(&self) -> State<C::Word> {
+        self.cursor.state()
+    }
 
     fn descend(&mut self, descent: Descent) -> bool {
         let first = descent.first();
@@ -80,10 +66,10 @@ pub(super) fn mutants(mutation: Mutation) -> Vec<Planted> {
     }
     let mut all = mutants![
         "stack", |tree| Ok::<_, TooDeep>(Stack::new(tree, &mut Vec::new()));
-        "sparse", |tree| Sparse::<u64, _, _>::new(tree, &Parents::of(tree));
-        "afra", |tree| Afra::<u64, _, _>::new(tree, &Parents::of(tree));
-        "uncle", |tree| Uncle::<u64, _, _>::new(tree, &<Uncles>::of(tree));
-        "hashed", |tree| Hashed::<u64, _, _, _>::new(tree, &<Uncles>::of(tree), KeyMap::of(tree));
+        "sparse", |tree| Sparse::<u64, _>::new(&Linked::parents(tree));
+        "afra", |tree| Afra::<u64, _>::new(&Linked::parents(tree));
+        "uncle", |tree| Uncle::<u64, _>::new(&Linked::uncles(tree));
+        "hashed", |tree| Hashed::<u64, _, _>::new(&Linked::uncles(tree), KeyMap::of(tree));
         "implicit-a", |tree| ImplicitA::<u64, _>::new(tree, KeyMap::of(tree));
         "implicit-a1", |tree| ImplicitA1::<u64, _>::new(tree, KeyMap::of(tree));
         "implicit-b", |tree| ImplicitB::<u64, _>::new(tree, KeyMap::of(tree));

@@ -5,7 +5,7 @@ use stackless_bvh::event::State;
 use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::order::Descent;
 use stackless_bvh::traverse::Cursor;
-use stackless_bvh::tree::{Keys, Node, Reach, Topology, Tree, UncleLinks, Uncles};
+use stackless_bvh::tree::{Keys, Node, Reach, Topology, Tree, Uncles};
 
 /// A mistake in [`Printed`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,26 +62,23 @@ impl<'t> Printed<'t> {
             }
         }
         if self.register.is_none() && self.trail & 6 != 0 {
-            let [uncle, grand_uncle, _] = (&self.uncles).row(self.tree, self.node);
+            let [uncle, grand_uncle, _] = self.uncles.row(self.tree, self.node);
             self.register = Some(if self.trail & 2 != 0 { uncle } else { grand_uncle });
         }
     }
 }
 
-impl State for Printed<'_> {
+impl Cursor for Printed<'_> {
     type Word = u64;
+    const PRUNES: bool = true;
 
     fn node(&self) -> Node {
         self.node
     }
 
-    fn key(&self) -> Option<u64> {
-        Some(self.key)
+    fn state(&self) -> State<u64> {
+        State { key: Some(self.key), ..State::of(self.node()) }
     }
-}
-
-impl Cursor for Printed<'_> {
-    const PRUNES: bool = true;
 
     fn descend(&mut self, descent: Descent) -> bool {
         self.load();

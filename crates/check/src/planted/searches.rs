@@ -90,23 +90,20 @@ struct Hasty<'t> {
     is_hasty: bool,
 }
 
-impl State for Hasty<'_> {
+impl Cursor for Hasty<'_> {
     type Word = u64;
+    const RESTARTS: bool = true;
 
     fn node(&self) -> Node {
         self.laine.node()
     }
 
-    fn is_restarting(&self) -> bool {
-        self.laine.is_restarting()
+    fn state(&self) -> State<u64> {
+        State { is_restarting: self.laine.state().is_restarting, ..State::of(self.node()) }
     }
-}
-
-impl Cursor for Hasty<'_> {
-    const RESTARTS: bool = true;
 
     fn descend(&mut self, descent: Descent) -> bool {
-        let is_done = self.is_hasty && self.is_restarting() && !descent.postpones();
+        let is_done = self.is_hasty && self.state().is_restarting && !descent.postpones();
         !is_done && self.laine.descend(descent)
     }
 

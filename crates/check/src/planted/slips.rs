@@ -5,7 +5,7 @@ use stackless_bvh::generate::Tape;
 use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::order::{Descent, Side};
 use stackless_bvh::traverse::Cursor;
-use stackless_bvh::tree::{Keys, Node, Reach, Topology, Tree, UncleLinks, Uncles};
+use stackless_bvh::tree::{Keys, Node, Reach, Topology, Tree, Uncles};
 
 /// A reading of Algorithm 1 of Binder & Keller 2016.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +49,7 @@ impl<'t> BinderPrinted<'t> {
 
     fn load(&mut self) {
         if self.register.is_none() && self.trail & 6 != 0 {
-            let [uncle, grand_uncle, _] = (&self.uncles).row(self.tree, self.node);
+            let [uncle, grand_uncle, _] = self.uncles.row(self.tree, self.node);
             self.register = Some(if self.trail & 2 != 0 { uncle } else { grand_uncle });
         }
     }
@@ -74,23 +74,17 @@ impl<'t> BinderPrinted<'t> {
     }
 }
 
-impl State for BinderPrinted<'_> {
+impl Cursor for BinderPrinted<'_> {
     type Word = u64;
 
     fn node(&self) -> Node {
         self.node
     }
 
-    fn key(&self) -> Option<u64> {
-        Some(self.key)
+    fn state(&self) -> State<u64> {
+        State { key: Some(self.key), trail: Some(self.trail), ..State::of(self.node()) }
     }
 
-    fn trail(&self) -> Option<u64> {
-        Some(self.trail)
-    }
-}
-
-impl Cursor for BinderPrinted<'_> {
     fn descend(&mut self, descent: Descent) -> bool {
         self.load();
         let closest = Side::right_if(self.tape.cells()[self.tree.slot(self.node)].right_first);
@@ -155,15 +149,13 @@ impl<'t> BarringerPrinted<'t> {
     }
 }
 
-impl State for BarringerPrinted<'_> {
+impl Cursor for BarringerPrinted<'_> {
     type Word = u64;
 
     fn node(&self) -> Node {
         self.node
     }
-}
 
-impl Cursor for BarringerPrinted<'_> {
     fn descend(&mut self, descent: Descent) -> bool {
         let right_first = match self.reading {
             Barringer::MaskOfRejected => self.tape.cells()[self.tree.slot(self.node)].right_first,

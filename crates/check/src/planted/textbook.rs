@@ -4,7 +4,7 @@
 use stackless_bvh::event::State;
 use stackless_bvh::order::Descent;
 use stackless_bvh::traverse::Cursor;
-use stackless_bvh::tree::{Node, ParentLinks, Parents, Topology, Tree};
+use stackless_bvh::tree::{Node, Parents, Topology, Tree};
 
 /// A mistake in [`Textbook`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,39 +91,29 @@ impl<'t> Textbook<'t> {
     }
 }
 
-impl State for Textbook<'_> {
+impl Cursor for Textbook<'_> {
     type Word = u64;
 
     fn node(&self) -> Node {
         self.node
     }
 
-    fn key(&self) -> Option<u64> {
-        Some(self.key)
-    }
-
-    fn trail(&self) -> Option<u64> {
-        Some(self.trail)
-    }
-
-    fn counter(&self) -> Option<u64> {
+    fn state(&self) -> State<u64> {
         let start = self.level_start();
         let counter = self.trail ^ (start - 1);
         // Where the key itself is wrong on purpose, so would be all that is derived from it.
         let shown = !matches!(self.bug, Bug::KeyNotToggled | Bug::StaleKey | Bug::NarrowKey);
-        shown.then_some(if self.bug == Bug::CounterWithoutStart { counter } else { start | counter })
+        State {
+            node: self.node,
+            key: Some(self.key),
+            trail: Some(self.trail),
+            counter: shown.then_some(if self.bug == Bug::CounterWithoutStart { counter } else { start | counter }),
+            disjoint: None,
+            register: self.register,
+            is_restarting: self.restarting,
+        }
     }
 
-    fn register(&self) -> Option<Node> {
-        self.register
-    }
-
-    fn is_restarting(&self) -> bool {
-        self.restarting
-    }
-}
-
-impl Cursor for Textbook<'_> {
     fn descend(&mut self, descent: Descent) -> bool {
         let bug = self.bug;
         let swapped = bug == Bug::WrongOrder && descent.postpones();
@@ -171,8 +161,8 @@ impl Cursor for Textbook<'_> {
             _ => self.trail.trailing_zeros().min(63),
         };
         let climbed = if bug == Bug::SiblingForUncle && levels == 1 { 0 } else { levels };
-        let ancestor = (0..climbed).fold(self.node, |node, _| (&self.parents).parent(self.tree, node));
-        let sibling = (&self.parents).sibling(self.tree, ancestor);
+        let ancestor = (0..climbed).fold(self.node, |node, _| self.parents.row(self.tree, node)[0]);
+        let sibling = self.parents.row(self.tree, ancestor)[1];
         let neighbour = || self.tree.node(self.tree.slot(ancestor) as u32 ^ 1).unwrap_or(self.tree.root());
         self.node = match bug {
             Bug::NearTwice => ancestor,

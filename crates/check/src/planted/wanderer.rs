@@ -18,20 +18,17 @@ impl<'t> Wanderer<'t> {
     }
 }
 
-impl State for Wanderer<'_> {
+impl Cursor for Wanderer<'_> {
     type Word = u64;
+    const RESTARTS: bool = true;
 
     fn node(&self) -> Node {
         self.detour.unwrap_or(self.stack.node())
     }
 
-    fn is_restarting(&self) -> bool {
-        self.detour.is_some()
+    fn state(&self) -> State<u64> {
+        State { is_restarting: self.detour.is_some(), ..State::of(self.node()) }
     }
-}
-
-impl Cursor for Wanderer<'_> {
-    const RESTARTS: bool = true;
 
     fn descend(&mut self, descent: Descent) -> bool {
         self.detour.take().is_some() || self.stack.descend(descent)

@@ -191,7 +191,7 @@ impl<'a> Judge<'a> {
     fn words(&self, mut node: Node, stack: &[Node]) -> (String, String) {
         let mut bits = Vec::new();
         while node != self.tree.root() {
-            let [parent, sibling] = stackless_bvh::tree::ParentLinks::row(&&self.parents, self.tree, node);
+            let [parent, sibling] = self.parents.row(self.tree, node);
             bits.push(stack.contains(&sibling));
             node = parent;
         }
