@@ -7,7 +7,7 @@ use stackless_bvh::key::{self, Grow, KeyWord};
 use stackless_bvh::traverse::{
     ByWalk, Cuts, KeyTrail, Method, Next, Paused, PieceTable, States, Tables, Unfit, WordName,
 };
-use stackless_bvh::tree::{Implicit, Keys, Linked, Node, Reach, Topology, Tree};
+use stackless_bvh::tree::{Implicit, Keys, Node, Reach, Topology, Tree};
 use stackless_bvh::{oracle, trail};
 use stackless_check::{
     Battery, Case, CaseOptions, Disagreement, Pauses, Pieces, Plan, Replay, Tally, Verdict, check_table,
@@ -112,8 +112,7 @@ pub(crate) fn states(bytes: &[u8]) {
 /// A perfect hash, of any set of keys and sizing. `[HASH-9]`
 pub(crate) fn hash(bytes: &[u8]) {
     let mut source = Bytes::new(bytes);
-    let (options, method, tree) =
-        (options(&mut source), Method::ALL[source.below(Method::ALL.len() as u64) as usize], tree(&mut source));
+    let (options, method, tree) = (options(&mut source), any_of(&mut source, &Method::ALL), tree(&mut source));
     let keys = Keys::of(&tree);
     let hash = right(check_table(&tree, &keys, options), format_args!("{options:?} {:?}", tree.to_children()));
     if let Err(refusal) = PerfectHash::build_plain(&tree, options) {
@@ -182,8 +181,8 @@ pub(crate) fn check(case: &Case, methods: &[Method]) {
     }
 }
 
-/// A tree of up to 32 leaves under a tape: both drawn, or those of a seed, so that two bytes are enough for intervals within
-/// intervals.
+/// A tree of up to 32 leaves under a tape: both drawn, or those of a seed, so that two bytes are enough for intervals
+/// within intervals.
 pub(crate) fn small_case(bytes: &[u8]) -> Case {
     let mut source = Bytes::new(bytes);
     match source.below(4) {
@@ -192,15 +191,15 @@ pub(crate) fn small_case(bytes: &[u8]) -> Case {
     }
 }
 
-/// A tree of a depth at which words end, and nearly as many leaves. Its shape and its tape are drawn, or follow from a seed: so
-/// a few bytes are enough for a tree that is deep.
+/// A tree of a depth at which words end, and nearly as many leaves. Its shape and its tape are drawn, or follow from a
+/// seed: so a few bytes are enough for a tree that is deep.
 fn deep_case(source: &mut impl Source) -> Case {
     let depth = match source.below(3) {
         0 => 30 + source.below(37) as u32,
         1 => 126 + source.below(5) as u32,
         _ => source.below(200) as u32,
     };
-    let (family, kind) = (source.below(8), Kind::ALL[source.below(Kind::ALL.len() as u64) as usize]);
+    let (family, kind) = (source.below(8), any_of(source, &Kind::ALL));
     let seed = source.below(1 << 16);
     let mut rng = Rng::new(seed);
     let tree = match family {
@@ -225,9 +224,8 @@ fn chain(depth: u32, right_at: impl Fn(u32) -> bool) -> Tree {
 }
 
 fn in_pieces<W: KeyWord>(case: &Case, levels: u32) {
-    let (linked, mut battery) = (Linked::both(&case.tree), Battery::new(case, &[]));
-    let cuts = Cuts::every(levels, &linked);
-    let pieces = right(Pieces::new(&cuts), "tables of pieces");
+    let (cuts, mut battery) = (Cuts::every(levels, &case.tree), Battery::new(case, &[]));
+    let pieces = right(Pieces::new(&case.tree, &cuts), "tables of pieces");
     // As many states as there are pieces on a way, each as large as in a tree of so many levels. [STATE-1]
     assert_eq!(cuts.nesting(), case.tree.depth().div_ceil(levels).max(1));
     let one = Method::Hashed.state_bytes::<W>(levels.min(case.tree.depth()));
@@ -275,7 +273,8 @@ fn follow<W: KeyWord>(case: &Case, pauses: &Pauses<'_>, kind: u64, rest: &[u8]) 
     }
 }
 
-/// A state that is nearly one of the tree: the key is that of the node, and the register that of the trail, unless drawn anew.
+/// A state that is nearly one of the tree: the key is that of the node, and the register that of the trail, unless
+/// drawn anew.
 fn state<W: KeyWord>(tree: &Tree, source: &mut impl Source) -> Paused<W> {
     let slot = source.below(tree.node_count() as u64) as usize;
     let node = tree.node(slot as u32).unwrap_or(tree.root());
@@ -306,6 +305,10 @@ fn bits<W: KeyWord>(source: &mut impl Source, count: u32) -> W {
     (0..count).fold(W::zero(), |word, _| word.shl1().or(&W::from_bit(source.coin())))
 }
 
+fn any_of<T: Copy>(source: &mut impl Source, all: &[T]) -> T {
+    all[source.below(all.len() as u64) as usize]
+}
+
 fn options(source: &mut impl Source) -> Options {
     const REACHES: [(u32, u32); 4] = [(1, 1), (1, 2), (2, 2), (2, 3)];
     let key_set = match source.below(6) {
@@ -316,7 +319,7 @@ fn options(source: &mut impl Source) -> Options {
             KeySet::Exact(Reach::new(inner, leaf).unwrap_or(Reach::ALGORITHM_1))
         }
     };
-    Options { key_set, sizing: Sizing::ALL[source.below(3) as usize] }
+    Options { key_set, sizing: any_of(source, &Sizing::ALL) }
 }
 
 /// A tree whose shape is drawn, or one of a family from a seed, which may be larger.
@@ -328,7 +331,7 @@ fn tree(source: &mut impl Source) -> Tree {
         }
         1 => deep_case(source).tree,
         _ => {
-            let family = Family::ALL[source.below(6) as usize];
+            let family = any_of(source, &Family::ALL);
             let leaves = 1 + source.below(400) as u32;
             family.tree(&mut Rng::new(source.below(1 << 16)), leaves)
         }

@@ -30,9 +30,9 @@ const CHUNK: u64 = 4096;
 
 /// Tests `rays` random and adversarial rays with a box each, on all cores. The same seed gives the same rays.
 ///
-/// Random points; grids of small integers; corners that are met exactly, and that rounding hides; intervals that begin or
-/// end at the box; origins on planes; flat boxes and points; components of 0, -0, and of all sizes down to the least;
-/// coordinates of all sizes.
+/// Random points; grids of small integers; corners that are met exactly, and that rounding hides; intervals that begin
+/// or end at the box; origins on planes; flat boxes and points; components of 0, -0, and of all sizes down to the
+/// least; coordinates of all sizes.
 pub fn check_boxes(seed: u64, rays: u64, progress: Progress<'_>) -> BoxTally {
     let chunk = |start: u64| {
         let mut draw = Draw::new(seed ^ start.wrapping_mul(0x9e37_79b9_7f4a_7c15));

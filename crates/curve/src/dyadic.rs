@@ -4,7 +4,8 @@ use stackless_bvh::hash::Lookup;
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::tree::{Node, Recorded, Topology};
 
-/// A part of `[0, 1]` that halving gives, by the key of its node: `[0, 1]` is 1, the halves of `k` are `2k` and `2k + 1`.
+/// A part of `[0, 1]` that halving gives, by the key of its node: `[0, 1]` is 1, the halves of `k` are `2k` and
+/// `2k + 1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Span(pub(super) u64);
 

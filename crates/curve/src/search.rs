@@ -213,7 +213,8 @@ impl<const D: usize> Search<D> {
         is_wanted
     }
 
-    /// What is monotone has its least distance at an end: it is stationary nowhere, and the ends of the curve are known.
+    /// What is monotone has its least distance at an end: it is stationary nowhere, and the ends of the curve are
+    /// known.
     fn leave_out(&mut self, bounds: &Bounds) {
         if !bounds.is_monotone {
             self.floor = self.floor.min(bounds.least);

@@ -12,7 +12,8 @@ use stackless_bvh::order::{ByNode, LeftFirst};
 use stackless_bvh::traverse::Test;
 use stackless_bvh::tree::{Node, Parents, Topology, Uncles};
 
-/// The squared distance in Bernstein form, minus `lo` squared, times a positive number that makes all coefficients whole.
+/// The squared distance in Bernstein form, minus `lo` squared, times a positive number that makes all coefficients
+/// whole.
 fn squares<const D: usize>(points: &[[f64; D]], target: &[f64; D], lo: f64) -> Vec<IBig> {
     let exact = |x: f64| RBig::try_from(x).unwrap();
     let numbers = points.as_flattened().iter().chain(target).chain([&lo]);

@@ -72,8 +72,8 @@ fn conforms(language: Language, cases: usize) {
     assert_eq!(report.count("pass"), cases);
 }
 
-/// Asks the cases of a profile with some words of the source replaced, which stand there once. The first case that fails is one of
-/// this clause.
+/// Asks the cases of a profile with some words of the source replaced, which stand there once. The first case that
+/// fails is one of this clause.
 fn is_caught(language: Language, from: &str, to: &str, profile: &str, clause: &str) {
     let source = language.source();
     assert_eq!(source.matches(from).count(), 1, "{from}");

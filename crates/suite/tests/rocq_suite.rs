@@ -1,6 +1,6 @@
-//! What the conformance suite expects is what the models of spec/rocq do: the cases of `trace/script` and `trace/complete` with
-//! trees of up to 70 nodes, with the file's expectations, written as a Rocq example, which `spec/rocq/check.sh` evaluates. With `UPDATE=1` the file is written
-//! anew. `[ORACLE-1, TRAVERSE-1, TRAIL-4]`
+//! What the conformance suite expects is what the models of spec/rocq do: the cases of `trace/script` and
+//! `trace/complete` with trees of up to 70 nodes, with the file's expectations, written as a Rocq example, which
+//! `spec/rocq/check.sh` evaluates. With `UPDATE=1` the file is written anew. `[ORACLE-1, TRAVERSE-1, TRAIL-4]`
 
 use std::fs;
 use std::path::Path;

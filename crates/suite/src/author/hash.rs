@@ -16,8 +16,8 @@ pub(super) fn profiles() -> Vec<Profile> {
 
 const SIGN: u32 = 1 << 31;
 
-/// The keys that are hashed, ascending, each with the word of its node: those of a reach (HASH-3, by its first sentence),
-/// or all. Long ones are folded under a seed, which is nothing to the others.
+/// The keys that are hashed, ascending, each with the word of its node: those of a reach (HASH-3, by its first
+/// sentence), or all. Long ones are folded under a seed, which is nothing to the others.
 pub(crate) fn keys_of(children: &Children, reach: Option<[u32; 2]>, seed: u64) -> Vec<(u64, u32)> {
     let depths = depths(children);
     let mut keys = vec![(Bits::root(), 0_u32, None)];
@@ -44,7 +44,8 @@ pub(crate) fn keys_of(children: &Children, reach: Option<[u32; 2]>, seed: u64) -
     hashed
 }
 
-/// A key of up to 64 bits is itself; of a longer one, pieces from the root down and then the length are mixed in. `[HASH-6]`
+/// A key of up to 64 bits is itself; of a longer one, pieces from the root down and then the length are mixed in.
+/// `[HASH-6]`
 fn folded(key: &Bits, seed: u64) -> u64 {
     let number = |bits: &[bool]| bits.iter().fold(0, |number, &bit| 2 * number + u64::from(bit));
     if key.0.len() <= 64 {
@@ -238,7 +239,8 @@ fn lookup() -> Profile {
     author.done()
 }
 
-/// A table of direct addresses for the keys 1, 2, 3 under the seed 0: of the first size that keeps them apart, and would not without.
+/// A table of direct addresses for the keys 1, 2, 3 under the seed 0: of the first size that keeps them apart, and
+/// would not without.
 fn of_seed_0(bits: u32) -> Lookup {
     let keys = [1, 2, 3];
     let of_size = |size: u64| {

@@ -1,8 +1,8 @@
 //! The cases, and what has to be answered, from references that are as plain as can be.
 //!
-//! Nothing here calls what it makes cases about: words are lists of bits, traversals a recursion that keeps its postponed
-//! nodes in a list (`reference`), tables the first that fit (`table`), rays whole numbers without limit (`truth`). The
-//! library gives only its choices: the random trees, tapes and scenes of `generate`. `[CONF-4]`
+//! Nothing here calls what it makes cases about: words are lists of bits, traversals a recursion that keeps its
+//! postponed nodes in a list (`reference`), tables the first that fit (`table`), rays whole numbers without limit
+//! (`truth`). The library gives only its choices: the random trees, tapes and scenes of `generate`. `[CONF-4]`
 
 mod hash;
 mod key;

@@ -20,8 +20,8 @@ const TRIANGLES: usize = 700;
 /// Rays of a case of the stress scenes.
 const RAYS: usize = 12;
 
-/// Meshes of small whole numbers, and rays along which nothing is rounded: those that meet triangles inside, and those that meet
-/// corners, edges, and triangles which lie on each other.
+/// Meshes of small whole numbers, and rays along which nothing is rounded: those that meet triangles inside, and those
+/// that meet corners, edges, and triangles which lie on each other.
 fn grid() -> Profile {
     let mut author = Author::new(Level::Ray, "grid");
     for (name, why, is_inside) in [
@@ -120,8 +120,8 @@ fn exact() -> Profile {
     author.done()
 }
 
-/// Rays and triangles that a hill climb found: rounding gets them wrong by as much of the bounds of [EXACT-4] to [EXACT-9] as is said.
-/// Rows: origin, direction, corners.
+/// Rays and triangles that a hill climb found: rounding gets them wrong by as much of the bounds of [EXACT-4] to
+/// [EXACT-9] as is said. Rows: origin, direction, corners.
 const FAR_OFF: [(&str, &str, [[u32; 3]; 5]); 3] = [
     (
         "far-off",
@@ -183,7 +183,8 @@ fn zeros(rng: &mut Rng, [a, b, c]: [f32; 3]) -> (Mesh, Vec<Ray>) {
     (Mesh { vertices, triangles }, drawn.into_iter().map(|(.., ray)| ray).collect())
 }
 
-/// How far outside, or before its beginning, a ray seems to meet a triangle in double precision, beside what is multiplied there.
+/// How far outside, or before its beginning, a ray seems to meet a triangle in double precision, beside what is
+/// multiplied there.
 fn off([o, d]: [Vec3; 2], [v0, v1, v2]: [Vec3; 3]) -> f64 {
     let [o, d, v0, v1, v2] = [o, d, v0, v1, v2].map(Vec3::as_dvec3);
     let (e1, e2, s) = (v1 - v0, v2 - v0, o - v0);

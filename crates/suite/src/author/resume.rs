@@ -14,7 +14,8 @@ pub(super) fn profiles() -> Vec<Profile> {
     vec![states(), disjoint(), keys(), invalid()]
 }
 
-/// Before a visit, or after it where the node is a leaf: the events that are left follow from the number of those before.
+/// Before a visit, or after it where the node is a leaf: the events that are left follow from the number of those
+/// before.
 fn moments(visits: &[Visit], is_leaf: impl Fn(u32) -> bool, count: usize) -> Vec<(usize, Start)> {
     let all: Vec<_> = (0..visits.len())
         .flat_map(|i| [(i, Start::Visit), (i, Start::Backtrack)])

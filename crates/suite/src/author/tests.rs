@@ -30,7 +30,8 @@ fn by_oracle(case: &stackless_check::Case, rule: Rule) -> (Vec<String>, Option<(
     (events(&trace, tree, &Keys::of(tree)), search.outcome.hit)
 }
 
-/// Two references that were written apart: one over addresses with a recorder, one over numbers with a list. `[CONF-4]` `[ORACLE-1]`
+/// Two references that were written apart: one over addresses with a recorder, one over numbers with a list. `[CONF-4]`
+/// `[ORACLE-1]`
 #[test]
 fn the_two_references_agree() {
     for seed in 0..2000 {

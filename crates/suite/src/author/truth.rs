@@ -1,7 +1,7 @@
 //! Which triangles a ray meets, and where, in whole numbers without limit. `[EXACT-1]`
 //!
-//! Every float is a whole multiple of 2^-149. Whatever a ray meets follows from signs and quotients of products of three
-//! such numbers, so their unit does not matter.
+//! Every float is a whole multiple of 2^-149. Whatever a ray meets follows from signs and quotients of products of
+//! three such numbers, so their unit does not matter.
 
 use core::cmp::Ordering;
 
@@ -40,8 +40,8 @@ impl Mesh {
     }
 }
 
-/// Whether all corners lie on one side of the ray along an axis, or behind its origin. True of none that is met; of most
-/// others, and sooner than it is computed.
+/// Whether all corners lie on one side of the ray along an axis, or behind its origin. True of none that is met; of
+/// most others, and sooner than it is computed.
 fn is_beside(corners: [[f32; 3]; 3], ray: &Ray) -> bool {
     (0..3).any(|axis| {
         let (o, d) = (ray[axis], ray[axis + 3]);
@@ -50,8 +50,8 @@ fn is_beside(corners: [[f32; 3]; 3], ray: &Ray) -> bool {
     })
 }
 
-/// Seen from the origin: the direction spans a volume with each edge, and the weight of a corner is the volume with the edge
-/// across over the sum of the three. A sum of 0 is a triangle without area, or one that is parallel to the ray.
+/// Seen from the origin: the direction spans a volume with each edge, and the weight of a corner is the volume with the
+/// edge across over the sum of the three. A sum of 0 is a triangle without area, or one that is parallel to the ray.
 fn meet(corners: [[f32; 3]; 3], &[x, y, z, dx, dy, dz, tmin, tmax]: &Ray) -> Option<[f32; 3]> {
     let [corner_a, corner_b, corner_c] = corners;
     let [o, d, a, b, c] = whole([[x, y, z], [dx, dy, dz], corner_a, corner_b, corner_c]);
@@ -105,8 +105,8 @@ fn cross([a, b, c]: &[IBig; 3], [x, y, z]: &[IBig; 3]) -> [IBig; 3] {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
-/// The float nearest to a quotient of numbers that are not below 0, of two the one that ends in 0. Floats are in the order
-/// of their bits, and infinity stands where 2^128 would.
+/// The float nearest to a quotient of numbers that are not below 0, of two the one that ends in 0. Floats are in the
+/// order of their bits, and infinity stands where 2^128 would.
 fn nearest(over: &IBig, under: &IBig) -> f32 {
     let in_units = over << 149;
     let is_above = |bits: u32| unit(f32::from_bits(bits)) * under > in_units;
