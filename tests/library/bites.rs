@@ -149,6 +149,7 @@ fn kind(fault: &Fault) -> &'static str {
         Fault::Node { expected: Some(_), .. } => "node",
         Fault::Node { expected: None, .. } => "beyond the end",
         Fault::Early { .. } => "early",
+        Fault::Decision { .. } => "decision",
         Fault::Key { .. } => "key",
         Fault::Trail { .. } => "trail",
         Fault::Register { .. } => "register",

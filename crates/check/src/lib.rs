@@ -4,8 +4,8 @@
 //! in any word, comparing at every visit ([`Fault`] lists what can differ). Tests, the command line, fuzzing and
 //! benchmarks all drive this one body. [`shrink()`] makes a failing case small, and a [`Replay`] file keeps it.
 //!
-//! Beside it are the bodies of what traversals rest on: [`Pauses`], [`check_table`], [`check_triangle`], [`check_slabs`],
-//! [`check_tree`], [`Flat`]. Each takes its inputs from whoever drives it.
+//! Beside it are the bodies of what traversals rest on: [`Pauses`], [`check_table`], [`check_triangle`],
+//! [`check_slabs`], [`check_tree`], [`Flat`]. Each takes its inputs from whoever drives it.
 
 #![forbid(unsafe_code)]
 
@@ -22,6 +22,7 @@ mod random;
 mod replay;
 mod scene;
 mod shrink;
+mod snapshot;
 mod states;
 mod stress;
 mod tables;
@@ -41,9 +42,10 @@ pub use random::{Disagreement, Plan, Progress, boundary_cases, check_cases, chec
 pub use replay::{Replay, ReplayError};
 pub use scene::{SceneDisagreement, SceneTree, Seen, check_scene};
 pub use shrink::shrink;
+pub use snapshot::Snapshot;
 pub use stress::{Errors, Stress, floats_between};
 pub use tables::{TableFault, check_table, check_table_bytes};
 pub use tally::{Count, Tally};
 pub use trees::{TreeFault, check_held, check_nearest, check_tree, nearest};
-pub use watch::{Fault, Watch};
+pub use watch::{Expected, Fault, Visit, Watch};
 pub use watched::{Reads, Steps, Watched};

@@ -2,36 +2,29 @@
 
 use std::cell::RefCell;
 
-use super::text::binary;
 use super::{ExplainError, Lookup, Table};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::Search;
 use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, Descent, FixedOrder, Flow, LeftFirst, NodeTest, Pruning, SignOrder, Visitor};
 use stackless_bvh::traverse::{
     Afra, Disjoint, Hapala, HashOnly, Hashed, Marks, Method, Sparse, Tables, Test, Uncle, Unfit, traverse,
 };
 use stackless_bvh::tree::{Node, ParentLinks, Parents, Reach, Topology, Tree, UncleLinks, Uncles};
-use stackless_check::Case;
-use stackless_check::Watched;
+use stackless_check::{Case, Snapshot, Watched};
 
 /// Deepest tree that gets the implicit layout.
 const IMPLICIT_DEPTH: u32 = 13;
 
 /// The words that traversals run in.
-type Word = u128;
+pub(super) type Word = u128;
 
 /// What is seen from a visit to the next.
 #[derive(Clone, Debug)]
 pub(super) struct Seen {
-    pub(super) node: Node,
-    pub(super) restart: bool,
-    pub(super) key: Option<String>,
-    pub(super) trail: Option<String>,
-    pub(super) counter: Option<String>,
-    pub(super) disjoint: Option<String>,
-    pub(super) register: Option<Node>,
+    pub(super) state: Snapshot<Word>,
     /// At an inner node.
     pub(super) descent: Option<Descent>,
     pub(super) found: Found,
@@ -223,23 +216,18 @@ impl<'a> Watching<'a> {
 
 impl Recorder for Watching<'_> {
     fn visit(&mut self, state: &impl State) -> Flow {
-        let word = |word: Option<_>| word.map(|word| binary(&word));
         let mut steps = self.log.0.borrow_mut();
-        steps.push(Seen {
-            node: state.node(),
-            restart: state.is_restarting(),
-            key: word(state.key()),
-            trail: word(state.trail()),
-            counter: word(state.counter()),
-            disjoint: word(state.disjoint()),
-            register: state.register(),
-            descent: None,
-            found: Found::default(),
-            read: Vec::new(),
-            lookup: None,
-        });
+        let state = Snapshot::of(state, wide);
+        steps.push(Seen { state, descent: None, found: Found::default(), read: Vec::new(), lookup: None });
         if steps.len() < self.limit { Flow::Continue } else { Flow::Stop }
     }
+}
+
+/// The value of a word; `None` if it has more than 128 bits.
+fn wide(word: &impl KeyWord) -> Option<Word> {
+    let length = word.bit_length();
+    let bits = |rest: Word, piece: u32| rest << (length - 63 * piece).min(63) | Word::from(word.piece(piece));
+    (length <= Word::BITS).then(|| (0..word.piece_count()).fold(0, bits))
 }
 
 /// A search that says what it answers.
