@@ -1,9 +1,10 @@
-//! Planted bugs (feature `planted`): traversals with one mistake each, which every layer of checks has to catch.
+//! Planted bugs: traversals with one mistake each, which every layer of checks has to catch.
 //!
-//! Battery, fuzzer, proof harnesses, conformance cases: a check that lets one of these pass where it could show is no check.
+//! Battery, fuzzer, proof harnesses, conformance cases: a check that lets one of these pass where it could show is no
+//! check.
 //!
-//! Beside them are the layers below ([`LAYERS`]): tables, tests of triangles and boxes, searches and hierarchies with one mistake each,
-//! for the property bodies of these. `tests/PLANTED.md` says what is seen of each.
+//! Beside them are the layers below ([`LAYERS`]): tables, tests of triangles and boxes, searches and hierarchies with
+//! one mistake each, for the property bodies of these. `tests/PLANTED.md` says what is seen of each.
 
 mod asked;
 mod draw;
@@ -11,29 +12,32 @@ mod files;
 mod filters;
 mod given;
 mod hierarchies;
+mod implicit;
 mod kernels;
 mod layers;
 mod list;
 mod lookups;
+mod machine;
 mod mutants;
-mod printed;
 mod searches;
+mod shaders;
 mod slabs;
-mod slips;
 mod tables;
-mod textbook;
-mod wanderer;
+mod wrapped;
 
+pub use crate::Snapshot;
 pub use layers::{Hits, Instead, LAYERS, Layer, Mistake, Table};
-pub use list::{all, controls};
+pub use list::{Seer, all, controls, marks, rows, unseen};
 pub use lookups::Function;
+pub use shaders::{SHADERS, Shader, ShownBy};
 
 use super::{Battery, Case, Fault, Verdict, Watch};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::{Search, Tape};
+use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{Flow, Visitor};
 use stackless_bvh::traverse::{Cursor, Test, traverse};
-use stackless_bvh::tree::{Node, Tree};
+use stackless_bvh::tree::Tree;
 
 /// A traversal with a bug, or, as a control, without one.
 pub struct Planted {
@@ -61,18 +65,6 @@ type CaseRun = dyn Fn(&Case, &mut Search<'_, Tree>, &mut Watcher<'_>);
 
 /// Looks at each visit.
 struct Watcher<'a>(&'a mut dyn FnMut(&Snapshot) -> Flow);
-
-/// A traversal's state at a visit.
-#[derive(Clone, Copy, Debug)]
-pub struct Snapshot {
-    node: Node,
-    key: Option<u64>,
-    trail: Option<u64>,
-    counter: Option<u64>,
-    disjoint: Option<u64>,
-    register: Option<Node>,
-    is_restarting: bool,
-}
 
 impl Planted {
     fn any(
@@ -177,48 +169,7 @@ impl core::fmt::Debug for Planted {
 
 impl Recorder for &mut Watcher<'_> {
     fn visit(&mut self, state: &impl State) -> Flow {
-        let word = |word: Option<_>| word.and_then(|word| stackless_bvh::key::KeyWord::to_u64(&word));
-        (self.0)(&Snapshot {
-            node: state.node(),
-            key: word(state.key()),
-            trail: word(state.trail()),
-            counter: word(state.counter()),
-            disjoint: word(state.disjoint()),
-            register: state.register(),
-            is_restarting: state.is_restarting(),
-        })
-    }
-}
-
-impl State for Snapshot {
-    type Word = u64;
-
-    fn node(&self) -> Node {
-        self.node
-    }
-
-    fn key(&self) -> Option<u64> {
-        self.key
-    }
-
-    fn trail(&self) -> Option<u64> {
-        self.trail
-    }
-
-    fn counter(&self) -> Option<u64> {
-        self.counter
-    }
-
-    fn disjoint(&self) -> Option<u64> {
-        self.disjoint
-    }
-
-    fn register(&self) -> Option<Node> {
-        self.register
-    }
-
-    fn is_restarting(&self) -> bool {
-        self.is_restarting
+        (self.0)(&Snapshot::of(state, KeyWord::to_u64))
     }
 }
 
