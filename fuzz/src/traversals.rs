@@ -7,7 +7,7 @@ use stackless_bvh::key::{self, Grow, KeyWord};
 use stackless_bvh::traverse::{
     ByWalk, Cuts, KeyTrail, Method, Next, Paused, PieceTable, States, Tables, Unfit, WordName,
 };
-use stackless_bvh::tree::{Implicit, Keys, Node, Reach, Topology, Tree};
+use stackless_bvh::tree::{Implicit, Keys, Linked, Node, Reach, Topology, Tree};
 use stackless_bvh::{oracle, trail};
 use stackless_check::{
     Battery, Case, CaseOptions, Disagreement, Pauses, Pieces, Plan, Replay, Tally, Verdict, check_table,
@@ -112,7 +112,8 @@ pub(crate) fn states(bytes: &[u8]) {
 /// A perfect hash, of any set of keys and sizing. `[HASH-9]`
 pub(crate) fn hash(bytes: &[u8]) {
     let mut source = Bytes::new(bytes);
-    let (options, method, tree) = (options(&mut source), Method::ALL[source.below(27) as usize], tree(&mut source));
+    let (options, method, tree) =
+        (options(&mut source), Method::ALL[source.below(Method::ALL.len() as u64) as usize], tree(&mut source));
     let keys = Keys::of(&tree);
     let hash = right(check_table(&tree, &keys, options), format_args!("{options:?} {:?}", tree.to_children()));
     if let Err(refusal) = PerfectHash::build_plain(&tree, options) {
@@ -224,8 +225,9 @@ fn chain(depth: u32, right_at: impl Fn(u32) -> bool) -> Tree {
 }
 
 fn in_pieces<W: KeyWord>(case: &Case, levels: u32) {
-    let (cuts, mut battery) = (Cuts::every(levels, &case.tree), Battery::new(case, &[]));
-    let pieces = right(Pieces::new(&case.tree, &cuts), "tables of pieces");
+    let (linked, mut battery) = (Linked::both(&case.tree), Battery::new(case, &[]));
+    let cuts = Cuts::every(levels, &linked);
+    let pieces = right(Pieces::new(&cuts), "tables of pieces");
     // As many states as there are pieces on a way, each as large as in a tree of so many levels. [STATE-1]
     assert_eq!(cuts.nesting(), case.tree.depth().div_ceil(levels).max(1));
     let one = Method::Hashed.state_bytes::<W>(levels.min(case.tree.depth()));

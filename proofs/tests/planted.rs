@@ -12,7 +12,7 @@ use proofs::traversals::follows;
 use proofs::{Cases, Drawn};
 use stackless_bvh::event::Recorder;
 use stackless_bvh::generate::{Cell, Rng, Tape};
-use stackless_bvh::order::{Descent, Flow, Pruning, Visitor};
+use stackless_bvh::order::{Descent, Flow, Pruning, Visitor, Whole};
 use stackless_bvh::tree::{Node, Topology, Tree};
 use stackless_check::planted::{self, Planted, Seer};
 
@@ -89,7 +89,7 @@ impl Body {
 
     fn run(self, choose: &mut Drawn<false>, suspect: &Planted) -> Option<()> {
         let run = |case: &Case, told: &mut Told<'_, Case>, watch: &mut Watch<'_, Case>| {
-            suspect.run_any(&case.tree, &case.tape, told, |seen| watch.visit(seen));
+            suspect.run_any(&case.tree, &case.tape, told, |seen| watch.visit(seen.node, || *seen));
         };
         match self {
             Self::Traversal7 => follows(choose, 3, Pruning::Never, Script::any, Case::new, run),
@@ -126,7 +126,7 @@ fn every_planted_bug_is_caught_by_a_harness_body() {
     let applies = |bug: &Planted| {
         let leaf = Tree::new(&[None]).unwrap();
         let tape = Tape::from_cells(&leaf, vec![Cell::default()]).unwrap();
-        bug.run_any(&leaf, &tape, &mut Nobody, |_| Flow::Stop)
+        bug.run_any(&leaf, &tape, &mut Whole(Nobody), |_| Flow::Stop)
     };
     // In what is asked, where it does not.
     let asked = "harnesses have neither tapes nor tests of nodes: it is in what a search is asked";

@@ -3,8 +3,8 @@
 use crate::event::Backtracks;
 use crate::geom::kernel::Stage;
 use crate::geom::{Aabb, Kernel, Slabs};
-use crate::order::{Descent, Flow, NodeTest, Pruning, Repeatable, Visitor};
-use crate::tree::{Node, Uncles};
+use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Repeatable, Visitor};
+use crate::tree::{Node, Reach};
 
 use super::{BoxQuery, ChildOrder, NodeSearch};
 
@@ -31,7 +31,7 @@ pub struct Counters {
 
 impl Default for Counters {
     fn default() -> Self {
-        let backtracks = Backtracks::new(<Uncles>::REACH);
+        let backtracks = Backtracks::new(Reach::ALGORITHM_1);
         Self { rays: 0, inner: 0, leaves: 0, boxes: 0, triangles: 0, fallbacks: 0, sums: 0, backtracks }
     }
 }
@@ -84,7 +84,11 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
     fn leaf(&mut self, node: Node) -> Flow {
         self.triangles(node)
     }
+}
 
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Pruned
+    for Counting<'_, '_, K, B, ANY, O>
+{
     fn allows(&self, pruning: Pruning) -> bool {
         self.search.allows(pruning)
     }

@@ -4,7 +4,7 @@ use super::{Part, Plan, Query};
 use crate::bvh::Bvh;
 use crate::event::Recorder;
 use crate::geom::Aabb;
-use crate::order::{Descent, Flow, NodeTest, Pruning, Visitor};
+use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Visitor};
 use crate::traverse::{Method, Tables, Unfit, WordName};
 use crate::tree::{Implicit, Node, Topology};
 
@@ -74,7 +74,7 @@ impl<'a, S> Level<'a, S> {
 
     /// Searches that nothing can be pruned from are traversed as a whole.
     #[inline]
-    pub(super) fn method_for(&self, query: &(impl Visitor + ?Sized)) -> Method {
+    pub(super) fn method_for(&self, query: &(impl Pruned + ?Sized)) -> Method {
         if query.allows(self.method.test().pruning()) { self.method } else { self.method.without_pruning() }
     }
 }
@@ -96,7 +96,9 @@ impl Visitor for Nothing {
     fn leaf(&mut self, _: Node) -> Flow {
         Flow::Stop
     }
+}
 
+impl Pruned for Nothing {
     fn allows(&self, _: Pruning) -> bool {
         true
     }

@@ -18,7 +18,7 @@ use crate::geom::kernel::{Exact, Real};
 use crate::geom::slabs::Directed;
 use crate::geom::{Kernel, Ray, Slabs, Vector};
 use crate::traverse::{Method, Unfit, WordName};
-use crate::tree::{Node, Uncles};
+use crate::tree::{Node, Reach};
 
 /// Answers queries over a hierarchy by one of the traversals, with the triangle test `K` and the box test `B`.
 ///
@@ -159,7 +159,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
     pub fn count(&self, rays: &[Ray<K::Vector>], any: bool) -> Counters {
         let count = |chunk: &[Ray<K::Vector>]| {
             let (mut counters, mut memory) = (Counters::default(), Vec::new());
-            let mut backtracks = Backtracks::new(<Uncles>::REACH);
+            let mut backtracks = Backtracks::new(Reach::ALGORITHM_1);
             for ray in chunk {
                 counters.rays += 1;
                 backtracks.begin();

@@ -3,7 +3,6 @@
 use alloc::vec::Vec;
 
 use super::Cursor;
-use crate::event::State;
 use crate::order::Descent;
 use crate::tree::{Node, Topology};
 
@@ -27,18 +26,15 @@ impl<'t, T: Topology, const BY_DISTANCE: bool> PruningStack<'t, T, BY_DISTANCE> 
     }
 }
 
-impl<T, const BY_DISTANCE: bool> State for PruningStack<'_, T, BY_DISTANCE> {
+impl<T: Topology, const BY_DISTANCE: bool> Cursor for PruningStack<'_, T, BY_DISTANCE> {
     type Word = u64;
+    const PRUNES: bool = !BY_DISTANCE;
+    const KEEPS_DISTANCES: bool = BY_DISTANCE;
 
     #[inline]
     fn node(&self) -> Node {
         self.node
     }
-}
-
-impl<T: Topology, const BY_DISTANCE: bool> Cursor for PruningStack<'_, T, BY_DISTANCE> {
-    const PRUNES: bool = !BY_DISTANCE;
-    const KEEPS_DISTANCES: bool = BY_DISTANCE;
 
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {

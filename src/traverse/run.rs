@@ -1,26 +1,24 @@
 //! Running a traversal by its name.
 
 use alloc::vec::Vec;
-use core::fmt;
 use core::sync::atomic::{AtomicUsize, Ordering};
 
 use super::{
     ByKey, Complete, Glassner, Hapala, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine, LeftFirst, Method, Next,
-    NotComplete, Pause, PruningStack, Skip, Skips, Stack, WithCursor, WordName, traverse,
+    NotComplete, Pause, PruningStack, Skip, Skips, Stack, Unfit, WithCursor, WordName, traverse, traverse_pruned,
 };
 use crate::event::Recorder;
 use crate::hash::{KeyMap, KeySet, Lookup, Options, PerfectHash, Sizing};
-use crate::key::{Grow, KeyWord, TooDeep};
-use crate::order::{self, ByNode, NodeTest, SignOrder, Visitor};
-use crate::tree::{Implicit, Keys, Node, ParentLinks, Parents, RecordedParents, RecordedUncles, Topology, Uncles};
+use crate::key::{Grow, KeyWord};
+use crate::order::{self, ByNode, NodeTest, Pruned, SignOrder};
+use crate::tree::{Implicit, Keys, Linked, Node, Reach, Topology};
 
 /// A tree with the tables that a choice of traversals needs beside it.
 #[derive(Debug)]
 pub struct Tables<'t, T> {
-    pub(super) tree: &'t T,
+    /// With the links that its own records do not name.
+    pub(super) tree: Linked<'t, T>,
     axes: &'t [u8],
-    pub(super) parents: Option<Parents>,
-    pub(super) uncles: Option<Uncles>,
     /// The keys that `hashed` looks up.
     pub(super) hash: Option<PerfectHash>,
     /// All keys, for `hash-only`.
@@ -37,54 +35,6 @@ pub struct Tables<'t, T> {
     octant_skips: Vec<Skips>,
 }
 
-/// Why a traversal does not run on a tree. `[CONF-3]` `[DISJOINT-5]`
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unfit {
-    /// The tree is too deep for the word.
-    TooDeep(TooDeep),
-    /// The traversal is for complete trees.
-    NotComplete(NotComplete),
-    /// The traversal does not exist for this word.
-    NoSuchWord {
-        /// Name of the word.
-        word: &'static str,
-    },
-    /// The tables were not made for this traversal.
-    NoTable,
-    /// The traversal's state cannot be put aside.
-    NoPause,
-    /// The traversal leaves out what lies behind a hit, and the search does not [allow](Visitor::allows) that: it does not
-    /// take children in the order of distance, or does not say which are disjoint.
-    Unordered,
-}
-
-impl fmt::Display for Unfit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooDeep(error) => error.fmt(f),
-            Self::NotComplete(error) => error.fmt(f),
-            Self::NoSuchWord { word } => write!(f, "not made for the word {word}"),
-            Self::NoTable => f.write_str("its tables were not built"),
-            Self::NoPause => f.write_str("its state cannot be put aside"),
-            Self::Unordered => f.write_str("it prunes, and the search is not ordered by distance"),
-        }
-    }
-}
-
-impl core::error::Error for Unfit {}
-
-impl From<TooDeep> for Unfit {
-    fn from(error: TooDeep) -> Self {
-        Self::TooDeep(error)
-    }
-}
-
-impl From<NotComplete> for Unfit {
-    fn from(error: NotComplete) -> Self {
-        Self::NotComplete(error)
-    }
-}
-
 impl<'t, T: Topology> Tables<'t, T> {
     /// Makes what `methods` need. `axes` is for [`SignOrder`].
     ///
@@ -99,12 +49,9 @@ impl<'t, T: Topology> Tables<'t, T> {
         let wants_all_keys = needs(&implicit_users) && implicit.is_none();
         let octants = if needs(&[M::SkipOctant]) { 0..8 } else { 0..0 };
         Self {
-            tree,
+            tree: Linked::naming(tree, &methods.iter().map(|method| method.wants_recorded()).collect::<Vec<_>>()),
             axes,
-            parents: (needs(&[M::Sparse, M::Afra, M::Hapala]) && RecordedParents::of(tree).is_none())
-                .then(|| Parents::of(tree)),
-            uncles: (needs(&[M::Uncle, M::Hashed]) && RecordedUncles::of(tree).is_none()).then(|| Uncles::of(tree)),
-            hash: needs(&[M::Hashed]).then(|| perfect(tree, KeySet::Exact(<Uncles>::REACH))).flatten(),
+            hash: needs(&[M::Hashed]).then(|| perfect(tree, KeySet::Exact(Reach::ALGORITHM_1))).flatten(),
             full_hash: needs(&[M::HashOnly]).then(|| perfect(tree, KeySet::All)).flatten(),
             keys: None,
             misses: AtomicUsize::new(0),
@@ -122,8 +69,7 @@ impl<'t, T: Topology> Tables<'t, T> {
         let hashes = [&self.hash, &self.full_hash].map(|hash| hash.as_ref().map_or(0, |hash| hash.header().bytes()));
         let complete = self.complete.as_ref().and_then(|complete| complete.as_ref().ok());
         hashes.iter().sum::<usize>()
-            + self.parents.as_ref().map_or(0, Parents::bytes)
-            + self.uncles.as_ref().map_or(0, Uncles::bytes)
+            + self.tree.bytes()
             + self.all_keys.as_ref().map_or(0, KeyMap::bytes)
             + self.implicit.as_ref().map_or(0, Implicit::bytes)
             + complete.map_or(0, Complete::bytes)
@@ -135,7 +81,7 @@ impl<'t, T: Topology> Tables<'t, T> {
     /// the node with the key.
     #[must_use]
     pub fn verified(mut self) -> Self {
-        self.keys = Some(Keys::of(self.tree));
+        self.keys = Some(Keys::of(&self.tree));
         self
     }
 
@@ -150,7 +96,7 @@ impl<'t, T: Topology> Tables<'t, T> {
     /// # Errors
     /// [`Unfit`], before the first step.
     #[inline]
-    pub fn run<W: KeyWord, S: Visitor + NodeTest>(
+    pub fn run<W: KeyWord, S: Pruned + NodeTest>(
         &self,
         method: Method,
         octant: u8,
@@ -158,7 +104,7 @@ impl<'t, T: Topology> Tables<'t, T> {
         search: &mut S,
         recorder: &mut impl Recorder,
     ) -> Result<(), Unfit> {
-        let tree = self.tree;
+        let tree = &self.tree;
         if !method.exists_for::<W>() {
             return Err(Unfit::NoSuchWord { word: W::NAME });
         }
@@ -167,24 +113,24 @@ impl<'t, T: Topology> Tables<'t, T> {
         }
         let by_sign = SignOrder { axes: self.axes, octant };
         let _: Option<Next> = match method {
-            Method::Stack => traverse(Stack::new(tree, memory), search, recorder),
-            Method::StackDisjoint => traverse(PruningStack::<T, false>::new(tree, memory), search, recorder),
-            Method::StackT0 => traverse(PruningStack::<T, true>::new(tree, memory), search, recorder),
+            Method::Stack => traverse_pruned(Stack::new(tree, memory), search, recorder),
+            Method::StackDisjoint => traverse_pruned(PruningStack::<_, false>::new(tree, memory), search, recorder),
+            Method::StackT0 => traverse_pruned(PruningStack::<_, true>::new(tree, memory), search, recorder),
             Method::LeftFirst | Method::ImplicitA | Method::ImplicitA1 | Method::ImplicitB | Method::ImplicitB1 => {
                 match &self.implicit {
                     Some(layout) => self.run_implicit::<W, S>(method, layout, search, recorder)?,
                     None => self.run_implicit::<W, S>(method, table(self.all_keys.as_ref())?, search, recorder)?,
                 }
             }
-            Method::Hapala => match RecordedParents::of(tree) {
-                Some(parents) => self.run_hapala(parents, by_sign, search, recorder),
-                None => self.run_hapala(table(self.parents.as_ref())?, by_sign, search, recorder),
-            },
-            Method::Laine0 => traverse(Laine::<0, W, T>::new(tree)?, search, recorder),
-            Method::Laine1 => traverse(Laine::<1, W, T>::new(tree)?, search, recorder),
-            Method::Laine2 => traverse(Laine::<2, W, T>::new(tree)?, search, recorder),
-            Method::Laine4 => traverse(Laine::<4, W, T>::new(tree)?, search, recorder),
-            Method::Laine8 => traverse(Laine::<8, W, T>::new(tree)?, search, recorder),
+            Method::Hapala => {
+                let mut search = ByNode { test: search, order: by_sign };
+                traverse(Hapala::new(tree, by_sign)?, &mut search, recorder)
+            }
+            Method::Laine0 => traverse_pruned(Laine::<0, W, _>::new(tree)?, search, recorder),
+            Method::Laine1 => traverse_pruned(Laine::<1, W, _>::new(tree)?, search, recorder),
+            Method::Laine2 => traverse_pruned(Laine::<2, W, _>::new(tree)?, search, recorder),
+            Method::Laine4 => traverse_pruned(Laine::<4, W, _>::new(tree)?, search, recorder),
+            Method::Laine8 => traverse_pruned(Laine::<8, W, _>::new(tree)?, search, recorder),
             Method::Skip => {
                 let mut search = ByNode { test: search, order: order::LeftFirst };
                 traverse(Skip::new(tree, table(self.skips.as_ref())?, order::LeftFirst), &mut search, recorder)
@@ -196,9 +142,11 @@ impl<'t, T: Topology> Tables<'t, T> {
             }
             Method::Complete => {
                 let complete = table(self.complete.as_ref())?.as_ref().map_err(|&error| error)?;
-                traverse(ByKey::<W, _>::new(tree, complete)?, search, recorder)
+                traverse_pruned(ByKey::<W, _>::new(tree, complete)?, search, recorder)
             }
-            Method::Glassner => traverse(ByKey::<W, _>::new(tree, table(self.glassner.as_ref())?)?, search, recorder),
+            Method::Glassner => {
+                traverse_pruned(ByKey::<W, _>::new(tree, table(self.glassner.as_ref())?)?, search, recorder)
+            }
             _ => self.with_cursor::<W, _>(method, Run { search, recorder })?,
         };
         Ok(())
@@ -210,7 +158,7 @@ impl<'t, T: Topology> Tables<'t, T> {
     ///
     /// # Errors
     /// [`Unfit`], before the first step.
-    pub fn run_in<S: Visitor + NodeTest>(
+    pub fn run_in<S: Pruned + NodeTest>(
         &self,
         word: WordName,
         method: Method,
@@ -228,31 +176,19 @@ impl<'t, T: Topology> Tables<'t, T> {
     }
 
     #[inline]
-    fn run_hapala<S: NodeTest>(
-        &self,
-        parents: impl ParentLinks<T>,
-        by_sign: SignOrder<'_>,
-        search: &mut S,
-        recorder: &mut impl Recorder,
-    ) -> Option<Next> {
-        let mut search = ByNode { test: search, order: by_sign };
-        traverse(Hapala::new(self.tree, parents, by_sign), &mut search, recorder)
-    }
-
-    #[inline]
-    fn run_implicit<W: KeyWord, S: Visitor + NodeTest>(
+    fn run_implicit<W: KeyWord, S: Pruned + NodeTest>(
         &self,
         method: Method,
         layout: impl Lookup<W>,
         search: &mut S,
         recorder: &mut impl Recorder,
     ) -> Result<Option<Next>, Unfit> {
-        let tree = self.tree;
+        let tree = &self.tree;
         Ok(match method {
-            Method::ImplicitA => traverse(ImplicitA::new(tree, layout)?, search, recorder),
-            Method::ImplicitA1 => traverse(ImplicitA1::new(tree, layout)?, search, recorder),
-            Method::ImplicitB => traverse(ImplicitB::new(tree, layout)?, search, recorder),
-            Method::ImplicitB1 => traverse(ImplicitB1::new(tree, layout)?, search, recorder),
+            Method::ImplicitA => traverse_pruned(ImplicitA::new(tree, layout)?, search, recorder),
+            Method::ImplicitA1 => traverse_pruned(ImplicitA1::new(tree, layout)?, search, recorder),
+            Method::ImplicitB => traverse_pruned(ImplicitB::new(tree, layout)?, search, recorder),
+            Method::ImplicitB1 => traverse_pruned(ImplicitB1::new(tree, layout)?, search, recorder),
             _ => {
                 let mut search = ByNode { test: search, order: order::LeftFirst };
                 traverse(LeftFirst::new(tree, layout)?, &mut search, recorder)
@@ -267,12 +203,12 @@ struct Run<'a, S, R> {
     recorder: &'a mut R,
 }
 
-impl<W, S: Visitor, R: Recorder> WithCursor<W> for Run<'_, S, R> {
+impl<W, S: Pruned, R: Recorder> WithCursor<W> for Run<'_, S, R> {
     type Output = Option<Next>;
 
     #[inline]
     fn call(self, cursor: impl Pause<Word = W>) -> Option<Next> {
-        traverse(cursor, self.search, self.recorder)
+        traverse_pruned(cursor, self.search, self.recorder)
     }
 }
 

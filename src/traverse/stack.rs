@@ -3,7 +3,6 @@
 use alloc::vec::Vec;
 
 use super::Cursor;
-use crate::event::State;
 use crate::order::Descent;
 use crate::tree::{Node, Topology};
 
@@ -24,16 +23,14 @@ impl<'t, T: Topology> Stack<'t, T> {
     }
 }
 
-impl<T> State for Stack<'_, T> {
+impl<T: Topology> Cursor for Stack<'_, T> {
     type Word = u64;
 
     #[inline]
     fn node(&self) -> Node {
         self.node
     }
-}
 
-impl<T: Topology> Cursor for Stack<'_, T> {
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         let (node, first) = (self.node, descent.first());

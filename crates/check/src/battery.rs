@@ -6,9 +6,9 @@ use stackless_bvh::event::Trace;
 use stackless_bvh::generate::{Outcome, Search};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{ByNode, LeftFirst, Pruning, SignOrder, Visitor};
+use stackless_bvh::order::{ByNode, LeftFirst, Pruned, Pruning, SignOrder, Whole};
 use stackless_bvh::traverse::{
-    Method, PruningStack, Stack, Tables, Test, Unfit, WithWord, WordName, traverse, with_word,
+    Method, PruningStack, Stack, Tables, Test, Unfit, WithWord, WordName, traverse_pruned, with_word,
 };
 use stackless_bvh::tree::{Keys, Node, Parents, Topology, Tree};
 
@@ -146,25 +146,28 @@ impl Oracle {
         let tree = &case.tree;
         let trace = match test {
             Test::Children | Test::Disjoint | Test::Distance => Self::trace(tree, test, &mut search, memory),
-            Test::NodeLeftFirst => Self::trace(tree, test, &mut ByNode { test: &mut search, order: LeftFirst }, memory),
+            Test::NodeLeftFirst => {
+                let by_node = ByNode { test: &mut search, order: LeftFirst };
+                Self::trace(tree, test, &mut Whole(by_node), memory)
+            }
             Test::NodeBySign => {
                 let order = SignOrder { axes: case.tape.axes(), octant: case.octant };
-                Self::trace(tree, test, &mut ByNode { test: &mut search, order }, memory)
+                Self::trace(tree, test, &mut Whole(ByNode { test: &mut search, order }), memory)
             }
         };
         Self { trace, outcome: search.outcome }
     }
 
-    fn trace(tree: &Tree, test: Test, visitor: &mut impl Visitor, memory: &mut Vec<Node>) -> Trace {
+    fn trace(tree: &Tree, test: Test, visitor: &mut impl Pruned, memory: &mut Vec<Node>) -> Trace {
         let (mut trace, pruning) = (Trace::default(), test.pruning());
         if tree.depth() <= oracle::DEPTH_LIMIT {
             oracle::traverse_pruned(tree, tree.root(), pruning, visitor, &mut trace);
             return trace;
         }
         match pruning {
-            Pruning::Never => traverse(Stack::new(tree, memory), visitor, &mut trace),
-            Pruning::Disjoint => traverse(PruningStack::<_, false>::new(tree, memory), visitor, &mut trace),
-            Pruning::Distance => traverse(PruningStack::<_, true>::new(tree, memory), visitor, &mut trace),
+            Pruning::Never => traverse_pruned(Stack::new(tree, memory), visitor, &mut trace),
+            Pruning::Disjoint => traverse_pruned(PruningStack::<_, false>::new(tree, memory), visitor, &mut trace),
+            Pruning::Distance => traverse_pruned(PruningStack::<_, true>::new(tree, memory), visitor, &mut trace),
         };
         trace
     }

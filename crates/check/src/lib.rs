@@ -22,7 +22,6 @@ mod random;
 mod replay;
 mod scene;
 mod shrink;
-mod snapshot;
 mod states;
 mod stress;
 mod tables;
@@ -42,7 +41,6 @@ pub use random::{Disagreement, Plan, Progress, boundary_cases, check_cases, chec
 pub use replay::{Replay, ReplayError};
 pub use scene::{SceneDisagreement, SceneTree, Seen, check_scene};
 pub use shrink::shrink;
-pub use snapshot::Snapshot;
 pub use stress::{Errors, Stress, floats_between};
 pub use tables::{TableFault, check_table, check_table_bytes};
 pub use tally::{Count, Tally};

@@ -6,7 +6,7 @@ use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{Descent, Flow};
 use stackless_bvh::trail::levels;
-use stackless_bvh::tree::{Keys, Node, ParentLinks, Parents, Topology, Tree};
+use stackless_bvh::tree::{Keys, Node, Parents, Topology, Tree};
 
 /// How a traversal differs from its oracle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -235,11 +235,11 @@ impl<'a> Watch<'a> {
         }
     }
 
-    fn look(&mut self, state: &impl State) -> Result<(), Fault> {
-        let (node, visit) = (state.node(), self.visits);
+    fn look<W: KeyWord>(&mut self, state: State<W>) -> Result<(), Fault> {
+        let State { node, key, trail, counter, disjoint, register, is_restarting } = state;
+        let visit = self.visits;
         let slot = self.tree.slot(node);
         let seen = self.seen.get_mut(slot).is_some_and(|seen| std::mem::replace(seen, true));
-        let is_restarting = state.is_restarting();
         if is_restarting && !seen {
             return Err(Fault::Restart { visit, node });
         }
@@ -250,13 +250,12 @@ impl<'a> Watch<'a> {
             }
             self.visits += 1;
         }
-        if state.key().is_some_and(|key| !self.keys.is(slot, &key)) {
+        if key.is_some_and(|key| !self.keys.is(slot, &key)) {
             return Err(Fault::Key { visit, node });
         }
-        let (trail, counter) = (state.trail(), state.counter());
         let depth = self.keys.depth(slot);
         if trail.as_ref().is_some_and(|trail| trail.bit_length() > depth)
-            || state.disjoint().is_some_and(|disjoint| disjoint.bit_length() > depth)
+            || disjoint.is_some_and(|disjoint| disjoint.bit_length() > depth)
             || counter.as_ref().is_some_and(|counter| counter.bit_length() != depth + 1)
         {
             return Err(Fault::Trail { visit, node });
@@ -274,7 +273,7 @@ impl<'a> Watch<'a> {
             (None, Some(trail)) => !trail.is_zero() && self.comes_next(found, node, levels(trail)),
             (None, None) => true,
         };
-        match state.register().filter(|&found| !is_next(found)) {
+        match register.filter(|&found| !is_next(found)) {
             Some(found) => Err(Fault::Register { visit, found }),
             None => Ok(()),
         }
@@ -283,7 +282,7 @@ impl<'a> Watch<'a> {
     /// Whether the bits of a word, as many as the node is deep, are `one` where the sibling on the way up is postponed.
     fn names<W: KeyWord>(&self, postponed: &[Node], mut word: W, mut node: Node, one: bool) -> bool {
         while node != self.tree.root() {
-            let [parent, sibling] = ParentLinks::row(&self.parents, self.tree, node);
+            let [parent, sibling] = self.parents.row(self.tree, node);
             if (postponed.contains(&sibling) == one) != (word.low_bits() & 1 == 1) {
                 return false;
             }
@@ -298,18 +297,18 @@ impl<'a> Watch<'a> {
         if levels > 1000 && !self.visits.is_multiple_of(512) {
             return true;
         }
-        let ancestor = (0..levels).fold(node, |node, _| self.parents.parent(self.tree, node));
-        self.parents.sibling(self.tree, ancestor) == next
+        let ancestor = (0..levels).fold(node, |node, _| self.parents.row(self.tree, node)[0]);
+        self.parents.row(self.tree, ancestor)[1] == next
     }
 }
 
 impl Recorder for Watch<'_> {
-    fn visit(&mut self, state: &impl State) -> Flow {
+    fn visit<W: KeyWord>(&mut self, _: Node, state: impl FnOnce() -> State<W>) -> Flow {
         self.steps += 1;
         let looked = match self.fault {
             Some(fault) => Err(fault),
             None if self.steps > self.step_limit => Err(Fault::Endless { visits: self.steps }),
-            None => self.look(state),
+            None => self.look(state()),
         };
         self.fault = looked.err();
         if self.fault.is_some() { Flow::Stop } else { Flow::Continue }

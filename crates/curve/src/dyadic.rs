@@ -2,7 +2,7 @@
 
 use stackless_bvh::hash::Lookup;
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::tree::{Node, ParentLinks, Reach, Topology, UncleLinks};
+use stackless_bvh::tree::{Node, Recorded, Topology};
 
 /// A part of `[0, 1]` that halving gives, by the key of its node: `[0, 1]` is 1, the halves of `k` are `2k` and `2k + 1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,25 +74,28 @@ impl Topology for Dyadic {
     fn depth(&self) -> u32 {
         self.depth
     }
+
+    /// All links are computed.
+    fn names(&self, _: Recorded) -> bool {
+        true
+    }
+
+    fn parent(&self, node: Node) -> Node {
+        self.at((node.index() as u32 / 2).max(1))
+    }
+
+    fn sibling(&self, node: Node) -> Node {
+        self.beside(node, 0)
+    }
+
+    fn uncles(&self, node: Node) -> [Node; 3] {
+        [1, 2, 3].map(|levels| self.beside(node, levels))
+    }
 }
 
 impl<W: KeyWord> Lookup<W> for Dyadic {
     #[inline]
     fn node(&self, key: &W) -> Node {
         self.at(key.low_bits())
-    }
-}
-
-impl ParentLinks<Self> for Dyadic {
-    fn row(&self, _: &Self, node: Node) -> [Node; 2] {
-        [self.at((node.index() as u32 / 2).max(1)), self.beside(node, 0)]
-    }
-}
-
-impl UncleLinks<Self> for Dyadic {
-    const REACH: Reach = Reach::ALGORITHM_1;
-
-    fn row(&self, _: &Self, node: Node) -> [Node; 3] {
-        [1, 2, 3].map(|levels| self.beside(node, levels))
     }
 }

@@ -10,7 +10,7 @@ use stackless_bvh::key::TooDeep;
 use stackless_bvh::order::{ByNode, Descent, Flow, LeftFirst as InOrder, NodeTest, Visitor};
 use stackless_bvh::traverse::{
     Afra, ByKey, Hapala, HashOnly, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, LeftFirst, Method, Sparse,
-    Stack, Uncle, traverse,
+    Stack, Uncle, Unfit, traverse,
 };
 use stackless_bvh::tree::Node;
 
@@ -276,6 +276,7 @@ pub(super) fn walk<const D: usize>(
 ) -> Result<(), CurveError> {
     // No tree here is as deep as 31.
     let deep = |_: TooDeep| CurveError::Method(method);
+    let unfit = |_: Unfit| CurveError::Method(method);
     let t = &tree;
     // Nothing stops it.
     let _ = match method {
@@ -284,11 +285,11 @@ pub(super) fn walk<const D: usize>(
         Method::ImplicitA1 => traverse(ImplicitA1::<u32, _>::new(t, t).map_err(deep)?, level, recorder),
         Method::ImplicitB => traverse(ImplicitB::<u32, _>::new(t, t).map_err(deep)?, level, recorder),
         Method::ImplicitB1 => traverse(ImplicitB1::<u32, _>::new(t, t).map_err(deep)?, level, recorder),
-        Method::Sparse => traverse(Sparse::<u32, _, _>::new(t, tree).map_err(deep)?, level, recorder),
-        Method::Afra => traverse(Afra::<u32, _, _>::new(t, tree).map_err(deep)?, level, recorder),
-        Method::Uncle => traverse(Uncle::<u32, _, _>::new(t, tree).map_err(deep)?, level, recorder),
+        Method::Sparse => traverse(Sparse::<u32, _>::new(t).map_err(unfit)?, level, recorder),
+        Method::Afra => traverse(Afra::<u32, _>::new(t).map_err(unfit)?, level, recorder),
+        Method::Uncle => traverse(Uncle::<u32, _>::new(t).map_err(unfit)?, level, recorder),
         Method::HashOnly => traverse(HashOnly::<u32, _, _>::new(t, t).map_err(deep)?, level, recorder),
-        Method::Hashed => traverse(Hashed::<u32, _, _, _>::new(t, tree, t).map_err(deep)?, level, recorder),
+        Method::Hashed => traverse(Hashed::<u32, _, _>::new(t, t).map_err(unfit)?, level, recorder),
         Method::Complete => traverse(ByKey::<u32, _>::new(t, t).map_err(deep)?, level, recorder),
         Method::LeftFirst => {
             let mut level = ByNode { test: level, order: InOrder };
@@ -296,7 +297,7 @@ pub(super) fn walk<const D: usize>(
         }
         Method::Hapala => {
             let mut level = ByNode { test: level, order: InOrder };
-            traverse(Hapala::new(t, tree, InOrder), &mut level, recorder)
+            traverse(Hapala::new(t, InOrder).map_err(unfit)?, &mut level, recorder)
         }
         _ => return Err(CurveError::Method(method)),
     };

@@ -8,6 +8,7 @@
 
 mod ask;
 pub mod author;
+mod bits;
 mod case;
 mod judge;
 mod own;

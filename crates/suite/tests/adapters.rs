@@ -54,7 +54,7 @@ impl Language {
 
 /// Of a file of `spec/suite`.
 fn text(path: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("spec/suite").join(path);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../spec/suite").join(path);
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 

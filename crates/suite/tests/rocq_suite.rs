@@ -79,9 +79,9 @@ fn example(case: &Case, number: usize) -> String {
 
 #[test]
 fn what_the_suite_expects_is_what_the_models_do() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("spec/rocq/Suite.v");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../spec/rocq/Suite.v");
     let mut text = String::from(
-        "(** Cases of the conformance suite with what it expects. Written by tests/rocq_suite.rs. *)\n\n\
+        "(** Cases of the conformance suite with what it expects. Written by crates/suite/tests/rocq_suite.rs. *)\n\n\
          Require Import List PArith NArith.\nRequire Import Tree Cases.\nImport ListNotations.\nOpen Scope N_scope.\n",
     );
     let suite = author::suite();

@@ -8,12 +8,14 @@ use stackless_bvh::generate::Search;
 use stackless_bvh::order::Flow;
 use stackless_bvh::traverse::{Method, Test, WordName};
 use stackless_bvh::tree::{Keys, Topology};
-use stackless_check::planted::{self, Instead, LAYERS, Planted, Seer, Snapshot};
+use stackless_check::planted::{self, Instead, LAYERS, Planted, Seer};
 use stackless_suite::{
     Answer, Ask, Case, Expect, Feature, Flaw, Hello, Implementation, Level, Library, Limits, PROTOCOL, Suite, author,
     judge,
 };
 
+#[path = "suite/imports.rs"]
+mod imports;
 #[path = "suite/layers.rs"]
 mod layers;
 #[path = "suite/runner.rs"]
@@ -23,10 +25,10 @@ mod runner;
 mod table;
 
 fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("spec/suite")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../spec/suite")
 }
 
-/// To make the files anew: `UPDATE=1 cargo test --test suite`.
+/// To make the files anew: `UPDATE=1 cargo test -p stackless-suite --test suite`.
 #[test]
 fn the_files_are_as_made() {
     let suite = author::suite();
@@ -226,9 +228,9 @@ fn answer(bug: &Planted, case: &Case) -> Option<(Vec<Feature>, Answer)> {
     let mut search = Search::new(&of_tree.tree, &of_tree.tape, of_tree.any);
     // On the way down from the root again a visit may be repeated as often as the tree is deep.
     let most = (of_tree.size() + 9) * (of_tree.tree.depth() as usize + 2);
-    let (mut seen, mut steps) = (Vec::<Snapshot>::new(), 0);
+    let (mut seen, mut steps) = (Vec::<State<u64>>::new(), 0);
     bug.run(&of_tree, &mut search, |snapshot| {
-        if !snapshot.is_restarting() {
+        if !snapshot.is_restarting {
             seen.push(*snapshot);
         }
         steps += 1;
@@ -238,19 +240,18 @@ fn answer(bug: &Planted, case: &Case) -> Option<(Vec<Feature>, Answer)> {
         // To a runner it is a timeout.
         return Some((vec![Feature::Changing], Answer::Unsupported("no end".to_owned())));
     }
-    let slot = |snapshot: &Snapshot| of_tree.tree.slot(snapshot.node());
-    let key = |snapshot: &Snapshot| snapshot.key().unwrap_or_else(|| keys.key(slot(snapshot)));
+    let slot = |snapshot: &State<u64>| of_tree.tree.slot(snapshot.node);
+    let key = |snapshot: &State<u64>| snapshot.key.unwrap_or_else(|| keys.key(slot(snapshot)));
     let mut events = Vec::new();
     for (i, snapshot) in seen.iter().enumerate() {
         let before = i.checked_sub(1).map(|i| &seen[i]);
-        let is_child = |before: &Snapshot| {
-            !before.node().is_leaf() && of_tree.tree.children(before.node()).contains(&snapshot.node())
-        };
+        let is_child =
+            |before: &State<u64>| !before.node.is_leaf() && of_tree.tree.children(before.node).contains(&snapshot.node);
         if let Some(before) = before.filter(|before| !is_child(before)) {
             let levels = i64::from(keys.depth(slot(before))) - i64::from(keys.depth(slot(snapshot)));
             events.push(format!("backtrack {:x} {levels}", key(snapshot)));
         }
-        let kind = if snapshot.node().is_leaf() { "leaf" } else { "enter" };
+        let kind = if snapshot.node.is_leaf() { "leaf" } else { "enter" };
         events.push(format!("{kind} {:x}", key(snapshot)));
     }
     events.push("end".to_owned());
@@ -274,16 +275,16 @@ fn answer(bug: &Planted, case: &Case) -> Option<(Vec<Feature>, Answer)> {
             fields.insert(feature.name().to_owned(), serde_json::json!(words));
         }
     };
-    let words = |word: fn(&Snapshot) -> Option<u64>| -> Vec<_> {
+    let words = |word: fn(&State<u64>) -> Option<u64>| -> Vec<_> {
         seen.iter().map(|snapshot| word(snapshot).map(|word| format!("{word:x}"))).collect()
     };
-    let (trails, counters) = (words(State::trail), words(State::counter));
-    let has_register = seen.iter().any(|snapshot| snapshot.register().is_some());
+    let (trails, counters) = (words(|state| state.trail), words(|state| state.counter));
+    let has_register = seen.iter().any(|snapshot| snapshot.register.is_some());
     let whole = |words: &[Option<String>]| words.iter().all(Option::is_some);
     let (has_trails, has_counters) = (whole(&trails), whole(&counters));
     let registers = seen
         .iter()
-        .map(|snapshot| snapshot.register().map(|node| format!("{:x}", keys.key::<u64>(of_tree.tree.slot(node)))));
+        .map(|snapshot| snapshot.register.map(|node| format!("{:x}", keys.key::<u64>(of_tree.tree.slot(node)))));
     state(Feature::Registers, registers.collect(), has_register && has_trails);
     state(Feature::Trails, trails, has_trails);
     state(Feature::Counters, counters, has_counters);

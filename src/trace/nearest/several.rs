@@ -7,7 +7,7 @@ use glam::Vec3;
 use super::{Around, Near, NearError};
 use crate::bvh::Bvh;
 use crate::geom::Aabb;
-use crate::order::{Descent, Flow, Visitor};
+use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::trace::BoxQuery;
 use crate::tree::{Node, Topology};
 
@@ -65,6 +65,8 @@ impl Visitor for NearestPoints<'_> {
         Flow::Continue
     }
 }
+
+impl Pruned for NearestPoints<'_> {}
 
 impl BoxQuery for NearestPoints<'_> {
     fn touches(&self, aabb: &Aabb) -> bool {

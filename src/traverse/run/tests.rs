@@ -1,7 +1,7 @@
 use alloc::vec;
 
 use super::*;
-use crate::order::{Descent, Flow, Side};
+use crate::order::{Descent, Flow, Side, Visitor};
 use crate::tree::Tree;
 
 /// All leaves from the right.
@@ -15,6 +15,8 @@ impl Visitor for Leaves {
         Flow::Continue
     }
 }
+
+impl Pruned for Leaves {}
 
 impl NodeTest for Leaves {
     fn accept(&mut self, _: Node) -> bool {

@@ -2,7 +2,7 @@
 
 use crate::Case;
 use stackless_bvh::generate::Search;
-use stackless_bvh::order::{Descent, Flow, Visitor};
+use stackless_bvh::order::{Descent, Flow, Pruned, Visitor};
 use stackless_bvh::tree::{Node, Topology, Tree};
 
 /// A search asked in a wrong way.
@@ -56,7 +56,9 @@ impl Visitor for Misasked<'_, '_> {
             _ => flow,
         }
     }
+}
 
+impl Pruned for Misasked<'_, '_> {
     fn inner_marked(&mut self, node: Node) -> Descent {
         let descent = self.search.inner_marked(node);
         let Case { tree, tape, .. } = self.case;

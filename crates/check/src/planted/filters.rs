@@ -246,7 +246,7 @@ fn beyond(draw: &mut Draw<'_>, part: f64, share: fn(&Shares) -> f64) -> Option<S
 }
 
 /// Inputs whose errors come near the bounds: of W in single precision; of W, the determinant, and the distance times
-/// it, in double. `tests/bounds/worst.rs` has more of them. Rows: origin, direction, three corners.
+/// it, in double. `tests/library/bounds/worst.rs` has more of them. Rows: origin, direction, three corners.
 const WORST: [[[u32; 3]; 5]; 4] = [
     [
         [0x3a1a_4f10, 0xba0f_2cf8, 0xba20_3161],

@@ -1,7 +1,6 @@
 //! Algorithm 2 of Barringer & Akenine-Möller 2013 over words of 8 bits, with what is left open in it as one would read
 //! it.
 
-use stackless_bvh::event::State;
 use stackless_bvh::generate::Tape;
 use stackless_bvh::order::Descent;
 use stackless_bvh::traverse::Cursor;
@@ -41,15 +40,13 @@ impl<'t> Implicit<'t> {
     }
 }
 
-impl State for Implicit<'_> {
+impl Cursor for Implicit<'_> {
     type Word = u64;
 
     fn node(&self) -> Node {
         self.node
     }
-}
 
-impl Cursor for Implicit<'_> {
     fn descend(&mut self, descent: Descent) -> bool {
         let right_first = match self.reading {
             Reading::MaskOfRejected => self.tape.cells()[self.tree.slot(self.node)].right_first,

@@ -7,9 +7,9 @@ use super::machine::{BUGS, Bug, Machine, Text};
 use super::mutants::mutants;
 use super::wrapped::{Mutation, Wrapped};
 use super::{LAYERS, Layer, Mistake, Planted, SHADERS, drive};
-use stackless_bvh::order::{ByNode, Descent, FixedOrder, LeftFirst, SignOrder};
+use stackless_bvh::order::{ByNode, Descent, FixedOrder, LeftFirst, SignOrder, Whole};
 use stackless_bvh::traverse::{Cursor, Hapala, Hashed, Skip, Skips, Stack, Test};
-use stackless_bvh::tree::{Parents, Topology, Uncles};
+use stackless_bvh::tree::{Linked, Topology};
 
 /// All bugs.
 pub fn all() -> Vec<Planted> {
@@ -112,13 +112,13 @@ fn marked(how: Misuse, clause: &'static str) -> Planted {
 fn root_untested() -> Planted {
     let run = Planted::case("hapala: the root untested", "HAPALA-1", |case, search, watcher| {
         let (tree, order) = (&case.tree, SignOrder { axes: case.tape.axes(), octant: case.octant });
-        let parents = Parents::of(tree);
-        let mut hapala = Hapala::new(tree, &parents, order);
+        let linked = Linked::parents(tree);
+        let Ok(mut hapala) = Hapala::new(&linked, order) else { return };
         // The first visit is that of the root's near child.
         if !tree.root().is_leaf() {
             hapala.descend(Descent::both(order.first(tree.root())));
         }
-        drive(hapala, &mut ByNode { test: search, order }, watcher);
+        drive(hapala, &mut Whole(ByNode { test: search, order }), watcher);
     });
     run.held_to(Test::NodeBySign)
 }
@@ -126,26 +126,27 @@ fn root_untested() -> Planted {
 fn given() -> Vec<Planted> {
     vec![
         Planted::any("hashed: a table that answers with the sibling", "HASHED-1", |tree, _, visitor, watcher| {
-            if let Ok(cursor) = Hashed::<u64, _, _, _>::new(tree, &<Uncles>::of(tree), Misled(tree)) {
+            if let Ok(cursor) = Hashed::<u64, _, _>::new(&Linked::uncles(tree), Misled(tree)) {
                 drive(cursor, visitor, watcher);
             }
         }),
         Planted::any("hashed: the keys of records that reach further", "HASH-3", |tree, _, visitor, watcher| {
-            if let Ok(cursor) = Hashed::<u64, _, _, _>::new(tree, &<Uncles>::of(tree), Short::of(tree)) {
+            if let Ok(cursor) = Hashed::<u64, _, _>::new(&Linked::uncles(tree), Short::of(tree)) {
                 drive(cursor, visitor, watcher);
             }
         }),
         misrecorded("uncle: uncle and grand uncle changed places", Misrecord::GrandUncle),
         Planted::case("skip: pointers of the other order", "SKIP-1", |case, search, watcher| {
             let skips = Skips::of(&case.tree, &RightFirst);
-            drive(Skip::new(&case.tree, &skips, LeftFirst), &mut ByNode { test: search, order: LeftFirst }, watcher);
+            let search = ByNode { test: search, order: LeftFirst };
+            drive(Skip::new(&case.tree, &skips, LeftFirst), &mut Whole(search), watcher);
         })
         .held_to(Test::NodeLeftFirst),
         Planted::case("hapala: the order of the opposite octant", "HAPALA-1", |case, search, watcher| {
             let order = |octant| SignOrder { axes: case.tape.axes(), octant };
-            let parents = Parents::of(&case.tree);
-            let hapala = Hapala::new(&case.tree, &parents, order(!case.octant));
-            drive(hapala, &mut ByNode { test: search, order: order(case.octant) }, watcher);
+            let linked = Linked::parents(&case.tree);
+            let Ok(hapala) = Hapala::new(&linked, order(!case.octant)) else { return };
+            drive(hapala, &mut Whole(ByNode { test: search, order: order(case.octant) }), watcher);
         })
         .held_to(Test::NodeBySign),
         Planted::any("a detour that passes for a restart", "LAINE-1", |tree, _, visitor, watcher| {

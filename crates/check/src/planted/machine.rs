@@ -6,7 +6,7 @@ use stackless_bvh::generate::Tape;
 use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::order::{Descent, Side};
 use stackless_bvh::traverse::Cursor;
-use stackless_bvh::tree::{Keys, Node, ParentLinks, Parents, Reach, Topology, Tree, UncleLinks, Uncles};
+use stackless_bvh::tree::{Keys, Node, Parents, Reach, Topology, Tree, Uncles};
 
 /// What is written down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -165,7 +165,7 @@ impl<'t, const PRUNES: bool> Machine<'t, PRUNES> {
             }
         }
         if self.register.is_none() && self.trail & 6 != 0 {
-            let [uncle, grand_uncle, _] = (&self.uncles).row(self.tree, self.node);
+            let [uncle, grand_uncle, _] = self.uncles.row(self.tree, self.node);
             self.register = Some(if self.trail & 2 != 0 { uncle } else { grand_uncle });
         }
     }
@@ -173,11 +173,11 @@ impl<'t, const PRUNES: bool> Machine<'t, PRUNES> {
     /// The node so many levels up and over.
     fn climb(&self, levels: u32) -> Node {
         let levels = if self.bug == Bug::SiblingForUncle && levels == 1 { 0 } else { levels };
-        let ancestor = (0..levels).fold(self.node, |node, _| (&self.parents).parent(self.tree, node));
+        let ancestor = (0..levels).fold(self.node, |node, _| self.parents.row(self.tree, node)[0]);
         match self.bug {
             Bug::NearTwice => ancestor,
             Bug::AddressToggled => self.tree.node(self.tree.slot(ancestor) as u32 ^ 1).unwrap_or(self.tree.root()),
-            _ => (&self.parents).sibling(self.tree, ancestor),
+            _ => self.parents.row(self.tree, ancestor)[1],
         }
     }
 
@@ -206,41 +206,29 @@ impl<'t, const PRUNES: bool> Machine<'t, PRUNES> {
     }
 }
 
-impl<const PRUNES: bool> State for Machine<'_, PRUNES> {
+impl<const PRUNES: bool> Cursor for Machine<'_, PRUNES> {
     type Word = u64;
+    const PRUNES: bool = PRUNES;
 
     fn node(&self) -> Node {
         self.node
     }
 
-    fn key(&self) -> Option<u64> {
-        Some(self.key)
-    }
-
-    fn trail(&self) -> Option<u64> {
-        (!PRUNES).then_some(self.trail)
-    }
-
-    fn counter(&self) -> Option<u64> {
-        let start = 1 << self.key.max(1).ilog2();
-        let counter = self.trail ^ (start - 1);
+    fn state(&self) -> State<u64> {
+        let is_climb = self.text == Text::Climb;
         // Where the key itself is wrong on purpose, so would be all that is derived from it.
-        let shown =
-            self.text == Text::Climb && !matches!(self.bug, Bug::KeyNotToggled | Bug::StaleKey | Bug::NarrowKey);
-        shown.then_some(if self.bug == Bug::CounterWithoutStart { counter } else { start | counter })
+        let has_counter = is_climb && !matches!(self.bug, Bug::KeyNotToggled | Bug::StaleKey | Bug::NarrowKey);
+        let start = 1 << self.key.max(1).ilog2();
+        let shown = if self.bug == Bug::CounterWithoutStart { 0 } else { start };
+        State {
+            key: Some(self.key),
+            trail: (!PRUNES).then_some(self.trail),
+            counter: has_counter.then_some(shown | self.trail ^ (start - 1)),
+            register: self.register.filter(|_| is_climb),
+            is_restarting: self.restarting,
+            ..State::of(self.node)
+        }
     }
-
-    fn register(&self) -> Option<Node> {
-        self.register.filter(|_| self.text == Text::Climb)
-    }
-
-    fn is_restarting(&self) -> bool {
-        self.restarting
-    }
-}
-
-impl<const PRUNES: bool> Cursor for Machine<'_, PRUNES> {
-    const PRUNES: bool = PRUNES;
 
     fn descend(&mut self, descent: Descent) -> bool {
         self.load();

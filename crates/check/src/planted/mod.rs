@@ -25,7 +25,6 @@ mod slabs;
 mod tables;
 mod wrapped;
 
-pub use crate::Snapshot;
 pub use layers::{Hits, Instead, LAYERS, Layer, Mistake, Table};
 pub use list::{Seer, all, controls, marks, rows, unseen};
 pub use lookups::Function;
@@ -35,9 +34,9 @@ use super::{Battery, Case, Fault, Verdict, Watch};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::{Search, Tape};
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::order::{Flow, Visitor};
-use stackless_bvh::traverse::{Cursor, Test, traverse};
-use stackless_bvh::tree::Tree;
+use stackless_bvh::order::{Flow, Pruned};
+use stackless_bvh::traverse::{Cursor, Test, traverse_pruned};
+use stackless_bvh::tree::{Node, Tree};
 
 /// A traversal with a bug, or, as a control, without one.
 pub struct Planted {
@@ -60,17 +59,17 @@ enum Run {
     Case(Box<CaseRun>),
 }
 
-type AnyRun = dyn Fn(&Tree, &Tape, &mut dyn Visitor, &mut Watcher<'_>);
+type AnyRun = dyn Fn(&Tree, &Tape, &mut dyn Pruned, &mut Watcher<'_>);
 type CaseRun = dyn Fn(&Case, &mut Search<'_, Tree>, &mut Watcher<'_>);
 
 /// Looks at each visit.
-struct Watcher<'a>(&'a mut dyn FnMut(&Snapshot) -> Flow);
+struct Watcher<'a>(&'a mut dyn FnMut(&State<u64>) -> Flow);
 
 impl Planted {
     fn any(
         name: impl Into<String>,
         clause: &'static str,
-        run: impl Fn(&Tree, &Tape, &mut dyn Visitor, &mut Watcher<'_>) + 'static,
+        run: impl Fn(&Tree, &Tape, &mut dyn Pruned, &mut Watcher<'_>) + 'static,
     ) -> Self {
         Self::new(name.into(), clause, Run::Any(Box::new(run)))
     }
@@ -127,7 +126,7 @@ impl Planted {
     /// How it differs from its reference over a case; `None` if it does not.
     pub fn fault(&self, case: &Case) -> Option<Fault> {
         let verdict = Battery::new(case, &[]).judge(self.test, self.restarts, |search, watch: &mut Watch<'_>, _, _| {
-            self.run(case, search, |seen| watch.visit(seen));
+            self.run(case, search, |seen| watch.visit(seen.node, || *seen));
             Ok(())
         });
         match verdict {
@@ -137,7 +136,7 @@ impl Planted {
     }
 
     /// Runs it over a case.
-    pub fn run(&self, case: &Case, search: &mut Search<'_, Tree>, mut watch: impl FnMut(&Snapshot) -> Flow) {
+    pub fn run(&self, case: &Case, search: &mut Search<'_, Tree>, mut watch: impl FnMut(&State<u64>) -> Flow) {
         let watcher = &mut Watcher(&mut watch);
         match &self.run {
             Run::Any(run) => run(&case.tree, &case.tape, search, watcher),
@@ -150,8 +149,8 @@ impl Planted {
         &self,
         tree: &Tree,
         tape: &Tape,
-        visitor: &mut dyn Visitor,
-        mut watch: impl FnMut(&Snapshot) -> Flow,
+        visitor: &mut dyn Pruned,
+        mut watch: impl FnMut(&State<u64>) -> Flow,
     ) -> bool {
         match &self.run {
             Run::Any(run) => run(tree, tape, visitor, &mut Watcher(&mut watch)),
@@ -168,11 +167,11 @@ impl core::fmt::Debug for Planted {
 }
 
 impl Recorder for &mut Watcher<'_> {
-    fn visit(&mut self, state: &impl State) -> Flow {
-        (self.0)(&Snapshot::of(state, KeyWord::to_u64))
+    fn visit<W: KeyWord>(&mut self, _: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        (self.0)(&state().map(|word| word.to_u64()))
     }
 }
 
-fn drive(cursor: impl Cursor, visitor: &mut (impl Visitor + ?Sized), mut watcher: &mut Watcher<'_>) {
-    traverse(cursor, &mut { visitor }, &mut watcher);
+fn drive(cursor: impl Cursor, visitor: &mut (impl Pruned + ?Sized), mut watcher: &mut Watcher<'_>) {
+    traverse_pruned(cursor, &mut { visitor }, &mut watcher);
 }

@@ -5,7 +5,7 @@ use stackless_bvh::key::TooDeep;
 use stackless_bvh::traverse::{
     Afra, ByKey, Glassner, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine, Sparse, Stack, Uncle,
 };
-use stackless_bvh::tree::{Parents, Uncles};
+use stackless_bvh::tree::Linked;
 
 use super::wrapped::{Mutation, Wrapped};
 use super::{Planted, drive};
@@ -24,10 +24,10 @@ pub(super) fn mutants(mutation: Mutation) -> Vec<Planted> {
     }
     let mut all = mutants![
         "stack", |tree| Ok::<_, TooDeep>(Stack::new(tree, &mut Vec::new()));
-        "sparse", |tree| Sparse::<u64, _, _>::new(tree, &Parents::of(tree));
-        "afra", |tree| Afra::<u64, _, _>::new(tree, &Parents::of(tree));
-        "uncle", |tree| Uncle::<u64, _, _>::new(tree, &<Uncles>::of(tree));
-        "hashed", |tree| Hashed::<u64, _, _, _>::new(tree, &<Uncles>::of(tree), KeyMap::of(tree));
+        "sparse", |tree| Sparse::<u64, _>::new(&Linked::parents(tree));
+        "afra", |tree| Afra::<u64, _>::new(&Linked::parents(tree));
+        "uncle", |tree| Uncle::<u64, _>::new(&Linked::uncles(tree));
+        "hashed", |tree| Hashed::<u64, _, _>::new(&Linked::uncles(tree), KeyMap::of(tree));
         "implicit-a", |tree| ImplicitA::<u64, _>::new(tree, KeyMap::of(tree));
         "implicit-a1", |tree| ImplicitA1::<u64, _>::new(tree, KeyMap::of(tree));
         "implicit-b", |tree| ImplicitB::<u64, _>::new(tree, KeyMap::of(tree));

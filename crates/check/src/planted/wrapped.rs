@@ -40,38 +40,20 @@ impl<'t, C> Wrapped<'t, C> {
     }
 }
 
-impl<C: State> Wrapped<'_, C> {
-    /// Words of the traversal, where it is itself.
-    fn own<V>(&self, word: impl Fn(&C) -> Option<V>) -> Option<V> {
-        if self.astray.is_none() { word(&self.cursor) } else { None }
-    }
-}
-
-impl<C: State> State for Wrapped<'_, C> {
+impl<C: Cursor> Cursor for Wrapped<'_, C> {
     type Word = C::Word;
+    const RESTARTS: bool = true;
 
     fn node(&self) -> Node {
         self.astray.unwrap_or_else(|| self.cursor.node())
     }
-    fn key(&self) -> Option<C::Word> {
-        self.own(State::key)
-    }
-    fn trail(&self) -> Option<C::Word> {
-        self.own(State::trail)
-    }
-    fn counter(&self) -> Option<C::Word> {
-        self.own(State::counter)
-    }
-    fn register(&self) -> Option<Node> {
-        self.own(State::register)
-    }
-    fn is_restarting(&self) -> bool {
-        self.cursor.is_restarting() || self.astray.is_some() && self.mutation == Mutation::Wandering
-    }
-}
 
-impl<C: Cursor> Cursor for Wrapped<'_, C> {
-    const RESTARTS: bool = true;
+    fn state(&self) -> State<C::Word> {
+        match self.astray {
+            None => self.cursor.state(),
+            Some(node) => State { is_restarting: self.mutation == Mutation::Wandering, ..State::of(node) },
+        }
+    }
 
     fn descend(&mut self, descent: Descent) -> bool {
         if self.astray.is_some() {
@@ -82,7 +64,7 @@ impl<C: Cursor> Cursor for Wrapped<'_, C> {
             Mutation::FarFirst if descent.postpones() => Descent::both(first.other()),
             Mutation::FarLost => Descent::only(first),
             Mutation::MissedWanted => Descent::both(first),
-            Mutation::Hasty if self.is_restarting() && !descent.postpones() => return false,
+            Mutation::Hasty if self.cursor.state().is_restarting && !descent.postpones() => return false,
             _ => descent,
         };
         self.cursor.descend(told)

@@ -3,11 +3,11 @@
 use super::observe::{self, LinkTable, Log, Seen, Word};
 use super::text::binary;
 use super::{By, ExplainError, Next, Step, slot, text};
-use stackless_bvh::event::Recorder;
+use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::order::{Descent, Flow, Pruning};
 use stackless_bvh::traverse::Method;
-use stackless_bvh::tree::{Keys, Node, ParentLinks, Parents, Topology, Tree};
-use stackless_check::{Case, Expected, Fault, Snapshot, Visit, Watch};
+use stackless_bvh::tree::{Keys, Node, Parents, Topology, Tree};
+use stackless_check::{Case, Expected, Fault, Visit, Watch};
 
 /// What the oracle of a traversal does on a case, and what the tree says of its nodes.
 #[derive(Debug)]
@@ -47,7 +47,7 @@ impl<'a> Judge<'a> {
         let (visits, restarts) = (Expected::Visits(expected), self.method.restarts());
         let mut watch = Watch::new(self.tree, &self.keys, &self.parents, visits, u64::MAX, restarts);
         for seen in steps {
-            if watch.visit(&seen.state) == Flow::Stop {
+            if watch.visit(seen.state.node, || seen.state) == Flow::Stop {
                 break;
             }
             if !seen.state.is_restarting {
@@ -76,7 +76,7 @@ impl<'a> Judge<'a> {
     /// A fault with the words that differ.
     fn told(&self, fault: Fault, expected: &[Visit], steps: &[Seen]) -> ExplainError {
         let states: Vec<_> = steps.iter().map(|seen| &seen.state).filter(|state| !state.is_restarting).collect();
-        let word = |visit: usize, word: fn(&Snapshot<Word>) -> Option<Word>| {
+        let word = |visit: usize, word: fn(&State<Word>) -> Option<Word>| {
             states.get(visit).and_then(|state| word(state)).as_ref().map(binary)
         };
         let postponed = |visit: usize| expected.get(visit).map_or(&[][..], |visit| &visit.postponed);
@@ -170,7 +170,7 @@ impl<'a> Judge<'a> {
         sides.into_iter().flatten().map(|side| self.tree.child(node, side)).collect()
     }
 
-    fn next(&self, seen: &Seen, following: &Snapshot<Word>, wanted: &[Node]) -> Next {
+    fn next(&self, seen: &Seen, following: &State<Word>, wanted: &[Node]) -> Next {
         let (node, descends) = (following.node, wanted.contains(&following.node));
         // A climb reads a record more than once.
         let mut way = seen.read.clone();
@@ -194,7 +194,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Where the address of a postponed node comes from, if not from the perfect hash.
-    fn source(&self, seen: &Seen, following: &Snapshot<Word>, stayed: bool) -> By {
+    fn source(&self, seen: &Seen, following: &State<Word>, stayed: bool) -> By {
         match self.method.without_pruning() {
             Method::Uncle | Method::Hashed => {
                 let links = self.links.of_node(self.tree, seen.state.node);
@@ -218,7 +218,7 @@ impl<'a> Judge<'a> {
     fn words(&self, mut node: Node, stack: &[Node]) -> (String, String) {
         let mut bits = Vec::new();
         while node != self.tree.root() {
-            let [parent, sibling] = ParentLinks::row(&&self.parents, self.tree, node);
+            let [parent, sibling] = self.parents.row(self.tree, node);
             bits.push(stack.contains(&sibling));
             node = parent;
         }

@@ -8,12 +8,15 @@ use stackless_bvh::generate::Search;
 use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{ByNode, Descent, FixedOrder, Flow, LeftFirst, NodeTest, Pruning, SignOrder, Visitor};
+use stackless_bvh::order::{
+    ByNode, Descent, FixedOrder, Flow, LeftFirst, NodeTest, Pruned, Pruning, SignOrder, Visitor,
+};
 use stackless_bvh::traverse::{
     Afra, Disjoint, Hapala, HashOnly, Hashed, Marks, Method, Sparse, Tables, Test, Uncle, Unfit, traverse,
+    traverse_pruned,
 };
-use stackless_bvh::tree::{Node, ParentLinks, Parents, Reach, Topology, Tree, UncleLinks, Uncles};
-use stackless_check::{Case, Snapshot, Watched};
+use stackless_bvh::tree::{Linked, Node, Parents, Reach, Topology, Tree, Uncles};
+use stackless_check::{Case, Watched};
 
 /// Deepest tree that gets the implicit layout.
 const IMPLICIT_DEPTH: u32 = 13;
@@ -24,7 +27,7 @@ pub(super) type Word = u128;
 /// What is seen from a visit to the next.
 #[derive(Clone, Debug)]
 pub(super) struct Seen {
-    pub(super) state: Snapshot<Word>,
+    pub(super) state: State<Word>,
     /// At an inner node.
     pub(super) descent: Option<Descent>,
     pub(super) found: Found,
@@ -118,7 +121,7 @@ impl LinkTable {
     pub(super) fn of(tree: &Tree, method: Method) -> Self {
         match method.without_pruning() {
             Method::Sparse | Method::Afra | Method::Hapala => Self::Parents(Parents::of(tree)),
-            Method::Uncle | Method::Hashed => Self::Uncles(<Uncles>::of(tree)),
+            Method::Uncle | Method::Hashed => Self::Uncles(Uncles::of(tree)),
             _ => Self::Nothing,
         }
     }
@@ -152,34 +155,31 @@ fn by_sign(case: &Case) -> SignOrder<'_> {
 fn run_own<M: Marks<Word>>(case: &Case, method: Method, hash: Option<&PerfectHash>, log: &Log) -> Result<bool, Unfit> {
     let tree = &case.tree;
     let (mut search, mut watching) = (Deciding::new(case, method, log), Watching::new(case, log));
+    let linked = Linked::naming(tree, &[method.wants_recorded()]);
     let watch = |node| log.note(|seen| seen.read.push(node));
     let table = || Some(Asked { hash: hash?, tree, log });
-    match (method.without_pruning(), &LinkTable::of(tree, method)) {
-        (Method::Sparse, LinkTable::Parents(parents)) => {
-            traverse(
-                Sparse::<Word, _, _, M>::new(tree, Watched { links: parents, watch })?,
-                &mut search,
-                &mut watching,
-            );
+    match method.without_pruning() {
+        Method::Sparse => {
+            traverse_pruned(Sparse::<Word, _, M>::new(&Watched { tree: &linked, watch })?, &mut search, &mut watching);
         }
-        (Method::Afra, LinkTable::Parents(parents)) => {
-            traverse(Afra::<Word, _, _, M>::new(tree, Watched { links: parents, watch })?, &mut search, &mut watching);
+        Method::Afra => {
+            traverse_pruned(Afra::<Word, _, M>::new(&Watched { tree: &linked, watch })?, &mut search, &mut watching);
         }
-        (Method::Hapala, LinkTable::Parents(parents)) => {
+        Method::Hapala => {
             let order = by_sign(case);
             let mut search = ByNode { test: search, order };
-            traverse(Hapala::new(tree, Watched { links: parents, watch }, order), &mut search, &mut watching);
+            traverse(Hapala::new(&Watched { tree: &linked, watch }, order)?, &mut search, &mut watching);
         }
-        (Method::Uncle, LinkTable::Uncles(uncles)) => {
-            traverse(Uncle::<Word, _, _, M>::new(tree, Watched { links: uncles, watch })?, &mut search, &mut watching);
+        Method::Uncle => {
+            traverse_pruned(Uncle::<Word, _, M>::new(&Watched { tree: &linked, watch })?, &mut search, &mut watching);
         }
-        (Method::Hashed, LinkTable::Uncles(uncles)) => {
-            let (links, table) = (Watched { links: uncles, watch }, table().ok_or(Unfit::NoTable)?);
-            traverse(Hashed::<Word, _, _, _, M>::new(tree, links, table)?, &mut search, &mut watching);
+        Method::Hashed => {
+            let (watched, table) = (Watched { tree: &linked, watch }, table().ok_or(Unfit::NoTable)?);
+            traverse_pruned(Hashed::<Word, _, _, M>::new(&watched, table)?, &mut search, &mut watching);
         }
-        (Method::HashOnly, _) => {
+        Method::HashOnly => {
             let table = table().ok_or(Unfit::NoTable)?;
-            traverse(HashOnly::<Word, _, _>::new(tree, table)?, &mut search, &mut watching);
+            traverse_pruned(HashOnly::<Word, _, _>::new(tree, table)?, &mut search, &mut watching);
         }
         _ => return Ok(false),
     }
@@ -215,9 +215,9 @@ impl<'a> Watching<'a> {
 }
 
 impl Recorder for Watching<'_> {
-    fn visit(&mut self, state: &impl State) -> Flow {
+    fn visit<W: KeyWord>(&mut self, _: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        let state = state().map(|word| wide(&word));
         let mut steps = self.log.0.borrow_mut();
-        let state = Snapshot::of(state, wide);
         steps.push(Seen { state, descent: None, found: Found::default(), read: Vec::new(), lookup: None });
         if steps.len() < self.limit { Flow::Continue } else { Flow::Stop }
     }
@@ -267,7 +267,9 @@ impl Visitor for Deciding<'_> {
     fn leaf(&mut self, node: Node) -> Flow {
         self.look_into(|search| Visitor::leaf(search, node))
     }
+}
 
+impl Pruned for Deciding<'_> {
     fn allows(&self, pruning: Pruning) -> bool {
         self.search.allows(pruning)
     }

@@ -3,10 +3,10 @@
 use super::judge::Judge;
 use super::observe::Seen;
 use super::{By, Entry, Next};
+use stackless_bvh::event::State;
 use stackless_bvh::key::{KeyWord, Side};
 use stackless_bvh::order::Descent;
 use stackless_bvh::traverse::{Method, Test};
-use stackless_check::Snapshot;
 
 /// A word in binary, without leading zeros.
 pub(super) fn binary<W: KeyWord>(word: &W) -> String {
@@ -182,7 +182,7 @@ fn back(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static st
             1 => "1 zero".to_owned(),
             levels => format!("{levels} zeros"),
         };
-        let Snapshot { key, trail, counter, .. } = &seen.state;
+        let State { key, trail, counter, .. } = &seen.state;
         let [key, trail, counter] = [key, trail, counter].map(|word| word.as_ref().map(binary));
         text = match (&key, &trail, &counter) {
             // The hit has changed the trail since it was shown.

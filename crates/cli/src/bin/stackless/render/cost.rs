@@ -4,12 +4,13 @@ use stackless_bvh::bvh::Bvh;
 use stackless_bvh::event::Source;
 use stackless_bvh::geom::{Aabb, Ray};
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::order::{ByNode, SignOrder, Visitor};
+use stackless_bvh::order::{ByNode, Pruned, SignOrder};
 use stackless_bvh::trace::{AnyByNode, ClosestByNode, Query, Tracer};
 use stackless_bvh::traverse::{
-    Afra, Disjoint, Hapala, Marks, Method, Sparse, Tables, Test, Uncle, Unfit, WithWord, traverse, with_word,
+    Afra, Disjoint, Hapala, Marks, Method, Sparse, Tables, Test, Uncle, Unfit, WithWord, traverse, traverse_pruned,
+    with_word,
 };
-use stackless_bvh::tree::{Implicit, Parents, Uncles};
+use stackless_bvh::tree::{Implicit, Linked};
 use stackless_check::{Reads, Steps, Watched};
 
 /// What is counted.
@@ -58,8 +59,7 @@ pub(super) struct Costs<'a> {
 struct Walks<'a> {
     bvh: &'a Bvh,
     tables: Tables<'a, Bvh>,
-    parents: Option<Parents>,
-    uncles: Option<Uncles>,
+    linked: Linked<'a, Bvh>,
     boxes: Vec<Aabb>,
 }
 
@@ -94,12 +94,10 @@ impl<'a> Costs<'a> {
 
 impl<'a> Walks<'a> {
     fn new(bvh: &'a Bvh, method: Method) -> Self {
-        let climbs = |methods: &[Method]| methods.contains(&method.without_pruning());
         Self {
             bvh,
             tables: Tables::new(bvh, bvh.axes(), &[method], Implicit::LIMIT),
-            parents: climbs(&[Method::Sparse, Method::Afra, Method::Hapala]).then(|| Parents::of(bvh)),
-            uncles: climbs(&[Method::Uncle]).then(|| Uncles::of(bvh)),
+            linked: Linked::naming(bvh, &[method.wants_recorded()]),
             boxes: bvh.own_boxes(),
         }
     }
@@ -142,21 +140,22 @@ impl Run<'_, '_, '_> {
     fn run<W: KeyWord, M: Marks<W>>(self) -> Result<(), Unfit> {
         let Self { walks, method, octant, mut query, reads, steps } = self;
         let query = &mut query;
-        let Walks { bvh, tables, parents, uncles, .. } = walks;
+        let Walks { bvh, tables, linked, .. } = walks;
         let watch = |node| reads.count(node);
-        match (method.without_pruning(), parents, uncles) {
-            (Method::Sparse, Some(links), _) => {
-                traverse(Sparse::<W, _, _, M>::new(*bvh, Watched { links, watch })?, query, steps);
+        let watched = Watched { tree: linked, watch };
+        match method.without_pruning() {
+            Method::Sparse => {
+                traverse_pruned(Sparse::<W, _, M>::new(&watched)?, query, steps);
             }
-            (Method::Afra, Some(links), _) => {
-                traverse(Afra::<W, _, _, M>::new(*bvh, Watched { links, watch })?, query, steps);
+            Method::Afra => {
+                traverse_pruned(Afra::<W, _, M>::new(&watched)?, query, steps);
             }
-            (Method::Hapala, Some(links), _) => {
+            Method::Hapala => {
                 let order = SignOrder { axes: bvh.axes(), octant };
-                traverse(Hapala::new(*bvh, Watched { links, watch }, order), &mut ByNode { test: query, order }, steps);
+                traverse(Hapala::new(&watched, order)?, &mut ByNode { test: query, order }, steps);
             }
-            (Method::Uncle, _, Some(links)) => {
-                traverse(Uncle::<W, _, _, M>::new(*bvh, Watched { links, watch })?, query, steps);
+            Method::Uncle => {
+                traverse_pruned(Uncle::<W, _, M>::new(&watched)?, query, steps);
             }
             _ => tables.run::<W, _>(method, octant, &mut Vec::new(), query, steps)?,
         }
