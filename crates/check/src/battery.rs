@@ -1,7 +1,7 @@
 //! The property body: one traversal against its oracle.
 
 use super::Case;
-use super::watch::{Fault, Watch};
+use super::watch::{Expected, Fault, Watch};
 use stackless_bvh::event::Trace;
 use stackless_bvh::generate::{Outcome, Search};
 use stackless_bvh::key::KeyWord;
@@ -91,8 +91,8 @@ impl<'c> Battery<'c> {
             (true, true) => (expected.len() as u64 + 1) * longest_way,
             (false, _) => (case.size() as u64 + 1) * longest_way,
         };
-        let mut watch =
-            Watch::new(&case.tree, &self.keys, &self.parents, exact.then_some(expected), step_limit, restarts);
+        let expected = if exact { Expected::Nodes(expected) } else { Expected::Nothing };
+        let mut watch = Watch::new(&case.tree, &self.keys, &self.parents, expected, step_limit, restarts);
         let mut search = Search::new(&case.tree, &case.tape, case.any);
         let misses_before = self.tables.misses();
         if let Err(unfit) = run(&mut search, &mut watch, &self.tables, &mut self.memory) {

@@ -8,7 +8,7 @@ use stackless_bvh::generate::Search;
 use stackless_bvh::order::Flow;
 use stackless_bvh::traverse::{Method, Test, WordName};
 use stackless_bvh::tree::{Keys, Topology};
-use stackless_check::planted::{self, Instead, LAYERS, Planted};
+use stackless_check::planted::{self, Instead, LAYERS, Planted, Seer};
 use stackless_suite::{
     Answer, Ask, Case, Expect, Feature, Flaw, Hello, Implementation, Level, Library, Limits, PROTOCOL, Suite, author,
     judge,
@@ -125,17 +125,6 @@ fn a_table_needs_its_fields_and_no_more() {
     }
 }
 
-/// Bugs that do not show in what the suite asks for, and why.
-const UNSEEN: &[(&str, &str)] = &[
-    ("AsksTwice", "the second answer is the first one"),
-    ("a detour that passes for a restart", "visits on the way down again are not told"),
-    ("smaller bounds: half for edge functions in single precision", HALF),
-    ("smaller bounds: half for signs", HALF),
-];
-
-const HALF: &str = "errors of more than half of it are known, but beside an edge, where an answer turns on it, none of more than \
-     that of `far-off-single` and `far-off-double`";
-
 /// Each planted bug, as an implementation, fails a case of the clause that it breaks. `[CONF-4]`
 #[test]
 fn every_planted_bug_fails_a_case_of_its_clause() {
@@ -186,13 +175,13 @@ fn seen(
     let clause = if suite.cases().any(|(_, case)| cites(case, clause)) { clause } else { seen_as };
     let of_clause: Vec<_> = failed.iter().filter(|(case, _)| cites(case, clause)).collect();
     let (failed, count) = (failed.len(), of_clause.len());
-    match (of_clause.first(), UNSEEN.iter().find(|(unseen, _)| *unseen == name)) {
+    match (of_clause.first(), planted::unseen(name, Seer::Suite)) {
         (Some((case, flaw)), None) => {
             // The sign of a NaN is the compiler's.
             let flaw = flaw.to_string().replace("ffc00000", "7fc00000");
             Ok(format!("{failed} of {asked}, {count} about {clause}; `{}`: {flaw}", case.id))
         }
-        (None, Some((_, why))) => Ok(format!("{}{why}", table::NO)),
+        (None, Some(why)) => Ok(format!("{}{why}", table::NO)),
         (None, None) => Err(format!("fails {failed} of {asked}, none about {clause}")),
         (Some((case, flaw)), Some(_)) => Err(format!("does show: {}: {flaw}", case.id)),
     }

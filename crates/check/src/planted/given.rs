@@ -1,10 +1,11 @@
 //! Tables and records that are not those of the tree.
 
+use super::wrapped::{Mutation, Wrapped};
 use super::{Planted, drive};
 use stackless_bvh::hash::{KeySet, Lookup, Options, PerfectHash, Sizing};
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::order::{Descent, FixedOrder, Side};
-use stackless_bvh::traverse::{Cursor, Sparse, Uncle};
+use stackless_bvh::order::{FixedOrder, Side};
+use stackless_bvh::traverse::{Sparse, Uncle};
 use stackless_bvh::tree::{Keys, Linked, Node, Parents, Reach, Recorded, Topology, Tree, Uncles};
 
 /// A table that answers with the sibling.
@@ -116,45 +117,13 @@ pub(super) fn shallow() -> Planted {
     run.carrying(64)
 }
 
-/// Algorithm 4 of Barringer & Akenine-Möller 2013 as printed: its end is where the climb arrives at the root, which is its own
-/// sibling. Here it is not.
+/// A traversal that does not know that the root has no sibling.
 pub(super) fn with_sibling_of_root() -> Planted {
     Planted::any("", "SPARSE-1", |tree, _, visitor, watcher| {
         if let Ok(sparse) = Sparse::<u64, _>::new(&Linked::parents(tree)) {
-            drive(Passing { sparse, tree, beyond: None }, visitor, watcher);
+            drive(Wrapped::new(tree, sparse, Mutation::PastRoot), visitor, watcher);
         }
     })
-}
-
-/// Goes on at the root's left child, once.
-struct Passing<'t, C> {
-    sparse: C,
-    tree: &'t Tree,
-    beyond: Option<Node>,
-}
-
-impl<C: Cursor> Cursor for Passing<'_, C> {
-    type Word = C::Word;
-
-    fn node(&self) -> Node {
-        self.beyond.unwrap_or_else(|| self.sparse.node())
-    }
-
-    fn descend(&mut self, descent: Descent) -> bool {
-        self.beyond.is_none() && self.sparse.descend(descent)
-    }
-
-    fn backtrack(&mut self) -> bool {
-        if self.beyond.is_some() {
-            return false;
-        }
-        if !self.sparse.backtrack() {
-            let root = self.tree.root();
-            self.beyond = (!root.is_leaf()).then(|| self.tree.child(root, Side::Left));
-            return self.beyond.is_some();
-        }
-        true
-    }
 }
 
 pub(super) struct RightFirst;

@@ -1,9 +1,10 @@
-//! Planted bugs (feature `planted`): traversals with one mistake each, which every layer of checks has to catch.
+//! Planted bugs: traversals with one mistake each, which every layer of checks has to catch.
 //!
-//! Battery, fuzzer, proof harnesses, conformance cases: a check that lets one of these pass where it could show is no check.
+//! Battery, fuzzer, proof harnesses, conformance cases: a check that lets one of these pass where it could show is no
+//! check.
 //!
-//! Beside them are the layers below ([`LAYERS`]): tables, tests of triangles and boxes, searches and hierarchies with one mistake each,
-//! for the property bodies of these. `tests/PLANTED.md` says what is seen of each.
+//! Beside them are the layers below ([`LAYERS`]): tables, tests of triangles and boxes, searches and hierarchies with
+//! one mistake each, for the property bodies of these. `tests/PLANTED.md` says what is seen of each.
 
 mod asked;
 mod draw;
@@ -11,22 +12,23 @@ mod files;
 mod filters;
 mod given;
 mod hierarchies;
+mod implicit;
 mod kernels;
 mod layers;
 mod list;
 mod lookups;
+mod machine;
 mod mutants;
-mod printed;
 mod searches;
+mod shaders;
 mod slabs;
-mod slips;
 mod tables;
-mod textbook;
-mod wanderer;
+mod wrapped;
 
 pub use layers::{Hits, Instead, LAYERS, Layer, Mistake, Table};
-pub use list::{all, controls};
+pub use list::{Seer, all, controls, marks, rows, unseen};
 pub use lookups::Function;
+pub use shaders::{SHADERS, Shader, ShownBy};
 
 use super::{Battery, Case, Fault, Verdict, Watch};
 use stackless_bvh::event::{Recorder, State};

@@ -1,56 +1,14 @@
-//! The traversals of this crate, told something else than what the visitor has said.
+//! The traversals of the library, wrapped, one by one.
 
-use stackless_bvh::event::State;
 use stackless_bvh::hash::KeyMap;
 use stackless_bvh::key::TooDeep;
-use stackless_bvh::order::Descent;
 use stackless_bvh::traverse::{
-    Afra, ByKey, Cursor, Glassner, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine, Sparse, Stack, Uncle,
+    Afra, ByKey, Glassner, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine, Sparse, Stack, Uncle,
 };
-use stackless_bvh::tree::{Linked, Node};
+use stackless_bvh::tree::Linked;
 
+use super::wrapped::{Mutation, Wrapped};
 use super::{Planted, drive};
-
-/// One of this crate's traversals, told something else than what the visitor has said.
-struct Mutant<C> {
-    cursor: C,
-    mutation: Mutation,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Mutation {
-    None,
-    FarFirst,
-    FarLost,
-    MissedWanted,
-}
-
-impl<C: Cursor> Cursor for Mutant<C> {
-    type Word = C::Word;
-    const RESTARTS: bool = C::RESTARTS;
-
-    fn node(&self) -> Node {
-        self.cursor.node()
-    }
-
-    fn state(&self) -> State<C::Word> {
-        self.cursor.state()
-    }
-
-    fn descend(&mut self, descent: Descent) -> bool {
-        let first = descent.first();
-        self.cursor.descend(match self.mutation {
-            Mutation::FarFirst if descent.postpones() => Descent::both(first.other()),
-            Mutation::FarLost => Descent::only(first),
-            Mutation::MissedWanted => Descent::both(first),
-            _ => descent,
-        })
-    }
-
-    fn backtrack(&mut self) -> bool {
-        self.cursor.backtrack()
-    }
-}
 
 /// Every traversal that tests children at their parent, with a mutation.
 pub(super) fn mutants(mutation: Mutation) -> Vec<Planted> {
@@ -59,7 +17,7 @@ pub(super) fn mutants(mutation: Mutation) -> Vec<Planted> {
             vec![$(Planted::any(format!("{mutation:?} in {}", $name), "ORDER-1", move |tree, _, visitor, watcher| {
                 let $tree = tree;
                 if let Ok(cursor) = $cursor {
-                    drive(Mutant { cursor, mutation }, visitor, watcher);
+                    drive(Wrapped::new(tree, cursor, mutation), visitor, watcher);
                 }
             })),*]
         };

@@ -2,7 +2,6 @@
 
 use std::cell::RefCell;
 
-use super::text::binary;
 use super::{ExplainError, Lookup, Table};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::Search;
@@ -17,25 +16,18 @@ use stackless_bvh::traverse::{
     traverse_pruned,
 };
 use stackless_bvh::tree::{Linked, Node, Parents, Reach, Topology, Tree, Uncles};
-use stackless_check::Case;
-use stackless_check::Watched;
+use stackless_check::{Case, Watched};
 
 /// Deepest tree that gets the implicit layout.
 const IMPLICIT_DEPTH: u32 = 13;
 
 /// The words that traversals run in.
-type Word = u128;
+pub(super) type Word = u128;
 
 /// What is seen from a visit to the next.
 #[derive(Clone, Debug)]
 pub(super) struct Seen {
-    pub(super) node: Node,
-    pub(super) restart: bool,
-    pub(super) key: Option<String>,
-    pub(super) trail: Option<String>,
-    pub(super) counter: Option<String>,
-    pub(super) disjoint: Option<String>,
-    pub(super) register: Option<Node>,
+    pub(super) state: State<Word>,
     /// At an inner node.
     pub(super) descent: Option<Descent>,
     pub(super) found: Found,
@@ -223,25 +215,19 @@ impl<'a> Watching<'a> {
 }
 
 impl Recorder for Watching<'_> {
-    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
-        let state = state().map(|word| Some(binary(&word)));
-        let State { key, trail, counter, disjoint, register, is_restarting: restart, .. } = state;
+    fn visit<W: KeyWord>(&mut self, _: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        let state = state().map(|word| wide(&word));
         let mut steps = self.log.0.borrow_mut();
-        steps.push(Seen {
-            node,
-            restart,
-            key,
-            trail,
-            counter,
-            disjoint,
-            register,
-            descent: None,
-            found: Found::default(),
-            read: Vec::new(),
-            lookup: None,
-        });
+        steps.push(Seen { state, descent: None, found: Found::default(), read: Vec::new(), lookup: None });
         if steps.len() < self.limit { Flow::Continue } else { Flow::Stop }
     }
+}
+
+/// The value of a word; `None` if it has more than 128 bits.
+fn wide(word: &impl KeyWord) -> Option<Word> {
+    let length = word.bit_length();
+    let bits = |rest: Word, piece: u32| rest << (length - 63 * piece).min(63) | Word::from(word.piece(piece));
+    (length <= Word::BITS).then(|| (0..word.piece_count()).fold(0, bits))
 }
 
 /// A search that says what it answers.

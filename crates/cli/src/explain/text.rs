@@ -3,6 +3,7 @@
 use super::judge::Judge;
 use super::observe::Seen;
 use super::{By, Entry, Next};
+use stackless_bvh::event::State;
 use stackless_bvh::key::{KeyWord, Side};
 use stackless_bvh::order::Descent;
 use stackless_bvh::traverse::{Method, Test};
@@ -94,9 +95,9 @@ const fn side(side: Side) -> &'static str {
 
 /// What is found, or decided.
 fn visited(judge: &Judge<'_>, seen: &Seen) -> (String, Vec<&'static str>) {
-    let node = judge.name(seen.node);
-    let wanted: Vec<_> = judge.wanted(seen.node, seen.descent).into_iter().map(|node| judge.name(node)).collect();
-    if seen.restart {
+    let node = judge.name(seen.state.node);
+    let wanted: Vec<_> = judge.wanted(seen.state.node, seen.descent).into_iter().map(|node| judge.name(node)).collect();
+    if seen.state.is_restarting {
         return (format!("Node {node} is passed again on the way down from the root."), vec!["LAINE-1"]);
     }
     let tests_nodes = matches!(judge.method.test(), Test::NodeLeftFirst | Test::NodeBySign);
@@ -107,38 +108,38 @@ fn visited(judge: &Judge<'_>, seen: &Seen) -> (String, Vec<&'static str>) {
         (Some(_), _) if tests_nodes => format!("Node {node} is not wanted."),
         (Some(_), _) => format!("No child of {node} is wanted."),
         (None, _) if seen.found.stops => format!("Leaf {node} is hit, which is all that was asked."),
-        (None, _) if seen.found.hit && seen.found.prunes && seen.disjoint.is_some() => {
+        (None, _) if seen.found.hit && seen.found.prunes && seen.state.disjoint.is_some() => {
             format!("Leaf {node} is hit: what is marked as disjoint leaves the trail.")
         }
         (None, _) if seen.found.hit => format!("Leaf {node} is hit."),
         (None, _) => format!("Leaf {node} has nothing to offer."),
     };
     let clause = if seen.descent.is_some() { "ORDER-1" } else { "TRACE-1" };
-    let pruned = seen.found.prunes && seen.disjoint.is_some();
+    let pruned = seen.found.prunes && seen.state.disjoint.is_some();
     (text, if pruned { vec![clause, "DISJOINT-2"] } else { vec![clause] })
 }
 
 fn end(method: Method, seen: &Seen) -> (String, Vec<&'static str>) {
-    let text = match (seen.found.stops, &seen.trail, &seen.counter) {
+    let text = match (seen.found.stops, seen.state.trail, seen.state.counter) {
         (true, ..) => return ("The search stops.".to_owned(), vec!["ORACLE-1"]),
-        (_, Some(trail), _) if trail == "0" => "The trail is 0: nothing is left.",
-        (_, _, Some(counter)) if !counter.contains('0') => "The counter is all ones: nothing is left.",
+        (_, Some(0), _) => "The trail is 0: nothing is left.",
+        (_, _, Some(counter)) if counter.is_all_ones() => "The counter is all ones: nothing is left.",
         _ => "Nothing is left.",
     };
-    let clause = if seen.trail.is_some() { "TRAIL-3" } else { about(method).1 };
+    let clause = if seen.state.trail.is_some() { "TRAIL-3" } else { about(method).1 };
     (text.to_owned(), vec![clause])
 }
 
 /// To a child.
 fn down(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static str>) {
     let child = judge.name_of(next.node);
-    if seen.restart {
+    if seen.state.is_restarting {
         return (format!("The trail leads on to {child}."), vec![]);
     }
-    let postponed = judge.wanted(seen.node, seen.descent).get(1).map(|&node| judge.name(node));
+    let postponed = judge.wanted(seen.state.node, seen.descent).get(1).map(|&node| judge.name(node));
     let has_register = matches!(judge.method.without_pruning(), Method::Uncle | Method::Hashed);
     let mut clauses = Vec::new();
-    let word = match (&seen.trail, &seen.counter, postponed.is_some()) {
+    let word = match (seen.state.trail, seen.state.counter, postponed.is_some()) {
         (Some(_), _, pending) => {
             clauses.push("TRAIL-2");
             Some(if pending { "the trail gets a 1" } else { "the trail gets a 0" })
@@ -181,9 +182,11 @@ fn back(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static st
             1 => "1 zero".to_owned(),
             levels => format!("{levels} zeros"),
         };
-        text = match (&seen.key, &seen.trail, &seen.counter) {
+        let State { key, trail, counter, .. } = &seen.state;
+        let [key, trail, counter] = [key, trail, counter].map(|word| word.as_ref().map(binary));
+        text = match (&key, &trail, &counter) {
             // The hit has changed the trail since it was shown.
-            (_, Some(_), _) if seen.found.prunes && seen.disjoint.is_some() => format!("Back: {up}."),
+            (_, Some(_), _) if seen.found.prunes && seen.state.disjoint.is_some() => format!("Back: {up}."),
             (Some(key), Some(trail), _) => {
                 clauses.extend(["TRAIL-3", "TRAIL-4"]);
                 let next = binary(&judge.key_of(next.node));
