@@ -234,7 +234,7 @@ fn in_pieces<W: KeyWord>(case: &Case, levels: u32) {
     assert_eq!(cuts.state_bytes::<W>(Method::Hashed), cuts.nesting() as usize * one);
     let of_pieces = |tables: &[PieceTable<PerfectHash>]| tables.iter().map(PieceTable::bytes).sum::<usize>();
     assert!(of_pieces(pieces.hashes()) <= of_pieces(pieces.full_hashes()) + cuts.bytes());
-    for method in Pieces::<Tree>::METHODS {
+    for method in Pieces::<Tree>::methods() {
         let verdict = battery
             .judge(method.test(), method.restarts(), |search, watch, _, _| pieces.run::<W>(method, search, watch));
         match verdict {

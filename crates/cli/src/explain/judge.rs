@@ -3,8 +3,8 @@
 use super::observe::{self, LinkTable, Log, Seen};
 use super::{By, ExplainError, Next, Step, slot, text};
 use stackless_bvh::order::{Descent, Pruning};
-use stackless_bvh::traverse::Method;
-use stackless_bvh::tree::{Keys, Node, Parents, Topology, Tree};
+use stackless_bvh::traverse::{Method, Need};
+use stackless_bvh::tree::{Keys, Node, Parents, Recorded, Topology, Tree};
 use stackless_check::Case;
 
 /// What the oracle of a traversal does on a case, and what the tree says of its nodes.
@@ -168,8 +168,8 @@ impl<'a> Judge<'a> {
 
     /// Where the address of a postponed node comes from, if not from the perfect hash.
     fn source(&self, seen: &Seen, following: &Seen, stayed: bool) -> By {
-        match self.method.without_pruning() {
-            Method::Uncle | Method::Hashed => {
+        match (self.method.wants_recorded(), self.method.needs()) {
+            (Recorded::Uncles, _) => {
                 let links = self.links.of_node(self.tree, seen.node);
                 let is_link = |index: usize| links.get(index) == Some(&Some(following.node));
                 match () {
@@ -179,10 +179,10 @@ impl<'a> Judge<'a> {
                     () => By::Climb,
                 }
             }
-            Method::Sparse | Method::Afra | Method::Hapala => By::Climb,
-            Method::Skip | Method::SkipOctant => By::Skip,
+            (Recorded::ParentSibling, _) => By::Climb,
+            (_, Need::Skips | Need::SkipsBySign) => By::Skip,
             _ if following.restart => By::Restart,
-            method if method.restarts() || method == Method::Stack => By::Stack,
+            _ if self.method.restarts() || self.method.without_pruning() == Method::Stack => By::Stack,
             _ => By::Key,
         }
     }
