@@ -8,7 +8,7 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, LeftFirst, Pruned, Pruning, SignOrder, Whole};
 use stackless_bvh::traverse::{
-    Method, PruningStack, Stack, Tables, Test, Unfit, WithWord, WordName, traverse_pruned, with_word,
+    Method, PruningStack, Stack, Tables, Test, Unfit, VerifiedTables, WithWord, WordName, traverse_pruned, with_word,
 };
 use stackless_bvh::tree::{Keys, Node, Parents, Topology, Tree};
 
@@ -30,7 +30,7 @@ pub enum Verdict<F = Fault> {
 #[derive(Debug)]
 pub struct Battery<'c> {
     case: &'c Case,
-    tables: Tables<'c, Tree>,
+    tables: VerifiedTables<'c, Tree>,
     keys: Keys,
     parents: Parents,
     /// By [`Test`]: filled when first asked for.
@@ -74,7 +74,12 @@ impl<'c> Battery<'c> {
         &mut self,
         test: Test,
         restarts: bool,
-        run: impl FnOnce(&mut Search<'_, Tree>, &mut Watch<'_>, &Tables<'c, Tree>, &mut Vec<Node>) -> Result<(), Unfit>,
+        run: impl FnOnce(
+            &mut Search<'_, Tree>,
+            &mut Watch<'_>,
+            &VerifiedTables<'c, Tree>,
+            &mut Vec<Node>,
+        ) -> Result<(), Unfit>,
     ) -> Verdict {
         let case = self.case;
         if test.pruning() != Pruning::Never

@@ -12,7 +12,7 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, Flow, LeftFirst, NodeTest, Pruned, SignOrder};
 use stackless_bvh::trace::{AnyByNode, ClosestByNode, Hit, Truth};
-use stackless_bvh::traverse::{Method, Tables, Test, Unfit, WordName};
+use stackless_bvh::traverse::{Method, Tables, Test, Unfit, VerifiedTables, WordName};
 use stackless_bvh::tree::{Implicit, Keys, Node, Topology};
 
 /// A hierarchy over a mesh with all that its check needs.
@@ -171,7 +171,7 @@ impl Run for Recursion {
 }
 
 struct Traversal<'a, 'm> {
-    tables: &'a Tables<'m, Bvh>,
+    tables: &'a VerifiedTables<'m, Bvh>,
     method: Method,
     word: WordName,
     memory: &'a mut Vec<Node>,

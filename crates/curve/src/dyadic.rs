@@ -2,6 +2,8 @@
 
 use stackless_bvh::hash::Lookup;
 use stackless_bvh::key::KeyWord;
+use stackless_bvh::order::LeftFirst;
+use stackless_bvh::traverse::{Skips, Supply, Unfit};
 use stackless_bvh::tree::{Node, Recorded, Topology};
 
 /// A part of `[0, 1]` that halving gives, by the key of its node: `[0, 1]` is 1, the halves of `k` are `2k` and
@@ -98,5 +100,56 @@ impl<W: KeyWord> Lookup<W> for Dyadic {
     #[inline]
     fn node(&self, key: &W) -> Node {
         self.at(key.low_bits())
+    }
+}
+
+/// Whatever is asked for is computed, but for skip pointers.
+impl<'t> Supply<'t, u32> for &'t Dyadic {
+    type Tree = Dyadic;
+    type Memory = Vec<Node>;
+    type Hash = Self;
+    type Layout = Self;
+    type Complete = Self;
+    type Chains = Self;
+    type BySign = LeftFirst;
+
+    fn tree(&self) -> Self {
+        self
+    }
+
+    fn memory(self) -> Vec<Node> {
+        Vec::new()
+    }
+
+    fn by_sign(&self) -> LeftFirst {
+        LeftFirst
+    }
+
+    fn reached_keys(&self) -> Result<Self, Unfit> {
+        Ok(self)
+    }
+
+    fn all_keys(&self) -> Result<Self, Unfit> {
+        Ok(self)
+    }
+
+    fn layout(&self) -> Result<Self, Unfit> {
+        Ok(self)
+    }
+
+    fn complete(&self) -> Result<Self, Unfit> {
+        Ok(self)
+    }
+
+    fn chains(&self) -> Result<Self, Unfit> {
+        Ok(self)
+    }
+
+    fn skips(&self) -> Result<&'t Skips, Unfit> {
+        Err(Unfit::NoTable)
+    }
+
+    fn skips_by_sign(&self) -> Result<&'t Skips, Unfit> {
+        Err(Unfit::NoTable)
     }
 }

@@ -1,43 +1,51 @@
 //! The traversals of the library, wrapped, one by one.
 
-use stackless_bvh::hash::KeyMap;
-use stackless_bvh::key::TooDeep;
-use stackless_bvh::traverse::{
-    Afra, ByKey, Glassner, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine, Sparse, Stack, Uncle,
-};
-use stackless_bvh::tree::Linked;
+use stackless_bvh::order::{FixedOrder, Pruned};
+use stackless_bvh::traverse::{Context, Cursor, Method, Supply, Tables, Unfit};
+use stackless_bvh::tree::Tree;
 
 use super::wrapped::{Mutation, Wrapped};
-use super::{Planted, drive};
+use super::{Planted, Watcher, drive};
 
-/// Every traversal that tests children at their parent, with a mutation.
+/// Traversals that test children at their parent, with a mutation.
 pub(super) fn mutants(mutation: Mutation) -> Vec<Planted> {
-    macro_rules! mutants {
-        ($($name:literal, |$tree:ident| $cursor:expr;)*) => {
-            vec![$(Planted::any(format!("{mutation:?} in {}", $name), "ORDER-1", move |tree, _, visitor, watcher| {
-                let $tree = tree;
-                if let Ok(cursor) = $cursor {
-                    drive(Wrapped::new(tree, cursor, mutation), visitor, watcher);
-                }
-            })),*]
-        };
+    use Method as M;
+    let of = |method: Method| {
+        let mutant =
+            Planted::any(format!("{mutation:?} in {method}"), "ORDER-1", move |tree, tape, search, watcher| {
+                let (tables, mut memory) = (Tables::new(tree, tape.axes(), &[method], 0), Vec::new());
+                let from = tables.over(tables.tree(), 0, &mut memory);
+                // What is refused makes no visit.
+                let _ = method.dispatch::<u64, _>(Mutated { mutation, tree, from, search, watcher });
+            });
+        if method.restarts() { mutant.restarting() } else { mutant }
+    };
+    let stackless = [M::Sparse, M::Afra, M::Uncle, M::Hashed];
+    let implicit = [M::ImplicitA, M::ImplicitA1, M::ImplicitB, M::ImplicitB1];
+    let others = [M::Glassner, M::Laine0, M::Laine2];
+    [M::Stack].into_iter().chain(stackless).chain(implicit).chain(others).map(of).collect()
+}
+
+/// Runs a traversal with a mutation.
+struct Mutated<'a, 'w, F> {
+    mutation: Mutation,
+    tree: &'a Tree,
+    from: F,
+    search: &'a mut dyn Pruned,
+    watcher: &'a mut Watcher<'w>,
+}
+
+impl<'s, F: Supply<'s, u64>> Context<'s, u64> for Mutated<'_, '_, F> {
+    type From = F;
+    type Output = ();
+
+    fn by_parent<C: Cursor>(self, start: impl Fn(F) -> Result<C, Unfit>) -> Result<(), Unfit> {
+        drive(Wrapped::new(self.tree, start(self.from)?, self.mutation), self.search, self.watcher);
+        Ok(())
     }
-    let mut all = mutants![
-        "stack", |tree| Ok::<_, TooDeep>(Stack::new(tree, &mut Vec::new()));
-        "sparse", |tree| Sparse::<u64, _>::new(&Linked::parents(tree));
-        "afra", |tree| Afra::<u64, _>::new(&Linked::parents(tree));
-        "uncle", |tree| Uncle::<u64, _>::new(&Linked::uncles(tree));
-        "hashed", |tree| Hashed::<u64, _, _>::new(&Linked::uncles(tree), KeyMap::of(tree));
-        "implicit-a", |tree| ImplicitA::<u64, _>::new(tree, KeyMap::of(tree));
-        "implicit-a1", |tree| ImplicitA1::<u64, _>::new(tree, KeyMap::of(tree));
-        "implicit-b", |tree| ImplicitB::<u64, _>::new(tree, KeyMap::of(tree));
-        "implicit-b1", |tree| ImplicitB1::<u64, _>::new(tree, KeyMap::of(tree));
-        "glassner", |tree| ByKey::<u64, _>::new(tree, &Glassner::of(tree));
-    ];
-    let restarting = mutants![
-        "laine-0", |tree| Laine::<0, u64, _>::new(tree);
-        "laine-2", |tree| Laine::<2, u64, _>::new(tree);
-    ];
-    all.extend(restarting.into_iter().map(Planted::restarting));
-    all
+
+    /// None of those.
+    fn by_node<C: Cursor, O: FixedOrder>(self, _: impl Fn(F) -> Result<(C, O), Unfit>) -> Result<(), Unfit> {
+        Err(Unfit::NoTable)
+    }
 }

@@ -5,8 +5,8 @@ use super::text::binary;
 use super::{By, ExplainError, Next, Step, slot, text};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::order::{Descent, Flow, Pruning};
-use stackless_bvh::traverse::Method;
-use stackless_bvh::tree::{Keys, Node, Parents, Topology, Tree};
+use stackless_bvh::traverse::{Method, Need};
+use stackless_bvh::tree::{Keys, Node, Parents, Recorded, Topology, Tree};
 use stackless_check::{Case, Expected, Fault, Visit, Watch};
 
 /// What the oracle of a traversal does on a case, and what the tree says of its nodes.
@@ -195,8 +195,8 @@ impl<'a> Judge<'a> {
 
     /// Where the address of a postponed node comes from, if not from the perfect hash.
     fn source(&self, seen: &Seen, following: &State<Word>, stayed: bool) -> By {
-        match self.method.without_pruning() {
-            Method::Uncle | Method::Hashed => {
+        match (self.method.wants_recorded(), self.method.needs()) {
+            (Recorded::Uncles, _) => {
                 let links = self.links.of_node(self.tree, seen.state.node);
                 let is_link = |index: usize| links.get(index) == Some(&Some(following.node));
                 match () {
@@ -206,10 +206,10 @@ impl<'a> Judge<'a> {
                     () => By::Climb,
                 }
             }
-            Method::Sparse | Method::Afra | Method::Hapala => By::Climb,
-            Method::Skip | Method::SkipOctant => By::Skip,
+            (Recorded::ParentSibling, _) => By::Climb,
+            (_, Need::Skips | Need::SkipsBySign) => By::Skip,
             _ if following.is_restarting => By::Restart,
-            method if method.restarts() || method == Method::Stack => By::Stack,
+            _ if self.method.restarts() || self.method.without_pruning() == Method::Stack => By::Stack,
             _ => By::Key,
         }
     }

@@ -294,7 +294,7 @@ pub fn record(case: &Case, method: Method) -> Result<Recording, ExplainError> {
     let steps = log.into_steps();
     let judge = Judge::new(case, method);
     let stacks = judge.compare(&steps)?;
-    let (about, clause) = text::about(method);
+    let (about, clause) = (method.help(), method.clause());
     let visits = (0..steps.len()).map(|visit| judge.step(&steps, visit, &stacks[visit])).collect();
     let links = observe::link_names(method).to_vec();
     let state_bytes = method.state_bytes::<u32>(depth);

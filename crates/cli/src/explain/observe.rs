@@ -11,11 +11,8 @@ use stackless_bvh::oracle;
 use stackless_bvh::order::{
     ByNode, Descent, FixedOrder, Flow, LeftFirst, NodeTest, Pruned, Pruning, SignOrder, Visitor,
 };
-use stackless_bvh::traverse::{
-    Afra, Disjoint, Hapala, HashOnly, Hashed, Marks, Method, Sparse, Tables, Test, Uncle, Unfit, traverse,
-    traverse_pruned,
-};
-use stackless_bvh::tree::{Linked, Node, Parents, Reach, Topology, Tree, Uncles};
+use stackless_bvh::traverse::{Method, Need, Tables, Test};
+use stackless_bvh::tree::{Linked, Node, Parents, Reach, Recorded, Topology, Tree, Uncles};
 use stackless_check::{Case, Watched};
 
 /// Deepest tree that gets the implicit layout.
@@ -70,15 +67,12 @@ pub(super) fn run(case: &Case, method: Method, log: &Log) -> Result<Option<Table
     let unfit = |error| ExplainError::Unfit { method, error };
     let hash = key_set(method).map(|key_set| PerfectHash::build(tree, Options { key_set, sizing: Sizing::Printed }));
     let hash = hash.transpose().map_err(|error| ExplainError::Table { method, error })?;
-    let ran = match method.test() {
-        Test::Disjoint => run_own::<Disjoint<Word>>(case, method, hash.as_ref(), log),
-        _ => run_own::<()>(case, method, hash.as_ref(), log),
-    };
-    if !ran.map_err(unfit)? {
-        let tables = Tables::new(tree, case.tape.axes(), &[method], IMPLICIT_DEPTH);
-        let (mut search, mut watch) = (Deciding::new(case, method, log), Watching::new(case, log));
-        tables.run::<Word, _>(method, case.octant, &mut Vec::new(), &mut search, &mut watch).map_err(unfit)?;
-    }
+    let linked = Linked::naming(tree, &[method.wants_recorded()]);
+    let watched = Watched { tree: &linked, watch: |node| log.note(|seen| seen.read.push(node)) };
+    let asked = |_| Asked { hash: hash.as_ref(), tree, log };
+    let tables = Tables::new(&watched, case.tape.axes(), &[method], IMPLICIT_DEPTH).looked_up_by(asked);
+    let (mut search, mut watching) = (Deciding::new(case, method, log), Watching::new(case, log));
+    tables.run::<Word, _>(method, case.octant, &mut Vec::new(), &mut search, &mut watching).map_err(unfit)?;
     Ok(hash.map(|hash| Table::of(&hash, tree)))
 }
 
@@ -102,10 +96,10 @@ pub(super) fn run_oracle(case: &Case, method: Method, log: &Log) {
 
 /// What records name for a traversal.
 pub(super) const fn link_names(method: Method) -> &'static [&'static str] {
-    match method.without_pruning() {
-        Method::Sparse | Method::Afra | Method::Hapala => &["parent", "sibling"],
-        Method::Uncle | Method::Hashed => &["uncle", "grand uncle"],
-        _ => &[],
+    match method.wants_recorded() {
+        Recorded::ParentSibling => &["parent", "sibling"],
+        Recorded::Uncles => &["uncle", "grand uncle"],
+        Recorded::Nothing => &[],
     }
 }
 
@@ -119,10 +113,10 @@ pub(super) enum LinkTable {
 
 impl LinkTable {
     pub(super) fn of(tree: &Tree, method: Method) -> Self {
-        match method.without_pruning() {
-            Method::Sparse | Method::Afra | Method::Hapala => Self::Parents(Parents::of(tree)),
-            Method::Uncle | Method::Hashed => Self::Uncles(Uncles::of(tree)),
-            _ => Self::Nothing,
+        match method.wants_recorded() {
+            Recorded::ParentSibling => Self::Parents(Parents::of(tree)),
+            Recorded::Uncles => Self::Uncles(Uncles::of(tree)),
+            Recorded::Nothing => Self::Nothing,
         }
     }
 
@@ -140,9 +134,9 @@ impl LinkTable {
 }
 
 const fn key_set(method: Method) -> Option<KeySet> {
-    match method.without_pruning() {
-        Method::Hashed => Some(KeySet::Exact(Reach::ALGORITHM_1)),
-        Method::HashOnly => Some(KeySet::All),
+    match method.needs() {
+        Need::ReachedKeys => Some(KeySet::Exact(Reach::ALGORITHM_1)),
+        Need::AllKeys => Some(KeySet::All),
         _ => None,
     }
 }
@@ -151,53 +145,19 @@ fn by_sign(case: &Case) -> SignOrder<'_> {
     SignOrder { axes: case.tape.axes(), octant: case.octant }
 }
 
-/// Runs the traversals that read links or a perfect hash, so that it is seen what they read; `false` for the others.
-fn run_own<M: Marks<Word>>(case: &Case, method: Method, hash: Option<&PerfectHash>, log: &Log) -> Result<bool, Unfit> {
-    let tree = &case.tree;
-    let (mut search, mut watching) = (Deciding::new(case, method, log), Watching::new(case, log));
-    let linked = Linked::naming(tree, &[method.wants_recorded()]);
-    let watch = |node| log.note(|seen| seen.read.push(node));
-    let table = || Some(Asked { hash: hash?, tree, log });
-    match method.without_pruning() {
-        Method::Sparse => {
-            traverse_pruned(Sparse::<Word, _, M>::new(&Watched { tree: &linked, watch })?, &mut search, &mut watching);
-        }
-        Method::Afra => {
-            traverse_pruned(Afra::<Word, _, M>::new(&Watched { tree: &linked, watch })?, &mut search, &mut watching);
-        }
-        Method::Hapala => {
-            let order = by_sign(case);
-            let mut search = ByNode { test: search, order };
-            traverse(Hapala::new(&Watched { tree: &linked, watch }, order)?, &mut search, &mut watching);
-        }
-        Method::Uncle => {
-            traverse_pruned(Uncle::<Word, _, M>::new(&Watched { tree: &linked, watch })?, &mut search, &mut watching);
-        }
-        Method::Hashed => {
-            let (watched, table) = (Watched { tree: &linked, watch }, table().ok_or(Unfit::NoTable)?);
-            traverse_pruned(Hashed::<Word, _, _, M>::new(&watched, table)?, &mut search, &mut watching);
-        }
-        Method::HashOnly => {
-            let table = table().ok_or(Unfit::NoTable)?;
-            traverse_pruned(HashOnly::<Word, _, _>::new(tree, table)?, &mut search, &mut watching);
-        }
-        _ => return Ok(false),
-    }
-    Ok(true)
-}
-
 /// A table that says what it is asked. A key that is not there leads anywhere, which the comparison shows.
 struct Asked<'a> {
-    hash: &'a PerfectHash,
+    /// That of the papers' sizes, in place of the one that was built with the tables.
+    hash: Option<&'a PerfectHash>,
     tree: &'a Tree,
     log: &'a Log,
 }
 
 impl stackless_bvh::hash::Lookup<Word> for Asked<'_> {
     fn node(&self, key: &Word) -> Node {
-        let lookup = Lookup::of(self.hash, key, self.tree);
-        self.log.note(|seen| seen.lookup = Some(lookup));
-        self.hash.probe(key).unwrap_or(self.tree.root())
+        let lookup = self.hash.map(|hash| Lookup::of(hash, key, self.tree));
+        self.log.note(|seen| seen.lookup = lookup);
+        self.hash.and_then(|hash| hash.probe(key)).unwrap_or(self.tree.root())
     }
 }
 
