@@ -13,7 +13,7 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mesh = procedural::soup(1, 2000);
     let bvh = Bvh::sah(&mesh, SahOptions::default())?;
     let tracer = Tracer::new(&bvh);
-    let ray = Ray::new(Vec3::new(0.5, 0.5, -1.0), Vec3::Z, 0.0, f32::INFINITY)?;
+    let ray = Ray::new(Vec3::new(0.5, 0.5, -1.0), Vec3::Z)?;
 
     let (mut light, mut passed) = (1.0, Vec::new());
     let mut hit = tracer.closest(&ray);

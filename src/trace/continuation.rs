@@ -39,7 +39,7 @@ pub struct Place(Node);
 ///     let Some((hit, leaf)) = continuation.closest(&ray, place) else { break };
 ///     assert_eq!(Some(hit), tracer.closest(&ray));
 ///     let origin = ray.origin() + ray.direction() * hit.t;
-///     (ray, place) = (Ray::new(origin, -ray.direction().yzx(), 1e-3, f32::INFINITY)?, Some(leaf));
+///     (ray, place) = (Ray::within(origin, -ray.direction().yzx(), 1e-3, f32::INFINITY)?, Some(leaf));
 /// }
 /// # use glam::Vec3Swizzles;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -239,7 +239,7 @@ mod tests {
         let rays = procedural::rays(&mesh, 3, 150);
         for builder in [Builder::Sah, Builder::Spatial, Builder::Median] {
             let options = BuildOptions { builder, ..BuildOptions::default() };
-            let bvh = Bvh::build(&mesh, &options, &|_| ()).expect("a tree");
+            let bvh = options.build(&mesh).expect("a tree");
             for method in Method::ALL {
                 let Ok(tracer) =
                     Tracer::<crate::geom::kernel::Exact, crate::geom::slabs::Directed>::with_method(&bvh, method)

@@ -18,7 +18,7 @@ use crate::tree::Node;
 ///
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z], vec![[0, 1, 2], [0, 2, 1], [0, 1, 3]])?;
 /// let bvh = Bvh::median(&mesh, 1)?;
-/// let ray = Ray::new(Vec3::new(0.25, -0.25, -1.0), Vec3::new(0.0, 0.5, 1.0), 0.0, f32::INFINITY)?;
+/// let ray = Ray::new(Vec3::new(0.25, -0.25, -1.0), Vec3::new(0.0, 0.5, 1.0))?;
 /// let mut hits = AllHits::new(&bvh, &ray);
 /// traverse(Stack::new(&bvh, &mut Vec::new()), &mut hits, &mut ());
 /// let hits = hits.hits();
@@ -107,7 +107,7 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
 /// let bvh = Bvh::median(&mesh, 4)?;
 /// for (origin, count) in [(Vec3::ZERO, 1), (Vec3::splat(4.0), 2)] {
 ///     for &corner in mesh.vertices() {
-///         let ray = Ray::new(origin, corner - origin, 0.0, f32::INFINITY)?;
+///         let ray = Ray::new(origin, corner - origin)?;
 ///         let mut crossings = Crossings::new(&bvh, &ray);
 ///         traverse(Stack::new(&bvh, &mut Vec::new()), &mut crossings, &mut ());
 ///         assert_eq!(crossings.count() % 2, count % 2);

@@ -46,7 +46,7 @@ use walk::{Found, Instances, Search, Triangles, Walk};
 /// let scene = assembly.add_group(vec![Instance { object: row, affine: grown }], &BuildOptions::default())?;
 ///
 /// let tracer = InstanceTracer::new(&assembly, scene, Method::Hashed)?;
-/// let hit = tracer.closest(&Ray::new(Vec3::new(1.0, 0.5, 0.0), Vec3::Z, 0.0, 10.0)?).ok_or("a miss")?;
+/// let hit = tracer.closest(&Ray::within(Vec3::new(1.0, 0.5, 0.0), Vec3::Z, 0.0, 10.0)?).ok_or("a miss")?;
 /// assert_eq!((hit.path, hit.prim, hit.t, hit.u, hit.v), (vec![0, 1], 0, 2.0, 0.5, 0.25));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

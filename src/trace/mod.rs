@@ -7,6 +7,7 @@
 //! hit is.
 
 mod accuracy;
+#[cfg(any(test, feature = "generate"))]
 mod bounce;
 mod cast;
 mod child_order;
@@ -25,6 +26,7 @@ mod tracer;
 pub mod truth;
 
 pub use accuracy::{Accuracy, KernelName, SlabsName, WithTests, with_level, with_tests};
+#[cfg(any(test, feature = "generate"))]
 pub use bounce::{bounce, cut, reflect};
 pub use child_order::{ChildOrder, FromLeft, Nearest};
 pub use continuation::{Continuation, Place};

@@ -3,9 +3,6 @@
 use std::fmt;
 use std::marker::PhantomData;
 
-use glam::Vec3;
-use rayon::prelude::*;
-
 use super::counters::{Counters, Counting};
 use super::level::Level;
 use super::{
@@ -17,8 +14,10 @@ use crate::event::Backtracks;
 use crate::geom::kernel::{Exact, Real};
 use crate::geom::slabs::Directed;
 use crate::geom::{Kernel, Ray, Slabs, Vector};
+use crate::threads;
 use crate::traverse::{Method, Unfit, WordName};
 use crate::tree::{Node, Uncles};
+use glam::Vec3;
 
 /// Answers queries over a hierarchy by one of the traversals, with the triangle test `K` and the box test `B`.
 ///
@@ -32,7 +31,7 @@ use crate::tree::{Node, Uncles};
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
 /// let bvh = Bvh::sah(&mesh, SahOptions::default())?;
 /// let tracer = Tracer::new(&bvh);
-/// let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z, 0.0, f32::INFINITY)?;
+/// let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z)?;
 /// let hit = tracer.closest(&ray).ok_or("a miss")?;
 /// assert_eq!((hit.prim, hit.t, hit.u, hit.v), (0, 3.0, 0.25, 0.5));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -173,7 +172,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
             }
             Counters { backtracks, ..counters }
         };
-        rays.par_chunks(CHUNK).map(count).reduce(Counters::default, |a, b| a.merge(&b))
+        threads::reduce(rays, CHUNK, count, |a, b| a.merge(&b)).unwrap_or_default()
     }
 
     /// The closest hit of each ray, on this thread.
@@ -214,7 +213,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
     /// # let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2], [2, 1, 0], [1, 0, 2]])?;
     /// # let bvh = Bvh::sah(&mesh, SahOptions::default())?;
     /// # let tracer = Tracer::new(&bvh);
-    /// # let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z, 0.0, f32::INFINITY)?;
+    /// # let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z)?;
     /// let mut hits = Vec::new();
     /// let mut hit = tracer.closest(&ray);
     /// while let Some(found) = hit {
@@ -253,18 +252,11 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
 }
 
 /// Answers each ray into its place. Threads keep their memory between chunks.
-fn in_parallel<V: Vector, A: Clone + Default + Send>(
+fn in_parallel<V: Vector, A: Send>(
     rays: &[Ray<V>],
-    answer: impl Fn(&Ray<V>, &mut Vec<Node>) -> A + Sync,
+    answer: impl Fn(&Ray<V>, &mut Vec<Node>) -> A + Sync + Send,
 ) -> Vec<A> {
-    let mut answers = vec![A::default(); rays.len()];
-    let chunks = rays.par_chunks(CHUNK).zip(answers.par_chunks_mut(CHUNK));
-    chunks.for_each_init(Vec::new, |memory, (rays, answers)| {
-        for (ray, place) in rays.iter().zip(answers) {
-            *place = answer(ray, memory);
-        }
-    });
-    answers
+    threads::map_with(0..rays.len(), CHUNK, Vec::new, |memory, i| answer(&rays[i], memory))
 }
 
 impl<K: Kernel, B> fmt::Debug for Tracer<'_, K, B> {

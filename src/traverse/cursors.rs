@@ -1,9 +1,10 @@
 //! The traversals whose state can be put aside, by name.
 
+use core::borrow::Borrow;
 use core::sync::atomic::Ordering;
 
 use super::run::table;
-use super::{Afra, Disjoint, HashOnly, Hashed, Method, Pause, Sparse, Tables, Uncle, Unfit};
+use super::{Afra, Beside, Disjoint, HashOnly, Hashed, Method, Pause, Sparse, Tables, Uncle, Unfit};
 use crate::hash::{Lookup, Verified};
 use crate::key::KeyWord;
 use crate::tree::{ParentLinks, RecordedParents, RecordedUncles, Topology, UncleLinks};
@@ -17,7 +18,7 @@ pub trait WithCursor<W> {
     fn call(self, cursor: impl Pause<Word = W>) -> Self::Output;
 }
 
-impl<T: Topology> Tables<'_, T> {
+impl<T: Topology, O: Borrow<Beside>> Tables<'_, T, O> {
     /// Makes the cursor of a traversal that [can be put aside](Method::can_pause).
     ///
     /// # Errors
@@ -27,19 +28,19 @@ impl<T: Topology> Tables<'_, T> {
         match method.without_pruning() {
             Method::Sparse | Method::Afra => match RecordedParents::of(self.tree) {
                 Some(parents) => self.climbing(method, parents, f),
-                None => self.climbing(method, table(self.parents.as_ref())?, f),
+                None => self.climbing(method, table(self.beside().parents.as_ref())?, f),
             },
             Method::Uncle => match RecordedUncles::of(self.tree) {
                 Some(uncles) => self.by_uncles(method, uncles, f),
-                None => self.by_uncles(method, table(self.uncles.as_ref())?, f),
+                None => self.by_uncles(method, table(self.beside().uncles.as_ref())?, f),
             },
             Method::HashOnly | Method::Hashed => {
-                let hash = if method == Method::HashOnly { &self.full_hash } else { &self.hash };
+                let hash = if method == Method::HashOnly { &self.beside().full_hash } else { &self.beside().hash };
                 let hash = table(hash.as_ref())?;
-                let Some(keys) = &self.keys else { return self.by_hash(method, hash, f) };
+                let Some(keys) = &self.beside().keys else { return self.by_hash(method, hash, f) };
                 let verified = Verified::new(hash, self.tree, keys);
                 let output = self.by_hash(method, &verified, f)?;
-                self.misses.fetch_add(verified.misses(), Ordering::Relaxed);
+                self.beside().misses.fetch_add(verified.misses(), Ordering::Relaxed);
                 Ok(output)
             }
             _ => Err(Unfit::NoPause),
@@ -86,7 +87,7 @@ impl<T: Topology> Tables<'_, T> {
         }
         match RecordedUncles::of(self.tree) {
             Some(uncles) => self.by_hash_and_uncles(method, uncles, hash, f),
-            None => self.by_hash_and_uncles(method, table(self.uncles.as_ref())?, hash, f),
+            None => self.by_hash_and_uncles(method, table(self.beside().uncles.as_ref())?, hash, f),
         }
     }
 

@@ -49,7 +49,7 @@ pub use pause::{
     ByTable, ByWalk, Incomplete, KeyOnly, KeyTrail, Locate, Next, NoSuchKey, Pause, Paused, resume, revisit,
 };
 pub use pruning_stack::PruningStack;
-pub use run::{Tables, Unfit};
+pub use run::{Beside, Tables, Unfit};
 pub use skip::{Skip, Skips};
 pub use sparse::Sparse;
 pub use split::{Cuts, Piece, PieceTable, Split};

@@ -1,6 +1,7 @@
 //! Running a traversal by its name.
 
 use alloc::vec::Vec;
+use core::borrow::Borrow;
 use core::fmt;
 use core::sync::atomic::{AtomicUsize, Ordering};
 
@@ -14,11 +15,18 @@ use crate::key::{Grow, KeyWord, TooDeep};
 use crate::order::{self, ByNode, NodeTest, SignOrder, Visitor};
 use crate::tree::{Implicit, Keys, Node, ParentLinks, Parents, RecordedParents, RecordedUncles, Topology, Uncles};
 
-/// A tree with the tables that a choice of traversals needs beside it.
+/// A tree with the tables that a choice of traversals needs beside it: its own, or those of somebody else
+/// ([`over`](Self::over)).
 #[derive(Debug)]
-pub struct Tables<'t, T> {
+pub struct Tables<'t, T, O = Beside> {
     pub(super) tree: &'t T,
     axes: &'t [u8],
+    beside: O,
+}
+
+/// The tables alone, for who has the tree elsewhere.
+#[derive(Debug)]
+pub struct Beside {
     pub(super) parents: Option<Parents>,
     pub(super) uncles: Option<Uncles>,
     /// The keys that `hashed` looks up.
@@ -91,6 +99,21 @@ impl<'t, T: Topology> Tables<'t, T> {
     /// Trees of up to `implicit_depth` edges get the implicit layout; in deeper ones the implicit traversals look
     /// their addresses up in the plain map.
     pub fn new(tree: &'t T, axes: &'t [u8], methods: &[Method], implicit_depth: u32) -> Self {
+        Self { tree, axes, beside: Beside::new(tree, axes, methods, implicit_depth) }
+    }
+
+    /// The same, with every lookup in a perfect hash verified: [`misses`](Self::misses) counts those that did not find
+    /// the node with the key.
+    #[must_use]
+    pub fn verified(mut self) -> Self {
+        self.beside.keys = Some(Keys::of(self.tree));
+        self
+    }
+}
+
+impl Beside {
+    /// As [`Tables::new`].
+    pub fn new<T: Topology>(tree: &T, axes: &[u8], methods: &[Method], implicit_depth: u32) -> Self {
         use Method as M;
         let needs = |users: &[M]| methods.iter().any(|method| users.contains(&method.without_pruning()));
         let implicit_users = [M::LeftFirst, M::ImplicitA, M::ImplicitA1, M::ImplicitB, M::ImplicitB1];
@@ -99,8 +122,6 @@ impl<'t, T: Topology> Tables<'t, T> {
         let wants_all_keys = needs(&implicit_users) && implicit.is_none();
         let octants = if needs(&[M::SkipOctant]) { 0..8 } else { 0..0 };
         Self {
-            tree,
-            axes,
             parents: (needs(&[M::Sparse, M::Afra, M::Hapala]) && RecordedParents::of(tree).is_none())
                 .then(|| Parents::of(tree)),
             uncles: (needs(&[M::Uncle, M::Hashed]) && RecordedUncles::of(tree).is_none()).then(|| Uncles::of(tree)),
@@ -130,18 +151,29 @@ impl<'t, T: Topology> Tables<'t, T> {
             + self.glassner.as_ref().map_or(0, Glassner::bytes)
             + self.skips.iter().chain(&self.octant_skips).map(Skips::bytes).sum::<usize>()
     }
+}
 
-    /// The same, with every lookup in a perfect hash verified: [`misses`](Self::misses) counts those that did not find
-    /// the node with the key.
-    #[must_use]
-    pub fn verified(mut self) -> Self {
-        self.keys = Some(Keys::of(self.tree));
-        self
+impl<'t, T: Topology, O: Borrow<Beside>> Tables<'t, T, O> {
+    /// A tree with tables that were made for it.
+    #[inline]
+    pub fn over(tree: &'t T, axes: &'t [u8], beside: O) -> Self {
+        Self { tree, axes, beside }
+    }
+
+    /// The tables.
+    #[inline]
+    pub fn beside(&self) -> &Beside {
+        self.beside.borrow()
+    }
+
+    /// Memory of all tables, in bytes, without those that only verify.
+    pub fn bytes(&self) -> usize {
+        self.beside().bytes()
     }
 
     /// Number of lookups that went wrong so far, if they are verified.
     pub fn misses(&self) -> usize {
-        self.misses.load(Ordering::Relaxed)
+        self.beside().misses.load(Ordering::Relaxed)
     }
 
     /// Runs one search. `memory` is the stack's, kept between searches; `octant` gives the signs of the direction,
@@ -171,14 +203,16 @@ impl<'t, T: Topology> Tables<'t, T> {
             Method::StackDisjoint => traverse(PruningStack::<T, false>::new(tree, memory), search, recorder),
             Method::StackT0 => traverse(PruningStack::<T, true>::new(tree, memory), search, recorder),
             Method::LeftFirst | Method::ImplicitA | Method::ImplicitA1 | Method::ImplicitB | Method::ImplicitB1 => {
-                match &self.implicit {
+                match &self.beside().implicit {
                     Some(layout) => self.run_implicit::<W, S>(method, layout, search, recorder)?,
-                    None => self.run_implicit::<W, S>(method, table(self.all_keys.as_ref())?, search, recorder)?,
+                    None => {
+                        self.run_implicit::<W, S>(method, table(self.beside().all_keys.as_ref())?, search, recorder)?
+                    }
                 }
             }
             Method::Hapala => match RecordedParents::of(tree) {
                 Some(parents) => self.run_hapala(parents, by_sign, search, recorder),
-                None => self.run_hapala(table(self.parents.as_ref())?, by_sign, search, recorder),
+                None => self.run_hapala(table(self.beside().parents.as_ref())?, by_sign, search, recorder),
             },
             Method::Laine0 => traverse(Laine::<0, W, T>::new(tree)?, search, recorder),
             Method::Laine1 => traverse(Laine::<1, W, T>::new(tree)?, search, recorder),
@@ -187,18 +221,20 @@ impl<'t, T: Topology> Tables<'t, T> {
             Method::Laine8 => traverse(Laine::<8, W, T>::new(tree)?, search, recorder),
             Method::Skip => {
                 let mut search = ByNode { test: search, order: order::LeftFirst };
-                traverse(Skip::new(tree, table(self.skips.as_ref())?, order::LeftFirst), &mut search, recorder)
+                traverse(Skip::new(tree, table(self.beside().skips.as_ref())?, order::LeftFirst), &mut search, recorder)
             }
             Method::SkipOctant => {
-                let skips = self.octant_skips.get(usize::from(octant)).ok_or(Unfit::NoTable)?;
+                let skips = self.beside().octant_skips.get(usize::from(octant)).ok_or(Unfit::NoTable)?;
                 let mut search = ByNode { test: search, order: by_sign };
                 traverse(Skip::new(tree, skips, by_sign), &mut search, recorder)
             }
             Method::Complete => {
-                let complete = table(self.complete.as_ref())?.as_ref().map_err(|&error| error)?;
+                let complete = table(self.beside().complete.as_ref())?.as_ref().map_err(|&error| error)?;
                 traverse(ByKey::<W, _>::new(tree, complete)?, search, recorder)
             }
-            Method::Glassner => traverse(ByKey::<W, _>::new(tree, table(self.glassner.as_ref())?)?, search, recorder),
+            Method::Glassner => {
+                traverse(ByKey::<W, _>::new(tree, table(self.beside().glassner.as_ref())?)?, search, recorder)
+            }
             _ => self.with_cursor::<W, _>(method, Run { search, recorder })?,
         };
         Ok(())

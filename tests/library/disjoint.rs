@@ -130,7 +130,7 @@ fn diagonals() -> Mesh {
 fn in_parts(mesh: &Mesh) -> Bvh {
     let spatial = SpatialOptions { extra_percent: 300, overlap: 0.0 };
     let options = BuildOptions { builder: Builder::Spatial, spatial, ..BuildOptions::default() };
-    let bvh = Bvh::build(mesh, &options, &|_| ()).expect("a tree");
+    let bvh = options.build(mesh).expect("a tree");
     assert!(bvh.duplicates() > 20, "{}", bvh.duplicates());
     bvh
 }

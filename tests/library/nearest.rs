@@ -16,7 +16,7 @@ fn trees(mesh: &Mesh) -> [Bvh; 2] {
     let spatial = SpatialOptions { extra_percent: 200, overlap: 0.0 };
     let sah = SahOptions { max_leaf: 1, ..SahOptions::default() };
     let options = BuildOptions { builder: Builder::Spatial, sah, spatial, ..BuildOptions::default() };
-    let cut = Bvh::build(mesh, &options, &|_| ());
+    let cut = options.build(mesh);
     [Bvh::sah(mesh, SahOptions::default()), cut].map(|bvh| bvh.expect("a tree"))
 }
 

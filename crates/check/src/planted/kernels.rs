@@ -106,7 +106,7 @@ impl<S> Spoilt<S> {
 
     /// The ray with another interval, tested exactly.
     fn over(&self, [tmin, tmax]: [f32; 2], triangle: &Triangle) -> Option<f32> {
-        let ray = Ray::new(self.ray.origin(), self.ray.direction(), tmin, tmax).ok()?;
+        let ray = Ray::within(self.ray.origin(), self.ray.direction(), tmin, tmax).ok()?;
         Exact::new(&ray, &Region::of(&triangle.aabb())).distance(triangle, f32::INFINITY)
     }
 
@@ -207,7 +207,7 @@ impl Spoil for BelowLimit {
 impl Spoil for Behind {
     fn distance(test: &Spoilt<Self>, triangle: &Triangle, limit: f32) -> Option<f32> {
         let behind = || {
-            let ray = Ray::new(test.ray.origin(), -test.ray.direction(), test.ray.tmin(), test.ray.tmax()).ok()?;
+            let ray = Ray::within(test.ray.origin(), -test.ray.direction(), test.ray.tmin(), test.ray.tmax()).ok()?;
             Exact::new(&ray, &Region::of(&triangle.aabb())).distance(triangle, limit)
         };
         test.exact.distance(triangle, limit).or_else(behind)

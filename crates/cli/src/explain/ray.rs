@@ -96,7 +96,7 @@ mod tests {
     fn the_case_of_a_ray_is_what_the_tracer_does() {
         let mesh = procedural::soup(3, 400);
         for builder in [Builder::Sah, Builder::Spatial] {
-            let bvh = Bvh::build(&mesh, &BuildOptions { builder, ..BuildOptions::default() }, &|_| ()).unwrap();
+            let bvh = BuildOptions { builder, ..BuildOptions::default() }.build(&mesh).unwrap();
             let tracer = Tracer::new(&bvh);
             let mut hits = 0;
             for ray in procedural::rays(&mesh, 5, 60) {

@@ -93,7 +93,7 @@ fn grid_ray(rng: &mut Rng, mesh: &Mesh, is_inside: bool) -> Option<Ray> {
         _ => (corner(rng) + corner(rng)) / 2.0,
     };
     let (tmin, tmax) = [(0.0, f32::INFINITY), (0.0, 4.0), (4.0, 64.0), (0.0, 64.0)][rng.below(4) as usize];
-    Ray::new(target - 4.0 * direction, direction, tmin, tmax).ok()
+    Ray::within(target - 4.0 * direction, direction, tmin, tmax).ok()
 }
 
 fn is_dyadic(x: f32) -> bool {
@@ -113,7 +113,7 @@ fn exact() -> Profile {
     for (name, why, rows) in FAR_OFF {
         let [o, d, corners @ ..] = rows.map(|v| Vec3::from_array(v.map(f32::from_bits)));
         let Ok(mesh) = Mesh::new(corners.to_vec(), vec![[0, 1, 2]]) else { continue };
-        let Ok(ray) = Ray::new(o, d, 0.0, f32::INFINITY) else { continue };
+        let Ok(ray) = Ray::new(o, d) else { continue };
         traced(&mut author, name, why, &mesh, &[ray], &Truth::new(&mesh));
     }
     author.done()
@@ -172,7 +172,7 @@ fn zeros(rng: &mut Rng, [a, b, c]: [f32; 3]) -> Option<(Mesh, Vec<Ray>)> {
     for _ in 0..10_000 {
         let (corners, d) = ([point(rng), point(rng), point(rng)], point(rng) / 4.0);
         let target = a * corners[0] + b * corners[1] + c * corners[2];
-        let Ok(ray) = Ray::new(if c == 0.0 { target - d } else { target }, d, 0.0, f32::INFINITY) else { continue };
+        let Ok(ray) = Ray::new(if c == 0.0 { target - d } else { target }, d) else { continue };
         drawn.push((off(&ray, corners), corners, ray));
     }
     drawn.sort_by(|(a, ..), (b, ..)| b.total_cmp(a));

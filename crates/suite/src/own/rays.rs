@@ -57,7 +57,7 @@ impl Rays {
         let mesh = Mesh::new(vertices.collect::<Result<_, _>>()?, self.triangles.clone())?;
         let ray = |text: &String| {
             let [a, b, c, x, y, z, tmin, tmax] = parse_floats(text).ok_or(RaysError::Floats)?;
-            Ok(Ray::new(Vec3::new(a, b, c), Vec3::new(x, y, z), tmin, tmax)?)
+            Ok(Ray::within(Vec3::new(a, b, c), Vec3::new(x, y, z), tmin, tmax)?)
         };
         let rays = self.rays.iter().map(ray).collect::<Result<_, RaysError>>()?;
         Ok((mesh, rays))

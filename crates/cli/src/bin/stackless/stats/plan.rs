@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use serde::Serialize;
-use stackless_bvh::bvh::{BuildError, BuildOptions, Bvh, Primitives};
+use stackless_bvh::bvh::{BuildError, Bvh, Primitives};
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::{Aabb, Ray, Triangle};
 use stackless_bvh::trace::{self, Ask, Part, Plan, Tracer};
@@ -126,7 +126,7 @@ struct All<'m>(&'m Mesh);
 
 impl All<'_> {
     fn over(mesh: &Mesh) -> Result<Bvh, BuildError> {
-        Bvh::build(&All(mesh), &BuildOptions::default(), &|_| ())
+        Bvh::build(&All(mesh))
     }
 }
 
