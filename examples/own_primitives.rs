@@ -58,7 +58,7 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let place = |i: u32| Vec3::new((i % 100) as f32, (i / 100) as f32, 0.0);
     let spheres: Vec<_> = (0..10_000).map(|i| Sphere { center: place(i), radius: 0.3 }).collect();
     let bvh = Bvh::build(&spheres[..])?;
-    let tracer = Tracer::<SphereTest, Directed>::with_method(&bvh, Method::Hashed)?;
+    let tracer = Tracer::<_, SphereTest, Directed>::with_tests(&bvh, Method::Hashed)?;
 
     let ray = Ray::new(Vec3::new(-5.0, 42.0, 0.0), Vec3::X)?;
     let hit = tracer.closest_distance(&ray);

@@ -7,7 +7,7 @@ use crate::order::Pruning;
 use crate::tree::Recorded;
 
 /// A traversal, by the name that code, command line, suite and tables share.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "each is documented where it is implemented")]
 pub enum Method {
     Stack,
@@ -28,6 +28,7 @@ pub enum Method {
     Laine8,
     Afra,
     AfraDisjoint,
+    #[default]
     Uncle,
     UncleDisjoint,
     HashOnly,

@@ -123,7 +123,7 @@ fn many_rays_are_answered_by_rational_arithmetic() {
         for ray in &rays {
             check_instances(&tracer, &flat, ray).unwrap_or_else(|fault| panic!("{}, {ray:?}: {fault}", scene.name));
         }
-        let found = tracer.count(&rays, false);
+        let found = tracer.count_closest(&rays);
         for (sum, count) in counts.iter_mut().zip([found.instances, found.triangles, found.rational]) {
             *sum += count;
         }
@@ -143,7 +143,7 @@ fn what_is_behind_a_hit_is_not_entered() {
     let row = assembly.add_group(instances, &options).expect("a group");
     let tracer = InstanceTracer::new(&assembly, row, Method::Hashed).expect("any tree");
     let ray = Ray::within(Vec3::new(0.1, 0.2, -5.0), Vec3::new(0.001, 0.002, 1.0), 0.0, 1000.0).expect("a ray");
-    let (closest, any) = (tracer.count(&[ray], false), tracer.count(&[ray], true));
+    let (closest, any) = (tracer.count_closest(&[ray]), tracer.count_any(&[ray]));
     // The second one was postponed before the first was entered, and postponed nodes are not tested again.
     assert!(closest.instances <= 2 && closest.rational == 0 && any.instances == 1, "{closest:?}, {any:?}");
     assert!(closest.triangles < 10 && any.triangles < 10, "{closest:?}, {any:?}");

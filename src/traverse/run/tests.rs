@@ -41,7 +41,7 @@ fn lookups_in_the_table_of_another_tree_are_misses() {
     };
     let mut tables = Tables::new(&tree, &axes, &[Method::HashOnly], 0).verified();
     assert_eq!((run(&tables), run(&tables)), (Ok(0), Ok(0)));
-    tables.full_hash = perfect(&other, KeySet::All);
+    tables.beside.full_hash = perfect(&other, KeySet::All);
     let Ok(misses) = run(&tables) else { panic!("it runs") };
     assert!(misses > 1, "{misses}");
     assert_eq!(run(&tables), Ok(2 * misses));

@@ -37,7 +37,7 @@ impl WithTests for Cast {
     ) -> Option<Answer> {
         let Self { bvh, rays, query } = self;
         let bvh = bvh.map(K::Shape::from);
-        let tracer = Tracer::<K, B>::with_method(&bvh, Method::Stack).ok()?;
+        let tracer = Tracer::<_, K, B>::with_tests(&bvh, Method::Stack).ok()?;
         let hits: Vec<Value> = match query {
             Query::Closest => tracer.closest_each(&rays).into_iter().map(hit).collect(),
             Query::Any => tracer.any_each(&rays).into_iter().map(|any| json!(any)).collect(),
