@@ -37,7 +37,7 @@ fn scene(method: Method) -> (Method, &'static Scene) {
     (method, Box::leak(Box::new(Scene { bvh, rays })))
 }
 
-fn tracer(method: Method) -> (Tracer<'static>, &'static [Ray]) {
+fn tracer(method: Method) -> (Tracer<&'static Bvh>, &'static [Ray]) {
     let (method, scene) = scene(method);
     (Tracer::with_method(&scene.bvh, method).expect("it runs on any tree"), &scene.rays)
 }
@@ -50,14 +50,14 @@ fn tracer(method: Method) -> (Tracer<'static>, &'static [Ray]) {
 #[bench::hash_only(Method::HashOnly)]
 #[bench::hashed(Method::Hashed)]
 #[bench::implicit_b1(Method::ImplicitB1)]
-fn closest((tracer, rays): (Tracer<'static>, &'static [Ray])) -> usize {
+fn closest((tracer, rays): (Tracer<&'static Bvh>, &'static [Ray])) -> usize {
     black_box(tracer.closest_each(black_box(rays))).iter().flatten().count()
 }
 
 #[library_benchmark(setup = tracer)]
 #[bench::stack(Method::Stack)]
 #[bench::hashed(Method::Hashed)]
-fn any((tracer, rays): (Tracer<'static>, &'static [Ray])) -> usize {
+fn any((tracer, rays): (Tracer<&'static Bvh>, &'static [Ray])) -> usize {
     black_box(tracer.any_each(black_box(rays))).iter().filter(|&&hit| hit).count()
 }
 

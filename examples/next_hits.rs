@@ -3,7 +3,6 @@
 //! `cargo run --release --example next_hits`
 
 use glam::Vec3;
-use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::trace::Tracer;
@@ -11,9 +10,8 @@ use stackless_bvh::trace::Tracer;
 /// How much light comes through a soup of triangles, each of which lets nine tenths pass.
 pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mesh = procedural::soup(1, 2000);
-    let bvh = Bvh::sah(&mesh, SahOptions::default())?;
-    let tracer = Tracer::new(&bvh);
-    let ray = Ray::new(Vec3::new(0.5, 0.5, -1.0), Vec3::Z, 0.0, f32::INFINITY)?;
+    let tracer = Tracer::of(&mesh)?;
+    let ray = Ray::new(Vec3::new(0.5, 0.5, -1.0), Vec3::Z)?;
 
     let (mut light, mut passed) = (1.0, Vec::new());
     let mut hit = tracer.closest(&ray);
@@ -25,7 +23,7 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("{light:.3} of the light is left after {} triangles: {passed:?}", passed.len());
 
     // Going on until nothing is left gives what a single search for all hits gives.
-    let all = tracer.all(&ray);
-    assert!(passed.iter().eq(all.iter().take(passed.len()).map(|hit| &hit.prim)));
+    let all = tracer.all(&ray).map(|hit| hit.prim);
+    assert!(all.take(passed.len()).eq(passed));
     Ok(())
 }

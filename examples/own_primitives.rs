@@ -3,7 +3,7 @@
 //! `cargo run --release --example own_primitives`
 
 use glam::Vec3;
-use stackless_bvh::bvh::{Bounded, BuildOptions, Bvh};
+use stackless_bvh::bvh::{Bounded, Bvh};
 use stackless_bvh::geom::slabs::Directed;
 use stackless_bvh::geom::{Aabb, Kernel, Ray, Region};
 use stackless_bvh::trace::Tracer;
@@ -57,10 +57,10 @@ impl Kernel for SphereTest {
 pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let place = |i: u32| Vec3::new((i % 100) as f32, (i / 100) as f32, 0.0);
     let spheres: Vec<_> = (0..10_000).map(|i| Sphere { center: place(i), radius: 0.3 }).collect();
-    let bvh = Bvh::build(&spheres[..], &BuildOptions::default(), &|_| ())?;
-    let tracer = Tracer::<SphereTest, Directed>::with_method(&bvh, Method::Hashed)?;
+    let bvh = Bvh::build(&spheres[..])?;
+    let tracer = Tracer::<_, SphereTest, Directed>::with_tests(&bvh, Method::Hashed)?;
 
-    let ray = Ray::new(Vec3::new(-5.0, 42.0, 0.0), Vec3::X, 0.0, f32::INFINITY)?;
+    let ray = Ray::new(Vec3::new(-5.0, 42.0, 0.0), Vec3::X)?;
     let hit = tracer.closest_distance(&ray);
     println!("{} spheres, depth {}: {hit:?}", spheres.len(), bvh.depth());
     assert_eq!(hit, Some((4200, 4.7)));

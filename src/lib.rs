@@ -74,6 +74,8 @@ pub mod bvh;
 #[cfg(feature = "rays")]
 pub mod geom;
 #[cfg(feature = "rays")]
+mod threads;
+#[cfg(feature = "rays")]
 pub mod trace;
 
 /// The example of the README, compiled and run with the documentation's.

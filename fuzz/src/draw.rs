@@ -127,7 +127,7 @@ impl<'a> Draw<'a> {
         let origin = self.point();
         let direction = self.aim(aims, origin);
         let [tmin, tmax] = self.interval();
-        Ray::new(origin, direction, tmin, tmax).ok()
+        Ray::within(origin, direction, tmin, tmax).ok()
     }
 
     /// A ray in double precision.
@@ -147,7 +147,7 @@ impl<'a> Draw<'a> {
                 [a.min(b), a.max(b)]
             }
         };
-        Ray::new(origin, direction, tmin, tmax).ok()
+        Ray::within(origin, direction, tmin, tmax).ok()
     }
 
     fn aim(&mut self, aims: &[[Vec3; 3]], origin: Vec3) -> Vec3 {

@@ -1,6 +1,6 @@
 //! Targets of the geometric tests, each against rational arithmetic.
 
-use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, SpatialOptions};
+use stackless_bvh::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
 use stackless_bvh::generate::Source;
 use stackless_bvh::geom::kernel::{Exact, Exact64, ExactFromSingle};
 use stackless_bvh::geom::slabs::{Directed, Enclosed, Plain, TwoSided, Wide};
@@ -50,7 +50,7 @@ pub(crate) fn slabs(bytes: &[u8]) {
     right(check_slabs::<Directed>(&ray, &a, &b, true), about("directed"));
     right(check_slabs::<Enclosed>(&ray, &a, &b, true), about("enclosed"));
     let [o, d] = [ray.origin(), ray.direction()].map(Vector::widen);
-    if let Ok(ray) = Ray::new(o, d, f64::from(ray.tmin()), f64::from(ray.tmax())) {
+    if let Ok(ray) = Ray::within(o, d, f64::from(ray.tmin()), f64::from(ray.tmax())) {
         right(check_slabs::<Wide>(&ray, &a, &b, true), about("wide"));
     }
 }
@@ -68,8 +68,8 @@ pub(crate) fn nearest(bytes: &[u8]) {
         right(check_distance(&triangle, point), format_args!("{triangle:?} {point:?}"));
     }
     for builder in [Builder::Sah, Builder::Spatial] {
-        let options = BuildOptions { builder, sah, spatial, reinsertion: 0 };
-        let bvh = right(Bvh::build(&mesh, &options, &|_| ()), "a tree without limits");
+        let options = BuildOptions { builder, sah, spatial, reinsertion: 0, ..BuildOptions::default() };
+        let bvh = right(options.build(&mesh), "a tree without limits");
         right(
             check_nearest(&bvh, &mesh, point, radius, k),
             format_args!("{builder}: {mesh:?} {point:?} {radius:?} {k}"),

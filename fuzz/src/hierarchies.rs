@@ -1,7 +1,9 @@
 //! Targets of hierarchies: builders, refit, files, instances.
 
 use glam::DVec3;
-use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, BvhFileError, SahOptions, SpatialOptions};
+use stackless_bvh::bvh::{
+    BuildError, BuildOptions, Builder, Bvh, BvhFileError, Degenerate, SahOptions, SpatialOptions,
+};
 use stackless_bvh::generate::{Bytes, Source};
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::kernel::{Exact, Exact64};
@@ -26,7 +28,7 @@ pub(crate) fn builders(bytes: &[u8]) {
     let rays = draw.rays(&mesh, 4);
     for builder in Builder::ALL {
         let options = BuildOptions { builder, ..options };
-        if let Some(bvh) = built(Bvh::build(&mesh, &options, &|_| ()), options) {
+        if let Some(bvh) = built(options.build(&mesh), options) {
             right(
                 check_tree::<Exact, Directed, _>(&bvh, &mesh, &rays),
                 format_args!("{options:?}\n{mesh:?}\n{rays:?}"),
@@ -43,7 +45,7 @@ fn builders_64(draw: &mut Draw<'_>, options: BuildOptions) {
     let rays: Vec<_> = (0..3).filter_map(|i| draw.ray_64(mesh.triangle(i % mesh.triangles().len()))).collect();
     for builder in Builder::ALL {
         let options = BuildOptions { builder, ..options };
-        if let Some(bvh) = built(Bvh::build(&mesh, &options, &|_| ()), options) {
+        if let Some(bvh) = built(options.build(&mesh), options) {
             right(check_tree::<Exact64, Wide, _>(&bvh, &mesh, &rays), format_args!("{options:?}\n{mesh:?}\n{rays:?}"));
         }
     }
@@ -56,7 +58,7 @@ pub(crate) fn refit(bytes: &[u8]) {
     let Some(mesh) = draw.mesh(8) else { return };
     let Ok(moved) = Mesh::new(draw.vertices(mesh.triangles()), mesh.triangles().to_vec()) else { return };
     let rays = draw.rays(&moved, 4);
-    let Some(mut bvh) = built(Bvh::build(&mesh, &options, &|_| ()), options) else { return };
+    let Some(mut bvh) = built(options.build(&mesh), options) else { return };
     let before = format!("{bvh:?}");
     if bvh.refit(&moved).is_ok() {
         right(check_tree::<Exact, Directed, _>(&bvh, &moved, &rays), format_args!("{mesh:?}\n{moved:?}\n{rays:?}"));
@@ -74,7 +76,7 @@ pub(crate) fn bvh_bytes(bytes: &[u8]) {
     let recorded = draw.one_of([Recorded::Uncles, Recorded::ParentSibling, Recorded::Nothing]);
     let Some(mesh) = draw.mesh(6) else { return };
     let rays = draw.rays(&mesh, 3);
-    let file = match Bvh::build(&mesh, &options, &|_| ()) {
+    let file = match options.build(&mesh) {
         Ok(bvh) if kind < 3 => patched(&mut Bytes::new(rest), bvh.with_links(recorded).to_bytes()),
         _ => rest.to_vec(),
     };
@@ -151,6 +153,7 @@ fn options(draw: &mut Draw<'_>) -> BuildOptions {
         sah: SahOptions { bins, max_leaf, depth_limit },
         spatial: SpatialOptions { extra_percent, overlap },
         reinsertion: draw.below(3) as u32,
+        degenerate: Degenerate::LeftOut,
     }
 }
 

@@ -5,7 +5,7 @@ use stackless_bvh::generate::{Bytes, Family, Kind, Rng, Search, Source, Tape, sh
 use stackless_bvh::hash::{AddressBounds, KeySet, Options, PerfectHash, Remainder, Sizing, certify};
 use stackless_bvh::key::{self, Grow, KeyWord};
 use stackless_bvh::traverse::{
-    ByWalk, Cuts, KeyTrail, Method, Next, Paused, PieceTable, States, Tables, Unfit, WordName,
+    Beside, ByWalk, Cuts, KeyTrail, Method, Next, Paused, PieceTable, States, Unfit, WordName,
 };
 use stackless_bvh::tree::{Implicit, Keys, Node, Reach, Topology, Tree};
 use stackless_bvh::{oracle, trail};
@@ -132,9 +132,9 @@ pub(crate) fn hash(bytes: &[u8]) {
     assert_eq!((direct, is_direct.len()), (header.direct as usize, header.keys as usize), "{header:?}");
     assert!(header.direct_share() <= 1.0, "{header:?}");
     said(header.sizing);
-    // Tables for all traversals take no less than those for one.
+    // Beside for all traversals take no less than those for one.
     let axes = vec![0; tree.node_count()];
-    let bytes = |methods: &[Method]| Tables::new(&tree, &axes, methods, 13).bytes();
+    let bytes = |methods: &[Method]| Beside::new(&tree, &axes, methods, 13).bytes();
     assert!(bytes(&[method]) <= bytes(&Method::ALL), "{method}");
     for word in WordName::ALL {
         let [narrow, wide] = [1, 60].map(|depth| method.state_bytes_in(word, depth));

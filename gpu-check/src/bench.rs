@@ -139,7 +139,7 @@ pub fn bench(
             if rays.is_empty() {
                 continue;
             }
-            let counters = tracer.count(rays, kind.is_any());
+            let counters = if kind.is_any() { tracer.count_any(rays) } else { tracer.count_closest(rays) };
             let each = |count: u64| count as f64 / rays.len() as f64;
             let (nodes, triangles, leaves) = (each(counters.inner), each(counters.triangles), each(counters.leaves));
             say(Err(Traffic { nodes, triangles, leaves }));

@@ -88,7 +88,7 @@ pub fn rays(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
                 _ => vector(point(&mut rng, REACH)),
             };
             let tmax = if rng.below(8) == 0 { rng.below(40) as f32 } else { f32::INFINITY };
-            Ray::new(o, direction, 0.0, tmax).ok()
+            Ray::within(o, direction, 0.0, tmax).ok()
         })
         .take(count)
         .collect()
@@ -113,7 +113,7 @@ pub fn view(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
     codes
         .filter(|&[x, y]| x < side && y < side)
         .take(count)
-        .filter_map(|[x, y]| Ray::new(eye, forward + right * at(x) + up * at(y), 0.0, f32::INFINITY).ok())
+        .filter_map(|[x, y]| Ray::new(eye, forward + right * at(x) + up * at(y)).ok())
         .collect()
 }
 

@@ -119,7 +119,7 @@ fn certain_and_settled_hits_are_exact() {
     for (i, ray) in made::view(&edges, 3000, 1).iter().enumerate() {
         let [a, b, _] = edges.triangle(i % edges.triangles().len());
         let aim = a + (b - a) * (0.1 + (i % 7) as f32 / 8.0) - ray.origin();
-        to_edges.push(Ray::new(ray.origin(), aim, 0.0, f32::INFINITY).unwrap());
+        to_edges.push(Ray::new(ray.origin(), aim).unwrap());
     }
     let soup = procedural::soup(3, 2000);
     let mut from_soup = made::view(&soup, 2000, 2);

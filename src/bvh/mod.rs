@@ -12,7 +12,7 @@ mod primitives;
 mod refit;
 mod validate;
 
-pub use build::{BuildError, BuildOptions, Builder, SahOptions, SpatialOptions};
+pub use build::{BuildError, BuildOptions, Builder, Degenerate, SahOptions, SpatialOptions};
 pub use bytes::{BvhFileError, Stored};
 pub use primitives::{Bounded, Primitives};
 pub use refit::RefitError;

@@ -77,9 +77,9 @@ pub trait Primitives: Sync {
 /// }
 ///
 /// let spheres: Vec<_> = (0..100).map(|i| Sphere { center: Vec3::X * i as f32, radius: 0.25 }).collect();
-/// let bvh = Bvh::build(&spheres[..], &BuildOptions::default(), &|_| ())?;
-/// let tracer = Tracer::<SphereTest, Directed>::with_method(&bvh, Method::Hashed)?;
-/// let ray = Ray::new(Vec3::new(7.0, 0.0, -3.0), Vec3::Z, 0.0, f32::INFINITY)?;
+/// let bvh = Bvh::build(&spheres[..])?;
+/// let tracer = Tracer::<_, SphereTest, Directed>::with_tests(&bvh, Method::Hashed)?;
+/// let ray = Ray::new(Vec3::new(7.0, 0.0, -3.0), Vec3::Z)?;
 /// assert_eq!(tracer.closest_distance(&ray), Some((7, 2.75)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -2,6 +2,7 @@
 
 mod aabb;
 mod affine;
+mod ball;
 mod clip;
 mod enclosed_ray;
 mod interval;
@@ -17,6 +18,7 @@ mod vector;
 
 pub use aabb::Aabb;
 pub use affine::{Affine, AffineError, meet_image};
+pub use ball::{Ball, BallError};
 pub use enclosed_ray::EnclosedRay;
 pub use interval::Interval;
 pub use kernel::Kernel;

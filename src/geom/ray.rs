@@ -2,12 +2,25 @@
 
 use glam::{DVec3, Vec3};
 
-use super::Vector;
+use super::{Real, Vector};
 
-/// A half-line `origin + t direction` with `tmin <= t <= tmax`, both ends included; in single precision, or with
-/// [`DVec3`] in double.
+/// A half-line `origin + t direction`, or the part of it with `tmin <= t <= tmax`, both ends included; in single precision,
+/// or with [`DVec3`] in double.
 ///
 /// The direction need not have unit length; `t` is measured in its lengths.
+///
+/// ```
+/// use glam::Vec3;
+/// use stackless_bvh::geom::{Ray, RayError};
+///
+/// let ray = Ray::new(Vec3::ZERO, Vec3::X)?;
+/// assert_eq!((ray.tmin(), ray.tmax()), (0.0, f32::INFINITY));
+/// // From a surface to a light, without either.
+/// let shadow = Ray::within(Vec3::ZERO, Vec3::X, 1e-3, 0.999)?;
+/// assert_eq!((shadow.tmin(), shadow.tmax()), (1e-3, 0.999));
+/// assert_eq!(Ray::new(Vec3::ZERO, Vec3::ZERO), Err(RayError::ZeroDirection));
+/// # Ok::<(), RayError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray<V: Vector = Vec3> {
     origin: V,
@@ -50,11 +63,19 @@ pub enum RayError {
 }
 
 impl<V: Vector> Ray<V> {
+    /// A ray from its origin on, without an end.
+    ///
+    /// # Errors
+    /// What [`RayError`] lists of origin and direction.
+    pub fn new(origin: V, direction: V) -> Result<Self, RayError> {
+        Self::within(origin, direction, V::Real::default(), V::Real::INFINITY)
+    }
+
     /// A ray over the given interval. `tmax` may be infinite.
     ///
     /// # Errors
     /// What [`RayError`] lists.
-    pub fn new(origin: V, direction: V, tmin: V::Real, tmax: V::Real) -> Result<Self, RayError> {
+    pub fn within(origin: V, direction: V, tmin: V::Real, tmax: V::Real) -> Result<Self, RayError> {
         let (near, far): (f64, f64) = (tmin.into(), tmax.into());
         if !origin.is_finite() {
             return Err(RayError::Origin(origin.widen()));

@@ -29,13 +29,13 @@ pub fn reflect(mesh: &Mesh, ray: &Ray, hit: &Hit, rng: &mut Rng) -> Option<Ray> 
     // Added to the normal, a point of the unit sphere gives the cosine distribution.
     let direction = outside + unit_vector(rng);
     let origin = ray.origin() + ray.direction() * (hit.t * (1.0 - 1e-4));
-    Ray::new(origin, direction, 0.0, f32::INFINITY).ok()
+    Ray::new(origin, direction).ok()
 }
 
 /// A ray from its origin up to this length, not in lengths of its direction; `None` if that is not a number.
 pub fn cut(ray: &Ray, length: f32) -> Option<Ray> {
     let tmax = length / ray.direction().length();
-    Ray::new(ray.origin(), ray.direction(), 0.0, tmax).ok()
+    Ray::within(ray.origin(), ray.direction(), 0.0, tmax).ok()
 }
 
 fn unit_vector(rng: &mut Rng) -> Vec3 {

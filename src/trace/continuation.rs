@@ -1,8 +1,9 @@
 //! Paths: rays that start where others have hit, and are traced on from there.
 
+use std::borrow::Borrow;
+
 use super::counters::{Counters, Counting};
-use super::level::Level;
-use super::{BoxQuery, FromLeft, Hit, Nearest, NodeSearch, Tracer};
+use super::{BoxQuery, ChildOrder, FromLeft, Hit, Nearest, NodeSearch, Tracer};
 use crate::bvh::Bvh;
 use crate::geom::kernel::Real;
 use crate::geom::{Aabb, Kernel, Ray, Slabs};
@@ -39,24 +40,24 @@ pub struct Place(Node);
 ///     let Some((hit, leaf)) = continuation.closest(&ray, place) else { break };
 ///     assert_eq!(Some(hit), tracer.closest(&ray));
 ///     let origin = ray.origin() + ray.direction() * hit.t;
-///     (ray, place) = (Ray::new(origin, -ray.direction().yzx(), 1e-3, f32::INFINITY)?, Some(leaf));
+///     (ray, place) = (Ray::within(origin, -ray.direction().yzx(), 1e-3, f32::INFINITY)?, Some(leaf));
 /// }
 /// # use glam::Vec3Swizzles;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct Continuation<'t, 'a, K: Kernel, B> {
-    tracer: &'t Tracer<'a, K, B>,
+pub struct Continuation<'t, T, K, B> {
+    tracer: &'t Tracer<T, K, B>,
     keys: Keys,
     /// Of each node.
     boxes: Vec<Aabb>,
 }
 
-impl<'t, 'a, K: Kernel, B: Slabs<Vector = K::Vector>> Continuation<'t, 'a, K, B> {
+impl<'t, T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Continuation<'t, T, K, B> {
     /// Makes tables of the keys and boxes of all nodes.
     ///
     /// # Errors
     /// [`Unfit::NoPause`] where the tracer's traversal cannot begin but at the root.
-    pub fn new(tracer: &'t Tracer<'a, K, B>) -> Result<Self, Unfit> {
+    pub fn new(tracer: &'t Tracer<T, K, B>) -> Result<Self, Unfit> {
         if !tracer.method().can_pause() {
             return Err(Unfit::NoPause);
         }
@@ -66,30 +67,32 @@ impl<'t, 'a, K: Kernel, B: Slabs<Vector = K::Vector>> Continuation<'t, 'a, K, B>
 
     /// The closest hit, and its place. The first ray of a path comes from nowhere.
     pub fn closest(&self, ray: &Ray<K::Vector>, from: Option<Place>) -> Option<(Hit<Real<K>>, Place)> {
-        let mut search = NodeSearch::<K, B, false>::new(self.tracer.level.bvh, &self.boxes, ray);
+        let mut search = NodeSearch::<K, B, false>::new(self.tracer.bvh(), &self.boxes, ray);
         self.run(from, &mut search);
         Some((search.hit()?, Place(search.query.hit_leaf()?)))
     }
 
     /// Whether there is any hit.
     pub fn any(&self, ray: &Ray<K::Vector>, from: Option<Place>) -> bool {
-        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.tracer.level.bvh, &self.boxes, ray);
+        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.tracer.bvh(), &self.boxes, ray);
         self.run(from, &mut search);
         search.found().is_some()
     }
 
-    /// What a closest hit (or with `any`, any hit) costs, counted, without backtracks.
-    pub fn count(&self, ray: &Ray<K::Vector>, from: Option<Place>, any: bool) -> Counters {
+    /// What [`closest`](Self::closest) costs, counted, without backtracks.
+    pub fn count_closest(&self, ray: &Ray<K::Vector>, from: Option<Place>) -> Counters {
+        self.count::<false, Nearest>(ray, from)
+    }
+
+    /// What [`any`](Self::any) costs, counted, without backtracks.
+    pub fn count_any(&self, ray: &Ray<K::Vector>, from: Option<Place>) -> Counters {
+        self.count::<true, FromLeft>(ray, from)
+    }
+
+    fn count<const ANY: bool, O: ChildOrder>(&self, ray: &Ray<K::Vector>, from: Option<Place>) -> Counters {
         let mut counters = Counters { rays: 1, ..Counters::default() };
-        let (bvh, boxes, counted) = (self.tracer.level.bvh, &*self.boxes, &mut counters);
-        let query: &mut dyn Seeking = if any {
-            let search = NodeSearch::new(bvh, boxes, ray);
-            &mut Counting::<K, B, true, FromLeft> { search, counters: counted }
-        } else {
-            let search = NodeSearch::new(bvh, boxes, ray);
-            &mut Counting::<K, B, false, Nearest> { search, counters: counted }
-        };
-        let [tests, missed] = self.run(from, query);
+        let search = NodeSearch::new(self.tracer.bvh(), &self.boxes, ray);
+        let [tests, missed] = self.run(from, &mut Counting::<K, B, ANY, O> { search, counters: &mut counters });
         Counters { boxes: counters.boxes + tests, inner: counters.inner + missed, ..counters }
     }
 
@@ -107,7 +110,7 @@ impl<'t, 'a, K: Kernel, B: Slabs<Vector = K::Vector>> Continuation<'t, 'a, K, B>
     }
 }
 
-impl<K: Kernel, B> std::fmt::Debug for Continuation<'_, '_, K, B> {
+impl<T, K, B> std::fmt::Debug for Continuation<'_, T, K, B> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Continuation").field("tracer", self.tracer).finish_non_exhaustive()
     }
@@ -189,21 +192,21 @@ impl<S> Pruned for Upwards<'_, S> {
 
 impl<S> Repeatable for Upwards<'_, S> {}
 
-struct Begin<'q, 'c, 't, 'a, K: Kernel, B> {
-    at: &'c Continuation<'t, 'a, K, B>,
+struct Begin<'q, 'c, 't, T, K: Kernel, B> {
+    at: &'c Continuation<'t, T, K, B>,
     from: Option<Node>,
     query: &'q mut Upwards<'c, K::Shape>,
 }
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> WithWord for Begin<'_, '_, '_, '_, K, B> {
+impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> WithWord for Begin<'_, '_, '_, T, K, B> {
     type Output = Result<(), Unfit>;
 
     fn call<W: KeyWord>(self) -> Result<(), Unfit> {
         let Self { at: Continuation { tracer, keys, .. }, from, query } = self;
-        let Level { bvh, tables, .. } = &tracer.level;
-        let locate = |leaf| KeyOnly::locate(keys.key::<W>(bvh.slot(leaf)), Next::Visit, &ByWalk(*bvh)).ok();
+        let (bvh, level) = (tracer.bvh(), &tracer.level);
+        let locate = |leaf| KeyOnly::locate(keys.key::<W>(bvh.slot(leaf)), Next::Visit, &ByWalk(bvh)).ok();
         let from = from.and_then(locate);
-        tables.with_cursor::<W, _>(tracer.level.method_for(query), Run { from, query })
+        level.tables(bvh).with_cursor::<W, _>(level.method_for(query), Run { from, query })
     }
 }
 
@@ -230,7 +233,7 @@ impl<W: KeyWord, Q: Repeatable + Pruned> WithCursor<W> for Run<'_, W, Q> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bvh::{BuildOptions, Builder, Bvh};
+    use crate::bvh::{BuildOptions, Builder};
     use crate::generate::procedural;
     use crate::traverse::Method;
 
@@ -241,11 +244,9 @@ mod tests {
         let rays = procedural::rays(&mesh, 3, 150);
         for builder in [Builder::Sah, Builder::Spatial, Builder::Median] {
             let options = BuildOptions { builder, ..BuildOptions::default() };
-            let bvh = Bvh::build(&mesh, &options, &|_| ()).expect("a tree");
+            let bvh = options.build(&mesh).expect("a tree");
             for method in Method::ALL {
-                let Ok(tracer) =
-                    Tracer::<crate::geom::kernel::Exact, crate::geom::slabs::Directed>::with_method(&bvh, method)
-                else {
+                let Ok(tracer) = Tracer::with_method(&bvh, method) else {
                     continue;
                 };
                 let Ok(continuation) = Continuation::new(&tracer) else {
@@ -263,7 +264,7 @@ mod tests {
                     let Some((hit, place)) = continuation.closest(ray, None) else { continue };
                     assert!(bvh.leaf_triangles(place.0).iter().any(|held| held.prim == hit.prim));
                     // The same ray again begins where it ends.
-                    let [root, leaf] = [None, Some(place)].map(|from| continuation.count(ray, from, true).inner as i64);
+                    let [root, leaf] = [None, Some(place)].map(|from| continuation.count_any(ray, from).inner as i64);
                     cheaper += root - leaf;
                 }
                 assert!(cheaper > 0, "{method}: {cheaper}");
@@ -272,14 +273,19 @@ mod tests {
     }
 
     #[test]
-    fn a_place_that_is_none_is_the_root() {
+    fn a_place_of_another_hierarchy_is_the_last_leaf() {
         let mesh = procedural::soup(2, 40);
-        let bvh = Bvh::sah(&mesh, crate::bvh::SahOptions::default()).expect("a tree");
-        let tracer = Tracer::new(&bvh);
-        let continuation = Continuation::new(&tracer).expect("hashed can pause");
+        let tracer = Tracer::of(&mesh).expect("a tree");
+        let continuation = Continuation::new(&tracer).expect("it can pause");
+        let last = Place(Node::leaf(tracer.bvh().leaves().len() as u32 - 1));
+        let elsewhere = Place(Node::leaf(1 << 20));
+        let mut differ = 0;
         for ray in procedural::rays(&mesh, 3, 50) {
-            let elsewhere = Some(Place(Node::leaf(1 << 20)));
-            assert_eq!(continuation.closest(&ray, elsewhere).map(|(hit, _)| hit), tracer.closest(&ray));
+            assert_eq!(continuation.closest(&ray, Some(elsewhere)).map(|(hit, _)| hit), tracer.closest(&ray));
+            let boxes = |from| continuation.count_closest(&ray, from).boxes;
+            assert_eq!(boxes(Some(elsewhere)), boxes(Some(last)), "{ray:?}");
+            differ += usize::from(boxes(Some(last)) != boxes(None));
         }
+        assert!(differ > 25, "{differ}");
     }
 }

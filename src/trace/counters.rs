@@ -1,12 +1,17 @@
 //! What queries cost, in things that can be counted.
 
+use std::borrow::Borrow;
+
+use crate::bvh::Bvh;
 use crate::event::Backtracks;
 use crate::geom::kernel::Stage;
-use crate::geom::{Aabb, Kernel, Slabs};
+use crate::geom::{Aabb, Kernel, Ray, Slabs};
 use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Repeatable, Visitor};
+use crate::threads;
 use crate::tree::{Node, Reach};
 
-use super::{BoxQuery, ChildOrder, NodeSearch};
+use super::tracer::CHUNK;
+use super::{BoxQuery, ChildOrder, FromLeft, Nearest, NodeSearch, Query, Tracer};
 
 /// Counts over many rays. Queries that nobody counts pay nothing: these run in a copy of their own.
 #[derive(Clone, Debug)]
@@ -50,6 +55,35 @@ impl Counters {
             sums: self.sums + other.sums,
             backtracks: self.backtracks.merge(&other.backtracks),
         }
+    }
+}
+
+impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T, K, B> {
+    /// What the closest hit of each ray costs, counted. Of no use for timing.
+    pub fn count_closest(&self, rays: &[Ray<K::Vector>]) -> Counters {
+        self.count::<false, Nearest>(rays)
+    }
+
+    /// What any hit of each ray costs, counted.
+    pub fn count_any(&self, rays: &[Ray<K::Vector>]) -> Counters {
+        self.count::<true, FromLeft>(rays)
+    }
+
+    fn count<const ANY: bool, O: ChildOrder>(&self, rays: &[Ray<K::Vector>]) -> Counters {
+        let (bvh, level) = (self.bvh(), &self.level);
+        let count = |chunk: &[Ray<K::Vector>]| {
+            let (mut counters, mut memory) = (Counters::default(), Vec::new());
+            let mut backtracks = Backtracks::new(Reach::ALGORITHM_1);
+            for ray in chunk {
+                counters.rays += 1;
+                backtracks.begin();
+                let search = NodeSearch::new(bvh, &level.boxes, ray);
+                let mut query = Counting::<K, B, ANY, O> { search, counters: &mut counters };
+                level.run_shared(bvh, ray.octant(), &mut memory, &mut query as &mut dyn Query, &mut backtracks);
+            }
+            Counters { backtracks, ..counters }
+        };
+        threads::reduce(rays, CHUNK, count, |a, b| a.merge(&b)).unwrap_or_default()
     }
 }
 

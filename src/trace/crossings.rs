@@ -1,5 +1,7 @@
 //! Queries that look at everything along a ray: all hits, and the number of crossings.
 
+use std::collections::HashSet;
+
 use super::cast::Cast;
 use super::{BoxQuery, Hit};
 use crate::bvh::Bvh;
@@ -18,7 +20,7 @@ use crate::tree::Node;
 ///
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z], vec![[0, 1, 2], [0, 2, 1], [0, 1, 3]])?;
 /// let bvh = Bvh::median(&mesh, 1)?;
-/// let ray = Ray::new(Vec3::new(0.25, -0.25, -1.0), Vec3::new(0.0, 0.5, 1.0), 0.0, f32::INFINITY)?;
+/// let ray = Ray::new(Vec3::new(0.25, -0.25, -1.0), Vec3::new(0.0, 0.5, 1.0))?;
 /// let mut hits = AllHits::new(&bvh, &ray);
 /// traverse(Stack::new(&bvh, &mut Vec::new()), &mut hits, &mut ());
 /// let hits = hits.hits();
@@ -35,6 +37,7 @@ pub type AllHits64<'a> = Sweep<'a, Exact64, Wide>;
 #[derive(Clone, Debug)]
 pub struct Sweep<'a, K: Kernel, B: Slabs<Vector = K::Vector>> {
     cast: Cast<'a, K, B>,
+    repeats: Repeats,
     /// Distance, triangle, and where that is in the hierarchy.
     found: Vec<(Real<K>, u32, usize)>,
 }
@@ -42,7 +45,18 @@ pub struct Sweep<'a, K: Kernel, B: Slabs<Vector = K::Vector>> {
 impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Sweep<'a, K, B> {
     /// Prepares a query.
     pub fn new(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>) -> Self {
-        Self { cast: Cast::new(bvh, ray), found: Vec::new() }
+        Self::watching(bvh, ray, bvh.duplicates() > 0)
+    }
+
+    /// A query that watches for triangles that it has met, or does not, which must be none then.
+    pub(super) fn watching(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>, watches: bool) -> Self {
+        Self { cast: Cast::new(bvh, ray), repeats: Repeats::new(watches), found: Vec::new() }
+    }
+
+    /// Whether it watches for triangles that it has met.
+    #[cfg(test)]
+    pub(super) fn watches(&self) -> bool {
+        self.repeats.0.is_some()
     }
 
     /// All hits, after the traversal, in the order (`t`, primitive).
@@ -52,8 +66,6 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Sweep<'a, K, B> {
         found.sort_by(|(t, prim, _), (other, next, _)| {
             t.partial_cmp(other).unwrap_or(prim.cmp(next)).then(prim.cmp(next))
         });
-        // A triangle may be in several leaves.
-        found.dedup_by_key(|(_, prim, _)| *prim);
         let Cast { bvh, kernel, .. } = &self.cast;
         let hit = |(t, prim, place): (Real<K>, u32, usize)| {
             let [u, v] = kernel.weights(&bvh.triangles()[place].shape);
@@ -74,7 +86,9 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for Sweep<'_, K, B> {
         let Cast { bvh, kernel, .. } = &self.cast;
         let range = bvh.leaf_range(node);
         for (place, held) in range.clone().zip(&bvh.triangles()[range]) {
-            if let Some(t) = kernel.distance(&held.shape, Real::<K>::INFINITY) {
+            if let Some(t) = kernel.distance(&held.shape, Real::<K>::INFINITY)
+                && self.repeats.is_new(held.prim)
+            {
                 self.found.push((t, held.prim, place));
             }
         }
@@ -109,7 +123,7 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
 /// let bvh = Bvh::median(&mesh, 4)?;
 /// for (origin, count) in [(Vec3::ZERO, 1), (Vec3::splat(4.0), 2)] {
 ///     for &corner in mesh.vertices() {
-///         let ray = Ray::new(origin, corner - origin, 0.0, f32::INFINITY)?;
+///         let ray = Ray::new(origin, corner - origin)?;
 ///         let mut crossings = Crossings::new(&bvh, &ray);
 ///         traverse(Stack::new(&bvh, &mut Vec::new()), &mut crossings, &mut ());
 ///         assert_eq!(crossings.count() % 2, count % 2);
@@ -120,19 +134,19 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
 #[derive(Clone, Debug)]
 pub struct Crossings<'a> {
     cast: Cast<'a, Exact, Directed>,
-    /// The triangles.
-    crossed: Vec<u32>,
+    repeats: Repeats,
+    count: u32,
 }
 
 impl<'a> Crossings<'a> {
     /// Prepares a query.
     pub fn new(bvh: &'a Bvh, ray: &Ray) -> Self {
-        Self { cast: Cast::new(bvh, ray), crossed: Vec::new() }
+        Self { cast: Cast::new(bvh, ray), repeats: Repeats::new(bvh.duplicates() > 0), count: 0 }
     }
 
     /// How many triangles are crossed, after the traversal.
     pub const fn count(&self) -> u32 {
-        self.crossed.len() as u32
+        self.count
     }
 
     /// Whether that is an odd number.
@@ -150,13 +164,26 @@ impl Visitor for Crossings<'_> {
     #[inline]
     fn leaf(&mut self, node: Node) -> Flow {
         let Cast { bvh, kernel, .. } = &self.cast;
-        for held in bvh.leaf_triangles(node).iter().filter(|held| kernel.crosses(&held.shape)) {
-            // A triangle may be in several leaves.
-            if bvh.duplicates() == 0 || !self.crossed.contains(&held.prim) {
-                self.crossed.push(held.prim);
-            }
+        for held in bvh.leaf_triangles(node) {
+            self.count += u32::from(kernel.crosses(&held.shape) && self.repeats.is_new(held.prim));
         }
         Flow::Continue
+    }
+}
+
+/// The triangles that were met so far, where a triangle may be in several leaves.
+#[derive(Clone, Debug)]
+struct Repeats(Option<HashSet<u32>>);
+
+impl Repeats {
+    fn new(watches: bool) -> Self {
+        Self(watches.then(HashSet::new))
+    }
+
+    /// Whether a triangle is met for the first time.
+    #[inline]
+    fn is_new(&mut self, prim: u32) -> bool {
+        self.0.as_mut().is_none_or(|met| met.insert(prim))
     }
 }
 

@@ -18,6 +18,7 @@ pub use assembly::{Assembly, AssemblyError, Instance, Object};
 
 use std::fmt;
 
+use crate::bvh::Bvh;
 use crate::geom::kernel;
 use crate::geom::truth::{Point, round_f32};
 use crate::geom::{Affine, EnclosedRay, Ray, Triangle, meet_image, slabs};
@@ -46,7 +47,7 @@ use walk::{Found, Instances, Search, Triangles, Walk};
 /// let scene = assembly.add_group(vec![Instance { object: row, affine: grown }], &BuildOptions::default())?;
 ///
 /// let tracer = InstanceTracer::new(&assembly, scene, Method::Hashed)?;
-/// let hit = tracer.closest(&Ray::new(Vec3::new(1.0, 0.5, 0.0), Vec3::Z, 0.0, 10.0)?).ok_or("a miss")?;
+/// let hit = tracer.closest(&Ray::within(Vec3::new(1.0, 0.5, 0.0), Vec3::Z, 0.0, 10.0)?).ok_or("a miss")?;
 /// assert_eq!((hit.path, hit.prim, hit.t, hit.u, hit.v), (vec![0, 1], 0, 2.0, 0.5, 0.25));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -101,8 +102,8 @@ pub enum InstanceError {
 
 #[derive(Debug)]
 enum AnyLevel<'a> {
-    Mesh(Level<'a, Triangle>),
-    Group(Level<'a, ()>, &'a [Instance]),
+    Mesh(Level, &'a Bvh),
+    Group(Level, &'a Group),
 }
 
 impl<'a> InstanceTracer<'a> {
@@ -136,14 +137,14 @@ impl<'a> InstanceTracer<'a> {
             let level = match assembly.parts().get(object).filter(|_| is_used[object]) {
                 None => Ok(None),
                 Some(Part::Mesh(bvh)) => {
-                    Level::new(bvh, &Plan::new(bvh, meshes, Ask::Hit)).map(|level| Some(AnyLevel::Mesh(level)))
+                    Level::new(bvh, &Plan::new(bvh, meshes, Ask::Hit)).map(|level| Some(AnyLevel::Mesh(level, bvh)))
                 }
-                Some(Part::Group(Group { instances, bvh, .. })) => {
-                    for instance in instances {
+                Some(Part::Group(group)) => {
+                    for instance in &group.instances {
                         is_used[instance.object.index()] = true;
                     }
-                    Level::new(bvh, &Plan::new(bvh, groups, Ask::Hit))
-                        .map(|level| Some(AnyLevel::Group(level, instances)))
+                    Level::new(&group.bvh, &Plan::new(&group.bvh, groups, Ask::Hit))
+                        .map(|level| Some(AnyLevel::Group(level, group)))
                 }
             };
             levels.push(level.map_err(|unfit| InstanceError::Unfit { object, unfit })?);
@@ -166,8 +167,17 @@ impl<'a> InstanceTracer<'a> {
         self.search(ray, true).found.is_some()
     }
 
-    /// What the closest hits (or with `any`, any hits) of these rays cost.
-    pub fn count(&self, rays: &[Ray], any: bool) -> InstanceCounts {
+    /// What the closest hits of these rays cost.
+    pub fn count_closest(&self, rays: &[Ray]) -> InstanceCounts {
+        self.count(rays, false)
+    }
+
+    /// What any hits of these rays cost.
+    pub fn count_any(&self, rays: &[Ray]) -> InstanceCounts {
+        self.count(rays, true)
+    }
+
+    fn count(&self, rays: &[Ray], any: bool) -> InstanceCounts {
         rays.iter().map(|ray| self.search(ray, any).counts).fold(InstanceCounts::default(), |a, b| InstanceCounts {
             instances: a.instances + b.instances,
             triangles: a.triangles + b.triangles,
@@ -183,10 +193,10 @@ impl<'a> InstanceTracer<'a> {
         for level in &self.levels {
             bytes.push(match level {
                 None => 0,
-                Some(AnyLevel::Mesh(level)) => level.state_bytes() + Self::RAY_BYTES,
-                Some(AnyLevel::Group(level, instances)) => {
-                    let inner = instances.iter().map(|instance| bytes[instance.object.index()]).max();
-                    level.state_bytes() + Self::RAY_BYTES + inner.unwrap_or(0)
+                Some(AnyLevel::Mesh(level, bvh)) => level.state_bytes(bvh) + Self::RAY_BYTES,
+                Some(AnyLevel::Group(level, group)) => {
+                    let inner = group.instances.iter().map(|instance| bytes[instance.object.index()]).max();
+                    level.state_bytes(&group.bvh) + Self::RAY_BYTES + inner.unwrap_or(0)
                 }
             });
         }
@@ -206,19 +216,18 @@ impl<'a> InstanceTracer<'a> {
         let mut memory = std::mem::take(&mut search.memory[depth]);
         match &self.levels[object.index()] {
             None => {}
-            Some(AnyLevel::Mesh(level)) => {
-                let region = level.bvh.region();
+            Some(AnyLevel::Mesh(level, bvh)) => {
+                let region = bvh.region();
                 let test = kernel::Enclosed::new(&ray, [tmin, search.ray.tmax()], region);
-                let leaves = Triangles { tracer: self, bvh: level.bvh, test };
-                let slabs = slabs::Enclosed::of(&ray, tmin, region);
-                let walk = Walk { bvh: level.bvh, slabs, leaves, search: &mut *search };
-                level.run_fast(octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
+                let leaves = Triangles { tracer: self, bvh, test };
+                let walk = Walk { bvh, slabs: slabs::Enclosed::of(&ray, tmin, region), leaves, search: &mut *search };
+                level.run(bvh, octant, &mut memory, OwnBoxes::over(walk, &level.boxes));
             }
-            Some(AnyLevel::Group(level, instances)) => {
-                let slabs = slabs::Enclosed::of(&ray, tmin, level.bvh.region());
-                let leaves = Instances { tracer: self, bvh: level.bvh, placed: instances, ray };
-                let walk = Walk { bvh: level.bvh, slabs, leaves, search: &mut *search };
-                level.run_fast(octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
+            Some(AnyLevel::Group(level, Group { instances, bvh, .. })) => {
+                let slabs = slabs::Enclosed::of(&ray, tmin, bvh.region());
+                let leaves = Instances { tracer: self, bvh, placed: instances, ray };
+                let walk = Walk { bvh, slabs, leaves, search: &mut *search };
+                level.run(bvh, octant, &mut memory, OwnBoxes::over(walk, &level.boxes));
             }
         }
         search.memory[depth] = memory;

@@ -1,75 +1,93 @@
-//! A hierarchy with what queries on it need besides.
+//! What queries on a hierarchy need besides.
 
 use super::{Part, Plan, Query};
 use crate::bvh::Bvh;
 use crate::event::Recorder;
 use crate::geom::Aabb;
 use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Visitor};
-use crate::traverse::{Method, Tables, Unfit, WordName};
+use crate::traverse::{Beside, Method, Stack, Tables, Unfit, WordName, traverse};
 use crate::tree::{Implicit, Node, Topology};
 
-/// A hierarchy, a traversal and its tables.
-pub(super) struct Level<'a, S> {
-    pub(super) bvh: &'a Bvh<S>,
+/// A traversal and its tables. The hierarchy that they were made for comes with each query.
+#[derive(Debug)]
+pub(super) struct Level {
     pub(super) method: Method,
     pub(super) word: WordName,
-    pub(super) tables: Tables<'a, Bvh<S>>,
+    beside: Beside,
     /// Each node's own box, for the traversals that test it.
     pub(super) boxes: Vec<Aabb>,
 }
 
-impl<'a, S> Level<'a, S> {
-    /// What a plan says, which must be for this hierarchy.
-    pub(super) fn new(bvh: &'a Bvh<S>, plan: &Plan) -> Result<Self, Unfit> {
+impl Level {
+    /// What a plan says, checked once and for all: no ray can fail.
+    pub(super) fn new<S>(bvh: &Bvh<S>, plan: &Plan) -> Result<Self, Unfit> {
         let level = Self::unchecked(bvh, plan);
         // A search that is over at the root: what is unfit is found before the first step.
-        level.try_run(0, &mut Vec::new(), &mut Nothing, &mut ()).map(|()| level)
+        level.try_run(bvh, 0, &mut Vec::new(), &mut Nothing, &mut ()).map(|()| level)
     }
 
-    pub(super) fn unchecked(bvh: &'a Bvh<S>, plan: &Plan) -> Self {
+    pub(super) fn unchecked<S>(bvh: &Bvh<S>, plan: &Plan) -> Self {
         let (method, word) = (plan.method(), plan.word());
         let boxes = if plan.skips(Part::OwnBoxes) { Vec::new() } else { bvh.own_boxes() };
         let others: &[Method] = if plan.skips(Part::OtherTables) { &[] } else { &Method::ALL };
-        let tables = Tables::new(bvh, bvh.axes(), &[&[method], others].concat(), Implicit::LIMIT);
-        Self { bvh, method, word, tables, boxes }
+        let beside = Beside::new(bvh, bvh.axes(), &[&[method], others].concat(), Implicit::LIMIT);
+        Self { method, word, beside, boxes }
     }
 
     /// Memory of the tables, in bytes.
     pub(super) fn bytes(&self) -> usize {
-        self.tables.bytes() + size_of_val(&*self.boxes)
+        self.beside.bytes() + size_of_val(&*self.boxes)
     }
 
     /// Bytes of the state of a traversal.
-    pub(super) fn state_bytes(&self) -> usize {
-        self.method.state_bytes_in(self.word, self.bvh.depth())
+    pub(super) fn state_bytes<S>(&self, bvh: &Bvh<S>) -> usize {
+        self.method.state_bytes_in(self.word, bvh.depth())
     }
 
-    /// Runs a query in a copy of the traversals that is compiled for it, if the keys are short.
+    /// Runs a query to its end, in a copy of the traversals that is compiled for it, if the keys are short.
     #[inline]
-    pub(super) fn run_fast(&self, octant: u8, memory: &mut Vec<Node>, query: &mut impl Query) {
-        let method = self.method_for(query);
+    pub(super) fn run<S, Q: Query>(&self, bvh: &Bvh<S>, octant: u8, memory: &mut Vec<Node>, mut query: Q) -> Q {
+        let (method, tables) = (self.method_for(&query), self.tables(bvh));
         let fits = match self.word {
-            WordName::U32 => self.tables.run::<u32, _>(method, octant, memory, query, &mut ()),
-            WordName::U64 => self.tables.run::<u64, _>(method, octant, memory, query, &mut ()),
-            WordName::U128 | WordName::Grow => self.try_run(octant, memory, query, &mut ()),
+            WordName::U32 => tables.run::<u32, _>(method, octant, memory, &mut query, &mut ()),
+            WordName::U64 => tables.run::<u64, _>(method, octant, memory, &mut query, &mut ()),
+            WordName::U128 | WordName::Grow => self.try_run(bvh, octant, memory, &mut query, &mut ()),
         };
-        debug_assert_eq!(fits, Ok(()), "checked when this was made");
+        if fits.is_err() {
+            by_stack(bvh, &mut query);
+        }
+        query
     }
 
-    /// Runs any query.
-    pub(super) fn run(&self, octant: u8, memory: &mut Vec<Node>, query: &mut dyn Query, recorder: &mut impl Recorder) {
-        let fits = self.try_run(octant, memory, query, recorder);
-        debug_assert_eq!(fits, Ok(()), "checked when this was made");
-    }
-
-    fn try_run(
+    /// Runs any query, in the copy of the traversals that all share.
+    pub(super) fn run_shared<S>(
         &self,
+        bvh: &Bvh<S>,
+        octant: u8,
+        memory: &mut Vec<Node>,
+        query: &mut dyn Query,
+        recorder: &mut impl Recorder,
+    ) {
+        if self.try_run(bvh, octant, memory, query, recorder).is_err() {
+            by_stack(bvh, query);
+        }
+    }
+
+    fn try_run<S>(
+        &self,
+        bvh: &Bvh<S>,
         octant: u8,
         memory: &mut Vec<Node>,
         mut query: &mut dyn Query,
         recorder: &mut impl Recorder,
     ) -> Result<(), Unfit> {
-        self.tables.run_in(self.word, self.method_for(&query), octant, memory, &mut query, recorder)
+        let method = self.method_for(&query);
+        self.tables(bvh).run_in(self.word, method, octant, memory, &mut query, recorder)
+    }
+
+    #[inline]
+    pub(super) fn tables<'t, S>(&'t self, bvh: &'t Bvh<S>) -> Tables<'t, Bvh<S>> {
+        Tables::lent(bvh, bvh.axes(), &self.beside)
     }
 
     /// Searches that nothing can be pruned from are traversed as a whole.
@@ -79,10 +97,11 @@ impl<'a, S> Level<'a, S> {
     }
 }
 
-impl<S> std::fmt::Debug for Level<'_, S> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Level").field("method", &self.method).field("word", &self.word).finish_non_exhaustive()
-    }
+/// What every hierarchy fits. [`Level::new`] sees to it that nobody comes here; who does is answered, and not with a miss.
+#[cold]
+#[inline(never)]
+fn by_stack<S>(bvh: &Bvh<S>, mut query: &mut dyn Query) {
+    traverse(Stack::new(bvh, &mut Vec::new()), &mut query, &mut ());
 }
 
 /// A query that ends at the root.
@@ -111,5 +130,37 @@ impl NodeTest for Nothing {
 
     fn leaf(&mut self, _: Node) -> Flow {
         Flow::Stop
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bvh::SahOptions;
+    use crate::generate::procedural;
+    use crate::trace::{Ask, Closest, OwnBoxes, Truth};
+
+    /// Keys of 32 bits in a hierarchy that is too deep for them, and no table of the traversal that runs.
+    #[test]
+    fn a_level_that_does_not_fit_is_found_at_once_and_answers_even_so() {
+        let mesh = procedural::layers(60);
+        let bvh = Bvh::sah(&mesh, SahOptions { depth_limit: u32::MAX, ..SahOptions::default() }).expect("a tree");
+        assert!(bvh.depth() > 31, "{}", bvh.depth());
+        let plan = Plan::new(&Bvh::median(&mesh, 4).expect("a tree"), Method::Uncle, Ask::Hit);
+        assert_eq!(plan.word(), WordName::U32);
+        assert!(matches!(Level::new(&bvh, &plan), Err(Unfit::TooDeep(_))));
+        let level = Level::unchecked(&bvh, &plan);
+        let (truth, rays) = (Truth::new(&mesh), procedural::rays(&mesh, 5, 200));
+        let mut hits = 0;
+        for ray in &rays {
+            let expected = truth.closest(ray).map(|hit| hit.rounded());
+            hits += usize::from(expected.is_some());
+            let search = || OwnBoxes::over(Closest::new(&bvh, ray), &level.boxes);
+            assert_eq!(level.run(&bvh, ray.octant(), &mut Vec::new(), search()).hit(), expected, "{ray:?}");
+            let mut shared = search();
+            level.run_shared(&bvh, ray.octant(), &mut Vec::new(), &mut shared, &mut ());
+            assert_eq!(shared.hit(), expected, "{ray:?}");
+        }
+        assert!(hits > 20, "{hits}");
     }
 }

@@ -36,9 +36,9 @@ pub use forms::{Form, Forms};
 pub use instances::{
     Assembly, AssemblyError, Instance, InstanceCounts, InstanceError, InstanceHit, InstanceTracer, Object,
 };
-pub use nearest::{Near, NearError, NearestPoint, NearestPoints};
+pub use nearest::{Near, NearestPoint, NearestPoints};
 pub use next::Following;
-pub use plan::{Ask, Decision, Part, Plan};
+pub use plan::{Ask, Asked, Decision, Part, Plan};
 pub use query::{BoxQuery, OwnBoxes, Query};
 pub use search::{Any, Any64, AnyByNode, Closest, Closest64, ClosestByNode, NodeSearch, Search};
 pub use tracer::Tracer;

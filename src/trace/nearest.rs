@@ -8,7 +8,7 @@ use glam::Vec3;
 
 use super::query::BoxQuery;
 use crate::bvh::Bvh;
-use crate::geom::{Aabb, Measure};
+use crate::geom::{Aabb, Ball, Measure};
 use crate::order::{Descent, Flow, Pruned, Repeatable, Side, Visitor};
 use crate::tree::{Node, Topology};
 
@@ -35,24 +35,10 @@ pub struct NearestPoint<'a> {
     found: Option<(u32, usize)>,
 }
 
-/// Why numbers are not a point and a radius.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum NearError {
-    /// A coordinate is NaN or infinite.
-    #[error("point {0} is not finite")]
-    Point(Vec3),
-    /// The radius is negative or NaN.
-    #[error("radius {0} is negative or not a number")]
-    Radius(f32),
-}
-
 impl<'a> NearestPoint<'a> {
-    /// Prepares a search. The radius may be infinite.
-    ///
-    /// # Errors
-    /// What [`NearError`] lists.
-    pub fn new(bvh: &'a Bvh, point: Vec3, radius: f32) -> Result<Self, NearError> {
-        Ok(Self { around: Around::new(bvh, point, radius)?, found: None })
+    /// Prepares a search.
+    pub fn new(bvh: &'a Bvh, ball: &Ball) -> Self {
+        Self { around: Around::new(bvh, ball), found: None }
     }
 
     /// What is nearest, after the traversal.
@@ -104,14 +90,8 @@ struct Around<'a> {
 }
 
 impl<'a> Around<'a> {
-    fn new(bvh: &'a Bvh, point: Vec3, radius: f32) -> Result<Self, NearError> {
-        if !point.is_finite() {
-            return Err(NearError::Point(point));
-        }
-        if radius.is_nan() || radius < 0.0 {
-            return Err(NearError::Radius(radius));
-        }
-        Ok(Self { bvh, measure: Measure::new(point, radius), limit: radius })
+    fn new(bvh: &'a Bvh, ball: &Ball) -> Self {
+        Self { bvh, measure: Measure::new(ball.center(), ball.radius()), limit: ball.radius() }
     }
 
     fn descend(&self, node: Node) -> Descent {

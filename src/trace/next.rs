@@ -26,7 +26,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Following<'a, K, B> {
         // before. The triangles are tested with the ray itself.
         let start = after.0.next_down();
         let start = if start > ray.tmin() { start } else { ray.tmin() };
-        let rest = Ray::new(ray.origin(), ray.direction(), start, ray.tmax()).unwrap_or(*ray);
+        let rest = Ray::within(ray.origin(), ray.direction(), start, ray.tmax()).unwrap_or(*ray);
         let cast = Cast { slabs: B::new(&rest, bvh.region()), ..Cast::new(bvh, ray) };
         Self { cast, after, found: None }
     }

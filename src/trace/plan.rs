@@ -1,6 +1,6 @@
 //! What a query on a scene can do without.
 
-use crate::bvh::Bvh;
+use crate::bvh::{BuildOptions, Bvh, Degenerate};
 use crate::traverse::{Method, Test, WordName};
 use crate::tree::Topology;
 
@@ -15,6 +15,17 @@ pub enum Ask {
     Hit,
     /// All hits.
     All,
+}
+
+/// What a tracer says of a hit that its plan asks for ([`Tracer::asked_each`](super::Tracer::asked_each)).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Asked<R = f32> {
+    /// Index of the triangle in the mesh; where any hit is asked for, of the one that was met first.
+    pub prim: u32,
+    /// Distance along the ray, unless it was left out.
+    pub t: Option<R>,
+    /// Weights of the triangle's second and third corner, unless they were left out.
+    pub weights: Option<[R; 2]>,
 }
 
 /// Something that takes time or memory, and not every query on every scene needs it.
@@ -34,13 +45,11 @@ pub enum Part {
     Degenerate,
     /// The watch for triangles that are met again in another leaf.
     Repeats,
-    /// Distances to boxes that err on the safe side.
-    Padding,
 }
 
 impl Part {
     /// All parts.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 7] = [
         Self::LongKeys,
         Self::OtherTables,
         Self::SecondTrail,
@@ -48,7 +57,6 @@ impl Part {
         Self::Weights,
         Self::Degenerate,
         Self::Repeats,
-        Self::Padding,
     ];
 
     /// The name in tables.
@@ -61,7 +69,6 @@ impl Part {
             Self::Weights => "weights",
             Self::Degenerate => "degenerate triangles",
             Self::Repeats => "watch for repeats",
-            Self::Padding => "padding",
         }
     }
 }
@@ -87,7 +94,7 @@ pub struct Decision {
 ///
 /// let bvh = Bvh::sah(&procedural::strands(1, 100), SahOptions::default())?;
 /// let plan = Plan::new(&bvh, Method::Hashed, Ask::Any);
-/// assert!(plan.skips(Part::LongKeys) && plan.skips(Part::Weights) && !plan.skips(Part::Padding));
+/// assert!(plan.skips(Part::LongKeys) && plan.skips(Part::Weights));
 /// for decision in plan.decisions() {
 ///     println!("{}: {}", decision.part.name(), decision.reason);
 /// }
@@ -97,6 +104,7 @@ pub struct Decision {
 pub struct Plan {
     method: Method,
     word: WordName,
+    ask: Ask,
     decisions: Vec<Decision>,
 }
 
@@ -104,8 +112,10 @@ impl Plan {
     /// Looks at a hierarchy once.
     pub fn new<S>(bvh: &Bvh<S>, method: Method, ask: Ask) -> Self {
         let word = WordName::narrowest(bvh.depth());
-        let decisions = Part::ALL.map(|part| decide(part, bvh, method, ask)).into();
-        Self { method, word, decisions }
+        let decisions: Vec<_> = Part::ALL.map(|part| decide(part, bvh, method, ask)).into();
+        let prunes_for_nothing = method.test() == Test::Disjoint && matches!(ask, Ask::Any | Ask::All);
+        let method = if prunes_for_nothing { method.without_pruning() } else { method };
+        Self { method, word, ask, decisions }
     }
 
     /// The same with a part back in that was left out: to see what it costs.
@@ -137,6 +147,17 @@ impl Plan {
     /// Whether a part is left out.
     pub fn skips(&self, part: Part) -> bool {
         self.decisions.iter().any(|decision| decision.part == part && decision.skipped)
+    }
+
+    /// Options with what the plan says of triangles that no ray can meet: they are dropped when a hierarchy is built.
+    pub fn options(&self, options: BuildOptions) -> BuildOptions {
+        let degenerate = if self.skips(Part::Degenerate) { Degenerate::LeftOut } else { Degenerate::Kept };
+        BuildOptions { degenerate, ..options }
+    }
+
+    /// What is asked for each ray.
+    pub fn ask(&self) -> Ask {
+        self.ask
     }
 
     /// The traversal.
@@ -187,7 +208,6 @@ fn decide<S>(part: Part, bvh: &Bvh<S>, method: Method, ask: Ask) -> Decision {
             (_, Ask::All) => (false, format!("{} references are to triangles of other leaves", bvh.duplicates())),
             _ => (true, "a second meeting changes nothing".to_owned()),
         },
-        Part::Padding => (false, "moved reciprocals take no instruction more".to_owned()),
     };
     Decision { part, skipped, reason }
 }

@@ -28,7 +28,7 @@ pub type Any<'a> = Search<'a, Exact, Directed, true, FromLeft>;
 /// let corners = [DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| corner + 1e9);
 /// let mesh = Mesh::new(corners.to_vec(), vec![[0, 1, 2]])?;
 /// let bvh = Bvh::sah(&mesh, SahOptions::default())?;
-/// let ray = Ray::new(DVec3::splat(1e9 + 0.25) - DVec3::Z, DVec3::Z, 0.0, f64::INFINITY)?;
+/// let ray = Ray::new(DVec3::splat(1e9 + 0.25) - DVec3::Z, DVec3::Z)?;
 /// let mut closest = Closest64::new(&bvh, &ray);
 /// traverse(Stack::new(&bvh, &mut Vec::new()), &mut closest, &mut ());
 /// assert_eq!(closest.hit().map(|hit| (hit.t, hit.u, hit.v)), Some((0.75, 0.25, 0.25)));

@@ -102,7 +102,7 @@ fn all_trees_give_the_truth_in_the_soup() {
 fn the_first_of_equal_triangles_is_hit() {
     let corners = vec![glam::Vec3::ZERO, glam::Vec3::X, glam::Vec3::Y];
     let mesh = Mesh::new(corners, vec![[0, 1, 2]; 1000]).expect("a mesh");
-    let ray = Ray::new(glam::Vec3::new(0.25, 0.25, -1.0), glam::Vec3::Z, 0.0, 1.0).expect("a ray");
+    let ray = Ray::within(glam::Vec3::new(0.25, 0.25, -1.0), glam::Vec3::Z, 0.0, 1.0).expect("a ray");
     for bvh in trees(&mesh) {
         let mut closest = Closest::new(&bvh, &ray);
         walk(&bvh, bvh.root(), &mut closest);
@@ -115,7 +115,7 @@ fn counts_are_those_of_the_walk() {
     let mesh = procedural::soup(1, 64);
     let bvh = Bvh::median(&mesh, 1).expect("a tree");
     let origin = mesh.vertices()[0] - glam::Vec3::ONE;
-    let ray = Ray::new(origin, glam::Vec3::NEG_ONE, 0.0, 1.0).expect("a ray");
-    let counters = Tracer::new(&bvh).count(&[ray], false);
+    let ray = Ray::within(origin, glam::Vec3::NEG_ONE, 0.0, 1.0).expect("a ray");
+    let counters = Tracer::new(&bvh).count_closest(&[ray]);
     assert_eq!((counters.inner, counters.leaves, counters.boxes), (1, 0, 2));
 }

@@ -1,105 +1,166 @@
 //! Ray queries as functions: the library's front door.
 
+use std::borrow::Borrow;
 use std::fmt;
 use std::marker::PhantomData;
+use std::slice;
+use std::vec;
 
-use glam::Vec3;
-use rayon::prelude::*;
-
-use super::counters::{Counters, Counting};
 use super::level::Level;
 use super::{
-    Ask, Following, FromLeft, Hit, Near, NearError, Nearest, NearestPoint, NearestPoints, NodeSearch, OwnBoxes, Plan,
-    Query, Sweep,
+    Ask, Asked, Following, FromLeft, Hit, Near, NearestPoint, NearestPoints, NodeSearch, OwnBoxes, Part, Plan, Sweep,
 };
-use crate::bvh::Bvh;
-use crate::event::Backtracks;
+use crate::bvh::{BuildError, Bvh};
 use crate::geom::kernel::{Exact, Real};
 use crate::geom::slabs::Directed;
-use crate::geom::{Kernel, Ray, Slabs, Vector};
+use crate::geom::{Ball, Kernel, Mesh, Ray, Slabs};
+use crate::threads;
 use crate::traverse::{Method, Unfit, WordName};
-use crate::tree::{Node, Reach};
+use crate::tree::Node;
 
 /// Answers queries over a hierarchy by one of the traversals, with the triangle test `K` and the box test `B`.
 ///
-/// The answers are exact unless other tests are asked for, and then the same for all trees and traversals. `[DET-1]` A
-/// tracer can be shared by threads.
+/// The hierarchy is its own, borrowed or shared: `T` is `Bvh`, `&Bvh`, `Arc<Bvh>`, or whatever else borrows as one, always
+/// the same. A tracer can be stored, sent and shared by threads as `T` can.
+///
+/// Each query is there for one ray, for a slice on this thread (`_each`), and for a slice on all threads (`_parallel`).
+/// Whatever the traversal is not made for is found when the tracer is made; a ray cannot fail. The answers are exact unless
+/// other tests are asked for, and then the same for all hierarchies and traversals. `[DET-1]`
 ///
 /// ```
+/// use std::sync::Arc;
 /// use glam::Vec3;
-/// use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, geom::Mesh, trace::Tracer};
+/// use stackless_bvh::{bvh::Bvh, geom::Mesh, geom::Ray, trace::Tracer, traverse::Method};
 ///
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
-/// let bvh = Bvh::sah(&mesh, SahOptions::default())?;
-/// let tracer = Tracer::new(&bvh);
-/// let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z, 0.0, f32::INFINITY)?;
-/// let hit = tracer.closest(&ray).ok_or("a miss")?;
+/// let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z)?;
+/// let hit = Tracer::of(&mesh)?.closest(&ray).ok_or("a miss")?;
 /// assert_eq!((hit.prim, hit.t, hit.u, hit.v), (0, 3.0, 0.25, 0.5));
+///
+/// let bvh = Bvh::build(&mesh)?;
+/// let hashed = Tracer::with_method(&bvh, Method::Hashed)?;
+/// assert_eq!(hashed.closest_each(&[ray, ray]), [Some(hit); 2]);
+///
+/// let shared: Tracer<Arc<Bvh>> = Tracer::new(Arc::new(bvh));
+/// assert!(std::thread::spawn(move || shared.any(&ray)).join().is_ok_and(|any| any));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct Tracer<'a, K: Kernel = Exact, B = Directed> {
-    pub(super) level: Level<'a, K::Shape>,
-    slabs: PhantomData<fn() -> B>,
+pub struct Tracer<T = Bvh, K = Exact, B = Directed> {
+    bvh: T,
+    pub(super) level: Level,
+    /// What the plan says of hits.
+    ask: Ask,
+    with_weights: bool,
+    watches: bool,
+    tests: PhantomData<fn() -> (K, B)>,
 }
 
 /// Rays that a thread takes at once.
-const CHUNK: usize = 256;
+pub(super) const CHUNK: usize = 256;
 
-impl<'a> Tracer<'a> {
-    /// A tracer by `hashed`, with tables and words as narrow as the hierarchy allows.
-    pub fn new(bvh: &'a Bvh) -> Self {
-        // No hierarchy is known for which the hash cannot be built. Uncle references need none.
-        Self::with_method(bvh, Method::Hashed)
-            .unwrap_or_else(|_| Self::over(Level::unchecked(bvh, &Plan::new(bvh, Method::Uncle, Ask::All))))
-    }
-
-    /// The point of the mesh that is nearest to `point`, if there is one within the radius, included. `[NEAR-1]`
+impl Tracer {
+    /// A tracer that owns a hierarchy over a mesh, by [`Bvh::build`].
     ///
     /// # Errors
-    /// What [`NearError`] lists.
-    pub fn nearest(&self, point: Vec3, radius: f32) -> Result<Option<Near>, NearError> {
-        let mut search = OwnBoxes::over(NearestPoint::new(self.level.bvh, point, radius)?, &self.level.boxes);
-        self.level.run(0, &mut Vec::new(), &mut search, &mut ());
-        Ok(search.query.near())
-    }
-
-    /// The `k` triangles that are nearest to `point`, in order of distance and then index, as many as there are within the
-    /// radius, included. `[NEAR-2]`
-    ///
-    /// # Errors
-    /// What [`NearError`] lists.
-    pub fn nearest_k(&self, point: Vec3, radius: f32, k: usize) -> Result<Vec<Near>, NearError> {
-        let mut search = OwnBoxes::over(NearestPoints::new(self.level.bvh, point, radius, k)?, &self.level.boxes);
-        self.level.run(0, &mut Vec::new(), &mut search, &mut ());
-        Ok(search.query.nears().collect())
+    /// [`BuildError`], for more than 2^31 triangles.
+    pub fn of(mesh: &Mesh) -> Result<Self, BuildError> {
+        Bvh::build(mesh).map(Self::new)
     }
 }
 
-impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
+impl<T: Borrow<Bvh>> Tracer<T> {
+    /// A tracer by [`Method::default`], which runs on any hierarchy, with words as narrow as that allows.
+    pub fn new(bvh: T) -> Self {
+        let plan = Plan::new(bvh.borrow(), Method::default(), Ask::Hit);
+        let level = Level::unchecked(bvh.borrow(), &plan);
+        Self::over(bvh, level, &plan)
+    }
+
     /// A tracer by any traversal, with tables and words as narrow as the hierarchy allows.
     ///
     /// # Errors
     /// [`Unfit`] where the traversal is not for this hierarchy: `complete` on one that is not, `laine-*` on one that is deeper
     /// than 126.
-    pub fn with_method(bvh: &'a Bvh<K::Shape>, method: Method) -> Result<Self, Unfit> {
-        Self::planned(bvh, &Plan::new(bvh, method, Ask::All))
+    pub fn with_method(bvh: T, method: Method) -> Result<Self, Unfit> {
+        Self::with_tests(bvh, method)
     }
 
-    /// A tracer that has what a plan says, which must be for this hierarchy.
+    /// A tracer that has what a plan says. A plan that was made for another hierarchy may cost time or memory, or be refused; it
+    /// does not change an answer.
     ///
     /// # Errors
-    /// As [`with_method`](Self::with_method).
-    pub fn planned(bvh: &'a Bvh<K::Shape>, plan: &Plan) -> Result<Self, Unfit> {
-        Level::new(bvh, plan).map(Self::over)
+    /// [`Unfit`], also where the keys of the plan are too short for the hierarchy.
+    pub fn planned(bvh: T, plan: &Plan) -> Result<Self, Unfit> {
+        let level = Level::new(bvh.borrow(), plan)?;
+        Ok(Self::over(bvh, level, plan))
     }
 
-    fn over(level: Level<'a, K::Shape>) -> Self {
-        Self { level, slabs: PhantomData }
+    /// The point of the mesh that is nearest to the middle of a ball, if there is one in it. `[NEAR-1]`
+    pub fn nearest(&self, ball: &Ball) -> Option<Near> {
+        self.nearest_in(ball, &mut Vec::new())
+    }
+
+    /// [`nearest`](Self::nearest) of each ball, on this thread.
+    pub fn nearest_each(&self, balls: &[Ball]) -> Vec<Option<Near>> {
+        each(balls, |ball, memory| self.nearest_in(ball, memory))
+    }
+
+    /// [`nearest`](Self::nearest) of each ball, on all threads.
+    pub fn nearest_parallel(&self, balls: &[Ball]) -> Vec<Option<Near>>
+    where
+        T: Sync,
+    {
+        in_parallel(balls, |ball, memory| self.nearest_in(ball, memory))
+    }
+
+    /// The `k` triangles that are nearest to the middle of a ball, in order of distance and then index, as many as there are in
+    /// the ball. `[NEAR-2]`
+    ///
+    /// ```
+    /// use glam::Vec3;
+    /// use stackless_bvh::{geom::Ball, generate::procedural, trace::Tracer};
+    ///
+    /// let tracer = Tracer::of(&procedural::soup(1, 50))?;
+    /// let ball = Ball::around(Vec3::ZERO)?;
+    /// assert_eq!(tracer.nearest_k(&ball, 3).first(), tracer.nearest(&ball).as_ref());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn nearest_k(&self, ball: &Ball, k: usize) -> Vec<Near> {
+        let bvh = self.bvh();
+        let mut search = OwnBoxes::over(NearestPoints::new(bvh, ball, k), &self.level.boxes);
+        self.level.run_shared(bvh, 0, &mut Vec::new(), &mut search, &mut ());
+        search.query.nears().collect()
+    }
+
+    fn nearest_in(&self, ball: &Ball, memory: &mut Vec<Node>) -> Option<Near> {
+        let bvh = self.bvh();
+        let mut search = OwnBoxes::over(NearestPoint::new(bvh, ball), &self.level.boxes);
+        self.level.run_shared(bvh, 0, memory, &mut search, &mut ());
+        search.query.near()
+    }
+}
+
+impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T, K, B> {
+    /// [`with_method`](Tracer::with_method) for other tests than the exact ones, or other shapes than triangles:
+    /// `Tracer::<_, K, B>::with_tests(...)`.
+    ///
+    /// # Errors
+    /// As [`with_method`](Tracer::with_method).
+    pub fn with_tests(bvh: T, method: Method) -> Result<Self, Unfit> {
+        let plan = Plan::new(bvh.borrow(), method, Ask::Hit);
+        let level = Level::new(bvh.borrow(), &plan)?;
+        Ok(Self::over(bvh, level, &plan))
+    }
+
+    fn over(bvh: T, level: Level, plan: &Plan) -> Self {
+        // A triangle is reported once, whatever the plan was made for.
+        let watches = !plan.skips(Part::Repeats) || bvh.borrow().duplicates() > 0;
+        Self { bvh, level, ask: plan.ask(), with_weights: !plan.skips(Part::Weights), watches, tests: PhantomData }
     }
 
     /// The hierarchy.
-    pub fn bvh(&self) -> &'a Bvh<K::Shape> {
-        self.level.bvh
+    pub fn bvh(&self) -> &Bvh<K::Shape> {
+        self.bvh.borrow()
     }
 
     /// The traversal.
@@ -119,90 +180,102 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
 
     /// The closest hit: the least distance, and of equal ones the least index. `[EXACT-1]`
     pub fn closest(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
-        self.closest_in(ray, &mut Vec::new())
+        self.level.run(self.bvh(), ray.octant(), &mut Vec::new(), self.closest_search(ray)).hit()
     }
 
-    /// Whether there is any hit.
-    pub fn any(&self, ray: &Ray<K::Vector>) -> bool {
-        self.any_in(ray, &mut Vec::new())
+    /// [`closest`](Self::closest) of each ray, on this thread.
+    pub fn closest_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
+        each(rays, |ray, memory| self.level.run(self.bvh(), ray.octant(), memory, self.closest_search(ray)).hit())
     }
 
-    /// [`closest_distance`](Self::closest_distance) of each ray, on this thread, into `found`, which has room for all.
-    pub fn closest_distances(&self, rays: &[Ray<K::Vector>], found: &mut [Option<(u32, Real<K>)>]) {
-        let mut memory = Vec::new();
-        for (ray, found) in rays.iter().zip(found) {
-            let mut search = NodeSearch::<K, B, false>::new(self.level.bvh, &self.level.boxes, ray);
-            self.level.run_fast(ray.octant(), &mut memory, &mut search);
-            *found = search.found();
-        }
+    /// [`closest`](Self::closest) of each ray, on all threads.
+    pub fn closest_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>>
+    where
+        T: Sync,
+    {
+        in_parallel(rays, |ray, memory| {
+            self.level.run(self.bvh(), ray.octant(), memory, self.closest_search(ray)).hit()
+        })
     }
 
     /// Triangle and distance of the [`closest`](Self::closest) hit, without its weights.
     pub fn closest_distance(&self, ray: &Ray<K::Vector>) -> Option<(u32, Real<K>)> {
         let mut found = [None];
-        self.closest_distances(std::slice::from_ref(ray), &mut found);
+        self.closest_distances(slice::from_ref(ray), &mut found);
         found[0]
+    }
+
+    /// [`closest_distance`](Self::closest_distance) of each ray, on this thread, into `found`: of as many as both have.
+    pub fn closest_distances(&self, rays: &[Ray<K::Vector>], found: &mut [Option<(u32, Real<K>)>]) {
+        let mut memory = Vec::new();
+        for (ray, found) in rays.iter().zip(found) {
+            *found = self.level.run(self.bvh(), ray.octant(), &mut memory, self.closest_search(ray)).found();
+        }
+    }
+
+    /// Whether there is any hit.
+    pub fn any(&self, ray: &Ray<K::Vector>) -> bool {
+        self.any_search_done(ray, &mut Vec::new()).found().is_some()
+    }
+
+    /// [`any`](Self::any) of each ray, on this thread.
+    pub fn any_each(&self, rays: &[Ray<K::Vector>]) -> Vec<bool> {
+        each(rays, |ray, memory| self.any_search_done(ray, memory).found().is_some())
+    }
+
+    /// [`any`](Self::any) of each ray, on all threads.
+    pub fn any_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<bool>
+    where
+        T: Sync,
+    {
+        in_parallel(rays, |ray, memory| self.any_search_done(ray, memory).found().is_some())
     }
 
     /// Any hit, whole: the first that is met, which depends on hierarchy and traversal.
     pub fn any_hit(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
-        self.any_hit_in(ray, &mut Vec::new())
+        self.any_search_done(ray, &mut Vec::new()).hit()
     }
 
     /// [`any_hit`](Self::any_hit) of each ray, on this thread.
     pub fn any_hit_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
-        let mut memory = Vec::new();
-        rays.iter().map(|ray| self.any_hit_in(ray, &mut memory)).collect()
+        each(rays, |ray, memory| self.any_search_done(ray, memory).hit())
     }
 
-    /// What the closest hit (or with `any`, any hit) of each ray costs, counted. Of no use for timing.
-    pub fn count(&self, rays: &[Ray<K::Vector>], any: bool) -> Counters {
-        let count = |chunk: &[Ray<K::Vector>]| {
-            let (mut counters, mut memory) = (Counters::default(), Vec::new());
-            let mut backtracks = Backtracks::new(Reach::ALGORITHM_1);
-            for ray in chunk {
-                counters.rays += 1;
-                backtracks.begin();
-                let (bvh, boxes, counters) = (self.level.bvh, &*self.level.boxes, &mut counters);
-                let query: &mut dyn Query = if any {
-                    &mut Counting::<K, B, true, FromLeft> { search: NodeSearch::new(bvh, boxes, ray), counters }
-                } else {
-                    &mut Counting::<K, B, false, Nearest> { search: NodeSearch::new(bvh, boxes, ray), counters }
-                };
-                self.level.run(ray.octant(), &mut memory, query, &mut backtracks);
-            }
-            Counters { backtracks, ..counters }
-        };
-        rays.par_chunks(CHUNK).map(count).reduce(Counters::default, |a, b| a.merge(&b))
-    }
-
-    /// The closest hit of each ray, on this thread.
-    pub fn closest_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
-        let mut memory = Vec::new();
-        rays.iter().map(|ray| self.closest_in(ray, &mut memory)).collect()
-    }
-
-    /// Whether there is any hit of each ray, on this thread.
-    pub fn any_each(&self, rays: &[Ray<K::Vector>]) -> Vec<bool> {
-        let mut memory = Vec::new();
-        rays.iter().map(|ray| self.any_in(ray, &mut memory)).collect()
-    }
-
-    /// The closest hit of each ray, on all threads.
-    pub fn closest_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
-        in_parallel(rays, |ray, memory| self.closest_in(ray, memory))
-    }
-
-    /// Whether there is any hit of each ray, on all threads.
-    pub fn any_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<bool> {
-        in_parallel(rays, |ray, memory| self.any_in(ray, memory))
+    /// [`any_hit`](Self::any_hit) of each ray, on all threads.
+    pub fn any_hit_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>>
+    where
+        T: Sync,
+    {
+        in_parallel(rays, |ray, memory| self.any_search_done(ray, memory).hit())
     }
 
     /// All hits, each triangle once, in the order (`t`, primitive): edges and corners included.
-    pub fn all(&self, ray: &Ray<K::Vector>) -> Vec<Hit<Real<K>>> {
-        let mut search = OwnBoxes::over(Sweep::<K, B>::new(self.level.bvh, ray), &self.level.boxes);
-        self.level.run(ray.octant(), &mut Vec::new(), &mut search, &mut ());
-        search.query.hits()
+    ///
+    /// ```
+    /// use glam::Vec3;
+    /// use stackless_bvh::{generate::procedural, geom::Ray, trace::Tracer};
+    ///
+    /// let tracer = Tracer::of(&procedural::soup(1, 2000))?;
+    /// let ray = Ray::new(Vec3::new(0.5, 0.5, -1.0), Vec3::Z)?;
+    /// assert!(tracer.all(&ray).is_sorted_by_key(|hit| hit.t));
+    /// assert_eq!(tracer.all(&ray).next(), tracer.closest(&ray));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn all(&self, ray: &Ray<K::Vector>) -> vec::IntoIter<Hit<Real<K>>> {
+        self.all_in(ray, &mut Vec::new()).into_iter()
+    }
+
+    /// [`all`](Self::all) of each ray, on this thread.
+    pub fn all_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Vec<Hit<Real<K>>>> {
+        each(rays, |ray, memory| self.all_in(ray, memory))
+    }
+
+    /// [`all`](Self::all) of each ray, on all threads.
+    pub fn all_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<Vec<Hit<Real<K>>>>
+    where
+        T: Sync,
+    {
+        in_parallel(rays, |ray, memory| self.all_in(ray, memory))
     }
 
     /// The first hit in the order (`t`, primitive) that comes after the given one, which need not be a hit. So hits can be
@@ -210,66 +283,84 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<'a, K, B> {
     ///
     /// ```
     /// # use glam::Vec3;
-    /// # use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, geom::Mesh, trace::Tracer};
+    /// # use stackless_bvh::{geom::Ray, geom::Mesh, trace::Tracer};
     /// # let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2], [2, 1, 0], [1, 0, 2]])?;
-    /// # let bvh = Bvh::sah(&mesh, SahOptions::default())?;
-    /// # let tracer = Tracer::new(&bvh);
-    /// # let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z, 0.0, f32::INFINITY)?;
+    /// # let tracer = Tracer::of(&mesh)?;
+    /// # let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z)?;
     /// let mut hits = Vec::new();
     /// let mut hit = tracer.closest(&ray);
     /// while let Some(found) = hit {
     ///     hits.push(found);
     ///     hit = tracer.next(&ray, (found.t, found.prim));
     /// }
-    /// assert_eq!(hits, tracer.all(&ray));
-    /// # assert_eq!(hits.len(), 3);
+    /// assert!(tracer.all(&ray).eq(hits));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn next(&self, ray: &Ray<K::Vector>, after: (Real<K>, u32)) -> Option<Hit<Real<K>>> {
-        let mut search = OwnBoxes::over(Following::<K, B>::new(self.level.bvh, ray, after), &self.level.boxes);
-        self.level.run(ray.octant(), &mut Vec::new(), &mut search, &mut ());
+        let bvh = self.bvh();
+        let mut search = OwnBoxes::over(Following::<K, B>::new(bvh, ray, after), &self.level.boxes);
+        self.level.run_shared(bvh, ray.octant(), &mut Vec::new(), &mut search, &mut ());
         search.query.hit()
     }
 
-    #[inline]
-    fn closest_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Option<Hit<Real<K>>> {
-        let mut search = NodeSearch::<K, B, false>::new(self.level.bvh, &self.level.boxes, ray);
-        self.level.run_fast(ray.octant(), memory, &mut search);
-        search.hit()
+    /// What the [`Plan`] asks for, of each ray, on this thread: of any hit or of the closest one, and no more of it than the plan
+    /// wants.
+    pub fn asked_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Asked<Real<K>>>> {
+        let whole = |hit: Hit<_>| Asked { prim: hit.prim, t: Some(hit.t), weights: Some([hit.u, hit.v]) };
+        each(rays, |ray, memory| match (self.ask, self.with_weights) {
+            (Ask::Any, true) => self.any_search_done(ray, memory).hit().map(whole),
+            (Ask::Any, false) => {
+                let (prim, _) = self.any_search_done(ray, memory).found()?;
+                Some(Asked { prim, t: None, weights: None })
+            }
+            (_, with_weights) => {
+                let search = self.level.run(self.bvh(), ray.octant(), memory, self.closest_search(ray));
+                if with_weights {
+                    return search.hit().map(whole);
+                }
+                let (prim, t) = search.found()?;
+                Some(Asked { prim, t: Some(t), weights: None })
+            }
+        })
     }
 
     #[inline]
-    fn any_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> bool {
-        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.level.bvh, &self.level.boxes, ray);
-        self.level.run_fast(ray.octant(), memory, &mut search);
-        search.found().is_some()
+    fn closest_search(&self, ray: &Ray<K::Vector>) -> NodeSearch<'_, K, B, false> {
+        NodeSearch::new(self.bvh(), &self.level.boxes, ray)
     }
 
-    fn any_hit_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Option<Hit<Real<K>>> {
-        let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.level.bvh, &self.level.boxes, ray);
-        self.level.run_fast(ray.octant(), memory, &mut search);
-        search.hit()
+    #[inline]
+    fn any_search_done(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> NodeSearch<'_, K, B, true, FromLeft> {
+        let search = NodeSearch::new(self.bvh(), &self.level.boxes, ray);
+        self.level.run(self.bvh(), ray.octant(), memory, search)
+    }
+
+    fn all_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Vec<Hit<Real<K>>> {
+        let mut search = OwnBoxes::over(self.sweep(ray), &self.level.boxes);
+        self.level.run_shared(self.bvh(), ray.octant(), memory, &mut search, &mut ());
+        search.query.hits()
+    }
+
+    pub(super) fn sweep(&self, ray: &Ray<K::Vector>) -> Sweep<'_, K, B> {
+        Sweep::watching(self.bvh(), ray, self.watches)
     }
 }
 
-/// Answers each ray into its place. Threads keep their memory between chunks.
-fn in_parallel<V: Vector, A: Clone + Default + Send>(
-    rays: &[Ray<V>],
-    answer: impl Fn(&Ray<V>, &mut Vec<Node>) -> A + Sync,
-) -> Vec<A> {
-    let mut answers = vec![A::default(); rays.len()];
-    let chunks = rays.par_chunks(CHUNK).zip(answers.par_chunks_mut(CHUNK));
-    chunks.for_each_init(Vec::new, |memory, (rays, answers)| {
-        for (ray, place) in rays.iter().zip(answers) {
-            *place = answer(ray, memory);
-        }
-    });
-    answers
+/// Answers one after the other, with memory that is kept in between.
+fn each<I, A>(items: &[I], answer: impl Fn(&I, &mut Vec<Node>) -> A) -> Vec<A> {
+    let mut memory = Vec::new();
+    items.iter().map(|item| answer(item, &mut memory)).collect()
 }
 
-impl<K: Kernel, B> fmt::Debug for Tracer<'_, K, B> {
+/// The same on all threads.
+fn in_parallel<I: Sync, A: Send>(items: &[I], answer: impl Fn(&I, &mut Vec<Node>) -> A + Sync + Send) -> Vec<A> {
+    threads::map_with(0..items.len(), CHUNK, Vec::new, |memory, i| answer(&items[i], memory))
+}
+
+impl<T, K, B> fmt::Debug for Tracer<T, K, B> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Tracer").field("level", &self.level).finish_non_exhaustive()
+        let (method, word) = (self.level.method, self.level.word);
+        f.debug_struct("Tracer").field("method", &method).field("word", &word).finish_non_exhaustive()
     }
 }
 

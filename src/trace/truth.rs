@@ -46,7 +46,7 @@ impl<R: Number> TrueHit<R> {
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2], [2, 1, 0]])?;
-/// let ray = Ray::new(Vec3::new(0.5, 0.5, -2.0), Vec3::Z, 0.0, 2.0)?;
+/// let ray = Ray::within(Vec3::new(0.5, 0.5, -2.0), Vec3::Z, 0.0, 2.0)?;
 /// let hits = trace::truth::brute_force(&mesh, &ray);
 /// assert_eq!(hits.iter().map(|hit| (hit.prim, hit.t)).collect::<Vec<_>>(), [(0, 2.0), (1, 2.0)]);
 /// # Ok(())

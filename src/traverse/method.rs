@@ -112,6 +112,13 @@ pub(super) struct Row {
     pub(super) without: Method,
 }
 
+impl Default for Method {
+    /// What the ray tracer takes if nothing is said: it runs on any tree.
+    fn default() -> Self {
+        Self::Uncle
+    }
+}
+
 impl Method {
     /// The name.
     pub const fn name(self) -> &'static str {

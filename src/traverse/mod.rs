@@ -57,7 +57,7 @@ pub use stack::Stack;
 pub use states::{StateError, States};
 pub use supply::{Context, PausingContext, Supply};
 pub use table::Method;
-pub use tables::{FromTables, Layout, Tables, VerifiedTables, WithCursor};
+pub use tables::{Beside, FromTables, Layout, LinkedTree, Tables, VerifiedTables, WithCursor};
 pub use uncle::Uncle;
 pub use unfit::Unfit;
 pub use word::{WithWord, WordName, with_word};

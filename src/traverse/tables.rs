@@ -2,6 +2,7 @@
 
 use alloc::sync::Arc;
 use alloc::vec::Vec;
+use core::ops::Deref;
 
 use super::{
     Complete, Context, Cursor, Glassner, Method, Need, NotComplete, Pause, PausingContext, Skips, Supply, Unfit,
@@ -11,14 +12,27 @@ use crate::event::Recorder;
 use crate::hash::{KeyMap, KeySet, Lookup, Options, PerfectHash, Sizing, Verified};
 use crate::key::{Grow, KeyWord};
 use crate::order::{self, ByNode, FixedOrder, NodeTest, Pruned, SignOrder};
-use crate::tree::{Implicit, Keys, Linked, Node, Reach, Recorded, Topology};
+use crate::tree::{Implicit, Keys, Linked, Links, Node, Reach, Recorded, Topology};
 
 /// A tree with the tables that a choice of traversals needs beside it; `H` is how perfect hashes are looked up.
 #[derive(Debug)]
 pub struct Tables<'t, T, H = PerfectHash> {
-    /// With the links that its own records do not name.
-    tree: Linked<'t, T>,
+    tree: &'t T,
     axes: &'t [u8],
+    beside: Held<'t, Beside<H>>,
+}
+
+/// Tables with every lookup in a perfect hash verified.
+pub type VerifiedTables<'t, T> = Tables<'t, T, Verified<'t, T, PerfectHash, Arc<Keys>>>;
+
+/// A tree with the links that its traversals follow.
+pub type LinkedTree<'s, T> = Linked<'s, T, 2, 2, &'s Links>;
+
+/// The tables alone, for those who keep the tree elsewhere.
+#[derive(Debug)]
+pub struct Beside<H = PerfectHash> {
+    /// What the tree's own records do not name.
+    links: Links,
     reached_keys: Option<H>,
     all_keys: Option<H>,
     layout: Option<Layout>,
@@ -28,22 +42,37 @@ pub struct Tables<'t, T, H = PerfectHash> {
     skips_by_sign: Vec<Skips>,
 }
 
-/// Tables with every lookup in a perfect hash verified.
-pub type VerifiedTables<'t, T> = Tables<'t, T, Verified<'t, T, PerfectHash, Arc<Keys>>>;
+/// A value of one's own, or of somebody else.
+#[derive(Debug)]
+enum Held<'t, X> {
+    Own(X),
+    Lent(&'t X),
+}
 
-impl<'t, T: Topology> Tables<'t, T> {
+impl<X> Deref for Held<'_, X> {
+    type Target = X;
+
+    #[inline]
+    fn deref(&self) -> &X {
+        match self {
+            Self::Own(x) => x,
+            Self::Lent(x) => x,
+        }
+    }
+}
+
+impl Beside {
     /// Makes what `methods` need. `axes` is for [`SignOrder`].
     ///
     /// Trees of up to `implicit_depth` edges get the implicit layout; in deeper ones the implicit traversals look
     /// their addresses up in the plain map.
-    pub fn new(tree: &'t T, axes: &'t [u8], methods: &[Method], implicit_depth: u32) -> Self {
+    pub fn new(tree: &impl Topology, axes: &[u8], methods: &[Method], implicit_depth: u32) -> Self {
         let needs = |need| methods.iter().any(|method| method.needs() == need);
         let octants = if needs(Need::SkipsBySign) { 0..8 } else { 0..0 };
         let links: Vec<Recorded> = methods.iter().map(|method| method.wants_recorded()).collect();
         let perfect = |key_set| PerfectHash::build(tree, Options { key_set, sizing: Sizing::Tight }).ok();
         Self {
-            tree: Linked::naming(tree, &links),
-            axes,
+            links: Links::of(tree, &links),
             // The tight sizing, with the remedy where the plain function fails.
             reached_keys: needs(Need::ReachedKeys).then(|| perfect(KeySet::Exact(Reach::ALGORITHM_1))).flatten(),
             all_keys: needs(Need::AllKeys).then(|| perfect(KeySet::All)).flatten(),
@@ -60,42 +89,58 @@ impl<'t, T: Topology> Tables<'t, T> {
         let hashes = [&self.reached_keys, &self.all_keys];
         let complete = self.complete.as_ref().and_then(|complete| complete.as_ref().ok());
         hashes.map(|hash| hash.as_ref().map_or(0, |hash| hash.header().bytes())).iter().sum::<usize>()
-            + self.tree.bytes()
+            + self.links.bytes()
             + self.layout.as_ref().map_or(0, Layout::bytes)
             + complete.map_or(0, Complete::bytes)
             + self.chains.as_ref().map_or(0, Glassner::bytes)
             + self.skips.iter().chain(&self.skips_by_sign).map(Skips::bytes).sum::<usize>()
     }
 
-    /// The same, with every lookup in a perfect hash verified: [`misses`](VerifiedTables::misses) counts those that did
-    /// not find the node with the key.
-    #[must_use]
-    pub fn verified(self) -> VerifiedTables<'t, T> {
-        let tree = self.tree.tree();
-        let keys = Arc::new(Keys::of(tree));
-        self.looked_up_by(|hash| Verified::new(hash, tree, Arc::clone(&keys)))
-    }
-
     /// The same, with perfect hashes looked up in another way.
     #[must_use]
-    pub fn looked_up_by<H>(self, by: impl Fn(PerfectHash) -> H) -> Tables<'t, T, H> {
-        let Self { tree, axes, reached_keys, all_keys, layout, complete, chains, skips, skips_by_sign } = self;
+    pub fn looked_up_by<H>(self, by: impl Fn(PerfectHash) -> H) -> Beside<H> {
+        let Self { links, reached_keys, all_keys, layout, complete, chains, skips, skips_by_sign } = self;
         let [reached_keys, all_keys] = [reached_keys, all_keys].map(|hash| hash.map(&by));
-        Tables { tree, axes, reached_keys, all_keys, layout, complete, chains, skips, skips_by_sign }
+        Beside { links, reached_keys, all_keys, layout, complete, chains, skips, skips_by_sign }
     }
 }
 
-impl<T: Topology> VerifiedTables<'_, T> {
-    /// Number of lookups that went wrong so far.
+impl<'t, T: Topology> Tables<'t, T> {
+    /// A tree with what `methods` need, as [`Beside::new`] makes it.
+    pub fn new(tree: &'t T, axes: &'t [u8], methods: &[Method], implicit_depth: u32) -> Self {
+        Self::with(tree, axes, Beside::new(tree, axes, methods, implicit_depth))
+    }
+
+    /// A tree with tables that somebody else has made for it, and keeps.
+    #[inline]
+    pub const fn lent(tree: &'t T, axes: &'t [u8], beside: &'t Beside) -> Self {
+        Self { tree, axes, beside: Held::Lent(beside) }
+    }
+}
+
+impl<'t, T: Topology> VerifiedTables<'t, T> {
+    /// A tree with its tables, every lookup in a perfect hash verified.
+    pub fn verified(tree: &'t T, axes: &'t [u8], beside: Beside) -> Self {
+        let keys = Arc::new(Keys::of(tree));
+        Self::with(tree, axes, beside.looked_up_by(|hash| Verified::new(hash, tree, Arc::clone(&keys))))
+    }
+
+    /// Number of lookups so far that did not find the node with the key.
     pub fn misses(&self) -> usize {
-        self.reached_keys.iter().chain(&self.all_keys).map(Verified::misses).sum()
+        self.beside.reached_keys.iter().chain(&self.beside.all_keys).map(Verified::misses).sum()
     }
 }
 
 impl<'t, T: Topology, H> Tables<'t, T, H> {
+    /// A tree with tables that were made for it.
+    pub const fn with(tree: &'t T, axes: &'t [u8], beside: Beside<H>) -> Self {
+        Self { tree, axes, beside: Held::Own(beside) }
+    }
+
     /// The tree, with the links that these traversals follow.
-    pub fn tree(&self) -> &Linked<'t, T> {
-        &self.tree
+    #[inline]
+    pub fn tree(&self) -> LinkedTree<'_, T> {
+        Linked::over(self.tree, &self.beside.links)
     }
 
     /// Runs one search. `memory` is the stack's, kept between searches; `octant` gives the signs of the direction,
@@ -115,7 +160,7 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
     where
         H: Lookup<W>,
     {
-        self.run_over::<W, _, S>(&self.tree, method, octant, memory, search, recorder)
+        self.run_over::<W, _, S>(&self.tree(), method, octant, memory, search, recorder)
     }
 
     /// The same over another view of the tree, which says the same: one that watches what is read.
@@ -177,12 +222,12 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
     where
         H: Lookup<W>,
     {
-        method.dispatch_pausing::<W, _>(Call { from: self.over(&self.tree, 0, &mut Vec::new()), f })
+        method.dispatch_pausing::<W, _>(Call { from: self.over(&self.tree(), 0, &mut Vec::new()), f })
     }
 
     /// What cursors are made from.
-    pub fn over<'s, X>(&'s self, tree: &'s X, octant: u8, memory: &'s mut Vec<Node>) -> FromTables<'s, 't, T, X, H> {
-        FromTables { tables: self, tree, octant, memory }
+    pub fn over<'s, X>(&'s self, tree: &'s X, octant: u8, memory: &'s mut Vec<Node>) -> FromTables<'s, X, H> {
+        FromTables { beside: &self.beside, axes: self.axes, tree, octant, memory }
     }
 }
 
@@ -197,14 +242,15 @@ pub trait WithCursor<W> {
 
 /// Tables, and what differs from one search to the next.
 #[derive(Debug)]
-pub struct FromTables<'s, 't, T, X, H> {
-    tables: &'s Tables<'t, T, H>,
+pub struct FromTables<'s, X, H> {
+    beside: &'s Beside<H>,
+    axes: &'s [u8],
     tree: &'s X,
     octant: u8,
     memory: &'s mut Vec<Node>,
 }
 
-impl<'s, W: KeyWord, T, X: Topology, H: Lookup<W>> Supply<'s, W> for FromTables<'s, '_, T, X, H> {
+impl<'s, W: KeyWord, X: Topology, H: Lookup<W>> Supply<'s, W> for FromTables<'s, X, H> {
     type Tree = X;
     type Memory = &'s mut Vec<Node>;
     type Hash = &'s H;
@@ -225,42 +271,42 @@ impl<'s, W: KeyWord, T, X: Topology, H: Lookup<W>> Supply<'s, W> for FromTables<
 
     #[inline]
     fn by_sign(&self) -> SignOrder<'s> {
-        SignOrder { axes: self.tables.axes, octant: self.octant }
+        SignOrder { axes: self.axes, octant: self.octant }
     }
 
     #[inline]
     fn reached_keys(&self) -> Result<&'s H, Unfit> {
-        self.tables.reached_keys.as_ref().ok_or(Unfit::NoTable)
+        self.beside.reached_keys.as_ref().ok_or(Unfit::NoTable)
     }
 
     #[inline]
     fn all_keys(&self) -> Result<&'s H, Unfit> {
-        self.tables.all_keys.as_ref().ok_or(Unfit::NoTable)
+        self.beside.all_keys.as_ref().ok_or(Unfit::NoTable)
     }
 
     #[inline]
     fn layout(&self) -> Result<&'s Layout, Unfit> {
-        self.tables.layout.as_ref().ok_or(Unfit::NoTable)
+        self.beside.layout.as_ref().ok_or(Unfit::NoTable)
     }
 
     #[inline]
     fn complete(&self) -> Result<&'s Complete, Unfit> {
-        Ok(self.tables.complete.as_ref().ok_or(Unfit::NoTable)?.as_ref().map_err(|&error| error)?)
+        Ok(self.beside.complete.as_ref().ok_or(Unfit::NoTable)?.as_ref().map_err(|&error| error)?)
     }
 
     #[inline]
     fn chains(&self) -> Result<&'s Glassner, Unfit> {
-        self.tables.chains.as_ref().ok_or(Unfit::NoTable)
+        self.beside.chains.as_ref().ok_or(Unfit::NoTable)
     }
 
     #[inline]
     fn skips(&self) -> Result<&'s Skips, Unfit> {
-        self.tables.skips.as_ref().ok_or(Unfit::NoTable)
+        self.beside.skips.as_ref().ok_or(Unfit::NoTable)
     }
 
     #[inline]
     fn skips_by_sign(&self) -> Result<&'s Skips, Unfit> {
-        self.tables.skips_by_sign.get(usize::from(self.octant)).ok_or(Unfit::NoTable)
+        self.beside.skips_by_sign.get(usize::from(self.octant)).ok_or(Unfit::NoTable)
     }
 }
 

@@ -1,6 +1,8 @@
 //! A tree with its links beside it.
 
-use super::{Node, Parents, Reach, Recorded, Topology, Uncles};
+use core::borrow::Borrow;
+
+use super::{Links, Node, Reach, Recorded, Topology, Uncles};
 
 /// A tree with tables of the links that its own records do not name: for many traversals of one tree.
 ///
@@ -18,10 +20,9 @@ use super::{Node, Parents, Reach, Recorded, Topology, Uncles};
 /// # Ok::<(), stackless_bvh::tree::TreeError>(())
 /// ```
 #[derive(Debug)]
-pub struct Linked<'t, T, const INNER: u32 = 2, const LEAF: u32 = 2> {
+pub struct Linked<'t, T, const INNER: u32 = 2, const LEAF: u32 = 2, L = Links> {
     tree: &'t T,
-    parents: Option<Parents>,
-    uncles: Option<Uncles>,
+    links: L,
 }
 
 impl<'t, T: Topology> Linked<'t, T> {
@@ -42,17 +43,22 @@ impl<'t, T: Topology> Linked<'t, T> {
 
     /// The tree, with what is listed.
     pub fn naming(tree: &'t T, what: &[Recorded]) -> Self {
-        let wants = |links| what.contains(&links) && !tree.names(links);
-        let parents = wants(Recorded::ParentSibling).then(|| Parents::of(tree));
-        let uncles = wants(Recorded::Uncles).then(|| Uncles::of(tree));
-        Self { tree, parents, uncles }
+        Self { tree, links: Links::of(tree, what) }
+    }
+}
+
+impl<'t, T, L: Borrow<Links>> Linked<'t, T, 2, 2, L> {
+    /// The tree, with tables that were made for it.
+    #[inline]
+    pub const fn over(tree: &'t T, links: L) -> Self {
+        Self { tree, links }
     }
 }
 
 impl<'t, T: Topology, const INNER: u32, const LEAF: u32> Linked<'t, T, INNER, LEAF> {
     /// The tree, with uncles as far as this type says.
     pub fn reaching(tree: &'t T) -> Self {
-        Self { tree, parents: None, uncles: Some(Uncles::of(tree)) }
+        Self { tree, links: Links { parents: None, uncles: Some(Uncles::of(tree)) } }
     }
 
     /// The tree itself.
@@ -62,11 +68,11 @@ impl<'t, T: Topology, const INNER: u32, const LEAF: u32> Linked<'t, T, INNER, LE
 
     /// Memory of the tables, in bytes.
     pub fn bytes(&self) -> usize {
-        self.parents.as_ref().map_or(0, Parents::bytes) + self.uncles.as_ref().map_or(0, Uncles::bytes)
+        self.links.bytes()
     }
 }
 
-impl<T: Topology, const INNER: u32, const LEAF: u32> Topology for Linked<'_, T, INNER, LEAF> {
+impl<T: Topology, const INNER: u32, const LEAF: u32, L: Borrow<Links>> Topology for Linked<'_, T, INNER, LEAF, L> {
     const REACH: Reach = match Reach::new(INNER, LEAF) {
         Some(reach) => reach,
         None => panic!("a record reaches from 1 to 3"),
@@ -85,15 +91,15 @@ impl<T: Topology, const INNER: u32, const LEAF: u32> Topology for Linked<'_, T, 
 
     fn names(&self, what: Recorded) -> bool {
         match what {
-            Recorded::ParentSibling if self.parents.is_some() => true,
-            Recorded::Uncles if self.uncles.is_some() => true,
+            Recorded::ParentSibling if self.links.borrow().parents.is_some() => true,
+            Recorded::Uncles if self.links.borrow().uncles.is_some() => true,
             _ => self.tree.names(what),
         }
     }
 
     #[inline(always)]
     fn parent(&self, node: Node) -> Node {
-        match &self.parents {
+        match &self.links.borrow().parents {
             Some(table) => table.row(self.tree, node)[0],
             None => self.tree.parent(node),
         }
@@ -101,7 +107,7 @@ impl<T: Topology, const INNER: u32, const LEAF: u32> Topology for Linked<'_, T, 
 
     #[inline(always)]
     fn sibling(&self, node: Node) -> Node {
-        match &self.parents {
+        match &self.links.borrow().parents {
             Some(table) => table.row(self.tree, node)[1],
             None => self.tree.sibling(node),
         }
@@ -109,7 +115,7 @@ impl<T: Topology, const INNER: u32, const LEAF: u32> Topology for Linked<'_, T, 
 
     #[inline(always)]
     fn uncles(&self, node: Node) -> [Node; 3] {
-        match &self.uncles {
+        match &self.links.borrow().uncles {
             Some(table) => table.row(self.tree, node),
             None => self.tree.uncles(node),
         }

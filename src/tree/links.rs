@@ -29,6 +29,28 @@ impl Parents {
     }
 }
 
+/// What the records of a tree do not name, as tables beside it.
+#[derive(Clone, Debug, Default)]
+pub struct Links {
+    pub(super) parents: Option<Parents>,
+    pub(super) uncles: Option<Uncles>,
+}
+
+impl Links {
+    /// What is listed, as far as the tree does not name it itself.
+    pub fn of(tree: &impl Topology, what: &[Recorded]) -> Self {
+        let wants = |links| what.contains(&links) && !tree.names(links);
+        let parents = wants(Recorded::ParentSibling).then(|| Parents::of(tree));
+        let uncles = wants(Recorded::Uncles).then(|| Uncles::of(tree));
+        Self { parents, uncles }
+    }
+
+    /// Memory of the tables, in bytes.
+    pub fn bytes(&self) -> usize {
+        self.parents.as_ref().map_or(0, Parents::bytes) + self.uncles.as_ref().map_or(0, Uncles::bytes)
+    }
+}
+
 /// The two nodes that each record is to name, by slot.
 pub(crate) fn link_rows(tree: &impl Topology, what: Recorded) -> Vec<[Node; 2]> {
     let root = tree.root();

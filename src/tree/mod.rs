@@ -16,7 +16,7 @@ pub use keys::Keys;
 pub use linked::Linked;
 pub(crate) use links::for_each_parent;
 pub(crate) use links::link_rows;
-pub use links::{Parents, Reach, Uncles};
+pub use links::{Links, Parents, Reach, Uncles};
 
 use core::hint::select_unpredictable;
 

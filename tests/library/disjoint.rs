@@ -6,8 +6,6 @@ use stackless_bvh::event::Trace;
 use stackless_bvh::generate::procedural;
 use stackless_bvh::generate::{Cell, Family, Kind, Rng, Search, Source, Tape};
 use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::kernel::Exact;
-use stackless_bvh::geom::slabs::Directed;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{Flow, Pruning};
 use stackless_bvh::trace::{Any, Ask, Closest, NodeSearch, Part, Plan, Tracer, Truth};
@@ -87,7 +85,7 @@ fn diagonals() -> Mesh {
 fn in_parts(mesh: &Mesh) -> Bvh {
     let spatial = SpatialOptions { extra_percent: 300, overlap: 0.0 };
     let options = BuildOptions { builder: Builder::Spatial, spatial, ..BuildOptions::default() };
-    let bvh = Bvh::build(mesh, &options, &|_| ()).expect("a tree");
+    let bvh = options.build(mesh).expect("a tree");
     assert!(bvh.duplicates() > 20, "{}", bvh.duplicates());
     bvh
 }
@@ -130,13 +128,13 @@ fn rays_through_triangles_in_parts() {
     for method in [Method::HashedDisjoint, Method::UncleDisjoint, Method::StackT0] {
         let plan = Plan::new(&bvh, method, Ask::Hit);
         assert_eq!(plan.skips(Part::OwnBoxes), method == Method::StackT0);
-        let tracer = Tracer::<Exact, Directed>::planned(&bvh, &Plan::new(&bvh, method, Ask::All)).expect("a tracer");
+        let tracer = Tracer::planned(&bvh, &plan).expect("a tracer");
         for ray in &rays {
             assert_eq!(tracer.closest(ray), truth.closest(ray).map(|hit| hit.rounded()), "{method} {ray:?}");
         }
-        let without = Tracer::<Exact, Directed>::with_method(&bvh, method.without_pruning()).expect("a tracer");
+        let without = Tracer::with_method(&bvh, method.without_pruning()).expect("a tracer");
         let [pruned, whole] = [&tracer, &without].map(|tracer| {
-            let counters = tracer.count(&rays, false);
+            let counters = tracer.count_closest(&rays);
             counters.inner + counters.leaves
         });
         assert!(pruned < whole, "{method}: {pruned} of {whole}");

@@ -29,7 +29,7 @@ fn is_exact_at_its_ends(triangle: Triangle<DVec3>, ray: &Ray<DVec3>) -> Result<(
     };
     for end in [t, t.next_up(), t.next_down().max(0.0)].into_iter().filter(|end| end.is_finite()) {
         for [tmin, tmax] in [[0.0, end], [end, f64::INFINITY]] {
-            is_exact(triangle, &Ray::new(ray.origin(), ray.direction(), tmin, tmax).expect("a ray"))?;
+            is_exact(triangle, &Ray::within(ray.origin(), ray.direction(), tmin, tmax).expect("a ray"))?;
         }
     }
     Ok(())
@@ -69,7 +69,7 @@ fn aimed() -> impl Strategy<Value = (Triangle<DVec3>, Ray<DVec3>)> {
             let tmax = if end == 3 { 1f64.next_down() } else { f64::from(end) };
             let [tmin, tmax] =
                 if end == 0 { [0.0, f64::INFINITY] } else { [[0.5, 0.0, 1.0, 0.0][usize::from(end) - 1], tmax] };
-            Some((Triangle([a, b, c]), Ray::new(o, (target - o) * along, tmin, tmax).ok()?))
+            Some((Triangle([a, b, c]), Ray::within(o, (target - o) * along, tmin, tmax).ok()?))
         })
 }
 
@@ -83,12 +83,12 @@ proptest! {
 
     #[test]
     fn ends_of_intervals((triangle, ray) in aimed()) {
-        is_exact_at_its_ends(triangle, &Ray::new(ray.origin(), ray.direction(), 0.0, f64::INFINITY).expect("a ray"))?;
+        is_exact_at_its_ends(triangle, &Ray::new(ray.origin(), ray.direction()).expect("a ray"))?;
     }
 
     #[test]
     fn wild_numbers(corners in [vector(), vector(), vector()], o in vector(), d in vector()) {
-        if let Ok(ray) = Ray::new(o, d, 0.0, f64::INFINITY) {
+        if let Ok(ray) = Ray::new(o, d) {
             is_exact(Triangle(corners), &ray)?;
         }
     }
@@ -117,7 +117,7 @@ fn at_the_ends_of_the_range() {
                 let triangle = Triangle(corners.map(|corner| corner * size));
                 let o = DVec3::new(0.01 * size, 0.03 * size, -far);
                 let d = DVec3::new(0.0, 0.3 * size / far, 1.0) * length;
-                if let Ok(ray) = Ray::new(o, d, 0.0, f64::INFINITY) {
+                if let Ok(ray) = Ray::new(o, d) {
                     hits += usize::from(is_exact(triangle, &ray).expect("the truth"));
                 }
             }
@@ -137,7 +137,7 @@ fn ties_go_to_even() {
             Triangle([DVec3::new(-1.0, -1.0, low), DVec3::new(3.0, -1.0, low + 4.0), DVec3::new(-1.0, 3.0, low)]);
         for nudge in [0.0, power_of_two(-70), -power_of_two(-70)] {
             // With a nudge, as much more or less, which the first quotients do not show.
-            let ray = Ray::new(DVec3::X * nudge, DVec3::Z, 0.0, f64::INFINITY).expect("a ray");
+            let ray = Ray::new(DVec3::X * nudge, DVec3::Z).expect("a ray");
             assert!(is_exact(triangle, &ray).expect("the truth"));
             let found = kernel(&ray, &triangle.aabb()).distance(&triangle, f64::INFINITY).expect("a hit");
             let is_up = if nudge == 0.0 { odd % 2 == 1 } else { nudge > 0.0 };
@@ -149,7 +149,7 @@ fn ties_go_to_even() {
 #[test]
 fn what_is_beyond_the_limit_is_left_out() {
     let triangle = Triangle([DVec3::ZERO, DVec3::X, DVec3::Y]);
-    let ray = Ray::new(DVec3::new(0.25, 0.25, -1.0), DVec3::Z * 3.0, 0.0, f64::INFINITY).expect("a ray");
+    let ray = Ray::new(DVec3::new(0.25, 0.25, -1.0), DVec3::Z * 3.0).expect("a ray");
     let exact = kernel(&ray, &triangle.aabb());
     assert_eq!([0.25, 0.5].map(|limit| exact.distance(&triangle, limit)), [None, Some(1.0 / 3.0)]);
 }

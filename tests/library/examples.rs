@@ -230,7 +230,7 @@ fn prune() -> String {
 
 /// [BOX-1]
 fn slab() -> String {
-    let ray = Ray::new(Vec3::ZERO, Vec3::new(1.0, 41.0, 0.0), 0.0, f32::INFINITY).expect("a ray");
+    let ray = Ray::new(Vec3::ZERO, Vec3::new(1.0, 41.0, 0.0)).expect("a ray");
     let aabb = Aabb { lo: Vec3::new(1.0, 40.0, 0.0), hi: Vec3::new(2.0, 41.0, 1.0) };
     let region = Region::of(&aabb);
     let mut text = String::new();

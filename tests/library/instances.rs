@@ -55,7 +55,7 @@ fn rays(flat: &Flat, rng: &mut Rng, n: usize) -> Vec<Ray> {
                 (origin, target - origin)
             }
         };
-        rays.extend(Ray::new(origin, direction, 0.0, f32::INFINITY));
+        rays.extend(Ray::new(origin, direction));
     }
     rays
 }
@@ -65,7 +65,7 @@ fn cut(ray: &Ray, hit: &InstanceHit) -> impl Iterator<Item = Ray> {
     let t = hit.t;
     let ends = [(0.0, t), (t, f32::INFINITY), (0.0, t.next_down()), (t.next_up(), f32::INFINITY)];
     let ray = *ray;
-    ends.into_iter().filter_map(move |(tmin, tmax)| Ray::new(ray.origin(), ray.direction(), tmin, tmax).ok())
+    ends.into_iter().filter_map(move |(tmin, tmax)| Ray::within(ray.origin(), ray.direction(), tmin, tmax).ok())
 }
 
 /// Every scene by every traversal, alone and with another one inside, over four kinds of trees.
@@ -123,7 +123,7 @@ fn many_rays_are_answered_by_rational_arithmetic() {
         for ray in &rays {
             check_instances(&tracer, &flat, ray).unwrap_or_else(|fault| panic!("{}, {ray:?}: {fault}", scene.name));
         }
-        let found = tracer.count(&rays, false);
+        let found = tracer.count_closest(&rays);
         for (sum, count) in counts.iter_mut().zip([found.instances, found.triangles, found.rational]) {
             *sum += count;
         }
@@ -142,8 +142,8 @@ fn what_is_behind_a_hit_is_not_entered() {
     let instances = (0..64).map(|i| Instance { object, affine: place(i) }).collect();
     let row = assembly.add_group(instances, &options).expect("a group");
     let tracer = InstanceTracer::new(&assembly, row, Method::Hashed).expect("any tree");
-    let ray = Ray::new(Vec3::new(0.1, 0.2, -5.0), Vec3::new(0.001, 0.002, 1.0), 0.0, 1000.0).expect("a ray");
-    let (closest, any) = (tracer.count(&[ray], false), tracer.count(&[ray], true));
+    let ray = Ray::within(Vec3::new(0.1, 0.2, -5.0), Vec3::new(0.001, 0.002, 1.0), 0.0, 1000.0).expect("a ray");
+    let (closest, any) = (tracer.count_closest(&[ray]), tracer.count_any(&[ray]));
     // The second one was postponed before the first was entered, and postponed nodes are not tested again.
     assert!(closest.instances <= 2 && closest.rational == 0 && any.instances == 1, "{closest:?}, {any:?}");
     assert!(closest.triangles < 10 && any.triangles < 10, "{closest:?}, {any:?}");
@@ -189,7 +189,7 @@ fn levels_end_where_they_must() {
     let mut assembly = Assembly::new();
     let (mut object, mut expected) = (assembly.add_mesh(&bvh), Vec::new());
     let half = Affine::new([[0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, 0.5, 1.0]]).expect("a map");
-    let ray = Ray::new(Vec3::new(0.0, 0.0, -8.0), Vec3::Z, 0.0, 100.0).expect("a ray");
+    let ray = Ray::within(Vec3::new(0.0, 0.0, -8.0), Vec3::Z, 0.0, 100.0).expect("a ray");
     let (mut height, mut bytes) = (0.0, Vec::new());
     for levels in 1..=Assembly::MAX_LEVELS {
         assert_eq!(assembly.levels(object), levels);

@@ -5,9 +5,9 @@ use stackless_bvh::bvh::Bvh;
 use stackless_bvh::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
 use stackless_bvh::generate::{Rng, Source};
 use stackless_bvh::generate::{procedural, stress};
-use stackless_bvh::geom::{Mesh, Triangle};
+use stackless_bvh::geom::{Ball, Mesh, Triangle};
 use stackless_bvh::trace::Tracer;
-use stackless_bvh::trace::{Near, NearError, NearestPoint, NearestPoints};
+use stackless_bvh::trace::{Near, NearestPoint, NearestPoints};
 use stackless_bvh::traverse::Method;
 use stackless_check::{check_distance, nearest as truth};
 
@@ -16,7 +16,7 @@ fn trees(mesh: &Mesh) -> [Bvh; 2] {
     let spatial = SpatialOptions { extra_percent: 200, overlap: 0.0 };
     let sah = SahOptions { max_leaf: 1, ..SahOptions::default() };
     let options = BuildOptions { builder: Builder::Spatial, sah, spatial, ..BuildOptions::default() };
-    let cut = Bvh::build(mesh, &options, &|_| ());
+    let cut = options.build(mesh);
     [Bvh::sah(mesh, SahOptions::default()), cut].map(|bvh| bvh.expect("a tree"))
 }
 
@@ -67,6 +67,10 @@ fn all(nears: &[Near]) -> Vec<(f32, u32)> {
     nears.iter().map(|near| (near.distance, near.prim)).collect()
 }
 
+fn ball(point: Vec3, radius: f32) -> Ball {
+    Ball::new(point, radius).expect("a point and a radius")
+}
+
 /// [NEAR-2]
 #[test]
 fn every_traversal_finds_the_nearest_triangles() {
@@ -82,7 +86,7 @@ fn every_traversal_finds_the_nearest_triangles() {
                 for (k, radius) in [(5, f32::INFINITY), (n, size(&mesh) * 0.3), (n + 5, f32::INFINITY)] {
                     let truth = truth(&mesh, point, radius, k);
                     for tracer in &tracers {
-                        let nears = tracer.nearest_k(point, radius, k).expect("a point and a radius");
+                        let nears = tracer.nearest_k(&ball(point, radius), k);
                         assert_eq!(all(&nears), truth, "{tracer:?} {point} {k}");
                         for Near { distance, point: found, .. } in nears {
                             let error = ((found - point).length() - distance).abs();
@@ -108,9 +112,9 @@ fn check(queries: u32) -> usize {
         let (point, k) = (point(mesh, &mut random), [1, 2, 1 + random.below(9) as usize][i as usize % 3]);
         let truth = truth(mesh, point, f32::INFINITY, k.max(2));
         ties += usize::from(truth.first().map(|near| near.0) == truth.get(1).map(|near| near.0));
-        let near = tracer.nearest(point, f32::INFINITY).expect("a point and a radius");
+        let near = tracer.nearest(&ball(point, f32::INFINITY));
         assert_eq!(near.map(|near| (near.distance, near.prim)), truth.first().copied(), "{point}");
-        let nears = tracer.nearest_k(point, f32::INFINITY, k).expect("a point and a radius");
+        let nears = tracer.nearest_k(&ball(point, f32::INFINITY), k);
         assert_eq!(all(&nears), truth[..k.min(truth.len())], "{point} {k}");
         if k == 1 {
             assert_eq!(nears.first(), near.as_ref(), "{point}");
@@ -149,7 +153,7 @@ fn no_triangle_too_many_triangles_and_a_radius_that_is_a_distance() {
     let n = mesh.triangles().len();
     for bvh in trees(&mesh) {
         let tracer = Tracer::new(&bvh);
-        let nearest = |radius, k| tracer.nearest_k(Vec3::ZERO, radius, k).expect("a point and a radius");
+        let nearest = |radius, k| tracer.nearest_k(&ball(Vec3::ZERO, radius), k);
         assert_eq!(nearest(f32::INFINITY, 0), []);
         assert_eq!(nearest(0.0, 3), []);
         for k in [n, n + 1, usize::MAX] {
@@ -157,12 +161,11 @@ fn no_triangle_too_many_triangles_and_a_radius_that_is_a_distance() {
         }
         // A corner's distance: six triangles or five have it, and no other is so near.
         let corner = mesh.vertices()[0];
-        let nears = tracer.nearest_k(corner, 0.0, n).expect("a point and a radius");
+        let nears = tracer.nearest_k(&ball(corner, 0.0), n);
         assert!((5..=6).contains(&nears.len()) && nears.iter().all(|near| near.distance == 0.0), "{nears:?}");
-        assert_eq!(tracer.nearest_k(corner, 0.0, 2).expect("a point and a radius"), nears[..2]);
-        assert_eq!(tracer.nearest_k(Vec3::ZERO, -1.0, 1), Err(NearError::Radius(-1.0)));
+        assert_eq!(tracer.nearest_k(&ball(corner, 0.0), 2), nears[..2]);
     }
     let flat = Mesh::new(vec![Vec3::X; 3], vec![[0, 1, 2]; 4]).expect("a mesh");
     let bvh = Bvh::median(&flat, 4).expect("a tree");
-    assert_eq!(Tracer::new(&bvh).nearest_k(Vec3::ZERO, f32::INFINITY, 4), Ok(Vec::new()));
+    assert_eq!(Tracer::new(&bvh).nearest_k(&ball(Vec3::ZERO, f32::INFINITY), 4), []);
 }

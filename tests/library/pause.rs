@@ -217,9 +217,9 @@ fn rays_are_put_aside() {
     let cursor = || Hashed::<u32, _, _>::new(&bvh, &hash).expect("not deep");
     let (mut shortened, mut walked) = (0, 0);
     for ray in procedural::rays(&mesh, 2, 120) {
-        let hits = Tracer::new(&bvh).all(&ray);
+        let hits: Vec<_> = Tracer::new(&bvh).all(&ray).collect();
         for end in [0.3, 0.7].map(|share| share * hits.last().map_or(1.0, |hit| hit.t)) {
-            let shorter = Ray::new(ray.origin(), ray.direction(), ray.tmin(), end.max(ray.tmin())).expect("a ray");
+            let shorter = Ray::within(ray.origin(), ray.direction(), ray.tmin(), end.max(ray.tmin())).expect("a ray");
             let expected = truth.closest(&shorter).map(|hit| hit.rounded()).map(|hit| (hit.t, hit.prim));
             for visits in 0.. {
                 let (mut before, mut search) = (cursor(), Closest::new(&bvh, &ray));

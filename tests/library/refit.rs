@@ -23,7 +23,7 @@ fn a_deformed_mesh_is_hit_where_it_is() {
     let moved = deformed(&mesh);
     for builder in Builder::ALL {
         let options = BuildOptions { builder, ..BuildOptions::default() };
-        let mut bvh = Bvh::build(&mesh, &options, &|_| ()).expect("a tree");
+        let mut bvh = options.build(&mesh).expect("a tree");
         assert!(validate(&bvh, &moved).is_err());
         bvh.refit(&moved).expect("the same triangles");
         assert_eq!(bvh.bounds(), Aabb::of(moved.vertices()));
@@ -78,7 +78,7 @@ impl Bounded for Block {
 #[test]
 fn shapes_without_a_box_are_refused() {
     let blocks = [0.0, 1.0, 2.0].map(|x| Block(Aabb::of(&[Vec3::splat(x)])));
-    let mut bvh = Bvh::build(&blocks[..], &BuildOptions::default(), &|_| ()).expect("a tree");
+    let mut bvh = Bvh::build(&blocks[..]).expect("a tree");
     for bad in [Aabb::EMPTY, Aabb { lo: Vec3::ZERO, hi: Vec3::splat(f32::NAN) }] {
         let mut blocks = blocks;
         blocks[1].0 = bad;

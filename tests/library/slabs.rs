@@ -24,7 +24,7 @@ fn aabb() -> impl Strategy<Value = Aabb> {
 
 fn ray() -> impl Strategy<Value = Ray> {
     let end = || prop_oneof![Just(0.0), Just(f32::INFINITY), Just(1.0), 0.0..4.0f32, coordinate().prop_map(f32::abs)];
-    (point(), point(), end(), end()).prop_filter_map("not a ray", |(o, d, a, b)| Ray::new(o, d, a, b).ok())
+    (point(), point(), end(), end()).prop_filter_map("not a ray", |(o, d, a, b)| Ray::within(o, d, a, b).ok())
 }
 
 /// A ray and a box in the grid of small integers, where a ray often runs in a face or through an edge or corner.
@@ -33,7 +33,7 @@ fn lattice() -> impl Strategy<Value = (Ray, Aabb)> {
     // With zeros of either sign.
     (small(), small(), small(), small(), any::<bool>()).prop_filter_map("no direction", |(o, d, a, b, is_back)| {
         let d = if is_back { -d } else { d };
-        Some((Ray::new(o, d, 0.0, f32::INFINITY).ok()?, Aabb::of(&[a, b])))
+        Some((Ray::new(o, d).ok()?, Aabb::of(&[a, b])))
     })
 }
 
@@ -60,7 +60,7 @@ fn holds<B: Slabs<Vector = Vec3>>(ray: &Ray, a: Aabb, more: Aabb, promises: bool
 /// A flat box just behind the origin: one product underflows to 0, the other does not. Nothing is promised there. [BOX-3]
 #[test]
 fn a_box_behind_the_origin_may_count_as_hit() {
-    let ray = Ray::new(Vec3::new(1e-45, 2.0, 1.0), Vec3::new(2.0, -0.0, 1.0), 0.0, f32::INFINITY).unwrap();
+    let ray = Ray::new(Vec3::new(1e-45, 2.0, 1.0), Vec3::new(2.0, -0.0, 1.0)).unwrap();
     let inner = Aabb { lo: Vec3::new(-0.0, 2.0, 1.0), hi: Vec3::new(-0.0, 3.0, 2.0) };
     let outer = Aabb { lo: Vec3::new(-3.0, -3.0, -0.0), hi: Vec3::new(-0.0, 3.0, 2.0) };
     let slabs = Directed::new(&ray, &Region::of(&outer));
@@ -118,7 +118,7 @@ proptest! {
         let hit = slabs.one(&aabb, ray.tmax()).is_some();
         prop_assert!(hit || !touches(&ray, &aabb));
         let [o, d] = [ray.origin(), ray.direction()].map(Vec3::as_dvec3);
-        let wide = Ray::new(o, d, ray.tmin().into(), ray.tmax().into()).expect("a ray");
+        let wide = Ray::within(o, d, ray.tmin().into(), ray.tmax().into()).expect("a ray");
         let hit = Wide::new(&wide, &Region::of(&aabb)).one(&aabb, wide.tmax()).is_some();
         prop_assert!(hit || !touches(&ray, &aabb));
     }
@@ -147,7 +147,7 @@ proptest! {
             prop_assert!(is_right(Directed::new(&ray, &region).one(&aabb, f32::INFINITY)));
             prop_assert!(is_right(Enclosed::new(&ray, &region).one(&aabb, f32::INFINITY)));
             let [o, d] = [ray.origin(), ray.direction()].map(Vec3::as_dvec3);
-            let wide = Wide::new(&Ray::new(o, d, 0.0, f64::INFINITY).expect("a ray"), &region);
+            let wide = Wide::new(&Ray::new(o, d).expect("a ray"), &region);
             prop_assert!(is_right(wide.one(&aabb, f64::INFINITY).map(|near| near as f32)));
         }
     }
@@ -171,7 +171,7 @@ proptest! {
     ) {
         // All of these numbers are exact. The box is met in one point, beyond the first of its planes.
         let [corner, d] = [corner, d].map(|p| Vec3::from(p.map(|x| x as f32)));
-        let ray = Ray::new(corner - d * s as f32, d, 0.0, f32::INFINITY).expect("a ray");
+        let ray = Ray::new(corner - d * s as f32, d).expect("a ray");
         let aabb = Aabb::of(&[corner, corner + Vec3::new(9.0, -9.0, 9.0)]);
         let region = Region::of(&aabb);
         prop_assert!(Directed::new(&ray, &region).one(&aabb, f32::INFINITY).is_some());
@@ -186,7 +186,7 @@ fn padding_suffices_where_2_ulps_do_not() {
     let (o, d) = (point([0x33fd_9472, 0xb3f2_3a88, 0]), point([0x3feb_b676, 0x3ffe_1fe8, 0]));
     let lo = Vec3::new(f32::from_bits(0x4000_4c97), -1.0, -1.0);
     let hi = Vec3::new(9.0, f32::from_bits(0x400a_5221), 1.0);
-    let (ray, aabb) = (Ray::new(o, d, 0.0, f32::INFINITY).expect("a ray"), Aabb { lo, hi });
+    let (ray, aabb) = (Ray::new(o, d).expect("a ray"), Aabb { lo, hi });
     let region = Region::of(&aabb);
     assert!(Plain::new(&ray, &region).one(&aabb, f32::INFINITY).is_none());
     assert!(TwoSided::new(&ray, &region).one(&aabb, f32::INFINITY).is_some());
@@ -219,7 +219,7 @@ fn a_ray_that_hardly_leaves_its_plane_enters_the_box_there() {
     ];
     let point = |bits: [u32; 3]| Vec3::from(bits.map(f32::from_bits));
     for (o, d, corners) in triangles {
-        let ray = Ray::new(point(o), point(d), 0.0, f32::INFINITY).expect("a ray");
+        let ray = Ray::new(point(o), point(d)).expect("a ray");
         let aabb = Aabb::of(&corners.map(point));
         assert!(touches(&ray, &aabb));
         assert_eq!(Directed::new(&ray, &Region::of(&aabb)).one(&aabb, 0.0), Some(0.0));
@@ -230,7 +230,7 @@ fn a_ray_that_hardly_leaves_its_plane_enters_the_box_there() {
 fn rays_in_double_precision_beyond_its_range_skip_nothing() {
     let aabb = Aabb { lo: Vec3::ZERO, hi: Vec3::ONE };
     for (o, d) in [(DVec3::splat(1e300), DVec3::X), (DVec3::splat(-1.0), DVec3::splat(1e-300))] {
-        let ray = Ray::new(o, d, 0.0, f64::INFINITY).expect("a ray");
+        let ray = Ray::new(o, d).expect("a ray");
         assert!(Wide::new(&ray, &Region::of(&aabb)).one(&aabb, f64::INFINITY).is_some());
     }
 }

@@ -8,8 +8,8 @@ use stackless_bvh::hash::{KeyMap, KeySet, Lookup, Options, PerfectHash, Sizing};
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::order::{Descent, Flow, Pruning, Side, Visitor};
 use stackless_bvh::traverse::{
-    Afra, Complete, Cursor, Cuts, Disjoint, Glassner, Hashed, KeyTrail, Method, Next, Pause, Paused, PruningStack,
-    Sparse, Split, Stack, Tables, Test, Unfit, WordName, traverse, traverse_pruned,
+    Afra, Beside, Complete, Cursor, Cuts, Disjoint, Glassner, Hashed, KeyTrail, Method, Next, Pause, Paused,
+    PruningStack, Sparse, Split, Stack, Test, Unfit, WordName, traverse, traverse_pruned,
 };
 use stackless_bvh::tree::{Keys, Linked, Node, Parents, Reach, Recorded, Topology, Tree};
 use stackless_check::{Case, CaseOptions};
@@ -268,7 +268,7 @@ fn tables_have_the_bytes_of_their_parts() {
     let inner = (1..leaves).map(|i| Some([2 * i - 1, 2 * i]));
     let tree = Tree::new(&inner.chain((0..leaves).map(|_| None)).collect::<Vec<_>>()).unwrap();
     let axes = vec![0; 15];
-    let bytes = |methods: &[Method]| Tables::new(&tree, &axes, methods, 13).bytes();
+    let bytes = |methods: &[Method]| Beside::new(&tree, &axes, methods, 13).bytes();
     let sole = [
         (Method::Stack, 0),
         (Method::Sparse, 8 * 15),
@@ -288,7 +288,7 @@ fn tables_have_the_bytes_of_their_parts() {
     // Parents and uncles are shared.
     let shared = 8 * 15 + 12 * 15;
     assert_eq!(bytes(&Method::ALL), sole.iter().map(|(_, bytes)| bytes).sum::<usize>() - shared);
-    let deep = Tables::new(&tree, &axes, &[Method::LeftFirst], 2).bytes();
+    let deep = Beside::new(&tree, &axes, &[Method::LeftFirst], 2).bytes();
     assert_eq!(deep, KeyMap::of(&tree).bytes());
 }
 

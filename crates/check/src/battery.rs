@@ -8,7 +8,8 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, LeftFirst, Pruned, Pruning, SignOrder, Whole};
 use stackless_bvh::traverse::{
-    Method, PruningStack, Stack, Tables, Test, Unfit, VerifiedTables, WithWord, WordName, traverse_pruned, with_word,
+    Beside, Method, PruningStack, Stack, Tables, Test, Unfit, VerifiedTables, WithWord, WordName, traverse_pruned,
+    with_word,
 };
 use stackless_bvh::tree::{Keys, Node, Parents, Topology, Tree};
 
@@ -51,9 +52,10 @@ impl<'c> Battery<'c> {
 
     /// Prepares a case for some traversals.
     pub fn new(case: &'c Case, methods: &[Method]) -> Self {
+        let beside = Beside::new(&case.tree, case.tape.axes(), methods, Self::IMPLICIT_DEPTH);
         Self {
             case,
-            tables: Tables::new(&case.tree, case.tape.axes(), methods, Self::IMPLICIT_DEPTH).verified(),
+            tables: Tables::verified(&case.tree, case.tape.axes(), beside),
             keys: Keys::of(&case.tree),
             parents: Parents::of(&case.tree),
             oracles: Default::default(),

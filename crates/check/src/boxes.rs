@@ -147,7 +147,7 @@ fn draw_kind(draw: &mut Draw, kind: u64) -> Option<(Ray, Aabb)> {
             aabb = Aabb::of(&[corner, draw.floats(-149, 127)]);
         }
     }
-    Some((Ray::new(o, d, interval[0], interval[1]).ok()?, aabb))
+    Some((Ray::within(o, d, interval[0], interval[1]).ok()?, aabb))
 }
 
 fn corner_of(draw: &mut Draw, aabb: &Aabb) -> Vec3 {

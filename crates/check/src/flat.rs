@@ -36,7 +36,7 @@ impl Hierarchies {
     /// What [`BuildError`] lists.
     pub fn new(shapes: &[Shape], options: BuildOptions) -> Result<Self, BuildError> {
         let build = |shape: &Shape| match shape {
-            Shape::Mesh(mesh) => Bvh::build(mesh, &options, &|_| ()).map(Some),
+            Shape::Mesh(mesh) => options.build(mesh).map(Some),
             Shape::Group(_) => Ok(None),
         };
         Ok(Self { bvhs: shapes.iter().map(build).collect::<Result<_, _>>()?, options })

@@ -12,7 +12,7 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, Flow, LeftFirst, NodeTest, Pruned, SignOrder};
 use stackless_bvh::trace::{AnyByNode, ClosestByNode, Hit, Truth};
-use stackless_bvh::traverse::{Method, Tables, Test, Unfit, VerifiedTables, WordName};
+use stackless_bvh::traverse::{Beside, Method, Tables, Test, Unfit, VerifiedTables, WordName};
 use stackless_bvh::tree::{Implicit, Keys, Node, Topology};
 
 /// A hierarchy over a mesh with all that its check needs.
@@ -84,7 +84,8 @@ pub fn check_scene(
     rays: &[Ray],
     progress: Progress<'_>,
 ) -> (Tally, Option<SceneDisagreement>) {
-    let tables = Tables::new(scene.bvh, scene.bvh.axes(), &plan.methods, Implicit::LIMIT).verified();
+    let beside = Beside::new(scene.bvh, scene.bvh.axes(), &plan.methods, Implicit::LIMIT);
+    let tables = Tables::verified(scene.bvh, scene.bvh.axes(), beside);
     let pairs = plan.pairs();
     let check_ray = |&ray: &Ray| {
         let mut tally = Tally::default();

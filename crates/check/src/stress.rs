@@ -49,11 +49,8 @@ impl<'c> Stress<'c> {
         let truth = Truth::new(&case.mesh);
         let truth = case.rays.iter().map(|ray| truth.closest(ray).map(|hit| hit.rounded())).collect();
         let in_parts = BuildOptions { builder: Builder::Spatial, reinsertion: 2, ..BuildOptions::default() };
-        let trees = [
-            Bvh::sah(&case.mesh, SahOptions::default())?,
-            Bvh::median(&case.mesh, 2)?,
-            Bvh::build(&case.mesh, &in_parts, &|_| ())?,
-        ];
+        let trees =
+            [Bvh::sah(&case.mesh, SahOptions::default())?, Bvh::median(&case.mesh, 2)?, in_parts.build(&case.mesh)?];
         Ok(Self { case, truth, trees })
     }
 

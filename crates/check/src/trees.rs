@@ -7,9 +7,9 @@ use glam::Vec3;
 
 use stackless_bvh::bvh::{Bvh, BvhError, validate};
 use stackless_bvh::geom::truth::{RBig, round_root_f32, square_distance};
-use stackless_bvh::geom::{Kernel, Ray, Slabs, Triangle, Vector};
+use stackless_bvh::geom::{Ball, BallError, Kernel, Ray, Slabs, Triangle, Vector};
 use stackless_bvh::geom::{Mesh, MeshError};
-use stackless_bvh::trace::{Hit, NearError, Tracer, Truth};
+use stackless_bvh::trace::{Hit, Tracer, Truth};
 use stackless_bvh::traverse::{Method, Unfit};
 
 /// What is wrong with a hierarchy.
@@ -38,7 +38,7 @@ pub enum TreeFault {
     },
     /// The numbers are not a point and a radius.
     #[error(transparent)]
-    Point(#[from] NearError),
+    Point(#[from] BallError),
     /// Other triangles are nearest.
     #[error("nearest (distance, triangle): {found:?}, expected {expected:?}")]
     Nearest {
@@ -97,7 +97,7 @@ where
     B: Slabs<Vector = V>,
     V: Vector,
 {
-    let tracer = Tracer::<K, B>::with_method(bvh, Method::Hashed).map_err(TreeFault::Unfit)?;
+    let tracer = Tracer::<_, K, B>::with_tests(bvh, Method::Hashed).map_err(TreeFault::Unfit)?;
     let truth = Truth::new(mesh);
     let mut hits = 0;
     for (number, ray) in rays.iter().enumerate() {
@@ -105,7 +105,7 @@ where
         let expected: Vec<_> =
             true_hits.iter().map(|hit| bits(&Hit { prim: prims[hit.prim as usize], ..hit.rounded() })).collect();
         let closest: Vec<_> = tracer.closest(ray).iter().map(bits).collect();
-        let all: Vec<_> = tracer.all(ray).iter().map(bits).collect();
+        let all: Vec<_> = tracer.all(ray).map(|hit| bits(&hit)).collect();
         compare(number, "the closest hit", &expected[..expected.len().min(1)], &closest[..])?;
         compare(number, "any hit", &!expected.is_empty(), &tracer.any(ray))?;
         compare(number, "all hits", &expected, &all)?;
@@ -121,9 +121,10 @@ where
 /// [`TreeFault::Nearest`], [`TreeFault::Point`].
 pub fn check_nearest(bvh: &Bvh, mesh: &Mesh, point: Vec3, radius: f32, k: usize) -> Result<(), TreeFault> {
     let tracer = Tracer::new(bvh);
-    let nears = tracer.nearest_k(point, radius, k)?;
+    let ball = Ball::new(point, radius)?;
+    let nears = tracer.nearest_k(&ball, k);
     let (mut expected, found) = (nearest(mesh, point, radius, k.max(1)), distances(&nears));
-    let (first, near) = (expected.first().copied(), tracer.nearest(point, radius)?);
+    let (first, near) = (expected.first().copied(), tracer.nearest(&ball));
     expected.truncate(k);
     if expected != found {
         return Err(TreeFault::Nearest { expected, found });

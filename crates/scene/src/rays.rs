@@ -114,7 +114,7 @@ fn parse(line: &str) -> Result<Ray, RayFault> {
         *number = parse_number(word.trim(), column)?;
     }
     let [ox, oy, oz, dx, dy, dz, tmin, tmax] = numbers;
-    Ok(Ray::new(Vec3::new(ox, oy, oz), Vec3::new(dx, dy, dz), tmin, tmax)?)
+    Ok(Ray::within(Vec3::new(ox, oy, oz), Vec3::new(dx, dy, dz), tmin, tmax)?)
 }
 
 fn parse_number(word: &str, column: &'static str) -> Result<f32, RayFault> {

@@ -1,12 +1,12 @@
 //! The surface area heuristic, evaluated at the borders of bins: for many items.
 
 use glam::Vec3A;
-use rayon::prelude::*;
 
 use super::item::{CHUNK, Extents, Item, Spread};
 use super::sah::Split;
 use super::sweep::{Candidates, Cheapest, half_areas, indices, rounded, unions};
 use super::top_down::Cut;
+use crate::threads;
 
 /// At most `N` bins on each axis, a power of two.
 struct Bins<const N: usize> {
@@ -31,11 +31,7 @@ impl Plane {
     pub(super) fn cheapest<const N: usize>(items: &[Item], extents: &Extents, bins: usize) -> Option<Self> {
         let scale = Scale::new(extents.centroids, bins.min(N));
         let of = |items: &[Item]| Bins::<N>::of(items, scale);
-        let bins = if items.len() < 4 * CHUNK {
-            of(items)
-        } else {
-            items.par_chunks(CHUNK).map(of).reduce(|| Bins::EMPTY, Bins::merge)
-        };
+        let bins = if items.len() < 4 * CHUNK { of(items) } else { threads::reduce(items, CHUNK, of, Bins::merge)? };
         let Cheapest { axis, place: border, weight } = bins.cheapest(items.len())?;
         let [left, right] = [0..border, border..N].map(|range| {
             let range = range.map(|bin| (bins.boxes[axis][bin], bins.counts[axis][bin]));

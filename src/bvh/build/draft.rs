@@ -1,12 +1,11 @@
 //! A hierarchy while it is built, in whatever order suits the builder, and its layout.
 
-use rayon::prelude::*;
-
 use super::Primitives;
 use super::item::CHUNK;
 use crate::bvh::{Bvh, BvhNode, Leaf, LeafTriangle};
 use crate::geom::{Aabb, Region};
 use crate::order::SignOrder;
+use crate::threads;
 use crate::tree::{Node, Recorded};
 
 /// What a builder makes. Node 0 is the root; nodes that are not reached from it do not count.
@@ -86,8 +85,8 @@ impl Draft {
     pub(super) fn lay_out<P: Primitives + ?Sized>(&self, primitives: &P, dropped: usize) -> Bvh<P::Shape> {
         let bounds = self.nodes[0].aabb;
         let Layout { nodes, axes, leaves, prims, root, depth } = Layout::of(self);
-        let held = |&prim: &u32| LeafTriangle { shape: primitives.shape(prim as usize), prim };
-        let triangles = prims.par_iter().with_min_len(CHUNK).map(held).collect();
+        let held = |prim: u32| LeafTriangle { shape: primitives.shape(prim as usize), prim };
+        let triangles = threads::map(0..prims.len(), CHUNK, |i| held(prims[i]));
         let (recorded, region) = (Recorded::Uncles, Region::of(&bounds));
         let duplicates = self.references.len() + dropped - primitives.count();
         Bvh { root, depth, dropped, duplicates, recorded, bounds, region, nodes, axes, leaves, triangles }

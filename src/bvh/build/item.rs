@@ -1,10 +1,10 @@
 //! What builders sort.
 
 use glam::{Vec3A, Vec4};
-use rayon::prelude::*;
 
-use super::{BuildError, Primitives};
+use super::{BuildError, Degenerate, Primitives};
 use crate::geom::Aabb;
+use crate::threads;
 use crate::tree::Node;
 
 /// A primitive, or a part of one, while it is sorted: its box and its index. 32 bytes, two registers.
@@ -41,15 +41,15 @@ impl Item {
     }
 }
 
-/// All primitives that can be hit. No ray meets a degenerate triangle, so those are left out.
-pub(super) fn items<P: Primitives + ?Sized>(primitives: &P) -> Result<Vec<Item>, BuildError> {
+/// All primitives, or those that can be hit.
+pub(super) fn items<P: Primitives + ?Sized>(primitives: &P, degenerate: Degenerate) -> Result<Vec<Item>, BuildError> {
     match primitives.count() {
         0 => Err(BuildError::Empty),
         n if n > Node::MAX_INDEX as usize => Err(BuildError::TooManyTriangles(n)),
         n => {
-            let item =
-                |i: usize| Item::new(&primitives.aabb(i), if primitives.can_be_hit(i) { i as u32 } else { NONE });
-            let mut items: Vec<_> = (0..n).into_par_iter().with_min_len(CHUNK).map(item).collect();
+            let is_wanted = |i| degenerate == Degenerate::Kept || primitives.can_be_hit(i);
+            let item = |i| Item::new(&primitives.aabb(i), if is_wanted(i) { i as u32 } else { NONE });
+            let mut items = threads::map(0..n, CHUNK, item);
             items.retain(|item| item.prim() != NONE);
             // A tree has at least one leaf, even if nothing can be hit.
             if items.is_empty() {
@@ -89,7 +89,7 @@ impl Extents {
         if items.len() < 2 * CHUNK {
             return of_chunk(items);
         }
-        items.par_chunks(CHUNK).map(of_chunk).reduce(|| Self::EMPTY, Self::union)
+        threads::reduce(items, CHUNK, of_chunk, Self::union).unwrap_or(Self::EMPTY)
     }
 }
 

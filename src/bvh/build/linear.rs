@@ -10,7 +10,6 @@ mod forest;
 use std::ops::Range;
 
 use glam::Vec3A;
-use rayon::prelude::*;
 
 use super::BuildError;
 use super::bins::Scale;
@@ -19,6 +18,7 @@ use super::item::{CHUNK, Item, Spread};
 use super::sah::{self, SahOptions};
 use super::sweep::indices;
 use super::top_down;
+use crate::threads;
 use forest::{Forest, Growth};
 
 /// Items that a cluster may have.
@@ -45,9 +45,9 @@ pub(super) fn build(
         return sah::build(items, options, progress);
     }
     let growth = Growth { items: &items, codes: &codes, max_leaf: options.max_leaf, levels, progress };
-    let share = clusters.len().div_ceil(rayon::current_num_threads());
-    let forests = clusters.par_chunks(share).map(|clusters| growth.forest(clusters));
-    let Some(Forest { mut nodes, roots, references }) = forests.reduce_with(Forest::and) else {
+    let share = clusters.len().div_ceil(threads::count());
+    let forest = threads::reduce(&clusters, share, |clusters| growth.forest(clusters), Forest::and);
+    let Some(Forest { mut nodes, roots, references }) = forest else {
         return Err(BuildError::Empty);
     };
     let as_items = (0..).zip(&roots).map(|(i, root)| Item::new(&root.aabb, i)).collect();
@@ -75,14 +75,12 @@ fn index(code: u64) -> usize {
 
 /// Gives all items that `codes` refers to their codes, relative to each other, and sorts them.
 fn sort(items: &[Item], codes: &mut [u64]) {
-    let extents = codes
-        .par_chunks(CHUNK)
-        .map(|chunk| chunk.iter().fold(Spread::EMPTY, |all, &code| all.add(items[index(code)].centroid())));
-    let Spread { lo, hi } = extents.reduce(|| Spread::EMPTY, Spread::union);
+    let of = |chunk: &[u64]| chunk.iter().fold(Spread::EMPTY, |all, &code| all.add(items[index(code)].centroid()));
+    let Spread { lo, hi } = threads::reduce(codes, CHUNK, of, Spread::union).unwrap_or(Spread::EMPTY);
     // Cells are cubes: of flat ones a few far items would make sheets.
     let cube = Spread { lo, hi: lo + Vec3A::splat((hi - lo).max_element()) };
     let scale = Scale::new(cube, 1 << BITS);
-    codes.par_iter_mut().with_min_len(CHUNK).for_each(|code| {
+    threads::update(codes, CHUNK, |code| {
         let [x, y, z] = indices(scale.bins(items[index(*code)].centroid())).map(spread);
         *code = (x << 2 | y << 1 | z) << INDEX_BITS | index(*code) as u64;
     });

@@ -96,29 +96,56 @@ pub struct BuildOptions {
     pub spatial: SpatialOptions,
     /// Rounds of reinsertion (Meister & Bittner 2018) after the build; 0 for none.
     pub reinsertion: u32,
+    /// What becomes of triangles that no ray can meet.
+    pub degenerate: Degenerate,
 }
 
-impl<S> Bvh<S> {
+/// What becomes of primitives that [cannot be hit](Primitives::can_be_hit).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Degenerate {
+    /// They are not in the tree.
+    #[default]
+    LeftOut,
+    /// They are in the tree, and tested as the others are: to see what they cost.
+    Kept,
+}
+
+impl BuildOptions {
     /// A tree over primitives of any kind.
     ///
-    /// `progress` is called now and then, from any thread, with the number of primitives that have found their leaf since the call
-    /// before; a call may say 0.
+    /// ```
+    /// use stackless_bvh::bvh::{BuildOptions, Builder};
+    /// use stackless_bvh::generate::procedural;
+    ///
+    /// let options = BuildOptions { builder: Builder::Spatial, reinsertion: 1, ..BuildOptions::default() };
+    /// let bvh = options.build(&procedural::strands(1, 100))?;
+    /// # Ok::<(), stackless_bvh::bvh::BuildError>(())
+    /// ```
     ///
     /// # Errors
     /// What [`BuildError`] lists.
-    pub fn build<P: Primitives<Shape = S> + ?Sized>(
+    pub fn build<P: Primitives + ?Sized>(&self, primitives: &P) -> Result<Bvh<P::Shape>, BuildError> {
+        self.build_watched(primitives, &|_| ())
+    }
+
+    /// The same, with a callback that hears now and then, from any thread, how many primitives have found their leaf since
+    /// the call before; a call may say 0.
+    ///
+    /// # Errors
+    /// What [`BuildError`] lists.
+    pub fn build_watched<P: Primitives + ?Sized>(
+        &self,
         primitives: &P,
-        options: &BuildOptions,
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Self, BuildError> {
-        let sah = options.sah;
+    ) -> Result<Bvh<P::Shape>, BuildError> {
+        let (options, sah) = (self, self.sah);
         if sah.max_leaf == 0 {
             return Err(BuildError::ZeroLeafSize);
         }
         if !(2..=SahOptions::MAX_BINS).contains(&sah.bins) {
             return Err(BuildError::Bins(sah.bins));
         }
-        let items = item::items(primitives)?;
+        let items = item::items(primitives, options.degenerate)?;
         let dropped = primitives.count() - items.len();
         let draft = match options.builder {
             Builder::Sah => sah::build(items, sah, progress)?,
@@ -135,6 +162,25 @@ impl<S> Bvh<S> {
     }
 }
 
+impl<S> Bvh<S> {
+    /// A tree of low cost by the surface area heuristic, over a mesh or primitives of another kind. For others see
+    /// [`BuildOptions::build`].
+    ///
+    /// ```
+    /// use stackless_bvh::{bvh::Bvh, generate::procedural};
+    ///
+    /// let bvh = Bvh::build(&procedural::strands(1, 100))?;
+    /// # Ok::<(), stackless_bvh::bvh::BuildError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`BuildError::Empty`], which no mesh is, [`BuildError::TooManyTriangles`], and [`BuildError::DepthLimit`] for more than
+    /// 2^31 of them.
+    pub fn build<P: Primitives<Shape = S> + ?Sized>(primitives: &P) -> Result<Self, BuildError> {
+        BuildOptions::default().build(primitives)
+    }
+}
+
 impl<V: Vector> Bvh<Triangle<V>> {
     /// A tree of low cost by the surface area heuristic.
     ///
@@ -144,7 +190,7 @@ impl<V: Vector> Bvh<Triangle<V>> {
     /// # Errors
     /// What [`BuildError`] lists.
     pub fn sah(mesh: &Mesh<V>, sah: SahOptions) -> Result<Self, BuildError> {
-        Self::build(mesh, &BuildOptions { sah, ..BuildOptions::default() }, &|_| ())
+        BuildOptions { sah, ..BuildOptions::default() }.build(mesh)
     }
 
     /// A complete tree: all leaves at the same depth, and their counts differ by at most 1.
@@ -157,7 +203,7 @@ impl<V: Vector> Bvh<Triangle<V>> {
     /// Any but [`BuildError::Bins`] and [`BuildError::DepthLimit`].
     pub fn median(mesh: &Mesh<V>, leaf_size: u32) -> Result<Self, BuildError> {
         let sah = SahOptions { max_leaf: leaf_size, depth_limit: u32::MAX, ..SahOptions::default() };
-        Self::build(mesh, &BuildOptions { builder: Builder::Median, sah, ..BuildOptions::default() }, &|_| ())
+        BuildOptions { builder: Builder::Median, sah, ..BuildOptions::default() }.build(mesh)
     }
 }
 

@@ -9,10 +9,9 @@
 mod collapse;
 mod tree;
 
-use rayon::prelude::*;
-
 use super::SahOptions;
 use super::draft::Draft;
+use crate::threads;
 use tree::Tree;
 
 /// Optimises in `rounds`, or fewer if nothing is gained any more, and makes leaves of subtrees where that is cheaper.
@@ -22,13 +21,9 @@ pub(super) fn reinsert(draft: Draft, rounds: u32, sah: SahOptions, progress: &(d
     let mut tree = Tree::of(&draft);
     for _ in 0..rounds {
         progress(0);
-        let mut moves: Vec<_> = (0..tree.len())
-            .into_par_iter()
-            .with_min_len(256)
-            .map_init(Vec::new, |pending, node| best_move(&tree, node, pending))
-            .flatten_iter()
-            .collect();
-        moves.par_sort_unstable_by(|a, b| b.gain.total_cmp(&a.gain).then(a.node.cmp(&b.node)));
+        let wishes = threads::map_with(0..tree.len(), 256, Vec::new, |pending, node| best_move(&tree, node, pending));
+        let mut moves: Vec<_> = wishes.into_iter().flatten().collect();
+        threads::sort_by(&mut moves, |a, b| b.gain.total_cmp(&a.gain).then(a.node.cmp(&b.node)));
         let made = moves.iter().filter(|wish| tree.try_move(wish.node, wish.sibling, sah.depth_limit)).count();
         if made == 0 {
             break;

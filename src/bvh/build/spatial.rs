@@ -17,6 +17,7 @@ use super::sah::capacity;
 use super::top_down::halve;
 use super::{BuildError, BuildOptions, Primitives, SahOptions};
 use crate::geom::Aabb;
+use crate::threads;
 use crate::tree::Node;
 use bins::Bins;
 use split::Split;
@@ -108,7 +109,7 @@ impl<P: Primitives + ?Sized> Builder<'_, P> {
         while let Some(range) = pending.pop() {
             let Some([left, right]) = self.cut(range, &mut bins) else { continue };
             if left.count.min(right.count) >= PARALLEL {
-                rayon::join(|| self.run(left), || self.run(right));
+                threads::join(|| self.run(left), || self.run(right));
             } else {
                 pending.extend([right, left]);
             }

@@ -29,7 +29,7 @@ fn every_builder_is_sound_and_keeps_its_word() {
                     let progress = |n| {
                         placed.fetch_add(n, Ordering::Relaxed);
                     };
-                    let bvh = Bvh::build(&mesh, &options(builder, max_leaf, limit), &progress).expect("a tree");
+                    let bvh = options(builder, max_leaf, limit).build_watched(&mesh, &progress).expect("a tree");
                     validate(&bvh, &mesh).expect("sound");
                     assert!(bvh.depth() <= limit, "{builder} {n} {max_leaf} {limit}: {}", bvh.depth());
                     // Complete trees have no empty leaves, and so may need some of 2.
@@ -39,7 +39,7 @@ fn every_builder_is_sound_and_keeps_its_word() {
                     assert_eq!(bvh.triangles().len() + bvh.dropped(), n + bvh.duplicates());
                 }
             }
-            let refusal = Bvh::build(&mesh, &options(builder, 1, 0), &|_| ()).err();
+            let refusal = options(builder, 1, 0).build(&mesh).err();
             let left = n - Bvh::median(&mesh, 4).expect("a tree").dropped();
             let expected = (left > 1).then_some(BuildError::DepthLimit { triangles: left, max_leaf: 1, limit: 0 });
             assert_eq!(refusal, expected, "{builder}");
@@ -54,7 +54,7 @@ fn any_number_of_threads_builds_the_same_tree() {
     for builder in Builder::ALL {
         let build = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
-            pool.install(|| Bvh::build(&mesh, &options(builder, 4, 31), &|_| ()).expect("a tree"))
+            pool.install(|| options(builder, 4, 31).build(&mesh).expect("a tree"))
         };
         let one = build(1);
         validate(&one, &mesh).expect("sound");
@@ -88,7 +88,7 @@ fn a_hierarchy_of_balls_has_each_ball_once_and_inside() {
     balls[17].radius = f32::INFINITY;
     balls[3000].centre.x = f32::NEG_INFINITY;
     for builder in Builder::ALL {
-        let bvh = Bvh::build(&balls[..], &options(builder, 4, 31), &|_| ()).expect("a tree");
+        let bvh = options(builder, 4, 31).build(&balls[..]).expect("a tree");
         let boxes = bvh.own_boxes();
         let mut seen = vec![false; balls.len()];
         for leaf in (0..bvh.leaves().len() as u32).map(Node::leaf) {
@@ -118,7 +118,7 @@ fn cost(bvh: &Bvh) -> f32 {
 fn the_fast_builder_is_nearly_as_good() {
     for mesh in [procedural::stadium(1), procedural::strands(1, 500), procedural::soup(1, 20_000)] {
         let [sah, fast, median] = [Builder::Sah, Builder::Linear, Builder::Median]
-            .map(|builder| cost(&Bvh::build(&mesh, &options(builder, 4, 31), &|_| ()).expect("a tree")));
+            .map(|builder| cost(&options(builder, 4, 31).build(&mesh).expect("a tree")));
         assert!(fast < 1.25 * sah && fast < median, "{sah} {fast} {median}");
     }
 }
@@ -127,7 +127,7 @@ fn the_fast_builder_is_nearly_as_good() {
 fn axes_say_which_child_comes_first() {
     let mesh = procedural::soup(5, 20_000);
     for builder in Builder::ALL {
-        let bvh = Bvh::build(&mesh, &options(builder, 4, 31), &|_| ()).expect("a tree");
+        let bvh = options(builder, 4, 31).build(&mesh).expect("a tree");
         // Centroids of triangles are in order, so middles of boxes nearly always are.
         let is_first = |pair: &(&BvhNode, &u8)| {
             let (node, &axis) = *pair;
@@ -147,8 +147,8 @@ fn a_small_object_far_from_another_is_sorted_too() {
     corners.extend([1e8, 1.1e8, 1.2e8].map(|x| Vec3::new(x, x * x / 1e8, 0.0)));
     let triangles = (0..corners.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     let mesh = Mesh::new(corners, triangles).expect("a mesh");
-    let [sah, fast] = [Builder::Sah, Builder::Linear]
-        .map(|builder| Bvh::build(&mesh, &options(builder, 4, 31), &|_| ()).expect("a tree"));
+    let [sah, fast] =
+        [Builder::Sah, Builder::Linear].map(|builder| options(builder, 4, 31).build(&mesh).expect("a tree"));
     validate(&fast, &mesh).expect("sound");
     validate(&fast, &mesh).expect("sound");
     let areas = |bvh: &Bvh| bvh.own_boxes().iter().skip(1).map(Aabb::half_area).filter(|&a| a < 10.0).sum::<f32>();
@@ -159,7 +159,7 @@ fn a_small_object_far_from_another_is_sorted_too() {
 fn the_bounded_builder_has_eight_levels_and_then_medians() {
     let mesh = procedural::stadium(2);
     let sah = Bvh::sah(&mesh, SahOptions::default()).expect("a tree");
-    let bounded = Bvh::build(&mesh, &options(Builder::Bounded, 4, 31), &|_| ()).expect("a tree");
+    let bounded = options(Builder::Bounded, 4, 31).build(&mesh).expect("a tree");
     // Primitives below each node of the eighth level.
     let mut rests = Vec::new();
     let mut pending = vec![(bounded.root(), sah.root(), 0)];

@@ -2,6 +2,7 @@
 
 use super::draft::{Draft, DraftNode};
 use super::item::{Extents, Item};
+use crate::threads;
 
 /// A cut of a range that has been reordered: the `left` first items have the smaller centroids on `axis`.
 #[derive(Clone, Copy, Debug)]
@@ -22,7 +23,7 @@ where
     let mut nodes = Vec::with_capacity(items.len());
     nodes.push(DraftNode::NONE);
     let extents = Extents::of(&items);
-    let builder = TopDown { cut, progress, is_parallel: rayon::current_num_threads() > 1 };
+    let builder = TopDown { cut, progress, is_parallel: threads::count() > 1 };
     builder.run(Subtree { items: &mut items, first: 0, extents, depth: 0, own: 0 }, &mut nodes);
     Draft { nodes, references: items.iter().map(Item::prim).collect() }
 }
@@ -73,7 +74,7 @@ impl<C: Fn(&mut [Item], &Extents, u32) -> Option<Cut> + Sync> TopDown<'_, C> {
                 Subtree { items: right_items, first: first_right, extents: right_extents, depth, own: place + 1 };
             if self.is_parallel && left.items.len().min(right.items.len()) >= TASK {
                 let mut others = vec![DraftNode::NONE];
-                rayon::join(|| self.run(left, nodes), || self.run(Subtree { own: 0, ..right }, &mut others));
+                threads::join(|| self.run(left, nodes), || self.run(Subtree { own: 0, ..right }, &mut others));
                 nodes[place + 1] = append(nodes, &others);
             } else {
                 pending.extend([right, left]);

@@ -1,11 +1,10 @@
 //! Whether a hierarchy is sound in itself, whatever the mesh: all that queries rely on.
 
-use rayon::prelude::*;
-
 use super::BvhError;
 use crate::bvh::{Bvh, Leaf, cover};
 use crate::geom::{Aabb, Triangle, Vector};
 use crate::order::Side;
+use crate::threads;
 use crate::tree::{self, Node, Topology};
 
 /// A triangle of a leaf: its index in the mesh, and its place in [`Bvh::triangles`].
@@ -18,7 +17,7 @@ pub(in crate::bvh) fn check<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Result<Vec<Ref
     check_nodes(bvh)?;
     check_links(bvh)?;
     let mut references: Vec<_> = bvh.triangles.iter().zip(0..).map(|(held, place)| (held.prim, place)).collect();
-    references.par_sort_unstable();
+    threads::sort_by(&mut references, Ord::cmp);
     check_references(bvh, &references)?;
     if bvh.duplicates > 0 {
         check_cover(bvh, &references)?;
@@ -157,13 +156,14 @@ fn check_references<V: Vector>(bvh: &Bvh<Triangle<V>>, references: &[Reference])
 /// Whether the boxes of the leaves that hold a triangle cover it.
 fn check_cover<V: Vector>(bvh: &Bvh<Triangle<V>>, references: &[Reference]) -> Result<(), BvhError> {
     let own_boxes = bvh.own_boxes();
-    let is_covered = |held: &&&[Reference]| {
+    let is_covered = |held: &[Reference]| {
         let boxes: Vec<_> = held.iter().map(|&(_, place)| own_boxes[bvh.slot(leaf_of(bvh, place))]).collect();
         held.first().is_some_and(|&(_, place)| cover::hold(&boxes, &bvh.triangles[place as usize].shape))
     };
     let by_triangle: Vec<_> = references.chunk_by(|(prim, _), (next, _)| prim == next).collect();
-    let uncovered = by_triangle.par_iter().find_first(|held| !is_covered(held));
-    match uncovered.and_then(|held| held.first()) {
+    let covered = threads::map(0..by_triangle.len(), 1, |i| is_covered(by_triangle[i]));
+    let uncovered = by_triangle.iter().zip(covered).find(|(_, is_covered)| !is_covered);
+    match uncovered.and_then(|(held, _)| held.first()) {
         Some(&(prim, _)) => Err(BvhError::Uncovered(prim)),
         None => Ok(()),
     }

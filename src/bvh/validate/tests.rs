@@ -14,7 +14,7 @@ pub(in crate::bvh) fn cut(n: u32, max_leaf: u32) -> (Bvh, Mesh) {
     let sah = SahOptions { max_leaf, ..SahOptions::default() };
     let spatial = SpatialOptions { extra_percent: 100, overlap: 0.0 };
     let options = BuildOptions { builder: Builder::Spatial, sah, spatial, ..BuildOptions::default() };
-    (Bvh::build(&mesh, &options, &|_| ()).expect("a tree"), mesh)
+    (options.build(&mesh).expect("a tree"), mesh)
 }
 
 fn broken((bvh, mesh): &(Bvh, Mesh), change: impl Fn(&mut Bvh)) -> Result<(), BvhError> {

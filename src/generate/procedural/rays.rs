@@ -25,7 +25,7 @@ pub fn rays(mesh: &Mesh, seed: u64, n: usize) -> Vec<Ray> {
 pub fn camera_rays(mesh: &Mesh, seed: u64, n: usize) -> Vec<Ray> {
     let mut source = Source { mesh, bounds: Aabb::of(mesh.vertices()), random: Draw::new(seed) };
     let camera = source.camera(n);
-    (0..n).filter_map(|i| Ray::new(camera.eye, camera.direction(i), 0.0, f32::INFINITY).ok()).collect()
+    (0..n).filter_map(|i| Ray::new(camera.eye, camera.direction(i)).ok()).collect()
 }
 
 const KINDS: usize = 8;
@@ -91,7 +91,7 @@ impl Source<'_> {
                 (a + (b - a) * u + (c - a) * v, self.random.direction(), 1e-4 * self.size(), f32::INFINITY)
             }
         };
-        Ray::new(origin, direction, tmin, tmax).ok()
+        Ray::within(origin, direction, tmin, tmax).ok()
     }
 
     /// Looks at the whole mesh from a corner of its surroundings, with `pixels` pixels.

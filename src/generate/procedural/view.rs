@@ -68,7 +68,7 @@ impl View {
     pub fn ray(&self, x: f64, y: f64) -> Option<Ray> {
         let [forward, right, up] = self.frame();
         let direction = forward + (right * x + up * y) * self.tangent();
-        Ray::new(self.eye, direction.as_vec3(), 0.0, f32::INFINITY).ok()
+        Ray::new(self.eye, direction.as_vec3()).ok()
     }
 
     /// Forward, right and up: of unit length and across each other.

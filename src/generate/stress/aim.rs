@@ -137,19 +137,19 @@ pub(super) fn turned(draw: &mut Draw, mut corners: [Vec3; 3]) -> [Vec3; 3] {
 
 /// A ray without ends.
 pub(super) fn whole(origin: Vec3, direction: Vec3) -> Option<Ray> {
-    Ray::new(origin, direction, 0.0, f32::INFINITY).ok()
+    Ray::new(origin, direction).ok()
 }
 
 /// A ray whose hit at this `t` is to be the first: mostly, its interval begins there or a little before.
 pub(super) fn late(draw: &mut Draw, origin: Vec3, direction: Vec3, t: f32) -> Option<Ray> {
-    Ray::new(origin, direction, one_of([0.0, 0.99, 1.0 - exp2(-16), 1.0], draw) * t, f32::INFINITY).ok()
+    Ray::within(origin, direction, one_of([0.0, 0.99, 1.0 - exp2(-16), 1.0], draw) * t, f32::INFINITY).ok()
 }
 
 /// A ray whose interval begins or ends at a point (`t` about 1) or next to it, or goes on from there.
 pub(super) fn ending(draw: &mut Draw, origin: Vec3, point: Vec3) -> Option<Ray> {
     let end = nudge(1.0, draw.int(1) as i32);
     let [tmin, tmax] = one_of([[0.0, end], [end, f32::INFINITY], [0.5, 2.0], [end, end]], draw);
-    Ray::new(origin, point - origin, tmin, tmax).ok()
+    Ray::within(origin, point - origin, tmin, tmax).ok()
 }
 
 /// The difference; half of it where it overflows.

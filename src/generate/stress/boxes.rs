@@ -230,5 +230,5 @@ fn ending_at(draw: &mut Draw, target: &Target<'_>, i: usize, first: bool) -> Opt
     let direction = draw.ints(4);
     let end = nudge(steps, draw.int(1) as i32);
     let [tmin, tmax] = if first { [end, f32::INFINITY] } else { [0.0, end] };
-    Ray::new(aim - direction * steps, toward(aim - direction, aim), tmin, tmax).ok()
+    Ray::within(aim - direction * steps, toward(aim - direction, aim), tmin, tmax).ok()
 }

@@ -119,7 +119,7 @@ fn along_edge(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray> {
 fn between_vertices(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray> {
     let ([a, _, _], [b, _, _]) = (turned(draw, target.triangle(i)), target.corners(draw));
     let [tmin, tmax] = one_of([[0.0, 1.0], [0.0, 0.0], [1.0, 1.0], [0.0, f32::INFINITY], [1.0, 2.0]], draw);
-    Ray::new(a, b - a, tmin, tmax).ok()
+    Ray::within(a, b - a, tmin, tmax).ok()
 }
 
 fn small(draw: &mut Draw) -> Option<Mesh> {

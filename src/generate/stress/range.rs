@@ -98,7 +98,7 @@ fn fast(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray> {
     let origin = inside.with_z(corners[0].z - draw.int(200).abs() * exp2(-100));
     let direction = Vec3::Z * one_of([exp2(40), exp2(47), exp2(55), exp2(58), 3.0 * exp2(48)], draw);
     let tmin = one_of([0.0, 0.0, exp2(-149), 3.0 * exp2(-149)], draw);
-    Ray::new(origin, direction, tmin, f32::INFINITY).ok()
+    Ray::within(origin, direction, tmin, f32::INFINITY).ok()
 }
 
 /// Odd multiples of 2^-100 at a speed of 2^50: `t` is an odd multiple of 2^-150.
@@ -118,7 +118,7 @@ fn from_plane(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray> {
     let [a, b, c] = turned(draw, target.triangle(i));
     let origin = one_of([a, middle(a, b), middle(middle(a, b), c)], draw);
     let tmax = one_of([0.0, f32::INFINITY, exp2(-149)], draw);
-    Ray::new(origin, one_of([draw.ints(9), draw.direction(), draw.axis()], draw), 0.0, tmax).ok()
+    Ray::within(origin, one_of([draw.ints(9), draw.direction(), draw.axis()], draw), 0.0, tmax).ok()
 }
 
 fn at_zero(draw: &mut Draw) -> Option<Mesh> {

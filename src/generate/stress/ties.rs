@@ -90,7 +90,7 @@ fn at_shared(draw: &mut Draw, _: &Target<'_>, _: usize) -> Option<Ray> {
     let back = draw.ints(1000);
     let direction = back * one_of([1.0, 2.0, 0.5], draw);
     let tmin = one_of([0.0, 0.5], draw);
-    Ray::new(APEX - back, direction, tmin, f32::INFINITY).ok()
+    Ray::within(APEX - back, direction, tmin, f32::INFINITY).ok()
 }
 
 fn few(draw: &mut Draw) -> Option<Mesh> {
@@ -163,14 +163,14 @@ fn midpoint_ends(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray> 
     let ray = midpoint(draw, target, i)?;
     let near = nudge(distance(&ray, target, i), draw.int(1) as i32);
     let [tmin, tmax] = one_of([[0.0, near], [near, f32::INFINITY], [near, near]], draw);
-    Ray::new(ray.origin(), ray.direction(), tmin, tmax).ok()
+    Ray::within(ray.origin(), ray.direction(), tmin, tmax).ok()
 }
 
 fn midpoint_gap(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray> {
     let ray = near_midpoint(draw, target, i)?;
     let near = distance(&ray, target, i);
     let tmin = if draw.one_in(2) { near } else { near.next_down() };
-    Ray::new(ray.origin(), ray.direction(), tmin, tmin.next_up()).ok()
+    Ray::within(ray.origin(), ray.direction(), tmin, tmin.next_up()).ok()
 }
 
 /// To the ramp, rounded down or up by chance of the operations; a middle has a float on either side.
@@ -194,5 +194,5 @@ fn at_layer(draw: &mut Draw, target: &Target<'_>, i: usize, speed: f32, first: b
     let origin = Vec3::new(inside.x, inside.y, -draw.int(1000).abs());
     let end = nudge((a.z - origin.z) / speed, draw.int(1) as i32);
     let [tmin, tmax] = if first { [end, f32::INFINITY] } else { [0.0, end] };
-    Ray::new(origin, Vec3::Z * speed, tmin, tmax).ok()
+    Ray::within(origin, Vec3::Z * speed, tmin, tmax).ok()
 }

@@ -85,7 +85,7 @@ fn vertex_from_0(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray> 
 fn beside_vertex_from_0(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray> {
     let ray = vertex_from_0(draw, target, i)?;
     let direction = draw.nudged(ray.direction(), 1);
-    Ray::new(ray.origin(), direction, ray.tmin() * (1.0 - exp2(-16)), ray.tmax()).ok()
+    Ray::within(ray.origin(), direction, ray.tmin() * (1.0 - exp2(-16)), ray.tmax()).ok()
 }
 
 /// A ray to the point that is so many times as fast, from where all products are exact.
@@ -107,7 +107,7 @@ fn up_to_fraction(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray>
     let (origin, direction) = in_fraction(draw, point, speed);
     let end = nudge(1.0 / speed, draw.int(1) as i32);
     let [tmin, tmax] = one_of([[0.0, end], [end, f32::INFINITY], [end, end], [end, end.next_up()]], draw);
-    Ray::new(origin, direction, tmin, tmax).ok()
+    Ray::within(origin, direction, tmin, tmax).ok()
 }
 
 /// Triangles with a corner that is a corner of their box.
@@ -143,14 +143,14 @@ fn point(draw: &mut Draw, target: &Target<'_>, i: usize) -> Vec3 {
 
 fn on_triangle(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray> {
     let tmax = one_of([0.0, f32::INFINITY, exp2(-149)], draw);
-    Ray::new(point(draw, target, i), one_of([draw.direction(), origin(draw)], draw), 0.0, tmax).ok()
+    Ray::within(point(draw, target, i), one_of([draw.direction(), origin(draw)], draw), 0.0, tmax).ok()
 }
 
 fn up_to_triangle(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray> {
     let (origin, point) = (origin(draw), point(draw, target, i));
     let ends = [[0.0, 1.0], [1.0, f32::INFINITY], [1.0, 1.0], [0.0, 1_f32.next_down()], [1_f32.next_up(), 2.0]];
     let [tmin, tmax] = one_of(ends, draw);
-    Ray::new(origin, point - origin, tmin, tmax).ok()
+    Ray::within(origin, point - origin, tmin, tmax).ok()
 }
 
 const APEX: Vec3 = Vec3::new(1_234_567.0, -765_432.0, 543_219.0);
@@ -164,7 +164,7 @@ fn shared(draw: &mut Draw) -> Option<Mesh> {
 
 fn at_shared(draw: &mut Draw, _: &Target<'_>, _: usize) -> Option<Ray> {
     let (origin, tmin) = (origin(draw), one_of([0.0, 0.5, 0.999, 1.0], draw));
-    Ray::new(origin, APEX - origin, tmin, f32::INFINITY).ok()
+    Ray::within(origin, APEX - origin, tmin, f32::INFINITY).ok()
 }
 
 fn needles(draw: &mut Draw) -> Option<Mesh> {

@@ -12,7 +12,7 @@ use crate::traverse::{Stack, traverse};
 fn trees(mesh: &Mesh) -> [Bvh; 3] {
     let spatial = SpatialOptions { extra_percent: 200, overlap: 0.0 };
     let options = BuildOptions { builder: Builder::Spatial, spatial, ..BuildOptions::default() };
-    let cut = Bvh::build(mesh, &options, &|_| ());
+    let cut = options.build(mesh);
     [Bvh::median(mesh, 2), Bvh::sah(mesh, SahOptions::default()), cut].map(|bvh| bvh.expect("a tree"))
 }
 
@@ -36,7 +36,7 @@ fn from_outside(mesh: &Mesh) -> Vec<Ray> {
         origin[axis] =
             if i.is_multiple_of(7) { middle[axis] + 1.5 * size[axis] } else { middle[axis] - 2.0 * size[axis] };
         let is_outside = origin[axis] < lo[axis] || hi[axis] < origin[axis];
-        Ray::new(origin, aim - origin, 0.0, f32::INFINITY).ok().filter(|_| is_outside)
+        Ray::new(origin, aim - origin).ok().filter(|_| is_outside)
     };
     (0..2000).filter_map(ray).collect()
 }
@@ -116,7 +116,7 @@ fn all_hits_are_those_of_rational_arithmetic() {
 fn equal_distances_are_in_the_order_of_the_mesh() {
     let corners = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
     let mesh = Mesh::new(corners, vec![[0, 1, 2]; 100]).expect("a mesh");
-    let ray = Ray::new(Vec3::new(0.25, 0.25, -1.0), Vec3::Z, 0.0, 1.0).expect("a ray");
+    let ray = Ray::within(Vec3::new(0.25, 0.25, -1.0), Vec3::Z, 0.0, 1.0).expect("a ray");
     for bvh in trees(&mesh) {
         assert!(all(&bvh, &ray).iter().map(|hit| hit.prim).eq(0..100));
     }

@@ -109,7 +109,7 @@ impl<'a> Assembly<'a> {
             below = below.max(part.levels());
             boxes.push(image);
         }
-        let bvh = Bvh::build(&Boxes(boxes), options, &|_| ())?;
+        let bvh = options.build(&Boxes(boxes))?;
         Ok(self.add(Part::Group(Group { instances, bvh, levels: below + 1 })))
     }
 

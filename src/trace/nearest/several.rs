@@ -2,11 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use glam::Vec3;
-
-use super::{Around, Near, NearError};
+use super::{Around, Near};
 use crate::bvh::Bvh;
-use crate::geom::Aabb;
+use crate::geom::{Aabb, Ball};
 use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::trace::BoxQuery;
 use crate::tree::{Node, Topology};
@@ -26,17 +24,14 @@ pub struct NearestPoints<'a> {
 }
 
 impl<'a> NearestPoints<'a> {
-    /// Prepares a search. The radius may be infinite, and `k` any number.
-    ///
-    /// # Errors
-    /// What [`NearError`] lists.
-    pub fn new(bvh: &'a Bvh, point: Vec3, radius: f32, k: usize) -> Result<Self, NearError> {
-        let mut around = Around::new(bvh, point, radius)?;
+    /// Prepares a search. `k` may be any number.
+    pub fn new(bvh: &'a Bvh, ball: &Ball, k: usize) -> Self {
+        let mut around = Around::new(bvh, ball);
         if k == 0 {
             // Nothing is so near.
             around.limit = f32::NEG_INFINITY;
         }
-        Ok(Self { around, k, found: BTreeMap::new() })
+        Self { around, k, found: BTreeMap::new() }
     }
 
     /// What is nearest, in order, after the traversal.

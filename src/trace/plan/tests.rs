@@ -1,20 +1,20 @@
 use super::*;
-use crate::bvh::SahOptions;
+use crate::bvh::{Builder, SahOptions, SpatialOptions};
 use crate::generate::procedural;
 use crate::geom::Mesh;
 use crate::geom::Ray;
-use crate::geom::kernel::Exact;
-use crate::geom::slabs::Directed;
-use crate::trace::Tracer;
+use crate::trace::{Hit, Tracer};
 
 fn scenes() -> Vec<(Mesh, Vec<Ray>)> {
-    let flat = |mesh: Mesh| {
-        let first = mesh.triangles()[0];
-        let triangles = mesh.triangles().iter().copied().chain([[first[0], first[0], first[1]]; 3]).collect();
-        Mesh::new(mesh.vertices().to_vec(), triangles).expect("a mesh")
-    };
-    let meshes = [procedural::soup(1, 80), procedural::strands(2, 5), flat(procedural::soup(3, 9))];
+    let meshes = [procedural::soup(1, 80), procedural::strands(2, 5), with_flat_triangles(&procedural::soup(3, 9))];
     meshes.map(|mesh| (procedural::rays(&mesh, 4, 60), mesh)).map(|(rays, mesh)| (mesh, rays)).into()
+}
+
+/// Three more triangles, which no ray meets.
+fn with_flat_triangles(mesh: &Mesh) -> Mesh {
+    let first = mesh.triangles()[0];
+    let triangles = mesh.triangles().iter().copied().chain([[first[0], first[0], first[1]]; 3]).collect();
+    Mesh::new(mesh.vertices().to_vec(), triangles).expect("a mesh")
 }
 
 #[test]
@@ -26,12 +26,12 @@ fn no_decision_changes_an_answer() {
             let each = Part::ALL.map(|part| lean.clone().with(part));
             let plans = [lean.clone(), lean.with_everything()].into_iter().chain(each);
             let answers = plans.map(|plan| {
-                let tracer = Tracer::<Exact, Directed>::planned(&bvh, &plan).expect("a tracer");
+                let tracer = Tracer::planned(&bvh, &plan).expect("a tracer");
                 let answer = |ray| {
                     let (closest, any) = (tracer.closest(ray), tracer.any(ray));
                     assert_eq!(tracer.closest_distance(ray), closest.map(|hit| (hit.prim, hit.t)));
                     assert_eq!((tracer.any_hit(ray).is_some(), closest.is_some()), (any, any));
-                    (closest, tracer.all(ray))
+                    (closest, tracer.all(ray).collect::<Vec<_>>())
                 };
                 rays.iter().map(answer).collect::<Vec<_>>()
             });
@@ -50,21 +50,88 @@ fn degenerate_triangles_are_left_out_without_a_trace() {
     assert!(Plan::new(&with, Method::Hashed, Ask::Any).skips(Part::Degenerate));
     assert!(!Plan::new(&without, Method::Hashed, Ask::Any).skips(Part::Degenerate));
     for ray in &rays {
-        assert_eq!(Tracer::new(&with).all(ray), Tracer::new(&without).all(ray));
+        assert!(Tracer::new(&with).all(ray).eq(Tracer::new(&without).all(ray)));
+    }
+}
+
+/// What is done with a part and what without, in figures that must differ.
+fn done(part: Part, bvh: &Bvh, mesh: &Mesh, rays: &[Ray]) -> [u64; 2] {
+    let lean = Plan::new(bvh, Method::Hashed, if part == Part::SecondTrail { Ask::Distance } else { Ask::Any });
+    assert!(lean.skips(part), "{part:?}");
+    [lean.clone(), lean.with(part)].map(|plan| {
+        let tracer = Tracer::planned(bvh, &plan).expect("a tracer");
+        match part {
+            Part::LongKeys => tracer.word() as u64,
+            Part::OtherTables | Part::OwnBoxes => tracer.bytes() as u64,
+            Part::SecondTrail => tracer.count_closest(rays).inner,
+            Part::Weights => {
+                tracer.asked_each(rays).iter().flatten().filter(|hit| hit.weights.is_some()).count() as u64
+            }
+            Part::Degenerate => {
+                let bvh = plan.options(BuildOptions::default()).build(mesh).expect("a tree");
+                assert!(rays.iter().all(|ray| Tracer::new(&bvh).all(ray).eq(tracer.all(ray))));
+                bvh.triangles().len() as u64
+            }
+            Part::Repeats => u64::from(tracer.sweep(&rays[0]).watches()),
+        }
+    })
+}
+
+#[test]
+fn each_decision_changes_what_is_done() {
+    let mesh = with_flat_triangles(&procedural::soup(5, 500));
+    let (bvh, rays) = (Bvh::build(&mesh).expect("a tree"), procedural::rays(&mesh, 4, 600));
+    for part in Part::ALL {
+        let [without, with] = done(part, &bvh, &mesh, &rays);
+        // The second trail is for visits that are not made; everything else is work or memory.
+        let ok = if part == Part::SecondTrail { without > with } else { without < with };
+        assert!(ok, "{part:?}: {without}, {with}");
+    }
+    let by_node = Plan::new(&bvh, Method::Skip, Ask::Hit);
+    assert!(!by_node.skips(Part::OwnBoxes) && !by_node.skips(Part::Weights) && by_node.skips(Part::Repeats));
+    // Where a hit ends nothing, nothing is kept for pruning.
+    for (ask, method) in [(Ask::All, Method::Hashed), (Ask::Any, Method::Hashed), (Ask::Hit, Method::HashedDisjoint)] {
+        let plan = Plan::new(&bvh, Method::HashedDisjoint, ask);
+        assert_eq!((plan.method(), plan.skips(Part::SecondTrail)), (method, ask != Ask::Hit));
     }
 }
 
 #[test]
-fn what_is_left_out_saves_memory() {
-    let bvh = Bvh::sah(&procedural::soup(5, 500), SahOptions::default()).expect("a tree");
-    let lean = Plan::new(&bvh, Method::Hashed, Ask::Any);
-    let bytes = |plan: &Plan| Tracer::<Exact, Directed>::planned(&bvh, plan).expect("a tracer").bytes();
-    for part in [Part::OtherTables, Part::OwnBoxes] {
-        assert!(bytes(&lean) < bytes(&lean.clone().with(part)), "{part:?}");
+fn a_tracer_says_what_the_plan_asks_for() {
+    let mesh = procedural::strands(2, 20);
+    let (bvh, rays) = (Bvh::build(&mesh).expect("a tree"), procedural::rays(&mesh, 4, 300));
+    let tracer = Tracer::new(&bvh);
+    for (ask, parts) in [(Ask::Any, [false, false]), (Ask::Distance, [true, false]), (Ask::Hit, [true, true])] {
+        let planned = Tracer::planned(&bvh, &Plan::new(&bvh, Method::default(), ask)).expect("a tracer");
+        for (ray, asked) in rays.iter().zip(planned.asked_each(&rays)) {
+            let hit = if ask == Ask::Any { tracer.any_hit(ray) } else { tracer.closest(ray) };
+            let expected = hit.map(|Hit { prim, t, u, v }| Asked {
+                prim,
+                t: parts[0].then_some(t),
+                weights: parts[1].then_some([u, v]),
+            });
+            assert_eq!(asked, expected, "{ask:?}");
+        }
     }
-    assert_eq!((lean.word(), lean.clone().with(Part::LongKeys).word()), (WordName::U32, WordName::U128));
-    let by_node = Plan::new(&bvh, Method::Skip, Ask::Hit);
-    assert!(!by_node.skips(Part::OwnBoxes) && !by_node.skips(Part::Weights) && by_node.skips(Part::Repeats));
+}
+
+#[test]
+fn a_plan_of_another_hierarchy_changes_no_answer() {
+    let mesh = procedural::strands(3, 40);
+    let spatial = SpatialOptions { extra_percent: 300, overlap: 0.0 };
+    let in_parts = BuildOptions { builder: Builder::Spatial, spatial, ..BuildOptions::default() };
+    let [plain, in_parts] = [BuildOptions::default(), in_parts].map(|options| options.build(&mesh).expect("a tree"));
+    assert!(in_parts.duplicates() > 20);
+    let rays = procedural::rays(&mesh, 4, 200);
+    for method in [Method::HashedDisjoint, Method::StackT0, Method::Skip] {
+        for ask in [Ask::Any, Ask::Hit, Ask::All] {
+            let planned = Tracer::planned(&in_parts, &Plan::new(&plain, method, ask)).expect("deep enough words");
+            let own = Tracer::new(&plain);
+            assert_eq!(planned.closest_each(&rays), own.closest_each(&rays), "{method}");
+            assert_eq!(planned.all_each(&rays), own.all_each(&rays), "{method}");
+            assert_eq!(planned.any_each(&rays), own.any_each(&rays), "{method}");
+        }
+    }
 }
 
 #[test]
@@ -72,8 +139,8 @@ fn counts_are_those_of_the_visits() {
     for (mesh, rays) in scenes() {
         let bvh = Bvh::sah(&mesh, SahOptions::default()).expect("a tree");
         for any in [false, true] {
-            let count =
-                |method| Tracer::<Exact, Directed>::with_method(&bvh, method).expect("a tracer").count(&rays, any);
+            let count = |method| Tracer::with_method(&bvh, method).expect("a tracer");
+            let count = |method| if any { count(method).count_any(&rays) } else { count(method).count_closest(&rays) };
             let [stack, hashed, skip] = [Method::Stack, Method::Hashed, Method::Skip].map(count);
             assert_eq!(stack.rays, rays.len() as u64);
             assert_eq!((stack.inner, stack.leaves, stack.triangles), (hashed.inner, hashed.leaves, hashed.triangles));

@@ -71,7 +71,7 @@ fn rays(mesh: &Mesh<DVec3>, seed: u64, n: usize) -> Vec<Ray<DVec3>> {
         let direction = (aim - origin) * [1.0, 1.0, 1.0 / 3.0, 1e-30][random.below(4) as usize];
         let [tmin, tmax] =
             [[0.0, f64::INFINITY], [0.0, 1.0], [1.0, f64::INFINITY], [0.5, 1.5]][random.below(4) as usize];
-        Ray::new(origin, direction, tmin, tmax).ok()
+        Ray::within(origin, direction, tmin, tmax).ok()
     };
     (0..n).filter_map(ray).collect()
 }
@@ -192,7 +192,7 @@ fn the_nearest_of_triangles_that_single_precision_cannot_tell_apart() {
     let at = |z: f64| [DVec3::new(-1.0, -1.0, z), DVec3::new(3.0, -1.0, z), DVec3::new(-1.0, 3.0, z)];
     let mesh = separate([at(1f64.next_up().next_up()), at(1f64.next_up()), at(1.0)].concat());
     for bvh in [Bvh::median(&mesh, 1), Bvh::sah(&mesh, SahOptions::default())].map(|tree| tree.expect("a tree")) {
-        let ray = Ray::new(DVec3::ZERO, DVec3::Z, 0.0, f64::INFINITY).expect("a ray");
+        let ray = Ray::new(DVec3::ZERO, DVec3::Z).expect("a ray");
         let mut closest = Closest64::new(&bvh, &ray);
         traverse(Stack::new(&bvh, &mut Vec::new()), &mut closest, &mut ());
         assert_eq!(closest.found(), Some((2, 1.0)));

@@ -3,7 +3,7 @@ use glam::Vec3;
 use super::*;
 use crate::bvh::SahOptions;
 use crate::generate::{procedural, stress};
-use crate::geom::Mesh;
+use crate::geom::BallError;
 use crate::geom::truth::{round_root_f32, square_distance};
 use crate::trace::{TrueHit, truth};
 
@@ -22,7 +22,7 @@ fn trees(mesh: &Mesh) -> [Bvh; 2] {
 }
 
 /// A tracer by each traversal that runs on a tree.
-fn tracers(bvh: &Bvh) -> Vec<Tracer<'_>> {
+fn tracers(bvh: &Bvh) -> Vec<Tracer<&Bvh>> {
     Method::ALL.iter().filter_map(|&method| Tracer::with_method(bvh, method).ok()).collect()
 }
 
@@ -37,7 +37,7 @@ fn every_traversal_answers_every_ray_query_with_the_truth() {
                 for tracer in &tracers {
                     assert_eq!(tracer.closest(ray), truth.first().copied(), "{tracer:?} {ray:?}");
                     assert_eq!(tracer.any(ray), !truth.is_empty(), "{tracer:?} {ray:?}");
-                    assert_eq!(tracer.all(ray), truth, "{tracer:?} {ray:?}");
+                    assert_eq!(tracer.all(ray).collect::<Vec<_>>(), truth, "{tracer:?} {ray:?}");
                     let after = |hit: &Hit| tracer.next(ray, (hit.t, hit.prim));
                     let walked: Vec<_> = std::iter::successors(tracer.closest(ray), after).take(200).collect();
                     assert_eq!(walked, truth, "{tracer:?} {ray:?}");
@@ -53,7 +53,7 @@ fn hits_are_walked_through_on_hard_rays() {
         let bvh = Bvh::sah(&case.mesh, SahOptions::default()).expect("a tree");
         let tracer = Tracer::new(&bvh);
         for ray in &case.rays {
-            let all = tracer.all(ray);
+            let all: Vec<_> = tracer.all(ray).collect();
             let after = |hit: &Hit| tracer.next(ray, (hit.t, hit.prim));
             let walked: Vec<_> = std::iter::successors(tracer.closest(ray), after).take(all.len() + 1).collect();
             assert_eq!(walked, all, "{}: {ray:?}", case.name);
@@ -95,7 +95,7 @@ fn the_nearest_point_is_the_truth() {
                     .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
                 for tracer in tracers(&bvh) {
                     for radius in [f32::INFINITY, size * 0.1] {
-                        let near = tracer.nearest(point, radius).expect("a point and a radius");
+                        let near = tracer.nearest(&Ball::new(point, radius).expect("a point and a radius"));
                         let truth = truth.filter(|&(distance, _)| distance <= radius);
                         assert_eq!(near.map(|near| (near.distance, near.prim)), truth, "{tracer:?} {point}");
                         if let Some(Near { point: found, distance, .. }) = near {
@@ -111,10 +111,10 @@ fn the_nearest_point_is_the_truth() {
 #[test]
 fn what_does_not_fit_is_refused_at_once() {
     let bvh = Bvh::sah(&procedural::soup(1, 100), SahOptions::default()).expect("a tree");
-    let refused = Tracer::<Exact, Directed>::with_method(&bvh, Method::Complete);
+    let refused = Tracer::with_method(&bvh, Method::Complete);
     assert!(matches!(refused, Err(Unfit::NotComplete(_))));
     let tracer = Tracer::new(&bvh);
-    assert_eq!((tracer.method(), tracer.word()), (Method::Hashed, WordName::U32));
-    assert_eq!(tracer.nearest(Vec3::ZERO, -1.0), Err(NearError::Radius(-1.0)));
-    assert!(matches!(tracer.nearest(Vec3::NAN, 1.0), Err(NearError::Point(_))));
+    assert_eq!((tracer.method(), tracer.word()), (Method::default(), WordName::U32));
+    assert_eq!(Ball::new(Vec3::ZERO, -1.0), Err(BallError::Radius(-1.0)));
+    assert!(matches!(Ball::new(Vec3::NAN, 1.0), Err(BallError::Center(_))));
 }

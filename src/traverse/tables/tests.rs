@@ -41,10 +41,10 @@ fn lookups_in_the_table_of_another_tree_are_misses() {
     let run = |tables: &VerifiedTables<'_, Tree>| {
         tables.run::<u64, _>(Method::HashOnly, 0, &mut Vec::new(), &mut Leaves, &mut ()).map(|()| tables.misses())
     };
-    let tables = Tables::new(&tree, &axes, &[Method::HashOnly], 0).verified();
+    let beside = |tree: &Tree| Beside::new(tree, &axes, &[Method::HashOnly], 0);
+    let tables = Tables::verified(&tree, &axes, beside(&tree));
     assert_eq!((run(&tables), run(&tables)), (Ok(0), Ok(0)));
-    let of_other = Tables::new(&other, &axes, &[Method::HashOnly], 0).all_keys;
-    let tables = Tables { all_keys: of_other, ..Tables::new(&tree, &axes, &[Method::HashOnly], 0) }.verified();
+    let tables = Tables::verified(&tree, &axes, beside(&other));
     let Ok(misses) = run(&tables) else { panic!("it runs") };
     assert!(misses > 1, "{misses}");
     assert_eq!(run(&tables), Ok(2 * misses));

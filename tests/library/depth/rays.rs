@@ -34,7 +34,7 @@ fn rays(mesh: &Mesh) -> Vec<Ray> {
     let wide = 65_536.0;
     let aimed = |from: [f32; 3], to: [f32; 3]| {
         let (from, to) = (Vec3::from_array(from), Vec3::from_array(to));
-        Ray::new(from, to - from, 0.0, f32::INFINITY).unwrap()
+        Ray::new(from, to - from).unwrap()
     };
     let places = [0.1, 0.3, 0.49, 0.5, 0.51, 0.9].map(|part| part * wide);
     for y in places {

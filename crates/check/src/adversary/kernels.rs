@@ -43,7 +43,7 @@ pub(super) fn box_tests(case: &Case) -> Option<Cost> {
     let bvh = Bvh::median(&case.mesh, 1).ok()?;
     let tracer = Tracer::new(&bvh);
     let all_hit = case.rays.iter().all(|ray| tracer.closest(ray).is_some());
-    let counters = tracer.count(&case.rays, false);
+    let counters = tracer.count_closest(&case.rays);
     Cost::new(counters.boxes, counters.rays).filter(|_| all_hit)
 }
 
@@ -56,7 +56,7 @@ pub(super) fn share(events: impl Iterator<Item = bool>) -> Option<Cost> {
 /// The exact closest hits through a complete tree.
 fn count(case: &Case) -> Option<Counters> {
     let bvh = Bvh::median(&case.mesh, 1).ok()?;
-    Some(Tracer::new(&bvh).count(&case.rays, false))
+    Some(Tracer::new(&bvh).count_closest(&case.rays))
 }
 
 /// Where each ray truly meets each triangle, and where the test finds it.

@@ -36,7 +36,7 @@ impl RayCase {
             return Err(AdversaryError::Degenerate { triangle });
         }
         let ray = |(ray, &[o, d]): (usize, &[[f32; 3]; 2])| {
-            Ray::new(o.into(), d.into(), 0.0, f32::INFINITY).map_err(|error| AdversaryError::Ray { ray, error })
+            Ray::new(o.into(), d.into()).map_err(|error| AdversaryError::Ray { ray, error })
         };
         let rays = self.rays.iter().enumerate().map(ray).collect::<Result<_, _>>()?;
         Ok(stress::Case { name, about: "found by a search", mesh, rays, closed: false })

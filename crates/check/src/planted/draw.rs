@@ -67,7 +67,7 @@ impl Draw<'_> {
             d *= self.one_of(EXTREME);
         }
         let [tmin, tmax] = self.one_of([[0.0, f32::INFINITY], [0.0, k], [k, f32::INFINITY], [k, k]]);
-        Ray::new(o, d, tmin, tmax).ok()
+        Ray::within(o, d, tmin, tmax).ok()
     }
 
     /// A corner of a triangle, the middle of an edge, a point within, or any.

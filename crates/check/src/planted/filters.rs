@@ -196,7 +196,7 @@ impl Shares {
 
     /// `None` for what is no ray, or too long or short for single precision.
     fn of([o, d, corners @ ..]: [Vec3; 5]) -> Option<Self> {
-        let (ray, shape) = (Ray::new(o, d, 0.0, f32::INFINITY).ok()?, Triangle(corners));
+        let (ray, shape) = (Ray::new(o, d).ok()?, Triangle(corners));
         let power = power_of(d)?;
         let off =
             |found: f64, exact: &RBig| RBig::try_from(found).map_or(0.0, |found| round_f64(&(found - exact)).abs());

@@ -182,7 +182,7 @@ fn short_part(draw: &mut Draw<'_>) -> Option<String> {
 fn in_parts(mesh: &Mesh) -> Option<Bvh> {
     let spatial = SpatialOptions { extra_percent: 200, overlap: 0.0 };
     let options = BuildOptions { builder: Builder::Spatial, spatial, ..BuildOptions::default() };
-    Bvh::build(mesh, &options, &|_| ()).ok().filter(|bvh| bvh.duplicates() > 0)
+    options.build(mesh).ok().filter(|bvh| bvh.duplicates() > 0)
 }
 
 fn exchanged_boxes(file: &mut File, at: usize) {

@@ -127,7 +127,7 @@ impl<S> Spoilt<S> {
 
     /// What the exact test says of the ray, or of its reverse, over another interval.
     fn along(&self, sign: f32, [tmin, tmax]: [f32; 2], triangle: &Triangle, limit: f32) -> Option<f32> {
-        let ray = Ray::new(self.ray.origin(), self.ray.direction() * sign, tmin, tmax).ok()?;
+        let ray = Ray::within(self.ray.origin(), self.ray.direction() * sign, tmin, tmax).ok()?;
         Exact::new(&ray, &Region::of(&triangle.aabb())).distance(triangle, limit)
     }
 

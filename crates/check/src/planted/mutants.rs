@@ -14,7 +14,8 @@ pub(super) fn mutants(mutation: Mutation) -> Vec<Planted> {
         let mutant =
             Planted::any(format!("{mutation:?} in {method}"), "ORDER-1", move |tree, tape, search, watcher| {
                 let (tables, mut memory) = (Tables::new(tree, tape.axes(), &[method], 0), Vec::new());
-                let from = tables.over(tables.tree(), 0, &mut memory);
+                let linked = tables.tree();
+                let from = tables.over(&linked, 0, &mut memory);
                 // What is refused makes no visit.
                 let _ = method.dispatch::<u64, _>(Mutated { mutation, tree, from, search, watcher });
             });

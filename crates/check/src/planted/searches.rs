@@ -64,7 +64,7 @@ where
 pub(super) fn built(draw: &mut Draw<'_>, mesh: &Mesh) -> Option<Bvh> {
     let sah = SahOptions { max_leaf: draw.one_of([1, 2, 4]), ..SahOptions::default() };
     let options = BuildOptions { builder: draw.one_of(Builder::ALL), sah, ..BuildOptions::default() };
-    Bvh::build(mesh, &options, &|_| ()).ok()
+    options.build(mesh).ok()
 }
 
 fn restart(draw: &mut Draw<'_>, mutation: Mutation) -> Option<String> {

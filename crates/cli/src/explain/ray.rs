@@ -96,18 +96,18 @@ mod tests {
     fn the_case_of_a_ray_is_what_the_tracer_does() {
         let mesh = procedural::soup(3, 400);
         for builder in [Builder::Sah, Builder::Spatial] {
-            let bvh = Bvh::build(&mesh, &BuildOptions { builder, ..BuildOptions::default() }, &|_| ()).unwrap();
+            let bvh = BuildOptions { builder, ..BuildOptions::default() }.build(&mesh).unwrap();
             let tracer = Tracer::new(&bvh);
             let mut hits = 0;
             for ray in procedural::rays(&mesh, 5, 60) {
                 let case = of_ray(&bvh, &ray);
                 let recording = record(&case, Method::Hashed).unwrap();
-                let counters = tracer.count(&[ray], false);
+                let counters = tracer.count_closest(&[ray]);
                 assert_eq!(recording.steps.len() as u64, counters.inner + counters.leaves, "{ray:?}");
-                let by_sign = Tracer::<Exact, Directed>::with_method(&bvh, Method::Hapala).unwrap();
+                let by_sign = Tracer::with_method(&bvh, Method::Hapala).unwrap();
                 let visits = record(&case, Method::Hapala).unwrap().steps.len() as u64;
                 // A test of a box for each visit.
-                let Counters { boxes, .. } = by_sign.count(&[ray], false);
+                let Counters { boxes, .. } = by_sign.count_closest(&[ray]);
                 assert_eq!(visits, boxes, "{ray:?}");
                 hits += usize::from(recording.steps.iter().any(|step| step.hit));
                 assert_eq!(recording.steps.iter().any(|step| step.hit), tracer.closest(&ray).is_some());

@@ -17,8 +17,8 @@ fn names_blank_lines_and_comments_are_skipped() {
     assert_eq!(
         rays,
         [
-            Ray::new(Vec3::new(1.0, 2.0, 3.0), Vec3::NEG_Z, 0.0, f32::INFINITY).unwrap(),
-            Ray::new(Vec3::new(0.5, -1.0, 2000.0), Vec3::X, 0.25, 4.0).unwrap(),
+            Ray::new(Vec3::new(1.0, 2.0, 3.0), Vec3::NEG_Z).unwrap(),
+            Ray::within(Vec3::new(0.5, -1.0, 2000.0), Vec3::X, 0.25, 4.0).unwrap(),
         ]
     );
     assert_eq!(read(&text.replace("ox,oy,oz,dx,dy,dz,tmin,tmax", "#")).unwrap(), rays);
@@ -76,7 +76,7 @@ fn rays_read_back_bit_for_bit() {
         let origin = Vec3::new(float(), float(), float());
         let direction = Vec3::new(float(), float(), float());
         let (a, b) = (float().abs(), float().abs());
-        let ray = Ray::new(origin, direction, a.min(b), a.max(b)).unwrap();
+        let ray = Ray::within(origin, direction, a.min(b), a.max(b)).unwrap();
         let [o, d] = [origin, direction].map(|v| format!("{},{:?},{:e}", v.x, v.y, v.z));
         let text = format!("{o},{d},{},{:?}\n", ray.tmin(), ray.tmax());
         assert_eq!(format!("{:?}", read(&text).unwrap()), format!("{:?}", [ray]));

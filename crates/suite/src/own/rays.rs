@@ -36,7 +36,7 @@ impl WithTests for Cast {
     ) -> Option<Answer> {
         let Self { bvh, rays, query } = self;
         let bvh = bvh.map(K::Shape::from);
-        let tracer = Tracer::<K, B>::with_method(&bvh, Method::Stack).ok()?;
+        let tracer = Tracer::<_, K, B>::with_tests(&bvh, Method::Stack).ok()?;
         let hits: Vec<Value> = match query {
             Query::Closest => tracer.closest_each(&rays).into_iter().map(written).collect(),
             Query::Any => tracer.any_each(&rays).into_iter().map(|any| json!(any)).collect(),
@@ -60,7 +60,7 @@ impl Rays {
         let mesh = Mesh::new(vertices.collect::<Result<_, _>>()?, self.triangles.clone())?;
         let ray = |text: &String| {
             let [a, b, c, x, y, z, tmin, tmax] = parse_floats(text).ok_or(RaysError::Floats)?;
-            Ok(Ray::new(Vec3::new(a, b, c), Vec3::new(x, y, z), tmin, tmax)?)
+            Ok(Ray::within(Vec3::new(a, b, c), Vec3::new(x, y, z), tmin, tmax)?)
         };
         let rays = self.rays.iter().map(ray).collect::<Result<_, RaysError>>()?;
         Ok((mesh, rays))

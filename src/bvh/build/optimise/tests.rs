@@ -7,7 +7,7 @@ use crate::order::{Side, SignOrder};
 use crate::tree::Topology;
 
 fn build(mesh: &Mesh, options: &BuildOptions) -> Bvh {
-    let bvh = Bvh::build(mesh, options, &|_| ()).expect("a tree");
+    let bvh = options.build(mesh).expect("a tree");
     validate(&bvh, mesh).expect("sound");
     bvh
 }
@@ -69,7 +69,7 @@ fn the_tree_does_not_depend_on_the_number_of_threads() {
     let options = BuildOptions { reinsertion: 2, ..BuildOptions::default() };
     let trees = [1, 2, 5].map(|threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-        pool.install(|| Bvh::build(&mesh, &options, &|_| ())).expect("a tree")
+        pool.install(|| options.build(&mesh)).expect("a tree")
     });
     for other in &trees[1..] {
         assert_eq!((trees[0].nodes(), trees[0].triangles()), (other.nodes(), other.triangles()));

@@ -17,7 +17,7 @@ fn options(extra_percent: u32, overlap: f32) -> BuildOptions {
 }
 
 fn build(mesh: &Mesh, options: &BuildOptions) -> Bvh {
-    let bvh = Bvh::build(mesh, options, &|_| ()).expect("a tree");
+    let bvh = options.build(mesh).expect("a tree");
     validate(&bvh, mesh).expect("sound");
     bvh
 }
@@ -78,7 +78,7 @@ fn the_tree_does_not_depend_on_the_number_of_threads_and_progress_counts_all() {
         let progress = |n: usize| {
             counted.fetch_add(n, Ordering::Relaxed);
         };
-        let bvh = pool.install(|| Bvh::build(&mesh, &options(50, 0.0), &progress)).expect("a tree");
+        let bvh = pool.install(|| options(50, 0.0).build_watched(&mesh, &progress)).expect("a tree");
         assert_eq!(counted.into_inner() + bvh.dropped(), mesh.triangles().len());
         assert!(bvh.duplicates() > 1000, "{}", bvh.duplicates());
         bvh
@@ -147,7 +147,7 @@ impl Primitives for Clumsy<'_> {
 fn validation_sees_parts_that_are_too_small_by_one_float() {
     let mesh = &meshes()[0];
     let options = options(100, 0.0);
-    let bvh = Bvh::build(&Clumsy(mesh), &options, &|_| ()).expect("a tree");
+    let bvh = options.build(&Clumsy(mesh)).expect("a tree");
     assert!(bvh.duplicates() > 10);
     assert!(matches!(validate(&bvh, mesh), Err(BvhError::Uncovered(_))));
 }

@@ -44,7 +44,7 @@ use crate::geom::{Ray, Region, Triangle};
 /// use stackless_bvh::geom::{Ray, Region, Triangle};
 ///
 /// let triangle = Triangle([DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| corner + 1e12));
-/// let ray = Ray::new(DVec3::new(1e12, 1e12, 0.0), DVec3::new(0.0, 0.0, 3.0), 0.0, f64::INFINITY)?;
+/// let ray = Ray::new(DVec3::new(1e12, 1e12, 0.0), DVec3::new(0.0, 0.0, 3.0))?;
 /// let exact = Exact64::new(&ray, &Region::of(&triangle.aabb()));
 /// assert_eq!(exact.distance(&triangle, f64::INFINITY), Some(1e12 / 3.0));
 /// # Ok::<(), stackless_bvh::geom::RayError>(())

@@ -30,7 +30,7 @@ pub enum Verdict<T> {
 /// let third = Affine::new([[3.0, 0.0, 0.0, 0.0], [0.0, 3.0, 0.0, 0.0], [0.0, 0.0, 3.0, 0.0]])?;
 /// let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
 /// let at = |x| -> Result<_, Box<dyn std::error::Error>> {
-///     let ray = third.pull_back(&EnclosedRay::exact(&Ray::new(Vec3::new(x, 0.5, -7.0), Vec3::Z, 0.0, 9.0)?));
+///     let ray = third.pull_back(&EnclosedRay::exact(&Ray::within(Vec3::new(x, 0.5, -7.0), Vec3::Z, 0.0, 9.0)?));
 ///     Ok(Enclosed::new(&ray, [0.0, 9.0], &Region::of(&triangle.aabb())).distance(&triangle, 9.0))
 /// };
 /// assert_eq!((at(0.5)?, at(4.0)?), (Verdict::Hit(7.0), Verdict::Miss));

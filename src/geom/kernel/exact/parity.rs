@@ -33,7 +33,7 @@ impl Exact {
     ///
     /// // A square of two triangles, and a ray through the diagonal.
     /// let [a, b, c, d] = [Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y];
-    /// let ray = Ray::new(Vec3::new(0.5, 0.5, -1.0), Vec3::Z, 0.0, f32::INFINITY)?;
+    /// let ray = Ray::new(Vec3::new(0.5, 0.5, -1.0), Vec3::Z)?;
     /// let exact = Exact::new(&ray, &Region::of(&Aabb::of(&[a, b, c, d])));
     /// let square = [Triangle([a, b, c]), Triangle([a, c, d])];
     /// assert_eq!(square.map(|triangle| exact.blocks(&triangle)), [true, true]);

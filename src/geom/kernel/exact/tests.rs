@@ -48,7 +48,7 @@ fn a_sum_holds_what_doubles_drop() {
 fn the_stage_is_the_one_that_decides() {
     let triangle = Triangle([Vec3::ZERO, Vec3::X * 3.0, Vec3::Y * 3.0]);
     let stage_in = |region: Aabb, triangle: &Triangle, [x, y]: [f32; 2], tmax: f32| {
-        let ray = Ray::new(Vec3::new(x, y, 1.0), Vec3::NEG_Z, 0.0, tmax).unwrap();
+        let ray = Ray::within(Vec3::new(x, y, 1.0), Vec3::NEG_Z, 0.0, tmax).unwrap();
         Exact::new(&ray, &Region::of(&region)).stage(triangle)
     };
     let stage = |at, tmax| stage_in(triangle.aabb(), &triangle, at, tmax);
@@ -67,7 +67,7 @@ fn the_stage_is_the_one_that_decides() {
     assert_eq!(stage([1.0, 1.0], 1.0), Stage::Sums);
     // It begins before it, right on it, or behind it.
     let from = |tmin: f32| {
-        let ray = Ray::new(Vec3::ONE, Vec3::NEG_Z, tmin, f32::INFINITY).unwrap();
+        let ray = Ray::within(Vec3::ONE, Vec3::NEG_Z, tmin, f32::INFINITY).unwrap();
         Exact::new(&ray, &Region::of(&triangle.aabb())).stage(&triangle)
     };
     assert_eq!([0.5, 1.0, 2.0].map(from), [Stage::Scene, Stage::Sums, Stage::Scene]);
@@ -80,7 +80,7 @@ fn the_stage_is_the_one_that_decides() {
 #[test]
 fn what_is_beyond_the_limit_is_not_placed() {
     let triangle = Triangle([Vec3::ZERO, Vec3::X * 3.0, Vec3::Y * 3.0].map(|v| v - Vec3::Z * (f32::EPSILON / 2.0)));
-    let ray = Ray::new(Vec3::ONE, Vec3::NEG_Z, 0.0, f32::INFINITY).unwrap();
+    let ray = Ray::new(Vec3::ONE, Vec3::NEG_Z).unwrap();
     let exact = Exact::new(&ray, &Region::of(&triangle.aabb()));
     assert_eq!([2.0, 1.0, 0.5].map(|limit| exact.distance(&triangle, limit)), [Some(1.0), Some(1.0), None]);
 }

@@ -5,7 +5,7 @@ use crate::geom::Aabb;
 #[test]
 fn double_precision_is_asked_only_where_it_is_needed() {
     let is_wide = |o: f32, d: f32, reach: f32| {
-        let ray = Ray::new(Vec3::new(0.0, o, 0.0), Vec3::new(1.0, 0.0, d), 0.0, f32::INFINITY).expect("a ray");
+        let ray = Ray::new(Vec3::new(0.0, o, 0.0), Vec3::new(1.0, 0.0, d)).expect("a ray");
         Directed::new(&ray, &Region::of(&Aabb { lo: Vec3::splat(-reach), hi: Vec3::ZERO })).is_wide
     };
     let most = 2f32.powi(126);

@@ -40,7 +40,7 @@ impl Build {
         let Self { builder, reinsertion } = self;
         let progress = bar(scene.mesh.triangles().len() as u64, &format!("{}, {self}", scene.name));
         let options = BuildOptions { builder, reinsertion, ..BuildOptions::default() };
-        let bvh = Bvh::build(&scene.mesh, &options, &|placed| progress.inc(placed as u64));
+        let bvh = options.build_watched(&scene.mesh, &|placed| progress.inc(placed as u64));
         progress.finish_and_clear();
         bvh
     }

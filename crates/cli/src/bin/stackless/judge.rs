@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn answers_are_counted() {
-        let ray = Ray::new(Vec3::ZERO, Vec3::X, 0.0, f32::INFINITY).unwrap();
+        let ray = Ray::new(Vec3::ZERO, Vec3::X).unwrap();
         let (right, late) = (Some((3, 1.0)), Some((3, 1.0f32.next_up())));
         let mut counts = Counts::default();
         for _ in 0..999 {

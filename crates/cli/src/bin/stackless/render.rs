@@ -171,7 +171,9 @@ impl Job {
             counts[0].0 = "from the root";
             let from_hit = move |sample: &Sample| {
                 let (_, place) = continuation.closest(&sample.primary, None)?;
-                let counters = continuation.count(sample.traced.as_ref()?, Some(place), any);
+                let (ray, place) = (sample.traced.as_ref()?, Some(place));
+                let counters =
+                    if any { continuation.count_any(ray, place) } else { continuation.count_closest(ray, place) };
                 Some(counters.inner + counters.leaves)
             };
             counts.push(("from the last hit", Box::new(from_hit)));

@@ -75,7 +75,7 @@ impl WithTests for WithRays<'_> {
     fn call<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>>(self) -> Hits {
         let Self { args, bvh, rays } = self;
         let bvh = bvh.map(K::Shape::from);
-        let tracer = Tracer::<K, B>::with_method(&bvh, args.method)?;
+        let tracer = Tracer::<_, K, B>::with_tests(&bvh, args.method)?;
         let progress = bar(rays.len() as u64, "rays");
         let hits = rays.par_chunks(1024).flat_map_iter(|chunk| {
             progress.inc(chunk.len() as u64);

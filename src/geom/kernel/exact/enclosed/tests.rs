@@ -204,7 +204,7 @@ fn what_the_object_leaves_open_its_triangle_decides() {
     let wide = Aabb { lo: Vec3::splat(-1e6), hi: Vec3::splat(1e6) };
     for (y, distance, blocks) in [(0.001, Verdict::Hit(1.0), Verdict::Hit(())), (-0.001, Verdict::Miss, Verdict::Miss)]
     {
-        let ray = Ray::new(Vec3::new(1.0, y, 1.0), Vec3::NEG_Z, 0.0, 9.0).expect("a ray");
+        let ray = Ray::within(Vec3::new(1.0, y, 1.0), Vec3::NEG_Z, 0.0, 9.0).expect("a ray");
         let test = Enclosed::new(&EnclosedRay::exact(&ray), [0.0, 9.0], &Region::of(&wide));
         assert_eq!((test.distance(&triangle, 9.0), test.blocks(&triangle)), (distance, blocks));
     }

@@ -94,12 +94,12 @@ proptest! {
         let (o, d) = (float(o), float(d));
         let shapes: Vec<_> = triangles.into_iter().map(|face| Triangle(face.map(float))).collect();
         let on_surface = |shape: &Triangle| {
-            let out = Ray::new(o, d, 0.0, 0.0).expect("a ray");
+            let out = Ray::within(o, d, 0.0, 0.0).expect("a ray");
             Exact::new(&out, &Region::of(&shape.aabb())).blocks(shape)
         };
         prop_assume!(is_inside || is_outside && !shapes.iter().any(on_surface));
         let region = Region::of(&shapes.iter().map(Triangle::aabb).fold(Aabb::EMPTY, Aabb::union));
-        let exact = Exact::new(&Ray::new(o, d, 0.0, f32::INFINITY).expect("a ray"), &region);
+        let exact = Exact::new(&Ray::new(o, d).expect("a ray"), &region);
         let mut count = 0;
         for shape in &shapes {
             let is_crossed = exact.crosses(shape);
@@ -120,7 +120,7 @@ proptest! {
 fn both_ends_of_the_interval_count() {
     let square = [[Vec3::ZERO, Vec3::X, Vec3::ONE.with_z(0.0)], [Vec3::ZERO, Vec3::ONE.with_z(0.0), Vec3::Y]];
     let count = |o: Vec3, tmin, tmax| {
-        let ray = Ray::new(o, Vec3::Z, tmin, tmax).expect("a ray");
+        let ray = Ray::within(o, Vec3::Z, tmin, tmax).expect("a ray");
         let exact = Exact::new(&ray, &Region::of(&Aabb::of(&[Vec3::ZERO, Vec3::ONE])));
         square.iter().filter(|corners| exact.crosses(&Triangle(**corners))).count()
     };
@@ -146,7 +146,7 @@ fn one_triangle_of_a_fan_is_crossed_at_its_hub() {
             let region = Region::of(&fan.iter().map(Triangle::aabb).fold(Aabb::EMPTY, Aabb::union));
             for d in [Vec3::Z, Vec3::NEG_Z, Vec3::new(0.25, -0.5, 2.0)] {
                 // Without rounding, because the numbers have few bits more than the floats of the hub.
-                let ray = Ray::new(hub - d * (scale * 64.0), d, 0.0, f32::INFINITY).expect("a ray");
+                let ray = Ray::new(hub - d * (scale * 64.0), d).expect("a ray");
                 let exact = Exact::new(&ray, &region);
                 assert_eq!(fan.iter().filter(|shape| exact.crosses(shape)).count(), 1, "{n} {exponent} {d}");
             }

@@ -79,7 +79,7 @@ fn rays(mesh: &Mesh, radius: f32, offset: f32, share: f64) -> Vec<Ray> {
     let wanted = ((aims.len() as f64 * share).ceil() as usize).min(aims.len());
     let aims = (0..wanted).map(|i| aims[i * aims.len() / wanted]);
     let from = ORIGINS.map(|origin| Vec3::splat(offset) + origin * radius);
-    let ray = |origin: Vec3, aim: Vec3| Ray::new(origin, aim - origin, 0.0, f32::INFINITY).ok();
+    let ray = |origin: Vec3, aim: Vec3| Ray::new(origin, aim - origin).ok();
     aims.flat_map(|aim| from.map(|origin| ray(origin, aim))).flatten().collect()
 }
 

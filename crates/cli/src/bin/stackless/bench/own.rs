@@ -56,14 +56,14 @@ impl<'a> WithTests for MakeRunner<'a> {
             Recorded::ParentSibling => &self.trees.parents,
             _ => &self.trees.uncles,
         };
-        Ok(Box::new(Runner { tracer: Tracer::<K, B>::with_method(forms.of(), self.method)?, make: self }))
+        Ok(Box::new(Runner { tracer: Tracer::<_, K, B>::with_tests(forms.of(), self.method)?, make: self }))
     }
 }
 
 /// A traversal with its tree, that tree's tables, and the types of its tests.
 struct Runner<'a, K: Kernel, B> {
     make: MakeRunner<'a>,
-    tracer: Tracer<'a, K, B>,
+    tracer: Tracer<&'a Bvh<K::Shape>, K, B>,
 }
 
 impl<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>> Contestant for Runner<'_, K, B> {
@@ -91,7 +91,10 @@ impl<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>> Contestant 
     }
 
     fn nodes(&mut self, query: Query, rays: &[Ray]) -> Option<u64> {
-        let counters = self.tracer.count(rays, query == Query::Any);
+        let counters = match query {
+            Query::Closest => self.tracer.count_closest(rays),
+            Query::Any => self.tracer.count_any(rays),
+        };
         Some(counters.inner + counters.leaves)
     }
 

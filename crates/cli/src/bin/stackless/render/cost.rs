@@ -47,7 +47,7 @@ impl Heat {
 pub(super) struct Costs<'a> {
     heat: Heat,
     any: bool,
-    tracer: Tracer<'a>,
+    tracer: Tracer<&'a Bvh>,
     /// Where the tracer's own counts do not tell.
     steps: Option<Box<Walks<'a>>>,
 }
@@ -77,7 +77,8 @@ impl<'a> Costs<'a> {
             let [backtracks, steps] = walks.count(&self.tracer, ray, self.any);
             return if self.heat == Heat::Backtrack { steps } else { backtracks };
         }
-        let counters = self.tracer.count(std::slice::from_ref(ray), self.any);
+        let ray = std::slice::from_ref(ray);
+        let counters = if self.any { self.tracer.count_any(ray) } else { self.tracer.count_closest(ray) };
         match self.heat {
             Heat::Nodes => counters.inner + counters.leaves,
             Heat::Boxes => counters.boxes,
@@ -94,7 +95,7 @@ impl<'a> Walks<'a> {
     }
 
     /// Backtracks and their steps.
-    fn count(&self, tracer: &Tracer<'_>, ray: &Ray, any: bool) -> [u64; 2] {
+    fn count(&self, tracer: &Tracer<&Bvh>, ray: &Ray, any: bool) -> [u64; 2] {
         let (bvh, boxes) = (self.bvh, &*self.boxes);
         let query: &mut dyn Query =
             if any { &mut AnyByNode::new(bvh, boxes, ray) } else { &mut ClosestByNode::new(bvh, boxes, ray) };
@@ -124,7 +125,8 @@ impl WithWord for Run<'_, '_, '_> {
 
     fn call<W: KeyWord>(self) -> Result<(), Unfit> {
         let Self { tables, method, octant, mut query, reads, steps } = self;
-        let watched = Watched { tree: tables.tree(), watch: |node| reads.count(node) };
+        let linked = tables.tree();
+        let watched = Watched { tree: &linked, watch: |node| reads.count(node) };
         tables.run_over::<W, _, _>(&watched, method, octant, &mut Vec::new(), &mut query, steps)
     }
 }

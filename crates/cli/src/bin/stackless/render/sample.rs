@@ -1,6 +1,7 @@
 //! What a pixel's rays are, and what is seen along them.
 
 use glam::Vec3;
+use stackless_bvh::bvh::Bvh;
 use stackless_bvh::generate::Rng;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::trace::{self, Hit, Tracer};
@@ -35,7 +36,7 @@ impl Rays {
 /// The samples of all pixels.
 pub(super) struct Samples<'a> {
     pub(super) scene: &'a Scene,
-    pub(super) tracer: &'a Tracer<'a>,
+    pub(super) tracer: &'a Tracer<&'a Bvh>,
     pub(super) camera: Camera,
     pub(super) rays: Rays,
     /// Of a pixel.

@@ -3,10 +3,10 @@
 use std::hint::black_box;
 
 use serde::Serialize;
-use stackless_bvh::bvh::{BuildError, BuildOptions, Bvh, Primitives};
+use stackless_bvh::bvh::{BuildOptions, Bvh};
 use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::{Aabb, Ray, Triangle};
-use stackless_bvh::trace::{self, Ask, Part, Plan, Tracer};
+use stackless_bvh::geom::Ray;
+use stackless_bvh::trace::{self, Ask, Asked, Part, Plan, Tracer};
 use stackless_bvh::traverse::{Method, Unfit};
 
 use crate::output::{Table, grouped, table};
@@ -31,7 +31,6 @@ const ROUNDS: usize = 5;
 /// The decisions for any-hit and closest-hit queries by `hashed`, each measured, and all together. The answers of all must be
 /// the same; the one that differs is the error.
 pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
-    let with_degenerate = All::over(mesh)?;
     let bounced = trace::bounce(mesh, bvh, rays, 1);
     let mut rows = Vec::new();
     for (query, ask, rays) in [("any hit", Ask::Any, &*bounced), ("closest hit", Ask::Distance, rays)] {
@@ -41,9 +40,10 @@ pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, 
         let parts: Vec<_> = Part::ALL.into_iter().filter(is_measured).collect();
         let plans = parts.iter().map(|&part| lean.clone().with(part));
         let plans: Vec<_> = [lean.clone()].into_iter().chain(plans).chain([lean.clone().with_everything()]).collect();
+        let with_degenerate = lean.clone().with(Part::Degenerate).options(BuildOptions::default()).build(mesh)?;
         let setups = plans.iter().map(|plan| {
             let whole = !plan.skips(Part::Degenerate) && lean.skips(Part::Degenerate);
-            Setup::new(plan, ask, if whole { &with_degenerate } else { bvh })
+            Setup::new(plan, if whole { &with_degenerate } else { bvh })
         });
         let setups: Vec<_> = setups.collect::<Result<_, _>>()?;
         if let Some(i) = (1..setups.len()).find(|&i| setups[i].answers(rays) != setups[0].answers(rays)) {
@@ -64,7 +64,7 @@ pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, 
             rows.push(Row { query, part, skipped, reason, saved_bytes, time_ratio });
         }
         let (saved_bytes, time_ratio) = saved(setups.len() - 1);
-        let reason = format!("{} bytes are needed besides the tree", grouped(Tracer::bytes(&setups[0].tracer) as u64));
+        let reason = format!("{} bytes are needed besides the tree", grouped(setups[0].tracer.bytes() as u64));
         rows.push(Row { query, part: "everything above", skipped: true, reason, saved_bytes, time_ratio });
     }
     Ok(rows)
@@ -84,64 +84,24 @@ pub(super) fn to_table(rows: &[Row]) -> Table {
 
 /// A tracer by a plan.
 struct Setup<'a> {
-    tracer: Tracer<'a>,
-    ask: Ask,
-    with_weights: bool,
+    tracer: Tracer<&'a Bvh>,
+    /// Whether which triangle is hit is asked.
+    names_triangle: bool,
     /// Of hierarchy and tables.
     bytes: usize,
 }
 
 impl<'a> Setup<'a> {
-    fn new(plan: &Plan, ask: Ask, bvh: &'a Bvh) -> Result<Self, Unfit> {
+    fn new(plan: &Plan, bvh: &'a Bvh) -> Result<Self, Unfit> {
         let tracer = Tracer::planned(bvh, plan)?;
         let bytes = bvh.bytes() + tracer.bytes();
-        Ok(Self { tracer, ask, with_weights: !plan.skips(Part::Weights), bytes })
+        Ok(Self { tracer, names_triangle: plan.ask() != Ask::Any, bytes })
     }
 
-    /// What is asked for, and the weights as well if the plan has not left them out.
+    /// What is asked for, of what the tracer says.
     fn answers(&self, rays: &[Ray]) -> Vec<Option<(u32, f32)>> {
-        // Which triangle blocks a ray is not asked, and may differ.
-        let blocked = |is_hit: bool| is_hit.then_some((0, 0.0));
-        match (self.ask, self.with_weights) {
-            (Ask::Any, false) => self.tracer.any_each(rays).into_iter().map(blocked).collect(),
-            (Ask::Any, true) => {
-                let hits = self.tracer.any_hit_each(rays);
-                hits.into_iter().map(|hit| blocked(black_box(hit).is_some())).collect()
-            }
-            (_, false) => {
-                let mut found = vec![None; rays.len()];
-                self.tracer.closest_distances(rays, &mut found);
-                found
-            }
-            (_, true) => {
-                let hits = self.tracer.closest_each(rays);
-                hits.into_iter().map(|hit| black_box(hit).map(|hit| (hit.prim, hit.t))).collect()
-            }
-        }
-    }
-}
-
-/// All triangles of a mesh, degenerate ones too.
-struct All<'m>(&'m Mesh);
-
-impl All<'_> {
-    fn over(mesh: &Mesh) -> Result<Bvh, BuildError> {
-        Bvh::build(&All(mesh), &BuildOptions::default(), &|_| ())
-    }
-}
-
-impl Primitives for All<'_> {
-    type Shape = Triangle;
-
-    fn count(&self) -> usize {
-        self.0.count()
-    }
-
-    fn shape(&self, index: usize) -> Triangle {
-        self.0.shape(index)
-    }
-
-    fn aabb(&self, index: usize) -> Aabb {
-        self.0.aabb(index)
+        let asked =
+            |asked: Asked| if self.names_triangle { (asked.prim, asked.t.unwrap_or_default()) } else { (0, 0.0) };
+        self.tracer.asked_each(rays).into_iter().map(|found| black_box(found).map(asked)).collect()
     }
 }

@@ -31,7 +31,7 @@ type Step = (Ray, Place);
 
 /// Counts for primary rays, and for rays from where they hit.
 pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, primary: &[Ray], seed: u64) -> Result<Vec<Row>, Unfit> {
-    let tracer = |method| Tracer::<Exact, Directed>::planned(bvh, &Plan::new(bvh, method, Ask::Distance));
+    let tracer = |method| Tracer::planned(bvh, &Plan::new(bvh, method, Ask::Distance));
     let tracers = [
         ("nothing is pruned", tracer(Method::Hashed)?),
         ("disjoint intervals", tracer(Method::HashedDisjoint)?),
@@ -48,12 +48,15 @@ pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, primary: &[Ray], seed: u64) -> Res
     let mut rows = Vec::new();
     for (query, rays) in [("closest, primary", primary), ("closest, diffuse", &diffuse)] {
         for (way, tracer) in &tracers {
-            rows.push(Row::of(query, way, &tracer.count(rays, false)));
+            rows.push(Row::of(query, way, &tracer.count_closest(rays)));
         }
     }
     for (query, any) in [("closest, diffuse", false), ("any, diffuse", true)] {
         for (way, goes_on) in [("from the root", false), ("from the last hit", true)] {
-            let count = |&(ray, place): &Step| continuation.count(&ray, goes_on.then_some(place), any);
+            let count = |(ray, place): &Step| {
+                let from = goes_on.then_some(*place);
+                if any { continuation.count_any(ray, from) } else { continuation.count_closest(ray, from) }
+            };
             let sum = steps.par_iter().map(count).reduce(Counters::default, |a, b| a.merge(&b));
             rows.push(Row::of(query, way, &sum));
         }
@@ -63,7 +66,7 @@ pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, primary: &[Ray], seed: u64) -> Res
 }
 
 /// A diffuse ray from the hit of another.
-fn step(mesh: &Mesh, continuation: &Continuation<'_, '_, Exact, Directed>, ray: &Ray, seed: u64) -> Option<Step> {
+fn step(mesh: &Mesh, continuation: &Continuation<'_, &Bvh, Exact, Directed>, ray: &Ray, seed: u64) -> Option<Step> {
     let (hit, place) = continuation.closest(ray, None)?;
     Some((trace::reflect(mesh, ray, &hit, &mut Rng::new(seed))?, place))
 }
