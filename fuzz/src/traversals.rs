@@ -132,7 +132,7 @@ pub(crate) fn hash(bytes: &[u8]) {
     assert_eq!((direct, is_direct.len()), (header.direct as usize, header.keys as usize), "{header:?}");
     assert!(header.direct_share() <= 1.0, "{header:?}");
     said(header.sizing);
-    // Beside for all traversals take no less than those for one.
+    // Tables for all traversals take no less than those for one.
     let axes = vec![0; tree.node_count()];
     let bytes = |methods: &[Method]| Beside::new(&tree, &axes, methods, 13).bytes();
     assert!(bytes(&[method]) <= bytes(&Method::ALL), "{method}");

@@ -9,7 +9,7 @@ use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::order::{Descent, Flow, Pruning, Side, Visitor};
 use stackless_bvh::traverse::{
     Afra, Beside, Complete, Cursor, Cuts, Disjoint, Glassner, Hashed, KeyTrail, Method, Next, Pause, Paused,
-    PruningStack, Sparse, Split, Stack, Test, Unfit, WordName, traverse, traverse_pruned,
+    PruningStack, Sparse, Split, Stack, Tables, Test, Unfit, WordName, traverse, traverse_pruned,
 };
 use stackless_bvh::tree::{Keys, Linked, Node, Parents, Reach, Recorded, Topology, Tree};
 use stackless_check::{Case, CaseOptions};
