@@ -1,5 +1,7 @@
 //! How far backtracking goes, and where the address comes from (Binder & Keller 2016, Fig. 3).
 
+use alloc::vec::Vec;
+
 use crate::event::{Recorder, State};
 use crate::key::{self, KeyWord};
 use crate::order::Flow;

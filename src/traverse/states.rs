@@ -254,3 +254,6 @@ fn word_of<W: KeyWord>(bytes: &[u8]) -> W {
     let bits = bytes.iter().rev().flat_map(|byte| (0..8).rev().map(move |bit| byte >> bit & 1 == 1));
     bits.fold(W::zero(), |word, bit| word.shl1().or(&W::from_bit(bit)))
 }
+
+#[cfg(test)]
+mod tests;
