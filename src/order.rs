@@ -9,8 +9,8 @@
 pub use crate::key::Side;
 use crate::tree::Node;
 
-/// The decision at an inner node: no child is wanted, one is, or both are and one of them comes first. Where traversals ask
-/// for it, both may be marked as disjoint. `[ORDER-1]`
+/// The decision at an inner node: no child is wanted, one is, or both are and one of them comes first. Where
+/// traversals ask for it, both may be marked as disjoint. `[ORDER-1]`
 ///
 /// Four bits, made and read without a branch: which children are hit is hard to predict, and a traversal that branches
 /// on it more than once loses up to a third of its speed (`benches/README.md`).
@@ -131,30 +131,30 @@ pub trait Visitor {
 ///
 /// Without answers of its own a search says that nothing can be left out.
 pub trait Pruned: Visitor {
-    /// Whether nothing is lost by leaving out nodes in this way, by what the methods below say. Traversals that prune refuse
-    /// other searches.
+    /// Whether nothing is lost by leaving out nodes in this way, by what the methods below say. Traversals that prune
+    /// refuse other searches.
     #[inline]
     fn allows(&self, pruning: Pruning) -> bool {
         pruning == Pruning::Never
     }
 
-    /// [`inner`](Visitor::inner), with a [mark](Descent::disjoint_if) where all that is sought below the first child comes before
-    /// all that is sought below the second. `[ORDER-2]`
+    /// [`inner`](Visitor::inner), with a [mark](Descent::disjoint_if) where all that is sought below the first child
+    /// comes before all that is sought below the second. `[ORDER-2]`
     #[inline]
     fn inner_marked(&mut self, node: Node) -> Descent {
         self.inner(node)
     }
 
-    /// Whether the best of what has been found is in this leaf, and before all that is sought below the second child of any
-    /// disjoint descent that has the leaf below its first. `[ORDER-3]`
+    /// Whether the best of what has been found is in this leaf, and before all that is sought below the second child
+    /// of any disjoint descent that has the leaf below its first. `[ORDER-3]`
     #[inline]
     fn found_at(&self, _leaf: Node) -> bool {
         false
     }
 
-    /// Where the child begins that this descent from `node` has postponed, in any measure that orders as the distance does
-    /// (the bits of a positive float are one): what a traversal keeps that prunes by distance. It may begin later, never
-    /// earlier.
+    /// Where the child begins that this descent from `node` has postponed, in any measure that orders as the distance
+    /// does (the bits of a positive float are one): what a traversal keeps that prunes by distance. It may begin
+    /// later, never earlier.
     #[inline]
     fn postponed(&self, _node: Node, _descent: Descent) -> u32 {
         0
@@ -277,8 +277,8 @@ impl FixedOrder for LeftFirst {
 /// Near child by the sign of the ray's direction on the axis along which the node was split.
 #[derive(Clone, Copy, Debug)]
 pub struct SignOrder<'a> {
-    /// Split axis (0, 1, 2) of each inner node, by [`Node::index`], plus [`REVERSED`](Self::REVERSED) where the left child
-    /// holds the greater coordinates.
+    /// Split axis (0, 1, 2) of each inner node, by [`Node::index`], plus [`REVERSED`](Self::REVERSED) where the left
+    /// child holds the greater coordinates.
     pub axes: &'a [u8],
     /// Bit `a` is set where the direction's component `a` is negative.
     pub octant: u8,

@@ -10,8 +10,8 @@ use crate::tree::{Node, Recorded, Topology};
 
 /// Climbs while bit 0 of the trail is clear, then goes to the sibling; done when the trail is 0. `[AFRA-1]`
 ///
-/// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it (Binder &
-/// Keller 2016, Section 2.3).
+/// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it
+/// (Binder & Keller 2016, Section 2.3).
 #[derive(Debug)]
 pub struct Afra<'t, W, T, M = ()> {
     tree: &'t T,
@@ -24,7 +24,8 @@ impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Afra<'t, W, T, M> {
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`Unfit::NoLinks`] where the tree does not name them, and [`Unfit::TooDeep`] beyond as many edges as the word has bits.
+    /// [`Unfit::NoLinks`] where the tree names no parents and siblings, and [`Unfit::TooDeep`] beyond as many edges as the word
+    /// has bits.
     #[inline]
     pub fn new(tree: &'t T) -> Result<Self, Unfit> {
         Unfit::unless_linked(tree, Recorded::ParentSibling)?;
@@ -43,7 +44,7 @@ impl<W: KeyWord, T: Topology, M: Marks<W>> Cursor for Afra<'_, W, T, M> {
     }
 
     fn state(&self) -> State<W> {
-        State { trail: Some(self.trail.clone()), disjoint: self.marks.get(), ..State::of(self.node()) }
+        State { trail: Some(self.trail.clone()), disjoint: self.marks.get(), ..State::of(self.node) }
     }
 
     #[inline(always)]

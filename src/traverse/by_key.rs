@@ -41,7 +41,7 @@ impl<W: KeyWord, L: Lookup<W>> Cursor for ByKey<W, L> {
     }
 
     fn state(&self) -> State<W> {
-        State { key: Some(self.key.clone()), trail: Some(self.trail.clone()), ..State::of(self.node()) }
+        State { key: Some(self.key.clone()), trail: Some(self.trail.clone()), ..State::of(self.node) }
     }
 
     #[inline(always)]

@@ -22,7 +22,7 @@ impl<'t, T: Topology, O: FixedOrder> Hapala<'t, T, O> {
     /// Starts at the root. The state does not grow with the depth.
     ///
     /// # Errors
-    /// [`Unfit::NoLinks`] where the tree does not name parents and siblings.
+    /// [`Unfit::NoLinks`] where the tree names no parents and siblings.
     #[inline]
     pub fn new(tree: &'t T, order: O) -> Result<Self, Unfit> {
         Unfit::unless_linked(tree, Recorded::ParentSibling)?;

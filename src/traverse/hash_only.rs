@@ -42,7 +42,7 @@ impl<W: KeyWord, T: Topology, L: Lookup<W>> Cursor for HashOnly<'_, W, T, L> {
     }
 
     fn state(&self) -> State<W> {
-        State { key: Some(self.key.clone()), trail: Some(self.trail.clone()), ..State::of(self.node()) }
+        State { key: Some(self.key.clone()), trail: Some(self.trail.clone()), ..State::of(self.node) }
     }
 
     #[inline(always)]

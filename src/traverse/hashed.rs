@@ -14,8 +14,8 @@ use crate::tree::{Node, Recorded, Topology};
 
 /// Goes to the register's node where it is set, else to the one that the table has for the key. `[HASHED-1]`
 ///
-/// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it (Section
-/// 2.3).
+/// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it
+/// (Section 2.3).
 #[derive(Debug)]
 pub struct Hashed<'t, W, T, L, M = ()> {
     tree: &'t T,
@@ -31,7 +31,8 @@ impl<'t, W: KeyWord, T: Topology, L: Lookup<W>, M: Marks<W>> Hashed<'t, W, T, L,
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`Unfit::NoLinks`] where the tree does not name them, and [`Unfit::TooDeep`] where the key would lose its leading one: beyond as many edges as the word has bits, less one.
+    /// [`Unfit::NoLinks`] where the tree names no uncles, and [`Unfit::TooDeep`] where the key would lose its
+    /// leading one: beyond as many edges as the word has bits, less one.
     #[inline]
     pub fn new(tree: &'t T, lookup: L) -> Result<Self, Unfit> {
         Unfit::unless_linked(tree, Recorded::Uncles)?;
@@ -57,7 +58,7 @@ impl<W: KeyWord, T: Topology, L: Lookup<W>, M: Marks<W>> Cursor for Hashed<'_, W
             trail: Some(self.trail.clone()),
             register: self.register.get(self.tree),
             disjoint: self.marks.get(),
-            ..State::of(self.node())
+            ..State::of(self.node)
         }
     }
 

@@ -84,7 +84,7 @@ impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitA<W, L> {
         State {
             key: Some(self.current_key()),
             counter: Some(self.level_start.clone().or(&self.level_index)),
-            ..State::of(self.node())
+            ..State::of(self.node)
         }
     }
 
@@ -124,7 +124,7 @@ impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitA1<W, L> {
         State {
             key: Some(swap::fcomp(self.index.clone(), &self.swap_mask)),
             counter: Some(self.index.clone()),
-            ..State::of(self.node())
+            ..State::of(self.node)
         }
     }
 

@@ -89,7 +89,7 @@ impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitB<W, L> {
         State {
             key: Some(self.current_key()),
             counter: Some(self.level_start.clone().or(&self.level_index)),
-            ..State::of(self.node())
+            ..State::of(self.node)
         }
     }
 
@@ -122,7 +122,7 @@ impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitB1<W, L> {
     }
 
     fn state(&self) -> State<W> {
-        State { key: Some(self.index.clone()), ..State::of(self.node()) }
+        State { key: Some(self.index.clone()), ..State::of(self.node) }
     }
 
     #[inline(always)]

@@ -63,8 +63,9 @@ impl<const K: usize, W: KeyWord, T: Topology> Cursor for Laine<'_, K, W, T> {
     }
 
     fn state(&self) -> State<W> {
-        State { is_restarting: // Level bits are single: the trailing zeros compare them.
-        !self.pop_level.is_zero() && self.level.trailing_zeros() > self.pop_level.trailing_zeros(), ..State::of(self.node()) }
+        // Level bits are single: the trailing zeros compare them.
+        let is_above = self.level.trailing_zeros() > self.pop_level.trailing_zeros();
+        State { is_restarting: is_above && !self.pop_level.is_zero(), ..State::of(self.node) }
     }
 
     #[inline(always)]

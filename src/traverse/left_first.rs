@@ -50,7 +50,7 @@ impl<W: KeyWord, L: Lookup<W>> Cursor for LeftFirst<W, L> {
         State {
             key: Some(self.level_start.clone().or(&self.level_index)),
             counter: Some(self.level_start.clone().or(&self.level_index)),
-            ..State::of(self.node())
+            ..State::of(self.node)
         }
     }
 

@@ -14,8 +14,8 @@ use crate::tree::{Node, Recorded, Topology};
 /// is itself. Here the start of the level is kept in the same word, as Section 2.2 does for implicit trees: the end is
 /// where `levelStart + levelIndex` is all ones, and is seen without the climb (spec/DEPARTURES.md, D-9).
 ///
-/// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it (Binder &
-/// Keller 2016, Section 2.3). To end something is to count it as done.
+/// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it
+/// (Binder & Keller 2016, Section 2.3). To end something is to count it as done.
 #[derive(Debug)]
 pub struct Sparse<'t, W, T, M = ()> {
     tree: &'t T,
@@ -29,7 +29,8 @@ impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Sparse<'t, W, T, M> {
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`Unfit::NoLinks`] where the tree does not name them, and [`Unfit::TooDeep`] where the counter would leave its word: beyond as many edges as the word has bits, less one.
+    /// [`Unfit::NoLinks`] where the tree names no parents and siblings, and [`Unfit::TooDeep`] where the counter would leave its
+    /// word: beyond as many edges as the word has bits, less one.
     #[inline]
     pub fn new(tree: &'t T) -> Result<Self, Unfit> {
         Unfit::unless_linked(tree, Recorded::ParentSibling)?;
@@ -48,7 +49,7 @@ impl<W: KeyWord, T: Topology, M: Marks<W>> Cursor for Sparse<'_, W, T, M> {
     }
 
     fn state(&self) -> State<W> {
-        State { counter: Some(self.index.clone()), disjoint: self.marks.get(), ..State::of(self.node()) }
+        State { counter: Some(self.index.clone()), disjoint: self.marks.get(), ..State::of(self.node) }
     }
 
     #[inline(always)]

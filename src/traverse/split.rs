@@ -104,12 +104,11 @@ where
     /// Key and counter are those of the whole tree. The trail is the piece's.
     fn state(&self) -> State<Grow> {
         let State { node, trail, register, is_restarting, .. } = self.cursor.state();
-        let [key, counter]: [fn(State<C::Word>) -> Option<C::Word>; 2] = [|state| state.key, |state| state.counter];
         State {
             node,
-            key: joined(self.waiting, &self.cursor, key),
+            key: joined(self.waiting, &self.cursor, |state| state.key),
             trail: trail.map(|trail| append(Grow::zero(), &trail, trail.bit_length())),
-            counter: joined(self.waiting, &self.cursor, counter),
+            counter: joined(self.waiting, &self.cursor, |state| state.counter),
             disjoint: None,
             register,
             is_restarting,

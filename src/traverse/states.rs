@@ -6,7 +6,7 @@ use core::fmt;
 use super::{Next, Paused};
 use crate::hash::{AddressBounds, checksum, mix};
 use crate::key::{self, Grow, KeyWord, Word};
-use crate::trail;
+use crate::trail::{self, is_pending};
 use crate::tree::{Keys, Node, Topology, for_each_parent};
 
 const MAGIC: [u8; 4] = *b"SBVP";
@@ -92,7 +92,7 @@ pub enum StateError {
     Key,
     /// The trail, or the second one, has bits above the root.
     Trail,
-    /// The register does not address the most recently postponed node.
+    /// The register does not address the most recently postponed node, or is missing where that is the sibling.
     Register,
     /// The node is no leaf, and yet has been looked into.
     Backtrack,
@@ -136,16 +136,18 @@ impl<'t, T: Topology> States<'t, T> {
         self.length::<W>(flags(paused))
     }
 
-    /// The state as bytes.
+    /// The state as bytes. A traversal without a register does not say where a postponed sibling is: that is looked up, so
+    /// that any other can go on from the bytes. `[PAUSE-3]`
     pub fn to_bytes<W: KeyWord>(&self, paused: &Paused<W>) -> Vec<u8> {
-        let flags = flags(paused);
+        let register = paused.register.or_else(|| self.sibling(paused.node).filter(|_| is_pending(&paused.trail)));
+        let flags = flags(paused) | if register.is_some() { REGISTER } else { 0 };
         let mut bytes = Vec::with_capacity(self.length::<W>(flags));
         bytes.extend(MAGIC);
         bytes.extend([VERSION, flags]);
         bytes.extend((self.word_bytes::<W>() as u32).to_le_bytes());
         bytes.extend(self.fingerprint.to_le_bytes());
         bytes.extend(paused.node.to_bits().to_le_bytes());
-        bytes.extend(paused.register.map_or(0, Node::to_bits).to_le_bytes());
+        bytes.extend(register.map_or(0, Node::to_bits).to_le_bytes());
         for word in [Some(&paused.trail), paused.key.as_ref(), paused.disjoint.as_ref()].into_iter().flatten() {
             let mut rest = word.clone();
             for _ in 0..self.word_bytes::<W>() {
@@ -195,7 +197,11 @@ impl<'t, T: Topology> States<'t, T> {
         let register = (flags & REGISTER != 0).then(|| Node::from_bits(number(22)));
         let next = if flags & BACKTRACK == 0 { Next::Visit } else { Next::Backtrack };
         let paused = Paused { node: Node::from_bits(number(18)), register, key, trail, disjoint, next };
-        self.check(&paused).map(|()| paused)
+        self.check(&paused)?;
+        if paused.register.is_none() && is_pending(&paused.trail) {
+            return Err(StateError::Register);
+        }
+        Ok(paused)
     }
 
     /// Whether a state is one that a traversal of this tree can be in.
@@ -231,6 +237,13 @@ impl<'t, T: Topology> States<'t, T> {
         Ok(())
     }
 
+    /// The sibling of a node; `None` for the root, and for what is no node of the tree.
+    fn sibling(&self, node: Node) -> Option<Node> {
+        let slot = self.bounds.contains(node).then(|| self.tree.slot(node))?;
+        let key: Grow = self.keys.key(slot);
+        if key::depth(&key) == 0 { None } else { Keys::walk(self.tree, &key::sibling(key)) }
+    }
+
     fn length<W: KeyWord>(&self, flags: u8) -> usize {
         let words = 1 + (flags & (KEY | DISJOINT)).count_ones() as usize;
         HEADER_BYTES + words * self.word_bytes::<W>() + CHECKSUM_BYTES
@@ -254,3 +267,6 @@ fn word_of<W: KeyWord>(bytes: &[u8]) -> W {
     let bits = bytes.iter().rev().flat_map(|byte| (0..8).rev().map(move |bit| byte >> bit & 1 == 1));
     bits.fold(W::zero(), |word, bit| word.shl1().or(&W::from_bit(bit)))
 }
+
+#[cfg(test)]
+mod tests;

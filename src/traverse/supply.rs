@@ -78,7 +78,8 @@ pub trait Supply<'t, W> {
     fn skips_by_sign(&self) -> Result<&'t Skips, Unfit>;
 }
 
-/// Something to do with a traversal that is chosen when the program runs: [`Method::dispatch`](super::Method::dispatch).
+/// Something to do with a traversal that is chosen when the program runs:
+/// [`Method::dispatch`](super::Method::dispatch).
 ///
 /// It gets what makes the cursor, and not the cursor: so it can make many, and each from what it likes.
 pub trait Context<'t, W>: Sized {

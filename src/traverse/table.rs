@@ -1,8 +1,9 @@
 //! The table of traversals.
 //!
-//! A new traversal is a file for its cursor, and a row here. From the row come its name, help and documentation, what is
-//! made for it beside a tree, and the cursor wherever a traversal is chosen when the program runs: the ray tracer, the
-//! battery in all words, the planted bugs, the pages of `explain`, the benchmarks.
+//! A new traversal is a file for its cursor beside this one, and a row here. From the row come its name, help and
+//! documentation, what is made for it beside a tree, and the cursor wherever a traversal is chosen when the program
+//! runs: the ray tracer, the battery in all words, the planted bugs, the pages of `explain`, the benchmarks.
+//! `tests/toy` shows it.
 
 use super::method::{Kind, Need, Row, Test, Words};
 use super::{
@@ -14,9 +15,10 @@ use crate::name::named;
 use crate::order;
 use crate::tree::Recorded;
 
-/// Each field stands for itself but these. `without`: the same traversal without pruning. `state`: bytes of the state by
-/// the bytes of a word and by depth, as Barringer & Akenine-Möller count: 4 for each variable, a word for each key, trail,
-/// counter or mask, and a head for a stack. `cursor`: made from a [`Supply`] for words `W`; `ByNode` gives the order too.
+/// Each field stands for itself but these. `without`: the same traversal without pruning. `state`: bytes of the state
+/// by the bytes of a word and by depth, as Barringer & Akenine-Möller count: 4 for each variable, a word for each key,
+/// trail, counter or mask, and a head for a stack (for a short one its length too). `cursor`: made from a [`Supply`]
+/// for words `W`; `ByNode` gives the order too.
 macro_rules! traversals {
     ($($variant:ident {
         name: $name:literal, by: $by:literal, clause: $clause:literal,
@@ -91,7 +93,9 @@ macro_rules! traversals {
         named!(Method);
     };
 
-    (@any ByNode $context:ident, $x:ident, $from:ident, $cursor:expr) => { $context.by_node(|$from: $x::From| $cursor) };
+    (@any ByNode $context:ident, $x:ident, $from:ident, $cursor:expr) => {
+        $context.by_node(|$from: $x::From| $cursor)
+    };
     (@any $kind:ident $context:ident, $x:ident, $from:ident, $cursor:expr) => {
         $context.by_parent(|$from: $x::From| $cursor)
     };
@@ -192,28 +196,28 @@ traversals! {
         name: "laine-1", by: "Laine 2010", clause: "LAINE-1",
         help: "A trail of levels and a short stack; what it has lost is found by starting again at the root.",
         tests: Children, links: Nothing, needs: Nothing, words: Fixed, without: Laine1,
-        state: |word, _| NODE + 3 * word + 1 * NODE + 8,
+        state: |word, _| NODE + 3 * word + 12,
         cursor: Restarting |from| Ok(Laine::<1, W, _>::new(from.tree())?),
     }
     Laine2 {
         name: "laine-2", by: "Laine 2010", clause: "LAINE-1",
         help: "A trail of levels and a short stack; what it has lost is found by starting again at the root.",
         tests: Children, links: Nothing, needs: Nothing, words: Fixed, without: Laine2,
-        state: |word, _| NODE + 3 * word + 2 * NODE + 8,
+        state: |word, _| NODE + 3 * word + 16,
         cursor: Restarting |from| Ok(Laine::<2, W, _>::new(from.tree())?),
     }
     Laine4 {
         name: "laine-4", by: "Laine 2010", clause: "LAINE-1",
         help: "A trail of levels and a short stack; what it has lost is found by starting again at the root.",
         tests: Children, links: Nothing, needs: Nothing, words: Fixed, without: Laine4,
-        state: |word, _| NODE + 3 * word + 4 * NODE + 8,
+        state: |word, _| NODE + 3 * word + 24,
         cursor: Restarting |from| Ok(Laine::<4, W, _>::new(from.tree())?),
     }
     Laine8 {
         name: "laine-8", by: "Laine 2010", clause: "LAINE-1",
         help: "A trail of levels and a short stack; what it has lost is found by starting again at the root.",
         tests: Children, links: Nothing, needs: Nothing, words: Fixed, without: Laine8,
-        state: |word, _| NODE + 3 * word + 8 * NODE + 8,
+        state: |word, _| NODE + 3 * word + 40,
         cursor: Restarting |from| Ok(Laine::<8, W, _>::new(from.tree())?),
     }
     Afra {

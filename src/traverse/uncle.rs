@@ -28,7 +28,8 @@ impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Uncle<'t, W, T, M> {
     /// Starts at the root. Records that name no grand uncle do not compile: the climb by two levels would pass over it.
     ///
     /// # Errors
-    /// [`Unfit::NoLinks`] where the tree does not name them, and [`Unfit::TooDeep`] beyond as many edges as the word has bits.
+    /// [`Unfit::NoLinks`] where the tree names no uncles, and [`Unfit::TooDeep`] beyond as many edges as the word
+    /// has bits.
     #[inline]
     pub fn new(tree: &'t T) -> Result<Self, Unfit> {
         const { assert!(T::REACH.of(false) >= 2 && T::REACH.of(true) >= 2, "the climb needs grand uncles") };
@@ -53,7 +54,7 @@ impl<W: KeyWord, T: Topology, M: Marks<W>> Cursor for Uncle<'_, W, T, M> {
             trail: Some(self.trail.clone()),
             register: self.register.get(self.tree),
             disjoint: self.marks.get(),
-            ..State::of(self.node())
+            ..State::of(self.node)
         }
     }
 

@@ -116,13 +116,10 @@ impl Tree {
             arena[node as usize] = pair.map(address);
             pending.extend(pair.iter().rev().map(|&child| (child, depth + 1)));
         }
-        match reached.iter().position(|reached| !reached) {
-            Some(node) => Err(TreeError::NotReached { node: node as u32 }),
-            None => {
-                let (root, recorded) = (address(0), Recorded::Nothing);
-                Ok(Self { root, children: arena, depth: deepest, recorded, links: Vec::new() })
-            }
+        if let Some(node) = reached.iter().position(|reached| !reached) {
+            return Err(TreeError::NotReached { node: node as u32 });
         }
+        Ok(Self { root: address(0), children: arena, depth: deepest, recorded: Recorded::Nothing, links: Vec::new() })
     }
 
     /// The tree of a generator, which makes nothing but trees; a single leaf should that ever be wrong, which the

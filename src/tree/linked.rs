@@ -6,8 +6,8 @@ use super::{Links, Node, Reach, Recorded, Topology, Uncles};
 
 /// A tree with tables of the links that its own records do not name: for many traversals of one tree.
 ///
-/// Records of inner nodes are taken to name the first `INNER` of the uncles, and those of leaves the first `LEAF` (1 to 3,
-/// else it does not compile).
+/// Records of inner nodes are taken to name the first `INNER` of the uncles, and those of leaves the first `LEAF` (1
+/// to 3, else it does not compile).
 ///
 /// ```
 /// use stackless_bvh::traverse::{Afra, Unfit};

@@ -93,9 +93,9 @@ pub trait Topology {
 
     /// One child of an inner node.
     ///
-    /// The side is branched on, where a select would be shorter: then the processor goes on to the child that it expects
-    /// and loads its record while the boxes are still being tested. Selecting made the traversals of real scenes slower
-    /// by a fifth to a third (`benches/README.md`). A path called cold is what keeps the branch.
+    /// The side is branched on, where a select would be shorter: then the processor goes on to the child that it
+    /// expects and loads its record while the boxes are still being tested. Selecting made the traversals of real
+    /// scenes slower by a fifth to a third (`benches/README.md`). A path called cold is what keeps the branch.
     #[inline]
     fn child(&self, node: Node, side: Side) -> Node {
         let [left, right] = self.children(node);
@@ -121,20 +121,20 @@ pub trait Topology {
         Recorded::Nothing
     }
 
-    /// The two nodes that the record of a node names besides the children, as [`recorded`](Self::recorded) says; the root
-    /// where there is no such node.
+    /// The two nodes that the record of a node names besides the children, as [`recorded`](Self::recorded) says; the
+    /// root where there is no such node.
     fn links(&self, _: Node) -> [Node; 2] {
         [self.root(); 2]
     }
 
-    /// Whether the methods below that ask for these are answered: for what the records name, or more if there are tables
-    /// beside them ([`Linked`]).
+    /// Whether the methods below that ask for these are answered: for what the records name, or more if there are
+    /// tables beside them ([`Linked`]).
     fn names(&self, what: Recorded) -> bool {
         what == Recorded::Nothing || what == self.recorded()
     }
 
-    /// Parent of a node. The root is its own parent and its own sibling: Barringer & Akenine-Möller's Algorithm 4 ends by
-    /// that.
+    /// Parent of a node. The root is its own parent and its own sibling: Barringer & Akenine-Möller's Algorithm 4 ends
+    /// by that.
     #[inline(always)]
     fn parent(&self, node: Node) -> Node {
         self.links(node)[0]
@@ -167,8 +167,8 @@ pub trait Topology {
         select_unpredictable(pending & 2 != 0, uncle, named)
     }
 
-    /// The same on the way down from an inner node, of what the child's record, be it a leaf's or not, will not name any
-    /// more; `otherwise` also where the child still names the lowest one.
+    /// The same on the way down from an inner node, of what the child's record, be it a leaf's or not, will not name
+    /// any more; `otherwise` also where the child still names the lowest one.
     #[inline(always)]
     fn lowest_leaving(&self, node: Node, trail: u32, otherwise: Node) -> Node {
         // Bit b of the trail is bit b + 1 at the child. (Bit 0, which no record names, has its node in the register.)
@@ -210,7 +210,7 @@ macro_rules! topology_of {
         }
 
         #[inline]
-        fn child(&self, node: $crate::tree::Node, side: $crate::order::Side) -> $crate::tree::Node {
+        fn child(&self, node: $crate::tree::Node, side: $crate::key::Side) -> $crate::tree::Node {
             self.$tree.child(node, side)
         }
 

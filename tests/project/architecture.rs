@@ -48,7 +48,7 @@ const CRATES: &[(&str, &[&str])] = &[
 const PANICS: &[(&str, &str, &str)] = &[
     ("src/hash/modulo.rs", ".expect(\"a table has 1 to 2^31 cells\")", "a constant: it is the compiler that stops"),
     ("src/generate/procedural.rs", ".expect(\"coordinates are finite", "a made scene is a mesh, whatever the seed"),
-    ("src/tree/links.rs", "None => panic!(", "a constant: it is the compiler that stops"),
+    ("src/tree/linked.rs", "None => panic!(", "a constant: it is the compiler that stops"),
 ];
 
 const LONGEST: usize = 400;

@@ -5,3 +5,4 @@ mod bibliography;
 mod coverage;
 mod files;
 mod pointers;
+mod readme;

@@ -1,0 +1,41 @@
+use super::*;
+use crate::order::{Descent, Side};
+use crate::traverse::{Afra, Cursor, Incomplete, Pause, Uncle};
+use crate::tree::{Linked, Tree};
+
+/// Bytes with the register taken out, and a right checksum.
+fn without_register(bytes: &[u8]) -> Vec<u8> {
+    let mut bytes = bytes[..bytes.len() - CHECKSUM_BYTES].to_vec();
+    bytes[5] &= !REGISTER;
+    bytes[22..26].fill(0);
+    bytes.extend(checksum(&bytes).to_le_bytes());
+    bytes
+}
+
+/// [PAUSE-3] [PAUSE-6]
+#[test]
+fn a_postponed_sibling_is_in_the_bytes_of_a_traversal_without_a_register_too() {
+    let tree = Tree::new(&[Some([1, 2]), Some([3, 4]), None, None, None]).unwrap();
+    let (linked, states) = (Linked::both(&tree), States::of(&tree));
+    let [left, right] = tree.children(tree.root());
+    let mut afra = Afra::<u32, _>::new(&linked).unwrap();
+    afra.descend(Descent::both(Side::Left));
+    let paused = afra.put_aside(Next::Visit);
+    assert_eq!((paused.node, paused.register, states.check(&paused)), (left, None, Ok(())));
+    let bytes = states.to_bytes(&paused);
+    let read = states.from_bytes::<u32>(&bytes).unwrap();
+    assert_eq!(read, Paused { register: Some(right), ..paused.clone() });
+    assert_eq!(states.from_bytes::<u32>(&without_register(&bytes)), Err(StateError::Register));
+    // So any traversal goes on from there.
+    let mut uncle = Uncle::<u32, _>::new(&linked).unwrap();
+    assert_eq!(uncle.take_up(paused), Err(Incomplete::Register));
+    assert_eq!(uncle.take_up(read), Ok(()));
+    assert_eq!((uncle.backtrack(), uncle.node()), (true, right));
+
+    // Below a single child nothing is postponed beside it, and what is further up is named by the records.
+    afra.descend(Descent::only(Side::Right));
+    let paused = afra.put_aside(Next::Visit);
+    let bytes = states.to_bytes(&paused);
+    assert_eq!(without_register(&bytes), bytes);
+    assert_eq!(states.from_bytes(&bytes), Ok(paused));
+}

@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# A new traversal is one file and one row: adds a toy to a copy of the work tree, and sees the command take it up.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+toy=$PWD/tests/toy
+export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
+
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+git ls-files -z --cached --others --exclude-standard | while IFS= read -r -d '' file; do
+    [[ -e $file ]] && printf '%s\0' "$file"
+done | tar --create --null --files-from=- | tar --extract --directory="$copy"
+
+cd "$copy"
+cp "$toy/toy.rs" src/traverse/toy.rs
+sed --in-place 's/^mod unfit;$/mod toy;\n&/' src/traverse/mod.rs
+# The row goes before the brace that ends the table, the last line of its file.
+sed --in-place '$d' src/traverse/table.rs
+{ cat "$toy/row.txt"; echo '}'; } >> src/traverse/table.rs
+
+cargo build --package stackless-cli --bin stackless
+stackless=$CARGO_TARGET_DIR/debug/stackless
+
+# The command, and what its answer has to say.
+sees() {
+    local wanted=$1
+    shift
+    if ! "$stackless" "$@" > "$copy/answer" 2>&1 || ! grep --quiet --extended-regexp "$wanted" "$copy/answer"; then
+        echo "no \"$wanted\" in: stackless $*" >&2
+        cat "$copy/answer" >&2
+        exit 1
+    fi
+}
+
+sees 'toy: +Key and trail; every node is found' check --help
+for word in u32 u64 u128 grow; do
+    sees '^checked: .* 1 methods, 0 disagreements' check --methods toy --word "$word" --trees 300 --rays 20
+    sees "^ *toy .*$word" check --methods toy --word "$word" --trees 300 --rays 20
+done
+sees 'every node is found by walking down' explain --methods toy --output -
+sees '^ *toy ' bench strands --methods toy --count 64 --rounds 1 --rays any
+echo "the toy is checked in all words, explained, measured and in the help"
