@@ -26,9 +26,9 @@ pub enum Method {
     Laine2,
     Laine4,
     Laine8,
+    #[default]
     Afra,
     AfraDisjoint,
-    #[default]
     Uncle,
     UncleDisjoint,
     HashOnly,
