@@ -6,7 +6,7 @@
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::hash::{self, KeySet, Options, PerfectHash, Sizing};
-use stackless_bvh::tree::{Topology, Uncles};
+use stackless_bvh::tree::{Reach, Topology};
 
 /// Buffers of 32-bit words, as they are uploaded.
 #[derive(Debug, Default)]
@@ -25,7 +25,7 @@ struct Buffers {
 pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mesh = procedural::strands(1, 100);
     let bvh = Bvh::sah(&mesh, SahOptions::default())?;
-    let options = Options { key_set: KeySet::Exact(<Uncles>::REACH), sizing: Sizing::Tight };
+    let options = Options { key_set: KeySet::Exact(Reach::ALGORITHM_1), sizing: Sizing::Tight };
     let table = PerfectHash::build(&bvh, options)?;
     // A table that came from elsewhere, a GPU say, is certified the same way, in linear time.
     hash::certify(&table, &bvh, options.key_set)?;

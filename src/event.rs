@@ -14,88 +14,49 @@ use crate::key::KeyWord;
 use crate::order::Flow;
 use crate::tree::{Keys, Node, Topology};
 
-/// The state of a traversal at a visit, as far as it has one.
-pub trait State {
-    /// The word of its key and trail.
-    type Word: KeyWord;
-
+/// The state of a traversal at a visit, as far as it has one, in words of one kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct State<W> {
     /// The node about to be visited.
-    fn node(&self) -> Node;
-
+    pub node: Node,
     /// The node's key, where the traversal carries or implies one.
-    fn key(&self) -> Option<Self::Word> {
-        None
-    }
-
+    pub key: Option<W>,
     /// The bit trail, where the traversal carries one.
-    fn trail(&self) -> Option<Self::Word> {
-        None
-    }
-
+    pub trail: Option<W>,
     /// Barringer & Akenine-Möller's `levelStart + levelIndex`, where the traversal carries them: a leading one, and the
     /// complement of the trail.
-    fn counter(&self) -> Option<Self::Word> {
-        None
-    }
-
+    pub counter: Option<W>,
     /// The second trail, where the traversal carries one: 1 where a node's siblings were marked as disjoint.
-    fn disjoint(&self) -> Option<Self::Word> {
-        None
-    }
-
+    pub disjoint: Option<W>,
     /// The most recently postponed node, where a register holds it.
-    fn register(&self) -> Option<Node> {
-        None
-    }
-
+    pub register: Option<Node>,
     /// Whether the node has been visited before and is only passed again on the way down from the root.
-    fn is_restarting(&self) -> bool {
-        false
-    }
+    pub is_restarting: bool,
 }
 
-impl<S: State> State for &mut S {
-    type Word = S::Word;
-
-    #[inline]
-    fn node(&self) -> Node {
-        (**self).node()
+impl<W> State<W> {
+    /// That of a traversal that has nothing but a node to show.
+    pub const fn of(node: Node) -> Self {
+        Self { node, key: None, trail: None, counter: None, disjoint: None, register: None, is_restarting: false }
     }
 
-    fn key(&self) -> Option<S::Word> {
-        (**self).key()
-    }
-
-    fn trail(&self) -> Option<S::Word> {
-        (**self).trail()
-    }
-
-    fn counter(&self) -> Option<S::Word> {
-        (**self).counter()
-    }
-
-    fn disjoint(&self) -> Option<S::Word> {
-        (**self).disjoint()
-    }
-
-    fn register(&self) -> Option<Node> {
-        (**self).register()
-    }
-
-    fn is_restarting(&self) -> bool {
-        (**self).is_restarting()
+    /// The same with other words; what `f` has none for is left out.
+    pub fn map<X>(self, f: impl Fn(W) -> Option<X>) -> State<X> {
+        let Self { node, key, trail, counter, disjoint, register, is_restarting } = self;
+        let [key, trail, counter, disjoint] = [key, trail, counter, disjoint].map(|word| word.and_then(&f));
+        State { node, key, trail, counter, disjoint, register, is_restarting }
     }
 }
 
 /// Watches a traversal.
 pub trait Recorder {
-    /// Called before each visit; [`Flow::Stop`] ends the traversal there.
-    fn visit(&mut self, state: &impl State) -> Flow;
+    /// Called before each visit; [`Flow::Stop`] ends the traversal there. The state is made only for those who ask.
+    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow;
 }
 
 impl Recorder for () {
     #[inline]
-    fn visit(&mut self, _: &impl State) -> Flow {
+    fn visit<W: KeyWord>(&mut self, _: Node, _: impl FnOnce() -> State<W>) -> Flow {
         Flow::Continue
     }
 }
@@ -163,9 +124,9 @@ impl Trace {
 
 impl Recorder for Trace {
     #[inline]
-    fn visit(&mut self, state: &impl State) -> Flow {
-        if !state.is_restarting() {
-            self.nodes.push(state.node());
+    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        if !state().is_restarting {
+            self.nodes.push(node);
         }
         Flow::Continue
     }

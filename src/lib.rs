@@ -46,7 +46,7 @@
 //! ```
 //! use stackless_bvh::order::{Descent, Flow, Side, Visitor};
 //! use stackless_bvh::traverse::{self, Hashed};
-//! use stackless_bvh::tree::{Node, Tree, Uncles};
+//! use stackless_bvh::tree::{Node, Recorded, Tree};
 //! use stackless_bvh::hash::KeyMap;
 //!
 //! /// Collects the leaves from right to left.
@@ -61,10 +61,9 @@
 //!     }
 //! }
 //!
-//! let tree = Tree::new(&[Some([1, 2]), None, Some([3, 4]), None, None])?;
-//! let (uncles, map) = (<Uncles>::of(&tree), KeyMap::of(&tree));
+//! let tree = Tree::new(&[Some([1, 2]), None, Some([3, 4]), None, None])?.with_links(Recorded::Uncles);
 //! let mut leaves = Leaves(Vec::new());
-//! traverse::traverse(Hashed::<u32, _, _, _>::new(&tree, &uncles, &map)?, &mut leaves, &mut ());
+//! traverse::traverse(Hashed::<u32, _, _>::new(&tree, &KeyMap::of(&tree))?, &mut leaves, &mut ());
 //! assert_eq!(leaves.0, [4, 3, 1]);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

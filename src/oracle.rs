@@ -1,7 +1,7 @@
 //! The reference: recursion, as short as it can be. Everything else is compared with it.
 
 use crate::event::{Recorder, State};
-use crate::order::{Flow, Pruning, Visitor};
+use crate::order::{Flow, Pruned, Pruning, Visitor, Whole};
 use crate::tree::{Node, Topology};
 
 /// Deepest tree, in edges, that the recursion is used for. Deeper ones are compared with the explicit
@@ -12,7 +12,7 @@ pub const DEPTH_LIMIT: u32 = 2000;
 ///
 /// The tree must be at most [`DEPTH_LIMIT`] deep; below that depth nothing is visited.
 pub fn traverse<T: Topology>(tree: &T, visitor: &mut impl Visitor, recorder: &mut impl Recorder) {
-    traverse_pruned(tree, tree.root(), Pruning::Never, visitor, recorder);
+    traverse_pruned(tree, tree.root(), Pruning::Never, &mut Whole(visitor), recorder);
 }
 
 /// The same for the subtree of any node, where some postponed nodes are left out.
@@ -20,7 +20,7 @@ pub fn traverse_pruned<T: Topology>(
     tree: &T,
     node: Node,
     pruning: Pruning,
-    visitor: &mut impl Visitor,
+    visitor: &mut impl Pruned,
     recorder: &mut impl Recorder,
 ) -> Flow {
     Reference { tree, pruning, visitor, recorder, found: false }.visit(node, DEPTH_LIMIT)
@@ -35,9 +35,9 @@ struct Reference<'a, T, V, R> {
     found: bool,
 }
 
-impl<T: Topology, V: Visitor, R: Recorder> Reference<'_, T, V, R> {
+impl<T: Topology, V: Pruned, R: Recorder> Reference<'_, T, V, R> {
     fn visit(&mut self, node: Node, depth_left: u32) -> Flow {
-        if self.recorder.visit(&At(node)) == Flow::Stop {
+        if self.recorder.visit(node, || State::<u64>::of(node)) == Flow::Stop {
             return Flow::Stop;
         }
         if node.is_leaf() {
@@ -62,16 +62,5 @@ impl<T: Topology, V: Visitor, R: Recorder> Reference<'_, T, V, R> {
         };
         self.found |= found_before;
         if flow == Flow::Stop || !descent.postpones() || is_pruned { flow } else { self.visit(second, left) }
-    }
-}
-
-/// The oracle's state: it has nothing but a node.
-struct At(Node);
-
-impl State for At {
-    type Word = u64;
-
-    fn node(&self) -> Node {
-        self.0
     }
 }

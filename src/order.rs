@@ -52,7 +52,7 @@ impl Descent {
     /// The same, with a mark where all that is below the first child comes before all that is below the second: their
     /// intervals along the ray are disjoint (Binder & Keller 2016, Section 2.3). `[ORDER-2]`
     ///
-    /// What [`Visitor::inner_marked`] answers to traversals that prune.
+    /// What [`Pruned::inner_marked`] answers to traversals that prune.
     #[inline]
     #[must_use]
     pub const fn disjoint_if(self, disjoint: bool) -> Self {
@@ -124,15 +124,21 @@ pub trait Visitor {
 
     /// Looks into a leaf.
     fn leaf(&mut self, node: Node) -> Flow;
+}
 
+/// A search of which nodes may be left out, and what traversals that prune ask of it besides. Only they ask, so whoever
+/// does not prune needs none of this, and pays nothing.
+///
+/// Without answers of its own a search says that nothing can be left out.
+pub trait Pruned: Visitor {
     /// Whether nothing is lost by leaving out nodes in this way, by what the methods below say. Traversals that prune refuse
-    /// other searches. Those that do not prune never ask, and so pay nothing.
+    /// other searches.
     #[inline]
     fn allows(&self, pruning: Pruning) -> bool {
         pruning == Pruning::Never
     }
 
-    /// [`inner`](Self::inner), with a [mark](Descent::disjoint_if) where all that is sought below the first child comes before
+    /// [`inner`](Visitor::inner), with a [mark](Descent::disjoint_if) where all that is sought below the first child comes before
     /// all that is sought below the second. `[ORDER-2]`
     #[inline]
     fn inner_marked(&mut self, node: Node) -> Descent {
@@ -161,6 +167,26 @@ pub trait Visitor {
     }
 }
 
+/// A search of which nothing is left out, for those who take one that [may be pruned](Pruned).
+#[derive(Clone, Copy, Debug)]
+pub struct Whole<V>(pub V);
+
+impl<V: Visitor> Visitor for Whole<V> {
+    #[inline(always)]
+    fn inner(&mut self, node: Node) -> Descent {
+        self.0.inner(node)
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, node: Node) -> Flow {
+        self.0.leaf(node)
+    }
+}
+
+impl<V: Visitor> Pruned for Whole<V> {}
+
+impl<V: Repeatable> Repeatable for Whole<V> {}
+
 /// A search whose answer does not change if it is shown nodes that it did not want, or leaves that it has seen: closest
 /// hit, any hit and nearest point are such, all hits are not.
 ///
@@ -188,7 +214,9 @@ impl<T: Visitor + ?Sized> Visitor for &mut T {
     fn leaf(&mut self, node: Node) -> Flow {
         (**self).leaf(node)
     }
+}
 
+impl<T: Pruned + ?Sized> Pruned for &mut T {
     #[inline]
     fn allows(&self, pruning: Pruning) -> bool {
         (**self).allows(pruning)

@@ -1,4 +1,5 @@
-//! Runs inputs through their targets, without a fuzzer: `replay FOLDER...`, each with a folder of inputs for every target.
+//! Runs inputs through their targets, without a fuzzer: `replay FOLDER...`, each with a folder of inputs for every
+//! target.
 //!
 //! This is what coverage is measured of, and what a finding is looked at with: `replay TARGET FILE`.
 

@@ -1,7 +1,7 @@
 //! Writes the seeds of all targets: `seeds FOLDER`.
 //!
-//! Files of each format that is read, of every kind; and for the other targets, which read choices from any bytes, a few inputs
-//! of various lengths. They are the same on every machine.
+//! Files of each format that is read, of every kind; and for the other targets, which read choices from any bytes, a
+//! few inputs of various lengths. They are the same on every machine.
 
 use std::fmt::Write;
 use std::path::Path;

@@ -1,4 +1,5 @@
-//! One planted bug, whose name the environment variable `PLANTED` has; without it, prints the names of all and of the controls.
+//! One planted bug, whose name the environment variable `PLANTED` has; without it, prints the names of all and of the
+//! controls.
 #![no_main]
 
 use std::{env, process};

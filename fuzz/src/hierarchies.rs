@@ -94,7 +94,8 @@ pub(crate) fn bvh_bytes(bytes: &[u8]) {
 /// Placed objects in groups, against all triangles moved one by one. `[INST-1]` `[INST-6]`
 pub(crate) fn instances(bytes: &[u8]) {
     let mut draw = Draw::new(bytes);
-    let (groups, meshes, levels) = (draw.below(27), draw.below(27), 1 + draw.below(2));
+    let methods = Method::ALL.len() as u64;
+    let (groups, meshes, levels) = (draw.below(methods), draw.below(methods), 1 + draw.below(2));
     let options = options(&mut draw);
     let mut shapes: Vec<_> = (0..=draw.below(2)).filter_map(|_| draw.mesh(3)).map(Shape::Mesh).collect();
     if shapes.is_empty() {

@@ -6,7 +6,8 @@ use stackless_bvh::generate::{Bytes, Source};
 use stackless_bvh::key::{self, Grow, KeyWord};
 use stackless_bvh::{swap, trail};
 
-/// A key, a trail below its depth and any mask, in all words that carry them. `[SWAP-2]` `[SWAP-4]` `[TRAIL-4]` `[TRAIL-5]`
+/// A key, a trail below its depth and any mask, in all words that carry them. `[SWAP-2]` `[SWAP-4]` `[TRAIL-4]`
+/// `[TRAIL-5]`
 pub(crate) fn keys(bytes: &[u8]) {
     let mut source = Bytes::new(bytes);
     let depth = source.below(200) as u32;

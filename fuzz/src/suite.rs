@@ -20,7 +20,8 @@ pub(crate) fn requests(bytes: &[u8]) {
     }
 }
 
-/// A case and an answer, both any text or a right one, changed: they are judged, whatever they are. A right answer is right.
+/// A case and an answer, both any text or a right one, changed: they are judged, whatever they are. A right answer is
+/// right.
 pub(crate) fn answers(bytes: &[u8]) {
     let mut source = Bytes::new(bytes);
     let profiles = some_profiles();

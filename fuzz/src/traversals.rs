@@ -5,7 +5,7 @@ use stackless_bvh::generate::{Bytes, Family, Kind, Rng, Search, Source, Tape, sh
 use stackless_bvh::hash::{AddressBounds, KeySet, Options, PerfectHash, Remainder, Sizing, certify};
 use stackless_bvh::key::{self, Grow, KeyWord};
 use stackless_bvh::traverse::{
-    ByWalk, Cuts, KeyTrail, Method, Next, Paused, PieceTable, States, Tables, Unfit, WordName,
+    Beside, ByWalk, Cuts, KeyTrail, Method, Next, Paused, PieceTable, States, Unfit, WordName,
 };
 use stackless_bvh::tree::{Implicit, Keys, Node, Reach, Topology, Tree};
 use stackless_bvh::{oracle, trail};
@@ -112,7 +112,7 @@ pub(crate) fn states(bytes: &[u8]) {
 /// A perfect hash, of any set of keys and sizing. `[HASH-9]`
 pub(crate) fn hash(bytes: &[u8]) {
     let mut source = Bytes::new(bytes);
-    let (options, method, tree) = (options(&mut source), Method::ALL[source.below(27) as usize], tree(&mut source));
+    let (options, method, tree) = (options(&mut source), any_of(&mut source, &Method::ALL), tree(&mut source));
     let keys = Keys::of(&tree);
     let hash = right(check_table(&tree, &keys, options), format_args!("{options:?} {:?}", tree.to_children()));
     if let Err(refusal) = PerfectHash::build_plain(&tree, options) {
@@ -132,9 +132,9 @@ pub(crate) fn hash(bytes: &[u8]) {
     assert_eq!((direct, is_direct.len()), (header.direct as usize, header.keys as usize), "{header:?}");
     assert!(header.direct_share() <= 1.0, "{header:?}");
     said(header.sizing);
-    // Tables for all traversals take no less than those for one.
+    // Beside for all traversals take no less than those for one.
     let axes = vec![0; tree.node_count()];
-    let bytes = |methods: &[Method]| Tables::new(&tree, &axes, methods, 13).bytes();
+    let bytes = |methods: &[Method]| Beside::new(&tree, &axes, methods, 13).bytes();
     assert!(bytes(&[method]) <= bytes(&Method::ALL), "{method}");
     for word in WordName::ALL {
         let [narrow, wide] = [1, 60].map(|depth| method.state_bytes_in(word, depth));
@@ -181,8 +181,8 @@ pub(crate) fn check(case: &Case, methods: &[Method]) {
     }
 }
 
-/// A tree of up to 32 leaves under a tape: both drawn, or those of a seed, so that two bytes are enough for intervals within
-/// intervals.
+/// A tree of up to 32 leaves under a tape: both drawn, or those of a seed, so that two bytes are enough for intervals
+/// within intervals.
 pub(crate) fn small_case(bytes: &[u8]) -> Case {
     let mut source = Bytes::new(bytes);
     match source.below(4) {
@@ -191,15 +191,15 @@ pub(crate) fn small_case(bytes: &[u8]) -> Case {
     }
 }
 
-/// A tree of a depth at which words end, and nearly as many leaves. Its shape and its tape are drawn, or follow from a seed: so
-/// a few bytes are enough for a tree that is deep.
+/// A tree of a depth at which words end, and nearly as many leaves. Its shape and its tape are drawn, or follow from a
+/// seed: so a few bytes are enough for a tree that is deep.
 fn deep_case(source: &mut impl Source) -> Case {
     let depth = match source.below(3) {
         0 => 30 + source.below(37) as u32,
         1 => 126 + source.below(5) as u32,
         _ => source.below(200) as u32,
     };
-    let (family, kind) = (source.below(8), Kind::ALL[source.below(Kind::ALL.len() as u64) as usize]);
+    let (family, kind) = (source.below(8), any_of(source, &Kind::ALL));
     let seed = source.below(1 << 16);
     let mut rng = Rng::new(seed);
     let tree = match family {
@@ -225,14 +225,14 @@ fn chain(depth: u32, right_at: impl Fn(u32) -> bool) -> Tree {
 
 fn in_pieces<W: KeyWord>(case: &Case, levels: u32) {
     let (cuts, mut battery) = (Cuts::every(levels, &case.tree), Battery::new(case, &[]));
-    let pieces = right(Pieces::new(&case.tree, &cuts), "tables of pieces");
+    let pieces = right(Pieces::new(&cuts), "tables of pieces");
     // As many states as there are pieces on a way, each as large as in a tree of so many levels. [STATE-1]
     assert_eq!(cuts.nesting(), case.tree.depth().div_ceil(levels).max(1));
     let one = Method::Hashed.state_bytes::<W>(levels.min(case.tree.depth()));
     assert_eq!(cuts.state_bytes::<W>(Method::Hashed), cuts.nesting() as usize * one);
     let of_pieces = |tables: &[PieceTable<PerfectHash>]| tables.iter().map(PieceTable::bytes).sum::<usize>();
     assert!(of_pieces(pieces.hashes()) <= of_pieces(pieces.full_hashes()) + cuts.bytes());
-    for method in Pieces::<Tree>::METHODS {
+    for method in Pieces::<Tree>::methods() {
         let verdict = battery
             .judge(method.test(), method.restarts(), |search, watch, _, _| pieces.run::<W>(method, search, watch));
         match verdict {
@@ -273,7 +273,8 @@ fn follow<W: KeyWord>(case: &Case, pauses: &Pauses<'_>, kind: u64, rest: &[u8]) 
     }
 }
 
-/// A state that is nearly one of the tree: the key is that of the node, and the register that of the trail, unless drawn anew.
+/// A state that is nearly one of the tree: the key is that of the node, and the register that of the trail, unless
+/// drawn anew.
 fn state<W: KeyWord>(tree: &Tree, source: &mut impl Source) -> Paused<W> {
     let slot = source.below(tree.node_count() as u64) as usize;
     let node = tree.node(slot as u32).unwrap_or(tree.root());
@@ -304,6 +305,10 @@ fn bits<W: KeyWord>(source: &mut impl Source, count: u32) -> W {
     (0..count).fold(W::zero(), |word, _| word.shl1().or(&W::from_bit(source.coin())))
 }
 
+fn any_of<T: Copy>(source: &mut impl Source, all: &[T]) -> T {
+    all[source.below(all.len() as u64) as usize]
+}
+
 fn options(source: &mut impl Source) -> Options {
     const REACHES: [(u32, u32); 4] = [(1, 1), (1, 2), (2, 2), (2, 3)];
     let key_set = match source.below(6) {
@@ -314,7 +319,7 @@ fn options(source: &mut impl Source) -> Options {
             KeySet::Exact(Reach::new(inner, leaf).unwrap_or(Reach::ALGORITHM_1))
         }
     };
-    Options { key_set, sizing: Sizing::ALL[source.below(3) as usize] }
+    Options { key_set, sizing: any_of(source, &Sizing::ALL) }
 }
 
 /// A tree whose shape is drawn, or one of a family from a seed, which may be larger.
@@ -326,7 +331,7 @@ fn tree(source: &mut impl Source) -> Tree {
         }
         1 => deep_case(source).tree,
         _ => {
-            let family = Family::ALL[source.below(6) as usize];
+            let family = any_of(source, &Family::ALL);
             let leaves = 1 + source.below(400) as u32;
             family.tree(&mut Rng::new(source.below(1 << 16)), leaves)
         }

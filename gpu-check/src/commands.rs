@@ -8,6 +8,7 @@ use gpu_check::bench::{self, Setting, Traffic};
 use gpu_check::exact::{self, Settled};
 use gpu_check::kernel::{Kernel, Table};
 use gpu_check::made::{self, Made};
+use gpu_check::planted::ShownBy;
 use gpu_check::record::Record;
 use gpu_check::scene::{Query, Scene};
 use gpu_check::suite::{Adapter, Share};
@@ -47,17 +48,16 @@ pub(crate) fn tapes(gpu: &Gpu, trees: usize, seed: u64) -> Result<bool, GpuError
 pub(crate) fn planted(gpu: &Gpu, trees: usize) -> Result<bool, GpuError> {
     let batch = tapes::Batch::new(gpu, tapes::cases(trees, 1))?;
     let mut good = true;
-    for bug in planted::BUGS {
-        let seen = planted::hunt(gpu, &batch, bug)?;
-        let verdict = if seen > 0 { "caught" } else { "NOT CAUGHT" };
-        println!("{verdict}: {seen:5} searches, {:20} {}", bug.kernel, bug.name);
-        good &= seen > 0;
-    }
-    for bug in planted::RAY_BUGS {
-        let seen = planted::hunt_rays(gpu, bug)?;
-        let verdict = if seen > 0 { "caught" } else { "NOT CAUGHT" };
-        println!("{verdict}: {seen:5} rays, {:20} {}", bug.kernel, bug.name);
-        good &= seen > 0;
+    for (by, what) in [(ShownBy::Tapes, "searches"), (ShownBy::Rays, "rays")] {
+        for bug in planted::shown_by(by) {
+            let seen = match by {
+                ShownBy::Tapes => planted::hunt(gpu, &batch, bug)?,
+                _ => planted::hunt_rays(gpu, bug)?,
+            };
+            let verdict = if seen > 0 { "caught" } else { "NOT CAUGHT" };
+            println!("{verdict}: {seen:5} {what}, {:20} {}", bug.kernel, bug.name);
+            good &= seen > 0;
+        }
     }
     Ok(good)
 }

@@ -2,7 +2,7 @@
 
 use stackless_bvh::generate::Tape;
 use stackless_bvh::hash::{BuildError, KeySet, Mix, Options, PerfectHash, Sizing};
-use stackless_bvh::tree::{Node, ParentLinks as _, Parents, Reach, Topology, Tree, UncleLinks as _, Uncles};
+use stackless_bvh::tree::{Node, Parents, Reach, Topology, Tree, Uncles};
 
 use crate::kernel::{Links, Table};
 
@@ -169,16 +169,16 @@ impl Addresses {
 /// The links of each node, by slot: uncle, grand uncle and grand grand uncle, or parent and sibling.
 pub fn links<T: Topology>(tree: &T, addresses: &Addresses, kind: Links) -> Vec<[u32; 3]> {
     let mut rows = vec![[NOWHERE; 3]; tree.node_count()];
-    let (uncles, parents) = (Uncles::<2, 3>::of(tree), Parents::of(tree));
+    let (uncles, parents) = (Uncles::of(tree), Parents::of(tree));
     let root = tree.root();
     let address = |node: Node| if node == root { NOWHERE } else { addresses.at(tree, node) };
     let mut pending = vec![root];
     while let Some(node) = pending.pop() {
         rows[tree.slot(node)] = match kind {
-            Links::Uncles => (&uncles).row(tree, node).map(address),
+            Links::Uncles => uncles.row(tree, node).map(address),
             Links::Parents => {
-                let parents = &parents;
-                [addresses.at(tree, parents.parent(tree, node)), address(parents.sibling(tree, node)), NOWHERE]
+                let [parent, sibling] = parents.row(tree, node);
+                [addresses.at(tree, parent), address(sibling), NOWHERE]
             }
         };
         if !node.is_leaf() {

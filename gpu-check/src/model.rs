@@ -3,7 +3,7 @@
 use glam::Vec3;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::geom::{Ray, Triangle};
-use stackless_bvh::order::{Descent, Flow, Pruning, Side, Visitor};
+use stackless_bvh::order::{Descent, Flow, Pruned, Pruning, Side, Visitor};
 use stackless_bvh::traverse::{PruningStack, Stack, traverse};
 use stackless_bvh::tree::Node;
 
@@ -164,7 +164,9 @@ impl Visitor for Model<'_> {
         }
         Flow::Continue
     }
+}
 
+impl Pruned for Model<'_> {
     fn allows(&self, _: Pruning) -> bool {
         true
     }

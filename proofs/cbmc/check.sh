@@ -28,7 +28,8 @@ install_tools() {
 
 # One line a harness: name, twin, unwind, how often, covers, claim.
 list() {
-    cargo run -q -p proofs --bin list > "$work/list.tsv"
+    # In a folder of its own: a build beside this one would hold the lock of the other.
+    CARGO_TARGET_DIR="$work/list" cargo run -q -p proofs --bin list > "$work/list.tsv"
 }
 
 build() {

@@ -5,7 +5,7 @@
 
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::order::{Descent, FixedOrder, Flow, Pruning, Side, Visitor};
+use stackless_bvh::order::{Descent, FixedOrder, Flow, Pruned, Pruning, Side, Visitor};
 use stackless_bvh::tree::{Node, Topology};
 
 use crate::shape::{Script, Shape};
@@ -42,7 +42,9 @@ impl<T: Keyed> Visitor for Told<'_, T> {
     fn leaf(&mut self, node: Node) -> Flow {
         if self.script.ends(self.tree.key(node)) { Flow::Stop } else { Flow::Continue }
     }
+}
 
+impl<T: Keyed> Pruned for Told<'_, T> {
     fn allows(&self, pruning: Pruning) -> bool {
         pruning != Pruning::Distance
     }
@@ -170,29 +172,29 @@ impl<'t, T: Keyed> Watch<'t, T> {
 }
 
 impl<T: Keyed> Recorder for Watch<'_, T> {
-    fn visit(&mut self, state: &impl State) -> Flow {
-        let (node, reference) = (state.node(), &self.reference);
+    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        let (state, reference) = (state(), &self.reference);
         let key = self.tree.key(node);
-        if state.is_restarting() {
+        if state.is_restarting {
             self.pass(key);
             return Flow::Continue;
         }
         assert!(reference.key() == Some(key));
         let trail = || reference.bits_of(reference.pending);
-        if let Some(shown) = state.key() {
+        if let Some(shown) = state.key {
             assert!(shown.to_u64() == Some(u64::from(key)));
         }
-        if let Some(shown) = state.trail() {
+        if let Some(shown) = state.trail {
             assert!(shown.to_u64() == Some(u64::from(trail())));
         }
-        if let Some(shown) = state.counter() {
+        if let Some(shown) = state.counter {
             let start = 1 << reference.depth();
             assert!(shown.to_u64() == Some(u64::from(start | (start - 1) ^ trail())));
         }
-        if let Some(shown) = state.disjoint() {
+        if let Some(shown) = state.disjoint {
             assert!(shown.low_bits() & trail() == reference.bits_of(reference.disjoint) & trail());
         }
-        if let Some(shown) = state.register() {
+        if let Some(shown) = state.register {
             assert!(reference.postponed() == Some(self.tree.key(shown)));
         }
         (self.visits, self.restarted) = (self.visits + 1, 0);

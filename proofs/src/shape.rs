@@ -3,7 +3,7 @@
 use stackless_bvh::hash::Lookup;
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{Descent, Side};
-use stackless_bvh::tree::{Node, ParentLinks, Reach, Topology, UncleLinks};
+use stackless_bvh::tree::{Node, Recorded, Topology};
 
 use crate::Choose;
 
@@ -85,26 +85,29 @@ impl Topology for Shape {
     fn depth(&self) -> u32 {
         self.inner_nodes
     }
+
+    /// All links are computed.
+    fn names(&self, _: Recorded) -> bool {
+        true
+    }
+
+    fn parent(&self, node: Node) -> Node {
+        let key = node.index() as u32;
+        self.node(if key > 1 { key >> 1 } else { 1 })
+    }
+
+    fn sibling(&self, node: Node) -> Node {
+        self.uncle(node, 0)
+    }
+
+    fn uncles(&self, node: Node) -> [Node; 3] {
+        [self.uncle(node, 1), self.uncle(node, 2), self.root()]
+    }
 }
 
-/// The links and the address table of a [`Shape`], computed.
+/// The address table of a [`Shape`], computed.
 #[derive(Clone, Copy, Debug)]
 pub struct Computed(pub Shape);
-
-impl ParentLinks<Shape> for Computed {
-    fn row(&self, shape: &Shape, node: Node) -> [Node; 2] {
-        let key = node.index() as u32;
-        [shape.node(if key > 1 { key >> 1 } else { 1 }), shape.uncle(node, 0)]
-    }
-}
-
-impl UncleLinks<Shape> for Computed {
-    const REACH: Reach = Reach::ALGORITHM_1;
-
-    fn row(&self, shape: &Shape, node: Node) -> [Node; 3] {
-        [shape.uncle(node, 1), shape.uncle(node, 2), shape.root()]
-    }
-}
 
 impl<W: KeyWord> Lookup<W> for Computed {
     fn node(&self, key: &W) -> Node {

@@ -8,12 +8,11 @@ mod resumed;
 
 use alloc::vec::Vec;
 
-use stackless_bvh::key::TooDeep;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{Pruning, Visitor};
+use stackless_bvh::order::{Pruned, Pruning};
 use stackless_bvh::traverse::{
     Afra, ByKey, Cursor, Disjoint, Hapala, HashOnly, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine,
-    LeftFirst, Skip, Skips, Sparse, Stack, Uncle, traverse,
+    LeftFirst, Skip, Skips, Sparse, Stack, Uncle, traverse, traverse_pruned,
 };
 use stackless_bvh::tree::Topology;
 
@@ -119,9 +118,9 @@ pub fn follows<C: Choose, T: Keyed>(
 }
 
 /// Runs a cursor. (One that is refused has not visited anything, which the comparison finds.)
-fn run<T: Keyed>(cursor: Result<impl Cursor, TooDeep>, visitor: &mut impl Visitor, watch: &mut Watch<'_, T>) {
+fn run<T: Keyed, E>(cursor: Result<impl Cursor, E>, search: &mut impl Pruned, watch: &mut Watch<'_, T>) {
     if let Ok(cursor) = cursor {
-        traverse(cursor, visitor, watch);
+        traverse_pruned(cursor, search, watch);
     }
 }
 
@@ -142,13 +141,13 @@ bodies! {
     /// `[TRAIL-7]`
     by_key, |tree| ByKey::<u32, _>::new(tree, Computed(*tree));
     /// `[AFRA-1]`
-    afra, |tree| Afra::<u32, _, _>::new(tree, Computed(*tree));
+    afra, |tree| Afra::<u32, _>::new(tree);
     /// `[UNCLE-1]` `[UNCLE-2]` `[REGISTER-1]`
-    uncle, |tree| Uncle::<u32, _, _>::new(tree, Computed(*tree));
+    uncle, |tree| Uncle::<u32, _>::new(tree);
     /// `[HASHED-1]` `[REGISTER-1]` `[HASH-3]`
-    hashed, |tree| Hashed::<u32, _, _, _>::new(tree, Computed(*tree), HashedKeys(*tree));
+    hashed, |tree| Hashed::<u32, _, _>::new(tree, HashedKeys(*tree));
     /// `[SPARSE-1]` `[SPARSE-2]`
-    sparse, |tree| Sparse::<u32, _, _>::new(tree, Computed(*tree));
+    sparse, |tree| Sparse::<u32, _>::new(tree);
     /// `[IMPLICIT-1]`
     implicit_a, |tree| ImplicitA::<u32, _>::new(tree, Computed(*tree));
     /// `[IMPLICIT-1]` `[IMPLICIT-3]`
@@ -160,18 +159,18 @@ bodies! {
     /// `[LAINE-1]`
     laine<K>, |tree| Laine::<K, u32, _>::new(tree);
     /// `[PAUSE-1]`
-    afra_resumed, |tree| Resumed::new(|| Afra::<u32, _, _>::new(tree, Computed(*tree)), Some);
+    afra_resumed, |tree| Resumed::new(|| Afra::<u32, _>::new(tree), Some);
     /// `[PAUSE-1]`
-    sparse_resumed, |tree| Resumed::new(|| Sparse::<u32, _, _>::new(tree, Computed(*tree)), Some);
+    sparse_resumed, |tree| Resumed::new(|| Sparse::<u32, _>::new(tree), Some);
     /// `[PAUSE-1]` `[PAUSE-3]`
-    uncle_resumed, |tree| Resumed::new(|| Uncle::<u32, _, _>::new(tree, Computed(*tree)), Some);
+    uncle_resumed, |tree| Resumed::new(|| Uncle::<u32, _>::new(tree), Some);
     /// `[PAUSE-1]` `[PAUSE-3]`
     hashed_resumed, |tree| {
-        Resumed::new(|| Hashed::<u32, _, _, _>::new(tree, Computed(*tree), HashedKeys(*tree)), Some)
+        Resumed::new(|| Hashed::<u32, _, _>::new(tree, HashedKeys(*tree)), Some)
     };
     /// `[PAUSE-1]` `[PAUSE-2]` `[PAUSE-3]`
     hashed_by_key_and_trail, |tree| {
-        let start = || Hashed::<u32, _, _, _>::new(tree, Computed(*tree), HashedKeys(*tree));
+        let start = || Hashed::<u32, _, _>::new(tree, HashedKeys(*tree));
         Resumed::new(start, by_key_and_trail(*tree))
     };
 }
@@ -191,14 +190,14 @@ bodies! {
 bodies! {
     Disjoint, |choose, shape| Script::any(choose, shape).with_marks(choose, shape);
     /// `[DISJOINT-1]` `[DISJOINT-2]`
-    afra_disjoint, |tree| Afra::<u32, _, _, Disjoint<u32>>::new(tree, Computed(*tree));
+    afra_disjoint, |tree| Afra::<u32, _, Disjoint<u32>>::new(tree);
     /// `[DISJOINT-1]` `[DISJOINT-2]`
-    sparse_disjoint, |tree| Sparse::<u32, _, _, Disjoint<u32>>::new(tree, Computed(*tree));
+    sparse_disjoint, |tree| Sparse::<u32, _, Disjoint<u32>>::new(tree);
     /// `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]`
-    uncle_disjoint, |tree| Uncle::<u32, _, _, Disjoint<u32>>::new(tree, Computed(*tree));
+    uncle_disjoint, |tree| Uncle::<u32, _, Disjoint<u32>>::new(tree);
     /// `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]`
     hashed_disjoint, |tree| {
-        Hashed::<u32, _, _, _, Disjoint<u32>>::new(tree, Computed(*tree), HashedKeys(*tree))
+        Hashed::<u32, _, _, Disjoint<u32>>::new(tree, HashedKeys(*tree))
     };
 }
 
@@ -212,8 +211,7 @@ pub fn hapala<const INNER: u32>(choose: &mut impl Choose) -> Option<()> {
         script,
         |shape| shape,
         |tree, told, watch| {
-            let cursor = Hapala::new(tree, Computed(*tree), *told);
-            traverse(cursor, told, watch);
+            run(Hapala::new(tree, *told), told, watch);
         },
     )
 }

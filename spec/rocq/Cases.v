@@ -1,4 +1,4 @@
-(** What the models see of a case that the library has written down (`Vectors.v`, by tests/rocq_vectors.rs): the visits and the
+(** What the models see of a case that the library has written down (`Vectors.v`, by tests/library/rocq_vectors.rs): the visits and the
     answer of the reference, key and trail at each visit, J's counter at each visit, and what all machines answer. *)
 
 Require Import List PArith NArith.
@@ -57,7 +57,7 @@ Definition seen_left T keys leaf :=
 Definition expected_left (stopped : bool) (visits : list positive) :=
   let answer := (stopped, rev visits) in (answer, Some answer, map (fun k => (level_start k, path k)) visits).
 
-(** A case of the conformance suite (`Suite.v`, by tests/rocq_suite.rs): what the reference answers, key and trail at each visit,
+(** A case of the conformance suite (`Suite.v`, by crates/suite/tests/rocq_suite.rs): what the reference answers, key and trail at each visit,
     and what machines answer whose words have no width. *)
 Definition unbounded : list cursor := [stack_machine; trail_machine; implicit_a; implicit_b; sparse].
 

@@ -1,4 +1,4 @@
-(** Cases of the conformance suite with what it expects. Written by tests/rocq_suite.rs. *)
+(** Cases of the conformance suite with what it expects. Written by crates/suite/tests/rocq_suite.rs. *)
 
 Require Import List PArith NArith.
 Require Import Tree Cases.

@@ -1,4 +1,4 @@
-(** Cases with the visits and the states that the library saw. Written by tests/rocq_vectors.rs. *)
+(** Cases with the visits and the states that the library saw. Written by tests/library/rocq_vectors.rs. *)
 
 Require Import List PArith NArith.
 Require Import Tree Cases.

@@ -1,10 +1,12 @@
 //! How far backtracking goes, and where the address comes from (Binder & Keller 2016, Fig. 3).
 
+use alloc::vec::Vec;
+
 use crate::event::{Recorder, State};
 use crate::key::{self, KeyWord};
 use crate::order::Flow;
 use crate::trail;
-use crate::tree::Reach;
+use crate::tree::{Node, Reach};
 
 /// Where the address of the next node comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -121,10 +123,10 @@ impl Backtracks {
 }
 
 impl Recorder for Backtracks {
-    fn visit(&mut self, state: &impl State) -> Flow {
-        let (Some(key), Some(trail)) = (state.key(), state.trail()) else { return Flow::Continue };
+    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        let State { key: Some(key), trail: Some(trail), .. } = state() else { return Flow::Continue };
         let zeros = if trail.is_zero() { 0 } else { trail::levels(&trail) };
-        let now = Last { depth: key::depth(&key), is_leaf: state.node().is_leaf(), trail: trail.low_bits(), zeros };
+        let now = Last { depth: key::depth(&key), is_leaf: node.is_leaf(), trail: trail.low_bits(), zeros };
         if let Some(last) = self.last.replace(now) {
             let mask = self.reach.mask(last.is_leaf);
             self.register = self.register.or_else(|| Source::in_record(last.trail, mask));
@@ -144,17 +146,19 @@ mod tests {
     use crate::generate::{Family, Kind, Rng, Search, Tape};
     use crate::hash::{KeySet, Options, PerfectHash, Sizing, Verified};
     use crate::traverse::{Hashed, traverse};
-    use crate::tree::{Keys, Topology, Uncles};
+    use crate::tree::{Keys, Linked, Topology};
 
     #[test]
     fn what_is_said_to_come_from_the_table_was_looked_up() {
         /// Compares what is followed with the register of the traversal at each visit.
         struct Compare(Backtracks, u64);
         impl Recorder for Compare {
-            fn visit(&mut self, state: &impl State) -> Flow {
+            fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
                 // The traversal takes a node as late as it can, the printed algorithm as soon as it can.
-                let flow = self.0.visit(state);
-                assert!(self.0.register.is_some() || state.register().is_none());
+                let state = state();
+                let held = state.register;
+                let flow = self.0.visit(node, || state);
+                assert!(self.0.register.is_some() || held.is_none());
                 self.1 += 1;
                 flow
             }
@@ -165,12 +169,12 @@ mod tests {
             for family in Family::ALL {
                 let tree = family.tree(&mut rng, 60);
                 let tape = Tape::draw(&mut rng, &tree, kind);
-                let (uncles, keys) = (Uncles::<2, 3>::of(&tree), Keys::of(&tree));
-                let options = Options { key_set: KeySet::Exact(Uncles::<2, 3>::REACH), sizing: Sizing::Tight };
+                let (uncles, keys) = (Linked::<_, 2, 3>::reaching(&tree), Keys::of(&tree));
+                let options = Options { key_set: KeySet::Exact(Reach::SECTION_2_1), sizing: Sizing::Tight };
                 let hash = PerfectHash::build(&tree, options).unwrap();
                 let hash = Verified::new(&hash, &tree, &keys);
-                let cursor = Hashed::<u64, _, _, _>::new(&tree, &uncles, &hash).unwrap();
-                let mut compare = Compare(Backtracks::new(Uncles::<2, 3>::REACH), 0);
+                let cursor = Hashed::<u64, _, _>::new(&uncles, &hash).unwrap();
+                let mut compare = Compare(Backtracks::new(Reach::SECTION_2_1), 0);
                 traverse(cursor, &mut Search::new(&tree, &tape, false), &mut compare);
                 assert_eq!(compare.0.total(), compare.0.distances().iter().sum::<u64>());
                 assert!(compare.0.total() < tree.node_count() as u64);

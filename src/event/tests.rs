@@ -2,66 +2,33 @@ use super::*;
 use crate::order::{Descent, Side, Visitor};
 use crate::tree::Tree;
 
-/// Knows where it is, and nothing else.
-struct Bare;
-
-impl State for Bare {
-    type Word = u32;
-
-    fn node(&self) -> Node {
-        Node::leaf(3)
-    }
-}
-
 /// Has all that a state can have.
-struct Full {
-    restarts: bool,
-}
-
-impl State for Full {
-    type Word = u32;
-
-    fn node(&self) -> Node {
-        Node::inner(2)
+fn full(is_restarting: bool) -> State<u32> {
+    State {
+        node: Node::inner(2),
+        key: Some(5),
+        trail: Some(6),
+        counter: Some(7),
+        disjoint: Some(8),
+        register: Some(Node::leaf(9)),
+        is_restarting,
     }
-    fn key(&self) -> Option<u32> {
-        Some(5)
-    }
-    fn trail(&self) -> Option<u32> {
-        Some(6)
-    }
-    fn counter(&self) -> Option<u32> {
-        Some(7)
-    }
-    fn disjoint(&self) -> Option<u32> {
-        Some(8)
-    }
-    fn register(&self) -> Option<Node> {
-        Some(Node::leaf(9))
-    }
-    fn is_restarting(&self) -> bool {
-        self.restarts
-    }
-}
-
-type All = (Node, [Option<u32>; 4], Option<Node>, bool);
-
-fn all(state: impl State<Word = u32>) -> All {
-    let words = [state.key(), state.trail(), state.counter(), state.disjoint()];
-    (state.node(), words, state.register(), state.is_restarting())
 }
 
 #[test]
 fn what_a_traversal_does_not_have_is_none() {
-    assert_eq!(all(Bare), (Node::leaf(3), [None; 4], None, false));
-    assert_eq!(all(&mut Bare), all(Bare));
+    let State { node, key, trail, counter, disjoint, register, is_restarting } = State::<u32>::of(Node::leaf(3));
+    assert_eq!((node, [key, trail, counter, disjoint]), (Node::leaf(3), [None; 4]));
+    assert_eq!((register, is_restarting), (None, false));
 }
 
 #[test]
-fn a_borrowed_state_is_the_state() {
-    for restarts in [false, true] {
-        let expected = (Node::inner(2), [Some(5), Some(6), Some(7), Some(8)], Some(Node::leaf(9)), restarts);
-        assert_eq!((all(Full { restarts }), all(&mut Full { restarts })), (expected, expected));
+fn words_are_changed_one_by_one_and_nothing_else_is() {
+    for is_restarting in [false, true] {
+        let mapped = full(is_restarting).map(|word| (word != 7).then_some(u64::from(word) << 32));
+        let [key, trail, disjoint] = [5, 6, 8].map(|word| Some(word << 32));
+        let State { node, register, .. } = full(is_restarting);
+        assert_eq!(mapped, State { node, key, trail, counter: None, disjoint, register, is_restarting });
     }
 }
 
@@ -69,7 +36,7 @@ fn a_borrowed_state_is_the_state() {
 fn restarts_are_left_out_of_a_trace_and_clearing_empties_it() {
     let mut trace = Trace::default();
     for restarts in [false, true] {
-        assert_eq!(trace.visit(&Full { restarts }), Flow::Continue);
+        assert_eq!(trace.visit(Node::inner(2), || full(restarts)), Flow::Continue);
     }
     assert_eq!(trace.nodes(), [Node::inner(2)]);
     trace.clear();

@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 use super::{Rng, Source};
 use crate::hash::mix;
 use crate::name::named;
-use crate::order::{Descent, Flow, NodeTest, Pruning, Repeatable, Visitor};
+use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Repeatable, Visitor};
 use crate::tree::{Node, Topology};
 
 /// A kind of tape.
@@ -346,7 +346,9 @@ impl<T: Topology> Visitor for Search<'_, T> {
         self.outcome.leaf_visits += 1;
         self.look_into(node)
     }
+}
 
+impl<T: Topology> Pruned for Search<'_, T> {
     fn allows(&self, _: Pruning) -> bool {
         true
     }

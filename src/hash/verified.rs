@@ -1,5 +1,6 @@
 //! A lookup that knows when it is wrong.
 
+use core::borrow::Borrow;
 use core::sync::atomic::{AtomicUsize, Ordering};
 
 use super::{Lookup, PerfectHash};
@@ -11,17 +12,17 @@ use crate::tree::{Keys, Node, Topology};
 /// A miss is counted and answered from a walk down the tree, so that the search goes on as it should and every miss of
 /// it is counted.
 #[derive(Debug)]
-pub struct Verified<'a, T> {
-    hash: &'a PerfectHash,
+pub struct Verified<'a, T, H = &'a PerfectHash, K = &'a Keys> {
+    hash: H,
     tree: &'a T,
-    keys: &'a Keys,
+    keys: K,
     lookups: AtomicUsize,
     misses: AtomicUsize,
 }
 
-impl<'a, T: Topology> Verified<'a, T> {
-    /// The hash of a tree, with the tree's keys to verify it by.
-    pub const fn new(hash: &'a PerfectHash, tree: &'a T, keys: &'a Keys) -> Self {
+impl<'a, T, H, K> Verified<'a, T, H, K> {
+    /// The hash of a tree, with the tree's keys to verify it by; each borrowed or owned.
+    pub const fn new(hash: H, tree: &'a T, keys: K) -> Self {
         Self { hash, tree, keys, lookups: AtomicUsize::new(0), misses: AtomicUsize::new(0) }
     }
 
@@ -36,10 +37,16 @@ impl<'a, T: Topology> Verified<'a, T> {
     }
 }
 
-impl<W: KeyWord, T: Topology> Lookup<W> for Verified<'_, T> {
+impl<W, T, H, K> Lookup<W> for Verified<'_, T, H, K>
+where
+    W: KeyWord,
+    T: Topology,
+    H: Borrow<PerfectHash>,
+    K: Borrow<Keys>,
+{
     fn node(&self, key: &W) -> Node {
         self.lookups.fetch_add(1, Ordering::Relaxed);
-        let found = self.hash.probe(key).filter(|&node| self.keys.is(self.tree.slot(node), key));
+        let found = self.hash.borrow().probe(key).filter(|&node| self.keys.borrow().is(self.tree.slot(node), key));
         found.unwrap_or_else(|| {
             self.misses.fetch_add(1, Ordering::Relaxed);
             Keys::walk(self.tree, key).unwrap_or(self.tree.root())

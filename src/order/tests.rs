@@ -60,6 +60,9 @@ impl Visitor for Answers {
     fn leaf(&mut self, node: Node) -> Flow {
         if node.index() == 1 { Flow::Stop } else { Flow::Continue }
     }
+}
+
+impl Pruned for Answers {
     fn allows(&self, pruning: Pruning) -> bool {
         pruning == Pruning::Distance
     }
@@ -87,7 +90,7 @@ impl NodeTest for Answers {
 }
 
 /// All that a visitor answers about a node.
-fn answers(mut visitor: impl Visitor, index: u32) -> (Descent, Flow, [bool; 3], Descent, bool, u32, u32) {
+fn answers(mut visitor: impl Pruned, index: u32) -> (Descent, Flow, [bool; 3], Descent, bool, u32, u32) {
     let (inner, leaf) = (Node::inner(index), Node::leaf(index));
     let allowed = [Pruning::Never, Pruning::Disjoint, Pruning::Distance].map(|pruning| visitor.allows(pruning));
     let decided = (visitor.inner(inner), visitor.leaf(leaf), allowed, visitor.inner_marked(inner));
@@ -98,8 +101,8 @@ fn answers(mut visitor: impl Visitor, index: u32) -> (Descent, Flow, [bool; 3], 
 #[test]
 fn a_search_that_says_nothing_is_not_pruned() {
     let nothing = (Descent::NEITHER, Flow::Continue, [true, false, false], Descent::NEITHER, false, 0, u32::MAX);
-    assert_eq!(answers(Plain, 0), nothing);
-    assert_eq!(answers(&mut Plain, 0), nothing);
+    assert_eq!(answers(Whole(Plain), 0), nothing);
+    assert_eq!(answers(&mut Whole(&mut Plain), 0), nothing);
 }
 
 #[test]

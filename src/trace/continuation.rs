@@ -8,8 +8,8 @@ use crate::bvh::Bvh;
 use crate::geom::kernel::Real;
 use crate::geom::{Aabb, Kernel, Ray, Slabs};
 use crate::key::KeyWord;
-use crate::order::{Descent, Flow, Pruning, Repeatable, Visitor};
-use crate::traverse::{ByWalk, KeyOnly, Next, Pause, Unfit, WithCursor, WithWord, revisit, traverse, with_word};
+use crate::order::{Descent, Flow, Pruned, Pruning, Repeatable, Visitor};
+use crate::traverse::{ByWalk, KeyOnly, Next, Pause, Unfit, WithCursor, WithWord, revisit, traverse_pruned, with_word};
 use crate::tree::{Keys, Node, Topology};
 
 /// Where a path is: the leaf of its last hit.
@@ -167,16 +167,18 @@ impl<S> Visitor for Upwards<'_, S> {
         self.follow(node, descent)
     }
 
+    fn leaf(&mut self, node: Node) -> Flow {
+        if self.is_wanted(node) { self.query.leaf(node) } else { Flow::Continue }
+    }
+}
+
+impl<S> Pruned for Upwards<'_, S> {
     fn inner_marked(&mut self, node: Node) -> Descent {
         if !self.is_wanted(node) {
             return Descent::NEITHER;
         }
         let descent = self.query.inner_marked(node);
         self.follow(node, descent)
-    }
-
-    fn leaf(&mut self, node: Node) -> Flow {
-        if self.is_wanted(node) { self.query.leaf(node) } else { Flow::Continue }
     }
 
     fn allows(&self, pruning: Pruning) -> bool {
@@ -214,7 +216,7 @@ struct Run<'q, W, Q> {
     query: &'q mut Q,
 }
 
-impl<W: KeyWord, Q: Repeatable> WithCursor<W> for Run<'_, W, Q> {
+impl<W: KeyWord, Q: Repeatable + Pruned> WithCursor<W> for Run<'_, W, Q> {
     type Output = ();
 
     fn call(self, cursor: impl Pause<Word = W>) {
@@ -223,7 +225,7 @@ impl<W: KeyWord, Q: Repeatable> WithCursor<W> for Run<'_, W, Q> {
             let began = revisit(cursor, from, query, &mut ());
             debug_assert!(began.is_ok(), "located with its sibling");
         } else {
-            traverse(cursor, query, &mut ());
+            traverse_pruned(cursor, query, &mut ());
         }
     }
 }

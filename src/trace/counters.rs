@@ -6,9 +6,9 @@ use crate::bvh::Bvh;
 use crate::event::Backtracks;
 use crate::geom::kernel::Stage;
 use crate::geom::{Aabb, Kernel, Ray, Slabs};
-use crate::order::{Descent, Flow, NodeTest, Pruning, Repeatable, Visitor};
+use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Repeatable, Visitor};
 use crate::threads;
-use crate::tree::{Node, Uncles};
+use crate::tree::{Node, Reach};
 
 use super::tracer::CHUNK;
 use super::{BoxQuery, ChildOrder, FromLeft, Nearest, NodeSearch, Query, Tracer};
@@ -36,7 +36,7 @@ pub struct Counters {
 
 impl Default for Counters {
     fn default() -> Self {
-        let backtracks = Backtracks::new(<Uncles>::REACH);
+        let backtracks = Backtracks::new(Reach::ALGORITHM_1);
         Self { rays: 0, inner: 0, leaves: 0, boxes: 0, triangles: 0, fallbacks: 0, sums: 0, backtracks }
     }
 }
@@ -73,7 +73,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
         let (bvh, level) = (self.bvh(), &self.level);
         let count = |chunk: &[Ray<K::Vector>]| {
             let (mut counters, mut memory) = (Counters::default(), Vec::new());
-            let mut backtracks = Backtracks::new(<Uncles>::REACH);
+            let mut backtracks = Backtracks::new(Reach::ALGORITHM_1);
             for ray in chunk {
                 counters.rays += 1;
                 backtracks.begin();
@@ -118,7 +118,11 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
     fn leaf(&mut self, node: Node) -> Flow {
         self.triangles(node)
     }
+}
 
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Pruned
+    for Counting<'_, '_, K, B, ANY, O>
+{
     fn allows(&self, pruning: Pruning) -> bool {
         self.search.allows(pruning)
     }

@@ -8,7 +8,7 @@ use crate::bvh::Bvh;
 use crate::geom::kernel::{Exact, Exact64, Real};
 use crate::geom::slabs::{Directed, Wide};
 use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs};
-use crate::order::{Descent, Flow, Visitor};
+use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::tree::Node;
 
 /// All hits of a ray, exact: every closed triangle that it meets, edges and corners included. `[EXACT-1]`
@@ -95,6 +95,8 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for Sweep<'_, K, B> {
         Flow::Continue
     }
 }
+
+impl<K: Kernel, B: Slabs<Vector = K::Vector>> Pruned for Sweep<'_, K, B> {}
 
 impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
     fn touches(&self, aabb: &Aabb) -> bool {

@@ -4,8 +4,8 @@ use super::{Part, Plan, Query};
 use crate::bvh::Bvh;
 use crate::event::Recorder;
 use crate::geom::Aabb;
-use crate::order::{Descent, Flow, NodeTest, Pruning, Visitor};
-use crate::traverse::{Beside, Method, Stack, Tables, Unfit, WordName, traverse};
+use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Visitor};
+use crate::traverse::{Beside, Method, Run, Stack, Tables, Unfit, WordName, traverse};
 use crate::tree::{Implicit, Node, Topology};
 
 /// A traversal and its tables. The hierarchy that they were made for comes with each query.
@@ -48,10 +48,12 @@ impl Level {
     #[inline]
     pub(super) fn run<S>(&self, bvh: &Bvh<S>, octant: u8, memory: &mut Vec<Node>, query: &mut impl Query) {
         let (method, tables) = (self.method_for(query), self.tables(bvh));
-        let fits = match self.word {
-            WordName::U32 => tables.run::<u32, _>(method, octant, memory, query, &mut ()),
-            WordName::U64 => tables.run::<u64, _>(method, octant, memory, query, &mut ()),
-            WordName::U128 | WordName::Grow => self.try_run(bvh, octant, memory, query, &mut ()),
+        let tree = tables.tree();
+        let fits = if matches!(self.word, WordName::U32 | WordName::U64) {
+            let run = Run { from: tables.over(&tree, octant, memory), search: &mut *query, recorder: &mut () };
+            if self.word == WordName::U32 { method.dispatch::<u32, _>(run) } else { method.dispatch::<u64, _>(run) }
+        } else {
+            self.try_run(bvh, octant, memory, query, &mut ())
         };
         if fits.is_err() {
             by_stack(bvh, query);
@@ -85,13 +87,13 @@ impl Level {
     }
 
     #[inline]
-    pub(super) fn tables<'t, S>(&'t self, bvh: &'t Bvh<S>) -> Tables<'t, Bvh<S>, &'t Beside> {
-        Tables::over(bvh, bvh.axes(), &self.beside)
+    pub(super) fn tables<'t, S>(&'t self, bvh: &'t Bvh<S>) -> Tables<'t, Bvh<S>> {
+        Tables::lent(bvh, bvh.axes(), &self.beside)
     }
 
     /// Searches that nothing can be pruned from are traversed as a whole.
     #[inline]
-    pub(super) fn method_for(&self, query: &(impl Visitor + ?Sized)) -> Method {
+    pub(super) fn method_for(&self, query: &(impl Pruned + ?Sized)) -> Method {
         if query.allows(self.method.test().pruning()) { self.method } else { self.method.without_pruning() }
     }
 }
@@ -114,7 +116,9 @@ impl Visitor for Nothing {
     fn leaf(&mut self, _: Node) -> Flow {
         Flow::Stop
     }
+}
 
+impl Pruned for Nothing {
     fn allows(&self, _: Pruning) -> bool {
         true
     }

@@ -14,9 +14,9 @@
 //! |---|---|
 //! | [`Tracer::closest`], or another query | which search: what is looked for, in which order, by which tests |
 //! | `Level::run` | the word of the keys; whether this search may be pruned |
-//! | [`Tables::run`](crate::traverse::Tables::run) | the traversal, with its tables: a cursor |
-//! | [`WithCursor::call`](crate::traverse::WithCursor::call) | that it runs to the end |
-//! | [`traverse`](crate::traverse::traverse) | the loop |
+//! | [`Method::dispatch`](crate::traverse::Method::dispatch) | the traversal, by its name |
+//! | [`Context::by_parent`](crate::traverse::Context::by_parent) | that its cursor runs to the end |
+//! | [`traverse_pruned`](crate::traverse::traverse_pruned) | the loop |
 //!
 //! Whether all these fit is found when the tracer is made ([`Unfit`](crate::traverse::Unfit)); a ray cannot fail. What is not
 //! a mesh, a ray, a ball or options of a builder is refused where it enters

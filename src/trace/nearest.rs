@@ -9,7 +9,7 @@ use glam::Vec3;
 use super::query::BoxQuery;
 use crate::bvh::Bvh;
 use crate::geom::{Aabb, Ball, Measure};
-use crate::order::{Descent, Flow, Repeatable, Side, Visitor};
+use crate::order::{Descent, Flow, Pruned, Repeatable, Side, Visitor};
 use crate::tree::{Node, Topology};
 
 /// The point of a mesh that is nearest to another point.
@@ -65,6 +65,8 @@ impl Visitor for NearestPoint<'_> {
         Flow::Continue
     }
 }
+
+impl Pruned for NearestPoint<'_> {}
 
 impl Repeatable for NearestPoint<'_> {}
 

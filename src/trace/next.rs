@@ -6,7 +6,7 @@ use super::query::BoxQuery;
 use crate::bvh::Bvh;
 use crate::geom::kernel::Real;
 use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs};
-use crate::order::{Descent, Flow, Repeatable, Visitor};
+use crate::order::{Descent, Flow, Pruned, Repeatable, Visitor};
 use crate::tree::Node;
 
 /// A ray on its way through a hierarchy that looks for the first hit in the order (`t`, primitive) after a given one.
@@ -61,6 +61,8 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for Following<'_, K, B> {
         Flow::Continue
     }
 }
+
+impl<K: Kernel, B: Slabs<Vector = K::Vector>> Pruned for Following<'_, K, B> {}
 
 impl<K: Kernel, B: Slabs<Vector = K::Vector>> Repeatable for Following<'_, K, B> {}
 

@@ -1,17 +1,17 @@
 //! What a query is to a traversal.
 
 use crate::geom::Aabb;
-use crate::order::{Descent, Flow, NodeTest, Pruning, Repeatable, Visitor};
+use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Repeatable, Visitor};
 use crate::tree::Node;
 
 /// A query that every traversal can run. As `&mut dyn Query` it is one type for all kinds, so that not all traversals are
 /// compiled for each kind anew.
-pub trait Query: Visitor + NodeTest {}
+pub trait Query: Pruned + NodeTest {}
 
-impl<Q: Visitor + NodeTest> Query for Q {}
+impl<Q: Pruned + NodeTest> Query for Q {}
 
 /// A query that decides on both children at their parent, and can test a node's own box as well.
-pub trait BoxQuery: Visitor {
+pub trait BoxQuery: Pruned {
     /// Whether what the query looks for may be in a box.
     fn touches(&self, aabb: &Aabb) -> bool;
 
@@ -60,7 +60,9 @@ impl<Q: BoxQuery> Visitor for OwnBoxes<'_, Q> {
     fn leaf(&mut self, node: Node) -> Flow {
         self.query.leaf(node)
     }
+}
 
+impl<Q: BoxQuery> Pruned for OwnBoxes<'_, Q> {
     #[inline]
     fn allows(&self, pruning: Pruning) -> bool {
         match pruning {

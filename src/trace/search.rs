@@ -9,7 +9,7 @@ use crate::bvh::{Bvh, LeafTriangle};
 use crate::geom::kernel::{Exact, Exact64, Real};
 use crate::geom::slabs::{Directed, Intervals, Wide};
 use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs};
-use crate::order::{Descent, Flow, Pruning, Repeatable, Visitor};
+use crate::order::{Descent, Flow, Pruned, Pruning, Repeatable, Visitor};
 use crate::tree::{Node, Topology};
 
 /// A closest-hit query, exact: visits the nearer child first, the left one of equals.
@@ -138,7 +138,9 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
     fn leaf(&mut self, node: Node) -> Flow {
         self.leaf_watched(node, |_, _| ())
     }
+}
 
+impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Pruned for Search<'_, K, B, ANY, O> {
     /// Not over triangles in parts: there a hit may lie beyond the leaf's box and behind what is in others, and the box is
     /// known to [`NodeSearch`] only.
     fn allows(&self, pruning: Pruning) -> bool {

@@ -1,57 +1,50 @@
 //! Áfra & Szirmay-Kalos 2014: a bit trail, and a climb along parent and sibling references.
 
 use super::marks::{self, Marks};
-use super::{Cursor, Incomplete, Next, Pause, Paused};
+use super::{Cursor, Incomplete, Next, Pause, Paused, Unfit};
 use crate::event::State;
-use crate::key::{KeyWord, TooDeep, branched};
+use crate::key::{KeyWord, branched};
 use crate::order::Descent;
 use crate::trail;
-use crate::tree::{Node, ParentLinks, Topology};
+use crate::tree::{Node, Recorded, Topology};
 
 /// Climbs while bit 0 of the trail is clear, then goes to the sibling; done when the trail is 0. `[AFRA-1]`
 ///
 /// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it (Binder &
 /// Keller 2016, Section 2.3).
 #[derive(Debug)]
-pub struct Afra<'t, W, T, P, M = ()> {
+pub struct Afra<'t, W, T, M = ()> {
     tree: &'t T,
-    parents: P,
     node: Node,
     trail: W,
     marks: M,
 }
 
-impl<'t, W: KeyWord, T: Topology, P: ParentLinks<T>, M: Marks<W>> Afra<'t, W, T, P, M> {
+impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Afra<'t, W, T, M> {
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`TooDeep`] beyond as many edges as the word has bits.
+    /// [`Unfit::NoLinks`] where the tree does not name them, and [`Unfit::TooDeep`] beyond as many edges as the word has bits.
     #[inline]
-    pub fn new(tree: &'t T, parents: P) -> Result<Self, TooDeep> {
+    pub fn new(tree: &'t T) -> Result<Self, Unfit> {
+        Unfit::unless_linked(tree, Recorded::ParentSibling)?;
         W::carries(tree.depth(), 0)?;
-        Ok(Self { tree, parents, node: tree.root(), trail: W::zero(), marks: M::default() })
+        Ok(Self { tree, node: tree.root(), trail: W::zero(), marks: M::default() })
     }
 }
 
-impl<W: KeyWord, T, P, M: Marks<W>> State for Afra<'_, W, T, P, M> {
+impl<W: KeyWord, T: Topology, M: Marks<W>> Cursor for Afra<'_, W, T, M> {
     type Word = W;
+    const PRUNES: bool = M::PRUNES;
 
     #[inline]
     fn node(&self) -> Node {
         self.node
     }
 
-    fn trail(&self) -> Option<W> {
-        Some(self.trail.clone())
+    fn state(&self) -> State<W> {
+        State { trail: Some(self.trail.clone()), disjoint: self.marks.get(), ..State::of(self.node()) }
     }
-
-    fn disjoint(&self) -> Option<W> {
-        self.marks.get()
-    }
-}
-
-impl<W: KeyWord, T: Topology, P: ParentLinks<T>, M: Marks<W>> Cursor for Afra<'_, W, T, P, M> {
-    const PRUNES: bool = M::PRUNES;
 
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
@@ -68,10 +61,10 @@ impl<W: KeyWord, T: Topology, P: ParentLinks<T>, M: Marks<W>> Cursor for Afra<'_
         }
         let up = trail::levels(&self.trail);
         for _ in 0..up {
-            self.node = self.parents.parent(self.tree, self.node);
+            self.node = self.tree.parent(self.node);
         }
         self.marks.climb(up);
-        self.node = self.parents.sibling(self.tree, self.node);
+        self.node = self.tree.sibling(self.node);
         self.trail = trail::leave(core::mem::take(&mut self.trail));
         true
     }
@@ -82,7 +75,7 @@ impl<W: KeyWord, T: Topology, P: ParentLinks<T>, M: Marks<W>> Cursor for Afra<'_
     }
 }
 
-impl<W: KeyWord, T: Topology, P: ParentLinks<T>, M: Marks<W>> Pause for Afra<'_, W, T, P, M> {
+impl<W: KeyWord, T: Topology, M: Marks<W>> Pause for Afra<'_, W, T, M> {
     fn put_aside(&self, next: Next) -> Paused<W> {
         let (trail, disjoint) = (self.trail.clone(), self.marks.get());
         Paused { node: self.node, register: None, key: None, trail, disjoint, next }

@@ -32,7 +32,7 @@ impl<W: KeyWord, L: Lookup<W>> ByKey<W, L> {
     }
 }
 
-impl<W: KeyWord, L: Lookup<W>> State for ByKey<W, L> {
+impl<W: KeyWord, L: Lookup<W>> Cursor for ByKey<W, L> {
     type Word = W;
 
     #[inline]
@@ -40,16 +40,10 @@ impl<W: KeyWord, L: Lookup<W>> State for ByKey<W, L> {
         self.node
     }
 
-    fn key(&self) -> Option<W> {
-        Some(self.key.clone())
+    fn state(&self) -> State<W> {
+        State { key: Some(self.key.clone()), trail: Some(self.trail.clone()), ..State::of(self.node()) }
     }
 
-    fn trail(&self) -> Option<W> {
-        Some(self.trail.clone())
-    }
-}
-
-impl<W: KeyWord, L: Lookup<W>> Cursor for ByKey<W, L> {
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         let first = descent.first();

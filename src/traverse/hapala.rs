@@ -1,9 +1,8 @@
 //! Hapala et al. 2011: parent references and a three-state automaton; the order is asked again on the way up.
 
-use super::Cursor;
-use crate::event::State;
+use super::{Cursor, Unfit};
 use crate::order::{Descent, FixedOrder};
-use crate::tree::{Node, ParentLinks, Topology};
+use crate::tree::{Node, Recorded, Topology};
 
 /// Climbs until it comes from a near child, then goes to the far one. No trail: whether a child was the near one is
 /// asked of the order again, which therefore has to be fixed for the ray (the sign of its direction). `[HAPALA-1]`
@@ -11,33 +10,34 @@ use crate::tree::{Node, ParentLinks, Topology};
 /// The visitor tests a node at its visit and wants both children, the near one first
 /// ([`ByNode`](crate::order::ByNode) does). The paper starts at the root's near child; here the root is visited too.
 #[derive(Debug)]
-pub struct Hapala<'t, T, P, O> {
+pub struct Hapala<'t, T, O> {
     tree: &'t T,
-    parents: P,
     order: O,
     node: Node,
     /// The automaton's state: arrived from the parent (so this is the near child), else from the sibling.
     from_parent: bool,
 }
 
-impl<'t, T: Topology, P: ParentLinks<T>, O: FixedOrder> Hapala<'t, T, P, O> {
+impl<'t, T: Topology, O: FixedOrder> Hapala<'t, T, O> {
     /// Starts at the root. The state does not grow with the depth.
+    ///
+    /// # Errors
+    /// [`Unfit::NoLinks`] where the tree does not name parents and siblings.
     #[inline]
-    pub fn new(tree: &'t T, parents: P, order: O) -> Self {
-        Self { tree, parents, order, node: tree.root(), from_parent: false }
+    pub fn new(tree: &'t T, order: O) -> Result<Self, Unfit> {
+        Unfit::unless_linked(tree, Recorded::ParentSibling)?;
+        Ok(Self { tree, order, node: tree.root(), from_parent: false })
     }
 }
 
-impl<T, P, O> State for Hapala<'_, T, P, O> {
+impl<T: Topology, O: FixedOrder> Cursor for Hapala<'_, T, O> {
     type Word = u64;
 
     #[inline]
     fn node(&self) -> Node {
         self.node
     }
-}
 
-impl<T: Topology, P: ParentLinks<T>, O: FixedOrder> Cursor for Hapala<'_, T, P, O> {
     #[inline(always)]
     fn descend(&mut self, _: Descent) -> bool {
         let near = self.order.first(self.node);
@@ -54,15 +54,15 @@ impl<T: Topology, P: ParentLinks<T>, O: FixedOrder> Cursor for Hapala<'_, T, P, 
             if self.node == root {
                 return false;
             }
-            let parent = self.parents.parent(self.tree, self.node);
+            let parent = self.tree.parent(self.node);
             self.node = parent;
             if parent != root {
-                let above = self.parents.parent(self.tree, parent);
+                let above = self.tree.parent(parent);
                 let near = self.order.first(above);
                 self.from_parent = self.tree.child(above, near) == parent;
             }
         }
-        self.node = self.parents.sibling(self.tree, self.node);
+        self.node = self.tree.sibling(self.node);
         self.from_parent = false;
         true
     }

@@ -33,7 +33,7 @@ impl<'t, W: KeyWord, T: Topology, L: Lookup<W>> HashOnly<'t, W, T, L> {
     }
 }
 
-impl<W: KeyWord, T, L> State for HashOnly<'_, W, T, L> {
+impl<W: KeyWord, T: Topology, L: Lookup<W>> Cursor for HashOnly<'_, W, T, L> {
     type Word = W;
 
     #[inline]
@@ -41,16 +41,10 @@ impl<W: KeyWord, T, L> State for HashOnly<'_, W, T, L> {
         self.node
     }
 
-    fn key(&self) -> Option<W> {
-        Some(self.key.clone())
+    fn state(&self) -> State<W> {
+        State { key: Some(self.key.clone()), trail: Some(self.trail.clone()), ..State::of(self.node()) }
     }
 
-    fn trail(&self) -> Option<W> {
-        Some(self.trail.clone())
-    }
-}
-
-impl<W: KeyWord, T: Topology, L: Lookup<W>> Cursor for HashOnly<'_, W, T, L> {
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         let first = descent.first();

@@ -4,22 +4,21 @@ use core::mem::take;
 
 use super::marks::{self, Marks};
 use super::register::Register;
-use super::{Cursor, Incomplete, Next, Pause, Paused};
+use super::{Cursor, Incomplete, Next, Pause, Paused, Unfit};
 use crate::event::State;
 use crate::hash::Lookup;
-use crate::key::{self, KeyWord, TooDeep, branched};
+use crate::key::{self, KeyWord, branched};
 use crate::order::Descent;
 use crate::trail;
-use crate::tree::{Node, Topology, UncleLinks};
+use crate::tree::{Node, Recorded, Topology};
 
 /// Goes to the register's node where it is set, else to the one that the table has for the key. `[HASHED-1]`
 ///
 /// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it (Section
 /// 2.3).
 #[derive(Debug)]
-pub struct Hashed<'t, W, T, U, L, M = ()> {
+pub struct Hashed<'t, W, T, L, M = ()> {
     tree: &'t T,
-    uncles: U,
     lookup: L,
     node: Node,
     key: W,
@@ -28,47 +27,39 @@ pub struct Hashed<'t, W, T, U, L, M = ()> {
     marks: M,
 }
 
-impl<'t, W: KeyWord, T: Topology, U: UncleLinks<T>, L: Lookup<W>, M: Marks<W>> Hashed<'t, W, T, U, L, M> {
+impl<'t, W: KeyWord, T: Topology, L: Lookup<W>, M: Marks<W>> Hashed<'t, W, T, L, M> {
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`TooDeep`] where the key would lose its leading one: beyond as many edges as the word has bits, less one.
+    /// [`Unfit::NoLinks`] where the tree does not name them, and [`Unfit::TooDeep`] where the key would lose its leading one: beyond as many edges as the word has bits, less one.
     #[inline]
-    pub fn new(tree: &'t T, uncles: U, lookup: L) -> Result<Self, TooDeep> {
+    pub fn new(tree: &'t T, lookup: L) -> Result<Self, Unfit> {
+        Unfit::unless_linked(tree, Recorded::Uncles)?;
         W::carries(tree.depth(), 1)?;
         let register = Register::empty(tree);
         let (key, trail, marks) = (key::root(), W::zero(), M::default());
-        Ok(Self { tree, uncles, lookup, node: tree.root(), key, trail, register, marks })
+        Ok(Self { tree, lookup, node: tree.root(), key, trail, register, marks })
     }
 }
 
-impl<W: KeyWord, T: Topology, U, L, M: Marks<W>> State for Hashed<'_, W, T, U, L, M> {
+impl<W: KeyWord, T: Topology, L: Lookup<W>, M: Marks<W>> Cursor for Hashed<'_, W, T, L, M> {
     type Word = W;
+    const PRUNES: bool = M::PRUNES;
 
     #[inline]
     fn node(&self) -> Node {
         self.node
     }
 
-    fn key(&self) -> Option<W> {
-        Some(self.key.clone())
+    fn state(&self) -> State<W> {
+        State {
+            key: Some(self.key.clone()),
+            trail: Some(self.trail.clone()),
+            register: self.register.get(self.tree),
+            disjoint: self.marks.get(),
+            ..State::of(self.node())
+        }
     }
-
-    fn trail(&self) -> Option<W> {
-        Some(self.trail.clone())
-    }
-
-    fn register(&self) -> Option<Node> {
-        self.register.get(self.tree)
-    }
-
-    fn disjoint(&self) -> Option<W> {
-        self.marks.get()
-    }
-}
-
-impl<W: KeyWord, T: Topology, U: UncleLinks<T>, L: Lookup<W>, M: Marks<W>> Cursor for Hashed<'_, W, T, U, L, M> {
-    const PRUNES: bool = M::PRUNES;
 
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
@@ -76,7 +67,7 @@ impl<W: KeyWord, T: Topology, U: UncleLinks<T>, L: Lookup<W>, M: Marks<W>> Curso
         if descent.postpones() {
             self.register.set(self.tree.child(self.node, first.other()));
         } else {
-            self.register.keep(&self.uncles, self.tree, self.node, self.trail.low_bits());
+            self.register.keep(self.tree, self.node, self.trail.low_bits());
         }
         self.node = self.tree.child(self.node, first);
         self.key = key::child(take(&mut self.key), first.bit());
@@ -90,7 +81,7 @@ impl<W: KeyWord, T: Topology, U: UncleLinks<T>, L: Lookup<W>, M: Marks<W>> Curso
         if self.trail.is_zero() {
             return false;
         }
-        self.register.fill(&self.uncles, self.tree, self.node, self.trail.low_bits());
+        self.register.fill(self.tree, self.node, self.trail.low_bits());
         self.marks.climb(trail::levels(&self.trail));
         (self.key, self.trail) = trail::backtrack(take(&mut self.key), take(&mut self.trail));
         self.node = self.register.take(self.tree).unwrap_or_else(|| self.lookup.node(&self.key));
@@ -105,10 +96,17 @@ impl<W: KeyWord, T: Topology, U: UncleLinks<T>, L: Lookup<W>, M: Marks<W>> Curso
     }
 }
 
-impl<W: KeyWord, T: Topology, U: UncleLinks<T>, L: Lookup<W>, M: Marks<W>> Pause for Hashed<'_, W, T, U, L, M> {
+impl<W: KeyWord, T: Topology, L: Lookup<W>, M: Marks<W>> Pause for Hashed<'_, W, T, L, M> {
     fn put_aside(&self, next: Next) -> Paused<W> {
         let (key, disjoint) = (Some(self.key.clone()), self.marks.get());
-        Paused { node: self.node, register: self.register(), key, trail: self.trail.clone(), disjoint, next }
+        Paused {
+            node: self.node,
+            register: self.register.get(self.tree),
+            key,
+            trail: self.trail.clone(),
+            disjoint,
+            next,
+        }
     }
 
     fn take_up(&mut self, paused: Paused<W>) -> Result<(), Incomplete> {

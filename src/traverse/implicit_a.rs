@@ -72,7 +72,7 @@ fn mask_bit<W: KeyWord>(descent: Descent) -> W {
     descent.first().bit::<W>().xor(&branched(!descent.postpones()))
 }
 
-impl<W: KeyWord, L: Lookup<W>> State for ImplicitA<W, L> {
+impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitA<W, L> {
     type Word = W;
 
     #[inline]
@@ -80,16 +80,14 @@ impl<W: KeyWord, L: Lookup<W>> State for ImplicitA<W, L> {
         self.node
     }
 
-    fn key(&self) -> Option<W> {
-        Some(self.current_key())
+    fn state(&self) -> State<W> {
+        State {
+            key: Some(self.current_key()),
+            counter: Some(self.level_start.clone().or(&self.level_index)),
+            ..State::of(self.node())
+        }
     }
 
-    fn counter(&self) -> Option<W> {
-        Some(self.level_start.clone().or(&self.level_index))
-    }
-}
-
-impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitA<W, L> {
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         self.level_start = take(&mut self.level_start).shl1();
@@ -114,7 +112,7 @@ impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitA<W, L> {
     }
 }
 
-impl<W: KeyWord, L: Lookup<W>> State for ImplicitA1<W, L> {
+impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitA1<W, L> {
     type Word = W;
 
     #[inline]
@@ -122,16 +120,14 @@ impl<W: KeyWord, L: Lookup<W>> State for ImplicitA1<W, L> {
         self.node
     }
 
-    fn key(&self) -> Option<W> {
-        Some(swap::fcomp(self.index.clone(), &self.swap_mask))
+    fn state(&self) -> State<W> {
+        State {
+            key: Some(swap::fcomp(self.index.clone(), &self.swap_mask)),
+            counter: Some(self.index.clone()),
+            ..State::of(self.node())
+        }
     }
 
-    fn counter(&self) -> Option<W> {
-        Some(self.index.clone())
-    }
-}
-
-impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitA1<W, L> {
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         self.index = take(&mut self.index).shl1().or(&branched(!descent.postpones()));

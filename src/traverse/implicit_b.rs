@@ -77,7 +77,7 @@ fn up_and_over<W: KeyWord>(path: &mut W, counter: &mut W) -> u32 {
     up
 }
 
-impl<W: KeyWord, L: Lookup<W>> State for ImplicitB<W, L> {
+impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitB<W, L> {
     type Word = W;
 
     #[inline]
@@ -85,16 +85,14 @@ impl<W: KeyWord, L: Lookup<W>> State for ImplicitB<W, L> {
         self.node
     }
 
-    fn key(&self) -> Option<W> {
-        Some(self.current_key())
+    fn state(&self) -> State<W> {
+        State {
+            key: Some(self.current_key()),
+            counter: Some(self.level_start.clone().or(&self.level_index)),
+            ..State::of(self.node())
+        }
     }
 
-    fn counter(&self) -> Option<W> {
-        Some(self.level_start.clone().or(&self.level_index))
-    }
-}
-
-impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitB<W, L> {
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         self.level_start = take(&mut self.level_start).shl1();
@@ -115,7 +113,7 @@ impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitB<W, L> {
     }
 }
 
-impl<W: KeyWord, L: Lookup<W>> State for ImplicitB1<W, L> {
+impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitB1<W, L> {
     type Word = W;
 
     #[inline]
@@ -123,12 +121,10 @@ impl<W: KeyWord, L: Lookup<W>> State for ImplicitB1<W, L> {
         self.node
     }
 
-    fn key(&self) -> Option<W> {
-        Some(self.index.clone())
+    fn state(&self) -> State<W> {
+        State { key: Some(self.index.clone()), ..State::of(self.node()) }
     }
-}
 
-impl<W: KeyWord, L: Lookup<W>> Cursor for ImplicitB1<W, L> {
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
         down(&mut self.index, &mut self.level_index, descent);

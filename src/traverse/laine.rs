@@ -53,22 +53,19 @@ impl<'t, const K: usize, W: KeyWord, T: Topology> Laine<'t, K, W, T> {
     }
 }
 
-impl<const K: usize, W: KeyWord, T> State for Laine<'_, K, W, T> {
+impl<const K: usize, W: KeyWord, T: Topology> Cursor for Laine<'_, K, W, T> {
     type Word = W;
+    const RESTARTS: bool = true;
 
     #[inline]
     fn node(&self) -> Node {
         self.node
     }
 
-    fn is_restarting(&self) -> bool {
-        // Level bits are single: the trailing zeros compare them.
-        !self.pop_level.is_zero() && self.level.trailing_zeros() > self.pop_level.trailing_zeros()
+    fn state(&self) -> State<W> {
+        State { is_restarting: // Level bits are single: the trailing zeros compare them.
+        !self.pop_level.is_zero() && self.level.trailing_zeros() > self.pop_level.trailing_zeros(), ..State::of(self.node()) }
     }
-}
-
-impl<const K: usize, W: KeyWord, T: Topology> Cursor for Laine<'_, K, W, T> {
-    const RESTARTS: bool = true;
 
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {

@@ -38,7 +38,7 @@ impl<W: KeyWord, L: Lookup<W>> LeftFirst<W, L> {
     }
 }
 
-impl<W: KeyWord, L: Lookup<W>> State for LeftFirst<W, L> {
+impl<W: KeyWord, L: Lookup<W>> Cursor for LeftFirst<W, L> {
     type Word = W;
 
     #[inline]
@@ -46,16 +46,14 @@ impl<W: KeyWord, L: Lookup<W>> State for LeftFirst<W, L> {
         self.node
     }
 
-    fn key(&self) -> Option<W> {
-        Some(self.level_start.clone().or(&self.level_index))
+    fn state(&self) -> State<W> {
+        State {
+            key: Some(self.level_start.clone().or(&self.level_index)),
+            counter: Some(self.level_start.clone().or(&self.level_index)),
+            ..State::of(self.node())
+        }
     }
 
-    fn counter(&self) -> Option<W> {
-        Some(self.level_start.clone().or(&self.level_index))
-    }
-}
-
-impl<W: KeyWord, L: Lookup<W>> Cursor for LeftFirst<W, L> {
     #[inline(always)]
     fn descend(&mut self, _: Descent) -> bool {
         self.level_start = core::mem::take(&mut self.level_start).shl1();

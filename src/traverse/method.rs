@@ -1,44 +1,12 @@
-//! The traversals by name.
+//! What the [table](super::Method) says of a traversal.
 
-use super::WordName;
+use alloc::format;
+use alloc::string::String;
+
+use super::{Method, Unfit, WordName};
 use crate::key::{Grow, KeyWord};
-use crate::name::named;
 use crate::order::Pruning;
 use crate::tree::Recorded;
-
-/// A traversal, by the name that code, command line, suite and tables share.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[allow(missing_docs, reason = "each is documented where it is implemented")]
-pub enum Method {
-    Stack,
-    StackDisjoint,
-    StackT0,
-    LeftFirst,
-    ImplicitA,
-    ImplicitA1,
-    ImplicitB,
-    ImplicitB1,
-    Sparse,
-    SparseDisjoint,
-    Hapala,
-    Laine0,
-    Laine1,
-    Laine2,
-    Laine4,
-    Laine8,
-    #[default]
-    Afra,
-    AfraDisjoint,
-    Uncle,
-    UncleDisjoint,
-    HashOnly,
-    Hashed,
-    HashedDisjoint,
-    Skip,
-    SkipOctant,
-    Complete,
-    Glassner,
-}
 
 /// What a traversal tests at a visit, and in which order it takes the children: which oracle it is held to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,150 +37,159 @@ impl Test {
     }
 }
 
-impl Method {
-    /// All traversals, in the order of the tables.
-    pub const ALL: [Self; 27] = [
-        Self::Stack,
-        Self::StackDisjoint,
-        Self::StackT0,
-        Self::LeftFirst,
-        Self::ImplicitA,
-        Self::ImplicitA1,
-        Self::ImplicitB,
-        Self::ImplicitB1,
-        Self::Sparse,
-        Self::SparseDisjoint,
-        Self::Hapala,
-        Self::Laine0,
-        Self::Laine1,
-        Self::Laine2,
-        Self::Laine4,
-        Self::Laine8,
-        Self::Afra,
-        Self::AfraDisjoint,
-        Self::Uncle,
-        Self::UncleDisjoint,
-        Self::HashOnly,
-        Self::Hashed,
-        Self::HashedDisjoint,
-        Self::Skip,
-        Self::SkipOctant,
-        Self::Complete,
-        Self::Glassner,
-    ];
+/// What a traversal needs beside the tree and its links.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Need {
+    /// Nothing.
+    Nothing,
+    /// A perfect hash of the keys that records do not reach. `[HASH-3]`
+    ReachedKeys,
+    /// A perfect hash of all keys.
+    AllKeys,
+    /// The implicit layout, or a map in its place.
+    Layout,
+    /// The addresses of a complete tree.
+    Complete,
+    /// A table of all keys, with chains.
+    Chains,
+    /// Skip pointers, left before right.
+    Skips,
+    /// Skip pointers for each octant of directions.
+    SkipsBySign,
+}
 
+impl Need {
+    /// In a few words.
+    const fn text(self) -> &'static str {
+        match self {
+            Self::Nothing => "",
+            Self::ReachedKeys => "perfect hash of a sixth of the keys",
+            Self::AllKeys => "perfect hash of all keys",
+            Self::Layout => "implicit layout",
+            Self::Complete => "a complete tree",
+            Self::Chains => "chained table of all keys",
+            Self::Skips => "skip pointers",
+            Self::SkipsBySign => "eight sets of skip pointers",
+        }
+    }
+}
+
+/// Which words there are in the state.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Words {
+    /// None.
+    None,
+    /// Of any kind.
+    Any,
+    /// Of a fixed width: aligned to a highest bit, which a growing word has not.
+    Fixed,
+}
+
+/// What the cursor can do.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// Takes decisions on both children at their parent.
+    ByParent,
+    /// The same, and asks again on the way down from the root.
+    Restarting,
+    /// The same as the first, and can be put aside.
+    Pausing,
+    /// Takes tests of nodes at their visit, in an order that is fixed.
+    ByNode,
+}
+
+/// A row of the table.
+pub(super) struct Row {
+    pub(super) name: &'static str,
+    pub(super) by: &'static str,
+    pub(super) clause: &'static str,
+    pub(super) help: &'static str,
+    pub(super) test: Test,
+    pub(super) links: Recorded,
+    pub(super) need: Need,
+    pub(super) words: Words,
+    pub(super) kind: Kind,
+    pub(super) without: Method,
+}
+
+impl Default for Method {
+    /// What the ray tracer takes if nothing is said: it runs on any tree. What it was chosen by: `benches/README.md`.
+    fn default() -> Self {
+        Self::Afra
+    }
+}
+
+impl Method {
     /// The name.
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::Stack => "stack",
-            Self::StackDisjoint => "stack-disjoint",
-            Self::StackT0 => "stack-t0",
-            Self::LeftFirst => "left-first",
-            Self::ImplicitA => "implicit-a",
-            Self::ImplicitA1 => "implicit-a1",
-            Self::ImplicitB => "implicit-b",
-            Self::ImplicitB1 => "implicit-b1",
-            Self::Sparse => "sparse",
-            Self::SparseDisjoint => "sparse-disjoint",
-            Self::Hapala => "hapala",
-            Self::Laine0 => "laine-0",
-            Self::Laine1 => "laine-1",
-            Self::Laine2 => "laine-2",
-            Self::Laine4 => "laine-4",
-            Self::Laine8 => "laine-8",
-            Self::Afra => "afra",
-            Self::AfraDisjoint => "afra-disjoint",
-            Self::Uncle => "uncle",
-            Self::UncleDisjoint => "uncle-disjoint",
-            Self::HashOnly => "hash-only",
-            Self::Hashed => "hashed",
-            Self::HashedDisjoint => "hashed-disjoint",
-            Self::Skip => "skip",
-            Self::SkipOctant => "skip-octant",
-            Self::Complete => "complete",
-            Self::Glassner => "glassner",
-        }
+        self.row().name
+    }
+
+    /// Who has published it, and where there.
+    pub const fn by(self) -> &'static str {
+        self.row().by
+    }
+
+    /// The clause of the specification that defines it.
+    pub const fn clause(self) -> &'static str {
+        self.row().clause
+    }
+
+    /// How it works, in a sentence.
+    pub const fn help(self) -> &'static str {
+        self.row().help
     }
 
     /// What it tests.
     pub const fn test(self) -> Test {
-        match self {
-            Self::LeftFirst | Self::Skip => Test::NodeLeftFirst,
-            Self::Hapala | Self::SkipOctant => Test::NodeBySign,
-            Self::StackT0 => Test::Distance,
-            Self::StackDisjoint
-            | Self::SparseDisjoint
-            | Self::AfraDisjoint
-            | Self::UncleDisjoint
-            | Self::HashedDisjoint => Test::Disjoint,
-            _ => Test::Children,
-        }
+        self.row().test
     }
 
     /// What it wants the records to name besides the children, not to need a table beside the tree.
     pub const fn wants_recorded(self) -> Recorded {
-        match self.without_pruning() {
-            Self::Sparse | Self::Afra | Self::Hapala => Recorded::ParentSibling,
-            Self::Uncle | Self::Hashed => Recorded::Uncles,
-            _ => Recorded::Nothing,
-        }
+        self.row().links
+    }
+
+    /// What it needs beside the tree and its links.
+    pub const fn needs(self) -> Need {
+        self.row().need
     }
 
     /// Whether its state is of constant size and can be put aside ([`Pause`](super::Pause)).
     pub const fn can_pause(self) -> bool {
-        matches!(self.without_pruning(), Self::Sparse | Self::Afra | Self::Uncle | Self::HashOnly | Self::Hashed)
+        matches!(self.row().kind, Kind::Pausing)
     }
 
     /// The same traversal, with no postponed nodes left out: for searches that are not ordered.
     #[must_use]
     pub const fn without_pruning(self) -> Self {
-        match self {
-            Self::StackDisjoint | Self::StackT0 => Self::Stack,
-            Self::SparseDisjoint => Self::Sparse,
-            Self::AfraDisjoint => Self::Afra,
-            Self::UncleDisjoint => Self::Uncle,
-            Self::HashedDisjoint => Self::Hashed,
-            other => other,
-        }
+        self.row().without
     }
 
     /// The same traversal with a second trail, where that exists.
-    pub const fn with_second_trail(self) -> Option<Self> {
-        match self {
-            Self::Sparse => Some(Self::SparseDisjoint),
-            Self::Afra => Some(Self::AfraDisjoint),
-            Self::Uncle => Some(Self::UncleDisjoint),
-            Self::Hashed => Some(Self::HashedDisjoint),
-            _ => None,
-        }
+    pub fn with_second_trail(self) -> Option<Self> {
+        let prunes_as_this = |other: &Self| other.without_pruning() == self && *other != self && other.can_pause();
+        Self::ALL.into_iter().find(prunes_as_this)
     }
 
     /// Whether it asks the visitor again on the way down from the root, so that its trace is the oracle's only
     /// where the answers do not change.
     pub const fn restarts(self) -> bool {
-        self.short_stack().is_some()
-    }
-
-    /// Number of nodes in Laine's short stack.
-    const fn short_stack(self) -> Option<usize> {
-        match self {
-            Self::Laine0 => Some(0),
-            Self::Laine1 => Some(1),
-            Self::Laine2 => Some(2),
-            Self::Laine4 => Some(4),
-            Self::Laine8 => Some(8),
-            _ => None,
-        }
+        matches!(self.row().kind, Kind::Restarting)
     }
 
     /// Whether its state has words, and so comes in several widths. The others are run once.
     pub const fn has_words(self) -> bool {
-        !matches!(self.without_pruning(), Self::Stack | Self::Hapala | Self::Skip | Self::SkipOctant)
+        !matches!(self.row().words, Words::None)
     }
 
-    /// Whether it exists for this word. Laine's trail is aligned to a highest bit, which a growing word has not.
+    /// Whether it exists for this word.
     pub fn exists_for<W: KeyWord>(self) -> bool {
-        W::WIDTH.is_some() || !self.restarts()
+        W::WIDTH.is_some() || self.row().words != Words::Fixed
+    }
+
+    pub(super) fn fits<W: KeyWord>(self) -> Result<(), Unfit> {
+        if self.exists_for::<W>() { Ok(()) } else { Err(Unfit::NoSuchWord { word: W::NAME }) }
     }
 
     /// [`state_bytes`](Self::state_bytes) for a word that is known only when the program runs.
@@ -225,30 +202,27 @@ impl Method {
         }
     }
 
-    /// Bytes of its state for one ray in a tree of this depth, as Barringer & Akenine-Möller count: 4 for each
-    /// variable, one word for each key, trail, counter or mask, and a head for a stack. `[STATE-1]`
-    pub fn state_bytes<W: KeyWord>(self, depth: u32) -> usize {
-        const NODE: usize = 4;
-        let word = W::bytes(depth);
-        match self {
-            Self::Stack => NODE + 4 + NODE * depth as usize,
-            Self::StackDisjoint | Self::StackT0 => NODE + 4 + 2 * NODE * depth as usize,
-            Self::LeftFirst | Self::ImplicitA1 | Self::ImplicitB1 | Self::Complete => 2 * word,
-            Self::ImplicitA | Self::ImplicitB => 3 * word,
-            Self::Sparse | Self::Afra => NODE + word,
-            Self::Hapala => NODE + 4,
-            Self::Uncle => 2 * NODE + word,
-            Self::Hashed | Self::UncleDisjoint => 2 * NODE + 2 * word,
-            Self::HashedDisjoint => 2 * NODE + 3 * word,
-            Self::Skip | Self::SkipOctant => NODE,
-            Self::HashOnly | Self::Glassner | Self::SparseDisjoint | Self::AfraDisjoint => NODE + 2 * word,
-            Self::Laine0 | Self::Laine1 | Self::Laine2 | Self::Laine4 | Self::Laine8 => {
-                let short = self.short_stack().unwrap_or(0);
-                // Besides the nodes the short stack has a head and a length.
-                NODE + 3 * word + NODE * short + if short > 0 { 8 } else { 0 }
-            }
-        }
+    /// All traversals as a table in Markdown: the README's.
+    pub fn markdown() -> String {
+        let head = "| name | by | needs beside the children | bytes of state, 32-bit keys |\n|---|---|---|---:|\n";
+        Self::ALL.into_iter().fold(String::from(head), |table, method| table + &method.markdown_row())
+    }
+
+    fn markdown_row(self) -> String {
+        let links = match self.wants_recorded() {
+            Recorded::Nothing => "",
+            Recorded::ParentSibling => "parent, sibling",
+            Recorded::Uncles => "uncle, grand uncle",
+        };
+        let order = match self.test() {
+            Test::Disjoint | Test::Distance => "children in the order of distance",
+            Test::NodeBySign => "order by sign",
+            Test::Children | Test::NodeLeftFirst => "",
+        };
+        let needs = [links, self.needs().text(), order].into_iter().filter(|need| !need.is_empty());
+        let needs = needs.fold(String::new(), |all, need| if all.is_empty() { need.into() } else { all + "; " + need });
+        let [bytes, deeper] = [0, 1].map(|depth| self.state_bytes::<u32>(depth));
+        let a_level = if deeper > bytes { format!(" + {} a level", deeper - bytes) } else { String::new() };
+        format!("| `{}` | {} | {needs} | {bytes}{a_level} |\n", self.name(), self.by())
     }
 }
-
-named!(Method);

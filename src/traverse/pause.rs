@@ -8,11 +8,11 @@
 
 use core::fmt;
 
-use super::{Cursor, traverse};
+use super::{Cursor, traverse_pruned};
 use crate::event::Recorder;
 use crate::hash::{KeyMap, Lookup};
 use crate::key::{self, KeyWord};
-use crate::order::{Repeatable, Visitor};
+use crate::order::{Pruned, Repeatable};
 use crate::trail;
 use crate::tree::{Keys, Node, Topology};
 
@@ -27,7 +27,7 @@ pub enum Next {
 
 /// A cursor whose state can be put aside.
 pub trait Pause: Cursor {
-    /// The state; what comes next is what [`traverse`] has answered.
+    /// The state; what comes next is what [`traverse_pruned`] has answered.
     fn put_aside(&self, next: Next) -> Paused<Self::Word>;
 
     /// Takes over a state, of any traversal of the same tree in the same word. `[PAUSE-1]`
@@ -162,14 +162,15 @@ impl<W: KeyWord> Paused<W> {
     }
 }
 
-/// Goes on with a traversal that was put aside. Returns what [`traverse`] returns.
+/// Goes on with a traversal that was put aside. Returns what [`traverse_pruned`] returns. A search that says nothing of
+/// pruning is passed as [`Whole`](crate::order::Whole).
 ///
 /// # Errors
 /// [`Incomplete`], before the first step.
 pub fn resume<C: Pause>(
     mut cursor: C,
     paused: Paused<C::Word>,
-    visitor: &mut impl Visitor,
+    search: &mut impl Pruned,
     recorder: &mut impl Recorder,
 ) -> Result<Option<Next>, Incomplete> {
     let next = paused.next;
@@ -177,7 +178,7 @@ pub fn resume<C: Pause>(
     if next == Next::Backtrack && !cursor.backtrack() {
         return Ok(None);
     }
-    Ok(traverse(cursor, visitor, recorder))
+    Ok(traverse_pruned(cursor, search, recorder))
 }
 
 /// A node from which all that is not below it is still to be visited: its subtree, its sibling's, its uncle's and so on up
@@ -232,15 +233,15 @@ impl<W: KeyWord> KeyOnly<W> {
     }
 }
 
-/// Goes on with a search from a node, as [`KeyOnly`] says. Returns what [`traverse`] returns.
+/// Goes on with a search from a node, as [`KeyOnly`] says. Returns what [`traverse_pruned`] returns.
 ///
 /// # Errors
 /// [`Incomplete`], before the first step.
 pub fn revisit<C: Pause>(
     cursor: C,
     from: KeyOnly<C::Word>,
-    visitor: &mut impl Repeatable,
+    search: &mut (impl Repeatable + Pruned),
     recorder: &mut impl Recorder,
 ) -> Result<Option<Next>, Incomplete> {
-    resume(cursor, from.0, visitor, recorder)
+    resume(cursor, from.0, search, recorder)
 }

@@ -1,9 +1,9 @@
 //! The stack, with what it takes to leave out postponed nodes after a hit.
 
 use alloc::vec::Vec;
+use core::borrow::BorrowMut;
 
 use super::Cursor;
-use crate::event::State;
 use crate::order::Descent;
 use crate::tree::{Node, Topology};
 
@@ -11,34 +11,39 @@ use crate::tree::{Node, Topology};
 /// of the search are dropped when they are popped (Dammertz 2011, named by Binder & Keller 2016, Section 2.3). Or each with
 /// the mark of its descent: those that are disjoint from what is found are dropped when it is found.
 #[derive(Debug)]
-pub struct PruningStack<'t, T, const BY_DISTANCE: bool> {
+pub struct PruningStack<'t, T, const BY_DISTANCE: bool, M = &'t mut Vec<Node>> {
     tree: &'t T,
     node: Node,
     /// Two places for each: the node, and, as the bits of an address, its distance or its mark.
-    postponed: &'t mut Vec<Node>,
+    postponed: M,
 }
 
 impl<'t, T: Topology, const BY_DISTANCE: bool> PruningStack<'t, T, BY_DISTANCE> {
     /// Starts at the root. The memory of the stack is the caller's, so that many traversals can share it.
     #[inline]
     pub fn new(tree: &'t T, memory: &'t mut Vec<Node>) -> Self {
-        memory.clear();
+        Self::with(tree, memory)
+    }
+}
+
+impl<'t, T: Topology, const BY_DISTANCE: bool, M: BorrowMut<Vec<Node>>> PruningStack<'t, T, BY_DISTANCE, M> {
+    /// Starts at the root, with memory that is borrowed or owned.
+    #[inline]
+    pub fn with(tree: &'t T, mut memory: M) -> Self {
+        memory.borrow_mut().clear();
         Self { tree, node: tree.root(), postponed: memory }
     }
 }
 
-impl<T, const BY_DISTANCE: bool> State for PruningStack<'_, T, BY_DISTANCE> {
+impl<T: Topology, const BY_DISTANCE: bool, M: BorrowMut<Vec<Node>>> Cursor for PruningStack<'_, T, BY_DISTANCE, M> {
     type Word = u64;
+    const PRUNES: bool = !BY_DISTANCE;
+    const KEEPS_DISTANCES: bool = BY_DISTANCE;
 
     #[inline]
     fn node(&self) -> Node {
         self.node
     }
-}
-
-impl<T: Topology, const BY_DISTANCE: bool> Cursor for PruningStack<'_, T, BY_DISTANCE> {
-    const PRUNES: bool = !BY_DISTANCE;
-    const KEEPS_DISTANCES: bool = BY_DISTANCE;
 
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
@@ -46,40 +51,42 @@ impl<T: Topology, const BY_DISTANCE: bool> Cursor for PruningStack<'_, T, BY_DIS
         self.node = self.tree.child(node, first);
         if descent.postpones() {
             let mark = Node::from_bits(u32::from(descent.is_disjoint()));
-            self.postponed.extend([self.tree.child(node, first.other()), mark]);
+            self.postponed.borrow_mut().extend([self.tree.child(node, first.other()), mark]);
         }
         true
     }
 
     #[inline(always)]
     fn keep_distance(&mut self, distance: u32) {
-        if let Some(last) = self.postponed.last_mut() {
+        if let Some(last) = self.postponed.borrow_mut().last_mut() {
             *last = Node::from_bits(distance);
         }
     }
 
     #[inline(always)]
     fn drop_beyond(&mut self, end: u32) {
-        while self.postponed.last().is_some_and(|distance| distance.to_bits() > end) {
-            self.postponed.truncate(self.postponed.len() - 2);
+        let postponed = self.postponed.borrow_mut();
+        while postponed.last().is_some_and(|distance| distance.to_bits() > end) {
+            postponed.truncate(postponed.len() - 2);
         }
     }
 
     fn prune(&mut self) {
-        let mut kept = 0;
-        for i in (0..self.postponed.len()).step_by(2) {
-            if self.postponed[i + 1].to_bits() == 0 {
-                self.postponed.copy_within(i..i + 2, kept);
+        let (postponed, mut kept) = (self.postponed.borrow_mut(), 0);
+        for i in (0..postponed.len()).step_by(2) {
+            if postponed[i + 1].to_bits() == 0 {
+                postponed.copy_within(i..i + 2, kept);
                 kept += 2;
             }
         }
-        self.postponed.truncate(kept);
+        postponed.truncate(kept);
     }
 
     #[inline(always)]
     fn backtrack(&mut self) -> bool {
-        self.postponed.pop();
-        match self.postponed.pop() {
+        let postponed = self.postponed.borrow_mut();
+        postponed.pop();
+        match postponed.pop() {
             Some(node) => {
                 self.node = node;
                 true

@@ -5,7 +5,7 @@ use core::hint::select_unpredictable;
 use super::Incomplete;
 use crate::key::KeyWord;
 use crate::trail::{is_pending, levels};
-use crate::tree::{Node, Topology, UncleLinks};
+use crate::tree::{Node, Topology};
 
 /// Address of the node that comes next, if it is known (`mrpnAddr` of Binder & Keller's Algorithm 1).
 ///
@@ -34,15 +34,15 @@ impl Register {
     /// wait for it, and what is postponed on the way down replaces it: so here a node is taken when the search turns back,
     /// and on a descent only where it gets out of reach. The register then holds the same node whenever it is used.
     #[inline(always)]
-    pub(super) fn fill<T: Topology>(&mut self, uncles: &impl UncleLinks<T>, tree: &T, node: Node, trail: u32) {
-        let named = uncles.lowest_pending(tree, node, trail, self.0);
+    pub(super) fn fill(&mut self, tree: &impl Topology, node: Node, trail: u32) {
+        let named = tree.lowest_pending(node, trail, self.0);
         self.0 = select_unpredictable(self.0 == tree.root(), named, self.0);
     }
 
     /// On a descent into a single child, if unset: takes the lowest postponed node if only this record names it.
     #[inline(always)]
-    pub(super) fn keep<T: Topology>(&mut self, uncles: &impl UncleLinks<T>, tree: &T, node: Node, trail: u32) {
-        let leaving = uncles.lowest_leaving(tree, node, trail, self.0);
+    pub(super) fn keep(&mut self, tree: &impl Topology, node: Node, trail: u32) {
+        let leaving = tree.lowest_leaving(node, trail, self.0);
         self.0 = select_unpredictable(self.0 == tree.root(), leaving, self.0);
     }
 

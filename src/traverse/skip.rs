@@ -4,7 +4,6 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::Cursor;
-use crate::event::State;
 use crate::order::{Descent, FixedOrder};
 use crate::tree::{Node, Topology, for_each_parent};
 
@@ -58,16 +57,14 @@ impl<'t, T: Topology, O: FixedOrder> Skip<'t, T, O> {
     }
 }
 
-impl<T, O> State for Skip<'_, T, O> {
+impl<T: Topology, O: FixedOrder> Cursor for Skip<'_, T, O> {
     type Word = u64;
 
     #[inline]
     fn node(&self) -> Node {
         self.node
     }
-}
 
-impl<T: Topology, O: FixedOrder> Cursor for Skip<'_, T, O> {
     #[inline(always)]
     fn descend(&mut self, _: Descent) -> bool {
         self.node = self.tree.child(self.node, self.order.first(self.node));

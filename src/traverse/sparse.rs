@@ -1,12 +1,12 @@
 //! Barringer & Akenine-Möller 2013, Algorithm 4: the counter, and a climb along parent references.
 
 use super::marks::Marks;
-use super::{Cursor, Incomplete, Next, Pause, Paused};
+use super::{Cursor, Incomplete, Next, Pause, Paused, Unfit};
 use crate::event::State;
-use crate::key::{self, KeyWord, TooDeep, branched};
+use crate::key::{self, KeyWord, branched};
 use crate::order::Descent;
 use crate::trail;
-use crate::tree::{Node, ParentLinks, Topology};
+use crate::tree::{Node, Recorded, Topology};
 
 /// Counts as if every left child came first; the carries of the increment say how far to climb. `[SPARSE-1]`
 ///
@@ -17,46 +17,39 @@ use crate::tree::{Node, ParentLinks, Topology};
 /// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it (Binder &
 /// Keller 2016, Section 2.3). To end something is to count it as done.
 #[derive(Debug)]
-pub struct Sparse<'t, W, T, P, M = ()> {
+pub struct Sparse<'t, W, T, M = ()> {
     tree: &'t T,
-    parents: P,
     node: Node,
     /// `levelStart + levelIndex`.
     index: W,
     marks: M,
 }
 
-impl<'t, W: KeyWord, T: Topology, P: ParentLinks<T>, M: Marks<W>> Sparse<'t, W, T, P, M> {
+impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Sparse<'t, W, T, M> {
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`TooDeep`] where the counter would leave its word: beyond as many edges as the word has bits, less one.
+    /// [`Unfit::NoLinks`] where the tree does not name them, and [`Unfit::TooDeep`] where the counter would leave its word: beyond as many edges as the word has bits, less one.
     #[inline]
-    pub fn new(tree: &'t T, parents: P) -> Result<Self, TooDeep> {
+    pub fn new(tree: &'t T) -> Result<Self, Unfit> {
+        Unfit::unless_linked(tree, Recorded::ParentSibling)?;
         W::carries(tree.depth(), 1)?;
-        Ok(Self { tree, parents, node: tree.root(), index: W::one(), marks: M::default() })
+        Ok(Self { tree, node: tree.root(), index: W::one(), marks: M::default() })
     }
 }
 
-impl<W: KeyWord, T, P, M: Marks<W>> State for Sparse<'_, W, T, P, M> {
+impl<W: KeyWord, T: Topology, M: Marks<W>> Cursor for Sparse<'_, W, T, M> {
     type Word = W;
+    const PRUNES: bool = M::PRUNES;
 
     #[inline]
     fn node(&self) -> Node {
         self.node
     }
 
-    fn counter(&self) -> Option<W> {
-        Some(self.index.clone())
+    fn state(&self) -> State<W> {
+        State { counter: Some(self.index.clone()), disjoint: self.marks.get(), ..State::of(self.node()) }
     }
-
-    fn disjoint(&self) -> Option<W> {
-        self.marks.get()
-    }
-}
-
-impl<W: KeyWord, T: Topology, P: ParentLinks<T>, M: Marks<W>> Cursor for Sparse<'_, W, T, P, M> {
-    const PRUNES: bool = M::PRUNES;
 
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
@@ -76,11 +69,11 @@ impl<W: KeyWord, T: Topology, P: ParentLinks<T>, M: Marks<W>> Cursor for Sparse<
         let index = index.wrapping_add(&W::one());
         let up = index.trailing_zeros();
         for _ in 0..up {
-            self.node = self.parents.parent(self.tree, self.node);
+            self.node = self.tree.parent(self.node);
         }
         self.index = index.shr(up);
         self.marks.climb(up);
-        self.node = self.parents.sibling(self.tree, self.node);
+        self.node = self.tree.sibling(self.node);
         true
     }
 
@@ -92,7 +85,7 @@ impl<W: KeyWord, T: Topology, P: ParentLinks<T>, M: Marks<W>> Cursor for Sparse<
     }
 }
 
-impl<W: KeyWord, T: Topology, P: ParentLinks<T>, M: Marks<W>> Pause for Sparse<'_, W, T, P, M> {
+impl<W: KeyWord, T: Topology, M: Marks<W>> Pause for Sparse<'_, W, T, M> {
     fn put_aside(&self, next: Next) -> Paused<W> {
         let start = key::level_start(&self.index);
         let trail = trail::counter(self.index.clone().xor(&start), start);
@@ -103,7 +96,7 @@ impl<W: KeyWord, T: Topology, P: ParentLinks<T>, M: Marks<W>> Pause for Sparse<'
     fn take_up(&mut self, paused: Paused<W>) -> Result<(), Incomplete> {
         let (mut start, mut ancestor) = (W::one(), paused.node);
         while ancestor != self.tree.root() {
-            ancestor = self.parents.parent(self.tree, ancestor);
+            ancestor = self.tree.parent(ancestor);
             start = start.shl1();
         }
         self.index = trail::counter(paused.trail, start.clone()).or(&start);

@@ -15,11 +15,12 @@ mod cuts;
 pub use cuts::{Cuts, Piece, PieceTable};
 
 use alloc::vec::Vec;
+use core::fmt::Debug;
 use core::mem::replace;
 
 use super::Cursor;
 use crate::event::State;
-use crate::key::{self, Grow, KeyWord, TooDeep, Word};
+use crate::key::{self, Grow, KeyWord, Word};
 use crate::order::Descent;
 use crate::tree::{Node, Topology};
 
@@ -28,22 +29,23 @@ use crate::tree::{Node, Topology};
 /// ```
 /// use stackless_bvh::generate::{Family, Kind, Rng, Search, Tape};
 /// use stackless_bvh::traverse::{Afra, Cuts, Split, Stack, traverse};
-/// use stackless_bvh::tree::{Parents, Topology};
+/// use stackless_bvh::tree::{Linked, Topology};
 ///
 /// let mut rng = Rng::new(1);
 /// let tree = Family::Comb.tree(&mut rng, 1001);
 /// let tape = Tape::draw(&mut rng, &tree, Kind::Shrinking);
-/// let (parents, cuts) = (Parents::of(&tree), Cuts::every(31, &tree));
+/// let linked = Linked::parents(&tree);
+/// let cuts = Cuts::every(31, &linked);
 ///
 /// let (mut waiting, mut search) = (Vec::new(), Search::new(&tree, &tape, false));
-/// assert!(Afra::<u32, _, _>::new(&tree, &parents).is_err());
-/// let split = Split::new(&cuts, &mut waiting, |piece| Afra::<u32, _, _>::new(piece, &parents))?;
+/// assert!(Afra::<u32, _>::new(&linked).is_err());
+/// let split = Split::new(&cuts, &mut waiting, Afra::<u32, _>::new)?;
 /// traverse(split, &mut search, &mut ());
 ///
 /// let mut reference = Search::new(&tree, &tape, false);
 /// traverse(Stack::new(&tree, &mut Vec::new()), &mut reference, &mut ());
 /// assert_eq!(search.outcome, reference.outcome);
-/// # Ok::<(), stackless_bvh::key::TooDeep>(())
+/// # Ok::<(), stackless_bvh::traverse::Unfit>(())
 /// ```
 #[derive(Debug)]
 pub struct Split<'m, 'c, T, C, F> {
@@ -55,11 +57,11 @@ pub struct Split<'m, 'c, T, C, F> {
     waiting: &'m mut Vec<C>,
 }
 
-impl<'m, 'c, T, C, F> Split<'m, 'c, T, C, F>
+impl<'m, 'c, T, C, F, E> Split<'m, 'c, T, C, F>
 where
     T: Topology,
     C: Cursor,
-    F: Fn(&'c Piece<'c, T>) -> Result<C, TooDeep>,
+    F: Fn(&'c Piece<'c, T>) -> Result<C, E>,
 {
     /// Starts at the root. `start` makes a cursor at the root of a piece. The memory for what waits is the caller's, so that
     /// many traversals can share it.
@@ -68,9 +70,9 @@ where
     /// `start` refused one after it took the first, what is below would be left out (and a panic in debug builds).
     ///
     /// # Errors
-    /// [`TooDeep`] where the cursor's word does not carry as many levels as there are between cuts.
+    /// Those of `start`, as where the cursor's word does not carry as many levels as there are between cuts.
     #[inline]
-    pub fn new(cuts: &'c Cuts<'c, T>, waiting: &'m mut Vec<C>, start: F) -> Result<Self, TooDeep> {
+    pub fn new(cuts: &'c Cuts<'c, T>, waiting: &'m mut Vec<C>, start: F) -> Result<Self, E> {
         waiting.clear();
         let cursor = start(cuts.top())?;
         Ok(Self { cuts, start, cursor, waiting })
@@ -83,44 +85,36 @@ where
     }
 }
 
-/// Key and counter are those of the whole tree. The trail is the piece's.
-impl<T, C: State, F> State for Split<'_, '_, T, C, F> {
+impl<'c, T, C, F, E> Cursor for Split<'_, 'c, T, C, F>
+where
+    T: Topology,
+    C: Cursor,
+    F: Fn(&'c Piece<'c, T>) -> Result<C, E>,
+    E: Debug,
+{
     type Word = Grow;
+    const RESTARTS: bool = C::RESTARTS;
+    const PRUNES: bool = C::PRUNES;
 
     #[inline]
     fn node(&self) -> Node {
         self.cursor.node()
     }
 
-    fn key(&self) -> Option<Grow> {
-        joined(self.waiting, &self.cursor, State::key)
+    /// Key and counter are those of the whole tree. The trail is the piece's.
+    fn state(&self) -> State<Grow> {
+        let State { node, trail, register, is_restarting, .. } = self.cursor.state();
+        let [key, counter]: [fn(State<C::Word>) -> Option<C::Word>; 2] = [|state| state.key, |state| state.counter];
+        State {
+            node,
+            key: joined(self.waiting, &self.cursor, key),
+            trail: trail.map(|trail| append(Grow::zero(), &trail, trail.bit_length())),
+            counter: joined(self.waiting, &self.cursor, counter),
+            disjoint: None,
+            register,
+            is_restarting,
+        }
     }
-
-    fn trail(&self) -> Option<Grow> {
-        self.cursor.trail().map(|trail| append(Grow::zero(), &trail, trail.bit_length()))
-    }
-
-    fn counter(&self) -> Option<Grow> {
-        joined(self.waiting, &self.cursor, State::counter)
-    }
-
-    fn register(&self) -> Option<Node> {
-        self.cursor.register()
-    }
-
-    fn is_restarting(&self) -> bool {
-        self.cursor.is_restarting()
-    }
-}
-
-impl<'c, T, C, F> Cursor for Split<'_, 'c, T, C, F>
-where
-    T: Topology,
-    C: Cursor,
-    F: Fn(&'c Piece<'c, T>) -> Result<C, TooDeep>,
-{
-    const RESTARTS: bool = C::RESTARTS;
-    const PRUNES: bool = C::PRUNES;
 
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
@@ -153,9 +147,9 @@ where
 }
 
 /// A key or counter of the whole tree: a leading one, and those of the pieces one after the other without theirs.
-fn joined<C: State>(waiting: &[C], current: &C, part: impl Fn(&C) -> Option<C::Word>) -> Option<Grow> {
+fn joined<C: Cursor>(waiting: &[C], current: &C, part: impl Fn(State<C::Word>) -> Option<C::Word>) -> Option<Grow> {
     waiting.iter().chain([current]).try_fold(key::root(), |whole, cursor| {
-        let part = part(cursor)?;
+        let part = part(cursor.state())?;
         Some(append(whole, &part, key::depth(&part)))
     })
 }

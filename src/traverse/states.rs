@@ -32,11 +32,11 @@ const BACKTRACK: u8 = 8;
 ///
 /// ```
 /// use stackless_bvh::traverse::{Afra, Next, Pause, StateError, States};
-/// use stackless_bvh::tree::{Parents, Tree};
+/// use stackless_bvh::tree::{Recorded, Tree};
 ///
-/// let tree = Tree::new(&[Some([1, 2]), None, None])?;
-/// let (parents, states) = (Parents::of(&tree), States::of(&tree));
-/// let paused = Afra::<u32, _, _>::new(&tree, &parents)?.put_aside(Next::Visit);
+/// let tree = Tree::new(&[Some([1, 2]), None, None])?.with_links(Recorded::ParentSibling);
+/// let states = States::of(&tree);
+/// let paused = Afra::<u32, _>::new(&tree)?.put_aside(Next::Visit);
 /// let bytes = states.to_bytes(&paused);
 /// assert_eq!(bytes.len(), states.bytes(&paused));
 /// assert_eq!(states.from_bytes(&bytes), Ok(paused));

@@ -4,64 +4,58 @@ use core::mem::take;
 
 use super::marks::{self, Marks};
 use super::register::Register;
-use super::{Cursor, Incomplete, Next, Pause, Paused};
+use super::{Cursor, Incomplete, Next, Pause, Paused, Unfit};
 use crate::event::State;
-use crate::key::{KeyWord, TooDeep, branched};
+use crate::key::{KeyWord, branched};
 use crate::order::Descent;
 use crate::trail;
-use crate::tree::{Node, Topology, UncleLinks};
+use crate::tree::{Node, Recorded, Topology};
 
 /// Goes to the register's node where it is set, else climbs along grand uncles, which stand in for the grandparents:
 /// they have the same uncles. `[UNCLE-2]`
 ///
 /// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it.
 #[derive(Debug)]
-pub struct Uncle<'t, W, T, U, M = ()> {
+pub struct Uncle<'t, W, T, M = ()> {
     tree: &'t T,
-    uncles: U,
     node: Node,
     trail: W,
     register: Register,
     marks: M,
 }
 
-impl<'t, W: KeyWord, T: Topology, U: UncleLinks<T>, M: Marks<W>> Uncle<'t, W, T, U, M> {
+impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Uncle<'t, W, T, M> {
     /// Starts at the root. Records that name no grand uncle do not compile: the climb by two levels would pass over it.
     ///
     /// # Errors
-    /// [`TooDeep`] beyond as many edges as the word has bits.
+    /// [`Unfit::NoLinks`] where the tree does not name them, and [`Unfit::TooDeep`] beyond as many edges as the word has bits.
     #[inline]
-    pub fn new(tree: &'t T, uncles: U) -> Result<Self, TooDeep> {
-        const { assert!(U::REACH.of(false) >= 2 && U::REACH.of(true) >= 2, "the climb needs grand uncles") };
+    pub fn new(tree: &'t T) -> Result<Self, Unfit> {
+        const { assert!(T::REACH.of(false) >= 2 && T::REACH.of(true) >= 2, "the climb needs grand uncles") };
+        Unfit::unless_linked(tree, Recorded::Uncles)?;
         W::carries(tree.depth(), 0)?;
         let (register, marks) = (Register::empty(tree), M::default());
-        Ok(Self { tree, uncles, node: tree.root(), trail: W::zero(), register, marks })
+        Ok(Self { tree, node: tree.root(), trail: W::zero(), register, marks })
     }
 }
 
-impl<W: KeyWord, T: Topology, U, M: Marks<W>> State for Uncle<'_, W, T, U, M> {
+impl<W: KeyWord, T: Topology, M: Marks<W>> Cursor for Uncle<'_, W, T, M> {
     type Word = W;
+    const PRUNES: bool = M::PRUNES;
 
     #[inline]
     fn node(&self) -> Node {
         self.node
     }
 
-    fn trail(&self) -> Option<W> {
-        Some(self.trail.clone())
+    fn state(&self) -> State<W> {
+        State {
+            trail: Some(self.trail.clone()),
+            register: self.register.get(self.tree),
+            disjoint: self.marks.get(),
+            ..State::of(self.node())
+        }
     }
-
-    fn register(&self) -> Option<Node> {
-        self.register.get(self.tree)
-    }
-
-    fn disjoint(&self) -> Option<W> {
-        self.marks.get()
-    }
-}
-
-impl<W: KeyWord, T: Topology, U: UncleLinks<T>, M: Marks<W>> Cursor for Uncle<'_, W, T, U, M> {
-    const PRUNES: bool = M::PRUNES;
 
     #[inline(always)]
     fn descend(&mut self, descent: Descent) -> bool {
@@ -69,7 +63,7 @@ impl<W: KeyWord, T: Topology, U: UncleLinks<T>, M: Marks<W>> Cursor for Uncle<'_
         if descent.postpones() {
             self.register.set(self.tree.child(self.node, first.other()));
         } else {
-            self.register.keep(&self.uncles, self.tree, self.node, self.trail.low_bits());
+            self.register.keep(self.tree, self.node, self.trail.low_bits());
         }
         self.node = self.tree.child(self.node, first);
         self.trail = trail::child(take(&mut self.trail), branched(descent.postpones()));
@@ -81,7 +75,7 @@ impl<W: KeyWord, T: Topology, U: UncleLinks<T>, M: Marks<W>> Cursor for Uncle<'_
     fn backtrack(&mut self) -> bool {
         // Over right records the register is filled before the trail runs out; over wrong ones this still ends.
         while !self.trail.is_zero() {
-            self.register.fill(&self.uncles, self.tree, self.node, self.trail.low_bits());
+            self.register.fill(self.tree, self.node, self.trail.low_bits());
             if let Some(next) = self.register.take(self.tree) {
                 self.node = next;
                 self.marks.climb(trail::levels(&self.trail));
@@ -89,7 +83,7 @@ impl<W: KeyWord, T: Topology, U: UncleLinks<T>, M: Marks<W>> Cursor for Uncle<'_
                 return true;
             }
             // Neither uncle nor grand uncle is pending: two levels up.
-            let [_, grand_uncle, _] = self.uncles.row(self.tree, self.node);
+            let [_, grand_uncle, _] = self.tree.uncles(self.node);
             self.node = grand_uncle;
             self.trail = take(&mut self.trail).shr1().shr1();
             self.marks.climb(2);
@@ -105,10 +99,10 @@ impl<W: KeyWord, T: Topology, U: UncleLinks<T>, M: Marks<W>> Cursor for Uncle<'_
     }
 }
 
-impl<W: KeyWord, T: Topology, U: UncleLinks<T>, M: Marks<W>> Pause for Uncle<'_, W, T, U, M> {
+impl<W: KeyWord, T: Topology, M: Marks<W>> Pause for Uncle<'_, W, T, M> {
     fn put_aside(&self, next: Next) -> Paused<W> {
         let (trail, disjoint) = (self.trail.clone(), self.marks.get());
-        Paused { node: self.node, register: self.register(), key: None, trail, disjoint, next }
+        Paused { node: self.node, register: self.register.get(self.tree), key: None, trail, disjoint, next }
     }
 
     fn take_up(&mut self, paused: Paused<W>) -> Result<(), Incomplete> {

@@ -4,7 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 
-use super::{Node, Topology};
+use super::{Node, Recorded, Topology, link_rows};
 
 /// A binary tree in an array: node `i` is element `i`, the root is element 0, inner nodes and leaves mixed.
 ///
@@ -21,6 +21,9 @@ pub struct Tree {
     /// By node number; unused for leaves.
     children: Vec<[Node; 2]>,
     depth: u32,
+    recorded: Recorded,
+    /// By node number; empty if nothing is recorded.
+    links: Vec<[Node; 2]>,
 }
 
 /// Why an array of children is not a tree.
@@ -115,7 +118,10 @@ impl Tree {
         }
         match reached.iter().position(|reached| !reached) {
             Some(node) => Err(TreeError::NotReached { node: node as u32 }),
-            None => Ok(Self { root: address(0), children: arena, depth: deepest }),
+            None => {
+                let (root, recorded) = (address(0), Recorded::Nothing);
+                Ok(Self { root, children: arena, depth: deepest, recorded, links: Vec::new() })
+            }
         }
     }
 
@@ -124,7 +130,17 @@ impl Tree {
     pub fn from_generated(children: &[Option<[u32; 2]>]) -> Self {
         let tree = Self::new(children);
         debug_assert!(tree.is_ok(), "{tree:?}");
-        tree.unwrap_or_else(|_| Self { root: Node::leaf(0), children: vec![[Node::inner(0); 2]], depth: 0 })
+        tree.unwrap_or_else(|_| {
+            let (root, children) = (Node::leaf(0), vec![[Node::inner(0); 2]]);
+            Self { root, children, depth: 0, recorded: Recorded::Nothing, links: Vec::new() }
+        })
+    }
+
+    /// The same tree, with other references in its records.
+    #[must_use]
+    pub fn with_links(self, recorded: Recorded) -> Self {
+        let links = if recorded == Recorded::Nothing { Vec::new() } else { link_rows(&self, recorded) };
+        Self { recorded, links, ..self }
     }
 
     /// The node with this number.
@@ -166,6 +182,15 @@ impl Topology for Tree {
     #[inline]
     fn depth(&self) -> u32 {
         self.depth
+    }
+
+    fn recorded(&self) -> Recorded {
+        self.recorded
+    }
+
+    #[inline]
+    fn links(&self, node: Node) -> [Node; 2] {
+        self.links.get(node.index()).copied().unwrap_or([self.root; 2])
     }
 }
 

@@ -2,30 +2,8 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
-use core::hint::select_unpredictable;
 
 use super::{Node, Recorded, Topology};
-
-/// Where [`Afra`](crate::traverse::Afra), [`Sparse`](crate::traverse::Sparse) and [`Hapala`](crate::traverse::Hapala)
-/// find parents and siblings: in a table, `&`[`Parents`], or in the tree's own records, [`RecordedParents`].
-///
-/// The root is its own parent and its own sibling: Barringer & Akenine-Möller's Algorithm 4 ends by that.
-pub trait ParentLinks<T> {
-    /// Parent and sibling of a node.
-    fn row(&self, tree: &T, node: Node) -> [Node; 2];
-
-    /// Parent of a node.
-    #[inline(always)]
-    fn parent(&self, tree: &T, node: Node) -> Node {
-        self.row(tree, node)[0]
-    }
-
-    /// Sibling of a node.
-    #[inline(always)]
-    fn sibling(&self, tree: &T, node: Node) -> Node {
-        self.row(tree, node)[1]
-    }
-}
 
 /// A table of parents and siblings, by slot.
 #[derive(Clone, Debug)]
@@ -39,34 +17,37 @@ impl Parents {
         Self { rows: link_rows(tree, Recorded::ParentSibling) }
     }
 
+    /// Parent and sibling of a node of that tree.
+    #[inline(always)]
+    pub fn row(&self, tree: &impl Topology, node: Node) -> [Node; 2] {
+        self.rows[tree.slot(node)]
+    }
+
     /// Memory of the references, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.rows)
     }
 }
 
-impl<T: Topology> ParentLinks<T> for &Parents {
-    #[inline(always)]
-    fn row(&self, tree: &T, node: Node) -> [Node; 2] {
-        self.rows[tree.slot(node)]
-    }
+/// What the records of a tree do not name, as tables beside it.
+#[derive(Clone, Debug, Default)]
+pub struct Links {
+    pub(super) parents: Option<Parents>,
+    pub(super) uncles: Option<Uncles>,
 }
 
-/// Parents and siblings as the records of a tree name them.
-#[derive(Clone, Copy, Debug)]
-pub struct RecordedParents(());
-
-impl RecordedParents {
-    /// For a tree whose records name them.
-    pub fn of(tree: &impl Topology) -> Option<Self> {
-        (tree.recorded() == Recorded::ParentSibling).then_some(Self(()))
+impl Links {
+    /// What is listed, as far as the tree does not name it itself.
+    pub fn of(tree: &impl Topology, what: &[Recorded]) -> Self {
+        let wants = |links| what.contains(&links) && !tree.names(links);
+        let parents = wants(Recorded::ParentSibling).then(|| Parents::of(tree));
+        let uncles = wants(Recorded::Uncles).then(|| Uncles::of(tree));
+        Self { parents, uncles }
     }
-}
 
-impl<T: Topology> ParentLinks<T> for RecordedParents {
-    #[inline(always)]
-    fn row(&self, tree: &T, node: Node) -> [Node; 2] {
-        tree.links(node)
+    /// Memory of the tables, in bytes.
+    pub fn bytes(&self) -> usize {
+        self.parents.as_ref().map_or(0, Parents::bytes) + self.uncles.as_ref().map_or(0, Uncles::bytes)
     }
 }
 
@@ -123,92 +104,27 @@ impl Reach {
     }
 }
 
-/// Where [`Hashed`](crate::traverse::Hashed) and [`Uncle`](crate::traverse::Uncle) find uncle, grand uncle and grand grand
-/// uncle, the siblings of a node's parent, grandparent and so on: in a table, `&`[`Uncles`], or in the tree's own records,
-/// [`RecordedUncles`]. Where there is none, it is the root, which is never postponed. `[UNCLE-1]`
-pub trait UncleLinks<T> {
-    /// How many of them a record is taken to name.
-    const REACH: Reach;
-
-    /// The references of a node: uncle, grand uncle, and grand grand uncle if the reach is three.
-    fn row(&self, tree: &T, node: Node) -> [Node; 3];
-
-    /// The lowest postponed node that the record of `node` names, given the low bits of its trail; `otherwise` if it
-    /// names none. `[UNCLE-2]`
-    ///
-    /// Without a branch: which bits of a trail are set is hard to predict, and the trail is known early.
-    #[inline(always)]
-    fn lowest_pending(&self, tree: &T, node: Node, trail: u32, otherwise: Node) -> Node {
-        let pending = trail & Self::REACH.mask(node.is_leaf());
-        let [uncle, grand_uncle, grand_grand_uncle] = self.row(tree, node);
-        let named = select_unpredictable(pending & 8 != 0, grand_grand_uncle, otherwise);
-        let named = select_unpredictable(pending & 4 != 0, grand_uncle, named);
-        select_unpredictable(pending & 2 != 0, uncle, named)
-    }
-
-    /// The same on the way down from an inner node, of what the child's record, be it a leaf's or not, will not name any
-    /// more; `otherwise` also where the child still names the lowest one.
-    #[inline(always)]
-    fn lowest_leaving(&self, tree: &T, node: Node, trail: u32, otherwise: Node) -> Node {
-        // Bit b of the trail is bit b + 1 at the child. (Bit 0, which no record names, has its node in the register.)
-        let named_below = (Self::REACH.mask(false) & Self::REACH.mask(true)) >> 1;
-        let lowest = self.lowest_pending(tree, node, trail & !named_below, otherwise);
-        select_unpredictable(trail & named_below != 0, otherwise, lowest)
-    }
-}
-
-/// A table of uncles, grand uncles and grand grand uncles, by slot, of which records of inner nodes are taken to name the
-/// first `INNER` and those of leaves the first `LEAF` (1 to 3, else it does not compile).
+/// A table of uncles, grand uncles and grand grand uncles, by slot.
 #[derive(Clone, Debug)]
-pub struct Uncles<const INNER: u32 = 2, const LEAF: u32 = 2> {
+pub struct Uncles {
     rows: Vec<[Node; 3]>,
 }
 
-impl<const INNER: u32, const LEAF: u32> Uncles<INNER, LEAF> {
-    /// How far records reach.
-    pub const REACH: Reach = match Reach::new(INNER, LEAF) {
-        Some(reach) => reach,
-        None => panic!("a record reaches from 1 to 3"),
-    };
-
+impl Uncles {
     /// The table of a tree.
     pub fn of(tree: &impl Topology) -> Self {
         Self { rows: uncle_rows(tree) }
     }
 
+    /// Uncle, grand uncle and grand grand uncle of a node of that tree.
+    #[inline(always)]
+    pub fn row(&self, tree: &impl Topology, node: Node) -> [Node; 3] {
+        self.rows[tree.slot(node)]
+    }
+
     /// Memory of the references, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.rows)
-    }
-}
-
-impl<T: Topology, const INNER: u32, const LEAF: u32> UncleLinks<T> for &Uncles<INNER, LEAF> {
-    const REACH: Reach = Uncles::<INNER, LEAF>::REACH;
-
-    #[inline(always)]
-    fn row(&self, tree: &T, node: Node) -> [Node; 3] {
-        self.rows[tree.slot(node)]
-    }
-}
-
-/// Uncle and grand uncle as the records of a tree name them: the reach of Algorithm 1.
-#[derive(Clone, Copy, Debug)]
-pub struct RecordedUncles(());
-
-impl RecordedUncles {
-    /// For a tree whose records name them.
-    pub fn of(tree: &impl Topology) -> Option<Self> {
-        (tree.recorded() == Recorded::Uncles).then_some(Self(()))
-    }
-}
-
-impl<T: Topology> UncleLinks<T> for RecordedUncles {
-    const REACH: Reach = Reach::ALGORITHM_1;
-
-    #[inline(always)]
-    fn row(&self, tree: &T, node: Node) -> [Node; 3] {
-        let [uncle, grand_uncle] = tree.links(node);
-        [uncle, grand_uncle, tree.root()]
     }
 }
 
@@ -244,7 +160,7 @@ pub(crate) fn for_each_parent<T: Topology>(tree: &T, mut f: impl FnMut(Node, [No
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tree::Tree;
+    use crate::tree::{Linked, Tree};
 
     #[test]
     fn the_tree_of_figure_2() {
@@ -253,68 +169,51 @@ mod tests {
         let children = [Some([1, 2]), Some([3, 4]), leaf, leaf, Some([5, 6]), leaf, Some([7, 8]), leaf, leaf];
         let tree = Tree::new(&children).unwrap();
         let node = |i| tree.node(i).unwrap();
-        let uncles = &Uncles::<2, 3>::of(&tree);
+        let uncles = Uncles::of(&tree);
         assert_eq!(uncles.row(&tree, node(7)), [node(5), node(3), node(2)]);
-        assert_eq!(uncles.lowest_pending(&tree, node(7), 0b1000, node(0)), node(2));
-        assert_eq!(uncles.lowest_pending(&tree, node(7), 0b1101, node(0)), node(3));
-        assert_eq!(uncles.lowest_pending(&tree, node(7), 0b1_0001, node(8)), node(8));
-        assert_eq!((&Uncles::<2, 2>::of(&tree)).lowest_pending(&tree, node(7), 0b1000, node(8)), node(8));
         assert_eq!(uncles.row(&tree, node(1)), [node(0); 3]);
 
-        let parents = &Parents::of(&tree);
-        let of = |i| (parents.parent(&tree, node(i)), parents.sibling(&tree, node(i)));
-        assert_eq!(of(7), (node(6), node(8)));
-        assert_eq!(of(0), (node(0), node(0)));
-    }
+        let far = Linked::<_, 2, 3>::reaching(&tree);
+        assert_eq!(far.lowest_pending(node(7), 0b1000, node(0)), node(2));
+        assert_eq!(far.lowest_pending(node(7), 0b1101, node(0)), node(3));
+        assert_eq!(far.lowest_pending(node(7), 0b1_0001, node(8)), node(8));
+        assert_eq!(Linked::uncles(&tree).lowest_pending(node(7), 0b1000, node(8)), node(8));
 
-    /// A tree whose records name what is beside its children.
-    struct Records(Tree, Recorded);
-
-    impl Topology for Records {
-        fn root(&self) -> Node {
-            self.0.root()
-        }
-        fn children(&self, node: Node) -> [Node; 2] {
-            self.0.children(node)
-        }
-        fn node_count(&self) -> usize {
-            self.0.node_count()
-        }
-        fn slot(&self, node: Node) -> usize {
-            self.0.slot(node)
-        }
-        fn depth(&self) -> u32 {
-            self.0.depth()
-        }
-        fn recorded(&self) -> Recorded {
-            self.1
-        }
-        fn links(&self, node: Node) -> [Node; 2] {
-            link_rows(&self.0, self.1)[self.0.slot(node)]
-        }
+        let parents = Parents::of(&tree);
+        assert_eq!((parents.row(&tree, node(7)), parents.row(&tree, node(0))), ([node(6), node(8)], [node(0); 2]));
     }
 
     #[test]
     fn records_are_the_tables() {
         let leaf = None;
         let children = [Some([1, 2]), Some([3, 4]), leaf, leaf, Some([5, 6]), leaf, Some([7, 8]), leaf, leaf];
-        let tree = || Tree::new(&children).unwrap();
-        let (uncles, parents) = (&Uncles::<2, 3>::of(&tree()), &Parents::of(&tree()));
+        let nothing = Tree::new(&children).unwrap();
+        let (uncles, parents) = (Uncles::of(&nothing), Parents::of(&nothing));
         assert_eq!((parents.bytes(), uncles.bytes()), (8 * 9, 12 * 9));
-        let nothing = tree();
-        assert!(RecordedParents::of(&nothing).is_none() && RecordedUncles::of(&nothing).is_none());
+        let wants = [Recorded::Nothing, Recorded::ParentSibling, Recorded::Uncles];
+        let names = |tree: &dyn Fn(Recorded) -> bool| wants.map(tree);
+        assert_eq!(names(&|what| nothing.names(what)), [true, false, false]);
         assert_eq!((nothing.recorded(), nothing.links(nothing.root())), (Recorded::Nothing, [nothing.root(); 2]));
 
-        let with_parents = Records(tree(), Recorded::ParentSibling);
-        let recorded = RecordedParents::of(&with_parents).unwrap();
-        assert!(RecordedUncles::of(&with_parents).is_none());
-        let with_uncles = Records(tree(), Recorded::Uncles);
-        let of_uncles = RecordedUncles::of(&with_uncles).unwrap();
-        assert!(RecordedParents::of(&with_uncles).is_none());
+        let with_parents = nothing.clone().with_links(Recorded::ParentSibling);
+        let with_uncles = nothing.clone().with_links(Recorded::Uncles);
+        assert_eq!(names(&|what| with_parents.names(what)), [true, true, false]);
+        assert_eq!(names(&|what| with_uncles.names(what)), [true, false, true]);
+        // What the records name is no table beside them.
+        let [beside_parents, beside_uncles] = [&with_parents, &with_uncles].map(Linked::both);
+        assert_eq!((beside_parents.bytes(), beside_uncles.bytes()), (uncles.bytes(), parents.bytes()));
+        assert_eq!(Linked::both(&nothing).bytes(), uncles.bytes() + parents.bytes());
+        assert_eq!(names(&|what| Linked::both(&nothing).names(what)), [true; 3]);
+        assert_eq!(names(&|what| Linked::parents(&nothing).names(what)), [true, true, false]);
+        assert_eq!(names(&|what| Linked::uncles(&nothing).names(what)), [true, false, true]);
+        // Records of two do not reach as far as three.
+        assert!(Linked::<_, 2, 3>::reaching(&with_uncles).bytes() > 0);
         for i in 0..9 {
             let node = nothing.node(i).unwrap();
-            assert_eq!(recorded.row(&with_parents, node), parents.row(&nothing, node));
-            assert_eq!(of_uncles.row(&with_uncles, node)[..2], uncles.row(&nothing, node)[..2]);
+            for tree in [&beside_parents, &beside_uncles, &Linked::both(&nothing)] {
+                assert_eq!([tree.parent(node), tree.sibling(node)], parents.row(&nothing, node));
+                assert_eq!(tree.uncles(node)[..2], uncles.row(&nothing, node)[..2]);
+            }
         }
     }
 

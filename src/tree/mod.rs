@@ -1,20 +1,24 @@
 //! Topology: which node has which children. No geometry.
 //!
 //! A traversal sees a tree through [`Topology`]; the arena [`Tree`] of the checks and the [`Bvh`](crate::bvh) of
-//! the ray tracer both implement it. References beyond the children (parent and sibling, uncles, skip pointers)
-//! are tables beside the tree, made from any topology, so that a tree carries only what a traversal needs.
+//! the ray tracer both implement it. Links beyond the children (parent and sibling, or uncles) are in the records of a
+//! tree that is made with them; a [`Linked`] one has those beside it that its records do not name.
 
 mod arena;
 mod implicit;
 mod keys;
+mod linked;
 mod links;
 
 pub use arena::{Tree, TreeError};
 pub use implicit::{Implicit, ImplicitError};
 pub use keys::Keys;
+pub use linked::Linked;
 pub(crate) use links::for_each_parent;
 pub(crate) use links::link_rows;
-pub use links::{ParentLinks, Parents, Reach, RecordedParents, RecordedUncles, UncleLinks, Uncles};
+pub use links::{Links, Parents, Reach, Uncles};
+
+use core::hint::select_unpredictable;
 
 use crate::key::Side;
 
@@ -78,6 +82,9 @@ impl core::fmt::Debug for Node {
 ///
 /// Methods that take a node require one of this tree, and `children` an inner one; they panic for others.
 pub trait Topology {
+    /// How many of the uncles a record is taken to name.
+    const REACH: Reach = Reach::ALGORITHM_1;
+
     /// The node with key 1. It may be a leaf.
     fn root(&self) -> Node;
 
@@ -119,6 +126,109 @@ pub trait Topology {
     fn links(&self, _: Node) -> [Node; 2] {
         [self.root(); 2]
     }
+
+    /// Whether the methods below that ask for these are answered: for what the records name, or more if there are tables
+    /// beside them ([`Linked`]).
+    fn names(&self, what: Recorded) -> bool {
+        what == Recorded::Nothing || what == self.recorded()
+    }
+
+    /// Parent of a node. The root is its own parent and its own sibling: Barringer & Akenine-Möller's Algorithm 4 ends by
+    /// that.
+    #[inline(always)]
+    fn parent(&self, node: Node) -> Node {
+        self.links(node)[0]
+    }
+
+    /// Sibling of a node.
+    #[inline(always)]
+    fn sibling(&self, node: Node) -> Node {
+        self.links(node)[1]
+    }
+
+    /// Uncle, grand uncle, and grand grand uncle if the [reach](Self::REACH) is three: the siblings of a node's parent,
+    /// grandparent and so on. Where there is none, it is the root, which is never postponed. `[UNCLE-1]`
+    #[inline(always)]
+    fn uncles(&self, node: Node) -> [Node; 3] {
+        let [uncle, grand_uncle] = self.links(node);
+        [uncle, grand_uncle, self.root()]
+    }
+
+    /// The lowest postponed node that the record of `node` names, given the low bits of its trail; `otherwise` if it
+    /// names none. `[UNCLE-2]`
+    ///
+    /// Without a branch: which bits of a trail are set is hard to predict, and the trail is known early.
+    #[inline(always)]
+    fn lowest_pending(&self, node: Node, trail: u32, otherwise: Node) -> Node {
+        let pending = trail & Self::REACH.mask(node.is_leaf());
+        let [uncle, grand_uncle, grand_grand_uncle] = self.uncles(node);
+        let named = select_unpredictable(pending & 8 != 0, grand_grand_uncle, otherwise);
+        let named = select_unpredictable(pending & 4 != 0, grand_uncle, named);
+        select_unpredictable(pending & 2 != 0, uncle, named)
+    }
+
+    /// The same on the way down from an inner node, of what the child's record, be it a leaf's or not, will not name any
+    /// more; `otherwise` also where the child still names the lowest one.
+    #[inline(always)]
+    fn lowest_leaving(&self, node: Node, trail: u32, otherwise: Node) -> Node {
+        // Bit b of the trail is bit b + 1 at the child. (Bit 0, which no record names, has its node in the register.)
+        let named_below = (Self::REACH.mask(false) & Self::REACH.mask(true)) >> 1;
+        let lowest = self.lowest_pending(node, trail & !named_below, otherwise);
+        select_unpredictable(trail & named_below != 0, otherwise, lowest)
+    }
+}
+
+/// For a [`Topology`] that wraps another, which stands in the field `$tree`: all but the links is as there.
+///
+/// ```
+/// use std::cell::Cell;
+/// use stackless_bvh::tree::{Node, Topology, Tree};
+///
+/// /// Counts how often a parent is asked for.
+/// struct Counted<'t>(&'t Tree, Cell<u32>);
+///
+/// impl Topology for Counted<'_> {
+///     stackless_bvh::topology_of!(0);
+///
+///     fn parent(&self, node: Node) -> Node {
+///         self.1.set(self.1.get() + 1);
+///         self.0.parent(node)
+///     }
+/// }
+/// ```
+#[macro_export]
+macro_rules! topology_of {
+    ($tree:tt) => {
+        #[inline]
+        fn root(&self) -> $crate::tree::Node {
+            self.$tree.root()
+        }
+
+        #[inline]
+        fn children(&self, node: $crate::tree::Node) -> [$crate::tree::Node; 2] {
+            self.$tree.children(node)
+        }
+
+        #[inline]
+        fn child(&self, node: $crate::tree::Node, side: $crate::order::Side) -> $crate::tree::Node {
+            self.$tree.child(node, side)
+        }
+
+        #[inline]
+        fn node_count(&self) -> usize {
+            self.$tree.node_count()
+        }
+
+        #[inline]
+        fn slot(&self, node: $crate::tree::Node) -> usize {
+            self.$tree.slot(node)
+        }
+
+        #[inline]
+        fn depth(&self) -> u32 {
+            self.$tree.depth()
+        }
+    };
 }
 
 /// What records name besides the children: two references fit where a record of 64 bytes has padding (Binder & Keller

@@ -1,4 +1,5 @@
-//! The checks bite: planted bugs are caught, made small, and reproduced from a file; and so are mistakes in what traversals rest on.
+//! The checks bite: planted bugs are caught, made small, and reproduced from a file; and so are mistakes in what
+//! traversals rest on.
 //!
 //! What is seen of each is in `tests/PLANTED.md`, which says how it is made anew.
 
@@ -7,7 +8,7 @@ mod layers;
 #[allow(dead_code, reason = "the other columns are written by those who look")]
 mod table;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 use stackless_bvh::bvh::{Bvh, SahOptions};
@@ -22,32 +23,14 @@ use stackless_check::{Case, CaseOptions, Fault, Plan, Replay, SceneTree, check_s
 
 const CASES: u64 = 400;
 
-const INTRODUCTION: &str = "\
-# Planted bugs
-
-Which layer of checks catches which bug, and after how much. Where one does not, the reason stands instead, after \"no\". Each
-column is written by who looks, and compared in CI:
-
-| column | made by | says |
-|---|---|---|
-| bug, breaks, battery | `UPDATE=1 cargo test --test bites` | in how many of the random cases it is seen, and from which on |
-| fuzz | `UPDATE=1 fuzz/run.sh planted` | after how many executions it is found from an empty corpus, and within what time of the processor |
-| suite | `UPDATE=1 cargo test --test suite` | how many cases it fails as an implementation, of those that ask for it; how many of them are about the clause that it breaks, or, where no case cites that, about the one that is named; the first of these |
-| harness | `UPDATE=1 cargo test -p proofs --test planted` | the bodies of harnesses that it fails, each with the first random case |
-| gpu-check | `cargo test` in `gpu-check` | by what it is seen |
-
-Those of fuzzing are of rustc 1.97.0-nightly (e50aa6fba 2026-05-19) and the seed 1: the same library and compiler give the same
-executions. CI compares that each bug is found, not after how many. Lemmas for SMT and harnesses for CBMC have a mistake of their
-own each, which is refuted: [proofs/README.md](../proofs/README.md). The kernels of gpu-check are another text than the library, and
-their bugs are others: the last table.
-";
+const HEAD: &str = include_str!("bites/head.md");
 
 const TRAVERSALS: &str = "\
-The battery runs each over 400 cases: in how many it is seen, from which on, as what; and of how many nodes the smallest of up to
-20 made-small cases is.";
+The battery runs each over 400 cases: in how many it is seen, from which on, as what; and of how many nodes the
+smallest of up to 20 made-small cases is.";
 
-/// Cases that can show the bug. Where nodes are pruned: trees that are deep enough to look keys up, under intervals that often
-/// are disjoint.
+/// Cases that can show the bug. Where nodes are pruned: trees that are deep enough to look keys up, under intervals
+/// that often are disjoint.
 fn cases(pruning: Pruning) -> Vec<Case> {
     let case = |seed| {
         if pruning == Pruning::Never {
@@ -105,15 +88,20 @@ fn every_planted_bug_is_caught() {
         assert!(cases(&control).iter().all(|case| control.fault(case).is_none()), "{control:?}");
     }
     let bugs = planted::all();
-    let mut names: Vec<_> = bugs.iter().map(Planted::name).collect();
-    names.sort_unstable();
-    names.dedup();
-    assert_eq!(names.len(), bugs.len());
-    let mut text = format!("{INTRODUCTION}\n## Traversals\n\n{TRAVERSALS}\n\n{}", heading(true));
+    let mut text = format!("{HEAD}\n## Traversals\n\n{TRAVERSALS}\n\n{}", heading(true));
     for bug in &bugs {
         text += &row("", bug.name(), bug.clause(), &seen(bug, cases(bug)), true);
     }
     writeln!(text, "\n{} bugs.", bugs.len()).unwrap();
+    text += "\n## Marks\n\n";
+    text +=
+        "Searches that mark otherwise than they may. Beside what the battery sees: in how many of 4,000 cases a hit ";
+    text += "is lost.\n\n";
+    text += "| bug | breaks | battery | lost |\n|---|---|---|---|\n";
+    for bug in planted::marks() {
+        let (battery, (lost, first, _)) = (seen(&bug, &pruned), super::disjoint::lost(&bug));
+        writeln!(text, "| {} | {} | {battery} | {lost} from {} |", bug.name(), bug.clause(), first.unwrap()).unwrap();
+    }
     text += &layers::tables();
     text += &gpu::table();
     table::compare(&text);
@@ -123,6 +111,16 @@ fn every_planted_bug_is_caught() {
     let without_reason: Vec<_> =
         gaps.filter(|row| ["", table::NO.trim(), MISSING].contains(&row.cell.as_str())).collect();
     assert!(without_reason.is_empty(), "{without_reason:?}");
+}
+
+/// One list has all bugs.
+#[test]
+fn the_table_has_what_is_listed() {
+    let rows = table::rows(&table::text(), "breaks");
+    let rows: Vec<_> = rows.iter().map(|row| (row.name.clone(), row.cell.as_str())).collect();
+    assert_eq!(rows, planted::rows());
+    let names: BTreeSet<_> = rows.iter().map(|row| &row.0).collect();
+    assert_eq!(names.len(), rows.len());
 }
 
 /// What stands in a column of a new row until the test of the column writes it.
@@ -149,6 +147,7 @@ fn kind(fault: &Fault) -> &'static str {
         Fault::Node { expected: Some(_), .. } => "node",
         Fault::Node { expected: None, .. } => "beyond the end",
         Fault::Early { .. } => "early",
+        Fault::Decision { .. } => "decision",
         Fault::Key { .. } => "key",
         Fault::Trail { .. } => "trail",
         Fault::Register { .. } => "register",

@@ -1,7 +1,7 @@
 //! The slips of the papers (spec/DEPARTURES.md): what is printed goes wrong on the case of `spec/departures`, in the way that
 //! the file says, and on no smaller one; the library is right there.
 //!
-//! The cases are found anew by `UPDATE=1 cargo test --test departures`.
+//! The cases are found anew by `UPDATE=1 cargo test --test library departures`.
 
 use std::fs;
 use std::path::PathBuf;

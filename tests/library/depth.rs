@@ -7,21 +7,24 @@ use stackless_bvh::generate::{Exhaustive, Family, Kind, Rng, Search, Source, Tap
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{Descent, Flow, Visitor};
 use stackless_bvh::traverse::{Afra, Cursor, Cuts, HashOnly, Method, Piece, Split, Stack, Unfit, traverse};
-use stackless_bvh::tree::{Node, Parents, Topology, Tree};
+use stackless_bvh::tree::{Linked, Node, Recorded, Topology, Tree};
 use stackless_check::{Battery, Case, CaseOptions, Fault, Pieces, Verdict, Watch};
 
-const METHODS: [Method; 20] = Pieces::<Tree>::METHODS;
+fn methods() -> Vec<Method> {
+    Pieces::<Tree>::methods().collect()
+}
 
 /// What a battery says of a traversal in pieces.
-fn check<W: KeyWord>(battery: &mut Battery<'_>, pieces: &Pieces<'_, Tree>, method: Method) -> Verdict {
+fn check<W: KeyWord>(battery: &mut Battery<'_>, pieces: &Pieces<'_, Linked<'_, Tree>>, method: Method) -> Verdict {
     battery.judge(method.test(), method.restarts(), |search, watch, _, _| pieces.run::<W>(method, search, watch))
 }
 
 /// All traversals of a case whose tree is cut every `levels` levels, in one word: how many agreed. What is refused is too deep
 /// for the word.
 fn agreeing<W: KeyWord>(case: &Case, levels: u32) -> usize {
-    let (cuts, mut battery) = (Cuts::every(levels, &case.tree), Battery::new(case, &[]));
-    let pieces = Pieces::new(&case.tree, &cuts).expect("tables");
+    let (linked, mut battery) = (Linked::both(&case.tree), Battery::new(case, &[]));
+    let cuts = Cuts::every(levels, &linked);
+    let pieces = Pieces::new(&cuts).expect("tables");
     let agrees = |&&method: &&Method| {
         let carried = W::WIDTH.map_or(u32::MAX, |width| match method.without_pruning() {
             Method::Afra | Method::Uncle => width,
@@ -42,7 +45,7 @@ fn agreeing<W: KeyWord>(case: &Case, levels: u32) -> usize {
             verdict => panic!("{method} {} cut every {levels} levels: {verdict:?}\n{case:?}", W::NAME),
         }
     };
-    METHODS.iter().filter(agrees).count()
+    methods().iter().filter(agrees).count()
 }
 
 /// [DEPTH-4]
@@ -68,7 +71,7 @@ fn random_trees_cut_every_1_to_31_levels() {
             let case = Case::random(1000 * u64::from(levels) + seed, CaseOptions::default());
             // One form of Algorithm 2 carries 30 levels in 32 bits, all others more.
             let refused = usize::from(levels.min(case.tree.depth()) == 31);
-            assert_eq!(agreeing::<u32>(&case, levels), METHODS.len() - refused);
+            assert_eq!(agreeing::<u32>(&case, levels), methods().len() - refused);
         }
     }
 }
@@ -86,7 +89,7 @@ fn deep_trees_of_all_families_in_all_words() {
                     agreeing::<u32>(&case, 29 + around);
                     agreeing::<u64>(&case, 61 + around);
                 }
-                assert_eq!(agreeing::<u8>(&case, 6), METHODS.len());
+                assert_eq!(agreeing::<u8>(&case, 6), methods().len());
             }
         }
     }
@@ -97,9 +100,9 @@ fn a_depth_of_1000_in_narrow_words() {
     let mut rng = Rng::new(4);
     for kind in [Kind::Random, Kind::AllHit, Kind::OnlyOne, Kind::Shrinking, Kind::Intervals] {
         let case = Case::with_tree(Family::Comb.tree(&mut rng, 1001), kind, &mut rng);
-        assert_eq!(agreeing::<u8>(&case, 6), METHODS.len());
-        assert_eq!(agreeing::<u32>(&case, 30), METHODS.len());
-        assert_eq!(agreeing::<u64>(&case, 62), METHODS.len());
+        assert_eq!(agreeing::<u8>(&case, 6), methods().len());
+        assert_eq!(agreeing::<u32>(&case, 30), methods().len());
+        assert_eq!(agreeing::<u64>(&case, 62), methods().len());
     }
 }
 
@@ -111,8 +114,8 @@ const FOR_ANY_DEPTH: [Method; 5] = [Method::Sparse, Method::Afra, Method::Uncle,
 struct First(Trace, usize);
 
 impl Recorder for First {
-    fn visit(&mut self, state: &impl State) -> Flow {
-        if self.0.nodes().len() == self.1 { Flow::Stop } else { self.0.visit(state) }
+    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        if self.0.nodes().len() == self.1 { Flow::Stop } else { self.0.visit(node, state) }
     }
 }
 
@@ -130,9 +133,10 @@ fn a_depth_of_100_000_in_narrow_words() {
     for tree in [Family::Comb.tree(&mut rng, 100_001), chain(100_000, false), chain(100_000, true)] {
         assert_eq!(tree.depth(), 100_000);
         for levels in [6, 30, 62] {
-            let cuts = Cuts::every(levels, &tree);
+            let linked = Linked::both(&tree);
+            let cuts = Cuts::every(levels, &linked);
             assert_eq!(cuts.nesting(), 100_000_u32.div_ceil(levels));
-            let pieces = Pieces::new(&tree, &cuts).expect("tables");
+            let pieces = Pieces::new(&cuts).expect("tables");
             for (kind, any) in [(Kind::AllHit, false), (Kind::Shrinking, false), (Kind::OnlyOne, true)] {
                 let tape = Tape::hashed(u64::from(levels), &tree, kind);
                 let see = |run: &dyn Fn(&mut Search<'_, Tree>, &mut First)| {
@@ -164,10 +168,11 @@ fn a_depth_of_100_000_in_narrow_words() {
 fn the_memory_of_a_stopped_traversal_serves_the_next() {
     let case = Case::random(8, CaseOptions { family: Some(Family::Comb), depth: Some(40) });
     let tape = &Tape::hashed(2, &case.tree, Kind::AllHit);
-    let (parents, cuts, mut waiting) = (&Parents::of(&case.tree), &Cuts::every(3, &case.tree), Vec::new());
+    let parents = Linked::parents(&case.tree);
+    let (cuts, mut waiting) = (&Cuts::every(3, &parents), Vec::new());
     let mut run = |visits| {
         let mut recorder = First(Trace::default(), visits);
-        let split = Split::new(cuts, &mut waiting, |piece| Afra::<u8, _, _>::new(piece, parents)).unwrap();
+        let split = Split::new(cuts, &mut waiting, Afra::<u8, _>::new).unwrap();
         traverse(split, &mut Search::new(&case.tree, tape, false), &mut recorder);
         recorder.0
     };
@@ -197,22 +202,20 @@ mod bites {
     }
 
     struct Careless<'c, C, F> {
-        cuts: &'c Cuts<'c, Tree>,
+        cuts: &'c Cuts<'c, Linked<'c, Tree>>,
         start: F,
         cursor: C,
         waiting: Vec<C>,
         bug: Bug,
     }
 
-    impl<C: Cursor, F> State for Careless<'_, C, F> {
+    impl<'c, C: Cursor, F: Fn(&'c Piece<'c, Linked<'c, Tree>>) -> C> Cursor for Careless<'c, C, F> {
         type Word = C::Word;
 
         fn node(&self) -> Node {
             self.cursor.node()
         }
-    }
 
-    impl<'c, C: Cursor, F: Fn(&'c Piece<'c, Tree>) -> C> Cursor for Careless<'c, C, F> {
         fn descend(&mut self, descent: Descent) -> bool {
             if let Some(piece) = self.cuts.below(self.cursor.node()) {
                 let is_new = self.waiting.last().is_none_or(|above| above.node() != piece.root());
@@ -264,8 +267,9 @@ mod bites {
 
     fn careless(bug: Bug) -> Vec<Fault> {
         faults(|case, search, watch| {
-            let (parents, cuts) = (&Parents::of(&case.tree), &Cuts::every(2, &case.tree));
-            let start = |piece| Afra::<u8, _, _>::new(piece, parents).unwrap();
+            let parents = Linked::parents(&case.tree);
+            let cuts = &Cuts::every(2, &parents);
+            let start = |piece| Afra::<u8, _>::new(piece).unwrap();
             let cursor = start(cuts.top());
             traverse(Careless { cuts, start, cursor, waiting: Vec::new(), bug }, search, watch);
         })
@@ -283,7 +287,7 @@ mod bites {
     }
 
     /// A tree that says it is as deep as a byte carries.
-    struct Shallow<'t>(&'t Tree);
+    struct Shallow<'t>(Linked<'t, Tree>);
 
     impl Topology for Shallow<'_> {
         fn root(&self) -> Node {
@@ -301,32 +305,40 @@ mod bites {
         fn depth(&self) -> u32 {
             self.0.depth().min(8)
         }
+        fn names(&self, what: Recorded) -> bool {
+            self.0.names(what)
+        }
+        fn parent(&self, node: Node) -> Node {
+            self.0.parent(node)
+        }
+        fn sibling(&self, node: Node) -> Node {
+            self.0.sibling(node)
+        }
     }
 
     #[test]
     fn a_trail_that_is_carried_over_cuts_is_caught() {
         let faults = faults(|case, search, watch| {
-            let tree = Shallow(&case.tree);
-            traverse(Afra::<u8, _, _>::new(&tree, &Parents::of(&case.tree)).unwrap(), search, watch);
+            let tree = Shallow(Linked::parents(&case.tree));
+            traverse(Afra::<u8, _>::new(&tree).unwrap(), search, watch);
         });
         assert!(faults.iter().any(|fault| matches!(fault, Fault::Early { .. })), "{faults:?}");
     }
 
     /// Traverses pieces by recursion, and does not say above that the search was stopped below.
     struct Deaf<'a, S> {
-        cuts: &'a Cuts<'a, Tree>,
-        parents: &'a Parents,
+        cuts: &'a Cuts<'a, Linked<'a, Tree>>,
         search: S,
         root: Node,
     }
 
     impl<S: Visitor> Visitor for Deaf<'_, S> {
         fn inner(&mut self, node: Node) -> Descent {
-            let Self { cuts, parents, .. } = *self;
+            let Self { cuts, .. } = *self;
             match cuts.below(node) {
                 Some(piece) if node != self.root => {
-                    let mut below = Deaf { cuts, parents, search: &mut self.search as &mut dyn Visitor, root: node };
-                    traverse(Afra::<u8, _, _>::new(piece, parents).unwrap(), &mut below, &mut ());
+                    let mut below = Deaf { cuts, search: &mut self.search as &mut dyn Visitor, root: node };
+                    traverse(Afra::<u8, _>::new(piece).unwrap(), &mut below, &mut ());
                     Descent::NEITHER
                 }
                 _ => self.search.inner(node),
@@ -342,12 +354,13 @@ mod bites {
     fn a_stop_that_does_not_reach_the_top_is_caught() {
         let (mut stopped, mut differ) = (0, 0);
         for case in cases() {
-            let (parents, cuts) = (&Parents::of(&case.tree), &Cuts::every(5, &case.tree));
+            let parents = Linked::parents(&case.tree);
+            let cuts = &Cuts::every(5, &parents);
             let mut expected = Search::new(&case.tree, &case.tape, case.any);
             traverse(Stack::new(&case.tree, &mut Vec::new()), &mut expected, &mut ());
             let mut found = Search::new(&case.tree, &case.tape, case.any);
-            let mut deaf = Deaf { cuts, parents, search: &mut found, root: case.tree.root() };
-            traverse(Afra::<u8, _, _>::new(cuts.top(), parents).unwrap(), &mut deaf, &mut ());
+            let mut deaf = Deaf { cuts, search: &mut found, root: case.tree.root() };
+            traverse(Afra::<u8, _>::new(cuts.top()).unwrap(), &mut deaf, &mut ());
             if case.any && expected.outcome.hit.is_some() {
                 stopped += 1;
                 differ += u32::from(found.outcome.leaf_visits > expected.outcome.leaf_visits);
@@ -365,7 +378,7 @@ mod bites {
         let tape = Tape::hashed(1, &tree, Kind::AllHit);
         let case = Case { tape, tree, any: false, octant: 0 };
         let cuts = Cuts::every(5, &case.tree);
-        let pieces = Pieces::new(&case.tree, &cuts).expect("tables");
+        let pieces = Pieces::new(&cuts).expect("tables");
         let verdict = |off_by: usize| {
             Battery::new(&case, &[]).judge(Method::HashOnly.test(), false, |search, watch, _, _| {
                 let table = |piece: usize| &pieces.full_hashes()[(piece + off_by) % pieces.full_hashes().len()];

@@ -1,6 +1,6 @@
 //! The worked examples of the specification: blocks that begin with `as-run NAME`, run again and compared.
 //!
-//! `UPDATE=1 cargo test --test examples` writes them anew.
+//! `UPDATE=1 cargo test --test library examples` writes them anew.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -14,9 +14,9 @@ use stackless_bvh::geom::slabs::{Directed, Plain, Slabs};
 use stackless_bvh::geom::{Aabb, Ray, Region};
 use stackless_bvh::hash::{KeyMap, KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::key::{Grow, KeyWord};
-use stackless_bvh::order::{Descent, Flow, Pruning, Side, Visitor};
-use stackless_bvh::traverse::{Disjoint, Hashed, Sparse, traverse};
-use stackless_bvh::tree::{Keys, Node, Parents, Reach, Topology, Tree, Uncles};
+use stackless_bvh::order::{Descent, Flow, Pruned, Pruning, Side, Visitor};
+use stackless_bvh::traverse::{Disjoint, Hashed, Sparse, traverse, traverse_pruned};
+use stackless_bvh::tree::{Keys, Linked, Node, Reach, Topology, Tree};
 use stackless_bvh::{swap, trail};
 
 type Example = (&'static str, fn() -> String);
@@ -71,8 +71,8 @@ fn depth() -> String {
             let children = |at: u32| (at.is_multiple_of(2) && at < 2 * depth).then_some([at + 1, at + 2]);
             let tree = Tree::new(&(0..=2 * depth).map(children).collect::<Vec<_>>()).expect("a chain");
             let mut all = All(0);
-            let uncles = <Uncles>::of(&tree);
-            match Hashed::<W, _, _, _>::new(&tree, &uncles, KeyMap::of(&tree)) {
+            let uncles = Linked::uncles(&tree);
+            match Hashed::<W, _, _>::new(&uncles, KeyMap::of(&tree)) {
                 Ok(hashed) => drop(traverse(hashed, &mut all, &mut ())),
                 Err(error) => return format!("{depth} edges: {error}"),
             }
@@ -121,7 +121,9 @@ impl Visitor for &Script {
     fn leaf(&mut self, _: Node) -> Flow {
         Flow::Continue
     }
+}
 
+impl Pruned for &Script {
     fn allows(&self, _: Pruning) -> bool {
         true
     }
@@ -138,21 +140,17 @@ struct Lines<'a> {
 }
 
 impl Recorder for Lines<'_> {
-    fn visit(&mut self, state: &impl State) -> Flow {
+    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
         let mut visitor = self.script;
-        let node = state.node();
+        let state = state();
         let kind = if node.is_leaf() { "leaf" } else { "enter" };
         write!(self.text, "{kind:5} {:<2}", self.script.key(node)).unwrap();
-        let words = [
-            ("key", state.key()),
-            ("trail", state.trail()),
-            ("counter", state.counter()),
-            ("second trail", state.disjoint()),
-        ];
+        let words =
+            [("key", state.key), ("trail", state.trail), ("counter", state.counter), ("second trail", state.disjoint)];
         for (name, word) in words.iter().filter_map(|(name, word)| Some((name, word.as_ref()?))) {
             write!(self.text, "  {name} {:5}", format!("{:b}", word.to_u64().unwrap())).unwrap();
         }
-        if let Some(register) = state.register() {
+        if let Some(register) = state.register {
             write!(self.text, "  register {}", self.script.key(register)).unwrap();
         }
         if !node.is_leaf() {
@@ -175,14 +173,14 @@ fn example_script() -> Script {
 fn walk() -> String {
     let script = example_script();
     let mut text = String::new();
-    let (uncles, parents) = (<Uncles>::of(&script.tree), Parents::of(&script.tree));
+    let linked = Linked::both(&script.tree);
     let hash = PerfectHash::build(&script.tree, printed()).expect("a table");
     for (name, hashed) in [("hashed", true), ("sparse", false)] {
         let mut lines = Lines { script: &script, text: format!("{name}\n") };
         if hashed {
-            traverse(Hashed::<u32, _, _, _>::new(&script.tree, &uncles, &hash).unwrap(), &mut &script, &mut lines);
+            traverse(Hashed::<u32, _, _>::new(&linked, &hash).unwrap(), &mut &script, &mut lines);
         } else {
-            traverse(Sparse::<u32, _, _>::new(&script.tree, &parents).unwrap(), &mut &script, &mut lines);
+            traverse(Sparse::<u32, _>::new(&linked).unwrap(), &mut &script, &mut lines);
         }
         text += &(lines.text + "end\n");
     }
@@ -222,9 +220,9 @@ fn prune() -> String {
     for found in [vec![], vec![8]] {
         let script = Script::new(&decisions, &found);
         let mut lines = Lines { script: &script, text: format!("found at {found:?}\n") };
-        let (uncles, map) = (<Uncles>::of(&script.tree), KeyMap::of(&script.tree));
-        let hashed = Hashed::<u32, _, _, _, Disjoint<u32>>::new(&script.tree, &uncles, &map).unwrap();
-        traverse(hashed, &mut &script, &mut lines);
+        let (uncles, map) = (Linked::uncles(&script.tree), KeyMap::of(&script.tree));
+        let hashed = Hashed::<u32, _, _, Disjoint<u32>>::new(&uncles, &map).unwrap();
+        traverse_pruned(hashed, &mut &script, &mut lines);
         text += &(lines.text + "end\n");
     }
     text

@@ -7,7 +7,7 @@ use stackless_bvh::generate::{Exhaustive, Family, Kind, Rng, Search, Source, Tap
 use stackless_bvh::hash::{BuildError, KeySet, Lookup, Options, PerfectHash, Sizing, Verified};
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::traverse::{ByKey, Hashed, Test, traverse};
-use stackless_bvh::tree::{Keys, Node, Reach, Topology, Tree, Uncles};
+use stackless_bvh::tree::{Keys, Linked, Node, Reach, Topology, Tree};
 use stackless_check::{Battery, Case, CaseOptions, Verdict, check_table};
 
 const REACHES: [(u32, u32); 4] = [(1, 1), (1, 2), (2, 2), (2, 3)];
@@ -183,8 +183,8 @@ impl<W: KeyWord> Lookup<W> for Asked<'_> {
 }
 
 fn ask<const INNER: u32, const LEAF: u32>(tree: &Tree, tape: &Tape, slots: &mut [bool]) {
-    let uncles = Uncles::<INNER, LEAF>::of(tree);
-    let cursor = Hashed::<u32, _, _, _>::new(tree, &uncles, Asked { tree, slots: RefCell::new(slots) });
+    let uncles = Linked::<_, INNER, LEAF>::reaching(tree);
+    let cursor = Hashed::<u32, _, _>::new(&uncles, Asked { tree, slots: RefCell::new(slots) });
     traverse(cursor.unwrap(), &mut Search::new(tree, tape, false), &mut ());
 }
 
@@ -238,10 +238,10 @@ fn misses<W: KeyWord, const INNER: u32, const LEAF: u32>(case: &Case, key_set: K
     let (tree, keys) = (&case.tree, Keys::of(&case.tree));
     let sizing = Sizing::ALL[case.octant as usize % 3];
     let hash = PerfectHash::build(tree, Options { key_set, sizing }).unwrap();
-    let uncles = Uncles::<INNER, LEAF>::of(tree);
+    let uncles = Linked::<_, INNER, LEAF>::reaching(tree);
     let verified = Verified::new(&hash, tree, &keys);
     let verdict = Battery::new(case, &[]).judge(Test::Children, false, |search, watch, _, _| {
-        traverse(Hashed::<W, _, _, _>::new(tree, &uncles, &verified)?, search, watch);
+        traverse(Hashed::<W, _, _>::new(&uncles, &verified)?, search, watch);
         Ok(())
     });
     assert!(matches!(verdict, Verdict::Agrees { .. } | Verdict::Refused(_)), "{verdict:?}");

@@ -2,8 +2,8 @@
 
 use stackless_bvh::event::Trace;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{Descent, Flow, Pruning, Side, Visitor};
-use stackless_bvh::traverse::{PruningStack, traverse};
+use stackless_bvh::order::{Descent, Flow, Pruned, Pruning, Side, Visitor};
+use stackless_bvh::traverse::{PruningStack, traverse_pruned};
 use stackless_bvh::tree::{Node, Topology, Tree};
 
 /// Its postponed child begins at one distance, and it ends at another.
@@ -16,15 +16,21 @@ impl Visitor for Ends {
     fn inner(&mut self, _: Node) -> Descent {
         Descent::both(Side::Left)
     }
+
     fn leaf(&mut self, _: Node) -> Flow {
         Flow::Continue
     }
+}
+
+impl Pruned for Ends {
     fn allows(&self, _: Pruning) -> bool {
         true
     }
+
     fn postponed(&self, _: Node, _: Descent) -> u32 {
         self.begins
     }
+
     fn end(&self) -> u32 {
         self.end
     }
@@ -40,7 +46,7 @@ fn a_node_that_begins_at_the_end_is_visited() {
         oracle::traverse_pruned(&tree, tree.root(), Pruning::Distance, visitor, &mut trace);
         assert_eq!(trace.nodes().len(), visits, "{begins} {end}");
         let mut by_stack = Trace::default();
-        traverse(PruningStack::<_, true>::new(&tree, &mut Vec::new()), visitor, &mut by_stack);
+        traverse_pruned(PruningStack::<_, true>::new(&tree, &mut Vec::new()), visitor, &mut by_stack);
         assert_eq!(by_stack, trace);
     }
 }

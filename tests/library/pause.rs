@@ -7,14 +7,14 @@ use stackless_bvh::generate::{Family, Kind, Rng, Search, Source};
 use stackless_bvh::geom::kernel::Exact;
 use stackless_bvh::geom::{Kernel, Ray};
 use stackless_bvh::hash::{KeyMap, KeySet, Options, PerfectHash, Sizing};
-use stackless_bvh::key::Grow;
+use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::order::{Descent, Flow, Visitor};
 use stackless_bvh::trace::{Any, Closest, Tracer, Truth};
 use stackless_bvh::traverse::{
     Afra, ByTable, ByWalk, Cursor, Disjoint, HashOnly, Hashed, Incomplete, KeyOnly, KeyTrail, Method, Next, NoSuchKey,
-    Pause, Paused, Sparse, StateError, States, Uncle, resume, traverse,
+    Pause, Paused, Sparse, StateError, States, Uncle, resume, traverse, traverse_pruned,
 };
-use stackless_bvh::tree::{Node, Parents, RecordedUncles, Topology, Uncles};
+use stackless_bvh::tree::{Linked, Node, Topology};
 use stackless_check::{Case, CaseOptions, Pauses};
 
 fn methods() -> impl Iterator<Item = Method> {
@@ -103,9 +103,8 @@ fn other_states_are_refused() {
 fn states_that_are_made_up_are_followed_only_where_a_traversal_could_be() {
     let mut rng = Rng::new(4);
     let case = Case::with_tree(Family::Catalan.tree(&mut rng, 12), Kind::Random, &mut rng);
-    let (tree, states, uncles, map) =
-        (&case.tree, States::of(&case.tree), <Uncles>::of(&case.tree), KeyMap::of(&case.tree));
-    let parents = Parents::of(tree);
+    let (tree, states, map) = (&case.tree, States::of(&case.tree), KeyMap::of(&case.tree));
+    let linked = Linked::both(tree);
     let (mut followed, mut refused) = (0, 0);
     for _ in 0..200_000 {
         let node = |rng: &mut Rng| {
@@ -127,10 +126,10 @@ fn states_that_are_made_up_are_followed_only_where_a_traversal_could_be() {
         };
         followed += 1;
         let mut search = Search::new(tree, &case.tape, false);
-        let cursor = Hashed::<u32, _, _, _>::new(tree, &uncles, &map).expect("not deep");
+        let cursor = Hashed::<u32, _, _>::new(&linked, &map).expect("not deep");
         let mut steps = Steps(0);
         let _ = resume(cursor, paused.clone(), &mut search, &mut steps);
-        let afra = Afra::<u32, _, _>::new(tree, &parents).expect("not deep");
+        let afra = Afra::<u32, _>::new(&linked).expect("not deep");
         assert!(resume(afra, paused, &mut search, &mut steps).is_ok());
         assert!(steps.0 <= 2 * tree.node_count());
     }
@@ -142,23 +141,23 @@ fn states_that_are_made_up_are_followed_only_where_a_traversal_could_be() {
 fn what_is_missing_is_named() {
     let mut rng = Rng::new(1);
     let tree = &Family::Catalan.tree(&mut rng, 6);
-    let (parents, uncles, map) = (Parents::of(tree), <Uncles>::of(tree), KeyMap::of(tree));
+    let (linked, map) = (Linked::both(tree), KeyMap::of(tree));
     let [left, right] = tree.children(tree.root());
     let paused = Paused { node: left, register: None, key: None, trail: 1_u32, disjoint: None, next: Next::Visit };
-    let mut hashed = Hashed::<u32, _, _, _>::new(tree, &uncles, &map).expect("not deep");
+    let mut hashed = Hashed::<u32, _, _>::new(&linked, &map).expect("not deep");
     let mut by_hash = HashOnly::<u32, _, _>::new(tree, &map).expect("not deep");
-    let mut uncle = Uncle::<u32, _, _>::new(tree, &uncles).expect("not deep");
-    let mut sparse = Sparse::<u32, _, _>::new(tree, &parents).expect("not deep");
+    let mut uncle = Uncle::<u32, _>::new(&linked).expect("not deep");
+    let mut sparse = Sparse::<u32, _>::new(&linked).expect("not deep");
     assert_eq!(hashed.take_up(paused.clone()), Err(Incomplete::Key));
     assert_eq!(by_hash.take_up(paused.clone()), Err(Incomplete::Key));
     assert_eq!(uncle.take_up(paused.clone()), Err(Incomplete::Register));
     let with_key = Paused { key: Some(2), ..paused.clone() };
     assert_eq!(hashed.take_up(with_key.clone()), Err(Incomplete::Register));
     // A state that is refused changes nothing.
-    assert_eq!((hashed.node(), hashed.key()), (tree.root(), Some(1)));
+    assert_eq!((hashed.node(), hashed.state().key), (tree.root(), Some(1)));
     assert_eq!(hashed.take_up(Paused { register: Some(right), ..with_key }), Ok(()));
     assert_eq!(sparse.take_up(paused), Ok(()));
-    assert_eq!((sparse.node(), sparse.counter()), (left, Some(0b10)));
+    assert_eq!((sparse.node(), sparse.state().counter), (left, Some(0b10)));
 
     let walk = ByWalk(tree);
     let kept = |key, trail| KeyTrail { key, trail, disjoint: None, next: Next::Visit };
@@ -173,20 +172,20 @@ fn what_is_missing_is_named() {
 #[test]
 fn another_thread_goes_on() {
     let case = Case::random(3, CaseOptions { family: Some(Family::Skew), depth: Some(20) });
-    let parents = Parents::of(&case.tree);
+    let parents = Linked::parents(&case.tree);
     let mut whole = Search::new(&case.tree, &case.tape, false);
-    traverse(Afra::<u64, _, _>::new(&case.tree, &parents).expect("not deep"), &mut whole, &mut ());
-    let mut cursor = Afra::<u64, _, _>::new(&case.tree, &parents).expect("not deep");
+    traverse(Afra::<u64, _>::new(&parents).expect("not deep"), &mut whole, &mut ());
+    let mut cursor = Afra::<u64, _>::new(&parents).expect("not deep");
     let mut search = Search::new(&case.tree, &case.tape, false);
     // One visit a thread.
     let mut next = Next::Visit;
     let visits = (1..1000).find(|_| {
         let paused = cursor.put_aside(next);
-        let (parents, case) = (&parents, &case);
+        let parents = &parents;
         let (ended, found) = std::thread::scope(|scope| {
             let mut search = search.clone();
             let run = move || {
-                let mut cursor = Afra::<u64, _, _>::new(&case.tree, parents).expect("not deep");
+                let mut cursor = Afra::<u64, _>::new(parents).expect("not deep");
                 cursor.take_up(paused).expect("complete");
                 let stopped = traverse(&mut cursor, &mut search, &mut Steps(usize::MAX - 1));
                 (stopped.map(|next| cursor.put_aside(next)), search)
@@ -213,10 +212,9 @@ fn rays_are_put_aside() {
     let mesh = procedural::soup(5, 90);
     let bvh = Bvh::sah(&mesh, SahOptions::default()).expect("a tree");
     let truth = Truth::new(&mesh);
-    let uncles = RecordedUncles::of(&bvh).expect("builders record them");
     let all = Options { key_set: KeySet::All, sizing: Sizing::Tight };
     let hash = PerfectHash::build(&bvh, all).expect("a table");
-    let cursor = || Hashed::<u32, _, _, _>::new(&bvh, uncles, &hash).expect("not deep");
+    let cursor = || Hashed::<u32, _, _>::new(&bvh, &hash).expect("not deep");
     let (mut shortened, mut walked) = (0, 0);
     for ray in procedural::rays(&mesh, 2, 120) {
         let hits: Vec<_> = Tracer::new(&bvh).all(&ray).collect();
@@ -247,7 +245,7 @@ fn rays_are_put_aside() {
             // As if from elsewhere.
             let kept = cursor.put_aside(Next::Backtrack).key_trail().expect("a key");
             let paused = kept.locate(&ByWalk(&bvh)).expect("a node of this tree");
-            cursor = Hashed::new(&bvh, uncles, &hash).expect("not deep");
+            cursor = Hashed::new(&bvh, &hash).expect("not deep");
             cursor.take_up(paused).expect("complete");
             next = if cursor.backtrack() { traverse(&mut cursor, &mut search, &mut ()) } else { None };
         }
@@ -284,7 +282,7 @@ impl Visitor for LeafByLeaf<'_> {
 struct Steps(usize);
 
 impl Recorder for Steps {
-    fn visit(&mut self, _: &impl State) -> Flow {
+    fn visit<W: KeyWord>(&mut self, _: Node, _: impl FnOnce() -> State<W>) -> Flow {
         if self.0 == usize::MAX {
             return Flow::Stop;
         }
@@ -295,11 +293,11 @@ impl Recorder for Steps {
 
 /// Every state before a visit of `hashed` with its second trail.
 fn for_each_state(case: &Case, mut f: impl FnMut(&Paused<u32>)) {
-    let (uncles, map) = (<Uncles>::of(&case.tree), KeyMap::of(&case.tree));
+    let (uncles, map) = (Linked::uncles(&case.tree), KeyMap::of(&case.tree));
     let mut search = Search::new(&case.tree, &case.tape, false);
-    let mut cursor = Hashed::<u32, _, _, _, Disjoint<u32>>::new(&case.tree, &uncles, &map).expect("not deep");
+    let mut cursor = Hashed::<u32, _, _, Disjoint<u32>>::new(&uncles, &map).expect("not deep");
     let mut visits = Steps(usize::MAX - 1);
-    while let Some(next) = traverse(&mut cursor, &mut search, &mut visits) {
+    while let Some(next) = traverse_pruned(&mut cursor, &mut search, &mut visits) {
         f(&cursor.put_aside(next));
         visits.0 = usize::MAX - 1;
     }

@@ -7,20 +7,26 @@ use stackless_bvh::generate::{Exhaustive, Kind, Search, Source, Tape, shape};
 use stackless_bvh::hash::Lookup;
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::traverse::{Cursor, Hashed, Stack, Uncle, traverse};
-use stackless_bvh::tree::{Keys, Node, Reach, Topology, Tree, UncleLinks, Uncles};
+use stackless_bvh::tree::{Keys, Linked, Node, Reach, Recorded, Topology, Tree};
 
 /// Records whose nodes are taken whenever one is loaded, as the paper prints it.
-struct Printed<'a, const INNER: u32, const LEAF: u32>(&'a Uncles<INNER, LEAF>);
+struct Printed<'a, const INNER: u32, const LEAF: u32>(Linked<'a, Tree, INNER, LEAF>);
 
-impl<T: Topology, const INNER: u32, const LEAF: u32> UncleLinks<T> for Printed<'_, INNER, LEAF> {
-    const REACH: Reach = Uncles::<INNER, LEAF>::REACH;
+impl<const INNER: u32, const LEAF: u32> Topology for Printed<'_, INNER, LEAF> {
+    const REACH: Reach = Linked::<Tree, INNER, LEAF>::REACH;
 
-    fn row(&self, tree: &T, node: Node) -> [Node; 3] {
-        self.0.row(tree, node)
+    stackless_bvh::topology_of!(0);
+
+    fn names(&self, what: Recorded) -> bool {
+        self.0.names(what)
     }
 
-    fn lowest_leaving(&self, tree: &T, node: Node, trail: u32, otherwise: Node) -> Node {
-        self.lowest_pending(tree, node, trail, otherwise)
+    fn uncles(&self, node: Node) -> [Node; 3] {
+        self.0.uncles(node)
+    }
+
+    fn lowest_leaving(&self, node: Node, trail: u32, otherwise: Node) -> Node {
+        self.lowest_pending(node, trail, otherwise)
     }
 }
 
@@ -45,11 +51,12 @@ fn run(tree: &Tree, tape: &Tape, cursor: impl Cursor) -> Trace {
 }
 
 fn same_lookups<const INNER: u32, const LEAF: u32>(tree: &Tree, tape: &Tape, expected: &Trace) -> usize {
-    let uncles = Uncles::<INNER, LEAF>::of(tree);
+    let uncles = Linked::<_, INNER, LEAF>::reaching(tree);
+    let as_printed = Printed(Linked::<_, INNER, LEAF>::reaching(tree));
     let [late, printed] = [(); 2].map(|()| Asked { tree, nodes: RefCell::default() });
-    let hashed = Hashed::<u32, _, _, _>::new(tree, &uncles, &late).expect("a shallow tree");
+    let hashed = Hashed::<u32, _, _>::new(&uncles, &late).expect("a shallow tree");
     assert_eq!(run(tree, tape, hashed), *expected, "({INNER}, {LEAF}) {tree:?} {tape:?}");
-    let hashed = Hashed::<u32, _, _, _>::new(tree, Printed(&uncles), &printed).expect("a shallow tree");
+    let hashed = Hashed::<u32, _, _>::new(&as_printed, &printed).expect("a shallow tree");
     assert_eq!(run(tree, tape, hashed), *expected, "({INNER}, {LEAF}) {tree:?} {tape:?}");
     let [late, printed] = [late, printed].map(|asked| asked.nodes.into_inner());
     assert_eq!(late, printed, "({INNER}, {LEAF}) {tree:?} {tape:?}");
@@ -57,8 +64,8 @@ fn same_lookups<const INNER: u32, const LEAF: u32>(tree: &Tree, tape: &Tape, exp
 }
 
 fn climbs<const INNER: u32, const LEAF: u32>(tree: &Tree, tape: &Tape, expected: &Trace) {
-    let uncles = Uncles::<INNER, LEAF>::of(tree);
-    let uncle = Uncle::<u32, _, _>::new(tree, &uncles).expect("a shallow tree");
+    let uncles = Linked::<_, INNER, LEAF>::reaching(tree);
+    let uncle = Uncle::<u32, _>::new(&uncles).expect("a shallow tree");
     assert_eq!(run(tree, tape, uncle), *expected, "({INNER}, {LEAF}) {tree:?} {tape:?}");
 }
 

@@ -9,7 +9,7 @@ use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::{Family, Kind, Rng, Search, Source, Tape};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{ByNode, Descent, Flow, LeftFirst, NodeTest, Side, Visitor};
+use stackless_bvh::order::{ByNode, Descent, Flow, LeftFirst, NodeTest, Pruned, Side, Visitor};
 use stackless_bvh::traverse::{Method, Tables};
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
 
@@ -58,6 +58,8 @@ impl Visitor for Scribe<'_> {
     }
 }
 
+impl Pruned for Scribe<'_> {}
+
 impl NodeTest for Scribe<'_> {
     fn accept(&mut self, node: Node) -> bool {
         let accepts = self.search.accept(node);
@@ -87,11 +89,10 @@ struct Visits<'a> {
 }
 
 impl Recorder for Visits<'_> {
-    fn visit(&mut self, state: &impl State) -> Flow {
-        let number = |word: Option<_>| word.map(|word| KeyWord::to_u64(&word).unwrap());
-        let key = self.keys.key(self.tree.slot(state.node()));
-        let (trail, counter) = (number(state.trail()), number(state.counter()));
-        self.all.push(Visit { key, state_key: number(state.key()), trail, counter });
+    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        let State { key: state_key, trail, counter, .. } = state().map(|word| Some(word.to_u64().unwrap()));
+        let key = self.keys.key(self.tree.slot(node));
+        self.all.push(Visit { key, state_key, trail, counter });
         Flow::Continue
     }
 }
@@ -197,7 +198,7 @@ fn write(text: &mut String, index: u32, case: &Case) -> std::fmt::Result {
 
 fn vectors() -> String {
     let mut text = String::from(
-        "(** Cases with the visits and the states that the library saw. Written by tests/rocq_vectors.rs. *)\n\n\
+        "(** Cases with the visits and the states that the library saw. Written by tests/library/rocq_vectors.rs. *)\n\n\
          Require Import List PArith NArith.\nRequire Import Tree Cases.\nImport ListNotations.\nOpen Scope N_scope.\n",
     );
     let mut rng = Rng::new(16);

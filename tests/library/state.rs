@@ -8,10 +8,10 @@ use stackless_bvh::hash::{KeyMap, KeySet, Lookup, Options, PerfectHash, Sizing};
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::order::{Descent, Flow, Pruning, Side, Visitor};
 use stackless_bvh::traverse::{
-    Afra, Complete, Cursor, Cuts, Disjoint, Glassner, Hashed, KeyTrail, Method, Next, Pause, Paused, PruningStack,
-    Sparse, Split, Stack, Tables, Test, Unfit, WordName, traverse,
+    Afra, Beside, Complete, Cursor, Cuts, Disjoint, Glassner, Hashed, KeyTrail, Method, Next, Pause, Paused,
+    PruningStack, Sparse, Split, Stack, Test, Unfit, WordName, traverse, traverse_pruned,
 };
-use stackless_bvh::tree::{Keys, Node, ParentLinks, Parents, Reach, Recorded, Topology, Tree, Uncles};
+use stackless_bvh::tree::{Keys, Linked, Node, Parents, Reach, Recorded, Topology, Tree};
 use stackless_check::{Case, CaseOptions};
 
 /// One visit.
@@ -29,16 +29,10 @@ struct Seen {
 struct Look(Vec<Seen>);
 
 impl Recorder for Look {
-    fn visit(&mut self, state: &impl State) -> Flow {
-        let number = |word: Option<_>| word.map(|word| KeyWord::to_u64(&word).expect("64 bits"));
-        self.0.push(Seen {
-            node: state.node(),
-            key: number(state.key()),
-            trail: number(state.trail()),
-            counter: number(state.counter()),
-            disjoint: number(state.disjoint()),
-            register: state.register(),
-        });
+    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        let State { key, trail, counter, disjoint, register, .. } =
+            state().map(|word| Some(word.to_u64().expect("64 bits")));
+        self.0.push(Seen { node, key, trail, counter, disjoint, register });
         Flow::Continue
     }
 }
@@ -82,9 +76,9 @@ fn check(case: &Case, method: Method, visits: &[Seen]) -> [bool; 2] {
         // Bit j: the sibling of the ancestor j levels up comes later.
         let (mut trail, mut ancestor) = (0, seen.node);
         for j in 0..depth {
-            let sibling = (&parents).sibling(tree, ancestor);
+            let sibling = parents.row(tree, ancestor)[1];
             trail |= u64::from(visits[i..].iter().any(|later| later.node == sibling)) << j;
-            ancestor = (&parents).parent(tree, ancestor);
+            ancestor = parents.row(tree, ancestor)[0];
         }
         assert!(seen.trail.is_none_or(|shown| shown == trail), "{method} visit {i} {case:?}");
         let counter = 1 << depth | !trail & ((1 << depth) - 1);
@@ -129,7 +123,7 @@ fn the_trail_is_what_is_postponed() {
 fn a_borrowed_cursor_prunes_as_itself() {
     fn run(case: &Case, cursor: impl Cursor) -> Trace {
         let (mut trace, mut search) = (Trace::default(), Search::new(&case.tree, &case.tape, false));
-        traverse(cursor, &mut search, &mut trace);
+        traverse_pruned(cursor, &mut search, &mut trace);
         trace
     }
     let mut pruned = [0; 2];
@@ -249,7 +243,7 @@ fn every_method_runs_by_its_name_in_every_word() {
 fn pieces_prune_what_waits_above_them_too() {
     fn run(case: &Case, cursor: impl Cursor) -> Trace {
         let (mut trace, mut search) = (Trace::default(), Search::new(&case.tree, &case.tape, false));
-        traverse(cursor, &mut search, &mut trace);
+        traverse_pruned(cursor, &mut search, &mut trace);
         trace
     }
     let mut pruned = 0;
@@ -257,10 +251,11 @@ fn pieces_prune_what_waits_above_them_too() {
         let mut rng = Rng::new(seed);
         let tree = Family::ALL[seed as usize % Family::ALL.len()].tree(&mut rng, 24);
         let case = whole(Case::with_tree(tree, Kind::Intervals, &mut rng));
-        let (parents, cuts) = (Parents::of(&case.tree), Cuts::every(2, &case.tree));
-        let whole = run(&case, Afra::<u64, _, _, Disjoint<u64>>::new(&case.tree, &parents).unwrap());
+        let parents = Linked::parents(&case.tree);
+        let cuts = Cuts::every(2, &parents);
+        let whole = run(&case, Afra::<u64, _, Disjoint<u64>>::new(&parents).unwrap());
         let mut waiting = Vec::new();
-        let start = |piece| Afra::<u64, _, _, Disjoint<u64>>::new(piece, &parents);
+        let start = Afra::<u64, _, Disjoint<u64>>::new;
         assert_eq!(run(&case, Split::new(&cuts, &mut waiting, start).unwrap()), whole, "{case:?}");
         pruned += u32::from(whole != run(&case, Stack::new(&case.tree, &mut Vec::new())));
     }
@@ -273,7 +268,7 @@ fn tables_have_the_bytes_of_their_parts() {
     let inner = (1..leaves).map(|i| Some([2 * i - 1, 2 * i]));
     let tree = Tree::new(&inner.chain((0..leaves).map(|_| None)).collect::<Vec<_>>()).unwrap();
     let axes = vec![0; 15];
-    let bytes = |methods: &[Method]| Tables::new(&tree, &axes, methods, 13).bytes();
+    let bytes = |methods: &[Method]| Beside::new(&tree, &axes, methods, 13).bytes();
     let sole = [
         (Method::Stack, 0),
         (Method::Sparse, 8 * 15),
@@ -293,7 +288,7 @@ fn tables_have_the_bytes_of_their_parts() {
     // Parents and uncles are shared.
     let shared = 8 * 15 + 12 * 15;
     assert_eq!(bytes(&Method::ALL), sole.iter().map(|(_, bytes)| bytes).sum::<usize>() - shared);
-    let deep = Tables::new(&tree, &axes, &[Method::LeftFirst], 2).bytes();
+    let deep = Beside::new(&tree, &axes, &[Method::LeftFirst], 2).bytes();
     assert_eq!(deep, KeyMap::of(&tree).bytes());
 }
 
@@ -351,9 +346,9 @@ fn what_the_next_record_does_not_name_is_kept() {
     let leaf = None;
     let children = [Some([1, 2]), Some([3, 4]), leaf, leaf, Some([5, 6]), Some([7, 8]), leaf, leaf, leaf];
     let tree = Tree::new(&children).unwrap();
-    let uncles = <Uncles>::of(&tree);
+    let uncles = Linked::uncles(&tree);
     let mut trace = Trace::default();
-    let cursor = Hashed::<u32, _, _, _>::new(&tree, &uncles, &Never).unwrap();
+    let cursor = Hashed::<u32, _, _>::new(&uncles, &Never).unwrap();
     traverse(cursor, &mut LeftDown(&[0, 1]), &mut trace);
     assert_eq!(trace.nodes().iter().map(|node| node.index()).collect::<Vec<_>>(), [0, 1, 3, 4, 5, 7, 2]);
 }
@@ -361,12 +356,12 @@ fn what_the_next_record_does_not_name_is_kept() {
 #[test]
 fn marks_are_taken_up() {
     let tree = chain(8);
-    let (node, parents) = (tree.node(9).unwrap(), Parents::of(&tree));
+    let (node, parents) = (tree.node(9).unwrap(), Linked::parents(&tree));
     let paused = Paused { node, register: None, key: None, trail: 0b101_u32, disjoint: Some(0b100), next: Next::Visit };
-    let mut afra = Afra::<u32, _, _, Disjoint<u32>>::new(&tree, &parents).unwrap();
-    let mut sparse = Sparse::<u32, _, _, Disjoint<u32>>::new(&tree, &parents).unwrap();
+    let mut afra = Afra::<u32, _, Disjoint<u32>>::new(&parents).unwrap();
+    let mut sparse = Sparse::<u32, _, Disjoint<u32>>::new(&parents).unwrap();
     afra.take_up(paused.clone()).unwrap();
     sparse.take_up(paused).unwrap();
-    assert_eq!((State::node(&afra), afra.trail(), State::disjoint(&afra)), (node, Some(0b101), Some(0b100)));
-    assert_eq!((State::node(&sparse), State::disjoint(&sparse)), (node, Some(0b100)));
+    assert_eq!(afra.state(), State { trail: Some(0b101), disjoint: Some(0b100), ..State::of(node) });
+    assert_eq!((sparse.node(), sparse.state().disjoint), (node, Some(0b100)));
 }

@@ -2,9 +2,9 @@
 //! earlier ones. And the habits that a script can see: short files, no `unsafe`, no panics on purpose.
 
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use crate::files::{files, read, root};
+use crate::files::{files, read, root, sources};
 
 /// What each module of the library imports of the others, all of it from rows above its own.
 const ALLOWED: &[(&str, &[&str])] = &[
@@ -15,40 +15,39 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("tree", &["key"]),
     ("order", &["key", "tree"]),
     ("hash", &["key", "tree"]),
-    ("event", &["key", "order", "tree"]),
+    ("event", &["key", "order", "trail", "tree"]),
     ("oracle", &["event", "order", "tree"]),
     ("traverse", &["event", "hash", "key", "name", "order", "swap", "trail", "tree"]),
-    ("generate", &["hash", "name", "order", "tree"]),
-    ("report", &["event", "key", "order", "trail", "tree"]),
     ("geom", &[]),
-    ("scene", &["generate", "geom"]),
-    ("bvh", &["geom", "hash", "name", "order", "scene", "tree"]),
-    ("curve", &["event", "generate", "hash", "key", "name", "order", "traverse", "tree"]),
-    ("trace", &["bvh", "event", "generate", "geom", "key", "name", "order", "report", "scene", "traverse", "tree"]),
+    ("generate", &["geom", "hash", "name", "order", "tree"]),
+    ("bvh", &["geom", "hash", "name", "order", "tree"]),
+    ("trace", &["bvh", "event", "generate", "geom", "key", "name", "order", "traverse", "tree"]),
+];
+
+/// Which crates of this repository each crate needs, all of them from rows above its own.
+const CRATES: &[(&str, &[&str])] = &[
+    (".", &[]),
+    ("crates/scene", &["stackless-bvh"]),
+    ("crates/curve", &["stackless-bvh"]),
+    ("crates/check", &["stackless-bvh", "stackless-scene"]),
+    ("crates/suite", &["stackless-bvh", "stackless-check"]),
     (
-        "check",
+        "crates/cli",
         &[
-            "bvh", "event", "generate", "geom", "hash", "key", "oracle", "order", "report", "scene", "trace", "trail",
-            "traverse", "tree",
+            "stackless-bvh",
+            "stackless-check",
+            "stackless-curve",
+            "stackless-peers",
+            "stackless-scene",
+            "stackless-suite",
         ],
-    ),
-    (
-        "suite",
-        &[
-            "bvh", "check", "event", "generate", "geom", "hash", "key", "name", "order", "scene", "swap", "trace",
-            "trail", "traverse", "tree",
-        ],
-    ),
-    (
-        "explain",
-        &["bvh", "check", "event", "generate", "geom", "hash", "key", "oracle", "order", "report", "traverse", "tree"],
     ),
 ];
 
 /// Lines that may panic on purpose, by file and text, and why.
 const PANICS: &[(&str, &str, &str)] = &[
     ("src/hash/modulo.rs", ".expect(\"a table has 1 to 2^31 cells\")", "a constant: it is the compiler that stops"),
-    ("src/scene/procedural.rs", ".expect(\"coordinates are finite", "a made scene is a mesh, whatever the seed"),
+    ("src/generate/procedural.rs", ".expect(\"coordinates are finite", "a made scene is a mesh, whatever the seed"),
     ("src/tree/links.rs", "None => panic!(", "a constant: it is the compiler that stops"),
 ];
 
@@ -119,7 +118,7 @@ fn imports(module: &[String], code: &str) -> BTreeSet<Import> {
 }
 
 fn all_imports() -> BTreeSet<Import> {
-    let library = files("src", "rs").into_iter().filter(|file| !is_test(file) && !file.starts_with("src/bin"));
+    let library = files("src", "rs").into_iter().filter(|file| !is_test(file));
     library.flat_map(|file| imports(&module(&file), &code(&read(&file)))).collect()
 }
 
@@ -176,9 +175,35 @@ fn a_backward_import_is_seen_in_every_form() {
     assert_eq!(seen(&["tree", "implicit"], fine), [""; 0]);
 }
 
+/// The crates of this repository under `[dependencies]`.
+fn crates_needed(manifest: &str) -> Vec<String> {
+    let section = manifest.split("\n[dependencies]\n").nth(1).unwrap_or_default().split("\n[").next();
+    let lines = section.unwrap_or_default().lines().filter(|line| line.starts_with("stackless-"));
+    lines.map(|line| line.split(['.', ' ', '=']).next().unwrap_or_default().to_owned()).collect()
+}
+
+#[test]
+fn crates_need_those_of_the_table() {
+    let mut folders: Vec<_> = files("crates", "toml").into_iter().filter(|file| file.ends_with("Cargo.toml")).collect();
+    folders.push("Cargo.toml".into());
+    assert_eq!(folders.len(), CRATES.len());
+    for (row, &(folder, needed)) in CRATES.iter().enumerate() {
+        assert_eq!(crates_needed(&read(&Path::new(folder).join("Cargo.toml"))), needed, "{folder}");
+        let earlier: Vec<_> = CRATES[..row].iter().map(|(folder, _)| folder.replace("crates/", "stackless-")).collect();
+        let is_earlier = |name: &&str| {
+            *name == "stackless-bvh" || *name == "stackless-peers" || earlier.iter().any(|it| it == *name)
+        };
+        assert!(needed.iter().all(is_earlier), "{folder}");
+    }
+    assert_eq!(
+        crates_needed("[a]\n[dependencies]\nglam = 1\nstackless-bvh.workspace = true\n[b]\nstackless-x = 1"),
+        ["stackless-bvh"]
+    );
+}
+
 #[test]
 fn files_are_short() {
-    for file in files("src", "rs") {
+    for file in sources() {
         let lines = read(&file).lines().count();
         assert!(lines <= LONGEST, "{}: {lines} lines", file.display());
     }
@@ -194,8 +219,9 @@ fn the_reference_is_short() {
 
 #[test]
 fn nothing_is_unsafe() {
-    for file in ["src/lib.rs", "src/bin/stackless/main.rs"] {
-        assert!(read(Path::new(file)).contains("\n#![forbid(unsafe_code)]\n"), "{file}");
+    let is_root = |file: &&PathBuf| file.ends_with("src/lib.rs") || file.ends_with("main.rs");
+    for file in sources().iter().filter(is_root) {
+        assert!(read(file).contains("\n#![forbid(unsafe_code)]\n"), "{}", file.display());
     }
     assert!(read(Path::new("Cargo.toml")).contains("\nunsafe_code = \"forbid\"\n"));
 }
@@ -211,7 +237,7 @@ fn nothing_panics_on_purpose() {
     assert_eq!(panics("a.unwrap();\nb.unwrap_or(1);\nc\n  .expect(\"c\")\npanic!()").count(), 3);
     assert_eq!(panics(&code("a(); // b.unwrap()\n#[cfg(test)]\nmod tests {\n    a.unwrap();\n}")).count(), 0);
     let (mut used, mut unknown) = (BTreeSet::new(), Vec::new());
-    for file in files("src", "rs").into_iter().filter(|file| !is_test(file)) {
+    for file in sources().into_iter().filter(|file| !is_test(file)) {
         for (line, text) in panics(&code(&read(&file))) {
             let known = PANICS.iter().position(|(known, what, _)| file == Path::new(known) && text.contains(what));
             match known {

@@ -1,13 +1,13 @@
 //! Every clause of the specification is covered as its kind requires, and whatever cites a clause cites one that there is.
 //!
-//! What covers what is in `spec/COVERAGE.txt`. To make it anew: `UPDATE=1 cargo test --test coverage`.
+//! What covers what is in `spec/COVERAGE.txt`. To make it anew: `UPDATE=1 cargo test --test project coverage`.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
-use crate::files::{files, read, root};
+use crate::files::{files, read, root, sources};
 use stackless_suite::author;
 
 /// What a clause is, which says how it has to be covered.
@@ -167,15 +167,18 @@ fn all_clauses() -> Vec<Clause> {
 fn all_citations() -> Vec<Citation> {
     let mut all = Vec::new();
     let mut of = |file: &Path, text: &str, cover| all.extend(citations(&file.display().to_string(), text, cover));
-    for file in files("src", "rs") {
+    for file in sources() {
         let text = read(&file);
         let (source, tests) = text.split_once("#[cfg(test)]\nmod tests {").unwrap_or((&text, ""));
         let is_test = file.file_stem().is_some_and(|stem| stem == "tests");
         of(&file, source, if is_test { Cover::Test } else { Cover::Source });
         of(&file, tests, Cover::Test);
     }
-    for file in files("tests", "rs").iter().filter(|file| !file.ends_with("coverage.rs")) {
-        of(file, &read(file), Cover::Test);
+    let tests = files("crates", "rs")
+        .into_iter()
+        .filter(|file| file.components().nth(2) == Some(Component::Normal("tests".as_ref())));
+    for file in files("tests", "rs").into_iter().chain(tests).filter(|file| !file.ends_with("coverage.rs")) {
+        of(&file, &read(&file), Cover::Test);
     }
     for file in ["rs", "wgsl"].into_iter().flat_map(kernels) {
         let cover = if file.starts_with("gpu-check/tests") { Cover::Test } else { Cover::Source };

@@ -4,3 +4,4 @@ mod architecture;
 mod bibliography;
 mod coverage;
 mod files;
+mod pointers;

@@ -1,17 +1,18 @@
 //! Embree 3 through its C library, which is loaded when it is asked for.
 //!
-//! Scenes are static, of medium build quality, with the flag for robust tests or without flags; single rays, as the others
-//! have them. Its manual recommends to let the processor flush denormal numbers; as that would change what the exact tests
-//! in the same thread compute, it is not done.
+//! Scenes are static, of medium build quality, with the flag for robust tests or without flags; single rays, as the
+//! others have them. Its manual recommends to let the processor flush denormal numbers; as that would change what the
+//! exact tests in the same thread compute, it is not done.
 //!
 //! # Safety
 //!
 //! This is the one module with `unsafe`. What it rests on:
-//! - The types and the declarations of functions are those of the headers of Embree 3.13, whose binary interface is the same
-//!   for all libraries of this soname. Sizes are checked when compiling.
-//! - The library is never unloaded: what it keeps for a thread is cleared when the thread ends. So its functions are there
-//!   as long as the program.
-//! - [`Scene`] gives its handles back once, when it is dropped. It is neither `Send` nor `Sync`, so it stays on its thread.
+//! - The types and the declarations of functions are those of the headers of Embree 3.13, whose binary interface is the
+//!   same for all libraries of this soname. Sizes are checked when compiling.
+//! - The library is never unloaded: what it keeps for a thread is cleared when the thread ends. So its functions are
+//!   there as long as the program.
+//! - [`Scene`] gives its handles back once, when it is dropped. It is neither `Send` nor `Sync`, so it stays on its
+//!   thread.
 //! - Buffers are Embree's own and have as many items as are written. Indices have been checked before.
 //! - A ray and its hit are on the stack, with the alignment that Embree asks for, and outlive the call.
 #![allow(unsafe_code)]
@@ -135,8 +136,8 @@ impl Scene {
         let this = Self { device, handle: scene, api };
         let Api { set_scene_flags, new_geometry, commit_geometry, attach_geometry, .. } = *api;
         let Api { release_geometry, commit_scene, device_error, .. } = *api;
-        // SAFETY: device, scene and geometry are what their functions made. The scene keeps the geometry when it is given
-        // back here.
+        // SAFETY: device, scene and geometry are what their functions made. The scene keeps the geometry when it is
+        // given back here.
         let written = unsafe {
             set_scene_flags(scene, if robust { ROBUST } else { 0 });
             let geometry = new_geometry(device, TRIANGLES);
@@ -159,8 +160,8 @@ impl Scene {
 
     /// Makes a buffer of the geometry with these items, or says that there is no memory for it.
     fn fill<T: Copy>(&self, geometry: Handle, kind: c_int, format: c_int, items: &[[T; 3]]) -> bool {
-        // SAFETY: the geometry is one. The buffer that is made has room for the items, aligned for theirs (4 bytes), and
-        // nobody else knows of it.
+        // SAFETY: the geometry is one. The buffer that is made has room for the items, aligned for theirs (4 bytes),
+        // and nobody else knows of it.
         unsafe {
             let buffer = (self.api.new_buffer)(geometry, kind, 0, format, size_of::<[T; 3]>(), items.len());
             if !buffer.is_null() {

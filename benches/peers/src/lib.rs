@@ -1,8 +1,8 @@
-//! Ray tracers by others behind one interface on plain numbers, so that they can be measured in the same turns and on the
-//! same rays as `stackless-bvh`, whatever vectors they use.
+//! Ray tracers by others behind one interface on plain numbers, so that they can be measured in the same turns and on
+//! the same rays as `stackless-bvh`, whatever vectors they use.
 //!
-//! Each is used as its documentation recommends where many rays are traced; what was chosen stands in its file. All build
-//! with one thread.
+//! Each is used as its documentation recommends where many rays are traced; what was chosen stands in its file. All
+//! build with one thread.
 
 mod by_bvh;
 mod by_obvhs;

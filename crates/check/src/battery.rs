@@ -1,14 +1,15 @@
 //! The property body: one traversal against its oracle.
 
 use super::Case;
-use super::watch::{Fault, Watch};
+use super::watch::{Expected, Fault, Watch};
 use stackless_bvh::event::Trace;
 use stackless_bvh::generate::{Outcome, Search};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{ByNode, LeftFirst, Pruning, SignOrder, Visitor};
+use stackless_bvh::order::{ByNode, LeftFirst, Pruned, Pruning, SignOrder, Whole};
 use stackless_bvh::traverse::{
-    Method, PruningStack, Stack, Tables, Test, Unfit, WithWord, WordName, traverse, with_word,
+    Beside, Method, PruningStack, Stack, Tables, Test, Unfit, VerifiedTables, WithWord, WordName, traverse_pruned,
+    with_word,
 };
 use stackless_bvh::tree::{Keys, Node, Parents, Topology, Tree};
 
@@ -30,7 +31,7 @@ pub enum Verdict<F = Fault> {
 #[derive(Debug)]
 pub struct Battery<'c> {
     case: &'c Case,
-    tables: Tables<'c, Tree>,
+    tables: VerifiedTables<'c, Tree>,
     keys: Keys,
     parents: Parents,
     /// By [`Test`]: filled when first asked for.
@@ -51,9 +52,10 @@ impl<'c> Battery<'c> {
 
     /// Prepares a case for some traversals.
     pub fn new(case: &'c Case, methods: &[Method]) -> Self {
+        let beside = Beside::new(&case.tree, case.tape.axes(), methods, Self::IMPLICIT_DEPTH);
         Self {
             case,
-            tables: Tables::new(&case.tree, case.tape.axes(), methods, Self::IMPLICIT_DEPTH).verified(),
+            tables: Tables::verified(&case.tree, case.tape.axes(), beside),
             keys: Keys::of(&case.tree),
             parents: Parents::of(&case.tree),
             oracles: Default::default(),
@@ -74,7 +76,12 @@ impl<'c> Battery<'c> {
         &mut self,
         test: Test,
         restarts: bool,
-        run: impl FnOnce(&mut Search<'_, Tree>, &mut Watch<'_>, &Tables<'c, Tree>, &mut Vec<Node>) -> Result<(), Unfit>,
+        run: impl FnOnce(
+            &mut Search<'_, Tree>,
+            &mut Watch<'_>,
+            &VerifiedTables<'c, Tree>,
+            &mut Vec<Node>,
+        ) -> Result<(), Unfit>,
     ) -> Verdict {
         let case = self.case;
         if test.pruning() != Pruning::Never
@@ -91,8 +98,8 @@ impl<'c> Battery<'c> {
             (true, true) => (expected.len() as u64 + 1) * longest_way,
             (false, _) => (case.size() as u64 + 1) * longest_way,
         };
-        let mut watch =
-            Watch::new(&case.tree, &self.keys, &self.parents, exact.then_some(expected), step_limit, restarts);
+        let expected = if exact { Expected::Nodes(expected) } else { Expected::Nothing };
+        let mut watch = Watch::new(&case.tree, &self.keys, &self.parents, expected, step_limit, restarts);
         let mut search = Search::new(&case.tree, &case.tape, case.any);
         let misses_before = self.tables.misses();
         if let Err(unfit) = run(&mut search, &mut watch, &self.tables, &mut self.memory) {
@@ -146,25 +153,28 @@ impl Oracle {
         let tree = &case.tree;
         let trace = match test {
             Test::Children | Test::Disjoint | Test::Distance => Self::trace(tree, test, &mut search, memory),
-            Test::NodeLeftFirst => Self::trace(tree, test, &mut ByNode { test: &mut search, order: LeftFirst }, memory),
+            Test::NodeLeftFirst => {
+                let by_node = ByNode { test: &mut search, order: LeftFirst };
+                Self::trace(tree, test, &mut Whole(by_node), memory)
+            }
             Test::NodeBySign => {
                 let order = SignOrder { axes: case.tape.axes(), octant: case.octant };
-                Self::trace(tree, test, &mut ByNode { test: &mut search, order }, memory)
+                Self::trace(tree, test, &mut Whole(ByNode { test: &mut search, order }), memory)
             }
         };
         Self { trace, outcome: search.outcome }
     }
 
-    fn trace(tree: &Tree, test: Test, visitor: &mut impl Visitor, memory: &mut Vec<Node>) -> Trace {
+    fn trace(tree: &Tree, test: Test, visitor: &mut impl Pruned, memory: &mut Vec<Node>) -> Trace {
         let (mut trace, pruning) = (Trace::default(), test.pruning());
         if tree.depth() <= oracle::DEPTH_LIMIT {
             oracle::traverse_pruned(tree, tree.root(), pruning, visitor, &mut trace);
             return trace;
         }
         match pruning {
-            Pruning::Never => traverse(Stack::new(tree, memory), visitor, &mut trace),
-            Pruning::Disjoint => traverse(PruningStack::<_, false>::new(tree, memory), visitor, &mut trace),
-            Pruning::Distance => traverse(PruningStack::<_, true>::new(tree, memory), visitor, &mut trace),
+            Pruning::Never => traverse_pruned(Stack::new(tree, memory), visitor, &mut trace),
+            Pruning::Disjoint => traverse_pruned(PruningStack::<_, false>::new(tree, memory), visitor, &mut trace),
+            Pruning::Distance => traverse_pruned(PruningStack::<_, true>::new(tree, memory), visitor, &mut trace),
         };
         trace
     }

@@ -30,9 +30,9 @@ const CHUNK: u64 = 4096;
 
 /// Tests `rays` random and adversarial rays with a box each, on all cores. The same seed gives the same rays.
 ///
-/// Random points; grids of small integers; corners that are met exactly, and that rounding hides; intervals that begin or
-/// end at the box; origins on planes; flat boxes and points; components of 0, -0, and of all sizes down to the least;
-/// coordinates of all sizes.
+/// Random points; grids of small integers; corners that are met exactly, and that rounding hides; intervals that begin
+/// or end at the box; origins on planes; flat boxes and points; components of 0, -0, and of all sizes down to the
+/// least; coordinates of all sizes.
 pub fn check_boxes(seed: u64, rays: u64, progress: Progress<'_>) -> BoxTally {
     let chunk = |start: u64| {
         let mut draw = Draw::new(seed ^ start.wrapping_mul(0x9e37_79b9_7f4a_7c15));
@@ -130,10 +130,13 @@ fn draw_kind(draw: &mut Draw, kind: u64) -> Option<(Ray, Aabb)> {
             d = corner - o;
             interval = [[0.0, 1.0], [1.0, 1.0], [1.0, f32::INFINITY], [0.0, 1.0f32.next_down()]][draw.below(4)];
         }
-        // Flat boxes, and points.
+        // Boxes that are flat on one axis or on two, and points.
         8 => {
-            aabb.hi[draw.below(3)] = aabb.lo[0].min(1.0);
-            aabb = Aabb::of(&[aabb.lo, aabb.lo.with_x(aabb.hi.x)]);
+            let first = draw.below(3);
+            for i in 0..=draw.below(3) {
+                let axis = (first + i) % 3;
+                aabb.hi[axis] = aabb.lo[axis];
+            }
             d = corner_of(draw, &aabb) - o;
         }
         // Numbers of all sizes.
@@ -149,4 +152,22 @@ fn draw_kind(draw: &mut Draw, kind: u64) -> Option<(Ray, Aabb)> {
 
 fn corner_of(draw: &mut Draw, aabb: &Aabb) -> Vec3 {
     Vec3::from([0, 1, 2].map(|axis| [aabb.lo, aabb.hi][draw.below(2)][axis]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Boxes without extent on one axis, on two, and points.
+    #[test]
+    fn boxes_are_flat_in_every_way() {
+        let (mut draw, mut flat) = (Draw::new(1), [0; 8]);
+        for _ in 0..400 {
+            let Some((_, aabb)) = draw_kind(&mut draw, 8) else { continue };
+            let extent = aabb.extent().to_array();
+            flat[(0..3).map(|axis| usize::from(extent[axis] == 0.0) << axis).sum::<usize>()] += 1;
+        }
+        assert_eq!(flat[0], 0, "a box that is not flat");
+        assert!(flat[1..].iter().all(|&count| count > 10), "{flat:?}");
+    }
 }

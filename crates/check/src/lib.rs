@@ -4,8 +4,8 @@
 //! in any word, comparing at every visit ([`Fault`] lists what can differ). Tests, the command line, fuzzing and
 //! benchmarks all drive this one body. [`shrink()`] makes a failing case small, and a [`Replay`] file keeps it.
 //!
-//! Beside it are the bodies of what traversals rest on: [`Pauses`], [`check_table`], [`check_triangle`], [`check_slabs`],
-//! [`check_tree`], [`Flat`]. Each takes its inputs from whoever drives it.
+//! Beside it are the bodies of what traversals rest on: [`Pauses`], [`check_table`], [`check_triangle`],
+//! [`check_slabs`], [`check_tree`], [`Flat`]. Each takes its inputs from whoever drives it.
 
 #![forbid(unsafe_code)]
 
@@ -45,5 +45,5 @@ pub use stress::{Errors, Stress, floats_between};
 pub use tables::{TableFault, check_table, check_table_bytes};
 pub use tally::{Count, Tally};
 pub use trees::{TreeFault, check_held, check_nearest, check_tree, nearest};
-pub use watch::{Fault, Watch};
+pub use watch::{Expected, Fault, Visit, Watch};
 pub use watched::{Reads, Steps, Watched};

@@ -12,10 +12,10 @@ use stackless_bvh::generate::Search;
 use stackless_bvh::hash::{KeyMap, KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::key::{self, KeyWord};
 use stackless_bvh::oracle;
-use stackless_bvh::order::{Descent, Flow, Visitor};
+use stackless_bvh::order::{Descent, Flow, Pruned, Visitor};
 use stackless_bvh::traverse::{
     ByTable, ByWalk, KeyOnly, KeyTrail, Method, Next, Pause, Paused, States, Tables, WithCursor, WithWord, resume,
-    revisit, traverse, with_word,
+    revisit, traverse_pruned, with_word,
 };
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
 
@@ -280,7 +280,7 @@ impl<W> WithCursor<W> for Run<'_, '_> {
     type Output = ();
 
     fn call(self, cursor: impl Pause<Word = W>) {
-        traverse(cursor, self.0, self.1);
+        traverse_pruned(cursor, self.0, self.1);
     }
 }
 
@@ -301,7 +301,7 @@ impl<W: KeyWord> WithCursor<W> for PutAside<'_, '_> {
     fn call(self, mut cursor: impl Pause<Word = W>) -> Option<Paused<W>> {
         let Before { trace, search, visits, next } = self.0;
         let mut recorder = Until { trace, visits: *visits };
-        let stopped = traverse(&mut cursor, search, &mut recorder)?;
+        let stopped = traverse_pruned(&mut cursor, search, &mut recorder)?;
         if *next == Next::Visit {
             return Some(cursor.put_aside(stopped));
         }
@@ -310,7 +310,7 @@ impl<W: KeyWord> WithCursor<W> for PutAside<'_, '_> {
         }
         recorder.visits += 1;
         let mut visitor = StopAtLeaf { search, flow: Flow::Continue };
-        let stopped = traverse(&mut cursor, &mut visitor, &mut recorder)?;
+        let stopped = traverse_pruned(&mut cursor, &mut visitor, &mut recorder)?;
         // A search that has ended by itself is not put aside.
         (visitor.flow == Flow::Continue).then(|| cursor.put_aside(stopped))
     }
@@ -323,8 +323,8 @@ struct Until<'a> {
 }
 
 impl Recorder for Until<'_> {
-    fn visit(&mut self, state: &impl State) -> Flow {
-        if self.trace.nodes().len() == self.visits { Flow::Stop } else { self.trace.visit(state) }
+    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        if self.trace.nodes().len() == self.visits { Flow::Stop } else { self.trace.visit(node, state) }
     }
 }
 
@@ -343,7 +343,9 @@ impl Visitor for StopAtLeaf<'_, '_> {
         self.flow = Visitor::leaf(self.search, node);
         Flow::Stop
     }
+}
 
+impl Pruned for StopAtLeaf<'_, '_> {
     fn found_at(&self, leaf: Node) -> bool {
         self.search.found_at(leaf)
     }

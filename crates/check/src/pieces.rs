@@ -5,19 +5,16 @@ use std::convert::Infallible;
 use stackless_bvh::event::Recorder;
 use stackless_bvh::hash::{BuildError, KeyMap, KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::order::{self, ByNode, NodeTest, Visitor};
+use stackless_bvh::order::{self, ByNode, FixedOrder, NodeTest, Pruned};
 use stackless_bvh::traverse::{
-    Afra, ByKey, Cuts, Disjoint, HashOnly, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine, LeftFirst,
-    Method, PieceTable, Sparse, Split, Uncle, Unfit, traverse,
+    Context, Cursor, Cuts, Method, Piece, PieceTable, Skips, Split, Supply, Unfit, traverse, traverse_pruned,
 };
-use stackless_bvh::tree::{Parents, Topology, Uncles};
+use stackless_bvh::tree::{Node, Reach, Topology};
 
 /// A cut tree with the tables of all traversals whose state has words. `[DEPTH-4]`
 #[derive(Debug)]
 pub struct Pieces<'c, T> {
     cuts: &'c Cuts<'c, T>,
-    parents: Parents,
-    uncles: Uncles,
     hashes: Vec<PieceTable<PerfectHash>>,
     full_hashes: Vec<PieceTable<PerfectHash>>,
     /// In place of implicit layouts and of Glassner's table.
@@ -26,43 +23,22 @@ pub struct Pieces<'c, T> {
 
 impl<'c, T: Topology> Pieces<'c, T> {
     /// All traversals whose state has words, but `complete`, which is Glassner's with another table.
-    pub const METHODS: [Method; 20] = [
-        Method::LeftFirst,
-        Method::ImplicitA,
-        Method::ImplicitA1,
-        Method::ImplicitB,
-        Method::ImplicitB1,
-        Method::Sparse,
-        Method::SparseDisjoint,
-        Method::Laine0,
-        Method::Laine1,
-        Method::Laine2,
-        Method::Laine4,
-        Method::Laine8,
-        Method::Afra,
-        Method::AfraDisjoint,
-        Method::Uncle,
-        Method::UncleDisjoint,
-        Method::HashOnly,
-        Method::Hashed,
-        Method::HashedDisjoint,
-        Method::Glassner,
-    ];
+    pub fn methods() -> impl Iterator<Item = Method> {
+        Method::ALL.into_iter().filter(|&method| method.has_words() && method != Method::Complete)
+    }
 
-    /// Makes the tables.
+    /// Makes the tables. The tree must name [links](stackless_bvh::tree::Linked) for the traversals that follow them.
     ///
     /// # Errors
     /// Those of the perfect hashes.
-    pub fn new(tree: &T, cuts: &'c Cuts<'c, T>) -> Result<Self, BuildError> {
+    pub fn new(cuts: &'c Cuts<'c, T>) -> Result<Self, BuildError> {
         let hashes = |key_set| {
             let options = Options { key_set, sizing: Sizing::Tight };
             cuts.tables(|tree| PerfectHash::build(tree, options))
         };
         Ok(Self {
             cuts,
-            parents: Parents::of(tree),
-            uncles: <Uncles>::of(tree),
-            hashes: hashes(KeySet::Exact(<Uncles>::REACH))?,
+            hashes: hashes(KeySet::Exact(Reach::ALGORITHM_1))?,
             full_hashes: hashes(KeySet::All)?,
             maps: cuts.tables(|tree| Ok::<_, Infallible>(KeyMap::of(tree))).unwrap_or_else(|error| match error {}),
         })
@@ -83,50 +59,106 @@ impl<'c, T: Topology> Pieces<'c, T> {
     /// # Errors
     /// [`Unfit`], before the first step.
     pub fn run<W: KeyWord>(
-        &self,
+        &'c self,
         method: Method,
-        search: &mut (impl Visitor + NodeTest),
+        search: &mut (impl Pruned + NodeTest),
         recorder: &mut impl Recorder,
     ) -> Result<(), Unfit> {
-        macro_rules! run {
-            ($search:expr, $piece:ident => $cursor:expr) => {{
-                let mut waiting = Vec::new();
-                let split = Split::new(self.cuts, &mut waiting, |$piece| $cursor)?;
-                traverse(split, $search, recorder);
-            }};
-        }
+        method.dispatch::<W, _>(InPieces { pieces: self, search, recorder })
+    }
+}
 
-        let Self { parents, uncles, hashes, full_hashes, maps, .. } = self;
-        match method {
-            Method::LeftFirst => {
-                let mut search = ByNode { test: search, order: order::LeftFirst };
-                run!(&mut search, piece => LeftFirst::<W, _>::new(piece, &maps[piece.number()]));
-            }
-            Method::ImplicitA => run!(search, piece => ImplicitA::<W, _>::new(piece, &maps[piece.number()])),
-            Method::ImplicitA1 => run!(search, piece => ImplicitA1::<W, _>::new(piece, &maps[piece.number()])),
-            Method::ImplicitB => run!(search, piece => ImplicitB::<W, _>::new(piece, &maps[piece.number()])),
-            Method::ImplicitB1 => run!(search, piece => ImplicitB1::<W, _>::new(piece, &maps[piece.number()])),
-            Method::Sparse => run!(search, piece => Sparse::<W, _, _>::new(piece, parents)),
-            Method::SparseDisjoint => {
-                run!(search, piece => Sparse::<W, _, _, Disjoint<W>>::new(piece, parents));
-            }
-            Method::AfraDisjoint => run!(search, piece => Afra::<W, _, _, Disjoint<W>>::new(piece, parents)),
-            Method::UncleDisjoint => run!(search, piece => Uncle::<W, _, _, Disjoint<W>>::new(piece, uncles)),
-            Method::HashedDisjoint => {
-                run!(search, piece => Hashed::<W, _, _, _, Disjoint<W>>::new(piece, uncles, &hashes[piece.number()]));
-            }
-            Method::Laine0 => run!(search, piece => Laine::<0, W, _>::new(piece)),
-            Method::Laine1 => run!(search, piece => Laine::<1, W, _>::new(piece)),
-            Method::Laine2 => run!(search, piece => Laine::<2, W, _>::new(piece)),
-            Method::Laine4 => run!(search, piece => Laine::<4, W, _>::new(piece)),
-            Method::Laine8 => run!(search, piece => Laine::<8, W, _>::new(piece)),
-            Method::Afra => run!(search, piece => Afra::<W, _, _>::new(piece, parents)),
-            Method::Uncle => run!(search, piece => Uncle::<W, _, _>::new(piece, uncles)),
-            Method::HashOnly => run!(search, piece => HashOnly::<W, _, _>::new(piece, &full_hashes[piece.number()])),
-            Method::Hashed => run!(search, piece => Hashed::<W, _, _, _>::new(piece, uncles, &hashes[piece.number()])),
-            Method::Glassner => run!(search, piece => ByKey::<W, _>::new(piece, &maps[piece.number()])),
-            _ => return Err(Unfit::NoTable),
-        }
+/// A piece, with its tables.
+#[derive(Debug)]
+struct OfPiece<'c, T> {
+    pieces: &'c Pieces<'c, T>,
+    piece: &'c Piece<'c, T>,
+}
+
+impl<'c, W: KeyWord, T: Topology> Supply<'c, W> for OfPiece<'c, T> {
+    type Tree = Piece<'c, T>;
+    type Memory = Vec<Node>;
+    type Hash = &'c PieceTable<PerfectHash>;
+    type Layout = &'c PieceTable<KeyMap>;
+    type Complete = &'c PieceTable<KeyMap>;
+    type Chains = &'c PieceTable<KeyMap>;
+    type BySign = order::LeftFirst;
+
+    fn tree(&self) -> &'c Piece<'c, T> {
+        self.piece
+    }
+
+    fn memory(self) -> Vec<Node> {
+        Vec::new()
+    }
+
+    fn by_sign(&self) -> order::LeftFirst {
+        order::LeftFirst
+    }
+
+    fn reached_keys(&self) -> Result<Self::Hash, Unfit> {
+        Ok(&self.pieces.hashes[self.piece.number()])
+    }
+
+    fn all_keys(&self) -> Result<Self::Hash, Unfit> {
+        Ok(&self.pieces.full_hashes[self.piece.number()])
+    }
+
+    fn layout(&self) -> Result<Self::Layout, Unfit> {
+        Ok(&self.pieces.maps[self.piece.number()])
+    }
+
+    /// Pieces need not be complete.
+    fn complete(&self) -> Result<Self::Complete, Unfit> {
+        Err(Unfit::NoTable)
+    }
+
+    fn chains(&self) -> Result<Self::Chains, Unfit> {
+        Ok(&self.pieces.maps[self.piece.number()])
+    }
+
+    fn skips(&self) -> Result<&'c Skips, Unfit> {
+        Err(Unfit::NoTable)
+    }
+
+    fn skips_by_sign(&self) -> Result<&'c Skips, Unfit> {
+        Err(Unfit::NoTable)
+    }
+}
+
+struct InPieces<'c, 's, T, S, R> {
+    pieces: &'c Pieces<'c, T>,
+    search: &'s mut S,
+    recorder: &'s mut R,
+}
+
+impl<'c, W, T, S, R> Context<'c, W> for InPieces<'c, '_, T, S, R>
+where
+    W: KeyWord,
+    T: Topology,
+    S: Pruned + NodeTest,
+    R: Recorder,
+{
+    type From = OfPiece<'c, T>;
+    type Output = ();
+
+    fn by_parent<C: Cursor>(self, start: impl Fn(OfPiece<'c, T>) -> Result<C, Unfit>) -> Result<(), Unfit> {
+        let Self { pieces, search, recorder } = self;
+        let mut waiting = Vec::new();
+        let split = Split::new(pieces.cuts, &mut waiting, |piece| start(OfPiece { pieces, piece }))?;
+        traverse_pruned(split, search, recorder);
+        Ok(())
+    }
+
+    fn by_node<C: Cursor, O: FixedOrder>(
+        self,
+        start: impl Fn(OfPiece<'c, T>) -> Result<(C, O), Unfit>,
+    ) -> Result<(), Unfit> {
+        let Self { pieces, search, recorder } = self;
+        let (_, order) = start(OfPiece { pieces, piece: pieces.cuts.top() })?;
+        let mut waiting = Vec::new();
+        let cursor = |piece| start(OfPiece { pieces, piece }).map(|(cursor, _)| cursor);
+        traverse(Split::new(pieces.cuts, &mut waiting, cursor)?, &mut ByNode { test: search, order }, recorder);
         Ok(())
     }
 }

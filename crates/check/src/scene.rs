@@ -8,10 +8,11 @@ use stackless_bvh::bvh::Bvh;
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::geom::{Aabb, Ray};
 use stackless_bvh::hash::mix;
+use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{ByNode, Flow, LeftFirst, NodeTest, SignOrder, Visitor};
+use stackless_bvh::order::{ByNode, Flow, LeftFirst, NodeTest, Pruned, SignOrder};
 use stackless_bvh::trace::{AnyByNode, ClosestByNode, Hit, Truth};
-use stackless_bvh::traverse::{Method, Tables, Test, Unfit, WordName};
+use stackless_bvh::traverse::{Beside, Method, Tables, Test, Unfit, VerifiedTables, WordName};
 use stackless_bvh::tree::{Implicit, Keys, Node, Topology};
 
 /// A hierarchy over a mesh with all that its check needs.
@@ -83,7 +84,8 @@ pub fn check_scene(
     rays: &[Ray],
     progress: Progress<'_>,
 ) -> (Tally, Option<SceneDisagreement>) {
-    let tables = Tables::new(scene.bvh, scene.bvh.axes(), &plan.methods, Implicit::LIMIT).verified();
+    let beside = Beside::new(scene.bvh, scene.bvh.axes(), &plan.methods, Implicit::LIMIT);
+    let tables = Tables::verified(scene.bvh, scene.bvh.axes(), beside);
     let pairs = plan.pairs();
     let check_ray = |&ray: &Ray| {
         let mut tally = Tally::default();
@@ -136,7 +138,7 @@ fn agrees(method: Method, any: bool, expected: Seen, seen: Seen) -> bool {
 
 /// A way to run a search: the recursion of the oracle, or a traversal.
 trait Run {
-    fn run<S: Visitor + NodeTest>(
+    fn run<S: Pruned + NodeTest>(
         self,
         scene: &SceneTree<'_>,
         ray: &Ray,
@@ -148,7 +150,7 @@ trait Run {
 struct Recursion(Test);
 
 impl Run for Recursion {
-    fn run<S: Visitor + NodeTest>(
+    fn run<S: Pruned + NodeTest>(
         self,
         scene: &SceneTree<'_>,
         ray: &Ray,
@@ -170,14 +172,14 @@ impl Run for Recursion {
 }
 
 struct Traversal<'a, 'm> {
-    tables: &'a Tables<'m, Bvh>,
+    tables: &'a VerifiedTables<'m, Bvh>,
     method: Method,
     word: WordName,
     memory: &'a mut Vec<Node>,
 }
 
 impl Run for Traversal<'_, '_> {
-    fn run<S: Visitor + NodeTest>(
+    fn run<S: Pruned + NodeTest>(
         self,
         _: &SceneTree<'_>,
         ray: &Ray,
@@ -197,14 +199,14 @@ struct Watch<'a> {
 }
 
 impl Recorder for Watch<'_> {
-    fn visit(&mut self, state: &impl State) -> Flow {
+    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
         self.steps += 1;
-        let slot = self.scene.bvh.slot(state.node());
-        if !state.is_restarting() {
+        let (slot, state) = (self.scene.bvh.slot(node), state());
+        if !state.is_restarting {
             self.seen.visits += 1;
             self.seen.hash = mix(self.seen.hash ^ slot as u64);
         }
-        self.seen.wrong_keys += u64::from(state.key().is_some_and(|key| !self.scene.keys.is(slot, &key)));
+        self.seen.wrong_keys += u64::from(state.key.is_some_and(|key| !self.scene.keys.is(slot, &key)));
         Flow::Continue
     }
 }

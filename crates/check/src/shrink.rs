@@ -30,6 +30,8 @@ fn simplifications(case: &Case) -> impl Iterator<Item = Case> + '_ {
         let simpler = [
             Cell { miss: false, ..cell },
             Cell { enter: 0, ..cell },
+            // From the root down: no child is left after its parent.
+            Cell { exit: None, ..cell },
             Cell { right_first: false, ..cell },
             Cell { axis: 0, ..cell },
             Cell { hit: None, ..cell },
@@ -70,4 +72,24 @@ fn rebuild(case: &Case, node: usize, by: Option<u32>) -> Option<Case> {
     let tree = Tree::new(&new_children).ok()?;
     let tape = Tape::from_cells(&tree, new_cells)?;
     Some(Case { tree, tape, ..case.clone() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stackless_bvh::generate::{Family, Kind, Rng};
+
+    /// Whatever its kind, a case that fails by its tree alone keeps nothing of its tape.
+    #[test]
+    fn every_field_becomes_its_default() {
+        for kind in Kind::ALL {
+            let mut rng = Rng::new(3);
+            let tree = Family::ALL[0].tree(&mut rng, 12);
+            let mut case = Case::with_tree(tree, kind, &mut rng);
+            (case.any, case.octant) = (true, 5);
+            let small = shrink(case, |case| case.size() >= 5);
+            assert_eq!((small.size(), small.any, small.octant), (5, false, 0), "{kind}");
+            assert!(small.tape.cells().iter().all(|&cell| cell == Cell::default()), "{kind}: {:?}", small.tape.cells());
+        }
+    }
 }

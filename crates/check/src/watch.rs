@@ -4,9 +4,9 @@ use std::fmt;
 
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::order::Flow;
+use stackless_bvh::order::{Descent, Flow};
 use stackless_bvh::trail::levels;
-use stackless_bvh::tree::{Keys, Node, ParentLinks, Parents, Topology, Tree};
+use stackless_bvh::tree::{Keys, Node, Parents, Topology, Tree};
 
 /// How a traversal differs from its oracle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,7 +41,17 @@ pub enum Fault {
         /// The node.
         node: Node,
     },
-    /// Its trail has bits at or above the depth of the node, or its counter does not start at the node's level.
+    /// The search decided otherwise.
+    Decision {
+        /// Number of the visit.
+        visit: usize,
+        /// What the oracle was told; `None` at a leaf.
+        expected: Option<Descent>,
+        /// What the traversal was told.
+        found: Option<Descent>,
+    },
+    /// Its trail has bits at or above the depth of the node, or its counter does not start at the node's level; or,
+    /// where it is known what is postponed, they do not name just that.
     Trail {
         /// Number of the visit.
         visit: usize,
@@ -100,6 +110,9 @@ impl fmt::Display for Fault {
                 write!(f, "after visit {visit} it restarts through {node:?}, where it has not been")
             }
             Self::Key { visit, node } => write!(f, "visit {visit}: the key is not that of {node:?}"),
+            Self::Decision { visit, expected, found } => {
+                write!(f, "visit {visit} is followed by {found:?}, the oracle's by {expected:?}")
+            }
             Self::Trail { visit, node } => {
                 write!(f, "visit {visit}: trail or counter do not fit the depth of {node:?}")
             }
@@ -119,14 +132,60 @@ impl fmt::Display for Fault {
 
 impl std::error::Error for Fault {}
 
-/// Compares each visit with the oracle's, and the state with what must hold of it.
+/// A visit of an oracle, with all that is known of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Visit {
+    /// The node.
+    pub node: Node,
+    /// What the search decides at an inner node.
+    pub descent: Option<Descent>,
+    /// The postponed nodes, the last one of which comes next.
+    pub postponed: Vec<Node>,
+}
+
+/// What visits are compared with.
+#[derive(Clone, Copy, Debug)]
+pub enum Expected<'a> {
+    /// Nothing: only what must hold of every state is looked at.
+    Nothing,
+    /// The nodes of the oracle's visits.
+    Nodes(&'a [Node]),
+    /// The oracle's visits: decisions, trails and registers have to be theirs. `[TRAIL-1]` `[TRAIL-6]` `[REGISTER-1]`
+    Visits(&'a [Visit]),
+}
+
+impl<'a> Expected<'a> {
+    /// Number of visits, where they are known.
+    fn count(self) -> Option<usize> {
+        match self {
+            Self::Nothing => None,
+            Self::Nodes(nodes) => Some(nodes.len()),
+            Self::Visits(visits) => Some(visits.len()),
+        }
+    }
+
+    fn node(self, visit: usize) -> Option<Node> {
+        match self {
+            Self::Nothing => None,
+            Self::Nodes(nodes) => nodes.get(visit).copied(),
+            Self::Visits(visits) => visits.get(visit).map(|visit| visit.node),
+        }
+    }
+
+    fn visit(self, visit: usize) -> Option<&'a Visit> {
+        if let Self::Visits(visits) = self { visits.get(visit) } else { None }
+    }
+}
+
+/// The comparer: holds each visit to the oracle's, and the state to what must be true of it. `[CONF-1]`
+///
+/// It records a traversal as it runs, or is shown what was recorded of one.
 #[derive(Debug)]
 pub struct Watch<'a> {
     tree: &'a Tree,
     keys: &'a Keys,
     parents: &'a Parents,
-    /// The oracle's visits; `None` where only the state is looked at.
-    expected: Option<&'a [Node]>,
+    expected: Expected<'a>,
     visits: usize,
     steps: u64,
     step_limit: u64,
@@ -136,25 +195,17 @@ pub struct Watch<'a> {
 }
 
 impl<'a> Watch<'a> {
-    pub(super) fn new(
+    /// Compares at most so many visits; `restarts` says whether nodes may be passed again.
+    pub fn new(
         tree: &'a Tree,
         keys: &'a Keys,
         parents: &'a Parents,
-        expected: Option<&'a [Node]>,
+        expected: Expected<'a>,
         step_limit: u64,
         restarts: bool,
     ) -> Self {
-        Self {
-            tree,
-            keys,
-            parents,
-            expected,
-            visits: 0,
-            steps: 0,
-            step_limit,
-            fault: None,
-            seen: if restarts { vec![false; tree.node_count()] } else { Vec::new() },
-        }
+        let seen = if restarts { vec![false; tree.node_count()] } else { Vec::new() };
+        Self { tree, keys, parents, expected, visits: 0, steps: 0, step_limit, fault: None, seen }
     }
 
     /// Visits made, restarts included.
@@ -162,49 +213,82 @@ impl<'a> Watch<'a> {
         self.steps
     }
 
-    pub(super) fn finish(self) -> Result<u64, Fault> {
-        match (self.fault, self.expected) {
+    /// What the search has decided at the visit that was seen last; looked at where the oracle's decisions are known.
+    pub fn decided(&mut self, found: Option<Descent>) {
+        if let Some(visit) = self.visits.checked_sub(1)
+            && let Some(expected) = self.expected.visit(visit).map(|visit| visit.descent)
+            && expected != found
+        {
+            self.fault.get_or_insert(Fault::Decision { visit, expected, found });
+        }
+    }
+
+    /// Number of visits, restarts included.
+    ///
+    /// # Errors
+    /// The first fault.
+    pub fn finish(self) -> Result<u64, Fault> {
+        match (self.fault, self.expected.count()) {
             (Some(fault), _) => Err(fault),
-            (None, Some(expected)) if self.visits < expected.len() => {
-                Err(Fault::Early { visits: self.visits, expected: expected.len() })
-            }
+            (None, Some(expected)) if self.visits < expected => Err(Fault::Early { visits: self.visits, expected }),
             _ => Ok(self.steps),
         }
     }
 
-    fn look(&mut self, state: &impl State) -> Result<(), Fault> {
-        let (node, visit) = (state.node(), self.visits);
+    fn look<W: KeyWord>(&mut self, state: State<W>) -> Result<(), Fault> {
+        let State { node, key, trail, counter, disjoint, register, is_restarting } = state;
+        let visit = self.visits;
         let slot = self.tree.slot(node);
         let seen = self.seen.get_mut(slot).is_some_and(|seen| std::mem::replace(seen, true));
-        if state.is_restarting() && !seen {
+        if is_restarting && !seen {
             return Err(Fault::Restart { visit, node });
         }
-        if let Some(expected) = self.expected
-            && !state.is_restarting()
-        {
-            let expected = expected.get(visit).copied();
+        if self.expected.count().is_some() && !is_restarting {
+            let expected = self.expected.node(visit);
             if expected != Some(node) {
                 return Err(Fault::Node { visit, expected, found: node });
             }
             self.visits += 1;
         }
-        if state.key().is_some_and(|key| !self.keys.is(slot, &key)) {
+        if key.is_some_and(|key| !self.keys.is(slot, &key)) {
             return Err(Fault::Key { visit, node });
         }
-        let trail = state.trail();
         let depth = self.keys.depth(slot);
         if trail.as_ref().is_some_and(|trail| trail.bit_length() > depth)
-            || state.disjoint().is_some_and(|disjoint| disjoint.bit_length() > depth)
-            || state.counter().is_some_and(|counter| counter.bit_length() != depth + 1)
+            || disjoint.is_some_and(|disjoint| disjoint.bit_length() > depth)
+            || counter.as_ref().is_some_and(|counter| counter.bit_length() != depth + 1)
         {
             return Err(Fault::Trail { visit, node });
         }
-        match (state.register(), trail) {
-            (Some(found), Some(trail)) if trail.is_zero() || !self.comes_next(found, node, levels(&trail)) => {
-                Err(Fault::Register { visit, found })
-            }
-            _ => Ok(()),
+        let known = self.expected.visit(visit).filter(|_| !is_restarting);
+        if let Some(Visit { postponed, .. }) = known
+            && [(trail.as_ref(), true), (counter.as_ref(), false)]
+                .into_iter()
+                .any(|(word, one)| word.is_some_and(|word| !self.names(postponed, word.clone(), node, one)))
+        {
+            return Err(Fault::Trail { visit, node });
         }
+        let is_next = |found: Node| match (known, &trail) {
+            (Some(visit), _) => visit.postponed.last() == Some(&found),
+            (None, Some(trail)) => !trail.is_zero() && self.comes_next(found, node, levels(trail)),
+            (None, None) => true,
+        };
+        match register.filter(|&found| !is_next(found)) {
+            Some(found) => Err(Fault::Register { visit, found }),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether the bits of a word, as many as the node is deep, are `one` where the sibling on the way up is postponed.
+    fn names<W: KeyWord>(&self, postponed: &[Node], mut word: W, mut node: Node, one: bool) -> bool {
+        while node != self.tree.root() {
+            let [parent, sibling] = self.parents.row(self.tree, node);
+            if (postponed.contains(&sibling) == one) != (word.low_bits() & 1 == 1) {
+                return false;
+            }
+            (word, node) = (word.shr1(), parent);
+        }
+        true
     }
 
     /// Whether `next` is the sibling of the ancestor `levels` above `node`.
@@ -213,22 +297,20 @@ impl<'a> Watch<'a> {
         if levels > 1000 && !self.visits.is_multiple_of(512) {
             return true;
         }
-        let ancestor = (0..levels).fold(node, |node, _| self.parents.parent(self.tree, node));
-        self.parents.sibling(self.tree, ancestor) == next
+        let ancestor = (0..levels).fold(node, |node, _| self.parents.row(self.tree, node)[0]);
+        self.parents.row(self.tree, ancestor)[1] == next
     }
 }
 
 impl Recorder for Watch<'_> {
-    fn visit(&mut self, state: &impl State) -> Flow {
+    fn visit<W: KeyWord>(&mut self, _: Node, state: impl FnOnce() -> State<W>) -> Flow {
         self.steps += 1;
-        let looked =
-            if self.steps > self.step_limit { Err(Fault::Endless { visits: self.steps }) } else { self.look(state) };
-        match looked {
-            Ok(()) => Flow::Continue,
-            Err(fault) => {
-                self.fault = Some(fault);
-                Flow::Stop
-            }
-        }
+        let looked = match self.fault {
+            Some(fault) => Err(fault),
+            None if self.steps > self.step_limit => Err(Fault::Endless { visits: self.steps }),
+            None => self.look(state()),
+        };
+        self.fault = looked.err();
+        if self.fault.is_some() { Flow::Stop } else { Flow::Continue }
     }
 }

@@ -3,35 +3,45 @@
 use std::cell::Cell;
 
 use stackless_bvh::event::{Recorder, State};
+use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::Flow;
-use stackless_bvh::tree::{Node, ParentLinks, Reach, Topology, UncleLinks};
+use stackless_bvh::tree::{Node, Reach, Recorded, Topology};
 
-/// Links that tell a closure whose record is read.
+/// A tree that tells a closure whose links are read.
 #[derive(Clone, Copy, Debug)]
-pub struct Watched<L, F> {
-    /// The links.
-    pub links: L,
+pub struct Watched<'t, T, F> {
+    /// The tree, which names links.
+    pub tree: &'t T,
     /// Gets each node whose links are read.
     pub watch: F,
 }
 
-impl<T: Topology, L: ParentLinks<T>, F: Fn(Node)> ParentLinks<T> for Watched<L, F> {
-    fn row(&self, tree: &T, node: Node) -> [Node; 2] {
+impl<T: Topology, F: Fn(Node)> Topology for Watched<'_, T, F> {
+    const REACH: Reach = T::REACH;
+
+    stackless_bvh::topology_of!(tree);
+
+    fn names(&self, what: Recorded) -> bool {
+        self.tree.names(what)
+    }
+
+    fn parent(&self, node: Node) -> Node {
         (self.watch)(node);
-        self.links.row(tree, node)
+        self.tree.parent(node)
+    }
+
+    fn sibling(&self, node: Node) -> Node {
+        (self.watch)(node);
+        self.tree.sibling(node)
+    }
+
+    fn uncles(&self, node: Node) -> [Node; 3] {
+        (self.watch)(node);
+        self.tree.uncles(node)
     }
 }
 
-impl<T: Topology, L: UncleLinks<T>, F: Fn(Node)> UncleLinks<T> for Watched<L, F> {
-    const REACH: Reach = L::REACH;
-
-    fn row(&self, tree: &T, node: Node) -> [Node; 3] {
-        (self.watch)(node);
-        self.links.row(tree, node)
-    }
-}
-
-/// How many records were read since the last visit, counted by [`Watched`] links.
+/// How many records were read since the last visit, counted by a [`Watched`] tree.
 #[derive(Debug, Default)]
 pub struct Reads {
     count: Cell<u64>,
@@ -61,18 +71,18 @@ impl Reads {
 /// use stackless_bvh::generate::Search;
 /// use stackless_check::{Reads, Steps, Watched};
 /// use stackless_bvh::traverse::{Afra, traverse};
-/// use stackless_bvh::tree::Parents;
+/// use stackless_bvh::tree::Linked;
 ///
 /// let case = explain::example();
-/// let (parents, reads) = (Parents::of(&case.tree), Reads::default());
-/// let links = Watched { links: &parents, watch: |node| reads.count(node) };
+/// let (linked, reads) = (Linked::parents(&case.tree), Reads::default());
+/// let watched = Watched { tree: &linked, watch: |node| reads.count(node) };
 /// let mut steps = Steps::new(&case.tree, &reads);
 /// let mut search = Search::new(&case.tree, &case.tape, false);
-/// traverse(Afra::<u32, _, _>::new(&case.tree, links)?, &mut search, &mut steps);
+/// traverse(Afra::<u32, _>::new(&watched)?, &mut search, &mut steps);
 /// // From key 23 to its sibling one step, from key 22 to key 3 four: along three parents and to the sibling of the last. From 14
 /// // to 15 one, from 15 to 6 two.
 /// assert_eq!((steps.backtracks(), steps.steps()), (4, 8));
-/// # Ok::<(), stackless_bvh::key::TooDeep>(())
+/// # Ok::<(), stackless_bvh::traverse::Unfit>(())
 /// ```
 #[derive(Debug)]
 pub struct Steps<'a, T> {
@@ -101,9 +111,9 @@ impl<'a, T: Topology> Steps<'a, T> {
 }
 
 impl<T: Topology> Recorder for Steps<'_, T> {
-    fn visit(&mut self, state: &impl State) -> Flow {
-        let (node, reads) = (state.node(), self.reads.take());
-        if state.is_restarting() {
+    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        let reads = self.reads.take();
+        if state().is_restarting {
             self.taken += 1;
             return Flow::Continue;
         }
@@ -124,7 +134,7 @@ mod tests {
     use stackless_bvh::generate::{Family, Kind, Rng, Search, Tape};
     use stackless_bvh::hash::KeyMap;
     use stackless_bvh::traverse::{Afra, HashOnly, Sparse, Stack, Uncle, traverse};
-    use stackless_bvh::tree::{Parents, Uncles};
+    use stackless_bvh::tree::Linked;
 
     /// By distance `d` in levels: along parents `d + 1`, along uncles two levels a step unless the register knows, else one.
     #[test]
@@ -135,11 +145,11 @@ mod tests {
             for family in Family::ALL {
                 let tree = family.tree(&mut rng, 50);
                 let tape = Tape::draw(&mut rng, &tree, kind);
-                let (parents, uncles, reads) = (Parents::of(&tree), <Uncles>::of(&tree), Reads::default());
-                let watch = |node| reads.count(node);
+                let (linked, reads) = (Linked::both(&tree), Reads::default());
+                let watched = Watched { tree: &linked, watch: |node| reads.count(node) };
                 let search = || Search::new(&tree, &tape, false);
                 let steps = || Steps::new(&tree, &reads);
-                let mut distances = Backtracks::new(<Uncles>::REACH);
+                let mut distances = Backtracks::new(Reach::ALGORITHM_1);
                 let keys = KeyMap::of(&tree);
                 traverse(HashOnly::<u64, _, _>::new(&tree, &keys).unwrap(), &mut search(), &mut distances);
                 let (mut least, mut along_uncles, mut along_parents) = (0, 0, 0);
@@ -154,17 +164,15 @@ mod tests {
                 assert_eq!((by_stack.backtracks(), by_stack.steps()), (least, least));
 
                 let mut by_afra = steps();
-                let links = Watched { links: &parents, watch };
-                traverse(Afra::<u64, _, _>::new(&tree, links).unwrap(), &mut search(), &mut by_afra);
+                traverse(Afra::<u64, _>::new(&watched).unwrap(), &mut search(), &mut by_afra);
                 assert_eq!((by_afra.backtracks(), by_afra.steps()), (least, along_parents));
 
                 let mut by_sparse = steps();
-                traverse(Sparse::<u64, _, _>::new(&tree, links).unwrap(), &mut search(), &mut by_sparse);
+                traverse(Sparse::<u64, _>::new(&watched).unwrap(), &mut search(), &mut by_sparse);
                 assert_eq!((by_sparse.backtracks(), by_sparse.steps()), (least, along_parents));
 
                 let mut by_uncles = steps();
-                let links = Watched { links: &uncles, watch };
-                traverse(Uncle::<u64, _, _>::new(&tree, links).unwrap(), &mut search(), &mut by_uncles);
+                traverse(Uncle::<u64, _>::new(&watched).unwrap(), &mut search(), &mut by_uncles);
                 assert_eq!(by_uncles.backtracks(), least);
                 assert!((least..=along_uncles).contains(&by_uncles.steps()));
                 climbs += by_uncles.steps() - least;

@@ -86,8 +86,9 @@ pub(super) struct Bounds {
 }
 
 impl<const D: usize> Seen<D> {
-    /// The part over a dyadic interval, by its blossom: control point `i` is that of `n - i` starts and `i` ends (Ramshaw
-    /// 1989, "Blossoms are polar forms"). From the whole curve each time, so that rounding does not grow with depth.
+    /// The part over a dyadic interval, by its blossom: control point `i` is that of `n - i` starts and `i` ends
+    /// (Ramshaw 1989, "Blossoms are polar forms"). From the whole curve each time, so that rounding does not grow with
+    /// depth.
     pub(super) fn part(&self, span: Span) -> Self {
         let ([start, end], n) = (span.ends(), self.degree);
         let (mut part, mut from_start) = (*self, *self);
@@ -125,8 +126,8 @@ impl<const D: usize> Seen<D> {
         }
     }
 
-    /// What the Bernstein coefficients of the squared distance say: it is between the least and the greatest of them, it is
-    /// the first and the last one at the ends, and it is monotone if they are. `[CURVE-3]`
+    /// What the Bernstein coefficients of the squared distance say: it is between the least and the greatest of them,
+    /// it is the first and the last one at the ends, and it is monotone if they are. `[CURVE-3]`
     pub(super) fn bounds(&self) -> Bounds {
         let (squares, count) = self.squares();
         let squares = &squares[..count];

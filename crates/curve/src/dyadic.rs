@@ -2,9 +2,12 @@
 
 use stackless_bvh::hash::Lookup;
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::tree::{Node, ParentLinks, Reach, Topology, UncleLinks};
+use stackless_bvh::order::LeftFirst;
+use stackless_bvh::traverse::{Skips, Supply, Unfit};
+use stackless_bvh::tree::{Node, Recorded, Topology};
 
-/// A part of `[0, 1]` that halving gives, by the key of its node: `[0, 1]` is 1, the halves of `k` are `2k` and `2k + 1`.
+/// A part of `[0, 1]` that halving gives, by the key of its node: `[0, 1]` is 1, the halves of `k` are `2k` and
+/// `2k + 1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Span(pub(super) u64);
 
@@ -74,6 +77,23 @@ impl Topology for Dyadic {
     fn depth(&self) -> u32 {
         self.depth
     }
+
+    /// All links are computed.
+    fn names(&self, _: Recorded) -> bool {
+        true
+    }
+
+    fn parent(&self, node: Node) -> Node {
+        self.at((node.index() as u32 / 2).max(1))
+    }
+
+    fn sibling(&self, node: Node) -> Node {
+        self.beside(node, 0)
+    }
+
+    fn uncles(&self, node: Node) -> [Node; 3] {
+        [1, 2, 3].map(|levels| self.beside(node, levels))
+    }
 }
 
 impl<W: KeyWord> Lookup<W> for Dyadic {
@@ -83,16 +103,53 @@ impl<W: KeyWord> Lookup<W> for Dyadic {
     }
 }
 
-impl ParentLinks<Self> for Dyadic {
-    fn row(&self, _: &Self, node: Node) -> [Node; 2] {
-        [self.at((node.index() as u32 / 2).max(1)), self.beside(node, 0)]
+/// Whatever is asked for is computed, but for skip pointers.
+impl<'t> Supply<'t, u32> for &'t Dyadic {
+    type Tree = Dyadic;
+    type Memory = Vec<Node>;
+    type Hash = Self;
+    type Layout = Self;
+    type Complete = Self;
+    type Chains = Self;
+    type BySign = LeftFirst;
+
+    fn tree(&self) -> Self {
+        self
     }
-}
 
-impl UncleLinks<Self> for Dyadic {
-    const REACH: Reach = Reach::ALGORITHM_1;
+    fn memory(self) -> Vec<Node> {
+        Vec::new()
+    }
 
-    fn row(&self, _: &Self, node: Node) -> [Node; 3] {
-        [1, 2, 3].map(|levels| self.beside(node, levels))
+    fn by_sign(&self) -> LeftFirst {
+        LeftFirst
+    }
+
+    fn reached_keys(&self) -> Result<Self, Unfit> {
+        Ok(self)
+    }
+
+    fn all_keys(&self) -> Result<Self, Unfit> {
+        Ok(self)
+    }
+
+    fn layout(&self) -> Result<Self, Unfit> {
+        Ok(self)
+    }
+
+    fn complete(&self) -> Result<Self, Unfit> {
+        Ok(self)
+    }
+
+    fn chains(&self) -> Result<Self, Unfit> {
+        Ok(self)
+    }
+
+    fn skips(&self) -> Result<&'t Skips, Unfit> {
+        Err(Unfit::NoTable)
+    }
+
+    fn skips_by_sign(&self) -> Result<&'t Skips, Unfit> {
+        Err(Unfit::NoTable)
     }
 }

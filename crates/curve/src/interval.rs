@@ -2,8 +2,8 @@
 
 /// All real numbers from `lo` to `hi`. Results hold every value that the operation has for members of its arguments.
 ///
-/// A correctly rounded result is a float next to the true one or that itself, so one step outwards holds it, also where it
-/// is subnormal. Nothing may overflow. `[CURVE-2]`
+/// A correctly rounded result is a float next to the true one or that itself, so one step outwards holds it, also where
+/// it is subnormal. Nothing may overflow. `[CURVE-2]`
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Interval {
     pub(super) lo: f64,

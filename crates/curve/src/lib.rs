@@ -1,21 +1,22 @@
 //! The point of a Bézier curve that is closest to another point, with a distance that is proved.
 //!
-//! Barringer & Akenine-Möller (2013) name interval arithmetic over an implicit tree as another use of traversal in constant
-//! state. Here is one. The halves of the parameter interval `[0, 1]`, their halves, and so on, are a complete binary tree of
-//! which nothing is stored: a node's key says which interval it is. Each visit bounds the distance of two halves and goes
-//! on with the nearer one; a half that cannot hold anything better than what is known is left out. The traversals are those
-//! of all other trees, and nothing in them knows about curves.
+//! Barringer & Akenine-Möller (2013) name interval arithmetic over an implicit tree as another use of traversal in
+//! constant state. Here is one. The halves of the parameter interval `[0, 1]`, their halves, and so on, are a complete
+//! binary tree of which nothing is stored: a node's key says which interval it is. Each visit bounds the distance of
+//! two halves and goes on with the nearer one; a half that cannot hold anything better than what is known is left out.
+//! The traversals are those of all other trees, and nothing in them knows about curves.
 //!
 //! # Two levels
 //!
 //! Parameters are multiples of 2^-52, so the tree is 52 levels deep, and addresses of nodes have 31 bits. So it is two
-//! trees of 26 levels each: a leaf of the upper one is the root of a lower one, as an instance is in a scene. Depth first,
-//! the leaf's whole subtree comes before what is postponed above it; so the order is that of one tree of 52 levels.
+//! trees of 26 levels each: a leaf of the upper one is the root of a lower one, as an instance is in a scene. Depth
+//! first, the leaf's whole subtree comes before what is postponed above it; so the order is that of one tree of 52
+//! levels.
 //!
 //! # What is proved
 //!
-//! All arithmetic is in intervals that are rounded outwards, so that [`Closest::distance`] holds the true least distance
-//! whatever happens: budgets that run out, cusps, rounding. `[CURVE-1]`
+//! All arithmetic is in intervals that are rounded outwards, so that [`Closest::distance`] holds the true least
+//! distance whatever happens: budgets that run out, cusps, rounding. `[CURVE-1]`
 
 #![forbid(unsafe_code)]
 
@@ -51,7 +52,8 @@ pub enum CurveError {
     /// The tolerance is negative or NaN.
     #[error("tolerance {0} is negative or not a number")]
     Tolerance(f64),
-    /// The traversal needs a table of all nodes, or asks about nodes again: `laine-*`, `skip`, `skip-octant`, `glassner`.
+    /// The traversal needs a table of all nodes, or asks about nodes again: `laine-*`, `skip`, `skip-octant`,
+    /// `glassner`.
     #[error("{0} does not run on a tree that is not stored")]
     Method(Method),
 }

@@ -6,12 +6,8 @@ use super::CurveError;
 use super::bezier::{Bezier, Bounds, Seen};
 use super::dyadic::{Dyadic, Span};
 use stackless_bvh::event::Recorder;
-use stackless_bvh::key::TooDeep;
-use stackless_bvh::order::{ByNode, Descent, Flow, LeftFirst as InOrder, NodeTest, Visitor};
-use stackless_bvh::traverse::{
-    Afra, ByKey, Hapala, HashOnly, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, LeftFirst, Method, Sparse,
-    Stack, Uncle, traverse,
-};
+use stackless_bvh::order::{ByNode, Descent, FixedOrder, Flow, NodeTest, Visitor, Whole};
+use stackless_bvh::traverse::{Context, Cursor, Method, Unfit, traverse, traverse_pruned};
 use stackless_bvh::tree::Node;
 
 /// What a search is to reach, and how.
@@ -213,7 +209,8 @@ impl<const D: usize> Search<D> {
         is_wanted
     }
 
-    /// What is monotone has its least distance at an end: it is stationary nowhere, and the ends of the curve are known.
+    /// What is monotone has its least distance at an end: it is stationary nowhere, and the ends of the curve are
+    /// known.
     fn leave_out(&mut self, bounds: &Bounds) {
         if !bounds.is_monotone {
             self.floor = self.floor.min(bounds.least);
@@ -274,31 +271,36 @@ pub(super) fn walk<const D: usize>(
     level: &mut Level<'_, D>,
     recorder: &mut impl Recorder,
 ) -> Result<(), CurveError> {
+    if !Options::METHODS.contains(&method) {
+        return Err(CurveError::Method(method));
+    }
+    let walk = Walk { tree: &tree, level, recorder };
     // No tree here is as deep as 31.
-    let deep = |_: TooDeep| CurveError::Method(method);
-    let t = &tree;
-    // Nothing stops it.
-    let _ = match method {
-        Method::Stack => traverse(Stack::new(t, &mut Vec::new()), level, recorder),
-        Method::ImplicitA => traverse(ImplicitA::<u32, _>::new(t, t).map_err(deep)?, level, recorder),
-        Method::ImplicitA1 => traverse(ImplicitA1::<u32, _>::new(t, t).map_err(deep)?, level, recorder),
-        Method::ImplicitB => traverse(ImplicitB::<u32, _>::new(t, t).map_err(deep)?, level, recorder),
-        Method::ImplicitB1 => traverse(ImplicitB1::<u32, _>::new(t, t).map_err(deep)?, level, recorder),
-        Method::Sparse => traverse(Sparse::<u32, _, _>::new(t, tree).map_err(deep)?, level, recorder),
-        Method::Afra => traverse(Afra::<u32, _, _>::new(t, tree).map_err(deep)?, level, recorder),
-        Method::Uncle => traverse(Uncle::<u32, _, _>::new(t, tree).map_err(deep)?, level, recorder),
-        Method::HashOnly => traverse(HashOnly::<u32, _, _>::new(t, t).map_err(deep)?, level, recorder),
-        Method::Hashed => traverse(Hashed::<u32, _, _, _>::new(t, tree, t).map_err(deep)?, level, recorder),
-        Method::Complete => traverse(ByKey::<u32, _>::new(t, t).map_err(deep)?, level, recorder),
-        Method::LeftFirst => {
-            let mut level = ByNode { test: level, order: InOrder };
-            traverse(LeftFirst::<u32, _>::new(t, t).map_err(deep)?, &mut level, recorder)
-        }
-        Method::Hapala => {
-            let mut level = ByNode { test: level, order: InOrder };
-            traverse(Hapala::new(t, tree, InOrder), &mut level, recorder)
-        }
-        _ => return Err(CurveError::Method(method)),
-    };
-    Ok(())
+    method.dispatch::<u32, _>(walk).map_err(|_| CurveError::Method(method))
+}
+
+struct Walk<'t, 'a, 'l, R, const D: usize> {
+    tree: &'t Dyadic,
+    level: &'a mut Level<'l, D>,
+    recorder: &'a mut R,
+}
+
+/// Nothing stops it.
+impl<'t, R: Recorder, const D: usize> Context<'t, u32> for Walk<'t, '_, '_, R, D> {
+    type From = &'t Dyadic;
+    type Output = ();
+
+    fn by_parent<C: Cursor>(self, start: impl Fn(&'t Dyadic) -> Result<C, Unfit>) -> Result<(), Unfit> {
+        traverse_pruned(start(self.tree)?, &mut Whole(self.level), self.recorder);
+        Ok(())
+    }
+
+    fn by_node<C: Cursor, O: FixedOrder>(
+        self,
+        start: impl Fn(&'t Dyadic) -> Result<(C, O), Unfit>,
+    ) -> Result<(), Unfit> {
+        let (cursor, order) = start(self.tree)?;
+        traverse(cursor, &mut ByNode { test: self.level, order }, self.recorder);
+        Ok(())
+    }
 }

@@ -10,9 +10,10 @@ use stackless_bvh::geom::truth::RBig;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, LeftFirst};
 use stackless_bvh::traverse::Test;
-use stackless_bvh::tree::{Node, ParentLinks, Parents, Topology, UncleLinks, Uncles};
+use stackless_bvh::tree::{Node, Parents, Topology, Uncles};
 
-/// The squared distance in Bernstein form, minus `lo` squared, times a positive number that makes all coefficients whole.
+/// The squared distance in Bernstein form, minus `lo` squared, times a positive number that makes all coefficients
+/// whole.
 fn squares<const D: usize>(points: &[[f64; D]], target: &[f64; D], lo: f64) -> Vec<IBig> {
     let exact = |x: f64| RBig::try_from(x).unwrap();
     let numbers = points.as_flattened().iter().chain(target).chain([&lo]);
@@ -262,11 +263,11 @@ fn a_curve_that_is_equally_far_all_along_ends_within_the_budget() {
 fn computed_links_are_those_of_the_tables() {
     for depth in 0..7 {
         let tree = Dyadic::new(depth);
-        let (parents, uncles) = (Parents::of(&tree), <Uncles>::of(&tree));
+        let (parents, uncles) = (Parents::of(&tree), Uncles::of(&tree));
         for key in 1..1 << (depth + 1) {
             let node = if key >> depth == 0 { Node::inner(key) } else { Node::leaf(key) };
-            assert_eq!(ParentLinks::row(&tree, &tree, node), (&parents).row(&tree, node), "{node:?}");
-            let [computed, stored] = [UncleLinks::row(&tree, &tree, node), (&uncles).row(&tree, node)];
+            assert_eq!([tree.parent(node), tree.sibling(node)], parents.row(&tree, node), "{node:?}");
+            let [computed, stored] = [tree.uncles(node), uncles.row(&tree, node)];
             assert_eq!(computed[..2], stored[..2], "{node:?}");
         }
         assert_eq!(tree.node_count(), (1 << (depth + 1)) - 1);

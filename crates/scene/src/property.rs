@@ -1,4 +1,5 @@
-//! The property bodies of file readers: whatever the bytes are, a mesh or rays that are in order, or a message of one line.
+//! The property bodies of file readers: whatever the bytes are, a mesh or rays that are in order, or a message of one
+//! line.
 
 use std::fmt::Write;
 

@@ -82,7 +82,8 @@ impl Feature {
             Self::Counters => "gives J's counter at each visit",
             Self::Registers => "gives the register of the most recently postponed node at each visit",
             Self::Changing => {
-                "decides once, at the visit, also where decisions change: never asks again on the way down from the root"
+                "decides once, at the visit, also where decisions change: never asks again on the way down from \
+                 the root"
             }
             Self::Weights => "gives the weights of a hit",
         }

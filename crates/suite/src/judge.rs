@@ -5,11 +5,9 @@ use core::fmt;
 use serde_json::{Map, Value};
 
 use super::ask::{Ask, Build};
-use super::author::keys_of;
-use super::text::word;
+use super::author::{depth_if_tree, keys_of};
+use super::bits::Bits;
 use super::{Answer, Case, Expect, Feature, Hello};
-use stackless_bvh::key::{Grow, KeyWord};
-use stackless_bvh::tree::{Topology, Tree};
 
 /// What is wrong with an answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -121,7 +119,7 @@ fn is_too_deep(case: &Case, hello: &Hello) -> bool {
     }
     match Ask::of(&case.input) {
         Ok(Ask::Trace(walk) | Ask::Resume(walk) | Ask::ResumeDisjoint(walk) | Ask::ResumeKey(walk)) => {
-            Tree::new(&walk.children).is_ok_and(|tree| tree.depth() > limit)
+            depth_if_tree(&walk.children).is_some_and(|depth| depth > limit)
         }
         _ => false,
     }
@@ -160,32 +158,30 @@ fn plain_hits(hits: &Value, has_weights: bool) -> Value {
 
 /// What keys and trails say of the rest of the state.
 struct States {
-    /// Key and trail at each visit.
-    visits: Vec<(Grow, Grow)>,
+    /// Key and trail at each visit, equally long.
+    visits: Vec<(Bits, Bits)>,
 }
 
 impl States {
     fn of(events: &Value, trails: &Value) -> Self {
-        let texts = |list: &Value| -> Vec<String> {
-            list.as_array().into_iter().flatten().filter_map(|text| Some(text.as_str()?.to_owned())).collect()
-        };
-        let keys = texts(events).into_iter().filter_map(|event| {
+        fn texts(list: &Value) -> impl Iterator<Item = &str> {
+            list.as_array().into_iter().flatten().filter_map(Value::as_str)
+        }
+        let keys = texts(events).filter_map(|event| {
             let (_, key) = event.split_once(' ').filter(|(kind, _)| *kind != "backtrack")?;
-            word::<Grow>(key)
+            Bits::of_hex(key)
         });
-        let trails = texts(trails).into_iter().filter_map(|trail| word::<Grow>(&trail));
-        Self { visits: keys.zip(trails).collect() }
+        let visit = |(key, trail): (Bits, &str)| {
+            let trail = Bits::of_hex(trail)?.of_length(key.0.len())?;
+            Some((key, trail))
+        };
+        Self { visits: keys.zip(texts(trails)).filter_map(visit).collect() }
     }
 
     /// Below the depth the complement of the trail, and a one above. `[TRAIL-6]`
     fn counters(&self) -> Value {
-        use stackless_bvh::key::{Word, level_start};
-        let counter = |(key, trail): &(Grow, Grow)| {
-            let start = level_start(key);
-            let ones = start.clone().wrapping_sub(&Grow::one());
-            super::text::hex(&trail.clone().xor(&ones).or(&start))
-        };
-        self.visits.iter().map(counter).collect()
+        let below = |trail: &Bits| Bits(trail.0.iter().skip(1).copied().collect()).complement();
+        self.visits.iter().map(|(_, trail)| Bits([vec![true], below(trail).0].concat()).hex()).collect()
     }
 
     /// Unset, or the node that comes next; always set while the sibling is postponed. `[REGISTER-1]`
@@ -193,9 +189,9 @@ impl States {
         let none = Vec::new();
         let found = found.as_array().unwrap_or(&none);
         for (i, (key, trail)) in self.visits.iter().enumerate() {
-            let next = (!trail.is_zero()).then(|| super::text::hex(&climbed(key, trail)));
+            let next = (!trail.is_zero()).then(|| lowest_postponed(key, trail).hex());
             let register = found.get(i).ok_or_else(|| Flaw::Missing(format!("registers[{i}]")))?;
-            let may_be_unset = trail.low_bits() & 1 == 0;
+            let may_be_unset = trail.0.last() != Some(&true);
             let is_right = match (register, &next) {
                 (Value::Null, _) => may_be_unset,
                 (Value::String(key), Some(next)) => key == next,
@@ -214,9 +210,9 @@ impl States {
     }
 }
 
-/// The key of the lowest postponed node, by the literal climb.
-fn climbed(key: &Grow, trail: &Grow) -> Grow {
-    stackless_bvh::trail::backtrack_climbing(key.clone(), trail.clone()).0
+/// Up to the lowest one of the trail, and to the sibling there. `[TRAIL-4]`
+fn lowest_postponed(key: &Bits, trail: &Bits) -> Bits {
+    key.clone().without(trail.trailing(false)).flip_last()
 }
 
 /// Whether a table that was built leads each key of the tree to its node. `[HASH-9]`
@@ -225,26 +221,23 @@ fn judge_table(case: &Case, result: &Map<String, Value>) -> Result<(), Flaw> {
     let Ok(Ask::Build(Build { children, reach, sizes })) = Ask::of(&case.input) else {
         return wrong("nobody has asked for one".to_owned());
     };
-    let tree = match Tree::new(&children) {
-        Ok(tree) => tree,
-        Err(error) => return wrong(error.to_string()),
-    };
+    let Some(depth) = depth_if_tree(&children) else { return wrong("the children are no tree".to_owned()) };
     // Only long keys are folded.
-    let has_long_keys = tree.depth() >= u64::BITS;
+    let has_long_keys = depth >= u64::BITS;
     let is_known =
         |name: &str| matches!(name, "displacements" | "cells" | "seed" | "bits") || name == "fold" && has_long_keys;
     if let Some(name) = result.keys().find(|name| !is_known(name)) {
         return Err(Flaw::Unknown(name.clone()));
     }
     let fold = match result.get("fold") {
-        Some(seed) => seed.as_str().and_then(word::<u64>),
+        Some(seed) => seed.as_str().and_then(word),
         None if has_long_keys => return Err(Flaw::Missing("fold".to_owned())),
         None => Some(0),
     };
     let Some(fold) = fold else { return wrong("fold: not a word of 64 bits".to_owned()) };
     let words = |name: &str| -> Result<Vec<u32>, Flaw> {
         let list = result.get(name).and_then(Value::as_array).ok_or_else(|| Flaw::Missing(name.to_owned()))?;
-        let words = list.iter().map(|text| word::<u32>(text.as_str()?)).collect::<Option<_>>();
+        let words = list.iter().map(|text| u32::try_from(word(text.as_str()?)?).ok()).collect::<Option<_>>();
         words.ok_or_else(|| Flaw::Table(format!("{name}: not all are words of 32 bits")))
     };
     let (displacements, cells) = (words("displacements")?, words("cells")?);
@@ -258,7 +251,7 @@ fn judge_table(case: &Case, result: &Map<String, Value>) -> Result<(), Flaw> {
     let mix = match (result.get("seed"), result.get("bits")) {
         (None, None) => None,
         (Some(seed), Some(bits)) if sizes.is_none() => {
-            let seed = seed.as_str().and_then(word::<u64>);
+            let seed = seed.as_str().and_then(word);
             let bits = bits.as_u64().filter(|bits| [32, 64].contains(bits));
             let (Some(seed), Some(bits)) = (seed, bits) else { return wrong("seed or bits".to_owned()) };
             Some((seed, bits == 32))
@@ -278,4 +271,8 @@ fn judge_table(case: &Case, result: &Map<String, Value>) -> Result<(), Flaw> {
         }
     }
     Ok(())
+}
+
+fn word(digits: &str) -> Option<u64> {
+    Bits::of_hex(digits)?.number()
 }

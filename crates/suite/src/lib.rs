@@ -1,13 +1,15 @@
 //! The conformance suite: cases that tell any implementation, in any language, where it is wrong.
 //!
-//! [`author`] makes the cases, with expectations from references that share nothing with the traversals. `spec/suite` holds
-//! them as files, with the text that says what they mean. A [`Runner`] asks a program the cases, one JSON line each, and
-//! judges what it answers ([`judge()`]); [`serve`] is the other side of the line, and [`Library`] what this library answers.
+//! [`author`] makes the cases, with expectations from references that share nothing with the traversals. `spec/suite`
+//! holds them as files, with the text that says what they mean. A [`Runner`] asks a program the cases, one JSON line
+//! each, and judges what it answers ([`judge()`]); [`serve`] is the other side of the line, and [`Library`] what this
+//! library answers.
 
 #![forbid(unsafe_code)]
 
 mod ask;
 pub mod author;
+mod bits;
 mod case;
 mod judge;
 mod own;

@@ -142,8 +142,8 @@ impl Report {
         }
     }
 
-    /// The run in the format of `JUnit`, which build servers read: a test case each, `skipped` where it was not asked or is
-    /// waived.
+    /// The run in the format of `JUnit`, which build servers read: a test case each, `skipped` where it was not asked
+    /// or is waived.
     pub fn to_junit(&self) -> String {
         let failures = self.verdicts.iter().filter(|verdict| verdict.is_failure()).count();
         let mut text = format!(

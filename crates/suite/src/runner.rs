@@ -157,8 +157,8 @@ struct Turn<'a> {
 type Told<'a> = &'a mut dyn FnMut(usize, &Outcome);
 
 impl Turn<'_> {
-    /// Asks until all is answered or the program is of no use any more; then whoever was not to blame is asked again. Returns what is wrong with how
-    /// it ends.
+    /// Asks until all is answered or the program is of no use any more; then whoever was not to blame is asked again.
+    /// Returns what is wrong with how it ends.
     fn ask(&mut self, mut process: Process, alone: &mut usize, told: Told<'_>) -> Option<String> {
         let mut last = None;
         loop {

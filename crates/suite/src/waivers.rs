@@ -5,8 +5,8 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-/// Cases that fail for a reason that is known: `[{"id": ..., "reason": ...}, ...]`. One that passes is reported, so that the
-/// list does not grow old.
+/// Cases that fail for a reason that is known: `[{"id": ..., "reason": ...}, ...]`. One that passes is reported, so
+/// that the list does not grow old.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Waivers {
     reasons: BTreeMap<String, String>,

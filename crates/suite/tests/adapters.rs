@@ -54,7 +54,7 @@ impl Language {
 
 /// Of a file of `spec/suite`.
 fn text(path: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("spec/suite").join(path);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../spec/suite").join(path);
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
@@ -72,8 +72,8 @@ fn conforms(language: Language, cases: usize) {
     assert_eq!(report.count("pass"), cases);
 }
 
-/// Asks the cases of a profile with some words of the source replaced, which stand there once. The first case that fails is one of
-/// this clause.
+/// Asks the cases of a profile with some words of the source replaced, which stand there once. The first case that
+/// fails is one of this clause.
 fn is_caught(language: Language, from: &str, to: &str, profile: &str, clause: &str) {
     let source = language.source();
     assert_eq!(source.matches(from).count(), 1, "{from}");

@@ -1,6 +1,6 @@
-//! What the conformance suite expects is what the models of spec/rocq do: the cases of `trace/script` and `trace/complete` with
-//! trees of up to 70 nodes, with the file's expectations, written as a Rocq example, which `spec/rocq/check.sh` evaluates. With `UPDATE=1` the file is written
-//! anew. `[ORACLE-1, TRAVERSE-1, TRAIL-4]`
+//! What the conformance suite expects is what the models of spec/rocq do: the cases of `trace/script` and
+//! `trace/complete` with trees of up to 70 nodes, with the file's expectations, written as a Rocq example, which
+//! `spec/rocq/check.sh` evaluates. With `UPDATE=1` the file is written anew. `[ORACLE-1, TRAVERSE-1, TRAIL-4]`
 
 use std::fs;
 use std::path::Path;
@@ -79,9 +79,9 @@ fn example(case: &Case, number: usize) -> String {
 
 #[test]
 fn what_the_suite_expects_is_what_the_models_do() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("spec/rocq/Suite.v");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../spec/rocq/Suite.v");
     let mut text = String::from(
-        "(** Cases of the conformance suite with what it expects. Written by tests/rocq_suite.rs. *)\n\n\
+        "(** Cases of the conformance suite with what it expects. Written by crates/suite/tests/rocq_suite.rs. *)\n\n\
          Require Import List PArith NArith.\nRequire Import Tree Cases.\nImport ListNotations.\nOpen Scope N_scope.\n",
     );
     let suite = author::suite();

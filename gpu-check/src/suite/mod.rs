@@ -15,7 +15,7 @@ use stackless_suite::{Answer, Ask, Feature, Hello, Implementation, Level, Limits
 pub use rays::Share;
 
 use crate::kernel::{Kernel, Traversal, WORKGROUP};
-use crate::planted::Bug;
+use crate::planted::Shader;
 use crate::probe::{Arithmetic, probe};
 use crate::{Access, Checks, Gpu, GpuError, Pipeline};
 
@@ -42,7 +42,7 @@ pub struct Adapter<'g> {
 struct Device<'g> {
     gpu: &'g Gpu,
     kernel: Kernel,
-    bug: Option<Bug>,
+    bug: Option<&'static Shader>,
     /// Edges of the deepest tree.
     depth: u32,
 }
@@ -52,7 +52,7 @@ impl<'g> Adapter<'g> {
     ///
     /// # Errors
     /// What the device may refuse.
-    pub fn new(gpu: &'g Gpu, kernel: Kernel, bug: Option<Bug>) -> Result<Self, GpuError> {
+    pub fn new(gpu: &'g Gpu, kernel: Kernel, bug: Option<&'static Shader>) -> Result<Self, GpuError> {
         let depth = kernel.depth_limit().unwrap_or(match kernel.traversal {
             Traversal::StackWorkgroup => (gpu.workgroup_bytes() / (4 * WORKGROUP)).min(STACK_EDGES),
             _ => STACK_EDGES,

@@ -1,9 +1,8 @@
 //! A cursor that is put aside and taken up again before every step.
 
 use stackless_bvh::event::State;
-use stackless_bvh::key::TooDeep;
 use stackless_bvh::order::Descent;
-use stackless_bvh::traverse::{ByTable, Cursor, Next, Pause, Paused};
+use stackless_bvh::traverse::{ByTable, Cursor, Next, Pause, Paused, Unfit};
 use stackless_bvh::tree::Node;
 
 use crate::shape::{Computed, Shape};
@@ -18,12 +17,12 @@ pub(super) struct Resumed<C, F, P> {
     keep: P,
 }
 
-impl<C: Pause, F: Fn() -> Result<C, TooDeep>, P: Fn(Paused<C::Word>) -> Option<Paused<C::Word>>> Resumed<C, F, P> {
+impl<C: Pause, F: Fn() -> Result<C, Unfit>, P: Fn(Paused<C::Word>) -> Option<Paused<C::Word>>> Resumed<C, F, P> {
     /// At the root.
     ///
     /// # Errors
     /// As `start`.
-    pub(super) fn new(start: F, keep: P) -> Result<Self, TooDeep> {
+    pub(super) fn new(start: F, keep: P) -> Result<Self, Unfit> {
         Ok(Self { cursor: start()?, start, keep })
     }
 
@@ -40,38 +39,19 @@ pub(super) fn by_key_and_trail(shape: Shape) -> impl Fn(Paused<u32>) -> Option<P
     move |paused| paused.key_trail()?.locate(&ByTable(Computed(shape))).ok()
 }
 
-impl<C: State, F, P> State for Resumed<C, F, P> {
+impl<C: Pause, F: Fn() -> Result<C, Unfit>, P: Fn(Paused<C::Word>) -> Option<Paused<C::Word>>> Cursor
+    for Resumed<C, F, P>
+{
     type Word = C::Word;
+    const PRUNES: bool = C::PRUNES;
 
     fn node(&self) -> Node {
         self.cursor.node()
     }
 
-    fn key(&self) -> Option<C::Word> {
-        self.cursor.key()
+    fn state(&self) -> State<C::Word> {
+        self.cursor.state()
     }
-
-    fn trail(&self) -> Option<C::Word> {
-        self.cursor.trail()
-    }
-
-    fn counter(&self) -> Option<C::Word> {
-        self.cursor.counter()
-    }
-
-    fn disjoint(&self) -> Option<C::Word> {
-        self.cursor.disjoint()
-    }
-
-    fn register(&self) -> Option<Node> {
-        self.cursor.register()
-    }
-}
-
-impl<C: Pause, F: Fn() -> Result<C, TooDeep>, P: Fn(Paused<C::Word>) -> Option<Paused<C::Word>>> Cursor
-    for Resumed<C, F, P>
-{
-    const PRUNES: bool = C::PRUNES;
 
     fn descend(&mut self, descent: Descent) -> bool {
         self.resume(Next::Visit);

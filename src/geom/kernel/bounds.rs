@@ -2,7 +2,7 @@
 //!
 //! With e1 = v1 - v0, e2 = v2 - v0, s = o - v0, the greatest components C of s, E of e1 and e2, D of d, and u = 2^-24 in
 //! single precision or 2^-53 in double, each determinant is off by at most so many times u times the product that is
-//! named. tests/bounds.rs has inputs that exceed five sixths of each.
+//! named. tests/library/bounds.rs has inputs that exceed five sixths of each.
 
 /// Edge functions U, V and W: times D E (2 C + E). `[EXACT-4]`
 pub const EDGE: u32 = 39;

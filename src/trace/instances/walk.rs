@@ -6,7 +6,7 @@ use crate::geom::kernel::{self, Verdict};
 use crate::geom::slabs::Intervals;
 use crate::geom::truth::round_f32;
 use crate::geom::{Aabb, EnclosedRay, Ray, Slabs, Triangle, slabs};
-use crate::order::{Descent, Flow, Visitor};
+use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::trace::BoxQuery;
 use crate::tree::{Node, Topology};
 
@@ -100,6 +100,8 @@ impl<S, L: Leaves> Visitor for Walk<'_, '_, S, L> {
         Flow::Continue
     }
 }
+
+impl<S, L: Leaves> Pruned for Walk<'_, '_, S, L> {}
 
 impl<S, L: Leaves> BoxQuery for Walk<'_, '_, S, L> {
     #[inline]

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::{Around, Near};
 use crate::bvh::Bvh;
 use crate::geom::{Aabb, Ball};
-use crate::order::{Descent, Flow, Visitor};
+use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::trace::BoxQuery;
 use crate::tree::{Node, Topology};
 
@@ -60,6 +60,8 @@ impl Visitor for NearestPoints<'_> {
         Flow::Continue
     }
 }
+
+impl Pruned for NearestPoints<'_> {}
 
 impl BoxQuery for NearestPoints<'_> {
     fn touches(&self, aabb: &Aabb) -> bool {

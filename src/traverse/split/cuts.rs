@@ -7,7 +7,7 @@ use core::mem::replace;
 use crate::hash::Lookup;
 use crate::key::{KeyWord, Side};
 use crate::traverse::Method;
-use crate::tree::{Node, Recorded, Topology, Tree};
+use crate::tree::{Node, Reach, Recorded, Topology, Tree};
 
 /// A tree that is cut every so many levels.
 ///
@@ -150,6 +150,8 @@ impl<T: Topology> Piece<'_, T> {
 }
 
 impl<T: Topology> Topology for Piece<'_, T> {
+    const REACH: Reach = T::REACH;
+
     #[inline]
     fn root(&self) -> Node {
         self.root
@@ -187,6 +189,25 @@ impl<T: Topology> Topology for Piece<'_, T> {
     #[inline]
     fn links(&self, node: Node) -> [Node; 2] {
         self.tree.links(node)
+    }
+
+    fn names(&self, what: Recorded) -> bool {
+        self.tree.names(what)
+    }
+
+    #[inline]
+    fn parent(&self, node: Node) -> Node {
+        self.tree.parent(node)
+    }
+
+    #[inline]
+    fn sibling(&self, node: Node) -> Node {
+        self.tree.sibling(node)
+    }
+
+    #[inline]
+    fn uncles(&self, node: Node) -> [Node; 3] {
+        self.tree.uncles(node)
     }
 }
 

@@ -6,7 +6,7 @@ use crate::hash::{KeyMap, Lookup};
 use crate::key::TooDeep;
 use crate::order::{Flow, Side, Visitor};
 use crate::traverse::{Afra, HashOnly, Laine, Method, Sparse, Uncle, traverse};
-use crate::tree::{Keys, Parents, Recorded, Tree, Uncles};
+use crate::tree::{Keys, Linked, Recorded, Tree};
 
 /// A chain of `depth` inner nodes, 0, 2, 4 and so on, each with the leaf of the next number, turning every third time.
 fn comb(depth: u32) -> Tree {
@@ -69,14 +69,14 @@ fn state_takes_one_traversal_for_each_piece_on_the_way() {
 #[test]
 fn words_must_carry_a_piece() {
     let tree = comb(100);
-    let parents = &Parents::of(&tree);
+    let linked = Linked::parents(&tree);
     let refused = |levels| {
-        let cuts = Cuts::every(levels, &tree);
-        Split::new(&cuts, &mut Vec::new(), |piece| Afra::<u8, _, _>::new(piece, parents)).err()
+        let cuts = Cuts::every(levels, &linked);
+        Split::new(&cuts, &mut Vec::new(), Afra::<u8, _>::new).err()
     };
     assert_eq!(refused(8), None);
-    assert_eq!(refused(9), Some(TooDeep { depth: 9, limit: 8, word: "u8" }));
-    assert_eq!(refused(200), Some(TooDeep { depth: 100, limit: 8, word: "u8" }));
+    assert_eq!(refused(9), Some(TooDeep { depth: 9, limit: 8, word: "u8" }.into()));
+    assert_eq!(refused(200), Some(TooDeep { depth: 100, limit: 8, word: "u8" }.into()));
 }
 
 #[test]
@@ -99,11 +99,11 @@ fn keys_are_put_together() {
 struct Shown(Vec<(Node, Option<Grow>, [bool; 4])>);
 
 impl Recorder for Shown {
-    fn visit(&mut self, state: &impl State) -> Flow {
-        let grow = |word: Option<_>| word.map(|word| append(Grow::zero(), &word, KeyWord::bit_length(&word)));
-        let (key, counter) = (grow(state.key()), grow(state.counter()));
-        let shows = [state.trail().is_some(), state.register().is_some(), counter.is_some(), state.is_restarting()];
-        self.0.push((state.node(), key.or(counter), shows));
+    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        let state = state().map(|word| Some(append(Grow::zero(), &word, KeyWord::bit_length(&word))));
+        let State { key, trail, counter, register, is_restarting, .. } = state;
+        let shows = [trail.is_some(), register.is_some(), counter.is_some(), is_restarting];
+        self.0.push((node, key.or(counter), shows));
         Flow::Continue
     }
 }
@@ -125,10 +125,10 @@ impl Visitor for Both {
 #[test]
 fn pieces_show_the_state_of_the_whole() {
     let tree = comb(40);
-    let (keys, cuts) = (Keys::of(&tree), Cuts::every(12, &tree));
-    let (uncles, parents) = (<Uncles>::of(&tree), Parents::of(&tree));
+    let linked = Linked::both(&tree);
+    let (keys, cuts) = (Keys::of(&tree), Cuts::every(12, &linked));
     let tables = cuts.tables(|tree| Ok::<_, TooDeep>(KeyMap::of(tree))).unwrap();
-    let table = |piece: &Piece<'_, Tree>| &tables[piece.number()];
+    let table = |piece: &Piece<'_, Linked<'_, Tree>>| &tables[piece.number()];
     for leaf_first in [false, true] {
         let check = |shown: Shown, has_key: bool| {
             assert_eq!(shown.0.iter().filter(|visit| !visit.2[3]).count(), 81);
@@ -145,12 +145,12 @@ fn pieces_show_the_state_of_the_whole() {
         traverse(Split::new(&cuts, &mut Vec::new(), start).unwrap(), &mut Both(leaf_first), &mut shown);
         assert_eq!(check(shown, true), [81, 0, 0, 0]);
         let mut shown = Shown::default();
-        let start = |piece| Uncle::<u32, _, _>::new(piece, &uncles);
+        let start = Uncle::<u32, _>::new;
         traverse(Split::new(&cuts, &mut Vec::new(), start).unwrap(), &mut Both(leaf_first), &mut shown);
         let [trails, registers, ..] = check(shown, false);
         assert!(trails == 81 && registers > 0, "{registers}");
         let mut shown = Shown::default();
-        let start = |piece| Sparse::<u32, _, _>::new(piece, &parents);
+        let start = Sparse::<u32, _>::new;
         traverse(Split::new(&cuts, &mut Vec::new(), start).unwrap(), &mut Both(leaf_first), &mut shown);
         assert_eq!(check(shown, false), [0, 0, 81, 0]);
         let mut shown = Shown::default();
@@ -164,33 +164,9 @@ fn pieces_show_the_state_of_the_whole() {
     }
 }
 
-/// A tree whose records name uncles.
-struct Recording(Tree);
-
-impl Topology for Recording {
-    fn root(&self) -> Node {
-        self.0.root()
-    }
-    fn children(&self, node: Node) -> [Node; 2] {
-        self.0.children(node)
-    }
-    fn node_count(&self) -> usize {
-        self.0.node_count()
-    }
-    fn slot(&self, node: Node) -> usize {
-        self.0.slot(node)
-    }
-    fn depth(&self) -> u32 {
-        self.0.depth()
-    }
-    fn recorded(&self) -> Recorded {
-        Recorded::Uncles
-    }
-}
-
 #[test]
 fn a_piece_is_the_tree_from_another_root() {
-    let tree = Recording(comb(20));
+    let tree = comb(20).with_links(Recorded::Uncles);
     let cuts = Cuts::every(6, &tree);
     for piece in cuts.pieces() {
         assert_eq!((piece.node_count(), piece.recorded()), (41, Recorded::Uncles));

@@ -57,13 +57,3 @@ fn capital(name: &str) -> String {
     let (first, rest) = name.split_at(1);
     first.to_uppercase() + rest
 }
-
-#[test]
-fn names_are_unique() {
-    let mut names: Vec<_> =
-        LAYERS.iter().flat_map(|layer| layer.mistakes.iter().chain(layer.controls)).map(Mistake::name).collect();
-    let count = names.len();
-    names.sort_unstable();
-    names.dedup();
-    assert_eq!(names.len(), count);
-}

@@ -11,7 +11,7 @@ use stackless_bvh::oracle;
 use stackless_bvh::order::Flow;
 use stackless_bvh::trace::{AnyByNode, Closest, ClosestByNode, Tracer, Truth};
 use stackless_bvh::traverse::{Afra, Cuts, Hashed, Method, Split, Unfit, WordName, traverse};
-use stackless_bvh::tree::{Keys, Recorded, RecordedParents, RecordedUncles, Topology};
+use stackless_bvh::tree::{Keys, Linked, Node, Recorded, Topology};
 use stackless_check::{CaseOptions, Pieces, Plan, SceneTree, check_scene};
 
 use super::FOR_ANY_DEPTH;
@@ -102,9 +102,10 @@ fn the_tracer_takes_the_growing_word() {
 #[test]
 fn pieces_find_the_same_hits_by_the_same_way_in_narrow_words() {
     fn check<W: KeyWord>(levels: u32, mesh: &Mesh, bvh: &Bvh) {
-        let (truth, boxes, cuts) = (Truth::new(mesh), bvh.own_boxes(), Cuts::every(levels, bvh));
+        let (truth, boxes, linked) = (Truth::new(mesh), bvh.own_boxes(), Linked::both(bvh));
+        let cuts = Cuts::every(levels, &linked);
         assert_eq!(cuts.nesting(), bvh.depth().div_ceil(levels));
-        let pieces = Pieces::new(bvh, &cuts).expect("tables");
+        let pieces = Pieces::new(&cuts).expect("tables");
         for ray in rays(mesh) {
             let hit = truth.closest(&ray).map(|hit| hit.rounded());
             let (mut search, mut expected) = (ClosestByNode::new(bvh, &boxes, &ray), Trace::default());
@@ -135,8 +136,7 @@ fn links_in_records_serve_all_pieces() {
     let (mesh, bvh) = deep();
     let climbing = bvh.clone().with_links(Recorded::ParentSibling);
     let (by_uncles, by_parents) = (Cuts::every(31, &bvh), Cuts::every(31, &climbing));
-    let pieces = Pieces::new(&bvh, &by_uncles).expect("tables");
-    let (uncles, parents) = (RecordedUncles::of(&bvh).unwrap(), RecordedParents::of(&climbing).unwrap());
+    let pieces = Pieces::new(&by_uncles).expect("tables");
     for ray in rays(&mesh) {
         let (mut search, mut expected) = (Closest::new(&bvh, &ray), Trace::default());
         oracle::traverse(&bvh, &mut search, &mut expected);
@@ -144,13 +144,13 @@ fn links_in_records_serve_all_pieces() {
 
         let (mut search, mut trace, mut waiting) = (Closest::new(&bvh, &ray), Trace::default(), Vec::new());
         let split = Split::new(&by_uncles, &mut waiting, |piece| {
-            Hashed::<u32, _, _, _>::new(piece, uncles, &pieces.hashes()[piece.number()])
+            Hashed::<u32, _, _>::new(piece, &pieces.hashes()[piece.number()])
         });
         traverse(split.unwrap(), &mut search, &mut trace);
         assert_eq!((search.hit(), &trace), (hit, &expected));
 
         let (mut search, mut trace, mut waiting) = (Closest::new(&climbing, &ray), Trace::default(), Vec::new());
-        let split = Split::new(&by_parents, &mut waiting, |piece| Afra::<u32, _, _>::new(piece, parents));
+        let split = Split::new(&by_parents, &mut waiting, Afra::<u32, _>::new);
         traverse(split.unwrap(), &mut search, &mut trace);
         assert_eq!((search.hit(), &trace), (hit, &expected));
     }
@@ -166,8 +166,8 @@ struct Reach<'a> {
 }
 
 impl Recorder for Reach<'_> {
-    fn visit(&mut self, state: &impl State) -> Flow {
-        let depth = self.keys.depth(self.bvh.slot(state.node()));
+    fn visit<W: KeyWord>(&mut self, node: Node, _: impl FnOnce() -> State<W>) -> Flow {
+        let depth = self.keys.depth(self.bvh.slot(node));
         self.deepest = self.deepest.max(depth);
         self.farthest = self.farthest.max(self.before.saturating_sub(depth));
         self.before = depth;
@@ -180,7 +180,7 @@ fn rays_reach_the_deepest_leaves_and_go_back_to_the_top_at_once() {
     let (mesh, bvh) = deep();
     let mut reach = Reach { bvh: &bvh, keys: Keys::of(&bvh), before: 0, deepest: 0, farthest: 0 };
     let (boxes, cuts) = (bvh.own_boxes(), Cuts::every(30, &bvh));
-    let pieces = Pieces::new(&bvh, &cuts).expect("tables");
+    let pieces = Pieces::new(&cuts).expect("tables");
     for ray in rays(&mesh) {
         reach.before = 0;
         let mut search = ClosestByNode::new(&bvh, &boxes, &ray);

@@ -10,9 +10,10 @@ use stackless_bvh::event::{Backtracks, Source};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::{Family, Kind, Rng, Search, Source as _, Tape};
 use stackless_bvh::hash::{BuildError, KeySet, Options, PerfectHash, Sizing, Verified};
+use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{ByNode, Flow, SignOrder, Visitor};
 use stackless_bvh::traverse::{Afra, Cursor, Hapala, Hashed, Laine, Sparse, traverse};
-use stackless_bvh::tree::{Keys, Node, ParentLinks, Parents, Reach, Tree, Uncles};
+use stackless_bvh::tree::{Keys, Linked, Node, Reach, Recorded, Topology, Tree};
 
 /// Leaves of a tree: 63 nodes, at most 31 edges deep.
 const LEAVES: u32 = 32;
@@ -20,13 +21,13 @@ const LEAVES: u32 = 32;
 /// Parents that `afra` follows, per visit.
 pub(super) fn climb_afra(case: &Case) -> Option<Cost> {
     let climbs = Climbs::of(&case.tree);
-    climbs.cost(Afra::<u64, _, _>::new(&case.tree, &climbs).ok()?, &mut Search::new(&case.tree, &case.tape, false))
+    climbs.cost(Afra::<u64, _>::new(&climbs).ok()?, &mut Search::new(&case.tree, &case.tape, false))
 }
 
 /// The same of `sparse`.
 pub(super) fn climb_sparse(case: &Case) -> Option<Cost> {
     let climbs = Climbs::of(&case.tree);
-    climbs.cost(Sparse::<u64, _, _>::new(&case.tree, &climbs).ok()?, &mut Search::new(&case.tree, &case.tape, false))
+    climbs.cost(Sparse::<u64, _>::new(&climbs).ok()?, &mut Search::new(&case.tree, &case.tape, false))
 }
 
 /// The same of `hapala`, which visits nodes that are missed and asks for the parent's parent too.
@@ -34,7 +35,7 @@ pub(super) fn climb_hapala(case: &Case) -> Option<Cost> {
     let order = SignOrder { axes: case.tape.axes(), octant: case.octant };
     let climbs = Climbs::of(&case.tree);
     let mut test = Search::new(&case.tree, &case.tape, false);
-    climbs.cost(Hapala::new(&case.tree, &climbs, order), &mut ByNode { test: &mut test, order })
+    climbs.cost(Hapala::new(&climbs, order).ok()?, &mut ByNode { test: &mut test, order })
 }
 
 /// Visits of `laine-K` on the way down from the root again, per visit.
@@ -158,15 +159,15 @@ fn replace(children: &mut [Option<[u32; 2]>], node: u32, old: u32, new: u32) {
     pairs.flatten().filter(|child| **child == old).for_each(|child| *child = new);
 }
 
-/// Parents, counted as they are followed.
-struct Climbs {
-    parents: Parents,
+/// A tree whose parents are counted as they are followed.
+struct Climbs<'t> {
+    tree: Linked<'t, Tree>,
     count: std::cell::Cell<u64>,
 }
 
-impl Climbs {
-    fn of(tree: &Tree) -> Self {
-        Self { parents: Parents::of(tree), count: std::cell::Cell::new(0) }
+impl<'t> Climbs<'t> {
+    fn of(tree: &'t Tree) -> Self {
+        Self { tree: Linked::parents(tree), count: std::cell::Cell::new(0) }
     }
 
     /// Parents followed by a traversal, per visit.
@@ -177,14 +178,20 @@ impl Climbs {
     }
 }
 
-impl ParentLinks<Tree> for &Climbs {
-    fn row(&self, tree: &Tree, node: Node) -> [Node; 2] {
-        (&self.parents).row(tree, node)
+impl Topology for Climbs<'_> {
+    stackless_bvh::topology_of!(tree);
+
+    fn names(&self, what: Recorded) -> bool {
+        self.tree.names(what)
     }
 
-    fn parent(&self, tree: &Tree, node: Node) -> Node {
+    fn parent(&self, node: Node) -> Node {
         self.count.set(self.count.get() + 1);
-        (&self.parents).parent(tree, node)
+        self.tree.parent(node)
+    }
+
+    fn sibling(&self, node: Node) -> Node {
+        self.tree.sibling(node)
     }
 }
 
@@ -196,8 +203,8 @@ struct Visits {
 }
 
 impl Recorder for Visits {
-    fn visit(&mut self, state: &impl State) -> Flow {
-        *(if state.is_restarting() { &mut self.again } else { &mut self.first }) += 1;
+    fn visit<W: KeyWord>(&mut self, _: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        *(if state().is_restarting { &mut self.again } else { &mut self.first }) += 1;
         Flow::Continue
     }
 }
@@ -212,10 +219,10 @@ struct Backtracking {
 impl Backtracking {
     fn of(case: &Case) -> Option<Self> {
         let tree = &case.tree;
-        let (uncles, keys, hash) = (<Uncles>::of(tree), Keys::of(tree), table(case, REACHED, Sizing::Tight)?);
+        let (uncles, keys, hash) = (Linked::uncles(tree), Keys::of(tree), table(case, REACHED, Sizing::Tight)?);
         let (hash, mut search) = (Verified::new(&hash, tree, &keys), Search::new(tree, &case.tape, false));
         let mut backtracks = Backtracks::new(REACH);
-        traverse(Hashed::<u64, _, _, _>::new(tree, &uncles, &hash).ok()?, &mut search, &mut backtracks);
+        traverse(Hashed::<u64, _, _>::new(&uncles, &hash).ok()?, &mut search, &mut backtracks);
         let visits = search.outcome.inner_visits + search.outcome.leaf_visits;
         let misses = backtracks.total() - backtracks.by(Source::Register);
         Some(Self { visits, lookups: hash.lookups() as u64, misses })
@@ -223,7 +230,7 @@ impl Backtracking {
 }
 
 /// What the records name.
-const REACH: Reach = <Uncles>::REACH;
+const REACH: Reach = Reach::ALGORITHM_1;
 
 /// The keys that `hashed` looks up.
 const REACHED: KeySet = KeySet::Exact(REACH);

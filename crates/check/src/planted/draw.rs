@@ -1,4 +1,5 @@
-//! Inputs that show mistakes: small and large whole numbers, points that are met exactly, and what is a float or less beside.
+//! Inputs that show mistakes: small and large whole numbers, points that are met exactly, and what is a float or less
+//! beside.
 
 use glam::Vec3;
 

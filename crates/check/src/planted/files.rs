@@ -43,7 +43,8 @@ impl File {
         Self { bytes, counts: [bvh.nodes().len(), bvh.leaves().len(), bvh.triangles().len()] }
     }
 
-    /// Where the record of an inner node begins, that of a leaf, that of a triangle; of the first one where there are fewer.
+    /// Where the record of an inner node begins, that of a leaf, that of a triangle; of the first one where there are
+    /// fewer.
     pub(super) fn node(&self, at: usize) -> usize {
         HEADER_BYTES + 64 * (at % self.counts[0].max(1))
     }

@@ -42,8 +42,8 @@ pub(super) const CONTROLS: [Mistake; 1] = [Mistake::new(
     Instead::Rays(cast::<Filter<100, 100, 100>, Directed>),
 )];
 
-/// The exact test, by its stages, with so many percent of the bound in single precision, of that of signs, and of those of
-/// distances.
+/// The exact test, by its stages, with so many percent of the bound in single precision, of that of signs, and of those
+/// of distances.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Filter<const SINGLE: u32, const SIGNS: u32, const PLACES: u32> {
     exact: Exact,
@@ -245,8 +245,8 @@ fn beyond(draw: &mut Draw<'_>, part: f64, share: fn(&Shares) -> f64) -> Option<S
     (share > part).then(|| format!("an error of {share} of its bound: {input:?}"))
 }
 
-/// Inputs whose errors come near the bounds: of W in single precision; of W, the determinant, and the distance times it, in
-/// double. `tests/bounds/worst.rs` has more of them. Rows: origin, direction, three corners.
+/// Inputs whose errors come near the bounds: of W in single precision; of W, the determinant, and the distance times
+/// it, in double. `tests/library/bounds/worst.rs` has more of them. Rows: origin, direction, three corners.
 const WORST: [[[u32; 3]; 5]; 4] = [
     [
         [0x3a1a_4f10, 0xba0f_2cf8, 0xba20_3161],

@@ -1,14 +1,12 @@
 //! Tables and records that are not those of the tree.
 
+use super::wrapped::{Mutation, Wrapped};
 use super::{Planted, drive};
-use stackless_bvh::event::State;
 use stackless_bvh::hash::{KeySet, Lookup, Options, PerfectHash, Sizing};
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::order::{Descent, FixedOrder, Side};
-use stackless_bvh::traverse::{Cursor, Sparse, Uncle};
-use stackless_bvh::tree::{
-    Keys, Node, ParentLinks, Parents, Reach, Recorded, RecordedUncles, Topology, Tree, UncleLinks, Uncles,
-};
+use stackless_bvh::order::{FixedOrder, Side};
+use stackless_bvh::traverse::{Sparse, Uncle};
+use stackless_bvh::tree::{Keys, Linked, Node, Parents, Reach, Recorded, Topology, Tree, Uncles};
 
 /// A table that answers with the sibling.
 pub(super) struct Misled<'t>(pub(super) &'t Tree);
@@ -50,8 +48,7 @@ pub(super) enum Misrecord {
 pub(super) fn misrecorded(name: &str, how: Misrecord) -> Planted {
     Planted::any(name, "UNCLE-1", move |tree, _, visitor, watcher| {
         let tree = Misrecorded { tree, uncles: Uncles::of(tree), parents: Parents::of(tree), how };
-        let uncles = RecordedUncles::of(&tree);
-        if let Some(Ok(cursor)) = uncles.map(|uncles| Uncle::<u64, _, _>::new(&tree, uncles)) {
+        if let Ok(cursor) = Uncle::<u64, _>::new(&tree) {
             drive(cursor, visitor, watcher);
         }
     })
@@ -65,46 +62,45 @@ struct Misrecorded<'t> {
 }
 
 /// A tree that is said to be a level less deep.
-struct Shallow<'t>(&'t Tree);
-
-macro_rules! as_the_tree {
-    ($tree:tt) => {
-        fn root(&self) -> Node {
-            self.$tree.root()
-        }
-        fn children(&self, node: Node) -> [Node; 2] {
-            self.$tree.children(node)
-        }
-        fn node_count(&self) -> usize {
-            self.$tree.node_count()
-        }
-        fn slot(&self, node: Node) -> usize {
-            self.$tree.slot(node)
-        }
-    };
-}
+struct Shallow<'t>(Linked<'t, Tree>);
 
 impl Topology for Misrecorded<'_> {
-    as_the_tree!(tree);
+    stackless_bvh::topology_of!(tree);
 
-    fn depth(&self) -> u32 {
-        self.tree.depth()
-    }
     fn recorded(&self) -> Recorded {
         Recorded::Uncles
     }
     fn links(&self, node: Node) -> [Node; 2] {
-        match ((&self.uncles).row(self.tree, node), self.how) {
+        match (self.uncles.row(self.tree, node), self.how) {
             ([uncle, grand_uncle, _], Misrecord::GrandUncle) if grand_uncle != self.root() => [grand_uncle, uncle],
-            ([_, grand_uncle, _], Misrecord::Sibling) => [(&self.parents).sibling(self.tree, node), grand_uncle],
+            ([_, grand_uncle, _], Misrecord::Sibling) => [self.parents.row(self.tree, node)[1], grand_uncle],
             ([uncle, grand_uncle, _], Misrecord::GrandUncle) => [uncle, grand_uncle],
         }
     }
 }
 
 impl Topology for Shallow<'_> {
-    as_the_tree!(0);
-
+    fn root(&self) -> Node {
+        self.0.root()
+    }
+    fn children(&self, node: Node) -> [Node; 2] {
+        self.0.children(node)
+    }
+    fn node_count(&self) -> usize {
+        self.0.node_count()
+    }
+    fn slot(&self, node: Node) -> usize {
+        self.0.slot(node)
+    }
+    fn names(&self, what: Recorded) -> bool {
+        self.0.names(what)
+    }
+    fn parent(&self, node: Node) -> Node {
+        self.0.parent(node)
+    }
+    fn sibling(&self, node: Node) -> Node {
+        self.0.sibling(node)
+    }
     fn depth(&self) -> u32 {
         self.0.depth().saturating_sub(1)
     }
@@ -113,55 +109,21 @@ impl Topology for Shallow<'_> {
 /// A traversal in words of 64 bits that takes a tree of 64 levels for one of 63.
 pub(super) fn shallow() -> Planted {
     let run = Planted::any("", "DEPTH-1", |tree, _, visitor, watcher| {
-        let shallow = Shallow(tree);
-        if let Ok(cursor) = Sparse::<u64, _, _>::new(&shallow, &Parents::of(tree)) {
+        let shallow = Shallow(Linked::parents(tree));
+        if let Ok(cursor) = Sparse::<u64, _>::new(&shallow) {
             drive(cursor, visitor, watcher);
         }
     });
     run.carrying(64)
 }
 
-/// Algorithm 4 of Barringer & Akenine-Möller 2013 as printed: its end is where the climb arrives at the root, which is its own
-/// sibling. Here it is not.
+/// A traversal that does not know that the root has no sibling.
 pub(super) fn with_sibling_of_root() -> Planted {
     Planted::any("", "SPARSE-1", |tree, _, visitor, watcher| {
-        if let Ok(sparse) = Sparse::<u64, _, _>::new(tree, &Parents::of(tree)) {
-            drive(Passing { sparse, tree, beyond: None }, visitor, watcher);
+        if let Ok(sparse) = Sparse::<u64, _>::new(&Linked::parents(tree)) {
+            drive(Wrapped::new(tree, sparse, Mutation::PastRoot), visitor, watcher);
         }
     })
-}
-
-/// Goes on at the root's left child, once.
-struct Passing<'t, C> {
-    sparse: C,
-    tree: &'t Tree,
-    beyond: Option<Node>,
-}
-
-impl<C: State> State for Passing<'_, C> {
-    type Word = C::Word;
-
-    fn node(&self) -> Node {
-        self.beyond.unwrap_or_else(|| self.sparse.node())
-    }
-}
-
-impl<C: Cursor> Cursor for Passing<'_, C> {
-    fn descend(&mut self, descent: Descent) -> bool {
-        self.beyond.is_none() && self.sparse.descend(descent)
-    }
-
-    fn backtrack(&mut self) -> bool {
-        if self.beyond.is_some() {
-            return false;
-        }
-        if !self.sparse.backtrack() {
-            let root = self.tree.root();
-            self.beyond = (!root.is_leaf()).then(|| self.tree.child(root, Side::Left));
-            return self.beyond.is_some();
-        }
-        true
-    }
 }
 
 pub(super) struct RightFirst;

@@ -1,4 +1,5 @@
-//! What traversals rest on, with one mistake each: tables, lookups, tests of triangles and boxes, searches, hierarchies.
+//! What traversals rest on, with one mistake each: tables, lookups, tests of triangles and boxes, searches,
+//! hierarchies.
 
 use super::draw::Draw;
 use super::lookups::Function;
@@ -164,9 +165,28 @@ impl core::fmt::Debug for Instead {
     }
 }
 
-/// Names of mistakes that types carry.
+/// Mistakes in a test of triangles or boxes, which a type has to name.
 macro_rules! marks {
-    ($($name:ident)*) => { $(#[derive(Clone, Copy, Debug)] pub(super) struct $name;)* };
+    ($($name:ident)*) => {
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub(super) enum Bug {
+            $($name),*
+        }
+
+        /// The name of a mistake.
+        pub(super) trait Spoil: Copy + Debug {
+            const BUG: Bug;
+        }
+
+        $(
+            #[derive(Clone, Copy, Debug)]
+            pub(super) struct $name;
+
+            impl Spoil for $name {
+                const BUG: Bug = Bug::$name;
+            }
+        )*
+    };
 }
 
 pub(super) use marks;

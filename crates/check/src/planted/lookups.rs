@@ -1,4 +1,5 @@
-//! Lookups in perfect hashes that are right, each with a mistake in the function: the traversal that looks every node up.
+//! Lookups in perfect hashes that are right, each with a mistake in the function: the traversal that looks every node
+//! up.
 
 use super::draw::Draw;
 use super::layers::{Instead, Mistake};

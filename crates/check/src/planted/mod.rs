@@ -1,9 +1,10 @@
-//! Planted bugs (feature `planted`): traversals with one mistake each, which every layer of checks has to catch.
+//! Planted bugs: traversals with one mistake each, which every layer of checks has to catch.
 //!
-//! Battery, fuzzer, proof harnesses, conformance cases: a check that lets one of these pass where it could show is no check.
+//! Battery, fuzzer, proof harnesses, conformance cases: a check that lets one of these pass where it could show is no
+//! check.
 //!
-//! Beside them are the layers below ([`LAYERS`]): tables, tests of triangles and boxes, searches and hierarchies with one mistake each,
-//! for the property bodies of these. `tests/PLANTED.md` says what is seen of each.
+//! Beside them are the layers below ([`LAYERS`]): tables, tests of triangles and boxes, searches and hierarchies with
+//! one mistake each, for the property bodies of these. `tests/PLANTED.md` says what is seen of each.
 
 mod asked;
 mod draw;
@@ -11,28 +12,30 @@ mod files;
 mod filters;
 mod given;
 mod hierarchies;
+mod implicit;
 mod kernels;
 mod layers;
 mod list;
 mod lookups;
+mod machine;
 mod mutants;
-mod printed;
 mod searches;
+mod shaders;
 mod slabs;
-mod slips;
 mod tables;
-mod textbook;
-mod wanderer;
+mod wrapped;
 
 pub use layers::{Hits, Instead, LAYERS, Layer, Mistake, Table};
-pub use list::{all, controls};
+pub use list::{Seer, all, controls, marks, rows, unseen};
 pub use lookups::Function;
+pub use shaders::{SHADERS, Shader, ShownBy};
 
 use super::{Battery, Case, Fault, Verdict, Watch};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::{Search, Tape};
-use stackless_bvh::order::{Flow, Visitor};
-use stackless_bvh::traverse::{Cursor, Test, traverse};
+use stackless_bvh::key::KeyWord;
+use stackless_bvh::order::{Flow, Pruned};
+use stackless_bvh::traverse::{Cursor, Test, traverse_pruned};
 use stackless_bvh::tree::{Node, Tree};
 
 /// A traversal with a bug, or, as a control, without one.
@@ -56,29 +59,17 @@ enum Run {
     Case(Box<CaseRun>),
 }
 
-type AnyRun = dyn Fn(&Tree, &Tape, &mut dyn Visitor, &mut Watcher<'_>);
+type AnyRun = dyn Fn(&Tree, &Tape, &mut dyn Pruned, &mut Watcher<'_>);
 type CaseRun = dyn Fn(&Case, &mut Search<'_, Tree>, &mut Watcher<'_>);
 
 /// Looks at each visit.
-struct Watcher<'a>(&'a mut dyn FnMut(&Snapshot) -> Flow);
-
-/// A traversal's state at a visit.
-#[derive(Clone, Copy, Debug)]
-pub struct Snapshot {
-    node: Node,
-    key: Option<u64>,
-    trail: Option<u64>,
-    counter: Option<u64>,
-    disjoint: Option<u64>,
-    register: Option<Node>,
-    is_restarting: bool,
-}
+struct Watcher<'a>(&'a mut dyn FnMut(&State<u64>) -> Flow);
 
 impl Planted {
     fn any(
         name: impl Into<String>,
         clause: &'static str,
-        run: impl Fn(&Tree, &Tape, &mut dyn Visitor, &mut Watcher<'_>) + 'static,
+        run: impl Fn(&Tree, &Tape, &mut dyn Pruned, &mut Watcher<'_>) + 'static,
     ) -> Self {
         Self::new(name.into(), clause, Run::Any(Box::new(run)))
     }
@@ -135,7 +126,7 @@ impl Planted {
     /// How it differs from its reference over a case; `None` if it does not.
     pub fn fault(&self, case: &Case) -> Option<Fault> {
         let verdict = Battery::new(case, &[]).judge(self.test, self.restarts, |search, watch: &mut Watch<'_>, _, _| {
-            self.run(case, search, |seen| watch.visit(seen));
+            self.run(case, search, |seen| watch.visit(seen.node, || *seen));
             Ok(())
         });
         match verdict {
@@ -145,7 +136,7 @@ impl Planted {
     }
 
     /// Runs it over a case.
-    pub fn run(&self, case: &Case, search: &mut Search<'_, Tree>, mut watch: impl FnMut(&Snapshot) -> Flow) {
+    pub fn run(&self, case: &Case, search: &mut Search<'_, Tree>, mut watch: impl FnMut(&State<u64>) -> Flow) {
         let watcher = &mut Watcher(&mut watch);
         match &self.run {
             Run::Any(run) => run(&case.tree, &case.tape, search, watcher),
@@ -158,8 +149,8 @@ impl Planted {
         &self,
         tree: &Tree,
         tape: &Tape,
-        visitor: &mut dyn Visitor,
-        mut watch: impl FnMut(&Snapshot) -> Flow,
+        visitor: &mut dyn Pruned,
+        mut watch: impl FnMut(&State<u64>) -> Flow,
     ) -> bool {
         match &self.run {
             Run::Any(run) => run(tree, tape, visitor, &mut Watcher(&mut watch)),
@@ -176,52 +167,11 @@ impl core::fmt::Debug for Planted {
 }
 
 impl Recorder for &mut Watcher<'_> {
-    fn visit(&mut self, state: &impl State) -> Flow {
-        let word = |word: Option<_>| word.and_then(|word| stackless_bvh::key::KeyWord::to_u64(&word));
-        (self.0)(&Snapshot {
-            node: state.node(),
-            key: word(state.key()),
-            trail: word(state.trail()),
-            counter: word(state.counter()),
-            disjoint: word(state.disjoint()),
-            register: state.register(),
-            is_restarting: state.is_restarting(),
-        })
+    fn visit<W: KeyWord>(&mut self, _: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        (self.0)(&state().map(|word| word.to_u64()))
     }
 }
 
-impl State for Snapshot {
-    type Word = u64;
-
-    fn node(&self) -> Node {
-        self.node
-    }
-
-    fn key(&self) -> Option<u64> {
-        self.key
-    }
-
-    fn trail(&self) -> Option<u64> {
-        self.trail
-    }
-
-    fn counter(&self) -> Option<u64> {
-        self.counter
-    }
-
-    fn disjoint(&self) -> Option<u64> {
-        self.disjoint
-    }
-
-    fn register(&self) -> Option<Node> {
-        self.register
-    }
-
-    fn is_restarting(&self) -> bool {
-        self.is_restarting
-    }
-}
-
-fn drive(cursor: impl Cursor, visitor: &mut (impl Visitor + ?Sized), mut watcher: &mut Watcher<'_>) {
-    traverse(cursor, &mut { visitor }, &mut watcher);
+fn drive(cursor: impl Cursor, visitor: &mut (impl Pruned + ?Sized), mut watcher: &mut Watcher<'_>) {
+    traverse_pruned(cursor, &mut { visitor }, &mut watcher);
 }

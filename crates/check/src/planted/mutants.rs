@@ -1,99 +1,52 @@
-//! The traversals of this crate, told something else than what the visitor has said.
+//! The traversals of the library, wrapped, one by one.
 
-use stackless_bvh::event::State;
-use stackless_bvh::hash::KeyMap;
-use stackless_bvh::key::TooDeep;
-use stackless_bvh::order::Descent;
-use stackless_bvh::traverse::{
-    Afra, ByKey, Cursor, Glassner, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine, Sparse, Stack, Uncle,
-};
-use stackless_bvh::tree::{Node, Parents, Uncles};
+use stackless_bvh::order::{FixedOrder, Pruned};
+use stackless_bvh::traverse::{Context, Cursor, Method, Supply, Tables, Unfit};
+use stackless_bvh::tree::Tree;
 
-use super::{Planted, drive};
+use super::wrapped::{Mutation, Wrapped};
+use super::{Planted, Watcher, drive};
 
-/// One of this crate's traversals, told something else than what the visitor has said.
-struct Mutant<C> {
-    cursor: C,
-    mutation: Mutation,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Mutation {
-    None,
-    FarFirst,
-    FarLost,
-    MissedWanted,
-}
-
-impl<C: State> State for Mutant<C> {
-    type Word = C::Word;
-
-    fn node(&self) -> Node {
-        self.cursor.node()
-    }
-    fn key(&self) -> Option<C::Word> {
-        self.cursor.key()
-    }
-    fn trail(&self) -> Option<C::Word> {
-        self.cursor.trail()
-    }
-    fn counter(&self) -> Option<C::Word> {
-        self.cursor.counter()
-    }
-    fn register(&self) -> Option<Node> {
-        self.cursor.register()
-    }
-    fn is_restarting(&self) -> bool {
-        self.cursor.is_restarting()
-    }
-}
-
-impl<C: Cursor> Cursor for Mutant<C> {
-    const RESTARTS: bool = C::RESTARTS;
-
-    fn descend(&mut self, descent: Descent) -> bool {
-        let first = descent.first();
-        self.cursor.descend(match self.mutation {
-            Mutation::FarFirst if descent.postpones() => Descent::both(first.other()),
-            Mutation::FarLost => Descent::only(first),
-            Mutation::MissedWanted => Descent::both(first),
-            _ => descent,
-        })
-    }
-
-    fn backtrack(&mut self) -> bool {
-        self.cursor.backtrack()
-    }
-}
-
-/// Every traversal that tests children at their parent, with a mutation.
+/// Traversals that test children at their parent, with a mutation.
 pub(super) fn mutants(mutation: Mutation) -> Vec<Planted> {
-    macro_rules! mutants {
-        ($($name:literal, |$tree:ident| $cursor:expr;)*) => {
-            vec![$(Planted::any(format!("{mutation:?} in {}", $name), "ORDER-1", move |tree, _, visitor, watcher| {
-                let $tree = tree;
-                if let Ok(cursor) = $cursor {
-                    drive(Mutant { cursor, mutation }, visitor, watcher);
-                }
-            })),*]
-        };
+    use Method as M;
+    let of = |method: Method| {
+        let mutant =
+            Planted::any(format!("{mutation:?} in {method}"), "ORDER-1", move |tree, tape, search, watcher| {
+                let (tables, mut memory) = (Tables::new(tree, tape.axes(), &[method], 0), Vec::new());
+                let linked = tables.tree();
+                let from = tables.over(&linked, 0, &mut memory);
+                // What is refused makes no visit.
+                let _ = method.dispatch::<u64, _>(Mutated { mutation, tree, from, search, watcher });
+            });
+        if method.restarts() { mutant.restarting() } else { mutant }
+    };
+    let stackless = [M::Sparse, M::Afra, M::Uncle, M::Hashed];
+    let implicit = [M::ImplicitA, M::ImplicitA1, M::ImplicitB, M::ImplicitB1];
+    let others = [M::Glassner, M::Laine0, M::Laine2];
+    [M::Stack].into_iter().chain(stackless).chain(implicit).chain(others).map(of).collect()
+}
+
+/// Runs a traversal with a mutation.
+struct Mutated<'a, 'w, F> {
+    mutation: Mutation,
+    tree: &'a Tree,
+    from: F,
+    search: &'a mut dyn Pruned,
+    watcher: &'a mut Watcher<'w>,
+}
+
+impl<'s, F: Supply<'s, u64>> Context<'s, u64> for Mutated<'_, '_, F> {
+    type From = F;
+    type Output = ();
+
+    fn by_parent<C: Cursor>(self, start: impl Fn(F) -> Result<C, Unfit>) -> Result<(), Unfit> {
+        drive(Wrapped::new(self.tree, start(self.from)?, self.mutation), self.search, self.watcher);
+        Ok(())
     }
-    let mut all = mutants![
-        "stack", |tree| Ok::<_, TooDeep>(Stack::new(tree, &mut Vec::new()));
-        "sparse", |tree| Sparse::<u64, _, _>::new(tree, &Parents::of(tree));
-        "afra", |tree| Afra::<u64, _, _>::new(tree, &Parents::of(tree));
-        "uncle", |tree| Uncle::<u64, _, _>::new(tree, &<Uncles>::of(tree));
-        "hashed", |tree| Hashed::<u64, _, _, _>::new(tree, &<Uncles>::of(tree), KeyMap::of(tree));
-        "implicit-a", |tree| ImplicitA::<u64, _>::new(tree, KeyMap::of(tree));
-        "implicit-a1", |tree| ImplicitA1::<u64, _>::new(tree, KeyMap::of(tree));
-        "implicit-b", |tree| ImplicitB::<u64, _>::new(tree, KeyMap::of(tree));
-        "implicit-b1", |tree| ImplicitB1::<u64, _>::new(tree, KeyMap::of(tree));
-        "glassner", |tree| ByKey::<u64, _>::new(tree, &Glassner::of(tree));
-    ];
-    let restarting = mutants![
-        "laine-0", |tree| Laine::<0, u64, _>::new(tree);
-        "laine-2", |tree| Laine::<2, u64, _>::new(tree);
-    ];
-    all.extend(restarting.into_iter().map(Planted::restarting));
-    all
+
+    /// None of those.
+    fn by_node<C: Cursor, O: FixedOrder>(self, _: impl Fn(F) -> Result<(C, O), Unfit>) -> Result<(), Unfit> {
+        Err(Unfit::NoTable)
+    }
 }

@@ -7,17 +7,15 @@ use super::files::cast;
 use super::kernels::{self, BelowLimit, Endless, OpenInterval};
 use super::layers::{Instead, Mistake};
 use super::slabs::{self, BeforeEnd};
+use super::wrapped::{Mutation, Wrapped};
 use super::{Planted, drive};
 use crate::{Case, check_tree};
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions};
-use stackless_bvh::event::State;
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::kernel::{Exact, Moller32};
 use stackless_bvh::geom::slabs::{Directed, Plain};
 use stackless_bvh::geom::{Kernel, Slabs, Triangle};
-use stackless_bvh::order::Descent;
-use stackless_bvh::traverse::{Cursor, Laine};
-use stackless_bvh::tree::{Node, Tree};
+use stackless_bvh::traverse::Laine;
 
 pub(super) const MISTAKES: [Mistake; 7] = [
     of::<kernels::Spoilt<BelowLimit>, Directed>("of equal hits the first that is met", "DET-1"),
@@ -29,8 +27,8 @@ pub(super) const MISTAKES: [Mistake; 7] = [
     Mistake::new(
         "a restart takes a node that wants one child for done",
         "LAINE-1",
-        |draw| restart(draw, true),
-        Instead::Walk(|| restarted(true)),
+        |draw| restart(draw, Mutation::Hasty),
+        Instead::Walk(|| restarted(Mutation::Hasty)),
     ),
 ];
 
@@ -39,8 +37,8 @@ pub(super) const CONTROLS: [Mistake; 2] = [
     Mistake::new(
         "a restart trail, wrapped",
         "LAINE-1",
-        |draw| restart(draw, false),
-        Instead::Walk(|| restarted(false)),
+        |draw| restart(draw, Mutation::None),
+        Instead::Walk(|| restarted(Mutation::None)),
     ),
 ];
 
@@ -69,48 +67,16 @@ pub(super) fn built(draw: &mut Draw<'_>, mesh: &Mesh) -> Option<Bvh> {
     options.build(mesh).ok()
 }
 
-fn restart(draw: &mut Draw<'_>, is_hasty: bool) -> Option<String> {
+fn restart(draw: &mut Draw<'_>, mutation: Mutation) -> Option<String> {
     let case = Case::draw(draw, Case::LEAVES);
-    restarted(is_hasty).fault(&case).map(|fault| fault.to_string())
+    restarted(mutation).fault(&case).map(|fault| fault.to_string())
 }
 
-fn restarted(is_hasty: bool) -> Planted {
+fn restarted(mutation: Mutation) -> Planted {
     let run = Planted::any("", "", move |tree, _, visitor, watcher| {
-        if let Ok(laine) = Laine::new(tree) {
-            drive(Hasty { laine, is_hasty }, visitor, watcher);
+        if let Ok(laine) = Laine::<0, u64, _>::new(tree) {
+            drive(Wrapped::new(tree, laine, mutation), visitor, watcher);
         }
     });
     run.restarting()
-}
-
-/// The restart trail. If hasty, it forgets that the interval may have been so short from the start that a node above the pop
-/// level wanted one child, and takes that child for what the shorter interval has left of two.
-struct Hasty<'t> {
-    laine: Laine<'t, 0, u64, Tree>,
-    is_hasty: bool,
-}
-
-impl State for Hasty<'_> {
-    type Word = u64;
-
-    fn node(&self) -> Node {
-        self.laine.node()
-    }
-
-    fn is_restarting(&self) -> bool {
-        self.laine.is_restarting()
-    }
-}
-
-impl Cursor for Hasty<'_> {
-    const RESTARTS: bool = true;
-
-    fn descend(&mut self, descent: Descent) -> bool {
-        let is_done = self.is_hasty && self.is_restarting() && !descent.postpones();
-        !is_done && self.laine.descend(descent)
-    }
-
-    fn backtrack(&mut self) -> bool {
-        self.laine.backtrack()
-    }
 }

@@ -17,8 +17,8 @@ use stackless_bvh::geom::{Aabb, Ray, Region, Slabs};
 pub(super) const MISTAKES: [Mistake; 11] = [
     of::<Plain>("nothing is padded", "BOX-2"),
     of::<TwoSided>("padded on both sides, for rays of any size", "BOX-5"),
-    of::<Spoilt<Stepped<0>>>("reciprocals as they are rounded", "BOX-4"),
-    of::<Spoilt<Stepped<-2>>>("reciprocals moved the wrong way", "BOX-1"),
+    of::<Spoilt<Rounded>>("reciprocals as they are rounded", "BOX-4"),
+    of::<Spoilt<WrongWay>>("reciprocals moved the wrong way", "BOX-1"),
     of::<Spoilt<Late>>("entered a float too late", "BOX-2"),
     of::<Spoilt<NotANumber>>("0 times infinity bounds the ray", "BOX-1"),
     of::<Spoilt<MinusZero>>("-0 has a negative reciprocal", "BOX-1"),
@@ -32,7 +32,7 @@ pub(super) const CONTROLS: [Mistake; 4] = [
     of::<Directed>("the directed test", "BOX-2"),
     of::<Enclosed>("the test of enclosed rays", "INST-4"),
     of::<Spoilt<Nothing>>("the directed test, wrapped", "BOX-2"),
-    of::<Spoilt<Stepped<2>>>("the directed test, written plainly", "BOX-1"),
+    of::<Spoilt<Plainly>>("the directed test, written plainly", "BOX-1"),
 ];
 
 const fn of<B: Slabs<Vector = Vec3>>(name: &'static str, clause: &'static str) -> Mistake {
@@ -52,6 +52,8 @@ fn fault<B: Slabs<Vector = Vec3>>(draw: &mut Draw<'_>) -> Option<String> {
     check_slabs::<B>(&ray, &inner, &other, true).err().map(|fault| fault.to_string())
 }
 
+marks! { Nothing Plainly Rounded WrongWay Late NotANumber MinusZero NotExchanged Strict BeforeEnd FirstLane }
+
 /// The directed test with a mistake.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spoilt<S> {
@@ -60,122 +62,75 @@ pub(super) struct Spoilt<S> {
     spoil: PhantomData<S>,
 }
 
-/// What is not as in the directed test.
-pub(super) trait Spoil: Copy + Debug {
-    fn prepare(ray: &Ray, region: &Region) -> Directed {
-        Directed::new(ray, region)
-    }
-
-    fn pair(test: &Spoilt<Self>, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
-        let found = test.directed.pair(planes, tmax);
-        let hit = [0, 1].map(|i| {
-            found.hit[i]
-                && Self::keeps(
-                    test,
-                    &planes.map(|axis| [axis[2 * i], axis[2 * i + 1]]),
-                    [found.near[i], found.far[i]],
-                    tmax,
-                )
-        });
-        Intervals { hit, ..found }
-    }
-
-    /// Whether a box that the directed test enters is entered: the planes, the part of the ray in it, and the ray's end.
-    fn keeps(_: &Spoilt<Self>, _: &[[f32; 2]; 3], _: [f32; 2], _: f32) -> bool {
-        true
-    }
-}
-
 impl<S: Spoil> Slabs for Spoilt<S> {
     type Vector = Vec3;
 
     fn new(ray: &Ray, region: &Region) -> Self {
-        Self { directed: S::prepare(ray, region), ray: *ray, spoil: PhantomData }
+        Self { directed: Directed::new(ray, region), ray: *ray, spoil: PhantomData }
     }
 
     fn pair(&self, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
-        S::pair(self, planes, tmax)
+        let found = self.directed.pair(planes, tmax);
+        match S::BUG {
+            Bug::Plainly => self.stepped(2, planes, tmax).unwrap_or(found),
+            Bug::Rounded => self.stepped(0, planes, tmax).unwrap_or(found),
+            Bug::WrongWay => self.stepped(-2, planes, tmax).unwrap_or(found),
+            // The two floats of the reciprocal are up to three of the distance.
+            Bug::Late => {
+                Intervals { near: found.near.map(|near| (0..4).fold(near, |near, _| near.next_up())), ..found }
+            }
+            Bug::FirstLane => Intervals { hit: [found.hit[0]; 2], ..found },
+            _ => {
+                let keeps = |i: usize| {
+                    let planes = planes.map(|axis| [axis[2 * i], axis[2 * i + 1]]);
+                    self.keeps(planes, [found.near[i], found.far[i]], tmax)
+                };
+                Intervals { hit: [0, 1].map(|i| found.hit[i] && keeps(i)), ..found }
+            }
+        }
     }
 }
 
-marks! { Nothing Late NotANumber MinusZero NotExchanged Strict BeforeEnd FirstLane }
+impl<S: Spoil> Spoilt<S> {
+    /// Whether a box that the directed test enters is entered: the planes, the part of the ray in it, and the ray's
+    /// end.
+    fn keeps(&self, planes: [[f32; 2]; 3], [near, far]: [f32; 2], tmax: f32) -> bool {
+        let (o, d) = (self.ray.origin(), self.ray.direction());
+        let mut axes = 0..3;
+        match S::BUG {
+            Bug::NotANumber => axes.all(|axis| d[axis] != 0.0 || !planes[axis].contains(&o[axis])),
+            // (lo - o) times minus infinity is the near distance.
+            Bug::MinusZero => {
+                axes.all(|axis| d[axis].to_bits() != (-0.0_f32).to_bits() || planes[axis].contains(&o[axis]))
+            }
+            Bug::NotExchanged => axes.all(|axis| d[axis] >= 0.0 || planes[axis][0] == planes[axis][1]),
+            Bug::Strict => near < far,
+            Bug::BeforeEnd => near < tmax,
+            _ => true,
+        }
+    }
 
-impl Spoil for Nothing {}
-
-/// [BOX-1] as it is written, with another number of steps; extreme numbers are left to double precision.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Stepped<const STEPS: i32>;
-
-impl<const STEPS: i32> Spoil for Stepped<STEPS> {
-    fn pair(test: &Spoilt<Self>, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
-        let (o, d) = (test.ray.origin(), test.ray.direction());
-        let is_usual = d.to_array().iter().all(|&d| d == 0.0 || d.recip().abs() < f32::MAX);
-        if !is_usual {
-            return test.directed.pair(planes, tmax);
+    /// [BOX-1] as it is written, with another number of steps; extreme numbers are left to double precision.
+    fn stepped(&self, steps: i32, planes: &[[f32; 4]; 3], tmax: f32) -> Option<Intervals<f32>> {
+        let (o, d) = (self.ray.origin(), self.ray.direction());
+        if d.to_array().iter().any(|&d| d != 0.0 && d.recip().abs() >= f32::MAX) {
+            return None;
         }
         let part = |i: usize| {
-            let mut part = [test.ray.tmin(), tmax];
+            let mut part = [self.ray.tmin(), tmax];
             for axis in 0..3 {
                 let (lo, hi) = (planes[axis][2 * i], planes[axis][2 * i + 1]);
                 let ([first, last], size) = (if d[axis] < 0.0 { [hi, lo] } else { [lo, hi] }, d[axis].abs());
                 let way = |plane: f32| if d[axis] < 0.0 { o[axis] - plane } else { plane - o[axis] };
                 let moved = |by: i32| f32::from_bits(size.recip().to_bits().wrapping_add_signed(by));
-                let away = if size == 0.0 { f32::INFINITY } else { moved(STEPS) };
+                let away = if size == 0.0 { f32::INFINITY } else { moved(steps) };
                 // A NaN is dropped.
-                part = [part[0].max(way(first) * moved(-STEPS)), part[1].min(way(last) * away)];
+                part = [part[0].max(way(first) * moved(-steps)), part[1].min(way(last) * away)];
             }
             part
         };
         let [[near, far], [other_near, other_far]] = [part(0), part(1)];
-        Intervals { hit: [near <= far, other_near <= other_far], near: [near, other_near], far: [far, other_far] }
-    }
-}
-
-impl Spoil for Late {
-    fn pair(test: &Spoilt<Self>, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
-        let found = test.directed.pair(planes, tmax);
-        // The two floats of the reciprocal are up to three of the distance.
-        Intervals { near: found.near.map(|near| (0..4).fold(near, |near, _| near.next_up())), ..found }
-    }
-}
-
-impl Spoil for NotANumber {
-    fn keeps(test: &Spoilt<Self>, planes: &[[f32; 2]; 3], _: [f32; 2], _: f32) -> bool {
-        let (o, d) = (test.ray.origin(), test.ray.direction());
-        (0..3).all(|axis| d[axis] != 0.0 || !planes[axis].contains(&o[axis]))
-    }
-}
-
-impl Spoil for MinusZero {
-    fn keeps(test: &Spoilt<Self>, planes: &[[f32; 2]; 3], _: [f32; 2], _: f32) -> bool {
-        let (o, d) = (test.ray.origin(), test.ray.direction());
-        // (lo - o) times minus infinity is the near distance.
-        (0..3).all(|axis| d[axis].to_bits() != (-0.0_f32).to_bits() || planes[axis].contains(&o[axis]))
-    }
-}
-
-impl Spoil for NotExchanged {
-    fn keeps(test: &Spoilt<Self>, planes: &[[f32; 2]; 3], _: [f32; 2], _: f32) -> bool {
-        let d = test.ray.direction();
-        (0..3).all(|axis| d[axis] >= 0.0 || planes[axis][0] == planes[axis][1])
-    }
-}
-
-impl Spoil for Strict {
-    fn keeps(_: &Spoilt<Self>, _: &[[f32; 2]; 3], [near, far]: [f32; 2], _: f32) -> bool {
-        near < far
-    }
-}
-
-impl Spoil for BeforeEnd {
-    fn keeps(_: &Spoilt<Self>, _: &[[f32; 2]; 3], [near, _]: [f32; 2], tmax: f32) -> bool {
-        near < tmax
-    }
-}
-
-impl Spoil for FirstLane {
-    fn pair(test: &Spoilt<Self>, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
-        let found = test.directed.pair(planes, tmax);
-        Intervals { hit: [found.hit[0]; 2], ..found }
+        let hit = [near <= far, other_near <= other_far];
+        Some(Intervals { hit, near: [near, other_near], far: [far, other_far] })
     }
 }

@@ -1,11 +1,13 @@
 //! A recording beside the oracle's.
 
-use super::observe::{self, LinkTable, Log, Seen};
+use super::observe::{self, LinkTable, Log, Seen, Word};
+use super::text::binary;
 use super::{By, ExplainError, Next, Step, slot, text};
-use stackless_bvh::order::{Descent, Pruning};
-use stackless_bvh::traverse::Method;
-use stackless_bvh::tree::{Keys, Node, Parents, Topology, Tree};
-use stackless_check::Case;
+use stackless_bvh::event::{Recorder, State};
+use stackless_bvh::order::{Descent, Flow, Pruning};
+use stackless_bvh::traverse::{Method, Need};
+use stackless_bvh::tree::{Keys, Node, Parents, Recorded, Topology, Tree};
+use stackless_check::{Case, Expected, Fault, Visit, Watch};
 
 /// What the oracle of a traversal does on a case, and what the tree says of its nodes.
 #[derive(Debug)]
@@ -15,9 +17,8 @@ pub(super) struct Judge<'a> {
     keys: Keys,
     parents: Parents,
     links: LinkTable,
-    expected: Vec<Seen>,
-    /// For each of its visits, the postponed nodes, the last one of which comes next.
-    stacks: Option<Vec<Vec<Node>>>,
+    /// `None` if the oracle does not go the way of its decisions.
+    expected: Option<Vec<Visit>>,
 }
 
 impl<'a> Judge<'a> {
@@ -25,87 +26,113 @@ impl<'a> Judge<'a> {
         let tree = &case.tree;
         let log = Log::default();
         observe::run_oracle(case, method, &log);
-        let expected = log.into_steps();
-        let stacks = stacks(tree, method.test().pruning(), &expected);
+        let expected = visits(tree, method.test().pruning(), &log.into_steps());
         let (keys, parents, links) = (Keys::of(tree), Parents::of(tree), LinkTable::of(tree, method));
-        Self { tree, method, keys, parents, links, expected, stacks }
+        Self { tree, method, keys, parents, links, expected }
     }
 
     /// The oracle's postponed nodes at each visit, restarts included, if every visit is the oracle's and every word
-    /// names just these nodes. `[TRAIL-1]` `[TRAIL-6]` `[REGISTER-1]`
+    /// names just these nodes.
     ///
     /// On the way down again the node that comes next is still postponed.
     pub(super) fn compare(&self, steps: &[Seen]) -> Result<Vec<Vec<Node>>, ExplainError> {
-        let differs = |visit, what, expected: String, found: String| {
-            Err(ExplainError::Differs { method: self.method, visit, what, expected, found })
+        let Some(expected) = &self.expected else {
+            return Err(self.differs(
+                0,
+                "the way of its oracle",
+                "that of its decisions".to_owned(),
+                "another".to_owned(),
+            ));
         };
-        let visits: Vec<&Seen> = steps.iter().filter(|seen| !seen.restart).collect();
-        let Some(stacks) = &self.stacks else {
-            return differs(0, "the way of its oracle", "that of its decisions".to_owned(), "another".to_owned());
-        };
-        for (visit, ((seen, expected), stack)) in visits.iter().zip(&self.expected).zip(stacks).enumerate() {
-            let node = |node: Option<Node>| node.map_or_else(|| "none".to_owned(), |node| self.name(node));
-            if seen.node != expected.node {
-                return differs(visit, "the node", self.name(expected.node), self.name(seen.node));
-            }
-            if seen.descent != expected.descent {
-                return differs(
-                    visit,
-                    "the decision",
-                    format!("{:?}", expected.descent),
-                    format!("{:?}", seen.descent),
-                );
-            }
-            let (trail, counter) = self.words(seen.node, stack);
-            let key = text::binary(&self.key(seen.node));
-            for (what, expected, found) in [
-                ("the key", key, &seen.key),
-                ("the trail", trail, &seen.trail),
-                ("the counter", counter, &seen.counter),
-            ] {
-                if let Some(found) = found.as_ref().filter(|found| **found != expected) {
-                    return differs(visit, what, expected, found.clone());
-                }
-            }
-            let next = stack.last().copied();
-            if seen.register.is_some() && seen.register != next {
-                return differs(visit, "the register", node(next), node(seen.register));
-            }
-        }
-        if visits.len() != self.expected.len() {
-            let counts = [self.expected.len(), visits.len()].map(|count| count.to_string());
-            let [expected, found] = counts;
-            return differs(visits.len().min(self.expected.len()), "the number of visits", expected, found);
-        }
-        let mut all: Vec<Vec<Node>> = Vec::with_capacity(steps.len());
-        let mut rest = visits.iter().zip(stacks).peekable();
+        let (visits, restarts) = (Expected::Visits(expected), self.method.restarts());
+        let mut watch = Watch::new(self.tree, &self.keys, &self.parents, visits, u64::MAX, restarts);
         for seen in steps {
-            let next = if seen.restart { rest.peek().copied() } else { rest.next() };
-            let postponed = next.map(|(visit, stack)| {
-                let pending = seen.restart.then_some(visit.node);
-                stack.iter().copied().chain(pending).collect()
+            if watch.visit(seen.state.node, || seen.state) == Flow::Stop {
+                break;
+            }
+            if !seen.state.is_restarting {
+                watch.decided(seen.descent);
+            }
+        }
+        watch.finish().map_err(|fault| self.told(fault, expected, steps))?;
+        let mut all: Vec<Vec<Node>> = Vec::with_capacity(steps.len());
+        let mut rest = expected.iter().peekable();
+        for seen in steps {
+            let is_passed = seen.state.is_restarting;
+            let next = if is_passed { rest.peek().copied() } else { rest.next() };
+            let postponed = next.map(|visit| {
+                let pending = is_passed.then_some(visit.node);
+                visit.postponed.iter().copied().chain(pending).collect()
             });
             all.push(postponed.unwrap_or_default());
         }
         Ok(all)
     }
 
+    fn differs(&self, visit: usize, what: &'static str, expected: String, found: String) -> ExplainError {
+        ExplainError::Differs { method: self.method, visit, what, expected, found }
+    }
+
+    /// A fault with the words that differ.
+    fn told(&self, fault: Fault, expected: &[Visit], steps: &[Seen]) -> ExplainError {
+        let states: Vec<_> = steps.iter().map(|seen| &seen.state).filter(|state| !state.is_restarting).collect();
+        let word = |visit: usize, word: fn(&State<Word>) -> Option<Word>| {
+            states.get(visit).and_then(|state| word(state)).as_ref().map(binary)
+        };
+        let postponed = |visit: usize| expected.get(visit).map_or(&[][..], |visit| &visit.postponed);
+        let none = || "none".to_owned();
+        let (visit, what, expected, found) = match fault {
+            Fault::Node { visit, expected: Some(expected), found } => {
+                (visit, "the node", self.name(expected), self.name(found))
+            }
+            Fault::Node { visit, expected: None, .. } | Fault::Early { visits: visit, .. } => {
+                (visit, "the number of visits", expected.len().to_string(), states.len().to_string())
+            }
+            Fault::Decision { visit, expected, found } => {
+                (visit, "the decision", format!("{expected:?}"), format!("{found:?}"))
+            }
+            Fault::Key { visit, node } => {
+                (visit, "the key", binary(&self.key(node)), word(visit, |state| state.key).unwrap_or_else(none))
+            }
+            Fault::Trail { visit, node } => {
+                let (trail, counter) = self.words(node, postponed(visit));
+                let found = [
+                    ("the trail", trail, word(visit, |state| state.trail)),
+                    ("the counter", counter, word(visit, |state| state.counter)),
+                ];
+                let differing = found.into_iter().find_map(|(what, expected, found)| {
+                    Some((what, expected, found?)).filter(|(_, expected, found)| expected != found)
+                });
+                let (what, expected, found) = differing.unwrap_or_else(|| ("the second trail", none(), none()));
+                (visit, what, expected, found)
+            }
+            Fault::Register { visit, found } => {
+                let next = postponed(visit).last();
+                (visit, "the register", next.map_or_else(none, |&next| self.name(next)), self.name(found))
+            }
+            fault => (states.len(), "the way", "its oracle's".to_owned(), fault.to_string()),
+        };
+        self.differs(visit, what, expected, found)
+    }
+
     /// A visit as it is shown.
     pub(super) fn step(&self, steps: &[Seen], visit: usize, stack: &[Node]) -> Step {
         let (seen, following) = (&steps[visit], steps.get(visit + 1));
-        let wanted = self.wanted(seen.node, seen.descent);
-        let next = following.map(|following| self.next(seen, following, wanted.contains(&following.node)));
+        let (state, wanted) = (&seen.state, self.wanted(seen.state.node, seen.descent));
+        let next = following.map(|following| self.next(seen, &following.state, &wanted));
         let (text, clauses) = text::of(self, seen, next.as_ref());
         let slots = |nodes: &[Node]| nodes.iter().map(|&node| slot(self.tree, node)).collect();
-        let links = self.links.of_node(self.tree, seen.node);
+        let links = self.links.of_node(self.tree, state.node);
+        let [key, trail, counter, disjoint] =
+            [state.key, state.trail, state.counter, state.disjoint].map(|word| word.as_ref().map(binary));
         Step {
-            node: slot(self.tree, seen.node),
-            restart: seen.restart,
-            key: seen.key.clone(),
-            trail: seen.trail.clone(),
-            counter: seen.counter.clone(),
-            disjoint: seen.disjoint.clone(),
-            register: seen.register.map(|node| slot(self.tree, node)),
+            node: slot(self.tree, state.node),
+            restart: state.is_restarting,
+            key,
+            trail,
+            counter,
+            disjoint,
+            register: state.register.map(|node| slot(self.tree, node)),
             links: links.into_iter().map(|link| link.map(|node| slot(self.tree, node))).collect(),
             stack: slots(stack),
             decision: seen.descent.map(text::decision),
@@ -143,12 +170,12 @@ impl<'a> Judge<'a> {
         sides.into_iter().flatten().map(|side| self.tree.child(node, side)).collect()
     }
 
-    fn next(&self, seen: &Seen, following: &Seen, descends: bool) -> Next {
-        let node = following.node;
+    fn next(&self, seen: &Seen, following: &State<Word>, wanted: &[Node]) -> Next {
+        let (node, descends) = (following.node, wanted.contains(&following.node));
         // A climb reads a record more than once.
         let mut way = seen.read.clone();
         way.dedup();
-        way.retain(|&read| read != seen.node);
+        way.retain(|&read| read != seen.state.node);
         let by = if descends {
             By::Child
         } else if seen.lookup.is_some() {
@@ -159,7 +186,7 @@ impl<'a> Judge<'a> {
         let depth = |node: Node| self.keys.depth(self.tree.slot(node));
         Next {
             node: slot(self.tree, node),
-            levels: (!descends && !following.restart).then(|| depth(seen.node).saturating_sub(depth(node))),
+            levels: (!descends && !following.is_restarting).then(|| depth(seen.state.node).saturating_sub(depth(node))),
             by,
             lookup: seen.lookup.clone(),
             way: if descends { Vec::new() } else { way.iter().map(|&node| slot(self.tree, node)).collect() },
@@ -167,22 +194,22 @@ impl<'a> Judge<'a> {
     }
 
     /// Where the address of a postponed node comes from, if not from the perfect hash.
-    fn source(&self, seen: &Seen, following: &Seen, stayed: bool) -> By {
-        match self.method.without_pruning() {
-            Method::Uncle | Method::Hashed => {
-                let links = self.links.of_node(self.tree, seen.node);
+    fn source(&self, seen: &Seen, following: &State<Word>, stayed: bool) -> By {
+        match (self.method.wants_recorded(), self.method.needs()) {
+            (Recorded::Uncles, _) => {
+                let links = self.links.of_node(self.tree, seen.state.node);
                 let is_link = |index: usize| links.get(index) == Some(&Some(following.node));
                 match () {
-                    () if seen.register == Some(following.node) => By::Register,
+                    () if seen.state.register == Some(following.node) => By::Register,
                     () if stayed && is_link(0) => By::Uncle,
                     () if stayed && is_link(1) => By::GrandUncle,
                     () => By::Climb,
                 }
             }
-            Method::Sparse | Method::Afra | Method::Hapala => By::Climb,
-            Method::Skip | Method::SkipOctant => By::Skip,
-            _ if following.restart => By::Restart,
-            method if method.restarts() || method == Method::Stack => By::Stack,
+            (Recorded::ParentSibling, _) => By::Climb,
+            (_, Need::Skips | Need::SkipsBySign) => By::Skip,
+            _ if following.is_restarting => By::Restart,
+            _ if self.method.restarts() || self.method.without_pruning() == Method::Stack => By::Stack,
             _ => By::Key,
         }
     }
@@ -191,7 +218,7 @@ impl<'a> Judge<'a> {
     fn words(&self, mut node: Node, stack: &[Node]) -> (String, String) {
         let mut bits = Vec::new();
         while node != self.tree.root() {
-            let [parent, sibling] = stackless_bvh::tree::ParentLinks::row(&&self.parents, self.tree, node);
+            let [parent, sibling] = self.parents.row(self.tree, node);
             bits.push(stack.contains(&sibling));
             node = parent;
         }
@@ -202,31 +229,32 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// The postponed nodes at each visit of the oracle, which keeps them in its recursion: a decision postpones the second
-/// child, and a visit that is not of the first child is of the last one of them. `None` if it is not.
+/// The visits of the oracle with the nodes that it keeps in its recursion: a decision postpones the second child, and a
+/// visit that is not of the first child is of the last one of them. `None` if it is not.
 ///
 /// A node is left out, where that is allowed, when a hit comes before it, or when its turn comes.
-fn stacks(tree: &Tree, pruning: Pruning, steps: &[Seen]) -> Option<Vec<Vec<Node>>> {
+fn visits(tree: &Tree, pruning: Pruning, steps: &[Seen]) -> Option<Vec<Visit>> {
     let mut stack: Vec<(Node, bool)> = Vec::new();
     let (mut all, mut entered) = (Vec::with_capacity(steps.len()), Some(tree.root()));
-    for seen in steps {
-        while entered != Some(seen.node) {
+    for Seen { state, descent, found, .. } in steps {
+        while entered != Some(state.node) {
             let (postponed, _) = stack.pop()?;
-            if postponed != seen.node && pruning != Pruning::Distance {
+            if postponed != state.node && pruning != Pruning::Distance {
                 return None;
             }
             entered = Some(postponed);
         }
-        all.push(stack.iter().map(|&(node, _)| node).collect());
+        let postponed = stack.iter().map(|&(node, _)| node).collect();
+        all.push(Visit { node: state.node, descent: *descent, postponed });
         entered = None;
-        if let Some(descent) = seen.descent.filter(|descent| !descent.is_neither()) {
+        if let Some(descent) = descent.filter(|descent| !descent.is_neither()) {
             let first = descent.first();
-            entered = Some(tree.child(seen.node, first));
+            entered = Some(tree.child(state.node, first));
             if descent.postpones() {
-                stack.push((tree.child(seen.node, first.other()), descent.is_disjoint()));
+                stack.push((tree.child(state.node, first.other()), descent.is_disjoint()));
             }
         }
-        if seen.found.prunes && pruning == Pruning::Disjoint {
+        if found.prunes && pruning == Pruning::Disjoint {
             stack.retain(|&(_, is_disjoint)| !is_disjoint);
         }
     }

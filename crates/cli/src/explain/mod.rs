@@ -2,9 +2,9 @@
 //!
 //! [`record`] runs a traversal over a [`Case`] and keeps what can be seen at each visit: the words of its state, the
 //! register, what the record of the node names, what the search decides, and where the next node comes from. It is
-//! observed: links and tables are read through wrappers that take notes. Each recording is compared with the oracle's, and
-//! the nodes that the oracle has postponed stand beside the words that are to say the same. [`page()`] puts recordings
-//! into one HTML file, whose script only draws.
+//! observed: links and tables are read through wrappers that take notes. Each recording is compared with the oracle's,
+//! and the nodes that the oracle has postponed stand beside the words that are to say the same. [`page()`] puts
+//! recordings into one HTML file, whose script only draws.
 
 mod judge;
 mod lookup;
@@ -294,15 +294,15 @@ pub fn record(case: &Case, method: Method) -> Result<Recording, ExplainError> {
     let steps = log.into_steps();
     let judge = Judge::new(case, method);
     let stacks = judge.compare(&steps)?;
-    let (about, clause) = text::about(method);
+    let (about, clause) = (method.help(), method.clause());
     let visits = (0..steps.len()).map(|visit| judge.step(&steps, visit, &stacks[visit])).collect();
     let links = observe::link_names(method).to_vec();
     let state_bytes = method.state_bytes::<u32>(depth);
     Ok(Recording { method: method.name(), about, clause, state_bytes, links, table, steps: visits })
 }
 
-/// The example of Binder & Keller's Fig. 2: from the node with key 10110 = 22, with the trail 1000, backtracking goes to
-/// key 11 = 3. `[TRAIL-4]`
+/// The example of Binder & Keller's Fig. 2: from the node with key 10110 = 22, with the trail 1000, backtracking goes
+/// to key 11 = 3. `[TRAIL-4]`
 ///
 /// The tree is that of spec/traversal.md. Node 11 takes its right child first, so that the register is spent on 22 and
 /// the address of 3 has to come from the table.

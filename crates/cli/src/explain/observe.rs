@@ -2,36 +2,29 @@
 
 use std::cell::RefCell;
 
-use super::text::binary;
 use super::{ExplainError, Lookup, Table};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::Search;
 use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{ByNode, Descent, FixedOrder, Flow, LeftFirst, NodeTest, Pruning, SignOrder, Visitor};
-use stackless_bvh::traverse::{
-    Afra, Disjoint, Hapala, HashOnly, Hashed, Marks, Method, Sparse, Tables, Test, Uncle, Unfit, traverse,
+use stackless_bvh::order::{
+    ByNode, Descent, FixedOrder, Flow, LeftFirst, NodeTest, Pruned, Pruning, SignOrder, Visitor,
 };
-use stackless_bvh::tree::{Node, ParentLinks, Parents, Reach, Topology, Tree, UncleLinks, Uncles};
-use stackless_check::Case;
-use stackless_check::Watched;
+use stackless_bvh::traverse::{Beside, Method, Need, Tables, Test};
+use stackless_bvh::tree::{Linked, Node, Parents, Reach, Recorded, Topology, Tree, Uncles};
+use stackless_check::{Case, Watched};
 
 /// Deepest tree that gets the implicit layout.
 const IMPLICIT_DEPTH: u32 = 13;
 
 /// The words that traversals run in.
-type Word = u128;
+pub(super) type Word = u128;
 
 /// What is seen from a visit to the next.
 #[derive(Clone, Debug)]
 pub(super) struct Seen {
-    pub(super) node: Node,
-    pub(super) restart: bool,
-    pub(super) key: Option<String>,
-    pub(super) trail: Option<String>,
-    pub(super) counter: Option<String>,
-    pub(super) disjoint: Option<String>,
-    pub(super) register: Option<Node>,
+    pub(super) state: State<Word>,
     /// At an inner node.
     pub(super) descent: Option<Descent>,
     pub(super) found: Found,
@@ -74,15 +67,13 @@ pub(super) fn run(case: &Case, method: Method, log: &Log) -> Result<Option<Table
     let unfit = |error| ExplainError::Unfit { method, error };
     let hash = key_set(method).map(|key_set| PerfectHash::build(tree, Options { key_set, sizing: Sizing::Printed }));
     let hash = hash.transpose().map_err(|error| ExplainError::Table { method, error })?;
-    let ran = match method.test() {
-        Test::Disjoint => run_own::<Disjoint<Word>>(case, method, hash.as_ref(), log),
-        _ => run_own::<()>(case, method, hash.as_ref(), log),
-    };
-    if !ran.map_err(unfit)? {
-        let tables = Tables::new(tree, case.tape.axes(), &[method], IMPLICIT_DEPTH);
-        let (mut search, mut watch) = (Deciding::new(case, method, log), Watching::new(case, log));
-        tables.run::<Word, _>(method, case.octant, &mut Vec::new(), &mut search, &mut watch).map_err(unfit)?;
-    }
+    let linked = Linked::naming(tree, &[method.wants_recorded()]);
+    let watched = Watched { tree: &linked, watch: |node| log.note(|seen| seen.read.push(node)) };
+    let asked = |_| Asked { hash: hash.as_ref(), tree, log };
+    let beside = Beside::new(&watched, case.tape.axes(), &[method], IMPLICIT_DEPTH).looked_up_by(asked);
+    let tables = Tables::with(&watched, case.tape.axes(), beside);
+    let (mut search, mut watching) = (Deciding::new(case, method, log), Watching::new(case, log));
+    tables.run::<Word, _>(method, case.octant, &mut Vec::new(), &mut search, &mut watching).map_err(unfit)?;
     Ok(hash.map(|hash| Table::of(&hash, tree)))
 }
 
@@ -106,10 +97,10 @@ pub(super) fn run_oracle(case: &Case, method: Method, log: &Log) {
 
 /// What records name for a traversal.
 pub(super) const fn link_names(method: Method) -> &'static [&'static str] {
-    match method.without_pruning() {
-        Method::Sparse | Method::Afra | Method::Hapala => &["parent", "sibling"],
-        Method::Uncle | Method::Hashed => &["uncle", "grand uncle"],
-        _ => &[],
+    match method.wants_recorded() {
+        Recorded::ParentSibling => &["parent", "sibling"],
+        Recorded::Uncles => &["uncle", "grand uncle"],
+        Recorded::Nothing => &[],
     }
 }
 
@@ -123,10 +114,10 @@ pub(super) enum LinkTable {
 
 impl LinkTable {
     pub(super) fn of(tree: &Tree, method: Method) -> Self {
-        match method.without_pruning() {
-            Method::Sparse | Method::Afra | Method::Hapala => Self::Parents(Parents::of(tree)),
-            Method::Uncle | Method::Hashed => Self::Uncles(<Uncles>::of(tree)),
-            _ => Self::Nothing,
+        match method.wants_recorded() {
+            Recorded::ParentSibling => Self::Parents(Parents::of(tree)),
+            Recorded::Uncles => Self::Uncles(Uncles::of(tree)),
+            Recorded::Nothing => Self::Nothing,
         }
     }
 
@@ -144,9 +135,9 @@ impl LinkTable {
 }
 
 const fn key_set(method: Method) -> Option<KeySet> {
-    match method.without_pruning() {
-        Method::Hashed => Some(KeySet::Exact(Reach::ALGORITHM_1)),
-        Method::HashOnly => Some(KeySet::All),
+    match method.needs() {
+        Need::ReachedKeys => Some(KeySet::Exact(Reach::ALGORITHM_1)),
+        Need::AllKeys => Some(KeySet::All),
         _ => None,
     }
 }
@@ -155,56 +146,19 @@ fn by_sign(case: &Case) -> SignOrder<'_> {
     SignOrder { axes: case.tape.axes(), octant: case.octant }
 }
 
-/// Runs the traversals that read links or a perfect hash, so that it is seen what they read; `false` for the others.
-fn run_own<M: Marks<Word>>(case: &Case, method: Method, hash: Option<&PerfectHash>, log: &Log) -> Result<bool, Unfit> {
-    let tree = &case.tree;
-    let (mut search, mut watching) = (Deciding::new(case, method, log), Watching::new(case, log));
-    let watch = |node| log.note(|seen| seen.read.push(node));
-    let table = || Some(Asked { hash: hash?, tree, log });
-    match (method.without_pruning(), &LinkTable::of(tree, method)) {
-        (Method::Sparse, LinkTable::Parents(parents)) => {
-            traverse(
-                Sparse::<Word, _, _, M>::new(tree, Watched { links: parents, watch })?,
-                &mut search,
-                &mut watching,
-            );
-        }
-        (Method::Afra, LinkTable::Parents(parents)) => {
-            traverse(Afra::<Word, _, _, M>::new(tree, Watched { links: parents, watch })?, &mut search, &mut watching);
-        }
-        (Method::Hapala, LinkTable::Parents(parents)) => {
-            let order = by_sign(case);
-            let mut search = ByNode { test: search, order };
-            traverse(Hapala::new(tree, Watched { links: parents, watch }, order), &mut search, &mut watching);
-        }
-        (Method::Uncle, LinkTable::Uncles(uncles)) => {
-            traverse(Uncle::<Word, _, _, M>::new(tree, Watched { links: uncles, watch })?, &mut search, &mut watching);
-        }
-        (Method::Hashed, LinkTable::Uncles(uncles)) => {
-            let (links, table) = (Watched { links: uncles, watch }, table().ok_or(Unfit::NoTable)?);
-            traverse(Hashed::<Word, _, _, _, M>::new(tree, links, table)?, &mut search, &mut watching);
-        }
-        (Method::HashOnly, _) => {
-            let table = table().ok_or(Unfit::NoTable)?;
-            traverse(HashOnly::<Word, _, _>::new(tree, table)?, &mut search, &mut watching);
-        }
-        _ => return Ok(false),
-    }
-    Ok(true)
-}
-
 /// A table that says what it is asked. A key that is not there leads anywhere, which the comparison shows.
 struct Asked<'a> {
-    hash: &'a PerfectHash,
+    /// That of the papers' sizes, in place of the one that was built with the tables.
+    hash: Option<&'a PerfectHash>,
     tree: &'a Tree,
     log: &'a Log,
 }
 
 impl stackless_bvh::hash::Lookup<Word> for Asked<'_> {
     fn node(&self, key: &Word) -> Node {
-        let lookup = Lookup::of(self.hash, key, self.tree);
-        self.log.note(|seen| seen.lookup = Some(lookup));
-        self.hash.probe(key).unwrap_or(self.tree.root())
+        let lookup = self.hash.map(|hash| Lookup::of(hash, key, self.tree));
+        self.log.note(|seen| seen.lookup = lookup);
+        self.hash.and_then(|hash| hash.probe(key)).unwrap_or(self.tree.root())
     }
 }
 
@@ -222,24 +176,19 @@ impl<'a> Watching<'a> {
 }
 
 impl Recorder for Watching<'_> {
-    fn visit(&mut self, state: &impl State) -> Flow {
-        let word = |word: Option<_>| word.map(|word| binary(&word));
+    fn visit<W: KeyWord>(&mut self, _: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        let state = state().map(|word| wide(&word));
         let mut steps = self.log.0.borrow_mut();
-        steps.push(Seen {
-            node: state.node(),
-            restart: state.is_restarting(),
-            key: word(state.key()),
-            trail: word(state.trail()),
-            counter: word(state.counter()),
-            disjoint: word(state.disjoint()),
-            register: state.register(),
-            descent: None,
-            found: Found::default(),
-            read: Vec::new(),
-            lookup: None,
-        });
+        steps.push(Seen { state, descent: None, found: Found::default(), read: Vec::new(), lookup: None });
         if steps.len() < self.limit { Flow::Continue } else { Flow::Stop }
     }
+}
+
+/// The value of a word; `None` if it has more than 128 bits.
+fn wide(word: &impl KeyWord) -> Option<Word> {
+    let length = word.bit_length();
+    let bits = |rest: Word, piece: u32| rest << (length - 63 * piece).min(63) | Word::from(word.piece(piece));
+    (length <= Word::BITS).then(|| (0..word.piece_count()).fold(0, bits))
 }
 
 /// A search that says what it answers.
@@ -279,7 +228,9 @@ impl Visitor for Deciding<'_> {
     fn leaf(&mut self, node: Node) -> Flow {
         self.look_into(|search| Visitor::leaf(search, node))
     }
+}
 
+impl Pruned for Deciding<'_> {
     fn allows(&self, pruning: Pruning) -> bool {
         self.search.allows(pruning)
     }

@@ -19,19 +19,24 @@ fn compare(method: Method, change: impl FnOnce(&mut Vec<Seen>)) -> Result<usize,
 
 #[test]
 fn what_differs_from_the_oracle_is_seen() {
-    let text = |word: &str| Some(word.to_owned());
     assert_eq!(compare(Method::Hashed, |_| ()), Ok(11));
-    assert_eq!(compare(Method::Hashed, |steps| steps[5].trail = text("1001")), Err(("the trail", 5)));
-    assert_eq!(compare(Method::Hashed, |steps| steps[5].key = text("10111")), Err(("the key", 5)));
-    assert_eq!(compare(Method::Sparse, |steps| steps[5].counter = text("10110")), Err(("the counter", 5)));
-    assert_eq!(compare(Method::Hashed, |steps| steps[2].register = Some(steps[1].node)), Err(("the register", 2)));
-    assert_eq!(compare(Method::Hashed, |steps| steps[6].register = Some(steps[7].node)), Err(("the register", 6)));
+    assert_eq!(compare(Method::Hashed, |steps| steps[5].state.trail = Some(0b1001)), Err(("the trail", 5)));
+    assert_eq!(compare(Method::Hashed, |steps| steps[5].state.key = Some(0b10111)), Err(("the key", 5)));
+    assert_eq!(compare(Method::Sparse, |steps| steps[5].state.counter = Some(0b10110)), Err(("the counter", 5)));
+    assert_eq!(
+        compare(Method::Hashed, |steps| steps[2].state.register = Some(steps[1].state.node)),
+        Err(("the register", 2))
+    );
+    assert_eq!(
+        compare(Method::Hashed, |steps| steps[6].state.register = Some(steps[7].state.node)),
+        Err(("the register", 6))
+    );
     assert_eq!(compare(Method::Stack, |steps| steps.swap(4, 5)), Err(("the node", 4)));
     assert_eq!(compare(Method::Stack, |steps| steps[1].descent = Some(Descent::NEITHER)), Err(("the decision", 1)));
     assert_eq!(compare(Method::Stack, |steps| steps.truncate(7)), Err(("the number of visits", 7)));
     assert_eq!(compare(Method::Stack, |steps| steps.push(steps[0].clone())), Err(("the number of visits", 11)));
     assert_eq!(
-        compare(Method::Laine1, |steps| steps.iter_mut().for_each(|seen| seen.restart = false)),
+        compare(Method::Laine1, |steps| steps.iter_mut().for_each(|seen| seen.state.is_restarting = false)),
         Err(("the node", 6))
     );
 }

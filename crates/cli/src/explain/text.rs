@@ -3,9 +3,11 @@
 use super::judge::Judge;
 use super::observe::Seen;
 use super::{By, Entry, Next};
+use stackless_bvh::event::State;
 use stackless_bvh::key::{KeyWord, Side};
 use stackless_bvh::order::Descent;
 use stackless_bvh::traverse::{Method, Test};
+use stackless_bvh::tree::Recorded;
 
 /// A word in binary, without leading zeros.
 pub(super) fn binary<W: KeyWord>(word: &W) -> String {
@@ -28,54 +30,6 @@ pub(super) fn decision(descent: Descent) -> String {
     }
 }
 
-/// How a traversal works, and the clause that defines it.
-pub(super) const fn about(method: Method) -> (&'static str, &'static str) {
-    match method {
-        Method::Stack => ("Postponed nodes are pushed on a stack; the last one pushed comes next.", "STACK-1"),
-        Method::StackDisjoint => {
-            ("A stack with a mark for each node: a hit drops what is disjoint from it.", "ORACLE-2")
-        }
-        Method::StackT0 => {
-            ("A stack with the distance of each node: what begins beyond the hit is dropped.", "ORACLE-3")
-        }
-        Method::LeftFirst => {
-            ("A counter in an implicit tree, left before right; nodes are tested at their visit.", "LEFT-1")
-        }
-        Method::ImplicitA => {
-            ("A counter and a mask of swapped levels; their exclusive or is the address.", "IMPLICIT-1")
-        }
-        Method::ImplicitB => ("A counter, and the path itself as the address.", "IMPLICIT-2"),
-        Method::ImplicitA1 | Method::ImplicitB1 => {
-            ("An implicit tree with two variables combined in one word.", "IMPLICIT-3")
-        }
-        Method::Sparse => ("A counter whose carry says how far to climb along parents.", "SPARSE-1"),
-        Method::Afra => ("A trail, and a climb along parents while its lowest bit is clear.", "AFRA-1"),
-        Method::Uncle => (
-            "A trail and a register; records name uncle and grand uncle, so a climb takes two levels a step.",
-            "UNCLE-2",
-        ),
-        Method::SparseDisjoint | Method::AfraDisjoint | Method::UncleDisjoint | Method::HashedDisjoint => {
-            ("The same with a second trail, by which a hit drops what is disjoint from it.", "DISJOINT-2")
-        }
-        Method::Hapala => {
-            ("Nothing but the node: a fixed order says on the way up which child was the near one.", "HAPALA-1")
-        }
-        Method::Laine0 => ("A trail of levels; the next node is found by starting again at the root.", "LAINE-1"),
-        Method::Laine1 | Method::Laine2 | Method::Laine4 | Method::Laine8 => {
-            ("A trail of levels and a short stack; what it has lost is found by starting again at the root.", "LAINE-1")
-        }
-        Method::HashOnly => {
-            ("Key and trail; a perfect hash turns the key of the next node into its address.", "HASHONLY-1")
-        }
-        Method::Hashed => {
-            ("Key, trail and a register; uncles fill it, and what they do not reach is in a perfect hash.", "HASHED-1")
-        }
-        Method::Skip | Method::SkipOctant => ("Each node names the one after its subtree, in a fixed order.", "SKIP-1"),
-        Method::Complete => ("Key and trail in a complete tree: the address is the key less one.", "COMPLETE-1"),
-        Method::Glassner => ("Key and trail; a chained table compares keys.", "GLASSNER-1"),
-    }
-}
-
 /// The sentence of a visit, and its clauses.
 pub(super) fn of(judge: &Judge<'_>, seen: &Seen, next: Option<&Next>) -> (String, Vec<&'static str>) {
     let (visit, mut clauses) = visited(judge, seen);
@@ -94,9 +48,9 @@ const fn side(side: Side) -> &'static str {
 
 /// What is found, or decided.
 fn visited(judge: &Judge<'_>, seen: &Seen) -> (String, Vec<&'static str>) {
-    let node = judge.name(seen.node);
-    let wanted: Vec<_> = judge.wanted(seen.node, seen.descent).into_iter().map(|node| judge.name(node)).collect();
-    if seen.restart {
+    let node = judge.name(seen.state.node);
+    let wanted: Vec<_> = judge.wanted(seen.state.node, seen.descent).into_iter().map(|node| judge.name(node)).collect();
+    if seen.state.is_restarting {
         return (format!("Node {node} is passed again on the way down from the root."), vec!["LAINE-1"]);
     }
     let tests_nodes = matches!(judge.method.test(), Test::NodeLeftFirst | Test::NodeBySign);
@@ -107,44 +61,44 @@ fn visited(judge: &Judge<'_>, seen: &Seen) -> (String, Vec<&'static str>) {
         (Some(_), _) if tests_nodes => format!("Node {node} is not wanted."),
         (Some(_), _) => format!("No child of {node} is wanted."),
         (None, _) if seen.found.stops => format!("Leaf {node} is hit, which is all that was asked."),
-        (None, _) if seen.found.hit && seen.found.prunes && seen.disjoint.is_some() => {
+        (None, _) if seen.found.hit && seen.found.prunes && seen.state.disjoint.is_some() => {
             format!("Leaf {node} is hit: what is marked as disjoint leaves the trail.")
         }
         (None, _) if seen.found.hit => format!("Leaf {node} is hit."),
         (None, _) => format!("Leaf {node} has nothing to offer."),
     };
     let clause = if seen.descent.is_some() { "ORDER-1" } else { "TRACE-1" };
-    let pruned = seen.found.prunes && seen.disjoint.is_some();
+    let pruned = seen.found.prunes && seen.state.disjoint.is_some();
     (text, if pruned { vec![clause, "DISJOINT-2"] } else { vec![clause] })
 }
 
 fn end(method: Method, seen: &Seen) -> (String, Vec<&'static str>) {
-    let text = match (seen.found.stops, &seen.trail, &seen.counter) {
+    let text = match (seen.found.stops, seen.state.trail, seen.state.counter) {
         (true, ..) => return ("The search stops.".to_owned(), vec!["ORACLE-1"]),
-        (_, Some(trail), _) if trail == "0" => "The trail is 0: nothing is left.",
-        (_, _, Some(counter)) if !counter.contains('0') => "The counter is all ones: nothing is left.",
+        (_, Some(0), _) => "The trail is 0: nothing is left.",
+        (_, _, Some(counter)) if counter.is_all_ones() => "The counter is all ones: nothing is left.",
         _ => "Nothing is left.",
     };
-    let clause = if seen.trail.is_some() { "TRAIL-3" } else { about(method).1 };
+    let clause = if seen.state.trail.is_some() { "TRAIL-3" } else { method.clause() };
     (text.to_owned(), vec![clause])
 }
 
 /// To a child.
 fn down(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static str>) {
     let child = judge.name_of(next.node);
-    if seen.restart {
+    if seen.state.is_restarting {
         return (format!("The trail leads on to {child}."), vec![]);
     }
-    let postponed = judge.wanted(seen.node, seen.descent).get(1).map(|&node| judge.name(node));
-    let has_register = matches!(judge.method.without_pruning(), Method::Uncle | Method::Hashed);
+    let postponed = judge.wanted(seen.state.node, seen.descent).get(1).map(|&node| judge.name(node));
+    let has_register = judge.method.wants_recorded() == Recorded::Uncles;
     let mut clauses = Vec::new();
-    let word = match (&seen.trail, &seen.counter, postponed.is_some()) {
+    let word = match (seen.state.trail, seen.state.counter, postponed.is_some()) {
         (Some(_), _, pending) => {
             clauses.push("TRAIL-2");
             Some(if pending { "the trail gets a 1" } else { "the trail gets a 0" })
         }
         (None, Some(_), pending) => {
-            clauses.push(about(judge.method).1);
+            clauses.push(judge.method.clause());
             Some(if pending { "the counter gets a 0" } else { "the counter gets a 1" })
         }
         _ => None,
@@ -156,7 +110,7 @@ fn down(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static st
         }
         (Some(postponed), Some(word)) => format!("On to {child}; {postponed} is postponed: {word}."),
         (Some(postponed), None) => {
-            clauses.push(about(judge.method).1);
+            clauses.push(judge.method.clause());
             format!("On to {child}; {postponed} is postponed.")
         }
         (None, Some(word)) => format!("On to {child}; {word}."),
@@ -181,9 +135,11 @@ fn back(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static st
             1 => "1 zero".to_owned(),
             levels => format!("{levels} zeros"),
         };
-        text = match (&seen.key, &seen.trail, &seen.counter) {
+        let State { key, trail, counter, .. } = &seen.state;
+        let [key, trail, counter] = [key, trail, counter].map(|word| word.as_ref().map(binary));
+        text = match (&key, &trail, &counter) {
             // The hit has changed the trail since it was shown.
-            (_, Some(_), _) if seen.found.prunes && seen.disjoint.is_some() => format!("Back: {up}."),
+            (_, Some(_), _) if seen.found.prunes && seen.state.disjoint.is_some() => format!("Back: {up}."),
             (Some(key), Some(trail), _) => {
                 clauses.extend(["TRAIL-3", "TRAIL-4"]);
                 let next = binary(&judge.key_of(next.node));
@@ -201,7 +157,7 @@ fn back(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static st
         };
     }
     let (how, clause) = source(judge, next, &name);
-    clauses.push(clause.unwrap_or(about(method).1));
+    clauses.push(clause.unwrap_or(method.clause()));
     (format!("{text} {how}").trim_start().to_owned(), clauses)
 }
 
@@ -211,7 +167,7 @@ fn source(judge: &Judge<'_>, next: &Next, name: &str) -> (String, Option<&'stati
     let steps = next.way.len();
     match (next.by, &next.lookup) {
         (By::Table, Some(lookup)) => {
-            let reason = if judge.method == Method::HashOnly { "" } else { "No record names it. " };
+            let reason = if judge.method.wants_recorded() == Recorded::Nothing { "" } else { "No record names it. " };
             let bucket = lookup.bucket;
             let text = match (lookup.entry, lookup.cell) {
                 (Entry::Displacement(displacement), Some(cell)) => {
@@ -226,7 +182,7 @@ fn source(judge: &Judge<'_>, next: &Next, name: &str) -> (String, Option<&'stati
         (By::Register, _) => ("The register holds its address.".to_owned(), Some("REGISTER-1")),
         (By::Uncle, _) => (format!("It is the uncle: the record names {name}."), Some("REGISTER-2")),
         (By::GrandUncle, _) => (format!("It is the grand uncle: the record names {name}."), Some("REGISTER-2")),
-        (By::Climb, _) if matches!(judge.method.without_pruning(), Method::Uncle) => {
+        (By::Climb, _) if judge.method.wants_recorded() == Recorded::Uncles => {
             (format!("By grand uncles, two levels a step, by way of {}.", way()), None)
         }
         (By::Climb, _) if steps == 1 => (format!("Through the parent {} to its sibling.", way()), None),

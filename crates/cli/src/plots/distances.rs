@@ -51,11 +51,11 @@ fn draw(svg: &mut String, title: &str, backtracks: &Backtracks) -> Result<(), Bo
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stackless_bvh::tree::Uncles;
+    use stackless_bvh::tree::Reach;
 
     #[test]
     fn an_empty_count_is_drawn_too() {
-        let svg = plot_distances("nothing", &Backtracks::new(<Uncles>::REACH)).unwrap();
+        let svg = plot_distances("nothing", &Backtracks::new(Reach::ALGORITHM_1)).unwrap();
         assert!(svg.starts_with("<svg") && svg.contains("nothing") && svg.ends_with("</svg>\n"), "{svg}");
     }
 }

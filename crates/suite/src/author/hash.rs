@@ -2,14 +2,13 @@
 
 use serde_json::{Value, json};
 
-use super::bits::Bits;
-use super::trees::{comb, complete, depths};
+use super::table::{Sizes, Table, half};
+use super::trees::{comb, complete, depth_of, depths};
 use super::{Author, result};
 use crate::ask::{Build, Lookup};
+use crate::bits::Bits;
 use crate::{Ask, Children, Expect, Level, Profile};
 use stackless_bvh::generate::{Family, Rng, Source};
-use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
-use stackless_bvh::tree::{Reach, Tree};
 
 pub(super) fn profiles() -> Vec<Profile> {
     vec![function(), fold(), address(), keys(), lookup(), build(), build_deep()]
@@ -17,8 +16,8 @@ pub(super) fn profiles() -> Vec<Profile> {
 
 const SIGN: u32 = 1 << 31;
 
-/// The keys that are hashed, ascending, each with the word of its node: those of a reach (HASH-3, by its first sentence),
-/// or all. Long ones are folded under a seed, which is nothing to the others.
+/// The keys that are hashed, ascending, each with the word of its node: those of a reach (HASH-3, by its first
+/// sentence), or all. Long ones are folded under a seed, which is nothing to the others.
 pub(crate) fn keys_of(children: &Children, reach: Option<[u32; 2]>, seed: u64) -> Vec<(u64, u32)> {
     let depths = depths(children);
     let mut keys = vec![(Bits::root(), 0_u32, None)];
@@ -45,7 +44,8 @@ pub(crate) fn keys_of(children: &Children, reach: Option<[u32; 2]>, seed: u64) -
     hashed
 }
 
-/// A key of up to 64 bits is itself; of a longer one, pieces from the root down and then the length are mixed in. `[HASH-6]`
+/// A key of up to 64 bits is itself; of a longer one, pieces from the root down and then the length are mixed in.
+/// `[HASH-6]`
 fn folded(key: &Bits, seed: u64) -> u64 {
     let number = |bits: &[bool]| bits.iter().fold(0, |number, &bit| 2 * number + u64::from(bit));
     if key.0.len() <= 64 {
@@ -100,7 +100,7 @@ pub(crate) fn mixed(key: u64, seed: u64, narrow: bool) -> u64 {
 }
 
 /// As `INTERPRETING.md` has it.
-fn mix_64(key: u64, seed: u64) -> u64 {
+pub(super) fn mix_64(key: u64, seed: u64) -> u64 {
     let mut k = key ^ seed;
     k ^= k >> 30;
     k = k.wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -198,31 +198,32 @@ fn keys() -> Profile {
 fn lookup() -> Profile {
     let mut author = Author::new(Level::Hash, "lookup");
     for (name, children) in trees() {
-        let Ok(tree) = Tree::new(&children) else { continue };
-        let sets = [(KeySet::All, None), (KeySet::Exact(Reach::SECTION_2_1), Some([2, 3]))];
-        for (set, (key_set, reach)) in ["all", "few"].into_iter().zip(sets) {
-            for sizing in Sizing::ALL {
-                let keys = keys_of(&children, reach, 0);
-                let Ok(hash) = PerfectHash::build(&tree, Options { key_set, sizing }) else { continue };
-                if keys.is_empty() {
-                    continue;
-                }
+        let is_narrow = depth_of(&children) < 32;
+        for (set, reach) in [("all", None), ("few", Some([2, 3]))] {
+            let keys = keys_of(&children, reach, 0);
+            for (name_of_sizes, sizes) in Sizes::of(children.len(), keys.len()) {
+                let Some(table) = Table::of(&keys, sizes, is_narrow).filter(|_| !keys.is_empty()) else { continue };
                 let words = |words: &[u32]| words.iter().map(|word| format!("{word:x}")).collect();
-                let mix = hash.header().mix;
                 let ask = Ask::Lookup(Lookup {
-                    displacements: words(hash.displacements()),
-                    cells: words(hash.cells()),
-                    seed: mix.seed.map(|seed| format!("{seed:x}")),
-                    bits: mix.seed.map(|_| if mix.narrow { 32 } else { 64 }),
+                    displacements: words(&table.displacements),
+                    cells: words(&table.cells),
+                    seed: table.seed.map(|seed| format!("{seed:x}")),
+                    bits: table.seed.map(|_| if is_narrow { 32 } else { 64 }),
                     keys: keys.iter().map(|(key, _)| format!("{key:x}")).collect(),
                 });
                 let answer: Vec<_> = keys.iter().map(|(_, word)| format!("{word:x}")).collect();
-                let (clauses, why): (&[_], _) = if mix.seed.is_some() {
+                let (clauses, why): (&[_], _) = if table.seed.is_some() {
                     (&["HASH-1", "HASH-5", "HASH-7"], "Keys go through the seeded bijection first.")
                 } else {
                     (&["HASH-1", "HASH-5"], "A direct address, or the cell of the sum.")
                 };
-                author.case(&format!("{name}-{set}-{sizing}"), clauses, why, &ask, result([("words", json!(answer))]));
+                author.case(
+                    &format!("{name}-{set}-{name_of_sizes}"),
+                    clauses,
+                    why,
+                    &ask,
+                    result([("words", json!(answer))]),
+                );
             }
         }
     }
@@ -238,7 +239,8 @@ fn lookup() -> Profile {
     author.done()
 }
 
-/// A table of direct addresses for the keys 1, 2, 3 under the seed 0: of the first size that keeps them apart, and would not without.
+/// A table of direct addresses for the keys 1, 2, 3 under the seed 0: of the first size that keeps them apart, and
+/// would not without.
 fn of_seed_0(bits: u32) -> Lookup {
     let keys = [1, 2, 3];
     let of_size = |size: u64| {
@@ -270,7 +272,7 @@ fn build() -> Profile {
         }
         // The sizes of H: D is the highest power of two below N/2, H = 2N + 1.
         let nodes = children.len() as u32;
-        let sizes = [if nodes < 3 { 1 } else { 1 << ((nodes - 1).ilog2() - 1) }, 2 * nodes + 1];
+        let sizes = [half(nodes as usize) as u32, 2 * nodes + 1];
         if is_inseparable(&keys_of(&children, None, 0), sizes) {
             let ask = Ask::Build(Build { children, reach: None, sizes: Some(sizes) });
             let why = "Two keys are equal modulo both sizes: no displacement separates them.";

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::bits::Bits;
 use super::{Author, result};
+use crate::bits::Bits;
 use crate::{Ask, Level, Profile};
 use stackless_bvh::generate::{Rng, Source};
 

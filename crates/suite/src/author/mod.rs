@@ -1,23 +1,25 @@
 //! The cases, and what has to be answered, from references that are as plain as can be.
 //!
-//! Nothing here calls what it makes cases about: words are lists of bits (`bits`), traversals a recursion that keeps its
-//! postponed nodes in a list (`reference`), rays rational arithmetic. Trees and tapes come from `generate`. `[CONF-4]`
+//! Nothing here calls what it makes cases about: words are lists of bits, traversals a recursion that keeps its
+//! postponed nodes in a list (`reference`), tables the first that fit (`table`), rays whole numbers without limit
+//! (`truth`). The library gives only its choices: the random trees, tapes and scenes of `generate`. `[CONF-4]`
 
-mod bits;
 mod hash;
 mod key;
 mod ray;
 mod reference;
 mod resume;
+mod table;
 mod trace;
 mod trees;
+mod truth;
 
 use std::collections::HashSet;
 
 use serde_json::{Map, Value};
 
 pub(super) use hash::{keys_of, mixed};
-pub(super) use ray::hit;
+pub(super) use trees::depth_if_tree;
 
 use super::text::object;
 use super::{Ask, Case, Expect, Feature, Level, Profile, Strength, Suite, VERSION};

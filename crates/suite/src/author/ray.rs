@@ -3,15 +3,13 @@
 use glam::{DVec3, Vec3};
 use serde_json::{Value, json};
 
+use super::truth::{Hit, Mesh, Ray};
 use super::{Author, result};
 use crate::ask::Rays;
-use crate::text::floats;
+use crate::text::{floats, hit};
 use crate::{Ask, Level, Profile, Query, Strength};
 use stackless_bvh::generate::stress;
 use stackless_bvh::generate::{Rng, Source};
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::Ray;
-use stackless_bvh::trace::{Hit, Truth};
 
 pub(super) fn profiles() -> Vec<Profile> {
     vec![grid(), exact(), invalid()]
@@ -22,8 +20,8 @@ const TRIANGLES: usize = 700;
 /// Rays of a case of the stress scenes.
 const RAYS: usize = 12;
 
-/// Meshes of small whole numbers, and rays along which nothing is rounded: those that meet triangles inside, and those that meet
-/// corners, edges, and triangles which lie on each other.
+/// Meshes of small whole numbers, and rays along which nothing is rounded: those that meet triangles inside, and those
+/// that meet corners, edges, and triangles which lie on each other.
 fn grid() -> Profile {
     let mut author = Author::new(Level::Ray, "grid");
     for (name, why, is_inside) in [
@@ -36,33 +34,31 @@ fn grid() -> Profile {
     ] {
         for seed in 0..40 {
             let mut rng = Rng::new(6000 + seed);
-            let Some(mesh) = grid_mesh(&mut rng, 1 + 2 * seed as usize, is_inside) else { continue };
-            let truth = Truth::new(&mesh);
+            let mesh = grid_mesh(&mut rng, 1 + 2 * seed as usize, is_inside);
             let mut rays = Vec::new();
             for _ in 0..2000 {
                 if rays.len() == 16 {
                     break;
                 }
                 let Some(ray) = grid_ray(&mut rng, &mesh, is_inside) else { continue };
-                let hits = truth.all(&ray);
-                let fits = |hit: Hit| {
-                    let Hit { t, u, v, .. } = hit;
+                let hits = mesh.hits(&ray);
+                let fits = |&Hit { t, u, v, .. }: &Hit| {
                     // Numbers that have to be rounded differ from device to device.
                     [t, u, v].into_iter().all(is_dyadic) && (!is_inside || u > 0.0 && v > 0.0 && u + v < 1.0)
                 };
                 // Misses are easy.
-                if hits.iter().all(|hit| fits(hit.rounded())) && (!hits.is_empty() || rays.len() % 4 == 0) {
+                if hits.iter().all(fits) && (!hits.is_empty() || rays.len() % 4 == 0) {
                     rays.push(ray);
                 }
             }
-            traced(&mut author, &format!("{name}-{seed}"), why, &mesh, &rays, &truth);
+            traced(&mut author, &format!("{name}-{seed}"), why, &mesh, &rays);
         }
     }
     author.done()
 }
 
 /// Triangles with corners on a grid; some lie on each other, if they may.
-fn grid_mesh(rng: &mut Rng, triangles: usize, are_apart: bool) -> Option<Mesh> {
+fn grid_mesh(rng: &mut Rng, triangles: usize, are_apart: bool) -> Mesh {
     let corner = |rng: &mut Rng| Vec3::from_array([(); 3].map(|()| rng.below(17) as f32 - 8.0));
     let (mut vertices, mut indices) = (Vec::new(), Vec::new());
     for i in 0..triangles as u32 {
@@ -71,29 +67,34 @@ fn grid_mesh(rng: &mut Rng, triangles: usize, are_apart: bool) -> Option<Mesh> {
             indices.push([b, c, a]);
         } else {
             let first = vertices.len() as u32;
-            vertices.extend([corner(rng), corner(rng), corner(rng)]);
+            vertices.extend([corner(rng), corner(rng), corner(rng)].map(|corner| corner.to_array()));
             indices.push([first, first + 1, first + 2]);
         }
     }
-    Mesh::new(vertices, indices).ok()
+    Mesh { vertices, triangles: indices }
 }
 
 /// Along powers of two or zeros, towards a point inside a triangle, a corner, the middle of two corners, or anywhere.
 fn grid_ray(rng: &mut Rng, mesh: &Mesh, is_inside: bool) -> Option<Ray> {
     let direction = Vec3::from_array([(); 3].map(|()| [0.0, 1.0, -1.0, 0.5, -2.0][rng.below(5) as usize]));
-    let corner = |rng: &mut Rng| mesh.vertices()[rng.below(mesh.vertices().len() as u64) as usize];
+    let at = |corner: usize| Vec3::from_array(mesh.vertices[corner]);
+    let corner = |rng: &mut Rng| at(rng.below(mesh.vertices.len() as u64) as usize);
     let target = match rng.below(4) {
         0 => Vec3::from_array([(); 3].map(|()| rng.below(33) as f32 - 16.0)),
         _ if is_inside => {
-            let [a, b, c] = mesh.triangles()[rng.below(mesh.triangles().len() as u64) as usize];
-            let [a, b, c] = [a, b, c].map(|corner| mesh.vertices()[corner as usize]);
+            let [a, b, c] = mesh.triangles[rng.below(mesh.triangles.len() as u64) as usize].map(|i| at(i as usize));
             (2.0 * a + b + c) / 4.0
         }
         1 => corner(rng),
         _ => (corner(rng) + corner(rng)) / 2.0,
     };
     let (tmin, tmax) = [(0.0, f32::INFINITY), (0.0, 4.0), (4.0, 64.0), (0.0, 64.0)][rng.below(4) as usize];
-    Ray::within(target - 4.0 * direction, direction, tmin, tmax).ok()
+    (direction != Vec3::ZERO).then(|| ray(target - 4.0 * direction, direction, [tmin, tmax]))
+}
+
+fn ray(origin: Vec3, direction: Vec3, [tmin, tmax]: [f32; 2]) -> Ray {
+    let ([a, b, c], [x, y, z]) = (origin.to_array(), direction.to_array());
+    [a, b, c, x, y, z, tmin, tmax]
 }
 
 fn is_dyadic(x: f32) -> bool {
@@ -104,23 +105,23 @@ fn is_dyadic(x: f32) -> bool {
 fn exact() -> Profile {
     let mut author = Author::new(Level::Ray, "exact");
     for case in stress::cases(RAYS).filter(|case| case.mesh.triangles().len() <= TRIANGLES) {
-        traced(&mut author, case.name, case.about, &case.mesh, &case.rays, &Truth::new(&case.mesh));
+        let (mesh, rays) = scene(&case);
+        traced(&mut author, case.name, case.about, &mesh, &rays);
     }
     for (seed, &(name, why, target)) in ZEROS.iter().enumerate() {
-        let Some((mesh, rays)) = zeros(&mut Rng::new(7000 + seed as u64), target) else { continue };
-        traced(&mut author, name, why, &mesh, &rays, &Truth::new(&mesh));
+        let (mesh, rays) = zeros(&mut Rng::new(7000 + seed as u64), target);
+        traced(&mut author, name, why, &mesh, &rays);
     }
     for (name, why, rows) in FAR_OFF {
         let [o, d, corners @ ..] = rows.map(|v| Vec3::from_array(v.map(f32::from_bits)));
-        let Ok(mesh) = Mesh::new(corners.to_vec(), vec![[0, 1, 2]]) else { continue };
-        let Ok(ray) = Ray::new(o, d) else { continue };
-        traced(&mut author, name, why, &mesh, &[ray], &Truth::new(&mesh));
+        let mesh = Mesh { vertices: corners.map(|corner| corner.to_array()).to_vec(), triangles: vec![[0, 1, 2]] };
+        traced(&mut author, name, why, &mesh, &[ray(o, d, [0.0, f32::INFINITY])]);
     }
     author.done()
 }
 
-/// Rays and triangles that a hill climb found: rounding gets them wrong by as much of the bounds of [EXACT-4] to [EXACT-9] as is said.
-/// Rows: origin, direction, corners.
+/// Rays and triangles that a hill climb found: rounding gets them wrong by as much of the bounds of [EXACT-4] to
+/// [EXACT-9] as is said. Rows: origin, direction, corners.
 const FAR_OFF: [(&str, &str, [[u32; 3]; 5]); 3] = [
     (
         "far-off",
@@ -166,25 +167,26 @@ const ZEROS: [Zero; 2] = [
 ];
 
 /// Of many triangles of large whole numbers, each with a ray, those of which double precision is most wrong.
-fn zeros(rng: &mut Rng, [a, b, c]: [f32; 3]) -> Option<(Mesh, Vec<Ray>)> {
+fn zeros(rng: &mut Rng, [a, b, c]: [f32; 3]) -> (Mesh, Vec<Ray>) {
     let point = |rng: &mut Rng| Vec3::from_array([(); 3].map(|()| (rng.below(1 << 19) as f32 - 262_144.0) * 4.0));
     let mut drawn = Vec::new();
     for _ in 0..10_000 {
         let (corners, d) = ([point(rng), point(rng), point(rng)], point(rng) / 4.0);
         let target = a * corners[0] + b * corners[1] + c * corners[2];
-        let Ok(ray) = Ray::new(if c == 0.0 { target - d } else { target }, d) else { continue };
-        drawn.push((off(&ray, corners), corners, ray));
+        let o = if c == 0.0 { target - d } else { target };
+        drawn.push((off([o, d], corners), corners, ray(o, d, [0.0, f32::INFINITY])));
     }
     drawn.sort_by(|(a, ..), (b, ..)| b.total_cmp(a));
     drawn.truncate(RAYS);
-    let vertices = drawn.iter().flat_map(|(_, corners, _)| *corners).collect();
+    let vertices = drawn.iter().flat_map(|(_, corners, _)| corners.map(|corner| corner.to_array())).collect();
     let triangles = (0..drawn.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-    Some((Mesh::new(vertices, triangles).ok()?, drawn.into_iter().map(|(.., ray)| ray).collect()))
+    (Mesh { vertices, triangles }, drawn.into_iter().map(|(.., ray)| ray).collect())
 }
 
-/// How far outside, or before its beginning, a ray seems to meet a triangle in double precision, beside what is multiplied there.
-fn off(ray: &Ray, corners: [Vec3; 3]) -> f64 {
-    let [o, d, v0, v1, v2] = [ray.origin(), ray.direction(), corners[0], corners[1], corners[2]].map(Vec3::as_dvec3);
+/// How far outside, or before its beginning, a ray seems to meet a triangle in double precision, beside what is
+/// multiplied there.
+fn off([o, d]: [Vec3; 2], [v0, v1, v2]: [Vec3; 3]) -> f64 {
+    let [o, d, v0, v1, v2] = [o, d, v0, v1, v2].map(Vec3::as_dvec3);
     let (e1, e2, s) = (v1 - v0, v2 - v0, o - v0);
     let (p, q) = (d.cross(e2), s.cross(e1));
     let (determinant, size) = (e1.dot(p), |v: DVec3| v.abs().max_element());
@@ -195,9 +197,10 @@ fn off(ray: &Ray, corners: [Vec3; 3]) -> f64 {
 }
 
 /// The closest hits, and, of the first rays, whether there is any.
-fn traced(author: &mut Author, name: &str, why: &str, mesh: &Mesh, rays: &[Ray], truth: &Truth) {
+fn traced(author: &mut Author, name: &str, why: &str, mesh: &Mesh, rays: &[Ray]) {
     let ask = |query, rays: &[Ray]| Ask::Ray(asked(mesh, rays, query));
-    let hits: Vec<Value> = rays.iter().map(|ray| hit(truth.closest(ray).map(|hit| hit.rounded()))).collect();
+    let closest = |ray| mesh.hits(ray).first().map_or(Value::Null, |it| hit(it.prim, [it.t, it.u, it.v]));
+    let hits: Vec<Value> = rays.iter().map(closest).collect();
     author.case(
         name,
         &["EXACT-1", "DET-1", "CONF-2"],
@@ -206,7 +209,7 @@ fn traced(author: &mut Author, name: &str, why: &str, mesh: &Mesh, rays: &[Ray],
         result([("hits", json!(hits))]),
     );
     if author.0.cases.len() % 8 == 1 {
-        let hits: Vec<bool> = rays.iter().map(|ray| truth.any(ray)).collect();
+        let hits: Vec<bool> = rays.iter().map(|ray| !mesh.hits(ray).is_empty()).collect();
         let answer = result([("hits", json!(hits))]);
         author.case(&format!("{name}-any"), &["EXACT-1", "CONF-2"], why, &ask(Query::Any, rays), answer);
     }
@@ -214,22 +217,19 @@ fn traced(author: &mut Author, name: &str, why: &str, mesh: &Mesh, rays: &[Ray],
 
 fn asked(mesh: &Mesh, rays: &[Ray], query: Query) -> Rays {
     Rays {
-        vertices: mesh.vertices().iter().map(|vertex| floats(&vertex.to_array())).collect(),
-        triangles: mesh.triangles().to_vec(),
-        rays: rays.iter().map(numbers).map(|numbers| floats(&numbers)).collect(),
+        vertices: mesh.vertices.iter().map(|vertex| floats(vertex)).collect(),
+        triangles: mesh.triangles.clone(),
+        rays: rays.iter().map(|ray| floats(ray)).collect(),
         query,
     }
 }
 
-fn numbers(ray: &Ray) -> [f32; 8] {
-    let ([a, b, c], [x, y, z]) = (ray.origin().to_array(), ray.direction().to_array());
-    [a, b, c, x, y, z, ray.tmin(), ray.tmax()]
-}
-
-/// A hit as an answer has it.
-pub(crate) fn hit(hit: Option<Hit>) -> Value {
-    let bits = |x: f32| format!("{:08x}", x.to_bits());
-    hit.map_or(Value::Null, |hit| json!({ "prim": hit.prim, "t": bits(hit.t), "u": bits(hit.u), "v": bits(hit.v) }))
+/// Mesh and rays of a stress scene.
+pub(super) fn scene(case: &stress::Case) -> (Mesh, Vec<Ray>) {
+    let vertices = case.mesh.vertices().iter().map(|vertex| vertex.to_array()).collect();
+    let mesh = Mesh { vertices, triangles: case.mesh.triangles().to_vec() };
+    let rays = case.rays.iter().map(|it| ray(it.origin(), it.direction(), [it.tmin(), it.tmax()]));
+    (mesh, rays.collect())
 }
 
 /// Changes corners, triangle, or ray.
@@ -266,15 +266,4 @@ fn invalid() -> Profile {
     fault("tmin-nan", "No number.", "interval", |_, _, ray| ray[6] = f32::NAN);
     fault("negative-tmin", "A ray begins at its origin.", "interval", |_, _, ray| ray[6] = -1.0);
     author.done()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn floats_are_written_by_their_bits() {
-        let written = hit(Some(Hit { prim: 3, t: 1.0, u: -0.0, v: 0.5 }));
-        assert_eq!(written, json!({ "prim": 3, "t": "3f800000", "u": "80000000", "v": "3f000000" }));
-    }
 }

@@ -1,7 +1,7 @@
 //! What a search visits: a recursion over the children's numbers, with the postponed nodes of the path in a list.
 
-use super::bits::Bits;
 use crate::ask::{Best, Children};
+use crate::bits::Bits;
 use stackless_bvh::generate::Cell;
 
 /// What a search decides at a node.

@@ -2,11 +2,11 @@
 
 use serde_json::json;
 
-use super::bits::Bits;
 use super::reference::{Reference, Rule, Search, Visit};
-use super::trees::{random, random_script};
+use super::trees::{Scene, random, random_script};
 use super::{Author, result};
 use crate::ask::Walk;
+use crate::bits::Bits;
 use crate::{Ask, Level, Profile, Start};
 use stackless_bvh::generate::Kind;
 
@@ -14,7 +14,8 @@ pub(super) fn profiles() -> Vec<Profile> {
     vec![states(), disjoint(), keys(), invalid()]
 }
 
-/// Before a visit, or after it where the node is a leaf: the events that are left follow from the number of those before.
+/// Before a visit, or after it where the node is a leaf: the events that are left follow from the number of those
+/// before.
 fn moments(visits: &[Visit], is_leaf: impl Fn(u32) -> bool, count: usize) -> Vec<(usize, Start)> {
     let all: Vec<_> = (0..visits.len())
         .flat_map(|i| [(i, Start::Visit), (i, Start::Backtrack)])
@@ -60,8 +61,7 @@ fn disjoint() -> Profile {
     let mut author = Author::new(Level::Resume, "disjoint");
     for seed in 0..24 {
         let kind = [Kind::Intervals, Kind::Clipped][seed as usize % 2];
-        let case = random(4000 + seed, 4 + seed as u32 / 2, kind);
-        let (children, cells) = (case.tree.to_children(), case.tape.cells().to_vec());
+        let Scene { children, cells, .. } = random(4000 + seed, 4 + seed as u32 / 2, kind);
         let run = Reference::run(&children, Search::Cells { cells: &cells, any: false, rule: Rule::Disjoint });
         // What is put aside after a leaf has been pruned before: that is a state before the next visit.
         for (i, _) in moments(&run.visits, |_| false, 4) {

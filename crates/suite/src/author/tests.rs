@@ -1,7 +1,7 @@
 use super::reference::{Reference, Rule, Search};
-use super::trees::{random, random_script};
+use super::trees::{Scene, random, random_script};
 use crate::Walk;
-use crate::text::events;
+use crate::own::text::events;
 use stackless_bvh::event::Trace;
 use stackless_bvh::generate::{self, Kind};
 use stackless_bvh::oracle;
@@ -30,16 +30,25 @@ fn by_oracle(case: &stackless_check::Case, rule: Rule) -> (Vec<String>, Option<(
     (events(&trace, tree, &Keys::of(tree)), search.outcome.hit)
 }
 
-/// Two references that were written apart: one over addresses with a recorder, one over numbers with a list. `[CONF-4]` `[ORACLE-1]`
+/// Two references that were written apart: one over addresses with a recorder, one over numbers with a list. `[CONF-4]`
+/// `[ORACLE-1]`
 #[test]
 fn the_two_references_agree() {
     for seed in 0..2000 {
         let kind = Kind::ALL[seed as usize % Kind::ALL.len()];
         let mut case = random(seed, 2 + seed as u32 % 40, kind);
         case.any = seed % 5 == 1;
-        let (children, cells) = (case.tree.to_children(), case.tape.cells());
-        for rule in [Rule::Children, Rule::NodeLeft, Rule::NodeSign(case.octant), Rule::Disjoint, Rule::Distance] {
-            let run = Reference::run(&children, Search::Cells { cells, any: case.any, rule });
+        let Scene { children, cells, any, octant } = case;
+        let walk = Walk {
+            children: children.clone(),
+            cells: Some(cells.clone()),
+            any: Some(any),
+            octant: Some(octant),
+            ..Walk::default()
+        };
+        let case = walk.case().unwrap();
+        for rule in [Rule::Children, Rule::NodeLeft, Rule::NodeSign(octant), Rule::Disjoint, Rule::Distance] {
+            let run = Reference::run(&children, Search::Cells { cells: &cells, any, rule });
             let (events, hit) = by_oracle(&case, rule);
             assert_eq!(run.events, events, "seed {seed}, {rule:?}");
             assert_eq!(run.best.map(|best| (best.t, best.node as usize)), hit, "seed {seed}, {rule:?}");
@@ -55,10 +64,9 @@ fn the_two_references_agree() {
 #[test]
 fn the_reference_goes_on_where_it_was() {
     for seed in 0..300 {
-        let case =
-            random(seed, 2 + seed as u32 % 30, [Kind::Intervals, Kind::Clipped, Kind::Random][seed as usize % 3]);
-        let (children, cells) = (case.tree.to_children(), case.tape.cells());
-        let search = Search::Cells { cells, any: false, rule: Rule::Disjoint };
+        let kind = [Kind::Intervals, Kind::Clipped, Kind::Random][seed as usize % 3];
+        let Scene { children, cells, .. } = random(seed, 2 + seed as u32 % 30, kind);
+        let search = Search::Cells { cells: &cells, any: false, rule: Rule::Disjoint };
         let run = Reference::run(&children, search);
         for visit in &run.visits {
             let rest = Reference::resume(&children, search, &visit.key, &visit.trail, &visit.marks, visit.best, true);

@@ -3,11 +3,11 @@
 use serde_json::{Value, json};
 
 use super::reference::{Reference, Rule, Search};
-use super::trees::{comb, complete, depth_of, depths, random, random_script, script};
+use super::trees::{Scene, comb, complete, depth_of, depths, random, random_script, script};
 use super::{Author, result};
 use crate::ask::Walk;
 use crate::{Ask, Children, Feature, Level, Profile};
-use stackless_bvh::generate::{Cell, Kind, Tape};
+use stackless_bvh::generate::{Cell, Kind};
 
 pub(super) fn profiles() -> Vec<Profile> {
     vec![
@@ -194,7 +194,7 @@ fn tapes() -> Profile {
     author.done()
 }
 
-fn by_rule(name: &str, clauses: &[&str], count: u64, rule: impl Fn(&stackless_check::Case) -> Rule) -> Profile {
+fn by_rule(name: &str, clauses: &[&str], count: u64, rule: impl Fn(&Scene) -> Rule) -> Profile {
     let mut author = Author::new(Level::Trace, name);
     let kinds = [Kind::Intervals, Kind::Clipped, Kind::Shrinking, Kind::Random];
     for seed in 0..count {
@@ -217,17 +217,11 @@ fn by_rule(name: &str, clauses: &[&str], count: u64, rule: impl Fn(&stackless_ch
 }
 
 /// The same with distances in few steps.
-fn with_ties(case: stackless_check::Case) -> stackless_check::Case {
+fn with_ties(scene: Scene) -> Scene {
     let coarse = |t: u32| t >> 18 << 18;
-    let cell = |cell: &Cell| Cell {
-        enter: coarse(cell.enter),
-        exit: cell.exit.map(coarse),
-        hit: cell.hit.map(coarse),
-        ..*cell
-    };
-    let cells = case.tape.cells().iter().map(cell).collect();
-    let tape = Tape::from_cells(&case.tree, cells).unwrap_or(case.tape);
-    stackless_check::Case { tape, ..case }
+    let cell =
+        |cell: Cell| Cell { enter: coarse(cell.enter), exit: cell.exit.map(coarse), hit: cell.hit.map(coarse), ..cell };
+    Scene { cells: scene.cells.into_iter().map(cell).collect(), ..scene }
 }
 
 fn taped<'a>(
@@ -235,11 +229,11 @@ fn taped<'a>(
     name: &str,
     clauses: &[&str],
     why: &str,
-    case: &stackless_check::Case,
+    scene: &Scene,
     rule: Rule,
 ) -> &'a mut crate::Case {
-    let (children, cells) = (case.tree.to_children(), case.tape.cells().to_vec());
-    let run = Reference::run(&children, Search::Cells { cells: &cells, any: case.any, rule });
+    let Scene { children, cells, any, .. } = scene.clone();
+    let run = Reference::run(&children, Search::Cells { cells: &cells, any, rule });
     let mut fields = vec![("events", json!(run.events)), ("hit", json!(run.best))];
     // What is postponed by distance is known only when its turn comes.
     if rule != Rule::Distance {
@@ -247,7 +241,7 @@ fn taped<'a>(
     }
     let searches = matches!(rule, Rule::Children | Rule::NodeLeft | Rule::NodeSign(_));
     let octant = if let Rule::NodeSign(octant) = rule { Some(octant) } else { None };
-    let walk = Walk { children, cells: Some(cells), any: searches.then_some(case.any), octant, ..Walk::default() };
+    let walk = Walk { children, cells: Some(cells), any: searches.then_some(any), octant, ..Walk::default() };
     author.case(name, clauses, why, &Ask::Trace(walk), result(fields))
 }
 

@@ -2,6 +2,7 @@
 
 mod rays;
 mod tables;
+pub(crate) mod text;
 mod walks;
 mod words;
 

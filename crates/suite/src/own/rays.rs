@@ -4,13 +4,12 @@ use glam::Vec3;
 use serde_json::{Value, json};
 
 use crate::ask::Rays;
-use crate::author::hit;
-use crate::text::parse_floats;
+use crate::text::{hit, parse_floats};
 use crate::{Answer, Ask, Query};
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::geom::{Kernel, Ray, RayError, Slabs};
 use stackless_bvh::geom::{Mesh, MeshError};
-use stackless_bvh::trace::{Accuracy, Form, Tracer, WithTests, with_level};
+use stackless_bvh::trace::{Accuracy, Form, Hit, Tracer, WithTests, with_level};
 use stackless_bvh::traverse::Method;
 
 pub(super) fn answer(accuracy: Accuracy, ask: &Ask) -> Option<Answer> {
@@ -39,11 +38,15 @@ impl WithTests for Cast {
         let bvh = bvh.map(K::Shape::from);
         let tracer = Tracer::<_, K, B>::with_tests(&bvh, Method::Stack).ok()?;
         let hits: Vec<Value> = match query {
-            Query::Closest => tracer.closest_each(&rays).into_iter().map(hit).collect(),
+            Query::Closest => tracer.closest_each(&rays).into_iter().map(written).collect(),
             Query::Any => tracer.any_each(&rays).into_iter().map(|any| json!(any)).collect(),
         };
         Some(Answer::of([("hits", Value::Array(hits))]))
     }
+}
+
+fn written(hit_or_miss: Option<Hit>) -> Value {
+    hit_or_miss.map_or(Value::Null, |Hit { prim, t, u, v }| hit(prim, [t, u, v]))
 }
 
 impl Rays {

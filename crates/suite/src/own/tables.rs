@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
+use super::text::{hex, word};
 use crate::ask::{Build, Lookup};
-use crate::text::{hex, word};
 use crate::{Answer, Ask};
 use stackless_bvh::hash::{
     self, BuildError, KeySet, Mix, Modulo, Options, PerfectHash, Reciprocal, Sizing, TableSize, decode, encode, fold,

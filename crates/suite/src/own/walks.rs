@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
+use super::text::{events, hex, word};
 use crate::ask::{Best, Walk};
-use crate::text::{events, hex, word};
 use crate::{Answer, Ask, Children, Feature, Start, WalkError};
 use stackless_bvh::event::{Recorder, State, Trace};
 use stackless_bvh::generate::{Cell, Search, Tape};
@@ -112,14 +112,16 @@ struct Record {
 }
 
 impl Recorder for Record {
-    fn visit(&mut self, state: &impl State) -> Flow {
-        if !state.is_restarting() {
-            let text = |word: Option<_>| word.map(|word| hex(&word));
-            self.trails.push(text(state.trail()));
-            self.counters.push(text(state.counter()));
-            self.registers.push(state.register());
+    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        let state = state();
+        let is_restarting = state.is_restarting;
+        if !is_restarting {
+            let State { trail, counter, register, .. } = state.map(|word| Some(hex(&word)));
+            self.trails.push(trail);
+            self.counters.push(counter);
+            self.registers.push(register);
         }
-        self.trace.visit(state)
+        self.trace.visit(node, || State::<W> { is_restarting, ..State::of(node) })
     }
 }
 

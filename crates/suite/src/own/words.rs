@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::text::{hex, word};
+use super::text::{hex, word};
 use crate::{Answer, Ask};
 use stackless_bvh::key::{self, Grow, KeyWord};
 use stackless_bvh::{swap, trail};

@@ -1,4 +1,5 @@
-//! Mistakes below the traversals, as implementations: what the mistake is in is replaced, and the rest is the library's.
+//! Mistakes below the traversals, as implementations: what the mistake is in is replaced, and the rest is the
+//! library's.
 
 use std::collections::BTreeMap;
 

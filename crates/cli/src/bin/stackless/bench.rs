@@ -38,7 +38,7 @@ pub(crate) struct Args {
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
     /// Traversals, separated by commas. `stack` is always there.
-    #[arg(long, value_delimiter = ',', value_parser = input::method)]
+    #[arg(long, value_delimiter = ',', value_parser = input::MethodName)]
     #[arg(default_value = "stack,sparse,afra,uncle,hashed,hash-only,implicit-b1")]
     methods: Vec<Method>,
     /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median, separated by commas; with `+N`, N rounds of

@@ -44,7 +44,7 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Only these traversals, separated by commas.
-    #[arg(long, value_delimiter = ',', value_parser = input::method)]
+    #[arg(long, value_delimiter = ',', value_parser = input::MethodName)]
     methods: Vec<Method>,
     /// Only this word: u32, u64, u128, grow.
     #[arg(long, value_parser = input::word)]

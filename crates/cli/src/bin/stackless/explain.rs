@@ -44,7 +44,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "ID", group = "what")]
     suite_case: Option<String>,
     /// Only these traversals, separated by commas; the page opens with the first.
-    #[arg(long, value_delimiter = ',', value_parser = input::method)]
+    #[arg(long, value_delimiter = ',', value_parser = input::MethodName)]
     methods: Vec<Method>,
     /// The page; `-` is the standard output.
     #[arg(short, long, value_name = "FILE.html", value_parser = output::file)]

@@ -1,7 +1,10 @@
 //! What the subcommands take in: scenes, names of traversals and words.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
+use clap::builder::{PossibleValue, TypedValueParser};
+use clap::{Arg, Command};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::trace::Accuracy;
@@ -42,6 +45,23 @@ fn made(name: &str) -> Option<Mesh> {
 /// Loads all scenes before anything is done with one, so that a bad one is known at once.
 pub(crate) fn scenes(paths: &[PathBuf]) -> Result<Vec<Scene>, SceneError> {
     paths.iter().map(|path| Scene::load(path)).collect()
+}
+
+/// Reads a traversal's name; the help says how each works, the error lists their names.
+#[derive(Clone, Debug)]
+pub(crate) struct MethodName;
+
+impl TypedValueParser for MethodName {
+    type Value = Method;
+
+    fn parse_ref(&self, command: &Command, argument: Option<&Arg>, value: &OsStr) -> Result<Method, clap::Error> {
+        (method as fn(&str) -> Result<Method, String>).parse_ref(command, argument, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let value = |method: Method| PossibleValue::new(method.name()).help(method.help());
+        Some(Box::new(Method::ALL.into_iter().map(value)))
+    }
 }
 
 /// Reads a traversal's name; the error lists all of them.

@@ -46,10 +46,10 @@ pub(crate) struct Args {
     #[arg(long, value_enum)]
     heatmap: Option<Heat>,
     /// The traversal whose cost is drawn.
-    #[arg(long, default_value = "hashed", value_parser = input::method)]
+    #[arg(long, default_value = "hashed", value_parser = input::MethodName)]
     method: Method,
     /// Heat maps of these traversals, beside each other, with one scale.
-    #[arg(long, value_delimiter = ',', value_parser = input::method, requires = "heatmap", conflicts_with = "method")]
+    #[arg(long, value_delimiter = ',', value_parser = input::MethodName, requires = "heatmap", conflicts_with = "method")]
     compare: Vec<Method>,
     /// A figure of Binder & Keller 2016: 1, the backtracking steps of three schemes; 7, the postponed nodes that are visited
     /// without and with pruning; 8, the nodes that paths visit from the root and from their last hit.

@@ -13,10 +13,10 @@ use stackless_bvh::bvh::Bvh;
 use stackless_bvh::event::{Backtracks, Source};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::hash::{self, BuildError, KeySet, Lookup, Options, PerfectHash, Sizing};
-use stackless_bvh::key::{KeyWord, TooDeep};
+use stackless_bvh::key::KeyWord;
 use stackless_bvh::trace::{self, Closest};
 use stackless_bvh::traverse::{Hashed, WithWord, WordName, traverse, with_word};
-use stackless_bvh::tree::{Node, Topology, Uncles};
+use stackless_bvh::tree::{Linked, Node, Reach, Topology};
 use stackless_cli::plots::plot_distances;
 
 use crate::Outcome;
@@ -135,7 +135,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
 
 /// Builds tables three times each way and keeps the median; every table is certified.
 fn measure(bvh: &Bvh, sizing: Sizing) -> Result<TableStats, Box<dyn std::error::Error>> {
-    let options = Options { key_set: KeySet::Exact(<Uncles>::REACH), sizing };
+    let options = Options { key_set: KeySet::Exact(Reach::ALGORITHM_1), sizing };
     let hash = PerfectHash::build(bvh, options)?;
     hash::certify(&hash, bvh, options.key_set)?;
     let median = |build: &dyn Fn() -> Result<PerfectHash, BuildError>| {
@@ -199,18 +199,17 @@ impl WithWord for Count<'_> {
 
     fn call<W: KeyWord>(self) -> Self::Output {
         let Self { rays: n, seed, scene, bvh } = self;
-        let uncles = <Uncles>::of(bvh);
-        let options = Options { key_set: KeySet::Exact(<Uncles>::REACH), sizing: Sizing::Tight };
+        let uncles = Linked::uncles(bvh);
+        let options = Options { key_set: KeySet::Exact(Reach::ALGORITHM_1), sizing: Sizing::Tight };
         let hash = PerfectHash::build(bvh, options)?;
         let mut rays = procedural::camera_rays(&scene.mesh, seed, n / 2);
         let bounced = trace::bounce(&scene.mesh, bvh, &rays, seed);
         rays.extend(bounced);
         let lookups = Cell::new(Lookups { rays: rays.len(), ..Lookups::default() });
-        let mut backtracks = Backtracks::new(<Uncles>::REACH);
+        let mut backtracks = Backtracks::new(Reach::ALGORITHM_1);
         for ray in &rays {
             backtracks.begin();
-            let cursor: Result<_, TooDeep> =
-                Hashed::<W, _, _, _>::new(bvh, &uncles, Counted { hash: &hash, lookups: &lookups });
+            let cursor = Hashed::<W, _, _>::new(&uncles, Counted { hash: &hash, lookups: &lookups });
             traverse(cursor?, &mut Closest::new(bvh, ray), &mut backtracks);
         }
         Ok((backtracks, lookups.get()))

@@ -30,7 +30,7 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = 500)]
     rays: usize,
     /// Only these traversals, separated by commas.
-    #[arg(long, value_delimiter = ',', value_parser = input::method)]
+    #[arg(long, value_delimiter = ',', value_parser = input::MethodName)]
     methods: Vec<Method>,
     /// Every triangle test with every box test, and not only the four levels.
     #[arg(long)]

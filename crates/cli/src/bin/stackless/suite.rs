@@ -44,7 +44,7 @@ enum What {
     /// Answer the cases as this library does: an implementation for `stackless conform`.
     Serve {
         /// The traversal; one for each profile if none is named.
-        #[arg(long, value_parser = input::method)]
+        #[arg(long, value_parser = input::MethodName)]
         method: Option<Method>,
         /// The word of keys and trails.
         #[arg(long, value_parser = input::word)]

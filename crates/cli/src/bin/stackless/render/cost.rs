@@ -4,12 +4,10 @@ use stackless_bvh::bvh::Bvh;
 use stackless_bvh::event::Source;
 use stackless_bvh::geom::{Aabb, Ray};
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::order::{ByNode, SignOrder, Visitor};
+use stackless_bvh::order::Pruned;
 use stackless_bvh::trace::{AnyByNode, ClosestByNode, Query, Tracer};
-use stackless_bvh::traverse::{
-    Afra, Disjoint, Hapala, Marks, Method, Sparse, Tables, Test, Uncle, Unfit, WithWord, traverse, with_word,
-};
-use stackless_bvh::tree::{Implicit, Parents, Uncles};
+use stackless_bvh::traverse::{Method, Need, Tables, Unfit, WithWord, with_word};
+use stackless_bvh::tree::Implicit;
 use stackless_check::{Reads, Steps, Watched};
 
 /// What is counted.
@@ -58,8 +56,6 @@ pub(super) struct Costs<'a> {
 struct Walks<'a> {
     bvh: &'a Bvh,
     tables: Tables<'a, Bvh>,
-    parents: Option<Parents>,
-    uncles: Option<Uncles>,
     boxes: Vec<Aabb>,
 }
 
@@ -69,7 +65,7 @@ impl<'a> Costs<'a> {
             Heat::Nodes | Heat::Boxes | Heat::Triangles | Heat::Fallback => false,
             Heat::Postponed | Heat::Backtrack => true,
             // Each of its backtracks is a lookup.
-            Heat::Hash => method.without_pruning() == Method::HashOnly,
+            Heat::Hash => method.needs() == Need::AllKeys,
         };
         let steps = needs_steps.then(|| Box::new(Walks::new(bvh, method)));
         Ok(Self { heat, any, tracer: Tracer::with_method(bvh, method)?, steps })
@@ -95,14 +91,7 @@ impl<'a> Costs<'a> {
 
 impl<'a> Walks<'a> {
     fn new(bvh: &'a Bvh, method: Method) -> Self {
-        let climbs = |methods: &[Method]| methods.contains(&method.without_pruning());
-        Self {
-            bvh,
-            tables: Tables::new(bvh, bvh.axes(), &[method], Implicit::LIMIT),
-            parents: climbs(&[Method::Sparse, Method::Afra, Method::Hapala]).then(|| Parents::of(bvh)),
-            uncles: climbs(&[Method::Uncle]).then(|| Uncles::of(bvh)),
-            boxes: bvh.own_boxes(),
-        }
+        Self { bvh, tables: Tables::new(bvh, bvh.axes(), &[method], Implicit::LIMIT), boxes: bvh.own_boxes() }
     }
 
     /// Backtracks and their steps.
@@ -115,7 +104,7 @@ impl<'a> Walks<'a> {
         let method = if query.allows(method.test().pruning()) { method } else { method.without_pruning() };
         let reads = Reads::default();
         let mut steps = Steps::new(bvh, &reads);
-        let run = Run { walks: self, method, octant: ray.octant(), query, reads: &reads, steps: &mut steps };
+        let run = Run { tables: &self.tables, method, octant: ray.octant(), query, reads: &reads, steps: &mut steps };
         let ran = with_word(tracer.word(), run);
         debug_assert_eq!(ran, Ok(()), "checked when the tracer was made");
         [steps.backtracks(), steps.steps()]
@@ -123,7 +112,7 @@ impl<'a> Walks<'a> {
 }
 
 struct Run<'r, 'a, 'q> {
-    walks: &'r Walks<'a>,
+    tables: &'r Tables<'a, Bvh>,
     method: Method,
     octant: u8,
     query: &'q mut dyn Query,
@@ -135,32 +124,9 @@ impl WithWord for Run<'_, '_, '_> {
     type Output = Result<(), Unfit>;
 
     fn call<W: KeyWord>(self) -> Result<(), Unfit> {
-        if self.method.test() == Test::Disjoint { self.run::<W, Disjoint<W>>() } else { self.run::<W, ()>() }
-    }
-}
-
-impl Run<'_, '_, '_> {
-    fn run<W: KeyWord, M: Marks<W>>(self) -> Result<(), Unfit> {
-        let Self { walks, method, octant, mut query, reads, steps } = self;
-        let query = &mut query;
-        let Walks { bvh, tables, parents, uncles, .. } = walks;
-        let watch = |node| reads.count(node);
-        match (method.without_pruning(), parents, uncles) {
-            (Method::Sparse, Some(links), _) => {
-                traverse(Sparse::<W, _, _, M>::new(*bvh, Watched { links, watch })?, query, steps);
-            }
-            (Method::Afra, Some(links), _) => {
-                traverse(Afra::<W, _, _, M>::new(*bvh, Watched { links, watch })?, query, steps);
-            }
-            (Method::Hapala, Some(links), _) => {
-                let order = SignOrder { axes: bvh.axes(), octant };
-                traverse(Hapala::new(*bvh, Watched { links, watch }, order), &mut ByNode { test: query, order }, steps);
-            }
-            (Method::Uncle, _, Some(links)) => {
-                traverse(Uncle::<W, _, _, M>::new(*bvh, Watched { links, watch })?, query, steps);
-            }
-            _ => tables.run::<W, _>(method, octant, &mut Vec::new(), query, steps)?,
-        }
-        Ok(())
+        let Self { tables, method, octant, mut query, reads, steps } = self;
+        let linked = tables.tree();
+        let watched = Watched { tree: &linked, watch: |node| reads.count(node) };
+        tables.run_over::<W, _, _>(&watched, method, octant, &mut Vec::new(), &mut query, steps)
     }
 }

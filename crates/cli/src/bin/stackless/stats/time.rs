@@ -7,7 +7,7 @@ use stackless_bvh::bvh::Bvh;
 use stackless_bvh::geom::kernel::Exact;
 use stackless_bvh::geom::slabs::Directed;
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
-use stackless_bvh::order::{Descent, Flow, NodeTest, Visitor};
+use stackless_bvh::order::{Descent, Flow, NodeTest, Pruned, Visitor};
 use stackless_bvh::trace::Closest;
 use stackless_bvh::traverse::{Method, Stack, Tables, Unfit, WordName, traverse};
 use stackless_bvh::tree::{Implicit, Node, Recorded, Topology};
@@ -189,6 +189,8 @@ impl<V: Visitor> Visitor for ByParent<V> {
         self.0.leaf(node)
     }
 }
+
+impl<V: Visitor> Pruned for ByParent<V> {}
 
 impl<V: Visitor> NodeTest for ByParent<V> {
     fn accept(&mut self, _: Node) -> bool {

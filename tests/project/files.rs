@@ -26,3 +26,9 @@ pub(crate) fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
 pub(crate) fn read(file: &Path) -> String {
     fs::read_to_string(root().join(file)).unwrap()
 }
+
+/// The code of the library and of the crates around it, without their tests' folders.
+pub(crate) fn sources() -> Vec<PathBuf> {
+    let is_source = |file: &PathBuf| file.components().nth(2).is_some_and(|folder| folder.as_os_str() == "src");
+    files("src", "rs").into_iter().chain(files("crates", "rs").into_iter().filter(is_source)).collect()
+}

@@ -1,7 +1,7 @@
 use alloc::vec;
 
 use super::*;
-use crate::order::{Descent, Flow, Side};
+use crate::order::{Descent, Flow, Side, Visitor};
 use crate::tree::Tree;
 
 /// All leaves from the right.
@@ -15,6 +15,8 @@ impl Visitor for Leaves {
         Flow::Continue
     }
 }
+
+impl Pruned for Leaves {}
 
 impl NodeTest for Leaves {
     fn accept(&mut self, _: Node) -> bool {
@@ -36,12 +38,13 @@ fn chain(depth: u32, right: bool) -> Tree {
 fn lookups_in_the_table_of_another_tree_are_misses() {
     let (tree, other) = (chain(9, true), chain(9, false));
     let axes = vec![0; 19];
-    let run = |tables: &Tables<'_, Tree>| {
+    let run = |tables: &VerifiedTables<'_, Tree>| {
         tables.run::<u64, _>(Method::HashOnly, 0, &mut Vec::new(), &mut Leaves, &mut ()).map(|()| tables.misses())
     };
-    let mut tables = Tables::new(&tree, &axes, &[Method::HashOnly], 0).verified();
+    let beside = |tree: &Tree| Beside::new(tree, &axes, &[Method::HashOnly], 0);
+    let tables = Tables::verified(&tree, &axes, beside(&tree));
     assert_eq!((run(&tables), run(&tables)), (Ok(0), Ok(0)));
-    tables.beside.full_hash = perfect(&other, KeySet::All);
+    let tables = Tables::verified(&tree, &axes, beside(&other));
     let Ok(misses) = run(&tables) else { panic!("it runs") };
     assert!(misses > 1, "{misses}");
     assert_eq!(run(&tables), Ok(2 * misses));

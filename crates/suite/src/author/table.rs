@@ -1,0 +1,109 @@
+//! Tables to look keys up in, made step by step: what is asked about them is only where each key leads.
+
+use super::hash::{mix_64, mixed};
+
+/// Most seeds that are tried.
+const SEEDS: u64 = 100;
+
+/// How many cells a table has, and how many displacements. `[HASH-2]`
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Sizes {
+    /// As printed, by a number of nodes or keys.
+    Printed(usize),
+    /// For addresses in the table of displacements.
+    Tight,
+}
+
+/// A table of some keys.
+#[derive(Debug)]
+pub(super) struct Table {
+    pub(super) displacements: Vec<u32>,
+    pub(super) cells: Vec<u32>,
+    /// Of the bijection that the keys go through before, if they do.
+    pub(super) seed: Option<u64>,
+}
+
+impl Sizes {
+    /// All, with their names, for so many nodes of which so many are hashed.
+    pub(super) fn of(nodes: usize, keys: usize) -> [(&'static str, Self); 3] {
+        [("printed", Self::Printed(nodes)), ("printed-hashed", Self::Printed(keys)), ("tight", Self::Tight)]
+    }
+
+    fn displacements(self, keys: usize) -> usize {
+        match self {
+            Self::Printed(count) => half(count),
+            // The power of two whose quotient with twice the number is nearest to 1.
+            Self::Tight => {
+                let (count, power) = (2 * keys, (2 * keys).next_power_of_two());
+                if power > 1 && 2 * count * count < power * power { power / 2 } else { power }
+            }
+        }
+    }
+
+    /// Numbers of cells to be tried one after the other, where so many keys share a displacement.
+    fn cells(self, shared: usize) -> Vec<usize> {
+        match self {
+            Self::Printed(count) => vec![2 * count + 1],
+            Self::Tight => {
+                std::iter::successors(Some(2 * shared + 1), |h| Some(2 * (h * 9 / 16 + 1) + 1)).take(16).collect()
+            }
+        }
+    }
+}
+
+/// The highest power of two below half of a number, at least 1.
+pub(super) fn half(count: usize) -> usize {
+    let powers = std::iter::successors(Some(1), |power| Some(2 * power));
+    powers.take_while(|power| 2 * power < count).last().unwrap_or(1)
+}
+
+impl Table {
+    /// For keys with the words of their nodes: by the printed function, or by the first seed that does. `[HASH-7]`
+    pub(super) fn of(keys: &[(u64, u32)], sizes: Sizes, is_narrow: bool) -> Option<Self> {
+        let seed = |i: u64| mix_64(i.wrapping_mul(0x9e37_79b9_7f4a_7c15), 0);
+        std::iter::once(None).chain((1..=SEEDS).map(seed).map(Some)).find_map(|seed| {
+            let key = |key| seed.map_or(key, |seed| mixed(key, seed, is_narrow));
+            let keys: Vec<_> = keys.iter().map(|&(plain, word)| (key(plain), word)).collect();
+            let (displacements, cells) = tables(&keys, sizes)?;
+            Some(Self { displacements, cells, seed })
+        })
+    }
+}
+
+/// Displacements and cells: the largest buckets first, each at the least displacement that fits. `[HASH-8]`
+fn tables(keys: &[(u64, u32)], sizes: Sizes) -> Option<(Vec<u32>, Vec<u32>)> {
+    let mut buckets = vec![Vec::new(); sizes.displacements(keys.len())];
+    let size = buckets.len() as u64;
+    for &(key, word) in keys {
+        buckets[(key % size) as usize].push((key, word));
+    }
+    let mut displacements = vec![0; buckets.len()];
+    let mut shared = Vec::new();
+    for (index, bucket) in buckets.into_iter().enumerate() {
+        match bucket[..] {
+            [] => {}
+            [(_, word)] => displacements[index] = word,
+            _ => shared.push((index, bucket)),
+        }
+    }
+    // Buckets of one size stay in their order.
+    shared.sort_by_key(|(_, bucket)| std::cmp::Reverse(bucket.len()));
+    let is_apart = |h: &usize| {
+        shared.iter().all(|(_, bucket)| {
+            let rests: std::collections::BTreeSet<_> = bucket.iter().map(|(key, _)| key % *h as u64).collect();
+            rests.len() == bucket.len()
+        })
+    };
+    let h = sizes.cells(shared.iter().map(|(_, bucket)| bucket.len()).sum()).into_iter().find(is_apart)?;
+    let mut cells = vec![0; h];
+    for (index, bucket) in shared {
+        let cell = |key: u64, displacement: usize| ((key % h as u64) as usize + displacement) % h;
+        let is_free = |&displacement: &usize| bucket.iter().all(|&(key, _)| cells[cell(key, displacement)] == 0);
+        let displacement = (0..h).find(is_free)?;
+        for (key, word) in bucket {
+            cells[cell(key, displacement)] = word;
+        }
+        displacements[index] = displacement as u32;
+    }
+    Some((displacements, cells))
+}

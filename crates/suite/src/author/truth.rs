@@ -1,0 +1,163 @@
+//! Which triangles a ray meets, and where, in whole numbers without limit. `[EXACT-1]`
+//!
+//! Every float is a whole multiple of 2^-149. Whatever a ray meets follows from signs and quotients of products of
+//! three such numbers, so their unit does not matter.
+
+use core::cmp::Ordering;
+
+use dashu_int::IBig;
+
+/// Corners, and three of them for each triangle.
+#[derive(Clone, Debug)]
+pub(super) struct Mesh {
+    pub(super) vertices: Vec<[f32; 3]>,
+    pub(super) triangles: Vec<[u32; 3]>,
+}
+
+/// Origin, direction, and the ends of the interval, which is not below 0.
+pub(super) type Ray = [f32; 8];
+
+/// Where a ray meets a triangle: the distance and the weights of the second and third corner, each rounded once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Hit {
+    pub(super) prim: u32,
+    pub(super) t: f32,
+    pub(super) u: f32,
+    pub(super) v: f32,
+}
+
+impl Mesh {
+    /// All hits: the closest first, of equal rounded distances the one with the lower number.
+    pub(super) fn hits(&self, ray: &Ray) -> Vec<Hit> {
+        let met = |(prim, corners): (u32, &[u32; 3])| {
+            let corners = corners.map(|corner| self.vertices[corner as usize]);
+            let [t, u, v] = if is_beside(corners, ray) { None } else { meet(corners, ray) }?;
+            Some(Hit { prim, t, u, v })
+        };
+        let mut hits: Vec<_> = (0..).zip(&self.triangles).filter_map(met).collect();
+        hits.sort_by(|a, b| a.t.total_cmp(&b.t));
+        hits
+    }
+}
+
+/// Whether all corners lie on one side of the ray along an axis, or behind its origin. True of none that is met; of
+/// most others, and sooner than it is computed.
+fn is_beside(corners: [[f32; 3]; 3], ray: &Ray) -> bool {
+    (0..3).any(|axis| {
+        let (o, d) = (ray[axis], ray[axis + 3]);
+        let (is_above, is_below) = (|corner: &[f32; 3]| corner[axis] > o, |corner: &[f32; 3]| corner[axis] < o);
+        d <= 0.0 && corners.iter().all(is_above) || d >= 0.0 && corners.iter().all(is_below)
+    })
+}
+
+/// Seen from the origin: the direction spans a volume with each edge, and the weight of a corner is the volume with the
+/// edge across over the sum of the three. A sum of 0 is a triangle without area, or one that is parallel to the ray.
+fn meet(corners: [[f32; 3]; 3], &[x, y, z, dx, dy, dz, tmin, tmax]: &Ray) -> Option<[f32; 3]> {
+    let [corner_a, corner_b, corner_c] = corners;
+    let [o, d, a, b, c] = whole([[x, y, z], [dx, dy, dz], corner_a, corner_b, corner_c]);
+    let [a, b, c] = [a, b, c].map(|[x, y, z]| [x - &o[0], y - &o[1], z - &o[2]]);
+    let across = cross(&b, &c);
+    let [of_a, of_b, of_c] = [dot(&d, &across), dot(&d, &cross(&c, &a)), dot(&d, &cross(&a, &b))];
+    let (sum, along) = (&of_a + &of_b + &of_c, dot(&a, &across));
+    // Turned over where the triangle is seen from behind.
+    let [sum, of_a, of_b, of_c, along] =
+        if sum < IBig::ZERO { [-sum, -of_a, -of_b, -of_c, -along] } else { [sum, of_a, of_b, of_c, along] };
+    let is_within = |t: f32, order| t == f32::INFINITY || (unit(t) * &sum).cmp(&(&along << 149)) != order;
+    let is_hit = sum > IBig::ZERO
+        && [&of_a, &of_b, &of_c].into_iter().all(|weight| *weight >= IBig::ZERO)
+        && is_within(tmin, Ordering::Greater)
+        && is_within(tmax, Ordering::Less);
+    is_hit.then(|| [along, of_b, of_c].map(|part| nearest(&part, &sum)))
+}
+
+/// A float as an odd number, or 0, times a power of two above 2^-149.
+fn parts(x: f32) -> (i64, usize) {
+    let (exponent, fraction) = (x.to_bits() >> 23 & 255, x.to_bits() & 0x7f_ffff);
+    let size = i64::from(if exponent == 0 { fraction } else { fraction | 1 << 23 });
+    let zeros = if size == 0 { 0 } else { size.trailing_zeros() };
+    let odd = (size >> zeros) * if x.is_sign_negative() { -1 } else { 1 };
+    (odd, (exponent.saturating_sub(1) + zeros) as usize)
+}
+
+/// A float in units of 2^-149.
+fn unit(x: f32) -> IBig {
+    let (odd, power) = parts(x);
+    IBig::from(odd) << power
+}
+
+/// Floats in the greatest unit of which all are multiples.
+fn whole(points: [[f32; 3]; 5]) -> [[IBig; 3]; 5] {
+    let powers = points.as_flattened().iter().filter(|x| **x != 0.0).map(|&x| parts(x).1);
+    let least = powers.min().unwrap_or(0);
+    points.map(|point| {
+        point.map(|x| {
+            let (odd, power) = parts(x);
+            IBig::from(odd) << power.saturating_sub(least)
+        })
+    })
+}
+
+fn dot([a, b, c]: &[IBig; 3], [x, y, z]: &[IBig; 3]) -> IBig {
+    a * x + b * y + c * z
+}
+
+fn cross([a, b, c]: &[IBig; 3], [x, y, z]: &[IBig; 3]) -> [IBig; 3] {
+    [b * z - c * y, c * x - a * z, a * y - b * x]
+}
+
+/// The float nearest to a quotient of numbers that are not below 0, of two the one that ends in 0. Floats are in the
+/// order of their bits, and infinity stands where 2^128 would.
+fn nearest(over: &IBig, under: &IBig) -> f32 {
+    let in_units = over << 149;
+    let is_above = |bits: u32| unit(f32::from_bits(bits)) * under > in_units;
+    let (mut low, mut high) = (0, f32::INFINITY.to_bits());
+    while high - low > 1 {
+        let middle = u32::midpoint(low, high);
+        if is_above(middle) { high = middle } else { low = middle }
+    }
+    let middle = (unit(f32::from_bits(low)) + unit(f32::from_bits(high))) * under;
+    f32::from_bits(match middle.cmp(&(in_units * 2)) {
+        Ordering::Less => high,
+        Ordering::Greater => low,
+        Ordering::Equal => low + low % 2,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::ray::scene;
+    use super::*;
+    use stackless_bvh::generate::{Rng, Source, stress};
+    use stackless_bvh::trace::truth;
+
+    #[test]
+    fn quotients_are_rounded_once() {
+        let of = |over: f32, under: f32| nearest(&unit(over), &unit(under));
+        let mut rng = Rng::new(1);
+        let float = |rng: &mut Rng| f32::from_bits(rng.below(0x7f80_0000) as u32);
+        for _ in 0..2000 {
+            let (a, b) = (float(&mut rng), float(&mut rng).max(f32::from_bits(1)));
+            assert_eq!(of(a, b), a / b, "{a} / {b}");
+        }
+        assert_eq!(of(f32::MAX, 1.0), f32::MAX);
+        assert_eq!(of(f32::MAX, f32::MIN_POSITIVE), f32::INFINITY);
+        assert_eq!(of(0.0, 3.0), 0.0);
+    }
+
+    /// What was written apart from it, in fractions.
+    #[test]
+    fn the_library_finds_the_same() {
+        let mut hits = 0;
+        for case in stress::cases(6).filter(|case| case.mesh.triangles().len() < 200) {
+            let (mesh, rays) = scene(&case);
+            for (ray, plain) in case.rays.iter().zip(&rays) {
+                let expected = truth::brute_force(&case.mesh, ray).into_iter().map(|hit| hit.rounded());
+                let expected: Vec<_> = expected.map(|hit| (hit.prim, hit.t, hit.u, hit.v)).collect();
+                let found: Vec<_> = mesh.hits(plain).iter().map(|hit| (hit.prim, hit.t, hit.u, hit.v)).collect();
+                assert_eq!(found, expected, "{}", case.name);
+                hits += found.len();
+            }
+        }
+        assert!(hits > 200, "{hits}");
+    }
+}

@@ -1,0 +1,296 @@
+//! The table of traversals.
+//!
+//! A new traversal is a file for its cursor, and a row here. From the row come its name, help and documentation, what is
+//! made for it beside a tree, and the cursor wherever a traversal is chosen when the program runs: the ray tracer, the
+//! battery in all words, the planted bugs, the pages of `explain`, the benchmarks.
+
+use super::method::{Kind, Need, Row, Test, Words};
+use super::{
+    Afra, ByKey, Context, Disjoint, Hapala, HashOnly, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine,
+    LeftFirst, PausingContext, PruningStack, Skip, Sparse, Stack, Supply, Uncle, Unfit,
+};
+use crate::key::KeyWord;
+use crate::name::named;
+use crate::order;
+use crate::tree::Recorded;
+
+/// Each field stands for itself but these. `without`: the same traversal without pruning. `state`: bytes of the state by
+/// the bytes of a word and by depth, as Barringer & Akenine-Möller count: 4 for each variable, a word for each key, trail,
+/// counter or mask, and a head for a stack. `cursor`: made from a [`Supply`] for words `W`; `ByNode` gives the order too.
+macro_rules! traversals {
+    ($($variant:ident {
+        name: $name:literal, by: $by:literal, clause: $clause:literal,
+        help: $help:literal,
+        tests: $test:ident, links: $links:ident, needs: $need:ident, words: $words:ident, without: $without:ident,
+        state: |$word:pat_param, $depth:pat_param| $state:expr,
+        cursor: $kind:ident |$from:ident| $cursor:expr,
+    })*) => {
+        /// A traversal, by the name that code, command line, suite and tables share.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Method {
+            $(#[doc = $help] $variant,)*
+        }
+
+        impl Method {
+            /// All traversals, in the order of the tables.
+            pub const ALL: [Self; [$(Self::$variant),*].len()] = [$(Self::$variant),*];
+
+            pub(super) const fn row(self) -> Row {
+                match self {
+                    $(Self::$variant => Row {
+                        name: $name,
+                        by: $by,
+                        clause: $clause,
+                        help: $help,
+                        test: Test::$test,
+                        links: Recorded::$links,
+                        need: Need::$need,
+                        words: Words::$words,
+                        kind: Kind::$kind,
+                        without: Self::$without,
+                    },)*
+                }
+            }
+
+            /// Bytes of its state for one ray in a tree of this depth, as Barringer & Akenine-Möller count. `[STATE-1]`
+            pub fn state_bytes<W: KeyWord>(self, depth: u32) -> usize {
+                let of_words = (W::bytes(depth), depth as usize);
+                match self {
+                    $(Self::$variant => { let ($word, $depth) = of_words; $state })*
+                }
+            }
+
+            /// Does something with this traversal in words `W`: the one place where a name becomes a cursor.
+            ///
+            /// # Errors
+            /// [`Unfit`], before the first step.
+            #[inline]
+            pub fn dispatch<'t, W: KeyWord, X: Context<'t, W>>(self, context: X) -> Result<X::Output, Unfit> {
+                self.fits::<W>()?;
+                match self {
+                    $(Self::$variant => traversals!(@any $kind context, X, $from, $cursor),)*
+                }
+            }
+
+            /// The same for traversals that can be [put aside](super::Pause).
+            ///
+            /// # Errors
+            /// [`Unfit::NoPause`] for others, and what else is unfit, before the first step.
+            #[inline]
+            pub fn dispatch_pausing<'t, W: KeyWord, X: PausingContext<'t, W>>(
+                self,
+                context: X,
+            ) -> Result<X::Output, Unfit> {
+                self.fits::<W>()?;
+                match self {
+                    $(Self::$variant => traversals!(@pausing $kind context, X, $from, $cursor),)*
+                }
+            }
+        }
+
+        named!(Method);
+    };
+
+    (@any ByNode $context:ident, $x:ident, $from:ident, $cursor:expr) => { $context.by_node(|$from: $x::From| $cursor) };
+    (@any $kind:ident $context:ident, $x:ident, $from:ident, $cursor:expr) => {
+        $context.by_parent(|$from: $x::From| $cursor)
+    };
+    (@pausing Pausing $context:ident, $x:ident, $from:ident, $cursor:expr) => {
+        $context.pausing(|$from: $x::From| $cursor)
+    };
+    (@pausing $kind:ident $context:ident, $x:ident, $from:ident, $cursor:expr) => { Err(Unfit::NoPause) };
+}
+
+const NODE: usize = 4;
+
+traversals! {
+    Stack {
+        name: "stack", by: "the textbook", clause: "STACK-1",
+        help: "Postponed nodes are pushed on a stack; the last one pushed comes next.",
+        tests: Children, links: Nothing, needs: Nothing, words: None, without: Stack,
+        state: |_, depth| NODE + 4 + NODE * depth,
+        cursor: ByParent |from| Ok(Stack::with(from.tree(), from.memory())),
+    }
+    StackDisjoint {
+        name: "stack-disjoint", by: "the textbook", clause: "ORACLE-2",
+        help: "A stack with a mark for each node: a hit drops what is disjoint from it.",
+        tests: Disjoint, links: Nothing, needs: Nothing, words: None, without: Stack,
+        state: |_, depth| NODE + 4 + 2 * NODE * depth,
+        cursor: ByParent |from| Ok(PruningStack::<_, false, _>::with(from.tree(), from.memory())),
+    }
+    StackT0 {
+        name: "stack-t0", by: "Dammertz 2011", clause: "ORACLE-3",
+        help: "A stack with the distance of each node: what begins beyond the hit is dropped.",
+        tests: Distance, links: Nothing, needs: Nothing, words: None, without: Stack,
+        state: |_, depth| NODE + 4 + 2 * NODE * depth,
+        cursor: ByParent |from| Ok(PruningStack::<_, true, _>::with(from.tree(), from.memory())),
+    }
+    LeftFirst {
+        name: "left-first", by: "Barringer & Akenine-Möller 2013, Alg. 1", clause: "LEFT-1",
+        help: "A counter in an implicit tree, left before right; nodes are tested at their visit.",
+        tests: NodeLeftFirst, links: Nothing, needs: Layout, words: Any, without: LeftFirst,
+        state: |word, _| 2 * word,
+        cursor: ByNode |from| Ok((LeftFirst::new(from.tree(), from.layout()?)?, order::LeftFirst)),
+    }
+    ImplicitA {
+        name: "implicit-a", by: "Barringer & Akenine-Möller 2013, Alg. 2", clause: "IMPLICIT-1",
+        help: "A counter and a mask of swapped levels; their exclusive or is the address.",
+        tests: Children, links: Nothing, needs: Layout, words: Any, without: ImplicitA,
+        state: |word, _| 3 * word,
+        cursor: ByParent |from| Ok(ImplicitA::new(from.tree(), from.layout()?)?),
+    }
+    ImplicitA1 {
+        name: "implicit-a1", by: "Barringer & Akenine-Möller 2013, Alg. 2 with combined index", clause: "IMPLICIT-3",
+        help: "An implicit tree with two variables combined in one word.",
+        tests: Children, links: Nothing, needs: Layout, words: Any, without: ImplicitA1,
+        state: |word, _| 2 * word,
+        cursor: ByParent |from| Ok(ImplicitA1::new(from.tree(), from.layout()?)?),
+    }
+    ImplicitB {
+        name: "implicit-b", by: "Barringer & Akenine-Möller 2013, Alg. 3", clause: "IMPLICIT-2",
+        help: "A counter, and the path itself as the address.",
+        tests: Children, links: Nothing, needs: Layout, words: Any, without: ImplicitB,
+        state: |word, _| 3 * word,
+        cursor: ByParent |from| Ok(ImplicitB::new(from.tree(), from.layout()?)?),
+    }
+    ImplicitB1 {
+        name: "implicit-b1", by: "Barringer & Akenine-Möller 2013, Alg. 3 with combined index", clause: "IMPLICIT-3",
+        help: "An implicit tree with two variables combined in one word.",
+        tests: Children, links: Nothing, needs: Layout, words: Any, without: ImplicitB1,
+        state: |word, _| 2 * word,
+        cursor: ByParent |from| Ok(ImplicitB1::new(from.tree(), from.layout()?)?),
+    }
+    Sparse {
+        name: "sparse", by: "Barringer & Akenine-Möller 2013, Alg. 4", clause: "SPARSE-1",
+        help: "A counter whose carry says how far to climb along parents.",
+        tests: Children, links: ParentSibling, needs: Nothing, words: Any, without: Sparse,
+        state: |word, _| NODE + word,
+        cursor: Pausing |from| Sparse::<W, _>::new(from.tree()),
+    }
+    SparseDisjoint {
+        name: "sparse-disjoint", by: "Binder & Keller 2016, Sec. 2.3", clause: "DISJOINT-2",
+        help: "The same with a second trail, by which a hit drops what is disjoint from it.",
+        tests: Disjoint, links: ParentSibling, needs: Nothing, words: Any, without: Sparse,
+        state: |word, _| NODE + 2 * word,
+        cursor: Pausing |from| Sparse::<W, _, Disjoint<W>>::new(from.tree()),
+    }
+    Hapala {
+        name: "hapala", by: "Hapala et al. 2011", clause: "HAPALA-1",
+        help: "Nothing but the node: a fixed order says on the way up which child was the near one.",
+        tests: NodeBySign, links: ParentSibling, needs: Nothing, words: None, without: Hapala,
+        state: |_, _| NODE + 4,
+        cursor: ByNode |from| Ok((Hapala::new(from.tree(), from.by_sign())?, from.by_sign())),
+    }
+    Laine0 {
+        name: "laine-0", by: "Laine 2010", clause: "LAINE-1",
+        help: "A trail of levels; the next node is found by starting again at the root.",
+        tests: Children, links: Nothing, needs: Nothing, words: Fixed, without: Laine0,
+        state: |word, _| NODE + 3 * word,
+        cursor: Restarting |from| Ok(Laine::<0, W, _>::new(from.tree())?),
+    }
+    Laine1 {
+        name: "laine-1", by: "Laine 2010", clause: "LAINE-1",
+        help: "A trail of levels and a short stack; what it has lost is found by starting again at the root.",
+        tests: Children, links: Nothing, needs: Nothing, words: Fixed, without: Laine1,
+        state: |word, _| NODE + 3 * word + 1 * NODE + 8,
+        cursor: Restarting |from| Ok(Laine::<1, W, _>::new(from.tree())?),
+    }
+    Laine2 {
+        name: "laine-2", by: "Laine 2010", clause: "LAINE-1",
+        help: "A trail of levels and a short stack; what it has lost is found by starting again at the root.",
+        tests: Children, links: Nothing, needs: Nothing, words: Fixed, without: Laine2,
+        state: |word, _| NODE + 3 * word + 2 * NODE + 8,
+        cursor: Restarting |from| Ok(Laine::<2, W, _>::new(from.tree())?),
+    }
+    Laine4 {
+        name: "laine-4", by: "Laine 2010", clause: "LAINE-1",
+        help: "A trail of levels and a short stack; what it has lost is found by starting again at the root.",
+        tests: Children, links: Nothing, needs: Nothing, words: Fixed, without: Laine4,
+        state: |word, _| NODE + 3 * word + 4 * NODE + 8,
+        cursor: Restarting |from| Ok(Laine::<4, W, _>::new(from.tree())?),
+    }
+    Laine8 {
+        name: "laine-8", by: "Laine 2010", clause: "LAINE-1",
+        help: "A trail of levels and a short stack; what it has lost is found by starting again at the root.",
+        tests: Children, links: Nothing, needs: Nothing, words: Fixed, without: Laine8,
+        state: |word, _| NODE + 3 * word + 8 * NODE + 8,
+        cursor: Restarting |from| Ok(Laine::<8, W, _>::new(from.tree())?),
+    }
+    Afra {
+        name: "afra", by: "Áfra & Szirmay-Kalos 2014", clause: "AFRA-1",
+        help: "A trail, and a climb along parents while its lowest bit is clear.",
+        tests: Children, links: ParentSibling, needs: Nothing, words: Any, without: Afra,
+        state: |word, _| NODE + word,
+        cursor: Pausing |from| Afra::<W, _>::new(from.tree()),
+    }
+    AfraDisjoint {
+        name: "afra-disjoint", by: "Binder & Keller 2016, Sec. 2.3", clause: "DISJOINT-2",
+        help: "The same with a second trail, by which a hit drops what is disjoint from it.",
+        tests: Disjoint, links: ParentSibling, needs: Nothing, words: Any, without: Afra,
+        state: |word, _| NODE + 2 * word,
+        cursor: Pausing |from| Afra::<W, _, Disjoint<W>>::new(from.tree()),
+    }
+    Uncle {
+        name: "uncle", by: "Binder & Keller 2016, Sec. 2.2.1", clause: "UNCLE-2",
+        help: "A trail and a register; records name uncle and grand uncle, so a climb takes two levels a step.",
+        tests: Children, links: Uncles, needs: Nothing, words: Any, without: Uncle,
+        state: |word, _| 2 * NODE + word,
+        cursor: Pausing |from| Uncle::<W, _>::new(from.tree()),
+    }
+    UncleDisjoint {
+        name: "uncle-disjoint", by: "Binder & Keller 2016, Sec. 2.3", clause: "DISJOINT-2",
+        help: "The same with a second trail, by which a hit drops what is disjoint from it.",
+        tests: Disjoint, links: Uncles, needs: Nothing, words: Any, without: Uncle,
+        state: |word, _| 2 * NODE + 2 * word,
+        cursor: Pausing |from| Uncle::<W, _, Disjoint<W>>::new(from.tree()),
+    }
+    HashOnly {
+        name: "hash-only", by: "Binder & Keller 2016, Sec. 2.2", clause: "HASHONLY-1",
+        help: "Key and trail; a perfect hash turns the key of the next node into its address.",
+        tests: Children, links: Nothing, needs: AllKeys, words: Any, without: HashOnly,
+        state: |word, _| NODE + 2 * word,
+        cursor: Pausing |from| Ok(HashOnly::<W, _, _>::new(from.tree(), from.all_keys()?)?),
+    }
+    Hashed {
+        name: "hashed", by: "Binder & Keller 2016, Alg. 1", clause: "HASHED-1",
+        help: "Key, trail and a register; uncles fill it, and what they do not reach is in a perfect hash.",
+        tests: Children, links: Uncles, needs: ReachedKeys, words: Any, without: Hashed,
+        state: |word, _| 2 * NODE + 2 * word,
+        cursor: Pausing |from| Hashed::<W, _, _>::new(from.tree(), from.reached_keys()?),
+    }
+    HashedDisjoint {
+        name: "hashed-disjoint", by: "Binder & Keller 2016, Sec. 2.3", clause: "DISJOINT-2",
+        help: "The same with a second trail, by which a hit drops what is disjoint from it.",
+        tests: Disjoint, links: Uncles, needs: ReachedKeys, words: Any, without: Hashed,
+        state: |word, _| 2 * NODE + 3 * word,
+        cursor: Pausing |from| Hashed::<W, _, _, Disjoint<W>>::new(from.tree(), from.reached_keys()?),
+    }
+    Skip {
+        name: "skip", by: "Smits 1998", clause: "SKIP-1",
+        help: "Each node names the one after its subtree, in a fixed order.",
+        tests: NodeLeftFirst, links: Nothing, needs: Skips, words: None, without: Skip,
+        state: |_, _| NODE,
+        cursor: ByNode |from| Ok((Skip::new(from.tree(), from.skips()?, order::LeftFirst), order::LeftFirst)),
+    }
+    SkipOctant {
+        name: "skip-octant", by: "Boulos & Haines 2006", clause: "SKIP-1",
+        help: "Each node names the one after its subtree, in a fixed order.",
+        tests: NodeBySign, links: Nothing, needs: SkipsBySign, words: None, without: SkipOctant,
+        state: |_, _| NODE,
+        cursor: ByNode |from| Ok((Skip::new(from.tree(), from.skips_by_sign()?, from.by_sign()), from.by_sign())),
+    }
+    Complete {
+        name: "complete", by: "Binder & Keller 2016, Sec. 1.1", clause: "COMPLETE-1",
+        help: "Key and trail in a complete tree: the address is the key less one.",
+        tests: Children, links: Nothing, needs: Complete, words: Any, without: Complete,
+        state: |word, _| 2 * word,
+        cursor: ByParent |from| Ok(ByKey::<W, _>::new(from.tree(), from.complete()?)?),
+    }
+    Glassner {
+        name: "glassner", by: "Glassner 1984", clause: "GLASSNER-1",
+        help: "Key and trail; a chained table compares keys.",
+        tests: Children, links: Nothing, needs: Chains, words: Any, without: Glassner,
+        state: |word, _| NODE + 2 * word,
+        cursor: ByParent |from| Ok(ByKey::<W, _>::new(from.tree(), from.chains()?)?),
+    }
+}

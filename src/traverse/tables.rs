@@ -1,0 +1,387 @@
+//! A tree with the tables of some traversals, which are run by their names.
+
+use alloc::sync::Arc;
+use alloc::vec::Vec;
+use core::ops::Deref;
+
+use super::{
+    Complete, Context, Cursor, Glassner, Method, Need, NotComplete, Pause, PausingContext, Skips, Supply, Unfit,
+    WordName, traverse, traverse_pruned,
+};
+use crate::event::Recorder;
+use crate::hash::{KeyMap, KeySet, Lookup, Options, PerfectHash, Sizing, Verified};
+use crate::key::{Grow, KeyWord};
+use crate::order::{self, ByNode, FixedOrder, NodeTest, Pruned, SignOrder};
+use crate::tree::{Implicit, Keys, Linked, Links, Node, Reach, Recorded, Topology};
+
+/// A tree with the tables that a choice of traversals needs beside it; `H` is how perfect hashes are looked up.
+#[derive(Debug)]
+pub struct Tables<'t, T, H = PerfectHash> {
+    tree: &'t T,
+    axes: &'t [u8],
+    beside: Held<'t, Beside<H>>,
+}
+
+/// Tables with every lookup in a perfect hash verified.
+pub type VerifiedTables<'t, T> = Tables<'t, T, Verified<'t, T, PerfectHash, Arc<Keys>>>;
+
+/// A tree with the links that its traversals follow.
+pub type LinkedTree<'s, T> = Linked<'s, T, 2, 2, &'s Links>;
+
+/// The tables alone, for those who keep the tree elsewhere.
+#[derive(Debug)]
+pub struct Beside<H = PerfectHash> {
+    /// What the tree's own records do not name.
+    links: Links,
+    reached_keys: Option<H>,
+    all_keys: Option<H>,
+    layout: Option<Layout>,
+    complete: Option<Result<Complete, NotComplete>>,
+    chains: Option<Glassner>,
+    skips: Option<Skips>,
+    skips_by_sign: Vec<Skips>,
+}
+
+/// A value of one's own, or of somebody else.
+#[derive(Debug)]
+enum Held<'t, X> {
+    Own(X),
+    Lent(&'t X),
+}
+
+impl<X> Deref for Held<'_, X> {
+    type Target = X;
+
+    #[inline]
+    fn deref(&self) -> &X {
+        match self {
+            Self::Own(x) => x,
+            Self::Lent(x) => x,
+        }
+    }
+}
+
+impl Beside {
+    /// Makes what `methods` need. `axes` is for [`SignOrder`].
+    ///
+    /// Trees of up to `implicit_depth` edges get the implicit layout; in deeper ones the implicit traversals look
+    /// their addresses up in the plain map.
+    pub fn new(tree: &impl Topology, axes: &[u8], methods: &[Method], implicit_depth: u32) -> Self {
+        let needs = |need| methods.iter().any(|method| method.needs() == need);
+        let octants = if needs(Need::SkipsBySign) { 0..8 } else { 0..0 };
+        let links: Vec<Recorded> = methods.iter().map(|method| method.wants_recorded()).collect();
+        let perfect = |key_set| PerfectHash::build(tree, Options { key_set, sizing: Sizing::Tight }).ok();
+        Self {
+            links: Links::of(tree, &links),
+            // The tight sizing, with the remedy where the plain function fails.
+            reached_keys: needs(Need::ReachedKeys).then(|| perfect(KeySet::Exact(Reach::ALGORITHM_1))).flatten(),
+            all_keys: needs(Need::AllKeys).then(|| perfect(KeySet::All)).flatten(),
+            layout: needs(Need::Layout).then(|| Layout::of(tree, implicit_depth)),
+            complete: needs(Need::Complete).then(|| Complete::of(tree)),
+            chains: needs(Need::Chains).then(|| Glassner::of(tree)),
+            skips: needs(Need::Skips).then(|| Skips::of(tree, &order::LeftFirst)),
+            skips_by_sign: octants.map(|octant| Skips::of(tree, &SignOrder { axes, octant })).collect(),
+        }
+    }
+
+    /// Memory of all tables, in bytes.
+    pub fn bytes(&self) -> usize {
+        let hashes = [&self.reached_keys, &self.all_keys];
+        let complete = self.complete.as_ref().and_then(|complete| complete.as_ref().ok());
+        hashes.map(|hash| hash.as_ref().map_or(0, |hash| hash.header().bytes())).iter().sum::<usize>()
+            + self.links.bytes()
+            + self.layout.as_ref().map_or(0, Layout::bytes)
+            + complete.map_or(0, Complete::bytes)
+            + self.chains.as_ref().map_or(0, Glassner::bytes)
+            + self.skips.iter().chain(&self.skips_by_sign).map(Skips::bytes).sum::<usize>()
+    }
+
+    /// The same, with perfect hashes looked up in another way.
+    #[must_use]
+    pub fn looked_up_by<H>(self, by: impl Fn(PerfectHash) -> H) -> Beside<H> {
+        let Self { links, reached_keys, all_keys, layout, complete, chains, skips, skips_by_sign } = self;
+        let [reached_keys, all_keys] = [reached_keys, all_keys].map(|hash| hash.map(&by));
+        Beside { links, reached_keys, all_keys, layout, complete, chains, skips, skips_by_sign }
+    }
+}
+
+impl<'t, T: Topology> Tables<'t, T> {
+    /// A tree with what `methods` need, as [`Beside::new`] makes it.
+    pub fn new(tree: &'t T, axes: &'t [u8], methods: &[Method], implicit_depth: u32) -> Self {
+        Self::with(tree, axes, Beside::new(tree, axes, methods, implicit_depth))
+    }
+
+    /// A tree with tables that somebody else has made for it, and keeps.
+    #[inline]
+    pub const fn lent(tree: &'t T, axes: &'t [u8], beside: &'t Beside) -> Self {
+        Self { tree, axes, beside: Held::Lent(beside) }
+    }
+}
+
+impl<'t, T: Topology> VerifiedTables<'t, T> {
+    /// A tree with its tables, every lookup in a perfect hash verified.
+    pub fn verified(tree: &'t T, axes: &'t [u8], beside: Beside) -> Self {
+        let keys = Arc::new(Keys::of(tree));
+        Self::with(tree, axes, beside.looked_up_by(|hash| Verified::new(hash, tree, Arc::clone(&keys))))
+    }
+
+    /// Number of lookups so far that did not find the node with the key.
+    pub fn misses(&self) -> usize {
+        self.beside.reached_keys.iter().chain(&self.beside.all_keys).map(Verified::misses).sum()
+    }
+}
+
+impl<'t, T: Topology, H> Tables<'t, T, H> {
+    /// A tree with tables that were made for it.
+    pub const fn with(tree: &'t T, axes: &'t [u8], beside: Beside<H>) -> Self {
+        Self { tree, axes, beside: Held::Own(beside) }
+    }
+
+    /// The tree, with the links that these traversals follow.
+    #[inline]
+    pub fn tree(&self) -> LinkedTree<'_, T> {
+        Linked::over(self.tree, &self.beside.links)
+    }
+
+    /// Runs one search. `memory` is the stack's, kept between searches; `octant` gives the signs of the direction,
+    /// for the traversals that order children by it.
+    ///
+    /// # Errors
+    /// [`Unfit`], before the first step.
+    #[inline]
+    pub fn run<W: KeyWord, S: Pruned + NodeTest>(
+        &self,
+        method: Method,
+        octant: u8,
+        memory: &mut Vec<Node>,
+        search: &mut S,
+        recorder: &mut impl Recorder,
+    ) -> Result<(), Unfit>
+    where
+        H: Lookup<W>,
+    {
+        self.run_over::<W, _, S>(&self.tree(), method, octant, memory, search, recorder)
+    }
+
+    /// The same over another view of the tree, which says the same: one that watches what is read.
+    ///
+    /// # Errors
+    /// [`Unfit`], before the first step.
+    #[inline]
+    pub fn run_over<W: KeyWord, X: Topology, S: Pruned + NodeTest>(
+        &self,
+        tree: &X,
+        method: Method,
+        octant: u8,
+        memory: &mut Vec<Node>,
+        search: &mut S,
+        recorder: &mut impl Recorder,
+    ) -> Result<(), Unfit>
+    where
+        H: Lookup<W>,
+    {
+        if !search.allows(method.test().pruning()) {
+            return Err(Unfit::Unordered);
+        }
+        method.dispatch::<W, _>(Run { from: self.over(tree, octant, memory), search, recorder })
+    }
+
+    /// [`run`](Self::run) in a word that is known only when the program runs.
+    ///
+    /// A search of type `&mut dyn` shares one body with all others, so that not all traversals are compiled for each of
+    /// them.
+    ///
+    /// # Errors
+    /// [`Unfit`], before the first step.
+    pub fn run_in<S: Pruned + NodeTest>(
+        &self,
+        word: WordName,
+        method: Method,
+        octant: u8,
+        memory: &mut Vec<Node>,
+        search: &mut S,
+        recorder: &mut impl Recorder,
+    ) -> Result<(), Unfit>
+    where
+        H: Lookup<u32> + Lookup<u64> + Lookup<u128> + Lookup<Grow>,
+    {
+        match word {
+            WordName::U32 => self.run::<u32, S>(method, octant, memory, search, recorder),
+            WordName::U64 => self.run::<u64, S>(method, octant, memory, search, recorder),
+            WordName::U128 => self.run::<u128, S>(method, octant, memory, search, recorder),
+            WordName::Grow => self.run::<Grow, S>(method, octant, memory, search, recorder),
+        }
+    }
+
+    /// Makes the cursor of a traversal that [can be put aside](Method::can_pause).
+    ///
+    /// # Errors
+    /// [`Unfit`].
+    #[inline]
+    pub fn with_cursor<W: KeyWord, F: WithCursor<W>>(&self, method: Method, f: F) -> Result<F::Output, Unfit>
+    where
+        H: Lookup<W>,
+    {
+        method.dispatch_pausing::<W, _>(Call { from: self.over(&self.tree(), 0, &mut Vec::new()), f })
+    }
+
+    /// What cursors are made from.
+    pub fn over<'s, X>(&'s self, tree: &'s X, octant: u8, memory: &'s mut Vec<Node>) -> FromTables<'s, X, H> {
+        FromTables { beside: &self.beside, axes: self.axes, tree, octant, memory }
+    }
+}
+
+/// Something to do with a cursor whose type is known only when the program runs.
+pub trait WithCursor<W> {
+    /// What comes out.
+    type Output;
+
+    /// Does it with a cursor at the root.
+    fn call(self, cursor: impl Pause<Word = W>) -> Self::Output;
+}
+
+/// Tables, and what differs from one search to the next.
+#[derive(Debug)]
+pub struct FromTables<'s, X, H> {
+    beside: &'s Beside<H>,
+    axes: &'s [u8],
+    tree: &'s X,
+    octant: u8,
+    memory: &'s mut Vec<Node>,
+}
+
+impl<'s, W: KeyWord, X: Topology, H: Lookup<W>> Supply<'s, W> for FromTables<'s, X, H> {
+    type Tree = X;
+    type Memory = &'s mut Vec<Node>;
+    type Hash = &'s H;
+    type Layout = &'s Layout;
+    type Complete = &'s Complete;
+    type Chains = &'s Glassner;
+    type BySign = SignOrder<'s>;
+
+    #[inline]
+    fn tree(&self) -> &'s X {
+        self.tree
+    }
+
+    #[inline]
+    fn memory(self) -> &'s mut Vec<Node> {
+        self.memory
+    }
+
+    #[inline]
+    fn by_sign(&self) -> SignOrder<'s> {
+        SignOrder { axes: self.axes, octant: self.octant }
+    }
+
+    #[inline]
+    fn reached_keys(&self) -> Result<&'s H, Unfit> {
+        self.beside.reached_keys.as_ref().ok_or(Unfit::NoTable)
+    }
+
+    #[inline]
+    fn all_keys(&self) -> Result<&'s H, Unfit> {
+        self.beside.all_keys.as_ref().ok_or(Unfit::NoTable)
+    }
+
+    #[inline]
+    fn layout(&self) -> Result<&'s Layout, Unfit> {
+        self.beside.layout.as_ref().ok_or(Unfit::NoTable)
+    }
+
+    #[inline]
+    fn complete(&self) -> Result<&'s Complete, Unfit> {
+        Ok(self.beside.complete.as_ref().ok_or(Unfit::NoTable)?.as_ref().map_err(|&error| error)?)
+    }
+
+    #[inline]
+    fn chains(&self) -> Result<&'s Glassner, Unfit> {
+        self.beside.chains.as_ref().ok_or(Unfit::NoTable)
+    }
+
+    #[inline]
+    fn skips(&self) -> Result<&'s Skips, Unfit> {
+        self.beside.skips.as_ref().ok_or(Unfit::NoTable)
+    }
+
+    #[inline]
+    fn skips_by_sign(&self) -> Result<&'s Skips, Unfit> {
+        self.beside.skips_by_sign.get(usize::from(self.octant)).ok_or(Unfit::NoTable)
+    }
+}
+
+/// Runs to the end.
+pub(crate) struct Run<'a, F, S, R> {
+    pub(crate) from: F,
+    pub(crate) search: &'a mut S,
+    pub(crate) recorder: &'a mut R,
+}
+
+impl<'s, W: KeyWord, F: Supply<'s, W>, S: Pruned + NodeTest, R: Recorder> Context<'s, W> for Run<'_, F, S, R> {
+    type From = F;
+    type Output = ();
+
+    #[inline]
+    fn by_parent<C: Cursor>(self, start: impl Fn(F) -> Result<C, Unfit>) -> Result<(), Unfit> {
+        traverse_pruned(start(self.from)?, self.search, self.recorder);
+        Ok(())
+    }
+
+    #[inline]
+    fn by_node<C: Cursor, O: FixedOrder>(self, start: impl Fn(F) -> Result<(C, O), Unfit>) -> Result<(), Unfit> {
+        let (cursor, order) = start(self.from)?;
+        traverse(cursor, &mut ByNode { test: self.search, order }, self.recorder);
+        Ok(())
+    }
+}
+
+struct Call<F, X> {
+    from: F,
+    f: X,
+}
+
+impl<'s, W: KeyWord, F: Supply<'s, W>, X: WithCursor<W>> PausingContext<'s, W> for Call<F, X> {
+    type From = F;
+    type Output = X::Output;
+
+    #[inline]
+    fn pausing<C: Pause<Word = W>>(self, start: impl Fn(F) -> Result<C, Unfit>) -> Result<X::Output, Unfit> {
+        Ok(self.f.call(start(self.from)?))
+    }
+}
+
+/// The implicit layout of a tree, or, where that would be too large, a map from all keys.
+#[derive(Debug)]
+pub enum Layout {
+    /// The layout.
+    Implicit(Implicit),
+    /// The map.
+    Map(KeyMap),
+}
+
+impl Layout {
+    fn of(tree: &impl Topology, implicit_depth: u32) -> Self {
+        let implicit = if tree.depth() <= implicit_depth { Implicit::of(tree).ok() } else { None };
+        implicit.map_or_else(|| Self::Map(KeyMap::of(tree)), Self::Implicit)
+    }
+
+    fn bytes(&self) -> usize {
+        match self {
+            Self::Implicit(layout) => layout.bytes(),
+            Self::Map(map) => map.bytes(),
+        }
+    }
+}
+
+impl<W: KeyWord> Lookup<W> for Layout {
+    #[inline]
+    fn node(&self, key: &W) -> Node {
+        match self {
+            Self::Implicit(layout) => layout.node(key),
+            Self::Map(map) => map.node(key),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
