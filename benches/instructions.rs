@@ -56,6 +56,9 @@ fn closest((tracer, rays): (Tracer<&'static Bvh>, &'static [Ray])) -> usize {
 
 #[library_benchmark(setup = tracer)]
 #[bench::stack(Method::Stack)]
+#[bench::sparse(Method::Sparse)]
+#[bench::afra(Method::Afra)]
+#[bench::uncle(Method::Uncle)]
 #[bench::hashed(Method::Hashed)]
 fn any((tracer, rays): (Tracer<&'static Bvh>, &'static [Ray])) -> usize {
     black_box(tracer.any_each(black_box(rays))).iter().filter(|&&hit| hit).count()

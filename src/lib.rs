@@ -1,4 +1,25 @@
-//! The reference for traversing binary hierarchies without a stack.
+//! Exact ray tracing on triangle meshes, and tested implementations of published stackless BVH traversals.
+//!
+//! # A ray through a mesh
+//!
+//! ```
+//! # #[cfg(feature = "rays")]
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! use stackless_bvh::{geom::Mesh, geom::Ray, glam::Vec3, trace::Tracer};
+//!
+//! let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
+//! let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z)?;
+//! let hit = Tracer::of(&mesh)?.closest(&ray);
+//! assert_eq!(hit.map(|hit| (hit.prim, hit.t)), Some((0, 3.0)));
+//! # Ok(())
+//! # }
+//! # #[cfg(not(feature = "rays"))]
+//! # fn main() {}
+//! ```
+//!
+//! [`Tracer`](trace::Tracer) has the other queries; [`bvh`] says how hierarchies are built.
+//!
+//! # A traversal of any tree
 //!
 //! A traversal of a binary tree that visits only wanted children, in an order decided on the way, usually keeps the
 //! postponed children on a stack. The algorithms here do without: they find the next node from its key (Binder &
@@ -15,13 +36,8 @@
 //! | [`order`], [`event`] | what a visit decides; what can be observed |
 //! | [`oracle`], [`traverse`] | the reference, and every algorithm |
 //! | [`hash`] | from keys to addresses |
-//! | [`generate`] | trees, decision tapes, sources of choices |
-//! | [`geom`], [`bvh`], [`trace`], [`scene`] | rays, hierarchies, queries, files (feature `std`) |
-//! | [`curve`] | another search: the closest point of a Bézier curve (feature `std`) |
-//! | [`check`] | the comparison of traversals with the oracle (feature `std`) |
-//! | [`suite`] | the conformance suite for other implementations (feature `std`) |
-//! | [`explain`] | a traversal step by step, as a page for the browser (feature `std`) |
-//! | [`report`] | statistics and pictures (feature `std`) |
+//! | `generate` | trees, decision tapes, sources of choices, scenes (feature `generate`) |
+//! | [`geom`], [`bvh`], [`trace`] | rays, hierarchies, queries (feature `rays`; by all threads with `parallel`) |
 //!
 //! Everything above `geom` is `no_std` with `alloc` and knows no geometry.
 //!
@@ -77,6 +93,10 @@ pub mod geom;
 mod threads;
 #[cfg(feature = "rays")]
 pub mod trace;
+
+/// Vectors, as they are passed to and fro.
+#[cfg(feature = "rays")]
+pub use glam;
 
 /// The example of the README, compiled and run with the documentation's.
 #[cfg(all(doctest, feature = "rays", feature = "generate"))]

@@ -221,13 +221,13 @@ impl<'a> InstanceTracer<'a> {
                 let test = kernel::Enclosed::new(&ray, [tmin, search.ray.tmax()], region);
                 let leaves = Triangles { tracer: self, bvh, test };
                 let walk = Walk { bvh, slabs: slabs::Enclosed::of(&ray, tmin, region), leaves, search: &mut *search };
-                level.run(bvh, octant, &mut memory, OwnBoxes::over(walk, &level.boxes));
+                level.run(bvh, octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
             }
             Some(AnyLevel::Group(level, Group { instances, bvh, .. })) => {
                 let slabs = slabs::Enclosed::of(&ray, tmin, bvh.region());
                 let leaves = Instances { tracer: self, bvh, placed: instances, ray };
                 let walk = Walk { bvh, slabs, leaves, search: &mut *search };
-                level.run(bvh, octant, &mut memory, OwnBoxes::over(walk, &level.boxes));
+                level.run(bvh, octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
             }
         }
         search.memory[depth] = memory;

@@ -5,7 +5,7 @@ use crate::bvh::Bvh;
 use crate::event::Recorder;
 use crate::geom::Aabb;
 use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Visitor};
-use crate::traverse::{Beside, Method, Stack, Tables, Unfit, WordName, traverse};
+use crate::traverse::{Beside, Method, Run, Stack, Tables, Unfit, WordName, traverse};
 use crate::tree::{Implicit, Node, Topology};
 
 /// A traversal and its tables. The hierarchy that they were made for comes with each query.
@@ -46,17 +46,18 @@ impl Level {
 
     /// Runs a query to its end, in a copy of the traversals that is compiled for it, if the keys are short.
     #[inline]
-    pub(super) fn run<S, Q: Query>(&self, bvh: &Bvh<S>, octant: u8, memory: &mut Vec<Node>, mut query: Q) -> Q {
-        let (method, tables) = (self.method_for(&query), self.tables(bvh));
-        let fits = match self.word {
-            WordName::U32 => tables.run::<u32, _>(method, octant, memory, &mut query, &mut ()),
-            WordName::U64 => tables.run::<u64, _>(method, octant, memory, &mut query, &mut ()),
-            WordName::U128 | WordName::Grow => self.try_run(bvh, octant, memory, &mut query, &mut ()),
+    pub(super) fn run<S>(&self, bvh: &Bvh<S>, octant: u8, memory: &mut Vec<Node>, query: &mut impl Query) {
+        let (method, tables) = (self.method_for(query), self.tables(bvh));
+        let tree = tables.tree();
+        let fits = if matches!(self.word, WordName::U32 | WordName::U64) {
+            let run = Run { from: tables.over(&tree, octant, memory), search: &mut *query, recorder: &mut () };
+            if self.word == WordName::U32 { method.dispatch::<u32, _>(run) } else { method.dispatch::<u64, _>(run) }
+        } else {
+            self.try_run(bvh, octant, memory, query, &mut ())
         };
         if fits.is_err() {
-            by_stack(bvh, &mut query);
+            by_stack(bvh, query);
         }
-        query
     }
 
     /// Runs any query, in the copy of the traversals that all share.
@@ -156,8 +157,9 @@ mod tests {
             let expected = truth.closest(ray).map(|hit| hit.rounded());
             hits += usize::from(expected.is_some());
             let search = || OwnBoxes::over(Closest::new(&bvh, ray), &level.boxes);
-            assert_eq!(level.run(&bvh, ray.octant(), &mut Vec::new(), search()).hit(), expected, "{ray:?}");
-            let mut shared = search();
+            let [mut own, mut shared] = [search(), search()];
+            level.run(&bvh, ray.octant(), &mut Vec::new(), &mut own);
+            assert_eq!(own.hit(), expected, "{ray:?}");
             level.run_shared(&bvh, ray.octant(), &mut Vec::new(), &mut shared, &mut ());
             assert_eq!(shared.hit(), expected, "{ray:?}");
         }

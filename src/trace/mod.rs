@@ -5,6 +5,23 @@
 //! answer to a closest-hit query is that of rational arithmetic ([`Truth`]), and so it is the same, bit for bit, for
 //! every tree over the same mesh, every order and every traversal. `[DET-1]` Of an any-hit query, only whether there is a
 //! hit is.
+//!
+//! # A ray's way
+//!
+//! [`Tracer`] is the front door. From there to the loop of all traversals a ray passes five functions:
+//!
+//! | function | what it decides |
+//! |---|---|
+//! | [`Tracer::closest`], or another query | which search: what is looked for, in which order, by which tests |
+//! | `Level::run` | the word of the keys; whether this search may be pruned |
+//! | [`Method::dispatch`](crate::traverse::Method::dispatch) | the traversal, by its name |
+//! | [`Context::by_parent`](crate::traverse::Context::by_parent) | that its cursor runs to the end |
+//! | [`traverse_pruned`](crate::traverse::traverse_pruned) | the loop |
+//!
+//! Whether all these fit is found when the tracer is made ([`Unfit`](crate::traverse::Unfit)); a ray cannot fail. What is not
+//! a mesh, a ray, a ball or options of a builder is refused where it enters
+//! ([`MeshError`](crate::geom::MeshError), [`RayError`](crate::geom::RayError), [`BallError`](crate::geom::BallError),
+//! [`BuildError`](crate::bvh::BuildError)).
 
 mod accuracy;
 #[cfg(any(test, feature = "generate"))]

@@ -59,17 +59,19 @@ pub struct Tracer<T = Bvh, K = Exact, B = Directed> {
 pub(super) const CHUNK: usize = 256;
 
 impl Tracer {
-    /// A tracer that owns a hierarchy over a mesh, by [`Bvh::build`].
+    /// A tracer that owns a hierarchy over a mesh, by [`Bvh::build`], with the links in it that [`Method::default`] wants.
     ///
     /// # Errors
     /// [`BuildError`], for more than 2^31 triangles.
     pub fn of(mesh: &Mesh) -> Result<Self, BuildError> {
-        Bvh::build(mesh).map(Self::new)
+        let bvh = Bvh::build(mesh)?;
+        Ok(Self::new(bvh.with_links(Method::default().wants_recorded())))
     }
 }
 
 impl<T: Borrow<Bvh>> Tracer<T> {
-    /// A tracer by [`Method::default`], which runs on any hierarchy, with words as narrow as that allows.
+    /// A tracer by [`Method::default`], which runs on any hierarchy, with words as narrow as that allows. Links that the
+    /// hierarchy does not record ([`Bvh::with_links`]) are in a table beside it.
     pub fn new(bvh: T) -> Self {
         let plan = Plan::new(bvh.borrow(), Method::default(), Ask::Hit);
         let level = Level::unchecked(bvh.borrow(), &plan);
@@ -180,12 +182,14 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
 
     /// The closest hit: the least distance, and of equal ones the least index. `[EXACT-1]`
     pub fn closest(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
-        self.level.run(self.bvh(), ray.octant(), &mut Vec::new(), self.closest_search(ray)).hit()
+        let mut search = self.closest_search(ray);
+        self.level.run(self.bvh(), ray.octant(), &mut Vec::new(), &mut search);
+        search.hit()
     }
 
     /// [`closest`](Self::closest) of each ray, on this thread.
     pub fn closest_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
-        each(rays, |ray, memory| self.level.run(self.bvh(), ray.octant(), memory, self.closest_search(ray)).hit())
+        each(rays, |ray, memory| self.closest_in(ray, memory))
     }
 
     /// [`closest`](Self::closest) of each ray, on all threads.
@@ -193,9 +197,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
     where
         T: Sync,
     {
-        in_parallel(rays, |ray, memory| {
-            self.level.run(self.bvh(), ray.octant(), memory, self.closest_search(ray)).hit()
-        })
+        in_parallel(rays, |ray, memory| self.closest_in(ray, memory))
     }
 
     /// Triangle and distance of the [`closest`](Self::closest) hit, without its weights.
@@ -209,18 +211,22 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
     pub fn closest_distances(&self, rays: &[Ray<K::Vector>], found: &mut [Option<(u32, Real<K>)>]) {
         let mut memory = Vec::new();
         for (ray, found) in rays.iter().zip(found) {
-            *found = self.level.run(self.bvh(), ray.octant(), &mut memory, self.closest_search(ray)).found();
+            let mut search = self.closest_search(ray);
+            self.level.run(self.bvh(), ray.octant(), &mut memory, &mut search);
+            *found = search.found();
         }
     }
 
     /// Whether there is any hit.
     pub fn any(&self, ray: &Ray<K::Vector>) -> bool {
-        self.any_search_done(ray, &mut Vec::new()).found().is_some()
+        let mut search = self.any_search(ray);
+        self.level.run(self.bvh(), ray.octant(), &mut Vec::new(), &mut search);
+        search.found().is_some()
     }
 
     /// [`any`](Self::any) of each ray, on this thread.
     pub fn any_each(&self, rays: &[Ray<K::Vector>]) -> Vec<bool> {
-        each(rays, |ray, memory| self.any_search_done(ray, memory).found().is_some())
+        each(rays, |ray, memory| self.any_in(ray, memory))
     }
 
     /// [`any`](Self::any) of each ray, on all threads.
@@ -228,17 +234,17 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
     where
         T: Sync,
     {
-        in_parallel(rays, |ray, memory| self.any_search_done(ray, memory).found().is_some())
+        in_parallel(rays, |ray, memory| self.any_in(ray, memory))
     }
 
     /// Any hit, whole: the first that is met, which depends on hierarchy and traversal.
     pub fn any_hit(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
-        self.any_search_done(ray, &mut Vec::new()).hit()
+        self.any_hit_in(ray, &mut Vec::new())
     }
 
     /// [`any_hit`](Self::any_hit) of each ray, on this thread.
     pub fn any_hit_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
-        each(rays, |ray, memory| self.any_search_done(ray, memory).hit())
+        each(rays, |ray, memory| self.any_hit_in(ray, memory))
     }
 
     /// [`any_hit`](Self::any_hit) of each ray, on all threads.
@@ -246,7 +252,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
     where
         T: Sync,
     {
-        in_parallel(rays, |ray, memory| self.any_search_done(ray, memory).hit())
+        in_parallel(rays, |ray, memory| self.any_hit_in(ray, memory))
     }
 
     /// All hits, each triangle once, in the order (`t`, primitive): edges and corners included.
@@ -308,13 +314,16 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
     pub fn asked_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Asked<Real<K>>>> {
         let whole = |hit: Hit<_>| Asked { prim: hit.prim, t: Some(hit.t), weights: Some([hit.u, hit.v]) };
         each(rays, |ray, memory| match (self.ask, self.with_weights) {
-            (Ask::Any, true) => self.any_search_done(ray, memory).hit().map(whole),
+            (Ask::Any, true) => self.any_hit_in(ray, memory).map(whole),
             (Ask::Any, false) => {
-                let (prim, _) = self.any_search_done(ray, memory).found()?;
+                let mut search = self.any_search(ray);
+                self.level.run(self.bvh(), ray.octant(), memory, &mut search);
+                let (prim, _) = search.found()?;
                 Some(Asked { prim, t: None, weights: None })
             }
             (_, with_weights) => {
-                let search = self.level.run(self.bvh(), ray.octant(), memory, self.closest_search(ray));
+                let mut search = self.closest_search(ray);
+                self.level.run(self.bvh(), ray.octant(), memory, &mut search);
                 if with_weights {
                     return search.hit().map(whole);
                 }
@@ -330,9 +339,28 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
     }
 
     #[inline]
-    fn any_search_done(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> NodeSearch<'_, K, B, true, FromLeft> {
-        let search = NodeSearch::new(self.bvh(), &self.level.boxes, ray);
-        self.level.run(self.bvh(), ray.octant(), memory, search)
+    fn any_search(&self, ray: &Ray<K::Vector>) -> NodeSearch<'_, K, B, true, FromLeft> {
+        NodeSearch::new(self.bvh(), &self.level.boxes, ray)
+    }
+
+    #[inline]
+    fn closest_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Option<Hit<Real<K>>> {
+        let mut search = self.closest_search(ray);
+        self.level.run(self.bvh(), ray.octant(), memory, &mut search);
+        search.hit()
+    }
+
+    #[inline]
+    fn any_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> bool {
+        let mut search = self.any_search(ray);
+        self.level.run(self.bvh(), ray.octant(), memory, &mut search);
+        search.found().is_some()
+    }
+
+    fn any_hit_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Option<Hit<Real<K>>> {
+        let mut search = self.any_search(ray);
+        self.level.run(self.bvh(), ray.octant(), memory, &mut search);
+        search.hit()
     }
 
     fn all_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Vec<Hit<Real<K>>> {

@@ -113,9 +113,9 @@ pub(super) struct Row {
 }
 
 impl Default for Method {
-    /// What the ray tracer takes if nothing is said: it runs on any tree.
+    /// What the ray tracer takes if nothing is said: it runs on any tree. What it was chosen by: `benches/README.md`.
     fn default() -> Self {
-        Self::Uncle
+        Self::Afra
     }
 }
 

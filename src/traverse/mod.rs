@@ -57,6 +57,8 @@ pub use stack::Stack;
 pub use states::{StateError, States};
 pub use supply::{Context, PausingContext, Supply};
 pub use table::Method;
+#[cfg(feature = "rays")]
+pub(crate) use tables::Run;
 pub use tables::{Beside, FromTables, Layout, LinkedTree, Tables, VerifiedTables, WithCursor};
 pub use uncle::Uncle;
 pub use unfit::Unfit;

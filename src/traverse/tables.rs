@@ -311,10 +311,10 @@ impl<'s, W: KeyWord, X: Topology, H: Lookup<W>> Supply<'s, W> for FromTables<'s,
 }
 
 /// Runs to the end.
-struct Run<'a, F, S, R> {
-    from: F,
-    search: &'a mut S,
-    recorder: &'a mut R,
+pub(crate) struct Run<'a, F, S, R> {
+    pub(crate) from: F,
+    pub(crate) search: &'a mut S,
+    pub(crate) recorder: &'a mut R,
 }
 
 impl<'s, W: KeyWord, F: Supply<'s, W>, S: Pruned + NodeTest, R: Recorder> Context<'s, W> for Run<'_, F, S, R> {

@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use glam::Vec3;
 
 use super::*;
@@ -64,13 +66,39 @@ fn hits_are_walked_through_on_hard_rays() {
 #[test]
 fn slices_and_threads_give_the_same() {
     let mesh = procedural::soup(8, 300);
-    let bvh = Bvh::sah(&mesh, SahOptions::default()).expect("a tree");
-    let (tracer, rays) = (Tracer::new(&bvh), procedural::rays(&mesh, 9, 5000));
-    let closest: Vec<_> = rays.iter().map(|ray| tracer.closest(ray)).collect();
-    let any: Vec<_> = rays.iter().map(|ray| tracer.any(ray)).collect();
-    assert!(any.contains(&true) && any.contains(&false));
-    assert!(tracer.closest_each(&rays) == closest && tracer.closest_parallel(&rays) == closest);
-    assert!(tracer.any_each(&rays) == any && tracer.any_parallel(&rays) == any);
+    let (tracer, rays) = (Tracer::of(&mesh).expect("a tree"), procedural::rays(&mesh, 9, 3000));
+    macro_rules! same {
+        ($items:expr, $one:expr, $each:ident, $parallel:ident) => {
+            let one: Vec<_> = $items.iter().map($one).collect();
+            assert!(one == tracer.$each($items) && one == tracer.$parallel($items));
+            assert!(one.iter().any(|answer| *answer != one[0]));
+        };
+    }
+    same!(&rays, |ray| tracer.closest(ray), closest_each, closest_parallel);
+    same!(&rays, |ray| tracer.any(ray), any_each, any_parallel);
+    same!(&rays, |ray| tracer.any_hit(ray), any_hit_each, any_hit_parallel);
+    same!(&rays, |ray| tracer.all(ray).collect::<Vec<_>>(), all_each, all_parallel);
+    let balls: Vec<_> = rays.iter().map(|ray| Ball::new(ray.origin(), 0.1).expect("a ball")).collect();
+    same!(&balls, |ball| tracer.nearest(ball), nearest_each, nearest_parallel);
+    assert!(tracer.closest_each(&[]).is_empty() && tracer.closest_parallel(&[]).is_empty());
+}
+
+/// A tracer in a struct, without a lifetime.
+struct Scene {
+    tracer: Tracer,
+    shared: Tracer<Arc<Bvh>>,
+}
+
+#[test]
+fn a_tracer_owns_borrows_or_shares() {
+    let mesh = procedural::soup(8, 100);
+    let bvh = Arc::new(Bvh::build(&mesh).expect("a tree"));
+    let scene = Scene { tracer: Tracer::new(Bvh::clone(&bvh)), shared: Tracer::new(Arc::clone(&bvh)) };
+    let rays = procedural::rays(&mesh, 9, 400);
+    let expected = Tracer::new(&*bvh).closest_each(&rays);
+    assert!(expected.iter().flatten().count() > 40);
+    let sent = std::thread::spawn(move || [scene.tracer.closest_each(&rays), scene.shared.closest_each(&rays)]);
+    assert!(sent.join().is_ok_and(|found| found.iter().all(|found| *found == expected)));
 }
 
 #[test]

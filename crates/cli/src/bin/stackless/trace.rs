@@ -31,7 +31,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE", value_parser = output::file)]
     out: PathBuf,
     /// The traversal.
-    #[arg(long, default_value = "hashed", value_parser = input::MethodName)]
+    #[arg(long, default_value_t, value_parser = input::MethodName)]
     method: Method,
     /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median; with `+N`, N rounds of reinsertion follow.
     #[arg(long, default_value_t)]
