@@ -1,3 +1,5 @@
+use glam::Vec3;
+
 use super::*;
 use crate::bvh::{Builder, SahOptions, SpatialOptions};
 use crate::generate::procedural;
@@ -115,9 +117,16 @@ fn a_tracer_says_what_the_plan_asks_for() {
     }
 }
 
+/// Long triangles, which spatial splits cut.
+fn diagonals() -> Mesh {
+    let corner = |i: u32| Vec3::new((i % 5) as f32, (i / 5 % 5) as f32, (i / 25) as f32);
+    let vertices = (0..150).flat_map(|i| [corner(i), corner(i) + Vec3::X * 0.3, corner(i) + Vec3::ONE * 5.0]).collect();
+    Mesh::new(vertices, (0..150).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).expect("a mesh")
+}
+
 #[test]
 fn a_plan_of_another_hierarchy_changes_no_answer() {
-    let mesh = procedural::strands(3, 40);
+    let mesh = diagonals();
     let spatial = SpatialOptions { extra_percent: 300, overlap: 0.0 };
     let in_parts = BuildOptions { builder: Builder::Spatial, spatial, ..BuildOptions::default() };
     let [plain, in_parts] = [BuildOptions::default(), in_parts].map(|options| options.build(&mesh).expect("a tree"));
