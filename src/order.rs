@@ -265,9 +265,9 @@ pub trait FixedOrder {
 
 /// Left before right, everywhere.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct LeftFirst;
+pub struct LeftOrder;
 
-impl FixedOrder for LeftFirst {
+impl FixedOrder for LeftOrder {
     #[inline]
     fn first(&self, _: Node) -> Side {
         Side::Left

@@ -3,7 +3,7 @@
 use stackless_bvh::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
 use stackless_bvh::generate::Source;
 use stackless_bvh::geom::kernel::{Exact, Exact64, ExactFromSingle};
-use stackless_bvh::geom::slabs::{Directed, Enclosed, Plain, TwoSided, Wide};
+use stackless_bvh::geom::slabs::{Directed, EnclosedSlabs, Plain, TwoSided, Wide};
 use stackless_bvh::geom::{Aabb, Ray, Triangle, Vector};
 use stackless_check::{check_degenerate, check_distance, check_nearest, check_slabs, check_triangle};
 
@@ -48,7 +48,7 @@ pub(crate) fn slabs(bytes: &[u8]) {
     right(check_slabs::<Plain>(&ray, &a, &b, false), about("plain"));
     right(check_slabs::<TwoSided>(&ray, &a, &b, false), about("two-sided"));
     right(check_slabs::<Directed>(&ray, &a, &b, true), about("directed"));
-    right(check_slabs::<Enclosed>(&ray, &a, &b, true), about("enclosed"));
+    right(check_slabs::<EnclosedSlabs>(&ray, &a, &b, true), about("enclosed"));
     let [o, d] = [ray.origin(), ray.direction()].map(Vector::widen);
     if let Ok(ray) = Ray::within(o, d, f64::from(ray.tmin()), f64::from(ray.tmax())) {
         right(check_slabs::<Wide>(&ray, &a, &b, true), about("wide"));

@@ -8,7 +8,7 @@ use stackless_bvh::generate::{Bytes, Source};
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::kernel::{Exact, Exact64};
 use stackless_bvh::geom::slabs::{Directed, Wide};
-use stackless_bvh::geom::{Affine, Triangle};
+use stackless_bvh::geom::{AffineMap, Triangle};
 use stackless_bvh::trace::{InstanceError, InstanceTracer};
 use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::{Recorded, Topology};
@@ -127,7 +127,7 @@ pub(crate) fn instances(bytes: &[u8]) {
 }
 
 /// A map of an axis onto an axis, or any; the identity where the numbers have no inverse.
-fn affine(draw: &mut Draw<'_>) -> Affine {
+fn affine(draw: &mut Draw<'_>) -> AffineMap {
     let rows = if draw.coin() {
         [(); 3].map(|()| [(); 4].map(|()| draw.float()))
     } else {
@@ -139,7 +139,7 @@ fn affine(draw: &mut Draw<'_>) -> Affine {
         }
         rows
     };
-    Affine::new(rows).unwrap_or(Affine::IDENTITY)
+    AffineMap::new(rows).unwrap_or(AffineMap::IDENTITY)
 }
 
 fn options(draw: &mut Draw<'_>) -> BuildOptions {

@@ -1,7 +1,7 @@
 //! The conformance suite as seen by whoever answers and whoever asks.
 
 use serde_json::{Map, Value};
-use stackless_suite::{Answer, Case, Hello, Implementation, Level, Library, Profile, Reply, author, judge, serve};
+use stackless_suite::{Answer, Hello, Implementation, Level, Library, Profile, Reply, SuiteCase, author, judge, serve};
 
 use super::draw::patched;
 use super::right;
@@ -33,7 +33,7 @@ pub(crate) fn answers(bytes: &[u8]) {
     right(judge(case, &hello, &answer), &case.id);
     let case = patched(&mut source, right(serde_json::to_vec(case), "a case"));
     let answer = patched(&mut source, right(serde_json::to_vec(&Reply { seq: 0, answer }), "an answer"));
-    let (case, reply) = (serde_json::from_slice::<Case>(&case), serde_json::from_slice::<Reply>(&answer));
+    let (case, reply) = (serde_json::from_slice::<SuiteCase>(&case), serde_json::from_slice::<Reply>(&answer));
     if let (Ok(case), Ok(Reply { answer: Answer::Result(_) | Answer::Reject(_), .. })) = (&case, &reply) {
         let _ = judge(case, &hello, &reply.expect("just looked at").answer);
     }

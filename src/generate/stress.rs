@@ -1,6 +1,6 @@
 //! The stress suite: scenes and rays that are hard to get right, out of fixed seeds.
 //!
-//! Each [`Case`] takes one weakness of ray tracers to its limit: rays through edges and corners, triangles thinner
+//! Each [`StressCase`] takes one weakness of ray tracers to its limit: rays through edges and corners, triangles thinner
 //! than an ulp, distances that lie between two floats, coordinates at both ends of the range. A case says what is
 //! traced, not what comes out: the truth is computed elsewhere, over the whole mesh.
 //!
@@ -8,7 +8,7 @@
 //! bits), so the cases are the same on every machine. Each case has a seed of its own, from its name: a new case
 //! changes no other. The first rays of a case do not depend on how many are asked for.
 //!
-//! Origins of the ideas: the trackers of ray tracers (numbers in [`Case::about`]) and Woop, Benthin & Wald 2013,
+//! Origins of the ideas: the trackers of ray tracers (numbers in [`StressCase::about`]) and Woop, Benthin & Wald 2013,
 //! "Watertight ray/triangle intersection"; Ize 2013, "Robust BVH ray traversal"; Wächter & Binder 2019, "A fast and
 //! robust method for avoiding self-intersection"; Shewchuk 1997, "Adaptive precision floating-point arithmetic".
 //!
@@ -43,7 +43,7 @@ use aim::Target;
 
 /// A mesh, and rays that are hard to trace through it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Case {
+pub struct StressCase {
     /// One of [`NAMES`].
     pub name: &'static str,
     /// What is hard about it, in one line, and where it comes from if it was found by others.
@@ -76,12 +76,12 @@ pub const NAMES: [&str; COUNT] = {
 };
 
 /// All cases, in the order of [`NAMES`], each made when it is asked for, with `rays_per_case` rays.
-pub fn cases(rays_per_case: usize) -> impl Iterator<Item = Case> {
+pub fn cases(rays_per_case: usize) -> impl Iterator<Item = StressCase> {
     GROUPS.into_iter().flatten().filter_map(move |recipe| recipe.case(rays_per_case))
 }
 
 /// The case of this name with `rays` rays, or `None` if there is no such case.
-pub fn case(name: &str, rays: usize) -> Option<Case> {
+pub fn case(name: &str, rays: usize) -> Option<StressCase> {
     GROUPS.into_iter().flatten().find(|recipe| recipe.name == name)?.case(rays)
 }
 
@@ -128,12 +128,12 @@ impl Recipe {
     }
 
     /// `None` would be a mistake in the recipe; a test sees to it that there is none.
-    fn case(&self, rays: usize) -> Option<Case> {
+    fn case(&self, rays: usize) -> Option<StressCase> {
         let mut draw = Draw::named(self.name);
         let mesh = (self.mesh)(&mut draw)?;
         let target = Target::new(&mesh);
         let rays = draw.rays(rays, |draw, i| (self.ray)(draw, &target, i));
-        Some(Case { name: self.name, about: self.about, mesh, rays, closed: self.closed })
+        Some(StressCase { name: self.name, about: self.about, mesh, rays, closed: self.closed })
     }
 }
 

@@ -12,7 +12,7 @@ use super::{Aabb, EnclosedRay, Interval};
 /// more digits than a float: only [`image_of_box`](Self::image_of_box) and [`pull_back`](Self::pull_back) round, outwards.
 /// `[INST-1]`
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Affine {
+pub struct AffineMap {
     rows: [[f32; 4]; 3],
     /// Bounds of the inverse of A, each as narrow as can be.
     inverse: [[Interval; 3]; 3],
@@ -36,7 +36,7 @@ pub enum AffineError {
     Singular,
 }
 
-impl Affine {
+impl AffineMap {
     /// The map that changes nothing.
     pub const IDENTITY: Self = {
         const ZERO: Interval = Interval::exact(0.0);
@@ -55,11 +55,11 @@ impl Affine {
     /// What [`AffineError`] lists.
     ///
     /// ```
-    /// use stackless_bvh::geom::{Affine, AffineError};
+    /// use stackless_bvh::geom::{AffineMap, AffineError};
     ///
     /// let tiny = f32::from_bits(1);
-    /// assert!(Affine::new([[tiny, 0.0, 0.0, 1.0], [0.0, tiny, 0.0, 2.0], [0.0, 0.0, tiny, 3.0]]).is_ok());
-    /// let flat = Affine::new([[0.1, 0.2, 0.0, 0.0], [0.1, 0.2, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]);
+    /// assert!(AffineMap::new([[tiny, 0.0, 0.0, 1.0], [0.0, tiny, 0.0, 2.0], [0.0, 0.0, tiny, 3.0]]).is_ok());
+    /// let flat = AffineMap::new([[0.1, 0.2, 0.0, 0.0], [0.1, 0.2, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]);
     /// assert_eq!(flat, Err(AffineError::Singular));
     /// ```
     pub fn new(rows: [[f32; 4]; 3]) -> Result<Self, AffineError> {
@@ -124,9 +124,9 @@ impl Affine {
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::geom::{Affine, meet_image, truth::{Meeting, RBig}};
+/// use stackless_bvh::geom::{AffineMap, meet_image, truth::{Meeting, RBig}};
 ///
-/// let third = Affine::new([[3.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.1, -1.0]])?;
+/// let third = AffineMap::new([[3.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.1, -1.0]])?;
 /// let Meeting::Hit(point) = meet_image([Vec3::ZERO, Vec3::X, Vec3::Y], &[third], Vec3::X, Vec3::NEG_Z) else {
 ///     return Err("a miss".into());
 /// };
@@ -135,7 +135,7 @@ impl Affine {
 /// ```
 pub fn meet_image<'a>(
     triangle: [Vec3; 3],
-    maps: impl IntoIterator<Item = &'a Affine>,
+    maps: impl IntoIterator<Item = &'a AffineMap>,
     origin: Vec3,
     direction: Vec3,
 ) -> Meeting {

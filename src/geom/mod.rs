@@ -17,7 +17,7 @@ pub mod truth;
 mod vector;
 
 pub use aabb::Aabb;
-pub use affine::{Affine, AffineError, meet_image};
+pub use affine::{AffineError, AffineMap, meet_image};
 pub use ball::{Ball, BallError};
 pub use enclosed_ray::EnclosedRay;
 pub use interval::Interval;

@@ -116,7 +116,7 @@ fn a_borrowed_search_answers_as_itself() {
         let mut borrowed = &mut Answers;
         assert_eq!(NodeTest::accept(&mut borrowed, Node::inner(index)), index == 1);
         assert_eq!(NodeTest::leaf(&mut borrowed, Node::leaf(index)), flow);
-        let mut by_node = ByNode { test: Answers, order: LeftFirst };
+        let mut by_node = ByNode { test: Answers, order: LeftOrder };
         let accepted = if index == 1 { Descent::both(Side::Left) } else { Descent::NEITHER };
         assert_eq!((by_node.inner(Node::inner(index)), by_node.leaf(Node::leaf(index))), (accepted, flow));
     }

@@ -21,7 +21,7 @@ use std::fmt;
 use crate::bvh::Bvh;
 use crate::geom::kernel;
 use crate::geom::truth::{Point, round_f32};
-use crate::geom::{Affine, EnclosedRay, Ray, Triangle, meet_image, slabs};
+use crate::geom::{AffineMap, EnclosedRay, Ray, Triangle, meet_image, slabs};
 use crate::trace::level::Level;
 use crate::trace::{Ask, OwnBoxes, Plan};
 use crate::traverse::{Method, Unfit};
@@ -33,7 +33,7 @@ use walk::{Found, Instances, Search, Triangles, Walk};
 /// ```
 /// use glam::Vec3;
 /// use stackless_bvh::bvh::{BuildOptions, Bvh};
-/// use stackless_bvh::geom::{Affine, Ray};
+/// use stackless_bvh::geom::{AffineMap, Ray};
 /// use stackless_bvh::geom::Mesh;
 /// use stackless_bvh::trace::{Assembly, Instance, InstanceTracer};
 /// use stackless_bvh::traverse::Method;
@@ -41,9 +41,9 @@ use walk::{Found, Instances, Search, Triangles, Walk};
 /// let bvh = Bvh::median(&Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?, 1)?;
 /// let mut assembly = Assembly::new();
 /// let triangle = assembly.add_mesh(&bvh);
-/// let row = |z| Affine::translation(Vec3::Z * z).map(|affine| Instance { object: triangle, affine });
+/// let row = |z| AffineMap::translation(Vec3::Z * z).map(|affine| Instance { object: triangle, affine });
 /// let row = assembly.add_group(vec![row(3.0)?, row(1.0)?], &BuildOptions::default())?;
-/// let grown = Affine::new([[2.0, 0.0, 0.0, 0.0], [0.0, 2.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0]])?;
+/// let grown = AffineMap::new([[2.0, 0.0, 0.0, 0.0], [0.0, 2.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0]])?;
 /// let scene = assembly.add_group(vec![Instance { object: row, affine: grown }], &BuildOptions::default())?;
 ///
 /// let tracer = InstanceTracer::new(&assembly, scene, Method::Hashed)?;
@@ -218,13 +218,14 @@ impl<'a> InstanceTracer<'a> {
             None => {}
             Some(AnyLevel::Mesh(level, bvh)) => {
                 let region = bvh.region();
-                let test = kernel::Enclosed::new(&ray, [tmin, search.ray.tmax()], region);
+                let test = kernel::EnclosedTest::new(&ray, [tmin, search.ray.tmax()], region);
                 let leaves = Triangles { tracer: self, bvh, test };
-                let walk = Walk { bvh, slabs: slabs::Enclosed::of(&ray, tmin, region), leaves, search: &mut *search };
+                let walk =
+                    Walk { bvh, slabs: slabs::EnclosedSlabs::of(&ray, tmin, region), leaves, search: &mut *search };
                 level.run(bvh, octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
             }
             Some(AnyLevel::Group(level, Group { instances, bvh, .. })) => {
-                let slabs = slabs::Enclosed::of(&ray, tmin, bvh.region());
+                let slabs = slabs::EnclosedSlabs::of(&ray, tmin, bvh.region());
                 let leaves = Instances { tracer: self, bvh, placed: instances, ray };
                 let walk = Walk { bvh, slabs, leaves, search: &mut *search };
                 level.run(bvh, octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
@@ -240,7 +241,7 @@ impl<'a> InstanceTracer<'a> {
     }
 
     /// The maps of the instances on a path, from the outermost on.
-    fn maps(&self, path: &[u32]) -> Vec<&Affine> {
+    fn maps(&self, path: &[u32]) -> Vec<&AffineMap> {
         let (mut object, mut maps) = (self.root, Vec::new());
         for &index in path {
             if let Some(Part::Group(group)) = self.assembly.part(object) {

@@ -5,7 +5,7 @@ use crate::geom::Mesh;
 use crate::geom::kernel::Exact;
 use crate::geom::slabs::Directed;
 use crate::geom::{Aabb, Ray};
-use crate::order::{ByNode, Flow, LeftFirst, SignOrder, Visitor};
+use crate::order::{ByNode, Flow, LeftOrder, SignOrder, Visitor};
 use crate::tree::{Node, Topology};
 
 /// The traversal that all others are measured by.
@@ -63,7 +63,7 @@ fn compare_on_tree(bvh: &Bvh, boxes: &[Aabb], ray: &Ray, truth: Option<(u32, [u3
     walk(bvh, bvh.root(), &mut nearest);
     assert_eq!(nearest.hit().is_some(), truth.is_some(), "{ray:?}");
 
-    let mut by_node = ByNode { test: ClosestByNode::new(bvh, boxes, ray), order: LeftFirst };
+    let mut by_node = ByNode { test: ClosestByNode::new(bvh, boxes, ray), order: LeftOrder };
     walk(bvh, bvh.root(), &mut by_node);
     assert_eq!(bits(by_node.test.hit()), truth, "{ray:?}");
 

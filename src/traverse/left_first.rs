@@ -11,7 +11,7 @@ use crate::tree::{Node, Topology};
 /// Two integers, the start of a level and an index in it, are all the state. `[LEFT-1]`
 ///
 /// The visitor accepts a node with `Both { first: Left }` or rejects it with `Neither`
-/// ([`ByNode`](crate::order::ByNode) with [`order::LeftFirst`](crate::order::LeftFirst) does): there are no other
+/// ([`ByNode`](crate::order::ByNode) with [`order::LeftOrder`](crate::order::LeftOrder) does): there are no other
 /// descents here.
 #[derive(Debug)]
 pub struct LeftFirst<W, L> {

@@ -81,7 +81,7 @@ impl<T: Topology, O: FixedOrder> Cursor for Skip<'_, T, O> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::order::LeftFirst;
+    use crate::order::LeftOrder;
     use crate::tree::Tree;
 
     #[test]
@@ -89,7 +89,7 @@ mod tests {
         let leaf = None;
         let children = [Some([1, 2]), Some([3, 4]), leaf, leaf, Some([5, 6]), leaf, Some([7, 8]), leaf, leaf];
         let tree = Tree::new(&children).unwrap();
-        let skips = Skips::of(&tree, &LeftFirst);
+        let skips = Skips::of(&tree, &LeftOrder);
         let after: Vec<_> = (0..9).map(|slot| skips.after(slot).index()).collect();
         assert_eq!(after, [0, 2, 0, 4, 2, 6, 2, 8, 2]);
     }

@@ -134,7 +134,7 @@ traversals! {
         help: "A counter in an implicit tree, left before right; nodes are tested at their visit.",
         tests: NodeLeftFirst, links: Nothing, needs: Layout, words: Any, without: LeftFirst,
         state: |word, _| 2 * word,
-        cursor: ByNode |from| Ok((LeftFirst::new(from.tree(), from.layout()?)?, order::LeftFirst)),
+        cursor: ByNode |from| Ok((LeftFirst::new(from.tree(), from.layout()?)?, order::LeftOrder)),
     }
     ImplicitA {
         name: "implicit-a", by: "Barringer & Akenine-Möller 2013, Alg. 2", clause: "IMPLICIT-1",
@@ -274,7 +274,7 @@ traversals! {
         help: "Each node names the one after its subtree, in a fixed order.",
         tests: NodeLeftFirst, links: Nothing, needs: Skips, words: None, without: Skip,
         state: |_, _| NODE,
-        cursor: ByNode |from| Ok((Skip::new(from.tree(), from.skips()?, order::LeftFirst), order::LeftFirst)),
+        cursor: ByNode |from| Ok((Skip::new(from.tree(), from.skips()?, order::LeftOrder), order::LeftOrder)),
     }
     SkipOctant {
         name: "skip-octant", by: "Boulos & Haines 2006", clause: "SKIP-1",

@@ -79,7 +79,7 @@ impl Beside {
             layout: needs(Need::Layout).then(|| Layout::of(tree, implicit_depth)),
             complete: needs(Need::Complete).then(|| Complete::of(tree)),
             chains: needs(Need::Chains).then(|| Glassner::of(tree)),
-            skips: needs(Need::Skips).then(|| Skips::of(tree, &order::LeftFirst)),
+            skips: needs(Need::Skips).then(|| Skips::of(tree, &order::LeftOrder)),
             skips_by_sign: octants.map(|octant| Skips::of(tree, &SignOrder { axes, octant })).collect(),
         }
     }

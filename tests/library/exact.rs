@@ -6,7 +6,7 @@ use stackless_bvh::generate::{procedural, stress};
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{ByNode, LeftFirst, SignOrder};
+use stackless_bvh::order::{ByNode, LeftOrder, SignOrder};
 use stackless_bvh::trace::{Accuracy, Closest, ClosestByNode, Hit, KernelName, SlabsName, Truth};
 use stackless_bvh::traverse::Method;
 use stackless_check::{Stress, check_boxes};
@@ -53,7 +53,7 @@ fn answers(bvh: &Bvh, ray: &Ray) -> [Option<[u32; 4]>; 3] {
     let boxes = bvh.own_boxes();
     let mut nearer_first = Closest::new(bvh, ray);
     oracle::traverse(bvh, &mut nearer_first, &mut ());
-    let mut left_first = ByNode { test: ClosestByNode::new(bvh, &boxes, ray), order: LeftFirst };
+    let mut left_first = ByNode { test: ClosestByNode::new(bvh, &boxes, ray), order: LeftOrder };
     oracle::traverse(bvh, &mut left_first, &mut ());
     // Against the ray: the farther child first.
     let order = SignOrder { axes: bvh.axes(), octant: !ray.octant() & 7 };

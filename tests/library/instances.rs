@@ -8,7 +8,7 @@ use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions};
 use stackless_bvh::generate::stress;
 use stackless_bvh::generate::{Rng, Source};
 use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::{Affine, Ray};
+use stackless_bvh::geom::{AffineMap, Ray};
 use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceError, InstanceHit, InstanceTracer, Object};
 use stackless_bvh::traverse::Method;
 use stackless_check::{Flat, Hierarchies, check_answer, check_instances};
@@ -138,7 +138,7 @@ fn what_is_behind_a_hit_is_not_entered() {
     let bvh = Bvh::sah(&stress::icosphere(3, 1.0, Vec3::ZERO).expect("a mesh"), SahOptions::default()).expect("a tree");
     let (mut assembly, options) = (Assembly::new(), options(Builder::Sah, 1));
     let object = assembly.add_mesh(&bvh);
-    let place = |i: u8| Affine::translation(Vec3::Z * f32::from(i) * 3.0).expect("a map");
+    let place = |i: u8| AffineMap::translation(Vec3::Z * f32::from(i) * 3.0).expect("a map");
     let instances = (0..64).map(|i| Instance { object, affine: place(i) }).collect();
     let row = assembly.add_group(instances, &options).expect("a group");
     let tracer = InstanceTracer::new(&assembly, row, Method::Hashed).expect("any tree");
@@ -160,7 +160,7 @@ fn what_cannot_be_placed_is_refused_by_name() {
     let (bvh, options) = (triangle(), BuildOptions::default());
     let mut assembly = Assembly::new();
     let mesh = assembly.add_mesh(&bvh);
-    let place = |object| Instance { object, affine: Affine::IDENTITY };
+    let place = |object| Instance { object, affine: AffineMap::IDENTITY };
     let mut other = Assembly::new();
     other.add_mesh(&bvh);
     let unknown = other.add_group(vec![place(mesh)], &options).expect("a group");
@@ -169,7 +169,7 @@ fn what_cannot_be_placed_is_refused_by_name() {
         refusal(assembly.add_group(vec![place(mesh), place(unknown)], &options)),
         "instance 1: object 1 is not one of the 1 of this assembly"
     );
-    let wide = |x| Affine::new([[x, x, 0.0, 0.0], [0.0, x, 0.0, 0.0], [0.0, 0.0, 1.0, f32::MAX]]).expect("a map");
+    let wide = |x| AffineMap::new([[x, x, 0.0, 0.0], [0.0, x, 0.0, 0.0], [0.0, 0.0, 1.0, f32::MAX]]).expect("a map");
     let far = Instance { object: mesh, affine: wide(f32::MAX) };
     assert_eq!(
         refusal(assembly.add_group(vec![place(mesh), far], &options)),
@@ -188,7 +188,7 @@ fn levels_end_where_they_must() {
     let (bvh, options) = (triangle(), BuildOptions::default());
     let mut assembly = Assembly::new();
     let (mut object, mut expected) = (assembly.add_mesh(&bvh), Vec::new());
-    let half = Affine::new([[0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, 0.5, 1.0]]).expect("a map");
+    let half = AffineMap::new([[0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, 0.5, 1.0]]).expect("a map");
     let ray = Ray::within(Vec3::new(0.0, 0.0, -8.0), Vec3::Z, 0.0, 100.0).expect("a ray");
     let (mut height, mut bytes) = (0.0, Vec::new());
     for levels in 1..=Assembly::MAX_LEVELS {

@@ -9,7 +9,7 @@ use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::{Family, Kind, Rng, Search, Source, Tape};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{ByNode, Descent, Flow, LeftFirst, NodeTest, Pruned, Side, Visitor};
+use stackless_bvh::order::{ByNode, Descent, Flow, LeftOrder, NodeTest, Pruned, Side, Visitor};
 use stackless_bvh::traverse::{Method, Tables};
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
 
@@ -180,7 +180,7 @@ fn write(text: &mut String, index: u32, case: &Case) -> std::fmt::Result {
     )?;
 
     let by_oracle = case.record(|scribe, visits| {
-        oracle::traverse(&case.tree, &mut ByNode { test: scribe, order: LeftFirst }, visits);
+        oracle::traverse(&case.tree, &mut ByNode { test: scribe, order: LeftOrder }, visits);
     });
     let (said, visits) = case.run(&tables, Method::LeftFirst);
     assert_eq!(keys(&visits), keys(&by_oracle.1));

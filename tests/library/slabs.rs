@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
-use stackless_bvh::geom::slabs::{Centred, Directed, Enclosed, Intervals, Plain, Slabs, TwoSided, Wide};
+use stackless_bvh::geom::slabs::{Centred, Directed, EnclosedSlabs, Intervals, Plain, Slabs, TwoSided, Wide};
 use stackless_bvh::geom::{Aabb, Ray, Region};
 use stackless_bvh::geom::{EnclosedRay, Interval, truth};
 use stackless_check::check_slabs;
@@ -77,7 +77,7 @@ proptest! {
         holds::<Plain>(&ray, a, b, false)?;
         holds::<TwoSided>(&ray, a, b, false)?;
         holds::<Directed>(&ray, a, b, true)?;
-        holds::<Enclosed>(&ray, a, b, true)?;
+        holds::<EnclosedSlabs>(&ray, a, b, true)?;
     }
 
     /// Every ray at a corner of the bounds, or in the middle, and ends that are rounded as the distance of a hit is.
@@ -93,7 +93,7 @@ proptest! {
             if wide == 0.0 { Interval::exact(x) } else { Interval::between([x - most, x + most]) }
         }).collect();
         let rays = EnclosedRay { origin: [bounds[0], bounds[1], bounds[2]], direction: [bounds[3], bounds[4], bounds[5]] };
-        let slabs = Enclosed::of(&rays, ray.tmin(), &Region::of(&a.union(b)));
+        let slabs = EnclosedSlabs::of(&rays, ray.tmin(), &Region::of(&a.union(b)));
         let Intervals { hit: hits, near: nears, .. } = slabs.pair(&planes([a, b]), ray.tmax());
         for corner in 0..65 {
             let pick = |k: usize| {
@@ -145,7 +145,7 @@ proptest! {
         let great = Aabb { lo: Vec3::splat(-f32::MAX), hi: Vec3::splat(f32::MAX) };
         for region in [aabb, great].map(|aabb| Region::of(&aabb)) {
             prop_assert!(is_right(Directed::new(&ray, &region).one(&aabb, f32::INFINITY)));
-            prop_assert!(is_right(Enclosed::new(&ray, &region).one(&aabb, f32::INFINITY)));
+            prop_assert!(is_right(EnclosedSlabs::new(&ray, &region).one(&aabb, f32::INFINITY)));
             let [o, d] = [ray.origin(), ray.direction()].map(Vec3::as_dvec3);
             let wide = Wide::new(&Ray::new(o, d).expect("a ray"), &region);
             prop_assert!(is_right(wide.one(&aabb, f64::INFINITY).map(|near| near as f32)));

@@ -59,7 +59,7 @@ pub struct Goal {
 #[derive(Clone, Copy, Debug)]
 enum Of {
     Tree(fn(&Case) -> Option<Cost>),
-    Rays { triangles: usize, rays: usize, cost: fn(&stress::Case) -> Option<Cost> },
+    Rays { triangles: usize, rays: usize, cost: fn(&stress::StressCase) -> Option<Cost> },
 }
 
 /// What is searched.

@@ -6,7 +6,7 @@ use stackless_bvh::event::Trace;
 use stackless_bvh::generate::{Outcome, Search};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{ByNode, LeftFirst, Pruned, Pruning, SignOrder, Whole};
+use stackless_bvh::order::{ByNode, LeftOrder, Pruned, Pruning, SignOrder, Whole};
 use stackless_bvh::traverse::{
     Beside, Method, PruningStack, Stack, Tables, Test, Unfit, VerifiedTables, WithWord, WordName, traverse_pruned,
     with_word,
@@ -154,7 +154,7 @@ impl Oracle {
         let trace = match test {
             Test::Children | Test::Disjoint | Test::Distance => Self::trace(tree, test, &mut search, memory),
             Test::NodeLeftFirst => {
-                let by_node = ByNode { test: &mut search, order: LeftFirst };
+                let by_node = ByNode { test: &mut search, order: LeftOrder };
                 Self::trace(tree, test, &mut Whole(by_node), memory)
             }
             Test::NodeBySign => {

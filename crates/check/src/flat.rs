@@ -7,7 +7,7 @@ use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Bvh};
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::truth::{RBig, round_f32};
-use stackless_bvh::geom::{Affine, Ray};
+use stackless_bvh::geom::{AffineMap, Ray};
 use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceHit, InstanceTracer, Object};
 
 type Vector = [IBig; 3];
@@ -18,7 +18,7 @@ pub enum Shape {
     /// Triangles.
     Mesh(Mesh),
     /// Indices of earlier shapes, and their places.
-    Group(Vec<(usize, Affine)>),
+    Group(Vec<(usize, AffineMap)>),
 }
 
 /// The hierarchies of shapes, from which an assembly of them is made.
@@ -52,7 +52,7 @@ impl Hierarchies {
             match (shape, bvh) {
                 (Shape::Mesh(_), Some(bvh)) => objects.push(assembly.add_mesh(bvh)),
                 (Shape::Group(instances), _) => {
-                    let place = |&(shape, affine): &(usize, Affine)| {
+                    let place = |&(shape, affine): &(usize, AffineMap)| {
                         objects.get(shape).map(|&object| Instance { object, affine })
                     };
                     let group = instances.iter().filter_map(place).collect();
@@ -159,7 +159,7 @@ impl Flat {
 
 type Moved = (Vec<u32>, u32, [[RBig; 3]; 3]);
 
-fn collect(shapes: &[Shape], shape: usize, path: &mut Vec<u32>, maps: &mut Vec<Affine>, found: &mut Vec<Moved>) {
+fn collect(shapes: &[Shape], shape: usize, path: &mut Vec<u32>, maps: &mut Vec<AffineMap>, found: &mut Vec<Moved>) {
     match shapes.get(shape) {
         None => {}
         Some(Shape::Mesh(mesh)) => {

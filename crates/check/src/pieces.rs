@@ -82,7 +82,7 @@ impl<'c, W: KeyWord, T: Topology> Supply<'c, W> for OfPiece<'c, T> {
     type Layout = &'c PieceTable<KeyMap>;
     type Complete = &'c PieceTable<KeyMap>;
     type Chains = &'c PieceTable<KeyMap>;
-    type BySign = order::LeftFirst;
+    type BySign = order::LeftOrder;
 
     fn tree(&self) -> &'c Piece<'c, T> {
         self.piece
@@ -92,8 +92,8 @@ impl<'c, W: KeyWord, T: Topology> Supply<'c, W> for OfPiece<'c, T> {
         Vec::new()
     }
 
-    fn by_sign(&self) -> order::LeftFirst {
-        order::LeftFirst
+    fn by_sign(&self) -> order::LeftOrder {
+        order::LeftOrder
     }
 
     fn reached_keys(&self) -> Result<Self::Hash, Unfit> {

@@ -10,7 +10,7 @@ use stackless_bvh::geom::{Aabb, Ray};
 use stackless_bvh::hash::mix;
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{ByNode, Flow, LeftFirst, NodeTest, Pruned, SignOrder};
+use stackless_bvh::order::{ByNode, Flow, LeftOrder, NodeTest, Pruned, SignOrder};
 use stackless_bvh::trace::{AnyByNode, ClosestByNode, Hit, Truth};
 use stackless_bvh::traverse::{Beside, Method, Tables, Test, Unfit, VerifiedTables, WordName};
 use stackless_bvh::tree::{Implicit, Keys, Node, Topology};
@@ -161,7 +161,7 @@ impl Run for Recursion {
             Test::Children | Test::Disjoint | Test::Distance => {
                 oracle::traverse_pruned(scene.bvh, scene.bvh.root(), self.0.pruning(), test, watch);
             }
-            Test::NodeLeftFirst => oracle::traverse(scene.bvh, &mut ByNode { test, order: LeftFirst }, watch),
+            Test::NodeLeftFirst => oracle::traverse(scene.bvh, &mut ByNode { test, order: LeftOrder }, watch),
             Test::NodeBySign => {
                 let order = SignOrder { axes: scene.bvh.axes(), octant: ray.octant() };
                 oracle::traverse(scene.bvh, &mut ByNode { test, order }, watch);

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, SahOptions};
-use stackless_bvh::generate::stress::Case;
+use stackless_bvh::generate::stress::StressCase;
 use stackless_bvh::geom::{Kernel, Slabs};
 use stackless_bvh::trace::{Form, Hit, KernelName, NodeSearch, Query, SlabsName, Truth, WithTests, with_tests};
 use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
@@ -34,7 +34,7 @@ impl Errors {
 /// A case with its true answers and its hierarchies.
 #[derive(Debug)]
 pub struct Stress<'c> {
-    case: &'c Case,
+    case: &'c StressCase,
     truth: Vec<Option<Hit>>,
     /// By surface area, complete, and with triangles in parts that have been moved about.
     trees: [Bvh; 3],
@@ -45,7 +45,7 @@ impl<'c> Stress<'c> {
     ///
     /// # Errors
     /// Those of building; the cases of [`stress`](stackless_bvh::generate::stress) have none.
-    pub fn new(case: &'c Case) -> Result<Self, BuildError> {
+    pub fn new(case: &'c StressCase) -> Result<Self, BuildError> {
         let truth = Truth::new(&case.mesh);
         let truth = case.rays.iter().map(|ray| truth.closest(ray).map(|hit| hit.rounded())).collect();
         let in_parts = BuildOptions { builder: Builder::Spatial, reinsertion: 2, ..BuildOptions::default() };

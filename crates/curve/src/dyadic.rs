@@ -2,7 +2,7 @@
 
 use stackless_bvh::hash::Lookup;
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::order::LeftFirst;
+use stackless_bvh::order::LeftOrder;
 use stackless_bvh::traverse::{Skips, Supply, Unfit};
 use stackless_bvh::tree::{Node, Recorded, Topology};
 
@@ -111,7 +111,7 @@ impl<'t> Supply<'t, u32> for &'t Dyadic {
     type Layout = Self;
     type Complete = Self;
     type Chains = Self;
-    type BySign = LeftFirst;
+    type BySign = LeftOrder;
 
     fn tree(&self) -> Self {
         self
@@ -121,8 +121,8 @@ impl<'t> Supply<'t, u32> for &'t Dyadic {
         Vec::new()
     }
 
-    fn by_sign(&self) -> LeftFirst {
-        LeftFirst
+    fn by_sign(&self) -> LeftOrder {
+        LeftOrder
     }
 
     fn reached_keys(&self) -> Result<Self, Unfit> {

@@ -8,7 +8,7 @@ use stackless_bvh::event::Trace;
 use stackless_bvh::generate::{Rng, Source};
 use stackless_bvh::geom::truth::RBig;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{ByNode, LeftFirst};
+use stackless_bvh::order::{ByNode, LeftOrder};
 use stackless_bvh::traverse::Test;
 use stackless_bvh::tree::{Node, Parents, Topology, Uncles};
 
@@ -151,9 +151,9 @@ fn by_oracle(test: Test, depth: u32, search: &Search<2>) -> (Closest, Trace) {
         oracle::traverse(&tree, &mut search.level(Some(&lower)), &mut trace);
     } else {
         let lower = |level: &mut search::Level<'_, 2>| {
-            oracle::traverse(&tree, &mut ByNode { test: level, order: LeftFirst }, &mut ());
+            oracle::traverse(&tree, &mut ByNode { test: level, order: LeftOrder }, &mut ());
         };
-        oracle::traverse(&tree, &mut ByNode { test: search.level(Some(&lower)), order: LeftFirst }, &mut trace);
+        oracle::traverse(&tree, &mut ByNode { test: search.level(Some(&lower)), order: LeftOrder }, &mut trace);
     }
     (search.closest(), trace)
 }

@@ -30,7 +30,7 @@ pub enum Ask {
     Encode { leaf: bool, index: u32 },
     Decode { word: String },
     HashedKeys { children: Children, reach: [u32; 2] },
-    Lookup(Lookup),
+    Lookup(LookupTable),
     Build(Build),
     Trace(Walk),
     Resume(Walk),
@@ -53,7 +53,7 @@ impl Ask {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[allow(missing_docs, reason = "spec/suite/INTERPRETING.md describes each field")]
-pub struct Lookup {
+pub struct LookupTable {
     pub displacements: Vec<String>,
     pub cells: Vec<String>,
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -105,7 +105,7 @@ pub enum Strength {
 /// A case. Its input is an [`Ask`](super::Ask).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Case {
+pub struct SuiteCase {
     /// Permanent: `level/profile/name`.
     pub id: String,
     /// What it is about.
@@ -146,7 +146,7 @@ pub struct Profile {
     /// Its name, within the level.
     pub profile: String,
     /// The cases.
-    pub cases: Vec<Case>,
+    pub cases: Vec<SuiteCase>,
 }
 
 impl Profile {
@@ -272,7 +272,7 @@ impl Suite {
     }
 
     /// Each case with its profile.
-    pub fn cases(&self) -> impl Iterator<Item = (&Profile, &Case)> {
+    pub fn cases(&self) -> impl Iterator<Item = (&Profile, &SuiteCase)> {
         self.profiles.iter().flat_map(|profile| profile.cases.iter().map(move |case| (profile, case)))
     }
 }
@@ -285,7 +285,7 @@ fn load_profile(path: &Path) -> Result<Profile, SuiteError> {
         return Err(SuiteError::Version { path: name(), found: profile.suite });
     }
     let (prefix, mut seen) = (profile.name(), std::collections::HashSet::new());
-    for Case { id, .. } in &profile.cases {
+    for SuiteCase { id, .. } in &profile.cases {
         if !id.strip_prefix(&prefix).is_some_and(|rest| rest.starts_with('/')) {
             return Err(SuiteError::Place { path: name(), id: id.clone(), prefix });
         }

@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 use super::ask::{Ask, Build};
 use super::author::{depth_if_tree, keys_of};
 use super::bits::Bits;
-use super::{Answer, Case, Expect, Feature, Hello};
+use super::{Answer, Expect, Feature, Hello, SuiteCase};
 
 /// What is wrong with an answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -63,7 +63,7 @@ impl std::error::Error for Flaw {}
 ///
 /// # Errors
 /// The first flaw.
-pub fn judge(case: &Case, hello: &Hello, answer: &Answer) -> Result<(), Flaw> {
+pub fn judge(case: &SuiteCase, hello: &Hello, answer: &Answer) -> Result<(), Flaw> {
     let has = |feature| hello.features.contains(&feature);
     let expect = if is_too_deep(case, hello) { &Expect::Reject("too-deep".to_owned()) } else { &case.expect };
     let result = match (expect, answer) {
@@ -111,7 +111,7 @@ pub fn judge(case: &Case, hello: &Hello, answer: &Answer) -> Result<(), Flaw> {
 }
 
 /// Whether the implementation has said that it does not carry the case's tree.
-fn is_too_deep(case: &Case, hello: &Hello) -> bool {
+fn is_too_deep(case: &SuiteCase, hello: &Hello) -> bool {
     let Some(limit) = hello.limits.max_depth else { return false };
     let is_walk = case.id.starts_with("trace/") || case.id.starts_with("resume/");
     if !is_walk || matches!(case.expect, Expect::Reject(_)) {
@@ -216,7 +216,7 @@ fn lowest_postponed(key: &Bits, trail: &Bits) -> Bits {
 }
 
 /// Whether a table that was built leads each key of the tree to its node. `[HASH-9]`
-fn judge_table(case: &Case, result: &Map<String, Value>) -> Result<(), Flaw> {
+fn judge_table(case: &SuiteCase, result: &Map<String, Value>) -> Result<(), Flaw> {
     let wrong = |what: String| Err(Flaw::Table(what));
     let Ok(Ask::Build(Build { children, reach, sizes })) = Ask::of(&case.input) else {
         return wrong("nobody has asked for one".to_owned());

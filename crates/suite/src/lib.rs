@@ -21,12 +21,12 @@ mod text;
 mod waivers;
 mod walk;
 
-pub use ask::{Ask, Best, Build, Children, Lookup, Query, Rays, Start, Walk};
-pub use case::{Case, Expect, Feature, Level, Profile, Strength, Suite, SuiteError, VERSION};
+pub use ask::{Ask, Best, Build, Children, LookupTable, Query, Rays, Start, Walk};
+pub use case::{Expect, Feature, Level, Profile, Strength, Suite, SuiteCase, SuiteError, VERSION};
 pub use judge::{Flaw, judge};
 pub use own::{Library, RaysError};
 pub use protocol::{Answer, Hello, Implementation, Limits, PROTOCOL, Reply, serve};
-pub use report::{Outcome, Report, Verdict};
+pub use report::{CaseResult, Outcome, Report};
 pub use runner::{RunError, Runner};
 pub use waivers::{WaiverError, Waivers};
 pub use walk::WalkError;

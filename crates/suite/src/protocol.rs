@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use super::text::object;
-use super::{Case, Feature, Level, Profile};
+use super::{Feature, Level, Profile, SuiteCase};
 
 /// Version of the protocol.
 pub const PROTOCOL: u32 = 1;
@@ -42,7 +42,7 @@ pub struct Hello {
 
 impl Hello {
     /// Whether a case is put to the implementation: it has named the profile, and has the features.
-    pub fn asks_for(&self, profile: &Profile, case: &Case) -> bool {
+    pub fn asks_for(&self, profile: &Profile, case: &SuiteCase) -> bool {
         self.profiles.contains(&profile.name()) && case.features.iter().all(|feature| self.features.contains(feature))
     }
 }

@@ -56,7 +56,7 @@ impl fmt::Display for Outcome {
 
 /// A case, and what came of it.
 #[derive(Clone, Debug)]
-pub struct Verdict {
+pub struct CaseResult {
     /// Of the case.
     pub id: String,
     /// Of the case.
@@ -69,7 +69,7 @@ pub struct Verdict {
     pub waived: Option<String>,
 }
 
-impl Verdict {
+impl CaseResult {
     /// Whether the implementation does not conform for this: a must that is not waived, or a waiver that has grown old.
     pub const fn is_failure(&self) -> bool {
         match self.waived {
@@ -85,7 +85,7 @@ pub struct Report {
     /// What the implementation has said of itself.
     pub hello: Hello,
     /// Of each case, in order.
-    pub verdicts: Vec<Verdict>,
+    pub verdicts: Vec<CaseResult>,
     /// What is wrong beside the cases.
     pub faults: Vec<String>,
 }
@@ -93,7 +93,7 @@ pub struct Report {
 impl Report {
     /// Whether nothing failed, and every waiver still fails.
     pub fn is_conforming(&self) -> bool {
-        self.faults.is_empty() && !self.verdicts.iter().any(Verdict::is_failure)
+        self.faults.is_empty() && !self.verdicts.iter().any(CaseResult::is_failure)
     }
 
     /// Number of cases with this outcome, waived ones apart.
@@ -126,7 +126,7 @@ impl Report {
             faults: Vec<String>,
             cases: Vec<Row>,
         }
-        let row = |verdict: &Verdict| Row {
+        let row = |verdict: &CaseResult| Row {
             id: verdict.id.clone(),
             clauses: verdict.clauses.clone(),
             strength: verdict.strength,

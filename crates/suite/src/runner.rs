@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::process::{Heard, Process};
 use super::protocol::Request;
-use super::{Case, Hello, Outcome, PROTOCOL, Profile, Reply, Report, Suite, Verdict, Waivers, judge};
+use super::{CaseResult, Hello, Outcome, PROTOCOL, Profile, Reply, Report, Suite, SuiteCase, Waivers, judge};
 
 /// A run to be.
 #[derive(Debug)]
@@ -57,7 +57,7 @@ impl Runner<'_> {
     ///
     /// # Errors
     /// [`RunError`], where there is nothing to report about.
-    pub fn run(&self, mut progress: impl FnMut(&Verdict)) -> Result<Report, RunError> {
+    pub fn run(&self, mut progress: impl FnMut(&CaseResult)) -> Result<Report, RunError> {
         let cases: Vec<_> = self.suite.cases().collect();
         if let Some(id) = self.waivers.ids().find(|id| !cases.iter().any(|(_, case)| case.id == *id)) {
             return Err(RunError::Waiver { id: id.to_owned() });
@@ -70,9 +70,9 @@ impl Runner<'_> {
             .collect();
         let to_ask = (0..cases.len()).filter(|&i| outcomes[i].is_none()).collect();
         let verdict = |i: usize, outcome: Outcome| {
-            let (_, Case { id, clauses, strength, .. }) = cases[i];
+            let (_, SuiteCase { id, clauses, strength, .. }) = cases[i];
             let waived = self.waivers.reason(id).map(ToOwned::to_owned);
-            Verdict { id: id.clone(), clauses: clauses.clone(), strength: *strength, outcome, waived }
+            CaseResult { id: id.clone(), clauses: clauses.clone(), strength: *strength, outcome, waived }
         };
         let mut told = |i: usize, outcome: &Outcome| progress(&verdict(i, outcome.clone()));
         let mut turn = Turn {
@@ -147,7 +147,7 @@ fn unknown_profiles(hello: &Hello, suite: &Suite) -> Vec<String> {
 /// What is asked of one start of the program after another.
 struct Turn<'a> {
     runner: &'a Runner<'a>,
-    cases: &'a [(&'a Profile, &'a Case)],
+    cases: &'a [(&'a Profile, &'a SuiteCase)],
     hello: &'a Hello,
     outcomes: &'a mut [Option<Outcome>],
     to_ask: VecDeque<usize>,

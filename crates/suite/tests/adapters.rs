@@ -190,7 +190,7 @@ fn the_schemas_name_all_that_there_is() {
     schema("waivers");
 }
 
-fn rejection(case: &stackless_suite::Case) -> Option<&str> {
+fn rejection(case: &stackless_suite::SuiteCase) -> Option<&str> {
     match &case.expect {
         stackless_suite::Expect::Reject(code) => Some(code),
         _ => None,

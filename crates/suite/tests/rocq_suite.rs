@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::Path;
 
-use stackless_suite::{Ask, Case, Children, Expect, author};
+use stackless_suite::{Ask, Children, Expect, SuiteCase, author};
 
 /// Of larger trees the examples would take megabytes, and minutes to evaluate.
 const MOST_NODES: usize = 70;
@@ -54,7 +54,7 @@ impl Script {
 }
 
 /// The example of a case, whose expectation is a trace with trails.
-fn example(case: &Case, number: usize) -> String {
+fn example(case: &SuiteCase, number: usize) -> String {
     let Ok(Ask::Trace(walk)) = Ask::of(&case.input) else { panic!("{}", case.id) };
     let Expect::Result(result) = &case.expect else { panic!("{}", case.id) };
     let strings = |field: &str| -> Vec<String> {
@@ -87,7 +87,7 @@ fn what_the_suite_expects_is_what_the_models_do() {
     let suite = author::suite();
     let profiles = suite.cases().filter(|(profile, _)| matches!(&*profile.name(), "trace/script" | "trace/complete"));
     let mut count = 0;
-    let nodes = |case: &Case| case.input["children"].as_array().map_or(0, Vec::len);
+    let nodes = |case: &SuiteCase| case.input["children"].as_array().map_or(0, Vec::len);
     for (_, case) in profiles.filter(|(_, case)| nodes(case) <= MOST_NODES) {
         text += &example(case, count);
         count += 1;

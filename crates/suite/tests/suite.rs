@@ -10,8 +10,8 @@ use stackless_bvh::traverse::{Method, Test, WordName};
 use stackless_bvh::tree::{Keys, Topology};
 use stackless_check::planted::{self, Instead, LAYERS, Planted, Seer};
 use stackless_suite::{
-    Answer, Ask, Case, Expect, Feature, Flaw, Hello, Implementation, Level, Library, Limits, PROTOCOL, Suite, author,
-    judge,
+    Answer, Ask, Expect, Feature, Flaw, Hello, Implementation, Level, Library, Limits, PROTOCOL, Suite, SuiteCase,
+    author, judge,
 };
 
 #[path = "suite/imports.rs"]
@@ -49,7 +49,7 @@ fn the_table_of_other_ray_tracers_has_each_case() {
     let suite = author::suite();
     let text = std::fs::read_to_string(root().join("PEERS.md")).unwrap();
     let rows: Vec<_> = text.lines().filter_map(|line| line.strip_prefix("| `ray/")?.split('`').next()).collect();
-    let has_hits = |case: &&Case| case.id.starts_with("ray/") && matches!(case.expect, Expect::Result(_));
+    let has_hits = |case: &&SuiteCase| case.id.starts_with("ray/") && matches!(case.expect, Expect::Result(_));
     let cases: Vec<_> =
         suite.cases().map(|(_, case)| case).filter(has_hits).map(|case| &case.id["ray/".len()..]).collect();
     assert_eq!(BTreeSet::from_iter(rows), BTreeSet::from_iter(cases));
@@ -64,7 +64,7 @@ fn the_suite_is_as_promised() {
     let bytes: usize = suite.files().iter().map(|(_, text)| text.len()).sum();
     assert!(bytes <= 20 << 20, "{bytes} bytes");
     for (_, case) in suite.cases() {
-        let Case { id, clauses, why, input, .. } = case;
+        let SuiteCase { id, clauses, why, input, .. } = case;
         assert!(!clauses.is_empty() && !why.is_empty() && !why.contains('\n'), "{id}");
         assert!(Ask::of(input).is_ok(), "{id}");
     }
@@ -167,11 +167,11 @@ fn seen(
     name: &str,
     clause: &str,
     seen_as: &str,
-    (asked, failed): (usize, Vec<(&Case, Flaw)>),
+    (asked, failed): (usize, Vec<(&SuiteCase, Flaw)>),
     suite: &Suite,
 ) -> Result<String, String> {
     // Clauses that say how, not what, are not seen from outside: what comes of it is.
-    let cites = |case: &Case, clause: &str| case.clauses.iter().any(|it| it == clause);
+    let cites = |case: &SuiteCase, clause: &str| case.clauses.iter().any(|it| it == clause);
     let clause = if suite.cases().any(|(_, case)| cites(case, clause)) { clause } else { seen_as };
     let of_clause: Vec<_> = failed.iter().filter(|(case, _)| cites(case, clause)).collect();
     let (failed, count) = (failed.len(), of_clause.len());
@@ -188,7 +188,7 @@ fn seen(
 }
 
 /// The cases that a planted traversal is asked, and those that it fails.
-fn failures<'s>(bug: &Planted, suite: &'s Suite) -> (usize, Vec<(&'s Case, Flaw)>) {
+fn failures<'s>(bug: &Planted, suite: &'s Suite) -> (usize, Vec<(&'s SuiteCase, Flaw)>) {
     let (mut asked, mut failed) = (0, Vec::new());
     for (profile, case) in suite.cases() {
         let fits = match (profile.level, profile.profile.as_str()) {
@@ -217,7 +217,7 @@ fn failures<'s>(bug: &Planted, suite: &'s Suite) -> (usize, Vec<(&'s Case, Flaw)
 }
 
 /// What a planted traversal shows, as an implementation would say it.
-fn answer(bug: &Planted, case: &Case) -> Option<(Vec<Feature>, Answer)> {
+fn answer(bug: &Planted, case: &SuiteCase) -> Option<(Vec<Feature>, Answer)> {
     let (Ask::Trace(walk) | Ask::ResumeDisjoint(walk)) = Ask::of(&case.input).unwrap() else { return None };
     let of_tree = walk.case().unwrap();
     // None of them says that it refuses: it would be right.

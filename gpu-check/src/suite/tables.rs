@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use stackless_bvh::hash::{KeySet, Mix, Options, Sizing};
 use stackless_bvh::tree::{Reach, Tree};
-use stackless_suite::{Answer, Ask, Build, Lookup};
+use stackless_suite::{Answer, Ask, Build, LookupTable};
 
 use super::{Device, hex, number, result};
 use crate::layout::{TableHead, encoded, halves, node_of};
@@ -83,7 +83,7 @@ impl<'g> Tables<'g> {
         }))
     }
 
-    fn look_up(&self, device: &Device<'_>, lookup: &Lookup) -> Result<Option<Answer>, GpuError> {
+    fn look_up(&self, device: &Device<'_>, lookup: &LookupTable) -> Result<Option<Answer>, GpuError> {
         let words = |texts: &[String]| {
             texts.iter().map(|text| number(text).and_then(|word| u32::try_from(word).ok())).collect::<Option<Vec<_>>>()
         };

@@ -7,16 +7,16 @@ use crate::geom::Aabb;
 
 pub(super) const RAYS: usize = 200;
 
-pub(super) fn named(name: &str) -> Case {
+pub(super) fn named(name: &str) -> StressCase {
     case(name, RAYS).unwrap_or_else(|| panic!("no case {name}"))
 }
 
 /// The triangle that a ray of most cases is aimed at.
-pub(super) fn aimed_at(case: &Case, i: usize) -> [Vec3; 3] {
+pub(super) fn aimed_at(case: &StressCase, i: usize) -> [Vec3; 3] {
     case.mesh.triangle(i % case.mesh.triangles().len())
 }
 
-fn vertices_and_numbers(case: &Case) -> impl Iterator<Item = f32> {
+fn vertices_and_numbers(case: &StressCase) -> impl Iterator<Item = f32> {
     let numbers = |ray: &Ray| {
         let ([a, b, c], [d, e, f]) = (ray.origin().to_array(), ray.direction().to_array());
         [a, b, c, d, e, f, ray.tmin(), ray.tmax()]

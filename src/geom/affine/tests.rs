@@ -18,9 +18,9 @@ fn vector<S: Strategy<Value = f32>>(number: fn() -> S) -> impl Strategy<Value = 
     [number(), number(), number()].prop_map(Vec3::from)
 }
 
-fn affine<S: Strategy<Value = f32>>(number: fn() -> S) -> impl Strategy<Value = Affine> {
+fn affine<S: Strategy<Value = f32>>(number: fn() -> S) -> impl Strategy<Value = AffineMap> {
     let row = move || [number(), number(), number(), number()];
-    [row(), row(), row()].prop_filter_map("singular", |rows| Affine::new(rows).ok())
+    [row(), row(), row()].prop_filter_map("singular", |rows| AffineMap::new(rows).ok())
 }
 
 fn exact(x: impl Into<f64>) -> RBig {
@@ -31,12 +31,12 @@ fn exact_vector(v: Vec3) -> [RBig; 3] {
     v.to_array().map(exact)
 }
 
-fn image(affine: &Affine, v: &[RBig; 3]) -> [RBig; 3] {
+fn image(affine: &AffineMap, v: &[RBig; 3]) -> [RBig; 3] {
     affine.rows().map(|[x, y, z, b]| exact(x) * &v[0] + exact(y) * &v[1] + exact(z) * &v[2] + exact(b))
 }
 
 /// The v with A v = w, by Cramer's rule.
-fn solution(affine: &Affine, w: &[RBig; 3]) -> [RBig; 3] {
+fn solution(affine: &AffineMap, w: &[RBig; 3]) -> [RBig; 3] {
     let a = affine.rows().map(|[x, y, z, _]| [x, y, z].map(exact));
     let determinant = |a: &[[RBig; 3]; 3]| {
         let minor = |p: usize, q: usize| &a[1][p] * &a[2][q] - &a[1][q] * &a[2][p];
@@ -133,7 +133,7 @@ proptest! {
 
 #[test]
 fn maps_without_an_inverse_are_refused_exactly() {
-    let map = |rows: [[f32; 3]; 3]| Affine::new(rows.map(|[x, y, z]| [x, y, z, 7.0]));
+    let map = |rows: [[f32; 3]; 3]| AffineMap::new(rows.map(|[x, y, z]| [x, y, z, 7.0]));
     // The last bit of a product that no double holds.
     let (x, next) = (1f32.next_up(), 1f32.next_up().next_up());
     let (flat, steep) =
@@ -149,21 +149,21 @@ fn maps_without_an_inverse_are_refused_exactly() {
 
 #[test]
 fn the_first_number_that_is_not_finite_is_named() {
-    let mut rows = *Affine::IDENTITY.rows();
+    let mut rows = *AffineMap::IDENTITY.rows();
     rows[1][3] = f32::INFINITY;
     assert_eq!(
-        Affine::new(rows).map_err(|error| error.to_string()),
+        AffineMap::new(rows).map_err(|error| error.to_string()),
         Err("row 1, column 3: inf, expected a finite number".to_owned())
     );
     rows[0][2] = f32::NAN;
-    assert!(matches!(Affine::new(rows), Err(AffineError::NotFinite { row: 0, column: 2, .. })));
-    assert_eq!(Affine::new(*Affine::IDENTITY.rows()), Ok(Affine::IDENTITY));
-    assert_eq!(Affine::translation(Vec3::ZERO), Ok(Affine::IDENTITY));
+    assert!(matches!(AffineMap::new(rows), Err(AffineError::NotFinite { row: 0, column: 2, .. })));
+    assert_eq!(AffineMap::new(*AffineMap::IDENTITY.rows()), Ok(AffineMap::IDENTITY));
+    assert_eq!(AffineMap::translation(Vec3::ZERO), Ok(AffineMap::IDENTITY));
 }
 
 #[test]
 fn what_needs_no_rounding_is_exact() {
-    let map = Affine::new([[0.0, 2.0, 0.0, 5.0], [0.0, 0.0, -4.0, 1.0], [0.5, 0.0, 0.0, 0.0]]).expect("a map");
+    let map = AffineMap::new([[0.0, 2.0, 0.0, 5.0], [0.0, 0.0, -4.0, 1.0], [0.5, 0.0, 0.0, 0.0]]).expect("a map");
     let aabb = Aabb { lo: Vec3::new(-1.0, 0.1, 2.0), hi: Vec3::new(1.0, 3.0, 2.5) };
     assert_eq!(map.image_of_box(&aabb), Aabb { lo: Vec3::new(5.2, -9.0, -0.5), hi: Vec3::new(11.0, -7.0, 0.5) });
     let ray = Ray::within(Vec3::new(5.0, 1.0, 0.0), Vec3::Y, 0.0, 1.0).expect("a ray");
@@ -175,12 +175,12 @@ fn what_needs_no_rounding_is_exact() {
 /// The images of whole numbers under whole maps are whole: the line to any point of an image is one of floats. `[INST-1]`
 #[test]
 fn whole_images_are_met_at_their_points() {
-    let inner = Affine::new([[2.0, 1.0, 0.0, 3.0], [0.0, 3.0, -1.0, -4.0], [1.0, 0.0, 5.0, 2.0]]).unwrap();
-    let outer = Affine::new([[0.0, -1.0, 2.0, 7.0], [4.0, 0.0, 1.0, 1.0], [-1.0, 2.0, 0.0, -6.0]]).unwrap();
+    let inner = AffineMap::new([[2.0, 1.0, 0.0, 3.0], [0.0, 3.0, -1.0, -4.0], [1.0, 0.0, 5.0, 2.0]]).unwrap();
+    let outer = AffineMap::new([[0.0, -1.0, 2.0, 7.0], [4.0, 0.0, 1.0, 1.0], [-1.0, 2.0, 0.0, -6.0]]).unwrap();
     let corners = [[1.0, 2.0, 3.0], [5.0, -4.0, 3.0], [-3.0, 2.0, 7.0]].map(Vec3::from);
     let origin = Vec3::new(11.0, -60.0, 35.0);
-    let apply = |map: &Affine, v: Vec3| Vec3::from(map.rows().map(|[x, y, z, b]| x * v.x + y * v.y + z * v.z + b));
-    let lists: [&[Affine]; 4] = [&[], &[inner], &[inner, outer], &[outer, inner, outer]];
+    let apply = |map: &AffineMap, v: Vec3| Vec3::from(map.rows().map(|[x, y, z, b]| x * v.x + y * v.y + z * v.z + b));
+    let lists: [&[AffineMap]; 4] = [&[], &[inner], &[inner, outer], &[outer, inner, outer]];
     for maps in lists {
         for [u, v] in [[0.25, 0.5], [0.5, 0.25], [0.125, 0.125]] {
             let point = corners[0] + (corners[1] - corners[0]) * u + (corners[2] - corners[0]) * v;

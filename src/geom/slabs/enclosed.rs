@@ -13,7 +13,7 @@ use crate::geom::{EnclosedRay, Ray, Region};
 /// and the second the upper one bounds the distances at which the box is touched. In single precision, with
 /// reciprocals that are moved as [`Directed`](super::Directed) moves them, this takes the same instructions.
 #[derive(Clone, Copy, Debug)]
-pub struct Enclosed {
+pub struct EnclosedSlabs {
     /// Greatest and least origin, in the lanes of lo and hi, twice.
     origin: [Vec4; 3],
     inverse: [Vec4; 3],
@@ -22,7 +22,7 @@ pub struct Enclosed {
     ray: EnclosedRay,
 }
 
-impl Enclosed {
+impl EnclosedSlabs {
     /// Prepares a ray from `tmin` on. `region` must hold all boxes that it is asked about.
     pub fn of(ray: &EnclosedRay, tmin: f32, region: &Region) -> Self {
         let lanes = [0, 1, 2].map(|axis| lanes(ray, axis));
@@ -89,7 +89,7 @@ fn lanes(ray: &EnclosedRay, axis: usize) -> Option<[[f32; 2]; 2]> {
     is_near.then_some([[o_most, o_least], inverse])
 }
 
-impl Slabs for Enclosed {
+impl Slabs for EnclosedSlabs {
     type Vector = Vec3;
 
     fn new(ray: &Ray, region: &Region) -> Self {

@@ -15,7 +15,7 @@ mod wide;
 
 pub use centred::{Centred, PADDING, Plain, TwoSided};
 pub use directed::{Directed, STEPS};
-pub use enclosed::Enclosed;
+pub use enclosed::EnclosedSlabs;
 pub use wide::{STRICT_STEPS, Wide};
 
 use std::fmt::Debug;

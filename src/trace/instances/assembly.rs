@@ -1,7 +1,7 @@
 //! What is placed where.
 
 use crate::bvh::{BuildError, BuildOptions, Bvh, Primitives};
-use crate::geom::{Aabb, Affine};
+use crate::geom::{Aabb, AffineMap};
 
 /// Objects that are made of other objects: hierarchies over meshes, and groups of placed objects that came before. So no
 /// object contains itself.
@@ -22,7 +22,7 @@ pub struct Instance {
     /// What is placed.
     pub object: Object,
     /// From the object's space to that of the group.
-    pub affine: Affine,
+    pub affine: AffineMap,
 }
 
 /// Why instances are not a group.

@@ -2,7 +2,7 @@
 
 use super::{Instance, InstanceCounts, InstanceTracer};
 use crate::bvh::{Bvh, LeafTriangle};
-use crate::geom::kernel::{self, Verdict};
+use crate::geom::kernel::{self, Certainty};
 use crate::geom::slabs::Intervals;
 use crate::geom::truth::round_f32;
 use crate::geom::{Aabb, EnclosedRay, Ray, Slabs, Triangle, slabs};
@@ -36,7 +36,7 @@ pub(super) struct Found {
     pub(super) prim: u32,
     pub(super) triangle: Triangle,
     /// The ray in the space of its mesh.
-    pub(super) test: kernel::Enclosed,
+    pub(super) test: kernel::EnclosedTest,
 }
 
 impl<'r> Search<'r> {
@@ -53,7 +53,7 @@ impl<'r> Search<'r> {
 
     /// Takes a hit that is not behind the best one so far, if it comes first: by distance, then by path, then by triangle.
     #[inline]
-    fn offer(&mut self, t: f32, held: &LeafTriangle, test: &kernel::Enclosed) {
+    fn offer(&mut self, t: f32, held: &LeafTriangle, test: &kernel::EnclosedTest) {
         let LeafTriangle { shape: triangle, prim } = *held;
         if let Some(best) = &self.found
             && t == self.t
@@ -76,7 +76,7 @@ pub(super) trait Leaves {
 /// A ray on its way.
 pub(super) struct Walk<'s, 'r, S, L> {
     pub(super) bvh: &'s Bvh<S>,
-    pub(super) slabs: slabs::Enclosed,
+    pub(super) slabs: slabs::EnclosedSlabs,
     pub(super) leaves: L,
     pub(super) search: &'s mut Search<'r>,
 }
@@ -119,7 +119,7 @@ impl<S, L: Leaves> BoxQuery for Walk<'_, '_, S, L> {
 pub(super) struct Triangles<'s> {
     pub(super) tracer: &'s InstanceTracer<'s>,
     pub(super) bvh: &'s Bvh,
-    pub(super) test: kernel::Enclosed,
+    pub(super) test: kernel::EnclosedTest,
 }
 
 impl Leaves for Triangles<'_> {
@@ -129,17 +129,17 @@ impl Leaves for Triangles<'_> {
         search.counts.triangles += 1;
         let verdict = if search.any {
             match self.test.blocks(&held.shape) {
-                Verdict::Hit(()) => Verdict::Hit(search.t),
-                Verdict::Miss => Verdict::Miss,
-                Verdict::Open => Verdict::Open,
+                Certainty::Hit(()) => Certainty::Hit(search.t),
+                Certainty::Miss => Certainty::Miss,
+                Certainty::Open => Certainty::Open,
             }
         } else {
             self.test.distance(&held.shape, search.t)
         };
         let t = match verdict {
-            Verdict::Hit(t) => Some(t),
-            Verdict::Miss => None,
-            Verdict::Open => self.ask_truth(&held.shape, search),
+            Certainty::Hit(t) => Some(t),
+            Certainty::Miss => None,
+            Certainty::Open => self.ask_truth(&held.shape, search),
         };
         if let Some(t) = t
             && t <= search.t

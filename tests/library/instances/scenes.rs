@@ -3,7 +3,7 @@
 use glam::{Mat3, Vec3};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::generate::{Rng, Source};
-use stackless_bvh::geom::Affine;
+use stackless_bvh::geom::AffineMap;
 use stackless_bvh::geom::Mesh;
 use stackless_check::Shape;
 
@@ -69,7 +69,7 @@ fn meshes() -> Vec<Shape> {
     vec![Shape::Mesh(octahedron()), Shape::Mesh(cuboid()), Shape::Mesh(procedural::soup(5, 6))]
 }
 
-fn one_group(rng: &mut Rng, n: usize, place: impl Fn(&mut Rng) -> Affine) -> Vec<Shape> {
+fn one_group(rng: &mut Rng, n: usize, place: impl Fn(&mut Rng) -> AffineMap) -> Vec<Shape> {
     let mut shapes = meshes();
     let instances = (0..n).map(|_| (rng.below(3) as usize, place(rng))).collect();
     shapes.push(Shape::Group(instances));
@@ -77,7 +77,7 @@ fn one_group(rng: &mut Rng, n: usize, place: impl Fn(&mut Rng) -> Affine) -> Vec
 }
 
 /// Meshes beside groups of meshes beside groups of those.
-fn nested(rng: &mut Rng, place: impl Fn(&mut Rng) -> Affine) -> Vec<Shape> {
+fn nested(rng: &mut Rng, place: impl Fn(&mut Rng) -> AffineMap) -> Vec<Shape> {
     let mut shapes = meshes();
     for n in [3, 2, 3] {
         let before = shapes.len();
@@ -91,8 +91,8 @@ fn nested(rng: &mut Rng, place: impl Fn(&mut Rng) -> Affine) -> Vec<Shape> {
 /// The same things in the same places, also by way of a group, and mirrored onto itself: ties.
 fn coincident(rng: &mut Rng) -> Vec<Shape> {
     let mut shapes = meshes();
-    let (place, identity) = (lattice(rng), Affine::IDENTITY);
-    let mirror = Affine::new([[-1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]).expect("a map");
+    let (place, identity) = (lattice(rng), AffineMap::IDENTITY);
+    let mirror = AffineMap::new([[-1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]).expect("a map");
     shapes.push(Shape::Group(vec![(1, identity), (0, mirror), (0, identity), (0, identity)]));
     let others = (0..3).map(|_| (rng.below(4) as usize, if rng.coin() { place } else { lattice(rng) }));
     let mut instances: Vec<_> = others.collect();
@@ -101,13 +101,13 @@ fn coincident(rng: &mut Rng) -> Vec<Shape> {
     shapes
 }
 
-fn affine(a: Mat3, b: Vec3) -> Option<Affine> {
+fn affine(a: Mat3, b: Vec3) -> Option<AffineMap> {
     let [x, y, z] = [a.row(0), a.row(1), a.row(2)];
-    Affine::new([[x.x, x.y, x.z, b.x], [y.x, y.y, y.z, b.y], [z.x, z.y, z.z, b.z]]).ok()
+    AffineMap::new([[x.x, x.y, x.z, b.x], [y.x, y.y, y.z, b.y], [z.x, z.y, z.z, b.z]]).ok()
 }
 
 /// The first map that has an inverse.
-fn map(rng: &mut Rng, entry: impl Fn(&mut Rng) -> f32) -> Affine {
+fn map(rng: &mut Rng, entry: impl Fn(&mut Rng) -> f32) -> AffineMap {
     loop {
         let column = |rng: &mut Rng| Vec3::new(entry(rng), entry(rng), entry(rng));
         let a = Mat3::from_cols(column(rng), column(rng), column(rng));
@@ -118,7 +118,7 @@ fn map(rng: &mut Rng, entry: impl Fn(&mut Rng) -> f32) -> Affine {
 }
 
 /// Axes onto axes, by powers of two, and small integers.
-fn lattice(rng: &mut Rng) -> Affine {
+fn lattice(rng: &mut Rng) -> AffineMap {
     let (first, odd) = (rng.below(3) as usize, rng.coin());
     let mut rows = [[0.0; 4]; 3];
     for (axis, row) in rows.iter_mut().enumerate() {
@@ -126,28 +126,28 @@ fn lattice(rng: &mut Rng) -> Affine {
         row[column] = [1.0, -1.0, 2.0, 0.5][rng.below(4) as usize];
         row[3] = rng.below(7) as f32 - 3.0;
     }
-    Affine::new(rows).expect("axes onto axes")
+    AffineMap::new(rows).expect("axes onto axes")
 }
 
 fn rotation(rng: &mut Rng) -> Mat3 {
     Mat3::from_axis_angle(vector(rng).try_normalize().unwrap_or(Vec3::X), 3.0 * unit(rng))
 }
 
-fn rotated(rng: &mut Rng) -> Affine {
+fn rotated(rng: &mut Rng) -> AffineMap {
     affine(rotation(rng), vector(rng) * 3.0).expect("a rotation")
 }
 
 /// As a whole, with what is placed.
-fn scaled(rng: &mut Rng, by: f32) -> Affine {
+fn scaled(rng: &mut Rng, by: f32) -> AffineMap {
     affine(rotation(rng) * by, vector(rng) * (3.0 * by.abs())).expect("not flat")
 }
 
-fn far(rng: &mut Rng) -> Affine {
+fn far(rng: &mut Rng) -> AffineMap {
     affine(rotation(rng), vector(rng) + Vec3::new(1e6, -3e5, 1e4)).expect("a rotation")
 }
 
 /// Rows that differ by little.
-fn nearly_flat(rng: &mut Rng) -> Affine {
+fn nearly_flat(rng: &mut Rng) -> AffineMap {
     let row = vector(rng);
     let near = |rng: &mut Rng| Vec3::from(row.to_array().map(|x| f32::from_bits(x.to_bits() + rng.below(3) as u32)));
     loop {

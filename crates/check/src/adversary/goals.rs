@@ -54,16 +54,16 @@ const fn tree(name: &'static str, about: &'static str, cost: CostOf<Case>) -> Go
 }
 
 /// Four rays through sixteen triangles.
-const fn scene(name: &'static str, about: &'static str, cost: CostOf<stress::Case>) -> Goal {
+const fn scene(name: &'static str, about: &'static str, cost: CostOf<stress::StressCase>) -> Goal {
     Goal { name, about, of: Of::Rays { triangles: 16, rays: 4, cost } }
 }
 
 /// Eight rays and four triangles, each with each.
-const fn few(name: &'static str, about: &'static str, cost: CostOf<stress::Case>) -> Goal {
+const fn few(name: &'static str, about: &'static str, cost: CostOf<stress::StressCase>) -> Goal {
     Goal { name, about, of: Of::Rays { triangles: 4, rays: 8, cost } }
 }
 
 /// One ray and one triangle.
-const fn pair(name: &'static str, about: &'static str, cost: CostOf<stress::Case>) -> Goal {
+const fn pair(name: &'static str, about: &'static str, cost: CostOf<stress::StressCase>) -> Goal {
     Goal { name, about, of: Of::Rays { triangles: 1, rays: 1, cost } }
 }

@@ -27,7 +27,7 @@ impl RayCase {
     ///
     /// # Errors
     /// [`AdversaryError`], for numbers that are not a mesh of triangles with an area, or not rays.
-    pub fn scene(&self, name: &'static str) -> Result<stress::Case, AdversaryError> {
+    pub fn scene(&self, name: &'static str) -> Result<stress::StressCase, AdversaryError> {
         let corners = self.triangles.iter().flatten().copied().map(Vec3::from).collect();
         let triangles = (0..self.triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
         let mesh = Mesh::new(corners, triangles)?;
@@ -39,7 +39,7 @@ impl RayCase {
             Ray::new(o.into(), d.into()).map_err(|error| AdversaryError::Ray { ray, error })
         };
         let rays = self.rays.iter().enumerate().map(ray).collect::<Result<_, _>>()?;
-        Ok(stress::Case { name, about: "found by a search", mesh, rays, closed: false })
+        Ok(stress::StressCase { name, about: "found by a search", mesh, rays, closed: false })
     }
 
     /// Random triangles about the origin, one time of four at whole numbers, with rays that are aimed at them.

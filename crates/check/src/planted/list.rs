@@ -7,7 +7,7 @@ use super::machine::{BUGS, Bug, Machine, Text};
 use super::mutants::mutants;
 use super::wrapped::{Mutation, Wrapped};
 use super::{LAYERS, Layer, Mistake, Planted, SHADERS, drive};
-use stackless_bvh::order::{ByNode, Descent, FixedOrder, LeftFirst, SignOrder, Whole};
+use stackless_bvh::order::{ByNode, Descent, FixedOrder, LeftOrder, SignOrder, Whole};
 use stackless_bvh::traverse::{Cursor, Hapala, Hashed, Skip, Skips, Stack, Test};
 use stackless_bvh::tree::{Linked, Topology};
 
@@ -138,8 +138,8 @@ fn given() -> Vec<Planted> {
         misrecorded("uncle: uncle and grand uncle changed places", Misrecord::GrandUncle),
         Planted::case("skip: pointers of the other order", "SKIP-1", |case, search, watcher| {
             let skips = Skips::of(&case.tree, &RightFirst);
-            let search = ByNode { test: search, order: LeftFirst };
-            drive(Skip::new(&case.tree, &skips, LeftFirst), &mut Whole(search), watcher);
+            let search = ByNode { test: search, order: LeftOrder };
+            drive(Skip::new(&case.tree, &skips, LeftOrder), &mut Whole(search), watcher);
         })
         .held_to(Test::NodeLeftFirst),
         Planted::case("hapala: the order of the opposite octant", "HAPALA-1", |case, search, watcher| {

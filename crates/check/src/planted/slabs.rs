@@ -11,7 +11,7 @@ use super::layers::{Instead, Mistake, marks};
 use crate::check_slabs;
 use stackless_bvh::generate::Source;
 use stackless_bvh::geom::kernel::Exact;
-use stackless_bvh::geom::slabs::{Directed, Enclosed, Intervals, Plain, TwoSided};
+use stackless_bvh::geom::slabs::{Directed, EnclosedSlabs, Intervals, Plain, TwoSided};
 use stackless_bvh::geom::{Aabb, Ray, Region, Slabs};
 
 pub(super) const MISTAKES: [Mistake; 11] = [
@@ -30,7 +30,7 @@ pub(super) const MISTAKES: [Mistake; 11] = [
 
 pub(super) const CONTROLS: [Mistake; 4] = [
     of::<Directed>("the directed test", "BOX-2"),
-    of::<Enclosed>("the test of enclosed rays", "INST-4"),
+    of::<EnclosedSlabs>("the test of enclosed rays", "INST-4"),
     of::<Spoilt<Nothing>>("the directed test, wrapped", "BOX-2"),
     of::<Spoilt<Plainly>>("the directed test, written plainly", "BOX-1"),
 ];

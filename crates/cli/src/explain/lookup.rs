@@ -62,7 +62,7 @@ fn node_of(word: u32, tree: &Tree) -> Option<u32> {
 
 /// A lookup by h(k) = ((k mod H) + d[k mod D]) mod H, or in one load where the bucket holds an address. `[HASH-1]`
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Lookup {
+pub struct HashLookup {
     /// The key, in binary.
     pub key: String,
     /// The number that it goes through the function as, in decimal: the key itself, unless the tree needs the remedy.
@@ -81,7 +81,7 @@ pub struct Lookup {
     pub node: Option<u32>,
 }
 
-impl Lookup {
+impl HashLookup {
     /// Each part by the definition, from the words of the tables.
     pub(super) fn of<W: KeyWord>(hash: &PerfectHash, key: &W, tree: &Tree) -> Self {
         let header = hash.header();

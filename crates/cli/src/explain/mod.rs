@@ -12,7 +12,7 @@ mod observe;
 mod ray;
 mod text;
 
-pub use lookup::{Entry, Lookup, Table};
+pub use lookup::{Entry, HashLookup, Table};
 pub use ray::of_ray;
 
 use serde::Serialize;
@@ -122,7 +122,7 @@ pub struct Next {
     pub by: By,
     /// The lookup, where a perfect hash was asked.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub lookup: Option<Lookup>,
+    pub lookup: Option<HashLookup>,
     /// Nodes whose records were read on the way, this one not counted.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub way: Vec<u32>,

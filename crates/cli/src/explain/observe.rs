@@ -2,14 +2,14 @@
 
 use std::cell::RefCell;
 
-use super::{ExplainError, Lookup, Table};
+use super::{ExplainError, HashLookup, Table};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::Search;
 use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{
-    ByNode, Descent, FixedOrder, Flow, LeftFirst, NodeTest, Pruned, Pruning, SignOrder, Visitor,
+    ByNode, Descent, FixedOrder, Flow, LeftOrder, NodeTest, Pruned, Pruning, SignOrder, Visitor,
 };
 use stackless_bvh::traverse::{Beside, Method, Need, Tables, Test};
 use stackless_bvh::tree::{Linked, Node, Parents, Reach, Recorded, Topology, Tree, Uncles};
@@ -30,7 +30,7 @@ pub(super) struct Seen {
     pub(super) found: Found,
     /// Nodes whose links were read, in order.
     pub(super) read: Vec<Node>,
-    pub(super) lookup: Option<Lookup>,
+    pub(super) lookup: Option<HashLookup>,
 }
 
 /// What is found at a leaf.
@@ -83,7 +83,7 @@ pub(super) fn run_oracle(case: &Case, method: Method, log: &Log) {
     let (mut search, mut watch) = (Deciding::new(case, method, log), Watching::new(case, log));
     match method.test() {
         Test::NodeLeftFirst => {
-            oracle::traverse(tree, &mut ByNode { test: search, order: LeftFirst }, &mut watch);
+            oracle::traverse(tree, &mut ByNode { test: search, order: LeftOrder }, &mut watch);
         }
         Test::NodeBySign => {
             let order = by_sign(case);
@@ -156,7 +156,7 @@ struct Asked<'a> {
 
 impl stackless_bvh::hash::Lookup<Word> for Asked<'_> {
     fn node(&self, key: &Word) -> Node {
-        let lookup = self.hash.map(|hash| Lookup::of(hash, key, self.tree));
+        let lookup = self.hash.map(|hash| HashLookup::of(hash, key, self.tree));
         self.log.note(|seen| seen.lookup = lookup);
         self.hash.and_then(|hash| hash.probe(key)).unwrap_or(self.tree.root())
     }
@@ -258,7 +258,7 @@ impl Pruned for Deciding<'_> {
 impl NodeTest for Deciding<'_> {
     fn accept(&mut self, node: Node) -> bool {
         let accepted = self.search.accept(node);
-        let first = self.order.map_or_else(|| LeftFirst.first(node), |order| order.first(node));
+        let first = self.order.map_or_else(|| LeftOrder.first(node), |order| order.first(node));
         self.decides(if accepted { Descent::both(first) } else { Descent::NEITHER });
         accepted
     }

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::table::{Sizes, Table, half};
 use super::trees::{comb, complete, depth_of, depths};
 use super::{Author, result};
-use crate::ask::{Build, Lookup};
+use crate::ask::{Build, LookupTable};
 use crate::bits::Bits;
 use crate::{Ask, Children, Expect, Level, Profile};
 use stackless_bvh::generate::{Family, Rng, Source};
@@ -204,7 +204,7 @@ fn lookup() -> Profile {
             for (name_of_sizes, sizes) in Sizes::of(children.len(), keys.len()) {
                 let Some(table) = Table::of(&keys, sizes, is_narrow).filter(|_| !keys.is_empty()) else { continue };
                 let words = |words: &[u32]| words.iter().map(|word| format!("{word:x}")).collect();
-                let ask = Ask::Lookup(Lookup {
+                let ask = Ask::Lookup(LookupTable {
                     displacements: words(&table.displacements),
                     cells: words(&table.cells),
                     seed: table.seed.map(|seed| format!("{seed:x}")),
@@ -232,7 +232,7 @@ fn lookup() -> Profile {
             &format!("seed-0-{bits}"),
             &["HASH-1", "HASH-5", "HASH-7"],
             "A seed of 0 is a seed.",
-            &Ask::Lookup(Lookup { seed: Some("0".to_owned()), bits: Some(bits), ..of_seed_0(bits) }),
+            &Ask::Lookup(LookupTable { seed: Some("0".to_owned()), bits: Some(bits), ..of_seed_0(bits) }),
             result([("words", json!(["80000000", "fffffffe", "fffffffd"]))]),
         );
     }
@@ -241,7 +241,7 @@ fn lookup() -> Profile {
 
 /// A table of direct addresses for the keys 1, 2, 3 under the seed 0: of the first size that keeps them apart, and
 /// would not without.
-fn of_seed_0(bits: u32) -> Lookup {
+fn of_seed_0(bits: u32) -> LookupTable {
     let keys = [1, 2, 3];
     let of_size = |size: u64| {
         let mut displacements = vec!["0".to_owned(); size as usize];
@@ -253,11 +253,11 @@ fn of_seed_0(bits: u32) -> Lookup {
         (is_apart && buckets != keys).then_some(displacements)
     };
     let displacements = [4, 8, 16, 32].into_iter().find_map(of_size).unwrap_or_default();
-    Lookup {
+    LookupTable {
         displacements,
         cells: vec!["0".to_owned()],
         keys: keys.map(|key| format!("{key:x}")).to_vec(),
-        ..Lookup::default()
+        ..LookupTable::default()
     }
 }
 

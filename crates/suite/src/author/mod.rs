@@ -22,7 +22,7 @@ pub(super) use hash::{keys_of, mixed};
 pub(super) use trees::depth_if_tree;
 
 use super::text::object;
-use super::{Ask, Case, Expect, Feature, Level, Profile, Strength, Suite, VERSION};
+use super::{Ask, Expect, Feature, Level, Profile, Strength, Suite, SuiteCase, VERSION};
 
 /// The whole suite: the same on every machine.
 pub fn suite() -> Suite {
@@ -57,14 +57,14 @@ impl Author {
         Self(Profile { suite: VERSION.to_owned(), level, profile: profile.to_owned(), cases: Vec::new() })
     }
 
-    fn case(&mut self, name: &str, clauses: &[&str], why: &str, ask: &Ask, expect: Expect) -> &mut Case {
+    fn case(&mut self, name: &str, clauses: &[&str], why: &str, ask: &Ask, expect: Expect) -> &mut SuiteCase {
         let input = match serde_json::to_value(ask) {
             Ok(Value::Object(input)) => input,
             _ => Map::new(),
         };
         let cases = &mut self.0.cases;
         let at = cases.len();
-        cases.push(Case {
+        cases.push(SuiteCase {
             id: format!("{}/{}/{name}", self.0.level, self.0.profile),
             clauses: clauses.iter().map(|&clause| clause.to_owned()).collect(),
             strength: Strength::Must,
@@ -84,12 +84,12 @@ impl Author {
         profile
     }
 
-    fn reject(&mut self, name: &str, clauses: &[&str], why: &str, ask: &Ask, code: &str) -> &mut Case {
+    fn reject(&mut self, name: &str, clauses: &[&str], why: &str, ask: &Ask, code: &str) -> &mut SuiteCase {
         self.case(name, clauses, why, ask, Expect::Reject(code.to_owned()))
     }
 }
 
-impl Case {
+impl SuiteCase {
     fn needs(&mut self, feature: Feature) {
         self.features.push(feature);
     }

@@ -5,7 +5,7 @@ use crate::own::text::events;
 use stackless_bvh::event::Trace;
 use stackless_bvh::generate::{self, Kind};
 use stackless_bvh::oracle;
-use stackless_bvh::order::{ByNode, LeftFirst, Pruning, SignOrder};
+use stackless_bvh::order::{ByNode, LeftOrder, Pruning, SignOrder};
 use stackless_bvh::tree::{Keys, Topology};
 
 /// What the library's oracle says of a case.
@@ -18,7 +18,7 @@ fn by_oracle(case: &stackless_check::Case, rule: Rule) -> (Vec<String>, Option<(
         _ => Pruning::Never,
     };
     match rule {
-        Rule::NodeLeft => oracle::traverse(tree, &mut ByNode { test: &mut search, order: LeftFirst }, &mut trace),
+        Rule::NodeLeft => oracle::traverse(tree, &mut ByNode { test: &mut search, order: LeftOrder }, &mut trace),
         Rule::NodeSign(octant) => {
             let order = SignOrder { axes: case.tape.axes(), octant };
             oracle::traverse(tree, &mut ByNode { test: &mut search, order }, &mut trace);

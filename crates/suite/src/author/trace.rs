@@ -231,7 +231,7 @@ fn taped<'a>(
     why: &str,
     scene: &Scene,
     rule: Rule,
-) -> &'a mut crate::Case {
+) -> &'a mut crate::SuiteCase {
     let Scene { children, cells, any, .. } = scene.clone();
     let run = Reference::run(&children, Search::Cells { cells: &cells, any, rule });
     let mut fields = vec![("events", json!(run.events)), ("hit", json!(run.best))];

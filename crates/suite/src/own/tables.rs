@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::text::{hex, word};
-use crate::ask::{Build, Lookup};
+use crate::ask::{Build, LookupTable};
 use crate::{Answer, Ask};
 use stackless_bvh::hash::{
     self, BuildError, KeySet, Mix, Modulo, Options, PerfectHash, Reciprocal, Sizing, TableSize, decode, encode, fold,
@@ -61,7 +61,7 @@ fn hashed_keys(children: &[Option<[u32; 2]>], [inner, leaf]: [u32; 2]) -> Option
     Some(Answer::of([("keys", keys.iter().map(hex).collect())]))
 }
 
-fn look_up(table: &Lookup) -> Option<Answer> {
+fn look_up(table: &LookupTable) -> Option<Answer> {
     let words = |texts: &[String]| texts.iter().map(|text| word(text)).collect::<Option<Box<[u32]>>>();
     let mix = match (&table.seed, table.bits) {
         (Some(seed), Some(bits)) => Mix { narrow: bits == 32, seed: Some(word(seed)?) },

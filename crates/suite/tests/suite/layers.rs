@@ -11,11 +11,12 @@ use stackless_bvh::trace::Hit;
 use stackless_bvh::tree::{Reach, Topology as _, Tree};
 use stackless_check::planted::{Function, Instead, Table};
 use stackless_suite::{
-    Answer, Ask, Build, Case, Flaw, Implementation as _, Level, Library, Lookup, Profile, Query, Rays, Suite, judge,
+    Answer, Ask, Build, Flaw, Implementation as _, Level, Library, LookupTable, Profile, Query, Rays, Suite, SuiteCase,
+    judge,
 };
 
 /// Cases with what they ask, which is read once.
-pub(crate) struct Asked<'s>(Vec<(&'s Profile, &'s Case, Ask, Option<Scene>)>);
+pub(crate) struct Asked<'s>(Vec<(&'s Profile, &'s SuiteCase, Ask, Option<Scene>)>);
 
 type Scene = (Mesh, Vec<Ray>);
 
@@ -32,7 +33,7 @@ impl<'s> Asked<'s> {
     }
 
     /// How many cases ask for what is replaced, and those that are failed.
-    pub(crate) fn failures(&self, instead: Instead) -> (usize, Vec<(&'s Case, Flaw)>) {
+    pub(crate) fn failures(&self, instead: Instead) -> (usize, Vec<(&'s SuiteCase, Flaw)>) {
         let hello = Library::default().hello();
         let judged: Vec<_> = (self.0.iter())
             .filter_map(|(profile, case, ask, scene)| {
@@ -105,7 +106,7 @@ fn look_up(function: Function, ask: &Ask) -> Option<Answer> {
                 None => result([("displacement", json!(word))]),
             })
         }
-        Ask::Lookup(Lookup { displacements, cells, seed, bits, keys }) => {
+        Ask::Lookup(LookupTable { displacements, cells, seed, bits, keys }) => {
             let words = |words: &[String]| words.iter().map(|word| number(word) as u32).collect::<Vec<_>>();
             let (displacements, cells) = (words(displacements), words(cells));
             let mix = Mix { narrow: *bits == Some(32), seed: seed.as_deref().map(number) };

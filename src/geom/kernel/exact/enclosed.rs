@@ -10,7 +10,7 @@ use crate::geom::{EnclosedRay, Region, Triangle, Vector};
 
 /// What is certain about a ray within bounds and a triangle, whatever ray it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Verdict<T> {
+pub enum Certainty<T> {
     /// The triangle is missed, or met outside of the interval or beyond the limit.
     Miss,
     /// It is hit, and this is the answer.
@@ -24,22 +24,22 @@ pub enum Verdict<T> {
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::geom::kernel::{Enclosed, Verdict};
-/// use stackless_bvh::geom::{Affine, EnclosedRay, Ray, Region, Triangle};
+/// use stackless_bvh::geom::kernel::{EnclosedTest, Certainty};
+/// use stackless_bvh::geom::{AffineMap, EnclosedRay, Ray, Region, Triangle};
 ///
-/// let third = Affine::new([[3.0, 0.0, 0.0, 0.0], [0.0, 3.0, 0.0, 0.0], [0.0, 0.0, 3.0, 0.0]])?;
+/// let third = AffineMap::new([[3.0, 0.0, 0.0, 0.0], [0.0, 3.0, 0.0, 0.0], [0.0, 0.0, 3.0, 0.0]])?;
 /// let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
 /// let at = |x| -> Result<_, Box<dyn std::error::Error>> {
 ///     let ray = third.pull_back(&EnclosedRay::exact(&Ray::within(Vec3::new(x, 0.5, -7.0), Vec3::Z, 0.0, 9.0)?));
-///     Ok(Enclosed::new(&ray, [0.0, 9.0], &Region::of(&triangle.aabb())).distance(&triangle, 9.0))
+///     Ok(EnclosedTest::new(&ray, [0.0, 9.0], &Region::of(&triangle.aabb())).distance(&triangle, 9.0))
 /// };
-/// assert_eq!((at(0.5)?, at(4.0)?), (Verdict::Hit(7.0), Verdict::Miss));
+/// assert_eq!((at(0.5)?, at(4.0)?), (Certainty::Hit(7.0), Certainty::Miss));
 /// // Through an edge, perhaps.
-/// assert_eq!(at(0.0)?, Verdict::Open);
+/// assert_eq!(at(0.0)?, Certainty::Open);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Enclosed {
+pub struct EnclosedTest {
     origin: DVec3,
     direction: DVec3,
     /// How far the components of the true origin and direction may be from these.
@@ -53,7 +53,7 @@ pub struct Enclosed {
 /// Greatest components of directions for which nothing that under- or overflows matters, and the end of it for origins.
 const USUAL: RangeInclusive<f64> = f64::from_bits((1023 - 200) << 52)..=f64::from_bits((1023 + 200) << 52);
 
-impl Enclosed {
+impl EnclosedTest {
     /// Prepares a ray with `interval` from tmin to tmax. `region` must hold all triangles that it is asked about.
     pub fn new(ray: &EnclosedRay, interval: [f32; 2], region: &Region) -> Self {
         let [origin, direction] = [ray.origin, ray.direction].map(|v| v.map(|x| x.middle_and_radius()));
@@ -73,26 +73,26 @@ impl Enclosed {
 
     /// [`Kernel::distance`](crate::geom::Kernel::distance), where it is certain.
     #[inline]
-    pub fn distance(&self, shape: &Triangle, limit: f32) -> Verdict<f32> {
+    pub fn distance(&self, shape: &Triangle, limit: f32) -> Certainty<f32> {
         let [tmin, _] = self.interval;
         self.decide(shape, |[near, far]| {
             if is_certain([near, far], self.interval) {
-                Verdict::Hit(near)
+                Certainty::Hit(near)
             } else if far < tmin || limit < near {
-                Verdict::Miss
+                Certainty::Miss
             } else {
-                Verdict::Open
+                Certainty::Open
             }
         })
     }
 
     /// [`Kernel::blocks`](crate::geom::Kernel::blocks), where it is certain.
     #[inline]
-    pub fn blocks(&self, shape: &Triangle) -> Verdict<()> {
+    pub fn blocks(&self, shape: &Triangle) -> Certainty<()> {
         self.decide(shape, |ends| match is_within(ends, self.interval) {
-            Some(true) => Verdict::Hit(()),
-            Some(false) => Verdict::Miss,
-            None => Verdict::Open,
+            Some(true) => Certainty::Hit(()),
+            Some(false) => Certainty::Miss,
+            None => Certainty::Open,
         })
     }
 
@@ -105,18 +105,18 @@ impl Enclosed {
 
     /// Asks with the bounds for the object, and again with those for the triangle.
     #[inline(always)]
-    fn decide<T>(&self, shape: &Triangle, place: impl Fn([f32; 2]) -> Verdict<T>) -> Verdict<T> {
+    fn decide<T>(&self, shape: &Triangle, place: impl Fn([f32; 2]) -> Certainty<T>) -> Certainty<T> {
         let found = Determinants::of(&shape.widen(), self.origin, self.direction);
         match decide(&found, &self.errors, &place) {
-            _ if !self.is_usual => Verdict::Open,
-            Verdict::Open => self.decide_again(shape, place),
+            _ if !self.is_usual => Certainty::Open,
+            Certainty::Open => self.decide_again(shape, place),
             certain => certain,
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn decide_again<T>(&self, shape: &Triangle, place: impl Fn([f32; 2]) -> Verdict<T>) -> Verdict<T> {
+    fn decide_again<T>(&self, shape: &Triangle, place: impl Fn([f32; 2]) -> Certainty<T>) -> Certainty<T> {
         let (found, errors) = self.stage(shape);
         decide(&found, &errors, &place)
     }
@@ -129,13 +129,13 @@ impl Enclosed {
 }
 
 #[inline(always)]
-fn decide<T>(found: &Determinants, errors: &Errors, place: &impl Fn([f32; 2]) -> Verdict<T>) -> Verdict<T> {
+fn decide<T>(found: &Determinants, errors: &Errors, place: &impl Fn([f32; 2]) -> Certainty<T>) -> Certainty<T> {
     if found.is_miss(errors) {
-        Verdict::Miss
+        Certainty::Miss
     } else if found.is_hit(errors) {
         place(found.distance(errors).map(|t| t as f32))
     } else {
-        Verdict::Open
+        Certainty::Open
     }
 }
 

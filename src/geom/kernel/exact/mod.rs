@@ -20,7 +20,7 @@ mod sum;
 
 pub use double::Exact64;
 pub(in crate::geom) use double::is_degenerate_64;
-pub use enclosed::{Enclosed, Verdict};
+pub use enclosed::{Certainty, EnclosedTest};
 pub(in crate::geom) use predicates::is_degenerate;
 pub use single::{ExactFromSingle, MAX_COORDINATE, MIN_EDGE};
 pub use sum::Sum;

@@ -53,7 +53,7 @@ fn single_precision_takes_all_that_runs_one_way_and_does_not_overflow() {
 fn double_precision_is_asked_only_where_it_is_needed() {
     let is_wide = |d: [f64; 2], reach: f32| {
         let region = Region::of(&Aabb { lo: Vec3::splat(-reach), hi: Vec3::ZERO });
-        Enclosed::of(&ray([0.0, 1.0], d), 0.0, &region).is_wide
+        EnclosedSlabs::of(&ray([0.0, 1.0], d), 0.0, &region).is_wide
     };
     let most = MOST as f32;
     for (d, reach, expected) in [
@@ -71,7 +71,7 @@ fn double_precision_is_asked_only_where_it_is_needed() {
 fn what_is_not_a_number_bounds_nothing() {
     let aabb = Aabb { lo: Vec3::new(2.0, 10.0, 2.0), hi: Vec3::new(3.0, 11.0, 3.0) };
     let region = Region::of(&aabb);
-    let touches = |o, d| Enclosed::of(&ray(o, d), 0.0, &region).one(&aabb, f32::INFINITY).is_some();
+    let touches = |o, d| EnclosedSlabs::of(&ray(o, d), 0.0, &region).one(&aabb, f32::INFINITY).is_some();
     let unknown = [f64::NAN; 2];
     for (o, d) in [([0.0; 2], unknown), (unknown, [0.0; 2]), (unknown, [1.0; 2]), (unknown, unknown)] {
         assert!(touches(o, d), "{o:?} {d:?}");

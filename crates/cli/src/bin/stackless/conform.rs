@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use stackless_suite::{Hello, Level, Report, Runner, Strength, Suite, Verdict, Waivers, author};
+use stackless_suite::{CaseResult, Hello, Level, Report, Runner, Strength, Suite, Waivers, author};
 
 use crate::Outcome;
 use crate::input;
@@ -109,7 +109,7 @@ fn print(report: &Report, args: &Args, took: Duration) {
     let Hello { name, version, .. } = &report.hello;
     let bad: Vec<_> = report.verdicts.iter().filter(|verdict| verdict.is_failure()).collect();
     for verdict in bad.iter().take(args.show) {
-        let Verdict { id, clauses, outcome, waived, .. } = verdict;
+        let CaseResult { id, clauses, outcome, waived, .. } = verdict;
         if let Some(reason) = waived {
             say!("{id}: waived ({reason}), and passes: the waiver is not needed any more");
         } else {

@@ -54,9 +54,9 @@ proptest! {
         let interval = |(x, width): (f64, f64)| Interval::between([x - width, x + width]);
         let [ox, oy, oz, dx, dy, dz] = numbers.map(interval);
         let ray = EnclosedRay { origin: [ox, oy, oz], direction: [dx, dy, dz] };
-        let test = Enclosed::new(&ray, INTERVAL, &Region::of(&triangle.aabb()));
+        let test = EnclosedTest::new(&ray, INTERVAL, &Region::of(&triangle.aabb()));
         let (distance, blocks, weights) = (test.distance(&triangle, 8.0), test.blocks(&triangle), test.weights(&triangle));
-        if (distance, blocks, weights) == (Verdict::Open, Verdict::Open, None) {
+        if (distance, blocks, weights) == (Certainty::Open, Certainty::Open, None) {
             return Ok(());
         }
         for corner in 0..65 {
@@ -66,14 +66,14 @@ proptest! {
             };
             let hit = truth(&triangle, [0, 1, 2].map(pick), [3, 4, 5].map(pick));
             match blocks {
-                Verdict::Hit(()) => prop_assert!(hit.is_some()),
-                Verdict::Miss => prop_assert!(hit.is_none()),
-                Verdict::Open => (),
+                Certainty::Hit(()) => prop_assert!(hit.is_some()),
+                Certainty::Miss => prop_assert!(hit.is_none()),
+                Certainty::Open => (),
             }
             match distance {
-                Verdict::Hit(t) => prop_assert_eq!(hit.as_ref().map(|hit| round_f32(&hit.t)), Some(t)),
-                Verdict::Miss => prop_assert!(hit.is_none()),
-                Verdict::Open => (),
+                Certainty::Hit(t) => prop_assert_eq!(hit.as_ref().map(|hit| round_f32(&hit.t)), Some(t)),
+                Certainty::Miss => prop_assert!(hit.is_none()),
+                Certainty::Open => (),
             }
             if let (Some([u, v]), Some(hit)) = (weights, hit) {
                 prop_assert_eq!([u, v], [round_f32(&hit.u), round_f32(&hit.v)]);
@@ -88,14 +88,14 @@ fn numbers_beyond_the_range_are_left_open() {
     let along = |z: f64, d: f64| {
         let exact = |v: [f64; 3]| v.map(Interval::exact);
         let ray = EnclosedRay { origin: exact([0.25, 0.25, z]), direction: exact([0.0, 0.0, d]) };
-        Enclosed::new(&ray, [0.0, f32::INFINITY], &Region::of(&triangle.aabb())).distance(&triangle, f32::INFINITY)
+        EnclosedTest::new(&ray, [0.0, f32::INFINITY], &Region::of(&triangle.aabb())).distance(&triangle, f32::INFINITY)
     };
-    assert_eq!(along(-3.0, 1.0), Verdict::Hit(3.0));
-    assert_eq!((along(-3.0, 1e-100), along(-1e100, 1.0)), (Verdict::Open, Verdict::Open));
+    assert_eq!(along(-3.0, 1.0), Certainty::Hit(3.0));
+    assert_eq!((along(-3.0, 1e-100), along(-1e100, 1.0)), (Certainty::Open, Certainty::Open));
     let nowhere = Interval::between([f64::NEG_INFINITY, f64::INFINITY]);
     let ray = EnclosedRay { origin: [nowhere; 3], direction: [nowhere; 3] };
-    let test = Enclosed::new(&ray, [0.0, 1.0], &Region::of(&triangle.aabb()));
-    assert_eq!((test.distance(&triangle, 1.0), test.weights(&triangle)), (Verdict::Open, None));
+    let test = EnclosedTest::new(&ray, [0.0, 1.0], &Region::of(&triangle.aabb()));
+    assert_eq!((test.distance(&triangle, 1.0), test.weights(&triangle)), (Certainty::Open, None));
 }
 
 /// A line through the middle of an edge, at the end of bounds that change the edge function as much as can be: with half of
@@ -108,7 +108,7 @@ fn bounds_of_signs_are_needed() {
     for off in [2f64.powi(-20), -2f64.powi(-20)] {
         let ends = |x: f64| Interval::between(if off > 0.0 { [x, x + 2.0 * off] } else { [x + 2.0 * off, x] });
         let ray = EnclosedRay { origin: [Interval::exact(0.0); 3], direction: d.map(ends) };
-        assert_eq!(Enclosed::new(&ray, INTERVAL, &Region::of(&triangle.aabb())).blocks(&triangle), Verdict::Open);
+        assert_eq!(EnclosedTest::new(&ray, INTERVAL, &Region::of(&triangle.aabb())).blocks(&triangle), Certainty::Open);
     }
 }
 
@@ -127,8 +127,8 @@ fn bounds_of_distances_are_needed() {
             let (o, d) = ([-0.5, 0.5, 0.5 - height], [0.0, 0.25, 1.0]);
             let wide = |v: [f64; 3]| v.map(|x| Interval::between([x, x + 2.0 * off]));
             let (origin, direction) = if of_origin { (wide(o), exact(d)) } else { (exact(o), wide(d)) };
-            let test = Enclosed::new(&EnclosedRay { origin, direction }, INTERVAL, &region);
-            if let Verdict::Hit(t) = test.distance(&triangle, 8.0) {
+            let test = EnclosedTest::new(&EnclosedRay { origin, direction }, INTERVAL, &region);
+            if let Certainty::Hit(t) = test.distance(&triangle, 8.0) {
                 certain += 1;
                 assert_eq!(truth(&triangle, o, d).map(|hit| round_f32(&hit.t)), Some(t));
             }
@@ -145,39 +145,39 @@ fn only_the_ends_of_the_interval_are_left_open() {
         origin: [x, y, -2.0].map(Interval::exact),
         direction: [0.0, 0.0, 1.0].map(Interval::exact),
     };
-    let test = |interval| Enclosed::new(&ray(1.0, 1.0), interval, &Region::of(&triangle.aabb()));
+    let test = |interval| EnclosedTest::new(&ray(1.0, 1.0), interval, &Region::of(&triangle.aabb()));
     let (below, above) = (2f32.next_down(), 2f32.next_up());
     for (interval, distance, blocks) in [
-        ([0.0, 9.0], Verdict::Hit(2.0), Verdict::Hit(())),
-        ([0.0, above], Verdict::Hit(2.0), Verdict::Hit(())),
-        ([below, 9.0], Verdict::Hit(2.0), Verdict::Hit(())),
-        ([0.0, 2.0], Verdict::Open, Verdict::Open),
-        ([2.0, 9.0], Verdict::Open, Verdict::Open),
-        ([2.0, 2.0], Verdict::Open, Verdict::Open),
-        ([0.0, 1.0], Verdict::Miss, Verdict::Miss),
-        ([3.0, 9.0], Verdict::Miss, Verdict::Miss),
+        ([0.0, 9.0], Certainty::Hit(2.0), Certainty::Hit(())),
+        ([0.0, above], Certainty::Hit(2.0), Certainty::Hit(())),
+        ([below, 9.0], Certainty::Hit(2.0), Certainty::Hit(())),
+        ([0.0, 2.0], Certainty::Open, Certainty::Open),
+        ([2.0, 9.0], Certainty::Open, Certainty::Open),
+        ([2.0, 2.0], Certainty::Open, Certainty::Open),
+        ([0.0, 1.0], Certainty::Miss, Certainty::Miss),
+        ([3.0, 9.0], Certainty::Miss, Certainty::Miss),
     ] {
         let test = test(interval);
         assert_eq!((test.distance(&triangle, interval[1]), test.blocks(&triangle)), (distance, blocks), "{interval:?}");
     }
     // What is nearer ends the search: a miss only if it is nearer than the triangle.
     let whole = test([0.0, 9.0]);
-    assert_eq!([1.0, below, 2.0, 3.0].map(|limit| whole.distance(&triangle, limit) == Verdict::Hit(2.0)), [true; 4]);
+    assert_eq!([1.0, below, 2.0, 3.0].map(|limit| whole.distance(&triangle, limit) == Certainty::Hit(2.0)), [true; 4]);
     let at_end = test([2.0, 9.0]);
-    assert_eq!(at_end.distance(&triangle, 1.0), Verdict::Miss);
-    assert_eq!(at_end.distance(&triangle, 2.0), Verdict::Open);
+    assert_eq!(at_end.distance(&triangle, 1.0), Certainty::Miss);
+    assert_eq!(at_end.distance(&triangle, 2.0), Certainty::Open);
     let weights = whole.weights(&triangle).expect("certain");
     assert_eq!(weights, [0.25, 0.25]);
-    let beside = Enclosed::new(&ray(5.0, 5.0), [0.0, 9.0], &Region::of(&triangle.aabb()));
-    assert_eq!((beside.distance(&triangle, 9.0), beside.weights(&triangle)), (Verdict::Miss, None));
+    let beside = EnclosedTest::new(&ray(5.0, 5.0), [0.0, 9.0], &Region::of(&triangle.aabb()));
+    assert_eq!((beside.distance(&triangle, 9.0), beside.weights(&triangle)), (Certainty::Miss, None));
     // An edge is not certain, and neither are weights that the bounds leave between two floats.
-    let edge = Enclosed::new(&ray(1.0, 0.0), [0.0, 9.0], &Region::of(&triangle.aabb()));
-    assert_eq!((edge.distance(&triangle, 9.0), edge.weights(&triangle)), (Verdict::Open, None));
+    let edge = EnclosedTest::new(&ray(1.0, 0.0), [0.0, 9.0], &Region::of(&triangle.aabb()));
+    assert_eq!((edge.distance(&triangle, 9.0), edge.weights(&triangle)), (Certainty::Open, None));
     let about = |x: f64, off: f64| Interval::between([x - off, x + off]);
     for [of_x, of_y] in [[1e-5, 0.0], [0.0, 1e-5]] {
         let rays = EnclosedRay { origin: [about(1.0, of_x), about(1.0, of_y), Interval::exact(-2.0)], ..ray(1.0, 1.0) };
-        let test = Enclosed::new(&rays, [0.0, 9.0], &Region::of(&triangle.aabb()));
-        assert_eq!((test.blocks(&triangle), test.weights(&triangle)), (Verdict::Hit(()), None));
+        let test = EnclosedTest::new(&rays, [0.0, 9.0], &Region::of(&triangle.aabb()));
+        assert_eq!((test.blocks(&triangle), test.weights(&triangle)), (Certainty::Hit(()), None));
     }
 }
 
@@ -190,11 +190,11 @@ fn directions_are_usual_from_one_end_of_the_range_to_the_other() {
             origin: [size / 4.0, size / 4.0, -3.0 * size].map(Interval::exact),
             direction: [0.0, 0.0, d].map(Interval::exact),
         };
-        Enclosed::new(&ray, [0.0, f32::INFINITY], &Region::of(&triangle.aabb())).distance(&triangle, f32::INFINITY)
+        EnclosedTest::new(&ray, [0.0, f32::INFINITY], &Region::of(&triangle.aabb())).distance(&triangle, f32::INFINITY)
     };
     let ([small, great], [least, most]) = ([-100, 100].map(|k| 2f32.powi(k)), [-200, 200].map(|k| 2f64.powi(k)));
-    assert_eq!([asked(small, least), asked(small, least.next_down())], [Verdict::Hit(3.0 * great), Verdict::Open]);
-    assert_eq!([asked(great, most), asked(great, most.next_up())], [Verdict::Hit(3.0 * small), Verdict::Open]);
+    assert_eq!([asked(small, least), asked(small, least.next_down())], [Certainty::Hit(3.0 * great), Certainty::Open]);
+    assert_eq!([asked(great, most), asked(great, most.next_up())], [Certainty::Hit(3.0 * small), Certainty::Open]);
 }
 
 /// Near an edge, on either side, where the bounds for the object are too coarse.
@@ -202,10 +202,11 @@ fn directions_are_usual_from_one_end_of_the_range_to_the_other() {
 fn what_the_object_leaves_open_its_triangle_decides() {
     let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y].map(|corner| corner * 3.0));
     let wide = Aabb { lo: Vec3::splat(-1e6), hi: Vec3::splat(1e6) };
-    for (y, distance, blocks) in [(0.001, Verdict::Hit(1.0), Verdict::Hit(())), (-0.001, Verdict::Miss, Verdict::Miss)]
+    for (y, distance, blocks) in
+        [(0.001, Certainty::Hit(1.0), Certainty::Hit(())), (-0.001, Certainty::Miss, Certainty::Miss)]
     {
         let ray = Ray::within(Vec3::new(1.0, y, 1.0), Vec3::NEG_Z, 0.0, 9.0).expect("a ray");
-        let test = Enclosed::new(&EnclosedRay::exact(&ray), [0.0, 9.0], &Region::of(&wide));
+        let test = EnclosedTest::new(&EnclosedRay::exact(&ray), [0.0, 9.0], &Region::of(&wide));
         assert_eq!((test.distance(&triangle, 9.0), test.blocks(&triangle)), (distance, blocks));
     }
 }

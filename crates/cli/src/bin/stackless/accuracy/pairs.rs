@@ -4,7 +4,7 @@ use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, Bvh, SahOptions};
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::{Aabb, Kernel, Ray, Slabs};
-use stackless_bvh::order::{ByNode, LeftFirst};
+use stackless_bvh::order::{ByNode, LeftOrder};
 use stackless_bvh::trace::{self, Accuracy, Form, Forms, KernelName, NodeSearch, Search, SlabsName, WithTests};
 use stackless_bvh::traverse::{Stack, traverse};
 use stackless_bvh::tree::Node;
@@ -145,7 +145,7 @@ fn answers<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>, const
 ) -> [Answer; 3] {
     let tree = trees.area.of::<K::Shape>();
     let test = NodeSearch::<K, B, ANY>::new(tree, &trees.boxes, ray);
-    let mut left_first = ByNode { test, order: LeftFirst };
+    let mut left_first = ByNode { test, order: LeftOrder };
     traverse(Stack::new(tree, memory), &mut left_first, &mut ());
     [
         nearer_first::<K, B, ANY>(&trees.area, ray, memory),
