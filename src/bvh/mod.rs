@@ -173,7 +173,7 @@ impl<S> Bvh<S> {
         boxes
     }
 
-    /// The same hierarchy with other references in the two free places of each record. Uncles stand there at first.
+    /// The same hierarchy with other references in the two free places of each record. Parent and sibling stand there at first.
     #[must_use]
     pub fn with_links(mut self, recorded: Recorded) -> Self {
         self.recorded = recorded;

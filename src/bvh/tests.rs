@@ -132,6 +132,7 @@ fn impossible_wishes_are_refused() {
 fn validation_bites() {
     let mesh = scattered(50);
     let bvh = Bvh::sah(&mesh, SahOptions { max_leaf: 2, ..SahOptions::default() }).expect("a tree");
+    let bvh = bvh.with_links(Recorded::Uncles);
     let broken = |change: &dyn Fn(&mut Bvh)| {
         let mut bvh = bvh.clone();
         change(&mut bvh);

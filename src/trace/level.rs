@@ -44,13 +44,13 @@ impl Level {
         self.method.state_bytes_in(self.word, bvh.depth())
     }
 
-    /// Runs a query to its end, in a copy of the traversals that is compiled for it, if the keys are short.
+    /// Runs a query to its end: in a copy of the traversals that is compiled for it, if keys are short and the records name
+    /// what the traversal follows; else in the copy that all queries share.
     #[inline]
     pub(super) fn run<S>(&self, bvh: &Bvh<S>, octant: u8, memory: &mut Vec<Node>, query: &mut impl Query) {
         let (method, tables) = (self.method_for(query), self.tables(bvh));
-        let tree = tables.tree();
-        let fits = if matches!(self.word, WordName::U32 | WordName::U64) {
-            let run = Run { from: tables.over(&tree, octant, memory), search: &mut *query, recorder: &mut () };
+        let fits = if matches!(self.word, WordName::U32 | WordName::U64) && tables.are_direct(method) {
+            let run = Run { from: tables.directly(octant, memory), search: &mut *query, recorder: &mut () };
             if self.word == WordName::U32 { method.dispatch::<u32, _>(run) } else { method.dispatch::<u64, _>(run) }
         } else {
             self.try_run(bvh, octant, memory, query, &mut ())

@@ -59,19 +59,20 @@ pub struct Tracer<T = Bvh, K = Exact, B = Directed> {
 pub(super) const CHUNK: usize = 256;
 
 impl Tracer {
-    /// A tracer that owns a hierarchy over a mesh, by [`Bvh::build`], with the links in it that [`Method::default`] wants.
+    /// A tracer that owns a hierarchy over a mesh, by [`Bvh::build`].
     ///
     /// # Errors
     /// [`BuildError`], for more than 2^31 triangles.
     pub fn of(mesh: &Mesh) -> Result<Self, BuildError> {
-        let bvh = Bvh::build(mesh)?;
-        Ok(Self::new(bvh.with_links(Method::default().wants_recorded())))
+        Bvh::build(mesh).map(Self::new)
     }
 }
 
 impl<T: Borrow<Bvh>> Tracer<T> {
-    /// A tracer by [`Method::default`], which runs on any hierarchy, with words as narrow as that allows. Links that the
-    /// hierarchy does not record ([`Bvh::with_links`]) are in a table beside it.
+    /// A tracer by [`Method::default`], which runs on any hierarchy, with words as narrow as that allows.
+    ///
+    /// It follows the links that a new hierarchy has. Where the records name [others](Bvh::with_links), they are in a
+    /// table beside it, and queries share a slower copy of the traversals; so it is with all traversals.
     pub fn new(bvh: T) -> Self {
         let plan = Plan::new(bvh.borrow(), Method::default(), Ask::Hit);
         let level = Level::unchecked(bvh.borrow(), &plan);

@@ -227,7 +227,29 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
 
     /// What cursors are made from.
     pub fn over<'s, X>(&'s self, tree: &'s X, octant: u8, memory: &'s mut Vec<Node>) -> FromTables<'s, X, H> {
-        FromTables { beside: &self.beside, axes: self.axes, tree, octant, memory }
+        let layout = self.beside.layout.as_ref();
+        FromTables { beside: &self.beside, axes: self.axes, tree, layout, octant, memory }
+    }
+
+    /// Whether the tree's own records name what a traversal follows, and its layout is one: then
+    /// [`directly`](Self::directly) has all that it needs.
+    #[inline]
+    pub(crate) fn are_direct(&self, method: Method) -> bool {
+        self.tree.names(method.wants_recorded()) && !matches!(self.beside.layout, Some(Layout::Map(_)))
+    }
+
+    /// What cursors are made from over the tree itself, so that nobody asks at each read where links and addresses are.
+    #[inline]
+    pub(crate) fn directly<'s>(
+        &'s self,
+        octant: u8,
+        memory: &'s mut Vec<Node>,
+    ) -> FromTables<'s, T, H, Implicit> {
+        let layout = match &self.beside.layout {
+            Some(Layout::Implicit(layout)) => Some(layout),
+            _ => None,
+        };
+        FromTables { beside: &self.beside, axes: self.axes, tree: self.tree, layout, octant, memory }
     }
 }
 
@@ -242,19 +264,20 @@ pub trait WithCursor<W> {
 
 /// Tables, and what differs from one search to the next.
 #[derive(Debug)]
-pub struct FromTables<'s, X, H> {
+pub struct FromTables<'s, X, H, L = Layout> {
     beside: &'s Beside<H>,
+    layout: Option<&'s L>,
     axes: &'s [u8],
     tree: &'s X,
     octant: u8,
     memory: &'s mut Vec<Node>,
 }
 
-impl<'s, W: KeyWord, X: Topology, H: Lookup<W>> Supply<'s, W> for FromTables<'s, X, H> {
+impl<'s, W: KeyWord, X: Topology, H: Lookup<W>, L: Lookup<W>> Supply<'s, W> for FromTables<'s, X, H, L> {
     type Tree = X;
     type Memory = &'s mut Vec<Node>;
     type Hash = &'s H;
-    type Layout = &'s Layout;
+    type Layout = &'s L;
     type Complete = &'s Complete;
     type Chains = &'s Glassner;
     type BySign = SignOrder<'s>;
@@ -285,8 +308,8 @@ impl<'s, W: KeyWord, X: Topology, H: Lookup<W>> Supply<'s, W> for FromTables<'s,
     }
 
     #[inline]
-    fn layout(&self) -> Result<&'s Layout, Unfit> {
-        self.beside.layout.as_ref().ok_or(Unfit::NoTable)
+    fn layout(&self) -> Result<&'s L, Unfit> {
+        self.layout.ok_or(Unfit::NoTable)
     }
 
     #[inline]

@@ -87,7 +87,7 @@ impl Draft {
         let Layout { nodes, axes, leaves, prims, root, depth } = Layout::of(self);
         let held = |prim: u32| LeafTriangle { shape: primitives.shape(prim as usize), prim };
         let triangles = threads::map(0..prims.len(), CHUNK, |i| held(prims[i]));
-        let (recorded, region) = (Recorded::Uncles, Region::of(&bounds));
+        let (recorded, region) = (Recorded::ParentSibling, Region::of(&bounds));
         let duplicates = self.references.len() + dropped - primitives.count();
         Bvh { root, depth, dropped, duplicates, recorded, bounds, region, nodes, axes, leaves, triangles }
     }
@@ -121,7 +121,7 @@ impl Layout {
         layout
     }
 
-    /// Places all nodes, which name no uncles yet.
+    /// Places all nodes, which name no others than their children yet.
     fn place(&mut self, draft: &Draft) {
         let links = [self.root; 2];
         // Nodes still to be placed, and where the address of each is to stand.
@@ -159,23 +159,15 @@ impl Layout {
         }
     }
 
-    /// Has all records name uncle and grand uncle. Parents come before their children, so one pass is enough.
+    /// Has all records name parent and sibling, which the default traversal climbs by. The root names itself.
     fn link(&mut self) {
         for i in 0..self.nodes.len() {
             let [left, right] = self.nodes[i].children;
             for (child, sibling) in [(left, right), (right, left)] {
-                if !child.is_leaf() {
-                    let BvhNode { children, links: [uncle, _], .. } = self.nodes[child.index()];
-                    for grandchild in children {
-                        let index = grandchild.index();
-                        let links = if grandchild.is_leaf() {
-                            &mut self.leaves[index].links
-                        } else {
-                            &mut self.nodes[index].links
-                        };
-                        *links = [sibling, uncle];
-                    }
-                }
+                let index = child.index();
+                let links =
+                    if child.is_leaf() { &mut self.leaves[index].links } else { &mut self.nodes[index].links };
+                *links = [Node::inner(i as u32), sibling];
             }
         }
     }

@@ -48,7 +48,7 @@ fn soup(n: usize) -> Bvh {
 fn small() -> Vec<Bvh> {
     let (cut, _) = cut(4, 1);
     assert!(cut.duplicates() > 1);
-    vec![soup(1), soup(9), soup(9).with_links(Recorded::ParentSibling), cut.with_links(Recorded::Nothing)]
+    vec![soup(1), soup(9), soup(9).with_links(Recorded::Uncles), cut.with_links(Recorded::Nothing)]
 }
 
 fn double(mesh: &Mesh) -> Mesh<DVec3> {

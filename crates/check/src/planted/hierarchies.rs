@@ -129,7 +129,7 @@ fn moved_to(mesh: &Mesh, rays: &[Ray], keep: fn(&mut File, &File)) -> Option<Hit
 /// A hierarchy of a drawn mesh is changed, at a drawn record.
 fn stored(draw: &mut Draw<'_>, change: fn(&mut File, usize)) -> Option<String> {
     let (mesh, rays) = draw.scene()?;
-    let bvh = built(draw, &mesh)?;
+    let bvh = built(draw, &mesh)?.with_links(Recorded::Uncles);
     changed(draw, &bvh, change)?.fault(&mesh, &rays)
 }
 

@@ -74,7 +74,7 @@ impl WithTests for WithRays<'_> {
 
     fn call<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>>(self) -> Hits {
         let Self { args, bvh, rays } = self;
-        let bvh = bvh.map(K::Shape::from);
+        let bvh = bvh.with_links(args.method.wants_recorded()).map(K::Shape::from);
         let tracer = Tracer::<_, K, B>::with_tests(&bvh, args.method)?;
         let progress = bar(rays.len() as u64, "rays");
         let hits = rays.par_chunks(1024).flat_map_iter(|chunk| {

@@ -28,12 +28,12 @@ impl Trees {
         let start = ProcessTime::now();
         let bvh = build.run(scene)?;
         let build_seconds = start.elapsed().as_secs_f64();
-        let parents = Forms::new(bvh.clone().with_links(Recorded::ParentSibling));
-        Ok(Self { build, uncles: Forms::new(bvh), parents, build_seconds })
+        let uncles = Forms::new(bvh.clone().with_links(Recorded::Uncles));
+        Ok(Self { build, uncles, parents: Forms::new(bvh), build_seconds })
     }
 
     pub(super) fn bvh(&self) -> &Bvh {
-        self.uncles.corners()
+        self.parents.corners()
     }
 
     /// A traversal, over the tree whose records suit it.
@@ -53,8 +53,8 @@ impl<'a> WithTests for MakeRunner<'a> {
 
     fn call<K: Kernel<Vector = Vec3, Shape: Form> + 'static, B: Slabs<Vector = Vec3> + 'static>(self) -> Self::Output {
         let forms = match self.method.wants_recorded() {
-            Recorded::ParentSibling => &self.trees.parents,
-            _ => &self.trees.uncles,
+            Recorded::Uncles => &self.trees.uncles,
+            _ => &self.trees.parents,
         };
         Ok(Box::new(Runner { tracer: Tracer::<_, K, B>::with_tests(forms.of(), self.method)?, make: self }))
     }

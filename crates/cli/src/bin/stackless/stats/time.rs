@@ -47,8 +47,8 @@ const OCTANT: u8 = 0;
 /// Times the parts alone, over what a query does. They do not add up to the whole: the processor does several at once, and
 /// memory is read for all of them.
 pub(super) fn measure(bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Unfit> {
-    let with_parents = bvh.clone().with_links(Recorded::ParentSibling);
-    let tree = |method: Method| if method.wants_recorded() == Recorded::ParentSibling { &with_parents } else { bvh };
+    let with_uncles = bvh.clone().with_links(Recorded::Uncles);
+    let tree = |method: Method| if method.wants_recorded() == Recorded::Uncles { &with_uncles } else { bvh };
     let tables = METHODS.map(|method| Tables::new(tree(method), bvh.axes(), &[method], Implicit::LIMIT));
     let tapes: Vec<_> = rays.iter().map(|ray| Tape::of(bvh, ray)).collect();
     let mut memory = Vec::new();
