@@ -1,4 +1,5 @@
-//! Speed of the comparison with the oracle, on one core: what every random test, fuzzer and `stackless check` waits for.
+//! Speed of the comparison with the oracle, on one core: what every random test, fuzzer and `stackless check` waits
+//! for.
 //!
 //! An element is one comparison: one tree of up to 64 nodes, one traversal, one word. The oracle's own run and the
 //! tables of the traversals are part of the time, as they are of every check. `cargo bench --bench abstract`

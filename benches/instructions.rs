@@ -1,6 +1,6 @@
-//! Instructions of 1,000 rays by each traversal, and of the builder: the same on every run, so that a change of a hundredth
-//! shows. `cargo bench --bench instructions` needs valgrind and `cargo install gungraun-runner`; a count that is more than
-//! 2 % above that of the run before fails.
+//! Instructions of 1,000 rays by each traversal, and of the builder: the same on every run, so that a change of a
+//! hundredth shows. `cargo bench --bench instructions` needs valgrind and `cargo install gungraun-runner`; a count that
+//! is more than 2 % above that of the run before fails.
 #![allow(missing_docs, missing_debug_implementations, reason = "macros make public items")]
 
 use std::hint::black_box;

@@ -1,7 +1,8 @@
-//! A hierarchy as words for a GPU: nodes of 64 bytes with uncle and grand uncle, leaves, triangles, and the perfect hash.
+//! A hierarchy as words for a GPU: nodes of 64 bytes with uncle and grand uncle, leaves, triangles, and the perfect
+//! hash.
 //!
-//! `cargo run --release --example gpu_upload`. Kernels in WGSL that read such buffers, and the checks that hold them to the
-//! oracle, are in `gpu-check`.
+//! `cargo run --release --example gpu_upload`. Kernels in WGSL that read such buffers, and the checks that hold them to
+//! the oracle, are in `gpu-check`.
 
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::procedural;

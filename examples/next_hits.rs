@@ -1,4 +1,5 @@
-//! The hits of a ray one by one, for transparent surfaces: none is lost or met twice, also where many have the same distance.
+//! The hits of a ray one by one, for transparent surfaces: none is lost or met twice, also where many have the same
+//! distance.
 //!
 //! `cargo run --release --example next_hits`
 

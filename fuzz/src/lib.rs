@@ -1,8 +1,8 @@
 //! What each fuzz target does with its bytes: a few lines that turn them into the input of a property body of the
 //! library ([`stackless_check`]), and stop if it finds a fault.
 //!
-//! This is all plain Rust. The targets of libFuzzer, the seeds, the coverage and `tests/library/regressions.rs` all run these
-//! functions.
+//! This is all plain Rust. The targets of libFuzzer, the seeds, the coverage and `tests/library/regressions.rs` all run
+//! these functions.
 
 mod draw;
 mod files;

@@ -1,7 +1,7 @@
 //! Exact answers by a device that has single precision: kernels say what is certain, the CPU settles the rest.
 //!
-//! `triangle_band.wgsl` tells certain misses from certain hits by the error bounds of BAND-2, and knows a hit's distance
-//! within those of BAND-4. A hit replaces another only if its upper bound is less than the other's lower one:
+//! `triangle_band.wgsl` tells certain misses from certain hits by the error bounds of BAND-2, and knows a hit's
+//! distance within those of BAND-4. A hit replaces another only if its upper bound is less than the other's lower one:
 //! both are floats, so the rounded distances are in that order too. A box is skipped only if it begins beyond the upper
 //! bound of the best hit. What is in doubt ends the search; such rays are queued, and traced by the exact tracer. For
 //! the others the triangle is certain, and the CPU computes its exact distance and weights. So the hits are those of

@@ -29,8 +29,8 @@ pub struct Record<'a> {
 const GOALS: [(Rays, f64); 3] = [(Rays::Primary, 1.08), (Rays::DiffuseAny, 1.20), (Rays::Diffuse, 1.17)];
 
 impl Record<'_> {
-    /// Writes `DATE-gpu.md`, `.csv` and `.svg` into a folder, with a number where there is such a record already. The answer
-    /// is the path of the text.
+    /// Writes `DATE-gpu.md`, `.csv` and `.svg` into a folder, with a number where there is such a record already. The
+    /// answer is the path of the text.
     ///
     /// # Errors
     /// [`GpuError::Data`] where a file cannot be written.

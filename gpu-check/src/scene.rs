@@ -170,7 +170,8 @@ pub fn takes(bvh: &Bvh) -> bool {
     bounds.lo.abs().max(bounds.hi.abs()).max_element() <= MOST
 }
 
-/// Whether kernels take a ray `[BAND-1]`: an origin of up to 2^40, and a direction whose largest component is within 2^-20 and 2^20.
+/// Whether kernels take a ray `[BAND-1]`: an origin of up to 2^40, and a direction whose largest component is within
+/// 2^-20 and 2^20.
 pub fn takes_ray(ray: &Ray) -> bool {
     let (reach, size) = (ray.origin().abs().max_element(), ray.direction().abs().max_element());
     reach <= MOST && (DIRECTIONS[0]..=DIRECTIONS[1]).contains(&size)

@@ -90,8 +90,8 @@ impl<'g> Builder<'g> {
         Ok(Built { hash, nanoseconds, attempts })
     }
 
-    /// The tables of a tree of up to 63 edges, of exactly these sizes D and H if they are given; `None` if there are none,
-    /// or none was found.
+    /// The tables of a tree of up to 63 edges, of exactly these sizes D and H if they are given; `None` if there are
+    /// none, or none was found.
     ///
     /// # Errors
     /// What the device may refuse; [`GpuError::Data`] for keys that are too long or sizes that cannot be.

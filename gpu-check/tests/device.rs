@@ -106,8 +106,8 @@ fn hits_are_those_of_the_model_and_of_rational_arithmetic() {
     }
 }
 
-/// Coordinates that no float arithmetic is exact on: the answers are those of the exact tracer all the same, and would not be
-/// without the bounds. [BAND-2] [BAND-3] [BAND-4] [BAND-5] [BAND-6]
+/// Coordinates that no float arithmetic is exact on: the answers are those of the exact tracer all the same, and would
+/// not be without the bounds. [BAND-2] [BAND-3] [BAND-4] [BAND-5] [BAND-6]
 #[test]
 fn certain_and_settled_hits_are_exact() {
     let gpu = gpu();

@@ -17,8 +17,8 @@ pub trait Choose {
     /// Any number whose ones are among those of `of`.
     fn subset(&mut self, of: u64) -> u64;
 
-    /// The inner nodes of any tree with at most so many of them, as a set of keys. (There may be keys in it that no path
-    /// leads to; they are no nodes, and only count.)
+    /// The inner nodes of any tree with at most so many of them, as a set of keys. (There may be keys in it that no
+    /// path leads to; they are no nodes, and only count.)
     fn inner_keys(&mut self, most: u32) -> Option<u64>;
 
     /// Goes on only where this holds.

@@ -4,13 +4,14 @@
 //! ([`Choose`]), and run three ways:
 //!
 //! - by `cargo kani -p proofs`: each choice is any value, and the claim is proved for all of them;
-//! - by `proofs/cbmc/check.sh`: the same, by CBMC on the library compiled to WebAssembly and from there to C, with a small
+//! - by `proofs/cbmc/check.sh`: the same, by CBMC on the library compiled to WebAssembly and from there to C, with a
+//!   small
 //!   crate in place of Kani's;
 //! - by `cargo test -p proofs`: the choices are enumerated where they are few, and drawn where they are many.
 //!
 //! Each harness has a twin: the same body with one planted mistake ([`Choose::PLANTED`]), which must be refuted. What a
-//! harness assumes must be possible: each has a [`cover!`] that must be reached. `README.md` lists the harnesses with their
-//! bounds and times, `SOUNDNESS.md` says what they do not prove.
+//! harness assumes must be possible: each has a [`cover!`] that must be reached. `README.md` lists the harnesses with
+//! their bounds and times, `SOUNDNESS.md` says what they do not prove.
 #![cfg_attr(target_family = "wasm", no_std)]
 #![forbid(unsafe_code)]
 

@@ -1,7 +1,7 @@
 //! What a traversal is compared with: the postponed nodes, one a level, and nothing else.
 //!
-//! It is the oracle's recursion with its activations laid out, as a bounded proof needs it: the tests of this package hold
-//! it to [`oracle`](stackless_bvh::oracle) itself.
+//! It is the oracle's recursion with its activations laid out, as a bounded proof needs it: the tests of this package
+//! hold it to [`oracle`](stackless_bvh::oracle) itself.
 
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::key::KeyWord;
@@ -162,7 +162,8 @@ impl<'t, T: Keyed> Watch<'t, T> {
         Self { tree, reference: Reference::new(script, pruning), visits: 0, longest: 0, restarted: 0 }
     }
 
-    /// A node is passed on the way down from the root: it is above the next one, and below the one that was passed before.
+    /// A node is passed on the way down from the root: it is above the next one, and below the one that was passed
+    /// before.
     fn pass(&mut self, key: u32) {
         assert!(!self.reference.is_done);
         let (depth, to) = (key.ilog2(), self.reference.depth());

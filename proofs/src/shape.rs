@@ -9,8 +9,8 @@ use crate::Choose;
 
 /// Any tree with at most so many inner nodes: a set of keys, bit `k` for the inner node with key `k`.
 ///
-/// The node with key `k` has the index `k`. So the links of a node are computed, and what a traversal says of its key can be
-/// compared with where it is.
+/// The node with key `k` has the index `k`. So the links of a node are computed, and what a traversal says of its key
+/// can be compared with where it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shape {
     inner: u64,
@@ -47,8 +47,8 @@ impl Shape {
         self.node(if ancestor > 1 { ancestor ^ 1 } else { 1 })
     }
 
-    /// Whether a key has to be hashed: below its sibling there is a node whose record does not name it any more, an inner
-    /// one or a leaf three levels down. `[HASH-3]`
+    /// Whether a key has to be hashed: below its sibling there is a node whose record does not name it any more, an
+    /// inner one or a leaf three levels down. `[HASH-3]`
     fn is_hashed(self, key: u32) -> bool {
         // There is a node three levels down if there is an inner node two levels down.
         let below = |path: u32| {
@@ -127,8 +127,8 @@ impl<W: KeyWord> Lookup<W> for HashedKeys {
     }
 }
 
-/// Whatever a search may decide, fixed for each node: which children are wanted, which comes first, whether they are disjoint,
-/// in which leaves something is found, and at which the search ends.
+/// Whatever a search may decide, fixed for each node: which children are wanted, which comes first, whether they are
+/// disjoint, in which leaves something is found, and at which the search ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Script {
     left: u64,

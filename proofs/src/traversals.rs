@@ -1,8 +1,9 @@
 //! Every traversal is the oracle's, on all trees up to a size, whatever is decided.
 //!
-//! The cursors are the library's; the trees and links are [`Shape`]'s, computed from keys, so that a proof has no memory
-//! to reason about. At each visit node, key, trail, counter, marks and register are compared with the
-//! [reference](crate::reference). `INNER` is the greatest number of inner nodes: trees have up to `2 INNER + 1` nodes and are up to `INNER` edges deep.
+//! The cursors are the library's; the trees and links are [`Shape`]'s, computed from keys, so that a proof has no
+//! memory to reason about. At each visit node, key, trail, counter, marks and register are compared with the
+//! [reference](crate::reference). `INNER` is the greatest number of inner nodes: trees have up to `2 INNER + 1` nodes
+//! and are up to `INNER` edges deep.
 
 mod resumed;
 

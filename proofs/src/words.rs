@@ -13,7 +13,8 @@ harnesses! {
     pieces_u64, pieces_u64_twin, 4 => pieces::<u64>;
     /// The same. `[HASH-6]`
     pieces_u128, pieces_u128_twin, 5 => pieces::<u128>;
-    /// A growing word of up to 65 bits, beyond its register, is the wide number in all that a traversal asks of it. `[DEPTH-3]`
+    /// A growing word of up to 65 bits, beyond its register, is the wide number in all that a traversal asks of it.
+    /// `[DEPTH-3]`
     grow, grow_twin, 66 kani => grow_is_u128::<65>;
 }
 

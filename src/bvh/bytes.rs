@@ -124,8 +124,8 @@ impl<V: Stored> Bvh<Triangle<V>> {
         bytes
     }
 
-    /// The hierarchy that these bytes are, sound in itself: all that [`validate`](super::validate()) checks
-    /// without a mesh has been checked, so that queries end and their answers are right for the triangles that it holds.
+    /// The hierarchy that these bytes are, sound in itself: all that [`validate`](super::validate()) checks without a
+    /// mesh has been checked, so that queries end and their answers are right for the triangles that it holds.
     /// `[FILE-5]`
     ///
     /// Whether these are the triangles of some mesh is what [`validate`](super::validate()) tells. Nothing is allocated

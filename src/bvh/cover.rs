@@ -44,10 +44,10 @@ const SIDES: [(usize, bool); 6] = [(0, false), (0, true), (1, false), (1, true),
 
 /// The same in rational arithmetic.
 ///
-/// Each box in turn is taken away: what is left of a polygon beyond the first plane of the box, beyond the second within
-/// the first, and so on, are polygons again. What the boxes do not cover of a triangle is open in it, as they are closed,
-/// so it is empty or has as many dimensions as the triangle (fewer than two, if that is degenerate). Therefore polygons of
-/// fewer are dropped, and borders need no care.
+/// Each box in turn is taken away: what is left of a polygon beyond the first plane of the box, beyond the second
+/// within the first, and so on, are polygons again. What the boxes do not cover of a triangle is open in it, as they
+/// are closed, so it is empty or has as many dimensions as the triangle (fewer than two, if that is degenerate).
+/// Therefore polygons of fewer are dropped, and borders need no care.
 fn covers<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
     let exact = |x: V::Real| RBig::try_from(x.into()).ok();
     let Some(corners) = triangle.0.iter().map(|v| point(v.components(), exact)).collect() else { return false };
@@ -82,7 +82,8 @@ struct Polygon {
 }
 
 impl Polygon {
-    /// Least and greatest coordinates, rounded to nearest. As rounding keeps the order, what is apart after it is apart.
+    /// Least and greatest coordinates, rounded to nearest. As rounding keeps the order, what is apart after it is
+    /// apart.
     fn bounds(&self) -> ([f64; 3], [f64; 3]) {
         let (mut lo, mut hi) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for corner in &self.corners {
@@ -95,8 +96,8 @@ impl Polygon {
         (lo, hi)
     }
 
-    /// What is beyond a plane across an axis, and what is not, where these have as many dimensions. If all is in the plane,
-    /// nothing is beyond.
+    /// What is beyond a plane across an axis, and what is not, where these have as many dimensions. If all is in the
+    /// plane, nothing is beyond.
     fn cut(self, axis: usize, is_upper: bool, plane: &RBig) -> (Option<Self>, Option<Self>) {
         let beyond = |corner: &Point| if is_upper { &corner[axis] - plane } else { plane - &corner[axis] };
         let heights: Vec<_> = self.corners.iter().map(beyond).collect();

@@ -80,7 +80,8 @@ pub struct Leaf {
     pub links: [Node; 2],
 }
 
-/// A triangle as a leaf holds it, by its corners or in another [`Shape`](crate::geom::Kernel::Shape) that a kernel wants.
+/// A triangle as a leaf holds it, by its corners or in another [`Shape`](crate::geom::Kernel::Shape) that a kernel
+/// wants.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct LeafTriangle<S = Triangle> {
@@ -109,8 +110,8 @@ impl<S> Bvh<S> {
 
     /// How many references to triangles there are beyond the first of each: 0 unless spatial splits cut some in two.
     ///
-    /// A leaf's box holds all of its triangles where this is 0. Otherwise it holds those parts of them that other leaves
-    /// do not hold, and a query that looks at more than the closest hit meets some triangles again.
+    /// A leaf's box holds all of its triangles where this is 0. Otherwise it holds those parts of them that other
+    /// leaves do not hold, and a query that looks at more than the closest hit meets some triangles again.
     pub fn duplicates(&self) -> usize {
         self.duplicates
     }
@@ -155,8 +156,9 @@ impl<S> Bvh<S> {
         first as usize..first as usize + count as usize
     }
 
-    /// Axis (0, 1, 2) along which each inner node was split, plus [`SignOrder::REVERSED`](crate::order::SignOrder::REVERSED)
-    /// where it is the right child that holds the smaller centroids.
+    /// Axis (0, 1, 2) along which each inner node was split, plus
+    /// [`SignOrder::REVERSED`](crate::order::SignOrder::REVERSED) where it is the right child that holds the smaller
+    /// centroids.
     pub fn axes(&self) -> &[u8] {
         &self.axes
     }
@@ -173,7 +175,8 @@ impl<S> Bvh<S> {
         boxes
     }
 
-    /// The same hierarchy with other references in the two free places of each record. Parent and sibling stand there at first.
+    /// The same hierarchy with other references in the two free places of each record. Parent and sibling stand there
+    /// at first.
     #[must_use]
     pub fn with_links(mut self, recorded: Recorded) -> Self {
         self.recorded = recorded;

@@ -27,7 +27,8 @@ pub enum RefitError {
 impl<S> Bvh<S> {
     /// Takes on new shapes, and the smallest boxes that hold them, in the same tree.
     ///
-    /// Where spatial splits cut triangles in two, each of their leaves now holds them whole. It takes a fraction of the time of a build, and queries stay right. They get slower the more the shapes move relative to each other;
+    /// Where spatial splits cut triangles in two, each of their leaves now holds them whole. It takes a fraction of the
+    /// time of a build, and queries stay right. They get slower the more the shapes move relative to each other;
     /// [`axes`](Self::axes) stay what they were.
     ///
     /// ```

@@ -118,12 +118,13 @@ pub enum BvhError {
 
 /// Checks that a hierarchy is sound in itself and holds each triangle of the mesh (degenerate ones need not be there).
 ///
-/// Sound are boxes that nest, nodes and leaves in depth-first order, known split axes, records that name the relatives which
-/// they are said to name, the depth that is stated, and triangles with finite corners, each inside of its leaf's box.
+/// Sound are boxes that nest, nodes and leaves in depth-first order, known split axes, records that name the relatives
+/// which they are said to name, the depth that is stated, and triangles with finite corners, each inside of its leaf's
+/// box.
 ///
-/// A triangle is held once, unless there are to be [`duplicates`](Bvh::duplicates): then their number must be right, all
-/// references to a triangle must have the same corners, and where a triangle is not inside of the box of a leaf that holds
-/// it, the boxes of all its leaves must cover it, in exact arithmetic.
+/// A triangle is held once, unless there are to be [`duplicates`](Bvh::duplicates): then their number must be right,
+/// all references to a triangle must have the same corners, and where a triangle is not inside of the box of a leaf
+/// that holds it, the boxes of all its leaves must cover it, in exact arithmetic.
 ///
 /// # Errors
 /// Of the nodes the first fault in depth-first order; else that of the first triangle.

@@ -94,10 +94,10 @@ pub fn soup(seed: u64, n: usize) -> Mesh {
 /// Depth: `n` parallel triangles (at least one), each a quarter nearer to a last plane than the one before, x = 0.
 ///
 /// They are so near and so wide, 65,536 in y and z, that in single precision all boxes over some of them have the same
-/// surface. So every cut costs the same, and by surface area the farthest triangle is cut off alone again and again: the
-/// hierarchy is a chain about as deep as there are triangles, where the options allow it. From about 280 on their planes
-/// are not to be told apart. The first one stands beside the others in y, so that a ray can meet its box and, of the others,
-/// only the last.
+/// surface. So every cut costs the same, and by surface area the farthest triangle is cut off alone again and again:
+/// the hierarchy is a chain about as deep as there are triangles, where the options allow it. From about 280 on their
+/// planes are not to be told apart. The first one stands beside the others in y, so that a ray can meet its box and, of
+/// the others, only the last.
 pub fn layers(n: usize) -> Mesh {
     let mut parts = Parts::default();
     let (width, mut x) = (65_536.0, 1.0 / 1024.0);

@@ -1,8 +1,8 @@
 //! The stress suite: scenes and rays that are hard to get right, out of fixed seeds.
 //!
-//! Each [`StressCase`] takes one weakness of ray tracers to its limit: rays through edges and corners, triangles thinner
-//! than an ulp, distances that lie between two floats, coordinates at both ends of the range. A case says what is
-//! traced, not what comes out: the truth is computed elsewhere, over the whole mesh.
+//! Each [`StressCase`] takes one weakness of ray tracers to its limit: rays through edges and corners, triangles
+//! thinner than an ulp, distances that lie between two floats, coordinates at both ends of the range. A case says what
+//! is traced, not what comes out: the truth is computed elsewhere, over the whole mesh.
 //!
 //! Everything is made with operations that IEEE 754 rounds exactly (`+ - * /`, square root, powers of two by their
 //! bits), so the cases are the same on every machine. Each case has a seed of its own, from its name: a new case

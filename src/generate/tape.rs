@@ -89,8 +89,8 @@ pub struct Cell {
     /// Of an inner node: the axis (0, 1, 2) whose sign orders its children, for traversals of fixed order.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub axis: u8,
-    /// Of a leaf that is not missed: distance at which it is hit, at least that of its entry. It may be beyond the exit, where a leaf holds a
-    /// part of something and is hit in the rest of it.
+    /// Of a leaf that is not missed: distance at which it is hit, at least that of its entry. It may be beyond the
+    /// exit, where a leaf holds a part of something and is hit in the rest of it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub hit: Option<u32>,
 }
@@ -136,8 +136,8 @@ impl Tape {
 
     /// A tape with these cells, by slot.
     ///
-    /// `None` if there is not one for each node, a child is entered before its parent or left after it, a leaf is hit or a
-    /// node left before it is entered, the root is missed or not entered at 0, or an axis is not 0, 1 or 2.
+    /// `None` if there is not one for each node, a child is entered before its parent or left after it, a leaf is hit
+    /// or a node left before it is entered, the root is missed or not entered at 0, or an axis is not 0, 1 or 2.
     pub fn from_cells(tree: &impl Topology, cells: Vec<Cell>) -> Option<Self> {
         let root = tree.slot(tree.root());
         if cells.len() != tree.node_count() || cells[root].miss || cells[root].enter != 0 {

@@ -8,9 +8,9 @@ use super::{Aabb, EnclosedRay, Interval};
 
 /// An invertible affine map x -> A x + b, from an object's space to the space that it is placed in.
 ///
-/// The numbers are taken as the rational ones that they are, subnormal ones too. So the image of a point is exact, and has
-/// more digits than a float: only [`image_of_box`](Self::image_of_box) and [`pull_back`](Self::pull_back) round, outwards.
-/// `[INST-1]`
+/// The numbers are taken as the rational ones that they are, subnormal ones too. So the image of a point is exact, and
+/// has more digits than a float: only [`image_of_box`](Self::image_of_box) and [`pull_back`](Self::pull_back) round,
+/// outwards. `[INST-1]`
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AffineMap {
     rows: [[f32; 4]; 3],
@@ -95,8 +95,8 @@ impl AffineMap {
         &self.rows
     }
 
-    /// The smallest box in single precision that holds the image of a box, up to a few units of the last digit of doubles;
-    /// infinite beyond the range of single precision. Never too small. `[INST-2]`
+    /// The smallest box in single precision that holds the image of a box, up to a few units of the last digit of
+    /// doubles; infinite beyond the range of single precision. Never too small. `[INST-2]`
     pub fn image_of_box(&self, aabb: &Aabb) -> Aabb {
         let ends = self.rows.map(|row| {
             let terms = [0, 1, 2].map(|k| {
@@ -109,8 +109,8 @@ impl AffineMap {
         Aabb { lo: Vec3::from(ends.map(|[lo, _]| lo)), hi: Vec3::from(ends.map(|[_, hi]| hi)) }
     }
 
-    /// The ray in the object's space: bounds of A^-1 (o - b) and A^-1 d for all o and d within the bounds. Distances along it
-    /// are the same in every space. `[INST-3]`
+    /// The ray in the object's space: bounds of A^-1 (o - b) and A^-1 d for all o and d within the bounds. Distances
+    /// along it are the same in every space. `[INST-3]`
     pub fn pull_back(&self, ray: &EnclosedRay) -> EnclosedRay {
         let solve = |v: [Interval; 3]| self.inverse.map(|[x, y, z]| x * v[0] + y * v[1] + z * v[2]);
         let offset = self.rows.map(|row| Interval::exact(row[3].into()));

@@ -7,8 +7,8 @@ use glam::DVec3;
 use super::{Aabb, Triangle, Vector};
 
 impl<V: Vector> Triangle<V> {
-    /// A box that holds all of the triangle that is inside of `part`, exactly, and does not stick out of `part` or of the
-    /// triangle's own box. On some axis its `lo` is above its `hi` if no point of the triangle is inside.
+    /// A box that holds all of the triangle that is inside of `part`, exactly, and does not stick out of `part` or of
+    /// the triangle's own box. On some axis its `lo` is above its `hi` if no point of the triangle is inside.
     ///
     /// It is hardly larger than the smallest box of what is inside of `part` grown by 2^-45 of the triangle's greatest
     /// coordinate on each axis: by as much again, and by rounding to single precision.
@@ -26,13 +26,14 @@ impl<V: Vector> Triangle<V> {
     ///   t on the edges of X. They lie in order on the border of X, so X' is convex and inside of X.
     /// - *Distance.* A convex combination of points that are within iδ of others is as near to theirs. Evaluating it
     ///   costs less than 6uM, as a and b are at most M + 96uM.
-    /// - *Nothing needed is dropped.* t has an error of 3u, so the exact combination is within 7uM of the moved plane, and
+    /// - *Nothing needed is dropped.* t has an error of 3u, so the exact combination is within 7uM of the moved plane,
+    ///   and
     ///   the point of X' within 5δ + 7uM < 88uM, the least that the plane is moved by being 127uM. So all that X loses is
     ///   between corners strictly beyond the plane itself.
     /// - *The end.* After 6 cuts the box of the computed corners, grown by 128uM > 6δ, holds X.
     ///
-    /// `[SPLIT-1]` Nothing overflows, and what underflows is too small to matter, if M is 0 or from 2^-900 to 2^1000, as in single
-    /// precision it always is. Otherwise, the answer is the intersection of the two boxes.
+    /// `[SPLIT-1]` Nothing overflows, and what underflows is too small to matter, if M is 0 or from 2^-900 to 2^1000,
+    /// as in single precision it always is. Otherwise, the answer is the intersection of the two boxes.
     pub fn part(&self, part: &Aabb) -> Aabb {
         let whole = self.aabb();
         let within = whole.intersection(part);
@@ -68,8 +69,8 @@ const MARGIN: f64 = 128.0 * (0.5 * f64::EPSILON);
 /// 2^-900 to 2^1000.
 const RANGE: RangeInclusive<f64> = f64::from_bits((1023 - 900) << 52)..=f64::from_bits((1023 + 1000) << 52);
 
-/// A cut adds two corners for each run of dropped ones, and as many runs are kept: so at most half as many as there were. Six
-/// cuts make 4, 6, 9, 13, 19 and 28 of three. (Of a convex polygon they make nine, but rounding may dent it.)
+/// A cut adds two corners for each run of dropped ones, and as many runs are kept: so at most half as many as there
+/// were. Six cuts make 4, 6, 9, 13, 19 and 28 of three. (Of a convex polygon they make nine, but rounding may dent it.)
 const MOST: usize = 28;
 
 #[derive(Clone, Copy)]

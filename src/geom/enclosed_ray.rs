@@ -4,8 +4,8 @@ use glam::{DVec3, Vec3};
 
 use super::{Interval, Ray};
 
-/// Bounds of the origin and of the direction of a ray: what is known of it in the space of an object that is placed by maps
-/// whose inverses are no floats.
+/// Bounds of the origin and of the direction of a ray: what is known of it in the space of an object that is placed by
+/// maps whose inverses are no floats.
 ///
 /// Nothing is said about how the true components depend on each other. `[INST-3]`
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,8 +4,8 @@ use std::ops::{Add, Mul, Sub};
 
 use super::kernel::two_sum;
 
-/// All numbers from a least to a greatest. Sums, differences and products hold all sums, differences and products of numbers
-/// that the operands hold: ends are rounded outwards, where they are rounded at all. `[INST-3]`
+/// All numbers from a least to a greatest. Sums, differences and products hold all sums, differences and products of
+/// numbers that the operands hold: ends are rounded outwards, where they are rounded at all. `[INST-3]`
 ///
 /// Lower ends are never +infinity, upper ends never -infinity, and neither is NaN.
 ///

@@ -1,17 +1,18 @@
 //! The distance from a point to a triangle, correctly rounded.
 //!
 //! A point `q` of the triangle that double precision thinks nearest gives two bounds, whatever it is worth. All of the
-//! triangle is at least as far away as the plane across `q` that touches it: seen from the query point, no `x` in the triangle
-//! has less than `min(q . corner) / |q|`. And `q` itself is in the triangle. If both bounds round to the same float, that is
-//! the answer; else rational arithmetic gives it. `[NEAR-1]`
+//! triangle is at least as far away as the plane across `q` that touches it: seen from the query point, no `x` in the
+//! triangle has less than `min(q . corner) / |q|`. And `q` itself is in the triangle. If both bounds round to the same
+//! float, that is the answer; else rational arithmetic gives it. `[NEAR-1]`
 //!
 //! # Rounding
 //!
-//! With u = 2^-53, corners relative to the query point are off by u of their components, of which M is the greatest. A dot
-//! product with `q` is then off by at most 7 u |q| M (4 roundings, |corner| <= sqrt(3) M), which moves the lower bound by
-//! 7 u M. `q = a + v (b - a) + w (c - a)` has components off by at most 13 u M, and `v + w` may exceed 1 by 3 u, which moves
-//! `q` by no more than 6 sqrt(3) u M: 34 u M together. [`MARGIN`] is nearly twice the greater one, for the roundings of the
-//! bounds themselves. Nothing over- or underflows: components of single precision, to the fourth power, stay in range.
+//! With u = 2^-53, corners relative to the query point are off by u of their components, of which M is the greatest. A
+//! dot product with `q` is then off by at most 7 u |q| M (4 roundings, |corner| <= sqrt(3) M), which moves the lower
+//! bound by 7 u M. `q = a + v (b - a) + w (c - a)` has components off by at most 13 u M, and `v + w` may exceed 1 by 3
+//! u, which moves `q` by no more than 6 sqrt(3) u M: 34 u M together. [`MARGIN`] is nearly twice the greater one, for
+//! the roundings of the bounds themselves. Nothing over- or underflows: components of single precision, to the fourth
+//! power, stay in range.
 
 use glam::{DVec3, Vec3};
 
@@ -96,8 +97,8 @@ fn bounds(corners: &[DVec3; 3]) -> [f64; 2] {
     [near, length * (1.0 + 8.0 * UNIT) + margin]
 }
 
-/// The point of a triangle that is nearest to zero, rounded (Ericson 2005, "Real-time collision detection", 5.1.5: by the
-/// Voronoi regions of corners and edges).
+/// The point of a triangle that is nearest to zero, rounded (Ericson 2005, "Real-time collision detection", 5.1.5: by
+/// the Voronoi regions of corners and edges).
 #[inline]
 fn nearest(&[a, b, c]: &[DVec3; 3]) -> DVec3 {
     let (ab, ac) = (b - a, c - a);

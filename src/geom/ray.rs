@@ -4,8 +4,8 @@ use glam::{DVec3, Vec3};
 
 use super::{Real, Vector};
 
-/// A half-line `origin + t direction`, or the part of it with `tmin <= t <= tmax`, both ends included; in single precision,
-/// or with [`DVec3`] in double.
+/// A half-line `origin + t direction`, or the part of it with `tmin <= t <= tmax`, both ends included; in single
+/// precision, or with [`DVec3`] in double.
 ///
 /// The direction need not have unit length; `t` is measured in its lengths.
 ///

@@ -226,7 +226,8 @@ pub fn square_distance<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Optio
         let (edge, to_point) = (minus(corners[(i + 1) % 3], corners[i]), minus(&p, corners[i]));
         let (along, length) = (dot(&edge, &to_point), dot(&edge, &edge));
         is_above &= dot(&cross(&normal, &edge), &to_point).sign() == Sign::Positive;
-        // From the nearest point of the edge: the start, or the foot of the perpendicular. At the end the next edge starts.
+        // From the nearest point of the edge: the start, or the foot of the perpendicular. At the end the next edge
+        // starts.
         let square = dot(&to_point, &to_point);
         let square = if along.sign() == Sign::Negative || along.is_zero() {
             Relaxed::from(square)
@@ -246,7 +247,8 @@ pub fn square_distance<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Optio
     least.map(|square| (square / Relaxed::from(&scale * &scale)).canonicalize())
 }
 
-/// The `f32` nearest to the square root of `x`, which must not be negative; of two equally near the one whose last bit is 0.
+/// The `f32` nearest to the square root of `x`, which must not be negative; of two equally near the one whose last bit
+/// is 0.
 ///
 /// ```
 /// use stackless_bvh::geom::truth::{RBig, round_root_f32};

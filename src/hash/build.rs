@@ -236,8 +236,8 @@ fn odd_above_twice(count: usize) -> Result<TableSize, Failure> {
     cells.ok_or(Failure::Final(BuildError::TooManyKeys { keys: count }))
 }
 
-/// Sizes for direct addresses. H grows by an eighth a few times where two keys are equal modulo it: with as few cells as
-/// direct addresses leave, that happens by chance, and a bijection would cost many direct addresses.
+/// Sizes for direct addresses. H grows by an eighth a few times where two keys are equal modulo it: with as few cells
+/// as direct addresses leave, that happens by chance, and a bijection would cost many direct addresses.
 fn tight(keys: &[HashedKey]) -> Result<(Buckets, TableSize), Failure> {
     const SIZES: usize = 16;
     let buckets = Buckets::of(keys, nearest_power(2 * keys.len()));

@@ -68,8 +68,8 @@ impl fmt::Display for CertificateError {
 
 impl core::error::Error for CertificateError {}
 
-/// Checks that every hashed key leads to its node, that D and H are coprime and of the stated sizing, that every word is
-/// in its range, and that the counts in the header are right. `[HASH-9]`
+/// Checks that every hashed key leads to its node, that D and H are coprime and of the stated sizing, that every word
+/// is in its range, and that the counts in the header are right. `[HASH-9]`
 ///
 /// It shares no code with the construction and the lookup but the bijection and the fold of long keys, which are part
 /// of the function's definition: it finds the hashed nodes by the definition of the set, enumerates their keys in

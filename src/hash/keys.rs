@@ -16,17 +16,17 @@ pub enum KeySet {
     Paper,
     /// The nodes that some search with register and uncles of this reach looks up, and no others. `[HASH-3]`
     ///
-    /// **Rule.** Hash x iff the subtree of its sibling s holds an inner node more than Ui levels below s, or a leaf more
-    /// than Ul levels below s, where records of inner nodes name Ui ancestors' siblings and those of leaves Ul.
+    /// **Rule.** Hash x iff the subtree of its sibling s holds an inner node more than Ui levels below s, or a leaf
+    /// more than Ul levels below s, where records of inner nodes name Ui ancestors' siblings and those of leaves Ul.
     ///
     /// **Sufficient.** Let a search go to x from the visited node y without knowing its address. Then x is the lowest
-    /// postponed node and y, some number δ of levels below s, does not name it. δ is not 0: there the register still holds x
-    /// from the descent into s. So y is a node below s that does not name x: more than Ui below s if it is an inner node,
-    /// more than Ul if it is a leaf.
+    /// postponed node and y, some number δ of levels below s, does not name it. δ is not 0: there the register still
+    /// holds x from the descent into s. So y is a node below s that does not name x: more than Ui below s if it is an
+    /// inner node, more than Ul if it is a leaf.
     ///
     /// **Necessary.** Let z be such a node. A search that postpones x, enters single children down to the parent of z,
-    /// there postpones z, finds nothing in the sibling of z, returns to z (which empties the register) and finds nothing
-    /// there either has x as its next node, and neither the register nor the record of z has its address.
+    /// there postpones z, finds nothing in the sibling of z, returns to z (which empties the register) and finds
+    /// nothing there either has x as its next node, and neither the register nor the record of z has its address.
     ///
     /// **In one number.** A subtree with a leaf more than Ul below s is one that is higher than Ul. One with an inner
     /// node more than Ui below s is one that is higher than Ui + 1. So x is hashed iff its sibling's subtree is at

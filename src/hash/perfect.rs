@@ -18,14 +18,15 @@ use crate::tree::Node;
 /// h(k) = ((k mod H) + d[k mod D]) mod H        [HASH-1]
 /// ```
 ///
-/// where D is a power of two. (The paper writes (k + d) mod H, which overflows where keys use the full width.) Where one
-/// key alone has a displacement, its node stands there instead, marked by the sign: one load, no remainder. `[HASH-5]`
+/// where D is a power of two. (The paper writes (k + d) mod H, which overflows where keys use the full width.) Where
+/// one key alone has a displacement, its node stands there instead, marked by the sign: one load, no remainder.
+/// `[HASH-5]`
 ///
 /// Keys of up to 64 bits are hashed as they are, in 32-bit arithmetic where all keys of the tree fit. Longer ones are
 /// folded to 64 bits first, under a seed for which the folds of all hashed keys differ. `[HASH-6]`
 ///
-/// The function cannot separate two keys that are equal modulo D and modulo H. Where the tree has such keys, all keys go
-/// through a bijection first, chosen by a seed: [`Mix`]. `[HASH-7]`
+/// The function cannot separate two keys that are equal modulo D and modulo H. Where the tree has such keys, all keys
+/// go through a bijection first, chosen by a seed: [`Mix`]. `[HASH-7]`
 ///
 /// The answer for a key that is not in the set is meaningless. Builds with debug assertions compare keys and panic;
 /// [`Verified`](super::Verified) counts such lookups instead.
@@ -206,8 +207,8 @@ impl PerfectHash {
         &self.header
     }
 
-    /// The displacement table d, of D words: displacements below H, or addresses with the sign bit set, `0x80000000 + a`
-    /// for the inner node a and `!i` for the leaf i. 0 where no key has it.
+    /// The displacement table d, of D words: displacements below H, or addresses with the sign bit set, `0x80000000 +
+    /// a` for the inner node a and `!i` for the leaf i. 0 where no key has it.
     pub fn displacements(&self) -> &[u32] {
         &self.displacements
     }
@@ -217,7 +218,8 @@ impl PerfectHash {
         &self.cells
     }
 
-    /// What stands where a key leads, for whatever key: `None` for an empty cell, else a node that need not be the key's.
+    /// What stands where a key leads, for whatever key: `None` for an empty cell, else a node that need not be the
+    /// key's.
     #[inline(always)]
     pub fn probe<W: KeyWord>(&self, key: &W) -> Option<Node> {
         self.probe_by(&self.modulus, key)
@@ -225,8 +227,8 @@ impl PerfectHash {
 
     /// [`probe`](Self::probe) with another way to the remainder by H, which `modulo` must be made for.
     ///
-    /// The lookup multiplies by a [`Reciprocal`]. By itself that has twice the throughput of a division; within a lookup
-    /// on a processor with fast division the two differ by less than a tenth.
+    /// The lookup multiplies by a [`Reciprocal`]. By itself that has twice the throughput of a division; within a
+    /// lookup on a processor with fast division the two differ by less than a tenth.
     #[inline(always)]
     pub fn probe_by<W: KeyWord>(&self, modulo: &impl Modulo, key: &W) -> Option<Node> {
         let mix = self.header.mix;
@@ -248,8 +250,8 @@ impl PerfectHash {
         is_address(self.displacements[mixed as usize & (self.displacements.len() - 1)])
     }
 
-    /// The branch is as printed. Doing without, by two loads and a select, takes 3.5 ns instead of 6 where half of the keys
-    /// are direct and 3.5 instead of 2.2 where nearly all are, and makes no difference to a traversal.
+    /// The branch is as printed. Doing without, by two loads and a select, takes 3.5 ns instead of 6 where half of the
+    /// keys are direct and 3.5 instead of 2.2 where nearly all are, and makes no difference to a traversal.
     #[inline(always)]
     fn word(&self, low_bits: usize, remainder: impl FnOnce() -> u32) -> u32 {
         let displacement = self.displacements[low_bits & (self.displacements.len() - 1)];

@@ -42,7 +42,8 @@ pub(super) enum Clash {
 }
 
 impl Buckets {
-    /// Groups keys by their low bits; `size` is a power of two. Two passes of counting sort: linear in keys and buckets.
+    /// Groups keys by their low bits; `size` is a power of two. Two passes of counting sort: linear in keys and
+    /// buckets.
     pub(super) fn of(keys: &[HashedKey], size: usize) -> Self {
         let index = |key: &HashedKey| key.key as usize & (size - 1);
         let mut counts = vec![0_u32; size];

@@ -17,8 +17,8 @@ pub trait ChildOrder: Copy + Debug {
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest;
 
-/// The left child, which in a new [`Bvh`](crate::bvh::Bvh) is the one of the larger surface: it holds more to be hit. For
-/// any-hit queries, and faster than it looks: the processor always knows which node comes next.
+/// The left child, which in a new [`Bvh`](crate::bvh::Bvh) is the one of the larger surface: it holds more to be hit.
+/// For any-hit queries, and faster than it looks: the processor always knows which node comes next.
 #[derive(Clone, Copy, Debug)]
 pub struct FromLeft;
 

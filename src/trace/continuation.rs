@@ -17,14 +17,15 @@ use crate::tree::{Keys, Node, Topology};
 pub struct Place(Node);
 
 /// Queries that begin in a leaf, at the place of a path's last hit, and not at the root: the leaf first, then what is
-/// beside it, then what is beside its parent, and so on upwards (Binder & Keller 2016, Section 2.4 and Fig. 8). `[PAUSE-7]`
+/// beside it, then what is beside its parent, and so on upwards (Binder & Keller 2016, Section 2.4 and Fig. 8).
+/// `[PAUSE-7]`
 ///
-/// Where a ray begins in the hierarchy changes what it costs, never what it hits: the answers are those of the tracer, for
-/// any place. Close hits are found sooner, and keep what is far away from being looked at.
+/// Where a ray begins in the hierarchy changes what it costs, never what it hits: the answers are those of the tracer,
+/// for any place. Close hits are found sooner, and keep what is far away from being looked at.
 ///
-/// The traversal has nothing but the key of the leaf, as the decisions that led there were another ray's: so each sibling on the
-/// way up is visited, and its own box tested then. Addresses of leaf and sibling are found by a walk along the key, which tests
-/// no boxes.
+/// The traversal has nothing but the key of the leaf, as the decisions that led there were another ray's: so each
+/// sibling on the way up is visited, and its own box tested then. Addresses of leaf and sibling are found by a walk
+/// along the key, which tests no boxes.
 ///
 /// ```
 /// use glam::Vec3;

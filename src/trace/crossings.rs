@@ -108,8 +108,8 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
     }
 }
 
-/// Counts how often a ray crosses a closed mesh, exact: each crossing once, also at edges and corners, and not where the
-/// ray only touches. `[PARITY-1]`
+/// Counts how often a ray crosses a closed mesh, exact: each crossing once, also at edges and corners, and not where
+/// the ray only touches. `[PARITY-1]`
 ///
 /// The count is odd if the mesh winds around the ray's origin an odd number of times, as it does around a point inside,
 /// and even otherwise, if the ray has no end and its origin is not on the mesh.

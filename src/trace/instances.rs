@@ -1,15 +1,15 @@
 //! Objects that are placed many times, by affine maps, in groups that may be placed in turn.
 //!
-//! The hierarchy of a group is over the boxes of its instances. At a leaf of it, the ray and the state of its traversal wait,
-//! and a traversal of the instance's object starts with the ray in the object's space, and with the best hit so far. When it
-//! ends, the one that waits goes on (Binder & Keller 2016, Section 2.4).
+//! The hierarchy of a group is over the boxes of its instances. At a leaf of it, the ray and the state of its traversal
+//! wait, and a traversal of the instance's object starts with the ray in the object's space, and with the best hit so
+//! far. When it ends, the one that waits goes on (Binder & Keller 2016, Section 2.4).
 //!
 //! # What is exact
 //!
-//! The answers are those of rational arithmetic on the exact images of the triangles under the maps as they are written, and
-//! the ray as it is given. `[INST-1]` Distances along a ray are the same in every space, so nothing is
-//! transformed back. In an object's space the ray is known within bounds only; where they decide, no more is asked. Else exact
-//! images of the triangle's corners are made, which takes some thousand times as long. `[INST-5]`
+//! The answers are those of rational arithmetic on the exact images of the triangles under the maps as they are
+//! written, and the ray as it is given. `[INST-1]` Distances along a ray are the same in every space, so nothing is
+//! transformed back. In an object's space the ray is known within bounds only; where they decide, no more is asked.
+//! Else exact images of the triangle's corners are made, which takes some thousand times as long. `[INST-5]`
 
 mod assembly;
 mod walk;
@@ -186,8 +186,8 @@ impl<'a> InstanceTracer<'a> {
     }
 
     /// Bytes of the state of one ray: for each level that a ray can be in at once, those of the traversal's state, as
-    /// [`Method::state_bytes_in`] counts them, and [`RAY_BYTES`](Self::RAY_BYTES). The deepest levels count. What is found so far is
-    /// not in it.
+    /// [`Method::state_bytes_in`] counts them, and [`RAY_BYTES`](Self::RAY_BYTES). The deepest levels count. What is
+    /// found so far is not in it.
     pub fn state_bytes(&self) -> usize {
         let mut bytes: Vec<usize> = Vec::new();
         for level in &self.levels {

@@ -44,8 +44,8 @@ impl Level {
         self.method.state_bytes_in(self.word, bvh.depth())
     }
 
-    /// Runs a query to its end: in a copy of the traversals that is compiled for it, if keys are short and the records name
-    /// what the traversal follows; else in the copy that all queries share.
+    /// Runs a query to its end: in a copy of the traversals that is compiled for it, if keys are short and the records
+    /// name what the traversal follows; else in the copy that all queries share.
     #[inline]
     pub(super) fn run<S>(&self, bvh: &Bvh<S>, octant: u8, memory: &mut Vec<Node>, query: &mut impl Query) {
         let (method, tables) = (self.method_for(query), self.tables(bvh));
@@ -98,7 +98,8 @@ impl Level {
     }
 }
 
-/// What every hierarchy fits. [`Level::new`] sees to it that nobody comes here; who does is answered, and not with a miss.
+/// What every hierarchy fits. [`Level::new`] sees to it that nobody comes here; who does is answered, and not with a
+/// miss.
 #[cold]
 #[inline(never)]
 fn by_stack<S>(bvh: &Bvh<S>, mut query: &mut dyn Query) {

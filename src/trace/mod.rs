@@ -3,8 +3,8 @@
 //! [`Closest`] and [`Any`] test both children at their parent, so the root's own box is not tested. [`ClosestByNode`]
 //! and [`AnyByNode`] test a node's own box at its visit, for the traversals that are made that way. They are exact: the
 //! answer to a closest-hit query is that of rational arithmetic ([`Truth`]), and so it is the same, bit for bit, for
-//! every tree over the same mesh, every order and every traversal. `[DET-1]` Of an any-hit query, only whether there is a
-//! hit is.
+//! every tree over the same mesh, every order and every traversal. `[DET-1]` Of an any-hit query, only whether there is
+//! a hit is.
 //!
 //! # A ray's way
 //!
@@ -18,8 +18,8 @@
 //! | [`Context::by_parent`](crate::traverse::Context::by_parent) | that its cursor runs to the end |
 //! | [`traverse_pruned`](crate::traverse::traverse_pruned) | the loop |
 //!
-//! Whether all these fit is found when the tracer is made ([`Unfit`](crate::traverse::Unfit)); a ray cannot fail. What is not
-//! a mesh, a ray, a ball or options of a builder is refused where it enters
+//! Whether all these fit is found when the tracer is made ([`Unfit`](crate::traverse::Unfit)); a ray cannot fail. What
+//! is not a mesh, a ray, a ball or options of a builder is refused where it enters
 //! ([`MeshError`](crate::geom::MeshError), [`RayError`](crate::geom::RayError), [`BallError`](crate::geom::BallError),
 //! [`BuildError`](crate::bvh::BuildError)).
 

@@ -105,8 +105,8 @@ impl<'a> Around<'a> {
         self.measure.to_box(aabb) as f32 <= self.limit
     }
 
-    /// Shows the triangles of a leaf within the limit: the limit and, of each, distance, index and place in the hierarchy.
-    /// The answer is the new limit.
+    /// Shows the triangles of a leaf within the limit: the limit and, of each, distance, index and place in the
+    /// hierarchy. The answer is the new limit.
     fn meet(&mut self, leaf: Node, mut found: impl FnMut(f32, (f32, u32, usize)) -> f32) {
         let range = self.bvh.leaf_range(leaf);
         for (place, held) in range.clone().zip(&self.bvh.triangles()[range]) {

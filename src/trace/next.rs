@@ -22,8 +22,8 @@ pub struct Following<'a, K: Kernel, B: Slabs<Vector = K::Vector>> {
 impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Following<'a, K, B> {
     /// Prepares a query.
     pub fn new(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>, after: (Real<K>, u32)) -> Self {
-        // Boxes that end before the given hit are skipped. Its distance is rounded, and the exact one is beyond the float
-        // before. The triangles are tested with the ray itself.
+        // Boxes that end before the given hit are skipped. Its distance is rounded, and the exact one is beyond the
+        // float before. The triangles are tested with the ray itself.
         let start = after.0.next_down();
         let start = if start > ray.tmin() { start } else { ray.tmin() };
         let rest = Ray::within(ray.origin(), ray.direction(), start, ray.tmax()).unwrap_or(*ray);

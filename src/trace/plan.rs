@@ -33,7 +33,8 @@ pub struct Asked<R = f32> {
 pub enum Part {
     /// Keys of 128 bits.
     LongKeys,
-    /// Tables of other traversals than the one that runs: parents, uncles, all keys, skip pointers, the implicit layout.
+    /// Tables of other traversals than the one that runs: parents, uncles, all keys, skip pointers, the implicit
+    /// layout.
     OtherTables,
     /// The second trail, by which a hit ends what lies behind it.
     SecondTrail,

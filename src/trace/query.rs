@@ -4,8 +4,8 @@ use crate::geom::Aabb;
 use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Repeatable, Visitor};
 use crate::tree::Node;
 
-/// A query that every traversal can run. As `&mut dyn Query` it is one type for all kinds, so that not all traversals are
-/// compiled for each kind anew.
+/// A query that every traversal can run. As `&mut dyn Query` it is one type for all kinds, so that not all traversals
+/// are compiled for each kind anew.
 pub trait Query: Pruned + NodeTest {}
 
 impl<Q: Pruned + NodeTest> Query for Q {}
@@ -34,8 +34,8 @@ pub trait BoxQuery: Pruned {
     }
 }
 
-/// Both forms of a query in one type, for traversals that are chosen when the program runs: those that test a node at its own
-/// visit find its box in a table.
+/// Both forms of a query in one type, for traversals that are chosen when the program runs: those that test a node at
+/// its own visit find its box in a table.
 #[derive(Clone, Debug)]
 pub struct OwnBoxes<'a, Q> {
     pub(super) query: Q,
@@ -43,7 +43,8 @@ pub struct OwnBoxes<'a, Q> {
 }
 
 impl<'a, Q: BoxQuery> OwnBoxes<'a, Q> {
-    /// `boxes` must be the tree's [`own_boxes`](crate::bvh::Bvh::own_boxes), or empty if the traversal tests no node's own box.
+    /// `boxes` must be the tree's [`own_boxes`](crate::bvh::Bvh::own_boxes), or empty if the traversal tests no node's
+    /// own box.
     #[inline]
     pub fn over(query: Q, boxes: &'a [Aabb]) -> Self {
         Self { query, boxes }

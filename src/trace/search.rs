@@ -15,7 +15,8 @@ use crate::tree::{Node, Topology};
 /// A closest-hit query, exact: visits the nearer child first, the left one of equals.
 pub type Closest<'a> = Search<'a, Exact, Directed, false>;
 
-/// An any-hit query, exact: visits the left child first, which is the larger one. It stops at the first hit that it meets.
+/// An any-hit query, exact: visits the left child first, which is the larger one. It stops at the first hit that it
+/// meets.
 pub type Any<'a> = Search<'a, Exact, Directed, true, FromLeft>;
 
 /// A closest-hit query in double precision, exact. `[EXACT-7]`
@@ -45,8 +46,8 @@ pub type ClosestByNode<'a> = NodeSearch<'a, Exact, Directed, false>;
 /// An any-hit query, exact, that tests each node's own box.
 pub type AnyByNode<'a> = NodeSearch<'a, Exact, Directed, true, FromLeft>;
 
-/// A ray on its way through a hierarchy, with the triangle test `K`, the box test `B` and the order `O` of children. With
-/// `ANY`, the first hit ends it.
+/// A ray on its way through a hierarchy, with the triangle test `K`, the box test `B` and the order `O` of children.
+/// With `ANY`, the first hit ends it.
 #[derive(Clone, Debug)]
 pub struct Search<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O = Nearest> {
     bvh: &'a Bvh<K::Shape>,
@@ -116,8 +117,8 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
                 return Flow::Stop;
             }
         } else if let Some(t) = self.kernel.distance(&held.shape, self.t) {
-            // The order of hits: by distance, then by triangle. Of a triangle in parts, the part that is met last counts: its
-            // leaf may be the one whose box holds the hit.
+            // The order of hits: by distance, then by triangle. Of a triangle in parts, the part that is met last
+            // counts: its leaf may be the one whose box holds the hit.
             if t < self.t || t == self.t && held.prim <= self.prim {
                 (self.t, self.prim, self.place) = (t, held.prim, place);
             }
@@ -141,8 +142,8 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
 }
 
 impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Pruned for Search<'_, K, B, ANY, O> {
-    /// Not over triangles in parts: there a hit may lie beyond the leaf's box and behind what is in others, and the box is
-    /// known to [`NodeSearch`] only.
+    /// Not over triangles in parts: there a hit may lie beyond the leaf's box and behind what is in others, and the box
+    /// is known to [`NodeSearch`] only.
     fn allows(&self, pruning: Pruning) -> bool {
         match pruning {
             Pruning::Never => true,
@@ -186,8 +187,8 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Re
 pub type NodeSearch<'a, K, B, const ANY: bool, O = Nearest> = OwnBoxes<'a, Search<'a, K, B, ANY, O>>;
 
 impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> NodeSearch<'a, K, B, ANY, O> {
-    /// Prepares a query. `boxes` must be the tree's [`own_boxes`](Bvh::own_boxes), or empty if the traversal tests no node's
-    /// own box.
+    /// Prepares a query. `boxes` must be the tree's [`own_boxes`](Bvh::own_boxes), or empty if the traversal tests no
+    /// node's own box.
     #[inline]
     pub fn new(bvh: &'a Bvh<K::Shape>, boxes: &'a [Aabb], ray: &Ray<K::Vector>) -> Self {
         Self::over(Search::new(bvh, ray), boxes)

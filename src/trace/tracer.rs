@@ -20,12 +20,12 @@ use crate::tree::Node;
 
 /// Answers queries over a hierarchy by one of the traversals, with the triangle test `K` and the box test `B`.
 ///
-/// The hierarchy is its own, borrowed or shared: `T` is `Bvh`, `&Bvh`, `Arc<Bvh>`, or whatever else borrows as one, always
-/// the same. A tracer can be stored, sent and shared by threads as `T` can.
+/// The hierarchy is its own, borrowed or shared: `T` is `Bvh`, `&Bvh`, `Arc<Bvh>`, or whatever else borrows as one,
+/// always the same. A tracer can be stored, sent and shared by threads as `T` can.
 ///
 /// Each query is there for one ray, for a slice on this thread (`_each`), and for a slice on all threads (`_parallel`).
-/// Whatever the traversal is not made for is found when the tracer is made; a ray cannot fail. The answers are exact unless
-/// other tests are asked for, and then the same for all hierarchies and traversals. `[DET-1]`
+/// Whatever the traversal is not made for is found when the tracer is made; a ray cannot fail. The answers are exact
+/// unless other tests are asked for, and then the same for all hierarchies and traversals. `[DET-1]`
 ///
 /// ```
 /// use std::sync::Arc;
@@ -82,14 +82,14 @@ impl<T: Borrow<Bvh>> Tracer<T> {
     /// A tracer by any traversal, with tables and words as narrow as the hierarchy allows.
     ///
     /// # Errors
-    /// [`Unfit`] where the traversal is not for this hierarchy: `complete` on one that is not, `laine-*` on one that is deeper
-    /// than 126.
+    /// [`Unfit`] where the traversal is not for this hierarchy: `complete` on one that is not, `laine-*` on one that is
+    /// deeper than 126.
     pub fn with_method(bvh: T, method: Method) -> Result<Self, Unfit> {
         Self::with_tests(bvh, method)
     }
 
-    /// A tracer that has what a plan says. A plan that was made for another hierarchy may cost time or memory, or be refused; it
-    /// does not change an answer.
+    /// A tracer that has what a plan says. A plan that was made for another hierarchy may cost time or memory, or be
+    /// refused; it does not change an answer.
     ///
     /// # Errors
     /// [`Unfit`], also where the keys of the plan are too short for the hierarchy.
@@ -116,8 +116,8 @@ impl<T: Borrow<Bvh>> Tracer<T> {
         in_parallel(balls, |ball, memory| self.nearest_in(ball, memory))
     }
 
-    /// The `k` triangles that are nearest to the middle of a ball, in order of distance and then index, as many as there are in
-    /// the ball. `[NEAR-2]`
+    /// The `k` triangles that are nearest to the middle of a ball, in order of distance and then index, as many as
+    /// there are in the ball. `[NEAR-2]`
     ///
     /// ```
     /// use glam::Vec3;
@@ -285,8 +285,8 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
         in_parallel(rays, |ray, memory| self.all_in(ray, memory))
     }
 
-    /// The first hit in the order (`t`, primitive) that comes after the given one, which need not be a hit. So hits can be
-    /// walked through one by one: none is lost or met again, not even where many have the same `t`.
+    /// The first hit in the order (`t`, primitive) that comes after the given one, which need not be a hit. So hits can
+    /// be walked through one by one: none is lost or met again, not even where many have the same `t`.
     ///
     /// ```
     /// # use glam::Vec3;
@@ -310,8 +310,8 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
         search.query.hit()
     }
 
-    /// What the [`Plan`] asks for, of each ray, on this thread: of any hit or of the closest one, and no more of it than the plan
-    /// wants.
+    /// What the [`Plan`] asks for, of each ray, on this thread: of any hit or of the closest one, and no more of it
+    /// than the plan wants.
     pub fn asked_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Asked<Real<K>>>> {
         let whole = |hit: Hit<_>| Asked { prim: hit.prim, t: Some(hit.t), weights: Some([hit.u, hit.v]) };
         each(rays, |ray, memory| match (self.ask, self.with_weights) {

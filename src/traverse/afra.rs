@@ -24,8 +24,8 @@ impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Afra<'t, W, T, M> {
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`Unfit::NoLinks`] where the tree names no parents and siblings, and [`Unfit::TooDeep`] beyond as many edges as the word
-    /// has bits.
+    /// [`Unfit::NoLinks`] where the tree names no parents and siblings, and [`Unfit::TooDeep`] beyond as many edges as
+    /// the word has bits.
     #[inline]
     pub fn new(tree: &'t T) -> Result<Self, Unfit> {
         Unfit::unless_linked(tree, Recorded::ParentSibling)?;

@@ -65,8 +65,8 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitA1<W, L> {
 /// The mask's new bit: whether the children are swapped.
 ///
 /// If both are wanted they are where the right one comes first. If one is, the index counts it as the second, so they
-/// are where it is the left one. (Printed: set if "right child first", toggled if one is rejected, where a rejected left
-/// child has to count as right first; spec/DEPARTURES.md, D-10.)
+/// are where it is the left one. (Printed: set if "right child first", toggled if one is rejected, where a rejected
+/// left child has to count as right first; spec/DEPARTURES.md, D-10.)
 #[inline]
 fn mask_bit<W: KeyWord>(descent: Descent) -> W {
     descent.first().bit::<W>().xor(&branched(!descent.postpones()))

@@ -40,12 +40,12 @@ impl<W> Marks<W> for () {
     fn set(&mut self, _: Option<W>) {}
 }
 
-/// A bit a level, shifted with the trail: 1 where all that is below the node comes before all that is below its sibling.
-/// `[DISJOINT-1]`
+/// A bit a level, shifted with the trail: 1 where all that is below the node comes before all that is below its
+/// sibling. `[DISJOINT-1]`
 ///
-/// This is the complement of Binder & Keller's `disjointIntervalsTrail` (2016, Section 2.3), which has 1 where intervals
-/// are *not* disjoint: so zeros, which shift in, say that nothing is known, and traversals without trail, which count in
-/// complements, take the bits as they are.
+/// This is the complement of Binder & Keller's `disjointIntervalsTrail` (2016, Section 2.3), which has 1 where
+/// intervals are *not* disjoint: so zeros, which shift in, say that nothing is known, and traversals without trail,
+/// which count in complements, take the bits as they are.
 #[derive(Clone, Debug, Default)]
 pub struct Disjoint<W>(W);
 

@@ -1,9 +1,9 @@
 //! The traversals: one loop, and one file for each way to find the next node.
 //!
 //! A [`Cursor`] is the state of one traversal. The loop of [`traverse`] visits the cursor's node, and tells it to
-//! descend or to backtrack; nothing else drives any algorithm of this crate. Geometry lives in the
-//! [`Visitor`], topology in the [`Topology`](crate::tree::Topology), and what an algorithm needs beyond the children in
-//! the tables that its constructor asks for. A constructor refuses a tree that is too deep for its word before the first step.
+//! descend or to backtrack; nothing else drives any algorithm of this crate. Geometry lives in the [`Visitor`],
+//! topology in the [`Topology`](crate::tree::Topology), and what an algorithm needs beyond the children in the tables
+//! that its constructor asks for. A constructor refuses a tree that is too deep for its word before the first step.
 
 mod afra;
 mod by_key;
@@ -79,8 +79,8 @@ pub trait Cursor {
     /// The answers may have become narrower in between (a shorter ray), never wider.
     const RESTARTS: bool = false;
 
-    /// Whether it leaves out postponed nodes that are disjoint from what is found. Then descents are marked, and it is for
-    /// searches that [allow](Pruned::allows) it.
+    /// Whether it leaves out postponed nodes that are disjoint from what is found. Then descents are marked, and it is
+    /// for searches that [allow](Pruned::allows) it.
     const PRUNES: bool = false;
 
     /// Whether it keeps the distances of postponed nodes.

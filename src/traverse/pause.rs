@@ -1,9 +1,9 @@
 //! Traversals that are put aside and taken up again.
 //!
-//! A traversal without a stack has a state of a few words (Binder & Keller 2016, Section 2.4). [`Paused`] is that state,
-//! with the addresses that the traversal holds. Where addresses are not to be kept, key and trail are enough
-//! ([`KeyTrail`]): the address is found by walking down along the key's bits, or asked of a table of all keys. From the key
-//! alone a search can be taken up as well, if it does not mind to see nodes that it did not want or has seen
+//! A traversal without a stack has a state of a few words (Binder & Keller 2016, Section 2.4). [`Paused`] is that
+//! state, with the addresses that the traversal holds. Where addresses are not to be kept, key and trail are enough
+//! ([`KeyTrail`]): the address is found by walking down along the key's bits, or asked of a table of all keys. From the
+//! key alone a search can be taken up as well, if it does not mind to see nodes that it did not want or has seen
 //! ([`KeyOnly`]); so can a search that starts at a node and not at the root.
 
 use core::fmt;
@@ -44,8 +44,8 @@ pub trait Pause: Cursor {
 pub struct Paused<W> {
     /// The node.
     pub node: Node,
-    /// The most recently postponed node, if a register holds it. It must be there where bit 0 of the trail is set, for the
-    /// traversals that have a register.
+    /// The most recently postponed node, if a register holds it. It must be there where bit 0 of the trail is set, for
+    /// the traversals that have a register.
     pub register: Option<Node>,
     /// The node's key, where the traversal has it.
     pub key: Option<W>,
@@ -181,11 +181,11 @@ pub fn resume<C: Pause>(
     Ok(traverse_pruned(cursor, search, recorder))
 }
 
-/// A node from which all that is not below it is still to be visited: its subtree, its sibling's, its uncle's and so on up
-/// to the root's other child. `[PAUSE-4]`
+/// A node from which all that is not below it is still to be visited: its subtree, its sibling's, its uncle's and so on
+/// up to the root's other child. `[PAUSE-4]`
 ///
-/// This is what is left of a traversal of which only the key was kept: nobody knows any more which nodes were wanted, and
-/// which have been visited. So it is no [`Paused`] state, and only searches that do not mind can go on from it.
+/// This is what is left of a traversal of which only the key was kept: nobody knows any more which nodes were wanted,
+/// and which have been visited. So it is no [`Paused`] state, and only searches that do not mind can go on from it.
 ///
 /// ```compile_fail,E0277
 /// # use stackless_bvh::bvh::Bvh;

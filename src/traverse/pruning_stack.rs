@@ -7,9 +7,9 @@ use super::Cursor;
 use crate::order::Descent;
 use crate::tree::{Node, Topology};
 
-/// Postponed nodes on a stack, each with the distance at which it begins (`BY_DISTANCE`): those that begin beyond the end
-/// of the search are dropped when they are popped (Dammertz 2011, named by Binder & Keller 2016, Section 2.3). Or each with
-/// the mark of its descent: those that are disjoint from what is found are dropped when it is found.
+/// Postponed nodes on a stack, each with the distance at which it begins (`BY_DISTANCE`): those that begin beyond the
+/// end of the search are dropped when they are popped (Dammertz 2011, named by Binder & Keller 2016, Section 2.3). Or
+/// each with the mark of its descent: those that are disjoint from what is found are dropped when it is found.
 #[derive(Debug)]
 pub struct PruningStack<'t, T, const BY_DISTANCE: bool, M = &'t mut Vec<Node>> {
     tree: &'t T,

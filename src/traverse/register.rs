@@ -31,8 +31,9 @@ impl Register {
     /// Before backtracking, if unset: takes the lowest postponed node that the record of `node` names. `[REGISTER-2]`
     ///
     /// The printed algorithm does so whenever it loads a record. What the next record on the way down names as well can
-    /// wait for it, and what is postponed on the way down replaces it: so here a node is taken when the search turns back,
-    /// and on a descent only where it gets out of reach. The register then holds the same node whenever it is used.
+    /// wait for it, and what is postponed on the way down replaces it: so here a node is taken when the search turns
+    /// back, and on a descent only where it gets out of reach. The register then holds the same node whenever it is
+    /// used.
     #[inline(always)]
     pub(super) fn fill(&mut self, tree: &impl Topology, node: Node, trail: u32) {
         let named = tree.lowest_pending(node, trail, self.0);
@@ -65,8 +66,8 @@ impl Register {
     /// That of a traversal that was put aside.
     ///
     /// # Errors
-    /// [`Incomplete::Register`] where the sibling is postponed and the register does not say where it is: no record names
-    /// its node's sibling, so the next one to be named, the uncle, would be taken for it. `[PAUSE-3]`
+    /// [`Incomplete::Register`] where the sibling is postponed and the register does not say where it is: no record
+    /// names its node's sibling, so the next one to be named, the uncle, would be taken for it. `[PAUSE-3]`
     pub(super) fn of<W: KeyWord>(tree: &impl Topology, node: Option<Node>, trail: &W) -> Result<Self, Incomplete> {
         match node {
             Some(node) => Ok(Self(node)),

@@ -29,8 +29,8 @@ impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Sparse<'t, W, T, M> {
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`Unfit::NoLinks`] where the tree names no parents and siblings, and [`Unfit::TooDeep`] where the counter would leave its
-    /// word: beyond as many edges as the word has bits, less one.
+    /// [`Unfit::NoLinks`] where the tree names no parents and siblings, and [`Unfit::TooDeep`] where the counter would
+    /// leave its word: beyond as many edges as the word has bits, less one.
     #[inline]
     pub fn new(tree: &'t T) -> Result<Self, Unfit> {
         Unfit::unless_linked(tree, Recorded::ParentSibling)?;

@@ -63,11 +63,12 @@ where
     C: Cursor,
     F: Fn(&'c Piece<'c, T>) -> Result<C, E>,
 {
-    /// Starts at the root. `start` makes a cursor at the root of a piece. The memory for what waits is the caller's, so that
-    /// many traversals can share it.
+    /// Starts at the root. `start` makes a cursor at the root of a piece. The memory for what waits is the caller's, so
+    /// that many traversals can share it.
     ///
-    /// All pieces say that they have the same [`depth`](Topology::depth), so the constructors of cursors take all or none. If
-    /// `start` refused one after it took the first, what is below would be left out (and a panic in debug builds).
+    /// All pieces say that they have the same [`depth`](Topology::depth), so the constructors of cursors take all or
+    /// none. If `start` refused one after it took the first, what is below would be left out (and a panic in debug
+    /// builds).
     ///
     /// # Errors
     /// Those of `start`, as where the cursor's word does not carry as many levels as there are between cuts.

@@ -22,13 +22,13 @@ const BACKTRACK: u8 = 8;
 
 /// Writes and reads the states of traversals of one tree.
 ///
-/// A state that is read is one of this tree, or it is refused: the bytes name the tree that they are of by a hash of its
-/// structure, a checksum finds damage, and every part is checked against the tree, so that also what was made up to have the
-/// right checksum is followed only where a traversal could be. `[PAUSE-6]`
+/// A state that is read is one of this tree, or it is refused: the bytes name the tree that they are of by a hash of
+/// its structure, a checksum finds damage, and every part is checked against the tree, so that also what was made up to
+/// have the right checksum is followed only where a traversal could be. `[PAUSE-6]`
 ///
-/// All numbers are little-endian: `SBVP`, version (1 byte), flags (1; bit 0 key, 1 register, 2 second trail, 3 backtrack
-/// next), bytes of a word (4), the tree (8), node (4), register (4, or 0), trail, key and second trail as flagged (a word
-/// each), checksum (8).
+/// All numbers are little-endian: `SBVP`, version (1 byte), flags (1; bit 0 key, 1 register, 2 second trail, 3
+/// backtrack next), bytes of a word (4), the tree (8), node (4), register (4, or 0), trail, key and second trail as
+/// flagged (a word each), checksum (8).
 ///
 /// ```
 /// use stackless_bvh::traverse::{Afra, Next, Pause, StateError, States};
@@ -136,8 +136,8 @@ impl<'t, T: Topology> States<'t, T> {
         self.length::<W>(flags(paused))
     }
 
-    /// The state as bytes. A traversal without a register does not say where a postponed sibling is: that is looked up, so
-    /// that any other can go on from the bytes. `[PAUSE-3]`
+    /// The state as bytes. A traversal without a register does not say where a postponed sibling is: that is looked up,
+    /// so that any other can go on from the bytes. `[PAUSE-3]`
     pub fn to_bytes<W: KeyWord>(&self, paused: &Paused<W>) -> Vec<u8> {
         let register = paused.register.or_else(|| self.sibling(paused.node).filter(|_| is_pending(&paused.trail)));
         let flags = flags(paused) | if register.is_some() { REGISTER } else { 0 };
@@ -214,8 +214,8 @@ impl<'t, T: Topology> States<'t, T> {
             return Err(StateError::Node(*node));
         }
         let slot = self.tree.slot(*node);
-        // A leaf may have the index of an inner node. (Traversals that have no key carry trees that are a level deeper than
-        // their word can hold keys of.)
+        // A leaf may have the index of an inner node. (Traversals that have no key carry trees that are a level deeper
+        // than their word can hold keys of.)
         let true_key: Grow = self.keys.key(slot);
         if Keys::walk(self.tree, &true_key) != Some(*node) {
             return Err(StateError::Node(*node));

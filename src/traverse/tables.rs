@@ -240,11 +240,7 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
 
     /// What cursors are made from over the tree itself, so that nobody asks at each read where links and addresses are.
     #[inline]
-    pub(crate) fn directly<'s>(
-        &'s self,
-        octant: u8,
-        memory: &'s mut Vec<Node>,
-    ) -> FromTables<'s, T, H, Implicit> {
+    pub(crate) fn directly<'s>(&'s self, octant: u8, memory: &'s mut Vec<Node>) -> FromTables<'s, T, H, Implicit> {
         let layout = match &self.beside.layout {
             Some(Layout::Implicit(layout)) => Some(layout),
             _ => None,

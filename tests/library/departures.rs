@@ -1,5 +1,5 @@
-//! The slips of the papers (spec/DEPARTURES.md): what is printed goes wrong on the case of `spec/departures`, in the way that
-//! the file says, and on no smaller one; the library is right there.
+//! The slips of the papers (spec/DEPARTURES.md): what is printed goes wrong on the case of `spec/departures`, in the
+//! way that the file says, and on no smaller one; the library is right there.
 //!
 //! The cases are found anew by `UPDATE=1 cargo test --test library departures`.
 

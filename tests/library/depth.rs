@@ -19,8 +19,8 @@ fn check<W: KeyWord>(battery: &mut Battery<'_>, pieces: &Pieces<'_, Linked<'_, T
     battery.judge(method.test(), method.restarts(), |search, watch, _, _| pieces.run::<W>(method, search, watch))
 }
 
-/// All traversals of a case whose tree is cut every `levels` levels, in one word: how many agreed. What is refused is too deep
-/// for the word.
+/// All traversals of a case whose tree is cut every `levels` levels, in one word: how many agreed. What is refused is
+/// too deep for the word.
 fn agreeing<W: KeyWord>(case: &Case, levels: u32) -> usize {
     let (linked, mut battery) = (Linked::both(&case.tree), Battery::new(case, &[]));
     let cuts = Cuts::every(levels, &linked);

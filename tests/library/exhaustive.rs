@@ -24,7 +24,8 @@ fn check(case: &Case, count: &mut u64) {
     }
 }
 
-/// [TRAVERSE-1] [CONF-1] [STACK-1] [LEFT-1] [IMPLICIT-1] [IMPLICIT-2] [IMPLICIT-3] [SPARSE-1] [AFRA-1] [UNCLE-2] [HASHONLY-1] [HASHED-1] [LAINE-1] [HAPALA-1] [SKIP-1] [COMPLETE-1] [GLASSNER-1]
+/// [TRAVERSE-1] [CONF-1] [STACK-1] [LEFT-1] [IMPLICIT-1] [IMPLICIT-2] [IMPLICIT-3] [SPARSE-1] [AFRA-1] [UNCLE-2]
+/// [HASHONLY-1] [HASHED-1] [LAINE-1] [HAPALA-1] [SKIP-1] [COMPLETE-1] [GLASSNER-1]
 #[test]
 fn all_trees_of_up_to_6_leaves_under_all_scripts() {
     let (mut all, mut cases, mut comparisons) = (Exhaustive::new(), 0_u64, 0);

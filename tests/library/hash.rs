@@ -158,7 +158,8 @@ fn the_printed_function_fails_on_combs_and_the_seed_is_the_remedy() {
         assert!(hash.header().mix.seed.is_some());
         println!("comb of depth {depth}, {sizing}: {error}; {} seeds tried", hash.header().reseeds);
     }
-    // The first of them by hand: N = 63, D = 16, H = 127; the teeth 2^4 + 1 and 2^11 + 1 are both 1 modulo 16, 17 modulo 127.
+    // The first of them by hand: N = 63, D = 16, H = 127; the teeth 2^4 + 1 and 2^11 + 1 are both 1 modulo 16, 17
+    // modulo 127.
     let error =
         PerfectHash::build_plain(&comb(31, |_| false), Options { key_set: KeySet::All, sizing: Sizing::Printed });
     let Err(BuildError::NoDisplacement { bucket: 1, keys: 29, displacements: 16, cells, inseparable: true }) = error

@@ -20,7 +20,8 @@ fn trees(mesh: &Mesh) -> [Bvh; 2] {
     [Bvh::sah(mesh, SahOptions::default()), cut].map(|bvh| bvh.expect("a tree"))
 }
 
-/// Loose triangles; long ones, which are cut; a closed surface; whole coordinates, each triangle twice, and degenerate ones between.
+/// Loose triangles; long ones, which are cut; a closed surface; whole coordinates, each triangle twice, and degenerate
+/// ones between.
 fn meshes() -> [Mesh; 4] {
     let sphere = stress::icosphere(2, 1.0, Vec3::new(0.25, 0.5, -1.0)).expect("a mesh");
     let corners = (0..64).map(|i| Vec3::new((i % 4) as f32, (i / 4 % 4) as f32, (i / 16) as f32)).collect();

@@ -53,7 +53,8 @@ fn other_targets_are_refused() {
     targets::run("nothing", &[]);
 }
 
-/// The list of targets, the manifest of cargo-fuzz, its files and the README name the same targets, and the README every finding.
+/// The list of targets, the manifest of cargo-fuzz, its files and the README name the same targets, and the README
+/// every finding.
 #[test]
 fn every_target_is_built_and_told_of() {
     let text = |file: &str| fs::read_to_string(folder().join(file)).expect("a file");

@@ -1,5 +1,6 @@
-//! The models of spec/rocq and the library see the same: small cases with the visits and the states of the library's traversals,
-//! written as Rocq examples, which `spec/rocq/check.sh` evaluates. With `UPDATE=1` the file is written anew.
+//! The models of spec/rocq and the library see the same: small cases with the visits and the states of the library's
+//! traversals, written as Rocq examples, which `spec/rocq/check.sh` evaluates. With `UPDATE=1` the file is written
+//! anew.
 
 use std::fmt::Write;
 use std::fs;

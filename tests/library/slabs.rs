@@ -57,7 +57,8 @@ fn holds<B: Slabs<Vector = Vec3>>(ray: &Ray, a: Aabb, more: Aabb, promises: bool
     check_slabs::<B>(ray, &a, &more, promises).map(|_| ()).map_err(|fault| TestCaseError::fail(fault.to_string()))
 }
 
-/// A flat box just behind the origin: one product underflows to 0, the other does not. Nothing is promised there. [BOX-3]
+/// A flat box just behind the origin: one product underflows to 0, the other does not. Nothing is promised there.
+/// [BOX-3]
 #[test]
 fn a_box_behind_the_origin_may_count_as_hit() {
     let ray = Ray::new(Vec3::new(1e-45, 2.0, 1.0), Vec3::new(2.0, -0.0, 1.0)).unwrap();
@@ -193,8 +194,8 @@ fn padding_suffices_where_2_ulps_do_not() {
     assert!(Directed::new(&ray, &region).one(&aabb, f32::INFINITY).is_some());
 }
 
-/// Two rays, found by `stackless accuracy`, that start on a plane which they leave so slowly that the reciprocal overflows:
-/// 0 times minus infinity fell on the wrong side of the sorted lanes, and the flat box was skipped.
+/// Two rays, found by `stackless accuracy`, that start on a plane which they leave so slowly that the reciprocal
+/// overflows: 0 times minus infinity fell on the wrong side of the sorted lanes, and the flat box was skipped.
 #[test]
 fn a_ray_that_hardly_leaves_its_plane_enters_the_box_there() {
     let triangles = [

@@ -1,4 +1,5 @@
-//! What a traversal shows of its state: at every visit the trail is what is postponed, and nothing that it has is kept back.
+//! What a traversal shows of its state: at every visit the trail is what is postponed, and nothing that it has is kept
+//! back.
 
 mod kept;
 
@@ -339,8 +340,8 @@ impl Visitor for LeftDown {
     }
 }
 
-/// Node 2 is postponed at the root and named by the records of nodes 4 and 5, but not by that of node 7, two single children
-/// down: the register takes it at 5.
+/// Node 2 is postponed at the root and named by the records of nodes 4 and 5, but not by that of node 7, two single
+/// children down: the register takes it at 5.
 #[test]
 fn what_the_next_record_does_not_name_is_kept() {
     let leaf = None;

@@ -1,4 +1,5 @@
-//! Every clause of the specification is covered as its kind requires, and whatever cites a clause cites one that there is.
+//! Every clause of the specification is covered as its kind requires, and whatever cites a clause cites one that there
+//! is.
 //!
 //! What covers what is in `spec/COVERAGE.txt`. To make it anew: `UPDATE=1 cargo test --test project coverage`.
 
@@ -85,7 +86,8 @@ fn ids(line: &str) -> impl Iterator<Item = &str> {
     inside.filter(move |list| list.split(", ").all(is_id)).flat_map(|list| list.split(", "))
 }
 
-/// The citations of a file. Those of tests and proofs go by the item that they belong to, or by the file if it is its heading.
+/// The citations of a file. Those of tests and proofs go by the item that they belong to, or by the file if it is its
+/// heading.
 fn citations(file: &str, text: &str, cover: Cover) -> Vec<Citation> {
     let lines: Vec<_> = text.lines().collect();
     let mut found = Vec::new();

@@ -1,9 +1,9 @@
 //! Adversaries: cases that cost a method as much as can be found.
 //!
 //! A [`Goal`] is a small function from a case to a [`Cost`]. A [`Search`] climbs: it starts at the worst of some random
-//! cases, changes a few choices at a time, keeps what is not better, and starts anew where nothing gets worse for long. The
-//! same seed gives the same steps on every machine. What it finds is a file that `stackless adversary GOAL --replay FILE` runs
-//! again; those of trees are [`Replay`]s, for `stackless check --replay` too.
+//! cases, changes a few choices at a time, keeps what is not better, and starts anew where nothing gets worse for long.
+//! The same seed gives the same steps on every machine. What it finds is a file that `stackless adversary GOAL --replay
+//! FILE` runs again; those of trees are [`Replay`]s, for `stackless check --replay` too.
 //!
 //! ```
 //! use stackless_check::adversary::{Goal, Search};
@@ -129,8 +129,8 @@ impl Goal {
         GOALS.iter().find(|goal| goal.name == name)
     }
 
-    /// What a case costs. `None` if it is not what the goal is about: of the other kind, not a scene, without a hit where one
-    /// is needed.
+    /// What a case costs. `None` if it is not what the goal is about: of the other kind, not a scene, without a hit
+    /// where one is needed.
     pub fn cost(&self, subject: &Subject) -> Option<Cost> {
         match (self.of, subject) {
             (Of::Tree(cost), Subject::Tree(case)) => cost(case),

@@ -17,9 +17,9 @@ pub struct GeometryFault {
     pub found: Option<f64>,
 }
 
-/// Asks a triangle test everything that it can be asked about one triangle, in a scene of that triangle alone and in one that is
-/// much greater: distance, whether it blocks, weights, and that a limit of the distance itself leaves nothing out.
-/// `[EXACT-1]`
+/// Asks a triangle test everything that it can be asked about one triangle, in a scene of that triangle alone and in
+/// one that is much greater: distance, whether it blocks, weights, and that a limit of the distance itself leaves
+/// nothing out. `[EXACT-1]`
 ///
 /// Returns whether the triangle is hit.
 ///
@@ -64,11 +64,11 @@ pub fn check_degenerate<V: Vector>(triangle: &Triangle<V>) -> Result<(), Geometr
     same("whether it is degenerate", as_number(is_flat), as_number(triangle.is_degenerate()))
 }
 
-/// Asks a box test about a box and one around it, one by one and as a pair: the answers must be the same, and the outer box
-/// entered no later. `[BOX-3]`
+/// Asks a box test about a box and one around it, one by one and as a pair: the answers must be the same, and the outer
+/// box entered no later. `[BOX-3]`
 ///
-/// Of a form that `promises` to skip no box that is touched, also whether both are entered no later than they truly are, even
-/// if the ray ends there. `[BOX-2]` `[BOX-6]`
+/// Of a form that `promises` to skip no box that is touched, also whether both are entered no later than they truly
+/// are, even if the ray ends there. `[BOX-2]` `[BOX-6]`
 ///
 /// Returns whether the inner box is touched.
 ///
@@ -118,8 +118,8 @@ fn is_behind<V: Vector>(ray: &Ray<V>, aabb: &Aabb) -> bool {
     (0..3).any(|k| d[k] > 0.0 && hi[k] < o[k] || d[k] < 0.0 && lo[k] > o[k])
 }
 
-/// Asks for the distance of a triangle from a point: without a limit, up to the distance itself as limit and as radius, and
-/// around it. `[NEAR-1]`
+/// Asks for the distance of a triangle from a point: without a limit, up to the distance itself as limit and as radius,
+/// and around it. `[NEAR-1]`
 ///
 /// # Errors
 /// The first answer that is not the truth, rounded.

@@ -1,5 +1,5 @@
-//! The property body of pausing: stopped at any step and taken up again in any way, a traversal goes on as if nothing had
-//! happened.
+//! The property body of pausing: stopped at any step and taken up again in any way, a traversal goes on as if nothing
+//! had happened.
 
 use std::fmt;
 
@@ -62,8 +62,8 @@ impl fmt::Display for PauseFault {
 
 impl std::error::Error for PauseFault {}
 
-/// Puts the traversals of a plan aside, in its words, on the first random cases that are small: as many as `count` at most. Returns
-/// how often, and the first fault.
+/// Puts the traversals of a plan aside, in its words, on the first random cases that are small: as many as `count` at
+/// most. Returns how often, and the first fault.
 pub fn check_pauses(plan: &Plan, count: u64, progress: Progress<'_>) -> (u64, Option<Box<PauseFault>>) {
     // Each step of each traversal is taken up in each way: that is for trees that are not large.
     const NODES: usize = 2 * Case::LEAVES as usize;

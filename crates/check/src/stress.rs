@@ -59,8 +59,8 @@ impl<'c> Stress<'c> {
         &self.truth
     }
 
-    /// Traces all rays by all of `methods`, closest hit and any hit, through a tree by surface area, a complete one, and one with triangles in
-    /// parts.
+    /// Traces all rays by all of `methods`, closest hit and any hit, through a tree by surface area, a complete one,
+    /// and one with triangles in parts.
     ///
     /// # Errors
     /// A traversal that does not run at all.

@@ -40,8 +40,8 @@ pub enum TableFault {
     Changed,
 }
 
-/// Builds a table by one thread, by many and without the remedy, certifies it, writes it, reads it back, and looks up every
-/// key in every word that carries it. `[HASH-9]`
+/// Builds a table by one thread, by many and without the remedy, certifies it, writes it, reads it back, and looks up
+/// every key in every word that carries it. `[HASH-9]`
 ///
 /// # Errors
 /// The first fault.
@@ -66,8 +66,8 @@ pub fn check_table(tree: &Tree, keys: &Keys, options: Options) -> Result<Perfect
     Ok(hash)
 }
 
-/// Reads bytes as a table of a tree. Whatever they are, a table that is accepted is these bytes, every lookup in it answers with
-/// a node of the tree or with none, and if it is certified, all its keys lead to their nodes. `[HASH-9]`
+/// Reads bytes as a table of a tree. Whatever they are, a table that is accepted is these bytes, every lookup in it
+/// answers with a node of the tree or with none, and if it is certified, all its keys lead to their nodes. `[HASH-9]`
 ///
 /// Returns whether it is certified; `None` if it was refused.
 ///

@@ -49,8 +49,8 @@ pub enum TreeFault {
     },
 }
 
-/// Checks that a hierarchy is sound and that of the mesh, and that by `hashed` the closest hit, any hit and all hits of each ray
-/// are those of rational arithmetic, in every bit. `[DET-1]`
+/// Checks that a hierarchy is sound and that of the mesh, and that by `hashed` the closest hit, any hit and all hits of
+/// each ray are those of rational arithmetic, in every bit. `[DET-1]`
 ///
 /// Returns the number of rays that hit.
 ///
@@ -114,8 +114,8 @@ where
     Ok(hits)
 }
 
-/// Checks that the `k` triangles nearest to a point are those of rational arithmetic, and the nearest one the first of them.
-/// `[NEAR-2]`
+/// Checks that the `k` triangles nearest to a point are those of rational arithmetic, and the nearest one the first of
+/// them. `[NEAR-2]`
 ///
 /// # Errors
 /// [`TreeFault::Nearest`], [`TreeFault::Point`].
@@ -136,7 +136,8 @@ pub fn check_nearest(bvh: &Bvh, mesh: &Mesh, point: Vec3, radius: f32, k: usize)
     Ok(())
 }
 
-/// The first `k` triangles within a radius, by (distance, rounded; index), in exact arithmetic on all that can be among them.
+/// The first `k` triangles within a radius, by (distance, rounded; index), in exact arithmetic on all that can be among
+/// them.
 ///
 /// Degenerate triangles are not part of the mesh.
 pub fn nearest(mesh: &Mesh, point: Vec3, radius: f32, k: usize) -> Vec<(f32, u32)> {

@@ -62,9 +62,9 @@ impl Reads {
     }
 }
 
-/// Counts backtracks, and the steps that they take: from the record of one node to that of the next. It is one step where the
-/// address comes out of a register, a stack, a table or the node's own record, and one more for each other record that
-/// the traversal climbs along, or passes again on the way down from the root.
+/// Counts backtracks, and the steps that they take: from the record of one node to that of the next. It is one step
+/// where the address comes out of a register, a stack, a table or the node's own record, and one more for each other
+/// record that the traversal climbs along, or passes again on the way down from the root.
 ///
 /// ```
 /// use stackless_cli::explain;
@@ -136,7 +136,8 @@ mod tests {
     use stackless_bvh::traverse::{Afra, HashOnly, Sparse, Stack, Uncle, traverse};
     use stackless_bvh::tree::Linked;
 
-    /// By distance `d` in levels: along parents `d + 1`, along uncles two levels a step unless the register knows, else one.
+    /// By distance `d` in levels: along parents `d + 1`, along uncles two levels a step unless the register knows, else
+    /// one.
     #[test]
     fn steps_are_those_of_the_distances() {
         let mut rng = Rng::new(7);

@@ -1,5 +1,5 @@
-//! The worst cases that `stackless adversary` has found, in `tests/data/adversary`, run again: each costs what was recorded,
-//! every traversal agrees with its oracle on it, and the exact tests are exact. Searches repeat, and climb.
+//! The worst cases that `stackless adversary` has found, in `tests/data/adversary`, run again: each costs what was
+//! recorded, every traversal agrees with its oracle on it, and the exact tests are exact. Searches repeat, and climb.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -83,8 +83,8 @@ fn what_is_found_stays_within_its_limits() {
     }
 }
 
-/// Each edge is climbed at most once, after it was descended; Hapala's automaton looks two parents up for each far child. The
-/// counter and the trail climb alike.
+/// Each edge is climbed at most once, after it was descended; Hapala's automaton looks two parents up for each far
+/// child. The counter and the trail climb alike.
 #[test]
 fn climbs_have_a_bound_that_is_nearly_met() {
     for name in ["climb-afra", "climb-sparse", "climb-hapala"] {

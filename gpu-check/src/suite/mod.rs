@@ -1,8 +1,8 @@
 //! A kernel as an implementation that the conformance suite can ask: an adapter.
 //!
-//! What is answered is what the kernel does on the device. The host only brings trees, scripts and scenes into buffers, makes
-//! the texts of the answers, and rejects what is no tree and no scene. In `ray/exact` it settles the rays that the kernel
-//! leaves in doubt, and those whose numbers are beyond what kernels take.
+//! What is answered is what the kernel does on the device. The host only brings trees, scripts and scenes into buffers,
+//! makes the texts of the answers, and rejects what is no tree and no scene. In `ray/exact` it settles the rays that
+//! the kernel leaves in doubt, and those whose numbers are beyond what kernels take.
 
 mod rays;
 mod tables;

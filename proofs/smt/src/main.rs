@@ -3,11 +3,13 @@
 //! The functions of `key`, `trail` and `swap` are generic over [`Word`](stackless_bvh::key::Word), and run here as they
 //! are compiled, on words of unknown bits. The functions of the hash and the steps of the counting traversals are read
 //! from the library's files and interpreted. A lemma is proved where its negation has no model; that no shift is out of
-//! range and no addition overflows is claimed with it. Its control is the same lemma about the same functions with a slip,
-//! under the same assumptions: its counterexample shows that the lemma can fail and that the assumptions can be met.
+//! range and no addition overflows is claimed with it. Its control is the same lemma about the same functions with a
+//! slip, under the same assumptions: its counterexample shows that the lemma can fail and that the assumptions can be
+//! met.
 //!
 //! Trusted are Z3, the operations of a symbolic word, and the interpreter, both of which the tests compare with the
-//! compiled library on numbers. Loops are covered by their induction step; restated here is only `KeyWord::is_all_ones`.
+//! compiled library on numbers. Loops are covered by their induction step; restated here is only
+//! `KeyWord::is_all_ones`.
 
 mod cursors;
 mod formulas;

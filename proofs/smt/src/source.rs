@@ -40,8 +40,8 @@ impl Source {
         files.map(|text| syn::parse_file(&text).map_err(|error| error.to_string())).collect::<Result<_, _>>().map(Self)
     }
 
-    /// A function, by its name if that is one of its own, else by its type's too: `wrap`, `Reciprocal::of_u32`, or `::prune`
-    /// where there is no type.
+    /// A function, by its name if that is one of its own, else by its type's too: `wrap`, `Reciprocal::of_u32`, or
+    /// `::prune` where there is no type.
     pub(crate) fn function(&self, name: &str) -> Result<Function, String> {
         only(name, self.find(name).functions)
     }

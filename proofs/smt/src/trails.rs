@@ -98,8 +98,9 @@ fn backtrack<const N: u32>(f: &Formulas<N>, q: &mut Query) {
     q.claim("leave is its half", left.is(&(f.leave)(trail)));
 }
 
-/// `backtrack_climbing` by induction on its iterations: while bit 0 is clear both words go up a level, and the constant-time
-/// form gives the same from there; where it is set both toggle. `levels` counts the iterations, so it ends.
+/// `backtrack_climbing` by induction on its iterations: while bit 0 is clear both words go up a level, and the
+/// constant-time form gives the same from there; where it is set both toggle. `levels` counts the iterations, so it
+/// ends.
 fn climb<const N: u32>(f: &Formulas<N>, q: &mut Query) {
     let (key, trail) = (q.word::<N>("key"), q.word::<N>("trail"));
     let pending = trail.clone().and(&Word::one()).is_number(1);

@@ -61,7 +61,8 @@ impl Split for Plane {
             let is_right = self.scale.bins(centroid).cmpge(border).bitmask() >> self.axis & 1;
             let side = &mut centroids[is_right as usize];
             *side = side.add(centroid);
-            // Swapped in any case, as branches would be mispredicted: an item of the right may change places with another.
+            // Swapped in any case, as branches would be mispredicted: an item of the right may change places with
+            // another.
             items[i] = items[left];
             items[left] = item;
             left += 1 - is_right as usize;

@@ -1,5 +1,5 @@
-//! The builder of Barringer & Akenine-Möller 2013, "Dynamic stackless binary tree traversal", whose trees are of bounded
-//! depth: by surface area at first, then by medians.
+//! The builder of Barringer & Akenine-Möller 2013, "Dynamic stackless binary tree traversal", whose trees are of
+//! bounded depth: by surface area at first, then by medians.
 
 use super::BuildError;
 use super::draft::Draft;

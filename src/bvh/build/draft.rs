@@ -72,8 +72,8 @@ impl DraftNode {
     }
 }
 
-/// For children that no plane has parted: the axis on which their centres differ most, and whether the first one has the
-/// smaller centre there.
+/// For children that no plane has parted: the axis on which their centres differ most, and whether the first one has
+/// the smaller centre there.
 pub(super) fn order_of(first: &Aabb, second: &Aabb) -> (usize, bool) {
     let apart = second.centroid() - first.centroid();
     let axis = apart.abs().max_position();
@@ -165,8 +165,7 @@ impl Layout {
             let [left, right] = self.nodes[i].children;
             for (child, sibling) in [(left, right), (right, left)] {
                 let index = child.index();
-                let links =
-                    if child.is_leaf() { &mut self.leaves[index].links } else { &mut self.nodes[index].links };
+                let links = if child.is_leaf() { &mut self.leaves[index].links } else { &mut self.nodes[index].links };
                 *links = [Node::inner(i as u32), sibling];
             }
         }

@@ -1,9 +1,10 @@
 //! The fast builder: clusters along a space-filling curve, and the surface area heuristic over and in them.
 //!
-//! Centroids are sorted by their Morton codes (Lauterbach et al. 2009, "Fast BVH construction on GPUs"). Where the codes of
-//! some items have the same first bits, these are a cluster. Over the clusters stands a tree by surface area (Garanzha,
-//! Pantaleoni & `McAllister` 2011, "Simpler and faster HLBVH with work queues"). In a cluster, many items are cut where
-//! their codes first differ, few where it is cheapest by surface area between neighbours on the curve. So no item moves.
+//! Centroids are sorted by their Morton codes (Lauterbach et al. 2009, "Fast BVH construction on GPUs"). Where the
+//! codes of some items have the same first bits, these are a cluster. Over the clusters stands a tree by surface area
+//! (Garanzha, Pantaleoni & `McAllister` 2011, "Simpler and faster HLBVH with work queues"). In a cluster, many items
+//! are cut where their codes first differ, few where it is cheapest by surface area between neighbours on the curve. So
+//! no item moves.
 
 mod forest;
 

@@ -58,8 +58,8 @@ pub enum Builder {
     Sah,
     /// By surface area, with triangles cut in two where that is cheaper (Stich, Friedrich & Dietrich 2009).
     Spatial,
-    /// Fast: clusters along a space-filling curve, by surface area over and in them (Lauterbach et al. 2009; Garanzha et
-    /// al. 2011).
+    /// Fast: clusters along a space-filling curve, by surface area over and in them (Lauterbach et al. 2009; Garanzha
+    /// et al. 2011).
     Linear,
     /// Eight levels by surface area, then medians: of bounded depth (Barringer & Akenine-Möller 2013).
     Bounded,
@@ -128,8 +128,8 @@ impl BuildOptions {
         self.build_watched(primitives, &|_| ())
     }
 
-    /// The same, with a callback that hears now and then, from any thread, how many primitives have found their leaf since
-    /// the call before; a call may say 0.
+    /// The same, with a callback that hears now and then, from any thread, how many primitives have found their leaf
+    /// since the call before; a call may say 0.
     ///
     /// # Errors
     /// What [`BuildError`] lists.
@@ -174,8 +174,8 @@ impl<S> Bvh<S> {
     /// ```
     ///
     /// # Errors
-    /// [`BuildError::Empty`], which no mesh is, [`BuildError::TooManyTriangles`], and [`BuildError::DepthLimit`] for more than
-    /// 2^31 of them.
+    /// [`BuildError::Empty`], which no mesh is, [`BuildError::TooManyTriangles`], and [`BuildError::DepthLimit`] for
+    /// more than 2^31 of them.
     pub fn build<P: Primitives<Shape = S> + ?Sized>(primitives: &P) -> Result<Self, BuildError> {
         BuildOptions::default().build(primitives)
     }

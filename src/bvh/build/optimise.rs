@@ -1,10 +1,10 @@
 //! Reinsertion: subtrees are taken out of a finished tree and put where they make boxes smallest.
 //!
-//! Meister & Bittner 2018, "Parallel reinsertion for bounding volume hierarchy optimization": for each node, the best new
-//! sibling is sought in the whole tree, from near to far, with a bound on what can still be gained; all searches of a
-//! round run in parallel. Then the moves are made one after the other, the most promising first. A move that no longer
-//! makes the tree cheaper, because of those before it, is taken back. So the tree gets better with every move, and does
-//! not depend on the number of threads.
+//! Meister & Bittner 2018, "Parallel reinsertion for bounding volume hierarchy optimization": for each node, the best
+//! new sibling is sought in the whole tree, from near to far, with a bound on what can still be gained; all searches of
+//! a round run in parallel. Then the moves are made one after the other, the most promising first. A move that no
+//! longer makes the tree cheaper, because of those before it, is taken back. So the tree gets better with every move,
+//! and does not depend on the number of threads.
 
 mod collapse;
 mod tree;

@@ -1,8 +1,9 @@
 //! Spatial splits: a node is cut between primitives, or by a plane that cuts primitives too.
 //!
-//! Stich, Friedrich & Dietrich 2009, "Spatial splits in bounding volume hierarchies": where the children of the best cut
-//! between primitives overlap, planes are tried that refer the primitives which they cut to both sides, each with the box
-//! of the part on that side. Such a primitive goes to one side alone where that is cheaper (reference unsplitting).
+//! Stich, Friedrich & Dietrich 2009, "Spatial splits in bounding volume hierarchies": where the children of the best
+//! cut between primitives overlap, planes are tried that refer the primitives which they cut to both sides, each with
+//! the box of the part on that side. Such a primitive goes to one side alone where that is cheaper (reference
+//! unsplitting).
 //!
 //! A range of items comes with free places for further references. What a cut leaves of them is divided among the two
 //! sides by their counts. So a subtree depends on its own range alone, and the tree is the same for any number of

@@ -63,8 +63,8 @@ impl View {
         (0..n).filter_map(ray).collect()
     }
 
-    /// The primary ray through a place of the image: from -1 at the left and lower edges to 1 at the right and upper ones, and
-    /// beyond in a wider image. `None` where coordinates overflow.
+    /// The primary ray through a place of the image: from -1 at the left and lower edges to 1 at the right and upper
+    /// ones, and beyond in a wider image. `None` where coordinates overflow.
     pub fn ray(&self, x: f64, y: f64) -> Option<Ray> {
         let [forward, right, up] = self.frame();
         let direction = forward + (right * x + up * y) * self.tangent();

@@ -172,7 +172,8 @@ fn what_needs_no_rounding_is_exact() {
     assert_eq!(direction.map(|x| x.is_zero()), [true, true, false], "a ray along an axis stays so");
 }
 
-/// The images of whole numbers under whole maps are whole: the line to any point of an image is one of floats. `[INST-1]`
+/// The images of whole numbers under whole maps are whole: the line to any point of an image is one of floats.
+/// `[INST-1]`
 #[test]
 fn whole_images_are_met_at_their_points() {
     let inner = AffineMap::new([[2.0, 1.0, 0.0, 3.0], [0.0, 3.0, -1.0, -4.0], [1.0, 0.0, 5.0, 2.0]]).unwrap();

@@ -154,7 +154,8 @@ fn a_cut_adds_half_as_many_corners_at_most() {
     assert_eq!(left.count, MOST - 1);
 }
 
-/// An edge rises by a float from end to end, and is cut next to its start: in doubles the point there is as high as that.
+/// An edge rises by a float from end to end, and is cut next to its start: in doubles the point there is as high as
+/// that.
 #[test]
 fn what_rounding_would_lose_is_held() {
     for sign in [1.0, -1.0] {

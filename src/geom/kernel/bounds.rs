@@ -1,7 +1,7 @@
 //! Error bounds of the determinants, derived in spec/exactness.md.
 //!
-//! With e1 = v1 - v0, e2 = v2 - v0, s = o - v0, the greatest components C of s, E of e1 and e2, D of d, and u = 2^-24 in
-//! single precision or 2^-53 in double, each determinant is off by at most so many times u times the product that is
+//! With e1 = v1 - v0, e2 = v2 - v0, s = o - v0, the greatest components C of s, E of e1 and e2, D of d, and u = 2^-24
+//! in single precision or 2^-53 in double, each determinant is off by at most so many times u times the product that is
 //! named. tests/library/bounds.rs has inputs that exceed five sixths of each.
 
 /// Edge functions U, V and W: times D E (2 C + E). `[EXACT-4]`
@@ -27,6 +27,6 @@ pub const QUOTIENT_FACTOR: f64 = 5.0 / 4.0;
 /// E (ε (C + E) + ω (D + ε)), beyond [`SIGN`]. `[INST-5]`
 pub const OFF_SIGN: f64 = 12.0;
 
-/// The determinant: times ε E E, and the distance times the determinant: times ω E E. Beyond [`DETERMINANT`] and [`DISTANCE`], with
-/// [`QUOTIENT_FACTOR`] in it. `[INST-5]`
+/// The determinant: times ε E E, and the distance times the determinant: times ω E E. Beyond [`DETERMINANT`] and
+/// [`DISTANCE`], with [`QUOTIENT_FACTOR`] in it. `[INST-5]`
 pub const OFF: f64 = 6.0;

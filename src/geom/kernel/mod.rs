@@ -49,7 +49,8 @@ pub trait Kernel: Copy + Debug {
         Stage::Scene
     }
 
-    /// Weights of the second and of the third corner in the point where the ray's line meets the triangle, which it must.
+    /// Weights of the second and of the third corner in the point where the ray's line meets the triangle, which it
+    /// must.
     fn weights(&self, shape: &Self::Shape) -> [Real<Self>; 2];
 }
 

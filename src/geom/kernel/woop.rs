@@ -5,9 +5,9 @@ use glam::{DVec2, Vec3};
 use super::Kernel;
 use crate::geom::{Ray, Region, Triangle};
 
-/// The watertight test: corners are sheared so that the ray runs along an axis, and the signs of the three edges are those
-/// of differences of two products. An edge that two triangles share gives both the same numbers, so that no ray slips
-/// between them; which of the two is hit, and where, is not exact.
+/// The watertight test: corners are sheared so that the ray runs along an axis, and the signs of the three edges are
+/// those of differences of two products. An edge that two triangles share gives both the same numbers, so that no ray
+/// slips between them; which of the two is hit, and where, is not exact.
 #[derive(Clone, Copy, Debug)]
 pub struct Woop {
     ray: Ray,

@@ -10,8 +10,8 @@ use crate::geom::{Ray, Region};
 /// The distance to a plane takes three roundings, so a ray through an edge or a corner of a box may miss it.
 pub type Plain = Centred<false>;
 
-/// [`Plain`] with the near distance moved down by 3 units of 2^-24 and the far distance up by 4 (after Ize 2013, "Robust
-/// BVH ray traversal", whose 2 ulps on one side are not enough). `[BOX-5]`
+/// [`Plain`] with the near distance moved down by 3 units of 2^-24 and the far distance up by 4 (after Ize 2013,
+/// "Robust BVH ray traversal", whose 2 ulps on one side are not enough). `[BOX-5]`
 ///
 /// It skips no box that the ray touches if coordinates are at most 2^126, `|b - o| >= 2^-125` or `b = o` for each
 /// plane `b` and the origin `o`, and the direction has a greatest component between 1 and 2 and others that are 0 or

@@ -9,10 +9,10 @@ use crate::geom::{Ray, Region, Vector};
 /// is too great: no box is skipped that the exact closed interval of the ray touches. `[BOX-1]` `[BOX-2]`
 ///
 /// The distance to a plane takes three roundings: reciprocal, difference, product. Moving the reciprocal by two floats
-/// makes up for the first two, and the third keeps the order: so a near distance is never above the nearest float of the
-/// exact one, and a far distance never below. That is all it takes, as the distances of hits are rounded to the nearest
-/// float too. Which plane is the near one depends on the ray alone, so the two reciprocals stand in the lanes of lo and hi
-/// where they are needed, and the test takes the very instructions of [`Plain`](super::Plain).
+/// makes up for the first two, and the third keeps the order: so a near distance is never above the nearest float of
+/// the exact one, and a far distance never below. That is all it takes, as the distances of hits are rounded to the
+/// nearest float too. Which plane is the near one depends on the ray alone, so the two reciprocals stand in the lanes
+/// of lo and hi where they are needed, and the test takes the very instructions of [`Plain`](super::Plain).
 ///
 /// Directions may be of any size. Rays with a component (other than 0) whose reciprocal overflows, and those with
 /// coordinates beyond 2^126, for which the difference might, go to [`Wide`].
@@ -75,9 +75,9 @@ impl Slabs for Directed {
     }
 }
 
-/// The test in double precision: near and far of the first box, then of the second. Rays that need it are so rare that it
-/// prepares them anew each time. (It takes numbers, so that the other rays need not be in memory as a whole, and gives no more than
-/// fits registers, so that their results need not be either.)
+/// The test in double precision: near and far of the first box, then of the second. Rays that need it are so rare that
+/// it prepares them anew each time. (It takes numbers, so that the other rays need not be in memory as a whole, and
+/// gives no more than fits registers, so that their results need not be either.)
 #[cold]
 #[inline(never)]
 fn pair_wide([ox, oy, oz, dx, dy, dz, tmin]: [f32; 7], planes: &[[f32; 4]; 3], tmax: f32) -> [f32; 4] {

@@ -8,10 +8,11 @@ use crate::geom::{EnclosedRay, Ray, Region};
 
 /// A slab test that skips no box which any ray within the bounds touches. `[INST-4]`
 ///
-/// At distances that are not negative, a ray is never above the line from the greatest origin in the greatest direction, and
-/// never below the one from the least origin in the least direction. So where the first reaches the lower plane of a box
-/// and the second the upper one bounds the distances at which the box is touched. In single precision, with
-/// reciprocals that are moved as [`Directed`](super::Directed) moves them, this takes the same instructions.
+/// At distances that are not negative, a ray is never above the line from the greatest origin in the greatest
+/// direction, and never below the one from the least origin in the least direction. So where the first reaches the
+/// lower plane of a box and the second the upper one bounds the distances at which the box is touched. In single
+/// precision, with reciprocals that are moved as [`Directed`](super::Directed) moves them, this takes the same
+/// instructions.
 #[derive(Clone, Copy, Debug)]
 pub struct EnclosedSlabs {
     /// Greatest and least origin, in the lanes of lo and hi, twice.
@@ -32,8 +33,8 @@ impl EnclosedSlabs {
         Self { origin, inverse, tmin, is_wide, ray: *ray }
     }
 
-    /// The test in double precision, each operation rounded outwards: for rays that may run either way along an axis, and for
-    /// huge and tiny numbers.
+    /// The test in double precision, each operation rounded outwards: for rays that may run either way along an axis,
+    /// and for huge and tiny numbers.
     #[cold]
     #[inline(never)]
     fn pair_wide(&self, planes: &[[f32; 4]; 3], tmax: f32) -> [f32; 4] {
@@ -66,8 +67,8 @@ impl EnclosedSlabs {
     }
 }
 
-/// For the lower and the upper plane of an axis: where the ray that bounds it starts, and the reciprocal of its direction.
-/// `None` where single precision will not do.
+/// For the lower and the upper plane of an axis: where the ray that bounds it starts, and the reciprocal of its
+/// direction. `None` where single precision will not do.
 fn lanes(ray: &EnclosedRay, axis: usize) -> Option<[[f32; 2]; 2]> {
     let ([o_least, o_most], [d_least, d_most]) =
         (ray.origin[axis].ends_in_single(), ray.direction[axis].ends_in_single());

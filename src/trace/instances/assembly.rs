@@ -3,8 +3,8 @@
 use crate::bvh::{BuildError, BuildOptions, Bvh, Primitives};
 use crate::geom::{Aabb, AffineMap};
 
-/// Objects that are made of other objects: hierarchies over meshes, and groups of placed objects that came before. So no
-/// object contains itself.
+/// Objects that are made of other objects: hierarchies over meshes, and groups of placed objects that came before. So
+/// no object contains itself.
 ///
 /// See [`InstanceTracer`](super::InstanceTracer) for an example.
 #[derive(Clone, Debug, Default)]
@@ -86,8 +86,8 @@ impl<'a> Assembly<'a> {
         self.add(Part::Mesh(bvh))
     }
 
-    /// Adds a group of placed objects of this assembly, and builds a hierarchy over their boxes. Each box holds the exact image
-    /// of all triangles of its instance. `[INST-2]`
+    /// Adds a group of placed objects of this assembly, and builds a hierarchy over their boxes. Each box holds the
+    /// exact image of all triangles of its instance. `[INST-2]`
     ///
     /// # Errors
     /// What [`AssemblyError`] lists; then nothing is added.

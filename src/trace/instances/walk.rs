@@ -51,7 +51,8 @@ impl<'r> Search<'r> {
         self.any && self.found.is_some()
     }
 
-    /// Takes a hit that is not behind the best one so far, if it comes first: by distance, then by path, then by triangle.
+    /// Takes a hit that is not behind the best one so far, if it comes first: by distance, then by path, then by
+    /// triangle.
     #[inline]
     fn offer(&mut self, t: f32, held: &LeafTriangle, test: &kernel::EnclosedTest) {
         let LeafTriangle { shape: triangle, prim } = *held;
@@ -168,8 +169,8 @@ pub(super) struct Instances<'s> {
 }
 
 impl Leaves for Instances<'_> {
-    /// Here the ray of the group waits, with the state of its traversal, until the instance is done (Binder & Keller 2016,
-    /// Section 2.4).
+    /// Here the ray of the group waits, with the state of its traversal, until the instance is done (Binder & Keller
+    /// 2016, Section 2.4).
     fn meet(&self, place: usize, search: &mut Search<'_>) {
         let index = self.bvh.triangles()[place].prim;
         let Instance { object, affine } = &self.placed[index as usize];

@@ -18,8 +18,8 @@ use crate::tree::{Node, Topology};
 pub struct NearestPoints<'a> {
     around: Around<'a>,
     k: usize,
-    /// By distance and index, where they are in the hierarchy. The bits of distances, which are not negative, have their
-    /// order. A triangle that several leaves refer to has one distance, and so one entry.
+    /// By distance and index, where they are in the hierarchy. The bits of distances, which are not negative, have
+    /// their order. A triangle that several leaves refer to has one distance, and so one entry.
     found: BTreeMap<(u32, u32), usize>,
 }
 

@@ -91,8 +91,8 @@ impl<'t, T: Topology> Cuts<'t, T> {
         self.top.tree.depth().div_ceil(self.levels).max(1)
     }
 
-    /// Bytes of the state for one search by a traversal in this word: the traversal's own in a tree as deep as a piece, for
-    /// each piece on the way.
+    /// Bytes of the state for one search by a traversal in this word: the traversal's own in a tree as deep as a piece,
+    /// for each piece on the way.
     pub fn state_bytes<W: KeyWord>(&self, method: Method) -> usize {
         self.nesting() as usize * method.state_bytes::<W>(self.top.depth())
     }
@@ -100,8 +100,8 @@ impl<'t, T: Topology> Cuts<'t, T> {
 
 /// The part of a tree between cuts, for cursors: the tree from another root, with the slots and links of the whole.
 ///
-/// A cut node is an inner node to a cursor, which does not go further. What walks over all children does not see where a piece
-/// ends: tables are made by [`table`](Self::table).
+/// A cut node is an inner node to a cursor, which does not go further. What walks over all children does not see where
+/// a piece ends: tables are made by [`table`](Self::table).
 #[derive(Debug)]
 pub struct Piece<'t, T> {
     tree: &'t T,
@@ -119,8 +119,8 @@ impl<T: Topology> Piece<'_, T> {
 
     /// A table of the piece alone, made for a tree of its shape in which cut nodes are leaves.
     ///
-    /// As records of cut nodes are those of inner nodes, a hash for records that name more at leaves than at inner nodes
-    /// must be made for what the inner ones name ([`Reach`](crate::tree::Reach)).
+    /// As records of cut nodes are those of inner nodes, a hash for records that name more at leaves than at inner
+    /// nodes must be made for what the inner ones name ([`Reach`](crate::tree::Reach)).
     ///
     /// # Errors
     /// What `make` returns.

@@ -94,7 +94,8 @@ fn keys_are_put_together() {
     assert_eq!(whole, long);
 }
 
-/// At each visit: the node's key, and whether the state shows a trail, a register, a counter of as many bits, a restart.
+/// At each visit: the node's key, and whether the state shows a trail, a register, a counter of as many bits, a
+/// restart.
 #[derive(Default)]
 struct Shown(Vec<(Node, Option<Grow>, [bool; 4])>);
 

@@ -1,5 +1,5 @@
-//! `tests/PLANTED.md`: a row for each planted bug, and a column for each layer of checks, which is written and compared by the
-//! test that looks.
+//! `tests/PLANTED.md`: a row for each planted bug, and a column for each layer of checks, which is written and compared
+//! by the test that looks.
 
 use std::collections::BTreeMap;
 use std::fs;

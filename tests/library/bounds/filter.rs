@@ -172,8 +172,8 @@ fn the_common_bound_covers_each_edge_function() {
     }
 }
 
-/// The bound by which triangles are missed or hit covers an edge function and the determinant together. (Of an input that
-/// refutes half of it: spec/exactness.md, at the end.)
+/// The bound by which triangles are missed or hit covers an edge function and the determinant together. (Of an input
+/// that refutes half of it: spec/exactness.md, at the end.)
 #[test]
 fn the_bound_of_signs_covers_an_edge_function_and_the_determinant() {
     for input in MIXED.map(|input| input.map(|a| a.map(|bits| f64::from(f32::from_bits(bits))))) {

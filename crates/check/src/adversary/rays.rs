@@ -105,8 +105,8 @@ impl RayCase {
         numbers.get_mut(draw.below(numbers.len()))
     }
 
-    /// A corner, the middle of an edge, a point inside, or a point of which each coordinate is some corner's: such are the
-    /// corners of boxes.
+    /// A corner, the middle of an edge, a point inside, or a point of which each coordinate is some corner's: such are
+    /// the corners of boxes.
     fn target(&self, draw: &mut Draw) -> Vec3 {
         let triangle = self.triangles.get(draw.below(self.triangles.len())).copied().unwrap_or_default();
         let [a, b, c] = triangle.map(Vec3::from);

@@ -52,7 +52,8 @@ impl Errors {
 }
 
 /// For each choice, whether it is on the Pareto front: no other costs no more and errs no more often, and is better in
-/// one of these. Of choices that are equal in both, all are on it or none. Not being known (NaN), a cost is never on it.
+/// one of these. Of choices that are equal in both, all are on it or none. Not being known (NaN), a cost is never on
+/// it.
 pub fn front(choices: &[Choice]) -> Vec<bool> {
     let beats = |a: &Choice, b: &Choice| {
         let (a_errors, b_errors) = (a.errors.observed(), b.errors.observed());

@@ -126,7 +126,8 @@ fn room(nodes: &mut Vec<DraftNode>) -> usize {
     nodes.len() - 2
 }
 
-/// Puts children in their places. The left one is the one whose middle comes first, on the axis where that differs most.
+/// Puts children in their places. The left one is the one whose middle comes first, on the axis where that differs
+/// most.
 fn join([a, b]: [DraftNode; 2], place: usize, nodes: &mut [DraftNode]) -> DraftNode {
     let (axis, in_order) = order_of(&a.aabb, &b.aabb);
     let children = if in_order { [a, b] } else { [b, a] };
@@ -134,7 +135,8 @@ fn join([a, b]: [DraftNode; 2], place: usize, nodes: &mut [DraftNode]) -> DraftN
     DraftNode::inner(a.aabb.union(b.aabb), place, axis)
 }
 
-/// Where to cut at most [`SWEEP`] items that stay in order, with at most so many on a side, and the boxes of both sides.
+/// Where to cut at most [`SWEEP`] items that stay in order, with at most so many on a side, and the boxes of both
+/// sides.
 fn cheapest(items: &[Item], most: usize) -> (usize, [Spread; 2]) {
     let n = items.len();
     let mut rights = [Spread::EMPTY; SWEEP];

@@ -93,8 +93,8 @@ impl Tree {
         is_cheaper
     }
 
-    /// Moves `node` with its parent to where `sibling` is, which becomes the other child. Returns by how much the sum of
-    /// all half areas grows.
+    /// Moves `node` with its parent to where `sibling` is, which becomes the other child. Returns by how much the sum
+    /// of all half areas grows.
     fn make_sibling(&mut self, node: usize, sibling: usize) -> f64 {
         let (Some(parent), Some(_)) = (self.parent(node), self.parent(sibling)) else { return 0.0 };
         let Some(grandparent) = self.parent(parent) else { return 0.0 };

@@ -3,12 +3,14 @@
 //! The numbers of single precision never over- or underflow in double; those of double precision do. What is done
 //! where, and why it holds (`[EXACT-7]`):
 //!
-//! 1. Bounds for all triangles of the scene, for a ray with numbers that are 0 or within 2^-200 to 2^200. As boxes are in
+//! 1. Bounds for all triangles of the scene, for a ray with numbers that are 0 or within 2^-200 to 2^200. As boxes are
+//!    in
 //!    single precision, no corner is beyond 2^128 (else the ray is not usual), so nothing overflows; and the scene is 0
 //!    or at least 2^-149 wide. So the bound is above 2^-560, while underflow, of corners of any smallness, adds at most
 //!    2^-1074 to a component of a cross product, and less than 2^-868 to an edge function and the determinant together.
 //!    (If the width is 0, all edges are, and nothing is decided.)
-//! 2. Bounds for the triangle, and 3. exact sums: if the triangle's numbers too are 0 or within 2^-200 to 2^200, all are
+//! 2. Bounds for the triangle, and 3. exact sums: if the triangle's numbers too are 0 or within 2^-200 to 2^200, all
+//!    are
 //!    multiples of 2^-252, as are their differences. Products of two are multiples of 2^-504, of three of 2^-756, and
 //!    below 2^607: there is room for the low halves of products too. With a quotient within 2^-250 to 2^250, which is a
 //!    multiple of 2^-303 together with its half unit, products of four are multiples of 2^-1059. A line that certainly
@@ -16,9 +18,9 @@
 //!    above 2^-502 apart, because the error of the numerator is above 2^-50 C E E and the determinant at most 4 D E E.
 //! 4. All others are left to rational arithmetic, which is slower.
 //!
-//! A double holds no more digits than the quotient that stage 2 computes, so that bounds of a distance hardly ever round
-//! alike: the distance of each hit that may be the closest is computed by exact sums, which costs about as much as a
-//! hundred tests that end in stage 1.
+//! A double holds no more digits than the quotient that stage 2 computes, so that bounds of a distance hardly ever
+//! round alike: the distance of each hit that may be the closest is computed by exact sums, which costs about as much
+//! as a hundred tests that end in stage 1.
 
 use std::ops::RangeInclusive;
 
@@ -34,9 +36,9 @@ use crate::geom::{Ray, Region, Triangle};
 /// The exact test of triangles and rays in double precision: closed triangles, `t` and weights the nearest doubles to
 /// the exact ones (ties to even), for every ray and triangle of finite doubles. `[EXACT-7]`
 ///
-/// Numbers that are not 0 should be within 2^-200 to 2^200 (about 1e-60 to 1e60) in magnitude, and coordinates not above
-/// the greatest float of single precision: beyond that, rational arithmetic decides, at a cost of some hundred times
-/// that of the filter.
+/// Numbers that are not 0 should be within 2^-200 to 2^200 (about 1e-60 to 1e60) in magnitude, and coordinates not
+/// above the greatest float of single precision: beyond that, rational arithmetic decides, at a cost of some hundred
+/// times that of the filter.
 ///
 /// ```
 /// use glam::DVec3;

@@ -103,7 +103,8 @@ impl Errors {
         Self::within(off, [direction, region.reach() + origin, region.size()])
     }
 
-    /// As [`of_triangle`](Self::of_triangle), for a ray that may be off by `off` in each component of origin and direction.
+    /// As [`of_triangle`](Self::of_triangle), for a ray that may be off by `off` in each component of origin and
+    /// direction.
     pub(super) fn of_triangle_within(off: [f64; 2], corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Self {
         Self::within(off, greatest(corners, o, d))
     }

@@ -19,12 +19,12 @@ use super::predicates::{edge, minus};
 use crate::geom::{Kernel, Triangle};
 
 impl Exact {
-    /// Whether the ray crosses the triangle within its interval, ends included, in the sense that counts each crossing of
-    /// a closed mesh once: at an edge or corner, for one of the triangles there. `[PARITY-1]`
+    /// Whether the ray crosses the triangle within its interval, ends included, in the sense that counts each crossing
+    /// of a closed mesh once: at an edge or corner, for one of the triangles there. `[PARITY-1]`
     ///
-    /// It holds for some of the triangles that [`distance`](super::Kernel::distance) finds, and for no others. The number
-    /// of triangles of a closed mesh that a ray without end crosses is odd if the mesh winds around its origin an odd
-    /// number of times, as it does around a point inside; unless the origin is on the mesh.
+    /// It holds for some of the triangles that [`distance`](super::Kernel::distance) finds, and for no others. The
+    /// number of triangles of a closed mesh that a ray without end crosses is odd if the mesh winds around its origin
+    /// an odd number of times, as it does around a point inside; unless the origin is on the mesh.
     ///
     /// ```
     /// use glam::Vec3;

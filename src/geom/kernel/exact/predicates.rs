@@ -54,7 +54,8 @@ pub(in crate::geom) fn is_degenerate(corners: &[DVec3; 3]) -> bool {
 /// Whether double precision can tell that the corners do not lie on a line.
 fn has_certain_area(&[v0, v1, v2]: &[DVec3; 3]) -> bool {
     let (e1, e2) = (v1 - v0, v2 - v0);
-    // A component of the cross product is certain if it is not 0: each product has three roundings, their difference one.
+    // A component of the cross product is certain if it is not 0: each product has three roundings, their difference
+    // one.
     let is_certain = |a: f64, b: f64| (a - b).abs() > 4.0 * f64::EPSILON * (a.abs() + b.abs());
     is_certain(e1.x * e2.y, e1.y * e2.x) || is_certain(e1.y * e2.z, e1.z * e2.y) || is_certain(e1.z * e2.x, e1.x * e2.z)
 }

@@ -23,8 +23,8 @@ pub struct ExactFromSingle {
 /// Greatest coordinate for which nothing overflows in single precision. `[EXACT-5]`
 pub const MAX_COORDINATE: f32 = f32::from_bits((127 + 40) << 23);
 
-/// Edges count at least this much in the error bound of single precision, so that it covers all errors of underflow too.
-/// `[EXACT-5]`
+/// Edges count at least this much in the error bound of single precision, so that it covers all errors of underflow
+/// too. `[EXACT-5]`
 pub const MIN_EDGE: f32 = f32::from_bits((127 - 60) << 23);
 
 /// Half of the distance from 1 to the next float.

@@ -24,15 +24,16 @@ use stages::Stages;
 
 /// Measure run time against error, for every triangle test with every box test.
 ///
-/// Times are of one thread, over one tree, in one run: a ratio is the median over chunks of rays of a pair's time to that
-/// of `moller-32` with `plain` boxes. Errors are told by rational arithmetic, on ordinary rays (a camera's, and from where
-/// those hit) and on rays that are aimed at edges, corners and planes. The exit code is 1 if an exact test with `directed`
-/// boxes errs at all.
+/// Times are of one thread, over one tree, in one run: a ratio is the median over chunks of rays of a pair's time to
+/// that of `moller-32` with `plain` boxes. Errors are told by rational arithmetic, on ordinary rays (a camera's, and
+/// from where those hit) and on rays that are aimed at edges, corners and planes. The exit code is 1 if an exact test
+/// with `directed` boxes errs at all.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless accuracy bunny.ply spheres --plot accuracy.svg --csv accuracy.csv")]
 pub(crate) struct Args {
-    /// Mesh files (.ply, .obj), the made scenes `strands`, `stadium`, `soup`, or `spheres`: closed ones, only for leaks.
+    /// Mesh files (.ply, .obj), the made scenes `strands`, `stadium`, `soup`, or `spheres`: closed ones, only for
+    /// leaks.
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
     /// Draw time against error, as SVG.

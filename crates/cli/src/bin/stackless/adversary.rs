@@ -10,9 +10,9 @@ use crate::output::{self, bar, grouped, say, table, write_file};
 
 /// Search for the case that costs most: trees and tapes, or triangles and rays.
 ///
-/// A hill climb with restarts from random cases. The same seed and number of steps give the same case on every machine. The
-/// worst case is checked: all traversals against the oracle, the exact tests against rational arithmetic. The exit code is 1 if
-/// anything is wrong with it.
+/// A hill climb with restarts from random cases. The same seed and number of steps give the same case on every machine.
+/// The worst case is checked: all traversals against the oracle, the exact tests against rational arithmetic. The exit
+/// code is 1 if anything is wrong with it.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless adversary --list\n  \

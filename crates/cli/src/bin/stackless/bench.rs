@@ -25,9 +25,9 @@ pub(crate) use rows::{Row, means, of_scene};
 
 /// Measure throughput on one thread: same rays, and unless several are asked for, same tree.
 ///
-/// All take turns on chunks of the rays; times are the thread's processor time, and the ratio is the median over the rounds
-/// of the time of `stack` (on the first tree, with the first accuracy) to that of the other: above 1 is faster. The hits of all exact ones
-/// must be the same, or the exit code is 1.
+/// All take turns on chunks of the rays; times are the thread's processor time, and the ratio is the median over the
+/// rounds of the time of `stack` (on the first tree, with the first accuracy) to that of the other: above 1 is faster.
+/// The hits of all exact ones must be the same, or the exit code is 1.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless bench bunny.ply sibenik.ply\n  \
@@ -60,8 +60,8 @@ pub(crate) struct Args {
     /// Seed of the rays.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Measure ray tracers by others too (feature `peers`). Their ratios are to `stack` with exact tests, and their errors
-    /// on up to 5,000 rays of each kind are told by rational arithmetic.
+    /// Measure ray tracers by others too (feature `peers`). Their ratios are to `stack` with exact tests, and their
+    /// errors on up to 5,000 rays of each kind are told by rational arithmetic.
     #[arg(long)]
     peers: bool,
     /// Write the figures to this file.

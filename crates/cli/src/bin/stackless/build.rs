@@ -20,7 +20,8 @@ pub(crate) struct Build {
 const MAX_ROUNDS: u32 = 1000;
 
 impl Build {
-    /// What trees are like in the checks: the default, complete, and with triangles in parts that have been moved about.
+    /// What trees are like in the checks: the default, complete, and with triangles in parts that have been moved
+    /// about.
     pub(crate) const CHECKED: [Self; 3] = [
         Self { builder: Builder::Sah, reinsertion: 0 },
         Self { builder: Builder::Median, reinsertion: 0 },

@@ -11,9 +11,9 @@ use crate::input::Scene;
 /// Where an image is taken from.
 #[derive(Clone, Copy, clap::Args)]
 pub(crate) struct Options {
-    /// The camera: where it stands and what is in the middle of the image, `ex,ey,ez,tx,ty,tz`; then, if given, what is up
-    /// there, `ux,uy,uz`, and the field of view from the lower to the upper edge in degrees. Without it, one that shows
-    /// the scene.
+    /// The camera: where it stands and what is in the middle of the image, `ex,ey,ez,tx,ty,tz`; then, if given, what is
+    /// up there, `ux,uy,uz`, and the field of view from the lower to the upper edge in degrees. Without it, one that
+    /// shows the scene.
     #[arg(long, value_name = "NUMBERS", allow_hyphen_values = true)]
     view: Option<Given>,
     /// Pixels: width and height, or both in one number.

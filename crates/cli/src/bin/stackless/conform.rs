@@ -11,8 +11,8 @@ use crate::output::{self, bar, grouped, say, table, write_file, write_json};
 
 /// Ask a program the cases of the conformance suite, and say where it is wrong.
 ///
-/// The program reads one JSON object a line and answers each with one (spec/suite/INTERPRETING.md). The exit code is 0 if nothing failed and
-/// every waiver still fails, 1 otherwise, 2 if the program could not be asked.
+/// The program reads one JSON object a line and answers each with one (spec/suite/INTERPRETING.md). The exit code is 0
+/// if nothing failed and every waiver still fails, 1 otherwise, 2 if the program could not be asked.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless conform -- stackless suite serve --method hashed --word u32\n  \
     stackless conform --level trace -- python3 spec/suite/adapters/traverse.py")]

@@ -15,11 +15,12 @@ use crate::input;
 use crate::output::{self, say, table, write_file, write_json};
 use crate::turns::{median, take_turns};
 
-/// Measure run time against proved error: the closest point of a Bézier curve, by interval arithmetic over an implicit tree.
+/// Measure run time against proved error: the closest point of a Bézier curve, by interval arithmetic over an implicit
+/// tree.
 ///
-/// A query asks for the closest point of a curve of its own, in space, ordinary or degenerate; coordinates are about 1. Its
-/// error is the width of the interval that is proved to hold the least distance. Times are of one thread; the traversals and
-/// tolerances take turns.
+/// A query asks for the closest point of a curve of its own, in space, ordinary or degenerate; coordinates are about 1.
+/// Its error is the width of the interval that is proved to hold the least distance. Times are of one thread; the
+/// traversals and tolerances take turns.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless curve\n  \

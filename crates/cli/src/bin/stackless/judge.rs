@@ -69,8 +69,8 @@ impl Truths {
         self.hits.get(i)?.first().copied()
     }
 
-    /// What is wrong about answers to all rays. The first of a ray is the one that is judged, and the others must be the
-    /// same.
+    /// What is wrong about answers to all rays. The first of a ray is the one that is judged, and the others must be
+    /// the same.
     pub(crate) fn counts<const N: usize>(&self, query: Query, answers: &[[Answer; N]]) -> Counts {
         let mut counts = Counts::default();
         for ((ray, truth), answers) in self.rays.iter().zip(&self.hits).zip(answers) {

@@ -66,8 +66,8 @@ pub(crate) fn be_quiet() {
     LINES.store(TO_NOBODY, Ordering::Relaxed);
 }
 
-/// The path of a file to write. `-` is the standard output, which then is the file's alone: what else is said goes to the
-/// standard error.
+/// The path of a file to write. `-` is the standard output, which then is the file's alone: what else is said goes to
+/// the standard error.
 pub(crate) fn file(text: &str) -> Result<PathBuf, String> {
     if text.is_empty() {
         return Err("expected a file name, or - for the standard output".to_owned());

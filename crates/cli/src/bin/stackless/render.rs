@@ -52,8 +52,8 @@ pub(crate) struct Args {
     #[arg(long, value_delimiter = ',', value_parser = input::MethodName)]
     #[arg(requires = "heatmap", conflicts_with = "method")]
     compare: Vec<Method>,
-    /// A figure of Binder & Keller 2016: 1, the backtracking steps of three schemes; 7, the postponed nodes that are visited
-    /// without and with pruning; 8, the nodes that paths visit from the root and from their last hit.
+    /// A figure of Binder & Keller 2016: 1, the backtracking steps of three schemes; 7, the postponed nodes that are
+    /// visited without and with pruning; 8, the nodes that paths visit from the root and from their last hit.
     #[arg(long, value_enum, conflicts_with_all = ["heatmap", "method", "compare", "rays"])]
     figure: Option<Figure>,
     /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median; with `+N`, N rounds of reinsertion follow.

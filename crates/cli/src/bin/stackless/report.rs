@@ -19,9 +19,9 @@ use page::{Piece, Section};
 
 /// Measure scenes and write one page with all tables and pictures, and each table beside it as CSV.
 ///
-/// The counterparts of Tables 1 and 2 and Figs. 1, 3, 7 and 8 of Binder & Keller 2016 and of Table 1 and Fig. 5 of Barringer &
-/// Akenine-Möller 2013; run time against error; what each scene does not need. The page, index.html, needs nothing else.
-/// The exit code is 1 if exact answers differ.
+/// The counterparts of Tables 1 and 2 and Figs. 1, 3, 7 and 8 of Binder & Keller 2016 and of Table 1 and Fig. 5 of
+/// Barringer & Akenine-Möller 2013; run time against error; what each scene does not need. The page, index.html, needs
+/// nothing else. The exit code is 1 if exact answers differ.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless report bunny.ply sibenik.ply -o report\n  \
     stackless report strands --rays 4096 --rounds 1 -o quick")]

@@ -27,8 +27,8 @@ use crate::report::Bar;
 
 /// What a scene's hierarchy and its hash tables take, and how far backtracking goes in it.
 ///
-/// The counterparts of Table 1 and Fig. 3 of Binder & Keller 2016. Backtracks are those of closest-hit rays, half from a
-/// camera and half in random directions from where those hit.
+/// The counterparts of Table 1 and Fig. 3 of Binder & Keller 2016. Backtracks are those of closest-hit rays, half from
+/// a camera and half in random directions from where those hit.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless stats sibenik.ply\n  \
@@ -277,8 +277,8 @@ impl Stats {
         plot_distances(&format!("Backtracking distance, {}", self.scene), &self.counted)
     }
 
-    /// A row of the papers' table of scenes: name, triangles, nodes, depth, megabytes of tree and hash, the share of these,
-    /// milliseconds of their builders.
+    /// A row of the papers' table of scenes: name, triangles, nodes, depth, megabytes of tree and hash, the share of
+    /// these, milliseconds of their builders.
     pub(crate) fn cells(&self) -> Vec<String> {
         let tables = &self.tables;
         let counts = [self.triangles as u64, self.nodes as u64, self.depth.into()].map(grouped);

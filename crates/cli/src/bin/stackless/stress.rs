@@ -15,8 +15,8 @@ use crate::output::{self, bar, grouped, say, table, write_json};
 
 /// Trace the stress suite and count errors against rational arithmetic.
 ///
-/// Every ray goes through every traversal, as a closest-hit and as an any-hit query, on three trees; it counts as wrong if
-/// any of them errs. max ulp is the greatest error of a distance, in floats. The exit code is 1 if `exact` errs.
+/// Every ray goes through every traversal, as a closest-hit and as an any-hit query, on three trees; it counts as wrong
+/// if any of them errs. max ulp is the greatest error of a distance, in floats. The exit code is 1 if `exact` errs.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless stress\n  \

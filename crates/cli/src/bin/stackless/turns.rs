@@ -17,7 +17,8 @@ pub(crate) struct Times {
 
 /// Times `contestants` on one thread, which `trace` answers for: the contestant and its rays, out of `rays`.
 ///
-/// They take turns after each chunk of up to `chunk` rays, so that all are slowed down alike by other work of the machine.
+/// They take turns after each chunk of up to `chunk` rays, so that all are slowed down alike by other work of the
+/// machine.
 pub(crate) fn take_turns(
     contestants: usize,
     rays: usize,

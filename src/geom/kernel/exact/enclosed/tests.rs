@@ -98,8 +98,8 @@ fn numbers_beyond_the_range_are_left_open() {
     assert_eq!((test.distance(&triangle, 1.0), test.weights(&triangle)), (Certainty::Open, None));
 }
 
-/// A line through the middle of an edge, at the end of bounds that change the edge function as much as can be: with half of
-/// [`OFF_SIGN`](crate::geom::kernel::OFF_SIGN) the triangle is missed.
+/// A line through the middle of an edge, at the end of bounds that change the edge function as much as can be: with
+/// half of [`OFF_SIGN`](crate::geom::kernel::OFF_SIGN) the triangle is missed.
 #[test]
 fn bounds_of_signs_are_needed() {
     let corners = [[64.9375, -62.9375, 63.0], [64.0, -64.0, 64.0], [66.0, -62.0, 62.0]];
@@ -113,7 +113,8 @@ fn bounds_of_signs_are_needed() {
 }
 
 /// The same for distances: of many rays some are next to the middle of two floats. With half of
-/// [`OFF`](crate::geom::kernel::OFF), for the determinant or for the distance, hundreds have another distance than is certain.
+/// [`OFF`](crate::geom::kernel::OFF), for the determinant or for the distance, hundreds have another distance than is
+/// certain.
 #[test]
 fn bounds_of_distances_are_needed() {
     // The normal is (0, 2, 2): a sum of all changes counts.

@@ -38,14 +38,14 @@ pub(super) struct Set {
     pub(super) rays: Vec<Ray>,
 }
 
-/// How far an occlusion ray reaches, in diagonals of the scene. Occlusion counts nearby; endless rays would all hit in a
-/// closed room.
+/// How far an occlusion ray reaches, in diagonals of the scene. Occlusion counts nearby; endless rays would all hit in
+/// a closed room.
 const REACH: f32 = 0.1;
 
 /// The sets of these kinds: `n` rays of the scene's camera, and one from each of their hits.
 ///
-/// Occlusion rays go where the diffuse ones go (by the cosine, as Binder & Keller and Barringer & Akenine-Möller have it),
-/// only not as far.
+/// Occlusion rays go where the diffuse ones go (by the cosine, as Binder & Keller and Barringer & Akenine-Möller have
+/// it), only not as far.
 pub(super) fn sets(scene: &Scene, bvh: &Bvh, kinds: Vec<Kind>, n: usize, seed: u64) -> Vec<Set> {
     let primary = procedural::view(&scene.name, &scene.mesh).rays(n);
     let diffuse = trace::bounce(&scene.mesh, bvh, &primary, seed);

@@ -28,8 +28,8 @@ pub(super) struct Row {
 const CHUNK: usize = 2048;
 const ROUNDS: usize = 5;
 
-/// The decisions for any-hit and closest-hit queries by `hashed`, each measured, and all together. The answers of all must be
-/// the same; the one that differs is the error.
+/// The decisions for any-hit and closest-hit queries by `hashed`, each measured, and all together. The answers of all
+/// must be the same; the one that differs is the error.
 pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
     let bounced = trace::bounce(mesh, bvh, rays, 1);
     let mut rows = Vec::new();

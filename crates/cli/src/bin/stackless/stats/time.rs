@@ -44,8 +44,8 @@ const ROUNDS: usize = 5;
 /// For traversals that are not among [`METHODS`].
 const OCTANT: u8 = 0;
 
-/// Times the parts alone, over what a query does. They do not add up to the whole: the processor does several at once, and
-/// memory is read for all of them.
+/// Times the parts alone, over what a query does. They do not add up to the whole: the processor does several at once,
+/// and memory is read for all of them.
 pub(super) fn measure(bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Unfit> {
     let with_uncles = bvh.clone().with_links(Recorded::Uncles);
     let tree = |method: Method| if method.wants_recorded() == Recorded::Uncles { &with_uncles } else { bvh };
