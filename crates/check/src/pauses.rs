@@ -351,15 +351,23 @@ impl Pruned for StopAtLeaf<'_, '_> {
     }
 }
 
-/// Goes on.
+/// Goes on with a traversal that was put aside.
+#[derive(Debug)]
 pub struct GoOn<'a, 'c, W> {
+    /// From where.
     pub from: Start<W>,
+    /// The search, with what it has found so far.
     pub search: &'a mut Search<'c, Tree>,
+    /// Gets the visits.
     pub trace: &'a mut Trace,
 }
 
+/// What is left of a traversal that was put aside.
+#[derive(Debug)]
 pub enum Start<W> {
+    /// Its state.
     State(Paused<W>),
+    /// The key of its node.
     Key(KeyOnly<W>),
 }
 
