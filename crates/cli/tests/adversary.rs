@@ -9,7 +9,10 @@ use stackless_check::adversary::{AdversaryError, Cost, GOALS, Goal, RayCase, Sea
 use stackless_check::{Case, CaseOptions, Replay};
 
 fn file(goal: &Goal) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/adversary").join(goal.name).with_extension("json")
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+        .join("tests/data/adversary")
+        .join(goal.name)
+        .with_extension("json")
 }
 
 fn found(goal: &Goal) -> (Subject, Option<String>) {

@@ -16,7 +16,7 @@ use stackless_suite::{Ask, author};
 use support::{Folder, stackless};
 
 fn spec(name: &str) -> String {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("spec").join(name);
+    let path = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("spec").join(name);
     std::fs::read_to_string(path).unwrap()
 }
 

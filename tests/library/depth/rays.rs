@@ -88,7 +88,7 @@ fn all_traversals_find_the_truth_in_the_words_that_carry_it() {
 fn the_tracer_takes_the_growing_word() {
     let (mesh, bvh) = deep();
     let (truth, tracer) = (Truth::new(&mesh), Tracer::new(&bvh));
-    assert_eq!((tracer.method(), tracer.word()), (Method::Hashed, WordName::Grow));
+    assert_eq!((tracer.method(), tracer.word()), (Method::default(), WordName::Grow));
     let mut hits = 0;
     for ray in rays(&mesh) {
         let hit = truth.closest(&ray).map(|hit| hit.rounded());
