@@ -6,9 +6,11 @@ use crate::generate::{Rng, Source};
 use crate::geom::Ray;
 
 /// Random numbers, points and directions.
+#[derive(Debug)]
 pub struct Draw(Rng);
 
 impl Draw {
+    /// The stream of a seed.
     pub const fn new(seed: u64) -> Self {
         Self(Rng::new(seed))
     }
@@ -32,10 +34,12 @@ impl Draw {
         self.0.below(n as u64) as usize
     }
 
+    /// With a chance of one in `n`.
     pub fn one_in(&mut self, n: usize) -> bool {
         self.below(n) == 0
     }
 
+    /// 1 or -1.
     pub fn sign(&mut self) -> f32 {
         one_of([1.0, -1.0], self)
     }
@@ -45,6 +49,7 @@ impl Draw {
         (self.0.bits() >> 40) as f32 * exp2(-24)
     }
 
+    /// In `lo..hi`.
     pub fn between(&mut self, lo: f32, hi: f32) -> f32 {
         lo + (hi - lo) * self.unit()
     }

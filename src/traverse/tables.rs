@@ -234,13 +234,13 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
     /// Whether the tree's own records name what a traversal follows, and its layout is one: then
     /// [`directly`](Self::directly) has all that it needs.
     #[inline]
-    pub(crate) fn are_direct(&self, method: Method) -> bool {
+    pub fn are_direct(&self, method: Method) -> bool {
         self.tree.names(method.wants_recorded()) && !matches!(self.beside.layout, Some(Layout::Map(_)))
     }
 
     /// What cursors are made from over the tree itself, so that nobody asks at each read where links and addresses are.
     #[inline]
-    pub(crate) fn directly<'s>(&'s self, octant: u8, memory: &'s mut Vec<Node>) -> FromTables<'s, T, H, Implicit> {
+    pub fn directly<'s>(&'s self, octant: u8, memory: &'s mut Vec<Node>) -> FromTables<'s, T, H, Implicit> {
         let layout = match &self.beside.layout {
             Some(Layout::Implicit(layout)) => Some(layout),
             _ => None,

@@ -6,7 +6,7 @@
 mod gpu;
 mod layers;
 #[allow(dead_code, reason = "the other columns are written by those who look")]
-mod table;
+pub(crate) mod table;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;

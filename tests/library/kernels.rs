@@ -3,9 +3,7 @@
 use glam::Vec3;
 use proptest::prelude::*;
 
-use stackless_bvh::geom::kernel::{
-    Affine, AffineTriangle, Exact, Exact64, ExactFromSingle, Kernel, Moller32, Moller64, Woop,
-};
+use stackless_bvh::geom::kernel::{Affine, Exact, ExactFromSingle, Kernel, Moller32, Moller64, Woop};
 use stackless_bvh::geom::{Aabb, Triangle};
 use stackless_bvh::geom::{Ray, Region};
 use stackless_check::check_triangle;

@@ -4,9 +4,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-#[path = "bites/table.rs"]
-#[allow(dead_code, reason = "the column is written by fuzz/run.sh")]
-mod table;
+use crate::bites::table;
+
 #[path = "../../fuzz/src/lib.rs"]
 #[allow(unreachable_pub, reason = "it is a library of its own")]
 mod targets;

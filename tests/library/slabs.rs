@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
-use stackless_bvh::geom::slabs::{Centred, Directed, EnclosedSlabs, Intervals, Plain, Slabs, TwoSided, Wide};
+use stackless_bvh::geom::slabs::{Directed, EnclosedSlabs, Intervals, Plain, Slabs, TwoSided, Wide};
 use stackless_bvh::geom::{Aabb, Ray, Region};
 use stackless_bvh::geom::{EnclosedRay, Interval, truth};
 use stackless_check::check_slabs;

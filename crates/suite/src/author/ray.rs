@@ -226,7 +226,7 @@ fn asked(mesh: &Mesh, rays: &[Ray], query: Query) -> Rays {
 
 /// Mesh and rays of a stress scene.
 pub(super) fn scene(case: &stress::StressCase) -> (Mesh, Vec<Ray>) {
-    let vertices = case.mesh.vertices().iter().map(|vertex| vertex.to_array()).collect();
+    let vertices = case.mesh.vertices().iter().map(glam::Vec3::to_array).collect();
     let mesh = Mesh { vertices, triangles: case.mesh.triangles().to_vec() };
     let rays = case.rays.iter().map(|it| ray(it.origin(), it.direction(), [it.tmin(), it.tmax()]));
     (mesh, rays.collect())
