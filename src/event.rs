@@ -52,6 +52,12 @@ impl<W> State<W> {
 pub trait Recorder {
     /// Called before each visit; [`Flow::Stop`] ends the traversal there. The state is made only for those who ask.
     fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow;
+
+    /// The same where a traversal that restarts passes a node again on the way down from the root.
+    #[inline]
+    fn revisit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        self.visit(node, state)
+    }
 }
 
 impl Recorder for () {
@@ -124,10 +130,13 @@ impl Trace {
 
 impl Recorder for Trace {
     #[inline]
-    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
-        if !state().is_restarting {
-            self.nodes.push(node);
-        }
+    fn visit<W: KeyWord>(&mut self, node: Node, _: impl FnOnce() -> State<W>) -> Flow {
+        self.nodes.push(node);
+        Flow::Continue
+    }
+
+    #[inline]
+    fn revisit<W: KeyWord>(&mut self, _: Node, _: impl FnOnce() -> State<W>) -> Flow {
         Flow::Continue
     }
 }

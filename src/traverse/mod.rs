@@ -176,7 +176,12 @@ pub fn traverse_pruned<C: Cursor>(
 ) -> Option<Next> {
     loop {
         let node = cursor.node();
-        if recorder.visit(node, || cursor.state()) == Flow::Stop {
+        let flow = if C::RESTARTS && cursor.state().is_restarting {
+            recorder.revisit(node, || cursor.state())
+        } else {
+            recorder.visit(node, || cursor.state())
+        };
+        if flow == Flow::Stop {
             return Some(Next::Visit);
         }
         let descended = if node.is_leaf() {

@@ -114,14 +114,14 @@ struct Record {
 impl Recorder for Record {
     fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
         let state = state();
-        let is_restarting = state.is_restarting;
-        if !is_restarting {
-            let State { trail, counter, register, .. } = state.map(|word| Some(hex(&word)));
-            self.trails.push(trail);
-            self.counters.push(counter);
-            self.registers.push(register);
+        if state.is_restarting {
+            return Flow::Continue;
         }
-        self.trace.visit(node, || State::<W> { is_restarting, ..State::of(node) })
+        let State { trail, counter, register, .. } = state.map(|word| Some(hex(&word)));
+        self.trails.push(trail);
+        self.counters.push(counter);
+        self.registers.push(register);
+        self.trace.visit(node, || State::<W>::of(node))
     }
 }
 
