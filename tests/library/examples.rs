@@ -16,7 +16,7 @@ use stackless_bvh::hash::{KeyMap, KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::order::{Descent, Flow, Pruned, Pruning, Side, Visitor};
 use stackless_bvh::traverse::{Disjoint, Hashed, Sparse, traverse, traverse_pruned};
-use stackless_bvh::tree::{Keys, Linked, Node, Reach, Topology, Tree};
+use stackless_bvh::tree::{Keys, Linked, Node, Reach, Recorded, Topology, Tree};
 use stackless_bvh::{swap, trail};
 
 type Example = (&'static str, fn() -> String);
@@ -250,6 +250,7 @@ fn slab() -> String {
 fn file() -> String {
     let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]]);
     let bvh = Bvh::sah(&mesh.expect("a mesh"), SahOptions::default()).expect("a tree");
+    let bvh = bvh.with_links(Recorded::Uncles);
     let bytes = bvh.to_bytes();
     let lines = bytes.chunks(16).enumerate().map(|(at, bytes)| {
         let bytes: Vec<_> = bytes.iter().map(|byte| format!("{byte:02x}")).collect();

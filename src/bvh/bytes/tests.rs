@@ -134,7 +134,7 @@ fn other_lengths_are_refused_before_anything_is_allocated() {
 #[test]
 fn malformed_files_are_refused_by_name() {
     use BvhFileError as E;
-    let bvh = soup(9);
+    let bvh = soup(9).with_links(Recorded::Uncles);
     let bytes = bvh.to_bytes();
     let refuse = |at, word, error| assert_eq!(load(&sealed(patched(&bytes, at, word))).err(), Some(error));
     refuse(0, 0, E::Magic);

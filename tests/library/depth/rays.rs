@@ -134,6 +134,7 @@ fn pieces_find_the_same_hits_by_the_same_way_in_narrow_words() {
 #[test]
 fn links_in_records_serve_all_pieces() {
     let (mesh, bvh) = deep();
+    let bvh = bvh.with_links(Recorded::Uncles);
     let climbing = bvh.clone().with_links(Recorded::ParentSibling);
     let (by_uncles, by_parents) = (Cuts::every(31, &bvh), Cuts::every(31, &climbing));
     let pieces = Pieces::new(&by_uncles).expect("tables");
@@ -178,6 +179,7 @@ impl Recorder for Reach<'_> {
 #[test]
 fn rays_reach_the_deepest_leaves_and_go_back_to_the_top_at_once() {
     let (mesh, bvh) = deep();
+    let bvh = bvh.with_links(Recorded::Uncles);
     let mut reach = Reach { bvh: &bvh, keys: Keys::of(&bvh), before: 0, deepest: 0, farthest: 0 };
     let (boxes, cuts) = (bvh.own_boxes(), Cuts::every(30, &bvh));
     let pieces = Pieces::new(&cuts).expect("tables");
