@@ -7,7 +7,7 @@
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::hash::{self, KeySet, Options, PerfectHash, Sizing};
-use stackless_bvh::tree::{Reach, Topology};
+use stackless_bvh::tree::{Reach, Recorded, Topology};
 
 /// Buffers of 32-bit words, as they are uploaded.
 #[derive(Debug, Default)]
@@ -25,7 +25,7 @@ struct Buffers {
 /// Makes the buffers of a scene.
 pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mesh = procedural::strands(1, 100);
-    let bvh = Bvh::sah(&mesh, SahOptions::default())?;
+    let bvh = Bvh::sah(&mesh, SahOptions::default())?.with_links(Recorded::Uncles);
     let options = Options { key_set: KeySet::Exact(Reach::ALGORITHM_1), sizing: Sizing::Tight };
     let table = PerfectHash::build(&bvh, options)?;
     // A table that came from elsewhere, a GPU say, is certified the same way, in linear time.

@@ -224,7 +224,8 @@ fn chain(depth: u32, right_at: impl Fn(u32) -> bool) -> Tree {
 }
 
 fn in_pieces<W: KeyWord>(case: &Case, levels: u32) {
-    let (cuts, mut battery) = (Cuts::every(levels, &case.tree), Battery::new(case, &[]));
+    let (linked, mut battery) = (Linked::both(&case.tree), Battery::new(case, &[]));
+    let cuts = Cuts::every(levels, &linked);
     let pieces = right(Pieces::new(&cuts), "tables of pieces");
     // As many states as there are pieces on a way, each as large as in a tree of so many levels. [STATE-1]
     assert_eq!(cuts.nesting(), case.tree.depth().div_ceil(levels).max(1));
@@ -232,7 +233,7 @@ fn in_pieces<W: KeyWord>(case: &Case, levels: u32) {
     assert_eq!(cuts.state_bytes::<W>(Method::Hashed), cuts.nesting() as usize * one);
     let of_pieces = |tables: &[PieceTable<PerfectHash>]| tables.iter().map(PieceTable::bytes).sum::<usize>();
     assert!(of_pieces(pieces.hashes()) <= of_pieces(pieces.full_hashes()) + cuts.bytes());
-    for method in Pieces::<Tree>::methods() {
+    for method in Pieces::<Linked<'_, Tree>>::methods() {
         let verdict = battery
             .judge(method.test(), method.restarts(), |search, watch, _, _| pieces.run::<W>(method, search, watch));
         match verdict {

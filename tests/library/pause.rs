@@ -14,7 +14,7 @@ use stackless_bvh::traverse::{
     Afra, ByTable, ByWalk, Cursor, Disjoint, HashOnly, Hashed, Incomplete, KeyOnly, KeyTrail, Method, Next, NoSuchKey,
     Pause, Paused, Sparse, StateError, States, Uncle, resume, traverse, traverse_pruned,
 };
-use stackless_bvh::tree::{Linked, Node, Topology};
+use stackless_bvh::tree::{Linked, Node, Recorded, Topology};
 use stackless_check::{Case, CaseOptions, Pauses};
 
 fn methods() -> impl Iterator<Item = Method> {
@@ -210,7 +210,7 @@ fn another_thread_goes_on() {
 #[test]
 fn rays_are_put_aside() {
     let mesh = procedural::soup(5, 90);
-    let bvh = Bvh::sah(&mesh, SahOptions::default()).expect("a tree");
+    let bvh = Bvh::sah(&mesh, SahOptions::default()).expect("a tree").with_links(Recorded::Uncles);
     let truth = Truth::new(&mesh);
     let all = Options { key_set: KeySet::All, sizing: Sizing::Tight };
     let hash = PerfectHash::build(&bvh, all).expect("a table");
