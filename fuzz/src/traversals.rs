@@ -7,7 +7,7 @@ use stackless_bvh::key::{self, Grow, KeyWord};
 use stackless_bvh::traverse::{
     Beside, ByWalk, Cuts, KeyTrail, Method, Next, Paused, PieceTable, States, Unfit, WordName,
 };
-use stackless_bvh::tree::{Implicit, Keys, Node, Reach, Topology, Tree};
+use stackless_bvh::tree::{Implicit, Keys, Linked, Node, Reach, Topology, Tree};
 use stackless_bvh::{oracle, trail};
 use stackless_check::{
     Battery, Case, CaseOptions, Disagreement, Pauses, Pieces, Plan, Replay, Tally, Verdict, check_table,

@@ -5,11 +5,11 @@ use alloc::vec::Vec;
 use core::ops::Deref;
 
 use super::{
-    Complete, Context, Cursor, Glassner, Method, Need, NotComplete, Pause, PausingContext, Skips, Supply, Unfit,
-    WordName, traverse, traverse_pruned,
+    Complete, Context, Cursor, Glassner, Layout, Method, Need, NotComplete, Pause, PausingContext, Skips, Supply,
+    Unfit, WordName, traverse, traverse_pruned,
 };
 use crate::event::Recorder;
-use crate::hash::{KeyMap, KeySet, Lookup, Options, PerfectHash, Sizing, Verified};
+use crate::hash::{KeySet, Lookup, Options, PerfectHash, Sizing, Verified};
 use crate::key::{Grow, KeyWord};
 use crate::order::{self, ByNode, FixedOrder, NodeTest, Pruned, SignOrder};
 use crate::tree::{Implicit, Keys, Linked, Links, Node, Reach, Recorded, Topology};
@@ -366,39 +366,6 @@ impl<'s, W: KeyWord, F: Supply<'s, W>, X: WithCursor<W>> PausingContext<'s, W> f
     #[inline]
     fn pausing<C: Pause<Word = W>>(self, start: impl Fn(F) -> Result<C, Unfit>) -> Result<X::Output, Unfit> {
         Ok(self.f.call(start(self.from)?))
-    }
-}
-
-/// The implicit layout of a tree, or, where that would be too large, a map from all keys.
-#[derive(Debug)]
-pub enum Layout {
-    /// The layout.
-    Implicit(Implicit),
-    /// The map.
-    Map(KeyMap),
-}
-
-impl Layout {
-    fn of(tree: &impl Topology, implicit_depth: u32) -> Self {
-        let implicit = if tree.depth() <= implicit_depth { Implicit::of(tree).ok() } else { None };
-        implicit.map_or_else(|| Self::Map(KeyMap::of(tree)), Self::Implicit)
-    }
-
-    fn bytes(&self) -> usize {
-        match self {
-            Self::Implicit(layout) => layout.bytes(),
-            Self::Map(map) => map.bytes(),
-        }
-    }
-}
-
-impl<W: KeyWord> Lookup<W> for Layout {
-    #[inline]
-    fn node(&self, key: &W) -> Node {
-        match self {
-            Self::Implicit(layout) => layout.node(key),
-            Self::Map(map) => map.node(key),
-        }
     }
 }
 
