@@ -11,7 +11,7 @@ const SIGN: u32 = 1 << 31;
 /// `i`, both with the sign bit set, so that no displacement and no empty cell looks like one. `[HASH-5]`
 ///
 /// Binder & Keller (2016, Section 2.2.2) mark direct addresses so in the table of displacements; here the cells hold
-/// the same words. The index must be below [`LIMIT`].
+/// the same words. The index must be below 2^30.
 pub const fn encode(node: Node) -> u32 {
     let index = node.index() as u32;
     if node.is_leaf() { !index } else { SIGN | index }

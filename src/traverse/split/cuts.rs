@@ -120,7 +120,7 @@ impl<T: Topology> Piece<'_, T> {
     /// A table of the piece alone, made for a tree of its shape in which cut nodes are leaves.
     ///
     /// As records of cut nodes are those of inner nodes, a hash for records that name more at leaves than at inner
-    /// nodes must be made for what the inner ones name ([`Reach`](crate::tree::Reach)).
+    /// nodes must be made for what the inner ones name ([`Reach`]).
     ///
     /// # Errors
     /// What `make` returns.
