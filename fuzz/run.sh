@@ -36,7 +36,7 @@ fuzz() {
     local dictionary=()
     [[ ! -e dictionaries/$target ]] || dictionary=("-dict=dictionaries/$target")
     # The first input of some builds the whole suite, for which a sanitizer takes its time.
-    local timeout=10
+    local timeout=30
     [[ $sanitizer == none ]] || timeout=60
     "$binaries/$target" "-max_total_time=$seconds" "-timeout=$timeout" -rss_limit_mb=2048 -max_len=4096 \
         "-artifact_prefix=artifacts/$target/" -print_final_stats=1 "${dictionary[@]}" "$@" \
@@ -62,7 +62,7 @@ find_planted() {
     local bug=$1 seconds=$2 folder executions took TIMEFORMAT=%U
     folder=$(mktemp -d)
     mkdir "$folder/corpus"
-    if took=$({ time PLANTED=$bug "$binaries/planted" -seed=1 "-max_total_time=$seconds" -timeout=10 -rss_limit_mb=2048 \
+    if took=$({ time PLANTED=$bug "$binaries/planted" -seed=1 "-max_total_time=$seconds" -timeout=30 -rss_limit_mb=2048 \
         -max_len=4096 -exact_artifact_path=/dev/null -print_final_stats=1 "$folder/corpus" > "$folder/log" 2>&1; } 2>&1); then
         echo "$bug | not found in $seconds s"
     elif ! grep -q 'panicked at src/planted.rs' "$folder/log"; then
