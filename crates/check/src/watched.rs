@@ -67,22 +67,29 @@ impl Reads {
 /// record that the traversal climbs along, or passes again on the way down from the root.
 ///
 /// ```
-/// use stackless_cli::explain;
-/// use stackless_bvh::generate::Search;
-/// use stackless_check::{Reads, Steps, Watched};
+/// use stackless_bvh::order::{Descent, Flow, Side, Visitor};
 /// use stackless_bvh::traverse::{Afra, traverse};
-/// use stackless_bvh::tree::Linked;
+/// use stackless_bvh::tree::{Linked, Node, Tree};
+/// use stackless_check::{Reads, Steps, Watched};
 ///
-/// let case = explain::example();
-/// let (linked, reads) = (Linked::parents(&case.tree), Reads::default());
+/// struct LeftFirst;
+/// impl Visitor for LeftFirst {
+///     fn inner(&mut self, _: Node) -> Descent {
+///         Descent::both(Side::Left)
+///     }
+///     fn leaf(&mut self, _: Node) -> Flow {
+///         Flow::Continue
+///     }
+/// }
+///
+/// let tree = Tree::new(&[Some([1, 2]), Some([3, 4]), None, None, None])?;
+/// let (linked, reads) = (Linked::parents(&tree), Reads::default());
 /// let watched = Watched { tree: &linked, watch: |node| reads.count(node) };
-/// let mut steps = Steps::new(&case.tree, &reads);
-/// let mut search = Search::new(&case.tree, &case.tape, false);
-/// traverse(Afra::<u32, _>::new(&watched)?, &mut search, &mut steps);
-/// // From key 23 to its sibling one step, from key 22 to key 3 four: along three parents and to the sibling of the last. From 14
-/// // to 15 one, from 15 to 6 two.
-/// assert_eq!((steps.backtracks(), steps.steps()), (4, 8));
-/// # Ok::<(), stackless_bvh::traverse::Unfit>(())
+/// let mut steps = Steps::new(&tree, &reads);
+/// traverse(Afra::<u32, _>::new(&watched)?, &mut LeftFirst, &mut steps);
+/// // From key 4 to its sibling one step, from key 5 to key 3 two: to the parent, and to its sibling.
+/// assert_eq!((steps.backtracks(), steps.steps()), (2, 3));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
 pub struct Steps<'a, T> {
