@@ -4,7 +4,7 @@ use glam::Vec3;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::geom::{Ray, Triangle};
 use stackless_bvh::order::{Descent, Flow, Pruned, Pruning, Side, Visitor};
-use stackless_bvh::traverse::{PruningStack, Stack, traverse};
+use stackless_bvh::traverse::{PruningStack, Stack, traverse, traverse_pruned};
 use stackless_bvh::tree::Node;
 
 use crate::probe::Arithmetic;
@@ -82,11 +82,12 @@ impl<'a> Model<'a> {
         let mut model =
             Self { arithmetic, bvh, ray: *ray, inverse_near, inverse_far, parallel, any, found, leaf: None };
         let mut memory = Vec::new();
+        let (search, recorder) = (&mut model, &mut ());
         match pruning {
-            Pruning::Never => drop(traverse(Stack::new(bvh, &mut memory), &mut model, &mut ())),
-            Pruning::Disjoint => drop(traverse(PruningStack::<_, false>::new(bvh, &mut memory), &mut model, &mut ())),
-            Pruning::Distance => drop(traverse(PruningStack::<_, true>::new(bvh, &mut memory), &mut model, &mut ())),
-        }
+            Pruning::Never => traverse(Stack::new(bvh, &mut memory), search, recorder),
+            Pruning::Disjoint => traverse_pruned(PruningStack::<_, false>::new(bvh, &mut memory), search, recorder),
+            Pruning::Distance => traverse_pruned(PruningStack::<_, true>::new(bvh, &mut memory), search, recorder),
+        };
         model.found
     }
 
