@@ -4,7 +4,7 @@ use std::array;
 
 use glam::{DVec3, Vec3};
 
-use super::{Bvh, BvhError, BvhNode, Leaf, LeafTriangle, validate};
+use super::{Bvh, BvhError, BvhNode, BvhTree, Leaf, LeafTriangle, validate};
 use crate::geom::{Aabb, Region, Triangle, Vector};
 use crate::hash::checksum;
 use crate::tree::{Node, Recorded};
@@ -96,30 +96,31 @@ impl<V: Stored> Bvh<Triangle<V>> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn to_bytes(&self) -> Vec<u8> {
-        let recorded = RECORDED.iter().position(|&recorded| recorded == self.recorded).unwrap_or_default();
-        let words = [VERSION, V::REAL_BYTES, recorded as u32, self.root.to_bits(), self.depth];
-        let counts = [self.nodes.len(), self.leaves.len(), self.triangles.len(), self.dropped, self.duplicates];
-        let counts @ [nodes, leaves, triangles, ..] = counts.map(|count| count as u32);
-        let bounds = [self.bounds.lo, self.bounds.hi];
+        let Self { dropped, duplicates, bounds, tree, triangles, .. } = self;
+        let BvhTree { root, depth, recorded, nodes, axes, leaves } = tree;
+        let recorded = RECORDED.iter().position(|known| known == recorded).unwrap_or_default();
+        let words = [VERSION, V::REAL_BYTES, recorded as u32, root.to_bits(), *depth];
+        let counts = [nodes.len(), leaves.len(), triangles.len(), *dropped, *duplicates].map(|count| count as u32);
+        let [node_count, leaf_count, triangle_count, ..] = counts;
 
-        let mut bytes = Vec::with_capacity(file_bytes::<V>(nodes, leaves, triangles) as usize);
+        let mut bytes = Vec::with_capacity(file_bytes::<V>(node_count, leaf_count, triangle_count) as usize);
         bytes.extend(MAGIC);
         bytes.extend(words.into_iter().chain(counts).flat_map(u32::to_le_bytes));
-        bytes.extend(bounds.into_iter().flat_map(|corner| corner.to_array()).flat_map(f32::to_le_bytes));
-        for BvhNode { planes, children, links } in &self.nodes {
+        bytes.extend([bounds.lo, bounds.hi].into_iter().flat_map(|corner| corner.to_array()).flat_map(f32::to_le_bytes));
+        for BvhNode { planes, children, links } in nodes {
             bytes.extend(planes.as_flattened().iter().flat_map(|plane| plane.to_le_bytes()));
             bytes.extend([children, links].into_iter().flatten().flat_map(|node| node.to_bits().to_le_bytes()));
         }
-        for &Leaf { first, count, links: [a, b] } in &self.leaves {
+        for &Leaf { first, count, links: [a, b] } in leaves {
             bytes.extend([first, count, a.to_bits(), b.to_bits()].into_iter().flat_map(u32::to_le_bytes));
         }
-        for LeafTriangle { shape: Triangle(corners), prim } in &self.triangles {
+        for LeafTriangle { shape: Triangle(corners), prim } in triangles {
             for corner in corners {
                 corner.write(&mut bytes);
             }
             bytes.extend(prim.to_le_bytes());
         }
-        bytes.extend(&self.axes);
+        bytes.extend(axes);
         bytes.extend(checksum(&bytes).to_le_bytes());
         bytes
     }
@@ -171,19 +172,13 @@ impl<V: Stored> Bvh<Triangle<V>> {
         };
         let [x, y, z, end_x, end_y, end_z] = bounds.map(f32::from_bits);
         let bounds = Aabb { lo: Vec3::new(x, y, z), hi: Vec3::new(end_x, end_y, end_z) };
-        let bvh = Self {
-            root: Node::from_bits(root),
-            depth,
-            dropped: dropped as usize,
-            duplicates: duplicates as usize,
-            recorded,
-            bounds,
-            region: Region::of(&bounds),
-            nodes: take(nodes, NODE_BYTES).map(read_node).collect(),
-            leaves: take(leaves, LEAF_BYTES).map(read_leaf).collect(),
-            triangles: take(triangles, triangle_bytes::<V>()).map(read_triangle).collect(),
-            axes: take(nodes, 1).flatten().copied().collect(),
-        };
+        let nodes_read = take(nodes, NODE_BYTES).map(read_node).collect();
+        let leaves = take(leaves, LEAF_BYTES).map(read_leaf).collect();
+        let triangles = take(triangles, triangle_bytes::<V>()).map(read_triangle).collect();
+        let axes = take(nodes, 1).flatten().copied().collect();
+        let tree = BvhTree { root: Node::from_bits(root), depth, recorded, nodes: nodes_read, axes, leaves };
+        let (dropped, duplicates) = (dropped as usize, duplicates as usize);
+        let bvh = Self { dropped, duplicates, bounds, region: Region::of(&bounds), tree, triangles };
         validate::check(&bvh)?;
         Ok(bvh)
     }

@@ -53,11 +53,11 @@ impl<S> Bvh<S> {
             held.shape = primitives.shape(held.prim as usize);
         }
         // Children come after their parents.
-        for i in (0..self.nodes.len()).rev() {
-            let [left, right] = self.nodes[i].children.map(|child| self.box_of(child, &boxes));
-            self.nodes[i].set_child_boxes(&left, &right);
+        for i in (0..self.tree.nodes.len()).rev() {
+            let [left, right] = self.tree.nodes[i].children.map(|child| self.box_of(child, &boxes));
+            self.tree.nodes[i].set_child_boxes(&left, &right);
         }
-        self.bounds = self.box_of(self.root, &boxes);
+        self.bounds = self.box_of(self.tree.root, &boxes);
         self.region = Region::of(&self.bounds);
         Ok(())
     }
@@ -90,7 +90,7 @@ impl<S> Bvh<S> {
         if node.is_leaf() {
             boxes[self.leaf_range(node)].iter().copied().fold(Aabb::EMPTY, Aabb::union)
         } else {
-            let node = &self.nodes[node.index()];
+            let node = &self.tree.nodes[node.index()];
             node.child_box(Side::Left).union(node.child_box(Side::Right))
         }
     }

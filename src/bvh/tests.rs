@@ -138,39 +138,39 @@ fn validation_bites() {
         change(&mut bvh);
         validate(&bvh, &mesh)
     };
-    let (nodes, last) = (bvh.nodes.len(), bvh.leaves.len() - 1);
-    let child = bvh.nodes[0].children[1];
+    let (nodes, last) = (bvh.tree.nodes.len(), bvh.tree.leaves.len() - 1);
+    let child = bvh.tree.nodes[0].children[1];
 
     assert_eq!(broken(&|_| ()), Ok(()));
-    assert_eq!(broken(&|b| b.depth += 1), Err(BvhError::Depth { stored: bvh.depth + 1, found: bvh.depth }));
-    assert_eq!(broken(&|b| b.axes[3] = 3), Err(BvhError::Axis { node: Node::inner(3), axis: Some(3) }));
-    assert_eq!(broken(&|b| b.axes.truncate(3)), Err(BvhError::Axis { node: Node::inner(3), axis: None }));
-    assert_eq!(broken(&|b| b.nodes[4].links[1] = child), Err(BvhError::Links(Node::inner(4))));
-    assert_eq!(broken(&|b| b.leaves[1].links.swap(0, 1)), Err(BvhError::Links(Node::leaf(1))));
-    assert_eq!(broken(&|b| b.recorded = Recorded::ParentSibling), Err(BvhError::Links(Node::inner(1))));
+    assert_eq!(broken(&|b| b.tree.depth += 1), Err(BvhError::Depth { stored: bvh.tree.depth + 1, found: bvh.tree.depth }));
+    assert_eq!(broken(&|b| b.tree.axes[3] = 3), Err(BvhError::Axis { node: Node::inner(3), axis: Some(3) }));
+    assert_eq!(broken(&|b| b.tree.axes.truncate(3)), Err(BvhError::Axis { node: Node::inner(3), axis: None }));
+    assert_eq!(broken(&|b| b.tree.nodes[4].links[1] = child), Err(BvhError::Links(Node::inner(4))));
+    assert_eq!(broken(&|b| b.tree.leaves[1].links.swap(0, 1)), Err(BvhError::Links(Node::leaf(1))));
+    assert_eq!(broken(&|b| b.tree.recorded = Recorded::ParentSibling), Err(BvhError::Links(Node::inner(1))));
     assert_eq!(broken(&|b| *b = b.clone().with_links(Recorded::ParentSibling)), Ok(()));
 
     let order = |found, expected| Err(BvhError::Order { found, expected });
-    assert_eq!(broken(&|b| b.nodes[0].children[0] = Node::inner(0)), order(Node::inner(0), 1));
-    assert_eq!(broken(&|b| b.nodes[0].children[0] = Node::inner(9999)), order(Node::inner(9999), 1));
-    assert_eq!(broken(&|b| b.root = Node::leaf(1)), order(Node::leaf(1), 0));
-    assert_eq!(broken(&|b| b.nodes.push(b.nodes[0])), Err(BvhError::Unreached(Node::inner(nodes as u32))));
+    assert_eq!(broken(&|b| b.tree.nodes[0].children[0] = Node::inner(0)), order(Node::inner(0), 1));
+    assert_eq!(broken(&|b| b.tree.nodes[0].children[0] = Node::inner(9999)), order(Node::inner(9999), 1));
+    assert_eq!(broken(&|b| b.tree.root = Node::leaf(1)), order(Node::leaf(1), 0));
+    assert_eq!(broken(&|b| b.tree.nodes.push(b.tree.nodes[0])), Err(BvhError::Unreached(Node::inner(nodes as u32))));
     let unreached = Node::leaf(last as u32 + 1);
-    assert_eq!(broken(&|b| b.leaves.push(b.leaves[0])), Err(BvhError::Unreached(unreached)));
+    assert_eq!(broken(&|b| b.tree.leaves.push(b.tree.leaves[0])), Err(BvhError::Unreached(unreached)));
 
-    assert_eq!(broken(&|b| b.nodes[0].planes[1][3] += 9.0), Err(BvhError::Nesting(child)));
+    assert_eq!(broken(&|b| b.tree.nodes[0].planes[1][3] += 9.0), Err(BvhError::Nesting(child)));
     let holds_first = |node: &&mut BvhNode| node.children.contains(&Node::leaf(0));
     let shrink = |b: &mut Bvh| {
-        let node = b.nodes.iter_mut().find(holds_first).expect("the first leaf's parent");
+        let node = b.tree.nodes.iter_mut().find(holds_first).expect("the first leaf's parent");
         let side = usize::from(node.children[1] == Node::leaf(0));
         node.planes[0][2 * side] = node.planes[0][2 * side + 1];
     };
     assert!(matches!(broken(&shrink), Err(BvhError::Outside { leaf, .. }) if leaf == Node::leaf(0)));
 
     let range = |leaf: usize| Err(BvhError::Range(Node::leaf(leaf as u32)));
-    assert_eq!(broken(&|b| b.leaves[0].count = 0), range(0));
-    assert_eq!(broken(&|b| b.leaves[1].first += 1), range(1));
-    assert_eq!(broken(&|b| b.leaves[last].count = u32::MAX), range(last));
+    assert_eq!(broken(&|b| b.tree.leaves[0].count = 0), range(0));
+    assert_eq!(broken(&|b| b.tree.leaves[1].first += 1), range(1));
+    assert_eq!(broken(&|b| b.tree.leaves[last].count = u32::MAX), range(last));
     assert_eq!(broken(&|b| b.triangles.push(b.triangles[0])), range(last));
 
     let (leaf, prim) = (Node::leaf(0), bvh.triangles[0].prim);
@@ -187,8 +187,8 @@ fn the_same_triangle_twice_is_found() {
     let prim = bvh.triangles[0].prim;
     assert_eq!(validate(&bvh, &mesh), Err(BvhError::Twice { leaf: Node::leaf(1), prim }));
     bvh.triangles.pop();
-    bvh.nodes.clear();
-    bvh.leaves.pop();
-    (bvh.root, bvh.depth, bvh.dropped) = (Node::leaf(0), 0, 1);
+    bvh.tree.nodes.clear();
+    bvh.tree.leaves.pop();
+    (bvh.tree.root, bvh.tree.depth, bvh.dropped) = (Node::leaf(0), 0, 1);
     assert_eq!(validate(&bvh.with_links(Recorded::Uncles), &mesh), Err(BvhError::Missing(1 - prim)));
 }

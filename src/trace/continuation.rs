@@ -207,7 +207,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> WithWord
         let (bvh, level) = (tracer.bvh(), &tracer.level);
         let locate = |leaf| KeyOnly::locate(keys.key::<W>(bvh.slot(leaf)), Next::Visit, &ByWalk(bvh)).ok();
         let from = from.and_then(locate);
-        level.tables(bvh).with_cursor::<W, _>(level.method_for(query), Run { from, query })
+        level.tables(bvh.tree()).with_cursor::<W, _>(level.method_for(query), Run { from, query })
     }
 }
 

@@ -11,7 +11,7 @@ use crate::threads;
 use crate::tree::{Node, Reach};
 
 use super::tracer::CHUNK;
-use super::{BoxQuery, ChildOrder, FromLeft, Nearest, NodeSearch, Query, Tracer};
+use super::{BoxQuery, ChildOrder, FromLeft, Nearest, NodeSearch, Tracer};
 
 /// Counts over many rays. Queries that nobody counts pay nothing: these run in a copy of their own.
 #[derive(Clone, Debug)]
@@ -79,7 +79,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
                 backtracks.begin();
                 let search = NodeSearch::new(bvh, &level.boxes, ray);
                 let mut query = Counting::<K, B, ANY, O> { search, counters: &mut counters };
-                level.run_shared(bvh, ray.octant(), &mut memory, &mut query as &mut dyn Query, &mut backtracks);
+                level.run_counted(bvh.tree(), ray.octant(), &mut memory, &mut query, &mut backtracks);
             }
             Counters { backtracks, ..counters }
         };

@@ -222,13 +222,13 @@ impl<'a> InstanceTracer<'a> {
                 let leaves = Triangles { tracer: self, bvh, test };
                 let walk =
                     Walk { bvh, slabs: slabs::EnclosedSlabs::of(&ray, tmin, region), leaves, search: &mut *search };
-                level.run(bvh, octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
+                level.run(bvh.tree(), octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
             }
             Some(AnyLevel::Group(level, Group { instances, bvh, .. })) => {
                 let slabs = slabs::EnclosedSlabs::of(&ray, tmin, bvh.region());
                 let leaves = Instances { tracer: self, bvh, placed: instances, ray };
                 let walk = Walk { bvh, slabs, leaves, search: &mut *search };
-                level.run(bvh, octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
+                level.run(bvh.tree(), octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
             }
         }
         search.memory[depth] = memory;

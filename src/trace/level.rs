@@ -1,8 +1,8 @@
 //! What queries on a hierarchy need besides.
 
 use super::{Part, Plan, Query};
-use crate::bvh::Bvh;
-use crate::event::Recorder;
+use crate::bvh::{Bvh, BvhTree};
+use crate::event::Backtracks;
 use crate::geom::Aabb;
 use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Visitor};
 use crate::traverse::{Beside, Method, Run, Stack, Tables, Unfit, WordName, traverse};
@@ -23,14 +23,14 @@ impl Level {
     pub(super) fn new<S>(bvh: &Bvh<S>, plan: &Plan) -> Result<Self, Unfit> {
         let level = Self::unchecked(bvh, plan);
         // A search that is over at the root: what is unfit is found before the first step.
-        level.try_run(bvh, 0, &mut Vec::new(), &mut Nothing, &mut ()).map(|()| level)
+        level.try_run(bvh.tree(), 0, &mut Vec::new(), &mut Nothing).map(|()| level)
     }
 
     pub(super) fn unchecked<S>(bvh: &Bvh<S>, plan: &Plan) -> Self {
         let (method, word) = (plan.method(), plan.word());
         let boxes = if plan.skips(Part::OwnBoxes) { Vec::new() } else { bvh.own_boxes() };
         let others: &[Method] = if plan.skips(Part::OtherTables) { &[] } else { &Method::ALL };
-        let beside = Beside::new(bvh, bvh.axes(), &[&[method], others].concat(), Implicit::LIMIT);
+        let beside = Beside::new(bvh.tree(), bvh.axes(), &[&[method], others].concat(), Implicit::LIMIT);
         Self { method, word, beside, boxes }
     }
 
@@ -47,48 +47,55 @@ impl Level {
     /// Runs a query to its end: in a copy of the traversals that is compiled for it, if keys are short and the records
     /// name what the traversal follows; else in the copy that all queries share.
     #[inline]
-    pub(super) fn run<S>(&self, bvh: &Bvh<S>, octant: u8, memory: &mut Vec<Node>, query: &mut impl Query) {
-        let (method, tables) = (self.method_for(query), self.tables(bvh));
-        let fits = if matches!(self.word, WordName::U32 | WordName::U64) && tables.are_direct(method) {
-            let run = Run { from: tables.directly(octant, memory), search: &mut *query, recorder: &mut () };
-            if self.word == WordName::U32 { method.dispatch::<u32, _>(run) } else { method.dispatch::<u64, _>(run) }
-        } else {
-            self.try_run(bvh, octant, memory, query, &mut ())
-        };
+    pub(super) fn run(&self, tree: &BvhTree, octant: u8, memory: &mut Vec<Node>, query: &mut impl Query) {
+        let (method, tables) = (self.method_for(query), self.tables(tree));
+        if !matches!(self.word, WordName::U32 | WordName::U64) || !tables.are_direct(method) {
+            return self.run_shared(tree, octant, memory, query);
+        }
+        let run = Run { from: tables.directly(octant, memory), search: &mut *query, recorder: &mut () };
+        let fits =
+            if self.word == WordName::U32 { method.dispatch::<u32, _>(run) } else { method.dispatch::<u64, _>(run) };
         if fits.is_err() {
-            by_stack(bvh, query);
+            by_stack(tree, query);
         }
     }
 
     /// Runs any query, in the copy of the traversals that all share.
-    pub(super) fn run_shared<S>(
-        &self,
-        bvh: &Bvh<S>,
-        octant: u8,
-        memory: &mut Vec<Node>,
-        query: &mut dyn Query,
-        recorder: &mut impl Recorder,
-    ) {
-        if self.try_run(bvh, octant, memory, query, recorder).is_err() {
-            by_stack(bvh, query);
+    pub(super) fn run_shared(&self, tree: &BvhTree, octant: u8, memory: &mut Vec<Node>, query: &mut dyn Query) {
+        if self.try_run(tree, octant, memory, query).is_err() {
+            by_stack(tree, query);
         }
     }
 
-    fn try_run<S>(
+    /// The same with all backtracks counted, in a copy of its own.
+    pub(super) fn run_counted(
         &self,
-        bvh: &Bvh<S>,
+        tree: &BvhTree,
         octant: u8,
         memory: &mut Vec<Node>,
         mut query: &mut dyn Query,
-        recorder: &mut impl Recorder,
+        backtracks: &mut Backtracks,
+    ) {
+        let method = self.method_for(query);
+        let ran = self.tables(tree).run_in(self.word, method, octant, memory, &mut query, backtracks);
+        if ran.is_err() {
+            by_stack(tree, query);
+        }
+    }
+
+    fn try_run(
+        &self,
+        tree: &BvhTree,
+        octant: u8,
+        memory: &mut Vec<Node>,
+        query: &mut dyn Query,
     ) -> Result<(), Unfit> {
-        let method = self.method_for(&query);
-        self.tables(bvh).run_in(self.word, method, octant, memory, &mut query, recorder)
+        self.tables(tree).run_query(self.word, self.method_for(query), octant, memory, query)
     }
 
     #[inline]
-    pub(super) fn tables<'t, S>(&'t self, bvh: &'t Bvh<S>) -> Tables<'t, Bvh<S>> {
-        Tables::lent(bvh, bvh.axes(), &self.beside)
+    pub(super) fn tables<'t>(&'t self, tree: &'t BvhTree) -> Tables<'t, BvhTree> {
+        Tables::lent(tree, tree.axes(), &self.beside)
     }
 
     /// Searches that nothing can be pruned from are traversed as a whole.
@@ -102,8 +109,8 @@ impl Level {
 /// miss.
 #[cold]
 #[inline(never)]
-fn by_stack<S>(bvh: &Bvh<S>, mut query: &mut dyn Query) {
-    traverse(Stack::new(bvh, &mut Vec::new()), &mut query, &mut ());
+fn by_stack(tree: &BvhTree, mut query: &mut dyn Query) {
+    traverse(Stack::new(tree, &mut Vec::new()), &mut query, &mut ());
 }
 
 /// A query that ends at the root.
@@ -159,9 +166,9 @@ mod tests {
             hits += usize::from(expected.is_some());
             let search = || OwnBoxes::over(Closest::new(&bvh, ray), &level.boxes);
             let [mut own, mut shared] = [search(), search()];
-            level.run(&bvh, ray.octant(), &mut Vec::new(), &mut own);
+            level.run(bvh.tree(), ray.octant(), &mut Vec::new(), &mut own);
             assert_eq!(own.hit(), expected, "{ray:?}");
-            level.run_shared(&bvh, ray.octant(), &mut Vec::new(), &mut shared, &mut ());
+            level.run_shared(bvh.tree(), ray.octant(), &mut Vec::new(), &mut shared);
             assert_eq!(shared.hit(), expected, "{ray:?}");
         }
         assert!(hits > 20, "{hits}");

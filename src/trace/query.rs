@@ -1,7 +1,9 @@
 //! What a query is to a traversal.
 
+use crate::bvh::BvhTree;
 use crate::geom::Aabb;
 use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Repeatable, Visitor};
+use crate::traverse::{Method, Tables, Unfit, WordName};
 use crate::tree::Node;
 
 /// A query that every traversal can run. As `&mut dyn Query` it is one type for all kinds, so that not all traversals
@@ -9,6 +11,23 @@ use crate::tree::Node;
 pub trait Query: Pruned + NodeTest {}
 
 impl<Q: Pruned + NodeTest> Query for Q {}
+
+impl Tables<'_, BvhTree> {
+    /// [`run_in`](Self::run_in) for any query, in the one copy of the traversals that is compiled with this crate.
+    ///
+    /// # Errors
+    /// [`Unfit`], before the first step.
+    pub fn run_query(
+        &self,
+        word: WordName,
+        method: Method,
+        octant: u8,
+        memory: &mut Vec<Node>,
+        mut query: &mut dyn Query,
+    ) -> Result<(), Unfit> {
+        self.run_in(word, method, octant, memory, &mut query, &mut ())
+    }
+}
 
 /// A query that decides on both children at their parent, and can test a node's own box as well.
 pub trait BoxQuery: Pruned {
@@ -48,6 +67,12 @@ impl<'a, Q: BoxQuery> OwnBoxes<'a, Q> {
     #[inline]
     pub fn over(query: Q, boxes: &'a [Aabb]) -> Self {
         Self { query, boxes }
+    }
+
+    /// The query, which has its answer after the traversal.
+    #[inline]
+    pub fn query(&self) -> &Q {
+        &self.query
     }
 }
 

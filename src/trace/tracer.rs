@@ -131,14 +131,14 @@ impl<T: Borrow<Bvh>> Tracer<T> {
     pub fn nearest_k(&self, ball: &Ball, k: usize) -> Vec<Near> {
         let bvh = self.bvh();
         let mut search = OwnBoxes::over(NearestPoints::new(bvh, ball, k), &self.level.boxes);
-        self.level.run_shared(bvh, 0, &mut Vec::new(), &mut search, &mut ());
+        self.level.run_shared(bvh.tree(), 0, &mut Vec::new(), &mut search);
         search.query.nears().collect()
     }
 
     fn nearest_in(&self, ball: &Ball, memory: &mut Vec<Node>) -> Option<Near> {
         let bvh = self.bvh();
         let mut search = OwnBoxes::over(NearestPoint::new(bvh, ball), &self.level.boxes);
-        self.level.run_shared(bvh, 0, memory, &mut search, &mut ());
+        self.level.run_shared(bvh.tree(), 0, memory, &mut search);
         search.query.near()
     }
 }
@@ -183,14 +183,12 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
 
     /// The closest hit: the least distance, and of equal ones the least index. `[EXACT-1]`
     pub fn closest(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
-        let mut search = self.closest_search(ray);
-        self.level.run(self.bvh(), ray.octant(), &mut Vec::new(), &mut search);
-        search.hit()
+        self.search_closest(ray, &mut Vec::new()).hit()
     }
 
     /// [`closest`](Self::closest) of each ray, on this thread.
     pub fn closest_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
-        each(rays, |ray, memory| self.closest_in(ray, memory))
+        each(rays, |ray, memory| self.search_closest(ray, memory).hit())
     }
 
     /// [`closest`](Self::closest) of each ray, on all threads.
@@ -198,7 +196,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
     where
         T: Sync,
     {
-        in_parallel(rays, |ray, memory| self.closest_in(ray, memory))
+        in_parallel(rays, |ray, memory| self.search_closest(ray, memory).hit())
     }
 
     /// Triangle and distance of the [`closest`](Self::closest) hit, without its weights.
@@ -212,22 +210,18 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
     pub fn closest_distances(&self, rays: &[Ray<K::Vector>], found: &mut [Option<(u32, Real<K>)>]) {
         let mut memory = Vec::new();
         for (ray, found) in rays.iter().zip(found) {
-            let mut search = self.closest_search(ray);
-            self.level.run(self.bvh(), ray.octant(), &mut memory, &mut search);
-            *found = search.found();
+            *found = self.search_closest(ray, &mut memory).found();
         }
     }
 
     /// Whether there is any hit.
     pub fn any(&self, ray: &Ray<K::Vector>) -> bool {
-        let mut search = self.any_search(ray);
-        self.level.run(self.bvh(), ray.octant(), &mut Vec::new(), &mut search);
-        search.found().is_some()
+        self.search_any(ray, &mut Vec::new()).found().is_some()
     }
 
     /// [`any`](Self::any) of each ray, on this thread.
     pub fn any_each(&self, rays: &[Ray<K::Vector>]) -> Vec<bool> {
-        each(rays, |ray, memory| self.any_in(ray, memory))
+        each(rays, |ray, memory| self.search_any(ray, memory).found().is_some())
     }
 
     /// [`any`](Self::any) of each ray, on all threads.
@@ -235,17 +229,17 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
     where
         T: Sync,
     {
-        in_parallel(rays, |ray, memory| self.any_in(ray, memory))
+        in_parallel(rays, |ray, memory| self.search_any(ray, memory).found().is_some())
     }
 
     /// Any hit, whole: the first that is met, which depends on hierarchy and traversal.
     pub fn any_hit(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
-        self.any_hit_in(ray, &mut Vec::new())
+        self.search_any(ray, &mut Vec::new()).hit()
     }
 
     /// [`any_hit`](Self::any_hit) of each ray, on this thread.
     pub fn any_hit_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
-        each(rays, |ray, memory| self.any_hit_in(ray, memory))
+        each(rays, |ray, memory| self.search_any(ray, memory).hit())
     }
 
     /// [`any_hit`](Self::any_hit) of each ray, on all threads.
@@ -253,7 +247,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
     where
         T: Sync,
     {
-        in_parallel(rays, |ray, memory| self.any_hit_in(ray, memory))
+        in_parallel(rays, |ray, memory| self.search_any(ray, memory).hit())
     }
 
     /// All hits, each triangle once, in the order (`t`, primitive): edges and corners included.
@@ -306,7 +300,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
     pub fn next(&self, ray: &Ray<K::Vector>, after: (Real<K>, u32)) -> Option<Hit<Real<K>>> {
         let bvh = self.bvh();
         let mut search = OwnBoxes::over(Following::<K, B>::new(bvh, ray, after), &self.level.boxes);
-        self.level.run_shared(bvh, ray.octant(), &mut Vec::new(), &mut search, &mut ());
+        self.level.run_shared(bvh.tree(), ray.octant(), &mut Vec::new(), &mut search);
         search.query.hit()
     }
 
@@ -315,58 +309,38 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T
     pub fn asked_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Asked<Real<K>>>> {
         let whole = |hit: Hit<_>| Asked { prim: hit.prim, t: Some(hit.t), weights: Some([hit.u, hit.v]) };
         each(rays, |ray, memory| match (self.ask, self.with_weights) {
-            (Ask::Any, true) => self.any_hit_in(ray, memory).map(whole),
+            (Ask::Any, true) => self.search_any(ray, memory).hit().map(whole),
             (Ask::Any, false) => {
-                let mut search = self.any_search(ray);
-                self.level.run(self.bvh(), ray.octant(), memory, &mut search);
-                let (prim, _) = search.found()?;
+                let (prim, _) = self.search_any(ray, memory).found()?;
                 Some(Asked { prim, t: None, weights: None })
             }
-            (_, with_weights) => {
-                let mut search = self.closest_search(ray);
-                self.level.run(self.bvh(), ray.octant(), memory, &mut search);
-                if with_weights {
-                    return search.hit().map(whole);
-                }
-                let (prim, t) = search.found()?;
+            (_, true) => self.search_closest(ray, memory).hit().map(whole),
+            (_, false) => {
+                let (prim, t) = self.search_closest(ray, memory).found()?;
                 Some(Asked { prim, t: Some(t), weights: None })
             }
         })
     }
 
+    /// A closest-hit query that has run to its end.
     #[inline]
-    fn closest_search(&self, ray: &Ray<K::Vector>) -> NodeSearch<'_, K, B, false> {
-        NodeSearch::new(self.bvh(), &self.level.boxes, ray)
+    fn search_closest(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> NodeSearch<'_, K, B, false> {
+        let mut search = NodeSearch::new(self.bvh(), &self.level.boxes, ray);
+        self.level.run(self.bvh().tree(), ray.octant(), memory, &mut search);
+        search
     }
 
+    /// An any-hit query that has run to its end.
     #[inline]
-    fn any_search(&self, ray: &Ray<K::Vector>) -> NodeSearch<'_, K, B, true, FromLeft> {
-        NodeSearch::new(self.bvh(), &self.level.boxes, ray)
-    }
-
-    #[inline]
-    fn closest_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Option<Hit<Real<K>>> {
-        let mut search = self.closest_search(ray);
-        self.level.run(self.bvh(), ray.octant(), memory, &mut search);
-        search.hit()
-    }
-
-    #[inline]
-    fn any_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> bool {
-        let mut search = self.any_search(ray);
-        self.level.run(self.bvh(), ray.octant(), memory, &mut search);
-        search.found().is_some()
-    }
-
-    fn any_hit_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Option<Hit<Real<K>>> {
-        let mut search = self.any_search(ray);
-        self.level.run(self.bvh(), ray.octant(), memory, &mut search);
-        search.hit()
+    fn search_any(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> NodeSearch<'_, K, B, true, FromLeft> {
+        let mut search = NodeSearch::new(self.bvh(), &self.level.boxes, ray);
+        self.level.run(self.bvh().tree(), ray.octant(), memory, &mut search);
+        search
     }
 
     fn all_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Vec<Hit<Real<K>>> {
         let mut search = OwnBoxes::over(self.sweep(ray), &self.level.boxes);
-        self.level.run_shared(self.bvh(), ray.octant(), memory, &mut search, &mut ());
+        self.level.run_shared(self.bvh().tree(), ray.octant(), memory, &mut search);
         search.query.hits()
     }
 

@@ -10,9 +10,9 @@ use stackless_bvh::geom::{Aabb, Ray};
 use stackless_bvh::hash::mix;
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{ByNode, Flow, LeftOrder, NodeTest, Pruned, SignOrder};
-use stackless_bvh::trace::{AnyByNode, ClosestByNode, Hit, Truth};
-use stackless_bvh::traverse::{Beside, Method, Tables, Test, Unfit, VerifiedTables, WordName};
+use stackless_bvh::order::{ByNode, Flow, LeftOrder, SignOrder};
+use stackless_bvh::trace::{AnyByNode, ClosestByNode, Hit, Query, Truth};
+use stackless_bvh::traverse::{Beside, Method, Tables, Test, Unfit, WordName};
 use stackless_bvh::tree::{Implicit, Keys, Node, Topology};
 
 /// A hierarchy over a mesh with all that its check needs.
@@ -59,18 +59,42 @@ impl<'m> SceneTree<'m> {
     }
 
     /// Runs a search and says what was seen of it, and how many visits were made with restarts.
-    fn see(&self, ray: &Ray, any: bool, run: impl Run) -> Result<(Seen, u64), Unfit> {
+    fn see(
+        &self,
+        ray: &Ray,
+        any: bool,
+        run: impl FnOnce(&mut dyn Query, &mut Watch<'_>) -> Result<(), Unfit>,
+    ) -> Result<(Seen, u64), Unfit> {
         let mut watch = Watch { scene: self, seen: Seen::default(), steps: 0 };
         let hit = if any {
             let mut search = AnyByNode::new(self.bvh, &self.boxes, ray);
-            run.run(self, ray, &mut search, &mut watch)?;
+            run(&mut search, &mut watch)?;
             search.hit()
         } else {
             let mut search = ClosestByNode::new(self.bvh, &self.boxes, ray);
-            run.run(self, ray, &mut search, &mut watch)?;
+            run(&mut search, &mut watch)?;
             search.hit()
         };
         Ok((Seen { hit, ..watch.seen }, watch.steps))
+    }
+
+    /// What is seen of the oracle of a test.
+    fn see_oracle(&self, ray: &Ray, any: bool, test: Test) -> Seen {
+        let (tree, octant) = (self.bvh.tree(), ray.octant());
+        let seen = self.see(ray, any, |mut query, watch| {
+            match test {
+                Test::Children | Test::Disjoint | Test::Distance => {
+                    oracle::traverse_pruned(tree, tree.root(), test.pruning(), &mut query, watch);
+                }
+                Test::NodeLeftFirst => oracle::traverse(tree, &mut ByNode { test: query, order: LeftOrder }, watch),
+                Test::NodeBySign => {
+                    let order = SignOrder { axes: tree.axes(), octant };
+                    oracle::traverse(tree, &mut ByNode { test: query, order }, watch);
+                }
+            }
+            Ok(())
+        });
+        seen.map(|(seen, _)| seen).unwrap_or_default()
     }
 }
 
@@ -84,8 +108,8 @@ pub fn check_scene(
     rays: &[Ray],
     progress: Progress<'_>,
 ) -> (Tally, Option<SceneDisagreement>) {
-    let beside = Beside::new(scene.bvh, scene.bvh.axes(), &plan.methods, Implicit::LIMIT);
-    let tables = Tables::verified(scene.bvh, scene.bvh.axes(), beside);
+    let tree = scene.bvh.tree();
+    let tables = Tables::verified(tree, tree.axes(), Beside::new(tree, tree.axes(), &plan.methods, Implicit::LIMIT));
     let pairs = plan.pairs();
     let check_ray = |&ray: &Ray| {
         let mut tally = Tally::default();
@@ -96,8 +120,7 @@ pub fn check_scene(
             let mut report = |method, expected, found| {
                 disagreement.get_or_insert(SceneDisagreement { ray, any, method, expected, found });
             };
-            let oracles =
-                Test::ALL.map(|test| scene.see(&ray, any, Recursion(test)).map(|(seen, _)| seen).unwrap_or_default());
+            let oracles = Test::ALL.map(|test| scene.see_oracle(&ray, any, test));
             for oracle in oracles {
                 let is_true = if any { truth.is_some() == oracle.hit.is_some() } else { truth == oracle.hit };
                 if !is_true {
@@ -106,8 +129,10 @@ pub fn check_scene(
                 }
             }
             for &(method, word) in &pairs {
-                let traversal = Traversal { tables: &tables, method, word, memory: &mut memory };
-                let verdict = match scene.see(&ray, any, traversal) {
+                let seen = scene.see(&ray, any, |mut query, watch| {
+                    tables.run_in(word, method, ray.octant(), &mut memory, &mut query, watch)
+                });
+                let verdict = match seen {
                     Err(unfit) => Verdict::Refused(unfit),
                     Ok((seen, steps)) => {
                         let expected = oracles[method.test() as usize];
@@ -134,61 +159,6 @@ pub fn check_scene(
 fn agrees(method: Method, any: bool, expected: Seen, seen: Seen) -> bool {
     let changing = method.restarts() && !any;
     if changing { expected.hit == seen.hit } else { expected == seen }
-}
-
-/// A way to run a search: the recursion of the oracle, or a traversal.
-trait Run {
-    fn run<S: Pruned + NodeTest>(
-        self,
-        scene: &SceneTree<'_>,
-        ray: &Ray,
-        search: &mut S,
-        watch: &mut Watch<'_>,
-    ) -> Result<(), Unfit>;
-}
-
-struct Recursion(Test);
-
-impl Run for Recursion {
-    fn run<S: Pruned + NodeTest>(
-        self,
-        scene: &SceneTree<'_>,
-        ray: &Ray,
-        test: &mut S,
-        watch: &mut Watch<'_>,
-    ) -> Result<(), Unfit> {
-        match self.0 {
-            Test::Children | Test::Disjoint | Test::Distance => {
-                oracle::traverse_pruned(scene.bvh, scene.bvh.root(), self.0.pruning(), test, watch);
-            }
-            Test::NodeLeftFirst => oracle::traverse(scene.bvh, &mut ByNode { test, order: LeftOrder }, watch),
-            Test::NodeBySign => {
-                let order = SignOrder { axes: scene.bvh.axes(), octant: ray.octant() };
-                oracle::traverse(scene.bvh, &mut ByNode { test, order }, watch);
-            }
-        }
-        Ok(())
-    }
-}
-
-struct Traversal<'a, 'm> {
-    tables: &'a VerifiedTables<'m, Bvh>,
-    method: Method,
-    word: WordName,
-    memory: &'a mut Vec<Node>,
-}
-
-impl Run for Traversal<'_, '_> {
-    fn run<S: Pruned + NodeTest>(
-        self,
-        _: &SceneTree<'_>,
-        ray: &Ray,
-        search: &mut S,
-        watch: &mut Watch<'_>,
-    ) -> Result<(), Unfit> {
-        let Self { tables, method, word, memory } = self;
-        tables.run_in(word, method, ray.octant(), memory, search, watch)
-    }
 }
 
 /// Hashes the visits and looks at the keys.

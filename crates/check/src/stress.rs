@@ -93,7 +93,7 @@ impl WithTests for Run<'_> {
         for (tree, is_complete) in trees.iter().zip([false, true, false]) {
             let bvh = tree.clone().map(K::Shape::from);
             let boxes = bvh.own_boxes();
-            let tables = Tables::new(&bvh, bvh.axes(), self.methods, Implicit::LIMIT);
+            let tables = Tables::new(bvh.tree(), bvh.axes(), self.methods, Implicit::LIMIT);
             let word = WordName::narrowest(bvh.depth());
             for &method in self.methods.iter().filter(|&&method| is_complete || method != Method::Complete) {
                 for ((ray, truth), wrong) in case.rays.iter().zip(truth).zip(&mut wrong) {
@@ -102,8 +102,8 @@ impl WithTests for Run<'_> {
                     // The first hit ends an any-hit query: there is nothing left to be pruned.
                     let queries: [(&mut dyn Query, Method); 2] =
                         [(&mut any, method.without_pruning()), (&mut closest, method)];
-                    for (mut query, method) in queries {
-                        tables.run_in(word, method, ray.octant(), &mut memory, &mut query, &mut ())?;
+                    for (query, method) in queries {
+                        tables.run_query(word, method, ray.octant(), &mut memory, query)?;
                     }
                     let (any, closest) = (any.found().is_some(), closest.hit());
                     wrong.miss |= truth.is_some() && (closest.is_none() || !any);

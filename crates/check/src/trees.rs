@@ -7,10 +7,10 @@ use glam::Vec3;
 
 use stackless_bvh::bvh::{Bvh, BvhError, validate};
 use stackless_bvh::geom::truth::{RBig, round_root_f32, square_distance};
-use stackless_bvh::geom::{Ball, BallError, Kernel, Ray, Slabs, Triangle, Vector};
-use stackless_bvh::geom::{Mesh, MeshError};
-use stackless_bvh::trace::{Hit, Tracer, Truth};
-use stackless_bvh::traverse::{Method, Unfit};
+use stackless_bvh::geom::{Ball, BallError, Kernel, Mesh, MeshError, Ray, Slabs, Triangle, Vector};
+use stackless_bvh::trace::{Hit, NodeSearch, OwnBoxes, Query, Sweep, Tracer, Truth};
+use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
+use stackless_bvh::tree::Topology;
 
 /// What is wrong with a hierarchy.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -97,17 +97,27 @@ where
     B: Slabs<Vector = V>,
     V: Vector,
 {
-    let tracer = Tracer::<_, K, B>::with_tests(bvh, Method::Hashed).map_err(TreeFault::Unfit)?;
-    let truth = Truth::new(mesh);
-    let mut hits = 0;
+    let tree = bvh.tree();
+    let tables = Tables::new(tree, tree.axes(), &[Method::Hashed], 0);
+    let (word, mut memory) = (WordName::narrowest(tree.depth()), Vec::new());
+    let mut run = |query: &mut dyn Query| {
+        tables.run_query(word, Method::Hashed, 0, &mut memory, query).map_err(TreeFault::Unfit)
+    };
+    let (truth, mut hits) = (Truth::new(mesh), 0);
     for (number, ray) in rays.iter().enumerate() {
         let true_hits = truth.all(ray);
         let expected: Vec<_> =
             true_hits.iter().map(|hit| bits(&Hit { prim: prims[hit.prim as usize], ..hit.rounded() })).collect();
-        let closest: Vec<_> = tracer.closest(ray).iter().map(bits).collect();
-        let all: Vec<_> = tracer.all(ray).map(|hit| bits(&hit)).collect();
+        let mut closest = NodeSearch::<K, B, false>::new(bvh, &[], ray);
+        run(&mut closest)?;
+        let closest: Vec<_> = closest.hit().iter().map(bits).collect();
         compare(number, "the closest hit", &expected[..expected.len().min(1)], &closest[..])?;
-        compare(number, "any hit", &!expected.is_empty(), &tracer.any(ray))?;
+        let mut any = NodeSearch::<K, B, true>::new(bvh, &[], ray);
+        run(&mut any)?;
+        compare(number, "any hit", &!expected.is_empty(), &any.found().is_some())?;
+        let mut all = OwnBoxes::over(Sweep::<K, B>::new(bvh, ray), &[]);
+        run(&mut all)?;
+        let all: Vec<_> = all.query().hits().iter().map(bits).collect();
         compare(number, "all hits", &expected, &all)?;
         hits += usize::from(!expected.is_empty());
     }

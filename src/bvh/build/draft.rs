@@ -2,7 +2,7 @@
 
 use super::Primitives;
 use super::item::CHUNK;
-use crate::bvh::{Bvh, BvhNode, Leaf, LeafTriangle};
+use crate::bvh::{Bvh, BvhNode, BvhTree, Leaf, LeafTriangle};
 use crate::geom::{Aabb, Region};
 use crate::order::SignOrder;
 use crate::threads;
@@ -89,7 +89,8 @@ impl Draft {
         let triangles = threads::map(0..prims.len(), CHUNK, |i| held(prims[i]));
         let (recorded, region) = (Recorded::ParentSibling, Region::of(&bounds));
         let duplicates = self.references.len() + dropped - primitives.count();
-        Bvh { root, depth, dropped, duplicates, recorded, bounds, region, nodes, axes, leaves, triangles }
+        let tree = BvhTree { root, depth, recorded, nodes, axes, leaves };
+        Bvh { dropped, duplicates, bounds, region, tree, triangles }
     }
 }
 

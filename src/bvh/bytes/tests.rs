@@ -65,7 +65,7 @@ fn come_back<V: Stored>(mesh: &Mesh<V>) {
             for recorded in RECORDED {
                 bvh = bvh.with_links(recorded);
                 let bytes = bvh.to_bytes();
-                assert_eq!(bytes.len(), bvh.bytes() + bvh.nodes.len() + HEADER_BYTES + 8 - padding(&bvh));
+                assert_eq!(bytes.len(), bvh.bytes() + bvh.tree.nodes.len() + HEADER_BYTES + 8 - padding(&bvh));
                 let back = Bvh::from_bytes(&bytes).expect("what was written");
                 assert_eq!(format!("{back:?}"), format!("{bvh:?}"), "{builder}");
                 assert_eq!(back.to_bytes(), bytes);
@@ -144,8 +144,8 @@ fn malformed_files_are_refused_by_name() {
     refuse(RECORDED_AT, 3, E::Field { name: "recorded", value: 3 });
     refuse(RECORDED_AT, 1, E::Unsound(BvhError::Links(Node::inner(1))));
     refuse(ROOT_AT, 1, E::Unsound(BvhError::Order { found: Node::inner(1), expected: 0 }));
-    refuse(DEPTH_AT, 0, E::Unsound(BvhError::Depth { stored: 0, found: bvh.depth }));
-    refuse(DEPTH_AT, u32::MAX, E::Unsound(BvhError::Depth { stored: u32::MAX, found: bvh.depth }));
+    refuse(DEPTH_AT, 0, E::Unsound(BvhError::Depth { stored: 0, found: bvh.tree.depth }));
+    refuse(DEPTH_AT, u32::MAX, E::Unsound(BvhError::Depth { stored: u32::MAX, found: bvh.tree.depth }));
     refuse(DROPPED_AT, Node::MAX_INDEX + 1, E::Field { name: "dropped", value: Node::MAX_INDEX + 1 });
     for stored in [1, u32::MAX] {
         let error = BvhError::Duplicates { stored: stored as usize, found: 0 };

@@ -27,13 +27,13 @@ pub(in crate::bvh) fn check<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Result<Vec<Ref
 
 /// The leaf that holds the triangle at a place, given that the ranges of leaves are sound.
 pub(super) fn leaf_of<S>(bvh: &Bvh<S>, place: u32) -> Node {
-    Node::leaf(bvh.leaves.partition_point(|leaf| leaf.first <= place).saturating_sub(1) as u32)
+    Node::leaf(bvh.tree.leaves.partition_point(|leaf| leaf.first <= place).saturating_sub(1) as u32)
 }
 
 fn check_nodes<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Result<(), BvhError> {
     let mut walk = Walk { bvh, inner: 0, leaves: 0, end: 0 };
     let mut depth = 0;
-    let mut pending = vec![(bvh.root, bvh.bounds, 0)];
+    let mut pending = vec![(bvh.tree.root, bvh.bounds, 0)];
     while let Some((node, aabb, level)) = pending.pop() {
         depth = depth.max(level);
         // A comparison with NaN is false.
@@ -48,7 +48,7 @@ fn check_nodes<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Result<(), BvhError> {
         }
     }
     walk.end()?;
-    if depth == bvh.depth { Ok(()) } else { Err(BvhError::Depth { stored: bvh.depth, found: depth }) }
+    if depth == bvh.tree.depth { Ok(()) } else { Err(BvhError::Depth { stored: bvh.tree.depth, found: depth }) }
 }
 
 /// How far the check has come.
@@ -62,12 +62,12 @@ struct Walk<'a, V> {
 impl<V: Vector> Walk<'_, V> {
     fn inner(&mut self, node: Node, aabb: &Aabb) -> Result<[(Node, Aabb); 2], BvhError> {
         // An index that is always the next one is reached once, so the walk ends.
-        let record = match self.bvh.nodes.get(node.index()) {
+        let record = match self.bvh.tree.nodes.get(node.index()) {
             Some(record) if node.index() == self.inner => record,
             _ => return Err(BvhError::Order { found: node, expected: self.inner }),
         };
         self.inner += 1;
-        let axis = self.bvh.axes.get(node.index()).copied();
+        let axis = self.bvh.tree.axes.get(node.index()).copied();
         if !matches!(axis, Some(0..=2 | 4..=6)) {
             return Err(BvhError::Axis { node, axis });
         }
@@ -79,7 +79,7 @@ impl<V: Vector> Walk<'_, V> {
     }
 
     fn leaf(&mut self, leaf: Node, aabb: &Aabb) -> Result<(), BvhError> {
-        let Leaf { first, count, .. } = match self.bvh.leaves.get(leaf.index()) {
+        let Leaf { first, count, .. } = match self.bvh.tree.leaves.get(leaf.index()) {
             Some(range) if leaf.index() == self.leaves => *range,
             _ => return Err(BvhError::Order { found: leaf, expected: self.leaves }),
         };
@@ -103,10 +103,10 @@ impl<V: Vector> Walk<'_, V> {
 
     /// Whether everything has been seen.
     fn end(&self) -> Result<(), BvhError> {
-        if self.inner != self.bvh.nodes.len() {
+        if self.inner != self.bvh.tree.nodes.len() {
             return Err(BvhError::Unreached(Node::inner(self.inner as u32)));
         }
-        if self.leaves != self.bvh.leaves.len() {
+        if self.leaves != self.bvh.tree.leaves.len() {
             return Err(BvhError::Unreached(Node::leaf(self.leaves as u32)));
         }
         if self.end != self.bvh.triangles.len() {
@@ -118,8 +118,8 @@ impl<V: Vector> Walk<'_, V> {
 
 /// Whether records name the relatives that they should, in what is known to be a tree.
 fn check_links<S>(bvh: &Bvh<S>) -> Result<(), BvhError> {
-    for (record, links) in (0..).zip(tree::link_rows(bvh, bvh.recorded)) {
-        let inner = bvh.nodes.len() as u32;
+    for (record, links) in (0..).zip(tree::link_rows(bvh, bvh.tree.recorded)) {
+        let inner = bvh.tree.nodes.len() as u32;
         let node = if record < inner { Node::inner(record) } else { Node::leaf(record - inner) };
         if bvh.links(node) != links {
             return Err(BvhError::Links(node));

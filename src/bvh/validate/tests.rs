@@ -28,18 +28,18 @@ fn boxes_without_points_are_refused() {
     let (sah, one) = ([2, 1].map(|n| procedural::soup(5, n))).into();
     for mesh in [sah, one] {
         let bvh = Bvh::sah(&mesh, SahOptions { max_leaf: 1, ..SahOptions::default() }).expect("a tree");
-        let (root, tree) = (bvh.root, (bvh, mesh));
+        let (root, tree) = (bvh.tree.root, (bvh, mesh));
         assert_eq!(broken(&tree, |b| b.bounds.lo.y = f32::NAN), Err(BvhError::NoBox(root)));
         assert_eq!(broken(&tree, |b| b.bounds.hi.z = b.bounds.lo.z - 1.0), Err(BvhError::NoBox(root)));
         assert_eq!(broken(&tree, |b| b.bounds.hi.x = f32::INFINITY), Ok(()));
     }
     let tree = cut(40, 3);
     // Beyond the other side, but not of the root's own box.
-    let node = &tree.0.nodes[0];
+    let node = &tree.0.tree.nodes[0];
     let (child, [lo, hi, ..]) = (node.children[0], node.planes[0]);
     assert!(lo < hi);
-    assert_eq!(broken(&tree, |b| b.nodes[0].planes[0][..2].swap(0, 1)), Err(BvhError::NoBox(child)));
-    assert_eq!(broken(&tree, |b| b.nodes[0].planes[0][1] = f32::NAN), Err(BvhError::Nesting(child)));
+    assert_eq!(broken(&tree, |b| b.tree.nodes[0].planes[0][..2].swap(0, 1)), Err(BvhError::NoBox(child)));
+    assert_eq!(broken(&tree, |b| b.tree.nodes[0].planes[0][1] = f32::NAN), Err(BvhError::Nesting(child)));
 }
 
 #[test]
@@ -67,8 +67,8 @@ fn corners_are_finite_and_the_same_in_all_leaves() {
 #[test]
 fn one_leaf_holds_a_triangle_once() {
     let tree = cut(40, 3);
-    let leaf = tree.0.leaves.iter().position(|leaf| leaf.count > 1).expect("a leaf of two");
-    let first = tree.0.leaves[leaf].first as usize;
+    let leaf = tree.0.tree.leaves.iter().position(|leaf| leaf.count > 1).expect("a leaf of two");
+    let first = tree.0.tree.leaves[leaf].first as usize;
     let (leaf, prim) = (Node::leaf(leaf as u32), tree.0.triangles[first].prim);
     assert_eq!(broken(&tree, |b| b.triangles[first + 1] = b.triangles[first]), Err(BvhError::Twice { leaf, prim }));
 }

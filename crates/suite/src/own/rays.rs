@@ -7,10 +7,9 @@ use crate::ask::Rays;
 use crate::text::{hit, parse_floats};
 use crate::{Answer, Ask, Query};
 use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::geom::{Kernel, Ray, RayError, Slabs};
-use stackless_bvh::geom::{Mesh, MeshError};
-use stackless_bvh::trace::{Accuracy, Form, Hit, Tracer, WithTests, with_level};
-use stackless_bvh::traverse::Method;
+use stackless_bvh::geom::{Kernel, Mesh, MeshError, Ray, RayError, Slabs};
+use stackless_bvh::trace::{Accuracy, Form, Hit, Search, WithTests, with_level};
+use stackless_bvh::traverse::{Stack, traverse};
 
 pub(super) fn answer(accuracy: Accuracy, ask: &Ask) -> Option<Answer> {
     let Ask::Ray(asked) = ask else { return None };
@@ -19,7 +18,7 @@ pub(super) fn answer(accuracy: Accuracy, ask: &Ask) -> Option<Answer> {
         Err(error) => return error.code().map(|code| Answer::Reject(code.to_owned())),
     };
     let bvh = Bvh::sah(&mesh, SahOptions::default()).ok()?;
-    with_level(accuracy, Cast { bvh, rays, query: asked.query })
+    Some(with_level(accuracy, Cast { bvh, rays, query: asked.query }))
 }
 
 struct Cast {
@@ -29,24 +28,26 @@ struct Cast {
 }
 
 impl WithTests for Cast {
-    type Output = Option<Answer>;
+    type Output = Answer;
 
-    fn call<K: Kernel<Vector = Vec3, Shape: Form> + 'static, B: Slabs<Vector = Vec3> + 'static>(
-        self,
-    ) -> Option<Answer> {
+    fn call<K: Kernel<Vector = Vec3, Shape: Form> + 'static, B: Slabs<Vector = Vec3> + 'static>(self) -> Answer {
         let Self { bvh, rays, query } = self;
         let bvh = bvh.map(K::Shape::from);
-        let tracer = Tracer::<_, K, B>::with_tests(&bvh, Method::Stack).ok()?;
-        let hits: Vec<Value> = match query {
-            Query::Closest => tracer.closest_each(&rays).into_iter().map(written).collect(),
-            Query::Any => tracer.any_each(&rays).into_iter().map(|any| json!(any)).collect(),
+        let mut memory = Vec::new();
+        let hit = |ray: &Ray| match query {
+            Query::Closest => {
+                let mut search = Search::<K, B, false>::new(&bvh, ray);
+                traverse(Stack::new(bvh.tree(), &mut memory), &mut search, &mut ());
+                search.hit().map_or(Value::Null, |Hit { prim, t, u, v }| hit(prim, [t, u, v]))
+            }
+            Query::Any => {
+                let mut search = Search::<K, B, true>::new(&bvh, ray);
+                traverse(Stack::new(bvh.tree(), &mut memory), &mut search, &mut ());
+                json!(search.found().is_some())
+            }
         };
-        Some(Answer::of([("hits", Value::Array(hits))]))
+        Answer::of([("hits", Value::Array(rays.iter().map(hit).collect()))])
     }
-}
-
-fn written(hit_or_miss: Option<Hit>) -> Value {
-    hit_or_miss.map_or(Value::Null, |Hit { prim, t, u, v }| hit(prim, [t, u, v]))
 }
 
 impl Rays {

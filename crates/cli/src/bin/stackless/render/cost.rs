@@ -1,6 +1,6 @@
 //! What rays cost, by traversal.
 
-use stackless_bvh::bvh::Bvh;
+use stackless_bvh::bvh::{Bvh, BvhTree};
 use stackless_bvh::event::Source;
 use stackless_bvh::geom::{Aabb, Ray};
 use stackless_bvh::key::KeyWord;
@@ -55,7 +55,7 @@ pub(super) struct Costs<'a> {
 /// What traversals read, to be run with all their reads counted.
 struct Walks<'a> {
     bvh: &'a Bvh,
-    tables: Tables<'a, Bvh>,
+    tables: Tables<'a, BvhTree>,
     boxes: Vec<Aabb>,
 }
 
@@ -91,7 +91,7 @@ impl<'a> Costs<'a> {
 
 impl<'a> Walks<'a> {
     fn new(bvh: &'a Bvh, method: Method) -> Self {
-        Self { bvh, tables: Tables::new(bvh, bvh.axes(), &[method], Implicit::LIMIT), boxes: bvh.own_boxes() }
+        Self { bvh, tables: Tables::new(bvh.tree(), bvh.axes(), &[method], Implicit::LIMIT), boxes: bvh.own_boxes() }
     }
 
     /// Backtracks and their steps.
@@ -103,7 +103,7 @@ impl<'a> Walks<'a> {
         let method = tracer.method();
         let method = if query.allows(method.test().pruning()) { method } else { method.without_pruning() };
         let reads = Reads::default();
-        let mut steps = Steps::new(bvh, &reads);
+        let mut steps = Steps::new(bvh.tree(), &reads);
         let run = Run { tables: &self.tables, method, octant: ray.octant(), query, reads: &reads, steps: &mut steps };
         let ran = with_word(tracer.word(), run);
         debug_assert_eq!(ran, Ok(()), "checked when the tracer was made");
@@ -112,12 +112,12 @@ impl<'a> Walks<'a> {
 }
 
 struct Run<'r, 'a, 'q> {
-    tables: &'r Tables<'a, Bvh>,
+    tables: &'r Tables<'a, BvhTree>,
     method: Method,
     octant: u8,
     query: &'q mut dyn Query,
     reads: &'r Reads,
-    steps: &'r mut Steps<'q, Bvh>,
+    steps: &'r mut Steps<'q, BvhTree>,
 }
 
 impl WithWord for Run<'_, '_, '_> {

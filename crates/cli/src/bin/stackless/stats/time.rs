@@ -3,14 +3,17 @@
 use std::hint::black_box;
 
 use serde::Serialize;
-use stackless_bvh::bvh::Bvh;
+use stackless_bvh::bvh::{Bvh, BvhTree};
 use stackless_bvh::geom::kernel::Exact;
 use stackless_bvh::geom::slabs::Directed;
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
-use stackless_bvh::order::{Descent, Flow, NodeTest, Pruned, Visitor};
-use stackless_bvh::trace::Closest;
-use stackless_bvh::traverse::{Method, Stack, Tables, Unfit, WordName, traverse};
-use stackless_bvh::tree::{Implicit, Node, Recorded, Topology};
+use stackless_bvh::key::KeyWord;
+use stackless_bvh::order::{Descent, Flow, Visitor, Whole};
+use stackless_bvh::trace::{Closest, Tracer};
+use stackless_bvh::traverse::{
+    Method, Pause, Stack, Tables, Unfit, WithCursor, WithWord, traverse, traverse_pruned, with_word,
+};
+use stackless_bvh::tree::{Implicit, Node, Recorded};
 
 use crate::output::{Table, table};
 use crate::report::Bar;
@@ -41,41 +44,33 @@ const METHODS: [Method; 5] = [Method::Stack, Method::Sparse, Method::Afra, Metho
 const CHUNK: usize = 1024;
 const ROUNDS: usize = 5;
 
-/// For traversals that are not among [`METHODS`].
-const OCTANT: u8 = 0;
-
 /// Times the parts alone, over what a query does. They do not add up to the whole: the processor does several at once,
 /// and memory is read for all of them.
 pub(super) fn measure(bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Unfit> {
     let with_uncles = bvh.clone().with_links(Recorded::Uncles);
     let tree = |method: Method| if method.wants_recorded() == Recorded::Uncles { &with_uncles } else { bvh };
-    let tables = METHODS.map(|method| Tables::new(tree(method), bvh.axes(), &[method], Implicit::LIMIT));
+    let mut tracers = Vec::new();
+    for method in METHODS {
+        tracers.push(Tracer::with_method(tree(method), method)?);
+    }
+    let tables = METHODS.map(|method| Tables::new(tree(method).tree(), bvh.axes(), &[method], Implicit::LIMIT));
     let tapes: Vec<_> = rays.iter().map(|ray| Tape::of(bvh, ray)).collect();
-    let mut memory = Vec::new();
-    let (word, mut unfit) = (WordName::narrowest(bvh.depth()), None);
+    let (mut memory, mut found, mut unfit) = (Vec::new(), [None; CHUNK], None);
     // The whole and the traversal alone by each method, then boxes, then triangles.
     let contestants = 2 * METHODS.len() + 2;
     let times = take_turns(contestants, rays.len(), CHUNK, ROUNDS, "parts of the time", |who, chunk| {
-        for (ray, tape) in rays[chunk.clone()].iter().zip(&tapes[chunk]) {
-            let Some(&method) = METHODS.get(who / 2) else {
-                if who % 2 == 0 {
-                    tape.boxes(bvh, ray);
-                } else {
-                    tape.triangles(bvh, ray);
+        let (rays, tapes) = (&rays[chunk.clone()], &tapes[chunk]);
+        match (METHODS.get(who / 2), who % 2) {
+            (Some(_), 0) => tracers[who / 2].closest_distances(rays, black_box(&mut found)),
+            (Some(&method), _) => {
+                let word = tracers[who / 2].word();
+                for tape in tapes {
+                    let replay = Replay { tape, tables: &tables[who / 2], method, memory: &mut memory };
+                    unfit = unfit.or(with_word(word, replay).err());
                 }
-                continue;
-            };
-            let tables = &tables[who / 2];
-            let ran = if who % 2 == 0 {
-                let mut search = ByParent(Closest::new(tree(method), ray));
-                let ran = tables.run_in(word, method, OCTANT, &mut memory, &mut search, &mut ());
-                black_box(search.0.found());
-                ran
-            } else {
-                let mut replay = ByParent(Replay(tape.descents.iter()));
-                tables.run_in(word, method, OCTANT, &mut memory, &mut replay, &mut ())
-            };
-            unfit = unfit.or(ran.err());
+            }
+            (None, 0) => tapes.iter().zip(rays).for_each(|(tape, ray)| tape.boxes(bvh, ray)),
+            (None, _) => tapes.iter().zip(rays).for_each(|(tape, ray)| tape.triangles(bvh, ray)),
         }
     });
     if let Some(unfit) = unfit {
@@ -160,10 +155,40 @@ impl Visitor for Recording<'_> {
     }
 }
 
-/// Decides as a query has decided before.
-struct Replay<'t>(std::slice::Iter<'t, Descent>);
+/// A traversal that decides as a query has decided before.
+struct Replay<'r> {
+    tape: &'r Tape,
+    tables: &'r Tables<'r, BvhTree>,
+    method: Method,
+    memory: &'r mut Vec<Node>,
+}
 
-impl Visitor for Replay<'_> {
+impl WithWord for Replay<'_> {
+    type Output = Result<(), Unfit>;
+
+    fn call<W: KeyWord>(self) -> Result<(), Unfit> {
+        let Self { tape, tables, method, memory } = self;
+        let known = Known(tape.descents.iter());
+        if method == Method::Stack {
+            traverse(Stack::new(&tables.tree(), memory), &mut { known }, &mut ());
+            return Ok(());
+        }
+        tables.with_cursor::<W, _>(method, known)
+    }
+}
+
+/// Decisions that are known.
+struct Known<'t>(std::slice::Iter<'t, Descent>);
+
+impl<W: KeyWord> WithCursor<W> for Known<'_> {
+    type Output = ();
+
+    fn call(mut self, cursor: impl Pause<Word = W>) {
+        traverse_pruned(cursor, &mut Whole(&mut self), &mut ());
+    }
+}
+
+impl Visitor for Known<'_> {
     #[inline(always)]
     fn inner(&mut self, _: Node) -> Descent {
         self.0.next().copied().unwrap_or(Descent::NEITHER)
@@ -172,32 +197,5 @@ impl Visitor for Replay<'_> {
     #[inline(always)]
     fn leaf(&mut self, _: Node) -> Flow {
         Flow::Continue
-    }
-}
-
-/// A visitor for traversals that never test a node at its own visit: [`METHODS`] are such.
-struct ByParent<V>(V);
-
-impl<V: Visitor> Visitor for ByParent<V> {
-    #[inline(always)]
-    fn inner(&mut self, node: Node) -> Descent {
-        self.0.inner(node)
-    }
-
-    #[inline(always)]
-    fn leaf(&mut self, node: Node) -> Flow {
-        self.0.leaf(node)
-    }
-}
-
-impl<V: Visitor> Pruned for ByParent<V> {}
-
-impl<V: Visitor> NodeTest for ByParent<V> {
-    fn accept(&mut self, _: Node) -> bool {
-        true
-    }
-
-    fn leaf(&mut self, node: Node) -> Flow {
-        self.0.leaf(node)
     }
 }
