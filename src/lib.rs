@@ -89,7 +89,6 @@ pub mod tree;
 pub mod bvh;
 #[cfg(feature = "rays")]
 pub mod geom;
-#[cfg(feature = "rays")]
 mod threads;
 #[cfg(feature = "rays")]
 pub mod trace;

@@ -142,7 +142,10 @@ fn validation_bites() {
     let child = bvh.tree.nodes[0].children[1];
 
     assert_eq!(broken(&|_| ()), Ok(()));
-    assert_eq!(broken(&|b| b.tree.depth += 1), Err(BvhError::Depth { stored: bvh.tree.depth + 1, found: bvh.tree.depth }));
+    assert_eq!(
+        broken(&|b| b.tree.depth += 1),
+        Err(BvhError::Depth { stored: bvh.tree.depth + 1, found: bvh.tree.depth })
+    );
     assert_eq!(broken(&|b| b.tree.axes[3] = 3), Err(BvhError::Axis { node: Node::inner(3), axis: Some(3) }));
     assert_eq!(broken(&|b| b.tree.axes.truncate(3)), Err(BvhError::Axis { node: Node::inner(3), axis: None }));
     assert_eq!(broken(&|b| b.tree.nodes[4].links[1] = child), Err(BvhError::Links(Node::inner(4))));

@@ -30,7 +30,7 @@ pub struct BvhNode {
     pub links: [Node; 2],
 }
 
-/// A leaf: a range of [`Bvh::triangles`], never empty.
+/// A leaf: a range of [`Bvh::triangles`](super::Bvh::triangles), never empty.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct Leaf {

@@ -103,11 +103,10 @@ impl PerfectHash {
         )
     }
 
-    /// The same table as [`build`](Self::build), by all threads.
+    /// The same table as [`build`](Self::build), by all threads; without the feature `parallel` by one.
     ///
     /// # Errors
     /// As [`build`](Self::build).
-    #[cfg(feature = "parallel")]
     pub fn build_parallel(tree: &(impl Topology + Sync), options: Options) -> Result<Self, BuildError> {
         let keys = |seed| {
             if tree.depth() < u64::BITS {

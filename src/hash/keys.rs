@@ -1,9 +1,11 @@
 //! Which keys are ever looked up.
 
+use alloc::collections::{BTreeMap, VecDeque};
 use alloc::vec;
 use alloc::vec::Vec;
 
 use super::fold::Step;
+use crate::threads;
 use crate::tree::{Node, Reach, Topology};
 
 /// A set of nodes whose keys are hashed.
@@ -70,18 +72,15 @@ impl KeySet {
     }
 
     /// [`keys`](Self::keys), by all threads: the top of the tree first, then what hangs below it.
-    #[cfg(feature = "parallel")]
     pub(super) fn keys_parallel<P: Step + Send + Sync>(self, tree: &(impl Topology + Sync), root: P) -> Vec<HashedKey> {
-        use rayon::prelude::*;
-
         let height = self.sibling_height();
         let top = Top::of(tree, root);
-        let below = top.below.par_iter().map(|&(node, path)| {
+        let below = threads::map(0..top.below.len(), 1, |i| {
             let mut keys = Vec::new();
             let push = &mut |path: P, node| keys.push(HashedKey { key: path.key(), node });
-            (collect(tree, (node, path), height, push), keys)
+            (collect(tree, top.below[i], height, push), keys)
         });
-        let (heights, mut lists): (Vec<_>, Vec<_>) = below.unzip();
+        let (heights, mut lists): (Vec<_>, Vec<_>) = below.into_iter().unzip();
         lists.push(self.root_key(tree, root));
         let mut own = Vec::new();
         top.finish(tree, heights, height, &mut |path, node| own.push(HashedKey { key: path.key(), node }));
@@ -148,20 +147,18 @@ fn collect<P: Step>(
 }
 
 /// The top of a tree, and the subtrees below it.
-#[cfg(feature = "parallel")]
 struct Top<P> {
     /// Inner nodes, parents before children, each with where its children's heights will stand.
     inner: Vec<(Node, P)>,
     below: Vec<(Node, P)>,
 }
 
-#[cfg(feature = "parallel")]
 impl<P: Step> Top<P> {
     /// Enough subtrees to keep threads busy in a tree that is any good; a chain ends the search for more.
     const SUBTREES: usize = 256;
 
     fn of(tree: &impl Topology, root: P) -> Self {
-        let mut queue = std::collections::VecDeque::from([(tree.root(), root)]);
+        let mut queue = VecDeque::from([(tree.root(), root)]);
         let (mut inner, mut leaves) = (Vec::new(), Vec::new());
         while inner.len() < Self::SUBTREES
             && let Some((node, path)) = queue.pop_front()
@@ -181,7 +178,7 @@ impl<P: Step> Top<P> {
     /// What [`collect`] does, for the top alone: `heights` are those of the subtrees below.
     fn finish(&self, tree: &impl Topology, heights: Vec<u32>, sibling_height: u32, found: &mut impl FnMut(P, Node)) {
         let nodes = self.below.iter().map(|&(node, _)| node);
-        let mut heights: std::collections::HashMap<Node, u32> = nodes.zip(heights).collect();
+        let mut heights: BTreeMap<Node, u32> = nodes.zip(heights).collect();
         for &(node, path) in self.inner.iter().rev() {
             let [left, right] = tree.children(node);
             let [of_left, of_right] = [left, right].map(|child| heights.get(&child).copied().unwrap_or(0));

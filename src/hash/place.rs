@@ -6,6 +6,7 @@ use alloc::vec::Vec;
 use super::address::encode;
 use super::keys::HashedKey;
 use super::{Modulo, Reciprocal, TableSize};
+use crate::threads;
 
 /// The keys, grouped by their displacement.
 pub(super) struct Buckets {
@@ -153,16 +154,9 @@ impl Buckets {
 /// Buckets that threads search for at once.
 const BATCH: usize = 1 << 12;
 
-#[cfg(feature = "parallel")]
+/// For each bucket of a batch, the least displacement under which all its cells are free.
 fn first_fits(taken: &Taken, batch: &[Bucket], remainders: &[u32]) -> Vec<Option<u32>> {
-    use rayon::prelude::*;
-
-    batch.par_iter().with_min_len(64).map(|bucket| taken.first_fit(&remainders[bucket.range()], 0)).collect()
-}
-
-#[cfg(not(feature = "parallel"))]
-fn first_fits(_: &Taken, _: &[Bucket], _: &[u32]) -> Vec<Option<u32>> {
-    Vec::new()
+    threads::map(0..batch.len(), 64, |i| taken.first_fit(&remainders[batch[i].range()], 0))
 }
 
 impl Bucket {

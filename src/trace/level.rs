@@ -83,13 +83,7 @@ impl Level {
         }
     }
 
-    fn try_run(
-        &self,
-        tree: &BvhTree,
-        octant: u8,
-        memory: &mut Vec<Node>,
-        query: &mut dyn Query,
-    ) -> Result<(), Unfit> {
+    fn try_run(&self, tree: &BvhTree, octant: u8, memory: &mut Vec<Node>, query: &mut dyn Query) -> Result<(), Unfit> {
         self.tables(tree).run_query(self.word, self.method_for(query), octant, memory, query)
     }
 

@@ -100,9 +100,8 @@ where
     let tree = bvh.tree();
     let tables = Tables::new(tree, tree.axes(), &[Method::Hashed], 0);
     let (word, mut memory) = (WordName::narrowest(tree.depth()), Vec::new());
-    let mut run = |query: &mut dyn Query| {
-        tables.run_query(word, Method::Hashed, 0, &mut memory, query).map_err(TreeFault::Unfit)
-    };
+    let mut run =
+        |query: &mut dyn Query| tables.run_query(word, Method::Hashed, 0, &mut memory, query).map_err(TreeFault::Unfit);
     let (truth, mut hits) = (Truth::new(mesh), 0);
     for (number, ray) in rays.iter().enumerate() {
         let true_hits = truth.all(ray);

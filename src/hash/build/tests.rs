@@ -186,7 +186,6 @@ fn lookups_and_misses_are_counted() {
 }
 
 #[test]
-#[cfg(feature = "parallel")]
 fn given_tables_answer_as_those_that_were_built() {
     let tree = comb(40);
     let (keys, hash) =
