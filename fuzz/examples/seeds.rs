@@ -8,8 +8,7 @@ use std::path::Path;
 use std::{env, fs, io};
 
 use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::generate::procedural;
-use stackless_bvh::generate::{Bytes, Rng, Source};
+use stackless_bvh::generate::{Bytes, Rng, Source, procedural};
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_check::{Case, Fault, Replay};

@@ -2,8 +2,7 @@
 
 use glam::{DVec3, Vec3};
 use stackless_bvh::generate::{Bytes, Source};
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Mesh, Ray};
 
 /// Draws from the bytes of a fuzzer.
 pub(crate) struct Draw<'a> {

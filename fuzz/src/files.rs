@@ -3,8 +3,7 @@
 use stackless_bvh::generate::Bytes;
 use stackless_bvh::traverse::Method;
 use stackless_check::{Case, Replay};
-use stackless_scene::{check_mesh_file, check_ray_file};
-use stackless_scene::{read_obj, read_ply};
+use stackless_scene::{check_mesh_file, check_ray_file, read_obj, read_ply};
 
 use super::draw::patched;
 use super::{right, said, traversals};

@@ -5,10 +5,9 @@ use stackless_bvh::bvh::{
     BuildError, BuildOptions, Builder, Bvh, BvhFileError, Degenerate, SahOptions, SpatialOptions,
 };
 use stackless_bvh::generate::{Bytes, Source};
-use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::kernel::{Exact, Exact64};
 use stackless_bvh::geom::slabs::{Directed, Wide};
-use stackless_bvh::geom::{AffineMap, Triangle};
+use stackless_bvh::geom::{AffineMap, Mesh, Triangle};
 use stackless_bvh::trace::{InstanceError, InstanceTracer};
 use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::{Recorded, Topology};

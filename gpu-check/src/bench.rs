@@ -3,8 +3,7 @@
 use std::fmt;
 
 use stackless_bvh::bvh::Bvh;
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::{Tracer, bounce};
 
 use crate::kernel::{Kernel, Traversal};

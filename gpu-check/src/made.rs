@@ -3,8 +3,7 @@
 
 use glam::Vec3;
 use stackless_bvh::generate::{Rng, Source as _};
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Mesh, Ray};
 
 /// A scene, by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,6 @@
 //! Perfect hash tables made on the device, and certified on the CPU.
 
-use stackless_bvh::hash::KeySet;
-use stackless_bvh::hash::{AddressBounds, Options, PerfectHash, Sizing, certify};
+use stackless_bvh::hash::{AddressBounds, KeySet, Options, PerfectHash, Sizing, certify};
 use stackless_bvh::tree::{Keys, Node, Topology};
 
 use crate::launch::groups;

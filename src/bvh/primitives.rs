@@ -1,7 +1,6 @@
 //! What a hierarchy is built over.
 
-use crate::geom::Mesh;
-use crate::geom::{Aabb, Triangle, Vector};
+use crate::geom::{Aabb, Mesh, Triangle, Vector};
 
 /// Shapes with boxes, told apart by an index from 0 on: a [`Mesh`], or a slice of anything that is [`Bounded`].
 pub trait Primitives: Sync {

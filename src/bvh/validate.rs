@@ -5,8 +5,7 @@ mod sound;
 pub(super) use sound::check;
 
 use super::Bvh;
-use crate::geom::Mesh;
-use crate::geom::{Triangle, Vector};
+use crate::geom::{Mesh, Triangle, Vector};
 use crate::tree::Node;
 
 /// What is wrong with a hierarchy, and where.

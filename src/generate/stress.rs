@@ -37,8 +37,7 @@ pub use aim::aimed;
 pub use sphere::icosphere;
 
 use super::draw::Draw;
-use crate::geom::Mesh;
-use crate::geom::Ray;
+use crate::geom::{Mesh, Ray};
 use aim::Target;
 
 /// A mesh, and rays that are hard to trace through it.

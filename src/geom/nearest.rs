@@ -16,8 +16,7 @@
 
 use glam::{DVec3, Vec3};
 
-use super::truth;
-use super::{Aabb, Triangle};
+use super::{Aabb, Triangle, truth};
 
 /// Greatest error of the bounds, in units of 2^-53 of the greatest component of a corner relative to the point.
 const MARGIN: f64 = 64.0 * UNIT;

@@ -24,8 +24,7 @@ pub use certify::{CertificateError, certify};
 pub use fold::{fold, for_each_folded_key};
 pub use keys::KeySet;
 pub use map::KeyMap;
-pub use modulo::wrap;
-pub use modulo::{Constant, Modulo, Reciprocal, Remainder, TableSize};
+pub use modulo::{Constant, Modulo, Reciprocal, Remainder, TableSize, wrap};
 pub use perfect::{Header, Mix, PerfectHash, Sizing};
 pub use verified::Verified;
 

@@ -5,8 +5,7 @@ use glam::Vec3;
 use super::{Closest, Hit};
 use crate::bvh::Bvh;
 use crate::generate::Rng;
-use crate::geom::Mesh;
-use crate::geom::Ray;
+use crate::geom::{Mesh, Ray};
 use crate::traverse::{Stack, traverse};
 
 /// For each ray that hits, one from just before its hit in a random direction away from the surface: what a diffuse

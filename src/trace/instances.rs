@@ -19,9 +19,8 @@ pub use assembly::{Assembly, AssemblyError, Instance, Object};
 use std::fmt;
 
 use crate::bvh::Bvh;
-use crate::geom::kernel;
 use crate::geom::truth::{Point, round_f32};
-use crate::geom::{AffineMap, EnclosedRay, Ray, Triangle, meet_image, slabs};
+use crate::geom::{AffineMap, EnclosedRay, Ray, Triangle, kernel, meet_image, slabs};
 use crate::trace::level::Level;
 use crate::trace::{Ask, OwnBoxes, Plan};
 use crate::traverse::{Method, Unfit};

@@ -1,10 +1,9 @@
 use super::*;
 use crate::bvh::{Bvh, SahOptions};
 use crate::generate::procedural;
-use crate::geom::Mesh;
 use crate::geom::kernel::Exact;
 use crate::geom::slabs::Directed;
-use crate::geom::{Aabb, Ray};
+use crate::geom::{Aabb, Mesh, Ray};
 use crate::order::{ByNode, Flow, LeftOrder, SignOrder, Visitor};
 use crate::tree::{Node, Topology};
 

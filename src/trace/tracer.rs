@@ -1,10 +1,8 @@
 //! Ray queries as functions: the library's front door.
 
 use std::borrow::Borrow;
-use std::fmt;
 use std::marker::PhantomData;
-use std::slice;
-use std::vec;
+use std::{fmt, slice, vec};
 
 use super::level::Level;
 use super::{

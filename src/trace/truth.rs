@@ -15,9 +15,8 @@ use std::ops::{Range, RangeInclusive};
 use glam::Vec3;
 
 use super::Hit;
-use crate::geom::Mesh;
 use crate::geom::truth::{Number, Point, meet};
-use crate::geom::{Ray, Vector};
+use crate::geom::{Mesh, Ray, Vector};
 
 /// Where a ray truly hits a mesh.
 #[derive(Clone, Debug, PartialEq)]

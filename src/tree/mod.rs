@@ -14,9 +14,8 @@ pub use arena::{Tree, TreeError};
 pub use implicit::{Implicit, ImplicitError};
 pub use keys::Keys;
 pub use linked::Linked;
-pub(crate) use links::for_each_parent;
-pub(crate) use links::link_rows;
 pub use links::{Links, Parents, Reach, Uncles};
+pub(crate) use links::{for_each_parent, link_rows};
 
 use core::hint::select_unpredictable;
 

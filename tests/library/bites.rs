@@ -12,8 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::generate::procedural;
-use stackless_bvh::generate::{Family, Kind, Rng};
+use stackless_bvh::generate::{Family, Kind, Rng, procedural};
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::order::Pruning;
 use stackless_bvh::trace::Truth;

@@ -3,8 +3,7 @@
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, SpatialOptions};
 use stackless_bvh::event::Trace;
-use stackless_bvh::generate::procedural;
-use stackless_bvh::generate::{Cell, Family, Kind, Rng, Search, Source, Tape};
+use stackless_bvh::generate::{Cell, Family, Kind, Rng, Search, Source, Tape, procedural};
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{Flow, Pruning};

@@ -3,9 +3,8 @@
 use proptest::prelude::*;
 
 use glam::DVec3;
-use stackless_bvh::geom::Aabb;
 use stackless_bvh::geom::kernel::{Exact64, Kernel};
-use stackless_bvh::geom::{Ray, Region, Triangle};
+use stackless_bvh::geom::{Aabb, Ray, Region, Triangle};
 use stackless_check::{check_degenerate, check_triangle};
 
 /// Exact for the exponents of normal numbers.

@@ -3,8 +3,7 @@
 use glam::Vec3;
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::{procedural, stress};
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, LeftOrder, SignOrder};
 use stackless_bvh::trace::{Accuracy, Closest, ClosestByNode, Hit, KernelName, SlabsName, Truth};

@@ -4,8 +4,7 @@ use glam::Vec3;
 use proptest::prelude::*;
 
 use stackless_bvh::geom::kernel::{Affine, Exact, ExactFromSingle, Kernel, Moller32, Moller64, Woop};
-use stackless_bvh::geom::{Aabb, Triangle};
-use stackless_bvh::geom::{Ray, Region};
+use stackless_bvh::geom::{Aabb, Ray, Region, Triangle};
 use stackless_check::check_triangle;
 
 const UNIT: Triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);

@@ -1,13 +1,10 @@
 //! The nearest triangles of a point.
 
 use glam::Vec3;
-use stackless_bvh::bvh::Bvh;
-use stackless_bvh::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
-use stackless_bvh::generate::{Rng, Source};
-use stackless_bvh::generate::{procedural, stress};
+use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, SpatialOptions};
+use stackless_bvh::generate::{Rng, Source, procedural, stress};
 use stackless_bvh::geom::{Ball, Mesh, Triangle};
-use stackless_bvh::trace::Near;
-use stackless_bvh::trace::Tracer;
+use stackless_bvh::trace::{Near, Tracer};
 use stackless_bvh::traverse::Method;
 use stackless_check::{check_distance, nearest as truth};
 

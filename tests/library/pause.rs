@@ -2,8 +2,7 @@
 
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::event::{Recorder, State};
-use stackless_bvh::generate::procedural;
-use stackless_bvh::generate::{Family, Kind, Rng, Search, Source};
+use stackless_bvh::generate::{Family, Kind, Rng, Search, Source, procedural};
 use stackless_bvh::geom::kernel::Exact;
 use stackless_bvh::geom::{Kernel, Ray};
 use stackless_bvh::hash::{KeyMap, KeySet, Options, PerfectHash, Sizing};

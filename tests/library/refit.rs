@@ -2,13 +2,11 @@
 
 use glam::Vec3;
 
-use stackless_bvh::bvh::{Bounded, BuildOptions, Builder, SahOptions, validate};
-use stackless_bvh::bvh::{Bvh, RefitError};
+use stackless_bvh::bvh::{Bounded, BuildOptions, Builder, Bvh, RefitError, SahOptions, validate};
 use stackless_bvh::generate::procedural;
-use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::kernel::Exact;
 use stackless_bvh::geom::slabs::Directed;
-use stackless_bvh::geom::{Aabb, Region};
+use stackless_bvh::geom::{Aabb, Mesh, Region};
 use stackless_check::check_tree;
 
 /// The same triangles, bent and stretched.

@@ -4,8 +4,7 @@ use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
 use stackless_bvh::geom::slabs::{Directed, EnclosedSlabs, Intervals, Plain, Slabs, TwoSided, Wide};
-use stackless_bvh::geom::{Aabb, Ray, Region};
-use stackless_bvh::geom::{EnclosedRay, Interval, truth};
+use stackless_bvh::geom::{Aabb, EnclosedRay, Interval, Ray, Region, truth};
 use stackless_check::check_slabs;
 
 /// Few values, so that planes, origins and each other often coincide, and some extreme ones.

@@ -38,10 +38,8 @@ use super::{Case, Fault, Plan, Replay, ReplayError, Stress, Tally};
 use crate::{CaseOptions, Errors};
 use stackless_bvh::bvh::BuildError;
 use stackless_bvh::generate::draw::Draw;
-use stackless_bvh::generate::stress;
-use stackless_bvh::generate::{Rng, Source as _};
-use stackless_bvh::geom::MeshError;
-use stackless_bvh::geom::RayError;
+use stackless_bvh::generate::{Rng, Source as _, stress};
+use stackless_bvh::geom::{MeshError, RayError};
 use stackless_bvh::trace::{KernelName, SlabsName};
 use stackless_bvh::traverse::{Method, Unfit, WordName};
 

@@ -5,9 +5,8 @@ use dashu_int::{IBig, UBig};
 use glam::Vec3;
 
 use stackless_bvh::bvh::{BuildError, BuildOptions, Bvh};
-use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::truth::{RBig, round_f32};
-use stackless_bvh::geom::{AffineMap, Ray};
+use stackless_bvh::geom::{AffineMap, Mesh, Ray};
 use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceHit, InstanceTracer, Object};
 
 type Vector = [IBig; 3];

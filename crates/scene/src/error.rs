@@ -3,9 +3,8 @@
 use stackless_bvh::geom::MeshError;
 
 use super::text::{one_line, quote};
-use std::fmt;
-use std::io;
 use std::path::{Path, PathBuf};
+use std::{fmt, io};
 
 /// Why a mesh could not be loaded. One line that begins with the file.
 #[derive(Debug, thiserror::Error)]

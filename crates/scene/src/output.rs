@@ -114,7 +114,8 @@ mod tests {
     #[cfg(unix)]
     #[test]
     fn links_are_followed_and_what_is_no_file_is_kept() {
-        use std::os::unix::{fs::FileTypeExt, fs::symlink, net::UnixListener};
+        use std::os::unix::fs::{FileTypeExt, symlink};
+        use std::os::unix::net::UnixListener;
         let folder = Folder::new("links");
         fs::write(folder.file("out.csv"), "old").unwrap();
         symlink("out.csv", folder.file("link")).unwrap();

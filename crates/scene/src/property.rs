@@ -4,8 +4,7 @@
 use std::fmt::Write;
 
 use crate::{ReadError, read_obj, read_ply, read_rays_from};
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Mesh, Ray};
 
 /// What is wrong with a reader.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -12,9 +12,8 @@ use crate::exact::{self, EDGE_FACTOR, UNCERTAIN};
 use crate::launch::BINDINGS;
 use crate::model::Found;
 use crate::probe::Arithmetic;
-use crate::rays;
 use crate::scene::{Query, SINGLE, Scene, takes, takes_ray};
-use crate::{GpuError, Pipeline};
+use crate::{GpuError, Pipeline, rays};
 
 /// Of the rays of `ray/exact`, those that the kernel was certain of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

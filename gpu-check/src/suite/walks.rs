@@ -9,12 +9,11 @@ use stackless_bvh::tree::{Keys, Node, Topology as _, Tree};
 use stackless_suite::{Answer, Ask, WalkError};
 
 use super::{Device, hex};
-use crate::GpuError;
-use crate::Pipeline;
 use crate::kernel::{Kernel, Record, Shape, TAPE_SEARCH};
 use crate::launch::{BINDINGS, Buffers, params};
 use crate::layout::{Addresses, HashTables, NOWHERE, Records, TableHead};
 use crate::tapes::RECORDED;
+use crate::{GpuError, Pipeline};
 
 /// A traversal that records its events.
 #[derive(Debug)]

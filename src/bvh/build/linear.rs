@@ -12,13 +12,12 @@ use std::ops::Range;
 
 use glam::Vec3A;
 
-use super::BuildError;
 use super::bins::Scale;
 use super::draft::{Draft, DraftNode};
 use super::item::{CHUNK, Item, Spread};
 use super::sah::{self, SahOptions};
 use super::sweep::indices;
-use super::top_down;
+use super::{BuildError, top_down};
 use crate::threads;
 use forest::{Forest, Growth};
 

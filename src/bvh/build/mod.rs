@@ -18,8 +18,7 @@ pub use sah::SahOptions;
 pub use spatial::SpatialOptions;
 
 use super::{Bvh, Primitives};
-use crate::geom::Mesh;
-use crate::geom::{Triangle, Vector};
+use crate::geom::{Mesh, Triangle, Vector};
 use crate::name::named;
 use crate::tree::Node;
 

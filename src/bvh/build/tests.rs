@@ -3,7 +3,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use glam::Vec3;
 
 use super::*;
-use crate::bvh::{Bounded, BvhNode, tests::awkward, validate};
+use crate::bvh::tests::awkward;
+use crate::bvh::{Bounded, BvhNode, validate};
 use crate::generate::procedural;
 use crate::geom::Aabb;
 use crate::order::{Side, SignOrder};

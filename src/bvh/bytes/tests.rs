@@ -3,10 +3,8 @@ use proptest::prelude::*;
 use super::*;
 use crate::bvh::validate::tests::cut;
 use crate::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions, validate};
-use crate::generate::{Rng, Source};
-use crate::generate::{procedural, stress};
-use crate::geom::Mesh;
-use crate::geom::Ray;
+use crate::generate::{Rng, Source, procedural, stress};
+use crate::geom::{Mesh, Ray};
 use crate::trace::{Closest64, Tracer, truth};
 use crate::traverse::{Method, Stack, traverse};
 

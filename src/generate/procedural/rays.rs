@@ -3,8 +3,7 @@
 use glam::Vec3;
 
 use crate::generate::draw::Draw;
-use crate::geom::Mesh;
-use crate::geom::{Aabb, Ray};
+use crate::geom::{Aabb, Mesh, Ray};
 
 /// `n` rays for a mesh, ordinary and awkward kinds in turn; fewer where coordinates overflow.
 ///

@@ -2,8 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-use crate::geom::Mesh;
-use crate::geom::{Aabb, Ray};
+use crate::geom::{Aabb, Mesh, Ray};
 
 /// A pinhole camera with a square image.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,8 +3,7 @@
 use glam::Vec3;
 
 use crate::generate::draw::{Draw, exp2, nudge, one_of};
-use crate::geom::Mesh;
-use crate::geom::{Aabb, Ray};
+use crate::geom::{Aabb, Mesh, Ray};
 
 /// `n` adversarial rays for any mesh, the same for the same seed.
 ///

@@ -6,8 +6,7 @@ use super::Recipe;
 use super::aim::{Target, middle, mixed, place, toward, turned, whole, within};
 use super::build::{both, grid, of, triangles};
 use crate::generate::draw::{Draw, exp2, nudge, one_of};
-use crate::geom::Mesh;
-use crate::geom::{Aabb, Ray};
+use crate::geom::{Aabb, Mesh, Ray};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new(

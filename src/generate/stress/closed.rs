@@ -7,8 +7,7 @@ use super::aim::{Target, middle, on_edge, turned, unit, whole};
 use super::build::{both, circle, cuboid, mapped};
 use super::sphere::icosphere;
 use crate::generate::draw::{Draw, exp2, one_of};
-use crate::geom::Mesh;
-use crate::geom::Ray;
+use crate::geom::{Mesh, Ray};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new(

@@ -6,8 +6,7 @@ use super::Recipe;
 use super::aim::{Target, middle, mixed, on_edge, turned, whole, within};
 use super::build::{of, triangles};
 use crate::generate::draw::{Draw, exp2, one_of};
-use crate::geom::Mesh;
-use crate::geom::Ray;
+use crate::geom::{Mesh, Ray};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new("collinear", "third corners that mirror the first at the second", collinear, mixed),

@@ -6,8 +6,7 @@ use super::Recipe;
 use super::aim::{Target, at, middle, mixed, on_edge, place, toward, turned, whole, within};
 use super::build::{mapped, triangles};
 use crate::generate::draw::{Draw, exp2, one_of};
-use crate::geom::Mesh;
-use crate::geom::Ray;
+use crate::geom::{Mesh, Ray};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new("uniform", "great triangles in the unit cube, rays into it from near and far", uniform, into_the_box),

@@ -6,8 +6,7 @@ use super::Recipe;
 use super::aim::{Target, late, middle, mixed, turned, whole};
 use super::build::{both, cuboid, grid, mapped, of, triangles};
 use crate::generate::draw::{Draw, exp2, one_of};
-use crate::geom::Mesh;
-use crate::geom::Ray;
+use crate::geom::{Mesh, Ray};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new("edge", "rays exactly through the middles of edges", even, |draw, t, i| at_edge(draw, t, i, 0)),

@@ -6,8 +6,7 @@ use super::Recipe;
 use super::aim::{Target, middle, mixed, place, toward, turned, whole, within};
 use super::build::{mapped, triangles};
 use crate::generate::draw::{Draw, exp2, one_of};
-use crate::geom::Mesh;
-use crate::geom::Ray;
+use crate::geom::{Mesh, Ray};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new("near-max", "coordinates up to the greatest float: differences overflow", near_max, halved),

@@ -8,8 +8,7 @@ use super::build::{circle, grid, mapped, shuffled, triangles};
 use super::sphere::icosphere;
 use crate::generate::draw::{Draw, one_of};
 use crate::generate::procedural;
-use crate::geom::Mesh;
-use crate::geom::Ray;
+use crate::geom::{Mesh, Ray};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new("terrain", "a rough height field", terrain, mixed),

@@ -6,8 +6,7 @@ use super::Recipe;
 use super::aim::{Target, middle, mixed, turned, whole, within};
 use super::build::{both, mapped, of, shuffled, triangles};
 use crate::generate::draw::{Draw, exp2, nudge, one_of};
-use crate::geom::Mesh;
-use crate::geom::Ray;
+use crate::geom::{Mesh, Ray};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new("stack-ulp", "parallel triangles an ulp apart, far ones first: t ties by rounding", stack, down_stack),

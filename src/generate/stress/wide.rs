@@ -6,8 +6,7 @@ use super::Recipe;
 use super::aim::{Target, late, middle, turned, whole};
 use super::build::triangles;
 use crate::generate::draw::{Draw, exp2, nudge, one_of};
-use crate::geom::Mesh;
-use crate::geom::Ray;
+use crate::geom::{Mesh, Ray};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new("edge-wide", "rays exactly through the middles of edges, coordinates of 22 bits", wide, at_edge),

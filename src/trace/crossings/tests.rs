@@ -3,8 +3,7 @@ use glam::Vec3;
 use super::*;
 use crate::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
 use crate::generate::{procedural, stress};
-use crate::geom::Aabb;
-use crate::geom::Mesh;
+use crate::geom::{Aabb, Mesh};
 use crate::trace::{TrueHit, Truth};
 use crate::traverse::{Stack, traverse};
 

@@ -3,8 +3,7 @@ use glam::Vec3;
 use super::*;
 use crate::bvh::{Builder, SahOptions, SpatialOptions};
 use crate::generate::procedural;
-use crate::geom::Mesh;
-use crate::geom::Ray;
+use crate::geom::{Mesh, Ray};
 use crate::trace::{Hit, Tracer};
 
 fn scenes() -> Vec<(Mesh, Vec<Ray>)> {

@@ -2,8 +2,7 @@ use dashu_int::IBig;
 use glam::Vec3;
 
 use super::*;
-use crate::generate::procedural;
-use crate::generate::{Rng, Source};
+use crate::generate::{Rng, Source, procedural};
 use crate::geom::truth::{Place, RBig};
 
 /// In -1..1.

@@ -1,10 +1,8 @@
 //! Small scenes of instances, in which much goes wrong that can.
 
 use glam::{Mat3, Vec3};
-use stackless_bvh::generate::procedural;
-use stackless_bvh::generate::{Rng, Source};
-use stackless_bvh::geom::AffineMap;
-use stackless_bvh::geom::Mesh;
+use stackless_bvh::generate::{Rng, Source, procedural};
+use stackless_bvh::geom::{AffineMap, Mesh};
 use stackless_check::Shape;
 
 /// A scene, by name.

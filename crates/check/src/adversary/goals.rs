@@ -1,7 +1,6 @@
 //! All goals.
 
-use super::{Cost, Goal, Of};
-use super::{boxes, kernels, trees};
+use super::{Cost, Goal, Of, boxes, kernels, trees};
 use crate::Case;
 use stackless_bvh::generate::stress;
 use stackless_bvh::geom::kernel::{Affine, Moller32, Moller64, Woop};

@@ -6,8 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::AdversaryError;
 use stackless_bvh::generate::draw::{Draw, exp2, nudge};
 use stackless_bvh::generate::stress;
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::{Ray, Triangle};
+use stackless_bvh::geom::{Mesh, Ray, Triangle};
 
 /// Triangles, and rays with the interval from 0 to infinity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -6,8 +6,7 @@ use serde_json::Value;
 
 use super::{Cost, below};
 use crate::{Case, Replay, ReplayError};
-use stackless_bvh::event::{Backtracks, Source};
-use stackless_bvh::event::{Recorder, State};
+use stackless_bvh::event::{Backtracks, Recorder, Source, State};
 use stackless_bvh::generate::{Family, Kind, Rng, Search, Source as _, Tape};
 use stackless_bvh::hash::{BuildError, KeySet, Options, PerfectHash, Sizing, Verified};
 use stackless_bvh::key::KeyWord;

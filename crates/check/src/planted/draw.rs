@@ -4,8 +4,7 @@
 use glam::Vec3;
 
 use stackless_bvh::generate::{Family, Source, shape};
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::tree::Tree;
 
 /// Draws from any source; 0 is the simplest choice.

@@ -4,8 +4,7 @@ use glam::Vec3;
 
 use super::layers::Hits;
 use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::{Aabb, Kernel, Ray, Region, Slabs, Triangle};
+use stackless_bvh::geom::{Aabb, Kernel, Mesh, Ray, Region, Slabs, Triangle};
 use stackless_bvh::trace::Hit;
 use stackless_bvh::tree::Node;
 

@@ -8,10 +8,9 @@ use super::searches::built;
 use crate::check_tree;
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SpatialOptions};
 use stackless_bvh::generate::Source;
-use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::kernel::Exact;
 use stackless_bvh::geom::slabs::Directed;
-use stackless_bvh::geom::{Ray, Triangle};
+use stackless_bvh::geom::{Mesh, Ray, Triangle};
 use stackless_bvh::hash::checksum;
 use stackless_bvh::tree::{Node, Recorded};
 

@@ -11,10 +11,9 @@ use super::wrapped::{Mutation, Wrapped};
 use super::{Planted, drive};
 use crate::{Case, check_tree};
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions};
-use stackless_bvh::geom::Mesh;
 use stackless_bvh::geom::kernel::{Exact, Moller32};
 use stackless_bvh::geom::slabs::{Directed, Plain};
-use stackless_bvh::geom::{Kernel, Slabs, Triangle};
+use stackless_bvh::geom::{Kernel, Mesh, Slabs, Triangle};
 use stackless_bvh::traverse::Laine;
 
 pub(super) const MISTAKES: [Mistake; 7] = [

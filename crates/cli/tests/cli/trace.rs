@@ -4,8 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use stackless_bvh::generate::procedural;
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::{Hit, Truth};
 use stackless_bvh::traverse::Method;
 use stackless_scene::{self};

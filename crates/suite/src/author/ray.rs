@@ -8,8 +8,7 @@ use super::{Author, result};
 use crate::ask::Rays;
 use crate::text::{floats, hit};
 use crate::{Ask, Level, Profile, Query, Strength};
-use stackless_bvh::generate::stress;
-use stackless_bvh::generate::{Rng, Source};
+use stackless_bvh::generate::{Rng, Source, stress};
 
 pub(super) fn profiles() -> Vec<Profile> {
     vec![grid(), exact(), invalid()]

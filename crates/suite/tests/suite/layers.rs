@@ -4,8 +4,7 @@
 use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::hash::{KeySet, Mix};
 use stackless_bvh::trace::Hit;
 use stackless_bvh::tree::{Reach, Topology as _, Tree};

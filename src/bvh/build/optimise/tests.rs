@@ -1,8 +1,7 @@
 use super::super::{BuildOptions, Builder};
 use crate::bvh::{Bvh, validate};
 use crate::generate::procedural;
-use crate::geom::Aabb;
-use crate::geom::Mesh;
+use crate::geom::{Aabb, Mesh};
 use crate::order::{Side, SignOrder};
 use crate::tree::Topology;
 

@@ -4,8 +4,7 @@ use std::collections::HashSet;
 use std::path::PathBuf;
 
 use serde::Serialize;
-use stackless_bvh::generate::Family;
-use stackless_bvh::generate::procedural;
+use stackless_bvh::generate::{Family, procedural};
 use stackless_bvh::trace::Truth;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_check::{

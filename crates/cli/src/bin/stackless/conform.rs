@@ -5,9 +5,8 @@ use std::time::{Duration, Instant};
 
 use stackless_suite::{CaseResult, Hello, Level, Report, Runner, Strength, Suite, Waivers, author};
 
-use crate::Outcome;
-use crate::input;
 use crate::output::{self, bar, grouped, say, table, write_file, write_json};
+use crate::{Outcome, input};
 
 /// Ask a program the cases of the conformance suite, and say where it is wrong.
 ///

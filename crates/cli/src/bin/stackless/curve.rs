@@ -10,10 +10,9 @@ use stackless_bvh::generate::Rng;
 use stackless_bvh::traverse::Method;
 use stackless_curve::{Bezier, Closest, End, Family, Options};
 
-use crate::Outcome;
-use crate::input;
 use crate::output::{self, say, table, write_file, write_json};
 use crate::turns::{median, take_turns};
+use crate::{Outcome, input};
 
 /// Measure run time against proved error: the closest point of a Bézier curve, by interval arithmetic over an implicit
 /// tree.

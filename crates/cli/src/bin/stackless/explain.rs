@@ -7,11 +7,10 @@ use stackless_check::{Case, CaseOptions, Replay};
 use stackless_cli::explain::{self, USUAL};
 use stackless_suite::{Ask, author};
 
-use crate::Outcome;
 use crate::build::Build;
-use crate::camera;
 use crate::input::{self, Scene};
 use crate::output::{self, say, write_file};
+use crate::{Outcome, camera};
 
 /// Write a page that steps through traversals: the tree, the bits, the lookups, and the oracle's stack beside them.
 ///

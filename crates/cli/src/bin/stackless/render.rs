@@ -11,11 +11,10 @@ use stackless_bvh::bvh::Bvh;
 use stackless_bvh::trace::{Continuation, Tracer};
 use stackless_bvh::traverse::Method;
 
-use crate::Outcome;
 use crate::build::Build;
-use crate::camera;
 use crate::input::{self, Scene};
 use crate::output::{self, bar, say, write_file};
+use crate::{Outcome, camera};
 use cost::{Costs, Heat};
 use picture::Picture;
 use sample::{Rays, Sample, Samples};

@@ -9,9 +9,8 @@ use stackless_bvh::trace::{Accuracy, KernelName, SlabsName};
 use stackless_bvh::traverse::Method;
 use stackless_check::{Errors, Stress, check_boxes};
 
-use crate::Outcome;
-use crate::input;
 use crate::output::{self, bar, grouped, say, table, write_json};
+use crate::{Outcome, input};
 
 /// Trace the stress suite and count errors against rational arithmetic.
 ///

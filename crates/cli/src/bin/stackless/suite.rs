@@ -11,10 +11,9 @@ use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_suite::{Feature, Level, Library, Suite, VERSION, serve};
 
-use crate::Outcome;
 use crate::conform::{load, select};
-use crate::input;
 use crate::output::{grouped, say, table, write_file};
+use crate::{Outcome, input};
 
 /// The conformance suite: list it, write it as files, show a case, answer it.
 #[derive(clap::Args)]

@@ -5,8 +5,7 @@ use std::collections::HashSet;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use stackless_bvh::generate::stress;
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::Truth;
 
 use super::pairs::{Pair, Trees};

@@ -2,8 +2,7 @@
 
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, Bvh, SahOptions};
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::{Aabb, Kernel, Ray, Slabs};
+use stackless_bvh::geom::{Aabb, Kernel, Mesh, Ray, Slabs};
 use stackless_bvh::order::{ByNode, LeftOrder};
 use stackless_bvh::trace::{self, Accuracy, Form, Forms, KernelName, NodeSearch, Search, SlabsName, WithTests};
 use stackless_bvh::traverse::{Stack, traverse};

@@ -1,8 +1,7 @@
 //! Ray tracers by others.
 
 use cpu_time::ProcessTime;
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::Accuracy;
 use stackless_peers as peers;
 

@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 use std::convert::Infallible;
 
-use embedded_graphics::Drawable;
-use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{OriginDimensions, Point, Size as Extent};
-use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_7X13};
+use embedded_graphics::mono_font::MonoTextStyle;
+use embedded_graphics::mono_font::ascii::FONT_7X13;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::text::{Alignment, Baseline, Text};
+use embedded_graphics::{Drawable, Pixel};
 use png::{BitDepth, ColorType, Compression, Encoder, EncodingError};
 
 use crate::camera::Size;

@@ -4,8 +4,7 @@ use std::hint::black_box;
 
 use serde::Serialize;
 use stackless_bvh::bvh::{BuildOptions, Bvh};
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::{self, Ask, Asked, Part, Plan, Tracer};
 use stackless_bvh::traverse::{Method, Unfit};
 
