@@ -7,7 +7,8 @@ use stackless_bvh::generate::{Exhaustive, Family, Kind, Rng, Search, Source, Tap
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{Descent, Flow, Visitor};
 use stackless_bvh::traverse::{Afra, Cursor, Cuts, HashOnly, Method, Piece, Split, Stack, Unfit, traverse};
-use stackless_bvh::tree::{Linked, Node, Recorded, Topology, Tree};
+use stackless_bvh::tree::{Linked, Node, Topology, Tree};
+use stackless_check::planted::Shallow;
 use stackless_check::{Battery, Case, CaseOptions, Fault, Pieces, Verdict, Watch};
 
 fn methods() -> Vec<Method> {
@@ -286,40 +287,11 @@ mod bites {
         }
     }
 
-    /// A tree that says it is as deep as a byte carries.
-    struct Shallow<'t>(Linked<'t, Tree>);
-
-    impl Topology for Shallow<'_> {
-        fn root(&self) -> Node {
-            self.0.root()
-        }
-        fn children(&self, node: Node) -> [Node; 2] {
-            self.0.children(node)
-        }
-        fn node_count(&self) -> usize {
-            self.0.node_count()
-        }
-        fn slot(&self, node: Node) -> usize {
-            self.0.slot(node)
-        }
-        fn depth(&self) -> u32 {
-            self.0.depth().min(8)
-        }
-        fn names(&self, what: Recorded) -> bool {
-            self.0.names(what)
-        }
-        fn parent(&self, node: Node) -> Node {
-            self.0.parent(node)
-        }
-        fn sibling(&self, node: Node) -> Node {
-            self.0.sibling(node)
-        }
-    }
-
     #[test]
     fn a_trail_that_is_carried_over_cuts_is_caught() {
         let faults = faults(|case, search, watch| {
-            let tree = Shallow(Linked::parents(&case.tree));
+            // As deep as a byte carries.
+            let tree = Shallow { tree: Linked::parents(&case.tree), depth: case.tree.depth().min(8) };
             traverse(Afra::<u8, _>::new(&tree).unwrap(), search, watch);
         });
         assert!(faults.iter().any(|fault| matches!(fault, Fault::Early { .. })), "{faults:?}");

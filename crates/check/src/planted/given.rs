@@ -61,8 +61,14 @@ struct Misrecorded<'t> {
     how: Misrecord,
 }
 
-/// A tree that is said to be a level less deep.
-struct Shallow<'t>(Linked<'t, Tree>);
+/// A tree that says it is this deep, whatever it is.
+#[derive(Debug)]
+pub struct Shallow<'t> {
+    /// The tree, with the links that a traversal follows.
+    pub tree: Linked<'t, Tree>,
+    /// What it says.
+    pub depth: u32,
+}
 
 impl Topology for Misrecorded<'_> {
     stackless_bvh::topology_of!(tree);
@@ -81,35 +87,35 @@ impl Topology for Misrecorded<'_> {
 
 impl Topology for Shallow<'_> {
     fn root(&self) -> Node {
-        self.0.root()
+        self.tree.root()
     }
     fn children(&self, node: Node) -> [Node; 2] {
-        self.0.children(node)
+        self.tree.children(node)
     }
     fn node_count(&self) -> usize {
-        self.0.node_count()
+        self.tree.node_count()
     }
     fn slot(&self, node: Node) -> usize {
-        self.0.slot(node)
+        self.tree.slot(node)
     }
     fn names(&self, what: Recorded) -> bool {
-        self.0.names(what)
+        self.tree.names(what)
     }
     fn parent(&self, node: Node) -> Node {
-        self.0.parent(node)
+        self.tree.parent(node)
     }
     fn sibling(&self, node: Node) -> Node {
-        self.0.sibling(node)
+        self.tree.sibling(node)
     }
     fn depth(&self) -> u32 {
-        self.0.depth().saturating_sub(1)
+        self.depth
     }
 }
 
 /// A traversal in words of 64 bits that takes a tree of 64 levels for one of 63.
 pub(super) fn shallow() -> Planted {
     let run = Planted::any("", "DEPTH-1", |tree, _, visitor, watcher| {
-        let shallow = Shallow(Linked::parents(tree));
+        let shallow = Shallow { tree: Linked::parents(tree), depth: tree.depth().saturating_sub(1) };
         if let Ok(cursor) = Sparse::<u64, _>::new(&shallow) {
             drive(cursor, visitor, watcher);
         }

@@ -25,6 +25,7 @@ mod slabs;
 mod tables;
 mod wrapped;
 
+pub use given::Shallow;
 pub use layers::{Hits, Instead, LAYERS, Layer, Mistake, Table};
 pub use list::{Seer, all, controls, marks, rows, unseen};
 pub use lookups::Function;
