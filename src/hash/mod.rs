@@ -29,7 +29,7 @@ pub use perfect::{Header, Mix, PerfectHash, Sizing};
 pub use verified::Verified;
 
 use crate::key::KeyWord;
-use crate::tree::{Implicit, Node};
+use crate::tree::{Implicit, ImplicitCells, Node};
 
 /// Maps the keys of a tree's nodes to their addresses.
 pub trait Lookup<W> {
@@ -47,6 +47,13 @@ impl<W, L: Lookup<W>> Lookup<W> for &L {
 }
 
 impl<W: KeyWord> Lookup<W> for Implicit {
+    #[inline]
+    fn node(&self, key: &W) -> Node {
+        self.cells().node(key)
+    }
+}
+
+impl<W: KeyWord> Lookup<W> for ImplicitCells<'_> {
     /// Every node of the tree is there; for a key of no node the answer is meaningless (and a panic in debug builds).
     #[inline]
     fn node(&self, key: &W) -> Node {

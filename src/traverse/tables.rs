@@ -12,7 +12,7 @@ use crate::event::Recorder;
 use crate::hash::{KeySet, Lookup, Options, PerfectHash, Sizing, Verified};
 use crate::key::{Grow, KeyWord};
 use crate::order::{self, ByNode, FixedOrder, NodeTest, Pruned, SignOrder};
-use crate::tree::{Implicit, Keys, Linked, Links, Node, Reach, Recorded, Topology};
+use crate::tree::{ImplicitCells, Keys, Linked, Links, Node, Reach, Recorded, Topology};
 
 /// A tree with the tables that a choice of traversals needs beside it; `H` is how perfect hashes are looked up.
 #[derive(Debug)]
@@ -226,7 +226,12 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
     }
 
     /// What cursors are made from.
-    pub fn over<'s, X>(&'s self, tree: &'s X, octant: u8, memory: &'s mut Vec<Node>) -> FromTables<'s, X, H> {
+    pub fn over<'s, X>(
+        &'s self,
+        tree: &'s X,
+        octant: u8,
+        memory: &'s mut Vec<Node>,
+    ) -> FromTables<'s, X, H, &'s Layout> {
         let layout = self.beside.layout.as_ref();
         FromTables { beside: &self.beside, axes: self.axes, tree, layout, octant, memory }
     }
@@ -240,9 +245,9 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
 
     /// What cursors are made from over the tree itself, so that nobody asks at each read where links and addresses are.
     #[inline]
-    pub fn directly<'s>(&'s self, octant: u8, memory: &'s mut Vec<Node>) -> FromTables<'s, T, H, Implicit> {
+    pub fn directly<'s>(&'s self, octant: u8, memory: &'s mut Vec<Node>) -> FromTables<'s, T, H, ImplicitCells<'s>> {
         let layout = match &self.beside.layout {
-            Some(Layout::Implicit(layout)) => Some(layout),
+            Some(Layout::Implicit(layout)) => Some(layout.cells()),
             _ => None,
         };
         FromTables { beside: &self.beside, axes: self.axes, tree: self.tree, layout, octant, memory }
@@ -260,20 +265,20 @@ pub trait WithCursor<W> {
 
 /// Tables, and what differs from one search to the next.
 #[derive(Debug)]
-pub struct FromTables<'s, X, H, L = Layout> {
+pub struct FromTables<'s, X, H, L> {
     beside: &'s Beside<H>,
-    layout: Option<&'s L>,
+    layout: Option<L>,
     axes: &'s [u8],
     tree: &'s X,
     octant: u8,
     memory: &'s mut Vec<Node>,
 }
 
-impl<'s, W: KeyWord, X: Topology, H: Lookup<W>, L: Lookup<W>> Supply<'s, W> for FromTables<'s, X, H, L> {
+impl<'s, W: KeyWord, X: Topology, H: Lookup<W>, L: Lookup<W> + Copy> Supply<'s, W> for FromTables<'s, X, H, L> {
     type Tree = X;
     type Memory = &'s mut Vec<Node>;
     type Hash = &'s H;
-    type Layout = &'s L;
+    type Layout = L;
     type Complete = &'s Complete;
     type Chains = &'s Glassner;
     type BySign = SignOrder<'s>;
@@ -304,7 +309,7 @@ impl<'s, W: KeyWord, X: Topology, H: Lookup<W>, L: Lookup<W>> Supply<'s, W> for 
     }
 
     #[inline]
-    fn layout(&self) -> Result<&'s L, Unfit> {
+    fn layout(&self) -> Result<L, Unfit> {
         self.layout.ok_or(Unfit::NoTable)
     }
 

@@ -95,10 +95,28 @@ impl Implicit {
         self.pages * PAGE_CELLS * size_of::<u32>()
     }
 
+    /// Its cells: for many lookups.
+    #[inline]
+    pub fn cells(&self) -> ImplicitCells<'_> {
+        ImplicitCells(self.cells.as_slice())
+    }
+
     /// The node at an address; `None` in a gap and beyond the last level.
     #[inline]
     pub fn at(&self, address: usize) -> Option<Node> {
-        let cell = *self.cells.as_slice().get(address)?;
+        self.cells().at(address)
+    }
+}
+
+/// The cells of an [`Implicit`] layout. Where they are is found once, and not for each node.
+#[derive(Clone, Copy, Debug)]
+pub struct ImplicitCells<'t>(&'t [u32]);
+
+impl ImplicitCells<'_> {
+    /// As [`Implicit::at`].
+    #[inline]
+    pub fn at(&self, address: usize) -> Option<Node> {
+        let cell = *self.0.get(address)?;
         cell.checked_sub(1).map(Node::from_bits)
     }
 }

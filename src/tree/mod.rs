@@ -11,7 +11,7 @@ mod linked;
 mod links;
 
 pub use arena::{Tree, TreeError};
-pub use implicit::{Implicit, ImplicitError};
+pub use implicit::{Implicit, ImplicitCells, ImplicitError};
 pub use keys::Keys;
 pub use linked::Linked;
 pub use links::{Links, Parents, Reach, Uncles};
