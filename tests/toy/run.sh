@@ -4,6 +4,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 toy=$PWD/tests/toy
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
+# It runs little, so what takes time is the compiler.
+export CARGO_PROFILE_DEV_OPT_LEVEL=0 CARGO_PROFILE_DEV_DEBUG=none
 
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
