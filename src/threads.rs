@@ -25,7 +25,10 @@ pub(crate) fn join(a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
     #[cfg(feature = "parallel")]
     rayon::join(a, b);
     #[cfg(not(feature = "parallel"))]
-    (a(), b());
+    {
+        a();
+        b();
+    }
 }
 
 /// What `f` makes of each index, in order. A thread takes at least `least` at once.

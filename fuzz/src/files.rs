@@ -15,7 +15,7 @@ pub(crate) fn ply(bytes: &[u8]) {
 
 /// An OBJ file.
 pub(crate) fn obj(bytes: &[u8]) {
-    right(check_mesh_file(bytes, read_obj), bytes.escape_ascii());
+    right(check_mesh_file(bytes, |bytes| read_obj(bytes).map(|(mesh, _)| mesh)), bytes.escape_ascii());
 }
 
 /// A file of rays.

@@ -23,7 +23,7 @@ mod rays;
 mod text;
 
 pub use error::{Fault, Place, ReadError, SceneError};
-pub use obj::read_obj;
+pub use obj::{Skipped, read_obj};
 pub use output::write_atomically;
 pub use ply::read_ply;
 pub use property::{FileFault, check_mesh_file, check_ray_file};
@@ -33,21 +33,32 @@ use std::path::Path;
 
 use stackless_bvh::geom::Mesh;
 
+/// What a mesh file holds.
+#[derive(Clone, Debug)]
+pub struct Loaded {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// What was skipped because the format does not have it.
+    pub skipped: Option<Skipped>,
+}
+
 /// Reads the triangle mesh in a `.ply` or `.obj` file (either case of letters); see [`read_ply`] and [`read_obj`].
 ///
 /// # Errors
 /// [`SceneError`]: unknown extension, unreadable file, or content that is not a mesh.
-pub fn load(path: &Path) -> Result<Mesh, SceneError> {
+pub fn load(path: &Path) -> Result<Loaded, SceneError> {
     let extension = path.extension().unwrap_or_default();
     let read = if extension.eq_ignore_ascii_case("ply") {
-        read_ply
+        |bytes: &[u8]| read_ply(bytes).map(|mesh| (mesh, None))
     } else if extension.eq_ignore_ascii_case("obj") {
         read_obj
     } else {
         return Err(SceneError::Extension { file: path.into() });
     };
     let bytes = std::fs::read(path).map_err(|error| SceneError::Io { file: path.into(), error })?;
-    read(&bytes).map_err(|error| SceneError::Content { file: path.into(), error: error.into() })
+    let (mesh, skipped) =
+        read(&bytes).map_err(|error| SceneError::Content { file: path.into(), error: error.into() })?;
+    Ok(Loaded { mesh, skipped })
 }
 
 #[cfg(test)]

@@ -4,22 +4,35 @@ use super::error::{Fault, ReadError};
 use stackless_bvh::geom::Mesh;
 
 use super::fan::Fan;
-use super::text::{Lines, quote};
+use super::text::{End, Lines, quote, without_mark};
 use glam::Vec3;
+use std::fmt;
 use std::str::SplitAsciiWhitespace;
 
 /// Reads a mesh from the bytes of an OBJ file.
 ///
-/// Statements `v` (of which the first three numbers count) and `f` are read, with comments and lines continued by a
-/// backslash; all others are skipped. Coordinates are rounded to single precision. A corner is `a`, `a/b`, `a//c` or
-/// `a/b/c`, where `a` counts vertices from 1, or backwards from the last one so far if negative; it may point to a
-/// vertex that follows. A polygon becomes the triangles `(0, i, i + 1)` of its corners.
+/// Statements `v` (of which the first three numbers count) and `f` (or `fo`) are read, with comments and lines continued by a
+/// backslash. A line ends with a line feed, a carriage return, or both; a byte order mark does not count. Coordinates
+/// are rounded to single precision. A corner is `a`, `a/b`, `a//c` or `a/b/c`, where `a` counts vertices from 1, or
+/// backwards from the last one so far if negative; it may point to a vertex that follows. A polygon becomes the
+/// triangles `(0, i, i + 1)` of its corners.
+///
+/// Statements of the format that say nothing of triangles are skipped. Those that the format does not have are skipped
+/// too, and counted.
+///
+/// ```
+/// let (mesh, skipped) = stackless_scene::read_obj(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nfacet 1 2 3\nf 1 2 3\n")?;
+/// assert_eq!(mesh.triangles(), [[0, 1, 2]]);
+/// let said = "1 statement that OBJ does not have was skipped, the first in line 4: \"facet\"";
+/// assert_eq!(skipped.map(|skipped| skipped.to_string()).as_deref(), Some(said));
+/// # Ok::<(), stackless_scene::ReadError>(())
+/// ```
 ///
 /// # Errors
 /// [`ReadError`], naming the line on which the statement begins.
-pub fn read_obj(bytes: &[u8]) -> Result<Mesh, ReadError> {
+pub fn read_obj(bytes: &[u8]) -> Result<(Mesh, Option<Skipped>), ReadError> {
     let mut draft = Draft::default();
-    let mut lines = Lines::new(bytes, b'\n');
+    let mut lines = Lines::new(without_mark(bytes), End::Any);
     let mut statement = Vec::new();
     while let Some(first) = lines.next() {
         draft.line = lines.number();
@@ -28,13 +41,45 @@ pub fn read_obj(bytes: &[u8]) -> Result<Mesh, ReadError> {
         let mut words = text.split_ascii_whitespace();
         match words.next() {
             Some("v") => draft.vertex(words),
-            Some("f") => draft.face(words),
+            // As of version 2.11 of the format, the old name is read as the new one.
+            Some("f" | "fo") => draft.face(words),
+            Some(word) if !OTHERS.contains(&word) => {
+                draft.skip(word);
+                Ok(())
+            }
             _ => Ok(()),
         }
         .map_err(|fault| fault.at_line(draft.line))?;
     }
     draft.finish()
 }
+
+/// Statements of a file that the format does not have.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Skipped {
+    /// How many there are.
+    pub count: u64,
+    /// The line of the first one, counted from 1.
+    pub line: u64,
+    /// Its first word, quoted and shortened.
+    pub word: String,
+}
+
+impl fmt::Display for Skipped {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { count, line, word } = self;
+        let (statements, were) = if *count == 1 { ("statement", "was") } else { ("statements", "were") };
+        write!(f, "{count} {statements} that OBJ does not have {were} skipped, the first in line {line}: {word}")
+    }
+}
+
+/// Statements that say nothing of triangles: the manual's, and those of its version 2.11.
+#[rustfmt::skip]
+const OTHERS: [&str; 42] = [
+    "vt", "vn", "vp", "cstype", "deg", "bmat", "step", "p", "l", "curv", "curv2", "surf", "parm", "trim", "hole",
+    "scrv", "sp", "end", "con", "g", "s", "mg", "o", "bevel", "c_interp", "d_interp", "lod", "usemtl", "mtllib",
+    "usemap", "maplib", "shadow_obj", "trace_obj", "ctech", "stech", "call", "csh", "bsp", "bzp", "cdc", "cdp", "res",
+];
 
 /// Puts a line and those that continue it into `statement`.
 fn join<'a>(first: &'a [u8], lines: &mut Lines<'a>, statement: &mut Vec<u8>) {
@@ -67,9 +112,15 @@ struct Draft {
     triangles: Vec<[u32; 3]>,
     /// Corners (line and number) that were ahead of the vertices when they came.
     ahead: Vec<(u64, i64)>,
+    skipped: Option<Skipped>,
 }
 
 impl Draft {
+    fn skip(&mut self, word: &str) {
+        let first = || Skipped { count: 0, line: self.line, word: quote(word) };
+        self.skipped.get_or_insert_with(first).count += 1;
+    }
+
     fn vertex(&mut self, mut words: SplitAsciiWhitespace<'_>) -> Result<(), Fault> {
         let mut position = [0.0_f32; 3];
         for (axis, coordinate) in position.iter_mut().enumerate() {
@@ -115,12 +166,12 @@ impl Draft {
         Fault::Index { found: number.to_string(), expected }
     }
 
-    fn finish(self) -> Result<Mesh, ReadError> {
+    fn finish(self) -> Result<(Mesh, Option<Skipped>), ReadError> {
         let count = self.vertices.len() as i64;
         if let Some(&(line, number)) = self.ahead.iter().find(|(_, number)| *number > count) {
             return Err(self.out_of_range(number).at_line(line));
         }
-        Ok(Mesh::new(self.vertices, self.triangles)?)
+        Ok((Mesh::new(self.vertices, self.triangles)?, self.skipped))
     }
 }
 

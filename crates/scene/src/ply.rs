@@ -8,7 +8,7 @@ use super::error::{Fault, Place, ReadError};
 use stackless_bvh::geom::Mesh;
 
 use super::fan::Fan;
-use super::text::{Lines, quote};
+use super::text::{End, Lines, quote, without_mark};
 use glam::Vec3;
 use std::str::SplitAsciiWhitespace;
 
@@ -18,15 +18,16 @@ use std::str::SplitAsciiWhitespace;
 /// `vertex_index`), each of any type; all else is skipped. Coordinates are rounded to single precision. A polygon
 /// becomes the triangles `(0, i, i + 1)` of its corners.
 ///
-/// The file must be what its header says: in ascii one element a line (blank lines do not count), and nothing but
+/// A byte order mark before the header does not count. The file must be what its header says: in ascii one element a line (blank lines do not count), and nothing but
 /// white space after the last element, since more bytes than promised mean a wrong count or type.
 ///
 /// # Errors
 /// [`ReadError`], naming the line of a header or an ascii file, or the element of a binary one.
 pub fn read_ply(bytes: &[u8]) -> Result<Mesh, ReadError> {
+    let bytes = without_mark(bytes);
     // A lone carriage return ends lines only where it ends the first: binary data may begin with a line feed.
     let lone_return = bytes.starts_with(b"ply\r") && !bytes.starts_with(b"ply\r\n");
-    let mut lines = Lines::new(bytes, if lone_return { b'\r' } else { b'\n' });
+    let mut lines = Lines::new(bytes, if lone_return { End::Return } else { End::LineFeed });
     let header = Header::read(&mut lines)?;
     match header.encoding {
         Encoding::Ascii => read_body(&header, Ascii { lines, words: "".split_ascii_whitespace() }),

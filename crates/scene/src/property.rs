@@ -43,7 +43,7 @@ pub fn check_mesh_file(bytes: &[u8], read: fn(&[u8]) -> Result<Mesh, ReadError>)
     if elements >= bytes.len() {
         return Err(FileFault::Size { elements, bytes: bytes.len() });
     }
-    for back in [read_obj(as_obj(&mesh).as_bytes()), read_ply(as_ply(&mesh).as_bytes())] {
+    for back in [read_obj(as_obj(&mesh).as_bytes()).map(|(mesh, _)| mesh), read_ply(as_ply(&mesh).as_bytes())] {
         let back = back.map_err(|error| FileFault::Changed(error.to_string()))?;
         if bits(&back) != bits(&mesh) || back.triangles() != mesh.triangles() {
             return Err(FileFault::Changed(format!("{back:?} instead of {mesh:?}")));

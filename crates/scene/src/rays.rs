@@ -1,6 +1,6 @@
 //! Rays to trace and hits found, as comma-separated values.
 
-use super::text::{one_line, quote};
+use super::text::{one_line, quote, without_mark};
 use glam::Vec3;
 use stackless_bvh::geom::{Ray, RayError};
 use std::fs::File;
@@ -9,6 +9,9 @@ use std::path::{Path, PathBuf};
 
 /// Names of the columns, in order.
 const COLUMNS: [&str; 8] = ["ox", "oy", "oz", "dx", "dy", "dz", "tmin", "tmax"];
+
+/// Longest line, in bytes: eight numbers take a few hundred.
+const LONGEST: usize = 4096;
 
 /// Why a file holds no rays. One line that begins with the file.
 #[derive(Debug, thiserror::Error)]
@@ -42,6 +45,9 @@ pub enum RayFileError {
 /// Why a line is not a ray.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RayFault {
+    /// It is longer than any ray.
+    #[error("more than {LONGEST} bytes, expected {}", COLUMNS.join(","))]
+    Length,
     /// Too many or too few columns.
     #[error("{found} columns, expected {}: {}", COLUMNS.len(), COLUMNS.join(","))]
     Columns {
@@ -65,8 +71,9 @@ pub enum RayFault {
 
 /// Reads rays from a file of comma-separated values, one a line: `ox,oy,oz,dx,dy,dz,tmin,tmax`.
 ///
-/// These names may stand above the rays. Blank lines and lines that begin with `#` are skipped. Numbers are rounded
-/// to single precision; only `tmax` may be `inf`.
+/// These names may stand above the rays. Blank lines and lines that begin with `#` are skipped. A line ends with a line
+/// feed, a carriage return, or both, and is at most 4 KiB long; a byte order mark does not count. Numbers are rounded to
+/// single precision; only `tmax` may be `inf`.
 ///
 /// # Errors
 /// [`RayFileError`]; for a bad line it names line and column.
@@ -85,23 +92,52 @@ pub fn read_rays_from(mut reader: impl BufRead, name: impl AsRef<Path>) -> Resul
     let mut names_may_follow = true;
     let mut bytes = Vec::new();
     for line in 1.. {
-        bytes.clear();
-        let length = reader.read_until(b'\n', &mut bytes);
-        if length.map_err(|error| RayFileError::Io { file: file(), error })? == 0 {
+        if !read_line(&mut reader, &mut bytes).map_err(|error| RayFileError::Io { file: file(), error })? {
             break;
         }
-        let text = String::from_utf8_lossy(&bytes);
+        let at = |fault| RayFileError::Line { file: file(), line, fault };
+        if bytes.len() > LONGEST {
+            return Err(at(RayFault::Length));
+        }
+        let content = if line == 1 { without_mark(&bytes) } else { &bytes };
+        let text = String::from_utf8_lossy(content);
         let text = text.trim();
         if text.is_empty() || text.starts_with('#') {
             continue;
         }
         if !(names_may_follow && text.split(',').map(str::trim).eq(COLUMNS)) {
-            let ray = parse(text).map_err(|fault| RayFileError::Line { file: file(), line, fault })?;
-            rays.push(ray);
+            rays.push(parse(text).map_err(at)?);
         }
         names_may_follow = false;
     }
     if rays.is_empty() { Err(RayFileError::Empty { file: file() }) } else { Ok(rays) }
+}
+
+/// Reads a line without what ends it, and of one that is too long no more than shows it. `false` at the end.
+fn read_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
+    line.clear();
+    let mut is_end = true;
+    while line.len() <= LONGEST {
+        let available = reader.fill_buf()?;
+        if available.is_empty() {
+            return Ok(!is_end);
+        }
+        is_end = false;
+        let end = available.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
+        let taken = end.unwrap_or(available.len()).min(LONGEST + 1 - line.len());
+        line.extend_from_slice(&available[..taken]);
+        let Some(end) = end.filter(|&end| end == taken) else {
+            reader.consume(taken);
+            continue;
+        };
+        let is_return = available[end] == b'\r';
+        reader.consume(end + 1);
+        if is_return && reader.fill_buf()?.first() == Some(&b'\n') {
+            reader.consume(1);
+        }
+        break;
+    }
+    Ok(true)
 }
 
 fn parse(line: &str) -> Result<Ray, RayFault> {

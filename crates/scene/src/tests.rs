@@ -86,10 +86,10 @@ fn refusal(path: &Path) -> String {
 
 #[test]
 fn both_formats_give_the_same_cube() {
-    let cube = load(&data("cube.ply")).unwrap();
+    let cube = load(&data("cube.ply")).unwrap().mesh;
     assert_eq!((cube.vertices().len(), cube.triangles().len()), (8, 12));
     assert_eq!(cube.triangles()[..4], [[0, 3, 2], [0, 2, 1], [4, 5, 6], [4, 6, 7]]);
-    assert_eq!(load(&data("cube.obj")).unwrap(), cube);
+    assert_eq!(load(&data("cube.obj")).unwrap().mesh, cube);
 }
 
 #[test]
@@ -97,7 +97,7 @@ fn the_extension_may_be_in_capitals_and_must_be_known() {
     let folder = Folder::new("extension");
     for name in ["cube.PLY", "cube.Obj"] {
         fs::copy(data(&name.to_lowercase()), folder.file(name)).unwrap();
-        assert_eq!(load(&folder.file(name)).unwrap(), load(&data("cube.ply")).unwrap());
+        assert_eq!(load(&folder.file(name)).unwrap().mesh, load(&data("cube.ply")).unwrap().mesh);
     }
     for (name, found) in [
         ("a.stl", "extension \"stl\""),

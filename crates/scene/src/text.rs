@@ -2,18 +2,43 @@
 
 use std::path::Path;
 
+/// The bytes without the mark that some editors write before UTF-8.
+pub(super) fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
+}
+
 /// The lines of a file with their numbers, without terminator and surrounding white space.
 #[derive(Clone)]
 pub(super) struct Lines<'a> {
     rest: &'a [u8],
     number: u64,
-    terminator: u8,
+    end: End,
+}
+
+/// What ends a line. A carriage return before a line feed belongs to it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum End {
+    /// A line feed.
+    LineFeed,
+    /// A carriage return.
+    Return,
+    /// Either.
+    Any,
+}
+
+impl End {
+    fn is(self, byte: u8) -> bool {
+        match self {
+            Self::LineFeed => byte == b'\n',
+            Self::Return => byte == b'\r',
+            Self::Any => matches!(byte, b'\n' | b'\r'),
+        }
+    }
 }
 
 impl<'a> Lines<'a> {
-    /// Lines end with `terminator`; a carriage return before a line feed counts as white space.
-    pub(super) fn new(bytes: &'a [u8], terminator: u8) -> Self {
-        Self { rest: bytes, number: 0, terminator }
+    pub(super) fn new(bytes: &'a [u8], end: End) -> Self {
+        Self { rest: bytes, number: 0, end }
     }
 
     /// Number of the line that came last, counted from 1.
@@ -34,12 +59,14 @@ impl<'a> Iterator for Lines<'a> {
         if self.rest.is_empty() {
             return None;
         }
-        let end = self.rest.iter().position(|&byte| byte == self.terminator);
+        let end = self.rest.iter().position(|&byte| self.end.is(byte));
         let (line, rest) = match end {
-            Some(end) => (&self.rest[..end], &self.rest[end + 1..]),
-            None => (self.rest, &[][..]),
+            Some(end) if self.end == End::Any && self.rest[end..].starts_with(b"\r\n") => (end, end + 2),
+            Some(end) => (end, end + 1),
+            None => (self.rest.len(), self.rest.len()),
         };
-        self.rest = rest;
+        let line = &self.rest[..line];
+        self.rest = &self.rest[rest..];
         self.number += 1;
         Some(line.trim_ascii())
     }

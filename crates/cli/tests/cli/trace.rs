@@ -7,7 +7,6 @@ use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::{Hit, Truth};
 use stackless_bvh::traverse::Method;
-use stackless_scene::{self};
 
 use super::support::{Folder, data, stackless};
 
@@ -78,7 +77,7 @@ fn assert_true(mesh: &Mesh, scene: &Path, rays: &[Ray], methods: &[Method]) {
 #[test]
 fn every_method_on_a_mesh_file() {
     for name in ["cube.ply", "cube.obj"] {
-        let mesh = stackless_scene::load(&data(name)).unwrap();
+        let mesh = stackless_scene::load(&data(name)).unwrap().mesh;
         assert_true(&mesh, &data(name), &procedural::rays(&mesh, 3, 500), &Method::ALL);
     }
 }
@@ -99,7 +98,7 @@ fn every_made_scene() {
 
 #[test]
 fn the_method_of_choice_is_hashed() {
-    let mesh = stackless_scene::load(&data("cube.ply")).unwrap();
+    let mesh = stackless_scene::load(&data("cube.ply")).unwrap().mesh;
     let rays = procedural::rays(&mesh, 3, 500);
     let by_default = trace(&data("cube.ply"), &rays, "");
     assert_eq!(by_default, trace(&data("cube.ply"), &rays, "--method hashed"));

@@ -3,8 +3,12 @@ use crate::tests::{Random, survives_corruption};
 
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
+fn mesh(bytes: &[u8]) -> Result<Mesh, ReadError> {
+    read_obj(bytes).map(|(mesh, _)| mesh)
+}
+
 fn triangles(text: &str) -> Vec<[u32; 3]> {
-    read_obj(text.as_bytes()).unwrap().triangles().to_vec()
+    mesh(text.as_bytes()).unwrap().triangles().to_vec()
 }
 
 fn refusal(text: &str) -> String {
@@ -44,12 +48,19 @@ fn white_space_comments_and_continuations_do_not_matter() {
     let plain = format!("{TRIANGLE}f 1 2 3\n");
     let variants = [
         plain.replace('\n', "\r\n"),
+        plain.replace('\n', "\r"),
+        plain.replace('\n', "\r\r\n"),
+        format!("# a comment\r{plain}"),
+        format!("\u{feff}{plain}"),
+        format!("\u{feff}{}", plain.replace('\n', "\r")),
+        plain.replace("\nf ", "\nfo "),
+        plain.replace(' ', " \\\r "),
         plain.replace('\n', " # f 1 1 9\n"),
         plain.replace(' ', " \\\n "),
         plain.replace(' ', " \\\r\n\t"),
         plain.replace("\nf ", " # C:\\\n \tf\t"),
         plain.trim_end().to_owned(),
-        format!("mtllib \u{e9}.mtl\no x\ng\ns off\nusemtl y\nvn 0 0 nan\nvt 1\nl 1 2\np 1\nfo 1\n{plain}"),
+        format!("mtllib \u{e9}.mtl\no x\ng\ns off\nusemtl y\nvn 0 0 nan\nvt 1\nl 1 2\np 1\n{plain}"),
         plain.replace("1 0 0", "1 0 0 1.0 0.5 0.5 0.5"),
     ];
     for text in variants {
@@ -61,10 +72,24 @@ fn white_space_comments_and_continuations_do_not_matter() {
 }
 
 #[test]
+fn what_the_format_does_not_have_is_counted() {
+    let skipped = |text: &str| read_obj(text.as_bytes()).unwrap().1;
+    let plain = format!("{TRIANGLE}f 1 2 3\n");
+    assert_eq!(skipped(&plain), None);
+    let of = |count, line, word: &str| Some(Skipped { count, line, word: word.into() });
+    assert_eq!(skipped(&format!("o a\rs off\rV 0 0 0\r{plain}")), of(1, 3, "\"V\""));
+    assert_eq!(skipped(&format!("vt 1\n{plain}vx 1\n\nfacet 1 2 3\n")), of(2, 6, "\"vx\""));
+    // A mark counts only where the file begins.
+    assert_eq!(skipped(&format!("\n\u{feff}g\n{plain}")), of(1, 2, "\"\\u{feff}g\""));
+    let long = "x".repeat(100_000);
+    assert!(skipped(&format!("{long}\n{plain}")).unwrap().to_string().len() < 200);
+}
+
+#[test]
 fn coordinates_are_the_nearest_floats() {
     // Just above the middle between 1 and the next float: a detour through a double would round down.
     let text = "v 1.000000059604644775390625000001 .5 -5.\nf 1 1 1\n";
-    let mesh = read_obj(text.as_bytes()).unwrap();
+    let mesh = self::mesh(text.as_bytes()).unwrap();
     assert_eq!(mesh.vertices()[0].to_array(), [1.000_000_1, 0.5, -5.0]);
 
     let mut random = Random(1);
@@ -72,7 +97,7 @@ fn coordinates_are_the_nearest_floats() {
         let value = f32::from_bits(random.next() as u32);
         if value.is_finite() {
             let text = format!("v {value} {value:e} {value:?}\nf 1 1 1\n");
-            let mesh = read_obj(text.as_bytes()).unwrap();
+            let mesh = self::mesh(text.as_bytes()).unwrap();
             assert_eq!(mesh.vertices()[0].to_array().map(f32::to_bits), [value.to_bits(); 3], "{text}");
         }
     }
@@ -113,5 +138,5 @@ fn each_error_names_its_line() {
 #[test]
 fn corrupted_files_never_panic() {
     let valid = format!("# two\n{TRIANGLE}v 1 1 \\\n 0.5e-3\nf 1/1/1 2//2 3/3 -1\nf 3 2 1\n");
-    survives_corruption(valid.as_bytes(), 0, read_obj, 5_000);
+    survives_corruption(valid.as_bytes(), 0, mesh, 5_000);
 }

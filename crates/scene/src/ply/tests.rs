@@ -181,6 +181,11 @@ fn lines_end_in_any_way() {
         assert_eq!(read(&QUAD.replace('\n', end)), read(QUAD), "{end:?}");
     }
     assert_eq!(read(QUAD.trim_end()), read(QUAD));
+    for text in [QUAD.to_owned(), QUAD.replace('\n', "\r")] {
+        assert_eq!(read(&format!("\u{feff}{text}")), read(QUAD));
+    }
+    let marked = [b"\xEF\xBB\xBF", &*encode(QUAD, true)].concat();
+    assert_eq!(read_ply(&marked).unwrap(), read(QUAD));
 
     // The first coordinate begins with the byte of a line feed, which does not belong to the header.
     let ascii = QUAD.replacen("0 0 0", &format!("{:e} 0 0", f32::from_bits(0x0A)), 1);

@@ -22,6 +22,28 @@ fn names_blank_lines_and_comments_are_skipped() {
         ]
     );
     assert_eq!(read(&text.replace("ox,oy,oz,dx,dy,dz,tmin,tmax", "#")).unwrap(), rays);
+    // However lines end, and whatever the size of what is read at once.
+    let plain = text.replace("\r\n", "\n");
+    for end in ["\n", "\r", "\r\n", "\r\r\n"] {
+        for mark in ["", "\u{feff}"] {
+            let text = format!("{mark}{}", plain.replace('\n', end));
+            for capacity in [1, 2, 7, 4096] {
+                let reader = BufReader::with_capacity(capacity, text.as_bytes());
+                assert_eq!(read_rays_from(reader, "rays.csv").unwrap(), rays, "{text:?}");
+            }
+        }
+    }
+    assert_eq!(refusal("#\r\n#\r#\n1\r"), read("\n\n\n1").unwrap_err().to_string());
+}
+
+#[test]
+fn a_line_without_end_is_refused_before_memory_is_gone() {
+    let endless = BufReader::new(io::repeat(b'0'));
+    let message = read_rays_from(endless, "rays.csv").unwrap_err().to_string();
+    assert_eq!(message, "rays.csv: line 1: more than 4096 bytes, expected ox,oy,oz,dx,dy,dz,tmin,tmax");
+    let long = |length: usize| format!("{}0,0,0,0,0,1,0,1\n", " ".repeat(length - 15));
+    assert_eq!(read(&long(4096)).unwrap().len(), 1);
+    assert!(matches!(read(&long(4097)), Err(RayFileError::Line { line: 1, fault: RayFault::Length, .. })));
 }
 
 #[test]

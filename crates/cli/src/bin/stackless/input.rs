@@ -9,7 +9,7 @@ use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::{Method, WordName};
-use stackless_scene::{self, SceneError};
+use stackless_scene::{Loaded, SceneError};
 use stackless_suite::Level;
 
 /// A scene with its name.
@@ -29,7 +29,11 @@ impl Scene {
             return Ok(Self { name: name.into_owned(), mesh });
         }
         let stem = path.file_stem().map_or_else(|| name.clone(), |stem| stem.to_string_lossy());
-        Ok(Self { name: stem.into_owned(), mesh: stackless_scene::load(path)? })
+        let Loaded { mesh, skipped } = stackless_scene::load(path)?;
+        if let Some(skipped) = skipped {
+            eprintln!("{}: {skipped}", path.display());
+        }
+        Ok(Self { name: stem.into_owned(), mesh })
     }
 }
 
