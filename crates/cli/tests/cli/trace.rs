@@ -75,6 +75,22 @@ fn assert_true(mesh: &Mesh, scene: &Path, rays: &[Ray], methods: &[Method]) {
 }
 
 #[test]
+fn what_a_mesh_file_has_beyond_its_format_is_said() {
+    let folder = Folder::new();
+    let (mesh, rays) = (folder.path("odd.obj"), folder.file("rays.csv", "0.25,0.25,-1,0,0,1,0,inf\r"));
+    let args: [&Path; 4] = [&rays, Path::new("--out"), &folder.path("hits.csv"), &mesh];
+    for (mark, first) in [("", "V 0 0 0"), ("\u{feff}", "# a mark, and no line feed")] {
+        std::fs::write(&mesh, format!("{mark}v 0 0 0\r{first}\rv 1 0 0\rv 0 1 0\rf 1 2 3\r")).unwrap();
+        let run = stackless("trace --rays", &args);
+        assert_eq!(run.code, Some(0), "{run:?}");
+        let said = run.stderr.contains("1 statement that OBJ does not have was skipped, the first in line 2: \"V\"");
+        assert_eq!(said, mark.is_empty(), "{run:?}");
+        let hits = std::fs::read_to_string(folder.path("hits.csv")).unwrap();
+        assert_eq!(hits, "prim,t,u,v\n0,1.0,0.25,0.25\n", "{run:?}");
+    }
+}
+
+#[test]
 fn every_method_on_a_mesh_file() {
     for name in ["cube.ply", "cube.obj"] {
         let mesh = stackless_scene::load(&data(name)).unwrap().mesh;

@@ -1,6 +1,7 @@
 //! What the subcommands take in: scenes, names of traversals and words.
 
 use std::ffi::OsStr;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, TypedValueParser};
@@ -31,7 +32,8 @@ impl Scene {
         let stem = path.file_stem().map_or_else(|| name.clone(), |stem| stem.to_string_lossy());
         let Loaded { mesh, skipped } = stackless_scene::load(path)?;
         if let Some(skipped) = skipped {
-            eprintln!("{}: {skipped}", path.display());
+            // A note: that nobody can read it is no reason to fail.
+            let _ = writeln!(std::io::stderr(), "{path:?}: {skipped}");
         }
         Ok(Self { name: stem.into_owned(), mesh })
     }
