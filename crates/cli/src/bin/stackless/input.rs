@@ -33,7 +33,7 @@ impl Scene {
         let Loaded { mesh, skipped } = stackless_scene::load(path)?;
         if let Some(skipped) = skipped {
             // A note: that nobody can read it is no reason to fail.
-            let _ = writeln!(std::io::stderr(), "{path:?}: {skipped}");
+            let _ = writeln!(std::io::stderr(), "{}: {skipped}", name.escape_debug());
         }
         Ok(Self { name: stem.into_owned(), mesh })
     }
