@@ -21,7 +21,7 @@ use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::hash::PerfectHash;
 use stackless_bvh::trace::{Tracer, bounce};
 use stackless_bvh::tree::Topology as _;
-use stackless_scene::{self};
+use stackless_scene::Loaded;
 use stackless_suite::serve;
 
 pub(crate) fn tapes(gpu: &Gpu, trees: usize, seed: u64) -> Result<bool, GpuError> {
@@ -76,6 +76,15 @@ pub(crate) fn suite(gpu: &Gpu, kernel: &str, planted: Option<&str>) -> Result<()
     served.map_err(data)
 }
 
+/// The mesh of a file; what was skipped is said.
+fn load(file: &Path) -> Result<Mesh, GpuError> {
+    let Loaded { mesh, skipped } = stackless_scene::load(file).map_err(data)?;
+    if let Some(skipped) = skipped {
+        eprintln!("{}: {skipped}", file.display());
+    }
+    Ok(mesh)
+}
+
 pub(crate) fn rays(gpu: &Gpu, files: &[PathBuf], count: usize) -> Result<bool, GpuError> {
     let mut good = true;
     for made in Made::ALL.into_iter().filter(|_| files.is_empty()) {
@@ -84,7 +93,7 @@ pub(crate) fn rays(gpu: &Gpu, files: &[PathBuf], count: usize) -> Result<bool, G
         good &= compare(gpu, made.name(), &mesh, &rays, true)?;
     }
     for file in files {
-        let mesh = stackless_scene::load(file).map_err(data)?;
+        let mesh = load(file)?;
         let rays = made::view(&mesh, count, 2);
         good &= compare(gpu, &file.display().to_string(), &mesh, &rays, false)?;
     }
@@ -98,7 +107,7 @@ fn meshes(files: &[PathBuf]) -> Result<Vec<(String, Mesh)>, GpuError> {
         let large = [("soup-20000", procedural::soup(1, 20_000)), ("strands-400", procedural::strands(1, 400))];
         return made.chain(large.map(|(name, mesh)| Ok((name.to_owned(), mesh)))).collect();
     }
-    let load = |file: &PathBuf| Ok((file.display().to_string(), stackless_scene::load(file).map_err(data)?));
+    let load = |file: &PathBuf| Ok((file.display().to_string(), load(file)?));
     files.iter().map(load).collect()
 }
 
