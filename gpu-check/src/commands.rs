@@ -21,7 +21,6 @@ use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::hash::PerfectHash;
 use stackless_bvh::trace::{Tracer, bounce};
 use stackless_bvh::tree::Topology as _;
-use stackless_scene::Loaded;
 use stackless_suite::serve;
 
 pub(crate) fn tapes(gpu: &Gpu, trees: usize, seed: u64) -> Result<bool, GpuError> {
@@ -78,11 +77,11 @@ pub(crate) fn suite(gpu: &Gpu, kernel: &str, planted: Option<&str>) -> Result<()
 
 /// The mesh of a file; what was skipped is said.
 fn load(file: &Path) -> Result<Mesh, GpuError> {
-    let Loaded { mesh, skipped } = stackless_scene::load(file).map_err(data)?;
-    if let Some(skipped) = skipped {
-        eprintln!("{}: {skipped}", file.display());
+    let loaded = stackless_scene::load(file).map_err(data)?;
+    if let Some(note) = loaded.note(file) {
+        eprintln!("{note}");
     }
-    Ok(mesh)
+    Ok(loaded.mesh)
 }
 
 pub(crate) fn rays(gpu: &Gpu, files: &[PathBuf], count: usize) -> Result<bool, GpuError> {

@@ -106,8 +106,9 @@ impl<V: Stored> Bvh<Triangle<V>> {
         let mut bytes = Vec::with_capacity(file_bytes::<V>(node_count, leaf_count, triangle_count) as usize);
         bytes.extend(MAGIC);
         bytes.extend(words.into_iter().chain(counts).flat_map(u32::to_le_bytes));
-        bytes
-            .extend([bounds.lo, bounds.hi].into_iter().flat_map(|corner| corner.to_array()).flat_map(f32::to_le_bytes));
+        for corner in [bounds.lo, bounds.hi] {
+            corner.write(&mut bytes);
+        }
         for BvhNode { planes, children, links } in nodes {
             bytes.extend(planes.as_flattened().iter().flat_map(|plane| plane.to_le_bytes()));
             bytes.extend([children, links].into_iter().flatten().flat_map(|node| node.to_bits().to_le_bytes()));

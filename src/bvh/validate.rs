@@ -135,7 +135,7 @@ pub fn validate<V: Vector>(bvh: &Bvh<Triangle<V>>, mesh: &Mesh<V>) -> Result<(),
             Some(is_held) if bvh.triangles[place as usize].shape == Triangle(mesh.triangle(prim as usize)) => {
                 *is_held = true;
             }
-            _ => return Err(BvhError::Triangle { leaf: sound::leaf_of(bvh, place), prim }),
+            _ => return Err(BvhError::Triangle { leaf: bvh.leaf_of(place as usize), prim }),
         }
     }
     let can_be_hit = |prim: usize| !Triangle(mesh.triangle(prim)).is_degenerate();

@@ -42,6 +42,13 @@ pub struct Loaded {
     pub skipped: Option<Skipped>,
 }
 
+impl Loaded {
+    /// What to tell whoever named the file: one line that begins with it. `None` if all of it was understood.
+    pub fn note(&self, file: &Path) -> Option<String> {
+        self.skipped.as_ref().map(|skipped| format!("{}: {skipped}", text::one_line(file)))
+    }
+}
+
 /// Reads the triangle mesh in a `.ply` or `.obj` file (either case of letters); see [`read_ply`] and [`read_obj`].
 ///
 /// # Errors

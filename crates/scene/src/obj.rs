@@ -11,11 +11,11 @@ use std::str::SplitAsciiWhitespace;
 
 /// Reads a mesh from the bytes of an OBJ file.
 ///
-/// Statements `v` (of which the first three numbers count) and `f` (or `fo`) are read, with comments and lines continued by a
-/// backslash. A line ends with a line feed, a carriage return, or both; a byte order mark does not count. Coordinates
-/// are rounded to single precision. A corner is `a`, `a/b`, `a//c` or `a/b/c`, where `a` counts vertices from 1, or
-/// backwards from the last one so far if negative; it may point to a vertex that follows. A polygon becomes the
-/// triangles `(0, i, i + 1)` of its corners.
+/// Statements `v` (of which the first three numbers count) and `f` (or `fo`) are read, with comments and lines
+/// continued by a backslash. A line ends with a line feed, a carriage return, or both; a byte order mark does not
+/// count. Coordinates are rounded to single precision. A corner is `a`, `a/b`, `a//c` or `a/b/c`, where `a` counts
+/// vertices from 1, or backwards from the last one so far if negative; it may point to a vertex that follows. A polygon
+/// becomes the triangles `(0, i, i + 1)` of its corners.
 ///
 /// Statements of the format that say nothing of triangles are skipped. Those that the format does not have are skipped
 /// too, and counted.

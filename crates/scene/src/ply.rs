@@ -18,8 +18,9 @@ use std::str::SplitAsciiWhitespace;
 /// `vertex_index`), each of any type; all else is skipped. Coordinates are rounded to single precision. A polygon
 /// becomes the triangles `(0, i, i + 1)` of its corners.
 ///
-/// A byte order mark before the header does not count. The file must be what its header says: in ascii one element a line (blank lines do not count), and nothing but
-/// white space after the last element, since more bytes than promised mean a wrong count or type.
+/// A byte order mark before the header does not count. The file must be what its header says: in ascii one element a
+/// line (blank lines do not count), and nothing but white space after the last element, since more bytes than promised
+/// mean a wrong count or type.
 ///
 /// # Errors
 /// [`ReadError`], naming the line of a header or an ascii file, or the element of a binary one.

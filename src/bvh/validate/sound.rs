@@ -25,11 +25,6 @@ pub(in crate::bvh) fn check<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Result<Vec<Ref
     Ok(references)
 }
 
-/// The leaf that holds the triangle at a place, given that the ranges of leaves are sound.
-pub(super) fn leaf_of<S>(bvh: &Bvh<S>, place: u32) -> Node {
-    Node::leaf(bvh.tree.leaves.partition_point(|leaf| leaf.first <= place).saturating_sub(1) as u32)
-}
-
 fn check_nodes<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Result<(), BvhError> {
     let mut walk = Walk { bvh, inner: 0, leaves: 0, end: 0 };
     let mut depth = 0;
@@ -134,8 +129,8 @@ fn check_references<V: Vector>(bvh: &Bvh<Triangle<V>>, references: &[Reference])
     for &[(prim, place), (next_prim, next_place)] in references.array_windows() {
         if prim == next_prim {
             repeated += 1;
-            let leaf = leaf_of(bvh, next_place);
-            if bvh.duplicates == 0 || leaf == leaf_of(bvh, place) {
+            let leaf = bvh.leaf_of(next_place as usize);
+            if bvh.duplicates == 0 || leaf == bvh.leaf_of(place as usize) {
                 return Err(BvhError::Twice { leaf, prim });
             }
             if bvh.triangles[place as usize].shape != bvh.triangles[next_place as usize].shape {
@@ -148,7 +143,9 @@ fn check_references<V: Vector>(bvh: &Bvh<Triangle<V>>, references: &[Reference])
     }
     let count = bvh.dropped.saturating_add(bvh.triangles.len() - repeated);
     match references.last() {
-        Some(&(prim, place)) if prim as usize >= count => Err(BvhError::Triangle { leaf: leaf_of(bvh, place), prim }),
+        Some(&(prim, place)) if prim as usize >= count => {
+            Err(BvhError::Triangle { leaf: bvh.leaf_of(place as usize), prim })
+        }
         _ => Ok(()),
     }
 }
@@ -157,7 +154,7 @@ fn check_references<V: Vector>(bvh: &Bvh<Triangle<V>>, references: &[Reference])
 fn check_cover<V: Vector>(bvh: &Bvh<Triangle<V>>, references: &[Reference]) -> Result<(), BvhError> {
     let own_boxes = bvh.own_boxes();
     let is_covered = |held: &[Reference]| {
-        let boxes: Vec<_> = held.iter().map(|&(_, place)| own_boxes[bvh.slot(leaf_of(bvh, place))]).collect();
+        let boxes: Vec<_> = held.iter().map(|&(_, place)| own_boxes[bvh.slot(bvh.leaf_of(place as usize))]).collect();
         held.first().is_some_and(|&(_, place)| cover::hold(&boxes, &bvh.triangles[place as usize].shape))
     };
     let by_triangle: Vec<_> = references.chunk_by(|(prim, _), (next, _)| prim == next).collect();

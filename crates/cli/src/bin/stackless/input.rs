@@ -10,7 +10,7 @@ use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::{Method, WordName};
-use stackless_scene::{Loaded, SceneError};
+use stackless_scene::SceneError;
 use stackless_suite::Level;
 
 /// A scene with its name.
@@ -30,12 +30,12 @@ impl Scene {
             return Ok(Self { name: name.into_owned(), mesh });
         }
         let stem = path.file_stem().map_or_else(|| name.clone(), |stem| stem.to_string_lossy());
-        let Loaded { mesh, skipped } = stackless_scene::load(path)?;
-        if let Some(skipped) = skipped {
-            // A note: that nobody can read it is no reason to fail.
-            let _ = writeln!(std::io::stderr(), "{}: {skipped}", name.escape_debug());
+        let loaded = stackless_scene::load(path)?;
+        if let Some(note) = loaded.note(path) {
+            // That nobody can read it is no reason to fail.
+            let _ = writeln!(std::io::stderr(), "{note}");
         }
-        Ok(Self { name: stem.into_owned(), mesh })
+        Ok(Self { name: stem.into_owned(), mesh: loaded.mesh })
     }
 }
 
