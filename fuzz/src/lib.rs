@@ -27,7 +27,7 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 21] = [
+pub const TARGETS: [Target; 22] = [
     target("keys", keys::keys, 128),
     target("traversals", traversals::traversals, 512),
     target("deep", traversals::deep, 512),
@@ -49,6 +49,7 @@ pub const TARGETS: [Target; 21] = [
     target("replay", files::replay, 4096),
     target("requests", suite::requests, 4096),
     target("answers", suite::answers, 512),
+    target("suite_files", suite::suite_files, 512),
 ];
 
 const fn target(name: &'static str, run: fn(&[u8]), longest: usize) -> Target {

@@ -1,10 +1,13 @@
 //! The conformance suite as seen by whoever answers and whoever asks.
 
 use serde_json::{Map, Value};
-use stackless_suite::{Answer, Hello, Implementation, Level, Library, Profile, Reply, SuiteCase, author, judge, serve};
+use stackless_suite::{
+    Answer, Expect, Hello, Implementation, Level, Library, Profile, Reply, Strength, Suite, SuiteCase, SuiteError,
+    VERSION, Waivers, author, judge, serve,
+};
 
 use super::draw::patched;
-use super::right;
+use super::{right, said};
 use stackless_bvh::generate::{Bytes, Source};
 
 /// A line of a runner: any text, or a case of the suite, changed. What is answered is an answer.
@@ -37,6 +40,67 @@ pub(crate) fn answers(bytes: &[u8]) {
     if let (Ok(case), Ok(Reply { answer: Answer::Result(_) | Answer::Reject(_), .. })) = (&case, &reply) {
         let _ = judge(case, &hello, &reply.expect("just looked at").answer);
     }
+}
+
+/// The files of a small suite and a list of waivers, changed: what is accepted has files within its folder, and is read
+/// back from them.
+pub(crate) fn suite_files(bytes: &[u8]) {
+    let mut source = Bytes::new(bytes);
+    let mut files = small_suite().files();
+    let mut waivers = br#"[{"id":"key/u32/child-left","reason":"known"}]"#.to_vec();
+    for text in files.iter_mut().map(|(_, text)| text) {
+        *text = String::from_utf8_lossy(&patched(&mut source, text.clone().into_bytes())).into_owned();
+    }
+    waivers = patched(&mut source, waivers);
+    // Names are changed as a whole, too: few changes of bytes make a path.
+    const NAMES: [&str; 6] = ["u64", "../u32", "u32/../../x", "", "U32", "u32\\u0000"];
+    if source.below(2) == 1 {
+        let name = NAMES[source.below(NAMES.len() as u64) as usize];
+        let changed = files.iter_mut().filter(|_| source.below(2) == 1);
+        changed.for_each(|(_, text)| *text = text.replace("u32", name));
+    }
+    match read(&files) {
+        Ok(suite) => {
+            let files = suite.files();
+            for (path, _) in &files {
+                let is_plain = |part: &str| part.bytes().all(|b| b.is_ascii_alphanumeric() || matches!(b, b'-' | b'.'));
+                assert!(path.split('/').all(|part| is_plain(part) && part != ".." && !part.is_empty()), "{path:?}");
+                assert_eq!(files.iter().filter(|(other, _)| other == path).count(), 1, "{path} is written twice");
+            }
+            assert_eq!(right(read(&files), "files of an accepted suite"), suite);
+        }
+        Err(refusal) => said(refusal),
+    }
+    if let Err(refusal) = Waivers::parse(&String::from_utf8_lossy(&waivers)) {
+        said(refusal);
+    }
+}
+
+fn read(files: &[(String, String)]) -> Result<Suite, SuiteError> {
+    Suite::read(|file| {
+        let found = files.iter().find(|(path, _)| path == file);
+        found.map(|(_, text)| text.clone()).ok_or_else(|| std::io::ErrorKind::NotFound.into())
+    })
+}
+
+/// Two profiles with a case each, which need not be made.
+fn small_suite() -> Suite {
+    let case = |profile: &str| SuiteCase {
+        id: format!("key/{profile}/child-left"),
+        clauses: vec!["KEY-1".to_owned()],
+        strength: Strength::Must,
+        features: Vec::new(),
+        why: "the left child".to_owned(),
+        input: Map::new(),
+        expect: Expect::Valid(true),
+    };
+    let profile = |name: &str| Profile {
+        suite: VERSION.to_owned(),
+        level: Level::Key,
+        profile: name.to_owned(),
+        cases: vec![case(name)],
+    };
+    Suite { profiles: ["u32", "u64"].map(profile).to_vec() }
 }
 
 fn changed(source: &mut Bytes<'_>) -> Vec<u8> {

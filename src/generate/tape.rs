@@ -72,7 +72,7 @@ named!(Kind);
 
 /// What a tape says of one node.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Cell {
     /// The node is missed: nothing below it is seen.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]

@@ -37,7 +37,7 @@ pub fn check_boxes(seed: u64, rays: u64, progress: Progress<'_>) -> BoxTally {
     let chunk = |start: u64| {
         let mut draw = Draw::new(seed ^ start.wrapping_mul(0x9e37_79b9_7f4a_7c15));
         let mut tally = BoxTally::default();
-        for i in start..rays.min(start + CHUNK) {
+        for i in start..rays.min(start.saturating_add(CHUNK)) {
             if let Some((ray, aabb)) = draw_kind(&mut draw, i % KINDS) {
                 tally.add(&ray, &aabb);
             }
@@ -45,8 +45,7 @@ pub fn check_boxes(seed: u64, rays: u64, progress: Progress<'_>) -> BoxTally {
         progress(CHUNK.min(rays - start));
         tally
     };
-    let starts: Vec<_> = (0..rays.div_ceil(CHUNK)).map(|i| i * CHUNK).collect();
-    starts.into_par_iter().map(chunk).reduce(BoxTally::default, BoxTally::merge)
+    (0..rays.div_ceil(CHUNK)).into_par_iter().map(|i| chunk(i * CHUNK)).reduce(BoxTally::default, BoxTally::merge)
 }
 
 impl BoxTally {

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
+use stackless_scene::read_text;
 
 use super::Case;
 use stackless_bvh::generate::{Cell, Tape};
@@ -79,7 +80,7 @@ impl Replay {
     /// # Errors
     /// [`ReplayError::Read`] and [`ReplayError::Json`].
     pub fn load(path: &Path) -> Result<Self, ReplayError> {
-        Ok(serde_json::from_str(&std::fs::read_to_string(path)?)?)
+        Ok(serde_json::from_str(&read_text(path)?)?)
     }
 
     /// The case.

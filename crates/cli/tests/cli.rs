@@ -12,6 +12,10 @@ mod check;
 mod curve;
 #[path = "cli/habits.rs"]
 mod habits;
+#[path = "cli/held.rs"]
+mod held;
+#[path = "cli/refused.rs"]
+mod refused;
 #[path = "cli/render.rs"]
 mod render;
 #[path = "cli/replay.rs"]

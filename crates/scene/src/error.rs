@@ -2,6 +2,7 @@
 
 use stackless_bvh::geom::MeshError;
 
+use super::MOST_BYTES;
 use super::text::{one_line, quote};
 use std::path::{Path, PathBuf};
 use std::{fmt, io};
@@ -22,6 +23,12 @@ pub enum SceneError {
         file: PathBuf,
         /// What the system says.
         error: io::Error,
+    },
+    /// The file is too large to be read: a hierarchy over what it could hold would take several times the memory.
+    #[error("{}: more than {MOST_BYTES} bytes, the most that are read of a file", one_line(.file))]
+    Size {
+        /// The file.
+        file: PathBuf,
     },
     /// The file was read, but does not hold a mesh.
     #[error("{}: {error}", one_line(.file))]

@@ -5,7 +5,8 @@
 //!
 //! A file is data from outside: whatever it holds, the answer is a valid [`Mesh`] or an error of one line that
 //! says where (line, or element such as `face 3`), what was found and what was expected. No count in a file is
-//! believed before the bytes it promises are there, so memory stays within a small multiple of the file's size.
+//! believed before the bytes it promises are there, so memory stays within a small multiple of the file's size, and files
+//! of more than [`MOST_BYTES`] are refused.
 //!
 //! The readers are our own: `tobj` 4.0 re-indexes vertices and reports no line, and `ply-rs-bw` 4.0 reports in several
 //! lines, refuses numbers such as `.5`, misreads what follows a repeated property, and counts in vain through billions
@@ -24,11 +25,14 @@ mod text;
 
 pub use error::{Fault, Place, ReadError, SceneError};
 pub use obj::{Skipped, read_obj};
-pub use output::write_atomically;
+pub use output::{abandon_writes, check_writable, write_atomically};
 pub use ply::read_ply;
 pub use property::{FileFault, check_mesh_file, check_ray_file};
 pub use rays::{RayFault, RayFileError, read_rays, read_rays_from, write_hits};
+pub use text::read_text;
 
+use std::fs::File;
+use std::io::Read as _;
 use std::path::Path;
 
 use stackless_bvh::geom::Mesh;
@@ -52,7 +56,7 @@ impl Loaded {
 /// Reads the triangle mesh in a `.ply` or `.obj` file (either case of letters); see [`read_ply`] and [`read_obj`].
 ///
 /// # Errors
-/// [`SceneError`]: unknown extension, unreadable file, or content that is not a mesh.
+/// [`SceneError`]: unknown extension, unreadable or too large a file, or content that is not a mesh.
 pub fn load(path: &Path) -> Result<Loaded, SceneError> {
     let extension = path.extension().unwrap_or_default();
     let read = if extension.eq_ignore_ascii_case("ply") {
@@ -62,10 +66,28 @@ pub fn load(path: &Path) -> Result<Loaded, SceneError> {
     } else {
         return Err(SceneError::Extension { file: path.into() });
     };
-    let bytes = std::fs::read(path).map_err(|error| SceneError::Io { file: path.into(), error })?;
+    let bytes = read_bytes(path, MOST_BYTES).map_err(|error| SceneError::Io { file: path.into(), error })?;
+    let bytes = bytes.ok_or_else(|| SceneError::Size { file: path.into() })?;
     let (mesh, skipped) =
         read(&bytes).map_err(|error| SceneError::Content { file: path.into(), error: error.into() })?;
     Ok(Loaded { mesh, skipped })
+}
+
+/// Most bytes of a file that are read: 4 GiB, more than 100 million triangles.
+pub const MOST_BYTES: u64 = 4 << 30;
+
+/// The bytes of a file, or `None` if there are more than so many. What the file system says is asked first, so that a
+/// file with holes costs nothing.
+fn read_bytes(path: &Path, most: u64) -> std::io::Result<Option<Vec<u8>>> {
+    let file = File::open(path)?;
+    let size = file.metadata()?.len();
+    if size > most {
+        return Ok(None);
+    }
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(size as usize)?;
+    file.take(most + 1).read_to_end(&mut bytes)?;
+    Ok((bytes.len() as u64 <= most).then_some(bytes))
 }
 
 #[cfg(test)]

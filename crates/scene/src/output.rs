@@ -1,33 +1,111 @@
 //! Output that is there whole or not at all.
 
-use std::fs::{self, File};
+use std::collections::BTreeSet;
+use std::fs::{self, File, Permissions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Creates or replaces a file with what `write` writes, or leaves everything as it was if that fails.
 ///
-/// The text goes to a temporary file in the same folder, which takes the name at the end and is removed on error. A
-/// link is followed, so that its target is replaced. What is not a file (a pipe, a terminal, `/dev/null`) cannot be
-/// replaced: it gets the whole text at the end.
+/// The text goes to a temporary file in the same folder, which takes the name at the end and is removed on error. The
+/// new file has the permissions of the one that it replaces, and the owner of this process; other hard links to the old
+/// file keep the old text. A symbolic link is followed, also to a file that is not there yet. A read-only file is not
+/// replaced. What is not a file (a pipe, a terminal, `/dev/null`) cannot be replaced: it gets the whole text at the end.
 ///
 /// # Errors
 /// Those of `write` and of the file system.
 pub fn write_atomically(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    let target = match fs::metadata(path) {
-        Ok(existing) if !existing.is_file() => {
+    match Place::of(path)? {
+        Place::Stream => {
             let mut text = Vec::new();
             write(&mut text)?;
-            return File::options().write(true).open(path)?.write_all(&text);
+            File::options().write(true).open(path)?.write_all(&text)
         }
-        Ok(_) => fs::canonicalize(path)?,
-        Err(_) => path.into(),
-    };
-    let (temporary, file) = Temporary::beside(&target)?;
-    let mut writer = BufWriter::new(file);
-    write(&mut writer)?;
-    // Closed before it is renamed, as some systems want.
-    drop(writer.into_inner()?);
-    fs::rename(&temporary.0, &target)
+        Place::File { target, permissions } => {
+            let (temporary, file) = Temporary::beside(&target)?;
+            if let Some(permissions) = permissions {
+                file.set_permissions(permissions)?;
+            }
+            let mut writer = BufWriter::new(file);
+            write(&mut writer)?;
+            // Closed before it is renamed, as some systems want.
+            drop(writer.into_inner()?);
+            fs::rename(&temporary.0, &target)
+        }
+    }
+}
+
+/// Whether [`write_atomically`] could write here, as far as that can be known before the work: nothing is left behind.
+///
+/// # Errors
+/// Those of the file system.
+///
+/// ```
+/// use stackless_scene::check_writable;
+/// use std::path::Path;
+/// assert!(check_writable(&std::env::temp_dir().join("hits.csv")).is_ok());
+/// assert!(check_writable(Path::new("no such folder/hits.csv")).is_err());
+/// ```
+pub fn check_writable(path: &Path) -> io::Result<()> {
+    match Place::of(path)? {
+        Place::Stream => Ok(()),
+        Place::File { target, .. } => Temporary::beside(&target).map(drop),
+    }
+}
+
+/// Removes the temporary files of all writes that are under way, and lets none begin: for a program that a signal ends.
+/// A thread that writes waits from then on.
+pub fn abandon_writes() {
+    let live = live();
+    for path in live.iter() {
+        fs::remove_file(path).ok();
+    }
+    std::mem::forget(live);
+}
+
+/// Where text goes.
+enum Place {
+    /// What cannot be replaced.
+    Stream,
+    /// A file, with the permissions of the one that is there.
+    File { target: PathBuf, permissions: Option<Permissions> },
+}
+
+impl Place {
+    fn of(path: &Path) -> io::Result<Self> {
+        match fs::metadata(path) {
+            Ok(existing) if existing.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
+            Ok(existing) if !existing.is_file() => Ok(Self::Stream),
+            Ok(existing) if existing.permissions().readonly() => {
+                Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"))
+            }
+            Ok(existing) => {
+                Ok(Self::File { target: fs::canonicalize(path)?, permissions: Some(existing.permissions()) })
+            }
+            Err(_) => Ok(Self::File { target: end_of_links(path)?, permissions: None }),
+        }
+    }
+}
+
+/// The name to which symbolic links lead, where nothing has that name yet.
+fn end_of_links(path: &Path) -> io::Result<PathBuf> {
+    let mut end = path.to_path_buf();
+    // As many as Linux follows.
+    for _ in 0..40 {
+        match fs::read_link(&end) {
+            Ok(next) => end = end.parent().unwrap_or(Path::new("")).join(next),
+            Err(_) => return Ok(end),
+        }
+    }
+    Err(io::Error::new(io::ErrorKind::InvalidInput, "too many symbolic links"))
+}
+
+/// The temporary files that exist now.
+static LIVE: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+fn live() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    LIVE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// A file that is removed in the end, unless it has got another name by then.
@@ -38,11 +116,15 @@ impl Temporary {
         let Some(name) = target.file_name() else {
             return Err(io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"));
         };
+        let mut live = live();
         let mut number = 0_u32;
         loop {
             let temporary = target.with_file_name(format!(".{}.{number}.tmp", name.to_string_lossy()));
             match File::create_new(&temporary) {
-                Ok(file) => return Ok((Self(temporary), file)),
+                Ok(file) => {
+                    live.insert(temporary.clone());
+                    return Ok((Self(temporary), file));
+                }
                 // Of another run: take the next number.
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
                 Err(error) => return Err(error),
@@ -53,8 +135,10 @@ impl Temporary {
 
 impl Drop for Temporary {
     fn drop(&mut self) {
+        let mut live = live();
         // Renamed away or not removable: either way nothing is left to do.
         fs::remove_file(&self.0).ok();
+        live.remove(&self.0);
     }
 }
 
@@ -127,5 +211,49 @@ mod tests {
         let _socket = UnixListener::bind(folder.file("socket")).unwrap();
         assert!(write_atomically(&folder.file("socket"), |w| w.write_all(b"new")).is_err());
         assert!(fs::metadata(folder.file("socket")).unwrap().file_type().is_socket());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_to_a_file_that_is_not_there_stays_a_link() {
+        use std::os::unix::fs::symlink;
+        let folder = Folder::new("dangling");
+        symlink("middle", folder.file("link")).unwrap();
+        symlink("out.csv", folder.file("middle")).unwrap();
+        write_atomically(&folder.file("link"), |w| w.write_all(b"new")).unwrap();
+        assert_eq!(folder.names(), ["link", "middle", "out.csv"]);
+        assert_eq!(fs::read_to_string(folder.file("link")).unwrap(), "new");
+        assert!(fs::symlink_metadata(folder.file("link")).unwrap().is_symlink());
+
+        symlink("round", folder.file("round")).unwrap();
+        assert!(write_atomically(&folder.file("round"), |w| w.write_all(b"new")).is_err());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn permissions_are_kept_and_a_read_only_file_too() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = Folder::new("permissions");
+        let path = folder.file("out.csv");
+        fs::write(&path, "old").unwrap();
+        for mode in [0o600, 0o664, 0o755] {
+            fs::set_permissions(&path, Permissions::from_mode(mode)).unwrap();
+            write_atomically(&path, |w| w.write_all(b"new")).unwrap();
+            assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, mode);
+        }
+        fs::set_permissions(&path, Permissions::from_mode(0o444)).unwrap();
+        assert!(check_writable(&path).is_err());
+        assert!(write_atomically(&path, |w| w.write_all(b"newer")).is_err());
+        assert_eq!(fs::read_to_string(&path).unwrap(), "new");
+    }
+
+    #[test]
+    fn a_place_is_tried_without_a_trace() {
+        let folder = Folder::new("tried");
+        check_writable(&folder.file("out.csv")).unwrap();
+        assert!(folder.names().is_empty());
+        for place in ["", "missing/out.csv"] {
+            assert!(check_writable(&folder.file(place)).is_err(), "{place}");
+        }
     }
 }

@@ -3,6 +3,7 @@
 
 use std::fmt::Write;
 
+use crate::text::MARK;
 use crate::{ReadError, read_obj, read_ply, read_rays_from};
 use stackless_bvh::geom::{Mesh, Ray};
 
@@ -43,6 +44,13 @@ pub fn check_mesh_file(bytes: &[u8], read: fn(&[u8]) -> Result<Mesh, ReadError>)
     if elements >= bytes.len() {
         return Err(FileFault::Size { elements, bytes: bytes.len() });
     }
+    // What is behind the header of a PLY file may be binary.
+    for written in rewritten(bytes, !bytes.starts_with(b"ply")) {
+        let same = read(&written).is_ok_and(|same| bits(&same) == bits(&mesh) && same.triangles() == mesh.triangles());
+        if !same {
+            return Err(FileFault::Changed(format!("not the same as {}", written.escape_ascii())));
+        }
+    }
     for back in [read_obj(as_obj(&mesh).as_bytes()).map(|(mesh, _)| mesh), read_ply(as_ply(&mesh).as_bytes())] {
         let back = back.map_err(|error| FileFault::Changed(error.to_string()))?;
         if bits(&back) != bits(&mesh) || back.triangles() != mesh.triangles() {
@@ -66,6 +74,12 @@ pub fn check_ray_file(bytes: &[u8]) -> Result<bool, FileFault> {
     if rays.len() >= bytes.len() {
         return Err(FileFault::Size { elements: rays.len(), bytes: bytes.len() });
     }
+    for written in rewritten(bytes, true) {
+        let same = read_rays_from(&written[..], "rays").is_ok_and(|same| format!("{same:?}") == format!("{rays:?}"));
+        if !same {
+            return Err(FileFault::Changed(format!("not the same as {}", written.escape_ascii())));
+        }
+    }
     let text = rays.iter().fold(String::new(), |mut text, ray: &Ray| {
         let (o, d) = (ray.origin(), ray.direction());
         let numbers = [o.x, o.y, o.z, d.x, d.y, d.z, ray.tmin(), ray.tmax()].map(|x| format!("{x:?}"));
@@ -76,6 +90,19 @@ pub fn check_ray_file(bytes: &[u8]) -> Result<bool, FileFault> {
         Ok(back) if format!("{back:?}") == format!("{rays:?}") => Ok(true),
         back => Err(FileFault::Changed(format!("{back:?} instead of {rays:?}"))),
     }
+}
+
+/// The same file as other editors write it: with a mark in front, and if it is a text with other ends of lines.
+fn rewritten(bytes: &[u8], is_text: bool) -> Vec<Vec<u8>> {
+    let mut written = Vec::new();
+    if !bytes.starts_with(MARK) {
+        written.push([MARK, bytes].concat());
+    }
+    if is_text && !bytes.contains(&b'\r') {
+        let lines: Vec<_> = bytes.split(|&byte| byte == b'\n').collect();
+        written.extend([&b"\r\n"[..], b"\r"].map(|end| lines.join(end)));
+    }
+    written
 }
 
 fn message(message: String) -> Result<bool, FileFault> {

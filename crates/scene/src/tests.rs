@@ -134,3 +134,31 @@ fn a_message_is_one_line_that_begins_with_the_file() {
     assert_eq!(refusal(&path), format!("{}: no triangles, expected at least one", path.display()));
     assert_eq!(refusal("two\nlines.s\nl".as_ref()), "two\\nlines.s\\nl: extension \"s\\nl\", expected .ply or .obj");
 }
+
+/// A header may promise what a file with holes seems to hold: nothing is read of it.
+#[cfg(unix)]
+#[test]
+fn a_file_of_holes_costs_nothing() {
+    let folder = Folder::new("holes");
+    let path = folder.file("holes.ply");
+    let header = "ply\nformat binary_little_endian 1.0\nelement vertex 2147483647\nproperty float x\nproperty float y\n\
+                  property float z\nend_header\n";
+    std::fs::write(&path, header).unwrap();
+    std::fs::File::options()
+        .write(true)
+        .open(&path)
+        .unwrap()
+        .set_len(header.len() as u64 + 12 * 2_147_483_647)
+        .unwrap();
+    let error = load(&path).unwrap_err();
+    assert!(matches!(error, SceneError::Size { .. }), "{error}");
+    assert!(error.to_string().contains("holes.ply: more than 4294967296 bytes"), "{error}");
+}
+
+/// What has no size is read up to the bound.
+#[cfg(unix)]
+#[test]
+fn an_endless_file_ends() {
+    assert_eq!(read_bytes(Path::new("/dev/zero"), 1000).unwrap(), None);
+    assert_eq!(read_bytes(Path::new("/dev/null"), 1000).unwrap(), Some(Vec::new()));
+}

@@ -1,10 +1,32 @@
 //! Lines of a file, and its text in messages.
 
+use std::io;
 use std::path::Path;
 
-/// The bytes without the mark that some editors write before UTF-8.
+use super::read_bytes;
+
+/// Most bytes of a text that is read whole: 64 MiB.
+const MOST_TEXT: u64 = 64 << 20;
+
+/// Reads a text that is to be parsed as a whole (JSON), without the mark that some editors write before UTF-8.
+///
+/// # Errors
+/// Those of the file system; more than 64 MiB; no UTF-8.
+pub fn read_text(path: &Path) -> io::Result<String> {
+    let bytes = read_bytes(path, MOST_TEXT)?;
+    let bytes =
+        bytes.ok_or_else(|| io::Error::other(format!("more than {MOST_TEXT} bytes, the most that are read")))?;
+    let text =
+        str::from_utf8(without_mark(&bytes)).map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
+    Ok(text.to_owned())
+}
+
+/// What some editors write before UTF-8.
+pub(super) const MARK: &[u8] = b"\xEF\xBB\xBF";
+
+/// The bytes without the mark.
 pub(super) fn without_mark(bytes: &[u8]) -> &[u8] {
-    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
+    bytes.strip_prefix(MARK).unwrap_or(bytes)
 }
 
 /// The lines of a file with their numbers, without terminator and surrounding white space.

@@ -1,7 +1,5 @@
 //! Cases, and files of them.
 
-use std::path::Path;
-
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
@@ -154,16 +152,6 @@ impl Profile {
     pub fn name(&self) -> String {
         format!("{}/{}", self.level, self.profile)
     }
-
-    /// The text of its file: a line for each case.
-    pub fn to_text(&self) -> String {
-        let cases: Vec<_> = self.cases.iter().map(|case| serde_json::to_string(case).unwrap_or_default()).collect();
-        let Self { suite, level, profile, .. } = self;
-        format!(
-            "{{\"suite\":\"{suite}\",\"level\":\"{level}\",\"profile\":\"{profile}\",\"cases\":[\n{}\n]}}\n",
-            cases.join(",\n")
-        )
-    }
 }
 
 /// All cases.
@@ -173,125 +161,9 @@ pub struct Suite {
     pub profiles: Vec<Profile>,
 }
 
-/// Why files are not a suite.
-#[derive(Debug, thiserror::Error)]
-pub enum SuiteError {
-    /// A file or folder cannot be read.
-    #[error("{path}: {error}")]
-    Read {
-        /// Which.
-        path: String,
-        /// Why.
-        error: std::io::Error,
-    },
-    /// A file is not one of cases. (The message names line and column.)
-    #[error("{path}: {error}")]
-    Json {
-        /// Which.
-        path: String,
-        /// Why.
-        error: serde_json::Error,
-    },
-    /// A file is of another version.
-    #[error("{path}: version {found} of the suite, expected {VERSION}")]
-    Version {
-        /// Which.
-        path: String,
-        /// Its version.
-        found: String,
-    },
-    /// An id stands twice.
-    #[error("{path}: case '{id}' stands twice")]
-    Twice {
-        /// The file.
-        path: String,
-        /// The id.
-        id: String,
-    },
-    /// An id is not in its place.
-    #[error("{path}: case '{id}': expected an id that begins with '{prefix}/'")]
-    Place {
-        /// The file.
-        path: String,
-        /// The id.
-        id: String,
-        /// Level and profile.
-        prefix: String,
-    },
-    /// There is no case.
-    #[error("{path}: no cases: expected files vectors/LEVEL/PROFILE.json")]
-    Empty {
-        /// The folder.
-        path: String,
-    },
-}
-
 impl Suite {
-    /// Reads a folder like `spec/suite`.
-    ///
-    /// # Errors
-    /// [`SuiteError`], for the first file that is not as it must be.
-    pub fn load(folder: &Path) -> Result<Self, SuiteError> {
-        let mut profiles = Vec::new();
-        for level in Level::ALL {
-            let folder = folder.join("vectors").join(level.name());
-            let Ok(entries) = std::fs::read_dir(&folder) else { continue };
-            let mut paths: Vec<_> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
-            // By the name alone: with the dot of the extension `a-b` would come before `a`.
-            paths.sort_by(|a, b| a.file_stem().cmp(&b.file_stem()));
-            for path in paths.into_iter().filter(|path| path.extension().is_some_and(|end| end == "json")) {
-                profiles.push(load_profile(&path)?);
-            }
-        }
-        if profiles.iter().all(|profile: &Profile| profile.cases.is_empty()) {
-            return Err(SuiteError::Empty { path: folder.display().to_string() });
-        }
-        Ok(Self { profiles })
-    }
-
-    /// Its files: paths within the folder, and texts.
-    pub fn files(&self) -> Vec<(String, String)> {
-        let path = |profile: &Profile| format!("vectors/{}.json", profile.name());
-        let mut files: Vec<_> = self.profiles.iter().map(|profile| (path(profile), profile.to_text())).collect();
-        let rows: Vec<_> = self
-            .profiles
-            .iter()
-            .map(|profile| {
-                let (path, cases, name) = (path(profile), profile.cases.len(), profile.name());
-                format!("{{\"profile\":\"{name}\",\"file\":\"{path}\",\"cases\":{cases}}}")
-            })
-            .collect();
-        files.push((
-            "index.json".to_owned(),
-            format!("{{\"suite\":\"{VERSION}\",\"files\":[\n{}\n]}}\n", rows.join(",\n")),
-        ));
-        let rows: Vec<_> = Feature::ALL.iter().map(|it| format!("\"{it}\":\"{}\"", it.about())).collect();
-        files.push(("features.json".to_owned(), format!("{{\n{}\n}}\n", rows.join(",\n"))));
-        files.push(("VERSION".to_owned(), format!("{VERSION}\n")));
-        files
-    }
-
     /// Each case with its profile.
     pub fn cases(&self) -> impl Iterator<Item = (&Profile, &SuiteCase)> {
         self.profiles.iter().flat_map(|profile| profile.cases.iter().map(move |case| (profile, case)))
     }
-}
-
-fn load_profile(path: &Path) -> Result<Profile, SuiteError> {
-    let name = || path.display().to_string();
-    let text = std::fs::read_to_string(path).map_err(|error| SuiteError::Read { path: name(), error })?;
-    let profile: Profile = serde_json::from_str(&text).map_err(|error| SuiteError::Json { path: name(), error })?;
-    if profile.suite != VERSION {
-        return Err(SuiteError::Version { path: name(), found: profile.suite });
-    }
-    let (prefix, mut seen) = (profile.name(), std::collections::HashSet::new());
-    for SuiteCase { id, .. } in &profile.cases {
-        if !id.strip_prefix(&prefix).is_some_and(|rest| rest.starts_with('/')) {
-            return Err(SuiteError::Place { path: name(), id: id.clone(), prefix });
-        }
-        if !seen.insert(id) {
-            return Err(SuiteError::Twice { path: name(), id: id.clone() });
-        }
-    }
-    Ok(profile)
 }

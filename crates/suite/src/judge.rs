@@ -7,9 +7,10 @@ use serde_json::{Map, Value};
 use super::ask::{Ask, Build};
 use super::author::{depth_if_tree, keys_of};
 use super::bits::Bits;
+use super::text::Shown;
 use super::{Answer, Expect, Feature, Hello, SuiteCase};
 
-/// What is wrong with an answer.
+/// What is wrong with an answer. In words, what is long is cut.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Flaw {
     /// It says that it does not support what it has said that it does.
@@ -45,14 +46,16 @@ pub enum Flaw {
 impl fmt::Display for Flaw {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Unsupported(why) => write!(f, "unsupported ({why}), though profile and features were named"),
+            Self::Unsupported(why) => {
+                write!(f, "unsupported ({}), though profile and features were named", Shown(why))
+            }
             Self::NotRejected(code) => write!(f, "answered, expected the rejection '{code}'"),
-            Self::Rejected(code) => write!(f, "rejected as '{code}', expected an answer"),
-            Self::Code { expected, found } => write!(f, "rejected as '{found}', expected '{expected}'"),
+            Self::Rejected(code) => write!(f, "rejected as '{}', expected an answer", Shown(code)),
+            Self::Code { expected, found } => write!(f, "rejected as '{}', expected '{expected}'", Shown(found)),
             Self::Missing(field) => write!(f, "no field '{field}'"),
-            Self::Unknown(field) => write!(f, "unknown field '{field}'"),
-            Self::Differs { at, expected, found } => write!(f, "{at}: {found}, expected {expected}"),
-            Self::Table(what) => write!(f, "the table is wrong: {what}"),
+            Self::Unknown(field) => write!(f, "unknown field '{}'", Shown(field)),
+            Self::Differs { at, expected, found } => write!(f, "{at}: {}, expected {}", Shown(found), Shown(expected)),
+            Self::Table(what) => write!(f, "the table is wrong: {}", Shown(what)),
         }
     }
 }

@@ -11,6 +11,7 @@ mod ask;
 pub mod author;
 mod bits;
 mod case;
+mod files;
 mod judge;
 mod own;
 mod process;
@@ -22,7 +23,8 @@ mod waivers;
 mod walk;
 
 pub use ask::{Ask, Best, Build, Children, LookupTable, Query, Rays, Start, Walk};
-pub use case::{Expect, Feature, Level, Profile, Strength, Suite, SuiteCase, SuiteError, VERSION};
+pub use case::{Expect, Feature, Level, Profile, Strength, Suite, SuiteCase, VERSION};
+pub use files::SuiteError;
 pub use judge::{Flaw, judge};
 pub use own::{Library, RaysError};
 pub use protocol::{Answer, Hello, Implementation, Limits, PROTOCOL, Reply, serve};

@@ -1,13 +1,15 @@
-//! A program that is asked: its lines in, its lines out, and nobody waits for ever.
+//! A program that is asked: its lines in, its lines out, nobody waits for ever, and nothing of it survives us.
 
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::{Child, Command, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
 use std::thread;
 use std::time::Duration;
 
-/// Longest line that is read.
-const LINE_BYTES: u64 = 64 << 20;
+use super::text::MOST_BYTES;
+
+/// Lines that are held before they are heard: a program that floods us has to wait.
+const HELD: usize = 4;
 
 /// What came, or did not.
 #[derive(Debug)]
@@ -21,10 +23,12 @@ pub(super) enum Heard {
     Silence,
 }
 
-/// A running program. Ended, if need be by force, when this is dropped.
+/// A running program. Ended, if need be by force, when this is dropped, and whatever it has started too.
 #[derive(Debug)]
 pub(super) struct Process {
     child: Child,
+    /// Dropped after the program has ended.
+    _group: Group,
     /// To the thread that writes; `None` when its input is closed.
     input: Option<Sender<String>>,
     output: Receiver<Heard>,
@@ -35,9 +39,12 @@ impl Process {
     pub(super) fn start(command: &[String]) -> io::Result<Self> {
         let (program, arguments) =
             command.split_first().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "no command"))?;
-        let mut child = Command::new(program).args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
+        let group = Group::new()?;
+        let mut command = Command::new(program);
+        command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped());
+        let mut child = group.join(&mut command).spawn()?;
         let (input, to_write) = channel::<String>();
-        let (heard, output) = channel();
+        let (heard, output) = sync_channel(HELD);
         // Threads of their own: a program that does not read, or writes without being asked, must not block us.
         if let Some(mut stdin) = child.stdin.take() {
             thread::spawn(move || {
@@ -51,7 +58,7 @@ impl Process {
         if let Some(stdout) = child.stdout.take() {
             thread::spawn(move || listen(BufReader::new(stdout), &heard));
         }
-        Ok(Self { child, input: Some(input), output })
+        Ok(Self { child, _group: group, input: Some(input), output })
     }
 
     /// Writes a line, some time.
@@ -98,13 +105,62 @@ impl Drop for Process {
     }
 }
 
-fn listen(mut output: impl BufRead, heard: &Sender<Heard>) {
+/// A process group that ends with us, however we end: a shell waits in it until its standard input is closed, whose
+/// other end only we hold, and then ends the group. No signal of a terminal reaches the group. A program that leaves it
+/// (`setsid`) is not ended.
+#[cfg(unix)]
+#[derive(Debug)]
+struct Group {
+    shell: Child,
+}
+
+#[cfg(unix)]
+impl Group {
+    fn new() -> io::Result<Self> {
+        use std::os::unix::process::CommandExt as _;
+        let script = "trap '' HUP INT TERM; read -r line; kill -KILL 0";
+        let mut shell = Command::new("/bin/sh");
+        shell.args(["-c", script]).stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::null());
+        Ok(Self { shell: shell.process_group(0).spawn()? })
+    }
+
+    fn join<'c>(&self, command: &'c mut Command) -> &'c mut Command {
+        use std::os::unix::process::CommandExt as _;
+        command.process_group(self.shell.id().cast_signed())
+    }
+}
+
+#[cfg(unix)]
+impl Drop for Group {
+    fn drop(&mut self) {
+        self.shell.stdin = None;
+        let _ = self.shell.wait();
+    }
+}
+
+/// Elsewhere only the program itself is ended.
+#[cfg(not(unix))]
+#[derive(Debug)]
+struct Group;
+
+#[cfg(not(unix))]
+impl Group {
+    fn new() -> io::Result<Self> {
+        Ok(Self)
+    }
+
+    fn join<'c>(&self, command: &'c mut Command) -> &'c mut Command {
+        command
+    }
+}
+
+fn listen(mut output: impl BufRead, heard: &SyncSender<Heard>) {
     loop {
         let mut bytes = Vec::new();
-        let said = match output.by_ref().take(LINE_BYTES).read_until(b'\n', &mut bytes) {
+        let said = match output.by_ref().take(MOST_BYTES).read_until(b'\n', &mut bytes) {
             Ok(0) | Err(_) => Heard::End,
-            Ok(_) if bytes.last() != Some(&b'\n') && bytes.len() as u64 == LINE_BYTES => {
-                Heard::Garbage(format!("a line of more than {LINE_BYTES} bytes"))
+            Ok(_) if bytes.last() != Some(&b'\n') && bytes.len() as u64 == MOST_BYTES => {
+                Heard::Garbage(format!("a line of more than {MOST_BYTES} bytes"))
             }
             Ok(_) => match String::from_utf8(bytes) {
                 Ok(line) => Heard::Line(line),

@@ -1,11 +1,11 @@
 //! One JSON object a line: what a runner writes, and what an implementation answers.
 
-use std::io::{self, BufRead, Write};
+use std::io::{self, BufRead, Read as _, Write};
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use super::text::object;
+use super::text::{MOST_BYTES, object};
 use super::{Feature, Level, Profile, SuiteCase};
 
 /// Version of the protocol.
@@ -97,10 +97,17 @@ pub trait Implementation {
 /// Answers a runner until it says `bye` or goes away: a conformance adapter is `serve(&mut mine, stdin, stdout)`.
 ///
 /// # Errors
-/// A line that is not of the protocol, or a reader or writer that fails.
-pub fn serve(implementation: &mut impl Implementation, input: impl BufRead, mut output: impl Write) -> io::Result<()> {
-    for line in input.lines() {
-        let line = line?;
+/// A line that is not of the protocol or longer than 64 MiB, or a reader or writer that fails.
+pub fn serve(
+    implementation: &mut impl Implementation,
+    mut input: impl BufRead,
+    mut output: impl Write,
+) -> io::Result<()> {
+    let mut line = String::new();
+    while input.by_ref().take(MOST_BYTES).read_line(&mut line)? > 0 {
+        if line.len() as u64 == MOST_BYTES && !line.ends_with('\n') {
+            return Err(io::Error::new(io::ErrorKind::InvalidData, format!("a line of more than {MOST_BYTES} bytes")));
+        }
         let text = match serde_json::from_str(&line).map_err(io::Error::other)? {
             Request::Hello { .. } => serde_json::to_string(&implementation.hello()),
             Request::Case { seq, level, profile, input } => {
@@ -110,6 +117,7 @@ pub fn serve(implementation: &mut impl Implementation, input: impl BufRead, mut 
         };
         writeln!(output, "{}", text.map_err(io::Error::other)?)?;
         output.flush()?;
+        line.clear();
     }
     Ok(())
 }

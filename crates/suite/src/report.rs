@@ -145,12 +145,14 @@ impl Report {
     /// The run in the format of `JUnit`, which build servers read: a test case each, `skipped` where it was not asked
     /// or is waived.
     pub fn to_junit(&self) -> String {
-        let failures = self.verdicts.iter().filter(|verdict| verdict.is_failure()).count();
+        let failures = self.verdicts.iter().filter(|verdict| verdict.is_failure()).count() + self.faults.len();
+        let is_skipped = |it: &&CaseResult| !it.is_failure() && (it.outcome != Outcome::Pass || it.waived.is_some());
+        let skipped = self.verdicts.iter().filter(is_skipped).count();
+        let tests = self.verdicts.len() + self.faults.len();
         let mut text = format!(
-            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n",
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{tests}\" failures=\"{failures}\" \
+             errors=\"0\" skipped=\"{skipped}\">\n",
             escaped(&self.hello.name),
-            self.verdicts.len(),
-            failures + self.faults.len()
         );
         for verdict in &self.verdicts {
             let (group, name) = verdict.id.rsplit_once('/').unwrap_or(("", &verdict.id));
@@ -173,25 +175,28 @@ impl Report {
                 escaped(name)
             );
         }
-        for fault in &self.faults {
+        for (i, fault) in self.faults.iter().enumerate() {
             let fault = escaped(fault);
             let _ = writeln!(
                 text,
-                "<testcase classname=\"run\" name=\"{fault}\"><failure message=\"{fault}\"/></testcase>"
+                "<testcase classname=\"run\" name=\"fault {i}\"><failure message=\"{fault}\"/></testcase>"
             );
         }
         text + "</testsuite>\n"
     }
 }
 
+/// Text for an attribute or an element of XML 1.0.
 fn escaped(text: &str) -> String {
     let plain = |c: char| match c {
+        '\n' => "&#10;".to_owned(),
+        '\t' => "&#9;".to_owned(),
         '&' => "&amp;".to_owned(),
         '<' => "&lt;".to_owned(),
         '>' => "&gt;".to_owned(),
         '"' => "&quot;".to_owned(),
         // XML has no way to write the others.
-        c if c.is_control() && !matches!(c, '\n' | '\t') => "\u{fffd}".to_owned(),
+        c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => "\u{fffd}".to_owned(),
         c => c.to_string(),
     };
     text.chars().map(plain).collect()

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use super::process::{Heard, Process};
 use super::protocol::Request;
+use super::text::Shown;
 use super::{CaseResult, Hello, Outcome, PROTOCOL, Profile, Reply, Report, Suite, SuiteCase, Waivers, judge};
 
 /// A run to be.
@@ -64,6 +65,11 @@ impl Runner<'_> {
         }
         let (hello, process) = self.start()?;
         let mut faults = unknown_profiles(&hello, self.suite);
+        if !cases.iter().any(|(profile, case)| hello.asks_for(profile, case)) {
+            faults.push(
+                "nothing was asked: the program names no profile of these cases, or lacks their features".to_owned(),
+            );
+        }
         let mut outcomes: Vec<Option<Outcome>> = cases
             .iter()
             .map(|(profile, case)| (!hello.asks_for(profile, case)).then_some(Outcome::Unsupported))
@@ -122,9 +128,12 @@ impl Runner<'_> {
             Heard::Silence => return wrong(format!("nothing in {:?}", self.timeout)),
         };
         match serde_json::from_str::<Hello>(&line) {
-            Ok(hello) if hello.protocol == PROTOCOL => Ok((hello, process)),
+            Ok(Hello { name, version, protocol: PROTOCOL, profiles, features, limits }) => {
+                let [name, version] = [name, version].map(|text| Shown(text).to_string());
+                Ok((Hello { protocol: PROTOCOL, name, version, profiles, features, limits }, process))
+            }
             Ok(hello) => wrong(format!("protocol {}", hello.protocol)),
-            Err(error) => wrong(format!("{error} in {}", shortened(&line))),
+            Err(error) => wrong(format!("{} in {}", Shown(error.to_string()), Shown(&line))),
         }
     }
 }
@@ -133,15 +142,11 @@ fn text(request: &Request) -> String {
     serde_json::to_string(request).unwrap_or_default()
 }
 
-fn shortened(line: &str) -> String {
-    let line = line.trim_end();
-    if line.chars().count() <= 120 { line.to_owned() } else { line.chars().take(120).chain(['…']).collect() }
-}
-
 fn unknown_profiles(hello: &Hello, suite: &Suite) -> Vec<String> {
     let known = super::author::names();
     let is_known = |name: &String| known.contains(name) || suite.profiles.iter().any(|profile| profile.name() == *name);
-    hello.profiles.iter().filter(|name| !is_known(name)).map(|name| format!("there is no profile '{name}'")).collect()
+    let unknown = hello.profiles.iter().filter(|name| !is_known(name));
+    unknown.map(|name| format!("there is no profile '{}'", Shown(name))).collect()
 }
 
 /// What is asked of one start of the program after another.
@@ -216,7 +221,7 @@ impl Turn<'_> {
     /// What a line says of the case that is to be answered, or who is to blame for what it is.
     fn judge(&self, front: usize, last: Option<usize>, line: &str) -> Result<Outcome, (usize, String)> {
         let reply: Reply = serde_json::from_str(line)
-            .map_err(|error| (front, format!("not an answer: {error} in {}", shortened(line))))?;
+            .map_err(|error| (front, format!("not an answer: {} in {}", Shown(error.to_string()), Shown(line))))?;
         if reply.seq != front as u64 {
             return Err(match last {
                 Some(last) if reply.seq == last as u64 => (last, "answered twice".to_owned()),
@@ -248,7 +253,7 @@ impl Turn<'_> {
             Heard::End => None,
             Heard::Silence => Some(format!("the program does not end within {:?} after 'bye'", self.runner.timeout)),
             Heard::Line(line) => {
-                let what = format!("wrote more than was asked: {}", shortened(&line));
+                let what = format!("wrote more than was asked: {}", Shown(&line));
                 match last {
                     Some(last) => {
                         self.outcomes[last] = Some(Outcome::Error(what));

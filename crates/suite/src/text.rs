@@ -1,4 +1,6 @@
-//! Objects and floats as the suite's files have them.
+//! Objects and floats as the suite's files have them, and what others have written.
+
+use core::fmt::{self, Write as _};
 
 use serde_json::{Map, Value, json};
 
@@ -27,6 +29,23 @@ pub(super) fn parse_floats<const N: usize>(text: &str) -> Option<[f32; N]> {
 pub(super) fn hit(prim: u32, [t, u, v]: [f32; 3]) -> Value {
     let bits = |x: f32| floats(&[x]);
     json!({ "prim": prim, "t": bits(t), "u": bits(u), "v": bits(v) })
+}
+
+/// Longest line that is read, in bytes.
+pub(super) const MOST_BYTES: u64 = 64 << 20;
+
+/// What others have written, for a message: its beginning, on one line.
+pub(super) struct Shown<T>(pub(super) T);
+
+impl<T: AsRef<str>> fmt::Display for Shown<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const MOST: usize = 120;
+        let text = self.0.as_ref().trim_end();
+        for c in text.chars().take(MOST) {
+            if c.is_control() { write!(f, "{}", c.escape_unicode())? } else { f.write_char(c)? }
+        }
+        if text.chars().nth(MOST).is_some() { f.write_char('…') } else { Ok(()) }
+    }
 }
 
 #[cfg(test)]

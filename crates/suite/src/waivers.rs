@@ -4,6 +4,9 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::Deserialize;
+use stackless_scene::read_text;
+
+use super::text::Shown;
 
 /// Cases that fail for a reason that is known: `[{"id": ..., "reason": ...}, ...]`. One that passes is reported, so
 /// that the list does not grow old.
@@ -19,10 +22,10 @@ pub enum WaiverError {
     #[error("{0}")]
     Read(#[from] std::io::Error),
     /// It is no such list. (The message names line and column.)
-    #[error("{0}")]
+    #[error("{}", Shown(.0.to_string()))]
     Json(#[from] serde_json::Error),
     /// An id stands twice.
-    #[error("case '{0}' stands twice")]
+    #[error("case '{}' stands twice", Shown(.0))]
     Twice(String),
 }
 
@@ -39,7 +42,15 @@ impl Waivers {
     /// # Errors
     /// [`WaiverError`].
     pub fn load(path: &Path) -> Result<Self, WaiverError> {
-        let list: Vec<Waiver> = serde_json::from_str(&std::fs::read_to_string(path)?)?;
+        Self::parse(&read_text(path)?)
+    }
+
+    /// Reads the text of a file.
+    ///
+    /// # Errors
+    /// [`WaiverError::Json`] and [`WaiverError::Twice`].
+    pub fn parse(text: &str) -> Result<Self, WaiverError> {
+        let list: Vec<Waiver> = serde_json::from_str(text)?;
         let mut reasons = BTreeMap::new();
         for Waiver { id, reason } in list {
             if reasons.insert(id.clone(), reason).is_some() {

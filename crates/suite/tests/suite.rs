@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use stackless_bvh::event::State;
 use stackless_bvh::generate::Search;
@@ -14,6 +15,8 @@ use stackless_suite::{
     author, judge,
 };
 
+#[path = "suite/foreign.rs"]
+mod foreign;
 #[path = "suite/imports.rs"]
 mod imports;
 #[path = "suite/layers.rs"]
@@ -24,6 +27,9 @@ mod runner;
 #[allow(dead_code, reason = "of the whole table this test has a column")]
 mod table;
 
+/// The suite, which takes seconds to make.
+static SUITE: LazyLock<Suite> = LazyLock::new(author::suite);
+
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../spec/suite")
 }
@@ -31,7 +37,7 @@ fn root() -> PathBuf {
 /// To make the files anew: `UPDATE=1 cargo test -p stackless-suite --test suite`.
 #[test]
 fn the_files_are_as_made() {
-    let suite = author::suite();
+    let suite = &*SUITE;
     for (path, text) in suite.files() {
         let path = root().join(path);
         if std::env::var_os("UPDATE").is_some() {
@@ -40,13 +46,13 @@ fn the_files_are_as_made() {
         }
         assert!(std::fs::read_to_string(&path).unwrap_or_default() == text, "{} is not what is made", path.display());
     }
-    assert_eq!(Suite::load(&root()).unwrap(), suite);
+    assert_eq!(Suite::load(&root()).unwrap(), *suite);
 }
 
 /// `spec/suite/peers.py` makes the table anew; what others answer is not asked here.
 #[test]
 fn the_table_of_other_ray_tracers_has_each_case() {
-    let suite = author::suite();
+    let suite = &*SUITE;
     let text = std::fs::read_to_string(root().join("PEERS.md")).unwrap();
     let rows: Vec<_> = text.lines().filter_map(|line| line.strip_prefix("| `ray/")?.split('`').next()).collect();
     let has_hits = |case: &&SuiteCase| case.id.starts_with("ray/") && matches!(case.expect, Expect::Result(_));
@@ -58,7 +64,7 @@ fn the_table_of_other_ray_tracers_has_each_case() {
 /// What the suite promises to those who read it.
 #[test]
 fn the_suite_is_as_promised() {
-    let suite = author::suite();
+    let suite = &*SUITE;
     let count = suite.cases().count();
     assert!(count >= 1500, "{count} cases");
     let bytes: usize = suite.files().iter().map(|(_, text)| text.len()).sum();
@@ -73,7 +79,7 @@ fn the_suite_is_as_promised() {
 /// Every traversal in every word. `[CONF-1]` `[CONF-2]` `[CONF-3]`
 #[test]
 fn this_library_conforms() {
-    let suite = author::suite();
+    let suite = &*SUITE;
     let each = Method::ALL.iter().flat_map(|&method| WordName::ALL.map(|word| (Some(method), Some(word))));
     for (method, word) in each.chain([(None, None)]) {
         // Laine's trail is aligned to the highest bit of a word.
@@ -100,7 +106,7 @@ fn this_library_conforms() {
 /// `[HASH-6]`
 #[test]
 fn a_table_needs_its_fields_and_no_more() {
-    let (suite, mut library) = (author::suite(), Library::default());
+    let (suite, mut library) = (&*SUITE, Library::default());
     let hello = library.hello();
     for (name, has_long_keys) in [("hash/build", false), ("hash/build-deep", true)] {
         let (profile, case) = suite.cases().find(|(profile, _)| profile.name() == name).unwrap();
@@ -128,7 +134,7 @@ fn a_table_needs_its_fields_and_no_more() {
 /// Each planted bug, as an implementation, fails a case of the clause that it breaks. `[CONF-4]`
 #[test]
 fn every_planted_bug_fails_a_case_of_its_clause() {
-    let suite = author::suite();
+    let suite = &*SUITE;
     for control in planted::controls() {
         let (_, failed) = failures(&control, &suite);
         assert!(failed.is_empty(), "{control:?}: {:?}", failed.iter().map(|(case, flaw)| (&case.id, flaw)).next());

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use stackless_suite::{Outcome, Report, RunError, Runner, Suite, Waivers, author};
+use stackless_suite::{Outcome, Report, RunError, Runner, Suite, Waivers};
 
 /// A program that answers each case by `answer`, a shell command that finds the number in `$seq`.
 fn program(answer: &str) -> Vec<String> {
@@ -20,7 +20,7 @@ done"#
 
 /// The first cases of a profile.
 fn some_cases(count: usize) -> Suite {
-    let mut suite = author::suite();
+    let mut suite = super::SUITE.clone();
     suite.profiles.retain(|profile| profile.name() == "key/u32");
     suite.profiles[0].cases.truncate(count);
     suite
@@ -171,4 +171,103 @@ fn reports_can_be_read() {
     assert_eq!(json["conforms"], false);
     assert_eq!(json["cases"][1]["outcome"], "error");
     assert_eq!(json["cases"].as_array().unwrap().len(), 3);
+}
+
+/// Whoever is asked nothing does not conform.
+#[test]
+fn nothing_asked_is_no_conformity() {
+    for profiles in ["[]", "[\"hash/fold\"]"] {
+        let hello = format!(r#"read -r hello; echo '{{"protocol":1,"name":"x","profiles":{profiles}}}'; read -r bye"#);
+        let report = run(vec!["sh".into(), "-c".into(), hello], 3, 1, Waivers::default()).unwrap();
+        assert_eq!(report.count("unsupported"), 3);
+        assert!(report.faults[0].contains("nothing was asked") && !report.is_conforming(), "{report:?}");
+        assert!(report.to_junit().contains("failures=\"1\""));
+    }
+}
+
+/// What others write is not repeated at length.
+#[test]
+fn long_answers_are_cut() {
+    let long = r#"$(printf '%0100000d' 0)"#;
+    for answer in [
+        format!(r#"printf '{{"seq":%s,"result":{{"key":"%s"}}}}\n' "$seq" "{long}""#),
+        format!(r#"printf '{{"seq":%s,"result":{{"key":"2","x%s":0}}}}\n' "$seq" "{long}""#),
+        format!(r#"printf '{{"seq":%s,"reject":"%s"}}\n' "$seq" "{long}""#),
+        format!(r#"printf '{{"seq":%s,"unsupported":"%s"}}\n' "$seq" "{long}""#),
+        format!(r#"printf '{{"seq":%s,"x%s":0}}\n' "$seq" "{long}""#),
+        format!("echo {long}"),
+    ] {
+        let report = run(program(&answer), 1, 1, Waivers::default()).unwrap();
+        let text = report.verdicts[0].outcome.to_string();
+        assert!(report.verdicts[0].outcome.is_bad() && text.len() < 500, "{answer}: {text}");
+        assert!(report.to_junit().len() < 2000 && serde_json::to_string(&report.to_json()).unwrap().len() < 2000);
+    }
+    let hello = format!(
+        r#"read -r hello; printf '{{"protocol":1,"name":"%s","version":"%s","profiles":["x%s"]}}\n' {long} {long} {long}; read -r bye"#
+    );
+    let report = run(vec!["sh".into(), "-c".into(), hello], 1, 1, Waivers::default()).unwrap();
+    assert!(report.hello.name.len() < 200 && report.hello.version.len() < 200 && report.faults[0].len() < 200);
+    let wrong = format!(r#"read -r hello; printf '{{"protocol":1,"name":"x","features":["%s"]}}\n' {long}"#);
+    let error = run(vec!["sh".into(), "-c".into(), wrong], 1, 1, Waivers::default()).unwrap_err();
+    // The command is part of it.
+    assert!(error.to_string().len() < 1000, "{error}");
+}
+
+/// `JUnit` files are XML, whatever the program has said, and their counts are those of their elements.
+#[test]
+fn junit_is_well_formed_and_adds_up() {
+    let evil = "\u{0}\u{1}\u{1b}[2J]]>&lt;<!--\u{7f}\u{9f}\u{fffe}\u{ffff}\u{202e}\"'\r\n\t\u{10ffff}";
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("waivers.json");
+    let suite = some_cases(6);
+    let id = |i: usize| suite.profiles[0].cases[i].id.clone();
+    let list = serde_json::json!([{ "id": id(0), "reason": evil }, { "id": id(1), "reason": evil }]);
+    std::fs::write(&path, format!("\u{feff}{list}")).unwrap();
+    let waivers = Waivers::load(&path).unwrap();
+    let mut report = run(program(RIGHT), 6, 4, waivers).unwrap();
+    report.hello.name = evil.to_owned();
+    report.faults.push(evil.to_owned());
+    report.verdicts[2].outcome = Outcome::Error(evil.to_owned());
+    report.verdicts[3].outcome = Outcome::Unsupported;
+    let text = report.to_junit();
+    let xml = roxmltree::Document::parse(&text).unwrap_or_else(|error| panic!("{error}: {text}"));
+    let root = xml.root_element();
+    let count = |tag: &str| xml.descendants().filter(|node| node.has_tag_name(tag)).count().to_string();
+    for (attribute, tag) in [("tests", "testcase"), ("failures", "failure"), ("skipped", "skipped")] {
+        assert_eq!(root.attribute(attribute), Some(count(tag).as_str()), "{attribute}: {text}");
+    }
+    assert_eq!(root.attribute("errors"), Some("0"));
+    assert_eq!((count("testcase"), count("failure"), count("skipped")), ("7".into(), "5".into(), "2".into()));
+}
+
+/// Neither a time-out nor the end of a run leaves a process behind, not even one that the program has started.
+#[cfg(unix)]
+#[test]
+fn nothing_survives() {
+    for answer in ["sleep 1000", "exit 1", RIGHT] {
+        let folder = tempfile::tempdir().unwrap();
+        let pids = folder.path().join("pids");
+        let name = pids.display();
+        let command = program(&format!("sleep 1000 & echo $$ $! >> {name}; {answer}"));
+        run(command, 2, 1, Waivers::default()).unwrap();
+        let pids = std::fs::read_to_string(pids).unwrap();
+        let alive: Vec<_> = pids.split_whitespace().filter(|pid| is_alive(pid)).collect();
+        assert!(pids.split_whitespace().count() >= 2 && alive.is_empty(), "{answer}: {alive:?} of {pids:?}");
+    }
+}
+
+/// Whether a process runs, a little later: one that has been ended may still be in the table, without doing anything.
+#[cfg(unix)]
+fn is_alive(pid: &str) -> bool {
+    let state = || {
+        let output = std::process::Command::new("ps").args(["-o", "stat=", "-p", pid]).output().unwrap();
+        String::from_utf8(output.stdout).unwrap().trim().to_owned()
+    };
+    for _ in 0..100 {
+        if matches!(state().chars().next(), None | Some('Z')) {
+            return false;
+        }
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    true
 }

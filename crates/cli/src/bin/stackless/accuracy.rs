@@ -18,6 +18,7 @@ use crate::Outcome;
 use crate::input::Scene;
 use crate::judge::{Counts, Query, Truths};
 use crate::output::{self, Block, bar, say, write_file, write_json};
+use crate::places::{self, Output};
 use pairs::{Pair, Trees};
 use rows::{Kind, Row};
 use stages::Stages;
@@ -37,14 +38,14 @@ pub(crate) struct Args {
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
     /// Draw time against error, as SVG.
-    #[arg(long, value_name = "FILE", value_parser = output::file)]
-    plot: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    plot: Option<Output>,
     /// Write all counts to this file, a line for each scene, kind of rays and pair of tests.
-    #[arg(long, value_name = "FILE", value_parser = output::file)]
-    csv: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    csv: Option<Output>,
     /// The same as JSON.
-    #[arg(long, value_name = "FILE", value_parser = output::file)]
-    json: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    json: Option<Output>,
     /// Rays of each kind: so many are timed, and up to 20,000 of them judged. Below 65,536 `spheres` has fewer too.
     #[arg(long, default_value_t = 65_536, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
     rays: u32,
@@ -83,6 +84,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
     }
     output::print(&found.blocks());
     let Found { rows, offences, .. } = &found;
+    for offence in offences {
+        say!("{offence}");
+    }
     if let Some(path) = &args.csv {
         let csv = rows::csv(rows);
         write_file(path, |file| file.write_all(csv.as_bytes()))?;
@@ -93,9 +97,6 @@ pub(crate) fn run(args: &Args) -> Outcome {
     if let Some(path) = &args.plot {
         let svg = found.plot()?;
         write_file(path, |file| file.write_all(svg.as_bytes()))?;
-    }
-    for offence in offences {
-        say!("{offence}");
     }
     Ok(offences.is_empty())
 }

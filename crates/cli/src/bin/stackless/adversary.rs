@@ -6,7 +6,8 @@ use std::time::{Duration, Instant};
 use stackless_check::adversary::{GOALS, Goal, Search};
 
 use crate::Outcome;
-use crate::output::{self, bar, grouped, say, table, write_file};
+use crate::output::{bar, grouped, say, table, write_file};
+use crate::places::{self, Output};
 
 /// Search for the case that costs most: trees and tapes, or triangles and rays.
 ///
@@ -32,8 +33,8 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Write the worst case to this file, each time that a worse one is found: the search may be interrupted.
-    #[arg(short, value_name = "FILE", value_parser = output::file)]
-    o: Option<PathBuf>,
+    #[arg(short, value_name = "FILE", value_parser = places::file)]
+    o: Option<Output>,
     /// Do not search: run the case in this file.
     #[arg(long, conflicts_with_all = ["steps", "seconds", "seed", "o"])]
     replay: Option<PathBuf>,
@@ -90,7 +91,7 @@ fn search(goal: &'static Goal, args: &Args) -> Outcome {
 
 fn replay(goal: &Goal, path: &Path) -> Outcome {
     let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
-    let text = std::fs::read_to_string(path).map_err(|error| named(&error))?;
+    let text = stackless_scene::read_text(path).map_err(|error| named(&error))?;
     let (subject, _) = goal.read(&text).map_err(|error| named(&error))?;
     let cost = goal.cost(&subject).ok_or_else(|| named(&"this case has no such cost"))?;
     say!("{goal}: {cost} = {:.4}", cost.ratio());

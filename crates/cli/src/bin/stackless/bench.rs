@@ -17,7 +17,8 @@ use crate::Outcome;
 use crate::build::Build;
 use crate::input::{self, Scene};
 use crate::judge::{Answer, Counts, Query, Truths, csv_line, is_same};
-use crate::output::{self, say, write_json};
+use crate::output::{say, write_json};
+use crate::places::{self, Output};
 use crate::turns::take_turns;
 use own::Trees;
 use rays::{Kind, Set};
@@ -65,8 +66,8 @@ pub(crate) struct Args {
     #[arg(long)]
     peers: bool,
     /// Write the figures to this file.
-    #[arg(long, value_name = "FILE", value_parser = output::file)]
-    json: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    json: Option<Output>,
 }
 
 impl Args {
@@ -130,11 +131,11 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let scenes = input::scenes(&args.scenes)?;
     let Found { rows, notes, offences } = measure(args, &scenes, |rows| say!("{}", of_scene(rows)))?;
     say!("{}", means(&rows));
-    if let Some(path) = &args.json {
-        write_json(path, &rows)?;
-    }
     for note in notes.iter().chain(&offences) {
         say!("{note}");
+    }
+    if let Some(path) = &args.json {
+        write_json(path, &rows)?;
     }
     Ok(offences.is_empty())
 }

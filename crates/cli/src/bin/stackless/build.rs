@@ -28,12 +28,10 @@ impl Build {
         Self { builder: Builder::Spatial, reinsertion: 2 },
     ];
 
-    /// The default, but for `complete`, which needs a complete tree.
-    pub(crate) fn for_method(self, method: Method) -> Self {
-        match method {
-            Method::Complete => Self { builder: Builder::Median, reinsertion: 0 },
-            _ => self,
-        }
+    /// What was asked for; else the default, but for `complete`, which needs a complete tree.
+    pub(crate) fn chosen(asked: Option<Self>, methods: &[Method]) -> Self {
+        let usual = if methods.contains(&Method::Complete) { Builder::Median } else { Builder::default() };
+        asked.unwrap_or(Self { builder: usual, reinsertion: 0 })
     }
 
     /// Builds, with a progress bar.

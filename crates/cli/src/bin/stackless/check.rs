@@ -15,7 +15,8 @@ use stackless_check::{
 use crate::Outcome;
 use crate::build::Build;
 use crate::input::{self, MADE, Scene};
-use crate::output::{self, bar, grouped, say, table, write_json};
+use crate::output::{bar, grouped, say, table, write_json};
+use crate::places::{self, Output};
 
 /// Compare every traversal with the oracle.
 ///
@@ -49,11 +50,11 @@ pub(crate) struct Args {
     #[arg(long, value_parser = input::word)]
     word: Option<WordName>,
     /// Rays through each scene.
-    #[arg(long, default_value_t = 4000)]
-    rays: usize,
+    #[arg(long, default_value_t = 4000, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
+    rays: u32,
     /// Write the counts to this file.
-    #[arg(long, value_name = "FILE", value_parser = output::file)]
-    json: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    json: Option<Output>,
     /// Run the case in this file and nothing else. A disagreement on a tree is printed as such a file.
     #[arg(long, conflicts_with_all = ["scenes", "trees", "family", "depth"])]
     replay: Option<PathBuf>,
@@ -100,6 +101,11 @@ pub(crate) fn run(args: Args) -> Outcome {
     }
     let abstract_only = args.family.is_some() || args.depth.is_some() || args.trees.is_some();
     plan.trees = args.trees.unwrap_or(if scenes.is_empty() { 200_000 } else { 0 });
+    if plan.trees == 0 && (args.family.is_some() || args.depth.is_some()) {
+        return Err(
+            "--family and --depth are of random trees, and none would be checked: expected --trees N too".into()
+        );
+    }
     let mut found = None;
     if plan.trees > 0 {
         found = check_trees(&plan, abstract_only, &mut total);
@@ -110,7 +116,7 @@ pub(crate) fn run(args: Args) -> Outcome {
     let made = || MADE.iter().map(|name| Scene::load(name.as_ref())).collect::<Result<Vec<_>, _>>();
     let scenes = if scenes.is_empty() && !abstract_only { made()? } else { scenes };
     for scene in &scenes {
-        check_one_scene(&plan, scene, args.rays, &mut total)?;
+        check_one_scene(&plan, scene, args.rays as usize, &mut total)?;
     }
     finish(&args, &plan, total, found.as_ref())
 }
@@ -205,15 +211,15 @@ fn finish(args: &Args, plan: &Plan, total: Total, found: Option<&Disagreement>) 
         rows,
         smallest: found.map(smallest),
     };
-    if let Some(path) = &args.json {
-        write_json(path, &summary)?;
-    }
     say!(
         "checked: {} trees, {} rays, {} methods, {disagreements} disagreements",
         summary.trees,
         summary.rays,
         summary.methods
     );
+    if let Some(path) = &args.json {
+        write_json(path, &summary)?;
+    }
     Ok(disagreements == 0)
 }
 

@@ -5,7 +5,8 @@ use std::time::{Duration, Instant};
 
 use stackless_suite::{CaseResult, Hello, Level, Report, Runner, Strength, Suite, Waivers, author};
 
-use crate::output::{self, bar, grouped, say, table, write_file, write_json};
+use crate::output::{bar, grouped, say, table, write_file, write_json};
+use crate::places::{self, Output};
 use crate::{Outcome, input};
 
 /// Ask a program the cases of the conformance suite, and say where it is wrong.
@@ -26,11 +27,11 @@ pub(crate) struct Args {
     #[arg(long)]
     filter: Option<String>,
     /// Write what came of each case to this file, as JSON.
-    #[arg(long, value_name = "FILE", value_parser = output::file)]
-    json: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    json: Option<Output>,
     /// The same as XML that build servers read (`JUnit`).
-    #[arg(long, value_name = "FILE", value_parser = output::file)]
-    junit: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    junit: Option<Output>,
     /// Cases that are known to fail: a file like `[{"id": "...", "reason": "..."}]`.
     #[arg(long)]
     waivers: Option<PathBuf>,
@@ -74,20 +75,21 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let report = runner.run(|_| progress.inc(1));
     progress.finish_and_clear();
     let report = report?;
+    // The verdict is known even where its files cannot be written.
+    print(&report, args, start.elapsed());
     if let Some(path) = &args.json {
         write_json(path, &report.to_json())?;
     }
     if let Some(path) = &args.junit {
         write_file(path, |file| file.write_all(report.to_junit().as_bytes()))?;
     }
-    print(&report, args, start.elapsed());
     Ok(report.is_conforming())
 }
 
 /// The suite of a folder, or the program's own.
 pub(crate) fn load(folder: Option<&Path>) -> Result<Suite, Box<dyn std::error::Error>> {
     Ok(match folder {
-        Some(folder) => Suite::load(folder)?,
+        Some(folder) => Suite::load(folder).map_err(|error| format!("{}: {error}", folder.display()))?,
         None => author::suite(),
     })
 }

@@ -3,14 +3,14 @@
 mod plot;
 
 use std::hint::black_box;
-use std::path::PathBuf;
 
 use serde::Serialize;
 use stackless_bvh::generate::Rng;
 use stackless_bvh::traverse::Method;
 use stackless_curve::{Bezier, Closest, End, Family, Options};
 
-use crate::output::{self, say, table, write_file, write_json};
+use crate::output::{say, table, write_file, write_json};
+use crate::places::{self, Output};
 use crate::turns::{median, take_turns};
 use crate::{Outcome, input};
 
@@ -50,11 +50,11 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Write the figures to this file.
-    #[arg(long, value_name = "FILE", value_parser = output::file)]
-    json: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    json: Option<Output>,
     /// Draw time against error, as SVG.
-    #[arg(long, value_name = "FILE", value_parser = output::file)]
-    plot: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    plot: Option<Output>,
 }
 
 /// Queries that are timed before it is another's turn.

@@ -9,7 +9,8 @@ use stackless_suite::{Ask, author};
 
 use crate::build::Build;
 use crate::input::{self, Scene};
-use crate::output::{self, say, write_file};
+use crate::output::{say, write_file};
+use crate::places::{self, Output};
 use crate::{Outcome, camera};
 
 /// Write a page that steps through traversals: the tree, the bits, the lookups, and the oracle's stack beside them.
@@ -46,8 +47,8 @@ pub(crate) struct Args {
     #[arg(long, value_delimiter = ',', value_parser = input::MethodName)]
     methods: Vec<Method>,
     /// The page; `-` is the standard output.
-    #[arg(short, long, value_name = "FILE.html", value_parser = output::file)]
-    output: PathBuf,
+    #[arg(short, long, value_name = "FILE.html", value_parser = places::file)]
+    output: Output,
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {

@@ -14,8 +14,10 @@ mod explain;
 mod input;
 mod judge;
 mod output;
+mod places;
 mod render;
 mod report;
+mod signals;
 mod stats;
 mod stress;
 mod suite;
@@ -24,7 +26,7 @@ mod turns;
 
 use std::process::ExitCode;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 /// Traversal of binary hierarchies without a stack: checked, exact about what it does, and measured.
 #[derive(Parser)]
@@ -83,11 +85,25 @@ type Outcome = Result<bool, Box<dyn std::error::Error>>;
 
 /// 0 if all is well, 1 if a check found something wrong, 2 if it could not run (bad input or usage).
 fn main() -> ExitCode {
-    let command = Command::parse();
+    signals::watch();
+    let matches = match Command::command().try_get_matches() {
+        Ok(matches) => matches,
+        Err(usage) => return end(show(&usage)),
+    };
+    let outcome = match Command::from_arg_matches(&matches) {
+        Ok(command) => run(command, &matches),
+        Err(usage) => show(&usage),
+    };
+    end(outcome)
+}
+
+fn run(command: Command, matches: &ArgMatches) -> Outcome {
     if command.quiet {
         output::be_quiet();
     }
-    let outcome = match command.what {
+    places::check(matches)?;
+    start_threads()?;
+    match command.what {
         What::Check(args) => check::run(args),
         What::Trace(args) => trace::run(&args),
         What::Render(args) => render::run(&args),
@@ -102,16 +118,57 @@ fn main() -> ExitCode {
         What::Stats(args) => stats::run(&args),
         What::Report(args) => report::run(&args),
         What::Completions { shell } => {
-            clap_complete::generate(shell, &mut Command::command(), "stackless", &mut std::io::stdout());
+            let mut script = Vec::new();
+            clap_complete::generate(shell, &mut Command::command(), "stackless", &mut script);
+            output::write_file("-".as_ref(), |file| file.write_all(&script))?;
             Ok(true)
         }
-    };
+    }
+}
+
+/// Prints the help that was asked for, or what is wrong with the command line.
+fn show(usage: &clap::Error) -> Outcome {
+    let is_help = usage.exit_code() == 0;
+    match usage.print() {
+        Err(error) if is_help && error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(format!("standard output: cannot be written: {error}").into())
+        }
+        _ if is_help => Ok(true),
+        // It is said already, as well as it can be.
+        _ => Err(Box::new(Said)),
+    }
+}
+
+/// An error that its reader has been told of.
+#[derive(Debug, thiserror::Error)]
+#[error("")]
+struct Said;
+
+/// Starts as many threads as RAYON_NUM_THREADS says, or one for each core.
+fn start_threads() -> Result<(), String> {
+    const MOST: usize = 1024;
+    let asked = std::env::var("RAYON_NUM_THREADS").ok().and_then(|text| text.parse::<usize>().ok()).unwrap_or(0);
+    if asked > MOST {
+        return Err(format!("RAYON_NUM_THREADS={asked}: expected up to {MOST} threads"));
+    }
+    rayon::ThreadPoolBuilder::new().num_threads(asked).build_global().map_err(|error| format!("threads: {error}"))
+}
+
+/// The exit code, after all is written. What went wrong with that is an error, also of a command that went well.
+fn end(outcome: Outcome) -> ExitCode {
+    let written = output::finish();
+    if let Err(error) = &outcome
+        && !error.is::<Said>()
+    {
+        output::print_error(error);
+    }
+    if let Err(error) = &written {
+        output::print_error(error);
+    }
     match outcome {
+        Ok(_) if written.is_err() => ExitCode::from(2),
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::from(2)
-        }
+        Err(_) => ExitCode::from(2),
     }
 }

@@ -1,9 +1,11 @@
 //! What the subcommands put out: tables, bars, files.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 use comfy_table::CellAlignment;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -66,26 +68,66 @@ pub(crate) fn be_quiet() {
     LINES.store(TO_NOBODY, Ordering::Relaxed);
 }
 
-/// The path of a file to write. `-` is the standard output, which then is the file's alone: what else is said goes to
-/// the standard error.
-pub(crate) fn file(text: &str) -> Result<PathBuf, String> {
-    if text.is_empty() {
-        return Err("expected a file name, or - for the standard output".to_owned());
-    }
-    if text == "-" {
-        // Unless nothing is said at all.
-        let _ = LINES.compare_exchange(TO_OUTPUT, TO_ERROR, Ordering::Relaxed, Ordering::Relaxed);
-    }
-    Ok(text.into())
+/// From now on the standard output is a file's alone: lines go to the standard error, unless nothing is said at all.
+pub(crate) fn leave_to_file() {
+    let _ = LINES.compare_exchange(TO_OUTPUT, TO_ERROR, Ordering::Relaxed, Ordering::Relaxed);
 }
 
-/// Prints a line. A reader that has gone away is no reason to fail.
+/// Prints a line. That the standard output cannot be written is told by [`finish`].
 pub(crate) fn print_line(line: fmt::Arguments<'_>) {
-    let _ = match LINES.load(Ordering::Relaxed) {
-        TO_OUTPUT => writeln!(io::stdout(), "{line}"),
-        TO_ERROR => writeln!(io::stderr(), "{line}"),
-        _ => Ok(()),
+    let line = line.to_string();
+    match LINES.load(Ordering::Relaxed) {
+        TO_OUTPUT => note(writeln!(io::stdout(), "{}", plain(&line))),
+        TO_ERROR => warn(&line),
+        _ => {}
+    }
+}
+
+/// Prints a line to the standard error. Nobody can be told that it cannot be written.
+pub(crate) fn warn(line: &str) {
+    let _ = writeln!(io::stderr(), "{}", plain(line));
+}
+
+/// Prints why the command could not run. What others have written is part of it, and may be long.
+pub(crate) fn print_error(error: &dyn fmt::Display) {
+    const SHOWN: usize = 2000;
+    let text = error.to_string();
+    let end = if text.chars().count() > SHOWN { "…" } else { "" };
+    warn(&format!("error: {}{end}", text.chars().take(SHOWN).collect::<String>()));
+}
+
+/// Why the standard output could not be written, the first time that it could not.
+static FAILURE: Mutex<Option<io::Error>> = Mutex::new(None);
+
+/// Notes a failure. A reader that has gone away is none.
+fn note(written: io::Result<()>) {
+    if let Err(error) = written
+        && error.kind() != io::ErrorKind::BrokenPipe
+    {
+        FAILURE.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+    }
+}
+
+/// Writes out what is still held back.
+///
+/// # Errors
+/// The standard output could not be written, now or earlier.
+pub(crate) fn finish() -> Result<(), String> {
+    note(io::stdout().flush());
+    let failure = FAILURE.lock().unwrap_or_else(PoisonError::into_inner).take();
+    failure.map_or(Ok(()), |error| Err(format!("standard output: cannot be written: {error}")))
+}
+
+/// Text for a terminal: whoever wrote it does not move the cursor, colour what follows, or turn its direction.
+fn plain(text: &str) -> Cow<'_, str> {
+    let acts = |c: char| {
+        c != '\n' && c.is_control()
+            || matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
     };
+    if !text.contains(acts) {
+        return text.into();
+    }
+    text.chars().flat_map(|c| if acts(c) { c.escape_unicode().collect() } else { vec![c] }).collect()
 }
 
 /// A progress bar on standard error, where that is a terminal and somebody wants to know.
@@ -104,14 +146,11 @@ pub(crate) fn write_json(path: &Path, value: &impl serde::Serialize) -> Result<(
     write_file(path, |file| writeln!(file, "{text}"))
 }
 
-/// Writes a file, whole or not at all; `-` is the standard output.
+/// Writes a file, whole or not at all; `-` is the standard output, whose failure [`finish`] tells.
 pub(crate) fn write_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
     if path.as_os_str() == "-" {
-        return match write(&mut io::stdout().lock()) {
-            // A reader that has gone away is no reason to fail.
-            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(format!("standard output: {error}")),
-            _ => Ok(()),
-        };
+        note(write(&mut io::stdout().lock()));
+        return Ok(());
     }
     stackless_scene::write_atomically(path, write)
         .map_err(|error| format!("{}: cannot be written: {error}", path.display()))

@@ -13,7 +13,8 @@ use stackless_bvh::traverse::Method;
 
 use crate::build::Build;
 use crate::input::{self, Scene};
-use crate::output::{self, bar, say, write_file};
+use crate::output::{bar, say, write_file};
+use crate::places::{self, Output};
 use crate::{Outcome, camera};
 use cost::{Costs, Heat};
 use picture::Picture;
@@ -31,8 +32,8 @@ pub(crate) struct Args {
     /// Mesh file (.ply, .obj), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
     /// The picture; `-` is the standard output.
-    #[arg(short, long, value_name = "FILE.png", value_parser = output::file)]
-    output: PathBuf,
+    #[arg(short, long, value_name = "FILE.png", value_parser = places::file)]
+    output: Output,
     #[command(flatten)]
     camera: camera::Options,
     /// Which rays each pixel stands for.
@@ -56,8 +57,9 @@ pub(crate) struct Args {
     #[arg(long, value_enum, conflicts_with_all = ["heatmap", "method", "compare", "rays"])]
     figure: Option<Figure>,
     /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median; with `+N`, N rounds of reinsertion follow.
-    #[arg(long, default_value_t)]
-    build: Build,
+    /// [default: sah, with `complete` median]
+    #[arg(long)]
+    build: Option<Build>,
     /// Seed of what is random.
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -83,7 +85,7 @@ const SCALE: f64 = 0.99;
 pub(crate) fn run(args: &Args) -> Outcome {
     let scene = Scene::load(&args.scene)?;
     let job = Job::of(args);
-    let build = job.methods.iter().fold(args.build, |build, &method| build.for_method(method));
+    let build = Build::chosen(args.build, &job.methods);
     let Drawn { png, lines } = job.draw(&scene, &build.run(&scene)?)?;
     write_file(&args.output, |file| file.write_all(&png))?;
     for line in lines {

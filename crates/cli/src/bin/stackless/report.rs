@@ -2,8 +2,8 @@
 
 mod page;
 
-use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::traverse::Method;
@@ -11,6 +11,7 @@ use stackless_bvh::traverse::Method;
 use crate::build::Build;
 use crate::input::{self, Scene};
 use crate::output::{Block, Table, grouped, say, table, write_file};
+use crate::places::{self, Output};
 use crate::render::{Drawn, Figure, Job};
 use crate::stats::Stats;
 use crate::{Outcome, accuracy, bench, camera};
@@ -29,9 +30,10 @@ pub(crate) struct Args {
     /// Mesh files (.ply, .obj), or the made scenes `strands`, `stadium`, `soup`.
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
-    /// The folder, which is made where it is missing; files in it are replaced.
-    #[arg(short, long, value_name = "DIR")]
-    output: PathBuf,
+    /// The folder, which is made where it is missing. What an earlier report has left there is replaced, and its tables
+    /// of scenes are removed.
+    #[arg(short, long, value_name = "DIR", value_parser = places::folder)]
+    output: Output,
     /// How the hierarchies are built: sah, sbvh, lbvh, bounded or median; with `+N`, N rounds of reinsertion follow.
     #[arg(long, default_value_t)]
     build: Build,
@@ -71,7 +73,7 @@ const METHODS: [Method; 15] = [
 pub(crate) fn run(args: &Args) -> Outcome {
     let scenes = input::scenes(&args.scenes)?;
     // A place that cannot be written to is known before hours of work.
-    fs::create_dir_all(&args.output).map_err(|error| format!("{}: {error}", args.output.display()))?;
+    fs::create_dir_all(&*args.output).map_err(|error| format!("{}: {error}", args.output.display()))?;
     let measured: Result<Vec<_>, _> =
         scenes.iter().map(|scene| Stats::of(scene, args.build, args.rays as usize, args.seed)).collect();
     let (stats, hierarchies): (Vec<_>, Vec<_>) = measured?.into_iter().unzip();
@@ -86,11 +88,11 @@ pub(crate) fn run(args: &Args) -> Outcome {
         let pieces = offences.iter().cloned().map(Piece::line).collect();
         sections.insert(0, Section { id: "offences", title: "Exact answers that differ".to_owned(), pieces });
     }
-    let mut files = 0;
-    for (name, csv) in page::tables(&sections) {
+    let tables = page::tables(&sections);
+    for (name, csv) in &tables {
         write_file(&args.output.join(name), |file| file.write_all(csv.as_bytes()))?;
-        files += 1;
     }
+    let removed = remove_old_tables(&args.output, &tables)?;
     let about = format!(
         "{} rays of each kind, {} rounds, {} trees, seed {}",
         grouped(args.rays.into()),
@@ -100,11 +102,29 @@ pub(crate) fn run(args: &Args) -> Outcome {
     );
     let path = args.output.join("index.html");
     write_file(&path, |file| file.write_all(page::html(&about, &sections).as_bytes()))?;
-    say!("{}: {} scenes; {files} tables beside it", path.display(), scenes.len());
+    say!("{}: {} scenes; {} tables beside it", path.display(), scenes.len(), tables.len());
+    if removed > 0 {
+        say!("{removed} tables of an earlier report are removed");
+    }
     for offence in &offences {
         say!("{offence}");
     }
     Ok(offences.is_empty())
+}
+
+/// Removes the tables of scenes that an earlier report had and this one has not, and counts them.
+fn remove_old_tables(folder: &Path, tables: &[(String, String)]) -> Result<usize, String> {
+    let failed = |error: io::Error| format!("{}: {error}", folder.display());
+    let mut removed = 0;
+    for entry in fs::read_dir(folder).map_err(failed)? {
+        let path = entry.map_err(failed)?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if page::is_table_of_scene(&name) && !tables.iter().any(|(written, _)| *written == name) {
+            fs::remove_file(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+            removed += 1;
+        }
+    }
+    Ok(removed)
 }
 
 /// Table 1.

@@ -23,6 +23,7 @@ use crate::Outcome;
 use crate::build::Build;
 use crate::input::Scene;
 use crate::output::{self, Block, grouped, table, write_file, write_json};
+use crate::places::{self, Output};
 use crate::report::Bar;
 
 /// What a scene's hierarchy and its hash tables take, and how far backtracking goes in it.
@@ -40,17 +41,17 @@ pub(crate) struct Args {
     #[arg(long, default_value_t)]
     build: Build,
     /// Number of rays.
-    #[arg(long, default_value_t = 65_536)]
-    rays: usize,
+    #[arg(long, default_value_t = 65_536, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
+    rays: u32,
     /// Seed of the rays.
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Write the figures to this file.
-    #[arg(long, value_name = "FILE", value_parser = output::file)]
-    json: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    json: Option<Output>,
     /// Draw the backtracking distances into this file.
-    #[arg(long, value_name = "FILE", value_parser = output::file)]
-    plot: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    plot: Option<Output>,
 }
 
 /// The file of `--json`.
@@ -121,7 +122,7 @@ struct BacktrackStats {
 
 pub(crate) fn run(args: &Args) -> Outcome {
     let scene = Scene::load(&args.scene)?;
-    let (stats, _) = Stats::of(&scene, args.build, args.rays, args.seed)?;
+    let (stats, _) = Stats::of(&scene, args.build, args.rays as usize, args.seed)?;
     output::print(&stats.blocks());
     if let Some(path) = &args.plot {
         let svg = stats.plot()?;

@@ -1,7 +1,5 @@
 //! `stackless stress`: hard scenes, and how often each accuracy errs on them.
 
-use std::path::PathBuf;
-
 use rayon::prelude::*;
 use serde::Serialize;
 use stackless_bvh::generate::stress;
@@ -9,7 +7,8 @@ use stackless_bvh::trace::{Accuracy, KernelName, SlabsName};
 use stackless_bvh::traverse::Method;
 use stackless_check::{Errors, Stress, check_boxes};
 
-use crate::output::{self, bar, grouped, say, table, write_json};
+use crate::output::{bar, grouped, say, table, write_json};
+use crate::places::{self, Output};
 use crate::{Outcome, input};
 
 /// Trace the stress suite and count errors against rational arithmetic.
@@ -26,8 +25,8 @@ pub(crate) struct Args {
     #[arg(long, value_delimiter = ',', value_parser = case)]
     cases: Vec<&'static str>,
     /// Rays of each case.
-    #[arg(long, default_value_t = 500)]
-    rays: usize,
+    #[arg(long, default_value_t = 500, value_parser = clap::value_parser!(u32).range(1..=1 << 20))]
+    rays: u32,
     /// Only these traversals, separated by commas.
     #[arg(long, value_delimiter = ',', value_parser = input::MethodName)]
     methods: Vec<Method>,
@@ -42,13 +41,14 @@ pub(crate) struct Args {
     brief: bool,
     /// Instead, this many rays with a box each through every box test: how often is a box skipped that the ray touches?
     #[arg(long, value_name = "RAYS", conflicts_with_all = ["cases", "all_tests", "list", "json"])]
+    #[arg(value_parser = clap::value_parser!(u64).range(1..=1 << 40))]
     boxes: Option<u64>,
     /// Seed of those rays.
     #[arg(long, default_value_t = 1, requires = "boxes")]
     seed: u64,
     /// Write the figures to this file.
-    #[arg(long, value_name = "FILE", value_parser = output::file)]
-    json: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    json: Option<Output>,
 }
 
 fn case(name: &str) -> Result<&'static str, String> {
@@ -88,7 +88,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let tests = tests(args.all_tests);
     let progress = bar(names.len() as u64, "cases");
     let run_case = |&name: &&'static str| {
-        let case = stress::case(name, args.rays).ok_or("no such case").map_err(str::to_owned)?;
+        let case = stress::case(name, args.rays as usize).ok_or("no such case").map_err(str::to_owned)?;
         let prepared = Stress::new(&case).map_err(|error| format!("{name}: {error}"))?;
         let rows = tests.iter().map(|Tests { name: accuracy, tests }| {
             let errors = prepared.run(*tests, &methods).map_err(|unfit| format!("{name}: {unfit}"))?;

@@ -13,6 +13,7 @@ use stackless_suite::{Feature, Level, Library, Suite, VERSION, serve};
 
 use crate::conform::{load, select};
 use crate::output::{grouped, say, table, write_file};
+use crate::places::{self, Output};
 use crate::{Outcome, input};
 
 /// The conformance suite: list it, write it as files, show a case, answer it.
@@ -36,7 +37,8 @@ enum What {
         #[command(flatten)]
         chosen: Chosen,
         /// The folder; `vectors/LEVEL/PROFILE.json`, `index.json` and `VERSION` are written there.
-        folder: PathBuf,
+        #[arg(value_parser = places::folder)]
+        folder: Output,
     },
     /// Print cases, one JSON object a line.
     Show(Chosen),

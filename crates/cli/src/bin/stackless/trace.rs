@@ -12,7 +12,8 @@ use stackless_bvh::traverse::{Method, Unfit};
 use crate::Outcome;
 use crate::build::Build;
 use crate::input::{self, Scene};
-use crate::output::{self, bar, say, write_file};
+use crate::output::{bar, say, write_file};
+use crate::places::{self, Output};
 
 /// Trace rays through a scene.
 ///
@@ -28,14 +29,15 @@ pub(crate) struct Args {
     #[arg(long)]
     rays: PathBuf,
     /// File for the hits; written whole or not at all. `-` is the standard output.
-    #[arg(long, value_name = "FILE", value_parser = output::file)]
-    out: PathBuf,
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    out: Output,
     /// The traversal.
     #[arg(long, default_value_t, value_parser = input::MethodName)]
     method: Method,
     /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median; with `+N`, N rounds of reinsertion follow.
-    #[arg(long, default_value_t)]
-    build: Build,
+    /// [default: sah, for `complete` median]
+    #[arg(long)]
+    build: Option<Build>,
     /// How exact the answers are to be: fast, watertight, precise or exact.
     #[arg(long, default_value = "exact", value_parser = input::accuracy)]
     accuracy: Accuracy,
@@ -51,7 +53,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         stackless_scene::read_rays(&args.rays)?
     };
     let scene = Scene::load(&args.scene)?;
-    let bvh = args.build.for_method(args.method).run(&scene)?;
+    let bvh = Build::chosen(args.build, &[args.method]).run(&scene)?;
     let hits = trace::with_level(args.accuracy, WithRays { args, bvh, rays: &rays })
         .map_err(|unfit| format!("{}: {unfit}", args.method))?;
     let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (prim, t, u, v)));

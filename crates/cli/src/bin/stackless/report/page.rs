@@ -53,6 +53,12 @@ pub(super) fn tables(sections: &[Section]) -> Vec<(String, String)> {
     files
 }
 
+/// Whether a file of this name is one of [`tables`] of a scene.
+pub(super) fn is_table_of_scene(name: &str) -> bool {
+    let number = name.strip_prefix("scene").and_then(|rest| rest.strip_suffix(".csv")?.split_once('-'));
+    number.is_some_and(|(number, table)| number.parse::<u32>().is_ok() && !table.is_empty())
+}
+
 /// Lines end as RFC 4180 has it; what has commas or quotes is quoted. Numbers are without commas.
 fn csv(table: &Table) -> String {
     let quoted = |text: &String| {

@@ -1,0 +1,255 @@
+//! Every command where things go badly: streams that are full or closed, places that cannot be written, signals.
+#![cfg(unix)]
+
+use std::fs::{self, File};
+use std::os::unix::fs::symlink;
+use std::os::unix::process::ExitStatusExt;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use super::support::{Folder, data, stackless};
+
+const CUBE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/data/cube.ply");
+
+/// A short run of every command, and the options that name what it writes.
+const RUNS: &[(&str, &[&str])] = &[
+    ("check --trees 5 --methods stack", &["--json"]),
+    ("trace CUBE --rays RAYS", &["--out"]),
+    ("render CUBE --size 8", &["-o"]),
+    ("bench CUBE --count 16 --rounds 1 --methods stack --rays primary", &["--json"]),
+    ("stress --rays 2 --cases torus --methods stack", &["--json"]),
+    ("conform --suite SUITE -- STACKLESS suite serve", &["--json", "--junit"]),
+    ("suite list --suite SUITE", &[]),
+    ("suite show --suite SUITE", &[]),
+    ("adversary climb-afra --steps 50", &["-o"]),
+    ("accuracy CUBE --rays 16 --rounds 1", &["--json", "--csv", "--plot"]),
+    ("curve --curves 2 --rounds 1 --tolerance 1e-2", &["--json", "--plot"]),
+    ("explain --tape 1", &["-o"]),
+    ("stats CUBE --rays 16", &["--json", "--plot"]),
+    ("completions zsh", &[]),
+    ("--help", &[]),
+    ("--version", &[]),
+];
+
+/// What is put for names in capitals.
+struct Place {
+    folder: Folder,
+}
+
+impl Place {
+    /// A folder with some rays and a part of the suite.
+    fn new() -> Self {
+        let folder = Folder::new();
+        folder.file("rays.csv", "0.5,0.5,9,0,0,-1,0,inf\n");
+        stackless("suite export --filter key/u32/child-*", &[&folder.path("suite")]).passes();
+        Self { folder }
+    }
+
+    /// A run; of options that must be there the first goes to a file, unless `options` names them.
+    fn command(&self, args: &str, options: &[&str]) -> Command {
+        let stackless = env!("CARGO_BIN_EXE_stackless");
+        let mut command = Command::new(stackless);
+        // What is behind `--` is another program's.
+        let (ours, others) = args.split_once(" -- ").map_or((args, None), |(ours, others)| (ours, Some(others)));
+        let path = |name: &str| self.folder.path(name).display().to_string();
+        let word = |word: &str| match word {
+            "CUBE" => CUBE.to_owned(),
+            "RAYS" => path("rays.csv"),
+            "SUITE" => path("suite"),
+            "STACKLESS" => stackless.to_owned(),
+            word => word.to_owned(),
+        };
+        command.args(ours.split_whitespace().map(word)).args(options);
+        if let Some(others) = others {
+            command.arg("--").args(others.split_whitespace().map(word));
+        }
+        command
+    }
+}
+
+/// The option and a place for the outputs that a command must have.
+fn needed<'p>(options: &[&'p str], place: &'p str) -> Vec<&'p str> {
+    let is_needed = |option: &&&str| matches!(**option, "--out" | "-o");
+    options.iter().filter(is_needed).flat_map(|option| [*option, place]).collect()
+}
+
+/// A standard output that is full is an error, and one that is closed is not. Neither ever ends in a panic.
+#[test]
+fn a_full_output_is_an_error_and_a_closed_one_is_not() {
+    let place = Place::new();
+    let out = place.folder.path("out").display().to_string();
+    for (args, options) in RUNS {
+        let full = || File::options().write(true).open("/dev/full").unwrap();
+        let output = place.command(args, &needed(options, &out)).stdout(full()).output().unwrap();
+        let error = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{args}: {error}");
+        assert!(error.ends_with('\n') && error.contains("standard output: cannot be written"), "{args}: {error}");
+        // With nobody to tell, the exit code still tells.
+        let status = place.command(args, &needed(options, &out)).stdout(full()).stderr(full()).status().unwrap();
+        assert_eq!(status.code(), Some(2), "{args}");
+        // What is written to `-` too.
+        for option in *options {
+            let output = place.command(args, &[option, "-"]).stdout(full()).output().unwrap();
+            let error = String::from_utf8(output.stderr).unwrap();
+            assert_eq!(output.status.code(), Some(2), "{args} {option} -: {error}");
+            assert!(error.contains("standard output: cannot be written"), "{args} {option} -: {error}");
+        }
+
+        let mut child =
+            place.command(args, &needed(options, &out)).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn();
+        drop(child.as_mut().unwrap().stdout.take());
+        let output = child.unwrap().wait_with_output().unwrap();
+        assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()), "{args}");
+    }
+    // What is wrong with the command line cannot be told either.
+    let full = File::options().write(true).open("/dev/full").unwrap();
+    assert_eq!(place.command("nosuch", &[]).stderr(full).status().unwrap().code(), Some(2));
+}
+
+/// A place that cannot be written is known before the work, and before the input is read.
+#[test]
+fn a_place_that_cannot_be_written_is_refused_first() {
+    let place = Place::new();
+    let file = place.folder.file("file", "");
+    fs::create_dir(place.folder.path("folder")).unwrap();
+    let bad = [place.folder.path("none/x"), file.join("x"), place.folder.path("folder"), "/proc/x".into()];
+    for (args, options) in RUNS {
+        for option in *options {
+            for bad in &bad {
+                let args = args.replace("CUBE", "nothing.ply");
+                let run = place.command(&args, &[option, &bad.display().to_string()]).output().unwrap();
+                let error = String::from_utf8(run.stderr).unwrap();
+                assert_eq!((run.status.code(), run.stdout), (Some(2), Vec::new()), "{args} {option}");
+                let expected = format!("error: {}: cannot be written: ", bad.display());
+                assert!(error.starts_with(&expected) && error.lines().count() == 1, "{args} {option}: {error}");
+            }
+        }
+    }
+    for command in ["report nothing.ply -o", "suite export"] {
+        stackless(command, &[Path::new("/proc")]).fails_naming(&["/proc: cannot be written"]);
+    }
+    assert_eq!(place.folder.names(), ["file", "folder", "rays.csv", "suite"]);
+}
+
+/// A disk that is full leaves the file as it was. It needs the right to mount one.
+#[test]
+fn a_full_disk_leaves_what_was_there() {
+    let place = Place::new();
+    let disk = place.folder.path("disk");
+    fs::create_dir(&disk).unwrap();
+    let script = format!(
+        "mount -t tmpfs -o size=4k none {0} && echo old > {0}/out && echo mounted && \
+         {1} render {CUBE} --size 512 -o {0}/out; echo $?; cat {0}/out; ls -A {0}",
+        disk.display(),
+        env!("CARGO_BIN_EXE_stackless")
+    );
+    let run = Command::new("unshare").args(["--mount", "--map-root-user", "sh", "-c", &script]).output();
+    let text = run.map(|run| String::from_utf8(run.stdout).unwrap()).unwrap_or_default();
+    if text.starts_with("mounted\n") {
+        assert_eq!(text, "mounted\n2\nold\nout\n");
+    } else {
+        eprintln!("not run: no disk can be mounted here");
+    }
+}
+
+/// No command overwrites what it reads, nor writes two things to one place.
+#[test]
+fn a_place_has_one_use() {
+    let place = Place::new();
+    let path = |name: &str| place.folder.path(name).display().to_string();
+    fs::copy(CUBE, path("cube.ply")).unwrap();
+    symlink("cube.ply", path("link")).unwrap();
+    fs::create_dir(path("folder")).unwrap();
+    let [cube, link, round, rays, suite] = ["cube.ply", "link", "folder/../cube.ply", "rays.csv", "suite"].map(path);
+    for target in [&cube, &link, &round] {
+        for args in ["trace", "render", "bench", "stats"] {
+            let (more, option) = match args {
+                "trace" => (vec!["--rays", &rays], "--out"),
+                "render" => (vec![], "-o"),
+                _ => (vec![], "--json"),
+            };
+            let run = place.command(args, &[&[cube.as_str()], &more[..], &[option, target]].concat()).output().unwrap();
+            let error = String::from_utf8(run.stderr).unwrap();
+            assert!(run.status.code() == Some(2) && error.contains("would overwrite it"), "{args}: {error}");
+        }
+    }
+    let refused = |args: &str, options: &[&str], what: &str| {
+        let run = place.command(args, options).output().unwrap();
+        let error = String::from_utf8(run.stderr).unwrap();
+        assert!(run.status.code() == Some(2) && error.contains(what), "{args} {options:?}: {error}");
+    };
+    refused("trace CUBE --rays RAYS", &["--out", &rays], "would overwrite it");
+    refused("explain --case RAYS", &["-o", &rays], "would overwrite it");
+    refused("suite export --suite SUITE", &[&suite], "would overwrite it");
+    let twice = "two outputs";
+    refused("stats CUBE", &["--json", &path("new"), "--plot", &path("folder/../new")], twice);
+    refused("stats CUBE", &["--json", "-", "--plot", "-"], twice);
+    refused(
+        "conform --suite SUITE -- STACKLESS suite serve",
+        &["--json", &path("new"), "--junit", &path("new")],
+        twice,
+    );
+    assert_eq!(fs::read(cube).unwrap(), fs::read(CUBE).unwrap());
+    assert_eq!(place.folder.names(), ["cube.ply", "folder", "link", "rays.csv", "suite"]);
+}
+
+/// A signal in the middle of writing leaves no temporary file, and the file as it was.
+#[test]
+fn a_signal_leaves_no_temporary_file() {
+    let folder = Folder::new();
+    let rays = folder.file("rays.csv", "0.5,0.5,9,0,0,-1,0,inf\n".repeat(400_000));
+    for (signal, number) in [("-INT", 2), ("-TERM", 15), ("-HUP", 1)] {
+        let out = Folder::new();
+        out.file("hits.csv", "old");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_stackless"));
+        command.args(["-q", "trace"]).arg(data("cube.ply")).arg("--rays").arg(&rays);
+        let mut child = command.arg("--out").arg(out.path("hits.csv")).spawn().unwrap();
+        let start = Instant::now();
+        // The first look at the place leaves one for a moment too: this is the one that grows.
+        let temporary = out.path(".hits.csv.0.tmp");
+        while fs::metadata(&temporary).map_or(0, |file| file.len()) == 0 {
+            assert!(
+                child.try_wait().unwrap().is_none() && start.elapsed() < Duration::from_secs(120),
+                "not seen writing"
+            );
+        }
+        assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
+        assert_eq!(child.wait().unwrap().signal(), Some(number), "{signal}");
+        assert_eq!(out.names(), ["hits.csv"], "{signal}");
+        assert_eq!(fs::read_to_string(out.path("hits.csv")).unwrap(), "old");
+    }
+}
+
+/// However the runner ends, the program that it asks ends too, with all that it has started.
+#[test]
+fn no_program_survives_its_runner() {
+    let place = Place::new();
+    for signal in ["-INT", "-TERM", "-KILL"] {
+        let pids = place.folder.path("pids");
+        let script = format!("sleep 1000 & echo $$ $! > {0}.new; mv {0}.new {0}; sleep 1000", pids.display());
+        let mut command = place.command("conform --suite SUITE --timeout 1000 --", &[]);
+        let mut child =
+            command.args(["sh", "-c", &script]).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        while !pids.exists() {
+            assert!(child.try_wait().unwrap().is_none(), "the program was not started");
+            std::thread::sleep(Duration::from_millis(10));
+        }
+        assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
+        child.wait().unwrap();
+        for pid in fs::read_to_string(&pids).unwrap().split_whitespace() {
+            let start = Instant::now();
+            while is_running(pid) {
+                assert!(start.elapsed() < Duration::from_secs(10), "{signal}: {pid} runs on");
+                std::thread::sleep(Duration::from_millis(10));
+            }
+        }
+        fs::remove_file(pids).unwrap();
+    }
+}
+
+/// Whether a process runs; one that has ended may still be in the table.
+fn is_running(pid: &str) -> bool {
+    let output = Command::new("ps").args(["-o", "stat=", "-p", pid]).output().unwrap();
+    !matches!(output.stdout.trim_ascii().first(), None | Some(b'Z'))
+}

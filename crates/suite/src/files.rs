@@ -1,0 +1,250 @@
+//! The suite as files: `index.json` names them, and nothing else is one.
+
+use std::collections::HashSet;
+use std::path::Path;
+use std::{fs, io};
+
+use serde::{Deserialize, Serialize};
+use stackless_scene::read_text;
+
+use super::text::Shown;
+use super::{Feature, Profile, Suite, SuiteCase, VERSION};
+
+/// Why files are not a suite.
+#[derive(Debug, thiserror::Error)]
+pub enum SuiteError {
+    /// A file or folder cannot be read.
+    #[error("{path}: {error}")]
+    Read {
+        /// Which.
+        path: String,
+        /// Why.
+        error: io::Error,
+    },
+    /// A file is not one of cases, or not an index. (The message names line and column.)
+    #[error("{path}: {}", Shown(.error.to_string()))]
+    Json {
+        /// Which.
+        path: String,
+        /// Why.
+        error: serde_json::Error,
+    },
+    /// A file is of another version.
+    #[error("{path}: version {} of the suite, expected {VERSION}", Shown(.found))]
+    Version {
+        /// Which.
+        path: String,
+        /// Its version.
+        found: String,
+    },
+    /// The index names a file that no profile has.
+    #[error(
+        "index.json: file '{}' of profile '{}': expected vectors/PROFILE.json, with letters a-z, digits and -",
+        Shown(.file),
+        Shown(.profile)
+    )]
+    Name {
+        /// The profile.
+        profile: String,
+        /// The file.
+        file: String,
+    },
+    /// The index names a profile twice.
+    #[error("index.json: profile '{}' stands twice", Shown(.profile))]
+    ProfileTwice {
+        /// Which.
+        profile: String,
+    },
+    /// A file holds something else than the index says.
+    #[error("{path}: {cases} cases of profile '{}', expected what index.json says", Shown(.profile))]
+    Index {
+        /// The file.
+        path: String,
+        /// The profile in it.
+        profile: String,
+        /// The number of its cases.
+        cases: usize,
+    },
+    /// The index does not name a file.
+    #[error("{}: index.json does not name it", Shown(.path))]
+    Stray {
+        /// The file.
+        path: String,
+    },
+    /// An id stands twice.
+    #[error("{path}: case '{}' stands twice", Shown(.id))]
+    Twice {
+        /// The file.
+        path: String,
+        /// The id.
+        id: String,
+    },
+    /// An id is not in its place.
+    #[error("{path}: case '{}': expected an id like '{prefix}/NAME', with letters a-z, digits, - and ^", Shown(.id))]
+    Place {
+        /// The file.
+        path: String,
+        /// The id.
+        id: String,
+        /// Level and profile.
+        prefix: String,
+    },
+    /// There is no case.
+    #[error("index.json: no cases")]
+    Empty,
+}
+
+/// The file that names all others.
+const INDEX: &str = "index.json";
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Index {
+    suite: String,
+    files: Vec<Row>,
+}
+
+/// A file of the index.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Row {
+    profile: String,
+    file: String,
+    cases: usize,
+}
+
+impl Row {
+    fn of(profile: &Profile) -> Self {
+        let name = profile.name();
+        Self { file: format!("vectors/{name}.json"), profile: name, cases: profile.cases.len() }
+    }
+
+    /// Whether the file is where it belongs. No other name is ever made a path.
+    fn is_in_place(&self) -> bool {
+        let parts = self.profile.split_once('/');
+        parts.is_some_and(|(level, name)| is_name(level, "") && is_name(name, ""))
+            && self.file == format!("vectors/{}.json", self.profile)
+    }
+}
+
+/// Small letters, digits, `-`, and some more.
+fn is_name(text: &str, more: &str) -> bool {
+    let is_plain = |c: char| matches!(c, 'a'..='z' | '0'..='9' | '-') || more.contains(c);
+    !text.is_empty() && text.chars().all(is_plain)
+}
+
+impl Suite {
+    /// Reads a folder like `spec/suite`.
+    ///
+    /// # Errors
+    /// [`SuiteError`], for the first file that is not as it must be, or that `index.json` does not name. Paths in it are
+    /// within the folder.
+    pub fn load(folder: &Path) -> Result<Self, SuiteError> {
+        let suite = Self::read(|file| read_text(&folder.join(file)))?;
+        let mut files = Vec::new();
+        collect_json(folder, "vectors", &mut files)?;
+        let is_named = |path: &String| suite.profiles.iter().any(|profile| Row::of(profile).file == *path);
+        match files.into_iter().find(|path| !is_named(path)) {
+            Some(path) => Err(SuiteError::Stray { path }),
+            None => Ok(suite),
+        }
+    }
+
+    /// Reads a suite whose files have these texts. Asks for `index.json`, and for the files that it names.
+    ///
+    /// # Errors
+    /// [`SuiteError`], for the first file that is not as it must be.
+    pub fn read(mut text: impl FnMut(&str) -> io::Result<String>) -> Result<Self, SuiteError> {
+        let mut read = |file: &str| text(file).map_err(|error| SuiteError::Read { path: file.to_owned(), error });
+        let index: Index = parse(INDEX, &read(INDEX)?)?;
+        check_version(INDEX, index.suite)?;
+        let mut profiles = Vec::new();
+        let mut names = HashSet::new();
+        for row in index.files {
+            if !row.is_in_place() {
+                return Err(SuiteError::Name { profile: row.profile, file: row.file });
+            }
+            if !names.insert(row.profile.clone()) {
+                return Err(SuiteError::ProfileTwice { profile: row.profile });
+            }
+            let profile: Profile = parse(&row.file, &read(&row.file)?)?;
+            check_version(&row.file, profile.suite.clone())?;
+            let (name, cases) = (profile.name(), profile.cases.len());
+            if (&name, cases) != (&row.profile, row.cases) {
+                return Err(SuiteError::Index { path: row.file, profile: name, cases });
+            }
+            check_ids(&row.file, &profile)?;
+            profiles.push(profile);
+        }
+        if profiles.iter().all(|profile| profile.cases.is_empty()) {
+            return Err(SuiteError::Empty);
+        }
+        Ok(Self { profiles })
+    }
+
+    /// Its files: paths within the folder, and texts.
+    pub fn files(&self) -> Vec<(String, String)> {
+        let rows: Vec<_> = self.profiles.iter().map(Row::of).collect();
+        let mut files: Vec<_> =
+            rows.iter().zip(&self.profiles).map(|(row, profile)| (row.file.clone(), profile.to_text())).collect();
+        files.push((INDEX.to_owned(), format!("{{\"suite\":\"{VERSION}\",\"files\":[\n{}\n]}}\n", lines(&rows))));
+        let rows: Vec<_> = Feature::ALL.iter().map(|it| format!("\"{it}\":\"{}\"", it.about())).collect();
+        files.push(("features.json".to_owned(), format!("{{\n{}\n}}\n", rows.join(",\n"))));
+        files.push(("VERSION".to_owned(), format!("{VERSION}\n")));
+        files
+    }
+}
+
+impl Profile {
+    /// The text of its file: a line for each case.
+    pub fn to_text(&self) -> String {
+        let Self { suite, level, profile, cases } = self;
+        let quoted = |text: &str| serde_json::Value::from(text).to_string();
+        let [suite, level, profile] = [suite, level.name(), profile].map(quoted);
+        format!("{{\"suite\":{suite},\"level\":{level},\"profile\":{profile},\"cases\":[\n{}\n]}}\n", lines(cases))
+    }
+}
+
+/// A line of JSON for each.
+fn lines(values: &[impl Serialize]) -> String {
+    values.iter().map(|value| serde_json::to_string(value).unwrap_or_default()).collect::<Vec<_>>().join(",\n")
+}
+
+fn parse<'t, T: Deserialize<'t>>(path: &str, text: &'t str) -> Result<T, SuiteError> {
+    serde_json::from_str(text).map_err(|error| SuiteError::Json { path: path.to_owned(), error })
+}
+
+fn check_version(path: &str, found: String) -> Result<(), SuiteError> {
+    if found == VERSION { Ok(()) } else { Err(SuiteError::Version { path: path.to_owned(), found }) }
+}
+
+/// Whether each case has an id of its own, which a path, a shell and a terminal can bear.
+fn check_ids(path: &str, profile: &Profile) -> Result<(), SuiteError> {
+    let (prefix, mut seen) = (profile.name(), HashSet::new());
+    for SuiteCase { id, .. } in &profile.cases {
+        let name = id.strip_prefix(&prefix).and_then(|rest| rest.strip_prefix('/'));
+        let (path, id) = (path.to_owned(), id.clone());
+        if !name.is_some_and(|name| is_name(name, "^")) {
+            return Err(SuiteError::Place { path, id, prefix });
+        }
+        if !seen.insert(id.clone()) {
+            return Err(SuiteError::Twice { path, id });
+        }
+    }
+    Ok(())
+}
+
+/// The files of a part of a folder, and of the folders in it, whose names end in `.json`.
+fn collect_json(folder: &Path, part: &str, files: &mut Vec<String>) -> Result<(), SuiteError> {
+    let failed = |error| SuiteError::Read { path: part.to_owned(), error };
+    for entry in fs::read_dir(folder.join(part)).map_err(failed)? {
+        let entry = entry.map_err(failed)?;
+        let path = format!("{part}/{}", entry.file_name().to_string_lossy());
+        if entry.path().is_dir() {
+            collect_json(folder, &path, files)?;
+        } else if entry.path().extension().is_some_and(|end| end == "json") {
+            files.push(path);
+        }
+    }
+    Ok(())
+}
