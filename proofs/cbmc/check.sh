@@ -4,7 +4,7 @@
 # `check.sh` proves those for every day, `check.sh --long` those too that take long, and
 # `check.sh HARNESS...` the named ones. Each is proved within its
 # bound, its covers must be reached, and its twin must be refuted; anything else fails. What is missing is installed
-# (Debian; needs root for that).
+# (packages of Debian 12).
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 export work=${CARGO_TARGET_DIR:-$here/../../target}/cbmc
@@ -19,10 +19,7 @@ install_tools() {
     [[ -n $(compgen -c wasm-ld) ]] || missing+=(lld-22)
     [[ -n $(command -v wasm2c) ]] || missing+=(wabt)
     [[ -n $(command -v gcc) ]] || missing+=(gcc libc6-dev)
-    if ((${#missing[@]})); then
-        apt-get -qq update
-        apt-get -qq install -y --no-install-recommends "${missing[@]}"
-    fi
+    ((${#missing[@]} == 0)) || "$here/../../.ci/apt" "${missing[@]}"
     "$work/tools/cbmc" --version > /dev/null 2>&1 || "$here/get-cbmc.sh" "$work/tools"
 }
 

@@ -4,10 +4,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
 if [[ ! -e /usr/include/z3.h ]]; then
-    sudo=
-    [[ $(id -u) == 0 ]] || sudo=sudo
-    $sudo apt-get update -qq
-    $sudo apt-get install -y --no-install-recommends libz3-dev
+    ../../.ci/apt libz3-dev
 fi
 cargo test --quiet --release --locked
 cargo run --quiet --release --locked -- "$@"

@@ -5,9 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
 if ! command -v coqc > /dev/null; then
-    as_root=$([[ $EUID -eq 0 ]] || echo sudo)
-    $as_root apt-get update -qq
-    $as_root apt-get install -y -qq --no-install-recommends coq > /dev/null
+    ../../.ci/apt coq
 fi
 
 fail() {

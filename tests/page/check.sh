@@ -9,7 +9,7 @@ stackless=${1:-${CARGO_TARGET_DIR:-target}/debug/stackless}
 
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
 if [[ -z $browser ]]; then
-    (apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends chromium) > /dev/null 2>&1 || true
+    .ci/apt chromium > /dev/null 2>&1 || true
     browser=$(command -v chromium) || { echo "no chromium, and apt-get cannot install it" >&2; exit 77; }
 fi
 
