@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Fuzzing, by recipe: `fuzz/run.sh COMMAND`. Needs nightly, and `cargo install cargo-fuzz`.
 #
-#   smoke [SECONDS]         every target for 10,000 executions or 60 s (or so many), two at a time: what CI runs. Fewer than 500 of
+#   smoke [SECONDS]         every target for 3,000 executions or 30 s (or so many), two at a time: what CI runs. Fewer than 200 of
 #                           them are a failure: a target that does next to nothing would find nothing
 #   rates [SECONDS]         every target for 60 s (or so many), one at a time: executions per second
 #   planted [SECONDS]       every planted bug from an empty corpus, for 60 s (or so many) at most: each must be found;
@@ -30,7 +30,7 @@ build() {
 }
 
 # What a target does in a smoke run, beyond the inputs that it starts with, and what it must have done by the end of the time.
-export wanted=10000 least=500
+export wanted=3000 least=200
 
 # Inputs are cut in the target, so longer ones are of no use.
 fuzz() {
@@ -132,7 +132,7 @@ planted() {
 case ${1:-} in
     smoke)
         build
-        each smoke 2 "${2:-60}"
+        each smoke 2 "${2:-30}"
         ;;
     rates)
         build

@@ -42,6 +42,9 @@ pub(crate) fn answers(bytes: &[u8]) {
     }
 }
 
+/// Names of profiles: few changes of bytes make a path.
+const NAMES: [&str; 6] = ["u64", "../u32", "u32/../../x", "", "U32", "u32\\u0000"];
+
 /// The files of a small suite and a list of waivers, changed: what is accepted has files within its folder, and is read
 /// back from them.
 pub(crate) fn suite_files(bytes: &[u8]) {
@@ -52,8 +55,6 @@ pub(crate) fn suite_files(bytes: &[u8]) {
         *text = String::from_utf8_lossy(&patched(&mut source, text.clone().into_bytes())).into_owned();
     }
     let waivers = patched(&mut source, waivers);
-    // Names are changed as a whole, too: few changes of bytes make a path.
-    const NAMES: [&str; 6] = ["u64", "../u32", "u32/../../x", "", "U32", "u32\\u0000"];
     if source.below(2) == 1 {
         let name = NAMES[source.below(NAMES.len() as u64) as usize];
         for (path, text) in &mut files {

@@ -88,9 +88,12 @@ impl Runner<'_> {
             outcomes: &mut outcomes,
             to_ask,
             asked: VecDeque::new(),
+            alone: 0,
+            unclear: None,
+            faults: &mut faults,
         };
         let mut process = Some(process);
-        let (mut failed_starts, mut alone) = (0, 0);
+        let mut failed_starts = 0;
         while !turn.to_ask.is_empty() {
             let before = turn.to_ask.len();
             let running = match process.take() {
@@ -103,8 +106,7 @@ impl Runner<'_> {
                     }
                 },
             };
-            let end = turn.ask(running, &mut alone, &mut told);
-            faults.extend(end);
+            turn.ask(running, &mut told);
             // One case less at least: the one that is to blame. Where it is all that came of a start, patience ends.
             failed_starts = if before - turn.to_ask.len() <= 1 { failed_starts + 1 } else { 0 };
             if failed_starts >= PATIENCE {
@@ -112,6 +114,7 @@ impl Runner<'_> {
                 turn.give_up(&why, &mut told);
             }
         }
+        turn.tell_unclear();
         let outcomes = outcomes.into_iter().map(|outcome| outcome.unwrap_or(Outcome::Unsupported));
         Ok(Report { hello, verdicts: outcomes.enumerate().map(|(i, outcome)| verdict(i, outcome)).collect(), faults })
     }
@@ -157,17 +160,21 @@ struct Turn<'a> {
     outcomes: &'a mut [Option<Outcome>],
     to_ask: VecDeque<usize>,
     asked: VecDeque<usize>,
+    /// Cases that are asked one at a time, because one of them may have ended the program.
+    alone: usize,
+    /// How the program ended, while none of them has done so again.
+    unclear: Option<String>,
+    faults: &'a mut Vec<String>,
 }
 
 type Told<'a> = &'a mut dyn FnMut(usize, &Outcome);
 
 impl Turn<'_> {
     /// Asks until all is answered or the program is of no use any more; then whoever was not to blame is asked again.
-    /// Returns what is wrong with how it ends.
-    fn ask(&mut self, mut process: Process, alone: &mut usize, told: Told<'_>) -> Option<String> {
+    fn ask(&mut self, mut process: Process, told: Told<'_>) {
         let mut last = None;
         loop {
-            let window = if *alone > 0 { 1 } else { self.runner.window.max(1) };
+            let window = if self.alone > 0 { 1 } else { self.runner.window.max(1) };
             while self.asked.len() < window
                 && let Some(i) = self.to_ask.get(self.asked.len()).copied()
             {
@@ -181,40 +188,53 @@ impl Turn<'_> {
                 Heard::Line(line) => match self.judge(front, last, &line) {
                     Ok(outcome) => {
                         self.settle(front, outcome, told);
-                        *alone = alone.saturating_sub(1);
+                        self.asked_alone();
                         last = Some(front);
                     }
                     Err((blamed, what)) => {
                         self.settle(blamed, Outcome::Error(what), told);
-                        self.asked.clear();
-                        return None;
+                        return self.asked.clear();
                     }
                 },
                 Heard::Garbage(what) => {
                     self.settle(front, Outcome::Error(what), told);
-                    self.asked.clear();
-                    return None;
+                    return self.asked.clear();
                 }
                 // Of several that were asked any may be to blame: they are asked again, one at a time.
                 Heard::End if self.asked.len() > 1 => {
-                    *alone = self.asked.len();
-                    self.asked.clear();
-                    return None;
+                    self.alone = self.asked.len();
+                    process.close();
+                    self.unclear = Some(process.end());
+                    return self.asked.clear();
                 }
                 Heard::End => {
                     process.close();
                     let how = process.end();
                     self.settle(front, Outcome::Crash(how), told);
-                    *alone = alone.saturating_sub(1);
-                    self.asked.clear();
-                    return None;
+                    self.unclear = None;
+                    self.asked_alone();
+                    return self.asked.clear();
                 }
                 Heard::Silence => {
                     self.settle(front, Outcome::Timeout, told);
-                    self.asked.clear();
-                    return None;
+                    return self.asked.clear();
                 }
             }
+        }
+    }
+
+    /// One case less is to be asked alone.
+    fn asked_alone(&mut self) {
+        self.alone = self.alone.saturating_sub(1);
+        if self.alone == 0 {
+            self.tell_unclear();
+        }
+    }
+
+    /// A program that has ended, and that no case ends again, is at fault all the same.
+    fn tell_unclear(&mut self) {
+        if let Some(how) = self.unclear.take() {
+            self.faults.push(format!("the program ended with cases unanswered, and not again when asked alone: {how}"));
         }
     }
 
@@ -246,23 +266,22 @@ impl Turn<'_> {
     }
 
     /// Says goodbye; whoever goes on talking is to blame.
-    fn bye(&mut self, mut process: Process, last: Option<usize>) -> Option<String> {
+    fn bye(&mut self, mut process: Process, last: Option<usize>) {
         process.say(text(&Request::Bye));
         process.close();
         match process.hear(self.runner.timeout) {
-            Heard::End => None,
-            Heard::Silence => Some(format!("the program does not end within {:?} after 'bye'", self.runner.timeout)),
+            Heard::End => {}
+            Heard::Silence => {
+                self.faults.push(format!("the program does not end within {:?} after 'bye'", self.runner.timeout));
+            }
             Heard::Line(line) => {
                 let what = format!("wrote more than was asked: {}", Shown(&line));
                 match last {
-                    Some(last) => {
-                        self.outcomes[last] = Some(Outcome::Error(what));
-                        None
-                    }
-                    None => Some(what),
+                    Some(last) => self.outcomes[last] = Some(Outcome::Error(what)),
+                    None => self.faults.push(what),
                 }
             }
-            Heard::Garbage(what) => Some(what),
+            Heard::Garbage(what) => self.faults.push(what),
         }
     }
 

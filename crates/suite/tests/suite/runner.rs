@@ -59,6 +59,22 @@ fn a_crash_is_that_of_its_case() {
     assert_eq!((report.count("crash"), report.count("pass"), report.count("fail")), (1, 1, 3));
 }
 
+/// A crash that does not come again is not forgotten.
+#[test]
+fn a_crash_that_happens_once_is_a_fault() {
+    let folder = tempfile::tempdir().unwrap();
+    let once = folder.path().join("once");
+    let right = r#"printf '{"seq":%s,"unsupported":"no"}\n' "$seq""#;
+    let crash = format!("[ \"$seq\" = 3 ] && [ ! -e {0} ] && touch {0} && exit 3; {right}", once.display());
+    let report = run(program(&crash), 6, 4, Waivers::default()).unwrap();
+    assert_eq!((report.count("crash"), report.count("fail")), (0, 6));
+    assert!(report.faults.len() == 1 && report.faults[0].contains("ended with cases unanswered"), "{report:?}");
+    assert!(report.faults[0].contains("exit status: 3"), "{report:?}");
+    // One that comes again is its case's, and no fault beside that.
+    let again = run(program(&format!("[ \"$seq\" = 3 ] && exit 3; {right}")), 6, 4, Waivers::default()).unwrap();
+    assert_eq!((again.count("crash"), again.faults.len()), (1, 0), "{again:?}");
+}
+
 #[test]
 fn silence_is_a_timeout() {
     let report = outcomes(&format!("[ \"$seq\" = 1 ] && sleep 60; {RIGHT}"), 3);

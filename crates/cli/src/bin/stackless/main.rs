@@ -144,7 +144,7 @@ fn show(usage: &clap::Error) -> Outcome {
 #[error("")]
 struct Said;
 
-/// Starts as many threads as RAYON_NUM_THREADS says, or one for each core.
+/// Starts as many threads as `RAYON_NUM_THREADS` says, or one for each core.
 fn start_threads() -> Result<(), String> {
     const MOST: usize = 1024;
     let asked = std::env::var("RAYON_NUM_THREADS").ok().and_then(|text| text.parse::<usize>().ok()).unwrap_or(0);
