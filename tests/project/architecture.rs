@@ -31,7 +31,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("crates/scene", &["stackless-bvh"]),
     ("crates/curve", &["stackless-bvh"]),
     ("crates/check", &["stackless-bvh", "stackless-scene"]),
-    ("crates/suite", &["stackless-bvh", "stackless-check"]),
+    ("crates/suite", &["stackless-bvh", "stackless-check", "stackless-scene"]),
     (
         "crates/cli",
         &[

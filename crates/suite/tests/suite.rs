@@ -15,6 +15,8 @@ use stackless_suite::{
     author, judge,
 };
 
+#[path = "suite/adapters.rs"]
+mod adapters;
 #[path = "suite/foreign.rs"]
 mod foreign;
 #[path = "suite/imports.rs"]
@@ -136,12 +138,12 @@ fn a_table_needs_its_fields_and_no_more() {
 fn every_planted_bug_fails_a_case_of_its_clause() {
     let suite = &*SUITE;
     for control in planted::controls() {
-        let (_, failed) = failures(&control, &suite);
+        let (_, failed) = failures(&control, suite);
         assert!(failed.is_empty(), "{control:?}: {:?}", failed.iter().map(|(case, flaw)| (&case.id, flaw)).next());
     }
-    let asked = layers::Asked::of(&suite);
+    let asked = layers::Asked::of(suite);
     let with_mistake = |instead| match instead {
-        Instead::Walk(walk) => failures(&walk(), &suite),
+        Instead::Walk(walk) => failures(&walk(), suite),
         instead => asked.failures(instead),
     };
     for control in LAYERS.iter().flat_map(|layer| layer.controls) {
@@ -150,7 +152,7 @@ fn every_planted_bug_fails_a_case_of_its_clause() {
         assert!(asked > 0 && failed.is_empty(), "{control:?}: {first:?}");
     }
     let bugs = planted::all().into_iter().map(|bug| {
-        let seen = seen(bug.name(), bug.clause(), "TRAVERSE-1", failures(&bug, &suite), &suite);
+        let seen = seen(bug.name(), bug.clause(), "TRAVERSE-1", failures(&bug, suite), suite);
         (bug.name().to_owned(), seen)
     });
     let mistakes = LAYERS.iter().flat_map(|layer| layer.mistakes.iter().map(move |mistake| (layer.name, mistake)));
@@ -158,7 +160,7 @@ fn every_planted_bug_fails_a_case_of_its_clause() {
         let (name, instead) = (format!("{layer}: {}", mistake.name()), mistake.instead());
         let seen = match instead {
             Instead::Nothing(why) => Ok(format!("{}{why}", table::NO)),
-            _ => seen(&name, mistake.clause(), layers::seen_as(instead), with_mistake(instead), &suite),
+            _ => seen(&name, mistake.clause(), layers::seen_as(instead), with_mistake(instead), suite),
         };
         (name, seen)
     });

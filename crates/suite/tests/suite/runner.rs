@@ -204,7 +204,7 @@ fn nothing_asked_is_no_conformity() {
 /// What others write is not repeated at length.
 #[test]
 fn long_answers_are_cut() {
-    let long = r#"$(printf '%0100000d' 0)"#;
+    let long = "$(printf '%0100000d' 0)";
     for answer in [
         format!(r#"printf '{{"seq":%s,"result":{{"key":"%s"}}}}\n' "$seq" "{long}""#),
         format!(r#"printf '{{"seq":%s,"result":{{"key":"2","x%s":0}}}}\n' "$seq" "{long}""#),

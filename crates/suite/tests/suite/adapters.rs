@@ -7,7 +7,9 @@ use std::process::Command;
 use std::time::Duration;
 
 use serde_json::Value;
-use stackless_suite::{Feature, Report, Runner, Suite, Waivers, author};
+use stackless_suite::{Feature, Report, Runner, Suite, Waivers};
+
+use super::SUITE;
 
 /// A language that an adapter is written in.
 #[derive(Clone, Copy)]
@@ -66,7 +68,7 @@ fn ask(command: Vec<String>, suite: &Suite) -> Report {
 /// Asks all that it names, which is so many cases.
 fn conforms(language: Language, cases: usize) {
     let Some(command) = language.command("as-it-is", &language.source()) else { return };
-    let report = ask(command, &author::suite());
+    let report = ask(command, &SUITE);
     let bad: Vec<_> = report.verdicts.iter().filter(|verdict| verdict.outcome.is_bad()).collect();
     assert!(bad.is_empty() && report.is_conforming(), "{:?} {bad:#?}", report.faults);
     assert_eq!(report.count("pass"), cases);
@@ -79,7 +81,7 @@ fn is_caught(language: Language, from: &str, to: &str, profile: &str, clause: &s
     assert_eq!(source.matches(from).count(), 1, "{from}");
     let name = format!("{clause}-{}", profile.replace('/', "-"));
     let Some(command) = language.command(&name, &source.replace(from, to)) else { return };
-    let mut suite = author::suite();
+    let mut suite = SUITE.clone();
     suite.profiles.retain(|asked| asked.name() == profile);
     let report = ask(command, &suite);
     let caught = report.verdicts.iter().find(|verdict| verdict.outcome.is_bad());
@@ -145,7 +147,7 @@ fn the_first_example_of_the_readme_runs() {
     let readme = text("README.md");
     let example = readme.split("```python\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     let Some(command) = Language::Python.command("example", example) else { return };
-    let mut suite = author::suite();
+    let mut suite = SUITE.clone();
     suite.profiles.retain(|asked| asked.name() == "key/u32");
     let report = ask(command, &suite);
     let (passed, asked) = (report.count("pass"), report.verdicts.len());
@@ -161,7 +163,7 @@ fn constants<'a>(schema: &'a Value, definition: &str) -> BTreeSet<&'a str> {
 
 #[test]
 fn the_schemas_name_all_that_there_is() {
-    let suite = author::suite();
+    let suite = &*SUITE;
     let ops: BTreeSet<_> = suite.cases().filter_map(|(_, case)| case.input.get("op")?.as_str()).collect();
     let profiles: Vec<_> = suite.profiles.iter().map(stackless_suite::Profile::name).collect();
     let schema = |name: &str| -> Value {
