@@ -102,6 +102,14 @@ fn a_full_output_is_an_error_and_a_closed_one_is_not() {
         let output = child.unwrap().wait_with_output().unwrap();
         assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()), "{args}");
     }
+    // An adapter that cannot be heard, or is not.
+    let hello = || File::open(place.folder.file("hello", "{\"cmd\":\"hello\",\"protocol\":1}\n")).unwrap();
+    let full = File::options().write(true).open("/dev/full").unwrap();
+    assert_eq!(place.command("suite serve", &[]).stdin(hello()).stdout(full).status().unwrap().code(), Some(2));
+    let mut child = place.command("suite serve", &[]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    drop(child.stdout.take());
+    std::io::copy(&mut hello(), &mut child.stdin.take().unwrap()).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(0));
     // What is wrong with the command line cannot be told either.
     let full = File::options().write(true).open("/dev/full").unwrap();
     assert_eq!(place.command("nosuch", &[]).stderr(full).status().unwrap().code(), Some(2));

@@ -1,7 +1,6 @@
 //! What the subcommands take in: scenes, names of traversals and words.
 
 use std::ffi::OsStr;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, TypedValueParser};
@@ -12,6 +11,8 @@ use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_scene::SceneError;
 use stackless_suite::Level;
+
+use crate::output;
 
 /// A scene with its name.
 pub(crate) struct Scene {
@@ -32,8 +33,7 @@ impl Scene {
         let stem = path.file_stem().map_or_else(|| name.clone(), |stem| stem.to_string_lossy());
         let loaded = stackless_scene::load(path)?;
         if let Some(note) = loaded.note(path) {
-            // That nobody can read it is no reason to fail.
-            let _ = writeln!(std::io::stderr(), "{note}");
+            output::warn(&note);
         }
         Ok(Self { name: stem.into_owned(), mesh: loaded.mesh })
     }

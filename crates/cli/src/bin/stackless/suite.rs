@@ -3,13 +3,13 @@
 #[cfg(feature = "peers")]
 mod peer;
 
-use std::io::{BufReader, stdin, stdout};
+use std::io::{self, BufReader, stdin, stdout};
 use std::path::{Path, PathBuf};
 
 use clap::Subcommand;
 use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::{Method, WordName};
-use stackless_suite::{Feature, Level, Library, Suite, VERSION, serve};
+use stackless_suite::{Feature, Implementation, Level, Library, Suite, VERSION, serve};
 
 use crate::conform::{load, select};
 use crate::output::{grouped, say, table, write_file};
@@ -92,14 +92,22 @@ pub(crate) fn run(args: &Args) -> Outcome {
         }
         #[cfg(feature = "peers")]
         What::Serve { peer: Some(peer), .. } => {
-            serve(&mut peer::Foreign(*peer), BufReader::new(stdin()), stdout().lock())?;
+            answer(&mut peer::Foreign(*peer))?;
         }
         What::Serve { method, word, accuracy, .. } => {
             let mut library = Library::new(*method, *word).with_accuracy(*accuracy);
-            serve(&mut library, BufReader::new(stdin()), stdout().lock())?;
+            answer(&mut library)?;
         }
     }
     Ok(true)
+}
+
+/// Answers whoever asks, until there is nobody any more.
+fn answer(implementation: &mut impl Implementation) -> io::Result<()> {
+    match serve(implementation, BufReader::new(stdin()), stdout().lock()) {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        served => served,
+    }
 }
 
 impl Chosen {
