@@ -18,7 +18,6 @@ pub use assembly::{Assembly, AssemblyError, Instance, Object};
 
 use std::fmt;
 
-use crate::bvh::Bvh;
 use crate::geom::truth::{Point, round_f32};
 use crate::geom::{AffineMap, EnclosedRay, Ray, Triangle, kernel, meet_image, slabs};
 use crate::trace::level::Level;
@@ -27,7 +26,8 @@ use crate::traverse::{Method, Unfit};
 use assembly::{Group, Part};
 use walk::{Found, Instances, Search, Triangles, Walk};
 
-/// Answers queries over an object of an assembly by one of the traversals.
+/// Answers queries over an object of an assembly by one of the traversals. It shares the hierarchies with the assembly,
+/// and borrows nothing.
 ///
 /// ```
 /// use glam::Vec3;
@@ -39,7 +39,7 @@ use walk::{Found, Instances, Search, Triangles, Walk};
 ///
 /// let bvh = Bvh::median(&Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?, 1)?;
 /// let mut assembly = Assembly::new();
-/// let triangle = assembly.add_mesh(&bvh);
+/// let triangle = assembly.add_mesh(bvh);
 /// let row = |z| AffineMap::translation(Vec3::Z * z).map(|affine| Instance { object: triangle, affine });
 /// let row = assembly.add_group(vec![row(3.0)?, row(1.0)?], &BuildOptions::default())?;
 /// let grown = AffineMap::new([[2.0, 0.0, 0.0, 0.0], [0.0, 2.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0]])?;
@@ -50,11 +50,11 @@ use walk::{Found, Instances, Search, Triangles, Walk};
 /// assert_eq!((hit.path, hit.prim, hit.t, hit.u, hit.v), (vec![0, 1], 0, 2.0, 0.5, 0.25));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct InstanceTracer<'a> {
-    assembly: &'a Assembly<'a>,
+pub struct InstanceTracer {
+    assembly: Assembly,
     root: Object,
     /// Of the objects up to the root, by index; `None` for those that are not in it.
-    levels: Vec<Option<AnyLevel<'a>>>,
+    levels: Vec<Option<Level>>,
 }
 
 /// Where a ray meets a triangle of an instance.
@@ -99,13 +99,7 @@ pub enum InstanceError {
     },
 }
 
-#[derive(Debug)]
-enum AnyLevel<'a> {
-    Mesh(Level, &'a Bvh),
-    Group(Level, &'a Group),
-}
-
-impl<'a> InstanceTracer<'a> {
+impl InstanceTracer {
     /// Bytes of a ray as it waits: bounds of origin and direction in doubles.
     pub const RAY_BYTES: usize = size_of::<EnclosedRay>();
 
@@ -113,7 +107,7 @@ impl<'a> InstanceTracer<'a> {
     ///
     /// # Errors
     /// What [`InstanceError`] lists.
-    pub fn new(assembly: &'a Assembly<'a>, root: Object, method: Method) -> Result<Self, InstanceError> {
+    pub fn new(assembly: &Assembly, root: Object, method: Method) -> Result<Self, InstanceError> {
         Self::with_methods(assembly, root, method, method)
     }
 
@@ -122,7 +116,7 @@ impl<'a> InstanceTracer<'a> {
     /// # Errors
     /// What [`InstanceError`] lists.
     pub fn with_methods(
-        assembly: &'a Assembly<'a>,
+        assembly: &Assembly,
         root: Object,
         groups: Method,
         meshes: Method,
@@ -135,21 +129,18 @@ impl<'a> InstanceTracer<'a> {
         for object in (0..=root.index()).rev() {
             let level = match assembly.parts().get(object).filter(|_| is_used[object]) {
                 None => Ok(None),
-                Some(Part::Mesh(bvh)) => {
-                    Level::new(bvh, &Plan::new(bvh, meshes, Ask::Hit)).map(|level| Some(AnyLevel::Mesh(level, bvh)))
-                }
+                Some(Part::Mesh(bvh)) => Level::new(bvh, &Plan::new(bvh, meshes, Ask::Hit)).map(Some),
                 Some(Part::Group(group)) => {
                     for instance in &group.instances {
                         is_used[instance.object.index()] = true;
                     }
-                    Level::new(&group.bvh, &Plan::new(&group.bvh, groups, Ask::Hit))
-                        .map(|level| Some(AnyLevel::Group(level, group)))
+                    Level::new(&group.bvh, &Plan::new(&group.bvh, groups, Ask::Hit)).map(Some)
                 }
             };
             levels.push(level.map_err(|unfit| InstanceError::Unfit { object, unfit })?);
         }
         levels.reverse();
-        Ok(Self { assembly, root, levels })
+        Ok(Self { assembly: assembly.clone(), root, levels })
     }
 
     /// The closest hit: the least distance, of equal ones the least path, and of these the least triangle. `[INST-6]`
@@ -189,11 +180,11 @@ impl<'a> InstanceTracer<'a> {
     /// found so far is not in it.
     pub fn state_bytes(&self) -> usize {
         let mut bytes: Vec<usize> = Vec::new();
-        for level in &self.levels {
-            bytes.push(match level {
-                None => 0,
-                Some(AnyLevel::Mesh(level, bvh)) => level.state_bytes(bvh) + Self::RAY_BYTES,
-                Some(AnyLevel::Group(level, group)) => {
+        for (level, part) in self.levels.iter().zip(self.assembly.parts()) {
+            bytes.push(match (level, part) {
+                (None, _) => 0,
+                (Some(level), Part::Mesh(bvh)) => level.state_bytes(bvh) + Self::RAY_BYTES,
+                (Some(level), Part::Group(group)) => {
                     let inner = group.instances.iter().map(|instance| bytes[instance.object.index()]).max();
                     level.state_bytes(&group.bvh) + Self::RAY_BYTES + inner.unwrap_or(0)
                 }
@@ -213,9 +204,9 @@ impl<'a> InstanceTracer<'a> {
     fn visit(&self, object: Object, ray: EnclosedRay, search: &mut Search<'_>) {
         let (tmin, octant, depth) = (search.ray.tmin(), ray.octant(), search.path.len());
         let mut memory = std::mem::take(&mut search.memory[depth]);
-        match &self.levels[object.index()] {
-            None => {}
-            Some(AnyLevel::Mesh(level, bvh)) => {
+        match (&self.levels[object.index()], &self.assembly.parts()[object.index()]) {
+            (None, _) => {}
+            (Some(level), Part::Mesh(bvh)) => {
                 let region = bvh.region();
                 let test = kernel::EnclosedTest::new(&ray, [tmin, search.ray.tmax()], region);
                 let leaves = Triangles { tracer: self, bvh, test };
@@ -223,7 +214,8 @@ impl<'a> InstanceTracer<'a> {
                     Walk { bvh, slabs: slabs::EnclosedSlabs::of(&ray, tmin, region), leaves, search: &mut *search };
                 level.run(bvh.tree(), octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
             }
-            Some(AnyLevel::Group(level, Group { instances, bvh, .. })) => {
+            (Some(level), Part::Group(group)) => {
+                let Group { instances, bvh, .. } = &**group;
                 let slabs = slabs::EnclosedSlabs::of(&ray, tmin, bvh.region());
                 let leaves = Instances { tracer: self, bvh, placed: instances, ray };
                 let walk = Walk { bvh, slabs, leaves, search: &mut *search };
@@ -253,7 +245,7 @@ impl<'a> InstanceTracer<'a> {
     }
 }
 
-impl fmt::Debug for InstanceTracer<'_> {
+impl fmt::Debug for InstanceTracer {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("InstanceTracer").field("root", &self.root).finish_non_exhaustive()
     }

@@ -2,6 +2,8 @@
 
 pub(crate) mod scenes;
 
+use std::sync::Arc;
+
 use glam::Vec3;
 use scenes::{Scene, unit};
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions};
@@ -19,7 +21,7 @@ fn hierarchies(scene: &Scene, builder: Builder, max_leaf: u32) -> Hierarchies {
     Hierarchies::new(&scene.shapes, options(builder, max_leaf)).expect("trees")
 }
 
-fn assembly<'a>(built: &'a Hierarchies, scene: &Scene) -> (Assembly<'a>, Object) {
+fn assembly(built: &Hierarchies, scene: &Scene) -> (Assembly, Object) {
     let (assembly, objects) = built.assembly(&scene.shapes).expect("groups");
     (assembly, *objects.last().expect("a shape"))
 }
@@ -135,7 +137,7 @@ fn many_rays_are_answered_by_rational_arithmetic() {
 fn what_is_behind_a_hit_is_not_entered() {
     let bvh = Bvh::sah(&stress::icosphere(3, 1.0, Vec3::ZERO).expect("a mesh"), SahOptions::default()).expect("a tree");
     let (mut assembly, options) = (Assembly::new(), options(Builder::Sah, 1));
-    let object = assembly.add_mesh(&bvh);
+    let object = assembly.add_mesh(bvh);
     let place = |i: u8| AffineMap::translation(Vec3::Z * f32::from(i) * 3.0).expect("a map");
     let instances = (0..64).map(|i| Instance { object, affine: place(i) }).collect();
     let row = assembly.add_group(instances, &options).expect("a group");
@@ -155,12 +157,12 @@ fn triangle() -> Bvh {
 
 #[test]
 fn what_cannot_be_placed_is_refused_by_name() {
-    let (bvh, options) = (triangle(), BuildOptions::default());
+    let (bvh, options) = (Arc::new(triangle()), BuildOptions::default());
     let mut assembly = Assembly::new();
-    let mesh = assembly.add_mesh(&bvh);
+    let mesh = assembly.add_mesh(Arc::clone(&bvh));
     let place = |object| Instance { object, affine: AffineMap::IDENTITY };
     let mut other = Assembly::new();
-    other.add_mesh(&bvh);
+    other.add_mesh(Arc::clone(&bvh));
     let unknown = other.add_group(vec![place(mesh)], &options).expect("a group");
     let refusal = |result: Result<Object, AssemblyError>| result.expect_err("refused").to_string();
     assert_eq!(
@@ -176,7 +178,7 @@ fn what_cannot_be_placed_is_refused_by_name() {
     assert!(assembly.add_group(vec![Instance { object: mesh, affine: wide(1e38) }], &options).is_ok());
     assert!(matches!(assembly.add_group(Vec::new(), &options), Err(AssemblyError::Build(_))));
     assert_eq!(
-        InstanceTracer::new(&assembly, other.add_mesh(&bvh), Method::Stack).err(),
+        InstanceTracer::new(&assembly, other.add_mesh(bvh), Method::Stack).err(),
         Some(InstanceError::UnknownObject)
     );
 }
@@ -185,7 +187,7 @@ fn what_cannot_be_placed_is_refused_by_name() {
 fn levels_end_where_they_must() {
     let (bvh, options) = (triangle(), BuildOptions::default());
     let mut assembly = Assembly::new();
-    let (mut object, mut expected) = (assembly.add_mesh(&bvh), Vec::new());
+    let (mut object, mut expected) = (assembly.add_mesh(bvh), Vec::new());
     let half = AffineMap::new([[0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, 0.5, 1.0]]).expect("a map");
     let ray = Ray::within(Vec3::new(0.0, 0.0, -8.0), Vec3::Z, 0.0, 100.0).expect("a ray");
     let (mut height, mut bytes) = (0.0, Vec::new());

@@ -1,6 +1,8 @@
 //! The oracle of instances: every triangle of every instance moved to where it is, and each of them asked, in rational
 //! arithmetic.
 
+use std::sync::Arc;
+
 use dashu_int::{IBig, UBig};
 use glam::Vec3;
 
@@ -24,7 +26,7 @@ pub enum Shape {
 #[derive(Debug)]
 pub struct Hierarchies {
     /// By shape; `None` for groups.
-    bvhs: Vec<Option<Bvh>>,
+    bvhs: Vec<Option<Arc<Bvh>>>,
     options: BuildOptions,
 }
 
@@ -35,7 +37,7 @@ impl Hierarchies {
     /// What [`BuildError`] lists.
     pub fn new(shapes: &[Shape], options: BuildOptions) -> Result<Self, BuildError> {
         let build = |shape: &Shape| match shape {
-            Shape::Mesh(mesh) => options.build(mesh).map(Some),
+            Shape::Mesh(mesh) => options.build(mesh).map(|bvh| Some(Arc::new(bvh))),
             Shape::Group(_) => Ok(None),
         };
         Ok(Self { bvhs: shapes.iter().map(build).collect::<Result<_, _>>()?, options })
@@ -45,11 +47,11 @@ impl Hierarchies {
     ///
     /// # Errors
     /// What [`AssemblyError`] lists. A group of shapes that do not come before it leaves those out.
-    pub fn assembly(&self, shapes: &[Shape]) -> Result<(Assembly<'_>, Vec<Object>), AssemblyError> {
+    pub fn assembly(&self, shapes: &[Shape]) -> Result<(Assembly, Vec<Object>), AssemblyError> {
         let (mut assembly, mut objects) = (Assembly::new(), Vec::<Object>::new());
         for (shape, bvh) in shapes.iter().zip(&self.bvhs) {
             match (shape, bvh) {
-                (Shape::Mesh(_), Some(bvh)) => objects.push(assembly.add_mesh(bvh)),
+                (Shape::Mesh(_), Some(bvh)) => objects.push(assembly.add_mesh(Arc::clone(bvh))),
                 (Shape::Group(instances), _) => {
                     let place = |&(shape, affine): &(usize, AffineMap)| {
                         objects.get(shape).map(|&object| Instance { object, affine })
@@ -80,7 +82,7 @@ pub struct InstanceFault {
 ///
 /// # Errors
 /// The first answer that is wrong.
-pub fn check_instances(tracer: &InstanceTracer<'_>, flat: &Flat, ray: &Ray) -> Result<bool, InstanceFault> {
+pub fn check_instances(tracer: &InstanceTracer, flat: &Flat, ray: &Ray) -> Result<bool, InstanceFault> {
     check_answer(tracer, &flat.closest(ray), ray)
 }
 
@@ -88,11 +90,7 @@ pub fn check_instances(tracer: &InstanceTracer<'_>, flat: &Flat, ray: &Ray) -> R
 ///
 /// # Errors
 /// The first answer that is wrong.
-pub fn check_answer(
-    tracer: &InstanceTracer<'_>,
-    expected: &Option<InstanceHit>,
-    ray: &Ray,
-) -> Result<bool, InstanceFault> {
+pub fn check_answer(tracer: &InstanceTracer, expected: &Option<InstanceHit>, ray: &Ray) -> Result<bool, InstanceFault> {
     let bits = |hit: &Option<InstanceHit>| {
         hit.as_ref().map(|hit| (hit.path.clone(), hit.prim, [hit.t, hit.u, hit.v].map(f32::to_bits)))
     };

@@ -1,15 +1,17 @@
 //! What is placed where.
 
+use std::sync::Arc;
+
 use crate::bvh::{BuildError, BuildOptions, Bvh, Primitives};
 use crate::geom::{Aabb, AffineMap};
 
 /// Objects that are made of other objects: hierarchies over meshes, and groups of placed objects that came before. So
-/// no object contains itself.
+/// no object contains itself. A clone shares all hierarchies with the original.
 ///
 /// See [`InstanceTracer`](super::InstanceTracer) for an example.
 #[derive(Clone, Debug, Default)]
-pub struct Assembly<'a> {
-    parts: Vec<Part<'a>>,
+pub struct Assembly {
+    parts: Vec<Part>,
 }
 
 /// An object of an [`Assembly`], by its place there. In another assembly it stands for another object, or for none.
@@ -59,9 +61,9 @@ pub enum AssemblyError {
 
 /// An object of an assembly.
 #[derive(Clone, Debug)]
-pub(super) enum Part<'a> {
-    Mesh(&'a Bvh),
-    Group(Group),
+pub(super) enum Part {
+    Mesh(Arc<Bvh>),
+    Group(Arc<Group>),
 }
 
 /// Placed objects, with a hierarchy over their boxes.
@@ -72,7 +74,7 @@ pub(super) struct Group {
     levels: u32,
 }
 
-impl<'a> Assembly<'a> {
+impl Assembly {
     /// Greatest number of levels of an object: a mesh has one, a group one more than the deepest of its objects.
     pub const MAX_LEVELS: u32 = 32;
 
@@ -81,9 +83,9 @@ impl<'a> Assembly<'a> {
         Self::default()
     }
 
-    /// Adds a mesh by its hierarchy.
-    pub fn add_mesh(&mut self, bvh: &'a Bvh) -> Object {
-        self.add(Part::Mesh(bvh))
+    /// Adds a mesh by its hierarchy, its own or one that others share.
+    pub fn add_mesh(&mut self, bvh: impl Into<Arc<Bvh>>) -> Object {
+        self.add(Part::Mesh(bvh.into()))
     }
 
     /// Adds a group of placed objects of this assembly, and builds a hierarchy over their boxes. Each box holds the
@@ -110,7 +112,7 @@ impl<'a> Assembly<'a> {
             boxes.push(image);
         }
         let bvh = options.build(&Boxes(boxes))?;
-        Ok(self.add(Part::Group(Group { instances, bvh, levels: below + 1 })))
+        Ok(self.add(Part::Group(Arc::new(Group { instances, bvh, levels: below + 1 }))))
     }
 
     /// How many levels an object has: 1 for a mesh, 0 for an object that is not of this assembly.
@@ -118,16 +120,16 @@ impl<'a> Assembly<'a> {
         self.part(object).map_or(0, Part::levels)
     }
 
-    pub(super) fn part(&self, object: Object) -> Option<&Part<'a>> {
+    pub(super) fn part(&self, object: Object) -> Option<&Part> {
         self.parts.get(object.index())
     }
 
     /// All objects, in the order in which they were added.
-    pub(super) fn parts(&self) -> &[Part<'a>] {
+    pub(super) fn parts(&self) -> &[Part] {
         &self.parts
     }
 
-    fn add(&mut self, part: Part<'a>) -> Object {
+    fn add(&mut self, part: Part) -> Object {
         self.parts.push(part);
         Object(self.parts.len() as u32 - 1)
     }
@@ -140,7 +142,7 @@ impl Object {
     }
 }
 
-impl Part<'_> {
+impl Part {
     fn bounds(&self) -> Aabb {
         match self {
             Self::Mesh(bvh) => bvh.bounds(),

@@ -118,7 +118,7 @@ impl<S, L: Leaves> BoxQuery for Walk<'_, '_, S, L> {
 
 /// Triangles of a mesh.
 pub(super) struct Triangles<'s> {
-    pub(super) tracer: &'s InstanceTracer<'s>,
+    pub(super) tracer: &'s InstanceTracer,
     pub(super) bvh: &'s Bvh,
     pub(super) test: kernel::EnclosedTest,
 }
@@ -162,7 +162,7 @@ impl Triangles<'_> {
 
 /// Instances of a group.
 pub(super) struct Instances<'s> {
-    pub(super) tracer: &'s InstanceTracer<'s>,
+    pub(super) tracer: &'s InstanceTracer,
     pub(super) bvh: &'s Bvh<()>,
     pub(super) placed: &'s [Instance],
     pub(super) ray: EnclosedRay,
