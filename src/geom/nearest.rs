@@ -97,7 +97,7 @@ fn bounds(corners: &[DVec3; 3]) -> [f64; 2] {
 }
 
 /// The point of a triangle that is nearest to zero, rounded (Ericson 2005, "Real-time collision detection", 5.1.5: by
-/// the Voronoi regions of corners and edges).
+/// the Voronoi regions of corners and edges). NaN where rounding leaves open where it is.
 #[inline]
 fn nearest(&[a, b, c]: &[DVec3; 3]) -> DVec3 {
     let (ab, ac) = (b - a, c - a);
@@ -124,6 +124,10 @@ fn nearest(&[a, b, c]: &[DVec3; 3]) -> DVec3 {
     let of_a = d3 * d6 - d5 * d4;
     if of_a <= 0.0 && d4 >= d3 && d5 >= d6 {
         return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+    }
+    // Rounded weights of a needle may have any sign: then this is no point of it, and there is no guess.
+    if !(of_a > 0.0 && of_b > 0.0 && of_c > 0.0) {
+        return DVec3::NAN;
     }
     let all = of_a + of_b + of_c;
     a + ab * (of_b / all) + ac * (of_c / all)

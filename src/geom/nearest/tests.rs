@@ -95,6 +95,19 @@ fn the_ends_of_the_range() {
     assert_eq!(Measure::new(Vec3::X * least, 0.0).distance(&small, 0.0), Some(0.0));
 }
 
+/// On weights that are not negative rests the upper bound. [NEAR-1]
+#[test]
+fn a_guess_above_the_triangle_has_weights_that_are_positive() {
+    // Corners on a line but for rounding, beside which no edge is thought nearest: the first weight is rounded to 0.
+    let needle = [
+        DVec3::new(0.260_786_912_615_089_7, 0.580_635_970_183_850_9, -0.142_294_428_392_012_67),
+        DVec3::new(-0.369_332_056_339_633_2, -0.413_501_223_746_040_6, 0.645_391_724_978_742),
+        DVec3::new(-0.302_371_844_920_074_6, -0.307_858_257_948_615_93, 0.561_687_481_874_525_1),
+    ];
+    assert!(nearest(&needle).is_nan(), "{}", nearest(&needle));
+    assert!(bounds(&needle)[1].is_nan());
+}
+
 /// The nearest point by another way: the foot on the plane if it is inside, else the nearest point of an edge.
 fn nearest_by_edges([a, b, c]: [DVec3; 3]) -> DVec3 {
     let normal = (b - a).cross(c - a);
