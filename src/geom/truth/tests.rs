@@ -1,6 +1,8 @@
 use super::*;
 use crate::generate::{Rng, Source};
 
+mod nearest;
+
 fn rational<S: Number>(x: S) -> RBig {
     RBig::try_from(x.into()).expect("a finite number")
 }
@@ -368,23 +370,4 @@ fn roots_are_rounded_to_the_nearest() {
         assert_eq!([root(&square - &hair), root(&square + &hair)], [bits, bits + 1]);
     }
     assert_eq!(round_root_f32(&RBig::from(IBig::ONE << 400)), f32::INFINITY);
-}
-
-/// Integers and fractions of them, which are scaled; and the corners in any order.
-#[test]
-fn squares_of_distances_grow_with_the_square_of_the_size() {
-    let mut random = Rng::new(9);
-    for _ in 0..2000 {
-        let mut vector = || std::array::from_fn(|_| whole(&mut random, 9));
-        let ([a, b, c], p): ([[f32; 3]; 3], _) = ([vector(), vector(), vector()], vector());
-        let square = square_distance([a, b, c], p).expect("finite");
-        for scale in [0.125, 0.25, 8.0f32] {
-            let small = |v: [f32; 3]| v.map(|x| x * scale);
-            let scaled = square_distance([a, b, c].map(small), small(p)).expect("finite");
-            assert_eq!(scaled, &square * rational(scale * scale));
-        }
-        for corners in [[b, c, a], [c, b, a], [b, a, c]] {
-            assert_eq!(square_distance(corners, p), Some(square.clone()));
-        }
-    }
 }
