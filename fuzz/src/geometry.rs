@@ -55,7 +55,7 @@ pub(crate) fn slabs(bytes: &[u8]) {
     }
 }
 
-/// Distances of triangles, and the nearest of a mesh. `[NEAR-1]` `[NEAR-2]`
+/// Distances and nearest points of triangles, and the nearest of a mesh. `[NEAR-1]` `[NEAR-2]` `[NEAR-3]`
 pub(crate) fn nearest(bytes: &[u8]) {
     let mut draw = Draw::new(bytes);
     let (k, radius) = (draw.below(6) as usize, if draw.coin() { draw.float().abs() } else { f32::INFINITY });

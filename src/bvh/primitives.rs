@@ -13,7 +13,8 @@ pub trait Primitives: Sync {
     /// The shape with this index, which must be less than the [`count`](Self::count).
     fn shape(&self, index: usize) -> Self::Shape;
 
-    /// The smallest box that holds all of the shape; a greater one makes queries slower, not wrong.
+    /// The smallest box that holds all of the shape; a greater one makes queries slower, not wrong. One that is empty or
+    /// has a NaN is refused.
     fn aabb(&self, index: usize) -> Aabb;
 
     /// Whether any ray can meet the shape. Where none can, it is left out.
@@ -83,7 +84,7 @@ pub trait Primitives: Sync {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Bounded {
-    /// The smallest box that holds all of the shape. Its coordinates are not NaN.
+    /// The smallest box that holds all of the shape. One that is empty or has a NaN is refused.
     fn aabb(&self) -> Aabb;
 }
 

@@ -1,6 +1,6 @@
 //! Intervals of doubles that hold what they stand for.
 
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Mul, Neg, Sub};
 
 use super::kernel::two_sum;
 
@@ -81,7 +81,16 @@ impl Sub for Interval {
 
     #[inline]
     fn sub(self, other: Self) -> Self {
-        self + Self { lo: -other.hi, hi: -other.lo }
+        self + -other
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        Self { lo: -self.hi, hi: -self.lo }
     }
 }
 

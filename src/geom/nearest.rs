@@ -3,7 +3,8 @@
 //! A point `q` of the triangle that double precision thinks nearest gives two bounds, whatever it is worth. All of the
 //! triangle is at least as far away as the plane across `q` that touches it: seen from the query point, no `x` in the
 //! triangle has less than `min(q . corner) / |q|`. And `q` itself is in the triangle. If both bounds round to the same
-//! float, that is the answer; else rational arithmetic gives it. `[NEAR-1]`
+//! float, that is the answer; else rational arithmetic gives it. `[NEAR-1]` Where the nearest point is is asked only of
+//! what is found: intervals tell it, or rational arithmetic. `[NEAR-3]`
 //!
 //! # Rounding
 //!
@@ -13,6 +14,8 @@
 //! u, which moves `q` by no more than 6 sqrt(3) u M: 34 u M together. [`MARGIN`] is nearly twice the greater one, for
 //! the roundings of the bounds themselves. Nothing over- or underflows: components of single precision, to the fourth
 //! power, stay in range.
+
+mod point;
 
 use glam::{DVec3, Vec3};
 
@@ -49,9 +52,15 @@ impl Measure {
         if self.is_certain([near, far]) { Some(near) } else { self.exact_distance(triangle) }
     }
 
-    /// The point of the triangle that is nearest, to about the precision of floats.
+    /// The point of the triangle that is nearest, exact but for its coordinates: each is rounded once, to the nearest
+    /// float, of two the even one. A zero is positive. `[NEAR-3]`
+    ///
+    /// NaN if a coordinate of the triangle is not finite.
     pub fn nearest(&self, triangle: &Triangle) -> Vec3 {
-        (self.point.as_dvec3() + nearest(&self.relative(triangle))).as_vec3()
+        match point::enclose(triangle, self.point).map(|ends| ends.map(one_float)) {
+            Some([Some(x), Some(y), Some(z)]) => Vec3::new(x, y, z),
+            _ => self.exact_nearest(triangle),
+        }
     }
 
     /// At most the distance of the box.
@@ -78,9 +87,24 @@ impl Measure {
         (is_within || self.radius.is_infinite()).then(|| truth::round_root_f32(&square))
     }
 
+    #[cold]
+    #[inline(never)]
+    fn exact_nearest(&self, triangle: &Triangle) -> Vec3 {
+        let nearest = truth::nearest_point(triangle.0.map(|corner| corner.to_array()), self.point.to_array());
+        nearest.map_or(Vec3::NAN, |point| Vec3::from_array(point.each_ref().map(truth::round_f32)) + 0.0)
+    }
+
     fn relative(&self, triangle: &Triangle) -> [DVec3; 3] {
         triangle.0.map(|corner| corner.as_dvec3() - self.point.as_dvec3())
     }
+}
+
+/// The float that all numbers from `lo` to `hi` round to, if it is one.
+#[inline]
+fn one_float([lo, hi]: [f64; 2]) -> Option<f32> {
+    // Of zeros the positive one.
+    let (lo, hi) = (lo as f32 + 0.0, hi as f32 + 0.0);
+    (lo == hi).then_some(lo)
 }
 
 /// Bounds of the distance of the triangle from zero.
@@ -97,7 +121,7 @@ fn bounds(corners: &[DVec3; 3]) -> [f64; 2] {
 }
 
 /// The point of a triangle that is nearest to zero, rounded (Ericson 2005, "Real-time collision detection", 5.1.5: by
-/// the Voronoi regions of corners and edges).
+/// the Voronoi regions of corners and edges). NaN where rounding leaves open where it is.
 #[inline]
 fn nearest(&[a, b, c]: &[DVec3; 3]) -> DVec3 {
     let (ab, ac) = (b - a, c - a);
@@ -124,6 +148,10 @@ fn nearest(&[a, b, c]: &[DVec3; 3]) -> DVec3 {
     let of_a = d3 * d6 - d5 * d4;
     if of_a <= 0.0 && d4 >= d3 && d5 >= d6 {
         return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+    }
+    // Rounded weights of a needle may have any sign: then this is no point of it, and there is no guess.
+    if !(of_a > 0.0 && of_b > 0.0 && of_c > 0.0) {
+        return DVec3::NAN;
     }
     let all = of_a + of_b + of_c;
     a + ab * (of_b / all) + ac * (of_c / all)

@@ -10,9 +10,10 @@
 //! alike. The signs and the quotients that answer the question do not change: the polynomials of the triangle test
 //! are all of degree three, and the distances to the planes of a box are quotients of two lengths.
 
-pub use dashu_ratio::RBig;
+mod nearest;
 
-use std::cmp::Ordering;
+pub use dashu_ratio::RBig;
+pub use nearest::{nearest_point, round_root_f32, square_distance};
 
 use dashu_int::{IBig, Sign};
 use dashu_ratio::Relaxed;
@@ -203,71 +204,6 @@ pub fn round_f32(x: &RBig) -> f32 {
 /// ```
 pub fn round_f64(x: &RBig) -> f64 {
     x.to_f64().value()
-}
-
-/// The square of the distance from a point to a triangle. `None` if a coordinate is not finite.
-///
-/// The least of the distances to the three edges, and to the plane if the point is above the triangle.
-///
-/// ```
-/// use stackless_bvh::geom::truth::{RBig, square_distance};
-///
-/// let triangle = [[0.0_f32, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
-/// assert_eq!(square_distance(triangle, [1.0, 1.0, 0.5]), RBig::try_from(0.25).ok());
-/// assert_eq!(square_distance(triangle, [-1.0, -2.0, 2.0]), RBig::try_from(9.0).ok());
-/// ```
-pub fn square_distance<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Option<RBig> {
-    let [a, b, c, p] = integers([triangle[0], triangle[1], triangle[2], point])?;
-    let corners = [&a, &b, &c];
-    let normal = cross(&minus(&b, &a), &minus(&c, &a));
-    let mut least: Option<Relaxed> = None;
-    let mut is_above = !dot(&normal, &normal).is_zero();
-    for i in 0..3 {
-        let (edge, to_point) = (minus(corners[(i + 1) % 3], corners[i]), minus(&p, corners[i]));
-        let (along, length) = (dot(&edge, &to_point), dot(&edge, &edge));
-        is_above &= dot(&cross(&normal, &edge), &to_point).sign() == Sign::Positive;
-        // From the nearest point of the edge: the start, or the foot of the perpendicular. At the end the next edge
-        // starts.
-        let square = dot(&to_point, &to_point);
-        let square = if along.sign() == Sign::Negative || along.is_zero() {
-            Relaxed::from(square)
-        } else if along < length {
-            Relaxed::from_parts_signed(square * &length - &along * &along, length)
-        } else {
-            continue;
-        };
-        least = least.into_iter().chain([square]).min();
-    }
-    if is_above {
-        let height = dot(&normal, &minus(&p, &a));
-        least = Some(Relaxed::from_parts_signed(&height * &height, dot(&normal, &normal)));
-    }
-    // The integers are multiples of the coordinates.
-    let scale = scale([triangle[0], triangle[1], triangle[2], point])?;
-    least.map(|square| (square / Relaxed::from(&scale * &scale)).canonicalize())
-}
-
-/// The `f32` nearest to the square root of `x`, which must not be negative; of two equally near the one whose last bit
-/// is 0.
-///
-/// ```
-/// use stackless_bvh::geom::truth::{RBig, round_root_f32};
-///
-/// assert_eq!(round_root_f32(&RBig::from(2u8)), 2f32.sqrt());
-/// ```
-pub fn round_root_f32(x: &RBig) -> f32 {
-    // A double is so near that the answer is this float or one of the next two.
-    let mut root = (round_f64(x).sqrt() as f32).next_down().max(0.0);
-    // How `x` compares with the square of the middle between a float and the next one. Infinity stands for 2^128.
-    let beyond_middle = |low: f32| {
-        let next = if low < f32::MAX { f64::from(low.next_up()) } else { 2f64.powi(128) };
-        let middle = RBig::try_from(f64::midpoint(low.into(), next));
-        middle.map_or(Ordering::Less, |middle| x.cmp(&(&middle * &middle)))
-    };
-    while beyond_middle(root).is_gt() || beyond_middle(root).is_eq() && root.to_bits() & 1 == 1 {
-        root = root.next_up();
-    }
-    root
 }
 
 /// [`entry`], as a fraction that may not be in lowest terms: those cost most of the time.

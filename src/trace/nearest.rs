@@ -19,7 +19,8 @@ pub struct Near {
     pub prim: u32,
     /// The float nearest to the exact distance.
     pub distance: f32,
-    /// Where on the triangle, to about the precision of floats.
+    /// Where on the triangle: the exact nearest point, each coordinate rounded once, to the nearest float. A zero is
+    /// positive. `[NEAR-3]`
     pub point: Vec3,
 }
 

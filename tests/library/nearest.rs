@@ -132,9 +132,9 @@ fn the_nearest_of_a_hundred_thousand_points_are_the_truth() {
     assert!(check(100_000) > 20_000);
 }
 
-/// [NEAR-1]
+/// [NEAR-1] [NEAR-3]
 #[test]
-fn distances_are_the_truth_rounded_whatever_the_limits() {
+fn distances_and_points_are_the_truth_rounded_whatever_the_limits() {
     let mut random = Rng::new(3);
     for mesh in meshes() {
         for i in 0..5_000 {

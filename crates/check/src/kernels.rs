@@ -119,7 +119,7 @@ fn is_behind<V: Vector>(ray: &Ray<V>, aabb: &Aabb) -> bool {
 }
 
 /// Asks for the distance of a triangle from a point: without a limit, up to the distance itself as limit and as radius,
-/// and around it. `[NEAR-1]`
+/// and around it; and for the nearest point. `[NEAR-1]` `[NEAR-3]`
 ///
 /// # Errors
 /// The first answer that is not the truth, rounded.
@@ -140,6 +140,17 @@ pub fn check_distance(triangle: &Triangle, point: Vec3) -> Result<(), GeometryFa
     }
     if distance > 0.0 {
         ask("distance within less", distance.next_down(), f32::INFINITY, None)?;
+    }
+    check_point(triangle, point, Measure::new(point, f32::INFINITY).nearest(triangle))
+}
+
+/// Checks that what was found is the point of a triangle that is nearest to another, each coordinate rounded once.
+/// `[NEAR-3]`
+pub(crate) fn check_point(triangle: &Triangle, point: Vec3, found: Vec3) -> Result<(), GeometryFault> {
+    let truth = truth::nearest_point(triangle.0.map(|corner| corner.to_array()), point.to_array());
+    for (expected, found) in truth.iter().flatten().zip(found.to_array()) {
+        // Of zeros the positive one.
+        same("coordinate of the nearest point", Some(truth::round_f32(expected) + 0.0), Some(found))?;
     }
     Ok(())
 }

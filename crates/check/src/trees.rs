@@ -12,6 +12,8 @@ use stackless_bvh::trace::{Hit, NodeSearch, OwnBoxes, Query, Sweep, Tracer, Trut
 use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
 use stackless_bvh::tree::Topology;
 
+use crate::kernels::{GeometryFault, check_point};
+
 /// What is wrong with a hierarchy.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TreeFault {
@@ -47,6 +49,9 @@ pub enum TreeFault {
         /// Those that were found.
         found: Vec<(f32, u32)>,
     },
+    /// The nearest point of a triangle is another.
+    #[error(transparent)]
+    Place(#[from] GeometryFault),
 }
 
 /// Checks that a hierarchy is sound and that of the mesh, and that by `hashed` the closest hit, any hit and all hits of
@@ -123,11 +128,11 @@ where
     Ok(hits)
 }
 
-/// Checks that the `k` triangles nearest to a point are those of rational arithmetic, and the nearest one the first of
-/// them. `[NEAR-2]`
+/// Checks that the `k` triangles nearest to a point are those of rational arithmetic, with the points of each that are
+/// nearest, and the nearest one the first of them. `[NEAR-2]` `[NEAR-3]`
 ///
 /// # Errors
-/// [`TreeFault::Nearest`], [`TreeFault::Point`].
+/// [`TreeFault::Nearest`], [`TreeFault::Place`], [`TreeFault::Point`].
 pub fn check_nearest(bvh: &Bvh, mesh: &Mesh, point: Vec3, radius: f32, k: usize) -> Result<(), TreeFault> {
     let tracer = Tracer::new(bvh);
     let ball = Ball::new(point, radius)?;
@@ -137,6 +142,9 @@ pub fn check_nearest(bvh: &Bvh, mesh: &Mesh, point: Vec3, radius: f32, k: usize)
     expected.truncate(k);
     if expected != found {
         return Err(TreeFault::Nearest { expected, found });
+    }
+    for near in nears.iter().chain(&near) {
+        check_point(&Triangle(mesh.triangle(near.prim as usize)), point, near.point)?;
     }
     let near = distances(near.as_slice());
     if first.as_slice() != near {

@@ -131,7 +131,9 @@ pub(super) struct Scale {
 impl Scale {
     pub(super) fn new(centroids: Spread, bins: usize) -> Self {
         let extent = centroids.extent();
-        let factor = Vec3A::select(extent.cmpgt(Vec3A::ZERO), bins as f32 / extent, Vec3A::ZERO);
+        // Of the smallest extents the quotient overflows. An infinite one would tell only the first centroid apart.
+        let factor = (bins as f32 / extent).min(Vec3A::MAX);
+        let factor = Vec3A::select(extent.cmpgt(Vec3A::ZERO), factor, Vec3A::ZERO);
         Self { start: centroids.lo, factor, last: Vec3A::splat(bins as f32 - 1.0) }
     }
 

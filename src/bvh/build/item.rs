@@ -55,7 +55,11 @@ pub(super) fn items<P: Primitives + ?Sized>(primitives: &P, degenerate: Degenera
             if items.is_empty() {
                 items.push(Item::new(&primitives.aabb(0), 0));
             }
-            Ok(items)
+            // A NaN would spoil the boxes of others, an empty box the cuts.
+            match items.iter().find(|item| item.spread().is_empty()) {
+                Some(item) => Err(BuildError::NoBox(item.prim())),
+                None => Ok(items),
+            }
         }
     }
 }
@@ -112,6 +116,12 @@ impl Spread {
     #[inline]
     pub(super) fn add(self, point: Vec3A) -> Self {
         Self { lo: point.min(self.lo), hi: point.max(self.hi) }
+    }
+
+    /// Whether it holds no point, as it is empty or has a NaN.
+    #[inline]
+    pub(super) fn is_empty(self) -> bool {
+        !self.lo.cmple(self.hi).all()
     }
 
     #[inline]

@@ -37,6 +37,12 @@ pub enum BuildError {
     /// The number of bins is too small to split with, or absurdly great.
     #[error("{0} bins are not between 2 and {max}", max = SahOptions::MAX_BINS)]
     Bins(u32),
+    /// The box of a primitive is empty or has a NaN.
+    #[error("primitive {0} has no box")]
+    NoBox(u32),
+    /// More further references were allowed than is sensible: room for them is taken at once.
+    #[error("{0} further references for 100 triangles are more than {max}", max = SpatialOptions::MAX_EXTRA_PERCENT)]
+    ExtraPercent(u32),
     /// A tree within the limit has too few leaves.
     #[error("{triangles} triangles do not fit in leaves of {max_leaf} at a depth of at most {limit}")]
     DepthLimit {
@@ -144,6 +150,10 @@ impl BuildOptions {
         if !(2..=SahOptions::MAX_BINS).contains(&sah.bins) {
             return Err(BuildError::Bins(sah.bins));
         }
+        let extra_percent = options.spatial.extra_percent;
+        if options.builder == Builder::Spatial && extra_percent > SpatialOptions::MAX_EXTRA_PERCENT {
+            return Err(BuildError::ExtraPercent(extra_percent));
+        }
         let items = item::items(primitives, options.degenerate)?;
         let dropped = primitives.count() - items.len();
         let draft = match options.builder {
@@ -173,8 +183,8 @@ impl<S> Bvh<S> {
     /// ```
     ///
     /// # Errors
-    /// [`BuildError::Empty`], which no mesh is, [`BuildError::TooManyTriangles`], and [`BuildError::DepthLimit`] for
-    /// more than 2^31 of them.
+    /// [`BuildError::Empty`], which no mesh is, [`BuildError::NoBox`], which no triangle gives, and for more than 2^31 of
+    /// them [`BuildError::TooManyTriangles`] and [`BuildError::DepthLimit`].
     pub fn build<P: Primitives<Shape = S> + ?Sized>(primitives: &P) -> Result<Self, BuildError> {
         BuildOptions::default().build(primitives)
     }
@@ -199,7 +209,7 @@ impl<V: Vector> Bvh<Triangle<V>> {
     /// `leaf_size` of 1, some leaves hold 2 unless the number of triangles is a power of two.
     ///
     /// # Errors
-    /// Any but [`BuildError::Bins`] and [`BuildError::DepthLimit`].
+    /// Any but [`BuildError::Bins`], [`BuildError::DepthLimit`] and [`BuildError::ExtraPercent`].
     pub fn median(mesh: &Mesh<V>, leaf_size: u32) -> Result<Self, BuildError> {
         let sah = SahOptions { max_leaf: leaf_size, depth_limit: u32::MAX, ..SahOptions::default() };
         BuildOptions { builder: Builder::Median, sah, ..BuildOptions::default() }.build(mesh)

@@ -26,11 +26,17 @@ use split::Split;
 /// How the builder with spatial splits cuts primitives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialOptions {
-    /// References beyond the first of each primitive, at most, in hundredths of the number of primitives.
+    /// References beyond the first of each primitive, at most, in hundredths of the number of primitives: 0 to
+    /// [`MAX_EXTRA_PERCENT`](Self::MAX_EXTRA_PERCENT). Memory for all of them is taken while the tree is built.
     pub extra_percent: u32,
     /// Planes that cut primitives are tried where the children of the best other cut overlap by more than this share of
     /// the root's surface.
     pub overlap: f32,
+}
+
+impl SpatialOptions {
+    /// Greatest number of further references: ten for each primitive.
+    pub const MAX_EXTRA_PERCENT: u32 = 1000;
 }
 
 impl Default for SpatialOptions {

@@ -186,3 +186,57 @@ fn below(bvh: &Bvh, node: Node) -> u32 {
         bvh.children(node).map(|child| below(bvh, child)).iter().sum()
     }
 }
+
+/// A box, or nothing.
+#[derive(Clone, Copy, Debug)]
+struct Block(Aabb);
+
+impl Bounded for Block {
+    fn aabb(&self) -> Aabb {
+        self.0
+    }
+}
+
+fn blocks() -> Vec<Block> {
+    (0..9u8).map(|i| Block(Aabb { lo: Vec3::splat(f32::from(i)), hi: Vec3::splat(f32::from(i) + 2.0) })).collect()
+}
+
+/// As they are when a tree takes on other shapes.
+#[test]
+fn primitives_without_a_box_are_refused() {
+    let nan = Vec3::new(0.0, f32::NAN, 0.0);
+    for bad in [Aabb::EMPTY, Aabb { lo: nan, hi: Vec3::ONE }, Aabb { lo: Vec3::ZERO, hi: nan }] {
+        for place in [0, 5, 8] {
+            let mut blocks = blocks();
+            blocks[place].0 = bad;
+            for builder in Builder::ALL {
+                let mut options = options(builder, 1, 31);
+                options.spatial = SpatialOptions { extra_percent: 100, overlap: 0.0 };
+                let refusal = options.build(&blocks[..]).err();
+                assert_eq!(refusal, Some(BuildError::NoBox(place as u32)), "{builder} {bad:?}");
+            }
+        }
+    }
+    let all = Aabb { lo: Vec3::NEG_INFINITY, hi: Vec3::INFINITY };
+    for builder in Builder::ALL {
+        let mut blocks = blocks();
+        blocks[3].0 = all;
+        assert_eq!(options(builder, 1, 31).build(&blocks[..]).map(|bvh| bvh.triangles().len()), Ok(9), "{builder}");
+    }
+}
+
+/// Memory for further references is taken at once, so it has to be bounded.
+#[test]
+fn too_many_further_references_are_refused() {
+    let build = |builder, extra_percent| {
+        let spatial = SpatialOptions { extra_percent, overlap: 0.0 };
+        BuildOptions { spatial, ..options(builder, 1, 31) }.build(&blocks()[..]).map(|bvh| bvh.triangles().len())
+    };
+    let most = SpatialOptions::MAX_EXTRA_PERCENT;
+    assert!(build(Builder::Spatial, most).is_ok());
+    for extra_percent in [most + 1, u32::MAX] {
+        assert_eq!(build(Builder::Spatial, extra_percent), Err(BuildError::ExtraPercent(extra_percent)));
+    }
+    // Others ignore what does not concern them.
+    assert!(build(Builder::Sah, u32::MAX).is_ok());
+}

@@ -95,6 +95,19 @@ fn the_ends_of_the_range() {
     assert_eq!(Measure::new(Vec3::X * least, 0.0).distance(&small, 0.0), Some(0.0));
 }
 
+/// On weights that are not negative rests the upper bound. [NEAR-1]
+#[test]
+fn a_guess_above_the_triangle_has_weights_that_are_positive() {
+    // Corners on a line but for rounding, beside which no edge is thought nearest: the first weight is rounded to 0.
+    let needle = [
+        DVec3::new(0.260_786_912_615_089_7, 0.580_635_970_183_850_9, -0.142_294_428_392_012_67),
+        DVec3::new(-0.369_332_056_339_633_2, -0.413_501_223_746_040_6, 0.645_391_724_978_742),
+        DVec3::new(-0.302_371_844_920_074_6, -0.307_858_257_948_615_93, 0.561_687_481_874_525_1),
+    ];
+    assert!(nearest(&needle).is_nan(), "{}", nearest(&needle));
+    assert!(bounds(&needle)[1].is_nan());
+}
+
 /// The nearest point by another way: the foot on the plane if it is inside, else the nearest point of an edge.
 fn nearest_by_edges([a, b, c]: [DVec3; 3]) -> DVec3 {
     let normal = (b - a).cross(c - a);
@@ -159,4 +172,53 @@ fn bounds_that_agree_within_the_radius_are_certain() {
     ] {
         assert_eq!(measure.is_certain(bounds), expected, "{bounds:?}");
     }
+}
+
+fn true_point(triangle: &Triangle, point: Vec3) -> [u32; 3] {
+    let nearest = truth::nearest_point(triangle.0.map(|corner| corner.to_array()), point.to_array()).expect("finite");
+    nearest.each_ref().map(|x| (truth::round_f32(x) + 0.0).to_bits())
+}
+
+/// [NEAR-3]
+#[test]
+fn nearest_points_are_the_truth_rounded() {
+    let mut random = Rng::new(6);
+    let mut by_intervals = 0;
+    for kind in 0..20_000 {
+        let (triangle, point) = case(&mut random, kind);
+        let found = Measure::new(point, 1.0).nearest(&triangle);
+        assert_eq!(found.to_array().map(f32::to_bits), true_point(&triangle, point), "{triangle:?} {point}: {found}");
+        let ends = point::enclose(&triangle, point);
+        by_intervals += usize::from(ends.is_some_and(|ends| ends.into_iter().all(|ends| one_float(ends).is_some())));
+    }
+    assert!(by_intervals > 10_000, "{by_intervals}");
+}
+
+/// A needle whose corners round to two seen from the point, and one that is long where its corners differ least.
+#[test]
+fn nearest_points_of_needles_with_their_corners_in_any_order() {
+    let needles = [
+        ([[0.0, 1.0, 0.0], [6.123_234e-17, 1.0, 0.0], [1.0, 2.0, 0.0]], [5.0, 0.5, 0.0]),
+        ([[-0.2, -40_265_320.0, 0.5], [0.5, 33_554_432.0, 0.5], [-0.2, 33_554_432.0, 0.8]], [0.3, 20_132_660.0, 0.7]),
+        // Twice the same corner: no area, so no hierarchy holds it.
+        ([[1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [0.0, 0.0, 1.0]),
+    ];
+    for (corners, point) in needles {
+        let ([a, b, c], point) = (corners.map(Vec3::from_array), Vec3::from_array(point));
+        for order in [[a, b, c], [b, c, a], [c, a, b], [c, b, a], [b, a, c], [a, c, b]] {
+            let (triangle, measure) = (Triangle(order), Measure::new(point, f32::INFINITY));
+            let found = measure.nearest(&triangle).to_array().map(f32::to_bits);
+            assert_eq!(found, true_point(&triangle, point), "{triangle:?} {point}");
+        }
+    }
+}
+
+#[test]
+fn a_float_is_certain_where_all_between_round_to_it() {
+    let above = 1.0 + 2f64.powi(-24);
+    assert_eq!([[1.0, above], [1.0, above.next_up()], [-1e-50, -1e-60]].map(one_float), [Some(1.0), None, Some(0.0)]);
+    assert_eq!(one_float([-1e-60, 1e-60]).map(f32::to_bits), Some(0));
+    assert_eq!([[f64::NAN, 1.0], [1.0, f64::NAN]].map(one_float), [None; 2]);
+    let measure = Measure::new(Vec3::ZERO, 1.0);
+    assert!(measure.nearest(&Triangle([Vec3::X, Vec3::Y, Vec3::NAN])).is_nan());
 }

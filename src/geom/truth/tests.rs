@@ -388,3 +388,37 @@ fn squares_of_distances_grow_with_the_square_of_the_size() {
         }
     }
 }
+
+/// In the triangle, at the distance: so it is the nearest one. [NEAR-3]
+#[test]
+fn nearest_points_are_points_of_the_triangle_at_the_least_distance() {
+    let mut random = Rng::new(10);
+    for i in 0..4000 {
+        // Grids make triangles without area, and points above corners and edges.
+        let mut vector = || std::array::from_fn(|_| if i % 8 == 0 { wild(&mut random) } else { whole(&mut random, 3) });
+        let ([a, b, c], p): ([[f32; 3]; 3], _) = ([vector(), vector(), vector()], vector());
+        let x = nearest_point([a, b, c], p).expect("finite");
+        let square = |v: plain::Vector| plain::dot(v.clone(), v);
+        let to = |corner| plain::minus(plain::vector(corner), x.clone());
+        assert_eq!(square(to(p)), square_distance([a, b, c], p).expect("finite"));
+        // Nothing of the triangle is on the far side of the plane through it, across the way to the point.
+        for corner in [a, b, c] {
+            assert!(plain::dot(to(p), to(corner)) <= RBig::ZERO, "{a:?} {b:?} {c:?} {p:?}");
+        }
+        // In the plane, and on the inner side of each edge; without area, on one of the edges.
+        let [ab, ac, bc] = [(a, b), (a, c), (b, c)].map(|(s, t)| plain::minus(plain::vector(t), plain::vector(s)));
+        let normal = plain::cross(ab.clone(), ac);
+        if square(normal.clone()) > RBig::ZERO {
+            let ca = plain::minus(plain::vector(a), plain::vector(c));
+            assert_eq!(plain::dot(normal.clone(), to(a)), RBig::ZERO);
+            for (edge, start) in [(ab, a), (bc, b), (ca, c)] {
+                let inward = plain::cross(normal.clone(), edge);
+                assert!(plain::dot(inward, to(start)) <= RBig::ZERO, "{a:?} {b:?} {c:?} {p:?}");
+            }
+        } else {
+            let is_between =
+                |(s, t)| square(plain::cross(to(s), to(t))) == RBig::ZERO && plain::dot(to(s), to(t)) <= RBig::ZERO;
+            assert!([(a, b), (b, c), (c, a)].into_iter().any(is_between), "{a:?} {b:?} {c:?} {p:?}");
+        }
+    }
+}

@@ -1,6 +1,7 @@
 use super::*;
 use crate::bvh::Primitives;
 use crate::generate::procedural;
+use crate::geom::Aabb;
 
 #[test]
 fn bits_are_spread() {
@@ -39,4 +40,21 @@ fn clusters_cover_all_in_order_and_are_small() {
     assert_eq!(clusters.iter().flat_map(Clone::clone).collect::<Vec<_>>(), (0..n).collect::<Vec<_>>());
     assert!(clusters.iter().all(|cluster| (1..=CLUSTER).contains(&cluster.len())));
     assert!(clusters.len() < n / 4, "{}", clusters.len());
+}
+
+/// So small that the number of cells over the extent overflows: cells are wider, but no item is sorted alone, again and
+/// again.
+#[test]
+fn clusters_of_tiny_scenes_are_few() {
+    let n = 5000;
+    let mesh = procedural::soup(8, n);
+    for size in [1e-35, 1e-36, 1e-37, 1e-38, 1e-40] {
+        let smaller = |aabb: Aabb| Aabb { lo: aabb.lo * size, hi: aabb.hi * size };
+        let items: Vec<_> = (0..n).map(|i| Item::new(&smaller(mesh.aabb(i)), i as u32)).collect();
+        let mut codes: Vec<_> = (0..n as u64).collect();
+        sort(&items, &mut codes);
+        let mut clusters = Vec::new();
+        cluster(&items, &mut codes, 0, &mut clusters);
+        assert!(clusters.len() < n / 4, "{size:e}: {}", clusters.len());
+    }
 }
