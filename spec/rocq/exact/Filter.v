@@ -1,5 +1,5 @@
 (** [Determinants] and [Errors] of src/geom/kernel/exact/filter.rs, operation by operation, with relative errors only (no least
-    exponent; Range.v shows that for single-precision data this is double precision). [EXACT-4, EXACT-6] *)
+    exponent; Range.v shows that for single-precision data this is double precision). *)
 Require Import Reals ZArith Lia Lra Psatz.
 From Flocq Require Import Core.
 Require Import StacklessExact.Rounding StacklessExact.Triple.
@@ -56,7 +56,7 @@ Definition is_miss (neg : bool) (sigma : R) (x : determinants) : Prop :=
 Definition is_hit (neg : bool) (sigma : R) (x : determinants) : Prop :=
   sigma < front neg (edge_u x) /\ sigma < front neg (edge_v x) /\ sigma < front neg (edge_w x).
 
-(** The line meets the closed triangle. [EXACT-1] *)
+(** The line meets the closed triangle: EXACT-1. *)
 Definition meets (x : determinants) : Prop := hit (det x) (edge_u x) (edge_v x) (edge_w x).
 
 Definition bounded (B : R) (v : vec) : Prop := Rabs (vx v) <= B /\ Rabs (vy v) <= B /\ Rabs (vz v) <= B.
@@ -244,7 +244,7 @@ Proof. pose proof Hu. unfold k. assert (0 < u * u) by (apply Rmult_lt_0_compat; 
   assert (u * u <= u * / 2048) by (apply Rmult_le_compat_l; lra). lra. Qed.
 
 (** The two parts of σ: an edge function and the determinant. [EXACT-6] *)
-Lemma sigma_is_enough : (77 / 2) * u * (D * E * (2 * C + E)) + k * (D * E * E) <= sigma.
+Theorem sigma_is_enough : (77 / 2) * u * (D * E * (2 * C + E)) + k * (D * E * E) <= sigma.
 Proof.
   pose proof sigma_from_below as S. pose proof k_small as K.
   replace (D * E * (2 * C + E)) with (2 * DCE + DEE) by (unfold DCE, DEE; ring).

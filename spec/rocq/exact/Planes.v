@@ -1,4 +1,4 @@
-(** The distance to one plane of a box, in real numbers with gradual underflow and without a greatest exponent: [BOX-2] before
+(** The distance to one plane of a box, in real numbers with gradual underflow and without a greatest exponent: BOX-2 before
     overflow. Slabs.v makes the slab test of it. *)
 Require Import Reals ZArith Lia Lra Psatz.
 From Flocq Require Import Core.

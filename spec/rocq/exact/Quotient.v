@@ -1,6 +1,6 @@
 (** [Determinants::over_determinant] of src/geom/kernel/exact/filter.rs: the true quotient lies between the ends, for determinants of
     either sign; and for what [is_hit] lets pass, the determinant is as great as that takes. Relative errors only, as in
-    Filter.v. [EXACT-9] *)
+    Filter.v. *)
 Require Import Reals ZArith Lia Lra Psatz.
 From Flocq Require Import Core.
 Require Import StacklessExact.Rounding StacklessExact.Triple StacklessExact.Filter.
@@ -82,7 +82,8 @@ Proof.
   assert (Z : 0 <= 1 - u) by lra. assert (ui : i * (1 - u) * (1 - u) <= r * (1 - u)) by (apply Rmult_le_compat_r; assumption).
   assert (K1 : 5 / 4 * (1 - 2 * u) * (dT + dd * Q) <= g2).
   { eapply Rle_trans; [|exact G2]. apply Rle_trans with ((5 / 4 * dT + 5 / 4 * dd * Q * (1 - u)) * (1 - u)).
-    - assert (0 <= dd * Q) by (apply Rmult_le_pos; assumption). nra.
+    - assert (0 <= dd * Q) by (apply Rmult_le_pos; assumption). assert (0 <= dT * u) by (apply Rmult_le_pos; lra).
+      assert (0 <= dd * Q * (u * u)) by (apply Rmult_le_pos; [assumption|apply Rmult_le_pos; lra]). lra.
     - apply Rmult_le_compat_r; [assumption|]. apply Rplus_le_compat; [assumption|]. eapply Rle_trans; [|exact G1].
       apply Rmult_le_compat_r; [assumption|]. replace (5 / 4 * dd * Q) with (Q * (5 / 4 * dd)) by ring.
       apply Rmult_le_compat_l; assumption. }
@@ -92,7 +93,7 @@ Proof.
     apply Rle_trans with (5 / 4 * (1 - 2 * u) * (dT + dd * Q) * (i * (1 - u)) * (1 - u)).
     - replace (5 / 4 * (1 - 2 * u) * (dT + dd * Q) * (i * (1 - u)) * (1 - u)) with
         (5 / 4 * ((1 - 2 * u) * ((1 - u) * (1 - u))) * (A + B * Q)) by (unfold A, B; ring).
-      apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; [lra|]. nra.
+      apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; [lra|]. clear - U. nra.
     - apply Rmult_le_compat_r; [assumption|]. apply Rmult_le_compat; try assumption.
       + apply Rmult_le_pos; [|assumption]. lra.
       + apply Rmult_le_pos; lra. }
@@ -103,27 +104,28 @@ Proof.
   { eapply Rle_trans; [exact TQ|]. right. unfold A, B, X. ring. }
   assert (HBX : B * X <= B * Q * (1 + 3 * u)).
   { rewrite Rmult_assoc. apply Rmult_le_compat_l; [assumption|]. apply Rmult_le_reg_r with (1 - 2 * u); [lra|].
-    eapply Rle_trans; [exact HX|]. rewrite Rmult_assoc. rewrite <- (Rmult_1_r Q) at 1. apply Rmult_le_compat_l; [assumption|]. nra. }
+    eapply Rle_trans; [exact HX|]. rewrite Rmult_assoc. rewrite <- (Rmult_1_r Q) at 1. apply Rmult_le_compat_l; [assumption|]. clear - U. nra. }
   assert (HX2 : X * (2 * u + u * u) <= Q * (2 * u + 10 * u * u)).
   { apply Rmult_le_reg_r with (1 - 2 * u); [lra|].
     apply Rle_trans with (Q * (2 * u + u * u)).
     - replace (X * (2 * u + u * u) * (1 - 2 * u)) with (X * (1 - 2 * u) * (2 * u + u * u)) by ring.
-      apply Rmult_le_compat_r; [nra|exact HX].
+      apply Rmult_le_compat_r; [clear - U; nra|exact HX].
     - replace (Q * (2 * u + 10 * u * u) * (1 - 2 * u)) with (Q * ((2 * u + 10 * u * u) * (1 - 2 * u))) by ring.
-      apply Rmult_le_compat_l; [assumption|]. nra. }
+      apply Rmult_le_compat_l; [assumption|]. clear - U. nra. }
   assert (Pe : 0 <= e).
   { eapply Rle_trans; [|exact G5]. apply Rmult_le_pos; lra. }
   assert (Main : 15 / 13 * (A + B * X) + X * (2 * u + u * u) + u * (Q + e) <= e).
   { set (bq := B * Q) in *. clearbody A bq Q.
     apply Rle_trans with (15 / 13 * (A + bq * (1 + 3 * u)) + Q * (2 * u + 10 * u * u) + u * Q + u * e); [lra|].
-    assert (M1 : 15 / 13 * (A + bq * (1 + 3 * u)) <= 15 / 13 * (1 + 3 / 2048) * (A + bq)) by nra.
+    assert (M1 : 15 / 13 * (A + bq * (1 + 3 * u)) <= 15 / 13 * (1 + 3 / 2048) * (A + bq)).
+    { assert (bq * u <= bq * / 2048) by (apply Rmult_le_compat_l; lra). lra. }
     assert (M2 : 5 / 4 * (1 - 6 / 2048) * (A + bq) + Q * (4 * u) * (1 - 3 / 2048) <= (1 - u) * e).
     { apply Rle_trans with ((1 - u) * ((5 / 4 * (1 - 4 * u) * (A + bq) + Q * (4 * u) * (1 - u)) * (1 - u)));
         [|apply Rmult_le_compat_l; assumption].
       assert (Q * u * (1 - 3 / 2048) <= Q * u * ((1 - u) * (1 - u) * (1 - u))).
-      { apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|]. nra. }
+      { apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|]. clear - U. nra. }
       assert ((A + bq) * (1 - 6 / 2048) <= (A + bq) * ((1 - 4 * u) * (1 - u) * (1 - u))).
-      { apply Rmult_le_compat_l; [lra|]. nra. }
+      { apply Rmult_le_compat_l; [lra|]. clear - U. nra. }
       lra. }
     assert (M3 : Q * (2 * u + 10 * u * u) <= Q * u * (2 + 10 / 2048)).
     { replace (Q * (2 * u + 10 * u * u)) with (Q * u * (2 + 10 * u)) by ring. apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|lra]. }

@@ -1,5 +1,5 @@
 (** Rounding to nearest, ties to even: what the proofs of this folder use of it. Two formats: with gradual underflow (FLT), as
-    floats are, and without a least exponent (FLX), where every rounding is a relative error. [EXACT-4] *)
+    floats are, and without a least exponent (FLX), where every rounding is a relative error. *)
 Require Import Reals ZArith Lia Lra Psatz.
 From Flocq Require Import Core Relative Plus_error.
 Open Scope R_scope.
@@ -47,8 +47,8 @@ Proof.
   exists e. split; [|exact E]. unfold u_ro in He. now rewrite unit_half in He.
 Qed.
 
-(** A rounded number is the number times 1 + e. *)
-Lemma rel x : exists e, Rabs e <= u /\ RN x = x * (1 + e).
+(** A rounded number is the number times 1 + e. [EXACT-4] *)
+Theorem rel x : exists e, Rabs e <= u /\ RN x = x * (1 + e).
 Proof. destruct (rel_tight x) as (e & He & E). exists e. split; [|exact E]. pose proof Hu. pose proof (unit_ratio u). lra. Qed.
 
 (** And the other way round. *)
@@ -84,8 +84,8 @@ Notation RN := (round radix2 fexp ZnearestE).
 Notation RX := (round radix2 (FLX_exp prec) ZnearestE).
 Notation u := (unit prec).
 
-(** A difference of floats never suffers from underflow. *)
-Lemma difference b o : F b -> F o -> exists e, Rabs e <= u / (1 + u) /\ RN (b - o) = (b - o) * (1 + e).
+(** A difference of floats never suffers from underflow. [BOX-2] *)
+Theorem difference b o : F b -> F o -> exists e, Rabs e <= u / (1 + u) /\ RN (b - o) = (b - o) * (1 + e).
 Proof.
   intros Hb Ho.
   destruct (FLT_plus_error_N_ex radix2 emin prec (fun x => negb (Z.even x)) b (- o)) as (e & He & E);

@@ -1,5 +1,5 @@
 (** The slab test of src/geom/slabs, on IEEE 754 numbers as Flocq has them: infinities, NaN, both zeros, overflow, gradual
-    underflow. Operations, and the order of operands of each comparison, are those of the code. [BOX-1] *)
+    underflow. Operations, and the order of operands of each comparison, are those of the code (BOX-1). *)
 Require Import Reals ZArith Lia Lra Psatz Bool List.
 From Flocq Require Import Core BinarySingleNaN.
 Require Import StacklessExact.Rounding StacklessExact.Planes.

@@ -1,5 +1,5 @@
 (** The determinants of EXACT-1 and what their roundings cost: EXACT-2, EXACT-4 and EXACT-6 for relative errors of at most u, in
-    real numbers. Filter.v has the operations of the code. [EXACT-4] *)
+    real numbers. Filter.v has the operations of the code. *)
 Require Import Reals ZArith Lia Lra Psatz.
 Require Import StacklessExact.Rounding.
 Open Scope R_scope.
@@ -40,7 +40,8 @@ Qed.
 Definition det3 x1 x2 x3 y1 y2 y3 z1 z2 z3 : R :=
   x1 * (y2 * z3 - y3 * z2) + x2 * (y3 * z1 - y1 * z3) + x3 * (y1 * z2 - y2 * z1).
 
-Lemma det3_b x1 x2 x3 y1 y2 y3 z1 z2 z3 X Y Z :
+(** Hadamard's bound for three rows. [EXACT-4] *)
+Theorem det3_b x1 x2 x3 y1 y2 y3 z1 z2 z3 X Y Z :
   Rabs x1 <= X -> Rabs x2 <= X -> Rabs x3 <= X ->
   Rabs y1 <= Y -> Rabs y2 <= Y -> Rabs y3 <= Y -> Rabs z1 <= Z -> Rabs z2 <= Z -> Rabs z3 <= Z ->
   Rabs (det3 x1 x2 x3 y1 y2 y3 z1 z2 z3) <= 4 * (X * Y * Z).
@@ -61,7 +62,9 @@ Lemma one_b e : Rabs e <= u -> Rabs (1 + e) <= 1 + u.
 Proof. intros. apply add_b; [rewrite Rabs_pos_eq; lra|assumption]. Qed.
 
 (** * Six products, three differences, three products, two sums *)
-Lemma triple x1 x2 x3 y1 y2 y3 z1 z2 z3 X Y Z m1 m2 m3 m4 m5 m6 c1 c2 c3 e1 e2 e3 s1 s2 :
+
+(** A triple product costs 22u + 49u² of the sizes. [EXACT-4] *)
+Theorem triple x1 x2 x3 y1 y2 y3 z1 z2 z3 X Y Z m1 m2 m3 m4 m5 m6 c1 c2 c3 e1 e2 e3 s1 s2 :
   Rabs x1 <= X -> Rabs x2 <= X -> Rabs x3 <= X ->
   Rabs y1 <= Y -> Rabs y2 <= Y -> Rabs y3 <= Y -> Rabs z1 <= Z -> Rabs z2 <= Z -> Rabs z3 <= Z ->
   Rabs m1 <= u -> Rabs m2 <= u -> Rabs m3 <= u -> Rabs m4 <= u -> Rabs m5 <= u -> Rabs m6 <= u ->
@@ -219,6 +222,7 @@ Lemma row_b x1 x2 x3 t1 t2 t3 X : row x1 x2 x3 t1 t2 t3 -> Rabs x1 <= X -> Rabs 
 Proof. intros (a & b & c & Ha & Hb & Hc & -> & -> & ->) H1 H2 H3. repeat split; apply mul_b; auto using one_b. Qed.
 
 (** * W *)
+(** [EXACT-4] *)
 Lemma third det U V det' U' V' w1 w2 D C E :
   0 <= D -> 0 <= C -> 0 <= E -> Rabs w1 <= u -> Rabs w2 <= u ->
   let k := 30 * u + 53 * (u * u) in
@@ -262,7 +266,8 @@ Definition hit det U V W : Prop := det <> 0 /\ 0 <= U / det /\ 0 <= V / det /\ 0
 Definition sign_bit (neg : bool) det : Prop := if neg then det <= 0 else 0 <= det.
 Definition front (neg : bool) x : R := if neg then - x else x.
 
-Lemma hit_signs det U V W : hit det U V W -> W = det - U - V ->
+(** In a hit all have the sign of the determinant, and none exceeds it. [EXACT-2] *)
+Theorem hit_signs det U V W : hit det U V W -> W = det - U - V ->
   (0 < det /\ 0 <= U <= det /\ 0 <= V <= det /\ 0 <= W <= det) \/
   (det < 0 /\ det <= U <= 0 /\ det <= V <= 0 /\ det <= W <= 0).
 Proof.
@@ -283,7 +288,7 @@ Proof.
 Qed.
 
 (** If a computed edge function has, as seen from the computed determinant, a negative value beyond the bounds of both, the
-    triangle is missed. Whatever sign the computed determinant has, also if it is wrong or 0. *)
+    triangle is missed. Whatever sign the computed determinant has, also if it is wrong or 0. [EXACT-6] *)
 Theorem miss_is_certain neg det x det' U' V' W' x' bd be : sign_bit neg det ->
   Rabs (det - det') <= bd -> Rabs (x - x') <= be -> (x' = U' \/ x' = V' \/ x' = W') -> W' = det' - U' - V' ->
   front neg x < - (bd + be) -> ~ hit det' U' V' W'.
@@ -295,7 +300,7 @@ Proof.
   apply A in Hd. apply A in Hx. unfold front, sign_bit in *. destruct neg; lra.
 Qed.
 
-(** If all three are above the bounds, the line meets the interior. *)
+(** If all three are above the bounds, the line meets the triangle. [EXACT-6] *)
 Theorem hit_is_certain neg U V W det' U' V' W' b :
   Rabs (U - U') <= b -> Rabs (V - V') <= b -> Rabs (W - W') <= b -> W' = det' - U' - V' ->
   b < front neg U -> b < front neg V -> b < front neg W -> hit det' U' V' W'.
