@@ -105,3 +105,6 @@ fn nearest<S: Number>([a, b, c]: [[S; 3]; 3], point: [S; 3]) -> Option<(Nearest,
     let numerators = std::array::from_fn(|k| &p[k] * &area - &normal[k] * &height);
     Some((Nearest { numerators, denominator: area, square }, scale))
 }
+
+#[cfg(test)]
+mod tests;

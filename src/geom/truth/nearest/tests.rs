@@ -1,0 +1,75 @@
+use super::super::tests::{plain, rational, whole, wild};
+use super::*;
+use crate::generate::Rng;
+
+/// Where the middle between two floats begins, squared, exactly and all but.
+#[test]
+fn roots_are_rounded_to_the_nearest() {
+    let value = |bits: u32| {
+        let x = f32::from_bits(bits);
+        if x.is_infinite() { RBig::from(IBig::ONE << 128) } else { rational(x) }
+    };
+    let root = |x: RBig| round_root_f32(&x).to_bits();
+    let hair = RBig::from_parts(1.into(), dashu_int::UBig::ONE << 1200);
+    let mut random = Rng::new(8);
+    let limits = [0, 1, 2, 3, f32::MIN_POSITIVE.to_bits() - 1, f32::MIN_POSITIVE.to_bits()];
+    let limits = limits.into_iter().chain([f32::MAX.to_bits() - 1, f32::MAX.to_bits()]);
+    for bits in limits.chain((0..3000).map(|_| wild(&mut random).abs().to_bits())) {
+        let [this, next] = [value(bits), value(bits + 1)];
+        let middle = (&this + &next) / RBig::from(2);
+        let square = &middle * &middle;
+        assert_eq!(root(&this * &this), bits);
+        assert_eq!(root(square.clone()), bits + bits % 2);
+        assert_eq!([root(&square - &hair), root(&square + &hair)], [bits, bits + 1]);
+    }
+    assert_eq!(round_root_f32(&RBig::from(IBig::ONE << 400)), f32::INFINITY);
+}
+
+/// Integers and fractions of them, which are scaled; and the corners in any order.
+#[test]
+fn squares_of_distances_grow_with_the_square_of_the_size() {
+    let mut random = Rng::new(9);
+    for _ in 0..2000 {
+        let mut vector = || std::array::from_fn(|_| whole(&mut random, 9));
+        let ([a, b, c], p): ([[f32; 3]; 3], _) = ([vector(), vector(), vector()], vector());
+        let square = square_distance([a, b, c], p).expect("finite");
+        for scale in [0.125, 0.25, 8.0f32] {
+            let small = |v: [f32; 3]| v.map(|x| x * scale);
+            let scaled = square_distance([a, b, c].map(small), small(p)).expect("finite");
+            assert_eq!(scaled, &square * rational(scale * scale));
+        }
+        for corners in [[b, c, a], [c, b, a], [b, a, c]] {
+            assert_eq!(square_distance(corners, p), Some(square.clone()));
+        }
+    }
+}
+
+/// In the triangle, at the distance: so it is the nearest one. Grids make triangles without area, too. [NEAR-3]
+#[test]
+fn nearest_points_are_points_of_the_triangle_at_the_least_distance() {
+    let mut random = Rng::new(10);
+    for i in 0..4000 {
+        let mut vector = || std::array::from_fn(|_| if i % 8 == 0 { wild(&mut random) } else { whole(&mut random, 3) });
+        let ([a, b, c], p): ([[f32; 3]; 3], _) = ([vector(), vector(), vector()], vector());
+        let x = nearest_point([a, b, c], p).expect("finite");
+        let square = |v: plain::Vector| plain::dot(v.clone(), v);
+        let to = |corner| plain::minus(plain::vector(corner), x.clone());
+        assert_eq!(square(to(p)), square_distance([a, b, c], p).expect("finite"));
+        // Nothing of the triangle is on the far side of the plane through it, across the way to the point.
+        let is_beyond = |corner| plain::dot(to(p), to(corner)) > RBig::ZERO;
+        assert!(![a, b, c].into_iter().any(is_beyond), "{a:?} {b:?} {c:?} {p:?}");
+        // In the plane, and on the inner side of each edge; without area, on one of the edges.
+        let [ab, ac, bc] = [(a, b), (a, c), (b, c)].map(|(s, t)| plain::minus(plain::vector(t), plain::vector(s)));
+        let normal = plain::cross(ab.clone(), ac);
+        if square(normal.clone()) > RBig::ZERO {
+            let ca = plain::minus(plain::vector(a), plain::vector(c));
+            assert_eq!(plain::dot(normal.clone(), to(a)), RBig::ZERO);
+            let is_outside = |(edge, start)| plain::dot(plain::cross(normal.clone(), edge), to(start)) > RBig::ZERO;
+            assert!(![(ab, a), (bc, b), (ca, c)].into_iter().any(is_outside), "{a:?} {b:?} {c:?} {p:?}");
+        } else {
+            let is_between =
+                |(s, t)| square(plain::cross(to(s), to(t))) == RBig::ZERO && plain::dot(to(s), to(t)) <= RBig::ZERO;
+            assert!([(a, b), (b, c), (c, a)].into_iter().any(is_between), "{a:?} {b:?} {c:?} {p:?}");
+        }
+    }
+}
