@@ -74,7 +74,7 @@ pub const fn mix(mut x: u64) -> u64 {
     x ^ x >> 31
 }
 
-/// A number that changes if a single word of 64 bits does, and as good as always if others do. `[FILE-4]`
+/// Detects every change of one 64-bit word, and nearly every other change. `[FILE-4]`
 pub fn checksum(bytes: &[u8]) -> u64 {
     let (words, rest) = bytes.as_chunks();
     let mut last = [0; 8];
