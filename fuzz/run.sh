@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Fuzzing, by recipe: `fuzz/run.sh COMMAND`. Needs nightly, and `cargo install cargo-fuzz`.
 #
-#   smoke [SECONDS]         every target for 3,000 executions or 30 s (or so many), two at a time: what CI runs. Fewer than 200 of
+#   smoke [SECONDS]         every target for 3,000 executions or 30 s (150 with a sanitizer), two at a time: what CI runs. Fewer than 200 of
 #                           them are a failure: a target that does next to nothing would find nothing
 #   rates [SECONDS]         every target for 60 s (or so many), one at a time: executions per second
 #   planted [SECONDS]       every planted bug from an empty corpus, for 60 s (or so many) at most: each must be found;
@@ -132,7 +132,8 @@ planted() {
 case ${1:-} in
     smoke)
         build
-        each smoke 2 "${2:-30}"
+        # With a sanitizer the whole suite takes a minute to build.
+        each smoke 2 "${2:-$([[ $sanitizer == none ]] && echo 30 || echo 150)}"
         ;;
     rates)
         build
