@@ -25,7 +25,7 @@ mod text;
 
 pub use error::{Fault, Place, ReadError, SceneError};
 pub use obj::{Skipped, read_obj};
-pub use output::{abandon_writes, check_writable, write_atomically};
+pub use output::{abandon_writes, check_writable, resolve, write_atomically};
 pub use ply::read_ply;
 pub use property::{FileFault, check_mesh_file, check_ray_file};
 pub use rays::{RayFault, RayFileError, read_rays, read_rays_from, write_hits};

@@ -74,18 +74,35 @@ enum Place {
 
 impl Place {
     fn of(path: &Path) -> io::Result<Self> {
-        match fs::metadata(path) {
+        let existing = fs::metadata(path);
+        match &existing {
             Ok(existing) if existing.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
             Ok(existing) if !existing.is_file() => Ok(Self::Stream),
             Ok(existing) if existing.permissions().readonly() => {
                 Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"))
             }
-            Ok(existing) => {
-                Ok(Self::File { target: fs::canonicalize(path)?, permissions: Some(existing.permissions()) })
-            }
-            Err(_) => Ok(Self::File { target: end_of_links(path)?, permissions: None }),
+            _ => Ok(Self::File {
+                target: resolve(path)?,
+                permissions: existing.ok().map(|existing| existing.permissions()),
+            }),
         }
     }
+}
+
+/// Where a path leads: absolute and without symbolic links, also where nothing is yet.
+///
+/// # Errors
+/// Those of the file system: the folder must be there.
+pub fn resolve(path: &Path) -> io::Result<PathBuf> {
+    if let Ok(there) = fs::canonicalize(path) {
+        return Ok(there);
+    }
+    let end = end_of_links(path)?;
+    let Some(name) = end.file_name() else {
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"));
+    };
+    let parent = end.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    Ok(fs::canonicalize(parent)?.join(name))
 }
 
 /// The name to which symbolic links lead, where nothing has that name yet.
@@ -113,9 +130,7 @@ struct Temporary(PathBuf);
 
 impl Temporary {
     fn beside(target: &Path) -> io::Result<(Self, File)> {
-        let Some(name) = target.file_name() else {
-            return Err(io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"));
-        };
+        let name = target.file_name().unwrap_or_default();
         let mut live = live();
         let mut number = 0_u32;
         loop {

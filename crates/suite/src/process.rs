@@ -1,12 +1,12 @@
 //! A program that is asked: its lines in, its lines out, nobody waits for ever, and nothing of it survives us.
 
-use std::io::{self, BufRead, BufReader, Read, Write};
+use std::io::{self, BufRead, BufReader, Write};
 use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
 use std::thread;
 use std::time::Duration;
 
-use super::text::MOST_BYTES;
+use super::text::read_line;
 
 /// Lines that are held before they are heard: a program that floods us has to wait.
 const HELD: usize = 4;
@@ -156,16 +156,10 @@ impl Group {
 
 fn listen(mut output: impl BufRead, heard: &SyncSender<Heard>) {
     loop {
-        let mut bytes = Vec::new();
-        let said = match output.by_ref().take(MOST_BYTES).read_until(b'\n', &mut bytes) {
-            Ok(0) | Err(_) => Heard::End,
-            Ok(_) if bytes.last() != Some(&b'\n') && bytes.len() as u64 == MOST_BYTES => {
-                Heard::Garbage(format!("a line of more than {MOST_BYTES} bytes"))
-            }
-            Ok(_) => match String::from_utf8(bytes) {
-                Ok(line) => Heard::Line(line),
-                Err(error) => Heard::Garbage(format!("a line that is not UTF-8: {error}")),
-            },
+        let said = match read_line(&mut output) {
+            Ok(Some(line)) => Heard::Line(line),
+            Err(error) if error.kind() == io::ErrorKind::InvalidData => Heard::Garbage(error.to_string()),
+            Ok(None) | Err(_) => Heard::End,
         };
         let is_end = matches!(said, Heard::End);
         if heard.send(said).is_err() || is_end {

@@ -1,11 +1,11 @@
 //! One JSON object a line: what a runner writes, and what an implementation answers.
 
-use std::io::{self, BufRead, Read as _, Write};
+use std::io::{self, BufRead, Write};
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use super::text::{MOST_BYTES, object};
+use super::text::{object, read_line};
 use super::{Feature, Level, Profile, SuiteCase};
 
 /// Version of the protocol.
@@ -103,11 +103,7 @@ pub fn serve(
     mut input: impl BufRead,
     mut output: impl Write,
 ) -> io::Result<()> {
-    let mut line = String::new();
-    while input.by_ref().take(MOST_BYTES).read_line(&mut line)? > 0 {
-        if line.len() as u64 == MOST_BYTES && !line.ends_with('\n') {
-            return Err(io::Error::new(io::ErrorKind::InvalidData, format!("a line of more than {MOST_BYTES} bytes")));
-        }
+    while let Some(line) = read_line(&mut input)? {
         let text = match serde_json::from_str(&line).map_err(io::Error::other)? {
             Request::Hello { .. } => serde_json::to_string(&implementation.hello()),
             Request::Case { seq, level, profile, input } => {
@@ -117,7 +113,6 @@ pub fn serve(
         };
         writeln!(output, "{}", text.map_err(io::Error::other)?)?;
         output.flush()?;
-        line.clear();
     }
     Ok(())
 }

@@ -65,16 +65,15 @@ impl Runner<'_> {
         }
         let (hello, process) = self.start()?;
         let mut faults = unknown_profiles(&hello, self.suite);
-        if !cases.iter().any(|(profile, case)| hello.asks_for(profile, case)) {
-            faults.push(
-                "nothing was asked: the program names no profile of these cases, or lacks their features".to_owned(),
-            );
-        }
         let mut outcomes: Vec<Option<Outcome>> = cases
             .iter()
             .map(|(profile, case)| (!hello.asks_for(profile, case)).then_some(Outcome::Unsupported))
             .collect();
-        let to_ask = (0..cases.len()).filter(|&i| outcomes[i].is_none()).collect();
+        let to_ask: VecDeque<_> = (0..cases.len()).filter(|&i| outcomes[i].is_none()).collect();
+        if to_ask.is_empty() {
+            let why = "the program names no profile of these cases, or lacks their features";
+            faults.push(format!("nothing was asked: {why}"));
+        }
         let verdict = |i: usize, outcome: Outcome| {
             let (_, SuiteCase { id, clauses, strength, .. }) = cases[i];
             let waived = self.waivers.reason(id).map(ToOwned::to_owned);

@@ -1,6 +1,7 @@
 //! Objects and floats as the suite's files have them, and what others have written.
 
 use core::fmt::{self, Write as _};
+use std::io::{self, BufRead, Read as _};
 
 use serde_json::{Map, Value, json};
 
@@ -32,7 +33,21 @@ pub(super) fn hit(prim: u32, [t, u, v]: [f32; 3]) -> Value {
 }
 
 /// Longest line that is read, in bytes.
-pub(super) const MOST_BYTES: u64 = 64 << 20;
+const MOST_BYTES: u64 = 64 << 20;
+
+/// The next line with its end, or `None` after the last. One that is too long or no text is
+/// [`InvalidData`](io::ErrorKind::InvalidData).
+pub(super) fn read_line(input: &mut impl BufRead) -> io::Result<Option<String>> {
+    let mut bytes = Vec::new();
+    if input.by_ref().take(MOST_BYTES).read_until(b'\n', &mut bytes)? == 0 {
+        return Ok(None);
+    }
+    let invalid = |what: String| io::Error::new(io::ErrorKind::InvalidData, what);
+    if bytes.last() != Some(&b'\n') && bytes.len() as u64 == MOST_BYTES {
+        return Err(invalid(format!("a line of more than {MOST_BYTES} bytes")));
+    }
+    String::from_utf8(bytes).map(Some).map_err(|error| invalid(format!("a line that is not UTF-8: {error}")))
+}
 
 /// What others have written, for a message: its beginning, on one line.
 pub(super) struct Shown<T>(pub(super) T);

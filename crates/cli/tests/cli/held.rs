@@ -46,7 +46,7 @@ impl Place {
         Self { folder }
     }
 
-    /// A run; of options that must be there the first goes to a file, unless `options` names them.
+    /// A run with these options.
     fn command(&self, args: &str, options: &[&str]) -> Command {
         let stackless = env!("CARGO_BIN_EXE_stackless");
         let mut command = Command::new(stackless);
@@ -193,6 +193,9 @@ fn a_place_has_one_use() {
     let twice = "two outputs";
     refused("stats CUBE", &["--json", &path("new"), "--plot", &path("folder/../new")], twice);
     refused("stats CUBE", &["--json", "-", "--plot", "-"], twice);
+    symlink("new", path("dangling")).unwrap();
+    refused("stats CUBE", &["--json", &path("new"), "--plot", &path("dangling")], twice);
+    fs::remove_file(path("dangling")).unwrap();
     refused(
         "conform --suite SUITE -- STACKLESS suite serve",
         &["--json", &path("new"), "--junit", &path("new")],

@@ -1,11 +1,11 @@
 //! Which places a command line reads and writes, looked at before the work begins.
 
-use std::fs;
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use clap::ArgMatches;
-use stackless_scene::check_writable;
+use stackless_scene::{check_writable, resolve};
 
 use crate::output;
 
@@ -49,15 +49,19 @@ pub(crate) fn folder(text: &str) -> Result<Output, String> {
 pub(crate) fn check(matches: &ArgMatches) -> Result<(), String> {
     let (mut outputs, mut inputs) = (Vec::new(), Vec::new());
     collect(matches, &mut outputs, &mut inputs);
-    for (i, output) in outputs.iter().enumerate() {
-        let (name, place) = (output.display(), Place::of(output));
-        if outputs[..i].iter().any(|other| Place::of(other) == place) {
+    let mut taken = Vec::new();
+    for output in outputs {
+        let name = output.display();
+        let failed = |error: io::Error| format!("{name}: cannot be written: {error}");
+        let place = output.place().map_err(failed)?;
+        if taken.contains(&place) {
             return Err(format!("{name}: two outputs would be written there, expected a place for each"));
         }
-        if inputs.iter().any(|input| input.exists() && Place::of(input) == place) {
+        if inputs.iter().any(|input| fs::canonicalize(input).is_ok_and(|input| input == place)) {
             return Err(format!("{name}: the command reads it and would overwrite it, expected another place"));
         }
-        output.check_writable().map_err(|error| format!("{name}: cannot be written: {error}"))?;
+        output.check_writable().map_err(failed)?;
+        taken.push(place);
     }
     Ok(())
 }
@@ -73,31 +77,26 @@ fn collect(matches: &ArgMatches, outputs: &mut Vec<Output>, inputs: &mut Vec<Pat
     }
 }
 
-/// What tells places apart, by whatever path they are named.
-#[derive(PartialEq)]
-enum Place {
-    Stream,
-    Path(PathBuf),
-}
-
-impl Place {
-    fn of(path: &Path) -> Self {
-        if path.as_os_str() == "-" {
-            return Self::Stream;
-        }
-        // Of what is not there yet: the folder that it will be in.
-        let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let new = || Some(fs::canonicalize(parent).ok()?.join(path.file_name()?));
-        Self::Path(fs::canonicalize(path).ok().or_else(new).unwrap_or_else(|| path.into()))
-    }
-}
-
 impl Output {
-    fn check_writable(&self) -> std::io::Result<()> {
+    fn is_stream(&self) -> bool {
+        matches!(self, Self::File(path) if path.as_os_str() == "-")
+    }
+
+    /// What tells places apart, by whatever path they are named.
+    fn place(&self) -> io::Result<PathBuf> {
         match self {
-            Self::File(path) if path.as_os_str() == "-" => Ok(()),
+            // No path of a file is so short.
+            Self::File(path) if self.is_stream() => Ok(path.clone()),
+            Self::File(path) => resolve(path),
+            // One that is not there yet is made before the work, with all that it is in.
+            Self::Folder(path) => Ok(fs::canonicalize(path).unwrap_or_else(|_| path.clone())),
+        }
+    }
+
+    fn check_writable(&self) -> io::Result<()> {
+        match self {
+            Self::File(_) if self.is_stream() => Ok(()),
             Self::File(path) => check_writable(path),
-            // One that is not there yet is made before the work.
             Self::Folder(path) if !path.exists() => Ok(()),
             Self::Folder(path) => check_writable(&path.join("index")),
         }
