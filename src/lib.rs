@@ -36,6 +36,7 @@
 //! | [`order`], [`event`] | what a visit decides; what can be observed |
 //! | [`oracle`], [`traverse`] | the reference, and every algorithm |
 //! | [`hash`] | from keys to addresses |
+//! | [`wide`] | trees of 2, 4 or 8 children a node, and their traversals |
 //! | `generate` | trees, decision tapes, sources of choices, scenes (feature `generate`) |
 //! | [`geom`], [`bvh`], [`trace`] | rays, hierarchies, queries (feature `rays`; by all threads with `parallel`) |
 //!
@@ -84,6 +85,7 @@ pub mod swap;
 pub mod trail;
 pub mod traverse;
 pub mod tree;
+pub mod wide;
 
 #[cfg(feature = "rays")]
 pub mod bvh;

@@ -13,7 +13,9 @@ mod source;
 #[cfg(feature = "rays")]
 pub mod stress;
 mod tape;
+mod wide;
 
 pub use family::{Family, shape};
 pub use source::{Bytes, Exhaustive, Rng, Source};
 pub use tape::{Cell, Kind, Outcome, Search, Tape};
+pub use wide::{WideSearch, WideTape, wide_shape, wide_tree};

@@ -83,7 +83,7 @@ impl PerfectHash {
     /// [`BuildError`], but for [`NoDisplacement`](BuildError::NoDisplacement).
     pub fn build(tree: &impl Topology, options: Options) -> Result<Self, BuildError> {
         with_fold_seeds(
-            tree,
+            Size::of(tree),
             options,
             |seed| hashed_keys(tree, options.key_set, seed),
             |request| remedied(request, false),
@@ -96,11 +96,24 @@ impl PerfectHash {
     /// [`BuildError`].
     pub fn build_plain(tree: &impl Topology, options: Options) -> Result<Self, BuildError> {
         with_fold_seeds(
-            tree,
+            Size::of(tree),
             options,
             |seed| hashed_keys(tree, options.key_set, seed),
             |request| request.table(0, false),
         )
+    }
+
+    /// The table of keys that are given, all different, each with its address; the header calls them
+    /// [`All`](KeySet::All). `[HASH-7]`
+    ///
+    /// # Errors
+    /// As [`build`](Self::build).
+    pub fn of_keys(keys: &[(u64, Node)]) -> Result<Self, BuildError> {
+        let narrow = keys.iter().all(|&(key, _)| key <= u64::from(u32::MAX));
+        let keys: Vec<HashedKey> = keys.iter().map(|&(key, node)| HashedKey { key, node }).collect();
+        let options = Options { key_set: KeySet::All, sizing: Sizing::Tight };
+        let size = Size { nodes: keys.len(), narrow };
+        with_fold_seeds(size, options, |_| keys.clone(), |request| remedied(request, false))
     }
 
     /// The same table as [`build`](Self::build), by all threads; without the feature `parallel` by one.
@@ -115,7 +128,22 @@ impl PerfectHash {
                 options.key_set.keys_parallel(tree, Path::root(seed))
             }
         };
-        with_fold_seeds(tree, options, keys, |request| remedied(request, true))
+        with_fold_seeds(Size::of(tree), options, keys, |request| remedied(request, true))
+    }
+}
+
+/// What the sizes of tables and words follow from.
+#[derive(Clone, Copy)]
+struct Size {
+    /// Number of nodes.
+    nodes: usize,
+    /// Whether all keys fit 32 bits.
+    narrow: bool,
+}
+
+impl Size {
+    fn of(tree: &impl Topology) -> Self {
+        Self { nodes: tree.node_count(), narrow: tree.depth() < u32::BITS }
     }
 }
 
@@ -147,7 +175,7 @@ const fn seed(i: u32) -> u64 {
 /// Attempts the construction, with another fold each time that two folded keys meet. Among n keys two meet with a
 /// probability of n^2 / 2^65.
 fn with_fold_seeds(
-    tree: &impl Topology,
+    Size { nodes, narrow }: Size,
     options: Options,
     keys: impl Fn(u64) -> Vec<HashedKey>,
     attempt: impl Fn(&Request<'_>) -> Result<PerfectHash, Failure>,
@@ -157,8 +185,7 @@ fn with_fold_seeds(
         if let Some(key) = keys.iter().find(|key| key.node.index() >= LIMIT) {
             return Err(BuildError::TooManyNodes { node: key.node });
         }
-        let narrow = tree.depth() < u32::BITS;
-        match attempt(&Request { keys: &keys, options, nodes: tree.node_count(), narrow, fold_seed }) {
+        match attempt(&Request { keys: &keys, options, nodes, narrow, fold_seed }) {
             Ok(hash) => return Ok(hash),
             Err(Failure::Final(error)) => return Err(error),
             Err(Failure::Fold) => {}

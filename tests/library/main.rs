@@ -23,3 +23,4 @@ mod rocq_vectors;
 mod slabs;
 mod state;
 mod usage;
+mod wide;

@@ -29,6 +29,7 @@ mod tally;
 mod trees;
 mod watch;
 mod watched;
+mod wide;
 
 pub use battery::{Battery, Verdict};
 pub use boxes::{BoxTally, check_boxes};
@@ -47,3 +48,4 @@ pub use tally::{Count, Tally};
 pub use trees::{TreeFault, check_held, check_nearest, check_tree, nearest};
 pub use watch::{Expected, Fault, Visit, Watch};
 pub use watched::{Reads, Steps, Watched};
+pub use wide::{WideCase, WideFault};

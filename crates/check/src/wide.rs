@@ -1,0 +1,237 @@
+//! Traversals of wide trees against their oracle.
+
+use std::fmt;
+
+use stackless_bvh::event::{Recorder, State, Trace};
+use stackless_bvh::generate::{Source, WideSearch, WideTape, wide_shape, wide_tree};
+use stackless_bvh::hash::PerfectHash;
+use stackless_bvh::key::KeyWord;
+use stackless_bvh::order::Flow;
+use stackless_bvh::tree::Node;
+use stackless_bvh::wide::{
+    self, Context, Cursor, Hashed, Kept, Link, Method, Parents, Pending, Ranked, Recorded, Scratch, Supply, Tables,
+    Topology, Trail, Tree, Unfit, oracle,
+};
+
+/// A wide tree and a search through it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WideCase<const A: usize> {
+    /// The tree.
+    pub tree: Tree<A>,
+    /// What the search answers.
+    pub tape: WideTape<A>,
+    /// Whether children come by rank, or leaves first.
+    pub is_sorted: bool,
+}
+
+/// A traversal that does not visit what the oracle visits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WideFault {
+    /// The traversal.
+    pub traversal: String,
+    /// Number of the visit that differs.
+    pub visit: usize,
+    /// The node that the oracle visits, or `None` after its end.
+    pub expected: Option<Node>,
+    /// The node that the traversal visits, or `None` after its end.
+    pub found: Option<Node>,
+}
+
+impl fmt::Display for WideFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { traversal, visit, expected, found } = self;
+        write!(f, "{traversal}: visit {visit} is of {found:?}, expected {expected:?}")
+    }
+}
+
+impl std::error::Error for WideFault {}
+
+impl<const A: usize> WideCase<A> {
+    /// A case of at most so many leaves, inner nodes with one child, and distances.
+    pub fn draw(source: &mut impl Source, leaves: u32, chain: u32, distances: u32) -> Self {
+        let leaves = 1 + source.below(u64::from(leaves)) as u32;
+        let chain = source.below(u64::from(chain) + 1) as u32;
+        let tree = wide_tree(&wide_shape::<A>(source, leaves, chain));
+        Self::with_tree(source, tree, distances)
+    }
+
+    /// A case over a given tree.
+    pub fn with_tree(source: &mut impl Source, tree: Tree<A>, distances: u32) -> Self {
+        let mut tape = WideTape::draw(source, &tree, distances);
+        if source.below(4) == 1 {
+            let leaves: Vec<Node> = tree.nodes().filter(|node| node.is_leaf()).collect();
+            if !leaves.is_empty() {
+                tape = tape.stopping_at(leaves[source.below(leaves.len() as u64) as usize]);
+            }
+        }
+        Self { tree, tape, is_sorted: source.below(4) != 1 }
+    }
+
+    /// The nodes that the oracle visits.
+    pub fn expected(&self) -> Vec<Node> {
+        fn visits<const A: usize, const SORTED: bool>(case: &WideCase<A>) -> Vec<Node> {
+            let mut trace = Trace::default();
+            oracle::traverse(&case.tree, &mut WideSearch::<A, SORTED>::new(&case.tape), &mut trace);
+            trace.nodes().to_vec()
+        }
+        if self.is_sorted { visits::<A, true>(self) } else { visits::<A, false>(self) }
+    }
+
+    /// Compares all traversals of the table with the oracle, and every way to keep what is pending with every way to
+    /// an ancestor. Returns the number of comparisons. `[WIDE-7]`
+    ///
+    /// # Errors
+    /// The first traversal that differs, or that refuses a tree without reason.
+    pub fn check(&self) -> Result<u32, WideFault> {
+        let (expected, tables) = (self.expected(), Tables::new(&self.tree));
+        let mut count = 0;
+        for method in Method::ALL {
+            let restarts = method.name().starts_with("wide-restart");
+            if restarts && self.is_sorted && !self.tape.is_monotone() {
+                continue;
+            }
+            count += u32::from(self.compare(method.name(), &expected, |watch| {
+                let memory = &mut Scratch::default();
+                method.dispatch(Watched { watch, from: Supply { tree: &self.tree, tables: &tables, memory } })
+            })?);
+        }
+        let hash = tables.hash().ok();
+        count += self.check_kept("32 bits", Trail::<u32>::default, &expected, hash)?;
+        count += self.check_kept("64 bits", Trail::<u64>::default, &expected, hash)?;
+        count += self.check_kept("128 bits", Trail::<u128>::default, &expected, hash)?;
+        count += self.check_kept("ranks", Ranked::default, &expected, hash)?;
+        Ok(count)
+    }
+
+    fn check_kept<K: Kept<A>>(
+        &self,
+        name: &str,
+        kept: impl Fn() -> K,
+        expected: &[Node],
+        hash: Option<&PerfectHash>,
+    ) -> Result<u32, WideFault> {
+        let by_parents = self.check_pending(&format!("{name}, parents"), kept(), Parents, expected)?;
+        let by_records = self.check_pending(&format!("{name}, records"), kept(), Recorded, expected)?;
+        let link = hash.map(Hashed::new);
+        let by_hash =
+            link.map(|link| self.check_pending(&format!("{name}, hash"), kept(), link, expected)).transpose()?;
+        Ok(u32::from(by_parents) + u32::from(by_records) + u32::from(by_hash == Some(true)))
+    }
+
+    fn check_pending<K: Kept<A>, L: Link<A>>(
+        &self,
+        name: &str,
+        kept: K,
+        link: L,
+        expected: &[Node],
+    ) -> Result<bool, WideFault> {
+        self.compare(name, expected, |watch| Ok(watch.run(&mut Pending::new(&self.tree, kept, link)?)))
+    }
+
+    /// Compares one traversal. `false` if it refuses the tree because of its levels.
+    ///
+    /// # Errors
+    /// It visits other nodes, or refuses the tree without reason.
+    pub fn compare(
+        &self,
+        name: &str,
+        expected: &[Node],
+        run: impl FnOnce(&mut Watch<'_, A>) -> Result<(), Unfit>,
+    ) -> Result<bool, WideFault> {
+        let mut watch = Watch { case: self, seen: Vec::new(), most: expected.len() + 1 };
+        match run(&mut watch) {
+            Err(Unfit::TooDeep(error)) if error.depth == self.tree.levels() && error.depth > error.limit => Ok(false),
+            ran => {
+                let seen = if ran.is_ok() { watch.seen } else { Vec::new() };
+                let differs = (0..expected.len().max(seen.len())).find(|&i| expected.get(i) != seen.get(i));
+                differs.map_or(Ok(true), |visit| {
+                    let [expected, found] = [expected, &seen].map(|nodes| nodes.get(visit).copied());
+                    Err(WideFault { traversal: name.to_owned(), visit, expected, found })
+                })
+            }
+        }
+    }
+}
+
+/// Runs cursors over a case, and notes what they visit.
+#[derive(Debug)]
+pub struct Watch<'c, const A: usize> {
+    case: &'c WideCase<A>,
+    seen: Vec<Node>,
+    most: usize,
+}
+
+impl<const A: usize> Watch<'_, A> {
+    /// Runs a cursor to its end, twice: the second time it must do the same.
+    pub fn run(&mut self, cursor: &mut impl Cursor<A>) {
+        let case = self.case;
+        let once = |cursor: &mut _, seen: &mut Visits| {
+            if case.is_sorted {
+                self::run(case, WideSearch::<A, true>::new(&case.tape), cursor, seen);
+            } else {
+                self::run(case, WideSearch::<A, false>::new(&case.tape), cursor, seen);
+            }
+        };
+        let [mut first, mut second] = [0; 2].map(|_| Visits { seen: Vec::new(), most: self.most });
+        once(cursor, &mut first);
+        cursor.reset();
+        once(cursor, &mut second);
+        self.seen = if first.seen == second.seen { first.seen } else { Vec::new() };
+    }
+}
+
+fn run<const A: usize, S: wide::Search<A> + Asked>(
+    case: &WideCase<A>,
+    mut search: S,
+    cursor: &mut impl Cursor<A>,
+    visits: &mut Visits,
+) {
+    // A cursor that asks for ever is stopped: no node is asked about more often than it has descendants to go to.
+    let most = (visits.most as u64 + 2) * u64::from(case.tree.levels() + 2) * A as u64;
+    if visits.visit::<u64>(cursor.node(), || State::of(cursor.node())) == Flow::Stop {
+        return;
+    }
+    while search.asked() < most {
+        let wanted = search.ask(cursor.node());
+        if !wide::advance(&case.tree, cursor, wanted, &mut search, visits) {
+            return;
+        }
+    }
+    visits.seen.clear();
+}
+
+trait Asked {
+    fn asked(&self) -> u64;
+}
+
+impl<const A: usize, const SORTED: bool> Asked for WideSearch<'_, A, SORTED> {
+    fn asked(&self) -> u64 {
+        self.asked()
+    }
+}
+
+struct Visits {
+    seen: Vec<Node>,
+    most: usize,
+}
+
+impl Recorder for Visits {
+    fn visit<W: KeyWord>(&mut self, node: Node, _: impl FnOnce() -> State<W>) -> Flow {
+        self.seen.push(node);
+        if self.seen.len() > self.most { Flow::Stop } else { Flow::Continue }
+    }
+}
+
+struct Watched<'t, 'w, 'c, const A: usize> {
+    watch: &'w mut Watch<'c, A>,
+    from: Supply<'t, Tree<A>>,
+}
+
+impl<'t, const A: usize> Context<'t, A, Tree<A>> for Watched<'t, '_, '_, A> {
+    type Output = ();
+
+    fn run<C: Cursor<A>>(self, start: impl Fn(Supply<'t, Tree<A>>) -> Result<C, Unfit>) -> Result<(), Unfit> {
+        self.watch.run(&mut start(self.from)?);
+        Ok(())
+    }
+}

@@ -1,0 +1,177 @@
+//! Wide trees, and searches through them.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use super::Source;
+use crate::hash::mix;
+use crate::order::Flow;
+use crate::tree::Node;
+use crate::wide::{Search, Topology, Tree, Wanted, is_beyond};
+
+/// The children of every node of a wide tree with this many leaves, for [`Tree::new`]; `chain` is the number of inner
+/// nodes with one child.
+pub fn wide_shape<const A: usize>(source: &mut impl Source, leaves: u32, chain: u32) -> Vec<Option<Vec<u32>>> {
+    let mut nodes: Vec<Option<Vec<u32>>> = vec![None];
+    let mut chain = chain;
+    // Inner nodes whose children are still to be made, with the number of leaves below them.
+    let mut open = vec![(0, leaves.max(1))];
+    while let Some((node, leaves)) = open.pop() {
+        let is_link = leaves > 1 && chain > 0 && source.coin();
+        chain -= u32::from(is_link);
+        let is_single = leaves == 1 || is_link;
+        let count = if is_single { 1 } else { 2 + source.below(u64::from(leaves.min(A as u32)) - 1) as u32 };
+        let mut left = leaves;
+        let mut children = Vec::new();
+        for others in (0..count).rev() {
+            let below = if others == 0 { left } else { 1 + source.below(u64::from(left - others)) as u32 };
+            left -= below;
+            let child = nodes.len() as u32;
+            nodes.push(None);
+            children.push(child);
+            let is_inner = below > 1 || chain > 0 && source.coin();
+            if is_inner {
+                chain -= u32::from(below == 1);
+                open.push((child as usize, below));
+            }
+        }
+        nodes[node] = Some(children);
+    }
+    nodes
+}
+
+/// The wide tree of a generator, which makes nothing but trees; an empty one should that ever be wrong, which
+/// the generators' tests would show.
+pub fn wide_tree<const A: usize>(children: &[Option<Vec<u32>>]) -> Tree<A> {
+    let lists: Vec<Option<&[u32]>> = children.iter().map(Option::as_deref).collect();
+    let tree = Tree::new(&lists);
+    debug_assert!(tree.is_ok(), "{tree:?}");
+    tree.unwrap_or_default()
+}
+
+/// What a search answers about every node of a tree.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WideTape<const A: usize> {
+    cells: Vec<WideCell<A>>,
+    /// [`Self::MONOTONE`] and so on.
+    kind: u8,
+}
+
+/// What is answered about one node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct WideCell<const A: usize> {
+    set: u32,
+    ranks: [u32; A],
+    /// At a leaf: what the end becomes if it was greater.
+    end: u32,
+    stops: bool,
+}
+
+impl<const A: usize> WideTape<A> {
+    /// Ranks do not become less on the way down.
+    const MONOTONE: u8 = 1;
+    /// Which children are wanted depends on how many leaves have been visited.
+    const CHANGING: u8 = 2;
+
+    /// Draws the answers: ranks and ends below `distances`.
+    pub fn draw(source: &mut impl Source, tree: &Tree<A>, distances: u32) -> Self {
+        let low = A as u32;
+        let kind = source.below(4) as u8;
+        let mut cells = vec![WideCell { set: 0, ranks: [0; A], end: u32::MAX, stops: false }; tree.node_count()];
+        // Of the node itself, in its parent.
+        let mut begins = vec![0; tree.node_count()];
+        let mut order = vec![tree.root()];
+        while let Some(node) = order.pop() {
+            if node.is_leaf() {
+                let end = source.below(u64::from(distances) + 1) as u32;
+                let cell = &mut cells[node.index()];
+                (cell.end, cell.stops) = if end == 0 { (u32::MAX, false) } else { ((end - 1) * low, false) };
+                continue;
+            }
+            let children = tree.children(node);
+            for slot in (0..low).filter(|slot| children >> slot & 1 == 1) {
+                let child = tree.child(node, slot);
+                let drawn = source.below(u64::from(distances) + 1) as u32;
+                let above = if kind & Self::MONOTONE != 0 { begins[node.index()] } else { 0 };
+                let begin = above.max(drawn.saturating_sub(1) * low);
+                begins[child.index()] = begin;
+                let cell = &mut cells[node.index()];
+                cell.set |= u32::from(drawn > 0) << slot;
+                cell.ranks[slot as usize] = begin | slot;
+                order.push(child);
+            }
+        }
+        Self { cells, kind }
+    }
+
+    /// The same, with an end of the search at a leaf.
+    #[must_use]
+    pub fn stopping_at(mut self, leaf: Node) -> Self {
+        self.cells[leaf.index()].stops = true;
+        self
+    }
+
+    /// Whether ranks do not become less on the way down: what traversals that restart rely on. `[WRESTART-1]`
+    pub const fn is_monotone(&self) -> bool {
+        self.kind & Self::MONOTONE != 0
+    }
+}
+
+/// The search of a tape. `SORTED` is [`Search::SORTED`].
+#[derive(Clone, Debug)]
+pub struct WideSearch<'t, const A: usize, const SORTED: bool> {
+    tape: &'t WideTape<A>,
+    end: u32,
+    /// What was wanted of each node when the search was first asked about it.
+    wanted: Vec<Option<u32>>,
+    leaves: u64,
+    asked: u64,
+}
+
+impl<'t, const A: usize, const SORTED: bool> WideSearch<'t, A, SORTED> {
+    /// At its beginning.
+    pub fn new(tape: &'t WideTape<A>) -> Self {
+        Self { tape, end: u32::MAX, wanted: vec![None; tape.cells.len()], leaves: 0, asked: 0 }
+    }
+
+    /// How often it was asked.
+    pub const fn asked(&self) -> u64 {
+        self.asked
+    }
+
+    fn first(&self, node: Node) -> u32 {
+        let cell = &self.tape.cells[node.index()];
+        let seen = mix(mix(self.leaves) ^ node.index() as u64) as u32;
+        if self.tape.kind & WideTape::<A>::CHANGING == 0 { cell.set } else { cell.set & seen }
+    }
+}
+
+impl<const A: usize, const SORTED: bool> Search<A> for WideSearch<'_, A, SORTED> {
+    const SORTED: bool = SORTED;
+    type Ranks = [u32; A];
+
+    fn ask(&mut self, node: Node) -> Wanted<[u32; A]> {
+        self.asked += 1;
+        let ranks = self.tape.cells[node.index()].ranks;
+        let within = (0..A).filter(|&slot| !is_beyond::<A>(ranks[slot], self.end)).fold(0, |set, slot| set | 1 << slot);
+        let set = match self.wanted[node.index()] {
+            Some(set) => set & within,
+            None => self.first(node) & if SORTED { within } else { u32::MAX },
+        };
+        self.wanted[node.index()].get_or_insert(set);
+        Wanted { set, ranks }
+    }
+
+    fn leaf(&mut self, leaf: Node) -> Flow {
+        self.leaves += 1;
+        let cell = &self.tape.cells[leaf.index()];
+        if SORTED {
+            self.end = self.end.min(cell.end);
+        }
+        if cell.stops { Flow::Stop } else { Flow::Continue }
+    }
+
+    fn end(&self) -> u32 {
+        self.end
+    }
+}

@@ -1,0 +1,253 @@
+//! What is kept of the levels above a node.
+
+use core::fmt::Debug;
+
+use super::keys::slot_bits;
+use super::search::is_beyond;
+use crate::key::{KeyWord, TooDeep};
+
+/// A level to go back to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Level {
+    /// How many levels up its node is.
+    pub up: u32,
+    /// The pending children of that node. Not empty.
+    pub pending: u32,
+    /// Ranks of the two that come next: the first in the low half. 0 where it is not known.
+    pub ranks: u64,
+}
+
+/// The pending children of all nodes above the present one.
+pub trait Kept<const A: usize>: Debug {
+    /// Most levels of inner nodes below the root.
+    const LEVELS: u32;
+
+    /// What it is, in errors.
+    const NAME: &'static str;
+
+    /// At the root, with nothing pending.
+    fn clear(&mut self);
+
+    /// The present node is left for a child.
+    fn push(&mut self, pending: u32, ranks: u64);
+
+    /// Back to the deepest level that has pending children and is not known to be beyond the end, which becomes the
+    /// present one. `None` if there is none.
+    fn pop(&mut self, end: u32) -> Option<Level>;
+
+    /// The end of the search has become less.
+    fn shortened(&mut self) {}
+
+    /// The search has been asked again about the present node.
+    fn asked(&mut self) {}
+
+    /// Whether the search must be asked again about the present node before its last pending child is visited.
+    fn is_stale(&self) -> bool {
+        true
+    }
+
+    /// Refuses trees of too many levels. `[WIDE-14]`
+    ///
+    /// # Errors
+    /// [`TooDeep`].
+    fn carries(levels: u32) -> Result<(), TooDeep> {
+        if levels > Self::LEVELS {
+            return Err(TooDeep { depth: levels, limit: Self::LEVELS, word: Self::NAME });
+        }
+        Ok(())
+    }
+}
+
+impl<const A: usize, K: Kept<A>> Kept<A> for &mut K {
+    const LEVELS: u32 = K::LEVELS;
+    const NAME: &'static str = K::NAME;
+
+    #[inline(always)]
+    fn clear(&mut self) {
+        (**self).clear();
+    }
+
+    #[inline(always)]
+    fn push(&mut self, pending: u32, ranks: u64) {
+        (**self).push(pending, ranks);
+    }
+
+    #[inline(always)]
+    fn pop(&mut self, end: u32) -> Option<Level> {
+        (**self).pop(end)
+    }
+
+    #[inline(always)]
+    fn shortened(&mut self) {
+        (**self).shortened();
+    }
+
+    #[inline(always)]
+    fn asked(&mut self) {
+        (**self).asked();
+    }
+
+    #[inline(always)]
+    fn is_stale(&self) -> bool {
+        (**self).is_stale()
+    }
+}
+
+/// A word for a trail of pending sets.
+pub trait TrailWord: KeyWord + Copy + From<u32> {
+    /// What it is, in errors.
+    const TRAIL: &'static str;
+}
+
+impl TrailWord for u32 {
+    const TRAIL: &'static str = "a trail of 32 bits";
+}
+impl TrailWord for u64 {
+    const TRAIL: &'static str = "a trail of 64 bits";
+}
+impl TrailWord for u128 {
+    const TRAIL: &'static str = "a trail of 128 bits";
+}
+
+/// A trail of A bits a level, and one bit a level for what has changed. `[WIDE-10]` `[WIDE-18]`
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Trail<W> {
+    trail: W,
+    /// Bit `i`: the end has become less since the search was asked about the node `i` levels up.
+    stale: u64,
+}
+
+impl<W: TrailWord> Trail<W> {
+    /// The trail. `[WIDE-10]`
+    pub const fn trail(&self) -> W {
+        self.trail
+    }
+}
+
+/// Trail of a child of a node whose other pending children are these. `[WIDE-10]`
+#[inline(always)]
+pub(super) fn leave<const A: usize, W: TrailWord>(mut trail: W, pending: u32) -> W {
+    for _ in 0..A {
+        trail = trail.shl1();
+    }
+    trail.or(&W::from(pending))
+}
+
+/// Levels up, pending set, and trail of the deepest ancestor with pending children, of a trail that is not 0.
+/// `[WIDE-11]`
+#[inline(always)]
+pub(super) fn back<const A: usize, W: TrailWord>(trail: W) -> (u32, u32, W) {
+    let skipped = trail.trailing_zeros() >> slot_bits::<A>();
+    let low = trail.shr(skipped << slot_bits::<A>());
+    // In two steps: together they may be all bits of the word.
+    let rest = low.shr(A as u32 - 1).shr1();
+    (skipped + 1, low.low_bits() & ((1 << A) - 1), rest)
+}
+
+impl<const A: usize, W: TrailWord> Kept<A> for Trail<W> {
+    const LEVELS: u32 = match W::WIDTH {
+        Some(width) => width / A as u32,
+        None => 0,
+    };
+    const NAME: &'static str = W::TRAIL;
+
+    #[inline(always)]
+    fn clear(&mut self) {
+        (self.trail, self.stale) = (W::zero(), 0);
+    }
+
+    #[inline(always)]
+    fn push(&mut self, pending: u32, _: u64) {
+        self.trail = leave::<A, W>(self.trail, pending);
+        self.stale <<= 1;
+    }
+
+    #[inline(always)]
+    fn pop(&mut self, _: u32) -> Option<Level> {
+        if self.trail.is_zero() {
+            return None;
+        }
+        let (up, pending, rest) = back::<A, W>(self.trail);
+        self.trail = rest;
+        // In two steps: 64 levels of two children fit 128 bits.
+        self.stale = self.stale >> (up - 1) >> 1;
+        Some(Level { up, pending, ranks: 0 })
+    }
+
+    #[inline(always)]
+    fn shortened(&mut self) {
+        self.stale = u64::MAX;
+    }
+
+    #[inline(always)]
+    fn asked(&mut self) {
+        self.stale &= !1;
+    }
+
+    #[inline(always)]
+    fn is_stale(&self) -> bool {
+        self.stale & 1 == 1
+    }
+}
+
+/// A set and two ranks for each level, and a word in which bit `i` says that the set of level `i` is not empty.
+/// `[WIDE-17]`
+#[derive(Clone, Debug)]
+pub struct Ranked {
+    level: u32,
+    summary: u32,
+    sets: [u8; LEVELS],
+    ranks: [u64; LEVELS],
+}
+
+/// Bits of the summary word.
+const LEVELS: usize = 32;
+
+impl Default for Ranked {
+    fn default() -> Self {
+        Self { level: 0, summary: 0, sets: [0; LEVELS], ranks: [0; LEVELS] }
+    }
+}
+
+impl Ranked {
+    /// Bytes for a tree of so many levels.
+    pub const fn bytes(levels: usize) -> usize {
+        levels * (size_of::<u8>() + size_of::<u64>()) + 2 * size_of::<u32>()
+    }
+}
+
+impl<const A: usize> Kept<A> for Ranked {
+    const LEVELS: u32 = LEVELS as u32;
+    const NAME: &'static str = "a set and ranks for each of 32 levels";
+
+    #[inline(always)]
+    fn clear(&mut self) {
+        (self.level, self.summary) = (0, 0);
+    }
+
+    #[inline(always)]
+    fn push(&mut self, pending: u32, ranks: u64) {
+        let level = self.level as usize & (LEVELS - 1);
+        self.sets[level] = pending as u8;
+        self.ranks[level] = ranks;
+        self.summary |= u32::from(pending != 0) << level;
+        self.level += 1;
+    }
+
+    #[inline(always)]
+    fn pop(&mut self, end: u32) -> Option<Level> {
+        while self.summary != 0 {
+            let level = self.summary.ilog2();
+            self.summary ^= 1 << level;
+            let at = level as usize & (LEVELS - 1);
+            let ranks = self.ranks[at];
+            if is_beyond::<A>(ranks as u32, end) {
+                continue;
+            }
+            let up = self.level - level;
+            self.level = level;
+            return Some(Level { up, pending: u32::from(self.sets[at]), ranks });
+        }
+        None
+    }
+}

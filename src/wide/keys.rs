@@ -1,0 +1,64 @@
+//! Keys of `log2 A` bits a level.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use super::tree::Topology;
+use crate::key::Word;
+use crate::tree::Node;
+
+/// Bits of a slot's number: log2 A.
+#[inline(always)]
+pub(super) const fn slot_bits<const A: usize>() -> u32 {
+    const { assert!(A == 2 || A == 4 || A == 8, "nodes have 2, 4 or 8 slots") };
+    A.trailing_zeros()
+}
+
+/// Key of the child in a slot. `[WIDE-9]`
+///
+/// ```
+/// use stackless_bvh::wide::{ancestor_key, child_key, key_level};
+/// let key = child_key::<8, u64>(child_key::<8, u64>(1, 5), 2);
+/// assert_eq!(key, 0o152);
+/// assert_eq!((ancestor_key::<8, u64>(key, 1), key_level::<8>(key)), (0o15, 2));
+/// ```
+#[inline(always)]
+#[must_use]
+pub fn child_key<const A: usize, W: Word<Shift = u32>>(mut key: W, slot: W) -> W {
+    for _ in 0..slot_bits::<A>() {
+        key = key.shl1();
+    }
+    key.or(&slot)
+}
+
+/// Key of the ancestor so many levels up. `[WIDE-9]`
+#[inline(always)]
+#[must_use]
+pub fn ancestor_key<const A: usize, W: Word<Shift = u32>>(key: W, levels: u32) -> W {
+    key.shr(slot_bits::<A>() * levels)
+}
+
+/// Levels below the root. `[WIDE-9]`
+#[inline]
+pub const fn key_level<const A: usize>(key: u64) -> u32 {
+    (u64::BITS - 1 - key.leading_zeros()) / slot_bits::<A>()
+}
+
+/// The keys that a traversal can ask for when it goes back, with their nodes: those of the nodes that have an inner
+/// child and another child beside it. `[WIDE-16]`
+///
+/// Linear time, no recursion. The tree's keys must fit 64 bits: at most 63 / log2 A levels.
+pub fn asked_keys<const A: usize>(tree: &impl Topology<A>) -> Vec<(u64, Node)> {
+    let mut keys = Vec::new();
+    let mut open = vec![(1_u64, tree.root())];
+    while let Some((key, node)) = open.pop() {
+        let (children, leaves) = (tree.children(node), tree.leaves(node));
+        let inner = children & !leaves;
+        if inner != 0 && children.count_ones() > 1 {
+            keys.push((key, node));
+        }
+        let slots = (0..A as u32).filter(|slot| inner >> slot & 1 == 1);
+        open.extend(slots.map(|slot| (child_key::<A, u64>(key, u64::from(slot)), tree.child(node, slot))));
+    }
+    keys
+}

@@ -1,0 +1,88 @@
+//! Three ways to an ancestor. `[WIDE-15]`
+
+use core::fmt::Debug;
+
+use super::keys::{ancestor_key, child_key};
+use super::tree::Topology;
+use crate::hash::Lookup;
+use crate::tree::Node;
+
+/// A way from a node to its ancestors.
+pub trait Link<const A: usize>: Debug {
+    /// At the root.
+    fn clear(&mut self) {}
+
+    /// The traversal goes down to the child in a slot.
+    fn enter(&mut self, slot: u32);
+
+    /// The traversal goes back to the ancestor so many levels up, at least one.
+    fn ancestor<T: Topology<A>>(&mut self, tree: &T, node: Node, up: u32) -> Node;
+}
+
+/// One level at a time, after Áfra & Szirmay-Kalos 2014.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Parents;
+
+impl<const A: usize> Link<A> for Parents {
+    #[inline(always)]
+    fn enter(&mut self, _: u32) {}
+
+    #[inline(always)]
+    fn ancestor<T: Topology<A>>(&mut self, tree: &T, mut node: Node, up: u32) -> Node {
+        for _ in 0..up {
+            node = tree.parent(node);
+        }
+        node
+    }
+}
+
+/// By the ancestors that the node's record names.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Recorded;
+
+impl<const A: usize> Link<A> for Recorded {
+    #[inline(always)]
+    fn enter(&mut self, _: u32) {}
+
+    #[inline(always)]
+    fn ancestor<T: Topology<A>>(&mut self, tree: &T, mut node: Node, mut up: u32) -> Node {
+        while up > A as u32 {
+            node = tree.ancestor(node, A as u32);
+            up -= A as u32;
+        }
+        tree.ancestor(node, up)
+    }
+}
+
+/// By its key, from a table with the keys of [WIDE-16].
+#[derive(Clone, Copy, Debug)]
+pub struct Hashed<L> {
+    key: u64,
+    table: L,
+}
+
+impl<L> Hashed<L> {
+    /// At the root.
+    #[inline]
+    pub const fn new(table: L) -> Self {
+        Self { key: 1, table }
+    }
+}
+
+impl<const A: usize, L: Lookup<u64> + Debug> Link<A> for Hashed<L> {
+    #[inline(always)]
+    fn clear(&mut self) {
+        self.key = 1;
+    }
+
+    #[inline(always)]
+    fn enter(&mut self, slot: u32) {
+        self.key = child_key::<A, u64>(self.key, u64::from(slot));
+    }
+
+    #[inline(always)]
+    fn ancestor<T: Topology<A>>(&mut self, _: &T, _: Node, up: u32) -> Node {
+        self.key = ancestor_key::<A, u64>(self.key, up);
+        self.table.node(&self.key)
+    }
+}

@@ -1,0 +1,171 @@
+//! Wide trees: up to 2, 4 or 8 children a node, traversed without a stack.
+//!
+//! A traversal of a wide tree keeps, for each level above the node, the *set* of children that are still pending. The
+//! deepest set that is not empty says how many levels to go back: constant-time backtracking by keys (Binder & Keller
+//! 2016), for more than two children. The ancestor there is found by parents (Áfra & Szirmay-Kalos 2014), by
+//! references in the node's record, or by a perfect hash. spec/wide.md has the clauses; trees of two children are the
+//! case A = 2.
+//!
+//! As in [`traverse`](mod@crate::traverse), there is one loop ([`traverse()`]), one table of traversals ([`Method`]), one
+//! oracle, and no geometry.
+//!
+//! ```
+//! use stackless_bvh::event::Trace;
+//! use stackless_bvh::order::Flow;
+//! use stackless_bvh::tree::Node;
+//! use stackless_bvh::wide::{self, Method, Search, Tables, Tree, Wanted};
+//!
+//! /// Wants all children, those in high slots first.
+//! struct FromTheRight<'t>(&'t Tree<4>);
+//! impl Search<4> for FromTheRight<'_> {
+//!     type Ranks = [u32; 4];
+//!     fn ask(&mut self, node: Node) -> Wanted<[u32; 4]> {
+//!         let ranks = std::array::from_fn(|slot| (3 - slot as u32) << 2 | slot as u32);
+//!         Wanted { set: self.0.children(node), ranks }
+//!     }
+//!     fn leaf(&mut self, _: Node) -> Flow {
+//!         Flow::Continue
+//!     }
+//!     fn end(&self) -> u32 {
+//!         u32::MAX
+//!     }
+//! }
+//!
+//! // Node 0 has three children, of which node 2 has two.
+//! let tree = Tree::<4>::new(&[Some(&[1, 2, 3]), None, Some(&[4, 5]), None, None, None])?;
+//! let tables = Tables::new(&tree);
+//! let mut trace = Trace::default();
+//! Method::Hashed.run(&tree, &tables, &mut FromTheRight(&tree), &mut trace)?;
+//! assert_eq!(trace.nodes().iter().map(|node| node.index()).collect::<Vec<_>>(), [0, 3, 2, 5, 4, 1]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod kept;
+mod keys;
+mod links;
+pub mod oracle;
+mod pending;
+mod restart;
+mod search;
+mod stack;
+mod table;
+mod tree;
+
+pub use kept::{Kept, Level, Ranked, Trail, TrailWord};
+pub use keys::{ancestor_key, asked_keys, child_key, key_level};
+pub use links::{Hashed, Link, Parents, Recorded};
+pub use pending::Pending;
+pub use restart::Restart;
+pub use search::{Ranks, Search, Wanted, is_beyond};
+pub use stack::{Memory, Stack};
+pub use table::{Context, Method, Scratch, Supply, Tables, Unfit};
+pub use tree::{Topology, Tree, TreeError};
+
+use crate::event::{Recorder, State};
+use crate::order::Flow;
+use crate::tree::Node;
+
+/// The state of one traversal of a wide tree, on its way.
+pub trait Cursor<const A: usize> {
+    /// Whether the cursor starts again from the root, and passes nodes that it has visited.
+    const RESTARTS: bool = false;
+
+    /// Back to the root, for the next search.
+    fn reset(&mut self);
+
+    /// The inner node that the search is to be asked about.
+    fn node(&self) -> Node;
+
+    /// The next child to visit. After the search was asked about [`node`](Self::node), with its answer: of these
+    /// children the first, or the next pending one if it wants none. After a leaf, without: the next pending one.
+    /// `None` if nothing is left.
+    fn next<S: Search<A>>(&mut self, answer: Option<Wanted<S::Ranks>>, search: &mut S) -> Option<Node>;
+
+    /// Goes down to the inner node that [`next`](Self::next) has named last.
+    fn enter(&mut self, node: Node);
+
+    /// The [end](Search::end) has become less.
+    fn shortened(&mut self) {}
+
+    /// Whether [`node`](Self::node) has been visited before.
+    fn is_restarting(&self) -> bool {
+        false
+    }
+}
+
+/// Runs a traversal to its end: the loop that all algorithms share. `[WIDE-7]`
+#[inline(always)]
+pub fn traverse<const A: usize, T, C, S>(tree: &T, mut cursor: C, search: &mut S, recorder: &mut impl Recorder)
+where
+    T: Topology<A>,
+    C: Cursor<A>,
+    S: Search<A>,
+{
+    if visit(recorder, cursor.node()) == Flow::Stop {
+        return;
+    }
+    loop {
+        let wanted = search.ask(cursor.node());
+        if !advance(tree, &mut cursor, wanted, search, recorder) {
+            return;
+        }
+    }
+}
+
+/// One turn of the loop: from the answer about a node to the next node that is to be asked about. `false` at the end.
+///
+/// Whoever traces several rays in turns asks for one while the others' nodes are being loaded.
+#[inline(always)]
+pub fn advance<const A: usize, T, C, S>(
+    tree: &T,
+    cursor: &mut C,
+    mut wanted: Wanted<S::Ranks>,
+    search: &mut S,
+    recorder: &mut impl Recorder,
+) -> bool
+where
+    T: Topology<A>,
+    C: Cursor<A>,
+    S: Search<A>,
+{
+    if !S::SORTED {
+        // [WIDE-6]
+        let node = cursor.node();
+        let leaves = wanted.set & tree.leaves(node);
+        wanted.set ^= leaves;
+        let mut left = if cursor.is_restarting() { 0 } else { leaves };
+        while left != 0 {
+            let leaf = tree.child(node, left.trailing_zeros());
+            left &= left - 1;
+            if visit(recorder, leaf) == Flow::Stop || search.leaf(leaf) == Flow::Stop {
+                return false;
+            }
+        }
+    }
+    let mut answer = Some(wanted);
+    loop {
+        let Some(node) = cursor.next(answer.take(), search) else { return false };
+        if !(C::RESTARTS && cursor.is_restarting()) && visit(recorder, node) == Flow::Stop {
+            return false;
+        }
+        if !node.is_leaf() {
+            cursor.enter(node);
+            return true;
+        }
+        let end = search.end();
+        if search.leaf(node) == Flow::Stop {
+            return false;
+        }
+        if search.end() < end {
+            cursor.shortened();
+        }
+    }
+}
+
+#[inline(always)]
+fn visit(recorder: &mut impl Recorder, node: Node) -> Flow {
+    recorder.visit(node, || State::<u64>::of(node))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,161 @@
+//! The traversal without a stack: a pending set for each level.
+
+use super::Cursor;
+use super::kept::Kept;
+use super::links::Link;
+use super::search::{Ranks, Search, Wanted, is_beyond};
+use super::tree::Topology;
+use crate::key::TooDeep;
+use crate::tree::Node;
+
+/// A node, its pending children, what is [`Kept`] of the levels above, and a [`Link`] to the ancestors.
+/// `[WTRAIL-1]` `[WRECORD-1]` `[WHASHED-1]`
+#[derive(Debug)]
+pub struct Pending<'t, T, K, L> {
+    tree: &'t T,
+    node: Node,
+    /// Of the present node.
+    pending: u32,
+    /// Ranks of the two pending children that come next, the first in the low half; 0 where it is not known.
+    ///
+    /// The least rank of a node is never kept here, so no rank here is 0.
+    ranks: u64,
+    /// Of the child that was named last.
+    slot: u32,
+    kept: K,
+    link: L,
+}
+
+impl<'t, T, K, L> Pending<'t, T, K, L> {
+    /// Starts at the root, with nothing kept.
+    ///
+    /// # Errors
+    /// [`TooDeep`] if the tree has more levels than `kept` carries.
+    #[inline(always)]
+    pub fn new<const A: usize>(tree: &'t T, kept: K, link: L) -> Result<Self, TooDeep>
+    where
+        T: Topology<A>,
+        K: Kept<A>,
+        L: Link<A>,
+    {
+        K::carries(tree.levels())?;
+        let mut cursor = Self { tree, node: tree.root(), pending: 0, ranks: 0, slot: 0, kept, link };
+        cursor.reset();
+        Ok(cursor)
+    }
+
+    /// What is kept of the levels above.
+    pub const fn kept(&self) -> &K {
+        &self.kept
+    }
+
+    /// The least rank of a set that is not empty; keeps the two after it.
+    #[inline(always)]
+    fn sort<const A: usize>(&mut self, Wanted { set, ranks }: Wanted<impl Ranks>) -> u32 {
+        // One child or two are most frequent.
+        let first = ranks.rank(set.trailing_zeros());
+        let others = set & (set - 1);
+        self.ranks = 0;
+        if others == 0 {
+            return first;
+        }
+        let second = ranks.rank(others.trailing_zeros());
+        let (first, second) = (first.min(second), first.max(second));
+        let more = others & (others - 1);
+        if more == 0 {
+            self.ranks = u64::from(second);
+            return first;
+        }
+        let (first, second, third) = if more & (more - 1) == 0 {
+            let third = ranks.rank(more.trailing_zeros());
+            let (second, third) = (second.min(third), second.max(third));
+            (first.min(second), first.max(second), third)
+        } else {
+            let without = |set: u32, rank: u32| set & !(1 << (rank & (A as u32 - 1)));
+            let first = ranks.least(set);
+            let set = without(set, first);
+            let second = ranks.least(set);
+            (first, second, ranks.least(without(set, second)))
+        };
+        self.ranks = u64::from(second) | u64::from(third) << 32;
+        first
+    }
+
+    /// Names the child of this rank, or in this slot.
+    #[inline(always)]
+    fn take<const A: usize>(&mut self, rank: u32) -> Node
+    where
+        T: Topology<A>,
+    {
+        self.slot = rank & (A as u32 - 1);
+        self.pending &= !(1 << self.slot);
+        self.tree.child(self.node, self.slot)
+    }
+}
+
+impl<const A: usize, T, K, L> Cursor<A> for Pending<'_, T, K, L>
+where
+    T: Topology<A>,
+    K: Kept<A>,
+    L: Link<A>,
+{
+    #[inline(always)]
+    fn reset(&mut self) {
+        self.node = self.tree.root();
+        self.kept.clear();
+        self.link.clear();
+    }
+
+    #[inline(always)]
+    fn node(&self) -> Node {
+        self.node
+    }
+
+    #[inline(always)]
+    fn next<S: Search<A>>(&mut self, mut answer: Option<Wanted<S::Ranks>>, search: &mut S) -> Option<Node> {
+        loop {
+            if let Some(wanted) = answer.take() {
+                self.pending = wanted.set;
+                if S::SORTED && wanted.set != 0 {
+                    let first = self.sort::<A>(wanted);
+                    return Some(self.take::<A>(first));
+                }
+            }
+            if self.pending == 0 {
+                let level = self.kept.pop(search.end())?;
+                self.node = self.link.ancestor(self.tree, self.node, level.up);
+                (self.pending, self.ranks) = (level.pending, level.ranks);
+            }
+            if !S::SORTED {
+                return Some(self.take::<A>(self.pending.trailing_zeros()));
+            }
+            if self.ranks != 0 {
+                let rank = self.ranks as u32;
+                if !is_beyond::<A>(rank, search.end()) {
+                    self.ranks >>= 32;
+                    return Some(self.take::<A>(rank));
+                }
+                // And so are those that come after it.
+                self.pending = 0;
+            } else if self.pending & (self.pending - 1) == 0 && !self.kept.is_stale() {
+                return Some(self.take::<A>(self.pending.trailing_zeros()));
+            } else {
+                let Wanted { set, ranks } = search.ask(self.node);
+                self.kept.asked();
+                answer = Some(Wanted { set: set & self.pending, ranks });
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn enter(&mut self, node: Node) {
+        self.kept.push(self.pending, self.ranks);
+        self.link.enter(self.slot);
+        self.node = node;
+    }
+
+    #[inline(always)]
+    fn shortened(&mut self) {
+        self.kept.shortened();
+    }
+}

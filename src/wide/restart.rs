@@ -1,0 +1,236 @@
+//! Vaidyanathan et al. 2019: a restart trail, and a short stack.
+
+use super::Cursor;
+use super::keys::slot_bits;
+use super::search::{Ranks, Search, Wanted, is_beyond};
+use super::tree::Topology;
+use crate::key::TooDeep;
+use crate::tree::Node;
+
+/// Keeps for each level the number of the child that was named last, and the last `K` postponed children. What the
+/// short stack has lost is found by starting again at the root. `[WRESTART-1]`
+#[derive(Debug)]
+pub struct Restart<'t, T, const K: usize> {
+    tree: &'t T,
+    node: Node,
+    /// Level of `node`, while the search goes down again from the root.
+    at: u32,
+    /// The deepest level on the path.
+    level: u32,
+    /// For each level on the path the number of the child that was named last, in the order of ranks; the present
+    /// level's is lowest. The highest bit says that no other child comes after it.
+    done: u128,
+    step: Step,
+    stack: Short<K>,
+}
+
+/// How `node` was reached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Step {
+    /// For the first time.
+    Down,
+    /// By starting again: the root.
+    Again,
+    /// Below the root, by going down again.
+    Along,
+}
+
+impl<'t, T, const K: usize> Restart<'t, T, K> {
+    /// Starts at the root.
+    ///
+    /// # Errors
+    /// [`TooDeep`] if the tree has more levels than 128 bits have numbers for.
+    pub fn new<const A: usize>(tree: &'t T) -> Result<Self, TooDeep>
+    where
+        T: Topology<A>,
+    {
+        let (levels, limit) = (tree.levels(), u128::BITS / number_bits::<A>() - 1);
+        if levels > limit {
+            return Err(TooDeep { depth: levels, limit, word: "a number for each level in 128 bits" });
+        }
+        let stack = Short { entries: [Entry::NONE; K], top: 0, count: 0 };
+        Ok(Self { tree, node: tree.root(), at: 0, level: 0, done: 0, step: Step::Down, stack })
+    }
+
+    /// The number of the child that was named last, so many levels above the present one.
+    const fn number<const A: usize>(&self, up: u32) -> usize {
+        (self.done >> (up * number_bits::<A>())) as usize & (A - 1)
+    }
+
+    /// Names the child with this number among the wanted ones, and postpones those after it.
+    fn take<const A: usize, S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, number: usize) -> Option<Node>
+    where
+        T: Topology<A>,
+    {
+        let sorted = Sorted::<A>::of::<S>(wanted);
+        let last = sorted.count.checked_sub(1).filter(|&last| number <= last)?;
+        for i in (number + 1..=last).rev() {
+            let (rank, level) = (sorted.ranks[i], self.level);
+            let node = self.tree.child(self.node, rank & (A as u32 - 1));
+            self.stack.push(Entry { level, rank, node, is_last: i == last });
+        }
+        self.name::<A>(number, number == last);
+        Some(self.tree.child(self.node, sorted.ranks[number] & (A as u32 - 1)))
+    }
+
+    const fn name<const A: usize>(&mut self, number: usize, is_last: bool) {
+        self.done = (self.done >> number_bits::<A>() << number_bits::<A>()) | number as u128;
+        if is_last {
+            self.finish::<A>();
+        }
+    }
+
+    /// No other child of the present level comes.
+    const fn finish<const A: usize>(&mut self) {
+        self.done |= A as u128;
+    }
+
+    /// Goes up to this level.
+    const fn up_to<const A: usize>(&mut self, level: u32) {
+        self.done >>= (self.level - level) * number_bits::<A>();
+        self.level = level;
+    }
+
+    /// The next child of the deepest level that has one: from the short stack, or the root, to start again.
+    fn back<const A: usize, S: Search<A>>(&mut self, search: &S) -> Option<Node>
+    where
+        T: Topology<A>,
+    {
+        self.step = Step::Down;
+        loop {
+            while self.done & A as u128 != 0 {
+                let above = self.level.checked_sub(1)?;
+                self.up_to::<A>(above);
+            }
+            let Some(entry) = self.stack.pop() else {
+                self.step = Step::Again;
+                return Some(self.tree.root());
+            };
+            if entry.level > self.level {
+                // Of a level that is finished: it was beyond.
+            } else if S::SORTED && is_beyond::<A>(entry.rank, search.end()) {
+                self.finish::<A>();
+            } else {
+                self.name::<A>(self.number::<A>(0) + 1, entry.is_last);
+                return Some(entry.node);
+            }
+        }
+    }
+}
+
+/// Bits of a number, and one that says that it is the last one.
+const fn number_bits<const A: usize>() -> u32 {
+    slot_bits::<A>() + 1
+}
+
+impl<const A: usize, const K: usize, T: Topology<A>> Cursor<A> for Restart<'_, T, K> {
+    const RESTARTS: bool = true;
+
+    fn reset(&mut self) {
+        let stack = Short { entries: [Entry::NONE; K], top: 0, count: 0 };
+        *self = Self { tree: self.tree, node: self.tree.root(), at: 0, level: 0, done: 0, step: Step::Down, stack };
+    }
+
+    fn node(&self) -> Node {
+        self.node
+    }
+
+    fn next<S: Search<A>>(&mut self, answer: Option<Wanted<S::Ranks>>, search: &mut S) -> Option<Node> {
+        let Some(wanted) = answer else { return self.back(search) };
+        if self.step != Step::Down && self.at < self.level {
+            let sorted = Sorted::<A>::of::<S>(wanted);
+            let number = self.number::<A>(self.level - self.at);
+            if number < sorted.count {
+                self.step = Step::Along;
+                return Some(self.tree.child(self.node, sorted.ranks[number] & (A as u32 - 1)));
+            }
+            // The child on the path is beyond by now, and with it all that is below it or comes after it.
+            self.up_to::<A>(self.at);
+            self.finish::<A>();
+            return self.back(search);
+        }
+        let number = if self.step == Step::Down { 0 } else { self.number::<A>(0) + 1 };
+        self.step = Step::Down;
+        if let Some(child) = self.take::<A, S>(wanted, number) {
+            return Some(child);
+        }
+        self.finish::<A>();
+        self.back(search)
+    }
+
+    fn enter(&mut self, node: Node) {
+        self.node = node;
+        match self.step {
+            Step::Again => self.at = 0,
+            Step::Along => self.at += 1,
+            Step::Down => {
+                self.level += 1;
+                self.done <<= number_bits::<A>();
+            }
+        }
+    }
+
+    fn is_restarting(&self) -> bool {
+        self.step != Step::Down
+    }
+}
+
+/// The wanted children in the order in which they come.
+struct Sorted<const A: usize> {
+    ranks: [u32; A],
+    count: usize,
+}
+
+impl<const A: usize> Sorted<A> {
+    fn of<S: Search<A>>(Wanted { mut set, ranks }: Wanted<S::Ranks>) -> Self {
+        let mut sorted = Self { ranks: [u32::MAX; A], count: 0 };
+        while set != 0 {
+            let slot = set.trailing_zeros();
+            set &= set - 1;
+            sorted.ranks[sorted.count] = if S::SORTED { ranks.rank(slot) } else { slot };
+            sorted.count += 1;
+        }
+        sorted.ranks.sort_unstable();
+        sorted
+    }
+}
+
+/// A postponed child.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    /// Of its parent.
+    level: u32,
+    rank: u32,
+    node: Node,
+    /// Whether none of its siblings comes after it.
+    is_last: bool,
+}
+
+impl Entry {
+    const NONE: Self = Self { level: 0, rank: 0, node: Node::inner(0), is_last: false };
+}
+
+/// The last entries of a stack.
+#[derive(Debug)]
+struct Short<const K: usize> {
+    entries: [Entry; K],
+    /// Where the next entry goes.
+    top: usize,
+    count: usize,
+}
+
+impl<const K: usize> Short<K> {
+    fn push(&mut self, entry: Entry) {
+        if let Some(place) = self.entries.get_mut(self.top) {
+            *place = entry;
+            self.top = (self.top + 1) % K;
+            self.count = (self.count + 1).min(K);
+        }
+    }
+
+    fn pop(&mut self) -> Option<Entry> {
+        self.count = self.count.checked_sub(1)?;
+        self.top = (self.top + K - 1) % K;
+        self.entries.get(self.top).copied()
+    }
+}

@@ -1,0 +1,68 @@
+//! What a search answers.
+
+use crate::order::Flow;
+use crate::tree::Node;
+
+/// The children that a search wants of a node. `[WIDE-2]`
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Wanted<R> {
+    /// Bit `s` is set if the child in slot `s` is wanted. Empty slots are not.
+    pub set: u32,
+    /// The rank of each child in the set.
+    pub ranks: R,
+}
+
+/// The ranks of a node's children. `[WIDE-2]`
+///
+/// The lowest bits of a rank (3 for 8 children) are the slot, so that no two are equal.
+pub trait Ranks: Copy {
+    /// The rank of the child in a slot of the set.
+    fn rank(self, slot: u32) -> u32;
+
+    /// The least rank in a set that is not empty.
+    fn least(self, set: u32) -> u32;
+}
+
+impl<const A: usize> Ranks for [u32; A] {
+    #[inline(always)]
+    fn rank(self, slot: u32) -> u32 {
+        self[slot as usize & (A - 1)]
+    }
+
+    #[inline(always)]
+    fn least(self, mut set: u32) -> u32 {
+        let mut least = u32::MAX;
+        while set != 0 {
+            least = least.min(self.rank(set.trailing_zeros()));
+            set &= set - 1;
+        }
+        least
+    }
+}
+
+/// What is looked for: it says which children are wanted and in which order. `[WIDE-2]` `[WIDE-3]`
+pub trait Search<const A: usize> {
+    /// Whether children are visited in the order of their ranks. If not, leaves come first, then inner nodes, each by
+    /// slot; and nothing is skipped. `[WIDE-6]`
+    const SORTED: bool = true;
+
+    /// The ranks of a node's children.
+    type Ranks: Ranks;
+
+    /// Which children are wanted: none that is [beyond](is_beyond) the [end](Self::end). A traversal may ask again about
+    /// a node. Then the ranks must be the same as before, and the set must be the same but for children that are beyond
+    /// by now. `[WIDE-4]`
+    fn ask(&mut self, node: Node) -> Wanted<Self::Ranks>;
+
+    /// Visits a leaf.
+    fn leaf(&mut self, leaf: Node) -> Flow;
+
+    /// Children of a greater rank are not visited any more. It may become less at a leaf, and never grows. `[WIDE-3]`
+    fn end(&self) -> u32;
+}
+
+/// Whether a child of this rank is skipped, where nodes have `A` slots. `[WIDE-3]`
+#[inline(always)]
+pub const fn is_beyond<const A: usize>(rank: u32, end: u32) -> bool {
+    rank & !(A as u32 - 1) > end
+}

@@ -1,0 +1,269 @@
+//! The table of traversals of wide trees.
+
+use super::kept::{Ranked, Trail};
+use super::keys::asked_keys;
+use super::links::{Hashed, Parents, Recorded};
+use super::pending::Pending;
+use super::restart::Restart;
+use super::search::Search;
+use super::stack::{Memory, Stack};
+use super::tree::Topology;
+use super::{Cursor, traverse};
+use crate::event::Recorder;
+use crate::hash::{BuildError, PerfectHash};
+use crate::key::TooDeep;
+use crate::name::named;
+
+/// `state`: bytes by the slots of a node and the tree's levels. `cursor`: made from a [`Supply`].
+macro_rules! traversals {
+    ($($variant:ident {
+        name: $name:literal, by: $by:literal, clause: $clause:literal,
+        help: $help:literal,
+        state: |$a:pat_param, $levels:pat_param| $state:expr,
+        cursor: |$from:ident| $cursor:expr,
+    })*) => {
+        /// A traversal of wide trees.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Method {
+            $(#[doc = $help] $variant,)*
+        }
+
+        impl Method {
+            /// All traversals, in the order of the tables.
+            pub const ALL: [Self; [$(Self::$variant),*].len()] = [$(Self::$variant),*];
+
+            /// The name.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $name,)* }
+            }
+
+            /// Who published it.
+            pub const fn by(self) -> &'static str {
+                match self { $(Self::$variant => $by,)* }
+            }
+
+            /// The clause that says what it does.
+            pub const fn clause(self) -> &'static str {
+                match self { $(Self::$variant => $clause,)* }
+            }
+
+            /// What it does, in a sentence or two.
+            pub const fn help(self) -> &'static str {
+                match self { $(Self::$variant => $help,)* }
+            }
+
+            /// Bytes of its state for one ray, in a tree of `A` children a node and so many levels: 4 for each
+            /// variable, 8 for two ranks or an entry of a stack. `[WIDE-20]`
+            pub const fn state_bytes<const A: usize>(self, levels: usize) -> usize {
+                match self { $(Self::$variant => { let ($a, $levels) = (A, levels); $state })* }
+            }
+
+            /// Does something with this traversal: the one place where a name becomes a cursor.
+            ///
+            /// # Errors
+            /// [`Unfit`], before the first step.
+            #[inline(always)]
+            pub fn dispatch<'t, const A: usize, T: Topology<A> + 't, X: Context<'t, A, T>>(
+                self,
+                context: X,
+            ) -> Result<X::Output, Unfit> {
+                match self {
+                    $(Self::$variant => context.run(
+                        #[inline(always)]
+                        |$from: Supply<'t, T>| Ok($cursor),
+                    ),)*
+                }
+            }
+        }
+
+        named!(Method);
+    };
+}
+traversals! {
+    Stack {
+        name: "wide-stack", by: "the textbook", clause: "WSTACK-1",
+        help: "Postponed children are pushed with their ranks, the greatest first.",
+        state: |a, levels| 8 + 8 * ((a - 1) * (levels + 1) + 1),
+        cursor: |from| Stack::new(from.tree, &mut from.memory.stack),
+    }
+    Trail {
+        name: "wide-trail", by: "after Áfra & Szirmay-Kalos 2014", clause: "WTRAIL-1",
+        help: "A trail of pending sets; the ancestor is found by parents, and asked again for the order.",
+        state: |_, _| 4 + 4 + 16 + 8,
+        cursor: |from| Pending::new(from.tree, Trail::<u128>::default(), Parents)?,
+    }
+    Recorded {
+        name: "wide-record", by: "this project", clause: "WRECORD-1",
+        help: "A pending set and two ranks for each level; the node's record names its ancestors.",
+        state: |_, levels| 4 + 4 + 8 + Ranked::bytes(levels),
+        cursor: |from| Pending::new(from.tree, &mut from.memory.ranked, Recorded)?,
+    }
+    Hashed {
+        name: "wide-hashed", by: "this project, after Binder & Keller 2016", clause: "WHASHED-1",
+        help: "The same, with a key; a perfect hash finds the ancestor.",
+        state: |_, levels| 4 + 4 + 8 + 8 + Ranked::bytes(levels),
+        cursor: |from| Pending::new(from.tree, &mut from.memory.ranked, Hashed::new(from.tables.hash()?))?,
+    }
+    Restart0 {
+        name: "wide-restart-0", by: "Vaidyanathan et al. 2019", clause: "WRESTART-1",
+        help: "The number of the child for each level; the next one is found by starting again at the root.",
+        state: |_, _| 4 + 3 * 4 + 16,
+        cursor: |from| Restart::<_, 0>::new(from.tree)?,
+    }
+    Restart1 {
+        name: "wide-restart-1", by: "Vaidyanathan et al. 2019", clause: "WRESTART-1",
+        help: "The number of the child for each level, and a short stack.",
+        state: |_, _| 4 + 3 * 4 + 16 + 8 + 16,
+        cursor: |from| Restart::<_, 1>::new(from.tree)?,
+    }
+    Restart2 {
+        name: "wide-restart-2", by: "Vaidyanathan et al. 2019", clause: "WRESTART-1",
+        help: "The number of the child for each level, and a short stack.",
+        state: |_, _| 4 + 3 * 4 + 16 + 8 + 2 * 16,
+        cursor: |from| Restart::<_, 2>::new(from.tree)?,
+    }
+    Restart4 {
+        name: "wide-restart-4", by: "Vaidyanathan et al. 2019", clause: "WRESTART-1",
+        help: "The number of the child for each level, and a short stack.",
+        state: |_, _| 4 + 3 * 4 + 16 + 8 + 4 * 16,
+        cursor: |from| Restart::<_, 4>::new(from.tree)?,
+    }
+    Restart8 {
+        name: "wide-restart-8", by: "Vaidyanathan et al. 2019", clause: "WRESTART-1",
+        help: "The number of the child for each level, and a short stack.",
+        state: |_, _| 4 + 3 * 4 + 16 + 8 + 8 * 16,
+        cursor: |from| Restart::<_, 8>::new(from.tree)?,
+    }
+}
+
+impl Method {
+    /// Runs a search to its end, with memory of its own.
+    ///
+    /// # Errors
+    /// [`Unfit`], before the first step.
+    pub fn run<const A: usize, T: Topology<A>>(
+        self,
+        tree: &T,
+        tables: &Tables,
+        search: &mut impl Search<A>,
+        recorder: &mut impl Recorder,
+    ) -> Result<(), Unfit> {
+        let memory = &mut Scratch::default();
+        self.dispatch(Run { from: Supply { tree, tables, memory }, search, recorder })
+    }
+}
+
+/// What a cursor is made from.
+#[derive(Debug)]
+pub struct Supply<'t, T> {
+    /// The tree.
+    pub tree: &'t T,
+    /// What was made for it.
+    pub tables: &'t Tables,
+    /// Memory of the cursor.
+    pub memory: &'t mut Scratch,
+}
+
+/// Something to do with a traversal that is chosen when the program runs: [`Method::dispatch`].
+///
+/// It gets what makes the cursor, so that it can make several.
+pub trait Context<'t, const A: usize, T: 't> {
+    /// What comes out.
+    type Output;
+
+    /// Does it.
+    ///
+    /// # Errors
+    /// Those of `start`.
+    fn run<C: Cursor<A>>(self, start: impl Fn(Supply<'t, T>) -> Result<C, Unfit>) -> Result<Self::Output, Unfit>;
+}
+
+struct Run<'t, 'a, T, S, R> {
+    from: Supply<'t, T>,
+    search: &'a mut S,
+    recorder: &'a mut R,
+}
+
+impl<'t, const A: usize, T: Topology<A>, S: Search<A>, R: Recorder> Context<'t, A, T> for Run<'t, '_, T, S, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<C: Cursor<A>>(self, start: impl Fn(Supply<'t, T>) -> Result<C, Unfit>) -> Result<(), Unfit> {
+        let tree = self.from.tree;
+        traverse(tree, start(self.from)?, self.search, self.recorder);
+        Ok(())
+    }
+}
+
+/// What traversals need beside a tree.
+#[derive(Clone, Debug)]
+pub struct Tables {
+    hash: Result<PerfectHash, Unfit>,
+}
+
+impl Tables {
+    /// Nothing: [`Method::Hashed`] is unfit.
+    pub const NONE: Self = Self { hash: Err(Unfit::NoTable) };
+
+    /// The tables of a tree.
+    pub fn new<const A: usize>(tree: &impl Topology<A>) -> Self {
+        let limit = (u64::BITS - 1) / A.trailing_zeros();
+        let levels = tree.levels();
+        if levels > limit {
+            return Self { hash: Err(TooDeep { depth: levels, limit, word: "a key of 64 bits" }.into()) };
+        }
+        Self { hash: PerfectHash::of_keys(&asked_keys(tree)).map_err(Unfit::NoHash) }
+    }
+
+    /// The perfect hash of the keys that can be asked for. `[WIDE-16]`
+    ///
+    /// # Errors
+    /// Why there is none.
+    #[inline(always)]
+    pub fn hash(&self) -> Result<&PerfectHash, Unfit> {
+        self.hash.as_ref().map_err(|unfit| *unfit)
+    }
+
+    /// Bytes of the tables.
+    pub fn bytes(&self) -> usize {
+        self.hash.as_ref().map_or(0, |hash| hash.header().bytes())
+    }
+}
+
+/// Why a traversal does not fit a tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unfit {
+    /// The tree has too many levels.
+    TooDeep(TooDeep),
+    /// The table of keys was not made.
+    NoTable,
+    /// There is no perfect hash.
+    NoHash(BuildError),
+}
+
+impl From<TooDeep> for Unfit {
+    fn from(error: TooDeep) -> Self {
+        Self::TooDeep(error)
+    }
+}
+
+impl core::fmt::Display for Unfit {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::TooDeep(TooDeep { depth, limit, word }) => {
+                write!(f, "inner nodes reach level {depth}, and {word} carries {limit} levels")
+            }
+            Self::NoTable => f.write_str("the table of keys was not made"),
+            Self::NoHash(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for Unfit {}
+
+/// Memory that traversals use one after the other.
+#[derive(Clone, Debug, Default)]
+pub struct Scratch {
+    stack: Memory,
+    ranked: Ranked,
+}

@@ -1,0 +1,247 @@
+//! Topology of a wide tree, and one in an array.
+
+use alloc::vec;
+use alloc::vec::Vec;
+use core::fmt;
+
+use super::keys::slot_bits;
+use crate::tree::Node;
+
+/// A wide tree: an inner node has `A` slots, each with a child or empty, and every node but the root is the child of
+/// one node. The root is an inner node. `[WIDE-1]`
+///
+/// Methods that take a node require an inner one of this tree; they may panic for others.
+pub trait Topology<const A: usize> {
+    /// The node with key 1.
+    fn root(&self) -> Node;
+
+    /// The set of slots that hold a child.
+    fn children(&self, node: Node) -> u32;
+
+    /// The set of slots that hold a leaf.
+    fn leaves(&self, node: Node) -> u32;
+
+    /// The child in a slot that holds one.
+    fn child(&self, node: Node, slot: u32) -> Node;
+
+    /// The greatest level of an inner node: edges from the root.
+    fn levels(&self) -> u32;
+
+    /// The parent; the root is its own.
+    fn parent(&self, node: Node) -> Node;
+
+    /// The ancestor so many levels up, 1 to `A`, which the node's record names. The root stands for those above it.
+    fn ancestor(&self, node: Node, up: u32) -> Node;
+}
+
+/// A wide tree in an array: node `i` is element `i`, the root is element 0.
+///
+/// ```
+/// use stackless_bvh::wide::{Topology, Tree};
+/// // Node 0 has three children, of which node 2 has two.
+/// let tree = Tree::<4>::new(&[Some(&[1, 2, 3]), None, Some(&[4, 5]), None, None, None])?;
+/// assert_eq!((tree.levels(), tree.children(tree.root()), tree.leaves(tree.root())), (1, 0b111, 0b101));
+/// # Ok::<(), stackless_bvh::wide::TreeError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Tree<const A: usize> {
+    nodes: Vec<Record<A>>,
+    levels: u32,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Record<const A: usize> {
+    /// The children from slot 0 on.
+    children: [Node; A],
+    count: u32,
+    leaves: u32,
+    /// The nearest first; the root where there is none.
+    ancestors: [Node; A],
+}
+
+/// Why an array of children is not a wide tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TreeError {
+    /// There is no root, or it is a leaf.
+    NoRoot,
+    /// More nodes than addresses.
+    TooManyNodes {
+        /// Number of nodes.
+        nodes: usize,
+    },
+    /// A node has more children than slots.
+    TooManyChildren {
+        /// The node.
+        node: u32,
+        /// Number of its children.
+        children: usize,
+        /// Number of slots.
+        slots: usize,
+    },
+    /// An inner node other than the root has no children.
+    NoChildren {
+        /// The node.
+        node: u32,
+    },
+    /// A child's number is not in the array.
+    OutOfRange {
+        /// The parent.
+        node: u32,
+        /// What it names.
+        child: u32,
+        /// Number of nodes.
+        nodes: u32,
+    },
+    /// A node is reached a second time: it has two parents, or stands below itself.
+    ReachedTwice {
+        /// The node.
+        node: u32,
+        /// The second parent that names it.
+        parent: u32,
+    },
+    /// A node is not reached from the root.
+    NotReached {
+        /// The first such node.
+        node: u32,
+    },
+}
+
+impl fmt::Display for TreeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::NoRoot => write!(f, "the root, node 0, is an inner node"),
+            Self::TooManyNodes { nodes } => {
+                write!(f, "{nodes} nodes are more than the {} that an address can tell apart", Node::MAX_INDEX)
+            }
+            Self::TooManyChildren { node, children, slots } => {
+                write!(f, "node {node} has {children} children, and there are {slots} slots")
+            }
+            Self::NoChildren { node } => write!(f, "node {node} is an inner node without children"),
+            Self::OutOfRange { node, child, nodes } => {
+                write!(f, "node {node}: child {child} is not one of the {nodes} nodes")
+            }
+            Self::ReachedTwice { node, parent } => {
+                write!(f, "node {node} is reached a second time, from node {parent}")
+            }
+            Self::NotReached { node } => write!(f, "node {node} is not reached from the root, node 0"),
+        }
+    }
+}
+
+impl core::error::Error for TreeError {}
+
+impl<const A: usize> Tree<A> {
+    /// Builds a tree from the children of each node (`None` for a leaf), which take the slots from 0 on. Node 0 is the
+    /// root. `[WIDE-1]`
+    ///
+    /// Linear in time and memory, without recursion.
+    ///
+    /// # Errors
+    /// [`TreeError`] names the node at which the array is not a tree.
+    pub fn new(children: &[Option<&[u32]>]) -> Result<Self, TreeError> {
+        const { assert!(slot_bits::<A>() > 0) };
+        let count = children.len();
+        if count > Node::MAX_INDEX as usize {
+            return Err(TreeError::TooManyNodes { nodes: count });
+        }
+        if !matches!(children.first(), Some(Some(_))) {
+            return Err(TreeError::NoRoot);
+        }
+        let root = Node::inner(0);
+        let mut nodes = vec![Record { children: [root; A], count: 0, leaves: 0, ancestors: [root; A] }; count];
+        let mut is_reached = vec![false; count];
+        is_reached[0] = true;
+        let mut open = vec![(0_u32, 0_u32)];
+        let mut levels = 0;
+        while let Some((node, level)) = open.pop() {
+            let Some(list) = children[node as usize] else { continue };
+            levels = levels.max(level);
+            if list.len() > A {
+                return Err(TreeError::TooManyChildren { node, children: list.len(), slots: A });
+            }
+            if list.is_empty() && node != 0 {
+                return Err(TreeError::NoChildren { node });
+            }
+            let mut record = nodes[node as usize];
+            let mut ancestors = record.ancestors;
+            ancestors.rotate_right(1);
+            ancestors[0] = Node::inner(node);
+            for (slot, &child) in list.iter().enumerate() {
+                match is_reached.get_mut(child as usize) {
+                    None => return Err(TreeError::OutOfRange { node, child, nodes: count as u32 }),
+                    Some(true) => return Err(TreeError::ReachedTwice { node: child, parent: node }),
+                    Some(is_reached) => *is_reached = true,
+                }
+                let is_leaf = children[child as usize].is_none();
+                record.children[slot] = if is_leaf { Node::leaf(child) } else { Node::inner(child) };
+                record.leaves |= u32::from(is_leaf) << slot;
+                nodes[child as usize].ancestors = ancestors;
+            }
+            record.count = list.len() as u32;
+            nodes[node as usize] = record;
+            open.extend(list.iter().rev().map(|&child| (child, level + 1)));
+        }
+        if let Some(node) = is_reached.iter().position(|is_reached| !is_reached) {
+            return Err(TreeError::NotReached { node: node as u32 });
+        }
+        Ok(Self { nodes, levels })
+    }
+
+    /// Number of inner nodes and leaves together.
+    pub const fn node_count(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// The nodes, by number.
+    pub fn nodes(&self) -> impl Iterator<Item = Node> + '_ {
+        let address = |(i, record): (usize, &Record<A>)| {
+            if i > 0 && record.count == 0 { Node::leaf(i as u32) } else { Node::inner(i as u32) }
+        };
+        self.nodes.iter().enumerate().map(address)
+    }
+}
+
+/// A root without children.
+impl<const A: usize> Default for Tree<A> {
+    fn default() -> Self {
+        let root = Node::inner(0);
+        Self { nodes: vec![Record { children: [root; A], count: 0, leaves: 0, ancestors: [root; A] }], levels: 0 }
+    }
+}
+
+impl<const A: usize> Topology<A> for Tree<A> {
+    #[inline]
+    fn root(&self) -> Node {
+        Node::inner(0)
+    }
+
+    #[inline]
+    fn children(&self, node: Node) -> u32 {
+        (1 << self.nodes[node.index()].count) - 1
+    }
+
+    #[inline]
+    fn leaves(&self, node: Node) -> u32 {
+        self.nodes[node.index()].leaves
+    }
+
+    #[inline]
+    fn child(&self, node: Node, slot: u32) -> Node {
+        self.nodes[node.index()].children[slot as usize]
+    }
+
+    #[inline]
+    fn levels(&self) -> u32 {
+        self.levels
+    }
+
+    #[inline]
+    fn parent(&self, node: Node) -> Node {
+        self.nodes[node.index()].ancestors[0]
+    }
+
+    #[inline]
+    fn ancestor(&self, node: Node, up: u32) -> Node {
+        self.nodes[node.index()].ancestors[up as usize - 1]
+    }
+}
