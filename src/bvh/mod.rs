@@ -12,6 +12,7 @@ mod primitives;
 mod refit;
 mod tree;
 mod validate;
+pub mod wide;
 
 pub use build::{BuildError, BuildOptions, Builder, Degenerate, SahOptions, SpatialOptions};
 pub use bytes::{BvhFileError, Stored};
@@ -19,6 +20,7 @@ pub use primitives::{Bounded, Primitives};
 pub use refit::RefitError;
 pub use tree::{BvhNode, BvhTree, Leaf};
 pub use validate::{BvhError, validate};
+pub use wide::WideBvh;
 
 use std::ops::Range;
 

@@ -7,6 +7,7 @@ mod clip;
 mod enclosed_ray;
 mod interval;
 pub mod kernel;
+pub mod lanes;
 mod mesh;
 mod nearest;
 mod ray;

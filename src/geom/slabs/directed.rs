@@ -30,7 +30,7 @@ pub struct Directed {
 pub const STEPS: u32 = 2;
 
 /// Greatest magnitude of a coordinate for which no difference overflows.
-pub(super) const MAX_COORDINATE: f32 = f32::from_bits((127 + 126) << 23);
+pub(in crate::geom) const MAX_COORDINATE: f32 = f32::from_bits((127 + 126) << 23);
 
 impl Slabs for Directed {
     type Vector = Vec3;

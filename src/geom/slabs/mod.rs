@@ -9,7 +9,7 @@
 //! for any ray. And `one` is `pair` of a box and itself, so that both agree in every bit.
 
 mod centred;
-mod directed;
+pub(in crate::geom) mod directed;
 mod enclosed;
 mod wide;
 

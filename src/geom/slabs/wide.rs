@@ -25,7 +25,7 @@ pub struct Wide {
 
 impl Wide {
     /// Prepares a ray whose numbers are within the range for which the test skips boxes.
-    pub(super) fn of(origin: DVec3, direction: DVec3, tmin: f64) -> Self {
+    pub(in crate::geom) fn of(origin: DVec3, direction: DVec3, tmin: f64) -> Self {
         // Without -0, a component of 0 has the reciprocal +inf.
         let inverse = (direction + 0.0).recip();
         let near = inverse.map(|i| f64::from_bits(i.to_bits() - u64::from(STRICT_STEPS)));

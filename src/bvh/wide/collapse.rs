@@ -1,0 +1,222 @@
+//! From a binary hierarchy to a wide one.
+
+use super::draft::{Draft, leaf_address};
+use super::layout::{Child, assign};
+use super::programme::Programme;
+use super::{MAX_COUNT, WideBvh, WideNode};
+use crate::bvh::{Bvh, LeafTriangle};
+use crate::geom::Aabb;
+use crate::geom::lanes::Block;
+use crate::tree::Node;
+
+/// What collapsing may choose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WideOptions {
+    /// What a visit of an inner node costs.
+    pub node_cost: f32,
+    /// What a test of four triangles costs.
+    pub block_cost: f32,
+    /// Triangles that a leaf may hold, 1 to 15. Leaves of the binary hierarchy that hold more are divided.
+    pub max_leaf: u32,
+}
+
+impl Default for WideOptions {
+    /// A node costs as much as four triangles; leaves of up to 8.
+    fn default() -> Self {
+        Self { node_cost: 1.0, block_cost: 1.0, max_leaf: 8 }
+    }
+}
+
+/// Why a hierarchy cannot be made wide.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum WideError {
+    /// No leaf can hold so many.
+    #[error("leaves of {0} triangles, expected 1 to {MAX_COUNT}")]
+    LeafSize(u32),
+    /// A cost is negative, infinite or not a number.
+    #[error("a cost of {0}, expected a finite one that is not negative")]
+    Cost(f32),
+    /// More inner nodes than references to ancestors can name.
+    #[error("more than {max} inner nodes", max = WideBvh::<8>::MAX_NODES)]
+    TooManyNodes,
+    /// More blocks of four triangles than leaves can name.
+    #[error("more than {max} blocks of triangles", max = WideBvh::<8>::MAX_BLOCKS)]
+    TooManyBlocks,
+}
+
+impl<const A: usize> WideBvh<A> {
+    /// A wide hierarchy over the triangles of a binary one.
+    ///
+    /// # Errors
+    /// [`WideError::TooManyNodes`] and [`WideError::TooManyBlocks`].
+    pub fn of(bvh: &Bvh) -> Result<Self, WideError> {
+        Self::with_options(bvh, &WideOptions::default())
+    }
+
+    /// The same with options.
+    ///
+    /// The same hierarchy and options give the same result. Inner nodes have a level of at most
+    /// [`MAX_LEVEL`](Self::MAX_LEVEL), however deep the binary hierarchy is: where the cheapest one would be deeper, a
+    /// subtree is made anew, by its leaves from left to right, as flat as can be.
+    ///
+    /// # Errors
+    /// What [`WideError`] lists.
+    pub fn with_options(bvh: &Bvh, options: &WideOptions) -> Result<Self, WideError> {
+        const { assert!(A == 4 || A == 8, "nodes have four or eight children") };
+        let WideOptions { node_cost, block_cost, max_leaf } = *options;
+        if !(1..=MAX_COUNT).contains(&max_leaf) {
+            return Err(WideError::LeafSize(max_leaf));
+        }
+        let is_cost = |cost: &f32| cost.is_finite() && *cost >= 0.0;
+        if let Some(cost) = [node_cost, block_cost].into_iter().find(|cost| !is_cost(cost)) {
+            return Err(WideError::Cost(cost));
+        }
+        let draft = Draft::of(bvh, max_leaf);
+        let programme = Programme::of(&draft, options);
+        Collapse { bvh, draft: &draft, programme: &programme, made: Self::empty(), held: Vec::new() }.run()
+    }
+}
+
+struct Collapse<'a, const A: usize> {
+    bvh: &'a Bvh,
+    draft: &'a Draft,
+    programme: &'a Programme<A>,
+    made: WideBvh<A>,
+    /// The triangles of a leaf, while it is made.
+    held: Vec<LeafTriangle>,
+}
+
+/// What an inner node is made of.
+enum Source {
+    /// The programme's choice for this node of the draft.
+    Node(u32),
+    /// These leaves of the draft, from left to right.
+    Leaves(Vec<u32>),
+}
+
+/// An inner node that is still to be filled.
+struct Pending {
+    source: Source,
+    index: usize,
+    level: u32,
+}
+
+impl<const A: usize> Collapse<'_, A> {
+    fn run(mut self) -> Result<WideBvh<A>, WideError> {
+        self.made.region = *self.bvh.region();
+        self.made.triangles = self.bvh.triangles().len() + self.bvh.dropped() - self.bvh.duplicates();
+        let mut pending = vec![Pending { source: Source::Node(0), index: 0, level: 0 }];
+        let mut inner = Vec::new();
+        while let Some(Pending { source, index, level }) = pending.pop() {
+            let children = self.children(source, level);
+            let boxes: Vec<_> = children.iter().map(|child| child.aabb).collect();
+            self.made.levels = self.made.levels.max(level);
+            let mut leaves = 0_u32;
+            for (slot, child) in assign::<A>(&boxes).into_iter().zip(children) {
+                self.made.nodes[index].set_child_box(slot, &child.aabb);
+                let address = match child.source {
+                    Source::Node(place) if self.is_leaf(place) => {
+                        leaves |= 1 << slot;
+                        self.leaf(place)?
+                    }
+                    source => {
+                        let child = self.inner(index)?;
+                        inner.push(Pending { source, index: child.index(), level: level + 1 });
+                        child
+                    }
+                };
+                self.made.nodes[index].children[slot as usize & (A - 1)] = address.to_bits();
+            }
+            self.made.nodes[index].ancestors[0] |= leaves << super::ANCESTOR_BITS;
+            pending.extend(inner.drain(..).rev());
+        }
+        Ok(self.made)
+    }
+
+    fn is_leaf(&self, place: u32) -> bool {
+        self.programme.is_leaf(place)
+    }
+
+    /// A new inner node below another one.
+    fn inner(&mut self, parent: usize) -> Result<Node, WideError> {
+        let index = self.made.nodes.len();
+        if index >= WideBvh::<A>::MAX_NODES {
+            return Err(WideError::TooManyNodes);
+        }
+        let above = &self.made.nodes[parent];
+        let ancestors = std::array::from_fn(|i| match i {
+            0 => parent as u32,
+            _ => above.ancestor(i as u32).index() as u32,
+        });
+        self.made.nodes.push(WideNode { ancestors, ..WideNode::EMPTY });
+        Ok(Node::inner(index as u32))
+    }
+
+    /// The blocks of a leaf. Parts of one triangle may meet again in it.
+    fn leaf(&mut self, place: u32) -> Result<Node, WideError> {
+        let node = &self.draft.nodes[place as usize];
+        self.held.clear();
+        self.held.extend_from_slice(&self.bvh.triangles()[node.first as usize..(node.first + node.count) as usize]);
+        if self.bvh.duplicates() > 0 {
+            self.held.sort_by_key(|held| held.prim);
+            self.held.dedup_by_key(|held| held.prim);
+        }
+        let first = self.made.blocks.len();
+        for held in self.held.chunks(4) {
+            let mut block = Block::EMPTY;
+            for (lane, held) in held.iter().enumerate() {
+                block.set(lane, &held.shape, held.prim);
+            }
+            self.made.blocks.push(block);
+        }
+        if self.made.blocks.len() > WideBvh::<A>::MAX_BLOCKS {
+            return Err(WideError::TooManyBlocks);
+        }
+        Ok(leaf_address(first, self.held.len()))
+    }
+
+    /// The children of an inner node at this level, from left to right.
+    ///
+    /// What is at this level can always be made anew within the limit: that holds for the root, for children of a node
+    /// that is made anew, as they have an A-th of its leaves, and for others because it is asked here.
+    fn children(&self, source: Source, level: u32) -> Vec<Child<Source>> {
+        let left = WideBvh::<A>::MAX_LEVEL - level;
+        let leaves = match source {
+            Source::Leaves(leaves) => leaves,
+            Source::Node(place) => {
+                let node = |place: u32| Child { aabb: self.draft.nodes[place as usize].aabb, source: Source::Node(place) };
+                if self.is_leaf(place) {
+                    // Of the root only.
+                    return vec![node(place)];
+                }
+                let children = self.programme.children(self.draft, place);
+                // The levels below and including this one are counted by the programme, but not above 2^16.
+                let fits = self.programme.levels(place) <= left + 1
+                    || left > 0 && children.iter().all(|&child| self.flattest(child) < left);
+                if fits {
+                    return children.into_iter().map(node).collect();
+                }
+                self.draft.leaves_below(place)
+            }
+        };
+        let part = leaves.len().div_ceil(A).max(1);
+        let group = |leaves: &[u32]| {
+            let aabb = |&place: &u32| self.draft.nodes[place as usize].aabb;
+            let aabb = leaves.iter().map(aabb).fold(Aabb::EMPTY, Aabb::union);
+            let source = if let &[place] = leaves { Source::Node(place) } else { Source::Leaves(leaves.to_vec()) };
+            Child { aabb, source }
+        };
+        leaves.chunks(part).map(group).collect()
+    }
+
+    /// The level of the deepest inner node below this one if this is made anew, as flat as can be; bounded from above by
+    /// the number of triangles.
+    fn flattest(&self, place: u32) -> u32 {
+        let (mut held, mut levels) = (A as u64, 0);
+        while held < u64::from(self.draft.nodes[place as usize].count) {
+            held *= A as u64;
+            levels += 1;
+        }
+        levels
+    }
+}

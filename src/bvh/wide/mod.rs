@@ -1,0 +1,237 @@
+//! Hierarchies of four or eight children, for tests of many boxes at once.
+//!
+//! A [`WideBvh`] is made of a [`Bvh`](super::Bvh) by collapsing: a node takes over grandchildren and further descendants until its slots
+//! are full. Which ones is decided by the dynamic programme of Ylitie, Karras & Laine 2017, "Efficient incoherent ray
+//! traversal on GPUs through compressed wide BVHs", section 4. What a traversal needs of the tree: spec/wide.md.
+//!
+//! ```
+//! use stackless_bvh::bvh::{Bvh, WideBvh};
+//! use stackless_bvh::generate::procedural;
+//!
+//! let mesh = procedural::strands(1, 100);
+//! let wide = WideBvh::<8>::of(&Bvh::build(&mesh)?)?;
+//! wide.validate(&mesh)?;
+//! assert!(wide.nodes().len() < 100);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod collapse;
+mod draft;
+mod layout;
+mod programme;
+mod refit;
+mod validate;
+
+pub use collapse::{WideError, WideOptions};
+pub use validate::WideBvhError;
+
+use crate::geom::lanes::Block;
+use crate::geom::{Aabb, Region};
+use crate::tree::Node;
+
+use glam::Vec3;
+
+/// A hierarchy over the triangles of a mesh in single precision, with up to `A` children a node: 4 or 8. `[WIDE-1]`
+#[derive(Clone, Debug)]
+pub struct WideBvh<const A: usize = 8> {
+    nodes: Vec<WideNode<A>>,
+    blocks: Vec<Block>,
+    region: Region,
+    levels: u32,
+    /// Triangles of the mesh, those that are in no leaf included.
+    triangles: usize,
+}
+
+/// An inner node: 256 bytes for eight children, 128 for four.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C, align(64))]
+pub struct WideNode<const A: usize> {
+    /// For each axis, the lower planes of the slots' boxes, then the upper planes. Of an empty slot, plus and minus
+    /// infinity. `[BOX-7]`
+    pub planes: [[[f32; A]; 2]; 3],
+    /// Bits of the children, as [`Node`] has them; 0 in an empty slot. The index of an inner node is its place in
+    /// [`WideBvh::nodes`]; that of a leaf says what [`WideBvh::leaf`] needs.
+    pub children: [u32; A],
+    /// In the lowest 24 bits the indices of the `A` nearest ancestors, the parent first; the root's, which is 0, beyond
+    /// the root. In the highest 8 bits of the first the set of the slots that hold leaves.
+    pub ancestors: [u32; A],
+}
+
+/// Bits of an index in [`WideNode::ancestors`].
+const ANCESTOR_BITS: u32 = 24;
+
+/// Bits of a leaf's index that are the place of its first block. Above them is the number of its triangles.
+const BLOCK_BITS: u32 = 27;
+
+/// Greatest number of triangles in a leaf that 4 bits hold.
+const MAX_COUNT: u32 = 15;
+
+impl<const A: usize> WideBvh<A> {
+    /// Greatest level of an inner node: its key of log2 A bits a level fits 64 bits, and its levels 32. `[WIDE-14]`
+    pub const MAX_LEVEL: u32 = if A == 8 { 20 } else { 30 };
+
+    /// Greatest number of inner nodes.
+    pub const MAX_NODES: usize = 1 << ANCESTOR_BITS;
+
+    /// Greatest number of blocks.
+    pub const MAX_BLOCKS: usize = 1 << BLOCK_BITS;
+
+    /// A hierarchy of no triangles: a root without children.
+    pub fn empty() -> Self {
+        let region = Region::of(&Aabb { lo: Vec3::ZERO, hi: Vec3::ZERO });
+        Self { nodes: vec![WideNode::EMPTY], blocks: Vec::new(), region, levels: 0, triangles: 0 }
+    }
+
+    /// Inner nodes, at least the root, which is the first. A parent stands before its children.
+    #[inline(always)]
+    pub fn nodes(&self) -> &[WideNode<A>] {
+        &self.nodes
+    }
+
+    /// Triangles, four at a time, in the order of the leaves.
+    #[inline(always)]
+    pub fn blocks(&self) -> &[Block] {
+        &self.blocks
+    }
+
+    /// What the tests of a ray need to know of the whole.
+    #[inline(always)]
+    pub fn region(&self) -> &Region {
+        &self.region
+    }
+
+    /// Greatest level of an inner node, in edges from the root.
+    #[inline(always)]
+    pub fn levels(&self) -> u32 {
+        self.levels
+    }
+
+    /// Memory of nodes and blocks, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.nodes) + size_of_val(&*self.blocks)
+    }
+
+    /// The root: an inner node.
+    #[inline(always)]
+    pub fn root(&self) -> Node {
+        Node::inner(0)
+    }
+
+    /// The child in a slot of an inner node; the root's own address where the slot is empty.
+    #[inline(always)]
+    pub fn child(&self, node: Node, slot: u32) -> Node {
+        self.nodes[node.index()].child(slot)
+    }
+
+    /// The slots of an inner node that hold leaves.
+    #[inline(always)]
+    pub fn leaves(&self, node: Node) -> u32 {
+        self.nodes[node.index()].leaves()
+    }
+
+    /// The blocks of a leaf, and how many triangles they hold together.
+    #[inline(always)]
+    pub fn leaf(&self, leaf: Node) -> (&[Block], u32) {
+        let (first, count) = leaf_parts(leaf);
+        (&self.blocks[first..first + count.div_ceil(4) as usize], count)
+    }
+
+    /// The parent of an inner node; of the root, the root.
+    #[inline(always)]
+    pub fn parent(&self, node: Node) -> Node {
+        self.nodes[node.index()].ancestor(1)
+    }
+
+    /// The ancestor that is so many levels, at least 1, above an inner node; the root where there are not so many.
+    /// `[WIDE-15]`
+    #[inline(always)]
+    pub fn ancestor(&self, mut node: Node, mut levels: u32) -> Node {
+        while levels > A as u32 {
+            node = self.nodes[node.index()].ancestor(A as u32);
+            levels -= A as u32;
+        }
+        self.nodes[node.index()].ancestor(levels)
+    }
+
+    /// The key of each inner node, and the node, in the order of [`nodes`](Self::nodes). `[WIDE-9]`
+    ///
+    /// ```
+    /// use stackless_bvh::bvh::{Bvh, WideBvh};
+    /// use stackless_bvh::generate::procedural;
+    ///
+    /// let wide = WideBvh::<8>::of(&Bvh::build(&procedural::strands(1, 100))?)?;
+    /// let keys: Vec<_> = wide.keys().collect();
+    /// assert_eq!((keys.len(), keys[0]), (wide.nodes().len(), (1, wide.root())));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn keys(&self) -> impl Iterator<Item = (u64, Node)> + '_ {
+        let mut keys = vec![1_u64; self.nodes.len()];
+        for (i, node) in self.nodes.iter().enumerate() {
+            for slot in 0..A as u32 {
+                let child = node.child(slot);
+                if node.has_inner(slot) && child.index() > i {
+                    keys[child.index()] = keys[i] << A.trailing_zeros() | u64::from(slot);
+                }
+            }
+        }
+        keys.into_iter().zip((0..).map(Node::inner))
+    }
+}
+
+impl<const A: usize> WideNode<A> {
+    /// Without children.
+    pub const EMPTY: Self =
+        Self { planes: [[[f32::INFINITY; A], [f32::NEG_INFINITY; A]]; 3], children: [0; A], ancestors: [0; A] };
+
+    /// The child in a slot; the root's address where the slot is empty.
+    #[inline(always)]
+    pub fn child(&self, slot: u32) -> Node {
+        Node::from_bits(self.children[slot as usize & (A - 1)])
+    }
+
+    /// Whether a slot holds a child.
+    #[inline(always)]
+    pub fn has_child(&self, slot: u32) -> bool {
+        self.children[slot as usize & (A - 1)] != 0
+    }
+
+    /// Whether a slot holds an inner node.
+    #[inline(always)]
+    pub fn has_inner(&self, slot: u32) -> bool {
+        self.has_child(slot) && !self.child(slot).is_leaf()
+    }
+
+    /// The slots that hold leaves.
+    #[inline(always)]
+    pub fn leaves(&self) -> u32 {
+        self.ancestors[0] >> ANCESTOR_BITS
+    }
+
+    /// One of the `A` nearest ancestors: 1 for the parent, and so on.
+    #[inline(always)]
+    pub fn ancestor(&self, levels: u32) -> Node {
+        Node::inner(self.ancestors[levels.wrapping_sub(1) as usize & (A - 1)] & ((1 << ANCESTOR_BITS) - 1))
+    }
+
+    /// The box in a slot.
+    pub fn child_box(&self, slot: u32) -> Aabb {
+        let at = |side: usize| Vec3::from_array([0, 1, 2].map(|axis| self.planes[axis][side][slot as usize & (A - 1)]));
+        Aabb { lo: at(0), hi: at(1) }
+    }
+
+    fn set_child_box(&mut self, slot: u32, aabb: &Aabb) {
+        for (axis, [lo, hi]) in self.planes.iter_mut().enumerate() {
+            (lo[slot as usize & (A - 1)], hi[slot as usize & (A - 1)]) = (aabb.lo[axis], aabb.hi[axis]);
+        }
+    }
+}
+
+/// The place of a leaf's first block, and how many triangles it holds.
+#[inline(always)]
+fn leaf_parts(leaf: Node) -> (usize, u32) {
+    let index = leaf.index() as u32;
+    ((index & ((1 << BLOCK_BITS) - 1)) as usize, index >> BLOCK_BITS & MAX_COUNT)
+}
+
+#[cfg(test)]
+mod tests;

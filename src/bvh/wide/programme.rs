@@ -1,0 +1,116 @@
+//! The dynamic programme: which descendants a node takes over.
+
+use super::WideOptions;
+use super::draft::Draft;
+
+/// The cheapest forests below each node of a binary tree, by the number of their roots.
+///
+/// Ylitie, Karras & Laine 2017, section 4. Of a node and i from 1 to A, the forest of at most i roots that cost least:
+/// with one root, a leaf, or an inner node over the forest of at most A below the two children together; with more, one
+/// with fewer roots, or forests below the left child and the right one.
+pub(super) struct Programme<const A: usize> {
+    forests: Vec<Forests<A>>,
+}
+
+#[derive(Clone, Copy)]
+struct Forests<const A: usize> {
+    /// Of the forest of at most i + 1 roots.
+    cost: [f32; A],
+    /// Levels of inner nodes in it.
+    levels: [u16; A],
+    /// How many of its roots are below the left child. [`SAME`] where one with fewer roots is as cheap.
+    left: [u8; A],
+    /// How many of the roots of an inner node's forest are below the left child.
+    inner: u8,
+    is_leaf: bool,
+}
+
+const SAME: u8 = 0;
+
+impl<const A: usize> Programme<A> {
+    pub(super) fn of(draft: &Draft, options: &WideOptions) -> Self {
+        let none = Forests { cost: [0.0; A], levels: [0; A], left: [SAME; A], inner: 1, is_leaf: true };
+        let mut forests = vec![none; draft.nodes.len()];
+        for (place, node) in draft.nodes.iter().enumerate().rev() {
+            let area = node.aabb.half_area();
+            let as_leaf = area * options.block_cost * node.count.div_ceil(4) as f32;
+            forests[place] = match node.children {
+                None => Forests { cost: [as_leaf; A], ..none },
+                Some(children) => {
+                    let [left, right] = children.map(|child| &forests[child as usize]);
+                    let as_leaf = if node.count <= options.max_leaf { as_leaf } else { f32::INFINITY };
+                    Forests::over(left, right, as_leaf, area * options.node_cost)
+                }
+            };
+        }
+        Self { forests }
+    }
+
+    /// Whether this becomes a leaf, where it is a root.
+    pub(super) fn is_leaf(&self, place: u32) -> bool {
+        self.forests[place as usize].is_leaf
+    }
+
+    /// How many levels of inner nodes there are from this one on, it included, where it is a root.
+    pub(super) fn levels(&self, place: u32) -> u32 {
+        self.forests[place as usize].levels[0].into()
+    }
+
+    /// The children of an inner node, from left to right.
+    pub(super) fn children(&self, draft: &Draft, place: u32) -> Vec<u32> {
+        let mut children = Vec::with_capacity(A);
+        let mut pending = Vec::with_capacity(A);
+        let divide = |pending: &mut Vec<(u32, usize)>, place: u32, left: u8, roots: usize| {
+            if let Some([l, r]) = draft.nodes[place as usize].children {
+                pending.extend([(r, roots - usize::from(left)), (l, usize::from(left))]);
+            }
+        };
+        divide(&mut pending, place, self.forests[place as usize].inner, A);
+        while let Some((place, mut roots)) = pending.pop() {
+            let forests = &self.forests[place as usize];
+            while roots > 1 && forests.left[roots - 1] == SAME {
+                roots -= 1;
+            }
+            if roots == 1 {
+                children.push(place);
+            } else {
+                divide(&mut pending, place, forests.left[roots - 1], roots);
+            }
+        }
+        children
+    }
+}
+
+impl<const A: usize> Forests<A> {
+    fn over(left: &Self, right: &Self, as_leaf: f32, as_node: f32) -> Self {
+        let mut made = Self { cost: [0.0; A], levels: [0; A], left: [SAME; A], inner: 1, is_leaf: false };
+        // Of at most i + 1 roots below both children, at least one below each.
+        let divided = |roots: usize| {
+            let mut best = (f32::INFINITY, 1);
+            for k in 1..roots {
+                let cost = left.cost[k - 1] + right.cost[roots - k - 1];
+                if cost < best.0 {
+                    best = (cost, k);
+                }
+            }
+            let (cost, k) = best;
+            (cost, k as u8, left.levels[k - 1].max(right.levels[roots - k - 1]))
+        };
+        let (below, inner, levels) = divided(A);
+        made.inner = inner;
+        // Where costs are infinite or NaN, the limit of leaves still holds.
+        made.is_leaf = as_leaf < f32::INFINITY && !(below + as_node < as_leaf);
+        made.cost[0] = if made.is_leaf { as_leaf } else { below + as_node };
+        made.levels[0] = if made.is_leaf { 0 } else { levels.saturating_add(1) };
+        for roots in 2..=A {
+            let (cost, k, levels) = divided(roots);
+            let fewer = roots - 2;
+            (made.cost[roots - 1], made.left[roots - 1], made.levels[roots - 1]) = if cost < made.cost[fewer] {
+                (cost, k, levels)
+            } else {
+                (made.cost[fewer], SAME, made.levels[fewer])
+            };
+        }
+        made
+    }
+}

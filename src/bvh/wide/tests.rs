@@ -1,0 +1,269 @@
+use super::*;
+use crate::bvh::{BuildOptions, Builder, Bvh, Degenerate, RefitError, SahOptions, SpatialOptions};
+use crate::generate::{procedural, stress};
+use crate::geom::Mesh;
+
+fn wide<const A: usize>(bvh: &Bvh) -> WideBvh<A> {
+    WideBvh::of(bvh).expect("small enough")
+}
+
+/// Both widths, sound; and how many nodes they have.
+fn sound(mesh: &Mesh, bvh: &Bvh) -> [usize; 2] {
+    let (eight, four) = (wide::<8>(bvh), wide::<4>(bvh));
+    assert_eq!((eight.validate(mesh), four.validate(mesh)), (Ok(()), Ok(())));
+    [eight.nodes.len(), four.nodes.len()]
+}
+
+fn triangles(corners: Vec<Vec3>) -> Mesh {
+    let count = corners.len() as u32 / 3;
+    Mesh::new(corners, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).expect("a mesh")
+}
+
+/// Each half as far from the origin as the next one: the builder by surface area splits off one after the other.
+fn chain(n: i32) -> Mesh {
+    let corner = |i: i32| Vec3::splat(2f32.powi(i));
+    triangles((0..n).flat_map(|i| [corner(i - 120), corner(i - 120) * 1.01, corner(i - 120) * Vec3::new(1.0, 1.01, 1.0)]).collect())
+}
+
+fn cut(n: u32) -> (Bvh, Mesh) {
+    crate::bvh::validate::tests::cut(n, 3)
+}
+
+#[test]
+fn records_fill_cache_lines() {
+    assert_eq!((size_of::<WideNode<8>>(), size_of::<WideNode<4>>(), size_of::<Block>()), (256, 128, 176));
+    assert_eq!((align_of::<WideNode<8>>(), align_of::<Block>()), (64, 16));
+}
+
+#[test]
+fn scenes_of_all_builders_are_sound() {
+    for mesh in [procedural::stadium(1), procedural::soup(2, 500), procedural::layers(60), procedural::strands(3, 700)] {
+        for (builder, reinsertion) in Builder::ALL.into_iter().map(|b| (b, 0)).chain([(Builder::Sah, 2)]) {
+            let bvh = BuildOptions { builder, reinsertion, ..BuildOptions::default() }.build(&mesh).expect("a tree");
+            let [eight, four] = sound(&mesh, &bvh);
+            assert!(eight < four && 4 * eight < bvh.nodes().len() + 4, "{builder:?} {eight} {four}");
+        }
+    }
+}
+
+#[test]
+fn stress_cases_are_sound() {
+    for case in stress::cases(0) {
+        sound(&case.mesh, &Bvh::build(&case.mesh).expect("a tree"));
+    }
+}
+
+#[test]
+fn the_smallest_ones_are_sound() {
+    let empty = WideBvh::<8>::empty();
+    assert_eq!((empty.nodes().len(), empty.blocks().len(), empty.levels(), empty.leaves(empty.root())), (1, 0, 0, 0));
+    assert_eq!(empty.keys().collect::<Vec<_>>(), [(1, empty.root())]);
+    for n in 1..40 {
+        let mesh = procedural::soup(n as u64, n);
+        for max_leaf in [1, 4, 8, 20] {
+            let bvh = Bvh::sah(&mesh, SahOptions { max_leaf, ..SahOptions::default() }).expect("a tree");
+            sound(&mesh, &bvh);
+        }
+    }
+    let mesh = procedural::soup(1, 1);
+    let one = wide::<8>(&Bvh::build(&mesh).expect("a tree"));
+    assert_eq!((one.nodes.len(), one.blocks.len(), one.nodes[0].leaves().count_ones()), (1, 1, 1));
+    // A triangle that nothing can hit: a tree has it all the same, and does without.
+    let line = triangles(vec![Vec3::ZERO, Vec3::X, 2.0 * Vec3::X]);
+    sound(&line, &Bvh::build(&line).expect("a tree"));
+    let none = WideBvh::<8> { triangles: 1, ..WideBvh::empty() };
+    assert_eq!((none.validate(&line), none.validate(&mesh)), (Ok(()), Err(WideBvhError::Missing(0))));
+}
+
+#[test]
+fn large_leaves_are_divided() {
+    // One binary leaf; then coincident triangles.
+    let mesh = procedural::soup(1, 1000);
+    let bvh = BuildOptions {
+        builder: Builder::Median,
+        sah: SahOptions { max_leaf: 1000, ..SahOptions::default() },
+        ..BuildOptions::default()
+    };
+    let bvh = bvh.build(&mesh).expect("a tree");
+    assert_eq!(bvh.leaves().len(), 1);
+    sound(&mesh, &bvh);
+    for wide in [wide::<8>(&bvh), WideBvh::with_options(&bvh, &WideOptions { max_leaf: 15, ..WideOptions::default() }).expect("small")] {
+        let most = wide.nodes.iter().flat_map(|node| node.children).filter(|&bits| Node::from_bits(bits).is_leaf());
+        assert!(most.map(|bits| leaf_parts(Node::from_bits(bits)).1).max().expect("a leaf") <= 15);
+    }
+    let same = triangles([Vec3::ZERO, Vec3::X, Vec3::Y].repeat(300));
+    sound(&same, &Bvh::build(&same).expect("a tree"));
+    // Where triangles are in parts.
+    let (mut bvh, mesh) = crate::bvh::validate::tests::cut(60, 40);
+    assert!(bvh.duplicates() > 0);
+    sound(&mesh, &bvh);
+    bvh.refit(&mesh).expect("the same mesh");
+    sound(&mesh, &bvh);
+}
+
+#[test]
+fn triangles_in_parts_are_covered() {
+    let (bvh, mesh) = cut(40);
+    assert!(bvh.duplicates() > 2);
+    sound(&mesh, &bvh);
+    let options = BuildOptions {
+        builder: Builder::Spatial,
+        spatial: SpatialOptions { extra_percent: 100, overlap: 0.0 },
+        reinsertion: 1,
+        degenerate: Degenerate::Kept,
+        ..BuildOptions::default()
+    };
+    let mesh = procedural::strands(2, 300);
+    sound(&mesh, &options.build(&mesh).expect("a tree"));
+}
+
+/// However deep the binary tree is, keys fit.
+#[test]
+fn depth_is_limited() {
+    let mesh = chain(240);
+    let deep = SahOptions { max_leaf: 1, depth_limit: 400, ..SahOptions::default() };
+    let bvh = Bvh::sah(&mesh, deep).expect("a tree");
+    assert!(bvh.tree().depth > 100, "{}", bvh.tree().depth);
+    sound(&mesh, &bvh);
+    let one = WideOptions { max_leaf: 1, ..WideOptions::default() };
+    let eight = WideBvh::<8>::with_options(&bvh, &one).expect("small enough");
+    let four = WideBvh::<4>::with_options(&bvh, &one).expect("small enough");
+    assert_eq!((eight.validate(&mesh), four.validate(&mesh)), (Ok(()), Ok(())));
+    // The programme alone would go deeper: seven leaves a node.
+    assert_eq!((eight.levels(), four.levels()), (20, 30));
+    for (key, node) in eight.keys() {
+        let level = (63 - key.leading_zeros()) / 3;
+        assert_eq!(eight.ancestor(node, level.max(1)), eight.root());
+    }
+}
+
+#[test]
+fn keys_and_ancestors_agree() {
+    let mesh = procedural::strands(5, 3000);
+    let bvh = Bvh::sah(&mesh, SahOptions { max_leaf: 1, ..SahOptions::default() }).expect("a tree");
+    agree(&wide::<8>(&bvh));
+    agree(&wide::<4>(&bvh));
+}
+
+fn agree<const A: usize>(wide: &WideBvh<A>) {
+    let by_key: std::collections::HashMap<_, _> = wide.keys().collect();
+    assert_eq!(by_key.len(), wide.nodes.len());
+    let bits = A.trailing_zeros();
+    for (key, node) in wide.keys() {
+        let level = (63 - key.leading_zeros()) / bits;
+        assert!(level <= wide.levels());
+        for up in 1..=level {
+            assert_eq!(wide.ancestor(node, up), by_key[&(key >> (bits * up))]);
+        }
+        if level > 0 {
+            assert_eq!(wide.child(wide.parent(node), key as u32 & (A as u32 - 1)), node);
+        }
+    }
+    assert!((0..=wide.levels()).all(|level| wide.keys().any(|(key, _)| (63 - key.leading_zeros()) / bits == level)));
+}
+
+#[test]
+fn options_are_checked() {
+    let bvh = Bvh::build(&procedural::soup(1, 20)).expect("a tree");
+    let refused = |options: WideOptions| WideBvh::<8>::with_options(&bvh, &options).expect_err("refused");
+    for max_leaf in [0, 16] {
+        assert_eq!(refused(WideOptions { max_leaf, ..WideOptions::default() }), WideError::LeafSize(max_leaf));
+    }
+    for cost in [-1.0, f32::INFINITY] {
+        assert_eq!(refused(WideOptions { node_cost: cost, ..WideOptions::default() }), WideError::Cost(cost));
+        assert_eq!(refused(WideOptions { block_cost: cost, ..WideOptions::default() }), WideError::Cost(cost));
+    }
+}
+
+/// The first leaf that a condition holds for: node and slot.
+fn leaf_where(wide: &WideBvh<8>, is_wanted: impl Fn(u32) -> bool) -> (usize, u32) {
+    let slots = (0..wide.nodes.len()).flat_map(|node| (0..8).map(move |slot| (node, slot)));
+    let is_wanted = |&(node, slot): &(usize, u32)| {
+        wide.nodes[node].child(slot).is_leaf() && is_wanted(leaf_parts(wide.nodes[node].child(slot)).1)
+    };
+    slots.into_iter().find(is_wanted).expect("a leaf")
+}
+
+#[test]
+fn mistakes_are_named() {
+    let mesh = procedural::strands(1, 400);
+    let good = wide::<8>(&Bvh::build(&mesh).expect("a tree"));
+    let broken = |change: &dyn Fn(&mut WideBvh<8>)| {
+        let mut wide = good.clone();
+        change(&mut wide);
+        wide.validate(&mesh).expect_err("a mistake")
+    };
+    let (node, slot) = leaf_where(&good, |count| count % 4 != 0 && count > 1);
+    let at = slot as usize;
+    let (first, count) = leaf_parts(good.nodes[node].child(slot));
+    let (block, last) = (first + (count as usize - 1) / 4, (count as usize - 1) % 4);
+    let prim = good.blocks[block].prims[last];
+    let inner = (0..8).find(|&slot| good.nodes[0].has_inner(slot)).expect("an inner node");
+    let child = good.nodes[0].child(inner).index();
+    let empty = (0..good.nodes.len()).flat_map(|node| (0..8).map(move |slot| (node, slot)));
+    let (empty, empty_slot) = empty.into_iter().find(|&(n, s)| !good.nodes[n].has_child(s)).expect("an empty slot");
+
+    use WideBvhError as E;
+    assert_eq!(broken(&|w| w.nodes.clear()), E::Size { nodes: 0, blocks: good.blocks.len() });
+    assert_eq!(broken(&|w| w.triangles += 1), E::Triangles { stored: 401, found: 400 });
+    assert_eq!(broken(&|w| w.levels += 1), E::Levels { stored: good.levels + 1, found: good.levels });
+    let moved = |w: &mut WideBvh<8>| w.nodes[0].children[inner as usize] = 0;
+    assert_eq!(broken(&|w| { moved(w); w.nodes[0].planes = good.nodes[0].planes; }), E::EmptySlot { node: 0, slot: inner });
+    assert_eq!(broken(&|w| { moved(w); w.nodes[0].set_child_box(inner, &Aabb::EMPTY); }), E::Unreached(child));
+    let other = good.nodes.len() as u32;
+    let error = E::Child { node: 0, slot: inner, child: Node::inner(other) };
+    assert_eq!(broken(&|w| w.nodes[0].children[inner as usize] = other), error);
+    assert_eq!(broken(&|w| w.nodes.push(WideNode::EMPTY)), E::Unreached(good.nodes.len()));
+    assert_eq!(broken(&|w| w.blocks.push(Block::EMPTY)), E::UnreachedBlock(good.blocks.len()));
+    let slot_of = (0..8).filter(|&s| good.nodes[empty].has_child(s)).min().expect("a child");
+    assert_eq!(broken(&|w| w.nodes[empty].set_child_box(empty_slot, &w.nodes[empty].child_box(slot_of))), E::EmptySlot { node: empty, slot: empty_slot });
+    for lo in [f32::NAN, f32::INFINITY] {
+        assert_eq!(broken(&|w| w.nodes[node].planes[1][0][at] = lo), E::NoBox { node, slot });
+    }
+    let grown = (0..8).find(|&s| good.nodes[child].has_child(s)).expect("a child");
+    assert_eq!(broken(&|w| w.nodes[child].planes[2][1][grown as usize] = 1e9), E::Nesting { node: child, slot: grown });
+    for lane in 0..8 {
+        assert_eq!(broken(&|w| w.nodes[child].ancestors[lane] ^= 1), E::Ancestors(child));
+        assert_eq!(broken(&|w| w.nodes[0].ancestors[lane] ^= 1), E::Ancestors(0));
+    }
+    assert_eq!(broken(&|w| w.nodes[child].ancestors[1] |= 1 << 24), E::Ancestors(child));
+    assert_eq!(broken(&|w| w.nodes[node].ancestors[0] ^= 1 << (24 + slot)), E::Leaves(node));
+    assert_eq!(broken(&|w| w.nodes[node].children[at] &= !(15 << 27)), E::EmptyLeaf { node, slot });
+    assert_eq!(broken(&|w| w.nodes[node].children[at] |= (1 << 27) - 1), E::Child { node, slot, child: Node::from_bits(good.nodes[node].children[at] | ((1 << 27) - 1)) });
+    assert_eq!(broken(&|w| w.blocks[block].prims[last] = 400), E::Triangle { node, slot, prim: 400 });
+    assert_eq!(broken(&|w| w.blocks[block].corners[2][1][last] += 1.0), E::Triangle { node, slot, prim });
+    assert_eq!(broken(&|w| w.blocks[block].edges[last] /= 2.0), E::Edge { node, slot, prim });
+    assert_eq!(broken(&|w| w.blocks[block].prims[last + 1] = 3), E::Padding { node, slot });
+    assert_eq!(broken(&|w| w.blocks[block].corners[0][0][last + 1] = 3.0), E::Padding { node, slot });
+    let again = good.blocks[first].prims[0];
+    let twice = |w: &mut WideBvh<8>| { let t = w.blocks[first].triangle(0); w.blocks[block].set(last, &t, again); };
+    assert_eq!(broken(&twice), E::Twice { node, slot, prim: again });
+    assert_eq!(broken(&|w| { let aabb = w.nodes[node].child_box(slot); w.nodes[node].set_child_box(slot, &Aabb { hi: aabb.lo, ..aabb }) }), E::Uncovered((0..count as usize).map(|i| good.blocks[first + i / 4].prims[i % 4]).min().expect("one")));
+    // One triangle fewer in its leaf.
+    let fewer = |w: &mut WideBvh<8>| {
+        w.nodes[node].children[at] -= 1 << 27;
+        (w.blocks[block].prims[last], w.blocks[block].edges[last]) = (Block::NONE, Block::EMPTY.edges[0]);
+        w.blocks[block].corners.as_flattened_mut().iter_mut().for_each(|row| row[last] = 0.0);
+        if last == 0 { w.blocks.remove(block); }
+    };
+    if last > 0 {
+        assert_eq!(broken(&fewer), E::Missing(prim));
+    }
+    assert_eq!(broken(&|w| w.region = Region::of(&Aabb { lo: Vec3::ZERO, hi: Vec3::ZERO })), E::Region);
+}
+
+#[test]
+fn moved_triangles_are_held_again() {
+    let (bvh, mesh) = cut(40);
+    let mut wide = wide::<8>(&bvh);
+    let turned = mesh.vertices().iter().map(|v| Vec3::new(v.y, -v.x, 3.0 * v.z)).collect();
+    let turned = Mesh::new(turned, mesh.triangles().to_vec()).expect("a mesh");
+    assert!(wide.validate(&turned).is_err());
+    assert_eq!((wide.refit(&turned), wide.validate(&turned)), (Ok(()), Ok(())));
+    let fewer = Mesh::new(mesh.vertices().to_vec(), mesh.triangles()[1..].to_vec()).expect("a mesh");
+    assert_eq!(wide.refit(&fewer), Err(RefitError::Count { found: 39, expected: 40 }));
+    let flat = triangles(vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::ZERO, Vec3::X, 2.0 * Vec3::X]);
+    let mut wide = super::tests::wide::<4>(&Bvh::build(&flat).expect("a tree"));
+    let raised = triangles(vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::ZERO, Vec3::X, Vec3::Z]);
+    assert_eq!((wide.refit(&raised), wide.validate(&flat)), (Err(RefitError::Revived(1)), Ok(())));
+}

@@ -1,0 +1,162 @@
+//! The slab test of all boxes of a node.
+
+use fearless_simd::{Select, Simd, SimdMask};
+use glam::Vec3;
+
+use super::Lanes;
+use crate::geom::slabs::directed::MAX_COORDINATE;
+use crate::geom::slabs::{STEPS, Slabs, Wide};
+use crate::geom::{Aabb, Ray, Region, Vector};
+
+/// A ray, prepared for `A` boxes at once: 4 or 8. `[LANES-1]`
+///
+/// The test is that of [`Directed`](crate::geom::slabs::Directed), with the near planes picked by the signs of the
+/// direction, so that nothing is sorted. Coordinates beyond 2^126 are tested in double precision, which is slow.
+#[derive(Clone, Copy, Debug)]
+pub struct BoxRay<S: Simd, V: Lanes<S, A>, const A: usize> {
+    simd: S,
+    origin: [V; 3],
+    /// Reciprocals for near planes, too small, and for far planes, too great.
+    near: [V; 3],
+    far: [V; 3],
+    /// Of each axis, which plane is the near one: 0 for lo, 1 for hi.
+    side: [usize; 3],
+    tmin: V,
+    /// The numbers of the lanes, as bits.
+    lanes: V,
+    is_wide: bool,
+    ray: Ray,
+}
+
+impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
+    /// The bits of a rank that are of the distance. The sign is not among them, so -0 is 0.
+    const DISTANCE: u32 = (1 << 31) - A as u32;
+
+    /// Prepares a ray. `region` must hold all boxes that it is asked about.
+    #[inline(always)]
+    pub fn new(simd: S, ray: &Ray, region: &Region) -> Self {
+        const { assert!(A == 4 || A == 8, "nodes have four or eight children") };
+        // Without -0, a component of 0 has the reciprocal +inf.
+        let direction = ray.direction() + Vec3::ZERO;
+        let (origin, inverse) = (ray.origin(), direction.recip());
+        let splat = |v: [f32; 3]| [V::splat(simd, v[0]), V::splat(simd, v[1]), V::splat(simd, v[2])];
+        let is_wide =
+            origin.abs().max_element() > MAX_COORDINATE || region.reach() > f64::from(MAX_COORDINATE);
+        Self {
+            simd,
+            origin: splat(origin.to_array()),
+            near: splat(inverse.to_array().map(toward_zero)),
+            far: splat(inverse.to_array().map(away_from_zero)),
+            side: direction.to_array().map(|d| usize::from(d < 0.0)),
+            tmin: V::splat(simd, ray.tmin()),
+            lanes: V::load_array(simd, lane_numbers()),
+            is_wide,
+            ray: *ray,
+        }
+    }
+
+    /// The ranks of all boxes, and the set of those that are met up to `end`, which must not be negative.
+    ///
+    /// `planes` has for each axis the lower planes of all boxes, then the upper ones; the box of an empty lane is from
+    /// plus to minus infinity. A rank is the distance at which the box is entered, rounded down to a multiple of `A`
+    /// units in the last place, with the number of the lane in the bits that this leaves free. `[LANES-2]`
+    ///
+    /// The ranks of boxes that are not met mean nothing. With another `end` ranks are the same; and a box that was met
+    /// up to some other end is met up to this one if its rank, with the lane cleared, is not above it.
+    #[inline(always)]
+    pub fn enter(&self, planes: &[[[f32; A]; 2]; 3], end: f32) -> (V, u32) {
+        if self.is_wide {
+            let (ranks, set) = enter_wide(&self.ray, planes, end);
+            return (V::load_array(self.simd, ranks), set);
+        }
+        let near = |axis: usize| self.distance(planes, axis, self.side[axis], &self.near);
+        let far = |axis: usize| self.distance(planes, axis, self.side[axis] ^ 1, &self.far);
+        // A near distance is never a NaN.
+        let enter = near(0).max(near(1)).max(near(2).max(self.tmin));
+        let leave = lesser(far(0), lesser(far(1), lesser(far(2), V::splat(self.simd, end))));
+        let bits = enter.min(V::splat(self.simd, f32::MAX)).to_bits() & Self::DISTANCE;
+        let set = V::from_bits(bits).simd_le(leave).to_bitmask() as u32;
+        (V::from_bits(bits | self.lanes.to_bits()), set)
+    }
+
+    /// Of a set that is not empty, the least rank.
+    #[inline(always)]
+    pub fn least(&self, ranks: V, set: u32) -> u32 {
+        // Ranks are not negative and below infinity, so they have the order of the floats that they are.
+        let mask = V::Mask::from_bitmask(self.simd, u64::from(set));
+        mask.select(ranks, V::splat(self.simd, f32::INFINITY)).reduce_min().to_bits()
+    }
+
+    /// The rank of a lane.
+    #[inline(always)]
+    pub fn rank(&self, ranks: &V, lane: u32) -> u32 {
+        let ranks: &[f32; A] = ranks.as_array();
+        ranks[lane as usize & (A - 1)].to_bits()
+    }
+
+    /// Whether a rank is beyond `end`, which must not be negative: its box is not met up to there. `[LANES-2]`
+    #[inline(always)]
+    pub fn is_beyond(rank: u32, end: f32) -> bool {
+        f32::from_bits(rank & Self::DISTANCE) > end
+    }
+
+    #[inline(always)]
+    fn distance(&self, planes: &[[[f32; A]; 2]; 3], axis: usize, side: usize, inverse: &[V; 3]) -> V {
+        (V::load_array_ref(self.simd, &planes[axis][side & 1]) - self.origin[axis]) * inverse[axis]
+    }
+}
+
+/// The lesser number in each lane; that of `b`, which is no NaN, if `a` is one.
+///
+/// On x86, the level's `min` is the instruction that gives `b` for any NaN; elsewhere `min` may give the NaN, and
+/// `min_precise` is one instruction.
+#[inline(always)]
+fn lesser<S: Simd, V: Lanes<S, A>, const A: usize>(a: V, b: V) -> V {
+    if cfg!(any(target_arch = "x86", target_arch = "x86_64")) { a.min(b) } else { a.min_precise(b) }
+}
+
+/// [`STEPS`] floats nearer to zero.
+#[inline(always)]
+fn toward_zero(x: f32) -> f32 {
+    // A reciprocal is more than so many floats away from zero.
+    f32::from_bits(x.to_bits() - STEPS)
+}
+
+/// [`STEPS`] floats farther from zero, and not beyond infinity.
+#[inline(always)]
+fn away_from_zero(x: f32) -> f32 {
+    let bits = x.to_bits();
+    let magnitude = (bits & 0x7fff_ffff) + STEPS;
+    f32::from_bits(magnitude.min(f32::INFINITY.to_bits()) | bits & 1 << 31)
+}
+
+const fn lane_numbers<const A: usize>() -> [f32; A] {
+    let mut lanes = [0.0; A];
+    let mut i = 0;
+    while i < A {
+        lanes[i] = f32::from_bits(i as u32);
+        i += 1;
+    }
+    lanes
+}
+
+/// The test in double precision, for rays that are so rare that it prepares them anew each time. `[BOX-6]`
+#[cold]
+#[inline(never)]
+fn enter_wide<const A: usize>(ray: &Ray, planes: &[[[f32; A]; 2]; 3], end: f32) -> ([f32; A], u32) {
+    let wide = Wide::of(ray.origin().widen(), ray.direction().widen(), ray.tmin().into());
+    let mut set = 0;
+    let ranks = std::array::from_fn(|lane| {
+        let at = |side: usize| Vec3::from_array([0, 1, 2].map(|axis: usize| planes[axis][side][lane]));
+        let aabb = Aabb { lo: at(0), hi: at(1) };
+        let met = wide.pair(&aabb.planes_twice(), f64::INFINITY);
+        // A hit's distance is rounded to single precision, perhaps to below where its box is entered. Rounding keeps
+        // the order, so entries are rounded before they are compared with it.
+        let near = (met.near[0] as f32).min(f32::MAX).to_bits() & !(A as u32 - 1) & !(1 << 31);
+        // This test has planes sorted, so it meets empty boxes.
+        let is_box = aabb.lo.cmple(aabb.hi).all();
+        set |= u32::from(is_box && met.hit[0] && f32::from_bits(near) <= end) << lane;
+        f32::from_bits(near | lane as u32)
+    });
+    (ranks, set)
+}

@@ -1,0 +1,134 @@
+//! Leaves: the filter of four triangles, then the exact test of what it leaves.
+
+use fearless_simd::Simd;
+
+use super::{Block, TriangleRay};
+use crate::geom::kernel::Exact;
+use crate::geom::{Kernel, Ray, Region};
+
+/// The nearest hit so far: the least distance, and of hits with that distance the least index. `[EXACT-1]`
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest {
+    /// Its distance; the end of the ray if there is no hit.
+    pub t: f32,
+    /// Its triangle; [`Block::NONE`] if there is no hit.
+    pub prim: u32,
+}
+
+impl Nearest {
+    /// Before anything is hit. An end of -0 becomes 0.
+    #[inline(always)]
+    pub fn none(ray: &Ray) -> Self {
+        Self { t: ray.tmax() + 0.0, prim: Block::NONE }
+    }
+
+    /// Whether there is a hit.
+    #[inline(always)]
+    pub fn is_some(&self) -> bool {
+        self.prim != Block::NONE
+    }
+}
+
+/// The exact test, prepared when the first triangle comes that the filter does not reject: a ray that misses
+/// everything does not pay for it.
+#[derive(Clone, Debug)]
+pub struct LazyExact<'a> {
+    ray: &'a Ray,
+    region: &'a Region,
+    exact: Option<Exact>,
+}
+
+impl<'a> LazyExact<'a> {
+    /// For this ray. `region` must hold all triangles that it is asked about.
+    #[inline(always)]
+    pub const fn new(ray: &'a Ray, region: &'a Region) -> Self {
+        Self { ray, region, exact: None }
+    }
+
+    /// The test.
+    #[inline(always)]
+    pub fn get(&mut self) -> &Exact {
+        let (ray, region) = (self.ray, self.region);
+        self.exact.get_or_insert_with(#[inline(always)] || Exact::new(ray, region))
+    }
+
+    /// Takes the first `count` triangles of these blocks into account; whether one of them is the nearest now.
+    ///
+    /// ```
+    /// use fearless_simd::{Level, Simd, dispatch};
+    /// use glam::Vec3;
+    /// use stackless_bvh::geom::lanes::{Block, LazyExact, Nearest, TriangleRay};
+    /// use stackless_bvh::geom::{Ray, Region, Triangle};
+    ///
+    /// let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
+    /// let mut block = Block::EMPTY;
+    /// block.set(0, &triangle, 7);
+    /// let (ray, region) = (Ray::new(Vec3::new(0.25, 0.25, -3.0), Vec3::Z)?, Region::of(&triangle.aabb()));
+    ///
+    /// #[inline(always)]
+    /// fn nearest<S: Simd>(simd: S, ray: &Ray, region: &Region, block: Block) -> Nearest {
+    ///     let (filter, mut nearest) = (TriangleRay::new(simd, ray, region), Nearest::none(ray));
+    ///     LazyExact::new(ray, region).nearest(simd, &filter, &[block], 1, &mut nearest);
+    ///     nearest
+    /// }
+    /// let found = dispatch!(Level::new(), simd => nearest(simd, &ray, &region, block));
+    /// assert_eq!(found, Nearest { t: 3.0, prim: 7 });
+    /// # Ok::<(), stackless_bvh::geom::RayError>(())
+    /// ```
+    #[inline(always)]
+    pub fn nearest<S: Simd>(
+        &mut self,
+        simd: S,
+        filter: &TriangleRay<S>,
+        blocks: &[Block],
+        count: u32,
+        nearest: &mut Nearest,
+    ) -> bool {
+        let (mut found, mut left) = (false, count);
+        for block in blocks {
+            let mut lanes = filter.survivors(simd, block, nearest.t) & first(left);
+            left = left.saturating_sub(4);
+            while lanes != 0 {
+                let lane = lanes.trailing_zeros() as usize & 3;
+                lanes &= lanes - 1;
+                let Some(t) = self.get().distance(&block.triangle(lane), nearest.t) else { continue };
+                let prim = block.prims[lane];
+                if t < nearest.t || t == nearest.t && prim < nearest.prim {
+                    *nearest = Nearest { t, prim };
+                    found = true;
+                }
+            }
+        }
+        found
+    }
+
+    /// A triangle, among the first `count` of these blocks, that the ray meets within its interval.
+    #[inline(always)]
+    pub fn any<S: Simd>(
+        &mut self,
+        simd: S,
+        filter: &TriangleRay<S>,
+        blocks: &[Block],
+        count: u32,
+    ) -> Option<u32> {
+        let mut left = count;
+        for block in blocks {
+            let mut lanes = filter.survivors(simd, block, self.ray.tmax()) & first(left);
+            left = left.saturating_sub(4);
+            while lanes != 0 {
+                let lane = lanes.trailing_zeros() as usize & 3;
+                lanes &= lanes - 1;
+                if self.get().blocks(&block.triangle(lane)) {
+                    return Some(block.prims[lane]);
+                }
+            }
+        }
+        None
+    }
+}
+
+/// The first lanes of a block, as a set.
+#[inline(always)]
+fn first(count: u32) -> u32 {
+    (1 << count.min(4)) - 1
+}

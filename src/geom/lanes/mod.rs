@@ -1,0 +1,48 @@
+//! A ray against four or eight boxes at once, and against four triangles at once.
+//!
+//! Wide hierarchies ([`bvh::wide`](crate::bvh::wide)) are traced by these. Instructions are those of
+//! [`fearless_simd`]; the level is chosen by the caller. All functions are inlined always, so that they are compiled
+//! for the level of whoever calls them. The box test gives the same bits on all levels; the filter of triangles rejects
+//! the same ones. Derivations: spec/wide-lanes.md, `[LANES-1]` to `[LANES-4]`.
+//!
+//! ```
+//! use fearless_simd::{Level, Simd, dispatch, f32x8};
+//! use glam::Vec3;
+//! use stackless_bvh::geom::lanes::BoxRay;
+//! use stackless_bvh::geom::{Aabb, Ray, Region};
+//!
+//! #[inline(always)]
+//! fn met<S: Simd>(simd: S, planes: &[[[f32; 8]; 2]; 3], ray: &Ray, region: &Region) -> u32 {
+//!     let (_, set) = BoxRay::<S, f32x8<S>, 8>::new(simd, ray, region).enter(planes, ray.tmax());
+//!     set
+//! }
+//!
+//! // Lane i from i to i + 1 on the axis x, and from -1 to 1 on the others.
+//! let row = |offset: f32| std::array::from_fn(|i| i as f32 + offset);
+//! let planes = [[row(0.0), row(1.0)], [[-1.0; 8], [1.0; 8]], [[-1.0; 8], [1.0; 8]]];
+//! let region = Region::of(&Aabb { lo: Vec3::splat(-1.0), hi: Vec3::splat(8.0) });
+//! let ray = Ray::new(Vec3::new(2.5, 0.0, 0.0), Vec3::NEG_X)?;
+//! let set = dispatch!(Level::new(), simd => met(simd, &planes, &ray, &region));
+//! assert_eq!(set, 0b0000_0111);
+//! # Ok::<(), stackless_bvh::geom::RayError>(())
+//! ```
+
+mod block;
+mod boxes;
+mod leaf;
+mod triangles;
+
+pub use block::Block;
+pub use boxes::BoxRay;
+pub use leaf::{LazyExact, Nearest};
+pub use triangles::{DETERMINANT, DISTANCE, MIN_EDGE, TriangleRay};
+
+use fearless_simd::{Simd, SimdFloat};
+
+/// A vector of `A` floats: `f32x4` or `f32x8`.
+pub trait Lanes<S: Simd, const A: usize>: SimdFloat<S, Element = f32, Array = [f32; A]> {}
+
+impl<S: Simd, const A: usize, V: SimdFloat<S, Element = f32, Array = [f32; A]>> Lanes<S, A> for V {}
+
+#[cfg(test)]
+mod tests;

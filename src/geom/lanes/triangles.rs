@@ -1,0 +1,124 @@
+//! The filter of four triangles: which are certainly missed, and which certainly beyond the best hit.
+
+use std::array;
+
+use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x4};
+
+use super::Block;
+use crate::geom::kernel::{EDGE, MAX_COORDINATE};
+use crate::geom::{Ray, Region};
+
+/// Edges, and distances from the origin, count at least this much, 2^-40, in the error bounds, so that these cover all
+/// errors of underflow too. `[LANES-3]`
+pub const MIN_EDGE: f32 = f32::from_bits((127 - 40) << 23);
+
+/// What the determinant may be off by: times u D E E. So that the bound covers the roundings of the comparison too,
+/// this is more than the kernel's. `[LANES-4]`
+pub const DETERMINANT: u32 = 40;
+
+/// What the distance times the determinant may be off by: times u C E E, likewise. `[LANES-4]`
+pub const DISTANCE: u32 = 44;
+
+/// Lengths of a direction (its greatest component) for which single precision is asked: 2^-20 to 2^20.
+const LENGTHS: [f32; 2] = [f32::from_bits((127 - 20) << 23), f32::from_bits((127 + 20) << 23)];
+
+/// Half of the distance from 1 to the next float.
+const UNIT: f32 = f32::EPSILON / 2.0;
+
+/// A ray, prepared for four triangles at once in single precision.
+///
+/// It only rejects. What it does not reject is for the exact test; see [`LazyExact`](super::LazyExact).
+#[derive(Clone, Copy, Debug)]
+pub struct TriangleRay<S: Simd> {
+    origin: [f32x4<S>; 3],
+    direction: [f32x4<S>; 3],
+    /// Bound of an edge function's error, over E (2 C + E). This and the next two are infinite where single precision
+    /// is not asked.
+    edge: f32x4<S>,
+    /// Bound of the determinant's error, over E E.
+    det: f32x4<S>,
+    /// Bound of the error of the distance times the determinant, over E E.
+    t: f32x4<S>,
+    /// 2 C: C is the greatest component of the way from a corner to the origin, for all triangles of the scene.
+    twice_c: f32x4<S>,
+}
+
+impl<S: Simd> TriangleRay<S> {
+    /// Prepares a ray. `region` must hold all triangles that it is asked about.
+    #[inline(always)]
+    pub fn new(simd: S, ray: &Ray, region: &Region) -> Self {
+        Self::with_constants(simd, ray, region, [EDGE, DETERMINANT, DISTANCE].map(|constant| constant as f32))
+    }
+
+    /// The same with other constants than [`EDGE`], [`DETERMINANT`] and [`DISTANCE`]; for tests of these.
+    #[inline(always)]
+    pub(super) fn with_constants(simd: S, ray: &Ray, region: &Region, [edge, det, t]: [f32; 3]) -> Self {
+        let (origin, direction) = (ray.origin(), ray.direction());
+        let (far, d) = (origin.abs().max_element(), direction.abs().max_element());
+        let reach = upward(region.reach());
+        // Rounding keeps the order, so this is not below any rounded component.
+        let c = (far + reach).max(MIN_EDGE);
+        let is_usual = LENGTHS[0] <= d && d <= LENGTHS[1] && far <= MAX_COORDINATE && reach <= MAX_COORDINATE;
+        let splat = |x: f32| f32x4::splat(simd, x);
+        let bound = |constant: f32, size: f32| splat(if is_usual { constant * UNIT * size } else { f32::INFINITY });
+        Self {
+            origin: origin.to_array().map(splat),
+            direction: direction.to_array().map(splat),
+            edge: bound(edge, d),
+            det: bound(det, d),
+            t: bound(t, c),
+            twice_c: splat(2.0 * c),
+        }
+    }
+
+    /// The lanes that may hold a hit at `best` or before, which is not negative: all but those that are certainly missed
+    /// `[LANES-3]` and those that are certainly beyond `[LANES-4]`. Lanes without a triangle are among them.
+    #[inline(always)]
+    pub fn survivors(&self, simd: S, block: &Block, best: f32) -> u32 {
+        let [v0, v1, v2] = [0, 1, 2].map(#[inline(always)] |corner: usize| load(simd, &block.corners[corner]));
+        let (e1, e2, s) = (minus(&v1, &v0), minus(&v2, &v0), minus(&self.origin, &v0));
+        let (p, q) = (cross(&self.direction, &e2), cross(&s, &e1));
+        let (det, u, v, t) = (dot(&e1, &p), dot(&s, &p), dot(&self.direction, &q), dot(&e2, &q));
+        let w = (det - u) - v;
+        let edge = f32x4::load_array_ref(simd, &block.edges);
+
+        let delta = (self.edge * edge) * (self.twice_c + edge);
+        let is_missed = u.min(v).min(w).simd_lt(-delta) & u.max(v).max(w).simd_gt(delta);
+
+        let square = edge * edge;
+        let ahead = f32x4::from_bits(t.to_bits() ^ (det.to_bits() & (1 << 31)));
+        let is_beyond = (ahead - self.t * square).simd_gt((det.abs() + self.det * square) * best);
+        // Comparisons with NaN are false, and with the infinite bounds of rays that are not usual too.
+        !((is_missed | is_beyond).to_bitmask() as u32) & 15
+    }
+}
+
+type Vector<S> = [f32x4<S>; 3];
+
+#[inline(always)]
+fn load<S: Simd>(simd: S, rows: &[[f32; 4]; 3]) -> Vector<S> {
+    array::from_fn(#[inline(always)] |axis| f32x4::load_array_ref(simd, &rows[axis]))
+}
+
+#[inline(always)]
+fn minus<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// Without fused multiply-adds, so that all levels find the same.
+#[inline(always)]
+fn cross<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+#[inline(always)]
+fn dot<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> f32x4<S> {
+    (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]
+}
+
+/// Rounded up.
+#[inline(always)]
+fn upward(x: f64) -> f32 {
+    let rounded = x as f32;
+    if f64::from(rounded) < x { rounded.next_up() } else { rounded }
+}
