@@ -41,6 +41,7 @@ mod query;
 mod search;
 mod tracer;
 pub mod truth;
+mod wide;
 
 pub use accuracy::{Accuracy, KernelName, SlabsName, WithTests, with_level, with_tests};
 #[cfg(any(test, feature = "generate"))]
@@ -60,6 +61,7 @@ pub use query::{BoxQuery, OwnBoxes, Query};
 pub use search::{Any, Any64, AnyByNode, Closest, Closest64, ClosestByNode, NodeSearch, Search};
 pub use tracer::Tracer;
 pub use truth::{TrueHit, Truth};
+pub use wide::WideTracer;
 
 /// Where a ray meets a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]

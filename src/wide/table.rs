@@ -136,7 +136,19 @@ traversals! {
     }
 }
 
+/// The fastest that needs no memory but its state.
+impl Default for Method {
+    fn default() -> Self {
+        Self::Recorded
+    }
+}
+
 impl Method {
+    /// Whether it asks for the [hash](Tables::hash).
+    pub const fn needs_hash(self) -> bool {
+        matches!(self, Self::Hashed)
+    }
+
     /// Runs a search to its end, with memory of its own.
     ///
     /// # Errors

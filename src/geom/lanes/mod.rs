@@ -37,6 +37,8 @@ pub use boxes::BoxRay;
 pub use leaf::{LazyExact, Nearest};
 pub use triangles::{DETERMINANT, DISTANCE, MIN_EDGE, TriangleRay};
 
+/// A level of instructions: `Level::new()` is the best of this machine.
+pub use fearless_simd::Level;
 use fearless_simd::{Simd, SimdFloat};
 
 /// A vector of `A` floats: `f32x4` or `f32x8`.

@@ -1,0 +1,190 @@
+//! Rays through wide hierarchies: eight boxes and four triangles at once.
+
+mod search;
+mod turns;
+
+use std::borrow::Borrow;
+use std::fmt;
+
+use super::Hit;
+use crate::bvh::WideBvh;
+use crate::geom::Ray;
+use crate::geom::lanes::Level;
+use crate::threads;
+use crate::wide::{Method, Tables, Unfit};
+use turns::{Ask, Job, trace};
+
+/// Answers queries over a hierarchy of eight children, exactly: the same answers, bit for bit, as
+/// [`Tracer`](super::Tracer)'s. `[DET-1]`
+///
+/// `T` is `WideBvh`, `&WideBvh`, `Arc<WideBvh>`, or whatever else borrows as one. Each query is there for one ray, for
+/// a slice on this thread (`_each`), and for a slice on all threads (`_parallel`). Of several rays two are traced in
+/// turns, so that one computes while the other waits for memory.
+///
+/// ```
+/// use glam::Vec3;
+/// use stackless_bvh::bvh::{Bvh, WideBvh};
+/// use stackless_bvh::{geom::Mesh, geom::Ray, trace::WideTracer};
+///
+/// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
+/// let tracer = WideTracer::new(WideBvh::of(&Bvh::build(&mesh)?)?);
+/// let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z)?;
+/// let hit = tracer.closest(&ray).ok_or("a miss")?;
+/// assert_eq!((hit.prim, hit.t, hit.u, hit.v), (0, 3.0, 0.25, 0.5));
+/// assert_eq!(tracer.any_each(&[ray, ray]), [true, true]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct WideTracer<T = WideBvh> {
+    bvh: T,
+    method: Method,
+    tables: Tables,
+    level: Level,
+}
+
+/// Rays that a thread takes at once.
+const CHUNK: usize = 256;
+
+impl<T: Borrow<WideBvh>> WideTracer<T> {
+    /// A tracer by [`Method::default`], which fits any hierarchy, with the best instructions of this machine.
+    pub fn new(bvh: T) -> Self {
+        Self { bvh, method: Method::default(), tables: Tables::NONE, level: Level::new() }
+    }
+
+    /// A tracer by any traversal.
+    ///
+    /// # Errors
+    /// [`Unfit`] where the hierarchy has too many levels for it.
+    pub fn with_method(bvh: T, method: Method) -> Result<Self, Unfit> {
+        let tables = if method.needs_hash() { Tables::new(bvh.borrow()) } else { Tables::NONE };
+        let tracer = Self { bvh, method, tables, level: Level::new() };
+        // What is unfit is found before the first ray.
+        tracer.run(&[], Ask::Distance, &mut |_, _| ()).map(|()| tracer)
+    }
+
+    /// The same with the instructions of another level. The answers are the same.
+    #[must_use]
+    pub fn with_level(self, level: Level) -> Self {
+        Self { level, ..self }
+    }
+
+    /// The hierarchy.
+    pub fn bvh(&self) -> &WideBvh {
+        self.bvh.borrow()
+    }
+
+    /// The traversal.
+    pub const fn method(&self) -> Method {
+        self.method
+    }
+
+    /// The instructions.
+    pub const fn level(&self) -> Level {
+        self.level
+    }
+
+    /// Memory of its tables, in bytes, besides the hierarchy.
+    pub fn bytes(&self) -> usize {
+        self.tables.bytes()
+    }
+
+    /// The closest hit: the least distance, and of equal ones the least index. `[EXACT-1]`
+    pub fn closest(&self, ray: &Ray) -> Option<Hit> {
+        self.one(ray, Ask::Closest)
+    }
+
+    /// [`closest`](Self::closest) of each ray, on this thread.
+    pub fn closest_each(&self, rays: &[Ray]) -> Vec<Option<Hit>> {
+        self.each(rays, Ask::Closest, |hit| hit)
+    }
+
+    /// [`closest`](Self::closest) of each ray, on all threads.
+    pub fn closest_parallel(&self, rays: &[Ray]) -> Vec<Option<Hit>>
+    where
+        T: Sync,
+    {
+        self.parallel(rays, Ask::Closest, |hit| hit)
+    }
+
+    /// Triangle and distance of the [`closest`](Self::closest) hit, without its weights.
+    pub fn closest_distance(&self, ray: &Ray) -> Option<(u32, f32)> {
+        self.one(ray, Ask::Distance).map(distance)
+    }
+
+    /// [`closest_distance`](Self::closest_distance) of each ray, on this thread, into `found`: of as many as both have.
+    pub fn closest_distances(&self, rays: &[Ray], found: &mut [Option<(u32, f32)>]) {
+        let count = rays.len().min(found.len());
+        self.run_fit(&rays[..count], Ask::Distance, &mut |i, hit: Option<Hit>| found[i] = hit.map(distance));
+    }
+
+    /// Whether there is any hit.
+    pub fn any(&self, ray: &Ray) -> bool {
+        self.one(ray, Ask::Any).is_some()
+    }
+
+    /// [`any`](Self::any) of each ray, on this thread.
+    pub fn any_each(&self, rays: &[Ray]) -> Vec<bool> {
+        self.each(rays, Ask::Any, |hit| hit.is_some())
+    }
+
+    /// [`any`](Self::any) of each ray, on all threads.
+    pub fn any_parallel(&self, rays: &[Ray]) -> Vec<bool>
+    where
+        T: Sync,
+    {
+        self.parallel(rays, Ask::Any, |hit| hit.is_some())
+    }
+
+    /// Any hit, whole: the first that is met, which depends on hierarchy and traversal.
+    pub fn any_hit(&self, ray: &Ray) -> Option<Hit> {
+        self.one(ray, Ask::AnyHit)
+    }
+
+    fn one(&self, ray: &Ray, ask: Ask) -> Option<Hit> {
+        let mut answer = None;
+        self.run_fit(std::slice::from_ref(ray), ask, &mut |_, hit| answer = hit);
+        answer
+    }
+
+    fn each<A: Clone + Default>(&self, rays: &[Ray], ask: Ask, answer: impl Fn(Option<Hit>) -> A) -> Vec<A> {
+        let mut answers = vec![A::default(); rays.len()];
+        self.run_fit(rays, ask, &mut |i, hit| answers[i] = answer(hit));
+        answers
+    }
+
+    fn parallel<A: Clone + Default + Send>(
+        &self,
+        rays: &[Ray],
+        ask: Ask,
+        answer: impl Fn(Option<Hit>) -> A + Sync + Send,
+    ) -> Vec<A>
+    where
+        T: Sync,
+    {
+        let chunk = |i: usize| &rays[i * CHUNK..rays.len().min((i + 1) * CHUNK)];
+        threads::map(0..rays.len().div_ceil(CHUNK), 1, |i| self.each(chunk(i), ask, &answer)).concat()
+    }
+
+    /// Whether the traversal fits was found when the tracer was made.
+    fn run_fit(&self, rays: &[Ray], ask: Ask, answer: &mut dyn FnMut(usize, Option<Hit>)) {
+        let ran = self.run(rays, ask, answer);
+        debug_assert_eq!(ran, Ok(()));
+    }
+
+    fn run(&self, rays: &[Ray], ask: Ask, answer: &mut dyn FnMut(usize, Option<Hit>)) -> Result<(), Unfit> {
+        trace(self.level, self.method, Job { bvh: self.bvh(), tables: &self.tables, rays, ask, answer })
+    }
+}
+
+const fn distance(hit: Hit) -> (u32, f32) {
+    (hit.prim, hit.t)
+}
+
+impl<T> fmt::Debug for WideTracer<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { method, level, .. } = self;
+        f.debug_struct("WideTracer").field("method", method).field("level", level).finish_non_exhaustive()
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,158 @@
+//! Closest hit and any hit in a wide hierarchy.
+
+use fearless_simd::{Select, Simd, SimdMask};
+
+use crate::bvh::WideBvh;
+use crate::geom::lanes::{BoxRay, Lanes, LazyExact, Nearest, TriangleRay};
+use crate::geom::{Kernel, Ray};
+use crate::order::Flow;
+use super::turns::Ask;
+use crate::trace::Hit;
+use crate::tree::Node;
+use crate::wide::{Ranks, Search, Topology, Wanted};
+
+impl<const A: usize> Topology<A> for WideBvh<A> {
+    #[inline(always)]
+    fn root(&self) -> Node {
+        self.root()
+    }
+
+    #[inline(always)]
+    fn children(&self, node: Node) -> u32 {
+        let node = &self.nodes()[node.index()];
+        (0..A as u32).fold(0, |set, slot| set | u32::from(node.has_child(slot)) << slot)
+    }
+
+    #[inline(always)]
+    fn leaves(&self, node: Node) -> u32 {
+        self.leaves(node)
+    }
+
+    #[inline(always)]
+    fn child(&self, node: Node, slot: u32) -> Node {
+        self.child(node, slot)
+    }
+
+    #[inline(always)]
+    fn levels(&self) -> u32 {
+        self.levels()
+    }
+
+    #[inline(always)]
+    fn parent(&self, node: Node) -> Node {
+        self.parent(node)
+    }
+
+    #[inline(always)]
+    fn ancestor(&self, node: Node, up: u32) -> Node {
+        self.nodes()[node.index()].ancestor(up)
+    }
+}
+
+/// A ray on its way through a wide hierarchy, exact. With `ANY`, the first hit ends it.
+#[derive(Clone, Debug)]
+pub(super) struct WideSearch<'a, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> {
+    simd: S,
+    bvh: &'a WideBvh<A>,
+    boxes: BoxRay<S, V, A>,
+    filter: TriangleRay<S>,
+    exact: LazyExact<'a>,
+    best: Nearest,
+    /// Where the best hit is.
+    leaf: Node,
+}
+
+impl<'a, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> WideSearch<'a, S, V, A, ANY> {
+    #[inline(always)]
+    pub(super) fn new(simd: S, bvh: &'a WideBvh<A>, ray: &'a Ray) -> Self {
+        let region = bvh.region();
+        Self {
+            simd,
+            bvh,
+            boxes: BoxRay::new(simd, ray, region),
+            filter: TriangleRay::new(simd, ray, region),
+            exact: LazyExact::new(ray, region),
+            best: Nearest::none(ray),
+            leaf: bvh.root(),
+        }
+    }
+
+    /// After the traversal: what was asked for.
+    #[inline(always)]
+    pub(super) fn answer(&mut self, ask: Ask) -> Option<Hit> {
+        let Nearest { prim, t } = self.best;
+        match ask {
+            _ if !self.best.is_some() => None,
+            Ask::Distance | Ask::Any => Some(Hit { prim, t, u: 0.0, v: 0.0 }),
+            Ask::Closest | Ask::AnyHit => self.whole(),
+        }
+    }
+
+    /// The hit with its weights.
+    #[inline(never)]
+    fn whole(&mut self) -> Option<Hit> {
+        let Nearest { prim, t } = self.best;
+        let (blocks, _) = self.bvh.leaf(self.leaf);
+        let shape = blocks.iter().find_map(|block| {
+            let lane = block.prims.iter().position(|&held| held == prim)?;
+            Some(block.triangle(lane))
+        })?;
+        let exact = self.exact.get();
+        let t = if ANY { exact.distance(&shape, f32::INFINITY)? } else { t };
+        let [u, v] = exact.weights(&shape);
+        Some(Hit { prim, t, u, v })
+    }
+}
+
+impl<'a, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for WideSearch<'a, S, V, A, ANY> {
+    const SORTED: bool = !ANY;
+    type Ranks = LaneRanks<S, V, A>;
+
+    #[inline(always)]
+    fn ask(&mut self, node: Node) -> Wanted<Self::Ranks> {
+        let node = &self.bvh.nodes()[node.index()];
+        let (ranks, set) = self.boxes.enter(&node.planes, self.best.t);
+        Wanted { set, ranks: LaneRanks { simd: self.simd, ranks } }
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, leaf: Node) -> Flow {
+        let (blocks, count) = self.bvh.leaf(leaf);
+        if ANY {
+            let Some(prim) = self.exact.any(self.simd, &self.filter, blocks, count) else { return Flow::Continue };
+            (self.best.prim, self.leaf) = (prim, leaf);
+            return Flow::Stop;
+        }
+        if self.exact.nearest(self.simd, &self.filter, blocks, count, &mut self.best) {
+            self.leaf = leaf;
+        }
+        Flow::Continue
+    }
+
+    #[inline(always)]
+    fn end(&self) -> u32 {
+        self.best.t.to_bits()
+    }
+}
+
+/// The ranks of a node's boxes. `[LANES-2]`
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LaneRanks<S, V, const A: usize> {
+    simd: S,
+    ranks: V,
+}
+
+impl<S: Simd, V: Lanes<S, A>, const A: usize> Ranks for LaneRanks<S, V, A> {
+    #[inline(always)]
+    fn rank(self, slot: u32) -> u32 {
+        let ranks: &[f32; A] = self.ranks.as_array();
+        ranks[slot as usize & (A - 1)].to_bits()
+    }
+
+    #[inline(always)]
+    fn least(self, set: u32) -> u32 {
+        // Ranks are not negative and below infinity, so they have the order of the floats that they are.
+        let mask = V::Mask::from_bitmask(self.simd, u64::from(set));
+        mask.select(self.ranks, V::splat(self.simd, f32::INFINITY)).reduce_min().to_bits()
+    }
+}
