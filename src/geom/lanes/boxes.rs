@@ -160,3 +160,6 @@ fn enter_wide<const A: usize>(ray: &Ray, planes: &[[[f32; A]; 2]; 3], end: f32) 
     });
     (ranks, set)
 }
+
+#[cfg(test)]
+mod tests;

@@ -122,3 +122,6 @@ fn upward(x: f64) -> f32 {
     let rounded = x as f32;
     if f64::from(rounded) < x { rounded.next_up() } else { rounded }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,147 @@
+use fearless_simd::{Level, dispatch};
+use glam::Vec3;
+
+use super::*;
+use crate::generate::draw::Draw;
+use crate::generate::stress;
+use crate::geom::kernel::Exact;
+use crate::geom::lanes::tests::levels;
+use crate::geom::{Aabb, Kernel, Triangle, truth};
+
+const CONSTANTS: [f32; 3] = [EDGE as f32, DETERMINANT as f32, DISTANCE as f32];
+
+fn block_of(triangles: &[Triangle; 4]) -> Block {
+    let mut block = Block::EMPTY;
+    for (lane, triangle) in triangles.iter().enumerate() {
+        block.set(lane, triangle, lane as u32);
+    }
+    block
+}
+
+#[inline(always)]
+fn survivors<S: Simd>(simd: S, ray: &Ray, region: &Region, block: &Block, best: f32, constants: [f32; 3]) -> u32 {
+    TriangleRay::with_constants(simd, ray, region, constants).survivors(simd, block, best)
+}
+
+fn survive(level: Level, ray: &Ray, region: &Region, block: &Block, best: f32, constants: [f32; 3]) -> u32 {
+    dispatch!(level, simd => survivors(simd, ray, region, block, best, constants))
+}
+
+/// What happened to triangles that were asked about.
+#[derive(Debug, Default)]
+struct Counts {
+    rejected: u32,
+    left: u32,
+    wrong: u32,
+}
+
+/// All levels reject the same; none that is hit, in exact arithmetic, at `best` or before, for these constants.
+fn check(ray: &Ray, region: &Region, triangles: &[Triangle; 4], best: f32, constants: [f32; 3], counts: &mut Counts) {
+    let block = block_of(triangles);
+    let mut sets = levels().into_iter().map(|level| survive(level, ray, region, &block, best, constants));
+    let left = sets.next().expect("a level");
+    assert!(sets.all(|set| set == left), "{ray:?} {triangles:?} {best}");
+    let exact = Exact::new(ray, region);
+    for (lane, triangle) in triangles.iter().enumerate() {
+        if left >> lane & 1 == 1 {
+            counts.left += 1;
+            continue;
+        }
+        counts.rejected += 1;
+        counts.wrong += u32::from(exact.distance(triangle, f32::INFINITY).is_some_and(|t| t <= best));
+        if counts.rejected % 32 == 0 && constants == CONSTANTS {
+            let corners = triangle.0.map(|corner| corner.to_array());
+            let meeting = truth::meet(corners, ray.origin().to_array(), ray.direction().to_array());
+            let hit = meeting.within([ray.tmin(), ray.tmax()]);
+            assert!(hit.is_none_or(|hit| truth::round_f32(&hit.t) > best), "{ray:?} {triangle:?} {best}");
+        }
+    }
+}
+
+/// Triangles of all stress cases, for ends at their hits and next to them; the scene is that of the four triangles alone
+/// or of the case.
+fn all_cases(constants: [f32; 3]) -> Counts {
+    let mut counts = Counts::default();
+    for case in stress::cases(24) {
+        let n = case.mesh.triangles().len();
+        let whole = Region::of(&Aabb::of(case.mesh.vertices()));
+        for (i, ray) in case.rays.iter().enumerate() {
+            let triangles = [0, 1, 7, 31].map(|k| Triangle(case.mesh.triangle((i + k) % n)));
+            let own = Region::of(&triangles.iter().fold(Aabb::EMPTY, |aabb, t| aabb.union(t.aabb())));
+            let exact = Exact::new(ray, &whole);
+            let hits = triangles.iter().filter_map(|triangle| exact.distance(triangle, f32::INFINITY));
+            let ends = hits.flat_map(|t| [t.next_down().max(0.0), t, t.next_up()]).chain([ray.tmax()]);
+            for (best, region) in ends.flat_map(|best| [(best, own), (best, whole)]) {
+                check(ray, &region, &triangles, best, constants, &mut counts);
+            }
+        }
+    }
+    counts
+}
+
+#[test]
+fn no_hit_is_rejected() {
+    let counts = all_cases(CONSTANTS);
+    println!("{counts:?}");
+    assert!(counts.wrong == 0 && counts.rejected > counts.left / 2, "{counts:?}");
+}
+
+/// Each of the constants is needed.
+#[test]
+fn without_a_bound_hits_are_rejected() {
+    let [edge, det, t] = CONSTANTS;
+    for constants in [[0.0, det, t], [edge, 0.0, 0.0]] {
+        let counts = all_cases(constants);
+        println!("{constants:?} {counts:?}");
+        assert!(counts.wrong > 0, "{constants:?} {counts:?}");
+    }
+}
+
+/// The part of the bound of `[LANES-4]` that the errors of a hit take, whose best distance is its own.
+fn share(ray: &Ray, triangle: &Triangle) -> Option<f64> {
+    let region = Region::of(&triangle.aabb());
+    let best = Exact::new(ray, &region).distance(triangle, f32::INFINITY)?;
+    let ([v0, v1, v2], o, d) = (triangle.0, ray.origin(), ray.direction());
+    let (e1, e2, s) = (v1 - v0, v2 - v0, o - v0);
+    let cross = |a: Vec3, b: Vec3| Vec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+    let dot = |a: Vec3, b: Vec3| (a.x * b.x + a.y * b.y) + a.z * b.z;
+    let (det, t) = (dot(e1, cross(d, e2)), dot(e2, cross(s, e1)));
+    let excess = f64::from(t * det.signum()) - f64::from(det.abs()) * f64::from(best);
+    let [c, e] = [s.abs().max_element(), e1.abs().max(e2.abs()).max_element()].map(f64::from);
+    let unit = f64::from(UNIT) * e * e;
+    let bound = f64::from(DISTANCE) * c + f64::from(best) * f64::from(DETERMINANT) * f64::from(d.abs().max_element());
+    Some(excess / (unit * bound))
+}
+
+/// A hill climb for [`HARD`]: cargo test --lib lanes::triangles::tests::climb -- --ignored --nocapture
+#[test]
+#[ignore = "a search, not a test"]
+fn climb() {
+    let mut best_of_all = 0.0;
+    for seed in 0..400 {
+        let mut draw = Draw::new(seed);
+        let mut corner = |scale: f32| Vec3::from([(); 3].map(|()| draw.sign() * scale));
+        let (e1, e2, d) = (corner(1.0), corner(1.0), corner(1.0));
+        let mut at = [d, -d, Vec3::ZERO, e1, e2];
+        let ray_of = |at: &[Vec3; 5]| Ray::new(at[1], at[0]).ok();
+        let judge = |at: &[Vec3; 5]| share(&ray_of(at)?, &Triangle([at[2], at[3], at[4]]));
+        let mut worst = judge(&at).unwrap_or(-1.0);
+        for step in 0..30_000 {
+            let mut next = at;
+            for _ in 0..=draw.below(3) {
+                let (row, axis) = (draw.below(5), draw.below(3));
+                let size = 2f32.powi(-(draw.below(if step < 5000 { 12 } else { 26 }) as i32));
+                next[row][axis] += draw.centred().x * size;
+            }
+            if let Some(found) = judge(&next)
+                && found > worst
+            {
+                (worst, at) = (found, next);
+            }
+        }
+        if worst > best_of_all {
+            best_of_all = worst;
+            println!("{seed} {worst} {:x?}", at.map(|v| v.to_array().map(f32::to_bits)));
+        }
+    }
+}
