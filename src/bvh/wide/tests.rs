@@ -39,6 +39,7 @@ fn chain(mesh: &Mesh) -> Bvh {
         bvh.tree.nodes.push(node);
     }
     bvh.tree.nodes.reverse();
+    bvh.dropped = 0;
     (bvh.tree.root, bvh.tree.depth, bvh.tree.axes) = (Node::inner(0), n - 1, vec![0; n as usize - 1]);
     bvh
 }
