@@ -118,19 +118,21 @@ fn share(ray: &Ray, triangle: &Triangle) -> Option<f64> {
 #[ignore = "a search, not a test"]
 fn climb() {
     let mut best_of_all = 0.0;
-    for seed in 0..400 {
+    for seed in 0..4000 {
         let mut draw = Draw::new(seed);
-        let mut corner = |scale: f32| Vec3::from([(); 3].map(|()| draw.sign() * scale));
-        let (e1, e2, d) = (corner(1.0), corner(1.0), corner(1.0));
-        let mut at = [d, -d, Vec3::ZERO, e1, e2];
+        let mut corner = || Vec3::from([(); 3].map(|()| draw.sign()));
+        let (e1, e2, d) = (corner(), corner(), corner());
+        // The origin is near a corner, an edge or the middle.
+        let w = [[0.0, 1.0], [1.0, 0.0], [0.5, 0.5], [0.25, 0.5]][draw.below(4)];
+        let mut at = [d, e1 * w[0] + e2 * w[1] - d * 2f32.powi(-(draw.below(12) as i32)), Vec3::ZERO, e1, e2];
         let ray_of = |at: &[Vec3; 5]| Ray::new(at[1], at[0]).ok();
         let judge = |at: &[Vec3; 5]| share(&ray_of(at)?, &Triangle([at[2], at[3], at[4]]));
         let mut worst = judge(&at).unwrap_or(-1.0);
-        for step in 0..30_000 {
+        for step in 0..12_000 {
             let mut next = at;
             for _ in 0..=draw.below(3) {
                 let (row, axis) = (draw.below(5), draw.below(3));
-                let size = 2f32.powi(-(draw.below(if step < 5000 { 12 } else { 26 }) as i32));
+                let size = 2f32.powi(-(draw.below(if step < 3000 { 12 } else { 26 }) as i32));
                 next[row][axis] += draw.centred().x * size;
             }
             if let Some(found) = judge(&next)
