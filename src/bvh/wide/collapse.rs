@@ -184,7 +184,8 @@ impl<const A: usize> Collapse<'_, A> {
         let leaves = match source {
             Source::Leaves(leaves) => leaves,
             Source::Node(place) => {
-                let node = |place: u32| Child { aabb: self.draft.nodes[place as usize].aabb, source: Source::Node(place) };
+                let node =
+                    |place: u32| Child { aabb: self.draft.nodes[place as usize].aabb, source: Source::Node(place) };
                 if self.is_leaf(place) {
                     // Of the root only.
                     return vec![node(place)];

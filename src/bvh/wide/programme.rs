@@ -105,11 +105,8 @@ impl<const A: usize> Forests<A> {
         for roots in 2..=A {
             let (cost, k, levels) = divided(roots);
             let fewer = roots - 2;
-            (made.cost[roots - 1], made.left[roots - 1], made.levels[roots - 1]) = if cost < made.cost[fewer] {
-                (cost, k, levels)
-            } else {
-                (made.cost[fewer], SAME, made.levels[fewer])
-            };
+            (made.cost[roots - 1], made.left[roots - 1], made.levels[roots - 1]) =
+                if cost < made.cost[fewer] { (cost, k, levels) } else { (made.cost[fewer], SAME, made.levels[fewer]) };
         }
         made
     }

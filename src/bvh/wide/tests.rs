@@ -56,7 +56,8 @@ fn records_fill_cache_lines() {
 
 #[test]
 fn scenes_of_all_builders_are_sound() {
-    for mesh in [procedural::stadium(1), procedural::soup(2, 500), procedural::layers(60), procedural::strands(3, 700)] {
+    for mesh in [procedural::stadium(1), procedural::soup(2, 500), procedural::layers(60), procedural::strands(3, 700)]
+    {
         for (builder, reinsertion) in Builder::ALL.into_iter().map(|b| (b, 0)).chain([(Builder::Sah, 2)]) {
             let bvh = BuildOptions { builder, reinsertion, ..BuildOptions::default() }.build(&mesh).expect("a tree");
             let [eight, four] = sound(&mesh, &bvh);
@@ -106,7 +107,10 @@ fn large_leaves_are_divided() {
     let bvh = bvh.build(&mesh).expect("a tree");
     assert_eq!(bvh.leaves().len(), 1);
     sound(&mesh, &bvh);
-    for wide in [wide::<8>(&bvh), WideBvh::with_options(&bvh, &WideOptions { max_leaf: 15, ..WideOptions::default() }).expect("small")] {
+    for wide in [
+        wide::<8>(&bvh),
+        WideBvh::with_options(&bvh, &WideOptions { max_leaf: 15, ..WideOptions::default() }).expect("small"),
+    ] {
         let most = wide.nodes.iter().flat_map(|node| node.children).filter(|&bits| Node::from_bits(bits).is_leaf());
         assert!(most.map(|bits| leaf_parts(Node::from_bits(bits)).1).max().expect("a leaf") <= 15);
     }
@@ -232,8 +236,20 @@ fn mistakes_are_named() {
     assert_eq!(broken(&|w| w.triangles += 1), E::Triangles { stored: 401, found: 400 });
     assert_eq!(broken(&|w| w.levels += 1), E::Levels { stored: good.levels + 1, found: good.levels });
     let moved = |w: &mut WideBvh<8>| w.nodes[0].children[inner as usize] = 0;
-    assert_eq!(broken(&|w| { moved(w); w.nodes[0].planes = good.nodes[0].planes; }), E::EmptySlot { node: 0, slot: inner });
-    assert_eq!(broken(&|w| { moved(w); w.nodes[0].set_child_box(inner, &Aabb::EMPTY); }), E::Unreached(child));
+    assert_eq!(
+        broken(&|w| {
+            moved(w);
+            w.nodes[0].planes = good.nodes[0].planes;
+        }),
+        E::EmptySlot { node: 0, slot: inner }
+    );
+    assert_eq!(
+        broken(&|w| {
+            moved(w);
+            w.nodes[0].set_child_box(inner, &Aabb::EMPTY);
+        }),
+        E::Unreached(child)
+    );
     let other = good.nodes.len() as u32;
     let error = E::Child { node: 0, slot: inner, child: Node::inner(other) };
     assert_eq!(broken(&|w| w.nodes[0].children[inner as usize] = other), error);
@@ -241,7 +257,10 @@ fn mistakes_are_named() {
     assert_eq!(broken(&|w| w.blocks.push(Block::EMPTY)), E::UnreachedBlock(good.blocks.len()));
     let slot_of = (0..8).filter(|&s| good.nodes[empty].has_child(s)).min().expect("a child");
     let aabb = good.nodes[empty].child_box(slot_of);
-    assert_eq!(broken(&|w| w.nodes[empty].set_child_box(empty_slot, &aabb)), E::EmptySlot { node: empty, slot: empty_slot });
+    assert_eq!(
+        broken(&|w| w.nodes[empty].set_child_box(empty_slot, &aabb)),
+        E::EmptySlot { node: empty, slot: empty_slot }
+    );
     for lo in [f32::NAN, f32::INFINITY] {
         assert_eq!(broken(&|w| w.nodes[node].planes[1][0][at] = lo), E::NoBox { node, slot });
     }
@@ -254,22 +273,36 @@ fn mistakes_are_named() {
     assert_eq!(broken(&|w| w.nodes[child].ancestors[1] |= 1 << 24), E::Ancestors(child));
     assert_eq!(broken(&|w| w.nodes[node].ancestors[0] ^= 1 << (24 + slot)), E::Leaves(node));
     assert_eq!(broken(&|w| w.nodes[node].children[at] &= !(15 << 27)), E::EmptyLeaf { node, slot });
-    assert_eq!(broken(&|w| w.nodes[node].children[at] |= (1 << 27) - 1), E::Child { node, slot, child: Node::from_bits(good.nodes[node].children[at] | ((1 << 27) - 1)) });
+    assert_eq!(
+        broken(&|w| w.nodes[node].children[at] |= (1 << 27) - 1),
+        E::Child { node, slot, child: Node::from_bits(good.nodes[node].children[at] | ((1 << 27) - 1)) }
+    );
     assert_eq!(broken(&|w| w.blocks[block].prims[last] = 400), E::Triangle { node, slot, prim: 400 });
     assert_eq!(broken(&|w| w.blocks[block].corners[2][1][last] += 1.0), E::Triangle { node, slot, prim });
     assert_eq!(broken(&|w| w.blocks[block].edges[last] /= 2.0), E::Edge { node, slot, prim });
     assert_eq!(broken(&|w| w.blocks[block].prims[last + 1] = 3), E::Padding { node, slot });
     assert_eq!(broken(&|w| w.blocks[block].corners[0][0][last + 1] = 3.0), E::Padding { node, slot });
     let again = good.blocks[first].prims[0];
-    let twice = |w: &mut WideBvh<8>| { let t = w.blocks[first].triangle(0); w.blocks[block].set(last, &t, again); };
+    let twice = |w: &mut WideBvh<8>| {
+        let t = w.blocks[first].triangle(0);
+        w.blocks[block].set(last, &t, again);
+    };
     assert_eq!(broken(&twice), E::Twice { node, slot, prim: again });
-    assert_eq!(broken(&|w| { let aabb = w.nodes[node].child_box(slot); w.nodes[node].set_child_box(slot, &Aabb { hi: aabb.lo, ..aabb }) }), E::Uncovered((0..count as usize).map(|i| good.blocks[first + i / 4].prims[i % 4]).min().expect("one")));
+    assert_eq!(
+        broken(&|w| {
+            let aabb = w.nodes[node].child_box(slot);
+            w.nodes[node].set_child_box(slot, &Aabb { hi: aabb.lo, ..aabb })
+        }),
+        E::Uncovered((0..count as usize).map(|i| good.blocks[first + i / 4].prims[i % 4]).min().expect("one"))
+    );
     // One triangle fewer in its leaf.
     let fewer = |w: &mut WideBvh<8>| {
         w.nodes[node].children[at] -= 1 << 27;
         (w.blocks[block].prims[last], w.blocks[block].edges[last]) = (Block::NONE, Block::EMPTY.edges[0]);
         w.blocks[block].corners.as_flattened_mut().iter_mut().for_each(|row| row[last] = 0.0);
-        if last == 0 { w.blocks.remove(block); }
+        if last == 0 {
+            w.blocks.remove(block);
+        }
     };
     if last > 0 {
         assert_eq!(broken(&fewer), E::Missing(prim));

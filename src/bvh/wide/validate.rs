@@ -178,8 +178,7 @@ impl<const A: usize> WideBvh<A> {
             check_left_out(mesh, next..prim)?;
             next = prim + 1;
             let triangle = Triangle(mesh.triangle(prim as usize));
-            let boxes: Vec<_> =
-                held.iter().map(|&(_, node, slot)| self.nodes[node as usize].child_box(slot)).collect();
+            let boxes: Vec<_> = held.iter().map(|&(_, node, slot)| self.nodes[node as usize].child_box(slot)).collect();
             if !boxes.iter().any(|aabb| aabb.encloses(&triangle.aabb())) && !cover::hold(&boxes, &triangle) {
                 return Err(WideBvhError::Uncovered(prim));
             }

@@ -39,13 +39,15 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
         // Without -0, a component of 0 has the reciprocal +inf.
         let direction = ray.direction() + Vec3::ZERO;
         let (origin, inverse) = (ray.origin(), direction.recip());
-        let is_wide =
-            origin.abs().max_element() > MAX_COORDINATE || region.reach() > f64::from(MAX_COORDINATE);
+        let is_wide = origin.abs().max_element() > MAX_COORDINATE || region.reach() > f64::from(MAX_COORDINATE);
         Self {
             simd,
             origin: splat(simd, origin),
             near: splat(simd, Vec3::new(toward_zero(inverse.x), toward_zero(inverse.y), toward_zero(inverse.z))),
-            far: splat(simd, Vec3::new(away_from_zero(inverse.x), away_from_zero(inverse.y), away_from_zero(inverse.z))),
+            far: splat(
+                simd,
+                Vec3::new(away_from_zero(inverse.x), away_from_zero(inverse.y), away_from_zero(inverse.z)),
+            ),
             side: [usize::from(direction.x < 0.0), usize::from(direction.y < 0.0), usize::from(direction.z < 0.0)],
             tmin: V::splat(simd, ray.tmin()),
             lanes: V::load_array(simd, lane_numbers()),

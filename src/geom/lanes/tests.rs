@@ -43,17 +43,24 @@ fn leaves_have_the_nearest_hit() {
         let region = Region::of(&Aabb::of(case.mesh.vertices()));
         for (i, ray) in case.rays.iter().enumerate() {
             let count = 1 + i % 12;
-            let held: Vec<_> = (0..count).map(|k| (i + k * k) % n).map(|at| (Triangle(case.mesh.triangle(at)), at as u32)).collect();
+            let held: Vec<_> =
+                (0..count).map(|k| (i + k * k) % n).map(|at| (Triangle(case.mesh.triangle(at)), at as u32)).collect();
             let mut blocks = vec![Block::EMPTY; count.div_ceil(4)];
             for (k, (triangle, prim)) in held.iter().enumerate() {
                 blocks[k / 4].set(k % 4, triangle, *prim);
             }
             let exact = Exact::new(ray, &region);
-            let hits = held.iter().filter_map(|(triangle, prim)| Some((exact.distance(triangle, f32::INFINITY)?, *prim)));
+            let hits =
+                held.iter().filter_map(|(triangle, prim)| Some((exact.distance(triangle, f32::INFINITY)?, *prim)));
             let least = hits.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             for level in levels() {
                 let (nearest, any) = dispatch!(level, simd => ask(simd, ray, &region, &blocks, count as u32));
-                assert_eq!(nearest.is_some().then_some((nearest.t, nearest.prim)), least, "{} {i} {level:?}", case.name);
+                assert_eq!(
+                    nearest.is_some().then_some((nearest.t, nearest.prim)),
+                    least,
+                    "{} {i} {level:?}",
+                    case.name
+                );
                 assert_eq!(any.is_some(), least.is_some(), "{} {i} {level:?}", case.name);
             }
         }

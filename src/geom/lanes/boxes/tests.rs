@@ -23,7 +23,8 @@ fn by_definition<const A: usize>(ray: &Ray, boxes: &[Aabb; A], end: f32) -> ([u3
             let i = d.abs().recip();
             let (down, up) = (i.next_down().next_down(), i.next_up().next_up());
             let (lo, hi) = (boxes[lane].lo[axis], boxes[lane].hi[axis]);
-            let (first, last) = if d < 0.0 { ((hi - o) * -down, (lo - o) * -up) } else { ((lo - o) * down, (hi - o) * up) };
+            let (first, last) =
+                if d < 0.0 { ((hi - o) * -down, (lo - o) * -up) } else { ((lo - o) * down, (hi - o) * up) };
             near = near.max(first);
             far = if last < far { last } else { far };
         }
@@ -35,7 +36,13 @@ fn by_definition<const A: usize>(ray: &Ray, boxes: &[Aabb; A], end: f32) -> ([u3
 }
 
 #[inline(always)]
-fn enter<S: Simd, V: Lanes<S, A>, const A: usize>(simd: S, ray: &Ray, region: &Region, boxes: &[Aabb; A], end: f32) -> ([u32; A], u32) {
+fn enter<S: Simd, V: Lanes<S, A>, const A: usize>(
+    simd: S,
+    ray: &Ray,
+    region: &Region,
+    boxes: &[Aabb; A],
+    end: f32,
+) -> ([u32; A], u32) {
     let prepared = BoxRay::<S, V, A>::new(simd, ray, region);
     let (ranks, set) = prepared.enter(&planes(boxes), end);
     let all: [u32; A] = std::array::from_fn(|lane| prepared.rank(&ranks, lane as u32));
@@ -68,7 +75,13 @@ fn entered<const A: usize>(ray: &Ray, region: &Region, boxes: &[Aabb; A], end: f
 }
 
 fn region_of(boxes: &[Aabb]) -> Region {
-    Region::of(&boxes.iter().copied().filter(|aabb| *aabb != Aabb::EMPTY).fold(Aabb { lo: Vec3::ZERO, hi: Vec3::ZERO }, Aabb::union))
+    Region::of(
+        &boxes
+            .iter()
+            .copied()
+            .filter(|aabb| *aabb != Aabb::EMPTY)
+            .fold(Aabb { lo: Vec3::ZERO, hi: Vec3::ZERO }, Aabb::union),
+    )
 }
 
 /// What must hold of every question.
