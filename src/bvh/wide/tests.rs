@@ -1,3 +1,4 @@
+use super::WideBvhError as E;
 use super::*;
 use crate::bvh::{
     BuildOptions, Builder, Bvh, BvhNode, Degenerate, Leaf, LeafTriangle, RefitError, SahOptions, SpatialOptions,
@@ -160,7 +161,7 @@ fn depth_is_limited() {
     }
     let (_, _, eight) = of(500);
     for (key, node) in eight.keys() {
-        let level = (63 - key.leading_zeros()) / 3;
+        let level = key.ilog2() / 3;
         assert_eq!(eight.ancestor(node, level.max(1)), eight.root());
     }
 }
@@ -178,7 +179,7 @@ fn agree<const A: usize>(wide: &WideBvh<A>) {
     assert_eq!(by_key.len(), wide.nodes.len());
     let bits = A.trailing_zeros();
     for (key, node) in wide.keys() {
-        let level = (63 - key.leading_zeros()) / bits;
+        let level = key.ilog2() / bits;
         assert!(level <= wide.levels());
         for up in 1..=level {
             assert_eq!(wide.ancestor(node, up), by_key[&(key >> (bits * up))]);
@@ -187,7 +188,7 @@ fn agree<const A: usize>(wide: &WideBvh<A>) {
             assert_eq!(wide.child(wide.parent(node), key as u32 & (A as u32 - 1)), node);
         }
     }
-    assert!((0..=wide.levels()).all(|level| wide.keys().any(|(key, _)| (63 - key.leading_zeros()) / bits == level)));
+    assert!((0..=wide.levels()).all(|level| wide.keys().any(|(key, _)| key.ilog2() / bits == level)));
 }
 
 #[test]
@@ -231,7 +232,6 @@ fn mistakes_are_named() {
     let empty = (0..good.nodes.len()).flat_map(|node| (0..8).map(move |slot| (node, slot)));
     let (empty, empty_slot) = empty.into_iter().find(|&(n, s)| !good.nodes[n].has_child(s)).expect("an empty slot");
 
-    use WideBvhError as E;
     assert_eq!(broken(&|w| w.nodes.clear()), E::Size { nodes: 0, blocks: good.blocks.len() });
     assert_eq!(broken(&|w| w.triangles += 1), E::Triangles { stored: 401, found: 400 });
     assert_eq!(broken(&|w| w.levels += 1), E::Levels { stored: good.levels + 1, found: good.levels });
@@ -291,7 +291,7 @@ fn mistakes_are_named() {
     assert_eq!(
         broken(&|w| {
             let aabb = w.nodes[node].child_box(slot);
-            w.nodes[node].set_child_box(slot, &Aabb { hi: aabb.lo, ..aabb })
+            w.nodes[node].set_child_box(slot, &Aabb { hi: aabb.lo, ..aabb });
         }),
         E::Uncovered((0..count as usize).map(|i| good.blocks[first + i / 4].prims[i % 4]).min().expect("one"))
     );

@@ -57,7 +57,7 @@ impl<S: Simd> TriangleRay<S> {
         let reach = upward(region.reach());
         // Rounding keeps the order, so this is not below any rounded component.
         let c = (far + reach).max(MIN_EDGE);
-        let is_usual = LENGTHS[0] <= d && d <= LENGTHS[1] && far <= MAX_COORDINATE && reach <= MAX_COORDINATE;
+        let is_usual = (LENGTHS[0]..=LENGTHS[1]).contains(&d) && far <= MAX_COORDINATE && reach <= MAX_COORDINATE;
         let unit = if is_usual { UNIT } else { f32::INFINITY };
         Self {
             origin: splat(simd, origin),
@@ -69,8 +69,8 @@ impl<S: Simd> TriangleRay<S> {
         }
     }
 
-    /// The lanes that may hold a hit at `best` or before, which is not negative: all but those that are certainly missed
-    /// `[LANES-3]` and those that are certainly beyond `[LANES-4]`. Lanes without a triangle are among them.
+    /// The lanes that may hold a hit at `best` or before, which is not negative: all but those that are certainly
+    /// missed `[LANES-3]` and those that are certainly beyond `[LANES-4]`. Lanes without a triangle are among them.
     #[inline(always)]
     pub fn survivors(&self, simd: S, block: &Block, best: f32) -> u32 {
         let [v0, v1, v2] = &block.corners;

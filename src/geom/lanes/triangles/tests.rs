@@ -49,7 +49,7 @@ fn check(ray: &Ray, region: &Region, triangles: &[Triangle; 4], best: f32, const
         }
         counts.rejected += 1;
         counts.wrong += u32::from(exact.distance(triangle, f32::INFINITY).is_some_and(|t| t <= best));
-        if counts.rejected % 32 == 0 && constants == CONSTANTS {
+        if counts.rejected.is_multiple_of(32) && constants == CONSTANTS {
             let corners = triangle.0.map(|corner| corner.to_array());
             let meeting = truth::meet(corners, ray.origin().to_array(), ray.direction().to_array());
             let hit = meeting.within([ray.tmin(), ray.tmax()]);
@@ -58,8 +58,8 @@ fn check(ray: &Ray, region: &Region, triangles: &[Triangle; 4], best: f32, const
     }
 }
 
-/// Triangles of all stress cases, for ends at their hits and next to them; the scene is that of the four triangles alone
-/// or of the case.
+/// Triangles of all stress cases, for ends at their hits and next to them; the scene is that of the four triangles
+/// alone or of the case.
 fn all_cases(constants: [f32; 3]) -> Counts {
     let mut counts = Counts::default();
     for case in stress::cases(24) {
@@ -136,7 +136,7 @@ fn share(ray: &Ray, triangle: &Triangle) -> Option<f64> {
     Some(excess / (unit * bound))
 }
 
-/// A hill climb for [`HARD`]: cargo test --lib lanes::triangles::tests::climb -- --ignored --nocapture
+/// A hill climb for [`HARD`]: `cargo test --lib lanes::triangles::tests::climb -- --ignored --nocapture`.
 #[test]
 #[ignore = "a search, not a test"]
 fn climb() {
