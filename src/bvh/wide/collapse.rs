@@ -184,7 +184,8 @@ impl<const A: usize> Collapse<'_, A> {
         let leaves = match source {
             Source::Leaves(leaves) => leaves,
             Source::Node(place) => {
-                let node = |place: u32| Child { aabb: self.draft.nodes[place as usize].aabb, source: Source::Node(place) };
+                let node =
+                    |place: u32| Child { aabb: self.draft.nodes[place as usize].aabb, source: Source::Node(place) };
                 if self.is_leaf(place) {
                     // Of the root only.
                     return vec![node(place)];
@@ -209,8 +210,8 @@ impl<const A: usize> Collapse<'_, A> {
         leaves.chunks(part).map(group).collect()
     }
 
-    /// The level of the deepest inner node below this one if this is made anew, as flat as can be; bounded from above by
-    /// the number of triangles.
+    /// The level of the deepest inner node below this one if this is made anew, as flat as can be; bounded from above
+    /// by the number of triangles.
     fn flattest(&self, place: u32) -> u32 {
         let (mut held, mut levels) = (A as u64, 0);
         while held < u64::from(self.draft.nodes[place as usize].count) {

@@ -1,8 +1,9 @@
 //! Hierarchies of four or eight children, for tests of many boxes at once.
 //!
-//! A [`WideBvh`] is made of a [`Bvh`](super::Bvh) by collapsing: a node takes over grandchildren and further descendants until its slots
-//! are full. Which ones is decided by the dynamic programme of Ylitie, Karras & Laine 2017, "Efficient incoherent ray
-//! traversal on GPUs through compressed wide BVHs", section 4. What a traversal needs of the tree: spec/wide.md.
+//! A [`WideBvh`] is made of a [`Bvh`](super::Bvh) by collapsing: a node takes over grandchildren and further
+//! descendants until its slots are full. Which ones is decided by the dynamic programme of Ylitie, Karras & Laine 2017,
+//! "Efficient incoherent ray traversal on GPUs through compressed wide BVHs", section 4. What a traversal needs of the
+//! tree: spec/wide.md.
 //!
 //! ```
 //! use stackless_bvh::bvh::{Bvh, WideBvh};

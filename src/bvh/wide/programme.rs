@@ -98,18 +98,15 @@ impl<const A: usize> Forests<A> {
         };
         let (below, inner, levels) = divided(A);
         made.inner = inner;
-        // Where costs are infinite or NaN, the limit of leaves still holds.
-        made.is_leaf = as_leaf < f32::INFINITY && !(below + as_node < as_leaf);
+        // What is too large for a leaf costs infinitely much as one; what is huge may do so as a node too.
+        made.is_leaf = as_leaf < f32::INFINITY && as_leaf <= below + as_node;
         made.cost[0] = if made.is_leaf { as_leaf } else { below + as_node };
         made.levels[0] = if made.is_leaf { 0 } else { levels.saturating_add(1) };
         for roots in 2..=A {
             let (cost, k, levels) = divided(roots);
             let fewer = roots - 2;
-            (made.cost[roots - 1], made.left[roots - 1], made.levels[roots - 1]) = if cost < made.cost[fewer] {
-                (cost, k, levels)
-            } else {
-                (made.cost[fewer], SAME, made.levels[fewer])
-            };
+            (made.cost[roots - 1], made.left[roots - 1], made.levels[roots - 1]) =
+                if cost < made.cost[fewer] { (cost, k, levels) } else { (made.cost[fewer], SAME, made.levels[fewer]) };
         }
         made
     }

@@ -7,8 +7,8 @@ use crate::geom::{Aabb, Mesh, Region, Triangle};
 impl<const A: usize> WideBvh<A> {
     /// Takes on a mesh of as many triangles, and the smallest boxes that hold them, in the same tree.
     ///
-    /// Where spatial splits cut triangles in two, each of their leaves now holds them whole. Queries stay right, and get
-    /// slower the more the triangles move relative to each other.
+    /// Where spatial splits cut triangles in two, each of their leaves now holds them whole. Queries stay right, and
+    /// get slower the more the triangles move relative to each other.
     ///
     /// ```
     /// use stackless_bvh::{bvh::{Bvh, WideBvh}, generate::procedural, geom::Mesh};

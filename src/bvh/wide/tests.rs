@@ -1,7 +1,10 @@
+use super::WideBvhError as E;
 use super::*;
-use crate::bvh::{BuildOptions, Builder, Bvh, Degenerate, RefitError, SahOptions, SpatialOptions};
+use crate::bvh::{
+    BuildOptions, Builder, Bvh, BvhNode, Degenerate, Leaf, LeafTriangle, RefitError, SahOptions, SpatialOptions,
+};
 use crate::generate::{procedural, stress};
-use crate::geom::Mesh;
+use crate::geom::{Mesh, Triangle};
 
 fn wide<const A: usize>(bvh: &Bvh) -> WideBvh<A> {
     WideBvh::of(bvh).expect("small enough")
@@ -19,10 +22,27 @@ fn triangles(corners: Vec<Vec3>) -> Mesh {
     Mesh::new(corners, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).expect("a mesh")
 }
 
-/// Each half as far from the origin as the next one: the builder by surface area splits off one after the other.
-fn chain(n: i32) -> Mesh {
-    let corner = |i: i32| Vec3::splat(2f32.powi(i));
-    triangles((0..n).flat_map(|i| [corner(i - 120), corner(i - 120) * 1.01, corner(i - 120) * Vec3::new(1.0, 1.01, 1.0)]).collect())
+/// Of each inner node the left child is a leaf of one triangle, and the right one all the rest.
+fn chain(mesh: &Mesh) -> Bvh {
+    let mut bvh = Bvh::build(mesh).expect("a tree");
+    let n = mesh.triangles().len() as u32;
+    bvh.triangles = (0..n).map(|prim| LeafTriangle { shape: Triangle(mesh.triangle(prim as usize)), prim }).collect();
+    let links = [Node::inner(0); 2];
+    bvh.tree.leaves = (0..n).map(|first| Leaf { first, count: 1, links }).collect();
+    bvh.tree.nodes.clear();
+    let mut rest = bvh.triangles[n as usize - 1].shape.aabb();
+    for i in (0..n - 1).rev() {
+        let right = if i + 2 == n { Node::leaf(i + 1) } else { Node::inner(i + 1) };
+        let mut node = BvhNode { planes: [[0.0; 4]; 3], children: [Node::leaf(i), right], links };
+        let left = bvh.triangles[i as usize].shape.aabb();
+        node.set_child_boxes(&left, &rest);
+        rest = rest.union(left);
+        bvh.tree.nodes.push(node);
+    }
+    bvh.tree.nodes.reverse();
+    bvh.dropped = 0;
+    (bvh.tree.root, bvh.tree.depth, bvh.tree.axes) = (Node::inner(0), n - 1, vec![0; n as usize - 1]);
+    bvh
 }
 
 fn cut(n: u32) -> (Bvh, Mesh) {
@@ -37,11 +57,12 @@ fn records_fill_cache_lines() {
 
 #[test]
 fn scenes_of_all_builders_are_sound() {
-    for mesh in [procedural::stadium(1), procedural::soup(2, 500), procedural::layers(60), procedural::strands(3, 700)] {
+    for mesh in [procedural::stadium(1), procedural::soup(2, 500), procedural::layers(60), procedural::strands(3, 700)]
+    {
         for (builder, reinsertion) in Builder::ALL.into_iter().map(|b| (b, 0)).chain([(Builder::Sah, 2)]) {
             let bvh = BuildOptions { builder, reinsertion, ..BuildOptions::default() }.build(&mesh).expect("a tree");
             let [eight, four] = sound(&mesh, &bvh);
-            assert!(eight < four && 4 * eight < bvh.nodes().len() + 4, "{builder:?} {eight} {four}");
+            assert!(eight < four && 2 * eight < bvh.nodes().len() + 4, "{builder:?} {eight} {four}");
         }
     }
 }
@@ -87,7 +108,10 @@ fn large_leaves_are_divided() {
     let bvh = bvh.build(&mesh).expect("a tree");
     assert_eq!(bvh.leaves().len(), 1);
     sound(&mesh, &bvh);
-    for wide in [wide::<8>(&bvh), WideBvh::with_options(&bvh, &WideOptions { max_leaf: 15, ..WideOptions::default() }).expect("small")] {
+    for wide in [
+        wide::<8>(&bvh),
+        WideBvh::with_options(&bvh, &WideOptions { max_leaf: 15, ..WideOptions::default() }).expect("small"),
+    ] {
         let most = wide.nodes.iter().flat_map(|node| node.children).filter(|&bits| Node::from_bits(bits).is_leaf());
         assert!(most.map(|bits| leaf_parts(Node::from_bits(bits)).1).max().expect("a leaf") <= 15);
     }
@@ -120,19 +144,24 @@ fn triangles_in_parts_are_covered() {
 /// However deep the binary tree is, keys fit.
 #[test]
 fn depth_is_limited() {
-    let mesh = chain(240);
-    let deep = SahOptions { max_leaf: 1, depth_limit: 400, ..SahOptions::default() };
-    let bvh = Bvh::sah(&mesh, deep).expect("a tree");
-    assert!(bvh.tree().depth > 100, "{}", bvh.tree().depth);
-    sound(&mesh, &bvh);
     let one = WideOptions { max_leaf: 1, ..WideOptions::default() };
-    let eight = WideBvh::<8>::with_options(&bvh, &one).expect("small enough");
-    let four = WideBvh::<4>::with_options(&bvh, &one).expect("small enough");
-    assert_eq!((eight.validate(&mesh), four.validate(&mesh)), (Ok(()), Ok(())));
-    // The programme alone would go deeper: seven leaves a node.
-    assert_eq!((eight.levels(), four.levels()), (20, 30));
+    let of = |n: usize| {
+        let mesh = procedural::soup(1, n);
+        let bvh = chain(&mesh);
+        sound(&mesh, &bvh);
+        let eight = WideBvh::<8>::with_options(&bvh, &one).expect("small enough");
+        let four = WideBvh::<4>::with_options(&bvh, &one).expect("small enough");
+        assert_eq!((eight.validate(&mesh), four.validate(&mesh)), (Ok(()), Ok(())));
+        (eight.levels(), four.levels(), eight)
+    };
+    // With seven leaves a node, or three, and one more in the last one.
+    for (n, eight, four) in [(94, 13, 30), (148, 20, 30), (149, 20, 30), (2000, 20, 30), (30_000, 20, 30)] {
+        let (found_eight, found_four, _) = of(n);
+        assert_eq!((found_eight, found_four), (eight, four), "{n}");
+    }
+    let (_, _, eight) = of(500);
     for (key, node) in eight.keys() {
-        let level = (63 - key.leading_zeros()) / 3;
+        let level = key.ilog2() / 3;
         assert_eq!(eight.ancestor(node, level.max(1)), eight.root());
     }
 }
@@ -150,7 +179,7 @@ fn agree<const A: usize>(wide: &WideBvh<A>) {
     assert_eq!(by_key.len(), wide.nodes.len());
     let bits = A.trailing_zeros();
     for (key, node) in wide.keys() {
-        let level = (63 - key.leading_zeros()) / bits;
+        let level = key.ilog2() / bits;
         assert!(level <= wide.levels());
         for up in 1..=level {
             assert_eq!(wide.ancestor(node, up), by_key[&(key >> (bits * up))]);
@@ -159,7 +188,7 @@ fn agree<const A: usize>(wide: &WideBvh<A>) {
             assert_eq!(wide.child(wide.parent(node), key as u32 & (A as u32 - 1)), node);
         }
     }
-    assert!((0..=wide.levels()).all(|level| wide.keys().any(|(key, _)| (63 - key.leading_zeros()) / bits == level)));
+    assert!((0..=wide.levels()).all(|level| wide.keys().any(|(key, _)| key.ilog2() / bits == level)));
 }
 
 #[test]
@@ -186,7 +215,7 @@ fn leaf_where(wide: &WideBvh<8>, is_wanted: impl Fn(u32) -> bool) -> (usize, u32
 
 #[test]
 fn mistakes_are_named() {
-    let mesh = procedural::strands(1, 400);
+    let mesh = procedural::soup(1, 400);
     let good = wide::<8>(&Bvh::build(&mesh).expect("a tree"));
     let broken = |change: &dyn Fn(&mut WideBvh<8>)| {
         let mut wide = good.clone();
@@ -203,20 +232,35 @@ fn mistakes_are_named() {
     let empty = (0..good.nodes.len()).flat_map(|node| (0..8).map(move |slot| (node, slot)));
     let (empty, empty_slot) = empty.into_iter().find(|&(n, s)| !good.nodes[n].has_child(s)).expect("an empty slot");
 
-    use WideBvhError as E;
     assert_eq!(broken(&|w| w.nodes.clear()), E::Size { nodes: 0, blocks: good.blocks.len() });
     assert_eq!(broken(&|w| w.triangles += 1), E::Triangles { stored: 401, found: 400 });
     assert_eq!(broken(&|w| w.levels += 1), E::Levels { stored: good.levels + 1, found: good.levels });
     let moved = |w: &mut WideBvh<8>| w.nodes[0].children[inner as usize] = 0;
-    assert_eq!(broken(&|w| { moved(w); w.nodes[0].planes = good.nodes[0].planes; }), E::EmptySlot { node: 0, slot: inner });
-    assert_eq!(broken(&|w| { moved(w); w.nodes[0].set_child_box(inner, &Aabb::EMPTY); }), E::Unreached(child));
+    assert_eq!(
+        broken(&|w| {
+            moved(w);
+            w.nodes[0].planes = good.nodes[0].planes;
+        }),
+        E::EmptySlot { node: 0, slot: inner }
+    );
+    assert_eq!(
+        broken(&|w| {
+            moved(w);
+            w.nodes[0].set_child_box(inner, &Aabb::EMPTY);
+        }),
+        E::Unreached(child)
+    );
     let other = good.nodes.len() as u32;
     let error = E::Child { node: 0, slot: inner, child: Node::inner(other) };
     assert_eq!(broken(&|w| w.nodes[0].children[inner as usize] = other), error);
     assert_eq!(broken(&|w| w.nodes.push(WideNode::EMPTY)), E::Unreached(good.nodes.len()));
     assert_eq!(broken(&|w| w.blocks.push(Block::EMPTY)), E::UnreachedBlock(good.blocks.len()));
     let slot_of = (0..8).filter(|&s| good.nodes[empty].has_child(s)).min().expect("a child");
-    assert_eq!(broken(&|w| w.nodes[empty].set_child_box(empty_slot, &w.nodes[empty].child_box(slot_of))), E::EmptySlot { node: empty, slot: empty_slot });
+    let aabb = good.nodes[empty].child_box(slot_of);
+    assert_eq!(
+        broken(&|w| w.nodes[empty].set_child_box(empty_slot, &aabb)),
+        E::EmptySlot { node: empty, slot: empty_slot }
+    );
     for lo in [f32::NAN, f32::INFINITY] {
         assert_eq!(broken(&|w| w.nodes[node].planes[1][0][at] = lo), E::NoBox { node, slot });
     }
@@ -229,22 +273,36 @@ fn mistakes_are_named() {
     assert_eq!(broken(&|w| w.nodes[child].ancestors[1] |= 1 << 24), E::Ancestors(child));
     assert_eq!(broken(&|w| w.nodes[node].ancestors[0] ^= 1 << (24 + slot)), E::Leaves(node));
     assert_eq!(broken(&|w| w.nodes[node].children[at] &= !(15 << 27)), E::EmptyLeaf { node, slot });
-    assert_eq!(broken(&|w| w.nodes[node].children[at] |= (1 << 27) - 1), E::Child { node, slot, child: Node::from_bits(good.nodes[node].children[at] | ((1 << 27) - 1)) });
+    assert_eq!(
+        broken(&|w| w.nodes[node].children[at] |= (1 << 27) - 1),
+        E::Child { node, slot, child: Node::from_bits(good.nodes[node].children[at] | ((1 << 27) - 1)) }
+    );
     assert_eq!(broken(&|w| w.blocks[block].prims[last] = 400), E::Triangle { node, slot, prim: 400 });
     assert_eq!(broken(&|w| w.blocks[block].corners[2][1][last] += 1.0), E::Triangle { node, slot, prim });
     assert_eq!(broken(&|w| w.blocks[block].edges[last] /= 2.0), E::Edge { node, slot, prim });
     assert_eq!(broken(&|w| w.blocks[block].prims[last + 1] = 3), E::Padding { node, slot });
     assert_eq!(broken(&|w| w.blocks[block].corners[0][0][last + 1] = 3.0), E::Padding { node, slot });
     let again = good.blocks[first].prims[0];
-    let twice = |w: &mut WideBvh<8>| { let t = w.blocks[first].triangle(0); w.blocks[block].set(last, &t, again); };
+    let twice = |w: &mut WideBvh<8>| {
+        let t = w.blocks[first].triangle(0);
+        w.blocks[block].set(last, &t, again);
+    };
     assert_eq!(broken(&twice), E::Twice { node, slot, prim: again });
-    assert_eq!(broken(&|w| { let aabb = w.nodes[node].child_box(slot); w.nodes[node].set_child_box(slot, &Aabb { hi: aabb.lo, ..aabb }) }), E::Uncovered((0..count as usize).map(|i| good.blocks[first + i / 4].prims[i % 4]).min().expect("one")));
+    assert_eq!(
+        broken(&|w| {
+            let aabb = w.nodes[node].child_box(slot);
+            w.nodes[node].set_child_box(slot, &Aabb { hi: aabb.lo, ..aabb });
+        }),
+        E::Uncovered((0..count as usize).map(|i| good.blocks[first + i / 4].prims[i % 4]).min().expect("one"))
+    );
     // One triangle fewer in its leaf.
     let fewer = |w: &mut WideBvh<8>| {
         w.nodes[node].children[at] -= 1 << 27;
         (w.blocks[block].prims[last], w.blocks[block].edges[last]) = (Block::NONE, Block::EMPTY.edges[0]);
         w.blocks[block].corners.as_flattened_mut().iter_mut().for_each(|row| row[last] = 0.0);
-        if last == 0 { w.blocks.remove(block); }
+        if last == 0 {
+            w.blocks.remove(block);
+        }
     };
     if last > 0 {
         assert_eq!(broken(&fewer), E::Missing(prim));

@@ -146,9 +146,9 @@ impl<const A: usize> WideBvh<A> {
     /// Checks that the hierarchy is sound in itself and holds each triangle of the mesh (degenerate ones need not be
     /// there).
     ///
-    /// Sound are boxes that nest, each node and each block reached once, ancestors and sets of leaves that are right, the
-    /// level that is stated, lanes that are empty beyond the triangles of a leaf, and triangles that are covered by the
-    /// boxes of the leaves that hold them: as a whole by one of them or, in exact arithmetic, by all together.
+    /// Sound are boxes that nest, each node and each block reached once, ancestors and sets of leaves that are right,
+    /// the level that is stated, lanes that are empty beyond the triangles of a leaf, and triangles that are covered by
+    /// the boxes of the leaves that hold them: as a whole by one of them or, in exact arithmetic, by all together.
     ///
     /// # Errors
     /// Of the nodes the first fault found; else that of the first triangle.
@@ -178,8 +178,7 @@ impl<const A: usize> WideBvh<A> {
             check_left_out(mesh, next..prim)?;
             next = prim + 1;
             let triangle = Triangle(mesh.triangle(prim as usize));
-            let boxes: Vec<_> =
-                held.iter().map(|&(_, node, slot)| self.nodes[node as usize].child_box(slot)).collect();
+            let boxes: Vec<_> = held.iter().map(|&(_, node, slot)| self.nodes[node as usize].child_box(slot)).collect();
             if !boxes.iter().any(|aabb| aabb.encloses(&triangle.aabb())) && !cover::hold(&boxes, &triangle) {
                 return Err(WideBvhError::Uncovered(prim));
             }
@@ -241,7 +240,10 @@ impl<'a, const A: usize> Walk<'a, A> {
             let own = node.child_box(slot);
             if !node.has_child(slot) {
                 let is_empty = own == WideNode::<A>::EMPTY.child_box(slot);
-                if is_empty { continue } else { return Err(WideBvhError::EmptySlot { node: index, slot }) }
+                if is_empty {
+                    continue;
+                }
+                return Err(WideBvhError::EmptySlot { node: index, slot });
             }
             if !own.lo.cmple(own.hi).all() {
                 return Err(WideBvhError::NoBox { node: index, slot });

@@ -37,10 +37,16 @@ impl Block {
         self.prims[lane & 3] = prim;
     }
 
+    #[inline(always)]
+    fn corner(&self, corner: usize, lane: usize) -> Vec3 {
+        let [x, y, z] = &self.corners[corner];
+        Vec3::new(x[lane & 3], y[lane & 3], z[lane & 3])
+    }
+
     /// The triangle in a lane, 0 to 3.
     #[inline(always)]
     pub fn triangle(&self, lane: usize) -> Triangle {
-        Triangle(self.corners.map(|[x, y, z]| Vec3::new(x[lane & 3], y[lane & 3], z[lane & 3])))
+        Triangle([self.corner(0, lane), self.corner(1, lane), self.corner(2, lane)])
     }
 }
 

@@ -39,15 +39,16 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
         // Without -0, a component of 0 has the reciprocal +inf.
         let direction = ray.direction() + Vec3::ZERO;
         let (origin, inverse) = (ray.origin(), direction.recip());
-        let splat = |v: [f32; 3]| [V::splat(simd, v[0]), V::splat(simd, v[1]), V::splat(simd, v[2])];
-        let is_wide =
-            origin.abs().max_element() > MAX_COORDINATE || region.reach() > f64::from(MAX_COORDINATE);
+        let is_wide = origin.abs().max_element() > MAX_COORDINATE || region.reach() > f64::from(MAX_COORDINATE);
         Self {
             simd,
-            origin: splat(origin.to_array()),
-            near: splat(inverse.to_array().map(toward_zero)),
-            far: splat(inverse.to_array().map(away_from_zero)),
-            side: direction.to_array().map(|d| usize::from(d < 0.0)),
+            origin: splat(simd, origin),
+            near: splat(simd, Vec3::new(toward_zero(inverse.x), toward_zero(inverse.y), toward_zero(inverse.z))),
+            far: splat(
+                simd,
+                Vec3::new(away_from_zero(inverse.x), away_from_zero(inverse.y), away_from_zero(inverse.z)),
+            ),
+            side: [usize::from(direction.x < 0.0), usize::from(direction.y < 0.0), usize::from(direction.z < 0.0)],
             tmin: V::splat(simd, ray.tmin()),
             lanes: V::load_array(simd, lane_numbers()),
             is_wide,
@@ -69,11 +70,16 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
             let (ranks, set) = enter_wide(&self.ray, planes, end);
             return (V::load_array(self.simd, ranks), set);
         }
-        let near = |axis: usize| self.distance(planes, axis, self.side[axis], &self.near);
-        let far = |axis: usize| self.distance(planes, axis, self.side[axis] ^ 1, &self.far);
+        let (side, near, far) = (&self.side, &self.near, &self.far);
+        let near_x = self.distance(planes, 0, side[0], near);
+        let near_y = self.distance(planes, 1, side[1], near);
+        let near_z = self.distance(planes, 2, side[2], near);
+        let far_x = self.distance(planes, 0, side[0] ^ 1, far);
+        let far_y = self.distance(planes, 1, side[1] ^ 1, far);
+        let far_z = self.distance(planes, 2, side[2] ^ 1, far);
         // A near distance is never a NaN.
-        let enter = near(0).max(near(1)).max(near(2).max(self.tmin));
-        let leave = lesser(far(0), lesser(far(1), lesser(far(2), V::splat(self.simd, end))));
+        let enter = near_x.max(near_y).max(near_z.max(self.tmin));
+        let leave = lesser(far_x, lesser(far_y, lesser(far_z, V::splat(self.simd, end))));
         let bits = enter.min(V::splat(self.simd, f32::MAX)).to_bits() & Self::DISTANCE;
         let set = V::from_bits(bits).simd_le(leave).to_bitmask() as u32;
         (V::from_bits(bits | self.lanes.to_bits()), set)
@@ -104,6 +110,12 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
     fn distance(&self, planes: &[[[f32; A]; 2]; 3], axis: usize, side: usize, inverse: &[V; 3]) -> V {
         (V::load_array_ref(self.simd, &planes[axis][side & 1]) - self.origin[axis]) * inverse[axis]
     }
+}
+
+/// Each component in all lanes.
+#[inline(always)]
+fn splat<S: Simd, V: Lanes<S, A>, const A: usize>(simd: S, v: Vec3) -> [V; 3] {
+    [V::splat(simd, v.x), V::splat(simd, v.y), V::splat(simd, v.z)]
 }
 
 /// The lesser number in each lane; that of `b`, which is no NaN, if `a` is one.
@@ -160,3 +172,6 @@ fn enter_wide<const A: usize>(ray: &Ray, planes: &[[[f32; A]; 2]; 3], end: f32) 
     });
     (ranks, set)
 }
+
+#[cfg(test)]
+mod tests;

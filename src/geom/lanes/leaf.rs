@@ -49,7 +49,10 @@ impl<'a> LazyExact<'a> {
     #[inline(always)]
     pub fn get(&mut self) -> &Exact {
         let (ray, region) = (self.ray, self.region);
-        self.exact.get_or_insert_with(#[inline(always)] || Exact::new(ray, region))
+        self.exact.get_or_insert_with(
+            #[inline(always)]
+            || Exact::new(ray, region),
+        )
     }
 
     /// Takes the first `count` triangles of these blocks into account; whether one of them is the nearest now.
@@ -104,13 +107,7 @@ impl<'a> LazyExact<'a> {
 
     /// A triangle, among the first `count` of these blocks, that the ray meets within its interval.
     #[inline(always)]
-    pub fn any<S: Simd>(
-        &mut self,
-        simd: S,
-        filter: &TriangleRay<S>,
-        blocks: &[Block],
-        count: u32,
-    ) -> Option<u32> {
+    pub fn any<S: Simd>(&mut self, simd: S, filter: &TriangleRay<S>, blocks: &[Block], count: u32) -> Option<u32> {
         let mut left = count;
         for block in blocks {
             let mut lanes = filter.survivors(simd, block, self.ray.tmax()) & first(left);

@@ -1,8 +1,7 @@
 //! The filter of four triangles: which are certainly missed, and which certainly beyond the best hit.
 
-use std::array;
-
 use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x4};
+use glam::Vec3;
 
 use super::Block;
 use crate::geom::kernel::{EDGE, MAX_COORDINATE};
@@ -58,24 +57,24 @@ impl<S: Simd> TriangleRay<S> {
         let reach = upward(region.reach());
         // Rounding keeps the order, so this is not below any rounded component.
         let c = (far + reach).max(MIN_EDGE);
-        let is_usual = LENGTHS[0] <= d && d <= LENGTHS[1] && far <= MAX_COORDINATE && reach <= MAX_COORDINATE;
-        let splat = |x: f32| f32x4::splat(simd, x);
-        let bound = |constant: f32, size: f32| splat(if is_usual { constant * UNIT * size } else { f32::INFINITY });
+        let is_usual = (LENGTHS[0]..=LENGTHS[1]).contains(&d) && far <= MAX_COORDINATE && reach <= MAX_COORDINATE;
+        let unit = if is_usual { UNIT } else { f32::INFINITY };
         Self {
-            origin: origin.to_array().map(splat),
-            direction: direction.to_array().map(splat),
-            edge: bound(edge, d),
-            det: bound(det, d),
-            t: bound(t, c),
-            twice_c: splat(2.0 * c),
+            origin: splat(simd, origin),
+            direction: splat(simd, direction),
+            edge: f32x4::splat(simd, edge * unit * d),
+            det: f32x4::splat(simd, det * unit * d),
+            t: f32x4::splat(simd, t * unit * c),
+            twice_c: f32x4::splat(simd, 2.0 * c),
         }
     }
 
-    /// The lanes that may hold a hit at `best` or before, which is not negative: all but those that are certainly missed
-    /// `[LANES-3]` and those that are certainly beyond `[LANES-4]`. Lanes without a triangle are among them.
+    /// The lanes that may hold a hit at `best` or before, which is not negative: all but those that are certainly
+    /// missed `[LANES-3]` and those that are certainly beyond `[LANES-4]`. Lanes without a triangle are among them.
     #[inline(always)]
     pub fn survivors(&self, simd: S, block: &Block, best: f32) -> u32 {
-        let [v0, v1, v2] = [0, 1, 2].map(#[inline(always)] |corner: usize| load(simd, &block.corners[corner]));
+        let [v0, v1, v2] = &block.corners;
+        let (v0, v1, v2) = (load(simd, v0), load(simd, v1), load(simd, v2));
         let (e1, e2, s) = (minus(&v1, &v0), minus(&v2, &v0), minus(&self.origin, &v0));
         let (p, q) = (cross(&self.direction, &e2), cross(&s, &e1));
         let (det, u, v, t) = (dot(&e1, &p), dot(&s, &p), dot(&self.direction, &q), dot(&e2, &q));
@@ -96,8 +95,14 @@ impl<S: Simd> TriangleRay<S> {
 type Vector<S> = [f32x4<S>; 3];
 
 #[inline(always)]
+fn splat<S: Simd>(simd: S, v: Vec3) -> Vector<S> {
+    [f32x4::splat(simd, v.x), f32x4::splat(simd, v.y), f32x4::splat(simd, v.z)]
+}
+
+#[inline(always)]
 fn load<S: Simd>(simd: S, rows: &[[f32; 4]; 3]) -> Vector<S> {
-    array::from_fn(#[inline(always)] |axis| f32x4::load_array_ref(simd, &rows[axis]))
+    let [x, y, z] = rows;
+    [f32x4::load_array_ref(simd, x), f32x4::load_array_ref(simd, y), f32x4::load_array_ref(simd, z)]
 }
 
 #[inline(always)]
@@ -122,3 +127,6 @@ fn upward(x: f64) -> f32 {
     let rounded = x as f32;
     if f64::from(rounded) < x { rounded.next_up() } else { rounded }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,174 @@
+use fearless_simd::{dispatch, f32x4, f32x8};
+
+use super::*;
+use crate::generate::draw::{Draw, one_of};
+use crate::generate::stress;
+use crate::geom::lanes::tests::levels;
+use crate::geom::slabs::Directed;
+use crate::geom::truth;
+
+type Planes<const A: usize> = [[[f32; A]; 2]; 3];
+
+fn planes<const A: usize>(boxes: &[Aabb; A]) -> Planes<A> {
+    std::array::from_fn(|axis| [boxes.map(|aabb| aabb.lo[axis]), boxes.map(|aabb| aabb.hi[axis])])
+}
+
+/// The words of the clause, one lane after the other. `[LANES-1]` `[LANES-2]`
+fn by_definition<const A: usize>(ray: &Ray, boxes: &[Aabb; A], end: f32) -> ([u32; A], u32) {
+    let mut set = 0;
+    let ranks = std::array::from_fn(|lane| {
+        let (mut near, mut far) = (ray.tmin(), end);
+        for axis in 0..3 {
+            let (o, d) = (ray.origin()[axis], ray.direction()[axis]);
+            let i = d.abs().recip();
+            let (down, up) = (i.next_down().next_down(), i.next_up().next_up());
+            let (lo, hi) = (boxes[lane].lo[axis], boxes[lane].hi[axis]);
+            let (first, last) =
+                if d < 0.0 { ((hi - o) * -down, (lo - o) * -up) } else { ((lo - o) * down, (hi - o) * up) };
+            near = near.max(first);
+            far = if last < far { last } else { far };
+        }
+        let cleared = near.abs().min(f32::MAX).to_bits() / A as u32 * A as u32;
+        set |= u32::from(f32::from_bits(cleared) <= far) << lane;
+        cleared + lane as u32
+    });
+    (ranks, set)
+}
+
+#[inline(always)]
+fn enter<S: Simd, V: Lanes<S, A>, const A: usize>(
+    simd: S,
+    ray: &Ray,
+    region: &Region,
+    boxes: &[Aabb; A],
+    end: f32,
+) -> ([u32; A], u32) {
+    let prepared = BoxRay::<S, V, A>::new(simd, ray, region);
+    let (ranks, set) = prepared.enter(&planes(boxes), end);
+    let all: [u32; A] = std::array::from_fn(|lane| prepared.rank(&ranks, lane as u32));
+    let subset = |mask: u32| (0..A).filter(|lane| mask >> lane & 1 == 1).map(|lane| all[lane]).min();
+    for mask in [set, set & 0b1010_1010, (1 << A) - 1, 2] {
+        assert_eq!((mask != 0).then(|| prepared.least(ranks, mask)), subset(mask));
+    }
+    (all, set)
+}
+
+/// All levels agree with each other; what they say.
+fn entered<const A: usize>(ray: &Ray, region: &Region, boxes: &[Aabb; A], end: f32) -> ([u32; A], u32) {
+    let mut results = levels().into_iter().map(|level| {
+        let mut out = ([0; A], 0);
+        if A == 8 {
+            let boxes: &[Aabb; 8] = boxes[..].try_into().expect("eight");
+            let (ranks, set) = dispatch!(level, simd => enter::<_, f32x8<_>, 8>(simd, ray, region, boxes, end));
+            out = (ranks[..].try_into().expect("eight"), set);
+        } else {
+            let boxes: &[Aabb; 4] = boxes[..].try_into().expect("four");
+            let (ranks, set) = dispatch!(level, simd => enter::<_, f32x4<_>, 4>(simd, ray, region, boxes, end));
+            out.0.copy_from_slice(&ranks);
+            out.1 = set;
+        }
+        out
+    });
+    let first = results.next().expect("a level");
+    assert!(results.all(|result| result == first), "{ray:?} {boxes:?} {end}");
+    first
+}
+
+fn region_of(boxes: &[Aabb]) -> Region {
+    Region::of(
+        &boxes
+            .iter()
+            .copied()
+            .filter(|aabb| *aabb != Aabb::EMPTY)
+            .fold(Aabb { lo: Vec3::ZERO, hi: Vec3::ZERO }, Aabb::union),
+    )
+}
+
+/// What must hold of every question.
+fn check<const A: usize>(ray: &Ray, boxes: &[Aabb; A], end: f32) {
+    let region = region_of(boxes);
+    let (ranks, set) = entered(ray, &region, boxes, end);
+    let is_wide = ray.origin().abs().max_element() > MAX_COORDINATE || region.reach() > f64::from(MAX_COORDINATE);
+    if !is_wide {
+        assert_eq!((ranks, set), by_definition(ray, boxes, end), "{ray:?} {boxes:?} {end}");
+    }
+    let directed = Directed::new(ray, &region);
+    for (lane, aabb) in boxes.iter().enumerate() {
+        let (rank, is_met) = (ranks[lane], set >> lane & 1 == 1);
+        assert_eq!(rank as usize % A, lane);
+        let cleared = f32::from_bits(rank - lane as u32);
+        if *aabb == Aabb::EMPTY {
+            assert!(!is_met);
+            continue;
+        }
+        if let Some(near) = directed.one(aabb, end) {
+            assert!(is_met && cleared <= near, "{ray:?} {aabb:?} {end}");
+        }
+        let [o, d, lo, hi] = [ray.origin(), ray.direction(), aabb.lo, aabb.hi].map(|v| v.to_array());
+        if let Some(t) = truth::entry(o, d, [ray.tmin(), end], lo, hi) {
+            assert!(is_met && cleared <= truth::round_f32(&t), "{ray:?} {aabb:?} {end}");
+        }
+    }
+    // Beyond another end is what is left out because of it, and nothing else.
+    let (_, without_end) = entered(ray, &region, boxes, f32::INFINITY);
+    let beyond = |lane: usize| BoxRay::<fearless_simd::Fallback, f32x8<_>, 8>::is_beyond(ranks[lane] & !7, end);
+    let beyond = (0..A).fold(0, |set, lane| set | u32::from(A == 8 && beyond(lane)) << lane);
+    if A == 8 {
+        assert_eq!(set, without_end & !beyond, "{ray:?} {end}");
+    }
+}
+
+/// Numbers that make zeros, infinities and NaNs of each other.
+const EDGES: [f32; 12] = [0.0, -0.0, 1.0, -1.0, 2.0, 0.5, 1e-45, -1e-45, f32::MIN_POSITIVE, 1e38, -1e38, 3.0];
+
+fn edges(draw: &mut Draw) -> Vec3 {
+    Vec3::from([(); 3].map(|()| one_of(EDGES, draw)))
+}
+
+#[test]
+fn numbers_at_the_edges_are_tested_alike_on_all_levels() {
+    let (mut draw, mut seen) = (Draw::new(1), 0);
+    while seen < 6000 {
+        let direction = edges(&mut draw) * one_of([1.0, 3.0, f32::MAX], &mut draw);
+        let tmin = one_of([0.0, -0.0, 1e-45, 0.5, 1.0], &mut draw);
+        let Ok(ray) = Ray::within(edges(&mut draw), direction, tmin, f32::INFINITY) else { continue };
+        let mut one = || {
+            let (a, b) = (edges(&mut draw), edges(&mut draw));
+            if draw.one_in(6) { Aabb::EMPTY } else { Aabb { lo: a.min(b), hi: a.max(b) } }
+        };
+        let (eight, four) = ([(); 8].map(|()| one()), [(); 4].map(|()| one()));
+        let end = one_of([tmin, 0.75, 1.0, 2.0, f32::MAX, f32::INFINITY], &mut draw);
+        if end >= tmin {
+            check(&ray, &eight, end);
+            check(&ray, &four, end);
+            seen += 1;
+        }
+    }
+}
+
+#[test]
+fn no_box_that_is_touched_is_left_out() {
+    for case in stress::cases(12) {
+        let n = case.mesh.triangles().len();
+        let aabb = |i: usize| Aabb::of(&case.mesh.triangle(i % n));
+        for (i, ray) in case.rays.iter().enumerate() {
+            let boxes: [Aabb; 8] = std::array::from_fn(|k| aabb(i + 3 * k));
+            let near = entered(ray, &region_of(&boxes), &boxes, f32::INFINITY).0[0] & !7;
+            let ends = [ray.tmax(), f32::from_bits(near), f32::from_bits(near).next_down()];
+            for end in ends.into_iter().filter(|end| *end >= ray.tmin()) {
+                check(ray, &boxes, end);
+                check(ray, &[0, 1, 2, 3].map(|k| boxes[k]), end);
+            }
+        }
+    }
+}
+
+/// A box that one step of the reciprocal would lose: the ranks are rounded down, but the far planes are not.
+#[test]
+fn a_box_at_an_edge_is_met() {
+    let ray = Ray::new(Vec3::ZERO, Vec3::new(1.0, 41.0, 0.0)).expect("a ray");
+    let aabb = Aabb { lo: Vec3::new(1.0, 40.0, 0.0), hi: Vec3::new(2.0, 41.0, 1.0) };
+    check(&ray, &[aabb; 8], 1.0);
+    let (ranks, set) = entered(&ray, &Region::of(&aabb), &[aabb; 8], 1.0);
+    assert_eq!((ranks[3], set), (0x3f7f_fff8 + 3, 255));
+}
