@@ -2,11 +2,11 @@
 
 use fearless_simd::{Select, Simd, SimdMask};
 
+use super::turns::Ask;
 use crate::bvh::WideBvh;
 use crate::geom::lanes::{BoxRay, Lanes, LazyExact, Nearest, TriangleRay};
 use crate::geom::{Kernel, Ray};
 use crate::order::Flow;
-use super::turns::Ask;
 use crate::trace::Hit;
 use crate::tree::Node;
 use crate::wide::{Ranks, Search, Topology, Wanted};

@@ -97,19 +97,14 @@ impl<'t, S: Simd, const ANY: bool> Context<'t, 8, WideBvh> for InTurns<'t, '_, S
     #[inline(always)]
     fn run<C: Cursor<8>>(self, start: impl Fn(Supply<'t, WideBvh>) -> Result<C, Unfit>) -> Result<(), Unfit> {
         let Self { simd, job: Job { bvh, tables, rays, ask, answer }, memory: [first, second] } = self;
-        let mut cursors = [
-            start(Supply { tree: bvh, tables, memory: first })?,
-            start(Supply { tree: bvh, tables, memory: second })?,
-        ];
+        let mut cursors =
+            [start(Supply { tree: bvh, tables, memory: first })?, start(Supply { tree: bvh, tables, memory: second })?];
         let [first, second, rest @ ..] = rays else { return Ok(()) };
         let mut searches = [RaySearch::<S, ANY>::new(simd, bvh, first), RaySearch::new(simd, bvh, second)];
         let mut numbers = [0, 1];
         let mut rest = (2..).zip(rest);
         let last = 'turns: loop {
-            let asked = [0, 1].map(
-                #[inline(always)]
-                |i: usize| searches[i].ask(cursors[i].node()),
-            );
+            let asked = [searches[0].ask(cursors[0].node()), searches[1].ask(cursors[1].node())];
             for i in 0..2 {
                 if advance(bvh, &mut cursors[i], asked[i], &mut searches[i], &mut ()) {
                     continue;
