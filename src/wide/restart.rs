@@ -7,10 +7,10 @@ use super::tree::Topology;
 use crate::key::TooDeep;
 use crate::tree::Node;
 
-/// Keeps for each level the number of the child that was named last, and the last `K` postponed children. What the
-/// short stack has lost is found by starting again at the root. `[WRESTART-1]`
+/// Keeps for each level the number of the child that was named last, and the last postponed children, 8 at most. What
+/// this short stack has lost is found by starting again at the root. `[WRESTART-1]`
 #[derive(Debug)]
-pub struct Restart<'t, T, const K: usize> {
+pub struct Restart<'t, T> {
     tree: &'t T,
     node: Node,
     /// Level of `node`, while the search goes down again from the root.
@@ -21,7 +21,7 @@ pub struct Restart<'t, T, const K: usize> {
     /// level's is lowest. The highest bit says that no other child comes after it.
     done: u128,
     step: Step,
-    stack: Short<K>,
+    stack: Short,
 }
 
 /// How `node` was reached.
@@ -35,12 +35,12 @@ enum Step {
     Along,
 }
 
-impl<'t, T, const K: usize> Restart<'t, T, K> {
-    /// Starts at the root.
+impl<'t, T> Restart<'t, T> {
+    /// Starts at the root, with a short stack of so many entries, 8 at most.
     ///
     /// # Errors
     /// [`TooDeep`] if the tree has more levels than 128 bits have numbers for.
-    pub fn new<const A: usize>(tree: &'t T) -> Result<Self, TooDeep>
+    pub fn new<const A: usize>(tree: &'t T, short: usize) -> Result<Self, TooDeep>
     where
         T: Topology<A>,
     {
@@ -48,7 +48,7 @@ impl<'t, T, const K: usize> Restart<'t, T, K> {
         if levels > limit {
             return Err(TooDeep { depth: levels, limit, word: "a number for each level in 128 bits" });
         }
-        let stack = Short { entries: [Entry::NONE; K], top: 0, count: 0 };
+        let stack = Short { entries: [Entry::NONE; Short::MOST], size: short.min(Short::MOST), top: 0, count: 0 };
         Ok(Self { tree, node: tree.root(), at: 0, level: 0, done: 0, step: Step::Down, stack })
     }
 
@@ -123,12 +123,12 @@ const fn number_bits<const A: usize>() -> u32 {
     slot_bits::<A>() + 1
 }
 
-impl<const A: usize, const K: usize, T: Topology<A>> Cursor<A> for Restart<'_, T, K> {
+impl<const A: usize, T: Topology<A>> Cursor<A> for Restart<'_, T> {
     const RESTARTS: bool = true;
 
     fn reset(&mut self) {
-        let stack = Short { entries: [Entry::NONE; K], top: 0, count: 0 };
-        *self = Self { tree: self.tree, node: self.tree.root(), at: 0, level: 0, done: 0, step: Step::Down, stack };
+        (self.node, self.at, self.level, self.done, self.step) = (self.tree.root(), 0, 0, 0, Step::Down);
+        self.stack.count = 0;
     }
 
     fn node(&self) -> Node {
@@ -212,25 +212,29 @@ impl Entry {
 
 /// The last entries of a stack.
 #[derive(Debug)]
-struct Short<const K: usize> {
-    entries: [Entry; K],
+struct Short {
+    entries: [Entry; Short::MOST],
+    /// How many there is room for.
+    size: usize,
     /// Where the next entry goes.
     top: usize,
     count: usize,
 }
 
-impl<const K: usize> Short<K> {
+impl Short {
+    const MOST: usize = 8;
+
     fn push(&mut self, entry: Entry) {
-        if let Some(place) = self.entries.get_mut(self.top) {
-            *place = entry;
-            self.top = (self.top + 1) % K;
-            self.count = (self.count + 1).min(K);
+        if self.size > 0 {
+            self.entries[self.top] = entry;
+            self.top = (self.top + 1) % self.size;
+            self.count = (self.count + 1).min(self.size);
         }
     }
 
     fn pop(&mut self) -> Option<Entry> {
         self.count = self.count.checked_sub(1)?;
-        self.top = (self.top + K - 1) % K;
-        self.entries.get(self.top).copied()
+        self.top = (self.top + self.size - 1) % self.size;
+        Some(self.entries[self.top])
     }
 }

@@ -14,13 +14,12 @@ use crate::hash::{BuildError, PerfectHash};
 use crate::key::TooDeep;
 use crate::name::named;
 
-/// `state`: bytes by the slots of a node and the tree's levels. `cursor`: made from a [`Supply`].
+/// `state`: bytes by the slots of a node and the tree's levels.
 macro_rules! traversals {
     ($($variant:ident {
         name: $name:literal, by: $by:literal, clause: $clause:literal,
         help: $help:literal,
         state: |$a:pat_param, $levels:pat_param| $state:expr,
-        cursor: |$from:ident| $cursor:expr,
     })*) => {
         /// A traversal of wide trees.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -57,23 +56,6 @@ macro_rules! traversals {
             pub const fn state_bytes<const A: usize>(self, levels: usize) -> usize {
                 match self { $(Self::$variant => { let ($a, $levels) = (A, levels); $state })* }
             }
-
-            /// Does something with this traversal: the one place where a name becomes a cursor.
-            ///
-            /// # Errors
-            /// [`Unfit`], before the first step.
-            #[inline(always)]
-            pub fn dispatch<'t, const A: usize, T: Topology<A> + 't, X: Context<'t, A, T>>(
-                self,
-                context: X,
-            ) -> Result<X::Output, Unfit> {
-                match self {
-                    $(Self::$variant => context.run(
-                        #[inline(always)]
-                        |$from: Supply<'t, T>| Ok($cursor),
-                    ),)*
-                }
-            }
         }
 
         named!(Method);
@@ -84,55 +66,46 @@ traversals! {
         name: "wide-stack", by: "the textbook", clause: "WSTACK-1",
         help: "Postponed children are pushed with their ranks, the greatest first.",
         state: |a, levels| 8 + 8 * ((a - 1) * (levels + 1) + 1),
-        cursor: |from| Stack::new(from.tree, &mut from.memory.stack),
     }
     Trail {
         name: "wide-trail", by: "after Áfra & Szirmay-Kalos 2014", clause: "WTRAIL-1",
         help: "A trail of pending sets; the ancestor is found by parents, and asked again for the order.",
         state: |_, _| 4 + 4 + 16 + 8,
-        cursor: |from| Pending::new(from.tree, Trail::<u128>::default(), Parents)?,
     }
     Recorded {
         name: "wide-record", by: "this project", clause: "WRECORD-1",
         help: "A pending set and two ranks for each level; the node's record names its ancestors.",
         state: |_, levels| 4 + 4 + 8 + Ranked::bytes(levels),
-        cursor: |from| Pending::new(from.tree, &mut from.memory.ranked, Recorded)?,
     }
     Hashed {
         name: "wide-hashed", by: "this project, after Binder & Keller 2016", clause: "WHASHED-1",
         help: "The same, with a key; a perfect hash finds the ancestor.",
         state: |_, levels| 4 + 4 + 8 + 8 + Ranked::bytes(levels),
-        cursor: |from| Pending::new(from.tree, &mut from.memory.ranked, Hashed::new(from.tables.hash()?))?,
     }
     Restart0 {
         name: "wide-restart-0", by: "Vaidyanathan et al. 2019", clause: "WRESTART-1",
         help: "The number of the child for each level; the next one is found by starting again at the root.",
         state: |_, _| 4 + 3 * 4 + 16,
-        cursor: |from| Restart::<_, 0>::new(from.tree)?,
     }
     Restart1 {
         name: "wide-restart-1", by: "Vaidyanathan et al. 2019", clause: "WRESTART-1",
         help: "The number of the child for each level, and a short stack.",
         state: |_, _| 4 + 3 * 4 + 16 + 8 + 16,
-        cursor: |from| Restart::<_, 1>::new(from.tree)?,
     }
     Restart2 {
         name: "wide-restart-2", by: "Vaidyanathan et al. 2019", clause: "WRESTART-1",
         help: "The number of the child for each level, and a short stack.",
         state: |_, _| 4 + 3 * 4 + 16 + 8 + 2 * 16,
-        cursor: |from| Restart::<_, 2>::new(from.tree)?,
     }
     Restart4 {
         name: "wide-restart-4", by: "Vaidyanathan et al. 2019", clause: "WRESTART-1",
         help: "The number of the child for each level, and a short stack.",
         state: |_, _| 4 + 3 * 4 + 16 + 8 + 4 * 16,
-        cursor: |from| Restart::<_, 4>::new(from.tree)?,
     }
     Restart8 {
         name: "wide-restart-8", by: "Vaidyanathan et al. 2019", clause: "WRESTART-1",
         help: "The number of the child for each level, and a short stack.",
         state: |_, _| 4 + 3 * 4 + 16 + 8 + 8 * 16,
-        cursor: |from| Restart::<_, 8>::new(from.tree)?,
     }
 }
 
@@ -147,6 +120,41 @@ impl Method {
     /// Whether it asks for the [hash](Tables::hash).
     pub const fn needs_hash(self) -> bool {
         matches!(self, Self::Hashed)
+    }
+
+    /// Entries of the short stack of a traversal that restarts.
+    const fn short_stack(self) -> usize {
+        match self {
+            Self::Restart1 => 1,
+            Self::Restart2 => 2,
+            Self::Restart4 => 4,
+            Self::Restart8 => 8,
+            _ => 0,
+        }
+    }
+
+    /// Does something with this traversal: the one place where a name becomes a cursor.
+    ///
+    /// # Errors
+    /// [`Unfit`], before the first step.
+    #[inline(always)]
+    pub fn dispatch<'t, const A: usize, T: Topology<A> + 't, X: Context<'t, A, T>>(
+        self,
+        context: X,
+    ) -> Result<X::Output, Unfit> {
+        match self {
+            Self::Stack => context.run(|from| Ok(Stack::new(from.tree, &mut from.memory.stack))),
+            Self::Trail => context.run(|from| Ok(Pending::new(from.tree, Trail::<u128>::default(), Parents)?)),
+            Self::Recorded => context.run(|from| Ok(Pending::new(from.tree, &mut from.memory.ranked, Recorded)?)),
+            Self::Hashed => context.run(|from| {
+                let link = Hashed::new(from.tables.hash()?);
+                Ok(Pending::new(from.tree, &mut from.memory.ranked, link)?)
+            }),
+            // One copy for all.
+            Self::Restart0 | Self::Restart1 | Self::Restart2 | Self::Restart4 | Self::Restart8 => {
+                context.run(|from| Ok(Restart::new(from.tree, self.short_stack())?))
+            }
+        }
     }
 
     /// Runs a search to its end, with memory of its own.

@@ -1,6 +1,6 @@
 //! The loop over rays: one, or two in turns.
 
-use fearless_simd::{Simd, dispatch, f32x8};
+use fearless_simd::{Simd, f32x8};
 
 use super::search::WideSearch;
 use crate::bvh::WideBvh;
@@ -37,7 +37,26 @@ pub(super) struct Job<'a, 'f> {
 /// Compiled once for each level of instructions and each traversal. Everything below is inlined always, or it would
 /// not be compiled for the level.
 pub(super) fn trace(level: Level, method: Method, job: Job<'_, '_>) -> Result<(), Unfit> {
-    dispatch!(level, simd => run(simd, method, job))
+    // Two levels of x86: what SSE4.2 and AVX-512 add is no use here (benches/README.md), and each level costs every
+    // build of the library its time.
+    #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
+    {
+        let baseline = || level.as_sse2().or_else(|| Level::new().as_sse2());
+        match (level.as_avx2(), baseline()) {
+            (Some(avx2), _) => avx2.vectorize(
+                #[inline(always)]
+                || run(avx2, method, job),
+            ),
+            (None, Some(sse2)) => sse2.vectorize(
+                #[inline(always)]
+                || run(sse2, method, job),
+            ),
+            // The target has it.
+            (None, None) => unreachable!("a processor without SSE2"),
+        }
+    }
+    #[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
+    fearless_simd::dispatch!(level, simd => run(simd, method, job))
 }
 
 #[inline(always)]
@@ -50,74 +69,58 @@ fn run<S: Simd>(simd: S, method: Method, job: Job<'_, '_>) -> Result<(), Unfit> 
 
 #[inline(always)]
 fn run_as<S: Simd, const ANY: bool>(simd: S, method: Method, job: Job<'_, '_>) -> Result<(), Unfit> {
-    let mut memory = [Scratch::default(), Scratch::default()];
-    let job = Job { answer: &mut *job.answer, ..job };
-    if job.rays.len() < 2 {
-        method.dispatch(Alone::<S, ANY> { simd, job, memory: &mut memory[0] })
-    } else {
-        method.dispatch(InTurns::<S, ANY> { simd, job, memory: &mut memory })
+    let (mut first, mut second) = (Scratch::default(), None);
+    if job.rays.len() > 1 {
+        second = Some(Scratch::default());
     }
+    let job = Job { answer: &mut *job.answer, ..job };
+    method.dispatch(Turns::<S, ANY> { simd, job, first: &mut first, second: second.as_mut() })
 }
 
 type RaySearch<'a, S, const ANY: bool> = WideSearch<'a, S, f32x8<S>, 8, ANY>;
 
-/// One ray at most.
-struct Alone<'t, 'f, S, const ANY: bool> {
+/// Two rays at a time: while one waits for memory, the other computes. The last one alone.
+struct Turns<'t, 'f, S, const ANY: bool> {
     simd: S,
     job: Job<'t, 'f>,
-    memory: &'t mut Scratch,
+    /// Memory of the two traversals; the second one's if there are two rays.
+    first: &'t mut Scratch,
+    second: Option<&'t mut Scratch>,
 }
 
-impl<'t, S: Simd, const ANY: bool> Context<'t, 8, WideBvh> for Alone<'t, '_, S, ANY> {
+impl<'t, S: Simd, const ANY: bool> Context<'t, 8, WideBvh> for Turns<'t, '_, S, ANY> {
     type Output = ();
 
     #[inline(always)]
     fn run<C: Cursor<8>>(self, start: impl Fn(Supply<'t, WideBvh>) -> Result<C, Unfit>) -> Result<(), Unfit> {
-        let Self { simd, job: Job { bvh, tables, rays, ask, answer }, memory } = self;
-        let mut cursor = start(Supply { tree: bvh, tables, memory })?;
-        if let Some(ray) = rays.first() {
-            let mut search = RaySearch::<S, ANY>::new(simd, bvh, ray);
-            finish(bvh, &mut cursor, &mut search);
-            answer(0, search.answer(ask));
-        }
-        Ok(())
-    }
-}
-
-/// Two rays or more, two at a time: while one waits for memory, the other computes.
-struct InTurns<'t, 'f, S, const ANY: bool> {
-    simd: S,
-    job: Job<'t, 'f>,
-    memory: &'t mut [Scratch; 2],
-}
-
-impl<'t, S: Simd, const ANY: bool> Context<'t, 8, WideBvh> for InTurns<'t, '_, S, ANY> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<C: Cursor<8>>(self, start: impl Fn(Supply<'t, WideBvh>) -> Result<C, Unfit>) -> Result<(), Unfit> {
-        let Self { simd, job: Job { bvh, tables, rays, ask, answer }, memory: [first, second] } = self;
-        let mut cursors =
-            [start(Supply { tree: bvh, tables, memory: first })?, start(Supply { tree: bvh, tables, memory: second })?];
-        let [first, second, rest @ ..] = rays else { return Ok(()) };
-        let mut searches = [RaySearch::<S, ANY>::new(simd, bvh, first), RaySearch::new(simd, bvh, second)];
-        let mut numbers = [0, 1];
-        let mut rest = (2..).zip(rest);
-        let last = 'turns: loop {
-            let asked = [searches[0].ask(cursors[0].node()), searches[1].ask(cursors[1].node())];
-            for i in 0..2 {
-                if advance(bvh, &mut cursors[i], asked[i], &mut searches[i], &mut ()) {
-                    continue;
+        let Self { simd, job: Job { bvh, tables, rays, ask, answer }, first, second } = self;
+        let mut cursor = start(Supply { tree: bvh, tables, memory: first })?;
+        let (Some(ray), others) = (rays.first(), rays.get(1..).unwrap_or_default()) else { return Ok(()) };
+        let (mut number, mut search) = (0, RaySearch::<S, ANY>::new(simd, bvh, ray));
+        if let (Some(memory), Some((ray, rest))) = (second, others.split_first()) {
+            let mut numbers = [0, 1];
+            let mut cursors = [cursor, start(Supply { tree: bvh, tables, memory })?];
+            let mut searches = [search, RaySearch::new(simd, bvh, ray)];
+            let mut rest = (2..).zip(rest);
+            let last = 'turns: loop {
+                let asked = [searches[0].ask(cursors[0].node()), searches[1].ask(cursors[1].node())];
+                for i in 0..2 {
+                    if advance(bvh, &mut cursors[i], asked[i], &mut searches[i], &mut ()) {
+                        continue;
+                    }
+                    answer(numbers[i], searches[i].answer(ask));
+                    let Some((number, ray)) = rest.next() else { break 'turns 1 - i };
+                    cursors[i].reset();
+                    (numbers[i], searches[i]) = (number, RaySearch::new(simd, bvh, ray));
                 }
-                answer(numbers[i], searches[i].answer(ask));
-                let Some((number, ray)) = rest.next() else { break 'turns 1 - i };
-                cursors[i].reset();
-                (numbers[i], searches[i]) = (number, RaySearch::new(simd, bvh, ray));
-            }
-        };
-        // If the other one was asked just now, it is asked again.
-        finish(bvh, &mut cursors[last], &mut searches[last]);
-        answer(numbers[last], searches[last].answer(ask));
+            };
+            number = numbers[last];
+            let ([first, second], [of_first, of_second]) = (cursors, searches);
+            (cursor, search) = if last == 0 { (first, of_first) } else { (second, of_second) };
+        }
+        // If it was asked just now, it is asked again.
+        finish(bvh, &mut cursor, &mut search);
+        answer(number, search.answer(ask));
         Ok(())
     }
 }
