@@ -9,7 +9,6 @@ Open Scope N_scope.
 Section Numbers.
 
 Variable B : N.
-Hypothesis B_positive : 0 < B.
 
 (** The number of slots, which is the number of bits of a group. *)
 Definition A : N := 2 ^ B.
@@ -67,22 +66,44 @@ Proof.
 Qed.
 
 (** [WIDE-9] The level is the number of bits, less one, divided by [B]. *)
-Theorem key_level k : slots_below k -> N.log2 (key k) / B = N.of_nat (length k).
+Theorem key_level k : 0 < B -> slots_below k -> N.log2 (key k) / B = N.of_nat (length k).
 Proof.
-  intros Hk. destruct (key_bits k Hk) as [H1 H2]. rewrite N.add_comm, N.add_1_r in H2.
+  intros HB Hk. destruct (key_bits k Hk) as [H1 H2]. rewrite N.add_comm, N.add_1_r in H2.
   rewrite (N.log2_unique (key k) (B * N.of_nat (length k))) by (try split; [lia|assumption..]).
   rewrite N.mul_comm. apply N.div_mul. lia.
 Qed.
 
 (** [WIDE-9] Nodes and keys belong to each other one to one. *)
-Theorem key_injective k : forall k', slots_below k -> slots_below k' -> key k = key k' -> k = k'.
+Theorem key_injective k : 0 < B -> forall k', slots_below k -> slots_below k' -> key k = key k' -> k = k'.
 Proof.
-  intros k' Hk Hk' E. assert (Hl : length k = length k').
+  intros HB k' Hk Hk' E. assert (Hl : length k = length k').
   { apply Nat2N.inj. rewrite <- (key_level k), <- (key_level k') by assumption. now rewrite E. }
   revert k' Hk' Hl E. induction Hk as [|s k Hs _ IH]; intros k' Hk' Hl E; destruct Hk' as [|s' k' Hs' Hk']; try discriminate; [reflexivity|].
   simpl in *. injection Hl as Hl. assert (E1 : s = s').
   { rewrite <- (mod_back B (key k) s), <- (mod_back B (key k') s') by assumption. now f_equal. }
   subst s'. f_equal. apply IH; [assumption..|]. pose proof A_positive. nia.
+Qed.
+
+(** The way from a key to its node. *)
+Fixpoint unkey (fuel : nat) (k : N) : path :=
+  match fuel with
+  | O => []
+  | Datatypes.S fuel => if k <=? 1 then [] else k mod A :: unkey fuel (k / A)
+  end.
+
+Definition path_of_key (k : N) : path := unkey (N.to_nat (N.size k)) k.
+
+(** [WIDE-9] There is a way from keys to nodes. *)
+Theorem path_of_key_is k : 0 < B -> slots_below k -> path_of_key (key k) = k.
+Proof.
+  intros HB Hk. assert (G : forall fuel, (length k < fuel)%nat -> unkey fuel (key k) = k).
+  { induction Hk as [|s k Hs Hk IH]; intros [|fuel] Hf; simpl in Hf; try lia; [reflexivity|]. simpl.
+    destruct (key_bits k Hk) as [H1 _]. pose proof (pow_positive (B * N.of_nat (length k))). pose proof A_positive.
+    assert (2 <= A). { unfold A. change 2 with (2 ^ 1) at 1. apply N.pow_le_mono_r; lia. }
+    destruct (N.leb_spec (key k * A + s) 1); [nia|]. unfold A at 1 3. f_equal; [now apply (mod_back B)|].
+    fold A. rewrite N.div_add_l, N.div_small, N.add_0_r by lia. apply IH. lia. }
+  apply G. destruct (key_bits k Hk) as [H1 _]. pose proof (pow_positive (B * N.of_nat (length k))).
+  assert (E : key k <> 0) by lia. rewrite N.size_log2 by exact E. apply N.log2_le_pow2 in H1; [|lia]. nia.
 Qed.
 
 (** ** Trails *)
