@@ -145,6 +145,13 @@ Proof.
   destruct (child (slot r)) as [t|]; [|congruence]. now exists t.
 Qed.
 
+(** Below a leaf, and where there is no node, there is none. *)
+Lemma none_below T k : at_path T k = None -> forall b, at_path T (b ++ k) = None.
+Proof. intros H b. induction b as [|s b IH]; [exact H|]. simpl. now rewrite IH. Qed.
+
+Lemma none_below_leaf T k s : at_path T k = Some WLeaf -> forall b, at_path T (b ++ s :: k) = None.
+Proof. intros H. apply none_below. simpl. now rewrite H. Qed.
+
 End Wide.
 
 (** All nodes of a tree, by the subtrees of its slots. *)
