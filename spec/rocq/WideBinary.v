@@ -2,7 +2,7 @@
 
 Require Import List NArith Arith Lia Bool Sorted.
 Require Tree Machine Bits.
-Require Import Wide WideMachine WideKeep WideMeaning WideBits.
+Require Import Wide WideMachine WideLevels WideKeep WideMeaning WideBits.
 Import ListNotations.
 Open Scope N_scope.
 

@@ -2,7 +2,7 @@
 
 Require Import List NArith Arith Lia Bool Sorted.
 Require Machine Bits.
-Require Import Wide WideMachine WideKeep.
+Require Import Wide WideMachine WideLevels WideKeep.
 Import ListNotations.
 Open Scope N_scope.
 
@@ -78,7 +78,8 @@ Theorem key_injective k : 0 < B -> forall k', slots_below k -> slots_below k' ->
 Proof.
   intros HB k' Hk Hk' E. assert (Hl : length k = length k').
   { apply Nat2N.inj. rewrite <- (key_level k), <- (key_level k') by assumption. now rewrite E. }
-  revert k' Hk' Hl E. induction Hk as [|s k Hs _ IH]; intros k' Hk' Hl E; destruct Hk' as [|s' k' Hs' Hk']; try discriminate; [reflexivity|].
+  revert k' Hk' Hl E. induction Hk as [|s k Hs _ IH]; intros k' Hk' Hl E;
+    destruct Hk' as [|s' k' Hs' Hk']; try discriminate; [reflexivity|].
   simpl in *. injection Hl as Hl. assert (E1 : s = s').
   { rewrite <- (mod_back B (key k) s), <- (mod_back B (key k') s') by assumption. now f_equal. }
   subst s'. f_equal. apply IH; [assumption..|]. pose proof A_positive. nia.
@@ -364,3 +365,7 @@ Proof.
 Qed.
 
 End Numbers.
+
+(** [WIDE-14] For eight children: trails of 8 and 16 levels, and keys of 21, no more. *)
+Example eight_children : A 3 = 8 /\ 64 / A 3 = 8 /\ 128 / A 3 = 16 /\ (64 - 1) / 3 = 21.
+Proof. repeat split. Qed.

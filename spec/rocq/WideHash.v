@@ -1,7 +1,7 @@
 (** Which nodes are gone back to, and so which keys can be asked for: [WIDE-16]. *)
 
 Require Import List NArith Arith Lia Bool Sorted.
-Require Import Wide WideMachine WideKeep WideMeaning WideBits.
+Require Import Wide WideMachine WideLevels WideKeep WideMeaning WideBits.
 Import ListNotations.
 Open Scope N_scope.
 
@@ -65,7 +65,7 @@ Qed.
 Theorem gone_back_only a : goes_back T S a -> keyed T a.
 Proof.
   intros (k & ls & h & Hr & Ht & Hl & Hleaf). pose proof (pending_meaning B T S F _ _ _ Hr) as Hm.
-  destruct (looks_level h _ _ _ _ _ Hl Hm) as (b & s & g & -> & Hg & (child & h' & h0 & r & Ha & _ & Hin & Hs & _ & _ & H3 & _ & H5) & Hb).
+  destruct (looks_level h _ _ _ _ _ Hl Hm) as (b & s & g & -> & Hg & Hmean & Hb). destruct Hmean as (child & h' & h0 & r & Ha & _ & Hin & Hs & _ & _ & H3 & _ & H5).
   assert (Hi : exists i, N.testbit g i = true).
   { exists (N.log2 g). now apply N.bit_log2. }
   destruct Hi as (i & Hi). destruct (H5 i Hi) as (x & Hx & <-). exists s, (slot B x).
@@ -192,27 +192,43 @@ Proof.
   reflexivity.
 Qed.
 
-(** [WIDE-16] It goes back to [a]. *)
-Theorem visitor_goes_back : goes_back T S a.
+(** It comes to the child in slot [s], which wants nothing, and the other one is pending. *)
+Lemma visitor_comes : exists h,
+  reached B M T S (s :: a, slots_of B [A B + s'] :: map (fun _ => 0) a) (a :: h) /\ turns T S (s :: a) (a :: h).
 Proof.
   assert (Hs : s < A B) by now inversion_clear below.
-  destruct (visitor_down a [] eq_refl) as (h & Hr).
-  assert (Ha : exists child, at_path T a = Some (Inner child)).
+  destruct (visitor_down a [] eq_refl) as (h & Hr). exists h.
+  assert (Ha : is_inner T a).
   { apply (inner_above T a [s]); [|discriminate]. destruct inner as (c & H). simpl in *. congruence. }
-  destruct Ha as (child & Ha).
-  assert (Hr1 : reached B M T S (s :: a, slots_of B [A B + s'] :: map (fun _ => 0) a) (a :: h)).
-  { apply (reached_step _ _ _ _ _ _ _ _ Hr). unfold step. cbv zeta. rewrite visitor_seen.
+  destruct Ha as (child & Ha). split.
+  - apply (reached_step _ _ _ _ _ _ _ _ Hr). unfold step. cbv zeta. rewrite visitor_seen.
     change (path_of M (a, map (fun _ => 0) a)) with a. rewrite Ha. simpl. destruct (path_eq a a) as [_|]; [|congruence].
-    rewrite not_beyond_small, slot_small by exact Hs. reflexivity. }
-  destruct inner as (c & Hc). exists (s :: a). eexists. exists (a :: h). split; [exact Hr1|]. split; [|split].
-  - unfold turns. rewrite Hc. simpl. destruct (path_eq (s :: a) a) as [E|_].
+    rewrite not_beyond_small, slot_small by exact Hs. reflexivity.
+  - destruct inner as (c & Hc). unfold turns. rewrite Hc. simpl. destruct (path_eq (s :: a) a) as [E|_].
     { apply (f_equal (@length N)) in E. simpl in E. lia. }
     destruct (way a (s :: a)) as [x|] eqn:E; [|reflexivity]. destruct (way_suffix _ _ _ E) as (b & Eb).
     apply (f_equal (@length N)) in Eb. rewrite app_length in Eb. simpl in Eb. lia.
-  - constructor. intros E. assert (X : N.testbit (slots_of B [A B + s']) s' = true).
-    { rewrite slots_spec. simpl. rewrite slot_above by exact below'. now rewrite N.eqb_refl. }
-    rewrite E, N.bits_0 in X. discriminate.
-  - rewrite Hc. discriminate.
+Qed.
+
+(** From there it goes to that one. *)
+Lemma visitor_takes h : exists g,
+  take (trail_keeper B) (now S h a) (edge S h) (slots_of B [A B + s']) = Some (s', g).
+Proof.
+  assert (Hs : s < A B) by now inversion_clear below.
+  unfold now. simpl ask. destruct (path_eq a a) as [_|]; [|congruence]. cbn [take trail_keeper].
+  assert (E : filter (pend B (slots_of B [A B + s'])) [s; A B + s'] = [A B + s']).
+  { apply filter_rest. simpl. rewrite slot_small, slot_above by assumption. repeat constructor; [|intros []].
+    intros [E|[]]. congruence. }
+  rewrite E. simpl edge. rewrite not_beyond_above, slot_above by exact below'. eauto.
+Qed.
+
+(** [WIDE-16] It goes back to [a]. *)
+Theorem visitor_goes_back : goes_back T S a.
+Proof.
+  destruct visitor_comes as (h & Hr & Ht). exists (s :: a). eexists. exists (a :: h). split; [exact Hr|]. split; [exact Ht|].
+  split.
+  - constructor. intros E. destruct (visitor_takes (a :: h)) as (g & Hg). rewrite E, take_nothing in Hg. discriminate.
+  - destruct inner as (c & ->). discriminate.
 Qed.
 
 End Visitor.

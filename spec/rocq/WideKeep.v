@@ -3,7 +3,7 @@
     A set of slots is a number: bit [s] is set if slot [s] is in it. *)
 
 Require Import List NArith Lia Bool Sorted.
-Require Import Wide WideMachine.
+Require Import Wide WideMachine WideLevels.
 Import ListNotations.
 Open Scope N_scope.
 
@@ -183,6 +183,8 @@ Proof.
   rewrite <- Ha. apply (f_slots _ _ _ F).
 Qed.
 
+(** [WIDE-13] At each level the child that comes next is the least that is not beyond; none comes if and only if all
+    are beyond. *)
 Lemma trail_keeps : keeps B trail_keeper T S trail_holds.
 Proof.
   split; simpl.
@@ -200,7 +202,7 @@ Proof.
     eapply answered_slots; eauto.
 Qed.
 
-(** [WIDE-13, WIDE-7, WIDE-19] A node, and the pending set of each ancestor, with questions asked again, have the reference's
+(** [WIDE-13, WIDE-7] A node, and the pending set of each ancestor, with questions asked again, have the reference's
     visits and answer. *)
 Theorem wide_trail_reference fuel : (length (snd (reference B S T)) <= fuel)%nat ->
   run B (level_machine B trail_keeper) T S fuel (start (level_machine B trail_keeper)) [] = Some (reference B S T).
@@ -221,7 +223,8 @@ Lemma live_live e rs : live B e (live B e rs) = live B e rs.
 Proof. now apply filter_filter. Qed.
 
 (** A set with one slot is the set of one rank. *)
-Lemma single_slot rs : NoDup (map (slot B) rs) -> single (slots_of rs) = true -> exists r, rs = [r] /\ N.log2 (slots_of rs) = slot B r.
+Lemma single_slot rs : NoDup (map (slot B) rs) -> single (slots_of rs) = true ->
+  exists r, rs = [r] /\ N.log2 (slots_of rs) = slot B r.
 Proof.
   unfold single. rewrite N.eqb_eq. intros Hn E. set (s := N.log2 (slots_of rs)) in *.
   assert (H : forall r, In r rs -> slot B r = s).
@@ -235,6 +238,8 @@ Proof.
     rewrite (H r), (H r'); simpl; auto.
 Qed.
 
+(** [WIDE-18, WIDE-19] At each level the child that comes next is the least that is not beyond; none comes if and only if
+    all are beyond. *)
 Lemma word_keeps : keeps B (word_keeper mark) T S word_holds.
 Proof.
   split; simpl.
@@ -273,7 +278,7 @@ Proof.
       * exists ra. auto.
 Qed.
 
-(** [WIDE-18, WIDE-7, WIDE-19] With the bit, and without a question where one child is pending and the end is what it was, the
+(** [WIDE-18, WIDE-7] With the bit, and without a question where one child is pending and the end is what it was, the
     machine has the reference's visits and answer. *)
 Theorem wide_word_reference fuel : (length (snd (reference B S T)) <= fuel)%nat ->
   run B (level_machine B (word_keeper mark)) T S fuel (start (level_machine B (word_keeper mark))) [] = Some (reference B S T).
@@ -298,6 +303,8 @@ Definition key_holds (a : path) (h : history) (w : N * N * N) (rs : list N) : Pr
   exists l rs', answered a h l /\ live B (edge S h) rs = left_of (edge S h) g l /\
     StronglySorted N.lt rs' /\ live B (edge S h) rs' = live B (edge S h) rs /\ known r1 r2 rs'.
 
+(** [WIDE-17, WIDE-19] At each level the child that comes next is the least that is not beyond; none comes if and only if
+    all are beyond. *)
 Lemma key_keeps : keeps B key_keeper T S key_holds.
 Proof.
   split; simpl.
@@ -331,7 +338,7 @@ Proof.
         -- destruct Hk as [->|(y & ->)]; [now left|]. right. exists y. auto.
 Qed.
 
-(** [WIDE-17, WIDE-7, WIDE-19] With the ranks of the next two children, and a level dropped where the kept rank is beyond, the
+(** [WIDE-17, WIDE-7] With the ranks of the next two children, and a level dropped where the kept rank is beyond, the
     machine has the reference's visits and answer. *)
 Theorem wide_key_reference fuel : (length (snd (reference B S T)) <= fuel)%nat ->
   run B (level_machine B key_keeper) T S fuel (start (level_machine B key_keeper)) [] = Some (reference B S T).

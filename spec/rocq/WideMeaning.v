@@ -1,7 +1,7 @@
 (** What is pending, and when: the meaning of the trail of a wide tree, [WIDE-10] and [WIDE-11]. *)
 
 Require Import List NArith Lia Bool Sorted.
-Require Import Wide WideMachine WideKeep.
+Require Import Wide WideMachine WideLevels WideKeep.
 Import ListNotations.
 Open Scope N_scope.
 

@@ -1,7 +1,7 @@
 (** The restart trail of a wide tree: how many children are done, a short stack, and the way down again: [WRESTART-1]. *)
 
 Require Import List NArith Lia Bool Sorted.
-Require Import Wide WideMachine WideKeep.
+Require Import Wide WideMachine WideLevels WideKeep.
 Import ListNotations.
 Open Scope N_scope.
 
