@@ -65,7 +65,8 @@ Qed.
 Theorem gone_back_only a : goes_back T S a -> keyed T a.
 Proof.
   intros (k & ls & h & Hr & Ht & Hl & Hleaf). pose proof (pending_meaning B T S F _ _ _ Hr) as Hm.
-  destruct (looks_level h _ _ _ _ _ Hl Hm) as (b & s & g & -> & Hg & Hmean & Hb). destruct Hmean as (child & h' & h0 & r & Ha & _ & Hin & Hs & _ & _ & H3 & _ & H5).
+  destruct (looks_level h _ _ _ _ _ Hl Hm) as (b & s & g & -> & Hg & Hmean & Hb).
+  destruct Hmean as (child & h' & h0 & r & Ha & _ & Hin & Hs & _ & _ & H3 & _ & H5).
   assert (Hi : exists i, N.testbit g i = true).
   { exists (N.log2 g). now apply N.bit_log2. }
   destruct Hi as (i & Hi). destruct (H5 i Hi) as (x & Hx & <-). exists s, (slot B x).

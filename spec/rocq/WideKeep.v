@@ -345,38 +345,3 @@ Theorem wide_key_reference fuel : (length (snd (reference B S T)) <= fuel)%nat -
 Proof. exact (levels_reference B key_keeper T S key_holds F key_keeps fuel). Qed.
 
 End Keep.
-
-(** * What was beyond when the node was asked *)
-
-Module Beyond.
-
-(** Two leaves; the second begins beyond the end. The search wants both all the same. *)
-Definition T := Inner (fun s => if s <? 2 then Some WLeaf else None).
-Definition S := Search (fun _ _ => [0; 3]) (fun _ => false) (fun _ => 1).
-
-(** [WIDE-18] with all that is wanted in the set. *)
-Definition careless : keeper := {|
-  level := N * bool;
-  keep rs e := (slots_of 1 rs, false);
-  worn := worn (word_keeper 1 (fun _ => false));
-  take := take (word_keeper 1 (fun _ => false)) |}.
-
-Lemma is_fair : fair 1 T S.
-Proof.
-  split; simpl; try reflexivity.
-  - repeat constructor.
-  - intros _ _. repeat constructor; intros H; repeat destruct H as [H|H]; discriminate || contradiction.
-  - intros k _ r child Hk Hr. assert (E : Inner child = T).
-    { revert child Hk. induction k as [|s k IH]; simpl; intros child Hk; [congruence|].
-      destruct (at_path T k) as [[|c]|]; try discriminate. specialize (IH c eq_refl). injection IH as ->.
-      destruct (s <? 2); discriminate. }
-    injection E as ->. destruct Hr as [<-|[<-|[]]]; discriminate.
-Qed.
-
-(** [WIDE-18] The set must leave out what is beyond when the node is asked: else such a child, left alone, comes without a
-    question, and the reference skips it. *)
-Example careless_goes_beyond : fair 1 T S /\ reference 1 S T = (false, [[0]; []]) /\
-  run 1 (level_machine 1 careless) T S 9 (start (level_machine 1 careless)) [] = Some (false, [[1]; [0]; []]).
-Proof. split; [apply is_fair|split; reflexivity]. Qed.
-
-End Beyond.
