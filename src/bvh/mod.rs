@@ -20,7 +20,7 @@ pub use primitives::{Bounded, Primitives};
 pub use refit::RefitError;
 pub use tree::{BvhNode, BvhTree, Leaf};
 pub use validate::{BvhError, validate};
-pub use wide::WideBvh;
+pub use wide::{WideBvh, WideError};
 
 use std::ops::Range;
 

@@ -7,8 +7,8 @@ use std::borrow::Borrow;
 use std::fmt;
 
 use super::Hit;
-use crate::bvh::WideBvh;
-use crate::geom::Ray;
+use crate::bvh::{WideBvh, WideError};
+use crate::geom::{Mesh, Ray};
 use crate::geom::lanes::Level;
 use crate::threads;
 use crate::wide::{Method, Tables, Unfit};
@@ -23,11 +23,10 @@ use turns::{Ask, Job, trace};
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::bvh::{Bvh, WideBvh};
 /// use stackless_bvh::{geom::Mesh, geom::Ray, trace::WideTracer};
 ///
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
-/// let tracer = WideTracer::new(WideBvh::of(&Bvh::build(&mesh)?)?);
+/// let tracer = WideTracer::of(&mesh)?;
 /// let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z)?;
 /// let hit = tracer.closest(&ray).ok_or("a miss")?;
 /// assert_eq!((hit.prim, hit.t, hit.u, hit.v), (0, 3.0, 0.25, 0.5));
@@ -43,6 +42,16 @@ pub struct WideTracer<T = WideBvh> {
 
 /// Rays that a thread takes at once.
 const CHUNK: usize = 256;
+
+impl WideTracer {
+    /// A tracer that owns a hierarchy over a mesh, by [`WideBvh::build`].
+    ///
+    /// # Errors
+    /// [`WideError`], for meshes that are too large.
+    pub fn of(mesh: &Mesh) -> Result<Self, WideError> {
+        WideBvh::build(mesh).map(Self::new)
+    }
+}
 
 impl<T: Borrow<WideBvh>> WideTracer<T> {
     /// A tracer by [`Method::default`], which fits any hierarchy, with the best instructions of this machine.

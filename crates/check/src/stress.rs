@@ -1,12 +1,16 @@
 //! Hard rays through every traversal, at any accuracy, against rational arithmetic.
 
 use glam::Vec3;
-use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, SahOptions};
+use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, SahOptions, WideBvh};
 use stackless_bvh::generate::stress::StressCase;
 use stackless_bvh::geom::{Kernel, Slabs};
-use stackless_bvh::trace::{Form, Hit, KernelName, NodeSearch, Query, SlabsName, Truth, WithTests, with_tests};
+use stackless_bvh::geom::lanes;
+use stackless_bvh::trace::{
+    Form, Hit, KernelName, NodeSearch, Query, SlabsName, Truth, WideTracer, WithTests, with_tests,
+};
 use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
 use stackless_bvh::tree::{Implicit, Topology};
+use stackless_bvh::wide;
 
 /// How often tests went wrong, in numbers of rays: a ray counts once if any traversal errs with it. `[CONF-2]`
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -67,6 +71,31 @@ impl<'c> Stress<'c> {
     pub fn run(&self, tests: (KernelName, SlabsName), methods: &[Method]) -> Result<Errors, Unfit> {
         with_tests(tests, Run { stress: self, methods })
     }
+
+    /// The same by all traversals of wide trees, with all instructions of this machine, one ray at a time and two in
+    /// turns: exact.
+    ///
+    /// # Errors
+    /// What could not be made, in words.
+    pub fn run_wide(&self) -> Result<Errors, String> {
+        let (rays, mut found) = (&self.case.rays, Findings::new(&self.truth));
+        for tree in &self.trees {
+            let bvh = WideBvh::of(tree).map_err(|error| error.to_string())?;
+            bvh.validate(&self.case.mesh).map_err(|error| error.to_string())?;
+            for method in wide::Method::ALL {
+                for (_, level) in lanes::levels() {
+                    let tracer = WideTracer::with_method(&bvh, method).map_err(|unfit| unfit.to_string())?;
+                    let tracer = tracer.with_level(level);
+                    let (closest, any) = (tracer.closest_each(rays), tracer.any_each(rays));
+                    for (i, ray) in rays.iter().enumerate() {
+                        found.see(i, any[i], closest[i]);
+                        found.see(i, tracer.any(ray), tracer.closest(ray));
+                    }
+                }
+            }
+        }
+        Ok(found.errors())
+    }
 }
 
 struct Run<'a> {
@@ -74,7 +103,13 @@ struct Run<'a> {
     methods: &'a [Method],
 }
 
-/// What went wrong with one ray.
+/// What goes wrong with each ray.
+struct Findings<'t> {
+    truth: &'t [Option<Hit>],
+    wrong: Vec<Wrong>,
+    max_ulp: u32,
+}
+
 #[derive(Clone, Copy, Default)]
 struct Wrong {
     miss: bool,
@@ -82,21 +117,49 @@ struct Wrong {
     primitive: bool,
 }
 
+impl<'t> Findings<'t> {
+    fn new(truth: &'t [Option<Hit>]) -> Self {
+        Self { truth, wrong: vec![Wrong::default(); truth.len()], max_ulp: 0 }
+    }
+
+    /// Compares the answers to a ray.
+    fn see(&mut self, ray: usize, any: bool, closest: Option<Hit>) {
+        let (truth, wrong) = (self.truth[ray], &mut self.wrong[ray]);
+        wrong.miss |= truth.is_some() && (closest.is_none() || !any);
+        wrong.hit |= truth.is_none() && (closest.is_some() || any);
+        if let (Some(truth), Some(found)) = (truth, closest) {
+            wrong.primitive |= truth.prim != found.prim;
+            if truth.prim == found.prim {
+                self.max_ulp = self.max_ulp.max(floats_between(truth.t, found.t));
+            }
+        }
+    }
+
+    fn errors(&self) -> Errors {
+        let count = |is_wrong: fn(&Wrong) -> bool| self.wrong.iter().filter(|&wrong| is_wrong(wrong)).count() as u64;
+        Errors {
+            rays: self.truth.len() as u64,
+            false_misses: count(|wrong| wrong.miss),
+            false_hits: count(|wrong| wrong.hit),
+            wrong_primitives: count(|wrong| wrong.primitive),
+            max_ulp: self.max_ulp,
+        }
+    }
+}
+
 impl WithTests for Run<'_> {
     type Output = Result<Errors, Unfit>;
 
     fn call<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>>(self) -> Self::Output {
         let Stress { case, truth, trees } = self.stress;
-        let mut wrong = vec![Wrong::default(); case.rays.len()];
-        let mut errors = Errors { rays: case.rays.len() as u64, ..Errors::default() };
-        let mut memory = Vec::new();
+        let (mut found, mut memory) = (Findings::new(truth), Vec::new());
         for (tree, is_complete) in trees.iter().zip([false, true, false]) {
             let bvh = tree.clone().map(K::Shape::from);
             let boxes = bvh.own_boxes();
             let tables = Tables::new(bvh.tree(), bvh.axes(), self.methods, Implicit::LIMIT);
             let word = WordName::narrowest(bvh.depth());
             for &method in self.methods.iter().filter(|&&method| is_complete || method != Method::Complete) {
-                for ((ray, truth), wrong) in case.rays.iter().zip(truth).zip(&mut wrong) {
+                for (i, ray) in case.rays.iter().enumerate() {
                     let mut any = NodeSearch::<K, B, true>::new(&bvh, &boxes, ray);
                     let mut closest = NodeSearch::<K, B, false>::new(&bvh, &boxes, ray);
                     // The first hit ends an any-hit query: there is nothing left to be pruned.
@@ -105,23 +168,11 @@ impl WithTests for Run<'_> {
                     for (query, method) in queries {
                         tables.run_query(word, method, ray.octant(), &mut memory, query)?;
                     }
-                    let (any, closest) = (any.found().is_some(), closest.hit());
-                    wrong.miss |= truth.is_some() && (closest.is_none() || !any);
-                    wrong.hit |= truth.is_none() && (closest.is_some() || any);
-                    if let (Some(truth), Some(found)) = (truth, closest) {
-                        wrong.primitive |= truth.prim != found.prim;
-                        if truth.prim == found.prim {
-                            errors.max_ulp = errors.max_ulp.max(floats_between(truth.t, found.t));
-                        }
-                    }
+                    found.see(i, any.found().is_some(), closest.hit());
                 }
             }
         }
-        let count = |is_wrong: fn(&Wrong) -> bool| wrong.iter().filter(|&wrong| is_wrong(wrong)).count() as u64;
-        errors.false_misses = count(|wrong| wrong.miss);
-        errors.false_hits = count(|wrong| wrong.hit);
-        errors.wrong_primitives = count(|wrong| wrong.primitive);
-        Ok(errors)
+        Ok(found.errors())
     }
 }
 

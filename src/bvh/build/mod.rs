@@ -116,6 +116,13 @@ pub enum Degenerate {
 }
 
 impl BuildOptions {
+    /// One primitive a leaf, and deep enough for that: what a [wide hierarchy](super::WideBvh) is best made of, which
+    /// chooses its leaves itself.
+    #[must_use]
+    pub fn fine() -> Self {
+        Self { sah: SahOptions { max_leaf: 1, depth_limit: 60, ..SahOptions::default() }, ..Self::default() }
+    }
+
     /// A tree over primitives of any kind.
     ///
     /// ```

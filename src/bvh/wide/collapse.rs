@@ -4,8 +4,8 @@ use super::draft::{Draft, leaf_address};
 use super::layout::{Child, assign};
 use super::programme::Programme;
 use super::{MAX_COUNT, WideBvh, WideNode};
-use crate::bvh::{Bvh, LeafTriangle};
-use crate::geom::Aabb;
+use crate::bvh::{BuildError, BuildOptions, Bvh, LeafTriangle};
+use crate::geom::{Aabb, Mesh};
 use crate::geom::lanes::Block;
 use crate::tree::Node;
 
@@ -30,6 +30,9 @@ impl Default for WideOptions {
 /// Why a hierarchy cannot be made wide.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum WideError {
+    /// There is no binary hierarchy.
+    #[error(transparent)]
+    Build(#[from] BuildError),
     /// No leaf can hold so many.
     #[error("leaves of {0} triangles, expected 1 to {MAX_COUNT}")]
     LeafSize(u32),
@@ -44,8 +47,20 @@ pub enum WideError {
     TooManyBlocks,
 }
 
+impl WideBvh {
+    /// A hierarchy of eight children over a mesh, made for speed: by surface area, with one triangle a leaf, two rounds
+    /// of reinsertion, and then collapsed.
+    ///
+    /// # Errors
+    /// What [`WideError`] lists but for options.
+    pub fn build(mesh: &Mesh) -> Result<Self, WideError> {
+        Self::of(&BuildOptions { reinsertion: 2, ..BuildOptions::fine() }.build(mesh)?)
+    }
+}
+
 impl<const A: usize> WideBvh<A> {
-    /// A wide hierarchy over the triangles of a binary one.
+    /// A wide hierarchy over the triangles of a binary one. The best one is made of a binary one with
+    /// [one triangle a leaf](BuildOptions::fine).
     ///
     /// # Errors
     /// [`WideError::TooManyNodes`] and [`WideError::TooManyBlocks`].

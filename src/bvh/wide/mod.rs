@@ -68,8 +68,8 @@ const BLOCK_BITS: u32 = 27;
 const MAX_COUNT: u32 = 15;
 
 impl<const A: usize> WideBvh<A> {
-    /// Greatest level of an inner node: its key of log2 A bits a level fits 64 bits, and its levels 32. `[WIDE-14]`
-    pub const MAX_LEVEL: u32 = if A == 8 { 20 } else { 30 };
+    /// Greatest level of an inner node: all traversals carry so many. `[WIDE-14]`
+    pub const MAX_LEVEL: u32 = if A == 8 { 16 } else { 30 };
 
     /// Greatest number of inner nodes.
     pub const MAX_NODES: usize = 1 << ANCESTOR_BITS;

@@ -155,7 +155,7 @@ fn depth_is_limited() {
         (eight.levels(), four.levels(), eight)
     };
     // With seven leaves a node, or three, and one more in the last one.
-    for (n, eight, four) in [(94, 13, 30), (148, 20, 30), (149, 20, 30), (2000, 20, 30), (30_000, 20, 30)] {
+    for (n, eight, four) in [(94, 13, 30), (148, 16, 30), (149, 16, 30), (2000, 16, 30), (30_000, 16, 30)] {
         let (found_eight, found_four, _) = of(n);
         assert_eq!((found_eight, found_four), (eight, four), "{n}");
     }

@@ -41,6 +41,22 @@ pub use triangles::{DETERMINANT, DISTANCE, MIN_EDGE, TriangleRay};
 pub use fearless_simd::Level;
 use fearless_simd::{Simd, SimdFloat};
 
+/// The levels that rays are traced with on this machine, the best one first, with their names.
+///
+/// On x86, SSE4.2 and AVX-512 are not among them: what they add is no use here.
+pub fn levels() -> Vec<(&'static str, Level)> {
+    let best = Level::new();
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    {
+        let avx2 = best.as_avx2().map(|avx2| ("avx2", Level::Avx2(avx2)));
+        let sse2 = best.as_sse2().map(|sse2| ("sse2", Level::Sse2(sse2)));
+        let known: Vec<_> = avx2.into_iter().chain(sse2).collect();
+        if known.is_empty() { vec![("scalar", best)] } else { known }
+    }
+    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+    vec![(if best.is_fallback() { "scalar" } else { "simd" }, best)]
+}
+
 /// A vector of `A` floats: `f32x4` or `f32x8`.
 pub trait Lanes<S: Simd, const A: usize>: SimdFloat<S, Element = f32, Array = [f32; A]> {}
 

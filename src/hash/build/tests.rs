@@ -82,7 +82,7 @@ fn another_fold_where_two_meet() {
         keys.iter_mut().filter(|key| bad(fold_seed) && key.key >> 40 != 0).for_each(|key| key.key = 1 << 50);
         keys
     };
-    let hash = with_fold_seeds(&tree, options, keys, |request| remedied(request, false)).unwrap();
+    let hash = with_fold_seeds(Size::of(&tree), options, keys, |request| remedied(request, false)).unwrap();
     assert_eq!(hash.header().fold_seed, good);
     assert_eq!(certify(&hash, &tree, options.key_set), Ok(()));
     let all = Keys::of(&tree);
@@ -92,7 +92,7 @@ fn another_fold_where_two_meet() {
         assert_eq!(hash.probe(&all.key::<u128>(slot)), tree.node(slot as u32));
     }
     let never = |_| keys(0);
-    let none = with_fold_seeds(&tree, options, never, |request| remedied(request, false));
+    let none = with_fold_seeds(Size::of(&tree), options, never, |request| remedied(request, false));
     assert_eq!(none, Err(BuildError::NoSeed { seeds: SEEDS }));
 }
 

@@ -5,13 +5,16 @@ mod own;
 mod peers;
 mod rays;
 mod rows;
+mod wide;
 
 use std::hint::black_box;
 use std::path::PathBuf;
 
 use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::lanes::Level;
 use stackless_bvh::trace::{Accuracy, Truth};
 use stackless_bvh::traverse::Method;
+use stackless_bvh::wide::Method as WideMethod;
 
 use crate::Outcome;
 use crate::build::Build;
@@ -23,6 +26,7 @@ use crate::turns::take_turns;
 use own::Trees;
 use rays::{Kind, Set};
 pub(crate) use rows::{Row, means, of_scene};
+use wide::{Manner, WideTree};
 
 /// Measure throughput on one thread: same rays, and unless several are asked for, same tree.
 ///
@@ -42,6 +46,17 @@ pub(crate) struct Args {
     #[arg(long, value_delimiter = ',', value_parser = input::MethodName)]
     #[arg(default_value = "stack,sparse,afra,uncle,hashed,hash-only,implicit-b1")]
     methods: Vec<Method>,
+    /// Traversals of wide trees, separated by commas: wide-stack, wide-trail, wide-record, wide-hashed,
+    /// wide-restart-0 to -8. They are exact. Their tree is built in the same way, with one triangle a leaf, and then
+    /// collapsed to eight children. They trace two rays in turns.
+    #[arg(long, value_delimiter = ',', value_parser = input::wide_method)]
+    wide: Vec<WideMethod>,
+    /// Instructions of the traversals of wide trees: avx2 or sse2 on x86. The default is the best of the machine.
+    #[arg(long, value_name = "LEVEL", value_parser = input::simd)]
+    simd: Option<Level>,
+    /// Trace one ray at a time through wide trees, each by a call of its own.
+    #[arg(long)]
+    one_by_one: bool,
     /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median, separated by commas; with `+N`, N rounds of
     /// reinsertion follow.
     #[arg(long, value_delimiter = ',', default_value = "sah")]
@@ -76,6 +91,9 @@ impl Args {
         Self {
             scenes: Vec::new(),
             methods: methods.to_vec(),
+            wide: Vec::new(),
+            simd: None,
+            one_by_one: false,
             build: vec![build],
             rays: vec![Kind::Primary, Kind::Any, Kind::Diffuse],
             accuracy: vec![Accuracy::Exact],
@@ -160,10 +178,14 @@ pub(crate) fn measure(
     let accuracies = once_each(args.accuracy.iter().copied());
     // `stack` is what the others are measured by.
     let methods = once_each([Method::Stack].into_iter().chain(args.methods.iter().copied()));
+    let wide_methods = once_each(args.wide.iter().copied());
     let Found { mut rows, mut notes, mut offences } = Found::default();
     for scene in scenes {
         let trees: Result<Vec<_>, _> = builds.iter().map(|&build| Trees::build(scene, build)).collect();
         let trees = trees?;
+        let wide_builds = if args.wide.is_empty() { &[][..] } else { &builds };
+        let wide_trees: Result<Vec<_>, _> = wide_builds.iter().map(|&build| WideTree::build(scene, build)).collect();
+        let wide_trees = wide_trees?;
         let mut contestants = Vec::new();
         for trees in &trees {
             for &accuracy in &accuracies {
@@ -171,6 +193,12 @@ pub(crate) fn measure(
                     let contestant = trees.contestant(method, accuracy);
                     contestants.push(contestant.map_err(|unfit| format!("{}: {method}: {unfit}", scene.name))?);
                 }
+            }
+        }
+        for tree in &wide_trees {
+            let manner = Manner { level: args.simd.unwrap_or_else(Level::new), is_alone: args.one_by_one };
+            for &method in &wide_methods {
+                contestants.push(tree.contestant(method, manner)?);
             }
         }
         #[cfg(feature = "peers")]

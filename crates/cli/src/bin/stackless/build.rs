@@ -36,9 +36,18 @@ impl Build {
 
     /// Builds, with a progress bar.
     pub(crate) fn run(self, scene: &Scene) -> Result<Bvh, BuildError> {
+        self.run_as(BuildOptions::default(), scene)
+    }
+
+    /// The same with one triangle a leaf: for wide hierarchies.
+    pub(crate) fn run_fine(self, scene: &Scene) -> Result<Bvh, BuildError> {
+        self.run_as(BuildOptions::fine(), scene)
+    }
+
+    fn run_as(self, options: BuildOptions, scene: &Scene) -> Result<Bvh, BuildError> {
         let Self { builder, reinsertion } = self;
         let progress = bar(scene.mesh.triangles().len() as u64, &format!("{}, {self}", scene.name));
-        let options = BuildOptions { builder, reinsertion, ..BuildOptions::default() };
+        let options = BuildOptions { builder, reinsertion, ..options };
         let bvh = options.build_watched(&scene.mesh, &|placed| progress.inc(placed as u64));
         progress.finish_and_clear();
         bvh

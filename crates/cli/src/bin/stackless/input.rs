@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
 use stackless_bvh::generate::procedural;
-use stackless_bvh::geom::Mesh;
+use stackless_bvh::geom::{Mesh, lanes};
 use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::{Method, WordName};
+use stackless_bvh::wide;
 use stackless_scene::SceneError;
 use stackless_suite::Level;
 
@@ -73,6 +74,19 @@ impl TypedValueParser for MethodName {
 /// Reads a traversal's name; the error lists all of them.
 pub(crate) fn method(name: &str) -> Result<Method, String> {
     name.parse().map_err(|_| format!("expected one of: {}", Method::ALL.map(Method::name).join(", ")))
+}
+
+/// Reads the name of a traversal of wide trees; the error lists all of them.
+pub(crate) fn wide_method(name: &str) -> Result<wide::Method, String> {
+    name.parse().map_err(|_| format!("expected one of: {}", wide::Method::ALL.map(wide::Method::name).join(", ")))
+}
+
+/// Reads the name of a level of instructions; the error lists those that this machine has.
+pub(crate) fn simd(name: &str) -> Result<lanes::Level, String> {
+    let levels = lanes::levels();
+    let found = levels.iter().find(|(known, _)| *known == name);
+    let known = || levels.iter().map(|(known, _)| *known).collect::<Vec<_>>().join(", ");
+    found.map(|(_, level)| *level).ok_or_else(|| format!("this machine has: {}", known()))
 }
 
 /// Reads the name of a level; the error lists all of them.

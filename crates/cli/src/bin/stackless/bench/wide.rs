@@ -1,0 +1,98 @@
+//! The traversals of wide trees.
+
+use cpu_time::ProcessTime;
+use stackless_bvh::bvh::WideBvh;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::lanes::Level;
+use stackless_bvh::trace::{Accuracy, WideTracer};
+use stackless_bvh::wide::Method;
+
+use super::Contestant;
+use crate::build::Build;
+use crate::input::Scene;
+use crate::judge::{Answer, Query};
+
+/// A wide hierarchy over a mesh.
+pub(super) struct WideTree {
+    build: Build,
+    bvh: WideBvh,
+    build_seconds: f64,
+}
+
+/// How rays are traced.
+#[derive(Clone, Copy)]
+pub(super) struct Manner {
+    /// With the instructions of this level.
+    pub(super) level: Level,
+    /// One at a time, not two in turns.
+    pub(super) is_alone: bool,
+}
+
+impl WideTree {
+    pub(super) fn build(scene: &Scene, build: Build) -> Result<Self, Box<dyn std::error::Error>> {
+        let start = ProcessTime::now();
+        let bvh = WideBvh::of(&build.run_fine(scene)?)?;
+        Ok(Self { build, bvh, build_seconds: start.elapsed().as_secs_f64() })
+    }
+
+    pub(super) fn contestant(
+        &self,
+        method: Method,
+        manner: Manner,
+    ) -> Result<Box<dyn Contestant + '_>, Box<dyn std::error::Error>> {
+        let tracer = WideTracer::with_method(&self.bvh, method)?.with_level(manner.level);
+        Ok(Box::new(Runner { tree: self, tracer, is_alone: manner.is_alone }))
+    }
+}
+
+struct Runner<'a> {
+    tree: &'a WideTree,
+    tracer: WideTracer<&'a WideBvh>,
+    is_alone: bool,
+}
+
+impl Contestant for Runner<'_> {
+    fn method(&self) -> &'static str {
+        self.tracer.method().name()
+    }
+
+    fn build(&self) -> Option<Build> {
+        Some(self.tree.build)
+    }
+
+    fn accuracy(&self) -> Option<Accuracy> {
+        Some(Accuracy::Exact)
+    }
+
+    fn trace(&mut self, query: Query, rays: &[Ray], _: usize, answers: &mut [Answer]) {
+        // In pieces of one ray, or all at once.
+        let pieces = rays.chunks(if self.is_alone { 1 } else { rays.len().max(1) });
+        let mut left = answers;
+        for rays in pieces {
+            let (answers, rest) = left.split_at_mut(rays.len());
+            left = rest;
+            match (query, rays) {
+                (Query::Closest, [ray]) => answers[0] = self.tracer.closest_distance(ray),
+                (Query::Closest, _) => self.tracer.closest_distances(rays, answers),
+                (Query::Any, [ray]) => answers[0] = self.tracer.any(ray).then_some((0, 0.0)),
+                (Query::Any, _) => {
+                    let hits = self.tracer.any_each(rays);
+                    // Which hit it is does not count.
+                    answers.iter_mut().zip(hits).for_each(|(answer, hit)| *answer = hit.then_some((0, 0.0)));
+                }
+            }
+        }
+    }
+
+    fn nodes(&mut self, _: Query, _: &[Ray]) -> Option<u64> {
+        None
+    }
+
+    fn state_bytes(&self) -> Option<usize> {
+        Some(self.tracer.method().state_bytes::<8>(self.tree.bvh.levels() as usize))
+    }
+
+    fn build_seconds(&self) -> f64 {
+        self.tree.build_seconds
+    }
+}
