@@ -8,8 +8,8 @@ use std::fmt;
 
 use super::Hit;
 use crate::bvh::{WideBvh, WideError};
-use crate::geom::{Mesh, Ray};
 use crate::geom::lanes::Level;
+use crate::geom::{Mesh, Ray};
 use crate::threads;
 use crate::wide::{Method, Tables, Unfit};
 use turns::{Ask, Job, trace};

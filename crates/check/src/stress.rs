@@ -3,8 +3,8 @@
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, SahOptions, WideBvh};
 use stackless_bvh::generate::stress::StressCase;
-use stackless_bvh::geom::{Kernel, Slabs};
 use stackless_bvh::geom::lanes;
+use stackless_bvh::geom::{Kernel, Slabs};
 use stackless_bvh::trace::{
     Form, Hit, KernelName, NodeSearch, Query, SlabsName, Truth, WideTracer, WithTests, with_tests,
 };

@@ -5,8 +5,8 @@ use super::layout::{Child, assign};
 use super::programme::Programme;
 use super::{MAX_COUNT, WideBvh, WideNode};
 use crate::bvh::{BuildError, BuildOptions, Bvh, LeafTriangle};
-use crate::geom::{Aabb, Mesh};
 use crate::geom::lanes::Block;
+use crate::geom::{Aabb, Mesh};
 use crate::tree::Node;
 
 /// What collapsing may choose.

@@ -89,17 +89,10 @@ impl<'a> LazyExact<'a> {
     ) -> bool {
         let (mut found, mut left) = (false, count);
         for block in blocks {
-            let mut lanes = filter.survivors(simd, block, nearest.t) & first(left);
+            let lanes = filter.survivors(simd, block, nearest.t) & first(left);
             left = left.saturating_sub(4);
-            while lanes != 0 {
-                let lane = lanes.trailing_zeros() as usize & 3;
-                lanes &= lanes - 1;
-                let Some(t) = self.get().distance(&block.triangle(lane), nearest.t) else { continue };
-                let prim = block.prims[lane];
-                if t < nearest.t || t == nearest.t && prim < nearest.prim {
-                    *nearest = Nearest { t, prim };
-                    found = true;
-                }
+            if lanes != 0 {
+                found |= self.settle(block, lanes, nearest);
             }
         }
         found
@@ -110,14 +103,46 @@ impl<'a> LazyExact<'a> {
     pub fn any<S: Simd>(&mut self, simd: S, filter: &TriangleRay<S>, blocks: &[Block], count: u32) -> Option<u32> {
         let mut left = count;
         for block in blocks {
-            let mut lanes = filter.survivors(simd, block, self.ray.tmax()) & first(left);
+            let lanes = filter.survivors(simd, block, self.ray.tmax()) & first(left);
             left = left.saturating_sub(4);
-            while lanes != 0 {
-                let lane = lanes.trailing_zeros() as usize & 3;
-                lanes &= lanes - 1;
-                if self.get().blocks(&block.triangle(lane)) {
-                    return Some(block.prims[lane]);
-                }
+            if lanes != 0
+                && let Some(prim) = self.blocking(block, lanes)
+            {
+                return Some(prim);
+            }
+        }
+        None
+    }
+
+    /// Whether one of these lanes' triangles is the nearest now.
+    ///
+    /// A function of its own, since few lanes survive: inlined, it made the build of the library twice as long.
+    #[inline(never)]
+    fn settle(&mut self, block: &Block, mut lanes: u32, nearest: &mut Nearest) -> bool {
+        let exact = self.get();
+        let mut found = false;
+        while lanes != 0 {
+            let lane = lanes.trailing_zeros() as usize & 3;
+            lanes &= lanes - 1;
+            let Some(t) = exact.distance(&block.triangle(lane), nearest.t) else { continue };
+            let prim = block.prims[lane];
+            if t < nearest.t || t == nearest.t && prim < nearest.prim {
+                *nearest = Nearest { t, prim };
+                found = true;
+            }
+        }
+        found
+    }
+
+    /// One of these lanes' triangles that the ray meets within its interval. A function of its own, likewise.
+    #[inline(never)]
+    fn blocking(&mut self, block: &Block, mut lanes: u32) -> Option<u32> {
+        let exact = self.get();
+        while lanes != 0 {
+            let lane = lanes.trailing_zeros() as usize & 3;
+            lanes &= lanes - 1;
+            if exact.blocks(&block.triangle(lane)) {
+                return Some(block.prims[lane]);
             }
         }
         None
