@@ -117,12 +117,7 @@ pub static LAYERS: [Layer; 8] = [
         mistakes: &hierarchies::MISTAKES,
         controls: &hierarchies::CONTROLS,
     },
-    Layer {
-        name: "wide traversals",
-        body: "WideCase::compare",
-        mistakes: &wide::MISTAKES,
-        controls: &wide::CONTROLS,
-    },
+    Layer { name: "wide traversals", body: "WideCase::compare", mistakes: &wide::MISTAKES, controls: &wide::CONTROLS },
 ];
 
 impl Mistake {

@@ -160,7 +160,7 @@ pub(super) const CONTROLS: [Mistake; 8] = [
 fn fault(draw: &mut Draw<'_>, text: Text, bug: Bug) -> Option<String> {
     if text == Text::Narrow {
         // The trail of 32 bits has 4 levels of eight children.
-        return differs(&WideCase::<8>::draw(draw, 12, 6, 12), text, bug);
+        return differs(&WideCase::<8>::draw(draw, 64, 8, 60), text, bug);
     }
     match draw.below(3) {
         0 => differs(&WideCase::<4>::draw(draw, 24, 8, 12), text, bug),

@@ -189,7 +189,8 @@ impl<const A: usize> Cursor<A> for Restart<'_, A> {
         if self.step != Step::Down && self.at < self.level() {
             let ranks = sorted::<A, S>(wanted);
             let number = self.done[self.at].0;
-            if let Some(&rank) = ranks.get(if bug == Bug::PathANumberShort { number.saturating_sub(1) } else { number }) {
+            if let Some(&rank) = ranks.get(if bug == Bug::PathANumberShort { number.saturating_sub(1) } else { number })
+            {
                 self.step = Step::Along;
                 return Some(self.tree.child(self.node, rank & (A as u32 - 1)));
             }
