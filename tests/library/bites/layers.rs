@@ -27,7 +27,7 @@ fn without_harness(layer: &Layer) -> &'static str {
         "tables" | "lookups" => {
             "No harness has tables: what is proved of them by SMT, for all keys, has slips of its own that are refuted."
         }
-        "wide traversals" => "No harness has wide trees: of their words `bits` has all, with a twin each.",
+        "wide traversals" => "No harness has wide trees: of their words `wide` has all, with a twin each.",
         _ => "No harness has geometry, which needs `std`: the way to CBMC does not build that.",
     }
 }
