@@ -125,7 +125,10 @@ impl<const A: usize> WideCase<A> {
         link: L,
         expected: &[Node],
     ) -> Result<bool, WideFault> {
-        self.compare(name, expected, |watch| Ok(watch.run(&mut Pending::new(&self.tree, kept, link)?)))
+        self.compare(name, expected, |watch| {
+            watch.run(&mut Pending::new(&self.tree, kept, link)?);
+            Ok(())
+        })
     }
 
     /// Compares one traversal. `false` if it refuses the tree because of its levels.

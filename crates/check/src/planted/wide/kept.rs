@@ -6,14 +6,14 @@ use stackless_bvh::wide::{Kept, Level};
 /// A trail of pending sets in 128 bits.
 #[derive(Debug)]
 pub(super) struct Trail {
-    trail: u128,
+    word: u128,
     stale: u64,
     bug: Bug,
 }
 
 impl Trail {
     pub(super) const fn new(bug: Bug) -> Self {
-        Self { trail: 0, stale: 0, bug }
+        Self { word: 0, stale: 0, bug }
     }
 }
 
@@ -26,38 +26,38 @@ impl<const A: usize> Kept<A> for Trail {
     const NAME: &'static str = "a trail with a mistake";
 
     fn clear(&mut self) {
-        (self.trail, self.stale) = (0, 0);
+        (self.word, self.stale) = (0, 0);
         if self.bug == Bug::PendingAboveRoot {
-            self.trail = 1;
+            self.word = 1;
         }
     }
 
     fn push(&mut self, pending: u32, _: u64) {
         let bits = if self.bug == Bug::GroupShiftShort { A - 1 } else { A };
         let pending = if self.bug == Bug::NothingPushed { 0 } else { pending };
-        self.trail = self.trail << bits | u128::from(pending);
+        self.word = self.word << bits | u128::from(pending);
         self.stale <<= if self.bug == Bug::StaleShiftedTwice { 2 } else { 1 };
     }
 
     fn pop(&mut self, _: u32) -> Option<Level> {
-        if self.trail == 0 {
+        if self.word == 0 {
             return None;
         }
         let (a, bug) = (A as u32, self.bug);
-        let zeros = self.trail.trailing_zeros();
+        let zeros = self.word.trailing_zeros();
         let skipped = match bug {
             Bug::ZerosNotDivided => zeros,
             Bug::ZerosRoundedUp => zeros.div_ceil(a),
-            Bug::FarthestGroup => self.trail.ilog2() / a,
+            Bug::FarthestGroup => self.word.ilog2() / a,
             _ => zeros / a,
         };
-        let low = right(self.trail, skipped * a);
+        let low = right(self.word, skipped * a);
         let gone = match bug {
             Bug::RestShort => 0,
             Bug::RestLong => 2,
             _ => 1,
         };
-        self.trail = right(low, a * gone);
+        self.word = right(low, a * gone);
         let mask = (1 << if bug == Bug::GroupNarrow { a - 1 } else { a }) - 1;
         let up = skipped + u32::from(bug != Bug::LevelsShort);
         let stale = if bug == Bug::StaleShiftShort { skipped } else { skipped + 1 };

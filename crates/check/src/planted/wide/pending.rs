@@ -13,7 +13,7 @@ const TURNS: u32 = 1000;
 pub(super) struct Pending<'t, const A: usize, K, L> {
     tree: &'t Records<'t, A>,
     node: Node,
-    pending: u32,
+    set: u32,
     ranks: u64,
     slot: u32,
     kept: K,
@@ -23,7 +23,7 @@ pub(super) struct Pending<'t, const A: usize, K, L> {
 
 impl<'t, const A: usize, K: Kept<A>, L: Link<A>> Pending<'t, A, K, L> {
     pub(super) fn new(tree: &'t Records<'t, A>, kept: K, link: L) -> Self {
-        let mut cursor = Self { tree, node: tree.root(), pending: 0, ranks: 0, slot: 0, kept, link, bug: tree.bug };
+        let mut cursor = Self { tree, node: tree.root(), set: 0, ranks: 0, slot: 0, kept, link, bug: tree.bug };
         cursor.reset();
         cursor
     }
@@ -51,7 +51,7 @@ impl<'t, const A: usize, K: Kept<A>, L: Link<A>> Pending<'t, A, K, L> {
     fn take(&mut self, rank: u32) -> Node {
         self.slot = rank & (A as u32 - 1);
         if self.bug != Bug::TakenStaysPending {
-            self.pending &= !(1 << self.slot);
+            self.set &= !(1 << self.slot);
         }
         self.tree.child(self.node, self.slot)
     }
@@ -81,22 +81,22 @@ impl<const A: usize, K: Kept<A>, L: Link<A>> Cursor<A> for Pending<'_, A, K, L> 
     fn next<S: Search<A>>(&mut self, mut answer: Option<Wanted<S::Ranks>>, search: &mut S) -> Option<Node> {
         for _ in 0..TURNS {
             if let Some(wanted) = answer.take() {
-                self.pending = wanted.set;
+                self.set = wanted.set;
                 if S::SORTED && wanted.set != 0 {
                     let first = self.sort::<S>(wanted);
                     return Some(self.take(first));
                 }
             }
-            if self.pending == 0 {
+            if self.set == 0 {
                 let level = self.kept.pop(search.end())?;
                 if self.bug != Bug::NodeLeftBehind {
                     self.node = self.link.ancestor(self.tree, self.node, level.up);
                 }
-                (self.pending, self.ranks) = (level.pending, level.ranks);
+                (self.set, self.ranks) = (level.pending, level.ranks);
             }
-            let lowest = self.pending.trailing_zeros();
+            let lowest = self.set.trailing_zeros();
             if !S::SORTED {
-                let last = self.pending.checked_ilog2().unwrap_or(0);
+                let last = self.set.checked_ilog2().unwrap_or(0);
                 return Some(self.take(if self.bug == Bug::LastSlotFirst { last } else { lowest }));
             }
             if self.ranks != 0 {
@@ -107,15 +107,15 @@ impl<const A: usize, K: Kept<A>, L: Link<A>> Cursor<A> for Pending<'_, A, K, L> 
                     }
                     return Some(self.take(rank));
                 }
-                self.pending = 0;
-            } else if self.pending.is_power_of_two() && !self.kept.is_stale()
-                || self.bug == Bug::NeverAskedAgain && self.pending != 0
+                self.set = 0;
+            } else if self.set.is_power_of_two() && !self.kept.is_stale()
+                || self.bug == Bug::NeverAskedAgain && self.set != 0
             {
                 return Some(self.take(lowest));
             } else {
                 let Wanted { set, ranks } = search.ask(self.node);
                 self.kept.asked();
-                let set = if self.bug == Bug::AnswerNotMasked { set } else { set & self.pending };
+                let set = if self.bug == Bug::AnswerNotMasked { set } else { set & self.set };
                 answer = Some(Wanted { set, ranks });
             }
         }
@@ -124,7 +124,7 @@ impl<const A: usize, K: Kept<A>, L: Link<A>> Cursor<A> for Pending<'_, A, K, L> 
 
     fn enter(&mut self, node: Node) {
         let entered = u32::from(self.bug == Bug::EnteredStaysPending) << self.slot;
-        self.kept.push(self.pending | entered, self.ranks);
+        self.kept.push(self.set | entered, self.ranks);
         self.link.enter(self.slot);
         self.node = node;
     }

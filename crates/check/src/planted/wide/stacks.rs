@@ -28,19 +28,19 @@ fn is_beyond<const A: usize>(bug: Bug, rank: u32, end: u32) -> bool {
 pub(super) struct Stack<'t, const A: usize> {
     tree: &'t Records<'t, A>,
     node: Node,
-    stack: Vec<(u32, Node)>,
+    entries: Vec<(u32, Node)>,
 }
 
 impl<'t, const A: usize> Stack<'t, A> {
     pub(super) fn new(tree: &'t Records<'t, A>) -> Self {
-        Self { tree, node: tree.root(), stack: Vec::new() }
+        Self { tree, node: tree.root(), entries: Vec::new() }
     }
 }
 
 impl<const A: usize> Cursor<A> for Stack<'_, A> {
     fn reset(&mut self) {
         self.node = self.tree.root();
-        self.stack.clear();
+        self.entries.clear();
     }
 
     fn node(&self) -> Node {
@@ -64,10 +64,10 @@ impl<const A: usize> Cursor<A> for Stack<'_, A> {
             if bug != Bug::LeastPushedFirst {
                 others.reverse();
             }
-            self.stack.extend(others);
+            self.entries.extend(others);
             return Some(child(ranks[0]));
         }
-        while let Some((rank, node)) = self.stack.pop() {
+        while let Some((rank, node)) = self.entries.pop() {
             if !S::SORTED || !is_beyond::<A>(bug, rank, search.end()) {
                 return Some(node);
             }
@@ -141,7 +141,9 @@ impl<'t, const A: usize> Restart<'t, A> {
         let child = |rank: u32| self.tree.child(self.node, rank & (A as u32 - 1));
         let entry = |i: usize| Entry { level: self.level(), rank: ranks[i], node: child(ranks[i]), is_last: i == last };
         let (node, others): (_, Vec<_>) = (child(first), (number + 1..=last).rev().map(entry).collect());
-        others.into_iter().for_each(|entry| self.push(entry));
+        for entry in others {
+            self.push(entry);
+        }
         let is_last = if self.tree.bug == Bug::FinishedEarly { number + 1 >= last } else { number == last };
         self.name(number, is_last);
         Some(node)
