@@ -12,6 +12,7 @@ mod keys;
 pub mod planted;
 mod suite;
 mod traversals;
+mod wide;
 
 use std::fmt::Display;
 
@@ -27,13 +28,14 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 22] = [
+pub const TARGETS: [Target; 23] = [
     target("keys", keys::keys, 128),
     target("traversals", traversals::traversals, 512),
     target("deep", traversals::deep, 512),
     target("pieces", traversals::pieces, 512),
     target("pauses", traversals::pauses, 96),
     target("states", traversals::states, 256),
+    target("wide", wide::wide, 256),
     target("hash", traversals::hash, 256),
     target("hash_bytes", traversals::hash_bytes, 512),
     target("triangle", geometry::triangle, 160),

@@ -24,6 +24,7 @@ pub mod hash;
 pub mod reference;
 pub mod shape;
 pub mod traversals;
+pub mod wide;
 pub mod words;
 
 pub use choose::{Any, Choose, id};
@@ -33,4 +34,5 @@ pub use harness::Harness;
 
 /// All harnesses, topic by topic.
 #[cfg(not(kani))]
-pub const ALL: [&[Harness]; 4] = [bits::HARNESSES, words::HARNESSES, hash::HARNESSES, traversals::HARNESSES];
+pub const ALL: [&[Harness]; 5] =
+    [bits::HARNESSES, wide::HARNESSES, words::HARNESSES, hash::HARNESSES, traversals::HARNESSES];

@@ -1,10 +1,11 @@
 //! What is kept of the levels above a node.
 
 use core::fmt::Debug;
+use core::ops::{Add, Shl, Shr};
 
 use super::keys::slot_bits;
 use super::search::is_beyond;
-use crate::key::{KeyWord, TooDeep};
+use crate::key::{KeyWord, TooDeep, Word};
 
 /// A level to go back to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -126,23 +127,43 @@ impl<W: TrailWord> Trail<W> {
 
 /// Trail of a child of a node whose other pending children are these. `[WIDE-10]`
 #[inline(always)]
-pub(super) fn leave<const A: usize, W: TrailWord>(mut trail: W, pending: u32) -> W {
+#[must_use]
+pub fn leave<const A: usize, W: Word>(mut trail: W, pending: &W) -> W {
     for _ in 0..A {
         trail = trail.shl1();
     }
-    trail.or(&W::from(pending))
+    trail.or(pending)
 }
 
 /// Levels up, pending set, and trail of the deepest ancestor with pending children, of a trail that is not 0.
 /// `[WIDE-11]`
+///
+/// ```
+/// use stackless_bvh::wide::{back, leave};
+/// // Below a node with two pending children, at the second child of a node without any.
+/// let trail = leave::<4, u32>(leave::<4, u32>(0, &0b1010), &0);
+/// assert_eq!(back::<4, u32>(trail), (2, 0b1010, 0));
+/// ```
 #[inline(always)]
-pub(super) fn back<const A: usize, W: TrailWord>(trail: W) -> (u32, u32, W) {
+#[must_use]
+pub fn back<const A: usize, W: Word>(trail: W) -> (W::Shift, W, W)
+where
+    W::Shift: Count,
+{
     let skipped = trail.trailing_zeros() >> slot_bits::<A>();
-    let low = trail.shr(skipped << slot_bits::<A>());
-    // In two steps: together they may be all bits of the word.
-    let rest = low.shr(A as u32 - 1).shr1();
-    (skipped + 1, low.low_bits() & ((1 << A) - 1), rest)
+    let low = trail.shr(skipped.clone() << slot_bits::<A>());
+    let (mut group, mut rest) = (W::one(), low.clone());
+    // One by one: together they may be all bits of the word.
+    for _ in 0..A {
+        (group, rest) = (group.shl1(), rest.shr1());
+    }
+    (skipped + 1, low.and(&group.wrapping_sub(&W::one())), rest)
 }
+
+/// A number of bits or levels.
+pub trait Count: Clone + Add<u32, Output = Self> + Shl<u32, Output = Self> + Shr<u32, Output = Self> {}
+
+impl<N: Clone + Add<u32, Output = Self> + Shl<u32, Output = Self> + Shr<u32, Output = Self>> Count for N {}
 
 impl<const A: usize, W: TrailWord> Kept<A> for Trail<W> {
     const LEVELS: u32 = match W::WIDTH {
@@ -158,7 +179,7 @@ impl<const A: usize, W: TrailWord> Kept<A> for Trail<W> {
 
     #[inline(always)]
     fn push(&mut self, pending: u32, _: u64) {
-        self.trail = leave::<A, W>(self.trail, pending);
+        self.trail = leave::<A, W>(self.trail, &W::from(pending));
         self.stale <<= 1;
     }
 
@@ -171,7 +192,7 @@ impl<const A: usize, W: TrailWord> Kept<A> for Trail<W> {
         self.trail = rest;
         // In two steps: 64 levels of two children fit 128 bits.
         self.stale = self.stale >> (up - 1) >> 1;
-        Some(Level { up, pending, ranks: 0 })
+        Some(Level { up, pending: pending.low_bits(), ranks: 0 })
     }
 
     #[inline(always)]

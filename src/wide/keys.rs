@@ -2,6 +2,7 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use core::ops::Mul;
 
 use super::tree::Topology;
 use crate::key::Word;
@@ -24,7 +25,7 @@ pub(super) const fn slot_bits<const A: usize>() -> u32 {
 /// ```
 #[inline(always)]
 #[must_use]
-pub fn child_key<const A: usize, W: Word<Shift = u32>>(mut key: W, slot: W) -> W {
+pub fn child_key<const A: usize, W: Word>(mut key: W, slot: W) -> W {
     for _ in 0..slot_bits::<A>() {
         key = key.shl1();
     }
@@ -34,8 +35,11 @@ pub fn child_key<const A: usize, W: Word<Shift = u32>>(mut key: W, slot: W) -> W
 /// Key of the ancestor so many levels up. `[WIDE-9]`
 #[inline(always)]
 #[must_use]
-pub fn ancestor_key<const A: usize, W: Word<Shift = u32>>(key: W, levels: u32) -> W {
-    key.shr(slot_bits::<A>() * levels)
+pub fn ancestor_key<const A: usize, W: Word>(key: W, levels: W::Shift) -> W
+where
+    W::Shift: Mul<u32, Output = W::Shift>,
+{
+    key.shr(levels * slot_bits::<A>())
 }
 
 /// Levels below the root. `[WIDE-9]`

@@ -51,7 +51,7 @@ mod stack;
 mod table;
 mod tree;
 
-pub use kept::{Kept, Level, Ranked, Trail, TrailWord};
+pub use kept::{Count, Kept, Level, Ranked, Trail, TrailWord, back, leave};
 pub use keys::{ancestor_key, asked_keys, child_key, key_level};
 pub use links::{Hashed, Link, Parents, Recorded};
 pub use pending::Pending;

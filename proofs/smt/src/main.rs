@@ -24,6 +24,7 @@ mod swaps;
 #[cfg(test)]
 mod tests;
 mod trails;
+mod wide;
 mod word;
 
 use std::process::ExitCode;
@@ -61,6 +62,12 @@ fn all() -> Result<Vec<Lemma>, String> {
 
 /// Those about words of `N` bits.
 fn of_words<const N: u32>() -> Result<Vec<Lemma>, String> {
-    let kinds = [keys::lemmas::<N>(), trails::lemmas::<N>(), swaps::lemmas::<N>(), cursors::lemmas::<N>()?];
+    let kinds = [
+        keys::lemmas::<N>(),
+        trails::lemmas::<N>(),
+        wide::lemmas::<N>(),
+        swaps::lemmas::<N>(),
+        cursors::lemmas::<N>()?,
+    ];
     Ok(kinds.into_iter().flatten().collect())
 }

@@ -52,6 +52,10 @@ fn agrees<W: KeyWord + Into<u128> + TryFrom<u128>, const N: u32>() {
         for n in [0, 1, 7, N - 1] {
             same(a.clone().shr(n), x.clone().shr(Symbolic::number(n.into())));
         }
+        same(a.clone().wrapping_add(&W::one()), x.clone() + 1);
+        same(a.clone().wrapping_add(&a), x.clone() * 2);
+        same(a.clone().shl1(), x.clone() << 1);
+        same(a.clone().shr(7), x.clone() >> 7);
         take_required();
         if !a.is_zero() {
             let count = x.trailing_zeros();

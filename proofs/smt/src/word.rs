@@ -1,6 +1,7 @@
 //! A word of unknown bits, on which the library's generic functions run as they are.
 
 use std::cell::RefCell;
+use std::ops::{Add, Mul};
 
 use stackless_bvh::key::Word;
 use z3::ast::{BV, Bool};
@@ -114,6 +115,46 @@ impl<const N: u32> Word for Symbolic<N> {
 
     fn wrapping_sub(self, other: &Self) -> Self {
         Self(self.0.bvsub(&other.0))
+    }
+}
+
+/// Sums and products that leave the word, and bits that are shifted out, make a lemma false.
+impl<const N: u32> Add<u32> for Symbolic<N> {
+    type Output = Self;
+
+    fn add(self, other: u32) -> Self {
+        let sum = Self(self.0.bvadd(BV::from_u64(other.into(), N)));
+        require(self.less(&sum));
+        sum
+    }
+}
+
+impl<const N: u32> Mul<u32> for Symbolic<N> {
+    type Output = Self;
+
+    fn mul(self, other: u32) -> Self {
+        let product = self.wide().bvmul(BV::from_u64(other.into(), 2 * N));
+        let kept = Self(product.extract(N - 1, 0));
+        require(kept.wide().eq(&product));
+        kept
+    }
+}
+
+impl<const N: u32> std::ops::Shl<u32> for Symbolic<N> {
+    type Output = Self;
+
+    fn shl(self, bits: u32) -> Self {
+        let shifted = Self::shl(&self, &Self::number(bits.into()));
+        require(Self(shifted.0.bvlshr(BV::from_u64(bits.into(), N))).is(&self));
+        shifted
+    }
+}
+
+impl<const N: u32> std::ops::Shr<u32> for Symbolic<N> {
+    type Output = Self;
+
+    fn shr(self, bits: u32) -> Self {
+        Word::shr(self, Self::number(bits.into()))
     }
 }
 

@@ -1,9 +1,9 @@
 //! What traversals rest on, with one mistake each: tables, lookups, tests of triangles and boxes, searches,
-//! hierarchies.
+//! hierarchies; and traversals of wide trees.
 
 use super::draw::Draw;
 use super::lookups::Function;
-use super::{Planted, filters, hierarchies, kernels, lookups, searches, slabs, tables};
+use super::{Planted, filters, hierarchies, kernels, lookups, searches, slabs, tables, wide};
 use stackless_bvh::generate::Source;
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::hash::{KeySet, Mix};
@@ -84,7 +84,7 @@ pub(super) type Body = fn(&mut Draw<'_>) -> Option<String>;
 ///     assert!(layer.controls.iter().all(|control| control.fault(&mut Rng::new(1)).is_none()));
 /// }
 /// ```
-pub static LAYERS: [Layer; 7] = [
+pub static LAYERS: [Layer; 8] = [
     Layer {
         name: "tables",
         body: "check_table_bytes, certify",
@@ -117,6 +117,7 @@ pub static LAYERS: [Layer; 7] = [
         mistakes: &hierarchies::MISTAKES,
         controls: &hierarchies::CONTROLS,
     },
+    Layer { name: "wide traversals", body: "WideCase::compare", mistakes: &wide::MISTAKES, controls: &wide::CONTROLS },
 ];
 
 impl Mistake {

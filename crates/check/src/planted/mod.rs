@@ -3,8 +3,8 @@
 //! Battery, fuzzer, proof harnesses, conformance cases: a check that lets one of these pass where it could show is no
 //! check.
 //!
-//! Beside them are the layers below ([`LAYERS`]): tables, tests of triangles and boxes, searches and hierarchies with
-//! one mistake each, for the property bodies of these. `tests/PLANTED.md` says what is seen of each.
+//! Beside them are other layers ([`LAYERS`]): tables, tests of triangles and boxes, searches, hierarchies and traversals
+//! of wide trees with one mistake each, for the property bodies of these. `tests/PLANTED.md` says what is seen of each.
 
 mod asked;
 mod draw;
@@ -23,6 +23,7 @@ mod searches;
 mod shaders;
 mod slabs;
 mod tables;
+mod wide;
 mod wrapped;
 
 pub use given::Shallow;

@@ -1,0 +1,135 @@
+//! The traversal by pending sets, as one would write it from the clauses, with a mistake.
+
+use super::links::Records;
+use super::{Bug, sorted};
+use stackless_bvh::tree::Node;
+use stackless_bvh::wide::{Cursor, Kept, Link, Search, Topology, Wanted};
+
+/// Turns of one step, which a mistake could make endless.
+const TURNS: u32 = 1000;
+
+/// A node, its pending children, and the ranks of the two that come next.
+#[derive(Debug)]
+pub(super) struct Pending<'t, const A: usize, K, L> {
+    tree: &'t Records<'t, A>,
+    node: Node,
+    set: u32,
+    ranks: u64,
+    slot: u32,
+    kept: K,
+    link: L,
+    bug: Bug,
+}
+
+impl<'t, const A: usize, K: Kept<A>, L: Link<A>> Pending<'t, A, K, L> {
+    pub(super) fn new(tree: &'t Records<'t, A>, kept: K, link: L) -> Self {
+        let mut cursor = Self { tree, node: tree.root(), set: 0, ranks: 0, slot: 0, kept, link, bug: tree.bug };
+        cursor.reset();
+        cursor
+    }
+
+    /// The rank that comes first; keeps the two after it.
+    fn sort<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>) -> u32 {
+        let mut ranks = sorted::<A, S>(wanted);
+        match self.bug {
+            Bug::OrderOfSlots => ranks.sort_unstable_by_key(|rank| rank & (A as u32 - 1)),
+            Bug::GreatestFirst => ranks.reverse(),
+            Bug::FirstTwoExchanged if ranks.len() > 1 => ranks.swap(0, 1),
+            _ => {}
+        }
+        let rank = |i: usize| ranks.get(i).copied().map_or(0, u64::from);
+        self.ranks = match self.bug {
+            Bug::SecondThirdExchanged if ranks.len() > 2 => rank(2) | rank(1) << 32,
+            Bug::ThirdForSecond if ranks.len() > 2 => rank(2),
+            Bug::SecondTwice => rank(1) | rank(1) << 32,
+            Bug::FirstForSecond if ranks.len() > 1 => rank(0) | rank(2) << 32,
+            _ => rank(1) | rank(2) << 32,
+        };
+        rank(0) as u32
+    }
+
+    fn take(&mut self, rank: u32) -> Node {
+        self.slot = rank & (A as u32 - 1);
+        if self.bug != Bug::TakenStaysPending {
+            self.set &= !(1 << self.slot);
+        }
+        self.tree.child(self.node, self.slot)
+    }
+
+    fn is_beyond(&self, rank: u32, end: u32) -> bool {
+        let begin = rank & !(A as u32 - 1);
+        match self.bug {
+            Bug::EqualIsBeyond => begin >= end,
+            Bug::RankNotCleared => rank > end,
+            Bug::NotCompared => false,
+            _ => begin > end,
+        }
+    }
+}
+
+impl<const A: usize, K: Kept<A>, L: Link<A>> Cursor<A> for Pending<'_, A, K, L> {
+    fn reset(&mut self) {
+        self.node = self.tree.root();
+        self.kept.clear();
+        self.link.clear();
+    }
+
+    fn node(&self) -> Node {
+        self.node
+    }
+
+    fn next<S: Search<A>>(&mut self, mut answer: Option<Wanted<S::Ranks>>, search: &mut S) -> Option<Node> {
+        for _ in 0..TURNS {
+            if let Some(wanted) = answer.take() {
+                self.set = wanted.set;
+                if S::SORTED && wanted.set != 0 {
+                    let first = self.sort::<S>(wanted);
+                    return Some(self.take(first));
+                }
+            }
+            if self.set == 0 {
+                let level = self.kept.pop(search.end())?;
+                if self.bug != Bug::NodeLeftBehind {
+                    self.node = self.link.ancestor(self.tree, self.node, level.up);
+                }
+                (self.set, self.ranks) = (level.pending, level.ranks);
+            }
+            let lowest = self.set.trailing_zeros();
+            if !S::SORTED {
+                let last = self.set.checked_ilog2().unwrap_or(0);
+                return Some(self.take(if self.bug == Bug::LastSlotFirst { last } else { lowest }));
+            }
+            if self.ranks != 0 {
+                let rank = self.ranks as u32;
+                if !self.is_beyond(rank, search.end()) {
+                    if self.bug != Bug::RanksNotMoved {
+                        self.ranks >>= 32;
+                    }
+                    return Some(self.take(rank));
+                }
+                self.set = 0;
+            } else if self.set.is_power_of_two() && !self.kept.is_stale()
+                || self.bug == Bug::NeverAskedAgain && self.set != 0
+            {
+                return Some(self.take(lowest));
+            } else {
+                let Wanted { set, ranks } = search.ask(self.node);
+                self.kept.asked();
+                let set = if self.bug == Bug::AnswerNotMasked { set } else { set & self.set };
+                answer = Some(Wanted { set, ranks });
+            }
+        }
+        None
+    }
+
+    fn enter(&mut self, node: Node) {
+        let entered = u32::from(self.bug == Bug::EnteredStaysPending) << self.slot;
+        self.kept.push(self.set | entered, self.ranks);
+        self.link.enter(self.slot);
+        self.node = node;
+    }
+
+    fn shortened(&mut self) {
+        self.kept.shortened();
+    }
+}
