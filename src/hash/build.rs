@@ -109,7 +109,7 @@ impl PerfectHash {
     /// # Errors
     /// As [`build`](Self::build).
     pub fn of_keys(keys: &[(u64, Node)]) -> Result<Self, BuildError> {
-        let narrow = keys.iter().all(|&(key, _)| key <= u64::from(u32::MAX));
+        let narrow = keys.iter().all(|&(key, _)| u32::try_from(key).is_ok());
         let keys: Vec<HashedKey> = keys.iter().map(|&(key, node)| HashedKey { key, node }).collect();
         let options = Options { key_set: KeySet::All, sizing: Sizing::Tight };
         let size = Size { nodes: keys.len(), narrow };

@@ -14,8 +14,8 @@ use crate::tree::Node;
 pub struct Pending<'t, T, K, L> {
     tree: &'t T,
     node: Node,
-    /// Of the present node.
-    pending: u32,
+    /// The pending children of the present node.
+    set: u32,
     /// Ranks of the two pending children that come next, the first in the low half; 0 where it is not known.
     ///
     /// The least rank of a node is never kept here, so no rank here is 0.
@@ -39,7 +39,7 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
         L: Link<A>,
     {
         K::carries(tree.levels())?;
-        let mut cursor = Self { tree, node: tree.root(), pending: 0, ranks: 0, slot: 0, kept, link };
+        let mut cursor = Self { tree, node: tree.root(), set: 0, ranks: 0, slot: 0, kept, link };
         cursor.reset();
         Ok(cursor)
     }
@@ -66,7 +66,7 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
             self.ranks = u64::from(second);
             return first;
         }
-        let (first, second, third) = if more & (more - 1) == 0 {
+        let (first, second, third) = if more.is_power_of_two() {
             let third = ranks.rank(more.trailing_zeros());
             let (second, third) = (second.min(third), second.max(third));
             (first.min(second), first.max(second), third)
@@ -88,7 +88,7 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
         T: Topology<A>,
     {
         self.slot = rank & (A as u32 - 1);
-        self.pending &= !(1 << self.slot);
+        self.set &= !(1 << self.slot);
         self.tree.child(self.node, self.slot)
     }
 }
@@ -115,19 +115,19 @@ where
     fn next<S: Search<A>>(&mut self, mut answer: Option<Wanted<S::Ranks>>, search: &mut S) -> Option<Node> {
         loop {
             if let Some(wanted) = answer.take() {
-                self.pending = wanted.set;
+                self.set = wanted.set;
                 if S::SORTED && wanted.set != 0 {
                     let first = self.sort::<A>(wanted);
                     return Some(self.take::<A>(first));
                 }
             }
-            if self.pending == 0 {
+            if self.set == 0 {
                 let level = self.kept.pop(search.end())?;
                 self.node = self.link.ancestor(self.tree, self.node, level.up);
-                (self.pending, self.ranks) = (level.pending, level.ranks);
+                (self.set, self.ranks) = (level.pending, level.ranks);
             }
             if !S::SORTED {
-                return Some(self.take::<A>(self.pending.trailing_zeros()));
+                return Some(self.take::<A>(self.set.trailing_zeros()));
             }
             if self.ranks != 0 {
                 let rank = self.ranks as u32;
@@ -136,20 +136,20 @@ where
                     return Some(self.take::<A>(rank));
                 }
                 // And so are those that come after it.
-                self.pending = 0;
-            } else if self.pending & (self.pending - 1) == 0 && !self.kept.is_stale() {
-                return Some(self.take::<A>(self.pending.trailing_zeros()));
+                self.set = 0;
+            } else if self.set.is_power_of_two() && !self.kept.is_stale() {
+                return Some(self.take::<A>(self.set.trailing_zeros()));
             } else {
                 let Wanted { set, ranks } = search.ask(self.node);
                 self.kept.asked();
-                answer = Some(Wanted { set: set & self.pending, ranks });
+                answer = Some(Wanted { set: set & self.set, ranks });
             }
         }
     }
 
     #[inline(always)]
     fn enter(&mut self, node: Node) {
-        self.kept.push(self.pending, self.ranks);
+        self.kept.push(self.set, self.ranks);
         self.link.enter(self.slot);
         self.node = node;
     }

@@ -16,7 +16,7 @@ pub type Memory = Vec<u64>;
 pub struct Stack<'t, T> {
     tree: &'t T,
     node: Node,
-    stack: &'t mut Memory,
+    memory: &'t mut Memory,
     /// Number of entries. What is above it in the memory is old.
     height: usize,
 }
@@ -32,13 +32,13 @@ impl<'t, T> Stack<'t, T> {
         if memory.len() < most {
             memory.resize(most, 0);
         }
-        Self { tree, node: tree.root(), stack: memory, height: 0 }
+        Self { tree, node: tree.root(), memory, height: 0 }
     }
 
     #[inline(always)]
     fn push(&mut self, entry: u64) {
         // There is room for all; a check that fails would show a tree whose number of levels is wrong.
-        if let Some(place) = self.stack.get_mut(self.height) {
+        if let Some(place) = self.memory.get_mut(self.height) {
             *place = entry;
             self.height += 1;
         }
@@ -89,13 +89,13 @@ impl<'t, T> Stack<'t, T> {
             self.settle(base);
         }
         self.height -= 1;
-        self.stack.get(self.height).map_or(self.node, |&entry| address(entry))
+        self.memory.get(self.height).map_or(self.node, |&entry| address(entry))
     }
 
     /// Moves the last entry down to its place above `base`, where ranks become less upwards.
     #[inline(always)]
     fn settle(&mut self, base: usize) {
-        let Some(entries) = self.stack.get_mut(base..self.height) else { return };
+        let Some(entries) = self.memory.get_mut(base..self.height) else { return };
         let mut at = entries.len() - 1;
         while at > 0 && entries[at - 1] < entries[at] {
             entries.swap(at - 1, at);
@@ -139,7 +139,7 @@ impl<const A: usize, T: Topology<A>> Cursor<A> for Stack<'_, T> {
         }
         loop {
             self.height = self.height.checked_sub(1)?;
-            let entry = *self.stack.get(self.height)?;
+            let entry = *self.memory.get(self.height)?;
             if !S::SORTED || !is_beyond::<A>((entry >> 32) as u32, search.end()) {
                 return Some(address(entry));
             }

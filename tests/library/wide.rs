@@ -191,7 +191,7 @@ impl<const A: usize> Search<A> for InnerFirst<'_, A> {
     fn ask(&mut self, node: Node) -> Wanted<[u32; A]> {
         let (set, leaves) = (self.0.children(node), self.0.leaves(node));
         let low = A as u32;
-        Wanted { set, ranks: std::array::from_fn(|slot| (leaves >> slot & 1) * low | slot as u32) }
+        Wanted { set, ranks: std::array::from_fn(|slot| ((leaves >> slot & 1) * low) | slot as u32) }
     }
 
     fn leaf(&mut self, _: Node) -> Flow {

@@ -19,10 +19,11 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("event", &["key", "order", "trail", "tree"]),
     ("oracle", &["event", "order", "tree"]),
     ("traverse", &["event", "hash", "key", "name", "order", "swap", "trail", "tree"]),
+    ("wide", &["event", "hash", "key", "name", "order", "tree"]),
     ("geom", &[]),
-    ("generate", &["geom", "hash", "name", "order", "tree"]),
+    ("generate", &["geom", "hash", "name", "order", "tree", "wide"]),
     ("bvh", &["geom", "hash", "name", "order", "threads", "tree"]),
-    ("trace", &["bvh", "event", "generate", "geom", "key", "name", "order", "threads", "traverse", "tree"]),
+    ("trace", &["bvh", "event", "generate", "geom", "key", "name", "order", "threads", "traverse", "tree", "wide"]),
 ];
 
 /// Which crates of this repository each crate needs, all of them from rows above its own.

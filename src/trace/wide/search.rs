@@ -104,7 +104,7 @@ impl<'a, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> WideSearch<'a
     }
 }
 
-impl<'a, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for WideSearch<'a, S, V, A, ANY> {
+impl<S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for WideSearch<'_, S, V, A, ANY> {
     const SORTED: bool = !ANY;
     type Ranks = LaneRanks<S, V, A>;
 
