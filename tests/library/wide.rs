@@ -239,3 +239,22 @@ fn the_hash_has_the_keys_that_are_asked_for_and_no_others() {
     }
     assert!(hashed > 2000, "{hashed}");
 }
+
+/// [WIDE-20]
+#[test]
+fn the_state_is_as_large_as_its_words() {
+    let bytes = |method: Method| [4, 8, 16].map(|levels| method.state_bytes::<8>(levels));
+    for method in Method::ALL {
+        let [few, some, many] = bytes(method);
+        match method {
+            Method::Stack => assert_eq!([few, some, many], [296, 520, 968]),
+            // A set and two ranks a level.
+            Method::Recorded | Method::Hashed => {
+                assert_eq!([some - few, many - some], [4 * 9, 8 * 9], "{method}");
+                assert!(many <= 180, "{method}");
+            }
+            _ => assert_eq!([few, some], [many; 2], "{method}"),
+        }
+    }
+    assert_eq!(bytes(Method::Trail)[0], 32);
+}

@@ -30,7 +30,7 @@ fn compare(mesh: &Mesh, rays: &[Ray], options: &BuildOptions) -> usize {
     expected.iter().flatten().count()
 }
 
-/// [DET-1] [LANES-1] [LANES-2] [LANES-3] [LANES-4]
+/// [DET-1] [LANES-1] [LANES-2] [LANES-3] [LANES-4] [WIDE-4] [WIDE-8]
 #[test]
 fn all_traversals_and_levels_answer_as_the_binary_tracer_does() {
     let meshes = [procedural::soup(1, 500), procedural::strands(2, 60), procedural::layers(40)];
