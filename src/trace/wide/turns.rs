@@ -104,17 +104,22 @@ fn run<S: Simd, C: Cursor<8>, const ANY: bool>(simd: S, mut cursor: C, second: O
         let mut cursors = [cursor, second];
         let mut searches = [search, RaySearch::new(simd, bvh, ray)];
         let mut rest = (2..).zip(rest);
-        let last = 'turns: loop {
-            let asked = [searches[0].ask(cursors[0].node()), searches[1].ask(cursors[1].node())];
-            for i in 0..2 {
-                if advance(bvh, &mut cursors[i], asked[i], &mut searches[i], &mut ()) {
-                    continue;
+        // One turn of ray `$one`; the loop ends with the number of the other one, if no further ray takes its place.
+        macro_rules! turn {
+            ($asked:ident $one:literal, $other:literal) => {
+                if !advance(bvh, &mut cursors[$one], $asked[$one], &mut searches[$one], &mut ()) {
+                    answer(numbers[$one], searches[$one].answer(ask));
+                    let Some((number, ray)) = rest.next() else { break $other };
+                    cursors[$one].reset();
+                    (numbers[$one], searches[$one]) = (number, RaySearch::new(simd, bvh, ray));
                 }
-                answer(numbers[i], searches[i].answer(ask));
-                let Some((number, ray)) = rest.next() else { break 'turns 1 - i };
-                cursors[i].reset();
-                (numbers[i], searches[i]) = (number, RaySearch::new(simd, bvh, ray));
-            }
+            };
+        }
+        let last = loop {
+            let asked = [searches[0].ask(cursors[0].node()), searches[1].ask(cursors[1].node())];
+            // Written out twice: with a number that varies, both rays' states are in memory, which costs a tenth.
+            turn!(asked 0, 1);
+            turn!(asked 1, 0);
         };
         number = numbers[last];
         let ([first, second], [of_first, of_second]) = (cursors, searches);
