@@ -166,6 +166,3 @@ where
 fn visit(recorder: &mut impl Recorder, node: Node) -> Flow {
     recorder.visit(node, || State::<u64>::of(node))
 }
-
-#[cfg(test)]
-mod tests;
