@@ -146,7 +146,8 @@ fn every_planted_bug_fails_a_case_of_its_clause() {
         Instead::Walk(walk) => failures(&walk(), suite),
         instead => asked.failures(instead),
     };
-    for control in LAYERS.iter().flat_map(|layer| layer.controls) {
+    let controls = LAYERS.iter().flat_map(|layer| layer.controls);
+    for control in controls.filter(|control| !matches!(control.instead(), Instead::Nothing(_))) {
         let (asked, failed) = with_mistake(control.instead());
         let first = failed.iter().map(|(case, flaw)| (&case.id, flaw)).next();
         assert!(asked > 0 && failed.is_empty(), "{control:?}: {first:?}");
