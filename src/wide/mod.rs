@@ -13,7 +13,7 @@
 //! use stackless_bvh::event::Trace;
 //! use stackless_bvh::order::Flow;
 //! use stackless_bvh::tree::Node;
-//! use stackless_bvh::wide::{self, Method, Search, Tables, Tree, Wanted};
+//! use stackless_bvh::wide::{Method, Search, Tables, Topology, Tree, Wanted};
 //!
 //! /// Wants all children, those in high slots first.
 //! struct FromTheRight<'t>(&'t Tree<4>);
