@@ -46,12 +46,24 @@ fn every_peer_that_is_there_finds_the_hits() {
         };
         let mut hits = vec![Some((7, 7.0)); rays.len()];
         tracer.closest(&rays, &mut hits);
-        assert_eq!(hits, expected, "{}", peer.name());
+        for (i, (&hit, &expected)) in hits.iter().zip(&expected).enumerate() {
+            assert!(same(peer, hit, expected), "{}, ray {i}: {hit:?}, not {expected:?}", peer.name());
+        }
         for before in [false, true] {
             let mut hits = vec![before; rays.len()];
             tracer.any(&rays, &mut hits);
             assert_eq!(hits, expected.iter().map(Option::is_some).collect::<Vec<_>>(), "{}", peer.name());
         }
+    }
+}
+
+/// The same triangle at the same distance. Embree divides by `rcpps`, whose result is not the same on every processor,
+/// and one step of Newton: on AMD's the distance is one unit in the last place off.
+fn same(peer: Peer, hit: Option<Hit>, expected: Option<Hit>) -> bool {
+    let error = if matches!(peer, Peer::Embree | Peer::EmbreeRobust) { f32::EPSILON } else { 0.0 };
+    match (hit, expected) {
+        (Some((a, t)), Some((b, exact))) => a == b && (t - exact).abs() <= error * exact,
+        _ => hit == expected,
     }
 }
 
