@@ -87,38 +87,19 @@ impl Tree {
     /// # Errors
     /// [`TreeError`] names the node at which the array is not a tree.
     pub fn new(children: &[Option<[u32; 2]>]) -> Result<Self, TreeError> {
-        let nodes = children.len();
-        if nodes > Node::MAX_INDEX as usize {
-            return Err(TreeError::TooManyNodes { nodes });
-        }
         let address = |index: u32| {
             let leaf = children[index as usize].is_none();
             if leaf { Node::leaf(index) } else { Node::inner(index) }
         };
-        if nodes == 0 {
-            return Err(TreeError::Empty);
-        }
-        let mut arena = vec![[Node::inner(0); 2]; nodes];
-        let mut reached = vec![false; nodes];
-        reached[0] = true;
-        let mut pending = vec![(0_u32, 0_u32)];
+        let mut arena = vec![[Node::inner(0); 2]; children.len()];
         let mut deepest = 0;
-        while let Some((node, depth)) = pending.pop() {
+        walk(children, |node, depth| {
             deepest = deepest.max(depth);
-            let Some(pair) = children[node as usize] else { continue };
-            for child in pair {
-                match reached.get_mut(child as usize) {
-                    None => return Err(TreeError::OutOfRange { node, child, nodes: nodes as u32 }),
-                    Some(true) => return Err(TreeError::ReachedTwice { node: child, parent: node }),
-                    Some(reached) => *reached = true,
-                }
+            if let Some(pair) = children[node as usize] {
+                arena[node as usize] = pair.map(address);
             }
-            arena[node as usize] = pair.map(address);
-            pending.extend(pair.iter().rev().map(|&child| (child, depth + 1)));
-        }
-        if let Some(node) = reached.iter().position(|reached| !reached) {
-            return Err(TreeError::NotReached { node: node as u32 });
-        }
+            Ok::<_, TreeError>(())
+        })?;
         Ok(Self { root: address(0), children: arena, depth: deepest, recorded: Recorded::Nothing, links: Vec::new() })
     }
 
@@ -152,6 +133,43 @@ impl Tree {
     pub fn to_children(&self) -> Vec<Option<[u32; 2]>> {
         let numbers = |pair: &[Node; 2]| pair.map(|child| child.index() as u32);
         self.children.iter().map(|pair| (pair[0] != Node::inner(0)).then(|| numbers(pair))).collect()
+    }
+}
+
+/// Visits the nodes of an array of children, a parent before its children, with their depths: edges from node 0, the
+/// root. All children of a node that is visited are in the array.
+///
+/// # Errors
+/// What is not a tree; and the first error of `visit`.
+pub(crate) fn walk<L: AsRef<[u32]>, E: From<TreeError>>(
+    children: &[Option<L>],
+    mut visit: impl FnMut(u32, u32) -> Result<(), E>,
+) -> Result<(), E> {
+    let nodes = children.len();
+    if nodes > Node::MAX_INDEX as usize {
+        return Err(TreeError::TooManyNodes { nodes }.into());
+    }
+    if nodes == 0 {
+        return Err(TreeError::Empty.into());
+    }
+    let mut is_reached = vec![false; nodes];
+    is_reached[0] = true;
+    let mut pending = vec![(0_u32, 0_u32)];
+    while let Some((node, depth)) = pending.pop() {
+        let list = children[node as usize].as_ref().map_or(&[][..], AsRef::as_ref);
+        for &child in list {
+            match is_reached.get_mut(child as usize) {
+                None => return Err(TreeError::OutOfRange { node, child, nodes: nodes as u32 }.into()),
+                Some(true) => return Err(TreeError::ReachedTwice { node: child, parent: node }.into()),
+                Some(is_reached) => *is_reached = true,
+            }
+        }
+        visit(node, depth)?;
+        pending.extend(list.iter().rev().map(|&child| (child, depth + 1)));
+    }
+    match is_reached.iter().position(|is_reached| !is_reached) {
+        Some(node) => Err(TreeError::NotReached { node: node as u32 }.into()),
+        None => Ok(()),
     }
 }
 

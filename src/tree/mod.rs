@@ -10,6 +10,7 @@ mod keys;
 mod linked;
 mod links;
 
+pub(crate) use arena::walk;
 pub use arena::{Tree, TreeError};
 pub use implicit::{Implicit, ImplicitCells, ImplicitError};
 pub use keys::Keys;

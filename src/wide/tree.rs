@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use super::keys::slot_bits;
-use crate::tree::Node;
+use crate::tree::{self, Node};
 
 /// A wide tree: an inner node has `A` slots, each with a child or empty, and every node but the root is the child of
 /// one node. The root is an inner node. `[WIDE-1]`
@@ -27,11 +27,14 @@ pub trait Topology<const A: usize> {
     /// The greatest level of an inner node: edges from the root.
     fn levels(&self) -> u32;
 
-    /// The parent; the root is its own.
-    fn parent(&self, node: Node) -> Node;
-
     /// The ancestor so many levels up, 1 to `A`, which the node's record names. The root stands for those above it.
     fn ancestor(&self, node: Node, up: u32) -> Node;
+
+    /// The parent; the root is its own.
+    #[inline(always)]
+    fn parent(&self, node: Node) -> Node {
+        self.ancestor(node, 1)
+    }
 }
 
 /// A wide tree in an array: node `i` is element `i`, the root is element 0.
@@ -64,11 +67,6 @@ struct Record<const A: usize> {
 pub enum TreeError {
     /// There is no root, or it is a leaf.
     NoRoot,
-    /// More nodes than addresses.
-    TooManyNodes {
-        /// Number of nodes.
-        nodes: usize,
-    },
     /// A node has more children than slots.
     TooManyChildren {
         /// The node.
@@ -83,52 +81,30 @@ pub enum TreeError {
         /// The node.
         node: u32,
     },
-    /// A child's number is not in the array.
-    OutOfRange {
-        /// The parent.
-        node: u32,
-        /// What it names.
-        child: u32,
-        /// Number of nodes.
-        nodes: u32,
-    },
-    /// A node is reached a second time: it has two parents, or stands below itself.
-    ReachedTwice {
-        /// The node.
-        node: u32,
-        /// The second parent that names it.
-        parent: u32,
-    },
-    /// A node is not reached from the root.
-    NotReached {
-        /// The first such node.
-        node: u32,
-    },
+    /// Not every node is reached once from the root, or there are more nodes than addresses.
+    NotATree(tree::TreeError),
 }
 
 impl fmt::Display for TreeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::NoRoot => write!(f, "the root, node 0, is an inner node"),
-            Self::TooManyNodes { nodes } => {
-                write!(f, "{nodes} nodes are more than the {} that an address can tell apart", Node::MAX_INDEX)
-            }
+            Self::NoRoot => write!(f, "the root, node 0, must be an inner node"),
             Self::TooManyChildren { node, children, slots } => {
                 write!(f, "node {node} has {children} children, and there are {slots} slots")
             }
             Self::NoChildren { node } => write!(f, "node {node} is an inner node without children"),
-            Self::OutOfRange { node, child, nodes } => {
-                write!(f, "node {node}: child {child} is not one of the {nodes} nodes")
-            }
-            Self::ReachedTwice { node, parent } => {
-                write!(f, "node {node} is reached a second time, from node {parent}")
-            }
-            Self::NotReached { node } => write!(f, "node {node} is not reached from the root, node 0"),
+            Self::NotATree(error) => error.fmt(f),
         }
     }
 }
 
 impl core::error::Error for TreeError {}
+
+impl From<tree::TreeError> for TreeError {
+    fn from(error: tree::TreeError) -> Self {
+        Self::NotATree(error)
+    }
+}
 
 impl<const A: usize> Tree<A> {
     /// Builds a tree from the children of each node (`None` for a leaf), which take the slots from 0 on. Node 0 is the
@@ -140,21 +116,15 @@ impl<const A: usize> Tree<A> {
     /// [`TreeError`] names the node at which the array is not a tree.
     pub fn new(children: &[Option<&[u32]>]) -> Result<Self, TreeError> {
         const { assert!(slot_bits::<A>() > 0) };
-        let count = children.len();
-        if count > Node::MAX_INDEX as usize {
-            return Err(TreeError::TooManyNodes { nodes: count });
-        }
         if !matches!(children.first(), Some(Some(_))) {
             return Err(TreeError::NoRoot);
         }
         let root = Node::inner(0);
-        let mut nodes = vec![Record { children: [root; A], count: 0, leaves: 0, ancestors: [root; A] }; count];
-        let mut is_reached = vec![false; count];
-        is_reached[0] = true;
-        let mut open = vec![(0_u32, 0_u32)];
+        let empty = Record { children: [root; A], count: 0, leaves: 0, ancestors: [root; A] };
+        let mut nodes = vec![empty; children.len()];
         let mut levels = 0;
-        while let Some((node, level)) = open.pop() {
-            let Some(list) = children[node as usize] else { continue };
+        tree::walk(children, |node, level| {
+            let Some(list) = children[node as usize] else { return Ok(()) };
             levels = levels.max(level);
             if list.len() > A {
                 return Err(TreeError::TooManyChildren { node, children: list.len(), slots: A });
@@ -162,28 +132,19 @@ impl<const A: usize> Tree<A> {
             if list.is_empty() && node != 0 {
                 return Err(TreeError::NoChildren { node });
             }
-            let mut record = nodes[node as usize];
+            let mut record = Record { count: list.len() as u32, ..nodes[node as usize] };
             let mut ancestors = record.ancestors;
             ancestors.rotate_right(1);
             ancestors[0] = Node::inner(node);
             for (slot, &child) in list.iter().enumerate() {
-                match is_reached.get_mut(child as usize) {
-                    None => return Err(TreeError::OutOfRange { node, child, nodes: count as u32 }),
-                    Some(true) => return Err(TreeError::ReachedTwice { node: child, parent: node }),
-                    Some(is_reached) => *is_reached = true,
-                }
                 let is_leaf = children[child as usize].is_none();
                 record.children[slot] = if is_leaf { Node::leaf(child) } else { Node::inner(child) };
                 record.leaves |= u32::from(is_leaf) << slot;
                 nodes[child as usize].ancestors = ancestors;
             }
-            record.count = list.len() as u32;
             nodes[node as usize] = record;
-            open.extend(list.iter().rev().map(|&child| (child, level + 1)));
-        }
-        if let Some(node) = is_reached.iter().position(|is_reached| !is_reached) {
-            return Err(TreeError::NotReached { node: node as u32 });
-        }
+            Ok(())
+        })?;
         Ok(Self { nodes, levels })
     }
 
@@ -233,11 +194,6 @@ impl<const A: usize> Topology<A> for Tree<A> {
     #[inline]
     fn levels(&self) -> u32 {
         self.levels
-    }
-
-    #[inline]
-    fn parent(&self, node: Node) -> Node {
-        self.nodes[node.index()].ancestors[0]
     }
 
     #[inline]

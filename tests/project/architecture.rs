@@ -22,7 +22,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("wide", &["event", "hash", "key", "name", "order", "tree"]),
     ("geom", &[]),
     ("generate", &["geom", "hash", "name", "order", "tree", "wide"]),
-    ("bvh", &["geom", "hash", "name", "order", "threads", "tree"]),
+    ("bvh", &["geom", "hash", "name", "order", "threads", "tree", "wide"]),
     ("trace", &["bvh", "event", "generate", "geom", "key", "name", "order", "threads", "traverse", "tree", "wide"]),
 ];
 

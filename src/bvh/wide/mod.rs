@@ -29,6 +29,7 @@ pub use validate::WideBvhError;
 use crate::geom::lanes::Block;
 use crate::geom::{Aabb, Region};
 use crate::tree::Node;
+use crate::wide::Topology;
 
 use glam::Vec3;
 
@@ -101,33 +102,9 @@ impl<const A: usize> WideBvh<A> {
         &self.region
     }
 
-    /// Greatest level of an inner node, in edges from the root.
-    #[inline(always)]
-    pub fn levels(&self) -> u32 {
-        self.levels
-    }
-
     /// Memory of nodes and blocks, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.nodes) + size_of_val(&*self.blocks)
-    }
-
-    /// The root: an inner node.
-    #[inline(always)]
-    pub fn root(&self) -> Node {
-        Node::inner(0)
-    }
-
-    /// The child in a slot of an inner node; the root's own address where the slot is empty.
-    #[inline(always)]
-    pub fn child(&self, node: Node, slot: u32) -> Node {
-        self.nodes[node.index()].child(slot)
-    }
-
-    /// The slots of an inner node that hold leaves.
-    #[inline(always)]
-    pub fn leaves(&self, node: Node) -> u32 {
-        self.nodes[node.index()].leaves()
     }
 
     /// The blocks of a leaf, and how many triangles they hold together.
@@ -136,46 +113,38 @@ impl<const A: usize> WideBvh<A> {
         let (first, count) = leaf_parts(leaf);
         (&self.blocks[first..first + count.div_ceil(4) as usize], count)
     }
+}
 
-    /// The parent of an inner node; of the root, the root.
+impl<const A: usize> Topology<A> for WideBvh<A> {
     #[inline(always)]
-    pub fn parent(&self, node: Node) -> Node {
-        self.nodes[node.index()].ancestor(1)
+    fn root(&self) -> Node {
+        Node::inner(0)
     }
 
-    /// The ancestor that is so many levels, at least 1, above an inner node; the root where there are not so many.
-    /// `[WIDE-15]`
     #[inline(always)]
-    pub fn ancestor(&self, mut node: Node, mut levels: u32) -> Node {
-        while levels > A as u32 {
-            node = self.nodes[node.index()].ancestor(A as u32);
-            levels -= A as u32;
-        }
-        self.nodes[node.index()].ancestor(levels)
+    fn children(&self, node: Node) -> u32 {
+        let node = &self.nodes[node.index()];
+        (0..A as u32).fold(0, |set, slot| set | u32::from(node.has_child(slot)) << slot)
     }
 
-    /// The key of each inner node, and the node, in the order of [`nodes`](Self::nodes). `[WIDE-9]`
-    ///
-    /// ```
-    /// use stackless_bvh::bvh::{Bvh, WideBvh};
-    /// use stackless_bvh::generate::procedural;
-    ///
-    /// let wide = WideBvh::<8>::of(&Bvh::build(&procedural::strands(1, 100))?)?;
-    /// let keys: Vec<_> = wide.keys().collect();
-    /// assert_eq!((keys.len(), keys[0]), (wide.nodes().len(), (1, wide.root())));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn keys(&self) -> impl Iterator<Item = (u64, Node)> + '_ {
-        let mut keys = vec![1_u64; self.nodes.len()];
-        for (i, node) in self.nodes.iter().enumerate() {
-            for slot in 0..A as u32 {
-                let child = node.child(slot);
-                if node.has_inner(slot) && child.index() > i {
-                    keys[child.index()] = keys[i] << A.trailing_zeros() | u64::from(slot);
-                }
-            }
-        }
-        keys.into_iter().zip((0..).map(Node::inner))
+    #[inline(always)]
+    fn leaves(&self, node: Node) -> u32 {
+        self.nodes[node.index()].leaves()
+    }
+
+    #[inline(always)]
+    fn child(&self, node: Node, slot: u32) -> Node {
+        self.nodes[node.index()].child(slot)
+    }
+
+    #[inline(always)]
+    fn levels(&self) -> u32 {
+        self.levels
+    }
+
+    #[inline(always)]
+    fn ancestor(&self, node: Node, up: u32) -> Node {
+        self.nodes[node.index()].ancestor(up)
     }
 }
 

@@ -5,6 +5,9 @@ use crate::bvh::{
 };
 use crate::generate::{procedural, stress};
 use crate::geom::{Mesh, Triangle};
+use crate::wide::{Link, Recorded, ancestor_key, child_key, key_level};
+
+use std::collections::HashMap;
 
 fn wide<const A: usize>(bvh: &Bvh) -> WideBvh<A> {
     WideBvh::of(bvh).expect("small enough")
@@ -78,7 +81,6 @@ fn stress_cases_are_sound() {
 fn the_smallest_ones_are_sound() {
     let empty = WideBvh::<8>::empty();
     assert_eq!((empty.nodes().len(), empty.blocks().len(), empty.levels(), empty.leaves(empty.root())), (1, 0, 0, 0));
-    assert_eq!(empty.keys().collect::<Vec<_>>(), [(1, empty.root())]);
     for n in 1..40 {
         let mesh = procedural::soup(n as u64, n);
         for max_leaf in [1, 4, 8, 20] {
@@ -160,9 +162,8 @@ fn depth_is_limited() {
         assert_eq!((found_eight, found_four), (eight, four), "{n}");
     }
     let (_, _, eight) = of(500);
-    for (key, node) in eight.keys() {
-        let level = key.ilog2() / 3;
-        assert_eq!(eight.ancestor(node, level.max(1)), eight.root());
+    for (key, node) in keys(&eight) {
+        assert_eq!(Recorded.ancestor(&eight, node, key_level::<8>(key).max(1)), eight.root());
     }
 }
 
@@ -174,21 +175,33 @@ fn keys_and_ancestors_agree() {
     agree(&wide::<4>(&bvh));
 }
 
+/// The key of each inner node.
+fn keys<const A: usize>(wide: &WideBvh<A>) -> HashMap<u64, Node> {
+    let mut keys = HashMap::new();
+    let mut open = vec![(1_u64, wide.root())];
+    while let Some((key, node)) = open.pop() {
+        let inner = wide.children(node) & !wide.leaves(node);
+        let inner = (0..A as u32).filter(|slot| inner >> slot & 1 == 1);
+        open.extend(inner.map(|slot| (child_key::<A, u64>(key, u64::from(slot)), wide.child(node, slot))));
+        assert_eq!(keys.insert(key, node), None);
+    }
+    keys
+}
+
 fn agree<const A: usize>(wide: &WideBvh<A>) {
-    let by_key: std::collections::HashMap<_, _> = wide.keys().collect();
-    assert_eq!(by_key.len(), wide.nodes.len());
-    let bits = A.trailing_zeros();
-    for (key, node) in wide.keys() {
-        let level = key.ilog2() / bits;
-        assert!(level <= wide.levels());
+    let keys = keys(wide);
+    assert_eq!(keys.len(), wide.nodes.len());
+    for (&key, &node) in &keys {
+        let level = key_level::<A>(key);
         for up in 1..=level {
-            assert_eq!(wide.ancestor(node, up), by_key[&(key >> (bits * up))]);
+            assert_eq!(Recorded.ancestor(wide, node, up), keys[&ancestor_key::<A, u64>(key, up)]);
         }
         if level > 0 {
             assert_eq!(wide.child(wide.parent(node), key as u32 & (A as u32 - 1)), node);
         }
     }
-    assert!((0..=wide.levels()).all(|level| wide.keys().any(|(key, _)| key.ilog2() / bits == level)));
+    let levels = keys.keys().map(|&key| key_level::<A>(key));
+    assert_eq!(levels.max(), Some(wide.levels()));
 }
 
 #[test]

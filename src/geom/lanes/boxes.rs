@@ -87,23 +87,17 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
 
     /// Of a set that is not empty, the least rank.
     #[inline(always)]
-    pub fn least(&self, ranks: V, set: u32) -> u32 {
+    pub fn least(simd: S, ranks: V, set: u32) -> u32 {
         // Ranks are not negative and below infinity, so they have the order of the floats that they are.
-        let mask = V::Mask::from_bitmask(self.simd, u64::from(set));
-        mask.select(ranks, V::splat(self.simd, f32::INFINITY)).reduce_min().to_bits()
+        let mask = V::Mask::from_bitmask(simd, u64::from(set));
+        mask.select(ranks, V::splat(simd, f32::INFINITY)).reduce_min().to_bits()
     }
 
     /// The rank of a lane.
     #[inline(always)]
-    pub fn rank(&self, ranks: &V, lane: u32) -> u32 {
+    pub fn rank(ranks: &V, lane: u32) -> u32 {
         let ranks: &[f32; A] = ranks.as_array();
         ranks[lane as usize & (A - 1)].to_bits()
-    }
-
-    /// Whether a rank is beyond `end`, which must not be negative: its box is not met up to there. `[LANES-2]`
-    #[inline(always)]
-    pub fn is_beyond(rank: u32, end: f32) -> bool {
-        f32::from_bits(rank & Self::DISTANCE) > end
     }
 
     #[inline(always)]

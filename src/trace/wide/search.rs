@@ -1,6 +1,6 @@
 //! Closest hit and any hit in a wide hierarchy.
 
-use fearless_simd::{Select, Simd, SimdMask};
+use fearless_simd::Simd;
 
 use super::turns::Ask;
 use crate::bvh::WideBvh;
@@ -10,44 +10,6 @@ use crate::order::Flow;
 use crate::trace::Hit;
 use crate::tree::Node;
 use crate::wide::{Ranks, Search, Topology, Wanted};
-
-impl<const A: usize> Topology<A> for WideBvh<A> {
-    #[inline(always)]
-    fn root(&self) -> Node {
-        self.root()
-    }
-
-    #[inline(always)]
-    fn children(&self, node: Node) -> u32 {
-        let node = &self.nodes()[node.index()];
-        (0..A as u32).fold(0, |set, slot| set | u32::from(node.has_child(slot)) << slot)
-    }
-
-    #[inline(always)]
-    fn leaves(&self, node: Node) -> u32 {
-        self.leaves(node)
-    }
-
-    #[inline(always)]
-    fn child(&self, node: Node, slot: u32) -> Node {
-        self.child(node, slot)
-    }
-
-    #[inline(always)]
-    fn levels(&self) -> u32 {
-        self.levels()
-    }
-
-    #[inline(always)]
-    fn parent(&self, node: Node) -> Node {
-        self.parent(node)
-    }
-
-    #[inline(always)]
-    fn ancestor(&self, node: Node, up: u32) -> Node {
-        self.nodes()[node.index()].ancestor(up)
-    }
-}
 
 /// A ray on its way through a wide hierarchy, exact. With `ANY`, the first hit ends it.
 #[derive(Clone, Debug)]
@@ -145,14 +107,11 @@ pub(super) struct LaneRanks<S, V, const A: usize> {
 impl<S: Simd, V: Lanes<S, A>, const A: usize> Ranks for LaneRanks<S, V, A> {
     #[inline(always)]
     fn rank(self, slot: u32) -> u32 {
-        let ranks: &[f32; A] = self.ranks.as_array();
-        ranks[slot as usize & (A - 1)].to_bits()
+        BoxRay::<S, V, A>::rank(&self.ranks, slot)
     }
 
     #[inline(always)]
     fn least(self, set: u32) -> u32 {
-        // Ranks are not negative and below infinity, so they have the order of the floats that they are.
-        let mask = V::Mask::from_bitmask(self.simd, u64::from(set));
-        mask.select(self.ranks, V::splat(self.simd, f32::INFINITY)).reduce_min().to_bits()
+        BoxRay::<S, V, A>::least(self.simd, self.ranks, set)
     }
 }

@@ -6,6 +6,7 @@ use crate::generate::stress;
 use crate::geom::lanes::tests::levels;
 use crate::geom::slabs::Directed;
 use crate::geom::truth;
+use crate::wide::is_beyond;
 
 type Planes<const A: usize> = [[[f32; A]; 2]; 3];
 
@@ -45,10 +46,10 @@ fn enter<S: Simd, V: Lanes<S, A>, const A: usize>(
 ) -> ([u32; A], u32) {
     let prepared = BoxRay::<S, V, A>::new(simd, ray, region);
     let (ranks, set) = prepared.enter(&planes(boxes), end);
-    let all: [u32; A] = std::array::from_fn(|lane| prepared.rank(&ranks, lane as u32));
+    let all: [u32; A] = std::array::from_fn(|lane| BoxRay::<S, V, A>::rank(&ranks, lane as u32));
     let subset = |mask: u32| (0..A).filter(|lane| mask >> lane & 1 == 1).map(|lane| all[lane]).min();
     for mask in [set, set & 0b1010_1010, (1 << A) - 1, 2] {
-        assert_eq!((mask != 0).then(|| prepared.least(ranks, mask)), subset(mask));
+        assert_eq!((mask != 0).then(|| BoxRay::<S, V, A>::least(simd, ranks, mask)), subset(mask));
     }
     (all, set)
 }
@@ -111,11 +112,8 @@ fn check<const A: usize>(ray: &Ray, boxes: &[Aabb; A], end: f32) {
     }
     // Beyond another end is what is left out because of it, and nothing else.
     let (_, without_end) = entered(ray, &region, boxes, f32::INFINITY);
-    let beyond = |lane: usize| BoxRay::<fearless_simd::Fallback, f32x8<_>, 8>::is_beyond(ranks[lane] & !7, end);
-    let beyond = (0..A).fold(0, |set, lane| set | u32::from(A == 8 && beyond(lane)) << lane);
-    if A == 8 {
-        assert_eq!(set, without_end & !beyond, "{ray:?} {end}");
-    }
+    let beyond = (0..A).fold(0, |set, lane| set | u32::from(is_beyond::<A>(ranks[lane], end.to_bits())) << lane);
+    assert_eq!(set, without_end & !beyond, "{ray:?} {end}");
 }
 
 /// Numbers that make zeros, infinities and NaNs of each other.

@@ -136,9 +136,9 @@ fn share(ray: &Ray, triangle: &Triangle) -> Option<f64> {
     Some(excess / (unit * bound))
 }
 
-/// A hill climb for [`HARD`]: `cargo test --lib lanes::triangles::tests::climb -- --ignored --nocapture`.
+/// A hill climb for [`HARD`].
 #[test]
-#[ignore = "a search, not a test"]
+#[ignore = "a search, not a test; run by `cargo test --lib lanes::triangles::tests::climb -- --ignored --nocapture`"]
 fn climb() {
     let mut best_of_all = 0.0;
     for seed in 0..4000 {

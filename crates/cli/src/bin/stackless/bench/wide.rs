@@ -5,7 +5,7 @@ use stackless_bvh::bvh::WideBvh;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::geom::lanes::Level;
 use stackless_bvh::trace::{Accuracy, WideTracer};
-use stackless_bvh::wide::Method;
+use stackless_bvh::wide::{Method, Topology};
 
 use super::Contestant;
 use crate::build::Build;
@@ -65,20 +65,15 @@ impl Contestant for Runner<'_> {
     }
 
     fn trace(&mut self, query: Query, rays: &[Ray], _: usize, answers: &mut [Answer]) {
-        // In pieces of one ray, or all at once.
-        let pieces = rays.chunks(if self.is_alone { 1 } else { rays.len().max(1) });
-        let mut left = answers;
-        for rays in pieces {
-            let (answers, rest) = left.split_at_mut(rays.len());
-            left = rest;
+        let piece = if self.is_alone { 1 } else { rays.len().max(1) };
+        for (rays, answers) in rays.chunks(piece).zip(answers.chunks_mut(piece)) {
             match (query, rays) {
                 (Query::Closest, [ray]) => answers[0] = self.tracer.closest_distance(ray),
                 (Query::Closest, _) => self.tracer.closest_distances(rays, answers),
-                (Query::Any, [ray]) => answers[0] = self.tracer.any(ray).then_some((0, 0.0)),
+                (Query::Any, [ray]) => answers[0] = answer_of(self.tracer.any(ray)),
                 (Query::Any, _) => {
                     let hits = self.tracer.any_each(rays);
-                    // Which hit it is does not count.
-                    answers.iter_mut().zip(hits).for_each(|(answer, hit)| *answer = hit.then_some((0, 0.0)));
+                    answers.iter_mut().zip(hits).for_each(|(answer, hit)| *answer = answer_of(hit));
                 }
             }
         }
@@ -95,4 +90,9 @@ impl Contestant for Runner<'_> {
     fn build_seconds(&self) -> f64 {
         self.tree.build_seconds
     }
+}
+
+/// Whether anything is hit. Which triangle does not count.
+fn answer_of(hit: bool) -> Answer {
+    hit.then_some((0, 0.0))
 }
