@@ -8,7 +8,7 @@ var<private> is_changing: bool;
 // [WIDE-3]
 var<private> end: u32;
 var<private> stopped: bool;
-// Leaves that were looked into.
+// Leaves that were looked into. A search may begin after some.
 var<private> looked: u32;
 
 fn begin(task: u32) {
@@ -18,7 +18,7 @@ fn begin(task: u32) {
     is_changing = (kind & 2u) == 2u;
     end = NONE;
     stopped = false;
-    looked = 0u;
+    looked = kind >> 2u;
 }
 
 fn finish(task: u32) {
