@@ -69,7 +69,7 @@ struct Reference {
 }
 
 /// Levels at which words end, and one less and more.
-const EDGES: [u32; 17] = [3, 4, 5, 7, 8, 9, 15, 16, 17, 20, 21, 22, 30, 31, 32, 33, 40];
+const EDGES: [u32; 16] = [3, 4, 5, 7, 8, 9, 15, 16, 17, 20, 21, 22, 30, 31, 32, 33];
 
 /// Distances that tapes draw from: equal ones, a few, many, and all that a rank has bits for.
 const DISTANCES: [u32; 5] = [1, 3, 12, 60, 1 << 29];
