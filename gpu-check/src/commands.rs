@@ -13,7 +13,8 @@ use gpu_check::record::Record;
 use gpu_check::scene::{Query, Scene};
 use gpu_check::suite::{Adapter, Share};
 use gpu_check::summary::Summary;
-use gpu_check::tapes::unchanged;
+use gpu_check::tapes::wide::{self, WideBatch};
+use gpu_check::tapes::{Searches, unchanged};
 use gpu_check::{Gpu, GpuError, planted, probe, rays, tables, tapes};
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::procedural;
@@ -27,29 +28,42 @@ pub(crate) fn tapes(gpu: &Gpu, trees: usize, seed: u64) -> Result<bool, GpuError
     const BATCH: usize = 4096;
     let mut good = true;
     for from in (0..trees).step_by(BATCH) {
-        let batch = tapes::Batch::new(gpu, tapes::cases(BATCH.min(trees - from), seed.wrapping_add(from as u64)))?;
+        let (count, seed) = (BATCH.min(trees - from), seed.wrapping_add(from as u64));
+        let batch = tapes::Batch::new(gpu, tapes::cases(count, seed))?;
         for kernel in (1..=3).flat_map(Kernel::all) {
-            let start = Instant::now();
-            let report = tapes::compare(gpu, &batch, &kernel, &tapes::unchanged)?;
-            let tapes::Report { name, compared, too_deep, mismatches, first } = report;
-            let seconds = start.elapsed().as_secs_f32();
-            println!("{name:20} {compared:6} searches, {too_deep:5} too deep, {mismatches} mismatches, {seconds:.1} s");
-            if let Some(first) = first {
-                println!("{first}");
-            }
-            good &= mismatches == 0;
+            good &= along_tapes(gpu, &batch, &kernel)?;
+        }
+        let batch = WideBatch::new(gpu, wide::cases(count, seed))?;
+        for kernel in Kernel::wide() {
+            good &= along_tapes(gpu, &batch, &kernel)?;
         }
     }
     Ok(good)
 }
 
+/// A line of the table.
+fn along_tapes(gpu: &Gpu, batch: &impl Searches, kernel: &Kernel) -> Result<bool, GpuError> {
+    let start = Instant::now();
+    let tapes::Report { name, compared, too_deep, visits, mismatches, first } =
+        tapes::compare(gpu, batch, kernel, &unchanged)?;
+    let seconds = start.elapsed().as_secs_f32();
+    println!(
+        "{name:20} {compared:6} searches, {visits:7} visits, {too_deep:5} too deep, {mismatches} mismatches, \
+         {seconds:.1} s"
+    );
+    if let Some(first) = first {
+        println!("{first}");
+    }
+    Ok(mismatches == 0)
+}
+
 pub(crate) fn planted(gpu: &Gpu, trees: usize) -> Result<bool, GpuError> {
-    let batch = tapes::Batch::new(gpu, tapes::cases(trees, 1))?;
+    let batches = (tapes::Batch::new(gpu, tapes::cases(trees, 1))?, WideBatch::new(gpu, wide::cases(trees, 1))?);
     let mut good = true;
     for (by, what) in [(ShownBy::Tapes, "searches"), (ShownBy::Rays, "rays")] {
         for bug in planted::shown_by(by) {
             let seen = match by {
-                ShownBy::Tapes => planted::hunt(gpu, &batch, bug)?,
+                ShownBy::Tapes => planted::hunt(gpu, &batches, bug)?,
                 _ => planted::hunt_rays(gpu, bug)?,
             };
             let verdict = if seen > 0 { "caught" } else { "NOT CAUGHT" };

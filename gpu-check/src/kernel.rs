@@ -3,9 +3,15 @@
 //! A part stands once: a traversal, a way to keep its stack, a width of its words, a search, a driver. What a kernel
 //! does not need is a constant that is false, and is compiled out.
 
+mod wide;
+
+pub use wide::{SLOTS, Wide};
+
 use std::fmt::Write as _;
 
 use stackless_bvh::traverse::Method;
+
+use wide::WIDE_TAPE_SEARCH;
 
 /// Invocations of a work group.
 pub const WORKGROUP: u32 = 64;
@@ -29,6 +35,8 @@ pub enum Traversal {
     Hashed,
     /// The same with a second trail.
     HashedDisjoint,
+    /// Of nodes with up to eight children.
+    Wide(Wide),
 }
 
 /// How invocations come to their tasks.
@@ -51,7 +59,7 @@ pub struct Kernel {
     pub traversal: Traversal,
     /// The driver.
     pub driver: Driver,
-    /// Words of 32 bits of a key or trail: 1, 2 or 3.
+    /// Words of 32 bits of a key or trail: 1, 2 or 3; of a trail for wide trees 1, 2 or 4.
     pub words: u32,
 }
 
@@ -99,7 +107,7 @@ const SINGLE: [(&str, Traversal); 11] = [
 ];
 
 impl Kernel {
-    /// All kernels with words of this number, those without words only for 1.
+    /// All kernels for trees of two children with words of this number, those without words only for 1.
     pub fn all(words: u32) -> Vec<Self> {
         let single = SINGLE.map(|(name, traversal)| Self { name, traversal, driver: Driver::Single, words });
         let mut all: Vec<Self> = single.into_iter().filter(|kernel| words == 1 || kernel.has_words()).collect();
@@ -127,11 +135,18 @@ impl Kernel {
 
     /// Whether it keeps words that limit the depth.
     pub const fn has_words(&self) -> bool {
-        !matches!(self.traversal, Traversal::Stack | Traversal::StackWorkgroup | Traversal::StackT0)
+        match self.traversal {
+            Traversal::Stack | Traversal::StackWorkgroup | Traversal::StackT0 => false,
+            Traversal::Wide(wide) => wide.has_words(),
+            _ => true,
+        }
     }
 
-    /// Edges that its state carries, where it is limited.
+    /// Edges that its state carries, where it is limited; of wide trees, levels.
     pub const fn depth_limit(&self) -> Option<u32> {
+        if let Traversal::Wide(wide) = self.traversal {
+            return wide.level_limit(self.words);
+        }
         if !self.has_words() {
             return None;
         }
@@ -143,9 +158,9 @@ impl Kernel {
         if matches!(self.traversal, Traversal::StackWorkgroup) { 4 * WORKGROUP * depth } else { 0 }
     }
 
-    /// The traversal of the library whose events it has to have.
-    pub const fn method(&self) -> Method {
-        match self.traversal {
+    /// The traversal of the library whose events it has to have; none for wide trees, which have one oracle.
+    pub const fn method(&self) -> Option<Method> {
+        Some(match self.traversal {
             Traversal::Stack | Traversal::StackWorkgroup => Method::Stack,
             Traversal::StackT0 => Method::StackT0,
             Traversal::Laine(0) => Method::Laine0,
@@ -155,7 +170,8 @@ impl Kernel {
             Traversal::Afra => Method::Afra,
             Traversal::HashedPrinted | Traversal::Hashed => Method::Hashed,
             Traversal::HashedDisjoint => Method::HashedDisjoint,
-        }
+            Traversal::Wide(_) => return None,
+        })
     }
 
     /// Whether it visits nodes in the order of its oracle: all but the speculative one.
@@ -170,7 +186,11 @@ impl Kernel {
 
     /// Whether its events have the levels of backtracks.
     pub const fn has_levels(&self) -> bool {
-        self.has_keys() || matches!(self.traversal, Traversal::Afra)
+        match self.traversal {
+            Traversal::Wide(wide) => wide.has_levels(),
+            Traversal::Afra => true,
+            _ => self.has_keys(),
+        }
     }
 
     /// Whether it keeps the trail of TRAIL-1.
@@ -197,9 +217,14 @@ impl Kernel {
     pub const fn table(&self) -> Option<Table> {
         match self.traversal {
             Traversal::HashedPrinted => Some(Table::Printed),
-            Traversal::Hashed | Traversal::HashedDisjoint => Some(Table::Tight),
+            Traversal::Hashed | Traversal::HashedDisjoint | Traversal::Wide(Wide::Hashed) => Some(Table::Tight),
             _ => None,
         }
+    }
+
+    /// The search of a decision tape.
+    pub const fn tape_search(&self) -> &'static str {
+        if matches!(self.traversal, Traversal::Wide(_)) { WIDE_TAPE_SEARCH } else { TAPE_SEARCH }
     }
 
     /// The text of the kernel: constants, then `search` (with what belongs to it), then the parts.
@@ -207,10 +232,15 @@ impl Kernel {
         let mut text = String::new();
         let leaf_reach = if self.table() == Some(Table::Printed) { 6 } else { 14 };
         let short = if let Traversal::Laine(short) = self.traversal { short } else { 0 };
-        let entry = if self.traversal == Traversal::StackT0 { 2 } else { 1 };
+        let stack_size = match self.traversal {
+            Traversal::Wide(_) => wide::stack_entries(shape.depth),
+            Traversal::StackT0 => 2 * shape.depth,
+            _ => shape.depth,
+        };
         for (name, value) in [
             ("WORKGROUP", WORKGROUP),
-            ("STACK_SIZE", (entry * shape.depth).max(1)),
+            ("STACK_SIZE", stack_size.max(1)),
+            ("TRAIL_WORDS", self.words),
             ("SHORT", short),
             ("RING_SIZE", short.max(1)),
             ("LEAF_REACH", leaf_reach),
@@ -236,8 +266,12 @@ impl Kernel {
     }
 
     fn parts(&self, record: Record) -> Vec<&'static str> {
-        let mut parts = vec![include_str!("../wgsl/types.wgsl"), include_str!("../wgsl/loop.wgsl")];
-        parts.push(match self.words {
+        let mut parts = vec![include_str!("../wgsl/bindings.wgsl")];
+        if !matches!(self.traversal, Traversal::Wide(_)) {
+            parts.extend([include_str!("../wgsl/types.wgsl"), include_str!("../wgsl/loop.wgsl")]);
+        }
+        // A key; a wide kernel without one records nothing in its place.
+        parts.push(match if matches!(self.traversal, Traversal::Wide(Wide::Trail)) { 1 } else { self.words } {
             1 => include_str!("../wgsl/word1.wgsl"),
             2 => include_str!("../wgsl/word2.wgsl"),
             _ => include_str!("../wgsl/word3.wgsl"),
@@ -256,6 +290,7 @@ impl Kernel {
             }
             Traversal::Laine(_) => vec![include_str!("../wgsl/cursor_laine.wgsl")],
             Traversal::Afra => vec![include_str!("../wgsl/cursor_afra.wgsl")],
+            Traversal::Wide(wide) => wide.parts(),
             _ => vec![include_str!("../wgsl/cursor_hashed.wgsl"), include_str!("../wgsl/table.wgsl")],
         });
         if self.has_keys() {
@@ -281,13 +316,13 @@ impl Kernel {
 /// What the text of a kernel depends on besides the kernel.
 #[derive(Clone, Copy, Debug)]
 pub struct Shape {
-    /// Depth of the deepest tree, in edges: nodes that a stack must hold.
+    /// Depth of the deepest tree, in edges: nodes that a stack must hold. Of wide trees, levels.
     pub depth: u32,
     /// Whether lanes can vote.
     pub subgroups: bool,
 }
 
-/// The search of a decision tape.
+/// The search of a decision tape, through trees of two children.
 pub const TAPE_SEARCH: &str = concat!(include_str!("../wgsl/head.wgsl"), include_str!("../wgsl/search_tape.wgsl"));
 
 /// The pass that writes tapes into records.

@@ -54,6 +54,17 @@ pub struct TableHead {
 }
 
 impl TableHead {
+    /// Where there is no table.
+    pub const NONE: Self = Self {
+        mask: 0,
+        displacements_at: 0,
+        size: 1,
+        cells_at: 0,
+        reciprocal: 0,
+        mix: Mix { narrow: false, seed: None },
+        fold_seed: 0,
+    };
+
     /// What kernels read where it is not compiled in, with the address of the root, and a word for the search.
     pub const fn words(&self, root: u32, search: u32) -> [u32; 16] {
         let [recip, recip_high] = halves(self.reciprocal);

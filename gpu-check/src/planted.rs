@@ -6,7 +6,8 @@ use stackless_bvh::trace::Tracer;
 use crate::kernel::Kernel;
 use crate::made::{self, Made};
 use crate::scene::{Query, Scene};
-use crate::tapes::{self, Batch};
+use crate::tapes::wide::WideBatch;
+use crate::tapes::{self, Batch, Searches};
 use crate::{Gpu, GpuError, probe, rays};
 
 pub use stackless_check::planted::{SHADERS, Shader, ShownBy};
@@ -49,7 +50,7 @@ pub fn named(name: &str) -> Result<&'static Shader, GpuError> {
     SHADERS.iter().find(|bug| bug.name == name).ok_or_else(|| GpuError::Data(format!("no mistake {name:?}")))
 }
 
-/// The kernel of a full name.
+/// The kernel for trees of two children of a full name.
 ///
 /// # Errors
 /// [`GpuError::Data`] if there is none.
@@ -58,14 +59,20 @@ pub fn by_name(name: &str) -> Result<Kernel, GpuError> {
     kernel.ok_or_else(|| GpuError::Data(format!("no kernel {name}")))
 }
 
-/// Runs the kernel with the bug. The answer is how many searches show it.
+/// Runs the kernel with the bug, over trees of two children or wide ones. The answer is how many searches show it.
 ///
 /// # Errors
 /// [`GpuError`]; [`GpuError::Data`] where the text has nothing to change.
-pub fn hunt(gpu: &Gpu, batch: &Batch, bug: &Shader) -> Result<usize, GpuError> {
-    let kernel = by_name(bug.kernel)?;
+pub fn hunt(gpu: &Gpu, (batch, wide): &(Batch, WideBatch), bug: &Shader) -> Result<usize, GpuError> {
+    match Kernel::wide().into_iter().find(|kernel| kernel.full_name() == bug.kernel) {
+        Some(kernel) => hunt_along(gpu, wide, kernel, bug),
+        None => hunt_along(gpu, batch, by_name(bug.kernel)?, bug),
+    }
+}
+
+fn hunt_along(gpu: &Gpu, batch: &impl Searches, kernel: Kernel, bug: &Shader) -> Result<usize, GpuError> {
     let shape = crate::kernel::Shape { depth: 1, subgroups: false };
-    let text = kernel.source(shape, crate::kernel::TAPE_SEARCH, crate::kernel::Record::Hash);
+    let text = kernel.source(shape, kernel.tape_search(), crate::kernel::Record::Hash);
     if !text.contains(bug.from) {
         return Err(GpuError::Data(format!("{}: nothing to change in {}", bug.name, bug.kernel)));
     }

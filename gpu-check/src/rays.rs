@@ -115,7 +115,7 @@ pub(crate) fn run(
 
 /// What a kernel should find, by the model.
 pub fn model(arithmetic: &Arithmetic, bvh: &Bvh, kernel: &Kernel, rays: &[Ray], any: bool) -> Vec<Found> {
-    let pruning: Pruning = kernel.method().test().pruning();
+    let pruning = kernel.method().map_or(Pruning::Never, |method| method.test().pruning());
     rays.par_iter().map(|ray| Model::trace(arithmetic, bvh, ray, pruning, any)).collect()
 }
 

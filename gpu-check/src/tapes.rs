@@ -2,13 +2,43 @@
 
 mod batch;
 mod events;
+pub mod wide;
 
 pub use batch::{Batch, Case, cases};
 pub use events::{Difference, Expected, RECORDED};
 
-use crate::kernel::{Kernel, Record, Shape, TAPE_SEARCH};
+use stackless_bvh::tree::Node;
+
+use crate::kernel::{Kernel, Record, Shape};
 use crate::launch::{Buffers, compile, params};
 use crate::{Checks, Gpu, GpuError};
+
+/// Searches on the device, and what kernels have to record of them.
+pub trait Searches {
+    /// How many there are.
+    fn searches(&self) -> usize;
+
+    /// Depth of the tree of a search; of a wide tree, levels.
+    fn depth(&self, search: usize) -> u32;
+
+    /// The name of a search, by which it can be made again.
+    fn describe(&self, search: usize) -> String;
+
+    /// The node at an address of a kernel.
+    fn node_at(&self, search: usize, address: u32) -> Option<Node>;
+
+    /// The greatest number of visits of these searches, by any traversal, and a few more.
+    fn most_visits(&self, searches: &[usize]) -> usize;
+
+    /// What the events and the outcome of a search should be.
+    fn expected(&self, search: usize, kernel: &Kernel) -> Expected;
+
+    /// Nodes, leaves, displacements and cells, as a kernel reads them.
+    fn buffers(&self, kernel: &Kernel) -> [&wgpu::Buffer; 4];
+
+    /// What a kernel has to know of each search, 16 words.
+    fn task_words(&self, kernel: &Kernel, searches: &[usize]) -> Vec<u32>;
+}
 
 /// What became of one kernel.
 #[derive(Clone, Debug, Default)]
@@ -19,6 +49,8 @@ pub struct Report {
     pub compared: usize,
     /// Searches over trees that are too deep for its words, which it is not given.
     pub too_deep: usize,
+    /// Visits of the searches without a mismatch.
+    pub visits: usize,
     /// Searches with another trace or another outcome.
     pub mismatches: usize,
     /// The first of them.
@@ -37,7 +69,7 @@ pub fn unchanged(text: String) -> String {
 ///
 /// # Errors
 /// [`GpuError`].
-pub fn compare(gpu: &Gpu, batch: &Batch, kernel: &Kernel, edit: Edit<'_>) -> Result<Report, GpuError> {
+pub fn compare(gpu: &Gpu, batch: &impl Searches, kernel: &Kernel, edit: Edit<'_>) -> Result<Report, GpuError> {
     let limit = kernel.depth_limit().unwrap_or(u32::MAX);
     let searches: Vec<usize> = (0..batch.searches()).filter(|&i| batch.depth(i) <= limit).collect();
     let mut report = Report {
@@ -50,6 +82,7 @@ pub fn compare(gpu: &Gpu, batch: &Batch, kernel: &Kernel, edit: Edit<'_>) -> Res
     for (&search, result) in searches.iter().zip(results.chunks_exact(8)) {
         let expected = batch.expected(search, kernel);
         if expected.agrees(result, kernel) {
+            report.visits += result[3] as usize;
             continue;
         }
         report.mismatches += 1;
@@ -64,7 +97,7 @@ pub fn compare(gpu: &Gpu, batch: &Batch, kernel: &Kernel, edit: Edit<'_>) -> Res
 /// The results of these searches, 8 words each, and the recorded events.
 fn run(
     gpu: &Gpu,
-    batch: &Batch,
+    batch: &impl Searches,
     kernel: &Kernel,
     searches: &[usize],
     record: Record,
@@ -72,7 +105,7 @@ fn run(
 ) -> Result<(Vec<u32>, Vec<u32>), GpuError> {
     let depth = searches.iter().map(|&i| batch.depth(i)).max().unwrap_or(0);
     let shape = Shape { depth, subgroups: gpu.has_subgroups() };
-    let source = edit(kernel.source(shape, TAPE_SEARCH, record));
+    let source = edit(kernel.source(shape, kernel.tape_search(), record));
     let pipeline = compile(gpu, kernel, depth, &source, Checks::All)?;
     let tasks = gpu.buffer("searches", &batch.task_words(kernel, searches))?;
     let count = searches.len() as u32;
@@ -80,8 +113,7 @@ fn run(
     let event_words = if record == Record::Events { 1 + RECORDED * batch.most_visits(searches) } else { 4 };
     let work = gpu.zeros("work", event_words)?;
     let params = params(gpu, count)?;
-    let [nodes, leaves] = batch.records(kernel.links());
-    let [displacements, cells] = batch.tables(kernel.table());
+    let [nodes, leaves, displacements, cells] = batch.buffers(kernel);
     let buffers =
         Buffers { nodes, leaves, displacements, cells, tasks: &tasks, results: &results, params: &params, work: &work };
     gpu.run(&[buffers.pass(kernel, &pipeline, count)])?;

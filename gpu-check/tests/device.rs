@@ -10,7 +10,8 @@ use gpu_check::made::{self, Made};
 use gpu_check::planted::ShownBy;
 use gpu_check::scene::{Query, Scene};
 use gpu_check::summary::Summary;
-use gpu_check::tapes::{Batch, cases, compare, unchanged};
+use gpu_check::tapes::wide::{self, WideBatch};
+use gpu_check::tapes::{Batch, Searches as _, cases, compare, unchanged};
 use gpu_check::{Access, Checks, Gpu, GpuError, exact, planted, probe, rays, tables};
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::{Bytes, Family, Rng, procedural};
@@ -37,11 +38,67 @@ fn every_kernel_has_the_events_of_the_oracle() {
     }
 }
 
+fn wide_batch(gpu: &Gpu, count: usize) -> WideBatch {
+    WideBatch::new(gpu, wide::cases(count, 1)).unwrap()
+}
+
+/// [WIDE-3] [WIDE-4] [WIDE-6] [WIDE-7] [WIDE-14] [WIDE-15] [WIDE-17] [WIDE-18] [WSTACK-1] [WTRAIL-1] [WRECORD-1]
+/// [WHASHED-1]
+#[test]
+fn wide_kernels_have_the_events_of_the_oracle() {
+    let gpu = gpu();
+    let batch = wide_batch(&gpu, 1024);
+    let searches = || 0..batch.searches();
+    let limits = [
+        ("wide-stack", u32::MAX),
+        ("wide-trail", 4),
+        ("wide-trail/64", 8),
+        ("wide-trail/128", 16),
+        ("wide-record", 32),
+        ("wide-hashed/64", 21),
+    ];
+    assert_eq!(Kernel::wide().iter().map(Kernel::full_name).collect::<Vec<_>>(), limits.map(|(name, _)| name));
+    for (kernel, (name, limit)) in Kernel::wide().iter().zip(limits) {
+        let above = searches().filter(|&i| batch.depth(i) > limit).count();
+        for level in [limit, limit.saturating_add(1)].into_iter().filter(|&level| level < u32::MAX) {
+            assert!(searches().filter(|&i| batch.depth(i) == level).count() >= 20, "{name}: {level}");
+        }
+        let report = compare(&gpu, &batch, kernel, &unchanged).unwrap();
+        assert_eq!((report.too_deep, report.compared), (above, batch.searches() - above), "{name}");
+        assert_eq!(report.mismatches, 0, "{name}: {}", report.first.unwrap());
+        let visits: usize = searches().filter(|&i| batch.depth(i) <= limit).map(|i| batch.visits(i)).sum();
+        assert!(report.visits == visits && visits > 6 * report.compared, "{report:?}");
+    }
+}
+
+/// Links that lead nowhere: whatever a kernel reads, it ends, and what it has visited is not what the oracle visits.
+#[test]
+fn wide_kernels_end_on_any_links() {
+    let gpu = gpu();
+    let batch = wide_batch(&gpu, 64);
+    let child = "return nodes[address + (slot >> 2u)][slot & 3u];";
+    let ancestor = "return nodes[address + 2u + ((up - 1u) >> 2u)][(up - 1u) & 3u];";
+    for kernel in Kernel::wide() {
+        for (from, to) in [
+            (child, "return root;"),
+            (child, "return address;"),
+            (child, "return nodes[address * 77u + slot].x ^ 0x5eed0123u;"),
+            (ancestor, "return address;"),
+            (ancestor, "return 0x7ffffff0u - address;"),
+        ] {
+            // Not all find an ancestor by the record.
+            let is_read = from == child || ["wide-trail", "wide-record"].contains(&kernel.name);
+            let report = compare(&gpu, &batch, &kernel, &|text| text.replace(from, to)).unwrap();
+            assert_eq!(report.mismatches > 0, is_read, "{}: {to}", report.name);
+        }
+    }
+}
+
 #[test]
 fn planted_bugs_are_caught() {
     let gpu = gpu();
-    let batch = Batch::new(&gpu, cases(1024, 1)).unwrap();
-    let missed = planted::shown_by(ShownBy::Tapes).filter(|bug| planted::hunt(&gpu, &batch, bug).unwrap() == 0);
+    let batches = (Batch::new(&gpu, cases(1024, 1)).unwrap(), wide_batch(&gpu, 1024));
+    let missed = planted::shown_by(ShownBy::Tapes).filter(|bug| planted::hunt(&gpu, &batches, bug).unwrap() == 0);
     let missed_by_rays = planted::shown_by(ShownBy::Rays).filter(|bug| planted::hunt_rays(&gpu, bug).unwrap() == 0);
     let missed: Vec<_> = missed.chain(missed_by_rays).map(|bug| (bug.kernel, bug.name)).collect();
     assert_eq!(missed, []);
@@ -73,6 +130,11 @@ fn a_mismatch_is_shown_event_by_event() {
     let report = compare(&gpu, &batch, &Kernel::all(1)[0], &bug).unwrap();
     let text = report.first.unwrap().to_string();
     assert!(text.contains("visit ") && text.contains("expected ") && text.contains("tape "), "{text}");
+
+    let wide = Kernel::wide()[4];
+    let bug = |text: String| text.replace("firstLeadingBit(summary)", "firstTrailingBit(summary)");
+    let text = compare(&gpu, &wide_batch(&gpu, 64), &wide, &bug).unwrap().first.unwrap().to_string();
+    assert!(text.contains("wide ") && text.contains("expected backtrack ") && text.contains("(end, leaves)"), "{text}");
 }
 
 /// Two searches for each of three scenes, 20,000 rays in all, by every kernel of one and two words.

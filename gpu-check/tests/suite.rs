@@ -92,7 +92,7 @@ fn every_kernel_conforms_in_what_it_names() {
 #[test]
 fn planted_bugs_fail_cases_of_their_clauses() {
     let gpu = Gpu::open(None).unwrap();
-    for bug in SHADERS {
+    for bug in SHADERS.iter().filter(|bug| !bug.profile.is_empty()) {
         // Of what is certain, and of how a traversal comes by its answers, no case is about the clause itself.
         let clause = match (bug.by, bug.passes) {
             (ShownBy::Exact, _) | (ShownBy::Rays, Some(_)) => "EXACT-1",

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use serde_json::{Value, json};
-use stackless_bvh::hash::Mix;
+
 use stackless_bvh::key::{Grow, KeyWord as _, Word as _};
 use stackless_bvh::tree::{Keys, Node, Topology as _, Tree};
 use stackless_suite::{Answer, Ask, WalkError};
@@ -83,15 +83,7 @@ impl Walks {
         let mut tables = HashTables::default();
         let head = match kernel.table() {
             Some(table) => tables.add(tree, addresses, table).map_err(|error| GpuError::Data(error.to_string()))?,
-            None => TableHead {
-                mask: 0,
-                displacements_at: 0,
-                size: 1,
-                cells_at: 0,
-                reciprocal: 0,
-                mix: Mix { narrow: false, seed: None },
-                fold_seed: 0,
-            },
+            None => TableHead::NONE,
         };
         let [nodes, leaves] = [gpu.buffer("nodes", &records.nodes)?, gpu.buffer("leaves", &records.leaves)?];
         let uploaded = match kernel.table() {

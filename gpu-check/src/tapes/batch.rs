@@ -4,8 +4,8 @@ use rayon::prelude::*;
 use stackless_bvh::generate::{Family, Kind, Rng, Source as _, Tape};
 use stackless_bvh::tree::{Keys, Node, Topology as _, Tree};
 
-use super::Expected;
 use super::events::References;
+use super::{Expected, Searches};
 use crate::kernel::{Kernel, Links, Table, tape_fill};
 use crate::launch::{groups, params};
 use crate::layout::{Addresses, HashTables, Records, TableHead, halves};
@@ -130,42 +130,28 @@ impl Batch {
         Ok(Self { cases, records, tables })
     }
 
-    /// Number of searches: two for each case, the closest hit and any.
-    pub fn searches(&self) -> usize {
-        2 * self.cases.len()
-    }
-
-    /// Depth of the tree of a search.
-    pub fn depth(&self, search: usize) -> u32 {
-        self.case(search).tree.depth()
-    }
-
-    /// The case of a search.
+    /// The case of a search: two for each case, the closest hit and any.
     pub fn case(&self, search: usize) -> &Case {
         &self.cases[search / 2].case
     }
+}
 
-    /// The name of a search, by which it can be made again.
-    pub fn describe(&self, search: usize) -> String {
+impl Searches for Batch {
+    fn searches(&self) -> usize {
+        2 * self.cases.len()
+    }
+
+    fn depth(&self, search: usize) -> u32 {
+        self.case(search).tree.depth()
+    }
+
+    fn describe(&self, search: usize) -> String {
         let Case { tree, shape, kind, seed, .. } = self.case(search);
         let query = if search % 2 == 1 { "any hit" } else { "closest hit" };
         format!("{shape} of {} nodes, {} deep, tape {kind} of seed {seed}, {query}", tree.node_count(), tree.depth())
     }
 
-    /// What the events and the outcome of a search should be.
-    pub fn expected(&self, search: usize, kernel: &Kernel) -> Expected {
-        let placed = &self.cases[search / 2];
-        let address = |node: Node| placed.addresses.at(&placed.case.tree, node);
-        Expected::new(&placed.case.tree, &placed.references, search % 2 == 1, kernel, address)
-    }
-
-    /// The greatest number of visits of these searches, by any traversal, and a few more.
-    pub fn most_visits(&self, searches: &[usize]) -> usize {
-        searches.iter().map(|&i| self.case(i).tree.node_count()).max().unwrap_or(0) + 16
-    }
-
-    /// The address of a node as kernels know it.
-    pub fn node_at(&self, search: usize, address: u32) -> Option<Node> {
+    fn node_at(&self, search: usize, address: u32) -> Option<Node> {
         let placed = &self.cases[search / 2];
         let tree = &placed.case.tree;
         (0..tree.node_count() as u32)
@@ -173,16 +159,23 @@ impl Batch {
             .find(|&node| placed.addresses.at(tree, node) == address)
     }
 
-    pub(super) fn records(&self, links: Links) -> [&wgpu::Buffer; 2] {
-        self.records[usize::from(links == Links::Parents)].each_ref()
+    fn most_visits(&self, searches: &[usize]) -> usize {
+        searches.iter().map(|&i| self.case(i).tree.node_count()).max().unwrap_or(0) + 16
     }
 
-    pub(super) fn tables(&self, table: Option<Table>) -> [&wgpu::Buffer; 2] {
-        self.tables[usize::from(table == Some(Table::Tight))].each_ref()
+    fn expected(&self, search: usize, kernel: &Kernel) -> Expected {
+        let placed = &self.cases[search / 2];
+        let address = |node: Node| placed.addresses.at(&placed.case.tree, node);
+        Expected::new(&placed.case.tree, &placed.references, search % 2 == 1, kernel, address)
     }
 
-    /// What a kernel has to know of each search, 16 words.
-    pub(super) fn task_words(&self, kernel: &Kernel, searches: &[usize]) -> Vec<u32> {
+    fn buffers(&self, kernel: &Kernel) -> [&wgpu::Buffer; 4] {
+        let [nodes, leaves] = &self.records[usize::from(kernel.links() == Links::Parents)];
+        let [displacements, cells] = &self.tables[usize::from(kernel.table() == Some(Table::Tight))];
+        [nodes, leaves, displacements, cells]
+    }
+
+    fn task_words(&self, kernel: &Kernel, searches: &[usize]) -> Vec<u32> {
         let mut words = Vec::with_capacity(16 * searches.len());
         for &search in searches {
             let Placed { case, addresses, heads, .. } = &self.cases[search / 2];

@@ -9,7 +9,7 @@ use stackless_bvh::order::Pruning;
 use stackless_bvh::traverse::{Laine, Method, Test, traverse};
 use stackless_bvh::tree::{Keys, Node, Topology as _, Tree};
 
-use super::{Batch, Case};
+use super::{Case, Searches};
 use crate::kernel::Kernel;
 
 /// Words that `record_events.wgsl` writes for a visit: those of an event, then trail and register.
@@ -68,7 +68,9 @@ fn reference(Case { tree, tape, .. }: &Case, method: Method, any: bool) -> (Trac
 #[derive(Clone, Debug)]
 pub struct Expected {
     events: Vec<[u32; WORDS]>,
-    hit: Option<(u32, usize)>,
+    outcome: Option<(u32, usize)>,
+    /// What the outcome is.
+    named: &'static str,
     any: bool,
 }
 
@@ -80,22 +82,22 @@ impl Expected {
         kernel: &Kernel,
         address: impl Fn(Node) -> u32,
     ) -> Self {
-        let method = kernel.method();
         // What does not prune or restart has the trace of the stack.
-        let at = REFERENCES.iter().position(|&of| of == method).unwrap_or(0);
+        let at = REFERENCES.iter().position(|&of| Some(of) == kernel.method()).unwrap_or(0);
         let (trace, outcome) = &references.found[at][usize::from(any)];
         let keys = &references.keys;
-        let mut before: Option<Node> = None;
-        let events = trace.nodes().iter().map(|&node| {
+        let place = |node: Node| {
             let slot = tree.slot(node);
-            let back = before.filter(|&before| before.is_leaf() || !tree.children(before).contains(&node));
-            before = Some(node);
-            let levels = back.map_or(0, |before| keys.depth(tree.slot(before)) - keys.depth(slot) + 1);
-            let key = if kernel.has_keys() { keys.key::<u128>(slot) } else { 0 };
-            let levels = if kernel.has_levels() { levels } else { 0 };
-            [address(node), levels, key as u32, (key >> 32) as u32, (key >> 64) as u32]
-        });
-        Self { events: events.collect(), hit: outcome.hit, any }
+            Place { address: address(node), depth: keys.depth(slot), key: keys.key(slot) }
+        };
+        let is_child = |parent, node| tree.children(parent).contains(&node);
+        let events = events(trace.nodes(), kernel, is_child, place);
+        Self { events, outcome: outcome.hit, named: "hit (distance, slot)", any }
+    }
+
+    /// Of a search through a wide tree: its end, and the number of leaves that it looked into.
+    pub(super) const fn of_wide(events: Vec<[u32; WORDS]>, outcome: (u32, usize)) -> Self {
+        Self { events, outcome: Some(outcome), named: "(end, leaves)", any: false }
     }
 
     /// Whether these 8 words are the result of a right kernel: the hit, and the number and the hash of the events.
@@ -107,7 +109,7 @@ impl Expected {
     }
 
     fn has_hit(&self, result: &[u32]) -> bool {
-        match self.hit {
+        match self.outcome {
             Some((t, slot)) => (result[0], result[1] as usize, result[2]) == (t, slot, 1),
             None => result[2] == 0,
         }
@@ -115,11 +117,17 @@ impl Expected {
 
     /// In another order any hit may be found first.
     fn may_have_hit(&self, result: &[u32]) -> bool {
-        if self.any { (result[2] == 1) == self.hit.is_some() } else { self.has_hit(result) }
+        if self.any { (result[2] == 1) == self.outcome.is_some() } else { self.has_hit(result) }
     }
 
     /// Where recorded events differ.
-    pub(super) fn difference(&self, batch: &Batch, search: usize, result: &[u32], recorded: &[u32]) -> Difference {
+    pub(super) fn difference(
+        &self,
+        batch: &impl Searches,
+        search: usize,
+        result: &[u32],
+        recorded: &[u32],
+    ) -> Difference {
         // The first word is the queue of persistent kernels.
         let (recorded, _) = recorded.get(1..).unwrap_or_default().as_chunks::<RECORDED>();
         let visits = recorded.iter().take(result[3] as usize);
@@ -133,13 +141,14 @@ impl Expected {
             visit: at,
             expected: show(&self.events),
             recorded: show(&recorded),
-            hit: format!("{:?}", self.hit),
-            hit_recorded: format!("{:?}", (result[2] == 1).then_some((result[0], result[1]))),
+            named: self.named,
+            outcome: format!("{:?}", self.outcome),
+            outcome_recorded: format!("{:?}", (result[2] == 1).then_some((result[0], result[1]))),
         }
     }
 }
 
-fn show(batch: &Batch, search: usize, &[address, levels, key, key1, key2]: &[u32; WORDS]) -> String {
+fn show(batch: &impl Searches, search: usize, &[address, levels, key, key1, key2]: &[u32; WORDS]) -> String {
     let node = batch.node_at(search, address).map_or(format!("address {address:#x}"), |node| format!("{node:?}"));
     let key = u128::from(key) | u128::from(key1) << 32 | u128::from(key2) << 64;
     let back = if levels > 0 { format!("backtrack {} to ", levels - 1) } else { String::new() };
@@ -147,24 +156,55 @@ fn show(batch: &Batch, search: usize, &[address, levels, key, key1, key2]: &[u32
     format!("{back}{node}{key}")
 }
 
-/// The first event at which a kernel and its reference part, and the hits of both.
+/// The first event at which a kernel and its reference part, and the outcomes of both.
 #[derive(Clone, Debug)]
 pub struct Difference {
     search: String,
     visit: usize,
     expected: String,
     recorded: String,
-    hit: String,
-    hit_recorded: String,
+    named: &'static str,
+    outcome: String,
+    outcome_recorded: String,
 }
 
 impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { search, visit, expected, recorded, hit, hit_recorded } = self;
+        let Self { search, visit, expected, recorded, named, outcome, outcome_recorded } = self;
         writeln!(f, "{search}")?;
         writeln!(f, "  visit {visit}: expected {expected}, recorded {recorded}")?;
-        write!(f, "  hit (distance, slot): expected {hit}, found {hit_recorded}")
+        write!(f, "  {named}: expected {outcome}, found {outcome_recorded}")
     }
+}
+
+/// Where a node is.
+pub(super) struct Place {
+    /// Its address in a kernel.
+    pub(super) address: u32,
+    /// Edges from the root.
+    pub(super) depth: u32,
+    /// The key that a kernel has when it is there, if it has keys.
+    pub(super) key: u128,
+}
+
+/// What a kernel has to record of these visits.
+pub(super) fn events(
+    nodes: &[Node],
+    kernel: &Kernel,
+    is_child: impl Fn(Node, Node) -> bool,
+    place: impl Fn(Node) -> Place,
+) -> Vec<[u32; WORDS]> {
+    let mut before: Option<Node> = None;
+    let event = |&node: &Node| {
+        let Place { address, depth, key } = place(node);
+        let back = before.filter(|&before| before.is_leaf() || !is_child(before, node));
+        before = Some(node);
+        let levels = back.map_or(0, |before| place(before).depth - depth + 1);
+        let key = if kernel.has_keys() { key } else { 0 };
+        let levels = if kernel.has_levels() { levels } else { 0 };
+        [address, levels, key as u32, (key >> 32) as u32, (key >> 64) as u32]
+    };
+    nodes.iter().map(event).collect()
 }
 
 /// What `record_hash.wgsl` computes.

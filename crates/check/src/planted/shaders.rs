@@ -15,7 +15,7 @@ pub struct Shader {
     pub to: &'static str,
     /// What shows it.
     pub by: ShownBy,
-    /// The profile of the conformance suite that is asked.
+    /// The profile of the conformance suite that is asked; empty for none.
     pub profile: &'static str,
     /// The kernel that is asked, with the same mistake.
     pub asked: &'static str,
@@ -200,4 +200,68 @@ pub static SHADERS: &[Shader] = shaders! {
         "if !(t_least >= tmin && t_high <= ray_end) {\n        doubt();\n        return;\n    }" => "";
     "a line that may meet an edge misses", "BAND-2", "stack", Exact fails "ray/exact":
         "if !(least > delta || most < -delta) {\n        doubt();" => "if !(least > delta || most < -delta) {";
+    // In wide trees: searches along tapes show them, and the adapter answers nothing about these.
+    "of the wanted children the last comes first", "WSTACK-1", "wide-stack",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "stack[at - 1u].x > entry.x" => "stack[at - 1u].x < entry.x";
+    "what is beyond is popped all the same", "WSTACK-1", "wide-stack",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "if !is_beyond(entry.x) {" => "if true {";
+    "the slot counts as distance", "WIDE-3", "wide-stack",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "(rank & ~SLOT_MASK) > end" => "rank > end";
+    "a child that begins at the end is beyond", "WIDE-3", "wide-record",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "(rank & ~SLOT_MASK) > end" => "(rank & ~SLOT_MASK) >= end";
+    "inner nodes and leaves by their slots", "WIDE-6", "wide-record",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "wanted = visit_leaves(wanted);" => "";
+    "what was pending above is pending below", "WIDE-10", "wide-record",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "link_enter(slot);\n        pending = 0u;" => "link_enter(slot);";
+    "a kept rank is taken twice", "WIDE-17", "wide-record",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "next_ranks = vec2(next_ranks.y, 0u);" => "";
+    "the sets of levels are joined", "WIDE-17", "wide-record",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "(kept_sets[at >> 2u] & ~(0xffu << bits)) |" => "kept_sets[at >> 2u] |";
+    "back to the highest level that has pending children", "WIDE-17", "wide-record",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "firstLeadingBit(summary)" => "firstTrailingBit(summary)";
+    "a level that is beyond ends the search", "WIDE-17", "wide-record",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "summary ^= 1u << at;" => "summary = 0u;";
+    "asked again, all wanted children are pending", "WIDE-17", "wide-record",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "ask(present, true) & pending" => "ask(present, true)";
+    "asked again, the search wants what it would now", "WIDE-4", "wide-record",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "is_changing && !is_again" => "is_changing";
+    "the farthest ancestor in the record is the nearest but one", "WIDE-15", "wide-record",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "return ancestor_of(at, up);" => "return ancestor_of(at, min(up, SLOTS - 1u));";
+    "the climb to an ancestor stops one level short", "WIDE-15", "wide-trail",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "i < up; i++" => "i + 1u < up; i++";
+    "no set is carried from word to word", "WIDE-10", "wide-trail/128",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        " | (trail[i - 1u] >> (32u - SET_BITS))" => "";
+    "words above are not shifted back", "WIDE-11", "wide-trail/64",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        ">> SET_BITS) | above;" => ">> SET_BITS);";
+    "a word without pending children counts as one level", "WIDE-11", "wide-trail/128",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "32u / SET_BITS * words + skipped + 1u" => "words + skipped + 1u";
+    "a change of the end is not noted", "WIDE-18", "wide-trail",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "changed = NONE;" => "";
+    "what has changed is not shifted back", "WIDE-18", "wide-trail/128",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "changed = (changed >> (up - 1u)) >> 1u;" => "";
+    "a node that is asked again counts for all above it", "WIDE-18", "wide-trail",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "changed &= ~1u;" => "changed = 0u;";
+    "the key is shifted by levels, not by bits", "WIDE-9", "wide-hashed/64",
+        Tapes passes "" because "kernels are not asked about wide trees":
+        "word_shift(key, SLOT_BITS * up)" => "word_shift(key, up)";
 };

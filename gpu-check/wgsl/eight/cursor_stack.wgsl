@@ -1,0 +1,71 @@
+// [WSTACK-1]: the wanted children with their ranks, the least on top.
+
+// (rank, address)
+var<private> stack: array<vec2<u32>, STACK_SIZE>;
+var<private> height: u32;
+
+fn cursor_start(root: u32) {
+    node = root;
+    present = root;
+    levels_back = 0u;
+    height = 0u;
+}
+
+// Puts a child among those above `base`, where ranks become less upwards.
+fn settle(base: u32, entry: vec2<u32>) {
+    var at = height;
+    loop {
+        if at == base || stack[at - 1u].x > entry.x {
+            break;
+        }
+        stack[at] = stack[at - 1u];
+        at -= 1u;
+    }
+    stack[at] = entry;
+    height += 1u;
+}
+
+// The next child: of those that are wanted of the present node the first, or the one on top if there are none.
+fn cursor_next(wanted: u32) {
+    let base = height;
+    var left = wanted;
+    loop {
+        if left == 0u {
+            break;
+        }
+        let slot = firstTrailingBit(left);
+        left &= left - 1u;
+        // Without an order the slot is the rank: it is beyond no end.
+        settle(base, vec2(select(slot, ranks[slot], is_sorted), child_of(present, slot)));
+    }
+    loop {
+        if height == 0u {
+            node = DONE;
+            break;
+        }
+        height -= 1u;
+        let entry = stack[height];
+        if !is_beyond(entry.x) {
+            node = entry.y;
+            break;
+        }
+    }
+}
+
+fn cursor_shortened() {}
+
+fn cursor_levels() -> u32 {
+    return 0u;
+}
+
+fn cursor_key() -> Word {
+    return WORD_ZERO;
+}
+
+fn cursor_trail() -> Word {
+    return WORD_ZERO;
+}
+
+fn cursor_register() -> u32 {
+    return 0u;
+}

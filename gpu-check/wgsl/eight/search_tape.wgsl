@@ -1,0 +1,57 @@
+// The search of a tape for wide trees: no floats. A task is a tree, with its tape, and an order.
+
+// Whether children come by rank; else leaves come first, and nothing is beyond [WIDE-6].
+var<private> is_sorted: bool;
+// Whether what is wanted depends on the number of leaves before.
+var<private> is_changing: bool;
+
+// [WIDE-3]
+var<private> end: u32;
+var<private> stopped: bool;
+// Leaves that were looked into. A search may begin after some.
+var<private> looked: u32;
+
+fn begin(task: u32) {
+    read_head(4u * task);
+    let kind = tasks[4u * task].y;
+    is_sorted = (kind & 1u) == 1u;
+    is_changing = (kind & 2u) == 2u;
+    end = NONE;
+    stopped = false;
+    looked = kind >> 2u;
+}
+
+fn finish(task: u32) {
+    results[2u * task] = vec4(end, looked, 1u, visits);
+    results[2u * task + 1u] = vec4(record_end(), 0u, 0u);
+}
+
+// The set of wanted children; their ranks are left in `ranks`. What a search wants when it is asked again [WIDE-4], it
+// said the first time: so only pending children count then, and those were wanted.
+fn ask(address: u32, is_again: bool) -> u32 {
+    let low = nodes[address + 4u];
+    let high = nodes[address + 5u];
+    ranks = array(low.x, low.y, low.z, low.w, high.x, high.y, high.z, high.w);
+    // Leaves, wanted children, number of the node.
+    let said = nodes[address + 6u];
+    var wanted = said.y;
+    if is_changing && !is_again {
+        wanted &= wide_mix(wide_mix(vec2(looked, 0u)) ^ vec2(said.z, 0u)).x;
+    }
+    if is_sorted {
+        for (var slot = 0u; slot < SLOTS; slot++) {
+            wanted &= ~(select(0u, 1u, is_beyond(ranks[slot])) << slot);
+        }
+    }
+    return wanted;
+}
+
+// A leaf holds what the end becomes, and whether the search ends.
+fn look_into(offset: u32) {
+    let cell = leaves[offset];
+    looked += 1u;
+    if is_sorted {
+        end = min(end, cell.x);
+    }
+    stopped = cell.y == 1u;
+}
