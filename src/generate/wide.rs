@@ -141,7 +141,9 @@ impl<'t, const A: usize, const SORTED: bool> WideSearch<'t, A, SORTED> {
 
     fn first(&self, node: Node) -> u32 {
         let cell = &self.tape.cells[node.index()];
-        let seen = mix(mix(self.leaves) ^ node.index() as u64) as u32;
+        // With the rank, so that not all tapes say the same of the root before the first leaf.
+        let of_node = node.index() as u64 | u64::from(cell.ranks[0]) << 32;
+        let seen = mix(mix(self.leaves + 1) ^ of_node) as u32;
         if self.tape.kind & WideTape::<A>::CHANGING == 0 { cell.set } else { cell.set & seen }
     }
 }
@@ -173,5 +175,32 @@ impl<const A: usize, const SORTED: bool> Search<A> for WideSearch<'_, A, SORTED>
 
     fn end(&self) -> u32 {
         self.end
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use super::*;
+    use crate::generate::Rng;
+
+    /// What is wanted of the root before any leaf, and after so many, by tapes whose answers change.
+    #[test]
+    fn answers_change() {
+        let tree: Tree<4> = wide_tree(&[Some(vec![1, 2, 3, 4]), None, None, None, None]);
+        let mut rng = Rng::new(1);
+        let tapes: Vec<_> = (0..400).map(|_| WideTape::draw(&mut rng, &tree, 9)).collect();
+        let changing = tapes.iter().filter(|tape| tape.kind & WideTape::<4>::CHANGING != 0);
+        let after = |leaves| -> HashSet<u32> {
+            let search = |tape| WideSearch::<4, false> { leaves, ..WideSearch::new(tape) };
+            changing.clone().map(|tape| search(tape).ask(tree.root()).set).collect()
+        };
+        assert_eq!((after(0).len(), after(1).len()), (16, 16));
+        let differ = changing.clone().filter(|tape| {
+            let set = |leaves| WideSearch::<4, false> { leaves, ..WideSearch::new(tape) }.ask(tree.root()).set;
+            set(0) != set(1)
+        });
+        assert!(2 * differ.count() > changing.count());
     }
 }

@@ -27,9 +27,6 @@ pub struct WideCase {
     pub seed: u64,
     /// What a search answers.
     pub tape: WideTape<SLOTS>,
-    /// Leaves that a search has visited before it begins: a tape whose answers change wants nothing of the root after
-    /// none.
-    pub before: u32,
 }
 
 /// Cases on the device, each searched in the order of ranks, and leaves first.
@@ -105,7 +102,7 @@ pub fn cases(count: usize, seed: u64) -> Vec<WideCase> {
             let case = |_| {
                 let tape = WideTape::draw(&mut rng, &tree, distances[i / 3 % distances.len()]);
                 let tape = stopping(&mut rng, &tree, tape);
-                WideCase { tree: tree.clone(), shape, seed, tape, before: 1 + rng.below(8) as u32 }
+                WideCase { tree: tree.clone(), shape, seed, tape }
             };
             let draws = if is_chain { 8 } else { 2 };
             (0..draws).map(case).max_by_key(|case| case.reference::<true>().nodes.len())
@@ -156,15 +153,8 @@ fn full(inner: usize) -> Shape {
 }
 
 impl WideCase {
-    /// After so many leaves that change nothing else: at the root there is no end.
-    fn search<const SORTED: bool>(&self, leaves: u32) -> WideSearch<'_, SLOTS, SORTED> {
-        let mut search = WideSearch::new(&self.tape);
-        (0..leaves).for_each(|_| _ = search.leaf(self.tree.root()));
-        search
-    }
-
     fn reference<const SORTED: bool>(&self) -> Reference {
-        let (mut search, mut trace) = (self.search::<SORTED>(self.before), Trace::default());
+        let (mut search, mut trace) = (WideSearch::<SLOTS, SORTED>::new(&self.tape), Trace::default());
         oracle::traverse(&self.tree, &mut search, &mut trace);
         Reference { nodes: trace.nodes().to_vec(), end: search.end() }
     }
@@ -175,7 +165,9 @@ impl WideCase {
         let (mut wanted, mut is_changing) = (vec![none; self.tree.node_count()], false);
         // Each child is there or not by a coin, so none is missed in as many.
         for leaves in 0..64 {
-            let mut search = self.search::<false>(leaves);
+            let mut search = WideSearch::<SLOTS, false>::new(&self.tape);
+            // The root is no leaf, so this changes nothing else.
+            (0..leaves).for_each(|_| _ = search.leaf(self.tree.root()));
             for node in self.tree.nodes().filter(|node| !node.is_leaf()) {
                 let Wanted { set, ranks } = search.ask(node);
                 let known = &mut wanted[node.index()];
@@ -278,7 +270,7 @@ impl WideBatch {
 impl WideCase {
     /// A leaf as kernels read it.
     fn leaf(&self, leaf: Node) -> [u32; 4] {
-        let mut search = self.search::<true>(0);
+        let mut search = WideSearch::<SLOTS, true>::new(&self.tape);
         let stops = search.leaf(leaf) == Flow::Stop;
         [search.end(), u32::from(stops), leaf.index() as u32, 0]
     }
@@ -324,7 +316,7 @@ impl Searches for WideBatch {
     }
 
     fn expected(&self, search: usize, kernel: &Kernel) -> Expected {
-        let Placed { case, places, .. } = &self.cases[search / 2];
+        let Placed { places, .. } = &self.cases[search / 2];
         let Reference { nodes, end } = self.reference(search);
         let is_child = |parent: Node, node: Node| places[node.index()].parent == Some(parent);
         let place = |node: Node| {
@@ -333,7 +325,7 @@ impl Searches for WideBatch {
             let key = parent.map_or(0, |parent| places[parent.index()].key);
             Place { address, depth: level, key: key.into() }
         };
-        let leaves = case.before as usize + nodes.iter().filter(|node| node.is_leaf()).count();
+        let leaves = nodes.iter().filter(|node| node.is_leaf()).count();
         Expected::of_wide(events(nodes, kernel, is_child, place), (*end, leaves))
     }
 
@@ -345,7 +337,7 @@ impl Searches for WideBatch {
         let words = searches.iter().flat_map(|&search| {
             let Placed { case, places, head, is_changing, .. } = &self.cases[search / 2];
             let root = places[case.tree.root().index()].address;
-            head.words(root, u32::from(search % 2 == 0) | u32::from(*is_changing) << 1 | case.before << 2)
+            head.words(root, u32::from(search % 2 == 0) | u32::from(*is_changing) << 1)
         });
         words.collect()
     }

@@ -8,7 +8,7 @@ var<private> is_changing: bool;
 // [WIDE-3]
 var<private> end: u32;
 var<private> stopped: bool;
-// Leaves that were looked into. A search may begin after some.
+// Leaves that were looked into.
 var<private> looked: u32;
 
 fn begin(task: u32) {
@@ -18,7 +18,7 @@ fn begin(task: u32) {
     is_changing = (kind & 2u) == 2u;
     end = NONE;
     stopped = false;
-    looked = kind >> 2u;
+    looked = 0u;
 }
 
 fn finish(task: u32) {
@@ -36,7 +36,7 @@ fn ask(address: u32, is_again: bool) -> u32 {
     let said = nodes[address + 6u];
     var wanted = said.y;
     if is_changing && !is_again {
-        wanted &= wide_mix(wide_mix(vec2(looked, 0u)) ^ vec2(said.z, 0u)).x;
+        wanted &= wide_mix(wide_mix(vec2(looked + 1u, 0u)) ^ vec2(said.z, ranks[0])).x;
     }
     if is_sorted {
         for (var slot = 0u; slot < SLOTS; slot++) {
