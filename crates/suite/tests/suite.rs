@@ -13,7 +13,7 @@ use stackless_bvh::wide::Method as WideMethod;
 use stackless_check::planted::{self, Instead, LAYERS, Planted, Seer};
 use stackless_suite::{
     Answer, Ask, Expect, Feature, Flaw, Hello, Implementation, Level, Library, Limits, PROTOCOL, Suite, SuiteCase,
-    author, judge,
+    WideLimits, author, judge,
 };
 
 #[path = "suite/adapters.rs"]
@@ -134,6 +134,23 @@ fn this_library_conforms_on_wide_trees() {
         assert!(asked.len() >= 3 && asked.iter().all(|(profile, count)| *count >= least(profile)), "{asked:?}");
         assert_eq!(too_deep > 0, method != WideMethod::Stack, "{}", hello.name);
     }
+}
+
+/// Who carries trees of some slots is asked about these. `[CONF-3]`
+#[test]
+fn only_slots_that_are_carried_are_asked_for() {
+    let limits: Limits = serde_json::from_str(r#"{"wide":{"8":16}}"#).unwrap();
+    assert_eq!(limits.wide, Some(WideLimits { of_8: Some(16), ..WideLimits::default() }));
+    let some = Hello { limits, ..Library::default().hello() };
+    let all = Hello { limits: Limits::default(), ..some.clone() };
+    let mut asked = BTreeMap::<_, u32>::new();
+    for (profile, case) in SUITE.cases() {
+        let Some(slots) = case.input.get("slots") else { continue };
+        *asked.entry(slots.to_string()).or_default() += 1;
+        assert!(all.asks_for(profile, case), "{}", case.id);
+        assert_eq!(some.asks_for(profile, case), slots == 8, "{}", case.id);
+    }
+    assert!(asked.keys().eq(["2", "4", "8"]) && asked.values().all(|&count| count > 100), "{asked:?}");
 }
 
 /// `[HASH-6]`

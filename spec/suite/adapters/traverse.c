@@ -500,7 +500,7 @@ static Tree read_wide_tree(int input) {
             met[met_count++] = child;
         }
     }
-    return met_count == node_count ? TREE : NOT_A_TREE;
+    return met_count < node_count ? NOT_A_TREE : TREE;
 }
 
 /* Reads ranks and hits, one for each child and for each node. */
