@@ -157,7 +157,7 @@ fn a_mistake_in_the_python_adapter_is_caught() {
         ("distance is None or distance > self.end", "distance is None", "resume/wide", "WIDE-3"),
         ("is_visited = next == \"backtrack\"", "is_visited = False", "resume/wide", "WIDE-13"),
         ("if inner and len(below) > 1", "if len(inner) > 1", "hash/wide", "WIDE-16"),
-        ("len(below) > slots or", "", "trace/wide-invalid", "WIDE-1"),
+        (" or (not below and node != 0)", "", "trace/wide-invalid", "WIDE-1"),
     ] {
         is_caught(Language::Python, from, to, profile, clause);
     }
