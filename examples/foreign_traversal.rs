@@ -17,7 +17,7 @@ impl Implementation for Mine {
             version: "0".to_owned(),
             profiles: vec!["trace/script".to_owned()],
             features: Vec::new(),
-            limits: Limits { max_depth: Some(63) },
+            limits: Limits { max_depth: Some(63), ..Limits::default() },
         }
     }
 

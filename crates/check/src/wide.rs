@@ -172,50 +172,39 @@ impl<const A: usize> Watch<'_, A> {
 
     /// The same, with the leaves that a tree says it has.
     pub fn run_over(&mut self, tree: &impl Topology<A>, cursor: &mut impl Cursor<A>) {
-        let case = self.case;
-        let once = |cursor: &mut _, seen: &mut Visits| {
+        let (case, most) = (self.case, self.most);
+        let once = |cursor: &mut _| {
             if case.is_sorted {
-                self::run(tree, WideSearch::<A, true>::new(&case.tape), cursor, seen);
+                visits(tree, &mut WideSearch::<A, true>::new(&case.tape), cursor, most)
             } else {
-                self::run(tree, WideSearch::<A, false>::new(&case.tape), cursor, seen);
+                visits(tree, &mut WideSearch::<A, false>::new(&case.tape), cursor, most)
             }
         };
-        let [mut first, mut second] = [0; 2].map(|_| Visits { seen: Vec::new(), most: self.most });
-        once(cursor, &mut first);
+        let first = once(cursor);
         cursor.reset();
-        once(cursor, &mut second);
-        self.seen = if first.seen == second.seen { first.seen } else { Vec::new() };
+        self.seen = if first == once(cursor) { first.unwrap_or_default() } else { Vec::new() };
     }
 }
 
-fn run<const A: usize, S: wide::Search<A> + Asked>(
+/// The nodes that a cursor visits, one more than `most` at the most; `None` where it asks for ever.
+pub(crate) fn visits<const A: usize>(
     tree: &impl Topology<A>,
-    mut search: S,
+    search: &mut impl wide::Search<A>,
     cursor: &mut impl Cursor<A>,
-    visits: &mut Visits,
-) {
-    // A cursor that asks for ever is stopped: no node is asked about more often than it has descendants to go to.
-    let most = (visits.most as u64 + 2) * u64::from(tree.levels() + 2) * A as u64;
+    most: usize,
+) -> Option<Vec<Node>> {
+    let mut visits = Visits { seen: Vec::new(), most };
     if visits.visit::<u64>(cursor.node(), || State::of(cursor.node())) == Flow::Stop {
-        return;
+        return Some(visits.seen);
     }
-    while search.asked() < most {
+    // No node is asked about more often than it has descendants to go to.
+    for _ in 0..(most as u64 + 2) * u64::from(tree.levels() + 2) * A as u64 {
         let wanted = search.ask(cursor.node());
-        if !wide::advance(tree, cursor, wanted, &mut search, visits) {
-            return;
+        if !wide::advance(tree, cursor, wanted, search, &mut visits) {
+            return Some(visits.seen);
         }
     }
-    visits.seen.clear();
-}
-
-trait Asked {
-    fn asked(&self) -> u64;
-}
-
-impl<const A: usize, const SORTED: bool> Asked for WideSearch<'_, A, SORTED> {
-    fn asked(&self) -> u64 {
-        self.asked()
-    }
+    None
 }
 
 struct Visits {

@@ -8,6 +8,9 @@ use stackless_bvh::generate::Cell;
 /// The children of each node, `null` for a leaf; node 0 is the root.
 pub type Children = Vec<Option<[u32; 2]>>;
 
+/// The same of a wide tree, from slot 0 on.
+pub type WideChildren = Vec<Option<Vec<u32>>>;
+
 /// An operation with its input; `spec/suite/INTERPRETING.md` says what has to be answered.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "op", rename_all = "kebab-case", deny_unknown_fields)]
@@ -30,12 +33,15 @@ pub enum Ask {
     Encode { leaf: bool, index: u32 },
     Decode { word: String },
     HashedKeys { children: Children, reach: [u32; 2] },
+    HashedKeysWide { slots: u32, children: WideChildren },
     Lookup(LookupTable),
     Build(Build),
     Trace(Walk),
     Resume(Walk),
     ResumeDisjoint(Walk),
     ResumeKey(Walk),
+    TraceWide(WideWalk),
+    ResumeWide(WideWalk),
     Ray(Rays),
 }
 
@@ -95,6 +101,32 @@ pub struct Walk {
     pub trail: Option<String>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub marks: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hit: Option<Best>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub next: Option<Start>,
+}
+
+/// A wide tree, a search, and where to begin.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(missing_docs, reason = "spec/suite/INTERPRETING.md describes each field")]
+pub struct WideWalk {
+    pub slots: u32,
+    pub children: WideChildren,
+    pub ranks: Vec<Option<Vec<Option<u32>>>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hits: Option<Vec<Option<u32>>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub any: Option<bool>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sorted: Option<bool>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub end: Option<u32>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub key: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub trail: Option<String>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hit: Option<Best>,
     #[serde(default, skip_serializing_if = "Option::is_none")]

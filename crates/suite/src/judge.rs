@@ -5,7 +5,7 @@ use core::fmt;
 use serde_json::{Map, Value};
 
 use super::ask::{Ask, Build};
-use super::author::{depth_if_tree, keys_of};
+use super::author::{depth_if_tree, keys_of, levels_if_tree};
 use super::bits::Bits;
 use super::text::Shown;
 use super::{Answer, Expect, Feature, Hello, SuiteCase};
@@ -93,7 +93,8 @@ pub fn judge(case: &SuiteCase, hello: &Hello, answer: &Answer) -> Result<(), Fla
             compare(name, expected, found)?;
         }
     }
-    if let (Some(events), Some(trails)) = (expected.get("events"), expected.get("trails")) {
+    let is_binary = !case.input.contains_key("slots");
+    if let (Some(events), Some(trails), true) = (expected.get("events"), expected.get("trails"), is_binary) {
         let states = States::of(events, trails);
         for (feature, name) in [(Feature::Counters, "counters"), (Feature::Registers, "registers")] {
             if !has(feature) {
@@ -115,17 +116,21 @@ pub fn judge(case: &SuiteCase, hello: &Hello, answer: &Answer) -> Result<(), Fla
 
 /// Whether the implementation has said that it does not carry the case's tree.
 fn is_too_deep(case: &SuiteCase, hello: &Hello) -> bool {
-    let Some(limit) = hello.limits.max_depth else { return false };
     let is_walk = case.id.starts_with("trace/") || case.id.starts_with("resume/");
     if !is_walk || matches!(case.expect, Expect::Reject(_)) {
         return false;
     }
-    match Ask::of(&case.input) {
+    let (limit, depth) = match Ask::of(&case.input) {
         Ok(Ask::Trace(walk) | Ask::Resume(walk) | Ask::ResumeDisjoint(walk) | Ask::ResumeKey(walk)) => {
-            depth_if_tree(&walk.children).is_some_and(|depth| depth > limit)
+            (hello.limits.max_depth, depth_if_tree(&walk.children))
         }
-        _ => false,
-    }
+        Ok(Ask::TraceWide(walk) | Ask::ResumeWide(walk)) => {
+            let limit = hello.limits.wide.and_then(|wide| wide.of(walk.slots.into()));
+            (limit, levels_if_tree(walk.slots, &walk.children))
+        }
+        _ => (None, None),
+    };
+    limit.zip(depth).is_some_and(|(limit, depth)| depth > limit)
 }
 
 /// The first element that differs.

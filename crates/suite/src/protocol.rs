@@ -41,9 +41,14 @@ pub struct Hello {
 }
 
 impl Hello {
-    /// Whether a case is put to the implementation: it has named the profile, and has the features.
+    /// Whether a case is put to the implementation: it has named the profile, has the features, and carries nodes of so
+    /// many slots.
     pub fn asks_for(&self, profile: &Profile, case: &SuiteCase) -> bool {
-        self.profiles.contains(&profile.name()) && case.features.iter().all(|feature| self.features.contains(feature))
+        let slots = case.input.get("slots").and_then(Value::as_u64);
+        let carries = |slots| self.limits.wide.is_none_or(|wide| wide.of(slots).is_some());
+        self.profiles.contains(&profile.name())
+            && case.features.iter().all(|feature| self.features.contains(feature))
+            && slots.is_none_or(carries)
     }
 }
 
@@ -54,6 +59,36 @@ pub struct Limits {
     /// Deepest tree, in edges.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_depth: Option<u32>,
+    /// Wide trees.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wide: Option<WideLimits>,
+}
+
+/// The greatest level of an inner node, by the slots of a node. Trees of other slots are not carried.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WideLimits {
+    /// Of trees of 2 slots a node.
+    #[serde(default, rename = "2", skip_serializing_if = "Option::is_none")]
+    pub of_2: Option<u32>,
+    /// Of trees of 4 slots a node.
+    #[serde(default, rename = "4", skip_serializing_if = "Option::is_none")]
+    pub of_4: Option<u32>,
+    /// Of trees of 8 slots a node.
+    #[serde(default, rename = "8", skip_serializing_if = "Option::is_none")]
+    pub of_8: Option<u32>,
+}
+
+impl WideLimits {
+    /// Of trees of so many slots a node.
+    pub const fn of(self, slots: u64) -> Option<u32> {
+        match slots {
+            2 => self.of_2,
+            4 => self.of_4,
+            8 => self.of_8,
+            _ => None,
+        }
+    }
 }
 
 /// The answer to a case, with the case's number.

@@ -9,10 +9,11 @@ use stackless_bvh::generate::Search;
 use stackless_bvh::order::Flow;
 use stackless_bvh::traverse::{Method, Test, WordName};
 use stackless_bvh::tree::{Keys, Topology};
+use stackless_bvh::wide::Method as WideMethod;
 use stackless_check::planted::{self, Instead, LAYERS, Planted, Seer};
 use stackless_suite::{
     Answer, Ask, Expect, Feature, Flaw, Hello, Implementation, Level, Library, Limits, PROTOCOL, Suite, SuiteCase,
-    author, judge,
+    WideLimits, author, judge,
 };
 
 #[path = "suite/adapters.rs"]
@@ -28,6 +29,8 @@ mod runner;
 #[path = "../../../tests/library/bites/table.rs"]
 #[allow(dead_code, reason = "of the whole table this test has a column")]
 mod table;
+#[path = "suite/wide.rs"]
+mod wide;
 
 /// The suite, which takes seconds to make.
 static SUITE: LazyLock<Suite> = LazyLock::new(author::suite);
@@ -105,6 +108,51 @@ fn this_library_conforms() {
     }
 }
 
+/// Every traversal of wide trees. `[CONF-1]` `[CONF-3]` `[WIDE-7]` `[WIDE-14]`
+#[test]
+fn this_library_conforms_on_wide_trees() {
+    let suite = &*SUITE;
+    for method in WideMethod::ALL {
+        let mut library = Library::wide(method);
+        let hello = library.hello();
+        let (mut asked, mut too_deep) = (BTreeMap::<_, u32>::new(), 0);
+        for (profile, case) in suite.cases() {
+            if hello.asks_for(profile, case) && profile.profile.starts_with("wide") {
+                *asked.entry(profile.name()).or_default() += 1;
+                let answer = library.answer(profile.level, &profile.profile, &case.input);
+                assert_eq!(judge(case, &hello, &answer), Ok(()), "{}: {}", hello.name, case.id);
+                too_deep += u32::from(answer == Answer::Reject("too-deep".to_owned()));
+            }
+        }
+        let least = |profile: &str| match profile {
+            "trace/wide" => 250,
+            "resume/wide" => 90,
+            _ => 10,
+        };
+        let restarts = hello.name.starts_with("wide-restart");
+        assert_eq!(asked.contains_key("resume/wide"), !restarts, "{}", hello.name);
+        assert!(asked.len() >= 3 && asked.iter().all(|(profile, count)| *count >= least(profile)), "{asked:?}");
+        assert_eq!(too_deep > 0, method != WideMethod::Stack, "{}", hello.name);
+    }
+}
+
+/// Who carries trees of some slots is asked about these. `[CONF-3]`
+#[test]
+fn only_slots_that_are_carried_are_asked_for() {
+    let limits: Limits = serde_json::from_str(r#"{"wide":{"8":16}}"#).unwrap();
+    assert_eq!(limits.wide, Some(WideLimits { of_8: Some(16), ..WideLimits::default() }));
+    let some = Hello { limits, ..Library::default().hello() };
+    let all = Hello { limits: Limits::default(), ..some.clone() };
+    let mut asked = BTreeMap::<_, u32>::new();
+    for (profile, case) in SUITE.cases() {
+        let Some(slots) = case.input.get("slots") else { continue };
+        *asked.entry(slots.to_string()).or_default() += 1;
+        assert!(all.asks_for(profile, case), "{}", case.id);
+        assert_eq!(some.asks_for(profile, case), slots == 8, "{}", case.id);
+    }
+    assert!(asked.keys().eq(["2", "4", "8"]) && asked.values().all(|&count| count > 100), "{asked:?}");
+}
+
 /// `[HASH-6]`
 #[test]
 fn a_table_needs_its_fields_and_no_more() {
@@ -144,6 +192,7 @@ fn every_planted_bug_fails_a_case_of_its_clause() {
     let asked = layers::Asked::of(suite);
     let with_mistake = |instead| match instead {
         Instead::Walk(walk) => failures(&walk(), suite),
+        Instead::Wide(bug) => wide::failures(bug, suite),
         instead => asked.failures(instead),
     };
     let controls = LAYERS.iter().flat_map(|layer| layer.controls);
@@ -216,7 +265,7 @@ fn failures<'s>(bug: &Planted, suite: &'s Suite) -> (usize, Vec<(&'s SuiteCase, 
             version: String::new(),
             profiles: vec![profile.name()],
             features,
-            limits: Limits { max_depth: Some(63) },
+            limits: Limits { max_depth: Some(63), ..Limits::default() },
         };
         if let Err(flaw) = judge(case, &hello, &answer) {
             failed.push((case, flaw));

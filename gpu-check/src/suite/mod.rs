@@ -130,7 +130,7 @@ impl Implementation for Adapter<'_> {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             profiles: self.profiles().into_iter().map(ToOwned::to_owned).collect(),
             features: has.into_iter().filter_map(|(has, feature)| has.then_some(feature)).collect(),
-            limits: Limits { max_depth: Some(*depth) },
+            limits: Limits { max_depth: Some(*depth), ..Limits::default() },
         }
     }
 

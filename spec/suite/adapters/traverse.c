@@ -20,6 +20,8 @@ enum {
     MAX_NESTING = 8,
     MAX_NODES = 1 << 14,
     MAX_DEPTH = 63,
+    MAX_SLOTS = 8,
+    MAX_LEVELS = 63, /* of leaves: a key has 64 bits */
     ROOT = 0,
     NONE = -1,
 };
@@ -417,12 +419,241 @@ static bool answer_trace(int input) {
     return ANSWER("]}");
 }
 
+/* Wide trees: for each level above the node the set of pending slots, the ancestor by parents, and the order by looking
+ * at the ranks again (WTRAIL-1). */
+
+typedef struct {
+    bool is_leaf, is_met;
+    int parent, count, child[MAX_SLOTS];
+    int told; /* the set of slots that have a rank */
+    uint32_t rank[MAX_SLOTS];
+    int64_t hit; /* NONE where nothing is hit */
+} WideNode;
+
+typedef struct {
+    int levels, node, level; /* levels as in Visit */
+    uint64_t key;
+    uint8_t pending[MAX_LEVELS + 1]; /* for each level above */
+} WideVisit;
+
+static WideNode wide_nodes[MAX_NODES];
+static WideVisit wide_visits[MAX_NODES];
+static int slots, slot_bits;
+static bool is_sorted, is_any;
+static uint32_t end;
+static int best; /* the leaf of the best hit, or NONE */
+
+static bool get_u32(int token, uint32_t *value) {
+    if (token == NONE || tokens[token].kind < '0' || tokens[token].kind > '9')
+        return false;
+    uint64_t sum = 0;
+    for (const char *digit = tokens[token].text; *digit >= '0' && *digit <= '9' && sum <= UINT32_MAX; digit++)
+        sum = 10 * sum + (uint64_t)(*digit - '0');
+    *value = (uint32_t)sum;
+    return sum <= UINT32_MAX;
+}
+
+/* Reads the children, then walks down from the root: each node must be met once (WIDE-1). */
+static Tree read_wide_tree(int input) {
+    int list = field(input, "children");
+    if (list == NONE || tokens[list].kind != '[' || !get_number(input, "slots", &slots))
+        return UNKNOWN;
+    if (slots != 2 && slots != 4 && slots != MAX_SLOTS)
+        return UNKNOWN;
+    slot_bits = trailing_zeros((uint64_t)slots);
+    Tree tree = TREE;
+    node_count = 0;
+    for (int i = list + 1; i < tokens[list].after; i = tokens[i].after) {
+        if (node_count == MAX_NODES)
+            return UNKNOWN;
+        WideNode *node = &wide_nodes[node_count++];
+        *node = (WideNode){.is_leaf = tokens[i].kind == 'n', .hit = NONE};
+        for (int j = i + 1; j < tokens[i].after; j++, node->count++) {
+            if (node->count == slots) {
+                tree = NOT_A_TREE;
+                break;
+            }
+            if (!number(j, &node->child[node->count]))
+                return UNKNOWN;
+        }
+        if (!node->is_leaf && node->count == 0 && node_count > 1)
+            tree = NOT_A_TREE;
+    }
+    if (node_count == 0 || wide_nodes[ROOT].is_leaf || tree == NOT_A_TREE)
+        return NOT_A_TREE;
+    static int met[MAX_NODES], levels[MAX_NODES];
+    int met_count = 1;
+    met[0] = ROOT;
+    wide_nodes[ROOT].is_met = true;
+    levels[ROOT] = depth = 0;
+    for (int i = 0; i < met_count; i++) {
+        const WideNode *node = &wide_nodes[met[i]];
+        for (int slot = 0; slot < node->count; slot++) {
+            int child = node->child[slot];
+            if (child >= node_count || wide_nodes[child].is_met)
+                return NOT_A_TREE;
+            wide_nodes[child].is_met = true;
+            wide_nodes[child].parent = met[i];
+            levels[child] = levels[met[i]] + 1;
+            if (!wide_nodes[child].is_leaf && levels[child] > depth)
+                depth = levels[child]; /* of inner nodes */
+            met[met_count++] = child;
+        }
+    }
+    return met_count < node_count ? NOT_A_TREE : TREE;
+}
+
+/* Reads ranks and hits, one for each child and for each node. */
+static bool read_wide_search(int input) {
+    int ranks = field(input, "ranks"), hits = field(input, "hits"), node = 0;
+    is_sorted = field(input, "sorted") == NONE || tokens[field(input, "sorted")].kind == 't';
+    is_any = field(input, "any") != NONE && tokens[field(input, "any")].kind == 't';
+    end = UINT32_MAX;
+    best = NONE;
+    if (ranks == NONE || (field(input, "end") != NONE && !get_u32(field(input, "end"), &end)))
+        return false;
+    for (int i = ranks + 1; i < tokens[ranks].after; i = tokens[i].after, node++) {
+        int slot = 0;
+        for (int j = i + 1; node < node_count && j < tokens[i].after; j++, slot++) {
+            if (slot == wide_nodes[node].count)
+                return false;
+            if (get_u32(j, &wide_nodes[node].rank[slot]))
+                wide_nodes[node].told |= 1 << slot;
+        }
+    }
+    if (node != node_count || hits == NONE)
+        return node == node_count;
+    node = 0;
+    for (int i = hits + 1; i < tokens[hits].after; i++, node++) {
+        uint32_t hit = 0;
+        if (node < node_count && get_u32(i, &hit))
+            wide_nodes[node].hit = hit;
+    }
+    return node == node_count;
+}
+
+static bool is_beyond(uint32_t rank) { /* WIDE-3 */
+    return is_sorted && rank - rank % (uint32_t)slots > end;
+}
+
+static int wanted(const WideNode *node) { /* WIDE-2 */
+    int set = 0;
+    for (int slot = 0; slot < node->count; slot++)
+        if ((node->told >> slot & 1) && !is_beyond(node->rank[slot]))
+            set |= 1 << slot;
+    return set;
+}
+
+/* The pending slot that comes next; NONE if there is none, or if all that is left is beyond. */
+static int next_slot(const WideNode *node, int pending) {
+    int next = NONE;
+    for (int slot = 0; slot < node->count; slot++) {
+        if (!(pending >> slot & 1))
+            continue;
+        bool is_less = next != NONE && node->rank[slot] < node->rank[next]; /* WIDE-5 */
+        if (next != NONE && !is_sorted) /* WIDE-6 */
+            is_less = wide_nodes[node->child[slot]].is_leaf && !wide_nodes[node->child[next]].is_leaf;
+        if (next == NONE || is_less)
+            next = slot;
+    }
+    return next != NONE && is_beyond(node->rank[next]) ? NONE : next;
+}
+
+/* Whether the search ends here. */
+static bool visit_leaf(int leaf) {
+    int64_t hit = wide_nodes[leaf].hit;
+    if (hit == NONE || hit > end)
+        return false;
+    if (best == NONE || hit < wide_nodes[best].hit || leaf < best)
+        best = leaf;
+    end = (uint32_t)hit;
+    return is_any;
+}
+
+/* Returns the number of visits. */
+static int traverse_wide(void) {
+    int node = ROOT, level = 0, levels = NONE, count = 0;
+    uint64_t key = 1;
+    uint8_t sets[MAX_LEVELS + 1] = {0};
+    for (;;) {
+        wide_visits[count] = (WideVisit){levels, node, level, key, {0}};
+        memcpy(wide_visits[count++].pending, sets, (size_t)level);
+        int pending = 0, at = level;
+        if (!wide_nodes[node].is_leaf)
+            pending = wanted(&wide_nodes[node]);
+        else if (visit_leaf(node))
+            return count;
+        int slot = next_slot(&wide_nodes[node], pending);
+        while (slot == NONE && at > 0) { /* WIDE-11, a level at a time */
+            node = wide_nodes[node].parent;
+            key >>= slot_bits; /* WIDE-9 */
+            pending = sets[--at];
+            slot = next_slot(&wide_nodes[node], pending);
+        }
+        if (slot == NONE)
+            return count;
+        levels = at == level ? NONE : level - at - 1;
+        sets[at] = (uint8_t)(pending & ~(1 << slot)); /* WIDE-10 */
+        level = at + 1;
+        key = key << slot_bits | (uint64_t)slot;
+        node = wide_nodes[node].child[slot];
+    }
+}
+
+/* A bit for each slot of each level, the root's first: WIDE-10. */
+static void print_wide_trail(const WideVisit *visit) {
+    bool is_begun = false;
+    for (int digit = (slots * visit->level - 1) / 4; digit >= 0; digit--) {
+        int value = 0;
+        for (int bit = 4 * digit + 3; bit >= 4 * digit; bit--) {
+            int above = bit / slots, slot = bit % slots;
+            value = 2 * value + (above < visit->level ? visit->pending[visit->level - 1 - above] >> slot & 1 : 0);
+        }
+        is_begun |= value != 0;
+        if (is_begun || digit == 0)
+            printf("%x", (unsigned)value);
+    }
+}
+
+static bool answer_wide(int input) {
+    Tree tree = read_wide_tree(input);
+    if (tree == NOT_A_TREE)
+        return ANSWER("\"reject\":\"not-a-tree\"");
+    if (tree == TREE && depth > MAX_LEVELS / slot_bits - 1)
+        return ANSWER("\"reject\":\"too-deep\"");
+    if (tree != TREE || !read_wide_search(input))
+        return false;
+    int count = traverse_wide();
+    printf("\"result\":{\"events\":[");
+    for (int i = 0; i < count; i++) {
+        const WideVisit *visit = &wide_visits[i];
+        if (visit->levels != NONE)
+            printf("\"backtrack %" PRIx64 " %d\",", visit->key, visit->levels);
+        printf("\"%s %" PRIx64 "\",", wide_nodes[visit->node].is_leaf ? "leaf" : "enter", visit->key);
+    }
+    printf("\"end\"]");
+    if (field(input, "hits") == NONE) {
+        printf(",\"trails\":[");
+        for (int i = 0; i < count; i++) {
+            printf(i == 0 ? "\"" : ",\"");
+            print_wide_trail(&wide_visits[i]);
+            printf("\"");
+        }
+        printf("]");
+    } else if (best == NONE)
+        printf(",\"hit\":null");
+    else
+        printf(",\"hit\":{\"t\":%" PRId64 ",\"node\":%d}", wide_nodes[best].hit, best);
+    return ANSWER("}");
+}
+
 /* Protocol. */
 
 static const char HELLO[] =
     "{\"protocol\":1,\"name\":\"traverse.c\",\"version\":\"1.0\",\"profiles\":[\"key/u32\",\"key/u64\","
-    "\"hash/function\",\"hash/address\",\"trace/script\",\"trace/complete\",\"trace/invalid\"],"
-    "\"features\":[\"trails\",\"registers\",\"changing\"],\"limits\":{\"max_depth\":%d}}\n";
+    "\"hash/function\",\"hash/address\",\"trace/script\",\"trace/complete\",\"trace/invalid\","
+    "\"trace/wide\",\"trace/wide-invalid\"],\"features\":[\"trails\",\"registers\",\"changing\"],"
+    "\"limits\":{\"max_depth\":%d,\"wide\":{\"2\":%d,\"4\":%d,\"8\":%d}}}\n";
 
 static bool answer_case(int request) {
     int seq = 0, level = field(request, "level"), profile = field(request, "profile"), input = field(request, "input");
@@ -437,6 +668,8 @@ static bool answer_case(int request) {
         is_answered = answer_hash(input, op);
     else if (is_text(level, "trace") && is_text(op, "trace"))
         is_answered = answer_trace(input);
+    else if (is_text(level, "trace") && is_text(op, "trace-wide"))
+        is_answered = answer_wide(input);
     if (!is_answered)
         printf("\"unsupported\":\"not asked for here, too large, or not as it must be\"");
     printf("}\n");
@@ -453,7 +686,7 @@ int main(void) {
             break;
         bool is_answered = false;
         if (cmd != NONE && is_text(cmd, "hello"))
-            is_answered = ANSWER(HELLO, MAX_DEPTH);
+            is_answered = ANSWER(HELLO, MAX_DEPTH, MAX_LEVELS - 1, MAX_LEVELS / 2 - 1, MAX_LEVELS / 3 - 1);
         else if (cmd != NONE && is_text(cmd, "case"))
             is_answered = answer_case(0);
         if (!is_answered) {

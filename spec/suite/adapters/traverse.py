@@ -278,6 +278,126 @@ def only_events(result):
 WALKS = {"trace": trace, "resume": resume, "resume-disjoint": resume_disjoint, "resume-key": resume_key}
 
 
+def check_wide(slots, children):
+    """A root that has slots, no more children than slots, and every node the child of one: WIDE-1."""
+    seen = {0}
+    if not children or children[0] is None:
+        raise Reject("not-a-tree")
+    for node, below in enumerate(children):
+        if below is None:
+            continue
+        if len(below) > slots or (not below and node != 0):
+            raise Reject("not-a-tree")
+        for child in below:
+            if child >= len(children) or child in seen:
+                raise Reject("not-a-tree")
+            seen.add(child)
+    reached, pending = 0, [0]
+    while pending:  # a cycle is not reached from the root
+        reached += 1
+        pending += children[pending.pop()] or ()
+    if reached < len(children):
+        raise Reject("not-a-tree")
+
+
+class Wide:
+    """A search through a wide tree."""
+
+    def __init__(self, slots, ranks, hits, best, any=False, sorted=True, end=0xFFFFFFFF):
+        self.slots, self.ranks, self.hits, self.any_hit, self.in_order = slots, ranks, hits, any, sorted
+        self.end, self.best = end, best
+
+    def is_beyond(self, rank):
+        return self.in_order and rank - rank % self.slots > self.end  # WIDE-3
+
+    def wanted(self, node):
+        """A bit for each slot."""
+        ranks = enumerate(self.ranks[node])
+        return sum(1 << slot for slot, rank in ranks if rank is not None and not self.is_beyond(rank))
+
+    def next(self, node, children, pending):
+        """The slot that comes next of those that are pending, or None if all that is left is beyond."""
+        slots = [slot for slot in range(self.slots) if pending >> slot & 1]
+        if not self.in_order:
+            return min(slots, key=lambda slot: (children[children[node][slot]] is not None, slot))  # WIDE-6
+        slot = min(slots, key=lambda slot: self.ranks[node][slot])  # WIDE-5
+        return None if self.is_beyond(self.ranks[node][slot]) else slot
+
+    def leaf(self, node):
+        """Whether the search ends here."""
+        distance = self.hits[node]
+        if distance is None or distance > self.end:
+            return False
+        self.end = distance
+        if self.best is None or (distance, node) < self.best:
+            self.best = (distance, node)
+        return self.any_hit
+
+
+def walk_wide(slots, children, ranks, hits=None, key=1, trail=0, next="visit", hit=None, **search):
+    """Traverses from a state on. All that is kept between two visits is the key, the trail and the end."""
+    check_wide(slots, children)
+    search = Wide(slots, ranks, hits or [None] * len(children), hit and (hit["t"], hit["node"]), **search)
+    bits = slots.bit_length() - 1
+
+    def node_of(key):
+        node = 0
+        for shift in range((key.bit_length() - 1) // bits * bits - bits, -1, -bits):
+            node = children[node][key >> shift & (slots - 1)]
+        return node
+
+    events, trails = [], []
+    is_visited = next == "backtrack"
+    while True:
+        node = node_of(key)
+        pending = 0
+        if not is_visited:
+            events.append(f"{'leaf' if children[node] is None else 'enter'} {key:x}")
+            trails.append(word(trail))
+            if children[node] is not None:
+                pending = search.wanted(node)
+            elif search.leaf(node):
+                break
+        is_visited = False
+        climbed = None
+        slot = search.next(node, children, pending) if pending else None
+        while slot is None and trail != 0:
+            n = trailing_zeros(trail) // slots  # WIDE-11
+            climbed = n if climbed is None else climbed + n + 1
+            pending, trail = trail >> slots * n & (1 << slots) - 1, trail >> slots * (n + 1)
+            key >>= bits * (n + 1)  # WIDE-9
+            slot = search.next(node_of(key), children, pending)
+        if slot is None:
+            break
+        key = key << bits | slot  # WIDE-9
+        trail = trail << slots | pending & ~(1 << slot)  # WIDE-10
+        if climbed is not None:
+            events.append(f"backtrack {key:x} {climbed}")
+    result = {"events": events + ["end"]}
+    if hits is None:
+        return {**result, "trails": trails}
+    return with_hit(result, search)
+
+
+def resume_wide(**walk):
+    return {name: value for name, value in walk_wide(**walk).items() if name != "trails"}
+
+
+def hashed_keys_wide(slots, children):
+    keys, pending = [], [(1, 0)]
+    while pending:
+        key, node = pending.pop()
+        below = children[node]
+        inner = [(key * slots + slot, child) for slot, child in enumerate(below) if children[child] is not None]
+        if inner and len(below) > 1:  # WIDE-16
+            keys.append(key)
+        pending += inner
+    return {"keys": [word(key) for key in sorted(keys)]}
+
+
+WIDE = {"trace-wide": walk_wide, "resume-wide": resume_wide, "hashed-keys-wide": hashed_keys_wide}
+
+
 def ray(vertices, triangles, rays, query):
     points = [whole(floats(vertex)) for vertex in vertices]
     if any(corner >= len(points) for triangle in triangles for corner in triangle):
@@ -354,13 +474,13 @@ def cross(a, b):
     return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
-OPERATIONS = {**KEY_LEVEL, **HASH_LEVEL, **WALKS, "ray": ray}
+OPERATIONS = {**KEY_LEVEL, **HASH_LEVEL, **WALKS, **WIDE, "ray": ray}
 WORDS = ("key", "trail", "marks", "counter", "index", "mask", "seed", "word")
 PROFILES = {
     "key": ["u32", "u64", "u128", "wide"],
-    "hash": ["function", "fold", "address", "keys", "lookup"],
-    "trace": ["script", "complete", "tape", "node-left", "node-sign", "disjoint", "invalid"],
-    "resume": ["state", "disjoint", "key-only", "invalid"],
+    "hash": ["function", "fold", "address", "keys", "lookup", "wide"],
+    "trace": ["script", "complete", "tape", "node-left", "node-sign", "disjoint", "invalid", "wide", "wide-invalid"],
+    "resume": ["state", "disjoint", "key-only", "invalid", "wide"],
     "ray": ["grid", "exact", "invalid"],
 }
 HELLO = {

@@ -3,6 +3,7 @@
 
 use super::draw::Draw;
 use super::lookups::Function;
+use super::wide::WidePlanted;
 use super::{Planted, filters, hierarchies, kernels, lookups, searches, slabs, tables, wide};
 use stackless_bvh::generate::Source;
 use stackless_bvh::geom::{Mesh, Ray};
@@ -45,6 +46,8 @@ pub enum Instead {
     Rays(fn(&Mesh, &[Ray]) -> Option<Hits>),
     /// This traversal.
     Walk(fn() -> Planted),
+    /// This traversal of wide trees.
+    Wide(WidePlanted),
     /// Nothing that the conformance suite asks for, and why.
     Nothing(&'static str),
 }
@@ -160,6 +163,7 @@ impl core::fmt::Debug for Instead {
             Self::Function(_) => "Function",
             Self::Rays(_) => "Rays",
             Self::Walk(_) => "Walk",
+            Self::Wide(_) => "Wide",
             Self::Nothing(_) => "Nothing",
         })
     }

@@ -31,6 +31,7 @@ pub use layers::{Hits, Instead, LAYERS, Layer, Mistake, Table};
 pub use list::{Seer, all, controls, marks, rows, unseen};
 pub use lookups::Function;
 pub use shaders::{SHADERS, Shader, ShownBy};
+pub use wide::WidePlanted;
 
 use super::{Battery, Case, Fault, Verdict, Watch};
 use stackless_bvh::event::{Recorder, State};

@@ -13,6 +13,7 @@ mod table;
 mod trace;
 mod trees;
 mod truth;
+mod wide;
 
 use std::collections::HashSet;
 
@@ -20,13 +21,15 @@ use serde_json::{Map, Value};
 
 pub(super) use hash::{keys_of, mixed};
 pub(super) use trees::depth_if_tree;
+pub(super) use wide::levels_if_tree;
 
 use super::text::object;
 use super::{Ask, Expect, Feature, Level, Profile, Strength, Suite, SuiteCase, VERSION};
 
 /// The whole suite: the same on every machine.
 pub fn suite() -> Suite {
-    let levels = [key::profiles(), hash::profiles(), trace::profiles(), resume::profiles(), ray::profiles()];
+    let levels =
+        [key::profiles(), hash::profiles(), trace::profiles(), resume::profiles(), ray::profiles(), wide::profiles()];
     let mut profiles: Vec<_> = levels.into_iter().flatten().collect();
     profiles.sort_by(|a, b| (a.level, &a.profile).cmp(&(b.level, &b.profile)));
     Suite { profiles }
@@ -43,9 +46,23 @@ pub(super) fn names() -> Vec<String> {
 /// Every profile that there is.
 pub(super) const PROFILES: [(Level, &[&str]); 5] = [
     (Level::Key, &["u32", "u64", "u128", "wide"]),
-    (Level::Hash, &["function", "fold", "address", "keys", "lookup", "build", "build-deep"]),
-    (Level::Trace, &["script", "complete", "tape", "node-left", "node-sign", "disjoint", "distance", "invalid"]),
-    (Level::Resume, &["state", "disjoint", "key-only", "invalid"]),
+    (Level::Hash, &["function", "fold", "address", "keys", "lookup", "build", "build-deep", "wide"]),
+    (
+        Level::Trace,
+        &[
+            "script",
+            "complete",
+            "tape",
+            "node-left",
+            "node-sign",
+            "disjoint",
+            "distance",
+            "invalid",
+            "wide",
+            "wide-invalid",
+        ],
+    ),
+    (Level::Resume, &["state", "disjoint", "key-only", "invalid", "wide"]),
     (Level::Ray, &["grid", "exact", "invalid"]),
 ];
 

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use super::reference::{Reference, Rule, Search, Visit};
+use super::reference::{Reference, Rule, Search};
 use super::trees::{Scene, random, random_script};
 use super::{Author, result};
 use crate::ask::Walk;
@@ -16,13 +16,23 @@ pub(super) fn profiles() -> Vec<Profile> {
 
 /// Before a visit, or after it where the node is a leaf: the events that are left follow from the number of those
 /// before.
-fn moments(visits: &[Visit], is_leaf: impl Fn(u32) -> bool, count: usize) -> Vec<(usize, Start)> {
-    let all: Vec<_> = (0..visits.len())
-        .flat_map(|i| [(i, Start::Visit), (i, Start::Backtrack)])
-        .filter(|&(i, next)| next == Start::Visit || is_leaf(visits[i].node))
+pub(super) fn moments(
+    visits: impl Iterator<Item = u32>,
+    is_leaf: impl Fn(u32) -> bool,
+    count: usize,
+) -> Vec<(usize, Start)> {
+    let all: Vec<_> = (0..)
+        .zip(visits)
+        .flat_map(|(i, node)| [(i, node, Start::Visit), (i, node, Start::Backtrack)])
+        .filter(|&(_, node, next)| next == Start::Visit || is_leaf(node))
+        .map(|(i, _, next)| (i, next))
         .collect();
     let step = all.len().div_ceil(count).max(1);
     all.into_iter().step_by(step).collect()
+}
+
+fn nodes_of(run: &Reference<'_>) -> impl Iterator<Item = u32> {
+    run.visits.iter().map(|visit| visit.node)
 }
 
 fn word(start: Start) -> &'static str {
@@ -34,7 +44,7 @@ fn states() -> Profile {
     for seed in 0..36 {
         let (children, text) = random_script(3000 + seed, 3 + seed as u32 / 2, false);
         let run = Reference::run(&children, Search::Script(text.as_bytes()));
-        for (i, next) in moments(&run.visits, |node| children[node as usize].is_none(), 5) {
+        for (i, next) in moments(nodes_of(&run), |node| children[node as usize].is_none(), 5) {
             let visit = &run.visits[i];
             let left = &run.events[visit.events + usize::from(next == Start::Backtrack)..];
             let why = if visit.trail.0.last() == Some(&true) {
@@ -64,7 +74,7 @@ fn disjoint() -> Profile {
         let Scene { children, cells, .. } = random(4000 + seed, 4 + seed as u32 / 2, kind);
         let run = Reference::run(&children, Search::Cells { cells: &cells, any: false, rule: Rule::Disjoint });
         // What is put aside after a leaf has been pruned before: that is a state before the next visit.
-        for (i, _) in moments(&run.visits, |_| false, 4) {
+        for (i, _) in moments(nodes_of(&run), |_| false, 4) {
             let visit = &run.visits[i];
             let ask = Ask::ResumeDisjoint(Walk {
                 children: children.clone(),
@@ -92,7 +102,7 @@ fn keys() -> Profile {
         let (children, text) = random_script(5000 + seed, 3 + seed as u32 / 2, false);
         let search = Search::Script(text.as_bytes());
         let run = Reference::run(&children, search);
-        for (i, _) in moments(&run.visits, |_| false, 2) {
+        for (i, _) in moments(nodes_of(&run), |_| false, 2) {
             let key = &run.visits[i].key;
             let trail = Bits((0..key.0.len()).map(|i| i > 0).collect());
             let marks = Bits::zeros(key.0.len());

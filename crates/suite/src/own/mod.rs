@@ -4,6 +4,7 @@ mod rays;
 mod tables;
 pub(crate) mod text;
 mod walks;
+mod wide;
 mod words;
 
 pub use rays::RaysError;
@@ -14,6 +15,7 @@ use super::author::PROFILES;
 use super::{Answer, Ask, Feature, Hello, Implementation, Level, Limits, PROTOCOL};
 use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::{Method, Test, WordName};
+use stackless_bvh::wide::Method as WideMethod;
 
 /// This library as an implementation: one traversal in one word, or for each profile one that has it.
 ///
@@ -33,7 +35,10 @@ pub struct Library {
     word: Option<WordName>,
     accuracy: Accuracy,
     features: Vec<Feature>,
-    max_depth: Option<u32>,
+    /// The traversal of wide trees, and whether it is the only one that was asked for.
+    wide: Option<WideMethod>,
+    is_wide: bool,
+    limits: Limits,
 }
 
 impl Default for Library {
@@ -46,7 +51,15 @@ impl Library {
     /// A traversal in a word; where none is given, one for each profile, in the word that grows.
     pub fn new(method: Option<Method>, word: Option<WordName>) -> Self {
         let (features, max_depth) = walks::claims(method, word.unwrap_or(WordName::Grow));
-        Self { method, word, accuracy: Accuracy::Exact, features, max_depth }
+        let wide = method.is_none().then(WideMethod::default);
+        let limits = Limits { max_depth, wide: wide.map(wide::claims) };
+        Self { method, word, accuracy: Accuracy::Exact, features, wide, is_wide: false, limits }
+    }
+
+    /// A traversal of wide trees, and none of others.
+    pub fn wide(method: WideMethod) -> Self {
+        let limits = Limits { max_depth: None, wide: Some(wide::claims(method)) };
+        Self { wide: Some(method), is_wide: true, limits, ..Self::default() }
     }
 
     /// The same, with rays traced by other tests: what is not exact does not conform.
@@ -72,7 +85,7 @@ impl Library {
             (Level::Trace | Level::Resume, "disjoint") => Method::HashedDisjoint,
             _ => return None,
         };
-        let Some(method) = self.method else { return Some(usual) };
+        let Some(method) = self.method else { return (!self.is_wide).then_some(usual) };
         let is_whole = method.can_pause() && method.test() == Test::Children;
         let fits = match (level, profile) {
             (Level::Trace, "invalid") => true,
@@ -84,15 +97,29 @@ impl Library {
         };
         fits.then_some(method)
     }
+
+    /// The traversal of wide trees that answers a profile.
+    fn wide_method_for(&self, level: Level, profile: &str) -> Option<WideMethod> {
+        self.wide.filter(|&method| match (level, profile) {
+            (Level::Trace, "wide" | "wide-invalid") => true,
+            (Level::Resume, "wide") => wide::can_resume(method),
+            _ => false,
+        })
+    }
 }
 
 impl Implementation for Library {
     fn hello(&self) -> Hello {
         let all = PROFILES.iter().flat_map(|&(level, profiles)| profiles.iter().map(move |&profile| (level, profile)));
         let is_walk = |level| matches!(level, Level::Trace | Level::Resume);
-        let profiles = all.filter(|&(level, profile)| !is_walk(level) || self.method_for(level, profile).is_some());
+        let profiles = all.filter(|&(level, profile)| {
+            let is_walked =
+                || self.method_for(level, profile).is_some() || self.wide_method_for(level, profile).is_some();
+            !is_walk(level) || is_walked()
+        });
         let profiles = profiles.map(|(level, profile)| format!("{level}/{profile}")).collect();
-        let method = self.method.map_or("stackless-bvh", Method::name);
+        let wide = self.wide.filter(|_| self.is_wide).map(WideMethod::name);
+        let method = self.method.map(Method::name).or(wide).unwrap_or("stackless-bvh");
         Hello {
             protocol: PROTOCOL,
             name: match (self.word, self.accuracy) {
@@ -103,7 +130,7 @@ impl Implementation for Library {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             profiles,
             features: self.features.iter().copied().chain([Feature::Weights]).collect(),
-            limits: Limits { max_depth: self.max_depth },
+            limits: self.limits,
         }
     }
 
@@ -117,10 +144,13 @@ impl Implementation for Library {
             Level::Key => words::answer(profile, &ask),
             Level::Hash => tables::answer(&ask),
             Level::Ray => rays::answer(self.accuracy, &ask),
-            Level::Trace | Level::Resume => match self.method_for(level, profile) {
-                Some(method) => walks::answer(method, self.word(), &self.features, &ask),
-                None => None,
-            },
+            Level::Trace | Level::Resume => {
+                match (self.method_for(level, profile), self.wide_method_for(level, profile)) {
+                    (Some(method), _) => walks::answer(method, self.word(), &self.features, &ask),
+                    (None, Some(method)) => wide::answer(method, &ask),
+                    (None, None) => None,
+                }
+            }
         }
         .unwrap_or_else(unsupported)
     }

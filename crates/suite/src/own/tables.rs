@@ -46,6 +46,7 @@ pub(super) fn answer(ask: &Ask) -> Option<Answer> {
             Some(Answer::of([("leaf", json!(node.is_leaf())), ("index", json!(node.index()))]))
         }
         Ask::HashedKeys { children, reach } => hashed_keys(children, *reach),
+        Ask::HashedKeysWide { slots, children } => super::wide::hashed_keys(*slots, children),
         Ask::Lookup(table) => look_up(table),
         Ask::Build(tree) => build(tree),
         _ => None,

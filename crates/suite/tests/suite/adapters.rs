@@ -92,12 +92,12 @@ fn is_caught(language: Language, from: &str, to: &str, profile: &str, clause: &s
 
 #[test]
 fn the_c_adapter_conforms() {
-    conforms(Language::C, 1266);
+    conforms(Language::C, 1601);
 }
 
 #[test]
 fn the_python_adapter_conforms() {
-    conforms(Language::Python, 3388);
+    conforms(Language::Python, 3887);
 }
 
 #[test]
@@ -113,6 +113,13 @@ fn a_mistake_in_the_c_adapter_is_caught() {
         ("met_count == node_count", "met_count <= node_count", "trace/invalid", "TREE-2"),
         ("(key % (uint64_t)cells + ", "(key + ", "hash/function", "HASH-1"),
         ("leaf = word >> 30 == 3;", "leaf = word >> 31;", "hash/address", "HASH-5"),
+        ("rank - rank % (uint32_t)slots > end", "rank > end", "trace/wide", "WIDE-3"),
+        ("slot == NONE && at > 0", "slot == NONE && at > 1", "trace/wide", "WIDE-11"),
+        ("key >>= slot_bits;", "key >>= 1;", "trace/wide", "WIDE-9"),
+        ("int above = bit / slots,", "int above = bit / 8,", "trace/wide", "WIDE-10"),
+        ("node->rank[slot] < node->rank[next]", "node->rank[slot] > node->rank[next]", "trace/wide", "WIDE-5"),
+        ("MAX_LEVELS / slot_bits - 1)", "MAX_LEVELS / slot_bits)", "trace/wide", "CONF-3"),
+        ("node->count == slots)", "node->count == MAX_SLOTS)", "trace/wide-invalid", "WIDE-1"),
     ] {
         is_caught(Language::C, from, to, profile, clause);
     }
@@ -136,6 +143,21 @@ fn a_mistake_in_the_python_adapter_is_caught() {
         ("min(u, v, w) < 0 < max(u, v, w)", "min(u, v, w) <= 0 <= max(u, v, w)", "ray/grid", "EXACT-1"),
         ("round(x / Fraction", "math.floor(x / Fraction", "ray/exact", "EXACT-1"),
         ("if hit and tmin <= hit[0] <= tmax", "if hit and tmin <= hit[0] < tmax", "ray/grid", "EXACT-1"),
+        ("rank - rank % self.slots > self.end", "rank - rank % self.slots >= self.end", "trace/wide", "WIDE-3"),
+        ("else climbed + n + 1", "else climbed + n", "trace/wide", "WIDE-11"),
+        (
+            "trails.append(word(trail))\n            if",
+            "trails.append(word(2 * trail))\n            if",
+            "trace/wide",
+            "WIDE-10",
+        ),
+        ("(key * slots + slot, child)", "(key * slots + slot + 1, child)", "hash/wide", "WIDE-9"),
+        ("children[children[node][slot]] is not None, slot", "slot, None", "trace/wide", "WIDE-6"),
+        ("None if self.is_beyond(self.ranks[node][slot]) else slot", "slot", "trace/wide", "WIDE-3"),
+        ("distance is None or distance > self.end", "distance is None", "resume/wide", "WIDE-3"),
+        ("is_visited = next == \"backtrack\"", "is_visited = False", "resume/wide", "WIDE-13"),
+        ("if inner and len(below) > 1", "if len(inner) > 1", "hash/wide", "WIDE-16"),
+        (" or (not below and node != 0)", "", "trace/wide-invalid", "WIDE-1"),
     ] {
         is_caught(Language::Python, from, to, profile, clause);
     }
@@ -189,6 +211,9 @@ fn the_schemas_name_all_that_there_is() {
     for schema in [&schema("index"), &schema("hello")] {
         assert_eq!(constants(schema, "profile"), profiles.iter().map(String::as_str).collect());
     }
+    let named = vectors["properties"]["profile"]["enum"].as_array().unwrap().iter().filter_map(Value::as_str);
+    let profiles: BTreeSet<_> = suite.profiles.iter().map(|profile| profile.profile.as_str()).collect();
+    assert_eq!(named.collect::<BTreeSet<_>>(), profiles);
     schema("waivers");
 }
 

@@ -51,6 +51,7 @@ pub(crate) fn seen_as(instead: Instead) -> &'static str {
         Instead::Table(_) | Instead::Reach(_) => "HASH-9",
         Instead::Function(_) => "HASH-1",
         Instead::Rays(_) => "EXACT-1",
+        Instead::Wide(_) => "WIDE-7",
         Instead::Walk(_) | Instead::Nothing(_) => "TRAVERSE-1",
     }
 }

@@ -12,10 +12,11 @@ use self::stacks::{Restart, Stack};
 use super::draw::Draw;
 use super::layers::{Instead, Mistake};
 use crate::WideCase;
-use crate::wide::Watch;
+use crate::wide::{Watch, visits};
 use stackless_bvh::generate::Source;
 use stackless_bvh::key::TooDeep;
-use stackless_bvh::wide::{self, Ranks, Search, Topology, Unfit, Wanted};
+use stackless_bvh::tree::Node;
+use stackless_bvh::wide::{self, Cursor, Ranks, Search, Topology, Tree, Unfit, Wanted};
 
 /// What is copied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,7 +41,7 @@ enum Text {
 
 macro_rules! of {
     ($text:expr, $bug:expr, $clause:literal, $name:literal) => {
-        Mistake::new($name, $clause, |draw| fault(draw, $text, $bug), Instead::Nothing("the suite has no wide trees"))
+        Mistake::new($name, $clause, |draw| fault(draw, $text, $bug), Instead::Wide(WidePlanted($text, $bug)))
     };
 }
 
@@ -173,34 +174,91 @@ fn differs<const A: usize>(case: &WideCase<A>, text: Text, bug: Bug) -> Option<S
     if text == Text::Restart && case.is_sorted && !case.tape.is_monotone() {
         return None;
     }
-    let tree = &Records { tree: &case.tree, bug };
-    let fault = case.compare(&format!("{bug:?}"), &case.expected(), |watch| run(case, tree, text, watch)).err()?;
+    let expected = case.expected();
+    let fault = case.compare(&format!("{bug:?}"), &expected, |watch| run(&case.tree, text, bug, watch)).err()?;
     Some(format!("{fault}\n{case:?}"))
 }
 
-fn run<const A: usize>(
-    case: &WideCase<A>,
-    tree: &Records<'_, A>,
-    text: Text,
-    watch: &mut Watch<'_, A>,
-) -> Result<(), Unfit> {
-    let bug = tree.bug;
+/// A copy with a mistake, or, as a control, without one.
+#[derive(Clone, Copy, Debug)]
+pub struct WidePlanted(Text, Bug);
+
+impl WidePlanted {
+    /// The greatest level of an inner node that it carries, in trees of so many slots a node.
+    pub const fn carries(self, slots: u32) -> u32 {
+        match self.0 {
+            Text::Trail => u128::BITS / slots,
+            Text::Narrow => u32::BITS / slots,
+            _ => 32,
+        }
+    }
+
+    /// The nodes that its second search visits, one more than `most` at the most: a cursor is made for one search after
+    /// the other. `None` where it asks for ever.
+    ///
+    /// # Errors
+    /// The tree has too many levels.
+    pub fn visits<const A: usize, S: Search<A>>(
+        self,
+        tree: &Tree<A>,
+        search: impl Fn() -> S,
+        most: usize,
+    ) -> Result<Option<Vec<Node>>, Unfit> {
+        let Self(text, bug) = self;
+        let (levels, limit) = (tree.levels(), self.carries(A as u32));
+        // The library refuses for itself.
+        if levels > limit && !matches!(text, Text::Library | Text::Narrow) {
+            return Err(TooDeep { depth: levels, limit, word: "a copy" }.into());
+        }
+        let mut second = Second { search, most, seen: None };
+        run(tree, text, bug, &mut second)?;
+        Ok(second.seen)
+    }
+}
+
+/// Runs a cursor twice, and notes what it visits the second time.
+struct Second<F> {
+    search: F,
+    most: usize,
+    seen: Option<Vec<Node>>,
+}
+
+/// Whoever runs a cursor.
+trait Run<const A: usize> {
+    fn run(&mut self, tree: &impl Topology<A>, cursor: &mut impl Cursor<A>);
+}
+
+impl<const A: usize> Run<A> for Watch<'_, A> {
+    fn run(&mut self, tree: &impl Topology<A>, cursor: &mut impl Cursor<A>) {
+        self.run_over(tree, cursor);
+    }
+}
+
+impl<const A: usize, S: Search<A>, F: Fn() -> S> Run<A> for Second<F> {
+    fn run(&mut self, tree: &impl Topology<A>, cursor: &mut impl Cursor<A>) {
+        for _ in 0..2 {
+            cursor.reset();
+            self.seen = visits(tree, &mut (self.search)(), cursor, self.most);
+        }
+    }
+}
+
+fn run<const A: usize>(tree: &Tree<A>, text: Text, bug: Bug, to: &mut impl Run<A>) -> Result<(), Unfit> {
+    let records = &Records { tree, bug };
     match text {
-        Text::Trail => watch.run_over(tree, &mut Pending::new(tree, Trail::new(bug), Climb(bug))),
-        Text::Ranked => watch.run_over(tree, &mut Pending::new(tree, Ranked::new(bug), Climb(bug))),
-        Text::ByRecord => watch.run_over(tree, &mut Pending::new(tree, Ranked::new(bug), ByRecord(bug))),
-        Text::ByKey => {
-            watch.run_over(tree, &mut Pending::new(tree, Ranked::new(bug), ByKey::of(&case.tree, bug)));
-        }
-        Text::Stack => watch.run_over(tree, &mut Stack::new(tree)),
-        Text::Restart => watch.run_over(tree, &mut Restart::new(tree)),
+        Text::Trail => to.run(records, &mut Pending::new(records, Trail::new(bug), Climb(bug))),
+        Text::Ranked => to.run(records, &mut Pending::new(records, Ranked::new(bug), Climb(bug))),
+        Text::ByRecord => to.run(records, &mut Pending::new(records, Ranked::new(bug), ByRecord(bug))),
+        Text::ByKey => to.run(records, &mut Pending::new(records, Ranked::new(bug), ByKey::of(tree, bug))),
+        Text::Stack => to.run(records, &mut Stack::new(records)),
+        Text::Restart => to.run(records, &mut Restart::new(records)),
         Text::Library => {
-            watch.run_over(tree, &mut wide::Pending::new(tree, wide::Ranked::default(), wide::Recorded)?);
+            to.run(records, &mut wide::Pending::new(records, wide::Ranked::default(), wide::Recorded)?);
         }
-        Text::Narrow => match wide::Pending::new(tree, wide::Trail::<u32>::default(), wide::Parents) {
-            Ok(mut cursor) => watch.run_over(tree, &mut cursor),
+        Text::Narrow => match wide::Pending::new(records, wide::Trail::<u32>::default(), wide::Parents) {
+            Ok(mut cursor) => to.run(records, &mut cursor),
             // It refuses the tree, whatever number of levels it takes it to have.
-            Err(error) => return Err(TooDeep { depth: case.tree.levels(), ..error }.into()),
+            Err(error) => return Err(TooDeep { depth: tree.levels(), ..error }.into()),
         },
     }
     Ok(())

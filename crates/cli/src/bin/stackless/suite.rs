@@ -3,12 +3,15 @@
 #[cfg(feature = "peers")]
 mod peer;
 
+use std::ffi::OsStr;
 use std::io::{self, BufReader, stdin, stdout};
 use std::path::{Path, PathBuf};
 
-use clap::Subcommand;
+use clap::builder::{PossibleValue, TypedValueParser};
+use clap::{Arg, Command, Subcommand};
 use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::{Method, WordName};
+use stackless_bvh::wide;
 use stackless_suite::{Feature, Implementation, Level, Library, Suite, VERSION, serve};
 
 use crate::conform::{load, select};
@@ -22,7 +25,8 @@ use crate::{Outcome, input};
     stackless suite list\n  \
     stackless suite show --filter 'trace/script/three-*'\n  \
     stackless suite export --level key suite\n  \
-    stackless suite serve --method afra --word u64")]
+    stackless suite serve --method afra --word u64\n  \
+    stackless suite serve --method wide-hashed")]
 pub(crate) struct Args {
     #[command(subcommand)]
     what: What,
@@ -44,9 +48,9 @@ enum What {
     Show(Chosen),
     /// Answer the cases as this library does: an implementation for `stackless conform`.
     Serve {
-        /// The traversal; one for each profile if none is named.
-        #[arg(long, value_parser = input::MethodName)]
-        method: Option<Method>,
+        /// The traversal, of binary or of wide trees; one for each profile if none is named.
+        #[arg(long, value_parser = WalkName)]
+        method: Option<Walk>,
         /// The word of keys and trails.
         #[arg(long, value_parser = input::word)]
         word: Option<WordName>,
@@ -58,6 +62,39 @@ enum What {
         #[arg(long, conflicts_with_all = ["method", "word", "accuracy"], value_parser = peer::named)]
         peer: Option<stackless_peers::Peer>,
     },
+}
+
+/// A traversal.
+#[derive(Clone, Copy)]
+enum Walk {
+    Binary(Method),
+    Wide(wide::Method),
+}
+
+/// Reads a traversal's name, and lists all of them.
+#[derive(Clone)]
+struct WalkName;
+
+impl TypedValueParser for WalkName {
+    type Value = Walk;
+
+    fn parse_ref(&self, command: &Command, argument: Option<&Arg>, value: &OsStr) -> Result<Walk, clap::Error> {
+        (walk as fn(&str) -> Result<Walk, String>).parse_ref(command, argument, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let wide = |method: wide::Method| PossibleValue::new(method.name()).help(method.help());
+        let binary = input::MethodName.possible_values().into_iter().flatten();
+        Some(Box::new(binary.chain(wide::Method::ALL.into_iter().map(wide))))
+    }
+}
+
+fn walk(name: &str) -> Result<Walk, String> {
+    let binary = input::method(name).map(Walk::Binary);
+    binary.or_else(|error| {
+        let wide = input::wide_method(name).map(Walk::Wide);
+        wide.map_err(|more| format!("{error}, {}", more.trim_start_matches("expected one of: ")))
+    })
 }
 
 /// Which cases.
@@ -94,9 +131,15 @@ pub(crate) fn run(args: &Args) -> Outcome {
         What::Serve { peer: Some(peer), .. } => {
             answer(&mut peer::Foreign(*peer))?;
         }
+        What::Serve { method: Some(Walk::Wide(method)), word, accuracy, .. } => {
+            if word.is_some() {
+                return Err(format!("--word: {method} has no words to choose from").into());
+            }
+            answer(&mut Library::wide(*method).with_accuracy(*accuracy))?;
+        }
         What::Serve { method, word, accuracy, .. } => {
-            let mut library = Library::new(*method, *word).with_accuracy(*accuracy);
-            answer(&mut library)?;
+            let method = method.and_then(|walk| if let Walk::Binary(method) = walk { Some(method) } else { None });
+            answer(&mut Library::new(method, *word).with_accuracy(*accuracy))?;
         }
     }
     Ok(true)

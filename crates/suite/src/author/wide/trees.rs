@@ -1,0 +1,97 @@
+//! The wide trees of the cases, and searches through them.
+
+use crate::ask::{WideChildren, WideWalk};
+use stackless_bvh::generate::{Rng, Source, wide_shape};
+
+/// The greatest level of an inner node; `None` where numbers of children are no tree with the root 0. `[WIDE-1]`
+pub(crate) fn levels_if_tree(slots: u32, children: &WideChildren) -> Option<u32> {
+    let (mut reached, mut levels) = (vec![false; children.len()], None);
+    let mut pending = vec![(0_u32, 0)];
+    while let Some((node, level)) = pending.pop() {
+        if core::mem::replace(reached.get_mut(node as usize)?, true) {
+            return None;
+        }
+        let Some(list) = &children[node as usize] else { continue };
+        if list.len() > slots as usize || list.is_empty() && node != 0 {
+            return None;
+        }
+        levels = levels.max(Some(level));
+        pending.extend(list.iter().map(|&child| (child, level + 1)));
+    }
+    levels.filter(|_| children[0].is_some() && reached.into_iter().all(|reached| reached))
+}
+
+/// A child, and the distance at which it begins, in steps of a rank; `None` where it is not wanted.
+pub(super) type Child = (u32, Option<u32>);
+
+/// A tree by its nodes: each inner one with its children. A leaf has no list.
+pub(super) type Nodes<'a> = &'a [Option<&'a [Child]>];
+
+/// The tree of these nodes, with slots from 0 on.
+pub(super) fn told(slots: u32, nodes: Nodes<'_>) -> WideWalk {
+    let children = |list: &[Child]| list.iter().map(|&(child, _)| child).collect();
+    let ranks = |list: &[Child]| {
+        list.iter().zip(0..).map(|(&(_, begins), slot)| begins.map(|begins| begins * slots + slot)).collect()
+    };
+    WideWalk {
+        slots,
+        children: nodes.iter().map(|list| list.map(children)).collect(),
+        ranks: nodes.iter().map(|list| list.map(ranks)).collect(),
+        ..WideWalk::default()
+    }
+}
+
+/// A root with leaves that begin so far away.
+pub(super) fn flat(slots: u32, begins: &[Option<u32>]) -> WideWalk {
+    let list: Vec<_> = (1..).zip(begins.iter().copied()).collect();
+    let nodes: Vec<_> = [Some(&list[..])].into_iter().chain(begins.iter().map(|_| None)).collect();
+    told(slots, &nodes)
+}
+
+/// Inner nodes down to a level, each the child of the one before in a slot, with leaves in the slots before it and in
+/// the one after. The next inner node comes first. The others are wanted where `wants` says so, by level.
+pub(super) fn chain(slots: u32, levels: u32, slot: impl Fn(u32) -> u32, wants: impl Fn(u32) -> bool) -> WideWalk {
+    let mut lists: Vec<Option<Vec<Child>>> = vec![None];
+    let mut node = 0;
+    for level in 0..=levels {
+        let at = slot(level) % slots;
+        // Further levels begin later, as boxes in boxes do.
+        let begins = |other: u32| if other == at { Some(level) } else { wants(level).then_some(level + 1) };
+        let first = lists.len() as u32;
+        let list: Vec<_> = (0..slots.min(at + 2)).map(|slot| (first + slot, begins(slot))).collect();
+        lists.extend(list.iter().map(|_| None));
+        lists[node] = Some(list);
+        node = (first + at) as usize;
+    }
+    told(slots, &lists.iter().map(Option::as_deref).collect::<Vec<_>>())
+}
+
+/// A random tree, what a search wants of it, and what it finds.
+pub(super) fn random(seed: u64, slots: u32, leaves: u32, distances: u32) -> WideWalk {
+    let mut rng = Rng::new(seed);
+    let (leaves, links) = (2 + rng.below(u64::from(leaves) - 1) as u32, rng.below(6) as u32);
+    let children = match slots {
+        2 => wide_shape::<2>(&mut rng, leaves, links),
+        4 => wide_shape::<4>(&mut rng, leaves, links),
+        _ => wide_shape::<8>(&mut rng, leaves, links),
+    };
+    let mut begins = vec![0; children.len()];
+    let mut ranks = vec![None; children.len()];
+    // Nodes come after their parents.
+    for (node, list) in children.iter().enumerate() {
+        let Some(list) = list else { continue };
+        let of = |(&child, slot): (&u32, u32)| {
+            let begin = begins[node] + if rng.below(4) == 0 { 0 } else { rng.below(u64::from(distances)) as u32 };
+            begins[child as usize] = begin;
+            (rng.below(8) > 0).then_some(begin * slots + slot)
+        };
+        ranks[node] = Some(list.iter().zip(0..).map(of).collect());
+    }
+    let hit = |(begin, list): (&u32, &Option<_>)| {
+        // Near its begin, so that much is beyond.
+        let within = rng.below(u64::from(2 * slots)) as u32;
+        (list.is_none() && rng.coin()).then_some(begin * slots + within)
+    };
+    let hits = begins.iter().zip(&children).map(hit).collect();
+    WideWalk { slots, children, ranks, hits: Some(hits), ..WideWalk::default() }
+}
