@@ -16,7 +16,9 @@ pub(super) fn traces() -> Profile {
         let (name, why, walk) = drawn(seed, 3 + seed as u32 / 3);
         traced(&mut author, &name, why, walk);
     }
-    WIDTHS.into_iter().for_each(|slots| chains(&mut author, slots));
+    for slots in WIDTHS {
+        chains(&mut author, slots);
+    }
     author.done()
 }
 
@@ -153,7 +155,7 @@ fn leaves_first(author: &mut Author) {
         case("unsorted", "The leaf comes before the inner node, though its slot and its rank are greater.", {
             walk(None, None, None)
         });
-        let nodes = [Some(&up[..]), Some(&[(3, Some(6)), (4, Some(5))]), Some(&[(5, Some(5)), (6, Some(5))])];
+        let nodes = [Some(up), Some(&[(3, Some(6)), (4, Some(5))]), Some(&[(5, Some(5)), (6, Some(5))])];
         let nodes: Vec<_> = nodes.into_iter().chain([None; 4]).collect();
         case("unsorted-inner", "Two inner nodes come by slot.", {
             WideWalk { sorted: Some(false), ..told(slots, &nodes) }
