@@ -190,7 +190,7 @@ mod tests {
     fn answers_change() {
         let tree: Tree<4> = wide_tree(&[Some(vec![1, 2, 3, 4]), None, None, None, None]);
         let mut rng = Rng::new(1);
-        let tapes: Vec<_> = (0..400).map(|_| WideTape::draw(&mut rng, &tree, 9)).collect();
+        let tapes: Vec<_> = (0..400).map(|_| WideTape::draw(&mut rng, &tree, 1000)).collect();
         let changing = tapes.iter().filter(|tape| tape.kind & WideTape::<4>::CHANGING != 0);
         let after = |leaves| -> HashSet<u32> {
             let search = |tape| WideSearch::<4, false> { leaves, ..WideSearch::new(tape) };

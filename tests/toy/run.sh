@@ -4,8 +4,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 toy=$PWD/tests/toy
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
-# It runs little, so what takes time is the compiler. Dependencies are as the tests have built them.
-export CARGO_PROFILE_DEV_OPT_LEVEL=0
+# It runs little, so what takes time is the compiler.
+export CARGO_PROFILE_DEV_OPT_LEVEL=0 CARGO_PROFILE_DEV_DEBUG=none
 
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
@@ -20,7 +20,7 @@ sed --in-place 's/^mod unfit;$/mod toy;\n&/' src/traverse/mod.rs
 sed --in-place '$d' src/traverse/table.rs
 { cat "$toy/row.txt"; echo '}'; } >> src/traverse/table.rs
 
-cargo build --config 'profile.dev.package."*".opt-level=1' --package stackless-cli --bin stackless
+cargo build --package stackless-cli --bin stackless
 stackless=$CARGO_TARGET_DIR/debug/stackless
 
 # The command, and what its answer has to say.

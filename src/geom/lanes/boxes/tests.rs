@@ -112,7 +112,9 @@ fn check<const A: usize>(ray: &Ray, boxes: &[Aabb; A], end: f32) {
     }
     // Beyond another end is what is left out because of it, and nothing else.
     let (_, without_end) = entered(ray, &region, boxes, f32::INFINITY);
-    let beyond = (0..A).fold(0, |set, lane| set | u32::from(is_beyond::<A>(ranks[lane], end.to_bits())) << lane);
+    // Of an end, -0 has become 0.
+    let end_bits = (end + 0.0).to_bits();
+    let beyond = (0..A).fold(0, |set, lane| set | u32::from(is_beyond::<A>(ranks[lane], end_bits)) << lane);
     assert_eq!(set, without_end & !beyond, "{ray:?} {end}");
 }
 
