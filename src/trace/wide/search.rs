@@ -93,7 +93,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for Wid
 
     #[inline(always)]
     fn end(&self) -> u32 {
-        // Without an order nothing is beyond. [WIDE-6]
+        // Without an order nothing is beyond: WIDE-6.
         if ANY { u32::MAX } else { self.best.t.to_bits() }
     }
 }
