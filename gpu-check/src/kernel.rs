@@ -293,6 +293,9 @@ impl Kernel {
             Traversal::Wide(wide) => wide.parts(),
             _ => vec![include_str!("../wgsl/cursor_hashed.wgsl"), include_str!("../wgsl/table.wgsl")],
         });
+        if !self.has_levels() {
+            parts.push(include_str!("../wgsl/state_none.wgsl"));
+        }
         if self.has_keys() {
             match self.words {
                 1 => parts.push(include_str!("../wgsl/table_narrow.wgsl")),

@@ -27,8 +27,8 @@ pub trait Searches {
     /// The node at an address of a kernel.
     fn node_at(&self, search: usize, address: u32) -> Option<Node>;
 
-    /// The greatest number of visits of these searches, by any traversal, and a few more.
-    fn most_visits(&self, searches: &[usize]) -> usize;
+    /// Nodes of the tree of a search: no traversal makes more visits.
+    fn nodes(&self, search: usize) -> usize;
 
     /// What the events and the outcome of a search should be.
     fn expected(&self, search: usize, kernel: &Kernel) -> Expected;
@@ -110,7 +110,9 @@ fn run(
     let tasks = gpu.buffer("searches", &batch.task_words(kernel, searches))?;
     let count = searches.len() as u32;
     let results = gpu.buffer("results", &vec![u32::MAX; 8 * searches.len()])?;
-    let event_words = if record == Record::Events { 1 + RECORDED * batch.most_visits(searches) } else { 4 };
+    // And a few more, for what goes wrong.
+    let most_visits = searches.iter().map(|&i| batch.nodes(i)).max().unwrap_or(0) + 16;
+    let event_words = if record == Record::Events { 1 + RECORDED * most_visits } else { 4 };
     let work = gpu.zeros("work", event_words)?;
     let params = params(gpu, count)?;
     let [nodes, leaves, displacements, cells] = batch.buffers(kernel);

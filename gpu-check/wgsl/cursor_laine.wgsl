@@ -72,19 +72,3 @@ fn cursor_is_restarting() -> bool {
     // Bits of levels are single, so that their zeros compare them.
     return !word_is_zero(pop_level) && word_zeros(level) > word_zeros(pop_level);
 }
-
-fn cursor_levels() -> u32 {
-    return 0u;
-}
-
-fn cursor_key() -> Word {
-    return WORD_ZERO;
-}
-
-fn cursor_trail() -> Word {
-    return WORD_ZERO;
-}
-
-fn cursor_register() -> u32 {
-    return 0u;
-}

@@ -46,19 +46,3 @@ fn cursor_prune() {}
 fn cursor_is_restarting() -> bool {
     return false;
 }
-
-fn cursor_levels() -> u32 {
-    return 0u;
-}
-
-fn cursor_key() -> Word {
-    return WORD_ZERO;
-}
-
-fn cursor_trail() -> Word {
-    return WORD_ZERO;
-}
-
-fn cursor_register() -> u32 {
-    return 0u;
-}

@@ -57,10 +57,10 @@ impl Hello {
 #[serde(deny_unknown_fields)]
 pub struct Limits {
     /// Deepest tree, in edges.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub max_depth: Option<u32>,
     /// Wide trees.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub wide: Option<WideLimits>,
 }
 

@@ -13,7 +13,7 @@ use stackless_bvh::wide::Method as WideMethod;
 use stackless_check::planted::{self, Instead, LAYERS, Planted, Seer};
 use stackless_suite::{
     Answer, Ask, Expect, Feature, Flaw, Hello, Implementation, Level, Library, Limits, PROTOCOL, Suite, SuiteCase,
-    WideLimits, author, judge,
+    Traversal, WideLimits, author, judge,
 };
 
 #[path = "suite/adapters.rs"]
@@ -91,7 +91,7 @@ fn this_library_conforms() {
         if method.is_some_and(Method::restarts) && word == Some(WordName::Grow) {
             continue;
         }
-        let mut library = Library::new(method, word);
+        let mut library = Library::new(method.map(Traversal::Binary), word);
         let hello = library.hello();
         let mut asked = 0;
         for (profile, case) in suite.cases() {
@@ -113,7 +113,7 @@ fn this_library_conforms() {
 fn this_library_conforms_on_wide_trees() {
     let suite = &*SUITE;
     for method in WideMethod::ALL {
-        let mut library = Library::wide(method);
+        let mut library = Library::new(Some(Traversal::Wide(method)), None);
         let hello = library.hello();
         let (mut asked, mut too_deep) = (BTreeMap::<_, u32>::new(), 0);
         for (profile, case) in suite.cases() {

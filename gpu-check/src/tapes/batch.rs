@@ -159,8 +159,8 @@ impl Searches for Batch {
             .find(|&node| placed.addresses.at(tree, node) == address)
     }
 
-    fn most_visits(&self, searches: &[usize]) -> usize {
-        searches.iter().map(|&i| self.case(i).tree.node_count()).max().unwrap_or(0) + 16
+    fn nodes(&self, search: usize) -> usize {
+        self.case(search).tree.node_count()
     }
 
     fn expected(&self, search: usize, kernel: &Kernel) -> Expected {

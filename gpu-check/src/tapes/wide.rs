@@ -311,8 +311,8 @@ impl Searches for WideBatch {
         case.tree.nodes().find(|node| places[node.index()].address == address)
     }
 
-    fn most_visits(&self, searches: &[usize]) -> usize {
-        searches.iter().map(|&i| self.case(i).tree.node_count()).max().unwrap_or(0) + 16
+    fn nodes(&self, search: usize) -> usize {
+        self.case(search).tree.node_count()
     }
 
     fn expected(&self, search: usize, kernel: &Kernel) -> Expected {

@@ -389,6 +389,12 @@ static int traverse(const char *script) {
     }
 }
 
+static void print_visit(uint64_t key, int levels, bool is_leaf) {
+    if (levels != NONE)
+        printf("\"backtrack %" PRIx64 " %d\",", key, levels);
+    printf("\"%s %" PRIx64 "\",", is_leaf ? "leaf" : "enter", key);
+}
+
 static bool answer_trace(int input) {
     Tree tree = read_tree(input);
     if (tree == NOT_A_TREE)
@@ -401,12 +407,8 @@ static bool answer_trace(int input) {
     fill_table();
     int count = traverse(tokens[script].text);
     printf("\"result\":{\"events\":[");
-    for (int i = 0; i < count; i++) {
-        const Visit *visit = &visits[i];
-        if (visit->levels != NONE)
-            printf("\"backtrack %" PRIx64 " %d\",", visit->key, visit->levels);
-        printf("\"%s %" PRIx64 "\",", nodes[visit->node].is_leaf ? "leaf" : "enter", visit->key);
-    }
+    for (int i = 0; i < count; i++)
+        print_visit(visits[i].key, visits[i].levels, nodes[visits[i].node].is_leaf);
     printf("\"end\"],\"trails\":[");
     for (int i = 0; i < count; i++)
         printf("%s\"%" PRIx64 "\"", i == 0 ? "" : ",", visits[i].trail);
@@ -625,12 +627,8 @@ static bool answer_wide(int input) {
         return false;
     int count = traverse_wide();
     printf("\"result\":{\"events\":[");
-    for (int i = 0; i < count; i++) {
-        const WideVisit *visit = &wide_visits[i];
-        if (visit->levels != NONE)
-            printf("\"backtrack %" PRIx64 " %d\",", visit->key, visit->levels);
-        printf("\"%s %" PRIx64 "\",", wide_nodes[visit->node].is_leaf ? "leaf" : "enter", visit->key);
-    }
+    for (int i = 0; i < count; i++)
+        print_visit(wide_visits[i].key, wide_visits[i].levels, wide_nodes[wide_visits[i].node].is_leaf);
     printf("\"end\"]");
     if (field(input, "hits") == NONE) {
         printf(",\"trails\":[");

@@ -47,7 +47,8 @@ impl ShownBy {
 
 macro_rules! shaders {
     ($($name:literal, $clause:literal, $kernel:literal, $by:ident
-        $(fails $failed:literal $(by $asked:literal)?)? $(passes $passed:literal because $why:literal)?:
+        $(fails $failed:literal $(by $asked:literal)?)? $(passes $passed:literal because $why:literal)?
+        $(unasked $unasked:literal)?:
         $from:literal => $to:literal;)*) => {
         &[$(Shader {
             name: $name,
@@ -58,7 +59,7 @@ macro_rules! shaders {
             by: ShownBy::$by,
             profile: concat!($($failed)? $($passed)?),
             asked: [$($($asked,)?)? $kernel][0],
-            passes: [$(Some($why),)? None][0],
+            passes: [$(Some($why),)? $(Some(concat!("kernels are not asked about ", $unasked)),)? None][0],
         }),*]
     };
 }
@@ -201,67 +202,46 @@ pub static SHADERS: &[Shader] = shaders! {
     "a line that may meet an edge misses", "BAND-2", "stack", Exact fails "ray/exact":
         "if !(least > delta || most < -delta) {\n        doubt();" => "if !(least > delta || most < -delta) {";
     // In wide trees: searches along tapes show them, and the adapter answers nothing about these.
-    "of the wanted children the last comes first", "WSTACK-1", "wide-stack",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "of the wanted children the last comes first", "WSTACK-1", "wide-stack", Tapes unasked "wide trees":
         "stack[at - 1u].x > entry.x" => "stack[at - 1u].x < entry.x";
-    "what is beyond is popped all the same", "WSTACK-1", "wide-stack",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "what is beyond is popped all the same", "WSTACK-1", "wide-stack", Tapes unasked "wide trees":
         "if !is_beyond(entry.x) {" => "if true {";
-    "the slot counts as distance", "WIDE-3", "wide-stack",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "the slot counts as distance", "WIDE-3", "wide-stack", Tapes unasked "wide trees":
         "(rank & ~SLOT_MASK) > end" => "rank > end";
-    "a child that begins at the end is beyond", "WIDE-3", "wide-record",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "a child that begins at the end is beyond", "WIDE-3", "wide-record", Tapes unasked "wide trees":
         "(rank & ~SLOT_MASK) > end" => "(rank & ~SLOT_MASK) >= end";
-    "inner nodes and leaves by their slots", "WIDE-6", "wide-record",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "inner nodes and leaves by their slots", "WIDE-6", "wide-record", Tapes unasked "wide trees":
         "wanted = visit_leaves(wanted);" => "";
-    "what was pending above is pending below", "WIDE-10", "wide-record",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "what was pending above is pending below", "WIDE-10", "wide-record", Tapes unasked "wide trees":
         "link_enter(slot);\n        pending = 0u;" => "link_enter(slot);";
-    "a kept rank is taken twice", "WIDE-17", "wide-record",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "a kept rank is taken twice", "WIDE-17", "wide-record", Tapes unasked "wide trees":
         "next_ranks = vec2(next_ranks.y, 0u);" => "";
-    "the sets of levels are joined", "WIDE-17", "wide-record",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "the sets of levels are joined", "WIDE-17", "wide-record", Tapes unasked "wide trees":
         "(kept_sets[at >> 2u] & ~(0xffu << bits)) |" => "kept_sets[at >> 2u] |";
-    "back to the highest level that has pending children", "WIDE-17", "wide-record",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "back to the highest level that has pending children", "WIDE-17", "wide-record", Tapes unasked "wide trees":
         "firstLeadingBit(summary)" => "firstTrailingBit(summary)";
-    "a level that is beyond ends the search", "WIDE-17", "wide-record",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "a level that is beyond ends the search", "WIDE-17", "wide-record", Tapes unasked "wide trees":
         "summary ^= 1u << at;" => "summary = 0u;";
-    "asked again, all wanted children are pending", "WIDE-17", "wide-record",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "asked again, all wanted children are pending", "WIDE-17", "wide-record", Tapes unasked "wide trees":
         "ask(present, true) & pending" => "ask(present, true)";
-    "asked again, the search wants what it would now", "WIDE-4", "wide-record",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "asked again, the search wants what it would now", "WIDE-4", "wide-record", Tapes unasked "wide trees":
         "is_changing && !is_again" => "is_changing";
-    "the farthest ancestor in the record is the nearest but one", "WIDE-15", "wide-record",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "the farthest ancestor in the record is the nearest but one", "WIDE-15", "wide-record", Tapes unasked "wide trees":
         "return ancestor_of(at, up);" => "return ancestor_of(at, min(up, SLOTS - 1u));";
-    "the climb to an ancestor stops one level short", "WIDE-15", "wide-trail",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "the climb to an ancestor stops one level short", "WIDE-15", "wide-trail", Tapes unasked "wide trees":
         "i < up; i++" => "i + 1u < up; i++";
-    "no set is carried from word to word", "WIDE-10", "wide-trail/128",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "no set is carried from word to word", "WIDE-10", "wide-trail/128", Tapes unasked "wide trees":
         " | (trail[i - 1u] >> (32u - SET_BITS))" => "";
-    "words above are not shifted back", "WIDE-11", "wide-trail/64",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "words above are not shifted back", "WIDE-11", "wide-trail/64", Tapes unasked "wide trees":
         ">> SET_BITS) | above;" => ">> SET_BITS);";
-    "a word without pending children counts as one level", "WIDE-11", "wide-trail/128",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "a word without pending children counts as one level", "WIDE-11", "wide-trail/128", Tapes unasked "wide trees":
         "32u / SET_BITS * words + skipped + 1u" => "words + skipped + 1u";
-    "a change of the end is not noted", "WIDE-18", "wide-trail",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "a change of the end is not noted", "WIDE-18", "wide-trail", Tapes unasked "wide trees":
         "changed = NONE;" => "";
-    "what has changed is not shifted back", "WIDE-18", "wide-trail/128",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "what has changed is not shifted back", "WIDE-18", "wide-trail/128", Tapes unasked "wide trees":
         "changed = (changed >> (up - 1u)) >> 1u;" => "";
-    "a node that is asked again counts for all above it", "WIDE-18", "wide-trail",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "a node that is asked again counts for all above it", "WIDE-18", "wide-trail", Tapes unasked "wide trees":
         "changed &= ~1u;" => "changed = 0u;";
-    "the key is shifted by levels, not by bits", "WIDE-9", "wide-hashed/64",
-        Tapes passes "" because "kernels are not asked about wide trees":
+    "the key is shifted by levels, not by bits", "WIDE-9", "wide-hashed/64", Tapes unasked "wide trees":
         "word_shift(key, SLOT_BITS * up)" => "word_shift(key, up)";
 };

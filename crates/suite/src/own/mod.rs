@@ -31,14 +31,20 @@ use stackless_bvh::wide::Method as WideMethod;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Library {
-    method: Option<Method>,
+    traversal: Option<Traversal>,
     word: Option<WordName>,
     accuracy: Accuracy,
     features: Vec<Feature>,
-    /// The traversal of wide trees, and whether it is the only one that was asked for.
-    wide: Option<WideMethod>,
-    is_wide: bool,
     limits: Limits,
+}
+
+/// A traversal of this library.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Traversal {
+    /// Of trees of two children a node.
+    Binary(Method),
+    /// Of wide trees.
+    Wide(WideMethod),
 }
 
 impl Default for Library {
@@ -48,18 +54,17 @@ impl Default for Library {
 }
 
 impl Library {
-    /// A traversal in a word; where none is given, one for each profile, in the word that grows.
-    pub fn new(method: Option<Method>, word: Option<WordName>) -> Self {
-        let (features, max_depth) = walks::claims(method, word.unwrap_or(WordName::Grow));
-        let wide = method.is_none().then(WideMethod::default);
+    /// A traversal in a word; where none is given, one for each profile, in the word that grows. Traversals of wide trees
+    /// have words of their own.
+    pub fn new(traversal: Option<Traversal>, word: Option<WordName>) -> Self {
+        let (binary, wide) = match traversal {
+            None => (None, Some(WideMethod::default())),
+            Some(Traversal::Binary(method)) => (Some(method), None),
+            Some(Traversal::Wide(method)) => (None, Some(method)),
+        };
+        let (features, max_depth) = walks::claims(binary, word.unwrap_or(WordName::Grow));
         let limits = Limits { max_depth, wide: wide.map(wide::claims) };
-        Self { method, word, accuracy: Accuracy::Exact, features, wide, is_wide: false, limits }
-    }
-
-    /// A traversal of wide trees, and none of others.
-    pub fn wide(method: WideMethod) -> Self {
-        let limits = Limits { max_depth: None, wide: Some(wide::claims(method)) };
-        Self { wide: Some(method), is_wide: true, limits, ..Self::default() }
+        Self { traversal, word, accuracy: Accuracy::Exact, features, limits }
     }
 
     /// The same, with rays traced by other tests: what is not exact does not conform.
@@ -73,6 +78,11 @@ impl Library {
     }
 
     /// The traversal that answers a profile; `None` if the chosen one does not.
+    fn traversal_for(&self, level: Level, profile: &str) -> Option<Traversal> {
+        let binary = || self.method_for(level, profile).map(Traversal::Binary);
+        binary().or_else(|| self.wide_method_for(level, profile).map(Traversal::Wide))
+    }
+
     fn method_for(&self, level: Level, profile: &str) -> Option<Method> {
         let usual = match (level, profile) {
             (Level::Trace, "script" | "tape" | "invalid") | (Level::Resume, "state" | "key-only" | "invalid") => {
@@ -85,7 +95,11 @@ impl Library {
             (Level::Trace | Level::Resume, "disjoint") => Method::HashedDisjoint,
             _ => return None,
         };
-        let Some(method) = self.method else { return (!self.is_wide).then_some(usual) };
+        let method = match self.traversal {
+            None => return Some(usual),
+            Some(Traversal::Binary(method)) => method,
+            Some(Traversal::Wide(_)) => return None,
+        };
         let is_whole = method.can_pause() && method.test() == Test::Children;
         let fits = match (level, profile) {
             (Level::Trace, "invalid") => true,
@@ -98,13 +112,18 @@ impl Library {
         fits.then_some(method)
     }
 
-    /// The traversal of wide trees that answers a profile.
     fn wide_method_for(&self, level: Level, profile: &str) -> Option<WideMethod> {
-        self.wide.filter(|&method| match (level, profile) {
+        let method = match self.traversal {
+            None => WideMethod::default(),
+            Some(Traversal::Binary(_)) => return None,
+            Some(Traversal::Wide(method)) => method,
+        };
+        let fits = match (level, profile) {
             (Level::Trace, "wide" | "wide-invalid") => true,
             (Level::Resume, "wide") => wide::can_resume(method),
             _ => false,
-        })
+        };
+        fits.then_some(method)
     }
 }
 
@@ -112,14 +131,13 @@ impl Implementation for Library {
     fn hello(&self) -> Hello {
         let all = PROFILES.iter().flat_map(|&(level, profiles)| profiles.iter().map(move |&profile| (level, profile)));
         let is_walk = |level| matches!(level, Level::Trace | Level::Resume);
-        let profiles = all.filter(|&(level, profile)| {
-            let is_walked =
-                || self.method_for(level, profile).is_some() || self.wide_method_for(level, profile).is_some();
-            !is_walk(level) || is_walked()
-        });
+        let profiles = all.filter(|&(level, profile)| !is_walk(level) || self.traversal_for(level, profile).is_some());
         let profiles = profiles.map(|(level, profile)| format!("{level}/{profile}")).collect();
-        let wide = self.wide.filter(|_| self.is_wide).map(WideMethod::name);
-        let method = self.method.map(Method::name).or(wide).unwrap_or("stackless-bvh");
+        let method = match self.traversal {
+            None => "stackless-bvh",
+            Some(Traversal::Binary(method)) => method.name(),
+            Some(Traversal::Wide(method)) => method.name(),
+        };
         Hello {
             protocol: PROTOCOL,
             name: match (self.word, self.accuracy) {
@@ -144,13 +162,11 @@ impl Implementation for Library {
             Level::Key => words::answer(profile, &ask),
             Level::Hash => tables::answer(&ask),
             Level::Ray => rays::answer(self.accuracy, &ask),
-            Level::Trace | Level::Resume => {
-                match (self.method_for(level, profile), self.wide_method_for(level, profile)) {
-                    (Some(method), _) => walks::answer(method, self.word(), &self.features, &ask),
-                    (None, Some(method)) => wide::answer(method, &ask),
-                    (None, None) => None,
-                }
-            }
+            Level::Trace | Level::Resume => match self.traversal_for(level, profile) {
+                Some(Traversal::Binary(method)) => walks::answer(method, self.word(), &self.features, &ask),
+                Some(Traversal::Wide(method)) => wide::answer(method, &ask),
+                None => None,
+            },
         }
         .unwrap_or_else(unsupported)
     }

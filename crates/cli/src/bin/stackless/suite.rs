@@ -10,9 +10,9 @@ use std::path::{Path, PathBuf};
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command, Subcommand};
 use stackless_bvh::trace::Accuracy;
-use stackless_bvh::traverse::{Method, WordName};
+use stackless_bvh::traverse::WordName;
 use stackless_bvh::wide;
-use stackless_suite::{Feature, Implementation, Level, Library, Suite, VERSION, serve};
+use stackless_suite::{Feature, Implementation, Level, Library, Suite, Traversal, VERSION, serve};
 
 use crate::conform::{load, select};
 use crate::output::{grouped, say, table, write_file};
@@ -49,8 +49,8 @@ enum What {
     /// Answer the cases as this library does: an implementation for `stackless conform`.
     Serve {
         /// The traversal, of binary or of wide trees; one for each profile if none is named.
-        #[arg(long, value_parser = WalkName)]
-        method: Option<Walk>,
+        #[arg(long, value_parser = TraversalName)]
+        method: Option<Traversal>,
         /// The word of keys and trails.
         #[arg(long, value_parser = input::word)]
         word: Option<WordName>,
@@ -64,22 +64,15 @@ enum What {
     },
 }
 
-/// A traversal.
-#[derive(Clone, Copy)]
-enum Walk {
-    Binary(Method),
-    Wide(wide::Method),
-}
-
 /// Reads a traversal's name, and lists all of them.
 #[derive(Clone)]
-struct WalkName;
+struct TraversalName;
 
-impl TypedValueParser for WalkName {
-    type Value = Walk;
+impl TypedValueParser for TraversalName {
+    type Value = Traversal;
 
-    fn parse_ref(&self, command: &Command, argument: Option<&Arg>, value: &OsStr) -> Result<Walk, clap::Error> {
-        (walk as fn(&str) -> Result<Walk, String>).parse_ref(command, argument, value)
+    fn parse_ref(&self, command: &Command, argument: Option<&Arg>, value: &OsStr) -> Result<Traversal, clap::Error> {
+        (traversal as fn(&str) -> Result<Traversal, String>).parse_ref(command, argument, value)
     }
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
@@ -89,10 +82,10 @@ impl TypedValueParser for WalkName {
     }
 }
 
-fn walk(name: &str) -> Result<Walk, String> {
-    let binary = input::method(name).map(Walk::Binary);
+fn traversal(name: &str) -> Result<Traversal, String> {
+    let binary = input::method(name).map(Traversal::Binary);
     binary.or_else(|error| {
-        let wide = input::wide_method(name).map(Walk::Wide);
+        let wide = input::wide_method(name).map(Traversal::Wide);
         wide.map_err(|more| format!("{error}, {}", more.trim_start_matches("expected one of: ")))
     })
 }
@@ -131,15 +124,11 @@ pub(crate) fn run(args: &Args) -> Outcome {
         What::Serve { peer: Some(peer), .. } => {
             answer(&mut peer::Foreign(*peer))?;
         }
-        What::Serve { method: Some(Walk::Wide(method)), word, accuracy, .. } => {
-            if word.is_some() {
-                return Err(format!("--word: {method} has no words to choose from").into());
-            }
-            answer(&mut Library::wide(*method).with_accuracy(*accuracy))?;
+        What::Serve { method: Some(Traversal::Wide(method)), word: Some(_), .. } => {
+            return Err(format!("--word: {method} has no words to choose from").into());
         }
         What::Serve { method, word, accuracy, .. } => {
-            let method = method.and_then(|walk| if let Walk::Binary(method) = walk { Some(method) } else { None });
-            answer(&mut Library::new(method, *word).with_accuracy(*accuracy))?;
+            answer(&mut Library::new(*method, *word).with_accuracy(*accuracy))?;
         }
     }
     Ok(true)
