@@ -76,12 +76,14 @@ pub trait Cursor<const A: usize> {
     /// The inner node that the search is to be asked about.
     fn node(&self) -> Node;
 
-    /// The next child to visit. After the search was asked about [`node`](Self::node), with its answer: of these
-    /// children the first, or the next pending one if it wants none. After a leaf, without: the next pending one.
-    /// `None` if nothing is left.
-    fn next<S: Search<A>>(&mut self, answer: Option<Wanted<S::Ranks>>, search: &mut S) -> Option<Node>;
+    /// After the search was asked about [`node`](Self::node): the first of the children that it wants; of those that are
+    /// pending, if it was asked again. If it wants none, the [next](Self::next) pending one.
+    fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next;
 
-    /// Goes down to the inner node that [`next`](Self::next) has named last.
+    /// The next pending child.
+    fn next<S: Search<A>>(&mut self, search: &mut S) -> Next;
+
+    /// Goes down to the inner node that was named last.
     fn enter(&mut self, node: Node);
 
     /// The [end](Search::end) has become less.
@@ -90,6 +92,24 @@ pub trait Cursor<const A: usize> {
     /// Whether [`node`](Self::node) has been visited before.
     fn is_restarting(&self) -> bool {
         false
+    }
+}
+
+/// What a cursor does next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Next {
+    /// It visits a child.
+    Child(Node),
+    /// It has to know again what the search wants of its [node](Cursor::node).
+    Ask,
+    /// Nothing is left.
+    End,
+}
+
+impl From<Option<Node>> for Next {
+    #[inline(always)]
+    fn from(child: Option<Node>) -> Self {
+        child.map_or(Self::End, Self::Child)
     }
 }
 
@@ -142,9 +162,13 @@ where
             }
         }
     }
-    let mut answer = Some(wanted);
+    let mut next = cursor.choose(wanted, search);
     loop {
-        let Some(node) = cursor.next(answer.take(), search) else { return false };
+        let node = match next {
+            Next::Child(node) => node,
+            Next::Ask => return true,
+            Next::End => return false,
+        };
         if !(C::RESTARTS && cursor.is_restarting()) && visit(recorder, node) == Flow::Stop {
             return false;
         }
@@ -159,6 +183,7 @@ where
         if search.end() < end {
             cursor.shortened();
         }
+        next = cursor.next(search);
     }
 }
 

@@ -1,10 +1,10 @@
 //! The traversal without a stack: a pending set for each level.
 
-use super::Cursor;
 use super::kept::Kept;
 use super::links::Link;
 use super::search::{Ranks, Search, Wanted, is_beyond};
 use super::tree::Topology;
+use super::{Cursor, Next};
 use crate::key::TooDeep;
 use crate::tree::Node;
 
@@ -14,7 +14,7 @@ use crate::tree::Node;
 pub struct Pending<'t, T, K, L> {
     tree: &'t T,
     node: Node,
-    /// The pending children of the present node.
+    /// The pending children of the present node; all, before the search was asked about it.
     set: u32,
     /// Ranks of the two pending children that come next, the first in the low half; 0 where it is not known.
     ///
@@ -49,9 +49,10 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
         &self.kept
     }
 
-    /// The least rank of a set that is not empty; keeps the two after it.
+    /// The least rank of the pending children, of which there is one; keeps the two after it.
     #[inline(always)]
-    fn sort<const A: usize>(&mut self, Wanted { set, ranks }: Wanted<impl Ranks>) -> u32 {
+    fn sort<const A: usize>(&mut self, ranks: impl Ranks) -> u32 {
+        let set = self.set;
         // One child or two are most frequent.
         let first = ranks.rank(set.trailing_zeros());
         let others = set & (set - 1);
@@ -101,7 +102,7 @@ where
 {
     #[inline(always)]
     fn reset(&mut self) {
-        self.node = self.tree.root();
+        (self.node, self.set) = (self.tree.root(), u32::MAX);
         self.kept.clear();
         self.link.clear();
     }
@@ -112,37 +113,39 @@ where
     }
 
     #[inline(always)]
-    fn next<S: Search<A>>(&mut self, mut answer: Option<Wanted<S::Ranks>>, search: &mut S) -> Option<Node> {
+    fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next {
+        self.set &= wanted.set;
+        if S::SORTED && self.set != 0 {
+            let first = self.sort::<A>(wanted.ranks);
+            return Next::Child(self.take::<A>(first));
+        }
+        self.next(search)
+    }
+
+    #[inline(always)]
+    fn next<S: Search<A>>(&mut self, search: &mut S) -> Next {
         loop {
-            if let Some(wanted) = answer.take() {
-                self.set = wanted.set;
-                if S::SORTED && wanted.set != 0 {
-                    let first = self.sort::<A>(wanted);
-                    return Some(self.take::<A>(first));
-                }
-            }
             if self.set == 0 {
-                let level = self.kept.pop(search.end())?;
+                let Some(level) = self.kept.pop(search.end()) else { return Next::End };
                 self.node = self.link.ancestor(self.tree, self.node, level.up);
                 (self.set, self.ranks) = (level.pending, level.ranks);
             }
             if !S::SORTED {
-                return Some(self.take::<A>(self.set.trailing_zeros()));
+                return Next::Child(self.take::<A>(self.set.trailing_zeros()));
             }
             if self.ranks != 0 {
                 let rank = self.ranks as u32;
                 if !is_beyond::<A>(rank, search.end()) {
                     self.ranks >>= 32;
-                    return Some(self.take::<A>(rank));
+                    return Next::Child(self.take::<A>(rank));
                 }
                 // And so are those that come after it.
                 self.set = 0;
             } else if self.set.is_power_of_two() && !self.kept.is_stale() {
-                return Some(self.take::<A>(self.set.trailing_zeros()));
+                return Next::Child(self.take::<A>(self.set.trailing_zeros()));
             } else {
-                let Wanted { set, ranks } = search.ask(self.node);
                 self.kept.asked();
-                answer = Some(Wanted { set: set & self.set, ranks });
+                return Next::Ask;
             }
         }
     }
@@ -151,7 +154,7 @@ where
     fn enter(&mut self, node: Node) {
         self.kept.push(self.set, self.ranks);
         self.link.enter(self.slot);
-        self.node = node;
+        (self.node, self.set) = (node, u32::MAX);
     }
 
     #[inline(always)]

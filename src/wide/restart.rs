@@ -1,9 +1,9 @@
 //! Vaidyanathan et al. 2019: a restart trail, and a short stack.
 
-use super::Cursor;
 use super::keys::slot_bits;
 use super::search::{Ranks, Search, Wanted, is_beyond};
 use super::tree::Topology;
+use super::{Cursor, Next};
 use crate::key::TooDeep;
 use crate::tree::Node;
 
@@ -135,27 +135,30 @@ impl<const A: usize, T: Topology<A>> Cursor<A> for Restart<'_, T> {
         self.node
     }
 
-    fn next<S: Search<A>>(&mut self, answer: Option<Wanted<S::Ranks>>, search: &mut S) -> Option<Node> {
-        let Some(wanted) = answer else { return self.back(search) };
+    fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next {
         if self.step != Step::Down && self.at < self.level {
             let sorted = Sorted::<A>::of::<S>(wanted);
             let number = self.number::<A>(self.level - self.at);
             if number < sorted.count {
                 self.step = Step::Along;
-                return Some(self.tree.child(self.node, sorted.ranks[number] & (A as u32 - 1)));
+                return Next::Child(self.tree.child(self.node, sorted.ranks[number] & (A as u32 - 1)));
             }
             // The child on the path is beyond by now, and with it all that is below it or comes after it.
             self.up_to::<A>(self.at);
             self.finish::<A>();
-            return self.back(search);
+            return self.next(search);
         }
         let number = if self.step == Step::Down { 0 } else { self.number::<A>(0) + 1 };
         self.step = Step::Down;
         if let Some(child) = self.take::<A, S>(wanted, number) {
-            return Some(child);
+            return Next::Child(child);
         }
         self.finish::<A>();
-        self.back(search)
+        self.next(search)
+    }
+
+    fn next<S: Search<A>>(&mut self, search: &mut S) -> Next {
+        self.back(search).into()
     }
 
     fn enter(&mut self, node: Node) {

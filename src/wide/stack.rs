@@ -2,9 +2,9 @@
 
 use alloc::vec::Vec;
 
-use super::Cursor;
 use super::search::{Ranks, Search, Wanted, is_beyond};
 use super::tree::Topology;
+use super::{Cursor, Next};
 use crate::tree::Node;
 
 /// Memory of a [`Stack`]: a rank in the high half, an address in the low one.
@@ -16,7 +16,7 @@ pub type Memory = Vec<u64>;
 pub struct Stack<'t, T> {
     tree: &'t T,
     node: Node,
-    memory: &'t mut Memory,
+    memory: &'t mut [u64],
     /// Number of entries. What is above it in the memory is old.
     height: usize,
 }
@@ -121,29 +121,33 @@ impl<const A: usize, T: Topology<A>> Cursor<A> for Stack<'_, T> {
     }
 
     #[inline(always)]
-    fn next<S: Search<A>>(&mut self, answer: Option<Wanted<S::Ranks>>, search: &mut S) -> Option<Node> {
-        if let Some(wanted) = answer
-            && wanted.set != 0
-        {
-            if S::SORTED {
-                return Some(self.sort::<A>(wanted));
-            }
-            let mut others = wanted.set & (wanted.set - 1);
-            while others != 0 {
-                // The last slot first.
-                let slot = others.ilog2();
-                others ^= 1 << slot;
-                self.push(u64::from(self.tree.child(self.node, slot).to_bits()));
-            }
-            return Some(self.tree.child(self.node, wanted.set.trailing_zeros()));
+    fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next {
+        if wanted.set == 0 {
+            return self.next(search);
         }
-        loop {
-            self.height = self.height.checked_sub(1)?;
-            let entry = *self.memory.get(self.height)?;
+        if S::SORTED {
+            return Next::Child(self.sort::<A>(wanted));
+        }
+        let mut others = wanted.set & (wanted.set - 1);
+        while others != 0 {
+            // The last slot first.
+            let slot = others.ilog2();
+            others ^= 1 << slot;
+            self.push(u64::from(self.tree.child(self.node, slot).to_bits()));
+        }
+        Next::Child(self.tree.child(self.node, wanted.set.trailing_zeros()))
+    }
+
+    #[inline(always)]
+    fn next<S: Search<A>>(&mut self, search: &mut S) -> Next {
+        while let Some(height) = self.height.checked_sub(1) {
+            self.height = height;
+            let Some(&entry) = self.memory.get(height) else { break };
             if !S::SORTED || !is_beyond::<A>((entry >> 32) as u32, search.end()) {
-                return Some(address(entry));
+                return Next::Child(address(entry));
             }
         }
+        Next::End
     }
 
     #[inline(always)]

@@ -19,7 +19,7 @@ pub struct BoxRay<S: Simd, V: Lanes<S, A>, const A: usize> {
     /// Reciprocals for near planes, too small, and for far planes, too great.
     near: [V; 3],
     far: [V; 3],
-    /// Of each axis, which plane is the near one: 0 for lo, 1 for hi.
+    /// Of each axis, where the near planes begin: at 0, those of lo, or at `A`, those of hi.
     side: [usize; 3],
     tmin: V,
     /// The numbers of the lanes, as bits.
@@ -38,6 +38,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
         const { assert!(A == 4 || A == 8, "nodes have four or eight children") };
         // Without -0, a component of 0 has the reciprocal +inf.
         let direction = ray.direction() + Vec3::ZERO;
+        let side = |component: f32| if component < 0.0 { A } else { 0 };
         let (origin, inverse) = (ray.origin(), direction.recip());
         let is_wide = origin.abs().max_element() > MAX_COORDINATE || region.reach() > f64::from(MAX_COORDINATE);
         Self {
@@ -48,7 +49,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
                 simd,
                 Vec3::new(away_from_zero(inverse.x), away_from_zero(inverse.y), away_from_zero(inverse.z)),
             ),
-            side: [usize::from(direction.x < 0.0), usize::from(direction.y < 0.0), usize::from(direction.z < 0.0)],
+            side: [side(direction.x), side(direction.y), side(direction.z)],
             tmin: V::splat(simd, ray.tmin()),
             lanes: V::load_array(simd, lane_numbers()),
             is_wide,
@@ -67,16 +68,16 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
     #[inline(always)]
     pub fn enter(&self, planes: &[[[f32; A]; 2]; 3], end: f32) -> (V, u32) {
         if self.is_wide {
-            let (ranks, set) = enter_wide(&self.ray, planes, end);
+            let (ranks, set) = enter_wide(self.ray, planes, end);
             return (V::load_array(self.simd, ranks), set);
         }
         let (side, near, far) = (&self.side, &self.near, &self.far);
         let near_x = self.distance(planes, 0, side[0], near);
         let near_y = self.distance(planes, 1, side[1], near);
         let near_z = self.distance(planes, 2, side[2], near);
-        let far_x = self.distance(planes, 0, side[0] ^ 1, far);
-        let far_y = self.distance(planes, 1, side[1] ^ 1, far);
-        let far_z = self.distance(planes, 2, side[2] ^ 1, far);
+        let far_x = self.distance(planes, 0, side[0] ^ A, far);
+        let far_y = self.distance(planes, 1, side[1] ^ A, far);
+        let far_z = self.distance(planes, 2, side[2] ^ A, far);
         // A near distance is never a NaN.
         let enter = near_x.max(near_y).max(near_z.max(self.tmin));
         let leave = lesser(far_x, lesser(far_y, lesser(far_z, V::splat(self.simd, end))));
@@ -102,7 +103,8 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
 
     #[inline(always)]
     fn distance(&self, planes: &[[[f32; A]; 2]; 3], axis: usize, side: usize, inverse: &[V; 3]) -> V {
-        (V::load_array_ref(self.simd, &planes[axis][side & 1]) - self.origin[axis]) * inverse[axis]
+        let (planes, from) = (planes[axis].as_flattened(), side & A);
+        (V::from_slice(self.simd, &planes[from..from + A]) - self.origin[axis]) * inverse[axis]
     }
 }
 
@@ -146,10 +148,11 @@ const fn lane_numbers<const A: usize>() -> [f32; A] {
     lanes
 }
 
-/// The test in double precision, for rays that are so rare that it prepares them anew each time. `[BOX-6]`
+/// The test in double precision, for rays that are so rare that it prepares them anew each time. It gets the ray by
+/// value, so that nothing points into a [`BoxRay`], which then can be in registers. `[BOX-6]`
 #[cold]
 #[inline(never)]
-fn enter_wide<const A: usize>(ray: &Ray, planes: &[[[f32; A]; 2]; 3], end: f32) -> ([f32; A], u32) {
+fn enter_wide<const A: usize>(ray: Ray, planes: &[[[f32; A]; 2]; 3], end: f32) -> ([f32; A], u32) {
     let wide = Wide::of(ray.origin().widen(), ray.direction().widen(), ray.tmin().into());
     let mut set = 0;
     let ranks = std::array::from_fn(|lane| {

@@ -45,6 +45,12 @@ impl<'a> LazyExact<'a> {
         Self { ray, region, exact: None }
     }
 
+    /// The ray.
+    #[inline(always)]
+    pub const fn ray(&self) -> &'a Ray {
+        self.ray
+    }
+
     /// The test.
     #[inline(always)]
     pub fn get(&mut self) -> &Exact {
@@ -55,7 +61,7 @@ impl<'a> LazyExact<'a> {
         )
     }
 
-    /// Takes the first `count` triangles of these blocks into account; whether one of them is the nearest now.
+    /// The nearest hit of `nearest` and the first `count` triangles of these blocks.
     ///
     /// ```
     /// use fearless_simd::{Level, Simd, dispatch};
@@ -70,9 +76,8 @@ impl<'a> LazyExact<'a> {
     ///
     /// #[inline(always)]
     /// fn nearest<S: Simd>(simd: S, ray: &Ray, region: &Region, block: Block) -> Nearest {
-    ///     let (filter, mut nearest) = (TriangleRay::new(simd, ray, region), Nearest::none(ray));
-    ///     LazyExact::new(ray, region).nearest(simd, &filter, &[block], 1, &mut nearest);
-    ///     nearest
+    ///     let filter = TriangleRay::new(simd, ray, region);
+    ///     LazyExact::new(ray, region).nearest(simd, &filter, &[block], 1, Nearest::none(ray))
     /// }
     /// let found = dispatch!(Level::new(), simd => nearest(simd, &ray, &region, block));
     /// assert_eq!(found, Nearest { t: 3.0, prim: 7 });
@@ -85,17 +90,17 @@ impl<'a> LazyExact<'a> {
         filter: &TriangleRay<S>,
         blocks: &[Block],
         count: u32,
-        nearest: &mut Nearest,
-    ) -> bool {
-        let (mut found, mut left) = (false, count);
+        mut nearest: Nearest,
+    ) -> Nearest {
+        let mut left = count;
         for block in blocks {
             let lanes = filter.survivors(simd, block, nearest.t) & first(left);
             left = left.saturating_sub(4);
             if lanes != 0 {
-                found |= self.settle(block, lanes, nearest);
+                nearest = self.settle(block, lanes, nearest);
             }
         }
-        found
+        nearest
     }
 
     /// A triangle, among the first `count` of these blocks, that the ray meets within its interval.
@@ -114,24 +119,23 @@ impl<'a> LazyExact<'a> {
         None
     }
 
-    /// Whether one of these lanes' triangles is the nearest now.
+    /// The nearest hit of `nearest` and these lanes' triangles.
     ///
-    /// A function of its own, since few lanes survive: inlined, it made the build of the library twice as long.
+    /// A function of its own, since few lanes survive: inlined, it made the build of the library twice as long. It gets
+    /// `nearest` by value: whoever's memory is pointed to cannot be in registers.
     #[inline(never)]
-    fn settle(&mut self, block: &Block, mut lanes: u32, nearest: &mut Nearest) -> bool {
+    fn settle(&mut self, block: &Block, mut lanes: u32, mut nearest: Nearest) -> Nearest {
         let exact = self.get();
-        let mut found = false;
         while lanes != 0 {
             let lane = lanes.trailing_zeros() as usize & 3;
             lanes &= lanes - 1;
             let Some(t) = exact.distance(&block.triangle(lane), nearest.t) else { continue };
             let prim = block.prims[lane];
             if t < nearest.t || t == nearest.t && prim < nearest.prim {
-                *nearest = Nearest { t, prim };
-                found = true;
+                nearest = Nearest { t, prim };
             }
         }
-        found
+        nearest
     }
 
     /// One of these lanes' triangles that the ray meets within its interval. A function of its own, likewise.

@@ -29,9 +29,7 @@ fn there_are_several_levels() {
 #[inline(always)]
 fn ask<S: Simd>(simd: S, ray: &Ray, region: &Region, blocks: &[Block], count: u32) -> (Nearest, Option<u32>) {
     let (filter, mut exact) = (TriangleRay::new(simd, ray, region), LazyExact::new(ray, region));
-    let mut nearest = Nearest::none(ray);
-    let found = exact.nearest(simd, &filter, blocks, count, &mut nearest);
-    assert_eq!(found, nearest.is_some());
+    let nearest = exact.nearest(simd, &filter, blocks, count, Nearest::none(ray));
     (nearest, exact.any(simd, &filter, blocks, count))
 }
 

@@ -4,7 +4,7 @@ use fearless_simd::Simd;
 
 use super::turns::Ask;
 use crate::bvh::WideBvh;
-use crate::geom::lanes::{BoxRay, Lanes, LazyExact, Nearest, TriangleRay};
+use crate::geom::lanes::{Block, BoxRay, Lanes, LazyExact, Nearest, TriangleRay};
 use crate::geom::{Kernel, Ray};
 use crate::order::Flow;
 use crate::trace::Hit;
@@ -12,31 +12,41 @@ use crate::tree::Node;
 use crate::wide::{Ranks, Search, Topology, Wanted};
 
 /// A ray on its way through a wide hierarchy, exact. With `ANY`, the first hit ends it.
-#[derive(Clone, Debug)]
-pub(super) struct WideSearch<'a, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> {
+///
+/// Nothing points into it, so that it can be in registers: the exact test, which is in memory, is somebody else's.
+#[derive(Debug)]
+pub(super) struct WideSearch<'a, 'm, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> {
     simd: S,
     bvh: &'a WideBvh<A>,
     boxes: BoxRay<S, V, A>,
     filter: TriangleRay<S>,
-    exact: LazyExact<'a>,
+    exact: &'m mut LazyExact<'a>,
     best: Nearest,
     /// Where the best hit is.
     leaf: Node,
 }
 
-impl<'a, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> WideSearch<'a, S, V, A, ANY> {
+impl<'a, 'm, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> WideSearch<'a, 'm, S, V, A, ANY> {
+    /// For the ray of `exact`.
     #[inline(always)]
-    pub(super) fn new(simd: S, bvh: &'a WideBvh<A>, ray: &'a Ray) -> Self {
-        let region = bvh.region();
+    pub(super) fn new(simd: S, bvh: &'a WideBvh<A>, exact: &'m mut LazyExact<'a>) -> Self {
+        let (ray, region) = (exact.ray(), bvh.region());
         Self {
             simd,
             bvh,
             boxes: BoxRay::new(simd, ray, region),
             filter: TriangleRay::new(simd, ray, region),
-            exact: LazyExact::new(ray, region),
+            exact,
             best: Nearest::none(ray),
             leaf: bvh.root(),
         }
+    }
+
+    /// The same for another ray.
+    #[inline(always)]
+    pub(super) fn with_ray(self, ray: &'a Ray) -> Self {
+        *self.exact = LazyExact::new(ray, self.bvh.region());
+        Self::new(self.simd, self.bvh, self.exact)
     }
 
     /// After the traversal: what was asked for.
@@ -46,27 +56,26 @@ impl<'a, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> WideSearch<'a
         match ask {
             _ if !self.best.is_some() => None,
             Ask::Distance | Ask::Any => Some(Hit { prim, t, u: 0.0, v: 0.0 }),
-            Ask::Closest | Ask::AnyHit => self.whole(),
+            Ask::Closest | Ask::AnyHit => whole::<ANY>(self.exact, self.bvh.leaf(self.leaf).0, self.best),
         }
-    }
-
-    /// The hit with its weights.
-    #[inline(never)]
-    fn whole(&mut self) -> Option<Hit> {
-        let Nearest { prim, t } = self.best;
-        let (blocks, _) = self.bvh.leaf(self.leaf);
-        let shape = blocks.iter().find_map(|block| {
-            let lane = block.prims.iter().position(|&held| held == prim)?;
-            Some(block.triangle(lane))
-        })?;
-        let exact = self.exact.get();
-        let t = if ANY { exact.distance(&shape, f32::INFINITY)? } else { t };
-        let [u, v] = exact.weights(&shape);
-        Some(Hit { prim, t, u, v })
     }
 }
 
-impl<S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for WideSearch<'_, S, V, A, ANY> {
+/// The hit with its weights.
+#[inline(never)]
+fn whole<const ANY: bool>(exact: &mut LazyExact<'_>, blocks: &[Block], best: Nearest) -> Option<Hit> {
+    let Nearest { prim, t } = best;
+    let shape = blocks.iter().find_map(|block| {
+        let lane = block.prims.iter().position(|&held| held == prim)?;
+        Some(block.triangle(lane))
+    })?;
+    let exact = exact.get();
+    let t = if ANY { exact.distance(&shape, f32::INFINITY)? } else { t };
+    let [u, v] = exact.weights(&shape);
+    Some(Hit { prim, t, u, v })
+}
+
+impl<S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for WideSearch<'_, '_, S, V, A, ANY> {
     const SORTED: bool = !ANY;
     type Ranks = LaneRanks<S, V, A>;
 
@@ -85,8 +94,9 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for Wid
             (self.best.prim, self.leaf) = (prim, leaf);
             return Flow::Stop;
         }
-        if self.exact.nearest(self.simd, &self.filter, blocks, count, &mut self.best) {
-            self.leaf = leaf;
+        let best = self.exact.nearest(self.simd, &self.filter, blocks, count, self.best);
+        if best.prim != self.best.prim {
+            (self.best, self.leaf) = (best, leaf);
         }
         Flow::Continue
     }

@@ -12,7 +12,7 @@ use stackless_bvh::event::{Recorder as _, State};
 use stackless_bvh::order::Flow;
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{
-    Context, Cursor, Method, Scratch, Search as _, Supply, Tables, Topology as _, Tree, Unfit, Wanted, advance,
+    Context, Cursor, Method, Next, Scratch, Search as _, Supply, Tables, Topology as _, Tree, Unfit, Wanted, advance,
     asked_keys,
 };
 
@@ -154,7 +154,7 @@ impl<'t, const A: usize, const SORTED: bool> Context<'t, A, Tree<A>> for GoOn<'t
             // The way comes before what is pending, whatever the end is by now.
             let set = pending | 1 << slot;
             let wanted = Wanted { set, ..search.of(cursor.node(), set) };
-            if let Some(child) = cursor.next(Some(wanted), search) {
+            if let Next::Child(child) = cursor.choose(wanted, search) {
                 cursor.enter(child);
             }
         }

@@ -3,10 +3,10 @@
 use super::links::Records;
 use super::{Bug, sorted};
 use stackless_bvh::tree::Node;
-use stackless_bvh::wide::{Cursor, Kept, Link, Search, Topology, Wanted};
+use stackless_bvh::wide::{Cursor, Kept, Link, Next, Search, Topology, Wanted};
 
-/// Turns of one step, which a mistake could make endless.
-const TURNS: u32 = 1000;
+/// Times that a search is asked again, which a mistake could make endless.
+const ASKS: u32 = 100_000;
 
 /// A node, its pending children, and the ranks of the two that come next.
 #[derive(Debug)]
@@ -18,12 +18,15 @@ pub(super) struct Pending<'t, const A: usize, K, L> {
     slot: u32,
     kept: K,
     link: L,
+    /// Times that the search was asked again.
+    asks: u32,
     bug: Bug,
 }
 
 impl<'t, const A: usize, K: Kept<A>, L: Link<A>> Pending<'t, A, K, L> {
     pub(super) fn new(tree: &'t Records<'t, A>, kept: K, link: L) -> Self {
-        let mut cursor = Self { tree, node: tree.root(), set: 0, ranks: 0, slot: 0, kept, link, bug: tree.bug };
+        let mut cursor =
+            Self { tree, node: tree.root(), set: 0, ranks: 0, slot: 0, kept, link, asks: 0, bug: tree.bug };
         cursor.reset();
         cursor
     }
@@ -69,7 +72,7 @@ impl<'t, const A: usize, K: Kept<A>, L: Link<A>> Pending<'t, A, K, L> {
 
 impl<const A: usize, K: Kept<A>, L: Link<A>> Cursor<A> for Pending<'_, A, K, L> {
     fn reset(&mut self) {
-        self.node = self.tree.root();
+        (self.node, self.set) = (self.tree.root(), u32::MAX);
         self.kept.clear();
         self.link.clear();
     }
@@ -78,17 +81,20 @@ impl<const A: usize, K: Kept<A>, L: Link<A>> Cursor<A> for Pending<'_, A, K, L> 
         self.node
     }
 
-    fn next<S: Search<A>>(&mut self, mut answer: Option<Wanted<S::Ranks>>, search: &mut S) -> Option<Node> {
-        for _ in 0..TURNS {
-            if let Some(wanted) = answer.take() {
-                self.set = wanted.set;
-                if S::SORTED && wanted.set != 0 {
-                    let first = self.sort::<S>(wanted);
-                    return Some(self.take(first));
-                }
-            }
+    fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next {
+        let masked = if self.bug == Bug::AnswerNotMasked { u32::MAX } else { self.set };
+        self.set = wanted.set & masked;
+        if S::SORTED && self.set != 0 {
+            let first = self.sort::<S>(Wanted { set: self.set, ..wanted });
+            return Next::Child(self.take(first));
+        }
+        self.next(search)
+    }
+
+    fn next<S: Search<A>>(&mut self, search: &mut S) -> Next {
+        loop {
             if self.set == 0 {
-                let level = self.kept.pop(search.end())?;
+                let Some(level) = self.kept.pop(search.end()) else { return Next::End };
                 if self.bug != Bug::NodeLeftBehind {
                     self.node = self.link.ancestor(self.tree, self.node, level.up);
                 }
@@ -97,7 +103,7 @@ impl<const A: usize, K: Kept<A>, L: Link<A>> Cursor<A> for Pending<'_, A, K, L> 
             let lowest = self.set.trailing_zeros();
             if !S::SORTED {
                 let last = self.set.checked_ilog2().unwrap_or(0);
-                return Some(self.take(if self.bug == Bug::LastSlotFirst { last } else { lowest }));
+                return Next::Child(self.take(if self.bug == Bug::LastSlotFirst { last } else { lowest }));
             }
             if self.ranks != 0 {
                 let rank = self.ranks as u32;
@@ -105,28 +111,26 @@ impl<const A: usize, K: Kept<A>, L: Link<A>> Cursor<A> for Pending<'_, A, K, L> 
                     if self.bug != Bug::RanksNotMoved {
                         self.ranks >>= 32;
                     }
-                    return Some(self.take(rank));
+                    return Next::Child(self.take(rank));
                 }
                 self.set = 0;
             } else if self.set.is_power_of_two() && !self.kept.is_stale()
                 || self.bug == Bug::NeverAskedAgain && self.set != 0
             {
-                return Some(self.take(lowest));
+                return Next::Child(self.take(lowest));
             } else {
-                let Wanted { set, ranks } = search.ask(self.node);
                 self.kept.asked();
-                let set = if self.bug == Bug::AnswerNotMasked { set } else { set & self.set };
-                answer = Some(Wanted { set, ranks });
+                self.asks += 1;
+                return if self.asks > ASKS { Next::End } else { Next::Ask };
             }
         }
-        None
     }
 
     fn enter(&mut self, node: Node) {
         let entered = u32::from(self.bug == Bug::EnteredStaysPending) << self.slot;
         self.kept.push(self.set | entered, self.ranks);
         self.link.enter(self.slot);
-        self.node = node;
+        (self.node, self.set) = (node, u32::MAX);
     }
 
     fn shortened(&mut self) {

@@ -3,7 +3,7 @@
 use super::links::Records;
 use super::{Bug, sorted};
 use stackless_bvh::tree::Node;
-use stackless_bvh::wide::{Cursor, Search, Topology, Wanted};
+use stackless_bvh::wide::{Cursor, Next, Search, Topology, Wanted};
 
 /// The child of a rank is postponed.
 #[derive(Clone, Copy, Debug)]
@@ -47,35 +47,38 @@ impl<const A: usize> Cursor<A> for Stack<'_, A> {
         self.node
     }
 
-    fn next<S: Search<A>>(&mut self, answer: Option<Wanted<S::Ranks>>, search: &mut S) -> Option<Node> {
+    fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next {
         let (tree, bug) = (self.tree, self.tree.bug);
-        if let Some(wanted) = answer
-            && wanted.set != 0
-        {
-            let ranks = sorted::<A, S>(wanted);
-            let child = |rank: u32| tree.child(self.node, rank & (A as u32 - 1));
-            let mut others: Vec<_> = ranks[1..].iter().map(|&rank| (rank, child(rank))).collect();
-            match bug {
-                Bug::RankOfFirstPushed => others.iter_mut().for_each(|entry| entry.0 = ranks[0]),
-                Bug::RankOfLastPushed => others.iter_mut().for_each(|entry| entry.0 = ranks[ranks.len() - 1]),
-                Bug::LastNotPushed if others.len() > 2 => others.truncate(2),
-                _ => {}
-            }
-            if bug != Bug::LeastPushedFirst {
-                others.reverse();
-            }
-            self.entries.extend(others);
-            return Some(child(ranks[0]));
+        if wanted.set == 0 {
+            return self.next(search);
         }
+        let ranks = sorted::<A, S>(wanted);
+        let child = |rank: u32| tree.child(self.node, rank & (A as u32 - 1));
+        let mut others: Vec<_> = ranks[1..].iter().map(|&rank| (rank, child(rank))).collect();
+        match bug {
+            Bug::RankOfFirstPushed => others.iter_mut().for_each(|entry| entry.0 = ranks[0]),
+            Bug::RankOfLastPushed => others.iter_mut().for_each(|entry| entry.0 = ranks[ranks.len() - 1]),
+            Bug::LastNotPushed if others.len() > 2 => others.truncate(2),
+            _ => {}
+        }
+        if bug != Bug::LeastPushedFirst {
+            others.reverse();
+        }
+        self.entries.extend(others);
+        Next::Child(child(ranks[0]))
+    }
+
+    fn next<S: Search<A>>(&mut self, search: &mut S) -> Next {
+        let bug = self.tree.bug;
         while let Some((rank, node)) = self.entries.pop() {
             if !S::SORTED || !is_beyond::<A>(bug, rank, search.end()) {
-                return Some(node);
+                return Next::Child(node);
             }
             if bug == Bug::PoppedBeyondEnds {
-                return None;
+                return Next::End;
             }
         }
-        None
+        Next::End
     }
 
     fn enter(&mut self, node: Node) {
@@ -185,33 +188,37 @@ impl<const A: usize> Cursor<A> for Restart<'_, A> {
         self.node
     }
 
-    fn next<S: Search<A>>(&mut self, answer: Option<Wanted<S::Ranks>>, search: &mut S) -> Option<Node> {
+    fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next {
         let bug = self.tree.bug;
-        let Some(wanted) = answer else { return self.back(search) };
+        let done = self.done.last().map_or(0, |&(number, _)| number);
         if self.step != Step::Down && self.at < self.level() {
             let ranks = sorted::<A, S>(wanted);
             let number = self.done[self.at].0;
             if let Some(&rank) = ranks.get(if bug == Bug::PathANumberShort { number.saturating_sub(1) } else { number })
             {
                 self.step = Step::Along;
-                return Some(self.tree.child(self.node, rank & (A as u32 - 1)));
+                return Next::Child(self.tree.child(self.node, rank & (A as u32 - 1)));
             }
             self.done.truncate(self.at + 1);
             self.finish();
-            return self.back(search);
+            return self.next(search);
         }
         let number = match (self.step, bug) {
             (Step::Down, _) => 0,
-            (_, Bug::RestartRepeats) => self.done.last()?.0,
-            (_, Bug::RestartSkips) => self.done.last()?.0 + 2,
-            _ => self.done.last()?.0 + 1,
+            (_, Bug::RestartRepeats) => done,
+            (_, Bug::RestartSkips) => done + 2,
+            _ => done + 1,
         };
         self.step = Step::Down;
         if let Some(child) = self.take::<S>(wanted, number) {
-            return Some(child);
+            return Next::Child(child);
         }
         self.finish();
-        self.back(search)
+        self.next(search)
+    }
+
+    fn next<S: Search<A>>(&mut self, search: &mut S) -> Next {
+        self.back(search).into()
     }
 
     fn enter(&mut self, node: Node) {
