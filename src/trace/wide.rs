@@ -180,7 +180,7 @@ impl<T: Borrow<WideBvh>> WideTracer<T> {
     }
 
     fn run(&self, rays: &[Ray], ask: Ask, answer: &mut dyn FnMut(usize, Option<Hit>)) -> Result<(), Unfit> {
-        trace(self.level, self.method, Job { bvh: self.bvh(), tables: &self.tables, rays, ask, answer })
+        trace(self.level, self.method, &mut Job { bvh: self.bvh(), tables: &self.tables, rays, ask, answer })
     }
 }
 

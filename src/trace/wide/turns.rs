@@ -35,7 +35,7 @@ pub(super) struct Job<'a, 'f> {
 }
 
 /// Answers each ray of a job.
-pub(super) fn trace(level: Level, method: Method, job: Job<'_, '_>) -> Result<(), Unfit> {
+pub(super) fn trace(level: Level, method: Method, job: &mut Job<'_, '_>) -> Result<(), Unfit> {
     MEMORY.with_borrow_mut(|memory| match job.ask {
         Ask::Closest | Ask::Distance => method.dispatch(Start::<false> { level, job, memory }),
         Ask::Any | Ask::AnyHit => method.dispatch(Start::<true> { level, job, memory }),
@@ -48,9 +48,9 @@ thread_local! {
 }
 
 /// Makes a cursor, or two for more than one ray.
-struct Start<'t, 'f, const ANY: bool> {
+struct Start<'t, 'a, 'f, const ANY: bool> {
     level: Level,
-    job: Job<'t, 'f>,
+    job: &'t mut Job<'a, 'f>,
     memory: &'t mut [Scratch; 2],
 }
 
@@ -77,7 +77,7 @@ macro_rules! vectorize {
     }};
 }
 
-impl<'t, const ANY: bool> Context<'t, 8, WideBvh> for Start<'t, '_, ANY> {
+impl<'t, const ANY: bool> Context<'t, 8, WideBvh> for Start<'t, '_, '_, ANY> {
     type Output = ();
 
     #[inline(always)]
@@ -101,8 +101,8 @@ type RaySearch<'a, 'm, S, const ANY: bool> = WideSearch<'a, 'm, S, f32x8<S>, 8, 
 
 /// Traces one ray to its end.
 #[inline(always)]
-fn alone<S: Simd, C: Cursor<8>, const ANY: bool>(simd: S, mut cursor: C, ray: &Ray, job: Job<'_, '_>) {
-    let Job { bvh, ask, answer, .. } = job;
+fn alone<S: Simd, C: Cursor<8>, const ANY: bool>(simd: S, mut cursor: C, ray: &Ray, job: &mut Job<'_, '_>) {
+    let Job { bvh, ask, ref mut answer, .. } = *job;
     let mut exact = LazyExact::new(ray, bvh.region());
     let mut search = RaySearch::<S, ANY>::new(simd, bvh, &mut exact);
     loop {
@@ -120,9 +120,9 @@ fn in_turns<S: Simd, C: Cursor<8>, const ANY: bool>(
     [mut cursor_a, mut cursor_b]: [C; 2],
     [a, b]: [&Ray; 2],
     rest: &[Ray],
-    job: Job<'_, '_>,
+    job: &mut Job<'_, '_>,
 ) {
-    let Job { bvh, ask, answer, .. } = job;
+    let Job { bvh, ask, ref mut answer, .. } = *job;
     let mut exact = [a, b].map(|ray| LazyExact::new(ray, bvh.region()));
     let [exact_a, exact_b] = &mut exact;
     let (mut search_a, mut search_b) =

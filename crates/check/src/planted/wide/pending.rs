@@ -6,7 +6,7 @@ use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{Cursor, Kept, Link, Next, Search, Topology, Wanted};
 
 /// Times that a search is asked again, which a mistake could make endless.
-const ASKS: u32 = 100_000;
+const ASKS: u32 = 10_000;
 
 /// A node, its pending children, and the ranks of the two that come next.
 #[derive(Debug)]
