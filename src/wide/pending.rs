@@ -51,7 +51,7 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
 
     /// The least rank of the pending children, of which there is one; keeps the two after it.
     #[inline(always)]
-    fn sort<const A: usize>(&mut self, ranks: impl Ranks) -> u32 {
+    fn sort(&mut self, ranks: impl Ranks) -> u32 {
         let set = self.set;
         // One child or two are most frequent.
         let first = ranks.rank(set.trailing_zeros());
@@ -67,17 +67,17 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
             self.ranks = u64::from(second);
             return first;
         }
-        let (first, second, third) = if more.is_power_of_two() {
-            let third = ranks.rank(more.trailing_zeros());
-            let (second, third) = (second.min(third), second.max(third));
-            (first.min(second), first.max(second), third)
-        } else {
-            let without = |set: u32, rank: u32| set & !(1 << (rank & (A as u32 - 1)));
-            let first = ranks.least(set);
-            let set = without(set, first);
-            let second = ranks.least(set);
-            (first, second, ranks.least(without(set, second)))
-        };
+        let third = ranks.rank(more.trailing_zeros());
+        let (second, mut third) = (second.min(third), second.max(third));
+        let (mut first, mut second) = (first.min(second), first.max(second));
+        let mut more = more & (more - 1);
+        while more != 0 {
+            let rank = ranks.rank(more.trailing_zeros());
+            more &= more - 1;
+            third = third.min(second.max(rank));
+            second = second.min(first.max(rank));
+            first = first.min(rank);
+        }
         self.ranks = u64::from(second) | u64::from(third) << 32;
         first
     }
@@ -116,7 +116,7 @@ where
     fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next {
         self.set &= wanted.set;
         if S::SORTED && self.set != 0 {
-            let first = self.sort::<A>(wanted.ranks);
+            let first = self.sort(wanted.ranks);
             return Next::Child(self.take::<A>(first));
         }
         self.next(search)

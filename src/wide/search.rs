@@ -18,25 +18,12 @@ pub struct Wanted<R> {
 pub trait Ranks: Copy {
     /// The rank of the child in a slot of the set.
     fn rank(self, slot: u32) -> u32;
-
-    /// The least rank in a set that is not empty.
-    fn least(self, set: u32) -> u32;
 }
 
 impl<const A: usize> Ranks for [u32; A] {
     #[inline(always)]
     fn rank(self, slot: u32) -> u32 {
         self[slot as usize & (A - 1)]
-    }
-
-    #[inline(always)]
-    fn least(self, mut set: u32) -> u32 {
-        let mut least = u32::MAX;
-        while set != 0 {
-            least = least.min(self.rank(set.trailing_zeros()));
-            set &= set - 1;
-        }
-        least
     }
 }
 

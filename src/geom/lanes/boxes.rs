@@ -1,6 +1,6 @@
 //! The slab test of all boxes of a node.
 
-use fearless_simd::{Select, Simd, SimdMask};
+use fearless_simd::{Simd, SimdMask};
 use glam::Vec3;
 
 use super::Lanes;
@@ -84,14 +84,6 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
         let bits = enter.min(V::splat(self.simd, f32::MAX)).to_bits() & Self::DISTANCE;
         let set = V::from_bits(bits).simd_le(leave).to_bitmask() as u32;
         (V::from_bits(bits | self.lanes.to_bits()), set)
-    }
-
-    /// Of a set that is not empty, the least rank.
-    #[inline(always)]
-    pub fn least(simd: S, ranks: V, set: u32) -> u32 {
-        // Ranks are not negative and below infinity, so they have the order of the floats that they are.
-        let mask = V::Mask::from_bitmask(simd, u64::from(set));
-        mask.select(ranks, V::splat(simd, f32::INFINITY)).reduce_min().to_bits()
     }
 
     /// The rank of a lane.

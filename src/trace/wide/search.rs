@@ -1,5 +1,7 @@
 //! Closest hit and any hit in a wide hierarchy.
 
+use std::marker::PhantomData;
+
 use fearless_simd::Simd;
 
 use super::turns::Ask;
@@ -83,7 +85,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for Wid
     fn ask(&mut self, node: Node) -> Wanted<Self::Ranks> {
         let node = &self.bvh.nodes()[node.index()];
         let (ranks, set) = self.boxes.enter(&node.planes, self.best.t);
-        Wanted { set, ranks: LaneRanks { simd: self.simd, ranks } }
+        Wanted { set, ranks: LaneRanks { ranks, simd: PhantomData } }
     }
 
     #[inline(always)]
@@ -111,18 +113,13 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for Wid
 /// The ranks of a node's boxes. `[LANES-2]`
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LaneRanks<S, V, const A: usize> {
-    simd: S,
     ranks: V,
+    simd: PhantomData<S>,
 }
 
 impl<S: Simd, V: Lanes<S, A>, const A: usize> Ranks for LaneRanks<S, V, A> {
     #[inline(always)]
     fn rank(self, slot: u32) -> u32 {
         BoxRay::<S, V, A>::rank(&self.ranks, slot)
-    }
-
-    #[inline(always)]
-    fn least(self, set: u32) -> u32 {
-        BoxRay::<S, V, A>::least(self.simd, self.ranks, set)
     }
 }
