@@ -1,6 +1,6 @@
 //! The loop over rays: one alone, or two in turns.
 
-use std::cell::RefCell;
+use std::cell::Cell;
 
 use fearless_simd::{Simd, f32x8};
 
@@ -36,15 +36,19 @@ pub(super) struct Job<'a, 'f> {
 
 /// Answers each ray of a job.
 pub(super) fn trace(level: Level, method: Method, job: &mut Job<'_, '_>) -> Result<(), Unfit> {
-    MEMORY.with_borrow_mut(|memory| match job.ask {
-        Ask::Closest | Ask::Distance => method.dispatch(Start::<false> { level, job, memory }),
-        Ask::Any | Ask::AnyHit => method.dispatch(Start::<true> { level, job, memory }),
-    })
+    let mut memory = MEMORY.try_with(Cell::take).ok().flatten().unwrap_or_default();
+    let ran = match job.ask {
+        Ask::Closest | Ask::Distance => method.dispatch(Start::<false> { level, job, memory: &mut memory }),
+        Ask::Any | Ask::AnyHit => method.dispatch(Start::<true> { level, job, memory: &mut memory }),
+    };
+    // A thread that ends keeps nothing any more.
+    _ = MEMORY.try_with(|kept| kept.set(Some(memory)));
+    ran
 }
 
 thread_local! {
     /// Memory of two cursors: to allocate or to clear it for each ray would cost a call a tenth of its time.
-    static MEMORY: RefCell<[Scratch; 2]> = RefCell::default();
+    static MEMORY: Cell<Option<Box<[Scratch; 2]>>> = const { Cell::new(None) };
 }
 
 /// Makes a cursor, or two for more than one ray.
