@@ -122,7 +122,7 @@ impl<'a> LazyExact<'a> {
     /// The nearest hit of `nearest` and these lanes' triangles.
     ///
     /// A function of its own, since few lanes survive: inlined, it made the build of the library twice as long. It gets
-    /// `nearest` by value: whoever's memory is pointed to cannot be in registers.
+    /// `nearest` by value: what is pointed to cannot be in registers.
     #[inline(never)]
     fn settle(&mut self, block: &Block, mut lanes: u32, mut nearest: Nearest) -> Nearest {
         let exact = self.get();

@@ -15,7 +15,7 @@ use crate::wide::{Ranks, Search, Topology, Wanted};
 
 /// A ray on its way through a wide hierarchy, exact. With `ANY`, the first hit ends it.
 ///
-/// Nothing points into it, so that it can be in registers: the exact test, which is in memory, is somebody else's.
+/// Nothing points into it, so that it can be in registers. The exact test has to be in memory, so it is borrowed.
 #[derive(Debug)]
 pub(super) struct WideSearch<'a, 'm, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> {
     simd: S,

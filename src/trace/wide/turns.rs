@@ -9,7 +9,7 @@ use crate::bvh::WideBvh;
 use crate::geom::Ray;
 use crate::geom::lanes::{LazyExact, Level};
 use crate::trace::Hit;
-use crate::wide::{Context, Cursor, Method, Scratch, Search, Supply, Tables, Unfit, advance};
+use crate::wide::{Context, Cursor, Method, Scratch, Search, Supply, Tables, Unfit, advance, traverse};
 
 /// What is asked of each ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,16 +105,12 @@ type RaySearch<'a, 'm, S, const ANY: bool> = WideSearch<'a, 'm, S, f32x8<S>, 8, 
 
 /// Traces one ray to its end.
 #[inline(always)]
-fn alone<S: Simd, C: Cursor<8>, const ANY: bool>(simd: S, mut cursor: C, ray: &Ray, job: &mut Job<'_, '_>) {
+fn alone<S: Simd, C: Cursor<8>, const ANY: bool>(simd: S, cursor: C, ray: &Ray, job: &mut Job<'_, '_>) {
     let Job { bvh, ask, ref mut answer, .. } = *job;
     let mut exact = LazyExact::new(ray, bvh.region());
     let mut search = RaySearch::<S, ANY>::new(simd, bvh, &mut exact);
-    loop {
-        let wanted = search.ask(cursor.node());
-        if !advance(bvh, &mut cursor, wanted, &mut search, &mut ()) {
-            return answer(0, search.answer(ask));
-        }
-    }
+    traverse(bvh, cursor, &mut search, &mut ());
+    answer(0, search.answer(ask));
 }
 
 /// Two rays at a time: while one waits for memory, the other computes. `rest` follows the first two.
@@ -151,7 +147,7 @@ fn in_turns<S: Simd, C: Cursor<8>, const ANY: bool>(
         };
     }
     loop {
-        // What a ray wants that is done is of no use; that happens at the end of a batch only.
+        // A ray that is done is asked too: only at the end of a batch, and nobody uses the answer.
         let (asked_a, asked_b) = (search_a.ask(cursor_a.node()), search_b.ask(cursor_b.node()));
         turn!(asked_a, number_a, cursor_a, search_a, is_done_a, is_done_b);
         turn!(asked_b, number_b, cursor_b, search_b, is_done_b, is_done_a);
