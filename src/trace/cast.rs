@@ -1,6 +1,7 @@
 //! A ray among the boxes and triangles of a hierarchy: what rare queries share. (The frequent ones have it in
 //! [`Search`](super::Search).)
 
+use super::held::Held;
 use crate::bvh::Bvh;
 use crate::geom::kernel::Real;
 use crate::geom::slabs::Intervals;
@@ -8,20 +9,25 @@ use crate::geom::{Aabb, Kernel, Ray, Slabs};
 use crate::order::Descent;
 use crate::tree::{Node, Topology};
 
-/// A ray that is prepared for the tests of a hierarchy.
+/// A ray that is prepared for the tests of a hierarchy `H`.
 #[derive(Clone, Debug)]
-pub(super) struct Cast<'a, K: Kernel, B: Slabs<Vector = K::Vector>> {
-    pub(super) bvh: &'a Bvh<K::Shape>,
+pub(super) struct Cast<'a, K: Kernel, B, H> {
+    pub(super) bvh: &'a H,
     pub(super) kernel: K,
     pub(super) slabs: B,
     /// Where boxes begin to be too far.
     pub(super) end: Real<K>,
 }
 
-impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Cast<'a, K, B> {
+impl<'a, K: Kernel, B, H: Held<K::Shape>> Cast<'a, K, B, H> {
+    pub(super) fn with(bvh: &'a H, ray: &Ray<K::Vector>, slabs: B) -> Self {
+        Self { bvh, kernel: K::new(ray, bvh.region()), slabs, end: ray.tmax() }
+    }
+}
+
+impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Cast<'a, K, B, Bvh<K::Shape>> {
     pub(super) fn new(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>) -> Self {
-        let region = bvh.region();
-        Self { bvh, kernel: K::new(ray, region), slabs: B::new(ray, region), end: ray.tmax() }
+        Self::with(bvh, ray, B::new(ray, bvh.region()))
     }
 
     /// The children that the ray meets, the nearer one first.

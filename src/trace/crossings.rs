@@ -3,11 +3,12 @@
 use std::collections::HashSet;
 
 use super::cast::Cast;
+use super::held::Held;
 use super::{BoxQuery, Hit};
 use crate::bvh::Bvh;
 use crate::geom::kernel::{Exact, Exact64, Real};
 use crate::geom::slabs::{Directed, Wide};
-use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs};
+use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs, Triangle};
 use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::tree::Node;
 
@@ -32,11 +33,11 @@ pub type AllHits<'a> = Sweep<'a, Exact, Directed>;
 /// [`AllHits`] in double precision. `[EXACT-7]`
 pub type AllHits64<'a> = Sweep<'a, Exact64, Wide>;
 
-/// A ray on its way through a hierarchy that collects all its hits, with the triangle test `K` and the box test `B`. It
-/// visits all boxes that the ray meets.
+/// A ray on its way through a hierarchy `H` that collects all its hits, with the triangle test `K` and the box test `B`.
+/// It visits all boxes that the ray meets.
 #[derive(Clone, Debug)]
-pub struct Sweep<'a, K: Kernel, B: Slabs<Vector = K::Vector>> {
-    cast: Cast<'a, K, B>,
+pub struct Sweep<'a, K: Kernel, B, H = Bvh<<K as Kernel>::Shape>> {
+    pub(super) cast: Cast<'a, K, B, H>,
     repeats: Repeats,
     /// Distance, triangle, and where that is in the hierarchy.
     found: Vec<(Real<K>, u32, usize)>,
@@ -50,13 +51,19 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Sweep<'a, K, B> {
 
     /// A query that watches for triangles that it has met, or does not, which must be none then.
     pub(super) fn watching(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>, watches: bool) -> Self {
-        Self { cast: Cast::new(bvh, ray), repeats: Repeats::new(watches), found: Vec::new() }
+        Self::over(Cast::new(bvh, ray), watches)
     }
 
     /// Whether it watches for triangles that it has met.
     #[cfg(test)]
     pub(super) fn watches(&self) -> bool {
         self.repeats.0.is_some()
+    }
+}
+
+impl<'a, K: Kernel, B, H: Held<K::Shape>> Sweep<'a, K, B, H> {
+    pub(super) fn over(cast: Cast<'a, K, B, H>, watches: bool) -> Self {
+        Self { cast, repeats: Repeats::new(watches), found: Vec::new() }
     }
 
     /// All hits, after the traversal, in the order (`t`, primitive).
@@ -68,10 +75,22 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Sweep<'a, K, B> {
         });
         let Cast { bvh, kernel, .. } = &self.cast;
         let hit = |(t, prim, place): (Real<K>, u32, usize)| {
-            let [u, v] = kernel.weights(&bvh.triangles()[place].shape);
+            let [u, v] = kernel.weights(&bvh.shape(place));
             Hit { prim, t, u, v }
         };
         found.into_iter().map(hit).collect()
+    }
+
+    #[inline]
+    pub(super) fn meet(&mut self, leaf: Node) {
+        let Self { cast: Cast { bvh, kernel, .. }, repeats, found } = self;
+        bvh.for_each(leaf, |place, shape, prim| {
+            if let Some(t) = kernel.distance(shape, Real::<K>::INFINITY)
+                && repeats.is_new(prim)
+            {
+                found.push((t, prim, place));
+            }
+        });
     }
 }
 
@@ -83,15 +102,7 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for Sweep<'_, K, B> {
 
     #[inline]
     fn leaf(&mut self, node: Node) -> Flow {
-        let Cast { bvh, kernel, .. } = &self.cast;
-        let range = bvh.leaf_range(node);
-        for (place, held) in range.clone().zip(&bvh.triangles()[range]) {
-            if let Some(t) = kernel.distance(&held.shape, Real::<K>::INFINITY)
-                && self.repeats.is_new(held.prim)
-            {
-                self.found.push((t, held.prim, place));
-            }
-        }
+        self.meet(node);
         Flow::Continue
     }
 }
@@ -132,8 +143,8 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Crossings<'a> {
-    cast: Cast<'a, Exact, Directed>,
+pub struct Crossings<'a, B = Directed, H = Bvh> {
+    pub(super) cast: Cast<'a, Exact, B, H>,
     repeats: Repeats,
     count: u32,
 }
@@ -141,7 +152,14 @@ pub struct Crossings<'a> {
 impl<'a> Crossings<'a> {
     /// Prepares a query.
     pub fn new(bvh: &'a Bvh, ray: &Ray) -> Self {
-        Self { cast: Cast::new(bvh, ray), repeats: Repeats::new(bvh.duplicates() > 0), count: 0 }
+        Self::over(Cast::new(bvh, ray))
+    }
+}
+
+impl<'a, B, H: Held<Triangle>> Crossings<'a, B, H> {
+    pub(super) fn over(cast: Cast<'a, Exact, B, H>) -> Self {
+        let repeats = Repeats::new(cast.bvh.has_repeats());
+        Self { cast, repeats, count: 0 }
     }
 
     /// How many triangles are crossed, after the traversal.
@@ -153,6 +171,12 @@ impl<'a> Crossings<'a> {
     pub const fn is_odd(&self) -> bool {
         self.count() % 2 == 1
     }
+
+    #[inline]
+    pub(super) fn meet(&mut self, leaf: Node) {
+        let Self { cast: Cast { bvh, kernel, .. }, repeats, count } = self;
+        bvh.for_each(leaf, |_, shape, prim| *count += u32::from(kernel.crosses(shape) && repeats.is_new(prim)));
+    }
 }
 
 impl Visitor for Crossings<'_> {
@@ -163,10 +187,7 @@ impl Visitor for Crossings<'_> {
 
     #[inline]
     fn leaf(&mut self, node: Node) -> Flow {
-        let Cast { bvh, kernel, .. } = &self.cast;
-        for held in bvh.leaf_triangles(node) {
-            self.count += u32::from(kernel.crosses(&held.shape) && self.repeats.is_new(held.prim));
-        }
+        self.meet(node);
         Flow::Continue
     }
 }

@@ -32,6 +32,7 @@ mod continuation;
 mod counters;
 mod crossings;
 mod forms;
+mod held;
 mod instances;
 mod level;
 mod nearest;
@@ -51,6 +52,7 @@ pub use continuation::{Continuation, Place};
 pub use counters::Counters;
 pub use crossings::{AllHits, AllHits64, Crossings, Sweep};
 pub use forms::{Form, Forms};
+pub use held::Held;
 pub use instances::{
     Assembly, AssemblyError, Instance, InstanceCounts, InstanceError, InstanceHit, InstanceTracer, Object,
 };

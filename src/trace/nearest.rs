@@ -6,9 +6,10 @@ pub use several::NearestPoints;
 
 use glam::Vec3;
 
+use super::held::Held;
 use super::query::BoxQuery;
 use crate::bvh::Bvh;
-use crate::geom::{Aabb, Ball, Measure};
+use crate::geom::{Aabb, Ball, Measure, Triangle};
 use crate::order::{Descent, Flow, Pruned, Repeatable, Side, Visitor};
 use crate::tree::{Node, Topology};
 
@@ -30,15 +31,15 @@ pub struct Near {
 /// It is no ray query, yet runs in the same traversals: they know no geometry. Degenerate triangles are not part of the
 /// mesh, as they are not for rays.
 #[derive(Clone, Debug)]
-pub struct NearestPoint<'a> {
-    around: Around<'a>,
+pub struct NearestPoint<'a, H = Bvh> {
+    pub(super) around: Around<'a, H>,
     /// The best triangle, and where it is in the hierarchy. Its distance is the limit.
     found: Option<(u32, usize)>,
 }
 
-impl<'a> NearestPoint<'a> {
+impl<'a, H: Held<Triangle>> NearestPoint<'a, H> {
     /// Prepares a search.
-    pub fn new(bvh: &'a Bvh, ball: &Ball) -> Self {
+    pub fn new(bvh: &'a H, ball: &Ball) -> Self {
         Self { around: Around::new(bvh, ball), found: None }
     }
 
@@ -46,6 +47,17 @@ impl<'a> NearestPoint<'a> {
     pub fn near(&self) -> Option<Near> {
         let (prim, place) = self.found?;
         Some(self.around.near(prim, self.around.limit, place))
+    }
+
+    pub(super) fn meet(&mut self, leaf: Node) {
+        let Self { around, found } = self;
+        around.meet(leaf, |limit, (distance, prim, place)| {
+            if found.is_none_or(|(best, _)| (distance, prim) < (limit, best)) {
+                *found = Some((prim, place));
+                return distance;
+            }
+            limit
+        });
     }
 }
 
@@ -55,14 +67,7 @@ impl Visitor for NearestPoint<'_> {
     }
 
     fn leaf(&mut self, node: Node) -> Flow {
-        let found = &mut self.found;
-        self.around.meet(node, |limit, (distance, prim, place)| {
-            if found.is_none_or(|(best, _)| (distance, prim) < (limit, best)) {
-                *found = Some((prim, place));
-                return distance;
-            }
-            limit
-        });
+        self.meet(node);
         Flow::Continue
     }
 }
@@ -83,45 +88,51 @@ impl BoxQuery for NearestPoint<'_> {
 
 /// A ball around a point that shrinks as nearer triangles are found.
 #[derive(Clone, Debug)]
-struct Around<'a> {
-    bvh: &'a Bvh,
+pub(super) struct Around<'a, H> {
+    pub(super) bvh: &'a H,
     measure: Measure,
     /// What is farther away does not matter any more.
-    limit: f32,
+    pub(super) limit: f32,
 }
 
-impl<'a> Around<'a> {
-    fn new(bvh: &'a Bvh, ball: &Ball) -> Self {
+impl<'a, H: Held<Triangle>> Around<'a, H> {
+    fn new(bvh: &'a H, ball: &Ball) -> Self {
         Self { bvh, measure: Measure::new(ball.center(), ball.radius()), limit: ball.radius() }
     }
 
-    fn descend(&self, node: Node) -> Descent {
-        let record = self.bvh.node(node.index());
-        // Rounding keeps the order, so what is in the box is at least at its rounded distance.
-        let [left, right] = [Side::Left, Side::Right].map(|side| self.measure.to_box(&record.child_box(side)) as f32);
-        Descent::new(left <= self.limit, right <= self.limit, right < left)
-    }
-
-    fn touches(&self, aabb: &Aabb) -> bool {
-        self.measure.to_box(aabb) as f32 <= self.limit
+    /// At most the distance of what is in a box: rounding keeps the order.
+    pub(super) fn to_box(&self, aabb: &Aabb) -> f32 {
+        self.measure.to_box(aabb) as f32
     }
 
     /// Shows the triangles of a leaf within the limit: the limit and, of each, distance, index and place in the
     /// hierarchy. The answer is the new limit.
     fn meet(&mut self, leaf: Node, mut found: impl FnMut(f32, (f32, u32, usize)) -> f32) {
-        let range = self.bvh.leaf_range(leaf);
-        for (place, held) in range.clone().zip(&self.bvh.triangles()[range]) {
-            if let Some(distance) = self.measure.distance(&held.shape, self.limit)
-                && distance <= self.limit
+        let Self { bvh, measure, limit } = self;
+        bvh.for_each(leaf, |place, shape, prim| {
+            if let Some(distance) = measure.distance(shape, *limit)
+                && distance <= *limit
                 // A hierarchy has a triangle even if all of the mesh are degenerate.
-                && !held.shape.is_degenerate()
+                && !shape.is_degenerate()
             {
-                self.limit = found(self.limit, (distance, held.prim, place));
+                *limit = found(*limit, (distance, prim, place));
             }
-        }
+        });
     }
 
     fn near(&self, prim: u32, distance: f32, place: usize) -> Near {
-        Near { prim, distance, point: self.measure.nearest(&self.bvh.triangles()[place].shape) }
+        Near { prim, distance, point: self.measure.nearest(&self.bvh.shape(place)) }
+    }
+}
+
+impl Around<'_, Bvh> {
+    fn descend(&self, node: Node) -> Descent {
+        let record = self.bvh.node(node.index());
+        let [left, right] = [Side::Left, Side::Right].map(|side| self.to_box(&record.child_box(side)));
+        Descent::new(left <= self.limit, right <= self.limit, right < left)
+    }
+
+    fn touches(&self, aabb: &Aabb) -> bool {
+        self.to_box(aabb) <= self.limit
     }
 }

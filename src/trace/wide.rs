@@ -1,17 +1,21 @@
 //! Rays through wide hierarchies: eight boxes and four triangles at once.
 
 mod search;
+mod shared;
 mod turns;
 
 use std::borrow::Borrow;
-use std::fmt;
+use std::{fmt, vec};
 
-use super::Hit;
+use super::cast::Cast;
+use super::tracer::CHUNK;
+use super::{Crossings, Following, Hit, Near, NearestPoint, NearestPoints, Sweep, next};
 use crate::bvh::{WideBvh, WideError};
-use crate::geom::lanes::Level;
-use crate::geom::{Mesh, Ray};
+use crate::geom::lanes::{Level, with_baseline};
+use crate::geom::{Ball, Mesh, Ray};
 use crate::threads;
 use crate::wide::{Method, Tables, Unfit};
+use shared::{LaneRay, Query};
 use turns::{Ask, Job, trace};
 
 /// Answers queries over a hierarchy of eight children, exactly: the same answers, bit for bit, as
@@ -39,9 +43,6 @@ pub struct WideTracer<T = WideBvh> {
     tables: Tables,
     level: Level,
 }
-
-/// Rays that a thread takes at once.
-const CHUNK: usize = 256;
 
 impl WideTracer {
     /// A tracer that owns a hierarchy over a mesh, by [`WideBvh::build`].
@@ -148,6 +149,128 @@ impl<T: Borrow<WideBvh>> WideTracer<T> {
         self.one(ray, Ask::AnyHit)
     }
 
+    /// [`any_hit`](Self::any_hit) of each ray, on this thread.
+    pub fn any_hit_each(&self, rays: &[Ray]) -> Vec<Option<Hit>> {
+        self.each(rays, Ask::AnyHit, |hit| hit)
+    }
+
+    /// [`any_hit`](Self::any_hit) of each ray, on all threads.
+    pub fn any_hit_parallel(&self, rays: &[Ray]) -> Vec<Option<Hit>>
+    where
+        T: Sync,
+    {
+        self.parallel(rays, Ask::AnyHit, |hit| hit)
+    }
+
+    /// All hits, each triangle once, in the order (`t`, primitive): edges and corners included.
+    pub fn all(&self, ray: &Ray) -> vec::IntoIter<Hit> {
+        self.all_hits(ray).into_iter()
+    }
+
+    /// [`all`](Self::all) of each ray, on this thread.
+    pub fn all_each(&self, rays: &[Ray]) -> Vec<Vec<Hit>> {
+        rays.iter().map(|ray| self.all_hits(ray)).collect()
+    }
+
+    /// [`all`](Self::all) of each ray, on all threads.
+    pub fn all_parallel(&self, rays: &[Ray]) -> Vec<Vec<Hit>>
+    where
+        T: Sync,
+    {
+        in_parallel(rays, |ray| self.all_hits(ray))
+    }
+
+    /// The first hit in the order (`t`, primitive) that comes after the given one, which need not be a hit. So hits can
+    /// be walked through one by one: none is lost or met again, not even where many have the same `t`.
+    pub fn next(&self, ray: &Ray, after: (f32, u32)) -> Option<Hit> {
+        let bvh = self.bvh();
+        with_baseline!(simd => {
+            let cast = Cast::with(bvh, ray, LaneRay::new(simd, &next::rest(ray, after.0), bvh));
+            let mut query = Following::over(cast, after);
+            self.run_shared(&mut query);
+            query.hit()
+        })
+    }
+
+    /// How often the ray crosses a closed mesh, where a crossing at an edge or a corner is one, and touching is none:
+    /// an odd number of times from a point inside, an even number from a point outside. `[PARITY-1]`
+    ///
+    /// ```
+    /// use glam::Vec3;
+    /// use stackless_bvh::{generate::stress, geom::Ray, trace::WideTracer};
+    ///
+    /// let mesh = stress::icosphere(2, 1.0, Vec3::ZERO)?;
+    /// let tracer = WideTracer::of(&mesh)?;
+    /// for &corner in mesh.vertices() {
+    ///     assert_eq!(tracer.crossings(&Ray::new(Vec3::ZERO, corner)?) % 2, 1);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn crossings(&self, ray: &Ray) -> u32 {
+        let bvh = self.bvh();
+        with_baseline!(simd => {
+            let mut query = Crossings::over(Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh)));
+            self.run_shared(&mut query);
+            query.count()
+        })
+    }
+
+    /// [`crossings`](Self::crossings) of each ray, on this thread.
+    pub fn crossings_each(&self, rays: &[Ray]) -> Vec<u32> {
+        rays.iter().map(|ray| self.crossings(ray)).collect()
+    }
+
+    /// [`crossings`](Self::crossings) of each ray, on all threads.
+    pub fn crossings_parallel(&self, rays: &[Ray]) -> Vec<u32>
+    where
+        T: Sync,
+    {
+        in_parallel(rays, |ray| self.crossings(ray))
+    }
+
+    /// The point of the mesh that is nearest to the middle of a ball, if there is one in it. `[NEAR-1]`
+    pub fn nearest(&self, ball: &Ball) -> Option<Near> {
+        let mut query = NearestPoint::new(self.bvh(), ball);
+        self.run_shared(&mut query);
+        query.near()
+    }
+
+    /// [`nearest`](Self::nearest) of each ball, on this thread.
+    pub fn nearest_each(&self, balls: &[Ball]) -> Vec<Option<Near>> {
+        balls.iter().map(|ball| self.nearest(ball)).collect()
+    }
+
+    /// [`nearest`](Self::nearest) of each ball, on all threads.
+    pub fn nearest_parallel(&self, balls: &[Ball]) -> Vec<Option<Near>>
+    where
+        T: Sync,
+    {
+        in_parallel(balls, |ball| self.nearest(ball))
+    }
+
+    /// The `k` triangles that are nearest to the middle of a ball, in order of distance and then index, as many as
+    /// there are in the ball. `[NEAR-2]`
+    pub fn nearest_k(&self, ball: &Ball, k: usize) -> Vec<Near> {
+        let mut query = NearestPoints::new(self.bvh(), ball, k);
+        self.run_shared(&mut query);
+        query.nears().collect()
+    }
+
+    fn all_hits(&self, ray: &Ray) -> Vec<Hit> {
+        let bvh = self.bvh();
+        with_baseline!(simd => {
+            let cast = Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh));
+            let mut query = Sweep::over(cast, bvh.duplicates() > 0);
+            self.run_shared(&mut query);
+            query.hits()
+        })
+    }
+
+    fn run_shared(&self, query: &mut dyn Query) {
+        let ran = shared::run(self.method, self.bvh(), &self.tables, query);
+        debug_assert_eq!(ran, Ok(()));
+    }
+
     fn one(&self, ray: &Ray, ask: Ask) -> Option<Hit> {
         let mut answer = None;
         self.run_fit(std::slice::from_ref(ray), ask, &mut |_, hit| answer = hit);
@@ -182,6 +305,11 @@ impl<T: Borrow<WideBvh>> WideTracer<T> {
     fn run(&self, rays: &[Ray], ask: Ask, answer: &mut dyn FnMut(usize, Option<Hit>)) -> Result<(), Unfit> {
         trace(self.level, self.method, &mut Job { bvh: self.bvh(), tables: &self.tables, rays, ask, answer })
     }
+}
+
+/// Answers each, on all threads.
+fn in_parallel<I: Sync, A: Send>(items: &[I], answer: impl Fn(&I) -> A + Sync + Send) -> Vec<A> {
+    threads::map(0..items.len(), CHUNK, |i| answer(&items[i]))
 }
 
 const fn distance(hit: Hit) -> (u32, f32) {

@@ -168,8 +168,20 @@ impl Method {
         search: &mut impl Search<A>,
         recorder: &mut impl Recorder,
     ) -> Result<(), Unfit> {
-        let memory = &mut Scratch::default();
-        self.dispatch(Run { from: Supply { tree, tables, memory }, search, recorder })
+        self.run_in(Supply { tree, tables, memory: &mut Scratch::default() }, search, recorder)
+    }
+
+    /// [`run`](Self::run) with memory that is kept from one search to the next.
+    ///
+    /// # Errors
+    /// [`Unfit`], before the first step.
+    pub fn run_in<const A: usize, T: Topology<A>>(
+        self,
+        from: Supply<'_, T>,
+        search: &mut impl Search<A>,
+        recorder: &mut impl Recorder,
+    ) -> Result<(), Unfit> {
+        self.dispatch(Run { from, search, recorder })
     }
 }
 

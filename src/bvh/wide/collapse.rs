@@ -88,7 +88,7 @@ impl<const A: usize> WideBvh<A> {
         }
         let draft = Draft::of(bvh, max_leaf);
         let programme = Programme::of(&draft, options);
-        Collapse { bvh, draft: &draft, programme: &programme, made: Self::empty(), held: Vec::new() }.run()
+        Collapse { bvh, draft: &draft, programme: &programme, made: Self::empty(), held: Vec::new(), references: 0 }.run()
     }
 }
 
@@ -99,6 +99,8 @@ struct Collapse<'a, const A: usize> {
     made: WideBvh<A>,
     /// The triangles of a leaf, while it is made.
     held: Vec<LeafTriangle>,
+    /// Triangles of all leaves so far.
+    references: usize,
 }
 
 /// What an inner node is made of.
@@ -119,7 +121,8 @@ struct Pending {
 impl<const A: usize> Collapse<'_, A> {
     fn run(mut self) -> Result<WideBvh<A>, WideError> {
         self.made.region = *self.bvh.region();
-        self.made.triangles = self.bvh.triangles().len() + self.bvh.dropped() - self.bvh.duplicates();
+        let different = self.bvh.triangles().len() - self.bvh.duplicates();
+        self.made.triangles = different + self.bvh.dropped();
         let mut pending = vec![Pending { source: Source::Node(0), index: 0, level: 0 }];
         let mut inner = Vec::new();
         while let Some(Pending { source, index, level }) = pending.pop() {
@@ -145,6 +148,7 @@ impl<const A: usize> Collapse<'_, A> {
             self.made.nodes[index].ancestors[0] |= leaves << super::ANCESTOR_BITS;
             pending.extend(inner.drain(..).rev());
         }
+        self.made.duplicates = self.references - different;
         Ok(self.made)
     }
 
@@ -176,6 +180,7 @@ impl<const A: usize> Collapse<'_, A> {
             self.held.sort_by_key(|held| held.prim);
             self.held.dedup_by_key(|held| held.prim);
         }
+        self.references += self.held.len();
         let first = self.made.blocks.len();
         for held in self.held.chunks(4) {
             let mut block = Block::EMPTY;

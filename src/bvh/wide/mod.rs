@@ -26,6 +26,8 @@ mod validate;
 pub use collapse::{WideError, WideOptions};
 pub use validate::WideBvhError;
 
+use std::ops::Range;
+
 use crate::geom::lanes::Block;
 use crate::geom::{Aabb, Region};
 use crate::tree::Node;
@@ -42,6 +44,7 @@ pub struct WideBvh<const A: usize = 8> {
     levels: u32,
     /// Triangles of the mesh, those that are in no leaf included.
     triangles: usize,
+    duplicates: usize,
 }
 
 /// An inner node: 256 bytes for eight children, 128 for four.
@@ -81,7 +84,7 @@ impl<const A: usize> WideBvh<A> {
     /// A hierarchy of no triangles: a root without children.
     pub fn empty() -> Self {
         let region = Region::of(&Aabb { lo: Vec3::ZERO, hi: Vec3::ZERO });
-        Self { nodes: vec![WideNode::EMPTY], blocks: Vec::new(), region, levels: 0, triangles: 0 }
+        Self { nodes: vec![WideNode::EMPTY], blocks: Vec::new(), region, levels: 0, triangles: 0, duplicates: 0 }
     }
 
     /// Inner nodes, at least the root, which is the first. A parent stands before its children.
@@ -102,6 +105,11 @@ impl<const A: usize> WideBvh<A> {
         &self.region
     }
 
+    /// How many references to triangles there are beyond the first of each: 0 unless spatial splits cut some in two.
+    pub fn duplicates(&self) -> usize {
+        self.duplicates
+    }
+
     /// Memory of nodes and blocks, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.nodes) + size_of_val(&*self.blocks)
@@ -112,6 +120,12 @@ impl<const A: usize> WideBvh<A> {
     pub fn leaf(&self, leaf: Node) -> (&[Block], u32) {
         let (first, count) = leaf_parts(leaf);
         (&self.blocks[first..first + count.div_ceil(4) as usize], count)
+    }
+
+    /// The places of a leaf's triangles: of each four times that of its block, and its lane.
+    pub(crate) fn leaf_places(&self, leaf: Node) -> Range<usize> {
+        let (first, count) = leaf_parts(leaf);
+        4 * first..4 * first + count as usize
     }
 }
 

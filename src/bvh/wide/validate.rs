@@ -126,6 +126,14 @@ pub enum WideBvhError {
         /// Triangles of the mesh.
         found: usize,
     },
+    /// The stated number of references beyond the first to each triangle is another one.
+    #[error("{found} references are to triangles of other leaves, not {stored}")]
+    Duplicates {
+        /// What the hierarchy says.
+        stored: usize,
+        /// What was found.
+        found: usize,
+    },
     /// The stated level of the deepest inner node is another one, or above the limit.
     #[error("the deepest inner node is at level {found}, not {stored}")]
     Levels {
@@ -171,10 +179,11 @@ impl<const A: usize> WideBvh<A> {
                 return Err(WideBvhError::Twice { node: node as usize, slot, prim });
             }
         }
-        let mut around = Aabb::EMPTY;
+        let (mut around, mut duplicates) = (Aabb::EMPTY, 0);
         let mut next = 0;
         for held in references.chunk_by(|a, b| a.0 == b.0) {
             let prim = held[0].0;
+            duplicates += held.len() - 1;
             check_left_out(mesh, next..prim)?;
             next = prim + 1;
             let triangle = Triangle(mesh.triangle(prim as usize));
@@ -185,6 +194,9 @@ impl<const A: usize> WideBvh<A> {
             around = around.union(triangle.aabb());
         }
         check_left_out(mesh, next..mesh.triangles().len() as u32)?;
+        if duplicates != self.duplicates {
+            return Err(WideBvhError::Duplicates { stored: self.duplicates, found: duplicates });
+        }
         let needed = Region::of(&around);
         let holds = self.region.reach() >= needed.reach() && self.region.size() >= needed.size();
         if references.is_empty() || holds { Ok(()) } else { Err(WideBvhError::Region) }

@@ -57,6 +57,21 @@ pub fn levels() -> Vec<(&'static str, Level)> {
     vec![(if best.is_fallback() { "scalar" } else { "simd" }, best)]
 }
 
+/// Does something with the instructions that every machine of the target has: where a choice is not worth a copy of the
+/// code for each level.
+macro_rules! with_baseline {
+    ($simd:ident => $run:expr) => {{
+        #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
+        match $crate::geom::lanes::Level::baseline().as_sse2() {
+            Some($simd) => $run,
+            None => unreachable!("the target has SSE2"),
+        }
+        #[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
+        fearless_simd::dispatch!($crate::geom::lanes::Level::baseline(), $simd => $run)
+    }};
+}
+pub(crate) use with_baseline;
+
 /// A vector of `A` floats: `f32x4` or `f32x8`.
 pub trait Lanes<S: Simd, const A: usize>: SimdFloat<S, Element = f32, Array = [f32; A]> {}
 

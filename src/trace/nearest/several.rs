@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 
 use super::{Around, Near};
 use crate::bvh::Bvh;
-use crate::geom::{Aabb, Ball};
+use crate::geom::{Aabb, Ball, Triangle};
 use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::trace::BoxQuery;
+use crate::trace::held::Held;
 use crate::tree::{Node, Topology};
 
 /// A search for the `k` nearest triangles of a mesh within a radius, exact: the first `k` in the order of
@@ -15,17 +16,17 @@ use crate::tree::{Node, Topology};
 /// The radius shrinks to the distance of the `k`-th triangle so far. Memory is for as many triangles as are found, and
 /// each costs the logarithm of `k`.
 #[derive(Clone, Debug)]
-pub struct NearestPoints<'a> {
-    around: Around<'a>,
+pub struct NearestPoints<'a, H = Bvh> {
+    pub(in crate::trace) around: Around<'a, H>,
     k: usize,
     /// By distance and index, where they are in the hierarchy. The bits of distances, which are not negative, have
     /// their order. A triangle that several leaves refer to has one distance, and so one entry.
     found: BTreeMap<(u32, u32), usize>,
 }
 
-impl<'a> NearestPoints<'a> {
+impl<'a, H: Held<Triangle>> NearestPoints<'a, H> {
     /// Prepares a search. `k` may be any number.
-    pub fn new(bvh: &'a Bvh, ball: &Ball, k: usize) -> Self {
+    pub fn new(bvh: &'a H, ball: &Ball, k: usize) -> Self {
         let mut around = Around::new(bvh, ball);
         if k == 0 {
             // Nothing is so near.
@@ -38,16 +39,10 @@ impl<'a> NearestPoints<'a> {
     pub fn nears(&self) -> impl ExactSizeIterator<Item = Near> {
         self.found.iter().map(|(&(distance, prim), &place)| self.around.near(prim, f32::from_bits(distance), place))
     }
-}
 
-impl Visitor for NearestPoints<'_> {
-    fn inner(&mut self, node: Node) -> Descent {
-        self.around.descend(node)
-    }
-
-    fn leaf(&mut self, node: Node) -> Flow {
+    pub(in crate::trace) fn meet(&mut self, leaf: Node) {
         let Self { around, k, found } = self;
-        around.meet(node, |limit, (distance, prim, place)| {
+        around.meet(leaf, |limit, (distance, prim, place)| {
             found.insert((distance.abs().to_bits(), prim), place);
             if found.len() > *k {
                 found.pop_last();
@@ -57,6 +52,16 @@ impl Visitor for NearestPoints<'_> {
                 _ => limit,
             }
         });
+    }
+}
+
+impl Visitor for NearestPoints<'_> {
+    fn inner(&mut self, node: Node) -> Descent {
+        self.around.descend(node)
+    }
+
+    fn leaf(&mut self, node: Node) -> Flow {
+        self.meet(node);
         Flow::Continue
     }
 }

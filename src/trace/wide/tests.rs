@@ -3,6 +3,7 @@ use crate::bvh::{BuildOptions, Builder, Bvh};
 use crate::generate::{procedural, stress};
 use crate::geom::{Mesh, lanes};
 use crate::trace::{Tracer, Truth};
+use crate::traverse;
 
 fn bits(hit: Option<Hit>) -> Option<(u32, [u32; 3])> {
     hit.map(|Hit { prim, t, u, v }| (prim, [t, u, v].map(f32::to_bits)))
@@ -13,7 +14,9 @@ fn compare(mesh: &Mesh, rays: &[Ray], options: &BuildOptions) -> usize {
     let bvh = options.build(mesh).expect("a hierarchy");
     let (wide, binary) = (WideBvh::of(&bvh).expect("a wide one"), Tracer::new(&bvh));
     let expected: Vec<_> = binary.closest_each(rays).into_iter().map(bits).collect();
+    let rare = Rare::of(&bvh, &binary, rays);
     for method in Method::ALL {
+        rare.compare(&WideTracer::with_method(&wide, method).expect("a tracer"), rays);
         for (name, level) in lanes::levels() {
             let tracer = WideTracer::with_method(&wide, method).expect("a tracer").with_level(level);
             let closest: Vec<_> = tracer.closest_each(rays).into_iter().map(bits).collect();
@@ -30,7 +33,55 @@ fn compare(mesh: &Mesh, rays: &[Ray], options: &BuildOptions) -> usize {
     expected.iter().flatten().count()
 }
 
-/// [DET-1] [LANES-1] [LANES-2] [LANES-3] [LANES-4] [WIDE-4] [WIDE-8]
+/// What a binary tracer answers to the queries that share one copy of the traversals, for every third ray.
+struct Rare {
+    all: Vec<Vec<Hit>>,
+    crossings: Vec<u32>,
+    near: Vec<Vec<Near>>,
+}
+
+/// Some balls have nothing in them, some all.
+fn ball(i: usize, ray: &Ray) -> Ball {
+    Ball::new(ray.origin(), [0.1, 0.5, f32::INFINITY][i % 3]).expect("a ball")
+}
+
+/// None, one, some, and all.
+const SEVERAL: [usize; 4] = [0, 1, 5, 100_000];
+
+impl Rare {
+    fn of(bvh: &Bvh, binary: &Tracer<&Bvh>, rays: &[Ray]) -> Self {
+        let crossings = |ray: &Ray| {
+            let mut crossings = Crossings::new(bvh, ray);
+            traverse::traverse(traverse::Stack::new(bvh, &mut Vec::new()), &mut crossings, &mut ());
+            crossings.count()
+        };
+        let rays = || rays.iter().step_by(3).enumerate();
+        Self {
+            all: rays().map(|(_, ray)| binary.all(ray).collect()).collect(),
+            crossings: rays().map(|(_, ray)| crossings(ray)).collect(),
+            near: rays().map(|(i, ray)| binary.nearest_k(&ball(i, ray), SEVERAL[i % 4])).collect(),
+        }
+    }
+
+    fn compare(&self, tracer: &WideTracer<&WideBvh>, rays: &[Ray]) {
+        let method = tracer.method();
+        for (i, ray) in rays.iter().step_by(3).enumerate() {
+            let all: Vec<_> = tracer.all(ray).collect();
+            assert_eq!(all, self.all[i], "{method} {ray:?}");
+            assert_eq!(tracer.crossings(ray), self.crossings[i], "{method} {ray:?}");
+            let after = |hit: Option<&Hit>| hit.map_or((f32::NEG_INFINITY, 0), |hit| (hit.t, hit.prim));
+            for at in 0..=all.len().min(4) {
+                assert_eq!(tracer.next(ray, after(all[..at].last())), all.get(at).copied(), "{method} {ray:?} {at}");
+            }
+            let ball = ball(i, ray);
+            let near = tracer.nearest_k(&ball, SEVERAL[i % 4]);
+            assert_eq!(near, self.near[i], "{method} {ball:?}");
+            assert_eq!(tracer.nearest(&ball), tracer.nearest_k(&ball, 1).pop(), "{method} {ball:?}");
+        }
+    }
+}
+
+/// [DET-1] [PARITY-1] [NEAR-1] [NEAR-2] [LANES-1] [LANES-2] [LANES-3] [LANES-4] [WIDE-4] [WIDE-8]
 #[test]
 fn all_traversals_and_levels_answer_as_the_binary_tracer_does() {
     let meshes = [procedural::soup(1, 500), procedural::strands(2, 60), procedural::layers(40)];
@@ -66,6 +117,12 @@ fn the_truth_is_the_answer() {
     }
     assert_eq!(tracer.closest_parallel(&rays), tracer.closest_each(&rays));
     assert_eq!(tracer.any_parallel(&rays), tracer.any_each(&rays));
+    assert_eq!(tracer.any_hit_parallel(&rays), tracer.any_hit_each(&rays));
+    assert_eq!(tracer.all_parallel(&rays), tracer.all_each(&rays));
+    assert_eq!(tracer.crossings_parallel(&rays), tracer.crossings_each(&rays));
+    let balls: Vec<_> = rays.iter().enumerate().map(|(i, ray)| ball(i, ray)).collect();
+    assert_eq!(tracer.nearest_parallel(&balls), tracer.nearest_each(&balls));
+    assert_eq!(tracer.nearest_each(&balls), Tracer::of(&mesh).unwrap().nearest_each(&balls));
 }
 
 #[test]
@@ -76,6 +133,9 @@ fn an_empty_hierarchy_and_no_rays() {
         assert_eq!((tracer.closest(&ray), tracer.any(&ray)), (None, false));
         assert_eq!(tracer.closest_each(&[ray; 3]), [None; 3]);
         assert_eq!(tracer.any_each(&[]), [false; 0]);
+        assert_eq!((tracer.all(&ray).len(), tracer.next(&ray, (0.0, 0)), tracer.crossings(&ray)), (0, None, 0));
+        let ball = Ball::around(glam::Vec3::ZERO).unwrap();
+        assert_eq!((tracer.nearest(&ball), tracer.nearest_k(&ball, 3)), (None, vec![]));
     }
 }
 

@@ -36,11 +36,16 @@ pub(super) struct Job<'a, 'f> {
 
 /// Answers each ray of a job.
 pub(super) fn trace(level: Level, method: Method, job: &mut Job<'_, '_>) -> Result<(), Unfit> {
+    with_memory(|memory| match job.ask {
+        Ask::Closest | Ask::Distance => method.dispatch(Start::<false> { level, job, memory }),
+        Ask::Any | Ask::AnyHit => method.dispatch(Start::<true> { level, job, memory }),
+    })
+}
+
+/// Does something with the cursors' memory of this thread.
+pub(super) fn with_memory<R>(run: impl FnOnce(&mut [Scratch; 2]) -> R) -> R {
     let mut memory = MEMORY.try_with(Cell::take).ok().flatten().unwrap_or_default();
-    let ran = match job.ask {
-        Ask::Closest | Ask::Distance => method.dispatch(Start::<false> { level, job, memory: &mut memory }),
-        Ask::Any | Ask::AnyHit => method.dispatch(Start::<true> { level, job, memory: &mut memory }),
-    };
+    let ran = run(&mut memory);
     // A thread that ends keeps nothing any more.
     _ = MEMORY.try_with(|kept| kept.set(Some(memory)));
     ran

@@ -1,0 +1,67 @@
+//! What leaves hold, whatever the tree above them.
+
+use crate::bvh::{Bvh, WideBvh};
+use crate::geom::{Region, Triangle};
+use crate::tree::Node;
+
+/// The shapes in the leaves of a hierarchy: all that rare queries need of it, but for boxes.
+pub trait Held<S> {
+    /// What the tests of a ray need to know of the whole.
+    fn region(&self) -> &Region;
+
+    /// Whether a shape may be in several leaves.
+    fn has_repeats(&self) -> bool;
+
+    /// Shows the shapes of a leaf: of each its place, which [`shape`](Self::shape) takes, and its index in the mesh.
+    fn for_each(&self, leaf: Node, show: impl FnMut(usize, &S, u32));
+
+    /// The shape at a place.
+    fn shape(&self, place: usize) -> S;
+}
+
+impl<S: Copy> Held<S> for Bvh<S> {
+    #[inline]
+    fn region(&self) -> &Region {
+        self.region()
+    }
+
+    #[inline]
+    fn has_repeats(&self) -> bool {
+        self.duplicates() > 0
+    }
+
+    #[inline]
+    fn for_each(&self, leaf: Node, mut show: impl FnMut(usize, &S, u32)) {
+        let range = self.leaf_range(leaf);
+        for (place, held) in range.clone().zip(&self.triangles()[range]) {
+            show(place, &held.shape, held.prim);
+        }
+    }
+
+    #[inline]
+    fn shape(&self, place: usize) -> S {
+        self.triangles()[place].shape
+    }
+}
+
+/// A place is four times the block's, and the lane.
+impl<const A: usize> Held<Triangle> for WideBvh<A> {
+    fn region(&self) -> &Region {
+        self.region()
+    }
+
+    fn has_repeats(&self) -> bool {
+        self.duplicates() > 0
+    }
+
+    fn for_each(&self, leaf: Node, mut show: impl FnMut(usize, &Triangle, u32)) {
+        for place in self.leaf_places(leaf) {
+            let (block, lane) = (&self.blocks()[place / 4], place & 3);
+            show(place, &block.triangle(lane), block.prims[lane]);
+        }
+    }
+
+    fn shape(&self, place: usize) -> Triangle {
+        self.blocks()[place / 4].triangle(place & 3)
+    }
+}

@@ -1,0 +1,117 @@
+//! The rare queries: all hits, the next hit, crossings, and what is nearest to a point. As in binary hierarchies they
+//! share one copy of the traversals.
+
+use std::array;
+
+use fearless_simd::{Simd, f32x8};
+
+use super::turns::with_memory;
+use crate::bvh::WideBvh;
+use crate::geom::kernel::Exact;
+use crate::geom::lanes::BoxRay;
+use crate::geom::Ray;
+use crate::order::Flow;
+use crate::trace::cast::Cast;
+use crate::trace::nearest::Around;
+use crate::trace::{Crossings, Following, NearestPoint, NearestPoints, Sweep};
+use crate::tree::Node;
+use crate::wide::{Method, Search, Supply, Tables, Unfit, Wanted};
+
+/// A query for any traversal. As `&mut dyn Query` it is one type for all kinds.
+pub(super) trait Query {
+    /// The children that it wants of an inner node, with the distances of their boxes.
+    fn ask(&mut self, node: Node) -> Wanted<[u32; 8]>;
+
+    /// Looks at the triangles of a leaf.
+    fn leaf(&mut self, leaf: Node);
+
+    /// What is at a greater distance is not looked at any more.
+    fn end(&self) -> f32;
+}
+
+/// Runs a query to its end.
+pub(super) fn run(method: Method, tree: &WideBvh, tables: &Tables, query: &mut dyn Query) -> Result<(), Unfit> {
+    with_memory(|[memory, _]| method.run_in(Supply { tree, tables, memory }, &mut Shared(query), &mut ()))
+}
+
+struct Shared<'q>(&'q mut dyn Query);
+
+impl Search<8> for Shared<'_> {
+    type Ranks = [u32; 8];
+
+    fn ask(&mut self, node: Node) -> Wanted<[u32; 8]> {
+        self.0.ask(node)
+    }
+
+    fn leaf(&mut self, leaf: Node) -> Flow {
+        self.0.leaf(leaf);
+        Flow::Continue
+    }
+
+    fn end(&self) -> u32 {
+        // -0 becomes 0.
+        (self.0.end() + 0.0).to_bits()
+    }
+}
+
+/// A ray that is prepared for the boxes of a node.
+#[derive(Clone, Debug)]
+pub(super) struct LaneRay<S: Simd>(BoxRay<S, f32x8<S>, 8>);
+
+impl<S: Simd> LaneRay<S> {
+    pub(super) fn new(simd: S, ray: &Ray, bvh: &WideBvh) -> Self {
+        Self(BoxRay::new(simd, ray, bvh.region()))
+    }
+}
+
+impl<S: Simd> Cast<'_, Exact, LaneRay<S>, WideBvh> {
+    /// The children that the ray meets. `[LANES-2]`
+    fn ask(&self, node: Node) -> Wanted<[u32; 8]> {
+        let LaneRay(boxes) = &self.slabs;
+        let (ranks, set) = boxes.enter(&self.bvh.nodes()[node.index()].planes, self.end + 0.0);
+        Wanted { set, ranks: array::from_fn(|slot| BoxRay::<S, f32x8<S>, 8>::rank(&ranks, slot as u32)) }
+    }
+}
+
+impl Around<'_, WideBvh> {
+    /// The children that are near enough. As of a ray's boxes, the slot is in the lowest bits of a rank, and so the
+    /// distance is compared without them. `[WIDE-4]`
+    fn ask(&self, node: Node) -> Wanted<[u32; 8]> {
+        let node = &self.bvh.nodes()[node.index()];
+        let mut wanted = Wanted { set: 0, ranks: [0; 8] };
+        for (slot, rank) in (0..).zip(&mut wanted.ranks) {
+            if node.has_child(slot) {
+                let distance = self.to_box(&node.child_box(slot)).to_bits() & !7;
+                wanted.set |= u32::from(f32::from_bits(distance) <= self.limit) << slot;
+                *rank = distance | slot;
+            }
+        }
+        wanted
+    }
+}
+
+/// A query that has it all in one of its fields.
+macro_rules! query {
+    ($([$($generic:tt)*] $query:ty, $field:ident: $end:ident;)*) => {$(
+        impl<$($generic)*> Query for $query {
+            fn ask(&mut self, node: Node) -> Wanted<[u32; 8]> {
+                self.$field.ask(node)
+            }
+
+            fn leaf(&mut self, leaf: Node) {
+                self.meet(leaf);
+            }
+
+            fn end(&self) -> f32 {
+                self.$field.$end
+            }
+        }
+    )*};
+}
+query! {
+    [S: Simd] Sweep<'_, Exact, LaneRay<S>, WideBvh>, cast: end;
+    [S: Simd] Following<'_, Exact, LaneRay<S>, WideBvh>, cast: end;
+    [S: Simd] Crossings<'_, LaneRay<S>, WideBvh>, cast: end;
+    [] NearestPoint<'_, WideBvh>, around: limit;
+    [] NearestPoints<'_, WideBvh>, around: limit;
+}
