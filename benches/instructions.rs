@@ -10,7 +10,7 @@ use gungraun::{Callgrind, EventKind};
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::trace::{Tracer, bounce};
+use stackless_bvh::trace::{BinaryTracer, bounce};
 use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::Recorded;
 
@@ -36,9 +36,9 @@ fn scene(method: Method) -> (Method, &'static Scene) {
     (method, Box::leak(Box::new(Scene { bvh, rays })))
 }
 
-fn tracer(method: Method) -> (Tracer<&'static Bvh>, &'static [Ray]) {
+fn tracer(method: Method) -> (BinaryTracer<&'static Bvh>, &'static [Ray]) {
     let (method, scene) = scene(method);
-    (Tracer::with_method(&scene.bvh, method).expect("it runs on any tree"), &scene.rays)
+    (BinaryTracer::with_method(&scene.bvh, method).expect("it runs on any tree"), &scene.rays)
 }
 
 #[library_benchmark(setup = tracer)]
@@ -49,7 +49,7 @@ fn tracer(method: Method) -> (Tracer<&'static Bvh>, &'static [Ray]) {
 #[bench::hash_only(Method::HashOnly)]
 #[bench::hashed(Method::Hashed)]
 #[bench::implicit_b1(Method::ImplicitB1)]
-fn closest((tracer, rays): (Tracer<&'static Bvh>, &'static [Ray])) -> usize {
+fn closest((tracer, rays): (BinaryTracer<&'static Bvh>, &'static [Ray])) -> usize {
     black_box(tracer.closest_each(black_box(rays))).iter().flatten().count()
 }
 
@@ -59,7 +59,7 @@ fn closest((tracer, rays): (Tracer<&'static Bvh>, &'static [Ray])) -> usize {
 #[bench::afra(Method::Afra)]
 #[bench::uncle(Method::Uncle)]
 #[bench::hashed(Method::Hashed)]
-fn any((tracer, rays): (Tracer<&'static Bvh>, &'static [Ray])) -> usize {
+fn any((tracer, rays): (BinaryTracer<&'static Bvh>, &'static [Ray])) -> usize {
     black_box(tracer.any_each(black_box(rays))).iter().filter(|&&hit| hit).count()
 }
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::trace::{Tracer, bounce};
+use stackless_bvh::trace::{BinaryTracer, bounce};
 
 use crate::kernel::{Kernel, Traversal};
 use crate::launch::{self, Buffers, params};
@@ -128,7 +128,7 @@ pub fn bench(
     say: &mut dyn FnMut(Result<&Row, Traffic>),
 ) -> Result<(), GpuError> {
     let scene = Scene::new(gpu, bvh)?;
-    let tracer = Tracer::new(bvh);
+    let tracer = BinaryTracer::new(bvh);
     for view in 0..setting.views {
         let primary = made::view(mesh, setting.rays, view + 1);
         let mut diffuse: Vec<Ray> = bounce(mesh, bvh, &primary, view + 1);

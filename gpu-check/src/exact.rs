@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::geom::kernel::Exact;
 use stackless_bvh::geom::{Kernel as _, Ray};
-use stackless_bvh::trace::{Hit, Tracer};
+use stackless_bvh::trace::{Hit, BinaryTracer};
 
 use crate::kernel::Kernel;
 use crate::launch::compile;
@@ -122,7 +122,7 @@ pub fn settle(bvh: &Bvh, rays: &[Ray], found: &[u32]) -> (Vec<Option<Hit>>, usiz
     let mut hits: Vec<Option<Hit>> = rays.par_iter().zip(found).map(certain).collect();
     let uncertain: Vec<usize> = (0..rays.len()).filter(|&i| found.get(i) == Some(&UNCERTAIN)).collect();
     let open: Vec<Ray> = uncertain.iter().map(|&i| rays[i]).collect();
-    for (&i, hit) in uncertain.iter().zip(Tracer::new(bvh).closest_parallel(&open)) {
+    for (&i, hit) in uncertain.iter().zip(BinaryTracer::new(bvh).closest_parallel(&open)) {
         hits[i] = hit;
     }
     (hits, uncertain.len())

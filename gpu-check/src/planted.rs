@@ -1,7 +1,7 @@
 //! Planted bugs: one change of text each, which the comparison has to see. They are listed with those of the library.
 
 use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::trace::Tracer;
+use stackless_bvh::trace::BinaryTracer;
 
 use crate::kernel::Kernel;
 use crate::made::{self, Made};
@@ -37,7 +37,7 @@ pub fn hunt_rays(gpu: &Gpu, bug: &Shader) -> Result<usize, GpuError> {
             return Err(GpuError::Data(format!("{}: nothing to change in {}", bug.name, bug.kernel)));
         }
         let found = rays::trace(gpu, &on_device, &kernel, query, &rays, &|text| text.replace(bug.from, bug.to))?;
-        seen += rays::errors(&found, &Tracer::new(&bvh).closest_parallel(&rays), false).differences;
+        seen += rays::errors(&found, &BinaryTracer::new(&bvh).closest_parallel(&rays), false).differences;
     }
     Ok(seen)
 }

@@ -17,7 +17,7 @@ use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::{Bytes, Family, Rng, procedural};
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
-use stackless_bvh::trace::{Tracer, bounce};
+use stackless_bvh::trace::{BinaryTracer, bounce};
 use stackless_bvh::tree::Topology as _;
 
 fn gpu() -> Gpu {
@@ -117,7 +117,7 @@ fn zeros_of_either_sign_are_coordinates() {
     let query = Query::single(&arithmetic, &rays, false).unwrap();
     for kernel in Kernel::all(1) {
         let found = rays::trace(&gpu, &scene, &kernel, query, &rays, &unchanged).unwrap();
-        let errors = rays::errors(&found, &Tracer::new(&bvh).closest_parallel(&rays), false);
+        let errors = rays::errors(&found, &BinaryTracer::new(&bvh).closest_parallel(&rays), false);
         assert_eq!(errors, rays::Errors::default(), "{}", kernel.full_name());
     }
 }
@@ -147,7 +147,7 @@ fn hits_are_those_of_the_model_and_of_rational_arithmetic() {
         let bvh = Bvh::sah(&mesh, SahOptions::default()).unwrap();
         let rays = made::rays(&mesh, 6700, 2);
         let on_device = Scene::new(&gpu, &bvh).unwrap();
-        let tracer = Tracer::new(&bvh);
+        let tracer = BinaryTracer::new(&bvh);
         let truth = tracer.closest_parallel(&rays);
         let hits = truth.iter().flatten().count();
         assert!((1000..6600).contains(&hits), "{hits}");
@@ -188,7 +188,7 @@ fn certain_and_settled_hits_are_exact() {
     for (mesh, rays) in [(&edges, &to_edges), (&soup, &from_soup)] {
         let bvh = Bvh::sah(mesh, SahOptions::default()).unwrap();
         let scene = Scene::new(&gpu, &bvh).unwrap();
-        let truth = Tracer::new(&bvh).closest_parallel(rays);
+        let truth = BinaryTracer::new(&bvh).closest_parallel(rays);
         assert!(truth.iter().flatten().count() > 500);
         for name in ["stack", "hashed", "laine-4", "afra"] {
             let kernel = Kernel::all(1).into_iter().find(|kernel| kernel.name == name).unwrap();

@@ -35,7 +35,7 @@ pub trait Primitives: Sync {
 /// use glam::{DVec3, Vec3};
 /// use stackless_bvh::bvh::{Bounded, BuildOptions, Bvh};
 /// use stackless_bvh::geom::{Aabb, Kernel, Ray, Region, slabs::Directed};
-/// use stackless_bvh::trace::Tracer;
+/// use stackless_bvh::trace::BinaryTracer;
 /// use stackless_bvh::traverse::Method;
 ///
 /// #[derive(Clone, Copy, Debug)]
@@ -78,7 +78,7 @@ pub trait Primitives: Sync {
 ///
 /// let spheres: Vec<_> = (0..100).map(|i| Sphere { center: Vec3::X * i as f32, radius: 0.25 }).collect();
 /// let bvh = Bvh::build(&spheres[..])?;
-/// let tracer = Tracer::<_, SphereTest, Directed>::with_tests(&bvh, Method::Hashed)?;
+/// let tracer = BinaryTracer::<_, SphereTest, Directed>::with_tests(&bvh, Method::Hashed)?;
 /// let ray = Ray::new(Vec3::new(7.0, 0.0, -3.0), Vec3::Z)?;
 /// assert_eq!(tracer.closest_distance(&ray), Some((7, 2.75)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -3,7 +3,7 @@
 use std::borrow::Borrow;
 
 use super::counters::{Counters, Counting};
-use super::{BoxQuery, ChildOrder, FromLeft, Hit, Nearest, NodeSearch, Tracer};
+use super::{BinaryTracer, BoxQuery, ChildOrder, FromLeft, Hit, Nearest, NodeSearch};
 use crate::bvh::Bvh;
 use crate::geom::kernel::Real;
 use crate::geom::{Aabb, Kernel, Ray, Slabs};
@@ -29,11 +29,11 @@ pub struct Place(Node);
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, generate::procedural, trace::{Continuation, Tracer}};
+/// use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, generate::procedural, trace::{Continuation, BinaryTracer}};
 ///
 /// let mesh = procedural::soup(1, 500);
 /// let bvh = Bvh::sah(&mesh, SahOptions::default())?;
-/// let tracer = Tracer::new(&bvh);
+/// let tracer = BinaryTracer::new(&bvh);
 /// let continuation = Continuation::new(&tracer)?;
 /// let mut ray = procedural::rays(&mesh, 1, 1)[0];
 /// let mut place = None;
@@ -47,7 +47,7 @@ pub struct Place(Node);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Continuation<'t, T, K, B> {
-    tracer: &'t Tracer<T, K, B>,
+    tracer: &'t BinaryTracer<T, K, B>,
     keys: Keys,
     /// Of each node.
     boxes: Vec<Aabb>,
@@ -58,7 +58,7 @@ impl<'t, T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Cont
     ///
     /// # Errors
     /// [`Unfit::NoPause`] where the tracer's traversal cannot begin but at the root.
-    pub fn new(tracer: &'t Tracer<T, K, B>) -> Result<Self, Unfit> {
+    pub fn new(tracer: &'t BinaryTracer<T, K, B>) -> Result<Self, Unfit> {
         if !tracer.method().can_pause() {
             return Err(Unfit::NoPause);
         }
@@ -247,7 +247,7 @@ mod tests {
             let options = BuildOptions { builder, ..BuildOptions::default() };
             let bvh = options.build(&mesh).expect("a tree");
             for method in Method::ALL {
-                let Ok(tracer) = Tracer::with_method(&bvh, method) else {
+                let Ok(tracer) = BinaryTracer::with_method(&bvh, method) else {
                     continue;
                 };
                 let Ok(continuation) = Continuation::new(&tracer) else {
@@ -276,7 +276,7 @@ mod tests {
     #[test]
     fn a_place_of_another_hierarchy_is_the_last_leaf() {
         let mesh = procedural::soup(2, 40);
-        let tracer = Tracer::of(&mesh).expect("a tree");
+        let tracer = BinaryTracer::of(&mesh).expect("a tree");
         let continuation = Continuation::new(&tracer).expect("it can pause");
         let last = Place(Node::leaf(tracer.bvh().leaves().len() as u32 - 1));
         let elsewhere = Place(Node::leaf(1 << 20));

@@ -10,8 +10,8 @@ use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Repeatable, Visitor
 use crate::threads;
 use crate::tree::{Node, Reach};
 
-use super::tracer::CHUNK;
-use super::{BoxQuery, ChildOrder, FromLeft, Nearest, NodeSearch, Tracer};
+use super::binary::CHUNK;
+use super::{BinaryTracer, BoxQuery, ChildOrder, FromLeft, Nearest, NodeSearch};
 
 /// Counts over many rays. Queries that nobody counts pay nothing: these run in a copy of their own.
 #[derive(Clone, Debug)]
@@ -58,7 +58,7 @@ impl Counters {
     }
 }
 
-impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T, K, B> {
+impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTracer<T, K, B> {
     /// What the closest hit of each ray costs, counted. Of no use for timing.
     pub fn count_closest(&self, rays: &[Ray<K::Vector>]) -> Counters {
         self.count::<false, Nearest>(rays)

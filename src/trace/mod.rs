@@ -8,11 +8,13 @@
 //!
 //! # A ray's way
 //!
-//! [`Tracer`] is the front door. From there to the loop of all traversals a ray passes five functions:
+//! [`Tracer`] is the front door: it answers all queries, exactly, over a hierarchy of eight children. [`BinaryTracer`]
+//! answers them over a binary hierarchy, by any traversal of both papers and by any tests. From there to the loop of
+//! all traversals a ray passes five functions:
 //!
 //! | function | what it decides |
 //! |---|---|
-//! | [`Tracer::closest`], or another query | which search: what is looked for, in which order, by which tests |
+//! | [`BinaryTracer::closest`], or another query | which search: what is looked for, in which order, by which tests |
 //! | `Level::run` | the word of the keys; whether this search may be pruned |
 //! | [`Method::dispatch`](crate::traverse::Method::dispatch) | the traversal, by its name |
 //! | [`Context::by_parent`](crate::traverse::Context::by_parent) | that its cursor runs to the end |
@@ -24,6 +26,7 @@
 //! [`BuildError`](crate::bvh::BuildError)).
 
 mod accuracy;
+mod binary;
 #[cfg(any(test, feature = "generate"))]
 mod bounce;
 mod cast;
@@ -42,9 +45,9 @@ mod query;
 mod search;
 mod tracer;
 pub mod truth;
-mod wide;
 
 pub use accuracy::{Accuracy, KernelName, SlabsName, WithTests, with_level, with_tests};
+pub use binary::BinaryTracer;
 #[cfg(any(test, feature = "generate"))]
 pub use bounce::{bounce, cut, reflect};
 pub use child_order::{ChildOrder, FromLeft, Nearest};
@@ -63,7 +66,6 @@ pub use query::{BoxQuery, OwnBoxes, Query};
 pub use search::{Any, Any64, AnyByNode, Closest, Closest64, ClosestByNode, NodeSearch, Search};
 pub use tracer::Tracer;
 pub use truth::{TrueHit, Truth};
-pub use wide::WideTracer;
 
 /// Where a ray meets a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -17,7 +17,7 @@ pub enum Ask {
     All,
 }
 
-/// What a tracer says of a hit that its plan asks for ([`Tracer::asked_each`](super::Tracer::asked_each)).
+/// What a tracer says of a hit that its plan asks for ([`BinaryTracer::asked_each`](super::BinaryTracer::asked_each)).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Asked<R = f32> {
     /// Index of the triangle in the mesh; where any hit is asked for, of the one that was met first.

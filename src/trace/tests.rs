@@ -115,6 +115,6 @@ fn counts_are_those_of_the_walk() {
     let bvh = Bvh::median(&mesh, 1).expect("a tree");
     let origin = mesh.vertices()[0] - glam::Vec3::ONE;
     let ray = Ray::within(origin, glam::Vec3::NEG_ONE, 0.0, 1.0).expect("a ray");
-    let counters = Tracer::new(&bvh).count_closest(&[ray]);
+    let counters = BinaryTracer::new(&bvh).count_closest(&[ray]);
     assert_eq!((counters.inner, counters.leaves, counters.boxes), (1, 0, 2));
 }

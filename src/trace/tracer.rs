@@ -1,109 +1,243 @@
-//! Ray queries as functions: the library's front door.
+//! Rays through wide hierarchies: eight boxes and four triangles at once.
+
+mod search;
+mod shared;
+mod turns;
 
 use std::borrow::Borrow;
-use std::marker::PhantomData;
-use std::{fmt, slice, vec};
+use std::{fmt, vec};
 
-use super::level::Level;
-use super::{
-    Ask, Asked, Following, FromLeft, Hit, Near, NearestPoint, NearestPoints, NodeSearch, OwnBoxes, Part, Plan, Sweep,
-};
-use crate::bvh::{BuildError, Bvh};
-use crate::geom::kernel::{Exact, Real};
-use crate::geom::slabs::Directed;
-use crate::geom::{Ball, Kernel, Mesh, Ray, Slabs};
+use super::binary::CHUNK;
+use super::cast::Cast;
+use super::{Crossings, Following, Hit, Near, NearestPoint, NearestPoints, Sweep, next};
+use crate::bvh::{WideBvh, WideError};
+use crate::geom::lanes::{Level, with_baseline};
+use crate::geom::{Ball, Mesh, Ray};
 use crate::threads;
-use crate::traverse::{Method, Unfit, WordName};
-use crate::tree::Node;
+use crate::wide::{Method, Tables, Unfit};
+use shared::{LaneRay, Query};
+use turns::{Ask, Job, trace};
 
-/// Answers queries over a hierarchy by one of the traversals, with the triangle test `K` and the box test `B`.
+/// Answers queries over a hierarchy of eight children, exactly: the same answers, bit for bit, as
+/// [`BinaryTracer`](super::BinaryTracer)'s. `[DET-1]`
 ///
-/// The hierarchy is its own, borrowed or shared: `T` is `Bvh`, `&Bvh`, `Arc<Bvh>`, or whatever else borrows as one,
-/// always the same. A tracer can be stored, sent and shared by threads as `T` can.
-///
-/// Each query is there for one ray, for a slice on this thread (`_each`), and for a slice on all threads (`_parallel`).
-/// Whatever the traversal is not made for is found when the tracer is made; a ray cannot fail. The answers are exact
-/// unless other tests are asked for, and then the same for all hierarchies and traversals. `[DET-1]`
+/// `T` is `WideBvh`, `&WideBvh`, `Arc<WideBvh>`, or whatever else borrows as one. Each query is there for one ray, for
+/// a slice on this thread (`_each`), and for a slice on all threads (`_parallel`). Of several rays two are traced in
+/// turns, so that one computes while the other waits for memory.
 ///
 /// ```
-/// use std::sync::Arc;
 /// use glam::Vec3;
-/// use stackless_bvh::{bvh::Bvh, geom::Mesh, geom::Ray, trace::Tracer, traverse::Method};
+/// use stackless_bvh::{geom::Mesh, geom::Ray, trace::Tracer};
 ///
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
+/// let tracer = Tracer::of(&mesh)?;
 /// let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z)?;
-/// let hit = Tracer::of(&mesh)?.closest(&ray).ok_or("a miss")?;
+/// let hit = tracer.closest(&ray).ok_or("a miss")?;
 /// assert_eq!((hit.prim, hit.t, hit.u, hit.v), (0, 3.0, 0.25, 0.5));
-///
-/// let bvh = Bvh::build(&mesh)?;
-/// let hashed = Tracer::with_method(&bvh, Method::Hashed)?;
-/// assert_eq!(hashed.closest_each(&[ray, ray]), [Some(hit); 2]);
-///
-/// let shared: Tracer<Arc<Bvh>> = Tracer::new(Arc::new(bvh));
-/// assert!(std::thread::spawn(move || shared.any(&ray)).join().is_ok_and(|any| any));
+/// assert_eq!(tracer.any_each(&[ray, ray]), [true, true]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct Tracer<T = Bvh, K = Exact, B = Directed> {
+pub struct Tracer<T = WideBvh> {
     bvh: T,
-    pub(super) level: Level,
-    /// What the plan says of hits.
-    ask: Ask,
-    with_weights: bool,
-    watches: bool,
-    tests: PhantomData<fn() -> (K, B)>,
+    method: Method,
+    tables: Tables,
+    level: Level,
 }
-
-/// Rays that a thread takes at once.
-pub(super) const CHUNK: usize = 256;
 
 impl Tracer {
-    /// A tracer that owns a hierarchy over a mesh, by [`Bvh::build`].
+    /// A tracer that owns a hierarchy over a mesh, by [`WideBvh::build`].
     ///
     /// # Errors
-    /// [`BuildError`], for more than 2^31 triangles.
-    pub fn of(mesh: &Mesh) -> Result<Self, BuildError> {
-        Bvh::build(mesh).map(Self::new)
+    /// [`WideError`], for meshes that are too large.
+    pub fn of(mesh: &Mesh) -> Result<Self, WideError> {
+        WideBvh::build(mesh).map(Self::new)
     }
 }
 
-impl<T: Borrow<Bvh>> Tracer<T> {
-    /// A tracer by [`Method::default`], which runs on any hierarchy, with words as narrow as that allows.
-    ///
-    /// It follows the links that a new hierarchy has. Where the records name [others](Bvh::with_links), they are in a
-    /// table beside it, and queries share a slower copy of the traversals; so it is with all traversals.
+impl<T: Borrow<WideBvh>> Tracer<T> {
+    /// A tracer by [`Method::default`], which fits any hierarchy, with the best instructions of this machine.
     pub fn new(bvh: T) -> Self {
-        let plan = Plan::new(bvh.borrow(), Method::default(), Ask::Hit);
-        let level = Level::unchecked(bvh.borrow(), &plan);
-        Self::over(bvh, level, &plan)
+        Self { bvh, method: Method::default(), tables: Tables::NONE, level: Level::new() }
     }
 
-    /// A tracer by any traversal, with tables and words as narrow as the hierarchy allows.
+    /// A tracer by any traversal.
     ///
     /// # Errors
-    /// [`Unfit`] where the traversal is not for this hierarchy: `complete` on one that is not, `laine-*` on one that is
-    /// deeper than 126.
+    /// [`Unfit`] where the hierarchy has too many levels for it.
     pub fn with_method(bvh: T, method: Method) -> Result<Self, Unfit> {
-        Self::with_tests(bvh, method)
+        let tables = if method.needs_hash() { Tables::new(bvh.borrow()) } else { Tables::NONE };
+        let tracer = Self { bvh, method, tables, level: Level::new() };
+        // What is unfit is found before the first ray.
+        tracer.run(&[], Ask::Distance, &mut |_, _| ()).map(|()| tracer)
     }
 
-    /// A tracer that has what a plan says. A plan that was made for another hierarchy may cost time or memory, or be
-    /// refused; it does not change an answer.
+    /// The same with the instructions of another level. The answers are the same.
+    #[must_use]
+    pub fn with_level(self, level: Level) -> Self {
+        Self { level, ..self }
+    }
+
+    /// The hierarchy.
+    pub fn bvh(&self) -> &WideBvh {
+        self.bvh.borrow()
+    }
+
+    /// The traversal.
+    pub const fn method(&self) -> Method {
+        self.method
+    }
+
+    /// The instructions.
+    pub const fn level(&self) -> Level {
+        self.level
+    }
+
+    /// Memory of its tables, in bytes, besides the hierarchy.
+    pub fn bytes(&self) -> usize {
+        self.tables.bytes()
+    }
+
+    /// The closest hit: the least distance, and of equal ones the least index. `[EXACT-1]`
+    pub fn closest(&self, ray: &Ray) -> Option<Hit> {
+        self.one(ray, Ask::Closest)
+    }
+
+    /// [`closest`](Self::closest) of each ray, on this thread.
+    pub fn closest_each(&self, rays: &[Ray]) -> Vec<Option<Hit>> {
+        self.each(rays, Ask::Closest, |hit| hit)
+    }
+
+    /// [`closest`](Self::closest) of each ray, on all threads.
+    pub fn closest_parallel(&self, rays: &[Ray]) -> Vec<Option<Hit>>
+    where
+        T: Sync,
+    {
+        self.parallel(rays, Ask::Closest, |hit| hit)
+    }
+
+    /// Triangle and distance of the [`closest`](Self::closest) hit, without its weights.
+    pub fn closest_distance(&self, ray: &Ray) -> Option<(u32, f32)> {
+        self.one(ray, Ask::Distance).map(distance)
+    }
+
+    /// [`closest_distance`](Self::closest_distance) of each ray, on this thread, into `found`: of as many as both have.
+    pub fn closest_distances(&self, rays: &[Ray], found: &mut [Option<(u32, f32)>]) {
+        let count = rays.len().min(found.len());
+        self.run_fit(&rays[..count], Ask::Distance, &mut |i, hit: Option<Hit>| found[i] = hit.map(distance));
+    }
+
+    /// Whether there is any hit.
+    pub fn any(&self, ray: &Ray) -> bool {
+        self.one(ray, Ask::Any).is_some()
+    }
+
+    /// [`any`](Self::any) of each ray, on this thread.
+    pub fn any_each(&self, rays: &[Ray]) -> Vec<bool> {
+        self.each(rays, Ask::Any, |hit| hit.is_some())
+    }
+
+    /// [`any`](Self::any) of each ray, on all threads.
+    pub fn any_parallel(&self, rays: &[Ray]) -> Vec<bool>
+    where
+        T: Sync,
+    {
+        self.parallel(rays, Ask::Any, |hit| hit.is_some())
+    }
+
+    /// Any hit, whole: the first that is met, which depends on hierarchy and traversal.
+    pub fn any_hit(&self, ray: &Ray) -> Option<Hit> {
+        self.one(ray, Ask::AnyHit)
+    }
+
+    /// [`any_hit`](Self::any_hit) of each ray, on this thread.
+    pub fn any_hit_each(&self, rays: &[Ray]) -> Vec<Option<Hit>> {
+        self.each(rays, Ask::AnyHit, |hit| hit)
+    }
+
+    /// [`any_hit`](Self::any_hit) of each ray, on all threads.
+    pub fn any_hit_parallel(&self, rays: &[Ray]) -> Vec<Option<Hit>>
+    where
+        T: Sync,
+    {
+        self.parallel(rays, Ask::AnyHit, |hit| hit)
+    }
+
+    /// All hits, each triangle once, in the order (`t`, primitive): edges and corners included.
+    pub fn all(&self, ray: &Ray) -> vec::IntoIter<Hit> {
+        self.all_hits(ray).into_iter()
+    }
+
+    /// [`all`](Self::all) of each ray, on this thread.
+    pub fn all_each(&self, rays: &[Ray]) -> Vec<Vec<Hit>> {
+        rays.iter().map(|ray| self.all_hits(ray)).collect()
+    }
+
+    /// [`all`](Self::all) of each ray, on all threads.
+    pub fn all_parallel(&self, rays: &[Ray]) -> Vec<Vec<Hit>>
+    where
+        T: Sync,
+    {
+        in_parallel(rays, |ray| self.all_hits(ray))
+    }
+
+    /// The first hit in the order (`t`, primitive) that comes after the given one, which need not be a hit. So hits can
+    /// be walked through one by one: none is lost or met again, not even where many have the same `t`.
+    pub fn next(&self, ray: &Ray, after: (f32, u32)) -> Option<Hit> {
+        let bvh = self.bvh();
+        with_baseline!(simd => {
+            let cast = Cast::with(bvh, ray, LaneRay::new(simd, &next::rest(ray, after.0), bvh));
+            let mut query = Following::over(cast, after);
+            self.run_shared(&mut query);
+            query.hit()
+        })
+    }
+
+    /// How often the ray crosses a closed mesh, where a crossing at an edge or a corner is one, and touching is none:
+    /// an odd number of times from a point inside, an even number from a point outside. `[PARITY-1]`
     ///
-    /// # Errors
-    /// [`Unfit`], also where the keys of the plan are too short for the hierarchy.
-    pub fn planned(bvh: T, plan: &Plan) -> Result<Self, Unfit> {
-        let level = Level::new(bvh.borrow(), plan)?;
-        Ok(Self::over(bvh, level, plan))
+    /// ```
+    /// use glam::Vec3;
+    /// use stackless_bvh::{generate::stress, geom::Ray, trace::Tracer};
+    ///
+    /// let mesh = stress::icosphere(2, 1.0, Vec3::ZERO)?;
+    /// let tracer = Tracer::of(&mesh)?;
+    /// for &corner in mesh.vertices() {
+    ///     assert_eq!(tracer.crossings(&Ray::new(Vec3::ZERO, corner)?) % 2, 1);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn crossings(&self, ray: &Ray) -> u32 {
+        let bvh = self.bvh();
+        with_baseline!(simd => {
+            let mut query = Crossings::over(Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh)));
+            self.run_shared(&mut query);
+            query.count()
+        })
+    }
+
+    /// [`crossings`](Self::crossings) of each ray, on this thread.
+    pub fn crossings_each(&self, rays: &[Ray]) -> Vec<u32> {
+        rays.iter().map(|ray| self.crossings(ray)).collect()
+    }
+
+    /// [`crossings`](Self::crossings) of each ray, on all threads.
+    pub fn crossings_parallel(&self, rays: &[Ray]) -> Vec<u32>
+    where
+        T: Sync,
+    {
+        in_parallel(rays, |ray| self.crossings(ray))
     }
 
     /// The point of the mesh that is nearest to the middle of a ball, if there is one in it. `[NEAR-1]`
     pub fn nearest(&self, ball: &Ball) -> Option<Near> {
-        self.nearest_in(ball, &mut Vec::new())
+        let mut query = NearestPoint::new(self.bvh(), ball);
+        self.run_shared(&mut query);
+        query.near()
     }
 
     /// [`nearest`](Self::nearest) of each ball, on this thread.
     pub fn nearest_each(&self, balls: &[Ball]) -> Vec<Option<Near>> {
-        each(balls, |ball, memory| self.nearest_in(ball, memory))
+        balls.iter().map(|ball| self.nearest(ball)).collect()
     }
 
     /// [`nearest`](Self::nearest) of each ball, on all threads.
@@ -111,257 +245,81 @@ impl<T: Borrow<Bvh>> Tracer<T> {
     where
         T: Sync,
     {
-        in_parallel(balls, |ball, memory| self.nearest_in(ball, memory))
+        in_parallel(balls, |ball| self.nearest(ball))
     }
 
     /// The `k` triangles that are nearest to the middle of a ball, in order of distance and then index, as many as
     /// there are in the ball. `[NEAR-2]`
-    ///
-    /// ```
-    /// use glam::Vec3;
-    /// use stackless_bvh::{geom::Ball, generate::procedural, trace::Tracer};
-    ///
-    /// let tracer = Tracer::of(&procedural::soup(1, 50))?;
-    /// let ball = Ball::around(Vec3::ZERO)?;
-    /// assert_eq!(tracer.nearest_k(&ball, 3).first(), tracer.nearest(&ball).as_ref());
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn nearest_k(&self, ball: &Ball, k: usize) -> Vec<Near> {
+        let mut query = NearestPoints::new(self.bvh(), ball, k);
+        self.run_shared(&mut query);
+        query.nears().collect()
+    }
+
+    fn all_hits(&self, ray: &Ray) -> Vec<Hit> {
         let bvh = self.bvh();
-        let mut search = OwnBoxes::over(NearestPoints::new(bvh, ball, k), &self.level.boxes);
-        self.level.run_shared(bvh.tree(), 0, &mut Vec::new(), &mut search);
-        search.query.nears().collect()
-    }
-
-    fn nearest_in(&self, ball: &Ball, memory: &mut Vec<Node>) -> Option<Near> {
-        let bvh = self.bvh();
-        let mut search = OwnBoxes::over(NearestPoint::new(bvh, ball), &self.level.boxes);
-        self.level.run_shared(bvh.tree(), 0, memory, &mut search);
-        search.query.near()
-    }
-}
-
-impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Tracer<T, K, B> {
-    /// [`with_method`](Tracer::with_method) for other tests than the exact ones, or other shapes than triangles:
-    /// `Tracer::<_, K, B>::with_tests(...)`.
-    ///
-    /// # Errors
-    /// As [`with_method`](Tracer::with_method).
-    pub fn with_tests(bvh: T, method: Method) -> Result<Self, Unfit> {
-        let plan = Plan::new(bvh.borrow(), method, Ask::Hit);
-        let level = Level::new(bvh.borrow(), &plan)?;
-        Ok(Self::over(bvh, level, &plan))
-    }
-
-    fn over(bvh: T, level: Level, plan: &Plan) -> Self {
-        // A triangle is reported once, whatever the plan was made for.
-        let watches = !plan.skips(Part::Repeats) || bvh.borrow().duplicates() > 0;
-        Self { bvh, level, ask: plan.ask(), with_weights: !plan.skips(Part::Weights), watches, tests: PhantomData }
-    }
-
-    /// The hierarchy.
-    pub fn bvh(&self) -> &Bvh<K::Shape> {
-        self.bvh.borrow()
-    }
-
-    /// The traversal.
-    pub fn method(&self) -> Method {
-        self.level.method
-    }
-
-    /// The word of its keys.
-    pub fn word(&self) -> WordName {
-        self.level.word
-    }
-
-    /// Memory of its tables, in bytes, besides the hierarchy.
-    pub fn bytes(&self) -> usize {
-        self.level.bytes()
-    }
-
-    /// The closest hit: the least distance, and of equal ones the least index. `[EXACT-1]`
-    pub fn closest(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
-        self.search_closest(ray, &mut Vec::new()).hit()
-    }
-
-    /// [`closest`](Self::closest) of each ray, on this thread.
-    pub fn closest_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
-        each(rays, |ray, memory| self.search_closest(ray, memory).hit())
-    }
-
-    /// [`closest`](Self::closest) of each ray, on all threads.
-    pub fn closest_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>>
-    where
-        T: Sync,
-    {
-        in_parallel(rays, |ray, memory| self.search_closest(ray, memory).hit())
-    }
-
-    /// Triangle and distance of the [`closest`](Self::closest) hit, without its weights.
-    pub fn closest_distance(&self, ray: &Ray<K::Vector>) -> Option<(u32, Real<K>)> {
-        let mut found = [None];
-        self.closest_distances(slice::from_ref(ray), &mut found);
-        found[0]
-    }
-
-    /// [`closest_distance`](Self::closest_distance) of each ray, on this thread, into `found`: of as many as both have.
-    pub fn closest_distances(&self, rays: &[Ray<K::Vector>], found: &mut [Option<(u32, Real<K>)>]) {
-        let mut memory = Vec::new();
-        for (ray, found) in rays.iter().zip(found) {
-            *found = self.search_closest(ray, &mut memory).found();
-        }
-    }
-
-    /// Whether there is any hit.
-    pub fn any(&self, ray: &Ray<K::Vector>) -> bool {
-        self.search_any(ray, &mut Vec::new()).found().is_some()
-    }
-
-    /// [`any`](Self::any) of each ray, on this thread.
-    pub fn any_each(&self, rays: &[Ray<K::Vector>]) -> Vec<bool> {
-        each(rays, |ray, memory| self.search_any(ray, memory).found().is_some())
-    }
-
-    /// [`any`](Self::any) of each ray, on all threads.
-    pub fn any_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<bool>
-    where
-        T: Sync,
-    {
-        in_parallel(rays, |ray, memory| self.search_any(ray, memory).found().is_some())
-    }
-
-    /// Any hit, whole: the first that is met, which depends on hierarchy and traversal.
-    pub fn any_hit(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
-        self.search_any(ray, &mut Vec::new()).hit()
-    }
-
-    /// [`any_hit`](Self::any_hit) of each ray, on this thread.
-    pub fn any_hit_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
-        each(rays, |ray, memory| self.search_any(ray, memory).hit())
-    }
-
-    /// [`any_hit`](Self::any_hit) of each ray, on all threads.
-    pub fn any_hit_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>>
-    where
-        T: Sync,
-    {
-        in_parallel(rays, |ray, memory| self.search_any(ray, memory).hit())
-    }
-
-    /// All hits, each triangle once, in the order (`t`, primitive): edges and corners included.
-    ///
-    /// ```
-    /// use glam::Vec3;
-    /// use stackless_bvh::{generate::procedural, geom::Ray, trace::Tracer};
-    ///
-    /// let tracer = Tracer::of(&procedural::soup(1, 2000))?;
-    /// let ray = Ray::new(Vec3::new(0.5, 0.5, -1.0), Vec3::Z)?;
-    /// assert!(tracer.all(&ray).is_sorted_by_key(|hit| hit.t));
-    /// assert_eq!(tracer.all(&ray).next(), tracer.closest(&ray));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn all(&self, ray: &Ray<K::Vector>) -> vec::IntoIter<Hit<Real<K>>> {
-        self.all_in(ray, &mut Vec::new()).into_iter()
-    }
-
-    /// [`all`](Self::all) of each ray, on this thread.
-    pub fn all_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Vec<Hit<Real<K>>>> {
-        each(rays, |ray, memory| self.all_in(ray, memory))
-    }
-
-    /// [`all`](Self::all) of each ray, on all threads.
-    pub fn all_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<Vec<Hit<Real<K>>>>
-    where
-        T: Sync,
-    {
-        in_parallel(rays, |ray, memory| self.all_in(ray, memory))
-    }
-
-    /// The first hit in the order (`t`, primitive) that comes after the given one, which need not be a hit. So hits can
-    /// be walked through one by one: none is lost or met again, not even where many have the same `t`.
-    ///
-    /// ```
-    /// # use glam::Vec3;
-    /// # use stackless_bvh::{geom::Ray, geom::Mesh, trace::Tracer};
-    /// # let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2], [2, 1, 0], [1, 0, 2]])?;
-    /// # let tracer = Tracer::of(&mesh)?;
-    /// # let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z)?;
-    /// let mut hits = Vec::new();
-    /// let mut hit = tracer.closest(&ray);
-    /// while let Some(found) = hit {
-    ///     hits.push(found);
-    ///     hit = tracer.next(&ray, (found.t, found.prim));
-    /// }
-    /// assert!(tracer.all(&ray).eq(hits));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn next(&self, ray: &Ray<K::Vector>, after: (Real<K>, u32)) -> Option<Hit<Real<K>>> {
-        let bvh = self.bvh();
-        let mut search = OwnBoxes::over(Following::<K, B>::new(bvh, ray, after), &self.level.boxes);
-        self.level.run_shared(bvh.tree(), ray.octant(), &mut Vec::new(), &mut search);
-        search.query.hit()
-    }
-
-    /// What the [`Plan`] asks for, of each ray, on this thread: of any hit or of the closest one, and no more of it
-    /// than the plan wants.
-    pub fn asked_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Asked<Real<K>>>> {
-        let whole = |hit: Hit<_>| Asked { prim: hit.prim, t: Some(hit.t), weights: Some([hit.u, hit.v]) };
-        each(rays, |ray, memory| match (self.ask, self.with_weights) {
-            (Ask::Any, true) => self.search_any(ray, memory).hit().map(whole),
-            (Ask::Any, false) => {
-                let (prim, _) = self.search_any(ray, memory).found()?;
-                Some(Asked { prim, t: None, weights: None })
-            }
-            (_, true) => self.search_closest(ray, memory).hit().map(whole),
-            (_, false) => {
-                let (prim, t) = self.search_closest(ray, memory).found()?;
-                Some(Asked { prim, t: Some(t), weights: None })
-            }
+        with_baseline!(simd => {
+            let cast = Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh));
+            let mut query = Sweep::over(cast, bvh.duplicates() > 0);
+            self.run_shared(&mut query);
+            query.hits()
         })
     }
 
-    /// A closest-hit query that has run to its end.
-    #[inline]
-    fn search_closest(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> NodeSearch<'_, K, B, false> {
-        let mut search = NodeSearch::new(self.bvh(), &self.level.boxes, ray);
-        self.level.run(self.bvh().tree(), ray.octant(), memory, &mut search);
-        search
+    fn run_shared(&self, query: &mut dyn Query) {
+        let ran = shared::run(self.method, self.bvh(), &self.tables, query);
+        debug_assert_eq!(ran, Ok(()));
     }
 
-    /// An any-hit query that has run to its end.
-    #[inline]
-    fn search_any(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> NodeSearch<'_, K, B, true, FromLeft> {
-        let mut search = NodeSearch::new(self.bvh(), &self.level.boxes, ray);
-        self.level.run(self.bvh().tree(), ray.octant(), memory, &mut search);
-        search
+    fn one(&self, ray: &Ray, ask: Ask) -> Option<Hit> {
+        let mut answer = None;
+        self.run_fit(std::slice::from_ref(ray), ask, &mut |_, hit| answer = hit);
+        answer
     }
 
-    fn all_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Vec<Hit<Real<K>>> {
-        let mut search = OwnBoxes::over(self.sweep(ray), &self.level.boxes);
-        self.level.run_shared(self.bvh().tree(), ray.octant(), memory, &mut search);
-        search.query.hits()
+    fn each<A: Clone + Default>(&self, rays: &[Ray], ask: Ask, answer: impl Fn(Option<Hit>) -> A) -> Vec<A> {
+        let mut answers = vec![A::default(); rays.len()];
+        self.run_fit(rays, ask, &mut |i, hit| answers[i] = answer(hit));
+        answers
     }
 
-    pub(super) fn sweep(&self, ray: &Ray<K::Vector>) -> Sweep<'_, K, B> {
-        Sweep::watching(self.bvh(), ray, self.watches)
+    fn parallel<A: Clone + Default + Send>(
+        &self,
+        rays: &[Ray],
+        ask: Ask,
+        answer: impl Fn(Option<Hit>) -> A + Sync + Send,
+    ) -> Vec<A>
+    where
+        T: Sync,
+    {
+        let chunk = |i: usize| &rays[i * CHUNK..rays.len().min((i + 1) * CHUNK)];
+        threads::map(0..rays.len().div_ceil(CHUNK), 1, |i| self.each(chunk(i), ask, &answer)).concat()
+    }
+
+    /// Whether the traversal fits was found when the tracer was made.
+    fn run_fit(&self, rays: &[Ray], ask: Ask, answer: &mut dyn FnMut(usize, Option<Hit>)) {
+        let ran = self.run(rays, ask, answer);
+        debug_assert_eq!(ran, Ok(()));
+    }
+
+    fn run(&self, rays: &[Ray], ask: Ask, answer: &mut dyn FnMut(usize, Option<Hit>)) -> Result<(), Unfit> {
+        trace(self.level, self.method, &mut Job { bvh: self.bvh(), tables: &self.tables, rays, ask, answer })
     }
 }
 
-/// Answers one after the other, with memory that is kept in between.
-fn each<I, A>(items: &[I], answer: impl Fn(&I, &mut Vec<Node>) -> A) -> Vec<A> {
-    let mut memory = Vec::new();
-    items.iter().map(|item| answer(item, &mut memory)).collect()
+/// Answers each, on all threads.
+fn in_parallel<I: Sync, A: Send>(items: &[I], answer: impl Fn(&I) -> A + Sync + Send) -> Vec<A> {
+    threads::map(0..items.len(), CHUNK, |i| answer(&items[i]))
 }
 
-/// The same on all threads.
-fn in_parallel<I: Sync, A: Send>(items: &[I], answer: impl Fn(&I, &mut Vec<Node>) -> A + Sync + Send) -> Vec<A> {
-    threads::map_with(0..items.len(), CHUNK, Vec::new, |memory, i| answer(&items[i], memory))
+const fn distance(hit: Hit) -> (u32, f32) {
+    (hit.prim, hit.t)
 }
 
-impl<T, K, B> fmt::Debug for Tracer<T, K, B> {
+impl<T> fmt::Debug for Tracer<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (method, word) = (self.level.method, self.level.word);
-        f.debug_struct("Tracer").field("method", &method).field("word", &word).finish_non_exhaustive()
+        let Self { method, level, .. } = self;
+        f.debug_struct("Tracer").field("method", method).field("level", level).finish_non_exhaustive()
     }
 }
 

@@ -7,7 +7,7 @@ use stackless_bvh::generate::{Cell, Family, Kind, Rng, Search, Source, Tape, pro
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{Flow, Pruning};
-use stackless_bvh::trace::{Any, Ask, Closest, NodeSearch, Part, Plan, Tracer, Truth};
+use stackless_bvh::trace::{Any, Ask, BinaryTracer, Closest, NodeSearch, Part, Plan, Truth};
 use stackless_bvh::traverse::{Method, Tables, Unfit};
 use stackless_check::Case;
 use stackless_check::planted::{self, Planted};
@@ -127,11 +127,11 @@ fn rays_through_triangles_in_parts() {
     for method in [Method::HashedDisjoint, Method::UncleDisjoint, Method::StackT0] {
         let plan = Plan::new(&bvh, method, Ask::Hit);
         assert_eq!(plan.skips(Part::OwnBoxes), method == Method::StackT0);
-        let tracer = Tracer::planned(&bvh, &plan).expect("a tracer");
+        let tracer = BinaryTracer::planned(&bvh, &plan).expect("a tracer");
         for ray in &rays {
             assert_eq!(tracer.closest(ray), truth.closest(ray).map(|hit| hit.rounded()), "{method} {ray:?}");
         }
-        let without = Tracer::with_method(&bvh, method.without_pruning()).expect("a tracer");
+        let without = BinaryTracer::with_method(&bvh, method.without_pruning()).expect("a tracer");
         let [pruned, whole] = [&tracer, &without].map(|tracer| {
             let counters = tracer.count_closest(&rays);
             counters.inner + counters.leaves

@@ -4,7 +4,7 @@ use glam::Vec3;
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, SpatialOptions};
 use stackless_bvh::generate::{Rng, Source, procedural, stress};
 use stackless_bvh::geom::{Ball, Mesh, Triangle};
-use stackless_bvh::trace::{Near, Tracer};
+use stackless_bvh::trace::{BinaryTracer, Near};
 use stackless_bvh::traverse::Method;
 use stackless_check::{check_distance, nearest as truth};
 
@@ -78,7 +78,7 @@ fn every_traversal_finds_the_nearest_triangles() {
         let queries: Vec<_> = (0..12).map(|_| point(&mesh, &mut random)).collect();
         for bvh in trees(&mesh) {
             duplicates += bvh.duplicates();
-            let tracers: Vec<_> = Method::ALL.iter().filter_map(|&m| Tracer::with_method(&bvh, m).ok()).collect();
+            let tracers: Vec<_> = Method::ALL.iter().filter_map(|&m| BinaryTracer::with_method(&bvh, m).ok()).collect();
             assert!(tracers.len() >= Method::ALL.len() - 1);
             for &point in &queries {
                 for (k, radius) in [(5, f32::INFINITY), (n, size(&mesh) * 0.3), (n + 5, f32::INFINITY)] {
@@ -102,7 +102,7 @@ fn every_traversal_finds_the_nearest_triangles() {
 fn check(queries: u32) -> usize {
     let meshes = meshes();
     let trees: Vec<_> = meshes.iter().map(trees).collect();
-    let tracers: Vec<_> = trees.iter().map(|trees| trees.each_ref().map(Tracer::new)).collect();
+    let tracers: Vec<_> = trees.iter().map(|trees| trees.each_ref().map(BinaryTracer::new)).collect();
     let (mut random, mut ties) = (Rng::new(3), 0);
     for i in 0..queries {
         let m = random.below(4) as usize;
@@ -150,7 +150,7 @@ fn no_triangle_too_many_triangles_and_a_radius_that_is_a_distance() {
     let mesh = stress::icosphere(1, 1.0, Vec3::ZERO).expect("a mesh");
     let n = mesh.triangles().len();
     for bvh in trees(&mesh) {
-        let tracer = Tracer::new(&bvh);
+        let tracer = BinaryTracer::new(&bvh);
         let nearest = |radius, k| tracer.nearest_k(&ball(Vec3::ZERO, radius), k);
         assert_eq!(nearest(f32::INFINITY, 0), []);
         assert_eq!(nearest(0.0, 3), []);
@@ -165,5 +165,5 @@ fn no_triangle_too_many_triangles_and_a_radius_that_is_a_distance() {
     }
     let flat = Mesh::new(vec![Vec3::X; 3], vec![[0, 1, 2]; 4]).expect("a mesh");
     let bvh = Bvh::median(&flat, 4).expect("a tree");
-    assert_eq!(Tracer::new(&bvh).nearest_k(&ball(Vec3::ZERO, f32::INFINITY), 4), []);
+    assert_eq!(BinaryTracer::new(&bvh).nearest_k(&ball(Vec3::ZERO, f32::INFINITY), 4), []);
 }

@@ -5,9 +5,7 @@ use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, SahOptions, Wid
 use stackless_bvh::generate::stress::StressCase;
 use stackless_bvh::geom::lanes;
 use stackless_bvh::geom::{Kernel, Slabs};
-use stackless_bvh::trace::{
-    Form, Hit, KernelName, NodeSearch, Query, SlabsName, Truth, WideTracer, WithTests, with_tests,
-};
+use stackless_bvh::trace::{Form, Hit, KernelName, NodeSearch, Query, SlabsName, Tracer, Truth, WithTests, with_tests};
 use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
 use stackless_bvh::tree::{Implicit, Topology};
 use stackless_bvh::wide;
@@ -84,7 +82,7 @@ impl<'c> Stress<'c> {
             bvh.validate(&self.case.mesh).map_err(|error| error.to_string())?;
             for method in wide::Method::ALL {
                 for (_, level) in lanes::levels() {
-                    let tracer = WideTracer::with_method(&bvh, method).map_err(|unfit| unfit.to_string())?;
+                    let tracer = Tracer::with_method(&bvh, method).map_err(|unfit| unfit.to_string())?;
                     let tracer = tracer.with_level(level);
                     let (closest, any) = (tracer.closest_each(rays), tracer.any_each(rays));
                     for (i, ray) in rays.iter().enumerate() {

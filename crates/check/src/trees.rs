@@ -8,7 +8,7 @@ use glam::Vec3;
 use stackless_bvh::bvh::{Bvh, BvhError, validate};
 use stackless_bvh::geom::truth::{RBig, round_root_f32, square_distance};
 use stackless_bvh::geom::{Ball, BallError, Kernel, Mesh, MeshError, Ray, Slabs, Triangle, Vector};
-use stackless_bvh::trace::{Hit, NodeSearch, OwnBoxes, Query, Sweep, Tracer, Truth};
+use stackless_bvh::trace::{BinaryTracer, Hit, NodeSearch, OwnBoxes, Query, Sweep, Truth};
 use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
 use stackless_bvh::tree::Topology;
 
@@ -134,7 +134,7 @@ where
 /// # Errors
 /// [`TreeFault::Nearest`], [`TreeFault::Place`], [`TreeFault::Point`].
 pub fn check_nearest(bvh: &Bvh, mesh: &Mesh, point: Vec3, radius: f32, k: usize) -> Result<(), TreeFault> {
-    let tracer = Tracer::new(bvh);
+    let tracer = BinaryTracer::new(bvh);
     let ball = Ball::new(point, radius)?;
     let nears = tracer.nearest_k(&ball, k);
     let (mut expected, found) = (nearest(mesh, point, radius, k.max(1)), distances(&nears));

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::geom::Ray;
-use stackless_bvh::trace::{Hit, Tracer};
+use stackless_bvh::trace::{Hit, BinaryTracer};
 use stackless_bvh::tree::Topology as _;
 use stackless_suite::{Answer, Ask, Query as Asked};
 
@@ -85,7 +85,7 @@ impl Rays {
         if !any {
             return Ok(exact::settle(bvh, rays, &found).0.into_iter().map(text).collect());
         }
-        let tracer = Tracer::new(bvh);
+        let tracer = BinaryTracer::new(bvh);
         let settled = |(ray, &said): (&Ray, &u32)| match said {
             UNCERTAIN => tracer.any(ray),
             said => said != u32::MAX,

@@ -5,7 +5,7 @@ use crate::bvh::validate::tests::cut;
 use crate::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions, validate};
 use crate::generate::{Rng, Source, procedural, stress};
 use crate::geom::{Mesh, Ray};
-use crate::trace::{Closest64, Tracer, truth};
+use crate::trace::{BinaryTracer, Closest64, truth};
 use crate::traverse::{Method, Stack, traverse};
 
 /// Where words of the header stand.
@@ -191,7 +191,7 @@ fn does_not_mislead(bytes: &[u8], seed: u64) -> bool {
     let Some(mesh) = mesh_of(&bvh) else { return true };
     validate(&bvh, &mesh).expect("sound");
     let tracers = [Method::Stack, Method::Sparse, Method::Uncle, Method::Hapala, Method::Hashed]
-        .map(|method| Tracer::with_method(&bvh, method).expect("tables"));
+        .map(|method| BinaryTracer::with_method(&bvh, method).expect("tables"));
     for ray in stress::aimed(&mesh, seed, 4) {
         let truth: Vec<_> = truth::brute_force(&mesh, &ray).iter().map(truth::TrueHit::rounded).collect();
         for tracer in &tracers {

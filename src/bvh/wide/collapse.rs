@@ -88,7 +88,8 @@ impl<const A: usize> WideBvh<A> {
         }
         let draft = Draft::of(bvh, max_leaf);
         let programme = Programme::of(&draft, options);
-        Collapse { bvh, draft: &draft, programme: &programme, made: Self::empty(), held: Vec::new(), references: 0 }.run()
+        Collapse { bvh, draft: &draft, programme: &programme, made: Self::empty(), held: Vec::new(), references: 0 }
+            .run()
     }
 }
 

@@ -130,7 +130,7 @@ fn large_leaves_are_divided() {
 #[test]
 fn triangles_in_parts_are_covered() {
     let (bvh, mesh) = cut(40);
-    assert!(bvh.duplicates() > 2);
+    assert!(bvh.duplicates() > 2 && wide::<8>(&bvh).duplicates() > 2);
     sound(&mesh, &bvh);
     let options = BuildOptions {
         builder: Builder::Spatial,
@@ -248,6 +248,7 @@ fn mistakes_are_named() {
     assert_eq!(broken(&|w| w.nodes.clear()), E::Size { nodes: 0, blocks: good.blocks.len() });
     assert_eq!(broken(&|w| w.triangles += 1), E::Triangles { stored: 401, found: 400 });
     assert_eq!(broken(&|w| w.levels += 1), E::Levels { stored: good.levels + 1, found: good.levels });
+    assert_eq!(broken(&|w| w.duplicates += 1), E::Duplicates { stored: 1, found: 0 });
     let moved = |w: &mut WideBvh<8>| w.nodes[0].children[inner as usize] = 0;
     assert_eq!(
         broken(&|w| {

@@ -4,7 +4,7 @@ use super::*;
 use crate::bvh::{Builder, SahOptions, SpatialOptions};
 use crate::generate::procedural;
 use crate::geom::{Mesh, Ray};
-use crate::trace::{Hit, Tracer};
+use crate::trace::{BinaryTracer, Hit};
 
 fn scenes() -> Vec<(Mesh, Vec<Ray>)> {
     let meshes = [procedural::soup(1, 80), procedural::strands(2, 5), with_flat_triangles(&procedural::soup(3, 9))];
@@ -27,7 +27,7 @@ fn no_decision_changes_an_answer() {
             let each = Part::ALL.map(|part| lean.clone().with(part));
             let plans = [lean.clone(), lean.with_everything()].into_iter().chain(each);
             let answers = plans.map(|plan| {
-                let tracer = Tracer::planned(&bvh, &plan).expect("a tracer");
+                let tracer = BinaryTracer::planned(&bvh, &plan).expect("a tracer");
                 let answer = |ray| {
                     let (closest, any) = (tracer.closest(ray), tracer.any(ray));
                     assert_eq!(tracer.closest_distance(ray), closest.map(|hit| (hit.prim, hit.t)));
@@ -51,7 +51,7 @@ fn degenerate_triangles_are_left_out_without_a_trace() {
     assert!(Plan::new(&with, Method::Hashed, Ask::Any).skips(Part::Degenerate));
     assert!(!Plan::new(&without, Method::Hashed, Ask::Any).skips(Part::Degenerate));
     for ray in &rays {
-        assert!(Tracer::new(&with).all(ray).eq(Tracer::new(&without).all(ray)));
+        assert!(BinaryTracer::new(&with).all(ray).eq(BinaryTracer::new(&without).all(ray)));
     }
 }
 
@@ -60,7 +60,7 @@ fn done(part: Part, bvh: &Bvh, mesh: &Mesh, rays: &[Ray]) -> [u64; 2] {
     let lean = Plan::new(bvh, Method::Hashed, if part == Part::SecondTrail { Ask::Distance } else { Ask::Any });
     assert!(lean.skips(part), "{part:?}");
     [lean.clone(), lean.with(part)].map(|plan| {
-        let tracer = Tracer::planned(bvh, &plan).expect("a tracer");
+        let tracer = BinaryTracer::planned(bvh, &plan).expect("a tracer");
         match part {
             Part::LongKeys => tracer.word() as u64,
             Part::OtherTables | Part::OwnBoxes => tracer.bytes() as u64,
@@ -70,7 +70,7 @@ fn done(part: Part, bvh: &Bvh, mesh: &Mesh, rays: &[Ray]) -> [u64; 2] {
             }
             Part::Degenerate => {
                 let bvh = plan.options(BuildOptions::default()).build(mesh).expect("a tree");
-                assert!(rays.iter().all(|ray| Tracer::new(&bvh).all(ray).eq(tracer.all(ray))));
+                assert!(rays.iter().all(|ray| BinaryTracer::new(&bvh).all(ray).eq(tracer.all(ray))));
                 bvh.triangles().len() as u64
             }
             Part::Repeats => u64::from(tracer.sweep(&rays[0]).watches()),
@@ -101,9 +101,9 @@ fn each_decision_changes_what_is_done() {
 fn a_tracer_says_what_the_plan_asks_for() {
     let mesh = procedural::strands(2, 20);
     let (bvh, rays) = (Bvh::build(&mesh).expect("a tree"), procedural::rays(&mesh, 4, 300));
-    let tracer = Tracer::new(&bvh);
+    let tracer = BinaryTracer::new(&bvh);
     for (ask, parts) in [(Ask::Any, [false, false]), (Ask::Distance, [true, false]), (Ask::Hit, [true, true])] {
-        let planned = Tracer::planned(&bvh, &Plan::new(&bvh, Method::default(), ask)).expect("a tracer");
+        let planned = BinaryTracer::planned(&bvh, &Plan::new(&bvh, Method::default(), ask)).expect("a tracer");
         for (ray, asked) in rays.iter().zip(planned.asked_each(&rays)) {
             let hit = if ask == Ask::Any { tracer.any_hit(ray) } else { tracer.closest(ray) };
             let expected = hit.map(|Hit { prim, t, u, v }| Asked {
@@ -133,8 +133,8 @@ fn a_plan_of_another_hierarchy_changes_no_answer() {
     let rays = procedural::rays(&mesh, 4, 200);
     for method in [Method::HashedDisjoint, Method::StackT0, Method::Skip] {
         for ask in [Ask::Any, Ask::Hit, Ask::All] {
-            let planned = Tracer::planned(&in_parts, &Plan::new(&plain, method, ask)).expect("deep enough words");
-            let own = Tracer::new(&plain);
+            let planned = BinaryTracer::planned(&in_parts, &Plan::new(&plain, method, ask)).expect("deep enough words");
+            let own = BinaryTracer::new(&plain);
             assert_eq!(planned.closest_each(&rays), own.closest_each(&rays), "{method}");
             assert_eq!(planned.all_each(&rays), own.all_each(&rays), "{method}");
             assert_eq!(planned.any_each(&rays), own.any_each(&rays), "{method}");
@@ -147,7 +147,7 @@ fn counts_are_those_of_the_visits() {
     for (mesh, rays) in scenes() {
         let bvh = Bvh::sah(&mesh, SahOptions::default()).expect("a tree");
         for any in [false, true] {
-            let count = |method| Tracer::with_method(&bvh, method).expect("a tracer");
+            let count = |method| BinaryTracer::with_method(&bvh, method).expect("a tracer");
             let count = |method| if any { count(method).count_any(&rays) } else { count(method).count_closest(&rays) };
             let [stack, hashed, skip] = [Method::Stack, Method::Hashed, Method::Skip].map(count);
             assert_eq!(stack.rays, rays.len() as u64);

@@ -1,148 +1,155 @@
-use std::sync::Arc;
-
-use glam::Vec3;
-
 use super::*;
-use crate::bvh::SahOptions;
+use crate::bvh::{BuildOptions, Builder, Bvh};
 use crate::generate::{procedural, stress};
-use crate::geom::BallError;
-use crate::geom::truth::{round_root_f32, square_distance};
-use crate::trace::{TrueHit, truth};
+use crate::geom::{Mesh, lanes};
+use crate::trace::{BinaryTracer, Truth};
+use crate::traverse;
 
-fn meshes() -> Vec<(Mesh, Vec<Ray>)> {
-    let made = [procedural::soup(1, 60), procedural::strands(2, 4), procedural::soup(3, 1)];
-    let mut scenes: Vec<_> = made.into_iter().map(|mesh| (procedural::rays(&mesh, 4, 60), mesh)).collect();
-    let doubled =
-        Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z], vec![[0, 1, 2], [2, 1, 0], [0, 1, 3], [1, 0, 2]]);
-    let doubled = doubled.expect("a mesh");
-    scenes.push((procedural::rays(&doubled, 5, 200), doubled));
-    scenes.into_iter().map(|(rays, mesh)| (mesh, rays)).collect()
+fn bits(hit: Option<Hit>) -> Option<(u32, [u32; 3])> {
+    hit.map(|Hit { prim, t, u, v }| (prim, [t, u, v].map(f32::to_bits)))
 }
 
-fn trees(mesh: &Mesh) -> [Bvh; 2] {
-    [Bvh::sah(mesh, SahOptions::default()), Bvh::median(mesh, 1)].map(|bvh| bvh.expect("a tree"))
-}
-
-/// A tracer by each traversal that runs on a tree.
-fn tracers(bvh: &Bvh) -> Vec<Tracer<&Bvh>> {
-    Method::ALL.iter().filter_map(|&method| Tracer::with_method(bvh, method).ok()).collect()
-}
-
-#[test]
-fn every_traversal_answers_every_ray_query_with_the_truth() {
-    for (mesh, rays) in meshes() {
-        for bvh in trees(&mesh) {
-            let tracers = tracers(&bvh);
-            assert!(tracers.len() >= Method::ALL.len() - 1);
-            for ray in &rays {
-                let truth: Vec<_> = truth::brute_force(&mesh, ray).iter().map(TrueHit::rounded).collect();
-                for tracer in &tracers {
-                    assert_eq!(tracer.closest(ray), truth.first().copied(), "{tracer:?} {ray:?}");
-                    assert_eq!(tracer.any(ray), !truth.is_empty(), "{tracer:?} {ray:?}");
-                    assert_eq!(tracer.all(ray).collect::<Vec<_>>(), truth, "{tracer:?} {ray:?}");
-                    let after = |hit: &Hit| tracer.next(ray, (hit.t, hit.prim));
-                    let walked: Vec<_> = std::iter::successors(tracer.closest(ray), after).take(200).collect();
-                    assert_eq!(walked, truth, "{tracer:?} {ray:?}");
-                }
+/// All traversals and levels answer as `BinaryTracer` does, bit for bit; returns the number of hits.
+fn compare(mesh: &Mesh, rays: &[Ray], options: &BuildOptions) -> usize {
+    let bvh = options.build(mesh).expect("a hierarchy");
+    let (wide, binary) = (WideBvh::of(&bvh).expect("a wide one"), BinaryTracer::new(&bvh));
+    let expected: Vec<_> = binary.closest_each(rays).into_iter().map(bits).collect();
+    let rare = Rare::of(&bvh, &binary, rays);
+    for method in Method::ALL {
+        rare.compare(&Tracer::with_method(&wide, method).expect("a tracer"), rays);
+        for (name, level) in lanes::levels() {
+            let tracer = Tracer::with_method(&wide, method).expect("a tracer").with_level(level);
+            let closest: Vec<_> = tracer.closest_each(rays).into_iter().map(bits).collect();
+            assert_eq!(closest, expected, "{method} {name}");
+            let any = tracer.any_each(rays);
+            for (i, ray) in rays.iter().enumerate() {
+                assert_eq!(bits(tracer.closest(ray)), expected[i], "{method} {name} {ray:?}");
+                let is_hit = expected[i].is_some();
+                assert_eq!((any[i], tracer.any(ray)), (is_hit, is_hit), "{method} {name} {ray:?}");
+                assert_eq!(tracer.any_hit(ray).is_some(), is_hit);
             }
         }
     }
+    expected.iter().flatten().count()
 }
 
-#[test]
-fn hits_are_walked_through_on_hard_rays() {
-    for case in stress::cases(6) {
-        let bvh = Bvh::sah(&case.mesh, SahOptions::default()).expect("a tree");
-        let tracer = Tracer::new(&bvh);
-        for ray in &case.rays {
-            let all: Vec<_> = tracer.all(ray).collect();
-            let after = |hit: &Hit| tracer.next(ray, (hit.t, hit.prim));
-            let walked: Vec<_> = std::iter::successors(tracer.closest(ray), after).take(all.len() + 1).collect();
-            assert_eq!(walked, all, "{}: {ray:?}", case.name);
-        }
-    }
+/// What a binary tracer answers to the queries that share one copy of the traversals, for every third ray.
+struct Rare {
+    all: Vec<Vec<Hit>>,
+    crossings: Vec<u32>,
+    near: Vec<Vec<Near>>,
 }
 
-#[test]
-fn slices_and_threads_give_the_same() {
-    let mesh = procedural::soup(8, 300);
-    let (tracer, rays) = (Tracer::of(&mesh).expect("a tree"), procedural::rays(&mesh, 9, 3000));
-    macro_rules! same {
-        ($items:expr, $one:expr, $each:ident, $parallel:ident) => {
-            let one: Vec<_> = $items.iter().map($one).collect();
-            assert!(one == tracer.$each($items) && one == tracer.$parallel($items));
-            assert!(one.iter().any(|answer| *answer != one[0]));
+/// Some balls have nothing in them, some all.
+fn ball(i: usize, ray: &Ray) -> Ball {
+    Ball::new(ray.origin(), [0.1, 0.5, f32::INFINITY][i % 3]).expect("a ball")
+}
+
+/// None, one, some, and all.
+const SEVERAL: [usize; 4] = [0, 1, 5, 100_000];
+
+impl Rare {
+    fn of(bvh: &Bvh, binary: &BinaryTracer<&Bvh>, rays: &[Ray]) -> Self {
+        let crossings = |ray: &Ray| {
+            let mut crossings = Crossings::new(bvh, ray);
+            traverse::traverse(traverse::Stack::new(bvh, &mut Vec::new()), &mut crossings, &mut ());
+            crossings.count()
         };
+        let rays = || rays.iter().step_by(3).enumerate();
+        Self {
+            all: rays().map(|(_, ray)| binary.all(ray).collect()).collect(),
+            crossings: rays().map(|(_, ray)| crossings(ray)).collect(),
+            near: rays().map(|(i, ray)| binary.nearest_k(&ball(i, ray), SEVERAL[i % 4])).collect(),
+        }
     }
-    same!(&rays, |ray| tracer.closest(ray), closest_each, closest_parallel);
-    same!(&rays, |ray| tracer.any(ray), any_each, any_parallel);
-    same!(&rays, |ray| tracer.any_hit(ray), any_hit_each, any_hit_parallel);
-    same!(&rays, |ray| tracer.all(ray).collect::<Vec<_>>(), all_each, all_parallel);
-    let balls: Vec<_> = rays.iter().map(|ray| Ball::new(ray.origin(), 0.1).expect("a ball")).collect();
-    same!(&balls, |ball| tracer.nearest(ball), nearest_each, nearest_parallel);
-    assert!(tracer.closest_each(&[]).is_empty() && tracer.closest_parallel(&[]).is_empty());
+
+    fn compare(&self, tracer: &Tracer<&WideBvh>, rays: &[Ray]) {
+        let method = tracer.method();
+        for (i, ray) in rays.iter().step_by(3).enumerate() {
+            let all: Vec<_> = tracer.all(ray).collect();
+            assert_eq!(all, self.all[i], "{method} {ray:?}");
+            assert_eq!(tracer.crossings(ray), self.crossings[i], "{method} {ray:?}");
+            let after = |hit: Option<&Hit>| hit.map_or((f32::NEG_INFINITY, 0), |hit| (hit.t, hit.prim));
+            for at in 0..=all.len().min(4) {
+                assert_eq!(tracer.next(ray, after(all[..at].last())), all.get(at).copied(), "{method} {ray:?} {at}");
+            }
+            let ball = ball(i, ray);
+            let near = tracer.nearest_k(&ball, SEVERAL[i % 4]);
+            assert_eq!(near, self.near[i], "{method} {ball:?}");
+            assert_eq!(tracer.nearest(&ball), tracer.nearest_k(&ball, 1).pop(), "{method} {ball:?}");
+        }
+    }
 }
 
-/// A tracer in a struct, without a lifetime.
-struct Scene {
-    tracer: Tracer,
-    shared: Tracer<Arc<Bvh>>,
-}
-
+/// [DET-1] [PARITY-1] [NEAR-1] [NEAR-2] [LANES-1] [LANES-2] [LANES-3] [LANES-4] [WIDE-4] [WIDE-8]
 #[test]
-fn a_tracer_owns_borrows_or_shares() {
-    let mesh = procedural::soup(8, 100);
-    let bvh = Arc::new(Bvh::build(&mesh).expect("a tree"));
-    let scene = Scene { tracer: Tracer::new(Bvh::clone(&bvh)), shared: Tracer::new(Arc::clone(&bvh)) };
-    let rays = procedural::rays(&mesh, 9, 400);
-    let expected = Tracer::new(&*bvh).closest_each(&rays);
-    assert!(expected.iter().flatten().count() > 40);
-    let sent = std::thread::spawn(move || [scene.tracer.closest_each(&rays), scene.shared.closest_each(&rays)]);
-    assert!(sent.join().is_ok_and(|found| found.iter().all(|found| *found == expected)));
-}
-
-#[test]
-fn the_nearest_point_is_the_truth() {
-    for (mesh, rays) in meshes() {
-        // Points anywhere, and on corners and middles of edges.
-        let on = mesh.triangles().iter().take(10).flat_map(|&[a, b, _]| {
-            let [a, b] = [a, b].map(|corner| mesh.vertices()[corner as usize]);
-            [a, (a + b) * 0.5]
-        });
-        let points: Vec<_> = rays.iter().step_by(6).map(Ray::origin).chain(on).collect();
-        let size = mesh.vertices().iter().fold(0f32, |size, corner| size.max(corner.length()));
-        for bvh in trees(&mesh) {
-            for &point in &points {
-                let distance = |prim: usize| {
-                    let square = square_distance(mesh.triangle(prim).map(|corner| corner.to_array()), point.to_array());
-                    round_root_f32(&square.expect("finite"))
-                };
-                let truth = (0..mesh.triangles().len())
-                    .filter(|&prim| !crate::geom::Triangle(mesh.triangle(prim)).is_degenerate())
-                    .map(|prim| (distance(prim), prim as u32))
-                    .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-                for tracer in tracers(&bvh) {
-                    for radius in [f32::INFINITY, size * 0.1] {
-                        let near = tracer.nearest(&Ball::new(point, radius).expect("a point and a radius"));
-                        let truth = truth.filter(|&(distance, _)| distance <= radius);
-                        assert_eq!(near.map(|near| (near.distance, near.prim)), truth, "{tracer:?} {point}");
-                        if let Some(Near { point: found, distance, .. }) = near {
-                            assert!(((found - point).length() - distance).abs() <= 1e-5 * size, "{tracer:?} {point}");
-                        }
-                    }
-                }
+fn all_traversals_and_levels_answer_as_the_binary_tracer_does() {
+    let meshes = [procedural::soup(1, 500), procedural::strands(2, 60), procedural::layers(40)];
+    for mesh in &meshes {
+        let rays = procedural::rays(mesh, 3, 300);
+        for builder in Builder::ALL {
+            for reinsertion in [0, 2] {
+                let hits = compare(mesh, &rays, &BuildOptions { builder, reinsertion, ..BuildOptions::default() });
+                assert!(hits > 20, "{hits}");
             }
         }
     }
 }
 
 #[test]
-fn what_does_not_fit_is_refused_at_once() {
-    let bvh = Bvh::sah(&procedural::soup(1, 100), SahOptions::default()).expect("a tree");
-    let refused = Tracer::with_method(&bvh, Method::Complete);
-    assert!(matches!(refused, Err(Unfit::NotComplete(_))));
-    let tracer = Tracer::new(&bvh);
-    assert_eq!((tracer.method(), tracer.word()), (Method::default(), WordName::U32));
-    assert_eq!(Ball::new(Vec3::ZERO, -1.0), Err(BallError::Radius(-1.0)));
-    assert!(matches!(Ball::new(Vec3::NAN, 1.0), Err(BallError::Center(_))));
+fn hard_rays_are_answered_as_by_the_binary_tracer() {
+    let mut hits = 0;
+    for case in stress::cases(60) {
+        hits += compare(&case.mesh, &case.rays, &BuildOptions::default());
+    }
+    assert!(hits > 1000, "{hits}");
+}
+
+#[test]
+fn the_truth_is_the_answer() {
+    let mesh = procedural::soup(4, 300);
+    let (truth, rays) = (Truth::new(&mesh), procedural::rays(&mesh, 5, 400));
+    let tracer = Tracer::new(WideBvh::of(&Bvh::build(&mesh).unwrap()).unwrap());
+    for ray in &rays {
+        let expected = truth.closest(ray).map(|hit| hit.rounded());
+        assert_eq!(bits(tracer.closest(ray)), bits(expected), "{ray:?}");
+        assert_eq!(tracer.closest_distance(ray), expected.map(|hit| (hit.prim, hit.t)));
+    }
+    assert_eq!(tracer.closest_parallel(&rays), tracer.closest_each(&rays));
+    assert_eq!(tracer.any_parallel(&rays), tracer.any_each(&rays));
+    assert_eq!(tracer.any_hit_parallel(&rays), tracer.any_hit_each(&rays));
+    assert_eq!(tracer.all_parallel(&rays), tracer.all_each(&rays));
+    assert_eq!(tracer.crossings_parallel(&rays), tracer.crossings_each(&rays));
+    let balls: Vec<_> = rays.iter().enumerate().map(|(i, ray)| ball(i, ray)).collect();
+    assert_eq!(tracer.nearest_parallel(&balls), tracer.nearest_each(&balls));
+    assert_eq!(tracer.nearest_each(&balls), BinaryTracer::of(&mesh).unwrap().nearest_each(&balls));
+}
+
+#[test]
+fn an_empty_hierarchy_and_no_rays() {
+    let ray = Ray::new(glam::Vec3::ZERO, glam::Vec3::X).unwrap();
+    for method in Method::ALL {
+        let tracer = Tracer::with_method(WideBvh::empty(), method).unwrap();
+        assert_eq!((tracer.closest(&ray), tracer.any(&ray)), (None, false));
+        assert_eq!(tracer.closest_each(&[ray; 3]), [None; 3]);
+        assert_eq!(tracer.any_each(&[]), [false; 0]);
+        assert_eq!((tracer.all(&ray).len(), tracer.next(&ray, (0.0, 0)), tracer.crossings(&ray)), (0, None, 0));
+        let ball = Ball::around(glam::Vec3::ZERO).unwrap();
+        assert_eq!((tracer.nearest(&ball), tracer.nearest_k(&ball, 3)), (None, vec![]));
+    }
+}
+
+/// Rays end in another order than they begin, and in each number that a turn can end with.
+#[test]
+fn each_answer_is_of_its_ray() {
+    let mesh = procedural::soup(6, 200);
+    let tracer = Tracer::new(WideBvh::of(&Bvh::build(&mesh).unwrap()).unwrap());
+    let rays = procedural::rays(&mesh, 7, 64);
+    let expected: Vec<_> = rays.iter().map(|ray| tracer.closest_distance(ray)).collect();
+    for count in 0..rays.len() {
+        let mut found = vec![Some((7, 7.0)); rays.len()];
+        tracer.closest_distances(&rays[..count], &mut found);
+        assert_eq!(found[..count], expected[..count]);
+        assert!(found[count..].iter().all(|&untouched| untouched == Some((7, 7.0))));
+    }
 }

@@ -8,7 +8,7 @@ use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::Flow;
-use stackless_bvh::trace::{AnyByNode, Closest, ClosestByNode, Tracer, Truth};
+use stackless_bvh::trace::{AnyByNode, BinaryTracer, Closest, ClosestByNode, Truth};
 use stackless_bvh::traverse::{Afra, Cuts, Hashed, Method, Split, Unfit, WordName, traverse};
 use stackless_bvh::tree::{Keys, Linked, Node, Recorded, Topology};
 use stackless_check::{CaseOptions, Pieces, Plan, SceneTree, check_scene};
@@ -86,7 +86,7 @@ fn all_traversals_find_the_truth_in_the_words_that_carry_it() {
 #[test]
 fn the_tracer_takes_the_growing_word() {
     let (mesh, bvh) = deep();
-    let (truth, tracer) = (Truth::new(&mesh), Tracer::new(&bvh));
+    let (truth, tracer) = (Truth::new(&mesh), BinaryTracer::new(&bvh));
     assert_eq!((tracer.method(), tracer.word()), (Method::default(), WordName::Grow));
     let mut hits = 0;
     for ray in rays(&mesh) {

@@ -8,7 +8,7 @@ use stackless_bvh::bvh::Bvh;
 use stackless_bvh::generate::stress::StressCase;
 use stackless_bvh::geom::truth::{meet, round_f32};
 use stackless_bvh::geom::{Aabb, Kernel, Region, Triangle};
-use stackless_bvh::trace::{Counters, Tracer};
+use stackless_bvh::trace::{BinaryTracer, Counters};
 
 /// The greatest error of a distance, in floats, where a triangle is hit and found.
 pub(super) fn ulps<K: Kernel<Vector = Vec3, Shape: From<Triangle>>>(case: &StressCase) -> Option<Cost> {
@@ -41,7 +41,7 @@ pub(super) fn sums(case: &StressCase) -> Option<Cost> {
 /// Box tests of a ray in a complete tree, where all rays hit.
 pub(super) fn box_tests(case: &StressCase) -> Option<Cost> {
     let bvh = Bvh::median(&case.mesh, 1).ok()?;
-    let tracer = Tracer::new(&bvh);
+    let tracer = BinaryTracer::new(&bvh);
     let all_hit = case.rays.iter().all(|ray| tracer.closest(ray).is_some());
     let counters = tracer.count_closest(&case.rays);
     Cost::new(counters.boxes, counters.rays).filter(|_| all_hit)
@@ -56,7 +56,7 @@ pub(super) fn share(events: impl Iterator<Item = bool>) -> Option<Cost> {
 /// The exact closest hits through a complete tree.
 fn count(case: &StressCase) -> Option<Counters> {
     let bvh = Bvh::median(&case.mesh, 1).ok()?;
-    Some(Tracer::new(&bvh).count_closest(&case.rays))
+    Some(BinaryTracer::new(&bvh).count_closest(&case.rays))
 }
 
 /// Where each ray truly meets each triangle, and where the test finds it.

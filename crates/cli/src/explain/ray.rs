@@ -89,7 +89,7 @@ mod tests {
     use crate::explain::record;
     use stackless_bvh::bvh::{BuildOptions, Builder};
     use stackless_bvh::generate::procedural;
-    use stackless_bvh::trace::{Counters, Tracer};
+    use stackless_bvh::trace::{BinaryTracer, Counters};
     use stackless_bvh::traverse::Method;
 
     #[test]
@@ -97,14 +97,14 @@ mod tests {
         let mesh = procedural::soup(3, 400);
         for builder in [Builder::Sah, Builder::Spatial] {
             let bvh = BuildOptions { builder, ..BuildOptions::default() }.build(&mesh).unwrap();
-            let tracer = Tracer::new(&bvh);
+            let tracer = BinaryTracer::new(&bvh);
             let mut hits = 0;
             for ray in procedural::rays(&mesh, 5, 60) {
                 let case = of_ray(&bvh, &ray);
                 let recording = record(&case, Method::Hashed).unwrap();
                 let counters = tracer.count_closest(&[ray]);
                 assert_eq!(recording.steps.len() as u64, counters.inner + counters.leaves, "{ray:?}");
-                let by_sign = Tracer::with_method(&bvh, Method::Hapala).unwrap();
+                let by_sign = BinaryTracer::with_method(&bvh, Method::Hapala).unwrap();
                 let visits = record(&case, Method::Hapala).unwrap().steps.len() as u64;
                 // A test of a box for each visit.
                 let Counters { boxes, .. } = by_sign.count_closest(&[ray]);

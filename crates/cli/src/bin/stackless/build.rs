@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh};
+use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, WideBvh, WideError};
 use stackless_bvh::traverse::Method;
 
 use crate::input::Scene;
@@ -34,14 +34,19 @@ impl Build {
         asked.unwrap_or(Self { builder: usual, reinsertion: 0 })
     }
 
+    /// What was asked for; else the default of [`WideBvh`].
+    pub(crate) fn chosen_wide(asked: Option<Self>) -> Self {
+        asked.unwrap_or(Self { builder: Builder::Sah, reinsertion: 2 })
+    }
+
+    /// A wide hierarchy, with a progress bar.
+    pub(crate) fn run_wide(self, scene: &Scene) -> Result<WideBvh, WideError> {
+        WideBvh::of(&self.run_as(BuildOptions::fine(), scene)?)
+    }
+
     /// Builds, with a progress bar.
     pub(crate) fn run(self, scene: &Scene) -> Result<Bvh, BuildError> {
         self.run_as(BuildOptions::default(), scene)
-    }
-
-    /// The same with one triangle a leaf: for wide hierarchies.
-    pub(crate) fn run_fine(self, scene: &Scene) -> Result<Bvh, BuildError> {
-        self.run_as(BuildOptions::fine(), scene)
     }
 
     fn run_as(self, options: BuildOptions, scene: &Scene) -> Result<Bvh, BuildError> {

@@ -11,7 +11,7 @@ use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_bvh::wide;
 use stackless_scene::SceneError;
-use stackless_suite::Level;
+use stackless_suite::{Level, Traversal};
 
 use crate::output;
 
@@ -74,6 +74,32 @@ impl TypedValueParser for MethodName {
 /// Reads a traversal's name; the error lists all of them.
 pub(crate) fn method(name: &str) -> Result<Method, String> {
     name.parse().map_err(|_| format!("expected one of: {}", Method::ALL.map(Method::name).join(", ")))
+}
+
+/// Reads the name of a traversal of binary or of wide trees, and lists all of them.
+#[derive(Clone)]
+pub(crate) struct TraversalName;
+
+impl TypedValueParser for TraversalName {
+    type Value = Traversal;
+
+    fn parse_ref(&self, command: &Command, argument: Option<&Arg>, value: &OsStr) -> Result<Traversal, clap::Error> {
+        (traversal as fn(&str) -> Result<Traversal, String>).parse_ref(command, argument, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let wide = |method: wide::Method| PossibleValue::new(method.name()).help(method.help());
+        let binary = MethodName.possible_values().into_iter().flatten();
+        Some(Box::new(binary.chain(wide::Method::ALL.into_iter().map(wide))))
+    }
+}
+
+fn traversal(name: &str) -> Result<Traversal, String> {
+    let binary = method(name).map(Traversal::Binary);
+    binary.or_else(|error| {
+        let wide = wide_method(name).map(Traversal::Wide);
+        wide.map_err(|more| format!("{error}, {}", more.trim_start_matches("expected one of: ")))
+    })
 }
 
 /// Reads the name of a traversal of wide trees; the error lists all of them.

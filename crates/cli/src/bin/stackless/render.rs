@@ -7,8 +7,8 @@ mod sample;
 use std::path::PathBuf;
 
 use rayon::prelude::*;
-use stackless_bvh::bvh::Bvh;
-use stackless_bvh::trace::{Continuation, Tracer};
+use stackless_bvh::bvh::{Bvh, WideBvh};
+use stackless_bvh::trace::{BinaryTracer, Continuation, Tracer};
 use stackless_bvh::traverse::Method;
 
 use crate::build::Build;
@@ -143,9 +143,9 @@ impl Job {
     }
 
     pub(crate) fn draw(&self, scene: &Scene, bvh: &Bvh) -> Result<Drawn, Box<dyn std::error::Error>> {
-        let tracer = Tracer::new(bvh);
+        let tracer = Tracer::new(WideBvh::of(bvh)?);
         let &Self { rays, spp, seed, .. } = self;
-        let samples = Samples { scene, tracer: &tracer, camera: self.camera.of(scene), rays, spp, seed };
+        let samples = Samples { scene, bvh, tracer, camera: self.camera.of(scene), rays, spp, seed };
         match self.heat {
             Some(heat) => self.heat_map(&samples, heat),
             None => Ok(self.shaded(&samples)),
@@ -162,14 +162,15 @@ impl Job {
     }
 
     fn heat_map(&self, samples: &Samples<'_>, heat: Heat) -> Result<Drawn, Box<dyn std::error::Error>> {
-        let (size, any, bvh) = (self.camera.size, self.rays == Rays::Ao, samples.tracer.bvh());
+        let (size, any, bvh) = (self.camera.size, self.rays == Rays::Ao, samples.bvh);
+        let binary = BinaryTracer::new(bvh);
         let mut counts: Vec<(&str, Box<Count<'_>>)> = Vec::new();
         for &method in &self.methods {
             let costs = Costs::new(bvh, method, heat, any).map_err(|unfit| format!("{method}: {unfit}"))?;
             counts.push((method.name(), Box::new(move |sample| Some(costs.of(sample.traced.as_ref()?)))));
         }
         if self.continues {
-            let continuation = Continuation::new(samples.tracer)?;
+            let continuation = Continuation::new(&binary)?;
             counts[0].0 = "from the root";
             let from_hit = move |sample: &Sample| {
                 let (_, place) = continuation.closest(&sample.primary, None)?;

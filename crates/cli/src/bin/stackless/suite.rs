@@ -3,15 +3,12 @@
 #[cfg(feature = "peers")]
 mod peer;
 
-use std::ffi::OsStr;
 use std::io::{self, BufReader, stdin, stdout};
 use std::path::{Path, PathBuf};
 
-use clap::builder::{PossibleValue, TypedValueParser};
-use clap::{Arg, Command, Subcommand};
+use clap::Subcommand;
 use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::WordName;
-use stackless_bvh::wide;
 use stackless_suite::{Feature, Implementation, Level, Library, Suite, Traversal, VERSION, serve};
 
 use crate::conform::{load, select};
@@ -49,7 +46,7 @@ enum What {
     /// Answer the cases as this library does: an implementation for `stackless conform`.
     Serve {
         /// The traversal, of binary or of wide trees; one for each profile if none is named.
-        #[arg(long, value_parser = TraversalName)]
+        #[arg(long, value_parser = input::TraversalName)]
         method: Option<Traversal>,
         /// The word of keys and trails.
         #[arg(long, value_parser = input::word)]
@@ -62,32 +59,6 @@ enum What {
         #[arg(long, conflicts_with_all = ["method", "word", "accuracy"], value_parser = peer::named)]
         peer: Option<stackless_peers::Peer>,
     },
-}
-
-/// Reads a traversal's name, and lists all of them.
-#[derive(Clone)]
-struct TraversalName;
-
-impl TypedValueParser for TraversalName {
-    type Value = Traversal;
-
-    fn parse_ref(&self, command: &Command, argument: Option<&Arg>, value: &OsStr) -> Result<Traversal, clap::Error> {
-        (traversal as fn(&str) -> Result<Traversal, String>).parse_ref(command, argument, value)
-    }
-
-    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        let wide = |method: wide::Method| PossibleValue::new(method.name()).help(method.help());
-        let binary = input::MethodName.possible_values().into_iter().flatten();
-        Some(Box::new(binary.chain(wide::Method::ALL.into_iter().map(wide))))
-    }
-}
-
-fn traversal(name: &str) -> Result<Traversal, String> {
-    let binary = input::method(name).map(Traversal::Binary);
-    binary.or_else(|error| {
-        let wide = input::wide_method(name).map(Traversal::Wide);
-        wide.map_err(|more| format!("{error}, {}", more.trim_start_matches("expected one of: ")))
-    })
 }
 
 /// Which cases.

@@ -6,8 +6,10 @@ use glam::Vec3;
 use rayon::prelude::*;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
-use stackless_bvh::trace::{self, Accuracy, Form, Hit, Tracer, WithTests};
+use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Form, Hit, Tracer, WithTests};
 use stackless_bvh::traverse::{Method, Unfit};
+use stackless_bvh::wide;
+use stackless_suite::Traversal;
 
 use crate::Outcome;
 use crate::build::Build;
@@ -31,11 +33,12 @@ pub(crate) struct Args {
     /// File for the hits; written whole or not at all. `-` is the standard output.
     #[arg(long, value_name = "FILE", value_parser = places::file)]
     out: Output,
-    /// The traversal.
-    #[arg(long, default_value_t, value_parser = input::MethodName)]
-    method: Method,
+    /// The traversal: of wide trees, which are faster and always exact, or of binary ones.
+    /// [default: wide-record; afra where the accuracy is not exact]
+    #[arg(long, value_parser = input::TraversalName)]
+    method: Option<Traversal>,
     /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median; with `+N`, N rounds of reinsertion follow.
-    /// [default: sah, for `complete` median]
+    /// [default: sah+2 for wide trees; sah for binary ones, for `complete` median]
     #[arg(long)]
     build: Option<Build>,
     /// How exact the answers are to be: fast, watertight, precise or exact.
@@ -53,38 +56,68 @@ pub(crate) fn run(args: &Args) -> Outcome {
         stackless_scene::read_rays(&args.rays)?
     };
     let scene = Scene::load(&args.scene)?;
-    let bvh = Build::chosen(args.build, &[args.method]).run(&scene)?;
-    let hits = trace::with_level(args.accuracy, WithRays { args, bvh, rays: &rays })
-        .map_err(|unfit| format!("{}: {unfit}", args.method))?;
+    let (method, hits) = match args.traversal()? {
+        Traversal::Binary(method) => {
+            let bvh = Build::chosen(args.build, &[method]).run(&scene)?;
+            let traced = trace::with_level(args.accuracy, Binary { method, bvh, any: args.any, rays: &rays });
+            (method.name(), traced.map_err(|unfit| format!("{method}: {unfit}"))?)
+        }
+        Traversal::Wide(method) => {
+            let bvh = Build::chosen_wide(args.build).run_wide(&scene)?;
+            let tracer = Tracer::with_method(&bvh, method).map_err(|unfit| format!("{method}: {unfit}"))?;
+            let each = |rays: &[Ray]| if args.any { tracer.any_hit_each(rays) } else { tracer.closest_each(rays) };
+            (method.name(), in_chunks(&rays, each))
+        }
+    };
     let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (prim, t, u, v)));
     write_file(&args.out, |file| stackless_scene::write_hits(file, rows))?;
     let hit = hits.iter().flatten().count();
-    say!("{}: {} rays, {hit} hits, by {}, {}", scene.name, rays.len(), args.method, args.accuracy);
+    say!("{}: {} rays, {hit} hits, by {method}, {}", scene.name, rays.len(), args.accuracy);
     Ok(true)
 }
 
-struct WithRays<'a> {
-    args: &'a Args,
+impl Args {
+    fn traversal(&self) -> Result<Traversal, String> {
+        match (self.method, self.accuracy) {
+            (None, Accuracy::Exact) => Ok(Traversal::Wide(wide::Method::default())),
+            (None, _) => Ok(Traversal::Binary(Method::default())),
+            (Some(Traversal::Wide(method)), other) if other != Accuracy::Exact => {
+                Err(format!("--accuracy {other}: {method} is always exact; choose a traversal of binary trees"))
+            }
+            (Some(method), _) => Ok(method),
+        }
+    }
+}
+
+/// Rays by a traversal of binary trees.
+struct Binary<'a> {
+    method: Method,
     bvh: Bvh,
+    any: bool,
     rays: &'a [Ray],
 }
 
-type Hits = Result<Vec<Option<Hit>>, Unfit>;
+type Hits = Vec<Option<Hit>>;
 
-impl WithTests for WithRays<'_> {
-    type Output = Hits;
+impl WithTests for Binary<'_> {
+    type Output = Result<Hits, Unfit>;
 
-    fn call<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>>(self) -> Hits {
-        let Self { args, bvh, rays } = self;
-        let bvh = bvh.with_links(args.method.wants_recorded()).map(K::Shape::from);
-        let tracer = Tracer::<_, K, B>::with_tests(&bvh, args.method)?;
-        let progress = bar(rays.len() as u64, "rays");
-        let hits = rays.par_chunks(1024).flat_map_iter(|chunk| {
-            progress.inc(chunk.len() as u64);
-            if args.any { tracer.any_hit_each(chunk) } else { tracer.closest_each(chunk) }
-        });
-        let hits = hits.collect();
-        progress.finish_and_clear();
-        Ok(hits)
+    fn call<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>>(self) -> Self::Output {
+        let Self { method, bvh, any, rays } = self;
+        let bvh = bvh.with_links(method.wants_recorded()).map(K::Shape::from);
+        let tracer = BinaryTracer::<_, K, B>::with_tests(&bvh, method)?;
+        Ok(in_chunks(rays, |chunk| if any { tracer.any_hit_each(chunk) } else { tracer.closest_each(chunk) }))
     }
+}
+
+/// All answers, on all threads, with a progress bar.
+fn in_chunks(rays: &[Ray], each: impl Fn(&[Ray]) -> Hits + Sync + Send) -> Hits {
+    let progress = bar(rays.len() as u64, "rays");
+    let hits = rays.par_chunks(1024).flat_map_iter(|chunk| {
+        progress.inc(chunk.len() as u64);
+        each(chunk)
+    });
+    let hits = hits.collect();
+    progress.finish_and_clear();
+    hits
 }

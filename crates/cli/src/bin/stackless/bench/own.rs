@@ -4,7 +4,7 @@ use cpu_time::ProcessTime;
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, Bvh};
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
-use stackless_bvh::trace::{self, Accuracy, Form, Forms, Tracer, WithTests};
+use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Form, Forms, WithTests};
 use stackless_bvh::traverse::{Method, Unfit};
 use stackless_bvh::tree::{Recorded, Topology};
 
@@ -56,14 +56,14 @@ impl<'a> WithTests for MakeRunner<'a> {
             Recorded::Uncles => &self.trees.uncles,
             _ => &self.trees.parents,
         };
-        Ok(Box::new(Runner { tracer: Tracer::<_, K, B>::with_tests(forms.of(), self.method)?, make: self }))
+        Ok(Box::new(Runner { tracer: BinaryTracer::<_, K, B>::with_tests(forms.of(), self.method)?, make: self }))
     }
 }
 
 /// A traversal with its tree, that tree's tables, and the types of its tests.
 struct Runner<'a, K: Kernel, B> {
     make: MakeRunner<'a>,
-    tracer: Tracer<&'a Bvh<K::Shape>, K, B>,
+    tracer: BinaryTracer<&'a Bvh<K::Shape>, K, B>,
 }
 
 impl<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>> Contestant for Runner<'_, K, B> {

@@ -4,7 +4,7 @@ use cpu_time::ProcessTime;
 use stackless_bvh::bvh::WideBvh;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::geom::lanes::Level;
-use stackless_bvh::trace::{Accuracy, WideTracer};
+use stackless_bvh::trace::{Accuracy, Tracer};
 use stackless_bvh::wide::{Method, Topology};
 
 use super::Contestant;
@@ -31,7 +31,7 @@ pub(super) struct Manner {
 impl WideTree {
     pub(super) fn build(scene: &Scene, build: Build) -> Result<Self, Box<dyn std::error::Error>> {
         let start = ProcessTime::now();
-        let bvh = WideBvh::of(&build.run_fine(scene)?)?;
+        let bvh = build.run_wide(scene)?;
         Ok(Self { build, bvh, build_seconds: start.elapsed().as_secs_f64() })
     }
 
@@ -40,14 +40,14 @@ impl WideTree {
         method: Method,
         manner: Manner,
     ) -> Result<Box<dyn Contestant + '_>, Box<dyn std::error::Error>> {
-        let tracer = WideTracer::with_method(&self.bvh, method)?.with_level(manner.level);
+        let tracer = Tracer::with_method(&self.bvh, method)?.with_level(manner.level);
         Ok(Box::new(Runner { tree: self, tracer, is_alone: manner.is_alone }))
     }
 }
 
 struct Runner<'a> {
     tree: &'a WideTree,
-    tracer: WideTracer<&'a WideBvh>,
+    tracer: Tracer<&'a WideBvh>,
     is_alone: bool,
 }
 

@@ -5,7 +5,7 @@ use stackless_bvh::event::Source;
 use stackless_bvh::geom::{Aabb, Ray};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::Pruned;
-use stackless_bvh::trace::{AnyByNode, ClosestByNode, Query, Tracer};
+use stackless_bvh::trace::{AnyByNode, BinaryTracer, ClosestByNode, Query};
 use stackless_bvh::traverse::{Method, Need, Tables, Unfit, WithWord, with_word};
 use stackless_bvh::tree::Implicit;
 use stackless_check::{Reads, Steps, Watched};
@@ -47,7 +47,7 @@ impl Heat {
 pub(super) struct Costs<'a> {
     heat: Heat,
     any: bool,
-    tracer: Tracer<&'a Bvh>,
+    tracer: BinaryTracer<&'a Bvh>,
     /// Where the tracer's own counts do not tell.
     steps: Option<Box<Walks<'a>>>,
 }
@@ -68,7 +68,7 @@ impl<'a> Costs<'a> {
             Heat::Hash => method.needs() == Need::AllKeys,
         };
         let steps = needs_steps.then(|| Box::new(Walks::new(bvh, method)));
-        Ok(Self { heat, any, tracer: Tracer::with_method(bvh, method)?, steps })
+        Ok(Self { heat, any, tracer: BinaryTracer::with_method(bvh, method)?, steps })
     }
 
     /// What a ray costs.
@@ -95,7 +95,7 @@ impl<'a> Walks<'a> {
     }
 
     /// Backtracks and their steps.
-    fn count(&self, tracer: &Tracer<&Bvh>, ray: &Ray, any: bool) -> [u64; 2] {
+    fn count(&self, tracer: &BinaryTracer<&Bvh>, ray: &Ray, any: bool) -> [u64; 2] {
         let (bvh, boxes) = (self.bvh, &*self.boxes);
         let query: &mut dyn Query =
             if any { &mut AnyByNode::new(bvh, boxes, ray) } else { &mut ClosestByNode::new(bvh, boxes, ray) };

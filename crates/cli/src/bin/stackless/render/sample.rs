@@ -36,7 +36,8 @@ impl Rays {
 /// The samples of all pixels.
 pub(super) struct Samples<'a> {
     pub(super) scene: &'a Scene,
-    pub(super) tracer: &'a Tracer<&'a Bvh>,
+    pub(super) bvh: &'a Bvh,
+    pub(super) tracer: Tracer,
     pub(super) camera: Camera,
     pub(super) rays: Rays,
     /// Of a pixel.
@@ -91,7 +92,7 @@ impl Samples<'_> {
             None => Sample { primary, hit: None, traced: Some(primary) },
             Some(None) => Sample { primary, hit: None, traced: None },
             Some(Some((hit, ray))) => {
-                let reach = REACH * self.tracer.bvh().bounds().extent().length();
+                let reach = REACH * self.bvh.bounds().extent().length();
                 let traced = if self.rays == Rays::Ao { ray.and_then(|ray| trace::cut(&ray, reach)) } else { ray };
                 Sample { primary, hit, traced }
             }

@@ -5,7 +5,7 @@ use std::hint::black_box;
 use serde::Serialize;
 use stackless_bvh::bvh::{BuildOptions, Bvh};
 use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::trace::{self, Ask, Asked, Part, Plan, Tracer};
+use stackless_bvh::trace::{self, Ask, Asked, BinaryTracer, Part, Plan};
 use stackless_bvh::traverse::{Method, Unfit};
 
 use crate::output::{Table, grouped, table};
@@ -83,7 +83,7 @@ pub(super) fn to_table(rows: &[Row]) -> Table {
 
 /// A tracer by a plan.
 struct Setup<'a> {
-    tracer: Tracer<&'a Bvh>,
+    tracer: BinaryTracer<&'a Bvh>,
     /// Whether which triangle is hit is asked.
     names_triangle: bool,
     /// Of hierarchy and tables.
@@ -92,7 +92,7 @@ struct Setup<'a> {
 
 impl<'a> Setup<'a> {
     fn new(plan: &Plan, bvh: &'a Bvh) -> Result<Self, Unfit> {
-        let tracer = Tracer::planned(bvh, plan)?;
+        let tracer = BinaryTracer::planned(bvh, plan)?;
         let bytes = bvh.bytes() + tracer.bytes();
         Ok(Self { tracer, names_triangle: plan.ask() != Ask::Any, bytes })
     }

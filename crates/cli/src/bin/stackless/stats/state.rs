@@ -8,7 +8,7 @@ use stackless_bvh::geom::kernel::Exact;
 use stackless_bvh::geom::slabs::Directed;
 use stackless_bvh::geom::{Kernel, Mesh, Ray};
 use stackless_bvh::order::{Descent, Flow, Visitor};
-use stackless_bvh::trace::{self, Any, Ask, Continuation, Counters, Place, Plan, Tracer};
+use stackless_bvh::trace::{self, Any, Ask, BinaryTracer, Continuation, Counters, Place, Plan};
 use stackless_bvh::traverse::{Method, Stack, Unfit, traverse};
 use stackless_bvh::tree::Node;
 
@@ -30,7 +30,7 @@ type Step = (Ray, Place);
 
 /// Counts for primary rays, and for rays from where they hit.
 pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, primary: &[Ray], seed: u64) -> Result<Vec<Row>, Unfit> {
-    let tracer = |method| Tracer::planned(bvh, &Plan::new(bvh, method, Ask::Distance));
+    let tracer = |method| BinaryTracer::planned(bvh, &Plan::new(bvh, method, Ask::Distance));
     let tracers = [
         ("nothing is pruned", tracer(Method::Hashed)?),
         ("disjoint intervals", tracer(Method::HashedDisjoint)?),

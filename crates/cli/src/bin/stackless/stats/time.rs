@@ -9,7 +9,7 @@ use stackless_bvh::geom::slabs::Directed;
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{Descent, Flow, Visitor, Whole};
-use stackless_bvh::trace::{Closest, Tracer};
+use stackless_bvh::trace::{BinaryTracer, Closest};
 use stackless_bvh::traverse::{
     Method, Pause, Stack, Tables, Unfit, WithCursor, WithWord, traverse, traverse_pruned, with_word,
 };
@@ -51,7 +51,7 @@ pub(super) fn measure(bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Unfit> {
     let tree = |method: Method| if method.wants_recorded() == Recorded::Uncles { &with_uncles } else { bvh };
     let mut tracers = Vec::new();
     for method in METHODS {
-        tracers.push(Tracer::with_method(tree(method), method)?);
+        tracers.push(BinaryTracer::with_method(tree(method), method)?);
     }
     let tables = METHODS.map(|method| Tables::new(tree(method).tree(), bvh.axes(), &[method], Implicit::LIMIT));
     let tapes: Vec<_> = rays.iter().map(|ray| Tape::of(bvh, ray)).collect();

@@ -7,9 +7,9 @@ use fearless_simd::{Simd, f32x8};
 
 use super::turns::with_memory;
 use crate::bvh::WideBvh;
+use crate::geom::Ray;
 use crate::geom::kernel::Exact;
 use crate::geom::lanes::BoxRay;
-use crate::geom::Ray;
 use crate::order::Flow;
 use crate::trace::cast::Cast;
 use crate::trace::nearest::Around;
