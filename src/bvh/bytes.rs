@@ -9,8 +9,8 @@ use crate::geom::{Aabb, Region, Triangle, Vector};
 use crate::hash::checksum;
 use crate::tree::{Node, Recorded};
 
-const MAGIC: [u8; 8] = *b"SBVHTREE";
-const VERSION: u32 = 1;
+const MAGIC: &str = "SBVHTREE";
+pub(super) const VERSION: u32 = 1;
 /// Magic, 10 words, 6 planes.
 const HEADER_BYTES: usize = 8 + 10 * 4 + 6 * 4;
 const NODE_BYTES: usize = 64;
@@ -19,9 +19,9 @@ const LEAF_BYTES: usize = 16;
 /// What `recorded` is in a file, by position.
 const RECORDED: [Recorded; 3] = [Recorded::Nothing, Recorded::ParentSibling, Recorded::Uncles];
 
-/// Why bytes are not a hierarchy.
+/// Why bytes are not a hierarchy, of which `E` says what can be wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum BvhFileError {
+pub enum FileError<E> {
     /// They are fewer than the header or its counts say, or more.
     #[error("{found} bytes, expected {expected}")]
     Length {
@@ -30,9 +30,9 @@ pub enum BvhFileError {
         /// Number of bytes.
         found: usize,
     },
-    /// They do not begin as a hierarchy does.
-    #[error("not a hierarchy: it does not begin with SBVHTREE")]
-    Magic,
+    /// They do not begin as such a hierarchy does.
+    #[error("not such a hierarchy: it does not begin with {0}")]
+    Magic(&'static str),
     /// They are of another version of the format.
     #[error("version {version} of the format, expected {VERSION}")]
     Version {
@@ -65,8 +65,11 @@ pub enum BvhFileError {
     },
     /// What the bytes say is no sound hierarchy.
     #[error(transparent)]
-    Unsound(#[from] BvhError),
+    Unsound(#[from] E),
 }
+
+/// Why bytes are not a [`Bvh`].
+pub type BvhFileError = FileError<BvhError>;
 
 /// A corner that can be stored: [`Vec3`] or [`DVec3`].
 pub trait Stored: Vector {
@@ -104,7 +107,7 @@ impl<V: Stored> Bvh<Triangle<V>> {
         let [node_count, leaf_count, triangle_count, ..] = counts;
 
         let mut bytes = Vec::with_capacity(file_bytes::<V>(node_count, leaf_count, triangle_count) as usize);
-        bytes.extend(MAGIC);
+        bytes.extend(MAGIC.bytes());
         bytes.extend(words.into_iter().chain(counts).flat_map(u32::to_le_bytes));
         for corner in [bounds.lo, bounds.hi] {
             corner.write(&mut bytes);
@@ -140,27 +143,16 @@ impl<V: Stored> Bvh<Triangle<V>> {
     /// # Errors
     /// [`BvhFileError`].
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, BvhFileError> {
-        let length = |expected| BvhFileError::Length { expected, found: bytes.len() };
         let field = |name, value| BvhFileError::Field { name, value };
-        let (content, stored) = bytes.split_last_chunk().ok_or(length(file_bytes::<V>(0, 0, 0)))?;
-        let (header, mut body) = content.split_at_checked(HEADER_BYTES).ok_or(length(file_bytes::<V>(0, 0, 0)))?;
-        let header = header.strip_prefix(&MAGIC).ok_or(BvhFileError::Magic)?;
-        let [version, real_bytes, recorded, root, depth, nodes, leaves, triangles, dropped, duplicates, bounds @ ..] =
-            numbers::<_, 16>(header).map(u32::from_le_bytes);
-        if version != VERSION {
-            return Err(BvhFileError::Version { version });
-        }
-        if real_bytes != V::REAL_BYTES {
-            return Err(BvhFileError::Numbers { expected: V::REAL_BYTES, found: real_bytes });
-        }
-        let expected = file_bytes::<V>(nodes, leaves, triangles);
-        if bytes.len() as u64 != expected {
-            return Err(length(expected));
-        }
-        let (stored, found) = (u64::from_le_bytes(*stored), checksum(content));
-        if stored != found {
-            return Err(BvhFileError::Checksum { stored, found });
-        }
+        let (header, mut body) =
+            opened(bytes, MAGIC, |&[_, found, _, _, _, nodes, leaves, triangles, ..]: &[u32; 16]| {
+                let expected = V::REAL_BYTES;
+                if found != expected {
+                    return Err(BvhFileError::Numbers { expected, found });
+                }
+                Ok(file_bytes::<V>(nodes, leaves, triangles))
+            })?;
+        let [_, _, recorded, root, depth, nodes, leaves, triangles, dropped, duplicates, bounds @ ..] = header;
         let recorded = *RECORDED.get(recorded as usize).ok_or(field("recorded", recorded))?;
         if dropped > Node::MAX_INDEX {
             return Err(field("dropped", dropped));
@@ -210,6 +202,31 @@ impl Stored for DVec3 {
     }
 }
 
+/// The words of the header, the version first, and the body, of a file that has the right length and checksum. The
+/// header says the length.
+pub(super) fn opened<'b, E, const WORDS: usize>(
+    bytes: &'b [u8],
+    magic: &'static str,
+    length: impl Fn(&[u32; WORDS]) -> Result<u64, FileError<E>>,
+) -> Result<([u32; WORDS], &'b [u8]), FileError<E>> {
+    let header_bytes = magic.len() + 4 * WORDS;
+    let wrong_length = |expected| FileError::Length { expected, found: bytes.len() };
+    let too_short = || wrong_length((header_bytes + size_of::<u64>()) as u64);
+    let (content, stored) = bytes.split_last_chunk().ok_or_else(too_short)?;
+    let (header, body) = content.split_at_checked(header_bytes).ok_or_else(too_short)?;
+    let words = header.strip_prefix(magic.as_bytes()).ok_or(FileError::Magic(magic))?;
+    let words = numbers(words).map(u32::from_le_bytes);
+    if words[0] != VERSION {
+        return Err(FileError::Version { version: words[0] });
+    }
+    let expected = length(&words)?;
+    if bytes.len() as u64 != expected {
+        return Err(wrong_length(expected));
+    }
+    let (stored, found) = (u64::from_le_bytes(*stored), checksum(content));
+    if stored == found { Ok((words, body)) } else { Err(FileError::Checksum { stored, found }) }
+}
+
 /// Bytes of a file with these counts.
 fn file_bytes<V: Stored>(nodes: u32, leaves: u32, triangles: u32) -> u64 {
     let of = |count: u32, size: usize| u64::from(count) * size as u64;
@@ -245,7 +262,7 @@ fn read_triangle<V: Stored>(bytes: &[u8]) -> LeafTriangle<Triangle<V>> {
 
 /// The numbers that these bytes begin with. Missing bytes are taken for zeros.
 #[inline]
-fn numbers<const SIZE: usize, const COUNT: usize>(bytes: &[u8]) -> [[u8; SIZE]; COUNT] {
+pub(super) fn numbers<const SIZE: usize, const COUNT: usize>(bytes: &[u8]) -> [[u8; SIZE]; COUNT] {
     let (numbers, _) = bytes.as_chunks();
     array::from_fn(|i| numbers.get(i).copied().unwrap_or([0; SIZE]))
 }

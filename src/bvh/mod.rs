@@ -15,7 +15,7 @@ mod validate;
 pub mod wide;
 
 pub use build::{BuildError, BuildOptions, Builder, Degenerate, SahOptions, SpatialOptions};
-pub use bytes::{BvhFileError, Stored};
+pub use bytes::{BvhFileError, FileError, Stored};
 pub use primitives::{Bounded, Primitives};
 pub use refit::RefitError;
 pub use tree::{BvhNode, BvhTree, Leaf};

@@ -56,12 +56,11 @@ impl<const A: usize> Held<Triangle> for WideBvh<A> {
 
     fn for_each(&self, leaf: Node, mut show: impl FnMut(usize, &Triangle, u32)) {
         for place in self.leaf_places(leaf) {
-            let (block, lane) = (&self.blocks()[place / 4], place & 3);
-            show(place, &block.triangle(lane), block.prims[lane]);
+            show(place, &self.triangle(place), self.blocks()[place / 4].prims[place & 3]);
         }
     }
 
     fn shape(&self, place: usize) -> Triangle {
-        self.blocks()[place / 4].triangle(place & 3)
+        self.triangle(place)
     }
 }

@@ -135,7 +135,7 @@ fn malformed_files_are_refused_by_name() {
     let bvh = soup(9).with_links(Recorded::Uncles);
     let bytes = bvh.to_bytes();
     let refuse = |at, word, error| assert_eq!(load(&sealed(patched(&bytes, at, word))).err(), Some(error));
-    refuse(0, 0, E::Magic);
+    refuse(0, 0, E::Magic("SBVHTREE"));
     refuse(VERSION_AT, 2, E::Version { version: 2 });
     refuse(REAL_AT, 8, E::Numbers { expected: 4, found: 8 });
     assert_eq!(Bvh::<Triangle<DVec3>>::from_bytes(&bytes).err(), Some(E::Numbers { expected: 8, found: 4 }));
@@ -152,7 +152,7 @@ fn malformed_files_are_refused_by_name() {
     let (found, sum) = (checksum(&bytes[..bytes.len() - 8]), bytes.len() - 8);
     let flipped = patched(&bytes, sum, found as u32 ^ 1);
     assert_eq!(load(&flipped).err(), Some(E::Checksum { stored: found ^ 1, found }));
-    assert_eq!(E::Magic.to_string(), "not a hierarchy: it does not begin with SBVHTREE");
+    assert_eq!(E::Magic(MAGIC).to_string(), "not such a hierarchy: it does not begin with SBVHTREE");
 
     // Nothing at all is no hierarchy.
     let nothing = (NODES_AT..DROPPED_AT).step_by(4).fold(bytes, |bytes, at| patched(&bytes, at, 0));
@@ -272,7 +272,7 @@ proptest! {
     fn random_bytes_are_no_hierarchy(body in prop::collection::vec(any::<u8>(), 0..500), words in any::<[u32; 13]>()) {
         prop_assert!(load(&body).is_err());
         let counts = [body.len() % 4, body.len() % 5, body.len() % 3].map(|count| count as u32);
-        let mut bytes = MAGIC.to_vec();
+        let mut bytes = MAGIC.as_bytes().to_vec();
         let [recorded, root, depth, dropped, duplicates, ..] = words;
         bytes.extend([VERSION, 4, recorded % 3, (root % 2) << 31, depth % 3].into_iter().flat_map(u32::to_le_bytes));
         bytes.extend(counts.into_iter().chain([dropped, duplicates % 2]).flat_map(u32::to_le_bytes));

@@ -16,6 +16,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod bytes;
 mod collapse;
 mod draft;
 mod layout;
@@ -23,13 +24,14 @@ mod programme;
 mod refit;
 mod validate;
 
+pub use bytes::WideBvhFileError;
 pub use collapse::{WideError, WideOptions};
 pub use validate::WideBvhError;
 
 use std::ops::Range;
 
 use crate::geom::lanes::Block;
-use crate::geom::{Aabb, Region};
+use crate::geom::{Aabb, Region, Triangle};
 use crate::tree::Node;
 use crate::wide::Topology;
 
@@ -120,6 +122,11 @@ impl<const A: usize> WideBvh<A> {
     pub fn leaf(&self, leaf: Node) -> (&[Block], u32) {
         let (first, count) = leaf_parts(leaf);
         (&self.blocks[first..first + count.div_ceil(4) as usize], count)
+    }
+
+    /// The triangle at a [place](Self::leaf_places).
+    pub(crate) fn triangle(&self, place: usize) -> Triangle {
+        self.blocks[place / 4].triangle(place & 3)
     }
 
     /// The places of a leaf's triangles: of each four times that of its block, and its lane.

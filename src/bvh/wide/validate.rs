@@ -1,5 +1,7 @@
 //! Whether a wide hierarchy is sound, and that of a mesh.
 
+use std::ops::Range;
+
 use super::{MAX_COUNT, WideBvh, WideNode, leaf_parts};
 use crate::bvh::cover;
 use crate::geom::lanes::Block;
@@ -84,6 +86,19 @@ pub enum WideBvhError {
         /// Index in the mesh.
         prim: u32,
     },
+    /// A corner of a triangle is infinite or not a number.
+    #[error("node {node}, slot {slot}: triangle {prim} has a corner that is not finite")]
+    NotFinite {
+        /// The inner node.
+        node: usize,
+        /// The slot.
+        slot: u32,
+        /// Index in the mesh.
+        prim: u32,
+    },
+    /// Leaves hold triangles of the same index with different corners.
+    #[error("triangle {0} has different corners in different leaves")]
+    Differs(u32),
     /// The stored length of a triangle's edges is not that of its corners.
     #[error("node {node}, slot {slot}: triangle {prim} has edges of another length")]
     Edge {
@@ -147,8 +162,8 @@ pub enum WideBvhError {
     Region,
 }
 
-/// A triangle in a leaf: its index, the node and the slot.
-type Reference = (u32, u32, u32);
+/// A triangle in a leaf: its index, the node and the slot, and its place.
+type Reference = (u32, u32, u32, usize);
 
 impl<const A: usize> WideBvh<A> {
     /// Checks that the hierarchy is sound in itself and holds each triangle of the mesh (degenerate ones need not be
@@ -161,39 +176,49 @@ impl<const A: usize> WideBvh<A> {
     /// # Errors
     /// Of the nodes the first fault found; else that of the first triangle.
     pub fn validate(&self, mesh: &Mesh) -> Result<(), WideBvhError> {
+        self.check(Some(mesh))
+    }
+
+    /// The same; without a mesh, that the hierarchy is sound in itself.
+    pub(super) fn check(&self, mesh: Option<&Mesh>) -> Result<(), WideBvhError> {
         let (nodes, blocks) = (self.nodes.len(), self.blocks.len());
         if nodes == 0 || nodes > Self::MAX_NODES || blocks > Self::MAX_BLOCKS {
             return Err(WideBvhError::Size { nodes, blocks });
         }
-        if self.triangles != mesh.triangles().len() {
-            return Err(WideBvhError::Triangles { stored: self.triangles, found: mesh.triangles().len() });
+        let found = mesh.map_or(self.triangles, |mesh| mesh.triangles().len());
+        if self.triangles != found {
+            return Err(WideBvhError::Triangles { stored: self.triangles, found });
         }
         let mut references = Walk::new(self, mesh).all()?;
         references.sort_unstable();
         self.check_references(mesh, &references)
     }
 
-    fn check_references(&self, mesh: &Mesh, references: &[Reference]) -> Result<(), WideBvhError> {
-        for &[(prim, node, slot), next] in references.array_windows() {
-            if next == (prim, node, slot) {
+    fn check_references(&self, mesh: Option<&Mesh>, references: &[Reference]) -> Result<(), WideBvhError> {
+        for &[(prim, node, slot, _), (next, next_node, next_slot, _)] in references.array_windows() {
+            if (next, next_node, next_slot) == (prim, node, slot) {
                 return Err(WideBvhError::Twice { node: node as usize, slot, prim });
             }
         }
         let (mut around, mut duplicates) = (Aabb::EMPTY, 0);
         let mut next = 0;
         for held in references.chunk_by(|a, b| a.0 == b.0) {
-            let prim = held[0].0;
+            let (prim, _, _, place) = held[0];
             duplicates += held.len() - 1;
             check_left_out(mesh, next..prim)?;
             next = prim + 1;
-            let triangle = Triangle(mesh.triangle(prim as usize));
-            let boxes: Vec<_> = held.iter().map(|&(_, node, slot)| self.nodes[node as usize].child_box(slot)).collect();
+            let triangle = self.triangle(place);
+            if held.iter().any(|&(.., place)| self.triangle(place) != triangle) {
+                return Err(WideBvhError::Differs(prim));
+            }
+            let boxes: Vec<_> =
+                held.iter().map(|&(_, node, slot, _)| self.nodes[node as usize].child_box(slot)).collect();
             if !boxes.iter().any(|aabb| aabb.encloses(&triangle.aabb())) && !cover::hold(&boxes, &triangle) {
                 return Err(WideBvhError::Uncovered(prim));
             }
             around = around.union(triangle.aabb());
         }
-        check_left_out(mesh, next..mesh.triangles().len() as u32)?;
+        check_left_out(mesh, next..self.triangles as u32)?;
         if duplicates != self.duplicates {
             return Err(WideBvhError::Duplicates { stored: self.duplicates, found: duplicates });
         }
@@ -204,7 +229,8 @@ impl<const A: usize> WideBvh<A> {
 }
 
 /// Whether no ray can hit any of these triangles.
-fn check_left_out(mesh: &Mesh, prims: std::ops::Range<u32>) -> Result<(), WideBvhError> {
+fn check_left_out(mesh: Option<&Mesh>, prims: Range<u32>) -> Result<(), WideBvhError> {
+    let Some(mesh) = mesh else { return Ok(()) };
     let can_be_hit = |&prim: &u32| !Triangle(mesh.triangle(prim as usize)).is_degenerate();
     prims.into_iter().find(can_be_hit).map_or(Ok(()), |prim| Err(WideBvhError::Missing(prim)))
 }
@@ -212,7 +238,7 @@ fn check_left_out(mesh: &Mesh, prims: std::ops::Range<u32>) -> Result<(), WideBv
 /// How far the check of nodes has come. A child comes after its parent, so one pass in order sees all.
 struct Walk<'a, const A: usize> {
     wide: &'a WideBvh<A>,
-    mesh: &'a Mesh,
+    mesh: Option<&'a Mesh>,
     /// Of each node that was reached its own box and its level.
     reached: Vec<Option<(Aabb, u32)>>,
     in_leaf: Vec<bool>,
@@ -220,7 +246,7 @@ struct Walk<'a, const A: usize> {
 }
 
 impl<'a, const A: usize> Walk<'a, A> {
-    fn new(wide: &'a WideBvh<A>, mesh: &'a Mesh) -> Self {
+    fn new(wide: &'a WideBvh<A>, mesh: Option<&'a Mesh>) -> Self {
         let everything = Aabb { lo: -glam::Vec3::INFINITY, hi: glam::Vec3::INFINITY };
         let mut reached = vec![None; wide.nodes.len()];
         reached[0] = Some((everything, 0));
@@ -304,19 +330,19 @@ impl<'a, const A: usize> Walk<'a, A> {
             }
             let (block, mut expected) = (&self.wide.blocks[i], Block::EMPTY);
             for lane in 0..left.min(4) as usize {
-                let prim = block.prims[lane];
-                if prim as usize >= self.mesh.triangles().len() {
+                let (prim, triangle) = (block.prims[lane], block.triangle(lane));
+                let is_other = |mesh: &Mesh| Triangle(mesh.triangle(prim as usize)) != triangle;
+                if prim as usize >= self.wide.triangles || self.mesh.is_some_and(is_other) {
                     return Err(WideBvhError::Triangle { node, slot, prim });
                 }
-                let triangle = Triangle(self.mesh.triangle(prim as usize));
+                if !triangle.0.iter().all(|corner| corner.is_finite()) {
+                    return Err(WideBvhError::NotFinite { node, slot, prim });
+                }
                 expected.set(lane, &triangle, prim);
-                if block.triangle(lane) != triangle {
-                    return Err(WideBvhError::Triangle { node, slot, prim });
-                }
                 if block.edges[lane] != expected.edges[lane] {
                     return Err(WideBvhError::Edge { node, slot, prim });
                 }
-                self.references.push((prim, node as u32, slot));
+                self.references.push((prim, node as u32, slot, 4 * i + lane));
             }
             if *block != expected {
                 return Err(WideBvhError::Padding { node, slot });
