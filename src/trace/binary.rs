@@ -1,4 +1,4 @@
-//! Ray queries as functions: the library's front door.
+//! Ray queries over binary hierarchies, as functions.
 
 use std::borrow::Borrow;
 use std::marker::PhantomData;
@@ -16,7 +16,8 @@ use crate::threads;
 use crate::traverse::{Method, Unfit, WordName};
 use crate::tree::Node;
 
-/// Answers queries over a hierarchy by one of the traversals, with the triangle test `K` and the box test `B`.
+/// Answers queries over a binary hierarchy by one of the traversals, with the triangle test `K` and the box test `B`.
+/// Where nothing of these matters, [`Tracer`](super::Tracer) is faster.
 ///
 /// The hierarchy is its own, borrowed or shared: `T` is `Bvh`, `&Bvh`, `Arc<Bvh>`, or whatever else borrows as one,
 /// always the same. A tracer can be stored, sent and shared by threads as `T` can.

@@ -1,4 +1,4 @@
-//! Rays through wide hierarchies: eight boxes and four triangles at once.
+//! The library's front door: queries over a hierarchy of eight children.
 
 mod search;
 mod shared;
@@ -18,8 +18,11 @@ use crate::wide::{Method, Tables, Unfit};
 use shared::{LaneRay, Query};
 use turns::{Ask, Job, trace};
 
-/// Answers queries over a hierarchy of eight children, exactly: the same answers, bit for bit, as
-/// [`BinaryTracer`](super::BinaryTracer)'s. `[DET-1]`
+/// Answers queries over a hierarchy of eight children, exactly: the library's front door.
+///
+/// It is the fastest of this library, and so it is for meshes in single precision only.
+/// [`BinaryTracer`](super::BinaryTracer) is for double precision, for other shapes, for other tests and for the
+/// traversals of binary trees; its answers are the same, bit for bit. `[DET-1]`
 ///
 /// `T` is `WideBvh`, `&WideBvh`, `Arc<WideBvh>`, or whatever else borrows as one. Each query is there for one ray, for
 /// a slice on this thread (`_each`), and for a slice on all threads (`_parallel`). Of several rays two are traced in

@@ -1,6 +1,6 @@
 //! Wide hierarchies as bytes: spec/bvh-file.md, from `[FILE-6]` on.
 
-use super::{ANCESTOR_BITS, WideBvh, WideBvhError, WideNode};
+use super::{WideBvh, WideBvhError, WideNode, name_ancestors};
 use crate::bvh::bytes::{FileError, VERSION, numbers, opened};
 use crate::geom::lanes::Block;
 use crate::geom::{Aabb, Region};
@@ -112,30 +112,6 @@ fn read_block(bytes: &[u8]) -> Block {
         }
     }
     block
-}
-
-/// What records say beside boxes and children. A child that does not come after its parent is left for the check.
-fn name_ancestors<const A: usize>(nodes: &mut [WideNode<A>]) {
-    for index in 0..nodes.len() {
-        for slot in 0..A as u32 {
-            let node = &nodes[index];
-            let (child, above) = (node.child(slot), node.ancestors);
-            if !node.has_child(slot) {
-                continue;
-            }
-            if child.is_leaf() {
-                nodes[index].ancestors[0] |= 1 << (ANCESTOR_BITS + slot);
-            } else if child.index() > index
-                && let Some(below) = nodes.get_mut(child.index())
-            {
-                // Its own leaves are not known yet: its turn comes later.
-                below.ancestors[0] = index as u32;
-                for (own, above) in below.ancestors[1..].iter_mut().zip(above) {
-                    *own = above & ((1 << ANCESTOR_BITS) - 1);
-                }
-            }
-        }
-    }
 }
 
 #[cfg(test)]

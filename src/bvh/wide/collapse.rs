@@ -3,10 +3,11 @@
 use super::draft::{Draft, leaf_address};
 use super::layout::{Child, assign};
 use super::programme::Programme;
-use super::{MAX_COUNT, WideBvh, WideNode};
-use crate::bvh::{BuildError, BuildOptions, Bvh, LeafTriangle};
+use super::{CUT, MAX_COUNT, WideBvh, WideNode, name_ancestors};
+use crate::bvh::{BuildError, BuildOptions, Bvh};
 use crate::geom::lanes::Block;
 use crate::geom::{Aabb, Mesh};
+use crate::threads;
 use crate::tree::Node;
 
 /// What collapsing may choose.
@@ -70,7 +71,7 @@ impl<const A: usize> WideBvh<A> {
 
     /// The same with options.
     ///
-    /// The same hierarchy and options give the same result. Inner nodes have a level of at most
+    /// The same hierarchy and options give the same result, for any number of threads. Inner nodes have a level of at most
     /// [`MAX_LEVEL`](Self::MAX_LEVEL), however deep the binary hierarchy is: where the cheapest one would be deeper, a
     /// subtree is made anew, by its leaves from left to right, as flat as can be.
     ///
@@ -88,8 +89,7 @@ impl<const A: usize> WideBvh<A> {
         }
         let draft = Draft::of(bvh, max_leaf);
         let programme = Programme::of(&draft, options);
-        Collapse { bvh, draft: &draft, programme: &programme, made: Self::empty(), held: Vec::new(), references: 0 }
-            .run()
+        Collapse { bvh, draft: &draft, programme: &programme }.run()
     }
 }
 
@@ -97,11 +97,6 @@ struct Collapse<'a, const A: usize> {
     bvh: &'a Bvh,
     draft: &'a Draft,
     programme: &'a Programme<A>,
-    made: WideBvh<A>,
-    /// The triangles of a leaf, while it is made.
-    held: Vec<LeafTriangle>,
-    /// Triangles of all leaves so far.
-    references: usize,
 }
 
 /// What an inner node is made of.
@@ -119,81 +114,98 @@ struct Pending {
     level: u32,
 }
 
+/// A part of the hierarchy, with places of its own. Its root is the first node.
+struct Made<const A: usize> {
+    nodes: Vec<WideNode<A>>,
+    blocks: Vec<Block>,
+    levels: u32,
+    /// Triangles in all leaves.
+    references: usize,
+}
+
 impl<const A: usize> Collapse<'_, A> {
-    fn run(mut self) -> Result<WideBvh<A>, WideError> {
-        self.made.region = *self.bvh.region();
+    /// The top first; then what is below it, on all threads.
+    fn run(self) -> Result<WideBvh<A>, WideError> {
+        let (mut made, pending) = self.below(Pending { source: Source::Node(0), index: 0, level: 0 }, CUT as u32);
+        let indices: Vec<_> = pending.iter().map(|pending| pending.index).collect();
+        let mut parts: Vec<_> = pending.into_iter().map(|pending| (Some(pending), None)).collect();
+        threads::update(&mut parts, 1, |(pending, part)| {
+            *part = pending.take().map(|pending| self.below(Pending { index: 0, ..pending }, 0).0);
+        });
+        for (index, (_, part)) in indices.into_iter().zip(parts) {
+            if let Some(part) = part {
+                made.take(index, part)?;
+            }
+        }
+        let Made { mut nodes, blocks, levels, references } = made;
+        name_ancestors(&mut nodes);
         let different = self.bvh.triangles().len() - self.bvh.duplicates();
-        self.made.triangles = different + self.bvh.dropped();
-        let mut pending = vec![Pending { source: Source::Node(0), index: 0, level: 0 }];
+        let (triangles, duplicates) = (different + self.bvh.dropped(), references - different);
+        Ok(WideBvh { nodes, blocks, region: *self.bvh.region(), levels, triangles, duplicates })
+    }
+
+    /// What is below a node, and the nodes that are left to be filled: those that hold at most `cut` triangles.
+    fn below(&self, root: Pending, cut: u32) -> (Made<A>, Vec<Pending>) {
+        let mut made = Made { nodes: vec![WideNode::EMPTY], blocks: Vec::new(), levels: 0, references: 0 };
+        let (mut pending, mut left) = (vec![root], Vec::new());
         let mut inner = Vec::new();
-        while let Some(Pending { source, index, level }) = pending.pop() {
+        while let Some(next) = pending.pop() {
+            if self.count(&next.source) <= cut && next.index > 0 {
+                left.push(next);
+                continue;
+            }
+            let Pending { source, index, level } = next;
             let children = self.children(source, level);
             let boxes: Vec<_> = children.iter().map(|child| child.aabb).collect();
-            self.made.levels = self.made.levels.max(level);
-            let mut leaves = 0_u32;
+            made.levels = made.levels.max(level);
             for (slot, child) in assign::<A>(&boxes).into_iter().zip(children) {
-                self.made.nodes[index].set_child_box(slot, &child.aabb);
+                made.nodes[index].set_child_box(slot, &child.aabb);
                 let address = match child.source {
-                    Source::Node(place) if self.is_leaf(place) => {
-                        leaves |= 1 << slot;
-                        self.leaf(place)?
-                    }
+                    Source::Node(place) if self.is_leaf(place) => self.leaf(place, &mut made),
                     source => {
-                        let child = self.inner(index)?;
-                        inner.push(Pending { source, index: child.index(), level: level + 1 });
-                        child
+                        let index = made.nodes.len();
+                        made.nodes.push(WideNode::EMPTY);
+                        inner.push(Pending { source, index, level: level + 1 });
+                        Node::inner(index as u32)
                     }
                 };
-                self.made.nodes[index].children[slot as usize & (A - 1)] = address.to_bits();
+                made.nodes[index].children[slot as usize & (A - 1)] = address.to_bits();
             }
-            self.made.nodes[index].ancestors[0] |= leaves << super::ANCESTOR_BITS;
             pending.extend(inner.drain(..).rev());
         }
-        self.made.duplicates = self.references - different;
-        Ok(self.made)
+        (made, left)
+    }
+
+    /// How many triangles it has; of several leaves at least how many.
+    fn count(&self, source: &Source) -> u32 {
+        match source {
+            Source::Node(place) => self.draft.nodes[*place as usize].count,
+            Source::Leaves(leaves) => leaves.len() as u32,
+        }
     }
 
     fn is_leaf(&self, place: u32) -> bool {
         self.programme.is_leaf(place)
     }
 
-    /// A new inner node below another one.
-    fn inner(&mut self, parent: usize) -> Result<Node, WideError> {
-        let index = self.made.nodes.len();
-        if index >= WideBvh::<A>::MAX_NODES {
-            return Err(WideError::TooManyNodes);
-        }
-        let above = &self.made.nodes[parent];
-        let ancestors = std::array::from_fn(|i| match i {
-            0 => parent as u32,
-            _ => above.ancestor(i as u32).index() as u32,
-        });
-        self.made.nodes.push(WideNode { ancestors, ..WideNode::EMPTY });
-        Ok(Node::inner(index as u32))
-    }
-
     /// The blocks of a leaf. Parts of one triangle may meet again in it.
-    fn leaf(&mut self, place: u32) -> Result<Node, WideError> {
+    fn leaf(&self, place: u32, made: &mut Made<A>) -> Node {
         let node = &self.draft.nodes[place as usize];
-        self.held.clear();
-        self.held.extend_from_slice(&self.bvh.triangles()[node.first as usize..(node.first + node.count) as usize]);
+        let mut held = self.bvh.triangles()[node.first as usize..(node.first + node.count) as usize].to_vec();
         if self.bvh.duplicates() > 0 {
-            self.held.sort_by_key(|held| held.prim);
-            self.held.dedup_by_key(|held| held.prim);
+            held.sort_by_key(|held| held.prim);
+            held.dedup_by_key(|held| held.prim);
         }
-        self.references += self.held.len();
-        let first = self.made.blocks.len();
-        for held in self.held.chunks(4) {
+        let first = made.blocks.len();
+        made.references += held.len();
+        for held in held.chunks(4) {
             let mut block = Block::EMPTY;
             for (lane, held) in held.iter().enumerate() {
                 block.set(lane, &held.shape, held.prim);
             }
-            self.made.blocks.push(block);
+            made.blocks.push(block);
         }
-        if self.made.blocks.len() > WideBvh::<A>::MAX_BLOCKS {
-            return Err(WideError::TooManyBlocks);
-        }
-        Ok(leaf_address(first, self.held.len()))
+        leaf_address(first, held.len())
     }
 
     /// The children of an inner node at this level, from left to right.
@@ -240,5 +252,33 @@ impl<const A: usize> Collapse<'_, A> {
             levels += 1;
         }
         levels
+    }
+}
+
+impl<const A: usize> Made<A> {
+    /// Takes a part over, with its root at this index.
+    fn take(&mut self, index: usize, part: Self) -> Result<(), WideError> {
+        let (nodes, blocks) = (self.nodes.len() + part.nodes.len() - 1, self.blocks.len() + part.blocks.len());
+        if nodes > WideBvh::<A>::MAX_NODES {
+            return Err(WideError::TooManyNodes);
+        }
+        if blocks > WideBvh::<A>::MAX_BLOCKS {
+            return Err(WideError::TooManyBlocks);
+        }
+        // The index of its second node, less one; the index of its first block.
+        let (by_nodes, by_blocks) = (self.nodes.len() as u32 - 1, self.blocks.len() as u32);
+        let moved = |mut node: WideNode<A>| {
+            for bits in node.children.iter_mut().filter(|bits| **bits != 0) {
+                *bits += if Node::from_bits(*bits).is_leaf() { by_blocks } else { by_nodes };
+            }
+            node
+        };
+        let mut nodes = part.nodes.into_iter().map(moved);
+        self.nodes[index] = nodes.next().unwrap_or(WideNode::EMPTY);
+        self.nodes.extend(nodes);
+        self.blocks.extend(part.blocks);
+        self.levels = self.levels.max(part.levels);
+        self.references += part.references;
+        Ok(())
     }
 }

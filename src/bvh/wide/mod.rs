@@ -70,6 +70,9 @@ const ANCESTOR_BITS: u32 = 24;
 /// Bits of a leaf's index that are the place of its first block. Above them is the number of its triangles.
 const BLOCK_BITS: u32 = 27;
 
+/// How much of a hierarchy a thread makes at once: nodes of the binary tree, or triangles. The result depends on it.
+const CUT: usize = 4096;
+
 /// Greatest number of triangles in a leaf that 4 bits hold.
 const MAX_COUNT: u32 = 15;
 
@@ -222,6 +225,30 @@ impl<const A: usize> WideNode<A> {
 fn leaf_parts(leaf: Node) -> (usize, u32) {
     let index = leaf.index() as u32;
     ((index & ((1 << BLOCK_BITS) - 1)) as usize, index >> BLOCK_BITS & MAX_COUNT)
+}
+
+/// Writes what records say beside boxes and children. Of a child that does not come after its parent nothing is written.
+fn name_ancestors<const A: usize>(nodes: &mut [WideNode<A>]) {
+    for index in 0..nodes.len() {
+        for slot in 0..A as u32 {
+            let node = &nodes[index];
+            let (child, above) = (node.child(slot), node.ancestors);
+            if !node.has_child(slot) {
+                continue;
+            }
+            if child.is_leaf() {
+                nodes[index].ancestors[0] |= 1 << (ANCESTOR_BITS + slot);
+            } else if child.index() > index
+                && let Some(below) = nodes.get_mut(child.index())
+            {
+                // Its own leaves are not known yet: its turn comes later.
+                below.ancestors[0] = index as u32;
+                for (own, above) in below.ancestors[1..].iter_mut().zip(above) {
+                    *own = above & ((1 << ANCESTOR_BITS) - 1);
+                }
+            }
+        }
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! The dynamic programme: which descendants a node takes over.
 
-use super::WideOptions;
-use super::draft::Draft;
+use super::draft::{Draft, DraftNode};
+use super::{CUT, WideOptions};
+use crate::threads;
 
 /// The cheapest forests below each node of a binary tree, by the number of their roots.
 ///
@@ -29,19 +30,29 @@ const SAME: u8 = 0;
 
 impl<const A: usize> Programme<A> {
     pub(super) fn of(draft: &Draft, options: &WideOptions) -> Self {
-        let none = Forests { cost: [0.0; A], levels: [0; A], left: [SAME; A], inner: 1, is_leaf: true };
-        let mut forests = vec![none; draft.nodes.len()];
-        for (place, node) in draft.nodes.iter().enumerate().rev() {
-            let area = node.aabb.half_area();
-            let as_leaf = area * options.block_cost * node.count.div_ceil(4) as f32;
-            forests[place] = match node.children {
-                None => Forests { cost: [as_leaf; A], ..none },
-                Some(children) => {
-                    let [left, right] = children.map(|child| &forests[child as usize]);
-                    let as_leaf = if node.count <= options.max_leaf { as_leaf } else { f32::INFINITY };
-                    Forests::over(left, right, as_leaf, area * options.node_cost)
-                }
-            };
+        let mut forests = vec![Forests::NONE; draft.nodes.len()];
+        // All descendants of a node are one range: the short ones are for all threads. Then comes what is above them.
+        let (mut above, mut short) = (vec![0], Vec::new());
+        let mut open = vec![(1, &mut forests[1..])];
+        while let Some((from, below)) = open.pop() {
+            if below.len() <= CUT {
+                short.push((from, below));
+                continue;
+            }
+            above.extend([from, from + 1]);
+            let (_, below) = below.split_at_mut(2);
+            let middle = draft.nodes[from + 1].children.map_or(below.len(), |[left, _]| left as usize - from - 2);
+            let (of_left, of_right) = below.split_at_mut(middle);
+            open.extend([(from + 2, of_left), (from + 2 + middle, of_right)]);
+        }
+        threads::update(&mut short, 1, |(from, below)| {
+            for place in (0..below.len()).rev() {
+                below[place] = Forests::of(&draft.nodes[*from + place], options, |child| &below[child - *from]);
+            }
+        });
+        drop(short);
+        for place in above.into_iter().rev() {
+            forests[place] = Forests::of(&draft.nodes[place], options, |child| &forests[child]);
         }
         Self { forests }
     }
@@ -82,8 +93,19 @@ impl<const A: usize> Programme<A> {
 }
 
 impl<const A: usize> Forests<A> {
+    const NONE: Self = Self { cost: [0.0; A], levels: [0; A], left: [SAME; A], inner: 1, is_leaf: true };
+
+    /// Those of a node, where those of its children are known.
+    fn of<'f>(node: &DraftNode, options: &WideOptions, known: impl Fn(usize) -> &'f Self) -> Self {
+        let area = node.aabb.half_area();
+        let as_leaf = area * options.block_cost * node.count.div_ceil(4) as f32;
+        let Some([left, right]) = node.children else { return Self { cost: [as_leaf; A], ..Self::NONE } };
+        let as_leaf = if node.count <= options.max_leaf { as_leaf } else { f32::INFINITY };
+        Self::over(known(left as usize), known(right as usize), as_leaf, area * options.node_cost)
+    }
+
     fn over(left: &Self, right: &Self, as_leaf: f32, as_node: f32) -> Self {
-        let mut made = Self { cost: [0.0; A], levels: [0; A], left: [SAME; A], inner: 1, is_leaf: false };
+        let mut made = Self { is_leaf: false, ..Self::NONE };
         // Of at most i + 1 roots below both children, at least one below each.
         let divided = |roots: usize| {
             let mut best = (f32::INFINITY, 1);

@@ -7,6 +7,7 @@ use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::{Hit, Truth};
 use stackless_bvh::traverse::Method;
+use stackless_bvh::wide;
 
 use super::support::{Folder, data, stackless};
 
@@ -41,6 +42,11 @@ fn bits(hit: Hit) -> [u32; 4] {
     [hit.prim, hit.t.to_bits(), hit.u.to_bits(), hit.v.to_bits()]
 }
 
+/// The traversals of binary and of wide trees.
+fn all_methods() -> impl Iterator<Item = &'static str> {
+    Method::ALL.into_iter().map(Method::name).chain(wide::Method::ALL.into_iter().map(wide::Method::name))
+}
+
 /// Traces the rays by the command, with these further arguments.
 pub(crate) fn trace(scene: &Path, rays: &[Ray], args: &str) -> Vec<Option<Hit>> {
     let folder = Folder::new();
@@ -52,7 +58,7 @@ pub(crate) fn trace(scene: &Path, rays: &[Ray], args: &str) -> Vec<Option<Hit>> 
     hits
 }
 
-fn assert_true(mesh: &Mesh, scene: &Path, rays: &[Ray], methods: &[Method]) {
+fn assert_true(mesh: &Mesh, scene: &Path, rays: &[Ray], methods: impl IntoIterator<Item = &'static str>) {
     let truth = Truth::new(mesh);
     let closest_hits: Vec<_> = rays.iter().map(|ray| truth.closest(ray).map(|hit| hit.rounded())).collect();
     assert!(closest_hits.iter().any(Option::is_some) && closest_hits.iter().any(Option::is_none));
@@ -94,30 +100,39 @@ fn what_a_mesh_file_has_beyond_its_format_is_said() {
 fn every_method_on_a_mesh_file() {
     for name in ["cube.ply", "cube.obj"] {
         let mesh = stackless_scene::load(&data(name)).unwrap().mesh;
-        assert_true(&mesh, &data(name), &procedural::rays(&mesh, 3, 500), &Method::ALL);
+        assert_true(&mesh, &data(name), &procedural::rays(&mesh, 3, 500), all_methods());
     }
 }
 
 #[test]
 fn every_method_on_a_made_scene() {
     let mesh = procedural::soup(1, 20_000);
-    assert_true(&mesh, Path::new("soup"), &procedural::rays(&mesh, 4, 60), &Method::ALL);
+    assert_true(&mesh, Path::new("soup"), &procedural::rays(&mesh, 4, 60), all_methods());
 }
 
 #[test]
 fn every_made_scene() {
     for (name, mesh) in [("strands", procedural::strands(1, 2000)), ("stadium", procedural::stadium(1))] {
-        let methods = [Method::Hashed, Method::Complete, Method::Hapala];
-        assert_true(&mesh, Path::new(name), &procedural::rays(&mesh, 5, 40), &methods);
+        let methods = ["hashed", "complete", "hapala", "wide-hashed"];
+        assert_true(&mesh, Path::new(name), &procedural::rays(&mesh, 5, 40), methods);
     }
 }
 
 #[test]
-fn the_method_of_choice_is_hashed() {
-    let mesh = stackless_scene::load(&data("cube.ply")).unwrap().mesh;
-    let rays = procedural::rays(&mesh, 3, 500);
-    let by_default = trace(&data("cube.ply"), &rays, "");
-    assert_eq!(by_default, trace(&data("cube.ply"), &rays, "--method hashed"));
+fn the_default_is_the_fastest_traversal_that_is_as_exact_as_asked() {
+    let folder = Folder::new();
+    let (rays, out) = (folder.file("rays.csv", "0.5,0.5,-9,0,0,1,0,inf\n"), folder.path("hits.csv"));
+    for (options, by) in [
+        ("", "by wide-record, exact"),
+        ("--accuracy fast", "by afra, fast"),
+        ("--accuracy exact --method hashed", "by hashed, exact"),
+        ("--method wide-stack --build lbvh+1", "by wide-stack, exact"),
+    ] {
+        let run = stackless(&format!("trace soup {options} --rays"), &[&rays, Path::new("--out"), &out]);
+        assert!(run.code == Some(0) && run.stdout.contains(by), "{run:?}");
+    }
+    let run = stackless("trace soup --method wide-record --accuracy watertight --out - --rays", &[&rays]);
+    run.fails_naming(&["--accuracy watertight", "wide-record is always exact"]);
 }
 
 /// A pentagon in the plane z = 0 and, behind it, a triangle in z = 1: three triangles, then the fourth.
@@ -134,8 +149,11 @@ fn every_builder_gives_the_same_hits() {
     let rays = procedural::rays(&procedural::stadium(1), 5, 400);
     let expected = trace(scene, &rays, "");
     assert!(expected.iter().any(Option::is_some) && expected.contains(&None));
-    for build in ["sah+2", "sbvh", "sbvh+3", "lbvh", "bounded", "median"] {
-        assert_eq!(trace(scene, &rays, &format!("--build {build}")), expected, "{build}");
+    for build in ["sah", "sah+2", "sbvh", "sbvh+3", "lbvh", "bounded", "median"] {
+        for method in ["wide-record", "hashed"] {
+            let found = trace(scene, &rays, &format!("--build {build} --method {method}"));
+            assert_eq!(found, expected, "{build} {method}");
+        }
     }
 }
 
@@ -148,7 +166,7 @@ fn polygons_fan_out_in_place() {
     for (extension, text) in ["ply", "obj"].into_iter().zip(PENTAGON) {
         let mesh = folder.file(&format!("pentagon.{extension}"), text);
         let out = folder.path("hits.csv");
-        for method in Method::ALL {
+        for method in all_methods() {
             stackless(&format!("trace --method {method} --rays"), &[&rays, Path::new("--out"), &out, &mesh]).passes();
             let hits = parse_hits(&std::fs::read_to_string(&out).unwrap());
             let seen: Vec<_> = hits.iter().map(|hit| hit.map(|hit| (hit.prim, hit.t))).collect();

@@ -41,7 +41,12 @@ impl Build {
 
     /// A wide hierarchy, with a progress bar.
     pub(crate) fn run_wide(self, scene: &Scene) -> Result<WideBvh, WideError> {
-        WideBvh::of(&self.run_as(BuildOptions::fine(), scene)?)
+        WideBvh::of(&self.run_fine(scene)?)
+    }
+
+    /// The binary one that it is made of, with one triangle a leaf.
+    pub(crate) fn run_fine(self, scene: &Scene) -> Result<Bvh, BuildError> {
+        self.run_as(BuildOptions::fine(), scene)
     }
 
     /// Builds, with a progress bar.

@@ -3,6 +3,7 @@
 mod plan;
 mod state;
 mod time;
+mod wide;
 
 use std::cell::Cell;
 use std::path::PathBuf;
@@ -80,6 +81,8 @@ pub(crate) struct Stats {
     plan: Vec<plan::Row>,
     /// What is visited where a traversal prunes, goes on after a hit, or begins at the last hit.
     state: Vec<state::Row>,
+    /// The hierarchy of eight children.
+    wide: wide::WideStats,
     #[serde(skip)]
     counted: Backtracks,
 }
@@ -268,6 +271,7 @@ impl Stats {
             time: time::measure(&bvh, &trace::bounce(&scene.mesh, &bvh, &primary, seed))?,
             plan: plan::measure(&scene.mesh, &bvh, &primary)?,
             state: state::measure(&scene.mesh, &bvh, &primary, seed)?,
+            wide: wide::measure(scene)?,
             counted,
         };
         Ok((stats, bvh))
@@ -345,6 +349,8 @@ impl Stats {
         blocks.push(Block::Table(time::to_table(&self.time)));
         blocks.push(Block::Table(plan::to_table(&self.plan)));
         blocks.push(Block::Table(state::to_table(&self.state)));
+        blocks.push(Block::Line(self.wide.line()));
+        blocks.push(Block::Table(self.wide.to_table()));
         blocks.push(Block::Table(table(&["levels up", "backtracks", "share", "cumulative"], 0, rows.collect())));
         blocks
     }
