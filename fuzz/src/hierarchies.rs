@@ -1,14 +1,13 @@
 //! Targets of hierarchies: builders, refit, files, instances.
 
 use glam::DVec3;
-use stackless_bvh::bvh::{
-    BuildError, BuildOptions, Builder, Bvh, BvhFileError, Degenerate, SahOptions, SpatialOptions,
-};
+use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, Degenerate, SahOptions, SpatialOptions, WideBvh};
 use stackless_bvh::generate::{Bytes, Source};
 use stackless_bvh::geom::kernel::{Exact, Exact64};
 use stackless_bvh::geom::slabs::{Directed, Wide};
 use stackless_bvh::geom::{AffineMap, Mesh, Triangle};
-use stackless_bvh::trace::{InstanceError, InstanceTracer};
+use stackless_bvh::hash::checksum;
+use stackless_bvh::trace::{InstanceError, InstanceTracer, Tracer};
 use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::{Recorded, Topology};
 use stackless_check::{Flat, Hierarchies, Shape, check_held, check_instances, check_tree};
@@ -66,7 +65,7 @@ pub(crate) fn refit(bytes: &[u8]) {
     }
 }
 
-/// Bytes that may be a hierarchy: those of one, changed, and any; mostly with a right checksum. `[FILE-5]`
+/// Bytes that may be a hierarchy: those of one, changed, and any; mostly with a right checksum. `[FILE-5]` `[FILE-8]`
 pub(crate) fn bvh_bytes(bytes: &[u8]) {
     let (head, rest) = bytes.split_at(bytes.len().min(160));
     let mut draw = Draw::new(head);
@@ -75,14 +74,27 @@ pub(crate) fn bvh_bytes(bytes: &[u8]) {
     let recorded = draw.one_of([Recorded::Uncles, Recorded::ParentSibling, Recorded::Nothing]);
     let Some(mesh) = draw.mesh(6) else { return };
     let rays = draw.rays(&mesh, 3);
+    let is_wide = draw.coin();
     let file = match options.build(&mesh) {
-        Ok(bvh) if kind < 3 => patched(&mut Bytes::new(rest), bvh.with_links(recorded).to_bytes()),
+        Ok(bvh) if kind < 3 => {
+            let wide = if is_wide { WideBvh::<8>::of(&bvh).ok() } else { None };
+            let file = wide.map_or_else(|| bvh.with_links(recorded).to_bytes(), |wide| wide.to_bytes());
+            patched(&mut Bytes::new(rest), file)
+        }
         _ => rest.to_vec(),
     };
     let file = if kind == 2 { file } else { sealed(file) };
     if let Ok(bvh) = Bvh::<Triangle>::from_bytes(&file) {
         assert!(bvh.to_bytes() == file, "another file than was read: {file:?}");
         right(check_held::<Exact, Directed, _>(&bvh, &rays), format_args!("{file:?}\n{rays:?}"));
+    }
+    if let Ok(wide) = WideBvh::<8>::from_bytes(&file) {
+        assert!(wide.to_bytes() == file, "another file than was read: {file:?}");
+        let tracer = Tracer::new(wide);
+        for ray in &rays {
+            let (closest, all) = (tracer.closest(ray), tracer.all(ray).next());
+            assert_eq!(closest, all, "{file:?}\n{ray:?}");
+        }
     }
     // No file is one of both kinds of numbers.
     if let Ok(bvh) = Bvh::<Triangle<DVec3>>::from_bytes(&file) {
@@ -173,10 +185,8 @@ fn built<S>(result: Result<Bvh<S>, BuildError>, options: BuildOptions) -> Option
 
 /// The file with the checksum that it should have: what a reader finds behind it is what is to be tested.
 fn sealed(mut file: Vec<u8>) -> Vec<u8> {
-    if let (Err(BvhFileError::Checksum { found, .. }), Some(sum)) =
-        (Bvh::<Triangle>::from_bytes(&file), file.last_chunk_mut())
-    {
-        *sum = found.to_le_bytes();
+    if let Some((content, sum)) = file.split_last_chunk_mut() {
+        *sum = checksum(content).to_le_bytes();
     }
     file
 }

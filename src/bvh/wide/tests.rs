@@ -143,6 +143,23 @@ fn triangles_in_parts_are_covered() {
     sound(&mesh, &options.build(&mesh).expect("a tree"));
 }
 
+/// Large enough to be made in parts, of a binary tree with large leaves and of a chain too.
+#[test]
+fn the_number_of_threads_does_not_matter() {
+    let mesh = procedural::soup(1, 8 * CUT);
+    let large = Bvh::sah(&mesh, SahOptions { max_leaf: 64, ..SahOptions::default() }).expect("a tree");
+    for bvh in [BuildOptions::fine().build(&mesh).expect("a tree"), large, chain(&mesh)] {
+        let made = [1, 2, 5].map(|threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+            pool.install(|| wide::<8>(&bvh))
+        });
+        for other in &made[1..] {
+            assert!(other.nodes == made[0].nodes && other.blocks == made[0].blocks);
+        }
+        sound(&mesh, &bvh);
+    }
+}
+
 /// However deep the binary tree is, keys fit.
 #[test]
 fn depth_is_limited() {

@@ -8,7 +8,7 @@ use stackless_bvh::wide::{Method, Topology};
 use super::timed;
 use crate::build::Build;
 use crate::input::Scene;
-use crate::output::{grouped, table};
+use crate::output::{Table, grouped, table};
 
 #[derive(Serialize)]
 pub(super) struct WideStats {
@@ -85,7 +85,7 @@ impl WideStats {
         )
     }
 
-    pub(super) fn to_table(&self) -> String {
+    pub(super) fn to_table(&self) -> Table {
         let row = |row: &Row| {
             let bytes = [row.state_bytes, row.table_bytes].map(|bytes| grouped(bytes as u64));
             let [state, tables] = bytes;
