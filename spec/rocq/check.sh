@@ -148,6 +148,7 @@ is_in src/geom/kernel/bounds.rs 'pub const DISTANCE: u32 = 35;'
 is_in src/geom/kernel/bounds.rs 'pub const QUOTIENT: u32 = 4;'
 is_in src/geom/kernel/bounds.rs 'pub const QUOTIENT_FACTOR: f64 = 5.0 / 4.0;'
 is_in src/geom/kernel/exact/filter.rs 'const UNIT: f64 = f64::EPSILON / 2.0;'
+is_in src/geom/slabs/centred.rs 'pub const PADDING: [f32; 2] = [1.0 - 1.5 * f32::EPSILON, 1.0 + 2.0 * f32::EPSILON];'
 is_in src/geom/slabs/directed.rs 'pub const STEPS: u32 = 2;'
 is_in src/geom/slabs/wide.rs 'pub const STRICT_STEPS: u32 = 3;'
 
