@@ -41,6 +41,85 @@ Proof.
   unfold sign_bit, Triple.sign_bit. destruct x as [[]|[]| |[] m e B]; simpl; try lra; [apply F2R_le_0|apply F2R_ge_0]; simpl; lia.
 Qed.
 
+(** What is decided, for data on a grid and where nothing overflows. *)
+Section Decisions.
+Variable g : Z.
+Hypothesis Hg : (-322 <= g <= 0)%Z.
+Variables v0 v1 v2 o d : fvec.
+Hypothesis Z0 : vmultiple g (real v0).
+Hypothesis Z1 : vmultiple g (real v1).
+Hypothesis Z2 : vmultiple g (real v2).
+Hypothesis Zo : vmultiple g (real o).
+Hypothesis Zd : vmultiple g (real d).
+Variables D C E : float.
+Hypothesis GD : multiple g (B2R D).
+Hypothesis GC : multiple g (B2R C).
+Hypothesis GE : multiple g (B2R E).
+Hypothesis HD : bounded (B2R D) (real d).
+Hypothesis HC : bounded (B2R C) (vsub R64 (real o) (real v0)).
+Hypothesis HE : bounded (B2R E) (vsub R64 (real v1) (real v0)) /\ bounded (B2R E) (vsub R64 (real v2) (real v0)).
+
+Let c := code_of v0 v1 v2 o d.
+Let found := determinants_of R64 (real v0) (real v1) (real v2) (real o) (real d).
+Let truth := determinants_of exactly (real v0) (real v1) (real v2) (real o) (real d).
+Let sigma := error_sign R64 u (B2R D) (B2R C) (B2R E).
+Let sign := code_sign D C E.
+
+Variables edet eu ev ew et es : Z.
+Hypothesis values : fits edet (f_det c) (det found) /\ fits eu (f_u c) (edge_u found) /\ fits ev (f_v c) (edge_v found) /\
+  fits ew (f_w c) (edge_w found) /\ fits et (f_t c) (top_t found).
+Hypothesis error : fits es sign sigma.
+
+(** The sign bit of the determinant, and what [front] makes of a value. *)
+Lemma sign_is : sign_bit (Bsign (f_det c)) (det found).
+Proof.
+  destruct values as ((_ & V & _) & _). rewrite <- V. apply sign_bit_is.
+Qed.
+
+Lemma front_is e x r : fits e x r -> is_finite (code_front c x) = true /\ B2R (code_front c x) = front (Bsign (f_det c)) r.
+Proof.
+  intros (F & V & _). unfold code_front, front, Triple.front.
+  destruct (Bsign (f_det c)); [rewrite is_finite_Bopp, B2R_Bopp, V|rewrite V]; now split.
+Qed.
+
+Lemma at_least_code e x r : fits e x r -> Bleb (Bopp sign) (code_front c x) = Rle_bool (- sigma) (front (Bsign (f_det c)) r).
+Proof.
+  intros X. destruct (front_is _ _ _ X) as [F V]. destruct error as (Fs & Vs & _).
+  rewrite Bleb_correct; [|rewrite is_finite_Bopp; exact Fs|exact F]. now rewrite B2R_Bopp, V, Vs.
+Qed.
+
+Lemma above_code e x r : fits e x r -> Bltb sign (code_front c x) = Rlt_bool sigma (front (Bsign (f_det c)) r).
+Proof.
+  intros X. destruct (front_is _ _ _ X) as [F V]. destruct error as (Fs & Vs & _).
+  rewrite Bltb_correct; [|exact Fs|exact F]. now rewrite V, Vs.
+Qed.
+
+Lemma miss_where_it_fits : code_is_miss sign c = true -> ~ meets truth.
+Proof.
+  intros M. destruct values as (_ & Vu & Vv & Vw & _). unfold code_is_miss in M.
+  rewrite (at_least_code _ _ _ Vu), (at_least_code _ _ _ Vv), (at_least_code _ _ _ Vw), negb_true_iff, !andb_false_iff in M.
+  apply (miss_in_double g Hg (real v0) (real v1) (real v2) (real o) (real d) Z0 Z1 Z2 Zo Zd (B2R D) (B2R C) (B2R E)
+    GD GC GE HD HC HE (Bsign (f_det c)) sign_is).
+  assert (Less : forall x y, Rle_bool x y = false -> y < x) by (intros x y; destruct (Rle_bool_spec x y); [discriminate|auto]).
+  unfold is_miss. destruct M as [[M|M]|M]; apply Less in M; auto.
+Qed.
+
+Lemma hit_in_reals : code_is_hit sign c = true -> is_hit (Bsign (f_det c)) sigma found.
+Proof.
+  intros M. destruct values as (_ & Vu & Vv & Vw & _). unfold code_is_hit in M.
+  rewrite (above_code _ _ _ Vu), (above_code _ _ _ Vv), (above_code _ _ _ Vw), !andb_true_iff in M.
+  assert (Less : forall x y, Rlt_bool x y = true -> x < y) by (intros x y; destruct (Rlt_bool_spec x y); [auto|discriminate]).
+  destruct M as [[Mu Mv] Mw]. apply Less in Mu, Mv, Mw. now split.
+Qed.
+
+Lemma hit_where_it_fits : code_is_hit sign c = true -> meets truth.
+Proof.
+  intros M. apply (hit_in_double g Hg (real v0) (real v1) (real v2) (real o) (real d) Z0 Z1 Z2 Zo Zd (B2R D) (B2R C) (B2R E)
+    GD GC GE HD HC HE (Bsign (f_det c))). now apply hit_in_reals.
+Qed.
+
+End Decisions.
+
 Section Certain.
 Variables v0 v1 v2 o d : fvec.
 Hypothesis H0 : v_single v0.
@@ -75,61 +154,30 @@ Let Z2 := v_multiple _ H2.
 Let Zo := v_multiple _ Ho.
 Let Zd := v_multiple _ Hd.
 
-(** The sign bit of the determinant, and what [front] makes of a value. *)
-Lemma sign_is : sign_bit (Bsign (f_det c)) (det found).
-Proof.
-  destruct values as ((_ & V & _) & _). rewrite <- V. apply sign_bit_is.
-Qed.
-
-Lemma front_is e x r : fits e x r -> is_finite (code_front c x) = true /\ B2R (code_front c x) = front (Bsign (f_det c)) r.
-Proof.
-  intros (F & V & _). unfold code_front, front, Triple.front.
-  destruct (Bsign (f_det c)); [rewrite is_finite_Bopp, B2R_Bopp, V|rewrite V]; now split.
-Qed.
-
-Lemma at_least_code e x r : fits e x r -> Bleb (Bopp sign) (code_front c x) = Rle_bool (- sigma) (front (Bsign (f_det c)) r).
-Proof.
-  intros X. destruct (front_is _ _ _ X) as [F V]. destruct errors as ((Fs & Vs & _) & _).
-  rewrite Bleb_correct; [|rewrite is_finite_Bopp; exact Fs|exact F]. now rewrite B2R_Bopp, V, Vs.
-Qed.
-
-Lemma above_code e x r : fits e x r -> Bltb sign (code_front c x) = Rlt_bool sigma (front (Bsign (f_det c)) r).
-Proof.
-  intros X. destruct (front_is _ _ _ X) as [F V]. destruct errors as ((Fs & Vs & _) & _).
-  rewrite Bltb_correct; [|exact Fs|exact F]. now rewrite V, Vs.
-Qed.
-
 (** A miss is one, whatever the sign bit of the determinant. [EXACT-6] *)
 Theorem miss_of_code : code_is_miss sign c = true -> ~ meets truth.
 Proof.
-  intros M. destruct values as (_ & Vu & Vv & Vw & _). unfold code_is_miss in M.
-  rewrite (at_least_code _ _ _ Vu), (at_least_code _ _ _ Vv), (at_least_code _ _ _ Vw), negb_true_iff, !andb_false_iff in M.
-  apply (miss_in_double (real v0) (real v1) (real v2) (real o) (real d) Z0 Z1 Z2 Zo Zd (B2R D) (B2R C) (B2R E)
-    (proj2 GD) (proj2 GC) (proj2 GE) HD HC HE (Bsign (f_det c)) sign_is).
-  assert (Less : forall x y, Rle_bool x y = false -> y < x) by (intros x y; destruct (Rle_bool_spec x y); [discriminate|auto]).
-  unfold is_miss. destruct M as [[M|M]|M]; apply Less in M; auto.
-Qed.
-
-Lemma hit_in_reals : code_is_hit sign c = true -> is_hit (Bsign (f_det c)) sigma found.
-Proof.
-  intros M. destruct values as (_ & Vu & Vv & Vw & _). unfold code_is_hit in M.
-  rewrite (above_code _ _ _ Vu), (above_code _ _ _ Vv), (above_code _ _ _ Vw), !andb_true_iff in M.
-  assert (Less : forall x y, Rlt_bool x y = true -> x < y) by (intros x y; destruct (Rlt_bool_spec x y); [auto|discriminate]).
-  destruct M as [[Mu Mv] Mw]. apply Less in Mu, Mv, Mw. now split.
+  apply (miss_where_it_fits (-149) ltac:(lia) v0 v1 v2 o d Z0 Z1 Z2 Zo Zd D C E (proj2 GD) (proj2 GC) (proj2 GE) HD HC HE 388 388 388 390 390 342).
+  - exact values.
+  - apply errors.
 Qed.
 
 (** A hit is one. [EXACT-6] *)
 Theorem hit_of_code : code_is_hit sign c = true -> meets truth.
 Proof.
-  intros M. apply (hit_in_double (real v0) (real v1) (real v2) (real o) (real d) Z0 Z1 Z2 Zo Zd (B2R D) (B2R C) (B2R E)
-    (proj2 GD) (proj2 GC) (proj2 GE) HD HC HE (Bsign (f_det c))). now apply hit_in_reals.
+  apply (hit_where_it_fits (-149) ltac:(lia) v0 v1 v2 o d Z0 Z1 Z2 Zo Zd D C E (proj2 GD) (proj2 GC) (proj2 GE) HD HC HE 388 388 388 390 390 342).
+  - exact values.
+  - apply errors.
 Qed.
+
+Lemma hit_of_reals : code_is_hit sign c = true -> is_hit (Bsign (f_det c)) sigma found.
+Proof. apply (hit_in_reals (-149) ltac:(lia) v0 v1 v2 o d D C E HE 388 388 388 390 390 342 values). apply errors. Qed.
 
 (** * The quotient of a hit *)
 
 Let found_X := determinants_of RX (real v0) (real v1) (real v2) (real o) (real d).
-Let same_found : found = found_X := determinants_do_not_underflow _ _ _ _ _ Z0 Z1 Z2 Zo Zd.
-Let same_sigma : sigma = error_sign RX u (B2R D) (B2R C) (B2R E) := sigma_does_not_underflow _ _ _ (proj2 GD) (proj2 GC) (proj2 GE).
+Let same_found : found = found_X := determinants_do_not_underflow (-149) ltac:(lia) _ _ _ _ _ Z0 Z1 Z2 Zo Zd.
+Let same_sigma : sigma = error_sign RX u (B2R D) (B2R C) (B2R E) := sigma_does_not_underflow (-149) ltac:(lia) _ _ _ (proj2 GD) (proj2 GC) (proj2 GE).
 
 Let bounds_X : bounded (B2R C) (vsub RX (real o) (real v0)) /\ bounded (B2R E) (vsub RX (real v1) (real v0)) /\
   bounded (B2R E) (vsub RX (real v2) (real v0)).
@@ -235,7 +283,7 @@ Theorem distance_of_code : code_is_hit sign c = true ->
   let '(low, high) := code_distance (code_t C E) (code_det D E) c in
   is_finite low = true /\ is_finite high = true /\ B2R low <= top_t truth / det truth <= B2R high.
 Proof.
-  intros H. apply hit_in_reals in H. destruct bounds_X as (BC & B1 & B2).
+  intros H. apply hit_of_reals in H. destruct bounds_X as (BC & B1 & B2).
   assert (PC : 0 <= B2R C) by exact (pos_b _ _ (proj1 BC)). pose proof (Rounding.Hu 53 ltac:(lia)) as Hu.
   assert (K35 : 35 * u * (5 / 4) = IZR (35 * 5) * / 4 * u) by (simpl IZR; lra).
   destruct values as (_ & _ & _ & _ & Vt). rewrite same_found in Vt.
@@ -260,7 +308,7 @@ Theorem weights_of_code : code_is_hit sign c = true ->
   (let '(low, high) := code_weight sign (code_det D E) c (f_v c) in
    is_finite low = true /\ is_finite high = true /\ B2R low <= edge_v truth / det truth <= B2R high).
 Proof.
-  intros H. apply hit_in_reals in H. destruct bounds_X as (BC & B1 & B2).
+  intros H. apply hit_of_reals in H. destruct bounds_X as (BC & B1 & B2).
   destruct values as (_ & Vu & Vv & _ & _).  rewrite same_found in Vu, Vv.
   destruct errors as (Vs & _ & _).
   assert (Msigma : multiple (-502) sigma).

@@ -117,6 +117,25 @@ Proof.
   - apply fits_more with (e + e')%Z; [|lia]. apply times_fits; assumption || lia.
 Qed.
 
+(** [Determinants::of] for data of at most 2^t. *)
+Lemma code_fits t v0 v1 v2 o d r0 r1 r2 ro rd : (0 <= t <= 300)%Z ->
+  vfits t v0 r0 -> vfits t v1 r1 -> vfits t v2 r2 -> vfits t o ro -> vfits t d rd ->
+  let c := code_of v0 v1 v2 o d in let x := determinants_of R64 r0 r1 r2 ro rd in
+  fits (3 * t + 5) (f_det c) (det x) /\ fits (3 * t + 5) (f_u c) (edge_u x) /\ fits (3 * t + 5) (f_v c) (edge_v x) /\
+  fits (3 * t + 7) (f_w c) (edge_w x) /\ fits (3 * t + 6) (f_t c) (top_t x).
+Proof.
+  intros Ht H0 H1 H2 Ho D c x. pose proof (sub_fits t _ _ _ _ ltac:(lia) H1 H0) as E1. pose proof (sub_fits t _ _ _ _ ltac:(lia) H2 H0) as E2.
+  pose proof (sub_fits t _ _ _ _ ltac:(lia) Ho H0) as S.
+  pose proof (cross_fits t (t + 1) _ _ _ _ ltac:(lia) D E2) as P. pose proof (cross_fits (t + 1) (t + 1) _ _ _ _ ltac:(lia) S E1) as Q.
+  pose proof (fits_more _ (3 * t + 5) _ _ (dot_fits (t + 1) (t + (t + 1) + 1) _ _ _ _ ltac:(lia) E1 P) ltac:(lia)) as Fdet.
+  pose proof (fits_more _ (3 * t + 5) _ _ (dot_fits (t + 1) (t + (t + 1) + 1) _ _ _ _ ltac:(lia) S P) ltac:(lia)) as Fu.
+  pose proof (fits_more _ (3 * t + 5) _ _ (dot_fits t (t + 1 + (t + 1) + 1) _ _ _ _ ltac:(lia) D Q) ltac:(lia)) as Fv.
+  pose proof (fits_more _ (3 * t + 6) _ _ (dot_fits (t + 1) (t + 1 + (t + 1) + 1) _ _ _ _ ltac:(lia) E2 Q) ltac:(lia)) as Ft.
+  pose proof (minus_fits (3 * t + 5) _ _ _ _ ltac:(lia) Fdet Fu) as W1.
+  pose proof (minus_fits (3 * t + 5 + 1) _ _ _ _ ltac:(lia) W1 (fits_more _ (3 * t + 5 + 1) _ _ Fv ltac:(lia))) as W2.
+  split; [exact Fdet|split; [exact Fu|split; [exact Fv|split; [|exact Ft]]]]. apply fits_more with (1 := W2). lia.
+Qed.
+
 (** * Single-precision data *)
 
 (** A float of single precision, widened. *)
@@ -209,13 +228,10 @@ Theorem determinants_do_not_overflow :
   fits 388 (f_det result) (det found) /\ fits 388 (f_u result) (edge_u found) /\ fits 388 (f_v result) (edge_v found) /\
   fits 390 (f_w result) (edge_w found) /\ fits 390 (f_t result) (top_t found).
 Proof.
-  pose proof (sub_fits 128 _ _ _ _ ltac:(lia) (v_fits _ H1) (v_fits _ H0)) as E1. pose proof (sub_fits 128 _ _ _ _ ltac:(lia) (v_fits _ H2) (v_fits _ H0)) as E2.
-  pose proof (sub_fits 128 _ _ _ _ ltac:(lia) (v_fits _ Ho) (v_fits _ H0)) as S. pose proof (v_fits _ Hd) as D. simpl Z.add in *.
-  pose proof (cross_fits 128 129 _ _ _ _ ltac:(lia) D E2) as P. pose proof (cross_fits 129 129 _ _ _ _ ltac:(lia) S E1) as Q. simpl Z.add in *.
-  pose proof (dot_fits 129 258 _ _ _ _ ltac:(lia) E1 P) as Fdet. pose proof (dot_fits 129 258 _ _ _ _ ltac:(lia) S P) as Fu.
-  pose proof (dot_fits 128 259 _ _ _ _ ltac:(lia) D Q) as Fv. pose proof (dot_fits 129 259 _ _ _ _ ltac:(lia) E2 Q) as Ft. simpl Z.add in *.
+  destruct (code_fits 128 v0 v1 v2 o d _ _ _ _ _ ltac:(lia) (v_fits _ H0) (v_fits _ H1) (v_fits _ H2) (v_fits _ Ho) (v_fits _ Hd))
+    as (Fdet & Fu & Fv & _ & Ft). fold result found in Fdet, Fu, Fv, Ft. simpl Z.add in Ft.
   assert (M : Rabs (det found) <= bpow radix2 388 /\ Rabs (edge_u found) <= bpow radix2 388 /\ Rabs (edge_v found) <= bpow radix2 388).
-  { unfold found. rewrite determinants_do_not_underflow by now apply v_multiple.
+  { unfold found. rewrite (determinants_do_not_underflow (-149) ltac:(lia)) by now apply v_multiple.
     pose proof (difference_most _ _ H1 H0) as M1. pose proof (difference_most _ _ H2 H0) as M2.
     pose proof (difference_most _ _ Ho H0) as M3. pose proof (v_most _ Hd) as M4.
     destruct (vsub_same (-149) (real v1) (real v0)) as [X1 _]; try (apply v_multiple; assumption); try lia.
@@ -250,16 +266,27 @@ Proof.
     + rewrite <- bpow_plus. apply bpow_le. lia.
 Qed.
 
+Lemma sign_fits t D C E d c e : (0 <= t <= 300)%Z -> fits t D d -> fits (t + 2) C c -> fits (t + 1) E e ->
+  fits (3 * t - 42) (code_sign D C E) (error_sign R64 u d c e).
+Proof.
+  intros Ht HD HC HE.
+  assert (K : fits (-46) (constant 78 (-53)) (78 * u)).
+  { destruct (constant_fits 78 (-53)) as [F V]; [reflexivity|lia|]. change (- (53))%Z with (-53)%Z. split; [exact F|split; [exact V|]].
+    rewrite Rabs_pos_eq by (pose proof (bpow_gt_0 radix2 (-53)); lra). replace (-46)%Z with (7 + -53)%Z by reflexivity. rewrite bpow_plus.
+    change (bpow radix2 7) with 128. pose proof (bpow_gt_0 radix2 (-53)). lra. }
+  pose proof (times_fits t (t + 1) _ _ _ _ ltac:(lia) HD HE) as DE.
+  pose proof (times_fits (-46) (t + (t + 1)) _ _ _ _ ltac:(lia) K DE) as KDE.
+  pose proof (plus_fits (t + 2) _ _ _ _ ltac:(lia) HC (fits_more _ (t + 2) _ _ HE ltac:(lia))) as CE.
+  apply fits_more with (-46 + (t + (t + 1)) + (t + 2 + 1))%Z; [|lia].
+  exact (times_fits (-46 + (t + (t + 1))) (t + 2 + 1) _ _ _ _ ltac:(lia) KDE CE).
+Qed.
+
 (** For bounds of components of at most these sizes, which Scene.v has, no bound of the errors overflows. [EXACT-6] *)
 Theorem errors_do_not_overflow D C E d c e : fits 128 D d -> fits 130 C c -> fits 129 E e ->
   fits 342 (code_sign D C E) (error_sign R64 u d c e) /\ fits 340 (code_det D E) (error_det R64 u d e) /\
   fits 342 (code_t C E) (error_t R64 u c e).
 Proof.
   intros HD HC HE.
-  assert (K : fits (-46) (constant 78 (-53)) (78 * u)).
-  { destruct (constant_fits 78 (-53)) as [F V]; [reflexivity|lia|]. change (- (53))%Z with (-53)%Z. split; [exact F|split; [exact V|]].
-    rewrite Rabs_pos_eq by (pose proof (bpow_gt_0 radix2 (-53)); lra). replace (-46)%Z with (7 + -53)%Z by reflexivity. rewrite bpow_plus.
-    change (bpow radix2 7) with 128. pose proof (bpow_gt_0 radix2 (-53)). lra. }
   assert (K' : forall n, (0 <= n <= 255)%Z -> fits (-47) (constant n (-55)) (IZR n * bpow radix2 (-55))).
   { intros n Hn. destruct (constant_fits n (-55)) as [F V]; [lia|lia|]. split; [exact F|split; [exact V|]].
     rewrite Rabs_pos_eq by (apply Rmult_le_pos; [apply IZR_le; lia|apply bpow_ge_0]). replace (-47)%Z with (8 + -55)%Z by reflexivity. rewrite bpow_plus.
@@ -267,10 +294,7 @@ Proof.
   assert (U4 : bpow radix2 (-55) = u * / 4) by (change (/ 4) with (bpow radix2 (-2)); rewrite <- bpow_plus; reflexivity).
   pose proof (times_fits 129 129 _ _ _ _ ltac:(lia) HE HE) as EE. simpl Z.add in EE.
   split; [|split].
-  - unfold code_sign, error_sign. pose proof (times_fits 128 129 _ _ _ _ ltac:(lia) HD HE) as DE. simpl Z.add in DE.
-    pose proof (times_fits (-46) 257 _ _ _ _ ltac:(lia) K DE) as KDE. simpl Z.add in KDE.
-    pose proof (plus_fits 130 _ _ _ _ ltac:(lia) HC (fits_more _ 130 _ _ HE ltac:(lia))) as CE. simpl Z.add in CE.
-    exact (times_fits 211 131 _ _ _ _ ltac:(lia) KDE CE).
+  - exact (sign_fits 128 _ _ _ _ _ _ ltac:(lia) HD HC HE).
   - unfold code_det, error_det. pose proof (times_fits 128 258 _ _ _ _ ltac:(lia) HD EE) as DEE. simpl Z.add in DEE.
     apply fits_more with 339%Z; [|lia].
     replace (31 * u * (5 / 4)) with (IZR (31 * 5) * bpow radix2 (-55)) by (rewrite U4; simpl IZR; lra).

@@ -1,5 +1,6 @@
-(** For single-precision data nothing underflows in double precision: every operation of Filter.v and Quotient.v gives the same
-    with gradual underflow (f64) as with relative errors only. So the theorems hold for f64. *)
+(** For data on a grid that is not too fine nothing underflows in double precision: every operation of Filter.v gives the same
+    with gradual underflow (f64) as with relative errors only. So the theorems hold for f64. Single-precision data are on the grid
+    of 2^-149, double-precision data of EXACT-7 on that of 2^-252. *)
 Require Import Reals ZArith Lia Lra Psatz.
 From Flocq Require Import Core.
 Require Import StacklessExact.Rounding StacklessExact.Triple StacklessExact.Filter StacklessExact.Quotient.
@@ -57,47 +58,50 @@ Qed.
 (** Single-precision numbers are multiples of 2^-149. *)
 Definition single (v : vec) : Prop := vmultiple (-149) v.
 
-Section Single.
+Section Grid.
+Variable g : Z.
+Hypothesis Hg : (-322 <= g <= 0)%Z.
 Variables v0 v1 v2 o d : vec.
-Hypothesis H0 : single v0.
-Hypothesis H1 : single v1.
-Hypothesis H2 : single v2.
-Hypothesis Ho : single o.
-Hypothesis Hd : single d.
+Hypothesis H0 : vmultiple g v0.
+Hypothesis H1 : vmultiple g v1.
+Hypothesis H2 : vmultiple g v2.
+Hypothesis Ho : vmultiple g o.
+Hypothesis Hd : vmultiple g d.
 
-(** [Determinants::of] does not underflow: all values are multiples of 2^-447. [EXACT-6] *)
+(** [Determinants::of] does not underflow: all values are multiples of 2^3g, so of 2^-447 for single-precision data.
+    [EXACT-6, EXACT-7] *)
 Theorem determinants_do_not_underflow : determinants_of R64 v0 v1 v2 o d = determinants_of RX v0 v1 v2 o d.
 Proof.
-  unfold determinants_of, single in *.
-  destruct (vsub_same (-149) v1 v0) as [-> M1]; auto; try lia. destruct (vsub_same (-149) v2 v0) as [-> M2]; auto; try lia.
-  destruct (vsub_same (-149) o v0) as [-> M3]; auto; try lia.
+  unfold determinants_of.
+  destruct (vsub_same g v1 v0) as [-> M1]; auto; try lia. destruct (vsub_same g v2 v0) as [-> M2]; auto; try lia.
+  destruct (vsub_same g o v0) as [-> M3]; auto; try lia.
   set (e1 := vsub RX v1 v0) in *. set (e2 := vsub RX v2 v0) in *. set (s := vsub RX o v0) in *. clearbody e1 e2 s.
-  destruct (cross_same (-149) d e2) as [-> Mp]; auto; try lia. destruct (cross_same (-149) s e1) as [-> Mq]; auto; try lia.
+  destruct (cross_same g d e2) as [-> Mp]; auto; try lia. destruct (cross_same g s e1) as [-> Mq]; auto; try lia.
   set (p := cross RX d e2) in *. set (q := cross RX s e1) in *. clearbody p q. cbv zeta.
-  destruct (dot_same (-149) (-149 + -149) e1 p ltac:(lia) M1 Mp) as [-> Md]. destruct (dot_same (-149) (-149 + -149) s p ltac:(lia) M3 Mp) as [-> Mu].
-  destruct (dot_same (-149) (-149 + -149) d q ltac:(lia) Hd Mq) as [-> Mv]. destruct (dot_same (-149) (-149 + -149) e2 q ltac:(lia) M2 Mq) as [-> _].
-  destruct (same (-447) (dot RX e1 p - dot RX s p) ltac:(lia)) as [-> M5]; [grid|].
-  destruct (same (-447) (RX (dot RX e1 p - dot RX s p) - dot RX d q) ltac:(lia)) as [-> M6]; [grid|]. reflexivity.
+  destruct (dot_same g (g + g) e1 p ltac:(lia) M1 Mp) as [-> Md]. destruct (dot_same g (g + g) s p ltac:(lia) M3 Mp) as [-> Mu].
+  destruct (dot_same g (g + g) d q ltac:(lia) Hd Mq) as [-> Mv]. destruct (dot_same g (g + g) e2 q ltac:(lia) M2 Mq) as [-> _].
+  destruct (same (g + (g + g)) (dot RX e1 p - dot RX s p) ltac:(lia)) as [-> M5]; [grid|].
+  destruct (same (g + (g + g)) (RX (dot RX e1 p - dot RX s p) - dot RX d q) ltac:(lia)) as [-> M6]; [grid|]. reflexivity.
 Qed.
 
 Variables D C E : R.
-Hypothesis GD : multiple (-149) D.
-Hypothesis GC : multiple (-149) C.
-Hypothesis GE : multiple (-149) E.
+Hypothesis GD : multiple g D.
+Hypothesis GC : multiple g C.
+Hypothesis GE : multiple g E.
 
 Lemma constant n : multiple (-55) (IZR n * / 4 * u).
 Proof.
   exists n. rewrite Rmult_assoc. f_equal. change (/ 4) with (bpow radix2 (-2)). rewrite <- bpow_plus. reflexivity.
 Qed.
 
-(** Nor does σ. [EXACT-6] *)
+(** Nor does σ. [EXACT-6, EXACT-7] *)
 Theorem sigma_does_not_underflow : error_sign R64 u D C E = error_sign RX u D C E.
 Proof.
-  unfold error_sign. destruct (same (-149 + -149) (D * E) ltac:(lia)) as [-> M1]; [grid|].
+  unfold error_sign. destruct (same (g + g) (D * E) ltac:(lia)) as [-> M1]; [grid|].
   assert (K : multiple (-55) (78 * u)) by (replace (78 * u) with (312 * / 4 * u) by lra; apply constant).
-  destruct (same (-55 + (-149 + -149)) (78 * u * RX (D * E)) ltac:(lia)) as [-> M2]; [grid|].
-  destruct (same (-149) (C + E) ltac:(lia)) as [-> M3]; [grid|].
-  apply (same (-55 + (-149 + -149) + -149)); [lia|grid].
+  destruct (same (-55 + (g + g)) (78 * u * RX (D * E)) ltac:(lia)) as [-> M2]; [grid|].
+  destruct (same g (C + E) ltac:(lia)) as [-> M3]; [grid|].
+  apply (same (-55 + (g + g) + g)); [lia|grid].
 Qed.
 
 Hypothesis HD : bounded D d.
@@ -109,21 +113,21 @@ Let sigma := error_sign R64 u D C E.
 
 Let bounds : bounded C (vsub RX o v0) /\ bounded E (vsub RX v1 v0) /\ bounded E (vsub RX v2 v0).
 Proof.
-  destruct (vsub_same (-149) v1 v0) as [<- _]; auto; try lia. destruct (vsub_same (-149) v2 v0) as [<- _]; auto; try lia.
-  destruct (vsub_same (-149) o v0) as [<- _]; auto; try lia.
+  destruct (vsub_same g v1 v0) as [<- _]; auto; try lia. destruct (vsub_same g v2 v0) as [<- _]; auto; try lia.
+  destruct (vsub_same g o v0) as [<- _]; auto; try lia.
 Qed.
 
-(** In double precision, for single-precision data, with gradual underflow: a certain miss is one. [EXACT-6] *)
+(** In double precision, with gradual underflow: a certain miss is one. [EXACT-6, EXACT-7] *)
 Theorem miss_in_double neg : sign_bit neg (det found) -> is_miss neg sigma found -> ~ meets truth.
 Proof.
   unfold found, sigma. rewrite determinants_do_not_underflow, sigma_does_not_underflow. destruct bounds as [BC BE].
   exact (is_miss_is_right 53 ltac:(lia) v0 v1 v2 o d D C E HD BC BE neg).
 Qed.
 
-(** And a certain hit. [EXACT-6] *)
+(** And a certain hit. [EXACT-6, EXACT-7] *)
 Theorem hit_in_double neg : is_hit neg sigma found -> meets truth.
 Proof.
   unfold found, sigma. rewrite determinants_do_not_underflow, sigma_does_not_underflow. destruct bounds as [BC BE].
   exact (is_hit_is_right 53 ltac:(lia) v0 v1 v2 o d D C E HD BC BE neg).
 Qed.
-End Single.
+End Grid.

@@ -32,10 +32,10 @@ Definition triangle_e (v0 v1 v2 : fvec) : float := fmax (max_element (vabs (fsub
 
 (** * Greatest numbers *)
 
-(** A finite float that is a multiple of 2^-149. *)
-Definition good (e : Z) (x : float) (r : R) : Prop := fits e x r /\ multiple (-149) r.
+(** A finite float that is on a grid: 2^-149 for single precision. *)
+Definition good (g e : Z) (x : float) (r : R) : Prop := fits e x r /\ multiple g r.
 
-Lemma fmax_good e x y a b : good e x a -> good e y b -> good e (fmax x y) (Rmax a b).
+Lemma fmax_good g e x y a b : good g e x a -> good g e y b -> good g e (fmax x y) (Rmax a b).
 Proof.
   intros [(Fx & <- & Bx) Mx] [(Fy & <- & By) My]. unfold fmax. rewrite Bltb_correct by assumption.
   destruct (Rlt_bool_spec (B2R y) (B2R x)).
@@ -43,7 +43,7 @@ Proof.
   - rewrite Rmax_right by lra. now repeat split.
 Qed.
 
-Lemma abs_good e x a : good e x a -> good e (Babs x) (Rabs a).
+Lemma abs_good g e x a : good g e x a -> good g e (Babs x) (Rabs a).
 Proof.
   intros [(F & V & B) M]. split; [split; [now rewrite is_finite_Babs|split]|].
   - now rewrite B2R_Babs, V.
@@ -51,7 +51,7 @@ Proof.
   - unfold Rabs. destruct (Rcase_abs a); [now apply multiple_opp|exact M].
 Qed.
 
-Definition vgood (e : Z) (v : fvec) (r : vec) : Prop := good e (fx v) (vx r) /\ good e (fy v) (vy r) /\ good e (fz v) (vz r).
+Definition vgood (g e : Z) (v : fvec) (r : vec) : Prop := good g e (fx v) (vx r) /\ good g e (fy v) (vy r) /\ good g e (fz v) (vz r).
 
 (** The greatest component of a vector. *)
 Definition most (r : vec) : R := Rmax (Rmax (Rabs (vx r)) (Rabs (vy r))) (Rabs (vz r)).
@@ -62,18 +62,25 @@ Proof.
   pose proof (Rmax_l (Rabs (vx r)) (Rabs (vy r))). pose proof (Rmax_r (Rabs (vx r)) (Rabs (vy r))). repeat split; lra.
 Qed.
 
-Lemma most_good e v r : vgood e v r -> good e (max_element (vabs v)) (most r).
+Lemma most_good g e v r : vgood g e v r -> good g e (max_element (vabs v)) (most r).
 Proof. intros (X & Y & Z). unfold max_element, vabs, most. cbn [fx fy fz]. repeat apply fmax_good; now apply abs_good. Qed.
 
-Lemma single_good v : v_single v -> vgood 128 v (real v).
-Proof. intros S. pose proof (v_fits _ S) as (X & Y & Z). pose proof (v_multiple _ S) as (MX & MY & MZ). split; [|split]; now split. Qed.
+Lemma real_good g t v : vfits t v (real v) -> vmultiple g (real v) -> vgood g t v (real v).
+Proof. intros (X & Y & Z) (MX & MY & MZ). split; [|split]; now split. Qed.
 
-Lemma sub_good v w : v_single v -> v_single w -> vgood 129 (fsub v w) (vsub R64 (real v) (real w)).
+Lemma difference_good g t v w : (-1022 <= g)%Z -> (0 <= t <= 300)%Z -> vfits t v (real v) -> vfits t w (real w) ->
+  vmultiple g (real v) -> vmultiple g (real w) -> vgood g (t + 1) (fsub v w) (vsub R64 (real v) (real w)).
 Proof.
-  intros V W. pose proof (sub_fits 128 _ _ _ _ ltac:(lia) (v_fits _ V) (v_fits _ W)) as (X & Y & Z). simpl Z.add in *.
-  destruct (vsub_same (-149) (real v) (real w)) as [E M]; try lia; try (now apply v_multiple).
+  intros Hg Ht Fv Fw V W. pose proof (sub_fits t _ _ _ _ ltac:(lia) Fv Fw) as (X & Y & Z).
+  destruct (vsub_same g (real v) (real w) Hg V W) as [E M].
   rewrite <- E in M. destruct M as (MX & MY & MZ). split; [|split]; now split.
 Qed.
+
+Lemma single_good v : v_single v -> vgood (-149) 128 v (real v).
+Proof. intros S. apply real_good; [now apply v_fits|now apply v_multiple]. Qed.
+
+Lemma sub_good v w : v_single v -> v_single w -> vgood (-149) 129 (fsub v w) (vsub R64 (real v) (real w)).
+Proof. intros V W. apply (difference_good (-149) 128); try lia; try (now apply v_fits); now apply v_multiple. Qed.
 
 (** * Bounds *)
 
@@ -82,10 +89,10 @@ Definition suit (D C E : float) (v0 v1 v2 o d : fvec) : Prop :=
   (is_bound 128 D /\ is_bound 130 C /\ is_bound 129 E) /\ bounded (B2R D) (real d) /\ bounded (B2R C) (vsub R64 (real o) (real v0)) /\
   bounded (B2R E) (vsub R64 (real v1) (real v0)) /\ bounded (B2R E) (vsub R64 (real v2) (real v0)).
 
-Lemma good_bound e e' x r : good e x r -> (e <= e')%Z -> is_bound e' x.
+Lemma good_bound e e' x r : good (-149) e x r -> (e <= e')%Z -> is_bound e' x.
 Proof. intros [F M] H. destruct (fits_more _ _ _ _ F H) as (Fx & <- & B). split; [now repeat split|exact M]. Qed.
 
-Lemma good_value e x r : good e x r -> B2R x = r.
+Lemma good_value g e x r : good g e x r -> B2R x = r.
 Proof. intros [(_ & V & _) _]. exact V. Qed.
 
 Lemma bounded_more b b' r : bounded b r -> b <= b' -> bounded b' r.
@@ -102,16 +109,16 @@ Hypothesis Hd : v_single d.
 (** The bounds for one triangle. [EXACT-6] *)
 Theorem triangle_has_bounds : suit (scene_d d) (triangle_c v0 o) (triangle_e v0 v1 v2) v0 v1 v2 o d.
 Proof.
-  pose proof (most_good _ _ _ (single_good _ Hd)) as D. pose proof (most_good _ _ _ (sub_good _ _ Ho H0)) as C.
-  pose proof (fmax_good _ _ _ _ _ (most_good _ _ _ (sub_good _ _ H1 H0)) (most_good _ _ _ (sub_good _ _ H2 H0))) as E.
+  pose proof (most_good _ _ _ _ (single_good _ Hd)) as D. pose proof (most_good _ _ _ _ (sub_good _ _ Ho H0)) as C.
+  pose proof (fmax_good _ _ _ _ _ _ (most_good _ _ _ _ (sub_good _ _ H1 H0)) (most_good _ _ _ _ (sub_good _ _ H2 H0))) as E.
   split; [split; [|split]|split; [|split; [|split]]].
   - apply (good_bound _ _ _ _ D). lia.
   - apply (good_bound _ _ _ _ C). lia.
   - apply (good_bound _ _ _ _ E). lia.
-  - unfold scene_d. rewrite (good_value _ _ _ D). apply most_bounds.
-  - unfold triangle_c. rewrite (good_value _ _ _ C). apply most_bounds.
-  - unfold triangle_e. rewrite (good_value _ _ _ E). eapply bounded_more; [apply most_bounds|apply Rmax_l].
-  - unfold triangle_e. rewrite (good_value _ _ _ E). eapply bounded_more; [apply most_bounds|apply Rmax_r].
+  - unfold scene_d. rewrite (good_value _ _ _ _ D). apply most_bounds.
+  - unfold triangle_c. rewrite (good_value _ _ _ _ C). apply most_bounds.
+  - unfold triangle_e. rewrite (good_value _ _ _ _ E). eapply bounded_more; [apply most_bounds|apply Rmax_l].
+  - unfold triangle_e. rewrite (good_value _ _ _ _ E). eapply bounded_more; [apply most_bounds|apply Rmax_r].
 Qed.
 
 (** The scene's box, with the corners in it. *)
@@ -134,15 +141,15 @@ Proof. intros H. rewrite <- round_NE_abs by typeclasses eauto. now apply RN_mono
 (** The bounds for all triangles of a scene. [EXACT-6] *)
 Theorem scene_has_bounds : suit (scene_d d) (scene_c lo hi o) (scene_e lo hi) v0 v1 v2 o d.
 Proof.
-  pose proof (most_good _ _ _ (single_good _ Hd)) as D. pose proof (most_good _ _ _ (single_good _ Ho)) as O.
+  pose proof (most_good _ _ _ _ (single_good _ Hd)) as D. pose proof (most_good _ _ _ _ (single_good _ Ho)) as O.
   destruct (single_good _ Hlo) as (L1 & L2 & L3). destruct (single_good _ Hhi) as (U1 & U2 & U3).
-  pose proof (fmax_good _ _ _ _ _ (fmax_good _ _ _ _ _ (fmax_good _ _ _ _ _ (abs_good _ _ _ L1) (abs_good _ _ _ U1))
-    (fmax_good _ _ _ _ _ (abs_good _ _ _ L2) (abs_good _ _ _ U2))) (fmax_good _ _ _ _ _ (abs_good _ _ _ L3) (abs_good _ _ _ U3))) as Reach.
-  match type of Reach with good _ _ ?r => set (reach := r) in * end.
-  change (good 128 (code_reach lo hi) reach) in Reach.
-  destruct (sub_good _ _ Hhi Hlo) as (S1 & S2 & S3). pose proof (fmax_good _ _ _ _ _ (fmax_good _ _ _ _ _ S1 S2) S3) as Size.
-  match type of Size with good _ _ ?r => set (size := r) in * end. change (good 129 (scene_e lo hi) size) in Size.
-  assert (C : good 129 (scene_c lo hi o) (R64 (reach + most (real o)))).
+  pose proof (fmax_good _ _ _ _ _ _ (fmax_good _ _ _ _ _ _ (fmax_good _ _ _ _ _ _ (abs_good _ _ _ _ L1) (abs_good _ _ _ _ U1))
+    (fmax_good _ _ _ _ _ _ (abs_good _ _ _ _ L2) (abs_good _ _ _ _ U2))) (fmax_good _ _ _ _ _ _ (abs_good _ _ _ _ L3) (abs_good _ _ _ _ U3))) as Reach.
+  match type of Reach with good _ _ _ ?r => set (reach := r) in * end.
+  change (good (-149) 128 (code_reach lo hi) reach) in Reach.
+  destruct (sub_good _ _ Hhi Hlo) as (S1 & S2 & S3). pose proof (fmax_good _ _ _ _ _ _ (fmax_good _ _ _ _ _ _ S1 S2) S3) as Size.
+  match type of Size with good _ _ _ ?r => set (size := r) in * end. change (good (-149) 129 (scene_e lo hi) size) in Size.
+  assert (C : good (-149) 129 (scene_c lo hi o) (R64 (reach + most (real o)))).
   { destruct Reach as [Fr Mr], O as [Fo Mo]. split; [exact (plus_fits 128 _ _ _ _ ltac:(lia) Fr Fo)|].
     destruct (same (-149) (reach + most (real o)) ltac:(lia)) as [-> M]; [grid|exact M]. }
   assert (Near : forall v, inside v -> bounded reach (real v)).
@@ -166,11 +173,11 @@ Proof.
   - apply (good_bound _ _ _ _ D). lia.
   - apply (good_bound _ _ _ _ C). lia.
   - apply (good_bound _ _ _ _ Size). lia.
-  - unfold scene_d. rewrite (good_value _ _ _ D). apply most_bounds.
-  - rewrite (good_value _ _ _ C). destruct (Near v0 I0) as (X & Y & Z). destruct (most_bounds (real o)) as (X' & Y' & Z').
+  - unfold scene_d. rewrite (good_value _ _ _ _ D). apply most_bounds.
+  - rewrite (good_value _ _ _ _ C). destruct (Near v0 I0) as (X & Y & Z). destruct (most_bounds (real o)) as (X' & Y' & Z').
     repeat split; cbn [vsub vx vy vz]; apply rounded_most; rewrite Rplus_comm; now apply sub_b.
-  - rewrite (good_value _ _ _ Size). now apply Long.
-  - rewrite (good_value _ _ _ Size). now apply Long.
+  - rewrite (good_value _ _ _ _ Size). now apply Long.
+  - rewrite (good_value _ _ _ _ Size). now apply Long.
 Qed.
 End Scene.
 
