@@ -298,7 +298,7 @@ Proof.
   rewrite same_found, same_sigma in H.
   pose proof (distance_is_enclosed 53 ltac:(lia) _ _ _ _ _ _ _ _ HD BC (conj B1 B2) _ H) as Q. fold found_X truth in Q.
   unfold code_distance. destruct (code_over _ _ _ _) as [low high], (over_determinant _ _ _ _ _ _) as [low' high'].
-  destruct Ends as (F1 & F2 & -> & ->). now repeat split.
+  destruct Ends as (F1 & F2 & -> & ->). exact (conj F1 (conj F2 Q)).
 Qed.
 
 (** [Determinants::weights], likewise. [EXACT-9] *)
@@ -336,8 +336,8 @@ Proof.
   pose proof (weights_are_enclosed 53 ltac:(lia) _ _ _ _ _ _ _ _ HD BC (conj B1 B2) _ H) as [QU QV]. fold found_X truth in QU, QV.
   rewrite <- same_sigma in QU, QV. unfold code_weight. split.
   - destruct (code_over (f_u c) _ _ _) as [low high], (over_determinant _ _ (edge_u found_X) _ _ _) as [low' high'].
-    destruct EndsU as (F1 & F2 & -> & ->). now repeat split.
+    destruct EndsU as (F1 & F2 & -> & ->). exact (conj F1 (conj F2 QU)).
   - destruct (code_over (f_v c) _ _ _) as [low high], (over_determinant _ _ (edge_v found_X) _ _ _) as [low' high'].
-    destruct EndsV as (F1 & F2 & -> & ->). now repeat split.
+    destruct EndsV as (F1 & F2 & -> & ->). exact (conj F1 (conj F2 QV)).
 Qed.
 End Certain.

@@ -209,13 +209,13 @@ Proof.
     assert (Near : at_most t1 (most * t) /\ at_least t2 (least * t) \/ at_most t2 (most * t) /\ at_least t1 (least * t)).
     { destruct (Rtotal_order D 0) as [S|[S|S]]; [right|contradiction|left]; split.
       - apply (Before _ _ _) with (3 := N2) (4 := V2); [|exact M2]. rewrite Ht' at 1.
-        assert (/ D < 0) by now apply Rinv_lt_0_compat. nra.
+        pose proof (Rinv_lt_0_compat D S). pose proof (Rmult_le_compat_neg_l (/ D) (t * D) (B2R hi - B2R o) ltac:(lra) ltac:(lra)). lra.
       - apply (After _ _ _) with (3 := N1) (4 := V1); [|exact M1]. rewrite Ht' at 1.
-        assert (/ D < 0) by now apply Rinv_lt_0_compat. nra.
+        pose proof (Rinv_lt_0_compat D S). pose proof (Rmult_le_compat_neg_l (/ D) (B2R lo - B2R o) (t * D) ltac:(lra) ltac:(lra)). lra.
       - apply (Before _ _ _) with (3 := N1) (4 := V1); [|exact M1]. rewrite Ht' at 1.
-        assert (0 < / D) by now apply Rinv_0_lt_compat. nra.
+        pose proof (Rinv_0_lt_compat D S). pose proof (Rmult_le_compat_l (/ D) (B2R lo - B2R o) (t * D) ltac:(lra) ltac:(lra)). lra.
       - apply (After _ _ _) with (3 := N2) (4 := V2); [|exact M2]. rewrite Ht' at 1.
-        assert (0 < / D) by now apply Rinv_0_lt_compat. nra. }
+        pose proof (Rinv_0_lt_compat D S). pose proof (Rmult_le_compat_l (/ D) (t * D) (B2R hi - B2R o) ltac:(lra) ltac:(lra)). lra. }
     split.
     + apply greater_at_most; [|exact Hn]. apply lesser_at_most; auto. tauto.
     + apply lesser_at_least; [|exact Hf]. apply greater_at_least; auto. tauto.
