@@ -34,6 +34,20 @@ pub struct Counters {
     pub backtracks: Backtracks,
 }
 
+/// Counts over many rays in a hierarchy of eight children.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct WideCounters {
+    /// Rays.
+    pub rays: u64,
+    /// How often the boxes of an inner node were tested, all at once. Some traversals test those of a node again when
+    /// they come back to it.
+    pub nodes: u64,
+    /// Visits of leaves.
+    pub leaves: u64,
+    /// Triangles in these leaves.
+    pub triangles: u64,
+}
+
 impl Default for Counters {
     fn default() -> Self {
         let backtracks = Backtracks::new(Reach::ALGORITHM_1);

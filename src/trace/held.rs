@@ -1,5 +1,6 @@
 //! What leaves hold, whatever the tree above them.
 
+use crate::bvh::wide::leaf_places;
 use crate::bvh::{Bvh, WideBvh};
 use crate::geom::{Region, Triangle};
 use crate::tree::Node;
@@ -55,7 +56,7 @@ impl<const A: usize> Held<Triangle> for WideBvh<A> {
     }
 
     fn for_each(&self, leaf: Node, mut show: impl FnMut(usize, &Triangle, u32)) {
-        for place in self.leaf_places(leaf) {
+        for place in leaf_places(leaf) {
             show(place, &self.triangle(place), self.blocks()[place / 4].prims[place & 3]);
         }
     }

@@ -52,7 +52,7 @@ pub use binary::BinaryTracer;
 pub use bounce::{bounce, cut, reflect};
 pub use child_order::{ChildOrder, FromLeft, Nearest};
 pub use continuation::{Continuation, Place};
-pub use counters::Counters;
+pub use counters::{Counters, WideCounters};
 pub use crossings::{AllHits, AllHits64, Crossings, Sweep};
 pub use forms::{Form, Forms};
 pub use held::Held;

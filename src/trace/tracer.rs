@@ -9,13 +9,13 @@ use std::{fmt, vec};
 
 use super::binary::CHUNK;
 use super::cast::Cast;
-use super::{Crossings, Following, Hit, Near, NearestPoint, NearestPoints, Sweep, next};
+use super::{Crossings, Following, Hit, Near, NearestPoint, NearestPoints, Sweep, WideCounters, next};
 use crate::bvh::{WideBvh, WideError};
 use crate::geom::lanes::{Level, with_baseline};
 use crate::geom::{Ball, Mesh, Ray};
 use crate::threads;
 use crate::wide::{Method, Tables, Unfit};
-use shared::{LaneRay, Query};
+use shared::{Counted, LaneRay, Query};
 use turns::{Ask, Job, trace};
 
 /// Answers queries over a hierarchy of eight children, exactly: the library's front door.
@@ -257,6 +257,32 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
         let mut query = NearestPoints::new(self.bvh(), ball, k);
         self.run_shared(&mut query);
         query.nears().collect()
+    }
+
+    /// What the closest hits of these rays cost.
+    ///
+    /// ```
+    /// use stackless_bvh::{bvh::WideBvh, generate::procedural, trace::Tracer, wide::Method};
+    ///
+    /// let mesh = procedural::soup(1, 1000);
+    /// let (bvh, rays) = (WideBvh::build(&mesh)?, procedural::rays(&mesh, 1, 100));
+    /// let count = |method| Tracer::with_method(&bvh, method).map(|tracer| tracer.count_closest(&rays));
+    /// let (stack, trail) = (count(Method::Stack).unwrap(), count(Method::Trail).unwrap());
+    /// assert!(stack.leaves == trail.leaves && stack.nodes < trail.nodes);
+    /// # Ok::<(), stackless_bvh::bvh::WideError>(())
+    /// ```
+    pub fn count_closest(&self, rays: &[Ray]) -> WideCounters {
+        let bvh = self.bvh();
+        let mut counters = WideCounters { rays: rays.len() as u64, ..WideCounters::default() };
+        for ray in rays {
+            with_baseline!(simd => {
+                // After a hit that is before all others.
+                let cast = Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh));
+                let mut query = Following::over(cast, (f32::NEG_INFINITY, 0));
+                self.run_shared(&mut Counted(&mut query, &mut counters));
+            });
+        }
+        counters
     }
 
     fn all_hits(&self, ray: &Ray) -> Vec<Hit> {

@@ -127,15 +127,9 @@ impl<const A: usize> WideBvh<A> {
         (&self.blocks[first..first + count.div_ceil(4) as usize], count)
     }
 
-    /// The triangle at a [place](Self::leaf_places).
+    /// The triangle at a [place](leaf_places).
     pub(crate) fn triangle(&self, place: usize) -> Triangle {
         self.blocks[place / 4].triangle(place & 3)
-    }
-
-    /// The places of a leaf's triangles: of each four times that of its block, and its lane.
-    pub(crate) fn leaf_places(&self, leaf: Node) -> Range<usize> {
-        let (first, count) = leaf_parts(leaf);
-        4 * first..4 * first + count as usize
     }
 }
 
@@ -225,6 +219,12 @@ impl<const A: usize> WideNode<A> {
 fn leaf_parts(leaf: Node) -> (usize, u32) {
     let index = leaf.index() as u32;
     ((index & ((1 << BLOCK_BITS) - 1)) as usize, index >> BLOCK_BITS & MAX_COUNT)
+}
+
+/// The places of a leaf's triangles: of each four times that of its block, and its lane.
+pub(crate) fn leaf_places(leaf: Node) -> Range<usize> {
+    let (first, count) = leaf_parts(leaf);
+    4 * first..4 * first + count as usize
 }
 
 /// Writes what records say beside boxes and children. Of a child that does not come after its parent nothing is written.

@@ -7,11 +7,13 @@ use fearless_simd::{Simd, f32x8};
 
 use super::turns::with_memory;
 use crate::bvh::WideBvh;
+use crate::bvh::wide::leaf_places;
 use crate::geom::Ray;
 use crate::geom::kernel::Exact;
 use crate::geom::lanes::BoxRay;
 use crate::order::Flow;
 use crate::trace::cast::Cast;
+use crate::trace::counters::WideCounters;
 use crate::trace::nearest::Around;
 use crate::trace::{Crossings, Following, NearestPoint, NearestPoints, Sweep};
 use crate::tree::Node;
@@ -32,6 +34,26 @@ pub(super) trait Query {
 /// Runs a query to its end.
 pub(super) fn run(method: Method, tree: &WideBvh, tables: &Tables, query: &mut dyn Query) -> Result<(), Unfit> {
     with_memory(|[memory, _]| method.run_in(Supply { tree, tables, memory }, &mut Shared(query), &mut ()))
+}
+
+/// A query that is counted.
+pub(super) struct Counted<'q, 'c>(pub(super) &'q mut dyn Query, pub(super) &'c mut WideCounters);
+
+impl Query for Counted<'_, '_> {
+    fn ask(&mut self, node: Node) -> Wanted<[u32; 8]> {
+        self.1.nodes += 1;
+        self.0.ask(node)
+    }
+
+    fn leaf(&mut self, leaf: Node) {
+        self.1.leaves += 1;
+        self.1.triangles += leaf_places(leaf).len() as u64;
+        self.0.leaf(leaf);
+    }
+
+    fn end(&self) -> f32 {
+        self.0.end()
+    }
 }
 
 struct Shared<'q>(&'q mut dyn Query);

@@ -153,3 +153,21 @@ fn each_answer_is_of_its_ray() {
         assert!(found[count..].iter().all(|&untouched| untouched == Some((7, 7.0))));
     }
 }
+
+/// All visit the same leaves. A stack never comes back to a node; the record does where more than two children were
+/// pending.
+#[test]
+fn traversals_differ_in_how_often_they_ask() {
+    let mesh = procedural::soup(8, 3000);
+    let (wide, rays) = (WideBvh::build(&mesh).unwrap(), procedural::rays(&mesh, 9, 200));
+    let count = |method| Tracer::with_method(&wide, method).unwrap().count_closest(&rays);
+    let stack = count(Method::Stack);
+    assert!(stack.rays == 200 && stack.nodes > 200 && stack.triangles > stack.leaves);
+    for method in Method::ALL {
+        let counted = count(method);
+        assert_eq!((counted.leaves, counted.triangles), (stack.leaves, stack.triangles), "{method}");
+        assert!(counted.nodes >= stack.nodes, "{method}");
+    }
+    let [record, hashed, trail] = [Method::Recorded, Method::Hashed, Method::Trail].map(|method| count(method).nodes);
+    assert!(stack.nodes < record && record == hashed && record < trail);
+}

@@ -271,7 +271,7 @@ impl Stats {
             time: time::measure(&bvh, &trace::bounce(&scene.mesh, &bvh, &primary, seed))?,
             plan: plan::measure(&scene.mesh, &bvh, &primary)?,
             state: state::measure(&scene.mesh, &bvh, &primary, seed)?,
-            wide: wide::measure(scene)?,
+            wide: wide::measure(scene, &primary)?,
             counted,
         };
         Ok((stats, bvh))

@@ -79,8 +79,9 @@ impl Contestant for Runner<'_> {
         }
     }
 
-    fn nodes(&mut self, _: Query, _: &[Ray]) -> Option<u64> {
-        None
+    fn nodes(&mut self, query: Query, rays: &[Ray]) -> Option<u64> {
+        let counters = (query == Query::Closest).then(|| self.tracer.count_closest(rays))?;
+        Some(counters.nodes + counters.leaves)
     }
 
     fn state_bytes(&self) -> Option<usize> {

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 use stackless_bvh::bvh::WideBvh;
-use stackless_bvh::trace::Tracer;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::trace::{Tracer, WideCounters};
 use stackless_bvh::wide::{Method, Topology};
 
 use super::timed;
@@ -37,9 +38,14 @@ struct Row {
     /// Of the tables that it needs.
     table_bytes: usize,
     table_seconds: f64,
+    /// Tests of a node's boxes, all at once, for the closest hit of a camera ray.
+    nodes_per_ray: f64,
+    leaves_per_ray: f64,
+    triangles_per_ray: f64,
 }
 
-pub(super) fn measure(scene: &Scene) -> Result<WideStats, Box<dyn std::error::Error>> {
+/// With the closest hits of these rays.
+pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn std::error::Error>> {
     let build = Build::chosen_wide(None);
     let (fine, build_seconds) = timed(|| build.run_fine(scene));
     let fine = fine?;
@@ -48,8 +54,18 @@ pub(super) fn measure(scene: &Scene) -> Result<WideStats, Box<dyn std::error::Er
     let mut traversals = Vec::new();
     for method in Method::ALL {
         let (tracer, table_seconds) = timed(|| Tracer::with_method(&wide, method));
-        let (state_bytes, table_bytes) = (method.state_bytes::<8>(wide.levels() as usize), tracer?.bytes());
-        traversals.push(Row { method: method.name(), state_bytes, table_bytes, table_seconds });
+        let tracer = tracer?;
+        let WideCounters { nodes, leaves, triangles, .. } = tracer.count_closest(rays);
+        let per_ray = |count: u64| count as f64 / rays.len().max(1) as f64;
+        traversals.push(Row {
+            method: method.name(),
+            state_bytes: method.state_bytes::<8>(wide.levels() as usize),
+            table_bytes: tracer.bytes(),
+            table_seconds,
+            nodes_per_ray: per_ray(nodes),
+            leaves_per_ray: per_ray(leaves),
+            triangles_per_ray: per_ray(triangles),
+        });
     }
     let nodes = wide.nodes();
     let children: u32 = nodes.iter().map(|node| (0..8).map(|slot| u32::from(node.has_child(slot))).sum::<u32>()).sum();
@@ -87,10 +103,21 @@ impl WideStats {
 
     pub(super) fn to_table(&self) -> Table {
         let row = |row: &Row| {
-            let bytes = [row.state_bytes, row.table_bytes].map(|bytes| grouped(bytes as u64));
-            let [state, tables] = bytes;
-            vec![row.method.to_owned(), state, tables, format!("{:.2}", row.table_seconds * 1e3)]
+            let mut cells = vec![row.method.to_owned()];
+            cells.extend([row.state_bytes, row.table_bytes].map(|bytes| grouped(bytes as u64)));
+            cells.push(format!("{:.2}", row.table_seconds * 1e3));
+            cells.extend([row.nodes_per_ray, row.leaves_per_ray, row.triangles_per_ray].map(|n| format!("{n:.2}")));
+            cells
         };
-        table(&["of eight children", "bytes of state", "of tables", "ms"], 1, self.traversals.iter().map(row).collect())
+        let header = [
+            "of eight children",
+            "bytes of state",
+            "of tables",
+            "ms",
+            "nodes a ray",
+            "leaves a ray",
+            "triangles a ray",
+        ];
+        table(&header, 1, self.traversals.iter().map(row).collect())
     }
 }
