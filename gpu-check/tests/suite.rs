@@ -47,7 +47,14 @@ fn command(arguments: &[&str]) -> Vec<String> {
 }
 
 fn runner(suite: &Suite, command: Vec<String>) -> Runner<'_> {
-    Runner { command, suite, waivers: Waivers::default(), timeout: Duration::from_mins(2), window: 64 }
+    Runner {
+        command,
+        suite,
+        waivers: Waivers::default(),
+        timeout: Duration::from_mins(2),
+        window: 64,
+        fail_fast: false,
+    }
 }
 
 /// The cases of a profile that are about a clause.

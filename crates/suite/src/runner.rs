@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::process::{Heard, Process};
 use super::protocol::Request;
 use super::text::Shown;
-use super::{CaseResult, Hello, Outcome, PROTOCOL, Profile, Reply, Report, Suite, SuiteCase, Waivers, judge};
+use super::{CaseResult, Hello, Outcome, PROTOCOL, Profile, Reply, Report, Strength, Suite, SuiteCase, Waivers, judge};
 
 /// A run to be.
 #[derive(Debug)]
@@ -21,6 +21,8 @@ pub struct Runner<'s> {
     pub timeout: Duration,
     /// How many cases are asked before the first is answered; at least 1.
     pub window: usize,
+    /// Whether to end at the first case that fails; the others are not asked.
+    pub fail_fast: bool,
 }
 
 /// Why there was no run.
@@ -89,6 +91,7 @@ impl Runner<'_> {
             asked: VecDeque::new(),
             alone: 0,
             unclear: None,
+            is_over: false,
             faults: &mut faults,
         };
         let mut process = Some(process);
@@ -163,6 +166,8 @@ struct Turn<'a> {
     alone: usize,
     /// How the program ended, while none of them has done so again.
     unclear: Option<String>,
+    /// Whether one has failed that was to be the last.
+    is_over: bool,
     faults: &'a mut Vec<String>,
 }
 
@@ -189,6 +194,9 @@ impl Turn<'_> {
                         self.settle(front, outcome, told);
                         self.asked_alone();
                         last = Some(front);
+                        if self.is_over {
+                            return;
+                        }
                     }
                     Err((blamed, what)) => {
                         self.settle(blamed, Outcome::Error(what), told);
@@ -261,6 +269,12 @@ impl Turn<'_> {
             self.asked.pop_front();
         }
         told(i, &outcome);
+        let (_, SuiteCase { id, strength, .. }) = self.cases[i];
+        let is_failure = outcome.is_bad() && *strength == Strength::Must && self.runner.waivers.reason(id).is_none();
+        if self.runner.fail_fast && is_failure {
+            self.is_over = true;
+            self.to_ask.clear();
+        }
         self.outcomes[i] = Some(outcome);
     }
 

@@ -62,7 +62,7 @@ fn text(path: &str) -> String {
 
 fn ask(command: Vec<String>, suite: &Suite) -> Report {
     let timeout = Duration::from_mins(1);
-    Runner { command, suite, waivers: Waivers::default(), timeout, window: 64 }.run(|_| {}).unwrap()
+    Runner { command, suite, waivers: Waivers::default(), timeout, window: 64, fail_fast: false }.run(|_| {}).unwrap()
 }
 
 /// Asks all that it names, which is so many cases.

@@ -28,7 +28,8 @@ fn some_cases(count: usize) -> Suite {
 
 fn run(command: Vec<String>, count: usize, window: usize, waivers: Waivers) -> Result<Report, RunError> {
     let suite = some_cases(count);
-    Runner { command, suite: &suite, waivers, timeout: Duration::from_millis(700), window }.run(|_| ())
+    Runner { command, suite: &suite, waivers, timeout: Duration::from_millis(700), window, fail_fast: false }
+        .run(|_| ())
 }
 
 fn outcomes(answer: &str, count: usize) -> Report {
@@ -111,6 +112,22 @@ fn answers_beyond_what_was_asked_are_errors() {
 fn unsupported_is_a_failure_where_the_profile_was_named() {
     let report = outcomes(r#"printf '{"seq":%s,"unsupported":"no"}\n' "$seq""#, 3);
     assert_eq!(report.count("fail"), 3);
+}
+
+/// However it fails, and whatever was written ahead: what comes after is not asked.
+#[test]
+fn the_first_failure_can_be_the_last() {
+    let answers = ["exit 3", "sleep 60", "echo no", r#"printf '{"seq":%s,"unsupported":"no"}\n' "$seq""#];
+    for (answer, window) in answers.iter().flat_map(|answer| [(answer, 1), (answer, 64)]) {
+        let answer = format!("if [ \"$seq\" = 0 ]; then {RIGHT}; else {answer}; fi");
+        let (command, suite, timeout) = (program(&answer), &some_cases(9), Duration::from_millis(700));
+        let runner = Runner { command, suite, waivers: Waivers::default(), timeout, window, fail_fast: true };
+        let report = runner.run(|_| ()).unwrap();
+        let asked: Vec<_> = report.verdicts.iter().map(|it| it.outcome.is_bad()).collect();
+        assert_eq!(asked, [false, true, false, false, false, false, false, false, false], "{answer}");
+        assert_eq!((report.count("pass"), report.count("unsupported")), (1, 7), "{answer}");
+        assert!(!report.is_conforming() && report.faults.is_empty(), "{answer}: {:?}", report.faults);
+    }
 }
 
 /// A program that answers nothing is not started for ever.

@@ -41,6 +41,9 @@ pub(crate) struct Args {
     /// Cases that are asked before the first is answered.
     #[arg(long, default_value_t = 64)]
     window: usize,
+    /// End at the first case that fails; the others are not asked.
+    #[arg(long)]
+    fail_fast: bool,
     /// Failures to print.
     #[arg(long, default_value_t = 10)]
     show: usize,
@@ -69,6 +72,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         waivers,
         timeout: Duration::from_secs_f64(args.timeout),
         window: args.window,
+        fail_fast: args.fail_fast,
     };
     let start = Instant::now();
     let progress = bar(suite.cases().count() as u64, "cases");
