@@ -122,6 +122,12 @@ static int field(int object, const char *name) {
     return NONE;
 }
 
+/* The value of a digit, or NONE. */
+static int hex(char digit) {
+    const char *all = "0123456789abcdef", *at = digit == '\0' ? NULL : strchr(all, digit);
+    return at ? (int)(at - all) : NONE;
+}
+
 /* A word of so many bits: lower-case hexadecimal without leading zeros. */
 static bool get_word(int object, const char *name, int bits, uint64_t *word) {
     int token = field(object, name);
@@ -133,10 +139,9 @@ static bool get_word(int object, const char *name, int bits, uint64_t *word) {
         return false;
     *word = 0;
     for (size_t i = 0; i < length; i++) {
-        const char *all = "0123456789abcdef", *digit = strchr(all, digits[i]);
-        if (!digit)
+        if (hex(digits[i]) == NONE)
             return false;
-        *word = *word << 4 | (uint64_t)(digit - all);
+        *word = *word << 4 | (uint64_t)hex(digits[i]);
     }
     return bits == 64 || *word >> bits == 0;
 }
@@ -230,6 +235,7 @@ typedef struct {
 static Node nodes[MAX_NODES];
 static int node_count;
 static int depth; /* of the tree */
+static int met[MAX_NODES]; /* its nodes, level by level */
 
 typedef enum { UNKNOWN, NOT_A_TREE, TREE } Tree;
 
@@ -247,7 +253,7 @@ static Tree read_tree(int input) {
         if (!node->is_leaf && !get_pair(i, node->child))
             return UNKNOWN;
     }
-    static int met[MAX_NODES], depths[MAX_NODES];
+    static int depths[MAX_NODES];
     int met_count = 1;
     if (node_count == 0)
         return NOT_A_TREE;
@@ -426,15 +432,15 @@ static bool answer_trace(int input) {
 
 typedef struct {
     bool is_leaf, is_met;
-    int parent, count, child[MAX_SLOTS];
+    int level, parent, count, child[MAX_SLOTS];
+    uint64_t key; /* of no use in a tree that is too deep */
     int told; /* the set of slots that have a rank */
     uint32_t rank[MAX_SLOTS];
     int64_t hit; /* NONE where nothing is hit */
 } WideNode;
 
 typedef struct {
-    int levels, node, level; /* levels as in Visit */
-    uint64_t key;
+    int levels, node; /* levels as in Visit */
     uint8_t pending[MAX_LEVELS + 1]; /* for each level above */
 } WideVisit;
 
@@ -483,22 +489,24 @@ static Tree read_wide_tree(int input) {
     }
     if (node_count == 0 || wide_nodes[ROOT].is_leaf || tree == NOT_A_TREE)
         return NOT_A_TREE;
-    static int met[MAX_NODES], levels[MAX_NODES];
     int met_count = 1;
     met[0] = ROOT;
     wide_nodes[ROOT].is_met = true;
-    levels[ROOT] = depth = 0;
+    wide_nodes[ROOT].key = 1;
+    depth = 0;
     for (int i = 0; i < met_count; i++) {
         const WideNode *node = &wide_nodes[met[i]];
         for (int slot = 0; slot < node->count; slot++) {
             int child = node->child[slot];
             if (child >= node_count || wide_nodes[child].is_met)
                 return NOT_A_TREE;
-            wide_nodes[child].is_met = true;
-            wide_nodes[child].parent = met[i];
-            levels[child] = levels[met[i]] + 1;
-            if (!wide_nodes[child].is_leaf && levels[child] > depth)
-                depth = levels[child]; /* of inner nodes */
+            WideNode *at = &wide_nodes[child];
+            at->is_met = true;
+            at->parent = met[i];
+            at->level = node->level + 1;
+            at->key = node->key << slot_bits | (uint64_t)slot; /* WIDE-9 */
+            if (!at->is_leaf)
+                depth = at->level; /* of inner nodes */
             met[met_count++] = child;
         }
     }
@@ -572,44 +580,69 @@ static bool visit_leaf(int leaf) {
     return is_any;
 }
 
-/* Returns the number of visits. */
-static int traverse_wide(void) {
-    int node = ROOT, level = 0, levels = NONE, count = 0;
+/* Reads where the search begins: at the root, or at the node of a key. There a trail says what is pending, with a bit for
+ * each slot of each level, the root's first (WIDE-10). */
+static bool read_wide_state(int input, WideVisit *state) {
+    int trail = field(input, "trail"), hit = field(input, "hit");
     uint64_t key = 1;
-    uint8_t sets[MAX_LEVELS + 1] = {0};
-    for (;;) {
-        wide_visits[count] = (WideVisit){levels, node, level, key, {0}};
-        memcpy(wide_visits[count++].pending, sets, (size_t)level);
-        int pending = 0, at = level;
-        if (!wide_nodes[node].is_leaf)
-            pending = wanted(&wide_nodes[node]);
-        else if (visit_leaf(node))
-            return count;
-        int slot = next_slot(&wide_nodes[node], pending);
-        while (slot == NONE && at > 0) { /* WIDE-11, a level at a time */
-            node = wide_nodes[node].parent;
-            key >>= slot_bits; /* WIDE-9 */
-            pending = sets[--at];
-            slot = next_slot(&wide_nodes[node], pending);
-        }
-        if (slot == NONE)
-            return count;
-        levels = at == level ? NONE : level - at - 1;
-        sets[at] = (uint8_t)(pending & ~(1 << slot)); /* WIDE-10 */
-        level = at + 1;
-        key = key << slot_bits | (uint64_t)slot;
-        node = wide_nodes[node].child[slot];
-    }
+    uint32_t distance = 0;
+    *state = (WideVisit){.levels = NONE, .node = ROOT};
+    if (trail == NONE)
+        return true;
+    if (!get_word(input, "key", 64, &key))
+        return false;
+    while (wide_nodes[state->node].key != key)
+        if (++state->node == node_count)
+            return false;
+    int level = wide_nodes[state->node].level, digits = (int)tokens[trail].length;
+    for (int bit = 0; bit < slots * level && bit < 4 * digits; bit++)
+        if (hex(tokens[trail].text[digits - 1 - bit / 4]) >> bit % 4 & 1)
+            state->pending[level - 1 - bit / slots] |= (uint8_t)(1 << bit % slots);
+    if (hit == NONE)
+        return true;
+    if (!get_number(hit, "node", &best) || best >= node_count || !get_u32(field(hit, "t"), &distance))
+        return false;
+    wide_nodes[best].hit = distance;
+    return true;
 }
 
-/* A bit for each slot of each level, the root's first: WIDE-10. */
-static void print_wide_trail(const WideVisit *visit) {
+/* Goes on from a state, whose node may have been visited; returns the number of visits. A trail that is made up may lead
+ * to nodes more than once. */
+static int traverse_wide(WideVisit now, bool is_visited) {
+    int count = 0;
+    while (count < MAX_NODES) {
+        int level = wide_nodes[now.node].level, at = level, pending = 0;
+        if (!is_visited) {
+            wide_visits[count++] = now;
+            if (!wide_nodes[now.node].is_leaf)
+                pending = wanted(&wide_nodes[now.node]);
+            else if (visit_leaf(now.node))
+                break;
+        }
+        is_visited = false;
+        int slot = next_slot(&wide_nodes[now.node], pending);
+        while (slot == NONE && at > 0) { /* WIDE-11, a level at a time */
+            now.node = wide_nodes[now.node].parent;
+            pending = now.pending[--at];
+            slot = next_slot(&wide_nodes[now.node], pending);
+        }
+        if (slot == NONE)
+            break;
+        now.levels = at == level ? NONE : level - at - 1;
+        now.pending[at] = (uint8_t)(pending & ~(1 << slot)); /* WIDE-10 */
+        now.node = wide_nodes[now.node].child[slot];
+    }
+    return count;
+}
+
+static void print_wide_trail(const WideVisit *visit) { /* WIDE-10 */
+    int level = wide_nodes[visit->node].level;
     bool is_begun = false;
-    for (int digit = (slots * visit->level - 1) / 4; digit >= 0; digit--) {
+    for (int digit = (slots * level - 1) / 4; digit >= 0; digit--) {
         int value = 0;
         for (int bit = 4 * digit + 3; bit >= 4 * digit; bit--) {
             int above = bit / slots, slot = bit % slots;
-            value = 2 * value + (above < visit->level ? visit->pending[visit->level - 1 - above] >> slot & 1 : 0);
+            value = 2 * value + (above < level ? visit->pending[level - 1 - above] >> slot & 1 : 0);
         }
         is_begun |= value != 0;
         if (is_begun || digit == 0)
@@ -623,14 +656,17 @@ static bool answer_wide(int input) {
         return ANSWER("\"reject\":\"not-a-tree\"");
     if (tree == TREE && depth > MAX_LEVELS / slot_bits - 1)
         return ANSWER("\"reject\":\"too-deep\"");
-    if (tree != TREE || !read_wide_search(input))
+    WideVisit state;
+    if (tree != TREE || !read_wide_search(input) || !read_wide_state(input, &state))
         return false;
-    int count = traverse_wide();
+    int next = field(input, "next"), count = traverse_wide(state, next != NONE && is_text(next, "backtrack"));
     printf("\"result\":{\"events\":[");
-    for (int i = 0; i < count; i++)
-        print_visit(wide_visits[i].key, wide_visits[i].levels, wide_nodes[wide_visits[i].node].is_leaf);
+    for (int i = 0; i < count; i++) {
+        const WideNode *node = &wide_nodes[wide_visits[i].node];
+        print_visit(node->key, wide_visits[i].levels, node->is_leaf);
+    }
     printf("\"end\"]");
-    if (field(input, "hits") == NONE) {
+    if (field(input, "hits") == NONE && next == NONE) {
         printf(",\"trails\":[");
         for (int i = 0; i < count; i++) {
             printf(i == 0 ? "\"" : ",\"");
@@ -638,11 +674,29 @@ static bool answer_wide(int input) {
             printf("\"");
         }
         printf("]");
-    } else if (best == NONE)
+    } else if (field(input, "hits") != NONE && best == NONE)
         printf(",\"hit\":null");
-    else
+    else if (field(input, "hits") != NONE)
         printf(",\"hit\":{\"t\":%" PRId64 ",\"node\":%d}", wide_nodes[best].hit, best);
     return ANSWER("}");
+}
+
+static bool answer_hashed_keys_wide(int input) { /* WIDE-16 */
+    if (read_wide_tree(input) != TREE || depth > MAX_LEVELS / slot_bits)
+        return false;
+    const char *before = "";
+    printf("\"result\":{\"keys\":[");
+    for (int i = 0; i < node_count; i++) { /* keys ascend */
+        const WideNode *node = &wide_nodes[met[i]];
+        bool has_inner = false;
+        for (int slot = 0; slot < node->count; slot++)
+            has_inner |= !wide_nodes[node->child[slot]].is_leaf;
+        if (!has_inner || node->count == 1)
+            continue;
+        printf("%s\"%" PRIx64 "\"", before, node->key);
+        before = ",";
+    }
+    return ANSWER("]}");
 }
 
 /* Protocol. */
@@ -650,7 +704,7 @@ static bool answer_wide(int input) {
 static const char HELLO[] =
     "{\"protocol\":1,\"name\":\"traverse.c\",\"version\":\"1.0\",\"profiles\":[\"key/u32\",\"key/u64\","
     "\"hash/function\",\"hash/address\",\"trace/script\",\"trace/complete\",\"trace/invalid\","
-    "\"trace/wide\",\"trace/wide-invalid\"],\"features\":[\"trails\",\"registers\",\"changing\"],"
+    "\"trace/wide\",\"trace/wide-invalid\",\"resume/wide\",\"hash/wide\"],\"features\":[\"trails\",\"registers\",\"changing\"],"
     "\"limits\":{\"max_depth\":%d,\"wide\":{\"2\":%d,\"4\":%d,\"8\":%d}}}\n";
 
 static bool answer_case(int request) {
@@ -662,11 +716,13 @@ static bool answer_case(int request) {
     bool is_answered = false;
     if (is_text(level, "key") && (is_text(profile, "u32") || is_text(profile, "u64")))
         is_answered = answer_key(input, op, is_text(profile, "u32") ? 32 : 64);
+    else if (is_text(level, "hash") && is_text(op, "hashed-keys-wide"))
+        is_answered = answer_hashed_keys_wide(input);
     else if (is_text(level, "hash"))
         is_answered = answer_hash(input, op);
     else if (is_text(level, "trace") && is_text(op, "trace"))
         is_answered = answer_trace(input);
-    else if (is_text(level, "trace") && is_text(op, "trace-wide"))
+    else if (is_text(op, "trace-wide") || is_text(op, "resume-wide"))
         is_answered = answer_wide(input);
     if (!is_answered)
         printf("\"unsupported\":\"not asked for here, too large, or not as it must be\"");

@@ -92,7 +92,7 @@ fn is_caught(language: Language, from: &str, to: &str, profile: &str, clause: &s
 
 #[test]
 fn the_c_adapter_conforms() {
-    conforms(Language::C, 1601);
+    conforms(Language::C, 1765);
 }
 
 #[test]
@@ -115,11 +115,17 @@ fn a_mistake_in_the_c_adapter_is_caught() {
         ("leaf = word >> 30 == 3;", "leaf = word >> 31;", "hash/address", "HASH-5"),
         ("rank - rank % (uint32_t)slots > end", "rank > end", "trace/wide", "WIDE-3"),
         ("slot == NONE && at > 0", "slot == NONE && at > 1", "trace/wide", "WIDE-11"),
-        ("key >>= slot_bits;", "key >>= 1;", "trace/wide", "WIDE-9"),
+        ("node->key << slot_bits", "node->key << 1", "trace/wide", "WIDE-9"),
         ("int above = bit / slots,", "int above = bit / 8,", "trace/wide", "WIDE-10"),
         ("node->rank[slot] < node->rank[next]", "node->rank[slot] > node->rank[next]", "trace/wide", "WIDE-5"),
         ("MAX_LEVELS / slot_bits - 1)", "MAX_LEVELS / slot_bits)", "trace/wide", "CONF-3"),
         ("node->count == slots)", "node->count == MAX_SLOTS)", "trace/wide-invalid", "WIDE-1"),
+        ("[level - 1 - bit / slots]", "[bit / slots]", "resume/wide", "WIDE-10"),
+        ("[digits - 1 - bit / 4]", "[bit / 4]", "resume/wide", "WIDE-10"),
+        ("is_text(next, \"backtrack\")", "false", "resume/wide", "WIDE-13"),
+        ("wide_nodes[best].hit = distance;", "best = NONE;", "resume/wide", "WIDE-13"),
+        ("!has_inner || node->count == 1", "!has_inner", "hash/wide", "WIDE-16"),
+        ("depth > MAX_LEVELS / slot_bits)", "depth > MAX_LEVELS / slot_bits - 1)", "hash/wide", "WIDE-16"),
     ] {
         is_caught(Language::C, from, to, profile, clause);
     }
