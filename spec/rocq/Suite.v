@@ -2780,3 +2780,259 @@ Example suite_346 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x10); (0x55%positive, 0x20); (0xaa%positive, 0x40); (0x155%positive, 0x80); (0x2aa%positive, 0x100); (0x555%positive, 0x200); (0xaaa%positive, 0x400); (0x1555%positive, 0x800); (0x2aaa%positive, 0x1000); (0x5555%positive, 0x2000); (0xaaaa%positive, 0x4000); (0x15555%positive, 0x8000); (0x2aaaa%positive, 0x10001); (0x55555%positive, 0x20002); (0xaaaaa%positive, 0x40004); (0x155555%positive, 0x80008); (0x2aaaaa%positive, 0x100010); (0x555555%positive, 0x200020); (0xaaaaaa%positive, 0x400040); (0x1555555%positive, 0x800080); (0x2aaaaaa%positive, 0x1000100); (0x5555555%positive, 0x2000200); (0xaaaaaaa%positive, 0x4000400); (0x15555555%positive, 0x8000800); (0x2aaaaaaa%positive, 0x10001000); (0x55555555%positive, 0x20002000); (0xaaaaaaaa%positive, 0x40004000); (0x155555555%positive, 0x80008000); (0x2aaaaaaaa%positive, 0x100010000); (0x2aaab%positive, 0x10000); (0x3%positive, 0x0)].
 Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/chain-left-8-only *)
+Example suite_347 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
+  [(0x1%positive, Only L); (0x2%positive, Only L); (0x4%positive, Only L); (0x8%positive, Only L); (0x10%positive, Only L); (0x20%positive, Only L); (0x40%positive, Only L); (0x80%positive, Only L)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x4%positive, 0x0); (0x8%positive, 0x0); (0x10%positive, 0x0); (0x20%positive, 0x0); (0x40%positive, 0x0); (0x80%positive, 0x0); (0x100%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/chain-left-8-stop *)
+Example suite_348 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
+  [(0x1%positive, Both L); (0x2%positive, Both L); (0x4%positive, Both L); (0x8%positive, Both L); (0x10%positive, Both L); (0x20%positive, Both L); (0x40%positive, Both L); (0x80%positive, Both L)]
+  [0x100%positive]
+  = suite_expected true
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x10%positive, 0xf); (0x20%positive, 0x1f); (0x40%positive, 0x3f); (0x80%positive, 0x7f); (0x100%positive, 0xff)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/chain-right-8-only *)
+Example suite_349 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))
+  [(0x1%positive, Only R); (0x3%positive, Only R); (0x7%positive, Only R); (0xf%positive, Only R); (0x1f%positive, Only R); (0x3f%positive, Only R); (0x7f%positive, Only R); (0xff%positive, Only R)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x7%positive, 0x0); (0xf%positive, 0x0); (0x1f%positive, 0x0); (0x3f%positive, 0x0); (0x7f%positive, 0x0); (0xff%positive, 0x0); (0x1ff%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/chain-right-8-stop *)
+Example suite_350 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))
+  [(0x1%positive, Both R); (0x3%positive, Both R); (0x7%positive, Both R); (0xf%positive, Both R); (0x1f%positive, Both R); (0x3f%positive, Both R); (0x7f%positive, Both R); (0xff%positive, Both R)]
+  [0x1ff%positive]
+  = suite_expected true
+  [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0x1f%positive, 0xf); (0x3f%positive, 0x1f); (0x7f%positive, 0x3f); (0xff%positive, 0x7f); (0x1ff%positive, 0xff)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/chain-left-31-only *)
+Example suite_351 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
+  [(0x1%positive, Only L); (0x2%positive, Only L); (0x4%positive, Only L); (0x8%positive, Only L); (0x10%positive, Only L); (0x20%positive, Only L); (0x40%positive, Only L); (0x80%positive, Only L); (0x100%positive, Only L); (0x200%positive, Only L); (0x400%positive, Only L); (0x800%positive, Only L); (0x1000%positive, Only L); (0x2000%positive, Only L); (0x4000%positive, Only L); (0x8000%positive, Only L); (0x10000%positive, Only L); (0x20000%positive, Only L); (0x40000%positive, Only L); (0x80000%positive, Only L); (0x100000%positive, Only L); (0x200000%positive, Only L); (0x400000%positive, Only L); (0x800000%positive, Only L); (0x1000000%positive, Only L); (0x2000000%positive, Only L); (0x4000000%positive, Only L); (0x8000000%positive, Only L); (0x10000000%positive, Only L); (0x20000000%positive, Only L); (0x40000000%positive, Only L)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x4%positive, 0x0); (0x8%positive, 0x0); (0x10%positive, 0x0); (0x20%positive, 0x0); (0x40%positive, 0x0); (0x80%positive, 0x0); (0x100%positive, 0x0); (0x200%positive, 0x0); (0x400%positive, 0x0); (0x800%positive, 0x0); (0x1000%positive, 0x0); (0x2000%positive, 0x0); (0x4000%positive, 0x0); (0x8000%positive, 0x0); (0x10000%positive, 0x0); (0x20000%positive, 0x0); (0x40000%positive, 0x0); (0x80000%positive, 0x0); (0x100000%positive, 0x0); (0x200000%positive, 0x0); (0x400000%positive, 0x0); (0x800000%positive, 0x0); (0x1000000%positive, 0x0); (0x2000000%positive, 0x0); (0x4000000%positive, 0x0); (0x8000000%positive, 0x0); (0x10000000%positive, 0x0); (0x20000000%positive, 0x0); (0x40000000%positive, 0x0); (0x80000000%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/chain-left-31-stop *)
+Example suite_352 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
+  [(0x1%positive, Both L); (0x2%positive, Both L); (0x4%positive, Both L); (0x8%positive, Both L); (0x10%positive, Both L); (0x20%positive, Both L); (0x40%positive, Both L); (0x80%positive, Both L); (0x100%positive, Both L); (0x200%positive, Both L); (0x400%positive, Both L); (0x800%positive, Both L); (0x1000%positive, Both L); (0x2000%positive, Both L); (0x4000%positive, Both L); (0x8000%positive, Both L); (0x10000%positive, Both L); (0x20000%positive, Both L); (0x40000%positive, Both L); (0x80000%positive, Both L); (0x100000%positive, Both L); (0x200000%positive, Both L); (0x400000%positive, Both L); (0x800000%positive, Both L); (0x1000000%positive, Both L); (0x2000000%positive, Both L); (0x4000000%positive, Both L); (0x8000000%positive, Both L); (0x10000000%positive, Both L); (0x20000000%positive, Both L); (0x40000000%positive, Both L)]
+  [0x80000000%positive]
+  = suite_expected true
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x10%positive, 0xf); (0x20%positive, 0x1f); (0x40%positive, 0x3f); (0x80%positive, 0x7f); (0x100%positive, 0xff); (0x200%positive, 0x1ff); (0x400%positive, 0x3ff); (0x800%positive, 0x7ff); (0x1000%positive, 0xfff); (0x2000%positive, 0x1fff); (0x4000%positive, 0x3fff); (0x8000%positive, 0x7fff); (0x10000%positive, 0xffff); (0x20000%positive, 0x1ffff); (0x40000%positive, 0x3ffff); (0x80000%positive, 0x7ffff); (0x100000%positive, 0xfffff); (0x200000%positive, 0x1fffff); (0x400000%positive, 0x3fffff); (0x800000%positive, 0x7fffff); (0x1000000%positive, 0xffffff); (0x2000000%positive, 0x1ffffff); (0x4000000%positive, 0x3ffffff); (0x8000000%positive, 0x7ffffff); (0x10000000%positive, 0xfffffff); (0x20000000%positive, 0x1fffffff); (0x40000000%positive, 0x3fffffff); (0x80000000%positive, 0x7fffffff)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/chain-right-31-only *)
+Example suite_353 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))
+  [(0x1%positive, Only R); (0x3%positive, Only R); (0x7%positive, Only R); (0xf%positive, Only R); (0x1f%positive, Only R); (0x3f%positive, Only R); (0x7f%positive, Only R); (0xff%positive, Only R); (0x1ff%positive, Only R); (0x3ff%positive, Only R); (0x7ff%positive, Only R); (0xfff%positive, Only R); (0x1fff%positive, Only R); (0x3fff%positive, Only R); (0x7fff%positive, Only R); (0xffff%positive, Only R); (0x1ffff%positive, Only R); (0x3ffff%positive, Only R); (0x7ffff%positive, Only R); (0xfffff%positive, Only R); (0x1fffff%positive, Only R); (0x3fffff%positive, Only R); (0x7fffff%positive, Only R); (0xffffff%positive, Only R); (0x1ffffff%positive, Only R); (0x3ffffff%positive, Only R); (0x7ffffff%positive, Only R); (0xfffffff%positive, Only R); (0x1fffffff%positive, Only R); (0x3fffffff%positive, Only R); (0x7fffffff%positive, Only R)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x7%positive, 0x0); (0xf%positive, 0x0); (0x1f%positive, 0x0); (0x3f%positive, 0x0); (0x7f%positive, 0x0); (0xff%positive, 0x0); (0x1ff%positive, 0x0); (0x3ff%positive, 0x0); (0x7ff%positive, 0x0); (0xfff%positive, 0x0); (0x1fff%positive, 0x0); (0x3fff%positive, 0x0); (0x7fff%positive, 0x0); (0xffff%positive, 0x0); (0x1ffff%positive, 0x0); (0x3ffff%positive, 0x0); (0x7ffff%positive, 0x0); (0xfffff%positive, 0x0); (0x1fffff%positive, 0x0); (0x3fffff%positive, 0x0); (0x7fffff%positive, 0x0); (0xffffff%positive, 0x0); (0x1ffffff%positive, 0x0); (0x3ffffff%positive, 0x0); (0x7ffffff%positive, 0x0); (0xfffffff%positive, 0x0); (0x1fffffff%positive, 0x0); (0x3fffffff%positive, 0x0); (0x7fffffff%positive, 0x0); (0xffffffff%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/chain-right-31-stop *)
+Example suite_354 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))
+  [(0x1%positive, Both R); (0x3%positive, Both R); (0x7%positive, Both R); (0xf%positive, Both R); (0x1f%positive, Both R); (0x3f%positive, Both R); (0x7f%positive, Both R); (0xff%positive, Both R); (0x1ff%positive, Both R); (0x3ff%positive, Both R); (0x7ff%positive, Both R); (0xfff%positive, Both R); (0x1fff%positive, Both R); (0x3fff%positive, Both R); (0x7fff%positive, Both R); (0xffff%positive, Both R); (0x1ffff%positive, Both R); (0x3ffff%positive, Both R); (0x7ffff%positive, Both R); (0xfffff%positive, Both R); (0x1fffff%positive, Both R); (0x3fffff%positive, Both R); (0x7fffff%positive, Both R); (0xffffff%positive, Both R); (0x1ffffff%positive, Both R); (0x3ffffff%positive, Both R); (0x7ffffff%positive, Both R); (0xfffffff%positive, Both R); (0x1fffffff%positive, Both R); (0x3fffffff%positive, Both R); (0x7fffffff%positive, Both R)]
+  [0xffffffff%positive]
+  = suite_expected true
+  [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0x1f%positive, 0xf); (0x3f%positive, 0x1f); (0x7f%positive, 0x3f); (0xff%positive, 0x7f); (0x1ff%positive, 0xff); (0x3ff%positive, 0x1ff); (0x7ff%positive, 0x3ff); (0xfff%positive, 0x7ff); (0x1fff%positive, 0xfff); (0x3fff%positive, 0x1fff); (0x7fff%positive, 0x3fff); (0xffff%positive, 0x7fff); (0x1ffff%positive, 0xffff); (0x3ffff%positive, 0x1ffff); (0x7ffff%positive, 0x3ffff); (0xfffff%positive, 0x7ffff); (0x1fffff%positive, 0xfffff); (0x3fffff%positive, 0x1fffff); (0x7fffff%positive, 0x3fffff); (0xffffff%positive, 0x7fffff); (0x1ffffff%positive, 0xffffff); (0x3ffffff%positive, 0x1ffffff); (0x7ffffff%positive, 0x3ffffff); (0xfffffff%positive, 0x7ffffff); (0x1fffffff%positive, 0xfffffff); (0x3fffffff%positive, 0x1fffffff); (0x7fffffff%positive, 0x3fffffff); (0xffffffff%positive, 0x7fffffff)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-0-0-1 *)
+Example suite_355 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Both L); (0x5%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-0-0-2 *)
+Example suite_356 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Both L); (0x5%positive, Only L); (0xa%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x14%positive, 0x8); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-0-0-3 *)
+Example suite_357 : suite_seen (Node (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) Leaf)) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Both L); (0x5%positive, Only L); (0xa%positive, Only L); (0x14%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x14%positive, 0x8); (0x28%positive, 0x10); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-0-3-1 *)
+Example suite_358 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node Leaf Leaf)) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Both L); (0x4%positive, Only R); (0x9%positive, Only R); (0x13%positive, Only R); (0x5%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x9%positive, 0x6); (0x13%positive, 0xc); (0x27%positive, 0x18); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-0-3-2 *)
+Example suite_359 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node Leaf Leaf) Leaf)) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Both L); (0x4%positive, Only R); (0x9%positive, Only R); (0x13%positive, Only R); (0x5%positive, Only L); (0xa%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x9%positive, 0x6); (0x13%positive, 0xc); (0x27%positive, 0x18); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x14%positive, 0x8); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-0-3-3 *)
+Example suite_360 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) Leaf) Leaf)) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Both L); (0x4%positive, Only R); (0x9%positive, Only R); (0x13%positive, Only R); (0x5%positive, Only L); (0xa%positive, Only L); (0x14%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x9%positive, 0x6); (0x13%positive, 0xc); (0x27%positive, 0x18); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x14%positive, 0x8); (0x28%positive, 0x10); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-1-0-1 *)
+Example suite_361 : suite_seen (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Both L); (0x9%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x9%positive, 0x4); (0x12%positive, 0x8); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-1-0-2 *)
+Example suite_362 : suite_seen (Node (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Both L); (0x9%positive, Only L); (0x12%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x9%positive, 0x4); (0x12%positive, 0x8); (0x24%positive, 0x10); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-1-0-3 *)
+Example suite_363 : suite_seen (Node (Node (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) Leaf)) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Both L); (0x9%positive, Only L); (0x12%positive, Only L); (0x24%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x9%positive, 0x4); (0x12%positive, 0x8); (0x24%positive, 0x10); (0x48%positive, 0x20); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-1-3-1 *)
+Example suite_364 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node Leaf Leaf)) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Both L); (0x8%positive, Only R); (0x11%positive, Only R); (0x23%positive, Only R); (0x9%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x11%positive, 0xa); (0x23%positive, 0x14); (0x47%positive, 0x28); (0x9%positive, 0x4); (0x12%positive, 0x8); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-1-3-2 *)
+Example suite_365 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node Leaf Leaf) Leaf)) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Both L); (0x8%positive, Only R); (0x11%positive, Only R); (0x23%positive, Only R); (0x9%positive, Only L); (0x12%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x11%positive, 0xa); (0x23%positive, 0x14); (0x47%positive, 0x28); (0x9%positive, 0x4); (0x12%positive, 0x8); (0x24%positive, 0x10); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-1-3-3 *)
+Example suite_366 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) Leaf) Leaf)) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Both L); (0x8%positive, Only R); (0x11%positive, Only R); (0x23%positive, Only R); (0x9%positive, Only L); (0x12%positive, Only L); (0x24%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x11%positive, 0xa); (0x23%positive, 0x14); (0x47%positive, 0x28); (0x9%positive, 0x4); (0x12%positive, 0x8); (0x24%positive, 0x10); (0x48%positive, 0x20); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-2-0-1 *)
+Example suite_367 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Only L); (0x8%positive, Both L); (0x11%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x11%positive, 0x8); (0x22%positive, 0x10); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-2-0-2 *)
+Example suite_368 : suite_seen (Node (Node (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Only L); (0x8%positive, Both L); (0x11%positive, Only L); (0x22%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x11%positive, 0x8); (0x22%positive, 0x10); (0x44%positive, 0x20); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-2-0-3 *)
+Example suite_369 : suite_seen (Node (Node (Node (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) Leaf)) Leaf) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Only L); (0x8%positive, Both L); (0x11%positive, Only L); (0x22%positive, Only L); (0x44%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x11%positive, 0x8); (0x22%positive, 0x10); (0x44%positive, 0x20); (0x88%positive, 0x40); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-2-3-1 *)
+Example suite_370 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node Leaf Leaf)) Leaf) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Only L); (0x8%positive, Both L); (0x10%positive, Only R); (0x21%positive, Only R); (0x43%positive, Only R); (0x11%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x21%positive, 0x12); (0x43%positive, 0x24); (0x87%positive, 0x48); (0x11%positive, 0x8); (0x22%positive, 0x10); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-2-3-2 *)
+Example suite_371 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node Leaf Leaf) Leaf)) Leaf) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Only L); (0x8%positive, Both L); (0x10%positive, Only R); (0x21%positive, Only R); (0x43%positive, Only R); (0x11%positive, Only L); (0x22%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x21%positive, 0x12); (0x43%positive, 0x24); (0x87%positive, 0x48); (0x11%positive, 0x8); (0x22%positive, 0x10); (0x44%positive, 0x20); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-2-3-3 *)
+Example suite_372 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) Leaf) Leaf)) Leaf) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Only L); (0x8%positive, Both L); (0x10%positive, Only R); (0x21%positive, Only R); (0x43%positive, Only R); (0x11%positive, Only L); (0x22%positive, Only L); (0x44%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x21%positive, 0x12); (0x43%positive, 0x24); (0x87%positive, 0x48); (0x11%positive, 0x8); (0x22%positive, 0x10); (0x44%positive, 0x20); (0x88%positive, 0x40); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-3-0-1 *)
+Example suite_373 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) Leaf) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Only L); (0x8%positive, Only L); (0x10%positive, Both L); (0x21%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x21%positive, 0x10); (0x42%positive, 0x20); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-3-0-2 *)
+Example suite_374 : suite_seen (Node (Node (Node (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf) Leaf) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Only L); (0x8%positive, Only L); (0x10%positive, Both L); (0x21%positive, Only L); (0x42%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x21%positive, 0x10); (0x42%positive, 0x20); (0x84%positive, 0x40); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-3-0-3 *)
+Example suite_375 : suite_seen (Node (Node (Node (Node (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) Leaf)) Leaf) Leaf) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Only L); (0x8%positive, Only L); (0x10%positive, Both L); (0x21%positive, Only L); (0x42%positive, Only L); (0x84%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x21%positive, 0x10); (0x42%positive, 0x20); (0x84%positive, 0x40); (0x108%positive, 0x80); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-3-3-1 *)
+Example suite_376 : suite_seen (Node (Node (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node Leaf Leaf)) Leaf) Leaf) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Only L); (0x8%positive, Only L); (0x10%positive, Both L); (0x20%positive, Only R); (0x41%positive, Only R); (0x83%positive, Only R); (0x21%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x41%positive, 0x22); (0x83%positive, 0x44); (0x107%positive, 0x88); (0x21%positive, 0x10); (0x42%positive, 0x20); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-3-3-2 *)
+Example suite_377 : suite_seen (Node (Node (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node Leaf Leaf) Leaf)) Leaf) Leaf) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Only L); (0x8%positive, Only L); (0x10%positive, Both L); (0x20%positive, Only R); (0x41%positive, Only R); (0x83%positive, Only R); (0x21%positive, Only L); (0x42%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x41%positive, 0x22); (0x83%positive, 0x44); (0x107%positive, 0x88); (0x21%positive, 0x10); (0x42%positive, 0x20); (0x84%positive, 0x40); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.
+
+(* trace/script/after-far-3-3-3 *)
+Example suite_378 : suite_seen (Node (Node (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) Leaf) Leaf)) Leaf) Leaf) Leaf) (Node Leaf Leaf))
+  [(0x1%positive, Both L); (0x2%positive, Only L); (0x4%positive, Only L); (0x8%positive, Only L); (0x10%positive, Both L); (0x20%positive, Only R); (0x41%positive, Only R); (0x83%positive, Only R); (0x21%positive, Only L); (0x42%positive, Only L); (0x84%positive, Only L); (0x3%positive, Neither)]
+  []
+  = suite_expected false
+  [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x41%positive, 0x22); (0x83%positive, 0x44); (0x107%positive, 0x88); (0x21%positive, 0x10); (0x42%positive, 0x20); (0x84%positive, 0x40); (0x108%positive, 0x80); (0x3%positive, 0x0)].
+Proof. vm_compute. reflexivity. Qed.

@@ -214,7 +214,13 @@ impl States {
                 return Err(Flaw::Differs { at: format!("registers[{i}]"), expected, found: register.to_string() });
             }
         }
-        Ok(())
+        match found.get(self.visits.len()) {
+            Some(register) => {
+                let at = format!("registers[{}]", self.visits.len());
+                Err(Flaw::Differs { at, expected: "nothing".to_owned(), found: register.to_string() })
+            }
+            None => Ok(()),
+        }
     }
 }
 

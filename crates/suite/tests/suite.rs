@@ -12,8 +12,8 @@ use stackless_bvh::tree::{Keys, Topology};
 use stackless_bvh::wide::Method as WideMethod;
 use stackless_check::planted::{self, Instead, LAYERS, Planted, Seer};
 use stackless_suite::{
-    Answer, Ask, Expect, Feature, Flaw, Hello, Implementation, Level, Library, Limits, PROTOCOL, Suite, SuiteCase,
-    Traversal, WideLimits, author, judge,
+    Answer, Ask, Expect, Feature, Flaw, Hello, Implementation, Level, Library, Limits, PROTOCOL, Start, Suite,
+    SuiteCase, Traversal, WideLimits, author, judge,
 };
 
 #[path = "suite/adapters.rs"]
@@ -151,6 +151,24 @@ fn only_slots_that_are_carried_are_asked_for() {
         assert_eq!(some.asks_for(profile, case), slots == 8, "{}", case.id);
     }
     assert!(asked.keys().eq(["2", "4", "8"]) && asked.values().all(|&count| count > 100), "{asked:?}");
+}
+
+/// `[REGISTER-1]`
+#[test]
+fn registers_are_as_many_as_visits() {
+    let (suite, mut library) = (&*SUITE, Library::new(Some(Traversal::Binary(Method::Hashed)), None));
+    let hello = library.hello();
+    let (profile, case) = suite.cases().find(|(_, case)| case.id == "trace/script/random-66").unwrap();
+    let answer = library.answer(profile.level, &profile.profile, &case.input);
+    assert_eq!(judge(case, &hello, &answer), Ok(()));
+    let Answer::Result(result) = answer else { panic!("{answer:?}") };
+    let with = |change: fn(&mut Vec<serde_json::Value>)| {
+        let mut changed = result.clone();
+        change(changed["registers"].as_array_mut().unwrap());
+        judge(case, &hello, &Answer::Result(changed))
+    };
+    assert!(matches!(with(|registers| registers.truncate(1)), Err(Flaw::Missing(_))));
+    assert!(matches!(with(|registers| registers.push(serde_json::Value::Null)), Err(Flaw::Differs { .. })));
 }
 
 /// `[HASH-6]`
@@ -318,7 +336,8 @@ fn answer(bug: &Planted, case: &SuiteCase) -> Option<(Vec<Feature>, Answer)> {
         let at = events
             .iter()
             .position(|event| event.split_once(' ').is_some_and(|(kind, key)| kind != "backtrack" && key == from));
-        events.drain(..at.unwrap_or(events.len()));
+        let is_visited = usize::from(walk.next == Some(Start::Backtrack));
+        events.drain(..at.map_or(events.len(), |at| at + is_visited));
     }
     let mut fields = BTreeMap::from([("events".to_owned(), serde_json::json!(events))]);
     if walk.cells.is_some() {

@@ -279,7 +279,7 @@ static Tree read_tree(int input) {
     return met_count == node_count ? TREE : NOT_A_TREE;
 }
 
-/* The table of all keys, by open addressing. */
+/* The table of all keys, by open addressing: it has twice as many places. */
 
 static uint64_t mix(uint64_t key, uint64_t seed, bool narrow) { /* HASH-7 */
     static const int shifts[2][3] = {{30, 27, 31}, {16, 15, 16}};
@@ -296,14 +296,14 @@ static int table[2 * MAX_NODES];
 
 /* The place of a key: that of its node, or the free one where it belongs. */
 static int *place_of(uint64_t key) {
-    uint64_t at = mix(key, 0, false) % (2 * MAX_NODES);
+    uint64_t places = 2 * (uint64_t)node_count, at = mix(key, 0, false) % places;
     while (table[at] != NONE && nodes[table[at]].key != key)
-        at = (at + 1) % (2 * MAX_NODES);
+        at = (at + 1) % places;
     return &table[at];
 }
 
 static void fill_table(void) {
-    for (int i = 0; i < 2 * MAX_NODES; i++)
+    for (int i = 0; i < 2 * node_count; i++)
         table[i] = NONE;
     for (int node = 0; node < node_count; node++)
         *place_of(nodes[node].key) = node;
@@ -441,7 +441,7 @@ typedef struct {
 
 typedef struct {
     int levels, node; /* levels as in Visit */
-    uint8_t pending[MAX_LEVELS + 1]; /* for each level above */
+    uint8_t pending[MAX_LEVELS]; /* for each level above */
 } WideVisit;
 
 static WideNode wide_nodes[MAX_NODES];

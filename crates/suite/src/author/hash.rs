@@ -181,10 +181,14 @@ fn trees() -> Vec<(String, Children)> {
 
 const REACHES: [[u32; 2]; 4] = [[1, 1], [1, 2], [2, 2], [2, 3]];
 
+/// Those in which inner nodes alone decide, or leaves alone.
+const UNEVEN: [[u32; 2]; 3] = [[1, 3], [3, 1], [3, 3]];
+
 fn keys() -> Profile {
     let mut author = Author::new(Level::Hash, "keys");
     for (name, children) in trees() {
-        for reach in REACHES {
+        let uneven = if (3..=8).contains(&depth_of(&children)) { &UNEVEN[..] } else { &[] };
+        for &reach in REACHES.iter().chain(uneven) {
             let keys: Vec<_> = keys_of(&children, Some(reach), 0).iter().map(|(key, _)| format!("{key:x}")).collect();
             let why = "Those that neither register nor record can name, somewhere below their sibling.";
             let ask = Ask::HashedKeys { children: children.clone(), reach };

@@ -238,19 +238,23 @@ fn invalid() -> Profile {
     let mut author = Author::new(Level::Ray, "invalid");
     let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let ray = [0.25, 0.25, -1.0, 0.0, 0.0, 1.0, 0.0, f32::INFINITY];
-    let mut fault = |name: &str, why: &str, code: &str, change: Spoil| {
+    // Vertices, triangles and rays that are right stand before what has the fault.
+    let mut fault_after = |right: Rays, name: &str, why: &str, code: &str, change: Spoil| {
         let (mut vertices, mut triangle, mut ray) = (vertices, [0, 1, 2], ray);
         change(&mut vertices, &mut triangle, &mut ray);
-        let ask = Ask::Ray(Rays {
-            vertices: vertices.iter().map(|vertex| floats(vertex)).collect(),
-            triangles: vec![triangle],
-            rays: vec![floats(&ray)],
-            query: Query::Closest,
-        });
+        let Rays { vertices: mut all, mut triangles, mut rays, query } = right;
+        all.extend(vertices.iter().map(|vertex| floats(vertex)));
+        triangles.push(triangle);
+        rays.push(floats(&ray));
+        let ask = Ask::Ray(Rays { vertices: all, triangles, rays, query });
         let case = author.reject(name, &["EXACT-1"], why, &ask, code);
         if name == "negative-tmin" {
             case.strength = Strength::May;
         }
+    };
+    let nothing = |query| Rays { vertices: vec![], triangles: vec![], rays: vec![], query };
+    let mut fault = |name: &str, why: &str, code: &str, change: Spoil| {
+        fault_after(nothing(Query::Closest), name, why, code, change);
     };
     fault("vertex-nan", "No number.", "not-finite", |vertices, _, _| vertices[1][2] = f32::NAN);
     fault("vertex-infinite", "No finite number.", "not-finite", |vertices, _, _| vertices[0][0] = f32::NEG_INFINITY);
@@ -264,5 +268,30 @@ fn invalid() -> Profile {
     fault("tmax-nan", "No number.", "interval", |_, _, ray| ray[7] = f32::NAN);
     fault("tmin-nan", "No number.", "interval", |_, _, ray| ray[6] = f32::NAN);
     fault("negative-tmin", "A ray begins at its origin.", "interval", |_, _, ray| ray[6] = -1.0);
+    fault("tmin-infinite", "tmin is above tmax.", "interval", |_, _, ray| (ray[6], ray[7]) = (f32::INFINITY, 1.0));
+    let later: [(&str, &str, Spoil); 6] = [
+        ("origin-nan", "not-finite", |_, _, ray| ray[0] = f32::NAN),
+        ("direction-infinite", "not-finite", |_, _, ray| ray[3] = f32::NEG_INFINITY),
+        ("direction-zero", "no-direction", |_, _, ray| ray[5] = 0.0),
+        ("empty-interval", "interval", |_, _, ray| (ray[6], ray[7]) = (2.0, 1.0)),
+        ("tmin-nan", "interval", |_, _, ray| ray[6] = f32::NAN),
+        ("tmax-nan", "interval", |_, _, ray| ray[7] = f32::NAN),
+    ];
+    for (query, label) in [(Query::Closest, ""), (Query::Any, "-any")] {
+        for (name, code, change) in later {
+            let right = Rays { rays: vec![floats(&ray); 2], ..nothing(query) };
+            let why = "The ray that is wrong comes last, after two that hit.";
+            fault_after(right, &format!("last-ray-{name}{label}"), why, code, change);
+        }
+    }
+    let right = || Rays {
+        vertices: vertices.iter().map(|vertex| floats(vertex)).collect(),
+        triangles: vec![[0, 1, 2]],
+        ..nothing(Query::Closest)
+    };
+    let why = "The triangle that is wrong comes last.";
+    fault_after(right(), "last-triangle", why, "index", |_, triangle, _| triangle[1] = 6);
+    let why = "No triangle names the vertex.";
+    fault_after(right(), "unused-vertex", why, "not-finite", |vertices, _, _| vertices[2][1] = f32::NAN);
     author.done()
 }

@@ -36,6 +36,8 @@ pub(super) struct Visit {
     pub(super) trail: Bits,
     pub(super) marks: Bits,
     pub(super) best: Option<Best>,
+    /// Trail and best hit after it, where it is a leaf.
+    pub(super) after: Option<(Bits, Option<Best>)>,
     /// Number of events before it, a backtrack to it included.
     pub(super) events: usize,
 }
@@ -43,7 +45,7 @@ pub(super) struct Visit {
 /// A run of the reference.
 #[derive(Debug)]
 pub(super) struct Reference<'a> {
-    children: &'a Children,
+    pub(super) children: &'a Children,
     search: Search<'a>,
     /// Key of the node that is looked at; the first bit is the root's.
     key: Vec<bool>,
@@ -135,13 +137,17 @@ impl<'a> Reference<'a> {
         let node = self.path[self.path.len() - 1];
         let (key, depth) = (self.key(), self.key.len() - 1);
         self.depth = depth;
-        let trail = Bits(self.postponed.iter().map(Option::is_some).collect());
+        let trail = self.trail();
         let (marks, events) = (Bits(self.marks.clone()), self.events.len());
         let children = self.children[node as usize];
         let kind = if children.is_some() { "enter" } else { "leaf" };
         self.events.push(format!("{kind} {}", key.hex()));
-        self.visits.push(Visit { node, key, trail, marks, best: self.best, events });
-        let Some(pair) = children else { return self.leaf(node) };
+        self.visits.push(Visit { node, key, trail, marks, best: self.best, after: None, events });
+        let Some(pair) = children else {
+            let (stopped, at) = (self.leaf(node), self.visits.len() - 1);
+            self.visits[at].after = Some((self.trail(), self.best));
+            return stopped;
+        };
         let Some(Decision { right, postpones, marked }) = self.decide(node, pair) else { return false };
         let begins = self.cell(pair[usize::from(!right)]).map_or(0, |cell| cell.enter);
         self.key.push(right);
@@ -164,6 +170,10 @@ impl<'a> Reference<'a> {
 
     fn key(&self) -> Bits {
         Bits(self.key.clone())
+    }
+
+    fn trail(&self) -> Bits {
+        Bits(self.postponed.iter().map(Option::is_some).collect())
     }
 
     fn rule(&self) -> Rule {

@@ -3,12 +3,13 @@
 use serde_json::json;
 
 use super::reference::{Reference, Rule, Search};
-use super::trees::{Scene, random, random_script};
+use super::trace::{SIDES, open_scenes};
+use super::trees::{Scene, comb, random, random_script, script, spine};
 use super::{Author, result};
 use crate::ask::Walk;
 use crate::bits::Bits;
-use crate::{Ask, Level, Profile, Start};
-use stackless_bvh::generate::Kind;
+use crate::{Ask, Children, Level, Profile, Start};
+use stackless_bvh::generate::{Cell, Kind};
 
 pub(super) fn profiles() -> Vec<Profile> {
     vec![states(), disjoint(), keys(), invalid()]
@@ -45,80 +46,178 @@ fn states() -> Profile {
         let (children, text) = random_script(3000 + seed, 3 + seed as u32 / 2, false);
         let run = Reference::run(&children, Search::Script(text.as_bytes()));
         for (i, next) in moments(nodes_of(&run), |node| children[node as usize].is_none(), 5) {
-            let visit = &run.visits[i];
-            let left = &run.events[visit.events + usize::from(next == Start::Backtrack)..];
-            let why = if visit.trail.0.last() == Some(&true) {
+            let why = if run.visits[i].trail.0.last() == Some(&true) {
                 "The sibling is postponed: no record names it, the register has to be located."
             } else {
                 "Key and trail are enough to go on."
             };
-            let ask = Ask::Resume(Walk {
-                children: children.clone(),
-                script: Some(text.clone()),
-                key: Some(visit.key.hex()),
-                trail: Some(visit.trail.hex()),
-                next: Some(next),
-                ..Walk::default()
-            });
-            let name = format!("random-{seed}-{}-{i}", word(next));
-            author.case(&name, &["PAUSE-1", "PAUSE-2", "PAUSE-3"], why, &ask, result([("events", json!(left))]));
+            state(&mut author, &format!("random-{seed}"), why, &run, &text, i, next);
+        }
+    }
+    for (depth, (side, goes_right)) in chains() {
+        // All the bits of a word, or only the highest.
+        let [both, one] = if goes_right { ['R', 'r'] } else { ['L', 'l'] };
+        let children = comb(depth, |_| goes_right);
+        let text = script(&children, |node| if goes_right || node == 0 { both } else { one }, |_| '.');
+        let run = Reference::run(&children, Search::Script(text.as_bytes()));
+        for next in [Start::Visit, Start::Backtrack] {
+            let name = format!("chain-{side}-{depth}");
+            state(&mut author, &name, FROM_THE_BOTTOM, &run, &text, depth as usize, next);
         }
     }
     author.done()
 }
 
+const FROM_THE_BOTTOM: &str = "From the bottom of a chain, longer than a word or just not.";
+
+/// Chains around the ends of words, to each side. (A tree of just as many levels as a trail has bits can be traversed without
+/// keys, but its keys do not fit.)
+fn chains() -> impl Iterator<Item = (u32, (&'static str, bool))> {
+    [31, 33, 63, 65].into_iter().flat_map(|depth| SIDES.map(|side| (depth, side)))
+}
+
+/// A search by a script is taken up before or after a visit.
+fn state(author: &mut Author, name: &str, why: &str, run: &Reference<'_>, text: &str, i: usize, next: Start) {
+    let visit = &run.visits[i];
+    let left = &run.events[visit.events + usize::from(next == Start::Backtrack)..];
+    let ask = Ask::Resume(Walk {
+        children: run.children.clone(),
+        script: Some(text.to_owned()),
+        key: Some(visit.key.hex()),
+        trail: Some(visit.trail.hex()),
+        next: Some(next),
+        ..Walk::default()
+    });
+    let name = format!("{name}-{}-{i}", word(next));
+    author.case(&name, &["PAUSE-1", "PAUSE-2", "PAUSE-3"], why, &ask, result([("events", json!(left))]));
+}
+
 fn disjoint() -> Profile {
     let mut author = Author::new(Level::Resume, "disjoint");
-    for seed in 0..24 {
+    let drawn = |seed: u64| {
         let kind = [Kind::Intervals, Kind::Clipped][seed as usize % 2];
-        let Scene { children, cells, .. } = random(4000 + seed, 4 + seed as u32 / 2, kind);
-        let run = Reference::run(&children, Search::Cells { cells: &cells, any: false, rule: Rule::Disjoint });
+        (kind, random(4000 + seed, 4 + seed as u32 / 2, kind))
+    };
+    for seed in 0..24 {
+        let (kind, scene) = drawn(seed);
+        let run = run(&scene);
         // What is put aside after a leaf has been pruned before: that is a state before the next visit.
         for (i, _) in moments(nodes_of(&run), |_| false, 4) {
-            let visit = &run.visits[i];
-            let ask = Ask::ResumeDisjoint(Walk {
-                children: children.clone(),
-                cells: Some(cells.clone()),
-                key: Some(visit.key.hex()),
-                trail: Some(visit.trail.hex()),
-                marks: Some(visit.marks.hex()),
-                hit: visit.best,
-                next: Some(Start::Visit),
-                ..Walk::default()
-            });
-            let left = &run.events[visit.events..];
             let why = "The second trail says what a hit will end.";
-            let clauses = ["DISJOINT-1", "DISJOINT-2", "PAUSE-1", "PAUSE-2", "PAUSE-3"];
-            let answer = result([("events", json!(left)), ("hit", json!(run.best))]);
-            author.case(&format!("{kind}-{seed}-{i}"), &clauses, why, &ask, answer);
+            taken_up(&mut author, &format!("{kind}-{seed}-{i}"), why, &scene, &run, i, Start::Visit);
         }
     }
+    let mut each = |name: &str, why: &str, scene: &Scene, moments: &dyn Fn(&Reference<'_>) -> Vec<(usize, Start)>| {
+        let run = run(scene);
+        for (i, next) in moments(&run) {
+            taken_up(&mut author, &format!("{name}-{}-{i}", word(next)), why, scene, &run, i, next);
+        }
+    };
+    let why = "After a leaf the trail is without what its hit has ended, and nothing else is ended.";
+    for seed in 24..40 {
+        let (kind, scene) = drawn(seed);
+        let backtracks = |run: &Reference<'_>| {
+            let moments = moments(nodes_of(run), |node| scene.children[node as usize].is_none(), usize::MAX);
+            moments.into_iter().filter(|&(_, next)| next == Start::Backtrack).step_by(3).collect()
+        };
+        each(&format!("{kind}-{seed}"), why, &scene, &backtracks);
+    }
+    for (name, why, scene) in known_hits().into_iter().chain(open_scenes()) {
+        let last = |run: &Reference<'_>| {
+            let leaf = run.visits.iter().rposition(|visit| visit.node == 3).unwrap_or(0);
+            vec![(leaf, Start::Visit), (leaf, Start::Backtrack)]
+        };
+        each(name, why, &scene, &last);
+    }
+    for (depth, (side, goes_right)) in chains() {
+        // The highest bit of the second trail, or of the trail, is the one that counts.
+        let scene = spine(depth, goes_right, |level| (level == 0) != goes_right);
+        let bottom = |_: &Reference<'_>| vec![(depth as usize, Start::Visit), (depth as usize, Start::Backtrack)];
+        each(&format!("chain-{side}-{depth}"), FROM_THE_BOTTOM, &scene, &bottom);
+    }
     author.done()
+}
+
+fn run(scene: &Scene) -> Reference<'_> {
+    Reference::run(&scene.children, Search::Cells { cells: &scene.cells, any: false, rule: Rule::Disjoint })
+}
+
+/// A search over cells is taken up before or after a visit.
+fn taken_up(author: &mut Author, name: &str, why: &str, scene: &Scene, run: &Reference<'_>, i: usize, next: Start) {
+    let visit = &run.visits[i];
+    let (trail, hit) = match (next, &visit.after) {
+        (Start::Backtrack, Some((trail, best))) => (trail, *best),
+        _ => (&visit.trail, visit.best),
+    };
+    let ask = Ask::ResumeDisjoint(Walk {
+        children: scene.children.clone(),
+        cells: Some(scene.cells.clone()),
+        key: Some(visit.key.hex()),
+        trail: Some(trail.hex()),
+        marks: Some(visit.marks.hex()),
+        hit,
+        next: Some(next),
+        ..Walk::default()
+    });
+    let left = &run.events[visit.events + usize::from(next == Start::Backtrack)..];
+    let clauses = ["DISJOINT-1", "DISJOINT-2", "PAUSE-1", "PAUSE-2", "PAUSE-3"];
+    author.case(name, &clauses, why, &ask, result([("events", json!(left)), ("hit", json!(run.best))]));
+}
+
+/// Something is hit in node 1. Node 3 is the first child of a marked descent.
+fn known_hits() -> [(&'static str, &'static str, Scene); 4] {
+    let node = |enter, exit, hit| Cell { enter, exit: Some(exit), hit, ..Cell::default() };
+    let scene = |hit| Scene {
+        children: vec![Some([1, 2]), None, Some([3, 4]), None, None],
+        cells: vec![
+            node(0, 100, None),
+            node(0, 60, Some(50)),
+            node(1, 100, None),
+            node(1, 10, hit),
+            node(20, 90, Some(25)),
+        ],
+        any: false,
+        octant: 0,
+    };
+    [
+        ("known-nearer", "A nearer hit than the known one ends what is marked.", scene(Some(5))),
+        ("known-none", "The known hit is elsewhere, and ends nothing here.", scene(None)),
+        ("known-farther", "A hit beyond the known one ends nothing.", scene(Some(55))),
+        ("known-clipped", "The best hit is here but beyond the leaf's end, and ends nothing.", scene(Some(30))),
+    ]
 }
 
 fn keys() -> Profile {
     let mut author = Author::new(Level::Resume, "key-only");
     for seed in 0..24 {
         let (children, text) = random_script(5000 + seed, 3 + seed as u32 / 2, false);
-        let search = Search::Script(text.as_bytes());
-        let run = Reference::run(&children, search);
+        let run = Reference::run(&children, Search::Script(text.as_bytes()));
         for (i, _) in moments(nodes_of(&run), |_| false, 2) {
-            let key = &run.visits[i].key;
-            let trail = Bits((0..key.0.len()).map(|i| i > 0).collect());
-            let marks = Bits::zeros(key.0.len());
-            let left = Reference::resume(&children, search, key, &trail, &marks, None, true);
-            let walk = Walk {
-                children: children.clone(),
-                script: Some(text.clone()),
-                key: Some(key.hex()),
-                ..Walk::default()
-            };
             let why = "Below the node, then its sibling, its parent's sibling and so on, wanted or not.";
-            let answer = result([("events", json!(left.events))]);
-            author.case(&format!("random-{seed}-{i}"), &["PAUSE-4"], why, &Ask::ResumeKey(walk), answer);
+            by_key(&mut author, &format!("random-{seed}-{i}"), why, &children, &text, &run.visits[i].key);
         }
     }
+    for (depth, (side, goes_right)) in chains() {
+        let children = comb(depth, |_| goes_right);
+        let text = script(&children, |_| 'n', |_| '.');
+        let key = Bits((0..=depth).map(|level| level == 0 || goes_right).collect());
+        by_key(&mut author, &format!("chain-{side}-{depth}"), FROM_THE_BOTTOM, &children, &text, &key);
+    }
     author.done()
+}
+
+/// A search by a script is taken up by a key alone.
+fn by_key(author: &mut Author, name: &str, why: &str, children: &Children, text: &str, key: &Bits) {
+    let trail = Bits((0..key.0.len()).map(|i| i > 0).collect());
+    let marks = Bits::zeros(key.0.len());
+    let left = Reference::resume(children, Search::Script(text.as_bytes()), key, &trail, &marks, None, true);
+    let ask = Ask::ResumeKey(Walk {
+        children: children.clone(),
+        script: Some(text.to_owned()),
+        key: Some(key.hex()),
+        ..Walk::default()
+    });
+    author.case(name, &["PAUSE-4"], why, &ask, result([("events", json!(left.events))]));
 }
 
 fn invalid() -> Profile {

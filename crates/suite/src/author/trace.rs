@@ -3,7 +3,9 @@
 use serde_json::{Value, json};
 
 use super::reference::{Reference, Rule, Search};
-use super::trees::{Scene, comb, complete, depth_of, depths, random, random_script, script};
+use super::trees::{
+    Scene, after_far, comb, complete, depth_of, depths, random, random_script, scene_of, script, spine,
+};
 use super::{Author, result};
 use crate::ask::Walk;
 use crate::{Ask, Children, Feature, Level, Profile};
@@ -45,7 +47,36 @@ fn scripts() -> Profile {
     for depth in [1, 2, 3, 4, 5, 8, 16, 30, 31, 32, 33, 62, 63, 64, 65, 126, 127, 128, 129, 200] {
         chains(&mut author, depth);
     }
+    for depth in [8, 31, 63, 127] {
+        for (side, goes_right) in SIDES {
+            let children = comb(depth, |_| goes_right);
+            let bottom = 2 * depth - u32::from(!goes_right);
+            let (one, both) = if goes_right { ('r', 'R') } else { ('l', 'L') };
+            let only = script(&children, |_| one, |_| '.');
+            let why = "Nothing is postponed: the search ends at the bottom.";
+            scripted(&mut author, &format!("chain-{side}-{depth}-only"), why, children.clone(), only);
+            let stop = script(&children, |_| both, |leaf| if leaf == bottom { '!' } else { '.' });
+            let why = "A leaf is postponed at each level, and the search ends at the bottom.";
+            scripted(&mut author, &format!("chain-{side}-{depth}-stop"), why, children, stop);
+        }
+    }
+    for [above, far, below] in ways_after_far() {
+        let (children, text) = after_far(above, far, below);
+        scripted(&mut author, &format!("after-far-{above}-{far}-{below}"), AFTER_FAR, children, text);
+    }
     author.done()
+}
+
+pub(super) const SIDES: [(&str, bool); 2] = [("left", false), ("right", true)];
+
+/// Depths around the ends of words.
+const DEPTHS: [u32; 6] = [31, 32, 33, 63, 64, 65];
+
+const AFTER_FAR: &str =
+    "Back from afar the register is empty; one child at each level, until no record names what comes next.";
+
+fn ways_after_far() -> impl Iterator<Item = [u32; 3]> {
+    (0..4).flat_map(|above| [0, 3].map(|far| [above, far])).flat_map(|[above, far]| [1, 2, 3].map(|c| [above, far, c]))
 }
 
 fn name_of(decision: char) -> String {
@@ -191,7 +222,33 @@ fn tapes() -> Profile {
             taped(&mut author, &format!("ties-{seed}"), &clauses, why, &case, Rule::Children).needs(Feature::Changing);
         }
     }
+    let clauses = ["ORACLE-1", "TRACE-1", "TRAVERSE-1", "TRAIL-2", "TRAIL-4"];
+    for [above, far, below] in ways_after_far() {
+        let (children, text) = after_far(above, far, below);
+        let (name, clauses) = (format!("after-far-{above}-{far}-{below}"), [&clauses[..], &["REGISTER-2"]].concat());
+        taped(&mut author, &name, &clauses, AFTER_FAR, &scene_of(&children, &text), Rule::Children);
+    }
+    chains_with_cells(&mut author, &clauses, &[("", |_| false)], |_| Rule::Children);
     author.done()
+}
+
+/// Chains around the ends of words, with marked levels.
+fn chains_with_cells(
+    author: &mut Author,
+    clauses: &[&str],
+    marks: &[(&str, fn(u32) -> bool)],
+    rule: impl Fn(&Scene) -> Rule,
+) {
+    let clauses = [clauses, &["DEPTH-1", "DEPTH-2", "CONF-3"]].concat();
+    for depth in DEPTHS {
+        for ((side, goes_right), (label, is_marked)) in
+            SIDES.iter().flat_map(|side| marks.iter().map(move |it| (side, it)))
+        {
+            let scene = spine(depth, *goes_right, is_marked);
+            let why = "Longer than a word, or just not: bits of the first levels decide what comes last.";
+            taped(author, &format!("chain-{side}-{depth}{label}"), &clauses, why, &scene, rule(&scene));
+        }
+    }
 }
 
 fn by_rule(name: &str, clauses: &[&str], count: u64, rule: impl Fn(&Scene) -> Rule) -> Profile {
@@ -213,7 +270,44 @@ fn by_rule(name: &str, clauses: &[&str], count: u64, rule: impl Fn(&Scene) -> Ru
             taped(&mut author, &format!("ties-{seed}"), &clauses, why, &with_ties(case), rule);
         }
     }
+    let is_marked = matches!(rule(&spine(1, false, |_| true)), Rule::Disjoint | Rule::Distance);
+    let marks: [(&str, fn(u32) -> bool); 2] = [("-first", |level| level == 0), ("-others", |level| level > 0)];
+    let marks: &[_] = if is_marked { &marks } else { &[("", |_| false)] };
+    chains_with_cells(&mut author, clauses, marks, &rule);
+    if rule(&spine(1, false, |_| true)) == Rule::Disjoint {
+        open_ends(&mut author, clauses);
+    }
     author.done()
+}
+
+/// Nodes without an end.
+fn open_ends(author: &mut Author, clauses: &[&str]) {
+    for (name, why, scene) in open_scenes() {
+        taped(author, name, clauses, why, &scene, Rule::Disjoint);
+    }
+}
+
+pub(super) fn open_scenes() -> [(&'static str, &'static str, Scene); 2] {
+    let children = vec![Some([1, 2]), Some([3, 4]), None, None, None];
+    let node = |enter, exit, hit| Cell { enter, exit, hit, ..Cell::default() };
+    let with_leaf = |exit| Scene {
+        children: children.clone(),
+        cells: vec![
+            node(0, None, None),
+            node(0, None, None),
+            node(9, Some(20), None),
+            node(0, exit, Some(1)),
+            node(5, Some(7), None),
+        ],
+        any: false,
+        octant: 0,
+    };
+    [
+        ("open-first", "The root's first child has no end, so the second comes; what is marked below is given up.", {
+            with_leaf(Some(3))
+        }),
+        ("open-leaf", "The hit leaf has no end: nothing is marked.", with_leaf(None)),
+    ]
 }
 
 /// The same with distances in few steps.
@@ -247,7 +341,7 @@ fn taped<'a>(
 
 fn invalid() -> Profile {
     let mut author = Author::new(Level::Trace, "invalid");
-    let faults: [(&str, &str, Children); 11] = [
+    let faults: [(&str, &str, Children); 14] = [
         ("empty", "There is no root.", vec![]),
         ("out-of-range", "A child that there is not.", vec![Some([1, 2]), None]),
         ("far-out-of-range", "A child that there is not.", vec![Some([1, (1 << 31) - 1]), None]),
@@ -267,6 +361,14 @@ fn invalid() -> Profile {
             "Nodes that are each other's children.",
             vec![Some([1, 2]), None, None, Some([4, 5]), Some([3, 6]), None, None],
         ),
+        // Who stops at the first leaf does not see these.
+        (
+            "later-out-of-range",
+            "A child that there is not, after a leaf.",
+            vec![Some([1, 2]), None, Some([3, 4]), None],
+        ),
+        ("later-twice", "Both children are one node, after a leaf.", vec![Some([1, 2]), None, Some([3, 3]), None]),
+        ("later-root", "The root is the child of another, after a leaf.", vec![Some([1, 2]), None, Some([3, 0]), None]),
     ];
     for (name, why, children) in faults {
         let text = script(&children, |_| 'L', |_| '.');

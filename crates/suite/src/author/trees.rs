@@ -91,6 +91,64 @@ pub(super) fn random(seed: u64, leaves: u32, kind: Kind) -> Scene {
     Scene { children, cells, any: false, octant: rng.below(8) as u8 }
 }
 
+/// A chain whose spine is entered first. Where a level is marked, the spine ends before its leaf begins, elsewhere it does
+/// not. At the bottom is a hit, which is not before the leaves that are not marked.
+pub(super) fn spine(depth: u32, goes_right: bool, is_marked: impl Fn(u32) -> bool) -> Scene {
+    let children = comb(depth, |_| goes_right);
+    let mut cells = vec![Cell::default(); children.len()];
+    let (mut node, mut ends) = (0, 2 * depth + 1);
+    cells[node].exit = Some(ends);
+    for level in 0..depth {
+        let [left, right] = children[node].unwrap_or_default().map(|child| child as usize);
+        let (next, side) = if goes_right { (right, left) } else { (left, right) };
+        let enter = if is_marked(level) { ends - 1 } else { 1 };
+        cells[side] = Cell { enter, exit: Some(ends), ..Cell::default() };
+        ends -= if is_marked(level) { 2 } else { 0 };
+        cells[next].exit = Some(ends);
+        node = next;
+    }
+    cells[node].hit = Some(1);
+    Scene { children, cells, any: false, octant: u8::from(goes_right) }
+}
+
+/// A search that comes back from afar to a node whose only wanted child has only one wanted child, and so on: from that
+/// bottom it goes on to the root's other child. How far that is from the node, how far the way to the node is, and how many
+/// levels are below it. What is postponed first is an inner node, unlike all that could be taken for it.
+pub(super) fn after_far(above: u32, far: u32, below: u32) -> (Children, String) {
+    let (mut children, mut script) = (vec![None], vec!['.']);
+    let mut split = |node: u32, decision: char| {
+        let pair = [children.len() as u32, children.len() as u32 + 1];
+        (children[node as usize], script[node as usize]) = (Some(pair), decision);
+        children.extend([None, None]);
+        script.extend(['.', '.']);
+        pair
+    };
+    let [mut top, last] = split(0, 'L');
+    split(last, 'n');
+    for _ in 0..above {
+        top = split(top, 'l')[0];
+    }
+    let [mut first, mut second] = split(top, 'L');
+    for _ in 0..far {
+        first = split(first, 'r')[1];
+    }
+    for _ in 0..below {
+        second = split(second, 'l')[0];
+    }
+    (children, script.into_iter().collect())
+}
+
+/// The scene of a script without stops, in which the right child never comes first: what is not wanted is missed.
+pub(super) fn scene_of(children: &Children, script: &str) -> Scene {
+    let mut cells = vec![Cell::default(); children.len()];
+    for (pair, decision) in children.iter().zip(script.chars()) {
+        for (child, missed) in pair.iter().flatten().zip([['n', 'r'], ['n', 'l']]) {
+            cells[*child as usize].miss = missed.contains(&decision);
+        }
+    }
+    Scene { children: children.clone(), cells, any: false, octant: 0 }
+}
+
 /// The script of a random search: decisions of all kinds, and now and then a leaf that stops it.
 pub(super) fn random_script(seed: u64, leaves: u32, stops: bool) -> (Children, String) {
     let mut rng = Rng::new(seed);

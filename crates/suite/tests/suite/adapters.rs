@@ -92,12 +92,12 @@ fn is_caught(language: Language, from: &str, to: &str, profile: &str, clause: &s
 
 #[test]
 fn the_c_adapter_conforms() {
-    conforms(Language::C, 1765);
+    conforms(Language::C, 1840);
 }
 
 #[test]
 fn the_python_adapter_conforms() {
-    conforms(Language::Python, 3887);
+    conforms(Language::Python, 4201);
 }
 
 #[test]
@@ -107,6 +107,10 @@ fn a_mistake_in_the_c_adapter_is_caught() {
         ("*trail = *trail >> n ^ 1;", "*trail = *trail >> n;", "key/u32", "TRAIL-4"),
         ("at->sibling = node->child[!right];", "at->sibling = node->child[right];", "trace/script", "REGISTER-2"),
         ("postponed = at->grand_uncle;", "postponed = at->uncle;", "trace/script", "REGISTER-2"),
+        ("trailing_zeros(trail) == 3", "trailing_zeros(trail) == 4", "trace/script", "REGISTER-2"),
+        ("depths[ROOT] = depth = 0;", "depths[ROOT] = 0;", "trace/script", "DEPTH-1"),
+        ("return sum <= UINT32_MAX;", "return sum < UINT32_MAX;", "trace/wide", "WIDE-2"),
+        ("hit < wide_nodes[best].hit || leaf < best", "true", "trace/wide", "WIDE-5"),
         ("postponed = at->child[!right];", "postponed = at->child[right];", "trace/script", "REGISTER-1"),
         ("trail = trail << 1 | both;", "trail = trail << 1;", "trace/script", "TRAIL-2"),
         ("MAX_DEPTH = 63", "MAX_DEPTH = 64", "trace/script", "CONF-3"),
@@ -137,6 +141,27 @@ fn a_mistake_in_the_python_adapter_is_caught() {
         ("return (key >> n) ^ 1,", "return (key >> n + 1) ^ 1,", "key/wide", "TRAIL-4"),
         ("(1 << depth) - 1)", "(1 << depth))", "key/u128", "TRAIL-6"),
         ("min(inner + 2, leaf + 1)", "inner + 2", "hash/keys", "HASH-3"),
+        ("min(inner + 2,", "min(inner + 3,", "hash/keys", "HASH-3"),
+        ("2 * marks + marked", "(2 * marks + marked) % 2**32", "trace/disjoint", "DISJOINT-1"),
+        ("2 * trail + both,", "(2 * trail + both) % 2**32,", "trace/node-left", "LEFT-1"),
+        ("2 * trail + both,", "(2 * trail + both) % 2**32,", "trace/node-sign", "HAPALA-1"),
+        ("2 * trail + both,", "(2 * trail + both) % 2**32,", "trace/tape", "ORACLE-1"),
+        ("trail &= ~marks", "trail &= ~marks % 2**32", "resume/disjoint", "DISJOINT-2"),
+        ("and self.best[1] == node and (", "and (", "resume/disjoint", "DISJOINT-2"),
+        ("leaves is not None and leaves < self", "(leaves or 0) < self", "trace/disjoint", "ORDER-2"),
+        ("key, (1 << depth_of(key)) - 1)", "key, (1 << min(depth_of(key), 32)) - 1)", "resume/key-only", "PAUSE-4"),
+        (
+            "nodes = nodes_of(children)\n    if key",
+            "nodes, key = nodes_of(children), key % 2**32\n    if key",
+            "resume/state",
+            "PAUSE-2",
+        ),
+        (
+            "[shoot(edges, floats(ray), query) for ray in rays]",
+            "[shoot(edges, floats(rays[0]), query)] * len(rays)",
+            "ray/invalid",
+            "EXACT-1",
+        ),
         ("(key % len(cells) + entry)", "(key % len(cells) ^ entry)", "hash/lookup", "HASH-1"),
         ("self.enter(node) <= self.best[0]", "self.enter(node) <= self.best[1]", "trace/tape", "ORACLE-1"),
         ("right = self.octant >>", "right = ~self.octant >>", "trace/node-sign", "HAPALA-1"),

@@ -58,6 +58,17 @@ fn invalid() -> Profile {
     case("two-parents", "A node with two parents.", 4, &[Some(&[1, 2]), Some(&[3]), Some(&[3]), None]);
     case("unreached", "A node without a parent.", 8, &[Some(&[1, 2]), None, None, None]);
     case("cycle", "Nodes that are each other's children.", 4, &[Some(&[1]), None, Some(&[3]), Some(&[2])]);
+    // Who stops at the first leaf does not see these.
+    case(
+        "later-many",
+        "More children than slots, after a leaf.",
+        2,
+        &[Some(&[1, 2]), None, Some(&[3, 4, 5]), None, None, None],
+    );
+    case("later-no-children", "An inner node without children, after a leaf.", 4, &[Some(&[1, 2]), None, Some(&[])]);
+    case("later-out-of-range", "A child that there is not, after a leaf.", 8, &[Some(&[1, 2]), None, Some(&[3])]);
+    case("later-twice", "A node in two slots, after a leaf.", 4, &[Some(&[1, 2]), None, Some(&[3, 3]), None]);
+    case("later-root", "The root is the child of another, after a leaf.", 4, &[Some(&[1, 2]), None, Some(&[0])]);
     author.done()
 }
 
@@ -73,6 +84,16 @@ fn states() -> Profile {
         let (name, _, walk) = drawn(700 + seed, 4 + seed as u32);
         taken_up(&mut author, &name, &walk, 4);
     }
+    for (slots, depths) in [(2, [31, 62, 63]), (4, [15, 30, 31]), (8, [7, 20, 21])] {
+        for levels in depths {
+            let walk = chain(slots, levels, |level| level, |level| level == 0);
+            let (run, bottom) = (Reference::run(&walk), levels as usize + 1);
+            for next in [Start::Visit, Start::Backtrack] {
+                let why = "From the bottom of a chain, with a key as long as a word, or just longer.";
+                state(&mut author, &format!("chain-{slots}-{levels}"), why, &walk, &run, bottom, next);
+            }
+        }
+    }
     author.done()
 }
 
@@ -81,27 +102,32 @@ fn taken_up(author: &mut Author, name: &str, walk: &WideWalk, count: usize) {
     let run = Reference::run(walk);
     let nodes = run.visits.iter().map(|visit| visit.node);
     for (i, next) in moments(nodes, |node| walk.children[node as usize].is_none(), count) {
-        let visit = &run.visits[i];
-        let is_visited = next == Start::Backtrack;
-        let (end, hit) = if is_visited { visit.after } else { visit.before };
         // After a hit that ends the search nothing is to be taken up.
-        if is_visited && walk.any == Some(true) && hit.is_some() {
+        if next == Start::Backtrack && walk.any == Some(true) && run.visits[i].after.1.is_some() {
             continue;
         }
-        let ask = Ask::ResumeWide(WideWalk {
-            end: (end < GREATEST).then_some(end),
-            key: Some(visit.key.hex()),
-            trail: Some(visit.trail.hex()),
-            hit,
-            next: Some(next),
-            ..walk.clone()
-        });
-        let name = format!("{name}-{}-{i}", if is_visited { "backtrack" } else { "visit" });
         let why = "Key, trail and end are enough to go on: pending children that are beyond are skipped.";
-        let clauses = ["WIDE-3", "WIDE-10", "WIDE-11", "WIDE-13", "PAUSE-1"];
-        let answer = result(left(walk, &run, visit.events + usize::from(is_visited)));
-        author.case(&name, &clauses, why, &ask, answer);
+        state(author, name, why, walk, &run, i, next);
     }
+}
+
+/// A search is taken up before or after a visit.
+fn state(author: &mut Author, name: &str, why: &str, walk: &WideWalk, run: &Reference<'_>, i: usize, next: Start) {
+    let visit = &run.visits[i];
+    let is_visited = next == Start::Backtrack;
+    let (end, hit) = if is_visited { visit.after } else { visit.before };
+    let ask = Ask::ResumeWide(WideWalk {
+        end: (end < GREATEST).then_some(end),
+        key: Some(visit.key.hex()),
+        trail: Some(visit.trail.hex()),
+        hit,
+        next: Some(next),
+        ..walk.clone()
+    });
+    let name = format!("{name}-{}-{i}", if is_visited { "backtrack" } else { "visit" });
+    let clauses = ["WIDE-3", "WIDE-10", "WIDE-11", "WIDE-13", "PAUSE-1"];
+    let answer = result(left(walk, run, visit.events + usize::from(is_visited)));
+    author.case(&name, &clauses, why, &ask, answer);
 }
 
 /// `[WIDE-16]`

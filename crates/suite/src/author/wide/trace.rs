@@ -42,6 +42,8 @@ fn small(author: &mut Author) {
         let most = GREATEST / slots;
         let far = flat(slots, &[Some(most), Some(most / 2), Some(0), Some(most / 2 + 1)][..slots.min(4) as usize]);
         case("far", "The greatest distance is not beyond the greatest end, and no number is negative.", far);
+        let farthest = vec![Some(most); slots as usize];
+        case("farthest", "The greatest rank, which has all bits, is a rank.", flat(slots, &farthest));
         let below: &[_] = &[(3, Some(2)), (4, Some(1))];
         case("below", "A sibling is pending while its sibling's children are visited.", {
             told(slots, &[Some(&[(1, Some(1)), (2, Some(4))]), Some(below), None, None, None])
@@ -95,6 +97,11 @@ fn ends(author: &mut Author) {
             "Of equal hits that of the lower number.",
             hit(&[(1, 9 * slots), (2, 9 * slots)], flat(slots, &[Some(3), Some(2)])),
         );
+        let later = || hit(&[(1, 9 * slots), (2, 9 * slots)], flat(slots, &[Some(2), Some(3)]));
+        case("hit-tie-later", "Of equal hits that of the lower number, which came first.", later());
+        case("hit-all", "A field that says what holds without it.", {
+            WideWalk { any: Some(false), sorted: Some(true), ..later() }
+        });
         case("hit-any", "The first hit ends the search.", {
             WideWalk { any: Some(true), ..hit(&[(2, 9 * slots)], flat(slots, &[Some(3), Some(2)])) }
         });
