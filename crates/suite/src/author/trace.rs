@@ -232,13 +232,11 @@ fn tapes() -> Profile {
     author.done()
 }
 
+/// What a name ends with, and which levels are marked.
+type Marks = (&'static str, fn(u32) -> bool);
+
 /// Chains around the ends of words, with marked levels.
-fn chains_with_cells(
-    author: &mut Author,
-    clauses: &[&str],
-    marks: &[(&str, fn(u32) -> bool)],
-    rule: impl Fn(&Scene) -> Rule,
-) {
+fn chains_with_cells(author: &mut Author, clauses: &[&str], marks: &[Marks], rule: impl Fn(&Scene) -> Rule) {
     let clauses = [clauses, &["DEPTH-1", "DEPTH-2", "CONF-3"]].concat();
     for depth in DEPTHS {
         for ((side, goes_right), (label, is_marked)) in
@@ -271,7 +269,7 @@ fn by_rule(name: &str, clauses: &[&str], count: u64, rule: impl Fn(&Scene) -> Ru
         }
     }
     let is_marked = matches!(rule(&spine(1, false, |_| true)), Rule::Disjoint | Rule::Distance);
-    let marks: [(&str, fn(u32) -> bool); 2] = [("-first", |level| level == 0), ("-others", |level| level > 0)];
+    let marks: [Marks; 2] = [("-first", |level| level == 0), ("-others", |level| level > 0)];
     let marks: &[_] = if is_marked { &marks } else { &[("", |_| false)] };
     chains_with_cells(&mut author, clauses, marks, &rule);
     if rule(&spine(1, false, |_| true)) == Rule::Disjoint {
