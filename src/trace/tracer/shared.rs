@@ -97,7 +97,7 @@ impl<S: Simd> Cast<'_, Exact, LaneRay<S>, WideBvh> {
 
 impl Around<'_, WideBvh> {
     /// The children that are near enough. As of a ray's boxes, the slot is in the lowest bits of a rank, and so the
-    /// distance is compared without them. `[WIDE-4]`
+    /// distance is compared without them. `[NEAR-4]`
     fn ask(&self, node: Node) -> Wanted<[u32; 8]> {
         let node = &self.bvh.nodes()[node.index()];
         let mut wanted = Wanted { set: 0, ranks: [0; 8] };

@@ -81,7 +81,7 @@ impl Rare {
     }
 }
 
-/// [DET-1] [PARITY-1] [NEAR-1] [NEAR-2] [LANES-1] [LANES-2] [LANES-3] [LANES-4] [WIDE-4] [WIDE-8]
+/// [DET-1] [PARITY-1] [NEAR-1] [NEAR-2] [NEAR-4] [LANES-1] [LANES-2] [LANES-3] [LANES-4] [WIDE-4] [WIDE-8]
 #[test]
 fn all_traversals_and_levels_answer_as_the_binary_tracer_does() {
     let meshes = [procedural::soup(1, 500), procedural::strands(2, 60), procedural::layers(40)];
