@@ -38,6 +38,11 @@ impl Measure {
         Self { point, radius }
     }
 
+    /// The point.
+    pub const fn point(&self) -> Vec3 {
+        self.point
+    }
+
     /// The float nearest to the exact distance of the triangle, if that is at most the radius.
     ///
     /// A distance that rounds to more than `limit` may be left out.

@@ -100,8 +100,13 @@ impl<'a, H: Held<Triangle>> Around<'a, H> {
         Self { bvh, measure: Measure::new(ball.center(), ball.radius()), limit: ball.radius() }
     }
 
+    /// The point.
+    pub(super) fn point(&self) -> Vec3 {
+        self.measure.point()
+    }
+
     /// At most the distance of what is in a box: rounding keeps the order.
-    pub(super) fn to_box(&self, aabb: &Aabb) -> f32 {
+    fn to_box(&self, aabb: &Aabb) -> f32 {
         self.measure.to_box(aabb) as f32
     }
 
@@ -110,7 +115,9 @@ impl<'a, H: Held<Triangle>> Around<'a, H> {
     fn meet(&mut self, leaf: Node, mut found: impl FnMut(f32, (f32, u32, usize)) -> f32) {
         let Self { bvh, measure, limit } = self;
         bvh.for_each(leaf, |place, shape, prim| {
-            if let Some(distance) = measure.distance(shape, *limit)
+            // Its box is measured faster.
+            if measure.to_box(&shape.aabb()) as f32 <= *limit
+                && let Some(distance) = measure.distance(shape, *limit)
                 && distance <= *limit
                 // A hierarchy has a triangle even if all of the mesh are degenerate.
                 && !shape.is_degenerate()

@@ -30,11 +30,13 @@
 mod block;
 mod boxes;
 mod leaf;
+mod point;
 mod triangles;
 
 pub use block::Block;
 pub use boxes::BoxRay;
 pub use leaf::{LazyExact, Nearest};
+pub use point::BoxPoint;
 pub use triangles::{DETERMINANT, DISTANCE, MIN_EDGE, TriangleRay};
 
 /// A level of instructions: `Level::new()` is the best of this machine.

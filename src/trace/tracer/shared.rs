@@ -3,14 +3,14 @@
 
 use std::array;
 
-use fearless_simd::{Simd, f32x8};
+use fearless_simd::{Simd, SimdBase, f32x8};
 
 use super::turns::with_memory;
 use crate::bvh::WideBvh;
 use crate::bvh::wide::leaf_places;
 use crate::geom::Ray;
 use crate::geom::kernel::Exact;
-use crate::geom::lanes::BoxRay;
+use crate::geom::lanes::{BoxPoint, BoxRay, with_baseline};
 use crate::order::Flow;
 use crate::trace::cast::Cast;
 use crate::trace::counters::WideCounters;
@@ -96,19 +96,14 @@ impl<S: Simd> Cast<'_, Exact, LaneRay<S>, WideBvh> {
 }
 
 impl Around<'_, WideBvh> {
-    /// The children that are near enough. As of a ray's boxes, the slot is in the lowest bits of a rank, and so the
-    /// distance is compared without them. `[NEAR-4]`
+    /// The children that are near enough. `[NEAR-4]`
     fn ask(&self, node: Node) -> Wanted<[u32; 8]> {
-        let node = &self.bvh.nodes()[node.index()];
-        let mut wanted = Wanted { set: 0, ranks: [0; 8] };
-        for (slot, rank) in (0..).zip(&mut wanted.ranks) {
-            if node.has_child(slot) {
-                let distance = self.to_box(&node.child_box(slot)).to_bits() & !7;
-                wanted.set |= u32::from(f32::from_bits(distance) <= self.limit) << slot;
-                *rank = distance | slot;
-            }
-        }
-        wanted
+        let planes = &self.bvh.nodes()[node.index()].planes;
+        with_baseline!(simd => {
+            let (ranks, set) = BoxPoint::<_, f32x8<_>, 8>::new(simd, self.point()).within(planes, self.limit);
+            let ranks: &[f32; 8] = ranks.as_array();
+            Wanted { set, ranks: ranks.map(f32::to_bits) }
+        })
     }
 }
 

@@ -34,11 +34,6 @@ impl Build {
         asked.unwrap_or(Self { builder: usual, reinsertion: 0 })
     }
 
-    /// What was asked for; else the default of [`WideBvh`].
-    pub(crate) fn chosen_wide(asked: Option<Self>) -> Self {
-        asked.unwrap_or(Self { builder: Builder::Sah, reinsertion: 2 })
-    }
-
     /// A wide hierarchy, with a progress bar.
     pub(crate) fn run_wide(self, scene: &Scene) -> Result<WideBvh, WideError> {
         WideBvh::of(&self.run_fine(scene)?)

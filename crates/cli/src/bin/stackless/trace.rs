@@ -38,7 +38,7 @@ pub(crate) struct Args {
     #[arg(long, value_parser = input::TraversalName)]
     method: Option<Traversal>,
     /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median; with `+N`, N rounds of reinsertion follow.
-    /// [default: sah+2 for wide trees; sah for binary ones, for `complete` median]
+    /// [default: sah, for `complete` median]
     #[arg(long)]
     build: Option<Build>,
     /// How exact the answers are to be: fast, watertight, precise or exact.
@@ -63,7 +63,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
             (method.name(), traced.map_err(|unfit| format!("{method}: {unfit}"))?)
         }
         Traversal::Wide(method) => {
-            let bvh = Build::chosen_wide(args.build).run_wide(&scene)?;
+            let bvh = args.build.unwrap_or_default().run_wide(&scene)?;
             let tracer = Tracer::with_method(&bvh, method).map_err(|unfit| format!("{method}: {unfit}"))?;
             let each = |rays: &[Ray]| if args.any { tracer.any_hit_each(rays) } else { tracer.closest_each(rays) };
             (method.name(), in_chunks(&rays, each))

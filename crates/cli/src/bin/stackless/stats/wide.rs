@@ -46,7 +46,7 @@ struct Row {
 
 /// With the closest hits of these rays.
 pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn std::error::Error>> {
-    let build = Build::chosen_wide(None);
+    let build = Build::default();
     let (fine, build_seconds) = timed(|| build.run_fine(scene));
     let fine = fine?;
     let (wide, collapse_seconds) = timed(|| WideBvh::<8>::of(&fine));
