@@ -46,12 +46,15 @@ fn ranks_are_just_below_the_distances_of_boxes() {
             assert_eq!((found.0.map(f32::to_bits), found.1), (expected.0.map(f32::to_bits), expected.1), "{level:?}");
         }
         let (ranks, set) = expected;
+        let within = |limit: f32| dispatch!(levels()[0], simd => within(simd, point, &planes, limit)).1;
+        assert_eq!(within(f32::INFINITY), 0x7f, "all but the empty one");
         assert_eq!(set >> 5 & 7, if limit >= 0.0 { 3 } else { 0 });
         for (lane, (rank, aabb)) in ranks.into_iter().zip(&boxes).enumerate().take(7) {
             assert_eq!(rank.to_bits() & 7, lane as u32);
             let (below, exact) = (f32::from_bits(rank.to_bits() & !7), distance(point, aabb));
             assert!(f64::from(below) <= exact, "{below:e} {exact:e}");
             assert_eq!(set >> lane & 1 == 1, below <= limit);
+            assert_eq!(within(below) >> lane & 1, 1, "a limit as far as the rank, with the lane cleared");
             let is_usual = (1e-14..1e18).contains(&exact);
             assert!(!is_usual || f64::from(below) > exact * (1.0 - 2e-6), "{below:e} {exact:e}");
             nearly += usize::from(is_usual);
