@@ -171,6 +171,10 @@ fn fault(draw: &mut Draw<'_>, text: Text, bug: Bug) -> Option<String> {
 }
 
 fn differs<const A: usize>(case: &WideCase<A>, text: Text, bug: Bug) -> Option<String> {
+    // What is too deep is no mistake.
+    if WidePlanted(text, bug).fits(&case.tree).is_err() {
+        return None;
+    }
     if text == Text::Restart && case.is_sorted && !case.tape.is_monotone() {
         return None;
     }
@@ -193,6 +197,16 @@ impl WidePlanted {
         }
     }
 
+    /// Whether it carries a tree. The library refuses for itself.
+    fn fits<const A: usize>(self, tree: &Tree<A>) -> Result<(), TooDeep> {
+        let (depth, limit) = (tree.levels(), self.carries(A as u32));
+        if depth <= limit || matches!(self.0, Text::Library | Text::Narrow) {
+            Ok(())
+        } else {
+            Err(TooDeep { depth, limit, word: "a copy" })
+        }
+    }
+
     /// The nodes that its second search visits, one more than `most` at the most: a cursor is made for one search after
     /// the other. `None` where it asks for ever.
     ///
@@ -205,11 +219,7 @@ impl WidePlanted {
         most: usize,
     ) -> Result<Option<Vec<Node>>, Unfit> {
         let Self(text, bug) = self;
-        let (levels, limit) = (tree.levels(), self.carries(A as u32));
-        // The library refuses for itself.
-        if levels > limit && !matches!(text, Text::Library | Text::Narrow) {
-            return Err(TooDeep { depth: levels, limit, word: "a copy" }.into());
-        }
+        self.fits(tree)?;
         let mut second = Second { search, most, seen: None };
         run(tree, text, bug, &mut second)?;
         Ok(second.seen)
