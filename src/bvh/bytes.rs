@@ -268,4 +268,4 @@ pub(super) fn numbers<const SIZE: usize, const COUNT: usize>(bytes: &[u8]) -> [[
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

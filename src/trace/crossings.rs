@@ -33,8 +33,8 @@ pub type AllHits<'a> = Sweep<'a, Exact, Directed>;
 /// [`AllHits`] in double precision. `[EXACT-7]`
 pub type AllHits64<'a> = Sweep<'a, Exact64, Wide>;
 
-/// A ray on its way through a hierarchy `H` that collects all its hits, with the triangle test `K` and the box test `B`.
-/// It visits all boxes that the ray meets.
+/// A ray on its way through a hierarchy `H` that collects all its hits, with the triangle test `K` and the box test
+/// `B`. It visits all boxes that the ray meets.
 #[derive(Clone, Debug)]
 pub struct Sweep<'a, K: Kernel, B, H = Bvh<<K as Kernel>::Shape>> {
     pub(super) cast: Cast<'a, K, B, H>,

@@ -10,7 +10,8 @@ use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs, Vector};
 use crate::order::{Descent, Flow, Pruned, Repeatable, Visitor};
 use crate::tree::Node;
 
-/// A ray on its way through a hierarchy `H` that looks for the first hit in the order (`t`, primitive) after a given one.
+/// A ray on its way through a hierarchy `H` that looks for the first hit in the order (`t`, primitive) after a given
+/// one.
 #[derive(Clone, Debug)]
 pub struct Following<'a, K: Kernel, B, H = Bvh<<K as Kernel>::Shape>> {
     /// It ends at the best hit.

@@ -25,14 +25,14 @@ fn load(bytes: &[u8]) -> Result<Bvh, BvhFileError> {
 }
 
 /// The same with the checksum that it should have.
-fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
+pub(in crate::bvh) fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
     if let Some((content, sum)) = bytes.split_last_chunk_mut() {
         *sum = checksum(content).to_le_bytes();
     }
     bytes
 }
 
-fn patched(bytes: &[u8], at: usize, word: u32) -> Vec<u8> {
+pub(in crate::bvh) fn patched(bytes: &[u8], at: usize, word: u32) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     bytes[at..at + 4].copy_from_slice(&word.to_le_bytes());
     bytes

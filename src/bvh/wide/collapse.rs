@@ -1,5 +1,7 @@
 //! From a binary hierarchy to a wide one.
 
+use std::borrow::Cow;
+
 use super::draft::{Draft, leaf_address};
 use super::layout::{Child, assign};
 use super::programme::Programme;
@@ -75,9 +77,9 @@ impl<const A: usize> WideBvh<A> {
 
     /// The same with options.
     ///
-    /// The same hierarchy and options give the same result, for any number of threads. Inner nodes have a level of at most
-    /// [`MAX_LEVEL`](Self::MAX_LEVEL), however deep the binary hierarchy is: where the cheapest one would be deeper, a
-    /// subtree is made anew, by its leaves from left to right, as flat as can be.
+    /// The same hierarchy and options give the same result, for any number of threads. Inner nodes have a level of at
+    /// most [`MAX_LEVEL`](Self::MAX_LEVEL), however deep the binary hierarchy is: where the cheapest one would be deeper,
+    /// a subtree is made anew, by its leaves from left to right, as flat as can be.
     ///
     /// # Errors
     /// What [`WideError`] lists.
@@ -104,6 +106,7 @@ struct Collapse<'a, const A: usize> {
 }
 
 /// What an inner node is made of.
+#[derive(Clone)]
 enum Source {
     /// The programme's choice for this node of the draft.
     Node(u32),
@@ -112,6 +115,7 @@ enum Source {
 }
 
 /// An inner node that is still to be filled.
+#[derive(Clone)]
 struct Pending {
     source: Source,
     index: usize,
@@ -131,15 +135,9 @@ impl<const A: usize> Collapse<'_, A> {
     /// The top first; then what is below it, on all threads.
     fn run(self) -> Result<WideBvh<A>, WideError> {
         let (mut made, pending) = self.below(Pending { source: Source::Node(0), index: 0, level: 0 }, CUT as u32);
-        let indices: Vec<_> = pending.iter().map(|pending| pending.index).collect();
-        let mut parts: Vec<_> = pending.into_iter().map(|pending| (Some(pending), None)).collect();
-        threads::update(&mut parts, 1, |(pending, part)| {
-            *part = pending.take().map(|pending| self.below(Pending { index: 0, ..pending }, 0).0);
-        });
-        for (index, (_, part)) in indices.into_iter().zip(parts) {
-            if let Some(part) = part {
-                made.take(index, part)?;
-            }
+        let parts = threads::map(0..pending.len(), 1, |i| self.below(Pending { index: 0, ..pending[i].clone() }, 0).0);
+        for (Pending { index, .. }, part) in pending.into_iter().zip(parts) {
+            made.take(index, part)?;
         }
         let Made { mut nodes, blocks, levels, references } = made;
         name_ancestors(&mut nodes);
@@ -195,8 +193,9 @@ impl<const A: usize> Collapse<'_, A> {
     /// The blocks of a leaf. Parts of one triangle may meet again in it.
     fn leaf(&self, place: u32, made: &mut Made<A>) -> Node {
         let node = &self.draft.nodes[place as usize];
-        let mut held = self.bvh.triangles()[node.first as usize..(node.first + node.count) as usize].to_vec();
+        let mut held = Cow::Borrowed(&self.bvh.triangles()[node.first as usize..(node.first + node.count) as usize]);
         if self.bvh.duplicates() > 0 {
+            let held = held.to_mut();
             held.sort_by_key(|held| held.prim);
             held.dedup_by_key(|held| held.prim);
         }

@@ -28,7 +28,6 @@ pub(super) struct DraftNode {
 }
 
 /// What is below a node.
-#[derive(Clone)]
 enum Below {
     /// A node of the hierarchy, with the numbers of its leaves.
     Subtree(Node, Range<u32>),

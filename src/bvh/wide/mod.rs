@@ -227,7 +227,8 @@ pub(crate) fn leaf_places(leaf: Node) -> Range<usize> {
     4 * first..4 * first + count as usize
 }
 
-/// Writes what records say beside boxes and children. Of a child that does not come after its parent nothing is written.
+/// Writes what records say beside boxes and children. Of a child that does not come after its parent nothing is
+/// written.
 fn name_ancestors<const A: usize>(nodes: &mut [WideNode<A>]) {
     for index in 0..nodes.len() {
         for slot in 0..A as u32 {

@@ -102,7 +102,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
 
 /// Each component in all lanes.
 #[inline(always)]
-fn splat<S: Simd, V: Lanes<S, A>, const A: usize>(simd: S, v: Vec3) -> [V; 3] {
+pub(super) fn splat<S: Simd, V: Lanes<S, A>, const A: usize>(simd: S, v: Vec3) -> [V; 3] {
     [V::splat(simd, v.x), V::splat(simd, v.y), V::splat(simd, v.z)]
 }
 
@@ -130,7 +130,8 @@ fn away_from_zero(x: f32) -> f32 {
     f32::from_bits(magnitude.min(f32::INFINITY.to_bits()) | bits & 1 << 31)
 }
 
-const fn lane_numbers<const A: usize>() -> [f32; A] {
+/// The numbers of the lanes, as bits.
+pub(super) const fn lane_numbers<const A: usize>() -> [f32; A] {
     let mut lanes = [0.0; A];
     let mut i = 0;
     while i < A {

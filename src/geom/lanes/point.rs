@@ -1,9 +1,10 @@
 //! The distances of all boxes of a node from a point.
 
-use fearless_simd::{Select, Simd};
+use fearless_simd::{Select, Simd, SimdMask};
 use glam::Vec3;
 
 use super::Lanes;
+use super::boxes::{lane_numbers, splat};
 
 /// A point, prepared for the distances of `A` boxes at once: 4 or 8. `[NEAR-4]`
 #[derive(Clone, Copy, Debug)]
@@ -25,21 +26,19 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxPoint<S, V, A> {
     #[inline(always)]
     pub fn new(simd: S, point: Vec3) -> Self {
         const { assert!(A == 4 || A == 8, "nodes have four or eight children") };
-        let lanes = std::array::from_fn(|lane| f32::from_bits(lane as u32));
-        let splat = |x: f32| V::splat(simd, x);
-        Self { simd, point: [splat(point.x), splat(point.y), splat(point.z)], lanes: V::load_array(simd, lanes) }
+        Self { simd, point: splat(simd, point), lanes: V::load_array(simd, lane_numbers()) }
     }
 
     /// The ranks of all boxes, and the set of those that are at most `limit` away, as far as single precision tells.
     ///
-    /// `planes` are those of [`BoxRay::enter`](super::BoxRay::enter). A rank is at most the distance of the box, rounded
-    /// down to a multiple of `A` units in the last place, with the number of the lane in the bits that this leaves
-    /// free. With another limit ranks are the same; and a box of the set of some other limit is in that of this one if
-    /// its rank, with the lane cleared, is not above it.
+    /// `planes` are those of [`BoxRay::enter`](super::BoxRay::enter). A rank is at most the distance of the box,
+    /// rounded down to a multiple of `A` units in the last place, with the number of the lane in the bits that this
+    /// leaves free. With another limit ranks are the same; and a box of the set of some other limit is in that of this
+    /// one if its rank, with the lane cleared, is not above it.
     #[inline(always)]
     pub fn within(&self, planes: &[[[f32; A]; 2]; 3], limit: f32) -> (V, u32) {
-        let splat = |x: f32| V::splat(self.simd, x);
-        let (zero, most) = (splat(0.0), splat(f32::MAX));
+        let all = |x: f32| V::splat(self.simd, x);
+        let (zero, most) = (all(0.0), all(f32::MAX));
         let [x, y, z] = [0, 1, 2].map(
             #[inline(always)]
             |axis: usize| {
@@ -52,13 +51,13 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxPoint<S, V, A> {
         // Where squares overflow, the greatest component: the distance is not less.
         let far = x.max(y).max(z).min(most);
         let distance = sum.simd_le(most).select(sum.sqrt(), far);
-        let distance = sum.simd_lt(splat(TINY)).select(zero, distance * splat(LESS));
+        let distance = sum.simd_lt(all(TINY)).select(zero, distance * all(LESS));
         let bits = distance.to_bits() & ((1 << 31) - A as u32);
         // The box of an empty lane is from plus to minus infinity.
         let [lo, hi] = &planes[0];
         let is_box = V::load_array_ref(self.simd, lo).simd_le(V::load_array_ref(self.simd, hi));
-        let set = V::from_bits(bits).simd_le(splat(limit)) & is_box;
-        (V::from_bits(bits | self.lanes.to_bits()), fearless_simd::SimdMask::to_bitmask(set) as u32)
+        let set = V::from_bits(bits).simd_le(all(limit)) & is_box;
+        (V::from_bits(bits | self.lanes.to_bits()), set.to_bitmask() as u32)
     }
 }
 

@@ -70,8 +70,8 @@ fn states() -> Profile {
 
 const FROM_THE_BOTTOM: &str = "From the bottom of a chain, longer than a word or just not.";
 
-/// Chains around the ends of words, to each side. (A tree of just as many levels as a trail has bits can be traversed without
-/// keys, but its keys do not fit.)
+/// Chains around the ends of words, to each side. (A tree of just as many levels as a trail has bits can be traversed
+/// without keys, but its keys do not fit.)
 fn chains() -> impl Iterator<Item = (u32, (&'static str, bool))> {
     [31, 33, 63, 65].into_iter().flat_map(|depth| SIDES.map(|side| (depth, side)))
 }

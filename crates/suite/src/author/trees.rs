@@ -91,8 +91,8 @@ pub(super) fn random(seed: u64, leaves: u32, kind: Kind) -> Scene {
     Scene { children, cells, any: false, octant: rng.below(8) as u8 }
 }
 
-/// A chain whose spine is entered first. Where a level is marked, the spine ends before its leaf begins, elsewhere it does
-/// not. At the bottom is a hit, which is not before the leaves that are not marked.
+/// A chain whose spine is entered first. Where a level is marked, the spine ends before its leaf begins, elsewhere it
+/// does not. At the bottom is a hit, which is not before the leaves that are not marked.
 pub(super) fn spine(depth: u32, goes_right: bool, is_marked: impl Fn(u32) -> bool) -> Scene {
     let children = comb(depth, |_| goes_right);
     let mut cells = vec![Cell::default(); children.len()];
@@ -112,8 +112,8 @@ pub(super) fn spine(depth: u32, goes_right: bool, is_marked: impl Fn(u32) -> boo
 }
 
 /// A search that comes back from afar to a node whose only wanted child has only one wanted child, and so on: from that
-/// bottom it goes on to the root's other child. How far that is from the node, how far the way to the node is, and how many
-/// levels are below it. What is postponed first is an inner node, unlike all that could be taken for it.
+/// bottom it goes on to the root's other child. How far that is from the node, how far the way to the node is, and how
+/// many levels are below it. What is postponed first is an inner node, unlike all that could be taken for it.
 pub(super) fn after_far(above: u32, far: u32, below: u32) -> (Children, String) {
     let (mut children, mut script) = (vec![None], vec!['.']);
     let mut split = |node: u32, decision: char| {

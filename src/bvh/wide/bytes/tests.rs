@@ -1,6 +1,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::bvh::bytes::tests::{patched, sealed};
 use crate::bvh::validate::tests::cut;
 use crate::bvh::{BuildOptions, Builder, Bvh, Degenerate, SpatialOptions};
 use crate::generate::{procedural, stress};
@@ -17,20 +18,6 @@ const BODY_AT: usize = 36;
 
 fn wide<const A: usize>(mesh: &Mesh) -> WideBvh<A> {
     WideBvh::of(&Bvh::build(mesh).expect("a tree")).expect("small enough")
-}
-
-/// The same with the checksum that it should have.
-fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
-    if let Some((content, sum)) = bytes.split_last_chunk_mut() {
-        *sum = checksum(content).to_le_bytes();
-    }
-    bytes
-}
-
-fn patched(bytes: &[u8], at: usize, word: u32) -> Vec<u8> {
-    let mut bytes = bytes.to_vec();
-    bytes[at..at + 4].copy_from_slice(&word.to_le_bytes());
-    bytes
 }
 
 fn comes_back<const A: usize>(wide: &WideBvh<A>, mesh: &Mesh) {
@@ -144,7 +131,10 @@ fn every_flipped_bit_of_a_wide_file_is_refused() {
 proptest! {
     /// What is accepted comes back as the same bytes, and rays through it end. [FILE-8]
     #[test]
-    fn patched_wide_files_do_not_mislead(seed in 0_u64..50, patches in prop::collection::vec((any::<prop::sample::Index>(), any::<u32>()), 1..4)) {
+    fn patched_wide_files_do_not_mislead(
+        seed in 0_u64..50,
+        patches in prop::collection::vec((any::<prop::sample::Index>(), any::<u32>()), 1..4),
+    ) {
         let mesh = procedural::soup(seed, 1 + seed as usize);
         let mut bytes = wide::<8>(&mesh).to_bytes();
         for (at, word) in patches {

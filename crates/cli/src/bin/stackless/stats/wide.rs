@@ -4,6 +4,7 @@ use serde::Serialize;
 use stackless_bvh::bvh::WideBvh;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::trace::{Tracer, WideCounters};
+use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{Method, Topology};
 
 use super::timed;
@@ -68,7 +69,7 @@ pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn 
         });
     }
     let nodes = wide.nodes();
-    let children: u32 = nodes.iter().map(|node| (0..8).map(|slot| u32::from(node.has_child(slot))).sum::<u32>()).sum();
+    let children: u32 = (0..nodes.len()).map(|node| wide.children(Node::inner(node as u32)).count_ones()).sum();
     let leaves: u32 = nodes.iter().map(|node| node.leaves().count_ones()).sum();
     let references = fine.triangles().len() as f64;
     Ok(WideStats {
