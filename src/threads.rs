@@ -11,6 +11,53 @@ use core::ops::Range;
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
+#[cfg(feature = "rays")]
+pub(crate) use floats::guarded;
+
+/// Watches over how threads compute with floats. `[ENV-1]`
+#[cfg(feature = "rays")]
+mod floats {
+    use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+    use crate::geom::{EnvironmentError, check_environment};
+
+    /// How many tasks were begun on threads whose floats are of no use, by the reason.
+    static UNFIT: [(EnvironmentError, AtomicUsize); 2] =
+        [(EnvironmentError::Subnormals, AtomicUsize::new(0)), (EnvironmentError::Rounding, AtomicUsize::new(0))];
+
+    /// What the work gives, if all threads that took part in it compute as they should.
+    ///
+    /// Work that another thread does at the same time counts too, so that it may be refused for another's sake: either
+    /// way there is a thread that is of no use.
+    pub(crate) fn guarded<A>(work: impl FnOnce() -> A) -> Result<A, EnvironmentError> {
+        check_environment()?;
+        let before = counts();
+        let answer = work();
+        match UNFIT.iter().zip(before.into_iter().zip(counts())).find(|(_, (before, after))| before != after) {
+            Some(((error, _), _)) => Err(*error),
+            None => Ok(answer),
+        }
+    }
+
+    fn counts() -> [usize; 2] {
+        UNFIT.each_ref().map(|(_, count)| count.load(Relaxed))
+    }
+
+    /// To be called where a task begins. Who waits for the task sees what it has counted.
+    #[cfg(feature = "parallel")]
+    pub(super) fn probe() {
+        if let Err(found) = check_environment() {
+            UNFIT.iter().filter(|(error, _)| *error == found).for_each(|(_, count)| _ = count.fetch_add(1, Relaxed));
+        }
+    }
+}
+
+/// A core without rays has no floats.
+#[cfg(all(feature = "parallel", not(feature = "rays")))]
+mod floats {
+    pub(super) const fn probe() {}
+}
+
 /// How many threads share the work.
 pub(crate) fn count() -> usize {
     #[cfg(feature = "parallel")]
@@ -23,7 +70,10 @@ pub(crate) fn count() -> usize {
 /// Does both.
 pub(crate) fn join(a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
     #[cfg(feature = "parallel")]
-    rayon::join(a, b);
+    rayon::join(a, || {
+        floats::probe();
+        b();
+    });
     #[cfg(not(feature = "parallel"))]
     {
         a();
@@ -44,7 +94,13 @@ pub(crate) fn map_with<M, A: Send>(
     f: impl Fn(&mut M, usize) -> A + Sync + Send,
 ) -> Vec<A> {
     #[cfg(feature = "parallel")]
-    let mapped = range.into_par_iter().with_min_len(least).map_init(make, f).collect();
+    let mapped = {
+        let begin = || {
+            floats::probe();
+            make()
+        };
+        range.into_par_iter().with_min_len(least).map_init(begin, f).collect()
+    };
     #[cfg(not(feature = "parallel"))]
     let mapped = {
         let mut kept = make();
@@ -61,7 +117,7 @@ pub(crate) fn reduce<T: Sync, A: Send>(
     merge: impl Fn(A, A) -> A + Sync + Send,
 ) -> Option<A> {
     #[cfg(feature = "parallel")]
-    let reduced = items.par_chunks(chunk).map(map).reduce_with(merge);
+    let reduced = items.par_chunks(chunk).map_init(floats::probe, |(), chunk| map(chunk)).reduce_with(merge);
     #[cfg(not(feature = "parallel"))]
     let reduced = items.chunks(chunk).map(map).reduce(merge);
     reduced
@@ -70,7 +126,7 @@ pub(crate) fn reduce<T: Sync, A: Send>(
 /// Changes each item. A thread takes at least `least` at once.
 pub(crate) fn update<T: Send>(items: &mut [T], least: usize, f: impl Fn(&mut T) + Sync + Send) {
     #[cfg(feature = "parallel")]
-    items.par_iter_mut().with_min_len(least).for_each(f);
+    items.par_iter_mut().with_min_len(least).for_each_init(floats::probe, |(), item| f(item));
     #[cfg(not(feature = "parallel"))]
     items.iter_mut().for_each(f);
 }

@@ -147,7 +147,7 @@ pub(crate) fn exact(gpu: &Gpu, files: &[PathBuf], count: usize) -> Result<bool, 
         let on_device = Scene::new(gpu, &bvh)?;
         let rays = mixed_rays(&mesh, &bvh, count);
         let start = Instant::now();
-        let truth = BinaryTracer::new(&bvh).closest_parallel(&rays);
+        let truth = BinaryTracer::new(&bvh).closest_parallel(&rays)?;
         let exact_seconds = start.elapsed().as_secs_f64();
         for kernel in Kernel::all(Kernel::words_for(bvh.depth())) {
             if kernel.name != "hashed" {
@@ -235,7 +235,7 @@ fn compare(gpu: &Gpu, name: &str, mesh: &Mesh, rays: &[Ray], is_exact: bool) -> 
     let arithmetic = probe::probe(gpu)?;
     let bvh = hierarchy(mesh)?;
     let on_device = Scene::new(gpu, &bvh)?;
-    let truth = BinaryTracer::new(&bvh).closest_parallel(rays);
+    let truth = BinaryTracer::new(&bvh).closest_parallel(rays)?;
     println!(
         "{name}: {} triangles, {} deep, {} rays, {arithmetic}",
         mesh.triangles().len(),

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use stackless_bvh::geom::EnvironmentError;
+
 /// Why there is no result.
 #[derive(Debug, thiserror::Error)]
 pub enum GpuError {
@@ -38,6 +40,9 @@ pub enum GpuError {
     /// Data that no kernel can take.
     #[error("{0}")]
     Data(String),
+    /// Floats of this machine's threads are of no use.
+    #[error(transparent)]
+    Environment(#[from] EnvironmentError),
 }
 
 impl GpuError {

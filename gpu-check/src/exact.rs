@@ -12,7 +12,7 @@ use std::time::Instant;
 use rayon::prelude::*;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::geom::kernel::Exact;
-use stackless_bvh::geom::{Kernel as _, Ray};
+use stackless_bvh::geom::{EnvironmentError, Kernel as _, Ray};
 use stackless_bvh::trace::{BinaryTracer, Hit};
 
 use crate::kernel::Kernel;
@@ -64,7 +64,7 @@ pub fn closest(
     let found = launch(gpu, scene, kernel, &pipeline, rays)?;
     let device_seconds = start.elapsed().as_secs_f64();
     let start = Instant::now();
-    let (hits, uncertain) = settle(bvh, rays, &found);
+    let (hits, uncertain) = settle(bvh, rays, &found)?;
     Ok(Settled { hits, uncertain, device_seconds, settle_seconds: start.elapsed().as_secs_f64() })
 }
 
@@ -107,7 +107,10 @@ pub fn launch(
 }
 
 /// The hits of rays by what a kernel has said of each, and how many were in doubt.
-pub fn settle(bvh: &Bvh, rays: &[Ray], found: &[u32]) -> (Vec<Option<Hit>>, usize) {
+///
+/// # Errors
+/// Of this machine's threads, if their floats are of no use.
+pub fn settle(bvh: &Bvh, rays: &[Ray], found: &[u32]) -> Result<(Vec<Option<Hit>>, usize), EnvironmentError> {
     let mut places = vec![u32::MAX; bvh.triangles().iter().map(|held| held.prim as usize + 1).max().unwrap_or(0)];
     for (held, place) in bvh.triangles().iter().zip(0..) {
         places[held.prim as usize] = place;
@@ -122,8 +125,8 @@ pub fn settle(bvh: &Bvh, rays: &[Ray], found: &[u32]) -> (Vec<Option<Hit>>, usiz
     let mut hits: Vec<Option<Hit>> = rays.par_iter().zip(found).map(certain).collect();
     let uncertain: Vec<usize> = (0..rays.len()).filter(|&i| found.get(i) == Some(&UNCERTAIN)).collect();
     let open: Vec<Ray> = uncertain.iter().map(|&i| rays[i]).collect();
-    for (&i, hit) in uncertain.iter().zip(BinaryTracer::new(bvh).closest_parallel(&open)) {
+    for (&i, hit) in uncertain.iter().zip(BinaryTracer::new(bvh).closest_parallel(&open)?) {
         hits[i] = hit;
     }
-    (hits, uncertain.len())
+    Ok((hits, uncertain.len()))
 }

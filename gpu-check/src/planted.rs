@@ -37,7 +37,7 @@ pub fn hunt_rays(gpu: &Gpu, bug: &Shader) -> Result<usize, GpuError> {
             return Err(GpuError::Data(format!("{}: nothing to change in {}", bug.name, bug.kernel)));
         }
         let found = rays::trace(gpu, &on_device, &kernel, query, &rays, &|text| text.replace(bug.from, bug.to))?;
-        seen += rays::errors(&found, &BinaryTracer::new(&bvh).closest_parallel(&rays), false).differences;
+        seen += rays::errors(&found, &BinaryTracer::new(&bvh).closest_parallel(&rays)?, false).differences;
     }
     Ok(seen)
 }

@@ -117,7 +117,7 @@ fn zeros_of_either_sign_are_coordinates() {
     let query = Query::single(&arithmetic, &rays, false).unwrap();
     for kernel in Kernel::all(1) {
         let found = rays::trace(&gpu, &scene, &kernel, query, &rays, &unchanged).unwrap();
-        let errors = rays::errors(&found, &BinaryTracer::new(&bvh).closest_parallel(&rays), false);
+        let errors = rays::errors(&found, &BinaryTracer::new(&bvh).closest_parallel(&rays).unwrap(), false);
         assert_eq!(errors, rays::Errors::default(), "{}", kernel.full_name());
     }
 }
@@ -148,7 +148,7 @@ fn hits_are_those_of_the_model_and_of_rational_arithmetic() {
         let rays = made::rays(&mesh, 6700, 2);
         let on_device = Scene::new(&gpu, &bvh).unwrap();
         let tracer = BinaryTracer::new(&bvh);
-        let truth = tracer.closest_parallel(&rays);
+        let truth = tracer.closest_parallel(&rays).unwrap();
         let hits = truth.iter().flatten().count();
         assert!((1000..6600).contains(&hits), "{hits}");
         for any in [false, true] {
@@ -188,7 +188,7 @@ fn certain_and_settled_hits_are_exact() {
     for (mesh, rays) in [(&edges, &to_edges), (&soup, &from_soup)] {
         let bvh = Bvh::sah(mesh, SahOptions::default()).unwrap();
         let scene = Scene::new(&gpu, &bvh).unwrap();
-        let truth = BinaryTracer::new(&bvh).closest_parallel(rays);
+        let truth = BinaryTracer::new(&bvh).closest_parallel(rays).unwrap();
         assert!(truth.iter().flatten().count() > 500);
         for name in ["stack", "hashed", "laine-4", "afra"] {
             let kernel = Kernel::all(1).into_iter().find(|kernel| kernel.name == name).unwrap();

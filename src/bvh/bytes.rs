@@ -5,7 +5,7 @@ use std::array;
 use glam::{DVec3, Vec3};
 
 use super::{Bvh, BvhError, BvhNode, BvhTree, Leaf, LeafTriangle, validate};
-use crate::geom::{Aabb, Region, Triangle, Vector};
+use crate::geom::{Aabb, EnvironmentError, Region, Triangle, Vector, check_environment};
 use crate::hash::checksum;
 use crate::tree::{Node, Recorded};
 
@@ -66,6 +66,9 @@ pub enum FileError<E> {
     /// What the bytes say is no sound hierarchy.
     #[error(transparent)]
     Unsound(#[from] E),
+    /// This thread's floats are not those of IEEE 754. `[ENV-1]`
+    #[error(transparent)]
+    Environment(EnvironmentError),
 }
 
 /// Why bytes are not a [`Bvh`].
@@ -209,6 +212,7 @@ pub(super) fn opened<'b, E, const WORDS: usize>(
     magic: &'static str,
     length: impl Fn(&[u32; WORDS]) -> Result<u64, FileError<E>>,
 ) -> Result<([u32; WORDS], &'b [u8]), FileError<E>> {
+    check_environment().map_err(FileError::Environment)?;
     let header_bytes = magic.len() + 4 * WORDS;
     let wrong_length = |expected| FileError::Length { expected, found: bytes.len() };
     let too_short = || wrong_length((header_bytes + size_of::<u64>()) as u64);

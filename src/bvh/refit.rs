@@ -1,7 +1,7 @@
 //! New boxes for the same tree, after its primitives have moved.
 
 use super::{Bvh, Primitives};
-use crate::geom::{Aabb, Region};
+use crate::geom::{Aabb, EnvironmentError, Region, check_environment};
 use crate::order::Side;
 use crate::tree::Node;
 
@@ -22,6 +22,9 @@ pub enum RefitError {
     /// A primitive was left out as nothing could hit it, and now can be hit. The hierarchy has to be built anew.
     #[error("primitive {0} was degenerate at the build and is no longer")]
     Revived(u32),
+    /// This thread's floats are not those of IEEE 754. `[ENV-1]`
+    #[error(transparent)]
+    Environment(#[from] EnvironmentError),
 }
 
 impl<S> Bvh<S> {
@@ -48,6 +51,7 @@ impl<S> Bvh<S> {
     /// # Errors
     /// What [`RefitError`] lists; then nothing has changed.
     pub fn refit<P: Primitives<Shape = S> + ?Sized>(&mut self, primitives: &P) -> Result<(), RefitError> {
+        check_environment()?;
         let boxes = self.moved_boxes(primitives)?;
         for held in &mut self.triangles {
             held.shape = primitives.shape(held.prim as usize);

@@ -2,6 +2,8 @@
 
 use glam::Vec3;
 
+use super::{EnvironmentError, check_environment};
+
 /// All points within a radius of one, the border included: where what is nearest is looked for.
 ///
 /// ```
@@ -27,6 +29,9 @@ pub enum BallError {
     /// The radius is negative or NaN.
     #[error("radius {0} is negative or not a number")]
     Radius(f32),
+    /// This thread's floats are not those of IEEE 754. `[ENV-1]`
+    #[error(transparent)]
+    Environment(#[from] EnvironmentError),
 }
 
 impl Ball {
@@ -43,6 +48,7 @@ impl Ball {
     /// # Errors
     /// What [`BallError`] lists.
     pub fn new(center: Vec3, radius: f32) -> Result<Self, BallError> {
+        check_environment()?;
         if !center.is_finite() {
             return Err(BallError::Center(center));
         }

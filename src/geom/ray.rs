@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-use super::{Real, Vector};
+use super::{EnvironmentError, Real, Vector, check_environment};
 
 /// A half-line `origin + t direction`, or the part of it with `tmin <= t <= tmax`, both ends included; in single
 /// precision, or with [`DVec3`] in double.
@@ -60,6 +60,9 @@ pub enum RayError {
         /// Far end.
         tmax: f64,
     },
+    /// This thread's floats are not those of IEEE 754. `[ENV-1]`
+    #[error(transparent)]
+    Environment(#[from] EnvironmentError),
 }
 
 impl<V: Vector> Ray<V> {
@@ -76,6 +79,7 @@ impl<V: Vector> Ray<V> {
     /// # Errors
     /// What [`RayError`] lists.
     pub fn within(origin: V, direction: V, tmin: V::Real, tmax: V::Real) -> Result<Self, RayError> {
+        check_environment()?;
         let (near, far): (f64, f64) = (tmin.into(), tmax.into());
         if !origin.is_finite() {
             return Err(RayError::Origin(origin.widen()));

@@ -11,7 +11,7 @@ use super::{
 use crate::bvh::{BuildError, Bvh};
 use crate::geom::kernel::{Exact, Real};
 use crate::geom::slabs::Directed;
-use crate::geom::{Ball, Kernel, Mesh, Ray, Slabs};
+use crate::geom::{Ball, EnvironmentError, Kernel, Mesh, Ray, Slabs};
 use crate::threads;
 use crate::traverse::{Method, Unfit, WordName};
 use crate::tree::Node;
@@ -108,7 +108,10 @@ impl<T: Borrow<Bvh>> BinaryTracer<T> {
     }
 
     /// [`nearest`](Self::nearest) of each ball, on all threads.
-    pub fn nearest_parallel(&self, balls: &[Ball]) -> Vec<Option<Near>>
+    ///
+    /// # Errors
+    /// [`EnvironmentError`], of any thread that took part.
+    pub fn nearest_parallel(&self, balls: &[Ball]) -> Result<Vec<Option<Near>>, EnvironmentError>
     where
         T: Sync,
     {
@@ -191,7 +194,10 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
     }
 
     /// [`closest`](Self::closest) of each ray, on all threads.
-    pub fn closest_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>>
+    ///
+    /// # Errors
+    /// [`EnvironmentError`], of any thread that took part.
+    pub fn closest_parallel(&self, rays: &[Ray<K::Vector>]) -> Result<Vec<Option<Hit<Real<K>>>>, EnvironmentError>
     where
         T: Sync,
     {
@@ -224,7 +230,10 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
     }
 
     /// [`any`](Self::any) of each ray, on all threads.
-    pub fn any_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<bool>
+    ///
+    /// # Errors
+    /// [`EnvironmentError`], of any thread that took part.
+    pub fn any_parallel(&self, rays: &[Ray<K::Vector>]) -> Result<Vec<bool>, EnvironmentError>
     where
         T: Sync,
     {
@@ -242,7 +251,10 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
     }
 
     /// [`any_hit`](Self::any_hit) of each ray, on all threads.
-    pub fn any_hit_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>>
+    ///
+    /// # Errors
+    /// [`EnvironmentError`], of any thread that took part.
+    pub fn any_hit_parallel(&self, rays: &[Ray<K::Vector>]) -> Result<Vec<Option<Hit<Real<K>>>>, EnvironmentError>
     where
         T: Sync,
     {
@@ -271,7 +283,10 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
     }
 
     /// [`all`](Self::all) of each ray, on all threads.
-    pub fn all_parallel(&self, rays: &[Ray<K::Vector>]) -> Vec<Vec<Hit<Real<K>>>>
+    ///
+    /// # Errors
+    /// [`EnvironmentError`], of any thread that took part.
+    pub fn all_parallel(&self, rays: &[Ray<K::Vector>]) -> Result<Vec<Vec<Hit<Real<K>>>>, EnvironmentError>
     where
         T: Sync,
     {
@@ -355,8 +370,11 @@ fn each<I, A>(items: &[I], answer: impl Fn(&I, &mut Vec<Node>) -> A) -> Vec<A> {
 }
 
 /// The same on all threads.
-fn in_parallel<I: Sync, A: Send>(items: &[I], answer: impl Fn(&I, &mut Vec<Node>) -> A + Sync + Send) -> Vec<A> {
-    threads::map_with(0..items.len(), CHUNK, Vec::new, |memory, i| answer(&items[i], memory))
+fn in_parallel<I: Sync, A: Send>(
+    items: &[I],
+    answer: impl Fn(&I, &mut Vec<Node>) -> A + Sync + Send,
+) -> Result<Vec<A>, EnvironmentError> {
+    threads::guarded(|| threads::map_with(0..items.len(), CHUNK, Vec::new, |memory, i| answer(&items[i], memory)))
 }
 
 impl<T, K, B> fmt::Debug for BinaryTracer<T, K, B> {

@@ -12,7 +12,7 @@ use super::cast::Cast;
 use super::{Crossings, Following, Hit, Near, NearestPoint, NearestPoints, Sweep, WideCounters, next};
 use crate::bvh::{WideBvh, WideError};
 use crate::geom::lanes::{Level, with_baseline};
-use crate::geom::{Ball, Mesh, Ray};
+use crate::geom::{Ball, EnvironmentError, Mesh, Ray};
 use crate::threads;
 use crate::wide::{Method, Tables, Unfit};
 use shared::{Counted, LaneRay, Query};
@@ -111,7 +111,10 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     /// [`closest`](Self::closest) of each ray, on all threads.
-    pub fn closest_parallel(&self, rays: &[Ray]) -> Vec<Option<Hit>>
+    ///
+    /// # Errors
+    /// [`EnvironmentError`], of any thread that took part.
+    pub fn closest_parallel(&self, rays: &[Ray]) -> Result<Vec<Option<Hit>>, EnvironmentError>
     where
         T: Sync,
     {
@@ -140,7 +143,10 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     /// [`any`](Self::any) of each ray, on all threads.
-    pub fn any_parallel(&self, rays: &[Ray]) -> Vec<bool>
+    ///
+    /// # Errors
+    /// [`EnvironmentError`], of any thread that took part.
+    pub fn any_parallel(&self, rays: &[Ray]) -> Result<Vec<bool>, EnvironmentError>
     where
         T: Sync,
     {
@@ -158,7 +164,10 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     /// [`any_hit`](Self::any_hit) of each ray, on all threads.
-    pub fn any_hit_parallel(&self, rays: &[Ray]) -> Vec<Option<Hit>>
+    ///
+    /// # Errors
+    /// [`EnvironmentError`], of any thread that took part.
+    pub fn any_hit_parallel(&self, rays: &[Ray]) -> Result<Vec<Option<Hit>>, EnvironmentError>
     where
         T: Sync,
     {
@@ -176,7 +185,10 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     /// [`all`](Self::all) of each ray, on all threads.
-    pub fn all_parallel(&self, rays: &[Ray]) -> Vec<Vec<Hit>>
+    ///
+    /// # Errors
+    /// [`EnvironmentError`], of any thread that took part.
+    pub fn all_parallel(&self, rays: &[Ray]) -> Result<Vec<Vec<Hit>>, EnvironmentError>
     where
         T: Sync,
     {
@@ -224,7 +236,10 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     /// [`crossings`](Self::crossings) of each ray, on all threads.
-    pub fn crossings_parallel(&self, rays: &[Ray]) -> Vec<u32>
+    ///
+    /// # Errors
+    /// [`EnvironmentError`], of any thread that took part.
+    pub fn crossings_parallel(&self, rays: &[Ray]) -> Result<Vec<u32>, EnvironmentError>
     where
         T: Sync,
     {
@@ -244,7 +259,10 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     /// [`nearest`](Self::nearest) of each ball, on all threads.
-    pub fn nearest_parallel(&self, balls: &[Ball]) -> Vec<Option<Near>>
+    ///
+    /// # Errors
+    /// [`EnvironmentError`], of any thread that took part.
+    pub fn nearest_parallel(&self, balls: &[Ball]) -> Result<Vec<Option<Near>>, EnvironmentError>
     where
         T: Sync,
     {
@@ -317,12 +335,12 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
         rays: &[Ray],
         ask: Ask,
         answer: impl Fn(Option<Hit>) -> A + Sync + Send,
-    ) -> Vec<A>
+    ) -> Result<Vec<A>, EnvironmentError>
     where
         T: Sync,
     {
-        let chunk = |i: usize| &rays[i * CHUNK..rays.len().min((i + 1) * CHUNK)];
-        threads::map(0..rays.len().div_ceil(CHUNK), 1, |i| self.each(chunk(i), ask, &answer)).concat()
+        let chunks: Vec<_> = rays.chunks(CHUNK).collect();
+        threads::guarded(|| threads::map(0..chunks.len(), 1, |i| self.each(chunks[i], ask, &answer)).concat())
     }
 
     /// Whether the traversal fits was found when the tracer was made.
@@ -337,8 +355,11 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
 }
 
 /// Answers each, on all threads.
-fn in_parallel<I: Sync, A: Send>(items: &[I], answer: impl Fn(&I) -> A + Sync + Send) -> Vec<A> {
-    threads::map(0..items.len(), CHUNK, |i| answer(&items[i]))
+fn in_parallel<I: Sync, A: Send>(
+    items: &[I],
+    answer: impl Fn(&I) -> A + Sync + Send,
+) -> Result<Vec<A>, EnvironmentError> {
+    threads::guarded(|| threads::map(0..items.len(), CHUNK, |i| answer(&items[i])))
 }
 
 const fn distance(hit: Hit) -> (u32, f32) {

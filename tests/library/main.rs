@@ -6,6 +6,7 @@ mod departures;
 mod depth;
 mod disjoint;
 mod double;
+mod environment;
 mod exact;
 mod examples;
 mod exhaustive;

@@ -83,7 +83,7 @@ impl Rays {
         self.share.rays += rays.len();
         self.share.certain += found.iter().filter(|&&said| said != UNCERTAIN).count();
         if !any {
-            return Ok(exact::settle(bvh, rays, &found).0.into_iter().map(text).collect());
+            return Ok(exact::settle(bvh, rays, &found)?.0.into_iter().map(text).collect());
         }
         let tracer = BinaryTracer::new(bvh);
         let settled = |(ray, &said): (&Ray, &u32)| match said {

@@ -18,8 +18,9 @@ pub use sah::SahOptions;
 pub use spatial::SpatialOptions;
 
 use super::{Bvh, Primitives};
-use crate::geom::{Mesh, Triangle, Vector};
+use crate::geom::{EnvironmentError, Mesh, Triangle, Vector};
 use crate::name::named;
+use crate::threads;
 use crate::tree::Node;
 
 /// Why a hierarchy cannot be built.
@@ -53,6 +54,9 @@ pub enum BuildError {
         /// Greatest depth, in edges.
         limit: u32,
     },
+    /// Floats of this thread, or of one that helps, are not those of IEEE 754. `[ENV-1]`
+    #[error(transparent)]
+    Environment(#[from] EnvironmentError),
 }
 
 /// How a hierarchy is built, by name.
@@ -146,6 +150,14 @@ impl BuildOptions {
     /// # Errors
     /// What [`BuildError`] lists.
     pub fn build_watched<P: Primitives + ?Sized>(
+        &self,
+        primitives: &P,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Bvh<P::Shape>, BuildError> {
+        threads::guarded(|| self.build_fit(primitives, progress))?
+    }
+
+    fn build_fit<P: Primitives + ?Sized>(
         &self,
         primitives: &P,
         progress: &(dyn Fn(usize) + Sync),

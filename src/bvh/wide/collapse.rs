@@ -8,7 +8,7 @@ use super::programme::Programme;
 use super::{CUT, MAX_COUNT, WideBvh, WideNode, name_ancestors};
 use crate::bvh::{BuildError, BuildOptions, Bvh};
 use crate::geom::lanes::Block;
-use crate::geom::{Aabb, Mesh};
+use crate::geom::{Aabb, EnvironmentError, Mesh};
 use crate::threads;
 use crate::tree::Node;
 
@@ -48,6 +48,9 @@ pub enum WideError {
     /// More blocks of four triangles than leaves can name.
     #[error("more than {max} blocks of triangles", max = WideBvh::<8>::MAX_BLOCKS)]
     TooManyBlocks,
+    /// Floats of this thread, or of one that helps, are not those of IEEE 754. `[ENV-1]`
+    #[error(transparent)]
+    Environment(#[from] EnvironmentError),
 }
 
 impl WideBvh {
@@ -70,7 +73,7 @@ impl<const A: usize> WideBvh<A> {
     /// [one triangle a leaf](BuildOptions::fine).
     ///
     /// # Errors
-    /// [`WideError::TooManyNodes`] and [`WideError::TooManyBlocks`].
+    /// What [`WideError`] lists but for options.
     pub fn of(bvh: &Bvh) -> Result<Self, WideError> {
         Self::with_options(bvh, &WideOptions::default())
     }
@@ -93,9 +96,11 @@ impl<const A: usize> WideBvh<A> {
         if let Some(cost) = [node_cost, block_cost].into_iter().find(|cost| !is_cost(cost)) {
             return Err(WideError::Cost(cost));
         }
-        let draft = Draft::of(bvh, max_leaf);
-        let programme = Programme::of(&draft, options);
-        Collapse { bvh, draft: &draft, programme: &programme }.run()
+        threads::guarded(|| {
+            let draft = Draft::of(bvh, max_leaf);
+            let programme = Programme::of(&draft, options);
+            Collapse { bvh, draft: &draft, programme: &programme }.run()
+        })?
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{WideBvh, leaf_parts};
 use crate::bvh::RefitError;
-use crate::geom::{Aabb, Mesh, Region, Triangle};
+use crate::geom::{Aabb, Mesh, Region, Triangle, check_environment};
 
 impl<const A: usize> WideBvh<A> {
     /// Takes on a mesh of as many triangles, and the smallest boxes that hold them, in the same tree.
@@ -23,9 +23,9 @@ impl<const A: usize> WideBvh<A> {
     /// ```
     ///
     /// # Errors
-    /// [`RefitError::Count`], and [`RefitError::Revived`] if a triangle that was left out can now be hit; then nothing
-    /// has changed.
+    /// What [`RefitError`] lists, but for [`RefitError::NoBox`]; then nothing has changed.
     pub fn refit(&mut self, mesh: &Mesh) -> Result<(), RefitError> {
+        check_environment()?;
         let (found, expected) = (mesh.triangles().len(), self.triangles);
         if found != expected {
             return Err(RefitError::Count { found, expected });

@@ -115,13 +115,13 @@ fn the_truth_is_the_answer() {
         assert_eq!(bits(tracer.closest(ray)), bits(expected), "{ray:?}");
         assert_eq!(tracer.closest_distance(ray), expected.map(|hit| (hit.prim, hit.t)));
     }
-    assert_eq!(tracer.closest_parallel(&rays), tracer.closest_each(&rays));
-    assert_eq!(tracer.any_parallel(&rays), tracer.any_each(&rays));
-    assert_eq!(tracer.any_hit_parallel(&rays), tracer.any_hit_each(&rays));
-    assert_eq!(tracer.all_parallel(&rays), tracer.all_each(&rays));
-    assert_eq!(tracer.crossings_parallel(&rays), tracer.crossings_each(&rays));
+    assert_eq!(tracer.closest_parallel(&rays), Ok(tracer.closest_each(&rays)));
+    assert_eq!(tracer.any_parallel(&rays), Ok(tracer.any_each(&rays)));
+    assert_eq!(tracer.any_hit_parallel(&rays), Ok(tracer.any_hit_each(&rays)));
+    assert_eq!(tracer.all_parallel(&rays), Ok(tracer.all_each(&rays)));
+    assert_eq!(tracer.crossings_parallel(&rays), Ok(tracer.crossings_each(&rays)));
     let balls: Vec<_> = rays.iter().enumerate().map(|(i, ray)| ball(i, ray)).collect();
-    assert_eq!(tracer.nearest_parallel(&balls), tracer.nearest_each(&balls));
+    assert_eq!(tracer.nearest_parallel(&balls), Ok(tracer.nearest_each(&balls)));
     assert_eq!(tracer.nearest_each(&balls), BinaryTracer::of(&mesh).unwrap().nearest_each(&balls));
 }
 

@@ -27,6 +27,7 @@ mod turns;
 use std::process::ExitCode;
 
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
+use stackless_bvh::geom::check_environment;
 
 /// Traversal of binary hierarchies without a stack: checked, exact about what it does, and measured.
 #[derive(Parser)]
@@ -144,14 +145,17 @@ fn show(usage: &clap::Error) -> Outcome {
 #[error("")]
 struct Said;
 
-/// Starts as many threads as `RAYON_NUM_THREADS` says, or one for each core.
+/// Starts as many threads as `RAYON_NUM_THREADS` says, or one for each core, and asks each how it computes with floats.
 fn start_threads() -> Result<(), String> {
     const MOST: usize = 1024;
     let asked = std::env::var("RAYON_NUM_THREADS").ok().and_then(|text| text.parse::<usize>().ok()).unwrap_or(0);
     if asked > MOST {
         return Err(format!("RAYON_NUM_THREADS={asked}: expected up to {MOST} threads"));
     }
-    rayon::ThreadPoolBuilder::new().num_threads(asked).build_global().map_err(|error| format!("threads: {error}"))
+    rayon::ThreadPoolBuilder::new().num_threads(asked).build_global().map_err(|error| format!("threads: {error}"))?;
+    let mut checks = rayon::broadcast(|_| check_environment());
+    checks.push(check_environment());
+    checks.into_iter().collect::<Result<(), _>>().map_err(|error| error.to_string())
 }
 
 /// The exit code, after all is written. What went wrong with that is an error, also of a command that went well.
