@@ -3,7 +3,7 @@
 use dashu_int::IBig;
 use glam::Vec3;
 
-use super::truth::{Meeting, RBig, meet_integers, round_f64};
+use super::truth::{Meeting, RBig, meet_integers};
 use super::{Aabb, EnclosedRay, Interval};
 
 /// An invertible affine map x -> A x + b, from an object's space to the space that it is placed in.
@@ -78,7 +78,9 @@ impl AffineMap {
         if determinant.is_zero() {
             return Err(AffineError::Singular);
         }
-        let entry = |i: usize, j: usize| enclose(&RBig::from_parts_signed(adjugate(i, j) << UNIT, determinant.clone()));
+        let entry = |i: usize, j: usize| {
+            Interval::around(&RBig::from_parts_signed(adjugate(i, j) << UNIT, determinant.clone()))
+        };
         Ok(Self { rows, inverse: [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j))) })
     }
 
@@ -139,9 +141,17 @@ pub fn meet_image<'a>(
     origin: Vec3,
     direction: Vec3,
 ) -> Meeting {
-    let integers = |v: Vec3| v.to_array().map(integer);
-    let mut corners = triangle.map(integers);
-    // Corners are integers times 2^-(149 + shift).
+    let ([v0, v1, v2], shift) = images(triangle, maps);
+    let [o, d] = [origin, direction].map(|v| v.to_array().map(|x| integer(x) << shift));
+    meet_integers([v0, v1, v2, o, d])
+}
+
+/// The images of corners, as integers times 2^-(149 + shift), and the shift.
+pub(super) fn images<'a>(
+    triangle: [Vec3; 3],
+    maps: impl IntoIterator<Item = &'a AffineMap>,
+) -> ([[IBig; 3]; 3], usize) {
+    let mut corners = triangle.map(|corner| corner.to_array().map(integer));
     let mut shift = 0;
     for map in maps {
         shift += UNIT;
@@ -152,13 +162,11 @@ pub fn meet_image<'a>(
             })
         });
     }
-    let [v0, v1, v2] = corners;
-    let [o, d] = [origin, direction].map(|v| integers(v).map(|x| x << shift));
-    meet_integers([v0, v1, v2, o, d])
+    (corners, shift)
 }
 
 /// All floats of single precision are multiples of 2^-149.
-const UNIT: usize = 149;
+pub(super) const UNIT: usize = 149;
 
 /// A finite float times 2^149.
 fn integer(x: f32) -> IBig {
@@ -167,18 +175,6 @@ fn integer(x: f32) -> IBig {
     let magnitude =
         if exponent == 0 { IBig::from(fraction) } else { IBig::from(fraction | 1 << 23) << (exponent - 1) as usize };
     if x.is_sign_negative() { -magnitude } else { magnitude }
-}
-
-/// The narrowest interval that holds a number.
-fn enclose(x: &RBig) -> Interval {
-    let nearest = round_f64(x);
-    // An infinity is beyond all numbers.
-    let order = RBig::try_from(nearest).map_or_else(|_| nearest.total_cmp(&0.0), |nearest| nearest.cmp(x));
-    Interval::between(match order {
-        std::cmp::Ordering::Less => [nearest, nearest.next_up()],
-        std::cmp::Ordering::Equal => [nearest, nearest],
-        std::cmp::Ordering::Greater => [nearest.next_down(), nearest],
-    })
 }
 
 #[cfg(test)]

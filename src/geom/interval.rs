@@ -1,8 +1,10 @@
 //! Intervals of doubles that hold what they stand for.
 
+use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use super::kernel::two_sum;
+use super::truth::{RBig, round_f64};
 
 /// All numbers from a least to a greatest. Sums, differences and products hold all sums, differences and products of
 /// numbers that the operands hold: ends are rounded outwards, where they are rounded at all. `[INST-3]`
@@ -32,6 +34,18 @@ impl Interval {
     /// From one end to the other, in this order.
     pub const fn between([lo, hi]: [f64; 2]) -> Self {
         Self { lo, hi }
+    }
+
+    /// The narrowest one that holds a number.
+    pub(super) fn around(x: &RBig) -> Self {
+        let nearest = round_f64(x);
+        // An infinity is beyond all numbers.
+        let order = RBig::try_from(nearest).map_or_else(|_| nearest.total_cmp(&0.0), |nearest| nearest.cmp(x));
+        Self::between(match order {
+            Ordering::Less => [nearest, nearest.next_up()],
+            Ordering::Equal => [nearest, nearest],
+            Ordering::Greater => [nearest.next_down(), nearest],
+        })
     }
 
     /// The least and the greatest number.
@@ -119,7 +133,6 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::geom::truth::RBig;
 
     fn number() -> impl Strategy<Value = f64> {
         let few = [0.0, -0.0, 1.0, -1.0, 3.0, 0.1, 5e-324, -5e-324, 1e-200, -1e200, f64::MAX, f64::MIN];

@@ -19,7 +19,7 @@ pub use assembly::{Assembly, AssemblyError, Instance, Object};
 use std::fmt;
 
 use crate::geom::truth::{Point, round_f32};
-use crate::geom::{AffineMap, EnclosedRay, Ray, Triangle, kernel, meet_image, slabs};
+use crate::geom::{AffineMap, EnclosedRay, ExactPoint, ExactRay, kernel, slabs};
 use crate::trace::level::Level;
 use crate::trace::{Ask, OwnBoxes, Plan};
 use crate::traverse::{Method, Unfit};
@@ -144,34 +144,82 @@ impl InstanceTracer {
     }
 
     /// The closest hit: the least distance, of equal ones the least path, and of these the least triangle. `[INST-6]`
-    pub fn closest(&self, ray: &Ray) -> Option<InstanceHit> {
-        let search = self.search(ray, false);
-        let (t, Found { path, prim, triangle, test }) = (search.t, search.found?);
-        let exact = || self.truth(&path, &triangle, ray).map(|Point { u, v, .. }| [&u, &v].map(round_f32));
-        let [u, v] = test.weights(&triangle).or_else(exact)?;
-        Some(InstanceHit { path, prim, t, u, v })
+    /// The ray is a [`Ray`], or begins on a surface. `[SECOND-2]`
+    pub fn closest(&self, ray: impl Into<ExactRay>) -> Option<InstanceHit> {
+        self.closest_and_found(&ray.into()).map(|(hit, _)| hit)
     }
 
-    /// Whether there is any hit.
-    pub fn any(&self, ray: &Ray) -> bool {
-        self.search(ray, true).found.is_some()
+    /// The closest hit and the point of it, from which rays may go on: exactly there, without a distance that is added
+    /// for safety. `[SECOND-1]`
+    ///
+    /// ```
+    /// use stackless_bvh::bvh::Bvh;
+    /// use stackless_bvh::generate::procedural;
+    /// use stackless_bvh::geom::{Ends, ExactRay};
+    /// use stackless_bvh::trace::{Assembly, InstanceTracer};
+    /// use stackless_bvh::traverse::Method;
+    ///
+    /// let mesh = procedural::soup(1, 1000);
+    /// let mut assembly = Assembly::new();
+    /// let object = assembly.add_mesh(Bvh::build(&mesh)?);
+    /// let tracer = InstanceTracer::new(&assembly, object, Method::default())?;
+    /// // A path of mirrored rays.
+    /// let mut ray = ExactRay::from(&procedural::rays(&mesh, 1, 1)[0]);
+    /// for bounce in 0..20 {
+    ///     let Some((_, point)) = tracer.closest_and_point(&ray) else { break };
+    ///     let direction = glam::Vec3::AXES[bounce % 3] - glam::Vec3::splat(0.3);
+    ///     ray = point.ray(direction, f32::INFINITY, Ends::Open)?;
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn closest_and_point(&self, ray: impl Into<ExactRay>) -> Option<(InstanceHit, ExactPoint)> {
+        let ray = ray.into();
+        let (hit, Found { triangle, test, .. }) = self.closest_and_found(&ray)?;
+        let point = ExactPoint::of(ray, &triangle, self.maps(&hit.path), test.span(&triangle));
+        Some((hit, point))
+    }
+
+    fn closest_and_found(&self, ray: &ExactRay) -> Option<(InstanceHit, Found)> {
+        let mut search = self.search(ray, false);
+        let (t, mut found) = (search.t, search.found.take()?);
+        let Found { prim, triangle, test, .. } = found;
+        let path = std::mem::take(&mut found.path);
+        let exact = || ray.meet(&triangle, &self.maps(&path)).map(|Point { u, v, .. }| [&u, &v].map(round_f32));
+        let [u, v] = test.weights(&triangle).or_else(exact)?;
+        Some((InstanceHit { path, prim, t, u, v }, found))
+    }
+
+    /// Whether there is any hit. The ray is a [`Ray`], or begins on a surface. `[SECOND-2]`
+    pub fn any(&self, ray: impl Into<ExactRay>) -> bool {
+        self.search(&ray.into(), true).found.is_some()
     }
 
     /// What the closest hits of these rays cost.
-    pub fn count_closest(&self, rays: &[Ray]) -> InstanceCounts {
+    pub fn count_closest<'r, R>(&self, rays: &'r [R]) -> InstanceCounts
+    where
+        &'r R: Into<ExactRay>,
+    {
         self.count(rays, false)
     }
 
     /// What any hits of these rays cost.
-    pub fn count_any(&self, rays: &[Ray]) -> InstanceCounts {
+    pub fn count_any<'r, R>(&self, rays: &'r [R]) -> InstanceCounts
+    where
+        &'r R: Into<ExactRay>,
+    {
         self.count(rays, true)
     }
 
-    fn count(&self, rays: &[Ray], any: bool) -> InstanceCounts {
-        rays.iter().map(|ray| self.search(ray, any).counts).fold(InstanceCounts::default(), |a, b| InstanceCounts {
-            instances: a.instances + b.instances,
-            triangles: a.triangles + b.triangles,
-            rational: a.rational + b.rational,
+    fn count<'r, R>(&self, rays: &'r [R], any: bool) -> InstanceCounts
+    where
+        &'r R: Into<ExactRay>,
+    {
+        rays.iter().map(|ray| self.search(&ray.into(), any).counts).fold(InstanceCounts::default(), |a, b| {
+            InstanceCounts {
+                instances: a.instances + b.instances,
+                triangles: a.triangles + b.triangles,
+                rational: a.rational + b.rational,
+            }
         })
     }
 
@@ -193,22 +241,23 @@ impl InstanceTracer {
         bytes.last().copied().unwrap_or(0)
     }
 
-    fn search<'r>(&self, ray: &'r Ray, any: bool) -> Search<'r> {
+    fn search<'r>(&self, ray: &'r ExactRay, any: bool) -> Search<'r> {
         let levels = self.assembly.levels(self.root) as usize;
         let mut search = Search::new(ray, any, levels);
-        self.visit(self.root, EnclosedRay::exact(ray), &mut search);
+        self.visit(self.root, ray.enclosed(), &mut search);
         search
     }
 
     /// Traverses an object with a ray in its space.
     fn visit(&self, object: Object, ray: EnclosedRay, search: &mut Search<'_>) {
-        let (tmin, octant, depth) = (search.ray.tmin(), ray.octant(), search.path.len());
+        let (interval, octant, depth) = (search.ray.interval(), ray.octant(), search.path.len());
+        let [tmin, _] = interval;
         let mut memory = std::mem::take(&mut search.memory[depth]);
         match (&self.levels[object.index()], &self.assembly.parts()[object.index()]) {
             (None, _) => {}
             (Some(level), Part::Mesh(bvh)) => {
                 let region = bvh.region();
-                let test = kernel::EnclosedTest::new(&ray, [tmin, search.ray.tmax()], region);
+                let test = kernel::EnclosedTest::new(&ray, interval, region);
                 let leaves = Triangles { tracer: self, bvh, test };
                 let walk =
                     Walk { bvh, slabs: slabs::EnclosedSlabs::of(&ray, tmin, region), leaves, search: &mut *search };
@@ -225,22 +274,17 @@ impl InstanceTracer {
         search.memory[depth] = memory;
     }
 
-    /// The hit by rational arithmetic.
-    fn truth(&self, path: &[u32], triangle: &Triangle, ray: &Ray) -> Option<Point> {
-        let meeting = meet_image(triangle.0, self.maps(path).into_iter().rev(), ray.origin(), ray.direction());
-        meeting.within([ray.tmin(), ray.tmax()])
-    }
-
-    /// The maps of the instances on a path, from the outermost on.
-    fn maps(&self, path: &[u32]) -> Vec<&AffineMap> {
+    /// The maps of the instances on a path, from the innermost on.
+    fn maps(&self, path: &[u32]) -> Vec<AffineMap> {
         let (mut object, mut maps) = (self.root, Vec::new());
         for &index in path {
             if let Some(Part::Group(group)) = self.assembly.part(object) {
                 let instance = &group.instances[index as usize];
-                maps.push(&instance.affine);
+                maps.push(instance.affine);
                 object = instance.object;
             }
         }
+        maps.reverse();
         maps
     }
 }

@@ -21,6 +21,7 @@ mod reach;
 mod refit;
 mod regressions;
 mod rocq_vectors;
+mod secondary;
 mod slabs;
 mod state;
 mod usage;

@@ -2,7 +2,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::geom::Ray;
-use crate::geom::truth::{Place, Point};
+use crate::geom::truth::{Place, Point, round_f64};
 
 fn number() -> impl Strategy<Value = f32> {
     let few = [0.0, -0.0, 1.0, -1.0, 2.0, 0.1, -3.0, 1e-20, 1e10, -1e30, 1e-42, 1e-45, -1e-45];

@@ -5,7 +5,7 @@ use crate::bvh::{Bvh, LeafTriangle};
 use crate::geom::kernel::{self, Certainty};
 use crate::geom::slabs::Intervals;
 use crate::geom::truth::round_f32;
-use crate::geom::{Aabb, EnclosedRay, Ray, Slabs, Triangle, slabs};
+use crate::geom::{Aabb, EnclosedRay, ExactRay, Slabs, Triangle, slabs};
 use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::trace::BoxQuery;
 use crate::tree::{Node, Topology};
@@ -14,7 +14,7 @@ use crate::tree::{Node, Topology};
 #[derive(Debug)]
 pub(super) struct Search<'r> {
     /// The ray itself.
-    pub(super) ray: &'r Ray,
+    pub(super) ray: &'r ExactRay,
     /// Whether the first hit ends it.
     pub(super) any: bool,
     /// The distance of the best hit, or the ray's end.
@@ -41,9 +41,10 @@ pub(super) struct Found {
 
 impl<'r> Search<'r> {
     /// A search through at most so many levels.
-    pub(super) fn new(ray: &'r Ray, any: bool, levels: usize) -> Self {
+    pub(super) fn new(ray: &'r ExactRay, any: bool, levels: usize) -> Self {
         let (found, path, memory) = (None, Vec::with_capacity(levels), vec![Vec::new(); levels]);
-        Self { ray, any, t: ray.tmax(), found, path, memory, counts: InstanceCounts::default() }
+        let [_, t] = ray.interval();
+        Self { ray, any, t, found, path, memory, counts: InstanceCounts::default() }
     }
 
     /// Whether nothing is left to be found.
@@ -155,8 +156,12 @@ impl Triangles<'_> {
     #[cold]
     #[inline(never)]
     fn ask_truth(&self, triangle: &Triangle, search: &mut Search<'_>) -> Option<f32> {
+        let (ray, maps) = (search.ray, self.tracer.maps(&search.path));
+        if ray.leaves(triangle, &maps) {
+            return None;
+        }
         search.counts.rational += 1;
-        self.tracer.truth(&search.path, triangle, search.ray).map(|point| round_f32(&point.t))
+        ray.meet(triangle, &maps).map(|point| round_f32(&point.t))
     }
 }
 

@@ -103,6 +103,12 @@ impl EnclosedTest {
         (self.is_usual && found.is_hit(&errors) && u == u_end && v == v_end).then_some([u, v])
     }
 
+    /// Bounds of the distance to a triangle that the ray certainly crosses, at whatever distance. `[SECOND-3]`
+    pub(crate) fn span(&self, shape: &Triangle) -> Option<[f64; 2]> {
+        let (found, errors) = self.stage(shape);
+        (self.is_usual && found.is_hit(&errors)).then(|| found.distance(&errors))
+    }
+
     /// Asks with the bounds for the object, and again with those for the triangle.
     #[inline(always)]
     fn decide<T>(&self, shape: &Triangle, place: impl Fn([f32; 2]) -> Certainty<T>) -> Certainty<T> {

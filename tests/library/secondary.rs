@@ -1,0 +1,263 @@
+//! Rays that begin exactly where others have hit, against rational arithmetic that shares nothing with the library's.
+//! `[SECOND-1]` `[SECOND-2]` `[SECOND-3]` `[SECOND-4]`
+
+use std::array;
+
+use glam::Vec3;
+use stackless_bvh::bvh::{BuildOptions, Bvh};
+use stackless_bvh::generate::{Rng, Source, procedural};
+use stackless_bvh::geom::truth::{RBig, round_f32};
+use stackless_bvh::geom::{AffineMap, Ends, ExactPoint, ExactRay, Mesh, Ray, RayError};
+use stackless_bvh::trace::{Assembly, Instance, InstanceTracer};
+use stackless_bvh::traverse::Method;
+
+type Vector = [RBig; 3];
+
+/// Distance, rounded, path, triangle, weights, rounded, and distance.
+type Hit<'s> = (f32, &'s [u32], u32, [f32; 2], RBig);
+
+/// A scene as it is traced, and its triangles as they are.
+struct Scene {
+    tracer: InstanceTracer,
+    /// Instance, or none, and triangle, each with its corners.
+    triangles: Vec<(Vec<u32>, u32, [Vector; 3])>,
+}
+
+impl Scene {
+    /// A mesh, placed by these maps, or as it is if there are none.
+    fn new(mesh: &Mesh, maps: &[AffineMap], method: Method) -> Self {
+        let mut assembly = Assembly::new();
+        let object = assembly.add_mesh(Bvh::build(mesh).unwrap());
+        let placed: Vec<_> = maps.iter().map(|&affine| Instance { object, affine }).collect();
+        let root = if maps.is_empty() { object } else { assembly.add_group(placed, &BuildOptions::default()).unwrap() };
+        let tracer = InstanceTracer::new(&assembly, root, method).unwrap();
+        let corners = |prim: u32| mesh.triangle(prim as usize).map(exact);
+        let prims = 0..mesh.triangles().len() as u32;
+        let triangles = if maps.is_empty() {
+            prims.map(|prim| (vec![], prim, corners(prim))).collect()
+        } else {
+            let placed = maps.iter().zip(0..).flat_map(|(map, i)| prims.clone().map(move |prim| (map, i, prim)));
+            placed.map(|(map, i, prim)| (vec![i], prim, corners(prim).map(|corner| image(map, &corner)))).collect()
+        };
+        Self { tracer, triangles }
+    }
+
+    /// All hits of a line between two distances, as the ends have it, by path and triangle.
+    fn hits(&self, [o, d]: &[Vector; 2], tmax: f32, ends: Ends) -> Vec<Hit<'_>> {
+        let tmax = RBig::try_from(tmax).ok();
+        let is_within = |t: &RBig| match ends {
+            Ends::Open => RBig::ZERO < *t && tmax.as_ref().is_none_or(|tmax| t < tmax),
+            Ends::Closed => RBig::ZERO <= *t && tmax.as_ref().is_none_or(|tmax| t <= tmax),
+        };
+        let mut hits = Vec::new();
+        for (path, prim, corners) in &self.triangles {
+            if let Some([t, u, v]) = cross(corners, o, d).filter(|[t, ..]| is_within(t)) {
+                hits.push((round_f32(&t), path.as_slice(), *prim, [&u, &v].map(round_f32), t));
+            }
+        }
+        hits.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        hits
+    }
+}
+
+fn exact(v: Vec3) -> Vector {
+    v.to_array().map(|x| RBig::try_from(x).unwrap())
+}
+
+fn image(map: &AffineMap, v: &Vector) -> Vector {
+    let number = |x: f32| RBig::try_from(x).unwrap();
+    map.rows().map(|[a, b, c, by]| number(a) * &v[0] + number(b) * &v[1] + number(c) * &v[2] + number(by))
+}
+
+fn minus(a: &Vector, b: &Vector) -> Vector {
+    array::from_fn(|k| &a[k] - &b[k])
+}
+
+fn dot(a: &Vector, b: &Vector) -> RBig {
+    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
+}
+
+fn cross_product(a: &Vector, b: &Vector) -> Vector {
+    array::from_fn(|k| &a[(k + 1) % 3] * &b[(k + 2) % 3] - &a[(k + 2) % 3] * &b[(k + 1) % 3])
+}
+
+/// Distance and weights by way of the plane's normal and the areas around the point.
+fn cross([a, b, c]: &[Vector; 3], o: &Vector, d: &Vector) -> Option<[RBig; 3]> {
+    let normal = cross_product(&minus(b, a), &minus(c, a));
+    let speed = dot(&normal, d);
+    if speed == RBig::ZERO {
+        return None;
+    }
+    let t = dot(&normal, &minus(a, o)) / speed;
+    let p = along(o, d, &t);
+    let area = dot(&normal, &normal);
+    let weight = |x: &Vector, y: &Vector| dot(&normal, &cross_product(&minus(y, x), &minus(&p, x))) / &area;
+    let [u, v, w] = [weight(c, a), weight(a, b), weight(b, c)];
+    let is_inside = [&u, &v, &w].into_iter().all(|weight| *weight >= RBig::ZERO);
+    is_inside.then_some([t, u, v])
+}
+
+fn along(o: &Vector, d: &Vector, t: &RBig) -> Vector {
+    array::from_fn(|k| &o[k] + t * &d[k])
+}
+
+/// A box of `n` by `n` squares a side, cut in two each, with an inner box: rays meet corners, edges and planes.
+fn boxes(n: i32, scale: f32) -> Mesh {
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+    for size in [n as f32, n as f32 * 0.5] {
+        for axis in 0..3 {
+            for side in [-1.0, 1.0] {
+                for i in 0..n * n {
+                    let corner = |x: i32, y: i32| {
+                        let at = |x: i32| (2.0 * x as f32 / n as f32 - 1.0) * size;
+                        let mut corner = [0.0; 3];
+                        (corner[axis], corner[(axis + 1) % 3], corner[(axis + 2) % 3]) = (side * size, at(x), at(y));
+                        Vec3::from(corner) * scale
+                    };
+                    let (first, x, y) = (vertices.len() as u32, i % n, i / n);
+                    vertices.extend([corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)]);
+                    triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
+                }
+            }
+        }
+    }
+    Mesh::new(vertices, triangles).unwrap()
+}
+
+/// Coincident triangles, and triangles that touch others with an edge, a corner, or their inside.
+fn sheets(rng: &mut Rng) -> Mesh {
+    let mut vertices = Vec::new();
+    for _ in 0..8 {
+        let mut point = || Vec3::from(array::from_fn(|_| rng.below(5) as f32 - 2.0));
+        let [a, b, c, d] = [point(), point(), point(), point()];
+        vertices.extend([a, b, c, c, a, b, a, b, d, a, (b + c) * 0.5, d, a * 0.5 + b * 0.25 + c * 0.25, d, b]);
+    }
+    let triangles = (0..vertices.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    Mesh::new(vertices, triangles).unwrap()
+}
+
+fn scenes() -> Vec<Scene> {
+    let mut rng = Rng::new(7);
+    let map = |rows| AffineMap::new(rows).unwrap();
+    let maps = [
+        map([[0.1, 0.7, 0.0, 3.0], [0.3, 0.1, 0.2, 0.1], [0.0, 0.3, 1.1, -1.0]]),
+        map([[1.0, 0.0, 0.0, 1.5], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]),
+        AffineMap::IDENTITY,
+    ];
+    vec![
+        Scene::new(&procedural::soup(3, 60), &[], Method::default()),
+        Scene::new(&boxes(3, 1.0), &[], Method::Hashed),
+        Scene::new(&boxes(2, 0.1), &[], Method::Stack),
+        Scene::new(&boxes(2, 3e-20), &[], Method::Uncle),
+        Scene::new(&boxes(2, 7e20), &[], Method::default()),
+        Scene::new(&sheets(&mut rng), &[], Method::default()),
+        Scene::new(&sheets(&mut rng), &[], Method::Sparse),
+        Scene::new(&boxes(1, 1.0), &maps, Method::default()),
+    ]
+}
+
+#[test]
+fn paths_are_those_of_rational_arithmetic() {
+    let mut rng = Rng::new(1);
+    let (mut hits, mut at_own_plane, mut longest) = (0, 0, 0);
+    for scene in &scenes() {
+        let corners: Vec<Vec3> = scene
+            .triangles
+            .iter()
+            .flat_map(|(_, _, corners)| corners)
+            .map(|corner| Vec3::from(corner.each_ref().map(round_f32)))
+            .collect();
+        let size = corners.iter().fold(0.0, |size: f32, corner| size.max(corner.abs().max_element()));
+        for _ in 0..30 {
+            let mut origin = ExactPoint::new(Vec3::from(array::from_fn(|_| unit(&mut rng))) * (1.5 * size)).unwrap();
+            let mut place: Vector = origin.rational().into_owned();
+            for length in 0..12 {
+                let ends = if rng.below(2) == 0 { Ends::Open } else { Ends::Closed };
+                let a = corners[rng.below(corners.len() as u64) as usize];
+                let near = Vec3::from(place.each_ref().map(round_f32));
+                let (ray, line, tmax) = match rng.below(5) {
+                    // To a corner, exactly.
+                    0 => {
+                        let target = ExactPoint::new(a).unwrap();
+                        match origin.toward(&target, ends) {
+                            Ok(ray) => (ray, [place.clone(), minus(&exact(a), &place)], 1.0),
+                            Err(error) => {
+                                assert!(error == RayError::ZeroDirection && exact(a) == place);
+                                continue;
+                            }
+                        }
+                    }
+                    way => {
+                        let b = corners[rng.below(corners.len() as u64) as usize];
+                        let direction = match way {
+                            1 => a - b,
+                            2 => a - near,
+                            3 => Vec3::AXES[rng.below(3) as usize] * size,
+                            _ => Vec3::from(array::from_fn(|_| unit(&mut rng))) * size,
+                        };
+                        let tmax = if rng.below(4) == 0 { 1.0 } else { f32::INFINITY };
+                        let Ok(ray) = origin.ray(direction, tmax, ends) else { continue };
+                        (ray, [place.clone(), exact(direction)], tmax)
+                    }
+                };
+                let expected = scene.hits(&line, tmax, ends);
+                at_own_plane += usize::from(expected.iter().any(|(.., t)| *t == RBig::ZERO));
+                assert_eq!(scene.tracer.any(&ray), !expected.is_empty(), "{ray:?}");
+                let found = scene.tracer.closest_and_point(&ray);
+                let Some((t, path, prim, weights, exact_t)) = expected.first() else {
+                    assert!(found.is_none(), "{ray:?} {found:?}");
+                    continue;
+                };
+                let Some((hit, point)) = found else { panic!("{ray:?}, expected {:?}", expected[0]) };
+                assert_eq!(
+                    (hit.t, hit.path.as_slice(), hit.prim, [hit.u, hit.v]),
+                    (*t, *path, *prim, *weights),
+                    "{ray:?}"
+                );
+                hits += 1;
+                // From there the path goes on.
+                place = along(&line[0], &line[1], exact_t);
+                for (bounds, x) in point.bounds().iter().zip(&place) {
+                    let [lo, hi] = bounds.ends().map(|end| RBig::try_from(end).unwrap());
+                    assert!(lo <= *x && *x <= hi, "{point:?}");
+                }
+                // Most points stay known by bounds only.
+                if rng.below(4) == 0 {
+                    assert_eq!(point.rational().as_ref(), &place);
+                }
+                origin = point;
+                longest = longest.max(length);
+            }
+        }
+    }
+    assert!(hits > 1000 && at_own_plane > 200 && longest == 11, "{hits} {at_own_plane} {longest}");
+}
+
+/// In a closed box no path ever ends, and from its inside nothing outside is seen.
+#[test]
+fn nothing_leaks() {
+    let scene = Scene::new(&boxes(4, 0.3), &[], Method::default());
+    let (mut rng, mut bounces) = (Rng::new(5), 0);
+    let outside = ExactPoint::new(Vec3::new(5.0, 1.0, -0.25)).unwrap();
+    let mut ray = ExactRay::from(&Ray::new(Vec3::splat(1.0), Vec3::new(0.2, 0.5, 0.9)).unwrap());
+    let normal = |prim: usize| Vec3::AXES[prim / 64 % 3] * [1.0, -1.0][prim / 32 % 2];
+    while bounces < 3000 {
+        let Some((hit, point)) = scene.tracer.closest_and_point(&ray) else { panic!("{bounces}: {ray:?}") };
+        // The inner box is not reached from between them, so its walls send back outwards.
+        let inwards = normal(hit.prim as usize % 192) * if hit.prim >= 192 { -1.0 } else { 1.0 };
+        assert!(scene.tracer.any(point.toward(&outside, Ends::Open).unwrap()) || hit.prim < 192);
+        // To corners of squares, along the diagonals, or anywhere.
+        let way = Vec3::from(array::from_fn(|_| match bounces % 3 {
+            0 => rng.below(3) as f32 - 1.0,
+            _ => unit(&mut rng),
+        }));
+        let direction = way - inwards * (way.dot(inwards) - 1.0);
+        ray = point.ray(direction, f32::INFINITY, Ends::Open).unwrap();
+        bounces += 1;
+    }
+}
+
+/// A number from -1 to 1.
+fn unit(rng: &mut Rng) -> f32 {
+    rng.below(1 << 24) as f32 / (1 << 23) as f32 - 1.0
+}
