@@ -7,7 +7,7 @@ use glam::Vec3;
 use stackless_bvh::bvh::{BuildOptions, Bvh};
 use stackless_bvh::generate::{Rng, Source, procedural};
 use stackless_bvh::geom::truth::{RBig, round_f32};
-use stackless_bvh::geom::{AffineMap, Ends, ExactPoint, ExactRay, Mesh, Ray, RayError};
+use stackless_bvh::geom::{AffineMap, Ends, ExactPoint, ExactRay, Interval, Mesh, Ray, RayError};
 use stackless_bvh::trace::{Assembly, Instance, InstanceTracer};
 use stackless_bvh::traverse::Method;
 
@@ -200,6 +200,8 @@ fn paths_are_those_of_rational_arithmetic() {
                         (ray, [place.clone(), exact(direction)], tmax)
                     }
                 };
+                let enclosed = ray.enclosed();
+                assert!(holds(&enclosed.origin, &line[0]) && holds(&enclosed.direction, &line[1]), "{ray:?}");
                 let expected = scene.hits(&line, tmax, ends);
                 at_own_plane += usize::from(expected.iter().any(|(.., t)| *t == RBig::ZERO));
                 assert_eq!(scene.tracer.any(&ray), !expected.is_empty(), "{ray:?}");
@@ -217,10 +219,7 @@ fn paths_are_those_of_rational_arithmetic() {
                 hits += 1;
                 // From there the path goes on.
                 place = along(&line[0], &line[1], exact_t);
-                for (bounds, x) in point.bounds().iter().zip(&place) {
-                    let [lo, hi] = bounds.ends().map(|end| RBig::try_from(end).unwrap());
-                    assert!(lo <= *x && *x <= hi, "{point:?}");
-                }
+                assert!(holds(&point.bounds(), &place), "{point:?}");
                 // Most points stay known by bounds only.
                 if rng.below(4) == 0 {
                     assert_eq!(point.rational().as_ref(), &place);
@@ -231,6 +230,13 @@ fn paths_are_those_of_rational_arithmetic() {
         }
     }
     assert!(hits > 1000 && at_own_plane > 200 && longest == 11, "{hits} {at_own_plane} {longest}");
+}
+
+fn holds(bounds: &[Interval; 3], v: &Vector) -> bool {
+    bounds.iter().zip(v).all(|(bounds, x)| {
+        let [lo, hi] = bounds.ends().map(|end| RBig::try_from(end).unwrap());
+        lo <= *x && *x <= hi
+    })
 }
 
 /// In a closed box no path ever ends, and from its inside nothing outside is seen.
