@@ -15,7 +15,7 @@ use std::ops::{Range, RangeInclusive};
 use glam::Vec3;
 
 use super::Hit;
-use crate::geom::truth::{Number, Point, meet};
+use crate::geom::truth::{Number, Point, RBig, distance_from, meet, round_f64};
 use crate::geom::{Mesh, Ray, Vector};
 
 /// Where a ray truly hits a mesh.
@@ -99,6 +99,17 @@ impl<V: Vector> Truth<V> {
         self.hits(ray).next().is_some()
     }
 
+    /// Whether a ray from a rational point meets a triangle strictly between 0 and `tmax`. `[SECOND-2]`
+    pub fn any_from(&self, origin: &[RBig; 3], direction: V, tmax: V::Real) -> bool {
+        let components = |v: V| v.widen().to_array();
+        let gross = Gross::along(origin.each_ref().map(round_f64), components(direction), [0.0, tmax.into()]);
+        let tmax = RBig::try_from(tmax.into()).ok();
+        self.candidates(gross).any(|prim| {
+            let t = distance_from(self.triangles[prim as usize], origin, direction.components());
+            t.is_some_and(|t| t > RBig::ZERO && tmax.as_ref().is_none_or(|tmax| t < *tmax))
+        })
+    }
+
     /// All hits in the order (rounded `t`, primitive).
     pub fn all(&self, ray: &Ray<V>) -> Vec<TrueHit<V::Real>> {
         in_order(self.hits(ray))
@@ -106,12 +117,11 @@ impl<V: Vector> Truth<V> {
 
     /// All hits, in the order of the leaves.
     fn hits(&self, ray: &Ray<V>) -> impl Iterator<Item = TrueHit<V::Real>> {
-        self.candidates(ray).filter_map(|prim| hit(prim, self.triangles[prim as usize], ray))
+        self.candidates(Gross::new(ray)).filter_map(|prim| hit(prim, self.triangles[prim as usize], ray))
     }
 
     /// The primitives whose box, and all boxes above it, the ray does not miss by far.
-    fn candidates(&self, ray: &Ray<V>) -> impl Iterator<Item = u32> {
-        let gross = Gross::new(ray);
+    fn candidates(&self, gross: Gross) -> impl Iterator<Item = u32> {
         let mut stack = vec![(0, 0..self.prims.len())];
         std::iter::from_fn(move || {
             loop {
@@ -219,8 +229,13 @@ const RANGE: RangeInclusive<f64> = f64::from_bits((1023 - 400) << 52)..=f64::fro
 impl Gross {
     fn new<V: Vector>(ray: &Ray<V>) -> Self {
         let [origin, direction] = [ray.origin(), ray.direction()].map(|x| x.widen().to_array());
+        Self::along(origin, direction, [ray.tmin().into(), ray.tmax().into()])
+    }
+
+    /// The origin may have been rounded, which the margin allows for.
+    fn along(origin: [f64; 3], direction: [f64; 3], [tmin, tmax]: [f64; 2]) -> Self {
         let in_range = direction.into_iter().all(|x| x == 0.0 || RANGE.contains(&x.abs()));
-        Self { origin, direction, tmin: ray.tmin().into(), tmax: ray.tmax().into(), in_range }
+        Self { origin, direction, tmin, tmax, in_range }
     }
 
     /// False for every box that the ray touches.

@@ -53,7 +53,7 @@ fn compare(mesh: &Mesh, rays: &[Ray]) -> (usize, usize) {
         assert_eq!(truth.closest(ray).as_ref(), all.first(), "{ray:?}");
         assert_eq!(truth.any(ray), !all.is_empty(), "{ray:?}");
         hits += usize::from(!all.is_empty());
-        candidates += truth.candidates(ray).count();
+        candidates += truth.candidates(Gross::new(ray)).count();
     }
     (hits, candidates)
 }
@@ -261,7 +261,7 @@ fn nothing_that_is_hit_is_left_out_in_double_precision() {
                 rays += 1;
                 if by == 1.0 {
                     usual += 1;
-                    candidates += truth.candidates(&ray).count();
+                    candidates += truth.candidates(Gross::new(&ray)).count();
                 }
             }
             assert!(hits * 5 > rays, "{hits} of {rays} at {scale}, {offset}");

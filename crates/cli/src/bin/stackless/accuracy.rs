@@ -3,6 +3,7 @@
 mod leaks;
 mod pairs;
 mod rows;
+mod secondary;
 mod stages;
 mod tables;
 mod timing;
@@ -31,7 +32,8 @@ use stages::Stages;
 /// with `directed` boxes errs at all.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
-    stackless accuracy bunny.ply spheres --plot accuracy.svg --csv accuracy.csv")]
+    stackless accuracy bunny.ply spheres --plot accuracy.svg --csv accuracy.csv\n  \
+    stackless accuracy soup --secondary --rays 10000")]
 pub(crate) struct Args {
     /// Mesh files (.ply, .obj), the made scenes `strands`, `stadium`, `soup`, or `spheres`: closed ones, only for
     /// leaks.
@@ -55,6 +57,13 @@ pub(crate) struct Args {
     /// Seed of the rays.
     #[arg(long, default_value_t = 1)]
     seed: u64,
+    /// Measure instead what rays from surfaces get wrong by where they begin: as many rays of ambient occlusion, from
+    /// where a camera's rays hit, against rays that begin at the exact point.
+    #[arg(long, conflicts_with_all = ["plot", "csv", "rounds"])]
+    secondary: bool,
+    /// Draw where these are wrong, as PNG.
+    #[arg(long, value_name = "FILE", requires = "secondary", value_parser = places::file)]
+    picture: Option<Output>,
 }
 
 /// Rays of a kind that are judged.
@@ -74,6 +83,9 @@ struct Set {
 pub(crate) fn run(args: &Args) -> Outcome {
     let (spheres, scenes): (Vec<&PathBuf>, Vec<_>) = args.scenes.iter().partition(|path| *path == Path::new(SPHERES));
     let scenes = scenes.into_iter().map(|path| Scene::load(path)).collect::<Result<Vec<_>, _>>()?;
+    if args.secondary {
+        return secondary::run(args, &scenes);
+    }
     if args.plot.is_some() && scenes.is_empty() {
         return Err(format!("--plot needs a scene that is timed, and {SPHERES} is not").into());
     }
@@ -127,7 +139,18 @@ impl Found {
 impl Args {
     /// So many rays of each kind.
     pub(crate) fn of(rays: u32, rounds: u32, seed: u64) -> Self {
-        Self { scenes: Vec::new(), plot: None, csv: None, json: None, rays, rounds, seed }
+        let (scenes, none) = (Vec::new(), None);
+        Self {
+            scenes,
+            plot: none.clone(),
+            csv: none.clone(),
+            json: none.clone(),
+            picture: none,
+            secondary: false,
+            rays,
+            rounds,
+            seed,
+        }
     }
 }
 

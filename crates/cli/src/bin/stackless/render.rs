@@ -18,6 +18,7 @@ use crate::places::{self, Output};
 use crate::{Outcome, camera};
 use cost::{Costs, Heat};
 use picture::Picture;
+pub(crate) use picture::heat_maps;
 use sample::{Rays, Sample, Samples};
 
 /// Draw a scene, or what its traversal costs, as a PNG file.

@@ -15,7 +15,7 @@ use png::{BitDepth, ColorType, Compression, Encoder, EncodingError};
 use crate::camera::Size;
 
 /// A picture in memory, white at first.
-pub(super) struct Picture {
+pub(crate) struct Picture {
     width: u32,
     height: u32,
     pixels: Vec<[u8; 3]>,
@@ -44,7 +44,7 @@ impl Picture {
     }
 
     /// The file: with a palette, if that has room for all colours.
-    pub(super) fn to_png(&self) -> Vec<u8> {
+    pub(crate) fn to_png(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
         // Sizes are small and memory is no file: nothing that the encoder refuses.
         let encoded = self.encode(&mut bytes);
@@ -105,7 +105,7 @@ const LINE: u32 = 18;
 const BAR: u32 = 12;
 
 /// Heat maps with one scale from 0 to `end`, each below its label, and the scale below them all. Black: no ray.
-pub(super) fn heat_maps(size: Size, panels: &[(String, &Vec<Option<f64>>)], end: f64, unit: &str) -> Picture {
+pub(crate) fn heat_maps(size: Size, panels: &[(String, &Vec<Option<f64>>)], end: f64, unit: &str) -> Picture {
     let count = panels.len() as u32;
     let width = count * size.width + (count + 1) * GAP;
     let mut picture = Picture::new(width, LINE + size.height + GAP + BAR + LINE);

@@ -1,0 +1,252 @@
+//! Rays from where others hit: what is wrong when they do not begin exactly there.
+
+use glam::{IVec3, Vec3};
+use rayon::prelude::*;
+use serde::Serialize;
+use stackless_bvh::bvh::{Bvh, WideBvh};
+use stackless_bvh::generate::{Rng, procedural};
+use stackless_bvh::geom::{Ends, ExactPoint, Mesh, Ray, Triangle};
+use stackless_bvh::trace::{self, Assembly, BinaryTracer, Hit, InstanceTracer, Tracer, Truth};
+use stackless_bvh::traverse::Method;
+
+use super::{Args, JUDGED};
+use crate::Outcome;
+use crate::camera::Size;
+use crate::input::Scene;
+use crate::output::{bar, say, table, write_file, write_json};
+use crate::render::heat_maps;
+use crate::turns::{median_ratio, take_turns};
+
+/// How far the rays go, in diagonals of the scene.
+const REACH: f32 = 0.1;
+
+/// Rays that are timed at once.
+const CHUNK: usize = 4096;
+
+/// Where a ray begins, in floats.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Start {
+    /// At the origin plus the rounded distance times the direction.
+    Rounded,
+    /// There, from a hundred-thousandth of the scene's diagonal on.
+    Epsilon,
+    /// Moved along the normal by some hundred units in the last place (Wächter & Binder 2019).
+    Ulp,
+    /// Moved along the normal by the error bound of the point (Pharr, Jakob & Humphreys 2023, Section 6.8).
+    Bounded,
+}
+
+impl Start {
+    const ALL: [Self; 4] = [Self::Rounded, Self::Epsilon, Self::Ulp, Self::Bounded];
+
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Rounded => "rounded point",
+            Self::Epsilon => "fixed epsilon",
+            Self::Ulp => "moved by ulps",
+            Self::Bounded => "moved by its error bound",
+        }
+    }
+
+    fn ray(self, bounce: &Bounce, epsilon: f32) -> Option<Ray> {
+        let Bounce { primary, hit, corners: [a, b, c], normal, direction, tmax, .. } = bounce;
+        let weighted = a * (1.0 - hit.u - hit.v) + b * hit.u + c * hit.v;
+        let (origin, tmin) = match self {
+            Self::Rounded => (primary.origin() + primary.direction() * hit.t, 0.0),
+            Self::Epsilon => (primary.origin() + primary.direction() * hit.t, epsilon / direction.length()),
+            Self::Ulp => {
+                let by = (normal * 256.0).to_array().map(|x| x as i32);
+                let moved = |k: usize| {
+                    let (p, by) = (weighted[k], IVec3::from(by)[k]);
+                    if p.abs() < 1.0 / 32.0 {
+                        return p + normal[k] / 65_536.0;
+                    }
+                    f32::from_bits(p.to_bits().wrapping_add_signed(if p < 0.0 { -by } else { by }))
+                };
+                (Vec3::from([0, 1, 2].map(moved)), 0.0)
+            }
+            Self::Bounded => {
+                // gamma(7) of the terms of the weighted sum.
+                let unit = f32::EPSILON * 0.5 * 7.0;
+                let size = (a * (1.0 - hit.u - hit.v)).abs() + (b * hit.u).abs() + (c * hit.v).abs();
+                let by = normal * normal.abs().dot(size * (unit / (1.0 - unit)));
+                let moved = |k: usize| {
+                    let moved = weighted[k] + by[k];
+                    if by[k] > 0.0 {
+                        moved.next_up()
+                    } else if by[k] < 0.0 {
+                        moved.next_down()
+                    } else {
+                        moved
+                    }
+                };
+                (Vec3::from([0, 1, 2].map(moved)), 0.0)
+            }
+        };
+        Ray::within(origin, *direction, tmin, tmin.max(*tmax)).ok()
+    }
+}
+
+/// A ray that hits, and one that goes on from there.
+struct Bounce {
+    pixel: usize,
+    primary: Ray,
+    hit: Hit,
+    corners: [Vec3; 3],
+    /// Of unit length, towards where the ray came from.
+    normal: Vec3,
+    direction: Vec3,
+    tmax: f32,
+}
+
+impl Bounce {
+    /// Whether something is in the way, exactly; and the exact point.
+    fn is_blocked(&self, tracer: &InstanceTracer) -> Option<(bool, ExactPoint)> {
+        let point = ExactPoint::met(&self.primary, &Triangle(self.corners))?;
+        let ray = point.ray(self.direction, self.tmax, Ends::Open).ok()?;
+        Some((tracer.any(ray), point))
+    }
+}
+
+/// What one way to begin gets wrong.
+#[derive(Serialize)]
+struct Row {
+    scene: String,
+    start: &'static str,
+    rays: usize,
+    /// In shadow, and should not be.
+    false_shadows: usize,
+    /// Lit, and should not be.
+    false_light: usize,
+}
+
+pub(super) fn run(args: &Args, scenes: &[Scene]) -> Outcome {
+    let (mut rows, mut is_right) = (Vec::new(), true);
+    for scene in scenes {
+        is_right &= compare(args, scene, &mut rows)?;
+    }
+    let cells = |row: &Row| {
+        let share = |count: usize| format!("{count} ({:.2e})", count as f64 / row.rays as f64);
+        let [shadows, light] = [row.false_shadows, row.false_light].map(share);
+        vec![row.scene.clone(), row.start.to_owned(), row.rays.to_string(), shadows, light]
+    };
+    let header = ["scene", "begins at", "rays", "false shadows", "false light"];
+    say!("{}", table(&header, 2, rows.iter().map(cells).collect()));
+    if let Some(path) = &args.json {
+        write_json(path, &rows)?;
+    }
+    Ok(is_right)
+}
+
+/// Adds a row for each start. Returns whether the exact answers are those of rational arithmetic, where it is asked.
+fn compare(args: &Args, scene: &Scene, rows: &mut Vec<Row>) -> Outcome {
+    let bvh = Bvh::build(&scene.mesh)?;
+    let (wide, epsilon) = (Tracer::new(WideBvh::of(&bvh)?), bvh.bounds().extent().length() * 1e-5);
+    let side = f64::from(args.rays).sqrt().ceil() as u32;
+    let bounces = bounces(scene, &wide, bvh.bounds().extent().length() * REACH, side, args);
+    if bounces.is_empty() {
+        return Err(format!("{}: no ray of the camera hits", scene.name).into());
+    }
+    let mut assembly = Assembly::new();
+    let object = assembly.add_mesh(bvh.clone());
+    let exact = InstanceTracer::new(&assembly, object, Method::default())?;
+    let progress = bar(bounces.len() as u64, &scene.name);
+    let truth = bounces.par_iter().map(|bounce| {
+        progress.inc(1);
+        bounce.is_blocked(&exact).ok_or_else(|| format!("{}: pixel {}: a hit that is none", scene.name, bounce.pixel))
+    });
+    let truth = truth.collect::<Result<Vec<_>, _>>()?;
+    progress.finish_and_clear();
+    let wrong = judge(&scene.mesh, &bounces, &truth, &scene.name);
+    let judged = bounces.len().min(JUDGED);
+    say!("{}: {wrong} of {judged} exact answers differ from rational arithmetic", scene.name);
+    let mut panels = Vec::new();
+    for start in Start::ALL {
+        let answers: Vec<_> =
+            bounces.par_iter().map(|bounce| start.ray(bounce, epsilon).is_some_and(|ray| wide.any(&ray))).collect();
+        let mut row = Row {
+            scene: scene.name.clone(),
+            start: start.name(),
+            rays: bounces.len(),
+            false_shadows: 0,
+            false_light: 0,
+        };
+        let mut panel = vec![None; (side * side) as usize];
+        for ((bounce, (is_blocked, _)), answer) in bounces.iter().zip(&truth).zip(answers) {
+            row.false_shadows += usize::from(answer && !is_blocked);
+            row.false_light += usize::from(!answer && *is_blocked);
+            panel[bounce.pixel] = Some(f64::from(u8::from(answer != *is_blocked)));
+        }
+        let share = (row.false_shadows + row.false_light) as f64 / row.rays as f64;
+        panels.push((format!("{}: {:.3} % wrong", start.name(), share * 100.0), panel));
+        rows.push(row);
+    }
+    time(&bounces, epsilon, &wide, &bvh, &exact, &scene.name);
+    if let Some(path) = &args.picture {
+        let panels: Vec<_> = panels.iter().map(|(name, panel)| (name.clone(), panel)).collect();
+        let png = heat_maps(Size { width: side, height: side }, &panels, 1.0, "wrong rays").to_png();
+        write_file(path, |file| file.write_all(&png))?;
+    }
+    Ok(wrong == 0)
+}
+
+/// From each hit of the camera's rays, one that goes on in a direction of the cosine distribution.
+fn bounces(scene: &Scene, tracer: &Tracer, reach: f32, side: u32, args: &Args) -> Vec<Bounce> {
+    let primary = procedural::view(&scene.name, &scene.mesh).rays((side * side) as usize);
+    let bounce = |(pixel, primary): (usize, &Ray)| {
+        let hit = tracer.closest(primary)?;
+        let corners = scene.mesh.triangle(hit.prim as usize);
+        let mut rng = Rng::new(args.seed ^ Rng::new(pixel as u64).bits());
+        let direction = trace::reflect(&scene.mesh, primary, &hit, &mut rng)?.direction();
+        let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).try_normalize()?;
+        let normal = if normal.dot(primary.direction()) > 0.0 { -normal } else { normal };
+        let tmax = reach / direction.length();
+        Some(Bounce { pixel, primary: *primary, hit, corners, normal, direction, tmax })
+    };
+    primary.par_iter().enumerate().filter_map(bounce).collect()
+}
+
+/// How many of the first exact answers are not those of rational arithmetic.
+fn judge(mesh: &Mesh, bounces: &[Bounce], answers: &[(bool, ExactPoint)], name: &str) -> usize {
+    let (truth, count) = (Truth::new(mesh), bounces.len().min(JUDGED));
+    let progress = bar(count as u64, &format!("{name}, truth"));
+    let is_wrong = |(bounce, (is_blocked, point)): &(&Bounce, &(bool, ExactPoint))| {
+        progress.inc(1);
+        truth.any_from(&point.rational(), bounce.direction, bounce.tmax) != *is_blocked
+    };
+    let wrong = bounces[..count].par_iter().zip(&answers[..count]).filter(is_wrong).count();
+    progress.finish_and_clear();
+    wrong
+}
+
+/// Says how long exact rays take, from the hit on, in ratios to those that begin at floats.
+fn time(bounces: &[Bounce], epsilon: f32, wide: &Tracer, bvh: &Bvh, exact: &InstanceTracer, name: &str) {
+    let binary = BinaryTracer::new(bvh);
+    let bounces = &bounces[..bounces.len().min(1 << 16)];
+    let mut sum = 0;
+    let times = take_turns(3, bounces.len(), CHUNK, 3, name, |contestant, range| {
+        let ray = |bounce: &Bounce| Start::Ulp.ray(bounce, epsilon);
+        sum += match contestant {
+            0 => bounces[range].iter().filter(|bounce| ray(bounce).is_some_and(|ray| wide.any(&ray))).count(),
+            1 => bounces[range].iter().filter(|bounce| ray(bounce).is_some_and(|ray| binary.any(&ray))).count(),
+            _ => bounces[range].iter().filter(|bounce| bounce.is_blocked(exact).is_some_and(|found| found.0)).count(),
+        };
+    });
+    std::hint::black_box(sum);
+    let rate = |contestant: usize| {
+        let seconds: f64 = times.by_chunk(contestant).iter().sum();
+        times.lengths().iter().sum::<usize>() as f64 / seconds / 1e6
+    };
+    let ratio = |other: usize| median_ratio(&times.by_chunk(2), &times.by_chunk(other));
+    say!(
+        "{name}: exact rays take {:.2} of the time of `moved by ulps` by {} and {:.2} of that by {} ({:.3}, {:.3} and \
+         {:.3} million rays a second)",
+        ratio(1),
+        binary.method(),
+        ratio(0),
+        wide.method(),
+        rate(2),
+        rate(1),
+        rate(0)
+    );
+}
