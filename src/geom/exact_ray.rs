@@ -60,7 +60,7 @@ struct Surface {
     maps: Vec<AffineMap>,
 }
 
-/// So many points of a path may be known by bounds only, one after the other. Then one is computed.
+/// So many points of a path may be known by bounds only, one after the other. Then one is computed. `[SECOND-4]`
 const GENERATIONS: u32 = 8;
 
 /// A ray whose line is known exactly: `origin + t direction`, for `t` from 0 to its end. `[SECOND-1]`

@@ -1,8 +1,8 @@
 //! Rays that begin exactly where others have hit, against rational arithmetic that shares nothing with the library's.
-//! `[SECOND-1]` `[SECOND-2]` `[SECOND-3]` `[SECOND-4]`
 
 use std::array;
 
+use dashu_int::ops::BitTest;
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildOptions, Bvh};
 use stackless_bvh::generate::{Rng, Source, procedural};
@@ -156,6 +156,7 @@ fn scenes() -> Vec<Scene> {
     ]
 }
 
+/// Hits, points and bounds. `[SECOND-1]` `[SECOND-2]` `[SECOND-3]`
 #[test]
 fn paths_are_those_of_rational_arithmetic() {
     let mut rng = Rng::new(1);
@@ -266,4 +267,45 @@ fn nothing_leaks() {
 /// A number from -1 to 1.
 fn unit(rng: &mut Rng) -> f32 {
     rng.below(1 << 24) as f32 / (1 << 23) as f32 - 1.0
+}
+
+/// The bits of a path's points grow by a constant number at each hit, and a point that is computed late is the same.
+/// `[SECOND-4]`
+#[test]
+fn points_grow_with_the_length_of_their_path() {
+    let scene = Scene::new(&boxes(4, 0.3), &[], Method::default());
+    let bits = |point: &ExactPoint| {
+        let point = point.rational();
+        point.iter().map(|x| x.denominator().bit_len()).max().unwrap()
+    };
+    let start = ExactRay::from(&Ray::new(Vec3::splat(1.0), Vec3::new(0.2, 0.5, 0.9)).unwrap());
+    let (mut early, mut late, mut sizes) = (start.clone(), start, Vec::new());
+    let mut rng = Rng::new(9);
+    for _ in 0..160 {
+        let direction = Vec3::from(array::from_fn(|_| unit(&mut rng)));
+        let next = |ray: &ExactRay, is_early: bool| {
+            let (_, point) = scene.tracer.closest_and_point(ray).unwrap_or_else(|| panic!("{ray:?}"));
+            let size = if is_early { bits(&point) } else { 0 };
+            let ahead = point.ray(direction, f32::INFINITY, Ends::Open).unwrap();
+            // Whichever side of the wall it is: outside there is nothing.
+            let ray = if scene.tracer.any(&ahead) {
+                ahead
+            } else {
+                point.ray(-direction, f32::INFINITY, Ends::Open).unwrap()
+            };
+            (ray, point, size)
+        };
+        let (ray, point, size) = next(&early, true);
+        sizes.push(size);
+        early = ray;
+        let (ray, other, _) = next(&late, false);
+        late = ray;
+        // It stands on points that stand on others, as long as none is computed.
+        assert!((1..=8).contains(&format!("{late:?}").matches("Met {").count()), "{late:?}");
+        if sizes.len() % 40 == 0 {
+            assert_eq!(point.rational(), other.rational());
+        }
+    }
+    let [first, second] = [sizes[79] - sizes[39], sizes[159] - sizes[119]];
+    assert!(first > 40 && second < first * 3 / 2, "{sizes:?}");
 }

@@ -129,17 +129,41 @@ fn closed_spheres_leak_unless_the_tests_are_exact() {
     assert!(run.stdout.contains("leaks"), "{}", run.stdout);
 }
 
+/// A rounded point is on the wrong side of its triangle in many places, the exact one in none.
+#[test]
+fn rays_from_surfaces_begin_at_the_exact_point() {
+    let folder = Folder::new();
+    let (json, png) = (folder.path("rows.json"), folder.path("wrong.png"));
+    let run =
+        stackless("accuracy soup --secondary --rays 2000 --json", &[&json, Path::new("--picture"), &png]).passes();
+    let rows = read_json(&json);
+    let wrong = |start: &str| {
+        let row = rows.as_array().unwrap().iter().find(|row| row["start"] == start).unwrap();
+        assert!(row["rays"].as_u64() > Some(500), "{row}");
+        row["false_shadows"].as_u64().unwrap() + row["false_light"].as_u64().unwrap()
+    };
+    assert!(wrong("rounded point") > 100);
+    assert_eq!(wrong("exact point"), 0);
+    assert!(run.stdout.contains("exact rays take"), "{}", run.stdout);
+    assert!(std::fs::read(&png).unwrap().starts_with(b"\x89PNG"));
+}
+
 #[test]
 fn what_cannot_be_measured() {
     let folder = Folder::new();
     let svg = folder.path("picture.svg");
-    for (args, what) in
-        [("accuracy", "SCENES"), ("accuracy soup --rays 0", "--rays"), ("accuracy soup --rounds none", "--rounds")]
-    {
+    for (args, what) in [
+        ("accuracy", "SCENES"),
+        ("accuracy soup --rays 0", "--rays"),
+        ("accuracy soup --rounds none", "--rounds"),
+        ("accuracy soup --picture a.png", "--secondary"),
+    ] {
         let run = stackless(args, &[]);
         assert_eq!((run.code, run.stdout.as_str()), (Some(2), ""), "{args}");
         assert!(run.stderr.contains(what), "{args}: {}", run.stderr);
     }
+    stackless("accuracy soup spheres --secondary", &[]).fails_naming(&["--secondary", "spheres"]);
+    stackless("accuracy soup strands --secondary --picture", &[&svg]).fails_naming(&["--picture", "one scene"]);
     // A good scene before the bad one is not begun with.
     let run = stackless("accuracy soup --plot", &[&svg, &folder.path("missing.ply")]);
     run.fails_naming(&["missing.ply", "cannot be read"]);

@@ -57,11 +57,11 @@ pub(crate) struct Args {
     /// Seed of the rays.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Measure instead what rays from surfaces get wrong by where they begin: as many rays of ambient occlusion, from
-    /// where a camera's rays hit, against rays that begin at the exact point.
+    /// Measure instead what rays from surfaces get wrong, by where they begin. So many camera rays are traced, and from
+    /// each hit a ray of ambient occlusion. All answers are judged by rational arithmetic.
     #[arg(long, conflicts_with_all = ["plot", "csv", "rounds"])]
     secondary: bool,
-    /// Draw where these are wrong, as PNG.
+    /// Draw which of these are wrong, as PNG.
     #[arg(long, value_name = "FILE", requires = "secondary", value_parser = places::file)]
     picture: Option<Output>,
 }
@@ -84,6 +84,12 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let (spheres, scenes): (Vec<&PathBuf>, Vec<_>) = args.scenes.iter().partition(|path| *path == Path::new(SPHERES));
     let scenes = scenes.into_iter().map(|path| Scene::load(path)).collect::<Result<Vec<_>, _>>()?;
     if args.secondary {
+        if !spheres.is_empty() {
+            return Err(format!("--secondary needs scenes with a camera, and {SPHERES} has none").into());
+        }
+        if args.picture.is_some() && scenes.len() > 1 {
+            return Err("--picture shows one scene, and several are named".into());
+        }
         return secondary::run(args, &scenes);
     }
     if args.plot.is_some() && scenes.is_empty() {

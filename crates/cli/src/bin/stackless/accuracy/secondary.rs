@@ -120,6 +120,20 @@ struct Row {
     false_light: usize,
 }
 
+impl Row {
+    fn new(scene: &str, start: &'static str, answers: &[bool], truth: &[bool]) -> Self {
+        let count = |is_blocked: bool| {
+            answers.iter().zip(truth).filter(|(answer, truth)| **answer == is_blocked && answer != truth).count()
+        };
+        let (false_shadows, false_light) = (count(true), count(false));
+        Self { scene: scene.to_owned(), start, rays: truth.len(), false_shadows, false_light }
+    }
+
+    const fn wrong(&self) -> usize {
+        self.false_shadows + self.false_light
+    }
+}
+
 pub(super) fn run(args: &Args, scenes: &[Scene]) -> Outcome {
     let (mut rows, mut is_right) = (Vec::new(), true);
     for scene in scenes {
@@ -138,7 +152,7 @@ pub(super) fn run(args: &Args, scenes: &[Scene]) -> Outcome {
     Ok(is_right)
 }
 
-/// Adds a row for each start. Returns whether all exact answers are those of rational arithmetic.
+/// Adds a row for each start, and one for exact points. Returns whether the exact answers are all right.
 fn compare(args: &Args, scene: &Scene, rows: &mut Vec<Row>) -> Outcome {
     let bvh = Bvh::build(&scene.mesh)?;
     let (wide, epsilon) = (Tracer::new(WideBvh::of(&bvh)?), bvh.bounds().extent().length() * 1e-5);
@@ -150,43 +164,34 @@ fn compare(args: &Args, scene: &Scene, rows: &mut Vec<Row>) -> Outcome {
     let mut assembly = Assembly::new();
     let object = assembly.add_mesh(bvh.clone());
     let exact = InstanceTracer::new(&assembly, object, Method::default())?;
-    let progress = bar(bounces.len() as u64, &scene.name);
-    let truth = bounces.par_iter().map(|bounce| {
-        progress.inc(1);
+    let blocked = |bounce: &Bounce| {
         bounce.is_blocked(&exact).ok_or_else(|| format!("{}: pixel {}: a hit that is none", scene.name, bounce.pixel))
-    });
-    let truth = truth.collect::<Result<Vec<_>, _>>()?;
-    progress.finish_and_clear();
-    let wrong = judge(&scene.mesh, &bounces, &truth, &scene.name);
-    say!("{}: {wrong} of {} exact answers differ from rational arithmetic", scene.name, bounces.len());
+    };
+    let (answers, points): (Vec<_>, Vec<_>) =
+        bounces.par_iter().map(blocked).collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
+    let truth = judge(&scene.mesh, &bounces, &points, &scene.name);
     let mut panels = Vec::new();
     for start in Start::ALL {
-        let answers: Vec<_> =
-            bounces.par_iter().map(|bounce| start.ray(bounce, epsilon).is_some_and(|ray| wide.any(&ray))).collect();
-        let mut row = Row {
-            scene: scene.name.clone(),
-            start: start.name(),
-            rays: bounces.len(),
-            false_shadows: 0,
-            false_light: 0,
-        };
+        let is_blocked = |bounce: &Bounce| start.ray(bounce, epsilon).is_some_and(|ray| wide.any(&ray));
+        let answers: Vec<_> = bounces.par_iter().map(is_blocked).collect();
+        let row = Row::new(&scene.name, start.name(), &answers, &truth);
         let mut panel = vec![None; (side * side) as usize];
-        for ((bounce, (is_blocked, _)), answer) in bounces.iter().zip(&truth).zip(answers) {
-            row.false_shadows += usize::from(answer && !is_blocked);
-            row.false_light += usize::from(!answer && *is_blocked);
-            panel[bounce.pixel] = Some(f64::from(u8::from(answer != *is_blocked)));
+        for (bounce, (answer, truth)) in bounces.iter().zip(answers.iter().zip(&truth)) {
+            panel[bounce.pixel] = Some(f64::from(u8::from(answer != truth)));
         }
-        let share = (row.false_shadows + row.false_light) as f64 / row.rays as f64;
-        panels.push((format!("{}: {:.3} % wrong", start.name(), share * 100.0), panel));
+        panels.push((format!("{}: {:.3} % wrong", row.start, row.wrong() as f64 * 100.0 / row.rays as f64), panel));
         rows.push(row);
     }
+    let row = Row::new(&scene.name, "exact point", &answers, &truth);
+    let is_right = row.wrong() == 0;
+    rows.push(row);
     time(&bounces, epsilon, &wide, &bvh, &exact, &scene.name);
     if let Some(path) = &args.picture {
         let panels: Vec<_> = panels.iter().map(|(name, panel)| (name.clone(), panel)).collect();
         let png = heat_maps(Size { width: side, height: side }, &panels, 1.0, "wrong rays").to_png();
         write_file(path, |file| file.write_all(&png))?;
     }
-    Ok(wrong == 0)
+    Ok(is_right)
 }
 
 /// From each hit of the camera's rays, one that goes on in a direction of the cosine distribution.
@@ -205,17 +210,17 @@ fn bounces(scene: &Scene, tracer: &Tracer, reach: f32, side: u32, args: &Args) -
     primary.par_iter().enumerate().filter_map(bounce).collect()
 }
 
-/// How many exact answers are not those of rational arithmetic.
-fn judge(mesh: &Mesh, bounces: &[Bounce], answers: &[(bool, ExactPoint)], name: &str) -> usize {
+/// Whether something is in the way, by rational arithmetic.
+fn judge(mesh: &Mesh, bounces: &[Bounce], points: &[ExactPoint], name: &str) -> Vec<bool> {
     let truth = Truth::new(mesh);
     let progress = bar(bounces.len() as u64, &format!("{name}, truth"));
-    let is_wrong = |(bounce, (is_blocked, point)): &(&Bounce, &(bool, ExactPoint))| {
+    let is_blocked = |(bounce, point): (&Bounce, &ExactPoint)| {
         progress.inc(1);
-        truth.any_from(&point.rational(), bounce.direction, bounce.tmax) != *is_blocked
+        truth.any_from(&point.rational(), bounce.direction, bounce.tmax)
     };
-    let wrong = bounces.par_iter().zip(answers).filter(is_wrong).count();
+    let found = bounces.par_iter().zip(points).map(is_blocked).collect();
     progress.finish_and_clear();
-    wrong
+    found
 }
 
 /// Says how long exact rays take, from the hit on, in ratios to those that begin at floats.
