@@ -13,7 +13,7 @@ use stackless_check::{Stress, check_boxes};
 /// [BOX-2]
 #[test]
 fn no_touched_box_is_skipped() {
-    let tally = check_boxes(1, 300_000, &|_| ());
+    let tally = check_boxes(1, 0..300_000, &|_| ());
     let [plain, two_sided, directed] = tally.skipped;
     assert!(tally.rays > 200_000 && tally.touched > tally.rays / 4, "{tally:?}");
     assert_eq!(directed, 0, "{tally:?}");

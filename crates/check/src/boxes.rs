@@ -1,7 +1,10 @@
 //! Slab tests against rational arithmetic: whether a box is skipped that the ray touches.
 
+use std::ops::Range;
+
 use glam::Vec3;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use super::random::Progress;
 use stackless_bvh::generate::draw::Draw;
@@ -10,7 +13,7 @@ use stackless_bvh::geom::{Aabb, Ray, Region, Slabs, truth};
 use stackless_bvh::trace::SlabsName;
 
 /// How often boxes were skipped that the ray touches, for each of [`SlabsName::ALL`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct BoxTally {
     /// Rays, each with one box.
     pub rays: u64,
@@ -28,24 +31,31 @@ const KINDS: u64 = 10;
 /// Rays of a chunk: what one thread does at a time.
 const CHUNK: u64 = 4096;
 
-/// Tests `rays` random and adversarial rays with a box each, on all cores. The same seed gives the same rays.
+/// Tests random and adversarial rays with a box each, by their numbers, on all cores. The same seed gives the same
+/// rays.
 ///
 /// Random points; grids of small integers; corners that are met exactly, and that rounding hides; intervals that begin
 /// or end at the box; origins on planes; flat boxes and points; components of 0, -0, and of all sizes down to the
 /// least; coordinates of all sizes.
-pub fn check_boxes(seed: u64, rays: u64, progress: Progress<'_>) -> BoxTally {
+pub fn check_boxes(seed: u64, numbers: Range<u64>, progress: Progress<'_>) -> BoxTally {
     let chunk = |start: u64| {
         let mut draw = Draw::new(seed ^ start.wrapping_mul(0x9e37_79b9_7f4a_7c15));
         let mut tally = BoxTally::default();
-        for i in start..rays.min(start.saturating_add(CHUNK)) {
-            if let Some((ray, aabb)) = draw_kind(&mut draw, i % KINDS) {
+        // A chunk is drawn from its beginning, wherever its part of the numbers begins.
+        let end = numbers.end.min(start.saturating_add(CHUNK));
+        for i in start..end {
+            let drawn = draw_kind(&mut draw, i % KINDS);
+            if let Some((ray, aabb)) = drawn.filter(|_| i >= numbers.start) {
                 tally.add(&ray, &aabb);
             }
         }
-        progress(CHUNK.min(rays - start));
+        progress(end - start.max(numbers.start));
         tally
     };
-    (0..rays.div_ceil(CHUNK)).into_par_iter().map(|i| chunk(i * CHUNK)).reduce(BoxTally::default, BoxTally::merge)
+    (numbers.start / CHUNK..numbers.end.div_ceil(CHUNK))
+        .into_par_iter()
+        .map(|i| chunk(i * CHUNK))
+        .reduce(BoxTally::default, BoxTally::merge)
 }
 
 impl BoxTally {
@@ -65,11 +75,13 @@ impl BoxTally {
         }
     }
 
-    fn merge(self, other: Self) -> Self {
-        let sum = |a: [u64; 3], b: [u64; 3]| [0, 1, 2].map(|i| a[i] + b[i]);
+    /// The counts of both.
+    #[must_use]
+    pub fn merge(self, other: Self) -> Self {
+        let sum = |a: [u64; 3], b: [u64; 3]| [0, 1, 2].map(|i| a[i].saturating_add(b[i]));
         Self {
-            rays: self.rays + other.rays,
-            touched: self.touched + other.touched,
+            rays: self.rays.saturating_add(other.rays),
+            touched: self.touched.saturating_add(other.touched),
             skipped: sum(self.skipped, other.skipped),
             in_vain: sum(self.in_vain, other.in_vain),
         }

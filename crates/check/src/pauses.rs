@@ -2,6 +2,7 @@
 //! had happened.
 
 use std::fmt;
+use std::ops::Range;
 
 use rayon::prelude::*;
 
@@ -62,9 +63,29 @@ impl fmt::Display for PauseFault {
 
 impl std::error::Error for PauseFault {}
 
-/// Puts the traversals of a plan aside, in its words, on the first random cases that are small: as many as `count` at
-/// most. Returns how often, and the first fault.
-pub fn check_pauses(plan: &Plan, count: u64, progress: Progress<'_>) -> (u64, Option<Box<PauseFault>>) {
+/// What is counted where traversals are put aside.
+#[derive(Debug, Default)]
+pub struct PauseTally {
+    /// How often one was taken up again.
+    pub resumes: u64,
+    /// Cases and traversals in which this went wrong.
+    pub faults: u64,
+    /// The first of these, with the number of its case.
+    pub first: Option<(u64, Box<PauseFault>)>,
+}
+
+impl PauseTally {
+    fn merge(self, later: Self) -> Self {
+        Self {
+            resumes: self.resumes + later.resumes,
+            faults: self.faults + later.faults,
+            first: self.first.or(later.first),
+        }
+    }
+}
+
+/// Puts the traversals of a plan aside, in its words, on those random cases of these numbers that are small.
+pub fn check_pauses(plan: &Plan, numbers: Range<u64>, progress: Progress<'_>) -> PauseTally {
     // Each step of each traversal is taken up in each way: that is for trees that are not large.
     const NODES: usize = 2 * Case::LEAVES as usize;
     let pairs: Vec<_> = plan.pairs().into_iter().filter(|(method, _)| method.can_pause()).collect();
@@ -72,20 +93,22 @@ pub fn check_pauses(plan: &Plan, count: u64, progress: Progress<'_>) -> (u64, Op
         progress(1);
         let case = plan.case(i);
         if case.size() > NODES {
-            return (0, None);
+            return PauseTally::default();
         }
         let pauses = Pauses::new(&case);
-        let (mut resumes, mut first) = (0, None);
+        let mut tally = PauseTally::default();
         for &(method, word) in &pairs {
             match with_word(word, InWord { pauses: &pauses, method }) {
-                Ok(count) => resumes += count as u64,
-                Err(fault) => first = first.or(Some(fault)),
+                Ok(count) => tally.resumes += count as u64,
+                Err(fault) => {
+                    tally.faults += 1;
+                    tally.first.get_or_insert((i, fault));
+                }
             }
         }
-        (resumes, first)
+        tally
     };
-    let merge = |(a, x): (u64, Option<_>), (b, y): (u64, Option<_>)| (a + b, x.or(y));
-    (0..count.min(plan.trees)).into_par_iter().map(check).reduce(<_>::default, merge)
+    numbers.into_par_iter().map(check).reduce(PauseTally::default, PauseTally::merge)
 }
 
 struct InWord<'a, 'c> {

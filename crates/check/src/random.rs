@@ -1,5 +1,7 @@
 //! Many cases: the random ones, and those at the limits of the words.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use super::watch::Fault;
@@ -15,7 +17,7 @@ use stackless_bvh::tree::Topology;
 pub struct Plan {
     /// Number of random trees.
     pub trees: u64,
-    /// Seed of the first.
+    /// Seed of tree 0.
     pub seed: u64,
     /// Limits of the random cases.
     pub options: CaseOptions,
@@ -28,6 +30,8 @@ pub struct Plan {
 /// A traversal that differs from its oracle.
 #[derive(Clone, Debug)]
 pub struct Disagreement {
+    /// Number of the case, if it has one.
+    pub number: u64,
     /// The case.
     pub case: Case,
     /// The traversal.
@@ -65,7 +69,7 @@ impl Plan {
             let verdict = battery.check(method, word);
             tally.add(method, word, &verdict);
             if let Verdict::Differs(fault) = verdict {
-                first.get_or_insert_with(|| Disagreement { case: case.clone(), method, word, fault });
+                first.get_or_insert_with(|| Disagreement { number: 0, case: case.clone(), method, word, fault });
             }
         }
         first
@@ -82,15 +86,16 @@ impl WithWord for Exists {
     }
 }
 
-/// Checks the random cases of a plan on all cores. The result does not depend on their number.
+/// Checks random cases of a plan, by their numbers, on all cores. The result does not depend on how many there are.
 ///
 /// Of the disagreements, the one of the smallest tree is returned.
-pub fn check_random(plan: &Plan, progress: Progress<'_>) -> (Tally, Option<Disagreement>) {
+pub fn check_random(plan: &Plan, numbers: Range<u64>, progress: Progress<'_>) -> (Tally, Option<Disagreement>) {
     const CHUNK: u64 = 256;
-    let chunks = plan.trees.div_ceil(CHUNK);
+    let chunks = (numbers.end - numbers.start).div_ceil(CHUNK);
     let chunk = |index: u64| {
-        let range = index * CHUNK..plan.trees.min((index + 1) * CHUNK);
-        let cases = range.clone().map(|i| plan.case(i));
+        let start = numbers.start + index * CHUNK;
+        let range = start..numbers.end.min(start + CHUNK);
+        let cases = range.clone().map(|i| (i, plan.case(i)));
         let result = check_cases(plan, cases);
         progress(range.end - range.start);
         result
@@ -98,12 +103,13 @@ pub fn check_random(plan: &Plan, progress: Progress<'_>) -> (Tally, Option<Disag
     (0..chunks).into_par_iter().map(chunk).reduce(<(Tally, Option<Disagreement>)>::default, merge)
 }
 
-/// Checks given cases, one after the other.
-pub fn check_cases(plan: &Plan, cases: impl Iterator<Item = Case>) -> (Tally, Option<Disagreement>) {
+/// Checks given cases with their numbers, one after the other.
+pub fn check_cases(plan: &Plan, cases: impl Iterator<Item = (u64, Case)>) -> (Tally, Option<Disagreement>) {
     let mut tally = Tally::default();
     let mut smallest = None;
-    for case in cases {
-        smallest = smaller(smallest, plan.check_case(&case, &mut tally));
+    for (number, case) in cases {
+        let found = plan.check_case(&case, &mut tally).map(|found| Disagreement { number, ..found });
+        smallest = smaller(smallest, found);
     }
     (tally, smallest)
 }
@@ -117,11 +123,8 @@ pub fn merge(
 }
 
 fn smaller(a: Option<Disagreement>, b: Option<Disagreement>) -> Option<Disagreement> {
-    // Of equal sizes the first: cases come in the order of their seeds.
-    match (a, b) {
-        (Some(a), Some(b)) => Some(if b.case.size() < a.case.size() { b } else { a }),
-        (a, b) => a.or(b),
-    }
+    // Of equal sizes the first.
+    a.into_iter().chain(b).min_by_key(|found| (found.case.size(), found.number))
 }
 
 /// Cases at and around the depths that words carry: combs and caterpillars with every kind of tape.

@@ -27,6 +27,8 @@ pub struct SceneTree<'m> {
 /// A ray for which a traversal differs from the oracle, or the oracle from the truth.
 #[derive(Clone, Debug)]
 pub struct SceneDisagreement {
+    /// Number of the ray: its index among those that were checked.
+    pub number: u64,
     /// The ray.
     pub ray: Ray,
     /// An any-hit query.
@@ -111,14 +113,21 @@ pub fn check_scene(
     let tree = scene.bvh.tree();
     let tables = Tables::verified(tree, tree.axes(), Beside::new(tree, tree.axes(), &plan.methods, Implicit::LIMIT));
     let pairs = plan.pairs();
-    let check_ray = |&ray: &Ray| {
+    let check_ray = |(number, &ray): (usize, &Ray)| {
         let mut tally = Tally::default();
         tally.depth = scene.bvh.depth();
         let (mut disagreement, mut memory) = (None, Vec::new());
         let truth = scene.truth.closest(&ray).map(|hit| hit.rounded());
         for any in [false, true] {
             let mut report = |method, expected, found| {
-                disagreement.get_or_insert(SceneDisagreement { ray, any, method, expected, found });
+                disagreement.get_or_insert(SceneDisagreement {
+                    number: number as u64,
+                    ray,
+                    any,
+                    method,
+                    expected,
+                    found,
+                });
             };
             let oracles = Test::ALL.map(|test| scene.see_oracle(&ray, any, test));
             for oracle in oracles {
@@ -151,7 +160,7 @@ pub fn check_scene(
         (tally, disagreement)
     };
     let (mut tally, first) =
-        rays.par_iter().map(check_ray).reduce(Default::default, |(a, x), (b, y)| (a.merge(&b), x.or(y)));
+        rays.par_iter().enumerate().map(check_ray).reduce(Default::default, |(a, x), (b, y)| (a.merge(&b), x.or(y)));
     tally.misses += tables.misses() as u64;
     (tally, first)
 }

@@ -14,6 +14,8 @@ mod curve;
 mod habits;
 #[path = "cli/held.rs"]
 mod held;
+#[path = "cli/merge.rs"]
+mod merge;
 #[path = "cli/refused.rs"]
 mod refused;
 #[path = "cli/render.rs"]

@@ -1,22 +1,29 @@
 //! `stackless check`: every traversal against the oracle.
 
-use std::collections::HashSet;
+mod summary;
+
+use std::ops::Range;
 use std::path::PathBuf;
 
-use serde::Serialize;
+use serde_json::json;
 use stackless_bvh::generate::{Family, procedural};
+use stackless_bvh::geom::{Mesh, Ray};
+use stackless_bvh::hash::mix;
 use stackless_bvh::trace::Truth;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_check::{
-    Battery, CaseOptions, Disagreement, PauseFault, Plan, Replay, SceneDisagreement, SceneTree, Tally, Verdict,
-    boundary_cases, check_cases, check_pauses, check_random, check_scene, merge, shrink,
+    CaseOptions, Disagreement, PauseTally, Plan, Replay, SceneDisagreement, SceneTree, Shard, Tally, boundary_cases,
+    check_cases, check_pauses, check_random, check_scene, merge,
 };
 
 use crate::Outcome;
 use crate::build::Build;
 use crate::input::{self, MADE, Scene};
-use crate::output::{bar, grouped, say, table, write_json};
+use crate::output::bar;
 use crate::places::{self, Output};
+use crate::record::{Run, fingerprint};
+use summary::SceneFault;
+pub(crate) use summary::Summary;
 
 /// Compare every traversal with the oracle.
 ///
@@ -27,6 +34,7 @@ use crate::places::{self, Output};
     stackless check\n  \
     stackless check bunny.ply --trees 1000\n  \
     stackless check --family comb --depth 100000 --trees 1 --word grow --methods hashed,afra\n  \
+    stackless check --shard 3/64 --json 3.json\n  \
     stackless check --replay case.json")]
 pub(crate) struct Args {
     /// Mesh files (.ply, .obj), or the made scenes `strands`, `stadium`, `soup`.
@@ -52,11 +60,14 @@ pub(crate) struct Args {
     /// Rays through each scene.
     #[arg(long, default_value_t = 4000, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
     rays: u32,
+    /// Run one of N parts of this. `stackless merge` adds their counts up.
+    #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE, hide_default_value = true)]
+    shard: Shard,
     /// Write the counts to this file.
     #[arg(long, value_name = "FILE", value_parser = places::file)]
     json: Option<Output>,
     /// Run the case in this file and nothing else. A disagreement on a tree is printed as such a file.
-    #[arg(long, conflicts_with_all = ["scenes", "trees", "family", "depth"])]
+    #[arg(long, conflicts_with_all = ["scenes", "trees", "family", "depth", "shard"])]
     replay: Option<PathBuf>,
 }
 
@@ -70,9 +81,9 @@ struct Total {
     trees: u64,
     rays: u64,
     tally: Tally,
-    /// How often a traversal was put aside and taken up again, and what went wrong then.
-    resumes: u64,
-    pause_fault: Option<Box<PauseFault>>,
+    found: Option<Disagreement>,
+    pauses: PauseTally,
+    scenes: Vec<SceneFault>,
 }
 
 /// Random trees, if they are small, on which traversals are put aside at every step.
@@ -84,20 +95,8 @@ pub(crate) fn run(args: Args) -> Outcome {
     let words = args.word.map_or_else(|| WordName::ALL.to_vec(), |word| vec![word]);
     let options = CaseOptions { family: args.family, depth: args.depth };
     let mut plan = Plan { trees: 0, seed: args.seed, options, methods, words };
-    let mut total = Total::default();
     if let Some(path) = &args.replay {
-        let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
-        let replay = Replay::load(path).map_err(|error| named(&error))?;
-        if args.methods.is_empty() {
-            plan.methods = replay.methods().map_err(|error| named(&error))?;
-        }
-        if args.word.is_none() {
-            plan.words = replay.words().map_err(|error| named(&error))?;
-        }
-        let case = replay.case().map_err(|error| named(&error))?;
-        total.trees = 1;
-        let found = plan.check_case(&case, &mut total.tally);
-        return finish(&args, &plan, total, found.as_ref());
+        return replay(&args, plan, path);
     }
     let abstract_only = args.family.is_some() || args.depth.is_some() || args.trees.is_some();
     plan.trees = args.trees.unwrap_or(if scenes.is_empty() { 200_000 } else { 0 });
@@ -106,183 +105,126 @@ pub(crate) fn run(args: Args) -> Outcome {
             "--family and --depth are of random trees, and none would be checked: expected --trees N too".into()
         );
     }
-    let mut found = None;
-    if plan.trees > 0 {
-        found = check_trees(&plan, abstract_only, &mut total);
-        let progress = bar(PAUSED_TREES.min(plan.trees), "trees, putting aside");
-        (total.resumes, total.pause_fault) = check_pauses(&plan, PAUSED_TREES, &|done| progress.inc(done));
-        progress.finish_and_clear();
-    }
     let made = || MADE.iter().map(|name| Scene::load(name.as_ref())).collect::<Result<Vec<_>, _>>();
     let scenes = if scenes.is_empty() && !abstract_only { made()? } else { scenes };
-    for scene in &scenes {
-        check_one_scene(&plan, scene, args.rays as usize, &mut total)?;
+    let (mut total, mut run) = (Total::default(), asked(&args, &plan, &scenes));
+    if plan.trees > 0 {
+        check_trees(&plan, args.shard, abstract_only, &mut run, &mut total);
     }
-    finish(&args, &plan, total, found.as_ref())
-}
-
-/// The random trees and, unless the user has asked for some of his own, those at the depths where words end.
-fn check_trees(plan: &Plan, random_only: bool, total: &mut Total) -> Option<Disagreement> {
-    let progress = bar(plan.trees, "trees");
-    let result = check_random(plan, &|done| progress.inc(done));
-    progress.finish_and_clear();
-    total.trees += plan.trees;
-    let (tally, found) = if random_only {
-        result
-    } else {
-        total.trees += boundary_cases(plan.seed).count() as u64;
-        merge(result, check_cases(plan, boundary_cases(plan.seed)))
-    };
-    total.tally = std::mem::take(&mut total.tally).merge(&tally);
-    found
-}
-
-/// Rays through the scene under a tree by surface area, a complete one by medians, and one with triangles in parts.
-fn check_one_scene(
-    plan: &Plan,
-    scene: &Scene,
-    count: usize,
-    total: &mut Total,
-) -> Result<(), Box<dyn std::error::Error>> {
-    let truth = Truth::new(&scene.mesh);
-    let rays = procedural::rays(&scene.mesh, plan.seed, count);
-    for build in Build::CHECKED {
-        let bvh = &build.run(scene)?;
-        let progress = bar(rays.len() as u64, &scene.name);
-        let tree = SceneTree::new(&truth, bvh);
-        let (tally, found) = check_scene(plan, &tree, &rays, &|done| progress.inc(done));
-        progress.finish_and_clear();
-        if let Some(found) = found {
-            print_scene(&scene.name, build, &found);
-        }
-        total.tally = std::mem::take(&mut total.tally).merge(&tally);
-        total.trees += 1;
-        total.rays += rays.len() as u64;
+    for (i, scene) in scenes.iter().enumerate() {
+        let numbers = run.take(args.shard, &format!("rays of scene {i}"), args.rays.into());
+        let rays = rays(&scene.mesh, plan.seed, numbers.clone(), args.rays.into());
+        let faults = check_one_scene(&plan, scene, numbers.start, &rays, &mut total)?;
+        total.scenes.extend(faults.into_iter().map(|(tree, found)| SceneFault::new(i, scene, tree, &found)));
     }
-    Ok(())
+    run.refuse_empty(args.shard)?;
+    finish(&args, &plan, run, &total)
 }
 
-fn print_scene(scene: &str, tree: Build, found: &SceneDisagreement) {
-    let SceneDisagreement { ray, any, method, expected, found } = found;
-    let who = method.map_or_else(|| "the oracle".to_owned(), |(method, word)| format!("{method} {word}"));
-    let query = if *any { "any hit" } else { "closest hit" };
-    let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin().to_array(), ray.direction().to_array());
-    say!("{scene}, {tree} tree, {query}: {who} differs for the ray");
-    say!("  {ox:?},{oy:?},{oz:?},{dx:?},{dy:?},{dz:?},{:?},{:?}", ray.tmin(), ray.tmax());
-    say!("  expected {expected:?}");
-    say!("  found    {found:?}");
+/// Runs the case in a file.
+fn replay(args: &Args, mut plan: Plan, path: &PathBuf) -> Outcome {
+    let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
+    let replay = Replay::load(path).map_err(|error| named(&error))?;
+    if args.methods.is_empty() {
+        plan.methods = replay.methods().map_err(|error| named(&error))?;
+    }
+    if args.word.is_none() {
+        plan.words = replay.words().map_err(|error| named(&error))?;
+    }
+    let case = replay.case().map_err(|error| named(&error))?;
+    let mut total = Total { trees: 1, ..Total::default() };
+    total.found = plan.check_case(&case, &mut total.tally);
+    let mut run = Run::of::<Summary>([("replay", json!(replay))]);
+    run.take(Shard::WHOLE, "trees", 1);
+    finish(args, &plan, run, &total)
 }
 
-/// Prints the table, the smallest disagreement and the closing line.
-fn finish(args: &Args, plan: &Plan, total: Total, found: Option<&Disagreement>) -> Outcome {
-    // The state is given for the depth asked for; of trees of many depths, for the depth that a u32 carries.
-    let depth = total.tally.depth.min(plan.options.depth.unwrap_or(31));
-    let rows =
-        plan.pairs().into_iter().map(|(method, word)| Row::of(method, word, &total.tally, depth)).collect::<Vec<_>>();
-    if total.tally.comparisons() == 0 {
+fn asked(args: &Args, plan: &Plan, scenes: &[Scene]) -> Run {
+    Run::of::<Summary>([
+        ("trees", plan.trees.into()),
+        ("seed", plan.seed.into()),
+        ("family", plan.options.family.map(Family::name).into()),
+        ("depth", plan.options.depth.into()),
+        ("methods", plan.methods.iter().map(|method| method.name()).collect()),
+        ("words", plan.words.iter().map(|word| word.name()).collect()),
+        ("rays", args.rays.into()),
+        ("scenes", scenes.iter().map(|scene| fingerprint(&scene.mesh)).collect()),
+    ])
+}
+
+fn finish(args: &Args, plan: &Plan, run: Run, total: &Total) -> Outcome {
+    // A part of a run may have none: whether all have is known of their sum.
+    let is_whole = args.shard == Shard::WHOLE;
+    if total.tally.comparisons() == 0 && is_whole {
         let refusal = plan.pairs().into_iter().find_map(|(method, word)| {
             total.tally.get(method, word).refusal.map(|refusal| format!("{method}: {refusal}"))
         });
         return Err(refusal.unwrap_or_else(|| "there is nothing to check".to_owned()).into());
     }
-    let header = ["method", "word", "cases", "agree", "refused", "steps", "state bytes"];
-    say!("{}", table(&header, 2, rows.iter().map(Row::cells).collect()));
-    say!("state bytes: for one ray in a tree {depth} edges deep");
-    let refused: Vec<_> = rows.iter().filter_map(|row| row.refusal.as_ref().map(|why| (row, why))).collect();
-    if let Some((row, why)) = refused.first() {
-        say!("refused before the first step, e.g. {} {}: {why}", row.method, row.word);
+    run.finish(Summary::new(plan, total), args.json.as_deref())
+}
+
+/// The random trees and, unless the user has asked for some of his own, those at the depths where words end.
+fn check_trees(plan: &Plan, shard: Shard, random_only: bool, run: &mut Run, total: &mut Total) {
+    let numbers = run.take(shard, "trees", plan.trees);
+    let progress = bar(numbers.end - numbers.start, "trees");
+    let mut result = check_random(plan, numbers.clone(), &|done| progress.inc(done));
+    progress.finish_and_clear();
+    total.trees += numbers.end - numbers.start;
+    if !random_only {
+        let boundary = boundary_cases(plan.seed).count() as u64;
+        let numbers = run.take(shard, "trees at limits", boundary);
+        // They are numbered after the random ones.
+        let cases = (plan.trees..).zip(boundary_cases(plan.seed));
+        let cases = cases.skip(numbers.start as usize).take((numbers.end - numbers.start) as usize);
+        result = merge(result, check_cases(plan, cases));
+        total.trees += numbers.end - numbers.start;
     }
-    if let Some(found) = found {
-        print_disagreement(found);
+    (total.tally, total.found) = result;
+    let numbers = run.take(shard, "trees, putting aside", PAUSED_TREES.min(plan.trees));
+    let progress = bar(numbers.end - numbers.start, "trees, putting aside");
+    total.pauses = check_pauses(plan, numbers, &|done| progress.inc(done));
+    progress.finish_and_clear();
+}
+
+/// Rays through the scene, of which the first has this number, under a tree by surface area, a complete one by medians,
+/// and one with triangles in parts. Returns the first disagreement under each.
+fn check_one_scene(
+    plan: &Plan,
+    scene: &Scene,
+    first: u64,
+    rays: &[Ray],
+    total: &mut Total,
+) -> Result<Vec<(Build, SceneDisagreement)>, Box<dyn std::error::Error>> {
+    let mut faults = Vec::new();
+    if rays.is_empty() {
+        return Ok(faults);
     }
-    if total.resumes > 0 {
-        say!("put aside and taken up again: {} times", grouped(total.resumes));
+    let truth = Truth::new(&scene.mesh);
+    for build in Build::CHECKED {
+        let bvh = &build.run(scene)?;
+        let progress = bar(rays.len() as u64, &scene.name);
+        let tree = SceneTree::new(&truth, bvh);
+        let (tally, found) = check_scene(plan, &tree, rays, &|done| progress.inc(done));
+        progress.finish_and_clear();
+        faults.extend(found.map(|found| (build, SceneDisagreement { number: first + found.number, ..found })));
+        total.tally = std::mem::take(&mut total.tally).merge(&tally);
+        // Of all parts the first counts it.
+        total.trees += u64::from(first == 0);
+        total.rays += rays.len() as u64;
     }
-    if let Some(fault) = &total.pause_fault {
-        say!("{fault}");
-    }
-    let disagreements = total.tally.disagreements() + u64::from(total.pause_fault.is_some());
-    let summary = Summary {
-        trees: total.trees,
-        rays: total.rays,
-        methods: plan.pairs().into_iter().map(|(method, _)| method).collect::<HashSet<_>>().len(),
-        disagreements,
-        resumes: total.resumes,
-        rows,
-        smallest: found.map(smallest),
+    Ok(faults)
+}
+
+/// Some of the rays of a scene, by their numbers. They are made in blocks, so that no part of a run has to make all.
+fn rays(mesh: &Mesh, seed: u64, numbers: Range<u64>, of: u64) -> Vec<Ray> {
+    const BLOCK: u64 = 4096;
+    let block = |block: u64| {
+        let seed = if block == 0 { seed } else { mix(seed.wrapping_add(block)) };
+        let all = block * BLOCK..of.min((block + 1) * BLOCK);
+        let rays = procedural::rays(mesh, seed, (all.end - all.start) as usize);
+        let wanted = numbers.start.max(all.start)..numbers.end.min(all.end);
+        all.zip(rays).filter(move |(number, _)| wanted.contains(number)).map(|(_, ray)| ray)
     };
-    say!(
-        "checked: {} trees, {} rays, {} methods, {disagreements} disagreements",
-        summary.trees,
-        summary.rays,
-        summary.methods
-    );
-    if let Some(path) = &args.json {
-        write_json(path, &summary)?;
-    }
-    Ok(disagreements == 0)
-}
-
-fn print_disagreement(found: &Disagreement) {
-    let replay = smallest(found);
-    say!("{} {}: {}", found.method, found.word, replay.fault.as_deref().unwrap_or_default());
-    say!("smallest case, for `stackless check --replay FILE`:");
-    say!("{}", serde_json::to_string(&replay).unwrap_or_default());
-}
-
-/// The case made small, in the form of a file.
-fn smallest(found: &Disagreement) -> Replay {
-    let &Disagreement { method, word, fault, .. } = found;
-    let verdict = |case: &_| Battery::new(case, &[method]).check(method, word);
-    let case = shrink(found.case.clone(), |case| matches!(verdict(case), Verdict::Differs(_)));
-    let fault = if let Verdict::Differs(fault) = verdict(&case) { fault } else { fault };
-    Replay::of(&case, method, word, &fault)
-}
-
-/// The file of `--json`.
-#[derive(Serialize)]
-struct Summary {
-    trees: u64,
-    rays: u64,
-    methods: usize,
-    disagreements: u64,
-    /// How often a traversal was put aside and taken up again.
-    resumes: u64,
-    rows: Vec<Row>,
-    smallest: Option<Replay>,
-}
-
-/// One line of the table.
-#[derive(Serialize)]
-struct Row {
-    method: String,
-    word: String,
-    cases: u64,
-    agree: u64,
-    refused: u64,
-    refusal: Option<String>,
-    steps: u64,
-    state_bytes: usize,
-}
-
-impl Row {
-    fn of(method: Method, word: WordName, tally: &Tally, depth: u32) -> Self {
-        let count = tally.get(method, word);
-        let word_name = if method.has_words() { word.name() } else { "-" };
-        Self {
-            method: method.to_string(),
-            word: word_name.to_owned(),
-            cases: count.cases,
-            agree: count.agree,
-            refused: count.refused,
-            refusal: count.refusal.map(|refusal| refusal.to_string()),
-            steps: count.steps,
-            state_bytes: method.state_bytes_in(word, depth),
-        }
-    }
-
-    fn cells(&self) -> Vec<String> {
-        let numbers = [self.cases, self.agree, self.refused, self.steps, self.state_bytes as u64].map(grouped);
-        [self.method.clone(), self.word.clone()].into_iter().chain(numbers).collect()
-    }
+    (numbers.start / BLOCK..numbers.end.div_ceil(BLOCK)).flat_map(block).collect()
 }

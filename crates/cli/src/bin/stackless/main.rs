@@ -13,8 +13,10 @@ mod curve;
 mod explain;
 mod input;
 mod judge;
+mod merge;
 mod output;
 mod places;
+mod record;
 mod render;
 mod report;
 mod signals;
@@ -58,6 +60,8 @@ enum What {
     Bench(bench::Args),
     /// Count the errors of each accuracy on hard scenes.
     Stress(stress::Args),
+    /// Add up the records of the parts of a run.
+    Merge(merge::Args),
     /// Ask another implementation the cases of the conformance suite.
     Conform(conform::Args),
     /// The conformance suite: as files, and as what this library answers.
@@ -110,6 +114,7 @@ fn run(command: Command, matches: &ArgMatches) -> Outcome {
         What::Render(args) => render::run(&args),
         What::Bench(args) => bench::run(&args),
         What::Stress(args) => stress::run(&args),
+        What::Merge(args) => merge::run(&args),
         What::Conform(args) => conform::run(&args),
         What::Suite(args) => suite::run(&args),
         What::Adversary(args) => adversary::run(&args),

@@ -32,7 +32,8 @@ enum Start {
     Epsilon,
     /// Moved along the normal by some hundred units in the last place (Wächter & Binder 2019).
     Ulp,
-    /// Moved along the normal by the error bound of the point (Pharr, Jakob & Humphreys 2023, Section 6.8).
+    /// Moved along the normal by a bound of how far from the plane the point is (after Pharr, Jakob & Humphreys 2023,
+    /// Section 6.8).
     Bounded,
 }
 
@@ -66,10 +67,11 @@ impl Start {
                 (Vec3::from([0, 1, 2].map(moved)), 0.0)
             }
             Self::Bounded => {
-                // gamma(7) of the terms of the weighted sum.
+                // gamma(7) of the terms of the weighted sum. The first weight is a rounded difference.
                 let unit = f32::EPSILON * 0.5 * 7.0;
                 let size = (a * (1.0 - hit.u - hit.v)).abs() + (b * hit.u).abs() + (c * hit.v).abs();
-                let by = normal * normal.abs().dot(size * (unit / (1.0 - unit)));
+                let off = size * (unit / (1.0 - unit)) + a.abs() * f32::EPSILON;
+                let by = normal * normal.abs().dot(off);
                 let moved = |k: usize| {
                     let moved = weighted[k] + by[k];
                     if by[k] > 0.0 {

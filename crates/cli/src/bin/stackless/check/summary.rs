@@ -1,0 +1,230 @@
+//! What `stackless check` counts.
+
+use std::collections::{BTreeMap, HashSet};
+use std::fmt::Write as _;
+
+use serde::{Deserialize, Serialize};
+use stackless_bvh::traverse::{Method, WordName};
+use stackless_check::{Battery, Disagreement, Plan, Replay, SceneDisagreement, Tally, Verdict, shrink};
+
+use super::Total;
+use crate::build::Build;
+use crate::input::Scene;
+use crate::output::{grouped, say, table};
+use crate::record::Counts;
+
+/// The counts of the file of `--json`.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct Summary {
+    trees: u64,
+    rays: u64,
+    methods: usize,
+    disagreements: u64,
+    /// How often a traversal was put aside and taken up again.
+    resumes: u64,
+    /// Depth in edges for which the bytes of state are given.
+    depth: u32,
+    rows: Vec<Row>,
+    smallest: Option<Smallest>,
+    /// What went wrong when a traversal was taken up, first in the order of the trees.
+    pause_fault: Option<Numbered<String>>,
+    scene_faults: Vec<SceneFault>,
+}
+
+/// One line of the table.
+#[derive(Serialize, Deserialize)]
+struct Row {
+    method: String,
+    word: String,
+    cases: u64,
+    agree: u64,
+    refused: u64,
+    refusal: Option<String>,
+    steps: u64,
+    state_bytes: usize,
+}
+
+/// What was found in a case.
+#[derive(Serialize, Deserialize)]
+struct Numbered<T> {
+    number: u64,
+    found: T,
+}
+
+/// A disagreement in the smallest case that has one.
+#[derive(Serialize, Deserialize)]
+struct Smallest {
+    /// Number of the case and its nodes, before it was made small.
+    number: u64,
+    nodes: usize,
+    replay: Replay,
+}
+
+/// A ray for which a traversal differs from the oracle, or the oracle from the truth.
+#[derive(Clone, Serialize, Deserialize)]
+pub(super) struct SceneFault {
+    /// Index of the scene.
+    scene: usize,
+    tree: String,
+    ray: u64,
+    text: String,
+}
+
+impl Summary {
+    pub(super) fn new(plan: &Plan, total: &Total) -> Self {
+        // The state is given for the depth asked for; of trees of many depths, for the depth that a u32 carries.
+        let depth = total.tally.depth.min(plan.options.depth.unwrap_or(31));
+        let pairs = plan.pairs();
+        let methods = pairs.iter().map(|(method, _)| method).collect::<HashSet<_>>().len();
+        let rows = pairs.into_iter().map(|(method, word)| Row::of(method, word, &total.tally, depth)).collect();
+        let pause_fault = total.pauses.first.as_ref();
+        Self {
+            trees: total.trees,
+            rays: total.rays,
+            methods,
+            disagreements: total.tally.disagreements() + total.pauses.faults,
+            resumes: total.pauses.resumes,
+            depth,
+            rows,
+            smallest: total.found.as_ref().map(Smallest::of),
+            pause_fault: pause_fault.map(|(number, fault)| Numbered { number: *number, found: fault.to_string() }),
+            scene_faults: total.scenes.clone(),
+        }
+    }
+}
+
+impl Counts for Summary {
+    const COMMAND: &str = "check";
+
+    fn add(&mut self, other: Self) {
+        self.trees = self.trees.saturating_add(other.trees);
+        self.rays = self.rays.saturating_add(other.rays);
+        self.methods = self.methods.max(other.methods);
+        self.disagreements = self.disagreements.saturating_add(other.disagreements);
+        self.resumes = self.resumes.saturating_add(other.resumes);
+        self.depth = self.depth.max(other.depth);
+        let mut theirs: BTreeMap<_, _> =
+            other.rows.into_iter().map(|row| ((row.method.clone(), row.word.clone()), row)).collect();
+        for row in &mut self.rows {
+            if let Some(other) = theirs.remove(&(row.method.clone(), row.word.clone())) {
+                row.add(other, self.depth);
+            }
+        }
+        self.rows.extend(theirs.into_values());
+        let smallest = self.smallest.take().into_iter().chain(other.smallest);
+        self.smallest = smallest.min_by_key(|found| (found.nodes, found.number));
+        let first = self.pause_fault.take().into_iter().chain(other.pause_fault);
+        self.pause_fault = first.min_by_key(|found| found.number);
+        self.scene_faults.extend(other.scene_faults);
+        self.scene_faults.sort_by(|a, b| a.key().cmp(&b.key()));
+        self.scene_faults.dedup_by(|later, first| (&later.scene, &later.tree) == (&first.scene, &first.tree));
+    }
+
+    /// The table, the smallest disagreement and the closing line.
+    fn print(&self) {
+        let header = ["method", "word", "cases", "agree", "refused", "steps", "state bytes"];
+        say!("{}", table(&header, 2, self.rows.iter().map(Row::cells).collect()));
+        say!("state bytes: for one ray in a tree {} edges deep", self.depth);
+        let refused = self.rows.iter().filter_map(|row| row.refusal.as_ref().map(|why| (row, why)));
+        if let Some((row, why)) = refused.into_iter().next() {
+            say!("refused before the first step, e.g. {} {}: {why}", row.method, row.word);
+        }
+        for SceneFault { text, .. } in &self.scene_faults {
+            say!("{text}");
+        }
+        if let Some(Smallest { replay, .. }) = &self.smallest {
+            let of = |names: &[String]| names.first().cloned().unwrap_or_default();
+            let word = replay.word.clone().unwrap_or_default();
+            say!("{} {word}: {}", of(&replay.methods), replay.fault.as_deref().unwrap_or_default());
+            say!("smallest case, for `stackless check --replay FILE`:");
+            say!("{}", serde_json::to_string(replay).unwrap_or_default());
+        }
+        if self.resumes > 0 {
+            say!("put aside and taken up again: {} times", grouped(self.resumes));
+        }
+        if let Some(Numbered { number, found }) = &self.pause_fault {
+            say!("tree {number}: {found}");
+        }
+        say!(
+            "checked: {} trees, {} rays, {} methods, {} disagreements",
+            self.trees,
+            self.rays,
+            self.methods,
+            self.disagreements
+        );
+    }
+
+    fn cases_and_errors(&self) -> [u64; 2] {
+        [self.trees.saturating_add(self.rays), self.disagreements]
+    }
+
+    fn is_empty(&self) -> bool {
+        self.rows.iter().all(|row| row.cases == 0)
+    }
+}
+
+impl Row {
+    fn of(method: Method, word: WordName, tally: &Tally, depth: u32) -> Self {
+        let count = tally.get(method, word);
+        let word_name = if method.has_words() { word.name() } else { "-" };
+        Self {
+            method: method.to_string(),
+            word: word_name.to_owned(),
+            cases: count.cases,
+            agree: count.agree,
+            refused: count.refused,
+            refusal: count.refusal.map(|refusal| refusal.to_string()),
+            steps: count.steps,
+            state_bytes: method.state_bytes_in(word, depth),
+        }
+    }
+
+    fn add(&mut self, other: Self, depth: u32) {
+        self.cases = self.cases.saturating_add(other.cases);
+        self.agree = self.agree.saturating_add(other.agree);
+        self.refused = self.refused.saturating_add(other.refused);
+        self.steps = self.steps.saturating_add(other.steps);
+        self.refusal = self.refusal.take().into_iter().chain(other.refusal).min();
+        // Stacks have no word, and as many bytes in each.
+        let word = self.word.parse().unwrap_or(WordName::U32);
+        if let Ok(method) = self.method.parse::<Method>() {
+            self.state_bytes = method.state_bytes_in(word, depth);
+        }
+    }
+
+    fn cells(&self) -> Vec<String> {
+        let numbers = [self.cases, self.agree, self.refused, self.steps, self.state_bytes as u64].map(grouped);
+        [self.method.clone(), self.word.clone()].into_iter().chain(numbers).collect()
+    }
+}
+
+impl Smallest {
+    /// The case made small, in the form of a file.
+    fn of(found: &Disagreement) -> Self {
+        let &Disagreement { number, method, word, fault, .. } = found;
+        let verdict = |case: &_| Battery::new(case, &[method]).check(method, word);
+        let case = shrink(found.case.clone(), |case| matches!(verdict(case), Verdict::Differs(_)));
+        let fault = if let Verdict::Differs(fault) = verdict(&case) { fault } else { fault };
+        Self { number, nodes: found.case.size(), replay: Replay::of(&case, method, word, &fault) }
+    }
+}
+
+impl SceneFault {
+    pub(super) fn new(index: usize, scene: &Scene, tree: Build, fault: &SceneDisagreement) -> Self {
+        let SceneDisagreement { number, ray, any, method, expected, found } = fault;
+        let who = method.map_or_else(|| "the oracle".to_owned(), |(method, word)| format!("{method} {word}"));
+        let query = if *any { "any hit" } else { "closest hit" };
+        let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin().to_array(), ray.direction().to_array());
+        let name = &scene.name;
+        let mut text = format!("{name}, {tree} tree, {query}, ray {number}: {who} differs for the ray\n");
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "  {ox:?},{oy:?},{oz:?},{dx:?},{dy:?},{dz:?},{:?},{:?}", ray.tmin(), ray.tmax());
+        let _ = writeln!(text, "  expected {expected:?}");
+        let _ = write!(text, "  found    {found:?}");
+        Self { scene: index, tree: tree.to_string(), ray: *number, text }
+    }
+
+    fn key(&self) -> (usize, &str, u64) {
+        (self.scene, &self.tree, self.ray)
+    }
+}

@@ -1,0 +1,159 @@
+//! `stackless merge`: records of parts, added up.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use serde_json::Value;
+use stackless_scene::read_text;
+
+use crate::Outcome;
+use crate::check::Summary;
+use crate::output::{say, write_json};
+use crate::places::{self, Output};
+use crate::record::{Counts, Part, Record, Run, claim};
+use crate::stress::{BoxCounts, StressCounts};
+
+/// Add up the records of all parts of a run.
+///
+/// Records are the files that `check` and `stress` write with --json; --shard I/N runs a part. The sum of all parts is
+/// the record of the whole run, however it was cut. Records of different runs or versions, parts that overlap, and parts
+/// that are missing are refused. The exit code is 1 if anything went wrong in a part.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:\n  \
+    stackless check --shard 1/2 --json a.json\n  \
+    stackless check --shard 2/2 --json b.json\n  \
+    stackless merge a.json b.json --json all.json")]
+pub(crate) struct Args {
+    /// Records of parts.
+    #[arg(required = true)]
+    records: Vec<PathBuf>,
+    /// Write the sum to this file.
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    json: Option<Output>,
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    let read = |path: &PathBuf| {
+        let text = read_text(path).map_err(|error| format!("{}: cannot be read: {error}", path.display()))?;
+        let value = serde_json::from_str(&text).map_err(|error| format!("{}: {error}", path.display()))?;
+        Ok((path.display().to_string(), value))
+    };
+    let records = args.records.iter().map(read).collect::<Result<Vec<(String, Value)>, String>>()?;
+    let command = |value: &Value| value.pointer("/run/command").and_then(Value::as_str).map(str::to_owned);
+    let (path, first) = &records[0];
+    match command(first).as_deref() {
+        Some(Summary::COMMAND) => merge::<Summary>(args, records),
+        Some(StressCounts::COMMAND) => merge::<StressCounts>(args, records),
+        Some(BoxCounts::COMMAND) => merge::<BoxCounts>(args, records),
+        Some(other) => Err(format!("{path}: a record of `{other}`, which does not add up").into()),
+        None => Err(format!("{path}: no record of a run: expected `command` in `run`").into()),
+    }
+}
+
+fn merge<C: Counts>(args: &Args, values: Vec<(String, Value)>) -> Outcome {
+    let mut records = Vec::new();
+    for (path, value) in values {
+        let record = serde_json::from_value(value).map_err(|error| format!("{path}: no record: {error}"))?;
+        records.push((path, record));
+    }
+    let Record { run, counts } = add::<C>(records)?;
+    counts.print_with_claim();
+    if let Some(path) = &args.json {
+        write_json(path, &Record { run, counts: &counts })?;
+    }
+    let [_, errors] = counts.cases_and_errors();
+    Ok(errors == 0)
+}
+
+trait PrintWithClaim: Counts {
+    /// What was counted, and first what it says of what was not.
+    fn print_with_claim(&self) {
+        say!("{}", claim(self.cases_and_errors()));
+        self.print();
+    }
+}
+
+impl<C: Counts> PrintWithClaim for C {}
+
+/// The sum of the records, if they are the parts of one run.
+fn add<C: Counts>(records: Vec<(String, Record<C>)>) -> Result<Record<C>, String> {
+    // Who did what: to name both if it was done twice.
+    let mut done: BTreeMap<String, Vec<([u64; 2], String)>> = BTreeMap::new();
+    let mut sum: Option<(String, Record<C>)> = None;
+    for (path, record) in records {
+        for (name, part) in &record.run.parts {
+            if let Some(range) = part.done.iter().find(|[from, to]| from >= to || *to > part.of) {
+                return Err(format!("{path}: {name} {range:?}: expected a range within 0 to {}", part.of));
+            }
+            done.entry(name.clone()).or_default().extend(part.done.iter().map(|&range| (range, path.clone())));
+        }
+        sum = Some(match sum {
+            None => (path, record),
+            Some((first, mut sum)) => {
+                sum.run.join(record.run).map_err(|what| format!("{path}: {what} than in {first}"))?;
+                sum.counts.add(record.counts);
+                (first, sum)
+            }
+        });
+    }
+    let (_, mut record) = sum.ok_or("no records")?;
+    for (name, part) in &mut record.run.parts {
+        cover(name, part.of, done.remove(name).unwrap_or_default())?;
+        part.done = if part.of > 0 { vec![[0, part.of]] } else { Vec::new() };
+    }
+    if record.counts.is_empty() {
+        return Err("nothing was compared in any part".to_owned());
+    }
+    Ok(record)
+}
+
+/// Refuses ranges that are not the whole of a list, each number once.
+fn cover(name: &str, of: u64, mut ranges: Vec<([u64; 2], String)>) -> Result<(), String> {
+    ranges.sort_unstable();
+    let (mut next, mut last, mut missing) = (0, None, Vec::new());
+    for ([from, to], path) in ranges {
+        if let Some(earlier) = last.filter(|_| from < next) {
+            return Err(format!("{earlier} and {path} both have {name} {from} to {}", to.min(next) - 1));
+        }
+        missing.extend((from > next).then(|| [next, from - 1]));
+        (next, last) = (to, Some(path));
+    }
+    missing.extend((next < of).then(|| [next, of - 1]));
+    if missing.is_empty() {
+        return Ok(());
+    }
+    const SHOWN: usize = 10;
+    let count: u64 = missing.iter().map(|[from, to]| to - from + 1).sum();
+    let shown: Vec<_> = missing.iter().take(SHOWN).map(|[from, to]| format!("{from} to {to}")).collect();
+    let more = if missing.len() > SHOWN { ", ..." } else { "" };
+    Err(format!("{count} of {of} {name} are missing: {}{more}", shown.join(", ")))
+}
+
+impl Run {
+    /// Takes what another part of this run has done. The error says what is different in it.
+    fn join(&mut self, other: Self) -> Result<(), String> {
+        let named = |what: &str| Err(format!("another {what}"));
+        if self.command != other.command {
+            return named("command");
+        }
+        if (&self.version, &self.commit) != (&other.version, &other.commit) {
+            return named("version of the program");
+        }
+        let keys = self.asked.keys().chain(other.asked.keys());
+        if let Some(key) = keys.into_iter().find(|&key| self.asked.get(key) != other.asked.get(key)) {
+            let shown = |asked: Option<&Value>| asked.map_or_else(|| "none".to_owned(), Value::to_string);
+            return Err(format!("`{key}` is {}, another", shown(other.asked.get(key))));
+        }
+        let lengths = |run: &Self| run.parts.iter().map(|(name, part)| (name.clone(), part.of)).collect::<Vec<_>>();
+        if lengths(self) != lengths(&other) {
+            return named("list of parts");
+        }
+        for (part, Part { done, .. }) in self.parts.values_mut().zip(other.parts.into_values()) {
+            part.done.extend(done);
+        }
+        for (machine, seconds) in other.machines {
+            *self.machines.entry(machine).or_default() += seconds;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,132 @@
+//! Records of runs: what was asked, which parts of it were done, and what was counted. Records of parts add up to that of
+//! the whole.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::path::Path;
+
+use cpu_time::ProcessTime;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+use stackless_bvh::geom::Mesh;
+use stackless_bvh::hash::mix;
+use stackless_check::Shard;
+
+use crate::Outcome;
+use crate::output::{grouped, write_json};
+
+/// What a command counts. A sum does not depend on the order of its terms.
+pub(crate) trait Counts: Serialize + DeserializeOwned {
+    /// Name of the command in records.
+    const COMMAND: &str;
+
+    /// Adds what another part counted.
+    fn add(&mut self, other: Self);
+
+    /// Prints what was counted. The last line is the sum.
+    fn print(&self);
+
+    /// Number of cases, and how many went wrong.
+    fn cases_and_errors(&self) -> [u64; 2];
+
+    /// Whether anything was compared.
+    fn is_empty(&self) -> bool;
+}
+
+/// The file of `--json`.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct Record<C> {
+    pub(crate) run: Run,
+    #[serde(flatten)]
+    pub(crate) counts: C,
+}
+
+/// What was run.
+#[derive(Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Run {
+    pub(crate) command: String,
+    pub(crate) version: String,
+    /// What the program was built from, if it was built with `STACKLESS_COMMIT` set.
+    pub(crate) commit: Option<String>,
+    /// All that the counts depend on.
+    pub(crate) asked: Map<String, Value>,
+    /// What is counted through, by name.
+    pub(crate) parts: BTreeMap<String, Part>,
+    /// Seconds of processor time, by machine.
+    pub(crate) machines: BTreeMap<String, f64>,
+}
+
+/// Which numbers of a list were done.
+#[derive(Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Part {
+    /// Length of the list.
+    pub(crate) of: u64,
+    /// From, and up to but without.
+    pub(crate) done: Vec<[u64; 2]>,
+}
+
+impl Run {
+    /// A run that has done nothing yet.
+    pub(crate) fn of<C: Counts>(asked: impl IntoIterator<Item = (&'static str, Value)>) -> Self {
+        Self {
+            command: C::COMMAND.to_owned(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            commit: option_env!("STACKLESS_COMMIT").map(str::to_owned),
+            asked: asked.into_iter().map(|(key, value)| (key.to_owned(), value)).collect(),
+            parts: BTreeMap::new(),
+            machines: BTreeMap::new(),
+        }
+    }
+
+    /// The numbers of a list that this part of the run does. They are noted as done.
+    pub(crate) fn take(&mut self, shard: Shard, name: &str, of: u64) -> Range<u64> {
+        let range = shard.range(of);
+        let done = if range.is_empty() { Vec::new() } else { vec![[range.start, range.end]] };
+        self.parts.insert(name.to_owned(), Part { of, done });
+        range
+    }
+
+    /// Refuses a part with nothing in it.
+    pub(crate) fn refuse_empty(&self, shard: Shard) -> Result<(), String> {
+        if self.parts.values().all(|part| part.done.is_empty()) {
+            return Err(format!("part {shard} of the run is empty, expected fewer parts"));
+        }
+        Ok(())
+    }
+
+    /// Prints the counts and writes the record. All is well if nothing went wrong.
+    pub(crate) fn finish<C: Counts>(mut self, counts: C, json: Option<&Path>) -> Outcome {
+        counts.print();
+        let [_, errors] = counts.cases_and_errors();
+        let threads = std::thread::available_parallelism().map_or(1, usize::from);
+        let machine = format!("{} {}, {threads} threads", std::env::consts::OS, std::env::consts::ARCH);
+        self.machines.insert(machine, ProcessTime::now().as_duration().as_secs_f64());
+        if let Some(path) = json {
+            write_json(path, &Record { run: self, counts })?;
+        }
+        Ok(errors == 0)
+    }
+}
+
+/// Which scene it was, whatever its file is called.
+pub(crate) fn fingerprint(mesh: &Mesh) -> Value {
+    let corners = mesh.vertices().iter().flat_map(|v| v.to_array()).map(|x| u64::from(x.to_bits()));
+    let indices = mesh.triangles().iter().flatten().map(|&index| u64::from(index));
+    let hash = corners.chain(indices).fold(mesh.vertices().len() as u64, |hash, word| mix(hash ^ word));
+    format!("{} triangles, {hash:016x}", mesh.triangles().len()).into()
+}
+
+/// What errors in a sample say of all such cases: with none in n, their rate is below 3/n at 95 % (1 - 0.05^(1/n)).
+pub(crate) fn claim([cases, errors]: [u64; 2]) -> String {
+    if errors > 0 {
+        return format!("claim: none, {} of {} cases went wrong", grouped(errors), grouped(cases));
+    }
+    let cases_shown = grouped(cases);
+    format!(
+        "claim: 0 of {cases_shown} cases went wrong; at 95 % fewer than {:.1e} of such cases do",
+        3.0 / cases as f64
+    )
+}

@@ -1,0 +1,133 @@
+//! What `stackless stress` counts.
+
+use serde::{Deserialize, Serialize};
+use stackless_bvh::trace::{Accuracy, SlabsName};
+use stackless_check::{BoxTally, Errors};
+
+use crate::output::{grouped, say, table};
+use crate::record::Counts;
+
+/// The name of the rows of wide trees, which are exact.
+pub(super) const WIDE: &str = "exact, wide";
+
+/// Of each case, how often each accuracy erred.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct StressCounts {
+    pub(super) rows: Vec<Row>,
+    /// Only rows with errors are printed.
+    #[serde(skip)]
+    pub(super) is_brief: bool,
+}
+
+#[derive(Clone, Serialize, Deserialize)]
+pub(super) struct Row {
+    case: String,
+    accuracy: String,
+    rays: u64,
+    false_misses: u64,
+    false_hits: u64,
+    wrong_primitives: u64,
+    max_ulp: u32,
+}
+
+/// How often boxes were skipped that the ray touches.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct BoxCounts(pub(super) BoxTally);
+
+impl Counts for StressCounts {
+    const COMMAND: &str = "stress";
+
+    fn add(&mut self, other: Self) {
+        for theirs in other.rows {
+            let is_same = |row: &&mut Row| (&row.case, &row.accuracy) == (&theirs.case, &theirs.accuracy);
+            match self.rows.iter_mut().find(is_same) {
+                Some(row) => row.add(&theirs),
+                None => self.rows.push(theirs),
+            }
+        }
+    }
+
+    /// The rows, and their sums for each accuracy.
+    fn print(&self) {
+        let header = ["case", "accuracy", "rays", "false misses", "false hits", "wrong primitives", "max ulp"];
+        let shown = self.rows.iter().filter(|row| !self.is_brief || row.errors() > 0);
+        say!("{}", table(&header, 2, shown.map(Row::cells).collect()));
+        let mut sums: Vec<Row> = Vec::new();
+        for row in &self.rows {
+            match sums.iter_mut().find(|sum| sum.accuracy == row.accuracy) {
+                Some(sum) => sum.add(row),
+                None => sums.push(Row { case: "all".to_owned(), ..row.clone() }),
+            }
+        }
+        say!("{}", table(&header, 2, sums.iter().map(Row::cells).collect()));
+        let cases = self.rows.chunk_by(|a, b| a.case == b.case).count();
+        let exact = sums.iter().find(|sum| sum.accuracy == Accuracy::Exact.name());
+        let rays = exact.map_or(0, |sum| sum.rays);
+        let [_, errors] = self.cases_and_errors();
+        say!("stressed: {cases} cases, {rays} rays, exact: {errors} errors");
+    }
+
+    /// Those of exact tests. In wide trees and others the rays are the same.
+    fn cases_and_errors(&self) -> [u64; 2] {
+        let exact = self.rows.iter().filter(|row| row.accuracy == Accuracy::Exact.name());
+        let held = self.rows.iter().filter(|row| [Accuracy::Exact.name(), WIDE].contains(&row.accuracy.as_str()));
+        [exact.map(|row| row.rays).fold(0, u64::saturating_add), held.map(Row::errors).fold(0, u64::saturating_add)]
+    }
+
+    fn is_empty(&self) -> bool {
+        self.rows.iter().all(|row| row.rays == 0)
+    }
+}
+
+impl Counts for BoxCounts {
+    const COMMAND: &str = "stress --boxes";
+
+    fn add(&mut self, other: Self) {
+        self.0 = self.0.merge(other.0);
+    }
+
+    fn print(&self) {
+        let BoxTally { rays, touched, skipped, in_vain } = self.0;
+        let rows = SlabsName::ALL.into_iter().zip(skipped).zip(in_vain);
+        let rows = rows.map(|((form, skipped), in_vain)| vec![form.to_string(), grouped(skipped), grouped(in_vain)]);
+        say!("{}", table(&["box test", "touched and skipped", "not touched and entered"], 1, rows.collect()));
+        say!("stressed: {} rays with a box each, {} touched", grouped(rays), grouped(touched));
+    }
+
+    /// Those of the directed test.
+    fn cases_and_errors(&self) -> [u64; 2] {
+        [self.0.rays, self.0.skipped[2]]
+    }
+
+    fn is_empty(&self) -> bool {
+        self.0.rays == 0
+    }
+}
+
+impl Row {
+    pub(super) fn new(case: &str, accuracy: &str, errors: Errors) -> Self {
+        let Errors { rays, false_misses, false_hits, wrong_primitives, max_ulp } = errors;
+        let (case, accuracy) = (case.to_owned(), accuracy.to_owned());
+        Self { case, accuracy, rays, false_misses, false_hits, wrong_primitives, max_ulp }
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.rays = self.rays.saturating_add(other.rays);
+        self.false_misses = self.false_misses.saturating_add(other.false_misses);
+        self.false_hits = self.false_hits.saturating_add(other.false_hits);
+        self.wrong_primitives = self.wrong_primitives.saturating_add(other.wrong_primitives);
+        self.max_ulp = self.max_ulp.max(other.max_ulp);
+    }
+
+    /// Wrong answers, and 1 for a wrong distance.
+    fn errors(&self) -> u64 {
+        let counts = [self.false_misses, self.false_hits, self.wrong_primitives, u64::from(self.max_ulp > 0)];
+        counts.into_iter().fold(0, u64::saturating_add)
+    }
+
+    fn cells(&self) -> Vec<String> {
+        let numbers = [self.rays, self.false_misses, self.false_hits, self.wrong_primitives, self.max_ulp.into()];
+        let names = [self.case.to_owned(), self.accuracy.clone()];
+        names.into_iter().chain(numbers.map(|number| number.to_string())).collect()
+    }
+}

@@ -1,0 +1,120 @@
+//! `--shard` and `stackless merge`: the parts of any cut add up to the whole.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use crate::support::{Folder, Run, data, read_json, stackless};
+
+/// Runs all parts of a command and gives their records.
+fn parts(folder: &Folder, args: &str, scenes: &[&Path], count: u32) -> Vec<PathBuf> {
+    let part = |index: u32| {
+        let path = folder.path(&format!("{index}.json"));
+        let paths: Vec<_> = [path.as_path()].into_iter().chain(scenes.iter().copied()).collect();
+        stackless(&format!("{args} --shard {index}/{count} --json"), &paths).passes();
+        path
+    };
+    (1..=count).map(part).collect()
+}
+
+fn merge(records: &[PathBuf], json: &Path) -> Run {
+    let paths: Vec<_> = [json].into_iter().chain(records.iter().map(PathBuf::as_path)).collect();
+    stackless("merge --json", &paths)
+}
+
+/// All that is in a record but the time it took.
+fn counts(path: &Path) -> Value {
+    let mut record = read_json(path);
+    assert!(record["run"].as_object_mut().unwrap().remove("machines").is_some());
+    record
+}
+
+/// The sum is the record of the whole run, and says the same.
+fn assert_cut(args: &str, scenes: &[&Path], cuts: &[u32]) {
+    let folder = Folder::new();
+    let [whole, sum] = ["whole.json", "sum.json"].map(|name| folder.path(name));
+    let paths: Vec<_> = [whole.as_path()].into_iter().chain(scenes.iter().copied()).collect();
+    let run = stackless(&format!("{args} --json"), &paths).passes();
+    for &count in cuts {
+        let merged = merge(&parts(&folder, args, scenes, count), &sum).passes();
+        let (claim, rest) = merged.stdout.split_once('\n').unwrap();
+        assert!(claim.starts_with("claim: 0 of "), "{claim}");
+        assert_eq!(rest, run.stdout, "{args}, {count} parts");
+        assert_eq!(counts(&sum), counts(&whole), "{args}, {count} parts");
+    }
+}
+
+#[test]
+fn parts_of_check_add_up() {
+    assert_cut("check --trees 500 --rays 100", &[&data("cube.ply"), &data("cube.obj")], &[1, 7, 64]);
+    // With the trees at the limits of the words, and more rays than are made at once.
+    assert_cut("check --methods sparse,hashed --word u32 --rays 5000", &[], &[3]);
+}
+
+#[test]
+fn parts_of_stress_add_up() {
+    assert_cut("stress --rays 64 --cases edge,t-junction,torus", &[], &[1, 7, 64]);
+    assert_cut("stress --boxes 20000 --seed 5", &[], &[1, 7, 64]);
+}
+
+#[test]
+fn what_is_not_one_run_is_refused() {
+    let folder = Folder::new();
+    let sum = folder.path("sum.json");
+    let of = |args: &str, name: &str| {
+        let path = folder.path(name);
+        stackless(&format!("{args} --json"), &[&path]).passes();
+        path
+    };
+    let check = "check --trees 100 --methods stack";
+    let [a, b, c] = [1, 2, 3].map(|i| of(&format!("{check} --shard {i}/3"), &format!("{i}.json")));
+    let wide = of(&format!("{check} --shard 1/2"), "half.json");
+    let seed = of(&format!("{check} --seed 2 --shard 3/3"), "seed.json");
+    let stress = of("stress --boxes 100 --shard 1/3", "stress.json");
+    let version = folder.path("version.json");
+    std::fs::write(&version, std::fs::read_to_string(&c).unwrap().replace("\"version\": \"0", "\"version\": \"7"))
+        .unwrap();
+    let broken = folder.path("broken.json");
+    std::fs::write(&broken, "{\"run\": {\"command\": \"check\"}}").unwrap();
+    let refused = |records: &[&PathBuf], what: &[&str]| {
+        let records: Vec<_> = records.iter().map(|&path| path.clone()).collect();
+        merge(&records, &sum).fails_naming(what);
+        assert!(!sum.exists());
+    };
+    refused(&[&a, &c], &["33 of 100 trees are missing: 33 to 65"]);
+    refused(&[&c], &["66 of 100 trees are missing: 0 to 65"]);
+    refused(&[&a, &b, &c, &b], &["2.json and ", "both have trees 33 to 65"]);
+    refused(&[&b, &wide, &c], &["half.json and ", "2.json both have trees 33 to 49"]);
+    refused(&[&a, &b, &seed], &["seed.json: `seed` is 2, another than in ", "1.json"]);
+    refused(&[&a, &b, &stress], &["stress.json: "]);
+    refused(&[&a, &b, &version], &["version.json: another version of the program than in "]);
+    refused(&[&a, &broken], &["broken.json: no record: missing field `version`"]);
+    refused(&[&data("cube.ply")], &["cube.ply: "]);
+    refused(&[&folder.path("none.json")], &["none.json: cannot be read"]);
+    merge(&[b, a, c], &sum).passes();
+}
+
+#[test]
+fn errors_of_a_part_are_those_of_the_sum() {
+    let folder = Folder::new();
+    let records = parts(&folder, "check --trees 20 --methods stack,hashed --word u64", &[], 2);
+    let mut bad = read_json(&records[1]);
+    bad["disagreements"] = 3.into();
+    bad["pause_fault"] = serde_json::json!({"number": 17, "found": "hashed, put aside"});
+    std::fs::write(&records[1], bad.to_string()).unwrap();
+    let run = merge(&records, &folder.path("sum.json"));
+    assert_eq!(run.code, Some(1), "{run:?}");
+    assert!(run.stdout.starts_with("claim: none, 3 of 20 cases went wrong\n"), "{run:?}");
+    assert!(run.stdout.contains("tree 17: hashed, put aside"), "{run:?}");
+    assert_eq!(run.last_line(), "checked: 20 trees, 0 rays, 2 methods, 3 disagreements");
+}
+
+#[test]
+fn parts_that_are_none() {
+    for (shard, what) in [("0/3", "I/N"), ("4/3", "I/N"), ("1", "I/N"), ("a/b", "I/N")] {
+        let run = stackless(&format!("check --trees 5 --shard {shard}"), &[]);
+        assert_eq!(run.code, Some(2), "{run:?}");
+        assert!(run.stderr.contains(what), "{run:?}");
+    }
+    stackless("stress --rays 2 --cases edge --shard 1/3", &[]).fails_naming(&["part 1/3 of the run is empty"]);
+}
