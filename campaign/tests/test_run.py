@@ -1,0 +1,161 @@
+"""A campaign on a Dask cluster of two workers on this machine. STACKLESS names the program."""
+
+import json
+import os
+import shutil
+import signal
+import stat
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import pytest
+from distributed import Client, LocalCluster
+
+sys.path.insert(0, str(Path(__file__).parent.parent))
+import run
+
+STACKLESS = os.environ["STACKLESS"]
+RUN = Path(run.__file__)
+
+
+def campaign(folder: Path, command: list[str], parts: int) -> Path:
+    path = folder / "campaign.toml"
+    path.write_text(f"command = {json.dumps(command)}\nparts = {parts}\n")
+    return path
+
+
+def start(path: Path, out: Path, *more: str, program: str = STACKLESS) -> subprocess.CompletedProcess:
+    command = [sys.executable, str(RUN), str(path), "--out", str(out), "--workers", "2", "--program", program, *more]
+    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
+
+
+def whole(folder: Path, command: list[str]) -> dict:
+    path = folder / "whole.json"
+    subprocess.run([STACKLESS, "--quiet", *command, "--json", str(path)], check=True)
+    return counts(path)
+
+
+def counts(path: Path) -> dict:
+    """A record without the time that it took."""
+    record = json.loads(path.read_text())
+    del record["run"]["machines"]
+    return record
+
+
+def wrapper(folder: Path, lines: str) -> str:
+    """A program that runs these lines of shell before `stackless`, with the part in $part."""
+    path = folder / "wrapper"
+    path.write_text(
+        '#!/bin/bash\npart=none\nfor ((i = 1; i <= $#; i++)); do\n'
+        '  if [[ ${!i} == --shard ]]; then j=$((i + 1)); part=${!j}; fi\ndone\n'
+        f'{lines}\nexec "{STACKLESS}" "$@"\n'
+    )
+    path.chmod(path.stat().st_mode | stat.S_IXUSR)
+    return str(path)
+
+
+CHECK = ["check", "--trees", "3000", "--seed", "5"]
+
+
+def test_a_lost_worker_costs_its_part_and_nothing_else(tmp_path):
+    expected = whole(tmp_path, CHECK)
+    # Each part takes long enough to be hit in its middle.
+    slow = wrapper(tmp_path, "sleep 0.5")
+    out = tmp_path / "out"
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        killed = []
+
+        def kill_one():
+            while not any(out.glob("*-of-8.json")):
+                time.sleep(0.05)
+            # That process alone, by its id. A nanny starts another worker in its place.
+            with Client(cluster.scheduler_address) as client:
+                pids = list(client.run(os.getpid).values())
+            os.kill(pids[0], signal.SIGKILL)
+            killed.extend(pids[:1])
+
+        killer = threading.Thread(target=kill_one)
+        killer.start()
+        done = start(
+            campaign(tmp_path, CHECK, 8), out, "--scheduler", cluster.scheduler_address, program=slow
+        )
+        killer.join()
+    assert killed
+    assert done.returncode == 0, done
+    assert counts(out / "sum.json") == expected
+    assert not (out / "failed").exists()
+
+
+def test_a_part_that_crashes_is_kept_and_stops_no_other(tmp_path):
+    out = tmp_path / "out"
+    path = campaign(tmp_path, CHECK, 5)
+    crashing = wrapper(tmp_path, 'if [[ $part == 3/5 ]]; then echo "out of luck" >&2; exit 9; fi')
+    done = start(path, out, "--retries", "1", program=crashing)
+    assert done.returncode == 2, done
+    assert "600 of 3000 trees are missing: 1200 to 1799" in done.stderr
+    assert sorted(file.name for file in out.glob("*.json")) == [f"{i}-of-5.json" for i in (1, 2, 4, 5)]
+    failed = json.loads((out / "failed" / "3-of-5.json").read_text())
+    assert failed["command"] == CHECK and failed["index"] == 3
+    assert "exit code 9: out of luck" in failed["error"]
+    # The rest of it is done later.
+    done = start(path, out)
+    assert done.returncode == 0, done
+    assert "4 of 5 parts have a record already" in done.stdout
+    assert counts(out / "sum.json") == whole(tmp_path, CHECK)
+
+
+def test_a_part_is_tried_again(tmp_path):
+    marks = tmp_path / "marks"
+    marks.mkdir()
+    flaky = wrapper(tmp_path, f'if mkdir "{marks}/${{part//\\//-}}" 2> /dev/null; then kill -SEGV $$; fi')
+    out = tmp_path / "out"
+    done = start(campaign(tmp_path, CHECK, 3), out, "--retries", "1", program=flaky)
+    # `merge` has no part and crashes the first time, too.
+    assert done.returncode != 0 and len(list(out.glob("*-of-3.json"))) == 3, done
+    assert len(list(marks.iterdir())) == 4
+    done = start(campaign(tmp_path, CHECK, 3), out)
+    assert done.returncode == 0, done
+    assert done.stdout.splitlines()[-1] == "checked: 3000 trees, 0 rays, 27 methods, 0 disagreements"
+
+
+def test_what_was_found_is_the_exit_code(tmp_path):
+    """A record with disagreements, as a program would write that has found some."""
+    out = tmp_path / "out"
+    path = campaign(tmp_path, CHECK, 2)
+    assert start(path, out).returncode == 0
+    record = json.loads((out / "2-of-2.json").read_text())
+    record["disagreements"] = 1
+    (out / "2-of-2.json").write_text(json.dumps(record))
+    done = start(path, out)
+    assert done.returncode == 1, done
+    assert "1 of 3,000 cases went wrong" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("text", "what"),
+    [
+        ("parts = 3", "command: expected a list of texts"),
+        ('command = "check"\nparts = 3', "command: expected a list of texts"),
+        ('command = ["check"]\nparts = 0', "parts: expected a number from 1 on"),
+        ('command = ["check"]\nparts = true', "parts: expected a number from 1 on"),
+        ('command = ["check"]\nparts = 3\nspeed = 2', "unknown key 'speed'"),
+        ("command = [", "campaign.toml: "),
+    ],
+)
+def test_bad_files_are_named(tmp_path, text, what):
+    path = tmp_path / "campaign.toml"
+    path.write_text(text)
+    done = start(path, tmp_path / "out")
+    assert done.returncode == 2 and what in done.stderr, done
+    assert len(done.stderr.splitlines()) == 1
+
+
+def test_a_program_that_is_not_there(tmp_path):
+    out = tmp_path / "out"
+    done = start(campaign(tmp_path, CHECK, 2), out, "--retries", "0", program=str(tmp_path / "none"))
+    assert done.returncode == 2, done
+    assert len(list((out / "failed").iterdir())) == 2
+    shutil.rmtree(out)
