@@ -6,17 +6,20 @@
 //! precision, read `f64`. `[EXACT-7]`
 //!
 //! [`brute_force`] is this definition. [`Truth`] gives the same answers sooner, by leaving out triangles that the ray
-//! misses by far. Its hierarchy and its box test are its own and as plain as can be, so that it does not rest on what
-//! it judges.
+//! misses by far. Its hierarchy, its box test and what it knows of triangles are its own and as plain as can be, so that
+//! it does not rest on what it judges.
+
+mod gross;
 
 use std::cmp::Ordering;
-use std::ops::{Range, RangeInclusive};
+use std::ops::Range;
 
 use glam::Vec3;
 
 use super::Hit;
 use crate::geom::truth::{Number, Point, RBig, distance_from, meet, round_f64};
 use crate::geom::{Mesh, Ray, Vector};
+use gross::{Bounds, Gross};
 
 /// Where a ray truly hits a mesh.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,7 +94,15 @@ impl<V: Vector> Truth<V> {
 
     /// The first hit in the order (rounded `t`, primitive).
     pub fn closest(&self, ray: &Ray<V>) -> Option<TrueHit<V::Real>> {
-        self.hits(ray).min_by(order)
+        let (mut candidates, mut first) = (self.candidates(Gross::new(ray)), None);
+        while let Some(prim) = candidates.next() {
+            let hit = hit(prim, self.triangles[prim as usize], ray);
+            first = first.into_iter().chain(hit).min_by(order);
+            if let Some(TrueHit { t, .. }) = first {
+                candidates.gross.end_by(t.into());
+            }
+        }
+        first
     }
 
     /// Whether there is a hit.
@@ -115,28 +126,51 @@ impl<V: Vector> Truth<V> {
         in_order(self.hits(ray))
     }
 
-    /// All hits, in the order of the leaves.
+    /// All hits, in no particular order.
     fn hits(&self, ray: &Ray<V>) -> impl Iterator<Item = TrueHit<V::Real>> {
         self.candidates(Gross::new(ray)).filter_map(|prim| hit(prim, self.triangles[prim as usize], ray))
     }
 
-    /// The primitives whose box, and all boxes above it, the ray does not miss by far.
-    fn candidates(&self, gross: Gross) -> impl Iterator<Item = u32> {
-        let mut stack = vec![(0, 0..self.prims.len())];
-        std::iter::from_fn(move || {
-            loop {
-                let (node, leaves) = stack.pop()?;
-                if gross.misses(&self.boxes[node]) {
+    fn candidates(&self, gross: Gross) -> Candidates<'_, V> {
+        let root = gross.entry(&self.boxes[0]).map(|near| (near, 0, 0..self.prims.len()));
+        let waiting = root.into_iter().filter(|(.., leaves)| !leaves.is_empty()).collect();
+        Candidates { truth: self, gross, waiting }
+    }
+}
+
+/// The primitives that the ray does not miss by far, nor their boxes, nor any box above; more or less from near to far.
+struct Candidates<'t, V: Vector> {
+    truth: &'t Truth<V>,
+    gross: Gross,
+    /// Where the ray enters a node's box, the node, and its leaves.
+    waiting: Vec<(f64, usize, Range<usize>)>,
+}
+
+impl<V: Vector> Iterator for Candidates<'_, V> {
+    type Item = u32;
+
+    fn next(&mut self) -> Option<u32> {
+        let Self { truth: Truth { triangles, prims, boxes }, gross, waiting } = self;
+        loop {
+            let (near, node, leaves) = waiting.pop()?;
+            if gross.ends_before(near) {
+                continue;
+            }
+            if leaves.len() == 1 {
+                let prim = prims[leaves.start];
+                if gross.misses_triangle::<V>(&triangles[prim as usize]) {
                     continue;
                 }
-                if leaves.len() == 1 {
-                    return Some(self.prims[leaves.start]);
-                }
-                let (left, right) = halves(leaves);
-                stack.push((node + 2 * left.len(), right));
-                stack.push((node + 1, left));
+                return Some(prim);
             }
-        })
+            let (left, right) = halves(leaves);
+            let children = [(node + 1, left.clone()), (node + 2 * left.len(), right)];
+            let first = waiting.len();
+            let entered = |(node, leaves): (usize, _)| gross.entry(&boxes[node]).map(|near| (near, node, leaves));
+            waiting.extend(children.into_iter().filter_map(entered));
+            // The nearer one is taken first.
+            waiting[first..].sort_by(|(a, ..), (b, ..)| b.total_cmp(a));
+        }
     }
 }
 
@@ -183,95 +217,6 @@ fn build<V: Vector>(triangles: &[Corners<V>], prims: &mut [u32], boxes: &mut Vec
 fn halves(leaves: Range<usize>) -> (Range<usize>, Range<usize>) {
     let middle = leaves.start + leaves.len() / 2;
     (leaves.start..middle, middle..leaves.end)
-}
-
-/// A box.
-#[derive(Clone, Copy, Debug)]
-struct Bounds {
-    lo: [f64; 3],
-    hi: [f64; 3],
-}
-
-impl Bounds {
-    const EMPTY: Self = Self { lo: [f64::INFINITY; 3], hi: [f64::NEG_INFINITY; 3] };
-
-    fn of<V: Vector>(corners: &Corners<V>) -> Self {
-        corners.iter().map(|corner| corner.map(Into::into)).fold(Self::EMPTY, Self::grow)
-    }
-
-    fn grow(self, point: [f64; 3]) -> Self {
-        self.union(Self { lo: point, hi: point })
-    }
-
-    fn union(self, other: Self) -> Self {
-        let each = |f: fn(f64, f64) -> f64, a: [f64; 3], b: [f64; 3]| std::array::from_fn(|k| f(a[k], b[k]));
-        Self { lo: each(f64::min, self.lo, other.lo), hi: each(f64::max, self.hi, other.hi) }
-    }
-
-    fn middle(&self) -> [f64; 3] {
-        std::array::from_fn(|axis| 0.5 * (self.lo[axis] + self.hi[axis]))
-    }
-}
-
-/// A ray, for a test that tells which boxes it misses by far.
-struct Gross {
-    origin: [f64; 3],
-    direction: [f64; 3],
-    tmin: f64,
-    tmax: f64,
-    /// Whether the components of the direction that are not 0 are in [`RANGE`].
-    in_range: bool,
-}
-
-/// Numbers of such size can be told to be far from each other without overflow. All in single precision are of it.
-const RANGE: RangeInclusive<f64> = f64::from_bits((1023 - 400) << 52)..=f64::from_bits((1023 + 400) << 52);
-
-impl Gross {
-    fn new<V: Vector>(ray: &Ray<V>) -> Self {
-        let [origin, direction] = [ray.origin(), ray.direction()].map(|x| x.widen().to_array());
-        Self::along(origin, direction, [ray.tmin().into(), ray.tmax().into()])
-    }
-
-    /// The origin may have been rounded, which the margin allows for.
-    fn along(origin: [f64; 3], direction: [f64; 3], [tmin, tmax]: [f64; 2]) -> Self {
-        let in_range = direction.into_iter().all(|x| x == 0.0 || RANGE.contains(&x.abs()));
-        Self { origin, direction, tmin, tmax, in_range }
-    }
-
-    /// False for every box that the ray touches.
-    ///
-    /// The box is widened by a margin of 10^-9 of the greatest coordinate `m` at hand. Rounding moves a plane of it,
-    /// as the ray sees it, by less than 10^-15 `m`: 1.1 units of 2^-53 for adding the margin, 2.1 for subtracting
-    /// the origin, and 2.1 for the quotient, whose numerator is below 2.1 `m`. So the margin is a million times
-    /// what it must be, and a ray that touches the box at some `t` has `near <= t <= far` on every axis.
-    ///
-    /// Of `m` and of the direction's components, none may be outside of 2^-400 to 2^400, unless it is 0; else no box is
-    /// missed. So nothing overflows, and no NaN arises: differences are below 2^402, quotients below 2^803. Sums and
-    /// differences do not underflow. A quotient may, by 2^-1075; but the margin, over a component of the direction, is
-    /// above 2^-830.
-    fn misses(&self, bounds: &Bounds) -> bool {
-        let Self { origin: o, direction: d, .. } = self;
-        let Bounds { lo, hi } = bounds;
-        let greatest = [o, lo, hi].into_iter().flatten().fold(0.0, |greatest: f64, x| greatest.max(x.abs()));
-        if !self.in_range || greatest != 0.0 && !RANGE.contains(&greatest) {
-            return false;
-        }
-        let margin = 1e-9 * greatest;
-        let (mut near, mut far) = (self.tmin, self.tmax);
-        for k in 0..3 {
-            let (lo, hi) = (lo[k] - margin, hi[k] + margin);
-            if d[k] == 0.0 {
-                if o[k] < lo || hi < o[k] {
-                    return true;
-                }
-            } else {
-                let (t1, t2) = ((lo - o[k]) / d[k], (hi - o[k]) / d[k]);
-                near = near.max(t1.min(t2));
-                far = far.min(t1.max(t2));
-            }
-        }
-        near > far
-    }
 }
 
 #[cfg(test)]

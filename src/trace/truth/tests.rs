@@ -1,5 +1,5 @@
 use dashu_int::IBig;
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use super::*;
 use crate::generate::{Rng, Source, procedural};
@@ -274,11 +274,42 @@ fn nothing_that_is_hit_is_left_out_in_double_precision() {
 
 #[test]
 fn a_difference_that_overflows_leaves_nothing_out() {
-    let corner = |y: f64, z: f64| glam::DVec3::new(1.5e308, y, z);
+    let corner = |y: f64, z: f64| DVec3::new(1.5e308, y, z);
     let mesh = Mesh::new(vec![corner(-10.0, -10.0), corner(20.0, -10.0), corner(-10.0, 20.0)], vec![[0, 1, 2]]);
     let mesh = mesh.expect("a mesh");
-    let origin = glam::DVec3::new(-1.5e308, 0.0, 0.0);
-    let ray = Ray::new(origin, glam::DVec3::new(1e308, 1.0, 0.0)).expect("a ray");
+    let origin = DVec3::new(-1.5e308, 0.0, 0.0);
+    let ray = Ray::new(origin, DVec3::new(1e308, 1.0, 0.0)).expect("a ray");
     assert_eq!(brute_force(&mesh, &ray).len(), 1);
     assert!(Truth::new(&mesh).any(&ray));
+}
+
+/// Products that underflow say nothing, whatever they are multiplied with.
+#[test]
+fn what_underflows_leaves_nothing_out() {
+    let mut random = Rng::new(50);
+    let mut number = |size: f64| (random.below(17) as f64 - 8.0) * size;
+    let mut hits = 0;
+    for way in [1.0, 2f64.powi(600)] {
+        for _ in 0..2000 {
+            let mut point = |size: f64| DVec3::new(number(size), number(size), number(size));
+            let size = 2f64.powi(-540);
+            let mesh = Mesh::new(vec![point(size), point(size), point(size)], vec![[0, 1, 2]]).expect("a mesh");
+            let Ok(ray) = Ray::new(point(size), point(way)) else { continue };
+            let is_hit = !brute_force(&mesh, &ray).is_empty();
+            hits += usize::from(is_hit);
+            assert!(!is_hit || !Gross::new(&ray).misses_triangle::<DVec3>(&corners(&mesh, 0)), "{mesh:?} {ray:?}");
+        }
+    }
+    assert!(hits > 100, "{hits}");
+}
+
+/// Both distances are rounded to 0, so the lower primitive is the closest hit, though it is farther away.
+#[test]
+fn distances_that_are_rounded_to_zero_tie() {
+    let [size, near, far] = [-50, -52, -51].map(|e| f32::powi(2.0, e));
+    let corners = |z: f32| [[-size, -size, z], [size, -size, z], [0.0, size, z]];
+    let corners = [corners(far), corners(near)].concat();
+    let mesh = mesh(&corners, &[[0, 1, 2], [3, 4, 5]]);
+    let hit = closest(&mesh, &ray([0.0; 3], [0.0, 0.0, f32::powi(2.0, 100)], 0.0, END));
+    assert_eq!(hit.map(|hit| (hit.prim, hit.t)), Some((0, 0.0)));
 }

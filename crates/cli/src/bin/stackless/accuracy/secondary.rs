@@ -20,6 +20,9 @@ use crate::turns::{median_ratio, take_turns};
 /// How far the rays go, in diagonals of the scene.
 const REACH: f32 = 0.1;
 
+/// The least distance of a ray that begins at floats: what is met at 0 does not count, as in other ray tracers.
+const POSITIVE: f32 = f32::from_bits(1);
+
 /// Rays that are timed at once.
 const CHUNK: usize = 4096;
 
@@ -53,7 +56,7 @@ impl Start {
         let Bounce { primary, hit, corners: [a, b, c], normal, direction, tmax, .. } = bounce;
         let weighted = a * (1.0 - hit.u - hit.v) + b * hit.u + c * hit.v;
         let (origin, tmin) = match self {
-            Self::Rounded => (primary.origin() + primary.direction() * hit.t, 0.0),
+            Self::Rounded => (primary.origin() + primary.direction() * hit.t, POSITIVE),
             Self::Epsilon => (primary.origin() + primary.direction() * hit.t, epsilon / direction.length()),
             Self::Ulp => {
                 let by = (normal * 256.0).to_array().map(|x| x as i32);
@@ -64,7 +67,7 @@ impl Start {
                     }
                     f32::from_bits(p.to_bits().wrapping_add_signed(if p < 0.0 { -by } else { by }))
                 };
-                (Vec3::from([0, 1, 2].map(moved)), 0.0)
+                (Vec3::from([0, 1, 2].map(moved)), POSITIVE)
             }
             Self::Bounded => {
                 // gamma(7) of the terms of the weighted sum. The first weight is a rounded difference.
@@ -82,7 +85,7 @@ impl Start {
                         moved
                     }
                 };
-                (Vec3::from([0, 1, 2].map(moved)), 0.0)
+                (Vec3::from([0, 1, 2].map(moved)), POSITIVE)
             }
         };
         Ray::within(origin, *direction, tmin, tmin.max(*tmax)).ok()
