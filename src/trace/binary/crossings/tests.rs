@@ -57,7 +57,7 @@ fn crossings_are_those_of_the_wide_tracer() {
     for builder in Builder::ALL {
         let bvh = BuildOptions { builder, spatial, ..BuildOptions::default() }.build(&mesh).expect("a tree");
         for method in Method::ALL {
-            if let Ok(tracer) = BinaryTracer::<_, Exact, Directed>::with_tests(&bvh, *method) {
+            if let Ok(tracer) = BinaryTracer::<_, Exact, Directed>::with_tests(&bvh, method) {
                 assert_eq!(tracer.crossings_each(&rays), expected, "{builder} {method}");
             }
         }
