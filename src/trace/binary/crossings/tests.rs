@@ -50,8 +50,8 @@ fn crossings_in_double_precision_are_those_in_single() {
 /// A triangle in several leaves is counted once, by every traversal.
 #[test]
 fn crossings_are_those_of_the_wide_tracer() {
-    let (mesh, spatial) = (procedural::soup(1, 500), SpatialOptions { extra_percent: 200, overlap: 0.0 });
-    let rays = procedural::rays(&mesh, 2, 200);
+    let (mesh, spatial) = (procedural::layers(40), SpatialOptions { extra_percent: 200, overlap: 0.0 });
+    let rays = procedural::rays(&mesh, 2, 100);
     let expected = Tracer::of(&mesh).expect("a tracer").crossings_each(&rays);
     assert!(expected.iter().sum::<u32>() > 50);
     for builder in Builder::ALL {
