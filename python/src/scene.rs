@@ -271,5 +271,5 @@ fn options(build: &str) -> PyResult<(Builder, u32)> {
         return Ok((builder, rounds));
     }
     let names = Builder::ALL.map(Builder::name).join(", ");
-    Err(refused(format!("build: {build:?}, expected one of {names}, or one with +N for N rounds of reinsertion")))
+    Err(refused(format!("build: '{build}', expected one of {names}, or one with +N for N rounds of reinsertion")))
 }

@@ -28,8 +28,10 @@ def face_array(faces: ArrayLike) -> NDArray[Any]:
     check_shape(array, "faces", 3, "m")
     if array.dtype in INDICES:
         return array
-    # Indices of 64 bits without a sign that are too great stay so.
-    return np.minimum(array, np.iinfo(np.int64).max).astype(np.int64)
+    if array.dtype.kind == "u" and array.dtype.itemsize == 8:
+        # What is too great stays so.
+        array = np.minimum(array, np.iinfo(np.int64).max)
+    return array.astype(np.int64)
 
 
 def rows(array: ArrayLike, name: str, dtype: str, width: int = 3) -> NDArray[Any]:

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import settings
 
 # Builds of CI share two slow cores: no example is too slow, and the same ones come each time.
-settings.register_profile("ci", deadline=None, derandomize=True)
+settings.register_profile("ci", deadline=None, derandomize=True, max_examples=400)
 settings.register_profile("long", deadline=None, max_examples=5000)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci"))
 
