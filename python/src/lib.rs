@@ -1,6 +1,7 @@
 //! The extension module of the Python package `stackless_bvh`: arrays in, answers of the library, arrays out.
 //!
 //! The modules of the package check the kinds and the shapes of arrays; what stands in them is checked here.
+#![forbid(unsafe_code)]
 
 mod arrays;
 mod batch;

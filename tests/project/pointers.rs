@@ -5,8 +5,19 @@ use std::path::Path;
 use crate::files::{read, root};
 
 /// Folders that are named from the root.
-const FOLDERS: [&str; 10] =
-    ["benches/", "crates/", "docs/", "examples/", "fuzz/", "gpu-check/", "proofs/", "spec/", "src/", "tests/"];
+const FOLDERS: [&str; 11] = [
+    "benches/",
+    "crates/",
+    "docs/",
+    "examples/",
+    "fuzz/",
+    "gpu-check/",
+    "proofs/",
+    "python/",
+    "spec/",
+    "src/",
+    "tests/",
+];
 
 /// The paths in backticks that begin at the root, each with its line.
 fn paths(text: &str) -> Vec<(usize, &str)> {
@@ -21,7 +32,7 @@ fn paths(text: &str) -> Vec<(usize, &str)> {
 #[test]
 fn every_path_in_a_text_is_there() {
     let mut wrong = Vec::new();
-    for folder in ["", "benches", "fuzz", "gpu-check", "proofs", "spec", "spec/rocq", "spec/suite", "tests"] {
+    for folder in ["", "benches", "fuzz", "gpu-check", "proofs", "python", "spec", "spec/rocq", "spec/suite", "tests"] {
         for entry in std::fs::read_dir(root().join(folder)).unwrap() {
             let file = entry.unwrap().path();
             if file.extension().is_none_or(|ending| ending != "md") {
