@@ -11,7 +11,7 @@ use stackless_bvh::traverse::Method;
 use crate::arrays::Rays;
 use crate::batch::in_pieces;
 use crate::errors::{failed, refused};
-use crate::queries::{Found, HitArrays};
+use crate::queries::{Found, HitArrays, room};
 use crate::scene::Scene;
 use crate::space::Answers;
 
@@ -78,7 +78,7 @@ impl Instances {
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyArray1<i64>>, HitArrays<'py, f32>)> {
         let rays = Rays::<WideBvh>::new(rays.each_ref())?;
-        let (mut instances, mut found) = (Vec::with_capacity(rays.len()), Found::with_capacity(rays.len()));
+        let (mut instances, mut found) = (room(rays.len())?, Found::with_room(rays.len())?);
         let answer = |rays: Vec<Ray>| in_parallel(&rays, |ray| self.tracer.closest(ray)).map_err(failed);
         in_pieces(
             py,
@@ -105,7 +105,7 @@ impl Instances {
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
         let rays = Rays::<WideBvh>::new(rays.each_ref())?;
-        let mut found = Vec::with_capacity(rays.len());
+        let mut found = room(rays.len())?;
         let answer = |rays: Vec<Ray>| in_parallel(&rays, |ray| self.tracer.any(ray)).map_err(failed);
         in_pieces(py, rays.len(), progress.as_ref(), |rows| rays.chunk(rows), answer, |hits| found.extend(hits))?;
         Ok(found.into_pyarray(py))

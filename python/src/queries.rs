@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use stackless_bvh::bvh::WideBvh;
@@ -28,7 +29,7 @@ pub(crate) fn closest<'py, S: Space>(
     rays: &Rays<'py, S>,
     progress: Progress<'_, 'py>,
 ) -> PyResult<HitArrays<'py, S::Real>> {
-    let mut found = Found::with_capacity(rays.len());
+    let mut found = Found::with_room(rays.len())?;
     let answer = |rays: Vec<Ray<S::Vector>>| bvh.closest(&rays).map_err(failed);
     in_pieces(
         py,
@@ -52,7 +53,7 @@ pub(crate) fn any<'py, S: Space>(
     rays: &Rays<'py, S>,
     progress: Progress<'_, 'py>,
 ) -> PyResult<Bound<'py, PyArray1<bool>>> {
-    let mut found = Vec::with_capacity(rays.len());
+    let mut found = room(rays.len())?;
     let answer = |rays: Vec<Ray<S::Vector>>| bvh.any(&rays).map_err(failed);
     in_pieces(py, rays.len(), progress, |rows| rays.chunk(rows), answer, |hits| found.extend(hits))?;
     Ok(found.into_pyarray(py))
@@ -65,7 +66,7 @@ pub(crate) fn crossings<'py, S: Space>(
     rays: &Rays<'py, S>,
     progress: Progress<'_, 'py>,
 ) -> PyResult<Bound<'py, PyArray1<i64>>> {
-    let mut found = Vec::with_capacity(rays.len());
+    let mut found = room(rays.len())?;
     let answer = |rays: Vec<Ray<S::Vector>>| bvh.crossings(&rays).map_err(failed);
     in_pieces(
         py,
@@ -91,7 +92,7 @@ pub(crate) fn all<'py, S: Space>(
     rays: &Rays<'py, S>,
     progress: Progress<'_, 'py>,
 ) -> PyResult<AllArrays<'py, S::Real>> {
-    let (mut offsets, mut found, mut places) = (vec![0], Found::with_capacity(rays.len()), Vec::new());
+    let (mut offsets, mut found, mut places) = (vec![0], Found::with_room(0)?, Vec::new());
     let answer = |rays: Vec<Ray<S::Vector>>| -> PyResult<_> {
         let hits = bvh.all(&rays).map_err(failed)?;
         let of_ray = |(ray, hits): (&Ray<_>, &Vec<Hit<_>>)| hits.iter().map(|hit| place(mesh, ray, hit)).collect();
@@ -171,7 +172,7 @@ pub(crate) fn contains<'py, S: Space>(
         }
         Ok(inside)
     };
-    let mut found = Vec::with_capacity(array.nrows());
+    let mut found = room(array.nrows())?;
     in_pieces(py, array.nrows(), progress, read, answer, |inside: Vec<bool>| found.extend(inside))?;
     Ok(found.into_pyarray(py))
 }
@@ -260,6 +261,13 @@ fn nearest_of(bvh: &WideBvh, balls: &[Ball], k: usize) -> Answers<Vec<Near>> {
     Ok(chunks?.into_iter().flatten().collect())
 }
 
+/// An empty vector that can grow so far. Where there is no memory for that, it is an exception, and no abort.
+pub(crate) fn room<T>(count: usize) -> PyResult<Vec<T>> {
+    let mut numbers = Vec::new();
+    numbers.try_reserve_exact(count).map_err(|_| PyMemoryError::new_err(format!("no memory for {count} answers")))?;
+    Ok(numbers)
+}
+
 /// Arrays of hits that grow.
 pub(crate) struct Found<R> {
     t: Vec<R>,
@@ -268,8 +276,8 @@ pub(crate) struct Found<R> {
 }
 
 impl<R: Coordinate> Found<R> {
-    pub(crate) fn with_capacity(count: usize) -> Self {
-        Self { t: Vec::with_capacity(count), primitive: Vec::with_capacity(count), uv: Vec::with_capacity(2 * count) }
+    pub(crate) fn with_room(count: usize) -> PyResult<Self> {
+        Ok(Self { t: room(count)?, primitive: room(count)?, uv: room(2 * count)? })
     }
 
     pub(crate) fn push(&mut self, hit: Option<&Hit<R>>) {

@@ -218,7 +218,7 @@ sys.path.insert(0, sys.argv[1])
 from conftest import octasphere
 from stackless_bvh import Scene
 scene = Scene(*octasphere(4))
-directions = np.broadcast_to(np.float64([0.1, 0.2, 0.3]), (10**9, 3))
+directions = np.broadcast_to(np.float64([0.1, 0.2, 0.3]), (10**8, 3))
 print("begun", flush=True)
 try:
     scene.closest([0, 0, 0], directions)
@@ -237,6 +237,12 @@ def test_ctrl_c_ends_a_batch_that_would_take_minutes():
     child.send_signal(signal.SIGINT)
     output, _ = child.communicate(timeout=60)
     assert (output, child.returncode) == ("interrupted\n", 0)
+
+
+def test_no_memory_is_an_exception():
+    scene = Scene(*octasphere(1))
+    with pytest.raises(MemoryError, match="no memory for 1152921504606846976 answers"):
+        scene.closest([0, 0, 0], np.broadcast_to(np.float64([0.1, 0.2, 0.3]), (2**60, 3)))
 
 
 def test_other_threads_run_while_rays_are_traced():

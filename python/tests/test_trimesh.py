@@ -33,7 +33,7 @@ def test_answers_are_those_of_trimesh_for_rays_in_general_position():
         for multiple in (True, False):
             found = ours.intersects_id(origins, directions, multiple_hits=multiple)
             assert pairs(found) == pairs(theirs.intersects_id(origins, directions, multiple_hits=multiple))
-            assert len(found[0]) > 100
+            assert len(found[0]) > 30
         locations, index_ray, index_tri = ours.intersects_location(origins, directions)
         expected, their_ray, _ = theirs.intersects_location(origins, directions)
         order = lambda rays, places: np.lexsort((*places.round(6).T, rays))
@@ -93,7 +93,7 @@ def test_rays_without_a_direction_and_meshes_without_faces():
     rays = np.zeros((2, 3)), np.array([[0, 0, 0.0], [0, 0, 1]])
     assert mesh.ray.intersects_any(*rays).tolist() == [False, True]
     assert mesh.ray.intersects_first(*rays)[0] == -1
-    assert mesh.ray.intersects_id(*rays)[1].tolist() == [1]
+    assert set(mesh.ray.intersects_id(*rays)[1].tolist()) == {1}
     empty = exact(trimesh.Trimesh(vertices=[[0, 0, 0]], faces=np.zeros((0, 3), int)))
     assert not empty.ray.intersects_any(*rays).any() and (empty.ray.intersects_first(*rays) == -1).all()
     assert [len(part) for part in empty.ray.intersects_location(*rays)] == [0, 0, 0]
