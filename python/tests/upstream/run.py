@@ -37,8 +37,8 @@ def main() -> int:
             for name in FILES:
                 member = f"trimesh-{trimesh.__version__}/tests/{name}"
                 (tests / name).write_bytes(tar.extractfile(member).read())
-        for name in ("generic.py", "conftest.py"):
-            (tests / name).write_bytes((HERE / name).read_bytes())
+        for name, become in [("generic.py", "generic.py"), ("engines.py", "conftest.py")]:
+            (tests / become).write_bytes((HERE / name).read_bytes())
         engines = ["native", "embreex", "exact"] if has_embreex() else ["native", "exact"]
         outcomes = {engine: run(tests, engine) for engine in engines}
     print("| test |", " | ".join(engines), "|\n|---|" + "---|" * len(engines))
