@@ -156,11 +156,10 @@ def rays(vertices, faces, count):
 
 
 def nearest_faces(vertices, faces, origin, direction):
-    """The faces with the least exact distance, or -1: any of them is a right answer."""
+    """The faces whose exact distance rounds to the least float32, or -1: any of them is a right answer."""
     candidates = near_misses_and_hits(vertices, faces, origin, direction)
-    found = oracle.all_hits(vertices, faces[candidates], origin, direction)
-    least = min((hit[2] for hit in found), default=None)
-    return {int(candidates[hit[1]]) for hit in found if hit[2] == least} or {-1}
+    found = oracle.all_hits(vertices, faces[candidates], origin, direction, dtype=np.float32)
+    return {int(candidates[hit[1]]) for hit in found if hit[0] == found[0][0]} or {-1}
 
 
 def near_misses_and_hits(vertices, faces, origin, direction):
