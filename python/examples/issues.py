@@ -16,6 +16,7 @@ import trimesh
 
 sys.path[:0] = [str(Path(__file__).parents[1]), str(Path(__file__).parents[1] / "tests")]
 import oracle  # noqa: E402
+
 from bench import ENGINES  # noqa: E402
 
 RANDOM = np.random.default_rng(1)
@@ -93,10 +94,12 @@ def nested_cylinders():
     rim = np.hypot(*fifth[:, :2].T) > 1
     origins, ways = fifth[rim] * np.float32([1.05, 1.05, 0.9]), sixth[rim] - fifth[rim]
     ways[:, 2] = 0
+
     def wrong(engine):
         hit = engine.closest(origins, ways)
         first = np.linalg.norm(vertices[faces[hit]].mean(axis=1)[:, :2], axis=1)
         return ((hit < 0) | (first > 6.5)).sum()
+
     return vertices, faces, wrong, len(origins)
 
 
@@ -115,9 +118,14 @@ def slivers():
     ways = ways.astype(np.float32)
     # One triangle and one ray at a time, so that no other triangle is in the way: all are moved apart along z.
     truth = np.array([oracle.all_hits(t, [(0, 1, 2)], o, d) != [] for t, o, d in zip(triangles, origins, ways)])
+
     def wrong(make):
-        found = [make(t, np.array([[0, 1, 2]])).closest(o[None], d[None])[0] >= 0 for t, o, d in zip(triangles, origins, ways)]
+        found = [
+            make(t, np.array([[0, 1, 2]])).closest(o[None], d[None])[0] >= 0
+            for t, o, d in zip(triangles, origins, ways)
+        ]
         return (np.array(found) != truth).sum()
+
     return None, None, wrong, count
 
 

@@ -59,7 +59,9 @@ def section(scene, mesh, size):
     inside, theirs = scene.contains(points), mesh.contains(points)
     colours = np.where(inside[:, None], [70, 110, 190], [255, 255, 255])
     colours[inside != theirs] = [220, 30, 30]
-    print(f"{inside.sum()} of {len(inside)} points are inside; trimesh says something else of {(inside != theirs).sum()}")
+    print(
+        f"{inside.sum()} of {len(inside)} points are inside; trimesh says something else of {(inside != theirs).sum()}"
+    )
     return colours.reshape(size, size, 3).astype(np.uint8)
 
 

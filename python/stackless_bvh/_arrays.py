@@ -43,9 +43,7 @@ def rows(array: ArrayLike, name: str, dtype: str, width: int = 3) -> NDArray[Any
     return array
 
 
-def rays(
-    origins: ArrayLike, directions: ArrayLike, tmin: ArrayLike, tmax: ArrayLike, dtype: str
-) -> list[NDArray[Any]]:
+def rays(origins: ArrayLike, directions: ArrayLike, tmin: ArrayLike, tmax: ArrayLike, dtype: str) -> list[NDArray[Any]]:
     """Four arrays of as many rows. One origin serves all directions, and one direction all origins."""
     starts, ways = rows(origins, "origins", dtype), rows(directions, "directions", dtype)
     if len(starts) != len(ways) and 1 not in (len(starts), len(ways)):

@@ -55,11 +55,15 @@ class Instances:
             raise ValueError(f"objects: shape {indices.shape}, expected (n,)")
         maps = numbers(transforms, "transforms", "float32")
         if maps.shape[1:] not in ((3, 4), (4, 4)) or len(maps) != len(indices):
-            raise ValueError(f"transforms: shape {maps.shape}, expected ({len(indices)}, 3, 4) or ({len(indices)}, 4, 4)")
+            raise ValueError(
+                f"transforms: shape {maps.shape}, expected ({len(indices)}, 3, 4) or ({len(indices)}, 4, 4)"
+            )
         if maps.shape[1] == 4:
             wrong = np.flatnonzero((maps[:, 3] != [0, 0, 0, 1]).any(axis=1))
             if len(wrong):
-                raise ValueError(f"transforms[{wrong[0]}]: fourth row {maps[wrong[0], 3].tolist()}, expected [0, 0, 0, 1]")
+                raise ValueError(
+                    f"transforms[{wrong[0]}]: fourth row {maps[wrong[0], 3].tolist()}, expected [0, 0, 0, 1]"
+                )
         self._native = _native.Instances([scene._native for scene in scenes], indices.astype(np.int64), maps[:, :3])
 
     def __len__(self) -> int:

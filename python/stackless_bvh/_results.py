@@ -30,7 +30,7 @@ class Hits:
 
 @dataclass(frozen=True)
 class AllHits:
-    """All hits of n rays, in order of distance and then of face: those of ray i are rows offsets[i] to offsets[i + 1]."""
+    """All hits of n rays, by distance and then by face: those of ray i are rows offsets[i] to offsets[i + 1]."""
 
     offsets: NDArray[np.int64]
     """Shape (n + 1,), from 0 to the number m of hits."""

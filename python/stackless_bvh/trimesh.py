@@ -95,31 +95,24 @@ class RayMeshIntersector:
         ValueError
             Shapes do not fit, or a number is not finite.
         """
-        origins, directions, rows = _rays(ray_origins, ray_directions)
-        scene = self.scene
-        if scene is None or len(rows) == 0:
-            nothing = np.zeros(0, np.int64)
-            return (nothing, nothing, np.zeros((0, 3))) if return_locations else (nothing, nothing)
-        if multiple_hits:
-            hits = scene.all_hits(origins[rows], directions[rows])
-            keep = _kept(hits, return_locations, max_hits)
-            index_tri, index_ray, t = hits.primitives[keep], rows[hits.rays[keep]], hits.t[keep]
-        else:
-            first = scene.closest(origins[rows], directions[rows])
-            index_tri, index_ray, t = first.primitive[first.hit], rows[first.hit], first.t[first.hit]
-        if not return_locations:
-            return index_tri, index_ray
-        return index_tri, index_ray, origins[index_ray] + t[:, np.newaxis] * directions[index_ray]
+        index_tri, index_ray, locations = self._hits(
+            ray_origins, ray_directions, multiple_hits, max_hits, return_locations
+        )
+        return (index_tri, index_ray, locations) if return_locations else (index_tri, index_ray)
 
     def intersects_location(
-        self, ray_origins: ArrayLike, ray_directions: ArrayLike, multiple_hits: bool = True, **kwargs: Any
+        self,
+        ray_origins: ArrayLike,
+        ray_directions: ArrayLike,
+        multiple_hits: bool = True,
+        max_hits: int | None = None,
+        **kwargs: Any,
     ) -> tuple[NDArray[np.float64], _Indices, _Indices]:
         """Where rays hit the mesh, each location of a ray once: `(locations, index_ray, index_tri)`.
 
         Parameters and errors are those of `intersects_id`.
         """
-        kwargs["return_locations"] = True
-        index_tri, index_ray, locations = self.intersects_id(ray_origins, ray_directions, multiple_hits, **kwargs)
+        index_tri, index_ray, locations = self._hits(ray_origins, ray_directions, multiple_hits, max_hits, True)
         return locations, index_ray, index_tri
 
     def intersects_first(self, ray_origins: ArrayLike, ray_directions: ArrayLike, **kwargs: Any) -> _Indices:
@@ -155,7 +148,30 @@ class RayMeshIntersector:
         from trimesh.ray.ray_util import contains_points
 
         warnings.warn("the mesh is not closed, so that what is inside of it is a guess", stacklevel=2)
-        return contains_points(self, array)
+        guessed: NDArray[np.bool_] = contains_points(self, array)
+        return guessed
+
+    def _hits(
+        self,
+        ray_origins: ArrayLike,
+        ray_directions: ArrayLike,
+        multiple_hits: bool,
+        max_hits: int | None,
+        each_location_once: bool,
+    ) -> tuple[_Indices, _Indices, NDArray[np.float64]]:
+        """Faces, rays and locations."""
+        origins, directions, rows = _rays(ray_origins, ray_directions)
+        scene = self.scene
+        if scene is None:
+            return np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros((0, 3))
+        if multiple_hits:
+            hits = scene.all_hits(origins[rows], directions[rows])
+            keep = _kept(hits, each_location_once, max_hits)
+            index_tri, index_ray, t = hits.primitives[keep], rows[hits.rays[keep]], hits.t[keep]
+        else:
+            first = scene.closest(origins[rows], directions[rows])
+            index_tri, index_ray, t = first.primitive[first.hit], rows[first.hit], first.t[first.hit]
+        return index_tri, index_ray, origins[index_ray] + t[:, np.newaxis] * directions[index_ray]
 
     def __getstate__(self) -> dict[str, Any]:
         return {"mesh": self.mesh, "_made": None}

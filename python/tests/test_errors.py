@@ -68,7 +68,10 @@ RAYS = [
 @pytest.mark.parametrize("query", ["closest", "any", "all_hits", "count_crossings"])
 @pytest.mark.parametrize(("arguments", "kind", "message"), RAYS)
 def test_rays(query, arguments, kind, message):
-    arguments = [a.astype(F4) if isinstance(a, np.ndarray) and "pass" not in message and a.dtype.kind == "f" else a for a in arguments]
+    arguments = [
+        a.astype(F4) if isinstance(a, np.ndarray) and "pass" not in message and a.dtype.kind == "f" else a
+        for a in arguments
+    ]
     scene = Scene(CUBE.astype(F4), CUBE_FACES)
     check(kind, message, lambda: getattr(scene, query)(*arguments))
 
@@ -84,7 +87,9 @@ def test_points_and_what_else_is_asked():
     check(ValueError, "k: 0, expected at least 1", lambda: single.nearest([0, 0, 0], k=0))
     message = "nearest: for float32 scenes only, and this one is float64; build a Scene from vertices.astype('float32')"
     check(NotImplementedError, message, lambda: double.nearest([0, 0, 0]))
-    message = "build: 'fast', expected one of sah, sbvh, lbvh, bounded, median, or one with +N for N rounds of reinsertion"
+    message = (
+        "build: 'fast', expected one of sah, sbvh, lbvh, bounded, median, or one with +N for N rounds of reinsertion"
+    )
     check(ValueError, message, lambda: Scene(CUBE, CUBE_FACES, "fast"))
     message = "the mesh is not closed: the edge (0, 1) of faces[0] is in 1 face, expected an even number (4 such edges)"
     opened = Scene(CUBE, np.delete(CUBE_FACES, [4, 5], axis=0))
@@ -108,7 +113,9 @@ def test_instances():
     check(ValueError, message, lambda: Instances([single], [0], changed(unit, (0, 0, 0), 0)))
     message = "transforms[0]: row 1, column 3: NaN, expected a finite number"
     check(ValueError, message, lambda: Instances([single], [0], changed(unit, (0, 1, 3), np.nan)))
-    check(ValueError, "objects: no rows, expected at least one", lambda: Instances([single], np.zeros(0, int), unit[:0]))
+    check(
+        ValueError, "objects: no rows, expected at least one", lambda: Instances([single], np.zeros(0, int), unit[:0])
+    )
 
 
 def check(kind, message, do):

@@ -58,7 +58,10 @@ def test_arrays_of_any_layout_get_the_same_answers(dtype):
         scene = Scene(layout(vertices) if layout is not np.ndarray.tolist else vertices, layout(faces))
         assert same(scene.closest(layout(origins), layout(directions)), expected)
     for index in (np.int8, np.int16, np.int32, np.uint32, np.uint64):
-        assert same(Scene(vertices, faces.astype(np.uint16 if index == np.int8 else index)).closest(origins, directions), expected)
+        assert same(
+            Scene(vertices, faces.astype(np.uint16 if index == np.int8 else index)).closest(origins, directions),
+            expected,
+        )
 
 
 def test_float32_rays_are_taken_exactly_by_float64_scenes():
@@ -103,7 +106,13 @@ def test_a_mesh_is_closed_by_its_coordinates_whatever_its_indices():
     assert np.array_equal(turned.contains(random), soup.contains(random))
     # The inner one of two spheres is a hole.
     hollow = Scene(np.concatenate([vertices, vertices / 2]), np.concatenate([faces, faces + len(vertices)]))
-    assert hollow.contains([[0, 0, 0], [0, 0, 0.75], [0, 0, 1], [0, 0, 0.5], [0, 0, 2]]).tolist() == [False, True, True, True, False]
+    assert hollow.contains([[0, 0, 0], [0, 0, 0.75], [0, 0, 1], [0, 0, 0.5], [0, 0, 2]]).tolist() == [
+        False,
+        True,
+        True,
+        True,
+        False,
+    ]
 
 
 def test_points_on_the_surface_are_told_from_others(dtype):
@@ -178,10 +187,14 @@ def test_instances_are_the_exact_images():
     origins *= 4
     hits, hit_any = instances.closest(origins, directions), instances.any(origins, directions)
     assert len(instances) == 3 and set(hits.instance) == {-1, 0, 1, 2}
+
+    def image(corner, rows):
+        return tuple(sum(oracle.Fraction(float(m)) * x for m, x in zip(row, (*corner, 1))) for row in rows)
+
     images = [
-        [[tuple(sum(oracle.Fraction(float(m)) * x for m, x in zip(row, (*corner, 1))) for row in maps[i]) for corner in oracle.corners(s.vertices, face)] for face in s.faces]
-        for i, s in enumerate([scene, cube, scene])
-    ]  # fmt: skip
+        [[image(corner, rows) for corner in oracle.corners(placed.vertices, face)] for face in placed.faces]
+        for placed, rows in zip([scene, cube, scene], maps)
+    ]
     for ray, (origin, direction) in enumerate(zip(origins, directions)):
         found = [
             (oracle.rounded(hit[0], np.float32), i, face)

@@ -10,7 +10,9 @@ from stackless_bvh import Scene
 # A grid of few points, so that rays meet edges and corners all the time; and floats of all sizes.
 GRID = st.integers(-8, 8).map(lambda x: x / 8)
 FLOATS = st.floats(-1000.0, 1000.0, width=32)
-EXTREME = st.one_of(GRID, st.floats(width=32, allow_nan=False, allow_infinity=False, max_value=2.0**60, min_value=-(2.0**60)))
+EXTREME = st.one_of(
+    GRID, st.floats(width=32, allow_nan=False, allow_infinity=False, max_value=2.0**60, min_value=-(2.0**60))
+)
 DTYPES = st.sampled_from([np.float32, np.float64])
 BUILDS = st.sampled_from(["sah", "sbvh", "lbvh", "bounded", "median", "sah+2"])
 
