@@ -17,7 +17,7 @@ def mesh_arrays(vertices: ArrayLike, faces: ArrayLike) -> tuple[NDArray[Any], ND
     if points.dtype not in FLOATS:
         raise TypeError(f"vertices: dtype {points.dtype}, expected float32 or float64")
     check_shape(points, "vertices", 3, "n")
-    return points, face_array(faces)
+    return aligned(points), face_array(faces)
 
 
 def face_array(faces: ArrayLike) -> NDArray[Any]:
@@ -27,7 +27,7 @@ def face_array(faces: ArrayLike) -> NDArray[Any]:
         raise TypeError(f"faces: dtype {array.dtype}, expected integers")
     check_shape(array, "faces", 3, "m")
     if array.dtype in INDICES:
-        return array
+        return aligned(array)
     if array.dtype.kind == "u" and array.dtype.itemsize == 8:
         # What is too great stays so.
         array = np.minimum(array, np.iinfo(np.int64).max)
@@ -67,13 +67,18 @@ def numbers(array: ArrayLike, name: str, dtype: str) -> NDArray[Any]:
     if not isinstance(array, np.ndarray):
         return listed(array, name, dtype)
     if array.dtype == dtype:
-        return array
+        return aligned(array)
     if array.dtype == "float32":
         return array.astype(dtype)
     fix = f"pass {name}.astype('{dtype}')" if array.dtype.kind in "fiu" else "pass numbers"
     if array.dtype == "float64":
         fix += " or make the Scene of float64 vertices"
     raise TypeError(f"{name}: dtype {array.dtype}, expected {dtype}; {fix}")
+
+
+def aligned(array: NDArray[Any]) -> NDArray[Any]:
+    """The array, copied if its numbers do not lie where numbers of their size lie, as in packed records."""
+    return array if array.flags.aligned else array.copy()
 
 
 def listed(values: ArrayLike, name: str, dtype: Any) -> NDArray[Any]:

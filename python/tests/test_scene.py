@@ -49,12 +49,25 @@ def test_arrays_of_any_layout_get_the_same_answers(dtype):
         wide[::2, 1:6:2] = array
         return wide[::2, 1:6:2]
 
+    def packed(array):
+        records = np.zeros(len(array), dtype=[("tag", np.uint8), ("row", array.dtype, 3)])
+        records["row"] = array
+        assert not records["row"].flags.aligned
+        return records["row"]
+
     def frozen(array):
         array = array.copy()
         array.flags.writeable = False
         return array
 
-    for layout in (strided, frozen, np.asfortranarray, lambda array: array[::-1].copy()[::-1], np.ndarray.tolist):
+    for layout in (
+        strided,
+        packed,
+        frozen,
+        np.asfortranarray,
+        lambda array: array[::-1].copy()[::-1],
+        np.ndarray.tolist,
+    ):
         scene = Scene(layout(vertices) if layout is not np.ndarray.tolist else vertices, layout(faces))
         assert same(scene.closest(layout(origins), layout(directions)), expected)
     for index in (np.int8, np.int16, np.int32, np.uint32, np.uint64):
@@ -207,6 +220,14 @@ def test_instances_are_the_exact_images():
         assert hit_any[ray] == bool(found)
     four = np.concatenate([maps, np.tile(np.float32([[[0, 0, 0, 1]]]), (3, 1, 1))], axis=1)
     assert same(Instances([scene, cube], [0, 1, 0], four).closest(origins, directions), hits)
+
+
+def test_a_scene_that_is_asked_is_not_changed(dtype):
+    vertices, faces = octasphere(1, dtype)
+    scene = Scene(vertices, faces)
+    with pytest.raises(RuntimeError, match="Already borrowed"):
+        scene.any([0, 0, 0], vertices, progress=lambda *_: scene.refit(2 * vertices))
+    assert np.array_equal(scene.vertices, vertices)
 
 
 def test_progress_is_told_and_its_errors_end_the_batch(dtype):
