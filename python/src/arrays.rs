@@ -51,6 +51,7 @@ impl<'py, S: Space> Rays<'py, S> {
 /// An array of shape (n, 3) of the numbers of a scene.
 pub(crate) fn points<'py, S: Space>(array: &Bound<'py, PyAny>, name: &str) -> PyResult<PyReadonlyArray2<'py, S::Real>> {
     let unfit = || refused(format!("{name}: expected an array of {} of shape (n, 3)", S::DTYPE));
+    check_aligned(array, name)?;
     let array: PyReadonlyArray2<'py, S::Real> = array.extract().map_err(|_| unfit())?;
     if array.as_array().ncols() == 3 { Ok(array) } else { Err(unfit()) }
 }
@@ -60,7 +61,15 @@ pub(crate) fn numbers<'py, S: Space>(
     array: &Bound<'py, PyAny>,
     name: &str,
 ) -> PyResult<PyReadonlyArray1<'py, S::Real>> {
+    check_aligned(array, name)?;
     array.extract().map_err(|_| refused(format!("{name}: expected an array of {} of shape (n,)", S::DTYPE)))
+}
+
+/// Numbers that do not lie where numbers of their size lie would be read as others. The modules in Python copy such
+/// arrays.
+pub(crate) fn check_aligned(array: &Bound<'_, PyAny>, name: &str) -> PyResult<()> {
+    let is_aligned = array.getattr("flags").and_then(|flags| flags.getattr("aligned")?.extract());
+    if is_aligned.unwrap_or(true) { Ok(()) } else { Err(refused(format!("{name}: expected an aligned array"))) }
 }
 
 /// Three numbers of an array whose rows have so many.
@@ -71,6 +80,7 @@ pub(crate) fn row_of<T: Copy>(array: &ArrayView2<'_, T>, row: usize) -> [T; 3] {
 /// The mesh of arrays of vertices, shape (n, 3), and of faces, shape (m, 3).
 pub(crate) fn mesh<S: Space>(vertices: &Bound<'_, PyAny>, faces: &Bound<'_, PyAny>) -> PyResult<Mesh<S::Vector>> {
     let vertices = vertices_of::<S>(vertices)?;
+    check_aligned(faces, "faces")?;
     let faces = if let Ok(faces) = faces.extract::<PyReadonlyArray2<'_, i64>>() {
         faces_of(&faces.as_array(), vertices.len())?
     } else if let Ok(faces) = faces.extract::<PyReadonlyArray2<'_, i32>>() {

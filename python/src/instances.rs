@@ -8,7 +8,7 @@ use stackless_bvh::geom::{AffineError, AffineMap, EnvironmentError, Ray, check_e
 use stackless_bvh::trace::{Assembly, AssemblyError, Hit, Instance, InstanceHit, InstanceTracer};
 use stackless_bvh::traverse::Method;
 
-use crate::arrays::Rays;
+use crate::arrays::{Rays, check_aligned};
 use crate::batch::in_pieces;
 use crate::errors::{failed, refused};
 use crate::queries::{Found, HitArrays, room};
@@ -35,6 +35,8 @@ impl Instances {
         objects: PyReadonlyArray1<'_, i64>,
         transforms: PyReadonlyArray3<'_, f32>,
     ) -> PyResult<Self> {
+        check_aligned(objects.as_any(), "objects")?;
+        check_aligned(transforms.as_any(), "transforms")?;
         let mut assembly = Assembly::new();
         let mut added = Vec::new();
         for (i, scene) in scenes.iter().enumerate() {
