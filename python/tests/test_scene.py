@@ -284,6 +284,38 @@ def test_no_memory_is_an_exception():
         scene.closest([0, 0, 0], np.broadcast_to(np.float64([0.1, 0.2, 0.3]), (2**54, 3)))
 
 
+FAST_MATH = """
+import ctypes, sys, numpy as np
+sys.path.insert(0, sys.argv[1])
+from conftest import octasphere
+from stackless_bvh import Scene
+scene, points = Scene(*octasphere(1)), np.ones((5, 3))
+ctypes.CDLL(sys.argv[2])
+if np.float64(5e-324) * 1.0 + np.float64(5e-324) != 0.0:
+    sys.exit("it had no effect")
+for ask in (lambda: Scene(*octasphere(1)), lambda: scene.any(points, points), lambda: scene.contains(points)):
+    try:
+        ask()
+    except RuntimeError as error:
+        print(error)
+"""
+
+
+def test_a_thread_whose_floats_are_of_no_use_is_refused(tmp_path):
+    source, library = tmp_path / "fast.c", tmp_path / "fast.so"
+    source.write_text("int nothing;")
+    try:
+        subprocess.run(["cc", "-shared", "-fPIC", "-ffast-math", source, "-o", library], check=True)
+    except (OSError, subprocess.CalledProcessError):
+        pytest.skip("no compiler")
+    command = [sys.executable, "-c", FAST_MATH, os.path.dirname(__file__), library]
+    ran = subprocess.run(command, capture_output=True, text=True)
+    if "no effect" in ran.stderr:
+        pytest.skip("this compiler does not make such libraries")
+    message = "this thread takes subnormal numbers for zero (was a library compiled with -ffast-math?)\n"
+    assert (ran.stdout, ran.returncode) == (3 * message, 0), ran.stderr
+
+
 def test_other_threads_run_while_rays_are_traced():
     scene, ticks, done = Scene(*octasphere(3)), [], threading.Event()
     directions = np.broadcast_to(np.float64([0.1, 0.2, 0.3]), (400_000, 3))
