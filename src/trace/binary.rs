@@ -1,5 +1,7 @@
 //! Ray queries over binary hierarchies, as functions.
 
+mod crossings;
+
 use std::borrow::Borrow;
 use std::marker::PhantomData;
 use std::{fmt, slice, vec};

@@ -6,9 +6,9 @@ use super::cast::Cast;
 use super::held::Held;
 use super::{BoxQuery, Hit};
 use crate::bvh::Bvh;
-use crate::geom::kernel::{Exact, Exact64, Real};
+use crate::geom::kernel::{Exact, Exact64, Parity, Real};
 use crate::geom::slabs::{Directed, Wide};
-use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs, Triangle};
+use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs};
 use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::tree::Node;
 
@@ -143,8 +143,8 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Crossings<'a, B = Directed, H = Bvh> {
-    pub(super) cast: Cast<'a, Exact, B, H>,
+pub struct Crossings<'a, K: Kernel = Exact, B = Directed, H = Bvh<<K as Kernel>::Shape>> {
+    pub(super) cast: Cast<'a, K, B, H>,
     repeats: Repeats,
     count: u32,
 }
@@ -156,8 +156,8 @@ impl<'a> Crossings<'a> {
     }
 }
 
-impl<'a, B, H: Held<Triangle>> Crossings<'a, B, H> {
-    pub(super) fn over(cast: Cast<'a, Exact, B, H>) -> Self {
+impl<'a, K: Parity, B, H: Held<K::Shape>> Crossings<'a, K, B, H> {
+    pub(super) fn over(cast: Cast<'a, K, B, H>) -> Self {
         let repeats = Repeats::new(cast.bvh.has_repeats());
         Self { cast, repeats, count: 0 }
     }
@@ -175,11 +175,11 @@ impl<'a, B, H: Held<Triangle>> Crossings<'a, B, H> {
     #[inline]
     pub(super) fn meet(&mut self, leaf: Node) {
         let Self { cast: Cast { bvh, kernel, .. }, repeats, count } = self;
-        bvh.for_each(leaf, |_, shape, prim| *count += u32::from(kernel.crosses(shape) && repeats.is_new(prim)));
+        bvh.for_each(leaf, |_, shape, prim| *count += u32::from(kernel.is_crossing(shape) && repeats.is_new(prim)));
     }
 }
 
-impl Visitor for Crossings<'_> {
+impl<K: Parity, B: Slabs<Vector = K::Vector>> Visitor for Crossings<'_, K, B> {
     #[inline]
     fn inner(&mut self, node: Node) -> Descent {
         self.cast.inner(node)
@@ -189,6 +189,18 @@ impl Visitor for Crossings<'_> {
     fn leaf(&mut self, node: Node) -> Flow {
         self.meet(node);
         Flow::Continue
+    }
+}
+
+impl<K: Parity, B: Slabs<Vector = K::Vector>> Pruned for Crossings<'_, K, B> {}
+
+impl<K: Parity, B: Slabs<Vector = K::Vector>> BoxQuery for Crossings<'_, K, B> {
+    fn touches(&self, aabb: &Aabb) -> bool {
+        self.cast.touches(aabb)
+    }
+
+    fn slot(&self, node: Node) -> usize {
+        self.cast.slot(node)
     }
 }
 

@@ -27,8 +27,12 @@ pub(crate) fn read(file: &Path) -> String {
     fs::read_to_string(root().join(file)).unwrap()
 }
 
-/// The code of the library and of the crates around it, without their tests' folders.
+/// The code of the library, of the crates around it and of the Python package, without their tests' folders.
 pub(crate) fn sources() -> Vec<PathBuf> {
     let is_source = |file: &PathBuf| file.components().nth(2).is_some_and(|folder| folder.as_os_str() == "src");
-    files("src", "rs").into_iter().chain(files("crates", "rs").into_iter().filter(is_source)).collect()
+    [files("src", "rs"), files("python/src", "rs"), files("python/stackless_bvh", "py")]
+        .concat()
+        .into_iter()
+        .chain(files("crates", "rs").into_iter().filter(is_source))
+        .collect()
 }

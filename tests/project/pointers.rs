@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::files::{read, root};
 
 /// Folders that are named from the root.
-const FOLDERS: [&str; 11] = [
+const FOLDERS: [&str; 12] = [
     "benches/",
     "campaign/",
     "crates/",
@@ -14,6 +14,7 @@ const FOLDERS: [&str; 11] = [
     "fuzz/",
     "gpu-check/",
     "proofs/",
+    "python/",
     "spec/",
     "src/",
     "tests/",
@@ -32,7 +33,8 @@ fn paths(text: &str) -> Vec<(usize, &str)> {
 #[test]
 fn every_path_in_a_text_is_there() {
     let mut wrong = Vec::new();
-    for folder in ["", "benches", "campaign", "fuzz", "gpu-check", "proofs", "spec", "spec/rocq", "spec/suite", "tests"]
+    for folder in
+        ["", "benches", "campaign", "fuzz", "gpu-check", "proofs", "python", "spec", "spec/rocq", "spec/suite", "tests"]
     {
         for entry in std::fs::read_dir(root().join(folder)).unwrap() {
             let file = entry.unwrap().path();

@@ -128,7 +128,7 @@ macro_rules! query {
 query! {
     [S: Simd] Sweep<'_, Exact, LaneRay<S>, WideBvh>, cast: end;
     [S: Simd] Following<'_, Exact, LaneRay<S>, WideBvh>, cast: end;
-    [S: Simd] Crossings<'_, LaneRay<S>, WideBvh>, cast: end;
+    [S: Simd] Crossings<'_, Exact, LaneRay<S>, WideBvh>, cast: end;
     [] NearestPoint<'_, WideBvh>, around: limit;
     [] NearestPoints<'_, WideBvh>, around: limit;
 }

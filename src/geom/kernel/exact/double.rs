@@ -28,7 +28,7 @@ use glam::DVec3;
 
 use super::filter::{Determinants, Errors};
 use super::quotient::Ratio;
-use super::{is_within, predicates};
+use super::{is_within, parity, predicates};
 use crate::geom::kernel::Kernel;
 use crate::geom::truth::{self, Meeting, Point};
 use crate::geom::{Ray, Region, Triangle};
@@ -107,6 +107,20 @@ impl Kernel for Exact64 {
 }
 
 impl Exact64 {
+    /// As [`Exact::crosses`](super::Exact::crosses), for doubles of any size. `[PARITY-1]`
+    pub fn crosses(&self, shape: &Triangle<DVec3>) -> bool {
+        let (corners, o, d) = (&shape.0, self.ray.origin(), self.ray.direction());
+        let is_crossed_by_line = || {
+            if self.can_sum(shape) {
+                let is_inside = self.determinants(shape).is_hit(&self.errors_of(shape));
+                is_inside || parity::is_crossed_by_line(corners, o, d)
+            } else {
+                parity::is_crossed_in_rationals(corners, o, d)
+            }
+        };
+        self.blocks(shape) && is_crossed_by_line()
+    }
+
     #[inline]
     fn determinants(&self, Triangle(corners): &Triangle<DVec3>) -> Determinants {
         Determinants::of(corners, self.ray.origin(), self.ray.direction())

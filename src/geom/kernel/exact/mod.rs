@@ -21,6 +21,7 @@ mod sum;
 pub use double::Exact64;
 pub(in crate::geom) use double::is_degenerate_64;
 pub use enclosed::{Certainty, EnclosedTest};
+pub use parity::Parity;
 pub(in crate::geom) use predicates::is_degenerate;
 pub use single::{ExactFromSingle, MAX_COORDINATE, MIN_EDGE};
 pub use sum::Sum;

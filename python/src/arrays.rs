@@ -1,0 +1,122 @@
+//! Arrays as they come from Python, of any strides, read row by row.
+
+use std::ops::Range;
+
+use numpy::ndarray::ArrayView2;
+use numpy::{PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::prelude::*;
+use stackless_bvh::geom::{Mesh, Ray};
+
+use crate::errors::{index_message, of_mesh, of_ray, refused};
+use crate::space::Space;
+
+/// Rays as four arrays: `origins` and `directions` of shape (n, 3), `tmin` and `tmax` of shape (n,).
+pub(crate) struct Rays<'py, S: Space> {
+    origins: PyReadonlyArray2<'py, S::Real>,
+    directions: PyReadonlyArray2<'py, S::Real>,
+    tmin: PyReadonlyArray1<'py, S::Real>,
+    tmax: PyReadonlyArray1<'py, S::Real>,
+    count: usize,
+}
+
+impl<'py, S: Space> Rays<'py, S> {
+    /// The arrays, if they fit together.
+    pub(crate) fn new([origins, directions, tmin, tmax]: [&Bound<'py, PyAny>; 4]) -> PyResult<Self> {
+        let (origins, directions) = (points::<S>(origins, "origins")?, points::<S>(directions, "directions")?);
+        let (tmin, tmax) = (numbers::<S>(tmin, "tmin")?, numbers::<S>(tmax, "tmax")?);
+        let count = origins.as_array().nrows();
+        let counts = [directions.as_array().nrows(), tmin.as_array().len(), tmax.as_array().len()];
+        if counts != [count; 3] {
+            return Err(refused(format!("{count} origins, but directions, tmin and tmax have {counts:?} rows")));
+        }
+        Ok(Self { origins, directions, tmin, tmax, count })
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.count
+    }
+
+    /// Some of the rays.
+    pub(crate) fn chunk(&self, rows: Range<usize>) -> PyResult<Vec<Ray<S::Vector>>> {
+        let (origins, directions) = (self.origins.as_array(), self.directions.as_array());
+        let (tmin, tmax) = (self.tmin.as_array(), self.tmax.as_array());
+        let ray = |row: usize| {
+            let (origin, direction) = (S::vector(row_of(&origins, row)), S::vector(row_of(&directions, row)));
+            Ray::within(origin, direction, tmin[row], tmax[row]).map_err(|error| of_ray(error, row))
+        };
+        rows.map(ray).collect()
+    }
+}
+
+/// An array of shape (n, 3) of the numbers of a scene.
+pub(crate) fn points<'py, S: Space>(array: &Bound<'py, PyAny>, name: &str) -> PyResult<PyReadonlyArray2<'py, S::Real>> {
+    let unfit = || refused(format!("{name}: expected an array of {} of shape (n, 3)", S::DTYPE));
+    check_aligned(array, name)?;
+    let array: PyReadonlyArray2<'py, S::Real> = array.extract().map_err(|_| unfit())?;
+    if array.as_array().ncols() == 3 { Ok(array) } else { Err(unfit()) }
+}
+
+/// An array of shape (n,) of the numbers of a scene.
+pub(crate) fn numbers<'py, S: Space>(
+    array: &Bound<'py, PyAny>,
+    name: &str,
+) -> PyResult<PyReadonlyArray1<'py, S::Real>> {
+    check_aligned(array, name)?;
+    array.extract().map_err(|_| refused(format!("{name}: expected an array of {} of shape (n,)", S::DTYPE)))
+}
+
+/// Numbers that do not lie where numbers of their size lie would be read as others. The modules in Python copy such
+/// arrays.
+pub(crate) fn check_aligned(array: &Bound<'_, PyAny>, name: &str) -> PyResult<()> {
+    let is_aligned = array.getattr("flags").and_then(|flags| flags.getattr("aligned")?.extract());
+    if is_aligned.unwrap_or(true) { Ok(()) } else { Err(refused(format!("{name}: expected an aligned array"))) }
+}
+
+/// Three numbers of an array whose rows have so many.
+pub(crate) fn row_of<T: Copy>(array: &ArrayView2<'_, T>, row: usize) -> [T; 3] {
+    [array[[row, 0]], array[[row, 1]], array[[row, 2]]]
+}
+
+/// The mesh of arrays of vertices, shape (n, 3), and of faces, shape (m, 3).
+pub(crate) fn mesh<S: Space>(vertices: &Bound<'_, PyAny>, faces: &Bound<'_, PyAny>) -> PyResult<Mesh<S::Vector>> {
+    let vertices = vertices_of::<S>(vertices)?;
+    check_aligned(faces, "faces")?;
+    let faces = if let Ok(faces) = faces.extract::<PyReadonlyArray2<'_, i64>>() {
+        faces_of(&faces.as_array(), vertices.len())?
+    } else if let Ok(faces) = faces.extract::<PyReadonlyArray2<'_, i32>>() {
+        faces_of(&faces.as_array(), vertices.len())?
+    } else if let Ok(faces) = faces.extract::<PyReadonlyArray2<'_, u32>>() {
+        faces_of(&faces.as_array(), vertices.len())?
+    } else {
+        return Err(refused("faces: expected an array of int32, int64 or uint32 of shape (m, 3)"));
+    };
+    mesh_of::<S>(vertices, faces)
+}
+
+/// A mesh, or which row is at fault.
+pub(crate) fn mesh_of<S: Space>(vertices: Vec<S::Vector>, faces: Vec<[u32; 3]>) -> PyResult<Mesh<S::Vector>> {
+    Mesh::new(vertices, faces).map_err(of_mesh)
+}
+
+/// The vertices of an array of shape (n, 3).
+pub(crate) fn vertices_of<S: Space>(array: &Bound<'_, PyAny>) -> PyResult<Vec<S::Vector>> {
+    let array = points::<S>(array, "vertices")?;
+    let array = array.as_array();
+    Ok((0..array.nrows()).map(|row| S::vector(row_of(&array, row))).collect())
+}
+
+/// Triples of indices below `vertices`.
+fn faces_of<T: Copy + Into<i64>>(array: &ArrayView2<'_, T>, vertices: usize) -> PyResult<Vec<[u32; 3]>> {
+    if array.ncols() != 3 {
+        return Err(refused("faces: expected an array of integers of shape (m, 3)"));
+    }
+    let corner = |face: usize, corner: usize, index: i64| match u32::try_from(index) {
+        Ok(index) if (index as usize) < vertices => Ok(index),
+        _ => Err(refused(index_message(face, index, corner, vertices))),
+    };
+    let face = |face: usize| {
+        let [a, b, c] = row_of(array, face).map(Into::into);
+        Ok([corner(face, 0, a)?, corner(face, 1, b)?, corner(face, 2, c)?])
+    };
+    (0..array.nrows()).map(face).collect()
+}

@@ -1,0 +1,74 @@
+//! Errors of the library as exceptions: `ValueError` where an argument is at fault, `RuntimeError` for the rest.
+
+use glam::DVec3;
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+use stackless_bvh::bvh::RefitError;
+use stackless_bvh::geom::{BallError, MeshError, RayError};
+
+/// What an argument is refused with.
+pub(crate) fn refused(message: impl ToString) -> PyErr {
+    PyValueError::new_err(message.to_string())
+}
+
+/// What is no argument's fault.
+pub(crate) fn failed(message: impl ToString) -> PyErr {
+    PyRuntimeError::new_err(message.to_string())
+}
+
+/// A mesh that is none, with the row at fault.
+pub(crate) fn of_mesh(error: MeshError) -> PyErr {
+    refused(match error {
+        MeshError::Empty => "faces: no rows, expected at least one".into(),
+        MeshError::NonFinite { vertex, position } => {
+            format!("vertices[{vertex}]: {}, expected finite numbers", listed(position))
+        }
+        // Indices were checked where they were read.
+        MeshError::Index { .. } | MeshError::TooMany { .. } => error.to_string(),
+    })
+}
+
+/// An index that no vertex has.
+pub(crate) fn index_message(face: usize, index: i64, corner: usize, vertices: usize) -> String {
+    let expected = if index < 0 { ">= 0".into() } else { format!("< {vertices}") };
+    format!("faces[{face}]: index {index} of vertex {corner}, expected {expected}")
+}
+
+/// A ray that is none, with the row at fault.
+pub(crate) fn of_ray(error: RayError, row: usize) -> PyErr {
+    refused(match error {
+        RayError::Origin(origin) => format!("origins[{row}]: {}, expected finite numbers", listed(origin)),
+        RayError::Direction(direction) => format!("directions[{row}]: {}, expected finite numbers", listed(direction)),
+        RayError::ZeroDirection => format!("directions[{row}]: [0, 0, 0], expected a direction"),
+        RayError::NegativeTmin(tmin) => format!("tmin[{row}]: {tmin}, expected >= 0"),
+        RayError::Interval { tmin, tmax } | RayError::EmptyInterval { tmin, tmax } => format!(
+            "tmin[{row}] and tmax[{row}]: {tmin} and {tmax}, expected a finite tmin, and a tmax that is not less"
+        ),
+        RayError::Environment(_) => return failed(error),
+    })
+}
+
+/// A ball that is none, with the row at fault.
+pub(crate) fn of_ball(error: BallError, row: usize) -> PyErr {
+    refused(match error {
+        BallError::Center(point) => format!("points[{row}]: {}, expected finite numbers", listed(point.as_dvec3())),
+        BallError::Radius(radius) => format!("radius[{row}]: {radius}, expected >= 0"),
+        BallError::Environment(_) => return failed(error),
+    })
+}
+
+/// A mesh that a hierarchy cannot take on.
+pub(crate) fn of_refit(error: RefitError) -> PyErr {
+    match error {
+        RefitError::Revived(face) => refused(format!(
+            "faces[{face}]: no area when the scene was built, and some now; build a new Scene for these vertices"
+        )),
+        RefitError::Environment(_) => failed(error),
+        RefitError::Count { .. } | RefitError::NoBox(_) => refused(error),
+    }
+}
+
+/// A point as Python writes lists.
+pub(crate) fn listed(DVec3 { x, y, z }: DVec3) -> String {
+    format!("[{x}, {y}, {z}]")
+}

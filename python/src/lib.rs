@@ -1,0 +1,25 @@
+//! The extension module of the Python package `stackless_bvh`: arrays in, answers of the library, arrays out.
+//!
+//! The modules of the package check the kinds and the shapes of arrays; what stands in them is checked here.
+#![forbid(unsafe_code)]
+
+mod arrays;
+mod batch;
+mod closed;
+mod errors;
+mod file;
+mod instances;
+mod queries;
+mod scene;
+mod space;
+
+use pyo3::prelude::*;
+
+/// What the package is made of.
+#[pymodule]
+mod _native {
+    #[pymodule_export]
+    use crate::instances::Instances;
+    #[pymodule_export]
+    use crate::scene::Scene;
+}

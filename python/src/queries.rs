@@ -1,0 +1,296 @@
+//! Queries of many rays or points over a scene, as arrays.
+
+use std::ops::Range;
+
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use pyo3::exceptions::PyMemoryError;
+use pyo3::prelude::*;
+use rayon::prelude::*;
+use stackless_bvh::bvh::WideBvh;
+use stackless_bvh::geom::truth::{Meeting, Place, Point, meet};
+use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Vector, check_environment};
+use stackless_bvh::trace::{Hit, Near, Tracer};
+
+use crate::arrays::{Rays, numbers, points, row_of};
+use crate::batch::in_pieces;
+use crate::errors::{failed, listed, of_ball, of_ray, refused};
+use crate::space::{Answers, Coordinate, Space};
+
+/// What is called between pieces.
+pub(crate) type Progress<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
+
+/// Distances, triangles and weights.
+pub(crate) type HitArrays<'py, R> = (Bound<'py, PyArray1<R>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyArray2<R>>);
+
+/// The closest hit of each ray.
+pub(crate) fn closest<'py, S: Space>(
+    py: Python<'py>,
+    bvh: &S,
+    rays: &Rays<'py, S>,
+    progress: Progress<'_, 'py>,
+) -> PyResult<HitArrays<'py, S::Real>> {
+    let mut found = Found::with_room(rays.len())?;
+    let answer = |rays: Vec<Ray<S::Vector>>| bvh.closest(&rays).map_err(failed);
+    in_pieces(
+        py,
+        rays.len(),
+        progress,
+        |rows| rays.chunk(rows),
+        answer,
+        |hits| {
+            for hit in &hits {
+                found.push(hit.as_ref());
+            }
+        },
+    )?;
+    found.into_arrays(py)
+}
+
+/// Whether each ray hits anything.
+pub(crate) fn any<'py, S: Space>(
+    py: Python<'py>,
+    bvh: &S,
+    rays: &Rays<'py, S>,
+    progress: Progress<'_, 'py>,
+) -> PyResult<Bound<'py, PyArray1<bool>>> {
+    let mut found = room(rays.len())?;
+    let answer = |rays: Vec<Ray<S::Vector>>| bvh.any(&rays).map_err(failed);
+    in_pieces(py, rays.len(), progress, |rows| rays.chunk(rows), answer, |hits| found.extend(hits))?;
+    Ok(found.into_pyarray(py))
+}
+
+/// How often each ray crosses the mesh, by the half-open rule.
+pub(crate) fn crossings<'py, S: Space>(
+    py: Python<'py>,
+    bvh: &S,
+    rays: &Rays<'py, S>,
+    progress: Progress<'_, 'py>,
+) -> PyResult<Bound<'py, PyArray1<i64>>> {
+    let mut found = room(rays.len())?;
+    let answer = |rays: Vec<Ray<S::Vector>>| bvh.crossings(&rays).map_err(failed);
+    in_pieces(
+        py,
+        rays.len(),
+        progress,
+        |rows| rays.chunk(rows),
+        answer,
+        |counts| {
+            found.extend(counts.into_iter().map(i64::from));
+        },
+    )?;
+    Ok(found.into_pyarray(py))
+}
+
+/// Where the hits of each ray begin among all, then distances, triangles, weights and places: 0 in the interior of the
+/// triangle, 1 on an edge, 2 at a corner.
+pub(crate) type AllArrays<'py, R> = (Bound<'py, PyArray1<i64>>, HitArrays<'py, R>, Bound<'py, PyArray1<u8>>);
+
+/// All hits of each ray.
+pub(crate) fn all<'py, S: Space>(
+    py: Python<'py>,
+    (mesh, bvh): (&Mesh<S::Vector>, &S),
+    rays: &Rays<'py, S>,
+    progress: Progress<'_, 'py>,
+) -> PyResult<AllArrays<'py, S::Real>> {
+    let (mut offsets, mut found, mut places) = (vec![0], Found::with_room(0)?, Vec::new());
+    let answer = |rays: Vec<Ray<S::Vector>>| -> PyResult<_> {
+        let hits = bvh.all(&rays).map_err(failed)?;
+        let of_ray = |(ray, hits): (&Ray<_>, &Vec<Hit<_>>)| hits.iter().map(|hit| place(mesh, ray, hit)).collect();
+        let places: Vec<Vec<u8>> = rays.par_iter().zip(&hits).with_min_len(256).map(of_ray).collect();
+        Ok((hits, places))
+    };
+    in_pieces(
+        py,
+        rays.len(),
+        progress,
+        |rows| rays.chunk(rows),
+        answer,
+        |(hits, new)| {
+            for hits in hits {
+                for hit in &hits {
+                    found.push(Some(hit));
+                }
+                offsets.push(found.t.len() as i64);
+            }
+            places.extend(new.into_iter().flatten());
+        },
+    )?;
+    Ok((offsets.into_pyarray(py), found.into_arrays(py)?, places.into_pyarray(py)))
+}
+
+/// On which part of the triangle a hit is, exactly: weights that are far from 0 and 1 tell it, else rational arithmetic.
+fn place<V: Vector<Real: Coordinate>>(mesh: &Mesh<V>, ray: &Ray<V>, hit: &Hit<V::Real>) -> u8 {
+    let [u, v, near]: [f64; 3] = [hit.u, hit.v, V::Real::NEAR].map(Into::into);
+    if u > near && v > near && 1.0 - u - v > near {
+        return 0;
+    }
+    let corners = mesh.triangle(hit.prim as usize).map(V::components);
+    match meet(corners, ray.origin().components(), ray.direction().components()) {
+        Meeting::Hit(Point { place: Place::Edge, .. }) => 1,
+        Meeting::Hit(Point { place: Place::Vertex, .. }) => 2,
+        // Nothing else: it is a hit.
+        Meeting::Hit(_) | Meeting::Miss | Meeting::Coplanar => 0,
+    }
+}
+
+/// Whether each point is inside of a closed mesh, and `boundary` for those on it.
+pub(crate) fn contains<'py, S: Space>(
+    py: Python<'py>,
+    (mesh, bvh): (&Mesh<S::Vector>, &S),
+    array: &Bound<'py, PyAny>,
+    boundary: bool,
+    progress: Progress<'_, 'py>,
+) -> PyResult<Bound<'py, PyArray1<bool>>> {
+    let array = points::<S>(array, "points")?;
+    let array = array.as_array();
+    let [lo, hi] = py.detach(|| bounds(mesh));
+    // Points outside of the box need no ray.
+    let read = |rows: Range<usize>| {
+        let mut inside_box = Vec::new();
+        let count = rows.len();
+        for (i, row) in rows.enumerate() {
+            let point = row_of(&array, row);
+            let wide = point.map(Into::<f64>::into);
+            if wide.iter().any(|x| !x.is_finite()) {
+                let [x, y, z] = wide;
+                return Err(refused(format!(
+                    "points[{row}]: {}, expected finite numbers",
+                    listed(glam::DVec3::new(x, y, z))
+                )));
+            }
+            if (0..3).all(|k| lo[k] <= wide[k] && wide[k] <= hi[k]) {
+                inside_box.push((i, S::vector(point)));
+            }
+        }
+        Ok((count, inside_box))
+    };
+    let answer = |(count, inside_box): (usize, Vec<(usize, S::Vector)>)| {
+        let mut inside = vec![false; count];
+        let is_in = inside_of(bvh, &inside_box, boundary)?;
+        for ((i, _), is_in) in inside_box.iter().zip(is_in) {
+            inside[*i] = is_in;
+        }
+        Ok(inside)
+    };
+    let mut found = room(array.nrows())?;
+    in_pieces(py, array.nrows(), progress, read, answer, |inside: Vec<bool>| found.extend(inside))?;
+    Ok(found.into_pyarray(py))
+}
+
+/// An odd number of crossings is inside. A point is on a triangle that has an area exactly if a ray of length 0 along
+/// one of the axes hits it: the plane of the triangle is not parallel to all three.
+fn inside_of<S: Space>(bvh: &S, points: &[(usize, S::Vector)], boundary: bool) -> PyResult<Vec<bool>> {
+    let (zero, one) = (S::Real::ZERO, S::Real::ONE);
+    let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(S::vector);
+    let rays = |direction, tmax| -> PyResult<Vec<_>> {
+        let ray = |&(i, point)| Ray::within(point, direction, zero, tmax).map_err(|error| of_ray(error, i));
+        points.iter().map(ray).collect()
+    };
+    let crossings = bvh.crossings(&rays(axes[0], <S::Real as Coordinate>::INFINITY)?).map_err(failed)?;
+    let mut inside: Vec<_> = crossings.into_iter().map(|count| count % 2 == 1).collect();
+    for axis in axes {
+        let is_on = bvh.any(&rays(axis, zero)?).map_err(failed)?;
+        inside.iter_mut().zip(is_on).filter(|(_, is_on)| *is_on).for_each(|(inside, _)| *inside = boundary);
+    }
+    Ok(inside)
+}
+
+/// The box of the vertices.
+pub(crate) fn bounds<V: Vector<Real: Into<f64>>>(mesh: &Mesh<V>) -> [[f64; 3]; 2] {
+    mesh.vertices().iter().fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[lo, hi], vertex| {
+        let x = vertex.components().map(Into::<f64>::into);
+        [[0, 1, 2].map(|k| lo[k].min(x[k])), [0, 1, 2].map(|k| hi[k].max(x[k]))]
+    })
+}
+
+/// Distances, triangles and points, `k` of each row; infinite, -1 and NaN where there are fewer.
+pub(crate) type NearArrays<'py> = (Bound<'py, PyArray2<f32>>, Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<f32>>);
+
+/// The `k` nearest triangles of each point.
+pub(crate) fn nearest<'py>(
+    py: Python<'py>,
+    bvh: &WideBvh,
+    [array, radius]: [&Bound<'py, PyAny>; 2],
+    k: usize,
+    progress: Progress<'_, 'py>,
+) -> PyResult<NearArrays<'py>> {
+    let (array, radius) = (points::<WideBvh>(array, "points")?, numbers::<WideBvh>(radius, "radius")?);
+    let (array, radius) = (array.as_array(), radius.as_array());
+    let count = array.nrows();
+    if radius.len() != count {
+        return Err(refused(format!("{count} points, but {} radii", radius.len())));
+    }
+    let ball = |row| Ball::new(row_of(&array, row).into(), radius[row]).map_err(|error| of_ball(error, row));
+    let (mut distance, mut primitive, mut point) = (Vec::new(), Vec::new(), Vec::new());
+    let answer = |balls: Vec<Ball>| nearest_of(bvh, &balls, k).map_err(failed);
+    in_pieces(
+        py,
+        count,
+        progress,
+        |rows| rows.map(ball).collect(),
+        answer,
+        |nears| {
+            for nears in nears {
+                let missing = k - nears.len();
+                for Near { prim, distance: d, point: p } in nears {
+                    distance.push(d);
+                    primitive.push(i64::from(prim));
+                    point.extend(p.to_array());
+                }
+                distance.resize(distance.len() + missing, f32::INFINITY);
+                primitive.resize(primitive.len() + missing, -1);
+                point.resize(point.len() + 3 * missing, f32::NAN);
+            }
+        },
+    )?;
+    let shape = [count, k];
+    let [distance, point] = [distance, point].map(|numbers| numbers.into_pyarray(py));
+    Ok((distance.reshape(shape)?, primitive.into_pyarray(py).reshape(shape)?, point.reshape([count * k, 3])?))
+}
+
+fn nearest_of(bvh: &WideBvh, balls: &[Ball], k: usize) -> Answers<Vec<Near>> {
+    let tracer = Tracer::new(bvh);
+    if k == 1 {
+        return Ok(tracer.nearest_parallel(balls)?.into_iter().map(|near| near.into_iter().collect()).collect());
+    }
+    let of_chunk = |balls: &[Ball]| -> Result<Vec<_>, EnvironmentError> {
+        check_environment()?;
+        Ok(balls.iter().map(|ball| tracer.nearest_k(ball, k)).collect())
+    };
+    let chunks: Result<Vec<_>, _> = balls.par_chunks(64).map(of_chunk).collect();
+    Ok(chunks?.into_iter().flatten().collect())
+}
+
+/// An empty vector that can grow so far. Where there is no memory for that, it is an exception, and no abort.
+pub(crate) fn room<T>(count: usize) -> PyResult<Vec<T>> {
+    let mut numbers = Vec::new();
+    numbers.try_reserve_exact(count).map_err(|_| PyMemoryError::new_err(format!("no memory for {count} answers")))?;
+    Ok(numbers)
+}
+
+/// Arrays of hits that grow.
+pub(crate) struct Found<R> {
+    t: Vec<R>,
+    primitive: Vec<i64>,
+    uv: Vec<R>,
+}
+
+impl<R: Coordinate> Found<R> {
+    pub(crate) fn with_room(count: usize) -> PyResult<Self> {
+        Ok(Self { t: room(count)?, primitive: room(count)?, uv: room(2 * count)? })
+    }
+
+    pub(crate) fn push(&mut self, hit: Option<&Hit<R>>) {
+        let nothing = (R::INFINITY, -1, [R::NAN; 2]);
+        let (t, primitive, uv) = hit.map_or(nothing, |hit| (hit.t, i64::from(hit.prim), [hit.u, hit.v]));
+        self.t.push(t);
+        self.primitive.push(primitive);
+        self.uv.extend(uv);
+    }
+
+    pub(crate) fn into_arrays(self, py: Python<'_>) -> PyResult<HitArrays<'_, R>> {
+        let count = self.t.len();
+        let uv = self.uv.into_pyarray(py).reshape([count, 2])?;
+        Ok((self.t.into_pyarray(py), self.primitive.into_pyarray(py), uv))
+    }
+}

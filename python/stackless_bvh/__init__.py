@@ -1,0 +1,22 @@
+"""Exact ray tracing on triangle meshes: every answer is that of rational arithmetic.
+
+>>> import numpy as np
+>>> from stackless_bvh import Scene
+>>> vertices = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], dtype=np.float64)
+>>> faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> scene = Scene(vertices, faces)
+>>> scene.closest([[0.25, 0.25, -1.0]], [[0.0, 0.0, 1.0]]).t
+array([1.])
+>>> scene.contains([[0.1, 0.1, 0.1], [1.0, 1.0, 1.0]])
+array([ True, False])
+
+The floats of the arrays are taken as the rational numbers that they are. Whether a ray meets a triangle, edges and
+corners included, is decided exactly. A distance is the float nearest to the exact one. So answers do not depend on how
+the scene was built, nor on the number of threads.
+"""
+
+from ._instances import InstanceHits, Instances
+from ._results import AllHits, Hits, Near
+from ._scene import Scene
+
+__all__ = ["AllHits", "Hits", "InstanceHits", "Instances", "Near", "Scene"]

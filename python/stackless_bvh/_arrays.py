@@ -1,0 +1,95 @@
+"""Arrays as users pass them: their kinds and shapes are checked here, with errors of one line."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+FLOATS = ("float32", "float64")
+INDICES = ("int32", "int64", "uint32")
+
+
+def mesh_arrays(vertices: ArrayLike, faces: ArrayLike) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Vertices and faces as arrays whose values are still to be checked."""
+    points = vertices if isinstance(vertices, np.ndarray) else listed(vertices, "vertices", np.float64)
+    if points.dtype not in FLOATS:
+        raise TypeError(f"vertices: dtype {points.dtype}, expected float32 or float64")
+    check_shape(points, "vertices", 3, "n")
+    return aligned(points), face_array(faces)
+
+
+def face_array(faces: ArrayLike) -> NDArray[Any]:
+    """Indices of a kind that is read as it is; others are converted if nothing is lost."""
+    array = faces if isinstance(faces, np.ndarray) else listed(faces, "faces", None)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"faces: dtype {array.dtype}, expected integers")
+    check_shape(array, "faces", 3, "m")
+    if array.dtype in INDICES:
+        return aligned(array)
+    if array.dtype.kind == "u" and array.dtype.itemsize == 8:
+        # What is too great stays so.
+        array = np.minimum(array, np.iinfo(np.int64).max)
+    return array.astype(np.int64)
+
+
+def rows(array: ArrayLike, name: str, dtype: str, width: int = 3) -> NDArray[Any]:
+    """An array of shape (n, width); of one row, if it has shape (width,)."""
+    array = numbers(array, name, dtype)
+    if array.shape == (width,):
+        array = array[np.newaxis]
+    check_shape(array, name, width, "n")
+    return array
+
+
+def rays(origins: ArrayLike, directions: ArrayLike, tmin: ArrayLike, tmax: ArrayLike, dtype: str) -> list[NDArray[Any]]:
+    """Four arrays of as many rows. One origin serves all directions, and one direction all origins."""
+    starts, ways = rows(origins, "origins", dtype), rows(directions, "directions", dtype)
+    if len(starts) != len(ways) and 1 not in (len(starts), len(ways)):
+        raise ValueError(f"{len(starts)} origins and {len(ways)} directions, expected as many of both")
+    count = len(ways) if len(starts) == 1 else len(starts)
+    # Rows that are the same for all are not copied.
+    starts, ways = np.broadcast_to(starts, (count, 3)), np.broadcast_to(ways, (count, 3))
+    return [starts, ways, per_row(tmin, "tmin", dtype, count), per_row(tmax, "tmax", dtype, count)]
+
+
+def per_row(array: ArrayLike, name: str, dtype: str, count: int) -> NDArray[Any]:
+    """A number for each of `count` rows, or one for all."""
+    array = numbers(array, name, dtype)
+    if array.shape not in ((), (1,), (count,)):
+        raise ValueError(f"{name}: shape {array.shape}, expected a number or shape ({count},)")
+    return np.broadcast_to(array, (count,))
+
+
+def numbers(array: ArrayLike, name: str, dtype: str) -> NDArray[Any]:
+    """An array of the dtype of a scene. Nothing is rounded, but for lists and single numbers, which have no dtype."""
+    if not isinstance(array, np.ndarray):
+        return listed(array, name, dtype)
+    if array.dtype == dtype:
+        return aligned(array)
+    if array.dtype == "float32":
+        return array.astype(dtype)
+    fix = f"pass {name}.astype('{dtype}')" if array.dtype.kind in "fiu" else "pass numbers"
+    if array.dtype == "float64":
+        fix += " or make the Scene of float64 vertices"
+    raise TypeError(f"{name}: dtype {array.dtype}, expected {dtype}; {fix}")
+
+
+def aligned(array: NDArray[Any]) -> NDArray[Any]:
+    """The array, copied if its numbers do not lie where numbers of their size lie, as in packed records."""
+    return array if array.flags.aligned else array.copy()
+
+
+def listed(values: ArrayLike, name: str, dtype: Any) -> NDArray[Any]:
+    """Lists and numbers as an array."""
+    try:
+        return np.asarray(values, dtype=dtype)
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(f"{name}: expected an array of numbers, not this {type(values).__name__}") from None
+
+
+def check_shape(array: NDArray[Any], name: str, width: int, count: str) -> None:
+    """Refuses what has not shape (n, width)."""
+    if array.ndim != 2 or array.shape[1] != width:
+        raise ValueError(f"{name}: shape {array.shape}, expected ({count}, {width})")

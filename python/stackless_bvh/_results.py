@@ -1,0 +1,67 @@
+"""What queries answer: arrays, one row for each ray or point."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True)
+class Hits:
+    """The closest hit of each of n rays. Numbers are of the scene's dtype."""
+
+    t: NDArray[np.floating]
+    """Shape (n,): distances along the rays, in lengths of their directions; infinite for a miss."""
+    primitive: NDArray[np.int64]
+    """Shape (n,): rows of `faces`; -1 for a miss."""
+    uv: NDArray[np.floating]
+    """Shape (n, 2): weights of the face's second and third vertex; NaN for a miss."""
+
+    @property
+    def hit(self) -> NDArray[np.bool_]:
+        """Shape (n,): whether there is a hit."""
+        return self.primitive >= 0
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+
+@dataclass(frozen=True)
+class AllHits:
+    """All hits of n rays, by distance and then by face: those of ray i are rows offsets[i] to offsets[i + 1]."""
+
+    offsets: NDArray[np.int64]
+    """Shape (n + 1,), from 0 to the number m of hits."""
+    primitives: NDArray[np.int64]
+    """Shape (m,): rows of `faces`. Each face is there once for a ray."""
+    t: NDArray[np.floating]
+    """Shape (m,): distances."""
+    uv: NDArray[np.floating]
+    """Shape (m, 2): weights of the face's second and third vertex."""
+    place: NDArray[np.uint8]
+    """Shape (m,): where the face is hit, exactly: 0 in its interior, 1 on an edge, 2 at a vertex."""
+
+    @property
+    def rays(self) -> NDArray[np.int64]:
+        """Shape (m,): the ray of each hit."""
+        return np.repeat(np.arange(len(self.offsets) - 1), np.diff(self.offsets))
+
+    def __len__(self) -> int:
+        return len(self.offsets) - 1
+
+
+@dataclass(frozen=True)
+class Near:
+    """What is nearest to each of n points: arrays of n rows, with an axis of length k after the first where k > 1."""
+
+    distance: NDArray[np.float32]
+    """Shape (n,) or (n, k): the floats nearest to the exact distances; infinite where nothing is within the radius."""
+    primitive: NDArray[np.int64]
+    """Shape (n,) or (n, k): rows of `faces`; -1 where nothing is within the radius."""
+    point: NDArray[np.float32]
+    """Shape (n, 3) or (n, k, 3): the nearest points, each coordinate rounded once; NaN where there is none."""
+
+    def __len__(self) -> int:
+        return len(self.distance)

@@ -1,0 +1,206 @@
+"""A ray intersector for trimesh whose answers are exact.
+
+>>> import trimesh
+>>> from stackless_bvh.trimesh import RayMeshIntersector
+>>> mesh = trimesh.creation.icosphere()
+>>> mesh.ray = RayMeshIntersector(mesh)
+>>> mesh.ray.intersects_any([[0, 0, 0]], [[0, 0, 1]])
+array([ True])
+>>> mesh.contains([[0, 0, 0], [0, 0, 2]])
+array([ True, False])
+
+It has the methods of `trimesh.ray.ray_triangle.RayMeshIntersector` and `trimesh.ray.ray_pyembree.RayMeshIntersector`,
+with the same arguments and the same kinds of answers, in float64 as trimesh itself.
+"""
+
+from __future__ import annotations
+
+import warnings
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._results import AllHits
+from ._scene import Scene
+
+if TYPE_CHECKING:
+    import trimesh
+
+_Indices = NDArray[np.int64]
+
+
+class RayMeshIntersector:
+    """Answers the ray queries of a `trimesh.Trimesh` by an exact `Scene`, which is made when it is first needed, and
+    anew when the mesh has changed.
+
+    Parameters
+    ----------
+    geometry
+        The mesh.
+    scale_to_box
+        For compatibility only: exact answers need no scaling.
+    """
+
+    def __init__(self, geometry: trimesh.Trimesh, scale_to_box: bool = True) -> None:
+        self.mesh = geometry
+        self._made: tuple[int, Scene | None] | None = None
+
+    @property
+    def scene(self) -> Scene | None:
+        """The scene over the mesh as it is now; None for a mesh without faces."""
+        now = hash(self.mesh)
+        if self._made is None or self._made[0] != now:
+            vertices = np.asarray(self.mesh.vertices.view(np.ndarray), dtype=np.float64)
+            faces = self.mesh.faces.view(np.ndarray)
+            self._made = (now, Scene(vertices, faces) if len(faces) else None)
+        return self._made[1]
+
+    def intersects_id(
+        self,
+        ray_origins: ArrayLike,
+        ray_directions: ArrayLike,
+        multiple_hits: bool = True,
+        max_hits: int | None = None,
+        return_locations: bool = False,
+        **kwargs: Any,
+    ) -> tuple[_Indices, _Indices] | tuple[_Indices, _Indices, NDArray[np.float64]]:
+        """The faces that rays hit, in the order of rays and then of distance.
+
+        Where a ray meets an edge or a vertex, it hits all faces there. With `return_locations`, each location of a ray
+        is there once, with the least of its faces.
+
+        Parameters
+        ----------
+        ray_origins, ray_directions
+            Shape (n, 3). A ray without a direction hits nothing.
+        multiple_hits
+            All hits, or the first one of each ray.
+        max_hits
+            At most so many hits of each ray, the nearest ones.
+        return_locations
+            Whether to return where the hits are.
+
+        Returns
+        -------
+        index_tri : (m,) int64
+            Rows of `mesh.faces`.
+        index_ray : (m,) int64
+            Rows of `ray_origins`.
+        locations : (m, 3) float64
+            Only with `return_locations`.
+
+        Raises
+        ------
+        ValueError
+            Shapes do not fit, or a number is not finite.
+        """
+        index_tri, index_ray, locations = self._hits(
+            ray_origins, ray_directions, multiple_hits, max_hits, return_locations
+        )
+        return (index_tri, index_ray, locations) if return_locations else (index_tri, index_ray)
+
+    def intersects_location(
+        self,
+        ray_origins: ArrayLike,
+        ray_directions: ArrayLike,
+        multiple_hits: bool = True,
+        max_hits: int | None = None,
+        **kwargs: Any,
+    ) -> tuple[NDArray[np.float64], _Indices, _Indices]:
+        """Where rays hit the mesh, each location of a ray once: `(locations, index_ray, index_tri)`.
+
+        Parameters and errors are those of `intersects_id`.
+        """
+        index_tri, index_ray, locations = self._hits(ray_origins, ray_directions, multiple_hits, max_hits, True)
+        return locations, index_ray, index_tri
+
+    def intersects_first(self, ray_origins: ArrayLike, ray_directions: ArrayLike, **kwargs: Any) -> _Indices:
+        """The first face that each ray hits, of equally near ones the least; -1 for a miss: shape (n,)."""
+        origins, directions, rows = _rays(ray_origins, ray_directions)
+        found = np.full(len(origins), -1, dtype=np.int64)
+        if (scene := self.scene) is not None:
+            found[rows] = scene.closest(origins[rows], directions[rows]).primitive
+        return found
+
+    def intersects_any(self, ray_origins: ArrayLike, ray_directions: ArrayLike, **kwargs: Any) -> NDArray[np.bool_]:
+        """Whether each ray hits the mesh: shape (n,)."""
+        origins, directions, rows = _rays(ray_origins, ray_directions)
+        found = np.zeros(len(origins), dtype=bool)
+        if (scene := self.scene) is not None:
+            found[rows] = scene.any(origins[rows], directions[rows])
+        return found
+
+    def contains_points(self, points: ArrayLike) -> NDArray[np.bool_]:
+        """Whether each point is inside of the mesh or on it: shape (n,).
+
+        It is exact if every edge is in an even number of faces. Otherwise there is no inside: the answer is what
+        trimesh makes of the hits of two rays, and a warning says so.
+        """
+        array = np.asarray(points, dtype=np.float64)
+        if array.ndim != 2 or array.shape[1] != 3:
+            raise ValueError(f"points: shape {array.shape}, expected (n, 3)")
+        scene = self.scene
+        if scene is None:
+            return np.zeros(len(array), dtype=bool)
+        if scene.is_closed:
+            return scene.contains(array)
+        from trimesh.ray.ray_util import contains_points
+
+        warnings.warn("the mesh is not closed, so that what is inside of it is a guess", stacklevel=2)
+        guessed: NDArray[np.bool_] = contains_points(self, array)
+        return guessed
+
+    def _hits(
+        self,
+        ray_origins: ArrayLike,
+        ray_directions: ArrayLike,
+        multiple_hits: bool,
+        max_hits: int | None,
+        each_location_once: bool,
+    ) -> tuple[_Indices, _Indices, NDArray[np.float64]]:
+        """Faces, rays and locations."""
+        origins, directions, rows = _rays(ray_origins, ray_directions)
+        scene = self.scene
+        if scene is None:
+            return np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros((0, 3))
+        if multiple_hits:
+            hits = scene.all_hits(origins[rows], directions[rows])
+            keep = _kept(hits, each_location_once, max_hits)
+            index_tri, index_ray, t = hits.primitives[keep], rows[hits.rays[keep]], hits.t[keep]
+        else:
+            first = scene.closest(origins[rows], directions[rows])
+            index_tri, index_ray, t = first.primitive[first.hit], rows[first.hit], first.t[first.hit]
+        return index_tri, index_ray, origins[index_ray] + t[:, np.newaxis] * directions[index_ray]
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {"mesh": self.mesh, "_made": None}
+
+    def __copy__(self) -> RayMeshIntersector:
+        return RayMeshIntersector(self.mesh)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> RayMeshIntersector:
+        return self.__copy__()
+
+
+def _rays(origins: ArrayLike, directions: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64], _Indices]:
+    """Both as arrays, and the rows that have a direction."""
+    starts, ways = np.asarray(origins, dtype=np.float64), np.asarray(directions, dtype=np.float64)
+    if starts.shape != ways.shape:
+        raise ValueError(f"ray_origins and ray_directions: shapes {starts.shape} and {ways.shape}, expected the same")
+    if starts.ndim != 2 or starts.shape[1] != 3:
+        raise ValueError(f"ray_origins: shape {starts.shape}, expected (n, 3)")
+    return starts, ways, np.flatnonzero(ways.any(axis=1))
+
+
+def _kept(hits: AllHits, each_location_once: bool, most: int | None) -> NDArray[np.bool_]:
+    """Which hits are told."""
+    keep = np.ones(len(hits.t), dtype=bool)
+    rays = hits.rays
+    if each_location_once:
+        # Hits of a ray are in the order of t.
+        keep[1:] = (rays[1:] != rays[:-1]) | (hits.t[1:] != hits.t[:-1])
+    if most is not None:
+        before = np.concatenate([[0], np.cumsum(keep)])
+        keep &= before[1:] - before[hits.offsets[rays]] <= most
+    return keep

@@ -1,0 +1,338 @@
+"""What scenes are beside their answers: arrays of any layout, files, new vertices, Ctrl-C, threads."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+
+import numpy as np
+import oracle
+import pytest
+from conftest import octasphere
+
+from stackless_bvh import Instances, Scene
+
+
+def some_rays(dtype, count=200, seed=1):
+    random = np.random.default_rng(seed)
+    return random.uniform(-2, 2, (count, 3)).astype(dtype), random.normal(size=(count, 3)).astype(dtype)
+
+
+def same(a, b):
+    return all(np.array_equal(x, y, equal_nan=x.dtype.kind == "f") for x, y in zip(vars(a).values(), vars(b).values()))
+
+
+def test_no_ray_leaks_out_of_a_closed_sphere(dtype):
+    vertices, faces = octasphere(4, dtype)
+    scene = Scene(vertices, faces)
+    a, b = vertices[faces[:, 0]], vertices[faces[:, 1]]
+    aims = np.concatenate([vertices, (a + b) / dtype(2)])
+    center = np.zeros(3, dtype)
+    assert scene.closest(center, aims).hit.all() and scene.any(center, aims).all()
+    assert (scene.count_crossings(center, aims) == 1).all()
+    everything = scene.all_hits(center, vertices)
+    assert (np.diff(everything.offsets) >= 4).all() and (everything.place == 2).all()
+    assert (everything.rays == np.repeat(np.arange(len(vertices)), np.diff(everything.offsets))).all()
+    outside = np.array([3, 0.1, -0.2], dtype)
+    assert (scene.count_crossings(outside, aims - outside) % 2 == 0).all()
+
+
+def test_arrays_of_any_layout_get_the_same_answers(dtype):
+    vertices, faces = octasphere(3, dtype)
+    origins, directions = some_rays(dtype)
+    expected = Scene(vertices, faces).closest(origins, directions)
+    assert expected.hit.any() and not expected.hit.all()
+
+    def strided(array):
+        wide = np.zeros((2 * len(array), 7), array.dtype)
+        wide[::2, 1:6:2] = array
+        return wide[::2, 1:6:2]
+
+    def packed(array):
+        records = np.zeros(len(array), dtype=[("tag", np.uint8), ("row", array.dtype, 3)])
+        records["row"] = array
+        assert not records["row"].flags.aligned
+        return records["row"]
+
+    def frozen(array):
+        array = array.copy()
+        array.flags.writeable = False
+        return array
+
+    for layout in (
+        strided,
+        packed,
+        frozen,
+        np.asfortranarray,
+        lambda array: array[::-1].copy()[::-1],
+        np.ndarray.tolist,
+    ):
+        scene = Scene(layout(vertices) if layout is not np.ndarray.tolist else vertices, layout(faces))
+        assert same(scene.closest(layout(origins), layout(directions)), expected)
+    for index in (np.int8, np.int16, np.int32, np.uint32, np.uint64):
+        assert same(
+            Scene(vertices, faces.astype(np.uint16 if index == np.int8 else index)).closest(origins, directions),
+            expected,
+        )
+
+
+def test_float32_rays_are_taken_exactly_by_float64_scenes():
+    vertices, faces = octasphere(3)
+    scene, (origins, directions) = Scene(vertices, faces), some_rays(np.float32)
+    expected = scene.closest(origins.astype(np.float64), directions.astype(np.float64))
+    assert same(scene.closest(origins, directions), expected) and expected.t.dtype == np.float64
+
+
+def test_one_origin_serves_all_directions_and_ends_may_differ(dtype):
+    scene = Scene(*octasphere(2, dtype))
+    _, directions = some_rays(dtype, 9)
+    hits = scene.closest([0, 0, 0], directions)
+    assert len(hits) == 9 and hits.hit.all()
+    ends = hits.t.copy()
+    ends[::2] = np.nextafter(ends[::2], dtype(0))
+    exact = scene.closest([0, 0, 0], directions, 0, ends)
+    for i, direction in enumerate(directions):
+        truth = oracle.all_hits(scene.vertices, scene.faces, np.zeros(3), direction, 0, ends[i], dtype)
+        assert exact.hit[i] == bool(truth)
+    assert not exact.hit[::2].any()
+
+
+def test_no_rays_are_no_answers(dtype):
+    scene, none = Scene(*octasphere(1, dtype)), np.zeros((0, 3), dtype)
+    assert scene.closest(none, none).uv.shape == (0, 2)
+    assert scene.any(none, none).shape == scene.contains(none).shape == (0,)
+    assert scene.all_hits(none, none).offsets.tolist() == [0]
+
+
+def test_a_mesh_is_closed_by_its_coordinates_whatever_its_indices():
+    vertices, faces = octasphere(1)
+    soup = Scene(vertices[faces].reshape(-1, 3), np.arange(3 * len(faces)).reshape(-1, 3))
+    assert soup.is_closed and soup.is_oriented
+    signed = Scene(np.where(vertices == 0, -0.0, vertices)[faces].reshape(-1, 3), soup.faces)
+    assert signed.is_closed
+    turned = faces.copy()
+    turned[5] = turned[5][::-1]
+    turned = Scene(vertices, turned)
+    assert turned.is_closed and not turned.is_oriented
+    random = np.random.default_rng(3).uniform(-1, 1, (500, 3))
+    assert np.array_equal(turned.contains(random), soup.contains(random))
+    # The inner one of two spheres is a hole.
+    hollow = Scene(np.concatenate([vertices, vertices / 2]), np.concatenate([faces, faces + len(vertices)]))
+    assert hollow.contains([[0, 0, 0], [0, 0, 0.75], [0, 0, 1], [0, 0, 0.5], [0, 0, 2]]).tolist() == [
+        False,
+        True,
+        True,
+        True,
+        False,
+    ]
+
+
+def test_points_on_the_surface_are_told_from_others(dtype):
+    vertices, faces = octasphere(3, dtype)
+    scene = Scene(vertices, faces)
+    assert scene.contains(vertices).all() and not scene.contains(vertices, boundary=False).any()
+    outward = vertices + np.sign(vertices) * np.spacing(np.abs(vertices))
+    inward = vertices - np.sign(vertices) * np.spacing(np.abs(vertices))
+    # One float beyond a corner is outside of a convex mesh; one float before it is not on it.
+    assert not scene.contains(outward).any()
+    assert np.array_equal(scene.contains(inward), scene.contains(inward, boundary=False))
+    assert scene.contains(inward).any()
+
+
+def test_what_is_saved_is_loaded(dtype, tmp_path):
+    scene, (origins, directions) = Scene(*octasphere(3, dtype), build="sbvh"), some_rays(dtype)
+    path = tmp_path / "sphere.scene"
+    scene.save(path)
+    loaded = Scene.load(str(path))
+    assert loaded.dtype == scene.dtype and np.array_equal(loaded.vertices, scene.vertices)
+    assert same(loaded.closest(origins, directions), scene.closest(origins, directions))
+    assert np.array_equal(loaded.contains(origins), scene.contains(origins))
+    data = path.read_bytes()
+    assert os.listdir(tmp_path) == ["sphere.scene"]
+    for at in [0, 9, 13, 20, 40, len(data) // 2, len(data) - 1]:
+        path.write_bytes(data[:at] + bytes([data[at] ^ 1]) + data[at + 1 :])
+        with pytest.raises(ValueError) as error:
+            Scene.load(path)
+        assert "\n" not in str(error.value)
+    for length in [0, 7, 31, 40, len(data) - 1]:
+        path.write_bytes(data[:length])
+        with pytest.raises(ValueError):
+            Scene.load(path)
+
+
+def test_refit_moves_the_vertices_or_changes_nothing(dtype):
+    vertices, faces = octasphere(3, dtype)
+    scene, (origins, directions) = Scene(vertices, faces), some_rays(dtype)
+    before = scene.closest(origins, directions)
+    moved = (vertices * dtype(1.25) + dtype(0.5)).astype(dtype)
+    scene.refit(moved)
+    assert np.array_equal(scene.vertices, moved)
+    after = scene.closest(origins, directions)
+    assert same(after, Scene(moved, faces).closest(origins, directions)) and not same(after, before)
+    for bad in (moved[1:], np.where(np.arange(len(moved))[:, None] == 3, dtype(np.nan), moved)):
+        with pytest.raises(ValueError):
+            scene.refit(bad)
+        assert same(scene.closest(origins, directions), after)
+    # A closed mesh can be torn.
+    scene = Scene(vertices[faces].reshape(-1, 3), np.arange(3 * len(faces)).reshape(-1, 3))
+    assert scene.is_closed
+    torn = scene.vertices
+    torn[0] += dtype(0.25)
+    scene.refit(torn)
+    assert not scene.is_closed
+    # The first face has an area from the beginning.
+    flat = Scene(np.eye(3, dtype=dtype)[[0, 1, 2, 2]], [[0, 1, 2], [1, 2, 3]])
+    message = "faces[1]: no area when the scene was built, and some now; build a new Scene for these vertices"
+    with pytest.raises(ValueError) as error:
+        flat.refit(np.array([*np.eye(3), [1, 1, 1]], dtype=dtype))
+    assert str(error.value) == message
+
+
+def test_instances_are_the_exact_images():
+    vertices, faces = octasphere(2, np.float32)
+    scene, cube = Scene(vertices, faces), Scene(np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0]]), [[0, 1, 2]])
+    maps = np.zeros((3, 3, 4), np.float32)
+    maps[:, [0, 1, 2], [0, 1, 2]] = [[1, 2, 0.5], [3, 3, 3], [0.25, 1, 1]]
+    maps[:, :, 3] = [[0, 0, 4], [-3, 1, 0], [5, 0, 0]]
+    instances = Instances([scene, cube], [0, 1, 0], maps)
+    origins, directions = some_rays(np.float32, 300, 5)
+    origins *= 4
+    hits, hit_any = instances.closest(origins, directions), instances.any(origins, directions)
+    assert len(instances) == 3 and set(hits.instance) == {-1, 0, 1, 2}
+
+    def image(corner, rows):
+        return tuple(sum(oracle.Fraction(float(m)) * x for m, x in zip(row, (*corner, 1))) for row in rows)
+
+    images = [
+        [[image(corner, rows) for corner in oracle.corners(placed.vertices, face)] for face in placed.faces]
+        for placed, rows in zip([scene, cube, scene], maps)
+    ]
+    for ray, (origin, direction) in enumerate(zip(origins, directions)):
+        found = [
+            (oracle.rounded(hit[0], np.float32), i, face)
+            for i, triangles in enumerate(images)
+            for face, triangle in enumerate(triangles)
+            if (hit := oracle.meet(triangle, oracle.vector(origin), oracle.vector(direction))) and hit[0] >= 0
+        ]
+        expected = min(found, default=(np.inf, -1, -1))
+        assert (hits.t[ray], hits.instance[ray], hits.primitive[ray]) == expected
+        assert hit_any[ray] == bool(found)
+    four = np.concatenate([maps, np.tile(np.float32([[[0, 0, 0, 1]]]), (3, 1, 1))], axis=1)
+    assert same(Instances([scene, cube], [0, 1, 0], four).closest(origins, directions), hits)
+
+
+def test_a_scene_that_is_asked_is_not_changed(dtype):
+    vertices, faces = octasphere(1, dtype)
+    scene = Scene(vertices, faces)
+    with pytest.raises(RuntimeError, match="Already borrowed"):
+        scene.any([0, 0, 0], vertices, progress=lambda *_: scene.refit(2 * vertices))
+    assert np.array_equal(scene.vertices, vertices)
+
+
+def test_progress_is_told_and_its_errors_end_the_batch(dtype):
+    scene, told = Scene(*octasphere(1, dtype)), []
+    count = 150_000
+    scene.any([0, 0, 0], np.ones((count, 3), dtype), progress=lambda *done: told.append(done))
+    assert told == [(65536, count), (131072, count), (count, count)]
+
+    def stop(done, count):
+        raise StopIteration(done)
+
+    for ask in (lambda: scene.closest([0, 0, 0], np.ones((count, 3), dtype), progress=stop),
+                lambda: scene.contains(np.ones((count, 3), dtype), progress=stop)):  # fmt: skip
+        with pytest.raises(StopIteration) as error:
+            ask()
+        assert error.value.value == 65536
+
+
+INTERRUPTED = """
+import signal, sys, numpy as np
+# Jobs in the background of a shell ignore it.
+signal.signal(signal.SIGINT, signal.default_int_handler)
+sys.path.insert(0, sys.argv[1])
+from conftest import octasphere
+from stackless_bvh import Scene
+scene = Scene(*octasphere(4))
+directions = np.broadcast_to(np.float64([0.1, 0.2, 0.3]), (10**8, 3))
+print("begun", flush=True)
+try:
+    scene.closest([0, 0, 0], directions)
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no signals")
+def test_ctrl_c_ends_a_batch_that_would_take_minutes():
+    child = subprocess.Popen(
+        [sys.executable, "-c", INTERRUPTED, os.path.dirname(__file__)], stdout=subprocess.PIPE, text=True
+    )
+    try:
+        assert child.stdout.readline() == "begun\n"
+        threading.Event().wait(0.5)
+        child.send_signal(signal.SIGINT)
+        output, _ = child.communicate(timeout=60)
+    finally:
+        child.kill()
+    assert (output, child.returncode) == ("interrupted\n", 0)
+
+
+def test_no_memory_is_an_exception():
+    scene = Scene(*octasphere(1))
+    with pytest.raises(MemoryError, match="no memory for 18014398509481984 answers"):
+        scene.closest([0, 0, 0], np.broadcast_to(np.float64([0.1, 0.2, 0.3]), (2**54, 3)))
+
+
+FAST_MATH = """
+import ctypes, sys, numpy as np
+sys.path.insert(0, sys.argv[1])
+from conftest import octasphere
+from stackless_bvh import Scene
+scene, points = Scene(*octasphere(1)), np.ones((5, 3))
+ctypes.CDLL(sys.argv[2])
+if np.float64(5e-324) * 1.0 + np.float64(5e-324) != 0.0:
+    sys.exit("it had no effect")
+for ask in (lambda: Scene(*octasphere(1)), lambda: scene.any(points, points), lambda: scene.contains(points)):
+    try:
+        ask()
+    except RuntimeError as error:
+        print(error)
+"""
+
+
+def test_a_thread_whose_floats_are_of_no_use_is_refused(tmp_path):
+    source, library = tmp_path / "fast.c", tmp_path / "fast.so"
+    source.write_text("int nothing;")
+    try:
+        subprocess.run(["cc", "-shared", "-fPIC", "-ffast-math", source, "-o", library], check=True)
+    except (OSError, subprocess.CalledProcessError):
+        pytest.skip("no compiler")
+    command = [sys.executable, "-c", FAST_MATH, os.path.dirname(__file__), library]
+    ran = subprocess.run(command, capture_output=True, text=True)
+    if "no effect" in ran.stderr:
+        pytest.skip("this compiler does not make such libraries")
+    message = "this thread takes subnormal numbers for zero (was a library compiled with -ffast-math?)\n"
+    assert (ran.stdout, ran.returncode) == (3 * message, 0), ran.stderr
+
+
+def test_other_threads_run_while_rays_are_traced():
+    scene, ticks, done = Scene(*octasphere(3)), [], threading.Event()
+    directions = np.broadcast_to(np.float64([0.1, 0.2, 0.3]), (400_000, 3))
+
+    def tick():
+        while not done.wait(0.001):
+            ticks.append(1)
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    scene.closest([0, 0, 0], directions)
+    done.set()
+    thread.join()
+    assert len(ticks) > 10
+
+
+def test_the_scene_says_what_it_is(dtype):
+    scene = Scene(*octasphere(1, dtype))
+    assert repr(scene) == f"<stackless_bvh.Scene: 32 faces, {np.dtype(dtype)}>"
+    assert scene.dtype == dtype and scene.nbytes > 32 * 9 * np.dtype(dtype).itemsize
