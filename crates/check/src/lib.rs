@@ -37,9 +37,11 @@ pub use boxes::{BoxTally, check_boxes};
 pub use case::{Case, CaseOptions};
 pub use flat::{Flat, Hierarchies, InstanceFault, Shape, check_answer, check_instances};
 pub use kernels::{GeometryFault, check_degenerate, check_distance, check_slabs, check_triangle};
-pub use pauses::{GoOn, PauseFault, PauseTally, Pauses, Start, Way, check_pauses};
+pub use pauses::{GoOn, PauseFault, Pauses, Start, Way};
 pub use pieces::Pieces;
-pub use random::{Disagreement, Plan, Progress, boundary_cases, check_cases, check_random, merge};
+pub use random::{
+    Disagreement, PauseTally, Plan, Progress, boundary_cases, check_cases, check_pauses, check_random, merge,
+};
 pub use replay::{Replay, ReplayError};
 pub use scene::{SceneDisagreement, SceneTree, Seen, check_scene};
 pub use shard::{Shard, ShardError};

@@ -5,7 +5,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::watch::Fault;
-use super::{Battery, Case, CaseOptions, Tally, Verdict};
+use super::{Battery, Case, CaseOptions, PauseFault, Pauses, Tally, Verdict};
 use stackless_bvh::generate::{Family, Kind, Rng};
 use stackless_bvh::hash::mix;
 use stackless_bvh::key::KeyWord;
@@ -125,6 +125,67 @@ pub fn merge(
 fn smaller(a: Option<Disagreement>, b: Option<Disagreement>) -> Option<Disagreement> {
     // Of equal sizes the first.
     a.into_iter().chain(b).min_by_key(|found| (found.case.size(), found.number))
+}
+
+/// What is counted where traversals are put aside.
+#[derive(Debug, Default)]
+pub struct PauseTally {
+    /// How often one was taken up again.
+    pub resumes: u64,
+    /// Cases and traversals in which this went wrong.
+    pub faults: u64,
+    /// The first of these, with the number of its case.
+    pub first: Option<(u64, Box<PauseFault>)>,
+}
+
+impl PauseTally {
+    fn merge(self, later: Self) -> Self {
+        Self {
+            resumes: self.resumes + later.resumes,
+            faults: self.faults + later.faults,
+            first: self.first.or(later.first),
+        }
+    }
+}
+
+/// Puts the traversals of a plan aside, in its words, on those random cases of these numbers that are small.
+pub fn check_pauses(plan: &Plan, numbers: Range<u64>, progress: Progress<'_>) -> PauseTally {
+    // Each step of each traversal is taken up in each way: that is for trees that are not large.
+    const NODES: usize = 2 * Case::LEAVES as usize;
+    let pairs: Vec<_> = plan.pairs().into_iter().filter(|(method, _)| method.can_pause()).collect();
+    let check = |i: u64| {
+        progress(1);
+        let case = plan.case(i);
+        if case.size() > NODES {
+            return PauseTally::default();
+        }
+        let pauses = Pauses::new(&case);
+        let mut tally = PauseTally::default();
+        for &(method, word) in &pairs {
+            match with_word(word, InWord { pauses: &pauses, method }) {
+                Ok(count) => tally.resumes += count as u64,
+                Err(fault) => {
+                    tally.faults += 1;
+                    tally.first.get_or_insert((i, fault));
+                }
+            }
+        }
+        tally
+    };
+    numbers.into_par_iter().map(check).reduce(PauseTally::default, PauseTally::merge)
+}
+
+struct InWord<'a, 'c> {
+    pauses: &'a Pauses<'c>,
+    method: Method,
+}
+
+impl WithWord for InWord<'_, '_> {
+    type Output = Result<usize, Box<PauseFault>>;
+
+    fn call<W: KeyWord>(self) -> Self::Output {
+        self.pauses.check::<W>(self.method)
+    }
 }
 
 /// Cases at and around the depths that words carry: combs and caterpillars with every kind of tape.

@@ -12,7 +12,7 @@ pub struct Count {
     pub agree: u64,
     /// Cases that it refused before the first step.
     pub refused: u64,
-    /// A reason to refuse one: the first by its text, so that it does not depend on the order of the cases.
+    /// A reason to refuse one: the last by its text, so that it does not depend on the order of the cases.
     pub refusal: Option<Unfit>,
     /// Visits, restarts included.
     pub steps: u64,
@@ -42,7 +42,7 @@ impl Tally {
             }
             Verdict::Refused(unfit) => {
                 count.refused += 1;
-                count.refusal = least(count.refusal, Some(*unfit));
+                count.refusal = last(count.refusal, Some(*unfit));
             }
             Verdict::Differs(_) => count.cases += 1,
         }
@@ -55,7 +55,7 @@ impl Tally {
             mine.cases += theirs.cases;
             mine.agree += theirs.agree;
             mine.refused += theirs.refused;
-            mine.refusal = least(mine.refusal, theirs.refusal);
+            mine.refusal = last(mine.refusal, theirs.refusal);
             mine.steps += theirs.steps;
         }
         self.depth = self.depth.max(other.depth);
@@ -83,8 +83,8 @@ impl Tally {
     }
 }
 
-/// The first of two reasons, by their texts.
-fn least(a: Option<Unfit>, b: Option<Unfit>) -> Option<Unfit> {
+/// The last of two reasons, by their texts.
+fn last(a: Option<Unfit>, b: Option<Unfit>) -> Option<Unfit> {
     // Nearly all are the same.
-    if a == b { a } else { a.into_iter().chain(b).min_by_key(Unfit::to_string) }
+    if a == b { a } else { a.into_iter().chain(b).max_by_key(Unfit::to_string) }
 }

@@ -184,7 +184,7 @@ impl Row {
         self.agree = self.agree.saturating_add(other.agree);
         self.refused = self.refused.saturating_add(other.refused);
         self.steps = self.steps.saturating_add(other.steps);
-        self.refusal = self.refusal.take().into_iter().chain(other.refusal).min();
+        self.refusal = self.refusal.take().into_iter().chain(other.refusal).max();
         // Stacks have no word, and as many bytes in each.
         let word = self.word.parse().unwrap_or(WordName::U32);
         if let Ok(method) = self.method.parse::<Method>() {
