@@ -117,6 +117,18 @@ def test_a_mesh_is_closed_by_its_coordinates_whatever_its_indices():
     assert turned.is_closed and not turned.is_oriented
     random = np.random.default_rng(3).uniform(-1, 1, (500, 3))
     assert np.array_equal(turned.contains(random), soup.contains(random))
+    # A face that is there twice is a hole in the even-odd sense; one that is there three times is none.
+    for copies, wrong in [
+        (2, r"\(0, 6\) of faces\[0\] is in 3 faces, expected an even number \(3 such edges\)"),
+        (3, None),
+    ]:
+        repeated = Scene(vertices, np.concatenate([faces, *[faces[:1]] * (copies - 1)]))
+        assert repeated.is_closed == (wrong is None)
+        if wrong:
+            with pytest.raises(ValueError, match=wrong):
+                repeated.contains([0, 0, 0])
+        else:
+            assert np.array_equal(repeated.contains(random), soup.contains(random))
     # The inner one of two spheres is a hole.
     hollow = Scene(np.concatenate([vertices, vertices / 2]), np.concatenate([faces, faces + len(vertices)]))
     assert hollow.contains([[0, 0, 0], [0, 0, 0.75], [0, 0, 1], [0, 0, 0.5], [0, 0, 2]]).tolist() == [
