@@ -61,9 +61,7 @@ def section(scene, mesh, size):
     wrong = (inside != theirs) & (inside == scene.contains(points, boundary=False))
     colours = np.where(inside[:, None], [70, 110, 190], [255, 255, 255])
     colours[wrong] = [220, 30, 30]
-    print(
-        f"{inside.sum()} of {len(inside)} points are inside; trimesh says something else of {wrong.sum()}"
-    )
+    print(f"{inside.sum()} of {len(inside)} points are inside; trimesh says something else of {wrong.sum()}")
     return colours.reshape(size, size, 3).astype(np.uint8)
 
 

@@ -152,6 +152,17 @@ def test_points_on_the_surface_are_told_from_others(dtype):
     assert scene.contains(inward).any()
 
 
+def test_each_side_of_a_box_is_on_it(cube, dtype):
+    vertices, faces = cube
+    box = Scene(vertices.astype(dtype), faces)
+    # Points of sides, of edges, and at corners; all others of this grid are inside.
+    steps = np.array([0, 0.25, 0.5, 1], dtype)
+    points = np.stack(np.meshgrid(steps, steps, steps), axis=-1).reshape(-1, 3)
+    is_on = ((points == 0) | (points == 1)).any(axis=1)
+    assert box.contains(points).all()
+    assert np.array_equal(box.contains(points, boundary=False), ~is_on)
+
+
 def test_what_is_saved_is_loaded(dtype, tmp_path):
     scene, (origins, directions) = Scene(*octasphere(3, dtype), build="sbvh"), some_rays(dtype)
     path = tmp_path / "sphere.scene"
