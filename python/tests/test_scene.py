@@ -184,6 +184,42 @@ def test_what_is_saved_is_loaded(dtype, tmp_path):
             Scene.load(path)
 
 
+def checksum(data):
+    """That of spec/bvh-file.md, so that forged files have the right one."""
+    total, word = len(data), 2**64 - 1
+    data += bytes(8 - len(data) % 8)
+    for at in range(0, len(data), 8):
+        total ^= int.from_bytes(data[at : at + 8], "little")
+        total = ((total ^ total >> 30) * 0xBF58476D1CE4E5B9) & word
+        total = ((total ^ total >> 27) * 0x94D049BB133111EB) & word
+        total ^= total >> 31
+    return total.to_bytes(8, "little")
+
+
+def test_a_forged_file_is_refused(dtype, tmp_path):
+    (vertices, faces), path = octasphere(1, dtype), tmp_path / "forged.scene"
+    files = []
+    for scale in (1, 2):
+        Scene(dtype(scale) * vertices, faces).save(path)
+        files.append(path.read_bytes())
+    mesh = 32 + vertices.nbytes + 12 * len(faces)
+    assert checksum(files[0][:-8]) == files[0][-8:]
+    forged = [
+        # The hierarchy of another mesh.
+        (files[0][:mesh] + files[1][mesh:-8], None),
+        # A corner that is no vertex.
+        (files[0][: mesh - 12] + b"\xff\xff\0\0" + files[0][mesh - 8 : -8], "index 65535 is out of range"),
+        # More vertices than there are bytes.
+        (files[0][:16] + b"\xff" * 8 + files[0][24:-8], "fewer than the header says"),
+        (files[0][:8] + b"\2" + files[0][9:-8], "version 2 of the format, expected 1"),
+        (files[0][:12] + b"\5" + files[0][13:-8], "coordinates of 5 bytes"),
+    ]
+    for data, message in forged:
+        path.write_bytes(data + checksum(data))
+        with pytest.raises(ValueError, match=message):
+            Scene.load(path)
+
+
 def test_refit_moves_the_vertices_or_changes_nothing(dtype):
     vertices, faces = octasphere(3, dtype)
     scene, (origins, directions) = Scene(vertices, faces), some_rays(dtype)
