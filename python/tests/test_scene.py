@@ -109,14 +109,27 @@ def test_a_mesh_is_closed_by_its_coordinates_whatever_its_indices():
     vertices, faces = octasphere(1)
     soup = Scene(vertices[faces].reshape(-1, 3), np.arange(3 * len(faces)).reshape(-1, 3))
     assert soup.is_closed and soup.is_oriented
-    signed = Scene(np.where(vertices == 0, -0.0, vertices)[faces].reshape(-1, 3), soup.faces)
-    assert signed.is_closed
+    # Zeros of both signs are one number.
+    every_other = np.arange(len(soup.vertices))[:, np.newaxis] % 2 == 0
+    assert Scene(np.where((soup.vertices == 0) & every_other, -0.0, soup.vertices), soup.faces).is_closed
     turned = faces.copy()
     turned[5] = turned[5][::-1]
     turned = Scene(vertices, turned)
     assert turned.is_closed and not turned.is_oriented
     random = np.random.default_rng(3).uniform(-1, 1, (500, 3))
     assert np.array_equal(turned.contains(random), soup.contains(random))
+    # A face that is there twice is a hole in the even-odd sense; one that is there three times is none.
+    for copies, wrong in [
+        (2, r"\(0, 6\) of faces\[0\] is in 3 faces, expected an even number \(3 such edges\)"),
+        (3, None),
+    ]:
+        repeated = Scene(vertices, np.concatenate([faces, *[faces[:1]] * (copies - 1)]))
+        assert repeated.is_closed == (wrong is None)
+        if wrong:
+            with pytest.raises(ValueError, match=wrong):
+                repeated.contains([0, 0, 0])
+        else:
+            assert np.array_equal(repeated.contains(random), soup.contains(random))
     # The inner one of two spheres is a hole.
     hollow = Scene(np.concatenate([vertices, vertices / 2]), np.concatenate([faces, faces + len(vertices)]))
     assert hollow.contains([[0, 0, 0], [0, 0, 0.75], [0, 0, 1], [0, 0, 0.5], [0, 0, 2]]).tolist() == [
@@ -140,6 +153,17 @@ def test_points_on_the_surface_are_told_from_others(dtype):
     assert scene.contains(inward).any()
 
 
+def test_each_side_of_a_box_is_on_it(cube, dtype):
+    vertices, faces = cube
+    box = Scene(vertices.astype(dtype), faces)
+    # Points of sides, of edges, and at corners; all others of this grid are inside.
+    steps = np.array([0, 0.25, 0.5, 1], dtype)
+    points = np.stack(np.meshgrid(steps, steps, steps), axis=-1).reshape(-1, 3)
+    is_on = ((points == 0) | (points == 1)).any(axis=1)
+    assert box.contains(points).all()
+    assert np.array_equal(box.contains(points, boundary=False), ~is_on)
+
+
 def test_what_is_saved_is_loaded(dtype, tmp_path):
     scene, (origins, directions) = Scene(*octasphere(3, dtype), build="sbvh"), some_rays(dtype)
     path = tmp_path / "sphere.scene"
@@ -158,6 +182,42 @@ def test_what_is_saved_is_loaded(dtype, tmp_path):
     for length in [0, 7, 31, 40, len(data) - 1]:
         path.write_bytes(data[:length])
         with pytest.raises(ValueError):
+            Scene.load(path)
+
+
+def checksum(data):
+    """That of spec/bvh-file.md, so that forged files have the right one."""
+    total, word = len(data), 2**64 - 1
+    data += bytes(8 - len(data) % 8)
+    for at in range(0, len(data), 8):
+        total ^= int.from_bytes(data[at : at + 8], "little")
+        total = ((total ^ total >> 30) * 0xBF58476D1CE4E5B9) & word
+        total = ((total ^ total >> 27) * 0x94D049BB133111EB) & word
+        total ^= total >> 31
+    return total.to_bytes(8, "little")
+
+
+def test_a_forged_file_is_refused(dtype, tmp_path):
+    (vertices, faces), path = octasphere(1, dtype), tmp_path / "forged.scene"
+    files = []
+    for scale in (1, 2):
+        Scene(dtype(scale) * vertices, faces).save(path)
+        files.append(path.read_bytes())
+    mesh = 32 + vertices.nbytes + 12 * len(faces)
+    assert checksum(files[0][:-8]) == files[0][-8:]
+    forged = [
+        # The hierarchy of another mesh.
+        (files[0][:mesh] + files[1][mesh:-8], None),
+        # A corner that is no vertex.
+        (files[0][: mesh - 12] + b"\xff\xff\0\0" + files[0][mesh - 8 : -8], "index 65535 is out of range"),
+        # More vertices than there are bytes.
+        (files[0][:16] + b"\xff" * 8 + files[0][24:-8], "fewer than the header says"),
+        (files[0][:8] + b"\2" + files[0][9:-8], "version 2 of the format, expected 1"),
+        (files[0][:12] + b"\5" + files[0][13:-8], "coordinates of 5 bytes"),
+    ]
+    for data, message in forged:
+        path.write_bytes(data + checksum(data))
+        with pytest.raises(ValueError, match=message):
             Scene.load(path)
 
 

@@ -11,7 +11,7 @@ use crate::trace::{Crossings, OwnBoxes};
 use crate::tree::Node;
 
 impl<T: Borrow<Bvh<K::Shape>>, K: Parity, B: Slabs<Vector = K::Vector>> BinaryTracer<T, K, B> {
-    /// How often the ray crosses a closed mesh, as [`Tracer::crossings`](super::Tracer::crossings) counts. `[PARITY-1]`
+    /// How often the ray crosses a closed mesh, as [`Tracer::crossings`](crate::trace::Tracer::crossings) counts. `[PARITY-1]`
     ///
     /// ```
     /// use glam::DVec3;
