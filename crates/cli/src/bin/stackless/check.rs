@@ -3,7 +3,7 @@
 mod summary;
 
 use std::ops::Range;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde_json::json;
 use stackless_bvh::generate::{Family, procedural};
@@ -122,7 +122,7 @@ pub(crate) fn run(args: Args) -> Outcome {
 }
 
 /// Runs the case in a file.
-fn replay(args: &Args, mut plan: Plan, path: &PathBuf) -> Outcome {
+fn replay(args: &Args, mut plan: Plan, path: &Path) -> Outcome {
     let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
     let replay = Replay::load(path).map_err(|error| named(&error))?;
     if args.methods.is_empty() {

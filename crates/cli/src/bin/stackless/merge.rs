@@ -107,6 +107,9 @@ fn add<C: Counts>(records: Vec<(String, Record<C>)>) -> Result<Record<C>, String
     Ok(record)
 }
 
+/// Missing ranges that an error names.
+const SHOWN: usize = 10;
+
 /// Refuses ranges that are not the whole of a list, each number once.
 fn cover(name: &str, of: u64, mut ranges: Vec<([u64; 2], String)>) -> Result<(), String> {
     ranges.sort_unstable();
@@ -122,7 +125,6 @@ fn cover(name: &str, of: u64, mut ranges: Vec<([u64; 2], String)>) -> Result<(),
     if missing.is_empty() {
         return Ok(());
     }
-    const SHOWN: usize = 10;
     let count: u64 = missing.iter().map(|[from, to]| to - from + 1).sum();
     let shown: Vec<_> = missing.iter().take(SHOWN).map(|[from, to]| format!("{from} to {to}")).collect();
     let more = if missing.len() > SHOWN { ", ..." } else { "" };

@@ -113,7 +113,7 @@ impl Run {
 
 /// Which scene it was, whatever its file is called.
 pub(crate) fn fingerprint(mesh: &Mesh) -> Value {
-    let corners = mesh.vertices().iter().flat_map(|v| v.to_array()).map(|x| u64::from(x.to_bits()));
+    let corners = mesh.vertices().iter().flat_map(glam::Vec3::to_array).map(|x| u64::from(x.to_bits()));
     let indices = mesh.triangles().iter().flatten().map(|&index| u64::from(index));
     let hash = corners.chain(indices).fold(mesh.vertices().len() as u64, |hash, word| mix(hash ^ word));
     format!("{} triangles, {hash:016x}", mesh.triangles().len()).into()

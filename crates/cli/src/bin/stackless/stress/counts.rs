@@ -127,7 +127,7 @@ impl Row {
 
     fn cells(&self) -> Vec<String> {
         let numbers = [self.rays, self.false_misses, self.false_hits, self.wrong_primitives, self.max_ulp.into()];
-        let names = [self.case.to_owned(), self.accuracy.clone()];
+        let names = [self.case.clone(), self.accuracy.clone()];
         names.into_iter().chain(numbers.map(|number| number.to_string())).collect()
     }
 }
