@@ -144,7 +144,7 @@ impl InstanceTracer {
     }
 
     /// The closest hit: the least distance, of equal ones the least path, and of these the least triangle. `[INST-6]`
-    /// The ray is a [`Ray`], or begins on a surface. `[SECOND-2]`
+    /// The ray is a [`Ray`](crate::geom::Ray), or begins on a surface. `[SECOND-2]`
     pub fn closest(&self, ray: impl Into<ExactRay>) -> Option<InstanceHit> {
         self.closest_and_found(&ray.into()).map(|(hit, _)| hit)
     }
@@ -189,7 +189,7 @@ impl InstanceTracer {
         Some((InstanceHit { path, prim, t, u, v }, found))
     }
 
-    /// Whether there is any hit. The ray is a [`Ray`], or begins on a surface. `[SECOND-2]`
+    /// Whether there is any hit. The ray is a [`Ray`](crate::geom::Ray), or begins on a surface. `[SECOND-2]`
     pub fn any(&self, ray: impl Into<ExactRay>) -> bool {
         self.search(&ray.into(), true).found.is_some()
     }
