@@ -35,7 +35,6 @@ def inside_on_lines():
     """Points on lines from the middle of a sphere through its vertices and middles of edges."""
     vertices, faces = float32(trimesh.creation.icosphere(4))
     aims = np.concatenate([vertices, edge_middles(vertices, faces)])
-    # The direction in which trimesh looks, so that its rays meet what is on these lines, too.
     scales = [0.3, 0.6, 0.9, 1.1, 1.5]
     points = np.concatenate([aims * np.float32(scale) for scale in scales])
     truth = np.repeat([scale < 1 for scale in scales], len(aims))
@@ -63,8 +62,7 @@ def boxes():
 
 
 def crossings_of_edges():
-    """How often rays along z cross a box through its edges and corners from within, and a sphere through vertices: once
-    in, once out."""
+    """How often rays from outside cross a sphere through opposite vertices: once in, once out."""
     vertices, faces = float32(trimesh.creation.icosphere(4))
     origins, ways = -3 * vertices, vertices
     return vertices, faces, lambda engine: (engine.crossings(origins, ways) != 2).sum(), len(vertices)
@@ -116,7 +114,7 @@ def slivers():
     ways = along * RANDOM.normal(size=(count, 1)) + aside * RANDOM.normal(size=(count, 1)) + tilt * 1e-3
     origins = (inside - ways * (500 / np.linalg.norm(ways, axis=1)[:, None])).astype(np.float32)
     ways = ways.astype(np.float32)
-    # One triangle and one ray at a time, so that no other triangle is in the way: all are moved apart along z.
+    # One triangle and one ray at a time, so that no other triangle is in the way.
     truth = np.array([oracle.all_hits(t, [(0, 1, 2)], o, d) != [] for t, o, d in zip(triangles, origins, ways)])
 
     def wrong(make):
