@@ -10,6 +10,7 @@
 #![forbid(unsafe_code)]
 
 pub mod adversary;
+mod all;
 mod battery;
 mod boxes;
 mod case;
@@ -32,6 +33,7 @@ mod watch;
 mod watched;
 mod wide;
 
+pub use all::AllCases;
 pub use battery::{Battery, Verdict};
 pub use boxes::{BoxTally, check_boxes};
 pub use case::{Case, CaseOptions};
@@ -40,7 +42,8 @@ pub use kernels::{GeometryFault, check_degenerate, check_distance, check_slabs, 
 pub use pauses::{GoOn, PauseFault, Pauses, Start, Way};
 pub use pieces::Pieces;
 pub use random::{
-    Disagreement, PauseTally, Plan, Progress, boundary_cases, check_cases, check_pauses, check_random, merge,
+    Disagreement, PauseTally, Plan, Progress, boundary_cases, check_cases, check_numbered, check_pauses, check_random,
+    merge,
 };
 pub use replay::{Replay, ReplayError};
 pub use scene::{SceneDisagreement, SceneTree, Seen, check_scene};

@@ -90,12 +90,24 @@ impl WithWord for Exists {
 ///
 /// Of the disagreements, the one of the smallest tree is returned.
 pub fn check_random(plan: &Plan, numbers: Range<u64>, progress: Progress<'_>) -> (Tally, Option<Disagreement>) {
+    check_numbered(plan, numbers, &|number| plan.case(number), progress)
+}
+
+/// Checks cases by their numbers, on all cores. The result does not depend on how many there are.
+///
+/// Of the disagreements, the one of the smallest tree is returned.
+pub fn check_numbered(
+    plan: &Plan,
+    numbers: Range<u64>,
+    case: &(dyn Fn(u64) -> Case + Sync),
+    progress: Progress<'_>,
+) -> (Tally, Option<Disagreement>) {
     const CHUNK: u64 = 256;
     let chunks = (numbers.end - numbers.start).div_ceil(CHUNK);
     let chunk = |index: u64| {
         let start = numbers.start + index * CHUNK;
         let range = start..numbers.end.min(start + CHUNK);
-        let cases = range.clone().map(|i| (i, plan.case(i)));
+        let cases = range.clone().map(|i| (i, case(i)));
         let result = check_cases(plan, cases);
         progress(range.end - range.start);
         result

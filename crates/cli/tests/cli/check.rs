@@ -77,6 +77,25 @@ fn two_thousand_trees() {
     assert_eq!(check("--trees 50 --methods stack", &[]).1["resumes"], 0);
 }
 
+/// As many as the formula says, each in every traversal and word that carries it.
+#[test]
+fn all_small_trees() {
+    let (_, counts) = check("--leaves 6", &[]);
+    assert_eq!((&counts["trees"], &counts["disagreements"]), (&25_897.into(), &0.into()));
+    for row in counts["rows"].as_array().unwrap() {
+        let [cases, refused] = ["cases", "refused"].map(|name| row[name].as_u64().unwrap());
+        assert_eq!(cases + refused, 25_897, "{row}");
+        assert!(row["method"] == "complete" || refused == 0, "{row}");
+    }
+    for (args, what) in
+        [("--leaves 0", "1..=18"), ("--leaves 19", "1..=18"), ("--leaves 3 --trees 5", "cannot be used")]
+    {
+        let run = stackless(&format!("check {args}"), &[]);
+        assert_eq!(run.code, Some(2), "{run:?}");
+        assert!(run.stderr.contains(what), "{run:?}");
+    }
+}
+
 #[test]
 fn families_and_depths() {
     for family in Family::ALL {

@@ -47,6 +47,7 @@ fn assert_cut(args: &str, scenes: &[&Path], cuts: &[u32]) {
 #[test]
 fn parts_of_check_add_up() {
     assert_cut("check --trees 500 --rays 100", &[&data("cube.ply"), &data("cube.obj")], &[1, 7, 64]);
+    assert_cut("check --leaves 5", &[], &[1, 7]);
     // With the trees at the limits of the words, and more rays than are made at once.
     assert_cut("check --methods sparse,hashed --word u32 --rays 5000", &[], &[3]);
 }

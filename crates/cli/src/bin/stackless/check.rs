@@ -12,8 +12,8 @@ use stackless_bvh::hash::mix;
 use stackless_bvh::trace::Truth;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_check::{
-    CaseOptions, Disagreement, PauseTally, Plan, Replay, SceneDisagreement, SceneTree, Shard, Tally, boundary_cases,
-    check_cases, check_pauses, check_random, check_scene, merge,
+    AllCases, CaseOptions, Disagreement, PauseTally, Plan, Replay, SceneDisagreement, SceneTree, Shard, Tally,
+    boundary_cases, check_cases, check_numbered, check_pauses, check_random, check_scene, merge,
 };
 
 use crate::Outcome;
@@ -34,6 +34,7 @@ pub(crate) use summary::Summary;
     stackless check\n  \
     stackless check bunny.ply --trees 1000\n  \
     stackless check --family comb --depth 100000 --trees 1 --word grow --methods hashed,afra\n  \
+    stackless check --leaves 7\n  \
     stackless check --shard 3/64 --json 3.json\n  \
     stackless check --replay case.json")]
 pub(crate) struct Args {
@@ -42,6 +43,11 @@ pub(crate) struct Args {
     /// Number of random trees [default: 200000, or 0 with SCENE].
     #[arg(long)]
     trees: Option<u64>,
+    /// Instead of random trees, every tree of up to so many leaves under all decisions: 6 are 25,897 cases, 9 are 28
+    /// million.
+    #[arg(long, conflicts_with_all = ["scenes", "trees", "family", "depth", "seed"])]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(AllCases::LEAVES)))]
+    leaves: Option<u32>,
     /// Only trees of this family: catalan, skew, complete, comb, caterpillar, fibonacci.
     #[arg(long, value_parser = |name: &str| name.parse::<Family>().map_err(|_| families()))]
     family: Option<Family>,
@@ -67,7 +73,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE", value_parser = places::file)]
     json: Option<Output>,
     /// Run the case in this file and nothing else. A disagreement on a tree is printed as such a file.
-    #[arg(long, conflicts_with_all = ["scenes", "trees", "family", "depth", "shard"])]
+    #[arg(long, conflicts_with_all = ["scenes", "trees", "leaves", "family", "depth", "shard"])]
     replay: Option<PathBuf>,
 }
 
@@ -98,8 +104,8 @@ pub(crate) fn run(args: Args) -> Outcome {
     if let Some(path) = &args.replay {
         return replay(&args, plan, path);
     }
-    let abstract_only = args.family.is_some() || args.depth.is_some() || args.trees.is_some();
-    plan.trees = args.trees.unwrap_or(if scenes.is_empty() { 200_000 } else { 0 });
+    let abstract_only = args.family.is_some() || args.depth.is_some() || args.trees.is_some() || args.leaves.is_some();
+    plan.trees = args.trees.unwrap_or(if scenes.is_empty() && args.leaves.is_none() { 200_000 } else { 0 });
     if plan.trees == 0 && (args.family.is_some() || args.depth.is_some()) {
         return Err(
             "--family and --depth are of random trees, and none would be checked: expected --trees N too".into()
@@ -108,6 +114,9 @@ pub(crate) fn run(args: Args) -> Outcome {
     let made = || MADE.iter().map(|name| Scene::load(name.as_ref())).collect::<Result<Vec<_>, _>>();
     let scenes = if scenes.is_empty() && !abstract_only { made()? } else { scenes };
     let (mut total, mut run) = (Total::default(), asked(&args, &plan, &scenes));
+    if let Some(leaves) = args.leaves {
+        check_all(&plan, args.shard, leaves, &mut run, &mut total);
+    }
     if plan.trees > 0 {
         check_trees(&plan, args.shard, abstract_only, &mut run, &mut total);
     }
@@ -142,6 +151,7 @@ fn replay(args: &Args, mut plan: Plan, path: &Path) -> Outcome {
 fn asked(args: &Args, plan: &Plan, scenes: &[Scene]) -> Run {
     Run::of::<Summary>([
         ("trees", plan.trees.into()),
+        ("leaves", args.leaves.into()),
         ("seed", plan.seed.into()),
         ("family", plan.options.family.map(Family::name).into()),
         ("depth", plan.options.depth.into()),
@@ -162,6 +172,17 @@ fn finish(args: &Args, plan: &Plan, run: Run, total: &Total) -> Outcome {
         return Err(refusal.unwrap_or_else(|| "there is nothing to check".to_owned()).into());
     }
     run.finish(Summary::new(plan, total), args.json.as_deref())
+}
+
+/// Every small tree under all decisions.
+fn check_all(plan: &Plan, shard: Shard, leaves: u32, run: &mut Run, total: &mut Total) {
+    let all = AllCases::up_to(leaves);
+    let numbers = run.take(shard, "cases", all.count());
+    let count = numbers.end - numbers.start;
+    let progress = bar(count, "cases");
+    (total.tally, total.found) = check_numbered(plan, numbers, &|number| all.case(number), &|done| progress.inc(done));
+    progress.finish_and_clear();
+    total.trees += count;
 }
 
 /// The random trees and, unless the user has asked for some of his own, those at the depths where words end.
