@@ -5,16 +5,18 @@ use std::array;
 use glam::{DVec3, Vec3};
 
 use super::{Bvh, BvhError, BvhNode, BvhTree, Leaf, LeafTriangle, validate};
-use crate::geom::{Aabb, EnvironmentError, Region, Triangle, Vector, check_environment};
+use crate::geom::{Aabb, EnvironmentError, Frame, Region, Triangle, Vector, check_environment};
 use crate::hash::checksum;
 use crate::tree::{Node, Recorded};
 
 const MAGIC: &str = "SBVHTREE";
-pub(super) const VERSION: u32 = 1;
+pub(super) const VERSION: u32 = 2;
 /// Magic, 10 words, 6 planes.
 const HEADER_BYTES: usize = 8 + 10 * 4 + 6 * 4;
 const NODE_BYTES: usize = 64;
 const LEAF_BYTES: usize = 16;
+/// Of hierarchies in double precision: origin and exponent.
+const FRAME_BYTES: usize = 3 * 8 + 4;
 
 /// What `recorded` is in a file, by position.
 const RECORDED: [Recorded; 3] = [Recorded::Nothing, Recorded::ParentSibling, Recorded::Uncles];
@@ -79,6 +81,9 @@ pub trait Stored: Vector {
     /// Bytes of a coordinate, of which a corner has three, little-endian.
     const REAL_BYTES: u32;
 
+    /// Whether boxes are in a [`Frame`] that is written too.
+    const HAS_FRAME: bool;
+
     /// Appends the bytes of a corner.
     fn write(self, bytes: &mut Vec<u8>);
 
@@ -102,7 +107,7 @@ impl<V: Stored> Bvh<Triangle<V>> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn to_bytes(&self) -> Vec<u8> {
-        let Self { dropped, duplicates, bounds, tree, triangles, .. } = self;
+        let Self { dropped, duplicates, bounds, region, tree, triangles } = self;
         let BvhTree { root, depth, recorded, nodes, axes, leaves } = tree;
         let recorded = RECORDED.iter().position(|known| known == recorded).unwrap_or_default();
         let words = [VERSION, V::REAL_BYTES, recorded as u32, root.to_bits(), *depth];
@@ -114,6 +119,10 @@ impl<V: Stored> Bvh<Triangle<V>> {
         bytes.extend(words.into_iter().chain(counts).flat_map(u32::to_le_bytes));
         for corner in [bounds.lo, bounds.hi] {
             corner.write(&mut bytes);
+        }
+        if V::HAS_FRAME {
+            region.frame().origin().write(&mut bytes);
+            bytes.extend(region.frame().exponent().to_le_bytes());
         }
         for BvhNode { planes, children, links } in nodes {
             bytes.extend(planes.as_flattened().iter().flat_map(|plane| plane.to_le_bytes()));
@@ -169,13 +178,17 @@ impl<V: Stored> Bvh<Triangle<V>> {
         };
         let [x, y, z, end_x, end_y, end_z] = bounds.map(f32::from_bits);
         let bounds = Aabb { lo: Vec3::new(x, y, z), hi: Vec3::new(end_x, end_y, end_z) };
+        let frame = match take(u32::from(V::HAS_FRAME), FRAME_BYTES).next() {
+            Some(bytes) => read_frame(bytes).map_err(|exponent| field("exponent", exponent))?,
+            None => Frame::IDENTITY,
+        };
         let nodes_read = take(nodes, NODE_BYTES).map(read_node).collect();
         let leaves = take(leaves, LEAF_BYTES).map(read_leaf).collect();
         let triangles = take(triangles, triangle_bytes::<V>()).map(read_triangle).collect();
         let axes = take(nodes, 1).flatten().copied().collect();
         let tree = BvhTree { root: Node::from_bits(root), depth, recorded, nodes: nodes_read, axes, leaves };
         let (dropped, duplicates) = (dropped as usize, duplicates as usize);
-        let bvh = Self { dropped, duplicates, bounds, region: Region::of(&bounds), tree, triangles };
+        let bvh = Self { dropped, duplicates, bounds, region: Region::within(frame, &bounds), tree, triangles };
         validate::check(&bvh)?;
         Ok(bvh)
     }
@@ -183,6 +196,7 @@ impl<V: Stored> Bvh<Triangle<V>> {
 
 impl Stored for Vec3 {
     const REAL_BYTES: u32 = 4;
+    const HAS_FRAME: bool = false;
 
     fn write(self, bytes: &mut Vec<u8>) {
         bytes.extend(self.to_array().into_iter().flat_map(f32::to_le_bytes));
@@ -195,6 +209,7 @@ impl Stored for Vec3 {
 
 impl Stored for DVec3 {
     const REAL_BYTES: u32 = 8;
+    const HAS_FRAME: bool = true;
 
     fn write(self, bytes: &mut Vec<u8>) {
         bytes.extend(self.to_array().into_iter().flat_map(f64::to_le_bytes));
@@ -234,12 +249,23 @@ pub(super) fn opened<'b, E, const WORDS: usize>(
 /// Bytes of a file with these counts.
 fn file_bytes<V: Stored>(nodes: u32, leaves: u32, triangles: u32) -> u64 {
     let of = |count: u32, size: usize| u64::from(count) * size as u64;
-    let fixed = HEADER_BYTES + size_of::<u64>();
+    let fixed = HEADER_BYTES + frame_bytes::<V>() + size_of::<u64>();
     fixed as u64 + of(nodes, NODE_BYTES + 1) + of(leaves, LEAF_BYTES) + of(triangles, triangle_bytes::<V>())
 }
 
 const fn triangle_bytes<V: Stored>() -> usize {
     9 * V::REAL_BYTES as usize + 4
+}
+
+const fn frame_bytes<V: Stored>() -> usize {
+    if V::HAS_FRAME { FRAME_BYTES } else { 0 }
+}
+
+/// The frame, or what is not an exponent. An origin that is not finite is as bad as that.
+fn read_frame(bytes: &[u8]) -> Result<Frame, u32> {
+    let (origin, exponent) = bytes.split_at(FRAME_BYTES - 4);
+    let [exponent] = numbers(exponent).map(u32::from_le_bytes);
+    Frame::new(DVec3::read(origin), exponent as i32).ok_or(exponent)
 }
 
 fn read_node(bytes: &[u8]) -> BvhNode {

@@ -1,18 +1,18 @@
 //! Whether boxes cover a triangle: exact.
 
 use crate::geom::truth::{Number, RBig};
-use crate::geom::{Aabb, Triangle, Vector};
+use crate::geom::{Aabb, Frame, Triangle, Vector};
 
-/// Whether these closed boxes together hold the closed triangle; exact.
-pub(super) fn hold<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
-    surely_hold(boxes, triangle) || covers(boxes, triangle)
+/// Whether these closed boxes, in a frame, together hold the closed triangle; exact.
+pub(super) fn hold<V: Vector>(frame: &Frame, boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
+    surely_hold(frame, boxes, triangle) || covers(frame, boxes, triangle)
 }
 
 /// The same where it is easily seen, as nearly always after a build: false if it is not known.
 ///
 /// Each box in turn is taken away, of boxes that hold the parts of the triangle which are still to be found.
-fn surely_hold<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
-    let mut pending = vec![(triangle.aabb(), boxes)];
+fn surely_hold<V: Vector>(frame: &Frame, boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
+    let mut pending = vec![(frame.aabb(triangle), boxes)];
     while let Some((mut around, boxes)) = pending.pop() {
         let Some((aabb, boxes)) = boxes.split_first() else { return false };
         for (axis, is_upper) in SIDES {
@@ -28,8 +28,8 @@ fn surely_hold<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
                 outer[axis] = if is_upper { outer[axis].max(plane) } else { outer[axis].min(plane) };
                 inner[axis] = plane;
                 let has_points = |aabb: &Aabb| aabb.lo.cmple(aabb.hi).all();
-                pending.extend(Some(triangle.part(&outside)).filter(has_points).map(|outside| (outside, boxes)));
-                around = triangle.part(&inside);
+                pending.extend(Some(frame.part(triangle, &outside)).filter(has_points).map(|outside| (outside, boxes)));
+                around = frame.part(triangle, &inside);
                 if !has_points(&around) {
                     break;
                 }
@@ -48,9 +48,8 @@ const SIDES: [(usize, bool); 6] = [(0, false), (0, true), (1, false), (1, true),
 /// within the first, and so on, are polygons again. What the boxes do not cover of a triangle is open in it, as they
 /// are closed, so it is empty or has as many dimensions as the triangle (fewer than two, if that is degenerate).
 /// Therefore polygons of fewer are dropped, and borders need no care.
-fn covers<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
-    let exact = |x: V::Real| RBig::try_from(x.into()).ok();
-    let Some(corners) = triangle.0.iter().map(|v| point(v.components(), exact)).collect() else { return false };
+fn covers<V: Vector>(frame: &Frame, boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
+    let Some(corners) = triangle.0.iter().map(|v| frame.exact(v.widen())).collect() else { return false };
     let mut pending = vec![(Polygon { corners }, boxes.to_vec())];
     while let Some((polygon, mut boxes)) = pending.pop() {
         let around = polygon.bounds();
@@ -68,10 +67,6 @@ fn covers<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
         }
     }
     true
-}
-
-fn point<S: Number>([x, y, z]: [S; 3], exact: impl Fn(S) -> Option<RBig>) -> Option<Point> {
-    Some([exact(x)?, exact(y)?, exact(z)?])
 }
 
 type Point = [RBig; 3];

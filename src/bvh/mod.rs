@@ -24,14 +24,15 @@ pub use wide::{WideBvh, WideError};
 
 use std::ops::Range;
 
-use crate::geom::{Aabb, Region, Triangle};
+use crate::geom::{Aabb, Frame, Region, Triangle};
 use crate::order::Side;
 use crate::topology_of;
 use crate::tree::{Node, Recorded, Topology};
 
 /// A binary bounding volume hierarchy over the triangles of a mesh, with a copy of their corners.
 ///
-/// Boxes are in single precision. Those of a [`Mesh`](crate::geom::Mesh) in double precision are rounded outwards.
+/// Boxes are in single precision. Those of a [`Mesh`](crate::geom::Mesh) in double precision are rounded outwards, in a
+/// [frame](Self::frame) of their own: so they are as good far from the origin, and in any unit. `[FRAME-1]`
 ///
 /// ```
 /// use glam::Vec3;
@@ -66,7 +67,13 @@ pub struct LeafTriangle<S = Triangle> {
 }
 
 impl<S> Bvh<S> {
-    /// Box of all triangles.
+    /// In which boxes are: [`Frame::IDENTITY`] over meshes in single precision.
+    #[inline]
+    pub fn frame(&self) -> &Frame {
+        self.region.frame()
+    }
+
+    /// Box of all triangles, in the [frame](Self::frame).
     pub fn bounds(&self) -> Aabb {
         self.bounds
     }

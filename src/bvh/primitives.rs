@@ -1,6 +1,6 @@
 //! What a hierarchy is built over.
 
-use crate::geom::{Aabb, Mesh, Triangle, Vector};
+use crate::geom::{Aabb, Frame, Mesh, Triangle, Vector};
 
 /// Shapes with boxes, told apart by an index from 0 on: a [`Mesh`], or a slice of anything that is [`Bounded`].
 pub trait Primitives: Sync {
@@ -12,6 +12,11 @@ pub trait Primitives: Sync {
 
     /// The shape with this index, which must be less than the [`count`](Self::count).
     fn shape(&self, index: usize) -> Self::Shape;
+
+    /// In which boxes are.
+    fn frame(&self) -> Frame {
+        Frame::IDENTITY
+    }
 
     /// The smallest box that holds all of the shape; a greater one makes queries slower, not wrong. One that is empty or
     /// has a NaN is refused.
@@ -101,8 +106,13 @@ impl<V: Vector> Primitives for Mesh<V> {
     }
 
     #[inline]
+    fn frame(&self) -> Frame {
+        *Mesh::frame(self)
+    }
+
+    #[inline]
     fn aabb(&self, index: usize) -> Aabb {
-        self.shape(index).aabb()
+        Mesh::frame(self).aabb(&self.shape(index))
     }
 
     #[inline]
@@ -112,7 +122,7 @@ impl<V: Vector> Primitives for Mesh<V> {
 
     #[inline]
     fn part(&self, index: usize, part: &Aabb) -> Aabb {
-        self.shape(index).part(part)
+        Mesh::frame(self).part(&self.shape(index), part)
     }
 }
 

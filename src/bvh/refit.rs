@@ -62,7 +62,7 @@ impl<S> Bvh<S> {
             self.tree.nodes[i].set_child_boxes(&left, &right);
         }
         self.bounds = self.box_of(self.tree.root, &boxes);
-        self.region = Region::of(&self.bounds);
+        self.region = Region::within(primitives.frame(), &self.bounds);
         Ok(())
     }
 

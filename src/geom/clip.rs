@@ -4,10 +4,17 @@ use std::ops::RangeInclusive;
 
 use glam::DVec3;
 
-use super::{Aabb, Triangle, Vector};
+use super::{Aabb, Frame, Triangle, Vector};
 
 impl<V: Vector> Triangle<V> {
-    /// A box that holds all of the triangle that is inside of `part`, exactly, and does not stick out of `part` or of
+    /// [`Frame::part`] in the coordinates as they are.
+    pub fn part(&self, part: &Aabb) -> Aabb {
+        Frame::IDENTITY.part(self, part)
+    }
+}
+
+impl Frame {
+    /// A box in this frame that holds all of the triangle that is inside of `part`, exactly, and does not stick out of `part` or of
     /// the triangle's own box. On some axis its `lo` is above its `hi` if no point of the triangle is inside.
     ///
     /// It is hardly larger than the smallest box of what is inside of `part` grown by 2^-45 of the triangle's greatest
@@ -19,25 +26,25 @@ impl<V: Vector> Triangle<V> {
     /// clipping"), in double precision. Let u = 2^-53, let M be the greatest magnitude of a corner's coordinate on an
     /// axis, and δ = 16uM. After i cuts there is an exact convex polygon X inside of the triangle that holds all of the
     /// triangle on the inner sides of the i planes, and whose corners are within iδ of the computed ones on each axis,
-    /// in the same order. For i = 0 that is the triangle.
+    /// in the same order. For i = 0 that is the triangle, whose corners in the frame are off by uM.
     ///
     /// - *A cut* drops corners beyond the plane moved outwards by 128uM, and puts a point on each edge between a kept
     ///   corner a and a dropped one b: a + t (b - a), with t in \[0, 1\] as computed. Let X' have the points with the same
     ///   t on the edges of X. They lie in order on the border of X, so X' is convex and inside of X.
-    /// - *Distance.* A convex combination of points that are within iδ of others is as near to theirs. Evaluating it
+    /// - *Distance.* A convex combination of points that are within iδ + uM of others is as near to theirs. Evaluating it
     ///   costs less than 6uM, as a and b are at most M + 96uM.
     /// - *Nothing needed is dropped.* t has an error of 3u, so the exact combination is within 7uM of the moved plane,
     ///   and
-    ///   the point of X' within 5δ + 7uM < 88uM, the least that the plane is moved by being 127uM. So all that X loses is
+    ///   the point of X' within 5δ + 8uM < 89uM, the least that the plane is moved by being 127uM. So all that X loses is
     ///   between corners strictly beyond the plane itself.
-    /// - *The end.* After 6 cuts the box of the computed corners, grown by 128uM > 6δ, holds X.
+    /// - *The end.* After 6 cuts the box of the computed corners, grown by 128uM > 6δ + uM, holds X.
     ///
     /// `[SPLIT-1]` Nothing overflows, and what underflows is too small to matter, if M is 0 or from 2^-900 to 2^1000,
     /// as in single precision it always is. Otherwise, the answer is the intersection of the two boxes.
-    pub fn part(&self, part: &Aabb) -> Aabb {
-        let whole = self.aabb();
+    pub fn part<V: Vector>(&self, triangle: &Triangle<V>, part: &Aabb) -> Aabb {
+        let whole = self.aabb(triangle);
         let within = whole.intersection(part);
-        let corners = self.widen();
+        let corners = triangle.widen().map(|corner| self.rounded(corner));
         let size = corners.into_iter().fold(DVec3::ZERO, |size, corner| size.max(corner.abs()));
         if !size.to_array().iter().all(|m| *m == 0.0 || RANGE.contains(m)) {
             return within;
@@ -59,7 +66,7 @@ impl<V: Vector> Triangle<V> {
         }
         let Some((&first, others)) = polygon.corners().split_first() else { return Aabb::EMPTY };
         let (lo, hi) = others.iter().fold((first, first), |(lo, hi), &v| (lo.min(v), hi.max(v)));
-        DVec3::aabb(&[lo - margin, hi + margin, lo]).intersection(&within)
+        Self::IDENTITY.aabb_of(&[lo - margin, hi + margin, lo]).intersection(&within)
     }
 }
 

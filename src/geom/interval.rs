@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
+use super::frame::power_of_two;
 use super::kernel::two_sum;
 use super::truth::{RBig, round_f64};
 
@@ -67,6 +68,19 @@ impl Interval {
         let (below, above) = (middle - self.lo, self.hi - middle);
         let radius = if below > above { below } else { above };
         [middle, if radius == 0.0 { 0.0 } else { radius.next_up() }]
+    }
+
+    /// Times 2 to the power of an exponent from -1000 to 1000.
+    #[inline]
+    pub(super) fn scaled(self, exponent: i32) -> Self {
+        let factor = power_of_two(exponent);
+        let (lo, hi) = (self.lo * factor, self.hi * factor);
+        // Nothing else is rounded.
+        let is_rounded = |x: f64, before: f64| x.abs() < f64::MIN_POSITIVE && before != 0.0;
+        Self {
+            lo: if is_rounded(lo, self.lo) || lo == f64::INFINITY { lo.next_down() } else { lo },
+            hi: if is_rounded(hi, self.hi) || hi == f64::NEG_INFINITY { hi.next_up() } else { hi },
+        }
     }
 
     /// The greatest float of single precision that is not above, and the least that is not below.

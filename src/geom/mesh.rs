@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-use super::Vector;
+use super::{Frame, Vector};
 
 /// Greatest number of vertices and of triangles: what [`Node`](crate::tree::Node) can address.
 pub const MAX_COUNT: usize = (1 << 31) - 1;
@@ -17,6 +17,7 @@ pub const MAX_COUNT: usize = (1 << 31) - 1;
 pub struct Mesh<V = Vec3> {
     vertices: Vec<V>,
     triangles: Vec<[u32; 3]>,
+    frame: Frame,
 }
 
 /// Why vertices and triangles are not a mesh.
@@ -68,7 +69,8 @@ impl<V: Vector> Mesh<V> {
                 return Err(MeshError::Index { triangle, index, vertices: vertices.len() });
             }
         }
-        Ok(Self { vertices, triangles })
+        let frame = V::frame(triangles.iter().flatten().map(|&corner| vertices[corner as usize]));
+        Ok(Self { vertices, triangles, frame })
     }
 
     /// Positions, in the order of the file.
@@ -81,6 +83,12 @@ impl<V: Vector> Mesh<V> {
     #[inline]
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
+    }
+
+    /// The frame in which hierarchies over it keep boxes. In single precision it is [`Frame::IDENTITY`].
+    #[inline]
+    pub fn frame(&self) -> &Frame {
+        &self.frame
     }
 
     /// Corners of the triangle with this index.

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-use super::{Aabb, Vector};
+use super::{Aabb, Frame, Vector};
 
 /// A triangle by its corners, in single precision, or with [`DVec3`] in double.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,7 +19,7 @@ impl<V: Vector> Triangle<V> {
     /// The smallest box in single precision that holds the corners; infinite beyond the range of single precision.
     #[inline]
     pub fn aabb(&self) -> Aabb {
-        V::aabb(&self.0)
+        Frame::IDENTITY.aabb(self)
     }
 
     /// Whether the corners lie on a line, exactly: then no ray meets the triangle.

@@ -6,7 +6,7 @@ use std::ops::Sub;
 use glam::{DVec3, Vec3};
 
 use super::truth::Number;
-use super::{Aabb, Interval, kernel};
+use super::{Aabb, Frame, kernel};
 
 /// A position or direction, in single or in double precision.
 pub trait Vector: Copy + PartialEq + Debug + Send + Sync + Sub<Output = Self> + private::Sealed {
@@ -22,8 +22,12 @@ pub trait Vector: Copy + PartialEq + Debug + Send + Sync + Sub<Output = Self> + 
     /// The components.
     fn components(self) -> [Self::Real; 3];
 
-    /// The smallest box in single precision that holds these points; infinite beyond the range of single precision.
-    fn aabb(points: &[Self; 3]) -> Aabb;
+    /// The smallest box in single precision, in a frame, that holds these points; infinite beyond the range of single
+    /// precision. Points in single precision have no frame.
+    fn aabb(points: &[Self; 3], frame: &Frame) -> Aabb;
+
+    /// The [`Frame`] for these points.
+    fn frame(points: impl IntoIterator<Item = Self>) -> Frame;
 
     /// Whether three points lie on a line, exactly.
     fn are_collinear(points: &[Self; 3]) -> bool;
@@ -62,8 +66,12 @@ impl Vector for Vec3 {
     }
 
     #[inline]
-    fn aabb(points: &[Self; 3]) -> Aabb {
+    fn aabb(points: &[Self; 3], _: &Frame) -> Aabb {
         Aabb::of(points)
+    }
+
+    fn frame(_: impl IntoIterator<Item = Self>) -> Frame {
+        Frame::IDENTITY
     }
 
     fn are_collinear(points: &[Self; 3]) -> bool {
@@ -89,10 +97,12 @@ impl Vector for DVec3 {
         self.into()
     }
 
-    fn aabb(&[a, b, c]: &[Self; 3]) -> Aabb {
-        let (lo, hi) = (a.min(b).min(c), a.max(b).max(c));
-        let ends = [0, 1, 2].map(|k| Interval::between([lo[k], hi[k]]).ends_in_single());
-        Aabb { lo: Vec3::from(ends.map(|[lo, _]| lo)), hi: Vec3::from(ends.map(|[_, hi]| hi)) }
+    fn aabb(points: &[Self; 3], frame: &Frame) -> Aabb {
+        frame.aabb_of(points)
+    }
+
+    fn frame(points: impl IntoIterator<Item = Self>) -> Frame {
+        Frame::around(points)
     }
 
     fn are_collinear(points: &[Self; 3]) -> bool {

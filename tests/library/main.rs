@@ -10,6 +10,7 @@ mod environment;
 mod exact;
 mod examples;
 mod exhaustive;
+mod frames;
 mod hash;
 mod instances;
 mod kernels;

@@ -540,7 +540,7 @@ Theorem directed_touched_is_hit (x y z : axis 24 128) tmin tmax t :
   (forall best : binary_float 24 128, is_nan best = false -> nearest 24 128 t <= value 24 128 best -> Bleb near best = true).
 Proof. apply touched_is_hit; [discriminate|now left]. Qed.
 
-(** [Wide], for rays in double precision: three steps. [BOX-2, BOX-6] *)
+(** [Doubled], in double precision: three steps. [BOX-2, BOX-6] *)
 Theorem wide_touched_is_hit (x y z : axis 53 1024) tmin tmax t :
   let usual := usual 53 1024 eq_refl eq_refl in
   usual x -> usual y -> usual z -> touches 53 1024 t x -> touches 53 1024 t y -> touches 53 1024 t z ->

@@ -87,7 +87,7 @@ impl Draft {
         let Layout { nodes, axes, leaves, prims, root, depth } = Layout::of(self);
         let held = |prim: u32| LeafTriangle { shape: primitives.shape(prim as usize), prim };
         let triangles = threads::map(0..prims.len(), CHUNK, |i| held(prims[i]));
-        let (recorded, region) = (Recorded::ParentSibling, Region::of(&bounds));
+        let (recorded, region) = (Recorded::ParentSibling, Region::within(primitives.frame(), &bounds));
         let duplicates = self.references.len() + dropped - primitives.count();
         let tree = BvhTree { root, depth, recorded, nodes, axes, leaves };
         Bvh { dropped, duplicates, bounds, region, tree, triangles }

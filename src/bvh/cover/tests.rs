@@ -7,6 +7,18 @@ fn aabb(lo: [f32; 3], hi: [f32; 3]) -> Aabb {
     Aabb { lo: lo.into(), hi: hi.into() }
 }
 
+fn hold<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
+    super::hold(&Frame::IDENTITY, boxes, triangle)
+}
+
+fn surely_hold(boxes: &[Aabb], triangle: &Triangle) -> bool {
+    super::surely_hold(&Frame::IDENTITY, boxes, triangle)
+}
+
+fn covers<V: Vector>(boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
+    super::covers(&Frame::IDENTITY, boxes, triangle)
+}
+
 /// Half of the unit square, at z = 1.
 const FLAT: Triangle = Triangle([Vec3::Z, Vec3::new(1.0, 0.0, 1.0), Vec3::new(0.0, 1.0, 1.0)]);
 

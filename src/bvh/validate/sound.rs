@@ -89,7 +89,7 @@ impl<V: Vector> Walk<'_, V> {
                 return Err(BvhError::NotFinite { leaf, prim });
             }
             // Duplicates are parts of triangles: see `check_cover`.
-            if self.bvh.duplicates == 0 && !aabb.encloses(&held.shape.aabb()) {
+            if self.bvh.duplicates == 0 && !aabb.encloses(&self.bvh.frame().aabb(&held.shape)) {
                 return Err(BvhError::Outside { leaf, prim });
             }
         }
@@ -155,7 +155,7 @@ fn check_cover<V: Vector>(bvh: &Bvh<Triangle<V>>, references: &[Reference]) -> R
     let own_boxes = bvh.own_boxes();
     let is_covered = |held: &[Reference]| {
         let boxes: Vec<_> = held.iter().map(|&(_, place)| own_boxes[bvh.slot(bvh.leaf_of(place as usize))]).collect();
-        held.first().is_some_and(|&(_, place)| cover::hold(&boxes, &bvh.triangles[place as usize].shape))
+        held.first().is_some_and(|&(_, place)| cover::hold(bvh.frame(), &boxes, &bvh.triangles[place as usize].shape))
     };
     let by_triangle: Vec<_> = references.chunk_by(|(prim, _), (next, _)| prim == next).collect();
     let covered = threads::map(0..by_triangle.len(), 1, |i| is_covered(by_triangle[i]));

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::{MAX_COUNT, WideBvh, WideNode, leaf_parts};
 use crate::bvh::cover;
 use crate::geom::lanes::Block;
-use crate::geom::{Aabb, Mesh, Region, Triangle};
+use crate::geom::{Aabb, Frame, Mesh, Region, Triangle};
 use crate::tree::Node;
 
 /// What is wrong with a wide hierarchy, and where: the index of an inner node, and a slot.
@@ -213,7 +213,9 @@ impl<const A: usize> WideBvh<A> {
             }
             let boxes: Vec<_> =
                 held.iter().map(|&(_, node, slot, _)| self.nodes[node as usize].child_box(slot)).collect();
-            if !boxes.iter().any(|aabb| aabb.encloses(&triangle.aabb())) && !cover::hold(&boxes, &triangle) {
+            if !boxes.iter().any(|aabb| aabb.encloses(&triangle.aabb()))
+                && !cover::hold(&Frame::IDENTITY, &boxes, &triangle)
+            {
                 return Err(WideBvhError::Uncovered(prim));
             }
             around = around.union(triangle.aabb());

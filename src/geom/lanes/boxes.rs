@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use super::Lanes;
 use crate::geom::slabs::directed::MAX_COORDINATE;
-use crate::geom::slabs::{STEPS, Slabs, Wide};
+use crate::geom::slabs::{Doubled, STEPS};
 use crate::geom::{Aabb, Ray, Region, Vector};
 
 /// A ray, prepared for `A` boxes at once: 4 or 8. `[LANES-1]`
@@ -146,7 +146,7 @@ pub(super) const fn lane_numbers<const A: usize>() -> [f32; A] {
 #[cold]
 #[inline(never)]
 fn enter_wide<const A: usize>(ray: Ray, planes: &[[[f32; A]; 2]; 3], end: f32) -> ([f32; A], u32) {
-    let wide = Wide::of(ray.origin().widen(), ray.direction().widen(), ray.tmin().into());
+    let wide = Doubled::new(ray.origin().widen(), ray.direction().widen(), ray.tmin().into());
     let mut set = 0;
     let ranks = std::array::from_fn(|lane| {
         let at = |side: usize| Vec3::from_array([0, 1, 2].map(|axis: usize| planes[axis][side][lane]));

@@ -2,7 +2,7 @@
 
 use glam::{Vec3, Vec4, Vec4Swizzles};
 
-use super::{Intervals, MISSED, Slabs, Wide, near_and_far};
+use super::{Doubled, Intervals, MISSED, Slabs, near_and_far};
 use crate::geom::{Ray, Region, Vector};
 
 /// The slab test with a reciprocal for the near plane of each axis that is too small, and one for the far plane that
@@ -15,7 +15,8 @@ use crate::geom::{Ray, Region, Vector};
 /// of lo and hi where they are needed, and the test takes the very instructions of [`Plain`](super::Plain).
 ///
 /// Directions may be of any size. Rays with a component (other than 0) whose reciprocal overflows, and those with
-/// coordinates beyond 2^126, for which the difference might, go to [`Wide`].
+/// coordinates beyond 2^126, for which the difference might, are tested in double
+/// precision.
 #[derive(Clone, Copy, Debug)]
 pub struct Directed {
     origin: [Vec4; 3],
@@ -81,7 +82,7 @@ impl Slabs for Directed {
 #[cold]
 #[inline(never)]
 fn pair_wide([ox, oy, oz, dx, dy, dz, tmin]: [f32; 7], planes: &[[f32; 4]; 3], tmax: f32) -> [f32; 4] {
-    let wide = Wide::of(Vec3::new(ox, oy, oz).widen(), Vec3::new(dx, dy, dz).widen(), f64::from(tmin));
+    let wide = Doubled::new(Vec3::new(ox, oy, oz).widen(), Vec3::new(dx, dy, dz).widen(), f64::from(tmin));
     let Intervals { hit, near, far } = wide.pair(planes, f64::INFINITY);
     // A hit's distance is rounded to single precision, perhaps to below where its box is entered. Rounding keeps the
     // order, so entries are rounded before they are compared with it.

@@ -10,11 +10,13 @@
 
 mod centred;
 pub(in crate::geom) mod directed;
+mod doubled;
 mod enclosed;
 mod wide;
 
 pub use centred::{Centred, PADDING, Plain, TwoSided};
 pub use directed::{Directed, STEPS};
+pub(in crate::geom) use doubled::Doubled;
 pub use enclosed::EnclosedSlabs;
 pub use wide::{STRICT_STEPS, Wide};
 

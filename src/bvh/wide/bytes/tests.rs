@@ -72,7 +72,7 @@ fn malformed_wide_files_are_refused_by_name() {
     let load = |bytes: &[u8]| WideBvh::<8>::from_bytes(bytes).map(|_| ());
     let refuse = |at, word, error| assert_eq!(load(&sealed(patched(&bytes, at, word))), Err(error), "{at}");
     refuse(0, 0, E::Magic(MAGIC));
-    refuse(8, 2, E::Version { version: 2 });
+    refuse(8, 1, E::Version { version: 1 });
     refuse(SLOTS_AT, 4, E::Field { name: "slots", value: 4 });
     assert_eq!(WideBvh::<4>::from_bytes(&bytes).map(|_| ()), Err(E::Field { name: "slots", value: 8 }));
     assert_eq!(Bvh::<crate::geom::Triangle>::from_bytes(&bytes).err(), Some(FileError::Magic("SBVHTREE")));

@@ -3,24 +3,19 @@
 //! The numbers of single precision never over- or underflow in double; those of double precision do. What is done
 //! where, and why it holds (`[EXACT-7]`):
 //!
-//! 1. Bounds for all triangles of the scene, for a ray with numbers that are 0 or within 2^-200 to 2^200. As boxes are
-//!    in
-//!    single precision, no corner is beyond 2^128 (else the ray is not usual), so nothing overflows; and the scene is 0
-//!    or at least 2^-149 wide. So the bound is above 2^-560, while underflow, of corners of any smallness, adds at most
-//!    2^-1074 to a component of a cross product, and less than 2^-868 to an edge function and the determinant together.
-//!    (If the width is 0, all edges are, and nothing is decided.)
-//! 2. Bounds for the triangle, and 3. exact sums: if the triangle's numbers too are 0 or within 2^-200 to 2^200, all
-//!    are
-//!    multiples of 2^-252, as are their differences. Products of two are multiples of 2^-504, of three of 2^-756, and
-//!    below 2^607: there is room for the low halves of products too. With a quotient within 2^-250 to 2^250, which is a
-//!    multiple of 2^-303 together with its half unit, products of four are multiples of 2^-1059. A line that certainly
-//!    meets the triangle does so at a distance below 2^450; where the distance as computed underflows, its bounds are
-//!    above 2^-502 apart, because the error of the numerator is above 2^-50 C E E and the determinant at most 4 D E E.
-//! 4. All others are left to rational arithmetic, which is slower.
-//!
-//! A double holds no more digits than the quotient that stage 2 computes, so that bounds of a distance hardly ever
-//! round alike: the distance of each hit that may be the closest is computed by exact sums, which costs about as much
-//! as a hundred tests that end in stage 1.
+//! 1. Bounds for all triangles of the scene, if the greatest component of the direction, the greatest distance of a
+//!    corner from the origin, on an axis, and the extent of the scene are within 2^-200 to 2^200. Other components may be
+//!    of any smallness. Nothing overflows. The bound is above 2^-646, while underflow adds at most 2^-1074 to a
+//!    component of a cross product, and less than 2^-868 to an edge function and the determinant together.
+//! 2. Bounds for the triangle, if its longest edge too is within 2^-200 to 2^200: the same holds.
+//! 3. Distance and weights in twice the precision of doubles ([`Twofolds`]), with bounds: nearly always they round alike.
+//! 4. Exact sums: if all components are 0 or within 2^-200 to 2^200, they are multiples of 2^-252, as are their
+//!    differences. Products of two are multiples of 2^-504, of three of 2^-756, and below 2^607: there is room for the
+//!    low halves of products too. With a quotient within 2^-250 to 2^250, which is a multiple of 2^-303 together with its
+//!    half unit, products of four are multiples of 2^-1059. A line that certainly meets the triangle does so at a
+//!    distance below 2^450; where the distance as computed underflows, its bounds are above 2^-502 apart, because the
+//!    error of the numerator is above 2^-50 C E E and the determinant at most 4 D E E.
+//! 5. All others are left to rational arithmetic, which is slower.
 
 use std::ops::RangeInclusive;
 
@@ -28,6 +23,7 @@ use glam::DVec3;
 
 use super::filter::{Determinants, Errors};
 use super::quotient::Ratio;
+use super::twofold::Twofolds;
 use super::{is_within, parity, predicates};
 use crate::geom::kernel::Kernel;
 use crate::geom::truth::{self, Meeting, Point};
@@ -36,9 +32,8 @@ use crate::geom::{Ray, Region, Triangle};
 /// The exact test of triangles and rays in double precision: closed triangles, `t` and weights the nearest doubles to
 /// the exact ones (ties to even), for every ray and triangle of finite doubles. `[EXACT-7]`
 ///
-/// Numbers that are not 0 should be within 2^-200 to 2^200 (about 1e-60 to 1e60) in magnitude, and coordinates not
-/// above the greatest float of single precision: beyond that, rational arithmetic decides, at a cost of some hundred
-/// times that of the filter.
+/// Direction, extent of the scene and edges should be within 2^-200 to 2^200 (about 1e-60 to 1e60) in magnitude: beyond
+/// that, rational arithmetic decides, at a cost of some hundred times that of the filter.
 ///
 /// ```
 /// use glam::DVec3;
@@ -54,14 +49,14 @@ use crate::geom::{Ray, Region, Triangle};
 #[derive(Clone, Copy, Debug)]
 pub struct Exact64 {
     ray: Ray<DVec3>,
-    /// For all triangles of the scene, if the ray is usual.
+    /// For all triangles of the scene, if that is usual.
     errors: Errors,
-    /// Whether the ray's numbers are 0 or [`USUAL`], and no box is infinite.
+    /// Whether the greatest components of the ray and of the scene are [`USUAL`].
     is_usual: bool,
 }
 
 /// Numbers that never over- or underflow here.
-const USUAL: RangeInclusive<f64> = power_of_two(-200)..=power_of_two(200);
+pub(super) const USUAL: RangeInclusive<f64> = power_of_two(-200)..=power_of_two(200);
 
 const fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
@@ -73,12 +68,8 @@ impl Kernel for Exact64 {
 
     #[inline]
     fn new(ray: &Ray<DVec3>, region: &Region) -> Self {
-        let [origin, direction] = [ray.origin(), ray.direction()].map(|v| v.abs().max_element());
-        Self {
-            ray: *ray,
-            errors: Errors::of_scene(origin, direction, region),
-            is_usual: region.reach().is_finite() && [ray.origin(), ray.direction()].into_iter().all(is_usual),
-        }
+        let sizes = [ray.direction().abs().max_element(), region.distance(ray.origin()), region.size()];
+        Self { ray: *ray, errors: Errors::of_sizes(sizes), is_usual: sizes.iter().all(|size| USUAL.contains(size)) }
     }
 
     #[inline]
@@ -96,6 +87,12 @@ impl Kernel for Exact64 {
 
     fn weights(&self, shape: &Triangle<DVec3>) -> [f64; 2] {
         let (o, d) = (self.ray.origin(), self.ray.direction());
+        if self.can_filter(shape)
+            && self.determinants(shape).is_hit(&self.errors_of(shape))
+            && let Some(weights) = Twofolds::new(&shape.0, o, d).and_then(|twofolds| twofolds.weights())
+        {
+            return weights;
+        }
         if self.can_sum(shape) {
             let weights = Ratio::weights(&shape.0, o, d);
             if let [Some(u), Some(v)] = weights.map(|weight| weight.nearest_double()) {
@@ -111,9 +108,10 @@ impl Exact64 {
     pub fn crosses(&self, shape: &Triangle<DVec3>) -> bool {
         let (corners, o, d) = (&shape.0, self.ray.origin(), self.ray.direction());
         let is_crossed_by_line = || {
-            if self.can_sum(shape) {
-                let is_inside = self.determinants(shape).is_hit(&self.errors_of(shape));
-                is_inside || parity::is_crossed_by_line(corners, o, d)
+            if self.can_filter(shape) && self.determinants(shape).is_hit(&self.errors_of(shape)) {
+                true
+            } else if self.can_sum(shape) {
+                parity::is_crossed_by_line(corners, o, d)
             } else {
                 parity::is_crossed_in_rationals(corners, o, d)
             }
@@ -129,35 +127,48 @@ impl Exact64 {
     /// The distance of what may be a hit.
     #[inline(never)]
     fn place(&self, shape: &Triangle<DVec3>, limit: f64) -> Option<f64> {
-        if !self.can_sum(shape) {
-            return self.rational(shape).map(|point| truth::round_f64(&point.t));
-        }
-        let ([tmin, tmax], found, errors) = (self.interval(), self.determinants(shape), self.errors_of(shape));
-        if found.is_hit(&errors) {
-            if is_within(found.distance(&errors), [tmin, tmax.min(limit)]) == Some(false) {
+        let [tmin, tmax] = self.interval();
+        if self.can_filter(shape) {
+            let (found, errors) = (self.determinants(shape), self.errors_of(shape));
+            if found.is_miss(&errors) {
                 return None;
             }
-        } else if found.is_miss(&errors) || !self.is_inside(shape) {
-            return None;
+            if found.is_hit(&errors) {
+                if is_within(found.distance(&errors), [tmin, tmax.min(limit)]) == Some(false) {
+                    return None;
+                }
+                let (o, d) = (self.ray.origin(), self.ray.direction());
+                let t = Twofolds::new(&shape.0, o, d).and_then(|twofolds| twofolds.distance());
+                // Rounding keeps the order, so that only an end that is equal leaves a question.
+                if t.is_some_and(|t| tmin < t && t < tmax) {
+                    return t;
+                }
+            }
         }
-        self.rounded(shape)
+        if self.can_sum(shape) {
+            return if self.is_inside(shape) { self.rounded(shape) } else { None };
+        }
+        self.rational(shape).map(|point| truth::round_f64(&point.t))
     }
 
     /// Whether what may be a hit is one.
     #[inline(never)]
     fn settle(&self, shape: &Triangle<DVec3>) -> bool {
-        if !self.can_sum(shape) {
-            return self.rational(shape).is_some();
-        }
-        let (found, errors) = (self.determinants(shape), self.errors_of(shape));
-        if found.is_hit(&errors) {
-            if let Some(is_within) = is_within(found.distance(&errors), self.interval()) {
+        if self.can_filter(shape) {
+            let (found, errors) = (self.determinants(shape), self.errors_of(shape));
+            if found.is_miss(&errors) {
+                return false;
+            }
+            if found.is_hit(&errors)
+                && let Some(is_within) = is_within(found.distance(&errors), self.interval())
+            {
                 return is_within;
             }
-        } else if found.is_miss(&errors) || !self.is_inside(shape) {
-            return false;
         }
-        self.rounded(shape).is_some()
+        if self.can_sum(shape) {
+            return self.is_inside(shape) && self.rounded(shape).is_some();
+        }
+        self.rational(shape).is_some()
     }
 
     fn errors_of(&self, Triangle(corners): &Triangle<DVec3>) -> Errors {
@@ -168,9 +179,15 @@ impl Exact64 {
         [self.ray.tmin(), self.ray.tmax()]
     }
 
+    /// Whether the bounds for the triangle hold.
+    fn can_filter(&self, Triangle([a, b, c]): &Triangle<DVec3>) -> bool {
+        let edge = (b - a).abs().max((c - a).abs()).max_element();
+        self.is_usual && USUAL.contains(&edge)
+    }
+
     /// Whether sums of products of the ray's and the triangle's numbers are exact.
     fn can_sum(&self, Triangle(corners): &Triangle<DVec3>) -> bool {
-        self.is_usual && corners.iter().copied().all(is_usual)
+        [self.ray.origin(), self.ray.direction()].into_iter().chain(*corners).all(is_usual)
     }
 
     fn is_inside(&self, Triangle(corners): &Triangle<DVec3>) -> bool {

@@ -91,6 +91,12 @@ impl Errors {
         Self::new(direction, region.reach() + origin, region.size())
     }
 
+    /// As [`of_scene`](Self::of_scene), given the greatest components of d and s, and the size of the scene.
+    #[inline(always)]
+    pub(super) fn of_sizes([d, c, e]: [f64; 3]) -> Self {
+        Self::new(d, c, e)
+    }
+
     /// For one triangle.
     #[inline(always)]
     pub(super) fn of_triangle(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Self {

@@ -17,6 +17,7 @@ mod predicates;
 mod quotient;
 mod single;
 mod sum;
+mod twofold;
 
 pub use double::Exact64;
 pub(in crate::geom) use double::is_degenerate_64;

@@ -4,7 +4,7 @@ use super::*;
 use crate::generate::draw::{Draw, one_of};
 use crate::generate::stress;
 use crate::geom::lanes::tests::levels;
-use crate::geom::slabs::Directed;
+use crate::geom::slabs::{Directed, Slabs};
 use crate::geom::truth;
 use crate::wide::is_beyond;
 

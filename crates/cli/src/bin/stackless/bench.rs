@@ -1,5 +1,6 @@
 //! `stackless bench`: the traversals beside each other, and ray tracers by others beside them, in one run.
 
+mod double;
 mod own;
 #[cfg(feature = "peers")]
 mod peers;
@@ -80,6 +81,10 @@ pub(crate) struct Args {
     /// errors on up to 5,000 rays of each kind are told by rational arithmetic.
     #[arg(long)]
     peers: bool,
+    /// Measure double precision too: `f64`, the scene with an extent of 1 at the origin; the same moved by 6.4e6 and by
+    /// 1e9, and scaled by 1e-50 and by 1e50; and rays whose least component is 1e-130.
+    #[arg(long, conflicts_with = "peers")]
+    double: bool,
     /// Write the figures to this file.
     #[arg(long, value_name = "FILE", value_parser = places::file)]
     json: Option<Output>,
@@ -101,6 +106,7 @@ impl Args {
             rounds,
             seed,
             peers: false,
+            double: false,
             json: None,
         }
     }
@@ -204,6 +210,9 @@ pub(crate) fn measure(
         #[cfg(feature = "peers")]
         if args.peers {
             contestants.extend(peers::build(&scene.mesh, &mut notes));
+        }
+        if args.double {
+            contestants.extend(double::build(scene, builds[0])?);
         }
         let course = Course { scene, truth: args.peers.then(|| Truth::new(&scene.mesh)), rounds: args.rounds as usize };
         let first = rows.len();

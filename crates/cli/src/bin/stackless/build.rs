@@ -49,11 +49,14 @@ impl Build {
         self.run_as(BuildOptions::default(), scene)
     }
 
+    /// These options with this builder.
+    pub(crate) fn of(self, options: BuildOptions) -> BuildOptions {
+        BuildOptions { builder: self.builder, reinsertion: self.reinsertion, ..options }
+    }
+
     fn run_as(self, options: BuildOptions, scene: &Scene) -> Result<Bvh, BuildError> {
-        let Self { builder, reinsertion } = self;
         let progress = bar(scene.mesh.triangles().len() as u64, &format!("{}, {self}", scene.name));
-        let options = BuildOptions { builder, reinsertion, ..options };
-        let bvh = options.build_watched(&scene.mesh, &|placed| progress.inc(placed as u64));
+        let bvh = self.of(options).build_watched(&scene.mesh, &|placed| progress.inc(placed as u64));
         progress.finish_and_clear();
         bvh
     }

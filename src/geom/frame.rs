@@ -1,0 +1,145 @@
+//! Where boxes in single precision stand in a scene in double precision.
+
+use glam::{DVec3, Vec3};
+
+use super::truth::RBig;
+use super::{Aabb, Interval, Triangle, Vector};
+
+/// A shift and a scale: a point `p` has the coordinates `(p - origin) / 2^exponent`. Boxes are kept in these.
+///
+/// Boxes are in single precision, which is too coarse for a small mesh far from the origin, and too narrow for a tiny or
+/// a huge one. In a frame of its own each mesh is about as large as its distance from zero. `[FRAME-1]`
+///
+/// ```
+/// use glam::DVec3;
+/// use stackless_bvh::geom::{Frame, Triangle};
+///
+/// let earth = Triangle([DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| corner + 6.4e6));
+/// let frame = Frame::around(earth.0);
+/// assert_eq!(frame.aabb(&earth).extent().to_array(), [1.0, 1.0, 0.0]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    origin: DVec3,
+    exponent: i32,
+}
+
+/// A frame is shifted where the points are farther from zero than so many times their extent.
+const FAR: f64 = 8.0;
+
+/// A frame is scaled where coordinates would leave 2^-60 to 2^60.
+const SCALED: i32 = 60;
+
+impl Frame {
+    /// Coordinates as they are.
+    pub const IDENTITY: Self = Self { origin: DVec3::ZERO, exponent: 0 };
+
+    /// Greatest magnitude of an [`exponent`](Self::exponent).
+    pub const MAX_EXPONENT: i32 = 1000;
+
+    /// The frame of these finite points: [`IDENTITY`](Self::IDENTITY) if they are neither far from zero nor tiny or
+    /// huge. `[FRAME-1]`
+    pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
+        let (mut lo, mut hi) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for point in points {
+            (lo, hi) = (lo.min(point), hi.max(point));
+        }
+        let reach = lo.abs().max(hi.abs()).max_element();
+        if !reach.is_finite() {
+            return Self::IDENTITY;
+        }
+        let is_near = reach <= FAR * (hi - lo).max_element();
+        let origin = if is_near { DVec3::ZERO } else { lo * 0.5 + hi * 0.5 };
+        let radius = (lo - origin).abs().max((hi - origin).abs()).max_element();
+        Self { origin, exponent: scale_of(radius) }
+    }
+
+    /// The frame with this origin and exponent, if they may be one's.
+    pub fn new(origin: DVec3, exponent: i32) -> Option<Self> {
+        let exponents = -Self::MAX_EXPONENT..=Self::MAX_EXPONENT;
+        (origin.is_finite() && exponents.contains(&exponent)).then_some(Self { origin, exponent })
+    }
+
+    /// What has the coordinates zero. It is finite.
+    #[inline]
+    pub const fn origin(&self) -> DVec3 {
+        self.origin
+    }
+
+    /// The power of two that has the length one.
+    #[inline]
+    pub const fn exponent(&self) -> i32 {
+        self.exponent
+    }
+
+    /// Whether coordinates are as they are.
+    #[inline]
+    pub fn is_identity(&self) -> bool {
+        *self == Self::IDENTITY
+    }
+
+    /// The smallest box in single precision, in this frame, that holds a triangle. Triangles in single precision have
+    /// no other frame than [`IDENTITY`](Self::IDENTITY).
+    #[inline]
+    pub fn aabb<V: Vector>(&self, triangle: &Triangle<V>) -> Aabb {
+        V::aabb(&triangle.0, self)
+    }
+
+    /// That of points in double precision.
+    pub(super) fn aabb_of(&self, [a, b, c]: &[DVec3; 3]) -> Aabb {
+        let ([lo, _], [_, hi]) = (self.enclose(a.min(*b).min(*c)), self.enclose(a.max(*b).max(*c)));
+        Aabb { lo, hi }
+    }
+
+    /// Bounds, in single precision, of the coordinates of a point.
+    fn enclose(&self, point: DVec3) -> [Vec3; 2] {
+        let ends = [0, 1, 2].map(|axis| self.coordinate(axis, point[axis]).ends_in_single());
+        [0, 1].map(|end| Vec3::from(ends.map(|ends| ends[end])))
+    }
+
+    /// Bounds of a coordinate of a point.
+    #[inline]
+    pub(super) fn coordinate(&self, axis: usize, x: f64) -> Interval {
+        (Interval::exact(x) - Interval::exact(self.origin[axis])).scaled(-self.exponent)
+    }
+
+    /// The coordinates of a point, each off by a unit of 2^-53 of itself at most, but for underflow.
+    #[inline]
+    pub(super) fn rounded(&self, point: DVec3) -> DVec3 {
+        (point - self.origin) * power_of_two(-self.exponent)
+    }
+
+    /// The exact coordinates of a point, if it is finite.
+    pub(crate) fn exact(&self, point: DVec3) -> Option<[RBig; 3]> {
+        let scale = RBig::try_from(power_of_two(-self.exponent)).ok()?;
+        let exact = |axis: usize| {
+            let [x, origin] = [point[axis], self.origin[axis]].map(RBig::try_from);
+            Some((x.ok()? - origin.ok()?) * &scale)
+        };
+        Some([exact(0)?, exact(1)?, exact(2)?])
+    }
+}
+
+/// The exponent of a frame for coordinates up to this one.
+fn scale_of(radius: f64) -> i32 {
+    let exponent = exponent_of(radius);
+    if radius == 0.0 || exponent.abs() <= SCALED {
+        0
+    } else {
+        exponent.clamp(-Frame::MAX_EXPONENT, Frame::MAX_EXPONENT)
+    }
+}
+
+/// The `e` with which a finite magnitude is from 2^e to 2^(e + 1); -1074 for 0.
+pub(super) fn exponent_of(x: f64) -> i32 {
+    let exponent = |x: f64| (x.to_bits() >> 52 & 0x7ff) as i32 - 1023;
+    if x >= f64::MIN_POSITIVE { exponent(x) } else { (exponent(x * power_of_two(52)) - 52).max(-1074) }
+}
+
+/// 2 to the power of an exponent from -1022 to 1023.
+pub(super) const fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((1023 + exponent) as u64) << 52)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,83 @@
+use glam::DVec3;
+use proptest::prelude::*;
+
+use super::*;
+
+fn far_and_small() -> impl Strategy<Value = [DVec3; 3]> {
+    let scale = prop::sample::select(vec![1.0, 1e-3, 1e-30, 1e-50, 1e-300, 5e-324, 1e30, 1e50, 1e300]);
+    let shift = prop::sample::select(vec![0.0, 1.0, 6.4e6, -1e9, 1e-9, 1e40, -1e300]);
+    let number = || -1.0..1.0f64;
+    let corner = || [number(), number(), number()].prop_map(DVec3::from);
+    ([corner(), corner(), corner()], scale, shift, any::<bool>()).prop_map(|(corners, scale, shift, is_flat)| {
+        corners.map(|v| {
+            let v = v * scale + DVec3::new(shift, -0.5 * shift, 0.0);
+            if is_flat { v.with_y(shift) } else { v }
+        })
+    })
+}
+
+/// Whether a plane is on this side of a number, and the next float toward it is not.
+fn is_tight(plane: f32, next: f32, x: &RBig, is_lower: bool) -> bool {
+    let is_beyond = |plane: f32| match RBig::try_from(plane) {
+        Ok(plane) => {
+            if is_lower {
+                plane <= *x
+            } else {
+                *x <= plane
+            }
+        }
+        Err(_) => (plane < 0.0) == is_lower,
+    };
+    is_beyond(plane) && (RBig::try_from(plane).is_ok_and(|plane| plane == *x) || !is_beyond(next))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+    /// [FRAME-1]
+    #[test]
+    fn boxes_hold_the_exact_coordinates_and_no_float_more(corners in far_and_small(), other in far_and_small()) {
+        for frame in [Frame::around(corners), Frame::around(other), Frame::IDENTITY] {
+            let aabb = frame.aabb(&Triangle(corners));
+            for axis in 0..3 {
+                let exact = corners.map(|corner| frame.exact(corner).expect("finite")[axis].clone());
+                let (least, most) = (exact.iter().min().expect("three"), exact.iter().max().expect("three"));
+                let (lo, hi) = (aabb.lo[axis], aabb.hi[axis]);
+                // Of a sum of doubles, the bounds are doubles first: that may cost a float of single precision.
+                prop_assert!(is_tight(lo, lo.next_up().next_up(), least, true), "{lo} {least}");
+                prop_assert!(is_tight(hi, hi.next_down().next_down(), most, false), "{hi} {most}");
+            }
+        }
+    }
+
+    /// In its own frame a mesh is neither far from zero nor tiny or huge.
+    #[test]
+    fn a_frame_fits(corners in far_and_small()) {
+        let frame = Frame::around(corners);
+        let aabb = frame.aabb(&Triangle(corners));
+        let (reach, size) = (aabb.lo.abs().max(aabb.hi.abs()).max_element(), aabb.extent().max_element());
+        prop_assert!(f64::from(reach) <= FAR * f64::from(size) * (1.0 + 1e-6) || size <= f32::EPSILON, "{reach} {size}");
+        prop_assert!(reach == 0.0 || (2f32.powi(-61)..2f32.powi(62)).contains(&reach) || frame.exponent() == -1000, "{reach}");
+    }
+}
+
+#[test]
+fn ordinary_meshes_have_none() {
+    let unit = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    for corners in [unit, unit.map(|v| v + 7.0), unit.map(|v| v * 1e18), unit.map(|v| v * 1e-18), [DVec3::ZERO; 3]] {
+        assert!(Frame::around(corners).is_identity(), "{corners:?}");
+    }
+    assert!(Frame::around([]).is_identity());
+    let away = Frame::around(unit.map(|v| v + 9.0));
+    assert_eq!((away.origin(), away.exponent()), (DVec3::new(9.5, 9.5, 9.0), 0));
+    assert_eq!(Frame::around(unit.map(|v| v * 2f64.powi(100))).exponent(), 100);
+    assert_eq!(Frame::new(DVec3::NAN, 0).or(Frame::new(DVec3::ZERO, 1001)).or(Frame::new(DVec3::ZERO, i32::MIN)), None);
+}
+
+#[test]
+fn exponents() {
+    for (x, exponent) in [(1.0, 0), (1.5, 0), (2f64.next_down(), 0), (0.25, -2), (5e-324, -1074), (0.0, -1074)] {
+        assert_eq!(exponent_of(x), exponent, "{x}");
+    }
+    assert_eq!([f64::MAX, f64::MIN_POSITIVE, 1e-310].map(exponent_of), [1023, -1022, -1030]);
+}

@@ -1,0 +1,129 @@
+use glam::Vec3;
+use proptest::prelude::*;
+
+use super::*;
+use crate::geom::truth::{self, entry as true_entry};
+use crate::geom::{Aabb, Frame};
+
+/// Multiples of 2^-12 up to 8 in a frame whose origin is one up to 2^36: so planes are doubles in space too.
+fn plane() -> impl Strategy<Value = f64> {
+    let few = prop::sample::select(vec![0.0, 1.0, -1.0, 2.0, 1.0 / 4096.0, 8.0, -8.0]);
+    prop_oneof![few, (-32768..=32768i32).prop_map(|x| f64::from(x) / 4096.0)]
+}
+
+fn point() -> impl Strategy<Value = DVec3> {
+    [plane(), plane(), plane()].prop_map(DVec3::from)
+}
+
+fn frame() -> impl Strategy<Value = Frame> {
+    let origin = prop::sample::select(vec![0.0, 6.4e6, -1e9, 0.25, 6e10]);
+    let exponent = prop::sample::select(vec![0, 0, 0, 40, -70, 300, -300, 400]);
+    (origin, exponent).prop_filter_map("a frame", |(x, exponent)| {
+        Frame::new(DVec3::new(x, -x, 0.5 * x) * power_of_two(exponent), exponent)
+    })
+}
+
+/// A direction with components of any size, or toward a point.
+fn component() -> impl Strategy<Value = f64> {
+    let few = vec![0.0, -0.0, 1.0, -1.0, 1e-130, -1e-130, 5e-324, -5e-324, 1e-40, -1e-45, 1e300, -1e20, 3.0];
+    prop_oneof![prop::sample::select(few), -2.0..2.0f64]
+}
+
+#[derive(Clone, Debug)]
+struct Case {
+    frame: Frame,
+    boxes: [Aabb; 2],
+    ray: Ray<DVec3>,
+}
+
+fn case() -> impl Strategy<Value = Case> {
+    let origin = prop_oneof![
+        2 => point(),
+        1 => (point(), prop::sample::select(vec![1e3, 1e9, 1e15, 1e30])).prop_map(|(p, far)| p * far),
+        1 => [component(), component(), component()].prop_map(DVec3::from),
+    ];
+    let direction = [component(), component(), component()].prop_map(DVec3::from);
+    let end = || prop_oneof![3 => Just(None), 1 => (0.0..2.0f64).prop_map(Some)];
+    let length = prop::sample::select(vec![0, 0, 0, 100, -100, 500, -500]);
+    let corners = [point(), point(), point(), point()];
+    (frame(), corners, origin, direction, (any::<bool>(), point(), length), (end(), end())).prop_filter_map(
+        "not a ray",
+        |(frame, [a, b, c, d], origin, direction, (is_aimed, target, length), (tmin, tmax))| {
+            let boxes = [[a, b], [c, d]].map(|corners| Aabb::of(&corners.map(|corner| corner.as_vec3())));
+            let space = |p: DVec3| p * power_of_two(frame.exponent()) + frame.origin();
+            let o = space(origin);
+            let d = if is_aimed { space(target) - o } else { direction } * power_of_two(length);
+            let t = if is_aimed { power_of_two(-length) } else { 1.0 };
+            let ray = Ray::within(o, d, tmin.unwrap_or(0.0) * t, tmax.map_or(f64::INFINITY, |x| x * t)).ok()?;
+            Some(Case { frame, boxes, ray })
+        },
+    )
+}
+
+fn planes([a, b]: [Aabb; 2]) -> [[f32; 4]; 3] {
+    [0, 1, 2].map(|axis| [a.lo[axis], a.hi[axis], b.lo[axis], b.hi[axis]])
+}
+
+/// The exact distances at which a box is entered and left, rounded to doubles.
+fn truly(Case { frame, ray, .. }: &Case, aabb: &Aabb, ends: [f64; 2]) -> Option<f64> {
+    let space = |v: Vec3| (v.as_dvec3() * power_of_two(frame.exponent()) + frame.origin()).to_array();
+    let [o, d] = [ray.origin(), ray.direction()].map(|v| v.to_array());
+    true_entry(o, d, ends, space(aabb.lo), space(aabb.hi)).map(|t| truth::round_f64(&t))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40_000))]
+
+    /// [BOX-8]
+    #[test]
+    fn what_is_touched_is_hit_in_every_frame(case in case()) {
+        let Case { frame, boxes: [a, b], ray } = &case;
+        let region = Region::within(*frame, &a.union(*b));
+        let slabs = Wide::new(ray, &region);
+        let [tmin, tmax] = [ray.tmin(), ray.tmax()];
+        let found = slabs.pair(&planes([*a, *b]), tmax);
+        for (side, aabb) in [a, b].into_iter().enumerate() {
+            let Some(t) = truly(&case, aabb, [tmin, tmax]) else { continue };
+            prop_assert!(found.hit[side] && found.near[side] <= t && t <= found.far[side], "{t} {found:?} {slabs:?}");
+            // A hit there, as it is rounded, does not hide the box.
+            prop_assert!(slabs.one(aabb, t).is_some(), "{t} {slabs:?}");
+        }
+        let [one, both] = [slabs.one(a, tmax), slabs.one(&a.union(*b), tmax)];
+        prop_assert_eq!(one, found.hit[0].then_some(found.near[0]));
+        if truly(&case, a, [tmin, tmax]).is_some() {
+            prop_assert!(both <= one, "{both:?} {one:?}");
+        }
+    }
+
+    /// Not only nothing is skipped: boxes that are missed by far are, and distances are near the true ones.
+    #[test]
+    fn it_is_as_fine_as_single_precision(case in case()) {
+        let Case { frame, boxes: [a, b], ray } = &case;
+        let slabs = Wide::new(ray, &Region::within(*frame, &a.union(*b)));
+        if slabs.is_slow || ray.tmin() != 0.0 || ray.tmax() != f64::INFINITY {
+            return Ok(());
+        }
+        let wider = Aabb { lo: a.lo - 1e-4, hi: a.hi + 1e-4 };
+        let is_origin_fine = (ray.origin() - frame.origin()).abs().max_element() < 1e9 * power_of_two(frame.exponent());
+        if is_origin_fine && truly(&case, &wider, [0.0, f64::INFINITY]).is_none() {
+            // A component that is next to nothing bounds less than it could.
+            let d = ray.direction().abs();
+            let is_plain = d.to_array().iter().all(|&x| x == 0.0 || x > 1e-30 * d.max_element());
+            prop_assert!(!is_plain || slabs.one(a, f64::INFINITY).is_none(), "{slabs:?}");
+        }
+    }
+}
+
+/// Nothing is skipped, where the test has no range; else the direction may be of any length. [BOX-8]
+#[test]
+fn beyond_its_range_nothing_is_skipped() {
+    let aabb = Aabb { lo: Vec3::ZERO, hi: Vec3::ONE };
+    let hits = |o: DVec3, d: DVec3| {
+        let slabs = Wide::new(&Ray::new(o, d).expect("a ray"), &Region::of(&aabb));
+        (slabs.is_slow, slabs.one(&aabb, f64::INFINITY).is_some())
+    };
+    assert_eq!(hits(DVec3::splat(-1.0), DVec3::splat(1e-200)), (false, true));
+    assert_eq!(hits(DVec3::splat(2.0), DVec3::splat(1e-200)), (false, false));
+    assert_eq!(hits(DVec3::splat(2.0), DVec3::splat(1e-300)), (true, true));
+    assert_eq!(hits(DVec3::splat(1e300), DVec3::X), (true, true));
+}
