@@ -44,12 +44,17 @@ pub struct Loaded {
     pub mesh: Mesh,
     /// What was skipped because the format does not have it.
     pub skipped: Option<Skipped>,
+    /// How many coordinates of a PLY file were rounded, since single precision does not have them.
+    pub rounded: u64,
 }
 
 impl Loaded {
-    /// What to tell whoever named the file: one line that begins with it. `None` if all of it was understood.
+    /// What to tell whoever named the file: one line that begins with it. `None` if all of it was taken as it is.
     pub fn note(&self, file: &Path) -> Option<String> {
-        self.skipped.as_ref().map(|skipped| format!("{}: {skipped}", text::one_line(file)))
+        let were = if self.rounded == 1 { "coordinate was" } else { "coordinates were" };
+        let rounded = (self.rounded > 0).then(|| format!("{} {were} rounded to single precision", self.rounded));
+        let notes: Vec<_> = self.skipped.as_ref().map(ToString::to_string).into_iter().chain(rounded).collect();
+        (!notes.is_empty()).then(|| format!("{}: {}", text::one_line(file), notes.join("; ")))
     }
 }
 
@@ -60,17 +65,15 @@ impl Loaded {
 pub fn load(path: &Path) -> Result<Loaded, SceneError> {
     let extension = path.extension().unwrap_or_default();
     let read = if extension.eq_ignore_ascii_case("ply") {
-        |bytes: &[u8]| read_ply(bytes).map(|mesh| (mesh, None))
+        |bytes: &[u8]| ply::read_and_count(bytes).map(|(mesh, rounded)| Loaded { mesh, skipped: None, rounded })
     } else if extension.eq_ignore_ascii_case("obj") {
-        read_obj
+        |bytes: &[u8]| read_obj(bytes).map(|(mesh, skipped)| Loaded { mesh, skipped, rounded: 0 })
     } else {
         return Err(SceneError::Extension { file: path.into() });
     };
     let bytes = read_bytes(path, MOST_BYTES).map_err(|error| SceneError::Io { file: path.into(), error })?;
     let bytes = bytes.ok_or_else(|| SceneError::Size { file: path.into() })?;
-    let (mesh, skipped) =
-        read(&bytes).map_err(|error| SceneError::Content { file: path.into(), error: error.into() })?;
-    Ok(Loaded { mesh, skipped })
+    read(&bytes).map_err(|error| SceneError::Content { file: path.into(), error: error.into() })
 }
 
 /// Most bytes of a file that are read: 4 GiB, more than 100 million triangles.

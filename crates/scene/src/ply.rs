@@ -25,6 +25,11 @@ use std::str::SplitAsciiWhitespace;
 /// # Errors
 /// [`ReadError`], naming the line of a header or an ascii file, or the element of a binary one.
 pub fn read_ply(bytes: &[u8]) -> Result<Mesh, ReadError> {
+    read_and_count(bytes).map(|(mesh, _)| mesh)
+}
+
+/// The same, and how many coordinates were rounded.
+pub(crate) fn read_and_count(bytes: &[u8]) -> Result<(Mesh, u64), ReadError> {
     let bytes = without_mark(bytes);
     // A lone carriage return ends lines only where it ends the first: binary data may begin with a line feed.
     let lone_return = bytes.starts_with(b"ply\r") && !bytes.starts_with(b"ply\r\n");
@@ -37,7 +42,7 @@ pub fn read_ply(bytes: &[u8]) -> Result<Mesh, ReadError> {
     }
 }
 
-fn read_body<S: Source>(header: &Header, mut source: S) -> Result<Mesh, ReadError> {
+fn read_body<S: Source>(header: &Header, mut source: S) -> Result<(Mesh, u64), ReadError> {
     let mut body = Body::new(header, source.rest().len());
     for element in &header.elements {
         // Nothing to read, however many the header promises.
@@ -55,7 +60,7 @@ fn read_body<S: Source>(header: &Header, mut source: S) -> Result<Mesh, ReadErro
     if left != 0 {
         return Err(Fault::unexpected(format!("{left} bytes"), "the end of the file").at(Place::End));
     }
-    Ok(Mesh::new(body.vertices, body.triangles)?)
+    Ok((Mesh::new(body.vertices, body.triangles)?, body.rounded))
 }
 
 /// What has been read so far.
@@ -63,6 +68,8 @@ struct Body {
     vertices: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
     promised_vertices: u64,
+    /// Coordinates that single precision does not have.
+    rounded: u64,
 }
 
 impl Body {
@@ -73,6 +80,7 @@ impl Body {
             vertices: Vec::with_capacity(capacity(vertices, available)),
             triangles: Vec::with_capacity(capacity(faces, available)),
             promised_vertices: vertices,
+            rounded: 0,
         }
     }
 
@@ -85,6 +93,7 @@ impl Body {
                 Property::Coordinate { axis, scalar } => {
                     let value = source.scalar(scalar)?;
                     position[axis] = value as f32;
+                    self.rounded += u64::from(f64::from(position[axis]) != value);
                     if !position[axis].is_finite() {
                         return Err(Fault::NonFinite { axis, value });
                     }

@@ -138,6 +138,27 @@ fn a_message_is_one_line_that_begins_with_the_file() {
 /// A header may promise what a file with holes seems to hold: nothing is read of it.
 #[cfg(unix)]
 #[test]
+fn coordinates_that_are_rounded_are_counted() {
+    let folder = Folder::new("rounded");
+    let read = |kind: &str, x: &str| {
+        let path = folder.file("mesh.ply");
+        let header = format!(
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty {kind} x\nproperty {kind} y\nproperty {kind} z\n"
+        );
+        let faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+        std::fs::write(&path, format!("{header}{faces}{x} 0 0\n0 {x} 0\n0 0 0.5\n3 0 1 2\n")).unwrap();
+        let loaded = load(&path).unwrap();
+        (loaded.rounded, loaded.note(&path).map(|note| note.replace(&path.display().to_string(), "FILE")))
+    };
+    assert_eq!(read("float", "0.1"), (0, None));
+    assert_eq!(read("double", "0.25"), (0, None));
+    assert_eq!(
+        read("double", "6400000.1"),
+        (2, Some("FILE: 2 coordinates were rounded to single precision".to_owned()))
+    );
+}
+
+#[test]
 fn a_file_of_holes_costs_nothing() {
     let folder = Folder::new("holes");
     let path = folder.file("holes.ply");
