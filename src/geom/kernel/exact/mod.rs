@@ -25,7 +25,7 @@ pub use parity::Parity;
 pub(in crate::geom) use predicates::is_degenerate;
 pub use single::{ExactFromSingle, MAX_COORDINATE, MIN_EDGE};
 pub use sum::Sum;
-pub(in crate::geom) use sum::two_sum;
+pub(in crate::geom) use sum::{two_product, two_sum};
 
 use glam::{DVec3, Vec3};
 
