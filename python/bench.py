@@ -1,8 +1,9 @@
 """Speed and wrong answers beside trimesh, embreex and Open3D, as tables in Markdown.
 
-    python bench.py [MESH...] [--rays N] [--judged N] [--points N]
+    python bench.py [MESH...] [--rays N] [--judged N] [--points N] [--triangles N]
 
-Meshes are files that trimesh reads; without any, a made sphere. Engines that are not installed are left out. All get
+Meshes are files that trimesh reads; without any, a made sphere. With --triangles, memory and times of a height field of
+so many come first. Engines that are not installed are left out. All get
 the same float32 numbers, so that all are asked the same question. Answers of a sample are judged by rational
 arithmetic (`tests/oracle.py`). Times are of whole calls from NumPy to NumPy on all threads, the best of three.
 """
@@ -10,7 +11,9 @@ arithmetic (`tests/oracle.py`). Times are of whole calls from NumPy to NumPy on 
 from __future__ import annotations
 
 import argparse
+import resource
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -113,7 +116,10 @@ def main():
     parser.add_argument("--rays", type=int, default=200_000, help="rays of each kind that are timed")
     parser.add_argument("--judged", type=int, default=200, help="rays of each kind that are judged")
     parser.add_argument("--points", type=int, default=1_000_000, help="points that are asked for their inside")
+    parser.add_argument("--triangles", type=int, help="measure memory with a height field of so many")
     arguments = parser.parse_args()
+    if arguments.triangles:
+        memory_table(arguments.triangles)
     meshes = {path.stem: loaded(path) for path in arguments.meshes}
     meshes = meshes or {"icosphere": arrays(trimesh.creation.icosphere(6))}
     print("Rays a second, in thousands; wrong answers of", arguments.judged, "and hits that are lost among them\n")
@@ -209,6 +215,36 @@ def sphere_points(aims, count, inner):
     radius = np.linalg.norm(both.astype(np.float64), axis=1)
     known = (radius < inner) | (radius > 1.001)
     return both[known], radius[known] < inner
+
+
+def memory_table(triangles):
+    """Of a great scene: what it takes while nothing else has been in this process."""
+    side = int((triangles / 2) ** 0.5) + 1
+    x, y = np.meshgrid(np.linspace(0, 1, side, dtype=np.float32), np.linspace(0, 1, side, dtype=np.float32))
+    z = np.float32(0.05) * (np.sin(40 * x) * np.cos(30 * y)).astype(np.float32)
+    vertices = np.stack([x, y, z], axis=-1).reshape(-1, 3)
+    corner = (np.arange(side - 1)[:, np.newaxis] * side + np.arange(side - 1)).astype(np.uint32).reshape(-1, 1)
+    faces = np.concatenate([corner + np.uint32([0, 1, side]), corner + np.uint32([1, side + 1, side])])
+    row = lambda what, number: print(f"| {what} | {number} |", flush=True)
+    row(
+        f"height field of {len(faces):,} triangles, float32: arrays",
+        f"{(vertices.nbytes + faces.nbytes) / 2**20:.0f} MiB",
+    )
+    print("|---|---:|")
+    seconds, scene = best(lambda: Scene(vertices, faces), 1)
+    row("building", f"{seconds:.1f} s")
+    mesh, bvh = scene._native.bytes
+    row("`Scene.nbytes`: mesh and hierarchy", f"{mesh / 2**20:.0f} + {bvh / 2**20:.0f} MiB")
+    row("peak of the process while building", f"{resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**10:,.0f} MiB")
+    asked = rays(vertices, faces, 1_000_000)["across the box"]
+    row("`closest`, rays across", f"{1000 / best(lambda: scene.closest(*asked), 1)[0]:,.0f} thousand a second")
+    row("`is_closed`, the first time", f"{best(lambda: scene.is_closed, 1)[0]:.1f} s")
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "scene"
+        seconds, _ = best(lambda: scene.save(path), 1)
+        row(f"`save`, {path.stat().st_size / 2**20:.0f} MiB", f"{seconds:.1f} s")
+        row("`load`, with all checks", f"{best(lambda: Scene.load(path), 1)[0]:.1f} s")
+    print()
 
 
 def best(do, times=3):

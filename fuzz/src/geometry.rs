@@ -1,10 +1,11 @@
 //! Targets of the geometric tests, each against rational arithmetic.
 
+use glam::Vec3;
 use stackless_bvh::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
 use stackless_bvh::generate::Source;
 use stackless_bvh::geom::kernel::{Exact, Exact64, ExactFromSingle};
 use stackless_bvh::geom::slabs::{Directed, EnclosedSlabs, Plain, TwoSided, Wide};
-use stackless_bvh::geom::{Aabb, Ray, Triangle, Vector};
+use stackless_bvh::geom::{Aabb, Kernel, Mesh, Ray, Slabs, Triangle, Vector};
 use stackless_check::{check_degenerate, check_distance, check_nearest, check_slabs, check_triangle};
 
 use super::draw::Draw;
@@ -55,12 +56,28 @@ pub(crate) fn slabs(bytes: &[u8]) {
     }
 }
 
-/// Distances and nearest points of triangles, and the nearest of a mesh. `[NEAR-1]` `[NEAR-2]` `[NEAR-3]`
+/// Distances and nearest points of triangles, and the nearest of a mesh, in single and in double precision. `[NEAR-1]`
+/// `[NEAR-2]` `[NEAR-3]`
 pub(crate) fn nearest(bytes: &[u8]) {
     let mut draw = Draw::new(bytes);
     let (k, radius) = (draw.below(6) as usize, if draw.coin() { draw.float().abs() } else { f32::INFINITY });
     let point = draw.point();
     let Some(mesh) = draw.mesh(9) else { return };
+    all_near::<Exact, Directed, _>(&mesh, point, radius, k);
+    // Numbers of the mesh, and others.
+    let mut wider = |point: Vec3| if draw.coin() { point.widen() } else { draw.point_64() };
+    let (vertices, point) = (mesh.vertices().iter().map(|&vertex| wider(vertex)).collect(), wider(point));
+    let radius = if draw.coin() { draw.double().abs() } else { f64::INFINITY };
+    let Ok(mesh) = Mesh::new(vertices, mesh.triangles().to_vec()) else { return };
+    all_near::<Exact64, Wide, _>(&mesh, point, radius, k);
+}
+
+fn all_near<K, B, V>(mesh: &Mesh<V>, point: V, radius: V::Real, k: usize)
+where
+    K: Kernel<Vector = V, Shape = Triangle<V>>,
+    B: Slabs<Vector = V>,
+    V: Vector,
+{
     let sah = SahOptions { max_leaf: 1, ..SahOptions::default() };
     let spatial = SpatialOptions { extra_percent: 200, overlap: 0.0 };
     for prim in 0..mesh.triangles().len() {
@@ -69,9 +86,9 @@ pub(crate) fn nearest(bytes: &[u8]) {
     }
     for builder in [Builder::Sah, Builder::Spatial] {
         let options = BuildOptions { builder, sah, spatial, reinsertion: 0, ..BuildOptions::default() };
-        let bvh = right(options.build(&mesh), "a tree without limits");
+        let bvh = right(options.build(mesh), "a tree without limits");
         right(
-            check_nearest(&bvh, &mesh, point, radius, k),
+            check_nearest::<K, B, V>(&bvh, mesh, point, radius, k),
             format_args!("{builder}: {mesh:?} {point:?} {radius:?} {k}"),
         );
     }

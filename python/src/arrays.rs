@@ -5,7 +5,7 @@ use std::ops::Range;
 use numpy::ndarray::ArrayView2;
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
-use stackless_bvh::geom::{Mesh, Ray};
+use stackless_bvh::geom::{Mesh, Ray, Vector};
 
 use crate::errors::{index_message, of_mesh, of_ray, refused};
 use crate::space::Space;
@@ -41,7 +41,7 @@ impl<'py, S: Space> Rays<'py, S> {
         let (origins, directions) = (self.origins.as_array(), self.directions.as_array());
         let (tmin, tmax) = (self.tmin.as_array(), self.tmax.as_array());
         let ray = |row: usize| {
-            let (origin, direction) = (S::vector(row_of(&origins, row)), S::vector(row_of(&directions, row)));
+            let (origin, direction) = (S::Vector::from_components(row_of(&origins, row)), S::Vector::from_components(row_of(&directions, row)));
             Ray::within(origin, direction, tmin[row], tmax[row]).map_err(|error| of_ray(error, row))
         };
         rows.map(ray).collect()
@@ -102,7 +102,7 @@ pub(crate) fn mesh_of<S: Space>(vertices: Vec<S::Vector>, faces: Vec<[u32; 3]>) 
 pub(crate) fn vertices_of<S: Space>(array: &Bound<'_, PyAny>) -> PyResult<Vec<S::Vector>> {
     let array = points::<S>(array, "vertices")?;
     let array = array.as_array();
-    Ok((0..array.nrows()).map(|row| S::vector(row_of(&array, row))).collect())
+    Ok((0..array.nrows()).map(|row| S::Vector::from_components(row_of(&array, row))).collect())
 }
 
 /// Triples of indices below `vertices`.

@@ -51,7 +51,7 @@ pub(crate) fn of_ray(error: RayError, row: usize) -> PyErr {
 /// A ball that is none, with the row at fault.
 pub(crate) fn of_ball(error: BallError, row: usize) -> PyErr {
     refused(match error {
-        BallError::Center(point) => format!("points[{row}]: {}, expected finite numbers", listed(point.as_dvec3())),
+        BallError::Center(point) => format!("points[{row}]: {}, expected finite numbers", listed(point)),
         BallError::Radius(radius) => format!("radius[{row}]: {radius}, expected >= 0"),
         BallError::Environment(_) => return failed(error),
     })

@@ -1,25 +1,48 @@
 //! Scenes that are placed many times, as a Python object.
 
-use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyReadonlyArray3};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray3};
 use pyo3::prelude::*;
 use rayon::prelude::*;
-use stackless_bvh::bvh::{BuildOptions, Bvh, WideBvh};
-use stackless_bvh::geom::{AffineError, AffineMap, EnvironmentError, Ray, check_environment};
-use stackless_bvh::trace::{Assembly, AssemblyError, Hit, Instance, InstanceHit, InstanceTracer};
+use stackless_bvh::bvh::{BuildError, BuildOptions, Bvh, WideBvh};
+use stackless_bvh::geom::{AffineError, AffineMap, EnvironmentError, Mesh, Ray, check_environment};
+use stackless_bvh::trace::{Assembly, AssemblyError, Hit, Instance, InstanceHit, InstanceTracer, Object};
 use stackless_bvh::traverse::Method;
 
 use crate::arrays::{Rays, check_aligned};
-use crate::batch::in_pieces;
+use crate::batch::{in_background, in_pieces};
 use crate::errors::{failed, refused};
 use crate::queries::{Found, HitArrays, room};
 use crate::scene::Scene;
 use crate::space::Answers;
 
-/// Scenes in single precision, placed by affine maps.
+/// Scenes in single precision and groups of them, placed by affine maps.
 #[pyclass(frozen, module = "stackless_bvh._native")]
 pub(crate) struct Instances {
+    group: Arc<Group>,
     tracer: InstanceTracer,
-    count: usize,
+}
+
+/// What is placed where: from it the group is made again within another one.
+struct Group {
+    parts: Vec<Part>,
+    /// Which part, and by which map.
+    placed: Vec<(usize, AffineMap)>,
+    /// How deep groups are nested: 1 if all parts are meshes.
+    levels: usize,
+}
+
+enum Part {
+    Mesh(Arc<Bvh>),
+    Group(Arc<Group>),
+}
+
+/// What a part is to be made of.
+enum Source {
+    Mesh(Arc<Mesh>),
+    Group(Arc<Group>),
 }
 
 /// Rays that a thread takes at once.
@@ -27,23 +50,18 @@ const CHUNK: usize = 256;
 
 #[pymethods]
 impl Instances {
-    /// `scenes[objects[i]]` is placed by the map `transforms[i]`, of shape (3, 4).
+    /// `scenes[objects[i]]`, a scene or instances, is placed by the map `transforms[i]`, of shape (3, 4).
     #[new]
     fn new(
         py: Python<'_>,
-        scenes: Vec<PyRef<'_, Scene>>,
+        scenes: Vec<Bound<'_, PyAny>>,
         objects: PyReadonlyArray1<'_, i64>,
         transforms: PyReadonlyArray3<'_, f32>,
+        progress: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         check_aligned(objects.as_any(), "objects")?;
         check_aligned(transforms.as_any(), "transforms")?;
-        let mut assembly = Assembly::new();
-        let mut added = Vec::new();
-        for (i, scene) in scenes.iter().enumerate() {
-            let mesh = scene.single_mesh().ok_or_else(|| refused(format!("scenes[{i}]: float64, expected float32")))?;
-            let bvh = py.detach(|| Bvh::build(mesh)).map_err(failed)?;
-            added.push(assembly.add_mesh(bvh));
-        }
+        let sources = scenes.iter().enumerate().map(|(i, scene)| source(scene, i)).collect::<PyResult<Vec<_>>>()?;
         let (objects, transforms) = (objects.as_array(), transforms.as_array());
         if transforms.dim() != (objects.len(), 3, 4) {
             let (count, rows, columns) = transforms.dim();
@@ -52,35 +70,39 @@ impl Instances {
                 "transforms: shape ({count}, {rows}, {columns}), expected ({expected}, 3, 4)"
             )));
         }
-        let instance = |(i, &object): (usize, &i64)| {
-            let of_object = usize::try_from(object).ok().and_then(|object| added.get(object));
-            let unknown = || refused(format!("objects[{i}]: {object}, expected 0 to {}", added.len() as i64 - 1));
+        let place = |(i, &object): (usize, &i64)| {
+            let part = usize::try_from(object).ok().filter(|&part| part < sources.len());
+            let unknown = || refused(format!("objects[{i}]: {object}, expected 0 to {}", sources.len() as i64 - 1));
             let rows = [0, 1, 2].map(|row| [0, 1, 2, 3].map(|column| transforms[[i, row, column]]));
             let affine = AffineMap::new(rows).map_err(|error| of_affine(error, i))?;
-            Ok(Instance { object: *of_object.ok_or_else(unknown)?, affine })
+            Ok((part.ok_or_else(unknown)?, affine))
         };
-        let placed: PyResult<Vec<_>> = objects.iter().enumerate().map(instance).collect();
-        let (placed, count) = (placed?, objects.len());
-        let tracer = py.detach(|| {
-            let root = assembly.add_group(placed, &BuildOptions::default()).map_err(of_assembly)?;
-            InstanceTracer::new(&assembly, root, Method::default()).map_err(failed)
-        })?;
-        Ok(Self { tracer, count })
+        let placed = objects.iter().enumerate().map(place).collect::<PyResult<Vec<_>>>()?;
+        let count = sources.iter().map(Source::faces).sum();
+        in_background(py, count, progress.as_ref(), move |tell| {
+            let parts = sources.into_iter().map(|source| source.into_part(tell)).collect::<PyResult<Vec<_>>>()?;
+            let levels = 1 + parts.iter().map(Part::levels).max().unwrap_or(0);
+            let group = Arc::new(Group { parts, placed, levels });
+            let mut assembly = Assembly::new();
+            let root = group.add_to(&mut assembly, &mut HashMap::new()).map_err(of_assembly)?;
+            let tracer = InstanceTracer::new(&assembly, root, Method::default()).map_err(failed)?;
+            Ok(Self { group, tracer })
+        })
     }
 
     fn __len__(&self) -> usize {
-        self.count
+        self.group.placed.len()
     }
 
-    /// Instances, and what a scene answers.
+    /// Rows of instances from the outermost group on, -1 where there is none, and what a scene answers.
     fn closest<'py>(
         &self,
         py: Python<'py>,
         rays: [Bound<'py, PyAny>; 4],
         progress: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<(Bound<'py, PyArray1<i64>>, HitArrays<'py, f32>)> {
-        let rays = Rays::<WideBvh>::new(rays.each_ref())?;
-        let (mut instances, mut found) = (room(rays.len())?, Found::with_room(rays.len())?);
+    ) -> PyResult<(Bound<'py, PyArray2<i64>>, HitArrays<'py, f32>)> {
+        let (rays, levels) = (Rays::<WideBvh>::new(rays.each_ref())?, self.group.levels);
+        let (mut paths, mut found) = (room(rays.len() * levels)?, Found::with_room(rays.len())?);
         let answer = |rays: Vec<Ray>| in_parallel(&rays, |ray| self.tracer.closest(ray)).map_err(failed);
         in_pieces(
             py,
@@ -90,14 +112,17 @@ impl Instances {
             answer,
             |hits| {
                 for hit in hits {
-                    let hit = hit.map(|InstanceHit { path, prim, t, u, v }| (path, Hit { prim, t, u, v }));
-                    let instance = hit.as_ref().and_then(|(path, _)| path.first());
-                    instances.push(instance.map_or(-1, |&instance| i64::from(instance)));
-                    found.push(hit.as_ref().map(|(_, hit)| hit));
+                    let end = paths.len() + levels;
+                    let hit = hit.map(|InstanceHit { path, prim, t, u, v }| {
+                        paths.extend(path.into_iter().map(i64::from));
+                        Hit { prim, t, u, v }
+                    });
+                    paths.resize(end, -1);
+                    found.push(hit.as_ref());
                 }
             },
         )?;
-        Ok((instances.into_pyarray(py), found.into_arrays(py)?))
+        Ok((paths.into_pyarray(py).reshape([rays.len(), levels])?, found.into_arrays(py)?))
     }
 
     fn any<'py>(
@@ -112,6 +137,68 @@ impl Instances {
         in_pieces(py, rays.len(), progress.as_ref(), |rows| rays.chunk(rows), answer, |hits| found.extend(hits))?;
         Ok(found.into_pyarray(py))
     }
+}
+
+impl Source {
+    /// How many are to be put in a hierarchy.
+    fn faces(&self) -> usize {
+        match self {
+            Self::Mesh(mesh) => mesh.triangles().len(),
+            Self::Group(_) => 0,
+        }
+    }
+
+    fn into_part(self, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Part> {
+        match self {
+            Self::Mesh(mesh) => {
+                let bvh = BuildOptions::default().build_watched(&*mesh, tell).map_err(failed)?;
+                Ok(Part::Mesh(Arc::new(bvh)))
+            }
+            Self::Group(group) => Ok(Part::Group(group)),
+        }
+    }
+}
+
+impl Part {
+    fn levels(&self) -> usize {
+        match self {
+            Self::Mesh(_) => 0,
+            Self::Group(group) => group.levels,
+        }
+    }
+}
+
+impl Group {
+    /// The group and all that is in it; each group that is `known`, by its address, is there once.
+    fn add_to(
+        &self,
+        assembly: &mut Assembly,
+        known: &mut HashMap<*const Group, Object>,
+    ) -> Result<Object, AssemblyError> {
+        let mut objects = Vec::new();
+        for part in &self.parts {
+            objects.push(match part {
+                Part::Mesh(bvh) => assembly.add_mesh(Arc::clone(bvh)),
+                Part::Group(group) => match known.get(&Arc::as_ptr(group)) {
+                    Some(&object) => object,
+                    None => group.add_to(assembly, known)?,
+                },
+            });
+        }
+        let placed = self.placed.iter().map(|&(part, affine)| Instance { object: objects[part], affine });
+        let object = assembly.add_group(placed.collect(), &BuildOptions::default())?;
+        known.insert(self, object);
+        Ok(object)
+    }
+}
+
+fn source(scene: &Bound<'_, PyAny>, i: usize) -> PyResult<Source> {
+    if let Ok(instances) = scene.cast::<Instances>() {
+        return Ok(Source::Group(Arc::clone(&instances.get().group)));
+    }
+    let scene: PyRef<'_, Scene> = scene.extract()?;
+    let mesh = scene.single_mesh().ok_or_else(|| refused(format!("scenes[{i}]: float64, expected float32")))?;
+    Ok(Source::Mesh(Arc::clone(mesh)))
 }
 
 /// Answers each, on all threads.
@@ -133,7 +220,10 @@ fn of_assembly(error: AssemblyError) -> PyErr {
         AssemblyError::OutOfRange { instance } => {
             format!("transforms[{instance}]: the image of the scene leaves the range of float32")
         }
-        AssemblyError::Build(stackless_bvh::bvh::BuildError::Empty) => "objects: no rows, expected at least one".into(),
+        AssemblyError::TooManyLevels { instance, .. } => {
+            format!("objects[{instance}]: groups in more than {} levels", Assembly::MAX_LEVELS - 1)
+        }
+        AssemblyError::Build(BuildError::Empty) => "objects: no rows, expected at least one".into(),
         other => other.to_string(),
     })
 }

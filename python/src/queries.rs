@@ -6,10 +6,9 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
-use stackless_bvh::bvh::WideBvh;
 use stackless_bvh::geom::truth::{Meeting, Place, Point, meet};
 use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Vector, check_environment};
-use stackless_bvh::trace::{Hit, Near, Tracer};
+use stackless_bvh::trace::{Hit, Near};
 
 use crate::arrays::{Rays, numbers, points, row_of};
 use crate::batch::in_pieces;
@@ -159,7 +158,7 @@ pub(crate) fn contains<'py, S: Space>(
                 )));
             }
             if (0..3).all(|k| lo[k] <= wide[k] && wide[k] <= hi[k]) {
-                inside_box.push((i, S::vector(point)));
+                inside_box.push((i, S::Vector::from_components(point)));
             }
         }
         Ok((count, inside_box))
@@ -181,7 +180,7 @@ pub(crate) fn contains<'py, S: Space>(
 /// one of the axes hits it: the plane of the triangle is not parallel to all three.
 fn inside_of<S: Space>(bvh: &S, points: &[(usize, S::Vector)], boundary: bool) -> PyResult<Vec<bool>> {
     let (zero, one) = (S::Real::ZERO, S::Real::ONE);
-    let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(S::vector);
+    let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(S::Vector::from_components);
     let rays = |direction, tmax| -> PyResult<Vec<_>> {
         let ray = |&(i, point)| Ray::within(point, direction, zero, tmax).map_err(|error| of_ray(error, i));
         points.iter().map(ray).collect()
@@ -204,25 +203,26 @@ pub(crate) fn bounds<V: Vector<Real: Into<f64>>>(mesh: &Mesh<V>) -> [[f64; 3]; 2
 }
 
 /// Distances, triangles and points, `k` of each row; infinite, -1 and NaN where there are fewer.
-pub(crate) type NearArrays<'py> = (Bound<'py, PyArray2<f32>>, Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<f32>>);
+pub(crate) type NearArrays<'py, R> = (Bound<'py, PyArray2<R>>, Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<R>>);
 
 /// The `k` nearest triangles of each point.
-pub(crate) fn nearest<'py>(
+pub(crate) fn nearest<'py, S: Space>(
     py: Python<'py>,
-    bvh: &WideBvh,
+    bvh: &S,
     [array, radius]: [&Bound<'py, PyAny>; 2],
     k: usize,
     progress: Progress<'_, 'py>,
-) -> PyResult<NearArrays<'py>> {
-    let (array, radius) = (points::<WideBvh>(array, "points")?, numbers::<WideBvh>(radius, "radius")?);
+) -> PyResult<NearArrays<'py, S::Real>> {
+    let (array, radius) = (points::<S>(array, "points")?, numbers::<S>(radius, "radius")?);
     let (array, radius) = (array.as_array(), radius.as_array());
     let count = array.nrows();
     if radius.len() != count {
         return Err(refused(format!("{count} points, but {} radii", radius.len())));
     }
-    let ball = |row| Ball::new(row_of(&array, row).into(), radius[row]).map_err(|error| of_ball(error, row));
+    let center = |row| S::Vector::from_components(row_of(&array, row));
+    let ball = |row| Ball::new(center(row), radius[row]).map_err(|error| of_ball(error, row));
     let (mut distance, mut primitive, mut point) = (Vec::new(), Vec::new(), Vec::new());
-    let answer = |balls: Vec<Ball>| nearest_of(bvh, &balls, k).map_err(failed);
+    let answer = |balls: Vec<_>| nearest_of(bvh, &balls, k).map_err(failed);
     in_pieces(
         py,
         count,
@@ -235,11 +235,11 @@ pub(crate) fn nearest<'py>(
                 for Near { prim, distance: d, point: p } in nears {
                     distance.push(d);
                     primitive.push(i64::from(prim));
-                    point.extend(p.to_array());
+                    point.extend(p.components());
                 }
-                distance.resize(distance.len() + missing, f32::INFINITY);
+                distance.resize(distance.len() + missing, <S::Real as Coordinate>::INFINITY);
                 primitive.resize(primitive.len() + missing, -1);
-                point.resize(point.len() + 3 * missing, f32::NAN);
+                point.resize(point.len() + 3 * missing, S::Real::NAN);
             }
         },
     )?;
@@ -248,14 +248,13 @@ pub(crate) fn nearest<'py>(
     Ok((distance.reshape(shape)?, primitive.into_pyarray(py).reshape(shape)?, point.reshape([count * k, 3])?))
 }
 
-fn nearest_of(bvh: &WideBvh, balls: &[Ball], k: usize) -> Answers<Vec<Near>> {
-    let tracer = Tracer::new(bvh);
+fn nearest_of<S: Space>(bvh: &S, balls: &[Ball<S::Vector>], k: usize) -> Answers<Vec<Near<S::Vector>>> {
     if k == 1 {
-        return Ok(tracer.nearest_parallel(balls)?.into_iter().map(|near| near.into_iter().collect()).collect());
+        return Ok(bvh.nearest(balls)?.into_iter().map(|near| near.into_iter().collect()).collect());
     }
-    let of_chunk = |balls: &[Ball]| -> Result<Vec<_>, EnvironmentError> {
+    let of_chunk = |balls: &[Ball<S::Vector>]| -> Result<Vec<_>, EnvironmentError> {
         check_environment()?;
-        Ok(balls.iter().map(|ball| tracer.nearest_k(ball, k)).collect())
+        Ok(balls.iter().map(|ball| bvh.nearest_k(ball, k)).collect())
     };
     let chunks: Result<Vec<_>, _> = balls.par_chunks(64).map(of_chunk).collect();
     Ok(chunks?.into_iter().flatten().collect())

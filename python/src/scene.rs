@@ -1,16 +1,16 @@
 //! A mesh with its hierarchy, as a Python object.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::IntoPyObjectExt as _;
-use pyo3::exceptions::PyNotImplementedError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use stackless_bvh::bvh::{Builder, Stored, WideBvh};
 use stackless_bvh::geom::Mesh;
 
 use crate::arrays::{Rays, mesh, mesh_of, vertices_of};
+use crate::batch::in_background;
 use crate::closed::Edges;
 use crate::errors::refused;
 use crate::space::{Double, Space};
@@ -30,7 +30,8 @@ enum Either {
 
 /// A mesh, its hierarchy, and what is known of its edges.
 struct Held<S: Space> {
-    mesh: Mesh<S::Vector>,
+    /// Shared with what is made of it in the background.
+    mesh: Arc<Mesh<S::Vector>>,
     bvh: S,
     edges: OnceLock<Edges>,
 }
@@ -65,14 +66,13 @@ impl Scene {
         faces: &Bound<'_, PyAny>,
         dtype: &str,
         build: &str,
+        progress: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let (builder, reinsertion) = options(build)?;
+        let (how, progress) = (options(build)?, progress.as_ref());
         let held = if dtype == WideBvh::DTYPE {
-            let mesh = mesh::<WideBvh>(vertices, faces)?;
-            Either::Single(py.detach(|| Held::build(mesh, builder, reinsertion))?)
+            Either::Single(Held::build(py, mesh::<WideBvh>(vertices, faces)?, how, progress)?)
         } else {
-            let mesh = mesh::<Double>(vertices, faces)?;
-            Either::Double(Box::new(py.detach(|| Held::build(mesh, builder, reinsertion))?))
+            Either::Double(Box::new(Held::build(py, mesh::<Double>(vertices, faces)?, how, progress)?))
         };
         Ok(Self { held })
     }
@@ -207,13 +207,10 @@ impl Scene {
         radius: &Bound<'py, PyAny>,
         k: usize,
         progress: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<queries::NearArrays<'py>> {
-        match &self.held {
-            Either::Single(held) => queries::nearest(py, &held.bvh, [points, radius], k, progress.as_ref()),
-            Either::Double(_) => Err(PyNotImplementedError::new_err(
-                "nearest: for float32 scenes only, and this one is float64; build a Scene from vertices.astype('float32')",
-            )),
-        }
+    ) -> PyResult<Bound<'py, PyAny>> {
+        either!(self, held, S => {
+            object(py, queries::nearest::<S>(py, &held.bvh, [points, radius], k, progress.as_ref())?)
+        })
     }
 }
 
@@ -226,7 +223,7 @@ impl Scene {
     }
 
     /// The mesh, if it is in single precision.
-    pub(crate) fn single_mesh(&self) -> Option<&Mesh> {
+    pub(crate) fn single_mesh(&self) -> Option<&Arc<Mesh>> {
         match &self.held {
             Either::Single(held) => Some(&held.mesh),
             Either::Double(_) => None,
@@ -234,15 +231,23 @@ impl Scene {
     }
 }
 
-impl<S: Space<Vector: Stored>> Held<S> {
-    fn build(mesh: Mesh<S::Vector>, builder: Builder, reinsertion: u32) -> PyResult<Self> {
-        let bvh = S::build(&mesh, builder, reinsertion)?;
-        Ok(Self { mesh, bvh, edges: OnceLock::new() })
+impl<S: Space<Vector: Stored> + 'static> Held<S> {
+    fn build(
+        py: Python<'_>,
+        mesh: Mesh<S::Vector>,
+        how: (Builder, u32),
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let count = mesh.triangles().len();
+        in_background(py, count, progress, move |tell| {
+            let bvh = S::build(&mesh, how, tell)?;
+            Ok(Self { mesh: Arc::new(mesh), bvh, edges: OnceLock::new() })
+        })
     }
 
     fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
         let (mesh, bvh) = file::from_bytes(bytes)?;
-        Ok(Self { mesh, bvh, edges: OnceLock::new() })
+        Ok(Self { mesh: Arc::new(mesh), bvh, edges: OnceLock::new() })
     }
 
     /// Nothing has changed after an error.
@@ -254,7 +259,7 @@ impl<S: Space<Vector: Stored>> Held<S> {
         py.detach(|| {
             let mesh = mesh_of::<S>(vertices, self.mesh.triangles().to_vec())?;
             self.bvh.refit(&mesh)?;
-            (self.mesh, self.edges) = (mesh, OnceLock::new());
+            (self.mesh, self.edges) = (Arc::new(mesh), OnceLock::new());
             Ok(())
         })
     }

@@ -6,8 +6,8 @@ use pyo3::prelude::*;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, WideBvh};
 use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::slabs::Wide;
-use stackless_bvh::geom::{EnvironmentError, Mesh, Ray, Triangle, Vector};
-use stackless_bvh::trace::{BinaryTracer, Hit, Tracer};
+use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Triangle, Vector};
+use stackless_bvh::trace::{BinaryTracer, Hit, Near, Tracer};
 use stackless_bvh::traverse::Method;
 
 use crate::errors::{failed, of_refit, refused};
@@ -52,8 +52,8 @@ pub(crate) trait Space: Sized + Send + Sync {
     /// The array type's name.
     const DTYPE: &'static str;
 
-    fn vector(numbers: [Self::Real; 3]) -> Self::Vector;
-    fn build(mesh: &Mesh<Self::Vector>, builder: Builder, reinsertion: u32) -> PyResult<Self>;
+    /// `tell` hears how many faces have found their place since it was last called.
+    fn build(mesh: &Mesh<Self::Vector>, how: (Builder, u32), tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self>;
     fn refit(&mut self, mesh: &Mesh<Self::Vector>) -> PyResult<()>;
     /// Memory in bytes.
     fn bytes(&self) -> usize;
@@ -65,6 +65,8 @@ pub(crate) trait Space: Sized + Send + Sync {
     fn any(&self, rays: &[Ray<Self::Vector>]) -> Answers<bool>;
     fn all(&self, rays: &[Ray<Self::Vector>]) -> Answers<Vec<Hit<Self::Real>>>;
     fn crossings(&self, rays: &[Ray<Self::Vector>]) -> Answers<u32>;
+    fn nearest(&self, balls: &[Ball<Self::Vector>]) -> Answers<Option<Near<Self::Vector>>>;
+    fn nearest_k(&self, ball: &Ball<Self::Vector>, k: usize) -> Vec<Near<Self::Vector>>;
 }
 
 impl Space for WideBvh {
@@ -72,13 +74,9 @@ impl Space for WideBvh {
     type Real = f32;
     const DTYPE: &'static str = "float32";
 
-    fn vector(numbers: [f32; 3]) -> Vec3 {
-        numbers.into()
-    }
-
-    fn build(mesh: &Mesh, builder: Builder, reinsertion: u32) -> PyResult<Self> {
+    fn build(mesh: &Mesh, (builder, reinsertion): (Builder, u32), tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self> {
         let options = BuildOptions { builder, reinsertion, ..BuildOptions::fine() };
-        Self::of(&options.build(mesh).map_err(of_build)?).map_err(failed)
+        Self::of(&options.build_watched(mesh, tell).map_err(of_build)?).map_err(failed)
     }
 
     fn refit(&mut self, mesh: &Mesh) -> PyResult<()> {
@@ -114,6 +112,14 @@ impl Space for WideBvh {
     fn crossings(&self, rays: &[Ray]) -> Answers<u32> {
         Tracer::new(self).crossings_parallel(rays)
     }
+
+    fn nearest(&self, balls: &[Ball]) -> Answers<Option<Near>> {
+        Tracer::new(self).nearest_parallel(balls)
+    }
+
+    fn nearest_k(&self, ball: &Ball, k: usize) -> Vec<Near> {
+        Tracer::new(self).nearest_k(ball, k)
+    }
 }
 
 /// A hierarchy over a mesh in double precision, which only binary ones are.
@@ -132,13 +138,9 @@ impl Space for Double {
     type Real = f64;
     const DTYPE: &'static str = "float64";
 
-    fn vector(numbers: [f64; 3]) -> DVec3 {
-        numbers.into()
-    }
-
-    fn build(mesh: &Mesh<DVec3>, builder: Builder, reinsertion: u32) -> PyResult<Self> {
+    fn build(mesh: &Mesh<DVec3>, (builder, reinsertion): (Builder, u32), tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self> {
         let options = BuildOptions { builder, reinsertion, ..BuildOptions::default() };
-        Self::of(options.build(mesh).map_err(of_build)?)
+        Self::of(options.build_watched(mesh, tell).map_err(of_build)?)
     }
 
     fn refit(&mut self, mesh: &Mesh<DVec3>) -> PyResult<()> {
@@ -176,6 +178,14 @@ impl Space for Double {
 
     fn crossings(&self, rays: &[Ray<DVec3>]) -> Answers<u32> {
         self.tracer.crossings_parallel(rays)
+    }
+
+    fn nearest(&self, balls: &[Ball<DVec3>]) -> Answers<Option<Near<DVec3>>> {
+        self.tracer.nearest_parallel(balls)
+    }
+
+    fn nearest_k(&self, ball: &Ball<DVec3>, k: usize) -> Vec<Near<DVec3>> {
+        self.tracer.nearest_k(ball, k)
     }
 }
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _native
 from ._arrays import listed, numbers, rays
+from ._native import Instances as NativeInstances
 from ._results import Hits
 from ._scene import Progress, Scene
 
@@ -18,36 +18,54 @@ from ._scene import Progress, Scene
 class InstanceHits(Hits):
     """The closest hit of each of n rays among instances."""
 
-    instance: NDArray[np.int64]
-    """Shape (n,): rows of `objects`; -1 for a miss."""
+    path: NDArray[np.int64]
+    """Shape (n, levels): rows of `objects`, those of the outermost instances first; then -1, as for a miss."""
+
+    @property
+    def instance(self) -> NDArray[np.int64]:
+        """Shape (n,): rows of `objects` of the outermost instances; -1 for a miss."""
+        return self.path[:, 0]
 
 
 class Instances:
-    """Float32 scenes that are placed by affine maps, each as often as need be. Answers are those of rational
-    arithmetic on the exact images of the triangles.
+    """Float32 scenes, and instances in turn, that are placed by affine maps, each as often as need be. Answers are
+    those of rational arithmetic on the exact images of the triangles.
 
     Parameters
     ----------
     scenes
-        The scenes that are placed. What `refit` does to one of them later does not change the instances.
+        What is placed: each a `Scene`, or an `Instances`, which may be nested 31 deep. What `refit` does to a scene
+        later does not change the instances.
     objects
-        Shape (n,), integers: which scene each instance is.
+        Shape (n,), integers: which of `scenes` each instance is.
     transforms
         Shape (n, 3, 4) or (n, 4, 4), float32: the map from the scene's space to the world's. A fourth row must be
         [0, 0, 0, 1].
+    progress
+        Is called as ``progress(done, count)`` now and then, with numbers of faces, while this is built.
 
     Raises
     ------
     TypeError
-        An array has another dtype.
+        An array has another dtype, or one of `scenes` is something else.
     ValueError
-        A scene is float64, shapes do not fit, there is no such scene, a map has no inverse, or an image leaves the
-        range of float32; the message names the row.
+        A scene is float64, instances are nested too deeply, shapes do not fit, there is no such scene, a map has no
+        inverse, or an image leaves the range of float32; the message names the row.
     """
 
     __slots__ = ("_native",)
+    _native: NativeInstances
 
-    def __init__(self, scenes: Sequence[Scene], objects: ArrayLike, transforms: ArrayLike) -> None:
+    def __init__(
+        self,
+        scenes: Sequence[Scene | Instances],
+        objects: ArrayLike,
+        transforms: ArrayLike,
+        progress: Progress | None = None,
+    ) -> None:
+        for i, scene in enumerate(scenes):
+            if not isinstance(scene, (Scene, Instances)):
+                raise TypeError(f"scenes[{i}]: {type(scene).__name__}, expected a Scene or Instances")
         indices = objects if isinstance(objects, np.ndarray) else listed(objects, "objects", None)
         if indices.dtype.kind not in "iu":
             raise TypeError(f"objects: dtype {indices.dtype}, expected integers")
@@ -64,7 +82,8 @@ class Instances:
                 raise ValueError(
                     f"transforms[{wrong[0]}]: fourth row {maps[wrong[0], 3].tolist()}, expected [0, 0, 0, 1]"
                 )
-        self._native = _native.Instances([scene._native for scene in scenes], indices.astype(np.int64), maps[:, :3])
+        natives = [scene._native for scene in scenes]
+        self._native = NativeInstances(natives, indices.astype(np.int64), maps[:, :3], progress)
 
     def __len__(self) -> int:
         return len(self._native)
@@ -77,12 +96,12 @@ class Instances:
         tmax: ArrayLike = np.inf,
         progress: Progress | None = None,
     ) -> InstanceHits:
-        """The closest hit of each ray: the least `t`, of equal ones the least instance, of these the least face.
+        """The closest hit of each ray: the least `t`, of equal ones the least path, of these the least face.
 
         Parameters and errors are those of `Scene.closest`, for float32.
         """
-        instance, hits = self._native.closest(rays(origins, directions, tmin, tmax, "float32"), progress)
-        return InstanceHits(*hits, instance)
+        path, hits = self._native.closest(rays(origins, directions, tmin, tmax, "float32"), progress)
+        return InstanceHits(*hits, path)
 
     def any(
         self,

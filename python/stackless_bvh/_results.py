@@ -54,13 +54,14 @@ class AllHits:
 
 @dataclass(frozen=True)
 class Near:
-    """What is nearest to each of n points: arrays of n rows, with an axis of length k after the first where k > 1."""
+    """What is nearest to each of n points: arrays of n rows, with an axis of length k after the first where k > 1.
+    Numbers are of the scene's dtype."""
 
-    distance: NDArray[np.float32]
+    distance: NDArray[np.floating]
     """Shape (n,) or (n, k): the floats nearest to the exact distances; infinite where nothing is within the radius."""
     primitive: NDArray[np.int64]
     """Shape (n,) or (n, k): rows of `faces`; -1 where nothing is within the radius."""
-    point: NDArray[np.float32]
+    point: NDArray[np.floating]
     """Shape (n, 3) or (n, k, 3): the nearest points, each coordinate rounded once; NaN where there is none."""
 
     def __len__(self) -> int:

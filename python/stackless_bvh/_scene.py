@@ -32,6 +32,8 @@ class Scene:
     build
         How the hierarchy is built: "sah" (the default), "sbvh", "lbvh" (the fastest build), "bounded" or "median". With
         "+2" two rounds of reinsertion follow. Answers do not depend on it.
+    progress
+        Is called as ``progress(done, count)`` now and then, with numbers of faces, while the hierarchy is built.
 
     Raises
     ------
@@ -42,16 +44,19 @@ class Scene:
     RuntimeError
         This thread does not compute as IEEE 754 demands, as after loading a library compiled with ``-ffast-math``.
 
-    All methods that answer many rays or points run on all threads with the interpreter's lock released. They look for
-    Ctrl-C, and call ``progress(done, count)`` if it is given, after every 65,536 of them. Float32 arrays are accepted
-    by float64 scenes, which is exact. Float64 arrays are refused by float32 scenes: rounding is the caller's decision.
+    Building runs on all threads with the interpreter's lock released, and Ctrl-C ends it. So do all methods that answer
+    many rays or points: they look for Ctrl-C, and call ``progress(done, count)`` if it is given, after every 65,536 of
+    them. Float32 arrays are accepted by float64 scenes, which is exact. Float64 arrays are refused by float32 scenes:
+    rounding is the caller's decision.
     """
 
     __slots__ = ("_native",)
 
-    def __init__(self, vertices: ArrayLike, faces: ArrayLike, build: str = "sah") -> None:
+    def __init__(
+        self, vertices: ArrayLike, faces: ArrayLike, build: str = "sah", progress: Progress | None = None
+    ) -> None:
         points, indices = mesh_arrays(vertices, faces)
-        self._native = _native.Scene(points, indices, str(points.dtype), build)
+        self._native = _native.Scene(points, indices, str(points.dtype), build, progress)
 
     def __repr__(self) -> str:
         return f"<stackless_bvh.Scene: {len(self.faces)} faces, {self.dtype}>"
@@ -195,7 +200,7 @@ class Scene:
         Parameters
         ----------
         points
-            Shape (n, 3), float32.
+            Shape (n, 3).
         radius
             A number or shape (n,), included.
         k
@@ -203,10 +208,8 @@ class Scene:
 
         Raises
         ------
-        NotImplementedError
-            The scene is float64.
         TypeError
-            The array is not float32.
+            An array has another dtype than the scene.
         ValueError
             The shape does not fit, a number is not finite, a radius is negative, or `k` is less than 1.
         """

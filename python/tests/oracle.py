@@ -108,7 +108,7 @@ def rounded(x, dtype):
 
 
 def is_rounded_root(root, square):
-    """Whether a float32 is the nearest to the root of a rational number."""
-    low, high = (np.nextafter(np.float32(root), np.float32(end)) for end in (-inf, inf))
+    """Whether a float is the nearest of its dtype to the root of a rational number."""
+    low, high = (np.nextafter(root, type(root)(end)) for end in (-inf, inf))
     middle = lambda a: (Fraction(float(a)) + Fraction(float(root))) / 2
     return max(middle(low), Fraction(0)) ** 2 <= square <= middle(high) ** 2

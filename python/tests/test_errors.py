@@ -85,8 +85,8 @@ def test_points_and_what_else_is_asked():
     check(ValueError, "radius[0]: -1, expected >= 0", lambda: single.nearest([0, 0, 0], -1))
     check(ValueError, "radius: shape (2,), expected a number or shape (1,)", lambda: single.nearest([0, 0, 0], [1, 2]))
     check(ValueError, "k: 0, expected at least 1", lambda: single.nearest([0, 0, 0], k=0))
-    message = "nearest: for float32 scenes only, and this one is float64; build a Scene from vertices.astype('float32')"
-    check(NotImplementedError, message, lambda: double.nearest([0, 0, 0]))
+    check(ValueError, "points[0]: [inf, 0, 0], expected finite numbers", lambda: double.nearest([np.inf, 0, 0]))
+    check(ValueError, "radius[0]: NaN, expected >= 0", lambda: double.nearest([0, 0, 0], np.nan))
     message = (
         "build: 'fast', expected one of sah, sbvh, lbvh, bounded, median, or one with +N for N rounds of reinsertion"
     )
@@ -105,6 +105,12 @@ def test_instances():
     check(ValueError, "objects[0]: 1, expected 0 to 0", lambda: Instances([single], [1], unit))
     check(ValueError, "objects[0]: -1, expected 0 to 0", lambda: Instances([single], [-1], unit))
     check(ValueError, "scenes[1]: float64, expected float32", lambda: Instances([single, double], [0], unit))
+    check(TypeError, "scenes[0]: ndarray, expected a Scene or Instances", lambda: Instances([CUBE], [0], unit))
+    nested = Instances([single], [0], unit)
+    for _ in range(30):
+        nested = Instances([nested], [0], unit)
+    assert nested.closest([0.25, 0.25, -1], [0, 0, 1]).path.tolist() == [31 * [0]]
+    check(ValueError, "objects[0]: groups in more than 31 levels", lambda: Instances([nested], [0], unit))
     message = "transforms: shape (1, 4, 4), expected (2, 3, 4) or (2, 4, 4)"
     check(ValueError, message, lambda: Instances([single], [0, 0], unit))
     message = "transforms[0]: fourth row [0.0, 0.0, 0.0, 2.0], expected [0, 0, 0, 1]"

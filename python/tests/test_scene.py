@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 
 import numpy as np
 import oracle
@@ -249,6 +250,29 @@ def test_refit_moves_the_vertices_or_changes_nothing(dtype):
     assert str(error.value) == message
 
 
+def image(corner, rows):
+    return tuple(sum(oracle.Fraction(float(m)) * x for m, x in zip(row, (*corner, 1))) for row in rows)
+
+
+def closest_image(placed, origin, direction):
+    """The least (t, path, face) of all (path, triangles), or that of a miss."""
+    found = [
+        (oracle.rounded(hit[0], np.float32), path, face)
+        for path, triangles in placed
+        for face, triangle in enumerate(triangles)
+        if (hit := oracle.meet(triangle, oracle.vector(origin), oracle.vector(direction))) and hit[0] >= 0
+    ]
+    return min(found, default=(np.inf, None, -1))
+
+
+def triangles_of(scene):
+    return [oracle.corners(scene.vertices, face) for face in scene.faces]
+
+
+def images(triangles, rows):
+    return [[image(corner, rows) for corner in triangle] for triangle in triangles]
+
+
 def test_instances_are_the_exact_images():
     vertices, faces = octasphere(2, np.float32)
     scene, cube = Scene(vertices, faces), Scene(np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0]]), [[0, 1, 2]])
@@ -259,27 +283,59 @@ def test_instances_are_the_exact_images():
     origins, directions = some_rays(np.float32, 300, 5)
     origins *= 4
     hits, hit_any = instances.closest(origins, directions), instances.any(origins, directions)
-    assert len(instances) == 3 and set(hits.instance) == {-1, 0, 1, 2}
-
-    def image(corner, rows):
-        return tuple(sum(oracle.Fraction(float(m)) * x for m, x in zip(row, (*corner, 1))) for row in rows)
-
-    images = [
-        [[image(corner, rows) for corner in oracle.corners(placed.vertices, face)] for face in placed.faces]
-        for placed, rows in zip([scene, cube, scene], maps)
+    assert len(instances) == 3 and set(hits.instance) == {-1, 0, 1, 2} and hits.path.shape == (300, 1)
+    placed = [
+        ((i,), images(triangles_of(part), rows)) for i, (part, rows) in enumerate(zip([scene, cube, scene], maps))
     ]
     for ray, (origin, direction) in enumerate(zip(origins, directions)):
-        found = [
-            (oracle.rounded(hit[0], np.float32), i, face)
-            for i, triangles in enumerate(images)
-            for face, triangle in enumerate(triangles)
-            if (hit := oracle.meet(triangle, oracle.vector(origin), oracle.vector(direction))) and hit[0] >= 0
-        ]
-        expected = min(found, default=(np.inf, -1, -1))
-        assert (hits.t[ray], hits.instance[ray], hits.primitive[ray]) == expected
-        assert hit_any[ray] == bool(found)
+        t, path, face = closest_image(placed, origin, direction)
+        assert (hits.t[ray], hits.primitive[ray]) == (t, face) and hits.instance[ray] == (
+            -1 if path is None else path[0]
+        )
+        assert hit_any[ray] == (face >= 0)
     four = np.concatenate([maps, np.tile(np.float32([[[0, 0, 0, 1]]]), (3, 1, 1))], axis=1)
     assert same(Instances([scene, cube], [0, 1, 0], four).closest(origins, directions), hits)
+
+
+def test_instances_of_instances_are_the_exact_images():
+    leaf = Scene(np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.3, 0.3, 1]]), [[0, 1, 2], [0, 1, 3], [1, 2, 3]])
+    random, turn = np.random.default_rng(8), np.float32([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+
+    def maps(count):
+        made = np.zeros((count, 3, 4), np.float32)
+        made[:, :, :3] = turn * random.uniform(0.5, 1.5, (count, 1, 1)).astype(np.float32)
+        made[:, :, 3] = random.uniform(-2, 2, (count, 3))
+        return made
+
+    inner_maps, outer_maps, top_maps = maps(3), maps(3), maps(2)
+    inner = Instances([leaf], [0, 0, 0], inner_maps)
+    outer = Instances([inner, leaf], [0, 0, 1], outer_maps)
+    told = []
+    top = Instances([outer, inner], [0, 1], top_maps, progress=lambda *done: told.append(done))
+    # Nothing but groups: no face is put in a hierarchy.
+    assert all(done == (0, 0) for done in told)
+    of_inner = [((i,), images(triangles_of(leaf), rows)) for i, rows in enumerate(inner_maps)]
+    of_outer = [
+        ((i, *path), images(triangles, outer_maps[i]))
+        for i, parts in enumerate([of_inner, of_inner, [((), triangles_of(leaf))]])
+        for path, triangles in parts
+    ]
+    placed = [
+        ((i, *path), images(triangles, top_maps[i]))
+        for i, parts in enumerate([of_outer, of_inner])
+        for path, triangles in parts
+    ]
+    origins = random.uniform(-4, 4, (300, 3)).astype(np.float32)
+    middles = np.array([[float(sum(x) / 3) for x in zip(*triangles[0])] for _, triangles in placed], np.float32)
+    directions = middles[random.integers(0, len(middles), 300)] - origins
+    hits, depths = top.closest(origins, directions), set()
+    assert hits.path.shape == (300, 3)
+    for ray, (origin, direction) in enumerate(zip(origins, directions)):
+        t, path, face = closest_image(placed, origin, direction)
+        padded = [*(path or ()), *3 * [-1]][:3]
+        assert (hits.t[ray], hits.path[ray].tolist(), hits.primitive[ray]) == (t, padded, face)
+        depths.add(len(path or ()))
+    assert depths >= {2, 3}
 
 
 def test_a_scene_that_is_asked_is_not_changed(dtype):
@@ -336,6 +392,51 @@ def test_ctrl_c_ends_a_batch_that_would_take_minutes():
     finally:
         child.kill()
     assert (output, child.returncode) == ("interrupted\n", 0)
+
+
+BUILDING = """
+import signal, sys, threading, time, numpy as np
+signal.signal(signal.SIGINT, signal.default_int_handler)
+from stackless_bvh import Scene
+vertices = np.random.default_rng(1).random((900_000, 3))
+faces, told = np.arange(900_000).reshape(-1, 3), []
+# When the building has begun.
+progress = lambda *done: told.append(done) or len(told) == 5 and print("begun", flush=True)
+try:
+    Scene(vertices, faces, "sah+200", progress)
+except KeyboardInterrupt:
+    print("interrupted", all(0 <= done <= count == 300_000 for done, count in told), flush=True)
+time.sleep(3)
+used = time.process_time()
+time.sleep(1)
+print("at rest" if time.process_time() - used < 0.5 else "at work", flush=True)
+"""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no signals")
+def test_ctrl_c_ends_a_build_that_would_take_minutes():
+    child = subprocess.Popen([sys.executable, "-c", BUILDING], stdout=subprocess.PIPE, text=True)
+    try:
+        assert child.stdout.readline() == "begun\n"
+        begun = time.monotonic()
+        child.send_signal(signal.SIGINT)
+        assert child.stdout.readline() == "interrupted True\n"
+        # It takes a twentieth of a second where nothing else runs.
+        assert time.monotonic() - begun < 5
+        output, _ = child.communicate(timeout=60)
+    finally:
+        child.kill()
+    assert (output, child.returncode) == ("at rest\n", 0)
+
+
+def test_an_error_of_progress_ends_a_build(dtype):
+    def stop(done, count):
+        raise LookupError(done, count)
+
+    vertices = np.random.default_rng(1).random((300_000, 3)).astype(dtype)
+    with pytest.raises(LookupError) as error:
+        Scene(vertices, np.arange(300_000).reshape(-1, 3), "sah+200", stop)
+    assert error.value.args[1] == 100_000
 
 
 def test_no_memory_is_an_exception():

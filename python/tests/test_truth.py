@@ -104,14 +104,23 @@ def test_crossings_and_inside_are_those_of_a_ray_moved_by_very_little(mesh, dtyp
             assert inside[i] == strictly[i] == (truth % 2 == 1)
 
 
-@given(meshes(st.one_of(GRID, FLOATS)), points(st.one_of(GRID, FLOATS), 4), st.integers(1, 4), BUILDS)
-def test_nearest_is_that_of_rational_arithmetic(mesh, asked, k, build):
-    vertices, faces = np.array(mesh[0], dtype=np.float32), np.array(mesh[1])
-    asked = np.array(asked, dtype=np.float32)
+# Also far away, where single precision would see one point; very small; and beyond the range of single precision.
+PLACES = st.sampled_from([(0.0, 1.0), (6.4e6, 1.0), (1e9, 1.0), (0.0, 1e-50), (1.0, 1e50)])
+NUMBERS = st.one_of(GRID, st.floats(-1000.0, 1000.0))
+
+
+@given(meshes(NUMBERS), points(NUMBERS, 4), st.integers(1, 4), DTYPES, PLACES, BUILDS)
+def test_nearest_is_that_of_rational_arithmetic(mesh, asked, k, dtype, place, build):
+    far, scale = place if dtype is np.float64 else (0.0, 1.0)
+    vertices, faces = ((np.array(mesh[0]) + far) * scale).astype(dtype), np.array(mesh[1])
+    # On vertices and middles of edges too.
+    asked = ((np.array(asked) + far) * scale).astype(dtype)
+    asked[:2] = [vertices[faces[0, 0]], vertices[faces[-1, 0]] / 2 + vertices[faces[-1, 1]] / 2]
     scene = Scene(vertices, faces, build)
     near = scene.nearest(asked, k=k)
     shape = (len(asked), k) if k > 1 else (len(asked),)
     assert near.distance.shape == near.primitive.shape == shape and near.point.shape == (*shape, 3)
+    assert near.distance.dtype == near.point.dtype == dtype
     distance, primitive = near.distance.reshape(-1, k), near.primitive.reshape(-1, k)
     places = near.point.reshape(-1, k, 3)
     for i, point in enumerate(asked):
@@ -127,7 +136,10 @@ def test_nearest_is_that_of_rational_arithmetic(mesh, asked, k, build):
         for face, root, place in zip(found, distance[i], places[i]):
             square, exact = truth[face]
             assert oracle.is_rounded_root(root, square)
-            assert place.tolist() == [oracle.rounded(x, np.float32) for x in exact]
+            assert place.tolist() == [oracle.rounded(x, dtype) for x in exact]
+            # A radius is compared with what is not rounded.
+            within = scene.nearest(point, root).primitive[0] >= 0
+            assert within == any(other <= oracle.Fraction(float(root)) ** 2 for other, _ in truth.values())
         # The others are farther away, or as far and of a greater index.
         assert found == sorted(found, key=lambda face: (distance[i, found.index(face)], face))
         worst = max((truth[face][0] for face in found), default=0)

@@ -1,10 +1,11 @@
 //! A point with a radius, valid by construction.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
-use super::{EnvironmentError, check_environment};
+use super::{EnvironmentError, Real, Vector, check_environment};
 
-/// All points within a radius of one, the border included: where what is nearest is looked for.
+/// All points within a radius of one, the border included: where what is nearest is looked for. In single precision,
+/// or with [`DVec3`] in double.
 ///
 /// ```
 /// use glam::Vec3;
@@ -15,9 +16,9 @@ use super::{EnvironmentError, check_environment};
 /// # Ok::<(), BallError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ball {
-    center: Vec3,
-    radius: f32,
+pub struct Ball<V: Vector = Vec3> {
+    center: V,
+    radius: V::Real,
 }
 
 /// Why numbers are not a ball.
@@ -25,46 +26,47 @@ pub struct Ball {
 pub enum BallError {
     /// A coordinate is NaN or infinite.
     #[error("point {0} is not finite")]
-    Center(Vec3),
+    Center(DVec3),
     /// The radius is negative or NaN.
     #[error("radius {0} is negative or not a number")]
-    Radius(f32),
+    Radius(f64),
     /// This thread's floats are not those of IEEE 754. `[ENV-1]`
     #[error(transparent)]
     Environment(#[from] EnvironmentError),
 }
 
-impl Ball {
+impl<V: Vector> Ball<V> {
     /// The whole space, around a point.
     ///
     /// # Errors
     /// [`BallError::Center`].
-    pub fn around(center: Vec3) -> Result<Self, BallError> {
-        Self::new(center, f32::INFINITY)
+    pub fn around(center: V) -> Result<Self, BallError> {
+        Self::new(center, V::Real::INFINITY)
     }
 
     /// A ball. The radius may be 0, and infinite.
     ///
     /// # Errors
     /// What [`BallError`] lists.
-    pub fn new(center: Vec3, radius: f32) -> Result<Self, BallError> {
+    pub fn new(center: V, radius: V::Real) -> Result<Self, BallError> {
         check_environment()?;
         if !center.is_finite() {
-            return Err(BallError::Center(center));
+            return Err(BallError::Center(center.widen()));
         }
-        if radius.is_nan() || radius < 0.0 {
-            return Err(BallError::Radius(radius));
+        let length: f64 = radius.into();
+        if length.is_nan() || length < 0.0 {
+            return Err(BallError::Radius(length));
         }
         Ok(Self { center, radius })
     }
 
     /// Its middle, finite.
-    pub const fn center(&self) -> Vec3 {
+    pub const fn center(&self) -> V {
         self.center
     }
 
     /// Not negative; infinite for the whole space.
-    pub const fn radius(&self) -> f32 {
+    pub const fn radius(&self) -> V::Real {
         self.radius
     }
 }

@@ -97,6 +97,12 @@ impl Frame {
         [0, 1].map(|end| Vec3::from(ends.map(|ends| ends[end])))
     }
 
+    /// Bounds of the coordinates of a point.
+    pub(super) fn ends(&self, point: DVec3) -> [DVec3; 2] {
+        let ends = [0, 1, 2].map(|axis| self.coordinate(axis, point[axis]).ends());
+        [0, 1].map(|end| DVec3::from(ends.map(|ends| ends[end])))
+    }
+
     /// Bounds of a coordinate of a point.
     #[inline]
     pub(super) fn coordinate(&self, axis: usize, x: f64) -> Interval {

@@ -7,6 +7,7 @@ mod clip;
 mod enclosed_ray;
 mod environment;
 mod exact_ray;
+mod fine;
 mod frame;
 mod interval;
 pub mod kernel;

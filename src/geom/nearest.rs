@@ -1,10 +1,11 @@
-//! The distance from a point to a triangle, correctly rounded.
+//! The distance from a point to a triangle, correctly rounded, in single and in double precision.
 //!
 //! A point `q` of the triangle that double precision thinks nearest gives two bounds, whatever it is worth. All of the
 //! triangle is at least as far away as the plane across `q` that touches it: seen from the query point, no `x` in the
 //! triangle has less than `min(q . corner) / |q|`. And `q` itself is in the triangle. If both bounds round to the same
-//! float, that is the answer; else rational arithmetic gives it. `[NEAR-1]` Where the nearest point is is asked only of
-//! what is found: intervals tell it, or rational arithmetic. `[NEAR-3]`
+//! float of single precision, that is the answer. `[NEAR-1]` Else bounds of twice the digits tell it, which double
+//! precision always needs, `[NEAR-5]` or rational arithmetic. Where the nearest point is is asked only of what is found:
+//! intervals tell it, or the same two. `[NEAR-3]`
 //!
 //! # Rounding
 //!
@@ -12,34 +13,58 @@
 //! dot product with `q` is then off by at most 7 u |q| M (4 roundings, |corner| <= sqrt(3) M), which moves the lower
 //! bound by 7 u M. `q = a + v (b - a) + w (c - a)` has components off by at most 13 u M, and `v + w` may exceed 1 by 3
 //! u, which moves `q` by no more than 6 sqrt(3) u M: 34 u M together. [`MARGIN`] is nearly twice the greater one, for
-//! the roundings of the bounds themselves. Nothing over- or underflows: components of single precision, to the fourth
-//! power, stay in range.
+//! the roundings of the bounds themselves. Nothing overflows where M is in [`RANGE`], as it is in single precision, and
+//! what underflows is far less than `u M`, where |q| is above [`SHORT`].
 
+mod enclosure;
 mod point;
+
+use std::ops::RangeInclusive;
 
 use glam::{DVec3, Vec3};
 
-use super::{Aabb, Triangle, truth};
+use self::enclosure::Enclosure;
+use super::fine::Fine;
+use super::frame::power_of_two;
+use super::truth::{self, Number, RBig};
+use super::{Aabb, Frame, Interval, Real, Triangle, Vector};
 
 /// Greatest error of the bounds, in units of 2^-53 of the greatest component of a corner relative to the point.
 const MARGIN: f64 = 64.0 * UNIT;
 const UNIT: f64 = 1.0 / (1u64 << 53) as f64;
 
-/// A point that triangles and boxes are measured from.
+/// The greatest component, where the bounds hold: 2^-200 to 2^200.
+const RANGE: RangeInclusive<f64> = f64::from_bits((1023 - 200) << 52)..=f64::from_bits((1023 + 200) << 52);
+
+/// What is as short, 2^-300, has no direction.
+const SHORT: f64 = f64::from_bits((1023 - 300) << 52);
+
+/// Squares of distances that neither over- nor underflow: 2^-900 to the greatest number.
+const SQUARES: RangeInclusive<f64> = f64::from_bits((1023 - 900) << 52)..=f64::MAX;
+
+/// A point that triangles and boxes are measured from, in single precision, or with [`DVec3`] in double.
 #[derive(Clone, Copy, Debug)]
-pub struct Measure {
-    point: Vec3,
-    radius: f32,
+pub struct Measure<V: Vector = Vec3> {
+    point: V,
+    radius: V::Real,
+    /// Bounds of the point in the frame of boxes, and the unit of length there.
+    in_frame: [DVec3; 2],
+    unit: f64,
 }
 
-impl Measure {
+impl<V: Vector> Measure<V> {
     /// Measures from a point, which must be finite, up to a radius, included, which must not be negative or NaN.
-    pub const fn new(point: Vec3, radius: f32) -> Self {
-        Self { point, radius }
+    pub fn new(point: V, radius: V::Real) -> Self {
+        Self { point, radius, in_frame: [point.widen(); 2], unit: 1.0 }
+    }
+
+    /// The same, for boxes in a frame. `[FRAME-1]`
+    pub fn within(frame: &Frame, point: V, radius: V::Real) -> Self {
+        Self { in_frame: frame.ends(point.widen()), unit: power_of_two(frame.exponent()), ..Self::new(point, radius) }
     }
 
     /// The point.
-    pub const fn point(&self) -> Vec3 {
+    pub const fn point(&self) -> V {
         self.point
     }
 
@@ -47,69 +72,102 @@ impl Measure {
     ///
     /// A distance that rounds to more than `limit` may be left out.
     #[inline]
-    pub fn distance(&self, triangle: &Triangle, limit: f32) -> Option<f32> {
-        let corners = self.relative(triangle);
-        let [near, far] = bounds(&corners);
-        let (outside, near, far) = (near > f64::from(self.radius), near as f32, far as f32);
-        if outside || near > limit {
+    pub fn distance(&self, triangle: &Triangle<V>, limit: V::Real) -> Option<V::Real> {
+        let corners @ [a, b, c] = triangle.widen();
+        // Its box is measured faster.
+        if V::Real::rounded(self.to_extent(a.min(b).min(c), a.max(b).max(c))) > limit {
             return None;
         }
-        if self.is_certain([near, far]) { Some(near) } else { self.exact_distance(triangle) }
+        let point = self.point.widen();
+        let [near, far] = bounds(&corners.map(|corner| corner - point));
+        if near > self.radius.into() || V::Real::rounded(near) > limit {
+            return None;
+        }
+        if let Some(distance) = self.certain([[near, 0.0], [far, 0.0]]) {
+            return Some(distance);
+        }
+        self.fine(triangle).or_else(|| self.exact_distance(triangle))
     }
 
     /// The point of the triangle that is nearest, exact but for its coordinates: each is rounded once, to the nearest
     /// float, of two the even one. A zero is positive. `[NEAR-3]`
     ///
     /// NaN if a coordinate of the triangle is not finite.
-    pub fn nearest(&self, triangle: &Triangle) -> Vec3 {
-        match point::enclose(triangle, self.point).map(|ends| ends.map(one_float)) {
-            Some([Some(x), Some(y), Some(z)]) => Vec3::new(x, y, z),
-            _ => self.exact_nearest(triangle),
-        }
+    pub fn nearest(&self, triangle: &Triangle<V>) -> V {
+        let (corners, point) = (triangle.widen(), self.point.widen());
+        let by_intervals = || rounded(point::enclose::<Interval>(&corners, point)?);
+        let by_more_digits = || rounded(point::enclose::<Fine>(&corners, point)?);
+        let coordinates = by_intervals().or_else(by_more_digits);
+        coordinates.map_or_else(|| self.exact_nearest(triangle), V::from_components)
     }
 
-    /// At most the distance of the box.
+    /// At most the distance of the box, which is in the frame.
     #[inline]
     pub fn to_box(&self, aabb: &Aabb) -> f64 {
-        let point = self.point.as_dvec3();
-        let beside = (aabb.lo.as_dvec3() - point).max(point - aabb.hi.as_dvec3()).max(DVec3::ZERO);
-        // Six roundings, each of a unit at most.
-        beside.length() * (1.0 - 8.0 * UNIT)
+        let [least, most] = self.in_frame;
+        let distance = length_of(aabb.lo.as_dvec3() - most, least - aabb.hi.as_dvec3()) * self.unit;
+        // It is below the exact one by more than this rounds, unless it underflows.
+        if distance < f64::MIN_POSITIVE { 0.0 } else { distance.min(f64::MAX) }
     }
 
-    /// Whether bounds that are rounded to these floats settle a distance: it is that float, and within the radius.
+    /// At most the distance of what lies between two corners, which may be infinitely far apart.
     #[inline]
-    fn is_certain(&self, [near, far]: [f32; 2]) -> bool {
-        near == far && far < self.radius
+    fn to_extent(&self, lo: DVec3, hi: DVec3) -> f64 {
+        length_of(lo - self.point.widen(), self.point.widen() - hi)
+    }
+
+    /// The distance that bounds settle: all between rounds to it, and is within the radius.
+    #[inline]
+    fn certain(&self, bounds: [[f64; 2]; 2]) -> Option<V::Real> {
+        V::Real::between(bounds).filter(|&distance| distance < self.radius)
+    }
+
+    /// By twice the digits.
+    #[inline(never)]
+    fn fine(&self, triangle: &Triangle<V>) -> Option<V::Real> {
+        let (corners, point) = (triangle.widen(), self.point.widen());
+        if corners.contains(&point) {
+            // With any radius about it, no bounds tell that it is 0.
+            return Some(V::Real::default());
+        }
+        let place = point::enclose::<Fine>(&corners, point)?;
+        self.certain(point::square(place, point)?.root()?.bounds())
     }
 
     #[cold]
     #[inline(never)]
-    fn exact_distance(&self, triangle: &Triangle) -> Option<f32> {
-        let square = truth::square_distance(triangle.0.map(|corner| corner.to_array()), self.point.to_array())?;
+    fn exact_distance(&self, triangle: &Triangle<V>) -> Option<V::Real> {
+        let square = truth::square_distance(triangle.0.map(V::components), self.point.components())?;
+        let radius: f64 = self.radius.into();
         // An infinite radius is no rational number.
-        let is_within = truth::RBig::try_from(self.radius).is_ok_and(|radius| square <= &radius * &radius);
-        (is_within || self.radius.is_infinite()).then(|| truth::round_root_f32(&square))
+        let is_within = RBig::try_from(radius).map_or(true, |radius| square <= &radius * &radius);
+        is_within.then(|| truth::round_root(&square))
     }
 
     #[cold]
     #[inline(never)]
-    fn exact_nearest(&self, triangle: &Triangle) -> Vec3 {
-        let nearest = truth::nearest_point(triangle.0.map(|corner| corner.to_array()), self.point.to_array());
-        nearest.map_or(Vec3::NAN, |point| Vec3::from_array(point.each_ref().map(truth::round_f32)) + 0.0)
-    }
-
-    fn relative(&self, triangle: &Triangle) -> [DVec3; 3] {
-        triangle.0.map(|corner| corner.as_dvec3() - self.point.as_dvec3())
+    fn exact_nearest(&self, triangle: &Triangle<V>) -> V {
+        let nearest = truth::nearest_point(triangle.0.map(V::components), self.point.components());
+        let coordinate = |x: &RBig| V::Real::rounded(V::Real::nearest(x).into() + 0.0);
+        let nearest = nearest.map(|point| point.each_ref().map(coordinate));
+        V::from_components(nearest.unwrap_or([V::Real::rounded(f64::NAN); 3]))
     }
 }
 
-/// The float that all numbers from `lo` to `hi` round to, if it is one.
+/// At most the length of the vector whose components are the greater ones of these two, and 0.
 #[inline]
-fn one_float([lo, hi]: [f64; 2]) -> Option<f32> {
-    // Of zeros the positive one.
-    let (lo, hi) = (lo as f32 + 0.0, hi as f32 + 0.0);
-    (lo == hi).then_some(lo)
+fn length_of(below: DVec3, above: DVec3) -> f64 {
+    let beside = below.max(above).max(DVec3::ZERO);
+    let square = beside.length_squared();
+    // The greatest component is not more than the length.
+    let length = if SQUARES.contains(&square) { square.sqrt() } else { beside.max_element().min(f64::MAX) };
+    // Six roundings, each of a unit at most.
+    length * (1.0 - 8.0 * UNIT)
+}
+
+/// The floats that the coordinates of all points of a box round to, if it is one for each.
+fn rounded<E: Enclosure, R: Real>([x, y, z]: [E; 3]) -> Option<[R; 3]> {
+    Some([R::between(x.bounds())?, R::between(y.bounds())?, R::between(z.bounds())?])
 }
 
 /// Bounds of the distance of the triangle from zero.
@@ -117,12 +175,15 @@ fn one_float([lo, hi]: [f64; 2]) -> Option<f32> {
 fn bounds(corners: &[DVec3; 3]) -> [f64; 2] {
     let q = nearest(corners);
     let [x, y, z] = corners.map(|corner| corner.abs().max_element());
-    let margin = MARGIN * x.max(y).max(z);
-    let length = q.length();
+    let greatest = x.max(y).max(z);
+    if !RANGE.contains(&greatest) {
+        return [0.0, f64::NAN];
+    }
+    let (margin, length) = (MARGIN * greatest, q.length());
     let [a, b, c] = corners.map(|corner| q.dot(corner));
-    // A NaN, where `q` is zero, is dropped.
+    // A NaN, where there is no guess, is dropped.
     let near = (a.min(b).min(c) / length * (1.0 - 8.0 * UNIT) - margin).max(0.0);
-    [near, length * (1.0 + 8.0 * UNIT) + margin]
+    [if length > SHORT { near } else { 0.0 }, length * (1.0 + 8.0 * UNIT) + margin]
 }
 
 /// The point of a triangle that is nearest to zero, rounded (Ericson 2005, "Real-time collision detection", 5.1.5: by

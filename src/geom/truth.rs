@@ -13,7 +13,7 @@
 mod nearest;
 
 pub use dashu_ratio::RBig;
-pub use nearest::{nearest_point, round_root_f32, square_distance};
+pub use nearest::{nearest_point, round_root, square_distance};
 
 use dashu_int::{IBig, Sign};
 use dashu_ratio::Relaxed;

@@ -22,6 +22,9 @@ pub trait Vector: Copy + PartialEq + Debug + Send + Sync + Sub<Output = Self> + 
     /// The components.
     fn components(self) -> [Self::Real; 3];
 
+    /// The vector of these components.
+    fn from_components(components: [Self::Real; 3]) -> Self;
+
     /// The smallest box in single precision, in a frame, that holds these points; infinite beyond the range of single
     /// precision. Points in single precision have no frame.
     fn aabb(points: &[Self; 3], frame: &Frame) -> Aabb;
@@ -41,6 +44,17 @@ pub trait Real: Number + PartialEq + PartialOrd + Debug + Default + Send + Sync 
     /// The greatest float below this one.
     #[must_use]
     fn next_down(self) -> Self;
+
+    /// The least float above this one.
+    #[must_use]
+    fn next_up(self) -> Self;
+
+    /// The float nearest to a double, of two the even one.
+    fn rounded(x: f64) -> Self;
+
+    /// The float that all numbers between two round to, if it is one; a zero is positive. The two are sums of a double
+    /// and of what rounding left out of it.
+    fn between(ends: [[f64; 2]; 2]) -> Option<Self>;
 
     /// A number that orders as these do, and equal only where these are equal or nearly so: for a distance, which is
     /// not negative. Rounded down, or up.
@@ -63,6 +77,11 @@ impl Vector for Vec3 {
     #[inline]
     fn components(self) -> [f32; 3] {
         self.into()
+    }
+
+    #[inline]
+    fn from_components(components: [f32; 3]) -> Self {
+        components.into()
     }
 
     #[inline]
@@ -97,6 +116,11 @@ impl Vector for DVec3 {
         self.into()
     }
 
+    #[inline]
+    fn from_components(components: [f64; 3]) -> Self {
+        components.into()
+    }
+
     fn aabb(points: &[Self; 3], frame: &Frame) -> Aabb {
         frame.aabb_of(points)
     }
@@ -117,6 +141,23 @@ impl Real for f32 {
         self.next_down()
     }
 
+    fn next_up(self) -> Self {
+        self.next_up()
+    }
+
+    #[inline]
+    fn rounded(x: f64) -> Self {
+        x as f32
+    }
+
+    #[inline]
+    fn between([[lo, below], [hi, above]]: [[f64; 2]; 2]) -> Option<Self> {
+        // Rounding a rounded sum might round twice, so the ends are moved outwards first.
+        let lo = if below < 0.0 { lo.next_down() } else { lo } as f32 + 0.0;
+        let hi = if above > 0.0 { hi.next_up() } else { hi } as f32 + 0.0;
+        (lo == hi).then_some(lo)
+    }
+
     /// The bits, with one zero.
     #[inline]
     fn ranks(self) -> [u32; 2] {
@@ -129,6 +170,20 @@ impl Real for f64 {
 
     fn next_down(self) -> Self {
         self.next_down()
+    }
+
+    fn next_up(self) -> Self {
+        self.next_up()
+    }
+
+    #[inline]
+    fn rounded(x: f64) -> Self {
+        x
+    }
+
+    #[inline]
+    fn between([[lo, _], [hi, _]]: [[f64; 2]; 2]) -> Option<Self> {
+        (lo == hi).then_some(lo + 0.0)
     }
 
     #[inline]

@@ -1,19 +1,18 @@
 //! Ray queries over binary hierarchies, as functions.
 
 mod crossings;
+mod nearest;
 
 use std::borrow::Borrow;
 use std::marker::PhantomData;
 use std::{fmt, slice, vec};
 
 use super::level::Level;
-use super::{
-    Ask, Asked, Following, FromLeft, Hit, Near, NearestPoint, NearestPoints, NodeSearch, OwnBoxes, Part, Plan, Sweep,
-};
+use super::{Ask, Asked, Following, FromLeft, Hit, NodeSearch, OwnBoxes, Part, Plan, Sweep};
 use crate::bvh::{BuildError, Bvh};
 use crate::geom::kernel::{Exact, Real};
 use crate::geom::slabs::Directed;
-use crate::geom::{Ball, EnvironmentError, Kernel, Mesh, Ray, Slabs};
+use crate::geom::{EnvironmentError, Kernel, Mesh, Ray, Slabs};
 use crate::threads;
 use crate::traverse::{Method, Unfit, WordName};
 use crate::tree::Node;
@@ -97,53 +96,6 @@ impl<T: Borrow<Bvh>> BinaryTracer<T> {
     pub fn planned(bvh: T, plan: &Plan) -> Result<Self, Unfit> {
         let level = Level::new(bvh.borrow(), plan)?;
         Ok(Self::over(bvh, level, plan))
-    }
-
-    /// The point of the mesh that is nearest to the middle of a ball, if there is one in it. `[NEAR-1]`
-    pub fn nearest(&self, ball: &Ball) -> Option<Near> {
-        self.nearest_in(ball, &mut Vec::new())
-    }
-
-    /// [`nearest`](Self::nearest) of each ball, on this thread.
-    pub fn nearest_each(&self, balls: &[Ball]) -> Vec<Option<Near>> {
-        each(balls, |ball, memory| self.nearest_in(ball, memory))
-    }
-
-    /// [`nearest`](Self::nearest) of each ball, on all threads.
-    ///
-    /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
-    pub fn nearest_parallel(&self, balls: &[Ball]) -> Result<Vec<Option<Near>>, EnvironmentError>
-    where
-        T: Sync,
-    {
-        in_parallel(balls, |ball, memory| self.nearest_in(ball, memory))
-    }
-
-    /// The `k` triangles that are nearest to the middle of a ball, in order of distance and then index, as many as
-    /// there are in the ball. `[NEAR-2]`
-    ///
-    /// ```
-    /// use glam::Vec3;
-    /// use stackless_bvh::{geom::Ball, generate::procedural, trace::BinaryTracer};
-    ///
-    /// let tracer = BinaryTracer::of(&procedural::soup(1, 50))?;
-    /// let ball = Ball::around(Vec3::ZERO)?;
-    /// assert_eq!(tracer.nearest_k(&ball, 3).first(), tracer.nearest(&ball).as_ref());
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn nearest_k(&self, ball: &Ball, k: usize) -> Vec<Near> {
-        let bvh = self.bvh();
-        let mut search = OwnBoxes::over(NearestPoints::new(bvh, ball, k), &self.level.boxes);
-        self.level.run_shared(bvh.tree(), 0, &mut Vec::new(), &mut search);
-        search.query.nears().collect()
-    }
-
-    fn nearest_in(&self, ball: &Ball, memory: &mut Vec<Node>) -> Option<Near> {
-        let bvh = self.bvh();
-        let mut search = OwnBoxes::over(NearestPoint::new(bvh, ball), &self.level.boxes);
-        self.level.run_shared(bvh.tree(), 0, memory, &mut search);
-        search.query.near()
     }
 }
 

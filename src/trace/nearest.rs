@@ -9,42 +9,42 @@ use glam::Vec3;
 use super::held::Held;
 use super::query::BoxQuery;
 use crate::bvh::Bvh;
-use crate::geom::{Aabb, Ball, Measure, Triangle};
+use crate::geom::{Aabb, Ball, Measure, Real, Triangle, Vector};
 use crate::order::{Descent, Flow, Pruned, Repeatable, Side, Visitor};
 use crate::tree::{Node, Topology};
 
 /// The point of a mesh that is nearest to another point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Near {
+pub struct Near<V: Vector = Vec3> {
     /// Index of the triangle in the mesh.
     pub prim: u32,
     /// The float nearest to the exact distance.
-    pub distance: f32,
+    pub distance: V::Real,
     /// Where on the triangle: the exact nearest point, each coordinate rounded once, to the nearest float. A zero is
     /// positive. `[NEAR-3]`
-    pub point: Vec3,
+    pub point: V,
 }
 
 /// A search for the nearest point of a mesh within a radius, exact: the triangle of the least distance, rounded to the
 /// nearest float, and of equal ones that of the least index. `[NEAR-1]`
 ///
 /// It is no ray query, yet runs in the same traversals: they know no geometry. Degenerate triangles are not part of the
-/// mesh, as they are not for rays.
+/// mesh, as they are not for rays. Meshes in double precision have points and distances in double precision.
 #[derive(Clone, Debug)]
-pub struct NearestPoint<'a, H = Bvh> {
-    pub(super) around: Around<'a, H>,
+pub struct NearestPoint<'a, H = Bvh, V: Vector = Vec3> {
+    pub(super) around: Around<'a, H, V>,
     /// The best triangle, and where it is in the hierarchy. Its distance is the limit.
     found: Option<(u32, usize)>,
 }
 
-impl<'a, H: Held<Triangle>> NearestPoint<'a, H> {
+impl<'a, V: Vector, H: Held<Triangle<V>>> NearestPoint<'a, H, V> {
     /// Prepares a search.
-    pub fn new(bvh: &'a H, ball: &Ball) -> Self {
+    pub fn new(bvh: &'a H, ball: &Ball<V>) -> Self {
         Self { around: Around::new(bvh, ball), found: None }
     }
 
     /// What is nearest, after the traversal.
-    pub fn near(&self) -> Option<Near> {
+    pub fn near(&self) -> Option<Near<V>> {
         let (prim, place) = self.found?;
         Some(self.around.near(prim, self.around.limit, place))
     }
@@ -61,7 +61,7 @@ impl<'a, H: Held<Triangle>> NearestPoint<'a, H> {
     }
 }
 
-impl Visitor for NearestPoint<'_> {
+impl<V: Vector> Visitor for NearestPoint<'_, Bvh<Triangle<V>>, V> {
     fn inner(&mut self, node: Node) -> Descent {
         self.around.descend(node)
     }
@@ -72,11 +72,11 @@ impl Visitor for NearestPoint<'_> {
     }
 }
 
-impl Pruned for NearestPoint<'_> {}
+impl<V: Vector> Pruned for NearestPoint<'_, Bvh<Triangle<V>>, V> {}
 
-impl Repeatable for NearestPoint<'_> {}
+impl<V: Vector> Repeatable for NearestPoint<'_, Bvh<Triangle<V>>, V> {}
 
-impl BoxQuery for NearestPoint<'_> {
+impl<V: Vector> BoxQuery for NearestPoint<'_, Bvh<Triangle<V>>, V> {
     fn touches(&self, aabb: &Aabb) -> bool {
         self.around.touches(aabb)
     }
@@ -88,36 +88,34 @@ impl BoxQuery for NearestPoint<'_> {
 
 /// A ball around a point that shrinks as nearer triangles are found.
 #[derive(Clone, Debug)]
-pub(super) struct Around<'a, H> {
+pub(super) struct Around<'a, H, V: Vector = Vec3> {
     pub(super) bvh: &'a H,
-    measure: Measure,
+    measure: Measure<V>,
     /// What is farther away does not matter any more.
-    pub(super) limit: f32,
+    pub(super) limit: V::Real,
 }
 
-impl<'a, H: Held<Triangle>> Around<'a, H> {
-    fn new(bvh: &'a H, ball: &Ball) -> Self {
-        Self { bvh, measure: Measure::new(ball.center(), ball.radius()), limit: ball.radius() }
+impl<'a, V: Vector, H: Held<Triangle<V>>> Around<'a, H, V> {
+    fn new(bvh: &'a H, ball: &Ball<V>) -> Self {
+        Self { bvh, measure: Measure::within(bvh.region().frame(), ball.center(), ball.radius()), limit: ball.radius() }
     }
 
     /// The point.
-    pub(super) fn point(&self) -> Vec3 {
+    pub(super) fn point(&self) -> V {
         self.measure.point()
     }
 
     /// At most the distance of what is in a box: rounding keeps the order.
-    fn to_box(&self, aabb: &Aabb) -> f32 {
-        self.measure.to_box(aabb) as f32
+    fn to_box(&self, aabb: &Aabb) -> V::Real {
+        V::Real::rounded(self.measure.to_box(aabb))
     }
 
     /// Shows the triangles of a leaf within the limit: the limit and, of each, distance, index and place in the
     /// hierarchy. The answer is the new limit.
-    fn meet(&mut self, leaf: Node, mut found: impl FnMut(f32, (f32, u32, usize)) -> f32) {
+    fn meet(&mut self, leaf: Node, mut found: impl FnMut(V::Real, (V::Real, u32, usize)) -> V::Real) {
         let Self { bvh, measure, limit } = self;
         bvh.for_each(leaf, |place, shape, prim| {
-            // Its box is measured faster.
-            if measure.to_box(&shape.aabb()) as f32 <= *limit
-                && let Some(distance) = measure.distance(shape, *limit)
+            if let Some(distance) = measure.distance(shape, *limit)
                 && distance <= *limit
                 // A hierarchy has a triangle even if all of the mesh are degenerate.
                 && !shape.is_degenerate()
@@ -127,12 +125,12 @@ impl<'a, H: Held<Triangle>> Around<'a, H> {
         });
     }
 
-    fn near(&self, prim: u32, distance: f32, place: usize) -> Near {
+    fn near(&self, prim: u32, distance: V::Real, place: usize) -> Near<V> {
         Near { prim, distance, point: self.measure.nearest(&self.bvh.shape(place)) }
     }
 }
 
-impl Around<'_, Bvh> {
+impl<V: Vector> Around<'_, Bvh<Triangle<V>>, V> {
     fn descend(&self, node: Node) -> Descent {
         let record = self.bvh.node(node.index());
         let [left, right] = [Side::Left, Side::Right].map(|side| self.to_box(&record.child_box(side)));

@@ -123,34 +123,34 @@ fn is_behind<V: Vector>(ray: &Ray<V>, aabb: &Aabb) -> bool {
 ///
 /// # Errors
 /// The first answer that is not the truth, rounded.
-pub fn check_distance(triangle: &Triangle, point: Vec3) -> Result<(), GeometryFault> {
-    let corners = triangle.0.map(|corner| corner.to_array());
-    let Some(square) = truth::square_distance(corners, point.to_array()) else { return Ok(()) };
-    let distance = truth::round_root_f32(&square);
-    let ask = |what, radius: f32, limit: f32, expected: Option<f32>| {
+pub fn check_distance<V: Vector>(triangle: &Triangle<V>, point: V) -> Result<(), GeometryFault> {
+    let Some(square) = truth::square_distance(triangle.0.map(V::components), point.components()) else { return Ok(()) };
+    let (distance, infinity) = (truth::round_root::<V::Real>(&square), V::Real::INFINITY);
+    let ask = |what, radius: V::Real, limit: V::Real, expected: Option<V::Real>| {
         same(what, expected, Measure::new(point, radius).distance(triangle, limit))
     };
-    ask("distance", f32::INFINITY, f32::INFINITY, Some(distance))?;
-    ask("distance within itself", f32::INFINITY, distance, Some(distance))?;
+    ask("distance", infinity, infinity, Some(distance))?;
+    ask("distance within itself", infinity, distance, Some(distance))?;
     // The radius is compared with what is not rounded.
-    if let Ok(radius) = RBig::try_from(distance) {
+    if let Ok(radius) = RBig::try_from(distance.into()) {
         let is_within = square <= &radius * &radius;
         ask("distance within its radius", distance, distance, is_within.then_some(distance))?;
-        ask("distance within more", distance.next_up(), f32::INFINITY, Some(distance))?;
+        ask("distance within more", distance.next_up(), infinity, Some(distance))?;
     }
-    if distance > 0.0 {
-        ask("distance within less", distance.next_down(), f32::INFINITY, None)?;
+    if distance > V::Real::default() {
+        ask("distance within less", distance.next_down(), infinity, None)?;
     }
-    check_point(triangle, point, Measure::new(point, f32::INFINITY).nearest(triangle))
+    check_point(triangle, point, Measure::new(point, infinity).nearest(triangle))
 }
 
 /// Checks that what was found is the point of a triangle that is nearest to another, each coordinate rounded once.
 /// `[NEAR-3]`
-pub(crate) fn check_point(triangle: &Triangle, point: Vec3, found: Vec3) -> Result<(), GeometryFault> {
-    let truth = truth::nearest_point(triangle.0.map(|corner| corner.to_array()), point.to_array());
-    for (expected, found) in truth.iter().flatten().zip(found.to_array()) {
+pub(crate) fn check_point<V: Vector>(triangle: &Triangle<V>, point: V, found: V) -> Result<(), GeometryFault> {
+    let truth = truth::nearest_point(triangle.0.map(V::components), point.components());
+    for (expected, found) in truth.iter().flatten().zip(found.components()) {
         // Of zeros the positive one.
-        same("coordinate of the nearest point", Some(truth::round_f32(expected) + 0.0), Some(found))?;
+        let expected = V::Real::nearest(expected).into() + 0.0;
+        same("coordinate of the nearest point", Some(expected), Some(found.into()))?;
     }
     Ok(())
 }

@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use glam::Vec3;
+use glam::DVec3;
 
 use stackless_bvh::bvh::{Bvh, BvhError, validate};
-use stackless_bvh::geom::truth::{RBig, round_root_f32, square_distance};
+use stackless_bvh::geom::truth::{RBig, round_root, square_distance};
 use stackless_bvh::geom::{Ball, BallError, Kernel, Mesh, MeshError, Ray, Slabs, Triangle, Vector};
-use stackless_bvh::trace::{BinaryTracer, Hit, NodeSearch, OwnBoxes, Query, Sweep, Truth};
+use stackless_bvh::trace::{BinaryTracer, Hit, Near, NodeSearch, OwnBoxes, Query, Sweep, Truth};
 use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
 use stackless_bvh::tree::Topology;
 
@@ -45,9 +45,9 @@ pub enum TreeFault {
     #[error("nearest (distance, triangle): {found:?}, expected {expected:?}")]
     Nearest {
         /// Distances and triangles that are right.
-        expected: Vec<(f32, u32)>,
+        expected: Vec<(f64, u32)>,
         /// Those that were found.
-        found: Vec<(f32, u32)>,
+        found: Vec<(f64, u32)>,
     },
     /// The nearest point of a triangle is another.
     #[error(transparent)]
@@ -132,9 +132,20 @@ where
 /// nearest, and the nearest one the first of them. `[NEAR-2]` `[NEAR-3]`
 ///
 /// # Errors
-/// [`TreeFault::Nearest`], [`TreeFault::Place`], [`TreeFault::Point`].
-pub fn check_nearest(bvh: &Bvh, mesh: &Mesh, point: Vec3, radius: f32, k: usize) -> Result<(), TreeFault> {
-    let tracer = BinaryTracer::new(bvh);
+/// [`TreeFault::Nearest`], [`TreeFault::Place`], [`TreeFault::Point`], [`TreeFault::Unfit`].
+pub fn check_nearest<K, B, V>(
+    bvh: &Bvh<Triangle<V>>,
+    mesh: &Mesh<V>,
+    point: V,
+    radius: V::Real,
+    k: usize,
+) -> Result<(), TreeFault>
+where
+    K: Kernel<Vector = V, Shape = Triangle<V>>,
+    B: Slabs<Vector = V>,
+    V: Vector,
+{
+    let tracer = BinaryTracer::<_, K, B>::with_tests(bvh, Method::default()).map_err(TreeFault::Unfit)?;
     let ball = Ball::new(point, radius)?;
     let nears = tracer.nearest_k(&ball, k);
     let (mut expected, found) = (nearest(mesh, point, radius, k.max(1)), distances(&nears));
@@ -157,28 +168,31 @@ pub fn check_nearest(bvh: &Bvh, mesh: &Mesh, point: Vec3, radius: f32, k: usize)
 /// them.
 ///
 /// Degenerate triangles are not part of the mesh.
-pub fn nearest(mesh: &Mesh, point: Vec3, radius: f32, k: usize) -> Vec<(f32, u32)> {
-    let p = point.as_dvec3();
-    // As f32, the distance is at least that of the box and at most that of the nearest corner, with what f64 may lose.
+pub fn nearest<V: Vector>(mesh: &Mesh<V>, point: V, radius: V::Real, k: usize) -> Vec<(f64, u32)> {
+    let (p, radius): (_, f64) = (point.widen(), radius.into());
+    // The distance is at least a component of that of the box, and at most the sum of those of the nearest corner.
     let bounds = |prim: usize| {
         let corners = Triangle(mesh.triangle(prim)).widen();
         let [lo, hi] = [corners[0].min(corners[1]).min(corners[2]), corners[0].max(corners[1]).max(corners[2])];
-        let to_box = (lo - p).max(p - hi).max(glam::DVec3::ZERO).length();
-        let to_corner = corners.map(|corner| (corner - p).length()).into_iter().fold(f64::INFINITY, f64::min);
-        ((to_box * (1.0 - 1e-12)) as f32, (to_corner * (1.0 + 1e-12)) as f32)
+        let to_box = (lo - p).max(p - hi).max(DVec3::ZERO).max_element();
+        let to_corner =
+            corners.map(|corner| (corner - p).abs().element_sum()).into_iter().fold(f64::INFINITY, f64::min);
+        (to_box * (1.0 - 1e-12), to_corner * (1.0 + 1e-6))
     };
     let prims = (0..mesh.triangles().len()).filter(|&prim| !Triangle(mesh.triangle(prim)).is_degenerate());
     let all: Vec<_> = prims.map(|prim| (prim, bounds(prim))).collect();
-    let mut most: Vec<f32> = all.iter().map(|&(_, (_, most))| most).collect();
-    most.sort_by(f32::total_cmp);
-    let most = k.checked_sub(1).map_or(f32::NEG_INFINITY, |last| most.get(last).copied().unwrap_or(f32::INFINITY));
-    let candidates = all.into_iter().filter(|&(_, (least, _))| least <= most && least <= radius);
+    let mut most: Vec<f64> = all.iter().map(|&(_, (_, most))| most).collect();
+    most.sort_by(f64::total_cmp);
+    let most = k.checked_sub(1).map_or(f64::NEG_INFINITY, |last| most.get(last).copied().unwrap_or(f64::INFINITY));
+    // What is nearer than the least float may round to it, or to 0.
+    let candidates =
+        all.into_iter().filter(|&(_, (least, _))| least <= most.max(f32::MIN_POSITIVE.into()) && least <= radius);
     let exact = candidates.filter_map(|(prim, _)| {
-        let corners = mesh.triangle(prim).map(|corner| corner.to_array());
-        let square = square_distance(corners, point.to_array())?;
+        let corners = mesh.triangle(prim).map(V::components);
+        let square = square_distance(corners, point.components())?;
         // An infinite radius is no rational number.
         let is_within = RBig::try_from(radius).map_or(radius > 0.0, |radius| square <= &radius * &radius);
-        is_within.then(|| (round_root_f32(&square), prim as u32))
+        is_within.then(|| (round_root::<V::Real>(&square).into(), prim as u32))
     });
     let mut found: Vec<_> = exact.collect();
     found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -186,8 +200,8 @@ pub fn nearest(mesh: &Mesh, point: Vec3, radius: f32, k: usize) -> Vec<(f32, u32
     found
 }
 
-fn distances(nears: &[stackless_bvh::trace::Near]) -> Vec<(f32, u32)> {
-    nears.iter().map(|near| (near.distance, near.prim)).collect()
+fn distances<V: Vector>(nears: &[Near<V>]) -> Vec<(f64, u32)> {
+    nears.iter().map(|near| (near.distance.into(), near.prim)).collect()
 }
 
 /// Primitive, and distance and weights by their bits.

@@ -1,62 +1,87 @@
 use super::*;
-use crate::generate::Rng;
-use truth::{RBig, square_distance};
+use crate::generate::{Rng, Source};
+use truth::square_distance;
 
 /// In -1..1, with 24 bits.
-fn unit(random: &mut Rng) -> f32 {
-    (random.bits() >> 39) as f32 / (1 << 24) as f32 - 1.0
+fn unit(random: &mut Rng) -> f64 {
+    ((random.bits() >> 39) as f32 / (1 << 24) as f32 - 1.0).into()
 }
 
-fn vector(random: &mut Rng) -> Vec3 {
-    Vec3::new(unit(random), unit(random), unit(random))
+fn vector(random: &mut Rng) -> DVec3 {
+    DVec3::new(unit(random), unit(random), unit(random))
 }
 
-/// Any triangle and point of a kind, of ever other sizes.
-fn case(random: &mut Rng, kind: usize) -> (Triangle, Vec3) {
-    let scale = 2f32.powi((random.bits() % 120) as i32 - 60);
-    let [a, b, c] = [(); 3].map(|()| vector(random));
+fn narrow<V: Vector>(v: DVec3) -> V {
+    V::from_components(v.to_array().map(V::Real::rounded))
+}
+
+/// Any triangle and point of a kind, of ever other sizes, and of double precision also far away.
+fn case<V: Vector>(random: &mut Rng, kind: usize) -> (Triangle<V>, V) {
+    let is_double = size_of::<V>() == size_of::<DVec3>();
+    let powers = if is_double && kind % 7 == 0 { 332 } else { 120 };
+    let scale = 2f64.powi((random.bits() % powers) as i32 - powers as i32 / 2);
+    let far = [0.0, 6.4e6, 1e9][if is_double { kind / 20 % 3 } else { 0 }] * vector(random);
+    // With more bits than single precision keeps.
+    let [a, b, c] = [(); 3].map(|()| vector(random) + vector(random) * 2f64.powi(-25));
     let triangle = match kind % 4 {
         // A sliver, a small one far away, and one on a grid.
         0 => [a, b, a.lerp(b, unit(random)) + c * 1e-6],
-        1 => [a, b, c].map(|corner| corner * 1e-4 + Vec3::ONE),
+        1 => [a, b, c].map(|corner| corner * 1e-4 + DVec3::ONE),
         2 => [a, b, c].map(|corner| (corner * 4.0).round()),
         _ => [a, b, c],
     };
+    // What the corners are rounded to.
+    let place = |v: DVec3| narrow::<V>((v + far) * scale);
+    let corners = triangle.map(place);
+    let [a, b, c] = corners.map(V::widen);
     let [u, v] = [unit(random).abs(), unit(random).abs()];
-    let inside = triangle[0] + (triangle[1] - triangle[0]) * u + (triangle[2] - triangle[0]) * (v * (1.0 - u));
+    let inside = a + (b - a) * u + (c - a) * (v * (1.0 - u));
     let point = match kind / 4 % 5 {
-        0 => vector(random) * 2.0,
-        1 => triangle[0].lerp(triangle[1], u),
-        2 => triangle[2],
-        3 => inside,
-        _ => inside + vector(random) * 1e-5,
+        0 => place(vector(random) * 2.0),
+        1 => narrow(a.lerp(b, if kind % 8 < 4 { u } else { 0.5 })),
+        2 => corners[2],
+        3 => narrow(inside),
+        _ => narrow(inside + vector(random) * 1e-5 * scale),
     };
-    (Triangle(triangle.map(|corner| corner * scale)), point * scale)
+    (Triangle(corners), point)
 }
 
-fn square(triangle: &Triangle, point: Vec3) -> RBig {
-    square_distance(triangle.0.map(|corner| corner.to_array()), point.to_array()).expect("finite")
+fn square<V: Vector>(triangle: &Triangle<V>, point: V) -> RBig {
+    square_distance(triangle.0.map(V::components), point.components()).expect("finite")
 }
 
-/// [NEAR-1]
+fn relative<V: Vector>(triangle: &Triangle<V>, point: V) -> [DVec3; 3] {
+    triangle.widen().map(|corner| corner - point.widen())
+}
+
+/// Returns how many were settled without rational arithmetic.
+fn distances<V: Vector>() -> usize {
+    let mut random = Rng::new(1);
+    (0..20_000)
+        .filter(|&kind| {
+            let (triangle, point) = case::<V>(&mut random, kind);
+            let truth = truth::round_root(&square(&triangle, point));
+            let measure = Measure::new(point, V::Real::INFINITY);
+            assert_eq!(measure.distance(&triangle, V::Real::INFINITY), Some(truth), "{triangle:?} {point:?}");
+            let fine = measure.fine(&triangle);
+            assert!(fine.is_none_or(|fine| fine == truth), "{triangle:?} {point:?} {fine:?}");
+            fine.is_some()
+        })
+        .count()
+}
+
+/// [NEAR-1] [NEAR-5]
 #[test]
 fn distances_are_the_truth_rounded() {
-    let mut random = Rng::new(1);
-    for kind in 0..20_000 {
-        let (triangle, point) = case(&mut random, kind);
-        let truth = truth::round_root_f32(&square(&triangle, point));
-        let found = Measure::new(point, f32::INFINITY).distance(&triangle, f32::INFINITY);
-        assert_eq!(found, Some(truth), "{triangle:?} {point}");
-    }
+    let settled = [distances::<Vec3>(), distances::<DVec3>()];
+    assert!(settled[0] > 14_000 && settled[1] > 9_000, "{settled:?}");
 }
 
-#[test]
-fn bounds_hold_the_truth_and_need_their_margin() {
+fn check_bounds<V: Vector>() -> usize {
     let (mut random, mut bare) = (Rng::new(2), 0);
     for kind in 0..20_000 {
-        let (triangle, point) = case(&mut random, kind);
-        let truth = square(&triangle, point);
-        let corners = Measure::new(point, 1.0).relative(&triangle);
+        let (triangle, point) = case::<V>(&mut random, kind);
+        let (truth, corners) = (square(&triangle, point), relative(&triangle, point));
         let is_within = |[near, far]: [f64; 2]| {
             let [near, far] = [near, far].map(|bound| RBig::try_from(bound).expect("finite"));
             &near * &near <= truth && truth <= &far * &far
@@ -66,20 +91,62 @@ fn bounds_hold_the_truth_and_need_their_margin() {
             // No area: nothing is bounded, and rational arithmetic decides.
             continue;
         }
-        assert!(is_within([near, far]), "{triangle:?} {point}");
+        assert!(is_within([near, far]), "{triangle:?} {point:?}");
         let margin = MARGIN * corners.iter().map(|corner| corner.abs().max_element()).fold(0.0, f64::max);
         bare += usize::from(!is_within([(near + margin).max(0.0), (far - margin).max(0.0)]));
     }
-    assert!(bare > 100, "{bare}");
+    bare
+}
+
+#[test]
+fn bounds_hold_the_truth_and_need_their_margin() {
+    let bare = [check_bounds::<Vec3>(), check_bounds::<DVec3>()];
+    assert!(bare.into_iter().all(|bare| bare > 100), "{bare:?}");
+}
+
+fn check_boxes<V: Vector>() {
+    let mut random = Rng::new(3);
+    for kind in 0..20_000 {
+        let (triangle, point) = case::<V>(&mut random, kind);
+        let bound = RBig::try_from(Measure::new(point, V::Real::default()).to_box(&triangle.aabb())).expect("finite");
+        assert!(&bound * &bound <= square(&triangle, point), "{triangle:?} {point:?}");
+    }
 }
 
 #[test]
 fn boxes_are_not_farther_than_what_is_in_them() {
-    let mut random = Rng::new(3);
-    for kind in 0..20_000 {
-        let (triangle, point) = case(&mut random, kind);
-        let bound = RBig::try_from(Measure::new(point, 1.0).to_box(&triangle.aabb())).expect("finite");
-        assert!(&bound * &bound <= square(&triangle, point), "{triangle:?} {point}");
+    check_boxes::<Vec3>();
+    check_boxes::<DVec3>();
+}
+
+/// Where squares of doubles over- or underflow, and where boxes have no end.
+#[test]
+fn boxes_are_not_farther_at_the_ends_of_the_range() {
+    let below = |distance: f64| distance * (1.0 - 8.0 * UNIT);
+    let aabb = |lo: f32, hi: f32| Aabb { lo: Vec3::splat(lo), hi: Vec3::splat(hi) };
+    let to_box = |x: f64, aabb: &Aabb| Measure::new(DVec3::splat(x), 0.0).to_box(aabb);
+    assert_eq!(to_box(1e300, &aabb(0.0, 1.0)), below(1e300));
+    assert_eq!(to_box(-f64::MAX, &aabb(f32::MAX, f32::INFINITY)), below(f64::MAX));
+    assert_eq!(to_box(1e300, &aabb(f32::MAX, f32::INFINITY)), 0.0);
+    assert_eq!(to_box(-1e300, &aabb(f32::NEG_INFINITY, -1.0)), 0.0);
+    assert_eq!(to_box(-1e-200, &aabb(0.0, 1.0)), below(1e-200));
+}
+
+/// Of any two doubles, and of corners and points of any size, a distance and a point are the truth, too.
+#[test]
+fn doubles_of_all_sizes_have_the_true_distance_and_point() {
+    let mut random = Rng::new(11);
+    let mut number = || {
+        let x = f64::from_bits(random.bits());
+        if x.is_finite() && random.below(5) > 0 { x } else { [0.0, 1.0, f64::MAX, 5e-324][random.below(4) as usize] }
+    };
+    for _ in 0..2000 {
+        let mut vector = || DVec3::new(number(), number(), number());
+        let (triangle, point) = (Triangle([vector(), vector(), vector()]), vector());
+        let measure = Measure::new(point, f64::INFINITY);
+        let truth = truth::round_root(&square(&triangle, point));
+        assert_eq!(measure.distance(&triangle, f64::INFINITY), Some(truth), "{triangle:?} {point}");
+        assert_eq!(bits(measure.nearest(&triangle)), true_point(&triangle, point), "{triangle:?} {point}");
     }
 }
 
@@ -124,11 +191,11 @@ fn nearest_by_edges([a, b, c]: [DVec3; 3]) -> DVec3 {
 fn the_nearest_point_is_that_of_the_plane_the_edges_and_the_corners() {
     let (mut random, mut regions) = (Rng::new(4), 0);
     for _ in 0..20_000 {
-        let corners = [(); 3].map(|()| vector(&mut random).as_dvec3());
+        let corners = [(); 3].map(|()| vector(&mut random));
         if (corners[1] - corners[0]).cross(corners[2] - corners[0]).length() < 0.1 {
             continue;
         }
-        let point = vector(&mut random) * 2.0;
+        let point = (vector(&mut random) * 2.0).as_vec3();
         let triangle = Triangle(corners.map(DVec3::as_vec3));
         let relative = corners.map(|corner| corner - point.as_dvec3());
         let (expected, found) = (nearest_by_edges(relative), nearest(&relative));
@@ -157,41 +224,59 @@ fn bounds_of_a_face_ahead() {
     }
 }
 
-/// Within the radius, where both bounds are the same float: then nothing is left to rational arithmetic.
+/// Within the radius, where both bounds are the same float: then nothing is left to other stages.
 #[test]
 fn bounds_that_agree_within_the_radius_are_certain() {
-    let measure = Measure::new(Vec3::ZERO, 2.0);
-    let (below, above) = (1f32.next_down(), 1f32.next_up());
-    for (bounds, expected) in [
-        ([1.0; 2], true),
-        ([0.0; 2], true),
-        ([below, 1.0], false),
-        ([1.0, above], false),
-        ([2.0; 2], false),
-        ([3.0; 2], false),
+    let (single, double) = (Measure::new(Vec3::ZERO, 2.0), Measure::new(DVec3::ZERO, 2.0));
+    let step = f64::from(f32::EPSILON);
+    for (near, far, of_single, of_double) in [
+        (1.0, 1.0, Some(1.0), Some(1.0)),
+        (0.0, 0.0, Some(0.0), Some(0.0)),
+        (1.0 - step, 1.0, None, None),
+        (1.0, 1.0 + step, None, None),
+        (1.0, 1.0 + step / 4.0, Some(1.0), None),
+        (2.0, 2.0, None, None),
+        (3.0, 3.0, None, None),
     ] {
-        assert_eq!(measure.is_certain(bounds), expected, "{bounds:?}");
+        let bounds = [[near, 0.0], [far, 0.0]];
+        assert_eq!((single.certain(bounds), double.certain(bounds)), (of_single, of_double), "{bounds:?}");
     }
 }
 
-fn true_point(triangle: &Triangle, point: Vec3) -> [u32; 3] {
-    let nearest = truth::nearest_point(triangle.0.map(|corner| corner.to_array()), point.to_array()).expect("finite");
-    nearest.each_ref().map(|x| (truth::round_f32(x) + 0.0).to_bits())
+fn bits<V: Vector>(v: V) -> [u64; 3] {
+    v.components().map(|x| Into::<f64>::into(x).to_bits())
 }
 
-/// [NEAR-3]
+fn true_point<V: Vector>(triangle: &Triangle<V>, point: V) -> [u64; 3] {
+    let nearest = truth::nearest_point(triangle.0.map(V::components), point.components()).expect("finite");
+    nearest.each_ref().map(|x| (V::Real::nearest(x).into() + 0.0).to_bits())
+}
+
+/// Returns how many were settled by intervals, and by these or more digits.
+fn check_points<V: Vector>() -> [usize; 2] {
+    let (mut random, mut settled) = (Rng::new(6), [0; 2]);
+    for kind in 0..20_000 {
+        let (triangle, point) = case::<V>(&mut random, kind);
+        let found = Measure::new(point, V::Real::default()).nearest(&triangle);
+        assert_eq!(bits(found), true_point(&triangle, point), "{triangle:?} {point:?}: {found:?}");
+        let (corners, p) = (triangle.widen(), point.widen());
+        let by_intervals = point::enclose::<Interval>(&corners, p).and_then(rounded::<_, V::Real>);
+        let by_digits = point::enclose::<Fine>(&corners, p).and_then(rounded);
+        for found in by_intervals.into_iter().chain(by_digits) {
+            assert_eq!(bits(V::from_components(found)), true_point(&triangle, point), "{triangle:?} {point:?}");
+        }
+        settled[0] += usize::from(by_intervals.is_some());
+        settled[1] += usize::from(by_intervals.or(by_digits).is_some());
+    }
+    settled
+}
+
+/// [NEAR-3] [NEAR-5]
 #[test]
 fn nearest_points_are_the_truth_rounded() {
-    let mut random = Rng::new(6);
-    let mut by_intervals = 0;
-    for kind in 0..20_000 {
-        let (triangle, point) = case(&mut random, kind);
-        let found = Measure::new(point, 1.0).nearest(&triangle);
-        assert_eq!(found.to_array().map(f32::to_bits), true_point(&triangle, point), "{triangle:?} {point}: {found}");
-        let ends = point::enclose(&triangle, point);
-        by_intervals += usize::from(ends.is_some_and(|ends| ends.into_iter().all(|ends| one_float(ends).is_some())));
-    }
-    assert!(by_intervals > 10_000, "{by_intervals}");
+    let [single, double] = [check_points::<Vec3>(), check_points::<DVec3>()];
+    assert!(single[0] > 10_000 && single[1] > single[0], "{single:?}");
+    assert!(double[0] > 1000 && double[1] > 15_000, "{double:?}");
 }
 
 /// A needle whose corners round to two seen from the point, and one that is long where its corners differ least.
@@ -207,8 +292,7 @@ fn nearest_points_of_needles_with_their_corners_in_any_order() {
         let ([a, b, c], point) = (corners.map(Vec3::from_array), Vec3::from_array(point));
         for order in [[a, b, c], [b, c, a], [c, a, b], [c, b, a], [b, a, c], [a, c, b]] {
             let (triangle, measure) = (Triangle(order), Measure::new(point, f32::INFINITY));
-            let found = measure.nearest(&triangle).to_array().map(f32::to_bits);
-            assert_eq!(found, true_point(&triangle, point), "{triangle:?} {point}");
+            assert_eq!(bits(measure.nearest(&triangle)), true_point(&triangle, point), "{triangle:?} {point}");
         }
     }
 }
@@ -216,9 +300,18 @@ fn nearest_points_of_needles_with_their_corners_in_any_order() {
 #[test]
 fn a_float_is_certain_where_all_between_round_to_it() {
     let above = 1.0 + 2f64.powi(-24);
-    assert_eq!([[1.0, above], [1.0, above.next_up()], [-1e-50, -1e-60]].map(one_float), [Some(1.0), None, Some(0.0)]);
-    assert_eq!(one_float([-1e-60, 1e-60]).map(f32::to_bits), Some(0));
-    assert_eq!([[f64::NAN, 1.0], [1.0, f64::NAN]].map(one_float), [None; 2]);
+    let single = |ends: [f64; 2]| f32::between(ends.map(|end| [end, 0.0]));
+    assert_eq!([[1.0, above], [1.0, above.next_up()], [-1e-50, -1e-60]].map(single), [Some(1.0), None, Some(0.0)]);
+    assert_eq!(single([-1e-60, 1e-60]).map(f32::to_bits), Some(0));
+    assert_eq!([[f64::NAN, 1.0], [1.0, f64::NAN]].map(single), [None; 2]);
+    // A rest on one side of the middle between two floats decides, and not that the sum was rounded to the middle.
+    assert_eq!(f32::between([[1.0, 0.0], [above, -1e-30]]), Some(1.0));
+    assert_eq!(f32::between([[1.0, 0.0], [above, 1e-30]]), None);
+    assert_eq!(f64::between([[1.0, -1e-17], [1.0, 1e-17]]), Some(1.0));
+    assert_eq!(f64::between([[1.0, 0.0], [1f64.next_up(), 0.0]]), None);
+    assert_eq!(f64::between([[-0.0, 0.0]; 2]).map(f64::to_bits), Some(0));
     let measure = Measure::new(Vec3::ZERO, 1.0);
     assert!(measure.nearest(&Triangle([Vec3::X, Vec3::Y, Vec3::NAN])).is_nan());
+    let measure = Measure::new(DVec3::ZERO, 1.0);
+    assert!(measure.nearest(&Triangle([DVec3::X, DVec3::Y, DVec3::NAN])).is_nan());
 }

@@ -1,11 +1,10 @@
 //! The nearest point of a triangle, and how far it is.
 
-use std::cmp::Ordering;
-
-use dashu_int::{IBig, Sign};
+use dashu_int::ops::{BitTest, DivRem, SquareRootRem, UnsignedAbs};
+use dashu_int::{IBig, Sign, UBig};
 use dashu_ratio::Relaxed;
 
-use super::{Number, RBig, Vector, cross, dot, integers, minus, round_f64, scale};
+use super::{Number, RBig, Vector, cross, dot, integers, minus, scale};
 
 /// The square of the distance from a point to a triangle. `None` if a coordinate is not finite.
 ///
@@ -41,28 +40,29 @@ pub fn nearest_point<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Option<
     Some(numerators.map(|numerator| RBig::from_parts_signed(numerator, denominator.clone())))
 }
 
-/// The `f32` nearest to the square root of `x`, which must not be negative; of two equally near the one whose last bit
+/// The float nearest to the square root of `x`, which must not be negative; of two equally near the one whose last bit
 /// is 0.
 ///
 /// ```
-/// use stackless_bvh::geom::truth::{RBig, round_root_f32};
+/// use stackless_bvh::geom::truth::{RBig, round_root};
 ///
-/// assert_eq!(round_root_f32(&RBig::from(2u8)), 2f32.sqrt());
+/// assert_eq!(round_root::<f32>(&RBig::from(2u8)), 2f32.sqrt());
+/// assert_eq!(round_root::<f64>(&RBig::from(2u8)), 2f64.sqrt());
 /// ```
-pub fn round_root_f32(x: &RBig) -> f32 {
-    // A double is so near that the answer is this float or one of the next two.
-    let mut root = (round_f64(x).sqrt() as f32).next_down().max(0.0);
-    // How `x` compares with the square of the middle between a float and the next one. Infinity stands for 2^128.
-    let beyond_middle = |low: f32| {
-        let next = if low < f32::MAX { f64::from(low.next_up()) } else { 2f64.powi(128) };
-        let middle = RBig::try_from(f64::midpoint(low.into(), next));
-        middle.map_or(Ordering::Less, |middle| x.cmp(&(&middle * &middle)))
-    };
-    while beyond_middle(root).is_gt() || beyond_middle(root).is_eq() && root.to_bits() & 1 == 1 {
-        root = root.next_up();
-    }
-    root
+pub fn round_root<S: Number>(x: &RBig) -> S {
+    let square = x.numerator().unsigned_abs();
+    // So many bits after the point that the root has more than a double and a middle of two have.
+    let places = (2 * ROOT_BITS + x.denominator().bit_len()).saturating_sub(square.bit_len()).div_ceil(2);
+    let (whole, rest) = (square << (2 * places)).div_rem(x.denominator());
+    let (root, more) = whole.sqrt_rem();
+    // An integer and a half stands for all between two integers, where there is neither a float nor a middle of two.
+    let is_exact = rest.is_zero() && more.is_zero();
+    let twice = (root << 1) + UBig::from(u8::from(!is_exact));
+    S::nearest(&RBig::from_parts(twice.into(), UBig::ONE << (places + 1)))
 }
+
+/// Bits of a root before it is rounded, at least.
+const ROOT_BITS: usize = 64;
 
 /// The nearest point, over one denominator, and the square of its distance.
 struct Nearest {

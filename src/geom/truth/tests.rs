@@ -26,7 +26,7 @@ pub(in crate::geom::truth) fn wild(random: &mut Rng) -> f32 {
 }
 
 /// Like [`wild`].
-fn wild64(random: &mut Rng) -> f64 {
+pub(in crate::geom::truth) fn wild64(random: &mut Rng) -> f64 {
     loop {
         let bits = random.bits();
         let x = f64::from_bits(if random.coin() { bits } else { bits & (u64::MAX << 48) });

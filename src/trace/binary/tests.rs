@@ -5,9 +5,9 @@ use glam::Vec3;
 use super::*;
 use crate::bvh::SahOptions;
 use crate::generate::{procedural, stress};
-use crate::geom::BallError;
-use crate::geom::truth::{round_root_f32, square_distance};
-use crate::trace::{TrueHit, truth};
+use crate::geom::truth::{round_root, square_distance};
+use crate::geom::{Ball, BallError};
+use crate::trace::{Near, TrueHit, truth};
 
 fn meshes() -> Vec<(Mesh, Vec<Ray>)> {
     let made = [procedural::soup(1, 60), procedural::strands(2, 4), procedural::soup(3, 1)];
@@ -115,7 +115,7 @@ fn the_nearest_point_is_the_truth() {
             for &point in &points {
                 let distance = |prim: usize| {
                     let square = square_distance(mesh.triangle(prim).map(|corner| corner.to_array()), point.to_array());
-                    round_root_f32(&square.expect("finite"))
+                    round_root::<f32>(&square.expect("finite"))
                 };
                 let truth = (0..mesh.triangles().len())
                     .filter(|&prim| !crate::geom::Triangle(mesh.triangle(prim)).is_degenerate())

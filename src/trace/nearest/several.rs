@@ -2,9 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use glam::Vec3;
+
 use super::{Around, Near};
 use crate::bvh::Bvh;
-use crate::geom::{Aabb, Ball, Triangle};
+use crate::geom::{Aabb, Ball, Real, Triangle, Vector};
 use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::trace::BoxQuery;
 use crate::trace::held::Held;
@@ -16,46 +18,56 @@ use crate::tree::{Node, Topology};
 /// The radius shrinks to the distance of the `k`-th triangle so far. Memory is for as many triangles as are found, and
 /// each costs the logarithm of `k`.
 #[derive(Clone, Debug)]
-pub struct NearestPoints<'a, H = Bvh> {
-    pub(in crate::trace) around: Around<'a, H>,
+pub struct NearestPoints<'a, H = Bvh, V: Vector = Vec3> {
+    pub(in crate::trace) around: Around<'a, H, V>,
     k: usize,
-    /// By distance and index, where they are in the hierarchy. The bits of distances, which are not negative, have
-    /// their order. A triangle that several leaves refer to has one distance, and so one entry.
-    found: BTreeMap<(u32, u32), usize>,
+    /// By distance and index, where they are in the hierarchy. The bits of distances, as doubles, which are not negative,
+    /// have their order. A triangle that several leaves refer to has one distance, and so one entry.
+    found: BTreeMap<(u64, u32), usize>,
 }
 
-impl<'a, H: Held<Triangle>> NearestPoints<'a, H> {
+impl<'a, V: Vector, H: Held<Triangle<V>>> NearestPoints<'a, H, V> {
     /// Prepares a search. `k` may be any number.
-    pub fn new(bvh: &'a H, ball: &Ball, k: usize) -> Self {
+    pub fn new(bvh: &'a H, ball: &Ball<V>, k: usize) -> Self {
         let mut around = Around::new(bvh, ball);
         if k == 0 {
             // Nothing is so near.
-            around.limit = f32::NEG_INFINITY;
+            around.limit = V::Real::rounded(f64::NEG_INFINITY);
         }
         Self { around, k, found: BTreeMap::new() }
     }
 
     /// What is nearest, in order, after the traversal.
-    pub fn nears(&self) -> impl ExactSizeIterator<Item = Near> {
-        self.found.iter().map(|(&(distance, prim), &place)| self.around.near(prim, f32::from_bits(distance), place))
+    pub fn nears(&self) -> impl ExactSizeIterator<Item = Near<V>> {
+        self.found.iter().map(|(&(distance, prim), &place)| self.around.near(prim, from_rank(distance), place))
     }
 
     pub(in crate::trace) fn meet(&mut self, leaf: Node) {
         let Self { around, k, found } = self;
         around.meet(leaf, |limit, (distance, prim, place)| {
-            found.insert((distance.abs().to_bits(), prim), place);
+            found.insert((rank(distance), prim), place);
             if found.len() > *k {
                 found.pop_last();
             }
             match found.last_key_value() {
-                Some((&(last, _), _)) if found.len() == *k => f32::from_bits(last),
+                Some((&(last, _), _)) if found.len() == *k => from_rank(last),
                 _ => limit,
             }
         });
     }
 }
 
-impl Visitor for NearestPoints<'_> {
+/// The bits of a distance as a double.
+fn rank(distance: impl Real) -> u64 {
+    let distance: f64 = distance.into();
+    distance.abs().to_bits()
+}
+
+fn from_rank<R: Real>(rank: u64) -> R {
+    R::rounded(f64::from_bits(rank))
+}
+
+impl<V: Vector> Visitor for NearestPoints<'_, Bvh<Triangle<V>>, V> {
     fn inner(&mut self, node: Node) -> Descent {
         self.around.descend(node)
     }
@@ -66,9 +78,9 @@ impl Visitor for NearestPoints<'_> {
     }
 }
 
-impl Pruned for NearestPoints<'_> {}
+impl<V: Vector> Pruned for NearestPoints<'_, Bvh<Triangle<V>>, V> {}
 
-impl BoxQuery for NearestPoints<'_> {
+impl<V: Vector> BoxQuery for NearestPoints<'_, Bvh<Triangle<V>>, V> {
     fn touches(&self, aabb: &Aabb) -> bool {
         self.around.touches(aabb)
     }

@@ -8,7 +8,7 @@
 //!    of any smallness. Nothing overflows. The bound is above 2^-646, while underflow adds at most 2^-1074 to a
 //!    component of a cross product, and less than 2^-868 to an edge function and the determinant together.
 //! 2. Bounds for the triangle, if its longest edge too is within 2^-200 to 2^200: the same holds.
-//! 3. Distance and weights in twice the precision of doubles ([`Twofolds`]), with bounds: nearly always they round alike.
+//! 3. Distance and weights in twice the precision of doubles ([`fine`]), with bounds: nearly always they round alike.
 //! 4. Exact sums: if all components are 0 or within 2^-200 to 2^200, they are multiples of 2^-252, as are their
 //!    differences. Products of two are multiples of 2^-504, of three of 2^-756, and below 2^607: there is room for the
 //!    low halves of products too. With a quotient within 2^-250 to 2^250, which is a multiple of 2^-303 together with its
@@ -22,8 +22,8 @@ use std::ops::RangeInclusive;
 use glam::DVec3;
 
 use super::filter::{Determinants, Errors};
+use super::fine;
 use super::quotient::Ratio;
-use super::twofold::Twofolds;
 use super::{is_within, parity, predicates};
 use crate::geom::kernel::Kernel;
 use crate::geom::truth::{self, Meeting, Point};
@@ -56,7 +56,7 @@ pub struct Exact64 {
 }
 
 /// Numbers that never over- or underflow here.
-pub(super) const USUAL: RangeInclusive<f64> = power_of_two(-200)..=power_of_two(200);
+const USUAL: RangeInclusive<f64> = power_of_two(-200)..=power_of_two(200);
 
 const fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
@@ -89,7 +89,7 @@ impl Kernel for Exact64 {
         let (o, d) = (self.ray.origin(), self.ray.direction());
         if self.can_filter(shape)
             && self.determinants(shape).is_hit(&self.errors_of(shape))
-            && let Some(weights) = Twofolds::new(&shape.0, o, d).and_then(|twofolds| twofolds.weights())
+            && let Some(weights) = fine::Determinants::new(&shape.0, o, d).weights()
         {
             return weights;
         }
@@ -138,7 +138,7 @@ impl Exact64 {
                     return None;
                 }
                 let (o, d) = (self.ray.origin(), self.ray.direction());
-                let t = Twofolds::new(&shape.0, o, d).and_then(|twofolds| twofolds.distance());
+                let t = fine::Determinants::new(&shape.0, o, d).distance();
                 // Rounding keeps the order, so that only an end that is equal leaves a question.
                 if t.is_some_and(|t| tmin < t && t < tmax) {
                     return t;

@@ -12,12 +12,12 @@
 mod double;
 mod enclosed;
 mod filter;
+mod fine;
 mod parity;
 mod predicates;
 mod quotient;
 mod single;
 mod sum;
-mod twofold;
 
 pub use double::Exact64;
 pub(in crate::geom) use double::is_degenerate_64;
@@ -26,7 +26,7 @@ pub use parity::Parity;
 pub(in crate::geom) use predicates::is_degenerate;
 pub use single::{ExactFromSingle, MAX_COORDINATE, MIN_EDGE};
 pub use sum::Sum;
-pub(in crate::geom) use sum::two_sum;
+pub(in crate::geom) use sum::{two_product, two_sum};
 
 use glam::{DVec3, Vec3};
 

@@ -35,7 +35,7 @@ pub(super) fn weights(corners: [DVec3; 3], o: DVec3, d: DVec3) -> [f32; 2] {
 }
 
 /// Ratios of sums are rounded to doubles within these bounds: there, nothing underflows.
-pub(super) const DOUBLES: RangeInclusive<f64> = f64::from_bits((1023 - 250) << 52)..=f64::from_bits((1023 + 250) << 52);
+const DOUBLES: RangeInclusive<f64> = f64::from_bits((1023 - 250) << 52)..=f64::from_bits((1023 + 250) << 52);
 
 impl Ratio {
     /// The distance to the plane of a triangle that is not parallel to the line.

@@ -97,7 +97,7 @@ pub(super) fn difference(a: f64, b: f64) -> [f64; 2] {
 
 /// The rounded product, and what rounding left out (Dekker, Veltkamp). For magnitudes below 2^995.
 #[inline]
-pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub(in crate::geom) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
     let ([a1, a0], [b1, b0]) = (split(a), split(b));
     (product, a0 * b0 - (((product - a1 * b1) - a0 * b1) - a1 * b0))

@@ -1,29 +1,36 @@
-use super::super::tests::{plain, rational, whole, wild};
+use super::super::tests::{plain, rational, whole, wild, wild64};
 use super::*;
 use crate::generate::Rng;
 
-/// Where the middle between two floats begins, squared, exactly and all but.
-#[test]
-fn roots_are_rounded_to_the_nearest() {
-    let value = |bits: u32| {
-        let x = f32::from_bits(bits);
-        if x.is_infinite() { RBig::from(IBig::ONE << 128) } else { rational(x) }
+/// Declares a test of roots: where the middle between two floats begins, squared, exactly and all but.
+macro_rules! roots {
+    ($name:ident, $float:ty, $wild:ident, $next_power:expr) => {
+        #[test]
+        fn $name() {
+            let value = |bits| {
+                let x = <$float>::from_bits(bits);
+                if x.is_infinite() { RBig::from(IBig::ONE << $next_power) } else { rational(x) }
+            };
+            let root = |x: RBig| round_root::<$float>(&x).to_bits();
+            let hair = RBig::from_parts(1.into(), UBig::ONE << 4400);
+            let mut random = Rng::new(8);
+            let limits = [0, 1, 2, 3, <$float>::MIN_POSITIVE.to_bits() - 1, <$float>::MIN_POSITIVE.to_bits()];
+            let limits = limits.into_iter().chain([<$float>::MAX.to_bits() - 1, <$float>::MAX.to_bits()]);
+            for bits in limits.chain((0..3000).map(|_| $wild(&mut random).abs().to_bits())) {
+                let [this, next] = [value(bits), value(bits + 1)];
+                let middle = (&this + &next) / RBig::from(2);
+                let square = &middle * &middle;
+                assert_eq!(root(&this * &this), bits);
+                assert_eq!(root(square.clone()), bits + bits % 2);
+                assert_eq!([root(&square - &hair), root(&square + &hair)], [bits, bits + 1]);
+            }
+            assert_eq!(round_root::<$float>(&RBig::from(IBig::ONE << 2200)), <$float>::INFINITY);
+        }
     };
-    let root = |x: RBig| round_root_f32(&x).to_bits();
-    let hair = RBig::from_parts(1.into(), dashu_int::UBig::ONE << 1200);
-    let mut random = Rng::new(8);
-    let limits = [0, 1, 2, 3, f32::MIN_POSITIVE.to_bits() - 1, f32::MIN_POSITIVE.to_bits()];
-    let limits = limits.into_iter().chain([f32::MAX.to_bits() - 1, f32::MAX.to_bits()]);
-    for bits in limits.chain((0..3000).map(|_| wild(&mut random).abs().to_bits())) {
-        let [this, next] = [value(bits), value(bits + 1)];
-        let middle = (&this + &next) / RBig::from(2);
-        let square = &middle * &middle;
-        assert_eq!(root(&this * &this), bits);
-        assert_eq!(root(square.clone()), bits + bits % 2);
-        assert_eq!([root(&square - &hair), root(&square + &hair)], [bits, bits + 1]);
-    }
-    assert_eq!(round_root_f32(&RBig::from(IBig::ONE << 400)), f32::INFINITY);
 }
+
+roots!(roots_are_rounded_to_the_nearest_single, f32, wild, 128);
+roots!(roots_are_rounded_to_the_nearest_double, f64, wild64, 1024);
 
 /// Integers and fractions of them, which are scaled; and the corners in any order.
 #[test]

@@ -1,0 +1,163 @@
+//! Numbers of twice the digits of a double, with a bound of what they are off by.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use super::Interval;
+use super::frame::power_of_two;
+use super::kernel::{two_product, two_sum};
+
+/// All numbers as near as `radius` to the sum of two doubles, of which the second is what rounding left out of the first.
+/// `[NEAR-5]`
+#[derive(Clone, Copy, Debug)]
+pub(in crate::geom) struct Fine {
+    high: f64,
+    low: f64,
+    radius: f64,
+}
+
+/// Greatest relative error of a sum or a product, 16 u², u = 2^-53: they are off by at most 8 u².
+const ERROR: f64 = power_of_two(-102);
+
+/// What products, quotients and radii may lose by underflow, many times over: 2^-1060.
+const UNDERFLOW: f64 = f64::from_bits(1 << 14);
+
+/// Of a radius that took up to 30 roundings.
+const UP: f64 = 1.0 + power_of_two(-48);
+
+impl Fine {
+    pub(in crate::geom) const ZERO: Self = Self { high: 0.0, low: 0.0, radius: 0.0 };
+
+    /// The two numbers need not be apart.
+    #[inline]
+    fn new(high: f64, low: f64, radius: f64) -> Self {
+        let (high, low) = two_sum(high, low);
+        Self { high, low, radius: radius * UP }
+    }
+
+    /// One number, at most 2^200 in magnitude: then products of four and their sums do not overflow.
+    #[inline]
+    pub(in crate::geom) const fn exact(x: f64) -> Self {
+        Self { high: x, low: 0.0, radius: 0.0 }
+    }
+
+    /// All numbers from 0 to 1.
+    pub(in crate::geom) const UNIT: Self = Self { high: 0.5, low: 0.0, radius: 0.5 };
+
+    #[inline]
+    fn is_exact(&self) -> bool {
+        self.radius == 0.0
+    }
+
+    /// Whether none is as far as a half from another.
+    pub(in crate::geom) fn is_close(&self) -> bool {
+        self.radius < 0.25
+    }
+
+    /// What bounds all: each end is the sum of a double and of what rounding left out of it.
+    #[inline]
+    pub(in crate::geom) fn bounds(self) -> [[f64; 2]; 2] {
+        let around = Interval::exact(self.low) + Interval::between([-self.radius, self.radius]);
+        around.ends().map(|low| {
+            let (high, low) = two_sum(self.high, low);
+            [high, low]
+        })
+    }
+
+    /// These and those of another, and all between.
+    #[inline]
+    pub(in crate::geom) fn hull(self, other: Self) -> Self {
+        let apart = other - Self { radius: 0.0, ..self };
+        let reach = (apart.high.abs() + apart.low.abs() + apart.radius) * UP;
+        Self { radius: self.radius.max(reach), ..self }
+    }
+
+    /// The quotients. `None` where a divisor may be 0, or where nothing is known of them.
+    #[inline]
+    pub(in crate::geom) fn over(self, whole: Self) -> Option<Self> {
+        let (part, whole) = if whole.high < 0.0 { (-self, -whole) } else { (self, whole) };
+        let [[least, _], _] = whole.bounds();
+        // The quotient is that of the first digits, and what is left over the whole.
+        let quotient = part.high / whole.high;
+        let left = part - Self::exact(quotient) * whole;
+        let step = left.high / whole.high;
+        let of_whole = whole.radius / whole.high + f64::EPSILON;
+        let radius = (left.radius + left.low.abs() + left.high.abs() * of_whole) / least + step.abs() * f64::EPSILON;
+        let is_known = least > 0.0 && quotient.is_finite() && radius < f64::INFINITY;
+        is_known.then(|| Self::new(quotient, step, radius + UNDERFLOW))
+    }
+
+    /// The square roots. `None` if one of the numbers may be 0 and not all are, or may be far from the others.
+    pub(in crate::geom) fn root(self) -> Option<Self> {
+        if self.is_exact() && self.high == 0.0 {
+            return Some(Self::ZERO);
+        }
+        // Not so for a NaN.
+        if !(self.high > power_of_two(-800) && self.radius <= self.high / 8.0) {
+            return None;
+        }
+        // Of a number r² + d, |d| <= r² / 4, the root is off from r + d / 2r by at most d² / 4r³.
+        let r = self.high.sqrt();
+        let exact = Self::exact(r);
+        let d = self - exact * exact;
+        let (step, spread) = (d.high / (2.0 * r), d.low.abs() + d.radius);
+        let reach = d.high.abs() + spread;
+        let radius = spread / (2.0 * r) + reach / r * (reach / r) / (4.0 * r) + step.abs() * f64::EPSILON + UNDERFLOW;
+        Some(Self::new(r, step, radius))
+    }
+}
+
+impl Add for Fine {
+    type Output = Self;
+
+    /// Off by at most 3 u² + 13 u³ of the sum (Joldes, Muller & Popescu 2017, "Tight and rigorous error bounds for basic
+    /// building blocks of double-word arithmetic", Theorem 3.1), and not at all for two doubles.
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let ((high, rest), (low, least)) = (two_sum(self.high, other.high), two_sum(self.low, other.low));
+        if self.low == 0.0 && other.low == 0.0 && self.is_exact() && other.is_exact() {
+            return Self { high, low: rest, radius: 0.0 };
+        }
+        let (high, rest) = two_sum(high, rest + low);
+        Self::new(high, rest + least, self.radius + other.radius + high.abs() * ERROR)
+    }
+}
+
+impl Sub for Fine {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Neg for Fine {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        Self { high: -self.high, low: -self.low, radius: self.radius }
+    }
+}
+
+impl Mul for Fine {
+    type Output = Self;
+
+    /// Off by at most 8 u² of the product: the product of the low parts is left out, two products and two sums of the order
+    /// u are rounded.
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        // That a product is 0 must not be lost.
+        if [self, other].iter().any(|x| x.high == 0.0 && x.is_exact()) {
+            return Self::ZERO;
+        }
+        let (high, rest) = two_product(self.high, other.high);
+        let low = rest + (self.high * other.low + self.low * other.high);
+        // The doubles stand for both numbers, whose rest the factor holds.
+        let of_radii = self.high.abs() * other.radius + other.high.abs() * self.radius + self.radius * other.radius;
+        Self::new(high, low, of_radii * UP + high.abs() * ERROR + UNDERFLOW)
+    }
+}
+
+#[cfg(test)]
+mod tests;

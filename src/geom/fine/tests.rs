@@ -1,0 +1,84 @@
+use super::*;
+use crate::generate::{Rng, Source};
+use crate::geom::truth::RBig;
+
+fn exact(x: f64) -> RBig {
+    RBig::try_from(x).expect("finite")
+}
+
+fn holds(x: Fine, number: &RBig) -> bool {
+    let middle = exact(x.high) + exact(x.low);
+    let off = if middle < *number { number - middle } else { middle - number };
+    off <= exact(x.radius)
+}
+
+/// Half of them sums of two doubles, a third with a radius; and a number that it holds, at one of its ends.
+fn number(random: &mut Rng) -> (Fine, RBig) {
+    let mut double = |powers: u64| {
+        let scale = 2f64.powi((random.bits() % powers) as i32 - powers as i32 / 2);
+        ((random.bits() >> 10) as f64 / (1u64 << 53) as f64 - 1.0) * scale
+    };
+    let (high, low) = two_sum(double(60), double(2) * 1e-30);
+    let radius = double(2).abs() * high.abs() * 1e-25;
+    let [low, radius] = [(low, random.coin()), (radius, random.below(3) == 0)].map(|(x, is)| if is { x } else { 0.0 });
+    (Fine { high, low, radius }, exact(high) + exact(low) + if random.coin() { exact(radius) } else { -exact(radius) })
+}
+
+/// [NEAR-5]
+#[test]
+fn results_hold_the_exact_ones() {
+    let mut random = Rng::new(1);
+    let mut quotients = 0;
+    for _ in 0..20_000 {
+        let ((a, x), (b, y), (c, z)) = (number(&mut random), number(&mut random), number(&mut random));
+        let near = |a: Fine| Fine { high: a.high.next_up(), low: -a.low, radius: a.radius };
+        assert!(holds(a + b, &(&x + &y)) && holds(a - b, &(&x - &y)) && holds(a * b, &(&x * &y)), "{a:?} {b:?}");
+        assert!(holds(a * b - c * a, &(&x * &y - &z * &x)), "{a:?} {b:?} {c:?}");
+        // Where nearly all digits cancel.
+        let (d, w) = (near(a), exact(a.high.next_up()) - exact(a.low) + (&x - exact(a.high) - exact(a.low)));
+        assert!(holds(a - d, &(&x - &w)) && holds(a * b - d * b, &((&x - &w) * &y)), "{a:?} {b:?}");
+        let (part, whole) = (a * a, a * a + b * b);
+        if let Some(quotient) = part.over(whole) {
+            assert!(holds(quotient, &((&x * &x) / (&x * &x + &y * &y))), "{a:?} {b:?}");
+        }
+        if let Some(quotient) = a.over(b) {
+            quotients += 1;
+            assert!(holds(quotient, &(&x / &y)), "{a:?} {b:?}");
+        }
+        let hull = a.hull(b);
+        assert!(holds(hull, &x) && holds(hull, &y), "{a:?} {b:?}");
+        if let Some(root) = part.root() {
+            assert!(holds(root, &if x < RBig::ZERO { -x } else { x }), "{a:?}");
+        }
+    }
+    assert!(quotients > 19_000, "{quotients}");
+}
+
+/// Radii are no more than some units in the last place of twice the digits.
+#[test]
+fn results_are_near() {
+    let mut random = Rng::new(2);
+    for _ in 0..2000 {
+        let [a, b] = [(); 2].map(|()| Fine { radius: 0.0, ..number(&mut random).0 });
+        let (part, whole) = (a * a, a * a + b * b);
+        for result in [part, whole, part.over(whole).expect("positive"), whole.root().expect("positive")] {
+            assert!(result.radius <= result.high.abs() * ERROR * 16.0, "{a:?} {b:?} {result:?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_exact_stays_so() {
+    let of = Fine::exact;
+    assert!((of(1.0) - of(1.0)).is_exact() && (of(1.0) + of(1e-30)).is_exact());
+    assert!((of(0.0) * (of(0.1) * of(0.1))).is_exact());
+    assert_eq!((of(1.0) + of(1e-30)).bounds(), [[1.0, 1e-30]; 2]);
+    assert_eq!(of(0.0).root().map(|root| root.bounds()), Some([[0.0; 2]; 2]));
+    assert!(of(1.0).over(of(0.0)).is_none() && of(0.0).over(of(0.0)).is_none());
+    assert_eq!(of(-6.0).over(of(-3.0)).map(|two| two.bounds().map(|[end, _]| end)), Some([2.0; 2]));
+    // May be 0, and may not.
+    let wide = Fine { high: 1.0, low: 0.0, radius: 0.5 };
+    assert!(wide.root().is_none() && (of(1.0) - wide).root().is_none());
+    assert!(of(1.0).over(wide - wide).is_none());
+    assert_eq!(Fine::UNIT.bounds(), [[0.0, 0.0], [1.0, 0.0]]);
+}
