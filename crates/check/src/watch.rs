@@ -237,16 +237,12 @@ impl<'a> Watch<'a> {
         if is_restarting && !seen {
             return Err(Fault::Restart { visit, node });
         }
-        let mut known = None;
-        if !is_restarting {
-            let expected = match self.expected {
-                Expected::Nothing => Some(node),
-                Expected::Nodes(nodes) => nodes.get(visit).copied(),
-                Expected::Visits(visits) => {
-                    known = visits.get(visit);
-                    known.map(|visit| visit.node)
-                }
-            };
+        let expected = match self.expected {
+            Expected::Nothing => None,
+            Expected::Nodes(nodes) => Some(nodes.get(visit).copied()),
+            Expected::Visits(visits) => Some(visits.get(visit).map(|visit| visit.node)),
+        };
+        if let Some(expected) = expected.filter(|_| !is_restarting) {
             if expected != Some(node) {
                 return Err(Fault::Node { visit, expected, found: node });
             }
@@ -262,6 +258,7 @@ impl<'a> Watch<'a> {
         {
             return Err(Fault::Trail { visit, node });
         }
+        let known = self.expected.visit(visit).filter(|_| !is_restarting);
         if let Some(Visit { postponed, .. }) = known
             && [(trail.as_ref(), true), (counter.as_ref(), false)]
                 .into_iter()
