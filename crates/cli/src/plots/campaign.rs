@@ -14,8 +14,8 @@ pub struct Stretch {
 }
 
 /// Two charts, as SVG: the cases of all parts so far, and what bounds the rate of errors after them, on a logarithmic axis.
-/// With no error in n cases that is 3/n (95 %). A part with an error is a red line, and from there on the rate that was
-/// seen is drawn. Parts stand one after the other, over the sum of their processor time.
+/// With no error in n cases that is 3/n (95 %). A part with an error is a red line, and from there on no bound is drawn.
+/// Parts stand one after the other, over the sum of their processor time.
 ///
 /// ```
 /// use stackless_cli::plots::{Stretch, plot_campaign};
@@ -38,20 +38,23 @@ const SIZE: (u32, u32) = (800, 320);
 const RED: RGBColor = RGBColor(170, 20, 40);
 const BLUE: RGBColor = RGBColor(40, 90, 180);
 
-/// Hours so far, cases so far, errors so far.
+/// Time so far, cases so far, errors so far.
 type Sum = (f64, u64, u64);
 type Drawn = Result<(), Box<dyn std::error::Error>>;
 
 fn draw(svg: &mut String, title: &str, parts: &[Stretch]) -> Drawn {
+    let seconds: f64 = parts.iter().map(|part| part.seconds).sum();
+    let (unit, name) = if seconds < 7200.0 { (60.0, "minutes") } else { (3600.0, "hours") };
+    let time = format!("{name} of processor time");
     let sums: Vec<Sum> = parts
         .iter()
         .scan((0.0, 0_u64, 0_u64), |sum, part| {
-            *sum = (sum.0 + part.seconds / 3600.0, sum.1.saturating_add(part.cases), sum.2 + part.errors);
+            *sum = (sum.0 + part.seconds / unit, sum.1.saturating_add(part.cases), sum.2 + part.errors);
             Some(*sum)
         })
         .collect();
-    let (hours, cases, _) = sums.last().copied().unwrap_or_default();
-    let (hours, cases) = (hours.max(1e-9), cases.max(1) as f64);
+    let (end, cases, _) = sums.last().copied().unwrap_or_default();
+    let (end, cases) = (end.max(1e-9), cases.max(1) as f64);
     let wrong: Vec<f64> = sums.iter().zip(parts).filter(|(_, part)| part.errors > 0).map(|(&(at, ..), _)| at).collect();
     let root = SVGBackend::with_string(svg, (SIZE.0, 2 * SIZE.1)).into_drawing_area();
     root.fill(&WHITE)?;
@@ -63,12 +66,12 @@ fn draw(svg: &mut String, title: &str, parts: &[Stretch]) -> Drawn {
         .margin(12)
         .x_label_area_size(44)
         .y_label_area_size(76)
-        .build_cartesian_2d(0.0..hours, 0.0..cases * 1.05)?;
+        .build_cartesian_2d(0.0..end, 0.0..cases * 1.05)?;
     chart
         .configure_mesh()
         .light_line_style(TRANSPARENT)
         .bold_line_style(BLACK.mix(0.1))
-        .x_desc("hours of processor time")
+        .x_desc(&time)
         .y_desc("cases")
         .y_label_formatter(&|cases| format!("{cases:.1e}"))
         .draw()?;
@@ -76,24 +79,23 @@ fn draw(svg: &mut String, title: &str, parts: &[Stretch]) -> Drawn {
     chart.draw_series(LineSeries::new(counts, BLUE.stroke_width(2)))?;
     chart.draw_series(wrong.iter().map(|&at| PathElement::new([(at, 0.0), (at, cases * 1.05)], RED)))?;
 
-    let rate = |&(at, cases, errors): &Sum| {
-        let wrong = if errors > 0 { errors as f64 } else { 3.0 };
-        (at, wrong / cases.max(1) as f64)
-    };
-    let rates: Vec<_> = sums.iter().map(rate).collect();
-    let low = rates.iter().map(|rate| rate.1).fold(1.0, f64::min) / 2.0;
-    let high = rates.iter().map(|rate| rate.1).fold(low * 4.0, f64::max) * 2.0;
+    let is_clean = |sum: &&Sum| sum.2 == 0 && sum.1 > 0;
+    let rates: Vec<_> = sums.iter().filter(is_clean).map(|&(at, cases, _)| (at, 3.0 / cases as f64)).collect();
+    // Whole decades.
+    let low = 10_f64.powf(rates.iter().map(|rate| rate.1).fold(1.0, f64::min).log10().floor());
+    let high = 10_f64.powf(rates.iter().map(|rate| rate.1).fold(low, f64::max).log10().floor() + 1.0);
     let mut chart = ChartBuilder::on(&areas[1])
         .margin(12)
         .x_label_area_size(44)
         .y_label_area_size(76)
-        .build_cartesian_2d(0.0..hours, (low..high).log_scale())?;
+        .build_cartesian_2d(0.0..end, (low..high).log_scale())?;
     chart
         .configure_mesh()
         .light_line_style(TRANSPARENT)
         .bold_line_style(BLACK.mix(0.1))
-        .x_desc("hours of processor time")
-        .y_desc("rate of errors is below (95 %)")
+        .x_desc(&time)
+        .y_desc("rate of errors, below this (95 %)")
+        .y_labels(5)
         .y_label_formatter(&|rate| format!("{rate:.0e}"))
         .draw()?;
     chart.draw_series(LineSeries::new(rates, BLUE.stroke_width(2)))?;
