@@ -5,7 +5,7 @@ use stackless_bvh::trace::{Accuracy, SlabsName};
 use stackless_check::{BoxTally, Errors};
 
 use crate::output::{grouped, say, table};
-use crate::record::Counts;
+use crate::record::{Counts, add_rows};
 
 /// The name of the rows of wide trees, which are exact.
 pub(super) const WIDE: &str = "exact, wide";
@@ -38,13 +38,8 @@ impl Counts for StressCounts {
     const COMMAND: &str = "stress";
 
     fn add(&mut self, other: Self) {
-        for theirs in other.rows {
-            let is_same = |row: &&mut Row| (&row.case, &row.accuracy) == (&theirs.case, &theirs.accuracy);
-            match self.rows.iter_mut().find(is_same) {
-                Some(row) => row.add(&theirs),
-                None => self.rows.push(theirs),
-            }
-        }
+        let is_same = |row: &Row, other: &Row| (&row.case, &row.accuracy) == (&other.case, &other.accuracy);
+        add_rows(&mut self.rows, other.rows, is_same, |row, other| row.add(&other));
     }
 
     /// The rows, and their sums for each accuracy.
