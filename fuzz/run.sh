@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # Fuzzing, by recipe: `fuzz/run.sh COMMAND`. Needs nightly, and `cargo install cargo-fuzz`.
 #
+# smoke, rates and long write a record of each run under records, for `stackless merge`: executions, seconds, corpus, findings.
+#
 #   smoke [SECONDS]         every target for 3,000 executions or 30 s (150 with a sanitizer), two at a time: what CI runs. Fewer than 200 of
 #                           them are a failure: a target that does next to nothing would find nothing
 #   rates [SECONDS]         every target for 60 s (or so many), one at a time: executions per second
@@ -37,33 +39,72 @@ fuzz() {
     local target=$1 seconds=$2
     shift 2
     mkdir -p "corpus/$target" "artifacts/$target" "regressions/$target"
+    touch "artifacts/$target.began"
     local dictionary=()
     [[ ! -e dictionaries/$target ]] || dictionary=("-dict=dictionaries/$target")
     # The first input of some builds the whole suite, for which a sanitizer takes its time.
     local timeout=30
     [[ $sanitizer == none ]] || timeout=60
-    "$binaries/$target" "-max_total_time=$seconds" "-timeout=$timeout" -rss_limit_mb=2048 -max_len=4096 \
+    local began=$SECONDS cpu status=0 TIMEFORMAT='%U %S'
+    cpu=$({ time "$binaries/$target" "-max_total_time=$seconds" "-timeout=$timeout" -rss_limit_mb=2048 -max_len=4096 \
         "-artifact_prefix=artifacts/$target/" -print_final_stats=1 "${dictionary[@]}" "$@" \
-        "corpus/$target" "seeds/$target" "regressions/$target" > "artifacts/$target.log" 2>&1 || {
+        "corpus/$target" "seeds/$target" "regressions/$target" > "artifacts/$target.log" 2>&1; } 2>&1) || status=$?
+    record "$target" "$((SECONDS - began))" "$cpu" "$status"
+    ((status == 0)) || {
         echo "$target: failed"
         grep -a -A 20 -m 1 -e 'panicked at' -e 'ERROR:' "artifacts/$target.log" | cut -c 1-2000
         return 1
     }
-    local executions rate
-    executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "artifacts/$target.log")
+    local rate
     rate=$(sed -n 's/^stat::average_exec_per_sec: *//p; s/^#.* exec\/s: \([0-9]*\) oom.*/\1/p' "artifacts/$target.log" | tail -n 1)
-    echo "$target: clean, ${executions:-?} executions, ${rate:-?}/s"
+    echo "$target: clean, $(executions "$target") executions, ${rate:-?}/s"
+}
+
+# What the log says: processes that share a corpus say it in their last line.
+executions() {
+    local count
+    count=$(sed -n 's/^stat::number_of_executed_units: *//p; s/^#\([0-9]*\): cov: .*/\1/p' "artifacts/$1.log" | tail -n 1)
+    echo "${count:-0}"
+}
+
+# record TARGET SECONDS CPU STATUS: writes what a run has done. CPU is `user system`, in seconds. The commit is left out unless
+# STACKLESS_COMMIT has it, as in the records of `stackless`.
+record() {
+    local target=$1 seconds=$2 cpu=$3 findings commit=null version corpus now
+    mkdir -p records
+    version=$(sed -n 's/^version = "\(.*\)"$/\1/p' ../Cargo.toml | head -n 1)
+    [[ -z ${STACKLESS_COMMIT:-} ]] || commit="\"$STACKLESS_COMMIT\""
+    corpus=$(find "corpus/$target" -type f | wc -l)
+    findings=$(find "artifacts/$target" -type f -newer "artifacts/$target.began" | wc -l)
+    (($4 == 0 || findings > 0)) || findings=1
+    printf -v now '%(%s)T' -1
+    cat > "records/$target-$now.json" <<- EOF
+	{
+	  "run": {
+	    "command": "fuzz",
+	    "version": "$version",
+	    "commit": $commit,
+	    "asked": {},
+	    "parts": {},
+	    "machines": {"$(uname -s | tr '[:upper:]' '[:lower:]') $(uname -m), $(nproc) threads": $(awk '{ print $1 + $2 }' <<< "$cpu")}
+	  },
+	  "runs": [
+	    {"target": "$target", "finished": $now, "sanitizer": "$sanitizer", "executions": $(executions "$target"),
+	     "seconds": $seconds, "corpus": $corpus, "findings": $findings}
+	  ]
+	}
+	EOF
 }
 
 # The first input of some targets builds the whole suite, which takes a busy machine long: so executions are counted, not seconds.
 smoke() {
-    local target=$1 seconds=$2 inputs executions
+    local target=$1 seconds=$2 inputs more
     mkdir -p "corpus/$target" "regressions/$target"
     inputs=$(find {corpus,seeds,regressions}/"$target" -type f | wc -l)
     fuzz "$target" "$seconds" "-runs=$((inputs + wanted))"
-    executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "artifacts/$target.log")
-    if ((executions - inputs < least)); then
-        echo "$target: failed: only $((executions - inputs)) executions in $seconds s"
+    more=$(($(executions "$target") - inputs))
+    if ((more < least)); then
+        echo "$target: failed: only $more executions in $seconds s"
         return 1
     fi
 }
@@ -71,7 +112,7 @@ smoke() {
 # each DO PROCESSES SECONDS: smoke or fuzz for every target.
 each() {
     export binaries sanitizer
-    export -f fuzz smoke
+    export -f fuzz smoke record executions
     targets | xargs -P "$2" -I{} bash -c 'set -euo pipefail; "$@"' - "$1" {} "$3"
 }
 
@@ -186,7 +227,7 @@ case ${1:-} in
         cargo +nightly run --example seeds -- seeds
         ;;
     *)
-        sed -n 's/^# \{0,1\}//; 2,14p' "${BASH_SOURCE[0]##*/}" >&2
+        sed -n 's/^# \{0,1\}//; 2,16p' "${BASH_SOURCE[0]##*/}" >&2
         exit 2
         ;;
 esac

@@ -92,7 +92,8 @@ pub fn shape(source: &mut impl Source, leaves: u32) -> Vec<Option<[u32; 2]>> {
 
 /// A tree from the number of leaves on the left of each inner node, without recursion.
 fn grow(leaves: u32, mut left_leaves: impl FnMut(u32) -> u32) -> Vec<Option<[u32; 2]>> {
-    let mut children = vec![None];
+    let mut children = Vec::with_capacity(2 * leaves as usize);
+    children.push(None);
     let mut pending = vec![(0_usize, leaves)];
     while let Some((node, leaves)) = pending.pop() {
         if leaves > 1 {
@@ -117,7 +118,8 @@ fn fibonacci_split(leaves: u32) -> u32 {
 
 /// Rémy's algorithm: put a new inner node with a new leaf on any edge, on either side, until there are enough.
 fn catalan(source: &mut impl Source, leaves: u32) -> Vec<Option<[u32; 2]>> {
-    let mut children: Vec<Option<[u32; 2]>> = vec![None];
+    let mut children = Vec::with_capacity(2 * leaves as usize);
+    children.push(None);
     for _ in 1..leaves {
         // The chosen node moves to a new place; a node with it and a new leaf takes its place, so that the root
         // stays node 0 and no parent needs to know.

@@ -18,4 +18,4 @@ mod wide;
 pub use family::{Family, shape};
 pub use source::{Bytes, Exhaustive, Rng, Source};
 pub use tape::{Cell, Kind, Outcome, Search, Tape};
-pub use wide::{WideSearch, WideTape, wide_shape, wide_tree};
+pub use wide::{WideAnswer, WideSearch, WideTape, wide_shape, wide_tree};

@@ -11,7 +11,7 @@ use super::{Rng, Source};
 use crate::hash::mix;
 use crate::name::named;
 use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Repeatable, Visitor};
-use crate::tree::{Node, Topology};
+use crate::tree::{Node, Topology, for_each_parent};
 
 /// A kind of tape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -177,13 +177,7 @@ impl Tape {
 
     fn new(tree: &impl Topology, cells: Vec<Cell>) -> Self {
         let mut axes = vec![0; cells.len()];
-        let mut pending = vec![tree.root()];
-        while let Some(node) = pending.pop() {
-            if !node.is_leaf() {
-                axes[node.index()] = cells[tree.slot(node)].axis;
-                pending.extend(tree.children(node));
-            }
-        }
+        for_each_parent(tree, |node, _| axes[node.index()] = cells[tree.slot(node)].axis);
         Self { cells, axes }
     }
 
@@ -309,10 +303,11 @@ impl<'a, T: Topology> Search<'a, T> {
         &self.tape.cells[self.tree.slot(node)]
     }
 
-    /// The test of a node: not missed, and not entered behind the closest hit.
+    /// The test of a node: not missed, and not entered behind the closest hit. Without a branch, which nobody could
+    /// predict.
     #[inline]
     fn is_wanted(&self, cell: &Cell) -> bool {
-        !cell.miss && self.outcome.hit.is_none_or(|(t, _)| cell.enter <= t)
+        !cell.miss & (cell.enter <= self.outcome.hit.map_or(u32::MAX, |(t, _)| t))
     }
 
     #[inline]
@@ -336,8 +331,7 @@ impl<T: Topology> Visitor for Search<'_, T> {
     fn inner(&mut self, node: Node) -> Descent {
         self.outcome.inner_visits += 1;
         let [left, right] = self.tree.children(node).map(|child| self.cell(child));
-        let right_first =
-            if left.enter == right.enter { self.cell(node).right_first } else { right.enter < left.enter };
+        let right_first = (right.enter < left.enter) | ((left.enter == right.enter) & self.cell(node).right_first);
         Descent::new(self.is_wanted(left), self.is_wanted(right), right_first)
     }
 

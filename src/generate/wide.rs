@@ -57,6 +57,17 @@ pub struct WideTape<const A: usize> {
     kind: u8,
 }
 
+/// What a tape says of a node. `[WIDE-2]` `[WIDE-3]`
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct WideAnswer {
+    /// Whether its parent wants it.
+    pub is_wanted: bool,
+    /// Where its box begins: a multiple of A.
+    pub begin: u32,
+    /// At a leaf: where the search ends from there on, if it ended later before.
+    pub end: Option<u32>,
+}
+
 /// What is answered about one node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct WideCell<const A: usize> {
@@ -77,31 +88,41 @@ impl<const A: usize> WideTape<A> {
     pub fn draw(source: &mut impl Source, tree: &Tree<A>, distances: u32) -> Self {
         let low = A as u32;
         let kind = source.below(4) as u8;
-        let mut cells = vec![WideCell { set: 0, ranks: [0; A], end: u32::MAX, stops: false }; tree.node_count()];
-        // Of the node itself, in its parent.
-        let mut begins = vec![0; tree.node_count()];
+        let mut answers = vec![WideAnswer::default(); tree.node_count()];
         let mut order = vec![tree.root()];
         while let Some(node) = order.pop() {
             if node.is_leaf() {
                 let end = source.below(u64::from(distances) + 1) as u32;
-                let cell = &mut cells[node.index()];
-                (cell.end, cell.stops) = if end == 0 { (u32::MAX, false) } else { ((end - 1) * low, false) };
+                answers[node.index()].end = end.checked_sub(1).map(|end| end * low);
                 continue;
             }
             let children = tree.children(node);
             for slot in (0..low).filter(|slot| children >> slot & 1 == 1) {
                 let child = tree.child(node, slot);
                 let drawn = source.below(u64::from(distances) + 1) as u32;
-                let above = if kind & Self::MONOTONE != 0 { begins[node.index()] } else { 0 };
+                let above = if kind & Self::MONOTONE != 0 { answers[node.index()].begin } else { 0 };
                 let begin = above.max(drawn.saturating_sub(1) * low);
-                begins[child.index()] = begin;
-                let cell = &mut cells[node.index()];
-                cell.set |= u32::from(drawn > 0) << slot;
-                cell.ranks[slot as usize] = begin | slot;
+                answers[child.index()] = WideAnswer { is_wanted: drawn > 0, begin, end: None };
                 order.push(child);
             }
         }
-        Self { cells, kind }
+        Self { kind, ..Self::of(tree, &answers) }
+    }
+
+    /// The tape that answers so, always the same. Of a node without an answer nothing is wanted.
+    pub fn of(tree: &Tree<A>, answers: &[WideAnswer]) -> Self {
+        let answer = |node: Node| answers.get(node.index()).copied().unwrap_or_default();
+        let cell = |node: Node| {
+            let mut cell = WideCell { set: 0, ranks: [0; A], end: answer(node).end.unwrap_or(u32::MAX), stops: false };
+            let children = if node.is_leaf() { 0 } else { tree.children(node) };
+            for slot in (0..A as u32).filter(|slot| children >> slot & 1 == 1) {
+                let WideAnswer { is_wanted, begin, .. } = answer(tree.child(node, slot));
+                cell.set |= u32::from(is_wanted) << slot;
+                cell.ranks[slot as usize] = begin & !(A as u32 - 1) | slot;
+            }
+            cell
+        };
+        Self { cells: tree.nodes().map(cell).collect(), kind: 0 }
     }
 
     /// The same, with an end of the search at a leaf.

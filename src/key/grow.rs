@@ -85,6 +85,7 @@ impl Grow {
     }
 
     /// A bitwise operation; of operands whose pieces are aligned, as keys and counters at one node are, piece by piece.
+    #[inline(never)]
     fn bitwise(mut self, other: &Self, op: impl Fn(u64, u64) -> u64) -> Self {
         if self.used != other.used || self.extension.len() != other.extension.len() {
             return self.zip(other, op);
@@ -97,6 +98,7 @@ impl Grow {
     }
 
     /// An operation on pieces, lowest first, for operands of any alignment.
+    #[inline(never)]
     fn zip(&self, other: &Self, mut op: impl FnMut(u64, u64) -> u64) -> Self {
         let bits = self.stored_bits().max(other.stored_bits()) + 1;
         let pieces = bits.div_ceil(PIECE);
@@ -272,7 +274,11 @@ impl KeyWord for Grow {
         64 - self.payload().leading_zeros()
     }
 
+    #[inline]
     fn to_u64(&self) -> Option<u64> {
+        if !self.is_extended() {
+            return Some(self.payload());
+        }
         (self.bit_length() <= 64).then(|| self.bits_at(32, 32) << 32 | self.bits_at(0, 32))
     }
 

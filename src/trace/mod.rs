@@ -61,7 +61,7 @@ pub use instances::{
 };
 pub use nearest::{Near, NearestPoint, NearestPoints};
 pub use next::Following;
-pub use plan::{Ask, Asked, Decision, Part, Plan};
+pub use plan::{Ask, Asked, Choice, Decision, Need, Part, Plan};
 pub use query::{BoxQuery, OwnBoxes, Query};
 pub use search::{Any, Any64, AnyByNode, Closest, Closest64, ClosestByNode, NodeSearch, Search};
 pub use tracer::Tracer;

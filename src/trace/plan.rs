@@ -1,4 +1,8 @@
-//! What a query on a scene can do without.
+//! Which tracer serves, and what a query on a scene can do without.
+
+mod choice;
+
+pub use choice::{Choice, Need};
 
 use crate::bvh::{BuildOptions, Bvh, Degenerate};
 use crate::traverse::{Method, Test, WordName};
@@ -85,7 +89,7 @@ pub struct Decision {
     pub reason: String,
 }
 
-/// What queries of a kind need on a hierarchy, and what they are spared. Whatever it decides, the answers are the same.
+/// What queries of a kind need on a binary hierarchy, and what they are spared: [`Choice`] says when that is the one to use. Whatever it decides, the answers are the same.
 ///
 /// ```
 /// use stackless_bvh::bvh::{Bvh, SahOptions};

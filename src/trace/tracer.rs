@@ -14,7 +14,8 @@ use crate::bvh::{WideBvh, WideError};
 use crate::geom::lanes::{Level, with_baseline};
 use crate::geom::{Ball, EnvironmentError, Mesh, Ray};
 use crate::threads;
-use crate::wide::{Method, Tables, Unfit};
+use crate::tree::Node;
+use crate::wide::{Method, Tables, Unfit, Wanted};
 use shared::{Counted, LaneRay, Query};
 use turns::{Ask, Job, trace};
 
@@ -301,6 +302,13 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
             });
         }
         counters
+    }
+
+    /// What a ray wants of an inner node before anything is hit: the children whose boxes it meets, with the ranks by
+    /// which they come. For whoever shows a traversal, or counts. `[LANES-2]`
+    pub fn wanted(&self, ray: &Ray, node: Node) -> Wanted<[u32; 8]> {
+        let bvh = self.bvh();
+        with_baseline!(simd => Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh)).ask(node))
     }
 
     fn all_hits(&self, ray: &Ray) -> Vec<Hit> {

@@ -2,7 +2,7 @@
 
 use alloc::sync::Arc;
 use alloc::vec::Vec;
-use core::ops::Deref;
+use core::ops::{Deref, Range};
 
 use super::{
     Complete, Context, Cursor, Glassner, Layout, Method, Need, NotComplete, Pause, PausingContext, Skips, Supply,
@@ -39,6 +39,8 @@ pub struct Beside<H = PerfectHash> {
     complete: Option<Result<Complete, NotComplete>>,
     chains: Option<Glassner>,
     skips: Option<Skips>,
+    /// Of the octants from this on.
+    first_octant: u8,
     skips_by_sign: Vec<Skips>,
 }
 
@@ -67,8 +69,20 @@ impl Beside {
     /// Trees of up to `implicit_depth` edges get the implicit layout; in deeper ones the implicit traversals look
     /// their addresses up in the plain map.
     pub fn new(tree: &impl Topology, axes: &[u8], methods: &[Method], implicit_depth: u32) -> Self {
+        Self::for_octants(tree, axes, methods, implicit_depth, 0..8)
+    }
+
+    /// The same for searches in some octants: in others, a traversal that needs a table for each has none.
+    pub fn for_octants(
+        tree: &impl Topology,
+        axes: &[u8],
+        methods: &[Method],
+        implicit_depth: u32,
+        octants: Range<u8>,
+    ) -> Self {
         let needs = |need| methods.iter().any(|method| method.needs() == need);
-        let octants = if needs(Need::SkipsBySign) { 0..8 } else { 0..0 };
+        let first_octant = octants.start;
+        let octants = if needs(Need::SkipsBySign) { octants } else { 0..0 };
         let links: Vec<Recorded> = methods.iter().map(|method| method.wants_recorded()).collect();
         let perfect = |key_set| PerfectHash::build(tree, Options { key_set, sizing: Sizing::Tight }).ok();
         Self {
@@ -80,6 +94,7 @@ impl Beside {
             complete: needs(Need::Complete).then(|| Complete::of(tree)),
             chains: needs(Need::Chains).then(|| Glassner::of(tree)),
             skips: needs(Need::Skips).then(|| Skips::of(tree, &order::LeftOrder)),
+            first_octant,
             skips_by_sign: octants.map(|octant| Skips::of(tree, &SignOrder { axes, octant })).collect(),
         }
     }
@@ -99,9 +114,9 @@ impl Beside {
     /// The same, with perfect hashes looked up in another way.
     #[must_use]
     pub fn looked_up_by<H>(self, by: impl Fn(PerfectHash) -> H) -> Beside<H> {
-        let Self { links, reached_keys, all_keys, layout, complete, chains, skips, skips_by_sign } = self;
+        let Self { links, reached_keys, all_keys, layout, complete, chains, skips, first_octant, skips_by_sign } = self;
         let [reached_keys, all_keys] = [reached_keys, all_keys].map(|hash| hash.map(&by));
-        Beside { links, reached_keys, all_keys, layout, complete, chains, skips, skips_by_sign }
+        Beside { links, reached_keys, all_keys, layout, complete, chains, skips, first_octant, skips_by_sign }
     }
 }
 
@@ -119,9 +134,8 @@ impl<'t, T: Topology> Tables<'t, T> {
 }
 
 impl<'t, T: Topology> VerifiedTables<'t, T> {
-    /// A tree with its tables, every lookup in a perfect hash verified.
-    pub fn verified(tree: &'t T, axes: &'t [u8], beside: Beside) -> Self {
-        let keys = Arc::new(Keys::of(tree));
+    /// A tree with its tables, every lookup in a perfect hash verified by the tree's keys.
+    pub fn verified(tree: &'t T, axes: &'t [u8], beside: Beside, keys: Arc<Keys>) -> Self {
         Self::with(tree, axes, beside.looked_up_by(|hash| Verified::new(hash, tree, Arc::clone(&keys))))
     }
 
@@ -330,7 +344,8 @@ impl<'s, W: KeyWord, X: Topology, H: Lookup<W>, L: Lookup<W> + Copy> Supply<'s, 
 
     #[inline]
     fn skips_by_sign(&self) -> Result<&'s Skips, Unfit> {
-        self.beside.skips_by_sign.get(usize::from(self.octant)).ok_or(Unfit::NoTable)
+        let number = self.octant.checked_sub(self.beside.first_octant).ok_or(Unfit::NoTable)?;
+        self.beside.skips_by_sign.get(usize::from(number)).ok_or(Unfit::NoTable)
     }
 }
 

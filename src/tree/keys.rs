@@ -3,7 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{Node, Topology};
+use super::{Node, Topology, for_each_parent};
 use crate::key::{self, KeyWord, PIECE, Side};
 
 /// Maps nodes to keys, for every word, to check that address and key keep in step.
@@ -27,23 +27,18 @@ impl Keys {
     pub fn of(tree: &impl Topology) -> Self {
         let root = Row { piece: 1, depth: 0, above: 0 };
         let mut rows = vec![root; tree.node_count()];
-        let mut pending = vec![tree.root()];
-        while let Some(parent) = pending.pop() {
-            if parent.is_leaf() {
-                continue;
-            }
+        for_each_parent(tree, |parent, children| {
             let slot = tree.slot(parent);
             let row = rows[slot];
             let depth = row.depth + 1;
-            for (right, child) in (0..).zip(tree.children(parent)) {
+            for (right, child) in (0..).zip(children) {
                 rows[tree.slot(child)] = if depth.is_multiple_of(PIECE) {
                     Row { piece: right, depth, above: slot as u32 }
                 } else {
                     Row { piece: row.piece << 1 | right, depth, above: row.above }
                 };
-                pending.push(child);
             }
-        }
+        });
         Self { rows }
     }
 

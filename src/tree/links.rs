@@ -147,7 +147,9 @@ fn uncle_rows(tree: &impl Topology) -> Vec<[Node; 3]> {
 
 /// Calls `f` for each inner node and its children, parents before children, without recursion.
 pub(crate) fn for_each_parent<T: Topology>(tree: &T, mut f: impl FnMut(Node, [Node; 2])) {
-    let mut pending = vec![tree.root()];
+    // At most one more than the tree is deep: where that is little, it is allocated once.
+    let mut pending = Vec::with_capacity(tree.depth().min(63) as usize + 1);
+    pending.push(tree.root());
     while let Some(node) = pending.pop() {
         if !node.is_leaf() {
             let children = tree.children(node);

@@ -18,6 +18,34 @@ pub struct Level {
     pub ranks: u64,
 }
 
+/// What a traversal keeps of a node on its path. `[WIDE-20]`
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Words {
+    /// A group of the trail. `[WIDE-18]`
+    Trail {
+        /// The pending children.
+        pending: u32,
+        /// The dirty bit: the end has become less since the search was asked about the node.
+        is_dirty: bool,
+    },
+    /// A set with ranks. `[WIDE-17]`
+    Ranked {
+        /// The pending children.
+        pending: u32,
+        /// The bit of the summary. The present node has none.
+        is_open: Option<bool>,
+        /// The ranks of the two that come next, the first one first; 0 where it is not known.
+        ranks: [u32; 2],
+    },
+    /// A number of the restart trail. `[WRESTART-1]`
+    Number {
+        /// Of the child that was named last, in the order of ranks.
+        number: u32,
+        /// Whether no other child comes after it.
+        is_last: bool,
+    },
+}
+
 /// The pending children of all nodes above the present one.
 pub trait Kept<const A: usize>: Debug {
     /// Most levels of inner nodes below the root.
@@ -45,6 +73,12 @@ pub trait Kept<const A: usize>: Debug {
     /// Whether the search must be asked again about the present node before its last pending child is visited.
     fn is_stale(&self) -> bool {
         true
+    }
+
+    /// What is kept of the node so many levels above the present one. Of the present one itself, 0 levels above, set and
+    /// ranks are the cursor's.
+    fn words(&self, _up: u32, _pending: u32, _ranks: u64) -> Option<Words> {
+        None
     }
 
     /// Refuses trees of too many levels. `[WIDE-14]`
@@ -91,6 +125,10 @@ impl<const A: usize, K: Kept<A>> Kept<A> for &mut K {
     #[inline(always)]
     fn is_stale(&self) -> bool {
         (**self).is_stale()
+    }
+
+    fn words(&self, up: u32, pending: u32, ranks: u64) -> Option<Words> {
+        (**self).words(up, pending, ranks)
     }
 }
 
@@ -209,6 +247,12 @@ impl<const A: usize, W: TrailWord> Kept<A> for Trail<W> {
     fn is_stale(&self) -> bool {
         self.stale & 1 == 1
     }
+
+    fn words(&self, up: u32, pending: u32, _: u64) -> Option<Words> {
+        let above = (0..A as u32 * up.saturating_sub(1)).fold(self.trail, |trail, _| trail.shr1());
+        let set = if up == 0 { pending } else { above.low_bits() & ((1 << A) - 1) };
+        Some(Words::Trail { pending: set, is_dirty: self.stale.checked_shr(up).unwrap_or(0) & 1 == 1 })
+    }
 }
 
 /// A set and two ranks for each level, and a word in which bit `i` says that the set of level `i` is not empty.
@@ -270,5 +314,14 @@ impl<const A: usize> Kept<A> for Ranked {
             return Some(Level { up, pending: u32::from(self.sets[at]), ranks });
         }
         None
+    }
+
+    fn words(&self, up: u32, pending: u32, ranks: u64) -> Option<Words> {
+        let at = self.level.wrapping_sub(up) as usize & (LEVELS - 1);
+        let (pending, is_open, ranks) = match up {
+            0 => (pending, None, ranks),
+            _ => (u32::from(self.sets[at]), Some(self.summary >> at & 1 == 1), self.ranks[at]),
+        };
+        Some(Words::Ranked { pending, is_open, ranks: [ranks as u32, (ranks >> 32) as u32] })
     }
 }

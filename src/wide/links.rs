@@ -17,6 +17,11 @@ pub trait Link<const A: usize>: Debug {
 
     /// The traversal goes back to the ancestor so many levels up, at least one.
     fn ancestor<T: Topology<A>>(&mut self, tree: &T, node: Node, up: u32) -> Node;
+
+    /// The key of the present node, where it is carried.
+    fn key(&self) -> Option<u64> {
+        None
+    }
 }
 
 /// One level at a time, after Áfra & Szirmay-Kalos 2014.
@@ -84,5 +89,9 @@ impl<const A: usize, L: Lookup<u64> + Debug> Link<A> for Hashed<L> {
     fn ancestor<T: Topology<A>>(&mut self, _: &T, _: Node, up: u32) -> Node {
         self.key = ancestor_key::<A, u64>(self.key, up);
         self.table.node(&self.key)
+    }
+
+    fn key(&self) -> Option<u64> {
+        Some(self.key)
     }
 }

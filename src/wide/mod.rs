@@ -51,7 +51,7 @@ mod stack;
 mod table;
 mod tree;
 
-pub use kept::{Count, Kept, Level, Ranked, Trail, TrailWord, back, leave};
+pub use kept::{Count, Kept, Level, Ranked, Trail, TrailWord, Words, back, leave};
 pub use keys::{ancestor_key, asked_keys, child_key, key_level};
 pub use links::{Hashed, Link, Parents, Recorded};
 pub use pending::Pending;
@@ -92,6 +92,18 @@ pub trait Cursor<const A: usize> {
     /// Whether [`node`](Self::node) has been visited before.
     fn is_restarting(&self) -> bool {
         false
+    }
+
+    /// What is kept of the node so many levels above the parent of the child that was named last, or above the node that
+    /// was [entered](Self::enter) since; 0 for itself. `None` if nothing is kept by levels. For whoever shows or compares
+    /// it.
+    fn words(&self, _up: u32) -> Option<Words> {
+        None
+    }
+
+    /// Key of [`node`](Self::node), where it is carried.
+    fn key(&self) -> Option<u64> {
+        None
     }
 }
 

@@ -1,6 +1,6 @@
 //! The traversal without a stack: a pending set for each level.
 
-use super::kept::Kept;
+use super::kept::{Kept, Words};
 use super::links::Link;
 use super::search::{Ranks, Search, Wanted, is_beyond};
 use super::tree::Topology;
@@ -160,5 +160,13 @@ where
     #[inline(always)]
     fn shortened(&mut self) {
         self.kept.shortened();
+    }
+
+    fn words(&self, up: u32) -> Option<Words> {
+        self.kept.words(up, self.set, self.ranks)
+    }
+
+    fn key(&self) -> Option<u64> {
+        self.link.key()
     }
 }

@@ -1,5 +1,6 @@
 //! Vaidyanathan et al. 2019: a restart trail, and a short stack.
 
+use super::kept::Words;
 use super::keys::slot_bits;
 use super::search::{Ranks, Search, Wanted, is_beyond};
 use super::tree::Topology;
@@ -175,6 +176,12 @@ impl<const A: usize, T: Topology<A>> Cursor<A> for Restart<'_, T> {
 
     fn is_restarting(&self) -> bool {
         self.step != Step::Down
+    }
+
+    fn words(&self, up: u32) -> Option<Words> {
+        let below = if self.is_restarting() { self.level - self.at } else { 0 };
+        let is_last = self.done >> ((up + below) * number_bits::<A>()) & A as u128 != 0;
+        Some(Words::Number { number: self.number::<A>(up + below) as u32, is_last })
     }
 }
 

@@ -122,6 +122,11 @@ impl Method {
         matches!(self, Self::Hashed)
     }
 
+    /// Whether it starts again at the root, and so needs ranks that do not become less on the way down. `[WRESTART-1]`
+    pub const fn restarts(self) -> bool {
+        matches!(self, Self::Restart0 | Self::Restart1 | Self::Restart2 | Self::Restart4 | Self::Restart8)
+    }
+
     /// Entries of the short stack of a traversal that restarts.
     const fn short_stack(self) -> usize {
         match self {

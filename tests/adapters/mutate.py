@@ -3,7 +3,7 @@
 
     cargo build --release -p stackless-cli
     python3 tests/adapters/mutate.py c                     # of traverse.c, py of traverse.py
-    python3 tests/adapters/mutate.py --shard 0/4 c         # every fourth, from the first on
+    python3 tests/adapters/mutate.py --shard 1/4 c --json 1.json  # the first of four parts; `stackless merge` adds them up
     python3 tests/adapters/mutate.py --sample 100 py       # so many of all, the same ones each time
 
 A mutant is one change: an operator for another, a constant one more or one less, a condition that always or never
@@ -18,6 +18,8 @@ import argparse
 import ast
 import hashlib
 import json
+import os
+import platform
 import re
 import resource
 import subprocess
@@ -264,6 +266,40 @@ class Language:
         return not self.is_c and line >= self.first_of_ray
 
 
+def shard(text):
+    """I/N, as `stackless` has it: with I from 1 to N."""
+    index, _, count = text.partition("/")
+    if not (index.isdecimal() and count.isdecimal() and 1 <= int(index) <= int(count)):
+        raise argparse.ArgumentTypeError("expected I/N with I from 1 to N, as in 3/64")
+    return int(index), int(count)
+
+
+def record(arguments, whole, numbers, counts, lines):
+    """The record of a part, for `stackless merge`. Lines are the survivors, and what is listed and caught."""
+    version = subprocess.run([arguments.stackless, "--version"], capture_output=True, text=True, check=True).stdout
+    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    machine = f"{platform.system().lower()} {platform.machine()}, {os.cpu_count()} threads"
+    survivors, stale = lines
+    suite = (SUITE / "VERSION").read_text().strip()
+    return {
+        "run": {
+            "command": "mutants",
+            "version": version.split()[-1],
+            "commit": os.environ.get("STACKLESS_COMMIT"),
+            "asked": {"language": arguments.language, "sample": arguments.sample, "suite": suite},
+            "parts": {"mutants": {"of": whole, "done": [[numbers.start, numbers.stop]] if numbers else []}},
+            "machines": {machine: sum(it.ru_utime + it.ru_stime for it in used)},
+        },
+        "mutants": len(numbers),
+        "not_compiled": counts["did not compile"],
+        "caught": counts["caught"] + counts["timed out"],
+        "timed_out": counts["timed out"],
+        "equivalent": counts["equivalent"],
+        "survivors": sorted(survivors),
+        "stale": sorted(stale),
+    }
+
+
 def equivalent():
     """Those that are listed: file, line's text, change. Changes stand below their line, and the reason above both."""
     listed, place = set(), ""
@@ -278,12 +314,13 @@ def equivalent():
 def main():
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("language", choices=["c", "py"])
-    parser.add_argument("--shard", default="0/1", metavar="I/N", help="every N-th, from number I on")
+    parser.add_argument("--shard", default=(1, 1), type=shard, metavar="I/N", help="one of N parts")
+    parser.add_argument("--json", type=Path, metavar="FILE", help="write the counts: a record for `stackless merge`")
     parser.add_argument("--sample", type=int, metavar="N", help="so many, chosen by a hash of their text")
     parser.add_argument("--stackless", default=str(HERE.parent.parent / "target/release/stackless"))
     parser.add_argument("--list", action="store_true", help="print the mutants, and ask nothing")
     arguments = parser.parse_args()
-    shard, shards = map(int, arguments.shard.split("/"))
+    index, parts = arguments.shard
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         suites = []
@@ -301,8 +338,10 @@ def main():
         if arguments.sample is not None:
             mutants.sort(key=lambda it: hashlib.sha256(it[3].encode()).digest())
             mutants = sorted(mutants[: arguments.sample], key=lambda it: it[:3])
-        mutants = mutants[shard::shards]
-        counts, known, stale = Counter(), equivalent(), 0
+        all_of_them = len(mutants)
+        numbers = range(all_of_them * (index - 1) // parts, all_of_them * index // parts)
+        mutants = mutants[numbers.start : numbers.stop]
+        counts, known, survivors, stale = Counter(), equivalent(), [], []
         for line, place, change, text in mutants:
             if arguments.list:
                 print(f"{line}: {place}\n    {change}")
@@ -316,12 +355,16 @@ def main():
                 outcome = "equivalent"
             elif entry in known:
                 print(f"line {line}: {change}: is listed as equivalent, and {outcome}", flush=True)
-                stale += 1
+                stale.append(f"line {line}: {place}: {change}")
             counts[outcome] += 1
             if outcome == "survived":
                 print(f"line {line}\n  {language.path.name}: {place}\n    {change}", flush=True)
+                survivors.append(f"line {line}: {place}: {change}")
     if arguments.list:
         return
+    if arguments.json:
+        found = record(arguments, all_of_them, numbers, counts, (survivors, stale))
+        arguments.json.write_text(json.dumps(found, indent=2) + "\n")
     made = len(mutants)
     compiled = made - counts["did not compile"]
     caught = counts["caught"] + counts["timed out"]
@@ -331,7 +374,7 @@ def main():
     print(f"{counts['equivalent']} are equivalent, {counts['survived']} survived", end=" ")
     others = max(compiled - counts["equivalent"], 1)
     print(f"({100 * caught / others:.1f} % of those that are not equivalent were caught)")
-    sys.exit(made == 0 or counts["survived"] + stale > 0)
+    sys.exit(made == 0 or counts["survived"] + len(stale) > 0)
 
 
 if __name__ == "__main__":

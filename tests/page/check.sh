@@ -42,8 +42,14 @@ page pruned --tape 2 --methods hashed-disjoint,uncle-disjoint,sparse-disjoint,af
 page others --methods left-first,implicit-a1,implicit-b,implicit-b1,laine-0,laine-2,laine-4,laine-8,skip,skip-octant,glassner
 page deep --suite-case trace/script/chain-turns-64-two-1 --methods hashed,sparse
 page ray stadium --pixel 256,256
+all_wide=wide-record,wide-stack,wide-trail,wide-hashed,wide-restart-0,wide-restart-1,wide-restart-2,wide-restart-4,wide-restart-8
+page wide --methods "$all_wide"
+page wide2 --wide 2 --tape 8 --methods "$all_wide"
+page wide4 --wide 4 --tape 3
+page leaves-first --wide 8 --tape 5
+page wide-ray stadium --pixel 256,256 --methods wide-record,wide-hashed,wide-trail
 for width in 1200 360; do
-    for name in example leaf tape pruned others deep ray; do
+    for name in example leaf tape pruned others deep ray wide wide2 wide4 leaves-first wide-ray; do
         frame "$name-$width" "$width" "$folder/page-$name.html"
     done
 done
@@ -53,16 +59,17 @@ mistakes=()
 mistake() {
     local from=$folder/page-example.html
     [[ $1 == deep-* ]] && from=$folder/page-deep.html
+    [[ $1 == wide-* ]] && from=$folder/page-wide.html
     sed -e "$3" "$from" > "$folder/bad.html"
     ! cmp -s "$folder/bad.html" "$from" || { echo "$1: there is nothing to be mistaken" >&2; exit 1; }
     frame "bad-$1" "$2" "$folder/bad.html"
     mistakes+=("bad-$1")
 }
-mistake trail-to-the-left 1200 's/bits.padStart(depth, "0")/bits.padEnd(depth, "0")/'
+mistake trail-to-the-left 1200 's/bits.padStart(depth/bits.padEnd(depth/'
 mistake left-is-right 1200 's/ArrowLeft: () => go(at - 1)/ArrowLeft: () => go(at + 1)/'
-mistake stack-upside-down 1200 's/make("li", {}, name(node))).reverse()/make("li", {}, name(node)))/'
+mistake stack-upside-down 1200 's/name(node))).reverse()/name(node)))/'
 mistake one-level-more 1200 's/up < back ? "gone"/up <= back ? "gone"/'
-mistake node-for-sibling 1200 's/child !== node)/child === node)/'
+mistake node-for-sibling 1200 's/child !== node/child === node/'
 mistake bucket-for-cell 1200 's/lookup?.cell)/lookup?.bucket)/'
 mistake link-off-by-one 1200 's/, 10) - 1 ||/, 10) ||/'
 mistake done-too-late 1200 's/seen\[node\] < at/seen[node] < at - 1/'
@@ -70,6 +77,15 @@ mistake other-trail 1200 's/"trail":"1001"/"trail":"1011"/'
 mistake image-from-elsewhere 1200 's|^<main>|<img src="http://localhost/a.png" alt=""><main>|'
 mistake link-of-another-step 1200 's/&step=${at + 1}`), 250/\&step=${at}`), 250/'
 mistake error-on-the-way 1200 's/^function showTree(step, way) {/&if (at === 3) console.error("oh");/'
+mistake wide-slots-reversed 1200 's/group\[length - 1 - slot\]/group[slot]/'
+mistake wide-bits-for-slots 1200 's/"trailBits":8/"trailBits":4/'
+mistake wide-key-by-the-bit 1200 's/cut(step.key, data.keyBits)/cut(step.key, 1)/'
+mistake wide-depth-in-bits 1200 's/(key.length - 1) \/ data.keyBits \* HIGH/(key.length - 1) * HIGH/'
+mistake wide-beyond-is-pending 1200 's/ \&\& !step.beyond?.includes(node) ? "wait"/ ? "wait"/'
+mistake wide-beyond-comes-next 1200 's/step.stack.findLast((node) => !isBeyond(node))/step.stack.at(-1)/'
+mistake wide-row-of-another-level 1200 's/\["", ...cells\]/[...cells, ""]/'
+mistake wide-other-set 1200 's/"sets":"00011011"/"sets":"00011010"/'
+mistake wide-one-level-more 1200 's/up < back ? "gone"/up <= back ? "gone"/'
 mistake deep-too-wide 360 's/^\.scroll { overflow: auto }//'
 
 timeout 900 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" --window-size=1280,900 \

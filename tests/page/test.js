@@ -4,8 +4,9 @@
 (async () => {
   const data = JSON.parse(document.getElementById("data").textContent), find = (selector) => document.querySelector(selector);
   const all = (selector) => [...document.querySelectorAll(selector)], texts = (elements) => elements.map((element) => element.textContent);
-  const key = data.keys.map((digits) => BigInt(`0b${digits}`)), label = (node) => String(key[node]);
-  const nodeOf = (wanted) => key.indexOf(wanted), depth = (node) => data.keys[node].length - 1;
+  const key = data.keys.map((digits) => BigInt(`0b${digits}`)), label = (node) => key[node].toString(data.base);
+  const B = BigInt(data.keyBits), A = data.trailBits;
+  const nodeOf = (wanted) => key.indexOf(wanted), depth = (node) => (data.keys[node].length - 1) / data.keyBits;
   let checks = 0, where = "start";
   function same(what, found, expected) {
     checks++;
@@ -22,7 +23,8 @@
   const names = (nodes) => nodes.map(label).sort();
 
   function look(recording, at) {
-    const step = recording.steps[at], { node, next } = step, own = key[node], deep = depth(node);
+    const step = recording.steps[at], { node, next } = step, own = key[node], deep = depth(node), beyond = step.beyond ?? [];
+    const within = step.stack.filter((postponed) => !beyond.includes(postponed));
     where = `${recording.method}, visit ${at + 1}`;
     same("count", find("#count").textContent, `visit ${at + 1} of ${recording.steps.length}`);
     same("method", find("#method").value, recording.method);
@@ -30,38 +32,44 @@
     same("sentence", find("#text").textContent, step.text);
     same("clauses", texts(all("#clauses .clause")), step.clauses);
     same("present node", labelled("now"), names([node]));
-    same("postponed nodes", labelled("wait"), names(step.stack));
-    const ancestors = Array.from({ length: deep }, (_, up) => nodeOf(own >> BigInt(up + 1)));
-    same("path", labelled("path"), names(ancestors.filter((ancestor) => !step.stack.includes(ancestor))));
+    same("postponed nodes", labelled("wait"), names(within));
+    const ancestors = Array.from({ length: deep }, (_, up) => nodeOf(own >> B * BigInt(up + 1)));
+    same("path", labelled("path"), names(ancestors.filter((ancestor) => !within.includes(ancestor))));
+    same("nodes that are beyond", beyond.every((node) => labelled("not").includes(label(node))), true);
     const done = new Set(recording.steps.slice(0, at).map((before) => before.node));
     [node, ...ancestors, ...step.stack].forEach((shown) => done.delete(shown));
     same("nodes that are done", labelled("seen"), names([...done]));
     same("edges of the path", all("#tree .edge.path").length, deep);
     same("key along the path", texts(all("#tree text.bit")).join(""), own.toString(2).slice(1));
-    same("arrow", find("#arrow").style.display !== "none", next !== undefined && key[next.node] >> 1n !== own);
+    same("arrow", find("#arrow").style.display !== "none", next !== undefined && key[next.node] >> B !== own);
 
     same("levels", texts(row("level")), Array.from({ length: deep + 1 }, (_, level) => String(level)));
     same("path names", row("path").map((cell) => cell.title), [...ancestors.reverse(), node].map(label));
-    for (const [name, digits] of [["key", step.key], ["counter", step.counter], ["trail", step.trail], ["disjoint", step.disjoint]]) {
+    for (const [name, digits, size] of [["key", step.key, data.keyBits], ["counter", step.counter, 1], ["trail", step.trail, A], ["sets", step.sets, A], ["disjoint", step.disjoint, 1]]) {
       const cells = row(name);
       same(`${name} is shown`, Boolean(cells), digits !== undefined);
       if (!digits) continue;
       same(name, number(cells), BigInt(`0b${digits}`));
       same(`${name}: columns`, cells.length, deep + 1);
       const first = name === "key" || name === "counter" ? 0 : 1;
-      same(`${name}: from level ${first} on`, texts(cells).map((text) => text !== ""), cells.map((_, level) => level >= first));
+      same(`${name}: digits of each level`, texts(cells).map((text) => text.length), cells.map((_, level) => level < first ? 0 : level ? size : 1));
       if (name === "disjoint") continue;
       const back = next?.levels;
       same(`${name}: levels that are left`, texts(cells).filter((_, i) => cells[i].classList.contains("gone")).length, back === undefined ? 0 : Math.min(back, deep));
       same(`${name}: bit that is toggled`, cells.findIndex((cell) => cell.classList.contains("turn")), back === undefined ? -1 : deep - back);
     }
     if (row("postponed")) {
-      const shown = row("postponed").map((cell) => cell.title).filter(Boolean);
-      if (!step.restart) same("postponed nodes by the word, and the oracle's", shown, step.stack.map(label));
+      const shown = row("postponed").flatMap((cell) => cell.title.split(" ").filter(Boolean));
+      if (A === 1 && !step.restart) same("postponed nodes by the word, and the oracle's", shown, step.stack.map(label));
+      if (A > 1) same("pending nodes by the sets, and the oracle's", shown.filter((name) => !beyond.some((node) => label(node) === name)).sort(), names(within));
+      if (A > 1) same("pending nodes at their levels", row("postponed").every((cell, level) => cell.title.split(" ").every((name) => !name || depth(nodeOf([...name].reduce((key, digit) => key * BigInt(data.base) + BigInt(digit), 0n))) === level)), true);
     }
+    for (const [name, cells] of step.rows ?? []) same(name, texts(row(name)), ["", ...cells]);
     same("next key is shown", Boolean(row("next key")), Boolean(step.key && next));
     if (row("next key")) same("next key", [number(row("next key")), find('tr[data-row="next key"] .sum').textContent], [key[next.node], `= ${label(next.node)}`]);
     same("oracle's stack", texts(all("#stack li:not(.none)")), [...step.stack].reverse().map(label));
+    same("oracle's next", texts(all("#stack li.next")), within.slice(-1).map(label));
+    same("oracle's, beyond", texts(all("#stack li.beyond")).sort(), names(beyond));
     same("node", value("now"), label(node));
     const uncles = recording.links.includes("uncle");
     same("register", value("register"), uncles ? step.register === undefined ? "not set" : label(step.register) : undefined);
@@ -92,6 +100,8 @@
   async function run() {
     const wait = (time) => new Promise((done) => setTimeout(done, time));
     same("title", [document.title, find("h1").textContent], [data.title, data.title]);
+    const heights = all("#tree .node rect").map((box) => Number(box.getAttribute("y")));
+    same("nodes stand at their levels", heights.map((y) => (y - heights[0]) / 62), data.keys.map((_, node) => depth(node)));
     same("every control has a name", all("button, select, input").filter((it) => !it.textContent && !it.ariaLabel && !it.labels?.length).length, 0);
     for (const [i, recording] of data.methods.entries()) {
       const last = recording.steps.length - 1;

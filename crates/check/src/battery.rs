@@ -1,5 +1,7 @@
 //! The property body: one traversal against its oracle.
 
+use std::sync::Arc;
+
 use super::Case;
 use super::watch::{Expected, Fault, Watch};
 use stackless_bvh::event::Trace;
@@ -32,7 +34,8 @@ pub enum Verdict<F = Fault> {
 pub struct Battery<'c> {
     case: &'c Case,
     tables: VerifiedTables<'c, Tree>,
-    keys: Keys,
+    keys: Arc<Keys>,
+    is_static: bool,
     parents: Parents,
     /// By [`Test`]: filled when first asked for.
     oracles: [Option<Oracle>; Test::ALL.len()],
@@ -52,11 +55,14 @@ impl<'c> Battery<'c> {
 
     /// Prepares a case for some traversals.
     pub fn new(case: &'c Case, methods: &[Method]) -> Self {
-        let beside = Beside::new(&case.tree, case.tape.axes(), methods, Self::IMPLICIT_DEPTH);
+        let octants = case.octant..case.octant.saturating_add(1);
+        let beside = Beside::for_octants(&case.tree, case.tape.axes(), methods, Self::IMPLICIT_DEPTH, octants);
+        let keys = Arc::new(Keys::of(&case.tree));
         Self {
             case,
-            tables: Tables::verified(&case.tree, case.tape.axes(), beside),
-            keys: Keys::of(&case.tree),
+            tables: Tables::verified(&case.tree, case.tape.axes(), beside, Arc::clone(&keys)),
+            keys,
+            is_static: case.is_static(),
             parents: Parents::of(&case.tree),
             oracles: Default::default(),
             memory: Vec::new(),
@@ -90,7 +96,7 @@ impl<'c> Battery<'c> {
             return Verdict::Differs(fault);
         }
         let oracle = self.oracles[test as usize].get_or_insert_with(|| Oracle::run(case, test, &mut self.memory));
-        let exact = !restarts || case.is_static();
+        let exact = !restarts || self.is_static;
         let expected = oracle.trace.nodes();
         let longest_way = u64::from(case.tree.depth()) + 2;
         let step_limit = match (exact, restarts) {

@@ -62,10 +62,15 @@ impl Plan {
 
     /// Runs all traversals in all words on one case.
     pub fn check_case(&self, case: &Case, tally: &mut Tally) -> Option<Disagreement> {
+        self.check_pairs(&self.pairs(), case, tally)
+    }
+
+    /// The same for those that want the pairs of the plan only once.
+    fn check_pairs(&self, pairs: &[(Method, WordName)], case: &Case, tally: &mut Tally) -> Option<Disagreement> {
         let mut battery = Battery::new(case, &self.methods);
         tally.depth = tally.depth.max(case.tree.depth());
         let mut first = None;
-        for (method, word) in self.pairs() {
+        for &(method, word) in pairs {
             let verdict = battery.check(method, word);
             tally.add(method, word, &verdict);
             if let Verdict::Differs(fault) = verdict {
@@ -117,10 +122,10 @@ pub fn check_numbered(
 
 /// Checks given cases with their numbers, one after the other.
 pub fn check_cases(plan: &Plan, cases: impl Iterator<Item = (u64, Case)>) -> (Tally, Option<Disagreement>) {
-    let mut tally = Tally::default();
+    let (pairs, mut tally) = (plan.pairs(), Tally::default());
     let mut smallest = None;
     for (number, case) in cases {
-        let found = plan.check_case(&case, &mut tally).map(|found| Disagreement { number, ..found });
+        let found = plan.check_pairs(&pairs, &case, &mut tally).map(|found| Disagreement { number, ..found });
         smallest = smaller(smallest, found);
     }
     (tally, smallest)

@@ -1,5 +1,7 @@
 //! Rays through real hierarchies: every traversal against the recursive oracle, and that against rational arithmetic.
 
+use std::sync::Arc;
+
 use rayon::prelude::*;
 
 use super::random::Progress;
@@ -21,7 +23,7 @@ pub struct SceneTree<'m> {
     truth: &'m Truth,
     bvh: &'m Bvh,
     boxes: Vec<Aabb>,
-    keys: Keys,
+    keys: Arc<Keys>,
 }
 
 /// A ray for which a traversal differs from the oracle, or the oracle from the truth.
@@ -57,7 +59,7 @@ pub struct Seen {
 impl<'m> SceneTree<'m> {
     /// Prepares a hierarchy of the mesh that the truth is of.
     pub fn new(truth: &'m Truth, bvh: &'m Bvh) -> Self {
-        Self { truth, bvh, boxes: bvh.own_boxes(), keys: Keys::of(bvh) }
+        Self { truth, bvh, boxes: bvh.own_boxes(), keys: Arc::new(Keys::of(bvh)) }
     }
 
     /// Runs a search and says what was seen of it, and how many visits were made with restarts.
@@ -111,7 +113,8 @@ pub fn check_scene(
     progress: Progress<'_>,
 ) -> (Tally, Option<SceneDisagreement>) {
     let tree = scene.bvh.tree();
-    let tables = Tables::verified(tree, tree.axes(), Beside::new(tree, tree.axes(), &plan.methods, Implicit::LIMIT));
+    let beside = Beside::new(tree, tree.axes(), &plan.methods, Implicit::LIMIT);
+    let tables = Tables::verified(tree, tree.axes(), beside, Arc::clone(&scene.keys));
     let pairs = plan.pairs();
     let check_ray = |(number, &ray): (usize, &Ray)| {
         let mut tally = Tally::default();

@@ -70,17 +70,17 @@ impl<'c> Stress<'c> {
         with_tests(tests, Run { stress: self, methods })
     }
 
-    /// The same by all traversals of wide trees, with all instructions of this machine, one ray at a time and two in
-    /// turns: exact.
+    /// The same by traversals of wide trees, with all instructions of this machine, one ray at a time and two in turns:
+    /// exact.
     ///
     /// # Errors
     /// What could not be made, in words.
-    pub fn run_wide(&self) -> Result<Errors, String> {
+    pub fn run_wide(&self, methods: &[wide::Method]) -> Result<Errors, String> {
         let (rays, mut found) = (&self.case.rays, Findings::new(&self.truth));
         for tree in &self.trees {
             let bvh = WideBvh::of(tree).map_err(|error| error.to_string())?;
             bvh.validate(&self.case.mesh).map_err(|error| error.to_string())?;
-            for method in wide::Method::ALL {
+            for &method in methods {
                 for (_, level) in lanes::levels() {
                     let tracer = Tracer::with_method(&bvh, method).map_err(|unfit| unfit.to_string())?;
                     let tracer = tracer.with_level(level);

@@ -22,6 +22,8 @@ pub struct Count {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     counts: [[Count; WordName::ALL.len()]; Method::ALL.len()],
+    /// The texts of the refusals: they are what is compared.
+    texts: [[String; WordName::ALL.len()]; Method::ALL.len()],
     /// Depth of the deepest tree that was checked, in edges.
     pub depth: u32,
     /// Searches for which the oracle itself differs from the test of all triangles.
@@ -34,6 +36,7 @@ impl Tally {
     /// Adds one verdict.
     pub fn add<F>(&mut self, method: Method, word: WordName, verdict: &Verdict<F>) {
         let count = &mut self.counts[method as usize][word as usize];
+        let text = &mut self.texts[method as usize][word as usize];
         match verdict {
             Verdict::Agrees { steps } => {
                 count.cases += 1;
@@ -42,7 +45,10 @@ impl Tally {
             }
             Verdict::Refused(unfit) => {
                 count.refused += 1;
-                count.refusal = last(count.refusal, Some(*unfit));
+                // Nearly all are the same.
+                if count.refusal != Some(*unfit) {
+                    count.note(text, *unfit, unfit.to_string());
+                }
             }
             Verdict::Differs(_) => count.cases += 1,
         }
@@ -51,11 +57,15 @@ impl Tally {
     /// Adds the counts of another tally.
     #[must_use]
     pub fn merge(mut self, other: &Self) -> Self {
-        for (mine, theirs) in self.counts.iter_mut().flatten().zip(other.counts.iter().flatten()) {
+        let texts = self.texts.iter_mut().flatten().zip(other.texts.iter().flatten());
+        let counts = self.counts.iter_mut().flatten().zip(other.counts.iter().flatten());
+        for ((mine, theirs), (text, their_text)) in counts.zip(texts) {
             mine.cases += theirs.cases;
             mine.agree += theirs.agree;
             mine.refused += theirs.refused;
-            mine.refusal = last(mine.refusal, theirs.refusal);
+            if let Some(refusal) = theirs.refusal {
+                mine.note(text, refusal, their_text.clone());
+            }
             mine.steps += theirs.steps;
         }
         self.depth = self.depth.max(other.depth);
@@ -83,8 +93,11 @@ impl Tally {
     }
 }
 
-/// The last of two reasons, by their texts.
-fn last(a: Option<Unfit>, b: Option<Unfit>) -> Option<Unfit> {
-    // Nearly all are the same.
-    if a == b { a } else { a.into_iter().chain(b).max_by_key(Unfit::to_string) }
+impl Count {
+    /// Keeps the last of the reasons by its text, and that.
+    fn note(&mut self, text: &mut String, refusal: Unfit, its_text: String) {
+        if self.refusal.is_none() || *text < its_text {
+            (self.refusal, *text) = (Some(refusal), its_text);
+        }
+    }
 }

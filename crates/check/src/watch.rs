@@ -164,14 +164,6 @@ impl<'a> Expected<'a> {
         }
     }
 
-    fn node(self, visit: usize) -> Option<Node> {
-        match self {
-            Self::Nothing => None,
-            Self::Nodes(nodes) => nodes.get(visit).copied(),
-            Self::Visits(visits) => visits.get(visit).map(|visit| visit.node),
-        }
-    }
-
     fn visit(self, visit: usize) -> Option<&'a Visit> {
         if let Self::Visits(visits) = self { visits.get(visit) } else { None }
     }
@@ -235,27 +227,33 @@ impl<'a> Watch<'a> {
         }
     }
 
-    fn look<W: KeyWord>(&mut self, state: State<W>) -> Result<(), Fault> {
-        let State { node, key, trail, counter, disjoint, register, is_restarting } = state;
+    /// It is compiled into each traversal: what its states never have is not asked for.
+    #[inline(always)]
+    fn look<W: KeyWord>(&mut self, state: &State<W>) -> Result<(), Fault> {
+        let &State { node, ref key, ref trail, ref counter, ref disjoint, register, is_restarting } = state;
         let visit = self.visits;
         let slot = self.tree.slot(node);
         let seen = self.seen.get_mut(slot).is_some_and(|seen| std::mem::replace(seen, true));
         if is_restarting && !seen {
             return Err(Fault::Restart { visit, node });
         }
-        if self.expected.count().is_some() && !is_restarting {
-            let expected = self.expected.node(visit);
+        let expected = match self.expected {
+            Expected::Nothing => None,
+            Expected::Nodes(nodes) => Some(nodes.get(visit).copied()),
+            Expected::Visits(visits) => Some(visits.get(visit).map(|visit| visit.node)),
+        };
+        if let Some(expected) = expected.filter(|_| !is_restarting) {
             if expected != Some(node) {
                 return Err(Fault::Node { visit, expected, found: node });
             }
             self.visits += 1;
         }
-        if key.is_some_and(|key| !self.keys.is(slot, &key)) {
+        if key.as_ref().is_some_and(|key| !self.keys.is(slot, key)) {
             return Err(Fault::Key { visit, node });
         }
         let depth = self.keys.depth(slot);
         if trail.as_ref().is_some_and(|trail| trail.bit_length() > depth)
-            || disjoint.is_some_and(|disjoint| disjoint.bit_length() > depth)
+            || disjoint.as_ref().is_some_and(|disjoint| disjoint.bit_length() > depth)
             || counter.as_ref().is_some_and(|counter| counter.bit_length() != depth + 1)
         {
             return Err(Fault::Trail { visit, node });
@@ -268,7 +266,7 @@ impl<'a> Watch<'a> {
         {
             return Err(Fault::Trail { visit, node });
         }
-        let is_next = |found: Node| match (known, &trail) {
+        let is_next = |found: Node| match (known, trail) {
             (Some(visit), _) => visit.postponed.last() == Some(&found),
             (None, Some(trail)) => !trail.is_zero() && self.comes_next(found, node, levels(trail)),
             (None, None) => true,
@@ -303,14 +301,19 @@ impl<'a> Watch<'a> {
 }
 
 impl Recorder for Watch<'_> {
+    #[inline]
     fn visit<W: KeyWord>(&mut self, _: Node, state: impl FnOnce() -> State<W>) -> Flow {
         self.steps += 1;
-        let looked = match self.fault {
-            Some(fault) => Err(fault),
-            None if self.steps > self.step_limit => Err(Fault::Endless { visits: self.steps }),
-            None => self.look(state()),
-        };
-        self.fault = looked.err();
-        if self.fault.is_some() { Flow::Stop } else { Flow::Continue }
+        if self.fault.is_some() {
+            return Flow::Stop;
+        }
+        let is_endless = self.steps > self.step_limit;
+        let looked = if is_endless { Err(Fault::Endless { visits: self.steps }) } else { self.look(&state()) };
+        // Written only where there is one: that is never, and this is called at every visit.
+        if let Err(fault) = looked {
+            self.fault = Some(fault);
+            return Flow::Stop;
+        }
+        Flow::Continue
     }
 }

@@ -67,6 +67,11 @@ impl<const A: usize> WideCase<A> {
         Self { tree, tape, is_sorted: source.below(4) != 1 }
     }
 
+    /// Its search, at the beginning. `SORTED` is [`is_sorted`](Self::is_sorted).
+    pub fn search<const SORTED: bool>(&self) -> WideSearch<'_, A, SORTED> {
+        WideSearch::new(&self.tape)
+    }
+
     /// The nodes that the oracle visits.
     pub fn expected(&self) -> Vec<Node> {
         fn visits<const A: usize, const SORTED: bool>(case: &WideCase<A>) -> Vec<Node> {
@@ -86,8 +91,7 @@ impl<const A: usize> WideCase<A> {
         let (expected, tables) = (self.expected(), Tables::new(&self.tree));
         let mut count = 0;
         for method in Method::ALL {
-            let restarts = method.name().starts_with("wide-restart");
-            if restarts && self.is_sorted && !self.tape.is_monotone() {
+            if method.restarts() && self.is_sorted && !self.tape.is_monotone() {
                 continue;
             }
             count += u32::from(self.compare(method.name(), &expected, |watch| {

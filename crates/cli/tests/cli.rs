@@ -16,6 +16,9 @@ mod habits;
 mod held;
 #[path = "cli/merge.rs"]
 mod merge;
+#[cfg(unix)]
+#[path = "cli/outside.rs"]
+mod outside;
 #[path = "cli/refused.rs"]
 mod refused;
 #[path = "cli/render.rs"]

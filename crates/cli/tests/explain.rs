@@ -10,8 +10,9 @@ use serde_json::Value;
 use stackless_bvh::generate::{Cell, Tape};
 use stackless_bvh::traverse::{Method, Test};
 use stackless_bvh::tree::{Topology, Tree};
-use stackless_check::{Case, CaseOptions};
-use stackless_cli::explain::{self, By, DEEPEST, Entry, ExplainError, MOST_NODES, Recording, Step, USUAL};
+use stackless_bvh::wide::Method as WideMethod;
+use stackless_check::{Case, CaseOptions, WideCase};
+use stackless_cli::explain::{self, By, DEEPEST, Entry, ExplainError, MOST_NODES, Recording, Step, USUAL, wide};
 use stackless_suite::{Ask, author};
 use support::{Folder, stackless};
 
@@ -204,6 +205,94 @@ fn what_is_too_large_or_does_not_run_is_refused() {
     let html = explain::page("a", &example, &[Method::Complete, Method::Stack]).unwrap();
     let left_out = data(&html)["left_out"][0].as_str().unwrap().to_owned();
     assert!(left_out.starts_with("complete: "), "{left_out}");
+}
+
+/// Every traversal of wide trees, over random trees, and the suite's walks.
+///
+/// [WIDE-7] [WIDE-9] [WIDE-11] [WIDE-16] [WIDE-17] [WIDE-18]
+#[test]
+fn traversals_of_wide_trees_are_recorded_as_their_oracle_goes() {
+    let clauses: BTreeSet<String> = spec("wide.md")
+        .lines()
+        .filter_map(|line| Some(line.strip_prefix("**[")?.split(']').next()?.to_owned()))
+        .collect();
+    let mut seen = BTreeSet::new();
+    for seed in 0..300 {
+        look_wide(&wide::random::<2>(seed), &clauses, &mut seen);
+        look_wide(&wide::random::<4>(seed), &clauses, &mut seen);
+        look_wide(&wide::random::<8>(seed), &clauses, &mut seen);
+    }
+    assert_eq!(seen.len(), 7, "not all sources are seen: {seen:?}");
+}
+
+fn look_wide<const A: usize>(case: &WideCase<A>, clauses: &BTreeSet<String>, seen: &mut BTreeSet<String>) {
+    for method in WideMethod::ALL {
+        let recorded = match case.is_sorted {
+            true => wide::record(&case.tree, &case.search::<true>(), method),
+            false => wide::record(&case.tree, &case.search::<false>(), method),
+        };
+        let recording = match recorded {
+            Ok(recording) => recording,
+            Err(ExplainError::UnfitWide { .. } | ExplainError::TooDeep { .. } | ExplainError::Falling { .. }) => {
+                continue;
+            }
+            Err(error) => panic!("{error}"),
+        };
+        let steps = &recording.steps;
+        let visits: Vec<u32> = steps.iter().filter(|step| !step.restart).map(|step| step.node).collect();
+        assert_eq!(visits, case.expected().iter().map(|node| node.index() as u32).collect::<Vec<_>>(), "{method}");
+        assert!(clauses.contains(recording.clause), "{}", recording.clause);
+        for (step, after) in steps.iter().zip(steps.iter().skip(1).map(Some).chain([None])) {
+            assert!(step.clauses.iter().all(|&clause| clauses.contains(clause)), "{method}: {:?}", step.clauses);
+            assert_eq!(step.next.as_ref().map(|next| next.node), after.map(|after| after.node));
+            let Some(next) = &step.next else { continue };
+            seen.insert(format!("{:?}", next.by));
+            // The first that is not beyond comes next, or what is beyond by the hit that was just found.
+            let waits = step.stack.iter().rev().find(|node| !step.beyond.contains(node));
+            if next.by != By::Child && !step.hit && !step.restart && next.by != By::Restart {
+                assert_eq!(waits, Some(&next.node), "{method}: {step:?}");
+            }
+            // The deepest set that is not empty says how many levels to go, where nothing in it is beyond.
+            if let (Some(levels), Some(trail), true) =
+                (next.levels, step.trail.as_ref().or(step.sets.as_ref()), step.beyond.is_empty() && !step.hit)
+            {
+                let zeros = trail.len() - trail.trim_end_matches('0').len();
+                assert_eq!(levels as usize, zeros / A, "{method}: {step:?}");
+            }
+            if let Some(lookup) = &next.lookup {
+                let table = recording.table.as_ref().unwrap();
+                assert_eq!(
+                    (next.by, lookup.bucket as u64),
+                    (By::Table, lookup.number.parse::<u64>().unwrap() % table.displacements as u64)
+                );
+                assert!(lookup.node.is_some());
+            }
+        }
+    }
+}
+
+/// [WIDE-10] [WIDE-11] [WIDE-15]
+#[test]
+fn the_wide_example_goes_from_1252_to_10_by_each_way() {
+    let case = wide::example();
+    let ways = [
+        (WideMethod::Recorded, By::Ancestor),
+        (WideMethod::Hashed, By::Table),
+        (WideMethod::Trail, By::Climb),
+        (WideMethod::Stack, By::Stack),
+        (WideMethod::Restart0, By::Restart),
+    ];
+    for (method, by) in ways {
+        let recording = wide::record(&case.tree, &case.search::<true>(), method).unwrap();
+        let data = data(&wide::page("x", &case.tree, &case.search::<true>(), &[method]).unwrap());
+        let name = |node: u32| data["names"][node as usize].as_str().unwrap().to_owned();
+        let at = recording.steps.iter().rposition(|step| name(step.node).len() == 4).unwrap();
+        let next = recording.steps[at].next.as_ref().unwrap();
+        assert_eq!((name(recording.steps[at].node).as_str(), next.by), ("1252", by), "{method}");
+        if by != By::Restart {
+            assert_eq!((name(next.node).as_str(), next.levels), ("10", Some(2)), "{method}");
+        }
+    }
 }
 
 #[test]

@@ -54,12 +54,14 @@ impl View {
     /// assert_eq!(procedural::view("strands", &mesh).rays(1000).len(), 1000);
     /// ```
     pub fn rays(&self, n: usize) -> Vec<Ray> {
+        (0..n).filter_map(|i| self.ray_of(i, n)).collect()
+    }
+
+    /// Ray `i` of `n` [`rays`](Self::rays). `None` where coordinates overflow.
+    pub fn ray_of(&self, i: usize, n: usize) -> Option<Ray> {
         let width = (n as f64).sqrt().ceil();
-        let ray = |i: usize| {
-            let [x, y] = [i as f64 % width, (i as f64 / width).floor()].map(|i| 2.0 * (i + 0.5) / width - 1.0);
-            self.ray(x, -y)
-        };
-        (0..n).filter_map(ray).collect()
+        let [x, y] = [i as f64 % width, (i as f64 / width).floor()].map(|i| 2.0 * (i + 0.5) / width - 1.0);
+        self.ray(x, -y)
     }
 
     /// The primary ray through a place of the image: from -1 at the left and lower edges to 1 at the right and upper

@@ -88,7 +88,7 @@ impl<S: Simd> LaneRay<S> {
 
 impl<S: Simd> Cast<'_, Exact, LaneRay<S>, WideBvh> {
     /// The children that the ray meets. `[LANES-2]`
-    fn ask(&self, node: Node) -> Wanted<[u32; 8]> {
+    pub(super) fn ask(&self, node: Node) -> Wanted<[u32; 8]> {
         let LaneRay(boxes) = &self.slabs;
         let (ranks, set) = boxes.enter(&self.bvh.nodes()[node.index()].planes, self.end + 0.0);
         Wanted { set, ranks: array::from_fn(|slot| BoxRay::<S, f32x8<S>, 8>::rank(&ranks, slot as u32)) }

@@ -37,14 +37,14 @@ fn chain(depth: u32, right: bool) -> Tree {
 #[test]
 fn lookups_in_the_table_of_another_tree_are_misses() {
     let (tree, other) = (chain(9, true), chain(9, false));
-    let axes = vec![0; 19];
+    let (axes, keys) = (vec![0; 19], Arc::new(Keys::of(&tree)));
     let run = |tables: &VerifiedTables<'_, Tree>| {
         tables.run::<u64, _>(Method::HashOnly, 0, &mut Vec::new(), &mut Leaves, &mut ()).map(|()| tables.misses())
     };
     let beside = |tree: &Tree| Beside::new(tree, &axes, &[Method::HashOnly], 0);
-    let tables = Tables::verified(&tree, &axes, beside(&tree));
+    let tables = Tables::verified(&tree, &axes, beside(&tree), Arc::clone(&keys));
     assert_eq!((run(&tables), run(&tables)), (Ok(0), Ok(0)));
-    let tables = Tables::verified(&tree, &axes, beside(&other));
+    let tables = Tables::verified(&tree, &axes, beside(&other), keys);
     let Ok(misses) = run(&tables) else { panic!("it runs") };
     assert!(misses > 1, "{misses}");
     assert_eq!(run(&tables), Ok(2 * misses));

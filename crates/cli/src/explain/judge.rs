@@ -70,7 +70,7 @@ impl<'a> Judge<'a> {
     }
 
     fn differs(&self, visit: usize, what: &'static str, expected: String, found: String) -> ExplainError {
-        ExplainError::Differs { method: self.method, visit, what, expected, found }
+        ExplainError::Differs { method: self.method.name(), visit, what, expected, found }
     }
 
     /// A fault with the words that differ.
@@ -134,7 +134,10 @@ impl<'a> Judge<'a> {
             disjoint,
             register: state.register.map(|node| slot(self.tree, node)),
             links: links.into_iter().map(|link| link.map(|node| slot(self.tree, node))).collect(),
+            sets: None,
+            rows: Vec::new(),
             stack: slots(stack),
+            beyond: Vec::new(),
             decision: seen.descent.map(text::decision),
             wanted: slots(&wanted),
             hit: seen.found.hit,

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::text::binary;
 use stackless_bvh::hash::{PerfectHash, decode, fold, is_address};
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::tree::{Topology, Tree};
+use stackless_bvh::tree::Node;
 
 /// The tables of a perfect hash, as far as they can be drawn.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -36,28 +36,28 @@ impl Table {
     /// Most entries of a table that is drawn.
     pub const DRAWN: usize = 128;
 
-    pub(super) fn of(hash: &PerfectHash, tree: &Tree) -> Self {
+    pub(super) fn of(hash: &PerfectHash, slot: impl Fn(Node) -> u32) -> Self {
         let (buckets, cells) = (hash.displacements(), hash.cells());
         let drawn = if buckets.len().max(cells.len()) <= Self::DRAWN { Self::DRAWN } else { 0 };
         Self {
             keys: hash.header().keys,
             displacements: buckets.len(),
             cells: cells.len(),
-            buckets: buckets.iter().take(drawn).map(|&word| Entry::of(word, tree)).collect(),
-            nodes: cells.iter().take(drawn).map(|&word| node_of(word, tree)).collect(),
+            buckets: buckets.iter().take(drawn).map(|&word| Entry::of(word, &slot)).collect(),
+            nodes: cells.iter().take(drawn).map(|&word| node_of(word, &slot)).collect(),
         }
     }
 }
 
 impl Entry {
-    fn of(word: u32, tree: &Tree) -> Self {
-        node_of(word, tree).map_or(Self::Displacement(word), Self::Direct)
+    fn of(word: u32, slot: &impl Fn(Node) -> u32) -> Self {
+        node_of(word, slot).map_or(Self::Displacement(word), Self::Direct)
     }
 }
 
 /// The node whose address a word is, by its slot.
-fn node_of(word: u32, tree: &Tree) -> Option<u32> {
-    is_address(word).then(|| tree.slot(decode(word)) as u32)
+fn node_of(word: u32, slot: &impl Fn(Node) -> u32) -> Option<u32> {
+    is_address(word).then(|| slot(decode(word)))
 }
 
 /// A lookup by h(k) = ((k mod H) + d[k mod D]) mod H, or in one load where the bucket holds an address. `[HASH-1]`
@@ -83,7 +83,7 @@ pub struct HashLookup {
 
 impl HashLookup {
     /// Each part by the definition, from the words of the tables.
-    pub(super) fn of<W: KeyWord>(hash: &PerfectHash, key: &W, tree: &Tree) -> Self {
+    pub(super) fn of<W: KeyWord>(hash: &PerfectHash, key: &W, slot: impl Fn(Node) -> u32) -> Self {
         let header = hash.header();
         let number = header.mix.apply(fold(key, header.fold_seed));
         let (buckets, cells) = (hash.displacements(), hash.cells());
@@ -91,10 +91,10 @@ impl HashLookup {
         let word = buckets[bucket];
         let remainder = (number % cells.len() as u64) as usize;
         let cell = (remainder + word as usize) % cells.len();
-        let entry = Entry::of(word, tree);
+        let entry = Entry::of(word, &slot);
         let (remainder, cell, node) = match entry {
             Entry::Direct(node) => (None, None, Some(node)),
-            Entry::Displacement(_) => (Some(remainder), Some(cell), node_of(cells[cell], tree)),
+            Entry::Displacement(_) => (Some(remainder), Some(cell), node_of(cells[cell], &slot)),
         };
         Self { key: binary(key), number: number.to_string(), bucket, entry, remainder, cell, node }
     }

@@ -11,6 +11,7 @@ mod lookup;
 mod observe;
 mod ray;
 mod text;
+pub mod wide;
 
 pub use lookup::{Entry, HashLookup, Table};
 pub use ray::of_ray;
@@ -84,6 +85,12 @@ pub struct Step {
     /// The second trail.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub disjoint: Option<String>,
+    /// Of a wide tree: the pending sets of all levels, where they are kept one by one and are no trail.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sets: Option<String>,
+    /// Of a wide tree: what else is kept of each level, from the root's on, by name.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub rows: Vec<(&'static str, Vec<String>)>,
     /// What the register holds.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub register: Option<u32>,
@@ -92,6 +99,9 @@ pub struct Step {
     pub links: Vec<Option<u32>>,
     /// The oracle's postponed nodes; the last one comes next.
     pub stack: Vec<u32>,
+    /// Those of them that are beyond the end of the search by now, and will not be visited.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub beyond: Vec<u32>,
     /// At an inner node, what the search decides.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub decision: Option<String>,
@@ -134,6 +144,10 @@ pub struct Next {
 pub enum By {
     /// The node's own record names it: a child.
     Child,
+    /// Of a wide tree: the record of the parent, where the traversal still is.
+    Parent,
+    /// Of a wide tree: the record of an ancestor, which the record of the parent names.
+    Ancestor,
     /// The register.
     Register,
     /// The record names it as the uncle.
@@ -164,10 +178,12 @@ pub enum ExplainError {
         nodes: usize,
     },
     /// The tree is too deep to be drawn.
-    #[error("the tree is {depth} edges deep, and a page shows at most {DEEPEST}")]
+    #[error("the tree is {depth} edges deep, and a page shows at most {limit}")]
     TooDeep {
         /// Depth in edges.
         depth: u32,
+        /// The greatest depth that is shown.
+        limit: u32,
     },
     /// The traversal does not run on this tree.
     #[error("{method}: {error}")]
@@ -176,6 +192,20 @@ pub enum ExplainError {
         method: Method,
         /// Why.
         error: Unfit,
+    },
+    /// The same of a wide tree.
+    #[error("{method}: {error}")]
+    UnfitWide {
+        /// The traversal.
+        method: stackless_bvh::wide::Method,
+        /// Why.
+        error: stackless_bvh::wide::Unfit,
+    },
+    /// The traversal needs ranks that do not become less on the way down.
+    #[error("{method}: on the way down ranks become less, and it may not visit what its oracle visits")]
+    Falling {
+        /// The traversal.
+        method: stackless_bvh::wide::Method,
     },
     /// The traversal asks the search again on its way down, and the answers of this one change: there is no one trace.
     #[error("{method}: it asks the search again, and the answers of this one change on the way")]
@@ -195,7 +225,7 @@ pub enum ExplainError {
     #[error("{method}: visit {visit}: {what} is {found}, the oracle's is {expected}")]
     Differs {
         /// The traversal.
-        method: Method,
+        method: &'static str,
         /// Number of the visit, from 0.
         visit: usize,
         /// What differs.
@@ -218,10 +248,17 @@ pub enum ExplainError {
 struct Page<'a> {
     title: &'a str,
     /// Children of each node.
-    children: Vec<Option<[u32; 2]>>,
-    /// Keys of the nodes in binary, and in decimal: their names.
+    children: Vec<Option<Vec<u32>>>,
+    /// Keys of the nodes in binary, and their names.
     keys: Vec<String>,
     names: Vec<String>,
+    /// Bits of a key for each level, and of a trail.
+    #[serde(rename = "keyBits")]
+    key_bits: u32,
+    #[serde(rename = "trailBits")]
+    trail_bits: u32,
+    /// Base of the names.
+    base: u32,
     methods: Vec<Recording>,
     /// Traversals that do not run on this case, each with the reason.
     left_out: Vec<String>,
@@ -245,33 +282,62 @@ const TEMPLATE: &str = include_str!("page.html");
 /// # Errors
 /// [`ExplainError`], if the tree is too large, a traversal differs from its oracle, or none runs.
 pub fn page(title: &str, case: &Case, methods: &[Method]) -> Result<String, ExplainError> {
+    let (methods, left_out) = recordings(methods, |method| record(case, method))?;
+    let keys = Keys::of(&case.tree);
+    let keys: Vec<u128> = (0..case.size()).map(|slot| keys.key(slot)).collect();
+    let page = Page {
+        title,
+        children: case.tree.to_children().into_iter().map(|pair| pair.map(Vec::from)).collect(),
+        keys: keys.iter().map(|key| format!("{key:b}")).collect(),
+        names: keys.iter().map(u128::to_string).collect(),
+        key_bits: 1,
+        trail_bits: 1,
+        base: 10,
+        methods,
+        left_out,
+    };
+    page.to_html()
+}
+
+impl Page<'_> {
+    fn to_html(&self) -> Result<String, ExplainError> {
+        // No text can end the element in which it stands.
+        let data = serde_json::to_string(self)?.replace('<', "\\u003c");
+        Ok(TEMPLATE.replace("{{data}}", &data))
+    }
+}
+
+/// The recordings of the traversals that run, and why the others do not.
+fn recordings<M: Copy>(
+    methods: &[M],
+    record: impl Fn(M) -> Result<Recording, ExplainError>,
+) -> Result<(Vec<Recording>, Vec<String>), ExplainError> {
     let (mut recordings, mut left_out, mut why) = (Vec::new(), Vec::new(), ExplainError::NoMethod);
     for &method in methods {
-        match record(case, method) {
+        match record(method) {
             Ok(recording) => recordings.push(recording),
-            Err(error @ (ExplainError::Unfit { .. } | ExplainError::Changing { .. } | ExplainError::Table { .. })) => {
+            Err(error) if error.is_of_method() => {
                 left_out.push(error.to_string());
                 why = error;
             }
             Err(error) => return Err(error),
         }
     }
-    if recordings.is_empty() {
-        return Err(why);
+    if recordings.is_empty() { Err(why) } else { Ok((recordings, left_out)) }
+}
+
+impl ExplainError {
+    /// Whether other traversals may run.
+    const fn is_of_method(&self) -> bool {
+        matches!(
+            self,
+            Self::Unfit { .. }
+                | Self::UnfitWide { .. }
+                | Self::Falling { .. }
+                | Self::Changing { .. }
+                | Self::Table { .. }
+        )
     }
-    let keys = Keys::of(&case.tree);
-    let keys: Vec<u128> = (0..case.size()).map(|slot| keys.key(slot)).collect();
-    let page = Page {
-        title,
-        children: case.tree.to_children(),
-        keys: keys.iter().map(|key| format!("{key:b}")).collect(),
-        names: keys.iter().map(u128::to_string).collect(),
-        methods: recordings,
-        left_out,
-    };
-    // No text can end the element in which it stands.
-    let data = serde_json::to_string(&page)?.replace('<', "\\u003c");
-    Ok(TEMPLATE.replace("{{data}}", &data))
 }
 
 /// Runs a traversal over a case, in words of 128 bits, and compares each visit with the oracle's. `[TRAVERSE-1]`
@@ -279,13 +345,8 @@ pub fn page(title: &str, case: &Case, methods: &[Method]) -> Result<String, Expl
 /// # Errors
 /// [`ExplainError`].
 pub fn record(case: &Case, method: Method) -> Result<Recording, ExplainError> {
-    let (nodes, depth) = (case.size(), case.tree.depth());
-    if nodes > MOST_NODES {
-        return Err(ExplainError::TooLarge { nodes });
-    }
-    if depth > DEEPEST {
-        return Err(ExplainError::TooDeep { depth });
-    }
+    let depth = case.tree.depth();
+    refuse_large(case.size(), depth, DEEPEST)?;
     if method.restarts() && !case.is_static() {
         return Err(ExplainError::Changing { method });
     }
@@ -299,6 +360,17 @@ pub fn record(case: &Case, method: Method) -> Result<Recording, ExplainError> {
     let links = observe::link_names(method).to_vec();
     let state_bytes = method.state_bytes::<u32>(depth);
     Ok(Recording { method: method.name(), about, clause, state_bytes, links, table, steps: visits })
+}
+
+/// Refuses what cannot be drawn.
+const fn refuse_large(nodes: usize, depth: u32, limit: u32) -> Result<(), ExplainError> {
+    if nodes > MOST_NODES {
+        return Err(ExplainError::TooLarge { nodes });
+    }
+    if depth > limit {
+        return Err(ExplainError::TooDeep { depth, limit });
+    }
+    Ok(())
 }
 
 /// The example of Binder & Keller's Fig. 2: from the node with key 10110 = 22, with the trail 1000, backtracking goes

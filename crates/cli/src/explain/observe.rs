@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use super::{ExplainError, HashLookup, Table};
+use super::{ExplainError, HashLookup, Table, slot};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::Search;
 use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
@@ -74,7 +74,7 @@ pub(super) fn run(case: &Case, method: Method, log: &Log) -> Result<Option<Table
     let tables = Tables::with(&watched, case.tape.axes(), beside);
     let (mut search, mut watching) = (Deciding::new(case, method, log), Watching::new(case, log));
     tables.run::<Word, _>(method, case.octant, &mut Vec::new(), &mut search, &mut watching).map_err(unfit)?;
-    Ok(hash.map(|hash| Table::of(&hash, tree)))
+    Ok(hash.map(|hash| Table::of(&hash, |node| slot(tree, node))))
 }
 
 /// What the oracle of a traversal does.
@@ -156,7 +156,7 @@ struct Asked<'a> {
 
 impl stackless_bvh::hash::Lookup<Word> for Asked<'_> {
     fn node(&self, key: &Word) -> Node {
-        let lookup = self.hash.map(|hash| HashLookup::of(hash, key, self.tree));
+        let lookup = self.hash.map(|hash| HashLookup::of(hash, key, |node| slot(self.tree, node)));
         self.log.note(|seen| seen.lookup = lookup);
         self.hash.and_then(|hash| hash.probe(key)).unwrap_or(self.tree.root())
     }

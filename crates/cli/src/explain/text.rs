@@ -2,7 +2,7 @@
 
 use super::judge::Judge;
 use super::observe::Seen;
-use super::{By, Entry, Next};
+use super::{By, Entry, HashLookup, Next};
 use stackless_bvh::event::State;
 use stackless_bvh::key::{KeyWord, Side};
 use stackless_bvh::order::Descent;
@@ -168,16 +168,7 @@ fn source(judge: &Judge<'_>, next: &Next, name: &str) -> (String, Option<&'stati
     match (next.by, &next.lookup) {
         (By::Table, Some(lookup)) => {
             let reason = if judge.method.wants_recorded() == Recorded::Nothing { "" } else { "No record names it. " };
-            let bucket = lookup.bucket;
-            let text = match (lookup.entry, lookup.cell) {
-                (Entry::Displacement(displacement), Some(cell)) => {
-                    format!(
-                        "{reason}Bucket {bucket} of the table has the displacement {displacement}, which leads to cell {cell}."
-                    )
-                }
-                _ => format!("{reason}Its address stands in bucket {bucket} of the table."),
-            };
-            (text, None)
+            (format!("{reason}{}", looked_up(lookup)), None)
         }
         (By::Register, _) => ("The register holds its address.".to_owned(), Some("REGISTER-1")),
         (By::Uncle, _) => (format!("It is the uncle: the record names {name}."), Some("REGISTER-2")),
@@ -194,6 +185,19 @@ fn source(judge: &Judge<'_>, next: &Next, name: &str) -> (String, Option<&'stati
         (By::Restart, _) => {
             ("The short stack has lost the node that comes next: start again at the root.".to_owned(), None)
         }
-        (By::Key | By::Child | By::Table, _) => ("Its address follows from its key.".to_owned(), None),
+        (By::Key | By::Child | By::Table | By::Parent | By::Ancestor, _) => {
+            ("Its address follows from its key.".to_owned(), None)
+        }
+    }
+}
+
+/// What a lookup finds.
+pub(super) fn looked_up(lookup: &HashLookup) -> String {
+    let bucket = lookup.bucket;
+    match (lookup.entry, lookup.cell) {
+        (Entry::Displacement(displacement), Some(cell)) => {
+            format!("Bucket {bucket} of the table has the displacement {displacement}, which leads to cell {cell}.")
+        }
+        _ => format!("Its address stands in bucket {bucket} of the table."),
     }
 }

@@ -34,8 +34,10 @@ fn a_mesh_is_timed_and_judged() {
     let run = stackless("accuracy --rays 500 --rounds 1", &paths).passes();
     assert_eq!(folder.names(), ["picture.svg", "rows.csv", "rows.json"]);
 
-    let rows = read_json(&json);
-    let rows = rows.as_array().unwrap();
+    let record = read_json(&json);
+    let rows = record["rows"].as_array().unwrap();
+    assert_eq!(record["run"]["command"], "accuracy");
+    assert!(!record["run"]["machines"].as_object().unwrap().is_empty());
     let names = |row: &Value| ["set", "kernel", "box"].map(|name| row[name].as_str().unwrap().to_owned());
     assert_eq!(rows.len(), 5 * PAIRS);
     assert_eq!(rows.iter().map(names).collect::<BTreeSet<_>>().len(), rows.len());
@@ -117,8 +119,8 @@ fn closed_spheres_leak_unless_the_tests_are_exact() {
     let folder = Folder::new();
     let json = folder.path("rows.json");
     let run = stackless("accuracy --rays 100 --json", &[&json, Path::new("spheres")]).passes();
-    let rows = read_json(&json);
-    let rows = rows.as_array().unwrap();
+    let record = read_json(&json);
+    let rows = record["rows"].as_array().unwrap();
     assert_eq!(rows.len(), 6 * PAIRS);
     for row in rows {
         assert!(row["rays"].as_u64() > Some(900), "{row}");
@@ -136,9 +138,9 @@ fn rays_from_surfaces_begin_at_the_exact_point() {
     let (json, png) = (folder.path("rows.json"), folder.path("wrong.png"));
     let run =
         stackless("accuracy soup --secondary --rays 2000 --json", &[&json, Path::new("--picture"), &png]).passes();
-    let rows = read_json(&json);
+    let record = read_json(&json);
     let wrong = |start: &str| {
-        let row = rows.as_array().unwrap().iter().find(|row| row["start"] == start).unwrap();
+        let row = record["rows"].as_array().unwrap().iter().find(|row| row["start"] == start).unwrap();
         assert!(row["rays"].as_u64() > Some(500), "{row}");
         row["false_shadows"].as_u64().unwrap() + row["false_light"].as_u64().unwrap()
     };

@@ -58,6 +58,53 @@ fn parts_of_stress_add_up() {
     assert_cut("stress --boxes 20000 --seed 5", &[], &[1, 7, 64]);
 }
 
+/// [`assert_cut`] with a whole of one part: without parts, times are measured too.
+fn assert_counts_cut(args: &str, scenes: &[&Path], cuts: &[u32]) {
+    let folder = Folder::new();
+    let [whole, sum] = ["whole.json", "sum.json"].map(|name| folder.path(name));
+    let paths: Vec<_> = [whole.as_path()].into_iter().chain(scenes.iter().copied()).collect();
+    let run = stackless(&format!("{args} --shard 1/1 --json"), &paths).passes();
+    for &count in cuts {
+        let merged = merge(&parts(&folder, args, scenes, count), &sum).passes();
+        assert_eq!(merged.stdout.split_once('\n').unwrap().1, run.stdout, "{args}, {count} parts");
+        assert_eq!(counts(&sum), counts(&whole), "{args}, {count} parts");
+    }
+}
+
+#[test]
+fn parts_of_accuracy_add_up() {
+    let both = [data("cube.ply"), data("cube.obj")];
+    let both: Vec<_> = both.iter().map(std::path::PathBuf::as_path).collect();
+    assert_counts_cut("accuracy --rays 100 --seed 3", &both, &[7, 64]);
+    // More rays than are aimed in a block.
+    assert_counts_cut("accuracy --rays 5000", &both[..1], &[3]);
+    assert_counts_cut("accuracy --secondary --rays 400", &[Path::new("soup")], &[7, 64]);
+    assert_counts_cut("accuracy spheres --rays 20", &[], &[7]);
+}
+
+#[test]
+fn parts_of_accuracy_have_no_times() {
+    let folder = Folder::new();
+    let [part, whole] = ["part.json", "whole.json"].map(|name| folder.path(name));
+    stackless("accuracy --rays 50 --shard 1/1 --json", &[&part, &data("cube.ply")]).passes();
+    stackless("accuracy --rays 50 --rounds 1 --json", &[&whole, &data("cube.ply")]).passes();
+    let [part, whole] = [&part, &whole].map(|path| read_json(path));
+    for (part, whole) in part["rows"].as_array().unwrap().iter().zip(whole["rows"].as_array().unwrap()) {
+        for name in ["ratio", "ns_per_ray", "mean_ulp", "p999_ulp"] {
+            assert!(part[name].is_null(), "{name}: {part}");
+        }
+        // All rays are judged in both.
+        for name in ["scene", "set", "kernel", "box", "rays", "hits", "false_misses", "wrong_primitives", "max_ulp"] {
+            assert_eq!(part[name], whole[name], "{name}");
+        }
+    }
+    for option in ["--plot a.svg", "--rounds 2", "--secondary --picture a.png"] {
+        let run = stackless(&format!("accuracy soup --shard 1/2 {option}"), &[]);
+        assert_eq!(run.code, Some(2), "{run:?}");
+        assert!(run.stderr.contains("cannot be used with"), "{run:?}");
+    }
+}
+
 #[test]
 fn what_is_not_one_run_is_refused() {
     let folder = Folder::new();

@@ -1,6 +1,7 @@
 //! `stackless stats`: the figures fit together, and what the plan leaves out is told with its reason.
 
 use serde_json::Value;
+use stackless_bvh::trace::Need;
 
 use super::support::{Folder, read_json, stackless};
 
@@ -42,6 +43,26 @@ fn the_plan_says_what_is_left_out_and_why() {
         assert_eq!(own, 24 * stats["nodes"].as_u64().unwrap());
         assert!(all > own);
     }
+}
+
+#[test]
+fn which_tracer_serves_is_said_with_its_reason() {
+    let folder = Folder::new();
+    let json = folder.path("stats.json");
+    let said = stackless("stats soup --rays 2000 --json", &[&json]).passes().stdout;
+    let line = said.lines().find(|line| line.starts_with("default: ")).unwrap();
+    assert!(line.starts_with("default: Tracer by wide-record over sah. It is exact"), "{line}");
+    let choice = &read_json(&json)["wide"]["choice"];
+    let otherwise = choice["otherwise"].as_array().unwrap();
+    assert_eq!(otherwise.len(), Need::ALL.len());
+    for (row, need) in otherwise.iter().zip(Need::ALL) {
+        assert_eq!(*row, serde_json::json!([need.name(), "BinaryTracer", need.reason()]));
+        assert!(said.contains(need.reason()), "{said}");
+    }
+    // Rounds of reinsertion cost time, and make a tree of less surface.
+    let reinsertion = &choice["reinsertion"];
+    let [time, nodes, triangles] = ["build_time", "nodes", "triangles"].map(|part| reinsertion[part].as_f64().unwrap());
+    assert!(time > 1.0 && (0.5..1.0).contains(&nodes) && (0.5..1.2).contains(&triangles), "{reinsertion}");
 }
 
 #[test]

@@ -31,6 +31,23 @@ fn the_exact_level_has_no_errors_and_the_others_have() {
     assert!(errors_of_others > 0);
 }
 
+/// [CONF-2]
+#[test]
+fn wide_traversals_are_stressed_too() {
+    let folder = Folder::new();
+    let json = folder.path("errors.json");
+    let accuracies = |methods: &str| {
+        let run = stackless(&format!("stress --rays 30 --cases edge,vertex {methods} --json"), &[&json]).passes();
+        assert!(run.stdout.contains("stressed: 2 cases, 60 rays, exact: 0 errors"), "{}", run.stdout);
+        let rows = read_json(&json)["rows"].as_array().unwrap().clone();
+        rows.iter().map(|row| row["accuracy"].as_str().unwrap().to_owned()).collect::<Vec<_>>()
+    };
+    assert_eq!(accuracies("--methods wide-record,wide-hashed"), ["exact, wide"; 2]);
+    let both = accuracies("--methods wide-trail,stack");
+    assert_eq!(both.iter().filter(|accuracy| *accuracy == "exact, wide").count(), 2);
+    assert_eq!(both, accuracies(""));
+}
+
 #[test]
 fn cases_and_boxes() {
     let list = stackless("stress --list", &[]).passes().stdout;

@@ -47,6 +47,28 @@ pub enum Traversal {
     Wide(WideMethod),
 }
 
+impl Traversal {
+    /// The name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Binary(method) => method.name(),
+            Self::Wide(method) => method.name(),
+        }
+    }
+
+    /// Those of binary and those of wide trees, each in their order.
+    pub fn of_each_kind(all: &[Self]) -> (Vec<Method>, Vec<WideMethod>) {
+        let (mut binary, mut wide) = (Vec::new(), Vec::new());
+        for &traversal in all {
+            match traversal {
+                Self::Binary(method) => binary.push(method),
+                Self::Wide(method) => wide.push(method),
+            }
+        }
+        (binary, wide)
+    }
+}
+
 impl Default for Library {
     fn default() -> Self {
         Self::new(None, None)
@@ -133,11 +155,7 @@ impl Implementation for Library {
         let is_walk = |level| matches!(level, Level::Trace | Level::Resume);
         let profiles = all.filter(|&(level, profile)| !is_walk(level) || self.traversal_for(level, profile).is_some());
         let profiles = profiles.map(|(level, profile)| format!("{level}/{profile}")).collect();
-        let method = match self.traversal {
-            None => "stackless-bvh",
-            Some(Traversal::Binary(method)) => method.name(),
-            Some(Traversal::Wide(method)) => method.name(),
-        };
+        let method = self.traversal.map_or("stackless-bvh", Traversal::name);
         Hello {
             protocol: PROTOCOL,
             name: match (self.word, self.accuracy) {

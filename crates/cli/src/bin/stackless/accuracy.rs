@@ -4,25 +4,32 @@ mod leaks;
 mod pairs;
 mod rows;
 mod secondary;
+mod sets;
 mod stages;
 mod tables;
 mod timing;
+mod total;
 
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
-use stackless_bvh::generate::{procedural, stress};
+use serde_json::json;
 use stackless_bvh::geom::Ray;
-use stackless_bvh::trace::{self, Truth};
+use stackless_bvh::trace::Truth;
+use stackless_check::Shard;
 
 use crate::Outcome;
 use crate::input::Scene;
-use crate::judge::{Counts, Query, Truths};
-use crate::output::{self, Block, bar, say, write_file, write_json};
+use crate::judge::{Counts, Query, Truths, chosen};
+use crate::output::{bar, write_file};
 use crate::places::{self, Output};
+use crate::record::{self, Numbered, Run, add_rows, fingerprint};
 use pairs::{Pair, Trees};
 use rows::{Kind, Row};
+use sets::{Set, sets};
 use stages::Stages;
+pub(crate) use total::{Found, SecondaryFound};
 
 /// Measure run time against error, for every triangle test with every box test.
 ///
@@ -30,10 +37,14 @@ use stages::Stages;
 /// that of `moller-32` with `plain` boxes. Errors are told by rational arithmetic, on ordinary rays (a camera's, and
 /// from where those hit) and on rays that are aimed at edges, corners and planes. The exit code is 1 if an exact test
 /// with `directed` boxes errs at all.
+///
+/// With --shard, all rays are judged and none are timed. Then the record has counts of errors and the greatest error of a
+/// distance, which add up. Times, means and quantiles do not: they belong to a whole run on one machine.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless accuracy bunny.ply spheres --plot accuracy.svg --csv accuracy.csv\n  \
-    stackless accuracy soup --secondary --rays 10000")]
+    stackless accuracy soup --secondary --rays 10000\n  \
+    stackless accuracy soup --rays 1000000 --shard 3/64 --json 3.json")]
 pub(crate) struct Args {
     /// Mesh files (.ply, .obj), the made scenes `strands`, `stadium`, `soup`, or `spheres`: closed ones, only for
     /// leaks.
@@ -45,7 +56,7 @@ pub(crate) struct Args {
     /// Write all counts to this file, a line for each scene, kind of rays and pair of tests.
     #[arg(long, value_name = "FILE", value_parser = places::file)]
     csv: Option<Output>,
-    /// The same as JSON.
+    /// The same as JSON, with what was asked, the version and the machine: a record for `stackless merge`.
     #[arg(long, value_name = "FILE", value_parser = places::file)]
     json: Option<Output>,
     /// Rays of each kind: so many are timed, and up to 20,000 of them judged. Below 65,536 `spheres` has fewer too.
@@ -61,24 +72,22 @@ pub(crate) struct Args {
     /// each hit a ray of ambient occlusion. All answers are judged by rational arithmetic.
     #[arg(long, conflicts_with_all = ["plot", "csv", "rounds"])]
     secondary: bool,
+    /// Run one of N parts of this, and count errors alone. `stackless merge` adds them up.
+    #[arg(long, value_name = "I/N", conflicts_with_all = ["plot", "rounds", "picture"])]
+    shard: Option<Shard>,
     /// Draw which of these are wrong, as PNG.
     #[arg(long, value_name = "FILE", requires = "secondary", value_parser = places::file)]
     picture: Option<Output>,
 }
 
 /// Rays of a kind that are judged.
-const JUDGED: usize = 20_000;
+const JUDGED: u64 = 20_000;
 
 /// The name of the scene that is several.
 const SPHERES: &str = "spheres";
 
-/// Rays of one kind, for one kind of query.
-struct Set {
-    name: &'static str,
-    kind: Kind,
-    query: Query,
-    rays: Vec<Ray>,
-}
+/// Rays of a part that are made and judged at once.
+const AT_ONCE: u64 = 1 << 16;
 
 pub(crate) fn run(args: &Args) -> Outcome {
     let (spheres, scenes): (Vec<&PathBuf>, Vec<_>) = args.scenes.iter().partition(|path| *path == Path::new(SPHERES));
@@ -95,51 +104,26 @@ pub(crate) fn run(args: &Args) -> Outcome {
     if args.plot.is_some() && scenes.is_empty() {
         return Err(format!("--plot needs a scene that is timed, and {SPHERES} is not").into());
     }
-    let mut found = measure(args, &scenes)?;
+    let shard = args.shard.unwrap_or(Shard::WHOLE);
+    let mut run = args.asked::<Found>(&scenes);
+    let mut found = Found::default();
+    if !scenes.is_empty() {
+        let numbers = run.take(shard, "rays of each kind", args.rays.into());
+        found = measure_part(args, &scenes, numbers)?;
+    }
     if !spheres.is_empty() {
         let share = f64::from(args.rays.min(1 << 16)) / f64::from(1 << 16);
-        found.rows.extend(leaks::count(&Pair::all(), share, &mut found.offences)?);
+        let mut part = |sphere: &str, of: u64| run.take(shard, sphere, of);
+        found.rows.extend(leaks::count(&Pair::all(), share, &mut part)?);
     }
-    output::print(&found.blocks());
-    let Found { rows, offences, .. } = &found;
-    for offence in offences {
-        say!("{offence}");
+    run.refuse_empty(shard)?;
+    let csv = args.csv.as_ref().map(|path| (path, rows::csv(&found.rows)));
+    let svg = args.plot.as_ref().map(|path| Ok::<_, String>((path, found.plot()?))).transpose()?;
+    let is_right = run.finish(found, args.json.as_deref())?;
+    for (path, text) in csv.into_iter().chain(svg) {
+        write_file(path, |file| file.write_all(text.as_bytes()))?;
     }
-    if let Some(path) = &args.csv {
-        let csv = rows::csv(rows);
-        write_file(path, |file| file.write_all(csv.as_bytes()))?;
-    }
-    if let Some(path) = &args.json {
-        write_json(path, rows)?;
-    }
-    if let Some(path) = &args.plot {
-        let svg = found.plot()?;
-        write_file(path, |file| file.write_all(svg.as_bytes()))?;
-    }
-    Ok(offences.is_empty())
-}
-
-/// What was measured.
-#[derive(Default)]
-pub(crate) struct Found {
-    rows: Vec<Row>,
-    stages: Vec<Stages>,
-    /// Sets without rays.
-    notes: Vec<String>,
-    /// Errors of pairs that promise none, in words.
-    pub(crate) offences: Vec<String>,
-}
-
-impl Found {
-    pub(crate) fn blocks(&self) -> Vec<Block> {
-        let notes = self.notes.iter().cloned().map(Block::Line);
-        notes.chain(tables::blocks(&self.rows, &self.stages)).collect()
-    }
-
-    /// Time against error, as SVG.
-    pub(crate) fn plot(&self) -> Result<String, String> {
-        tables::plot(&self.rows)
-    }
+    Ok(is_right)
 }
 
 impl Args {
@@ -153,18 +137,41 @@ impl Args {
             json: none.clone(),
             picture: none,
             secondary: false,
+            shard: None,
             rays,
             rounds,
             seed,
         }
     }
+
+    /// How many of so many rays are judged: of a part all.
+    fn judged(&self, of: u64) -> u64 {
+        if self.shard.is_some() { of } else { of.min(JUDGED) }
+    }
+
+    /// What the counts depend on. Where a camera stands depends on a scene's name.
+    fn asked<C: record::Counts>(&self, scenes: &[Scene]) -> Run {
+        Run::of::<C>([
+            ("rays", self.rays.into()),
+            ("judged", if self.secondary { self.rays.into() } else { self.judged(self.rays.into()).into() }),
+            ("seed", self.seed.into()),
+            ("names", json!(scenes.iter().map(|scene| &scene.name).collect::<Vec<_>>())),
+            ("scenes", scenes.iter().map(|scene| fingerprint(&scene.mesh)).collect()),
+            ("spheres", (scenes.len() < self.scenes.len()).into()),
+        ])
+    }
 }
 
 /// Measures all scenes.
 pub(crate) fn measure(args: &Args, scenes: &[Scene]) -> Result<Found, Box<dyn std::error::Error>> {
+    measure_part(args, scenes, 0..args.rays.into())
+}
+
+/// Measures the rays with these numbers in all scenes.
+fn measure_part(args: &Args, scenes: &[Scene], numbers: Range<u64>) -> Result<Found, Box<dyn std::error::Error>> {
     let (pairs, mut found) = (Pair::all(), Found::default());
     for scene in scenes {
-        measure_scene(scene, &pairs, args, &mut found)?;
+        measure_scene(scene, &pairs, args, numbers.clone(), &mut found)?;
     }
     Ok(found)
 }
@@ -173,35 +180,56 @@ fn measure_scene(
     scene: &Scene,
     pairs: &[Pair],
     args: &Args,
+    numbers: Range<u64>,
     found: &mut Found,
 ) -> Result<(), Box<dyn std::error::Error>> {
-    let Found { rows, stages, notes, offences } = found;
     let trees = Trees::new(&scene.mesh)?;
     let truth = Truth::new(&scene.mesh);
-    for set in sets(scene, &trees, args) {
-        if set.rays.is_empty() {
-            notes.push(format!("{}, {}: no rays", scene.name, set.name));
-            continue;
-        }
-        let name = format!("{}, {}", scene.name, set.name);
-        let truths = Truths::new(&truth, &set.rays, JUDGED, &name);
-        let counts = errors(&truths, &trees, pairs, set.query, &name);
-        // Rays that are made to be hard come in an order that nobody traces them in, so they are not timed.
-        let times = match set.kind {
-            Kind::Ordinary => timing::measure(pairs, &trees, set.query, &set.rays, args.rounds as usize, &name),
-            Kind::Adversarial | Kind::Closed => Vec::new(),
-        };
-        if set.query == Query::Closest {
-            stages.push(Stages::count(&scene.name, set.name, trees.by_area(), &set.rays));
-        }
-        for (i, (pair, counts)) in pairs.iter().zip(counts).enumerate() {
-            if let Some(what) = counts.offence.as_ref().filter(|_| pair.is_exact()) {
-                offences.push(format!("{name}: {} with {}: {what}", pair.kernel, pair.slabs));
+    let aimed = args.judged(args.rays.into());
+    if args.shard.is_none() {
+        for set in sets(scene, &trees, args.seed, numbers, args.rays.into(), aimed) {
+            if set.rays.is_empty() {
+                found.notes.push(format!("{}, {}: no rays", scene.name, set.name));
+                continue;
             }
-            rows.push(Row::new(&scene.name, set.name, set.kind, pair).judged(&counts).timed(times.get(i)));
+            let rows = judge(scene, &trees, &truth, pairs, &set, JUDGED as usize);
+            let name = format!("{}, {}", scene.name, set.name);
+            // Rays that are made to be hard come in an order that nobody traces them in, so they are not timed.
+            let times = match set.kind {
+                Kind::Ordinary => timing::measure(pairs, &trees, set.query, &set.rays, args.rounds as usize, &name),
+                Kind::Adversarial | Kind::Closed => Vec::new(),
+            };
+            if set.query == Query::Closest {
+                found.stages.push(Stages::count(&scene.name, set.name, trees.by_area(), &set.rays));
+            }
+            found.rows.extend(rows.into_iter().enumerate().map(|(i, row)| row.timed(times.get(i))));
         }
+        return Ok(());
     }
+    let mut sum = Vec::new();
+    for start in numbers.clone().step_by(AT_ONCE as usize) {
+        let some = start..numbers.end.min(start + AT_ONCE);
+        let sets = sets(scene, &trees, args.seed, some, args.rays.into(), aimed);
+        let rows = sets.iter().flat_map(|set| judge(scene, &trees, &truth, pairs, set, set.rays.len()));
+        add_rows(&mut sum, rows.map(Row::counts_alone).collect(), Row::is_same, Row::add);
+    }
+    found.rows.extend(sum);
     Ok(())
+}
+
+/// What each pair gets wrong, of at most so many rays of a set.
+fn judge(scene: &Scene, trees: &Trees, truth: &Truth, pairs: &[Pair], set: &Set, most: usize) -> Vec<Row> {
+    let name = format!("{}, {}", scene.name, set.name);
+    let truths = Truths::new(truth, &set.rays, most, &name);
+    let counts = errors(&truths, trees, pairs, set.query, &name);
+    let row = |(pair, counts): (&Pair, Counts)| {
+        let offence = counts.offence.as_ref().filter(|_| pair.is_exact()).map(|(i, what)| {
+            let found = format!("{name}: {} with {}: {what}", pair.kernel, pair.slabs);
+            Numbered { number: set.numbers[chosen(*i, truths.rays().len(), set.rays.len())], found }
+        });
+        Row { offence, ..Row::new(&scene.name, set.name, set.kind, pair).judged(&counts) }
+    };
+    pairs.iter().zip(counts).map(row).collect()
 }
 
 /// What each pair gets wrong.
@@ -216,21 +244,4 @@ fn errors(truths: &Truths, trees: &Trees, pairs: &[Pair], query: Query, name: &s
     let counts = counts.collect();
     progress.finish_and_clear();
     counts
-}
-
-fn sets(scene: &Scene, trees: &Trees, args: &Args) -> [Set; 5] {
-    let n = args.rays as usize;
-    let primary = procedural::view(&scene.name, &scene.mesh).rays(n);
-    let progress = bar(1, &format!("{}, bounce", scene.name));
-    let diffuse = trace::bounce(&scene.mesh, trees.by_area(), &primary, args.seed);
-    progress.finish_and_clear();
-    let aimed = stress::aimed(&scene.mesh, args.seed, n.min(JUDGED));
-    let set = |name, kind, query, rays: &Vec<Ray>| Set { name, kind, query, rays: rays.clone() };
-    [
-        set("primary", Kind::Ordinary, Query::Closest, &primary),
-        set("any", Kind::Ordinary, Query::Any, &diffuse),
-        set("diffuse", Kind::Ordinary, Query::Closest, &diffuse),
-        set("aimed", Kind::Adversarial, Query::Closest, &aimed),
-        set("aimed-any", Kind::Adversarial, Query::Any, &aimed),
-    ]
 }

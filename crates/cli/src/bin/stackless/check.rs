@@ -2,13 +2,11 @@
 
 mod summary;
 
-use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use serde_json::json;
 use stackless_bvh::generate::{Family, procedural};
-use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::hash::mix;
+use stackless_bvh::geom::Ray;
 use stackless_bvh::trace::Truth;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_check::{
@@ -21,7 +19,7 @@ use crate::build::Build;
 use crate::input::{self, MADE, Scene};
 use crate::output::bar;
 use crate::places::{self, Output};
-use crate::record::{Run, fingerprint};
+use crate::record::{Run, fingerprint, in_blocks};
 use summary::SceneFault;
 pub(crate) use summary::Summary;
 
@@ -122,7 +120,8 @@ pub(crate) fn run(args: Args) -> Outcome {
     }
     for (i, scene) in scenes.iter().enumerate() {
         let numbers = run.take(args.shard, &format!("rays of scene {i}"), args.rays.into());
-        let rays = rays(&scene.mesh, plan.seed, numbers.clone(), args.rays.into());
+        let make = |seed, n| procedural::rays(&scene.mesh, seed, n);
+        let rays: Vec<_> = in_blocks(numbers.clone(), args.rays.into(), plan.seed, make).map(|(_, ray)| ray).collect();
         let faults = check_one_scene(&plan, scene, numbers.start, &rays, &mut total)?;
         total.scenes.extend(faults.into_iter().map(|(tree, found)| SceneFault::new(i, scene, tree, &found)));
     }
@@ -235,17 +234,4 @@ fn check_one_scene(
         total.rays += rays.len() as u64;
     }
     Ok(faults)
-}
-
-/// Some of the rays of a scene, by their numbers. They are made in blocks, so that no part of a run has to make all.
-fn rays(mesh: &Mesh, seed: u64, numbers: Range<u64>, of: u64) -> Vec<Ray> {
-    const BLOCK: u64 = 4096;
-    let block = |block: u64| {
-        let seed = if block == 0 { seed } else { mix(seed.wrapping_add(block)) };
-        let all = block * BLOCK..of.min((block + 1) * BLOCK);
-        let rays = procedural::rays(mesh, seed, (all.end - all.start) as usize);
-        let wanted = numbers.start.max(all.start)..numbers.end.min(all.end);
-        all.zip(rays).filter(move |(number, _)| wanted.contains(number)).map(|(_, ray)| ray)
-    };
-    (numbers.start / BLOCK..numbers.end.div_ceil(BLOCK)).flat_map(block).collect()
 }

@@ -2,10 +2,12 @@
 
 use std::path::PathBuf;
 
+use stackless_bvh::geom::Ray;
 use stackless_bvh::traverse::Method;
-use stackless_check::{Case, CaseOptions, Replay};
-use stackless_cli::explain::{self, USUAL};
-use stackless_suite::{Ask, author};
+use stackless_bvh::wide::Method as WideMethod;
+use stackless_check::{Case, CaseOptions, Replay, WideCase};
+use stackless_cli::explain::{self, USUAL, wide};
+use stackless_suite::{Ask, Traversal, WideWalk, author};
 
 use crate::build::Build;
 use crate::input::{self, Scene};
@@ -16,11 +18,12 @@ use crate::{Outcome, camera};
 /// Write a page that steps through traversals: the tree, the bits, the lookups, and the oracle's stack beside them.
 ///
 /// One HTML file that needs nothing else and no network. Without a case it shows the papers' example, backtracking from
-/// key 22 with trail 1000 to key 3. Arrow keys step, Home and End go to the ends, digits choose the traversal, space
+/// key 22 with trail 1000 to key 3, or for wide trees an example of eight children. Arrow keys step, Home and End go to the ends, digits choose the traversal, space
 /// plays; `FILE.html#method=hashed&step=6` is a link to a step.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless explain -o example.html\n  \
     stackless explain --tape 7 --methods hashed,sparse -o tape.html\n  \
+    stackless explain bunny.ply --pixel 256,256 --methods wide-record -o ray.html\n  \
     stackless explain --suite-case trace/script/three-neither -o - > case.html")]
 pub(crate) struct Args {
     /// Mesh file (.ply, .obj), or a made scene: what the ray through a pixel does in it.
@@ -34,48 +37,69 @@ pub(crate) struct Args {
     /// How the scene's hierarchy is built, as in `stackless trace`.
     #[arg(long, default_value_t)]
     build: Build,
+    /// Wide trees instead of binary ones, of 2, 4 or 8 children a node. [default: 8 where a wide traversal is named]
+    #[arg(long, value_name = "CHILDREN", value_parser = clap::value_parser!(u32), conflicts_with_all = ["file", "suite_case"])]
+    wide: Option<u32>,
     /// A case as `stackless check` prints it.
     #[arg(long = "case", value_name = "FILE", group = "what")]
     file: Option<PathBuf>,
     /// A random tree with a random search.
     #[arg(long, value_name = "SEED", group = "what")]
     tape: Option<u64>,
-    /// A case of the conformance suite whose level is trace.
+    /// A case of the conformance suite whose level is trace, of a binary or a wide tree.
     #[arg(long, value_name = "ID", group = "what")]
     suite_case: Option<String>,
-    /// Only these traversals, separated by commas; the page opens with the first.
-    #[arg(long, value_delimiter = ',', value_parser = input::MethodName)]
-    methods: Vec<Method>,
+    /// Only these traversals, separated by commas, of binary or of wide trees; the page opens with the first.
+    #[arg(long, value_delimiter = ',', value_parser = input::TraversalName)]
+    methods: Vec<Traversal>,
     /// The page; `-` is the standard output.
     #[arg(short, long, value_name = "FILE.html", value_parser = places::file)]
     output: Output,
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
-    let (title, case, named) = load(args)?;
-    let methods = match (&args.methods[..], &named[..]) {
+    let Page { title, nodes, html } = page(args)?;
+    let html = html.map_err(|error| format!("{title}: {error}"))?;
+    write_file(&args.output, |file| file.write_all(html.as_bytes()))?;
+    say!("{}: {nodes} nodes, {} bytes", args.output.display(), html.len());
+    Ok(true)
+}
+
+type Error = Box<dyn std::error::Error>;
+
+struct Page {
+    title: String,
+    nodes: usize,
+    html: Result<String, explain::ExplainError>,
+}
+
+fn page(args: &Args) -> Result<Page, Error> {
+    let (binary, wide) = Traversal::of_each_kind(&args.methods);
+    let ask = args.suite_case.as_deref().map(suite_case).transpose()?;
+    let is_wide = !wide.is_empty() || args.wide.is_some() || matches!(ask, Some(Ask::TraceWide(_)));
+    match (is_wide, ask) {
+        (true, _) if !binary.is_empty() => Err("--methods: traversals of binary trees do not run on wide ones".into()),
+        (true, Some(Ask::TraceWide(walk))) => of_walk(args, &walk, &wide),
+        (true, Some(_)) => Err("--suite-case: its tree is binary, and a traversal of wide trees is named".into()),
+        (true, None) => wide_page(args, &wide),
+        (false, ask) => binary_page(args, ask, &binary),
+    }
+}
+
+fn binary_page(args: &Args, ask: Option<Ask>, methods: &[Method]) -> Result<Page, Error> {
+    let (title, case, named) = load(args, ask)?;
+    let methods = match (methods, &named[..]) {
         ([], []) => &USUAL[..],
         ([], named) => named,
         (methods, _) => methods,
     };
-    let html = explain::page(&title, &case, methods).map_err(|error| format!("{title}: {error}"))?;
-    write_file(&args.output, |file| file.write_all(html.as_bytes()))?;
-    say!("{}: {} nodes, {} bytes", args.output.display(), case.size(), html.len());
-    Ok(true)
+    Ok(Page { html: explain::page(&title, &case, methods), nodes: case.size(), title })
 }
 
 /// The case with its title, and the traversals that it names.
-fn load(args: &Args) -> Result<(String, Case, Vec<Method>), Box<dyn std::error::Error>> {
-    if let (Some(path), Some([x, y])) = (&args.scene, args.pixel) {
-        let scene = Scene::load(path)?;
-        let camera::Size { width, height } = args.camera.size;
-        if x >= width || y >= height {
-            return Err(format!("pixel {x},{y} is outside of the image of {width}x{height} pixels").into());
-        }
-        let pixel = y as usize * width as usize + x as usize;
-        let ray = args.camera.of(&scene).ray(pixel, [0.5; 2]).ok_or("the camera is too far away for a ray")?;
-        let bvh = args.build.run(&scene)?;
-        return Ok((format!("{}, pixel {x},{y}", scene.name), explain::of_ray(&bvh, &ray), Vec::new()));
+fn load(args: &Args, ask: Option<Ask>) -> Result<(String, Case, Vec<Method>), Error> {
+    if let Some((scene, ray, title)) = pixel_ray(args)? {
+        return Ok((title, explain::of_ray(&args.build.run(&scene)?, &ray), Vec::new()));
     }
     if let Some(path) = &args.file {
         let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
@@ -88,11 +112,85 @@ fn load(args: &Args) -> Result<(String, Case, Vec<Method>), Box<dyn std::error::
     if let Some(seed) = args.tape {
         return Ok((format!("Tape {seed}"), Case::random(seed, CaseOptions::default()), Vec::new()));
     }
-    if let Some(id) = &args.suite_case {
-        let case = suite_case(id).map_err(|error| format!("case '{id}': {error}"))?;
+    if let (Some(id), Some(ask)) = (&args.suite_case, ask) {
+        let case = match ask {
+            Ask::Trace(walk) => walk.case().map_err(|error| error.to_string()),
+            _ => Err("expected one whose level is trace".to_owned()),
+        };
+        let case = case.map_err(|error| format!("case '{id}': {error}"))?;
         return Ok((format!("Suite case {id}"), case, Vec::new()));
     }
     Ok(("The papers' example: from key 22 to key 3".to_owned(), explain::example(), Vec::new()))
+}
+
+fn wide_page(args: &Args, methods: &[WideMethod]) -> Result<Page, Error> {
+    if args.file.is_some() {
+        return Err("--case: its tree is binary, and a traversal of wide trees is named".into());
+    }
+    let children = args.wide.unwrap_or(8);
+    if let (None, Some(seed)) = (&args.scene, args.tape) {
+        let title = format!("Tape {seed}, up to {children} children");
+        return match children {
+            2 => Ok(of_case(title, &wide::random::<2>(seed), methods)),
+            4 => Ok(of_case(title, &wide::random::<4>(seed), methods)),
+            8 => Ok(of_case(title, &wide::random::<8>(seed), methods)),
+            _ => Err(format!("--wide {children}: expected 2, 4 or 8").into()),
+        };
+    }
+    if children != 8 {
+        return Err(
+            format!("--wide {children}: scenes and the example have 8 children a node; tapes have 2, 4 or 8").into()
+        );
+    }
+    if let Some((scene, ray, title)) = pixel_ray(args)? {
+        return Ok(of_case(title, &wide::of_ray(&args.build.run_wide(&scene)?, &ray), methods));
+    }
+    Ok(of_case("Eight children: from key 1252 to key 10".to_owned(), &wide::example(), methods))
+}
+
+fn of_case<const A: usize>(title: String, case: &WideCase<A>, methods: &[WideMethod]) -> Page {
+    let methods = if methods.is_empty() { &wide::USUAL } else { methods };
+    let html = match case.is_sorted {
+        true => wide::page(&title, &case.tree, &case.search::<true>(), methods),
+        false => wide::page(&title, &case.tree, &case.search::<false>(), methods),
+    };
+    Page { html, nodes: case.tree.node_count(), title }
+}
+
+/// A case of the suite.
+fn of_walk(args: &Args, walk: &WideWalk, methods: &[WideMethod]) -> Result<Page, Error> {
+    let id = args.suite_case.as_deref().unwrap_or_default();
+    let page = match walk.slots {
+        2 => of_walk_of::<2>(id, walk, methods),
+        4 => of_walk_of::<4>(id, walk, methods),
+        _ => of_walk_of::<8>(id, walk, methods),
+    };
+    page.map_err(|error| format!("case '{id}': {error}").into())
+}
+
+fn of_walk_of<const A: usize>(id: &str, walk: &WideWalk, methods: &[WideMethod]) -> Result<Page, String> {
+    let methods = if methods.is_empty() { &wide::USUAL } else { methods };
+    let (title, tree) = (format!("Suite case {id}"), walk.tree::<A>().map_err(|error| error.to_string())?);
+    let unfit = "its ranks do not fit its tree";
+    let html = match walk.is_sorted() {
+        true => wide::page(&title, &tree, &walk.search::<A, true>().ok_or(unfit)?, methods),
+        false => wide::page(&title, &tree, &walk.search::<A, false>().ok_or(unfit)?, methods),
+    };
+    Ok(Page { html, nodes: tree.node_count(), title })
+}
+
+/// The scene and its ray, with a title, where one is named.
+fn pixel_ray(args: &Args) -> Result<Option<(Scene, Ray, String)>, Error> {
+    let (Some(path), Some([x, y])) = (&args.scene, args.pixel) else { return Ok(None) };
+    let scene = Scene::load(path)?;
+    let camera::Size { width, height } = args.camera.size;
+    if x >= width || y >= height {
+        return Err(format!("pixel {x},{y} is outside of the image of {width}x{height} pixels").into());
+    }
+    let pixel = y as usize * width as usize + x as usize;
+    let ray = args.camera.of(&scene).ray(pixel, [0.5; 2]).ok_or("the camera is too far away for a ray")?;
+    let title = format!("{}, pixel {x},{y}", scene.name);
+    Ok(Some((scene, ray, title)))
 }
 
 fn pixel(text: &str) -> Result<[u32; 2], String> {
@@ -101,12 +199,11 @@ fn pixel(text: &str) -> Result<[u32; 2], String> {
     both.ok_or_else(|| "expected two numbers: X,Y".to_owned())
 }
 
-fn suite_case(id: &str) -> Result<Case, String> {
+fn suite_case(id: &str) -> Result<Ask, String> {
     let suite = author::suite();
-    let (_, case) = suite.cases().find(|(_, case)| case.id == id).ok_or("not in the suite (`stackless suite show`)")?;
+    let named = |error: &dyn std::fmt::Display| format!("case '{id}': {error}");
+    let found = suite.cases().find(|(_, case)| case.id == id);
+    let (_, case) = found.ok_or_else(|| named(&"not in the suite (`stackless suite show`)"))?;
     let ask = serde_json::Value::Object(case.input.clone());
-    match serde_json::from_value(ask).map_err(|error| error.to_string())? {
-        Ask::Trace(walk) => walk.case().map_err(|error| error.to_string()),
-        _ => Err("expected one whose level is trace".to_owned()),
-    }
+    serde_json::from_value(ask).map_err(|error| named(&error))
 }

@@ -39,15 +39,15 @@ pub(crate) struct Counts {
     pub(crate) order_differences: u64,
     /// How often a distance was so many floats away from the nearest to the true one.
     pub(crate) ulps: BTreeMap<u32, u64>,
-    /// The first error, in words.
-    pub(crate) offence: Option<String>,
+    /// The first error, in words, and the index of its ray among those that are judged.
+    pub(crate) offence: Option<(usize, String)>,
 }
 
 impl Truths {
-    /// Asks for the truth about at most `n` of the rays, from all over.
+    /// Asks for the truth about at most `n` of the rays, from all over: number `i` is ray `chosen(i, n, all)`.
     pub(crate) fn new(truth: &Truth, rays: &[Ray], n: usize, name: &str) -> Self {
         let n = n.min(rays.len());
-        let rays: Vec<_> = (0..n).map(|i| rays[i * rays.len() / n]).collect();
+        let rays: Vec<_> = (0..n).map(|i| rays[chosen(i, n, rays.len())]).collect();
         let progress = bar(rays.len() as u64, &format!("{name}, truth"));
         let hits = |ray: &Ray| {
             let hits = truth.all(ray).into_iter().map(|hit| (hit.prim, hit.t)).collect();
@@ -73,16 +73,27 @@ impl Truths {
     /// the same.
     pub(crate) fn counts<const N: usize>(&self, query: Query, answers: &[[Answer; N]]) -> Counts {
         let mut counts = Counts::default();
-        for ((ray, truth), answers) in self.rays.iter().zip(&self.hits).zip(answers) {
-            counts.add(query, ray, truth, *answers);
+        for (i, ((ray, truth), answers)) in self.rays.iter().zip(&self.hits).zip(answers).enumerate() {
+            counts.add(query, (i, ray), truth, *answers);
         }
         counts
     }
 }
 
+/// The ray that is number `i` of `n` from all over.
+pub(crate) const fn chosen(i: usize, n: usize, all: usize) -> usize {
+    i * all / n
+}
+
 impl Counts {
     /// `truth` has all hits in their order; the first answer is the one that is judged.
-    fn add<const N: usize>(&mut self, query: Query, ray: &Ray, truth: &[(u32, f32)], answers: [Answer; N]) {
+    fn add<const N: usize>(
+        &mut self,
+        query: Query,
+        (index, ray): (usize, &Ray),
+        truth: &[(u32, f32)],
+        answers: [Answer; N],
+    ) {
         self.rays += 1;
         self.hits += u64::from(!truth.is_empty());
         let Some((&judged, others)) = answers.split_first() else { return };
@@ -100,7 +111,8 @@ impl Counts {
         self.order_differences += u64::from(differs);
         if (error.is_some() || differs || ulps.is_some_and(|ulps| ulps > 0)) && self.offence.is_none() {
             let (ray, truth) = (csv_line(ray), truth.first());
-            self.offence = Some(format!("the ray {ray} truly has the closest hit {truth:?}, and gets {answers:?}"));
+            let what = format!("the ray {ray} truly has the closest hit {truth:?}, and gets {answers:?}");
+            self.offence = Some((index, what));
         }
     }
 
@@ -183,17 +195,17 @@ mod tests {
         let (right, late) = (Some((3, 1.0)), Some((3, 1.0f32.next_up())));
         let mut counts = Counts::default();
         for _ in 0..999 {
-            counts.add(Query::Closest, &ray, &[(3, 1.0)], [right; 3]);
+            counts.add(Query::Closest, (7, &ray), &[(3, 1.0)], [right; 3]);
         }
         assert!(counts.offence.is_none());
-        counts.add(Query::Closest, &ray, &[(3, 1.0)], [late; 3]);
+        counts.add(Query::Closest, (7, &ray), &[(3, 1.0)], [late; 3]);
         assert!(counts.offence.is_some());
         assert_eq!((counts.quantile(0.999), counts.quantile(1.0), counts.mean()), (Some(0), Some(1), Some(0.001)));
         for answers in [[right, late, right], [right, right, None], [None; 3]] {
-            counts.add(Query::Closest, &ray, &[(3, 1.0)], answers);
+            counts.add(Query::Closest, (7, &ray), &[(3, 1.0)], answers);
         }
-        counts.add(Query::Any, &ray, &[(3, 1.0)], [right, late, right]);
-        counts.add(Query::Any, &ray, &[], [right, right, None]);
+        counts.add(Query::Any, (7, &ray), &[(3, 1.0)], [right, late, right]);
+        counts.add(Query::Any, (7, &ray), &[], [right, right, None]);
         let all = counts;
         assert_eq!((all.rays, all.hits), (1005, 1004));
         assert_eq!((all.false_misses, all.false_hits, all.wrong_primitives, all.order_differences), (1, 1, 0, 3));

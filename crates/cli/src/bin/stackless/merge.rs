@@ -1,5 +1,7 @@
 //! `stackless merge`: records of parts, added up.
 
+mod outside;
+
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -7,22 +9,30 @@ use serde_json::Value;
 use stackless_scene::read_text;
 
 use crate::Outcome;
+use crate::accuracy::{Found, SecondaryFound};
 use crate::check::Summary;
+use crate::output::write_file;
 use crate::output::{say, write_json};
 use crate::places::{self, Output};
-use crate::record::{Counts, Part, Record, Run, claim};
+use crate::record::{Counts, Part, Record, Run};
 use crate::stress::{BoxCounts, StressCounts};
+use outside::{FuzzCounts, MutantCounts};
+use stackless_cli::plots::{Stretch, plot_campaign};
 
 /// Add up the records of all parts of a run.
 ///
-/// Records are the files that `check` and `stress` write with --json; --shard I/N runs a part. The sum of all parts is
+/// Records are the files that `check`, `stress` and `accuracy` write with --json; --shard I/N runs a part. The sum of all parts is
 /// the record of the whole run, however it was cut. Records of different runs or versions, parts that overlap, and parts
 /// that are missing are refused. The exit code is 1 if anything went wrong in a part.
+///
+/// The mutants of the adapters (tests/adapters/mutate.py) and the fuzz targets (fuzz/run.sh) write records too. Runs of a
+/// fuzz target are no parts of a whole: they add up, and one that is given twice counts once.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless check --shard 1/2 --json a.json\n  \
     stackless check --shard 2/2 --json b.json\n  \
-    stackless merge a.json b.json --json all.json")]
+    stackless merge a.json b.json --json all.json\n  \
+    stackless merge records/*.json --plot campaign.svg")]
 pub(crate) struct Args {
     /// Records of parts.
     #[arg(required = true)]
@@ -30,6 +40,9 @@ pub(crate) struct Args {
     /// Write the sum to this file.
     #[arg(long, value_name = "FILE", value_parser = places::file)]
     json: Option<Output>,
+    /// Draw the cases and the bound on the rate of errors over the processor time of the parts, as SVG.
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    plot: Option<Output>,
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
@@ -43,8 +56,12 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let (path, first) = &records[0];
     match command(first).as_deref() {
         Some(Summary::COMMAND) => merge::<Summary>(args, records),
+        Some(Found::COMMAND) => merge::<Found>(args, records),
+        Some(SecondaryFound::COMMAND) => merge::<SecondaryFound>(args, records),
         Some(StressCounts::COMMAND) => merge::<StressCounts>(args, records),
         Some(BoxCounts::COMMAND) => merge::<BoxCounts>(args, records),
+        Some(MutantCounts::COMMAND) => merge::<MutantCounts>(args, records),
+        Some(FuzzCounts::COMMAND) => merge::<FuzzCounts>(args, records),
         Some(other) => Err(format!("{path}: a record of `{other}`, which does not add up").into()),
         None => Err(format!("{path}: no record of a run: expected `command` in `run`").into()),
     }
@@ -53,22 +70,38 @@ pub(crate) fn run(args: &Args) -> Outcome {
 fn merge<C: Counts>(args: &Args, values: Vec<(String, Value)>) -> Outcome {
     let mut records = Vec::new();
     for (path, value) in values {
-        let record = serde_json::from_value(value).map_err(|error| format!("{path}: no record: {error}"))?;
+        let record: Record<C> = serde_json::from_value(value).map_err(|error| format!("{path}: no record: {error}"))?;
         records.push((path, record));
     }
+    let plot = args.plot.as_ref().map(|path| Ok::<_, String>((path, draw(&mut records)?))).transpose()?;
     let Record { run, counts } = add::<C>(records)?;
     counts.print_with_claim();
     if let Some(path) = &args.json {
         write_json(path, &Record { run, counts: &counts })?;
     }
+    if let Some((path, svg)) = plot {
+        write_file(path, |file| file.write_all(svg.as_bytes()))?;
+    }
     let [_, errors] = counts.cases_and_errors();
     Ok(errors == 0)
+}
+
+/// The records in the order of what they have done, as a picture.
+fn draw<C: Counts>(records: &mut [(String, Record<C>)]) -> Result<String, String> {
+    let first = |run: &Run| run.parts.values().flat_map(|part| &part.done).map(|[from, _]| *from).min();
+    records.sort_by_key(|(_, record)| first(&record.run));
+    let stretch = |(_, Record { run, counts }): &(String, Record<C>)| {
+        let [cases, errors] = counts.cases_and_errors();
+        Stretch { seconds: run.machines.values().sum(), cases, errors }
+    };
+    let title = records.first().map_or_else(String::new, |(_, record)| format!("stackless {}", record.run.command));
+    plot_campaign(&title, &records.iter().map(stretch).collect::<Vec<_>>())
 }
 
 trait PrintWithClaim: Counts {
     /// What was counted, and first what it says of what was not.
     fn print_with_claim(&self) {
-        say!("{}", claim(self.cases_and_errors()));
+        say!("{}", self.claim());
         self.print();
     }
 }

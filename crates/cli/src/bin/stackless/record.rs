@@ -9,7 +9,7 @@ use cpu_time::ProcessTime;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
-use stackless_bvh::geom::Mesh;
+use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::hash::mix;
 use stackless_check::Shard;
 
@@ -32,6 +32,11 @@ pub(crate) trait Counts: Serialize + DeserializeOwned {
 
     /// Whether anything was compared.
     fn is_empty(&self) -> bool;
+
+    /// What the counts say of all such cases.
+    fn claim(&self) -> String {
+        claim(self.cases_and_errors())
+    }
 }
 
 /// The file of `--json`.
@@ -111,6 +116,55 @@ impl Run {
     }
 }
 
+/// Adds rows to those that are the same but for their counts. Those of all parts are in one order; where one is missing,
+/// it is looked for.
+pub(crate) fn add_rows<R>(
+    rows: &mut Vec<R>,
+    others: Vec<R>,
+    is_same: impl Fn(&R, &R) -> bool,
+    add: impl Fn(&mut R, R),
+) {
+    for (i, other) in others.into_iter().enumerate() {
+        let here = rows.get(i).is_some_and(|row| is_same(row, &other)).then_some(i);
+        match here.or_else(|| rows.iter().position(|row| is_same(row, &other))) {
+            Some(at) => add(&mut rows[at], other),
+            None => rows.push(other),
+        }
+    }
+}
+
+/// What was found in a case or for a ray.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct Numbered<T> {
+    pub(crate) number: u64,
+    pub(crate) found: T,
+}
+
+impl<T> Numbered<T> {
+    /// The one with the lower number.
+    pub(crate) fn first(one: Option<Self>, other: Option<Self>) -> Option<Self> {
+        one.into_iter().chain(other).min_by_key(|found| found.number)
+    }
+}
+
+/// Some of `of` rays, with their numbers. They are made in blocks, so that no part of a run has to make all: `make` gets
+/// the seed of a block and how many rays it has.
+pub(crate) fn in_blocks(
+    numbers: Range<u64>,
+    of: u64,
+    seed: u64,
+    make: impl Fn(u64, usize) -> Vec<Ray>,
+) -> impl Iterator<Item = (u64, Ray)> {
+    const BLOCK: u64 = 4096;
+    (numbers.start / BLOCK..numbers.end.div_ceil(BLOCK)).flat_map(move |block| {
+        let seed = if block == 0 { seed } else { mix(seed.wrapping_add(block)) };
+        let all = block * BLOCK..of.min((block + 1) * BLOCK);
+        let rays = make(seed, (all.end - all.start) as usize);
+        let wanted = numbers.start.max(all.start)..numbers.end.min(all.end);
+        all.zip(rays).filter(move |(number, _)| wanted.contains(number))
+    })
+}
+
 /// Which scene it was, whatever its file is called.
 pub(crate) fn fingerprint(mesh: &Mesh) -> Value {
     let corners = mesh.vertices().iter().flat_map(glam::Vec3::to_array).map(|x| u64::from(x.to_bits()));
@@ -120,7 +174,7 @@ pub(crate) fn fingerprint(mesh: &Mesh) -> Value {
 }
 
 /// What errors in a sample say of all such cases: with none in n, their rate is below 3/n at 95 % (1 - 0.05^(1/n)).
-pub(crate) fn claim([cases, errors]: [u64; 2]) -> String {
+fn claim([cases, errors]: [u64; 2]) -> String {
     if errors > 0 {
         return format!("claim: none, {} of {} cases went wrong", grouped(errors), grouped(cases));
     }

@@ -177,7 +177,8 @@ fn errors(args: &Args, scenes: &[Scene]) -> Result<(Section, Vec<String>), Box<d
         Piece::Svg(found.plot()?, "Run time against the rate of errors".to_owned()),
     ];
     pieces.extend(named(found.blocks(), &["errors-ordinary", "errors-adversarial", "levels", "stages"]));
-    Ok((Section { id: "errors", title: "Run time against error".to_owned(), pieces }, found.offences))
+    let offences = found.offences().cloned().collect();
+    Ok((Section { id: "errors", title: "Run time against error".to_owned(), pieces }, offences))
 }
 
 /// One scene: where backtracking goes, what it costs, where the time goes, what is not needed.

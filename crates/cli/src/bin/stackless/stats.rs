@@ -351,6 +351,7 @@ impl Stats {
         blocks.push(Block::Table(state::to_table(&self.state)));
         blocks.push(Block::Line(self.wide.line()));
         blocks.push(Block::Table(self.wide.to_table()));
+        blocks.extend(self.wide.choice());
         blocks.push(Block::Table(table(&["levels up", "backtracks", "share", "cumulative"], 0, rows.collect())));
         blocks
     }

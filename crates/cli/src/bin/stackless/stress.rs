@@ -7,7 +7,9 @@ use serde_json::json;
 use stackless_bvh::generate::stress;
 use stackless_bvh::trace::{Accuracy, KernelName, SlabsName};
 use stackless_bvh::traverse::Method;
+use stackless_bvh::wide;
 use stackless_check::{Shard, Stress, check_boxes};
+use stackless_suite::Traversal;
 
 use crate::output::{bar, say};
 use crate::places::{self, Output};
@@ -19,7 +21,8 @@ use counts::{Row, WIDE};
 /// Trace the stress suite and count errors against rational arithmetic.
 ///
 /// Every ray goes through every traversal, as a closest-hit and as an any-hit query, on three trees; it counts as wrong
-/// if any of them errs. max ulp is the greatest error of a distance, in floats. The exit code is 1 if `exact` errs.
+/// if any of them errs. Wide trees are made of the same three, and traced with all instructions of the machine. max ulp is the greatest error of a distance, in floats. The exit code is 1 if `exact`
+/// errs, in binary trees or in wide ones.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless stress\n  \
@@ -32,9 +35,9 @@ pub(crate) struct Args {
     /// Rays of each case.
     #[arg(long, default_value_t = 500, value_parser = clap::value_parser!(u32).range(1..=1 << 20))]
     rays: u32,
-    /// Only these traversals, separated by commas.
-    #[arg(long, value_delimiter = ',', value_parser = input::MethodName)]
-    methods: Vec<Method>,
+    /// Only these traversals, of binary or of wide trees, separated by commas.
+    #[arg(long, value_delimiter = ',', value_parser = input::TraversalName)]
+    methods: Vec<Traversal>,
     /// Every triangle test with every box test, and not only the four levels.
     #[arg(long)]
     all_tests: bool,
@@ -81,8 +84,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
         }
         return Ok(true);
     }
-    let methods = if args.methods.is_empty() { Method::ALL.to_vec() } else { args.methods.clone() };
-    let tests = tests(args.all_tests);
+    let (methods, wide_methods) = args.methods();
+    // Without a traversal of binary trees there is nothing to test in them.
+    let tests = if methods.is_empty() { Vec::new() } else { tests(args.all_tests) };
     let mut run = Run::of::<StressCounts>([
         ("cases", json!(names)),
         ("rays", args.rays.into()),
@@ -103,8 +107,8 @@ pub(crate) fn run(args: &Args) -> Outcome {
             Ok(Row::new(name, accuracy, errors))
         });
         let mut rows = rows.collect::<Result<Vec<_>, String>>()?;
-        if args.methods.is_empty() {
-            let errors = prepared.run_wide().map_err(|error| format!("{name}: {error}"))?;
+        if !wide_methods.is_empty() {
+            let errors = prepared.run_wide(&wide_methods).map_err(|error| format!("{name}: {error}"))?;
             rows.push(Row::new(name, WIDE, errors));
         }
         progress.inc(1);
@@ -114,6 +118,16 @@ pub(crate) fn run(args: &Args) -> Outcome {
         names.par_iter().map(run_case).collect::<Result<Vec<_>, String>>()?.into_iter().flatten().collect();
     progress.finish_and_clear();
     run.finish(StressCounts { rows, is_brief: args.brief }, args.json.as_deref())
+}
+
+impl Args {
+    /// Traversals of binary and of wide trees: all, if none is named.
+    fn methods(&self) -> (Vec<Method>, Vec<wide::Method>) {
+        if self.methods.is_empty() {
+            return (Method::ALL.into(), wide::Method::ALL.into());
+        }
+        Traversal::of_each_kind(&self.methods)
+    }
 }
 
 /// Boxes alone, against rational arithmetic.

@@ -1,6 +1,7 @@
 //! Closed spheres, seen from inside: every ray must hit.
 
 use std::collections::HashSet;
+use std::ops::Range;
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -12,6 +13,7 @@ use super::pairs::{Pair, Trees};
 use super::rows::{Kind, Row};
 use crate::judge::{Query, csv_line};
 use crate::output::bar;
+use crate::record::Numbered;
 
 /// Radius and offset of each sphere, of 81,920 triangles. Where the offset is great against the radius, most corners
 /// fall together; the sphere is closed all the same.
@@ -23,18 +25,22 @@ const ORIGINS: [Vec3; 4] =
     [Vec3::ZERO, Vec3::new(0.3, -0.2, 0.1), Vec3::new(-0.5, 0.5, 0.25), Vec3::new(0.7, 0.3, -0.55)];
 
 /// Aims at this share of the corners and middles of edges of each sphere: a ray that truly hits and is said not to is a
-/// leak. (All should hit, but an origin may be rounded to the outside, if a sphere has hardly any room left.)
+/// leak. (All should hit, but an origin may be rounded to the outside, if a sphere has hardly any room left.) `part` says
+/// which of the rays at a sphere are asked, of so many.
 pub(super) fn count(
     pairs: &[Pair],
     share: f64,
-    offences: &mut Vec<String>,
+    part: &mut dyn FnMut(&str, u64) -> Range<u64>,
 ) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
     let mut rows = Vec::new();
     for (radius, offset) in SPHERES {
         let name = format!("sphere {radius} + {offset:e}");
         let mesh = stress::icosphere(LEVEL, radius, Vec3::splat(offset))?;
         let (trees, truth) = (Trees::new(&mesh)?, Truth::new(&mesh));
-        let rays = rays(&mesh, radius, offset, share);
+        let mut rays = rays(&mesh, radius, offset, share);
+        let numbers = part(&name, rays.len() as u64);
+        rays.truncate(numbers.end as usize);
+        rays.drain(..numbers.start as usize);
         let progress = bar(rays.len() as u64, &name);
         // Bit p of a ray's is set if pair p has it miss, and the last if it truly hits. The truth is only asked where
         // somebody has seen a miss.
@@ -53,15 +59,14 @@ pub(super) fn count(
         for (p, pair) in pairs.iter().enumerate() {
             let leak = 1 << p | 1 << pairs.len();
             let count = |bits: u32| missed.iter().filter(|&&missed| missed & bits == bits).count() as u64;
-            let leaking = missed.iter().zip(&rays).find(|&(&missed, _)| missed & leak == leak);
-            if let Some((_, ray)) = leaking.filter(|_| pair.is_exact()) {
-                offences.push(format!("{name}: {} with {} leaks: {}", pair.kernel, pair.slabs, csv_line(ray)));
-            }
-            rows.push(Row::new(&name, "from inside", Kind::Closed, pair).leaked(
-                rays.len() as u64,
-                count(leak),
-                count(1 << p),
-            ));
+            let leaking = missed.iter().position(|&missed| missed & leak == leak).filter(|_| pair.is_exact());
+            let offence = leaking.map(|i| {
+                let what = format!("{name}: {} with {} leaks: {}", pair.kernel, pair.slabs, csv_line(&rays[i]));
+                Numbered { number: numbers.start + i as u64, found: what }
+            });
+            let row = Row::new(&name, "from inside", Kind::Closed, pair);
+            let row = row.leaked(rays.len() as u64, count(leak), count(1 << p));
+            rows.push(Row { offence, ..row });
         }
     }
     Ok(rows)

@@ -64,7 +64,12 @@ impl Pair {
 
     /// Whether every answer must be the true one.
     pub(super) fn is_exact(&self) -> bool {
-        matches!(self.kernel, KernelName::Exact | KernelName::ExactFromSingle) && self.slabs == SlabsName::Directed
+        Self::promises((self.kernel, self.slabs))
+    }
+
+    /// Whether every answer of these tests must be the true one.
+    pub(super) fn promises((kernel, slabs): (KernelName, SlabsName)) -> bool {
+        matches!(kernel, KernelName::Exact | KernelName::ExactFromSingle) && slabs == SlabsName::Directed
     }
 
     /// The level of accuracy that this pair stands for.

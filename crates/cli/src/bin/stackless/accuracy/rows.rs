@@ -2,15 +2,14 @@
 
 use std::fmt::Write as _;
 
-use serde::Serialize;
-use stackless_bvh::trace::Accuracy;
-
 use super::pairs::Pair;
 use super::timing::Time;
 use crate::judge::Counts;
+use crate::record::Numbered;
+use serde::{Deserialize, Serialize};
 
 /// What a set of rays is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Kind {
     /// What renderers trace.
@@ -22,15 +21,15 @@ pub(super) enum Kind {
 }
 
 /// A pair of tests on one set of rays through one scene. What was not asked is `None`.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Row {
     pub(super) scene: String,
-    pub(super) set: &'static str,
+    pub(super) set: String,
     pub(super) kind: Kind,
-    pub(super) kernel: &'static str,
+    pub(super) kernel: String,
     #[serde(rename = "box")]
-    pub(super) slabs: &'static str,
-    pub(super) level: Option<&'static str>,
+    pub(super) slabs: String,
+    pub(super) level: Option<String>,
     pub(super) rays: u64,
     pub(super) hits: Option<u64>,
     pub(super) false_misses: Option<u64>,
@@ -46,17 +45,20 @@ pub(super) struct Row {
     pub(super) ns_per_ray: Option<f64>,
     pub(super) mrays: Option<f64>,
     pub(super) ratio: Option<f64>,
+    /// The first error of a test that promises none, with the number of its ray.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) offence: Option<Numbered<String>>,
 }
 
 impl Row {
-    pub(super) fn new(scene: &str, set: &'static str, kind: Kind, pair: &Pair) -> Self {
+    pub(super) fn new(scene: &str, set: &str, kind: Kind, pair: &Pair) -> Self {
         Self {
             scene: scene.to_owned(),
-            set,
+            set: set.to_owned(),
             kind,
-            kernel: pair.kernel.name(),
-            slabs: pair.slabs.name(),
-            level: pair.level().map(Accuracy::name),
+            kernel: pair.kernel.name().to_owned(),
+            slabs: pair.slabs.name().to_owned(),
+            level: pair.level().map(|level| level.name().to_owned()),
             rays: 0,
             hits: None,
             false_misses: None,
@@ -72,6 +74,7 @@ impl Row {
             ns_per_ray: None,
             mrays: None,
             ratio: None,
+            offence: None,
         }
     }
 
@@ -101,6 +104,47 @@ impl Row {
         }
     }
 
+    /// Without what does not add up: times, and quantiles and means of errors.
+    pub(super) fn counts_alone(self) -> Self {
+        Self { p999_ulp: None, mean_ulp: None, timed_rays: None, ns_per_ray: None, mrays: None, ratio: None, ..self }
+    }
+
+    /// Adds what another part has counted of the same.
+    pub(super) fn add(&mut self, other: Self) {
+        let sum = |mine: &mut Option<u64>, other: Option<u64>| {
+            *mine = mine.map_or(other, |mine| Some(mine.saturating_add(other.unwrap_or(0))));
+        };
+        self.rays = self.rays.saturating_add(other.rays);
+        sum(&mut self.hits, other.hits);
+        sum(&mut self.false_misses, other.false_misses);
+        sum(&mut self.false_hits, other.false_hits);
+        sum(&mut self.wrong_primitives, other.wrong_primitives);
+        sum(&mut self.order_differences, other.order_differences);
+        sum(&mut self.leaks, other.leaks);
+        sum(&mut self.misses, other.misses);
+        self.max_ulp = self.max_ulp.max(other.max_ulp);
+        self.offence = Numbered::first(self.offence.take(), other.offence);
+    }
+
+    /// Whether it is about the same tests and rays.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        let names = |row: &Self| [&row.scene, &row.set, &row.kernel, &row.slabs].map(Clone::clone);
+        names(self) == names(other)
+    }
+
+    /// Whether every answer must be the true one.
+    pub(super) fn is_exact(&self) -> bool {
+        let tests = self.kernel.parse().ok().zip(self.slabs.parse().ok());
+        tests.is_some_and(|(kernel, slabs)| Pair::promises((kernel, slabs)))
+    }
+
+    /// Wrong answers, and 1 for a wrong distance.
+    pub(super) fn errors(&self) -> u64 {
+        let counts = [self.false_misses, self.false_hits, self.wrong_primitives, self.order_differences, self.leaks];
+        let wrong = counts.into_iter().flatten().fold(0, u64::saturating_add);
+        wrong.saturating_add(u64::from(self.max_ulp > Some(0)))
+    }
+
     /// `misses` counts the leaks, and the rays that truly miss.
     pub(super) fn leaked(self, rays: u64, leaks: u64, misses: u64) -> Self {
         Self { rays, leaks: Some(leaks), misses: Some(misses), ..self }
@@ -122,7 +166,8 @@ pub(super) fn csv(rows: &[Row]) -> String {
         let counts = counts.into_iter().chain([row.leaks, row.misses]).map(or_nothing);
         let ulps = [row.max_ulp.map(f64::from), row.p999_ulp.map(f64::from), row.mean_ulp].into_iter().map(or_nothing);
         let times = [row.ns_per_ray, row.mrays, row.ratio].into_iter().map(or_nothing);
-        let names = [&*quoted(&row.scene), row.set, kind, row.kernel, row.slabs, row.level.unwrap_or("")].join(",");
+        let level = row.level.as_deref().unwrap_or("");
+        let names = [&*quoted(&row.scene), &row.set, kind, &row.kernel, &row.slabs, level].join(",");
         let numbers: Vec<_> = counts.chain(ulps).chain([or_nothing(row.timed_rays)]).chain(times).collect();
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{names},{},{}", row.rays, numbers.join(","));

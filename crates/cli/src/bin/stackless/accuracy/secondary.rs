@@ -1,19 +1,26 @@
 //! Rays from where others hit: what is wrong when they do not begin exactly there.
 
+use std::ops::Range;
+
 use glam::{IVec3, Vec3};
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use stackless_bvh::bvh::{Bvh, WideBvh};
-use stackless_bvh::generate::{Rng, procedural};
+use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::{Ends, ExactPoint, Mesh, Ray, Triangle};
 use stackless_bvh::trace::{self, Assembly, BinaryTracer, Hit, InstanceTracer, Tracer, Truth};
 use stackless_bvh::traverse::Method;
+use stackless_check::Shard;
 
 use super::Args;
+use super::sets::rng_of;
+use super::total::SecondaryFound;
 use crate::Outcome;
 use crate::camera::Size;
 use crate::input::Scene;
-use crate::output::{bar, say, table, write_file, write_json};
+use crate::judge::csv_line;
+use crate::output::{bar, say, write_file};
+use crate::record::Numbered;
 use crate::render::heat_maps;
 use crate::turns::{median_ratio, take_turns};
 
@@ -113,57 +120,82 @@ impl Bounce {
     }
 }
 
+/// The way to begin that promises no errors.
+pub(super) const EXACT: &str = "exact point";
+
 /// What one way to begin gets wrong.
-#[derive(Serialize)]
-struct Row {
+#[derive(Serialize, Deserialize)]
+pub(super) struct SecondaryRow {
     scene: String,
-    start: &'static str,
-    rays: usize,
+    pub(super) start: String,
+    pub(super) rays: u64,
     /// In shadow, and should not be.
-    false_shadows: usize,
+    false_shadows: u64,
     /// Lit, and should not be.
-    false_light: usize,
+    false_light: u64,
+    /// The first error of [`EXACT`], with the number of its pixel.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) offence: Option<Numbered<String>>,
 }
 
-impl Row {
-    fn new(scene: &str, start: &'static str, answers: &[bool], truth: &[bool]) -> Self {
+impl SecondaryRow {
+    fn new(scene: &str, start: &str, answers: &[bool], truth: &[bool]) -> Self {
         let count = |is_blocked: bool| {
-            answers.iter().zip(truth).filter(|(answer, truth)| **answer == is_blocked && answer != truth).count()
+            answers.iter().zip(truth).filter(|(answer, truth)| **answer == is_blocked && answer != truth).count() as u64
         };
         let (false_shadows, false_light) = (count(true), count(false));
-        Self { scene: scene.to_owned(), start, rays: truth.len(), false_shadows, false_light }
+        let (scene, start) = (scene.to_owned(), start.to_owned());
+        Self { scene, start, rays: truth.len() as u64, false_shadows, false_light, offence: None }
     }
 
-    const fn wrong(&self) -> usize {
-        self.false_shadows + self.false_light
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        (&self.scene, &self.start) == (&other.scene, &other.start)
+    }
+
+    pub(super) fn add(&mut self, other: Self) {
+        self.rays = self.rays.saturating_add(other.rays);
+        self.false_shadows = self.false_shadows.saturating_add(other.false_shadows);
+        self.false_light = self.false_light.saturating_add(other.false_light);
+        self.offence = Numbered::first(self.offence.take(), other.offence);
+    }
+
+    pub(super) const fn wrong(&self) -> u64 {
+        self.false_shadows.saturating_add(self.false_light)
+    }
+
+    pub(super) fn cells(&self) -> Vec<String> {
+        let share = |count: u64| format!("{count} ({:.2e})", count as f64 / self.rays.max(1) as f64);
+        let [shadows, light] = [self.false_shadows, self.false_light].map(share);
+        vec![self.scene.clone(), self.start.clone(), self.rays.to_string(), shadows, light]
     }
 }
 
 pub(super) fn run(args: &Args, scenes: &[Scene]) -> Outcome {
-    let (mut rows, mut is_right) = (Vec::new(), true);
+    let mut run = args.asked::<SecondaryFound>(scenes);
+    let shard = args.shard.unwrap_or(Shard::WHOLE);
+    let side = f64::from(args.rays).sqrt().ceil() as u32;
+    let pixels = run.take(shard, "pixels", u64::from(side) * u64::from(side));
+    run.refuse_empty(shard)?;
+    let mut found = SecondaryFound::default();
     for scene in scenes {
-        is_right &= compare(args, scene, &mut rows)?;
+        found.rows.extend(compare(args, scene, side, pixels.clone())?);
     }
-    let cells = |row: &Row| {
-        let share = |count: usize| format!("{count} ({:.2e})", count as f64 / row.rays as f64);
-        let [shadows, light] = [row.false_shadows, row.false_light].map(share);
-        vec![row.scene.clone(), row.start.to_owned(), row.rays.to_string(), shadows, light]
-    };
-    let header = ["scene", "begins at", "rays", "false shadows", "false light"];
-    say!("{}", table(&header, 2, rows.iter().map(cells).collect()));
-    if let Some(path) = &args.json {
-        write_json(path, &rows)?;
-    }
-    Ok(is_right)
+    run.finish(found, args.json.as_deref())
 }
 
-/// Adds a row for each start, and one for exact points. Returns whether the exact answers are all right.
-fn compare(args: &Args, scene: &Scene, rows: &mut Vec<Row>) -> Outcome {
+/// A row for each start, and one for exact points.
+fn compare(
+    args: &Args,
+    scene: &Scene,
+    side: u32,
+    pixels: Range<u64>,
+) -> Result<Vec<SecondaryRow>, Box<dyn std::error::Error>> {
+    let mut rows = Vec::new();
     let bvh = Bvh::build(&scene.mesh)?;
     let (wide, epsilon) = (Tracer::new(WideBvh::of(&bvh)?), bvh.bounds().extent().length() * 1e-5);
-    let side = f64::from(args.rays).sqrt().ceil() as u32;
-    let bounces = bounces(scene, &wide, bvh.bounds().extent().length() * REACH, side, args);
-    if bounces.is_empty() {
+    let bounces = bounces(scene, &wide, bvh.bounds().extent().length() * REACH, pixels, side, args);
+    // A part of an image may be empty.
+    if bounces.is_empty() && args.shard.is_none() {
         return Err(format!("{}: no ray of the camera hits", scene.name).into());
     }
     let mut assembly = Assembly::new();
@@ -179,40 +211,58 @@ fn compare(args: &Args, scene: &Scene, rows: &mut Vec<Row>) -> Outcome {
     for start in Start::ALL {
         let is_blocked = |bounce: &Bounce| start.ray(bounce, epsilon).is_some_and(|ray| wide.any(&ray));
         let answers: Vec<_> = bounces.par_iter().map(is_blocked).collect();
-        let row = Row::new(&scene.name, start.name(), &answers, &truth);
+        let row = SecondaryRow::new(&scene.name, start.name(), &answers, &truth);
         let mut panel = vec![None; (side * side) as usize];
         for (bounce, (answer, truth)) in bounces.iter().zip(answers.iter().zip(&truth)) {
             panel[bounce.pixel] = Some(f64::from(u8::from(answer != truth)));
         }
-        panels.push((format!("{}: {:.3} % wrong", row.start, row.wrong() as f64 * 100.0 / row.rays as f64), panel));
+        panels.push((
+            format!("{}: {:.3} % wrong", row.start, row.wrong() as f64 * 100.0 / row.rays.max(1) as f64),
+            panel,
+        ));
         rows.push(row);
     }
-    let row = Row::new(&scene.name, "exact point", &answers, &truth);
-    let is_right = row.wrong() == 0;
-    rows.push(row);
-    time(&bounces, epsilon, &wide, &bvh, &exact, &scene.name);
+    let wrong = answers.iter().zip(&truth).position(|(answer, truth)| answer != truth);
+    let offence = wrong.map(|i| {
+        let Bounce { pixel, primary, hit, direction, tmax, .. } = &bounces[i];
+        let found = format!(
+            "{}, pixel {pixel}: {} hits triangle {}; from there, {direction:?} up to {tmax:?} is blocked: {}, truly {}",
+            scene.name,
+            csv_line(primary),
+            hit.prim,
+            answers[i],
+            truth[i]
+        );
+        Numbered { number: *pixel as u64, found }
+    });
+    rows.push(SecondaryRow { offence, ..SecondaryRow::new(&scene.name, EXACT, &answers, &truth) });
+    if args.shard.is_none() {
+        time(&bounces, epsilon, &wide, &bvh, &exact, &scene.name);
+    }
     if let Some(path) = &args.picture {
         let panels: Vec<_> = panels.iter().map(|(name, panel)| (name.clone(), panel)).collect();
         let png = heat_maps(Size { width: side, height: side }, &panels, 1.0, "wrong rays").to_png();
         write_file(path, |file| file.write_all(&png))?;
     }
-    Ok(is_right)
+    Ok(rows)
 }
 
 /// From each hit of the camera's rays, one that goes on in a direction of the cosine distribution.
-fn bounces(scene: &Scene, tracer: &Tracer, reach: f32, side: u32, args: &Args) -> Vec<Bounce> {
-    let primary = procedural::view(&scene.name, &scene.mesh).rays((side * side) as usize);
-    let bounce = |(pixel, primary): (usize, &Ray)| {
-        let hit = tracer.closest(primary)?;
+fn bounces(scene: &Scene, tracer: &Tracer, reach: f32, pixels: Range<u64>, side: u32, args: &Args) -> Vec<Bounce> {
+    let view = procedural::view(&scene.name, &scene.mesh);
+    let bounce = |pixel: u64| {
+        let (pixel, all) = (pixel as usize, side as usize * side as usize);
+        let primary = view.ray_of(pixel, all)?;
+        let hit = tracer.closest(&primary)?;
         let corners = scene.mesh.triangle(hit.prim as usize);
-        let mut rng = Rng::new(args.seed ^ Rng::new(pixel as u64).bits());
-        let direction = trace::reflect(&scene.mesh, primary, &hit, &mut rng)?.direction();
+        let mut rng = rng_of(args.seed, pixel as u64);
+        let direction = trace::reflect(&scene.mesh, &primary, &hit, &mut rng)?.direction();
         let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).try_normalize()?;
         let normal = if normal.dot(primary.direction()) > 0.0 { -normal } else { normal };
         let tmax = reach / direction.length();
-        Some(Bounce { pixel, primary: *primary, hit, corners, normal, direction, tmax })
+        Some(Bounce { pixel, primary, hit, corners, normal, direction, tmax })
     };
-    primary.par_iter().enumerate().filter_map(bounce).collect()
+    pixels.into_par_iter().filter_map(bounce).collect()
 }
 
 /// Whether something is in the way, by rational arithmetic.

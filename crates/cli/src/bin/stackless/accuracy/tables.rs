@@ -62,7 +62,7 @@ pub(super) fn plot(rows: &[Row]) -> Result<String, String> {
 fn summaries(rows: &[Row]) -> Vec<Summary<'_>> {
     let mut by_pair: Vec<Summary<'_>> = Vec::new();
     for row in rows {
-        match by_pair.iter_mut().find(|summary| summary.pair() == Some((row.kernel, row.slabs))) {
+        match by_pair.iter_mut().find(|summary| summary.pair() == Some((&row.kernel, &row.slabs))) {
             Some(summary) => summary.0.push(row),
             None => by_pair.push(Summary(vec![row])),
         }
@@ -86,8 +86,8 @@ fn side(summaries: &[Summary<'_>], name: &str, kinds: &[Kind], events: &[Event])
 }
 
 impl Summary<'_> {
-    fn pair(&self) -> Option<(&'static str, &'static str)> {
-        self.0.first().map(|row| (row.kernel, row.slabs))
+    fn pair(&self) -> Option<(&str, &str)> {
+        self.0.first().map(|row| (&*row.kernel, &*row.slabs))
     }
 
     /// Geometric mean of the time over scenes and sets, its greatest, and the geometric mean of the throughput.
@@ -100,7 +100,7 @@ impl Summary<'_> {
     /// How often a kind of error happens: in the scene where it happens most.
     fn errors(&self, kinds: &[Kind], event: Event) -> Option<Errors> {
         let mut scenes = BTreeMap::<&str, [u64; 2]>::new();
-        for row in self.0.iter().filter(|row| kinds.contains(&row.kind)) {
+        for row in self.0.iter().filter(|row| kinds.contains(&row.kind) && row.rays > 0) {
             if let Some(events) = event.1(row) {
                 let sums = scenes.entry(&row.scene).or_default();
                 *sums = [sums[0] + events, sums[1] + row.rays];
@@ -128,7 +128,7 @@ impl Summary<'_> {
 
     fn cells(&self, kinds: &[Kind], events: &[Event], star: bool) -> Vec<String> {
         let (kernel, slabs) = self.pair().unwrap_or_default();
-        let level = self.0.first().and_then(|row| row.level).unwrap_or_default();
+        let level = self.0.first().and_then(|row| row.level.as_deref()).unwrap_or_default();
         let mut cells = vec![if star { "*" } else { "" }.to_owned()];
         cells.extend([kernel, slabs, level].map(str::to_owned));
         match self.time() {
@@ -153,14 +153,16 @@ impl Summary<'_> {
 fn levels(rows: &[Row]) -> Table {
     let mut lines = Vec::new();
     let timed = |row: &&Row| row.ratio.is_some();
-    let baseline = rows.iter().filter(|row| (row.kernel, row.slabs) == (BASELINE.0.name(), BASELINE.1.name()));
+    let baseline = rows.iter().filter(|row| (&*row.kernel, &*row.slabs) == (BASELINE.0.name(), BASELINE.1.name()));
     for base in baseline.filter(timed) {
         let of_level = |level: Accuracy| {
-            let is_it = |row: &&Row| (&row.scene, row.set, row.level) == (&base.scene, base.set, Some(level.name()));
+            let is_it = |row: &&Row| {
+                (&row.scene, &row.set, row.level.as_deref()) == (&base.scene, &base.set, Some(level.name()))
+            };
             rows.iter().find(is_it).and_then(|row| row.ratio)
         };
         let or_dash = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.3}"));
-        let mut line = vec![base.scene.clone(), base.set.to_owned(), or_dash(base.mrays)];
+        let mut line = vec![base.scene.clone(), base.set.clone(), or_dash(base.mrays)];
         line.extend(Accuracy::ALL.map(|level| or_dash(of_level(level))));
         lines.push(line);
     }

@@ -11,7 +11,7 @@ use super::Total;
 use crate::build::Build;
 use crate::input::Scene;
 use crate::output::{grouped, say, table};
-use crate::record::Counts;
+use crate::record::{Counts, Numbered};
 
 /// The counts of the file of `--json`.
 #[derive(Serialize, Deserialize)]
@@ -42,13 +42,6 @@ struct Row {
     refusal: Option<String>,
     steps: u64,
     state_bytes: usize,
-}
-
-/// What was found in a case.
-#[derive(Serialize, Deserialize)]
-struct Numbered<T> {
-    number: u64,
-    found: T,
 }
 
 /// A disagreement in the smallest case that has one.
@@ -113,8 +106,7 @@ impl Counts for Summary {
         self.rows.extend(theirs.into_values());
         let smallest = self.smallest.take().into_iter().chain(other.smallest);
         self.smallest = smallest.min_by_key(|found| (found.nodes, found.number));
-        let first = self.pause_fault.take().into_iter().chain(other.pause_fault);
-        self.pause_fault = first.min_by_key(|found| found.number);
+        self.pause_fault = Numbered::first(self.pause_fault.take(), other.pause_fault);
         self.scene_faults.extend(other.scene_faults);
         self.scene_faults.sort_by(|a, b| a.key().cmp(&b.key()));
         self.scene_faults.dedup_by(|later, first| (&later.scene, &later.tree) == (&first.scene, &first.tree));

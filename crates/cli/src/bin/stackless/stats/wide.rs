@@ -3,14 +3,14 @@
 use serde::Serialize;
 use stackless_bvh::bvh::WideBvh;
 use stackless_bvh::geom::Ray;
-use stackless_bvh::trace::{Tracer, WideCounters};
+use stackless_bvh::trace::{Choice, Need, Tracer, WideCounters};
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{Method, Topology};
 
 use super::timed;
 use crate::build::Build;
 use crate::input::Scene;
-use crate::output::{Table, grouped, table};
+use crate::output::{Block, Table, grouped, table};
 
 #[derive(Serialize)]
 pub(super) struct WideStats {
@@ -30,6 +30,27 @@ pub(super) struct WideStats {
     /// From the binary hierarchy to this one, on all threads.
     collapse_seconds: f64,
     traversals: Vec<Row>,
+    choice: ChoiceStats,
+}
+
+/// The default tracer, and what else there is.
+#[derive(Serialize)]
+struct ChoiceStats {
+    tracer: &'static str,
+    method: &'static str,
+    reasons: Vec<&'static str>,
+    /// Name, tracer and reason.
+    otherwise: Vec<[&'static str; 3]>,
+    reinsertion: Reinsertion,
+}
+
+/// What rounds of reinsertion buy the default traversal, and cost: ratios to none.
+#[derive(Serialize)]
+struct Reinsertion {
+    build: String,
+    build_time: f64,
+    nodes: f64,
+    triangles: f64,
 }
 
 #[derive(Serialize)]
@@ -47,6 +68,7 @@ struct Row {
 
 /// With the closest hits of these rays.
 pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn std::error::Error>> {
+    let choice = Choice::for_needs(&[]);
     let build = Build::default();
     let (fine, build_seconds) = timed(|| build.run_fine(scene));
     let fine = fine?;
@@ -68,6 +90,7 @@ pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn 
             triangles_per_ray: per_ray(triangles),
         });
     }
+    let reinsertion = reinsertion(scene, rays, &wide, build_seconds + collapse_seconds)?;
     let nodes = wide.nodes();
     let children: u32 = (0..nodes.len()).map(|node| wide.children(Node::inner(node as u32)).count_ones()).sum();
     let leaves: u32 = nodes.iter().map(|node| node.leaves().count_ones()).sum();
@@ -83,6 +106,32 @@ pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn 
         build_seconds,
         collapse_seconds,
         traversals,
+        choice: ChoiceStats {
+            tracer: choice.tracer(),
+            method: choice.method(),
+            reasons: choice.reasons(),
+            otherwise: Need::ALL.map(|need| [need.name(), Choice::for_needs(&[need]).tracer(), need.reason()]).into(),
+            reinsertion,
+        },
+    })
+}
+
+/// Two rounds, beside a tree without.
+fn reinsertion(
+    scene: &Scene,
+    rays: &[Ray],
+    plain: &WideBvh,
+    plain_seconds: f64,
+) -> Result<Reinsertion, Box<dyn std::error::Error>> {
+    let build: Build = "sah+2".parse()?;
+    let (moved, seconds) = timed(|| build.run_wide(scene));
+    let [plain, moved] = [plain, &moved?].map(|bvh| Tracer::new(bvh).count_closest(rays));
+    let ratio = |of: fn(&WideCounters) -> u64| of(&moved) as f64 / of(&plain).max(1) as f64;
+    Ok(Reinsertion {
+        build: build.to_string(),
+        build_time: seconds / plain_seconds,
+        nodes: ratio(|counters| counters.nodes),
+        triangles: ratio(|counters| counters.triangles),
     })
 }
 
@@ -100,6 +149,22 @@ impl WideStats {
             self.build_seconds * 1e3,
             self.collapse_seconds * 1e3
         )
+    }
+
+    /// The plan of which tracer serves.
+    pub(super) fn choice(&self) -> [Block; 2] {
+        let ChoiceStats { tracer, method, reasons, otherwise, reinsertion } = &self.choice;
+        let line = format!(
+            "default: {tracer} by {method} over {}. {} {} would take {:.1} times as long to build, and test {:.2} of the nodes and {:.2} of the triangles.",
+            self.build,
+            reasons.join(" "),
+            reinsertion.build,
+            reinsertion.build_time,
+            reinsertion.nodes,
+            reinsertion.triangles
+        );
+        let rows = otherwise.iter().map(|row| row.map(str::to_owned).into()).collect();
+        [Block::Line(line), Block::Table(table(&["where you need", "it is", "why"], 3, rows))]
     }
 
     pub(super) fn to_table(&self) -> Table {

@@ -5,7 +5,7 @@ use stackless_bvh::trace::{Accuracy, SlabsName};
 use stackless_check::{BoxTally, Errors};
 
 use crate::output::{grouped, say, table};
-use crate::record::Counts;
+use crate::record::{Counts, add_rows};
 
 /// The name of the rows of wide trees, which are exact.
 pub(super) const WIDE: &str = "exact, wide";
@@ -38,13 +38,8 @@ impl Counts for StressCounts {
     const COMMAND: &str = "stress";
 
     fn add(&mut self, other: Self) {
-        for theirs in other.rows {
-            let is_same = |row: &&mut Row| (&row.case, &row.accuracy) == (&theirs.case, &theirs.accuracy);
-            match self.rows.iter_mut().find(is_same) {
-                Some(row) => row.add(&theirs),
-                None => self.rows.push(theirs),
-            }
-        }
+        let is_same = |row: &Row, other: &Row| (&row.case, &row.accuracy) == (&other.case, &other.accuracy);
+        add_rows(&mut self.rows, other.rows, is_same, |row, other| row.add(&other));
     }
 
     /// The rows, and their sums for each accuracy.
@@ -61,17 +56,19 @@ impl Counts for StressCounts {
         }
         say!("{}", table(&header, 2, sums.iter().map(Row::cells).collect()));
         let cases = self.rows.chunk_by(|a, b| a.case == b.case).count();
-        let exact = sums.iter().find(|sum| sum.accuracy == Accuracy::Exact.name());
-        let rays = exact.map_or(0, |sum| sum.rays);
-        let [_, errors] = self.cases_and_errors();
+        let [rays, errors] = self.cases_and_errors();
         say!("stressed: {cases} cases, {rays} rays, exact: {errors} errors");
     }
 
     /// Those of exact tests. In wide trees and others the rays are the same.
     fn cases_and_errors(&self) -> [u64; 2] {
-        let exact = self.rows.iter().filter(|row| row.accuracy == Accuracy::Exact.name());
-        let held = self.rows.iter().filter(|row| [Accuracy::Exact.name(), WIDE].contains(&row.accuracy.as_str()));
-        [exact.map(|row| row.rays).fold(0, u64::saturating_add), held.map(Row::errors).fold(0, u64::saturating_add)]
+        let sum = |accuracy: &str, of: fn(&Row) -> u64| {
+            let rows = self.rows.iter().filter(|row| row.accuracy == accuracy);
+            rows.map(of).fold(0, u64::saturating_add)
+        };
+        let kinds = [Accuracy::Exact.name(), WIDE];
+        let [rays, errors] = [|row: &Row| row.rays, Row::errors].map(|of| kinds.map(|kind| sum(kind, of)));
+        [rays[0].max(rays[1]), errors[0].saturating_add(errors[1])]
     }
 
     fn is_empty(&self) -> bool {

@@ -1,0 +1,167 @@
+//! Records that others write: the mutants of the adapters, and the fuzz targets.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::output::{grouped, say, table};
+use crate::record::Counts;
+
+/// What `tests/adapters/mutate.py` counts.
+#[derive(Serialize, Deserialize)]
+pub(super) struct MutantCounts {
+    mutants: u64,
+    /// How many do not compile, and so ask nothing.
+    not_compiled: u64,
+    caught: u64,
+    /// How many of those that are caught did not end.
+    timed_out: u64,
+    /// How many behave as the original, as a list says.
+    equivalent: u64,
+    survivors: Vec<String>,
+    /// Listed as equivalent, and caught.
+    stale: Vec<String>,
+}
+
+impl Counts for MutantCounts {
+    const COMMAND: &str = "mutants";
+
+    fn add(&mut self, other: Self) {
+        self.mutants = self.mutants.saturating_add(other.mutants);
+        self.not_compiled = self.not_compiled.saturating_add(other.not_compiled);
+        self.caught = self.caught.saturating_add(other.caught);
+        self.timed_out = self.timed_out.saturating_add(other.timed_out);
+        self.equivalent = self.equivalent.saturating_add(other.equivalent);
+        for (mine, theirs) in [(&mut self.survivors, other.survivors), (&mut self.stale, other.stale)] {
+            mine.extend(theirs);
+            mine.sort();
+        }
+    }
+
+    fn print(&self) {
+        for survivor in &self.survivors {
+            say!("survived: {survivor}");
+        }
+        for stale in &self.stale {
+            say!("listed as equivalent, and caught: {stale}");
+        }
+        say!(
+            "{} mutants: {} did not compile, {} were caught, {} of them timed out, {} are equivalent, {} survived",
+            self.mutants,
+            self.not_compiled,
+            self.caught,
+            self.timed_out,
+            self.equivalent,
+            self.survivors.len()
+        );
+    }
+
+    fn cases_and_errors(&self) -> [u64; 2] {
+        [self.mutants, (self.survivors.len() + self.stale.len()) as u64]
+    }
+
+    fn is_empty(&self) -> bool {
+        self.mutants == self.not_compiled
+    }
+
+    /// They are all that there are and no sample, so there is nothing to bound.
+    fn claim(&self) -> String {
+        match self.cases_and_errors() {
+            [_, 0] => "claim: every mutant that compiles is caught or listed as equivalent".to_owned(),
+            [mutants, wrong] => {
+                format!("claim: none, {wrong} of {} mutants are not as they should be", grouped(mutants))
+            }
+        }
+    }
+}
+
+/// What `fuzz/run.sh` counts: all runs, by target and time.
+#[derive(Serialize, Deserialize)]
+pub(super) struct FuzzCounts {
+    runs: Vec<FuzzRun>,
+}
+
+/// A run of a fuzz target.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FuzzRun {
+    target: String,
+    /// When it ended, in seconds since 1970.
+    finished: u64,
+    sanitizer: String,
+    executions: u64,
+    /// Of the clock.
+    seconds: u64,
+    /// Number of inputs in the corpus at its end.
+    corpus: u64,
+    findings: u64,
+}
+
+/// The runs of one target, added up.
+#[derive(Default)]
+struct TargetSum {
+    runs: u64,
+    executions: u64,
+    seconds: u64,
+    /// That of the last run.
+    corpus: u64,
+    findings: u64,
+}
+
+impl FuzzCounts {
+    fn by_target(&self) -> BTreeMap<&str, TargetSum> {
+        let mut sums = BTreeMap::<_, TargetSum>::new();
+        for run in &self.runs {
+            let sum = sums.entry(&*run.target).or_default();
+            *sum = TargetSum {
+                runs: sum.runs + 1,
+                executions: sum.executions.saturating_add(run.executions),
+                seconds: sum.seconds.saturating_add(run.seconds),
+                corpus: run.corpus,
+                findings: sum.findings.saturating_add(run.findings),
+            };
+        }
+        sums
+    }
+}
+
+impl Counts for FuzzCounts {
+    const COMMAND: &str = "fuzz";
+
+    fn add(&mut self, other: Self) {
+        self.runs.extend(other.runs);
+        self.runs.sort();
+        self.runs.dedup();
+    }
+
+    fn print(&self) {
+        let row = |(target, sum): (&str, TargetSum)| {
+            let numbers = [sum.runs, sum.executions, sum.seconds, sum.corpus, sum.findings].map(grouped);
+            [target.to_owned()].into_iter().chain(numbers).collect()
+        };
+        let header = ["target", "runs", "executions", "seconds", "corpus", "findings"];
+        let sums = self.by_target();
+        let targets = sums.len();
+        say!("{}", table(&header, 1, sums.into_iter().map(row).collect()));
+        let [executions, findings] = self.cases_and_errors();
+        say!("fuzzed: {targets} targets, {} executions, {findings} findings", grouped(executions));
+    }
+
+    fn cases_and_errors(&self) -> [u64; 2] {
+        let sum = |of: fn(&FuzzRun) -> u64| self.runs.iter().map(of).fold(0, u64::saturating_add);
+        [sum(|run| run.executions), sum(|run| run.findings)]
+    }
+
+    fn is_empty(&self) -> bool {
+        self.runs.iter().all(|run| run.executions == 0)
+    }
+
+    /// Inputs are changes of one another.
+    fn claim(&self) -> String {
+        let [executions, findings] = self.cases_and_errors();
+        format!(
+            "claim: none of a rate, as inputs of a fuzzer are not independent; {findings} findings in {} executions",
+            grouped(executions)
+        )
+    }
+}

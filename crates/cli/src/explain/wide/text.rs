@@ -1,0 +1,185 @@
+//! What happens at a visit of a wide tree, in words and digits.
+
+use super::judge::Judge;
+use super::observe::{Back, Kept, Seen};
+use crate::explain::text::looked_up;
+use crate::explain::{By, Next};
+use stackless_bvh::tree::Node;
+use stackless_bvh::wide::{Method, Words};
+
+/// The name of a node: its key to the base A, so that each digit but the first is a slot. Where nodes have two children it
+/// is decimal, as in binary trees.
+pub(super) fn name<const A: usize>(mut key: u128) -> String {
+    let mut digits = Vec::new();
+    let base = u128::from(base::<A>());
+    while key != 0 {
+        digits.extend(char::from_digit((key % base) as u32, 10));
+        key /= base;
+    }
+    digits.into_iter().rev().collect()
+}
+
+/// Of the names.
+pub(super) const fn base<const A: usize>() -> u32 {
+    if A == 2 { 10 } else { A as u32 }
+}
+
+/// A set of slots as digits, slot 0 last.
+pub(super) fn group<const A: usize>(set: u32) -> String {
+    format!("{set:0A$b}")
+}
+
+/// What is kept of all levels, in digits.
+#[derive(Default)]
+pub(super) struct Digits {
+    pub(super) trail: Option<String>,
+    pub(super) sets: Option<String>,
+    pub(super) rows: Vec<(&'static str, Vec<String>)>,
+}
+
+impl Digits {
+    pub(super) fn of<const A: usize>(levels: &[Kept]) -> Self {
+        let mut digits = Self::default();
+        for Kept { words, .. } in levels {
+            match *words {
+                Words::Trail { pending, is_dirty } => {
+                    digits.trail.get_or_insert_default().push_str(&group::<A>(pending));
+                    digits.cell("dirty", Some(is_dirty.into()));
+                }
+                Words::Ranked { pending, is_open, ranks: [first, second] } => {
+                    digits.sets.get_or_insert_default().push_str(&group::<A>(pending));
+                    digits.cell("summary", is_open.map(u32::from));
+                    digits.cell("1st rank", (first != 0).then_some(first / A as u32));
+                    digits.cell("2nd rank", (second != 0).then_some(second / A as u32));
+                }
+                Words::Number { number, is_last } => {
+                    digits.cell("number", Some(number));
+                    digits.cell("last", Some(is_last.into()));
+                }
+            }
+        }
+        // As words are shown: without leading zeros.
+        digits.trail = digits.trail.map(|trail| match trail.trim_start_matches('0') {
+            "" => "0".to_owned(),
+            bits => bits.to_owned(),
+        });
+        digits
+    }
+
+    fn cell(&mut self, row: &'static str, value: Option<u32>) {
+        let cell = value.map_or_else(String::new, |value| value.to_string());
+        match self.rows.iter_mut().find(|(name, _)| *name == row) {
+            Some((_, cells)) => cells.push(cell),
+            None => self.rows.push((row, vec![cell])),
+        }
+    }
+}
+
+/// An answer in few words.
+pub(super) fn decision(wanted: usize, children: usize) -> String {
+    format!("{wanted} of {}", counted(children))
+}
+
+fn counted(children: usize) -> String {
+    if children == 1 { "1 child".to_owned() } else { format!("{children} children") }
+}
+
+/// The sentences of a visit, and its clauses. `is_empty` if the oracle has postponed nothing.
+pub(super) fn of<const A: usize>(
+    judge: &Judge<'_, A>,
+    seen: &Seen,
+    next: Option<&Next>,
+    is_empty: bool,
+) -> (String, Vec<&'static str>) {
+    let (mut text, mut clauses) = visited(judge, seen);
+    let mut add = |(sentence, clause): (String, &'static str)| {
+        text = format!("{text} {sentence}");
+        if !clauses.contains(&clause) {
+            clauses.push(clause);
+        }
+    };
+    for back in &seen.backs {
+        gone_back(judge, seen, back).into_iter().for_each(&mut add);
+    }
+    match next {
+        None if seen.stops => add(("The search stops.".to_owned(), "WIDE-5")),
+        None if is_empty => add(("Nothing is left.".to_owned(), "WIDE-5")),
+        None => add(("What is left is beyond.".to_owned(), "WIDE-3")),
+        Some(next) => add(onward(judge, seen, next)),
+    }
+    (text, clauses)
+}
+
+/// What is found, or wanted.
+fn visited<const A: usize>(judge: &Judge<'_, A>, seen: &Seen) -> (String, Vec<&'static str>) {
+    let node = judge.name(seen.node);
+    if seen.is_restarting {
+        return (format!("Node {node} is passed again on the way down from the root."), vec!["WRESTART-1"]);
+    }
+    let Some(wanted) = &seen.wanted else {
+        let text = match (seen.is_hit, seen.stops) {
+            (_, true) => format!("Leaf {node} is hit, which is all that was asked."),
+            (true, false) => format!("Leaf {node} is hit: the search ends there from now on."),
+            (false, false) => format!("Leaf {node} has nothing to offer."),
+        };
+        return (text, vec![if seen.is_hit { "WIDE-3" } else { "WIDE-5" }]);
+    };
+    let names: Vec<_> = wanted.iter().map(|&(child, _)| judge.name(child)).collect();
+    let order = if judge.is_sorted() { "the nearest first" } else { "leaves first" };
+    let text = match &names[..] {
+        [] => format!("No child of {node} is wanted."),
+        [only] => format!("Of {node} one child is wanted: {only}."),
+        names => format!("Of {node} {} children are wanted, {order}: {}.", names.len(), names.join(", ")),
+    };
+    (text, vec!["WIDE-2", if judge.is_sorted() { "WIDE-5" } else { "WIDE-6" }])
+}
+
+/// Back to an ancestor, and what is asked again there.
+fn gone_back<const A: usize>(judge: &Judge<'_, A>, seen: &Seen, back: &Back) -> Vec<(String, &'static str)> {
+    let (to, clause) = (judge.name(back.to), judge.method.clause());
+    let mut said = Vec::new();
+    if back.from != back.to {
+        let up = judge.places.depth(back.from) - judge.places.depth(back.to);
+        let levels = if up == 1 { "1 level".to_owned() } else { format!("{up} levels") };
+        if is_dropped(judge, seen, back) {
+            said.push(("What is pending below is beyond, by the kept rank.".to_owned(), "WIDE-17"));
+        }
+        said.push((format!("{levels} up, {to} has pending children."), "WIDE-11"));
+        let names = |nodes: &[Node]| nodes.iter().map(|&node| judge.name(node)).collect::<Vec<_>>().join(", ");
+        said.push(match (judge.lookup(back), judge.method, &back.read[..]) {
+            (Some(lookup), ..) => (format!("Its key {} is looked up. {}", lookup.key, looked_up(&lookup)), clause),
+            (_, Method::Trail, read) => (format!("By parents, in the records of {}.", names(read)), clause),
+            (_, _, [one]) => (format!("The record of {} names it.", judge.name(*one)), clause),
+            (_, _, read) => (format!("By the ancestors that the records of {} name.", names(read)), clause),
+        });
+    }
+    if back.is_asked {
+        let clause = if judge.method == Method::Trail { "WIDE-18" } else { "WIDE-17" };
+        said.push((format!("The search is asked about {to} again."), clause));
+    }
+    said
+}
+
+/// Whether a set between the two nodes is not empty, and was passed over without a look at its node.
+fn is_dropped<const A: usize>(judge: &Judge<'_, A>, seen: &Seen, back: &Back) -> bool {
+    let between = judge.places.depth(back.to) + 1..judge.places.depth(back.from);
+    let is_open = |kept: &Kept| matches!(kept.words, Words::Ranked { pending, .. } if pending != 0);
+    between.filter_map(|level| seen.levels.get(level as usize)).any(is_open)
+}
+
+/// To the next node.
+fn onward<const A: usize>(judge: &Judge<'_, A>, seen: &Seen, next: &Next) -> (String, &'static str) {
+    let (to, clause) = (judge.name_of(next.node), judge.method.clause());
+    let others = seen.wanted.as_ref().map_or(0, |wanted| wanted.len().saturating_sub(1));
+    match next.by {
+        By::Child if seen.is_restarting => (format!("On to {to}."), clause),
+        By::Child if others == 0 => (format!("On to {to}."), "WIDE-10"),
+        By::Child if judge.method == Method::Stack => (format!("On to {to}; the others are pushed."), clause),
+        By::Child => (format!("On to {to}; the others stay pending."), "WIDE-10"),
+        By::Restart => ("What comes next is not on the short stack: start again at the root.".to_owned(), clause),
+        By::Stack if judge.method == Method::Stack => (format!("On top of the stack is {to}."), clause),
+        By::Stack => (format!("The short stack has {to}."), clause),
+        By::Parent => (format!("The next pending sibling is {to}."), "WIDE-19"),
+        _ => (format!("Of its pending children {to} comes next."), "WIDE-19"),
+    }
+}
