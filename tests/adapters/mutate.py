@@ -3,7 +3,7 @@
 
     cargo build --release -p stackless-cli
     python3 tests/adapters/mutate.py c                     # of traverse.c, py of traverse.py
-    python3 tests/adapters/mutate.py --shard 1/4 c --json 1.json  # the first of four parts; `stackless merge` adds them up
+    python3 tests/adapters/mutate.py --shard 1/4 --json 1.json c  # a part; `stackless merge` adds them up
     python3 tests/adapters/mutate.py --sample 100 py       # so many of all, the same ones each time
 
 A mutant is one change: an operator for another, a constant one more or one less, a condition that always or never
