@@ -67,7 +67,7 @@ impl<V: Vector> Measure<V> {
     pub fn distance(&self, triangle: &Triangle<V>, limit: V::Real) -> Option<V::Real> {
         let corners @ [a, b, c] = triangle.widen();
         // Its box is measured faster.
-        if V::Real::rounded(self.to_extent(a.min(b).min(c), a.max(b).max(c))) > limit {
+        if V::Real::rounded(self.least_distance(a.min(b).min(c), a.max(b).max(c))) > limit {
             return None;
         }
         let point = self.point.widen();
@@ -96,12 +96,12 @@ impl<V: Vector> Measure<V> {
     /// At most the distance of the box.
     #[inline]
     pub fn to_box(&self, aabb: &Aabb) -> f64 {
-        self.to_extent(aabb.lo.as_dvec3(), aabb.hi.as_dvec3())
+        self.least_distance(aabb.lo.as_dvec3(), aabb.hi.as_dvec3())
     }
 
     /// At most the distance of what lies between two corners, which may be infinitely far apart.
     #[inline]
-    fn to_extent(&self, lo: DVec3, hi: DVec3) -> f64 {
+    fn least_distance(&self, lo: DVec3, hi: DVec3) -> f64 {
         let point = self.point.widen();
         let beside = (lo - point).max(point - hi).max(DVec3::ZERO);
         let square = beside.length_squared();

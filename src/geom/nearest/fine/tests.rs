@@ -69,7 +69,7 @@ fn what_is_exact_stays_so() {
     assert!((of(1.0) - of(1.0)).is_exact() && (of(1.0) + of(1e-30)).is_exact());
     assert!((of(0.0) * (of(0.1) * of(0.1))).is_exact());
     assert_eq!((of(1.0) + of(1e-30)).bounds(), [[1.0, 1e-30]; 2]);
-    assert_eq!(of(0.0).root().map(|root| root.bounds()), Some([[0.0; 2]; 2]));
+    assert_eq!(of(0.0).root().map(Fine::bounds), Some([[0.0; 2]; 2]));
     assert!([1e-70, 1e70, f64::NAN, f64::INFINITY].into_iter().all(|x| Fine::of(x).is_none()));
     // May be 0, and may not.
     let wide = Fine { high: 1.0, low: 0.0, radius: 0.5 };
