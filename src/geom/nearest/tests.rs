@@ -104,6 +104,14 @@ fn bounds_hold_the_truth_and_need_their_margin() {
     assert!(bare.into_iter().all(|bare| bare > 100), "{bare:?}");
 }
 
+/// Beyond it products may over- or underflow.
+#[test]
+fn bounds_are_for_a_range() {
+    let corners = [DVec3::new(1.0, 0.0, 0.5), DVec3::new(0.0, 1.0, 0.5), DVec3::new(-1.0, -1.0, 0.5)];
+    let far = |power| bounds(&corners.map(|corner| corner * 2f64.powi(power)))[1];
+    assert_eq!([-201, -200, 200, 201].map(|power| far(power).is_nan()), [true, false, false, true]);
+}
+
 fn check_boxes<V: Vector>() {
     let mut random = Rng::new(3);
     for kind in 0..20_000 {

@@ -50,6 +50,24 @@ fn results_hold_the_exact_ones() {
     }
 }
 
+/// Where the radius is more than what digits are lost.
+#[test]
+fn wide_radii_are_not_forgotten() {
+    let mut random = Rng::new(3);
+    for _ in 0..2000 {
+        let (a, _) = number(&mut random);
+        let wide = Fine { radius: a.high.abs() * 1e-20, ..a };
+        let ends = [exact(wide.radius), -exact(wide.radius)].map(|end| exact(a.high) + exact(a.low) + end);
+        let hull = Fine { radius: 0.0, ..a }.hull(wide);
+        assert!(ends.iter().all(|end| holds(hull, end)), "{a:?}");
+    }
+    let wide = Fine { high: 1.0, low: 0.0, radius: 0.125 };
+    let [[least, _], [most, _]] = wide.root().expect("positive").bounds();
+    assert!(least * least <= 0.875 && most * most >= 1.125, "{least} {most}");
+    let [[least, _], [most, _]] = Fine { high: 0.5, low: 0.0, radius: 0.0 }.share(wide).bounds();
+    assert!(least * 1.125 <= 0.5 && most * 0.875 >= 0.5, "{least} {most}");
+}
+
 /// Radii are no more than some units in the last place of twice the digits.
 #[test]
 fn results_are_near() {
