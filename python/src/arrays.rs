@@ -5,6 +5,7 @@ use std::ops::Range;
 use numpy::ndarray::ArrayView2;
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
+use rayon::prelude::*;
 use stackless_bvh::geom::{Mesh, Ray, Vector};
 
 use crate::errors::{index_message, of_mesh, of_ray, refused};
@@ -41,12 +42,18 @@ impl<'py, S: Space> Rays<'py, S> {
         let (origins, directions) = (self.origins.as_array(), self.directions.as_array());
         let (tmin, tmax) = (self.tmin.as_array(), self.tmax.as_array());
         let ray = |row: usize| {
-            let (origin, direction) = (S::Vector::from_components(row_of(&origins, row)), S::Vector::from_components(row_of(&directions, row)));
-            Ray::within(origin, direction, tmin[row], tmax[row]).map_err(|error| of_ray(error, row))
+            let vector = |array| S::Vector::from_components(row_of(array, row));
+            Ray::within(vector(&origins), vector(&directions), tmin[row], tmax[row])
         };
-        rows.map(ray).collect()
+        // On all threads: while this one holds the interpreter's lock, nobody changes the arrays.
+        let all: Option<_> = rows.clone().into_par_iter().with_min_len(ROWS).map(|row| ray(row).ok()).collect();
+        // Of several errors the first.
+        all.map_or_else(|| rows.map(|row| ray(row).map_err(|error| of_ray(error, row))).collect(), Ok)
     }
 }
+
+/// Rows that a thread takes at once.
+pub(crate) const ROWS: usize = 4096;
 
 /// An array of shape (n, 3) of the numbers of a scene.
 pub(crate) fn points<'py, S: Space>(array: &Bound<'py, PyAny>, name: &str) -> PyResult<PyReadonlyArray2<'py, S::Real>> {

@@ -83,7 +83,9 @@ pub(crate) fn in_background<A: Send + 'static>(
         (turn, receiver) = py.detach(move || (receiver.recv_timeout(TURN), receiver));
         match turn {
             Ok(answer) => return answer,
-            Err(RecvTimeoutError::Disconnected) => return Err(failed("the thread that worked on this has ended early")),
+            Err(RecvTimeoutError::Disconnected) => {
+                return Err(failed("the thread that worked on this has ended early"));
+            }
             Err(RecvTimeoutError::Timeout) => look().inspect_err(|_| done.1.store(true, Ordering::Relaxed))?,
         }
     }

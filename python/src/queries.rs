@@ -10,7 +10,7 @@ use stackless_bvh::geom::truth::{Meeting, Place, Point, meet};
 use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Vector, check_environment};
 use stackless_bvh::trace::{Hit, Near};
 
-use crate::arrays::{Rays, numbers, points, row_of};
+use crate::arrays::{ROWS, Rays, numbers, points, row_of};
 use crate::batch::in_pieces;
 use crate::errors::{failed, listed, of_ball, of_ray, refused};
 use crate::space::{Answers, Coordinate, Space};
@@ -30,18 +30,7 @@ pub(crate) fn closest<'py, S: Space>(
 ) -> PyResult<HitArrays<'py, S::Real>> {
     let mut found = Found::with_room(rays.len())?;
     let answer = |rays: Vec<Ray<S::Vector>>| bvh.closest(&rays).map_err(failed);
-    in_pieces(
-        py,
-        rays.len(),
-        progress,
-        |rows| rays.chunk(rows),
-        answer,
-        |hits| {
-            for hit in &hits {
-                found.push(hit.as_ref());
-            }
-        },
-    )?;
+    in_pieces(py, rays.len(), progress, |rows| rays.chunk(rows), answer, |hits| found.extend(&hits))?;
     found.into_arrays(py)
 }
 
@@ -271,25 +260,42 @@ pub(crate) fn room<T>(count: usize) -> PyResult<Vec<T>> {
 pub(crate) struct Found<R> {
     t: Vec<R>,
     primitive: Vec<i64>,
-    uv: Vec<R>,
+    uv: Vec<[R; 2]>,
 }
 
 impl<R: Coordinate> Found<R> {
     pub(crate) fn with_room(count: usize) -> PyResult<Self> {
-        Ok(Self { t: room(count)?, primitive: room(count)?, uv: room(2 * count)? })
+        Ok(Self { t: room(count)?, primitive: room(count)?, uv: room(count)? })
     }
 
     pub(crate) fn push(&mut self, hit: Option<&Hit<R>>) {
-        let nothing = (R::INFINITY, -1, [R::NAN; 2]);
-        let (t, primitive, uv) = hit.map_or(nothing, |hit| (hit.t, i64::from(hit.prim), [hit.u, hit.v]));
-        self.t.push(t);
-        self.primitive.push(primitive);
-        self.uv.extend(uv);
+        self.t.push(distance(hit));
+        self.primitive.push(primitive(hit));
+        self.uv.push(weights(hit));
+    }
+
+    /// On all threads: a processor traces some million rays a second, and one thread would keep little more.
+    fn extend(&mut self, hits: &[Option<Hit<R>>]) {
+        let hits = || hits.par_iter().with_min_len(ROWS).map(Option::as_ref);
+        self.t.par_extend(hits().map(distance));
+        self.primitive.par_extend(hits().map(primitive));
+        self.uv.par_extend(hits().map(weights));
     }
 
     pub(crate) fn into_arrays(self, py: Python<'_>) -> PyResult<HitArrays<'_, R>> {
-        let count = self.t.len();
-        let uv = self.uv.into_pyarray(py).reshape([count, 2])?;
+        let uv = self.uv.into_flattened().into_pyarray(py).reshape([self.t.len(), 2])?;
         Ok((self.t.into_pyarray(py), self.primitive.into_pyarray(py), uv))
     }
+}
+
+fn distance<R: Coordinate>(hit: Option<&Hit<R>>) -> R {
+    hit.map_or(R::INFINITY, |hit| hit.t)
+}
+
+fn primitive<R>(hit: Option<&Hit<R>>) -> i64 {
+    hit.map_or(-1, |hit| i64::from(hit.prim))
+}
+
+fn weights<R: Coordinate>(hit: Option<&Hit<R>>) -> [R; 2] {
+    hit.map_or([R::NAN; 2], |hit| [hit.u, hit.v])
 }

@@ -138,7 +138,11 @@ impl Space for Double {
     type Real = f64;
     const DTYPE: &'static str = "float64";
 
-    fn build(mesh: &Mesh<DVec3>, (builder, reinsertion): (Builder, u32), tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self> {
+    fn build(
+        mesh: &Mesh<DVec3>,
+        (builder, reinsertion): (Builder, u32),
+        tell: &(dyn Fn(usize) + Sync),
+    ) -> PyResult<Self> {
         let options = BuildOptions { builder, reinsertion, ..BuildOptions::default() };
         Self::of(options.build_watched(mesh, tell).map_err(of_build)?)
     }

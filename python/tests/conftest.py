@@ -50,3 +50,12 @@ def octasphere(levels, dtype=np.float64):
             finer += [(a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca)]
         faces = finer
     return np.array(vertices).astype(dtype), np.array(faces)
+
+
+def some_rays(dtype, count=200, seed=1):
+    random = np.random.default_rng(seed)
+    return random.uniform(-2, 2, (count, 3)).astype(dtype), random.normal(size=(count, 3)).astype(dtype)
+
+
+def same(a, b):
+    return all(np.array_equal(x, y, equal_nan=x.dtype.kind == "f") for x, y in zip(vars(a).values(), vars(b).values()))

@@ -1,27 +1,13 @@
-"""What scenes are beside their answers: arrays of any layout, files, new vertices, Ctrl-C, threads."""
+"""What scenes are beside their answers: arrays of any layout, files, new vertices."""
 
 import os
-import signal
-import subprocess
-import sys
-import threading
-import time
 
 import numpy as np
 import oracle
 import pytest
-from conftest import octasphere
+from conftest import octasphere, same, some_rays
 
-from stackless_bvh import Instances, Scene
-
-
-def some_rays(dtype, count=200, seed=1):
-    random = np.random.default_rng(seed)
-    return random.uniform(-2, 2, (count, 3)).astype(dtype), random.normal(size=(count, 3)).astype(dtype)
-
-
-def same(a, b):
-    return all(np.array_equal(x, y, equal_nan=x.dtype.kind == "f") for x, y in zip(vars(a).values(), vars(b).values()))
+from stackless_bvh import Scene
 
 
 def test_no_ray_leaks_out_of_a_closed_sphere(dtype):
@@ -250,94 +236,6 @@ def test_refit_moves_the_vertices_or_changes_nothing(dtype):
     assert str(error.value) == message
 
 
-def image(corner, rows):
-    return tuple(sum(oracle.Fraction(float(m)) * x for m, x in zip(row, (*corner, 1))) for row in rows)
-
-
-def closest_image(placed, origin, direction):
-    """The least (t, path, face) of all (path, triangles), or that of a miss."""
-    found = [
-        (oracle.rounded(hit[0], np.float32), path, face)
-        for path, triangles in placed
-        for face, triangle in enumerate(triangles)
-        if (hit := oracle.meet(triangle, oracle.vector(origin), oracle.vector(direction))) and hit[0] >= 0
-    ]
-    return min(found, default=(np.inf, None, -1))
-
-
-def triangles_of(scene):
-    return [oracle.corners(scene.vertices, face) for face in scene.faces]
-
-
-def images(triangles, rows):
-    return [[image(corner, rows) for corner in triangle] for triangle in triangles]
-
-
-def test_instances_are_the_exact_images():
-    vertices, faces = octasphere(2, np.float32)
-    scene, cube = Scene(vertices, faces), Scene(np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0]]), [[0, 1, 2]])
-    maps = np.zeros((3, 3, 4), np.float32)
-    maps[:, [0, 1, 2], [0, 1, 2]] = [[1, 2, 0.5], [3, 3, 3], [0.25, 1, 1]]
-    maps[:, :, 3] = [[0, 0, 4], [-3, 1, 0], [5, 0, 0]]
-    instances = Instances([scene, cube], [0, 1, 0], maps)
-    origins, directions = some_rays(np.float32, 300, 5)
-    origins *= 4
-    hits, hit_any = instances.closest(origins, directions), instances.any(origins, directions)
-    assert len(instances) == 3 and set(hits.instance) == {-1, 0, 1, 2} and hits.path.shape == (300, 1)
-    placed = [
-        ((i,), images(triangles_of(part), rows)) for i, (part, rows) in enumerate(zip([scene, cube, scene], maps))
-    ]
-    for ray, (origin, direction) in enumerate(zip(origins, directions)):
-        t, path, face = closest_image(placed, origin, direction)
-        assert (hits.t[ray], hits.primitive[ray]) == (t, face) and hits.instance[ray] == (
-            -1 if path is None else path[0]
-        )
-        assert hit_any[ray] == (face >= 0)
-    four = np.concatenate([maps, np.tile(np.float32([[[0, 0, 0, 1]]]), (3, 1, 1))], axis=1)
-    assert same(Instances([scene, cube], [0, 1, 0], four).closest(origins, directions), hits)
-
-
-def test_instances_of_instances_are_the_exact_images():
-    leaf = Scene(np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.3, 0.3, 1]]), [[0, 1, 2], [0, 1, 3], [1, 2, 3]])
-    random, turn = np.random.default_rng(8), np.float32([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
-
-    def maps(count):
-        made = np.zeros((count, 3, 4), np.float32)
-        made[:, :, :3] = turn * random.uniform(0.5, 1.5, (count, 1, 1)).astype(np.float32)
-        made[:, :, 3] = random.uniform(-2, 2, (count, 3))
-        return made
-
-    inner_maps, outer_maps, top_maps = maps(3), maps(3), maps(2)
-    inner = Instances([leaf], [0, 0, 0], inner_maps)
-    outer = Instances([inner, leaf], [0, 0, 1], outer_maps)
-    told = []
-    top = Instances([outer, inner], [0, 1], top_maps, progress=lambda *done: told.append(done))
-    # Nothing but groups: no face is put in a hierarchy.
-    assert all(done == (0, 0) for done in told)
-    of_inner = [((i,), images(triangles_of(leaf), rows)) for i, rows in enumerate(inner_maps)]
-    of_outer = [
-        ((i, *path), images(triangles, outer_maps[i]))
-        for i, parts in enumerate([of_inner, of_inner, [((), triangles_of(leaf))]])
-        for path, triangles in parts
-    ]
-    placed = [
-        ((i, *path), images(triangles, top_maps[i]))
-        for i, parts in enumerate([of_outer, of_inner])
-        for path, triangles in parts
-    ]
-    origins = random.uniform(-4, 4, (300, 3)).astype(np.float32)
-    middles = np.array([[float(sum(x) / 3) for x in zip(*triangles[0])] for _, triangles in placed], np.float32)
-    directions = middles[random.integers(0, len(middles), 300)] - origins
-    hits, depths = top.closest(origins, directions), set()
-    assert hits.path.shape == (300, 3)
-    for ray, (origin, direction) in enumerate(zip(origins, directions)):
-        t, path, face = closest_image(placed, origin, direction)
-        padded = [*(path or ()), *3 * [-1]][:3]
-        assert (hits.t[ray], hits.path[ray].tolist(), hits.primitive[ray]) == (t, padded, face)
-        depths.add(len(path or ()))
-    assert depths >= {2, 3}
-
-
 def test_a_scene_that_is_asked_is_not_changed(dtype):
     vertices, faces = octasphere(1, dtype)
     scene = Scene(vertices, faces)
@@ -346,151 +244,10 @@ def test_a_scene_that_is_asked_is_not_changed(dtype):
     assert np.array_equal(scene.vertices, vertices)
 
 
-def test_progress_is_told_and_its_errors_end_the_batch(dtype):
-    scene, told = Scene(*octasphere(1, dtype)), []
-    count = 150_000
-    scene.any([0, 0, 0], np.ones((count, 3), dtype), progress=lambda *done: told.append(done))
-    assert told == [(65536, count), (131072, count), (count, count)]
-
-    def stop(done, count):
-        raise StopIteration(done)
-
-    for ask in (lambda: scene.closest([0, 0, 0], np.ones((count, 3), dtype), progress=stop),
-                lambda: scene.contains(np.ones((count, 3), dtype), progress=stop)):  # fmt: skip
-        with pytest.raises(StopIteration) as error:
-            ask()
-        assert error.value.value == 65536
-
-
-INTERRUPTED = """
-import signal, sys, numpy as np
-# Jobs in the background of a shell ignore it.
-signal.signal(signal.SIGINT, signal.default_int_handler)
-sys.path.insert(0, sys.argv[1])
-from conftest import octasphere
-from stackless_bvh import Scene
-scene = Scene(*octasphere(4))
-directions = np.broadcast_to(np.float64([0.1, 0.2, 0.3]), (10**8, 3))
-print("begun", flush=True)
-try:
-    scene.closest([0, 0, 0], directions)
-except KeyboardInterrupt:
-    print("interrupted", flush=True)
-"""
-
-
-@pytest.mark.skipif(os.name == "nt", reason="no signals")
-def test_ctrl_c_ends_a_batch_that_would_take_minutes():
-    child = subprocess.Popen(
-        [sys.executable, "-c", INTERRUPTED, os.path.dirname(__file__)], stdout=subprocess.PIPE, text=True
-    )
-    try:
-        assert child.stdout.readline() == "begun\n"
-        threading.Event().wait(0.5)
-        child.send_signal(signal.SIGINT)
-        output, _ = child.communicate(timeout=60)
-    finally:
-        child.kill()
-    assert (output, child.returncode) == ("interrupted\n", 0)
-
-
-BUILDING = """
-import signal, sys, threading, time, numpy as np
-signal.signal(signal.SIGINT, signal.default_int_handler)
-from stackless_bvh import Scene
-vertices = np.random.default_rng(1).random((900_000, 3))
-faces, told = np.arange(900_000).reshape(-1, 3), []
-# When the building has begun.
-progress = lambda *done: told.append(done) or len(told) == 5 and print("begun", flush=True)
-try:
-    Scene(vertices, faces, "sah+200", progress)
-except KeyboardInterrupt:
-    print("interrupted", all(0 <= done <= count == 300_000 for done, count in told), flush=True)
-time.sleep(3)
-used = time.process_time()
-time.sleep(1)
-print("at rest" if time.process_time() - used < 0.5 else "at work", flush=True)
-"""
-
-
-@pytest.mark.skipif(os.name == "nt", reason="no signals")
-def test_ctrl_c_ends_a_build_that_would_take_minutes():
-    child = subprocess.Popen([sys.executable, "-c", BUILDING], stdout=subprocess.PIPE, text=True)
-    try:
-        assert child.stdout.readline() == "begun\n"
-        begun = time.monotonic()
-        child.send_signal(signal.SIGINT)
-        assert child.stdout.readline() == "interrupted True\n"
-        # It takes a twentieth of a second where nothing else runs.
-        assert time.monotonic() - begun < 5
-        output, _ = child.communicate(timeout=60)
-    finally:
-        child.kill()
-    assert (output, child.returncode) == ("at rest\n", 0)
-
-
-def test_an_error_of_progress_ends_a_build(dtype):
-    def stop(done, count):
-        raise LookupError(done, count)
-
-    vertices = np.random.default_rng(1).random((300_000, 3)).astype(dtype)
-    with pytest.raises(LookupError) as error:
-        Scene(vertices, np.arange(300_000).reshape(-1, 3), "sah+200", stop)
-    assert error.value.args[1] == 100_000
-
-
 def test_no_memory_is_an_exception():
     scene = Scene(*octasphere(1))
     with pytest.raises(MemoryError, match="no memory for 18014398509481984 answers"):
         scene.closest([0, 0, 0], np.broadcast_to(np.float64([0.1, 0.2, 0.3]), (2**54, 3)))
-
-
-FAST_MATH = """
-import ctypes, sys, numpy as np
-sys.path.insert(0, sys.argv[1])
-from conftest import octasphere
-from stackless_bvh import Scene
-scene, points = Scene(*octasphere(1)), np.ones((5, 3))
-ctypes.CDLL(sys.argv[2])
-if np.float64(5e-324) * 1.0 + np.float64(5e-324) != 0.0:
-    sys.exit("it had no effect")
-for ask in (lambda: Scene(*octasphere(1)), lambda: scene.any(points, points), lambda: scene.contains(points)):
-    try:
-        ask()
-    except RuntimeError as error:
-        print(error)
-"""
-
-
-def test_a_thread_whose_floats_are_of_no_use_is_refused(tmp_path):
-    source, library = tmp_path / "fast.c", tmp_path / "fast.so"
-    source.write_text("int nothing;")
-    try:
-        subprocess.run(["cc", "-shared", "-fPIC", "-ffast-math", source, "-o", library], check=True)
-    except (OSError, subprocess.CalledProcessError):
-        pytest.skip("no compiler")
-    command = [sys.executable, "-c", FAST_MATH, os.path.dirname(__file__), library]
-    ran = subprocess.run(command, capture_output=True, text=True)
-    if "no effect" in ran.stderr:
-        pytest.skip("this compiler does not make such libraries")
-    message = "this thread takes subnormal numbers for zero (was a library compiled with -ffast-math?)\n"
-    assert (ran.stdout, ran.returncode) == (3 * message, 0), ran.stderr
-
-
-def test_other_threads_run_while_rays_are_traced():
-    scene, ticks, done = Scene(*octasphere(3)), [], threading.Event()
-    directions = np.broadcast_to(np.float64([0.1, 0.2, 0.3]), (400_000, 3))
-
-    def tick():
-        while not done.wait(0.001):
-            ticks.append(1)
-
-    thread = threading.Thread(target=tick)
-    thread.start()
-    scene.closest([0, 0, 0], directions)
-    done.set()
-    thread.join()
-    assert len(ticks) > 10
 
 
 def test_the_scene_says_what_it_is(dtype):

@@ -54,6 +54,24 @@ fn results_hold_the_exact_ones() {
     assert!(quotients > 19_000, "{quotients}");
 }
 
+/// Where the radius is more than what digits are lost.
+#[test]
+fn wide_radii_are_not_forgotten() {
+    let mut random = Rng::new(3);
+    for _ in 0..2000 {
+        let (a, _) = number(&mut random);
+        let wide = Fine { radius: a.high.abs() * 1e-20, ..a };
+        let ends = [exact(wide.radius), -exact(wide.radius)].map(|end| exact(a.high) + exact(a.low) + end);
+        let hull = Fine { radius: 0.0, ..a }.hull(wide);
+        assert!(ends.iter().all(|end| holds(hull, end)), "{a:?}");
+    }
+    let wide = Fine { high: 1.0, low: 0.0, radius: 0.125 };
+    let [[least, _], [most, _]] = wide.root().expect("positive").bounds();
+    assert!(least * least <= 0.875 && most * most >= 1.125, "{least} {most}");
+    let [[least, _], [most, _]] = Fine::exact(0.5).over(wide).expect("positive").bounds();
+    assert!(least * 1.125 <= 0.5 && most * 0.875 >= 0.5, "{least} {most}");
+}
+
 /// Radii are no more than some units in the last place of twice the digits.
 #[test]
 fn results_are_near() {
@@ -73,7 +91,7 @@ fn what_is_exact_stays_so() {
     assert!((of(1.0) - of(1.0)).is_exact() && (of(1.0) + of(1e-30)).is_exact());
     assert!((of(0.0) * (of(0.1) * of(0.1))).is_exact());
     assert_eq!((of(1.0) + of(1e-30)).bounds(), [[1.0, 1e-30]; 2]);
-    assert_eq!(of(0.0).root().map(|root| root.bounds()), Some([[0.0; 2]; 2]));
+    assert_eq!(of(0.0).root().map(Fine::bounds), Some([[0.0; 2]; 2]));
     assert!(of(1.0).over(of(0.0)).is_none() && of(0.0).over(of(0.0)).is_none());
     assert_eq!(of(-6.0).over(of(-3.0)).map(|two| two.bounds().map(|[end, _]| end)), Some([2.0; 2]));
     // May be 0, and may not.

@@ -18,7 +18,7 @@ fn narrow<V: Vector>(v: DVec3) -> V {
 /// Any triangle and point of a kind, of ever other sizes, and of double precision also far away.
 fn case<V: Vector>(random: &mut Rng, kind: usize) -> (Triangle<V>, V) {
     let is_double = size_of::<V>() == size_of::<DVec3>();
-    let powers = if is_double && kind % 7 == 0 { 332 } else { 120 };
+    let powers = if is_double && kind.is_multiple_of(7) { 332 } else { 120 };
     let scale = 2f64.powi((random.bits() % powers) as i32 - powers as i32 / 2);
     let far = [0.0, 6.4e6, 1e9][if is_double { kind / 20 % 3 } else { 0 }] * vector(random);
     // With more bits than single precision keeps.
@@ -102,6 +102,14 @@ fn check_bounds<V: Vector>() -> usize {
 fn bounds_hold_the_truth_and_need_their_margin() {
     let bare = [check_bounds::<Vec3>(), check_bounds::<DVec3>()];
     assert!(bare.into_iter().all(|bare| bare > 100), "{bare:?}");
+}
+
+/// Beyond it products may over- or underflow.
+#[test]
+fn bounds_are_for_a_range() {
+    let corners = [DVec3::new(1.0, 0.0, 0.5), DVec3::new(0.0, 1.0, 0.5), DVec3::new(-1.0, -1.0, 0.5)];
+    let far = |power| bounds(&corners.map(|corner| corner * 2f64.powi(power)))[1];
+    assert_eq!([-201, -200, 200, 201].map(|power| far(power).is_nan()), [true, false, false, true]);
 }
 
 fn check_boxes<V: Vector>() {
