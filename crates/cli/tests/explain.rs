@@ -227,9 +227,10 @@ fn traversals_of_wide_trees_are_recorded_as_their_oracle_goes() {
 
 fn look_wide<const A: usize>(case: &WideCase<A>, clauses: &BTreeSet<String>, seen: &mut BTreeSet<String>) {
     for method in WideMethod::ALL {
-        let recorded = match case.is_sorted {
-            true => wide::record(&case.tree, &case.search::<true>(), method),
-            false => wide::record(&case.tree, &case.search::<false>(), method),
+        let recorded = if case.is_sorted {
+            wide::record(&case.tree, &case.search::<true>(), method)
+        } else {
+            wide::record(&case.tree, &case.search::<false>(), method)
         };
         let recording = match recorded {
             Ok(recording) => recording,
@@ -318,6 +319,16 @@ fn the_command_writes_pages() {
     let pixel = stackless("-q explain stadium --pixel 256,256 --methods hashed -o -", &[]).passes().stdout;
     assert_eq!(data(&pixel)["title"], "stadium, pixel 256,256");
     assert!(data(&pixel)["methods"][0]["steps"].as_array().unwrap().iter().any(|step| step["hit"] == true));
+    let wide = |args: &str| data(&stackless(&format!("-q explain {args} -o -"), &[]).passes().stdout);
+    let example = wide("--wide 8");
+    assert_eq!((&example["methods"][0]["method"], &example["base"]), (&"wide-record".into(), &8.into()));
+    let tape = wide("--tape 3 --wide 4 --methods wide-trail");
+    assert_eq!((&tape["title"], &tape["trailBits"]), (&"Tape 3, up to 4 children".into(), &4.into()));
+    let suite = wide("--suite-case trace/wide/last-2");
+    assert_eq!(wide("--suite-case trace/wide/unsorted-hit-4")["trailBits"], 4);
+    assert_eq!((&suite["methods"][0]["method"], &suite["base"]), (&"wide-record".into(), &10.into()));
+    let pixel = wide("stadium --pixel 256,256 --methods wide-record");
+    assert!(pixel["methods"][0]["steps"].as_array().unwrap().iter().any(|step| step["hit"] == true));
     assert_eq!(folder.names(), ["a.html", "case.json"]);
 }
 
@@ -333,10 +344,15 @@ fn the_command_refuses_what_it_cannot_show() {
         ("--suite-case key/u128/child-left-root", "expected one whose level is trace"),
         ("--suite-case trace/script/chain-left-200-two-1", "200 edges deep"),
         ("--methods complete", "complete: "),
+        ("--methods wide-trail,hashed", "do not run on wide ones"),
+        ("--wide 3 --tape 1", "--wide 3: expected 2, 4 or 8"),
+        ("--wide 4", "the example have 8 children"),
+        ("--methods wide-trail --suite-case trace/script/three-neither", "its tree is binary"),
         ("soup --pixel 3,512", "pixel 3,512 is outside of the image of 512x512 pixels"),
     ] {
         stackless(&format!("explain {args} -o -"), &[]).fails_naming(&[what]);
     }
+    stackless("-q explain --methods wide-trail -o - --case", &[&bad]).fails_naming(&["--case: its tree is binary"]);
     for args in ["explain", "explain --tape 1 --suite-case a -o -", "explain --methods nosuch -o -"] {
         assert_eq!(stackless(args, &[]).code, Some(2), "{args}");
     }

@@ -6,6 +6,7 @@
 //! and the nodes that the oracle has postponed stand beside the words that are to say the same. [`page()`] puts
 //! recordings into one HTML file, whose script only draws.
 
+mod error;
 mod judge;
 mod lookup;
 mod observe;
@@ -13,6 +14,7 @@ mod ray;
 mod text;
 pub mod wide;
 
+pub use error::ExplainError;
 pub use lookup::{Entry, HashLookup, Table};
 pub use ray::of_ray;
 
@@ -21,8 +23,7 @@ use serde::Serialize;
 use judge::Judge;
 use observe::Log;
 use stackless_bvh::generate::{Cell, Tape};
-use stackless_bvh::hash::BuildError;
-use stackless_bvh::traverse::{Method, Unfit};
+use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
 use stackless_check::Case;
 
@@ -168,81 +169,6 @@ pub enum By {
     Restart,
 }
 
-/// Why a case or a traversal is not put on a page.
-#[derive(Debug, thiserror::Error)]
-pub enum ExplainError {
-    /// The tree is too large to be drawn.
-    #[error("the tree has {nodes} nodes, and a page shows at most {MOST_NODES}")]
-    TooLarge {
-        /// Number of nodes.
-        nodes: usize,
-    },
-    /// The tree is too deep to be drawn.
-    #[error("the tree is {depth} edges deep, and a page shows at most {limit}")]
-    TooDeep {
-        /// Depth in edges.
-        depth: u32,
-        /// The greatest depth that is shown.
-        limit: u32,
-    },
-    /// The traversal does not run on this tree.
-    #[error("{method}: {error}")]
-    Unfit {
-        /// The traversal.
-        method: Method,
-        /// Why.
-        error: Unfit,
-    },
-    /// The same of a wide tree.
-    #[error("{method}: {error}")]
-    UnfitWide {
-        /// The traversal.
-        method: stackless_bvh::wide::Method,
-        /// Why.
-        error: stackless_bvh::wide::Unfit,
-    },
-    /// The traversal needs ranks that do not become less on the way down.
-    #[error("{method}: on the way down ranks become less, and it may not visit what its oracle visits")]
-    Falling {
-        /// The traversal.
-        method: stackless_bvh::wide::Method,
-    },
-    /// The traversal asks the search again on its way down, and the answers of this one change: there is no one trace.
-    #[error("{method}: it asks the search again, and the answers of this one change on the way")]
-    Changing {
-        /// The traversal.
-        method: Method,
-    },
-    /// There is no perfect hash.
-    #[error("{method}: {error}")]
-    Table {
-        /// The traversal.
-        method: Method,
-        /// Why.
-        error: BuildError,
-    },
-    /// The traversal differs from its oracle.
-    #[error("{method}: visit {visit}: {what} is {found}, the oracle's is {expected}")]
-    Differs {
-        /// The traversal.
-        method: &'static str,
-        /// Number of the visit, from 0.
-        visit: usize,
-        /// What differs.
-        what: &'static str,
-        /// What the oracle has.
-        expected: String,
-        /// What the traversal has.
-        found: String,
-    },
-    /// There is nothing to show.
-    #[error("no traversal is named")]
-    NoMethod,
-    /// The page cannot be written down.
-    #[error("{0}")]
-    Json(#[from] serde_json::Error),
-}
-
 /// What a page is made of.
 #[derive(Serialize)]
 struct Page<'a> {
@@ -324,20 +250,6 @@ fn recordings<M: Copy>(
         }
     }
     if recordings.is_empty() { Err(why) } else { Ok((recordings, left_out)) }
-}
-
-impl ExplainError {
-    /// Whether other traversals may run.
-    const fn is_of_method(&self) -> bool {
-        matches!(
-            self,
-            Self::Unfit { .. }
-                | Self::UnfitWide { .. }
-                | Self::Falling { .. }
-                | Self::Changing { .. }
-                | Self::Table { .. }
-        )
-    }
 }
 
 /// Runs a traversal over a case, in words of 128 bits, and compares each visit with the oracle's. `[TRAVERSE-1]`

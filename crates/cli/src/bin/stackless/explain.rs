@@ -150,9 +150,10 @@ fn wide_page(args: &Args, methods: &[WideMethod]) -> Result<Page, Error> {
 
 fn of_case<const A: usize>(title: String, case: &WideCase<A>, methods: &[WideMethod]) -> Page {
     let methods = if methods.is_empty() { &wide::USUAL } else { methods };
-    let html = match case.is_sorted {
-        true => wide::page(&title, &case.tree, &case.search::<true>(), methods),
-        false => wide::page(&title, &case.tree, &case.search::<false>(), methods),
+    let html = if case.is_sorted {
+        wide::page(&title, &case.tree, &case.search::<true>(), methods)
+    } else {
+        wide::page(&title, &case.tree, &case.search::<false>(), methods)
     };
     Page { html, nodes: case.tree.node_count(), title }
 }
@@ -172,9 +173,10 @@ fn of_walk_of<const A: usize>(id: &str, walk: &WideWalk, methods: &[WideMethod])
     let methods = if methods.is_empty() { &wide::USUAL } else { methods };
     let (title, tree) = (format!("Suite case {id}"), walk.tree::<A>().map_err(|error| error.to_string())?);
     let unfit = "its ranks do not fit its tree";
-    let html = match walk.is_sorted() {
-        true => wide::page(&title, &tree, &walk.search::<A, true>().ok_or(unfit)?, methods),
-        false => wide::page(&title, &tree, &walk.search::<A, false>().ok_or(unfit)?, methods),
+    let html = if walk.is_sorted() {
+        wide::page(&title, &tree, &walk.search::<A, true>().ok_or(unfit)?, methods)
+    } else {
+        wide::page(&title, &tree, &walk.search::<A, false>().ok_or(unfit)?, methods)
     };
     Ok(Page { html, nodes: tree.node_count(), title })
 }
