@@ -200,7 +200,7 @@ fn details(args: &Args, scene: &Scene, stats: &Stats, bvh: &Bvh) -> Result<Secti
         stats.parts(),
         "Where the time of a diffuse ray goes (Barringer & Akenine-Möller 2013, Fig. 5)".to_owned(),
     ));
-    pieces.extend(named(stats.blocks(), &["tables", "time", "plan", "state", "distances"]));
+    pieces.extend(named(stats.blocks(), &["tables", "time", "plan", "state", "wide", "tracers", "distances"]));
     Ok(Section { id: "scene", title, pieces })
 }
 
