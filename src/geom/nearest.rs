@@ -75,7 +75,7 @@ impl<V: Vector> Measure<V> {
     pub fn distance(&self, triangle: &Triangle<V>, limit: V::Real) -> Option<V::Real> {
         let corners @ [a, b, c] = triangle.widen();
         // Its box is measured faster.
-        if V::Real::rounded(self.to_extent(a.min(b).min(c), a.max(b).max(c))) > limit {
+        if V::Real::rounded(self.least_distance(a.min(b).min(c), a.max(b).max(c))) > limit {
             return None;
         }
         let point = self.point.widen();
@@ -112,7 +112,7 @@ impl<V: Vector> Measure<V> {
 
     /// At most the distance of what lies between two corners, which may be infinitely far apart.
     #[inline]
-    fn to_extent(&self, lo: DVec3, hi: DVec3) -> f64 {
+    fn least_distance(&self, lo: DVec3, hi: DVec3) -> f64 {
         length_of(lo - self.point.widen(), self.point.widen() - hi)
     }
 

@@ -9,7 +9,7 @@ use stackless_bvh::generate::{procedural, stress};
 use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::slabs::Wide;
 use stackless_bvh::geom::{Mesh, Ray, Triangle};
-use stackless_bvh::trace::{BinaryTracer, Truth};
+use stackless_bvh::trace::{BinaryTracer, TrueHit, Truth};
 use stackless_bvh::traverse::Method;
 
 type Tracer<'a> = BinaryTracer<&'a Bvh<Triangle<DVec3>>, Exact64, Wide>;
@@ -78,7 +78,7 @@ fn answers_are_the_truth_wherever_a_mesh_is() {
             for bvh in [&bvh, &back] {
                 let Ok(tracer) = Tracer::with_tests(bvh, method) else { continue };
                 for ray in &rays {
-                    let expected: Vec<_> = truth.all(ray).iter().map(|hit| hit.rounded()).collect();
+                    let expected: Vec<_> = truth.all(ray).iter().map(TrueHit::rounded).collect();
                     assert_eq!(tracer.closest(ray), expected.first().copied(), "{place:?} {builder} {ray:?}");
                     assert_eq!(tracer.any(ray), !expected.is_empty(), "{place:?} {builder} {ray:?}");
                     assert!(tracer.all(ray).eq(expected.iter().copied()), "{place:?} {builder} {ray:?}");

@@ -41,9 +41,8 @@ const MAX_LENGTH: i32 = 1000;
 /// doubles in the other, and those that are not normal in the other are nothing in the one.
 const MAX_UNIT: i32 = 800;
 
-/// What an end is moved by, in parts of itself, before it is rounded: at least to the next number.
+/// What an end is moved by, in parts of itself: at least to the next double.
 const BEYOND: f64 = 1.0 + f64::EPSILON;
-const BEYOND_SINGLE: f64 = 1.0 + 2.0 * f32::EPSILON as f64;
 
 /// The least number of single precision, 2^-149.
 const LEAST: f64 = f64::from_bits((1023 - 149) << 52);
@@ -117,12 +116,12 @@ impl Wide {
         (from_start + self.start) * self.unit[0]
     }
 
-    /// Beyond the float nearest to any distance from the start that rounds to at most `tmax`.
+    /// At least what is told of any box that a hit whose distance rounds to at most `tmax` is in.
     #[inline(always)]
     fn end(&self, tmax: f64) -> f32 {
         let end = tmax * (self.unit[1] * BEYOND) - self.start;
         // Nothing in the region is beyond the greatest float.
-        ((end * BEYOND_SINGLE + LEAST) as f32).min(f32::MAX)
+        ((end + LEAST) as f32).min(f32::MAX)
     }
 
     /// Boxes and rays that are so rare that a ray is prepared anew each time.

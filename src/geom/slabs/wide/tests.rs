@@ -49,7 +49,7 @@ fn case() -> impl Strategy<Value = Case> {
     (frame(), corners, origin, direction, (any::<bool>(), point(), length), (end(), end())).prop_filter_map(
         "not a ray",
         |(frame, [a, b, c, d], origin, direction, (is_aimed, target, length), (tmin, tmax))| {
-            let boxes = [[a, b], [c, d]].map(|corners| Aabb::of(&corners.map(|corner| corner.as_vec3())));
+            let boxes = [[a, b], [c, d]].map(|corners| Aabb::of(&corners.map(DVec3::as_vec3)));
             let space = |p: DVec3| p * power_of_two(frame.exponent()) + frame.origin();
             let o = space(origin);
             let d = if is_aimed { space(target) - o } else { direction } * power_of_two(length);
@@ -126,4 +126,17 @@ fn beyond_its_range_nothing_is_skipped() {
     assert_eq!(hits(DVec3::splat(2.0), DVec3::splat(1e-200)), (false, false));
     assert_eq!(hits(DVec3::splat(2.0), DVec3::splat(1e-300)), (true, true));
     assert_eq!(hits(DVec3::splat(1e300), DVec3::X), (true, true));
+}
+
+/// What a ray does not reach is skipped, however far away it begins.
+#[test]
+fn what_is_beyond_the_end_is_skipped_from_afar() {
+    let cube = |x: f32| Aabb { lo: Vec3::new(x, 0.0, 0.0), hi: Vec3::new(x + 1.0, 1.0, 1.0) };
+    let (near, far) = (cube(-10.0), cube(0.0));
+    let region = Region::of(&near.union(far));
+    for (tmax, reaches) in [(1e9 - 20.0, [false, false]), (1e9 - 5.0, [true, false]), (1e9 + 0.5, [true, true])] {
+        let ray = Ray::within(DVec3::new(-1e9, 0.5, 0.5), DVec3::X, 0.0, tmax).expect("a ray");
+        let slabs = Wide::new(&ray, &region);
+        assert_eq!([near, far].map(|aabb| slabs.one(&aabb, tmax).is_some()), reaches, "{tmax}");
+    }
 }
