@@ -92,7 +92,10 @@ impl Wide {
         // Nothing is rounded here unless it underflows, and then it is above.
         let tmin = ray.tmin() * power_of_two(exponent);
         let tmin = if tmin < f64::MIN_POSITIVE { 0.0 } else { tmin };
-        let start = entry(&region, &origin, &direction, tmin);
+        let Some(start) = entry(&region, &origin, &direction, tmin) else {
+            // Every plane is behind.
+            return Some(Self { origin: [Vec4::INFINITY; 3], inverse: [Vec4::ONE; 3], is_slow: false, ..self });
+        };
         let origin = [0, 1, 2].map(|axis| origin[axis] + Interval::exact(start) * direction[axis]);
         let lanes = [0, 1, 2].map(|axis| lanes(origin[axis], direction[axis], ray.direction()[axis] < 0.0));
         let is_near = |o: &f32| o.abs() <= MAX_COORDINATE;
@@ -138,10 +141,10 @@ impl Wide {
     }
 }
 
-/// Where a ray enters the region, or before that; not before `tmin`.
-fn entry(region: &Region, origin: &[Interval; 3], direction: &[Interval; 3], tmin: f64) -> f64 {
+/// Where a ray enters the region, or before that; not before `tmin`. `None` if it surely misses the region.
+fn entry(region: &Region, origin: &[Interval; 3], direction: &[Interval; 3], tmin: f64) -> Option<f64> {
     let aabb = region.bounds();
-    let mut start = tmin;
+    let (mut start, mut end) = (tmin, f64::INFINITY);
     for axis in 0..3 {
         let ([least, most], [slowest, fastest]) = (origin[axis].ends(), direction[axis].ends());
         let (lo, hi) = (f64::from(aabb.lo[axis]), f64::from(aabb.hi[axis]));
@@ -149,10 +152,18 @@ fn entry(region: &Region, origin: &[Interval; 3], direction: &[Interval; 3], tmi
         for (way, speed) in [(lo - most, fastest), (least - hi, -slowest)] {
             if way > 0.0 && speed > 0.0 {
                 start = start.max((way.next_down() / speed).next_down());
+            } else if way.next_down() > 0.0 {
+                return None;
+            }
+        }
+        // least + t slowest <= hi where it leaves there, and likewise.
+        for (way, speed) in [(hi - least, slowest), (most - lo, -fastest)] {
+            if speed > 0.0 {
+                end = end.min((way.next_up() / speed).next_up());
             }
         }
     }
-    start
+    (start <= end).then_some(start)
 }
 
 /// For the lower and the upper plane of an axis: where the ray starts, and the reciprocal of its direction.

@@ -124,8 +124,28 @@ fn beyond_its_range_nothing_is_skipped() {
     };
     assert_eq!(hits(DVec3::splat(-1.0), DVec3::splat(1e-200)), (false, true));
     assert_eq!(hits(DVec3::splat(2.0), DVec3::splat(1e-200)), (false, false));
-    assert_eq!(hits(DVec3::splat(2.0), DVec3::splat(1e-300)), (true, true));
-    assert_eq!(hits(DVec3::splat(1e300), DVec3::X), (true, true));
+    assert_eq!(hits(DVec3::splat(-2.0), DVec3::splat(1e-300)), (true, true));
+    assert_eq!(hits(DVec3::new(-1e300, 0.5, 0.5), DVec3::X), (true, true));
+    assert_eq!(hits(DVec3::splat(1e300), DVec3::X), (false, false));
+}
+
+/// A ray that comes toward the boxes on an axis, but all but parallel to them, has left them long before. [BOX-8]
+#[test]
+fn what_is_passed_by_is_skipped() {
+    let aabb = Aabb { lo: Vec3::ZERO, hi: Vec3::ONE };
+    for tiny in [1e-30, 1e-130, 5e-324] {
+        for (o, d) in [
+            (DVec3::new(-2.0, -1.0, 0.5), DVec3::new(1.0, tiny, 0.0)),
+            (DVec3::new(3.0, 2.0, 0.5), DVec3::new(-1.0, -tiny, 0.0)),
+            (DVec3::new(1e300, 0.5, 0.5), DVec3::new(1.0, tiny, 0.0)),
+            (DVec3::new(-2.0, -1e300, 0.5), DVec3::new(1.0, 0.0, tiny)),
+        ] {
+            let slabs = Wide::new(&Ray::new(o, d).expect("a ray"), &Region::of(&aabb));
+            assert!(!slabs.is_slow && slabs.one(&aabb, f64::INFINITY).is_none(), "{o} {d}");
+        }
+        let inside = Ray::new(DVec3::new(-2.0, 0.5, 0.5), DVec3::new(1.0, -tiny, tiny)).expect("a ray");
+        assert!(Wide::new(&inside, &Region::of(&aabb)).one(&aabb, f64::INFINITY).is_some());
+    }
 }
 
 /// What a ray does not reach is skipped, however far away it begins.
