@@ -2,7 +2,7 @@
 
 use std::thread;
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 use stackless_bvh::bvh::{self, BuildOptions, Builder, Bvh, SpatialOptions};
 use stackless_bvh::generate::{procedural, stress};
@@ -48,7 +48,7 @@ fn placed(mesh: &Mesh, rays: &[Ray], (scale, shift): (f64, f64)) -> (Mesh<DVec3>
 #[test]
 fn answers_are_the_truth_wherever_a_mesh_is() {
     let meshes =
-        [procedural::soup(3, 300), stress::icosphere(2, 1.0, glam::Vec3::ZERO).expect("a mesh"), procedural::layers(9)];
+        [procedural::soup(3, 300), stress::icosphere(2, 1.0, Vec3::ZERO).expect("a mesh"), procedural::layers(9)];
     let check = |mesh: &Mesh, place| {
         let mut rays = procedural::rays(mesh, 5, 100);
         rays.extend(stress::aimed(mesh, 6, 60));
@@ -70,7 +70,10 @@ fn answers_are_the_truth_wherever_a_mesh_is() {
             let back = Bvh::<Triangle<DVec3>>::from_bytes(&before).expect("what was written");
             assert_eq!((back.frame(), back.bounds()), (bvh.frame(), bvh.bounds()));
             if bvh.dropped() == 0 {
-                bvh.refit(&elsewhere_of(&elsewhere, &mesh)).expect("as many");
+                let elsewhere = elsewhere_of(&elsewhere, &mesh);
+                bvh.refit(&elsewhere).expect("as many");
+                bvh::validate(&bvh, &elsewhere).expect("sound");
+                assert_eq!(bvh.frame(), elsewhere.frame());
                 assert_ne!(bvh.to_bytes(), before);
                 bvh.refit(&mesh).expect("as before");
                 bvh::validate(&bvh, &mesh).expect("sound");
@@ -97,6 +100,29 @@ fn answers_are_the_truth_wherever_a_mesh_is() {
     });
 }
 
+/// Triangles in parts: spatial splits cut them in the frame. [SPLIT-1]
+#[test]
+fn triangles_are_cut_in_every_frame() {
+    let corners = (0..20).flat_map(|i| {
+        let (from, to) = (Vec3::X * (i as f32 * 0.3), Vec3::new(i as f32 * 0.3 + 9.0, 9.0, 9.1));
+        [from, to, to + Vec3::X * 0.1]
+    });
+    let slivers = Mesh::new(corners.collect(), (0..20).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect());
+    let slivers = slivers.expect("a mesh");
+    let spatial = SpatialOptions { extra_percent: 100, overlap: 0.0 };
+    for place in PLACES {
+        let (mesh, rays) = placed(&slivers, &stress::aimed(&slivers, 6, 60), place);
+        let bvh = BuildOptions { builder: Builder::Spatial, spatial, ..BuildOptions::default() }.build(&mesh);
+        let (bvh, truth) = (bvh.expect("a tree"), Truth::new(&mesh));
+        assert!(bvh.duplicates() > 0, "{place:?}");
+        bvh::validate(&bvh, &mesh).expect("sound");
+        let tracer = Tracer::with_tests(&bvh, Method::default()).expect("a tracer");
+        for ray in &rays {
+            assert_eq!(tracer.closest(ray), truth.closest(ray).map(|hit| hit.rounded()), "{place:?} {ray:?}");
+        }
+    }
+}
+
 /// Vertices of another mesh under the triangles of this one, none of them degenerate.
 fn elsewhere_of(vertices: &Mesh<DVec3>, mesh: &Mesh<DVec3>) -> Mesh<DVec3> {
     let count = mesh.vertices().len();
@@ -107,7 +133,7 @@ fn elsewhere_of(vertices: &Mesh<DVec3>, mesh: &Mesh<DVec3>) -> Mesh<DVec3> {
 /// What a frame is for: boxes are as small beside their triangles as at the origin, and so as few are met in vain.
 #[test]
 fn a_mesh_far_away_costs_what_it_costs_at_the_origin() {
-    let mesh = stress::icosphere(4, 1.0, glam::Vec3::ZERO).expect("a mesh");
+    let mesh = stress::icosphere(4, 1.0, Vec3::ZERO).expect("a mesh");
     let rays = procedural::rays(&mesh, 2, 200);
     let count = |place| {
         let (mesh, rays) = placed(&mesh, &rays, place);
@@ -128,7 +154,7 @@ fn a_mesh_far_away_costs_what_it_costs_at_the_origin() {
 /// Directions with components that are all but 0 beside the others.
 #[test]
 fn components_next_to_nothing() {
-    let mesh = stress::icosphere(2, 1.0, glam::Vec3::ZERO).expect("a mesh");
+    let mesh = stress::icosphere(2, 1.0, Vec3::ZERO).expect("a mesh");
     let (mesh, _) = placed(&mesh, &[], (1.0, 0.0));
     let (truth, bvh) = (Truth::new(&mesh), Bvh::build(&mesh).expect("a tree"));
     let tracer = Tracer::with_tests(&bvh, Method::default()).expect("a tracer");
