@@ -14,8 +14,8 @@ impl<V: Vector> Triangle<V> {
 }
 
 impl Frame {
-    /// A box in this frame that holds all of the triangle that is inside of `part`, exactly, and does not stick out of `part` or of
-    /// the triangle's own box. On some axis its `lo` is above its `hi` if no point of the triangle is inside.
+    /// A box in this frame that holds all of the triangle that is inside of `part`, exactly, and does not stick out of
+    /// `part` or of the triangle's own box. On some axis its `lo` is above its `hi` if no point of the triangle is inside.
     ///
     /// It is hardly larger than the smallest box of what is inside of `part` grown by 2^-45 of the triangle's greatest
     /// coordinate on each axis: by as much again, and by rounding to single precision.
@@ -31,8 +31,8 @@ impl Frame {
     /// - *A cut* drops corners beyond the plane moved outwards by 128uM, and puts a point on each edge between a kept
     ///   corner a and a dropped one b: a + t (b - a), with t in \[0, 1\] as computed. Let X' have the points with the same
     ///   t on the edges of X. They lie in order on the border of X, so X' is convex and inside of X.
-    /// - *Distance.* A convex combination of points that are within iδ + uM of others is as near to theirs. Evaluating it
-    ///   costs less than 6uM, as a and b are at most M + 96uM.
+    /// - *Distance.* A convex combination of points that are within iδ + uM of others is as near to theirs.
+    ///   Evaluating it costs less than 6uM, as a and b are at most M + 96uM.
     /// - *Nothing needed is dropped.* t has an error of 3u, so the exact combination is within 7uM of the moved plane,
     ///   and
     ///   the point of X' within 5δ + 8uM < 89uM, the least that the plane is moved by being 127uM. So all that X loses is

@@ -1,7 +1,8 @@
 //! Numbers that are known within bounds.
 
-use std::ops::{Add, Mul, Neg, RangeInclusive, Sub};
+use std::ops::{Add, Mul, Neg, Sub};
 
+use super::RANGE;
 use crate::geom::Interval;
 use crate::geom::fine::Fine;
 
@@ -66,13 +67,11 @@ impl Enclosure for Interval {
     }
 }
 
-/// Numbers that are taken are 0 or within 2^-200 to 2^200: products of four of their sums neither over- nor underflow.
-const TAKEN: RangeInclusive<f64> = f64::from_bits((1023 - 200) << 52)..=f64::from_bits((1023 + 200) << 52);
-
 impl Enclosure for Fine {
+    /// 0, or within 2^-200 to 2^200: products of four of the sums neither over- nor underflow.
     #[inline]
     fn of(x: f64) -> Option<Self> {
-        (x == 0.0 || TAKEN.contains(&x.abs())).then_some(Self::exact(x))
+        (x == 0.0 || RANGE.contains(&x.abs())).then_some(Self::exact(x))
     }
 
     #[inline]

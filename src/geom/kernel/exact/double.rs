@@ -25,6 +25,7 @@ use super::filter::{Determinants, Errors};
 use super::fine;
 use super::quotient::Ratio;
 use super::{is_within, parity, predicates};
+use crate::geom::frame::power_of_two;
 use crate::geom::kernel::Kernel;
 use crate::geom::truth::{self, Meeting, Point};
 use crate::geom::{Ray, Region, Triangle};
@@ -58,10 +59,6 @@ pub struct Exact64 {
 /// Numbers that never over- or underflow here.
 const USUAL: RangeInclusive<f64> = power_of_two(-200)..=power_of_two(200);
 
-const fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((1023 + exponent) as u64) << 52)
-}
-
 impl Kernel for Exact64 {
     type Vector = DVec3;
     type Shape = Triangle<DVec3>;
@@ -69,7 +66,7 @@ impl Kernel for Exact64 {
     #[inline]
     fn new(ray: &Ray<DVec3>, region: &Region) -> Self {
         let sizes = [ray.direction().abs().max_element(), region.distance(ray.origin()), region.size()];
-        Self { ray: *ray, errors: Errors::of_sizes(sizes), is_usual: sizes.iter().all(|size| USUAL.contains(size)) }
+        Self { ray: *ray, errors: Errors::new(sizes), is_usual: sizes.iter().all(|size| USUAL.contains(size)) }
     }
 
     #[inline]

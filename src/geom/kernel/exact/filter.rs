@@ -88,20 +88,13 @@ impl Errors {
     /// For all triangles of a scene, given the greatest components of origin and direction.
     #[inline(always)]
     pub(super) fn of_scene(origin: f64, direction: f64, region: &Region) -> Self {
-        Self::new(direction, region.reach() + origin, region.size())
-    }
-
-    /// As [`of_scene`](Self::of_scene), given the greatest components of d and s, and the size of the scene.
-    #[inline(always)]
-    pub(super) fn of_sizes([d, c, e]: [f64; 3]) -> Self {
-        Self::new(d, c, e)
+        Self::new([direction, region.reach() + origin, region.size()])
     }
 
     /// For one triangle.
     #[inline(always)]
     pub(super) fn of_triangle(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Self {
-        let [d, c, e] = greatest(corners, o, d);
-        Self::new(d, c, e)
+        Self::new(greatest(corners, o, d))
     }
 
     /// As [`of_scene`](Self::of_scene), for a ray that may be off by `off` in each component of origin and direction.
@@ -117,7 +110,7 @@ impl Errors {
 
     /// From what the ray may be off by, and the greatest components of d, s, and e1 and e2. `[INST-5]`
     fn within([origin, direction]: [f64; 2], [d, c, e]: [f64; 3]) -> Self {
-        let (exact, square) = (Self::new(d, c, e), e * e);
+        let (exact, square) = (Self::new([d, c, e]), e * e);
         Self {
             sign: exact.sign + OFF_SIGN * e * (direction * (c + e) + origin * (d + direction)),
             det: exact.det + OFF * direction * square,
@@ -127,7 +120,7 @@ impl Errors {
 
     /// From the greatest components of d, s, and e1 and e2.
     #[inline(always)]
-    fn new(d: f64, c: f64, e: f64) -> Self {
+    pub(super) fn new([d, c, e]: [f64; 3]) -> Self {
         let square = e * e;
         Self {
             sign: (f64::from(SIGN) * UNIT) * (d * e) * (c + e),
