@@ -39,6 +39,11 @@ fn assert_cut(args: &str, scenes: &[&Path], cuts: &[u32]) {
         let merged = merge(&parts(&folder, args, scenes, count), &sum).passes();
         let (claim, rest) = merged.stdout.split_once('\n').unwrap();
         assert!(claim.starts_with("claim: 0 of "), "{claim}");
+        assert_eq!(
+            claim.ends_with("all trees of up to 5 leaves, with all decisions"),
+            args.contains("--leaves"),
+            "{claim}"
+        );
         assert_eq!(rest, run.stdout, "{args}, {count} parts");
         assert_eq!(counts(&sum), counts(&whole), "{args}, {count} parts");
     }

@@ -75,7 +75,8 @@ fn merge<C: Counts>(args: &Args, values: Vec<(String, Value)>) -> Outcome {
     }
     let plot = args.plot.as_ref().map(|path| Ok::<_, String>((path, draw(&mut records)?))).transpose()?;
     let Record { run, counts } = add::<C>(records)?;
-    counts.print_with_claim();
+    say!("{}", counts.claim(&run));
+    counts.print();
     if let Some(path) = &args.json {
         write_json(path, &Record { run, counts: &counts })?;
     }
@@ -97,16 +98,6 @@ fn draw<C: Counts>(records: &mut [(String, Record<C>)]) -> Result<String, String
     let title = records.first().map_or_else(String::new, |(_, record)| format!("stackless {}", record.run.command));
     plot_campaign(&title, &records.iter().map(stretch).collect::<Vec<_>>())
 }
-
-trait PrintWithClaim: Counts {
-    /// What was counted, and first what it says of what was not.
-    fn print_with_claim(&self) {
-        say!("{}", self.claim());
-        self.print();
-    }
-}
-
-impl<C: Counts> PrintWithClaim for C {}
 
 /// The sum of the records, if they are the parts of one run.
 fn add<C: Counts>(records: Vec<(String, Record<C>)>) -> Result<Record<C>, String> {

@@ -33,8 +33,8 @@ pub(crate) trait Counts: Serialize + DeserializeOwned {
     /// Whether anything was compared.
     fn is_empty(&self) -> bool;
 
-    /// What the counts say of all such cases.
-    fn claim(&self) -> String {
+    /// What the counts of a whole run say of all such cases.
+    fn claim(&self, _: &Run) -> String {
         claim(self.cases_and_errors())
     }
 }
@@ -174,7 +174,7 @@ pub(crate) fn fingerprint(mesh: &Mesh) -> Value {
 }
 
 /// What errors in a sample say of all such cases: with none in n, their rate is below 3/n at 95 % (1 - 0.05^(1/n)).
-fn claim([cases, errors]: [u64; 2]) -> String {
+pub(crate) fn claim([cases, errors]: [u64; 2]) -> String {
     if errors > 0 {
         return format!("claim: none, {} of {} cases went wrong", grouped(errors), grouped(cases));
     }

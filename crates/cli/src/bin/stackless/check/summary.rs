@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, HashSet};
 use std::fmt::Write as _;
 
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_check::{Battery, Disagreement, Plan, Replay, SceneDisagreement, Tally, Verdict, shrink};
 
@@ -11,7 +12,7 @@ use super::Total;
 use crate::build::Build;
 use crate::input::Scene;
 use crate::output::{grouped, say, table};
-use crate::record::{Counts, Numbered};
+use crate::record::{Counts, Numbered, Run, claim};
 
 /// The counts of the file of `--json`.
 #[derive(Serialize, Deserialize)]
@@ -152,6 +153,19 @@ impl Counts for Summary {
 
     fn is_empty(&self) -> bool {
         self.rows.iter().all(|row| row.cases == 0)
+    }
+
+    /// All trees of a size are no sample of others.
+    fn claim(&self, run: &Run) -> String {
+        match (run.asked.get("leaves").and_then(Value::as_u64), self.cases_and_errors()) {
+            (Some(leaves), [cases, 0]) => {
+                format!(
+                    "claim: 0 of {} cases went wrong: all trees of up to {leaves} leaves, with all decisions",
+                    grouped(cases)
+                )
+            }
+            (_, counts) => claim(counts),
+        }
     }
 }
 

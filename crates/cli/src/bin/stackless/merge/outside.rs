@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use crate::output::{grouped, say, table};
-use crate::record::Counts;
+use crate::record::{Counts, Run};
 
 /// What `tests/adapters/mutate.py` counts.
 #[derive(Serialize, Deserialize)]
@@ -65,7 +65,7 @@ impl Counts for MutantCounts {
     }
 
     /// They are all that there are and no sample, so there is nothing to bound.
-    fn claim(&self) -> String {
+    fn claim(&self, _: &Run) -> String {
         match self.cases_and_errors() {
             [_, 0] => "claim: every mutant that compiles is caught or listed as equivalent".to_owned(),
             [mutants, wrong] => {
@@ -157,7 +157,7 @@ impl Counts for FuzzCounts {
     }
 
     /// Inputs are changes of one another.
-    fn claim(&self) -> String {
+    fn claim(&self, _: &Run) -> String {
         let [executions, findings] = self.cases_and_errors();
         format!(
             "claim: none of a rate, as inputs of a fuzzer are not independent; {findings} findings in {} executions",
