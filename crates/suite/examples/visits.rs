@@ -2,8 +2,8 @@
 //!
 //! The machines that are extracted from the proofs read it and see for themselves (spec/rocq/extract). Usage:
 //! `visits CASES SEED [I/N]`. First come all small trees, trees as deep as words carry, and the worst cases of the adversary;
-//! then as many as CASES says: random ones, some of them deep, some drawn from bytes as a fuzzer does, and worst cases with
-//! some choices changed.
+//! then as many as CASES says: random ones, some of them deep, combs with long climbs, some drawn from bytes as a fuzzer
+//! does, and worst cases with some choices changed.
 
 use std::env::args;
 use std::fmt::Write as _;
@@ -81,11 +81,15 @@ impl List {
         };
         let seed = mix(self.seed ^ mix(drawn));
         let mut rng = Rng::new(mix(seed));
-        match drawn % 8 {
+        match drawn % 10 {
             0..3 => Case::random(seed, CaseOptions::default()),
-            // As deep as two words of 64 bits carry.
+            // As deep as 128 bits carry.
             3 => Case::random(seed, CaseOptions { depth: Some(rng.below(128) as u32), ..CaseOptions::default() }),
             4 | 5 => {
+                let depth = rng.below(128) as u32;
+                Case::chain(&mut rng, depth)
+            }
+            6 | 7 => {
                 let bytes: Vec<u8> = (0..rng.below(400)).map(|_| rng.below(256) as u8).collect();
                 Case::draw(&mut Bytes::new(&bytes), Case::LEAVES)
             }
