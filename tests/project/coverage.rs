@@ -264,7 +264,8 @@ fn every_proof_file_cites_a_clause() {
         files(folder, ending).into_iter().filter(|file| !cites(file)).collect::<Vec<_>>()
     };
     // What is evaluated, written by programs in which a clause would have to be named at each; and what is extracted.
-    let evaluated = ["Cases.v", "Suite.v", "Vectors.v", "extract/Extract.v"].map(|file| Path::new("spec/rocq").join(file));
+    let evaluated =
+        ["Cases.v", "Suite.v", "Vectors.v", "extract/Extract.v"].map(|file| Path::new("spec/rocq").join(file));
     assert_eq!(silent("spec/rocq", "v"), evaluated);
 }
 

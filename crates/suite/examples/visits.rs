@@ -3,7 +3,8 @@
 //! The machines that are extracted from the proofs read it and see for themselves (spec/rocq/extract). Usage:
 //! `visits CASES SEED [I/N]`. First come all small trees, trees as deep as words carry, and the worst cases of the adversary;
 //! then as many as CASES says: random ones, some of them deep, combs with long climbs, some drawn from bytes as a fuzzer
-//! does, and worst cases with some choices changed.
+//! does, and worst cases with some choices changed. Every traversal that can be put aside is, once in each case, and another one
+//! goes on.
 
 use std::env::args;
 use std::fmt::Write as _;
@@ -18,8 +19,11 @@ use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::{Bytes, Rng, Search, Source as _};
 use stackless_bvh::hash::mix;
 use stackless_bvh::key::{Grow, KeyWord};
-use stackless_bvh::order::Flow;
-use stackless_bvh::traverse::{Beside, Method, Tables, WithWord, WordName, with_word};
+use stackless_bvh::order::{Flow, Pruning};
+use stackless_bvh::traverse::{
+    Beside, ByWalk, KeyTrail, Method, Next, Pause, Paused, Tables, WithCursor, WithWord, WordName, resume,
+    traverse_pruned, with_word,
+};
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
 use stackless_check::{AllCases, Case, CaseOptions, Replay, Shard, adversary, boundary_cases};
 use stackless_suite::hex;
@@ -147,6 +151,14 @@ fn text(case: &Case) -> String {
             text.extend(with_word(word, Line { run: &run, method, word }));
         }
     }
+    for pruning in [Pruning::Never, Pruning::Disjoint] {
+        let ring = || methods.iter().filter(|method| method.can_pause() && method.test().pruning() == pruning);
+        for (&from, &to) in ring().zip(ring().cycle().skip(1)) {
+            for word in WordName::ALL {
+                text.extend(with_word(word, Resumed { run: &run, from, to, word }));
+            }
+        }
+    }
     text
 }
 
@@ -174,12 +186,95 @@ impl WithWord for Line<'_> {
         let mut search = Search::new(&case.tree, &case.tape, case.any);
         let mut seen = Seen { text: format!("{} {}", self.method, self.word), tree: &case.tree, keys };
         tables.run_in(self.word, self.method, case.octant, &mut Vec::new(), &mut search, &mut seen).ok()?;
-        let mut text = seen.text;
+        Some(seen.text + &found(&search))
+    }
+}
+
+/// How a line ends.
+fn found(search: &Search<'_, Tree>) -> String {
+    search.outcome.hit.map_or_else(|| " none\n".to_owned(), |(t, slot)| format!(" hit {t} {slot}\n"))
+}
+
+/// A search that one traversal puts aside, and another takes up by key, trail and second trail.
+struct Resumed<'c> {
+    run: &'c Run<'c>,
+    from: Method,
+    to: Method,
+    word: WordName,
+}
+
+impl WithWord for Resumed<'_> {
+    /// None if one of them does not carry the tree, or the search ends before.
+    type Output = Option<String>;
+
+    fn call<W: KeyWord>(self) -> Option<String> {
+        let Run { case, keys, tables } = *self.run;
+        let tree = &case.tree;
+        // The node's key is a word too.
+        W::carries(tree.depth(), 1).ok()?;
+        let mut search = Search::new(tree, &case.tape, case.any);
+        let mut visits = mix(tree.node_count() as u64 ^ u64::from(case.octant)) % tree.node_count() as u64;
+        let put_aside = PutAside { search: &mut search, visits: &mut visits };
+        let Paused { node, trail, disjoint, next, .. } = tables.with_cursor::<W, _>(self.from, put_aside).ok()??;
+        let kept = KeyTrail { key: keys.key::<W>(tree.slot(node)), trail, disjoint, next };
+        let mut text = format!("resume-{} {} ", self.to, self.word);
+        add(&mut text, &kept.key);
+        text.push(' ');
+        add(&mut text, &kept.trail);
+        text.push(' ');
+        add(&mut text, kept.disjoint.as_ref().unwrap_or(&W::zero()));
         let _ = match search.outcome.hit {
-            Some((t, slot)) => writeln!(text, " hit {t} {slot}"),
-            None => writeln!(text, " none"),
+            Some((t, slot)) => write!(text, " {t} {slot} ;"),
+            None => write!(text, " - - ;"),
         };
-        Some(text)
+        let mut seen = Seen { text, tree, keys };
+        let take_up = TakeUp { kept: kept.locate(&ByWalk(tree)).ok()?, search: &mut search, seen: &mut seen };
+        tables.with_cursor::<W, _>(self.to, take_up).ok()?;
+        Some(seen.text + &found(&search))
+    }
+}
+
+/// Stops before the visit of a number.
+struct PutAside<'a, 'c> {
+    search: &'a mut Search<'c, Tree>,
+    visits: &'a mut u64,
+}
+
+impl<W: KeyWord> WithCursor<W> for PutAside<'_, '_> {
+    type Output = Option<Paused<W>>;
+
+    fn call(self, mut cursor: impl Pause<Word = W>) -> Option<Paused<W>> {
+        let next = traverse_pruned(&mut cursor, self.search, &mut Countdown(self.visits));
+        next.filter(|&next| next == Next::Visit).map(|next| cursor.put_aside(next))
+    }
+}
+
+struct Countdown<'a>(&'a mut u64);
+
+impl Recorder for Countdown<'_> {
+    fn visit<W: KeyWord>(&mut self, _: Node, _: impl FnOnce() -> State<W>) -> Flow {
+        match self.0.checked_sub(1) {
+            Some(left) => {
+                *self.0 = left;
+                Flow::Continue
+            }
+            None => Flow::Stop,
+        }
+    }
+}
+
+struct TakeUp<'a, 'c, W> {
+    kept: Paused<W>,
+    search: &'a mut Search<'c, Tree>,
+    seen: &'a mut Seen<'c>,
+}
+
+impl<W: KeyWord> WithCursor<W> for TakeUp<'_, '_, W> {
+    type Output = ();
+
+    fn call(self, cursor: impl Pause<Word = W>) {
+        // A state that is refused shows nothing, and so is seen.
+        let _ = resume(cursor, self.kept, self.search, self.seen);
     }
 }
 

@@ -60,8 +60,8 @@ let add_visit buffer (s : Extract.shown) =
   optional Text.add_positive s.s_register
 
 (* What the machine of a traversal sees, as a line of the Rust program without the names. *)
-let seen case run test =
-  let search = start case.all ~any:case.any test in
+let seen ?hit case run test =
+  let search = start ?hit case.all ~any:case.any test in
   let buffer = Buffer.create 256 in
   (match run case.tree search with
   | None -> Buffer.add_string buffer " lost"
@@ -104,6 +104,31 @@ let machine case name word =
   | ("skip-octant" | "hapala"), _ -> Some (seen case Watch.reference (by_sign case.octant))
   | _ -> None
 
+(* The state that was put aside: key, trail, second trail, and the best hit, up to a semicolon. *)
+let resumed case name state =
+  let tree = case.tree in
+  match String.split_on_char ' ' state with
+  | [ key; trail; marks; t; slot ] -> (
+      let k = Text.key_of_hex key and trail = Text.n_of_hex trail and marks = Text.n_of_hex marks in
+      let hit = if t = "-" then None else Some (int_of_string t, int_of_string slot) in
+      let fuel = Tree.size tree in
+      let plain (m : Extract.viewed) =
+        seen ?hit case (Watch.go_on m ((Option.get m.from) k trail) [] fuel) Children
+      in
+      let prunes (m : Extract.viewed_pruner) = seen ?hit case (Watch.go_on_pruning m (m.pfrom k trail marks) [] fuel) Children in
+      match name with
+      | "hash-only" -> plain Extract.hash_only
+      | "hashed" -> plain (Extract.hashed tree)
+      | "uncle" -> plain (Extract.uncle tree)
+      | "afra" -> plain Extract.afra
+      | "sparse" -> plain Extract.sparse
+      | "hashed-disjoint" -> prunes (Extract.hashed_disjoint tree)
+      | "uncle-disjoint" -> prunes (Extract.uncle_disjoint tree)
+      | "afra-disjoint" -> prunes Extract.afra_disjoint
+      | "sparse-disjoint" -> prunes Extract.sparse_disjoint
+      | _ -> failwith ("no machine goes on for " ^ name))
+  | _ -> failwith ("no state: " ^ state)
+
 type counts = { mutable cases : int; mutable searches : int; mutable visits : int; mutable height : int }
 
 let () =
@@ -119,7 +144,14 @@ let () =
     snd !last
   in
   let compare line name word at =
-    let text = expected name word in
+    let case_now = Option.get !case in
+    let text, at =
+      match String.index_from_opt line at ';' with
+      | Some semicolon ->
+          let state = String.sub line (at + 1) (semicolon - at - 2) in
+          (resumed case_now (String.sub name 7 (String.length name - 7)) state, semicolon + 1)
+      | None -> (expected name word, at)
+    in
     let found = String.sub line at (String.length line - at) in
     counts.searches <- counts.searches + 1;
     String.iter (fun c -> if c = ' ' then counts.visits <- counts.visits + 1) found;

@@ -160,8 +160,7 @@ fn searches_of_the_extracted_machines_add_up() {
         });
         folder.file(name, record.to_string())
     };
-    let [first, second, wrong] =
-        [part("1", [0, 2000], 0), part("2", [2000, 5000], 0), part("3", [2000, 5000], 2)];
+    let [first, second, wrong] = [part("1", [0, 2000], 0), part("2", [2000, 5000], 0), part("3", [2000, 5000], 2)];
     let merged = merge(&[first.clone(), second]).passes();
     assert_eq!(merged.last_line(), "machines: 5,000 cases to height 100, 25,000 searches, 140,000 visits, 0 differ");
     assert!(merged.stdout.contains("hashed") && merged.stdout.contains("20,000"), "{merged:?}");

@@ -107,7 +107,11 @@ impl Counts for MachineCounts {
         say!("{}", table(&["traversal", "searches"], 1, self.searches.iter().map(row).collect()));
         let searches = self.searches.values().copied().fold(0, u64::saturating_add);
         let [cases, searches, visits] = [self.cases, searches, self.visits].map(grouped);
-        say!("machines: {cases} cases to height {}, {searches} searches, {visits} visits, {} differ", self.height, self.errors);
+        say!(
+            "machines: {cases} cases to height {}, {searches} searches, {visits} visits, {} differ",
+            self.height,
+            self.errors
+        );
     }
 
     fn cases_and_errors(&self) -> [u64; 2] {
