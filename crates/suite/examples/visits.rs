@@ -213,22 +213,23 @@ impl WithWord for Resumed<'_> {
         // The node's key is a word too.
         W::carries(tree.depth(), 1).ok()?;
         let mut search = Search::new(tree, &case.tape, case.any);
-        let mut visits = mix(tree.node_count() as u64 ^ u64::from(case.octant)) % tree.node_count() as u64;
-        let put_aside = PutAside { search: &mut search, visits: &mut visits };
+        let visits = mix(tree.node_count() as u64 ^ u64::from(case.octant)) % tree.node_count() as u64;
+        let put_aside = PutAside { search: &mut search, visits };
         let Paused { node, trail, disjoint, next, .. } = tables.with_cursor::<W, _>(self.from, put_aside).ok()??;
         let kept = KeyTrail { key: keys.key::<W>(tree.slot(node)), trail, disjoint, next };
-        let mut text = format!("resume-{} {} ", self.to, self.word);
-        add(&mut text, &kept.key);
-        text.push(' ');
-        add(&mut text, &kept.trail);
-        text.push(' ');
-        add(&mut text, kept.disjoint.as_ref().unwrap_or(&W::zero()));
+        let mut text = format!("resume-{} {} {visits}", self.to, self.word);
+        for word in [&kept.key, &kept.trail, kept.disjoint.as_ref().unwrap_or(&W::zero())] {
+            text.push(' ');
+            add(&mut text, word);
+        }
         let _ = match search.outcome.hit {
             Some((t, slot)) => write!(text, " {t} {slot} ;"),
             None => write!(text, " - - ;"),
         };
+        // A traversal of this tree leaves no state that is not found again.
+        let Ok(kept) = kept.locate(&ByWalk(tree)) else { return Some(text + " refused\n") };
         let mut seen = Seen { text, tree, keys };
-        let take_up = TakeUp { kept: kept.locate(&ByWalk(tree)).ok()?, search: &mut search, seen: &mut seen };
+        let take_up = TakeUp { kept, search: &mut search, seen: &mut seen };
         tables.with_cursor::<W, _>(self.to, take_up).ok()?;
         Some(seen.text + &found(&search))
     }
@@ -237,7 +238,7 @@ impl WithWord for Resumed<'_> {
 /// Stops before the visit of a number.
 struct PutAside<'a, 'c> {
     search: &'a mut Search<'c, Tree>,
-    visits: &'a mut u64,
+    visits: u64,
 }
 
 impl<W: KeyWord> WithCursor<W> for PutAside<'_, '_> {
@@ -249,13 +250,13 @@ impl<W: KeyWord> WithCursor<W> for PutAside<'_, '_> {
     }
 }
 
-struct Countdown<'a>(&'a mut u64);
+struct Countdown(u64);
 
-impl Recorder for Countdown<'_> {
+impl Recorder for Countdown {
     fn visit<W: KeyWord>(&mut self, _: Node, _: impl FnOnce() -> State<W>) -> Flow {
         match self.0.checked_sub(1) {
             Some(left) => {
-                *self.0 = left;
+                self.0 = left;
                 Flow::Continue
             }
             None => Flow::Stop,

@@ -36,7 +36,10 @@ let rec cells next =
     let right = cells next in
     { cell; below = Some (left, right) }
 
-type case = { line : string; any : bool; octant : int; all : cells; tree : Tree.tree; height : int }
+(* [plain] and [pruned]: what the machine of key and trail sees, and that with a second trail. *)
+type case = {
+  line : string; any : bool; octant : int; all : cells; tree : Tree.tree; height : int;
+  plain : Extract.shown list Lazy.t; pruned : Extract.shown list Lazy.t }
 
 let case_of line =
   let next = numbers line 5 in
@@ -44,7 +47,9 @@ let case_of line =
   let octant = next () in
   let all = cells next in
   let tree = tree_of all in
-  { line; any; octant; all; tree; height = Text.of_nat (Tree.height tree) }
+  let visits run = snd (Option.get (run tree (start all ~any Children))) in
+  { line; any; octant; all; tree; height = Text.of_nat (Tree.height tree);
+    plain = lazy (visits (Watch.run Extract.hash_only)); pruned = lazy (visits (Watch.run_pruning Extract.hash_only_disjoint)) }
 
 let add_visit buffer (s : Extract.shown) =
   let optional add x =
@@ -104,11 +109,18 @@ let machine case name word =
   | ("skip-octant" | "hapala"), _ -> Some (seen case Watch.reference (by_sign case.octant))
   | _ -> None
 
-(* The state that was put aside: key, trail, second trail, and the best hit, up to a semicolon. *)
+(* A state that was put aside before a visit: the number of visits, key, trail, second trail, and the best hit. It has to be that
+   of the machine of key and trail, and what comes after it that of the machine that goes on. *)
 let resumed case name state =
   let tree = case.tree in
+  let states = if String.ends_with ~suffix:"-disjoint" name then case.pruned else case.plain in
+  let is_state n key trail marks =
+    match Stdlib.List.nth_opt (Lazy.force states) (int_of_string n) with
+    | None -> false
+    | Some s -> s.s_key = Some key && s.s_trail = Some trail && Option.value ~default:BinNums.N0 s.s_marks = marks
+  in
   match String.split_on_char ' ' state with
-  | [ key; trail; marks; t; slot ] -> (
+  | [ n; key; trail; marks; t; slot ] -> (
       let k = Text.key_of_hex key and trail = Text.n_of_hex trail and marks = Text.n_of_hex marks in
       let hit = if t = "-" then None else Some (int_of_string t, int_of_string slot) in
       let fuel = Tree.size tree in
@@ -117,6 +129,7 @@ let resumed case name state =
       in
       let prunes (m : Extract.viewed_pruner) = seen ?hit case (Watch.go_on_pruning m (m.pfrom k trail marks) [] fuel) Children in
       match name with
+      | _ when not (is_state n k trail marks) -> " no state of the machine"
       | "hash-only" -> plain Extract.hash_only
       | "hashed" -> plain (Extract.hashed tree)
       | "uncle" -> plain (Extract.uncle tree)
