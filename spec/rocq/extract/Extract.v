@@ -4,7 +4,7 @@
     options, pairs and lists become OCaml's own ([ExtrOcamlBasic]). *)
 
 Require Import ExtrOcamlBasic Extraction List PArith NArith.
-Require Import Tree Machine Bits Implicit Combined Sparse Words Register Filling Resume Disjoint DisjointHashed Climb.
+Require Import Tree Machine Bits Implicit Skip Combined Sparse Words Register Filling Resume ByKey Disjoint DisjointHashed Climb.
 Require Wide WideMachine WideLevels WideKeep WideBits WideLeaves WideRestart.
 
 (** What the library's [State] has too: as far as a machine has it. *)
@@ -30,6 +30,10 @@ Definition implicit_a := Viewed implicit_a (fun '(start, index, _) => counted (s
 Definition implicit_b := Viewed implicit_b (fun '(start, index, _) => counted (start + index)).
 Definition implicit_a1 := Viewed implicit_a1 (fun '(index, _) => counted index).
 Definition implicit_b1 := Viewed implicit_b1 (fun _ k => Shown k (Some k) None None None None).
+Definition skips := Viewed skip_machine (fun _ => only_node).
+(** With a table that is right everywhere. *)
+Definition keyed := Viewed (by_key_machine ideal) (fun s k => Shown k (Some (fst (snd s))) (Some (snd (snd s))) None None None).
+
 (** J's counter, with the start of the level: the trail's complement. *)
 Definition counter_of (k : positive) (t : N) : N := (level_start k + counter (depth k) t)%N.
 Definition sparse := Taken_up sparse (fun s k => Shown k None None (option_map snd s) None None)
@@ -70,7 +74,7 @@ Definition is_hashed T Ui Ul (x : positive) : bool :=
 
 Extraction Language OCaml.
 Separate Extraction
-  stack hash_only hash_only_in left_first implicit_a implicit_b implicit_a1 implicit_b1 sparse afra uncle hashed
+  stack hash_only hash_only_in left_first implicit_a implicit_b implicit_a1 implicit_b1 sparse afra uncle hashed skips keyed
   hash_only_disjoint afra_disjoint sparse_disjoint uncle_disjoint hashed_disjoint is_hashed
   run reference prun pruned_reference at_key height size depth child sibling parent ctz push leap counter fcomp level_start all_ones
   Wide.reference WideMachine.run WideMachine.stack_machine WideLevels.level_machine

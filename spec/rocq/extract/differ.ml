@@ -88,8 +88,9 @@ let machine case name word =
   | "hash-only", "u32" -> in_words 32
   | "hash-only", "u64" -> in_words 64
   | "hash-only", "u128" -> in_words 128
-  (* These differ from hash-only in where the table is. *)
-  | ("hash-only" | "complete" | "glassner"), _ -> plain Extract.hash_only
+  | "hash-only", _ -> plain Extract.hash_only
+  (* These differ in what the table is. *)
+  | ("complete" | "glassner"), _ -> plain Extract.keyed
   | "implicit-a", _ -> plain Extract.implicit_a
   | "implicit-a1", _ -> plain Extract.implicit_a1
   | "implicit-b", _ -> plain Extract.implicit_b
@@ -105,7 +106,7 @@ let machine case name word =
   | "hashed-disjoint", _ -> prunes (Extract.hashed_disjoint case.tree)
   (* The extracted reference, where there is no machine. *)
   | "stack-disjoint", _ -> Some (seen case Watch.pruned_reference Children)
-  | "skip", _ -> Some (seen case Watch.reference left_first)
+  | "skip", _ -> Some (seen case (Watch.run Extract.skips) left_first)
   | ("skip-octant" | "hapala"), _ -> Some (seen case Watch.reference (by_sign case.octant))
   | _ -> None
 
