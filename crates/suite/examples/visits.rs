@@ -119,8 +119,8 @@ impl List {
 }
 
 /// Those that start again from the root, and the one that drops nodes by distance, have neither machine nor reference there.
-fn has_model(method: &Method) -> bool {
-    !method.restarts() && *method != Method::StackT0
+fn has_model(method: Method) -> bool {
+    !method.restarts() && method != Method::StackT0
 }
 
 /// A case, and a line for each traversal in each word that carries its tree.
@@ -141,7 +141,7 @@ fn text(case: &Case) -> String {
         }
     }
     text.push('\n');
-    let methods: Vec<Method> = Method::ALL.into_iter().filter(has_model).collect();
+    let methods: Vec<Method> = Method::ALL.into_iter().filter(|&method| has_model(method)).collect();
     let octants = case.octant..case.octant + 1;
     let beside = Beside::for_octants(&case.tree, case.tape.axes(), &methods, IMPLICIT_DEPTH, octants);
     let run = Run { case, keys: &Keys::of(&case.tree), tables: &Tables::with(&case.tree, case.tape.axes(), beside) };
@@ -293,10 +293,14 @@ impl Recorder for Seen<'_> {
         self.add_node(node);
         for word in [key, trail, counter, disjoint] {
             self.text.push(':');
-            word.iter().for_each(|word| add(&mut self.text, word));
+            if let Some(word) = word {
+                add(&mut self.text, &word);
+            }
         }
         self.text.push(':');
-        register.into_iter().for_each(|node| self.add_node(node));
+        if let Some(node) = register {
+            self.add_node(node);
+        }
         // A traversal that does not end shows more than any can.
         if self.text.len() > LONGEST { Flow::Stop } else { Flow::Continue }
     }
