@@ -197,16 +197,19 @@ Proof.
   cbn [parent_climb N.odd N.div2 Pos.div2]. rewrite trail_backtrack_even. apply IH; [cbn; lia|discriminate].
 Qed.
 
+Lemma afra_simulates T : simulates T trail_machine afra any_descent eq.
+Proof.
+  split; cbn; try (intros; subst; reflexivity).
+  - intros [y t] b <-. cbn. destruct t; [reflexivity|discriminate].
+  - intros [y t] b a' <- H. exists a'. split; [|reflexivity]. destruct t; [discriminate|].
+    rewrite parent_climb_backtracks; [exact H|auto|discriminate].
+Qed.
+
 (** [AFRA-1] The climb by parents does what the reference does. *)
 Theorem afra_reference T decide stop fuel : size T <= fuel ->
   run afra T decide stop fuel (start afra) [] = Some (reference decide stop T).
 Proof.
-  assert (S : simulates T trail_machine afra any_descent eq).
-  { split; cbn; try (intros; subst; reflexivity).
-    - intros [y t] b <-. cbn. destruct t; [reflexivity|discriminate].
-    - intros [y t] b a' <- H. exists a'. split; [|reflexivity]. destruct t; [discriminate|].
-      rewrite parent_climb_backtracks; [exact H|auto|discriminate]. }
-  eapply refines_reference; [exact (simulates_refines _ _ _ _ _ _ (trail_refines T) S)|apply any_decision].
+  eapply refines_reference; [exact (simulates_refines _ _ _ _ _ _ (trail_refines T) (afra_simulates T))|apply any_decision].
 Qed.
 
 (** * Where the bound is needed *)

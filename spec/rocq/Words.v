@@ -230,6 +230,45 @@ Proof.
   - intros HW decide stop. apply word_machine_reference; auto.
 Qed.
 
+(** * A trail without a key *)
+
+Definition narrow_descend (d : descent) (s : positive * N) : positive * N :=
+  let '(k, t) := s in
+  match d with
+  | Neither => s
+  | Only sd => (child sd k, word (N.double t))
+  | Both sd => (child sd k, word (N.succ_double t))
+  end.
+
+(** A node, and a trail in a word. *)
+Definition narrow_trail : cursor := {|
+  state := positive * N;
+  start := (xH, 0%N);
+  key_of s := Some (fst s);
+  descend := narrow_descend;
+  backtrack := trail_backtrack |}.
+
+(** [DEPTH-1] A trail without a key carries one level more: as many as the word has bits. *)
+Theorem narrow_trail_reference T decide stop fuel : height T <= W -> size T <= fuel ->
+  run narrow_trail T decide stop fuel (start narrow_trail) [] = Some (reference decide stop T).
+Proof.
+  intros HW. assert (S : simulates T trail_machine narrow_trail any_descent (fun a b => fits (fst a) (snd a) /\ b = a)).
+  { assert (Hw : forall k t, fits k t -> depth k <= W -> word t = t).
+    { intros k t Hf%fits_range Hd. apply N.mod_small. eapply N.lt_le_trans; [exact Hf|]. apply N.pow_le_mono_r; lia. }
+    split.
+    - split; reflexivity.
+    - intros a b (_ & ->). reflexivity.
+    - intros [k t] b d k0 l r (Hf & ->) [= <-] Hk _ _. apply at_key_height in Hk. cbn in Hk, Hf.
+      assert (Hd : forall sd, depth (child sd k) <= W) by (intros sd; rewrite depth_child; lia).
+      destruct d as [|sd|sd]; cbn [descend trail_machine narrow_trail trail_descend narrow_descend fst snd]; [auto|..];
+        pose proof (fits_child sd k t Hf) as [Hz Ho]; erewrite Hw by eauto; auto.
+    - intros a b (_ & ->) H. exact H.
+    - intros [k t] b [k' t'] (Hf & ->) H. exists (k', t'). split; [exact H|]. split; [|reflexivity].
+      pose proof (trail_pops k t Hf) as Hp. cbv [backtrack trail_machine] in H. rewrite H in Hp.
+      destruct (pending k t); [discriminate|]. destruct Hp as (t1 & [= <- <-] & Hf' & _). exact Hf'. }
+  apply (refines_reference _ _ _ _ _ _ (simulates_refines _ _ _ _ _ _ (trail_refines T) S)), any_decision.
+Qed.
+
 End Words.
 
 (** [DEPTH-1] A word of 1 bit has lost its way in a tree of height 1: there is no key 0. One bit more is enough. *)

@@ -164,6 +164,21 @@ fn what_is_missing_is_named() {
     assert_eq!(kept(1, 1_u32).locate(&walk), Err(NoSuchKey));
     assert_eq!(kept(1 << 20, 0_u32).locate(&walk), Err(NoSuchKey));
     assert!(kept(2, 1_u32).locate(&walk).is_ok());
+    // A bit above the root, hidden by a lower one: the node that comes next is there.
+    assert_eq!(kept(2, 0b11_u32).locate(&walk), Err(NoSuchKey));
+    assert_eq!(KeyTrail { disjoint: Some(0b11), ..kept(2, 1_u32) }.locate(&walk), Err(NoSuchKey));
+    let states = States::of(tree);
+    let of_left = |trail, disjoint| Paused {
+        node: left,
+        register: Some(right),
+        key: Some(2),
+        trail,
+        disjoint,
+        next: Next::Visit,
+    };
+    assert_eq!(states.check(&of_left(0b01_u32, Some(0b01))), Ok(()));
+    assert_eq!(states.check(&of_left(0b11, None)), Err(StateError::Trail));
+    assert_eq!(states.check(&of_left(0b01, Some(0b11))), Err(StateError::Trail));
     assert_eq!(KeyOnly::locate(0_u32, Next::Visit, &walk), Err(NoSuchKey));
     assert_eq!(KeyOnly::locate(1_u32 << 20, Next::Visit, &walk), Err(NoSuchKey));
 }

@@ -106,3 +106,28 @@ fn a_comb_of_depth_100_000() {
         assert!(matches!(verdict, Verdict::Agrees { .. }), "{method}: {verdict:?}");
     }
 }
+
+/// Climbs of 32 levels and more, past which shifts of narrow counts, and climbs that are cut short, go wrong; and marks that are
+/// shifted with them. [SPARSE-1] [AFRA-1] [DISJOINT-1]
+#[test]
+fn combs_with_long_climbs() {
+    let methods: Vec<Method> = Method::ALL.into_iter().filter(|method| !method.restarts()).collect();
+    let mut rng = Rng::new(24);
+    let mut agree = [0; WordName::ALL.len()];
+    for depth in (35..=62).chain(100..=126) {
+        for _ in 0..20 {
+            let case = Case::chain(&mut rng, depth);
+            let mut battery = Battery::new(&case, &methods);
+            for &method in &methods {
+                for word in [WordName::U64, WordName::U128, WordName::Grow] {
+                    match battery.check(method, word) {
+                        Verdict::Agrees { .. } => agree[word as usize] += 1,
+                        Verdict::Refused(_) => {}
+                        Verdict::Differs(fault) => panic!("{method} {word}: {fault}\n{case:?}"),
+                    }
+                }
+            }
+        }
+    }
+    assert!(agree[WordName::U64 as usize] > 10_000 && agree[WordName::U128 as usize] > 20_000, "{agree:?}");
+}

@@ -31,6 +31,7 @@ pub use climb::{Search, Worst};
 pub use cost::Cost;
 pub use goals::GOALS;
 pub use rays::RayCase;
+pub use trees::change;
 
 use std::fmt;
 

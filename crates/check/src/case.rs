@@ -1,6 +1,6 @@
 //! One case: a tree, a tape, a query.
 
-use stackless_bvh::generate::{Family, Kind, Rng, Source, Tape, shape};
+use stackless_bvh::generate::{Cell, Family, Kind, Rng, Source, Tape, shape};
 use stackless_bvh::hash::mix;
 use stackless_bvh::tree::{Topology, Tree};
 
@@ -53,6 +53,40 @@ impl Case {
         let kind = Kind::ALL[source.below(Kind::ALL.len() as u64) as usize];
         let tape = Tape::draw(source, &tree, kind);
         Self { tree, tape, any: source.coin(), octant: source.below(8) as u8 }
+    }
+
+    /// A comb of so many edges that a search goes down to its end, and comes back in few and long climbs.
+    ///
+    /// Of the leaves beside the way few are wanted, in each case another share. Some lie behind all that is below, so that a hit
+    /// there drops them. Random tapes hardly ever lead so deep.
+    pub fn chain(source: &mut impl Source, depth: u32) -> Self {
+        let tree = Family::Comb.tree(source, depth.saturating_add(1));
+        let one_in = [2, 4, 16, 64][source.below(4) as usize];
+        let mut cells = vec![Cell { miss: true, ..Cell::default() }; tree.node_count()];
+        let (mut node, mut cell) = (tree.root(), Cell { exit: Some(1 << 20), ..Cell::default() });
+        while !node.is_leaf() {
+            let [left, right] = tree.children(node);
+            let goes_right = left.is_leaf() && (!right.is_leaf() || source.coin());
+            let (next, beside) = if goes_right { (right, left) } else { (left, right) };
+            let end = cell.exit.unwrap_or(0);
+            let mut below = Cell { exit: Some(end), ..Cell::default() };
+            let mut other = Cell { miss: source.below(one_in) != 0, ..below };
+            if !other.miss && source.coin() {
+                // Two steps of the interval are the leaf's, behind the rest.
+                (below.exit, other.enter) = (Some(end - 2), end - 1);
+            }
+            let distance = source.below(u64::from(end - other.enter) + 1) as u32;
+            other.hit = source.coin().then_some(other.enter + distance);
+            (cell.right_first, cell.axis) = (source.coin(), source.below(3) as u8);
+            cells[tree.slot(node)] = cell;
+            cells[tree.slot(beside)] = other;
+            (node, cell) = (next, below);
+        }
+        let distance = source.below(u64::from(cell.exit.unwrap_or(0)) + 1) as u32;
+        cell.hit = source.coin().then_some(distance);
+        cells[tree.slot(node)] = cell;
+        let tape = Tape::from_cells(&tree, cells).unwrap_or_default();
+        Self { tree, tape, any: false, octant: source.below(8) as u8 }
     }
 
     /// A case over a given tree, with the tape of a drawn seed.

@@ -94,8 +94,8 @@ pub(super) fn draw(rng: &mut Rng) -> Case {
     Case { tree, tape, any: false, octant: below(rng, 8) as u8 }
 }
 
-/// Moves up to four subtrees, answers or orders.
-pub(super) fn change(case: &Case, rng: &mut Rng) -> Option<Case> {
+/// Moves up to four subtrees, answers or orders; `None` if what comes out is no case.
+pub fn change(case: &Case, rng: &mut Rng) -> Option<Case> {
     let (mut children, mut cells) = (case.tree.to_children(), case.tape.cells().to_vec());
     for _ in 0..=below(rng, 4) {
         let node = below(rng, cells.len());

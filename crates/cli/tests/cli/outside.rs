@@ -1,4 +1,4 @@
-//! Records that others write, for `stackless merge`: the fuzz targets, the mutants of the adapters.
+//! Records that others write, for `stackless merge`: the fuzz targets, the mutants of the adapters, the extracted machines.
 
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
@@ -143,4 +143,29 @@ fn a_campaign_is_drawn() {
     stackless("merge --plot", &[&svg, &parts[0]]).fails_naming(&["10 of 20 trees are missing"]);
     stackless("merge --plot", &[&svg, &data("cube.ply")]).fails_naming(&["cube.ply"]);
     assert!(!svg.exists());
+}
+
+/// What `differ` of spec/rocq/extract writes.
+#[test]
+fn searches_of_the_extracted_machines_add_up() {
+    let folder = Folder::new();
+    let part = |name: &str, done: [u64; 2], errors: u64| {
+        let record = serde_json::json!({
+            "run": {
+                "command": "differ", "version": "0.1.0", "commit": null, "asked": { "seed": 1 },
+                "parts": { "cases": { "of": 5000, "done": [done] } }, "machines": {},
+            },
+            "cases": done[1] - done[0], "visits": 70_000, "height": 100 + errors, "errors": errors,
+            "searches": { "hashed": 4 * (done[1] - done[0]), "stack": done[1] - done[0] },
+        });
+        folder.file(name, record.to_string())
+    };
+    let [first, second, wrong] = [part("1", [0, 2000], 0), part("2", [2000, 5000], 0), part("3", [2000, 5000], 2)];
+    let merged = merge(&[first.clone(), second]).passes();
+    assert_eq!(merged.last_line(), "machines: 5,000 cases to height 100, 25,000 searches, 140,000 visits, 0 differ");
+    assert!(merged.stdout.contains("hashed") && merged.stdout.contains("20,000"), "{merged:?}");
+    let merged = merge(&[first.clone(), wrong]);
+    assert_eq!(merged.code, Some(1), "{merged:?}");
+    assert!(merged.last_line().ends_with("140,000 visits, 2 differ"), "{merged:?}");
+    merge(&[first]).fails_naming(&["3000 of 5000 cases are missing: 2000 to 4999"]);
 }

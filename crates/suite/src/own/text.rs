@@ -5,7 +5,7 @@ use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::tree::{Keys, Tree};
 
 /// Lower-case hexadecimal without leading zeros.
-pub(crate) fn hex<W: KeyWord>(word: &W) -> String {
+pub fn hex<W: KeyWord>(word: &W) -> String {
     let (mut rest, mut digits) = (word.clone(), Vec::new());
     while !rest.is_zero() {
         digits.push(char::from_digit(rest.low_bits() & 15, 16).unwrap_or('0'));

@@ -16,7 +16,7 @@ use crate::output::{say, write_json};
 use crate::places::{self, Output};
 use crate::record::{Counts, Part, Record, Run};
 use crate::stress::{BoxCounts, StressCounts};
-use outside::{FuzzCounts, MutantCounts};
+use outside::{FuzzCounts, MachineCounts, MutantCounts};
 use stackless_cli::plots::{Stretch, plot_campaign};
 
 /// Add up the records of all parts of a run.
@@ -25,8 +25,9 @@ use stackless_cli::plots::{Stretch, plot_campaign};
 /// the record of the whole run, however it was cut. Records of different runs or versions, parts that overlap, and parts
 /// that are missing are refused. The exit code is 1 if anything went wrong in a part.
 ///
-/// The mutants of the adapters (tests/adapters/mutate.py) and the fuzz targets (fuzz/run.sh) write records too. Runs of a
-/// fuzz target are no parts of a whole: they add up, and one that is given twice counts once.
+/// The mutants of the adapters (tests/adapters/mutate.py), the extracted machines (spec/rocq/extract) and the fuzz targets
+/// (fuzz/run.sh) write records too. Runs of a fuzz target are no parts of a whole: they add up, and one that is given twice
+/// counts once.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless check --shard 1/2 --json a.json\n  \
@@ -61,6 +62,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         Some(StressCounts::COMMAND) => merge::<StressCounts>(args, records),
         Some(BoxCounts::COMMAND) => merge::<BoxCounts>(args, records),
         Some(MutantCounts::COMMAND) => merge::<MutantCounts>(args, records),
+        Some(MachineCounts::COMMAND) => merge::<MachineCounts>(args, records),
         Some(FuzzCounts::COMMAND) => merge::<FuzzCounts>(args, records),
         Some(other) => Err(format!("{path}: a record of `{other}`, which does not add up").into()),
         None => Err(format!("{path}: no record of a run: expected `command` in `run`").into()),

@@ -1,4 +1,4 @@
-//! Records that others write: the mutants of the adapters, and the fuzz targets.
+//! Records that others write: the mutants of the adapters, the fuzz targets, and the extracted machines.
 
 use std::collections::BTreeMap;
 
@@ -72,6 +72,54 @@ impl Counts for MutantCounts {
                 format!("claim: none, {wrong} of {} mutants are not as they should be", grouped(mutants))
             }
         }
+    }
+}
+
+/// What the machines extracted from the proofs compare (spec/rocq/extract).
+#[derive(Serialize, Deserialize)]
+pub(super) struct MachineCounts {
+    cases: u64,
+    visits: u64,
+    /// Of the highest tree, in edges.
+    height: u64,
+    /// Searches in which a traversal and its machine differ.
+    errors: u64,
+    /// How many, by traversal, in all words.
+    searches: BTreeMap<String, u64>,
+}
+
+impl Counts for MachineCounts {
+    const COMMAND: &str = "differ";
+
+    fn add(&mut self, other: Self) {
+        self.cases = self.cases.saturating_add(other.cases);
+        self.visits = self.visits.saturating_add(other.visits);
+        self.height = self.height.max(other.height);
+        self.errors = self.errors.saturating_add(other.errors);
+        for (name, searches) in other.searches {
+            let sum = self.searches.entry(name).or_default();
+            *sum = sum.saturating_add(searches);
+        }
+    }
+
+    fn print(&self) {
+        let row = |(name, &searches): (&String, _)| vec![name.clone(), grouped(searches)];
+        say!("{}", table(&["traversal", "searches"], 1, self.searches.iter().map(row).collect()));
+        let searches = self.searches.values().copied().fold(0, u64::saturating_add);
+        let [cases, searches, visits] = [self.cases, searches, self.visits].map(grouped);
+        say!(
+            "machines: {cases} cases to height {}, {searches} searches, {visits} visits, {} differ",
+            self.height,
+            self.errors
+        );
+    }
+
+    fn cases_and_errors(&self) -> [u64; 2] {
+        [self.cases, self.errors]
+    }
+
+    fn is_empty(&self) -> bool {
+        self.searches.is_empty()
     }
 }
 

@@ -1,0 +1,329 @@
+//! Writes cases, and what every traversal sees of them: node, key, trail, counter, second trail and register at each visit.
+//!
+//! The machines that are extracted from the proofs read it and see for themselves (spec/rocq/extract). Usage:
+//! `visits CASES SEED [I/N]`. First come all small trees, trees as deep as words carry, and the worst cases of the adversary;
+//! then as many as CASES says: random ones, some of them deep, combs with long climbs, some drawn from bytes as a fuzzer
+//! does, and worst cases with some choices changed. Every traversal that can be put aside is, once in each case, and another one
+//! goes on.
+
+use std::env::args;
+use std::fmt::Write as _;
+use std::fs;
+use std::io::{self, BufWriter, Write};
+use std::ops::Range;
+use std::path::Path;
+use std::time::Instant;
+
+use serde_json::{Value, json};
+use stackless_bvh::event::{Recorder, State};
+use stackless_bvh::generate::{Bytes, Rng, Search, Source as _};
+use stackless_bvh::hash::mix;
+use stackless_bvh::key::{Grow, KeyWord};
+use stackless_bvh::order::{Flow, Pruning};
+use stackless_bvh::traverse::{
+    Beside, ByWalk, KeyTrail, Method, Next, Pause, Paused, Tables, WithCursor, WithWord, WordName, resume,
+    traverse_pruned, with_word,
+};
+use stackless_bvh::tree::{Keys, Node, Topology, Tree};
+use stackless_check::{AllCases, Case, CaseOptions, Replay, Shard, adversary, boundary_cases};
+use stackless_suite::hex;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut args = args().skip(1);
+    let mut next = |default: &str| args.next().unwrap_or_else(|| default.to_owned());
+    let (drawn, seed): (u64, u64) = (next("1000").parse()?, next("1").parse()?);
+    let shard: Shard = next("1/1").parse()?;
+    let (start, list) = (Instant::now(), List::new(drawn, seed)?);
+    let range = shard.range(list.len());
+    let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+    writeln!(out, "run {}", list.run(&range))?;
+    for number in range.clone() {
+        out.write_all(text(&list.case(number)).as_bytes())?;
+    }
+    writeln!(out, "end {}", range.end - range.start)?;
+    out.flush()?;
+    eprintln!("visits: cases {range:?} in {:.1} s", start.elapsed().as_secs_f64());
+    Ok(())
+}
+
+/// All cases, by number.
+struct List {
+    small: AllCases,
+    listed: Vec<Case>,
+    worst: Vec<Case>,
+    drawn: u64,
+    seed: u64,
+}
+
+impl List {
+    /// Leaves of the small trees: 2,743 cases.
+    const SMALL: u32 = 5;
+
+    fn new(drawn: u64, seed: u64) -> Result<Self, Box<dyn std::error::Error>> {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let mut files = Vec::new();
+        for folder in ["tests/data/adversary", "spec/departures"] {
+            for entry in fs::read_dir(root.join(folder))? {
+                files.push(entry?.path());
+            }
+        }
+        files.sort();
+        // The others are of rays.
+        let worst: Vec<Case> = files.iter().filter_map(|path| Replay::load(path).ok()?.case().ok()).collect();
+        let listed = boundary_cases(seed).chain(worst.iter().cloned()).collect();
+        Ok(Self { small: AllCases::up_to(Self::SMALL), listed, worst, drawn, seed })
+    }
+
+    fn len(&self) -> u64 {
+        self.small.count() + self.listed.len() as u64 + self.drawn
+    }
+
+    fn case(&self, number: u64) -> Case {
+        let Some(number) = number.checked_sub(self.small.count()) else { return self.small.case(number) };
+        let Some(drawn) = number.checked_sub(self.listed.len() as u64) else {
+            return self.listed[number as usize].clone();
+        };
+        let seed = mix(self.seed ^ mix(drawn));
+        let mut rng = Rng::new(mix(seed));
+        match drawn % 10 {
+            0..3 => Case::random(seed, CaseOptions::default()),
+            // As deep as 128 bits carry.
+            3 => Case::random(seed, CaseOptions { depth: Some(rng.below(128) as u32), ..CaseOptions::default() }),
+            4 | 5 => {
+                let depth = rng.below(128) as u32;
+                Case::chain(&mut rng, depth)
+            }
+            6 | 7 => {
+                let bytes: Vec<u8> = (0..rng.below(400)).map(|_| rng.below(256) as u8).collect();
+                Case::draw(&mut Bytes::new(&bytes), Case::LEAVES)
+            }
+            _ => {
+                let worst = &self.worst[rng.below(self.worst.len() as u64) as usize];
+                let changed = adversary::change(worst, &mut rng).unwrap_or_else(|| worst.clone());
+                Case { any: rng.coin(), octant: rng.below(8) as u8, ..changed }
+            }
+        }
+    }
+
+    /// What a record says of the run, but for the counts (campaign/README.md).
+    fn run(&self, range: &Range<u64>) -> Value {
+        json!({
+            "command": "differ",
+            "version": env!("CARGO_PKG_VERSION"),
+            "commit": option_env!("STACKLESS_COMMIT"),
+            "asked": { "seed": self.seed },
+            "parts": { "cases": { "of": self.len(), "done": [[range.start, range.end]] } },
+            "machines": {},
+        })
+    }
+}
+
+/// Those that start again from the root, and the one that drops nodes by distance, have neither machine nor reference there.
+fn has_model(method: Method) -> bool {
+    !method.restarts() && method != Method::StackT0
+}
+
+/// A case, and a line for each traversal in each word that carries its tree.
+fn text(case: &Case) -> String {
+    let mut text = format!("case {} {}", u8::from(case.any), case.octant);
+    let mut pending = vec![case.tree.root()];
+    while let Some(node) = pending.pop() {
+        let slot = case.tree.slot(node);
+        let cell = &case.tape.cells()[slot];
+        let flags =
+            u8::from(node.is_leaf()) | u8::from(cell.miss) << 1 | u8::from(cell.right_first) << 2 | cell.axis << 3;
+        let [exit, hit] = [cell.exit, cell.hit].map(|distance| distance.map_or(0, |t| u64::from(t) + 1));
+        // Nothing can go wrong when a text is written to.
+        let _ = write!(text, " {flags} {} {exit} {hit} {slot}", cell.enter);
+        if !node.is_leaf() {
+            let [left, right] = case.tree.children(node);
+            pending.extend([right, left]);
+        }
+    }
+    text.push('\n');
+    let methods: Vec<Method> = Method::ALL.into_iter().filter(|&method| has_model(method)).collect();
+    let octants = case.octant..case.octant + 1;
+    let beside = Beside::for_octants(&case.tree, case.tape.axes(), &methods, IMPLICIT_DEPTH, octants);
+    let run = Run { case, keys: &Keys::of(&case.tree), tables: &Tables::with(&case.tree, case.tape.axes(), beside) };
+    for &method in &methods {
+        let words = if method.has_words() { &WordName::ALL[..] } else { &[WordName::U64] };
+        for &word in words {
+            text.extend(with_word(word, Line { run: &run, method, word }));
+        }
+    }
+    for pruning in [Pruning::Never, Pruning::Disjoint] {
+        let ring = || methods.iter().filter(|method| method.can_pause() && method.test().pruning() == pruning);
+        for (&from, &to) in ring().zip(ring().cycle().skip(1)) {
+            for word in WordName::ALL {
+                text.extend(with_word(word, Resumed { run: &run, from, to, word }));
+            }
+        }
+    }
+    text
+}
+
+/// Deepest tree with an implicit layout; in others the addresses are looked up.
+const IMPLICIT_DEPTH: u32 = 13;
+
+struct Run<'c> {
+    case: &'c Case,
+    keys: &'c Keys,
+    tables: &'c Tables<'c, Tree>,
+}
+
+struct Line<'c> {
+    run: &'c Run<'c>,
+    method: Method,
+    word: WordName,
+}
+
+impl WithWord for Line<'_> {
+    /// None if the traversal refuses the tree, or does not exist in the word.
+    type Output = Option<String>;
+
+    fn call<W: KeyWord>(self) -> Option<String> {
+        let Run { case, keys, tables } = *self.run;
+        let mut search = Search::new(&case.tree, &case.tape, case.any);
+        let mut seen = Seen { text: format!("{} {}", self.method, self.word), tree: &case.tree, keys };
+        tables.run_in(self.word, self.method, case.octant, &mut Vec::new(), &mut search, &mut seen).ok()?;
+        Some(seen.text + &found(&search))
+    }
+}
+
+/// How a line ends.
+fn found(search: &Search<'_, Tree>) -> String {
+    search.outcome.hit.map_or_else(|| " none\n".to_owned(), |(t, slot)| format!(" hit {t} {slot}\n"))
+}
+
+/// A search that one traversal puts aside, and another takes up by key, trail and second trail.
+struct Resumed<'c> {
+    run: &'c Run<'c>,
+    from: Method,
+    to: Method,
+    word: WordName,
+}
+
+impl WithWord for Resumed<'_> {
+    /// None if one of them does not carry the tree, or the search ends before.
+    type Output = Option<String>;
+
+    fn call<W: KeyWord>(self) -> Option<String> {
+        let Run { case, keys, tables } = *self.run;
+        let tree = &case.tree;
+        // The node's key is a word too.
+        W::carries(tree.depth(), 1).ok()?;
+        let mut search = Search::new(tree, &case.tape, case.any);
+        let visits = mix(tree.node_count() as u64 ^ u64::from(case.octant)) % tree.node_count() as u64;
+        let put_aside = PutAside { search: &mut search, visits };
+        let Paused { node, trail, disjoint, next, .. } = tables.with_cursor::<W, _>(self.from, put_aside).ok()??;
+        let kept = KeyTrail { key: keys.key::<W>(tree.slot(node)), trail, disjoint, next };
+        let mut text = format!("resume-{} {} {visits}", self.to, self.word);
+        for word in [&kept.key, &kept.trail, kept.disjoint.as_ref().unwrap_or(&W::zero())] {
+            text.push(' ');
+            add(&mut text, word);
+        }
+        let _ = match search.outcome.hit {
+            Some((t, slot)) => write!(text, " {t} {slot} ;"),
+            None => write!(text, " - - ;"),
+        };
+        // A traversal of this tree leaves no state that is not found again.
+        let Ok(kept) = kept.locate(&ByWalk(tree)) else { return Some(text + " refused\n") };
+        let mut seen = Seen { text, tree, keys };
+        let take_up = TakeUp { kept, search: &mut search, seen: &mut seen };
+        tables.with_cursor::<W, _>(self.to, take_up).ok()?;
+        Some(seen.text + &found(&search))
+    }
+}
+
+/// Stops before the visit of a number.
+struct PutAside<'a, 'c> {
+    search: &'a mut Search<'c, Tree>,
+    visits: u64,
+}
+
+impl<W: KeyWord> WithCursor<W> for PutAside<'_, '_> {
+    type Output = Option<Paused<W>>;
+
+    fn call(self, mut cursor: impl Pause<Word = W>) -> Option<Paused<W>> {
+        let next = traverse_pruned(&mut cursor, self.search, &mut Countdown(self.visits));
+        next.filter(|&next| next == Next::Visit).map(|next| cursor.put_aside(next))
+    }
+}
+
+struct Countdown(u64);
+
+impl Recorder for Countdown {
+    fn visit<W: KeyWord>(&mut self, _: Node, _: impl FnOnce() -> State<W>) -> Flow {
+        match self.0.checked_sub(1) {
+            Some(left) => {
+                self.0 = left;
+                Flow::Continue
+            }
+            None => Flow::Stop,
+        }
+    }
+}
+
+struct TakeUp<'a, 'c, W> {
+    kept: Paused<W>,
+    search: &'a mut Search<'c, Tree>,
+    seen: &'a mut Seen<'c>,
+}
+
+impl<W: KeyWord> WithCursor<W> for TakeUp<'_, '_, W> {
+    type Output = ();
+
+    fn call(self, cursor: impl Pause<Word = W>) {
+        // A state that is refused shows nothing, and so is seen.
+        let _ = resume(cursor, self.kept, self.search, self.seen);
+    }
+}
+
+/// Writes what is seen at each visit.
+struct Seen<'c> {
+    text: String,
+    tree: &'c Tree,
+    keys: &'c Keys,
+}
+
+impl Recorder for Seen<'_> {
+    fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        let State { key, trail, counter, disjoint, register, .. } = state();
+        self.text.push(' ');
+        self.add_node(node);
+        for word in [key, trail, counter, disjoint] {
+            self.text.push(':');
+            if let Some(word) = word {
+                add(&mut self.text, &word);
+            }
+        }
+        self.text.push(':');
+        if let Some(node) = register {
+            self.add_node(node);
+        }
+        // A traversal that does not end shows more than any can.
+        if self.text.len() > LONGEST { Flow::Stop } else { Flow::Continue }
+    }
+}
+
+impl Seen<'_> {
+    /// A node by its key, which may be longer than the traversal's word.
+    fn add_node(&mut self, node: Node) {
+        let slot = self.tree.slot(node);
+        if self.keys.depth(slot) < u64::BITS {
+            add(&mut self.text, &self.keys.key::<u64>(slot));
+        } else {
+            add(&mut self.text, &self.keys.key::<Grow>(slot));
+        }
+    }
+}
+
+/// No tree here has so many nodes that a line could be longer.
+const LONGEST: usize = 1 << 20;
+
+fn add(text: &mut String, word: &impl KeyWord) {
+    let _ = match word.to_u64() {
+        Some(word) => write!(text, "{word:x}"),
+        None => write!(text, "{}", hex(word)),
+    };
+}

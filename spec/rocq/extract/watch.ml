@@ -1,0 +1,35 @@
+(* Runs the extracted machines, and sees the state at each visit. *)
+
+open Extract
+
+(* Each visit asks for the key of its node, once: so what is asked for it is what is visited. *)
+let watched key view seen s =
+  let key = key s in
+  Option.iter (fun k -> seen := view s k :: !seen) key;
+  key
+
+(* From a state, after a history: whether the search was stopped, and what was seen. [None] if the machine lost its way. *)
+let go_on { machine; view } state history fuel tree (search : Search.search) =
+  let seen = ref [] in
+  let machine = { machine with Machine.key_of = watched machine.key_of view seen } in
+  Option.map (fun (stopped, _) -> (stopped, Stdlib.List.rev !seen))
+    (Machine.run machine tree search.decide search.stop fuel state history)
+
+let run viewed tree search = go_on viewed viewed.machine.start [] (Tree.size tree) tree search
+
+let go_on_pruning { pruning; pview } state history fuel tree (search : Search.search) =
+  let seen = ref [] in
+  let pruning = { pruning with Disjoint.pkey = watched pruning.pkey pview seen } in
+  Option.map (fun (stopped, _) -> (stopped, Stdlib.List.rev !seen))
+    (Disjoint.prun tree search.decide search.mark search.stop search.found pruning fuel state history)
+
+let run_pruning viewed tree search = go_on_pruning viewed viewed.pruning.pstart [] (Tree.size tree) tree search
+
+(* The recursive reference, for what has no machine of its own. *)
+let reference tree (search : Search.search) =
+  let stopped, history = Tree.reference search.decide search.stop tree in
+  Some (stopped, Stdlib.List.rev_map only_node history)
+
+let pruned_reference tree (search : Search.search) =
+  let stopped, history = Disjoint.pruned_reference tree search.decide search.mark search.stop search.found in
+  Some (stopped, Stdlib.List.rev_map only_node history)
