@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 use stackless_bvh::name::named;
 
 /// Version of the suite, as in `spec/suite/VERSION`.
-pub const VERSION: &str = "1.3.0";
+pub const VERSION: &str = "1.4.0";
 
 /// What a case is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -119,6 +119,19 @@ pub struct SuiteCase {
     pub input: Map<String, Value>,
     /// What is to be answered.
     pub expect: Expect,
+}
+
+impl SuiteCase {
+    /// How much there is to look at: the elements of all lists of its input. Files are not in this order.
+    pub fn size(&self) -> usize {
+        fn elements(value: &Value) -> usize {
+            match value {
+                Value::Array(list) => list.len() + list.iter().map(elements).sum::<usize>(),
+                _ => 0,
+            }
+        }
+        self.input.values().map(elements).sum()
+    }
 }
 
 /// What is to be answered.

@@ -5,7 +5,7 @@ use core::fmt;
 use serde_json::{Map, Value};
 
 use super::ask::{Ask, Build};
-use super::author::{depth_if_tree, keys_of, levels_if_tree};
+use super::author::{depth_if_tree, folds, keys_of, levels_if_tree};
 use super::bits::Bits;
 use super::text::Shown;
 use super::{Answer, Expect, Feature, Hello, SuiteCase};
@@ -236,16 +236,16 @@ fn judge_table(case: &SuiteCase, result: &Map<String, Value>) -> Result<(), Flaw
         return wrong("nobody has asked for one".to_owned());
     };
     let Some(depth) = depth_if_tree(&children) else { return wrong("the children are no tree".to_owned()) };
-    // Only long keys are folded.
-    let has_long_keys = depth >= u64::BITS;
+    // Only long keys are folded. A deep tree may have none among those that are hashed.
+    let (may_fold, must_fold) = (depth >= u64::BITS, folds(&children, reach));
     let is_known =
-        |name: &str| matches!(name, "displacements" | "cells" | "seed" | "bits") || name == "fold" && has_long_keys;
+        |name: &str| matches!(name, "displacements" | "cells" | "seed" | "bits") || name == "fold" && may_fold;
     if let Some(name) = result.keys().find(|name| !is_known(name)) {
         return Err(Flaw::Unknown(name.clone()));
     }
     let fold = match result.get("fold") {
         Some(seed) => seed.as_str().and_then(word),
-        None if has_long_keys => return Err(Flaw::Missing("fold".to_owned())),
+        None if must_fold => return Err(Flaw::Missing("fold".to_owned())),
         None => Some(0),
     };
     let Some(fold) = fold else { return wrong("fold: not a word of 64 bits".to_owned()) };

@@ -27,7 +27,7 @@ pub use ask::{Ask, Best, Build, Children, LookupTable, Query, Rays, Start, Walk,
 pub use case::{Expect, Feature, Level, Profile, Strength, Suite, SuiteCase, VERSION};
 pub use files::SuiteError;
 pub use judge::{Flaw, judge};
-pub use own::{Library, RaysError, Traversal};
+pub use own::{Library, RayScene, RaysError, Traversal};
 pub use protocol::{Answer, Hello, Implementation, Limits, PROTOCOL, Reply, WideLimits, serve};
 pub use report::{CaseResult, Outcome, Report};
 pub use runner::{RunError, Runner};

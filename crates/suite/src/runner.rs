@@ -1,6 +1,6 @@
 //! Asks a program the cases, and survives whatever it does.
 
-use std::collections::VecDeque;
+use std::collections::{HashSet, VecDeque};
 use std::time::Duration;
 
 use super::process::{Heard, Process};
@@ -66,7 +66,7 @@ impl Runner<'_> {
             return Err(RunError::Waiver { id: id.to_owned() });
         }
         let (hello, process) = self.start()?;
-        let mut faults = unknown_profiles(&hello, self.suite);
+        let mut faults = wrong_names(&hello, self.suite);
         let mut outcomes: Vec<Option<Outcome>> = cases
             .iter()
             .map(|(profile, case)| (!hello.asks_for(profile, case)).then_some(Outcome::Unsupported))
@@ -147,11 +147,16 @@ fn text(request: &Request) -> String {
     serde_json::to_string(request).unwrap_or_default()
 }
 
-fn unknown_profiles(hello: &Hello, suite: &Suite) -> Vec<String> {
+/// Profiles that there are not, and what is named twice.
+fn wrong_names(hello: &Hello, suite: &Suite) -> Vec<String> {
     let known = super::author::names();
     let is_known = |name: &String| known.contains(name) || suite.profiles.iter().any(|profile| profile.name() == *name);
     let unknown = hello.profiles.iter().filter(|name| !is_known(name));
-    unknown.map(|name| format!("there is no profile '{}'", Shown(name))).collect()
+    let unknown = unknown.map(|name| format!("there is no profile '{}'", Shown(name)));
+    let (mut profiles, mut features) = (HashSet::new(), HashSet::new());
+    let twice = hello.profiles.iter().filter(|name| !profiles.insert(*name)).map(|name| Shown(name).to_string());
+    let twice_too = hello.features.iter().filter(|feature| !features.insert(**feature)).map(ToString::to_string);
+    unknown.chain(twice.chain(twice_too).map(|name| format!("'{name}' is named twice"))).collect()
 }
 
 /// What is asked of one start of the program after another.

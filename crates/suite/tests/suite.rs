@@ -199,6 +199,33 @@ fn a_table_needs_its_fields_and_no_more() {
     }
 }
 
+/// A deep tree of which no long key is hashed needs no seed of the fold, and may have one. `[HASH-6]`
+#[test]
+fn a_table_without_long_keys_may_have_no_fold() {
+    let mut library = Library::default();
+    let hello = library.hello();
+    let (mut without, mut needs) = (0, 0);
+    for (profile, case) in SUITE.cases().filter(|(profile, _)| profile.name() == "hash/build-deep") {
+        let Answer::Result(mut result) = library.answer(profile.level, &profile.profile, &case.input) else {
+            panic!("{}", case.id)
+        };
+        result.insert("fold".to_owned(), "1".into());
+        let may_have_any = judge(case, &hello, &Answer::Result(result.clone())).is_ok();
+        result.remove("fold");
+        match judge(case, &hello, &Answer::Result(result)) {
+            Ok(()) => {
+                assert!(may_have_any, "{}", case.id);
+                without += 1;
+            }
+            flaw => {
+                assert_eq!(flaw, Err(Flaw::Missing("fold".to_owned())), "{}", case.id);
+                needs += 1;
+            }
+        }
+    }
+    assert!(without >= 6 && needs >= 20, "{without} without, {needs} with a fold");
+}
+
 /// Each planted bug, as an implementation, fails a case of the clause that it breaks. `[CONF-4]`
 #[test]
 fn every_planted_bug_fails_a_case_of_its_clause() {

@@ -19,7 +19,7 @@ use std::collections::HashSet;
 
 use serde_json::{Map, Value};
 
-pub(super) use hash::{keys_of, mixed};
+pub(super) use hash::{folds, keys_of, mixed};
 pub(super) use trees::depth_if_tree;
 pub(super) use wide::levels_if_tree;
 

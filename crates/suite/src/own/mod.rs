@@ -7,7 +7,7 @@ mod walks;
 mod wide;
 mod words;
 
-pub use rays::RaysError;
+pub use rays::{RayScene, RaysError};
 
 use serde_json::{Map, Value};
 

@@ -85,7 +85,10 @@ fn silence_is_a_timeout() {
 
 #[test]
 fn garbage_is_an_error() {
-    for garbage in ["echo nonsense", "echo", "echo '{}'", "echo '{\"seq\":1}'", "printf '\\377\\n'", "echo '[1,2]'"] {
+    let two = r#"echo '{"seq":1,"result":{"key":"3"},"reject":"trail"}'"#;
+    let none = r#"echo '{"seq":1,"result":null}'"#;
+    let others = ["echo nonsense", "echo", "echo '{}'", "echo '{\"seq\":1}'", "printf '\\377\\n'", "echo '[1,2]'"];
+    for garbage in others.into_iter().chain([two, none]) {
         let report = outcomes(&format!("if [ \"$seq\" = 1 ]; then {garbage}; else {RIGHT}; fi"), 3);
         assert!(matches!(report.verdicts[1].outcome, Outcome::Error(_)), "{garbage}: {report:?}");
         assert_eq!(report.count("error"), 1, "{garbage}");
@@ -166,6 +169,18 @@ fn a_profile_that_there_is_not_is_reported() {
     let report = run(command.map(ToOwned::to_owned).to_vec(), 3, 1, Waivers::default()).unwrap();
     assert_eq!(report.count("unsupported"), 3);
     assert!(report.faults[0].contains("key/u23") && !report.is_conforming(), "{report:?}");
+}
+
+#[test]
+fn what_is_named_twice_is_reported() {
+    let twice = [r#""profiles":["key/u32","key/u32"]"#, r#""profiles":["key/u32"],"features":["trails","trails"]"#];
+    for (names, what) in twice.into_iter().zip(["key/u32", "trails"]) {
+        let mut command = program(RIGHT);
+        command[2] = command[2].replace(r#""profiles":["key/u32"]"#, names);
+        let report = run(command, 1, 1, Waivers::default()).unwrap();
+        assert_eq!((report.count("pass"), report.faults.len()), (1, 1), "{report:?}");
+        assert!(report.faults[0] == format!("'{what}' is named twice") && !report.is_conforming(), "{report:?}");
+    }
 }
 
 /// Waivers excuse what fails, and only that.
