@@ -142,8 +142,30 @@ pub enum Expect {
     Result(Map<String, Value>),
     /// A rejection with this code.
     Reject(String),
+    /// Closest hits whose distances may be off a little.
+    Near(Near),
     /// Anything that is right.
     Valid(bool),
+}
+
+/// Closest hits as far as rounding leaves them.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Near {
+    /// How many floats a distance may be off.
+    pub ulps: u32,
+    /// Of each ray.
+    pub hits: Vec<Option<NearHit>>,
+}
+
+/// A hit of which any triangle will do that is at this distance.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NearHit {
+    /// The bits of the distance, rounded once.
+    pub t: String,
+    /// Triangles.
+    pub prims: Vec<u32>,
 }
 
 /// The cases of one file.

@@ -24,6 +24,8 @@ mod foreign;
 mod imports;
 #[path = "suite/layers.rs"]
 mod layers;
+#[path = "suite/report.rs"]
+mod report;
 #[path = "suite/runner.rs"]
 mod runner;
 #[path = "../../../tests/library/bites/table.rs"]
@@ -60,7 +62,8 @@ fn the_table_of_other_ray_tracers_has_each_case() {
     let suite = &*SUITE;
     let text = std::fs::read_to_string(root().join("PEERS.md")).unwrap();
     let rows: Vec<_> = text.lines().filter_map(|line| line.strip_prefix("| `ray/")?.split('`').next()).collect();
-    let has_hits = |case: &&SuiteCase| case.id.starts_with("ray/") && matches!(case.expect, Expect::Result(_));
+    let has_hits =
+        |case: &&SuiteCase| case.id.starts_with("ray/") && matches!(case.expect, Expect::Result(_) | Expect::Near(_));
     let cases: Vec<_> =
         suite.cases().map(|(_, case)| case).filter(has_hits).map(|case| &case.id["ray/".len()..]).collect();
     assert_eq!(BTreeSet::from_iter(rows), BTreeSet::from_iter(cases));

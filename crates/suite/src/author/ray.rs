@@ -126,6 +126,11 @@ fn ray(origin: Vec3, direction: Vec3, [tmin, tmax]: [f32; 2]) -> Ray {
     [a, b, c, x, y, z, tmin, tmax]
 }
 
+/// From a point towards another one, which has the distance 1 but for rounding.
+pub(super) fn from_to(from: Vec3, to: Vec3, ends: [f32; 2]) -> Ray {
+    ray(from, to - from, ends)
+}
+
 fn is_dyadic(x: f32) -> bool {
     (x * 4096.0).fract() == 0.0 && x.abs() < 4096.0
 }
@@ -246,7 +251,7 @@ fn any(author: &mut Author, name: &str, why: &str, mesh: &Mesh, rays: &[Ray]) {
     author.case(&format!("{name}-any"), &["EXACT-1", "CONF-2"], why, &ask, result([("hits", json!(hits))]));
 }
 
-fn asked(mesh: &Mesh, rays: &[Ray], query: Query) -> Rays {
+pub(super) fn asked(mesh: &Mesh, rays: &[Ray], query: Query) -> Rays {
     Rays {
         vertices: mesh.vertices.iter().map(|vertex| floats(vertex)).collect(),
         triangles: mesh.triangles.clone(),

@@ -8,7 +8,7 @@ use crate::text::{hit, parse_floats};
 use crate::{Answer, Ask, Query};
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::geom::{Kernel, Mesh, MeshError, Ray, RayError, Slabs};
-use stackless_bvh::trace::{Accuracy, Form, Hit, Search, WithTests, with_level};
+use stackless_bvh::trace::{Accuracy, BinaryTracer, Form, Hit, Search, WithTests, with_level};
 use stackless_bvh::traverse::{Stack, traverse};
 
 pub(super) fn answer(accuracy: Accuracy, ask: &Ask) -> Option<Answer> {
@@ -38,6 +38,9 @@ impl WithTests for Cast {
 
     fn call<K: Kernel<Vector = Vec3, Shape: Form> + 'static, B: Slabs<Vector = Vec3> + 'static>(self) -> Vec<Value> {
         let Self { bvh, rays, query } = self;
+        // Crossings are counted exactly, or not at all.
+        let plain = bvh.clone();
+        let parity = BinaryTracer::new(&plain);
         let bvh = bvh.map(K::Shape::from);
         let mut memory = Vec::new();
         let hit = |ray: &Ray| match query {
@@ -46,6 +49,7 @@ impl WithTests for Cast {
                 traverse(Stack::new(bvh.tree(), &mut memory), &mut search, &mut ());
                 search.hit().map_or(Value::Null, |Hit { prim, t, u, v }| hit(prim, [t, u, v]))
             }
+            Query::Parity => json!(parity.crossings(ray) % 2 == 1),
             Query::Any => {
                 let mut search = Search::<K, B, true>::new(&bvh, ray);
                 traverse(Stack::new(bvh.tree(), &mut memory), &mut search, &mut ());
@@ -81,7 +85,7 @@ impl Rays {
             Ok((!is_nowhere).then_some(ray))
         };
         let rays = rays.into_iter().map(ray).collect::<Result<_, RaysError>>()?;
-        Ok(RayScene { mesh, rays, missed: if self.query == Query::Any { json!(false) } else { Value::Null } })
+        Ok(RayScene { mesh, rays, missed: if self.query == Query::Closest { Value::Null } else { json!(false) } })
     }
 
     /// Vertices and rays as numbers.

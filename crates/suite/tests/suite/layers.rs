@@ -84,6 +84,7 @@ fn answer(
             let hits = match query {
                 Query::Closest => hits.closest.into_iter().map(hit).collect(),
                 Query::Any => json!(hits.any),
+                Query::Parity => return None,
             };
             Some(result([("hits", hits)]))
         }

@@ -21,7 +21,7 @@ impl Implementation for Foreign {
             protocol: PROTOCOL,
             name: self.0.name().to_owned(),
             version: String::new(),
-            profiles: ["ray/grid", "ray/exact"].map(ToOwned::to_owned).to_vec(),
+            profiles: ["ray/grid", "ray/exact", "ray/watertight", "ray/ulp-8", "ray/ulp-256"].map(ToOwned::to_owned).to_vec(),
             features: Vec::new(),
             limits: Limits::default(),
         }
@@ -44,6 +44,7 @@ fn hits(peer: Peer, input: &Map<String, Value>) -> Result<Vec<Value>, Box<dyn st
     let plain = |[a, b, c, x, y, z, tmin, tmax]: [f32; 8]| Ray { origin: [a, b, c], direction: [x, y, z], tmin, tmax };
     let rays: Vec<_> = rays.into_iter().map(plain).collect();
     Ok(match asked.query {
+        Query::Parity => return Err("crossings are not counted".into()),
         Query::Closest => {
             let mut hits = vec![None; rays.len()];
             tracer.closest(&rays, &mut hits);
