@@ -20,6 +20,7 @@ import time
 
 SUITE = pathlib.Path(__file__).resolve().parent
 VERSION = (SUITE / "VERSION").read_text(encoding="utf-8").strip()
+KINDS = ("result", "reject", "unsupported")  # of answers
 GIVEN_UP_AFTER = 20  # starts in a row that answer nothing
 
 
@@ -40,9 +41,7 @@ def shown(value):
 def judge(case, hello, reply):
     """Raises what is wrong with an answer to a case."""
     expect = {"reject": "too-deep"} if is_too_deep(case, hello) else case["expect"]
-    kinds = [kind for kind in ("result", "reject", "unsupported") if reply.get(kind) is not None]
-    if len(kinds) != 1:
-        raise Flaw("expected one of result, reject and unsupported")
+    kinds = [kind for kind in KINDS if reply.get(kind) is not None]
     if kinds == ["unsupported"]:
         raise Flaw(f"unsupported ({shown(reply['unsupported'])}), though profile and features were named")
     if "reject" in expect:
@@ -322,6 +321,8 @@ class Run:
             reply = json.loads(line)
             if not isinstance(reply, dict) or reply.get("seq") != seq:
                 raise ValueError("no answer to this case")
+            if sum(reply.get(kind) is not None for kind in KINDS) != 1:
+                raise ValueError("expected one of result, reject and unsupported")
         except ValueError as error:
             self.stop()
             return "error", f"{shown(str(error))} in {shown(line.decode(errors='replace'))}"

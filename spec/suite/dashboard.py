@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """A page of who passes what, from reports of runs: dashboard.py REPORT.json... > page.html
 
-REPORT.json is what `stackless conform --json` or `conform.py --json` writes. One row for each implementation, one
-column for each profile that one of them names. A cell leads to the first case that failed.
+REPORT.json is what `stackless conform --json` or `conform.py --json` writes. Of each level a table: one row
+for each implementation, one column for each profile that one of them names. A cell leads to the first case that failed.
 """
 
 import html
@@ -26,6 +26,18 @@ code { overflow-wrap: anywhere; }
 """
 
 
+EMPTY = '<td title="not asked"></td>'
+
+HEAD = f"""<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<title>Who passes what</title>
+<style>{STYLE}</style>
+<h1>Who passes what</h1>
+"""
+
+
 def profile_of(case):
     return case["id"].rpartition("/")[0]
 
@@ -42,7 +54,7 @@ def cell(cases, anchor):
     """A cell, and the failure that it leads to."""
     asked = [case for case in cases if case["outcome"] != "not-asked"]
     if not asked:
-        return '<td title="not asked"></td>', None
+        return EMPTY, None
     bad = [case for case in asked if is_bad(case)]
     if not bad:
         return f'<td class="pass" title="all pass">✓ {len(asked)}</td>', None
@@ -61,11 +73,22 @@ def failure(case, anchor, name, profile):
 
 
 def page(reports):
-    profiles = []
-    for report in reports:
-        for case in report["cases"]:
-            if case["outcome"] != "not-asked" and profile_of(case) not in profiles:
-                profiles.append(profile_of(case))
+    was_asked = [case for report in reports for case in report["cases"] if case["outcome"] != "not-asked"]
+    profiles = list(dict.fromkeys(map(profile_of, was_asked)))
+    parts = [part(reports, level, profiles) for level in dict.fromkeys(name.split("/")[0] for name in profiles)]
+    tables, failures = ("\n".join(all) for all in zip(*parts)) if parts else ("", "")
+    versions = ", ".join(sorted({report["suite"] for report in reports}))
+    first = f"<h2>First failures</h2>\n<dl>{failures}</dl>\n" if failures.strip() else ""
+    return HEAD + (
+        f"<p>Cases that pass, by profile, of version {text(versions)} of the suite. An empty cell was not asked: its\n"
+        f"implementation does not name the profile. Red and yellow cells lead to the first case that failed.</p>\n"
+        f"{tables}\n{first}</html>"
+    )
+
+
+def part(reports, level, profiles):
+    """The table of a level, with the implementations that were asked, and the failures that it leads to."""
+    profiles = [profile for profile in profiles if profile.split("/")[0] == level]
     rows, failures = [], []
     for i, report in enumerate(reports):
         implementation = report["implementation"]
@@ -78,18 +101,11 @@ def page(reports):
             cells.append(data)
             if first:
                 failures.append(failure(first, anchor, name, profile))
-        rows.append(f"<tr><th>{text(name)}</th>{''.join(cells)}</tr>")
-    versions = ", ".join(sorted({report["suite"] for report in reports}))
-    heads = "".join(f"<th>{text(profile)}</th>" for profile in profiles)
-    first = f"<h2>First failures</h2>\n<dl>{''.join(failures)}</dl>" if failures else ""
-    rows = "\n".join(rows)
-    return (
-        f'<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width">\n'
-        f"<title>Who passes what</title>\n<style>{STYLE}</style>\n<h1>Who passes what</h1>\n"
-        f"<p>Cases that pass, by profile, of version {text(versions)} of the suite. An empty cell was not asked: its implementation does "
-        f"not name the profile. Other cells lead to the first case that failed.</p>\n<div><table>\n<thead><tr><th></th>{heads}</tr></thead>\n"
-        f"<tbody>{rows}</tbody>\n</table></div>\n{first}\n</html>"
-    )
+        if any(data != EMPTY for data in cells):
+            rows.append(f"<tr><th>{text(name)}</th>{''.join(cells)}</tr>")
+    heads = "".join(f"<th>{text(profile.split('/')[1])}</th>" for profile in profiles)
+    table = "<table>\n<thead><tr><th></th>{}</tr></thead>\n<tbody>{}</tbody>\n</table>".format(heads, "\n".join(rows))
+    return f"<h2>{text(level)}</h2>\n<div>{table}</div>", "\n".join(failures)
 
 
 def main():

@@ -28,6 +28,7 @@ IMPLEMENTATIONS = {
     "embreex": "embreex",
     "open3d": "open3d",
 }
+NOT_ASKED = "not asked"
 PROFILES = ("grid", "exact", "watertight", "parity", "ulp-8", "ulp-256")
 
 TEXT = """\
@@ -53,7 +54,7 @@ class Rays(collections.namedtuple("Rays", "asked hits numbers none", defaults=(0
         return not (self.hits or self.numbers or self.none)
 
     def __str__(self):
-        return "" if self.passes() else self.none or f"{self.hits} + {self.numbers}"
+        return "" if self.passes() or self.none == NOT_ASKED else self.none or f"{self.hits} + {self.numbers}"
 
 
 def answers(command, cases):
@@ -127,7 +128,7 @@ def main():
         for (profile, case), reply in zip(cases, said, strict=True):
             rays = compare(case["expect"], reply, "weights" in hello["features"])
             is_asked = f"ray/{profile}" in hello["profiles"]
-            found[name][case["id"]] = rays if is_asked else Rays(rays.asked, none="not asked")
+            found[name][case["id"]] = rays if is_asked else Rays(rays.asked, none=NOT_ASKED)
 
     ids = [case["id"] for _, case in cases]
     sizes = collections.Counter(map(group, ids))
@@ -140,7 +141,8 @@ def main():
         passed = collections.Counter(group(id) for id, rays in results.items() if rays.passes())
         none = [sum(rays.none == why for rays in results.values()) for why in ("refused", "ended")]
         wrong = [sum(getattr(rays, field) for rays in results.values()) for field in ("hits", "numbers")]
-        row([name, *(passed[part] for part in sizes), *none, *wrong])
+        not_asked = {group(id) for id, rays in results.items() if rays.none == NOT_ASKED}
+        row([name, *("" if part in not_asked else passed[part] for part in sizes), *none, *wrong])
     print("\nRays with wrong hits + rays with wrong numbers, where there are any:\n")
     row(["case", "rays", *list(found)[1:]])
     row(["---", "---:", *(":---:" for _ in list(found)[1:])])

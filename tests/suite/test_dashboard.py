@@ -58,10 +58,9 @@ def test_cells_lead_to_first_failures():
     two = report("two", case("ray/grid/a", "pass"), case("key/u32/a", "pass"), case("ray/exact/a", "not-asked"))
     more = case("ray/grid/a", "fail", strength="may")
     page = Page(dashboard.page([one, two, report("three", more, case("key/u32/a", "error"))]))
-    # Columns: ray/grid and key/u32.
+    # A table for rays, with all three, and one for keys, without the first.
     assert page.cells == [
         ["fail", "#0-ray-grid"],
-        [None, None],
         ["pass", None],
         ["pass", None],
         ["pass", None],
@@ -77,3 +76,9 @@ def test_what_others_say_is_text(evil):
     page = Page(dashboard.page([report(evil, case("ray/grid/a", "fail", what=evil, why=evil))]))
     assert not {"script", "img", "b"} & set(page.tags)
     assert "".join(page.words).count(evil) == 4
+
+
+def test_the_page_of_peers_is_of_this_version():
+    """`tests/suite/peers.sh` makes it anew."""
+    page = (SUITE / "peers.html").read_text()
+    assert f"version {(SUITE / 'VERSION').read_text().strip()} of the suite" in page

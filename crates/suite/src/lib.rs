@@ -19,6 +19,7 @@ mod process;
 mod protocol;
 mod report;
 mod runner;
+mod shipped;
 mod text;
 mod told;
 mod waivers;

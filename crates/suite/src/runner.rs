@@ -65,10 +65,8 @@ impl Runner<'_> {
         let cases: Vec<_> = self.suite.cases().collect();
         let (hello, process) = self.start()?;
         let mut faults = wrong_names(&hello, self.suite);
-        let mut outcomes: Vec<Option<Outcome>> = cases
-            .iter()
-            .map(|(profile, case)| (!hello.asks_for(profile, case)).then_some(Outcome::NotAsked))
-            .collect();
+        let mut outcomes: Vec<Option<Outcome>> =
+            cases.iter().map(|(profile, case)| (!hello.asks_for(profile, case)).then_some(Outcome::NotAsked)).collect();
         let to_ask: VecDeque<_> = (0..cases.len()).filter(|&i| outcomes[i].is_none()).collect();
         if to_ask.is_empty() {
             let why = "the program names no profile of these cases, or lacks their features";
@@ -135,7 +133,8 @@ impl Runner<'_> {
 
     fn start(&self) -> Result<(Hello, Process), RunError> {
         let command = || self.command.join(" ");
-        let process = Process::start(&self.command, self.passes_errors).map_err(|error| RunError::Start { command: command(), error })?;
+        let process = Process::start(&self.command, self.passes_errors)
+            .map_err(|error| RunError::Start { command: command(), error })?;
         process.say(text(&Request::Hello { protocol: PROTOCOL }));
         let wrong = |what: String| Err(RunError::Hello { command: command(), what });
         let line = match process.hear(self.timeout) {

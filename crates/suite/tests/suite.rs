@@ -54,6 +54,7 @@ fn the_files_are_as_made() {
         assert!(std::fs::read_to_string(&path).unwrap_or_default() == text, "{} is not what is made", path.display());
     }
     assert_eq!(Suite::load(&root()).unwrap(), *suite);
+    assert!(std::env::var_os("UPDATE").is_some() || Suite::shipped().unwrap() == *suite);
 }
 
 /// `spec/suite/peers.py` makes the table anew; what others answer is not asked here.

@@ -72,9 +72,12 @@ fn boundaries(author: &mut Author) {
         ("no-vertices", "There is no vertex and no triangle: every ray misses.", &empty, whole.clone()),
         ("no-triangles", "There are vertices, and no triangle: every ray misses.", &bare, whole.clone()),
         ("no-rays", "Nobody asks.", &one, vec![]),
-        ("at-infinity", "tmin and tmax are infinite: no distance is, so every such ray misses. The last ones are usual.", &one, {
-            [at_infinity, whole].concat()
-        }),
+        (
+            "at-infinity",
+            "tmin and tmax are infinite: no distance is, so every such ray misses. The last ones are usual.",
+            &one,
+            { [at_infinity, whole].concat() },
+        ),
         ("tmin-negative-zero", "A tmin of -0 is 0, and no sign.", &one, from(&[before, on], [-0.0, INFINITE])),
         ("tmax-negative-zero", "A tmax of -0 is 0: the interval is one point, where the second ray begins.", &one, {
             [from(&[before, on], [0.0, -0.0]), from(&[before, on], [-0.0, -0.0])].concat()

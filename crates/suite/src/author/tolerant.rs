@@ -81,6 +81,12 @@ fn on_edge(rng: &mut Rng, mesh: &Mesh) -> Vec3 {
     a + (b - a) * (rng.below(9) as f32 / 8.0)
 }
 
+fn middle_of_face(rng: &mut Rng, mesh: &Mesh) -> Vec3 {
+    let corners = mesh.triangles[rng.below(mesh.triangles.len() as u64) as usize];
+    let [a, b, c] = corners.map(|corner| Vec3::from_array(mesh.vertices[corner as usize]));
+    (a + b + c) / 3.0
+}
+
 /// Half of the extent on each axis.
 fn extent(mesh: &Mesh) -> Vec3 {
     mesh.vertices.iter().map(|&vertex| Vec3::from_array(vertex).abs()).fold(Vec3::ZERO, Vec3::max)
@@ -109,8 +115,7 @@ fn watertight() -> Profile {
         let leaks: Vec<Ray> = (0..RAYS).map(|_| from_to(inside(rng, &mesh), on_edge(rng, &mesh), all)).collect();
         let why = "From within a closed mesh towards edges and corners: whatever is rounded, something is hit.";
         asks(&mut author, &format!("{name}-leaks"), why, &mesh, &leaks, Query::Any, |_| true);
-        let through: Vec<Ray> =
-            (0..RAYS).map(|_| from_to(outside(rng, &mesh, 2.0), inside(rng, &mesh), all)).collect();
+        let through: Vec<Ray> = (0..RAYS).map(|_| from_to(outside(rng, &mesh, 2.0), inside(rng, &mesh), all)).collect();
         let why = "From outside towards the middle of a closed mesh.";
         asks(&mut author, &format!("{name}-through"), why, &mesh, &through, Query::Any, |_| true);
         let ghosts: Vec<Ray> = (0..RAYS).map(|at| ghost(rng, &mesh, at)).collect();
@@ -142,11 +147,18 @@ fn parity() -> Profile {
     for (i, (name, mesh)) in closed().into_iter().enumerate() {
         let rng = &mut Rng::new(9100 + i as u64);
         let all = [0.0, f32::INFINITY];
+        let faces: Vec<Ray> = (0..RAYS)
+            .map(|at| {
+                let from = inside(rng, &mesh);
+                if at % 2 == 0 { from_to(from, middle_of_face(rng, &mesh), all) } else { ghost(rng, &mesh, at) }
+            })
+            .collect();
+        let why = "From within through the middle of faces, or past the mesh: no edge is near.";
+        asks(&mut author, &format!("{name}-faces"), why, &mesh, &faces, Query::Parity, |at| at % 2 == 0);
         let within: Vec<Ray> = (0..RAYS).map(|_| from_to(inside(rng, &mesh), on_edge(rng, &mesh), all)).collect();
         let why = "From within, towards edges and corners: each crossing counts once.";
         asks(&mut author, &format!("{name}-within"), why, &mesh, &within, Query::Parity, |_| true);
-        let around: Vec<Ray> =
-            (0..RAYS).map(|_| from_to(outside(rng, &mesh, 2.0), on_edge(rng, &mesh), all)).collect();
+        let around: Vec<Ray> = (0..RAYS).map(|_| from_to(outside(rng, &mesh, 2.0), on_edge(rng, &mesh), all)).collect();
         let why = "From outside, towards edges and corners, which may be grazed: in as often as out.";
         asks(&mut author, &format!("{name}-around"), why, &mesh, &around, Query::Parity, |_| false);
         // A hollow one: between its walls, and in the hollow.

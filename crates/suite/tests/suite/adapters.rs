@@ -99,7 +99,7 @@ fn the_c_adapter_conforms() {
 
 #[test]
 fn the_python_adapter_conforms() {
-    conforms(Language::Python, 4359);
+    conforms(Language::Python, 4368);
 }
 
 #[test]
@@ -166,7 +166,12 @@ fn a_mistake_in_the_python_adapter_is_caught() {
         ),
         ("(key % len(cells) + entry)", "(key % len(cells) ^ entry)", "hash/lookup", "HASH-1"),
         ("self.enter(node) <= self.best[0]", "self.enter(node) <= self.best[1]", "trace/tape", "ORACLE-1"),
-        ("if self.is_wanted(node) else None", "if node == 0 or self.is_wanted(node) else None", "trace/node-left", "LEFT-1"),
+        (
+            "if self.is_wanted(node) else None",
+            "if node == 0 or self.is_wanted(node) else None",
+            "trace/node-left",
+            "LEFT-1",
+        ),
         (
             "if self.is_wanted(node) else None",
             "if node == 0 or self.is_wanted(node) else None",

@@ -10,8 +10,8 @@ use stackless_bvh::trace::Hit;
 use stackless_bvh::tree::{Reach, Topology as _, Tree};
 use stackless_check::planted::{Function, Instead, Table};
 use stackless_suite::{
-    Answer, Ask, Build, Flaw, Implementation as _, Level, Library, LookupTable, Profile, Query, RayScene, Rays, Suite, SuiteCase,
-    judge,
+    Answer, Ask, Build, Flaw, Implementation as _, Level, Library, LookupTable, Profile, Query, RayScene, Rays, Suite,
+    SuiteCase, judge,
 };
 
 /// Cases with what they ask, which is read once.

@@ -96,4 +96,3 @@ fn failures_are_in_the_order_to_look_at_them() {
     assert_eq!(hint(1), "trace/script fails too: look there first");
     assert!(failures[1].explained_by().unwrap().contains(&failures[1].id) && !failures[1].why.is_empty());
 }
-

@@ -3,9 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use stackless_suite::{
-    CaseResult, Hello, Level, Report, Runner, Strength, Suite, VERSION, Waiver, Waivers, author,
-};
+use stackless_suite::{CaseResult, Hello, Level, Report, Runner, Strength, Suite, VERSION, Waiver, Waivers};
 
 use crate::output::{bar, grouped, say, table, write_file, write_json};
 use crate::places::{self, Output};
@@ -117,7 +115,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
 pub(crate) fn load(folder: Option<&Path>) -> Result<Suite, Box<dyn std::error::Error>> {
     Ok(match folder {
         Some(folder) => Suite::load(folder).map_err(|error| format!("{}: {error}", folder.display()))?,
-        None => author::suite(),
+        None => Suite::shipped()?,
     })
 }
 

@@ -21,7 +21,9 @@ impl Implementation for Foreign {
             protocol: PROTOCOL,
             name: self.0.name().to_owned(),
             version: String::new(),
-            profiles: ["ray/grid", "ray/exact", "ray/watertight", "ray/ulp-8", "ray/ulp-256"].map(ToOwned::to_owned).to_vec(),
+            profiles: ["ray/grid", "ray/exact", "ray/watertight", "ray/ulp-8", "ray/ulp-256"]
+                .map(ToOwned::to_owned)
+                .to_vec(),
             features: Vec::new(),
             limits: Limits::default(),
         }
