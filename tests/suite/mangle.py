@@ -41,9 +41,9 @@ def turn(reply):
     reply.update({"seq": seq, kind: what})
 
 
-def rename(reply, old, new):
-    if "result" in reply and old in reply["result"]:
-        reply["result"][new] = reply["result"].pop(old)
+def refuse(reply):
+    if reply.pop("result", None) is not None:
+        reply["unsupported"] = "no"
 
 
 MISTAKES = {
@@ -84,7 +84,7 @@ MISTAKES = {
     "turned": turn,
     "other-code": lambda reply: reply.update(reject="index") if "reject" in reply else None,
     "reject-and-result": lambda reply: reply.update(reject="trail"),
-    "unsupported": lambda reply: reply.update(unsupported=reply.pop("result")) if "result" in reply else None,
+    "unsupported": refuse,
     "other-seq": lambda reply: reply.update(seq=reply["seq"] + 1) if reply["seq"] % 7 == 3 else None,
     "crash": lambda reply: os._exit(3) if reply["seq"] % 50 == 11 else None,
     "silence": lambda reply: time.sleep(60) if reply["seq"] % 300 == 11 else None,

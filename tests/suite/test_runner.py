@@ -177,7 +177,7 @@ def test_the_runner_in_python_is_not_fooled(tmp_path):
     for command in (["sh", "-c", "exit 3"], ["/no/such/program"], ["echo", "no"]):
         assert run("python", command, tmp_path)[0] == 2
     pids = tmp_path / "pids"
-    orphan = ["sh", "-c", f"sleep 1000 & echo $! > {pids}; exec {' '.join(mangled('none'))}"]
+    orphan = ["sh", "-c", f"sleep 1000 > /dev/null & echo $! > {pids}; exec {' '.join(mangled('none'))}"]
     assert run("python", orphan, tmp_path, filters=["key/u32/child-*"])[0] == 0
     state = subprocess.run(
         ["ps", "-o", "stat=", "-p", pids.read_text().strip()], capture_output=True, text=True

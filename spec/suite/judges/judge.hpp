@@ -68,11 +68,13 @@ template <class Json> std::optional<std::string> judge(const Json &test, const J
         return "expected an answer, not " + reply.dump();
     const auto &found = reply["result"];
     if (expect.contains("near")) {
+        if (!found.contains("hits"))
+            return "no hits";
         const auto &near = expect["near"], &hits = near["hits"];
         for (std::size_t i = 0; i < std::max(hits.size(), found["hits"].size()); ++i)
             if (i >= hits.size() || i >= found["hits"].size() || !is_near(hits[i], found["hits"][i], near["ulps"].template get<long>()))
                 return "hits[" + std::to_string(i) + "] differs";
-        return std::nullopt;
+        return found.size() == 1 ? std::nullopt : std::optional<std::string>("expected hits and no more");
     }
     if (expect.contains("valid"))
         return std::nullopt;

@@ -171,7 +171,7 @@ fn parity() -> Profile {
             })
             .collect();
         let why = "A hollow mesh: odd between its walls, even in the hollow.";
-        let is_between = |at: usize| at % 2 == 0;
+        let is_between = |at: usize| at.is_multiple_of(2);
         asks(&mut author, &format!("{name}-hollow"), why, &hollow, &mixed, Query::Parity, is_between);
     }
     author.done()
@@ -264,8 +264,9 @@ fn is_clear(mesh: &Mesh, &[x, y, z, dx, dy, dz, ..]: &Ray, most: f64) -> bool {
         let (u, v) = (s.dot(p) / det, d.dot(q) / det);
         let t = e2.dot(q) / det;
         let least = u.min(v).min(1.0 - u - v);
-        // A NaN is not clear either.
-        if !(least.abs() > 1.0 / 32.0) {
+        // A NaN is not.
+        let is_away = least.abs() > 1.0 / 32.0;
+        if !is_away {
             return false;
         }
         if least < 0.0 || t < -1e-3 {
@@ -273,7 +274,8 @@ fn is_clear(mesh: &Mesh, &[x, y, z, dx, dy, dz, ..]: &Ray, most: f64) -> bool {
         }
         let loss = (sizes(e1, d, e2) / det.abs()).max(sizes(e2, s, e1) / e2.dot(q).abs());
         let is_other = i < mesh.triangles.len() / 2;
-        if !(loss <= most && t > 1e-3) || is_other && distances.iter().any(|&other| (other - t).abs() < 1e-3 * t) {
+        let is_well = loss <= most && t > 1e-3;
+        if !is_well || is_other && distances.iter().any(|&other| (other - t).abs() < 1e-3 * t) {
             return false;
         }
         distances.push(t);

@@ -60,6 +60,9 @@ impl WithTests for Cast {
     }
 }
 
+/// Vertices and rays.
+type Numbers = (Vec<[f32; 3]>, Vec<[f32; 8]>);
+
 impl Rays {
     /// Mesh and rays. What this library has no words for is there too: a mesh without triangles, and intervals at
     /// infinity.
@@ -92,7 +95,7 @@ impl Rays {
     ///
     /// # Errors
     /// [`RaysError::Floats`].
-    pub fn numbers(&self) -> Result<(Vec<[f32; 3]>, Vec<[f32; 8]>), RaysError> {
+    pub fn numbers(&self) -> Result<Numbers, RaysError> {
         fn all<const N: usize>(texts: &[String]) -> Result<Vec<[f32; N]>, RaysError> {
             texts.iter().map(|text| parse_floats(text).ok_or(RaysError::Floats)).collect()
         }
