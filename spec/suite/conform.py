@@ -6,6 +6,7 @@ and writes the same `--json` (schema/report.json). `stackless conform` also writ
 """
 
 import argparse
+import atexit
 import fnmatch
 import json
 import os
@@ -283,9 +284,22 @@ class Program:
 class Run:
     def __init__(self, args):
         self.args, self.program, self.hello, self.deadline = args, None, None, time.monotonic() + args.budget
+        self.is_starting = self.is_over = False
+
+    def terminate(self, *_):
+        """Not between the start of a program and its name: nobody could end it."""
+        self.is_over = True
+        if not self.is_starting:
+            sys.exit(143)
 
     def start(self):
-        self.program = Program(self.args.command, self.args.stderr)
+        self.is_starting = True
+        try:
+            self.program = Program(self.args.command, self.args.stderr)
+        finally:
+            self.is_starting = False
+        if self.is_over:
+            sys.exit(143)
         line = self.program.ask({"cmd": "hello", "protocol": 1}, self.args.timeout)
         hello = json.loads(line or "null")
         if not isinstance(hello, dict) or hello.get("protocol") != 1 or not isinstance(hello.get("profiles"), list):
@@ -365,6 +379,8 @@ def arguments():
 def main():
     args = arguments()
     run = Run(args)
+    atexit.register(run.stop)  # however we end
+    signal.signal(signal.SIGTERM, run.terminate)
     waivers = (
         {it["id"]: it["reason"] for it in json.loads(args.waivers.read_text(encoding="utf-8"))} if args.waivers else {}
     )

@@ -7,6 +7,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import time
 
 import pytest
 from mangle import MISTAKES
@@ -168,6 +169,16 @@ def test_the_skeletons_conform(runner, tmp_path):
         assert (status, passed) == (0, 277), text
 
 
+def is_gone(pid):
+    """Whether a process has ended, a little later: it may still be in the table, without doing anything."""
+    for _ in range(200):
+        state = subprocess.run(["ps", "-o", "stat=", "-p", pid], capture_output=True, text=True).stdout.strip()
+        if state == "" or state.startswith("Z"):
+            return True
+        time.sleep(0.01)
+    return False
+
+
 def test_the_runner_in_python_is_not_fooled(tmp_path):
     """Nothing asked, no program, an orphan, waivers that are old or of many."""
     status, text, _ = run(
@@ -179,10 +190,16 @@ def test_the_runner_in_python_is_not_fooled(tmp_path):
     pids = tmp_path / "pids"
     orphan = ["sh", "-c", f"sleep 1000 > /dev/null & echo $! > {pids}; exec {' '.join(mangled('none'))}"]
     assert run("python", orphan, tmp_path, filters=["key/u32/child-*"])[0] == 0
-    state = subprocess.run(
-        ["ps", "-o", "stat=", "-p", pids.read_text().strip()], capture_output=True, text=True
-    ).stdout.strip()
-    assert state == "" or state.startswith("Z")
+    assert is_gone(pids.read_text().strip())
+    # Who is ended takes the program along.
+    pids.unlink()
+    command = [*NAMES["python"], "--", "sh", "-c", f"echo $$ > {pids}; sleep 1000"]
+    with subprocess.Popen(command, stderr=subprocess.DEVNULL) as runner:
+        while not (pids.exists() and pids.read_text().strip()):
+            time.sleep(0.01)
+        runner.terminate()
+        assert runner.wait(20) == 143
+    assert is_gone(pids.read_text().strip())
     waivers = tmp_path / "waivers.json"
     for id, expected in (("key/u32/*", 0), ("key/u32/child-left-root", 1)):
         waivers.write_text(json.dumps([{"id": id, "reason": "known"}]))
