@@ -25,7 +25,7 @@ fn a_failing_case_teaches() {
     assert!(lines[2].starts_with("clauses ORACLE-1") && lines[3].starts_with("alone: stackless conform"), "{run:?}");
     let explain = lines[4].strip_prefix("step by step: stackless ").unwrap().replace('\'', "");
     stackless(&explain.replace("case.html", ""), &[&folder.path("case.html")]).passes();
-    assert!(lines[6].starts_with("trace/tape/"), "{run:?}");
+    assert!(lines[5].starts_with("trace/tape/"), "{run:?}");
     assert!(lines.contains(&"trace/script fails too: look there first"), "{run:?}");
     let version = stackless("suite list", &[]).passes().last_line().split([' ', ',']).nth(1).unwrap().to_owned();
     assert!(run.last_line().contains(&format!("x  does not conform (suite {version}): 0 of ")), "{run:?}");
