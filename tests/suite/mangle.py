@@ -55,6 +55,9 @@ MISTAKES = {
     "other-trail": lambda reply: first(reply, "trails", lambda trail: trail + "1"),
     "other-counter": lambda reply: first(reply, "counters", lambda word: word + "0"),
     "other-register": lambda reply: first(reply, "registers", lambda word: word + "0"),
+    "unset-registers": lambda reply: (
+        put(reply, "registers", [None for _ in words(reply, "registers")]) if words(reply, "registers") else None
+    ),
     "no-registers": lambda reply: drop(reply, "registers"),
     "one-register-less": lambda reply: words(reply, "registers")[:1] and words(reply, "registers").pop(),
     "t-1-ulp": lambda reply: first(reply, "hits", lambda hit: later(hit, 1)),
