@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Writes PEERS.md: what ray tracers answer to the level `ray`, by case.
 
-usage: peers.py STACKLESS > PEERS.md
+usage: peers.py STACKLESS PYTHON > PEERS.md
 
-STACKLESS is the command, built with `cargo build --release --features peers`.
+STACKLESS is the command, built with `cargo build --release --features peers`; PYTHON one that has embreex and open3d.
 """
 
 import collections
@@ -23,18 +23,27 @@ IMPLEMENTATIONS = {
     "parry3d": ["--peer", "parry3d"],
     "obvhs, two-wide": ["--peer", "obvhs-bvh2"],
     "obvhs, eight-wide": ["--peer", "obvhs-cwbvh"],
+    # Of PyPI, by adapters/tracers.py.
+    "embreex, robust": "embreex-robust",
+    "embreex": "embreex",
+    "open3d": "open3d",
 }
+NOT_ASKED = "not asked"
+PROFILES = ("grid", "exact", "watertight", "parity", "ulp-8", "ulp-256")
 
 TEXT = """\
 # What ray tracers answer to the level `ray`
 
 Made by [peers.py](peers.py). The first four are this library by its tests of triangles; of the others none promises what is asked
 here. Versions as in the [record of benchmarks](../../benches/records/2026-11-21-trees.md); Embree is that of Debian, which has
-assertions on.
+assertions on; embreex 4.4.0 and Open3D 0.20.0 are the wheels of PyPI, which are Embree too, asked by
+[adapters/tracers.py](adapters/tracers.py).
 
 A hit is wrong if another triangle is hit, or none, or some. Numbers are wrong if only t is not exact to the bit; for the tests of
 this library, which claim the feature `weights`, if t, u or v is not. A case is passed if none of its rays is answered wrongly, refused
-if an implementation says so (that its trees have not so many levels), and ended if its process ends without an answer.
+if an implementation says so (that its trees have not so many levels, or that its rays have no such ends), and ended if its process
+ends without an answer. `watertight`, `parity` and `ulp-N` ask for what tracers that round can promise; a tracer that does not count
+crossings is not asked for `parity`.
 """
 
 
@@ -45,22 +54,38 @@ class Rays(collections.namedtuple("Rays", "asked hits numbers none", defaults=(0
         return not (self.hits or self.numbers or self.none)
 
     def __str__(self):
-        return "" if self.passes() else self.none or f"{self.hits} + {self.numbers}"
+        return "" if self.passes() or self.none == NOT_ASKED else self.none or f"{self.hits} + {self.numbers}"
 
 
-def answer(command, profile, case):
-    """A process of its own for each case: some do not survive them."""
-    ask = {"cmd": "case", "seq": 1, "level": "ray", "profile": profile, "input": case["input"]}
-    lines = "".join(json.dumps(line) + "\n" for line in ({"cmd": "hello", "protocol": 1}, ask, {"cmd": "bye"}))
-    ran = subprocess.run(command, input=lines, capture_output=True, text=True, check=False)
-    hello, *answers = [json.loads(line) for line in ran.stdout.splitlines()]
-    said = next((it for it in answers if it.get("seq") == 1), {})
-    return said, "weights" in hello["features"]
+def answers(command, cases):
+    """What is answered to each case, and hello. Some do not survive a case: they are started again for the next."""
+    said, hello = {}, None
+    while len(said) < len(cases):
+        asks = [
+            {"cmd": "case", "seq": seq, "level": "ray", "profile": profile, "input": case["input"]}
+            for seq, (profile, case) in enumerate(cases)
+            if seq not in said
+        ]
+        lines = "".join(json.dumps(line) + "\n" for line in ({"cmd": "hello", "protocol": 1}, *asks, {"cmd": "bye"}))
+        ran = subprocess.run(command, input=lines, capture_output=True, text=True, check=False)
+        hello, *replies = [json.loads(line) for line in ran.stdout.splitlines()]
+        said.update({reply["seq"]: reply for reply in replies})
+        if len(said) < len(cases):
+            said[min(set(range(len(cases))) - set(said))] = {}
+    return hello, [said[seq] for seq in range(len(cases))]
 
 
-def compare(expected, said, has_weights):
+def compare(expect, said, has_weights):
+    """Of `near` the distance is a number, and any of its triangles right."""
+    near = expect.get("near")
+    expected = near["hits"] if near else expect["result"]["hits"]
     if "result" not in said:
         return Rays(len(expected), none="refused" if "unsupported" in said else "ended")
+    if near:
+        rays = list(zip(expected, said["result"]["hits"], strict=True))
+        hits = sum((a is None) != (b is None) or a is not None and b["prim"] not in a["prims"] for a, b in rays)
+        both = [(a, b) for a, b in rays if a and b and b["prim"] in a["prims"]]
+        return Rays(len(expected), hits, sum(abs(int(a["t"], 16) - int(b["t"], 16)) > near["ulps"] for a, b in both))
 
     def triangle(hit):
         return hit["prim"] if isinstance(hit, dict) else hit
@@ -79,7 +104,8 @@ def compare(expected, said, has_weights):
 def group(case):
     """The column of the summary."""
     _, profile, name = case.split("/")
-    return f"`grid`: {name.split('-')[0]}" if profile == "grid" else "`exact`"
+    part = name.split("-")[0]
+    return f"`grid`: {part if part in ('inside', 'edges') else 'ends'}" if profile == "grid" else f"`{profile}`"
 
 
 def row(cells):
@@ -87,30 +113,36 @@ def row(cells):
 
 
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) != 3:
         sys.exit(__doc__)
-    vectors = pathlib.Path(__file__).parent / "vectors/ray"
-    profiles = {profile: json.loads((vectors / f"{profile}.json").read_text()) for profile in ("grid", "exact")}
+    here = pathlib.Path(__file__).parent
+    vectors = here / "vectors/ray"
+    profiles = {profile: json.loads((vectors / f"{profile}.json").read_text()) for profile in PROFILES}
     cases = [(profile, case) for profile, file in profiles.items() for case in file["cases"]]
     found = {name: {} for name in IMPLEMENTATIONS}
     for name, args in IMPLEMENTATIONS.items():
         print(f"{name} ...", file=sys.stderr)
-        for profile, case in cases:
-            expected = case["expect"]["result"]["hits"]
-            found[name][case["id"]] = compare(expected, *answer([sys.argv[1], "suite", "serve", *args], profile, case))
+        foreign = [sys.argv[2], str(here / "adapters/tracers.py"), args]
+        command = foreign if isinstance(args, str) else [sys.argv[1], "suite", "serve", *args]
+        hello, said = answers(command, cases)
+        for (profile, case), reply in zip(cases, said, strict=True):
+            rays = compare(case["expect"], reply, "weights" in hello["features"])
+            is_asked = f"ray/{profile}" in hello["profiles"]
+            found[name][case["id"]] = rays if is_asked else Rays(rays.asked, none=NOT_ASKED)
 
     ids = [case["id"] for _, case in cases]
     sizes = collections.Counter(map(group, ids))
     rays = sum(rays.asked for rays in found["exact"].values())
     print(TEXT)
     passed = (f"{name}: passed of {size}" for name, size in sizes.items())
-    row(["", *passed, "refused", "ended", f"wrong hits, of {rays} answers", "wrong numbers"])
+    row(["", *passed, "refused", "ended", f"wrong hits, of {rays} rays", "wrong numbers"])
     row(["---", *("---:" for _ in range(len(sizes) + 4))])
     for name, results in found.items():
         passed = collections.Counter(group(id) for id, rays in results.items() if rays.passes())
         none = [sum(rays.none == why for rays in results.values()) for why in ("refused", "ended")]
         wrong = [sum(getattr(rays, field) for rays in results.values()) for field in ("hits", "numbers")]
-        row([name, *(passed[part] for part in sizes), *none, *wrong])
+        not_asked = {group(id) for id, rays in results.items() if rays.none == NOT_ASKED}
+        row([name, *("" if part in not_asked else passed[part] for part in sizes), *none, *wrong])
     print("\nRays with wrong hits + rays with wrong numbers, where there are any:\n")
     row(["case", "rays", *list(found)[1:]])
     row(["---", "---:", *(":---:" for _ in list(found)[1:])])

@@ -77,7 +77,7 @@ pub struct Cell {
     /// The node is missed: nothing below it is seen.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub miss: bool,
-    /// Distance at which it is entered, at least its parent's.
+    /// Distance at which it is entered, at least its parent's; the root may be entered late too.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub enter: u32,
     /// Distance at which it is left, at most its parent's; none is beyond all others.
@@ -137,10 +137,10 @@ impl Tape {
     /// A tape with these cells, by slot.
     ///
     /// `None` if there is not one for each node, a child is entered before its parent or left after it, a leaf is hit
-    /// or a node left before it is entered, the root is missed or not entered at 0, or an axis is not 0, 1 or 2.
+    /// or a node left before it is entered, or an axis is not 0, 1 or 2. The root may be missed or entered late: only a
+    /// search that tests nodes at their visit asks.
     pub fn from_cells(tree: &impl Topology, cells: Vec<Cell>) -> Option<Self> {
-        let root = tree.slot(tree.root());
-        if cells.len() != tree.node_count() || cells[root].miss || cells[root].enter != 0 {
+        if cells.len() != tree.node_count() {
             return None;
         }
         let mut pending = vec![tree.root()];

@@ -8,6 +8,8 @@ mod bad_input;
 mod bench;
 #[path = "cli/check.rs"]
 mod check;
+#[path = "cli/conform.rs"]
+mod conform;
 #[path = "cli/curve.rs"]
 mod curve;
 #[path = "cli/habits.rs"]

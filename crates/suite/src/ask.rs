@@ -171,4 +171,6 @@ pub enum Query {
     Closest,
     /// Whether there is any.
     Any,
+    /// Whether the surface is crossed an odd number of times.
+    Parity,
 }

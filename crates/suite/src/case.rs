@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 use stackless_bvh::name::named;
 
 /// Version of the suite, as in `spec/suite/VERSION`.
-pub const VERSION: &str = "1.3.0";
+pub const VERSION: &str = "1.4.0";
 
 /// What a case is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -121,6 +121,19 @@ pub struct SuiteCase {
     pub expect: Expect,
 }
 
+impl SuiteCase {
+    /// How much there is to look at: the elements of all lists of its input. Files are not in this order.
+    pub fn size(&self) -> usize {
+        fn elements(value: &Value) -> usize {
+            match value {
+                Value::Array(list) => list.len() + list.iter().map(elements).sum::<usize>(),
+                _ => 0,
+            }
+        }
+        self.input.values().map(elements).sum()
+    }
+}
+
 /// What is to be answered.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
@@ -129,8 +142,30 @@ pub enum Expect {
     Result(Map<String, Value>),
     /// A rejection with this code.
     Reject(String),
+    /// Closest hits whose distances may be off a little.
+    Near(Near),
     /// Anything that is right.
     Valid(bool),
+}
+
+/// Closest hits as far as rounding leaves them.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Near {
+    /// How many floats a distance may be off.
+    pub ulps: u32,
+    /// Of each ray.
+    pub hits: Vec<Option<NearHit>>,
+}
+
+/// A hit of which any triangle will do that is at this distance.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NearHit {
+    /// The bits of the distance, rounded once.
+    pub t: String,
+    /// Triangles.
+    pub prims: Vec<u32>,
 }
 
 /// The cases of one file.

@@ -5,10 +5,10 @@ use core::fmt;
 use serde_json::{Map, Value};
 
 use super::ask::{Ask, Build};
-use super::author::{depth_if_tree, keys_of, levels_if_tree};
+use super::author::{depth_if_tree, folds, keys_of, levels_if_tree};
 use super::bits::Bits;
 use super::text::Shown;
-use super::{Answer, Expect, Feature, Hello, SuiteCase};
+use super::{Answer, Expect, Feature, Hello, Near, NearHit, SuiteCase};
 
 /// What is wrong with an answer. In words, what is long is cut.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -79,7 +79,11 @@ pub fn judge(case: &SuiteCase, hello: &Hello, answer: &Answer) -> Result<(), Fla
         (_, Answer::Reject(code)) => return Err(Flaw::Rejected(code.clone())),
         (_, Answer::Result(result)) => result,
     };
-    let Expect::Result(expected) = expect else { return judge_table(case, result) };
+    let expected = match expect {
+        Expect::Result(expected) => expected,
+        Expect::Near(near) => return judge_near(near, result),
+        _ => return judge_table(case, result),
+    };
     let mut known: Vec<_> = expected.keys().map(String::as_str).collect();
     for (name, expected) in expected {
         if name == "trails" && !has(Feature::Trails) {
@@ -164,6 +168,38 @@ fn plain_hits(hits: &Value, has_weights: bool) -> Value {
     hits.iter().map(plain).collect()
 }
 
+/// Whether each hit is of a triangle that will do, at a distance that is near enough.
+fn judge_near(near: &Near, result: &Map<String, Value>) -> Result<(), Flaw> {
+    if let Some(name) = result.keys().find(|name| *name != "hits") {
+        return Err(Flaw::Unknown(name.clone()));
+    }
+    let found = result.get("hits").and_then(Value::as_array).ok_or_else(|| Flaw::Missing("hits".to_owned()))?;
+    let is_near = |expected: &NearHit, found: &Map<String, Value>| {
+        let place = |text: &str| u32::from_str_radix(text, 16).ok().filter(|_| text.len() == 8);
+        let prim = found.get("prim").and_then(Value::as_u64);
+        let off = place(&expected.t).zip(found.get("t").and_then(Value::as_str).and_then(place));
+        prim.is_some_and(|prim| expected.prims.iter().any(|&one| u64::from(one) == prim))
+            && off.is_some_and(|(a, b)| a.abs_diff(b) <= near.ulps)
+    };
+    for i in 0..near.hits.len().max(found.len()) {
+        let is_right = match (near.hits.get(i), found.get(i)) {
+            (Some(None), Some(Value::Null)) => true,
+            (Some(Some(expected)), Some(Value::Object(found))) => is_near(expected, found),
+            _ => false,
+        };
+        if !is_right {
+            let expected = match near.hits.get(i) {
+                Some(Some(NearHit { t, prims })) => format!("prim of {prims:?}, t {t} within {} ulp", near.ulps),
+                Some(None) => "null".to_owned(),
+                None => "nothing".to_owned(),
+            };
+            let found = found.get(i).map_or("nothing".to_owned(), ToString::to_string);
+            return Err(Flaw::Differs { at: format!("hits[{i}]"), expected, found });
+        }
+    }
+    Ok(())
+}
+
 /// What keys and trails say of the rest of the state.
 struct States {
     /// Key and trail at each visit, equally long.
@@ -236,16 +272,16 @@ fn judge_table(case: &SuiteCase, result: &Map<String, Value>) -> Result<(), Flaw
         return wrong("nobody has asked for one".to_owned());
     };
     let Some(depth) = depth_if_tree(&children) else { return wrong("the children are no tree".to_owned()) };
-    // Only long keys are folded.
-    let has_long_keys = depth >= u64::BITS;
+    // Only long keys are folded. A deep tree may have none among those that are hashed.
+    let (may_fold, must_fold) = (depth >= u64::BITS, folds(&children, reach));
     let is_known =
-        |name: &str| matches!(name, "displacements" | "cells" | "seed" | "bits") || name == "fold" && has_long_keys;
+        |name: &str| matches!(name, "displacements" | "cells" | "seed" | "bits") || name == "fold" && may_fold;
     if let Some(name) = result.keys().find(|name| !is_known(name)) {
         return Err(Flaw::Unknown(name.clone()));
     }
     let fold = match result.get("fold") {
         Some(seed) => seed.as_str().and_then(word),
-        None if has_long_keys => return Err(Flaw::Missing("fold".to_owned())),
+        None if must_fold => return Err(Flaw::Missing("fold".to_owned())),
         None => Some(0),
     };
     let Some(fold) = fold else { return wrong("fold: not a word of 64 bits".to_owned()) };

@@ -9,6 +9,7 @@
 
 mod ask;
 pub mod author;
+mod basis;
 mod bits;
 mod case;
 mod files;
@@ -18,20 +19,21 @@ mod process;
 mod protocol;
 mod report;
 mod runner;
+mod shipped;
 mod text;
 mod told;
 mod waivers;
 mod walk;
 
 pub use ask::{Ask, Best, Build, Children, LookupTable, Query, Rays, Start, Walk, WideChildren, WideWalk};
-pub use case::{Expect, Feature, Level, Profile, Strength, Suite, SuiteCase, VERSION};
+pub use case::{Expect, Feature, Level, Near, NearHit, Profile, Strength, Suite, SuiteCase, VERSION};
 pub use files::SuiteError;
 pub use judge::{Flaw, judge};
 pub use own::text::hex;
-pub use own::{Library, RaysError, Traversal};
+pub use own::{Library, RayScene, RaysError, Traversal};
 pub use protocol::{Answer, Hello, Implementation, Limits, PROTOCOL, Reply, WideLimits, serve};
 pub use report::{CaseResult, Outcome, Report};
 pub use runner::{RunError, Runner};
 pub use told::{Told, wide_events};
-pub use waivers::{WaiverError, Waivers};
+pub use waivers::{Waiver, WaiverError, Waivers};
 pub use walk::WalkError;

@@ -1,12 +1,12 @@
 //! A program that is asked: its lines in, its lines out, nobody waits for ever, and nothing of it survives us.
 
-use std::io::{self, BufRead, BufReader, Write};
+use std::io::{self, BufRead, BufReader, Read as _, Write};
 use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
 use std::thread;
 use std::time::Duration;
 
-use super::text::read_line;
+use super::text::{Shown, read_line};
 
 /// Lines that are held before they are heard: a program that floods us has to wait.
 const HELD: usize = 4;
@@ -32,16 +32,19 @@ pub(super) struct Process {
     /// To the thread that writes; `None` when its input is closed.
     input: Option<Sender<String>>,
     output: Receiver<Heard>,
+    /// The last line of its standard error, when that is closed; `None` where it is ours.
+    said: Option<Receiver<String>>,
 }
 
 impl Process {
-    /// Its standard error is ours.
-    pub(super) fn start(command: &[String]) -> io::Result<Self> {
+    /// Its standard error is ours, or the last line of it is kept.
+    pub(super) fn start(command: &[String], passes_errors: bool) -> io::Result<Self> {
         let (program, arguments) =
             command.split_first().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "no command"))?;
         let group = Group::new()?;
         let mut command = Command::new(program);
         command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped());
+        command.stderr(if passes_errors { Stdio::inherit() } else { Stdio::piped() });
         let mut child = group.join(&mut command).spawn()?;
         let (input, to_write) = channel::<String>();
         let (heard, output) = sync_channel(HELD);
@@ -58,7 +61,12 @@ impl Process {
         if let Some(stdout) = child.stdout.take() {
             thread::spawn(move || listen(BufReader::new(stdout), &heard));
         }
-        Ok(Self { child, _group: group, input: Some(input), output })
+        let said = child.stderr.take().map(|stderr| {
+            let (tell, said) = channel();
+            thread::spawn(move || tell.send(last_line(BufReader::new(stderr))));
+            said
+        });
+        Ok(Self { child, _group: group, input: Some(input), output, said })
     }
 
     /// Writes a line, some time.
@@ -83,8 +91,18 @@ impl Process {
         self.input = None;
     }
 
-    /// How it has ended, or was ended just now.
+    /// How it has ended, or was ended just now, and what it said last of it.
     pub(super) fn end(mut self) -> String {
+        let how = self.status();
+        // What it has started may keep its standard error open.
+        let said = self.said.as_ref().and_then(|said| said.recv_timeout(Duration::from_millis(200)).ok());
+        match said.filter(|line| !line.is_empty()) {
+            Some(line) => format!("{how}; its standard error ends with: {}", Shown(line)),
+            None => how,
+        }
+    }
+
+    fn status(&mut self) -> String {
         // It has closed its output; a little time to end by itself.
         for _ in 0..50 {
             match self.child.try_wait() {
@@ -151,6 +169,20 @@ impl Group {
 
     fn join<'c>(&self, command: &'c mut Command) -> &'c mut Command {
         command
+    }
+}
+
+/// The last line with something in it: mostly the reason. All is read, so that nobody has to wait for us.
+fn last_line(mut errors: impl BufRead) -> String {
+    let (mut last, mut line) = (Vec::new(), Vec::new());
+    loop {
+        line.clear();
+        // A line without an end is cut.
+        match errors.by_ref().take(1 << 12).read_until(b'\n', &mut line) {
+            Ok(0) | Err(_) => return String::from_utf8_lossy(&last).trim().to_owned(),
+            Ok(_) if line.iter().all(u8::is_ascii_whitespace) => {}
+            Ok(_) => last.clone_from(&line),
+        }
     }
 }
 

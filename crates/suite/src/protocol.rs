@@ -93,12 +93,36 @@ impl WideLimits {
 
 /// The answer to a case, with the case's number.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Fields")]
 pub struct Reply {
     /// Of the case.
     pub seq: u64,
     /// What is answered.
     #[serde(flatten)]
     pub answer: Answer,
+}
+
+/// A reply as it is written: one of the three is there. Other fields are nobody's.
+#[derive(Deserialize)]
+struct Fields {
+    seq: u64,
+    result: Option<Map<String, Value>>,
+    reject: Option<String>,
+    unsupported: Option<String>,
+}
+
+impl TryFrom<Fields> for Reply {
+    type Error = &'static str;
+
+    fn try_from(Fields { seq, result, reject, unsupported }: Fields) -> Result<Self, Self::Error> {
+        let answer = match (result, reject, unsupported) {
+            (Some(result), None, None) => Answer::Result(result),
+            (None, Some(code), None) => Answer::Reject(code),
+            (None, None, Some(why)) => Answer::Unsupported(why),
+            _ => return Err("expected one of result, reject and unsupported"),
+        };
+        Ok(Self { seq, answer })
+    }
 }
 
 /// What is answered to a case.

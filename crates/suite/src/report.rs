@@ -4,7 +4,8 @@ use core::fmt::{self, Write as _};
 
 use serde::Serialize;
 
-use super::{Flaw, Hello, Strength};
+use super::basis::bases;
+use super::{Flaw, Hello, Strength, VERSION, Waiver};
 
 /// What came of a case.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,7 +15,7 @@ pub enum Outcome {
     /// The answer is wrong.
     Fail(Flaw),
     /// The implementation has said that it does not have the profile or a feature; it was not asked.
-    Unsupported,
+    NotAsked,
     /// What was written is not an answer to the case.
     Error(String),
     /// The program ended.
@@ -29,7 +30,7 @@ impl Outcome {
         match self {
             Self::Pass => "pass",
             Self::Fail(_) => "fail",
-            Self::Unsupported => "unsupported",
+            Self::NotAsked => "not-asked",
             Self::Error(_) => "error",
             Self::Crash(_) => "crash",
             Self::Timeout => "timeout",
@@ -38,7 +39,7 @@ impl Outcome {
 
     /// Whether the case was asked, and not answered right.
     pub const fn is_bad(&self) -> bool {
-        !matches!(self, Self::Pass | Self::Unsupported)
+        !matches!(self, Self::Pass | Self::NotAsked)
     }
 }
 
@@ -49,7 +50,7 @@ impl fmt::Display for Outcome {
             Self::Error(what) => f.write_str(what),
             Self::Crash(how) => write!(f, "the program ended: {how}"),
             Self::Timeout => f.write_str("no answer in time (is every line flushed?)"),
-            Self::Pass | Self::Unsupported => f.write_str(self.name()),
+            Self::Pass | Self::NotAsked => f.write_str(self.name()),
         }
     }
 }
@@ -63,6 +64,10 @@ pub struct CaseResult {
     pub clauses: Vec<String>,
     /// Of the case.
     pub strength: Strength,
+    /// Of the case: what is special.
+    pub why: String,
+    /// Of the case: how much there is to look at.
+    pub size: usize,
     /// What came of it.
     pub outcome: Outcome,
     /// Why it is known to fail.
@@ -70,6 +75,17 @@ pub struct CaseResult {
 }
 
 impl CaseResult {
+    /// Level and profile of the case.
+    pub fn profile(&self) -> &str {
+        self.id.rsplit_once('/').map_or("", |(profile, _)| profile)
+    }
+
+    /// The command that shows the case step by step, where there is one.
+    pub fn explained_by(&self) -> Option<String> {
+        let is_walk = self.id.starts_with("trace/") && !self.profile().ends_with("invalid");
+        is_walk.then(|| format!("stackless explain --suite-case '{}' -o case.html", self.id))
+    }
+
     /// Whether the implementation does not conform for this: a must that is not waived, or a waiver that has grown old.
     pub const fn is_failure(&self) -> bool {
         match self.waived {
@@ -96,6 +112,39 @@ impl Report {
         self.faults.is_empty() && !self.verdicts.iter().any(CaseResult::is_failure)
     }
 
+    /// What failed, in the order to look at it: the smallest case of each profile, basic profiles first; then the next
+    /// smallest of each, and so on.
+    pub fn failures(&self) -> Vec<&CaseResult> {
+        let mut failed: Vec<_> = self.verdicts.iter().filter(|verdict| verdict.is_failure()).collect();
+        failed.sort_by_key(|verdict| (bases(verdict.profile()).len(), verdict.profile(), verdict.size));
+        let rank = |i: usize| failed[..i].iter().rev().take_while(|it| it.profile() == failed[i].profile()).count();
+        let mut ranked: Vec<_> = (0..failed.len()).map(|i| (rank(i), failed[i])).collect();
+        ranked.sort_by_key(|&(rank, _)| rank);
+        ranked.into_iter().map(|(_, verdict)| verdict).collect()
+    }
+
+    /// A more basic profile, in which the mistake of a case shows sooner: one that fails too, or one that was not asked.
+    pub fn look_first(&self, verdict: &CaseResult) -> Option<String> {
+        let of = |base: &str| self.verdicts.iter().filter(move |it| it.profile() == base).collect::<Vec<_>>();
+        let bases = bases(verdict.profile());
+        if let Some(base) = bases.iter().find(|base| of(base).iter().any(|it| it.is_failure())) {
+            return Some(format!("{base} fails too: look there first"));
+        }
+        let is_named = |base: &str| self.hello.profiles.iter().any(|name| name == base);
+        let unnamed = bases.iter().rfind(|base| !is_named(base))?;
+        Some(format!("{unnamed}, on which this rests, is not named: its cases say more"))
+    }
+
+    /// The list of waivers with which this run succeeds. Those that there were keep their reasons.
+    pub fn to_waivers(&self) -> Vec<Waiver> {
+        let bad = self.verdicts.iter().filter(|it| it.outcome.is_bad() && it.strength == Strength::Must);
+        let waiver = |it: &CaseResult| Waiver {
+            id: it.id.clone(),
+            reason: it.waived.clone().unwrap_or_else(|| format!("{}: {}", it.outcome.name(), it.outcome)),
+        };
+        bad.map(waiver).collect()
+    }
+
     /// Number of cases with this outcome, waived ones apart.
     pub fn count(&self, name: &str) -> usize {
         self.verdicts.iter().filter(|verdict| verdict.waived.is_none() && verdict.outcome.name() == name).count()
@@ -113,14 +162,16 @@ impl Report {
             id: String,
             clauses: Vec<String>,
             strength: Strength,
+            why: String,
             outcome: &'static str,
             #[serde(skip_serializing_if = "Option::is_none")]
-            why: Option<String>,
+            what: Option<String>,
             #[serde(skip_serializing_if = "Option::is_none")]
             waived: Option<String>,
         }
         #[derive(Serialize)]
         struct Text {
+            suite: &'static str,
             implementation: Hello,
             conforms: bool,
             faults: Vec<String>,
@@ -130,11 +181,13 @@ impl Report {
             id: verdict.id.clone(),
             clauses: verdict.clauses.clone(),
             strength: verdict.strength,
+            why: verdict.why.clone(),
             outcome: verdict.outcome.name(),
-            why: verdict.outcome.is_bad().then(|| verdict.outcome.to_string()),
+            what: verdict.outcome.is_bad().then(|| verdict.outcome.to_string()),
             waived: verdict.waived.clone(),
         };
         Text {
+            suite: VERSION,
             implementation: self.hello.clone(),
             conforms: self.is_conforming(),
             faults: self.faults.clone(),
@@ -151,7 +204,7 @@ impl Report {
         let tests = self.verdicts.len() + self.faults.len();
         let mut text = format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{tests}\" failures=\"{failures}\" \
-             errors=\"0\" skipped=\"{skipped}\">\n",
+             errors=\"0\" skipped=\"{skipped}\">\n<properties><property name=\"suite\" value=\"{VERSION}\"/></properties>\n",
             escaped(&self.hello.name),
         );
         for verdict in &self.verdicts {
@@ -160,8 +213,8 @@ impl Report {
                 (Outcome::Pass, Some(_)) => "<failure message=\"waived, and passes\"/>".to_owned(),
                 (Outcome::Pass, None) => String::new(),
                 (outcome, None) if verdict.is_failure() => {
-                    let clauses = verdict.clauses.join(", ");
-                    format!("<failure message=\"{}\">{}</failure>", escaped(&outcome.to_string()), escaped(&clauses))
+                    let more = format!("{}\nclauses {}", verdict.why, verdict.clauses.join(", "));
+                    format!("<failure message=\"{}\">{}</failure>", escaped(&outcome.to_string()), escaped(&more))
                 }
                 (outcome, waived) => {
                     let why = waived.clone().unwrap_or_else(|| outcome.to_string());

@@ -1,12 +1,14 @@
 //! Asks a program the cases, and survives whatever it does.
 
-use std::collections::VecDeque;
-use std::time::Duration;
+use std::collections::{HashSet, VecDeque};
+use std::time::{Duration, Instant};
 
 use super::process::{Heard, Process};
 use super::protocol::Request;
 use super::text::Shown;
-use super::{CaseResult, Hello, Outcome, PROTOCOL, Profile, Reply, Report, Strength, Suite, SuiteCase, Waivers, judge};
+use super::{
+    CaseResult, Hello, Outcome, PROTOCOL, Profile, Reply, Report, Strength, Suite, SuiteCase, Waiver, Waivers, judge,
+};
 
 /// A run to be.
 #[derive(Debug)]
@@ -15,14 +17,18 @@ pub struct Runner<'s> {
     pub command: Vec<String>,
     /// The cases.
     pub suite: &'s Suite,
-    /// Cases that are known to fail.
+    /// Cases that are known to fail. Those of cases that are not in `suite` are passed over.
     pub waivers: Waivers,
     /// How long to wait for an answer.
     pub timeout: Duration,
+    /// How long the whole run may take; what is not answered by then is given up.
+    pub budget: Duration,
     /// How many cases are asked before the first is answered; at least 1.
     pub window: usize,
     /// Whether to end at the first case that fails; the others are not asked.
     pub fail_fast: bool,
+    /// Whether the standard error of the program is ours; otherwise its last line is told where the program ends.
+    pub passes_errors: bool,
 }
 
 /// Why there was no run.
@@ -44,12 +50,6 @@ pub enum RunError {
         /// What came instead.
         what: String,
     },
-    /// A waiver is of no case.
-    #[error("waivers: there is no case '{id}' in what is run")]
-    Waiver {
-        /// Its id.
-        id: String,
-    },
 }
 
 /// Programs that do nothing but end or keep silent are started this often in a row.
@@ -61,25 +61,28 @@ impl Runner<'_> {
     /// # Errors
     /// [`RunError`], where there is nothing to report about.
     pub fn run(&self, mut progress: impl FnMut(&CaseResult)) -> Result<Report, RunError> {
+        let deadline = Instant::now() + self.budget;
         let cases: Vec<_> = self.suite.cases().collect();
-        if let Some(id) = self.waivers.ids().find(|id| !cases.iter().any(|(_, case)| case.id == *id)) {
-            return Err(RunError::Waiver { id: id.to_owned() });
-        }
         let (hello, process) = self.start()?;
-        let mut faults = unknown_profiles(&hello, self.suite);
-        let mut outcomes: Vec<Option<Outcome>> = cases
-            .iter()
-            .map(|(profile, case)| (!hello.asks_for(profile, case)).then_some(Outcome::Unsupported))
-            .collect();
+        let mut faults = wrong_names(&hello, self.suite);
+        let mut outcomes: Vec<Option<Outcome>> =
+            cases.iter().map(|(profile, case)| (!hello.asks_for(profile, case)).then_some(Outcome::NotAsked)).collect();
         let to_ask: VecDeque<_> = (0..cases.len()).filter(|&i| outcomes[i].is_none()).collect();
         if to_ask.is_empty() {
             let why = "the program names no profile of these cases, or lacks their features";
             faults.push(format!("nothing was asked: {why}"));
         }
         let verdict = |i: usize, outcome: Outcome| {
-            let (_, SuiteCase { id, clauses, strength, .. }) = cases[i];
-            let waived = self.waivers.reason(id).map(ToOwned::to_owned);
-            CaseResult { id: id.clone(), clauses: clauses.clone(), strength: *strength, outcome, waived }
+            let (_, case) = cases[i];
+            let SuiteCase { id, clauses, strength, why, .. } = case.clone();
+            // Of the cases of a pattern some may pass, and one that is not asked needs no excuse.
+            let is_excused = |waiver: &&Waiver| match outcome {
+                Outcome::NotAsked => false,
+                Outcome::Pass => !waiver.is_pattern(),
+                _ => true,
+            };
+            let waived = self.waivers.of(&id).filter(is_excused).map(|waiver| waiver.reason.clone());
+            CaseResult { id, clauses, strength, why, size: case.size(), outcome, waived }
         };
         let mut told = |i: usize, outcome: &Outcome| progress(&verdict(i, outcome.clone()));
         let mut turn = Turn {
@@ -93,6 +96,7 @@ impl Runner<'_> {
             unclear: None,
             is_over: false,
             faults: &mut faults,
+            deadline,
         };
         let mut process = Some(process);
         let mut failed_starts = 0;
@@ -117,13 +121,20 @@ impl Runner<'_> {
             }
         }
         turn.tell_unclear();
-        let outcomes = outcomes.into_iter().map(|outcome| outcome.unwrap_or(Outcome::Unsupported));
-        Ok(Report { hello, verdicts: outcomes.enumerate().map(|(i, outcome)| verdict(i, outcome)).collect(), faults })
+        let is_over = turn.is_over;
+        let outcomes = outcomes.into_iter().map(|outcome| outcome.unwrap_or(Outcome::NotAsked));
+        let verdicts: Vec<_> = outcomes.enumerate().map(|(i, outcome)| verdict(i, outcome)).collect();
+        // After a first failure nobody knows what the others need.
+        if !is_over {
+            faults.extend(self.waivers.all().iter().filter_map(|waiver| not_needed(waiver, &verdicts)));
+        }
+        Ok(Report { hello, verdicts, faults })
     }
 
     fn start(&self) -> Result<(Hello, Process), RunError> {
         let command = || self.command.join(" ");
-        let process = Process::start(&self.command).map_err(|error| RunError::Start { command: command(), error })?;
+        let process = Process::start(&self.command, self.passes_errors)
+            .map_err(|error| RunError::Start { command: command(), error })?;
         process.say(text(&Request::Hello { protocol: PROTOCOL }));
         let wrong = |what: String| Err(RunError::Hello { command: command(), what });
         let line = match process.hear(self.timeout) {
@@ -147,11 +158,31 @@ fn text(request: &Request) -> String {
     serde_json::to_string(request).unwrap_or_default()
 }
 
-fn unknown_profiles(hello: &Hello, suite: &Suite) -> Vec<String> {
+/// Profiles that there are not, and what is named twice.
+fn wrong_names(hello: &Hello, suite: &Suite) -> Vec<String> {
     let known = super::author::names();
     let is_known = |name: &String| known.contains(name) || suite.profiles.iter().any(|profile| profile.name() == *name);
     let unknown = hello.profiles.iter().filter(|name| !is_known(name));
-    unknown.map(|name| format!("there is no profile '{}'", Shown(name))).collect()
+    let unknown = unknown.map(|name| format!("there is no profile '{}'", Shown(name)));
+    let (mut profiles, mut features) = (HashSet::new(), HashSet::new());
+    let twice = hello.profiles.iter().filter(|name| !profiles.insert(*name)).map(|name| Shown(name).to_string());
+    let twice_too = hello.features.iter().filter(|feature| !features.insert(**feature)).map(ToString::to_string);
+    unknown.chain(twice.chain(twice_too).map(|name| format!("'{name}' is named twice"))).collect()
+}
+
+/// What is wrong with a waiver of cases that were run, beside that a case of its own passes.
+fn not_needed(waiver: &Waiver, verdicts: &[CaseResult]) -> Option<String> {
+    let of: Vec<_> = verdicts.iter().filter(|verdict| waiver.is_of(&verdict.id)).collect();
+    let id = Shown(&waiver.id);
+    if of.is_empty() {
+        None
+    } else if of.iter().all(|verdict| verdict.outcome == Outcome::NotAsked) {
+        Some(format!("the waiver of '{id}' is not needed: the case was not asked"))
+    } else if waiver.is_pattern() && !of.iter().any(|verdict| verdict.outcome.is_bad()) {
+        Some(format!("the waiver of '{id}' is not needed any more: no such case fails"))
+    } else {
+        None
+    }
 }
 
 /// What is asked of one start of the program after another.
@@ -169,6 +200,8 @@ struct Turn<'a> {
     /// Whether one has failed that was to be the last.
     is_over: bool,
     faults: &'a mut Vec<String>,
+    /// When the whole run is given up.
+    deadline: Instant,
 }
 
 type Told<'a> = &'a mut dyn FnMut(usize, &Outcome);
@@ -188,7 +221,13 @@ impl Turn<'_> {
                 self.asked.push_back(i);
             }
             let Some(&front) = self.asked.front() else { return self.bye(process, last) };
-            match process.hear(self.runner.timeout) {
+            let left = self.deadline.saturating_duration_since(Instant::now());
+            match process.hear(self.runner.timeout.min(left)) {
+                Heard::Silence if left < self.runner.timeout => {
+                    let why = format!("given up: the run has taken {:?}", self.runner.budget);
+                    self.faults.push(why.clone());
+                    return self.give_up(&why, told);
+                }
                 Heard::Line(line) => match self.judge(front, last, &line) {
                     Ok(outcome) => {
                         self.settle(front, outcome, told);
@@ -270,7 +309,7 @@ impl Turn<'_> {
         }
         told(i, &outcome);
         let (_, SuiteCase { id, strength, .. }) = self.cases[i];
-        let is_failure = outcome.is_bad() && *strength == Strength::Must && self.runner.waivers.reason(id).is_none();
+        let is_failure = outcome.is_bad() && *strength == Strength::Must && self.runner.waivers.of(id).is_none();
         if self.runner.fail_fast && is_failure {
             self.is_over = true;
             self.to_ask.clear();

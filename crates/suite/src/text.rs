@@ -57,10 +57,16 @@ impl<T: AsRef<str>> fmt::Display for Shown<T> {
         const MOST: usize = 120;
         let text = self.0.as_ref().trim_end();
         for c in text.chars().take(MOST) {
-            if c.is_control() { write!(f, "{}", c.escape_unicode())? } else { f.write_char(c)? }
+            if is_seen(c) { f.write_char(c)? } else { write!(f, "{}", c.escape_unicode())? }
         }
         if text.chars().nth(MOST).is_some() { f.write_char('…') } else { Ok(()) }
     }
+}
+
+/// Whether a terminal shows a character and does nothing else: no codes, and no change of the writing's direction.
+fn is_seen(c: char) -> bool {
+    !c.is_control()
+        && !matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
 }
 
 #[cfg(test)]
@@ -77,6 +83,12 @@ mod tests {
         assert_eq!(parse_floats::<1>("3f800000 80000000"), None);
         assert_eq!(parse_floats::<1>("3f80000"), None);
         assert_eq!(parse_floats::<2>("3f800000"), None);
+    }
+
+    #[test]
+    fn what_others_write_does_nothing() {
+        let shown = Shown("a\u{1b}[2J\u{9b}b\u{202e}c\u{feff}\nd").to_string();
+        assert_eq!(shown, "a\\u{1b}[2J\\u{9b}b\\u{202e}c\\u{feff}\\u{a}d");
     }
 
     #[test]

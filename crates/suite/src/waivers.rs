@@ -1,18 +1,41 @@
 //! Cases that an implementation is known to fail.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use stackless_scene::read_text;
+use wildmatch::WildMatch;
 
+use super::Suite;
 use super::text::Shown;
 
-/// Cases that fail for a reason that is known: `[{"id": ..., "reason": ...}, ...]`. One that passes is reported, so
-/// that the list does not grow old.
+/// Cases that fail for a reason that is known: `[{"id": ..., "reason": ...}, ...]`. In an id `*` is any text and `?` any
+/// character. One that is not needed is reported, so that the list does not grow old.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Waivers {
-    reasons: BTreeMap<String, String>,
+    list: Vec<Waiver>,
+}
+
+/// An entry of the list.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Waiver {
+    /// Of a case, or a pattern of such.
+    pub id: String,
+    /// Why it fails.
+    pub reason: String,
+}
+
+impl Waiver {
+    /// Whether it is of more than one case: of these some may pass.
+    pub fn is_pattern(&self) -> bool {
+        self.id.contains(['*', '?'])
+    }
+
+    /// Whether it is of this case.
+    pub fn is_of(&self, id: &str) -> bool {
+        self.id == id || self.is_pattern() && WildMatch::new(&self.id).matches(id)
+    }
 }
 
 /// Why a file is not a list of waivers.
@@ -27,20 +50,16 @@ pub enum WaiverError {
     /// An id stands twice.
     #[error("case '{}' stands twice", Shown(.0))]
     Twice(String),
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Waiver {
-    id: String,
-    reason: String,
+    /// There is no such case.
+    #[error("there is no case '{}'", Shown(.0))]
+    Unknown(String),
 }
 
 impl Waivers {
     /// Reads a file.
     ///
     /// # Errors
-    /// [`WaiverError`].
+    /// [`WaiverError`], but not [`WaiverError::Unknown`].
     pub fn load(path: &Path) -> Result<Self, WaiverError> {
         Self::parse(&read_text(path)?)
     }
@@ -51,22 +70,32 @@ impl Waivers {
     /// [`WaiverError::Json`] and [`WaiverError::Twice`].
     pub fn parse(text: &str) -> Result<Self, WaiverError> {
         let list: Vec<Waiver> = serde_json::from_str(text)?;
-        let mut reasons = BTreeMap::new();
-        for Waiver { id, reason } in list {
-            if reasons.insert(id.clone(), reason).is_some() {
-                return Err(WaiverError::Twice(id));
-            }
+        let twice = |(i, waiver): (usize, &Waiver)| list[..i].iter().any(|before| before.id == waiver.id);
+        if let Some(i) = (0..list.len()).find(|&i| twice((i, &list[i]))) {
+            return Err(WaiverError::Twice(list[i].id.clone()));
         }
-        Ok(Self { reasons })
+        Ok(Self { list })
     }
 
-    /// Why a case is known to fail.
-    pub fn reason(&self, id: &str) -> Option<&str> {
-        self.reasons.get(id).map(String::as_str)
+    /// Whether each is of a case of the suite: of the whole one, not only of what is run.
+    ///
+    /// # Errors
+    /// [`WaiverError::Unknown`], for the first that is not.
+    pub fn check(&self, suite: &Suite) -> Result<(), WaiverError> {
+        match self.list.iter().find(|waiver| !suite.cases().any(|(_, case)| waiver.is_of(&case.id))) {
+            Some(waiver) => Err(WaiverError::Unknown(waiver.id.clone())),
+            None => Ok(()),
+        }
     }
 
-    /// All ids.
-    pub fn ids(&self) -> impl Iterator<Item = &str> {
-        self.reasons.keys().map(String::as_str)
+    /// The waiver of a case: by its own id, or else the first pattern.
+    pub fn of(&self, id: &str) -> Option<&Waiver> {
+        let own = self.list.iter().find(|waiver| waiver.id == id);
+        own.or_else(|| self.list.iter().find(|waiver| waiver.is_of(id)))
+    }
+
+    /// All of them.
+    pub fn all(&self) -> &[Waiver] {
+        &self.list
     }
 }

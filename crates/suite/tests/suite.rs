@@ -24,6 +24,8 @@ mod foreign;
 mod imports;
 #[path = "suite/layers.rs"]
 mod layers;
+#[path = "suite/report.rs"]
+mod report;
 #[path = "suite/runner.rs"]
 mod runner;
 #[path = "../../../tests/library/bites/table.rs"]
@@ -52,6 +54,7 @@ fn the_files_are_as_made() {
         assert!(std::fs::read_to_string(&path).unwrap_or_default() == text, "{} is not what is made", path.display());
     }
     assert_eq!(Suite::load(&root()).unwrap(), *suite);
+    assert!(std::env::var_os("UPDATE").is_some() || Suite::shipped().unwrap() == *suite);
 }
 
 /// `spec/suite/peers.py` makes the table anew; what others answer is not asked here.
@@ -60,7 +63,8 @@ fn the_table_of_other_ray_tracers_has_each_case() {
     let suite = &*SUITE;
     let text = std::fs::read_to_string(root().join("PEERS.md")).unwrap();
     let rows: Vec<_> = text.lines().filter_map(|line| line.strip_prefix("| `ray/")?.split('`').next()).collect();
-    let has_hits = |case: &&SuiteCase| case.id.starts_with("ray/") && matches!(case.expect, Expect::Result(_));
+    let has_hits =
+        |case: &&SuiteCase| case.id.starts_with("ray/") && matches!(case.expect, Expect::Result(_) | Expect::Near(_));
     let cases: Vec<_> =
         suite.cases().map(|(_, case)| case).filter(has_hits).map(|case| &case.id["ray/".len()..]).collect();
     assert_eq!(BTreeSet::from_iter(rows), BTreeSet::from_iter(cases));
@@ -197,6 +201,33 @@ fn a_table_needs_its_fields_and_no_more() {
             assert_eq!(with(field, Some("0")), Err(Flaw::Unknown(field.to_owned())), "{name}");
         }
     }
+}
+
+/// A deep tree of which no long key is hashed needs no seed of the fold, and may have one. `[HASH-6]`
+#[test]
+fn a_table_without_long_keys_may_have_no_fold() {
+    let mut library = Library::default();
+    let hello = library.hello();
+    let (mut without, mut needs) = (0, 0);
+    for (profile, case) in SUITE.cases().filter(|(profile, _)| profile.name() == "hash/build-deep") {
+        let Answer::Result(mut result) = library.answer(profile.level, &profile.profile, &case.input) else {
+            panic!("{}", case.id)
+        };
+        result.insert("fold".to_owned(), "1".into());
+        let may_have_any = judge(case, &hello, &Answer::Result(result.clone())).is_ok();
+        result.remove("fold");
+        match judge(case, &hello, &Answer::Result(result)) {
+            Ok(()) => {
+                assert!(may_have_any, "{}", case.id);
+                without += 1;
+            }
+            flaw => {
+                assert_eq!(flaw, Err(Flaw::Missing("fold".to_owned())), "{}", case.id);
+                needs += 1;
+            }
+        }
+    }
+    assert!(without >= 6 && needs >= 20, "{without} without, {needs} with a fold");
 }
 
 /// Each planted bug, as an implementation, fails a case of the clause that it breaks. `[CONF-4]`

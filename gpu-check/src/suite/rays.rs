@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::{BinaryTracer, Hit};
 use stackless_bvh::tree::Topology as _;
 use stackless_suite::{Answer, Ask, Query as Asked};
@@ -43,29 +43,43 @@ impl Rays {
 
     pub(super) fn answer(&mut self, device: &Device<'_>, profile: &str, ask: &Ask) -> Result<Option<Answer>, GpuError> {
         let Ask::Ray(asked) = ask else { return Ok(None) };
-        let (mesh, rays) = match asked.read() {
-            Ok(read) => read,
+        let scene = match asked.read() {
+            Ok(scene) => scene,
             Err(error) => return Ok(error.code().map(|code| Answer::Reject(code.to_owned()))),
         };
-        let Ok(bvh) = Bvh::sah(&mesh, SahOptions::default()) else { return Ok(None) };
+        if profile != "exact" && self.refines.is_none() {
+            return Ok(None);
+        }
+        let any = asked.query == Asked::Any;
+        let hits = scene.hits(|mesh, rays| self.trace(device, profile, mesh, &rays, any))?;
+        Ok(Some(result([("hits", Value::Array(hits))])))
+    }
+
+    /// One answer for each ray.
+    fn trace(
+        &mut self,
+        device: &Device<'_>,
+        profile: &str,
+        mesh: &Mesh,
+        rays: &[Ray],
+        any: bool,
+    ) -> Result<Vec<Value>, GpuError> {
+        let bvh = Bvh::sah(mesh, SahOptions::default()).map_err(|error| GpuError::Data(error.to_string()))?;
         if bvh.depth() > device.scene_depth() {
             return Err(GpuError::Data(format!("a hierarchy of {} edges", bvh.depth())));
         }
-        let any = asked.query == Asked::Any;
-        let hits = if profile == "exact" {
-            self.exact(device, &bvh, &rays, any)?
-        } else {
-            let Some(refines) = self.refines else { return Ok(None) };
-            let pipeline = self.pipeline(device, SINGLE, [0, usize::from(any)], refines)?;
-            let scene = Scene::new(device.gpu, &bvh)?;
-            let found = rays::launch(device.gpu, &scene, &device.kernel, pipeline, &rays)?;
-            let hit = |found: &Found| {
-                let [u, v] = found.weights;
-                found.is_hit().then_some(Hit { prim: found.triangle, t: found.t, u, v })
-            };
-            found.iter().map(|found| if any { json!(found.is_hit()) } else { text(hit(found)) }).collect()
+        if profile == "exact" {
+            return self.exact(device, &bvh, rays, any);
+        }
+        let refines = self.refines.unwrap_or(false);
+        let pipeline = self.pipeline(device, SINGLE, [0, usize::from(any)], refines)?;
+        let scene = Scene::new(device.gpu, &bvh)?;
+        let found = rays::launch(device.gpu, &scene, &device.kernel, pipeline, rays)?;
+        let hit = |found: &Found| {
+            let [u, v] = found.weights;
+            found.is_hit().then_some(Hit { prim: found.triangle, t: found.t, u, v })
         };
-        Ok(Some(result([("hits", Value::Array(hits))])))
+        Ok(found.iter().map(|found| if any { json!(found.is_hit()) } else { text(hit(found)) }).collect())
     }
 
     fn exact(&mut self, device: &Device<'_>, bvh: &Bvh, rays: &[Ray], any: bool) -> Result<Vec<Value>, GpuError> {

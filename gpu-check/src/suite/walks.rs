@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use serde_json::{Value, json};
 
+use stackless_bvh::generate::{Cell, Tape};
 use stackless_bvh::key::{Grow, KeyWord as _, Word as _};
 use stackless_bvh::tree::{Keys, Node, Topology as _, Tree};
 use stackless_suite::{Answer, Ask, WalkError};
@@ -47,16 +48,13 @@ impl Walks {
         if case.tree.depth() > device.depth {
             return Ok(Some(Answer::Reject("too-deep".to_owned())));
         }
-        // The greatest number stands for no hit.
-        if case.tape.cells().iter().any(|cell| cell.hit == Some(u32::MAX)) {
-            return Ok(None);
-        }
+        let Some((case, distances)) = in_ranks(case) else { return Ok(None) };
         let (addresses, inner, pieces) = Addresses::of(&case.tree, 1, 0, |_| 2);
         let (visits, outcome) = self.run(device, &case, &addresses, [inner, pieces])?;
         let names = Names::of(&case.tree, &addresses);
         let mut fields = vec![("events", json!(names.events(&device.kernel, &visits, outcome[3])))];
         if walk.cells.is_some() {
-            let hit = json!({ "t": outcome[0], "node": outcome[1] });
+            let hit = json!({ "t": distances.get(outcome[0] as usize), "node": outcome[1] });
             fields.push(("hit", if outcome[2] == 1 { hit } else { Value::Null }));
         }
         if device.kernel.has_trail() {
@@ -113,6 +111,25 @@ impl Walks {
         let visits = recorded[1..].as_chunks().0.iter().take(words[3] as usize).copied().collect();
         Ok((visits, [words[0], words[1], words[2], words[3]]))
     }
+}
+
+/// The same with the ranks of distances for distances, and these: the greatest number stands for no hit on the device. A search
+/// only compares them.
+fn in_ranks(case: stackless_check::Case) -> Option<(stackless_check::Case, Vec<u32>)> {
+    let cells = case.tape.cells();
+    let mut distances: Vec<u32> = vec![0];
+    distances.extend(cells.iter().flat_map(|cell| [Some(cell.enter), cell.exit, cell.hit]).flatten());
+    distances.sort_unstable();
+    distances.dedup();
+    let rank = |distance: u32| distances.partition_point(|&other| other < distance) as u32;
+    let ranked = |cell: &Cell| Cell {
+        enter: rank(cell.enter),
+        exit: cell.exit.map(rank),
+        hit: cell.hit.map(rank),
+        ..*cell
+    };
+    let tape = Tape::from_cells(&case.tree, cells.iter().map(ranked).collect())?;
+    Some((stackless_check::Case { tape, ..case }, distances))
 }
 
 /// What nodes are called: keys, by their addresses.

@@ -481,7 +481,7 @@ PROFILES = {
     "hash": ["function", "fold", "address", "keys", "lookup", "wide"],
     "trace": ["script", "complete", "tape", "node-left", "node-sign", "disjoint", "invalid", "wide", "wide-invalid"],
     "resume": ["state", "disjoint", "key-only", "invalid", "wide"],
-    "ray": ["grid", "exact", "invalid"],
+    "ray": ["grid", "exact", "watertight", "ulp-8", "ulp-256", "invalid"],
 }
 HELLO = {
     "protocol": 1,

@@ -66,7 +66,7 @@ fn what_is_not_a_case_is_refused() {
         (with("cells", json!([{}, {}, {}])), "5 nodes"),
         (with("cells", json!([{}, {}, {"enter": 3}, {"enter": 2}, {"enter": 4}])), "5 nodes"),
         (with("cells", json!([{}, {}, {"axis": 3}, {}, {}])), "5 nodes"),
-        (with("cells", json!([{"miss": true}, {}, {}, {}, {}])), "5 nodes"),
+        (with("cells", json!([{"enter": 1}, {}, {}, {}, {}])), "5 nodes"),
         (with("cells", json!([{}, {"enter": 5, "hit": 4}, {}, {}, {}])), "5 nodes"),
         (with("octant", 9.into()), "octant 9"),
         (with("methods", json!(["stack", "nosuch"])), "'nosuch'"),

@@ -16,9 +16,23 @@ pub(super) fn profiles() -> Vec<Profile> {
 
 const SIGN: u32 = 1 << 31;
 
-/// The keys that are hashed, ascending, each with the word of its node: those of a reach (HASH-3, by its first
-/// sentence), or all. Long ones are folded under a seed, which is nothing to the others.
+/// The keys that are hashed, ascending, each with the word of its node. Long ones are folded under a seed, which is
+/// nothing to the others.
 pub(crate) fn keys_of(children: &Children, reach: Option<[u32; 2]>, seed: u64) -> Vec<(u64, u32)> {
+    let word = |node: u32| if children[node as usize].is_some() { SIGN | node } else { !node };
+    let hashed = hashed(children, reach).into_iter();
+    let mut hashed: Vec<_> = hashed.map(|(key, node)| (folded(&key, seed), word(node))).collect();
+    hashed.sort_unstable();
+    hashed
+}
+
+/// Whether a key is hashed that has more than 64 bits.
+pub(crate) fn folds(children: &Children, reach: Option<[u32; 2]>) -> bool {
+    hashed(children, reach).iter().any(|(key, _)| key.0.len() > 64)
+}
+
+/// The keys that are hashed, with their nodes: those of a reach (HASH-3, by its first sentence), or all.
+fn hashed(children: &Children, reach: Option<[u32; 2]>) -> Vec<(Bits, u32)> {
     let depths = depths(children);
     let mut keys = vec![(Bits::root(), 0_u32, None)];
     let mut at = 0;
@@ -37,11 +51,7 @@ pub(crate) fn keys_of(children: &Children, reach: Option<[u32; 2]>, seed: u64) -
             below > if children[node as usize].is_some() { inner } else { leaf }
         }),
     };
-    let word = |node: u32| if children[node as usize].is_some() { SIGN | node } else { !node };
-    let hashed = keys.into_iter().filter(|&(.., sibling)| is_hashed(sibling));
-    let mut hashed: Vec<_> = hashed.map(|(key, node, _)| (folded(&key, seed), word(node))).collect();
-    hashed.sort_unstable();
-    hashed
+    keys.into_iter().filter(|&(.., sibling)| is_hashed(sibling)).map(|(key, node, _)| (key, node)).collect()
 }
 
 /// A key of up to 64 bits is itself; of a longer one, pieces from the root down and then the length are mixed in.

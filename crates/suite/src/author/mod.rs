@@ -10,6 +10,7 @@ mod ray;
 mod reference;
 mod resume;
 mod table;
+mod tolerant;
 mod trace;
 mod trees;
 mod truth;
@@ -19,7 +20,7 @@ use std::collections::HashSet;
 
 use serde_json::{Map, Value};
 
-pub(super) use hash::{keys_of, mixed};
+pub(super) use hash::{folds, keys_of, mixed};
 pub(super) use trees::depth_if_tree;
 pub(super) use wide::levels_if_tree;
 
@@ -28,8 +29,15 @@ use super::{Ask, Expect, Feature, Level, Profile, Strength, Suite, SuiteCase, VE
 
 /// The whole suite: the same on every machine.
 pub fn suite() -> Suite {
-    let levels =
-        [key::profiles(), hash::profiles(), trace::profiles(), resume::profiles(), ray::profiles(), wide::profiles()];
+    let levels = [
+        key::profiles(),
+        hash::profiles(),
+        trace::profiles(),
+        resume::profiles(),
+        ray::profiles(),
+        tolerant::profiles(),
+        wide::profiles(),
+    ];
     let mut profiles: Vec<_> = levels.into_iter().flatten().collect();
     profiles.sort_by(|a, b| (a.level, &a.profile).cmp(&(b.level, &b.profile)));
     Suite { profiles }
@@ -63,7 +71,7 @@ pub(super) const PROFILES: [(Level, &[&str]); 5] = [
         ],
     ),
     (Level::Resume, &["state", "disjoint", "key-only", "invalid", "wide"]),
-    (Level::Ray, &["grid", "exact", "invalid"]),
+    (Level::Ray, &["grid", "exact", "watertight", "parity", "ulp-8", "ulp-256", "invalid"]),
 ];
 
 /// Collects the cases of a profile.

@@ -53,7 +53,40 @@ fn grid() -> Profile {
             traced(&mut author, &format!("{name}-{seed}"), why, &mesh, &rays);
         }
     }
+    boundaries(&mut author);
     author.done()
+}
+
+/// Nothing to hit, nobody who asks, and the ends of what is valid: for the closest hit and for any.
+fn boundaries(author: &mut Author) {
+    const INFINITE: f32 = f32::INFINITY;
+    let corners = vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+    let (triangle, along) = (vec![[0, 1, 2]], Vec3::Z);
+    let of = |vertices: &[_], triangles: &[_]| Mesh { vertices: vertices.to_vec(), triangles: triangles.to_vec() };
+    let [one, bare, empty] = [of(&corners, &triangle), of(&corners, &[]), of(&[], &[])];
+    let [before, on] = [Vec3::new(1.0, 1.0, -4.0), Vec3::new(1.0, 1.0, 0.0)];
+    let from = |origins: &[Vec3], ends| origins.iter().map(|&origin| ray(origin, along, ends)).collect::<Vec<_>>();
+    let whole = from(&[before, on], [0.0, INFINITE]);
+    let at_infinity = from(&[before, on], [INFINITE, INFINITE]);
+    let cases = [
+        ("no-vertices", "There is no vertex and no triangle: every ray misses.", &empty, whole.clone()),
+        ("no-triangles", "There are vertices, and no triangle: every ray misses.", &bare, whole.clone()),
+        ("no-rays", "Nobody asks.", &one, vec![]),
+        (
+            "at-infinity",
+            "tmin and tmax are infinite: no distance is, so every such ray misses. The last ones are usual.",
+            &one,
+            { [at_infinity, whole].concat() },
+        ),
+        ("tmin-negative-zero", "A tmin of -0 is 0, and no sign.", &one, from(&[before, on], [-0.0, INFINITE])),
+        ("tmax-negative-zero", "A tmax of -0 is 0: the interval is one point, where the second ray begins.", &one, {
+            [from(&[before, on], [0.0, -0.0]), from(&[before, on], [-0.0, -0.0])].concat()
+        }),
+    ];
+    for (name, why, mesh, rays) in cases {
+        closest(author, name, why, mesh, &rays);
+        any(author, name, why, mesh, &rays);
+    }
 }
 
 /// Triangles with corners on a grid; some lie on each other, if they may.
@@ -94,6 +127,11 @@ fn grid_ray(rng: &mut Rng, mesh: &Mesh, is_inside: bool) -> Option<Ray> {
 fn ray(origin: Vec3, direction: Vec3, [tmin, tmax]: [f32; 2]) -> Ray {
     let ([a, b, c], [x, y, z]) = (origin.to_array(), direction.to_array());
     [a, b, c, x, y, z, tmin, tmax]
+}
+
+/// From a point towards another one, which has the distance 1 but for rounding.
+pub(super) fn from_to(from: Vec3, to: Vec3, ends: [f32; 2]) -> Ray {
+    ray(from, to - from, ends)
 }
 
 fn is_dyadic(x: f32) -> bool {
@@ -197,24 +235,26 @@ fn off([o, d]: [Vec3; 2], [v0, v1, v2]: [Vec3; 3]) -> f64 {
 
 /// The closest hits, and, of the first rays, whether there is any.
 fn traced(author: &mut Author, name: &str, why: &str, mesh: &Mesh, rays: &[Ray]) {
-    let ask = |query, rays: &[Ray]| Ask::Ray(asked(mesh, rays, query));
-    let closest = |ray| mesh.hits(ray).first().map_or(Value::Null, |it| hit(it.prim, [it.t, it.u, it.v]));
-    let hits: Vec<Value> = rays.iter().map(closest).collect();
-    author.case(
-        name,
-        &["EXACT-1", "DET-1", "CONF-2"],
-        why,
-        &ask(Query::Closest, rays),
-        result([("hits", json!(hits))]),
-    );
+    closest(author, name, why, mesh, rays);
     if author.0.cases.len() % 8 == 1 {
-        let hits: Vec<bool> = rays.iter().map(|ray| !mesh.hits(ray).is_empty()).collect();
-        let answer = result([("hits", json!(hits))]);
-        author.case(&format!("{name}-any"), &["EXACT-1", "CONF-2"], why, &ask(Query::Any, rays), answer);
+        any(author, name, why, mesh, rays);
     }
 }
 
-fn asked(mesh: &Mesh, rays: &[Ray], query: Query) -> Rays {
+fn closest(author: &mut Author, name: &str, why: &str, mesh: &Mesh, rays: &[Ray]) {
+    let closest = |ray| mesh.hits(ray).first().map_or(Value::Null, |it| hit(it.prim, [it.t, it.u, it.v]));
+    let hits: Vec<Value> = rays.iter().map(closest).collect();
+    let ask = Ask::Ray(asked(mesh, rays, Query::Closest));
+    author.case(name, &["EXACT-1", "DET-1", "CONF-2"], why, &ask, result([("hits", json!(hits))]));
+}
+
+fn any(author: &mut Author, name: &str, why: &str, mesh: &Mesh, rays: &[Ray]) {
+    let hits: Vec<bool> = rays.iter().map(|ray| !mesh.hits(ray).is_empty()).collect();
+    let ask = Ask::Ray(asked(mesh, rays, Query::Any));
+    author.case(&format!("{name}-any"), &["EXACT-1", "CONF-2"], why, &ask, result([("hits", json!(hits))]));
+}
+
+pub(super) fn asked(mesh: &Mesh, rays: &[Ray], query: Query) -> Rays {
     Rays {
         vertices: mesh.vertices.iter().map(|vertex| floats(vertex)).collect(),
         triangles: mesh.triangles.clone(),
@@ -268,6 +308,7 @@ fn invalid() -> Profile {
     fault("tmax-nan", "No number.", "interval", |_, _, ray| ray[7] = f32::NAN);
     fault("tmin-nan", "No number.", "interval", |_, _, ray| ray[6] = f32::NAN);
     fault("negative-tmin", "A ray begins at its origin.", "interval", |_, _, ray| ray[6] = -1.0);
+    fault("tmax-infinite", "tmin is above tmax.", "interval", |_, _, ray| ray[7] = f32::NEG_INFINITY);
     fault("tmin-infinite", "tmin is above tmax.", "interval", |_, _, ray| (ray[6], ray[7]) = (f32::INFINITY, 1.0));
     let later: [(&str, &str, Spoil); 6] = [
         ("origin-nan", "not-finite", |_, _, ray| ray[0] = f32::NAN),
@@ -293,5 +334,18 @@ fn invalid() -> Profile {
     fault_after(right(), "last-triangle", why, "index", |_, triangle, _| triangle[1] = 6);
     let why = "No triangle names the vertex.";
     fault_after(right(), "unused-vertex", why, "not-finite", |vertices, _, _| vertices[2][1] = f32::NAN);
+    let bare = |vertex: [f32; 3], ray: [f32; 8]| {
+        Ask::Ray(Rays { vertices: vec![floats(&vertex)], rays: vec![floats(&ray)], ..nothing(Query::Closest) })
+    };
+    let nowhere = [0.25, 0.25, -1.0, 0.0, 0.0, 0.0, 0.0, f32::INFINITY];
+    let at_infinity = [0.25, 0.25, -1.0, 0.0, 0.0, 0.0, f32::INFINITY, f32::INFINITY];
+    let why = "There is nothing to hit, and the input is wrong all the same.";
+    for (name, ask, code) in [
+        ("no-triangles-vertex", bare([0.0, f32::NAN, 0.0], ray), "not-finite"),
+        ("no-triangles-direction", bare([0.0; 3], nowhere), "no-direction"),
+        ("at-infinity-direction", bare([0.0; 3], at_infinity), "no-direction"),
+    ] {
+        author.reject(name, &["EXACT-1"], why, &ask, code);
+    }
     author.done()
 }

@@ -70,10 +70,10 @@ fn states() -> Profile {
 
 const FROM_THE_BOTTOM: &str = "From the bottom of a chain, longer than a word or just not.";
 
-/// Chains around the ends of words, to each side. (A tree of just as many levels as a trail has bits can be traversed
-/// without keys, but its keys do not fit.)
+/// Chains around the ends of words, to each side. A tree of just as many levels as a trail has bits can be traversed
+/// without keys, though its keys do not fit: whoever does so is asked to go on too.
 fn chains() -> impl Iterator<Item = (u32, (&'static str, bool))> {
-    [31, 33, 63, 65].into_iter().flat_map(|depth| SIDES.map(|side| (depth, side)))
+    [31, 32, 33, 63, 64, 65].into_iter().flat_map(|depth| SIDES.map(|side| (depth, side)))
 }
 
 /// A search by a script is taken up before or after a visit.

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::reference::{Reference, Rule, Search};
 use super::trees::{
-    Scene, after_far, comb, complete, depth_of, depths, random, random_script, scene_of, script, spine,
+    Scene, after_far, boundary_scenes, comb, complete, depth_of, depths, random, random_script, scene_of, script, spine,
 };
 use super::{Author, result};
 use crate::ask::Walk;
@@ -229,6 +229,7 @@ fn tapes() -> Profile {
         taped(&mut author, &name, &clauses, AFTER_FAR, &scene_of(&children, &text), Rule::Children);
     }
     chains_with_cells(&mut author, &clauses, &[("", |_| false)], |_| Rule::Children);
+    boundaries(&mut author, &clauses, |_| Rule::Children);
     author.done()
 }
 
@@ -275,7 +276,14 @@ fn by_rule(name: &str, clauses: &[&str], count: u64, rule: impl Fn(&Scene) -> Ru
     if rule(&spine(1, false, |_| true)) == Rule::Disjoint {
         open_ends(&mut author, clauses);
     }
+    boundaries(&mut author, clauses, rule);
     author.done()
+}
+
+fn boundaries(author: &mut Author, clauses: &[&str], rule: impl Fn(&Scene) -> Rule) {
+    for (name, why, scene) in boundary_scenes() {
+        taped(author, name, clauses, why, &scene, rule(&scene));
+    }
 }
 
 /// Nodes without an end.

@@ -111,6 +111,40 @@ pub(super) fn spine(depth: u32, goes_right: bool, is_marked: impl Fn(u32) -> boo
     Scene { children, cells, any: false, octant: u8::from(goes_right) }
 }
 
+/// A root that is missed, or entered late, as a leaf and above two leaves; and hits as late as can be. What is tested
+/// at its visit counts for the root too; what is tested at the parent does not. The octant has the right child first.
+pub(super) fn boundary_scenes() -> [(&'static str, &'static str, Scene); 5] {
+    const LAST: u32 = u32::MAX;
+    let three = vec![Some([1, 2]), None, None];
+    let leaf = vec![None];
+    let node = |miss, enter, hit| Cell { miss, enter, hit, ..Cell::default() };
+    let scene = |children: &Children, cells| Scene { children: children.clone(), cells, any: false, octant: 1 };
+    let hit_at = |t| node(false, 0, Some(t));
+    [
+        (
+            "root-missed",
+            "The root is missed: it is tested where each node is, and not where children are.",
+            scene(&three, vec![node(true, 0, None), hit_at(2), hit_at(1)]),
+        ),
+        ("root-missed-leaf", "The root is a leaf, and missed: its hit does not count.", {
+            scene(&leaf, vec![node(true, 0, Some(1))])
+        }),
+        (
+            "root-late",
+            "The root is entered late, and no hit is before it.",
+            scene(&three, vec![node(false, 7, None), node(false, 7, Some(9)), node(false, 8, Some(8))]),
+        ),
+        ("root-late-leaf", "The root is a leaf that is entered late, and hit where it begins.", {
+            scene(&leaf, vec![node(false, 7, Some(7))])
+        }),
+        (
+            "hit-last",
+            "Hits at 2^32 - 1, the last distance: of two the lower node, which is entered there.",
+            scene(&three, vec![node(false, 0, None), node(false, LAST, Some(LAST)), hit_at(LAST)]),
+        ),
+    ]
+}
+
 /// A search that comes back from afar to a node whose only wanted child has only one wanted child, and so on: from that
 /// bottom it goes on to the root's other child. How far that is from the node, how far the way to the node is, and how
 /// many levels are below it. What is postponed first is an inner node, unlike all that could be taken for it.

@@ -62,11 +62,14 @@ fn meet(corners: [[f32; 3]; 3], &[x, y, z, dx, dy, dz, tmin, tmax]: &Ray) -> Opt
     // Turned over where the triangle is seen from behind.
     let [sum, of_a, of_b, of_c, along] =
         if sum < IBig::ZERO { [-sum, -of_a, -of_b, -of_c, -along] } else { [sum, of_a, of_b, of_c, along] };
-    let is_within = |t: f32, order| t == f32::INFINITY || (unit(t) * &sum).cmp(&(&along << 149)) != order;
+    // Every distance is finite, whatever it is rounded to.
+    let is_beyond_all = |t: f32| t == f32::INFINITY;
+    let compared = |t: f32| (unit(t) * &sum).cmp(&(&along << 149));
     let is_hit = sum > IBig::ZERO
         && [&of_a, &of_b, &of_c].into_iter().all(|weight| *weight >= IBig::ZERO)
-        && is_within(tmin, Ordering::Greater)
-        && is_within(tmax, Ordering::Less);
+        && !is_beyond_all(tmin)
+        && compared(tmin) != Ordering::Greater
+        && (is_beyond_all(tmax) || compared(tmax) != Ordering::Less);
     is_hit.then(|| [along, of_b, of_c].map(|part| nearest(&part, &sum)))
 }
 

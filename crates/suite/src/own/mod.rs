@@ -7,7 +7,7 @@ mod walks;
 mod wide;
 mod words;
 
-pub use rays::RaysError;
+pub use rays::{RayScene, RaysError};
 
 use serde_json::{Map, Value};
 
@@ -154,6 +154,8 @@ impl Implementation for Library {
         let all = PROFILES.iter().flat_map(|&(level, profiles)| profiles.iter().map(move |&profile| (level, profile)));
         let is_walk = |level| matches!(level, Level::Trace | Level::Resume);
         let profiles = all.filter(|&(level, profile)| !is_walk(level) || self.traversal_for(level, profile).is_some());
+        // Crossings are counted by the exact test.
+        let profiles = profiles.filter(|&(_, profile)| profile != "parity" || self.accuracy == Accuracy::Exact);
         let profiles = profiles.map(|(level, profile)| format!("{level}/{profile}")).collect();
         let method = self.traversal.map_or("stackless-bvh", Traversal::name);
         Hello {

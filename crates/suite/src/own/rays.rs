@@ -8,17 +8,23 @@ use crate::text::{hit, parse_floats};
 use crate::{Answer, Ask, Query};
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::geom::{Kernel, Mesh, MeshError, Ray, RayError, Slabs};
-use stackless_bvh::trace::{Accuracy, Form, Hit, Search, WithTests, with_level};
+use stackless_bvh::trace::{Accuracy, BinaryTracer, Form, Hit, Search, WithTests, with_level};
 use stackless_bvh::traverse::{Stack, traverse};
 
 pub(super) fn answer(accuracy: Accuracy, ask: &Ask) -> Option<Answer> {
     let Ask::Ray(asked) = ask else { return None };
-    let (mesh, rays) = match asked.read() {
-        Ok(read) => read,
+    let scene = match asked.read() {
+        Ok(scene) => scene,
         Err(error) => return error.code().map(|code| Answer::Reject(code.to_owned())),
     };
-    let bvh = Bvh::sah(&mesh, SahOptions::default()).ok()?;
-    Some(with_level(accuracy, Cast { bvh, rays, query: asked.query }))
+    let hits = scene.hits(|mesh, rays| {
+        let bvh = Bvh::sah(mesh, SahOptions::default()).map_err(|error| error.to_string())?;
+        Ok(with_level(accuracy, Cast { bvh, rays, query: asked.query }))
+    });
+    Some(match hits {
+        Ok(hits) => Answer::of([("hits", Value::Array(hits))]),
+        Err(error) => Answer::Unsupported(error),
+    })
 }
 
 struct Cast {
@@ -28,10 +34,13 @@ struct Cast {
 }
 
 impl WithTests for Cast {
-    type Output = Answer;
+    type Output = Vec<Value>;
 
-    fn call<K: Kernel<Vector = Vec3, Shape: Form> + 'static, B: Slabs<Vector = Vec3> + 'static>(self) -> Answer {
+    fn call<K: Kernel<Vector = Vec3, Shape: Form> + 'static, B: Slabs<Vector = Vec3> + 'static>(self) -> Vec<Value> {
         let Self { bvh, rays, query } = self;
+        // Crossings are counted exactly, or not at all.
+        let plain = bvh.clone();
+        let parity = BinaryTracer::new(&plain);
         let bvh = bvh.map(K::Shape::from);
         let mut memory = Vec::new();
         let hit = |ray: &Ray| match query {
@@ -40,31 +49,90 @@ impl WithTests for Cast {
                 traverse(Stack::new(bvh.tree(), &mut memory), &mut search, &mut ());
                 search.hit().map_or(Value::Null, |Hit { prim, t, u, v }| hit(prim, [t, u, v]))
             }
+            Query::Parity => json!(parity.crossings(ray) % 2 == 1),
             Query::Any => {
                 let mut search = Search::<K, B, true>::new(&bvh, ray);
                 traverse(Stack::new(bvh.tree(), &mut memory), &mut search, &mut ());
                 json!(search.found().is_some())
             }
         };
-        Answer::of([("hits", Value::Array(rays.iter().map(hit).collect()))])
+        rays.iter().map(hit).collect()
     }
 }
 
+/// Vertices and rays.
+type Numbers = (Vec<[f32; 3]>, Vec<[f32; 8]>);
+
 impl Rays {
-    /// The mesh and the rays.
+    /// Mesh and rays. What this library has no words for is there too: a mesh without triangles, and intervals at
+    /// infinity.
     ///
     /// # Errors
     /// [`RaysError`].
-    pub fn read(&self) -> Result<(Mesh, Vec<Ray>), RaysError> {
-        let vertices =
-            self.vertices.iter().map(|text| parse_floats(text).map(Vec3::from_array).ok_or(RaysError::Floats));
-        let mesh = Mesh::new(vertices.collect::<Result<_, _>>()?, self.triangles.clone())?;
-        let ray = |text: &String| {
-            let [a, b, c, x, y, z, tmin, tmax] = parse_floats(text).ok_or(RaysError::Floats)?;
-            Ok(Ray::within(Vec3::new(a, b, c), Vec3::new(x, y, z), tmin, tmax)?)
+    pub fn read(&self) -> Result<RayScene, RaysError> {
+        let (vertices, rays) = self.numbers()?;
+        let vertices: Vec<_> = vertices.into_iter().map(Vec3::from_array).collect();
+        let mesh = if self.triangles.is_empty() {
+            if let Some(vertex) = vertices.iter().position(|v| !v.is_finite()) {
+                return Err(MeshError::NonFinite { vertex, position: vertices[vertex].as_dvec3() }.into());
+            }
+            None
+        } else {
+            Some(Mesh::new(vertices, self.triangles.clone())?)
         };
-        let rays = self.rays.iter().map(ray).collect::<Result<_, RaysError>>()?;
-        Ok((mesh, rays))
+        let ray = |[a, b, c, x, y, z, tmin, tmax]: [f32; 8]| {
+            // No distance is infinite, so nothing is met; origin and direction have to be right all the same.
+            let is_nowhere = tmin == f32::INFINITY && tmax == f32::INFINITY;
+            let within = if is_nowhere { [0.0, tmax] } else { [tmin, tmax] };
+            let ray = Ray::within(Vec3::new(a, b, c), Vec3::new(x, y, z), within[0], within[1])?;
+            Ok((!is_nowhere).then_some(ray))
+        };
+        let rays = rays.into_iter().map(ray).collect::<Result<_, RaysError>>()?;
+        Ok(RayScene { mesh, rays, missed: if self.query == Query::Closest { Value::Null } else { json!(false) } })
+    }
+
+    /// Vertices and rays as numbers.
+    ///
+    /// # Errors
+    /// [`RaysError::Floats`].
+    pub fn numbers(&self) -> Result<Numbers, RaysError> {
+        fn all<const N: usize>(texts: &[String]) -> Result<Vec<[f32; N]>, RaysError> {
+            texts.iter().map(|text| parse_floats(text).ok_or(RaysError::Floats)).collect()
+        }
+        Ok((all(&self.vertices)?, all(&self.rays)?))
+    }
+}
+
+/// A mesh and rays that were read.
+#[derive(Clone, Debug)]
+pub struct RayScene {
+    /// `None` where there are no triangles.
+    mesh: Option<Mesh>,
+    /// `None` where the interval is at infinity.
+    rays: Vec<Option<Ray>>,
+    /// The answer of a ray that meets nothing.
+    missed: Value,
+}
+
+impl RayScene {
+    /// The answers of all rays: `trace` is asked for those that can meet something, and gives one for each.
+    ///
+    /// # Errors
+    /// Those of `trace`.
+    pub fn hits<E>(&self, trace: impl FnOnce(&Mesh, Vec<Ray>) -> Result<Vec<Value>, E>) -> Result<Vec<Value>, E> {
+        let asked: Vec<Ray> = self.rays.iter().copied().flatten().collect();
+        let found = match &self.mesh {
+            Some(mesh) if !asked.is_empty() => trace(mesh, asked)?,
+            _ => Vec::new(),
+        };
+        let mut found = found.into_iter();
+        let answer = |ray: &Option<Ray>| ray.and_then(|_| found.next()).unwrap_or_else(|| self.missed.clone());
+        Ok(self.rays.iter().map(answer).collect())
+    }
+
+    /// Mesh and rays, if the library has words for all of them.
+    pub fn whole(self) -> Option<(Mesh, Vec<Ray>)> {
+        Some((self.mesh?, self.rays.into_iter().collect::<Option<_>>()?))
     }
 }
 

@@ -7,10 +7,10 @@ use crate::ask::{Best, Walk};
 use crate::{Answer, Ask, Children, Feature, Start, WalkError};
 use stackless_bvh::event::{Recorder, State, Trace};
 use stackless_bvh::generate::{Cell, Search, Tape};
-use stackless_bvh::key::{Grow, KeyWord, TooDeep};
+use stackless_bvh::key::{self, Grow, KeyWord, TooDeep, Word as _};
 use stackless_bvh::order::Flow;
 use stackless_bvh::traverse::{
-    ByWalk, KeyOnly, KeyTrail, Method, Next, Tables, Test, Unfit, WithWord, WordName, with_word,
+    ByWalk, KeyOnly, KeyTrail, Method, Next, Paused, Tables, Test, Unfit, WithWord, WordName, with_word,
 };
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
 use stackless_check::GoOn;
@@ -140,28 +140,21 @@ impl WithWord for Resume<'_> {
         let Self { method, case, walk, by_key } = self;
         let tree = &case.tree;
         let reject = |code: &str| Some(Answer::Reject(code.to_owned()));
-        if W::carries(tree.depth(), 1).is_err() {
-            return reject("too-deep");
-        }
-        let bits = |text: &Option<String>| text.as_ref().map_or(Some(W::zero()), |text| word(text));
-        let (key, trail): (W, W) = (bits(&walk.key)?, bits(&walk.trail)?);
-        let disjoint = if walk.marks.is_some() { Some(bits(&walk.marks)?) } else { None };
         let next = if walk.next == Some(Start::Backtrack) { Next::Backtrack } else { Next::Visit };
+        let key: Grow = word(walk.key.as_ref()?)?;
         let Some(from) = Keys::walk(tree, &key) else { return reject("no-such-node") };
-        let nodes = ByWalk(tree);
-        let start = if by_key {
-            KeyOnly::locate(key, next, &nodes).map(stackless_check::Start::Key)
-        } else {
-            KeyTrail { key, trail, disjoint, next }.locate(&nodes).map(stackless_check::Start::State)
+        let start = if by_key { from_key(&key, next, tree) } else { from_state(&key, next, walk, tree)? };
+        let start: stackless_check::Start<W> = match start {
+            Ok(start) => start,
+            Err(code) => return reject(code),
         };
-        // The node is there, so it is the trail.
-        let Ok(start) = start else { return reject("trail") };
         let tables = Tables::new(tree, case.tape.axes(), &[method], 0);
         let (mut search, mut trace) = (Search::new(tree, &case.tape, case.any), Trace::default());
         search.outcome.hit = walk.hit.map(|best| (best.t, best.node as usize));
         match tables.with_cursor::<W, _>(method, GoOn { from: start, search: &mut search, trace: &mut trace }) {
             Ok(Ok(())) => {}
             Ok(Err(error)) => return Some(Answer::Unsupported(error)),
+            Err(Unfit::TooDeep(_)) => return reject("too-deep"),
             Err(unfit) => return Some(Answer::Unsupported(unfit.to_string())),
         }
         let keys = Keys::of(tree);
@@ -175,4 +168,45 @@ impl WithWord for Resume<'_> {
         let hit: Option<(&str, Value)> = walk.cells.is_some().then(|| ("hit", json!(best(&search))));
         Some(Answer::of([("events", json!(events))].into_iter().chain(hit)))
     }
+}
+
+/// The state of a walk, or why there is none; `None` where the input is no state. A tree of as many levels as the word has
+/// bits has keys that do not fit, and can be traversed without keys: nodes are found by longer ones.
+fn from_state<W: KeyWord>(
+    key: &Grow,
+    next: Next,
+    walk: &Walk,
+    tree: &Tree,
+) -> Option<Result<stackless_check::Start<W>, &'static str>> {
+    let bits = |text: &Option<String>| text.as_ref().map(|text| word(text));
+    let trail: Grow = bits(&walk.trail)??;
+    let disjoint: Option<Grow> = match bits(&walk.marks) {
+        Some(marks) => Some(marks?),
+        None => None,
+    };
+    let state = KeyTrail { key: key.clone(), trail, disjoint, next };
+    // The node is there, so it is the trail.
+    Some(state.locate(&ByWalk(tree)).map_err(|_| "trail").and_then(in_word).map(stackless_check::Start::State))
+}
+
+/// The same with the key alone.
+fn from_key<W: KeyWord>(key: &Grow, next: Next, tree: &Tree) -> Result<stackless_check::Start<W>, &'static str> {
+    if let Some(key) = narrow(key) {
+        return KeyOnly::locate(key, next, &ByWalk(tree)).map(stackless_check::Start::Key).map_err(|_| "no-such-node");
+    }
+    let trail = key::level_start(key).wrapping_sub(&Grow::one());
+    let state = KeyTrail { key: key.clone(), trail, disjoint: None, next };
+    state.locate(&ByWalk(tree)).map_err(|_| "trail").and_then(in_word).map(stackless_check::Start::State)
+}
+
+/// A state in a narrower word. Its key may be lost, its trails may not: the tree is deeper than the word has bits.
+fn in_word<W: KeyWord>(state: Paused<Grow>) -> Result<Paused<W>, &'static str> {
+    let Paused { node, register, key, trail, disjoint, next } = state;
+    let trail = narrow(&trail).ok_or("too-deep")?;
+    let disjoint = disjoint.map(|bits| narrow(&bits).ok_or("too-deep")).transpose()?;
+    Ok(Paused { node, register, key: key.and_then(|key| narrow(&key)), trail, disjoint, next })
+}
+
+fn narrow<W: KeyWord>(wide: &Grow) -> Option<W> {
+    word(&hex(wide))
 }

@@ -62,7 +62,9 @@ fn text(path: &str) -> String {
 
 fn ask(command: Vec<String>, suite: &Suite) -> Report {
     let timeout = Duration::from_mins(1);
-    Runner { command, suite, waivers: Waivers::default(), timeout, window: 64, fail_fast: false }.run(|_| {}).unwrap()
+    let (waivers, budget) = (Waivers::default(), 10 * timeout);
+    let runner = Runner { command, suite, waivers, timeout, budget, window: 64, fail_fast: false, passes_errors: true };
+    runner.run(|_| {}).unwrap()
 }
 
 /// Asks all that it names, which is so many cases.
@@ -97,7 +99,7 @@ fn the_c_adapter_conforms() {
 
 #[test]
 fn the_python_adapter_conforms() {
-    conforms(Language::Python, 4201);
+    conforms(Language::Python, 4332);
 }
 
 #[test]
@@ -164,6 +166,34 @@ fn a_mistake_in_the_python_adapter_is_caught() {
         ),
         ("(key % len(cells) + entry)", "(key % len(cells) ^ entry)", "hash/lookup", "HASH-1"),
         ("self.enter(node) <= self.best[0]", "self.enter(node) <= self.best[1]", "trace/tape", "ORACLE-1"),
+        (
+            "if self.is_wanted(node) else None",
+            "if node == 0 or self.is_wanted(node) else None",
+            "trace/node-left",
+            "LEFT-1",
+        ),
+        (
+            "if self.is_wanted(node) else None",
+            "if node == 0 or self.is_wanted(node) else None",
+            "trace/node-sign",
+            "HAPALA-1",
+        ),
+        (
+            "counts = self.is_wanted(node) if",
+            "counts = node == 0 or self.is_wanted(node) if",
+            "trace/node-left",
+            "SKIP-1",
+        ),
+        ("cells[node].get(\"enter\", 0)", "cells[node].get(\"enter\", 0) % (2**32 - 1)", "trace/tape", "ORACLE-1"),
+        ("if not 0 <= tmin <= tmax:", "if not 0 <= tmin <= tmax or str(tmin) == '-0.0':", "ray/grid", "EXACT-1"),
+        ("if not 0 <= tmin <= tmax:", "if not 0 <= tmin <= tmax or tmin == math.inf:", "ray/grid", "EXACT-1"),
+        ("tmin <= hit[0] <= tmax:", "(tmin <= hit[0] <= tmax or tmin == math.inf):", "ray/grid", "EXACT-1"),
+        (
+            "for triangle in triangles for corner in triangle)",
+            "for triangle in triangles for corner in triangle) or not triangles",
+            "ray/grid",
+            "EXACT-1",
+        ),
         ("right = self.octant >>", "right = ~self.octant >>", "trace/node-sign", "HAPALA-1"),
         ("leaves < self.enter(second)", "leaves < self.enter(first)", "trace/disjoint", "DISJOINT-1"),
         ("trail &= ~marks", "trail &= marks", "trace/disjoint", "DISJOINT-2"),

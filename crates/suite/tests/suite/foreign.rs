@@ -2,7 +2,7 @@
 
 use std::io;
 
-use stackless_suite::{Suite, SuiteError};
+use stackless_suite::{Suite, SuiteError, VERSION};
 use tempfile::TempDir;
 
 /// A few cases of two profiles.
@@ -62,14 +62,14 @@ fn the_index_is_compared() {
     assert!(matches!(with("\"cases\":3", "\"cases\":4"), SuiteError::Index { cases: 3, .. }));
     assert!(matches!(with("key/u64", "key/u32"), SuiteError::ProfileTwice { .. }));
     assert!(matches!(with("vectors/key/u32", "vectors/key/u64"), SuiteError::Name { .. }));
-    assert!(matches!(with("1.3.0", "1.0.0"), SuiteError::Version { .. }));
+    assert!(matches!(with(VERSION, "1.0.0"), SuiteError::Version { .. }));
     assert!(matches!(with("\"suite\"", "\"more\":1,\"suite\""), SuiteError::Json { .. }));
     // Another profile under this one's name.
     let swapped = reread(|files| files[0].1 = files[1].1.clone());
     assert!(matches!(swapped, Err(SuiteError::Index { .. })), "{swapped:?}");
     let gone = reread(|files| drop(files.remove(0)));
     assert!(matches!(gone, Err(SuiteError::Read { path, .. }) if path == "vectors/key/u32.json"));
-    let empty = reread(|files| files[INDEX].1 = "{\"suite\":\"1.3.0\",\"files\":[]}".to_owned());
+    let empty = reread(|files| files[INDEX].1 = format!("{{\"suite\":\"{VERSION}\",\"files\":[]}}"));
     assert!(matches!(empty, Err(SuiteError::Empty)));
 }
 

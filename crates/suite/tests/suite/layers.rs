@@ -10,8 +10,8 @@ use stackless_bvh::trace::Hit;
 use stackless_bvh::tree::{Reach, Topology as _, Tree};
 use stackless_check::planted::{Function, Instead, Table};
 use stackless_suite::{
-    Answer, Ask, Build, Flaw, Implementation as _, Level, Library, LookupTable, Profile, Query, Rays, Suite, SuiteCase,
-    judge,
+    Answer, Ask, Build, Flaw, Implementation as _, Level, Library, LookupTable, Profile, Query, RayScene, Rays, Suite,
+    SuiteCase, judge,
 };
 
 /// Cases with what they ask, which is read once.
@@ -25,7 +25,7 @@ impl<'s> Asked<'s> {
         let is_wanted = |level| matches!(level, Level::Hash | Level::Ray);
         let cases = suite.cases().filter(|(profile, _)| is_wanted(profile.level)).map(|(profile, case)| {
             let ask = Ask::of(&case.input).unwrap();
-            let scene = if let Ask::Ray(asked) = &ask { asked.read().ok() } else { None };
+            let scene = if let Ask::Ray(asked) = &ask { asked.read().ok().and_then(RayScene::whole) } else { None };
             (profile, case, ask, scene)
         });
         Self(cases.collect())
@@ -84,6 +84,7 @@ fn answer(
             let hits = match query {
                 Query::Closest => hits.closest.into_iter().map(hit).collect(),
                 Query::Any => json!(hits.any),
+                Query::Parity => return None,
             };
             Some(result([("hits", hits)]))
         }

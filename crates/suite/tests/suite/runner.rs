@@ -5,7 +5,7 @@ use std::time::Duration;
 use stackless_suite::{Outcome, Report, RunError, Runner, Suite, Waivers};
 
 /// A program that answers each case by `answer`, a shell command that finds the number in `$seq`.
-fn program(answer: &str) -> Vec<String> {
+pub(crate) fn program(answer: &str) -> Vec<String> {
     let script = format!(
         r#"read -r hello
 printf '{{"protocol":1,"name":"shell","profiles":["key/u32"]}}\n'
@@ -19,17 +19,28 @@ done"#
 }
 
 /// The first cases of a profile.
-fn some_cases(count: usize) -> Suite {
+pub(crate) fn some_cases(count: usize) -> Suite {
     let mut suite = super::SUITE.clone();
     suite.profiles.retain(|profile| profile.name() == "key/u32");
     suite.profiles[0].cases.truncate(count);
     suite
 }
 
-fn run(command: Vec<String>, count: usize, window: usize, waivers: Waivers) -> Result<Report, RunError> {
-    let suite = some_cases(count);
-    Runner { command, suite: &suite, waivers, timeout: Duration::from_millis(700), window, fail_fast: false }
-        .run(|_| ())
+pub(crate) fn run(command: Vec<String>, count: usize, window: usize, waivers: Waivers) -> Result<Report, RunError> {
+    Runner { waivers, window, ..runner(command, &some_cases(count)) }.run(|_| ())
+}
+
+pub(crate) fn runner(command: Vec<String>, suite: &Suite) -> Runner<'_> {
+    Runner {
+        command,
+        suite,
+        waivers: Waivers::default(),
+        timeout: Duration::from_millis(700),
+        budget: Duration::from_mins(1),
+        window: 64,
+        fail_fast: false,
+        passes_errors: false,
+    }
 }
 
 fn outcomes(answer: &str, count: usize) -> Report {
@@ -42,7 +53,7 @@ fn outcomes(answer: &str, count: usize) -> Report {
     many
 }
 
-const RIGHT: &str = r#"printf '{"seq":%s,"result":{"key":"2"}}\n' "$seq""#;
+pub(crate) const RIGHT: &str = r#"printf '{"seq":%s,"result":{"key":"2"}}\n' "$seq""#;
 
 /// The first case asks for the left child of the root, which is 2; the others have other answers.
 #[test]
@@ -85,7 +96,10 @@ fn silence_is_a_timeout() {
 
 #[test]
 fn garbage_is_an_error() {
-    for garbage in ["echo nonsense", "echo", "echo '{}'", "echo '{\"seq\":1}'", "printf '\\377\\n'", "echo '[1,2]'"] {
+    let two = r#"echo '{"seq":1,"result":{"key":"3"},"reject":"trail"}'"#;
+    let none = r#"echo '{"seq":1,"result":null}'"#;
+    let others = ["echo nonsense", "echo", "echo '{}'", "echo '{\"seq\":1}'", "printf '\\377\\n'", "echo '[1,2]'"];
+    for garbage in others.into_iter().chain([two, none]) {
         let report = outcomes(&format!("if [ \"$seq\" = 1 ]; then {garbage}; else {RIGHT}; fi"), 3);
         assert!(matches!(report.verdicts[1].outcome, Outcome::Error(_)), "{garbage}: {report:?}");
         assert_eq!(report.count("error"), 1, "{garbage}");
@@ -120,12 +134,11 @@ fn the_first_failure_can_be_the_last() {
     let answers = ["exit 3", "sleep 60", "echo no", r#"printf '{"seq":%s,"unsupported":"no"}\n' "$seq""#];
     for (answer, window) in answers.iter().flat_map(|answer| [(answer, 1), (answer, 64)]) {
         let answer = format!("if [ \"$seq\" = 0 ]; then {RIGHT}; else {answer}; fi");
-        let (command, suite, timeout) = (program(&answer), &some_cases(9), Duration::from_millis(700));
-        let runner = Runner { command, suite, waivers: Waivers::default(), timeout, window, fail_fast: true };
-        let report = runner.run(|_| ()).unwrap();
+        let suite = some_cases(9);
+        let report = Runner { window, fail_fast: true, ..runner(program(&answer), &suite) }.run(|_| ()).unwrap();
         let asked: Vec<_> = report.verdicts.iter().map(|it| it.outcome.is_bad()).collect();
         assert_eq!(asked, [false, true, false, false, false, false, false, false, false], "{answer}");
-        assert_eq!((report.count("pass"), report.count("unsupported")), (1, 7), "{answer}");
+        assert_eq!((report.count("pass"), report.count("not-asked")), (1, 7), "{answer}");
         assert!(!report.is_conforming() && report.faults.is_empty(), "{answer}: {:?}", report.faults);
     }
 }
@@ -164,30 +177,48 @@ fn a_profile_that_there_is_not_is_reported() {
     let command =
         ["sh", "-c", r#"read -r hello; echo '{"protocol":1,"name":"x","profiles":["key/u23"]}'; read -r bye"#];
     let report = run(command.map(ToOwned::to_owned).to_vec(), 3, 1, Waivers::default()).unwrap();
-    assert_eq!(report.count("unsupported"), 3);
+    assert_eq!(report.count("not-asked"), 3);
     assert!(report.faults[0].contains("key/u23") && !report.is_conforming(), "{report:?}");
 }
 
-/// Waivers excuse what fails, and only that.
 #[test]
-fn waivers_are_for_what_fails() {
-    let folder = tempfile::tempdir().unwrap();
-    let load = |ids: &[&str]| {
-        let list: Vec<_> = ids.iter().map(|id| serde_json::json!({ "id": id, "reason": "known" })).collect();
-        let path = folder.path().join("waivers.json");
-        std::fs::write(&path, serde_json::to_string(&list).unwrap()).unwrap();
-        Waivers::load(&path)
-    };
-    let ids: Vec<_> = some_cases(3).profiles[0].cases.iter().map(|case| case.id.clone()).collect();
-    let [first, second, third] = [&ids[0], &ids[1], &ids[2]].map(String::as_str);
-    let excused = run(program(RIGHT), 3, 4, load(&[second, third]).unwrap()).unwrap();
-    assert!(excused.is_conforming() && excused.waived() == 2, "{excused:?}");
-    let stale = run(program(RIGHT), 3, 4, load(&[first, second, third]).unwrap()).unwrap();
-    assert!(!stale.is_conforming());
-    assert!(stale.to_junit().contains("waived, and passes"));
-    let unknown = run(program(RIGHT), 3, 4, load(&["key/u32/none"]).unwrap());
-    assert!(matches!(unknown, Err(RunError::Waiver { id }) if id == "key/u32/none"));
-    assert!(load(&[second, second]).is_err());
+fn what_is_named_twice_is_reported() {
+    let twice = [r#""profiles":["key/u32","key/u32"]"#, r#""profiles":["key/u32"],"features":["trails","trails"]"#];
+    for (names, what) in twice.into_iter().zip(["key/u32", "trails"]) {
+        let mut command = program(RIGHT);
+        command[2] = command[2].replace(r#""profiles":["key/u32"]"#, names);
+        let report = run(command, 1, 1, Waivers::default()).unwrap();
+        assert_eq!((report.count("pass"), report.faults.len()), (1, 1), "{report:?}");
+        assert!(report.faults[0] == format!("'{what}' is named twice") && !report.is_conforming(), "{report:?}");
+    }
+}
+
+/// However often a program keeps silent, the run ends.
+#[test]
+fn a_run_has_a_budget() {
+    let suite = some_cases(40);
+    let silent = format!("[ \"$((seq % 2))\" = 1 ] && sleep 60; {RIGHT}");
+    let start = std::time::Instant::now();
+    for window in [1, 64] {
+        let budget = Duration::from_millis(1500);
+        let report = Runner { budget, window, ..runner(program(&silent), &suite) }.run(|_| ()).unwrap();
+        assert!(report.count("timeout") >= 1 && report.count("error") > 20, "{report:?}");
+        assert!(report.verdicts[39].outcome.to_string().contains("given up"), "{report:?}");
+        assert!(report.faults.iter().any(|fault| fault.contains("given up")), "{report:?}");
+    }
+    assert!(start.elapsed() < Duration::from_secs(10));
+}
+
+/// What a program writes to its standard error stands where it ended, once, and does nothing to a terminal.
+#[test]
+fn the_last_words_of_a_program_are_told() {
+    let flood = "i=0; while [ $i -lt 3000 ]; do echo some words >&2; i=$((i + 1)); done";
+    let crash = format!("{flood}; printf 'Error: \\033[2Jno\\n\\n' >&2; exit 3");
+    let report = outcomes(&format!("[ \"$seq\" = 1 ] && {{ {crash}; }}; {RIGHT}"), 3);
+    let text = report.verdicts[1].outcome.to_string();
+    assert!(text.contains("exit status: 3; its standard error ends with: Error: \\u{1b}[2Jno"), "{text}");
+    let hello = run(["sh", "-c", "echo broken >&2; exit 7"].map(ToOwned::to_owned).to_vec(), 1, 1, Waivers::default());
+    assert!(hello.unwrap_err().to_string().ends_with("exit status: 7; its standard error ends with: broken"));
 }
 
 /// Reports name what happened, and are whole.
@@ -212,7 +243,7 @@ fn nothing_asked_is_no_conformity() {
     for profiles in ["[]", "[\"hash/fold\"]"] {
         let hello = format!(r#"read -r hello; echo '{{"protocol":1,"name":"x","profiles":{profiles}}}'; read -r bye"#);
         let report = run(vec!["sh".into(), "-c".into(), hello], 3, 1, Waivers::default()).unwrap();
-        assert_eq!(report.count("unsupported"), 3);
+        assert_eq!(report.count("not-asked"), 3);
         assert!(report.faults[0].contains("nothing was asked") && !report.is_conforming(), "{report:?}");
         assert!(report.to_junit().contains("failures=\"1\""));
     }
@@ -261,7 +292,7 @@ fn junit_is_well_formed_and_adds_up() {
     report.hello.name = evil.to_owned();
     report.faults.push(evil.to_owned());
     report.verdicts[2].outcome = Outcome::Error(evil.to_owned());
-    report.verdicts[3].outcome = Outcome::Unsupported;
+    report.verdicts[3].outcome = Outcome::NotAsked;
     let text = report.to_junit();
     let xml = roxmltree::Document::parse(&text).unwrap_or_else(|error| panic!("{error}: {text}"));
     let root = xml.root_element();

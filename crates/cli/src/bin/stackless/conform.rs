@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use stackless_suite::{CaseResult, Hello, Level, Report, Runner, Strength, Suite, Waivers, author};
+use stackless_suite::{CaseResult, Hello, Level, Report, Runner, Strength, Suite, VERSION, Waiver, Waivers};
 
 use crate::output::{bar, grouped, say, table, write_file, write_json};
 use crate::places::{self, Output};
@@ -23,21 +23,30 @@ pub(crate) struct Args {
     /// Cases of this level only.
     #[arg(long, value_parser = input::level)]
     level: Option<Level>,
-    /// Cases with such ids only; `*` is any text, `?` any character.
+    /// Cases with such ids only; `*` is any text, `?` any character. Several times: those with any of them.
     #[arg(long)]
-    filter: Option<String>,
+    filter: Vec<String>,
     /// Write what came of each case to this file, as JSON.
     #[arg(long, value_name = "FILE", value_parser = places::file)]
     json: Option<Output>,
     /// The same as XML that build servers read (`JUnit`).
     #[arg(long, value_name = "FILE", value_parser = places::file)]
     junit: Option<Output>,
-    /// Cases that are known to fail: a file like `[{"id": "...", "reason": "..."}]`.
+    /// Cases that are known to fail: a file like `[{"id": "...", "reason": "..."}]`; `*` and `?` as in `--filter`.
     #[arg(long)]
     waivers: Option<PathBuf>,
+    /// Write the waivers with which this run succeeds. Those of `--waivers` that are of other cases are kept.
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    write_waivers: Option<Output>,
     /// Seconds to wait for an answer.
     #[arg(long, default_value_t = 10.0, value_parser = seconds)]
     timeout: f64,
+    /// Seconds for the whole run: what is not answered by then is given up.
+    #[arg(long, default_value_t = 1800.0, value_parser = seconds)]
+    budget: f64,
+    /// Let the program's standard error through. Without it the last line is told where the program ends.
+    #[arg(long)]
+    stderr: bool,
     /// Cases that are asked before the first is answered.
     #[arg(long, default_value_t = 64)]
     window: usize,
@@ -60,19 +69,28 @@ fn seconds(text: &str) -> Result<f64, String> {
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
-    let suite = select(load(args.suite.as_deref())?, args.level, args.filter.as_deref())?;
+    let whole = load(args.suite.as_deref())?;
     let named = |path: &Path, error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
     let waivers = match &args.waivers {
-        Some(path) => Waivers::load(path).map_err(|error| named(path, &error))?,
+        Some(path) => {
+            let waivers = Waivers::load(path).map_err(|error| named(path, &error))?;
+            waivers.check(&whole).map_err(|error| named(path, &error))?;
+            waivers
+        }
         None => Waivers::default(),
     };
+    let suite = select(whole, args.level, &args.filter)?;
+    let is_elsewhere = |waiver: &&Waiver| !suite.cases().any(|(_, case)| waiver.is_of(&case.id));
+    let elsewhere: Vec<_> = waivers.all().iter().filter(is_elsewhere).cloned().collect();
     let runner = Runner {
         command: args.command.clone(),
         suite: &suite,
         waivers,
         timeout: Duration::from_secs_f64(args.timeout),
+        budget: Duration::from_secs_f64(args.budget),
         window: args.window,
         fail_fast: args.fail_fast,
+        passes_errors: args.stderr,
     };
     let start = Instant::now();
     let progress = bar(suite.cases().count() as u64, "cases");
@@ -87,6 +105,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
     if let Some(path) = &args.junit {
         write_file(path, |file| file.write_all(report.to_junit().as_bytes()))?;
     }
+    if let Some(path) = &args.write_waivers {
+        write_json(path, &[elsewhere, report.to_waivers()].concat())?;
+    }
     Ok(report.is_conforming())
 }
 
@@ -94,15 +115,16 @@ pub(crate) fn run(args: &Args) -> Outcome {
 pub(crate) fn load(folder: Option<&Path>) -> Result<Suite, Box<dyn std::error::Error>> {
     Ok(match folder {
         Some(folder) => Suite::load(folder).map_err(|error| format!("{}: {error}", folder.display()))?,
-        None => author::suite(),
+        None => Suite::shipped()?,
     })
 }
 
 /// The cases of a level with such ids.
-pub(crate) fn select(mut suite: Suite, level: Option<Level>, filter: Option<&str>) -> Result<Suite, String> {
-    let pattern = wildmatch::WildMatch::new(filter.unwrap_or("*"));
+pub(crate) fn select(mut suite: Suite, level: Option<Level>, filters: &[String]) -> Result<Suite, String> {
+    let patterns: Vec<_> = filters.iter().map(|filter| wildmatch::WildMatch::new(filter)).collect();
+    let is_wanted = |id: &str| patterns.is_empty() || patterns.iter().any(|pattern| pattern.matches(id));
     suite.profiles.retain(|profile| level.is_none_or(|level| profile.level == level));
-    suite.profiles.iter_mut().for_each(|profile| profile.cases.retain(|case| pattern.matches(&case.id)));
+    suite.profiles.iter_mut().for_each(|profile| profile.cases.retain(|case| is_wanted(&case.id)));
     suite.profiles.retain(|profile| !profile.cases.is_empty());
     if suite.profiles.is_empty() {
         return Err("no case is of this level and has such an id".to_owned());
@@ -112,15 +134,21 @@ pub(crate) fn select(mut suite: Suite, level: Option<Level>, filter: Option<&str
 
 fn print(report: &Report, args: &Args, took: Duration) {
     let Hello { name, version, .. } = &report.hello;
-    let bad: Vec<_> = report.verdicts.iter().filter(|verdict| verdict.is_failure()).collect();
+    let bad = report.failures();
     for verdict in bad.iter().take(args.show) {
-        let CaseResult { id, clauses, outcome, waived, .. } = verdict;
+        let CaseResult { id, clauses, outcome, waived, why, .. } = verdict;
         if let Some(reason) = waived {
             say!("{id}: waived ({reason}), and passes: the waiver is not needed any more");
         } else {
-            say!("{id}: {}: {outcome}\n  clauses {}", outcome.name(), clauses.join(", "));
+            say!("{id}: {}: {outcome}\n  why: {why}\n  clauses {}", outcome.name(), clauses.join(", "));
         }
         say!("  alone: stackless conform --filter '{id}' -- {}", args.command.join(" "));
+        if let Some(command) = verdict.explained_by() {
+            say!("  step by step: {command}");
+        }
+        if let Some(hint) = report.look_first(verdict) {
+            say!("  {hint}");
+        }
     }
     if bad.len() > args.show {
         say!("and {} more (--show {}, --json FILE)", grouped((bad.len() - args.show) as u64), bad.len());
@@ -128,10 +156,10 @@ fn print(report: &Report, args: &Args, took: Duration) {
     for fault in &report.faults {
         say!("{fault}");
     }
-    let names = ["pass", "fail", "error", "crash", "timeout", "unsupported"];
+    let names = ["pass", "fail", "error", "crash", "timeout", "not-asked"];
     let mut rows: Vec<(&str, [u64; 7])> = Vec::new();
     for verdict in &report.verdicts {
-        let profile = verdict.id.rsplit_once('/').map_or("", |(profile, _)| profile);
+        let profile = verdict.profile();
         if rows.last().is_none_or(|&(last, _)| last != profile) {
             rows.push((profile, [0; 7]));
         }
@@ -153,11 +181,11 @@ fn print(report: &Report, args: &Args, took: Duration) {
     let advised = if advised > 0 { format!("; {advised} of the failed are only advised") } else { String::new() };
     let verdict = if report.is_conforming() { "conforms in what it names" } else { "does not conform" };
     say!(
-        "{name} {version} {verdict}: {} of {} cases passed, {} failed, {} not asked, {} waived, {:.1} s{advised}",
+        "{name} {version} {verdict} (suite {VERSION}): {} of {} cases passed, {} failed, {} not asked, {} waived, {:.1} s{advised}",
         grouped(report.count("pass") as u64),
         grouped(report.verdicts.len() as u64),
-        grouped((report.verdicts.len() - report.count("pass") - report.count("unsupported") - report.waived()) as u64),
-        grouped(report.count("unsupported") as u64),
+        grouped((report.verdicts.len() - report.count("pass") - report.count("not-asked") - report.waived()) as u64),
+        grouped(report.count("not-asked") as u64),
         report.waived(),
         took.as_secs_f64()
     );

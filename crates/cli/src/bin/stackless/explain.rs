@@ -7,7 +7,7 @@ use stackless_bvh::traverse::Method;
 use stackless_bvh::wide::Method as WideMethod;
 use stackless_check::{Case, CaseOptions, Replay, WideCase};
 use stackless_cli::explain::{self, USUAL, wide};
-use stackless_suite::{Ask, Traversal, WideWalk, author};
+use stackless_suite::{Ask, Suite, Traversal, WideWalk};
 
 use crate::build::Build;
 use crate::input::{self, Scene};
@@ -202,7 +202,7 @@ fn pixel(text: &str) -> Result<[u32; 2], String> {
 }
 
 fn suite_case(id: &str) -> Result<Ask, String> {
-    let suite = author::suite();
+    let suite = Suite::shipped().map_err(|error| error.to_string())?;
     let named = |error: &dyn std::fmt::Display| format!("case '{id}': {error}");
     let found = suite.cases().find(|(_, case)| case.id == id);
     let (_, case) = found.ok_or_else(|| named(&"not in the suite (`stackless suite show`)"))?;

@@ -70,9 +70,9 @@ struct Chosen {
     /// Cases of this level only.
     #[arg(long, value_parser = input::level)]
     level: Option<Level>,
-    /// Cases with such ids only; `*` is any text, `?` any character.
+    /// Cases with such ids only; `*` is any text, `?` any character. Several times: those with any of them.
     #[arg(long)]
-    filter: Option<String>,
+    filter: Vec<String>,
     /// Cases that need no features but these; without it all.
     #[arg(long, value_delimiter = ',', value_parser = feature)]
     features: Option<Vec<Feature>>,
@@ -121,7 +121,7 @@ impl Chosen {
                 profile.cases.retain(|case| case.features.iter().all(|feature| features.contains(feature)));
             }
         }
-        Ok(select(suite, self.level, self.filter.as_deref())?)
+        Ok(select(suite, self.level, &self.filter)?)
     }
 }
 

@@ -21,7 +21,9 @@ impl Implementation for Foreign {
             protocol: PROTOCOL,
             name: self.0.name().to_owned(),
             version: String::new(),
-            profiles: ["ray/grid", "ray/exact"].map(ToOwned::to_owned).to_vec(),
+            profiles: ["ray/grid", "ray/exact", "ray/watertight", "ray/ulp-8", "ray/ulp-256"]
+                .map(ToOwned::to_owned)
+                .to_vec(),
             features: Vec::new(),
             limits: Limits::default(),
         }
@@ -37,17 +39,14 @@ impl Implementation for Foreign {
 
 fn hits(peer: Peer, input: &Map<String, Value>) -> Result<Vec<Value>, Box<dyn std::error::Error>> {
     let Ask::Ray(asked) = Ask::of(input)? else { return Err("no rays".into()) };
-    let (mesh, rays) = asked.read()?;
-    let vertices: Vec<_> = mesh.vertices().iter().map(glam::Vec3::to_array).collect();
-    let tracer = peer.build(&vertices, mesh.triangles())?;
-    let plain = |ray: &stackless_bvh::geom::Ray| Ray {
-        origin: ray.origin().to_array(),
-        direction: ray.direction().to_array(),
-        tmin: ray.tmin(),
-        tmax: ray.tmax(),
-    };
-    let rays: Vec<_> = rays.iter().map(plain).collect();
+    // Invalid ones are not theirs to judge.
+    asked.read()?;
+    let (vertices, rays) = asked.numbers()?;
+    let tracer = peer.build(&vertices, &asked.triangles)?;
+    let plain = |[a, b, c, x, y, z, tmin, tmax]: [f32; 8]| Ray { origin: [a, b, c], direction: [x, y, z], tmin, tmax };
+    let rays: Vec<_> = rays.into_iter().map(plain).collect();
     Ok(match asked.query {
+        Query::Parity => return Err("crossings are not counted".into()),
         Query::Closest => {
             let mut hits = vec![None; rays.len()];
             tracer.closest(&rays, &mut hits);

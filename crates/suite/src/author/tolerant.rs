@@ -1,0 +1,345 @@
+//! Level `ray`, for tracers that round: what they can promise, and no more.
+//!
+//! Nothing here is in doubt. Rays from within a closed mesh hit it wherever they are aimed, those that pass it by keep
+//! away from it, and distances are asked for only where rounding costs little. The truth of each is computed all the
+//! same.
+
+use glam::{DVec3, Vec3};
+use serde_json::json;
+
+use super::ray::{asked, from_to};
+use super::truth::{Mesh, Ray};
+use super::{Author, result};
+use crate::{Ask, Expect, Level, Near, NearHit, Profile, Query};
+use stackless_bvh::generate::{Rng, Source};
+
+/// Rays of a case.
+const RAYS: usize = 16;
+
+/// Ulps that a profile allows, and the condition numbers up to which it asks.
+const ULPS: [(&str, u32, f64); 2] = [("ulp-8", 8, 4.0), ("ulp-256", 256, 64.0)];
+
+pub(super) fn profiles() -> Vec<Profile> {
+    let ulps = ULPS.map(|(name, ulps, most)| near(name, ulps, most));
+    [watertight(), parity()].into_iter().chain(ulps).collect()
+}
+
+/// Closed meshes around the origin, which holds all that is nearer than a quarter: names, and how they are scaled.
+fn closed() -> Vec<(&'static str, Mesh)> {
+    let ball = |level| sphere(level);
+    vec![
+        ("octahedron", sphere(0)),
+        ("cube", cube()),
+        ("ball-32", ball(1)),
+        ("ball-128", ball(2)),
+        ("ball-512", ball(3)),
+        ("egg", scaled(&ball(2), Vec3::new(1.0, 3.0, 7.0))),
+        ("needle", scaled(&ball(2), Vec3::new(1.0, 1.0, 1000.0))),
+        ("crumb", scaled(&ball(2), Vec3::splat(1.0 / 1024.0))),
+        ("planet", scaled(&ball(2), Vec3::splat(6_371_000.0))),
+    ]
+}
+
+fn scaled(mesh: &Mesh, by: Vec3) -> Mesh {
+    let vertices = mesh.vertices.iter().map(|&vertex| (Vec3::from_array(vertex) * by).to_array()).collect();
+    Mesh { vertices, triangles: mesh.triangles.clone() }
+}
+
+fn cube() -> Mesh {
+    let vertices = (0..8).map(|i| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { 1.0 } else { -1.0 })).collect();
+    let sides = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
+    Mesh { vertices, triangles: sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect() }
+}
+
+/// An octahedron whose triangles are cut into four so often, with all corners on the unit sphere but for rounding.
+fn sphere(level: u32) -> Mesh {
+    let mut vertices: Vec<Vec3> = [Vec3::X, Vec3::Y, Vec3::Z].into_iter().flat_map(|axis| [axis, -axis]).collect();
+    let mut triangles = vec![[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
+    for _ in 0..level {
+        let mut middles = std::collections::HashMap::new();
+        let mut middle = |a: u32, b: u32| {
+            *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
+                let sum = vertices[a as usize] + vertices[b as usize];
+                vertices.push(sum / sum.dot(sum).sqrt());
+                vertices.len() as u32 - 1
+            })
+        };
+        let mut cut = Vec::new();
+        for [a, b, c] in triangles {
+            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+            cut.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+        }
+        triangles = cut;
+    }
+    Mesh { vertices: vertices.iter().map(Vec3::to_array).collect(), triangles }
+}
+
+/// A point on a corner, on an edge, or in the middle of an edge, as well as a float says it.
+fn on_edge(rng: &mut Rng, mesh: &Mesh) -> Vec3 {
+    let corners = mesh.triangles[rng.below(mesh.triangles.len() as u64) as usize];
+    let [a, b] = [0, 1].map(|i| Vec3::from_array(mesh.vertices[corners[i] as usize]));
+    a + (b - a) * (rng.below(9) as f32 / 8.0)
+}
+
+fn middle_of_face(rng: &mut Rng, mesh: &Mesh) -> Vec3 {
+    let corners = mesh.triangles[rng.below(mesh.triangles.len() as u64) as usize];
+    let [a, b, c] = corners.map(|corner| Vec3::from_array(mesh.vertices[corner as usize]));
+    (a + b + c) / 3.0
+}
+
+/// Half of the extent on each axis.
+fn extent(mesh: &Mesh) -> Vec3 {
+    mesh.vertices.iter().map(|&vertex| Vec3::from_array(vertex).abs()).fold(Vec3::ZERO, Vec3::max)
+}
+
+fn inside(rng: &mut Rng, mesh: &Mesh) -> Vec3 {
+    Vec3::from_array([(); 3].map(|()| rng.below(9) as f32 / 64.0 - 1.0 / 16.0)) * extent(mesh)
+}
+
+/// A point on a sphere of so many times the mesh's size.
+fn outside(rng: &mut Rng, mesh: &Mesh, times: f32) -> Vec3 {
+    let v = Vec3::from_array([(); 3].map(|()| rng.below(1001) as f32 - 500.25));
+    v / v.dot(v).sqrt() * (times * radius(mesh))
+}
+
+fn radius(mesh: &Mesh) -> f32 {
+    let e = extent(mesh);
+    e.dot(e).sqrt()
+}
+
+fn watertight() -> Profile {
+    let mut author = Author::new(Level::Ray, "watertight");
+    for (i, (name, mesh)) in closed().into_iter().enumerate() {
+        let rng = &mut Rng::new(9000 + i as u64);
+        let all = [0.0, f32::INFINITY];
+        let leaks: Vec<Ray> = (0..RAYS).map(|_| from_to(inside(rng, &mesh), on_edge(rng, &mesh), all)).collect();
+        let why = "From within a closed mesh towards edges and corners: whatever is rounded, something is hit.";
+        asks(&mut author, &format!("{name}-leaks"), why, &mesh, &leaks, Query::Any, |_| true);
+        let through: Vec<Ray> = (0..RAYS).map(|_| from_to(outside(rng, &mesh, 2.0), inside(rng, &mesh), all)).collect();
+        let why = "From outside towards the middle of a closed mesh.";
+        asks(&mut author, &format!("{name}-through"), why, &mesh, &through, Query::Any, |_| true);
+        let ghosts: Vec<Ray> = (0..RAYS).map(|at| ghost(rng, &mesh, at)).collect();
+        let why = "Past the mesh, away from it, or ended before it: nothing is hit, and nothing is near.";
+        asks(&mut author, &format!("{name}-ghosts"), why, &mesh, &ghosts, Query::Any, |_| false);
+    }
+    author.done()
+}
+
+/// A ray that stays outside of the sphere around the mesh, by a fiftieth of its size or more.
+fn ghost(rng: &mut Rng, mesh: &Mesh, at: usize) -> Ray {
+    let from = outside(rng, mesh, 2.0);
+    match at % 3 {
+        0 => from_to(from, 2.0 * from, [0.0, f32::INFINITY]),
+        1 => from_to(from, Vec3::ZERO, [0.0, 0.4375]),
+        _ => loop {
+            let to = outside(rng, mesh, 2.0);
+            let along = to - from;
+            let nearest = from - along * (from.dot(along) / along.dot(along));
+            if nearest.dot(nearest).sqrt() > 1.02 * radius(mesh) {
+                return from_to(from, to, [0.0, f32::INFINITY]);
+            }
+        },
+    }
+}
+
+fn parity() -> Profile {
+    let mut author = Author::new(Level::Ray, "parity");
+    for (i, (name, mesh)) in closed().into_iter().enumerate() {
+        let rng = &mut Rng::new(9100 + i as u64);
+        let all = [0.0, f32::INFINITY];
+        let faces: Vec<Ray> = (0..RAYS)
+            .map(|at| {
+                let from = inside(rng, &mesh);
+                if at % 2 == 0 { from_to(from, middle_of_face(rng, &mesh), all) } else { ghost(rng, &mesh, at) }
+            })
+            .collect();
+        let why = "From within through the middle of faces, or past the mesh: no edge is near.";
+        asks(&mut author, &format!("{name}-faces"), why, &mesh, &faces, Query::Parity, |at| at % 2 == 0);
+        let within: Vec<Ray> = (0..RAYS).map(|_| from_to(inside(rng, &mesh), on_edge(rng, &mesh), all)).collect();
+        let why = "From within, towards edges and corners: each crossing counts once.";
+        asks(&mut author, &format!("{name}-within"), why, &mesh, &within, Query::Parity, |_| true);
+        let around: Vec<Ray> = (0..RAYS).map(|_| from_to(outside(rng, &mesh, 2.0), on_edge(rng, &mesh), all)).collect();
+        let why = "From outside, towards edges and corners, which may be grazed: in as often as out.";
+        asks(&mut author, &format!("{name}-around"), why, &mesh, &around, Query::Parity, |_| false);
+        // A hollow one: between its walls, and in the hollow.
+        let hollow = with_hollow(&mesh);
+        let between = |rng: &mut Rng| inside(rng, &mesh) + Vec3::X * (0.5 * extent(&mesh).x);
+        let mixed: Vec<Ray> = (0..RAYS)
+            .map(|at| {
+                let from = if at % 2 == 0 { between(rng) } else { inside(rng, &hollow) / 8.0 };
+                from_to(from, on_edge(rng, &hollow), all)
+            })
+            .collect();
+        let why = "A hollow mesh: odd between its walls, even in the hollow.";
+        let is_between = |at: usize| at.is_multiple_of(2);
+        asks(&mut author, &format!("{name}-hollow"), why, &hollow, &mixed, Query::Parity, is_between);
+    }
+    author.done()
+}
+
+/// The same with its own image within, an eighth as large.
+fn with_hollow(mesh: &Mesh) -> Mesh {
+    let within = scaled(mesh, Vec3::splat(0.125));
+    let count = mesh.vertices.len() as u32;
+    let turned = within.triangles.iter().map(|&[a, b, c]| [a, c, b].map(|corner| corner + count));
+    Mesh {
+        vertices: mesh.vertices.iter().chain(&within.vertices).copied().collect(),
+        triangles: mesh.triangles.iter().copied().chain(turned).collect(),
+    }
+}
+
+fn asks(
+    author: &mut Author,
+    name: &str,
+    why: &str,
+    mesh: &Mesh,
+    rays: &[Ray],
+    query: Query,
+    expected: impl Fn(usize) -> bool,
+) {
+    let hits: Vec<_> = (0..rays.len()).map(expected).collect();
+    let ask = Ask::Ray(asked(mesh, rays, query));
+    author.case(name, &["EXACT-1", "CONF-2"], why, &ask, result([("hits", json!(hits))]));
+}
+
+/// Distances of hits that are far from edges, where they can be computed well.
+fn near(profile: &str, ulps: u32, most: f64) -> Profile {
+    let mut author = Author::new(Level::Ray, profile);
+    for seed in 0..24 {
+        let rng = &mut Rng::new(9200 + seed);
+        let mesh = doubled(&soup(rng, 4 + 2 * seed as usize));
+        let (mut rays, mut hits) = (Vec::new(), Vec::new());
+        for _ in 0..20_000 {
+            if rays.len() == RAYS {
+                break;
+            }
+            let from = Vec3::from_array([(); 3].map(|()| rng.below(1025) as f32 / 128.0 - 4.0));
+            let to = Vec3::from_array([(); 3].map(|()| rng.below(1025) as f32 / 512.0 - 1.0));
+            let ray = from_to(from, to, [0.0, f32::INFINITY]);
+            if !is_clear(&mesh, &ray, most) {
+                continue;
+            }
+            let all = mesh.hits(&ray);
+            // Misses are easy.
+            if all.is_empty() && rays.len() % 5 != 0 {
+                continue;
+            }
+            let of = |first: &super::truth::Hit| NearHit {
+                t: format!("{:08x}", first.t.to_bits()),
+                prims: all.iter().filter(|hit| hit.t.to_bits() == first.t.to_bits()).map(|hit| hit.prim).collect(),
+            };
+            hits.push(all.first().map(of));
+            rays.push(ray);
+        }
+        let why = "Hits far from edges; each triangle is there twice, and either will do.";
+        let ask = Ask::Ray(asked(&mesh, &rays, Query::Closest));
+        author.case(&format!("soup-{seed}"), &["EXACT-1", "CONF-2"], why, &ask, Expect::Near(Near { ulps, hits }));
+    }
+    author.done()
+}
+
+fn soup(rng: &mut Rng, triangles: usize) -> Mesh {
+    let corner = |rng: &mut Rng| [(); 3].map(|()| rng.below(1 << 20) as f32 / (1 << 19) as f32 - 1.0);
+    let vertices = (0..3 * triangles).map(|_| corner(rng)).collect();
+    Mesh { vertices, triangles: (0..triangles as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect() }
+}
+
+/// Each triangle again, with its corners turned.
+fn doubled(mesh: &Mesh) -> Mesh {
+    let again = mesh.triangles.iter().map(|&[a, b, c]| [b, c, a]);
+    Mesh { vertices: mesh.vertices.clone(), triangles: mesh.triangles.iter().copied().chain(again).collect() }
+}
+
+/// Whether no edge is near, no two different triangles are hit at distances alike, and sums lose little: the sizes of
+/// what is added are at most so many times the sum.
+fn is_clear(mesh: &Mesh, &[x, y, z, dx, dy, dz, ..]: &Ray, most: f64) -> bool {
+    let (o, d) = (Vec3::new(x, y, z).as_dvec3(), Vec3::new(dx, dy, dz).as_dvec3());
+    let mut distances: Vec<f64> = Vec::new();
+    for (i, corners) in mesh.triangles.iter().enumerate() {
+        let [a, b, c] = corners.map(|corner| Vec3::from_array(mesh.vertices[corner as usize]).as_dvec3());
+        let (e1, e2, s) = (b - a, c - a, o - a);
+        let (p, q) = (d.cross(e2), s.cross(e1));
+        let det = e1.dot(p);
+        let sizes = |a: DVec3, b: DVec3, c: DVec3| a.abs().dot(sum_of_sizes(b, c));
+        let (u, v) = (s.dot(p) / det, d.dot(q) / det);
+        let t = e2.dot(q) / det;
+        let least = u.min(v).min(1.0 - u - v);
+        // A NaN is not.
+        let is_away = least.abs() > 1.0 / 32.0;
+        if !is_away {
+            return false;
+        }
+        if least < 0.0 || t < -1e-3 {
+            continue;
+        }
+        let loss = (sizes(e1, d, e2) / det.abs()).max(sizes(e2, s, e1) / e2.dot(q).abs());
+        let is_other = i < mesh.triangles.len() / 2;
+        let is_well = loss <= most && t > 1e-3;
+        if !is_well || is_other && distances.iter().any(|&other| (other - t).abs() < 1e-3 * t) {
+            return false;
+        }
+        distances.push(t);
+    }
+    true
+}
+
+/// The cross product with all that is subtracted added.
+fn sum_of_sizes(a: DVec3, b: DVec3) -> DVec3 {
+    let (a, b) = (a.abs(), b.abs());
+    DVec3::new(a.y * b.z + a.z * b.y, a.z * b.x + a.x * b.z, a.x * b.y + a.y * b.x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An odd number of crossings, along rays that keep away from edges, for those that begin within.
+    fn is_within(mesh: &Mesh, from: Vec3) -> bool {
+        let rng = &mut Rng::new(1);
+        loop {
+            let way = Vec3::from_array([(); 3].map(|()| rng.below(1001) as f32 - 500.25));
+            let [a, b, c] = from.to_array();
+            let hits = mesh.hits(&[a, b, c, way.x, way.y, way.z, 0.0, f32::INFINITY]);
+            if hits.iter().all(|hit| hit.u > 1e-3 && hit.v > 1e-3 && hit.u + hit.v < 0.999) {
+                return hits.len() % 2 == 1;
+            }
+        }
+    }
+
+    /// What is expected by how rays are made is the truth.
+    #[test]
+    fn the_truth_is_as_expected() {
+        let (mut asked, mut met) = (0, 0);
+        for profile in [watertight(), parity()] {
+            for case in &profile.cases {
+                let Ok(Ask::Ray(rays)) = Ask::of(&case.input) else { panic!("{}", case.id) };
+                let (vertices, origins) = rays.numbers().unwrap();
+                let mesh = Mesh { vertices, triangles: rays.triangles.clone() };
+                let Expect::Result(expected) = &case.expect else { panic!("{}", case.id) };
+                for (ray, expected) in origins.iter().zip(expected["hits"].as_array().unwrap()) {
+                    let truth = match rays.query {
+                        Query::Any => !mesh.hits(ray).is_empty(),
+                        _ => is_within(&mesh, Vec3::new(ray[0], ray[1], ray[2])),
+                    };
+                    assert_eq!(truth, expected.as_bool().unwrap(), "{}", case.id);
+                    (asked, met) = (asked + 1, met + usize::from(truth));
+                }
+            }
+        }
+        assert!(asked > 700 && met > 300 && asked - met > 200, "{met} of {asked}");
+    }
+
+    #[test]
+    fn rays_of_ulps_are_enough() {
+        for (name, ulps, most) in ULPS {
+            let profile = near(name, ulps, most);
+            let hits = profile.cases.iter().flat_map(|case| match &case.expect {
+                Expect::Near(near) => near.hits.clone(),
+                _ => panic!("{}", case.id),
+            });
+            let hits: Vec<_> = hits.collect();
+            assert!(hits.len() > 300 && hits.iter().flatten().count() > 200, "{name}: {}", hits.len());
+            assert!(hits.iter().flatten().all(|hit| hit.prims.len() >= 2), "{name}");
+        }
+    }
+}
