@@ -26,7 +26,7 @@ use crate::output::{bar, write_file};
 use crate::places::{self, Output};
 use crate::record::{self, Numbered, Run, add_rows, fingerprint};
 use pairs::{Pair, Trees};
-use rows::{Kind, Row};
+use rows::Row;
 use sets::{Set, sets};
 use stages::Stages;
 pub(crate) use total::{Found, SecondaryFound};
@@ -35,7 +35,7 @@ pub(crate) use total::{Found, SecondaryFound};
 ///
 /// Times are of one thread, over one tree, in one run: a ratio is the median over chunks of rays of a pair's time to
 /// that of `moller-32` with `plain` boxes. Errors are told by rational arithmetic, on ordinary rays (a camera's, and
-/// from where those hit) and on rays that are aimed at edges, corners and planes. The exit code is 1 if an exact test
+/// from where those hit) and on rays that are aimed at edges, corners and planes. Both kinds are timed. The exit code is 1 if an exact test
 /// with `directed` boxes errs at all.
 ///
 /// With --shard, all rays are judged and none are timed. Then the record has counts of errors and the greatest error of a
@@ -194,15 +194,11 @@ fn measure_scene(
             }
             let rows = judge(scene, &trees, &truth, pairs, &set, JUDGED as usize);
             let name = format!("{}, {}", scene.name, set.name);
-            // Rays that are made to be hard come in an order that nobody traces them in, so they are not timed.
-            let times = match set.kind {
-                Kind::Ordinary => timing::measure(pairs, &trees, set.query, &set.rays, args.rounds as usize, &name),
-                Kind::Adversarial | Kind::Closed => Vec::new(),
-            };
+            let times = timing::measure(pairs, &trees, set.query, &set.rays, args.rounds as usize, &name);
             if set.query == Query::Closest {
                 found.stages.push(Stages::count(&scene.name, set.name, trees.by_area(), &set.rays));
             }
-            found.rows.extend(rows.into_iter().enumerate().map(|(i, row)| row.timed(times.get(i))));
+            found.rows.extend(rows.into_iter().zip(&times).map(|(row, time)| row.timed(time)));
         }
         return Ok(());
     }

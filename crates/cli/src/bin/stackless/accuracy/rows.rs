@@ -93,8 +93,7 @@ impl Row {
         }
     }
 
-    pub(super) fn timed(self, time: Option<&Time>) -> Self {
-        let Some(time) = time else { return self };
+    pub(super) fn timed(self, time: &Time) -> Self {
         Self {
             timed_rays: Some(time.rays),
             ns_per_ray: Some(time.nanoseconds),

@@ -74,14 +74,13 @@ fn side(summaries: &[Summary<'_>], name: &str, kinds: &[Kind], events: &[Event])
     let choices: Vec<_> = summaries.iter().map(|summary| summary.choice(kinds, events)).collect();
     let known: Vec<_> = choices.iter().flatten().cloned().collect();
     let mut on_front = front(&known).into_iter();
-    let header = ["", "kernel", "box", "level", "time", "most", "Mrays/s"].into_iter();
+    let header = ["", "kernel", "box", "level", "time", "most", "Mrays/s", "judged"].into_iter();
     let header: Vec<_> = header.chain(events.iter().map(|event| event.0)).chain(["p99.9 ulp", "max ulp"]).collect();
     let lines = summaries.iter().zip(&choices).map(|(summary, choice)| {
         let star = choice.is_some() && on_front.next() == Some(true);
         summary.cells(kinds, events, star)
     });
-    let caption =
-        "errors in 10^9 rays, the most of any scene; `<`: none was seen (95 %). *: nobody is faster and errs less";
+    let caption = "time of these rays; errors in 10^9 rays, the most of any scene; `<`: none was seen (95 %). *: nobody is faster and errs less";
     [Block::Line(format!("{name}: {caption}")), Block::Table(table(&header, 4, lines.collect()))]
 }
 
@@ -90,17 +89,21 @@ impl Summary<'_> {
         self.0.first().map(|row| (&*row.kernel, &*row.slabs))
     }
 
+    fn rows(&self, kinds: &[Kind]) -> impl Iterator<Item = &Row> {
+        self.0.iter().copied().filter(move |row| kinds.contains(&row.kind))
+    }
+
     /// Geometric mean of the time over scenes and sets, its greatest, and the geometric mean of the throughput.
-    fn time(&self) -> Option<[f64; 3]> {
-        let mean = |of: fn(&Row) -> Option<f64>| geometric_mean(self.0.iter().filter_map(|row| of(row)));
-        let most = self.0.iter().filter_map(|row| row.ratio).reduce(f64::max)?;
+    fn time(&self, kinds: &[Kind]) -> Option<[f64; 3]> {
+        let mean = |of: fn(&Row) -> Option<f64>| geometric_mean(self.rows(kinds).filter_map(of));
+        let most = self.rows(kinds).filter_map(|row| row.ratio).reduce(f64::max)?;
         Some([mean(|row| row.ratio)?, most, mean(|row| row.mrays)?])
     }
 
     /// How often a kind of error happens: in the scene where it happens most.
     fn errors(&self, kinds: &[Kind], event: Event) -> Option<Errors> {
         let mut scenes = BTreeMap::<&str, [u64; 2]>::new();
-        for row in self.0.iter().filter(|row| kinds.contains(&row.kind) && row.rays > 0) {
+        for row in self.rows(kinds).filter(|row| row.rays > 0) {
             if let Some(events) = event.1(row) {
                 let sums = scenes.entry(&row.scene).or_default();
                 *sums = [sums[0] + events, sums[1] + row.rays];
@@ -122,7 +125,7 @@ impl Summary<'_> {
         let bounds = all.iter().filter_map(|errors| if let Errors::Below(rate) = errors { Some(*rate) } else { None });
         let errors = if observed > 0.0 { Errors::Observed(observed) } else { Errors::Below(bounds.reduce(f64::max)?) };
         let family = KernelName::ALL.into_iter().position(|name| name.name() == kernel).unwrap_or(0);
-        let cost = self.time().map_or(f64::NAN, |time| time[0]);
+        let cost = self.time(kinds).map_or(f64::NAN, |time| time[0]);
         Some(Choice { label: format!("{kernel} + {slabs}"), family, cost, errors })
     }
 
@@ -131,19 +134,20 @@ impl Summary<'_> {
         let level = self.0.first().and_then(|row| row.level.as_deref()).unwrap_or_default();
         let mut cells = vec![if star { "*" } else { "" }.to_owned()];
         cells.extend([kernel, slabs, level].map(str::to_owned));
-        match self.time() {
+        match self.time(kinds) {
             Some([ratio, most, mrays]) => {
                 cells.extend([format!("{ratio:.3}"), format!("{most:.3}"), format!("{mrays:.3}")]);
             }
             None => cells.extend(["-"; 3].map(str::to_owned)),
         }
+        cells.push(grouped(self.rows(kinds).map(|row| row.rays).sum()));
         cells.extend(events.iter().map(|&event| match self.errors(kinds, event) {
             None => "-".to_owned(),
             Some(Errors::Observed(rate)) => grouped(rate.round() as u64),
             Some(Errors::Below(rate)) => format!("<{}", grouped(rate.ceil() as u64)),
         }));
-        let of_kind = || self.0.iter().filter(|row| kinds.contains(&row.kind));
-        let ulps = [of_kind().filter_map(|row| row.p999_ulp).max(), of_kind().filter_map(|row| row.max_ulp).max()];
+        let most = |of: fn(&Row) -> Option<u32>| self.rows(kinds).filter_map(of).max();
+        let ulps = [most(|row| row.p999_ulp), most(|row| row.max_ulp)];
         cells.extend(ulps.map(|ulps| ulps.map_or_else(|| "-".to_owned(), |ulps| grouped(ulps.into()))));
         cells
     }
