@@ -97,11 +97,10 @@ impl Choice<'_> {
     /// Takes the cheapest way, which is found by `cheapest`, if it is worth its cost and the sides fit.
     fn take<S: Split>(self, cheapest: impl Fn(&[Item]) -> Option<S>) -> Option<Cut> {
         let Self { range, extents, may_be_leaf, most } = self;
-        let (area, n) = (extents.boxes.half_area(), range.len() as f32);
         match cheapest(range) {
             None if may_be_leaf => None,
-            Some(s) if may_be_leaf && NODE_COST + s.weight() / area >= n => None,
-            Some(split) if split.greater() <= most && split.weight() < LEAST_GAIN * area * n => Some(split.part(range)),
+            Some(s) if may_be_leaf && NODE_COST + s.weight() / extents.boxes.half_area() >= range.len() as f32 => None,
+            Some(split) if split.greater() <= most && split.weight() >= LEAST_WEIGHT => Some(split.part(range)),
             _ => Some(halve(range, extents)),
         }
     }
@@ -112,9 +111,8 @@ pub(super) fn capacity(max_leaf: u32, levels: u32) -> usize {
     if levels < 32 { (max_leaf as usize).saturating_mul(1 << levels) } else { usize::MAX }
 }
 
-/// A cut is worth its place if it leaves less than this of the weight. Otherwise it may be at one end: where all boxes are
-/// the same, or so small that their areas are 0.
-const LEAST_GAIN: f32 = 1.0 - 1e-6;
+/// Below this, areas have underflowed: all cuts seem to cost the same, and the first would be taken again and again.
+const LEAST_WEIGHT: f32 = f32::MIN_POSITIVE;
 
 /// Cost of visiting a node, in triangle tests: two boxes are tested, and the next node is waited for.
 pub(super) const NODE_COST: f32 = 1.5;
