@@ -122,12 +122,8 @@ fn in_ranks(case: stackless_check::Case) -> Option<(stackless_check::Case, Vec<u
     distances.sort_unstable();
     distances.dedup();
     let rank = |distance: u32| distances.partition_point(|&other| other < distance) as u32;
-    let ranked = |cell: &Cell| Cell {
-        enter: rank(cell.enter),
-        exit: cell.exit.map(rank),
-        hit: cell.hit.map(rank),
-        ..*cell
-    };
+    let ranked =
+        |cell: &Cell| Cell { enter: rank(cell.enter), exit: cell.exit.map(rank), hit: cell.hit.map(rank), ..*cell };
     let tape = Tape::from_cells(&case.tree, cells.iter().map(ranked).collect())?;
     Some((stackless_check::Case { tape, ..case }, distances))
 }
