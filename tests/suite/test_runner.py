@@ -1,6 +1,5 @@
 """The runner in Python and the judges say of each case what `stackless conform` says, of right and wrong answers."""
 
-import functools
 import json
 import os
 import pathlib
@@ -11,7 +10,7 @@ import time
 
 import pytest
 from mangle import MISTAKES
-from test_schema import FILES, SUITE, check, vectors
+from test_schema import FILES, SUITE, check, served, vectors
 
 HERE = pathlib.Path(__file__).parent
 ROOT = HERE.parents[1]
@@ -100,23 +99,9 @@ def is_right(test):
     return True
 
 
-@functools.cache
-def served():
-    """This library's answers to all cases by one traversal, with its hello."""
-    cases = [(row["profile"], case) for row in FILES for case in vectors(row["profile"])["cases"]]
-    requests = [{"cmd": "hello", "protocol": 1}]
-    for seq, (name, case) in enumerate(cases):
-        level, profile = name.split("/")
-        requests.append({"cmd": "case", "seq": seq, "level": level, "profile": profile, "input": case["input"]})
-    lines = "".join(json.dumps(request) + "\n" for request in [*requests, {"cmd": "bye"}])
-    command = [STACKLESS, "suite", "serve", "--method", "hashed", "--word", "u32"]
-    ran = subprocess.run(command, input=lines, capture_output=True, text=True, check=True)
-    hello, *replies = map(json.loads, ran.stdout.splitlines())
-    return hello, {case["id"]: reply for (_, case), reply in zip(cases, replies)}
-
-
 def answers(mistake, ids, cases):
-    hello, replies = served()
+    hello, answered = served("--method", "hashed", "--word", "u32")
+    replies = {case["id"]: reply for case, reply in answered}
     replies = [json.loads(json.dumps(replies[id])) for id in ids]
     asked = [i for i, reply in enumerate(replies) if "unsupported" not in reply]
     for i in asked:
