@@ -27,7 +27,8 @@ pub(super) struct Plane {
 }
 
 impl Plane {
-    /// The cheapest one that has centroids on both sides. `None` if there is none of finite cost.
+    /// The cheapest one that has centroids on both sides. `None` if there is none, or weights tell none
+    /// from another.
     pub(super) fn cheapest<const N: usize>(items: &[Item], extents: &Extents, bins: usize) -> Option<Self> {
         let scale = Scale::new(extents.centroids, bins.min(N));
         let of = |items: &[Item]| Bins::<N>::of(items, scale);

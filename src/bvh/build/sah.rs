@@ -100,7 +100,7 @@ impl Choice<'_> {
         match cheapest(range) {
             None if may_be_leaf => None,
             Some(s) if may_be_leaf && NODE_COST + s.weight() / extents.boxes.half_area() >= range.len() as f32 => None,
-            Some(split) if split.greater() <= most && split.weight() >= LEAST_WEIGHT => Some(split.part(range)),
+            Some(split) if split.greater() <= most => Some(split.part(range)),
             _ => Some(halve(range, extents)),
         }
     }
@@ -110,9 +110,6 @@ impl Choice<'_> {
 pub(super) fn capacity(max_leaf: u32, levels: u32) -> usize {
     if levels < 32 { (max_leaf as usize).saturating_mul(1 << levels) } else { usize::MAX }
 }
-
-/// Below this, areas have underflowed: all cuts seem to cost the same, and the first would be taken again and again.
-const LEAST_WEIGHT: f32 = f32::MIN_POSITIVE;
 
 /// Cost of visiting a node, in triangle tests: two boxes are tested, and the next node is waited for.
 pub(super) const NODE_COST: f32 = 1.5;

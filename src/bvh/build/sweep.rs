@@ -19,7 +19,7 @@ pub(super) struct Sweep<const N: usize> {
 }
 
 impl<const N: usize> Sweep<N> {
-    /// `None` if no cut has a finite cost.
+    /// `None` if weights tell no cut from another.
     pub(super) fn new(items: &[Item]) -> Option<Self> {
         let n = items.len().min(N);
         let ranks = ranks(items);
@@ -112,6 +112,7 @@ impl Candidates {
         self.places = Vec3A::select(is_less, Vec3A::splat(place as f32), self.places);
     }
 
+    /// `None` where weights tell no cut from another: the least has overflowed, or underflowed.
     #[inline]
     pub(super) fn cheapest(self) -> Option<Cheapest> {
         let [x, y, z] = self.weights.to_array();
@@ -123,7 +124,8 @@ impl Candidates {
             0
         };
         let weight = self.weights[axis];
-        (weight < f32::INFINITY).then(|| Cheapest { axis, place: self.places[axis] as usize, weight })
+        let is_told = (f32::MIN_POSITIVE..f32::INFINITY).contains(&weight);
+        is_told.then(|| Cheapest { axis, place: self.places[axis] as usize, weight })
     }
 }
 

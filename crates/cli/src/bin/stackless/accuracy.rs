@@ -35,8 +35,8 @@ pub(crate) use total::{Found, SecondaryFound};
 ///
 /// Times are of one thread, over one tree, in one run: a ratio is the median over chunks of rays of a pair's time to
 /// that of `moller-32` with `plain` boxes. Errors are told by rational arithmetic, on ordinary rays (a camera's, and
-/// from where those hit) and on rays that are aimed at edges, corners and planes. Both kinds are timed. The exit code is 1 if an exact test
-/// with `directed` boxes errs at all.
+/// from where those hit) and on rays that are aimed at edges, corners and planes. Both kinds are timed. The
+/// exit code is 1 if an exact test with `directed` boxes errs at all.
 ///
 /// With --shard, all rays are judged and none are timed. Then the record has counts of errors and the greatest error of a
 /// distance, which add up. Times, means and quantiles do not: they belong to a whole run on one machine.

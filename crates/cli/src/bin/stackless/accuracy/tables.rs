@@ -80,7 +80,8 @@ fn side(summaries: &[Summary<'_>], name: &str, kinds: &[Kind], events: &[Event])
         let star = choice.is_some() && on_front.next() == Some(true);
         summary.cells(kinds, events, star)
     });
-    let caption = "time of these rays; errors in 10^9 rays, the most of any scene; `<`: none was seen (95 %). *: nobody is faster and errs less";
+    let caption = "time of these rays; errors in 10^9 rays, the most of any scene; `<`: none was seen (95 %). *: nobody is \
+                   faster and errs less";
     [Block::Line(format!("{name}: {caption}")), Block::Table(table(&header, 4, lines.collect()))]
 }
 
