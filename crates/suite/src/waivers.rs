@@ -1,5 +1,6 @@
 //! Cases that an implementation is known to fail.
 
+use std::collections::HashSet;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -70,9 +71,9 @@ impl Waivers {
     /// [`WaiverError::Json`] and [`WaiverError::Twice`].
     pub fn parse(text: &str) -> Result<Self, WaiverError> {
         let list: Vec<Waiver> = serde_json::from_str(text)?;
-        let twice = |(i, waiver): (usize, &Waiver)| list[..i].iter().any(|before| before.id == waiver.id);
-        if let Some(i) = (0..list.len()).find(|&i| twice((i, &list[i]))) {
-            return Err(WaiverError::Twice(list[i].id.clone()));
+        let mut ids = HashSet::new();
+        if let Some(waiver) = list.iter().find(|waiver| !ids.insert(&waiver.id)) {
+            return Err(WaiverError::Twice(waiver.id.clone()));
         }
         Ok(Self { list })
     }

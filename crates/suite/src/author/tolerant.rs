@@ -16,6 +16,9 @@ use stackless_bvh::generate::{Rng, Source};
 /// Rays of a case.
 const RAYS: usize = 16;
 
+/// The interval of a ray without an end.
+const WHOLE: [f32; 2] = [0.0, f32::INFINITY];
+
 /// Ulps that a profile allows, and the condition numbers up to which it asks.
 const ULPS: [(&str, u32, f64); 2] = [("ulp-8", 8, 4.0), ("ulp-256", 256, 64.0)];
 
@@ -26,17 +29,16 @@ pub(super) fn profiles() -> Vec<Profile> {
 
 /// Closed meshes around the origin, which holds all that is nearer than a quarter: names, and how they are scaled.
 fn closed() -> Vec<(&'static str, Mesh)> {
-    let ball = |level| sphere(level);
     vec![
         ("octahedron", sphere(0)),
         ("cube", cube()),
-        ("ball-32", ball(1)),
-        ("ball-128", ball(2)),
-        ("ball-512", ball(3)),
-        ("egg", scaled(&ball(2), Vec3::new(1.0, 3.0, 7.0))),
-        ("needle", scaled(&ball(2), Vec3::new(1.0, 1.0, 1000.0))),
-        ("crumb", scaled(&ball(2), Vec3::splat(1.0 / 1024.0))),
-        ("planet", scaled(&ball(2), Vec3::splat(6_371_000.0))),
+        ("ball-32", sphere(1)),
+        ("ball-128", sphere(2)),
+        ("ball-512", sphere(3)),
+        ("egg", scaled(&sphere(2), Vec3::new(1.0, 3.0, 7.0))),
+        ("needle", scaled(&sphere(2), Vec3::new(1.0, 1.0, 1000.0))),
+        ("crumb", scaled(&sphere(2), Vec3::splat(1.0 / 1024.0))),
+        ("planet", scaled(&sphere(2), Vec3::splat(6_371_000.0))),
     ]
 }
 
@@ -102,6 +104,11 @@ fn outside(rng: &mut Rng, mesh: &Mesh, times: f32) -> Vec3 {
     v / v.dot(v).sqrt() * (times * radius(mesh))
 }
 
+/// From within towards edges and corners.
+fn out_to_edges(rng: &mut Rng, mesh: &Mesh) -> Vec<Ray> {
+    (0..RAYS).map(|_| from_to(inside(rng, mesh), on_edge(rng, mesh), WHOLE)).collect()
+}
+
 fn radius(mesh: &Mesh) -> f32 {
     let e = extent(mesh);
     e.dot(e).sqrt()
@@ -111,11 +118,11 @@ fn watertight() -> Profile {
     let mut author = Author::new(Level::Ray, "watertight");
     for (i, (name, mesh)) in closed().into_iter().enumerate() {
         let rng = &mut Rng::new(9000 + i as u64);
-        let all = [0.0, f32::INFINITY];
-        let leaks: Vec<Ray> = (0..RAYS).map(|_| from_to(inside(rng, &mesh), on_edge(rng, &mesh), all)).collect();
+        let leaks = out_to_edges(rng, &mesh);
         let why = "From within a closed mesh towards edges and corners: whatever is rounded, something is hit.";
         asks(&mut author, &format!("{name}-leaks"), why, &mesh, &leaks, Query::Any, |_| true);
-        let through: Vec<Ray> = (0..RAYS).map(|_| from_to(outside(rng, &mesh, 2.0), inside(rng, &mesh), all)).collect();
+        let through: Vec<Ray> =
+            (0..RAYS).map(|_| from_to(outside(rng, &mesh, 2.0), inside(rng, &mesh), WHOLE)).collect();
         let why = "From outside towards the middle of a closed mesh.";
         asks(&mut author, &format!("{name}-through"), why, &mesh, &through, Query::Any, |_| true);
         let ghosts: Vec<Ray> = (0..RAYS).map(|at| ghost(rng, &mesh, at)).collect();
@@ -129,14 +136,14 @@ fn watertight() -> Profile {
 fn ghost(rng: &mut Rng, mesh: &Mesh, at: usize) -> Ray {
     let from = outside(rng, mesh, 2.0);
     match at % 3 {
-        0 => from_to(from, 2.0 * from, [0.0, f32::INFINITY]),
+        0 => from_to(from, 2.0 * from, WHOLE),
         1 => from_to(from, Vec3::ZERO, [0.0, 0.4375]),
         _ => loop {
             let to = outside(rng, mesh, 2.0);
             let along = to - from;
             let nearest = from - along * (from.dot(along) / along.dot(along));
             if nearest.dot(nearest).sqrt() > 1.02 * radius(mesh) {
-                return from_to(from, to, [0.0, f32::INFINITY]);
+                return from_to(from, to, WHOLE);
             }
         },
     }
@@ -146,19 +153,19 @@ fn parity() -> Profile {
     let mut author = Author::new(Level::Ray, "parity");
     for (i, (name, mesh)) in closed().into_iter().enumerate() {
         let rng = &mut Rng::new(9100 + i as u64);
-        let all = [0.0, f32::INFINITY];
         let faces: Vec<Ray> = (0..RAYS)
             .map(|at| {
                 let from = inside(rng, &mesh);
-                if at % 2 == 0 { from_to(from, middle_of_face(rng, &mesh), all) } else { ghost(rng, &mesh, at) }
+                if at % 2 == 0 { from_to(from, middle_of_face(rng, &mesh), WHOLE) } else { ghost(rng, &mesh, at) }
             })
             .collect();
         let why = "From within through the middle of faces, or past the mesh: no edge is near.";
         asks(&mut author, &format!("{name}-faces"), why, &mesh, &faces, Query::Parity, |at| at % 2 == 0);
-        let within: Vec<Ray> = (0..RAYS).map(|_| from_to(inside(rng, &mesh), on_edge(rng, &mesh), all)).collect();
+        let within = out_to_edges(rng, &mesh);
         let why = "From within, towards edges and corners: each crossing counts once.";
         asks(&mut author, &format!("{name}-within"), why, &mesh, &within, Query::Parity, |_| true);
-        let around: Vec<Ray> = (0..RAYS).map(|_| from_to(outside(rng, &mesh, 2.0), on_edge(rng, &mesh), all)).collect();
+        let around: Vec<Ray> =
+            (0..RAYS).map(|_| from_to(outside(rng, &mesh, 2.0), on_edge(rng, &mesh), WHOLE)).collect();
         let why = "From outside, towards edges and corners, which may be grazed: in as often as out.";
         asks(&mut author, &format!("{name}-around"), why, &mesh, &around, Query::Parity, |_| false);
         // A hollow one: between its walls, and in the hollow.
@@ -167,7 +174,7 @@ fn parity() -> Profile {
         let mixed: Vec<Ray> = (0..RAYS)
             .map(|at| {
                 let from = if at % 2 == 0 { between(rng) } else { inside(rng, &hollow) / 8.0 };
-                from_to(from, on_edge(rng, &hollow), all)
+                from_to(from, on_edge(rng, &hollow), WHOLE)
             })
             .collect();
         let why = "A hollow mesh: odd between its walls, even in the hollow.";
@@ -215,7 +222,7 @@ fn near(profile: &str, ulps: u32, most: f64) -> Profile {
             }
             let from = Vec3::from_array([(); 3].map(|()| rng.below(1025) as f32 / 128.0 - 4.0));
             let to = Vec3::from_array([(); 3].map(|()| rng.below(1025) as f32 / 512.0 - 1.0));
-            let ray = from_to(from, to, [0.0, f32::INFINITY]);
+            let ray = from_to(from, to, WHOLE);
             if !is_clear(&mesh, &ray, most) {
                 continue;
             }

@@ -19,7 +19,15 @@ pub(super) fn answer(accuracy: Accuracy, ask: &Ask) -> Option<Answer> {
     };
     let hits = scene.hits(|mesh, rays| {
         let bvh = Bvh::sah(mesh, SahOptions::default()).map_err(|error| error.to_string())?;
-        Ok(with_level(accuracy, Cast { bvh, rays, query: asked.query }))
+        Ok(match asked.query {
+            Query::Closest => with_level(accuracy, Cast { bvh, rays, any: false }),
+            Query::Any => with_level(accuracy, Cast { bvh, rays, any: true }),
+            // Crossings are counted exactly, or not at all.
+            Query::Parity => {
+                let tracer = BinaryTracer::new(bvh);
+                rays.iter().map(|ray| json!(tracer.crossings(ray) % 2 == 1)).collect()
+            }
+        })
     });
     Some(match hits {
         Ok(hits) => Answer::of([("hits", Value::Array(hits))]),
@@ -30,31 +38,25 @@ pub(super) fn answer(accuracy: Accuracy, ask: &Ask) -> Option<Answer> {
 struct Cast {
     bvh: Bvh,
     rays: Vec<Ray>,
-    query: Query,
+    any: bool,
 }
 
 impl WithTests for Cast {
     type Output = Vec<Value>;
 
     fn call<K: Kernel<Vector = Vec3, Shape: Form> + 'static, B: Slabs<Vector = Vec3> + 'static>(self) -> Vec<Value> {
-        let Self { bvh, rays, query } = self;
-        // Crossings are counted exactly, or not at all.
-        let plain = bvh.clone();
-        let parity = BinaryTracer::new(&plain);
+        let Self { bvh, rays, any } = self;
         let bvh = bvh.map(K::Shape::from);
         let mut memory = Vec::new();
-        let hit = |ray: &Ray| match query {
-            Query::Closest => {
-                let mut search = Search::<K, B, false>::new(&bvh, ray);
-                traverse(Stack::new(bvh.tree(), &mut memory), &mut search, &mut ());
-                search.hit().map_or(Value::Null, |Hit { prim, t, u, v }| hit(prim, [t, u, v]))
-            }
-            Query::Parity => json!(parity.crossings(ray) % 2 == 1),
-            Query::Any => {
+        let hit = |ray: &Ray| {
+            if any {
                 let mut search = Search::<K, B, true>::new(&bvh, ray);
                 traverse(Stack::new(bvh.tree(), &mut memory), &mut search, &mut ());
-                json!(search.found().is_some())
+                return json!(search.found().is_some());
             }
+            let mut search = Search::<K, B, false>::new(&bvh, ray);
+            traverse(Stack::new(bvh.tree(), &mut memory), &mut search, &mut ());
+            search.hit().map_or(Value::Null, |Hit { prim, t, u, v }| hit(prim, [t, u, v]))
         };
         rays.iter().map(hit).collect()
     }
