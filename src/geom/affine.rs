@@ -14,6 +14,8 @@ use super::{Aabb, EnclosedRay, Interval};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AffineMap {
     rows: [[f32; 4]; 3],
+    /// All of them are multiples of 2 to the power of minus this.
+    unit: usize,
     /// Bounds of the inverse of A, each as narrow as can be.
     inverse: [[Interval; 3]; 3],
 }
@@ -43,6 +45,7 @@ impl AffineMap {
         const ONE: Interval = Interval::exact(1.0);
         Self {
             rows: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
+            unit: 0,
             inverse: [[ONE, ZERO, ZERO], [ZERO, ONE, ZERO], [ZERO, ZERO, ONE]],
         }
     };
@@ -81,7 +84,8 @@ impl AffineMap {
         let entry = |i: usize, j: usize| {
             Interval::around(&RBig::from_parts_signed(adjugate(i, j) << UNIT, determinant.clone()))
         };
-        Ok(Self { rows, inverse: [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j))) })
+        let unit = unit_of(rows.as_flattened());
+        Ok(Self { rows, unit, inverse: [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j))) })
     }
 
     /// The map that adds a vector.
@@ -141,32 +145,44 @@ pub fn meet_image<'a>(
     origin: Vec3,
     direction: Vec3,
 ) -> Meeting {
-    let ([v0, v1, v2], shift) = images(triangle, maps);
-    let [o, d] = [origin, direction].map(|v| v.to_array().map(|x| integer(x) << shift));
+    let line = [origin, direction].map(|v| v.to_array());
+    let ((corners, unit), unit_of_line) = (images(triangle, maps), unit_of(line.as_flattened()));
+    let common = unit.max(unit_of_line);
+    let [v0, v1, v2] = corners.map(|corner| corner.map(|x| x << (common - unit)));
+    let [o, d] = line.map(|v| v.map(|x| multiple(x, unit_of_line) << (common - unit_of_line)));
     meet_integers([v0, v1, v2, o, d])
 }
 
-/// The images of corners, as integers times 2^-(149 + shift), and the shift.
+/// The images of corners, as integers times 2 to the power of minus the second number: as few digits as that takes.
 pub(super) fn images<'a>(
     triangle: [Vec3; 3],
     maps: impl IntoIterator<Item = &'a AffineMap>,
 ) -> ([[IBig; 3]; 3], usize) {
-    let mut corners = triangle.map(|corner| corner.to_array().map(integer));
-    let mut shift = 0;
+    let corners = triangle.map(|corner| corner.to_array());
+    let mut unit = unit_of(corners.as_flattened());
+    let mut corners = corners.map(|corner| corner.map(|x| multiple(x, unit)));
     for map in maps {
-        shift += UNIT;
-        corners = corners.map(|corner| {
-            [0, 1, 2].map(|row| {
-                let numbers = map.rows[row].map(integer);
-                &numbers[0] * &corner[0] + &numbers[1] * &corner[1] + &numbers[2] * &corner[2] + (&numbers[3] << shift)
-            })
-        });
+        let rows = map.rows.map(|row| row.map(|x| multiple(x, map.unit)));
+        corners = corners
+            .map(|[x, y, z]| rows.each_ref().map(|[a, b, c, offset]| a * &x + b * &y + c * &z + (offset << unit)));
+        unit += map.unit;
     }
-    (corners, shift)
+    (corners, unit)
+}
+
+/// All of these floats are multiples of 2 to the power of minus this, which is at most 149.
+fn unit_of(numbers: &[f32]) -> usize {
+    let unit = |&x: &f32| UNIT - integer(x).trailing_zeros().map_or(UNIT, |zeros| zeros.min(UNIT));
+    numbers.iter().map(unit).max().unwrap_or(0)
+}
+
+/// A float times 2 to the power of its unit, or more.
+fn multiple(x: f32, unit: usize) -> IBig {
+    integer(x) >> (UNIT - unit)
 }
 
 /// All floats of single precision are multiples of 2^-149.
-pub(super) const UNIT: usize = 149;
+const UNIT: usize = 149;
 
 /// A finite float times 2^149.
 fn integer(x: f32) -> IBig {

@@ -8,7 +8,7 @@ use dashu_int::ops::Gcd;
 use dashu_int::{IBig, UBig};
 use glam::Vec3;
 
-use super::affine::{UNIT, images};
+use super::affine::images;
 use super::kernel::EnclosedTest;
 use super::truth::{Meeting, Point, RBig, meet_integers};
 use super::{AffineMap, EnclosedRay, Interval, Ray, RayError, Region, Triangle, check_environment, meet_image};
@@ -237,13 +237,13 @@ impl ExactRay {
         if let (Place::Floats(origin), Way::Along(direction)) = (&self.origin.0, &self.way) {
             return meet_image(triangle.0, maps, *origin, *direction);
         }
-        let ([origin, direction], (corners, shift)) = (self.line(), images(triangle.0, maps));
+        let ([origin, direction], (corners, unit)) = (self.line(), images(triangle.0, maps));
         // All are multiplied by what makes them integers.
         let over = origin.iter().chain(&direction).fold(UBig::ONE, |over, x| {
             let common = (&over).gcd(x.denominator());
             over * (x.denominator() / common)
         });
-        let integer = |x: &RBig| (x.numerator() * IBig::from(&over / x.denominator())) << (UNIT + shift);
+        let integer = |x: &RBig| (x.numerator() * IBig::from(&over / x.denominator())) << unit;
         let [o, d] = [origin, direction].map(|v| v.each_ref().map(integer));
         let over = IBig::from(over);
         let [v0, v1, v2] = corners.map(|corner| corner.map(|x| x * &over));

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use super::frame::power_of_two;
-use super::kernel::two_sum;
+use super::kernel::{two_product, two_sum};
 use super::truth::{RBig, round_f64};
 
 /// All numbers from a least to a greatest. Sums, differences and products hold all sums, differences and products of
@@ -127,9 +127,15 @@ impl Mul for Interval {
 
     #[inline]
     fn mul(self, other: Self) -> Self {
-        // The only exact product: that a component of a direction is 0 must not be lost.
+        // That a component of a direction is 0 must not be lost.
         if self.is_zero() || other.is_zero() {
             return Self::exact(0.0);
+        }
+        if self.lo == self.hi
+            && other.lo == other.hi
+            && let Some(product) = exact_product(self.lo, other.lo)
+        {
+            return Self::exact(product);
         }
         let products = [self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi];
         // 0 times infinity is dropped. The other ends then give 0, or infinities of both signs.
@@ -140,6 +146,14 @@ impl Mul for Interval {
         }
         Self { lo: lo.next_down(), hi: hi.next_up() }
     }
+}
+
+/// The product, if it is a double and two-product can tell.
+#[inline]
+fn exact_product(a: f64, b: f64) -> Option<f64> {
+    let (product, rest) = two_product(a, b);
+    let is_safe = a.abs() < power_of_two(500) && b.abs() < power_of_two(500) && product.abs() > power_of_two(-900);
+    (is_safe && rest == 0.0).then_some(product)
 }
 
 #[cfg(test)]
@@ -187,6 +201,8 @@ mod tests {
     fn what_is_exact_stays_so() {
         let [one, three] = [1.0, 3.0].map(Interval::exact);
         assert_eq!(one + three, Interval::exact(4.0));
+        assert_eq!(three * three, Interval::exact(9.0));
+        assert_ne!(Interval::exact(0.1) * three, Interval::exact(0.1 * 3.0));
         assert_eq!(one - one, Interval::exact(0.0));
         assert!((three * Interval::exact(0.0) + Interval::exact(-0.0) * one).is_zero());
         assert_eq!(Interval::between([1.0, 1e300]).ends_in_single(), [1.0, f32::INFINITY]);

@@ -5,7 +5,7 @@ use crate::bvh::{Bvh, LeafTriangle};
 use crate::geom::kernel::{self, Certainty};
 use crate::geom::slabs::Intervals;
 use crate::geom::truth::round_f32;
-use crate::geom::{Aabb, EnclosedRay, ExactRay, Slabs, Triangle, slabs};
+use crate::geom::{Aabb, EnclosedRay, Ends, ExactRay, Slabs, Triangle, slabs};
 use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::trace::BoxQuery;
 use crate::tree::{Node, Topology};
@@ -159,6 +159,13 @@ impl Triangles<'_> {
         let (ray, maps) = (search.ray, self.tracer.maps(&search.path));
         if ray.leaves(triangle, &maps) {
             return None;
+        }
+        if ray.ends() == Ends::Closed {
+            match self.test.settle(triangle) {
+                Certainty::Hit(t) => return Some(t),
+                Certainty::Miss => return None,
+                Certainty::Open => {}
+            }
         }
         search.counts.rational += 1;
         ray.meet(triangle, &maps).map(|point| round_f32(&point.t))

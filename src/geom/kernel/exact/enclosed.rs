@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use glam::DVec3;
 
 use super::filter::{Determinants, Errors};
-use super::{is_certain, is_within};
+use super::{is_certain, is_within, predicates, quotient};
 use crate::geom::{EnclosedRay, Region, Triangle, Vector};
 
 /// What is certain about a ray within bounds and a triangle, whatever ray it is.
@@ -48,6 +48,8 @@ pub struct EnclosedTest {
     /// For all triangles of the object.
     errors: Errors,
     is_usual: bool,
+    /// Whether exact sums can tell what bounds do not.
+    is_exact: bool,
 }
 
 /// Greatest components of directions for which nothing that under- or overflows matters, and the end of it for origins.
@@ -68,7 +70,10 @@ impl EnclosedTest {
             && off.iter().all(|off| off <= USUAL.end())
             && region.reach().is_finite();
         let errors = Errors::of_scene_within(off, far, long, region);
-        Self { origin, direction, off, interval, errors, is_usual }
+        let components = [origin, direction].map(|v| v.to_array());
+        let can_sum = |x: &f64| *x == 0.0 || USUAL.contains(&x.abs());
+        let is_exact = is_usual && off == [0.0; 2] && components.as_flattened().iter().all(can_sum);
+        Self { origin, direction, off, interval, errors, is_usual, is_exact }
     }
 
     /// [`Kernel::distance`](crate::geom::Kernel::distance), where it is certain.
@@ -100,7 +105,23 @@ impl EnclosedTest {
     pub fn weights(&self, shape: &Triangle) -> Option<[f32; 2]> {
         let (found, errors) = self.stage(shape);
         let [[u, u_end], [v, v_end]] = found.weights(&errors).map(|ends| ends.map(|x| x as f32));
-        (self.is_usual && found.is_hit(&errors) && u == u_end && v == v_end).then_some([u, v])
+        if self.is_usual && found.is_hit(&errors) && u == u_end && v == v_end {
+            return Some([u, v]);
+        }
+        self.is_exact.then(|| quotient::weights_of_doubles(&shape.widen(), self.origin, self.direction))
+    }
+
+    /// What bounds leave open, told by exact sums where the ray is known exactly: the distance, if that is within the
+    /// closed interval.
+    pub fn settle(&self, shape: &Triangle) -> Certainty<f32> {
+        if !self.is_exact {
+            return Certainty::Open;
+        }
+        let (corners, o, d) = (shape.widen(), self.origin, self.direction);
+        if !predicates::is_inside(&corners, o, d) {
+            return Certainty::Miss;
+        }
+        quotient::distance_of_doubles(&corners, o, d, self.interval).map_or(Certainty::Miss, Certainty::Hit)
     }
 
     /// Bounds of the distance to a triangle that the ray certainly crosses, at whatever distance. `[SECOND-3]`

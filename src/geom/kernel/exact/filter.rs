@@ -39,6 +39,18 @@ impl Determinants {
         Self { det, edges: [u, v, (det - u) - v], t: e2.dot(q) }
     }
 
+    /// Whether nothing of [`of`](Self::of) is rounded for these numbers, of which none may be subnormal. `[EXACT-11]`
+    pub(super) fn are_exact(&[v0, v1, v2]: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
+        let positions = digits(&[v0, v1, v2, o]);
+        let (edges, off, direction) = (digits(&[v1 - v0, v2 - v0]), digits(&[o - v0]), digits(&[d]));
+        positions < DIGITS && direction + edges + edges.max(off) + 5 <= DIGITS && 2 * edges + off + 3 <= DIGITS
+    }
+
+    /// Whether the line and the plane of the triangle are parallel, if nothing is rounded.
+    pub(super) const fn are_parallel(&self) -> bool {
+        self.det == 0.0
+    }
+
     /// Whether the line certainly misses the closed triangle: an edge function has another sign than the determinant.
     ///
     /// If the sign of the determinant is right, because the edge's is; and if not, because the determinant is then
@@ -85,6 +97,9 @@ impl Determinants {
 }
 
 impl Errors {
+    /// Of determinants that are not rounded.
+    pub(super) const NONE: Self = Self { sign: 0.0, det: 0.0, t: 0.0 };
+
     /// For all triangles of a scene, given the greatest components of origin and direction.
     #[inline(always)]
     pub(super) fn of_scene(origin: f64, direction: f64, region: &Region) -> Self {
@@ -128,6 +143,20 @@ impl Errors {
             t: (f64::from(DISTANCE) * UNIT * QUOTIENT_FACTOR) * (c * square),
         }
     }
+}
+
+/// Binary digits of a double.
+const DIGITS: i32 = f64::MANTISSA_DIGITS as i32;
+
+/// With so many binary digits, all components are multiples of one power of two.
+fn digits(vectors: &[DVec3]) -> i32 {
+    let (mut least, mut end) = (i32::MAX, i32::MIN);
+    for x in vectors.iter().flat_map(|v| v.to_array()).filter(|&x| x != 0.0) {
+        let (bits, exponent) = (x.to_bits(), (x.to_bits() >> 52 & 0x7ff) as i32);
+        let zeros = (bits | 1 << 52).trailing_zeros() as i32;
+        (least, end) = (least.min(exponent + zeros - 52), end.max(exponent + 1));
+    }
+    if least < end { end - least } else { 0 }
 }
 
 /// The greatest components of d, s, and e1 and e2.

@@ -3,7 +3,7 @@
 //! 1. Double precision with error bounds for all triangles of the scene at once: signs that are certain are taken, and
 //!    the distance, if both ends of its error interval round to the same number. Nearly all tests end here.
 //!    ([`ExactFromSingle`] asks single precision first, with a bound for each triangle.)
-//! 2. The same with error bounds for this triangle.
+//! 2. The same with error bounds for this triangle, or with none where nothing is rounded. `[EXACT-11]`
 //! 3. Exact sums of floats ([`Sum`]), for what is left.
 //!
 //! The stages and their bounds: spec/exactness.md, `[EXACT-2]` to `[EXACT-6]`. After Shewchuk 1997, "Adaptive precision
@@ -128,14 +128,20 @@ impl Exact {
     #[inline(never)]
     fn settle(&self, shape: &Triangle) -> Option<f32> {
         let (corners, o, d) = (shape.widen(), self.origin, self.direction);
-        let (found, errors) = (Determinants::of(&corners, o, d), Errors::of_triangle(&corners, o, d));
-        if found.is_miss(&errors) {
+        let found = Determinants::of(&corners, o, d);
+        // On a coarse grid, as in a lattice, an edge is met for sure.
+        let is_exact = Determinants::are_exact(&corners, o, d);
+        let errors = if is_exact { Errors::NONE } else { Errors::of_triangle(&corners, o, d) };
+        if found.is_miss(&errors) || is_exact && found.are_parallel() {
             return None;
         }
-        if found.is_hit(&errors) {
-            let [near, far] = found.distance(&errors).map(|t| t as f32);
-            if is_certain([near, far], self.interval) {
-                return Some(near);
+        if is_exact || found.is_hit(&errors) {
+            let ends = found.distance(&errors).map(|t| t as f32);
+            if is_certain(ends, self.interval) {
+                return Some(ends[0]);
+            }
+            if is_within(ends, self.interval) == Some(false) {
+                return None;
             }
         } else if !predicates::is_inside(&corners, o, d) {
             return None;

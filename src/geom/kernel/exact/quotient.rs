@@ -27,6 +27,23 @@ pub(super) fn distance(corners: &[DVec3; 3], o: DVec3, d: DVec3, [tmin, tmax]: [
     is_within.then(|| ratio.nearest())
 }
 
+/// [`distance`] for a line of doubles, which must be 0 or within 2^-200 to 2^200. `[INST-5]`
+#[cold]
+#[inline(never)]
+pub(super) fn distance_of_doubles(corners: &[DVec3; 3], o: DVec3, d: DVec3, [tmin, tmax]: [f32; 2]) -> Option<f32> {
+    let ratio = Ratio::distance(corners, o, d);
+    let is_within =
+        ratio.compare_double(tmin.into()) >= 0 && (tmax == f32::INFINITY || ratio.compare_double(tmax.into()) <= 0);
+    is_within.then(|| ratio.nearest_by(Ratio::compare_double))
+}
+
+/// [`weights`] for such a line.
+#[cold]
+#[inline(never)]
+pub(super) fn weights_of_doubles(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> [f32; 2] {
+    Ratio::weights(corners, o, d).map(|weight| weight.nearest_by(Ratio::compare_double))
+}
+
 /// Weights of the second and third corner of a triangle that the line meets, rounded to the nearest floats.
 #[cold]
 #[inline(never)]
@@ -102,6 +119,11 @@ impl Ratio {
 
     /// The nearest float, the even one of two.
     fn nearest(&self) -> f32 {
+        self.nearest_by(Self::compare_wide)
+    }
+
+    /// The nearest float, given what compares the ratio with a number of up to 25 bits.
+    fn nearest_by(&self, compare: impl Fn(&Self, f64) -> i32) -> f32 {
         let (top, det) = (self.top.value(), self.det.value());
         let t = top / det;
         // Both sums are off by 2^-50 at most, and the quotient by 2^-53 more.
@@ -113,7 +135,7 @@ impl Ratio {
         }
         // Neighbours. Beyond the greatest float stands 2^128, as if there were another.
         let wide = |x: f32| if x.is_infinite() { 2f64.powi(128).copysign(x.into()) } else { f64::from(x) };
-        match self.compare_wide(f64::midpoint(wide(low), wide(high))) {
+        match compare(self, f64::midpoint(wide(low), wide(high))) {
             1 => high,
             -1 => low,
             _ => {

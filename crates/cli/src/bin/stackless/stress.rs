@@ -1,6 +1,7 @@
 //! `stackless stress`: hard scenes, and how often each accuracy errs on them.
 
 mod counts;
+mod price;
 
 use rayon::prelude::*;
 use serde_json::json;
@@ -11,7 +12,7 @@ use stackless_bvh::wide;
 use stackless_check::{Shard, Stress, check_boxes};
 use stackless_suite::Traversal;
 
-use crate::output::{bar, say};
+use crate::output::{bar, print, say, write_json};
 use crate::places::{self, Output};
 use crate::record::Run;
 use crate::{Outcome, input};
@@ -27,6 +28,7 @@ use counts::{Row, WIDE};
 #[command(after_help = "Examples:\n  \
     stackless stress\n  \
     stackless stress --list\n  \
+    stackless stress --price\n  \
     stackless stress --boxes 1000000")]
 pub(crate) struct Args {
     /// Only these cases, separated by commas.
@@ -51,6 +53,9 @@ pub(crate) struct Args {
     #[arg(long, value_name = "RAYS", conflicts_with_all = ["cases", "all_tests", "list"])]
     #[arg(value_parser = clap::value_parser!(u64).range(1..=1 << 40))]
     boxes: Option<u64>,
+    /// Instead, time the dearest query of each hard family beside an ordinary one in the same scene: two minutes.
+    #[arg(long, conflicts_with_all = ["cases", "all_tests", "list", "boxes", "shard", "methods"])]
+    price: bool,
     /// Seed of those rays.
     #[arg(long, default_value_t = 1, requires = "boxes")]
     seed: u64,
@@ -74,6 +79,14 @@ struct Tests {
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
+    if args.price {
+        let prices = price::prices()?;
+        print(&price::blocks(&prices));
+        if let Some(path) = &args.json {
+            write_json(path, &json!({ "version": env!("CARGO_PKG_VERSION"), "prices": prices }))?;
+        }
+        return Ok(true);
+    }
     if let Some(rays) = args.boxes {
         return run_boxes(args, rays);
     }

@@ -82,6 +82,50 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40_000))]
+
+    /// Half of the lines are aimed at a corner or at the middle of an edge, with coordinates of all digits too.
+    #[test]
+    fn sums_tell_of_every_ray_that_is_known_exactly(
+        triangle in triangle(),
+        o in [coordinate(), coordinate(), coordinate()],
+        d in [coordinate(), coordinate(), coordinate()],
+        aim in prop::option::of((0..3usize, any::<bool>())),
+        ends in prop::option::of(any::<bool>()),
+    ) {
+        let (o, d) = match aim {
+            Some((corner, is_corner)) => {
+                let (corners, o) = (triangle.widen(), o.map(|x| f64::from(x as f32)));
+                let (from, to) = (corners[corner], corners[(corner + 1) % 3]);
+                let target = if is_corner { from } else { (from + to) * 0.5 };
+                (o, (target - DVec3::from(o)).to_array())
+            }
+            None => (o, d),
+        };
+        prop_assume!(d != [0.0; 3]);
+        let [origin, direction] = [o, d].map(|v| v.map(Interval::exact));
+        // An end of the interval is where the triangle is met.
+        let at = match meet(triangle.widen().map(|corner| corner.to_array()), o, d) {
+            Meeting::Hit(point) => round_f32(&point.t),
+            _ => 1.0,
+        };
+        let interval = match ends {
+            Some(true) => [at, f32::INFINITY],
+            Some(false) => [-8.0, at],
+            None => [-8.0, 8.0],
+        };
+        let test = EnclosedTest::new(&EnclosedRay { origin, direction }, interval, &Region::of(&triangle.aabb()));
+        let hit = meet(triangle.widen().map(|corner| corner.to_array()), o, d).within(interval);
+        prop_assume!(test.is_exact);
+        let expected = hit.as_ref().map_or(Certainty::Miss, |hit| Certainty::Hit(round_f32(&hit.t)));
+        prop_assert_eq!(test.settle(&triangle), expected);
+        if let Some(hit) = hit {
+            prop_assert_eq!(test.weights(&triangle), Some([round_f32(&hit.u), round_f32(&hit.v)]));
+        }
+    }
+}
+
 #[test]
 fn numbers_beyond_the_range_are_left_open() {
     let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
@@ -170,15 +214,19 @@ fn only_the_ends_of_the_interval_are_left_open() {
     let weights = whole.weights(&triangle).expect("certain");
     assert_eq!(weights, [0.25, 0.25]);
     let beside = EnclosedTest::new(&ray(5.0, 5.0), [0.0, 9.0], &Region::of(&triangle.aabb()));
-    assert_eq!((beside.distance(&triangle, 9.0), beside.weights(&triangle)), (Certainty::Miss, None));
-    // An edge is not certain, and neither are weights that the bounds leave between two floats.
+    assert_eq!((beside.distance(&triangle, 9.0), beside.settle(&triangle)), (Certainty::Miss, Certainty::Miss));
+    // Bounds leave an edge open, and sums do not.
     let edge = EnclosedTest::new(&ray(1.0, 0.0), [0.0, 9.0], &Region::of(&triangle.aabb()));
-    assert_eq!((edge.distance(&triangle, 9.0), edge.weights(&triangle)), (Certainty::Open, None));
+    assert_eq!((edge.distance(&triangle, 9.0), edge.blocks(&triangle)), (Certainty::Open, Certainty::Open));
+    assert_eq!((edge.settle(&triangle), edge.weights(&triangle)), (Certainty::Hit(2.0), Some([0.25, 0.0])));
+    assert_eq!([at_end.settle(&triangle), test([3.0, 9.0]).settle(&triangle)], [Certainty::Hit(2.0), Certainty::Miss]);
+    // Neither are weights certain that the bounds leave between two floats.
     let about = |x: f64, off: f64| Interval::between([x - off, x + off]);
     for [of_x, of_y] in [[1e-5, 0.0], [0.0, 1e-5]] {
         let rays = EnclosedRay { origin: [about(1.0, of_x), about(1.0, of_y), Interval::exact(-2.0)], ..ray(1.0, 1.0) };
         let test = EnclosedTest::new(&rays, [0.0, 9.0], &Region::of(&triangle.aabb()));
         assert_eq!((test.blocks(&triangle), test.weights(&triangle)), (Certainty::Hit(()), None));
+        assert_eq!(test.settle(&triangle), Certainty::Open);
     }
 }
 

@@ -1,7 +1,9 @@
 use glam::Vec3;
+use proptest::prelude::*;
 
 use super::*;
 use crate::geom::Aabb;
+use crate::geom::truth::RBig;
 
 /// Half of the distance from 1 to the next double.
 fn unit() -> f64 {
@@ -82,4 +84,63 @@ fn what_is_as_great_as_its_bound_has_no_certain_sign() {
             assert_eq!([verdict(bound.next_up()), verdict(-bound.next_up())], [(true, false), (false, true)]);
         }
     }
+}
+
+/// Whole numbers of these magnitudes: corners and edges up to the bounds' ends, where all is as great as it can be.
+fn whole(bits: u32) -> impl Strategy<Value = f64> {
+    let end = (1i64 << bits) - 1;
+    prop_oneof![Just(end), Just(-end), -end..=end].prop_map(|x| x as f64)
+}
+
+fn vector(bits: u32) -> impl Strategy<Value = DVec3> {
+    [whole(bits), whole(bits), whole(bits)].prop_map(DVec3::from)
+}
+
+/// Triangles about a corner, a line from another place, all scaled.
+fn on_a_grid() -> impl Strategy<Value = ([DVec3; 3], DVec3, DVec3)> {
+    (1..14u32, 1..18u32, 1..20u32, -100..100).prop_flat_map(|(edges, off, direction, scale)| {
+        let scaled = move |v: DVec3| v * f64::from(scale).exp2();
+        (vector(20), vector(edges), vector(edges), vector(off), vector(direction)).prop_map(
+            move |(corner, e1, e2, off, d)| ([corner, corner + e1, corner + e2].map(scaled), scaled(corner + off), d),
+        )
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+    /// [EXACT-11]
+    #[test]
+    fn nothing_is_rounded_on_a_coarse_grid((corners, o, d) in on_a_grid()) {
+        prop_assume!(Determinants::are_exact(&corners, o, d));
+        let Determinants { det, edges: [u, v, w], t } = Determinants::of(&corners, o, d);
+        let exact = |v: DVec3| v.to_array().map(|x| RBig::try_from(x).expect("finite"));
+        let minus = |a: &[RBig; 3], b: &[RBig; 3]| -> [RBig; 3] { std::array::from_fn(|k| &a[k] - &b[k]) };
+        let dot = |a: &[RBig; 3], b: &[RBig; 3]| &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2];
+        let cross = |a: &[RBig; 3], b: &[RBig; 3]| -> [RBig; 3] {
+            std::array::from_fn(|k| &a[(k + 1) % 3] * &b[(k + 2) % 3] - &a[(k + 2) % 3] * &b[(k + 1) % 3])
+        };
+        let ([v0, v1, v2], o, d) = (corners.map(exact), exact(o), exact(d));
+        let (e1, e2, s) = (minus(&v1, &v0), minus(&v2, &v0), minus(&o, &v0));
+        let (p, q) = (cross(&d, &e2), cross(&s, &e1));
+        let expected = [dot(&e1, &p), dot(&s, &p), dot(&d, &q), dot(&e1, &p) - dot(&s, &p) - dot(&d, &q), dot(&e2, &q)];
+        prop_assert_eq!([det, u, v, w, t].map(|x| RBig::try_from(x).expect("finite")), expected);
+    }
+}
+
+/// With one digit more in any of the conditions something is rounded. [EXACT-11]
+#[test]
+fn grids_are_as_fine_as_they_can_be_told() {
+    let corners = |edge: f64| [DVec3::ZERO, DVec3::new(edge, 0.0, 0.0), DVec3::new(0.0, edge, 1.0)];
+    let are_exact = |edge: f64, off: f64, d: f64| {
+        Determinants::are_exact(&corners(edge), DVec3::new(off, 1.0, 0.0), DVec3::new(0.0, 1.0, d))
+    };
+    // 16, 16 and 16 digits, with 5 for the sums.
+    let all = |digits: i32| 2f64.powi(digits) - 1.0;
+    assert!(are_exact(all(16), all(16), all(16)) && !are_exact(all(16), all(16), all(17)));
+    assert!(are_exact(all(16), all(16), all(16)) && !are_exact(all(16), all(17), all(16)));
+    assert!(are_exact(all(1), all(30), all(17)) && !are_exact(all(17), all(16), all(16)));
+    // Positions that are too far apart for their differences.
+    let far = [DVec3::splat(2f64.powi(52)), DVec3::splat(1.0), DVec3::new(1.0, 2.0, 3.0)];
+    assert!(!Determinants::are_exact(&far, DVec3::ZERO, DVec3::X));
 }

@@ -1,0 +1,335 @@
+//! `stackless stress --price`: what the dearest query of each hard family costs, in ordinary queries of its kind.
+
+use std::error::Error;
+use std::time::Duration;
+
+use cpu_time::ThreadTime;
+use glam::{DVec3, Vec3};
+use serde::Serialize;
+use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions};
+use stackless_bvh::generate::{Rng, Source as _, procedural, stress};
+use stackless_bvh::geom::kernel::Exact64;
+use stackless_bvh::geom::slabs::Wide;
+use stackless_bvh::geom::{Aabb, AffineError, AffineMap, Ball, Mesh, Ray, Triangle};
+use stackless_bvh::trace::{Assembly, BinaryTracer, Instance, InstanceTracer, Object, Tracer};
+use stackless_bvh::traverse::Method;
+
+use crate::output::{Block, bar, table};
+
+/// What costs more ordinary queries than this is named.
+const LIMIT: f64 = 20.0;
+
+/// Times that each query is asked. The least counts.
+const ROUNDS: usize = 5;
+
+/// Queries of each kind.
+const QUERIES: usize = 50;
+
+/// What a family cost.
+#[derive(Serialize)]
+pub(super) struct Price {
+    name: &'static str,
+    /// Nanoseconds of an ordinary query in the same scene, the median.
+    ordinary: f64,
+    /// Nanoseconds of the dearest hard one. Of queries with several answers: for each.
+    dearest: f64,
+}
+
+impl Price {
+    fn ratio(&self) -> f64 {
+        self.dearest / self.ordinary
+    }
+}
+
+/// A scene with its queries.
+type Made = Result<Queries, Box<dyn Error>>;
+
+/// Queries over one scene, by number. Each says how many answers it has.
+struct Queries {
+    hard: usize,
+    ordinary: usize,
+    ask: Box<dyn Fn(Kind, usize) -> usize>,
+}
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Hard,
+    Ordinary,
+}
+
+struct Family {
+    name: &'static str,
+    make: fn() -> Made,
+}
+
+const FAMILIES: [Family; 14] = [
+    Family { name: "in the plane of a lattice", make: || closest(lattice(64, 1)?, in_plane()) },
+    Family { name: "at vertices of 16 lattices an ulp apart", make: || closest(lattice(32, 16)?, at_vertices()) },
+    Family { name: "the same, double precision", make: || closest_64(&lattice(32, 16)?, &at_vertices()) },
+    Family {
+        name: "through an edge of 1,000,000 coincident triangles",
+        make: || closest(coincident(1_000_000)?, at_edge()),
+    },
+    Family { name: "the same, any hit", make: || any(coincident(1_000_000)?, at_edge()) },
+    Family { name: "the next of 1,000 coincident triangles", make: || next(coincident(1_000)?, inside()) },
+    Family { name: "all of 1,000 coincident triangles, at an edge", make: || all(coincident(1_000)?, at_edge()) },
+    Family { name: "crossings of split triangles", make: crossings_of_split },
+    Family { name: "nearest to the pole of a fan of 100,000", make: nearest_to_pole },
+    Family { name: "nearest to 100,000 coincident triangles", make: nearest_to_coincident },
+    Family {
+        name: "an instance, not moved, at vertices",
+        make: || instances(1, |_| AffineMap::translation(Vec3::ZERO)),
+    },
+    Family { name: "instances nested 8 deep, at vertices", make: || instances(8, |_| AffineMap::translation(Vec3::X)) },
+    Family { name: "quarter turns nested 31 deep, at vertices", make: || instances(31, |_| turn(0.0, 1.0)) },
+    Family { name: "turns nested 31 deep, at vertices", make: || instances(31, |_| turn(0.8, 0.6)) },
+];
+
+/// Asks all families.
+pub(super) fn prices() -> Result<Vec<Price>, Box<dyn Error>> {
+    let progress = bar(FAMILIES.len() as u64, "families");
+    let price = |Family { name, make }: &Family| {
+        let queries = make()?;
+        let mut ordinary: Vec<_> = (0..queries.ordinary).map(|i| queries.nanoseconds(Kind::Ordinary, i)).collect();
+        ordinary.sort_by(f64::total_cmp);
+        let dearest = (0..queries.hard).map(|i| queries.nanoseconds(Kind::Hard, i)).fold(0.0, f64::max);
+        progress.inc(1);
+        Ok(Price { name, ordinary: ordinary[ordinary.len() / 2], dearest })
+    };
+    let prices = FAMILIES.iter().map(price).collect();
+    progress.finish_and_clear();
+    prices
+}
+
+/// The table of prices, below what is said of it.
+pub(super) fn blocks(prices: &[Price]) -> [Block; 2] {
+    let dear = prices.iter().filter(|price| price.ratio() > LIMIT).count();
+    let line = format!("{dear} of {} families cost more than {LIMIT} ordinary queries", prices.len());
+    let row = |price: &Price| {
+        let micro = |nanoseconds: f64| format!("{:.2}", nanoseconds / 1e3);
+        vec![price.name.to_owned(), micro(price.ordinary), micro(price.dearest), format!("{:.1}", price.ratio())]
+    };
+    let header = ["family", "ordinary, us", "dearest, us", "ratio"];
+    [Block::Line(line), Block::Table(table(&header, 1, prices.iter().map(row).collect()))]
+}
+
+impl Queries {
+    /// Of the thread's processor time, for each answer.
+    fn nanoseconds(&self, kind: Kind, i: usize) -> f64 {
+        let time = |_| {
+            // What is as short as the clock's own cost is asked some times.
+            let (mut times, start) = (0, ThreadTime::now());
+            loop {
+                let answers = (self.ask)(kind, i).max(1);
+                times += answers;
+                let passed = start.elapsed();
+                if passed > Duration::from_micros(20) {
+                    return passed.as_secs_f64() * 1e9 / times as f64;
+                }
+            }
+        };
+        let first = time(0);
+        // What takes long is little disturbed.
+        if first > 1e7 { first } else { (1..ROUNDS).map(time).fold(first, f64::min) }
+    }
+}
+
+/// Rays through a mesh, in the default tracer.
+fn traced(mesh: Mesh, hard: Vec<Ray>, ask: fn(&Tracer, &Ray) -> usize) -> Made {
+    let ordinary = procedural::rays(&mesh, 1, QUERIES);
+    let tracer = Tracer::of(&mesh)?;
+    Ok(queries(hard, ordinary, move |ray| ask(&tracer, ray)))
+}
+
+fn queries<Q: 'static>(hard: Vec<Q>, ordinary: Vec<Q>, ask: impl Fn(&Q) -> usize + 'static) -> Queries {
+    Queries {
+        hard: hard.len(),
+        ordinary: ordinary.len(),
+        ask: Box::new(move |kind, i| match kind {
+            Kind::Hard => ask(&hard[i]),
+            Kind::Ordinary => ask(&ordinary[i]),
+        }),
+    }
+}
+
+fn closest(mesh: Mesh, hard: Vec<Ray>) -> Made {
+    traced(mesh, hard, |tracer, ray| usize::from(tracer.closest(ray).is_some()))
+}
+
+fn any(mesh: Mesh, hard: Vec<Ray>) -> Made {
+    traced(mesh, hard, |tracer, ray| usize::from(tracer.any(ray)))
+}
+
+fn all(mesh: Mesh, hard: Vec<Ray>) -> Made {
+    traced(mesh, hard, |tracer, ray| tracer.all(ray).count())
+}
+
+/// Hit after hit.
+fn next(mesh: Mesh, hard: Vec<Ray>) -> Made {
+    traced(mesh, hard, |tracer, ray| {
+        let (mut count, mut hit) = (0, tracer.closest(ray));
+        while let Some(found) = hit {
+            count += 1;
+            hit = tracer.next(ray, (found.t, found.prim));
+        }
+        count
+    })
+}
+
+fn closest_64(mesh: &Mesh, hard: &[Ray]) -> Made {
+    let wide = |ray: &Ray| Ray::new(ray.origin().as_dvec3(), ray.direction().as_dvec3());
+    let rays = |rays: &[Ray]| rays.iter().map(wide).collect::<Result<Vec<_>, _>>();
+    let (hard, ordinary) = (rays(hard)?, rays(&procedural::rays(mesh, 1, QUERIES))?);
+    let vertices = mesh.vertices().iter().map(|v| v.as_dvec3()).collect();
+    let bvh: Bvh<Triangle<DVec3>> = BuildOptions::default().build(&Mesh::new(vertices, mesh.triangles().to_vec())?)?;
+    let tracer = BinaryTracer::<_, Exact64, Wide>::with_tests(bvh, Method::default())?;
+    Ok(queries(hard, ordinary, move |ray| usize::from(tracer.closest(ray).is_some())))
+}
+
+/// Lattices of `n` by `n` squares in two triangles each, one float above the other from z = 1 on.
+fn lattice(n: u32, sheets: u32) -> Result<Mesh, Box<dyn Error>> {
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+    for sheet in 0..sheets {
+        let first = sheet * (n + 1) * (n + 1);
+        let z = f32::from_bits(1f32.to_bits() + sheet);
+        vertices.extend((0..=n).flat_map(|y| (0..=n).map(move |x| Vec3::new(x as f32, y as f32, z))));
+        for (x, y) in (0..n).flat_map(|y| (0..n).map(move |x| (x, y))) {
+            let a = first + y * (n + 1) + x;
+            triangles.extend([[a, a + 1, a + n + 2], [a, a + n + 2, a + n + 1]]);
+        }
+    }
+    Ok(Mesh::new(vertices, triangles)?)
+}
+
+/// Rays in z = 1, from x = -1.
+fn in_plane() -> Vec<Ray> {
+    let mut rng = Rng::new(1);
+    let mut number = || rng.below(64) as f32;
+    (0..QUERIES)
+        .filter_map(|_| Ray::new(Vec3::new(-1.0, number(), 1.0), Vec3::new(64.0, number() - 32.0, 0.0)).ok())
+        .collect()
+}
+
+/// Rays to vertices of the lattice, from below.
+fn at_vertices() -> Vec<Ray> {
+    let mut rng = Rng::new(1);
+    let mut point = |z: f32| Vec3::new(rng.below(33) as f32, rng.below(33) as f32, z);
+    (0..QUERIES)
+        .filter_map(|_| {
+            let o = point(0.0);
+            Ray::new(o, point(1.0) - o).ok()
+        })
+        .collect()
+}
+
+/// The same triangle many times, from (0, 0, 0) to (3, 0, 1) and (0, 3, 2), and a wall behind.
+fn coincident(n: usize) -> Result<Mesh, Box<dyn Error>> {
+    let vertices = vec![Vec3::ZERO, Vec3::new(3.0, 0.0, 1.0), Vec3::new(0.0, 3.0, 2.0)];
+    Ok(Mesh::new(vertices, vec![[0, 1, 2]; n])?)
+}
+
+/// Rays exactly through the first edge of that.
+fn at_edge() -> Vec<Ray> {
+    let mut rng = Rng::new(1);
+    let mut whole = || rng.below(17) as f32 - 8.0;
+    (0..8)
+        .filter_map(|i| {
+            let o = Vec3::new(whole(), whole(), -5.0);
+            Ray::new(o, Vec3::new(3.0, 0.0, 1.0) * (i as f32 + 1.0) * 0.125 - o).ok()
+        })
+        .collect()
+}
+
+/// Rays through the inside of that.
+fn inside() -> Vec<Ray> {
+    let mut rng = Rng::new(1);
+    let mut number = || rng.below(1 << 20) as f32 / (1 << 20) as f32;
+    (0..8)
+        .filter_map(|_| {
+            let o = Vec3::new(number(), number(), -5.0);
+            Ray::new(o, Vec3::new(0.75 + number() * 0.125, 0.75, 0.75) - o).ok()
+        })
+        .collect()
+}
+
+fn crossings_of_split() -> Made {
+    // Large triangles among small ones are cut often.
+    let sphere = stress::icosphere(4, 1.0, Vec3::ZERO)?;
+    let (mut vertices, mut triangles) = (sphere.vertices().to_vec(), sphere.triangles().to_vec());
+    for i in 0..64u8 {
+        let (first, z) = (vertices.len() as u32, f32::from(i) / 32.0 - 1.0);
+        vertices.extend([Vec3::new(-9.0, -9.0, z), Vec3::new(9.0, 0.0, z), Vec3::new(0.0, 9.0, z + 0.25)]);
+        triangles.push([first, first + 1, first + 2]);
+    }
+    let mesh = Mesh::new(vertices, triangles)?;
+    let hard = (0..QUERIES)
+        .filter_map(|i| Ray::new(Vec3::new(0.01, 0.02, -5.0), sphere.vertices()[i] * 0.5 + Vec3::Z * 5.0).ok())
+        .collect();
+    let ordinary = procedural::rays(&mesh, 1, QUERIES);
+    let bvh = BuildOptions { builder: Builder::Spatial, ..BuildOptions::default() }.build(&mesh)?;
+    let tracer = BinaryTracer::new(bvh);
+    Ok(queries(hard, ordinary, move |ray| tracer.crossings(ray) as usize))
+}
+
+fn nearest_to_pole() -> Made {
+    const SPOKES: u32 = 100_000;
+    let spoke = |i: u32| {
+        let angle = f64::from(i) / f64::from(SPOKES) * std::f64::consts::TAU;
+        DVec3::new(angle.cos(), angle.sin(), 0.0).as_vec3()
+    };
+    let vertices: Vec<_> = std::iter::once(Vec3::ZERO).chain((0..SPOKES).map(spoke)).collect();
+    let triangles = (0..SPOKES).map(|i| [0, 1 + i, 1 + (i + 1) % SPOKES]).collect();
+    nearest(Mesh::new(vertices, triangles)?, |i| Vec3::new(0.0, 0.0, 0.1 + 0.3 * i as f32))
+}
+
+fn nearest_to_coincident() -> Made {
+    nearest(coincident(100_000)?, |i| Vec3::new(-0.1 * i as f32, 5.0, 0.3))
+}
+
+/// Points, and such of a box about the mesh.
+fn nearest(mesh: Mesh, point: fn(usize) -> Vec3) -> Made {
+    let tracer = Tracer::of(&mesh)?;
+    let ordinary =
+        procedural::rays(&mesh, 1, QUERIES).iter().map(|ray| Ball::around(ray.origin())).collect::<Result<_, _>>()?;
+    let hard = (0..8).map(|i| Ball::around(point(i))).collect::<Result<_, _>>()?;
+    Ok(queries(hard, ordinary, move |ball| usize::from(tracer.nearest(ball).is_some())))
+}
+
+/// Rays at vertices of a sphere that is in so many maps.
+fn instances(deep: usize, map: fn(usize) -> Result<AffineMap, AffineError>) -> Made {
+    let mesh = stress::icosphere(3, 1.0, Vec3::ZERO)?;
+    let mut assembly = Assembly::new();
+    let mut object: Object = assembly.add_mesh(Bvh::sah(&mesh, SahOptions::default())?);
+    let mut maps = Vec::new();
+    for i in 0..deep {
+        let affine = map(i)?;
+        maps.push(affine);
+        object = assembly.add_group(vec![Instance { object, affine }], &BuildOptions::default())?;
+    }
+    let image = |v: Vec3| maps.iter().fold(v, |v, map| apply(map, v));
+    let middle = image(Vec3::ZERO);
+    let hard = mesh
+        .vertices()
+        .iter()
+        .take(QUERIES)
+        .filter_map(|&v| {
+            let o = middle + Vec3::new(0.5, 0.25, 4.0);
+            Ray::new(o, image(v) - o).ok()
+        })
+        .collect();
+    let ordinary = procedural::rays(&mesh, 1, QUERIES)
+        .iter()
+        .filter_map(|ray| Ray::new(ray.origin() + middle, ray.direction()).ok())
+        .collect();
+    let tracer = InstanceTracer::new(&assembly, object, Method::default())?;
+    Ok(queries(hard, ordinary, move |ray: &Ray| usize::from(tracer.closest(ray).is_some())))
+}
+
+/// The image, rounded.
+fn apply(map: &AffineMap, v: Vec3) -> Vec3 {
+    map.image_of_box(&Aabb { lo: v, hi: v }).lo
+}
+
+fn turn(cosine: f32, sine: f32) -> Result<AffineMap, AffineError> {
+    AffineMap::new([[cosine, -sine, 0.0, 0.0], [sine, cosine, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]])
+}
