@@ -90,11 +90,11 @@ def judged(command):
 
 def is_right(test):
     sys.path.insert(0, str(SUITE))
-    import conform
+    from stackless_conform.judge import Flaw, judge
 
     try:
-        conform.judge(test["test"], test["hello"], test["reply"])
-    except conform.Flaw:
+        judge(test["test"], test["hello"], test["reply"])
+    except Flaw:
         return False
     return True
 

@@ -1,0 +1,163 @@
+"""Asks a program the cases of the conformance suite, one at a time: stackless-conform -- ./mine
+
+It judges as `stackless conform` does, and writes the same reports. That one also asks many cases at once, and says which more
+basic profile to look at first. The exit code is 0 if something was asked and nothing failed, 1 if not, and 2 if the program
+could not be asked.
+"""
+
+import argparse
+import atexit
+import json
+import os
+import pathlib
+import signal
+import sys
+
+from . import SUITE, VERSION
+from . import waivers as waive
+from .judge import shown
+from .program import Run
+from .report import Report, is_failure
+
+LEVELS = ("key", "hash", "trace", "resume", "ray")
+GIVEN_UP_AFTER = 20  # starts in a row that answer nothing
+
+
+def main():
+    args = arguments()
+    if args.folder:
+        print(SUITE)
+        return
+    run = Run(args)
+    atexit.register(run.stop)  # however we end
+    signal.signal(signal.SIGTERM, run.terminate)
+    try:
+        profiles, cases = load()
+        waivers = waive.load(args.waivers, [case["id"] for _, case in cases])
+        cases = [(name, case) for name, case in cases if is_wanted(args, case["id"])]
+        if not cases:
+            raise ValueError("no case is of this level and has such an id")
+        run.hello = run.start()
+    except (OSError, ValueError) as error:  # TimeoutError is an OSError
+        run.stop()
+        print(f"{shown(args.command[0])}: {shown(str(error) or 'no hello in time')}", file=sys.stderr)
+        sys.exit(2)
+    faults = wrong_names(run.hello, profiles)
+    verdicts, is_over = ask_all(run, args, cases, waivers)
+    if not any("what" in row or row["outcome"] == "pass" for row in verdicts):
+        faults.append("nothing was asked: the program names no profile of these cases, or lacks their features")
+    faults += run.bye()
+    if not is_over:  # after a first failure nobody knows what the others need
+        faults += waive.not_needed(waivers, verdicts)
+    report = Report(run.hello, verdicts, faults)
+    for line in report.text(args.show, args.command):
+        print(line)
+    if args.json:
+        write(args.json, json.dumps(report.to_json(), indent=1))
+    if args.junit:
+        write(args.junit, "\n".join(report.to_junit()))
+    if args.write_waivers:
+        write(args.write_waivers, json.dumps(waive.written(waivers, verdicts), indent=1))
+    sys.exit(0 if report.conforms else 1)
+
+
+def load():
+    """The names of the profiles, and the cases, each with its profile's."""
+    rows, cases = json.loads((SUITE / "index.json").read_text(encoding="utf-8"))["files"], []
+    for row in rows:
+        file = json.loads((SUITE / row["file"]).read_text(encoding="utf-8"))
+        if len(file["cases"]) != row["cases"] or file["suite"] != VERSION:
+            raise ValueError(f"{row['file']}: not what index.json says")
+        cases += [(row["profile"], case) for case in file["cases"]]
+    return {row["profile"] for row in rows}, cases
+
+
+def is_wanted(args, id):
+    is_of_level = args.level is None or id.startswith(args.level + "/")
+    return is_of_level and (not args.filter or any(waive.matches(id, pattern) for pattern in args.filter))
+
+
+def wrong_names(hello, profiles):
+    faults = [f"there is no profile '{shown(name)}'" for name in hello["profiles"] if name not in profiles]
+    if len(set(hello["profiles"])) < len(hello["profiles"]):
+        faults.append("a profile is named twice")
+    return faults
+
+
+def ask_all(run, args, cases, waivers):
+    """What came of each case, and whether the run ended at the first failure."""
+    verdicts, silent, is_over = [], 0, False
+    for seq, (profile, case) in enumerate(cases):
+        outcome, what = "not-asked", None
+        if is_over:
+            pass
+        elif silent >= GIVEN_UP_AFTER:
+            outcome, what = "error", f"given up: the last {silent} starts answered nothing"
+        elif is_asked(run.hello, profile, case):
+            outcome, what = run.ask(seq, profile, case)
+            silent = silent + 1 if outcome in ("error", "crash", "timeout") else 0
+        row = {name: case[name] for name in ("id", "clauses", "strength", "why")}
+        row.update(outcome=outcome, size=size(list(case["input"].values())))
+        if what is not None:
+            row["what"] = what
+        reason = waive.reason(waivers, case["id"], outcome)
+        if reason is not None:
+            row["waived"] = reason
+        verdicts.append(row)
+        is_over = is_over or args.fail_fast and "what" in row and is_failure(row)
+    return verdicts, is_over
+
+
+def is_asked(hello, profile, case):
+    wide, slots = hello.get("limits", {}).get("wide"), case["input"].get("slots")
+    return (
+        profile in hello["profiles"]
+        and all(feature in hello.get("features", ()) for feature in case.get("features", ()))
+        and (slots is None or wide is None or str(slots) in wide)
+    )
+
+
+def size(value):
+    return len(value) + sum(map(size, value)) if isinstance(value, list) else 0
+
+
+def write(path, text):
+    """Whole or not at all."""
+    beside = path.with_name(f".{path.name}.{os.getpid()}")
+    beside.write_text(text + "\n", encoding="utf-8")
+    os.replace(beside, path)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(
+        prog="stackless-conform", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    add, file = parser.add_argument, pathlib.Path
+    add("--level", choices=LEVELS, help="cases of this level only")
+    add("--filter", action="append", default=[], help="ids of cases, with * and ?; several times")
+    add("--json", type=file, metavar="FILE", help="write what came of each case")
+    add("--junit", type=file, metavar="FILE", help="the same as XML that build servers read")
+    add("--waivers", type=file, metavar="FILE", help="cases that are known to fail (schema/waivers.json)")
+    add("--write-waivers", type=file, metavar="FILE", help="write the waivers with which this run succeeds")
+    add("--timeout", type=seconds, default=10, help="seconds to wait for an answer")
+    add("--budget", type=seconds, default=1800, help="seconds for the whole run")
+    add("--fail-fast", action="store_true", help="end at the first case that fails")
+    add("--show", type=int, default=10, help="failures to print")
+    add("--stderr", action="store_true", help="let the program's standard error through")
+    add("--folder", action="store_true", help="print where the suite's files are: vectors, adapters, judges")
+    add("--version", action="version", version=f"suite {VERSION}")
+    add("command", nargs="*", help="the program and its arguments, after --")
+    args = parser.parse_args()
+    if not args.command and not args.folder:
+        parser.error("a program is needed, after --")
+    return args
+
+
+def seconds(text):
+    if not 0.001 <= float(text) < 1e6:
+        raise argparse.ArgumentTypeError("expected 0.001 to 1000000")
+    return float(text)
+
+
+if __name__ == "__main__":
+    main()

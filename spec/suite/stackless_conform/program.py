@@ -1,0 +1,128 @@
+"""The program that is asked, one case at a time."""
+
+import json
+import os
+import queue
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+from .judge import KINDS, Flaw, judge, shown
+
+
+class Program:
+    """A start of it. Whatever it starts ends with it, where there are process groups."""
+
+    def __init__(self, command, passes_errors):
+        errors = None if passes_errors else subprocess.DEVNULL
+        pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": errors}
+        self.child = subprocess.Popen(command, start_new_session=True, **pipes)
+        self.lines = queue.Queue(4)
+        threading.Thread(target=self.listen, daemon=True).start()
+
+    def listen(self):
+        for line in self.child.stdout:
+            self.lines.put(line)
+        self.lines.put(None)
+
+    def ask(self, request, timeout):
+        """The answer; None if it has ended, TimeoutError if there is none in time."""
+        try:
+            self.child.stdin.write(json.dumps(request, separators=(",", ":")).encode() + b"\n")
+            self.child.stdin.flush()
+            if request["cmd"] == "bye":
+                self.child.stdin.close()
+        except OSError:
+            pass  # it has ended, which is heard
+        try:
+            return self.lines.get(timeout=timeout)
+        except queue.Empty:
+            raise TimeoutError from None
+
+    def end(self):
+        try:
+            os.killpg(self.child.pid, signal.SIGKILL)
+        except (AttributeError, ProcessLookupError, PermissionError):
+            self.child.kill()
+        self.child.wait()
+
+
+class Run:
+    def __init__(self, args):
+        self.args, self.program, self.hello, self.deadline = args, None, None, time.monotonic() + args.budget
+        self.is_starting = self.is_over = False
+
+    def terminate(self, *_):
+        """Not between the start of a program and its name: nobody could end it."""
+        self.is_over = True
+        if not self.is_starting:
+            sys.exit(143)
+
+    def start(self):
+        self.is_starting = True
+        try:
+            self.program = Program(self.args.command, self.args.stderr)
+        finally:
+            self.is_starting = False
+        if self.is_over:
+            sys.exit(143)
+        line = self.program.ask({"cmd": "hello", "protocol": 1}, self.args.timeout)
+        hello = json.loads(line or "null")
+        if not isinstance(hello, dict) or hello.get("protocol") != 1 or not isinstance(hello.get("profiles"), list):
+            raise ValueError(f"no hello: {shown((line or b'').decode(errors='replace'))}")
+        return hello
+
+    def stop(self):
+        if self.program:
+            self.program.end()
+        self.program = None
+
+    def bye(self):
+        """Says goodbye; whoever goes on talking is to blame."""
+        try:
+            if self.program and self.program.ask({"cmd": "bye"}, self.args.timeout) is not None:
+                return ["wrote more than was asked"]
+        except TimeoutError:
+            return ["the program does not end after 'bye'"]
+        finally:
+            self.stop()
+        return []
+
+    def ask(self, seq, profile, case):
+        """Outcome and what is wrong."""
+        level, name = profile.split("/")
+        request = {"cmd": "case", "seq": seq, "level": level, "profile": name, "input": case["input"]}
+        if time.monotonic() > self.deadline:
+            return "error", f"given up: the run has taken {self.args.budget:g} s"
+        try:
+            if not self.program:
+                self.start()
+            line = self.program.ask(request, self.args.timeout)
+        except TimeoutError:
+            self.stop()
+            return "timeout", "no answer in time (is every line flushed?)"
+        except (OSError, ValueError) as error:
+            self.stop()
+            return "error", shown(str(error))
+        if line is None:
+            status = self.program.child.wait()
+            self.stop()
+            return "crash", f"the program ended: exit status: {status}"
+        try:
+            reply = json.loads(line)
+            if not isinstance(reply, dict) or reply.get("seq") != seq:
+                raise ValueError("no answer to this case")
+            if sum(reply.get(kind) is not None for kind in KINDS) != 1:
+                raise ValueError("expected one of result, reject and unsupported")
+        except ValueError as error:
+            self.stop()
+            return "error", f"{shown(str(error))} in {shown(line.decode(errors='replace'))}"
+        try:
+            judge(case, self.hello, reply)
+        except Flaw as flaw:
+            return "fail", str(flaw)
+        except (AttributeError, KeyError, TypeError, ValueError) as error:
+            return "fail", f"not as it must be: {shown(repr(error))}"
+        return "pass", None

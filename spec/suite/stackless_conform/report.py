@@ -1,0 +1,119 @@
+"""What came of a run: as text, as JSON (schema/report.json), and as JUnit."""
+
+import shlex
+from collections import defaultdict
+
+from . import VERSION
+from .judge import shown
+
+OUTCOMES = ("pass", "fail", "error", "crash", "timeout", "not-asked")
+
+
+class Report:
+    def __init__(self, hello, verdicts, faults):
+        self.hello, self.verdicts, self.faults = hello, verdicts, faults
+        self.failed = [row for row in verdicts if is_failure(row)]
+        self.conforms = not self.failed and not faults
+
+    def failures(self):
+        """The smallest of each profile first, then the next smallest of each."""
+        profiles = defaultdict(list)
+        for row in self.failed:
+            profiles[profile(row)].append(row)
+        ranked = []
+        for rows in profiles.values():
+            ranked += enumerate(sorted(rows, key=lambda row: row["size"]))
+        return [row for _, row in sorted(ranked, key=lambda it: it[0])]
+
+    def text(self, show, command):
+        failures = self.failures()
+        for row in failures[:show]:
+            yield f"{row['id']}: {row['outcome']}: {row.get('what', 'waived, and passes')}\n  why: {row['why']}"
+            yield f"  clauses {', '.join(row['clauses'])}"
+            yield f"  alone: --filter '{row['id']}' -- {shown(' '.join(map(shlex.quote, command)))}"
+            if row["id"].startswith("trace/") and not profile(row).endswith("invalid"):
+                yield f"  step by step: stackless explain --suite-case '{row['id']}' -o case.html"
+        if len(failures) > show:
+            yield f"and {len(failures) - show} more (--show {len(failures)}, --json FILE)"
+        yield from self.faults
+        yield from self.table()
+        counts = [self.count(name) for name in OUTCOMES]
+        waived = sum("waived" in row for row in self.verdicts)
+        verdict = "conforms in what it names" if self.conforms else "does not conform"
+        yield (
+            f"{shown(self.hello.get('name', ''))} {shown(self.hello.get('version', ''))} {verdict} (suite {VERSION}): "
+            f"{counts[0]} of {len(self.verdicts)} cases passed, {sum(counts[1:5])} failed, {counts[5]} not asked, "
+            f"{waived} waived"
+        )
+
+    def count(self, name, rows=None):
+        rows = self.verdicts if rows is None else rows
+        return sum(row["outcome"] == name and "waived" not in row for row in rows)
+
+    def table(self):
+        """A line for each profile of which anything was asked."""
+        profiles = defaultdict(list)
+        for row in self.verdicts:
+            if row["outcome"] != "not-asked":
+                profiles[profile(row)].append(row)
+        width = max(map(len, profiles), default=0)
+        yield "  ".join([" " * width, *OUTCOMES[:5], "waived"])
+        for name, rows in profiles.items():
+            counts = [self.count(outcome, rows) for outcome in OUTCOMES[:5]]
+            counts.append(len(rows) - sum(counts))
+            cells = (str(count).rjust(len(head)) for count, head in zip(counts, [*OUTCOMES[:5], "waived"]))
+            yield "  ".join([name.ljust(width), *cells])
+
+    def to_json(self):
+        rows = [{name: value for name, value in row.items() if name != "size"} for row in self.verdicts]
+        about = {"suite": VERSION, "implementation": self.hello, "conforms": self.conforms, "faults": self.faults}
+        return {**about, "cases": rows}
+
+    def to_junit(self):
+        """A test case each, `skipped` where it was not asked or is waived."""
+        rows = [(*row["id"].rsplit("/", 1), inside(row)) for row in self.verdicts]
+        rows += [("run", f"fault {i}", failure(fault)) for i, fault in enumerate(self.faults)]
+        failures, skipped = (sum(it.startswith(tag) for _, _, it in rows) for tag in ("<failure", "<skipped"))
+        yield '<?xml version="1.0" encoding="UTF-8"?>'
+        name = escaped(str(self.hello.get("name", "")))
+        yield f'<testsuite name="{name}" tests="{len(rows)}" failures="{failures}" errors="0" skipped="{skipped}">'
+        yield f'<properties><property name="suite" value="{VERSION}"/></properties>'
+        for group, name, it in rows:
+            yield f'<testcase classname="{escaped(group)}" name="{escaped(name)}">{it}</testcase>'
+        yield "</testsuite>"
+
+
+def profile(row):
+    return row["id"].rpartition("/")[0]
+
+
+def is_failure(row):
+    """A must that is not waived, or a waiver that has grown old."""
+    if "waived" in row:
+        return row["outcome"] == "pass"
+    return "what" in row and row["strength"] == "must"
+
+
+def inside(row):
+    """What stands in a test case of JUnit."""
+    if is_failure(row):
+        more = f"{row['why']}\nclauses {', '.join(row['clauses'])}" if "what" in row else ""
+        return failure(row.get("what", "waived, and passes"), more)
+    if row["outcome"] == "pass":
+        return ""
+    return f'<skipped message="{escaped(row.get("waived") or row.get("what") or row["outcome"])}"/>'
+
+
+def failure(message, more=""):
+    return f'<failure message="{escaped(message)}">{escaped(more)}</failure>'
+
+
+def escaped(text):
+    """Text for an attribute or an element of XML 1.0, which has no way to write some characters."""
+    named = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "\n": "&#10;", "\t": "&#9;"}
+    return "".join(named.get(c) or (c if is_xml(c) else "\ufffd") for c in text)
+
+
+def is_xml(c):
+    is_control = c < " " or "\x7f" <= c <= "\x9f"
+    return not (is_control or "\ud800" <= c <= "\udfff" or c in "\ufffe\uffff")

@@ -1,0 +1,89 @@
+"""Both runners write the same reports for build servers, and the same waivers."""
+
+import json
+import xml.etree.ElementTree
+
+import pytest
+from test_runner import NAMES, mangled, run
+
+SOME = ["key/u32/*", "hash/keys/*", "trace/script/three*", "ray/grid/*-0"]
+
+
+def junit(path):
+    """Counts; and of each case its name, with what became of it, but no messages."""
+    suite = xml.etree.ElementTree.parse(path).getroot()
+    counts = {name: suite.get(name) for name in ("name", "tests", "failures", "errors", "skipped")}
+    cases = [(it.get("classname"), it.get("name"), [inside.tag for inside in it]) for it in suite.iter("testcase")]
+    return counts, [it.get("value") for it in suite.iter("property")], cases
+
+
+def both(mistake, folder, *options, **more):
+    """What each of the runners did: exit status, JUnit, waivers, faults."""
+    results = []
+    for runner in NAMES:
+        files = [folder / f"{runner}.{ending}" for ending in ("xml", "waivers")]
+        words = ["--junit", str(files[0]), "--write-waivers", str(files[1]), *options]
+        status, text, report = run(runner, mangled(mistake), folder, *words, **{"filters": SOME, **more})
+        written = [row["id"] for row in json.loads(files[1].read_text())]
+        outcomes = [(case["id"], case["outcome"], "waived" in case) for case in report["cases"]]
+        results.append((status, junit(files[0]), written, report["faults"], outcomes, text))
+    assert results[0][:-1] == results[1][:-1]
+    return results[1]
+
+
+@pytest.mark.parametrize("mistake", ["none", "turned", "crash", "more"])
+def test_junit_and_waivers_are_the_same(mistake, tmp_path):
+    status, (counts, _, cases), waivers, _, _, _ = both(mistake, tmp_path)
+    assert status == (mistake != "none") and len(waivers) == int(counts["failures"]) and len(cases) > 300
+    # With what is written a run succeeds.
+    path = tmp_path / "python.waivers"
+    kept = tmp_path / "kept"
+    kept.write_text(path.read_text())
+    assert both(mistake, tmp_path, "--waivers", str(kept))[0] == 0
+
+
+@pytest.mark.parametrize(
+    "ids, is_bad",
+    [
+        (["key/u32/*", "trace/tape/*"], False),  # of other cases: passed over
+        (["key/u32/*", "key/u64/*", "ray/exact/*"], False),
+        (["hash/keys/*"], True),  # not all that fails
+    ],
+)
+def test_waivers_are_judged_the_same(ids, is_bad, tmp_path):
+    path = tmp_path / "list.json"
+    path.write_text(json.dumps([{"id": id, "reason": "known"} for id in ids]))
+    status = both("turned", tmp_path, "--waivers", str(path), filters=["key/u32/child*", "key/u32/depth*"])[0]
+    assert status == is_bad
+    # What passes needs none: by its own id a failure, as a pattern a fault.
+    for id in ("key/u32/child-left-root", "key/u32/child*"):
+        path.write_text(json.dumps([{"id": id, "reason": "known"}]))
+        assert both("none", tmp_path, "--waivers", str(path), filters=["key/u32/child*"])[0] == 1
+
+
+@pytest.mark.parametrize("runner", NAMES)
+@pytest.mark.parametrize(
+    "text",
+    ["{", "{}", '[{"id": "key/u32/none", "reason": "x"}]', '[{"id": "key/*"}]', '[{"id": "key/*", "reason": 1}]']
+    + ["[" + ", ".join(['{"id": "key/*", "reason": "x"}'] * 2) + "]"],
+)
+def test_no_list_of_waivers(runner, text, tmp_path):
+    path = tmp_path / "list.json"
+    path.write_text(text)
+    assert run(runner, mangled("none"), tmp_path, "--waivers", str(path), filters=["key/u32/child*"])[0] == 2
+
+
+def test_level_and_first_failure(tmp_path):
+    assert both("none", tmp_path, "--level", "key", filters=["*-root"])[0] == 0
+    outcomes = both("turned", tmp_path, "--fail-fast", "--level", "key", filters=["key/u32/*"])[4]
+    assert [outcome for _, outcome, _ in outcomes] == ["fail"] + ["not-asked"] * (len(outcomes) - 1)
+    for runner in NAMES:
+        assert run(runner, mangled("none"), tmp_path, "--level", "ray", filters=["key/*"])[0] == 2
+        assert run(runner, mangled("none"), tmp_path, "--timeout", "0", filters=["key/*"])[0] == 2
+
+
+def test_a_failure_says_what_to_do(tmp_path):
+    status, text, _ = run("python", mangled("one-event-less"), tmp_path, filters=["trace/script/three*"])
+    assert status == 1
+    for said in ("  why: ", "  clauses ", "  alone: --filter 'trace/script/", "stackless explain --suite-case 'trace/"):
+        assert said in text, text
