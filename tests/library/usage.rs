@@ -4,6 +4,10 @@
 mod foreign_traversal;
 #[path = "../../examples/gpu_upload.rs"]
 mod gpu_upload;
+#[path = "../../examples/hidden_objects.rs"]
+mod hidden_objects;
+#[path = "../../examples/many_lights.rs"]
+mod many_lights;
 #[path = "../../examples/nearest_point.rs"]
 mod nearest_point;
 #[path = "../../examples/next_hits.rs"]
@@ -16,8 +20,15 @@ type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 #[test]
 fn the_examples_run() {
-    let programs: [fn() -> Outcome; 5] =
-        [foreign_traversal::main, gpu_upload::main, nearest_point::main, next_hits::main, own_primitives::main];
+    let programs: [fn() -> Outcome; 7] = [
+        foreign_traversal::main,
+        gpu_upload::main,
+        hidden_objects::main,
+        many_lights::main,
+        nearest_point::main,
+        next_hits::main,
+        own_primitives::main,
+    ];
     for program in programs {
         program().unwrap();
     }

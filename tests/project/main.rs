@@ -3,6 +3,7 @@
 mod architecture;
 mod bibliography;
 mod coverage;
+mod data;
 mod files;
 mod pointers;
 mod readme;

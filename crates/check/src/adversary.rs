@@ -169,6 +169,13 @@ impl Goal {
         }
     }
 
+    /// The goal for which the case in a file's text was found, if the text says so.
+    pub fn of(text: &str) -> Option<&'static Self> {
+        let value: serde_json::Value = serde_json::from_str(text).ok()?;
+        let said = value.get("found").or_else(|| value.get("fault"))?.as_str()?;
+        Self::named(said.split(':').next()?)
+    }
+
     /// A random case.
     fn draw(&self, rng: &mut Rng) -> Subject {
         match self.of {

@@ -151,7 +151,7 @@ const DIGITS: i32 = f64::MANTISSA_DIGITS as i32;
 /// With so many binary digits, all components are multiples of one power of two.
 fn digits(vectors: &[DVec3]) -> i32 {
     let (mut least, mut end) = (i32::MAX, i32::MIN);
-    for x in vectors.iter().flat_map(|v| v.to_array()).filter(|&x| x != 0.0) {
+    for x in vectors.iter().flat_map(DVec3::to_array).filter(|&x| x != 0.0) {
         let (bits, exponent) = (x.to_bits(), (x.to_bits() >> 52 & 0x7ff) as i32);
         let zeros = (bits | 1 << 52).trailing_zeros() as i32;
         (least, end) = (least.min(exponent + zeros - 52), end.max(exponent + 1));

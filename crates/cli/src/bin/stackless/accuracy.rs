@@ -42,7 +42,7 @@ pub(crate) use total::{Found, SecondaryFound};
 /// distance, which add up. Times, means and quantiles do not: they belong to a whole run on one machine.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
-    stackless accuracy bunny.ply spheres --plot accuracy.svg --csv accuracy.csv\n  \
+    stackless accuracy examples/data/slivers.ply spheres --plot accuracy.svg --csv accuracy.csv\n  \
     stackless accuracy soup --secondary --rays 10000\n  \
     stackless accuracy soup --rays 1000000 --shard 3/64 --json 3.json")]
 pub(crate) struct Args {

@@ -21,7 +21,7 @@ use crate::places::{self, Output};
     stackless adversary --replay worst.json")]
 pub(crate) struct Args {
     /// What to make as great as can be; `--list` names them.
-    #[arg(required_unless_present = "list", value_parser = goal)]
+    #[arg(required_unless_present_any = ["list", "replay"], value_parser = goal)]
     goal: Option<&'static Goal>,
     /// Cases to look at.
     #[arg(long, default_value_t = 20_000)]
@@ -35,7 +35,7 @@ pub(crate) struct Args {
     /// Write the worst case to this file, each time that a worse one is found: the search may be interrupted.
     #[arg(short, value_name = "FILE", value_parser = places::file)]
     o: Option<Output>,
-    /// Do not search: run the case in this file.
+    /// Do not search: run the case in this file, for the goal that it was found for unless one is named.
     #[arg(long, conflicts_with_all = ["steps", "seconds", "seed", "o"])]
     replay: Option<PathBuf>,
     /// List the goals and what is counted, and do nothing else.
@@ -49,7 +49,7 @@ fn goal(name: &str) -> Result<&'static Goal, String> {
 
 pub(crate) fn run(args: &Args) -> Outcome {
     match (args.goal, &args.replay) {
-        (Some(goal), Some(path)) if !args.list => replay(goal, path),
+        (goal, Some(path)) if !args.list => replay(goal, path),
         (Some(goal), None) if !args.list => search(goal, args),
         _ => {
             let rows = GOALS.iter().map(|goal| vec![goal.to_string(), goal.about.to_owned()]);
@@ -89,9 +89,11 @@ fn search(goal: &'static Goal, args: &Args) -> Outcome {
     Ok(is_sound(goal, worst.subject.verify()))
 }
 
-fn replay(goal: &Goal, path: &Path) -> Outcome {
+fn replay(goal: Option<&'static Goal>, path: &Path) -> Outcome {
     let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
     let text = stackless_scene::read_text(path).map_err(|error| named(&error))?;
+    let unnamed = "it does not say for which goal it was found, expected a goal before --replay";
+    let goal = goal.or_else(|| Goal::of(&text)).ok_or_else(|| named(&unnamed))?;
     let (subject, _) = goal.read(&text).map_err(|error| named(&error))?;
     let cost = goal.cost(&subject).ok_or_else(|| named(&"this case has no such cost"))?;
     say!("{goal}: {cost} = {:.4}", cost.ratio());

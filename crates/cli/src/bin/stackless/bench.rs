@@ -36,9 +36,9 @@ use wide::{Manner, WideTree};
 /// The hits of all exact ones must be the same, or the exit code is 1.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
-    stackless bench bunny.ply sibenik.ply\n  \
-    stackless bench sibenik.ply --methods stack,hashed,laine-4 --rays diffuse --count 1000000\n  \
-    stackless bench bunny.ply --accuracy fast,exact --build sah,sbvh --json bench.json")]
+    stackless bench examples/data/torus.ply examples/data/slivers.ply\n  \
+    stackless bench examples/data/room.obj --methods stack,hashed,laine-4 --rays diffuse --count 1000000\n  \
+    stackless bench examples/data/torus.ply --accuracy fast,exact --build sah,sbvh --json bench.json")]
 pub(crate) struct Args {
     /// Mesh files (.ply, .obj), or the made scenes `strands`, `stadium`, `soup`.
     #[arg(required = true)]

@@ -30,7 +30,7 @@ pub(crate) use summary::Summary;
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless check\n  \
-    stackless check bunny.ply --trees 1000\n  \
+    stackless check examples/data/torus.ply --trees 1000\n  \
     stackless check --family comb --depth 100000 --trees 1 --word grow --methods hashed,afra\n  \
     stackless check --leaves 7\n  \
     stackless check --shard 3/64 --json 3.json\n  \

@@ -22,8 +22,8 @@ use crate::{Outcome, camera};
 /// plays; `FILE.html#method=hashed&step=6` is a link to a step.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless explain -o example.html\n  \
-    stackless explain --tape 7 --methods hashed,sparse -o tape.html\n  \
-    stackless explain bunny.ply --pixel 256,256 --methods wide-record -o ray.html\n  \
+    stackless explain --tape 4 --methods hashed,sparse -o tape.html\n  \
+    stackless explain examples/data/torus.ply --pixel 256,400 --methods wide-record -o ray.html\n  \
     stackless explain --suite-case trace/script/three-neither -o - > case.html")]
 pub(crate) struct Args {
     /// Mesh file (.ply, .obj), or a made scene: what the ray through a pixel does in it.

@@ -37,7 +37,7 @@ use stackless_bvh::geom::check_environment;
 #[command(
     after_help = "Exit codes: 0 all is well; 1 a check found something wrong; 2 it could not run: bad input or usage.\n\
     Where a file is written, `-` is the standard output. Files are written whole or not at all.\n\n\
-    Examples:\n  stackless check\n  stackless render bunny.ply -o bunny.png\n  stackless conform -- python3 mine.py\n  \
+    Examples:\n  stackless check\n  stackless render examples/data/torus.ply -o torus.png\n  stackless conform -- python3 mine.py\n  \
     stackless completions bash > ~/.local/share/bash-completion/completions/stackless"
 )]
 struct Command {

@@ -25,10 +25,10 @@ use sample::{Rays, Sample, Samples};
 ///
 /// The same options give the same picture, for any number of threads. Rays are exact.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:\n  stackless render bunny.ply -o bunny.png\n  \
-    stackless render sibenik.ply --rays ao --spp 64 --size 800x600 -o ao.png\n  \
-    stackless render sibenik.ply --heatmap nodes --compare stack,skip -o nodes.png\n  \
-    stackless render sibenik.ply --figure 1 -o figure1.png")]
+#[command(after_help = "Examples:\n  stackless render examples/data/torus.ply -o torus.png\n  \
+    stackless render examples/data/room.obj --rays ao --spp 64 --size 800x600 --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png\n  \
+    stackless render examples/data/room.obj --heatmap nodes --compare stack,skip -o nodes.png\n  \
+    stackless render examples/data/slivers.ply --figure 1 -o figure1.png")]
 pub(crate) struct Args {
     /// Mesh file (.ply, .obj), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,

@@ -24,7 +24,7 @@ use page::{Piece, Section};
 /// Barringer & Akenine-Möller 2013; run time against error; what each scene does not need. The page, index.html, needs
 /// nothing else. The exit code is 1 if exact answers differ.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:\n  stackless report bunny.ply sibenik.ply -o report\n  \
+#[command(after_help = "Examples:\n  stackless report examples/data/torus.ply examples/data/slivers.ply -o report\n  \
     stackless report strands --rays 4096 --rounds 1 -o quick")]
 pub(crate) struct Args {
     /// Mesh files (.ply, .obj), or the made scenes `strands`, `stadium`, `soup`.

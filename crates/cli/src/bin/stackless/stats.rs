@@ -33,8 +33,8 @@ use crate::report::Bar;
 /// a camera and half in random directions from where those hit.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
-    stackless stats sibenik.ply\n  \
-    stackless stats bunny.ply --build sbvh --plot distances.svg --json stats.json")]
+    stackless stats examples/data/room.obj\n  \
+    stackless stats examples/data/torus.ply --build sbvh --plot distances.svg --json stats.json")]
 pub(crate) struct Args {
     /// Mesh file (.ply, .obj), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,

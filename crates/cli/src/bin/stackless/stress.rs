@@ -22,9 +22,10 @@ use counts::{Row, WIDE};
 /// Trace the stress suite and count errors against rational arithmetic.
 ///
 /// Every ray goes through every traversal, as a closest-hit and as an any-hit query, on three trees; it counts as wrong
-/// if any of them errs. Wide trees are made of the same three, and traced with all instructions of the machine. max ulp is the greatest error of a distance, in floats. The exit code is 1 if `exact`
-/// errs, in binary trees or in wide ones.
+/// if any of them errs. Wide trees are made of the same three, and traced with all instructions of the machine. max ulp
+/// is the greatest error of a distance, in floats. The exit code is 1 if `exact` errs, in binary trees or in wide ones.
 #[derive(clap::Args)]
+#[expect(clippy::struct_excessive_bools, reason = "flags of a command line")]
 #[command(after_help = "Examples:\n  \
     stackless stress\n  \
     stackless stress --list\n  \

@@ -22,8 +22,10 @@ use crate::places::{self, Output};
 /// A ray is a line of ox,oy,oz,dx,dy,dz,tmin,tmax; a hit is a line of prim,t,u,v, where prim is the index of the
 /// triangle in the file's order (polygons are fanned out in place), or -1 for a miss, with the other columns empty.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:\n  stackless trace bunny.ply --rays rays.csv --out hits.csv\n  \
-    echo 0,0,5,0,0,-1,0,inf | stackless trace soup --rays - --out - --method uncle")]
+#[command(
+    after_help = "Examples:\n  stackless trace examples/data/torus.ply --rays examples/data/rays.csv --out hits.csv\n  \
+    echo 0,0,5,0,0,-1,0,inf | stackless trace soup --rays - --out - --method uncle"
+)]
 pub(crate) struct Args {
     /// Mesh file (.ply, .obj), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,

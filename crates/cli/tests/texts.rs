@@ -1,0 +1,235 @@
+//! All commands of all texts, run as they stand: of the README files, of the specification, of the help's examples.
+
+#![cfg(unix)]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::os::unix::fs::symlink;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Commands that are not run, by what stands in them, each with its reason.
+const NOT_RUN: [(&str, &str); 12] = [
+    ("sibenik.ply", "a figure of that scene, which a clone does not have"),
+    ("crytek_sponza.ply", "a picture of that scene, which a clone does not have"),
+    ("mesh.ply", "for whoever has installed the command and has no clone"),
+    ("mine", "a program of the reader's"),
+    ("my_traversal.py", "a program of the reader's"),
+    ("--peers", "other ray tracers are not in every build"),
+    ("--peer ", "other ray tracers are not in every build"),
+    ("parallel stackless", "GNU parallel is not on every machine"),
+    ("-- COMMAND", "a program of the reader's"),
+    ("fuzz/records/", "records that runs of the fuzz targets leave"),
+    ("accuracy --shard", "an option is named, without its scene"),
+    ("SPONZA", "what was measured on that scene"),
+];
+
+/// Commands that take long or stand for many, as written and as run.
+#[rustfmt::skip]
+const RUN_AS: [(&str, &str); 38] = [
+    ("stackless merge RECORD...",
+     "stackless check --trees 10 --shard 1/1 --json whole.json && stackless merge whole.json"),
+    ("stackless check",
+     "stackless check --trees 100"),
+    ("stackless check --leaves 9",
+     "stackless check --leaves 5"),
+    ("stackless check --leaves 7",
+     "stackless check --leaves 5"),
+    ("stackless check [SCENE...]",
+     "stackless check examples/data/torus.ply --trees 10"),
+    ("stackless check examples/data/torus.ply --trees 1000",
+     "stackless check examples/data/torus.ply --trees 10"),
+    ("stackless check --replay FILE",
+     "stackless check --replay spec/departures/D-1.json"),
+    ("stackless check --replay case.json",
+     "stackless check --replay spec/departures/D-1.json"),
+    ("stackless check --replay",
+     "stackless check --replay spec/departures/D-1.json"),
+    ("for i in $(seq 8); do stackless check --trees 100000 --shard $i/8 --json $i.json; done",
+     "for i in $(seq 8); do stackless check --trees 100 --shard $i/8 --json $i.json; done"),
+    ("stackless check --shard 3/64 --json 3.json",
+     "stackless check --trees 100 --shard 3/64 --json 3.json"),
+    ("stackless check --shard 1/2 --json a.json",
+     "stackless check --trees 100 --shard 1/2 --json a.json"),
+    ("stackless check --shard 2/2 --json b.json",
+     "stackless check --trees 100 --shard 2/2 --json b.json"),
+    ("stackless merge records/*.json --plot campaign.svg",
+     "stackless merge a.json b.json --plot campaign.svg"),
+    ("stackless trace SCENE --rays FILE.csv --out FILE.csv",
+     "stackless trace examples/data/torus.ply --rays examples/data/rays.csv --out hits.csv"),
+    ("stackless render SCENE -o FILE.png",
+     "stackless render examples/data/torus.ply --size 64 -o torus.png"),
+    ("stackless render examples/data/room.obj --rays ao --spp 64 --size 800x600 --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png",
+     "stackless render examples/data/room.obj --rays ao --spp 4 --size 80x60 --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png"),
+    ("stackless report SCENE... -o DIR",
+     "stackless report examples/data/torus.ply --rays 512 --rounds 1 --pixels 32 -o report"),
+    ("stackless report examples/data/torus.ply examples/data/slivers.ply -o report",
+     "stackless report examples/data/torus.ply examples/data/slivers.ply --rays 512 --rounds 1 --pixels 32 -o report"),
+    ("stackless report strands --rays 4096 --rounds 1 -o quick",
+     "stackless report strands --rays 512 --rounds 1 --pixels 32 -o quick"),
+    ("stackless stress",
+     "stackless stress --list"),
+    ("stackless stress --boxes N",
+     "stackless stress --boxes 1000"),
+    ("stackless accuracy SCENE...",
+     "stackless accuracy examples/data/torus.ply --rays 100 --rounds 1"),
+    ("stackless accuracy examples/data/slivers.ply spheres --plot accuracy.svg --csv accuracy.csv",
+     "stackless accuracy examples/data/slivers.ply --rays 100 --rounds 1 --plot accuracy.svg --csv accuracy.csv"),
+    ("stackless accuracy soup --rays 1000000 --shard 3/64 --json 3.json",
+     "stackless accuracy soup --rays 10000 --shard 3/64 --json 3.json"),
+    ("stackless bench SCENE...",
+     "stackless bench examples/data/torus.ply --count 1000 --rounds 1"),
+    ("stackless bench --double",
+     "stackless bench examples/data/torus.ply --double --count 1000 --rounds 1"),
+    ("stackless bench examples/data/torus.ply examples/data/slivers.ply",
+     "stackless bench examples/data/torus.ply examples/data/slivers.ply --count 1000 --rounds 1"),
+    ("stackless bench examples/data/torus.ply --accuracy fast,exact --build sah,sbvh --json bench.json",
+     "stackless bench examples/data/torus.ply --accuracy fast,exact --build sah,sbvh --count 1000 --rounds 1 --json bench.json"),
+    ("stackless bench examples/data/room.obj --methods stack,hashed,laine-4 --rays diffuse --count 1000000",
+     "stackless bench examples/data/room.obj --methods stack,hashed,laine-4 --rays diffuse --count 1000"),
+    ("stackless stats SCENE",
+     "stackless stats examples/data/torus.ply"),
+    ("stackless stats --plot",
+     "stackless stats examples/data/torus.ply --plot distances.svg"),
+    ("stackless suite list|show|export|serve",
+     "stackless suite list"),
+    ("stackless adversary GOAL",
+     "stackless adversary climb-afra --steps 100"),
+    ("stackless adversary climb-afra --seconds 10 -o worst.json",
+     "stackless adversary climb-afra --steps 100 -o worst.json"),
+    ("stackless completions SHELL",
+     "stackless completions zsh"),
+    ("stackless completions bash > ~/.local/share/bash-completion/completions/stackless",
+     "stackless completions bash > completions"),
+    ("stackless help COMMAND",
+     "stackless help trace"),
+];
+
+#[test]
+fn all_commands_of_all_texts_run() {
+    let texts: Vec<_> = texts();
+    let mut unused: BTreeSet<&str> =
+        NOT_RUN.iter().map(|(part, _)| *part).chain(RUN_AS.iter().map(|(written, _)| *written)).collect();
+    let mut runs = Vec::new();
+    for (name, commands) in texts {
+        let mut wanted = Vec::new();
+        for written in commands {
+            if let Some((part, _)) = NOT_RUN.iter().find(|(part, _)| written.contains(part)) {
+                unused.remove(part);
+                continue;
+            }
+            let found = RUN_AS.iter().find(|(row, _)| *row == written);
+            unused.remove(found.map_or("", |(row, _)| row));
+            wanted.push(found.map_or(written, |(_, run)| (*run).to_owned()));
+        }
+        runs.push((name, wanted));
+    }
+    let failed: Vec<_> = runs.into_iter().flat_map(|(name, commands)| failures(&name, &commands)).collect();
+    assert!(failed.is_empty(), "{}", failed.join("\n"));
+    assert_eq!(unused, BTreeSet::new(), "rows that no text needs");
+}
+
+#[test]
+fn a_command_that_fails_is_seen() {
+    let commands = ["stackless stats examples/data/none.ply", "stackless suite list", "stackless nosuch | cat"];
+    assert_eq!(failures("here", &commands.map(str::to_owned)).len(), 2);
+    let text = "`stackless stats`, `stackless\nsuite  list x`\n```sh\n$ stackless check   # all\n  echo 1 | stackless trace\n```\n";
+    assert_eq!(commands_of(text), ["stackless suite list x", "stackless check", "echo 1 | stackless trace"]);
+}
+
+/// Runs the commands of a text one after the other, in a folder that looks like a clone; says which fail.
+fn failures(name: &str, commands: &[String]) -> Vec<String> {
+    let folder = tempfile::tempdir().unwrap();
+    for entry in fs::read_dir(root()).unwrap().map(Result::unwrap) {
+        symlink(entry.path(), folder.path().join(entry.file_name())).unwrap();
+    }
+    let program = Path::new(env!("CARGO_BIN_EXE_stackless"));
+    let paths = [program.parent().unwrap().to_owned()];
+    let inherited = std::env::var_os("PATH").unwrap_or_default();
+    let paths = std::env::join_paths(paths.into_iter().chain(std::env::split_paths(&inherited))).unwrap();
+    let run = |command: &String| {
+        let shell = format!("set -o pipefail\n{command}");
+        let mut bash = Command::new("bash");
+        let output = bash.args(["-c", &shell]).current_dir(folder.path()).env("PATH", &paths).output().unwrap();
+        let errors = String::from_utf8_lossy(&output.stderr);
+        (!output.status.success()).then(|| format!("{name}: {command}\n{}\n{errors}", output.status))
+    };
+    commands.iter().filter_map(run).collect()
+}
+
+/// Each text with its commands.
+fn texts() -> Vec<(String, Vec<String>)> {
+    let mut texts = Vec::new();
+    let folders = [
+        "",
+        "benches",
+        "campaign",
+        "crates/check",
+        "crates/cli",
+        "crates/suite",
+        "examples/data",
+        "fuzz",
+        "spec",
+        "spec/rocq",
+        "spec/suite",
+        "tests",
+    ];
+    for folder in folders {
+        for path in fs::read_dir(root().join(folder)).unwrap().map(|entry| entry.unwrap().path()) {
+            if path.extension().is_some_and(|ending| ending == "md") && !path.ends_with("CHANGELOG.md") {
+                let name = path.strip_prefix(root()).unwrap().display().to_string();
+                texts.push((name, commands_of(&fs::read_to_string(&path).unwrap())));
+            }
+        }
+    }
+    let help = |topic: &str| {
+        let output = Command::new(env!("CARGO_BIN_EXE_stackless"))
+            .arg("help")
+            .args((!topic.is_empty()).then_some(topic))
+            .output();
+        String::from_utf8(output.unwrap().stdout).unwrap()
+    };
+    let front = help("");
+    let topics = front.lines().skip_while(|line| !line.starts_with("Commands:")).skip(1);
+    let topics = topics.take_while(|line| !line.is_empty()).filter_map(|line| line.split_whitespace().next());
+    for topic in [""].into_iter().chain(topics) {
+        let text = help(topic);
+        let examples = text.split_once("Examples:\n").map_or("", |(_, examples)| examples);
+        texts.push((format!("help {topic}"), commands_of(&format!("```\n{examples}\n```\n"))));
+    }
+    texts
+}
+
+/// The lines of a text's blocks that run the command, without what is said of them, and what stands in backticks and
+/// has arguments.
+fn commands_of(text: &str) -> Vec<String> {
+    let (mut commands, mut rest) = (Vec::new(), String::new());
+    let mut is_block = false;
+    for line in text.lines() {
+        if line.trim_start().starts_with("```") {
+            is_block = !is_block;
+        } else if is_block {
+            let command = line.trim().trim_start_matches("$ ").split(" #").next().unwrap_or_default();
+            // What is said of it stands apart.
+            let command = command.split("   ").next().unwrap_or_default().trim();
+            if command.starts_with("stackless ")
+                || command.contains("| stackless ")
+                || command.contains("parallel stackless")
+                || command.contains("; do stackless")
+            {
+                commands.push(command.to_owned());
+            }
+        } else {
+            rest.push_str(line);
+            rest.push('\n');
+        }
+    }
+    let spans = rest.split('`').skip(1).step_by(2);
+    let words = spans.map(|span| span.split_whitespace().collect::<Vec<_>>());
+    let named = words.filter(|words| words.len() > 2 && words[0] == "stackless").map(|words| words.join(" "));
+    named.chain(commands).collect()
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()
+}
