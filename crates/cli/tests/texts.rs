@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Commands that are not run, by what stands in them, each with its reason.
-const NOT_RUN: [(&str, &str); 12] = [
+const NOT_RUN: [(&str, &str); 13] = [
     ("sibenik.ply", "a figure of that scene, which a clone does not have"),
     ("crytek_sponza.ply", "a picture of that scene, which a clone does not have"),
     ("mesh.ply", "for whoever has installed the command and has no clone"),
@@ -22,6 +22,7 @@ const NOT_RUN: [(&str, &str); 12] = [
     ("fuzz/records/", "records that runs of the fuzz targets leave"),
     ("accuracy --shard", "an option is named, without its scene"),
     ("SPONZA", "what was measured on that scene"),
+    ("stress --price", "minutes without optimisation; its families are asked by a test of their own"),
 ];
 
 /// Commands that take long or stand for many, as written and as run.

@@ -41,6 +41,13 @@ pub(super) fn is_inside(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
     any_positive != any_negative
 }
 
+/// Whether a line is parallel to a triangle that lies across an axis, as walls and floors do: then it is missed, which
+/// sums would tell at length.
+#[inline]
+pub(super) fn is_along_axes(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {
+    (d.cmpeq(DVec3::ZERO) & v0.cmpeq(v1) & v0.cmpeq(v2)).any()
+}
+
 /// Whether corners that are floats lie on a line: whether the cross product of two edges is 0, exactly.
 pub(in crate::geom) fn is_degenerate(corners: &[DVec3; 3]) -> bool {
     if has_certain_area(corners) {

@@ -62,15 +62,17 @@ struct Family {
     make: fn() -> Made,
 }
 
-const FAMILIES: [Family; 14] = [
+const FAMILIES: [Family; 16] = [
     Family { name: "in the plane of a lattice", make: || closest(lattice(64, 1)?, in_plane()) },
+    Family { name: "in the plane of a lattice that is not on a grid", make: off_grid },
+    Family { name: "in the skew plane of a lattice", make: in_skew_plane },
     Family { name: "at vertices of 16 lattices an ulp apart", make: || closest(lattice(32, 16)?, at_vertices()) },
-    Family { name: "the same, double precision", make: || closest_64(&lattice(32, 16)?, &at_vertices()) },
+    Family { name: "at these vertices, double precision", make: || closest_64(&lattice(32, 16)?, &at_vertices()) },
     Family {
         name: "through an edge of 1,000,000 coincident triangles",
         make: || closest(coincident(1_000_000)?, at_edge()),
     },
-    Family { name: "the same, any hit", make: || any(coincident(1_000_000)?, at_edge()) },
+    Family { name: "any of 1,000,000 coincident triangles", make: || any(coincident(1_000_000)?, at_edge()) },
     Family { name: "the next of 1,000 coincident triangles", make: || next(coincident(1_000)?, inside()) },
     Family { name: "all of 1,000 coincident triangles, at an edge", make: || all(coincident(1_000)?, at_edge()) },
     Family { name: "crossings of split triangles", make: crossings_of_split },
@@ -87,7 +89,11 @@ const FAMILIES: [Family; 14] = [
 
 /// Asks all families.
 pub(super) fn prices() -> Result<Vec<Price>, Box<dyn Error>> {
-    let progress = bar(FAMILIES.len() as u64, "families");
+    prices_of(&FAMILIES)
+}
+
+fn prices_of(families: &[Family]) -> Result<Vec<Price>, Box<dyn Error>> {
+    let progress = bar(families.len() as u64, "families");
     let price = |Family { name, make }: &Family| {
         let queries = make()?;
         let mut ordinary: Vec<_> = (0..queries.ordinary).map(|i| queries.nanoseconds(Kind::Ordinary, i)).collect();
@@ -96,7 +102,7 @@ pub(super) fn prices() -> Result<Vec<Price>, Box<dyn Error>> {
         progress.inc(1);
         Ok(Price { name, ordinary: ordinary[ordinary.len() / 2], dearest })
     };
-    let prices = FAMILIES.iter().map(price).collect();
+    let prices = families.iter().map(price).collect();
     progress.finish_and_clear();
     prices
 }
@@ -210,6 +216,29 @@ fn in_plane() -> Vec<Ray> {
         .collect()
 }
 
+/// The same in tenths.
+fn off_grid() -> Made {
+    let tenth = |v: Vec3| Vec3::new(v.x * 0.1, v.y * 0.1, v.z);
+    mapped_lattice(tenth, |v| tenth(v) + Vec3::new(0.0, 0.01, 0.0))
+}
+
+/// The same in a plane that no axis is across or along.
+fn in_skew_plane() -> Made {
+    let skew = |v: Vec3| Vec3::new(v.x, v.y, v.x * 2.0 - v.y * 3.0);
+    mapped_lattice(skew, skew)
+}
+
+/// Rays from the image of one point to that of another.
+fn mapped_lattice(map: impl Fn(Vec3) -> Vec3, of_ray: impl Fn(Vec3) -> Vec3) -> Made {
+    let mesh = lattice(64, 1)?;
+    let mesh = Mesh::new(mesh.vertices().iter().map(|&v| map(v)).collect(), mesh.triangles().to_vec())?;
+    let ray = |ray: &Ray| {
+        let [from, to] = [ray.origin(), ray.origin() + ray.direction()].map(&of_ray);
+        Ray::new(from, to - from).ok()
+    };
+    closest(mesh, in_plane().iter().filter_map(ray).collect())
+}
+
 /// Rays to vertices of the lattice, from below.
 fn at_vertices() -> Vec<Ray> {
     let mut rng = Rng::new(1);
@@ -222,34 +251,26 @@ fn at_vertices() -> Vec<Ray> {
         .collect()
 }
 
-/// The same triangle many times, from (0, 0, 0) to (3, 0, 1) and (0, 3, 2), and a wall behind.
+/// The end of an edge from the origin. Its halves are exact, and x has all digits.
+const EDGE: Vec3 = Vec3::new(2.999_999_8, 0.0, 1.0);
+const CORNER: Vec3 = Vec3::new(0.1, 3.1, 2.7);
+
+/// The same triangle many times, not on a grid.
 fn coincident(n: usize) -> Result<Mesh, Box<dyn Error>> {
-    let vertices = vec![Vec3::ZERO, Vec3::new(3.0, 0.0, 1.0), Vec3::new(0.0, 3.0, 2.0)];
+    let vertices = vec![Vec3::ZERO, EDGE, CORNER];
     Ok(Mesh::new(vertices, vec![[0, 1, 2]; n])?)
 }
 
 /// Rays exactly through the first edge of that.
 fn at_edge() -> Vec<Ray> {
-    let mut rng = Rng::new(1);
-    let mut whole = || rng.below(17) as f32 - 8.0;
-    (0..8)
-        .filter_map(|i| {
-            let o = Vec3::new(whole(), whole(), -5.0);
-            Ray::new(o, Vec3::new(3.0, 0.0, 1.0) * (i as f32 + 1.0) * 0.125 - o).ok()
-        })
-        .collect()
+    let o = Vec3::new(0.0, 0.3, -5.0);
+    [1.0, 0.5, 0.25, 0.125].into_iter().filter_map(|part| Ray::new(o, EDGE * part - o).ok()).collect()
 }
 
 /// Rays through the inside of that.
 fn inside() -> Vec<Ray> {
-    let mut rng = Rng::new(1);
-    let mut number = || rng.below(1 << 20) as f32 / (1 << 20) as f32;
-    (0..8)
-        .filter_map(|_| {
-            let o = Vec3::new(number(), number(), -5.0);
-            Ray::new(o, Vec3::new(0.75 + number() * 0.125, 0.75, 0.75) - o).ok()
-        })
-        .collect()
+    let o = Vec3::new(0.0, 0.3, -5.0);
+    (1..8u8).filter_map(|i| Ray::new(o, EDGE * 0.25 + CORNER * (f32::from(i) * 0.0625) - o).ok()).collect()
 }
 
 fn crossings_of_split() -> Made {
@@ -332,4 +353,36 @@ fn apply(map: &AffineMap, v: Vec3) -> Vec3 {
 
 fn turn(cosine: f32, sine: f32) -> Result<AffineMap, AffineError> {
     AffineMap::new([[cosine, -sine, 0.0, 0.0], [sine, cosine, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of families that take no time without optimisation.
+    #[test]
+    fn families_have_queries_of_both_kinds_and_a_price() {
+        let quick: Vec<_> = FAMILIES.into_iter().filter(|family| family.name.contains("1,000 ")).collect();
+        assert_eq!(quick.len(), 2);
+        let prices = prices_of(&quick).expect("scenes");
+        assert!(prices.iter().all(|price| price.ordinary > 0.0 && price.dearest > 0.0));
+        let [Block::Line(line), Block::Table(table)] = blocks(&prices) else { panic!("a line and a table") };
+        assert!(line.contains(&format!("of {} families", quick.len())));
+        assert_eq!(table.rows.len(), quick.len());
+    }
+
+    #[test]
+    fn hard_rays_are_hard() {
+        let mesh = lattice(64, 1).expect("a mesh");
+        let tracer = Tracer::of(&mesh).expect("a tree");
+        assert!(in_plane().iter().all(|ray| tracer.closest(ray).is_none()));
+        let mesh = lattice(32, 16).expect("a mesh");
+        let tracer = Tracer::of(&mesh).expect("a tree");
+        assert!(at_vertices().iter().all(|ray| tracer.all(ray).any(|hit| hit.t == 1.0)));
+        let mesh = coincident(10).expect("a mesh");
+        let tracer = Tracer::of(&mesh).expect("a tree");
+        for rays in [at_edge(), inside()] {
+            assert!(rays.iter().all(|ray| tracer.all(ray).count() == 10), "all of them are met");
+        }
+    }
 }
