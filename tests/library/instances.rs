@@ -8,11 +8,10 @@ use glam::Vec3;
 use scenes::{Scene, unit};
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions};
 use stackless_bvh::generate::{Rng, Source, stress};
-use stackless_bvh::geom::truth::{Meeting, Point, round_f32};
-use stackless_bvh::geom::{AffineMap, Mesh, Ray, meet_image};
+use stackless_bvh::geom::{AffineMap, Mesh, Ray};
 use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceError, InstanceHit, InstanceTracer, Object};
 use stackless_bvh::traverse::Method;
-use stackless_check::{Flat, Hierarchies, check_answer, check_instances};
+use stackless_check::{Flat, Hierarchies, Shape, check_answer, check_instances};
 
 fn options(builder: Builder, max_leaf: u32) -> BuildOptions {
     BuildOptions { builder, sah: SahOptions { max_leaf, ..SahOptions::default() }, ..BuildOptions::default() }
@@ -223,14 +222,11 @@ fn rays_that_stay_exact_need_no_rationals() {
     let third = [[3.0, 0.0, 0.0, 0.0], [0.0, 3.0, 0.0, 0.0], [0.0, 0.0, 3.0, 0.0]];
     for (rows, is_exact) in [(turn, true), (half, true), (third, false)] {
         let map = AffineMap::new(rows).expect("a map");
-        let mut assembly = Assembly::new();
-        let mut object = assembly.add_mesh(Bvh::sah(&mesh, SahOptions::default()).expect("a tree"));
-        for _ in 0..2 {
-            let instance = Instance { object, affine: map };
-            object = assembly.add_group(vec![instance], &options(Builder::Sah, 1)).expect("a group");
-        }
+        let shapes = [Shape::Mesh(mesh.clone()), Shape::Group(vec![(0, map)]), Shape::Group(vec![(1, map)])];
+        let scene = Scene { name: format!("{rows:?}"), shapes: shapes.into() };
+        let flat = Flat::new(&scene.shapes);
+        let (assembly, object) = assembly(&hierarchies(&scene, Builder::Sah, 1), &scene);
         let tracer = InstanceTracer::new(&assembly, object, Method::default()).expect("any tree");
-        let flat: Vec<_> = (0..mesh.triangles().len()).map(|prim| mesh.triangle(prim)).collect();
         let image = |v: Vec3| Vec3::from(rows.map(|[x, y, z, w]| x * v.x + y * v.y + z * v.z + w));
         let mut rays = Vec::new();
         for &corner in mesh.vertices() {
@@ -238,21 +234,9 @@ fn rays_that_stay_exact_need_no_rationals() {
             rays.extend(Ray::new(origin, image(image(corner)) - origin));
         }
         for ray in &rays {
-            let hits = flat.iter().enumerate().filter_map(|(prim, &corners)| {
-                match meet_image(corners, &[map, map], ray.origin(), ray.direction()) {
-                    Meeting::Hit(point) => point_within(point, ray).map(|t| (t, prim as u32)),
-                    _ => None,
-                }
-            });
-            let least = hits.min_by(|a, b| a.partial_cmp(b).expect("numbers"));
-            assert_eq!(tracer.closest(ray).map(|hit| (hit.t, hit.prim)), least, "{rows:?}, {ray:?}");
-            assert_eq!(tracer.any(ray), least.is_some());
+            check_instances(&tracer, &flat, ray).unwrap_or_else(|fault| panic!("{rows:?}, {ray:?}: {fault}"));
         }
         let counts = tracer.count_closest(&rays);
         assert_eq!(counts.rational == 0, is_exact, "{rows:?}: {counts:?}");
     }
-}
-
-fn point_within(point: Point, ray: &Ray) -> Option<f32> {
-    Meeting::Hit(point).within([ray.tmin(), ray.tmax()]).map(|point| round_f32(&point.t))
 }

@@ -60,8 +60,10 @@ const RUN_AS: [(&str, &str); 38] = [
      "stackless trace examples/data/torus.ply --rays examples/data/rays.csv --out hits.csv"),
     ("stackless render SCENE -o FILE.png",
      "stackless render examples/data/torus.ply --size 64 -o torus.png"),
-    ("stackless render examples/data/room.obj --rays ao --spp 64 --size 800x600 --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png",
-     "stackless render examples/data/room.obj --rays ao --spp 4 --size 80x60 --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png"),
+    ("stackless render examples/data/room.obj --rays ao --spp 64 --size 800x600 \
+      --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png",
+     "stackless render examples/data/room.obj --rays ao --spp 4 --size 80x60 \
+      --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png"),
     ("stackless report SCENE... -o DIR",
      "stackless report examples/data/torus.ply --rays 512 --rounds 1 --pixels 32 -o report"),
     ("stackless report examples/data/torus.ply examples/data/slivers.ply -o report",
@@ -85,7 +87,8 @@ const RUN_AS: [(&str, &str); 38] = [
     ("stackless bench examples/data/torus.ply examples/data/slivers.ply",
      "stackless bench examples/data/torus.ply examples/data/slivers.ply --count 1000 --rounds 1"),
     ("stackless bench examples/data/torus.ply --accuracy fast,exact --build sah,sbvh --json bench.json",
-     "stackless bench examples/data/torus.ply --accuracy fast,exact --build sah,sbvh --count 1000 --rounds 1 --json bench.json"),
+     "stackless bench examples/data/torus.ply --accuracy fast,exact --build sah,sbvh --count 1000 \
+      --rounds 1 --json bench.json"),
     ("stackless bench examples/data/room.obj --methods stack,hashed,laine-4 --rays diffuse --count 1000000",
      "stackless bench examples/data/room.obj --methods stack,hashed,laine-4 --rays diffuse --count 1000"),
     ("stackless stats SCENE",
@@ -134,7 +137,8 @@ fn all_commands_of_all_texts_run() {
 fn a_command_that_fails_is_seen() {
     let commands = ["stackless stats examples/data/none.ply", "stackless suite list", "stackless nosuch | cat"];
     assert_eq!(failures("here", &commands.map(str::to_owned)).len(), 2);
-    let text = "`stackless stats`, `stackless\nsuite  list x`\n```sh\n$ stackless check   # all\n  echo 1 | stackless trace\n```\n";
+    let text = "`stackless stats`, `stackless\nsuite  list x`\n\
+        ```sh\n$ stackless check   # all\n  echo 1 | stackless trace\n```\n";
     assert_eq!(commands_of(text), ["stackless suite list x", "stackless check", "echo 1 | stackless trace"]);
 }
 

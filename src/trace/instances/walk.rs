@@ -156,16 +156,17 @@ impl Triangles<'_> {
     #[cold]
     #[inline(never)]
     fn ask_truth(&self, triangle: &Triangle, search: &mut Search<'_>) -> Option<f32> {
-        let (ray, maps) = (search.ray, self.tracer.maps(&search.path));
-        if ray.leaves(triangle, &maps) {
-            return None;
-        }
+        let ray = search.ray;
         if ray.ends() == Ends::Closed {
             match self.test.settle(triangle) {
                 Certainty::Hit(t) => return Some(t),
                 Certainty::Miss => return None,
                 Certainty::Open => {}
             }
+        }
+        let maps = self.tracer.maps(&search.path);
+        if ray.leaves(triangle, &maps) {
+            return None;
         }
         search.counts.rational += 1;
         ray.meet(triangle, &maps).map(|point| round_f32(&point.t))

@@ -125,9 +125,6 @@ impl Exact64 {
     #[inline(never)]
     fn place(&self, shape: &Triangle<DVec3>, limit: f64) -> Option<f64> {
         let [tmin, tmax] = self.interval();
-        if predicates::is_along_axes(&shape.0, self.ray.direction()) {
-            return None;
-        }
         if self.can_filter(shape) {
             let (found, errors) = (self.determinants(shape), self.errors_of(shape));
             if found.is_miss(&errors) {
@@ -154,9 +151,6 @@ impl Exact64 {
     /// Whether what may be a hit is one.
     #[inline(never)]
     fn settle(&self, shape: &Triangle<DVec3>) -> bool {
-        if predicates::is_along_axes(&shape.0, self.ray.direction()) {
-            return false;
-        }
         if self.can_filter(shape) {
             let (found, errors) = (self.determinants(shape), self.errors_of(shape));
             if found.is_miss(&errors) {

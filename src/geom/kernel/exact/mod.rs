@@ -128,9 +128,6 @@ impl Exact {
     #[inline(never)]
     fn settle(&self, shape: &Triangle) -> Option<f32> {
         let (corners, o, d) = (shape.widen(), self.origin, self.direction);
-        if predicates::is_along_axes(&corners, d) {
-            return None;
-        }
         let found = Determinants::of(&corners, o, d);
         // On a coarse grid, as in a lattice, an edge is met for sure.
         let is_exact = Determinants::are_exact(&corners, o, d);

@@ -35,16 +35,18 @@ pub(super) fn edge(d: DVec3, a: &Pairs, b: &Pairs) -> f64 {
 #[cold]
 #[inline(never)]
 pub(super) fn is_inside(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
+    if is_along_axes(corners, d) {
+        // Which sums would tell at length.
+        return false;
+    }
     let [a, b, c] = corners.map(|corner| minus(corner, o));
     let edges = [edge(d, &c, &b), edge(d, &a, &c), edge(d, &b, &a)];
     let (any_positive, any_negative) = (edges.iter().any(|&e| e > 0.0), edges.iter().any(|&e| e < 0.0));
     any_positive != any_negative
 }
 
-/// Whether a line is parallel to a triangle that lies across an axis, as walls and floors do: then it is missed, which
-/// sums would tell at length.
-#[inline]
-pub(super) fn is_along_axes(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {
+/// Whether a line is parallel to a triangle that lies across an axis, as walls and floors do.
+fn is_along_axes(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {
     (d.cmpeq(DVec3::ZERO) & v0.cmpeq(v1) & v0.cmpeq(v2)).any()
 }
 

@@ -21,34 +21,29 @@ pub(super) struct Ratio {
 /// Distance to a triangle that the line meets, rounded to the nearest float; `None` outside the closed interval.
 #[cold]
 #[inline(never)]
-pub(super) fn distance(corners: &[DVec3; 3], o: DVec3, d: DVec3, [tmin, tmax]: [f32; 2]) -> Option<f32> {
-    let ratio = Ratio::distance(corners, o, d);
-    let is_within = ratio.compare(tmin) >= 0 && ratio.compare(tmax) <= 0;
-    is_within.then(|| ratio.nearest())
+pub(super) fn distance(corners: &[DVec3; 3], o: DVec3, d: DVec3, interval: [f32; 2]) -> Option<f32> {
+    Ratio::distance(corners, o, d).nearest_within(interval, Ratio::compare_wide)
 }
 
 /// [`distance`] for a line of doubles, which must be 0 or within 2^-200 to 2^200. `[INST-5]`
 #[cold]
 #[inline(never)]
-pub(super) fn distance_of_doubles(corners: &[DVec3; 3], o: DVec3, d: DVec3, [tmin, tmax]: [f32; 2]) -> Option<f32> {
-    let ratio = Ratio::distance(corners, o, d);
-    let is_within =
-        ratio.compare_double(tmin.into()) >= 0 && (tmax == f32::INFINITY || ratio.compare_double(tmax.into()) <= 0);
-    is_within.then(|| ratio.nearest_by(Ratio::compare_double))
+pub(super) fn distance_of_doubles(corners: &[DVec3; 3], o: DVec3, d: DVec3, interval: [f32; 2]) -> Option<f32> {
+    Ratio::distance(corners, o, d).nearest_within(interval, Ratio::compare_double)
 }
 
 /// [`weights`] for such a line.
 #[cold]
 #[inline(never)]
 pub(super) fn weights_of_doubles(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> [f32; 2] {
-    Ratio::weights(corners, o, d).map(|weight| weight.nearest_by(Ratio::compare_double))
+    Ratio::weights(corners, o, d).map(|weight| weight.nearest(Ratio::compare_double))
 }
 
 /// Weights of the second and third corner of a triangle that the line meets, rounded to the nearest floats.
 #[cold]
 #[inline(never)]
 pub(super) fn weights(corners: [DVec3; 3], o: DVec3, d: DVec3) -> [f32; 2] {
-    Ratio::weights(&corners, o, d).map(|weight| weight.nearest())
+    Ratio::weights(&corners, o, d).map(|weight| weight.nearest(Ratio::compare_wide))
 }
 
 /// Ratios of sums are rounded to doubles within these bounds: there, nothing underflows.
@@ -113,17 +108,14 @@ impl Ratio {
         self.sign(self.minus::<288>(&[self.d * m]))
     }
 
-    fn compare(&self, x: f32) -> i32 {
-        if x == f32::INFINITY { -1 } else { self.compare_wide(x.into()) }
+    /// The nearest float, if the ratio is within a closed interval, whose least number is finite.
+    fn nearest_within(&self, [tmin, tmax]: [f32; 2], compare: impl Fn(&Self, f64) -> i32) -> Option<f32> {
+        let is_within = compare(self, tmin.into()) >= 0 && (tmax == f32::INFINITY || compare(self, tmax.into()) <= 0);
+        is_within.then(|| self.nearest(compare))
     }
 
-    /// The nearest float, the even one of two.
-    fn nearest(&self) -> f32 {
-        self.nearest_by(Self::compare_wide)
-    }
-
-    /// The nearest float, given what compares the ratio with a number of up to 25 bits.
-    fn nearest_by(&self, compare: impl Fn(&Self, f64) -> i32) -> f32 {
+    /// The nearest float, the even one of two, given what compares the ratio with a number of up to 25 bits.
+    fn nearest(&self, compare: impl Fn(&Self, f64) -> i32) -> f32 {
         let (top, det) = (self.top.value(), self.det.value());
         let t = top / det;
         // Both sums are off by 2^-50 at most, and the quotient by 2^-53 more.
