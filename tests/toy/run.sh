@@ -3,7 +3,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 toy=$PWD/tests/toy
-export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
+# A folder of its own: other jobs, beside this one, put the command without the toy where this one would.
+export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}/toy
 # It runs little, so what takes time is the compiler.
 export CARGO_PROFILE_DEV_OPT_LEVEL=0 CARGO_PROFILE_DEV_DEBUG=none
 
