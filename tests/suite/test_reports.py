@@ -82,6 +82,24 @@ def test_level_and_first_failure(tmp_path):
         assert run(runner, mangled("none"), tmp_path, "--timeout", "0", filters=["key/*"])[0] == 2
 
 
+def test_the_basic_profile_is_named_first(tmp_path):
+    """Which failures come first, and what they say of more basic profiles, is the same in both runners."""
+    found = []
+    for runner in NAMES:
+        _, text, _ = run(runner, mangled("turned"), tmp_path, "--show", "40", filters=[*SOME, "resume/state/*"])
+        hints = [line for line in text.splitlines() if ": fail: " in line or line.endswith(("first", "say more"))]
+        found.append([line.partition(": fail: ")[0] for line in hints])
+    assert found[0] == found[1]
+    assert "  key/u32 fails too: look there first" in found[1] and found[1][0].startswith("key/u32/"), found[1]
+    # Who names one profile alone is told of what it rests on.
+    filters = ["trace/tape/*-0"]
+    hello = '{"protocol":1,"name":"x","profiles":["trace/tape"],"features":["changing"]}'
+    wrong = ["sh", "-c", f"read h; echo '{hello}'; while read c; do echo '{{\"seq\":0,\"result\":{{}}}}'; done"]
+    for runner in NAMES:
+        _, text, _ = run(runner, wrong, tmp_path, filters=filters)
+        assert "  trace/script, on which this rests, is not named: its cases say more" in text, text
+
+
 def test_a_failure_says_what_to_do(tmp_path):
     status, text, _ = run("python", mangled("one-event-less"), tmp_path, filters=["trace/script/three*"])
     assert status == 1

@@ -7,6 +7,7 @@ use std::{fs, io};
 use serde::{Deserialize, Serialize};
 use stackless_scene::read_text;
 
+use super::basis::bases;
 use super::text::Shown;
 use super::{Feature, Profile, Suite, SuiteCase, VERSION};
 
@@ -111,12 +112,16 @@ struct Row {
     profile: String,
     file: String,
     cases: usize,
+    /// More basic profiles, in which a mistake shows sooner; the most basic first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    rests_on: Vec<String>,
 }
 
 impl Row {
     fn of(profile: &Profile) -> Self {
         let name = profile.name();
-        Self { file: format!("vectors/{name}.json"), profile: name, cases: profile.cases.len() }
+        let rests_on = bases(&name).into_iter().map(str::to_owned).collect();
+        Self { file: format!("vectors/{name}.json"), profile: name, cases: profile.cases.len(), rests_on }
     }
 
     /// Whether the file is where it belongs. No other name is ever made a path.

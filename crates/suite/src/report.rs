@@ -117,8 +117,8 @@ impl Report {
     pub fn failures(&self) -> Vec<&CaseResult> {
         let mut failed: Vec<_> = self.verdicts.iter().filter(|verdict| verdict.is_failure()).collect();
         failed.sort_by_key(|verdict| (bases(verdict.profile()).len(), verdict.profile(), verdict.size));
-        let rank = |i: usize| failed[..i].iter().rev().take_while(|it| it.profile() == failed[i].profile()).count();
-        let mut ranked: Vec<_> = (0..failed.len()).map(|i| (rank(i), failed[i])).collect();
+        let profiles = failed.chunk_by(|a, b| a.profile() == b.profile());
+        let mut ranked: Vec<_> = profiles.flat_map(|rows| rows.iter().copied().enumerate()).collect();
         ranked.sort_by_key(|&(rank, _)| rank);
         ranked.into_iter().map(|(_, verdict)| verdict).collect()
     }

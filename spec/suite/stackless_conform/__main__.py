@@ -1,8 +1,7 @@
 """Asks a program the cases of the conformance suite, one at a time: stackless-conform -- ./mine
 
-It judges as `stackless conform` does, and writes the same reports. That one also asks many cases at once, and says which more
-basic profile to look at first. The exit code is 0 if something was asked and nothing failed, 1 if not, and 2 if the program
-could not be asked.
+It judges as `stackless conform` does, and writes the same reports. That one also asks many cases at once. The exit code is 0 if
+something was asked and nothing failed, 1 if not, and 2 if the program could not be asked.
 """
 
 import argparse
@@ -32,7 +31,7 @@ def main():
     atexit.register(run.stop)  # however we end
     signal.signal(signal.SIGTERM, run.terminate)
     try:
-        profiles, cases = load()
+        bases, cases = load()
         waivers = waive.load(args.waivers, [case["id"] for _, case in cases])
         cases = [(name, case) for name, case in cases if is_wanted(args, case["id"])]
         if not cases:
@@ -42,14 +41,14 @@ def main():
         run.stop()
         print(f"{shown(args.command[0])}: {shown(str(error) or 'no hello in time')}", file=sys.stderr)
         sys.exit(2)
-    faults = wrong_names(run.hello, profiles)
+    faults = wrong_names(run.hello, bases)
     verdicts, is_over = ask_all(run, args, cases, waivers)
     if not any("what" in row or row["outcome"] == "pass" for row in verdicts):
         faults.append("nothing was asked: the program names no profile of these cases, or lacks their features")
     faults += run.bye()
     if not is_over:  # after a first failure nobody knows what the others need
         faults += waive.not_needed(waivers, verdicts)
-    report = Report(run.hello, verdicts, faults)
+    report = Report(run.hello, verdicts, faults, bases)
     for line in report.text(args.show, args.command):
         print(line)
     if args.json:
@@ -62,14 +61,14 @@ def main():
 
 
 def load():
-    """The names of the profiles, and the cases, each with its profile's."""
+    """The profiles, each with those that it rests on, and the cases, each with its profile."""
     rows, cases = json.loads((SUITE / "index.json").read_text(encoding="utf-8"))["files"], []
     for row in rows:
         file = json.loads((SUITE / row["file"]).read_text(encoding="utf-8"))
         if len(file["cases"]) != row["cases"] or file["suite"] != VERSION:
             raise ValueError(f"{row['file']}: not what index.json says")
         cases += [(row["profile"], case) for case in file["cases"]]
-    return {row["profile"] for row in rows}, cases
+    return {row["profile"]: row.get("rests_on", []) for row in rows}, cases
 
 
 def is_wanted(args, id):
@@ -97,7 +96,7 @@ def ask_all(run, args, cases, waivers):
             outcome, what = run.ask(seq, profile, case)
             silent = silent + 1 if outcome in ("error", "crash", "timeout") else 0
         row = {name: case[name] for name in ("id", "clauses", "strength", "why")}
-        row.update(outcome=outcome, size=size(list(case["input"].values())))
+        row.update(outcome=outcome, size=sum(map(size, case["input"].values())))
         if what is not None:
             row["what"] = what
         reason = waive.reason(waivers, case["id"], outcome)

@@ -10,20 +10,29 @@ OUTCOMES = ("pass", "fail", "error", "crash", "timeout", "not-asked")
 
 
 class Report:
-    def __init__(self, hello, verdicts, faults):
-        self.hello, self.verdicts, self.faults = hello, verdicts, faults
+    def __init__(self, hello, verdicts, faults, bases):
+        self.hello, self.verdicts, self.faults, self.bases = hello, verdicts, faults, bases
         self.failed = [row for row in verdicts if is_failure(row)]
         self.conforms = not self.failed and not faults
 
     def failures(self):
-        """The smallest of each profile first, then the next smallest of each."""
+        """The smallest of each profile, basic profiles first; then the next smallest of each, and so on."""
         profiles = defaultdict(list)
-        for row in self.failed:
+        for row in sorted(self.failed, key=lambda row: (len(self.bases[profile(row)]), profile(row), row["size"])):
             profiles[profile(row)].append(row)
-        ranked = []
-        for rows in profiles.values():
-            ranked += enumerate(sorted(rows, key=lambda row: row["size"]))
+        ranked = [pair for rows in profiles.values() for pair in enumerate(rows)]
         return [row for _, row in sorted(ranked, key=lambda it: it[0])]
+
+    def look_first(self, row):
+        """A more basic profile, in which the mistake shows sooner: one that fails too, or one that is not named."""
+        bases, failing = self.bases[profile(row)], {profile(it) for it in self.failed}
+        for base in bases:
+            if base in failing:
+                return f"{base} fails too: look there first"
+        for base in reversed(bases):
+            if base not in self.hello["profiles"]:
+                return f"{base}, on which this rests, is not named: its cases say more"
+        return None
 
     def text(self, show, command):
         failures = self.failures()
@@ -33,6 +42,9 @@ class Report:
             yield f"  alone: --filter '{row['id']}' -- {shown(' '.join(map(shlex.quote, command)))}"
             if row["id"].startswith("trace/") and not profile(row).endswith("invalid"):
                 yield f"  step by step: stackless explain --suite-case '{row['id']}' -o case.html"
+            hint = self.look_first(row)
+            if hint:
+                yield f"  {hint}"
         if len(failures) > show:
             yield f"and {len(failures) - show} more (--show {len(failures)}, --json FILE)"
         yield from self.faults
