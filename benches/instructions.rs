@@ -27,7 +27,7 @@ fn mesh() -> Mesh {
 fn scene(method: Method) -> (Method, &'static Scene) {
     let mesh = mesh();
     let bvh = Bvh::sah(&mesh, SahOptions::default()).expect("a tree");
-    let mut rays = procedural::view("strands", &mesh).rays(500);
+    let mut rays = procedural::View::of(&mesh).rays(500);
     rays.extend(bounce(&mesh, &bvh, &rays, 1));
     let bvh = match method.wants_recorded() {
         Recorded::Nothing => bvh,

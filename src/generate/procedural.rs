@@ -7,7 +7,7 @@ mod rays;
 mod view;
 
 pub use rays::{camera_rays, rays};
-pub use view::{View, view};
+pub use view::View;
 
 use glam::Vec3;
 

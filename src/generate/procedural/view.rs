@@ -17,42 +17,51 @@ pub struct View {
     pub degrees: f32,
 }
 
-/// The view of a scene: for some that are known by name, one that shows what they are; for all others, from the front,
-/// the right and above (y is up), as near that three quarters of the surface are in the image.
-///
-/// The cameras for interiors are inside of them.
-pub fn view(name: &str, mesh: &Mesh) -> View {
-    let known = KNOWN.iter().find(|(known, _)| *known == name);
-    known.map_or_else(|| from_outside(mesh), |&(_, view)| view)
-}
-
-const KNOWN: [(&str, View); 4] = [
-    ("sibenik", View::new([-15.0, -8.0, 0.0], [0.0, -6.0, 0.0], Vec3::Y, 70.0)),
-    ("conference", View::new([1469.0, 258.0, 496.0], [-479.0, 128.0, -711.0], Vec3::Y, 70.0)),
-    ("crytek_sponza", View::new([-60.0, -2.0, -8.0], [60.0, -2.0, -20.0], Vec3::NEG_Z, 70.0)),
-    ("munich", View::new([-400.0, -400.0, 250.0], [0.0, 0.0, 0.0], Vec3::Z, 50.0)),
-];
-
-/// From where single objects are seen, and how wide.
+/// From where a scene is seen that nobody has chosen a view for (y is up), and how wide.
 const FROM: DVec3 = DVec3::new(0.5, 0.4, 1.0);
 const DEGREES: f32 = 40.0;
 
-/// The share of its surface that is in the image. With all of it, thin and long parts would have most rays miss.
-const IN_IMAGE: f64 = 0.75;
+/// The part of the image, from the middle to the edges, that such a scene fills.
+const FILLED: f64 = 0.96;
 
 impl View {
-    const fn new(eye: [f32; 3], target: [f32; 3], up: Vec3, degrees: f32) -> Self {
-        Self { eye: Vec3::from_array(eye), target: Vec3::from_array(target), up, degrees }
+    /// The view of a whole scene, from the front, the right and above: as near as all of its triangles are in the image.
+    /// Interiors are seen from outside so; they need a view of their own.
+    ///
+    /// ```
+    /// use stackless_bvh::generate::procedural::{self, View};
+    /// let mesh = procedural::strands(1, 10);
+    /// assert_eq!(View::of(&mesh).rays(1000).len(), 1000);
+    /// ```
+    pub fn of(mesh: &Mesh) -> Self {
+        let corners = || (0..mesh.triangles().len()).flat_map(|i| mesh.triangle(i));
+        let target = corners().fold(Aabb::EMPTY, Aabb::grow).centroid();
+        let mut view = Self { eye: target + FROM.as_vec3(), target, up: Vec3::Y, degrees: DEGREES };
+        // As the target may be so far out that adding to it is rounded away, the axes are those of a view at the origin.
+        let [forward, right, up] = Self { eye: FROM.as_vec3(), target: Vec3::ZERO, ..view }.frame();
+        // A point is in the image if |x - eye| is at most slope (z - eye), along both edges: a bound on the eye for each.
+        let slope = view.tangent() * FILLED;
+        let mut most = [f64::NEG_INFINITY; 4];
+        for v in corners().map(|v| v.as_dvec3() - target.as_dvec3()) {
+            let [x, y, z] = [right, up, forward].map(|axis| axis.dot(v));
+            for (most, side) in most.iter_mut().zip([x, -x, y, -y]) {
+                *most = most.max(side - slope * z);
+            }
+        }
+        let [right_edge, left, upper, lower] = most;
+        let back = (right_edge + left).max(upper + lower) / (2.0 * slope);
+        if !(back.is_finite() && back > 0.0) {
+            return view;
+        }
+        let aside = right * ((right_edge - left) / 2.0) + up * ((upper - lower) / 2.0);
+        let middle = target.as_dvec3() + aside;
+        view.eye = (middle - forward * back).as_vec3();
+        view.target = middle.as_vec3();
+        view
     }
 
     /// `n` primary rays through a square of pixels, row by row from the upper left; fewer where coordinates overflow.
     /// Directions are as long as the distance to the plane of the target needs.
-    ///
-    /// ```
-    /// use stackless_bvh::generate::procedural;
-    /// let mesh = procedural::strands(1, 10);
-    /// assert_eq!(procedural::view("strands", &mesh).rays(1000).len(), 1000);
-    /// ```
     pub fn rays(&self, n: usize) -> Vec<Ray> {
         (0..n).filter_map(|i| self.ray_of(i, n)).collect()
     }
@@ -85,35 +94,9 @@ impl View {
     }
 }
 
-/// The camera is moved back along its axis until enough of the surface is in the image.
-fn from_outside(mesh: &Mesh) -> View {
-    let target = Aabb::of(mesh.vertices()).centroid();
-    let mut view = View { eye: target + FROM.as_vec3(), target, up: Vec3::Y, degrees: DEGREES };
-    // As the target may be so far out that adding to it is rounded away, the axes are those of a view at the origin.
-    let [forward, right, up] = View { eye: FROM.as_vec3(), target: Vec3::ZERO, ..view }.frame();
-    let mut wanted: Vec<_> = (0..mesh.triangles().len())
-        .map(|i| {
-            let [a, b, c] = mesh.triangle(i).map(|v| v.as_dvec3() - target.as_dvec3());
-            let distance = |v: DVec3| right.dot(v).abs().max(up.dot(v).abs()) / view.tangent() - forward.dot(v);
-            (distance(a).max(distance(b)).max(distance(c)), (b - a).cross(c - a).length())
-        })
-        .collect();
-    wanted.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let all: f64 = wanted.iter().map(|(_, area)| area).sum();
-    let mut seen = 0.0;
-    let is_enough = |&&(_, area): &&(f64, f64)| {
-        seen += area;
-        seen >= IN_IMAGE * all
-    };
-    let distance = wanted.iter().find(is_enough).map_or(0.0, |(distance, _)| *distance);
-    let distance = if distance > 0.0 { distance } else { 1.0 };
-    view.eye = (target.as_dvec3() - forward * distance).as_vec3();
-    view
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::{soup, strands};
+    use super::super::{soup, stadium, strands};
     use super::*;
     use crate::generate::stress::icosphere;
 
@@ -124,30 +107,30 @@ mod tests {
         (depth > 0.0).then(|| [right.dot(v) / depth, up.dot(v) / depth])
     }
 
+    /// All of a scene is in the image, and at two opposite edges there is no room left.
     #[test]
-    fn three_quarters_of_the_surface_fill_the_image() {
+    fn all_of_a_scene_fills_the_image() {
         let spheres = [(1.0, 0.0), (100.0, 1e3), (1e-3, 0.0), (1e10, 0.0)];
         let spheres = spheres.map(|(radius, offset)| icosphere(3, radius, Vec3::splat(offset)).unwrap());
-        for mesh in spheres.into_iter().chain([strands(1, 50), soup(1, 50)]) {
-            let view = view("nothing known", &mesh);
-            let mut seen = [0.0; 3];
-            for i in 0..mesh.triangles().len() {
-                let [a, b, c] = mesh.triangle(i);
-                let area = (b.as_dvec3() - a.as_dvec3()).cross(c.as_dvec3() - a.as_dvec3()).length();
-                let far = |v| project(&view, v).map_or(9.0, |[x, y]| x.abs().max(y.abs()));
-                let farthest = [a, b, c].into_iter().map(far).fold(0.0, f64::max);
-                for (sum, edge) in seen.iter_mut().zip([1.001, 0.999, f64::INFINITY]) {
-                    *sum += if farthest <= edge { area } else { 0.0 };
+        let far_beside = Mesh::new(vec![Vec3::X, Vec3::Y, Vec3::Z, Vec3::splat(1e9)], vec![[0, 1, 2]]).unwrap();
+        for mesh in spheres.into_iter().chain([strands(1, 50), soup(1, 50), stadium(1), far_beside]) {
+            let view = View::of(&mesh);
+            let mut ends = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+            for corner in (0..mesh.triangles().len()).flat_map(|i| mesh.triangle(i)) {
+                let place = project(&view, corner).unwrap();
+                for ([least, most], x) in ends.iter_mut().zip(place) {
+                    (*least, *most) = (least.min(x), most.max(x));
                 }
             }
-            let [within, well_within, all] = seen;
-            assert!(well_within < IN_IMAGE * all && IN_IMAGE * all <= within, "{view:?}: {seen:?}");
+            let is_within = |[least, most]: [f64; 2]| least > -FILLED - 0.001 && most < FILLED + 0.001;
+            let is_full = |[least, most]: [f64; 2]| least < 0.001 - FILLED && most > FILLED - 0.001;
+            assert!(ends.into_iter().all(is_within) && ends.into_iter().any(is_full), "{view:?}: {ends:?}");
         }
     }
 
     #[test]
     fn rays_go_row_by_row_from_the_upper_left_corner_of_the_image() {
-        let view = View::new([0.0, 0.0, 5.0], [0.0, 0.0, 0.0], Vec3::Y, 90.0);
+        let view = View { eye: Vec3::Z * 5.0, target: Vec3::ZERO, up: Vec3::Y, degrees: 90.0 };
         let directions: Vec<_> = view.rays(4).iter().map(Ray::direction).collect();
         let expected = [[-0.5, 0.5], [0.5, 0.5], [-0.5, -0.5], [0.5, -0.5]].map(|[x, y]| Vec3::new(x, y, -1.0));
         for (direction, expected) in directions.iter().zip(expected) {
@@ -158,13 +141,8 @@ mod tests {
     }
 
     #[test]
-    fn points_and_known_scenes_have_a_view() {
+    fn points_have_a_view() {
         let point = Mesh::new(vec![Vec3::splat(1e30)], vec![[0, 0, 0]]).unwrap();
-        assert_eq!(view("point", &point).rays(9).len(), 9);
-        for (name, known) in KNOWN {
-            assert_eq!(view(name, &point), known);
-            let [forward, right, up] = known.frame();
-            assert!(up.dot(known.up.as_dvec3()) > 0.7 && right.dot(forward).abs() < 1e-9, "{name}");
-        }
+        assert_eq!(View::of(&point).rays(9).len(), 9);
     }
 }

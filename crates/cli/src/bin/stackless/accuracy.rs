@@ -19,12 +19,12 @@ use stackless_bvh::geom::Ray;
 use stackless_bvh::trace::Truth;
 use stackless_check::Shard;
 
-use crate::Outcome;
 use crate::input::Scene;
 use crate::judge::{Counts, Query, Truths, chosen};
 use crate::output::{bar, write_file};
 use crate::places::{self, Output};
 use crate::record::{self, Numbered, Run, add_rows, fingerprint};
+use crate::{Outcome, camera};
 use pairs::{Pair, Trees};
 use rows::Row;
 use sets::{Set, sets};
@@ -65,6 +65,8 @@ pub(crate) struct Args {
     /// How often all rays are timed; of a chunk's times the least counts.
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=1000))]
     rounds: u32,
+    #[command(flatten)]
+    place: camera::Place,
     /// Seed of the rays.
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -128,7 +130,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
 
 impl Args {
     /// So many rays of each kind.
-    pub(crate) fn of(rays: u32, rounds: u32, seed: u64) -> Self {
+    pub(crate) fn of(place: camera::Place, rays: u32, rounds: u32, seed: u64) -> Self {
         let (scenes, none) = (Vec::new(), None);
         Self {
             scenes,
@@ -140,6 +142,7 @@ impl Args {
             shard: None,
             rays,
             rounds,
+            place,
             seed,
         }
     }
@@ -149,13 +152,14 @@ impl Args {
         if self.shard.is_some() { of } else { of.min(JUDGED) }
     }
 
-    /// What the counts depend on. Where a camera stands depends on a scene's name.
+    /// What the counts depend on.
     fn asked<C: record::Counts>(&self, scenes: &[Scene]) -> Run {
         Run::of::<C>([
             ("rays", self.rays.into()),
             ("judged", if self.secondary { self.rays.into() } else { self.judged(self.rays.into()).into() }),
             ("seed", self.seed.into()),
             ("names", json!(scenes.iter().map(|scene| &scene.name).collect::<Vec<_>>())),
+            ("views", json!(scenes.iter().map(|scene| camera::numbers(&self.place.of(scene))).collect::<Vec<_>>())),
             ("scenes", scenes.iter().map(|scene| fingerprint(&scene.mesh)).collect()),
             ("spheres", (scenes.len() < self.scenes.len()).into()),
         ])
@@ -187,7 +191,7 @@ fn measure_scene(
     let truth = Truth::new(&scene.mesh);
     let aimed = args.judged(args.rays.into());
     if args.shard.is_none() {
-        for set in sets(scene, &trees, args.seed, numbers, args.rays.into(), aimed) {
+        for set in sets(scene, &args.place.of(scene), &trees, args.seed, numbers, args.rays.into(), aimed) {
             if set.rays.is_empty() {
                 found.notes.push(format!("{}, {}: no rays", scene.name, set.name));
                 continue;
@@ -205,7 +209,7 @@ fn measure_scene(
     let mut sum = Vec::new();
     for start in numbers.clone().step_by(AT_ONCE as usize) {
         let some = start..numbers.end.min(start + AT_ONCE);
-        let sets = sets(scene, &trees, args.seed, some, args.rays.into(), aimed);
+        let sets = sets(scene, &args.place.of(scene), &trees, args.seed, some, args.rays.into(), aimed);
         let rows = sets.iter().flat_map(|set| judge(scene, &trees, &truth, pairs, set, set.rays.len()));
         add_rows(&mut sum, rows.map(Row::counts_alone).collect(), Row::is_same, Row::add);
     }

@@ -17,13 +17,13 @@ use stackless_bvh::trace::{Accuracy, Truth};
 use stackless_bvh::traverse::Method;
 use stackless_bvh::wide::Method as WideMethod;
 
-use crate::Outcome;
 use crate::build::Build;
 use crate::input::{self, Scene};
 use crate::judge::{Answer, Counts, Query, Truths, csv_line, is_same};
 use crate::output::{say, write_json};
 use crate::places::{self, Output};
 use crate::turns::take_turns;
+use crate::{Outcome, camera};
 use own::Trees;
 use rays::{Kind, Set};
 pub(crate) use rows::{Row, means, of_scene};
@@ -74,6 +74,8 @@ pub(crate) struct Args {
     /// How often all rays are timed.
     #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u32).range(1..=1000))]
     rounds: u32,
+    #[command(flatten)]
+    place: camera::Place,
     /// Seed of the rays.
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -92,7 +94,14 @@ pub(crate) struct Args {
 
 impl Args {
     /// These traversals on trees of one kind, exact, with all kinds of rays.
-    pub(crate) fn of(methods: &[Method], build: Build, count: u32, rounds: u32, seed: u64) -> Self {
+    pub(crate) fn of(
+        methods: &[Method],
+        build: Build,
+        place: camera::Place,
+        count: u32,
+        rounds: u32,
+        seed: u64,
+    ) -> Self {
         Self {
             scenes: Vec::new(),
             methods: methods.to_vec(),
@@ -104,6 +113,7 @@ impl Args {
             accuracy: vec![Accuracy::Exact],
             count,
             rounds,
+            place,
             seed,
             peers: false,
             double: false,
@@ -216,9 +226,8 @@ pub(crate) fn measure(
         }
         let course = Course { scene, truth: args.peers.then(|| Truth::new(&scene.mesh)), rounds: args.rounds as usize };
         let first = rows.len();
-        for set in
-            rays::sets(scene, trees[0].bvh(), once_each(args.rays.iter().copied()), args.count as usize, args.seed)
-        {
+        let primary = args.place.of(scene).rays(args.count as usize);
+        for set in rays::sets(scene, trees[0].bvh(), primary, once_each(args.rays.iter().copied()), args.seed) {
             if set.rays.is_empty() {
                 notes.push(format!("{}, {}: no rays", scene.name, set.kind.name()));
             } else {

@@ -1,21 +1,30 @@
 //! Images: how large, and from where.
 
+use std::path::Path;
 use std::str::FromStr;
 
 use glam::Vec3;
-use stackless_bvh::generate::procedural::{self, View};
+use stackless_bvh::generate::procedural::View;
 use stackless_bvh::geom::Ray;
+use stackless_scene::read_text;
 
 use crate::input::Scene;
 
-/// Where an image is taken from.
-#[derive(Clone, Copy, clap::Args)]
-pub(crate) struct Options {
+/// Where a scene is seen from.
+#[derive(Clone, Default, clap::Args)]
+pub(crate) struct Place {
     /// The camera: where it stands and what is in the middle of the image, `ex,ey,ez,tx,ty,tz`; then, if given, what is
-    /// up there, `ux,uy,uz`, and the field of view from the lower to the upper edge in degrees. Without it, one that
-    /// shows the scene.
-    #[arg(long, value_name = "NUMBERS", allow_hyphen_values = true)]
+    /// up there, `ux,uy,uz`, and the field of view across the shorter edge in degrees. Or a file with a line `NAME:
+    /// NUMBERS` for each of some scenes. By default, and where a file does not name the scene, all of it is in the image.
+    #[arg(long, value_name = "NUMBERS|FILE", allow_hyphen_values = true)]
     view: Option<Given>,
+}
+
+/// Where an image is taken from.
+#[derive(Clone, clap::Args)]
+pub(crate) struct Options {
+    #[command(flatten)]
+    place: Place,
     /// Pixels: width and height, or both in one number.
     #[arg(long, value_name = "WxH", default_value = "512")]
     pub(crate) size: Size,
@@ -51,68 +60,116 @@ impl FromStr for Size {
 }
 
 /// A camera as the user gives it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Given(View);
+#[derive(Clone, Debug, PartialEq)]
+enum Given {
+    /// For all scenes.
+    One(View),
+    /// For the scenes of these names.
+    Named(Vec<(String, View)>),
+}
 
 impl FromStr for Given {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let numbers: Vec<f32> =
-            text.split(',').filter_map(|number| number.trim().parse().ok().filter(|x: &f32| x.is_finite())).collect();
-        let expected = || "expected 6, 7, 9 or 10 numbers: eye, target, then up, then degrees".to_owned();
-        if numbers.len() != text.split(',').count() {
-            return Err(expected());
+        if text.contains(',') && !Path::new(text).exists() {
+            return view(text).map(Self::One);
         }
-        let (points, degrees) = match numbers.len() {
-            6 | 9 => (&numbers[..], 50.0),
-            7 | 10 => (&numbers[..numbers.len() - 1], numbers[numbers.len() - 1]),
-            _ => return Err(expected()),
-        };
-        let points: Vec<_> = points.chunks(3).map(Vec3::from_slice).collect();
-        let up = points.get(2).copied().unwrap_or(Vec3::Y);
-        if points[0] == points[1] {
-            return Err("eye and target are the same point".to_owned());
-        }
-        if !(degrees > 0.0 && degrees < 180.0) {
-            return Err(format!("{degrees} degrees, expected more than 0 and less than 180"));
-        }
-        Ok(Self(View { eye: points[0], target: points[1], up, degrees }))
+        let lines =
+            read_text(Path::new(text)).map_err(|error| format!("{text}: {error}; {EXPECTED}, or a file of views"));
+        named(&lines?).map(Self::Named).map_err(|error| format!("{text}, {error}"))
     }
+}
+
+const EXPECTED: &str = "expected 6, 7, 9 or 10 numbers: eye, target, then up, then degrees";
+
+/// The lines `NAME: NUMBERS` of a file of views. What begins with `#` is a remark.
+fn named(text: &str) -> Result<Vec<(String, View)>, String> {
+    let lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
+    let lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
+    let read = |(number, line): (usize, &str)| {
+        let (name, numbers) = line.split_once(':').ok_or(format!("line {number}: expected NAME: NUMBERS"))?;
+        let view = view(numbers).map_err(|error| format!("line {number}: {error}"))?;
+        Ok((name.trim().to_owned(), view))
+    };
+    lines.map(read).collect()
+}
+
+fn view(text: &str) -> Result<View, String> {
+    let numbers: Vec<f32> =
+        text.split(',').filter_map(|number| number.trim().parse().ok().filter(|x: &f32| x.is_finite())).collect();
+    if numbers.len() != text.split(',').count() {
+        return Err(EXPECTED.to_owned());
+    }
+    let (points, degrees) = match numbers.len() {
+        6 | 9 => (&numbers[..], 50.0),
+        7 | 10 => (&numbers[..numbers.len() - 1], numbers[numbers.len() - 1]),
+        _ => return Err(EXPECTED.to_owned()),
+    };
+    let points: Vec<_> = points.chunks(3).map(Vec3::from_slice).collect();
+    let up = points.get(2).copied().unwrap_or(Vec3::Y);
+    if points[0] == points[1] {
+        return Err("eye and target are the same point".to_owned());
+    }
+    if !(degrees > 0.0 && degrees < 180.0) {
+        return Err(format!("{degrees} degrees, expected more than 0 and less than 180"));
+    }
+    Ok(View { eye: points[0], target: points[1], up, degrees })
+}
+
+impl Place {
+    /// The view of a scene.
+    pub(crate) fn of(&self, scene: &Scene) -> View {
+        let given = match &self.view {
+            Some(Given::One(view)) => Some(*view),
+            Some(Given::Named(views)) => views.iter().find(|(name, _)| *name == scene.name).map(|&(_, view)| view),
+            None => None,
+        };
+        given.unwrap_or_else(|| View::of(&scene.mesh))
+    }
+}
+
+/// A view as `--view` takes it.
+pub(crate) fn numbers(view: &View) -> String {
+    let points = [view.eye, view.target, view.up].map(|v| v.to_array());
+    let all: Vec<_> = points.iter().flatten().chain([&view.degrees]).map(f32::to_string).collect();
+    all.join(",")
 }
 
 /// A camera with its image.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Camera {
     view: View,
-    size: Size,
+    pub(crate) size: Size,
 }
 
 impl Options {
-    /// The camera that shows a scene, with a square image.
-    pub(crate) const fn automatic(pixels: u32) -> Self {
-        Self { view: None, size: Size { width: pixels, height: pixels } }
-    }
-
     pub(crate) fn of(&self, scene: &Scene) -> Camera {
-        let view = self.view.map_or_else(|| procedural::view(&scene.name, &scene.mesh), |Given(view)| view);
-        Camera { view, size: self.size }
+        Camera { view: self.place.of(scene), size: self.size }
     }
 }
 
 impl Camera {
+    /// One with a square image.
+    pub(crate) const fn square(view: View, pixels: u32) -> Self {
+        Self { view, size: Size { width: pixels, height: pixels } }
+    }
+
     /// The ray through a place in a pixel, whose upper left corner is 0, 0. Pixels are counted row by row.
     pub(crate) fn ray(&self, pixel: usize, [x, y]: [f64; 2]) -> Option<Ray> {
         let Size { width, height } = self.size;
         let column = (pixel % width as usize) as f64 + x;
         let row = (pixel / width as usize) as f64 + y;
         let (width, height) = (f64::from(width), f64::from(height));
-        self.view.ray((2.0 * column - width) / height, 1.0 - 2.0 * row / height)
+        let shorter = width.min(height);
+        self.view.ray((2.0 * column - width) / shorter, (height - 2.0 * row) / shorter)
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use stackless_bvh::generate::procedural;
+
     use super::*;
 
     #[test]
@@ -122,18 +179,35 @@ mod tests {
         for bad in ["", "0", "8x", "x8", "9000x9", "-1", "3x3x3", "1.5"] {
             assert!(bad.parse::<Size>().is_err(), "{bad}");
         }
-        let Given(view) = "0,0,5,0,0,0".parse().unwrap();
+        let read = super::view;
+        let view = read("0,0,5,0,0,0").unwrap();
+        assert_eq!(read(&numbers(&view)).as_ref(), Ok(&view));
         assert_eq!((view.eye, view.target, view.up, view.degrees), (Vec3::Z * 5.0, Vec3::ZERO, Vec3::Y, 50.0));
-        let Given(view) = "0, 0, 5, 0, 0, 0, 0, 0, 1, 90".parse().unwrap();
+        let view = read("0, 0, 5, 0, 0, 0, 0, 0, 1, 90").unwrap();
         assert_eq!((view.up, view.degrees), (Vec3::Z, 90.0));
         for bad in ["", "1,2,3", "0,0,5,0,0,x", "0,0,5,0,0,inf", "1,1,1,1,1,1", "0,0,5,0,0,0,180", "0,0,5,0,0,0,1,2"] {
-            assert!(bad.parse::<Given>().is_err(), "{bad}");
+            assert!(read(bad).is_err(), "{bad}");
         }
     }
 
     #[test]
+    fn a_file_has_the_views_of_the_scenes_that_it_names() {
+        let views = named("# inside\n\n a: 0,0,5,0,0,0\nb : 0,0,5,0,0,0,90\n").unwrap();
+        let place = Place { view: Some(Given::Named(views)) };
+        let mesh = procedural::soup(1, 5);
+        let of = |name: &str| place.of(&Scene { name: name.to_owned(), mesh: mesh.clone() });
+        assert_eq!((of("a").degrees, of("b").degrees), (50.0, 90.0));
+        assert_eq!(of("c"), View::of(&mesh));
+        assert_eq!(named("\na 0,0,5").unwrap_err(), "line 2: expected NAME: NUMBERS");
+        assert!(named("a: 0,0,5").unwrap_err().starts_with("line 1: expected 6"));
+        assert!("no/such.views".parse::<Given>().unwrap_err().contains("no/such.views"));
+    }
+
+    #[test]
     fn pixels_are_square_in_wide_images_too() {
-        let Given(view) = "0,0,1,0,0,0,90".parse().unwrap();
+        let view = super::view("0,0,1,0,0,0,90").unwrap();
+        let tall = Camera { view, size: Size { width: 2, height: 4 } };
+        assert!(tall.ray(0, [0.0; 2]).unwrap().direction().distance(Vec3::new(-1.0, 2.0, -1.0)) < 1e-6);
         let camera = Camera { view, size: Size { width: 4, height: 2 } };
         let direction = |pixel, place| camera.ray(pixel, place).unwrap().direction();
         assert!(direction(0, [0.0, 0.0]).distance(Vec3::new(-2.0, 1.0, -1.0)) < 1e-6);

@@ -11,11 +11,12 @@ use stackless_bvh::bvh::{Bvh, WideBvh};
 use stackless_bvh::trace::{BinaryTracer, Continuation, Tracer};
 use stackless_bvh::traverse::Method;
 
+use crate::Outcome;
 use crate::build::Build;
+use crate::camera::{self, Camera};
 use crate::input::{self, Scene};
 use crate::output::{bar, say, write_file};
 use crate::places::{self, Output};
-use crate::{Outcome, camera};
 use cost::{Costs, Heat};
 use picture::Picture;
 pub(crate) use picture::heat_maps;
@@ -85,7 +86,7 @@ const SCALE: f64 = 0.99;
 
 pub(crate) fn run(args: &Args) -> Outcome {
     let scene = Scene::load(&args.scene)?;
-    let job = Job::of(args);
+    let job = Job::of(args, &scene);
     let build = Build::chosen(args.build, &job.methods);
     let Drawn { png, lines } = job.draw(&scene, &build.run(&scene)?)?;
     write_file(&args.output, |file| file.write_all(&png))?;
@@ -97,7 +98,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
 
 /// What is to be drawn.
 pub(crate) struct Job {
-    camera: camera::Options,
+    camera: Camera,
     rays: Rays,
     spp: u32,
     heat: Option<Heat>,
@@ -114,8 +115,8 @@ pub(crate) struct Drawn {
 }
 
 impl Job {
-    fn of(args: &Args) -> Self {
-        let Args { camera, seed, .. } = *args;
+    fn of(args: &Args, scene: &Scene) -> Self {
+        let (camera, seed) = (args.camera.of(scene), args.seed);
         let job = if let Some(figure) = args.figure {
             Self::figure(figure, camera, seed)
         } else {
@@ -125,7 +126,7 @@ impl Job {
         Self { spp: args.spp.unwrap_or(job.spp), ..job }
     }
 
-    pub(crate) fn figure(figure: Figure, camera: camera::Options, seed: u64) -> Self {
+    pub(crate) fn figure(figure: Figure, camera: Camera, seed: u64) -> Self {
         let job = |rays, heat, methods: &[Method]| Self {
             heat: Some(heat),
             methods: methods.to_vec(),
@@ -138,15 +139,15 @@ impl Job {
         }
     }
 
-    fn plain(rays: Rays, camera: camera::Options, seed: u64) -> Self {
+    fn plain(rays: Rays, camera: Camera, seed: u64) -> Self {
         let spp = if matches!(rays, Rays::Ao | Rays::Diffuse) { 16 } else { 1 };
         Self { camera, rays, spp, heat: None, methods: Vec::new(), continues: false, seed }
     }
 
     pub(crate) fn draw(&self, scene: &Scene, bvh: &Bvh) -> Result<Drawn, Box<dyn std::error::Error>> {
         let tracer = Tracer::new(WideBvh::of(bvh)?);
-        let &Self { rays, spp, seed, .. } = self;
-        let samples = Samples { scene, bvh, tracer, camera: self.camera.of(scene), rays, spp, seed };
+        let &Self { camera, rays, spp, seed, .. } = self;
+        let samples = Samples { scene, bvh, tracer, camera, rays, spp, seed };
         match self.heat {
             Some(heat) => self.heat_map(&samples, heat),
             None => Ok(self.shaded(&samples)),

@@ -9,12 +9,13 @@ use stackless_bvh::bvh::Bvh;
 use stackless_bvh::traverse::Method;
 
 use crate::build::Build;
+use crate::camera::{self, Camera};
 use crate::input::{self, Scene};
 use crate::output::{Block, Table, grouped, say, table, write_file};
 use crate::places::{self, Output};
 use crate::render::{Drawn, Figure, Job};
 use crate::stats::Stats;
-use crate::{Outcome, accuracy, bench, camera};
+use crate::{Outcome, accuracy, bench};
 pub(crate) use page::Bar;
 use page::{Piece, Section};
 
@@ -46,6 +47,8 @@ pub(crate) struct Args {
     /// Width and height of each heat map.
     #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u32).range(1..=2048))]
     pixels: u32,
+    #[command(flatten)]
+    place: camera::Place,
     /// Seed of the rays.
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -74,8 +77,10 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let scenes = input::scenes(&args.scenes)?;
     // A place that cannot be written to is known before hours of work.
     fs::create_dir_all(&*args.output).map_err(|error| format!("{}: {error}", args.output.display()))?;
-    let measured: Result<Vec<_>, _> =
-        scenes.iter().map(|scene| Stats::of(scene, args.build, args.rays as usize, args.seed)).collect();
+    let measured: Result<Vec<_>, _> = scenes
+        .iter()
+        .map(|scene| Stats::of(scene, &args.place.of(scene), args.build, args.rays as usize, args.seed))
+        .collect();
     let (stats, hierarchies): (Vec<_>, Vec<_>) = measured?.into_iter().unzip();
     let (traversals, mut offences) = traversals(args, &scenes)?;
     let (errors, more) = errors(args, &scenes)?;
@@ -156,7 +161,7 @@ fn overview(stats: &[Stats]) -> Section {
 
 /// Table 2 and the other paper's Table 1. And which exact answers differ.
 fn traversals(args: &Args, scenes: &[Scene]) -> Result<(Section, Vec<String>), Box<dyn std::error::Error>> {
-    let asked = bench::Args::of(&METHODS, args.build, args.rays, args.rounds, args.seed);
+    let asked = bench::Args::of(&METHODS, args.build, args.place.clone(), args.rays, args.rounds, args.seed);
     let bench::Found { rows, notes, offences } = bench::measure(&asked, scenes, |_| ())?;
     let mut pieces = vec![
         Piece::line(
@@ -171,7 +176,8 @@ fn traversals(args: &Args, scenes: &[Scene]) -> Result<(Section, Vec<String>), B
 }
 
 fn errors(args: &Args, scenes: &[Scene]) -> Result<(Section, Vec<String>), Box<dyn std::error::Error>> {
-    let found = accuracy::measure(&accuracy::Args::of(args.rays, args.rounds.min(3), args.seed), scenes)?;
+    let found =
+        accuracy::measure(&accuracy::Args::of(args.place.clone(), args.rays, args.rounds.min(3), args.seed), scenes)?;
     let mut pieces = vec![
         Piece::line("Every triangle test with every box test: the lines join those that nobody beats in both."),
         Piece::Svg(found.plot()?, "Run time against the rate of errors".to_owned()),
@@ -190,7 +196,7 @@ fn details(args: &Args, scene: &Scene, stats: &Stats, bvh: &Bvh) -> Result<Secti
         (Figure::Pruning, "Postponed nodes that are visited, without and with the disjoint mask (Fig. 7)"),
         (Figure::Continuing, "Nodes that diffuse rays visit, from the root and from the node of the last hit (Fig. 8)"),
     ] {
-        let job = Job::figure(figure, camera::Options::automatic(args.pixels), args.seed);
+        let job = Job::figure(figure, Camera::square(args.place.of(scene), args.pixels), args.seed);
         let Drawn { png, lines } = job.draw(scene, bvh)?;
         pieces.push(Piece::Png(png, about.to_owned()));
         pieces.extend(lines.into_iter().map(Piece::line));

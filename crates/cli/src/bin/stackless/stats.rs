@@ -12,7 +12,7 @@ use std::time::Instant;
 use serde::Serialize;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::event::{Backtracks, Source};
-use stackless_bvh::generate::procedural;
+use stackless_bvh::generate::procedural::{self, View};
 use stackless_bvh::hash::{self, BuildError, KeySet, Lookup, Options, PerfectHash, Sizing};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::trace::{self, Closest};
@@ -20,12 +20,12 @@ use stackless_bvh::traverse::{Hashed, WithWord, WordName, traverse, with_word};
 use stackless_bvh::tree::{Linked, Node, Reach, Topology};
 use stackless_cli::plots::plot_distances;
 
-use crate::Outcome;
 use crate::build::Build;
 use crate::input::Scene;
 use crate::output::{self, Block, grouped, table, write_file, write_json};
 use crate::places::{self, Output};
 use crate::report::Bar;
+use crate::{Outcome, camera};
 
 /// What a scene's hierarchy and its hash tables take, and how far backtracking goes in it.
 ///
@@ -44,6 +44,8 @@ pub(crate) struct Args {
     /// Number of rays.
     #[arg(long, default_value_t = 65_536, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
     rays: u32,
+    #[command(flatten)]
+    place: camera::Place,
     /// Seed of the rays.
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -125,7 +127,7 @@ struct BacktrackStats {
 
 pub(crate) fn run(args: &Args) -> Outcome {
     let scene = Scene::load(&args.scene)?;
-    let (stats, _) = Stats::of(&scene, args.build, args.rays as usize, args.seed)?;
+    let (stats, _) = Stats::of(&scene, &args.place.of(&scene), args.build, args.rays as usize, args.seed)?;
     output::print(&stats.blocks());
     if let Some(path) = &args.plot {
         let svg = stats.plot()?;
@@ -242,6 +244,7 @@ impl Stats {
     /// Builds a scene's hierarchy, and measures both with so many rays.
     pub(crate) fn of(
         scene: &Scene,
+        view: &View,
         build: Build,
         rays: usize,
         seed: u64,
@@ -254,7 +257,7 @@ impl Stats {
         }
         let word = WordName::narrowest(bvh.depth());
         let (counted, lookups) = with_word(word, Count { rays, seed, scene, bvh: &bvh })?;
-        let primary = procedural::view(&scene.name, &scene.mesh).rays(rays / 4);
+        let primary = view.rays(rays / 4);
         let stats = Self {
             scene: scene.name.clone(),
             triangles: scene.mesh.triangles().len(),

@@ -6,7 +6,6 @@ use glam::{IVec3, Vec3};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use stackless_bvh::bvh::{Bvh, WideBvh};
-use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::{Ends, ExactPoint, Mesh, Ray, Triangle};
 use stackless_bvh::trace::{self, Assembly, BinaryTracer, Hit, InstanceTracer, Tracer, Truth};
 use stackless_bvh::traverse::Method;
@@ -249,7 +248,7 @@ fn compare(
 
 /// From each hit of the camera's rays, one that goes on in a direction of the cosine distribution.
 fn bounces(scene: &Scene, tracer: &Tracer, reach: f32, pixels: Range<u64>, side: u32, args: &Args) -> Vec<Bounce> {
-    let view = procedural::view(&scene.name, &scene.mesh);
+    let view = args.place.of(scene);
     let bounce = |pixel: u64| {
         let (pixel, all) = (pixel as usize, side as usize * side as usize);
         let primary = view.ray_of(pixel, all)?;

@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use rayon::prelude::*;
-use stackless_bvh::generate::{Rng, procedural, stress};
+use stackless_bvh::generate::procedural::View;
+use stackless_bvh::generate::{Rng, stress};
 use stackless_bvh::geom::Ray;
 use stackless_bvh::trace::{self, Closest};
 use stackless_bvh::traverse::{Stack, traverse};
@@ -25,8 +26,15 @@ pub(super) struct Set {
 }
 
 /// All sets, of each the rays with these numbers of `of`; of those that are aimed, the ones below `aimed`.
-pub(super) fn sets(scene: &Scene, trees: &Trees, seed: u64, numbers: Range<u64>, of: u64, aimed: u64) -> [Set; 5] {
-    let view = procedural::view(&scene.name, &scene.mesh);
+pub(super) fn sets(
+    scene: &Scene,
+    view: &View,
+    trees: &Trees,
+    seed: u64,
+    numbers: Range<u64>,
+    of: u64,
+    aimed: u64,
+) -> [Set; 5] {
     let primary = |number: u64| Some((number, view.ray_of(number as usize, of as usize)?));
     let primary: Vec<_> = numbers.clone().filter_map(primary).collect();
     let progress = bar(1, &format!("{}, bounce", scene.name));

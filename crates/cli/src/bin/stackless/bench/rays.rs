@@ -2,7 +2,6 @@
 
 use serde::Serialize;
 use stackless_bvh::bvh::Bvh;
-use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::trace;
 
@@ -42,12 +41,11 @@ pub(super) struct Set {
 /// a closed room.
 const REACH: f32 = 0.1;
 
-/// The sets of these kinds: `n` rays of the scene's camera, and one from each of their hits.
+/// The sets of these kinds: a camera's rays, and one from each of their hits.
 ///
 /// Occlusion rays go where the diffuse ones go (by the cosine, as Binder & Keller and Barringer & Akenine-Möller have
 /// it), only not as far.
-pub(super) fn sets(scene: &Scene, bvh: &Bvh, kinds: Vec<Kind>, n: usize, seed: u64) -> Vec<Set> {
-    let primary = procedural::view(&scene.name, &scene.mesh).rays(n);
+pub(super) fn sets(scene: &Scene, bvh: &Bvh, primary: Vec<Ray>, kinds: Vec<Kind>, seed: u64) -> Vec<Set> {
     let diffuse = trace::bounce(&scene.mesh, bvh, &primary, seed);
     let reach = REACH * bvh.bounds().extent().length();
     let set = |kind| match kind {
@@ -62,13 +60,16 @@ pub(super) fn sets(scene: &Scene, bvh: &Bvh, kinds: Vec<Kind>, n: usize, seed: u
 
 #[cfg(test)]
 mod tests {
+    use stackless_bvh::generate::procedural::{self, View};
+
     use super::*;
 
     #[test]
     fn occlusion_rays_are_the_diffuse_ones_cut_at_a_tenth_of_the_diagonal() {
         let scene = Scene { name: "soup".to_owned(), mesh: procedural::soup(1, 500) };
         let bvh = Bvh::median(&scene.mesh, 4).unwrap();
-        let sets = sets(&scene, &bvh, vec![Kind::Diffuse, Kind::Primary, Kind::Any], 400, 1);
+        let rays = View::of(&scene.mesh).rays(400);
+        let sets = sets(&scene, &bvh, rays, vec![Kind::Diffuse, Kind::Primary, Kind::Any], 1);
         let [diffuse, primary, any] = sets.as_slice() else { panic!() };
         assert_eq!((primary.rays.len(), primary.query), (400, Query::Closest));
         assert_eq!((diffuse.query, any.query), (Query::Closest, Query::Any));
