@@ -67,14 +67,16 @@ fn colours_are_those_of_what_is_hit() {
 #[test]
 fn figures_show_what_the_papers_say() {
     let folder = Folder::new();
-    let (run, picture) = render("stadium --figure 1 --size 40", &folder);
+    let near = " --view 300,200,600,0,0,0";
+    let (run, picture) = render(&format!("stadium --figure 1 --size 40{near}"), &folder);
     let [parents, uncles, hashed] = means(&run)[..] else { panic!("{run:?}") };
     assert!(parents > uncles && uncles > hashed && hashed > 1.0, "{run:?}");
     assert_eq!(picture.0, 3 * 40 + 4 * 6);
 
-    let (postponed, _) = render("stadium --heatmap postponed --compare hashed,stack --size 40", &folder);
+    let (postponed, _) =
+        render(&format!("stadium --heatmap postponed --compare hashed,stack --size 40{near}"), &folder);
     assert_eq!(means(&postponed), [hashed, hashed], "one step for each postponed node");
-    let (run, _) = render("stadium --figure 7 --size 40", &folder);
+    let (run, _) = render(&format!("stadium --figure 7 --size 40{near}"), &folder);
     let [all, pruned] = means(&run)[..] else { panic!("{run:?}") };
     assert!(all == hashed && pruned < all, "{run:?}");
 
