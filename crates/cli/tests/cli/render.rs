@@ -67,7 +67,7 @@ fn colours_are_those_of_what_is_hit() {
 #[test]
 fn figures_show_what_the_papers_say() {
     let folder = Folder::new();
-    let near = " --view 300,200,600,0,0,0";
+    let near = " --view 5,0.5,8,3.5,0.05,5.5";
     let (run, picture) = render(&format!("stadium --figure 1 --size 40{near}"), &folder);
     let [parents, uncles, hashed] = means(&run)[..] else { panic!("{run:?}") };
     assert!(parents > uncles && uncles > hashed && hashed > 1.0, "{run:?}");
