@@ -33,9 +33,20 @@ fn paths(text: &str) -> Vec<(usize, &str)> {
 #[test]
 fn every_path_in_a_text_is_there() {
     let mut wrong = Vec::new();
-    for folder in
-        ["", "benches", "campaign", "fuzz", "gpu-check", "proofs", "python", "spec", "spec/rocq", "spec/suite", "tests"]
-    {
+    for folder in [
+        "",
+        "benches",
+        "campaign",
+        "docs",
+        "fuzz",
+        "gpu-check",
+        "proofs",
+        "python",
+        "spec",
+        "spec/rocq",
+        "spec/suite",
+        "tests",
+    ] {
         for entry in std::fs::read_dir(root().join(folder)).unwrap() {
             let file = entry.unwrap().path();
             if file.extension().is_none_or(|ending| ending != "md") {

@@ -1,4 +1,4 @@
-//! What the README prints from the source.
+//! What the texts print from the source.
 
 use std::fs;
 use std::path::Path;
@@ -12,12 +12,13 @@ use crate::files::{read, root};
 fn the_table_of_traversals_is_that_of_the_source() {
     let begin = "<!-- traversals: UPDATE=1 cargo test --test project readme -->\n";
     let end = "<!-- end of traversals -->";
-    let text = read(Path::new("README.md"));
+    let text = read(Path::new("docs/traversals.md"));
     let (before, rest) = text.split_once(begin).expect("the mark of the table's begin");
     let (table, after) = rest.split_once(end).expect("the mark of its end");
     let expected = format!("\n{}\n", Method::markdown());
     if std::env::var_os("UPDATE").is_some() {
-        fs::write(root().join("README.md"), [before, begin, &expected, end, after].concat()).expect("README.md");
+        fs::write(root().join("docs/traversals.md"), [before, begin, &expected, end, after].concat())
+            .expect("docs/traversals.md");
     } else {
         assert_eq!(table, expected);
     }

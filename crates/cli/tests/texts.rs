@@ -172,6 +172,7 @@ fn texts() -> Vec<(String, Vec<String>)> {
         "crates/check",
         "crates/cli",
         "crates/suite",
+        "docs",
         "examples/data",
         "fuzz",
         "spec",
