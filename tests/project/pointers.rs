@@ -30,6 +30,17 @@ fn paths(text: &str) -> Vec<(usize, &str)> {
     (1..).zip(text.lines()).flat_map(of_line).collect()
 }
 
+/// Where links lead within the repository, each with its line; without the heading.
+fn links(text: &str) -> Vec<(usize, &str)> {
+    let of_line = |(line, text)| {
+        let ends = str::split(text, "](").skip(1).filter_map(|rest| rest.split_once(')'));
+        ends.map(move |(to, _)| (line, to))
+    };
+    let all = (1..).zip(text.lines()).flat_map(of_line);
+    let paths = all.map(|(line, to)| (line, to.split('#').next().unwrap_or_default()));
+    paths.filter(|(_, to)| !to.is_empty() && !to.contains(':')).collect()
+}
+
 #[test]
 fn every_path_in_a_text_is_there() {
     let mut wrong = Vec::new();
@@ -56,16 +67,20 @@ fn every_path_in_a_text_is_there() {
             // A text may name what stands beside it.
             let is_there =
                 |path: &str| root().join(path).exists() || file.parent().unwrap_or(Path::new("")).join(path).exists();
+            let is_linked = |path: &str| file.parent().is_some_and(|folder| folder.join(path).exists());
+            let named = paths(&text).into_iter().filter(|(_, path)| !is_there(path));
+            let linked = links(&text).into_iter().filter(|(_, path)| !is_linked(path));
             let file = file.strip_prefix(root()).unwrap().display();
-            wrong.extend(
-                paths(&text)
-                    .iter()
-                    .filter(|(_, path)| !is_there(path))
-                    .map(|(line, path)| format!("{file}:{line}: {path}")),
-            );
+            wrong.extend(named.chain(linked).map(|(line, path)| format!("{file}:{line}: {path}")));
         }
     }
     assert_eq!(wrong, [""; 0]);
+}
+
+#[test]
+fn links_are_those_into_the_repository() {
+    let text = "[a](b.md#c), [d](#e)\n[f](https://g) ![h](../i.png) f(x)";
+    assert_eq!(links(text), [(1, "b.md"), (2, "../i.png")]);
 }
 
 #[test]
