@@ -21,11 +21,11 @@
 //!
 //! # A traversal of any tree
 //!
-//! A traversal of a binary tree that visits only wanted children, in an order decided on the way, usually keeps the
-//! postponed children on a stack. The algorithms here do without: they find the next node from its key (Binder &
-//! Keller 2016), from a counter and the layout of the tree (Barringer & Akenine-Möller 2013), from parents, uncles or
-//! skip pointers, in constant state. Each is a small [`Cursor`](traverse::Cursor) behind one loop, and each is held to
-//! one oracle, visit by visit.
+//! A traversal of a binary tree goes to the children that it wants, in an order that is decided on the way. A textbook
+//! keeps the postponed children on a stack. The algorithms here need no stack. They find the next node from its key
+//! (Binder & Keller 2016), from a counter and the layout of the tree (Barringer & Akenine-Möller 2013), or from parents,
+//! uncles or skip pointers. Each is a small [`Cursor`](traverse::Cursor) behind one loop. The tests compare each with one
+//! oracle, visit by visit.
 //!
 //! # Map
 //!
