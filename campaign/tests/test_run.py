@@ -28,7 +28,7 @@ def campaign(folder: Path, command: list[str], parts: int) -> Path:
 
 
 def start(path: Path, out: Path, *more: str, program: str = STACKLESS) -> subprocess.CompletedProcess:
-    command = [sys.executable, str(RUN), str(path), "--out", str(out), "--workers", "2", "--program", program, *more]
+    command = [sys.executable, str(RUN), str(path), "--output", str(out), "--workers", "2", "--program", program, *more]
     return subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
 
 

@@ -11,7 +11,7 @@ use std::{fmt, io};
 #[derive(Debug, thiserror::Error)]
 pub enum SceneError {
     /// The extension tells no format that we read.
-    #[error("{}: {}, expected .ply or .obj", one_line(.file), extension(.file))]
+    #[error("{}: {}, expected .ply, .obj, .stl, .gltf or .glb", one_line(.file), extension(.file))]
     Extension {
         /// The file.
         file: PathBuf,

@@ -28,7 +28,7 @@ pub use obj::{Skipped, read_obj};
 pub use output::{abandon_writes, check_writable, resolve, write_atomically};
 pub use ply::read_ply;
 pub use property::{FileFault, check_mesh_file, check_ray_file};
-pub use rays::{RayFault, RayFileError, read_rays, read_rays_from, write_hits};
+pub use rays::{Format, HitRow, RayFault, RayFileError, UnknownFormat, read_rays, read_rays_from, write_hits};
 pub use text::read_text;
 
 use std::fs::File;

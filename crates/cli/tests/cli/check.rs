@@ -148,7 +148,7 @@ fn a_comb_of_depth_100_000() {
 #[test]
 fn scenes() {
     let (cube_ply, cube_obj) = (data("cube.ply"), data("cube.obj"));
-    let (_, counts) = check("--rays 60", &[&cube_ply, &cube_obj]);
+    let (_, counts) = check("--count 60", &[&cube_ply, &cube_obj]);
     // Each scene under three trees, each ray as a closest-hit and as an any-hit query.
     assert_eq!(
         (&counts["trees"], &counts["rays"], &counts["methods"]),
@@ -162,10 +162,10 @@ fn scenes() {
         let prunes = method != method.without_pruning();
         assert!(method == Method::Complete || row["refused"] == if prunes { 360 } else { 0 }, "{row}");
     }
-    let (_, more) = check("--rays 60 --trees 25 --methods hashed --word u64", &[&cube_ply]);
+    let (_, more) = check("--count 60 --trees 25 --methods hashed --word u64", &[&cube_ply]);
     assert_eq!((&more["trees"], &more["rays"], &more["rows"][0]["cases"]), (&28.into(), &180.into(), &385.into()));
     for made in ["strands", "stadium", "soup"] {
-        let (_, counts) = check("--rays 40 --methods stack,hashed,complete --word u64", &[Path::new(made)]);
+        let (_, counts) = check("--count 40 --methods stack,hashed,complete --word u64", &[Path::new(made)]);
         assert_eq!((&counts["trees"], &counts["rays"], &counts["disagreements"]), (&3.into(), &120.into(), &0.into()));
     }
 }

@@ -21,7 +21,7 @@ pub(crate) struct Args {
     #[arg(long)]
     suite: Option<PathBuf>,
     /// Cases of this level only.
-    #[arg(long, value_parser = input::level)]
+    #[arg(long, value_parser = input::names(Level::ALL, Level::name))]
     level: Option<Level>,
     /// Cases with such ids only; `*` is any text, `?` any character. Several times: those with any of them.
     #[arg(long)]

@@ -42,7 +42,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE", value_parser = places::file)]
     json: Option<Output>,
     /// Draw the cases and the bound on the rate of errors over the processor time of the parts, as SVG.
-    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    #[arg(long, value_name = "FILE", value_parser = places::file_as("svg"))]
     plot: Option<Output>,
 }
 

@@ -14,6 +14,7 @@ use stackless_bvh::hash::mix;
 use stackless_check::Shard;
 
 use crate::Outcome;
+use crate::input::Scene;
 use crate::output::{grouped, write_json};
 
 /// What a command counts. A sum does not depend on the order of its terms.
@@ -106,14 +107,41 @@ impl Run {
     pub(crate) fn finish<C: Counts>(mut self, counts: C, json: Option<&Path>) -> Outcome {
         counts.print();
         let [_, errors] = counts.cases_and_errors();
-        let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        let machine = format!("{} {}, {threads} threads", std::env::consts::OS, std::env::consts::ARCH);
-        self.machines.insert(machine, ProcessTime::now().as_duration().as_secs_f64());
+        self.machines.insert(machine(), ProcessTime::now().as_duration().as_secs_f64());
         if let Some(path) = json {
             write_json(path, &Record { run: self, counts })?;
         }
         Ok(errors == 0)
     }
+}
+
+/// The file of `--json` of a command that measures: what was measured where, and the figures.
+#[derive(Serialize)]
+struct Figures<'a, T> {
+    command: &'static str,
+    version: &'static str,
+    commit: Option<&'static str>,
+    machine: String,
+    scenes: &'a [Scene],
+    #[serde(flatten)]
+    found: T,
+}
+
+/// Writes such a file. What was found is an object.
+pub(crate) fn write_figures(
+    path: &Path,
+    command: &'static str,
+    scenes: &[Scene],
+    found: impl Serialize,
+) -> Result<(), String> {
+    let (version, commit) = (env!("CARGO_PKG_VERSION"), option_env!("STACKLESS_COMMIT"));
+    write_json(path, &Figures { command, version, commit, machine: machine(), scenes, found })
+}
+
+/// The machine that this runs on, in words.
+fn machine() -> String {
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    format!("{} {}, {threads} threads", std::env::consts::OS, std::env::consts::ARCH)
 }
 
 /// Adds rows to those that are the same but for their counts. Those of all parts are in one order; where one is missing,

@@ -12,9 +12,9 @@ use stackless_bvh::wide;
 use stackless_check::{Shard, Stress, check_boxes};
 use stackless_suite::Traversal;
 
-use crate::output::{bar, print, say, write_json};
+use crate::output::{bar, print, say};
 use crate::places::{self, Output};
-use crate::record::Run;
+use crate::record::{Run, write_figures};
 use crate::{Outcome, input};
 pub(crate) use counts::{BoxCounts, StressCounts};
 use counts::{Row, WIDE};
@@ -32,14 +32,15 @@ use counts::{Row, WIDE};
     stackless stress --price\n  \
     stackless stress --boxes 1000000")]
 pub(crate) struct Args {
-    /// Only these cases, separated by commas.
-    #[arg(long, value_delimiter = ',', value_parser = case)]
+    /// Only these cases, separated by commas; `--list` names them.
+    #[arg(long, value_delimiter = ',', hide_possible_values = true)]
+    #[arg(value_parser = input::names(stress::NAMES, |name| name))]
     cases: Vec<&'static str>,
     /// Rays of each case.
     #[arg(long, default_value_t = 500, value_parser = clap::value_parser!(u32).range(1..=1 << 20))]
-    rays: u32,
+    count: u32,
     /// Only these traversals, of binary or of wide trees, separated by commas.
-    #[arg(long, value_delimiter = ',', value_parser = input::TraversalName)]
+    #[arg(long, value_delimiter = ',', value_parser = input::traversal())]
     methods: Vec<Traversal>,
     /// Every triangle test with every box test, and not only the four levels.
     #[arg(long)]
@@ -68,11 +69,6 @@ pub(crate) struct Args {
     json: Option<Output>,
 }
 
-fn case(name: &str) -> Result<&'static str, String> {
-    let known = stress::NAMES.into_iter().find(|known| *known == name);
-    known.ok_or_else(|| "no case of this name; `stackless stress --list` names them".to_owned())
-}
-
 /// Triangle test and box test, with the name that they go by.
 struct Tests {
     name: String,
@@ -84,7 +80,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         let prices = price::prices()?;
         print(&price::blocks(&prices));
         if let Some(path) = &args.json {
-            write_json(path, &json!({ "version": env!("CARGO_PKG_VERSION"), "prices": prices }))?;
+            write_figures(path, "stress", &[], json!({ "prices": prices }))?;
         }
         return Ok(true);
     }
@@ -103,11 +99,11 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let tests = if methods.is_empty() { Vec::new() } else { tests(args.all_tests) };
     let mut run = Run::of::<StressCounts>([
         ("cases", json!(names)),
-        ("rays", args.rays.into()),
+        ("rays", args.count.into()),
         ("methods", args.methods.iter().map(|method| method.name()).collect()),
         ("all_tests", args.all_tests.into()),
     ]);
-    let numbers = run.take(args.shard, "rays of each case", args.rays.into());
+    let numbers = run.take(args.shard, "rays of each case", args.count.into());
     run.refuse_empty(args.shard)?;
     let numbers = numbers.start as usize..numbers.end as usize;
     let progress = bar(names.len() as u64, "cases");
