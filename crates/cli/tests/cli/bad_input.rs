@@ -51,6 +51,11 @@ fn meshes() -> Vec<(&'static str, Vec<u8>, Vec<&'static str>)> {
         ("back.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n".to_vec(), vec!["line 4", "-4"]),
         ("two.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\n\nf 1 2\n".to_vec(), vec!["line 5", "2 corners"]),
         ("cut.obj", b"v 0 0 0\nv 1 0\n".to_vec(), vec!["line 2"]),
+        ("cut.stl", b"solid\nfacet\nouter loop\nvertex 0 0 0\n".to_vec(), vec!["line 4", "the file ends"]),
+        ("short.stl", vec![0; 83], vec!["line 1", "the file ends"]),
+        ("many.stl", vec![0xff; 84], vec!["triangle 0 (of 4294967295)", "the file ends"]),
+        ("cut.gltf", b"{\"asset\":".to_vec(), vec!["the document", "expected a glTF 2.0 document"]),
+        ("cut.glb", b"glTF\x02\0\0\0\0\0\0\0".to_vec(), vec!["the document", "12 bytes"]),
         ("mesh.off", b"OFF\n".to_vec(), vec!["\"off\"", ".ply, .obj"]),
         ("mesh", b"v 0 0 0\n".to_vec(), vec![".ply, .obj"]),
     ]

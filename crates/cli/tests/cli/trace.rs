@@ -220,3 +220,30 @@ fn rays_and_hits_stand_in_every_format() {
         run.fails_naming(&["extension", "expected csv, jsonl or npy"]);
     }
 }
+
+/// The same two triangles as files of all kinds: STL shares its vertices, and a glTF node moves its mesh.
+#[test]
+fn scenes_are_read_from_stl_and_gltf() {
+    let folder = Folder::new();
+    let rays = folder.file("rays.csv", "10.25,0.25,-1,0,0,1\n11.75,0.75,-1,0,0,1\n0,0,-1,0,0,1\n");
+    let facet = |corners: &str| {
+        let vertices: String = corners.split(", ").map(|corner| format!("vertex {corner}\n")).collect();
+        format!("facet normal 0 0 1\nouter loop\n{vertices}endloop\nendfacet\n")
+    };
+    let facets = [facet("10 0 0, 12 0 0, 10 1 0"), facet("12 0 0, 12 1 0, 10 1 0")].concat();
+    let stl = folder.file("mesh.stl", format!("solid\n{facets}endsolid\n"));
+    let numbers = [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0].map(|number| (number as f32).to_le_bytes());
+    folder.file("mesh.bin", numbers.concat());
+    let document = r#"{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],
+        "nodes":[{"mesh":0,"translation":[10,0,0],"scale":[2,1,1]}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":6,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+        "bufferViews":[{"buffer":0,"byteLength":72}],"buffers":[{"uri":"mesh.bin","byteLength":72}]}"#;
+    let gltf = folder.file("mesh.gltf", document);
+    for mesh in [stl, gltf] {
+        let run = stackless("trace -o - --rays", &[&rays, &mesh]);
+        let hits = parse_hits(&run.stdout);
+        let seen: Vec<_> = hits.iter().map(|hit| hit.map(|hit| (hit.prim, hit.t))).collect();
+        assert_eq!(seen, [Some((0, 1.0)), Some((1, 1.0)), None], "{run:?}");
+    }
+}

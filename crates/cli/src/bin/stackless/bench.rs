@@ -42,7 +42,7 @@ use wide::{Manner, WideTree};
     stackless bench examples/data/room.obj --methods stack,hashed,laine-4 --kinds diffuse --count 1000000\n  \
     stackless bench examples/data/torus.ply --accuracy fast,exact --build sah,sbvh --json bench.json")]
 pub(crate) struct Args {
-    /// Mesh files (.ply, .obj), or the made scenes `strands`, `stadium`, `soup`.
+    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the made scenes `strands`, `stadium`, `soup`.
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
     /// Traversals, separated by commas. `stack` is always there.

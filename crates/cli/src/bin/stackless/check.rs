@@ -36,7 +36,7 @@ pub(crate) use summary::Summary;
     stackless check --shard 3/64 --json 3.json\n  \
     stackless check --replay case.json")]
 pub(crate) struct Args {
-    /// Mesh files (.ply, .obj), or the made scenes `strands`, `stadium`, `soup`.
+    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the made scenes `strands`, `stadium`, `soup`.
     scenes: Vec<PathBuf>,
     /// Number of random trees [default: 200000, or 0 with SCENE].
     #[arg(long)]

@@ -26,7 +26,7 @@ use crate::{Outcome, camera};
     stackless explain examples/data/torus.ply --pixel 256,400 --methods wide-record -o ray.html\n  \
     stackless explain --suite-case trace/script/three-neither -o - > case.html")]
 pub(crate) struct Args {
-    /// Mesh file (.ply, .obj), or a made scene: what the ray through a pixel does in it.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: what the ray through a pixel does in it.
     #[arg(group = "what", requires = "pixel")]
     scene: Option<PathBuf>,
     /// The pixel, from the upper left.

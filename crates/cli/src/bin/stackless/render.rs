@@ -30,7 +30,7 @@ use sample::{Rays, Sample, Samples};
     stackless render examples/data/room.obj --heatmap nodes --compare stack,skip -o nodes.png\n  \
     stackless render examples/data/slivers.ply --figure 1 -o figure1.png")]
 pub(crate) struct Args {
-    /// Mesh file (.ply, .obj), or a made scene: `strands`, `stadium`, `soup`.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
     /// The picture; `-` is the standard output.
     #[arg(short, long, value_name = "FILE.png", value_parser = places::file_as("png"))]

@@ -27,7 +27,7 @@ use page::{Piece, Section};
 #[command(after_help = "Examples:\n  stackless report examples/data/torus.ply examples/data/slivers.ply -o report\n  \
     stackless report strands --count 4096 --rounds 1 -o quick")]
 pub(crate) struct Args {
-    /// Mesh files (.ply, .obj), or the made scenes `strands`, `stadium`, `soup`.
+    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the made scenes `strands`, `stadium`, `soup`.
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
     /// The folder, which is made where it is missing. What an earlier report has left there is replaced, and its tables

@@ -38,7 +38,7 @@ use crate::report::Bar;
     stackless stats examples/data/room.obj\n  \
     stackless stats examples/data/torus.ply --build sbvh --plot distances.svg --json stats.json")]
 pub(crate) struct Args {
-    /// Mesh file (.ply, .obj), or a made scene: `strands`, `stadium`, `soup`.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
     /// How the hierarchy is built; with `+N` behind a name, N rounds of reinsertion follow.
     #[arg(long, default_value_t, value_parser = BuildName)]

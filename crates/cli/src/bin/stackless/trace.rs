@@ -33,7 +33,7 @@ use crate::places::{self, Output};
     echo 0,0,5,0,0,-1 | stackless trace soup --rays - -o - --method uncle"
 )]
 pub(crate) struct Args {
-    /// Mesh file (.ply, .obj), or a made scene: `strands`, `stadium`, `soup`.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
     /// File of the rays (.csv, .jsonl, .npy); `-` is the standard input.
     #[arg(long, value_name = "FILE")]
