@@ -13,7 +13,7 @@ fn the_exact_level_has_no_errors_and_the_others_have() {
     let json = folder.path("errors.json");
     let args = "stress --count 40 --cases edge,vertex,t-junction --methods stack,hashed --json";
     let run = stackless(args, &[&json]).passes();
-    assert!(run.stdout.contains("stressed: 3 cases, 120 rays, exact: 0 errors"), "{}", run.stdout);
+    assert!(run.stdout.contains("\npass: 3 cases, 120 rays, exact: 0 errors\n"), "{}", run.stdout);
     let record = read_json(&json);
     let rows = record["rows"].as_array().unwrap();
     assert_eq!(rows.len(), 3 * Accuracy::ALL.len());
@@ -38,7 +38,7 @@ fn wide_traversals_are_stressed_too() {
     let json = folder.path("errors.json");
     let accuracies = |methods: &str| {
         let run = stackless(&format!("stress --count 30 --cases edge,vertex {methods} --json"), &[&json]).passes();
-        assert!(run.stdout.contains("stressed: 2 cases, 60 rays, exact: 0 errors"), "{}", run.stdout);
+        assert!(run.stdout.contains("\npass: 2 cases, 60 rays, exact: 0 errors\n"), "{}", run.stdout);
         let rows = read_json(&json)["rows"].as_array().unwrap().clone();
         rows.iter().map(|row| row["accuracy"].as_str().unwrap().to_owned()).collect::<Vec<_>>()
     };

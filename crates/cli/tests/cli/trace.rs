@@ -227,8 +227,8 @@ fn scenes_are_read_from_stl_and_gltf() {
     let folder = Folder::new();
     let rays = folder.file("rays.csv", "10.25,0.25,-1,0,0,1\n11.75,0.75,-1,0,0,1\n0,0,-1,0,0,1\n");
     let facet = |corners: &str| {
-        let vertices: String = corners.split(", ").map(|corner| format!("vertex {corner}\n")).collect();
-        format!("facet normal 0 0 1\nouter loop\n{vertices}endloop\nendfacet\n")
+        let vertices = corners.replace(", ", "\nvertex ");
+        format!("facet normal 0 0 1\nouter loop\nvertex {vertices}\nendloop\nendfacet\n")
     };
     let facets = [facet("10 0 0, 12 0 0, 10 1 0"), facet("12 0 0, 12 1 0, 10 1 0")].concat();
     let stl = folder.file("mesh.stl", format!("solid\n{facets}endsolid\n"));

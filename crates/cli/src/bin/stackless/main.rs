@@ -50,6 +50,9 @@ struct Command {
     #[arg(long, global = true, value_name = "N")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_THREADS)))]
     threads: Option<u32>,
+    /// Say the details too: all tables.
+    #[arg(short, long, global = true, conflicts_with = "quiet")]
+    verbose: bool,
     #[command(subcommand)]
     what: What,
 }
@@ -123,6 +126,9 @@ fn command_line() -> clap::Command {
 fn run(command: Command, matches: &ArgMatches) -> Outcome {
     if command.quiet {
         output::be_quiet();
+    }
+    if command.verbose {
+        output::be_verbose();
     }
     places::check(matches)?;
     start_threads(command.threads)?;

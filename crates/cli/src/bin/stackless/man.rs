@@ -27,7 +27,7 @@ pub(crate) fn run(args: &Args, mut command: clap::Command) -> Outcome {
     for page in &pages {
         write_file(&folder.join(page.get_filename()), |file| page.render(&mut &mut *file))?;
     }
-    say!("{} in {}", count(pages.len(), "manual page"), folder.display());
+    say!("{} in {}", count(pages.len() as u64, "manual page"), folder.display());
     Ok(true)
 }
 

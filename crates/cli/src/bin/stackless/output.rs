@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::io::{self, Write};
 use std::path::Path;
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use comfy_table::CellAlignment;
@@ -15,6 +15,21 @@ macro_rules! say {
     ($($what:tt)*) => { $crate::output::print_line(format_args!($($what)*)) };
 }
 pub(crate) use say;
+
+/// Whether the details are wanted too.
+static IS_VERBOSE: AtomicBool = AtomicBool::new(false);
+
+/// From now on the details are said too.
+pub(crate) fn be_verbose() {
+    IS_VERBOSE.store(true, Ordering::Relaxed);
+}
+
+/// Prints the details that are wanted by few.
+pub(crate) fn detail(what: impl fmt::Display) {
+    if IS_VERBOSE.load(Ordering::Relaxed) {
+        say!("{what}");
+    }
+}
 
 /// Rows of text below a header: the first columns are names, the others numbers.
 pub(crate) struct Table {
@@ -175,8 +190,8 @@ pub(crate) fn write_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::
 }
 
 /// How many of what: `1 ray`, `2,000 rays`.
-pub(crate) fn count(number: usize, what: &str) -> String {
-    format!("{} {what}{}", grouped(number as u64), if number == 1 { "" } else { "s" })
+pub(crate) fn count(number: u64, what: &str) -> String {
+    format!("{} {what}{}", grouped(number), if number == 1 { "" } else { "s" })
 }
 
 /// A number with thousands apart.

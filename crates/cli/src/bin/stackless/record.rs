@@ -15,7 +15,7 @@ use stackless_check::Shard;
 
 use crate::Outcome;
 use crate::input::Scene;
-use crate::output::{grouped, write_json};
+use crate::output::{grouped, say, write_json};
 
 /// What a command counts. A sum does not depend on the order of its terms.
 pub(crate) trait Counts: Serialize + DeserializeOwned {
@@ -25,7 +25,10 @@ pub(crate) trait Counts: Serialize + DeserializeOwned {
     /// Adds what another part counted.
     fn add(&mut self, other: Self);
 
-    /// Prints what was counted. The last line is the sum.
+    /// The sum, as in `3,000 trees, 0 rays, 27 methods, 0 disagreements`.
+    fn sum(&self) -> String;
+
+    /// Prints what went wrong, and the details for whoever wants them.
     fn print(&self);
 
     /// Number of cases, and how many went wrong.
@@ -105,14 +108,21 @@ impl Run {
 
     /// Prints the counts and writes the record. All is well if nothing went wrong.
     pub(crate) fn finish<C: Counts>(mut self, counts: C, json: Option<&Path>) -> Outcome {
+        let is_well = say_verdict(&counts);
         counts.print();
-        let [_, errors] = counts.cases_and_errors();
         self.machines.insert(machine(), ProcessTime::now().as_duration().as_secs_f64());
         if let Some(path) = json {
             write_json(path, &Record { run: self, counts })?;
         }
-        Ok(errors == 0)
+        Ok(is_well)
     }
+}
+
+/// Says first of all whether all is well, and what was counted.
+pub(crate) fn say_verdict<C: Counts>(counts: &C) -> bool {
+    let [_, errors] = counts.cases_and_errors();
+    say!("{}: {}", if errors == 0 { "pass" } else { "FAIL" }, counts.sum());
+    errors == 0
 }
 
 /// The file of `--json` of a command that measures: what was measured where, and the figures.

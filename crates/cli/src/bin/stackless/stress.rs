@@ -3,6 +3,10 @@
 mod counts;
 mod price;
 
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
 use rayon::prelude::*;
 use serde_json::json;
 use stackless_bvh::generate::stress;
@@ -107,7 +111,8 @@ pub(crate) fn run(args: &Args) -> Outcome {
     run.refuse_empty(args.shard)?;
     let numbers = numbers.start as usize..numbers.end as usize;
     let progress = bar(names.len() as u64, "cases");
-    let run_case = |&name: &&'static str| {
+    let shown = Mutex::new(Shown::new(&names, &tests, args.brief));
+    let run_case = |(i, &name): (usize, &&'static str)| {
         // The first rays of a case do not depend on how many there are.
         let mut case = stress::case(name, numbers.end).ok_or("no such case").map_err(str::to_owned)?;
         case.rays.drain(..numbers.start);
@@ -122,12 +127,15 @@ pub(crate) fn run(args: &Args) -> Outcome {
             rows.push(Row::new(name, WIDE, errors));
         }
         progress.inc(1);
+        progress.suspend(|| shown.lock().unwrap_or_else(PoisonError::into_inner).take(i, &rows));
         Ok(rows)
     };
-    let rows: Vec<Row> =
-        names.par_iter().map(run_case).collect::<Result<Vec<_>, String>>()?.into_iter().flatten().collect();
+    // One after the other, so that what is shown first is done first.
+    let cases = names.iter().enumerate().par_bridge().map(|(i, name)| run_case((i, name)).map(|rows| (i, rows)));
+    let cases: BTreeMap<usize, Vec<Row>> = cases.collect::<Result<_, String>>()?;
+    let rows = cases.into_values().flatten().collect();
     progress.finish_and_clear();
-    run.finish(StressCounts { rows, is_brief: args.brief }, args.json.as_deref())
+    run.finish(StressCounts { rows, are_shown: true }, args.json.as_deref())
 }
 
 impl Args {
@@ -137,6 +145,51 @@ impl Args {
             return (Method::ALL.into(), wide::Method::ALL.into());
         }
         Traversal::of_each_kind(&self.methods)
+    }
+}
+
+/// The rows of the cases, printed in order as soon as they are there.
+struct Shown {
+    start: Instant,
+    cases: usize,
+    done: usize,
+    /// The case whose rows come next, and those that came before their turn.
+    next: usize,
+    waiting: BTreeMap<usize, Vec<String>>,
+    widths: [usize; 2],
+    /// Only rows with errors.
+    is_brief: bool,
+}
+
+impl Shown {
+    fn new(names: &[&str], tests: &[Tests], is_brief: bool) -> Self {
+        let tests = tests.iter().map(|tests| tests.name.len());
+        let names_width = names.iter().map(|name| name.len()).max().unwrap_or(0);
+        let widths = [names_width, tests.chain([WIDE.len()]).max().unwrap_or(0)];
+        let (cases, waiting) = (names.len(), BTreeMap::new());
+        Self { start: Instant::now(), cases, done: 0, next: 0, waiting, widths, is_brief }
+    }
+
+    fn take(&mut self, case: usize, rows: &[Row]) {
+        self.done += 1;
+        // Once each thread has had some.
+        if self.done == 4 * rayon::current_num_threads() {
+            let seconds = self.start.elapsed().as_secs_f64() / self.done as f64 * self.cases as f64;
+            if seconds >= 2.0 {
+                say!("{} cases, about {seconds:.0} s", self.cases);
+            }
+        }
+        let wanted = rows.iter().filter(|row| !self.is_brief || row.errors() > 0);
+        self.waiting.insert(case, wanted.map(|row| row.line(self.widths)).collect());
+        while let Some(lines) = self.waiting.remove(&self.next) {
+            if self.next == 0 && !self.is_brief {
+                say!("{}", Row::header(self.widths));
+            }
+            for line in lines {
+                say!("{line}");
+            }
+            self.next += 1;
+        }
     }
 }
 

@@ -125,8 +125,8 @@ fn list(suite: &Suite) {
     let row = |profile: &stackless_suite::Profile| {
         vec![profile.name(), grouped(profile.cases.len() as u64), grouped(profile.to_text().len() as u64)]
     };
-    say!("{}", table(&["profile", "cases", "bytes"], 1, suite.profiles.iter().map(row).collect()));
     say!("version {VERSION}, {} cases", grouped(suite.cases().count() as u64));
+    say!("{}", table(&["profile", "cases", "bytes"], 1, suite.profiles.iter().map(row).collect()));
 }
 
 fn export(suite: &Suite, folder: &Path) -> Result<(), String> {

@@ -86,10 +86,10 @@ pub(crate) fn run(args: &Args) -> Outcome {
     };
     let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (prim, t, u, v)));
     write_file(&args.output, |file| stackless_scene::write_hits(file, rows, written_as))?;
-    let counts = [count(rays.len(), "ray"), count(hits.iter().flatten().count(), "hit")].join(", ");
+    let counts = [count(rays.len() as u64, "ray"), count(hits.iter().flatten().count() as u64, "hit")].join(", ");
     say!("{}: {counts}, by {method}, {}", scene.name, args.accuracy);
     if dropped > 0 {
-        let of = count(scene.mesh.triangles().len(), "triangle");
+        let of = count(scene.mesh.triangles().len() as u64, "triangle");
         say!("{}: {} of {of} left out: degenerate, so that no ray meets them", scene.name, grouped(dropped as u64));
     }
     Ok(true)
