@@ -133,7 +133,7 @@ def merge(program: str, out: Path, campaign: Campaign) -> int:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("campaign", type=Path, help="the campaign file")
-    parser.add_argument("-o", "--out", type=Path, required=True, help="the folder of the records")
+    parser.add_argument("-o", "--output", type=Path, required=True, help="the folder of the records")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask cluster [default: one on this machine]")
     parser.add_argument("--workers", type=int, default=os.cpu_count(), help="of the cluster on this machine")
     parser.add_argument("--threads", type=int, default=1, help="of each part")
@@ -144,12 +144,12 @@ def main() -> int:
         campaign = Campaign.load(args.campaign)
     except ValueError as error:
         parser.exit(2, f"error: {error}\n")
-    args.out.mkdir(parents=True, exist_ok=True)
+    args.output.mkdir(parents=True, exist_ok=True)
     all_parts = (
         Part(args.program, campaign.command, index, campaign.parts, args.threads)
         for index in range(1, campaign.parts + 1)
     )
-    parts = [part for part in all_parts if not (args.out / f"{part.name}.json").exists()]
+    parts = [part for part in all_parts if not (args.output / f"{part.name}.json").exists()]
     if len(parts) < campaign.parts:
         print(f"{campaign.parts - len(parts)} of {campaign.parts} parts have a record already", flush=True)
     failed = 0
@@ -157,10 +157,10 @@ def main() -> int:
         # Workers run programs, so one task each at a time.
         cluster = args.scheduler or LocalCluster(n_workers=args.workers, threads_per_worker=1, dashboard_address=None)
         with Client(cluster) as client:
-            failed = run_parts(client, parts, args.out, args.retries)
+            failed = run_parts(client, parts, args.output, args.retries)
         if not args.scheduler:
             cluster.close()
-    code = merge(args.program, args.out, campaign)
+    code = merge(args.program, args.output, campaign)
     return code if failed == 0 else 2
 
 

@@ -28,7 +28,7 @@ def campaign(folder: Path, command: list[str], parts: int) -> Path:
 
 
 def start(path: Path, out: Path, *more: str, program: str = STACKLESS) -> subprocess.CompletedProcess:
-    command = [sys.executable, str(RUN), str(path), "--out", str(out), "--workers", "2", "--program", program, *more]
+    command = [sys.executable, str(RUN), str(path), "--output", str(out), "--workers", "2", "--program", program, *more]
     return subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
 
 
@@ -118,7 +118,7 @@ def test_a_part_is_tried_again(tmp_path):
     assert len(list(marks.iterdir())) == 4
     done = start(campaign(tmp_path, CHECK, 3), out)
     assert done.returncode == 0, done
-    assert done.stdout.splitlines()[-1] == "checked: 3000 trees, 0 rays, 27 methods, 0 disagreements"
+    assert done.stdout.splitlines()[0] == "pass: 3,000 trees, 0 rays, 27 methods, 0 disagreements"
 
 
 def test_what_was_found_is_the_exit_code(tmp_path):

@@ -37,9 +37,9 @@ sees() {
 
 sees 'toy: +Key and trail; every node is found' check --help
 for word in u32 u64 u128 grow; do
-    sees '^checked: .* 1 methods, 0 disagreements' check --methods toy --word "$word" --trees 300 --rays 20
-    sees "^ *toy .*$word" check --methods toy --word "$word" --trees 300 --rays 20
+    sees '^pass: .* 1 method, 0 disagreements' check --methods toy --word "$word" --trees 300 --count 20
+    sees "^ *toy .*$word" check -v --methods toy --word "$word" --trees 300 --count 20
 done
 sees 'every node is found by walking down' explain --methods toy --output -
-sees '^ *toy ' bench strands --methods toy --count 64 --rounds 1 --rays any
+sees '^ *toy ' bench strands --methods toy --count 64 --rounds 1 --kinds any
 echo "the toy is checked in all words, explained, measured and in the help"

@@ -11,7 +11,7 @@ use std::{fmt, io};
 #[derive(Debug, thiserror::Error)]
 pub enum SceneError {
     /// The extension tells no format that we read.
-    #[error("{}: {}, expected .ply or .obj", one_line(.file), extension(.file))]
+    #[error("{}: {}, expected .ply, .obj, .stl, .gltf or .glb", one_line(.file), extension(.file))]
     Extension {
         /// The file.
         file: PathBuf,
@@ -61,7 +61,7 @@ pub enum ReadError {
 pub enum Place {
     /// A line, counted from 1.
     Line(u64),
-    /// An element of a PLY file.
+    /// An element of a PLY or glTF file, or a triangle of a binary STL file.
     Element {
         /// Its line, counted from 1, if the file is text.
         line: Option<u64>,
@@ -72,8 +72,10 @@ pub enum Place {
         /// How many of its kind the header promises.
         count: u64,
     },
-    /// Behind the last element of a PLY file.
+    /// Behind the last element of a binary file.
     End,
+    /// The document of a glTF file, as a whole.
+    Document,
 }
 
 /// What is wrong at a place.
@@ -142,6 +144,7 @@ impl fmt::Display for Place {
                 write!(f, "{name} {index} (of {count})")
             }
             Self::End => f.write_str("after the last element"),
+            Self::Document => f.write_str("the document"),
         }
     }
 }

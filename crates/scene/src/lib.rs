@@ -10,25 +10,30 @@
 //!
 //! The readers are our own: `tobj` 4.0 re-indexes vertices and reports no line, and `ply-rs-bw` 4.0 reports in several
 //! lines, refuses numbers such as `.5`, misreads what follows a repeated property, and counts in vain through billions
-//! of elements that have none.
+//! of elements that have none. `stl_io` 0.11 reports no line, refuses a solid without a name, and leaves out all solids of
+//! a text but the first. For glTF the crate `gltf` reads the document.
 
 #![forbid(unsafe_code)]
 
 mod error;
 mod fan;
+mod gltf_file;
 mod obj;
 mod output;
 mod ply;
 mod property;
 mod rays;
+mod stl;
 mod text;
 
 pub use error::{Fault, Place, ReadError, SceneError};
+pub use gltf_file::read_gltf;
 pub use obj::{Skipped, read_obj};
 pub use output::{abandon_writes, check_writable, resolve, write_atomically};
 pub use ply::read_ply;
 pub use property::{FileFault, check_mesh_file, check_ray_file};
-pub use rays::{RayFault, RayFileError, read_rays, read_rays_from, write_hits};
+pub use rays::{Format, HitRow, RayFault, RayFileError, UnknownFormat, read_rays, read_rays_from, write_hits};
+pub use stl::read_stl;
 pub use text::read_text;
 
 use std::fs::File;
@@ -44,11 +49,15 @@ pub struct Loaded {
     pub mesh: Mesh,
     /// What was skipped because the format does not have it.
     pub skipped: Option<Skipped>,
-    /// How many coordinates of a PLY file were rounded, since single precision does not have them.
+    /// How many coordinates were rounded, of a PLY file or by the nodes of a glTF file, since single precision does not have them.
     pub rounded: u64,
 }
 
 impl Loaded {
+    fn of((mesh, rounded): (Mesh, u64)) -> Self {
+        Self { mesh, skipped: None, rounded }
+    }
+
     /// What to tell whoever named the file: one line that begins with it. `None` if all of it was taken as it is.
     pub fn note(&self, file: &Path) -> Option<String> {
         let were = if self.rounded == 1 { "coordinate was" } else { "coordinates were" };
@@ -58,23 +67,27 @@ impl Loaded {
     }
 }
 
-/// Reads the triangle mesh in a `.ply` or `.obj` file (either case of letters); see [`read_ply`] and [`read_obj`].
+/// Reads the triangle mesh in a file, by its extension (either case of letters): `.ply`, `.obj`, `.stl`, `.gltf`, `.glb`;
+/// see [`read_ply`], [`read_obj`], [`read_stl`] and [`read_gltf`].
 ///
 /// # Errors
 /// [`SceneError`]: unknown extension, unreadable or too large a file, or content that is not a mesh.
 pub fn load(path: &Path) -> Result<Loaded, SceneError> {
-    let extension = path.extension().unwrap_or_default();
-    let read = if extension.eq_ignore_ascii_case("ply") {
-        |bytes: &[u8]| ply::read_and_count(bytes).map(|(mesh, rounded)| Loaded { mesh, skipped: None, rounded })
-    } else if extension.eq_ignore_ascii_case("obj") {
-        |bytes: &[u8]| read_obj(bytes).map(|(mesh, skipped)| Loaded { mesh, skipped, rounded: 0 })
-    } else {
-        return Err(SceneError::Extension { file: path.into() });
+    let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
+    let read: Reader = match extension.to_str() {
+        Some("ply") => |bytes, _| ply::read_and_count(bytes).map(Loaded::of),
+        Some("obj") => |bytes, _| read_obj(bytes).map(|(mesh, skipped)| Loaded { mesh, skipped, rounded: 0 }),
+        Some("stl") => |bytes, _| read_stl(bytes).map(|mesh| Loaded::of((mesh, 0))),
+        Some("gltf" | "glb") => |bytes, folder| gltf_file::read_and_count(bytes, folder).map(Loaded::of),
+        _ => return Err(SceneError::Extension { file: path.into() }),
     };
     let bytes = read_bytes(path, MOST_BYTES).map_err(|error| SceneError::Io { file: path.into(), error })?;
     let bytes = bytes.ok_or_else(|| SceneError::Size { file: path.into() })?;
-    read(&bytes).map_err(|error| SceneError::Content { file: path.into(), error: error.into() })
+    read(&bytes, path.parent()).map_err(|error| SceneError::Content { file: path.into(), error: error.into() })
 }
+
+/// Reads the bytes of a file, and what it names in its folder.
+type Reader = fn(&[u8], Option<&Path>) -> Result<Loaded, ReadError>;
 
 /// Most bytes of a file that are read: 4 GiB, more than 100 million triangles.
 pub const MOST_BYTES: u64 = 4 << 30;

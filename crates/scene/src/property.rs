@@ -4,7 +4,7 @@
 use std::fmt::Write;
 
 use crate::text::MARK;
-use crate::{ReadError, read_obj, read_ply, read_rays_from};
+use crate::{Format, ReadError, read_obj, read_ply, read_rays_from};
 use stackless_bvh::geom::{Mesh, Ray};
 
 /// What is wrong with a reader.
@@ -60,22 +60,32 @@ pub fn check_mesh_file(bytes: &[u8], read: fn(&[u8]) -> Result<Mesh, ReadError>)
     Ok(true)
 }
 
-/// Reads rays. If they are accepted, they are written, and must come back.
+/// Reads rays, as a file of each format. If they are accepted, they are written, and must come back.
 ///
-/// Returns whether they are accepted.
+/// Returns whether they are accepted as one.
 ///
 /// # Errors
 /// The first fault.
 pub fn check_ray_file(bytes: &[u8]) -> Result<bool, FileFault> {
-    let rays = match read_rays_from(bytes, "rays") {
+    let mut is_accepted = false;
+    for format in Format::ALL {
+        is_accepted |= check_ray_file_as(bytes, format)?;
+    }
+    Ok(is_accepted)
+}
+
+fn check_ray_file_as(bytes: &[u8], format: Format) -> Result<bool, FileFault> {
+    let read = |bytes: &[u8], format| read_rays_from(bytes, "rays", format);
+    let rays = match read(bytes, format) {
         Ok(rays) => rays,
         Err(error) => return message(error.to_string()),
     };
     if rays.len() >= bytes.len() {
         return Err(FileFault::Size { elements: rays.len(), bytes: bytes.len() });
     }
-    for written in rewritten(bytes, true) {
-        let same = read_rays_from(&written[..], "rays").is_ok_and(|same| format!("{same:?}") == format!("{rays:?}"));
+    let rewritten = if format == Format::Npy { Vec::new() } else { rewritten(bytes, true) };
+    for written in rewritten {
+        let same = read(&written, format).is_ok_and(|same| format!("{same:?}") == format!("{rays:?}"));
         if !same {
             return Err(FileFault::Changed(format!("not the same as {}", written.escape_ascii())));
         }
@@ -86,7 +96,7 @@ pub fn check_ray_file(bytes: &[u8]) -> Result<bool, FileFault> {
         let _ = writeln!(text, "{}", numbers.join(","));
         text
     });
-    match read_rays_from(text.as_bytes(), "rays") {
+    match read(text.as_bytes(), Format::Csv) {
         Ok(back) if format!("{back:?}") == format!("{rays:?}") => Ok(true),
         back => Err(FileFault::Changed(format!("{back:?} instead of {rays:?}"))),
     }

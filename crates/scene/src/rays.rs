@@ -1,17 +1,101 @@
-//! Rays to trace and hits found, as comma-separated values.
+//! Rays to trace and hits found, in files: comma-separated values, JSON lines, `NumPy` arrays.
 
-use super::text::{one_line, quote, without_mark};
+mod csv;
+mod json_lines;
+mod npy;
+
+use super::text::{one_line, quote};
 use glam::Vec3;
 use stackless_bvh::geom::{Ray, RayError};
+use std::fmt;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
-/// Names of the columns, in order.
+/// Names of the columns, in order. The last two may be missing.
 const COLUMNS: [&str; 8] = ["ox", "oy", "oz", "dx", "dy", "dz", "tmin", "tmax"];
+
+/// How many numbers a ray has without its interval, which then has no end.
+const UNBOUNDED: usize = 6;
 
 /// Longest line, in bytes: eight numbers take a few hundred.
 const LONGEST: usize = 4096;
+
+/// How rays and hits stand in a file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Format {
+    /// Comma-separated values: a ray is `ox,oy,oz,dx,dy,dz,tmin,tmax`, a hit `prim,t,u,v`.
+    #[default]
+    Csv,
+    /// An object a line: a ray is `{"origin":[..],"direction":[..],"tmin":0,"tmax":null}`, a hit
+    /// `{"prim":0,"t":1.0,"u":0.5,"v":0.5}`.
+    JsonLines,
+    /// A `NumPy` array: rays are rows of 6 or 8 floats, hits records of `prim`, `t`, `u`, `v`.
+    Npy,
+}
+
+impl Format {
+    /// All.
+    pub const ALL: [Self; 3] = [Self::Csv, Self::JsonLines, Self::Npy];
+
+    /// Its name, which is also the extension of its files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::JsonLines => "jsonl",
+            Self::Npy => "npy",
+        }
+    }
+
+    /// What the extension of a file says; `None` without one.
+    ///
+    /// # Errors
+    /// [`UnknownFormat`]: another extension.
+    pub fn of(path: &Path) -> Result<Option<Self>, UnknownFormat> {
+        let parse = |extension: &std::ffi::OsStr| {
+            let extension = extension.to_string_lossy().to_ascii_lowercase();
+            extension.parse().map_err(|_| UnknownFormat(format!("{}: extension {}", one_line(path), quote(&extension))))
+        };
+        path.extension().map(parse).transpose()
+    }
+}
+
+impl FromStr for Format {
+    type Err = UnknownFormat;
+
+    fn from_str(name: &str) -> Result<Self, UnknownFormat> {
+        let found = Self::ALL.into_iter().find(|format| format.name() == name || format.other_name() == Some(name));
+        found.ok_or_else(|| UnknownFormat(format!("found {}", quote(name))))
+    }
+}
+
+impl Format {
+    /// Another extension that is in use.
+    fn other_name(self) -> Option<&'static str> {
+        (self == Self::JsonLines).then_some("ndjson")
+    }
+
+    /// What a ray looks like.
+    fn row(self) -> String {
+        match self {
+            Self::Csv => format!("line of {}", COLUMNS.join(",")),
+            Self::JsonLines => r#"line like {"origin":[0,0,0],"direction":[0,0,1],"tmin":0,"tmax":null}"#.to_owned(),
+            Self::Npy => "row of 6 or 8 numbers".to_owned(),
+        }
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// A name or an extension of no format.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{0}, expected csv, jsonl or npy")]
+pub struct UnknownFormat(String);
 
 /// Why a file holds no rays. One line that begins with the file.
 #[derive(Debug, thiserror::Error)]
@@ -25,34 +109,50 @@ pub enum RayFileError {
         error: io::Error,
     },
     /// There is not one ray.
-    #[error("{}: no rays, expected at least one line of {}", one_line(.file), COLUMNS.join(","))]
+    #[error("{}: no rays, expected at least one {}", one_line(.file), .format.row())]
     Empty {
         /// The file.
         file: PathBuf,
+        /// What it was read as.
+        format: Format,
     },
-    /// A line is not a ray.
-    #[error("{}: line {line}: {fault}", one_line(.file))]
+    /// A line or a row is not a ray.
+    #[error("{}: {} {number}: {fault}", one_line(.file), if *.format == Format::Npy { "row" } else { "line" })]
     Line {
         /// The file.
         file: PathBuf,
-        /// Number of the line, counted from 1.
-        line: u64,
+        /// What it was read as.
+        format: Format,
+        /// Number of the line, counted from 1, or of the row, counted from 0.
+        number: u64,
         /// What is wrong.
         fault: RayFault,
     },
+    /// What stands before the rows is not that of an array of rays.
+    #[error("{}: found {found}, expected {expected}", one_line(.file))]
+    Array {
+        /// The file.
+        file: PathBuf,
+        /// What stands there, shortened.
+        found: String,
+        /// What should.
+        expected: &'static str,
+    },
 }
 
-/// Why a line is not a ray.
+/// Why a line or a row is not a ray.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RayFault {
     /// It is longer than any ray.
-    #[error("more than {LONGEST} bytes, expected {}", COLUMNS.join(","))]
-    Length,
+    #[error("more than {LONGEST} bytes, expected a {}", .0.row())]
+    Length(Format),
     /// Too many or too few columns.
-    #[error("{found} columns, expected {}: {}", COLUMNS.len(), COLUMNS.join(","))]
+    #[error("{found} columns, expected {expected}: {}", COLUMNS.join(","))]
     Columns {
         /// How many there are.
         found: usize,
+        /// How many there should be: as in the first line.
+        expected: &'static str,
     },
     /// A column is not such a number as it should be.
     #[error("column {column}: found {found}, expected {expected}")]
@@ -64,53 +164,88 @@ pub enum RayFault {
         /// What should.
         expected: &'static str,
     },
+    /// It is not such an object as it should be.
+    #[error("{found}, expected a {}", Format::JsonLines.row())]
+    Object {
+        /// What is wrong with it.
+        found: String,
+    },
+    /// The file is cut off.
+    #[error("the file ends, expected {expected} rows")]
+    Ends {
+        /// How many the array has.
+        expected: u64,
+    },
     /// The numbers are not a ray.
     #[error(transparent)]
     Ray(#[from] RayError),
 }
 
-/// Reads rays from a file of comma-separated values, one a line: `ox,oy,oz,dx,dy,dz,tmin,tmax`.
+/// Reads rays from a file.
 ///
-/// These names may stand above the rays. Blank lines and lines that begin with `#` are skipped. A line ends with a line
-/// feed, a carriage return, or both, and is at most 4 KiB long; a byte order mark does not count. Numbers are rounded to
-/// single precision; only `tmax` may be `inf`.
+/// Of comma-separated values each line is `ox,oy,oz,dx,dy,dz,tmin,tmax`, in all lines without the last two if so in the
+/// first: then an interval is from 0 to infinity. These names may stand above the rays. Blank lines and lines that begin
+/// with `#` are skipped. A line ends with a line feed, a carriage return, or both, and is at most 4 KiB long; a byte order
+/// mark does not count.
+///
+/// Of JSON lines each is an object with `origin` and `direction`, and perhaps `tmin` and `tmax`, where null is infinity. A
+/// `NumPy` array has rows of 6 or 8 numbers (`<f4` or `<f8`). Numbers are rounded to single precision; only `tmax` may be
+/// infinite.
 ///
 /// # Errors
 /// [`RayFileError`]; for a bad line it names line and column.
-pub fn read_rays(path: &Path) -> Result<Vec<Ray>, RayFileError> {
+pub fn read_rays(path: &Path, format: Format) -> Result<Vec<Ray>, RayFileError> {
     let file = File::open(path).map_err(|error| RayFileError::Io { file: path.into(), error })?;
-    read_rays_from(BufReader::new(file), path)
+    read_rays_from(BufReader::new(file), path, format)
 }
 
 /// As [`read_rays`], from any reader; `name` stands for the file in errors.
 ///
 /// # Errors
 /// As [`read_rays`].
-pub fn read_rays_from(mut reader: impl BufRead, name: impl AsRef<Path>) -> Result<Vec<Ray>, RayFileError> {
-    let file = || name.as_ref().to_path_buf();
-    let mut rays = Vec::new();
-    let mut names_may_follow = true;
-    let mut bytes = Vec::new();
-    for line in 1.. {
-        if !read_line(&mut reader, &mut bytes).map_err(|error| RayFileError::Io { file: file(), error })? {
+pub fn read_rays_from(
+    mut reader: impl BufRead,
+    name: impl AsRef<Path>,
+    format: Format,
+) -> Result<Vec<Ray>, RayFileError> {
+    let file = name.as_ref();
+    let rays = match format {
+        Format::Csv => lines(&mut reader, file, format, csv::Reader::default())?,
+        Format::JsonLines => lines(&mut reader, file, format, json_lines::Reader)?,
+        Format::Npy => npy::read(&mut reader, file)?,
+    };
+    if rays.is_empty() { Err(RayFileError::Empty { file: file.into(), format }) } else { Ok(rays) }
+}
+
+/// Reads a line.
+trait LineReader {
+    /// The ray in it, if it is not there for something else.
+    fn read(&mut self, line: &str) -> Result<Option<Ray>, RayFault>;
+}
+
+fn lines(
+    reader: &mut impl BufRead,
+    file: &Path,
+    format: Format,
+    mut each: impl LineReader,
+) -> Result<Vec<Ray>, RayFileError> {
+    let (mut rays, mut bytes) = (Vec::new(), Vec::new());
+    for number in 1.. {
+        if !read_line(reader, &mut bytes).map_err(|error| RayFileError::Io { file: file.into(), error })? {
             break;
         }
-        let at = |fault| RayFileError::Line { file: file(), line, fault };
+        let at = |fault| RayFileError::Line { file: file.into(), format, number, fault };
         if bytes.len() > LONGEST {
-            return Err(at(RayFault::Length));
+            return Err(at(RayFault::Length(format)));
         }
-        let content = if line == 1 { without_mark(&bytes) } else { &bytes };
+        let content = if number == 1 { super::text::without_mark(&bytes) } else { &bytes };
         let text = String::from_utf8_lossy(content);
         let text = text.trim();
-        if text.is_empty() || text.starts_with('#') {
-            continue;
+        if !text.is_empty() && !text.starts_with('#') {
+            rays.extend(each.read(text).map_err(at)?);
         }
-        if !(names_may_follow && text.split(',').map(str::trim).eq(COLUMNS)) {
-            rays.push(parse(text).map_err(at)?);
-        }
-        names_may_follow = false;
     }
-    if rays.is_empty() { Err(RayFileError::Empty { file: file() }) } else { Ok(rays) }
+    Ok(rays)
 }
 
 /// Reads a line without what ends it, and of one that is too long no more than shows it. `false` at the end.
@@ -140,46 +275,43 @@ fn read_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> 
     Ok(true)
 }
 
-fn parse(line: &str) -> Result<Ray, RayFault> {
-    let found = line.split(',').count();
-    if found != COLUMNS.len() {
-        return Err(RayFault::Columns { found });
+/// The ray of these numbers: all columns, or those without the interval.
+fn ray(numbers: &[f32]) -> Result<Ray, RayFault> {
+    for (&number, column) in numbers.iter().zip(COLUMNS) {
+        check(number, column, || number.to_string())?;
     }
-    let mut numbers = [0.0; COLUMNS.len()];
-    for ((number, word), column) in numbers.iter_mut().zip(line.split(',')).zip(COLUMNS) {
-        *number = parse_number(word.trim(), column)?;
-    }
-    let [ox, oy, oz, dx, dy, dz, tmin, tmax] = numbers;
-    Ok(Ray::within(Vec3::new(ox, oy, oz), Vec3::new(dx, dy, dz), tmin, tmax)?)
+    let point = |first: usize| Vec3::from_slice(&numbers[first..first + 3]);
+    let [tmin, tmax] = if numbers.len() == UNBOUNDED { [0.0, f32::INFINITY] } else { [numbers[6], numbers[7]] };
+    Ok(Ray::within(point(0), point(3), tmin, tmax)?)
 }
 
-fn parse_number(word: &str, column: &'static str) -> Result<f32, RayFault> {
+/// Refuses what no column, or not this one, may be.
+fn check(number: f32, column: &'static str, found: impl FnOnce() -> String) -> Result<(), RayFault> {
     let may_be_infinite = column == "tmax";
-    match word.parse::<f32>() {
-        Ok(number) if number.is_finite() || may_be_infinite && number == f32::INFINITY => Ok(number),
-        _ => {
-            let expected = if may_be_infinite { "a number or inf" } else { "a finite number" };
-            Err(RayFault::Number { column, found: quote(word), expected })
-        }
+    if number.is_finite() || may_be_infinite && number == f32::INFINITY {
+        return Ok(());
     }
+    let expected = if may_be_infinite { "a number or inf" } else { "a finite number" };
+    Err(RayFault::Number { column, found: found(), expected })
 }
 
-/// Writes what each ray hits, in order, one a line: the columns `prim,t,u,v`.
+/// What a ray hits: the triangle's index in the mesh, distance, and weights of its second and third corner.
+pub type HitRow = Option<(u32, f32, f32, f32)>;
+
+/// Writes what each ray hits, in order.
 ///
-/// `prim` is the triangle's index in the mesh; `-1` and empty columns mean a miss. A number reads back as the very
-/// same float: it is printed with as few digits as that takes.
+/// `prim` is the triangle's index in the mesh, or -1 for a miss; then the other columns are empty, null, or as in
+/// `stackless_bvh` for Python infinite and not a number. A number reads back as the very same float: as text it has as
+/// few digits as that takes.
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_hits(mut writer: impl Write, hits: impl Iterator<Item = Option<(u32, f32, f32, f32)>>) -> io::Result<()> {
-    writeln!(writer, "prim,t,u,v")?;
-    for hit in hits {
-        match hit {
-            Some((prim, t, u, v)) => writeln!(writer, "{prim},{t:?},{u:?},{v:?}")?,
-            None => writeln!(writer, "-1,,,")?,
-        }
+pub fn write_hits(writer: impl Write, hits: impl ExactSizeIterator<Item = HitRow>, format: Format) -> io::Result<()> {
+    match format {
+        Format::Csv => csv::write(writer, hits),
+        Format::JsonLines => json_lines::write(writer, hits),
+        Format::Npy => npy::write(writer, hits),
     }
-    Ok(())
 }
 
 #[cfg(test)]

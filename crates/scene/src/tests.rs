@@ -100,13 +100,13 @@ fn the_extension_may_be_in_capitals_and_must_be_known() {
         assert_eq!(load(&folder.file(name)).unwrap().mesh, load(&data("cube.ply")).unwrap().mesh);
     }
     for (name, found) in [
-        ("a.stl", "extension \"stl\""),
+        ("a.off", "extension \"off\""),
         ("a.ply.gz", "extension \"gz\""),
         ("ply", "no extension"),
         (".ply", "no extension"),
         ("a.", "extension \"\""),
     ] {
-        assert_eq!(refusal(name.as_ref()), format!("{name}: {found}, expected .ply or .obj"));
+        assert_eq!(refusal(name.as_ref()), format!("{name}: {found}, expected .ply, .obj, .stl, .gltf or .glb"));
     }
 }
 
@@ -132,7 +132,10 @@ fn a_message_is_one_line_that_begins_with_the_file() {
     assert_eq!(refusal(&path), message);
     fs::write(&path, "").unwrap();
     assert_eq!(refusal(&path), format!("{}: no triangles, expected at least one", path.display()));
-    assert_eq!(refusal("two\nlines.s\nl".as_ref()), "two\\nlines.s\\nl: extension \"s\\nl\", expected .ply or .obj");
+    assert_eq!(
+        refusal("two\nlines.s\nl".as_ref()),
+        "two\\nlines.s\\nl: extension \"s\\nl\", expected .ply, .obj, .stl, .gltf or .glb"
+    );
 }
 
 /// A header may promise what a file with holes seems to hold: nothing is read of it.

@@ -31,7 +31,7 @@ fn a_mesh_is_timed_and_judged() {
     let [csv, json, svg] = ["rows.csv", "rows.json", "picture.svg"].map(|name| folder.path(name));
     let [as_csv, as_json, as_svg] = ["--csv", "--json", "--plot"].map(Path::new);
     let paths = [as_csv, &csv, as_json, &json, as_svg, &svg, &data("cube.ply")];
-    let run = stackless("accuracy --rays 500 --rounds 1", &paths).passes();
+    let run = stackless("accuracy --count 500 --rounds 1", &paths).passes();
     assert_eq!(folder.names(), ["picture.svg", "rows.csv", "rows.json"]);
 
     let record = read_json(&json);
@@ -111,7 +111,7 @@ fn counts_repeat() {
     let folder = Folder::new();
     let counts = |seed: u32| {
         let csv = folder.path("rows.csv");
-        stackless(&format!("accuracy --rays 300 --rounds 1 --seed {seed} --csv"), &[&csv, &data("cube.ply")]).passes();
+        stackless(&format!("accuracy --count 300 --rounds 1 --seed {seed} --csv"), &[&csv, &data("cube.ply")]).passes();
         let text = std::fs::read_to_string(csv).unwrap();
         // Up to the times, which are last.
         text.lines().map(|line| line.split(',').take(18).collect::<Vec<_>>().join(",")).collect::<Vec<_>>()
@@ -124,7 +124,7 @@ fn counts_repeat() {
 fn closed_spheres_leak_unless_the_tests_are_exact() {
     let folder = Folder::new();
     let json = folder.path("rows.json");
-    let run = stackless("accuracy --rays 100 --json", &[&json, Path::new("spheres")]).passes();
+    let run = stackless("accuracy --count 100 --json", &[&json, Path::new("spheres")]).passes();
     let record = read_json(&json);
     let rows = record["rows"].as_array().unwrap();
     assert_eq!(rows.len(), 6 * PAIRS);
@@ -143,7 +143,7 @@ fn rays_from_surfaces_begin_at_the_exact_point() {
     let folder = Folder::new();
     let (json, png) = (folder.path("rows.json"), folder.path("wrong.png"));
     let run =
-        stackless("accuracy soup --secondary --rays 2000 --json", &[&json, Path::new("--picture"), &png]).passes();
+        stackless("accuracy soup --secondary --count 2000 --json", &[&json, Path::new("--picture"), &png]).passes();
     let record = read_json(&json);
     let wrong = |start: &str| {
         let row = record["rows"].as_array().unwrap().iter().find(|row| row["start"] == start).unwrap();
@@ -162,7 +162,7 @@ fn what_cannot_be_measured() {
     let svg = folder.path("picture.svg");
     for (args, what) in [
         ("accuracy", "SCENES"),
-        ("accuracy soup --rays 0", "--rays"),
+        ("accuracy soup --count 0", "--count"),
         ("accuracy soup --rounds none", "--rounds"),
         ("accuracy soup --picture a.png", "--secondary"),
     ] {
@@ -171,12 +171,13 @@ fn what_cannot_be_measured() {
         assert!(run.stderr.contains(what), "{args}: {}", run.stderr);
     }
     stackless("accuracy soup spheres --secondary", &[]).fails_naming(&["--secondary", "spheres"]);
-    stackless("accuracy soup strands --secondary --picture", &[&svg]).fails_naming(&["--picture", "one scene"]);
+    stackless("accuracy soup strands --secondary --picture", &[&folder.path("picture.png")])
+        .fails_naming(&["--picture", "one scene"]);
     // A good scene before the bad one is not begun with.
     let run = stackless("accuracy soup --plot", &[&svg, &folder.path("missing.ply")]);
     run.fails_naming(&["missing.ply", "cannot be read"]);
     stackless("accuracy spheres --plot", &[&svg]).fails_naming(&["--plot", "spheres"]);
-    let run = stackless("accuracy --rays 20 --rounds 1 --csv", &[&folder.path("missing/rows.csv"), &data("cube.ply")]);
+    let run = stackless("accuracy --count 20 --rounds 1 --csv", &[&folder.path("missing/rows.csv"), &data("cube.ply")]);
     assert_eq!(run.code, Some(2), "{run:?}");
     assert!(run.stderr.contains("missing/rows.csv: cannot be written"), "{run:?}");
     assert!(folder.names().is_empty());

@@ -51,8 +51,13 @@ fn meshes() -> Vec<(&'static str, Vec<u8>, Vec<&'static str>)> {
         ("back.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n".to_vec(), vec!["line 4", "-4"]),
         ("two.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\n\nf 1 2\n".to_vec(), vec!["line 5", "2 corners"]),
         ("cut.obj", b"v 0 0 0\nv 1 0\n".to_vec(), vec!["line 2"]),
-        ("mesh.stl", b"solid\n".to_vec(), vec!["\"stl\"", ".ply or .obj"]),
-        ("mesh", b"v 0 0 0\n".to_vec(), vec![".ply or .obj"]),
+        ("cut.stl", b"solid\nfacet\nouter loop\nvertex 0 0 0\n".to_vec(), vec!["line 4", "the file ends"]),
+        ("short.stl", vec![0; 83], vec!["line 1", "the file ends"]),
+        ("many.stl", vec![0xff; 84], vec!["triangle 0 (of 4294967295)", "the file ends"]),
+        ("cut.gltf", b"{\"asset\":".to_vec(), vec!["the document", "expected a glTF 2.0 document"]),
+        ("cut.glb", b"glTF\x02\0\0\0\0\0\0\0".to_vec(), vec!["the document", "12 bytes"]),
+        ("mesh.off", b"OFF\n".to_vec(), vec!["\"off\"", ".ply, .obj"]),
+        ("mesh", b"v 0 0 0\n".to_vec(), vec![".ply, .obj"]),
     ]
 }
 
@@ -61,7 +66,7 @@ fn trace_must_fail(mesh: &Path, rays: &Path, naming: &[&str]) {
     let folder = Folder::new();
     let (new, old) = (folder.path("new.csv"), folder.file("old.csv", "what was there"));
     for out in [&new, &old] {
-        stackless("trace", &[mesh, Path::new("--rays"), rays, Path::new("--out"), out]).fails_naming(naming);
+        stackless("trace", &[mesh, Path::new("--rays"), rays, Path::new("-o"), out]).fails_naming(naming);
     }
     assert_eq!(folder.names(), ["old.csv"]);
     assert_eq!(std::fs::read_to_string(&old).unwrap(), "what was there");
@@ -94,8 +99,8 @@ fn what_is_not_a_mesh() {
     trace_must_fail(&folder.path("folder.ply"), &rays, &["folder.ply", "cannot be read"]);
     // The same with nothing wrong, so that it is not the harness that fails.
     let mesh = folder.file("good.ply", format!("{HEADER}{CORNERS}3 0 1 2\n"));
-    stackless("trace --out", &[&folder.path("out.csv"), &mesh, Path::new("--rays"), &rays]).passes();
-    stackless("check --rays 10", &[&mesh]).passes();
+    stackless("trace -o", &[&folder.path("out.csv"), &mesh, Path::new("--rays"), &rays]).passes();
+    stackless("check --count 10", &[&mesh]).passes();
 }
 
 #[test]
@@ -132,7 +137,7 @@ fn what_are_no_rays() {
 fn an_output_that_cannot_be_written() {
     let folder = Folder::new();
     let (cube, rays, out) = (data("cube.ply"), folder.file("rays.csv", RAY), folder.path("missing/out.csv"));
-    let run = stackless("trace --out", &[&out, &cube, Path::new("--rays"), &rays]);
+    let run = stackless("trace -o", &[&out, &cube, Path::new("--rays"), &rays]);
     run.fails_naming(&["missing/out.csv", "cannot be written"]);
     let run = stackless("check --trees 1 --methods stack --json", &[&out]);
     assert_eq!(run.code, Some(2), "{run:?}");

@@ -15,7 +15,7 @@ fn bench(args: &str) -> (Run, Vec<Value>) {
     let json = folder.path("bench.json");
     let run = stackless(&format!("bench --count 300 {args} --json"), &[&json]).passes();
     assert_eq!(folder.names(), ["bench.json"]);
-    (run, read_json(&json).as_array().unwrap().clone())
+    (run, read_json(&json)["rows"].as_array().unwrap().clone())
 }
 
 /// Scene, rays, method and accuracy.
@@ -65,7 +65,7 @@ fn a_handful_is_measured_on_three_kinds_of_rays() {
 
 #[test]
 fn what_is_asked_for_is_measured_once_each() {
-    let (_, rows) = bench("soup --rounds 1 --methods hashed,skip,hashed --rays any,any --accuracy watertight,exact");
+    let (_, rows) = bench("soup --rounds 1 --methods hashed,skip,hashed --kinds any,any --accuracy watertight,exact");
     let expected = ["watertight", "exact"].map(|accuracy| ["stack", "hashed", "skip"].map(|method| (method, accuracy)));
     let found: Vec<_> = rows.iter().map(|row| (names(row)[2], names(row)[3])).collect();
     assert_eq!(found, expected.concat());
@@ -92,7 +92,7 @@ fn the_geometric_mean_of_all_is_that_of_the_rows() {
 
 #[test]
 fn trees_are_measured_beside_each_other() {
-    let (_, rows) = bench("soup --rounds 1 --methods stack,hashed --rays diffuse --build sah,sbvh+1,lbvh");
+    let (_, rows) = bench("soup --rounds 1 --methods stack,hashed --kinds diffuse --build sah,sbvh+1,lbvh");
     let expected = ["sah", "sbvh+1", "lbvh"].map(|build| ["stack", "hashed"].map(|method| (build, method)));
     let found: Vec<_> = rows.iter().map(|row| (row["build"].as_str().unwrap(), names(row)[2])).collect();
     assert_eq!(found, expected.as_flattened());

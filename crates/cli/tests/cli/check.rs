@@ -15,18 +15,14 @@ fn check(args: &str, scenes: &[&Path]) -> (String, Value) {
     let folder = Folder::new();
     let json = folder.path("counts.json");
     let paths: Vec<_> = [json.as_path()].into_iter().chain(scenes.iter().copied()).collect();
-    let run = stackless(&format!("check {args} --json"), &paths).passes();
+    let run = stackless(&format!("check -v {args} --json"), &paths).passes();
     assert_eq!(folder.names(), ["counts.json"]);
     let mut counts = read_json(&json);
     // Times differ.
     counts["run"].as_object_mut().unwrap().remove("machines").unwrap();
-    assert_eq!(
-        run.last_line(),
-        format!(
-            "checked: {} trees, {} rays, {} methods, {} disagreements",
-            counts["trees"], counts["rays"], counts["methods"], counts["disagreements"]
-        )
-    );
+    let said = run.first_line().replace(',', "").replace("tree ", "trees ").replace("method ", "methods ");
+    let [trees, rays, methods] = ["trees", "rays", "methods"].map(|name| &counts[name]);
+    assert_eq!(said, format!("pass: {trees} trees {rays} rays {methods} methods 0 disagreements"));
     (run.stdout, counts)
 }
 
@@ -131,7 +127,7 @@ fn a_seed_is_repeated_and_another_differs() {
 fn a_comb_of_depth_100_000() {
     const COMB: &str = "check --family comb --depth 100000 --trees 1";
     let run = stackless(&format!("{COMB} --word grow --methods sparse,afra,uncle,hashed,stack"), &[]).passes();
-    assert_eq!(run.last_line(), "checked: 1 trees, 0 rays, 5 methods, 0 disagreements");
+    assert_eq!(run.first_line(), "pass: 1 tree, 0 rays, 5 methods, 0 disagreements");
     for (word, width) in [("u32", 32), ("u64", 64), ("u128", 128)] {
         for (methods, limit) in [("sparse", width - 1), ("hashed", width - 1), ("afra", width), ("uncle,sparse", width)]
         {
@@ -148,7 +144,7 @@ fn a_comb_of_depth_100_000() {
 #[test]
 fn scenes() {
     let (cube_ply, cube_obj) = (data("cube.ply"), data("cube.obj"));
-    let (_, counts) = check("--rays 60", &[&cube_ply, &cube_obj]);
+    let (_, counts) = check("--count 60", &[&cube_ply, &cube_obj]);
     // Each scene under three trees, each ray as a closest-hit and as an any-hit query.
     assert_eq!(
         (&counts["trees"], &counts["rays"], &counts["methods"]),
@@ -162,10 +158,10 @@ fn scenes() {
         let prunes = method != method.without_pruning();
         assert!(method == Method::Complete || row["refused"] == if prunes { 360 } else { 0 }, "{row}");
     }
-    let (_, more) = check("--rays 60 --trees 25 --methods hashed --word u64", &[&cube_ply]);
+    let (_, more) = check("--count 60 --trees 25 --methods hashed --word u64", &[&cube_ply]);
     assert_eq!((&more["trees"], &more["rays"], &more["rows"][0]["cases"]), (&28.into(), &180.into(), &385.into()));
     for made in ["strands", "stadium", "soup"] {
-        let (_, counts) = check("--rays 40 --methods stack,hashed,complete --word u64", &[Path::new(made)]);
+        let (_, counts) = check("--count 40 --methods stack,hashed,complete --word u64", &[Path::new(made)]);
         assert_eq!((&counts["trees"], &counts["rays"], &counts["disagreements"]), (&3.into(), &120.into(), &0.into()));
     }
 }

@@ -9,8 +9,9 @@ fn time_against_proved_error() {
     let args = "curve --curves 64 --rounds 1 --tolerance 1e-2,1e-9,0 --methods stack,implicit-b1,left-first --degree 4";
     let run = stackless(&format!("{args} --plot {} --json", svg.display()), &[&json]).passes();
     assert!(run.last_line().starts_with("64 curves of degree 4"), "{}", run.stdout);
-    let rows = read_json(&json);
-    let rows = rows.as_array().unwrap();
+    let record = read_json(&json);
+    assert_eq!(record["command"], "curve");
+    let rows = record["rows"].as_array().unwrap();
     assert_eq!(rows.len(), 9);
     for row in rows {
         let number = |name: &str| row[name].as_f64().unwrap();
@@ -36,8 +37,8 @@ fn what_cannot_be_asked() {
         ("curve --tolerance -1", "unexpected argument '-1'"),
         ("curve --tolerance=-1", "negative"),
         ("curve --tolerance wide", "not a number"),
-        ("curve --families square", "expected one of: random, on, "),
-        ("curve --methods laine-2", "expected one of: stack, left-first, "),
+        ("curve --families square", "possible values: random, on, "),
+        ("curve --methods laine-2", "possible values: stack, left-first, "),
         ("curve --curves 0", "0 is not in 1..="),
     ] {
         let run = stackless(args, &[]);

@@ -19,6 +19,7 @@ const COMMANDS: &[&str] = &[
     "curve",
     "stats",
     "report",
+    "man",
     "completions",
 ];
 
@@ -44,7 +45,7 @@ fn every_command_has_help_and_a_completion() {
 fn quiet_is_silent_but_for_errors() {
     let folder = Folder::new();
     let json = folder.path("out.json");
-    let run = stackless("stress --quiet --rays 10 --json", &[&json]).passes();
+    let run = stackless("stress --quiet --count 10 --json", &[&json]).passes();
     assert_eq!(run.stdout, "");
     assert!(std::fs::read_to_string(json).unwrap().starts_with('{'));
     stackless("-q stats nothing.ply", &[]).fails_naming(&["nothing.ply"]);
@@ -53,19 +54,19 @@ fn quiet_is_silent_but_for_errors() {
 #[test]
 fn a_dash_is_a_stream() {
     let mut command = Command::new(env!("CARGO_BIN_EXE_stackless"));
-    command.args(["trace", "soup", "--rays", "-", "--out", "-"]);
+    command.args(["trace", "soup", "--rays", "-", "-o", "-"]);
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().unwrap();
     child.stdin.take().unwrap().write_all(b"9,9,9,1,0,0,0,inf\n").unwrap();
     let output = child.wait_with_output().unwrap();
     assert!(output.status.success());
     assert_eq!(String::from_utf8_lossy(&output.stdout), "prim,t,u,v\n-1,,,\n");
-    assert!(String::from_utf8_lossy(&output.stderr).contains("1 rays, 0 hits"));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("1 ray, 0 hits"));
 
-    let json = stackless("stress --rays 10 --json -", &[]);
+    let json = stackless("stress --count 10 --json -", &[]);
     assert!(serde_json::from_str::<serde_json::Value>(&json.stdout).is_ok_and(|json| json["rows"].is_array()));
-    assert!(json.stderr.contains("stressed:"), "{}", json.stderr);
-    let run = stackless("stress --rays 10 --json", &[std::path::Path::new("")]);
+    assert!(json.stderr.contains("pass: 144 cases"), "{}", json.stderr);
+    let run = stackless("stress --count 10 --json", &[std::path::Path::new("")]);
     assert!(run.code == Some(2), "{run:?}");
 }
 
@@ -76,7 +77,7 @@ fn an_interrupted_command_leaves_no_half_file() {
     let folder = Folder::new();
     let picture = folder.path("out.png");
     let mut command = Command::new(env!("CARGO_BIN_EXE_stackless"));
-    command.args(["render", "strands", "--rays", "ao", "--spp", "65536", "--size", "2000", "-o"]).arg(&picture);
+    command.args(["render", "strands", "--kind", "ao", "--spp", "65536", "--size", "2000", "-o"]).arg(&picture);
     let mut child = command.stderr(Stdio::null()).spawn().unwrap();
     // Long enough to be in the middle of it, and far too short to be done.
     std::thread::sleep(std::time::Duration::from_millis(500));
@@ -86,4 +87,83 @@ fn an_interrupted_command_leaves_no_half_file() {
     let status = child.wait().unwrap();
     assert_eq!(std::os::unix::process::ExitStatusExt::signal(&status), Some(15), "{status:?}");
     assert!(folder.names().is_empty(), "{:?}", folder.names());
+}
+
+/// Names that are nearly right are answered with what may be meant, and completions know the names.
+#[test]
+fn names_are_offered() {
+    for (args, meant) in [
+        ("trace soup --rays a -o b --method hashd", "'hashed'"),
+        ("stats soup --biuld sah", "'--build'"),
+        ("chekc", "'check'"),
+        ("bench soup --accuracy exakt", "'exact'"),
+        ("adversary climb-afar", "'climb-afra'"),
+        ("suite list --level trac", "'trace'"),
+    ] {
+        let run = stackless(args, &[]);
+        assert!(run.code == Some(2) && run.stderr.contains("tip:") && run.stderr.contains(meant), "{args}: {run:?}");
+    }
+    let completions = stackless("completions bash", &[]).passes().stdout;
+    for offered in ["wide-record", "watertight", "catalan", "sbvh", "climb-afra", "jsonl"] {
+        assert!(completions.contains(offered), "{offered}");
+    }
+    let zsh = stackless("completions zsh", &[]).passes().stdout;
+    assert!(zsh.contains("--output=[") && zsh.contains(":FILE:_files"), "{zsh}");
+}
+
+/// A kind of file that is not written is refused before the work.
+#[test]
+fn a_name_does_not_promise_another_kind() {
+    for (args, naming) in [
+        ("render soup -o x.jpg", ["says .jpg", "expected .png"]),
+        ("explain -o x.pdf", ["says .pdf", "expected .html"]),
+        ("stats soup --plot x.png", ["says .png", "expected .svg"]),
+    ] {
+        let run = stackless(args, &[]);
+        assert!(run.code == Some(2) && naming.iter().all(|what| run.stderr.contains(what)), "{args}: {run:?}");
+    }
+}
+
+#[test]
+fn threads_are_as_many_as_asked() {
+    let folder = Folder::new();
+    let json = folder.path("out.json");
+    stackless("--threads 1 stress --count 2 --cases torus --json", &[&json]).passes();
+    stackless("stress --threads 3 --list", &[]).passes();
+    for bad in ["0", "1025", "many"] {
+        assert_eq!(stackless(&format!("stress --list --threads {bad}"), &[]).code, Some(2));
+    }
+}
+
+#[test]
+fn manual_pages_are_written() {
+    let folder = Folder::new();
+    let man = folder.path("man1");
+    stackless("man -o", &[&man]).passes();
+    for page in ["stackless.1", "stackless-trace.1", "stackless-suite-export.1"] {
+        let text = std::fs::read_to_string(man.join(page)).unwrap();
+        assert!(text.contains(".SH SYNOPSIS") && text.contains(".SH OPTIONS"), "{page}: {text}");
+    }
+    assert!(!man.join("stackless-help.1").exists());
+}
+
+/// Every record of `--json` is an object that says what made it, where, and of what.
+#[test]
+fn records_say_what_made_them() {
+    let folder = Folder::new();
+    let json = folder.path("out.json");
+    for args in [
+        "stats soup --count 1",
+        "bench soup --count 16 --rounds 1 --methods stack --kinds primary",
+        "curve --curves 2 --rounds 1 --tolerance 1e-2",
+    ] {
+        let run = stackless(&format!("{args} --json"), &[&json]);
+        let record = super::support::read_json(&json);
+        assert_eq!(record["version"], env!("CARGO_PKG_VERSION"), "{args}");
+        assert!(record["machine"].is_string() && record["scenes"].is_array(), "{args}");
+        assert_eq!(record["command"], args.split(' ').next().unwrap());
+        // Nothing divided by nothing.
+        let is_number = |word: &str| !["inf", "NaN", "-inf"].contains(&word.trim_matches(['x', '%', '(', ')', ',']));
+        assert!(run.stdout.split_whitespace().all(is_number), "{args}: {}", run.stdout);
+    }
 }

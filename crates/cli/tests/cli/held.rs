@@ -15,18 +15,18 @@ const CUBE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/data/cube.p
 /// A short run of every command, and the options that name what it writes.
 const RUNS: &[(&str, &[&str])] = &[
     ("check --trees 5 --methods stack", &["--json"]),
-    ("trace CUBE --rays RAYS", &["--out"]),
+    ("trace CUBE --rays RAYS", &["-o"]),
     ("render CUBE --size 8", &["-o"]),
-    ("bench CUBE --count 16 --rounds 1 --methods stack --rays primary", &["--json"]),
-    ("stress --rays 2 --cases torus --methods stack", &["--json"]),
+    ("bench CUBE --count 16 --rounds 1 --methods stack --kinds primary", &["--json"]),
+    ("stress --count 2 --cases torus --methods stack", &["--json"]),
     ("conform --suite SUITE -- STACKLESS suite serve", &["--json", "--junit"]),
     ("suite list --suite SUITE", &[]),
     ("suite show --suite SUITE", &[]),
     ("adversary climb-afra --steps 50", &["-o"]),
-    ("accuracy CUBE --rays 16 --rounds 1", &["--json", "--csv", "--plot"]),
+    ("accuracy CUBE --count 16 --rounds 1", &["--json", "--csv", "--plot"]),
     ("curve --curves 2 --rounds 1 --tolerance 1e-2", &["--json", "--plot"]),
     ("explain --tape 1", &["-o"]),
-    ("stats CUBE --rays 16", &["--json", "--plot"]),
+    ("stats CUBE --count 16", &["--json", "--plot"]),
     ("completions zsh", &[]),
     ("--help", &[]),
     ("--version", &[]),
@@ -42,7 +42,7 @@ impl Place {
     fn new() -> Self {
         let folder = Folder::new();
         folder.file("rays.csv", "0.5,0.5,9,0,0,-1,0,inf\n");
-        stackless("suite export --filter key/u32/child-*", &[&folder.path("suite")]).passes();
+        stackless("suite export --filter key/u32/child-* -o", &[&folder.path("suite")]).passes();
         Self { folder }
     }
 
@@ -70,7 +70,7 @@ impl Place {
 
 /// The option and a place for the outputs that a command must have.
 fn needed<'p>(options: &[&'p str], place: &'p str) -> Vec<&'p str> {
-    let is_needed = |option: &&&str| matches!(**option, "--out" | "-o");
+    let is_needed = |option: &&&str| **option == "-o";
     options.iter().filter(is_needed).flat_map(|option| [*option, place]).collect()
 }
 
@@ -134,7 +134,7 @@ fn a_place_that_cannot_be_written_is_refused_first() {
             }
         }
     }
-    for command in ["report nothing.ply -o", "suite export"] {
+    for command in ["report nothing.ply -o", "suite export -o"] {
         stackless(command, &[Path::new("/proc")]).fails_naming(&["/proc: cannot be written"]);
     }
     assert_eq!(place.folder.names(), ["file", "folder", "rays.csv", "suite"]);
@@ -171,10 +171,9 @@ fn a_place_has_one_use() {
     fs::create_dir(path("folder")).unwrap();
     let [cube, link, round, rays, suite] = ["cube.ply", "link", "folder/../cube.ply", "rays.csv", "suite"].map(path);
     for target in [&cube, &link, &round] {
-        for args in ["trace", "render", "bench", "stats"] {
+        for args in ["trace", "bench", "stats"] {
             let (more, option) = match args {
-                "trace" => (vec!["--rays", &rays], "--out"),
-                "render" => (vec![], "-o"),
+                "trace" => (vec!["--rays", &rays], "-o"),
                 _ => (vec![], "--json"),
             };
             let run = place.command(args, &[&[cube.as_str()], &more[..], &[option, target]].concat()).output().unwrap();
@@ -187,9 +186,9 @@ fn a_place_has_one_use() {
         let error = String::from_utf8(run.stderr).unwrap();
         assert!(run.status.code() == Some(2) && error.contains(what), "{args} {options:?}: {error}");
     };
-    refused("trace CUBE --rays RAYS", &["--out", &rays], "would overwrite it");
-    refused("explain --case RAYS", &["-o", &rays], "would overwrite it");
-    refused("suite export --suite SUITE", &[&suite], "would overwrite it");
+    refused("trace CUBE --rays RAYS", &["-o", &rays], "would overwrite it");
+    refused("conform --waivers RAYS -- x", &["--write-waivers", &rays], "would overwrite it");
+    refused("suite export --suite SUITE", &["-o", &suite], "would overwrite it");
     let twice = "two outputs";
     refused("stats CUBE", &["--json", &path("new"), "--plot", &path("folder/../new")], twice);
     refused("stats CUBE", &["--json", "-", "--plot", "-"], twice);
@@ -215,7 +214,7 @@ fn a_signal_leaves_no_temporary_file() {
         out.file("hits.csv", "old");
         let mut command = Command::new(env!("CARGO_BIN_EXE_stackless"));
         command.args(["-q", "trace"]).arg(data("cube.ply")).arg("--rays").arg(&rays);
-        let mut child = command.arg("--out").arg(out.path("hits.csv")).spawn().unwrap();
+        let mut child = command.arg("-o").arg(out.path("hits.csv")).spawn().unwrap();
         let start = Instant::now();
         // The first look at the place leaves one for a moment too: this is the one that grows.
         let temporary = out.path(".hits.csv.0.tmp");

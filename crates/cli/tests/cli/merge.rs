@@ -29,6 +29,18 @@ fn counts(path: &Path) -> Value {
     record
 }
 
+/// The second line of what is said of a sum, and the others.
+fn without_claim(said: &str) -> (&str, String) {
+    let (verdict, rest) = said.split_once('\n').unwrap();
+    let (claim, rest) = rest.split_once('\n').unwrap();
+    (claim, format!("{verdict}\n{rest}"))
+}
+
+/// What is said of a run once it is over.
+fn verdict(said: &str) -> &str {
+    &said[said.find("pass: ").unwrap()..]
+}
+
 /// The sum is the record of the whole run, and says the same.
 fn assert_cut(args: &str, scenes: &[&Path], cuts: &[u32]) {
     let folder = Folder::new();
@@ -37,29 +49,29 @@ fn assert_cut(args: &str, scenes: &[&Path], cuts: &[u32]) {
     let run = stackless(&format!("{args} --json"), &paths).passes();
     for &count in cuts {
         let merged = merge(&parts(&folder, args, scenes, count), &sum).passes();
-        let (claim, rest) = merged.stdout.split_once('\n').unwrap();
+        let (claim, rest) = without_claim(&merged.stdout);
         assert!(claim.starts_with("claim: 0 of "), "{claim}");
         assert_eq!(
             claim.ends_with("all trees of up to 5 leaves, with all decisions"),
             args.contains("--leaves"),
             "{claim}"
         );
-        assert_eq!(rest, run.stdout, "{args}, {count} parts");
+        assert_eq!(rest, verdict(&run.stdout), "{args}, {count} parts");
         assert_eq!(counts(&sum), counts(&whole), "{args}, {count} parts");
     }
 }
 
 #[test]
 fn parts_of_check_add_up() {
-    assert_cut("check --trees 500 --rays 100", &[&data("cube.ply"), &data("cube.obj")], &[1, 7, 64]);
+    assert_cut("check --trees 500 --count 100", &[&data("cube.ply"), &data("cube.obj")], &[1, 7, 64]);
     assert_cut("check --leaves 5", &[], &[1, 7]);
     // With the trees at the limits of the words, and more rays than are made at once.
-    assert_cut("check --methods sparse,hashed --word u32 --rays 5000", &[], &[3]);
+    assert_cut("check --methods sparse,hashed --word u32 --count 5000", &[], &[3]);
 }
 
 #[test]
 fn parts_of_stress_add_up() {
-    assert_cut("stress --rays 64 --cases edge,t-junction,torus", &[], &[1, 7, 64]);
+    assert_cut("stress --count 64 --cases edge,t-junction,torus", &[], &[1, 7, 64]);
     assert_cut("stress --boxes 20000 --seed 5", &[], &[1, 7, 64]);
 }
 
@@ -71,7 +83,7 @@ fn assert_counts_cut(args: &str, scenes: &[&Path], cuts: &[u32]) {
     let run = stackless(&format!("{args} --shard 1/1 --json"), &paths).passes();
     for &count in cuts {
         let merged = merge(&parts(&folder, args, scenes, count), &sum).passes();
-        assert_eq!(merged.stdout.split_once('\n').unwrap().1, run.stdout, "{args}, {count} parts");
+        assert_eq!(without_claim(&merged.stdout).1, verdict(&run.stdout), "{args}, {count} parts");
         assert_eq!(counts(&sum), counts(&whole), "{args}, {count} parts");
     }
 }
@@ -80,19 +92,19 @@ fn assert_counts_cut(args: &str, scenes: &[&Path], cuts: &[u32]) {
 fn parts_of_accuracy_add_up() {
     let both = [data("cube.ply"), data("cube.obj")];
     let both: Vec<_> = both.iter().map(std::path::PathBuf::as_path).collect();
-    assert_counts_cut("accuracy --rays 100 --seed 3", &both, &[7, 64]);
+    assert_counts_cut("accuracy --count 100 --seed 3", &both, &[7, 64]);
     // More rays than are aimed in a block.
-    assert_counts_cut("accuracy --rays 5000", &both[..1], &[3]);
-    assert_counts_cut("accuracy --secondary --rays 400", &[Path::new("soup")], &[7, 64]);
-    assert_counts_cut("accuracy spheres --rays 20", &[], &[7]);
+    assert_counts_cut("accuracy --count 5000", &both[..1], &[3]);
+    assert_counts_cut("accuracy --secondary --count 400", &[Path::new("soup")], &[7, 64]);
+    assert_counts_cut("accuracy spheres --count 20", &[], &[7]);
 }
 
 #[test]
 fn parts_of_accuracy_have_no_times() {
     let folder = Folder::new();
     let [part, whole] = ["part.json", "whole.json"].map(|name| folder.path(name));
-    stackless("accuracy --rays 50 --shard 1/1 --json", &[&part, &data("cube.ply")]).passes();
-    stackless("accuracy --rays 50 --rounds 1 --json", &[&whole, &data("cube.ply")]).passes();
+    stackless("accuracy --count 50 --shard 1/1 --json", &[&part, &data("cube.ply")]).passes();
+    stackless("accuracy --count 50 --rounds 1 --json", &[&whole, &data("cube.ply")]).passes();
     let [part, whole] = [&part, &whole].map(|path| read_json(path));
     for (part, whole) in part["rows"].as_array().unwrap().iter().zip(whole["rows"].as_array().unwrap()) {
         for name in ["ratio", "ns_per_ray", "mean_ulp", "p999_ulp"] {
@@ -157,9 +169,9 @@ fn errors_of_a_part_are_those_of_the_sum() {
     std::fs::write(&records[1], bad.to_string()).unwrap();
     let run = merge(&records, &folder.path("sum.json"));
     assert_eq!(run.code, Some(1), "{run:?}");
-    assert!(run.stdout.starts_with("claim: none, 3 of 20 cases went wrong\n"), "{run:?}");
+    assert!(run.stdout.contains("\nclaim: none, 3 of 20 cases went wrong\n"), "{run:?}");
     assert!(run.stdout.contains("tree 17: hashed, put aside"), "{run:?}");
-    assert_eq!(run.last_line(), "checked: 20 trees, 0 rays, 2 methods, 3 disagreements");
+    assert_eq!(run.first_line(), "FAIL: 20 trees, 0 rays, 2 methods, 3 disagreements");
 }
 
 #[test]
@@ -169,5 +181,5 @@ fn parts_that_are_none() {
         assert_eq!(run.code, Some(2), "{run:?}");
         assert!(run.stderr.contains(what), "{run:?}");
     }
-    stackless("stress --rays 2 --cases edge --shard 1/3", &[]).fails_naming(&["part 1/3 of the run is empty"]);
+    stackless("stress --count 2 --cases edge --shard 1/3", &[]).fails_naming(&["part 1/3 of the run is empty"]);
 }

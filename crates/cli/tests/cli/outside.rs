@@ -9,7 +9,7 @@ use crate::support::{Folder, Run, data, read_json, stackless};
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 fn merge(records: &[PathBuf]) -> Run {
-    stackless("merge", &records.iter().map(PathBuf::as_path).collect::<Vec<_>>())
+    stackless("merge -v", &records.iter().map(PathBuf::as_path).collect::<Vec<_>>())
 }
 
 /// A program of these lines of shell.
@@ -57,8 +57,8 @@ fn runs_of_fuzz_targets_add_up() {
     assert_eq!(records().len(), 3);
     let merged = merge(&records());
     assert_eq!(merged.code, Some(1), "{merged:?}");
-    assert_eq!(merged.last_line(), "fuzzed: 3 targets, 9,234 executions, 1 findings");
-    assert!(merged.stdout.starts_with("claim: none of a rate"), "{merged:?}");
+    assert_eq!(merged.first_line(), "FAIL: 3 targets, 9,234 executions, 1 finding");
+    assert!(merged.stdout.contains("\nclaim: none of a rate"), "{merged:?}");
 
     // Later runs: executions add up, the corpus is that of the last, and a record that is given twice counts once.
     std::fs::remove_dir_all(at("fuzz/seeds/wrong")).unwrap();
@@ -69,7 +69,7 @@ fn runs_of_fuzz_targets_add_up() {
     assert!(run(&["long", "clean", "1"]).status.success());
     let of_clean = || records().into_iter().filter(|path| path.to_string_lossy().contains("clean"));
     let merged = merge(&of_clean().chain([first]).collect::<Vec<_>>()).passes();
-    let row: Vec<_> = merged.stdout.lines().nth(2).unwrap().split_whitespace().collect();
+    let row: Vec<_> = merged.stdout.lines().nth(3).unwrap().split_whitespace().collect();
     assert_eq!([row[0], row[1], row[2], row[4], row[5]], ["clean", "2", "8,000", "2", "0"], "{merged:?}");
 
     // Those of another version are not added.
@@ -108,7 +108,7 @@ fn mutants_of_the_adapters_add_up() {
     let whole = run("1/1");
     assert_eq!(counts(&sum), counts(&whole));
     assert_eq!(code == Some(0), counts(&sum)["stale"].as_array().unwrap().is_empty());
-    assert!(merge(&[whole]).last_line().starts_with("10 mutants: "));
+    assert!(merge(&[whole]).first_line().starts_with("pass: 10 mutants: "));
     merge(&[parts[0].clone()]).fails_naming(&["5 of 10 mutants are missing: 5 to 9"]);
 
     let with = |stale: &[&str], survivors: &[&str]| {
@@ -116,11 +116,11 @@ fn mutants_of_the_adapters_add_up() {
         (record["stale"], record["survivors"]) = (stale.into(), survivors.into());
         merge(&[folder.file("changed.json", record.to_string())])
     };
-    assert!(with(&[], &[]).passes().stdout.starts_with("claim: every mutant"));
+    assert!(with(&[], &[]).passes().stdout.contains("\nclaim: every mutant"));
     for (stale, survivors) in [(&["line 7"][..], &[][..]), (&[], &["line 7"])] {
         let merged = with(stale, survivors);
         assert_eq!(merged.code, Some(1), "{merged:?}");
-        assert!(merged.stdout.starts_with("claim: none, 1 of 10 mutants"), "{merged:?}");
+        assert!(merged.stdout.contains("\nclaim: none, 1 of 10 mutants"), "{merged:?}");
         assert!(merged.stdout.contains("line 7"), "{merged:?}");
     }
 }
@@ -162,10 +162,10 @@ fn searches_of_the_extracted_machines_add_up() {
     };
     let [first, second, wrong] = [part("1", [0, 2000], 0), part("2", [2000, 5000], 0), part("3", [2000, 5000], 2)];
     let merged = merge(&[first.clone(), second]).passes();
-    assert_eq!(merged.last_line(), "machines: 5,000 cases to height 100, 25,000 searches, 140,000 visits, 0 differ");
+    assert_eq!(merged.first_line(), "pass: 5,000 cases to height 100, 25,000 searches, 140,000 visits, 0 differ");
     assert!(merged.stdout.contains("hashed") && merged.stdout.contains("20,000"), "{merged:?}");
     let merged = merge(&[first.clone(), wrong]);
     assert_eq!(merged.code, Some(1), "{merged:?}");
-    assert!(merged.last_line().ends_with("140,000 visits, 2 differ"), "{merged:?}");
+    assert!(merged.first_line().ends_with("140,000 visits, 2 differ"), "{merged:?}");
     merge(&[first]).fails_naming(&["3000 of 5000 cases are missing: 2000 to 4999"]);
 }

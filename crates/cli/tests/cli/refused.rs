@@ -11,7 +11,7 @@ fn a_build_that_was_asked_for_is_not_replaced() {
     let rays = rays.file("rays.csv", "0,0,9,0,0,-1,0,inf\n");
     let rays = rays.display();
     for build in ["sah", "lbvh", "sbvh"] {
-        let run = stackless(&format!("trace soup --rays {rays} --out - --method complete --build {build}"), &[]);
+        let run = stackless(&format!("trace soup --rays {rays} -o - --method complete --build {build}"), &[]);
         run.fails_naming(&["complete"]);
         let run = stackless(
             &format!("render soup --size 8 -o - --heatmap nodes --compare stack,complete --build {build}"),
@@ -20,7 +20,7 @@ fn a_build_that_was_asked_for_is_not_replaced() {
         run.fails_naming(&["complete"]);
     }
     for build in ["", "--build median"] {
-        let run = stackless(&format!("trace soup --rays {rays} --out - --method complete {build}"), &[]);
+        let run = stackless(&format!("trace soup --rays {rays} -o - --method complete {build}"), &[]);
         assert_eq!(run.code, Some(0), "{run:?}");
     }
 }
@@ -29,10 +29,10 @@ fn a_build_that_was_asked_for_is_not_replaced() {
 #[test]
 fn nothing_to_do_is_refused() {
     for (args, naming) in [
-        ("stress --rays 0", "0 is not in 1.."),
+        ("stress --count 0", "0 is not in 1.."),
         ("stress --boxes 0", "0 is not in 1.."),
-        ("check soup --rays 0", "0 is not in 1.."),
-        ("stats soup --rays 0", "0 is not in 1.."),
+        ("check soup --count 0", "0 is not in 1.."),
+        ("stats soup --count 0", "0 is not in 1.."),
         ("check soup --family comb", "--trees"),
         ("check soup --depth 9", "--trees"),
         ("check --trees 0 --family comb", "--trees"),
@@ -45,12 +45,12 @@ fn nothing_to_do_is_refused() {
 
 fn refuse_counts(most: u64) {
     for args in [
-        format!("stress --rays {most}"),
-        format!("check soup --rays {most}"),
-        format!("stats soup --rays {most}"),
+        format!("stress --count {most}"),
+        format!("check soup --count {most}"),
+        format!("stats soup --count {most}"),
         format!("bench soup --count {most}"),
-        format!("accuracy soup --rays {most}"),
-        format!("report soup -o - --rays {most}"),
+        format!("accuracy soup --count {most}"),
+        format!("report soup -o - --count {most}"),
     ] {
         let run = stackless(&args, &[]);
         assert!(
@@ -109,7 +109,7 @@ fn unknown_fields_of_a_replay_are_refused() {
 fn a_program_that_is_asked_nothing_does_not_conform() {
     let folder = Folder::new();
     let suite = folder.path("suite");
-    stackless("suite export --filter key/u32/child-*", &[&suite]).passes();
+    stackless("suite export --filter key/u32/child-* -o", &[&suite]).passes();
     let suite = suite.display();
     for profiles in ["[]", "[\"key/u64\"]"] {
         let script = format!(r#"read -r hello; echo '{{"protocol":1,"name":"x","profiles":{profiles}}}'; read -r bye"#);
@@ -125,7 +125,7 @@ fn a_program_that_is_asked_nothing_does_not_conform() {
 fn a_program_does_not_write_to_the_terminal() {
     let folder = Folder::new();
     let suite = folder.path("suite");
-    stackless("suite export --filter key/u32/child-*", &[&suite]).passes();
+    stackless("suite export --filter key/u32/child-* -o", &[&suite]).passes();
     let evil = r"\u001b[2J\u0007\u009b\u202e";
     let script = format!(
         r#"read -r hello; printf '%s\n' '{{"protocol":1,"name":"{evil}","version":"{evil}","profiles":["key/u32","{evil}"]}}'
@@ -148,11 +148,11 @@ done"#
 fn a_suite_of_others_stays_in_its_folder() {
     let folder = Folder::new();
     let suite = folder.path("suite");
-    stackless("suite export --filter key/u32/child-*", &[&suite]).passes();
+    stackless("suite export --filter key/u32/child-* -o", &[&suite]).passes();
     let index = suite.join("index.json");
     let text = std::fs::read_to_string(&index).unwrap().replace("key/u32", "key/../../../out");
     std::fs::write(&index, text).unwrap();
-    let run = stackless(&format!("suite export --suite {}", suite.display()), &[&folder.path("to")]);
+    let run = stackless(&format!("suite export --suite {} -o", suite.display()), &[&folder.path("to")]);
     run.fails_naming(&["index.json", "key/../../../out"]);
     assert_eq!(folder.names(), ["suite"]);
 }
@@ -163,7 +163,7 @@ fn a_report_leaves_no_table_of_an_earlier_one() {
     let folder = Folder::new();
     let report = folder.path("report");
     let cube = data("cube.ply");
-    let args = "report --rays 64 --rounds 1 --pixels 4 -o";
+    let args = "report --count 64 --rounds 1 --pixels 4 -o";
     stackless(args, &[&report, &cube, &cube]).passes();
     let own = report.join("notes.csv");
     std::fs::write(&own, "my own").unwrap();

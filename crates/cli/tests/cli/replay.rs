@@ -17,12 +17,12 @@ fn a_case_runs_again() {
         let fault = Fault::Early { visits: 1, expected: 2 };
         let replay = Replay::of(&case, Method::Hashed, WordName::U64, &fault);
         let file = folder.file("case.json", serde_json::to_string(&replay).unwrap());
-        let run = stackless("check --replay", &[&file]).passes();
-        assert_eq!(run.last_line(), "checked: 1 trees, 0 rays, 1 methods, 0 disagreements");
+        let run = stackless("check -v --replay", &[&file]).passes();
+        assert_eq!(run.first_line(), "pass: 1 tree, 0 rays, 1 method, 0 disagreements");
         assert!(run.stdout.lines().any(|line| line.split_whitespace().take(2).eq(["hashed", "u64"])), "{}", run.stdout);
         // The caller's choice comes before that of the file.
-        let run = stackless("check --methods stack,afra,sparse --word grow --replay", &[&file]).passes();
-        assert_eq!(run.last_line(), "checked: 1 trees, 0 rays, 3 methods, 0 disagreements");
+        let run = stackless("check -v --methods stack,afra,sparse --word grow --replay", &[&file]).passes();
+        assert_eq!(run.first_line(), "pass: 1 tree, 0 rays, 3 methods, 0 disagreements");
         assert!(run.stdout.lines().any(|line| line.split_whitespace().take(2).eq(["afra", "grow"])), "{}", run.stdout);
     }
 }
@@ -33,7 +33,7 @@ fn what_is_left_out_has_defaults() {
     let file = folder.file("case.json", r#"{"children": [[1, 2], null, null], "cells": [{}, {}, {}]}"#);
     let run = stackless("check --replay", &[&file]).passes();
     let all = Method::ALL.len();
-    assert_eq!(run.last_line(), format!("checked: 1 trees, 0 rays, {all} methods, 0 disagreements"));
+    assert_eq!(run.first_line(), format!("pass: 1 tree, 0 rays, {all} methods, 0 disagreements"));
 }
 
 /// A sound replay with one field replaced.

@@ -6,7 +6,7 @@ use super::support::{Folder, stackless};
 fn the_page_has_all_parts_and_needs_nothing_else() {
     let folder = Folder::new();
     let report = folder.path("deep/report");
-    let run = stackless("report soup strands --rays 600 --rounds 1 --pixels 16 -o", &[&report]).passes();
+    let run = stackless("report soup strands --count 600 --rounds 1 --pixels 16 -o", &[&report]).passes();
     assert!(run.stdout.contains("2 scenes"), "{run:?}");
     let page = std::fs::read_to_string(report.join("index.html")).unwrap();
     for part in

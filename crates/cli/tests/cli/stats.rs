@@ -7,7 +7,7 @@ use super::support::{Folder, read_json, stackless};
 
 fn stats(args: &str, folder: &Folder) -> Value {
     let json = folder.path("stats.json");
-    stackless(&format!("stats {args} --rays 2000 --json"), &[&json]).passes();
+    stackless(&format!("stats {args} --count 2000 --json"), &[&json]).passes();
     read_json(&json)
 }
 
@@ -49,7 +49,7 @@ fn the_plan_says_what_is_left_out_and_why() {
 fn which_tracer_serves_is_said_with_its_reason() {
     let folder = Folder::new();
     let json = folder.path("stats.json");
-    let said = stackless("stats soup --rays 2000 --json", &[&json]).passes().stdout;
+    let said = stackless("stats soup --count 2000 --json", &[&json]).passes().stdout;
     let line = said.lines().find(|line| line.starts_with("default: ")).unwrap();
     assert!(line.starts_with("default: Tracer by wide-record over sah. It is exact"), "{line}");
     let choice = &read_json(&json)["wide"]["choice"];
@@ -82,7 +82,7 @@ fn degenerate_triangles_and_parts_are_counted() {
 fn what_a_small_state_saves_is_counted_and_drawn() {
     let folder = Folder::new();
     let json = folder.path("stats.json");
-    let args = "stats stadium --rays 4000 --json";
+    let args = "stats stadium --count 4000 --json";
     stackless(args, &[&json]).passes();
     let stats = read_json(&json);
     let nodes = |query: &str, way: &str| {

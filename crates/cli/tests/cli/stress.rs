@@ -11,9 +11,9 @@ use crate::support::{Folder, read_json, stackless};
 fn the_exact_level_has_no_errors_and_the_others_have() {
     let folder = Folder::new();
     let json = folder.path("errors.json");
-    let args = "stress --rays 40 --cases edge,vertex,t-junction --methods stack,hashed --json";
+    let args = "stress --count 40 --cases edge,vertex,t-junction --methods stack,hashed --json";
     let run = stackless(args, &[&json]).passes();
-    assert!(run.stdout.contains("stressed: 3 cases, 120 rays, exact: 0 errors"), "{}", run.stdout);
+    assert!(run.stdout.contains("\npass: 3 cases, 120 rays, exact: 0 errors\n"), "{}", run.stdout);
     let record = read_json(&json);
     let rows = record["rows"].as_array().unwrap();
     assert_eq!(rows.len(), 3 * Accuracy::ALL.len());
@@ -37,8 +37,8 @@ fn wide_traversals_are_stressed_too() {
     let folder = Folder::new();
     let json = folder.path("errors.json");
     let accuracies = |methods: &str| {
-        let run = stackless(&format!("stress --rays 30 --cases edge,vertex {methods} --json"), &[&json]).passes();
-        assert!(run.stdout.contains("stressed: 2 cases, 60 rays, exact: 0 errors"), "{}", run.stdout);
+        let run = stackless(&format!("stress --count 30 --cases edge,vertex {methods} --json"), &[&json]).passes();
+        assert!(run.stdout.contains("\npass: 2 cases, 60 rays, exact: 0 errors\n"), "{}", run.stdout);
         let rows = read_json(&json)["rows"].as_array().unwrap().clone();
         rows.iter().map(|row| row["accuracy"].as_str().unwrap().to_owned()).collect::<Vec<_>>()
     };
@@ -57,10 +57,10 @@ fn cases_and_boxes() {
     let directed = boxes.lines().find(|line| line.starts_with("directed")).unwrap();
     assert_eq!(directed.split_whitespace().nth(1), Some("0"), "{boxes}");
     for (args, what) in [
-        ("stress --cases nosuch", "--list"),
+        ("stress --cases edges", "a similar value exists: 'edge'"),
         ("stress --boxes many", "many"),
         ("stress --boxes 5 --all-tests", "cannot be used with"),
-        ("trace soup --accuracy best --rays a --out b", "expected one of: fast, watertight, precise, exact"),
+        ("trace soup --accuracy best --rays a -o b", "possible values: fast, watertight, precise, exact"),
     ] {
         let run = stackless(args, &[]);
         assert_eq!((run.code, run.stdout.as_str()), (Some(2), ""), "{args}");

@@ -43,6 +43,11 @@ impl Run {
         assert_eq!(self.stdout, "", "{self:?}");
     }
 
+    /// The verdict.
+    pub(crate) fn first_line(&self) -> &str {
+        self.stdout.lines().next().unwrap_or_default()
+    }
+
     /// The closing line.
     pub(crate) fn last_line(&self) -> &str {
         self.stdout.lines().last().unwrap_or_default()

@@ -51,7 +51,7 @@ fn all_methods() -> impl Iterator<Item = &'static str> {
 pub(crate) fn trace(scene: &Path, rays: &[Ray], args: &str) -> Vec<Option<Hit>> {
     let folder = Folder::new();
     let (rays_file, out) = (folder.file("rays.csv", ray_file(rays)), folder.path("hits.csv"));
-    stackless(&format!("trace {args} --rays"), &[&rays_file, Path::new("--out"), &out, scene]).passes();
+    stackless(&format!("trace {args} --rays"), &[&rays_file, Path::new("-o"), &out, scene]).passes();
     assert_eq!(folder.names(), ["hits.csv", "rays.csv"]);
     let hits = parse_hits(&std::fs::read_to_string(&out).unwrap());
     assert_eq!(hits.len(), rays.len());
@@ -84,7 +84,7 @@ fn assert_true(mesh: &Mesh, scene: &Path, rays: &[Ray], methods: impl IntoIterat
 fn what_a_mesh_file_has_beyond_its_format_is_said() {
     let folder = Folder::new();
     let (mesh, rays) = (folder.path("odd.obj"), folder.file("rays.csv", "0.25,0.25,-1,0,0,1,0,inf\r"));
-    let args: [&Path; 4] = [&rays, Path::new("--out"), &folder.path("hits.csv"), &mesh];
+    let args: [&Path; 4] = [&rays, Path::new("-o"), &folder.path("hits.csv"), &mesh];
     for (mark, first) in [("", "V 0 0 0"), ("\u{feff}", "# a mark, and no line feed")] {
         std::fs::write(&mesh, format!("{mark}v 0 0 0\r{first}\rv 1 0 0\rv 0 1 0\rf 1 2 3\r")).unwrap();
         let run = stackless("trace --rays", &args);
@@ -128,10 +128,10 @@ fn the_default_is_the_fastest_traversal_that_is_as_exact_as_asked() {
         ("--accuracy exact --method hashed", "by hashed, exact"),
         ("--method wide-stack --build lbvh+1", "by wide-stack, exact"),
     ] {
-        let run = stackless(&format!("trace soup {options} --rays"), &[&rays, Path::new("--out"), &out]);
+        let run = stackless(&format!("trace soup {options} --rays"), &[&rays, Path::new("-o"), &out]);
         assert!(run.code == Some(0) && run.stdout.contains(by), "{run:?}");
     }
-    let run = stackless("trace soup --method wide-record --accuracy watertight --out - --rays", &[&rays]);
+    let run = stackless("trace soup --method wide-record --accuracy watertight -o - --rays", &[&rays]);
     run.fails_naming(&["--accuracy watertight", "wide-record is always exact"]);
 }
 
@@ -167,11 +167,83 @@ fn polygons_fan_out_in_place() {
         let mesh = folder.file(&format!("pentagon.{extension}"), text);
         let out = folder.path("hits.csv");
         for method in all_methods() {
-            stackless(&format!("trace --method {method} --rays"), &[&rays, Path::new("--out"), &out, &mesh]).passes();
+            stackless(&format!("trace --method {method} --rays"), &[&rays, Path::new("-o"), &out, &mesh]).passes();
             let hits = parse_hits(&std::fs::read_to_string(&out).unwrap());
             let seen: Vec<_> = hits.iter().map(|hit| hit.map(|hit| (hit.prim, hit.t))).collect();
             let expected = [Some((0, 2.0)), Some((1, 2.0)), Some((2, 2.0)), Some((3, 3.0)), None, None];
             assert_eq!(seen, expected, "{method}");
         }
+    }
+}
+
+/// Rays and hits in each format are the same; a degenerate triangle is told of, and one ray is one ray.
+#[test]
+fn rays_and_hits_stand_in_every_format() {
+    let folder = Folder::new();
+    let mesh = folder.file("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 1 2\nf 1 2 3\n");
+    let text = "0.25,0.25,-1,0,0,1\n5,5,-1,0,0,1\n";
+    let lines = "{\"origin\":[0.25,0.25,-1],\"direction\":[0,0,1]}\n{\"origin\":[5,5,-1],\"direction\":[0,0,1]}\n";
+    let header = "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 6), }\n";
+    let numbers = text.split([',', '\n']).filter_map(|number| number.parse::<f64>().ok());
+    let array: Vec<u8> = [b"\x93NUMPY\x01\x00", &(header.len() as u16).to_le_bytes()[..], header.as_bytes()]
+        .concat()
+        .into_iter()
+        .chain(numbers.flat_map(f64::to_le_bytes))
+        .collect();
+    let csv = "prim,t,u,v\n1,1.0,0.25,0.25\n-1,,,\n";
+    let hit_lines = "{\"prim\":1,\"t\":1.0,\"u\":0.25,\"v\":0.25}\n{\"prim\":-1,\"t\":null,\"u\":null,\"v\":null}\n";
+    let files = [
+        ("rays.csv", text.as_bytes()),
+        ("rays.jsonl", lines.as_bytes()),
+        ("rays.npy", &array),
+        ("rays", text.as_bytes()),
+    ];
+    for (name, bytes) in files {
+        let rays = folder.file(name, bytes);
+        for (out, expected) in [("hits.csv", csv), ("hits.ndjson", hit_lines), ("hits", csv)] {
+            let out = folder.path(out);
+            let run = stackless("trace --rays", &[&rays, Path::new("-o"), &out, &mesh]).passes();
+            assert_eq!(std::fs::read_to_string(&out).unwrap(), expected, "{name}");
+            assert!(run.stdout.starts_with("mesh: 2 rays, 1 hit, by "), "{run:?}");
+            assert!(run.stdout.contains("1 of 2 triangles left out"), "{run:?}");
+        }
+        let out = folder.path("hits.npy");
+        stackless("trace --method hashed --rays", &[&rays, Path::new("-o"), &out, &mesh]).passes();
+        assert!(std::fs::read(&out).unwrap().starts_with(b"\x93NUMPY\x01\x00"));
+    }
+    let rays = folder.file("more", lines);
+    let run = stackless("trace soup --format jsonl -o - --rays", &[&rays]);
+    assert!(run.stdout.starts_with("{\"prim\":"), "{run:?}");
+    for bad in ["hits.parquet", "hits.jpg"] {
+        let bad = folder.path(bad);
+        let run = stackless("trace soup --format csv --rays", &[&rays, Path::new("-o"), &bad]);
+        run.fails_naming(&["extension", "expected csv, jsonl or npy"]);
+    }
+}
+
+/// The same two triangles as files of all kinds: STL shares its vertices, and a glTF node moves its mesh.
+#[test]
+fn scenes_are_read_from_stl_and_gltf() {
+    let folder = Folder::new();
+    let rays = folder.file("rays.csv", "10.25,0.25,-1,0,0,1\n11.75,0.75,-1,0,0,1\n0,0,-1,0,0,1\n");
+    let facet = |corners: &str| {
+        let vertices = corners.replace(", ", "\nvertex ");
+        format!("facet normal 0 0 1\nouter loop\nvertex {vertices}\nendloop\nendfacet\n")
+    };
+    let facets = [facet("10 0 0, 12 0 0, 10 1 0"), facet("12 0 0, 12 1 0, 10 1 0")].concat();
+    let stl = folder.file("mesh.stl", format!("solid\n{facets}endsolid\n"));
+    let numbers = [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0].map(|number| (number as f32).to_le_bytes());
+    folder.file("mesh.bin", numbers.concat());
+    let document = r#"{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],
+        "nodes":[{"mesh":0,"translation":[10,0,0],"scale":[2,1,1]}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":6,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+        "bufferViews":[{"buffer":0,"byteLength":72}],"buffers":[{"uri":"mesh.bin","byteLength":72}]}"#;
+    let gltf = folder.file("mesh.gltf", document);
+    for mesh in [stl, gltf] {
+        let run = stackless("trace -o - --rays", &[&rays, &mesh]);
+        let hits = parse_hits(&run.stdout);
+        let seen: Vec<_> = hits.iter().map(|hit| hit.map(|hit| (hit.prim, hit.t))).collect();
+        assert_eq!(seen, [Some((0, 1.0)), Some((1, 1.0)), None], "{run:?}");
     }
 }

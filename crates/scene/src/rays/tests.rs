@@ -2,7 +2,7 @@ use super::*;
 use crate::tests::{Folder, Random};
 
 fn read(text: &str) -> Result<Vec<Ray>, RayFileError> {
-    read_rays_from(text.as_bytes(), "rays.csv")
+    read_rays_from(text.as_bytes(), "rays.csv", Format::Csv)
 }
 
 fn refusal(text: &str) -> String {
@@ -29,7 +29,7 @@ fn names_blank_lines_and_comments_are_skipped() {
             let text = format!("{mark}{}", plain.replace('\n', end));
             for capacity in [1, 2, 7, 4096] {
                 let reader = BufReader::with_capacity(capacity, text.as_bytes());
-                assert_eq!(read_rays_from(reader, "rays.csv").unwrap(), rays, "{text:?}");
+                assert_eq!(read_rays_from(reader, "rays.csv", Format::Csv).unwrap(), rays, "{text:?}");
             }
         }
     }
@@ -39,11 +39,11 @@ fn names_blank_lines_and_comments_are_skipped() {
 #[test]
 fn a_line_without_end_is_refused_before_memory_is_gone() {
     let endless = BufReader::new(io::repeat(b'0'));
-    let message = read_rays_from(endless, "rays.csv").unwrap_err().to_string();
-    assert_eq!(message, "rays.csv: line 1: more than 4096 bytes, expected ox,oy,oz,dx,dy,dz,tmin,tmax");
+    let message = read_rays_from(endless, "rays.csv", Format::Csv).unwrap_err().to_string();
+    assert_eq!(message, "rays.csv: line 1: more than 4096 bytes, expected a line of ox,oy,oz,dx,dy,dz,tmin,tmax");
     let long = |length: usize| format!("{}0,0,0,0,0,1,0,1\n", " ".repeat(length - 15));
     assert_eq!(read(&long(4096)).unwrap().len(), 1);
-    assert!(matches!(read(&long(4097)), Err(RayFileError::Line { line: 1, fault: RayFault::Length, .. })));
+    assert!(matches!(read(&long(4097)), Err(RayFileError::Line { number: 1, fault: RayFault::Length(_), .. })));
 }
 
 #[test]
@@ -53,8 +53,10 @@ fn each_error_names_line_and_column() {
         ("", format!("no rays, expected at least one line of {names}")),
         ("# none\n\n", format!("no rays, expected at least one line of {names}")),
         (names, format!("no rays, expected at least one line of {names}")),
-        ("\n0,0,0,0,0,1,0\n", format!("line 2: 7 columns, expected 8: {names}")),
-        ("0,0,0,0,0,1,0,1,\n", format!("line 1: 9 columns, expected 8: {names}")),
+        ("\n0,0,0,0,0,1,0\n", format!("line 2: 7 columns, expected 6 or 8: {names}")),
+        ("0,0,0,0,0,1,0,1\n0,0,0,0,0,1\n", format!("line 2: 6 columns, expected 8 as above: {names}")),
+        ("0,0,0,0,0,1\n0,0,0,0,0,1,0,1\n", format!("line 2: 8 columns, expected 6 as above: {names}")),
+        ("0,0,0,0,0,1,0,1,\n", format!("line 1: 9 columns, expected 6 or 8: {names}")),
         ("oy,ox,oz,dx,dy,dz,tmin,tmax\n", "line 1: column ox: found \"oy\", expected a finite number".into()),
         ("0,0,0,0,0,1,0,\n", "line 1: column tmax: found \"\", expected a number or inf".into()),
         ("0,0,0,0,0,1,0,nan\n", "line 1: column tmax: found \"nan\", expected a number or inf".into()),
@@ -72,17 +74,17 @@ fn each_error_names_line_and_column() {
     }
     let twice = format!("{names}\n{names}\n");
     assert_eq!(refusal(&twice), "rays.csv: line 2: column ox: found \"ox\", expected a finite number");
-    assert!(read_rays_from(&b"0,0,0,0,0,1,0,\xFF\n"[..], "rays.csv").is_err());
+    assert!(read_rays_from(&b"0,0,0,0,0,1,0,\xFF\n"[..], "rays.csv", Format::Csv).is_err());
 }
 
 #[test]
 fn a_missing_file_is_named() {
     let folder = Folder::new("rays");
     let path = folder.file("missing.csv");
-    let message = read_rays(&path).unwrap_err().to_string();
+    let message = read_rays(&path, Format::Csv).unwrap_err().to_string();
     assert!(message.starts_with(&format!("{}: cannot be read: ", path.display())), "{message}");
     std::fs::write(&path, "0,0,0,0,0,1,0,1\n").unwrap();
-    assert_eq!(read_rays(&path).unwrap().len(), 1);
+    assert_eq!(read_rays(&path, Format::Csv).unwrap().len(), 1);
 }
 
 #[test]
@@ -114,7 +116,7 @@ fn hits_read_back_bit_for_bit() {
         hits.push((random.below(4) != 0).then_some((random.next() as u32, t, u, v)));
     }
     let mut text = Vec::new();
-    write_hits(&mut text, hits.iter().copied()).unwrap();
+    write_hits(&mut text, hits.iter().copied(), Format::Csv).unwrap();
     let text = String::from_utf8(text).unwrap();
     assert!(text.starts_with("prim,t,u,v\n-1,,,\n4294967295,0.0,-0.0,1.469368e-39\n"), "{text:.80}");
 
@@ -136,6 +138,127 @@ fn hits_read_back_bit_for_bit() {
 
 #[test]
 fn a_failing_writer_is_reported() {
-    let mut full = [0; 20];
-    assert!(write_hits(&mut full[..], std::iter::repeat_n(None, 10)).is_err());
+    for format in Format::ALL {
+        let mut full = [0; 20];
+        assert!(write_hits(&mut full[..], std::iter::repeat_n(None, 10), format).is_err());
+    }
+}
+
+/// A ray in each format, with and without its interval.
+fn in_all_formats() -> Vec<(Format, Vec<u8>)> {
+    let array = |descr: &str, columns: usize, bytes: Vec<u8>| {
+        let header = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': (1, {columns}), }}\n");
+        let length = (header.len() as u16).to_le_bytes();
+        [&b"\x93NUMPY\x01\x00"[..], &length, header.as_bytes(), &bytes].concat()
+    };
+    let numbers = [1.0, 2.0, 3.0, 0.5, 0.0, -1.0, 0.0, f64::INFINITY];
+    let doubles = |columns: usize| numbers[..columns].iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>();
+    let floats = |columns: usize| numbers[..columns].iter().flat_map(|&x| (x as f32).to_le_bytes()).collect::<Vec<_>>();
+    let text = |format, text: &str| (format, text.as_bytes().to_vec());
+    vec![
+        text(Format::Csv, "1,2,3,.5,0,-1\n"),
+        text(Format::Csv, "ox,oy,oz,dx,dy,dz\n1,2,3,.5,0,-1\n"),
+        text(Format::Csv, "1,2,3,.5,0,-1,0,inf\n"),
+        text(Format::JsonLines, "# one\n{\"origin\":[1,2,3],\"direction\":[0.5,0,-1]}\n"),
+        text(Format::JsonLines, "{\"direction\":[0.5,0,-1],\"origin\":[1,2,3],\"tmin\":0.0,\"tmax\":null}"),
+        (Format::Npy, array("<f8", 8, doubles(8))),
+        (Format::Npy, array("<f8", 6, doubles(6))),
+        (Format::Npy, array("<f4", 8, floats(8))),
+        (Format::Npy, array("<f4", 6, floats(6))),
+    ]
+}
+
+#[test]
+fn all_formats_hold_the_same_ray() {
+    let ray = Ray::new(Vec3::new(1.0, 2.0, 3.0), Vec3::new(0.5, 0.0, -1.0)).unwrap();
+    for (format, bytes) in in_all_formats() {
+        let read = read_rays_from(&bytes[..], "rays", format).unwrap();
+        assert_eq!(read, [ray], "{}", bytes.escape_ascii());
+    }
+}
+
+#[test]
+fn arrays_and_lines_that_are_cut_or_changed_are_refused_in_one_line() {
+    for (format, bytes) in in_all_formats() {
+        for end in 0..bytes.len() {
+            // A text may lose its last line feed, or the end of its last number.
+            let read = read_rays_from(&bytes[..end], "rays", format);
+            assert!(format != Format::Npy || read.is_err(), "{end}");
+            let message = read.map_or_else(|error| error.to_string(), |_| String::new());
+            assert!(!message.contains('\n') && message.len() < 400, "{message}");
+        }
+        for at in 0..bytes.len() {
+            for changed in [0, 0x20, 0x7f, 0xff] {
+                let mut bytes = bytes.clone();
+                bytes[at] = changed;
+                let message =
+                    read_rays_from(&bytes[..], "rays", format).map_or_else(|e| e.to_string(), |_| String::new());
+                assert!(!message.contains('\n') && message.len() < 400, "{message}");
+            }
+        }
+    }
+}
+
+#[test]
+fn errors_of_arrays_and_objects_say_what_was_expected() {
+    let refusal = |format, bytes: &[u8]| read_rays_from(bytes, "rays", format).unwrap_err().to_string();
+    let (_, good) = in_all_formats().swap_remove(5);
+    let changed = |from: &str, to: &str| {
+        let text = String::from_utf8(good.iter().map(|&byte| byte & 0x7f).collect()).unwrap();
+        let at = text.find(from).unwrap();
+        let mut bytes = good.clone();
+        bytes[at..at + to.len()].copy_from_slice(to.as_bytes());
+        refusal(Format::Npy, &bytes)
+    };
+    let wanted = "expected an array of shape (n, 6) or (n, 8), dtype <f4 or <f8, in C order";
+    for (from, to) in [("<f8", "<i8"), ("<f8", ">f8"), ("(1, 8)", "(1, 7)"), ("False", "True "), ("(1, 8)", "(8,)  ")] {
+        assert!(changed(from, to).ends_with(wanted), "{from} {to}: {}", changed(from, to));
+    }
+    assert_eq!(changed("(1, 8)", "(9, 8)"), "rays: row 1: the file ends, expected 9 rows");
+    assert!(changed("(1, 8)", "(0, 8)").ends_with("expected the end of the file after the last row"));
+    let mut nan = good.clone();
+    let last = nan.len() - 8;
+    nan[last..].copy_from_slice(&f64::NAN.to_le_bytes());
+    assert_eq!(refusal(Format::Npy, &nan), "rays: row 0: column tmax: found NaN, expected a number or inf");
+    assert!(refusal(Format::Npy, b"1,2,3").contains("expected an array as numpy.save writes it"));
+
+    let object = |text: &str| refusal(Format::JsonLines, text.as_bytes());
+    assert!(object("{\"origin\":[1,2,3]}").contains("line 1: column 18: missing field `direction`"));
+    assert!(object("{\"origin\":[1,2,3],\"direction\":[0,0,1],\"tmx\":1}").contains("unknown field `tmx`"));
+    assert!(object("{\"origin\":[1,2,3],\"direction\":[0,0,0]}").contains("line 1: direction is zero"));
+    assert!(object("{\"origin\":[1,2,1e39],\"direction\":[0,0,1]}").contains("line 1: column"));
+    assert!(object("\n").contains("no rays, expected at least one line like {"));
+}
+
+#[test]
+fn hits_are_written_in_all_formats() {
+    let hits = [Some((3, 0.1, 0.25, f32::MIN_POSITIVE / 8.0)), None];
+    let write = |format| {
+        let mut bytes = Vec::new();
+        write_hits(&mut bytes, hits.into_iter(), format).unwrap();
+        bytes
+    };
+    let lines = "{\"prim\":3,\"t\":0.1,\"u\":0.25,\"v\":1.469368e-39}\n\
+                 {\"prim\":-1,\"t\":null,\"u\":null,\"v\":null}\n";
+    assert_eq!(String::from_utf8(write(Format::JsonLines)).unwrap(), lines);
+    let array = write(Format::Npy);
+    let rows = array.len() - 2 * 20;
+    assert!(rows.is_multiple_of(64) && array[rows - 1] == b'\n');
+    assert_eq!(usize::from(u16::from_le_bytes([array[8], array[9]])) + 10, rows);
+    let header = String::from_utf8_lossy(&array[10..rows]).into_owned();
+    let said = "{'descr': [('prim', '<i8'), ('t', '<f4'), ('u', '<f4'), ('v', '<f4')], 'fortran_order': False, \
+                'shape': (2,), }";
+    assert_eq!(header.trim(), said);
+    assert_eq!(array[rows..rows + 12], [&3_i64.to_le_bytes()[..], &0.1_f32.to_le_bytes()].concat());
+    assert_eq!(array[rows + 20..rows + 32], [&(-1_i64).to_le_bytes()[..], &f32::INFINITY.to_le_bytes()].concat());
+}
+
+#[test]
+fn the_extension_says_the_format() {
+    for (name, format) in [("a.csv", Format::Csv), ("a.JSONL", Format::JsonLines), ("a.ndjson", Format::JsonLines)] {
+        assert_eq!(Format::of(Path::new(name)), Ok(Some(format)));
+    }
+    assert_eq!(Format::of(Path::new("-")), Ok(None));
+    let refused = Format::of(Path::new("a.parquet")).unwrap_err().to_string();
+    assert_eq!(refused, "a.parquet: extension \"parquet\", expected csv, jsonl or npy");
 }

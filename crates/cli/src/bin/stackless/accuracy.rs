@@ -43,15 +43,15 @@ pub(crate) use total::{Found, SecondaryFound};
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless accuracy examples/data/slivers.ply spheres --plot accuracy.svg --csv accuracy.csv\n  \
-    stackless accuracy soup --secondary --rays 10000\n  \
-    stackless accuracy soup --rays 1000000 --shard 3/64 --json 3.json")]
+    stackless accuracy soup --secondary --count 10000\n  \
+    stackless accuracy soup --count 1000000 --shard 3/64 --json 3.json")]
 pub(crate) struct Args {
-    /// Mesh files (.ply, .obj), the made scenes `strands`, `stadium`, `soup`, or `spheres`: closed ones, only for
+    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), the made scenes `strands`, `stadium`, `soup`, or `spheres`: closed ones, only for
     /// leaks.
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
     /// Draw time against error, as SVG.
-    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    #[arg(long, value_name = "FILE", value_parser = places::file_as("svg"))]
     plot: Option<Output>,
     /// Write all counts to this file, a line for each scene, kind of rays and pair of tests.
     #[arg(long, value_name = "FILE", value_parser = places::file)]
@@ -61,7 +61,7 @@ pub(crate) struct Args {
     json: Option<Output>,
     /// Rays of each kind: so many are timed, and up to 20,000 of them judged. Below 65,536 `spheres` has fewer too.
     #[arg(long, default_value_t = 65_536, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
-    rays: u32,
+    count: u32,
     /// How often all rays are timed; of a chunk's times the least counts.
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=1000))]
     rounds: u32,
@@ -78,7 +78,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "I/N", conflicts_with_all = ["plot", "rounds", "picture"])]
     shard: Option<Shard>,
     /// Draw which of these are wrong, as PNG.
-    #[arg(long, value_name = "FILE", requires = "secondary", value_parser = places::file)]
+    #[arg(long, value_name = "FILE", requires = "secondary", value_parser = places::file_as("png"))]
     picture: Option<Output>,
 }
 
@@ -110,11 +110,11 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let mut run = args.asked::<Found>(&scenes);
     let mut found = Found::default();
     if !scenes.is_empty() {
-        let numbers = run.take(shard, "rays of each kind", args.rays.into());
+        let numbers = run.take(shard, "rays of each kind", args.count.into());
         found = measure_part(args, &scenes, numbers)?;
     }
     if !spheres.is_empty() {
-        let share = f64::from(args.rays.min(1 << 16)) / f64::from(1 << 16);
+        let share = f64::from(args.count.min(1 << 16)) / f64::from(1 << 16);
         let mut part = |sphere: &str, of: u64| run.take(shard, sphere, of);
         found.rows.extend(leaks::count(&Pair::all(), share, &mut part)?);
     }
@@ -130,7 +130,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
 
 impl Args {
     /// So many rays of each kind.
-    pub(crate) fn of(place: camera::Place, rays: u32, rounds: u32, seed: u64) -> Self {
+    pub(crate) fn of(place: camera::Place, count: u32, rounds: u32, seed: u64) -> Self {
         let (scenes, none) = (Vec::new(), None);
         Self {
             scenes,
@@ -140,7 +140,7 @@ impl Args {
             picture: none,
             secondary: false,
             shard: None,
-            rays,
+            count,
             rounds,
             place,
             seed,
@@ -155,8 +155,8 @@ impl Args {
     /// What the counts depend on.
     fn asked<C: record::Counts>(&self, scenes: &[Scene]) -> Run {
         Run::of::<C>([
-            ("rays", self.rays.into()),
-            ("judged", if self.secondary { self.rays.into() } else { self.judged(self.rays.into()).into() }),
+            ("rays", self.count.into()),
+            ("judged", if self.secondary { self.count.into() } else { self.judged(self.count.into()).into() }),
             ("seed", self.seed.into()),
             ("names", json!(scenes.iter().map(|scene| &scene.name).collect::<Vec<_>>())),
             ("views", json!(scenes.iter().map(|scene| camera::numbers(&self.place.of(scene))).collect::<Vec<_>>())),
@@ -168,7 +168,7 @@ impl Args {
 
 /// Measures all scenes.
 pub(crate) fn measure(args: &Args, scenes: &[Scene]) -> Result<Found, Box<dyn std::error::Error>> {
-    measure_part(args, scenes, 0..args.rays.into())
+    measure_part(args, scenes, 0..args.count.into())
 }
 
 /// Measures the rays with these numbers in all scenes.
@@ -189,9 +189,9 @@ fn measure_scene(
 ) -> Result<(), Box<dyn std::error::Error>> {
     let trees = Trees::new(&scene.mesh)?;
     let truth = Truth::new(&scene.mesh);
-    let aimed = args.judged(args.rays.into());
+    let aimed = args.judged(args.count.into());
     if args.shard.is_none() {
-        for set in sets(scene, &args.place.of(scene), &trees, args.seed, numbers, args.rays.into(), aimed) {
+        for set in sets(scene, &args.place.of(scene), &trees, args.seed, numbers, args.count.into(), aimed) {
             if set.rays.is_empty() {
                 found.notes.push(format!("{}, {}: no rays", scene.name, set.name));
                 continue;
@@ -209,7 +209,7 @@ fn measure_scene(
     let mut sum = Vec::new();
     for start in numbers.clone().step_by(AT_ONCE as usize) {
         let some = start..numbers.end.min(start + AT_ONCE);
-        let sets = sets(scene, &args.place.of(scene), &trees, args.seed, some, args.rays.into(), aimed);
+        let sets = sets(scene, &args.place.of(scene), &trees, args.seed, some, args.count.into(), aimed);
         let rows = sets.iter().flat_map(|set| judge(scene, &trees, &truth, pairs, set, set.rays.len()));
         add_rows(&mut sum, rows.map(Row::counts_alone).collect(), Row::is_same, Row::add);
     }

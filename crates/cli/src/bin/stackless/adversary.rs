@@ -5,9 +5,9 @@ use std::time::{Duration, Instant};
 
 use stackless_check::adversary::{GOALS, Goal, Search};
 
-use crate::Outcome;
 use crate::output::{bar, grouped, say, table, write_file};
 use crate::places::{self, Output};
+use crate::{Outcome, input};
 
 /// Search for the case that costs most: trees and tapes, or triangles and rays.
 ///
@@ -21,7 +21,8 @@ use crate::places::{self, Output};
     stackless adversary --replay worst.json")]
 pub(crate) struct Args {
     /// What to make as great as can be; `--list` names them.
-    #[arg(required_unless_present_any = ["list", "replay"], value_parser = goal)]
+    #[arg(required_unless_present_any = ["list", "replay"], hide_possible_values = true)]
+    #[arg(value_parser = input::names(GOALS, |goal| goal.name))]
     goal: Option<&'static Goal>,
     /// Cases to look at.
     #[arg(long, default_value_t = 20_000)]
@@ -33,18 +34,14 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Write the worst case to this file, each time that a worse one is found: the search may be interrupted.
-    #[arg(short, value_name = "FILE", value_parser = places::file)]
-    o: Option<Output>,
+    #[arg(short, long, value_name = "FILE", value_parser = places::file)]
+    output: Option<Output>,
     /// Do not search: run the case in this file, for the goal that it was found for unless one is named.
-    #[arg(long, conflicts_with_all = ["steps", "seconds", "seed", "o"])]
+    #[arg(long, conflicts_with_all = ["steps", "seconds", "seed", "output"])]
     replay: Option<PathBuf>,
     /// List the goals and what is counted, and do nothing else.
     #[arg(long)]
     list: bool,
-}
-
-fn goal(name: &str) -> Result<&'static Goal, String> {
-    Goal::named(name).ok_or_else(|| "no goal of this name; `stackless adversary --list` names them".to_owned())
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
@@ -69,7 +66,7 @@ fn search(goal: &'static Goal, args: &Args) -> Outcome {
             && let Some(worst) = search.worst()
         {
             progress.set_message(format!("{goal}: {:.3}", worst.cost.ratio()));
-            if let Some(path) = &args.o {
+            if let Some(path) = &args.output {
                 let text = goal.write(&worst.subject, worst.cost)?;
                 write_file(path, |file| writeln!(file, "{text}"))?;
             }

@@ -11,17 +11,19 @@ mod wide;
 use std::hint::black_box;
 use std::path::PathBuf;
 
+use serde_json::json;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::geom::lanes::Level;
 use stackless_bvh::trace::{Accuracy, Truth};
 use stackless_bvh::traverse::Method;
 use stackless_bvh::wide::Method as WideMethod;
 
-use crate::build::Build;
+use crate::build::{Build, BuildName};
 use crate::input::{self, Scene};
 use crate::judge::{Answer, Counts, Query, Truths, csv_line, is_same};
-use crate::output::{say, write_json};
+use crate::output::say;
 use crate::places::{self, Output};
+use crate::record::write_figures;
 use crate::turns::take_turns;
 use crate::{Outcome, camera};
 use own::Trees;
@@ -37,36 +39,35 @@ use wide::{Manner, WideTree};
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless bench examples/data/torus.ply examples/data/slivers.ply\n  \
-    stackless bench examples/data/room.obj --methods stack,hashed,laine-4 --rays diffuse --count 1000000\n  \
+    stackless bench examples/data/room.obj --methods stack,hashed,laine-4 --kinds diffuse --count 1000000\n  \
     stackless bench examples/data/torus.ply --accuracy fast,exact --build sah,sbvh --json bench.json")]
 pub(crate) struct Args {
-    /// Mesh files (.ply, .obj), or the made scenes `strands`, `stadium`, `soup`.
+    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the made scenes `strands`, `stadium`, `soup`.
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
     /// Traversals, separated by commas. `stack` is always there.
-    #[arg(long, value_delimiter = ',', value_parser = input::MethodName)]
+    #[arg(long, value_delimiter = ',', value_parser = input::method())]
     #[arg(default_value = "stack,sparse,afra,uncle,hashed,hash-only,implicit-b1")]
     methods: Vec<Method>,
-    /// Traversals of wide trees, separated by commas: wide-stack, wide-trail, wide-record, wide-hashed,
-    /// wide-restart-0 to -8. They are exact. Their tree is built in the same way, with one triangle a leaf, and then
+    /// Traversals of wide trees, separated by commas. They are exact. Their tree is built in the same way, with one triangle a leaf, and then
     /// collapsed to eight children. They trace two rays in turns.
-    #[arg(long, value_delimiter = ',', value_parser = input::wide_method)]
+    #[arg(long, value_delimiter = ',', value_parser = input::wide_method())]
     wide: Vec<WideMethod>,
-    /// Instructions of the traversals of wide trees: avx2 or sse2 on x86. The default is the best of the machine.
-    #[arg(long, value_name = "LEVEL", value_parser = input::simd)]
+    /// Instructions of the traversals of wide trees. The default is the best of the machine.
+    #[arg(long, value_name = "LEVEL", value_parser = input::simd())]
     simd: Option<Level>,
     /// Trace one ray at a time through wide trees, each by a call of its own.
     #[arg(long)]
     one_by_one: bool,
-    /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median, separated by commas; with `+N`, N rounds of
-    /// reinsertion follow.
-    #[arg(long, value_delimiter = ',', default_value = "sah")]
+    /// How the hierarchy is built: with `+N` behind a name, N rounds of reinsertion follow. Separated by
+    /// commas.
+    #[arg(long, value_delimiter = ',', default_value = "sah", value_parser = BuildName)]
     build: Vec<Build>,
     /// Kinds of rays, separated by commas.
     #[arg(long, value_delimiter = ',', default_value = "primary,any,diffuse")]
-    rays: Vec<Kind>,
-    /// How exact the answers are to be: fast, watertight, precise or exact, separated by commas.
-    #[arg(long, value_delimiter = ',', default_value = "exact", value_parser = input::accuracy)]
+    kinds: Vec<Kind>,
+    /// How exact the answers are to be, separated by commas.
+    #[arg(long, value_delimiter = ',', default_value = "exact", value_parser = input::accuracy())]
     accuracy: Vec<Accuracy>,
     /// Rays of the camera; of the other kinds there is one for each of them that hits.
     #[arg(long, default_value_t = 65_536, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
@@ -109,7 +110,7 @@ impl Args {
             simd: None,
             one_by_one: false,
             build: vec![build],
-            rays: vec![Kind::Primary, Kind::Any, Kind::Diffuse],
+            kinds: vec![Kind::Primary, Kind::Any, Kind::Diffuse],
             accuracy: vec![Accuracy::Exact],
             count,
             rounds,
@@ -169,7 +170,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         say!("{note}");
     }
     if let Some(path) = &args.json {
-        write_json(path, &rows)?;
+        write_figures(path, "bench", &scenes, json!({ "rows": rows }))?;
     }
     Ok(offences.is_empty())
 }
@@ -227,7 +228,7 @@ pub(crate) fn measure(
         let course = Course { scene, truth: args.peers.then(|| Truth::new(&scene.mesh)), rounds: args.rounds as usize };
         let first = rows.len();
         let primary = args.place.of(scene).rays(args.count as usize);
-        for set in rays::sets(scene, trees[0].bvh(), primary, once_each(args.rays.iter().copied()), args.seed) {
+        for set in rays::sets(scene, trees[0].bvh(), primary, once_each(args.kinds.iter().copied()), args.seed) {
             if set.rays.is_empty() {
                 notes.push(format!("{}, {}: no rays", scene.name, set.kind.name()));
             } else {

@@ -1,8 +1,11 @@
 //! `--build`: how a scene's hierarchy is built.
 
+use std::ffi::OsStr;
 use std::fmt;
 use std::str::FromStr;
 
+use clap::builder::{PossibleValue, TypedValueParser};
+use clap::{Arg, Command};
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, WideBvh, WideError};
 use stackless_bvh::traverse::Method;
 
@@ -83,6 +86,22 @@ impl FromStr for Build {
             Ok(reinsertion @ 0..=MAX_ROUNDS) => Ok(Self { builder, reinsertion }),
             _ => Err(format!("expected up to {MAX_ROUNDS} rounds of reinsertion after the +")),
         }
+    }
+}
+
+/// Reads such a name; completions offer the builders.
+#[derive(Clone)]
+pub(crate) struct BuildName;
+
+impl TypedValueParser for BuildName {
+    type Value = Build;
+
+    fn parse_ref(&self, command: &Command, argument: Option<&Arg>, value: &OsStr) -> Result<Build, clap::Error> {
+        (Build::from_str as fn(&str) -> _).parse_ref(command, argument, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(Builder::ALL.into_iter().map(|builder| PossibleValue::new(builder.name()))))
     }
 }
 

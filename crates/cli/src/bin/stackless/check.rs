@@ -36,7 +36,7 @@ pub(crate) use summary::Summary;
     stackless check --shard 3/64 --json 3.json\n  \
     stackless check --replay case.json")]
 pub(crate) struct Args {
-    /// Mesh files (.ply, .obj), or the made scenes `strands`, `stadium`, `soup`.
+    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the made scenes `strands`, `stadium`, `soup`.
     scenes: Vec<PathBuf>,
     /// Number of random trees [default: 200000, or 0 with SCENE].
     #[arg(long)]
@@ -46,8 +46,8 @@ pub(crate) struct Args {
     #[arg(long, conflicts_with_all = ["scenes", "trees", "family", "depth", "seed"])]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(AllCases::LEAVES)))]
     leaves: Option<u32>,
-    /// Only trees of this family: catalan, skew, complete, comb, caterpillar, fibonacci.
-    #[arg(long, value_parser = |name: &str| name.parse::<Family>().map_err(|_| families()))]
+    /// Only trees of this family.
+    #[arg(long, value_parser = input::names(Family::ALL, Family::name))]
     family: Option<Family>,
     /// Depth of the trees in edges: combs are that deep, others at most.
     #[arg(long, value_parser = clap::value_parser!(u32).range(..=10_000_000))]
@@ -56,14 +56,14 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Only these traversals, separated by commas.
-    #[arg(long, value_delimiter = ',', value_parser = input::MethodName)]
+    #[arg(long, value_delimiter = ',', value_parser = input::method())]
     methods: Vec<Method>,
-    /// Only this word: u32, u64, u128, grow.
-    #[arg(long, value_parser = input::word)]
+    /// Only this word.
+    #[arg(long, value_parser = input::names(WordName::ALL, WordName::name))]
     word: Option<WordName>,
     /// Rays through each scene.
     #[arg(long, default_value_t = 4000, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
-    rays: u32,
+    count: u32,
     /// Run one of N parts of this. `stackless merge` adds their counts up.
     #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE, hide_default_value = true)]
     shard: Shard,
@@ -73,10 +73,6 @@ pub(crate) struct Args {
     /// Run the case in this file and nothing else. A disagreement on a tree is printed as such a file.
     #[arg(long, conflicts_with_all = ["scenes", "trees", "leaves", "family", "depth", "shard"])]
     replay: Option<PathBuf>,
-}
-
-fn families() -> String {
-    format!("expected one of: {}", Family::ALL.map(Family::name).join(", "))
 }
 
 /// All that is counted.
@@ -119,9 +115,9 @@ pub(crate) fn run(args: Args) -> Outcome {
         check_trees(&plan, args.shard, abstract_only, &mut run, &mut total);
     }
     for (i, scene) in scenes.iter().enumerate() {
-        let numbers = run.take(args.shard, &format!("rays of scene {i}"), args.rays.into());
+        let numbers = run.take(args.shard, &format!("rays of scene {i}"), args.count.into());
         let make = |seed, n| procedural::rays(&scene.mesh, seed, n);
-        let rays: Vec<_> = in_blocks(numbers.clone(), args.rays.into(), plan.seed, make).map(|(_, ray)| ray).collect();
+        let rays: Vec<_> = in_blocks(numbers.clone(), args.count.into(), plan.seed, make).map(|(_, ray)| ray).collect();
         let faults = check_one_scene(&plan, scene, numbers.start, &rays, &mut total)?;
         total.scenes.extend(faults.into_iter().map(|(tree, found)| SceneFault::new(i, scene, tree, &found)));
     }
@@ -156,7 +152,7 @@ fn asked(args: &Args, plan: &Plan, scenes: &[Scene]) -> Run {
         ("depth", plan.options.depth.into()),
         ("methods", plan.methods.iter().map(|method| method.name()).collect()),
         ("words", plan.words.iter().map(|word| word.name()).collect()),
-        ("rays", args.rays.into()),
+        ("rays", args.count.into()),
         ("scenes", scenes.iter().map(|scene| fingerprint(&scene.mesh)).collect()),
     ])
 }

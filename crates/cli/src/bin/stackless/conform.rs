@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use stackless_suite::{CaseResult, Hello, Level, Report, Runner, Strength, Suite, VERSION, Waiver, Waivers};
 
-use crate::output::{bar, grouped, say, table, write_file, write_json};
+use crate::output::{bar, detail, grouped, say, table, write_file, write_json};
 use crate::places::{self, Output};
 use crate::{Outcome, input};
 
@@ -21,7 +21,7 @@ pub(crate) struct Args {
     #[arg(long)]
     suite: Option<PathBuf>,
     /// Cases of this level only.
-    #[arg(long, value_parser = input::level)]
+    #[arg(long, value_parser = input::names(Level::ALL, Level::name))]
     level: Option<Level>,
     /// Cases with such ids only; `*` is any text, `?` any character. Several times: those with any of them.
     #[arg(long)]
@@ -134,6 +134,19 @@ pub(crate) fn select(mut suite: Suite, level: Option<Level>, filters: &[String])
 
 fn print(report: &Report, args: &Args, took: Duration) {
     let Hello { name, version, .. } = &report.hello;
+    let advised =
+        report.verdicts.iter().filter(|verdict| verdict.strength == Strength::May && verdict.outcome.is_bad()).count();
+    let advised = if advised > 0 { format!("; {advised} of the failed are only advised") } else { String::new() };
+    let verdict = if report.is_conforming() { "conforms in what it names" } else { "does not conform" };
+    say!(
+        "{name} {version} {verdict} (suite {VERSION}): {} of {} cases passed, {} failed, {} not asked, {} waived, {:.1} s{advised}",
+        grouped(report.count("pass") as u64),
+        grouped(report.verdicts.len() as u64),
+        grouped((report.verdicts.len() - report.count("pass") - report.count("not-asked") - report.waived()) as u64),
+        grouped(report.count("not-asked") as u64),
+        report.waived(),
+        took.as_secs_f64()
+    );
     let bad = report.failures();
     for verdict in bad.iter().take(args.show) {
         let CaseResult { id, clauses, outcome, waived, why, .. } = verdict;
@@ -175,18 +188,5 @@ fn print(report: &Report, args: &Args, took: Duration) {
     };
     let rows = rows.into_iter().map(row).collect();
     let header = ["profile"].into_iter().chain(names).chain(["waived"]).collect::<Vec<_>>();
-    say!("{}", table(&header, 1, rows));
-    let advised =
-        report.verdicts.iter().filter(|verdict| verdict.strength == Strength::May && verdict.outcome.is_bad()).count();
-    let advised = if advised > 0 { format!("; {advised} of the failed are only advised") } else { String::new() };
-    let verdict = if report.is_conforming() { "conforms in what it names" } else { "does not conform" };
-    say!(
-        "{name} {version} {verdict} (suite {VERSION}): {} of {} cases passed, {} failed, {} not asked, {} waived, {:.1} s{advised}",
-        grouped(report.count("pass") as u64),
-        grouped(report.verdicts.len() as u64),
-        grouped((report.verdicts.len() - report.count("pass") - report.count("not-asked") - report.waived()) as u64),
-        grouped(report.count("not-asked") as u64),
-        report.waived(),
-        took.as_secs_f64()
-    );
+    detail(table(&header, 1, rows));
 }

@@ -5,12 +5,14 @@ mod plot;
 use std::hint::black_box;
 
 use serde::Serialize;
+use serde_json::json;
 use stackless_bvh::generate::Rng;
 use stackless_bvh::traverse::Method;
 use stackless_curve::{Bezier, Closest, End, Family, Options};
 
-use crate::output::{say, table, write_file, write_json};
+use crate::output::{say, table, write_file};
 use crate::places::{self, Output};
+use crate::record::write_figures;
 use crate::turns::{median, take_turns};
 use crate::{Outcome, input};
 
@@ -35,10 +37,10 @@ pub(crate) struct Args {
     #[arg(long, value_delimiter = ',', value_parser = tolerance)]
     tolerance: Vec<f64>,
     /// Only these families of curves, separated by commas; all whose coordinates are about 1 if none are given.
-    #[arg(long, value_delimiter = ',', value_parser = family)]
+    #[arg(long, value_delimiter = ',', value_parser = input::names(Family::ALL, Family::name))]
     families: Vec<Family>,
     /// Only these traversals, separated by commas.
-    #[arg(long, value_delimiter = ',', default_value = "stack,implicit-b1,left-first", value_parser = method)]
+    #[arg(long, value_delimiter = ',', default_value = "stack,implicit-b1,left-first", value_parser = input::method_of(Options::METHODS))]
     methods: Vec<Method>,
     /// Intervals that a search may split.
     #[arg(long, default_value_t = 10_000)]
@@ -53,7 +55,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE", value_parser = places::file)]
     json: Option<Output>,
     /// Draw time against error, as SVG.
-    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    #[arg(long, value_name = "FILE", value_parser = places::file_as("svg"))]
     plot: Option<Output>,
 }
 
@@ -109,7 +111,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let rows: Vec<_> = contestants.iter().enumerate().map(row).collect();
     print(args, &rows);
     if let Some(path) = &args.json {
-        write_json(path, &rows)?;
+        write_figures(path, "curve", &[], json!({ "rows": rows }))?;
     }
     if let Some(path) = &args.plot {
         let svg = plot::plot(&rows, args)?;
@@ -173,15 +175,4 @@ fn print(args: &Args, rows: &[Row]) {
 fn tolerance(text: &str) -> Result<f64, String> {
     let number = text.parse().map_err(|_| "not a number".to_owned())?;
     if number >= 0.0 { Ok(number) } else { Err("negative or not a number".to_owned()) }
-}
-
-fn family(text: &str) -> Result<Family, String> {
-    let names = || Family::ALL.map(Family::name).join(", ");
-    text.parse().map_err(|_| format!("expected one of: {}", names()))
-}
-
-fn method(text: &str) -> Result<Method, String> {
-    let method = input::method(text)?;
-    let names = || Options::METHODS.map(Method::name).join(", ");
-    Options::METHODS.contains(&method).then_some(method).ok_or_else(|| format!("expected one of: {}", names()))
 }

@@ -9,7 +9,7 @@ use stackless_check::{Case, CaseOptions, Replay, WideCase};
 use stackless_cli::explain::{self, USUAL, wide};
 use stackless_suite::{Ask, Suite, Traversal, WideWalk};
 
-use crate::build::Build;
+use crate::build::{Build, BuildName};
 use crate::input::{self, Scene};
 use crate::output::{say, write_file};
 use crate::places::{self, Output};
@@ -26,7 +26,7 @@ use crate::{Outcome, camera};
     stackless explain examples/data/torus.ply --pixel 256,400 --methods wide-record -o ray.html\n  \
     stackless explain --suite-case trace/script/three-neither -o - > case.html")]
 pub(crate) struct Args {
-    /// Mesh file (.ply, .obj), or a made scene: what the ray through a pixel does in it.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: what the ray through a pixel does in it.
     #[arg(group = "what", requires = "pixel")]
     scene: Option<PathBuf>,
     /// The pixel, from the upper left.
@@ -35,7 +35,7 @@ pub(crate) struct Args {
     #[command(flatten)]
     camera: camera::Options,
     /// How the scene's hierarchy is built, as in `stackless trace`.
-    #[arg(long, default_value_t)]
+    #[arg(long, default_value_t, value_parser = BuildName)]
     build: Build,
     /// Wide trees instead of binary ones, of 2, 4 or 8 children a node. [default: 8 where a wide traversal is named]
     #[arg(long, value_name = "CHILDREN", value_parser = clap::value_parser!(u32), conflicts_with_all = ["file", "suite_case"])]
@@ -50,10 +50,10 @@ pub(crate) struct Args {
     #[arg(long, value_name = "ID", group = "what")]
     suite_case: Option<String>,
     /// Only these traversals, separated by commas, of binary or of wide trees; the page opens with the first.
-    #[arg(long, value_delimiter = ',', value_parser = input::TraversalName)]
+    #[arg(long, value_delimiter = ',', value_parser = input::traversal())]
     methods: Vec<Traversal>,
     /// The page; `-` is the standard output.
-    #[arg(short, long, value_name = "FILE.html", value_parser = places::file)]
+    #[arg(short, long, value_name = "FILE.html", value_parser = places::file_as("html"))]
     output: Output,
 }
 

@@ -1,17 +1,16 @@
 //! What the subcommands take in: scenes, names of traversals and words.
 
-use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use clap::builder::{PossibleValue, TypedValueParser};
-use clap::{Arg, Command};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use serde::{Serialize, Serializer};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::{Mesh, lanes};
 use stackless_bvh::trace::Accuracy;
-use stackless_bvh::traverse::{Method, WordName};
+use stackless_bvh::traverse::Method;
 use stackless_bvh::wide;
 use stackless_scene::SceneError;
-use stackless_suite::{Level, Traversal};
+use stackless_suite::Traversal;
 
 use crate::output;
 
@@ -21,18 +20,39 @@ pub(crate) struct Scene {
     pub(crate) mesh: Mesh,
 }
 
+/// Why there is no such scene.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum LoadError {
+    /// The file holds none.
+    #[error(transparent)]
+    File(SceneError),
+    /// The name is neither that of a mesh file nor that of a made scene.
+    #[error("{_0}, or the name of a made scene: {}", MADE.join(", "))]
+    Name(SceneError),
+}
+
+/// In records a scene is its name.
+impl Serialize for Scene {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.name.serialize(serializer)
+    }
+}
+
 /// Names of the scenes that are made and not read.
 pub(crate) const MADE: [&str; 3] = ["strands", "stadium", "soup"];
 
 impl Scene {
     /// Reads a mesh file, or makes the scene of this name.
-    pub(crate) fn load(path: &Path) -> Result<Self, SceneError> {
+    pub(crate) fn load(path: &Path) -> Result<Self, LoadError> {
         let name = path.to_string_lossy();
         if let Some(mesh) = made(&name) {
             return Ok(Self { name: name.into_owned(), mesh });
         }
         let stem = path.file_stem().map_or_else(|| name.clone(), |stem| stem.to_string_lossy());
-        let loaded = stackless_scene::load(path)?;
+        let loaded = stackless_scene::load(path).map_err(|error| match error {
+            error @ SceneError::Extension { .. } if path.extension().is_none() => LoadError::Name(error),
+            error => LoadError::File(error),
+        })?;
         if let Some(note) = loaded.note(path) {
             output::warn(&note);
         }
@@ -50,82 +70,63 @@ fn made(name: &str) -> Option<Mesh> {
 }
 
 /// Loads all scenes before anything is done with one, so that a bad one is known at once.
-pub(crate) fn scenes(paths: &[PathBuf]) -> Result<Vec<Scene>, SceneError> {
+pub(crate) fn scenes(paths: &[PathBuf]) -> Result<Vec<Scene>, LoadError> {
     paths.iter().map(|path| Scene::load(path)).collect()
 }
 
-/// Reads a traversal's name; the help says how each works, the error lists their names.
-#[derive(Clone, Debug)]
-pub(crate) struct MethodName;
-
-impl TypedValueParser for MethodName {
-    type Value = Method;
-
-    fn parse_ref(&self, command: &Command, argument: Option<&Arg>, value: &OsStr) -> Result<Method, clap::Error> {
-        (method as fn(&str) -> Result<Method, String>).parse_ref(command, argument, value)
-    }
-
-    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        let value = |method: Method| PossibleValue::new(method.name()).help(method.help());
-        Some(Box::new(Method::ALL.into_iter().map(value)))
-    }
+/// Reads the name of one of these. Help and errors list the names, completions offer them, and one that is nearly right
+/// is answered with what may be meant.
+pub(crate) fn names<T: Copy + Send + Sync + 'static>(
+    all: impl IntoIterator<Item = T>,
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    listed(all.into_iter().map(|value| (PossibleValue::new(name(value)), value)).collect())
 }
 
-/// Reads a traversal's name; the error lists all of them.
-pub(crate) fn method(name: &str) -> Result<Method, String> {
-    name.parse().map_err(|_| format!("expected one of: {}", Method::ALL.map(Method::name).join(", ")))
-}
-
-/// Reads the name of a traversal of binary or of wide trees, and lists all of them.
-#[derive(Clone)]
-pub(crate) struct TraversalName;
-
-impl TypedValueParser for TraversalName {
-    type Value = Traversal;
-
-    fn parse_ref(&self, command: &Command, argument: Option<&Arg>, value: &OsStr) -> Result<Traversal, clap::Error> {
-        (traversal as fn(&str) -> Result<Traversal, String>).parse_ref(command, argument, value)
-    }
-
-    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        let wide = |method: wide::Method| PossibleValue::new(method.name()).help(method.help());
-        let binary = MethodName.possible_values().into_iter().flatten();
-        Some(Box::new(binary.chain(wide::Method::ALL.into_iter().map(wide))))
-    }
-}
-
-fn traversal(name: &str) -> Result<Traversal, String> {
-    let binary = method(name).map(Traversal::Binary);
-    binary.or_else(|error| {
-        let wide = wide_method(name).map(Traversal::Wide);
-        wide.map_err(|more| format!("{error}, {}", more.trim_start_matches("expected one of: ")))
+/// The same, where each name comes with its help.
+fn listed<T: Copy + Send + Sync + 'static>(all: Vec<(PossibleValue, T)>) -> impl TypedValueParser<Value = T> {
+    let values: Vec<_> = all.iter().map(|(value, _)| value.clone()).collect();
+    PossibleValuesParser::new(values).try_map(move |name| {
+        let found = all.iter().find(|(value, _)| value.get_name() == name);
+        found.map(|&(_, value)| value).ok_or("no such name")
     })
 }
 
-/// Reads the name of a traversal of wide trees; the error lists all of them.
-pub(crate) fn wide_method(name: &str) -> Result<wide::Method, String> {
-    name.parse().map_err(|_| format!("expected one of: {}", wide::Method::ALL.map(wide::Method::name).join(", ")))
+/// Reads the name of a traversal of binary trees.
+pub(crate) fn method() -> impl TypedValueParser<Value = Method> {
+    method_of(Method::ALL)
 }
 
-/// Reads the name of a level of instructions; the error lists those that this machine has.
-pub(crate) fn simd(name: &str) -> Result<lanes::Level, String> {
-    let levels = lanes::levels();
-    let found = levels.iter().find(|(known, _)| *known == name);
-    let known = || levels.iter().map(|(known, _)| *known).collect::<Vec<_>>().join(", ");
-    found.map(|(_, level)| *level).ok_or_else(|| format!("this machine has: {}", known()))
+/// The same, of some only.
+pub(crate) fn method_of(some: impl IntoIterator<Item = Method>) -> impl TypedValueParser<Value = Method> {
+    listed(binary(some).collect())
 }
 
-/// Reads the name of a level; the error lists all of them.
-pub(crate) fn accuracy(name: &str) -> Result<Accuracy, String> {
-    name.parse().map_err(|_| format!("expected one of: {}", Accuracy::ALL.map(Accuracy::name).join(", ")))
+/// Reads the name of a traversal of wide trees.
+pub(crate) fn wide_method() -> impl TypedValueParser<Value = wide::Method> {
+    listed(wide().collect())
 }
 
-/// Reads a word's name; the error lists all of them.
-pub(crate) fn word(name: &str) -> Result<WordName, String> {
-    name.parse().map_err(|_| format!("expected one of: {}", WordName::ALL.map(WordName::name).join(", ")))
+/// Reads the name of a traversal of binary or of wide trees.
+pub(crate) fn traversal() -> impl TypedValueParser<Value = Traversal> {
+    let binary = binary(Method::ALL).map(|(value, method)| (value, Traversal::Binary(method)));
+    listed(binary.chain(wide().map(|(value, method)| (value, Traversal::Wide(method)))).collect())
 }
 
-/// Reads the name of a level of the conformance suite; the error lists all of them.
-pub(crate) fn level(name: &str) -> Result<Level, String> {
-    name.parse().map_err(|_| format!("expected one of: {}", Level::ALL.map(Level::name).join(", ")))
+fn binary(some: impl IntoIterator<Item = Method>) -> impl Iterator<Item = (PossibleValue, Method)> {
+    some.into_iter().map(|method| (PossibleValue::new(method.name()).help(method.help()), method))
+}
+
+fn wide() -> impl Iterator<Item = (PossibleValue, wide::Method)> {
+    wide::Method::ALL.into_iter().map(|method| (PossibleValue::new(method.name()).help(method.help()), method))
+}
+
+/// Reads the name of a level of instructions, of those that this machine has.
+pub(crate) fn simd() -> impl TypedValueParser<Value = lanes::Level> {
+    listed(lanes::levels().into_iter().map(|(name, level)| (PossibleValue::new(name), level)).collect())
+}
+
+/// Reads the name of a level of accuracy.
+pub(crate) fn accuracy() -> impl TypedValueParser<Value = Accuracy> {
+    names(Accuracy::ALL, Accuracy::name)
 }

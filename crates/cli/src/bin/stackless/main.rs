@@ -13,6 +13,7 @@ mod curve;
 mod explain;
 mod input;
 mod judge;
+mod man;
 mod merge;
 mod output;
 mod places;
@@ -26,9 +27,10 @@ mod suite;
 mod trace;
 mod turns;
 
+use std::any::TypeId;
 use std::process::ExitCode;
 
-use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand, ValueHint};
 use stackless_bvh::geom::check_environment;
 
 /// Traversal of binary hierarchies without a stack: checked, exact about what it does, and measured.
@@ -44,6 +46,13 @@ struct Command {
     /// Say nothing but errors.
     #[arg(short, long, global = true)]
     quiet: bool,
+    /// Threads to use. [default: as `RAYON_NUM_THREADS` says, or one for each core]
+    #[arg(long, global = true, value_name = "N")]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_THREADS)))]
+    threads: Option<u32>,
+    /// Say the details too: all tables.
+    #[arg(short, long, global = true, conflicts_with = "quiet")]
+    verbose: bool,
     #[command(subcommand)]
     what: What,
 }
@@ -78,6 +87,8 @@ enum What {
     Stats(stats::Args),
     /// Measure scenes and put all tables and pictures on one page.
     Report(report::Args),
+    /// Write the manual pages.
+    Man(man::Args),
     /// Write the completions for a shell to the standard output.
     Completions {
         /// The shell.
@@ -91,7 +102,7 @@ type Outcome = Result<bool, Box<dyn std::error::Error>>;
 /// 0 if all is well, 1 if a check found something wrong, 2 if it could not run (bad input or usage).
 fn main() -> ExitCode {
     signals::watch();
-    let matches = match Command::command().try_get_matches() {
+    let matches = match command_line().try_get_matches() {
         Ok(matches) => matches,
         Err(usage) => return end(show(&usage)),
     };
@@ -102,12 +113,25 @@ fn main() -> ExitCode {
     end(outcome)
 }
 
+/// The command line. Completions are told where a file is written, as they know where one is read.
+fn command_line() -> clap::Command {
+    fn hint(command: clap::Command) -> clap::Command {
+        let is_output = |arg: &clap::Arg| arg.get_value_parser().type_id() == TypeId::of::<places::Output>();
+        let hinted = |arg: clap::Arg| if is_output(&arg) { arg.value_hint(ValueHint::AnyPath) } else { arg };
+        command.mut_args(hinted).mut_subcommands(hint)
+    }
+    hint(Command::command())
+}
+
 fn run(command: Command, matches: &ArgMatches) -> Outcome {
     if command.quiet {
         output::be_quiet();
     }
+    if command.verbose {
+        output::be_verbose();
+    }
     places::check(matches)?;
-    start_threads()?;
+    start_threads(command.threads)?;
     match command.what {
         What::Check(args) => check::run(args),
         What::Trace(args) => trace::run(&args),
@@ -123,9 +147,10 @@ fn run(command: Command, matches: &ArgMatches) -> Outcome {
         What::Explain(args) => explain::run(&args),
         What::Stats(args) => stats::run(&args),
         What::Report(args) => report::run(&args),
+        What::Man(args) => man::run(&args, command_line()),
         What::Completions { shell } => {
             let mut script = Vec::new();
-            clap_complete::generate(shell, &mut Command::command(), "stackless", &mut script);
+            clap_complete::generate(shell, &mut command_line(), "stackless", &mut script);
             output::write_file("-".as_ref(), |file| file.write_all(&script))?;
             Ok(true)
         }
@@ -150,14 +175,21 @@ fn show(usage: &clap::Error) -> Outcome {
 #[error("")]
 struct Said;
 
-/// Starts as many threads as `RAYON_NUM_THREADS` says, or one for each core, and asks each how it computes with floats.
-fn start_threads() -> Result<(), String> {
-    const MOST: usize = 1024;
-    let asked = std::env::var("RAYON_NUM_THREADS").ok().and_then(|text| text.parse::<usize>().ok()).unwrap_or(0);
-    if asked > MOST {
-        return Err(format!("RAYON_NUM_THREADS={asked}: expected up to {MOST} threads"));
+/// More threads than this are a mistake.
+const MOST_THREADS: u32 = 1024;
+
+/// Starts as many threads as were asked for, or as `RAYON_NUM_THREADS` says, or one for each core, and asks each how it
+/// computes with floats.
+fn start_threads(asked: Option<u32>) -> Result<(), String> {
+    let told = || std::env::var("RAYON_NUM_THREADS").ok()?.parse().ok();
+    let asked = asked.or_else(told).unwrap_or(0);
+    if asked > MOST_THREADS {
+        return Err(format!("RAYON_NUM_THREADS={asked}: expected up to {MOST_THREADS} threads"));
     }
-    rayon::ThreadPoolBuilder::new().num_threads(asked).build_global().map_err(|error| format!("threads: {error}"))?;
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(asked as usize)
+        .build_global()
+        .map_err(|error| format!("threads: {error}"))?;
     let mut checks = rayon::broadcast(|_| check_environment());
     checks.push(check_environment());
     checks.into_iter().collect::<Result<(), _>>().map_err(|error| error.to_string())

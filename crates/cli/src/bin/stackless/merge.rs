@@ -14,7 +14,7 @@ use crate::check::Summary;
 use crate::output::write_file;
 use crate::output::{say, write_json};
 use crate::places::{self, Output};
-use crate::record::{Counts, Part, Record, Run};
+use crate::record::{Counts, Part, Record, Run, say_verdict};
 use crate::stress::{BoxCounts, StressCounts};
 use outside::{FuzzCounts, MachineCounts, MutantCounts};
 use stackless_cli::plots::{Stretch, plot_campaign};
@@ -42,7 +42,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE", value_parser = places::file)]
     json: Option<Output>,
     /// Draw the cases and the bound on the rate of errors over the processor time of the parts, as SVG.
-    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    #[arg(long, value_name = "FILE", value_parser = places::file_as("svg"))]
     plot: Option<Output>,
 }
 
@@ -77,6 +77,7 @@ fn merge<C: Counts>(args: &Args, values: Vec<(String, Value)>) -> Outcome {
     }
     let plot = args.plot.as_ref().map(|path| Ok::<_, String>((path, draw(&mut records)?))).transpose()?;
     let Record { run, counts } = add::<C>(records)?;
+    let is_well = say_verdict(&counts);
     say!("{}", counts.claim(&run));
     counts.print();
     if let Some(path) = &args.json {
@@ -85,8 +86,7 @@ fn merge<C: Counts>(args: &Args, values: Vec<(String, Value)>) -> Outcome {
     if let Some((path, svg)) = plot {
         write_file(path, |file| file.write_all(svg.as_bytes()))?;
     }
-    let [_, errors] = counts.cases_and_errors();
-    Ok(errors == 0)
+    Ok(is_well)
 }
 
 /// The records in the order of what they have done, as a picture.

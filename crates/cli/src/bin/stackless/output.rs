@@ -4,17 +4,32 @@ use std::borrow::Cow;
 use std::fmt;
 use std::io::{self, Write};
 use std::path::Path;
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use comfy_table::CellAlignment;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 /// Prints a line.
 macro_rules! say {
     ($($what:tt)*) => { $crate::output::print_line(format_args!($($what)*)) };
 }
 pub(crate) use say;
+
+/// Whether the details are wanted too.
+static IS_VERBOSE: AtomicBool = AtomicBool::new(false);
+
+/// From now on the details are said too.
+pub(crate) fn be_verbose() {
+    IS_VERBOSE.store(true, Ordering::Relaxed);
+}
+
+/// Prints the details that are wanted by few.
+pub(crate) fn detail(what: impl fmt::Display) {
+    if IS_VERBOSE.load(Ordering::Relaxed) {
+        say!("{what}");
+    }
+}
 
 /// Rows of text below a header: the first columns are names, the others numbers.
 pub(crate) struct Table {
@@ -23,7 +38,13 @@ pub(crate) struct Table {
     pub(crate) rows: Vec<Vec<String>>,
 }
 
-pub(crate) fn table(header: &[&str], names: usize, rows: Vec<Vec<String>>) -> Table {
+/// Where there was nothing to divide by, or nothing to divide, a dash stands for the number.
+pub(crate) fn table(header: &[&str], names: usize, mut rows: Vec<Vec<String>>) -> Table {
+    for cell in rows.iter_mut().flat_map(|row| row.iter_mut().skip(names)) {
+        if ["NaN", "inf", "-inf"].iter().any(|none| cell.starts_with(none)) {
+            "-".clone_into(cell);
+        }
+    }
     Table { header: header.iter().map(ToString::to_string).collect(), names, rows }
 }
 
@@ -132,12 +153,24 @@ fn plain(text: &str) -> Cow<'_, str> {
 
 /// A progress bar on standard error, where that is a terminal and somebody wants to know.
 pub(crate) fn bar(length: u64, what: &str) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg} {wide_bar} {human_pos}/{human_len} {per_sec} eta {eta}");
+    let style = ProgressStyle::with_template("{msg} {wide_bar} {human_pos}/{human_len} {rate} eta {eta}");
+    let shown = |state: &ProgressState, text: &mut dyn fmt::Write| _ = text.write_str(&rate(state.per_sec()));
     let quiet = LINES.load(Ordering::Relaxed) == TO_NOBODY;
     let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
     ProgressBar::with_draw_target(Some(length), target)
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()).with_key("rate", shown))
         .with_message(what.to_owned())
+}
+
+/// How many a second, as in `3.2 M/s`.
+fn rate(per_second: f64) -> String {
+    let (unit, size) = match per_second {
+        1e9.. => ("G/s", 1e9),
+        1e6.. => ("M/s", 1e6),
+        1e3.. => ("k/s", 1e3),
+        _ => ("/s", 1.0),
+    };
+    format!("{:.1} {unit}", per_second / size)
 }
 
 /// Writes a value as JSON, whole or not at all.
@@ -156,6 +189,11 @@ pub(crate) fn write_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::
         .map_err(|error| format!("{}: cannot be written: {error}", path.display()))
 }
 
+/// How many of what: `1 ray`, `2,000 rays`.
+pub(crate) fn count(number: u64, what: &str) -> String {
+    format!("{} {what}{}", grouped(number), if number == 1 { "" } else { "s" })
+}
+
 /// A number with thousands apart.
 pub(crate) fn grouped(number: u64) -> String {
     let digits = number.to_string();
@@ -168,4 +206,16 @@ pub(crate) fn grouped(number: u64) -> String {
         text.push(digit);
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_readable() {
+        assert_eq!([0, 1, 2000].map(|number| count(number, "ray")), ["0 rays", "1 ray", "2,000 rays"]);
+        assert_eq!(table(&["a", "b"], 1, vec![vec!["inf".into(), "NaN %".into()]]).rows, [["inf", "-"]]);
+        assert_eq!([0.0, 999.0, 3.21e6, 4e10].map(rate), ["0.0 /s", "999.0 /s", "3.2 M/s", "40.0 G/s"]);
+    }
 }

@@ -39,6 +39,16 @@ pub(crate) fn file(text: &str) -> Result<Output, String> {
     Ok(Output::File(text.into()))
 }
 
+/// The same for a file of which we write one kind only: a name that promises another is refused.
+pub(crate) fn file_as(kind: &'static str) -> impl Fn(&str) -> Result<Output, String> + Clone {
+    move |text| match Path::new(text).extension() {
+        Some(other) if !other.eq_ignore_ascii_case(kind) => {
+            Err(format!("the extension says .{}, expected .{kind}: no other kind is written", other.display()))
+        }
+        _ => file(text),
+    }
+}
+
 /// The path of a folder to write to.
 pub(crate) fn folder(text: &str) -> Result<Output, String> {
     if text.is_empty() { Err("expected the name of a folder".to_owned()) } else { Ok(Output::Folder(text.into())) }

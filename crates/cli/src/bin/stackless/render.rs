@@ -27,20 +27,20 @@ use sample::{Rays, Sample, Samples};
 /// The same options give the same picture, for any number of threads. Rays are exact.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless render examples/data/torus.ply -o torus.png\n  \
-    stackless render examples/data/room.obj --rays ao --spp 64 --size 800x600 --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png\n  \
+    stackless render examples/data/room.obj --kind ao --spp 64 --size 800x600 --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png\n  \
     stackless render examples/data/room.obj --heatmap nodes --compare stack,skip -o nodes.png\n  \
     stackless render examples/data/slivers.ply --figure 1 -o figure1.png")]
 pub(crate) struct Args {
-    /// Mesh file (.ply, .obj), or a made scene: `strands`, `stadium`, `soup`.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
     /// The picture; `-` is the standard output.
-    #[arg(short, long, value_name = "FILE.png", value_parser = places::file)]
+    #[arg(short, long, value_name = "FILE.png", value_parser = places::file_as("png"))]
     output: Output,
     #[command(flatten)]
     camera: camera::Options,
     /// Which rays each pixel stands for.
     #[arg(long, value_enum, default_value_t)]
-    rays: Rays,
+    kind: Rays,
     /// Samples of each pixel; 1 if it is not given, or 16 for ao and diffuse.
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=65_536))]
     spp: Option<u32>,
@@ -48,15 +48,15 @@ pub(crate) struct Args {
     #[arg(long, value_enum)]
     heatmap: Option<Heat>,
     /// The traversal whose cost is drawn.
-    #[arg(long, default_value = "hashed", value_parser = input::MethodName)]
+    #[arg(long, default_value = "hashed", value_parser = input::method())]
     method: Method,
     /// Heat maps of these traversals, beside each other, with one scale.
-    #[arg(long, value_delimiter = ',', value_parser = input::MethodName)]
+    #[arg(long, value_delimiter = ',', value_parser = input::method())]
     #[arg(requires = "heatmap", conflicts_with = "method")]
     compare: Vec<Method>,
     /// A figure of Binder & Keller 2016: 1, the backtracking steps of three schemes; 7, the postponed nodes that are
     /// visited without and with pruning; 8, the nodes that paths visit from the root and from their last hit.
-    #[arg(long, value_enum, conflicts_with_all = ["heatmap", "method", "compare", "rays"])]
+    #[arg(long, value_enum, conflicts_with_all = ["heatmap", "method", "compare", "kind"])]
     figure: Option<Figure>,
     /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median; with `+N`, N rounds of reinsertion follow.
     /// [default: sah, with `complete` median]
@@ -121,7 +121,7 @@ impl Job {
             Self::figure(figure, camera, seed)
         } else {
             let methods = if args.compare.is_empty() { vec![args.method] } else { args.compare.clone() };
-            Self { heat: args.heatmap, methods, ..Self::plain(args.rays, camera, seed) }
+            Self { heat: args.heatmap, methods, ..Self::plain(args.kind, camera, seed) }
         };
         Self { spp: args.spp.unwrap_or(job.spp), ..job }
     }

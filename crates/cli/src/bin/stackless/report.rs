@@ -8,7 +8,7 @@ use std::{fs, io};
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::traverse::Method;
 
-use crate::build::Build;
+use crate::build::{Build, BuildName};
 use crate::camera::{self, Camera};
 use crate::input::{self, Scene};
 use crate::output::{Block, Table, grouped, say, table, write_file};
@@ -26,21 +26,21 @@ use page::{Piece, Section};
 /// nothing else. The exit code is 1 if exact answers differ.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless report examples/data/torus.ply examples/data/slivers.ply -o report\n  \
-    stackless report strands --rays 4096 --rounds 1 -o quick")]
+    stackless report strands --count 4096 --rounds 1 -o quick")]
 pub(crate) struct Args {
-    /// Mesh files (.ply, .obj), or the made scenes `strands`, `stadium`, `soup`.
+    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the made scenes `strands`, `stadium`, `soup`.
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
     /// The folder, which is made where it is missing. What an earlier report has left there is replaced, and its tables
     /// of scenes are removed.
     #[arg(short, long, value_name = "DIR", value_parser = places::folder)]
     output: Output,
-    /// How the hierarchies are built: sah, sbvh, lbvh, bounded or median; with `+N`, N rounds of reinsertion follow.
-    #[arg(long, default_value_t)]
+    /// How the hierarchies are built; with `+N` behind a name, N rounds of reinsertion follow.
+    #[arg(long, default_value_t, value_parser = BuildName)]
     build: Build,
     /// Rays of each kind.
     #[arg(long, default_value_t = 65_536, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
-    rays: u32,
+    count: u32,
     /// How often all rays are timed.
     #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
     rounds: u32,
@@ -79,7 +79,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     fs::create_dir_all(&*args.output).map_err(|error| format!("{}: {error}", args.output.display()))?;
     let measured: Result<Vec<_>, _> = scenes
         .iter()
-        .map(|scene| Stats::of(scene, &args.place.of(scene), args.build, args.rays as usize, args.seed))
+        .map(|scene| Stats::of(scene, &args.place.of(scene), args.build, args.count as usize, args.seed))
         .collect();
     let (stats, hierarchies): (Vec<_>, Vec<_>) = measured?.into_iter().unzip();
     let (traversals, mut offences) = traversals(args, &scenes)?;
@@ -100,7 +100,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let removed = remove_old_tables(&args.output, &tables)?;
     let about = format!(
         "{} rays of each kind, {} rounds, {} trees, seed {}",
-        grouped(args.rays.into()),
+        grouped(args.count.into()),
         args.rounds,
         args.build,
         args.seed
@@ -161,7 +161,7 @@ fn overview(stats: &[Stats]) -> Section {
 
 /// Table 2 and the other paper's Table 1. And which exact answers differ.
 fn traversals(args: &Args, scenes: &[Scene]) -> Result<(Section, Vec<String>), Box<dyn std::error::Error>> {
-    let asked = bench::Args::of(&METHODS, args.build, args.place.clone(), args.rays, args.rounds, args.seed);
+    let asked = bench::Args::of(&METHODS, args.build, args.place.clone(), args.count, args.rounds, args.seed);
     let bench::Found { rows, notes, offences } = bench::measure(&asked, scenes, |_| ())?;
     let mut pieces = vec![
         Piece::line(
@@ -177,7 +177,7 @@ fn traversals(args: &Args, scenes: &[Scene]) -> Result<(Section, Vec<String>), B
 
 fn errors(args: &Args, scenes: &[Scene]) -> Result<(Section, Vec<String>), Box<dyn std::error::Error>> {
     let found =
-        accuracy::measure(&accuracy::Args::of(args.place.clone(), args.rays, args.rounds.min(3), args.seed), scenes)?;
+        accuracy::measure(&accuracy::Args::of(args.place.clone(), args.count, args.rounds.min(3), args.seed), scenes)?;
     let mut pieces = vec![
         Piece::line("Every triangle test with every box test: the lines join those that nobody beats in both."),
         Piece::Svg(found.plot()?, "Run time against the rate of errors".to_owned()),

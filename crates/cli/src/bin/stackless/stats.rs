@@ -7,6 +7,7 @@ mod wide;
 
 use std::cell::Cell;
 use std::path::PathBuf;
+use std::slice::from_ref;
 use std::time::Instant;
 
 use serde::Serialize;
@@ -20,10 +21,11 @@ use stackless_bvh::traverse::{Hashed, WithWord, WordName, traverse, with_word};
 use stackless_bvh::tree::{Linked, Node, Reach, Topology};
 use stackless_cli::plots::plot_distances;
 
-use crate::build::Build;
+use crate::build::{Build, BuildName};
 use crate::input::Scene;
-use crate::output::{self, Block, grouped, table, write_file, write_json};
+use crate::output::{self, Block, grouped, table, write_file};
 use crate::places::{self, Output};
+use crate::record::write_figures;
 use crate::report::Bar;
 use crate::{Outcome, camera};
 
@@ -36,14 +38,14 @@ use crate::{Outcome, camera};
     stackless stats examples/data/room.obj\n  \
     stackless stats examples/data/torus.ply --build sbvh --plot distances.svg --json stats.json")]
 pub(crate) struct Args {
-    /// Mesh file (.ply, .obj), or a made scene: `strands`, `stadium`, `soup`.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
-    /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median; with `+N`, N rounds of reinsertion follow.
-    #[arg(long, default_value_t)]
+    /// How the hierarchy is built; with `+N` behind a name, N rounds of reinsertion follow.
+    #[arg(long, default_value_t, value_parser = BuildName)]
     build: Build,
     /// Number of rays.
     #[arg(long, default_value_t = 65_536, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
-    rays: u32,
+    count: u32,
     #[command(flatten)]
     place: camera::Place,
     /// Seed of the rays.
@@ -53,7 +55,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE", value_parser = places::file)]
     json: Option<Output>,
     /// Draw the backtracking distances into this file.
-    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    #[arg(long, value_name = "FILE", value_parser = places::file_as("svg"))]
     plot: Option<Output>,
 }
 
@@ -127,14 +129,14 @@ struct BacktrackStats {
 
 pub(crate) fn run(args: &Args) -> Outcome {
     let scene = Scene::load(&args.scene)?;
-    let (stats, _) = Stats::of(&scene, &args.place.of(&scene), args.build, args.rays as usize, args.seed)?;
+    let (stats, _) = Stats::of(&scene, &args.place.of(&scene), args.build, args.count as usize, args.seed)?;
     output::print(&stats.blocks());
     if let Some(path) = &args.plot {
         let svg = stats.plot()?;
         write_file(path, |file| file.write_all(svg.as_bytes()))?;
     }
     if let Some(path) = &args.json {
-        write_json(path, &stats)?;
+        write_figures(path, "stats", from_ref(&scene), &stats)?;
     }
     Ok(true)
 }
@@ -361,5 +363,5 @@ impl Stats {
 }
 
 fn percent(share: f64) -> String {
-    format!("{:.1} %", 100.0 * share)
+    if share.is_finite() { format!("{:.1} %", 100.0 * share) } else { "-".to_owned() }
 }

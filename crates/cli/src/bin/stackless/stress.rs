@@ -3,6 +3,10 @@
 mod counts;
 mod price;
 
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
 use rayon::prelude::*;
 use serde_json::json;
 use stackless_bvh::generate::stress;
@@ -12,9 +16,9 @@ use stackless_bvh::wide;
 use stackless_check::{Shard, Stress, check_boxes};
 use stackless_suite::Traversal;
 
-use crate::output::{bar, print, say, write_json};
+use crate::output::{bar, print, say};
 use crate::places::{self, Output};
-use crate::record::Run;
+use crate::record::{Run, write_figures};
 use crate::{Outcome, input};
 pub(crate) use counts::{BoxCounts, StressCounts};
 use counts::{Row, WIDE};
@@ -32,14 +36,15 @@ use counts::{Row, WIDE};
     stackless stress --price\n  \
     stackless stress --boxes 1000000")]
 pub(crate) struct Args {
-    /// Only these cases, separated by commas.
-    #[arg(long, value_delimiter = ',', value_parser = case)]
+    /// Only these cases, separated by commas; `--list` names them.
+    #[arg(long, value_delimiter = ',', hide_possible_values = true)]
+    #[arg(value_parser = input::names(stress::NAMES, |name| name))]
     cases: Vec<&'static str>,
     /// Rays of each case.
     #[arg(long, default_value_t = 500, value_parser = clap::value_parser!(u32).range(1..=1 << 20))]
-    rays: u32,
+    count: u32,
     /// Only these traversals, of binary or of wide trees, separated by commas.
-    #[arg(long, value_delimiter = ',', value_parser = input::TraversalName)]
+    #[arg(long, value_delimiter = ',', value_parser = input::traversal())]
     methods: Vec<Traversal>,
     /// Every triangle test with every box test, and not only the four levels.
     #[arg(long)]
@@ -68,11 +73,6 @@ pub(crate) struct Args {
     json: Option<Output>,
 }
 
-fn case(name: &str) -> Result<&'static str, String> {
-    let known = stress::NAMES.into_iter().find(|known| *known == name);
-    known.ok_or_else(|| "no case of this name; `stackless stress --list` names them".to_owned())
-}
-
 /// Triangle test and box test, with the name that they go by.
 struct Tests {
     name: String,
@@ -84,7 +84,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         let prices = price::prices()?;
         print(&price::blocks(&prices));
         if let Some(path) = &args.json {
-            write_json(path, &json!({ "version": env!("CARGO_PKG_VERSION"), "prices": prices }))?;
+            write_figures(path, "stress", &[], json!({ "prices": prices }))?;
         }
         return Ok(true);
     }
@@ -103,15 +103,16 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let tests = if methods.is_empty() { Vec::new() } else { tests(args.all_tests) };
     let mut run = Run::of::<StressCounts>([
         ("cases", json!(names)),
-        ("rays", args.rays.into()),
+        ("rays", args.count.into()),
         ("methods", args.methods.iter().map(|method| method.name()).collect()),
         ("all_tests", args.all_tests.into()),
     ]);
-    let numbers = run.take(args.shard, "rays of each case", args.rays.into());
+    let numbers = run.take(args.shard, "rays of each case", args.count.into());
     run.refuse_empty(args.shard)?;
     let numbers = numbers.start as usize..numbers.end as usize;
     let progress = bar(names.len() as u64, "cases");
-    let run_case = |&name: &&'static str| {
+    let shown = Mutex::new(Shown::new(&names, &tests, args.brief));
+    let run_case = |(i, &name): (usize, &&'static str)| {
         // The first rays of a case do not depend on how many there are.
         let mut case = stress::case(name, numbers.end).ok_or("no such case").map_err(str::to_owned)?;
         case.rays.drain(..numbers.start);
@@ -126,12 +127,15 @@ pub(crate) fn run(args: &Args) -> Outcome {
             rows.push(Row::new(name, WIDE, errors));
         }
         progress.inc(1);
+        progress.suspend(|| shown.lock().unwrap_or_else(PoisonError::into_inner).take(i, &rows));
         Ok(rows)
     };
-    let rows: Vec<Row> =
-        names.par_iter().map(run_case).collect::<Result<Vec<_>, String>>()?.into_iter().flatten().collect();
+    // One after the other, so that what is shown first is done first.
+    let cases = names.iter().enumerate().par_bridge().map(|(i, name)| run_case((i, name)).map(|rows| (i, rows)));
+    let cases: BTreeMap<usize, Vec<Row>> = cases.collect::<Result<_, String>>()?;
+    let rows = cases.into_values().flatten().collect();
     progress.finish_and_clear();
-    run.finish(StressCounts { rows, is_brief: args.brief }, args.json.as_deref())
+    run.finish(StressCounts { rows, are_shown: true }, args.json.as_deref())
 }
 
 impl Args {
@@ -141,6 +145,51 @@ impl Args {
             return (Method::ALL.into(), wide::Method::ALL.into());
         }
         Traversal::of_each_kind(&self.methods)
+    }
+}
+
+/// The rows of the cases, printed in order as soon as they are there.
+struct Shown {
+    start: Instant,
+    cases: usize,
+    done: usize,
+    /// The case whose rows come next, and those that came before their turn.
+    next: usize,
+    waiting: BTreeMap<usize, Vec<String>>,
+    widths: [usize; 2],
+    /// Only rows with errors.
+    is_brief: bool,
+}
+
+impl Shown {
+    fn new(names: &[&str], tests: &[Tests], is_brief: bool) -> Self {
+        let tests = tests.iter().map(|tests| tests.name.len());
+        let names_width = names.iter().map(|name| name.len()).max().unwrap_or(0);
+        let widths = [names_width, tests.chain([WIDE.len()]).max().unwrap_or(0)];
+        let (cases, waiting) = (names.len(), BTreeMap::new());
+        Self { start: Instant::now(), cases, done: 0, next: 0, waiting, widths, is_brief }
+    }
+
+    fn take(&mut self, case: usize, rows: &[Row]) {
+        self.done += 1;
+        // Once each thread has had some.
+        if self.done == 4 * rayon::current_num_threads() {
+            let seconds = self.start.elapsed().as_secs_f64() / self.done as f64 * self.cases as f64;
+            if seconds >= 2.0 {
+                say!("{} cases, about {seconds:.0} s", self.cases);
+            }
+        }
+        let wanted = rows.iter().filter(|row| !self.is_brief || row.errors() > 0);
+        self.waiting.insert(case, wanted.map(|row| row.line(self.widths)).collect());
+        while let Some(lines) = self.waiting.remove(&self.next) {
+            if self.next == 0 && !self.is_brief {
+                say!("{}", Row::header(self.widths));
+            }
+            for line in lines {
+                say!("{line}");
+            }
+            self.next += 1;
+        }
     }
 }
 

@@ -21,7 +21,7 @@ use crate::{Outcome, input};
 #[command(after_help = "Examples:\n  \
     stackless suite list\n  \
     stackless suite show --filter 'trace/script/three-*'\n  \
-    stackless suite export --level key suite\n  \
+    stackless suite export --level key -o suite\n  \
     stackless suite serve --method afra --word u64\n  \
     stackless suite serve --method wide-hashed")]
 pub(crate) struct Args {
@@ -38,21 +38,21 @@ enum What {
         #[command(flatten)]
         chosen: Chosen,
         /// The folder; `vectors/LEVEL/PROFILE.json`, `index.json` and `VERSION` are written there.
-        #[arg(value_parser = places::folder)]
-        folder: Output,
+        #[arg(short, long, value_name = "DIR", value_parser = places::folder)]
+        output: Output,
     },
     /// Print cases, one JSON object a line.
     Show(Chosen),
     /// Answer the cases as this library does: an implementation for `stackless conform`.
     Serve {
         /// The traversal, of binary or of wide trees; one for each profile if none is named.
-        #[arg(long, value_parser = input::TraversalName)]
+        #[arg(long, value_parser = input::traversal())]
         method: Option<Traversal>,
         /// The word of keys and trails.
-        #[arg(long, value_parser = input::word)]
+        #[arg(long, value_parser = input::names(WordName::ALL, WordName::name))]
         word: Option<WordName>,
         /// The tests of triangles and boxes: what is not exact does not conform.
-        #[arg(long, default_value_t = Accuracy::Exact, value_parser = input::accuracy)]
+        #[arg(long, default_value_t = Accuracy::Exact, value_parser = input::accuracy())]
         accuracy: Accuracy,
         /// Answer rays as another ray tracer does.
         #[cfg(feature = "peers")]
@@ -68,24 +68,20 @@ struct Chosen {
     #[arg(long)]
     suite: Option<PathBuf>,
     /// Cases of this level only.
-    #[arg(long, value_parser = input::level)]
+    #[arg(long, value_parser = input::names(Level::ALL, Level::name))]
     level: Option<Level>,
     /// Cases with such ids only; `*` is any text, `?` any character. Several times: those with any of them.
     #[arg(long)]
     filter: Vec<String>,
     /// Cases that need no features but these; without it all.
-    #[arg(long, value_delimiter = ',', value_parser = feature)]
+    #[arg(long, value_delimiter = ',', value_parser = input::names(Feature::ALL, Feature::name))]
     features: Option<Vec<Feature>>,
-}
-
-fn feature(name: &str) -> Result<Feature, String> {
-    name.parse().map_err(|_| format!("expected some of: {}", Feature::ALL.map(Feature::name).join(", ")))
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
     match &args.what {
         What::List(chosen) => list(&chosen.load()?),
-        What::Export { chosen, folder } => export(&chosen.load()?, folder)?,
+        What::Export { chosen, output } => export(&chosen.load()?, output)?,
         What::Show(chosen) => {
             for (_, case) in chosen.load()?.cases() {
                 say!("{}", serde_json::to_string(case)?);
@@ -129,8 +125,8 @@ fn list(suite: &Suite) {
     let row = |profile: &stackless_suite::Profile| {
         vec![profile.name(), grouped(profile.cases.len() as u64), grouped(profile.to_text().len() as u64)]
     };
-    say!("{}", table(&["profile", "cases", "bytes"], 1, suite.profiles.iter().map(row).collect()));
     say!("version {VERSION}, {} cases", grouped(suite.cases().count() as u64));
+    say!("{}", table(&["profile", "cases", "bytes"], 1, suite.profiles.iter().map(row).collect()));
 }
 
 fn export(suite: &Suite, folder: &Path) -> Result<(), String> {

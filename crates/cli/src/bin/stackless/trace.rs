@@ -1,50 +1,59 @@
 //! `stackless trace`: the caller's rays through a scene.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use glam::Vec3;
 use rayon::prelude::*;
-use stackless_bvh::bvh::Bvh;
+use stackless_bvh::bvh::{Bvh, WideBvh};
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
 use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Form, Hit, Tracer, WithTests};
 use stackless_bvh::traverse::{Method, Unfit};
 use stackless_bvh::wide;
+use stackless_scene::Format;
 use stackless_suite::Traversal;
 
 use crate::Outcome;
-use crate::build::Build;
+use crate::build::{Build, BuildName};
 use crate::input::{self, Scene};
-use crate::output::{bar, say, write_file};
+use crate::output::{bar, count, grouped, say, write_file};
 use crate::places::{self, Output};
 
 /// Trace rays through a scene.
 ///
-/// A ray is a line of ox,oy,oz,dx,dy,dz,tmin,tmax; a hit is a line of prim,t,u,v, where prim is the index of the
-/// triangle in the file's order (polygons are fanned out in place), or -1 for a miss, with the other columns empty.
+/// A ray is a line of ox,oy,oz,dx,dy,dz,tmin,tmax, of which the last two may be missing; a hit is a line of prim,t,u,v,
+/// where prim is the index of the triangle in the file's order (polygons are fanned out in place), or -1 for a miss, with
+/// the other columns empty.
+///
+/// JSON lines (.jsonl) have the same: `{"origin":[0,0,5],"direction":[0,0,-1],"tmin":0,"tmax":null}`, and
+/// `{"prim":3,"t":1.5,"u":0.25,"v":0.5}`. `NumPy` arrays (.npy) have rows of 6 or 8 floats, and records of prim, t, u, v.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Examples:\n  stackless trace examples/data/torus.ply --rays examples/data/rays.csv --out hits.csv\n  \
-    echo 0,0,5,0,0,-1,0,inf | stackless trace soup --rays - --out - --method uncle"
+    after_help = "Examples:\n  stackless trace examples/data/torus.ply --rays examples/data/rays.csv -o hits.csv\n  \
+    stackless trace examples/data/torus.ply --rays examples/data/rays.csv -o hits.npy\n  \
+    echo 0,0,5,0,0,-1 | stackless trace soup --rays - -o - --method uncle"
 )]
 pub(crate) struct Args {
-    /// Mesh file (.ply, .obj), or a made scene: `strands`, `stadium`, `soup`.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
-    /// File of the rays; `-` is the standard input.
-    #[arg(long)]
+    /// File of the rays (.csv, .jsonl, .npy); `-` is the standard input.
+    #[arg(long, value_name = "FILE")]
     rays: PathBuf,
-    /// File for the hits; written whole or not at all. `-` is the standard output.
-    #[arg(long, value_name = "FILE", value_parser = places::file)]
-    out: Output,
+    /// File for the hits (.csv, .jsonl, .npy); written whole or not at all. `-` is the standard output.
+    #[arg(short, long, value_name = "FILE", value_parser = places::file)]
+    output: Output,
+    /// How rays and hits stand in what has no such extension.
+    #[arg(long, default_value_t, value_parser = input::names(Format::ALL, Format::name))]
+    format: Format,
     /// The traversal: of wide trees, which are faster and always exact, or of binary ones.
     /// [default: wide-record; afra where the accuracy is not exact]
-    #[arg(long, value_parser = input::TraversalName)]
+    #[arg(long, value_parser = input::traversal())]
     method: Option<Traversal>,
-    /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median; with `+N`, N rounds of reinsertion follow.
-    /// [default: sah, for `complete` median]
-    #[arg(long)]
+    /// How the hierarchy is built; with `+N` behind a name, N rounds of reinsertion follow. [default: sah, for `complete`
+    /// median]
+    #[arg(long, value_parser = BuildName)]
     build: Option<Build>,
-    /// How exact the answers are to be: fast, watertight, precise or exact.
-    #[arg(long, default_value = "exact", value_parser = input::accuracy)]
+    /// How exact the answers are to be.
+    #[arg(long, default_value = "exact", value_parser = input::accuracy())]
     accuracy: Accuracy,
     /// End at the first hit that is met, instead of finding the closest.
     #[arg(long)]
@@ -52,33 +61,47 @@ pub(crate) struct Args {
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
+    let written_as = args.format_of(&args.output)?;
+    let read_as = args.format_of(&args.rays)?;
     let rays = if args.rays.as_os_str() == "-" {
-        stackless_scene::read_rays_from(std::io::stdin().lock(), "standard input")?
+        stackless_scene::read_rays_from(std::io::stdin().lock(), "standard input", read_as)?
     } else {
-        stackless_scene::read_rays(&args.rays)?
+        stackless_scene::read_rays(&args.rays, read_as)?
     };
     let scene = Scene::load(&args.scene)?;
-    let (method, hits) = match args.traversal()? {
+    let (method, dropped, hits) = match args.traversal()? {
         Traversal::Binary(method) => {
             let bvh = Build::chosen(args.build, &[method]).run(&scene)?;
+            let dropped = bvh.dropped();
             let traced = trace::with_level(args.accuracy, Binary { method, bvh, any: args.any, rays: &rays });
-            (method.name(), traced.map_err(|unfit| format!("{method}: {unfit}"))?)
+            (method.name(), dropped, traced.map_err(|unfit| format!("{method}: {unfit}"))?)
         }
         Traversal::Wide(method) => {
-            let bvh = args.build.unwrap_or_default().run_wide(&scene)?;
+            let fine = args.build.unwrap_or_default().run_fine(&scene)?;
+            let bvh = WideBvh::of(&fine)?;
             let tracer = Tracer::with_method(&bvh, method).map_err(|unfit| format!("{method}: {unfit}"))?;
             let each = |rays: &[Ray]| if args.any { tracer.any_hit_each(rays) } else { tracer.closest_each(rays) };
-            (method.name(), in_chunks(&rays, each))
+            (method.name(), fine.dropped(), in_chunks(&rays, each))
         }
     };
     let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (prim, t, u, v)));
-    write_file(&args.out, |file| stackless_scene::write_hits(file, rows))?;
-    let hit = hits.iter().flatten().count();
-    say!("{}: {} rays, {hit} hits, by {method}, {}", scene.name, rays.len(), args.accuracy);
+    write_file(&args.output, |file| stackless_scene::write_hits(file, rows, written_as))?;
+    let counts = [count(rays.len() as u64, "ray"), count(hits.iter().flatten().count() as u64, "hit")].join(", ");
+    say!("{}: {counts}, by {method}, {}", scene.name, args.accuracy);
+    if dropped > 0 {
+        let of = count(scene.mesh.triangles().len() as u64, "triangle");
+        say!("{}: {} of {of} left out: degenerate, so that no ray meets them", scene.name, grouped(dropped as u64));
+    }
     Ok(true)
 }
 
 impl Args {
+    /// What the extension of a file says; without one, what the option says.
+    fn format_of(&self, path: &Path) -> Result<Format, String> {
+        let told = Format::of(path).map_err(|error| error.to_string())?;
+        Ok(told.unwrap_or(self.format))
+    }
+
     fn traversal(&self) -> Result<Traversal, String> {
         match (self.method, self.accuracy) {
             (None, Accuracy::Exact) => Ok(Traversal::Wide(wide::Method::default())),

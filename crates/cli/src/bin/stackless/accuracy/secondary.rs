@@ -172,7 +172,7 @@ impl SecondaryRow {
 pub(super) fn run(args: &Args, scenes: &[Scene]) -> Outcome {
     let mut run = args.asked::<SecondaryFound>(scenes);
     let shard = args.shard.unwrap_or(Shard::WHOLE);
-    let side = f64::from(args.rays).sqrt().ceil() as u32;
+    let side = f64::from(args.count).sqrt().ceil() as u32;
     let pixels = run.take(shard, "pixels", u64::from(side) * u64::from(side));
     run.refuse_empty(shard)?;
     let mut found = SecondaryFound::default();

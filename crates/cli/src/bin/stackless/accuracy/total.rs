@@ -7,7 +7,7 @@ use super::rows::Row;
 use super::secondary::{EXACT, SecondaryRow};
 use super::stages::Stages;
 use super::tables;
-use crate::output::{self, Block, grouped, say, table};
+use crate::output::{self, Block, count, say, table};
 use crate::record::{Counts, add_rows};
 
 /// What was measured.
@@ -45,13 +45,15 @@ impl Counts for Found {
         add_rows(&mut self.rows, other.rows, Row::is_same, Row::add);
     }
 
+    fn sum(&self) -> String {
+        sum(self.cases_and_errors())
+    }
+
     fn print(&self) {
-        output::print(&self.blocks());
         for offence in self.offences() {
             say!("{offence}");
         }
-        let [rays, errors] = self.cases_and_errors();
-        say!("judged: {} rays, exact: {errors} errors", grouped(rays));
+        output::print(&self.blocks());
     }
 
     /// Those of exact tests. All pairs have the same rays.
@@ -79,14 +81,16 @@ impl Counts for SecondaryFound {
         add_rows(&mut self.rows, other.rows, SecondaryRow::is_same, SecondaryRow::add);
     }
 
+    fn sum(&self) -> String {
+        sum(self.cases_and_errors())
+    }
+
     fn print(&self) {
-        let header = ["scene", "begins at", "rays", "false shadows", "false light"];
-        say!("{}", table(&header, 2, self.rows.iter().map(SecondaryRow::cells).collect()));
         for offence in self.rows.iter().filter_map(|row| row.offence.as_ref()) {
             say!("{}", offence.found);
         }
-        let [rays, errors] = self.cases_and_errors();
-        say!("judged: {} rays, exact: {errors} errors", grouped(rays));
+        let header = ["scene", "begins at", "rays", "false shadows", "false light"];
+        say!("{}", table(&header, 2, self.rows.iter().map(SecondaryRow::cells).collect()));
     }
 
     /// Those of exact points.
@@ -98,4 +102,8 @@ impl Counts for SecondaryFound {
     fn is_empty(&self) -> bool {
         self.rows.iter().all(|row| row.rays == 0)
     }
+}
+
+fn sum([rays, errors]: [u64; 2]) -> String {
+    format!("{} judged, exact: {}", count(rays, "ray"), count(errors, "error"))
 }

@@ -11,7 +11,7 @@ use stackless_check::{Battery, Disagreement, Plan, Replay, SceneDisagreement, Ta
 use super::Total;
 use crate::build::Build;
 use crate::input::Scene;
-use crate::output::{grouped, say, table};
+use crate::output::{count, detail, grouped, say, table};
 use crate::record::{Counts, Numbered, Run, claim};
 
 /// The counts of the file of `--json`.
@@ -113,11 +113,18 @@ impl Counts for Summary {
         self.scene_faults.dedup_by(|later, first| (&later.scene, &later.tree) == (&first.scene, &first.tree));
     }
 
-    /// The table, the smallest disagreement and the closing line.
+    fn sum(&self) -> String {
+        let counts = [
+            (self.trees, "tree"),
+            (self.rays, "ray"),
+            (self.methods as u64, "method"),
+            (self.disagreements, "disagreement"),
+        ];
+        counts.map(|(number, what)| count(number, what)).join(", ")
+    }
+
+    /// What went wrong, and the table.
     fn print(&self) {
-        let header = ["method", "word", "cases", "agree", "refused", "steps", "state bytes"];
-        say!("{}", table(&header, 2, self.rows.iter().map(Row::cells).collect()));
-        say!("state bytes: for one ray in a tree {} edges deep", self.depth);
         let refused = self.rows.iter().filter_map(|row| row.refusal.as_ref().map(|why| (row, why)));
         if let Some((row, why)) = refused.into_iter().next() {
             say!("refused before the first step, e.g. {} {}: {why}", row.method, row.word);
@@ -138,13 +145,9 @@ impl Counts for Summary {
         if let Some(Numbered { number, found }) = &self.pause_fault {
             say!("tree {number}: {found}");
         }
-        say!(
-            "checked: {} trees, {} rays, {} methods, {} disagreements",
-            self.trees,
-            self.rays,
-            self.methods,
-            self.disagreements
-        );
+        let header = ["method", "word", "cases", "agree", "refused", "steps", "state bytes"];
+        detail(table(&header, 2, self.rows.iter().map(Row::cells).collect()));
+        detail(format_args!("state bytes: for one ray in a tree {} edges deep", self.depth));
     }
 
     fn cases_and_errors(&self) -> [u64; 2] {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::output::{grouped, say, table};
+use crate::output::{count, detail, grouped, say, table};
 use crate::record::{Counts, Run};
 
 /// What `tests/adapters/mutate.py` counts.
@@ -38,6 +38,18 @@ impl Counts for MutantCounts {
         }
     }
 
+    fn sum(&self) -> String {
+        format!(
+            "{}: {} did not compile, {} were caught, {} of them timed out, {} are equivalent, {} survived",
+            count(self.mutants, "mutant"),
+            self.not_compiled,
+            self.caught,
+            self.timed_out,
+            self.equivalent,
+            self.survivors.len()
+        )
+    }
+
     fn print(&self) {
         for survivor in &self.survivors {
             say!("survived: {survivor}");
@@ -45,15 +57,6 @@ impl Counts for MutantCounts {
         for stale in &self.stale {
             say!("listed as equivalent, and caught: {stale}");
         }
-        say!(
-            "{} mutants: {} did not compile, {} were caught, {} of them timed out, {} are equivalent, {} survived",
-            self.mutants,
-            self.not_compiled,
-            self.caught,
-            self.timed_out,
-            self.equivalent,
-            self.survivors.len()
-        );
     }
 
     fn cases_and_errors(&self) -> [u64; 2] {
@@ -104,14 +107,13 @@ impl Counts for MachineCounts {
 
     fn print(&self) {
         let row = |(name, &searches): (&String, _)| vec![name.clone(), grouped(searches)];
-        say!("{}", table(&["traversal", "searches"], 1, self.searches.iter().map(row).collect()));
+        detail(table(&["traversal", "searches"], 1, self.searches.iter().map(row).collect()));
+    }
+
+    fn sum(&self) -> String {
         let searches = self.searches.values().copied().fold(0, u64::saturating_add);
         let [cases, searches, visits] = [self.cases, searches, self.visits].map(grouped);
-        say!(
-            "machines: {cases} cases to height {}, {searches} searches, {visits} visits, {} differ",
-            self.height,
-            self.errors
-        );
+        format!("{cases} cases to height {}, {searches} searches, {visits} visits, {} differ", self.height, self.errors)
     }
 
     fn cases_and_errors(&self) -> [u64; 2] {
@@ -188,11 +190,15 @@ impl Counts for FuzzCounts {
             [target.to_owned()].into_iter().chain(numbers).collect()
         };
         let header = ["target", "runs", "executions", "seconds", "corpus", "findings"];
-        let sums = self.by_target();
-        let targets = sums.len();
-        say!("{}", table(&header, 1, sums.into_iter().map(row).collect()));
+        detail(table(&header, 1, self.by_target().into_iter().map(row).collect()));
+    }
+
+    fn sum(&self) -> String {
         let [executions, findings] = self.cases_and_errors();
-        say!("fuzzed: {targets} targets, {} executions, {findings} findings", grouped(executions));
+        let targets = self.by_target().len() as u64;
+        [(targets, "target"), (executions, "execution"), (findings, "finding")]
+            .map(|(n, what)| count(n, what))
+            .join(", ")
     }
 
     fn cases_and_errors(&self) -> [u64; 2] {

@@ -4,19 +4,21 @@ use serde::{Deserialize, Serialize};
 use stackless_bvh::trace::{Accuracy, SlabsName};
 use stackless_check::{BoxTally, Errors};
 
-use crate::output::{grouped, say, table};
+use crate::output::{count, detail, grouped, say, table};
 use crate::record::{Counts, add_rows};
 
 /// The name of the rows of wide trees, which are exact.
 pub(super) const WIDE: &str = "exact, wide";
 
+const HEADER: [&str; 7] = ["case", "accuracy", "rays", "false misses", "false hits", "wrong primitives", "max ulp"];
+
 /// Of each case, how often each accuracy erred.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct StressCounts {
     pub(super) rows: Vec<Row>,
-    /// Only rows with errors are printed.
+    /// The rows have been printed as they came.
     #[serde(skip)]
-    pub(super) is_brief: bool,
+    pub(super) are_shown: bool,
 }
 
 #[derive(Clone, Serialize, Deserialize)]
@@ -42,11 +44,11 @@ impl Counts for StressCounts {
         add_rows(&mut self.rows, other.rows, is_same, |row, other| row.add(&other));
     }
 
-    /// The rows, and their sums for each accuracy.
+    /// The rows, unless they are shown already, and their sums for each accuracy.
     fn print(&self) {
-        let header = ["case", "accuracy", "rays", "false misses", "false hits", "wrong primitives", "max ulp"];
-        let shown = self.rows.iter().filter(|row| !self.is_brief || row.errors() > 0);
-        say!("{}", table(&header, 2, shown.map(Row::cells).collect()));
+        if !self.are_shown {
+            detail(table(&HEADER, 2, self.rows.iter().map(Row::cells).collect()));
+        }
         let mut sums: Vec<Row> = Vec::new();
         for row in &self.rows {
             match sums.iter_mut().find(|sum| sum.accuracy == row.accuracy) {
@@ -54,10 +56,13 @@ impl Counts for StressCounts {
                 None => sums.push(Row { case: "all".to_owned(), ..row.clone() }),
             }
         }
-        say!("{}", table(&header, 2, sums.iter().map(Row::cells).collect()));
-        let cases = self.rows.chunk_by(|a, b| a.case == b.case).count();
+        say!("{}", table(&HEADER, 2, sums.iter().map(Row::cells).collect()));
+    }
+
+    fn sum(&self) -> String {
+        let cases = self.rows.chunk_by(|a, b| a.case == b.case).count() as u64;
         let [rays, errors] = self.cases_and_errors();
-        say!("stressed: {cases} cases, {rays} rays, exact: {errors} errors");
+        format!("{}, {}, exact: {}", count(cases, "case"), count(rays, "ray"), count(errors, "error"))
     }
 
     /// Those of exact tests. In wide trees and others the rays are the same.
@@ -84,11 +89,14 @@ impl Counts for BoxCounts {
     }
 
     fn print(&self) {
-        let BoxTally { rays, touched, skipped, in_vain } = self.0;
+        let BoxTally { skipped, in_vain, .. } = self.0;
         let rows = SlabsName::ALL.into_iter().zip(skipped).zip(in_vain);
         let rows = rows.map(|((form, skipped), in_vain)| vec![form.to_string(), grouped(skipped), grouped(in_vain)]);
         say!("{}", table(&["box test", "touched and skipped", "not touched and entered"], 1, rows.collect()));
-        say!("stressed: {} rays with a box each, {} touched", grouped(rays), grouped(touched));
+    }
+
+    fn sum(&self) -> String {
+        format!("{} with a box each, {} touched", count(self.0.rays, "ray"), grouped(self.0.touched))
     }
 
     /// Those of the directed test.
@@ -116,8 +124,17 @@ impl Row {
         self.max_ulp = self.max_ulp.max(other.max_ulp);
     }
 
+    /// The header of rows that are printed one by one, or a row below it, with room for these names.
+    pub(super) fn header(widths: [usize; 2]) -> String {
+        in_columns(widths, &HEADER)
+    }
+
+    pub(super) fn line(&self, widths: [usize; 2]) -> String {
+        in_columns(widths, &self.cells())
+    }
+
     /// Wrong answers, and 1 for a wrong distance.
-    fn errors(&self) -> u64 {
+    pub(super) fn errors(&self) -> u64 {
         let counts = [self.false_misses, self.false_hits, self.wrong_primitives, u64::from(self.max_ulp > 0)];
         counts.into_iter().fold(0, u64::saturating_add)
     }
@@ -127,4 +144,13 @@ impl Row {
         let names = [self.case.clone(), self.accuracy.clone()];
         names.into_iter().chain(numbers.map(|number| number.to_string())).collect()
     }
+}
+
+/// Cells as a table puts them: names to the left, numbers to the right.
+fn in_columns(names: [usize; 2], cells: &[impl AsRef<str>]) -> String {
+    let cell = |(i, cell): (usize, &_)| match (names.get(i), AsRef::<str>::as_ref(cell)) {
+        (Some(&width), cell) => format!("{cell:width$}"),
+        (None, cell) => format!("{cell:>width$}", width = HEADER[i].len()),
+    };
+    cells.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ")
 }

@@ -1,0 +1,105 @@
+use super::*;
+use crate::tests::Folder;
+
+/// Two nodes, one below the other, with the mesh of a triangle each; its bytes are `buffer`.
+fn document(buffer: &str) -> String {
+    format!(
+        r#"{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],
+        "nodes":[{{"mesh":0,"children":[1],"translation":[10,0,0],"scale":[2,2,2]}},{{"mesh":0,"translation":[0,0,1]}}],
+        "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"indices":1}}]}}],
+        "accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}},
+        {{"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}}],
+        "bufferViews":[{{"buffer":0,"byteLength":36}},{{"buffer":0,"byteOffset":36,"byteLength":6}}],
+        "buffers":[{{{buffer}"byteLength":42}}]}}"#
+    )
+}
+
+fn triangle() -> Vec<u8> {
+    let corners = [0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    corners.iter().flat_map(|x| x.to_le_bytes()).chain([0_u16, 1, 2].iter().flat_map(|i| i.to_le_bytes())).collect()
+}
+
+fn embedded() -> String {
+    document(&format!(r#""uri":"data:application/octet-stream;base64,{}","#, BASE64_STANDARD.encode(triangle())))
+}
+
+fn binary() -> Vec<u8> {
+    let pad = |mut part: Vec<u8>, with: u8| {
+        part.resize(part.len().next_multiple_of(4), with);
+        part
+    };
+    let parts = [(*b"JSON", pad(document("").into_bytes(), b' ')), (*b"BIN\0", pad(triangle(), 0))];
+    let chunks: Vec<u8> =
+        parts.iter().flat_map(|(kind, part)| [&(part.len() as u32).to_le_bytes()[..], kind, part].concat()).collect();
+    [b"glTF", &2_u32.to_le_bytes()[..], &(12 + chunks.len() as u32).to_le_bytes(), &chunks].concat()
+}
+
+#[test]
+fn nodes_move_their_meshes_and_those_below() {
+    let folder = Folder::new("gltf");
+    std::fs::write(folder.file("a b.bin"), triangle()).unwrap();
+    let place = folder.file("a b.bin");
+    let beside = document(r#""uri":"a%20b.bin","#);
+    for bytes in [embedded().into_bytes(), binary(), beside.into_bytes()] {
+        let mesh = read_gltf(&bytes, place.parent()).unwrap();
+        assert_eq!(mesh.triangles(), [[0, 1, 2], [3, 4, 5]]);
+        let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| axis * 2.0);
+        let corner = Vec3::new(10.0, 0.0, 0.0);
+        assert_eq!(mesh.vertices(), [corner, corner + x, corner + y, corner + z, corner + z + x, corner + z + y]);
+    }
+}
+
+#[test]
+fn strips_and_fans_are_triangles_and_points_are_not() {
+    let with = |mode: &str| {
+        let text = embedded().replace(r#""indices":1"#, mode);
+        read_gltf(text.as_bytes(), None).map(|mesh| mesh.triangles().to_vec()).map_err(|error| error.to_string())
+    };
+    for mode in [r#""mode":4"#, r#""mode":5"#, r#""mode":6"#] {
+        assert_eq!(with(mode).unwrap(), [[0, 1, 2], [3, 4, 5]], "{mode}");
+    }
+    assert!(with(r#""mode":0"#).unwrap_err().contains("no triangles"));
+}
+
+#[test]
+fn what_is_cut_or_wrong_is_refused_in_one_line() {
+    for good in [embedded().into_bytes(), binary()] {
+        for end in 0..good.len() {
+            let message = read_gltf(&good[..end], None).unwrap_err().to_string();
+            assert!(!message.contains('\n') && message.len() < 400, "{message}");
+        }
+        for at in 0..good.len() {
+            for byte in [0, b'9', b'-', 0xff] {
+                let mut changed = good.clone();
+                changed[at] = byte;
+                let message = read_gltf(&changed, None).map_or_else(|error| error.to_string(), |_| String::new());
+                assert!(!message.contains('\n') && message.len() < 400, "{message}");
+            }
+        }
+    }
+    for (from, to, message) in [
+        (
+            r#""children":[1]"#,
+            r#""children":[0]"#,
+            "node 0 (of 2): found a node below two others, expected one above each",
+        ),
+        (r#""count":3,"type":"VEC3""#, r#""count":4,"type":"VEC3""#, "accessor 0 beyond its buffer"),
+        (r#""count":3,"type":"VEC3""#, r#""count":18446744073709551615,"type":"VEC3""#, "node 0 (of 2): "),
+        (r#""count":3,"type":"SCALAR""#, r#""count":2,"type":"SCALAR""#, "found 2 corners, expected three for each"),
+        (r#""byteOffset":36"#, r#""byteOffset":30"#, "vertex index"),
+        (r#""byteLength":42"#, r#""byteLength":43"#, "buffer 0 (of 1): found 42 bytes, expected 43"),
+        (r#""scale":[2,2,2]"#, r#""scale":[3e38,2,2]"#, ""),
+        (r#""translation":[10,0,0]"#, r#""translation":[3e38,0,0],"rotation":[0,0,0,1]"#, ""),
+        (r#""scenes":[{"nodes":[0]}]"#, r#""scenes":[]"#, "glTF 2.0 document"),
+        (r#""version":"2.0""#, r#""version":"3.0""#, ""),
+    ] {
+        let text = embedded().replace(from, to);
+        let error = read_gltf(text.as_bytes(), None).map_or_else(|error| error.to_string(), |_| String::new());
+        assert!(error.contains(message), "{from} {to}: {error}");
+    }
+    for uri in ["../x.bin", "/etc/hostname", "file:///etc/hostname", "http://a/b"] {
+        let text = document(&format!(r#""uri":"{uri}","#));
+        let error = read_gltf(text.as_bytes(), Some(Path::new("."))).unwrap_err().to_string();
+        assert!(error.contains("expected the name of a file in the folder of this one"), "{error}");
+    }
+}

@@ -1,0 +1,57 @@
+//! JSON lines.
+
+use std::io::{self, Write};
+
+use serde::{Deserialize, Serialize};
+use stackless_bvh::geom::Ray;
+
+use super::{HitRow, LineReader, RayFault, ray};
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RayLine {
+    origin: [f32; 3],
+    direction: [f32; 3],
+    #[serde(default)]
+    tmin: f32,
+    /// JSON has no infinity.
+    tmax: Option<f32>,
+}
+
+#[derive(Serialize)]
+struct HitLine {
+    prim: i64,
+    t: Option<f32>,
+    u: Option<f32>,
+    v: Option<f32>,
+}
+
+pub(super) struct Reader;
+
+impl LineReader for Reader {
+    fn read(&mut self, line: &str) -> Result<Option<Ray>, RayFault> {
+        let RayLine { origin: [ox, oy, oz], direction: [dx, dy, dz], tmin, tmax } =
+            serde_json::from_str(line).map_err(|error| RayFault::Object { found: in_line(&error) })?;
+        ray(&[ox, oy, oz, dx, dy, dz, tmin, tmax.unwrap_or(f32::INFINITY)]).map(Some)
+    }
+}
+
+/// What is wrong, with its column: which line it is, is known.
+fn in_line(error: &serde_json::Error) -> String {
+    const SHOWN: usize = 120;
+    let text = error.to_string();
+    let what = text.split(" at line ").next().unwrap_or_default();
+    format!("column {}: {}", error.column(), what.chars().take(SHOWN).collect::<String>())
+}
+
+pub(super) fn write(mut writer: impl Write, hits: impl Iterator<Item = HitRow>) -> io::Result<()> {
+    for hit in hits {
+        let line = match hit {
+            Some((prim, t, u, v)) => HitLine { prim: prim.into(), t: Some(t), u: Some(u), v: Some(v) },
+            None => HitLine { prim: -1, t: None, u: None, v: None },
+        };
+        serde_json::to_writer(&mut writer, &line)?;
+        writeln!(writer)?;
+    }
+    Ok(())
+}
