@@ -173,7 +173,7 @@ fn the_command_searches_writes_and_runs_again() {
     assert!(code == Some(0) && stdout.starts_with(&recorded), "{stdout}");
     // The same file is a case of `check`.
     let output = Command::new(env!("CARGO_BIN_EXE_stackless")).args(["check", "--replay", path_text]).output().unwrap();
-    assert!(String::from_utf8(output.stdout).unwrap().trim_end().ends_with("methods, 0 disagreements"));
+    assert!(String::from_utf8(output.stdout).unwrap().starts_with("pass: "));
     // What cannot be run is named in one line.
     for (args, what) in [
         (&["sums", "--replay", path_text][..], "worst.json: unknown field"),
