@@ -46,6 +46,7 @@ const CRATES: &[(&str, &[&str])] = &[
             "stackless-suite",
         ],
     ),
+    ("crates/web", &["stackless-bvh", "stackless-explain", "stackless-scene"]),
 ];
 
 /// Macros of the crate, which stand in its root and import nothing.

@@ -63,17 +63,38 @@ impl Loaded {
 /// # Errors
 /// [`SceneError`]: unknown extension, unreadable or too large a file, or content that is not a mesh.
 pub fn load(path: &Path) -> Result<Loaded, SceneError> {
-    let extension = path.extension().unwrap_or_default();
-    let read = if extension.eq_ignore_ascii_case("ply") {
-        |bytes: &[u8]| ply::read_and_count(bytes).map(|(mesh, rounded)| Loaded { mesh, skipped: None, rounded })
-    } else if extension.eq_ignore_ascii_case("obj") {
-        |bytes: &[u8]| read_obj(bytes).map(|(mesh, skipped)| Loaded { mesh, skipped, rounded: 0 })
-    } else {
-        return Err(SceneError::Extension { file: path.into() });
-    };
+    let read = reader(path)?;
     let bytes = read_bytes(path, MOST_BYTES).map_err(|error| SceneError::Io { file: path.into(), error })?;
     let bytes = bytes.ok_or_else(|| SceneError::Size { file: path.into() })?;
     read(&bytes).map_err(|error| SceneError::Content { file: path.into(), error: error.into() })
+}
+
+/// The same of bytes that are there already, as where there is no file system. The name tells the format.
+///
+/// ```
+/// use stackless_scene::read_named;
+///
+/// let loaded = read_named("one.obj".as_ref(), b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")?;
+/// assert_eq!(loaded.mesh.triangles(), [[0, 1, 2]]);
+/// # Ok::<(), stackless_scene::SceneError>(())
+/// ```
+///
+/// # Errors
+/// [`SceneError`]: unknown extension, or content that is not a mesh.
+pub fn read_named(name: &Path, bytes: &[u8]) -> Result<Loaded, SceneError> {
+    reader(name)?(bytes).map_err(|error| SceneError::Content { file: name.into(), error: error.into() })
+}
+
+/// What reads files of this name.
+fn reader(path: &Path) -> Result<fn(&[u8]) -> Result<Loaded, ReadError>, SceneError> {
+    let extension = path.extension().unwrap_or_default();
+    if extension.eq_ignore_ascii_case("ply") {
+        Ok(|bytes| ply::read_and_count(bytes).map(|(mesh, rounded)| Loaded { mesh, skipped: None, rounded }))
+    } else if extension.eq_ignore_ascii_case("obj") {
+        Ok(|bytes| read_obj(bytes).map(|(mesh, skipped)| Loaded { mesh, skipped, rounded: 0 }))
+    } else {
+        Err(SceneError::Extension { file: path.into() })
+    }
 }
 
 /// Most bytes of a file that are read: 4 GiB, more than 100 million triangles.
