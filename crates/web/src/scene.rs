@@ -1,15 +1,14 @@
 //! A scene that is shown, and its two tracers.
 
 use std::path::Path;
-use std::sync::Arc;
 
 use stackless_bvh::bvh::{BuildError, BuildOptions, Bvh, WideBvh, WideError};
 use stackless_bvh::generate::procedural::{self, View};
 use stackless_bvh::geom::kernel::Moller32;
 use stackless_bvh::geom::slabs::Plain;
 use stackless_bvh::geom::{Mesh, MeshError, Ray};
-use stackless_bvh::trace::{BinaryTracer, Hit, Tracer};
-use stackless_bvh::traverse::{Method, Unfit};
+use stackless_bvh::trace::{Hit, Search, Tracer};
+use stackless_bvh::traverse::{Stack, traverse};
 use stackless_explain::{self as explain, ExplainError, USUAL};
 use stackless_scene::{SceneError, read_named};
 
@@ -21,16 +20,15 @@ pub const SIDE: usize = 512;
 /// Most bytes of a file: what a browser's memory holds of a mesh with its hierarchies.
 pub const MOST_BYTES: usize = 64 << 20;
 
-/// A mesh with the exact tracer and the usual one, and where it is seen from.
+/// A mesh with its hierarchies, and where it is seen from.
 #[derive(Debug)]
 pub struct Scene {
     name: String,
     note: Option<String>,
     mesh: Mesh,
     view: View,
-    bvh: Arc<Bvh>,
+    bvh: Bvh,
     exact: Tracer,
-    inexact: BinaryTracer<Arc<Bvh>, Moller32, Plain>,
 }
 
 /// Why a scene or an explanation of a pixel is not shown. One line.
@@ -68,14 +66,6 @@ pub enum SceneFault {
         name: String,
         /// Why.
         error: WideError,
-    },
-    /// The usual traversal does not run on it.
-    #[error("{name}: {error}")]
-    Unfit {
-        /// The scene.
-        name: String,
-        /// Why.
-        error: Unfit,
     },
     /// No ray leaves the camera there.
     #[error("the camera is too far away for a ray")]
@@ -116,10 +106,7 @@ impl Scene {
         let named = || name.to_owned();
         let bvh = BuildOptions::default().build(&mesh).map_err(|error| SceneFault::Build { name: named(), error })?;
         let wide = WideBvh::of(&bvh).map_err(|error| SceneFault::Wide { name: named(), error })?;
-        let bvh = Arc::new(bvh);
-        let inexact = BinaryTracer::with_tests(Arc::clone(&bvh), Method::Stack)
-            .map_err(|error| SceneFault::Unfit { name: named(), error })?;
-        Ok(Self { name: named(), note, mesh, view, bvh, exact: Tracer::new(wide), inexact })
+        Ok(Self { name: named(), note, mesh, view, bvh, exact: Tracer::new(wide) })
     }
 
     /// The name of the file or of the example.
@@ -142,10 +129,12 @@ impl Scene {
         (x < SIDE && y < SIDE).then(|| self.view.ray_of(y * SIDE + x, SIDE * SIDE)).flatten()
     }
 
-    /// What the ray meets, exactly and by the usual tests in single precision: Möller and Trumbore's, and boxes without
-    /// a margin.
+    /// What the ray meets, exactly and as is usual: Möller and Trumbore's test in single precision, boxes without a
+    /// margin, a stack.
     pub fn hits(&self, ray: &Ray) -> [Option<Hit>; 2] {
-        [self.exact.closest(ray), self.inexact.closest(ray)]
+        let mut inexact = Search::<Moller32, Plain, false>::new(&self.bvh, ray);
+        traverse(Stack::new(&self.bvh, &mut Vec::new()), &mut inexact, &mut ());
+        [self.exact.closest(ray), inexact.hit()]
     }
 
     /// The page that shows the traversals of the ray through a pixel, visit by visit.
