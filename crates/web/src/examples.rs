@@ -4,8 +4,8 @@ use std::path::Path;
 
 use glam::Vec3;
 use stackless_bvh::generate::procedural::{self, View};
-use stackless_bvh::generate::{Rng, Source as _};
 use stackless_bvh::generate::stress::icosphere;
+use stackless_bvh::generate::{Rng, Source as _};
 use stackless_bvh::geom::{Mesh, MeshError};
 use stackless_scene::read_named;
 
@@ -26,8 +26,8 @@ impl Example {
     pub const ALL: [Self; 7] = [
         Self {
             name: "corners",
-            about: "A closed, jagged surface. One ray in sixteen is aimed at a corner of it, where six triangles meet: the \
-                    inexact tracer slips through between them.",
+            about: "A hilly surface without a gap. Many rays are aimed at its corners and edges: the inexact tracer slips \
+                    through, or meets another triangle than the first.",
             make: corners,
         },
         Self {
@@ -80,18 +80,19 @@ fn along_z(distance: f32, degrees: f32) -> View {
 }
 
 /// Pixels from corner to corner.
-const STEP: usize = 4;
+const STEP: usize = 8;
 
-/// A grid whose corners are on rays of the picture, at depths that go up and down. Between corners rays meet no edge, but
-/// by chance: each corner is moved to a ray nearby.
+/// A hilly grid whose corners are on rays of the picture. Between corners rays meet edges only by chance: each corner is
+/// moved to another ray nearby.
 fn corners() -> Result<(Mesh, View), SceneFault> {
     let view = View { eye: Vec3::ZERO, target: Vec3::NEG_Z, up: Vec3::Y, degrees: 50.0 };
     let side = SIDE / STEP;
     let mut rng = Rng::new(1);
     let corners = (0..side * side).filter_map(|i| {
-        let [x, y] = [i % side, i / side].map(|i| i * STEP + rng.below(3) as usize);
-        let depth = 3.0 + rng.below(1000) as f32 / 8000.0;
-        Some(view.ray_of(y * SIDE + x, SIDE * SIDE)?.direction() * depth)
+        let [column, row] = [i % side, i / side].map(|i| i * STEP + rng.below(STEP as u64 - 2) as usize);
+        let [x, y] = [column, row].map(|i| i as f32 / (SIDE / 2) as f32 - 1.0);
+        let depth = 3.0 + (1.0 - x * x) * (1.0 - y * y) * (0.3 + 3.0 * x * y - 1.5 * x);
+        Some(view.ray_of(row * SIDE + column, SIDE * SIDE)?.direction() * depth)
     });
     Ok((grid(side, corners.collect())?, view))
 }
