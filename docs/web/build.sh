@@ -11,7 +11,7 @@ target=wasm32-unknown-unknown
 arguments=(--locked --package stackless-web --example page --target "$target" --target-dir "$out/build" --profile web)
 
 if [[ ${1-} == quick ]]; then
-    export CARGO_PROFILE_WEB_OPT_LEVEL=1 CARGO_PROFILE_WEB_LTO=off CARGO_PROFILE_WEB_CODEGEN_UNITS=16
+    export CARGO_PROFILE_WEB_OPT_LEVEL=1 CARGO_PROFILE_WEB_LTO=fat CARGO_PROFILE_WEB_CODEGEN_UNITS=1
 fi
 
 sysroot=$(rustc --print sysroot)
@@ -26,6 +26,8 @@ if [[ ! -d $sysroot/lib/rustlib/$target/lib ]]; then
     # panic came from.
     export RUSTC=$debian RUSTC_BOOTSTRAP=1 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=${linker:-wasm-ld}
     arguments+=(-Z build-std=std,panic_abort -Z build-std-features=)
+    # Of the checks the page needs little; so they are compiled only as far as they are called.
+    arguments+=(-Z profile-hint-mostly-unused --config profile.web.package.stackless-check.hint-mostly-unused=true)
 fi
 cargo build "${arguments[@]}"
 

@@ -86,7 +86,8 @@ done
 
 failed=0
 for name in "${names[@]}"; do
-    line=$(grep -ao "result of $name: [^\"]*" "$folder/log" || echo "result of $name: no answer")
+    line=$(sed -n "s/.*\(result of $name: .*\)\", source: .*/\1/p" "$folder/log")
+    line=${line:-result of $name: no answer}
     wanted=passed
     [[ $name == bad-* ]] && wanted=failed
     [[ $line == "result of $name: $wanted"* ]] || { failed=1; echo -n "NOT $wanted: "; }

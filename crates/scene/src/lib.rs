@@ -85,8 +85,11 @@ pub fn read_named(name: &Path, bytes: &[u8]) -> Result<Loaded, SceneError> {
     reader(name)?(bytes).map_err(|error| SceneError::Content { file: name.into(), error: error.into() })
 }
 
+/// A reader of bytes.
+type Reader = fn(&[u8]) -> Result<Loaded, ReadError>;
+
 /// What reads files of this name.
-fn reader(path: &Path) -> Result<fn(&[u8]) -> Result<Loaded, ReadError>, SceneError> {
+fn reader(path: &Path) -> Result<Reader, SceneError> {
     let extension = path.extension().unwrap_or_default();
     if extension.eq_ignore_ascii_case("ply") {
         Ok(|bytes| ply::read_and_count(bytes).map(|(mesh, rounded)| Loaded { mesh, skipped: None, rounded }))

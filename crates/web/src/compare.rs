@@ -1,5 +1,6 @@
 //! Two answers to the same ray, beside each other.
 
+use glam::Vec3;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::trace::Hit;
 
@@ -95,7 +96,8 @@ impl Scene {
             let hits = ray.as_ref().map_or([None; 2], |ray| self.hits(ray));
             let difference = Difference::of(&hits);
             totals.add(&hits, difference);
-            let [exact, inexact] = hits.map(|hit| self.colour(ray.as_ref()?, &hit?)).map(Option::unwrap_or_default);
+            let seen = |hit: Option<Hit>| ray.as_ref().zip(hit).map_or([0; 4], |(ray, hit)| self.colour(ray, &hit));
+            let [exact, inexact] = hits.map(seen);
             row.exact.extend(exact);
             row.inexact.extend(inexact);
             row.differences.push(difference as u8);
@@ -104,14 +106,14 @@ impl Scene {
     }
 
     /// Brighter where the surface looks at the camera, and a little different from triangle to triangle.
-    fn colour(&self, ray: &Ray, hit: &Hit) -> Option<[u8; 4]> {
-        let [a, b, c] = self.mesh().triangle(hit.prim as usize).map(|corner| corner.as_dvec3());
+    fn colour(&self, ray: &Ray, hit: &Hit) -> [u8; 4] {
+        let [a, b, c] = self.mesh().triangle(hit.prim as usize).map(|corner: Vec3| corner.as_dvec3());
         let normal = (b - a).cross(c - a).normalize_or_zero();
         let facing = normal.dot(ray.direction().as_dvec3().normalize_or_zero()).abs();
         let shade = hit.prim.wrapping_mul(0x9E37_79B9) >> 24;
         let light = (0.25 + 0.75 * facing) * (1.0 - f64::from(shade) / 1024.0);
         let [red, green, blue] = [214.0, 190.0, 150.0].map(|channel| (channel * light + 0.5) as u8);
-        Some([red, green, blue, 255])
+        [red, green, blue, 255]
     }
 }
 

@@ -15,3 +15,6 @@ mod scene;
 pub use compare::{Difference, Row, Totals};
 pub use examples::Example;
 pub use scene::{MOST_BYTES, SIDE, Scene, SceneFault};
+
+#[cfg(test)]
+mod tests;

@@ -124,6 +124,11 @@ impl Scene {
         &self.mesh
     }
 
+    /// The binary hierarchy.
+    pub fn bvh(&self) -> &Bvh {
+        &self.bvh
+    }
+
     /// The ray through the middle of a pixel. `None` outside of the picture, and where coordinates overflow.
     pub fn ray(&self, [x, y]: [usize; 2]) -> Option<Ray> {
         (x < SIDE && y < SIDE).then(|| self.view.ray_of(y * SIDE + x, SIDE * SIDE)).flatten()
