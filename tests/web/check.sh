@@ -75,6 +75,7 @@ frame bad-image-from-elsewhere 400 's|^<main>|<img src="http://localhost/a.png" 
 frame bad-too-wide 400 's/grid-template-columns: minmax(0, 1fr) } }/grid-template-columns: 300px 300px } }/'
 sed -i "s/PAGES/[$pages]/" "$folder/frames.html"
 
+: > "$folder/log"
 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" --window-size=1280,900 --enable-logging=stderr \
     "file://$folder/frames.html" > "$folder/log" 2>&1 &
 chromium=$!
