@@ -33,17 +33,20 @@ const CRATES: &[(&str, &[&str])] = &[
     ("crates/curve", &["stackless-bvh"]),
     ("crates/check", &["stackless-bvh", "stackless-scene"]),
     ("crates/suite", &["stackless-bvh", "stackless-check", "stackless-scene"]),
+    ("crates/explain", &["stackless-bvh", "stackless-check"]),
     (
         "crates/cli",
         &[
             "stackless-bvh",
             "stackless-check",
             "stackless-curve",
+            "stackless-explain",
             "stackless-peers",
             "stackless-scene",
             "stackless-suite",
         ],
     ),
+    ("crates/web", &["stackless-bvh", "stackless-explain", "stackless-scene"]),
 ];
 
 /// Macros of the crate, which stand in its root and import nothing.

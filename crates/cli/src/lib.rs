@@ -2,5 +2,6 @@
 
 #![forbid(unsafe_code)]
 
-pub mod explain;
 pub mod plots;
+
+pub use stackless_explain as explain;

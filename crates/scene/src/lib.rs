@@ -73,21 +73,43 @@ impl Loaded {
 /// # Errors
 /// [`SceneError`]: unknown extension, unreadable or too large a file, or content that is not a mesh.
 pub fn load(path: &Path) -> Result<Loaded, SceneError> {
-    let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
-    let read: Reader = match extension.to_str() {
-        Some("ply") => |bytes, _| ply::read_and_count(bytes).map(Loaded::of),
-        Some("obj") => |bytes, _| read_obj(bytes).map(|(mesh, skipped)| Loaded { mesh, skipped, rounded: 0 }),
-        Some("stl") => |bytes, _| read_stl(bytes).map(|mesh| Loaded::of((mesh, 0))),
-        Some("gltf" | "glb") => |bytes, folder| gltf_file::read_and_count(bytes, folder).map(Loaded::of),
-        _ => return Err(SceneError::Extension { file: path.into() }),
-    };
+    let read = reader(path)?;
     let bytes = read_bytes(path, MOST_BYTES).map_err(|error| SceneError::Io { file: path.into(), error })?;
     let bytes = bytes.ok_or_else(|| SceneError::Size { file: path.into() })?;
     read(&bytes, path.parent()).map_err(|error| SceneError::Content { file: path.into(), error: error.into() })
 }
 
+/// Reads the triangle mesh in bytes that are there already, as where there is no file system. The name tells the format. A
+/// `.gltf` may not name other files.
+///
+/// ```
+/// use stackless_scene::read_named;
+///
+/// let loaded = read_named("one.obj".as_ref(), b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")?;
+/// assert_eq!(loaded.mesh.triangles(), [[0, 1, 2]]);
+/// # Ok::<(), stackless_scene::SceneError>(())
+/// ```
+///
+/// # Errors
+/// [`SceneError`]: unknown extension, or content that is not a mesh.
+pub fn read_named(name: &Path, bytes: &[u8]) -> Result<Loaded, SceneError> {
+    reader(name)?(bytes, None).map_err(|error| SceneError::Content { file: name.into(), error: error.into() })
+}
+
 /// Reads the bytes of a file, and what it names in its folder.
 type Reader = fn(&[u8], Option<&Path>) -> Result<Loaded, ReadError>;
+
+/// What reads files of this name.
+fn reader(path: &Path) -> Result<Reader, SceneError> {
+    let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
+    Ok(match extension.to_str() {
+        Some("ply") => |bytes, _| ply::read_and_count(bytes).map(Loaded::of),
+        Some("obj") => |bytes, _| read_obj(bytes).map(|(mesh, skipped)| Loaded { mesh, skipped, rounded: 0 }),
+        Some("stl") => |bytes, _| read_stl(bytes).map(|mesh| Loaded::of((mesh, 0))),
+        Some("gltf" | "glb") => |bytes, folder| gltf_file::read_and_count(bytes, folder).map(Loaded::of),
+        _ => return Err(SceneError::Extension { file: path.into() }),
+    })
+}
 
 /// Most bytes of a file that are read: 4 GiB, more than 100 million triangles.
 pub const MOST_BYTES: u64 = 4 << 30;

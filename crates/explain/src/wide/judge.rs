@@ -3,7 +3,7 @@
 use super::observe::{self, Back, Kept, Log, Seen};
 use super::places::{Places, children};
 use super::text;
-use crate::explain::{By, ExplainError, HashLookup, Next, Step};
+use crate::{By, ExplainError, HashLookup, Next, Step};
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{Method, Search, Tables, Topology, Tree, Words, is_beyond};
 

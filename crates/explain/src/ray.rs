@@ -86,7 +86,7 @@ fn met(bvh: &Bvh, ray: &Ray) -> Vec<Met> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::explain::record;
+    use crate::record;
     use stackless_bvh::bvh::{BuildOptions, Builder};
     use stackless_bvh::generate::procedural;
     use stackless_bvh::trace::{BinaryTracer, Counters};

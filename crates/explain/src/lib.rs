@@ -6,6 +6,8 @@
 //! and the nodes that the oracle has postponed stand beside the words that are to say the same. [`page()`] puts
 //! recordings into one HTML file, whose script only draws.
 
+#![forbid(unsafe_code)]
+
 mod error;
 mod judge;
 mod lookup;
@@ -197,7 +199,7 @@ const TEMPLATE: &str = include_str!("page.html");
 /// Traversals that do not run on this case are left out, and the page says why.
 ///
 /// ```
-/// use stackless_cli::explain;
+/// use stackless_explain as explain;
 /// use stackless_bvh::traverse::Method;
 ///
 /// let html = explain::page("an example", &explain::example(), &[Method::Hashed, Method::Stack])?;

@@ -23,12 +23,12 @@ pub const USUAL: [Method; 6] =
 /// The page of a search through a wide tree, as [`explain::page`](super::page) makes it.
 ///
 /// ```
-/// use stackless_cli::explain::wide::{self, USUAL};
+/// use stackless_explain::wide::{self, USUAL};
 ///
 /// let example = wide::example();
 /// let html = wide::page("an example", &example.tree, &example.search::<true>(), &USUAL)?;
 /// assert!(html.contains("wide-record"));
-/// # Ok::<(), stackless_cli::explain::ExplainError>(())
+/// # Ok::<(), stackless_explain::ExplainError>(())
 /// ```
 ///
 /// # Errors

@@ -2,8 +2,8 @@
 
 use super::judge::Judge;
 use super::observe::{Back, Kept, Seen};
-use crate::explain::text::looked_up;
-use crate::explain::{By, Next};
+use crate::text::looked_up;
+use crate::{By, Next};
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{Method, Words};
 

@@ -3,7 +3,7 @@
 use std::cell::{Cell, RefCell};
 
 use super::places::Places;
-use crate::explain::ExplainError;
+use crate::ExplainError;
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::Flow;
