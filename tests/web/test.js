@@ -111,7 +111,7 @@
     await until("the next wrong pixel", () => $("where").textContent.startsWith("Pixel") && !$("where").textContent.startsWith(`Pixel ${at % SIDE}, `));
     same("it is wrong", /lost|ghost|another/.test($("where").textContent), true);
     await refused("bad.obj", ["v 0 0 0\nv 1 0 0\nv 0 1\nf 1 2 3\n"], "line 3");
-    await refused("bad.stl", ["solid"], "expected .ply or .obj");
+    await refused("bad.xyz", ["1 2 3"], "expected .ply, .obj, .stl, .gltf or .glb");
     await refused("none.obj", ["v 0 0 0\n"], "no triangles");
     await refused("many.ply", [ply(4000000000)], "line 3", "a count up to 2147483647");
     await refused("cut.ply", [ply(2000000000)], "vertex 0 (of 2000000000)", "the file ends");

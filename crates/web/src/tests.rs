@@ -61,7 +61,7 @@ fn every_example_is_a_scene_with_a_page_for_its_middle() {
 #[test]
 fn what_is_no_scene_is_told_in_a_line() {
     let fault = |name: &str, bytes: &[u8]| Scene::read(name, bytes).unwrap_err().to_string();
-    assert_eq!(fault("a.stl", b""), "a.stl: extension \"stl\", expected .ply or .obj");
+    assert_eq!(fault("a.xyz", b""), "a.xyz: extension \"xyz\", expected .ply, .obj, .stl, .gltf or .glb");
     assert_eq!(fault("a.obj", b"v 0 0 0\n"), "a.obj: no triangles, expected at least one");
     assert!(fault("a.obj", b"v 0 0\n").starts_with("a.obj: line 1: "));
     assert!(fault("a.ply", &vec![0; MOST_BYTES + 1]).contains("at most 67108864"));
