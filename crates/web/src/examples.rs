@@ -31,10 +31,10 @@ impl Example {
             make: corners,
         },
         Self {
-            name: "folds",
-            about: "A sheet folded so tightly that its layers are a few roundings apart. The exact tracer finds the one \
-                    in front, and where layers touch the one with the least number.",
-            make: folds,
+            name: "sheets",
+            about: "Three parallel sheets, a few roundings apart. The exact tracer finds the one in front, and where sheets \
+                    touch the one with the least number.",
+            make: sheets,
         },
         Self {
             name: "telescope",
@@ -97,8 +97,8 @@ fn corners() -> Result<(Mesh, View), SceneFault> {
     Ok((grid(side, corners.collect())?, view))
 }
 
-/// A pleated sheet, and a copy that is a little off.
-fn folds() -> Result<(Mesh, View), SceneFault> {
+/// Three sheets, 2e-7 apart.
+fn sheets() -> Result<(Mesh, View), SceneFault> {
     let side = 65;
     let sheet = |layer: usize| {
         (0..side * side).map(move |i| {
