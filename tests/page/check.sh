@@ -41,13 +41,13 @@ page tape --tape 34
 page pruned --tape 2 --methods hashed-disjoint,uncle-disjoint,sparse-disjoint,afra-disjoint,stack-disjoint,stack-t0
 page others --methods left-first,implicit-a1,implicit-b,implicit-b1,laine-0,laine-2,laine-4,laine-8,skip,skip-octant,glassner
 page deep --suite-case trace/script/chain-turns-64-two-1 --methods hashed,sparse
-page ray stadium --pixel 256,256
+page ray stadium --pixel 256,220
 all_wide=wide-record,wide-stack,wide-trail,wide-hashed,wide-restart-0,wide-restart-1,wide-restart-2,wide-restart-4,wide-restart-8
 page wide --methods "$all_wide"
 page wide2 --wide 2 --tape 8 --methods "$all_wide"
 page wide4 --wide 4 --tape 3
 page leaves-first --wide 8 --tape 5
-page wide-ray stadium --pixel 256,256 --methods wide-record,wide-hashed,wide-trail
+page wide-ray stadium --pixel 256,220 --methods wide-record,wide-hashed,wide-trail
 for width in 1200 360; do
     for name in example leaf tape pruned others deep ray wide wide2 wide4 leaves-first wide-ray; do
         frame "$name-$width" "$width" "$folder/page-$name.html"

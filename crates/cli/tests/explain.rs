@@ -316,8 +316,8 @@ fn the_command_writes_pages() {
     assert_eq!(data(&case)["methods"][0]["method"], "uncle");
     let case = stackless("-q explain -o - --methods afra --case", &[&replay]).passes().stdout;
     assert_eq!(data(&case)["methods"].as_array().unwrap().iter().map(|it| &it["method"]).collect::<Vec<_>>(), ["afra"]);
-    let pixel = stackless("-q explain stadium --pixel 256,256 --methods hashed -o -", &[]).passes().stdout;
-    assert_eq!(data(&pixel)["title"], "stadium, pixel 256,256");
+    let pixel = stackless("-q explain stadium --pixel 256,220 --methods hashed -o -", &[]).passes().stdout;
+    assert_eq!(data(&pixel)["title"], "stadium, pixel 256,220");
     assert!(data(&pixel)["methods"][0]["steps"].as_array().unwrap().iter().any(|step| step["hit"] == true));
     let wide = |args: &str| data(&stackless(&format!("-q explain {args} -o -"), &[]).passes().stdout);
     let example = wide("--wide 8");
@@ -327,7 +327,7 @@ fn the_command_writes_pages() {
     let suite = wide("--suite-case trace/wide/last-2");
     assert_eq!(wide("--suite-case trace/wide/unsorted-hit-4")["trailBits"], 4);
     assert_eq!((&suite["methods"][0]["method"], &suite["base"]), (&"wide-record".into(), &10.into()));
-    let pixel = wide("stadium --pixel 256,256 --methods wide-record");
+    let pixel = wide("stadium --pixel 256,220 --methods wide-record");
     assert!(pixel["methods"][0]["steps"].as_array().unwrap().iter().any(|step| step["hit"] == true));
     assert_eq!(folder.names(), ["a.html", "case.json"]);
 }

@@ -27,7 +27,7 @@ const NOT_RUN: [(&str, &str); 13] = [
 
 /// Commands that take long or stand for many, as written and as run.
 #[rustfmt::skip]
-const RUN_AS: [(&str, &str); 38] = [
+const RUN_AS: [(&str, &str); 39] = [
     ("stackless merge RECORD...",
      "stackless check --trees 10 --shard 1/1 --json whole.json && stackless merge whole.json"),
     ("stackless check",
@@ -80,6 +80,9 @@ const RUN_AS: [(&str, &str); 38] = [
      "stackless accuracy examples/data/slivers.ply --count 100 --rounds 1 --plot accuracy.svg --csv accuracy.csv"),
     ("stackless accuracy soup --count 1000000 --shard 3/64 --json 3.json",
      "stackless accuracy soup --count 10000 --shard 3/64 --json 3.json"),
+    ("stackless bench SCENE... --methods stack --wide wide-record --build sah+2 --view benches/interiors.views",
+     "stackless bench examples/data/torus.ply --methods stack --wide wide-record --build sah+2 \
+      --view benches/interiors.views --count 1000 --rounds 1"),
     ("stackless bench SCENE...",
      "stackless bench examples/data/torus.ply --count 1000 --rounds 1"),
     ("stackless bench --double",
