@@ -87,7 +87,7 @@ impl Visitor for Culling<'_> {
     }
 }
 
-/// 1024 panes in a row behind each other.
+/// 1024 panes in a row, the last in front. Eight in a row are about as deep, so that some are hidden by others of the same depth.
 pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let count = 1024;
     let mut rng = Rng::new(1);
@@ -95,7 +95,7 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let objects: Vec<_> = (0..count)
         .map(|i| {
             let lo = [number(SIZE - 24), number(SIZE - 24)];
-            Pane { lo, hi: lo.map(|lo| lo + 1 + number(24)), depth: (i + number(50)) as u32 }
+            Pane { lo, hi: lo.map(|lo| lo + 1 + number(24)), depth: (count - i + number(50)) as u32 / 8 }
         })
         .collect();
     let inner_count = count - 1;
