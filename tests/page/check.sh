@@ -7,11 +7,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 stackless=${1:-${CARGO_TARGET_DIR:-target}/debug/stackless}
 
-browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
-if [[ -z $browser ]]; then
-    .ci/apt chromium > /dev/null 2>&1 || true
-    browser=$(command -v chromium) || { echo "no chromium, and apt-get cannot install it" >&2; exit 77; }
-fi
+browser=$(.ci/chromium)
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

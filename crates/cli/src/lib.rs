@@ -1,7 +1,5 @@
-//! What the command `stackless` shows: a traversal step by step as a page for the browser, and plots.
+//! The plots that the command `stackless` draws.
 
 #![forbid(unsafe_code)]
 
 pub mod plots;
-
-pub use stackless_explain as explain;

@@ -12,7 +12,7 @@ use stackless_bvh::traverse::{Method, Test};
 use stackless_bvh::tree::{Topology, Tree};
 use stackless_bvh::wide::Method as WideMethod;
 use stackless_check::{Case, CaseOptions, WideCase};
-use stackless_cli::explain::{self, By, DEEPEST, Entry, ExplainError, MOST_NODES, Recording, Step, USUAL, wide};
+use stackless_explain::{self as explain, By, DEEPEST, Entry, ExplainError, MOST_NODES, Recording, Step, USUAL, wide};
 use stackless_suite::{Ask, author};
 use support::{Folder, stackless};
 

@@ -5,13 +5,13 @@
 //!
 //! A file is data from outside: whatever it holds, the answer is a valid [`Mesh`] or an error of one line that
 //! says where (line, or element such as `face 3`), what was found and what was expected. No count in a file is
-//! believed before the bytes it promises are there, so memory stays within a small multiple of the file's size, and files
-//! of more than [`MOST_BYTES`] are refused.
+//! believed before the bytes it promises are there, so memory stays within a small multiple of the file's size, and
+//! files of more than [`MOST_BYTES`] are refused.
 //!
 //! The readers are our own: `tobj` 4.0 re-indexes vertices and reports no line, and `ply-rs-bw` 4.0 reports in several
 //! lines, refuses numbers such as `.5`, misreads what follows a repeated property, and counts in vain through billions
-//! of elements that have none. `stl_io` 0.11 reports no line, refuses a solid without a name, and leaves out all solids of
-//! a text but the first. For glTF the crate `gltf` reads the document.
+//! of elements that have none. `stl_io` 0.11 reports no line, refuses a solid without a name, and leaves out all solids
+//! of a text but the first. For glTF the crate `gltf` reads the document.
 
 #![forbid(unsafe_code)]
 
@@ -49,7 +49,8 @@ pub struct Loaded {
     pub mesh: Mesh,
     /// What was skipped because the format does not have it.
     pub skipped: Option<Skipped>,
-    /// How many coordinates were rounded, of a PLY file or by the nodes of a glTF file, since single precision does not have them.
+    /// How many coordinates were rounded, of a PLY file or by the nodes of a glTF file, since single precision does not
+    /// have them.
     pub rounded: u64,
 }
 
@@ -67,8 +68,8 @@ impl Loaded {
     }
 }
 
-/// Reads the triangle mesh in a file, by its extension (either case of letters): `.ply`, `.obj`, `.stl`, `.gltf`, `.glb`;
-/// see [`read_ply`], [`read_obj`], [`read_stl`] and [`read_gltf`].
+/// Reads the triangle mesh in a file, by its extension (either case of letters): `.ply`, `.obj`, `.stl`, `.gltf`,
+/// `.glb`; see [`read_ply`], [`read_obj`], [`read_stl`] and [`read_gltf`].
 ///
 /// # Errors
 /// [`SceneError`]: unknown extension, unreadable or too large a file, or content that is not a mesh.
@@ -79,8 +80,8 @@ pub fn load(path: &Path) -> Result<Loaded, SceneError> {
     read(&bytes, path.parent()).map_err(|error| SceneError::Content { file: path.into(), error: error.into() })
 }
 
-/// Reads the triangle mesh in bytes that are there already, as where there is no file system. The name tells the format. A
-/// `.gltf` may not name other files.
+/// Reads the triangle mesh in bytes that are there already, as where there is no file system. The name tells the format.
+/// A `.gltf` may not name other files.
 ///
 /// ```
 /// use stackless_scene::read_named;

@@ -46,8 +46,8 @@ pub(crate) use total::{Found, SecondaryFound};
     stackless accuracy soup --secondary --count 10000\n  \
     stackless accuracy soup --count 1000000 --shard 3/64 --json 3.json")]
 pub(crate) struct Args {
-    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), the made scenes `strands`, `stadium`, `soup`, or `spheres`: closed ones, only for
-    /// leaks.
+    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), the made scenes `strands`, `stadium`, `soup`, or `spheres`: closed
+    /// ones, only for leaks.
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
     /// Draw time against error, as SVG.

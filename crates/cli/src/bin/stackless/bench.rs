@@ -49,8 +49,8 @@ pub(crate) struct Args {
     #[arg(long, value_delimiter = ',', value_parser = input::method())]
     #[arg(default_value = "stack,sparse,afra,uncle,hashed,hash-only,implicit-b1")]
     methods: Vec<Method>,
-    /// Traversals of wide trees, separated by commas. They are exact. Their tree is built in the same way, with one triangle a leaf, and then
-    /// collapsed to eight children. They trace two rays in turns.
+    /// Traversals of wide trees, separated by commas. They are exact. Their tree is built in the same way, with one
+    /// triangle a leaf, and then collapsed to eight children. They trace two rays in turns.
     #[arg(long, value_delimiter = ',', value_parser = input::wide_method())]
     wide: Vec<WideMethod>,
     /// Instructions of the traversals of wide trees. The default is the best of the machine.

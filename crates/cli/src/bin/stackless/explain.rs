@@ -6,7 +6,7 @@ use stackless_bvh::geom::Ray;
 use stackless_bvh::traverse::Method;
 use stackless_bvh::wide::Method as WideMethod;
 use stackless_check::{Case, CaseOptions, Replay, WideCase};
-use stackless_cli::explain::{self, USUAL, wide};
+use stackless_explain::{self as explain, USUAL, wide};
 use stackless_suite::{Ask, Suite, Traversal, WideWalk};
 
 use crate::build::{Build, BuildName};
