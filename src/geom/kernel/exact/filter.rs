@@ -40,10 +40,12 @@ impl Determinants {
     }
 
     /// Whether nothing of [`of`](Self::of) is rounded for these numbers, of which none may be subnormal. `[EXACT-11]`
-    pub(super) fn are_exact(&[v0, v1, v2]: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
-        let positions = digits(&[v0, v1, v2, o]);
-        let (edges, off, direction) = (digits(&[v1 - v0, v2 - v0]), digits(&[o - v0]), digits(&[d]));
-        positions < DIGITS && direction + edges + edges.max(off) + 5 <= DIGITS && 2 * edges + off + 3 <= DIGITS
+    pub(super) fn are_exact(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
+        let &[v0, v1, v2] = corners;
+        let (Some(unit), Some(unit_of_d)) = (unit([v0, v1, v2, o]), unit([d])) else { return false };
+        let [d, off, edges] = greatest(corners, o, d).map(|x| exponent(x) + 1);
+        let (direction, off, edges) = ((d - unit_of_d).max(0), (off - unit).max(0), (edges - unit).max(0));
+        direction + edges + edges.max(off) + 5 <= DIGITS && 2 * edges + off + 3 <= DIGITS
     }
 
     /// Whether the line and the plane of the triangle are parallel, if nothing is rounded.
@@ -148,15 +150,25 @@ impl Errors {
 /// Binary digits of a double.
 const DIGITS: i32 = f64::MANTISSA_DIGITS as i32;
 
-/// With so many binary digits, all components are multiples of one power of two.
-fn digits(vectors: &[DVec3]) -> i32 {
-    let (mut least, mut end) = (i32::MAX, i32::MIN);
-    for x in vectors.iter().flat_map(DVec3::to_array).filter(|&x| x != 0.0) {
-        let (bits, exponent) = (x.to_bits(), (x.to_bits() >> 52 & 0x7ff) as i32);
-        let zeros = (bits | 1 << 52).trailing_zeros() as i32;
-        (least, end) = (least.min(exponent + zeros - 52), end.max(exponent + 1));
+/// The [`exponent`] of the greatest power of two that all components are multiples of, if they have at most 51 digits
+/// down to it.
+#[inline(always)]
+fn unit<const N: usize>(vectors: [DVec3; N]) -> Option<i32> {
+    let greatest = vectors.iter().fold(DVec3::ZERO, |greatest, v| greatest.max(v.abs())).max_element();
+    // A number that is added to this is rounded to 51 digits, which then are the last of the sum.
+    let shift = f64::from_bits((exponent(greatest) as u64 + 2) << 52 | 1 << 51);
+    let (mut digits, mut is_rounded) = (0, false);
+    for v in vectors {
+        let sum = v + shift;
+        digits |= sum.x.to_bits() | sum.y.to_bits() | sum.z.to_bits();
+        is_rounded |= sum - shift != v;
     }
-    if least < end { end - least } else { 0 }
+    (!is_rounded).then(|| exponent(greatest) - 50 + digits.trailing_zeros() as i32)
+}
+
+/// The exponent of a number that is not negative, as it is stored.
+const fn exponent(x: f64) -> i32 {
+    (x.to_bits() >> 52) as i32
 }
 
 /// The greatest components of d, s, and e1 and e2.

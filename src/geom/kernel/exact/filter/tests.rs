@@ -141,6 +141,35 @@ fn grids_are_as_fine_as_they_can_be_told() {
     assert!(are_exact(all(16), all(16), all(16)) && !are_exact(all(16), all(17), all(16)));
     assert!(are_exact(all(1), all(30), all(17)) && !are_exact(all(17), all(16), all(16)));
     // Positions that are too far apart for their differences.
-    let far = [DVec3::splat(2f64.powi(52)), DVec3::splat(1.0), DVec3::new(1.0, 2.0, 3.0)];
-    assert!(!Determinants::are_exact(&far, DVec3::ZERO, DVec3::X));
+    let far =
+        |corner: f64| [DVec3::splat(corner), DVec3::splat(corner + 1.0), DVec3::new(corner, corner + 1.0, corner)];
+    let are_exact = |corner: f64| Determinants::are_exact(&far(corner), DVec3::splat(corner), DVec3::X);
+    assert!(are_exact(2f64.powi(50)) && !are_exact(2f64.powi(51)));
+}
+
+/// A number of so many digits after the first, and zero.
+fn number() -> impl Strategy<Value = f64> {
+    let some = (0..1u64 << 52, 0..=52u32, -30..30i32, any::<bool>()).prop_map(|(digits, zeros, scale, is_negative)| {
+        let x = f64::from_bits(1023 << 52 | digits >> zeros << zeros) * f64::from(scale).exp2();
+        if is_negative { -x } else { x }
+    });
+    prop_oneof![4 => some, 1 => Just(0.0), 1 => Just(-0.0)]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+    /// As digit after digit says. [EXACT-11]
+    #[test]
+    fn units_are_those_of_the_last_digits(x in [number(), number(), number()], y in [number(), number(), number()]) {
+        let numbers: Vec<f64> = [x, y].concat().into_iter().filter(|&x| x != 0.0).collect();
+        let last = |x: f64| exponent(x.abs()) - 52 + (x.to_bits() | 1 << 52).trailing_zeros() as i32;
+        let least = numbers.iter().map(|&x| last(x)).min();
+        let end = numbers.iter().map(|&x| exponent(x.abs()) + 1).max();
+        let expected = match (least, end) {
+            (Some(least), Some(end)) => (end - least <= 51).then_some(least),
+            _ => Some(1),
+        };
+        prop_assert_eq!(super::unit([DVec3::from(x), DVec3::from(y)]), expected);
+    }
 }
