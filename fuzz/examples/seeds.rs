@@ -35,6 +35,12 @@ fn seeds(target: Target) -> Vec<Vec<u8>> {
             b"# text\nv 0 0 0 1\nv 1 0 0\r\nvt 0 0\nv 1 1 0\nv 0 1e-3 .5\nvn 0 0 1\ng a\ns off\nf 1/1/1 2//1 3/1 4\nf -4 -3 -2\n"
                 .to_vec(),
         ],
+        "stl" => vec![
+            b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e-3 .5\nendloop\nendfacet\nendsolid a\n"
+                .to_vec(),
+            stl(&mesh),
+        ],
+        "gltf" => vec![gltf("", ""), gltf(r#","indices":1"#, ""), gltf(r#","mode":5"#, r#","scale":[2,2,2]"#)],
         "rays" => vec![
             b"ox,oy,oz,dx,dy,dz,tmin,tmax\n0,0,0,1,0,0,0,inf\n# two\n\n1e-3,-0,.5,-1,2,3,0.25,4\n".to_vec(),
             b" 0 , 0 , 0 , 1 , 0 , 0 , 0 , 1 \r\n".to_vec(),
@@ -106,6 +112,28 @@ fn polygons() -> Vec<u8> {
       element face 1\rproperty list int uint vertex_index\rproperty int8 d\rend_header\r\
       2 7 8 .5 9\r0 0 0 1\r0 1 0 2\r1e-2 1 1 3\r-0 0 1 4\r4 0 1 2 3 -7\r"
         .to_vec()
+}
+
+fn stl(mesh: &Mesh) -> Vec<u8> {
+    let mut bytes = vec![0; 80];
+    bytes.extend((mesh.triangles().len() as u32).to_le_bytes());
+    for triangle in mesh.triangles() {
+        bytes.extend([0; 12]);
+        let corners = triangle.iter().flat_map(|&corner| mesh.vertices()[corner as usize].to_array());
+        bytes.extend(corners.flat_map(f32::to_le_bytes));
+        bytes.extend([0; 2]);
+    }
+    bytes
+}
+
+/// Two nodes with one mesh, of a triangle, with these members of the primitive and of the upper node.
+fn gltf(primitive: &str, node: &str) -> Vec<u8> {
+    // Corners 0 0 0, 1 0 0, 0 1 0 as floats, indices 0 1 2 as bytes.
+    let data = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAEC";
+    format!(
+        r#"{{"asset":{{"version":"2.0"}},"scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0,"children":[1]{node}}},{{"mesh":0,"translation":[0,0,1]}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}{primitive}}}]}}],"accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}},{{"bufferView":1,"componentType":5121,"count":3,"type":"SCALAR"}}],"bufferViews":[{{"buffer":0,"byteLength":36}},{{"buffer":0,"byteOffset":36,"byteLength":3}}],"buffers":[{{"uri":"data:;base64,{data}","byteLength":39}}]}}"#
+    )
+    .into_bytes()
 }
 
 fn obj(mesh: &Mesh) -> Vec<u8> {

@@ -3,19 +3,33 @@
 use stackless_bvh::generate::Bytes;
 use stackless_bvh::traverse::Method;
 use stackless_check::{Case, Replay};
-use stackless_scene::{check_mesh_file, check_ray_file, read_obj, read_ply};
+use stackless_scene::{MeshFormat, check_mesh_file, check_ray_file};
 
 use super::draw::patched;
 use super::{right, said, traversals};
 
 /// A PLY file.
 pub(crate) fn ply(bytes: &[u8]) {
-    right(check_mesh_file(bytes, read_ply), bytes.escape_ascii());
+    mesh(bytes, MeshFormat::Ply);
 }
 
 /// An OBJ file.
 pub(crate) fn obj(bytes: &[u8]) {
-    right(check_mesh_file(bytes, |bytes| read_obj(bytes).map(|(mesh, _)| mesh)), bytes.escape_ascii());
+    mesh(bytes, MeshFormat::Obj);
+}
+
+/// An STL file.
+pub(crate) fn stl(bytes: &[u8]) {
+    mesh(bytes, MeshFormat::Stl);
+}
+
+/// A glTF file.
+pub(crate) fn gltf(bytes: &[u8]) {
+    mesh(bytes, MeshFormat::Gltf);
+}
+
+fn mesh(bytes: &[u8], format: MeshFormat) {
+    right(check_mesh_file(bytes, format), bytes.escape_ascii());
 }
 
 /// A file of rays.

@@ -28,7 +28,7 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 23] = [
+pub const TARGETS: [Target; 25] = [
     target("keys", keys::keys, 128),
     target("traversals", traversals::traversals, 512),
     target("deep", traversals::deep, 512),
@@ -47,6 +47,8 @@ pub const TARGETS: [Target; 23] = [
     target("instances", hierarchies::instances, 512),
     target("ply", files::ply, 4096),
     target("obj", files::obj, 4096),
+    target("stl", files::stl, 4096),
+    target("gltf", files::gltf, 4096),
     target("rays", files::rays, 2048),
     target("replay", files::replay, 4096),
     target("requests", suite::requests, 4096),

@@ -4,6 +4,7 @@
 //! trust that an accessor lies within its view.
 
 use std::borrow::Cow;
+use std::fmt;
 use std::path::{Component, Path};
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
@@ -15,7 +16,7 @@ use stackless_bvh::geom::Mesh;
 
 use super::error::{Fault, Place, ReadError};
 use super::text::quote;
-use super::{MOST_BYTES, read_bytes};
+use super::{Loaded, MOST_BYTES, read_bytes};
 
 /// Most triangles of a scene. Nodes may repeat a mesh, so that a small file could ask for any number.
 const MOST_TRIANGLES: usize = 1 << 26;
@@ -23,17 +24,37 @@ const MOST_TRIANGLES: usize = 1 << 26;
 /// Reads the mesh that the nodes of a scene make up, from the bytes of a `.gltf` or `.glb` file.
 ///
 /// It is the scene that the file names, or its first. Each node's mesh is moved by the node and all above it, in double
-/// precision. Triangles, strips and fans are read; points, lines, skins and morphs are not. Buffers are in the file, or in
+/// precision. Triangles, strips and fans are read; points, lines, skins and morph targets are not ([`Unread`] counts them
+/// for [`load`](crate::load)). Buffers are in the file, or in
 /// `folder` and those below it.
 ///
 /// # Errors
 /// [`ReadError`], naming the node, mesh or buffer.
 pub fn read_gltf(bytes: &[u8], folder: Option<&Path>) -> Result<Mesh, ReadError> {
-    read_and_count(bytes, folder).map(|(mesh, _)| mesh)
+    load(bytes, folder).map(|loaded| loaded.mesh)
 }
 
-/// The same, and how many coordinates were rounded.
-pub(crate) fn read_and_count(bytes: &[u8], folder: Option<&Path>) -> Result<(Mesh, u64), ReadError> {
+/// What was not read of the nodes of a scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Unread {
+    /// Primitives of points or lines.
+    pub primitives: u64,
+    /// Skins, and primitives with morph targets. Their triangles are where they are without.
+    pub deformations: u64,
+}
+
+impl fmt::Display for Unread {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { primitives, deformations } = *self;
+        let of = |count, what| (count > 0).then(|| format!("{count} {what}"));
+        let parts =
+            [of(primitives, "primitives of points or lines"), of(deformations, "skins and sets of morph targets")];
+        write!(f, "not read: {}", parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
+    }
+}
+
+/// Reads the mesh, and counts what was rounded and what was not read.
+pub(crate) fn load(bytes: &[u8], folder: Option<&Path>) -> Result<Loaded, ReadError> {
     let whole = |found: String| Fault::unexpected(found, "a glTF 2.0 document").at(Place::Document);
     // The crate takes the length of the header off it, whatever it is.
     let length = bytes.get(8..12).and_then(|length| length.first_chunk()).map(|length| u32::from_le_bytes(*length));
@@ -76,6 +97,7 @@ pub(crate) fn read_and_count(bytes: &[u8], folder: Option<&Path>) -> Result<(Mes
         }
         let own = DMat4::from_cols_array_2d(&node.transform().matrix().map(|column| column.map(f64::from)));
         let to_world = above * own;
+        draft.unread.deformations += u64::from(node.skin().is_some());
         for primitive in node.mesh().iter().flat_map(gltf::Mesh::primitives) {
             draft.add(&primitive, &buffers, &to_world).map_err(|fault| fault.at(place()))?;
         }
@@ -83,7 +105,9 @@ pub(crate) fn read_and_count(bytes: &[u8], folder: Option<&Path>) -> Result<(Mes
         pending.extend(node.children().map(|child| (child, to_world)));
         pending[first..].reverse();
     }
-    Ok((Mesh::new(draft.vertices, draft.triangles)?, draft.rounded))
+    let Draft { vertices, triangles, rounded, unread } = draft;
+    let unread = (unread != Unread::default()).then_some(unread);
+    Ok(Loaded { mesh: Mesh::new(vertices, triangles)?, skipped: None, unread, rounded })
 }
 
 /// The bytes of a buffer, at least as many as it says.
@@ -128,14 +152,17 @@ struct Draft {
     triangles: Vec<[u32; 3]>,
     /// Coordinates that single precision does not have, where they have been moved to.
     rounded: u64,
+    unread: Unread,
 }
 
 impl Draft {
     fn add(&mut self, primitive: &Primitive<'_>, buffers: &[Cow<'_, [u8]>], to_world: &DMat4) -> Result<(), Fault> {
         let mode = primitive.mode();
         if !matches!(mode, Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan) {
+            self.unread.primitives += 1;
             return Ok(());
         }
+        self.unread.deformations += u64::from(primitive.morph_targets().len() > 0);
         let positions = primitive.get(&Semantic::Positions).ok_or(Fault::Ends { expected: "positions" })?;
         let count = positions.count();
         let first = self.vertices.len();

@@ -27,12 +27,14 @@ mod stl;
 mod text;
 
 pub use error::{Fault, Place, ReadError, SceneError};
-pub use gltf_file::read_gltf;
-pub use obj::{Skipped, read_obj};
+pub use gltf_file::{Unread, read_gltf};
+pub use obj::{Statements, read_obj};
 pub use output::{abandon_writes, check_writable, resolve, write_atomically};
 pub use ply::read_ply;
-pub use property::{FileFault, check_mesh_file, check_ray_file};
-pub use rays::{Format, HitRow, RayFault, RayFileError, UnknownFormat, read_rays, read_rays_from, write_hits};
+pub use property::{FileFault, MeshFormat, check_mesh_file, check_ray_file};
+pub use rays::{
+    Format, HitRow, LoadedRays, RayFault, RayFileError, UnknownFormat, read_rays, read_rays_from, write_hits,
+};
 pub use stl::read_stl;
 pub use text::read_text;
 
@@ -47,8 +49,10 @@ use stackless_bvh::geom::Mesh;
 pub struct Loaded {
     /// The mesh.
     pub mesh: Mesh,
-    /// What was skipped because the format does not have it.
-    pub skipped: Option<Skipped>,
+    /// What was skipped of an OBJ file, since the format does not have it.
+    pub skipped: Option<Statements>,
+    /// What was not read of a glTF file, since it is not a mesh of triangles.
+    pub unread: Option<Unread>,
     /// How many coordinates were rounded, of a PLY file or by the nodes of a glTF file, since single precision does not
     /// have them.
     pub rounded: u64,
@@ -56,16 +60,23 @@ pub struct Loaded {
 
 impl Loaded {
     fn of((mesh, rounded): (Mesh, u64)) -> Self {
-        Self { mesh, skipped: None, rounded }
+        Self { mesh, skipped: None, unread: None, rounded }
     }
 
     /// What to tell whoever named the file: one line that begins with it. `None` if all of it was taken as it is.
     pub fn note(&self, file: &Path) -> Option<String> {
-        let were = if self.rounded == 1 { "coordinate was" } else { "coordinates were" };
-        let rounded = (self.rounded > 0).then(|| format!("{} {were} rounded to single precision", self.rounded));
-        let notes: Vec<_> = self.skipped.as_ref().map(ToString::to_string).into_iter().chain(rounded).collect();
+        let skipped = self.skipped.as_ref().map(ToString::to_string);
+        let unread = self.unread.as_ref().map(ToString::to_string);
+        let rounded = rounded(self.rounded, ["coordinate was", "coordinates were"]);
+        let notes: Vec<_> = [skipped, unread, rounded].into_iter().flatten().collect();
         (!notes.is_empty()).then(|| format!("{}: {}", text::one_line(file), notes.join("; ")))
     }
+}
+
+/// How many of these were rounded, if any.
+fn rounded(count: u64, [one, several]: [&str; 2]) -> Option<String> {
+    let were = if count == 1 { one } else { several };
+    (count > 0).then(|| format!("{count} {were} rounded to single precision"))
 }
 
 /// Reads the triangle mesh in a file, by its extension (either case of letters): `.ply`, `.obj`, `.stl`, `.gltf`,
@@ -105,9 +116,9 @@ fn reader(path: &Path) -> Result<Reader, SceneError> {
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
     Ok(match extension.to_str() {
         Some("ply") => |bytes, _| ply::read_and_count(bytes).map(Loaded::of),
-        Some("obj") => |bytes, _| read_obj(bytes).map(|(mesh, skipped)| Loaded { mesh, skipped, rounded: 0 }),
+        Some("obj") => |bytes, _| read_obj(bytes).map(|(mesh, skipped)| Loaded { skipped, ..Loaded::of((mesh, 0)) }),
         Some("stl") => |bytes, _| read_stl(bytes).map(|mesh| Loaded::of((mesh, 0))),
-        Some("gltf" | "glb") => |bytes, folder| gltf_file::read_and_count(bytes, folder).map(Loaded::of),
+        Some("gltf" | "glb") => gltf_file::load,
         _ => return Err(SceneError::Extension { file: path.into() }),
     })
 }

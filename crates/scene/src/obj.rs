@@ -30,7 +30,7 @@ use std::str::SplitAsciiWhitespace;
 ///
 /// # Errors
 /// [`ReadError`], naming the line on which the statement begins.
-pub fn read_obj(bytes: &[u8]) -> Result<(Mesh, Option<Skipped>), ReadError> {
+pub fn read_obj(bytes: &[u8]) -> Result<(Mesh, Option<Statements>), ReadError> {
     let mut draft = Draft::default();
     let mut lines = Lines::new(without_mark(bytes), End::Any);
     let mut statement = Vec::new();
@@ -56,7 +56,7 @@ pub fn read_obj(bytes: &[u8]) -> Result<(Mesh, Option<Skipped>), ReadError> {
 
 /// Statements of a file that the format does not have.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Skipped {
+pub struct Statements {
     /// How many there are.
     pub count: u64,
     /// The line of the first one, counted from 1.
@@ -65,7 +65,7 @@ pub struct Skipped {
     pub word: String,
 }
 
-impl fmt::Display for Skipped {
+impl fmt::Display for Statements {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { count, line, word } = self;
         let (statements, were) = if *count == 1 { ("statement", "was") } else { ("statements", "were") };
@@ -112,12 +112,12 @@ struct Draft {
     triangles: Vec<[u32; 3]>,
     /// Corners (line and number) that were ahead of the vertices when they came.
     ahead: Vec<(u64, i64)>,
-    skipped: Option<Skipped>,
+    skipped: Option<Statements>,
 }
 
 impl Draft {
     fn skip(&mut self, word: &str) {
-        let first = || Skipped { count: 0, line: self.line, word: quote(word) };
+        let first = || Statements { count: 0, line: self.line, word: quote(word) };
         self.skipped.get_or_insert_with(first).count += 1;
     }
 
@@ -166,7 +166,7 @@ impl Draft {
         Fault::Index { found: number.to_string(), expected }
     }
 
-    fn finish(self) -> Result<(Mesh, Option<Skipped>), ReadError> {
+    fn finish(self) -> Result<(Mesh, Option<Statements>), ReadError> {
         let count = self.vertices.len() as i64;
         if let Some(&(line, number)) = self.ahead.iter().find(|(_, number)| *number > count) {
             return Err(self.out_of_range(number).at_line(line));

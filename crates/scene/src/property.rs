@@ -4,7 +4,7 @@
 use std::fmt::Write;
 
 use crate::text::MARK;
-use crate::{Format, ReadError, read_obj, read_ply, read_rays_from};
+use crate::{Format, ReadError, read_gltf, read_obj, read_ply, read_rays_from, read_stl};
 use stackless_bvh::geom::{Mesh, Ray};
 
 /// What is wrong with a reader.
@@ -29,24 +29,60 @@ pub enum FileFault {
 /// Longest message, in bytes.
 const LONGEST: usize = 400;
 
+/// A format of meshes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeshFormat {
+    /// [`read_ply`](crate::read_ply).
+    Ply,
+    /// [`read_obj`](crate::read_obj).
+    Obj,
+    /// [`read_stl`](crate::read_stl).
+    Stl,
+    /// [`read_gltf`](crate::read_gltf), with all buffers in the file.
+    Gltf,
+}
+
+impl MeshFormat {
+    fn read(self, bytes: &[u8]) -> Result<Mesh, ReadError> {
+        match self {
+            Self::Ply => read_ply(bytes),
+            Self::Obj => read_obj(bytes).map(|(mesh, _)| mesh),
+            Self::Stl => read_stl(bytes),
+            Self::Gltf => read_gltf(bytes, None),
+        }
+    }
+
+    /// The same file as other editors write it.
+    fn rewritten(self, bytes: &[u8]) -> Vec<Vec<u8>> {
+        match self {
+            // What is behind the header may be binary.
+            Self::Ply => rewritten(bytes, false),
+            Self::Obj => rewritten(bytes, true),
+            Self::Stl if bytes.is_ascii() && bytes.starts_with(b"solid") => rewritten(bytes, true),
+            Self::Stl | Self::Gltf => Vec::new(),
+        }
+    }
+}
+
 /// Reads a mesh. If it is accepted, it is written as OBJ and as PLY, and must come back, bit for bit.
 ///
 /// Returns whether it is accepted.
 ///
 /// # Errors
 /// The first fault.
-pub fn check_mesh_file(bytes: &[u8], read: fn(&[u8]) -> Result<Mesh, ReadError>) -> Result<bool, FileFault> {
-    let mesh = match read(bytes) {
+pub fn check_mesh_file(bytes: &[u8], format: MeshFormat) -> Result<bool, FileFault> {
+    let mesh = match format.read(bytes) {
         Ok(mesh) => mesh,
         Err(error) => return message(error.to_string()),
     };
     let elements = mesh.vertices().len() + mesh.triangles().len();
-    if elements >= bytes.len() {
+    // The nodes of a glTF file repeat its meshes.
+    if elements >= bytes.len() && format != MeshFormat::Gltf {
         return Err(FileFault::Size { elements, bytes: bytes.len() });
     }
-    // What is behind the header of a PLY file may be binary.
-    for written in rewritten(bytes, !bytes.starts_with(b"ply")) {
-        let same = read(&written).is_ok_and(|same| bits(&same) == bits(&mesh) && same.triangles() == mesh.triangles());
+    for written in format.rewritten(bytes) {
+        let same = format.read(&written);
+        let same = same.is_ok_and(|same| bits(&same) == bits(&mesh) && same.triangles() == mesh.triangles());
         if !same {
             return Err(FileFault::Changed(format!("not the same as {}", written.escape_ascii())));
         }
@@ -77,7 +113,7 @@ pub fn check_ray_file(bytes: &[u8]) -> Result<bool, FileFault> {
 fn check_ray_file_as(bytes: &[u8], format: Format) -> Result<bool, FileFault> {
     let read = |bytes: &[u8], format| read_rays_from(bytes, "rays", format);
     let rays = match read(bytes, format) {
-        Ok(rays) => rays,
+        Ok(loaded) => loaded.rays,
         Err(error) => return message(error.to_string()),
     };
     if rays.len() >= bytes.len() {
@@ -85,7 +121,7 @@ fn check_ray_file_as(bytes: &[u8], format: Format) -> Result<bool, FileFault> {
     }
     let rewritten = if format == Format::Npy { Vec::new() } else { rewritten(bytes, true) };
     for written in rewritten {
-        let same = read(&written, format).is_ok_and(|same| format!("{same:?}") == format!("{rays:?}"));
+        let same = read(&written, format).is_ok_and(|same| format!("{:?}", same.rays) == format!("{rays:?}"));
         if !same {
             return Err(FileFault::Changed(format!("not the same as {}", written.escape_ascii())));
         }
@@ -97,7 +133,7 @@ fn check_ray_file_as(bytes: &[u8], format: Format) -> Result<bool, FileFault> {
         text
     });
     match read(text.as_bytes(), Format::Csv) {
-        Ok(back) if format!("{back:?}") == format!("{rays:?}") => Ok(true),
+        Ok(back) if format!("{:?}", back.rays) == format!("{rays:?}") => Ok(true),
         back => Err(FileFault::Changed(format!("{back:?} instead of {rays:?}"))),
     }
 }

@@ -181,6 +181,23 @@ pub enum RayFault {
     Ray(#[from] RayError),
 }
 
+/// The rays of a file.
+#[derive(Clone, Debug)]
+pub struct LoadedRays {
+    /// The rays, at least one.
+    pub rays: Vec<Ray>,
+    /// How many doubles of a `NumPy` array were rounded, since single precision does not have them.
+    pub rounded: u64,
+}
+
+impl LoadedRays {
+    /// What to tell whoever named the file: one line that begins with it. `None` if all was taken as it is.
+    pub fn note(&self, file: &Path) -> Option<String> {
+        let rounded = super::rounded(self.rounded, ["number was", "numbers were"])?;
+        Some(format!("{}: {rounded}", one_line(file)))
+    }
+}
+
 /// Reads rays from a file.
 ///
 /// Of comma-separated values each line is `ox,oy,oz,dx,dy,dz,tmin,tmax`, in all lines without the last two if so in the
@@ -194,7 +211,7 @@ pub enum RayFault {
 ///
 /// # Errors
 /// [`RayFileError`]; for a bad line it names line and column.
-pub fn read_rays(path: &Path, format: Format) -> Result<Vec<Ray>, RayFileError> {
+pub fn read_rays(path: &Path, format: Format) -> Result<LoadedRays, RayFileError> {
     let file = File::open(path).map_err(|error| RayFileError::Io { file: path.into(), error })?;
     read_rays_from(BufReader::new(file), path, format)
 }
@@ -207,14 +224,18 @@ pub fn read_rays_from(
     mut reader: impl BufRead,
     name: impl AsRef<Path>,
     format: Format,
-) -> Result<Vec<Ray>, RayFileError> {
+) -> Result<LoadedRays, RayFileError> {
     let file = name.as_ref();
-    let rays = match format {
-        Format::Csv => lines(&mut reader, file, format, csv::Reader::default())?,
-        Format::JsonLines => lines(&mut reader, file, format, json_lines::Reader)?,
+    let (rays, rounded) = match format {
+        Format::Csv => (lines(&mut reader, file, format, csv::Reader::default())?, 0),
+        Format::JsonLines => (lines(&mut reader, file, format, json_lines::Reader)?, 0),
         Format::Npy => npy::read(&mut reader, file)?,
     };
-    if rays.is_empty() { Err(RayFileError::Empty { file: file.into(), format }) } else { Ok(rays) }
+    if rays.is_empty() {
+        Err(RayFileError::Empty { file: file.into(), format })
+    } else {
+        Ok(LoadedRays { rays, rounded })
+    }
 }
 
 /// Reads a line.

@@ -62,6 +62,27 @@ fn strips_and_fans_are_triangles_and_points_are_not() {
 }
 
 #[test]
+fn what_is_not_read_is_counted() {
+    let note = |changes: &[(&str, &str)]| {
+        let text = changes.iter().fold(embedded(), |text, (from, to)| {
+            assert_eq!(text.matches(from).count(), 1, "{from}");
+            text.replace(from, to)
+        });
+        load(text.as_bytes(), None).unwrap().note("a.gltf".as_ref())
+    };
+    assert_eq!(note(&[]), None);
+    let lines = (r#""indices":1}"#, r#""indices":1},{"attributes":{"POSITION":0},"mode":1}"#);
+    let morphs = (r#""indices":1"#, r#""indices":1,"targets":[{"POSITION":0}]"#);
+    let skin = (r#"{"mesh":0,"children""#, r#"{"skin":0,"mesh":0,"children""#);
+    let skins = (r#""asset":"#, r#""skins":[{"joints":[1]}],"asset":"#);
+    assert_eq!(note(&[lines]).unwrap(), "a.gltf: not read: 2 primitives of points or lines");
+    assert_eq!(
+        note(&[lines, morphs, skin, skins]).unwrap(),
+        "a.gltf: not read: 2 primitives of points or lines, 3 skins and sets of morph targets"
+    );
+}
+
+#[test]
 fn what_is_cut_or_wrong_is_refused_in_one_line() {
     for good in [embedded().into_bytes(), binary()] {
         for end in 0..good.len() {

@@ -1,4 +1,5 @@
 use super::*;
+use crate::MeshFormat;
 use crate::tests::{Random, survives_corruption};
 
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -76,7 +77,7 @@ fn what_the_format_does_not_have_is_counted() {
     let skipped = |text: &str| read_obj(text.as_bytes()).unwrap().1;
     let plain = format!("{TRIANGLE}f 1 2 3\n");
     assert_eq!(skipped(&plain), None);
-    let of = |count, line, word: &str| Some(Skipped { count, line, word: word.into() });
+    let of = |count, line, word: &str| Some(Statements { count, line, word: word.into() });
     assert_eq!(skipped(&format!("o a\rs off\rV 0 0 0\r{plain}")), of(1, 3, "\"V\""));
     assert_eq!(skipped(&format!("vt 1\n{plain}vx 1\n\nfacet 1 2 3\n")), of(2, 6, "\"vx\""));
     // A mark counts only where the file begins.
@@ -138,5 +139,5 @@ fn each_error_names_its_line() {
 #[test]
 fn corrupted_files_never_panic() {
     let valid = format!("# two\n{TRIANGLE}v 1 1 \\\n 0.5e-3\nf 1/1/1 2//2 3/3 -1\nf 3 2 1\n");
-    survives_corruption(valid.as_bytes(), 0, mesh, 5_000);
+    survives_corruption(valid.as_bytes(), 0, MeshFormat::Obj, 5_000);
 }

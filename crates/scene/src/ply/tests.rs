@@ -1,4 +1,5 @@
 use super::*;
+use crate::MeshFormat;
 use crate::tests::survives_corruption;
 
 /// All that a header may hold: other elements before, between and after, skipped scalars and lists, every length of
@@ -321,6 +322,6 @@ fn absurd_counts_are_refused_at_once_and_take_no_memory() {
 #[test]
 fn corrupted_files_never_panic() {
     for valid in [RICH.into(), QUAD.into(), encode(RICH, false), encode(QUAD, false), encode(QUAD, true)] {
-        survives_corruption(&valid, body(&valid), read_ply, 2_000);
+        survives_corruption(&valid, body(&valid), MeshFormat::Ply, 2_000);
     }
 }

@@ -26,7 +26,8 @@ struct Header {
     shape: Vec<u64>,
 }
 
-pub(super) fn read(reader: &mut impl BufRead, file: &Path) -> Result<Vec<Ray>, RayFileError> {
+/// The rays, and how many numbers were rounded.
+pub(super) fn read(reader: &mut impl BufRead, file: &Path) -> Result<(Vec<Ray>, u64), RayFileError> {
     let failed = |error| RayFileError::Io { file: file.into(), error };
     let refused = |found: String, expected| RayFileError::Array { file: file.into(), found, expected };
     let mut start = Vec::new();
@@ -52,7 +53,7 @@ pub(super) fn read(reader: &mut impl BufRead, file: &Path) -> Result<Vec<Ray>, R
     };
     debug_assert!([UNBOUNDED, COLUMNS.len()].contains(&columns));
     // No count is believed before its bytes are there.
-    let mut rays = Vec::new();
+    let (mut rays, mut rounded) = (Vec::new(), 0);
     let mut row = vec![0; bytes * columns];
     for number in 0..rows {
         let at = |fault| RayFileError::Line { file: file.into(), format: super::Format::Npy, number, fault };
@@ -62,21 +63,24 @@ pub(super) fn read(reader: &mut impl BufRead, file: &Path) -> Result<Vec<Ray>, R
             }
             read => read.map_err(failed)?,
         }
-        let numbers: Vec<f32> = row.chunks_exact(bytes).map(number_of).collect();
+        let numbers: Vec<f64> = row.chunks_exact(bytes).map(number_of).collect();
+        // Of NaN it says nothing: it is refused.
+        rounded += numbers.iter().filter(|&&number| f64::from(number as f32) != number).count() as u64;
+        let numbers: Vec<f32> = numbers.into_iter().map(|number| number as f32).collect();
         rays.push(ray(&numbers).map_err(at)?);
     }
     if !reader.fill_buf().map_err(failed)?.is_empty() {
         return Err(refused("more bytes".to_owned(), "the end of the file after the last row"));
     }
-    Ok(rays)
+    Ok((rays, rounded))
 }
 
 /// The number in 4 or 8 bytes.
-fn number_of(bytes: &[u8]) -> f32 {
+fn number_of(bytes: &[u8]) -> f64 {
     match *bytes {
-        [a, b, c, d] => f32::from_le_bytes([a, b, c, d]),
-        [a, b, c, d, e, f, g, h] => f64::from_le_bytes([a, b, c, d, e, f, g, h]) as f32,
-        _ => f32::NAN,
+        [a, b, c, d] => f32::from_le_bytes([a, b, c, d]).into(),
+        [a, b, c, d, e, f, g, h] => f64::from_le_bytes([a, b, c, d, e, f, g, h]),
+        _ => f64::NAN,
     }
 }
 

@@ -2,7 +2,7 @@ use super::*;
 use crate::tests::{Folder, Random};
 
 fn read(text: &str) -> Result<Vec<Ray>, RayFileError> {
-    read_rays_from(text.as_bytes(), "rays.csv", Format::Csv)
+    read_rays_from(text.as_bytes(), "rays.csv", Format::Csv).map(|loaded| loaded.rays)
 }
 
 fn refusal(text: &str) -> String {
@@ -29,7 +29,7 @@ fn names_blank_lines_and_comments_are_skipped() {
             let text = format!("{mark}{}", plain.replace('\n', end));
             for capacity in [1, 2, 7, 4096] {
                 let reader = BufReader::with_capacity(capacity, text.as_bytes());
-                assert_eq!(read_rays_from(reader, "rays.csv", Format::Csv).unwrap(), rays, "{text:?}");
+                assert_eq!(read_rays_from(reader, "rays.csv", Format::Csv).unwrap().rays, rays, "{text:?}");
             }
         }
     }
@@ -84,7 +84,7 @@ fn a_missing_file_is_named() {
     let message = read_rays(&path, Format::Csv).unwrap_err().to_string();
     assert!(message.starts_with(&format!("{}: cannot be read: ", path.display())), "{message}");
     std::fs::write(&path, "0,0,0,0,0,1,0,1\n").unwrap();
-    assert_eq!(read_rays(&path, Format::Csv).unwrap().len(), 1);
+    assert_eq!(read_rays(&path, Format::Csv).unwrap().rays.len(), 1);
 }
 
 #[test]
@@ -146,11 +146,6 @@ fn a_failing_writer_is_reported() {
 
 /// A ray in each format, with and without its interval.
 fn in_all_formats() -> Vec<(Format, Vec<u8>)> {
-    let array = |descr: &str, columns: usize, bytes: Vec<u8>| {
-        let header = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': (1, {columns}), }}\n");
-        let length = (header.len() as u16).to_le_bytes();
-        [&b"\x93NUMPY\x01\x00"[..], &length, header.as_bytes(), &bytes].concat()
-    };
     let numbers = [1.0, 2.0, 3.0, 0.5, 0.0, -1.0, 0.0, f64::INFINITY];
     let doubles = |columns: usize| numbers[..columns].iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>();
     let floats = |columns: usize| numbers[..columns].iter().flat_map(|&x| (x as f32).to_le_bytes()).collect::<Vec<_>>();
@@ -168,13 +163,28 @@ fn in_all_formats() -> Vec<(Format, Vec<u8>)> {
     ]
 }
 
+/// A `NumPy` array of one row.
+fn array(descr: &str, columns: usize, bytes: Vec<u8>) -> Vec<u8> {
+    let header = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': (1, {columns}), }}\n");
+    let length = (header.len() as u16).to_le_bytes();
+    [&b"\x93NUMPY\x01\x00"[..], &length, header.as_bytes(), &bytes].concat()
+}
+
 #[test]
 fn all_formats_hold_the_same_ray() {
     let ray = Ray::new(Vec3::new(1.0, 2.0, 3.0), Vec3::new(0.5, 0.0, -1.0)).unwrap();
     for (format, bytes) in in_all_formats() {
         let read = read_rays_from(&bytes[..], "rays", format).unwrap();
-        assert_eq!(read, [ray], "{}", bytes.escape_ascii());
+        assert_eq!((&read.rays[..], read.note("rays".as_ref())), (&[ray][..], None), "{}", bytes.escape_ascii());
     }
+}
+
+#[test]
+fn doubles_that_are_rounded_are_counted() {
+    let numbers: Vec<u8> =
+        [0.1, 0.0, -3.0, 1.0, f64::from(0.1_f32), 1.0 / 3.0].iter().flat_map(|x: &f64| x.to_le_bytes()).collect();
+    let read = read_rays_from(&array("<f8", 6, numbers)[..], "rays", Format::Npy).unwrap();
+    assert_eq!(read.note("r.npy".as_ref()).unwrap(), "r.npy: 2 numbers were rounded to single precision");
 }
 
 #[test]

@@ -63,11 +63,16 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Outcome {
     let written_as = args.format_of(&args.output)?;
     let read_as = args.format_of(&args.rays)?;
-    let rays = if args.rays.as_os_str() == "-" {
-        stackless_scene::read_rays_from(std::io::stdin().lock(), "standard input", read_as)?
+    let (name, rays) = if args.rays.as_os_str() == "-" {
+        let name = Path::new("standard input");
+        (name, stackless_scene::read_rays_from(std::io::stdin().lock(), name, read_as)?)
     } else {
-        stackless_scene::read_rays(&args.rays, read_as)?
+        (&*args.rays, stackless_scene::read_rays(&args.rays, read_as)?)
     };
+    if let Some(note) = rays.note(name) {
+        output::warn(&note);
+    }
+    let rays = rays.rays;
     let scene = Scene::load(&args.scene)?;
     let (method, dropped, hits) = match args.traversal()? {
         Traversal::Binary(method) => {
