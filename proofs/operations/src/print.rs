@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use crate::reader::{Let, Reader, Result, fresh, name_of_constant, numbers, unknown};
+use crate::reader::{Let, Printed, Reader, Result, fresh, name_of_constant, numbers, unknown};
 use crate::source::{Place, Source};
 use crate::targets::{OPAQUE, TARGETS, Target};
 use crate::value::{Expr, Format, Value};
@@ -20,36 +20,37 @@ Variables single double : arithmetic.
 Variable widen : num single -> num double.
 Variable narrow : num double -> num single.
 (** [Sum], and [Sum::add]. *)
-Variable sum : Type.
-Variable sum_add : num double -> sum -> sum.
+Variable terms : Type.
+Variable sum_add : terms -> num double -> terms.
 ";
 
 /// The whole file.
 pub(crate) fn file(source: &Source) -> Result<String> {
     let mut file = String::from(HEAD);
-    let mut constants = Vec::new();
+    let (mut constants, mut printed) = (Vec::new(), Vec::new());
     for target in TARGETS {
         let at = || format!("{} of {}", name_of(target), target.file);
-        let (needed, definition) = definition(source, target).map_err(|error| format!("{}: {error}", at()))?;
+        let (needed, definition, function) = definition(source, target, &printed).map_err(|error| format!("{}: {error}", at()))?;
         for (place, name) in needed {
             if !constants.contains(&(place.clone(), name.clone())) {
                 let text = constant(source, &place, &name, target.known).map_err(|error| format!("{name}: {error}"))?;
-                let _ = write!(file, "\n{text}");
+                let _ = write!(file, "\n{}", wrapped(&text));
                 constants.push((place, name));
             }
         }
-        let _ = write!(file, "\n{definition}");
+        let _ = write!(file, "\n{}", wrapped(&definition));
+        printed.push(function);
     }
     file.push_str("End Operations.\n");
     Ok(file)
 }
 
 fn name_of(target: &Target) -> String {
-    if target.owner.is_empty() { target.name.into() } else { format!("{}_{}", target.owner, target.name) }
+    name_of_constant(&Place { file: target.file.into(), owner: target.owner.into() }, target.name)
 }
 
-/// The constants that a function needs, and its definition.
-fn definition(source: &Source, target: &Target) -> Result<(Vec<(Place, String)>, String)> {
+/// The constants that a function needs, its definition, and how it is called by those after it.
+fn definition(source: &Source, target: &Target, printed: &[Printed]) -> Result<(Vec<(Place, String)>, String, Printed)> {
     let mut found = source.functions.iter().filter(|f| {
         f.place.file == target.file && f.place.owner == target.owner && f.name == target.name
     });
@@ -57,7 +58,7 @@ fn definition(source: &Source, target: &Target) -> Result<(Vec<(Place, String)>,
     if found.next().is_some() {
         return Err("there are several of that name".into());
     }
-    let mut reader = Reader::new(source, OPAQUE, target.known);
+    let mut reader = Reader::new(source, OPAQUE, target.known, printed);
     let mut arguments = Vec::new();
     for input in &function.inputs {
         arguments.push(match input {
@@ -88,24 +89,44 @@ fn definition(source: &Source, target: &Target) -> Result<(Vec<(Place, String)>,
         _ => result,
     };
     let results = results(&result)?;
-    let (lets, results) = tidy(reader.lets, results);
+    let (mut lets, mut results) = tidy(reader.lets, results);
+    for (operand, written) in &reader.renamed {
+        let named = Expr::Name(written.clone());
+        for Let { names, value, .. } in &mut lets {
+            names.iter_mut().filter(|name| *name == operand).for_each(|name| name.clone_from(written));
+            replace(value, operand, &named);
+        }
+        results.iter_mut().for_each(|(x, _)| replace(x, operand, &named));
+    }
     let mut text = format!("(** [{}] of {}. *)\nDefinition {}", rust_name(target), target.file, name_of(target));
     let mut used = BTreeMap::new();
     lets.iter().for_each(|x| count(&x.value, &mut used));
     results.iter().for_each(|(x, _)| count(x, &mut used));
-    for (name, kind) in parameters.iter().filter(|(name, _)| used.contains_key(name)) {
-        let _ = write!(text, " ({name} : {kind})");
+    let uses: Vec<bool> = parameters.iter().map(|(name, _)| used.contains_key(name)).collect();
+    let mut kinds = parameters.iter().filter(|(name, _)| used.contains_key(name)).peekable();
+    while let Some((name, kind)) = kinds.next() {
+        let _ = write!(text, " ({name}");
+        while let Some((name, _)) = kinds.next_if(|(_, next)| next == kind) {
+            let _ = write!(text, " {name}");
+        }
+        let _ = write!(text, " : {kind})");
     }
     text.push_str(" :=\n");
-    for Let { name, value, format, .. } in &lets {
-        let _ = writeln!(text, "  let {name} := {} in", printed(value, *format, false)?);
+    for Let { names, value, format, .. } in &lets {
+        let value = printed_as(value, *format, false)?;
+        let _ = match &names[..] {
+            [name] => writeln!(text, "  let {name} := {value} in"),
+            several => writeln!(text, "  let '({}) := {value} in", several.join(", ")),
+        };
     }
-    let results = results.iter().map(|(x, format)| printed(x, *format, false)).collect::<Result<Vec<_>>>()?;
+    let results = results.iter().map(|(x, format)| printed_as(x, *format, false)).collect::<Result<Vec<_>>>()?;
     let _ = match &results[..] {
         [one] => writeln!(text, "  {one}."),
         several => writeln!(text, "  ({}).", several.join(", ")),
     };
-    Ok((reader.constants, text))
+    let place = Place { file: target.file.into(), owner: target.owner.into() };
+    let function = Printed { place, name: target.name.into(), as_: name_of(target), uses };
+    Ok((reader.constants, text, function))
 }
 
 fn rust_name(target: &Target) -> String {
@@ -138,7 +159,7 @@ fn parameters(value: &Value) -> Vec<(String, String)> {
                 Value::Real(Some(Format::Single), _) => "num single",
                 Value::Real(..) => "num double",
                 Value::Bool(_) => "bool",
-                _ => "sum",
+                _ => "terms",
             };
             found.push((name.clone(), kind.to_owned()));
         }
@@ -169,16 +190,13 @@ fn tidy(mut lets: Vec<Let>, mut results: Vec<(Expr, Option<Format>)>) -> (Vec<Le
         let mut used = BTreeMap::new();
         lets[at + 1..].iter().for_each(|x| count(&x.value, &mut used));
         results.iter().for_each(|(x, _)| count(x, &mut used));
-        match used.get(&lets[at].name) {
-            None => {
-                lets.remove(at);
-            }
-            Some(1) if !lets[at].is_written => {
-                let Let { name, value, .. } = lets.remove(at);
-                lets[at..].iter_mut().for_each(|x| replace(&mut x.value, &name, &value));
-                results.iter_mut().for_each(|(x, _)| replace(x, &name, &value));
-            }
-            Some(_) => {}
+        let uses: u32 = lets[at].names.iter().filter_map(|name| used.get(name)).sum();
+        if uses == 0 {
+            lets.remove(at);
+        } else if uses == 1 && !lets[at].is_written && lets[at].names.len() == 1 {
+            let Let { names, value, .. } = lets.remove(at);
+            lets[at..].iter_mut().for_each(|x| replace(&mut x.value, &names[0], &value));
+            results.iter_mut().for_each(|(x, _)| replace(x, &names[0], &value));
         }
     }
     (lets, results)
@@ -187,7 +205,8 @@ fn tidy(mut lets: Vec<Let>, mut results: Vec<(Expr, Option<Format>)>) -> (Vec<Le
 fn count(expr: &Expr, used: &mut BTreeMap<String, u32>) {
     match expr {
         Expr::Name(name) => *used.entry(name.clone()).or_default() += 1,
-        Expr::Op(_, _, of) | Expr::Call(_, of) => of.iter().for_each(|x| count(x, used)),
+        Expr::Op(_, _, of) => of.iter().for_each(|x| count(x, used)),
+        Expr::Call(_, of) => of.iter().for_each(|(_, x)| count(x, used)),
         Expr::If(of) => of.iter().for_each(|x| count(x, used)),
         _ => {}
     }
@@ -196,16 +215,40 @@ fn count(expr: &Expr, used: &mut BTreeMap<String, u32>) {
 fn replace(expr: &mut Expr, name: &str, value: &Expr) {
     match expr {
         Expr::Name(found) if found == name => *expr = value.clone(),
-        Expr::Op(_, _, of) | Expr::Call(_, of) => of.iter_mut().for_each(|x| replace(x, name, value)),
+        Expr::Op(_, _, of) => of.iter_mut().for_each(|x| replace(x, name, value)),
+        Expr::Call(_, of) => of.iter_mut().for_each(|(_, x)| replace(x, name, value)),
         Expr::If(of) => of.iter_mut().for_each(|x| replace(x, name, value)),
         _ => {}
     }
 }
 
+/// Lines of at most 136 characters.
+fn wrapped(text: &str) -> String {
+    let mut lines = String::new();
+    for line in text.lines() {
+        let indent = line.len() - line.trim_start().len();
+        let (mut length, mut is_first) = (indent, true);
+        lines.push_str(&line[..indent]);
+        for word in line.trim_start().split(' ') {
+            if !is_first && length + 1 + word.len() > 136 {
+                let _ = write!(lines, "\n{:1$}", "", indent + 4);
+                length = indent + 4;
+            } else if !is_first {
+                lines.push(' ');
+                length += 1;
+            }
+            lines.push_str(word);
+            (length, is_first) = (length + word.len(), false);
+        }
+        lines.push('\n');
+    }
+    lines
+}
+
 /// The definition of a constant.
 fn constant(source: &Source, place: &Place, name: &str, known: &[(&str, &str)]) -> Result<String> {
     let constant = source.constant(&place.file, &place.owner, name)?;
-    let mut reader = Reader::new(source, OPAQUE, known);
+    let mut reader = Reader::new(source, OPAQUE, known, &[]);
     let function = crate::source::Function {
         place: place.clone(),
         name: name.into(),
@@ -219,19 +262,19 @@ fn constant(source: &Source, place: &Place, name: &str, known: &[(&str, &str)]) 
     };
     let (value, _) = reader.call(&function, &[])?;
     let of = numbers(&value);
-    let (Value::Real(format, _), [x]) = (&value, &of[..]) else { return Err("it is no number".into()) };
+    let (Value::Real(format, _), [(_, x)]) = (&value, &of[..]) else { return Err("it is no number".into()) };
     let own = name_of_constant(place, name);
-    Ok(format!("(** [{name}] of {}. *)\nDefinition {own} := {}.\n", place.file, printed(x, *format, false)?))
+    Ok(format!("(** [{name}] of {}. *)\nDefinition {own} := {}.\n", place.file, printed_as(x, *format, false)?))
 }
 
 /// An expression of a format, in parentheses if it is an operand.
-fn printed(expr: &Expr, format: Option<Format>, is_operand: bool) -> Result<String> {
+fn printed_as(expr: &Expr, format: Option<Format>, is_operand: bool) -> Result<String> {
     let arithmetic = |format: Option<Format>| match format {
         Some(Format::Single) => Ok("single"),
         Some(Format::Double) => Ok("double"),
         None => Err(format!("a number of no known format: {expr:?}")),
     };
-    let each = |of: &[Expr], format| of.iter().map(|x| printed(x, format, true)).collect::<Result<Vec<_>>>();
+    let each = |of: &[Expr], format| of.iter().map(|x| printed_as(x, format, true)).collect::<Result<Vec<_>>>();
     let text = match expr {
         Expr::Name(name) => return Ok(name.clone()),
         Expr::True => return Ok("true".into()),
@@ -240,7 +283,7 @@ fn printed(expr: &Expr, format: Option<Format>, is_operand: bool) -> Result<Stri
         Expr::Literal(digits) => return Err(format!("a number of no known format: {digits}")),
         Expr::Constant(digits, power) => format!("constant {} {digits} {}", arithmetic(format)?, integer(i128::from(*power))),
         Expr::Op("shifted", own, of) => match &of[..] {
-            [Expr::Constant(by, 0), x] => format!("shifted {} {} {}", arithmetic(*own)?, integer(*by), printed(x, *own, true)?),
+            [Expr::Constant(by, 0), x] => format!("shifted {} {} {}", arithmetic(*own)?, integer(*by), printed_as(x, *own, true)?),
             _ => return Err("bits that are moved by no integer".into()),
         },
         Expr::Op("widen", _, of) => format!("widen {}", each(of, Some(Format::Single))?.join(" ")),
@@ -248,14 +291,17 @@ fn printed(expr: &Expr, format: Option<Format>, is_operand: bool) -> Result<Stri
         Expr::Op(name @ ("andb" | "orb" | "negb" | "xorb"), _, of) => format!("{name} {}", each(of, None)?.join(" ")),
         Expr::Op(name, own, of) if of.is_empty() => format!("{name} {}", arithmetic(*own)?),
         Expr::Op(name, own, of) => format!("{name} {} {}", arithmetic(*own)?, each(of, *own)?.join(" ")),
-        Expr::Call(name, of) => format!("{name} {}", each(of, Some(Format::Double))?.join(" ")),
+        Expr::Call(name, of) => {
+            let of = of.iter().map(|(format, x)| printed_as(x, *format, true)).collect::<Result<Vec<_>>>()?;
+            format!("{name} {}", of.join(" "))
+        }
         Expr::If(of) => {
             let [condition, yes, no] = &**of;
             format!(
                 "if {} then {} else {}",
-                printed(condition, None, false)?,
-                printed(yes, format, false)?,
-                printed(no, format, false)?
+                printed_as(condition, None, false)?,
+                printed_as(yes, format, false)?,
+                printed_as(no, format, false)?
             )
         }
     };

@@ -2,25 +2,35 @@
 //!
 //! What is understood is what the kernels use. All else is an error, so that nothing is said of what was not understood.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use syn::{Block, Expr as Rust, Lit, Pat, Stmt, UnOp};
 
 use crate::operators;
-use crate::source::{Function, Place, Source, last_name, text};
+use crate::source::{Function, Place, Source, last_name, module_of, text};
 use crate::value::{Closure, Expr, Format, Value};
 
 pub(crate) type Result<T> = std::result::Result<T, String>;
 
-/// A number that has a name.
+/// What has a name, or several: the parts of what a function gives.
 pub(crate) struct Let {
-    pub(crate) name: String,
+    pub(crate) names: Vec<String>,
     pub(crate) value: Expr,
-    /// None of a truth value or a sum.
+    /// None of a truth value, a sum, or several parts.
     pub(crate) format: Option<Format>,
     /// Whether the source names it. Operands of functions are named where they are used more than once.
     pub(crate) is_written: bool,
+}
+
+/// A function that is printed.
+pub(crate) struct Printed {
+    pub(crate) place: Place,
+    pub(crate) name: String,
+    /// Its name in Rocq.
+    pub(crate) as_: String,
+    /// Which of its parameters' numbers it uses.
+    pub(crate) uses: Vec<bool>,
 }
 
 /// Reads one function.
@@ -30,8 +40,12 @@ pub(crate) struct Reader<'s> {
     pub(crate) opaque: &'s [(&'s str, &'s str)],
     /// What is known of generic parameters.
     pub(crate) known: &'s [(&'s str, &'s str)],
+    /// Functions that are called by their names in Rocq.
+    pub(crate) printed: &'s [Printed],
     pub(crate) lets: Vec<Let>,
     pub(crate) taken: BTreeSet<String>,
+    /// Names of operands that the source has named later.
+    pub(crate) renamed: BTreeMap<String, String>,
     /// Constants that were met, with their places.
     pub(crate) constants: Vec<(Place, String)>,
     depth: u32,
@@ -49,9 +63,10 @@ impl<'s> Reader<'s> {
         source: &'s Source,
         opaque: &'s [(&'s str, &'s str)],
         known: &'s [(&'s str, &'s str)],
+        printed: &'s [Printed],
     ) -> Self {
-        let (lets, taken, constants) = (Vec::new(), BTreeSet::new(), Vec::new());
-        Self { source, opaque, known, lets, taken, constants, depth: 0 }
+        let (lets, taken, renamed, constants) = (Vec::new(), BTreeSet::new(), BTreeMap::new(), Vec::new());
+        Self { source, opaque, known, printed, lets, taken, renamed, constants, depth: 0 }
     }
 
     /// Runs a function; what it gives, and what becomes of its first parameter.
@@ -62,6 +77,8 @@ impl<'s> Reader<'s> {
         if self.depth > 60 {
             return Err(format!("{} calls itself", function.name));
         }
+        let printed = self.printed.iter().find(|other| other.place == function.place && other.name == function.name);
+        let outside = printed.map(|_| (self.lets.len(), self.taken.clone(), self.constants.len()));
         self.depth += 1;
         let mut frame = Frame { place: function.place.clone(), seen: Vec::new() };
         for (input, argument) in function.inputs.iter().zip(arguments) {
@@ -80,7 +97,43 @@ impl<'s> Reader<'s> {
         let value = value.map_err(|error| format!("{}: {error}", function.name))?;
         let value = function.output.as_ref().map_or_else(|| Ok(value.clone()), |ty| self.typed(&value, ty))?;
         self.depth -= 1;
+        if let (Some(printed), Some((lets, taken, constants))) = (printed, outside) {
+            // It was run for the shape of what it gives.
+            self.lets.truncate(lets);
+            self.taken = taken;
+            self.constants.truncate(constants);
+            return Ok((self.call_printed(printed, arguments, &value)?, Value::Unit));
+        }
         Ok((value, frame.seen.first().map_or(Value::Unit, |(_, first)| first.clone())))
+    }
+
+    /// A call by name of a function that gives something of this shape.
+    fn call_printed(&mut self, printed: &Printed, arguments: &[Value], shape: &Value) -> Result<Value> {
+        let arguments = arguments.iter().map(|x| self.name("operand", x, false)).collect::<Result<Vec<_>>>()?;
+        let all: Vec<_> = arguments.iter().flat_map(numbers).collect();
+        if all.len() != printed.uses.len() {
+            return Err(format!("{} with {} numbers", printed.as_, all.len()));
+        }
+        let used = all.into_iter().zip(&printed.uses).filter(|(_, is_used)| **is_used).map(|(x, _)| x);
+        let call = Expr::Call(printed.as_.clone(), used.collect());
+        let count = numbers(shape).len();
+        if count == 1 {
+            return shape.leaves("", &mut |_, leaf| leaf.with(&call));
+        }
+        let names = match self.lets.iter().find(|other| other.value == call) {
+            Some(same) => same.names.clone(),
+            None => (0..count).map(|_| fresh(&mut self.taken, &printed.name)).collect(),
+        };
+        if !self.lets.iter().any(|other| other.value == call) {
+            self.lets.push(Let { names: names.clone(), value: call, format: None, is_written: false });
+        }
+        let mut names = names.into_iter();
+        shape.leaves("", &mut |_, leaf| match leaf {
+            Value::Real(..) | Value::Bool(_) | Value::State(_) => {
+                leaf.with(&Expr::Name(names.next().ok_or("a name is missing")?))
+            }
+            other => Ok(other.clone()),
+        })
     }
 
     /// Numbers of unknown format have that of a type, where it says one.
@@ -117,30 +170,37 @@ impl<'s> Reader<'s> {
 
     /// Names the numbers of a value that have none yet.
     fn name(&mut self, name: &str, value: &Value, is_written: bool) -> Result<Value> {
-        let mut lets = std::mem::take(&mut self.lets);
-        let mut taken = std::mem::take(&mut self.taken);
-        let mut named = |x: &Expr, name: &str, format: Option<Format>| {
-            if x.is_atom() {
-                return x.clone();
-            }
-            if let Some(same) = lets.iter_mut().find(|other| other.value == *x) {
-                same.is_written |= is_written;
-                return Expr::Name(same.name.clone());
-            }
-            let fresh = fresh(&mut taken, name);
-            lets.push(Let { name: fresh.clone(), value: x.clone(), format, is_written });
-            Expr::Name(fresh)
-        };
-        let result = value.leaves(name, &mut |name, leaf| {
+        value.leaves(name, &mut |name, leaf| {
             Ok(match leaf {
-                Value::Real(Some(format), x) => Value::Real(Some(*format), named(x, name, Some(*format))),
-                Value::Bool(x) => Value::Bool(named(x, name, None)),
-                Value::State(x) => Value::State(named(x, name, None)),
+                Value::Real(Some(format), x) => Value::Real(Some(*format), self.named(name, x, Some(*format), is_written)),
+                Value::Bool(x) => Value::Bool(self.named(name, x, None, is_written)),
+                Value::State(x) => Value::State(self.named(name, x, None, is_written)),
                 other => other.clone(),
             })
-        });
-        (self.lets, self.taken) = (lets, taken);
-        result
+        })
+    }
+
+    fn named(&mut self, name: &str, x: &Expr, format: Option<Format>, is_written: bool) -> Expr {
+        if let Expr::Name(own) = x
+            && is_written
+            && let Some(operand) = self.lets.iter_mut().find(|other| other.names.contains(own) && !other.is_written)
+        {
+            operand.is_written = operand.names.len() == 1;
+            if !self.renamed.contains_key(own) {
+                let written = fresh(&mut self.taken, name);
+                self.renamed.insert(own.clone(), written);
+            }
+        }
+        if x.is_atom() {
+            return x.clone();
+        }
+        if let Some(same) = self.lets.iter().find(|other| other.value == *x && other.names.len() == 1) {
+            let own = Expr::Name(same.names[0].clone());
+            return if is_written { self.named(name, &own, format, true) } else { own };
+        }
+        let fresh = fresh(&mut self.taken, name);
+        self.lets.push(Let { names: vec![fresh.clone()], value: x.clone(), format, is_written });
+        Expr::Name(fresh)
     }
 
     /// Binds the names of a pattern.
@@ -217,8 +277,12 @@ impl<'s> Reader<'s> {
     fn merge(&mut self, frame: &mut Frame, condition: &Expr, yes: &Frame, no: &Frame) -> Result<()> {
         for (at, (name, value)) in frame.seen.iter_mut().enumerate() {
             let (yes, no) = (&yes.seen[at].1, &no.seen[at].1);
-            *value = if yes.is_same(no) { yes.clone() } else { Value::choose(condition, yes, no)? };
-            *value = self.name(name, value, true)?;
+            *value = if yes.is_same(no) {
+                yes.clone()
+            } else {
+                let either = Value::choose(condition, yes, no)?;
+                self.name(name, &either, true)?
+            };
         }
         Ok(())
     }
@@ -612,8 +676,7 @@ impl<'s> Reader<'s> {
             }
             (Value::State(state), ..) => {
                 let (_, as_) = self.opaque.iter().find(|(opaque, _)| *opaque == name).ok_or_else(|| format!("{name} of a state"))?;
-                let mut operands = with.iter().flat_map(numbers).collect::<Vec<_>>();
-                operands.push(state.clone());
+                let operands = std::iter::once((None, state.clone())).chain(with.iter().flat_map(numbers)).collect();
                 let new = Value::State(Expr::Call((*as_).into(), operands));
                 let new = self.name("sum", &new, true)?;
                 self.assign(frame, at, new)?;
@@ -630,11 +693,13 @@ impl<'s> Reader<'s> {
 }
 
 /// The expressions of a value.
-pub(crate) fn numbers(value: &Value) -> Vec<Expr> {
+pub(crate) fn numbers(value: &Value) -> Vec<(Option<Format>, Expr)> {
     let mut found = Vec::new();
     let each = value.leaves("", &mut |_, leaf| {
-        if let Value::Real(_, x) | Value::Bool(x) | Value::State(x) = leaf {
-            found.push(x.clone());
+        match leaf {
+            Value::Real(format, x) => found.push((*format, x.clone())),
+            Value::Bool(x) | Value::State(x) => found.push((None, x.clone())),
+            _ => {}
         }
         Ok(leaf.clone())
     });
@@ -643,7 +708,8 @@ pub(crate) fn numbers(value: &Value) -> Vec<Expr> {
 }
 
 pub(crate) fn name_of_constant(place: &Place, name: &str) -> String {
-    let stem = place.file.rsplit('/').next().unwrap_or_default().trim_end_matches(".rs");
+    let module = module_of(&place.file);
+    let stem = module.rsplit('/').next().unwrap_or_default();
     let of = if place.owner.is_empty() { stem } else { &place.owner };
     format!("{of}_{name}")
 }

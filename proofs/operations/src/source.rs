@@ -210,7 +210,7 @@ fn only<'s, T>(name: &str, found: impl Iterator<Item = &'s T>) -> Result<&'s T, 
 }
 
 /// The path of a file's module: `geom/slabs` for `src/geom/slabs/mod.rs`.
-fn module_of(file: &str) -> String {
+pub(crate) fn module_of(file: &str) -> String {
     let path = file.trim_start_matches("src/").trim_end_matches(".rs");
     path.trim_end_matches("/mod").to_owned()
 }

@@ -44,6 +44,8 @@ pub(crate) const TARGETS: &[Target] = &[
         parts: &["origin", "direction", "errors"],
     },
     Target { owner: "", name: "is_usual", file: "src/geom/kernel/exact/double.rs", known: &[], parts: &[] },
+    Target { owner: "Doubled", name: "new", file: "src/geom/slabs/doubled.rs", known: &[], parts: &[] },
+    Target { owner: "Doubled", name: "pair", file: "src/geom/slabs/doubled.rs", known: &[], parts: &[] },
     Target {
         owner: "Directed",
         name: "new",
@@ -53,8 +55,6 @@ pub(crate) const TARGETS: &[Target] = &[
     },
     Target { owner: "", name: "near_and_far", file: "src/geom/slabs/mod.rs", known: &[], parts: &[] },
     Target { owner: "Directed", name: "pair", file: "src/geom/slabs/directed.rs", known: &[], parts: &[] },
-    Target { owner: "Doubled", name: "new", file: "src/geom/slabs/doubled.rs", known: &[], parts: &[] },
-    Target { owner: "Doubled", name: "pair", file: "src/geom/slabs/doubled.rs", known: &[], parts: &[] },
     Target { owner: "Centred", name: "new", file: "src/geom/slabs/centred.rs", known: TWO_SIDED, parts: &[] },
     Target { owner: "Centred", name: "pair", file: "src/geom/slabs/centred.rs", known: TWO_SIDED, parts: &[] },
     Target { owner: "ExactFromSingle", name: "misses", file: STAGE, known: SINGLE, parts: &[] },

@@ -24,8 +24,8 @@ pub(crate) enum Expr {
     False,
     /// An operation of the arithmetic of a format, which may not be known yet.
     Op(&'static str, Option<Format>, Vec<Self>),
-    /// A function that is defined before, or of which nothing is known.
-    Call(String, Vec<Self>),
+    /// A function that is defined before, or of which nothing is known; operands with their formats.
+    Call(String, Vec<(Option<Format>, Self)>),
     If(Box<[Self; 3]>),
 }
 
@@ -85,13 +85,15 @@ impl Expr {
 
     pub(crate) fn is_atom(&self) -> bool {
         matches!(self, Self::Name(_) | Self::Constant(..) | Self::Literal(_) | Self::True | Self::False)
-            || matches!(self, Self::Op(_, _, of) | Self::Call(_, of) if of.is_empty())
+            || matches!(self, Self::Op(_, _, of) if of.is_empty())
+            || matches!(self, Self::Call(_, of) if of.is_empty())
     }
 
     pub(crate) fn not(self) -> Self {
         match self {
             Self::True => Self::False,
             Self::False => Self::True,
+            Self::Op("negb", None, mut of) if of.len() == 1 => of.remove(0),
             other => Self::op("negb", None, [other]),
         }
     }
@@ -198,6 +200,16 @@ impl Value {
             Self::Struct(name, _) => name.clone(),
             other => other.kind().into(),
         }
+    }
+
+    /// The same kind of value with another expression.
+    pub(crate) fn with(&self, x: &Expr) -> Result<Self, String> {
+        Ok(match self {
+            Self::Real(format, _) => Self::Real(*format, x.clone()),
+            Self::Bool(_) => Self::Bool(x.clone()),
+            Self::State(_) => Self::State(x.clone()),
+            other => return Err(format!("{} in a result", other.kind())),
+        })
     }
 
     /// Its expressions in order, each of which `to` may replace.
