@@ -22,13 +22,6 @@ Proof. apply B2SF_inj. vm_compute. reflexivity. Qed.
 Lemma up_agrees : Centred_UP f32 = TwoSided.up.
 Proof. apply B2SF_inj. vm_compute. reflexivity. Qed.
 
-Ltac expand := cbv [
-  f32 f64 ieee num plus minus times over opposite absolute less at_most equal Arithmetic.is_finite is_negative Arithmetic.infinity
-  shifted shifted_float Z.ltb Z.compare Z.abs_nat Pos.to_nat Pos.iter_op Nat.add Nat.iter nat_rect
-  Arithmetic.prec_24 Arithmetic.emax_128 Arithmetic.prec_53 Arithmetic.emax_1024 TwoSided.prec_24 TwoSided.emax_128
-  Slabs.minus Slabs.times Slabs.lesser Slabs.greater Slabs.narrow Slabs.near_and_far Slabs.moved Slabs.infinity TwoSided.narrow_by
-  fold_left fst snd].
-
 (** * One axis *)
 
 (** A turn of the loop, with any two reciprocals. *)
@@ -70,3 +63,104 @@ Theorem lanes_agree :
   (near', far') = fold_left (turn f32) ((ox, cx, dx, ix, jx) :: (oy, cy, dy, iy, jy) :: (oz, cz, dz, iz, jz) :: nil) (tmin, tmax).
 Proof. unfold slabs_near_and_far. cbv beta iota zeta delta [turn fold_left]. split; reflexivity. Qed.
 End Lanes.
+
+(** * [Directed] *)
+
+(** The reciprocals for lo and for hi, of one component. *)
+Lemma directed_reciprocals d :
+  let inverse := over f32 (constant f32 1 0) (plus f32 d (constant f32 0 0)) in
+  let far := if equal f32 (plus f32 d (constant f32 0 0)) (constant f32 0 0) then infinity f32 else shifted f32 2 inverse in
+  let backward := less f32 (plus f32 d (constant f32 0 0)) (constant f32 0 0) in
+  (if backward then far else shifted f32 (-2) inverse, if backward then shifted f32 (-2) inverse else far) = reciprocals_32 d.
+Proof.
+  cbv zeta. unfold Slabs.reciprocals, Slabs.reciprocal. rewrite one_32, zero_32.
+  change (less f32 ?x ?y) with (Bltb x y). change (plus f32 d (Slabs.zero 24 128)) with (Bplus mode_NE d (Slabs.zero 24 128)).
+  destruct (Bltb _ _); reflexivity.
+Qed.
+
+Section Directed.
+Variables ox oy oz dx dy dz tmin tmax : num f32.
+Variable reach : num f64.
+Variables ax ay az bx by_ bz cx cy cz ex ey ez : num f32.
+Let new := Directed_new f32 f64 f64_of_f32 ox oy oz dx dy dz reach.
+
+(** [Directed::new]: what it keeps, but for [is_wide]. *)
+Theorem directed_new_agrees : exists is_wide, new =
+  (ox, ox, ox, ox, oy, oy, oy, oy, oz, oz, oz, oz,
+   fst (reciprocals_32 dx), snd (reciprocals_32 dx), fst (reciprocals_32 dx), snd (reciprocals_32 dx),
+   fst (reciprocals_32 dy), snd (reciprocals_32 dy), fst (reciprocals_32 dy), snd (reciprocals_32 dy),
+   fst (reciprocals_32 dz), snd (reciprocals_32 dz), fst (reciprocals_32 dz), snd (reciprocals_32 dz), is_wide).
+Proof.
+  eexists. unfold new, Directed_new. cbv zeta. rewrite <- (directed_reciprocals dx), <- (directed_reciprocals dy), <- (directed_reciprocals dz).
+  cbv zeta. cbn [fst snd]. reflexivity.
+Qed.
+
+(** [Directed::pair], where single precision will do: the near and far distances of both boxes, and whether they are hit. *)
+Theorem directed_pair_agrees :
+  let i d := fst (reciprocals_32 d) in let j d := snd (reciprocals_32 d) in
+  let '(hit, hit', near, near', far, far') := Directed_pair f32 f64 f64_of_f32 f32_of_f64
+    ox ox ox ox oy oy oy oy oz oz oz oz (i dx) (j dx) (i dx) (j dx) (i dy) (j dy) (i dy) (j dy) (i dz) (j dz) (i dz) (j dz)
+    tmin false dx dy dz ax bx cx ex ay by_ cy ey az bz cz ez tmax in
+  ((near, far) = Slabs.near_and_far 24 128 prec_24 emax_128 2 ((ox, dx, ax, bx) :: (oy, dy, ay, by_) :: (oz, dz, az, bz) :: nil) tmin tmax /\
+    hit = Bleb near far) /\
+  ((near', far') = Slabs.near_and_far 24 128 prec_24 emax_128 2 ((ox, dx, cx, ex) :: (oy, dy, cy, ey) :: (oz, dz, cz, ez) :: nil) tmin tmax /\
+    hit' = Bleb near' far').
+Proof.
+  cbv zeta. unfold Directed_pair. cbv zeta.
+  generalize (lanes_agree ox oy oz (fst (reciprocals_32 dx)) (fst (reciprocals_32 dy)) (fst (reciprocals_32 dz))
+    (snd (reciprocals_32 dx)) (snd (reciprocals_32 dy)) (snd (reciprocals_32 dz)) tmin tmax ax ay az bx by_ bz cx cy cz ex ey ez).
+  destruct (slabs_near_and_far _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _)
+    as [[[[[[[near ?] near'] ?] ?] far] ?] far'].
+  unfold Slabs.near_and_far. cbn [fold_left]. rewrite !turn_is_narrow. intros [E E'].
+  cbv iota. split; split; [exact E|reflexivity|exact E'|reflexivity].
+Qed.
+End Directed.
+
+(** * [TwoSided] *)
+
+Lemma centred_reciprocal d : let i := over f32 (constant f32 1 0) d in (if is_finite f32 i then i else infinity f32) = TwoSided.inverse d.
+Proof. cbv zeta. unfold TwoSided.inverse. rewrite one_32. reflexivity. Qed.
+
+Theorem centred_new_agrees ox oy oz dx dy dz tmin : Centred_new f32 ox oy oz dx dy dz tmin =
+  let i := TwoSided.inverse in
+  (ox, ox, ox, ox, oy, oy, oy, oy, oz, oz, oz, oz, i dx, i dx, i dx, i dx, i dy, i dy, i dy, i dy, i dz, i dz, i dz, i dz, tmin).
+Proof.
+  unfold Centred_new. cbv zeta. rewrite <- (centred_reciprocal dx), <- (centred_reciprocal dy), <- (centred_reciprocal dz). reflexivity.
+Qed.
+
+Theorem centred_pair_agrees ox oy oz dx dy dz tmin tmax ax ay az bx by_ bz cx cy cz ex ey ez :
+  let i := TwoSided.inverse in
+  let '(hit, hit', near, near', far, far') := Centred_pair f32 ox ox ox ox oy oy oy oy oz oz oz oz
+    (i dx) (i dx) (i dx) (i dx) (i dy) (i dy) (i dy) (i dy) (i dz) (i dz) (i dz) (i dz)
+    tmin ax bx cx ex ay by_ cy ey az bz cz ez tmax in
+  ((near, far) = TwoSided.two_sided ((ox, dx, ax, bx) :: (oy, dy, ay, by_) :: (oz, dz, az, bz) :: nil) tmin tmax /\ hit = Bleb near far) /\
+  ((near', far') = TwoSided.two_sided ((ox, dx, cx, ex) :: (oy, dy, cy, ey) :: (oz, dz, cz, ez) :: nil) tmin tmax /\
+    hit' = Bleb near' far').
+Proof.
+  cbv zeta. unfold Centred_pair. cbv zeta.
+  generalize (lanes_agree ox oy oz (TwoSided.inverse dx) (TwoSided.inverse dy) (TwoSided.inverse dz)
+    (TwoSided.inverse dx) (TwoSided.inverse dy) (TwoSided.inverse dz) tmin tmax ax ay az bx by_ bz cx cy cz ex ey ez).
+  destruct (slabs_near_and_far _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _)
+    as [[[[[[[near ?] near'] ?] ?] far] ?] far'].
+  unfold TwoSided.two_sided. cbn [fold_left]. rewrite !turn_is_narrow_by. intros [E E'].
+  destruct (TwoSided.narrow_by _ (oz, dz, az, bz)), (TwoSided.narrow_by _ (oz, dz, cz, ez)).
+  injection E as -> ->. injection E' as -> ->. rewrite down_agrees, up_agrees. repeat split; reflexivity.
+Qed.
+
+(** * [Doubled] *)
+
+Section Doubled.
+Variables ox oy oz tmin tmax : num f64.
+Variables ix iy iz jx jy jz : num f64.
+Variables ax ay az bx by_ bz cx cy cz ex ey ez : num f32.
+Notation wide := f64_of_f32.
+
+Theorem doubled_pair_agrees :
+  let '(hit, hit', near, near', far, far') := Doubled_pair f32 f64 f64_of_f32 ox oy oz ix iy iz jx jy jz
+    tmin ax bx cx ex ay by_ cy ey az bz cz ez tmax in
+  ((near, far) = fold_left (turn f64) ((ox, wide ax, wide bx, ix, jx) :: (oy, wide ay, wide by_, iy, jy) ::
+      (oz, wide az, wide bz, iz, jz) :: nil) (tmin, tmax) /\ hit = Bleb near far) /\
+  ((near', far') = fold_left (turn f64) ((ox, wide cx, wide ex, ix, jx) :: (oy, wide cy, wide ey, iy, jy) ::
+      (oz, wide cz, wide ez, iz, jz) :: nil) (tmin, tmax) /\ hit' = Bleb near' far').
+Proof. unfold Doubled_pair. cbv beta iota zeta delta [turn fold_left]. repeat split; reflexivity. Qed.
+End Doubled.
