@@ -60,11 +60,7 @@ impl DVec3 {
     }
 
     pub(crate) fn cross(self, rhs: Self) -> Self {
-        Self::new(
-            self.y * rhs.z - rhs.y * self.z,
-            self.z * rhs.x - rhs.z * self.x,
-            self.x * rhs.y - rhs.x * self.y,
-        )
+        Self::new(self.y * rhs.z - rhs.y * self.z, self.z * rhs.x - rhs.z * self.x, self.x * rhs.y - rhs.x * self.y)
     }
 
     pub(crate) fn abs(self) -> Self {
@@ -75,9 +71,10 @@ impl DVec3 {
         Self::new(1.0 / self.x, 1.0 / self.y, 1.0 / self.z)
     }
 
+    /// Of numbers that are no NaN, and but for the sign of a zero: the order is that of glam 0.34.3, and 0.34.2 has another.
     pub(crate) fn max_element(self) -> f64 {
         let max = |a: f64, b: f64| if a > b { a } else { b };
-        max(self.x, max(self.y, self.z))
+        max(max(self.x, self.y), self.z)
     }
 
     pub(crate) fn cmplt(self, rhs: Self) -> BVec3 {
@@ -133,11 +130,7 @@ impl Vec3 {
     }
 
     pub(crate) fn cross(self, rhs: Self) -> Self {
-        Self::new(
-            self.y * rhs.z - rhs.y * self.z,
-            self.z * rhs.x - rhs.z * self.x,
-            self.x * rhs.y - rhs.x * self.y,
-        )
+        Self::new(self.y * rhs.z - rhs.y * self.z, self.z * rhs.x - rhs.z * self.x, self.x * rhs.y - rhs.x * self.y)
     }
 
     pub(crate) fn abs(self) -> Self {
@@ -156,9 +149,10 @@ impl Vec3 {
         )
     }
 
+    /// Of numbers that are no NaN, and but for the sign of a zero: the order is that of glam 0.34.3, and 0.34.2 has another.
     pub(crate) fn max_element(self) -> f32 {
         let max = |a: f32, b: f32| if a > b { a } else { b };
-        max(self.x, max(self.y, self.z))
+        max(max(self.x, self.y), self.z)
     }
 
     pub(crate) fn is_finite_mask(self) -> BVec3 {
@@ -194,8 +188,7 @@ impl Vec4 {
     pub(crate) const ZERO: Self = Self { x: 0.0, y: 0.0, z: 0.0, w: 0.0 };
     pub(crate) const ONE: Self = Self { x: 1.0, y: 1.0, z: 1.0, w: 1.0 };
     pub(crate) const MAX: Self = Self { x: f32::MAX, y: f32::MAX, z: f32::MAX, w: f32::MAX };
-    pub(crate) const INFINITY: Self =
-        Self { x: f32::INFINITY, y: f32::INFINITY, z: f32::INFINITY, w: f32::INFINITY };
+    pub(crate) const INFINITY: Self = Self { x: f32::INFINITY, y: f32::INFINITY, z: f32::INFINITY, w: f32::INFINITY };
 
     pub(crate) const fn new(x: f32, y: f32, z: f32, w: f32) -> Self {
         Self { x, y, z, w }

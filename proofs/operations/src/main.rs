@@ -9,6 +9,8 @@ mod print;
 mod reader;
 mod source;
 mod targets;
+#[cfg(test)]
+mod tests;
 mod value;
 
 use std::path::Path;

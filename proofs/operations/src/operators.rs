@@ -140,7 +140,8 @@ fn mask(op: &BinOp, x: &[Expr], y: &Value) -> Result<Value, String> {
             Ok(Value::Mask(bits.collect()))
         }
         (BinOp::Eq(_) | BinOp::Ne(_), Value::Int(other)) if *other >= 0 && other >> x.len() == 0 => {
-            let bits = x.iter().enumerate().map(|(at, x)| if other >> at & 1 == 1 { x.clone() } else { x.clone().not() });
+            let bits =
+                x.iter().enumerate().map(|(at, x)| if other >> at & 1 == 1 { x.clone() } else { x.clone().not() });
             let equal = bits.fold(Expr::True, Expr::and);
             Ok(Value::Bool(if matches!(op, BinOp::Eq(_)) { equal } else { equal.not() }))
         }

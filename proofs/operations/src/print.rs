@@ -30,7 +30,8 @@ pub(crate) fn file(source: &Source) -> Result<String> {
     let (mut constants, mut printed) = (Vec::new(), Vec::new());
     for target in TARGETS {
         let at = || format!("{} of {}", name_of(target), target.file);
-        let (needed, definition, function) = definition(source, target, &printed).map_err(|error| format!("{}: {error}", at()))?;
+        let (needed, definition, function) =
+            definition(source, target, &printed).map_err(|error| format!("{}: {error}", at()))?;
         for (place, name) in needed {
             if !constants.contains(&(place.clone(), name.clone())) {
                 let text = constant(source, &place, &name, target.known).map_err(|error| format!("{name}: {error}"))?;
@@ -50,10 +51,15 @@ fn name_of(target: &Target) -> String {
 }
 
 /// The constants that a function needs, its definition, and how it is called by those after it.
-fn definition(source: &Source, target: &Target, printed: &[Printed]) -> Result<(Vec<(Place, String)>, String, Printed)> {
-    let mut found = source.functions.iter().filter(|f| {
-        f.place.file == target.file && f.place.owner == target.owner && f.name == target.name
-    });
+fn definition(
+    source: &Source,
+    target: &Target,
+    printed: &[Printed],
+) -> Result<(Vec<(Place, String)>, String, Printed)> {
+    let mut found = source
+        .functions
+        .iter()
+        .filter(|f| f.place.file == target.file && f.place.owner == target.owner && f.name == target.name);
     let function = found.next().ok_or("there is no such function")?;
     if found.next().is_some() {
         return Err("there are several of that name".into());
@@ -154,7 +160,8 @@ fn parameter(reader: &Reader<'_>, typed: &syn::PatType, owner: &str) -> Result<V
 fn parameters(value: &Value) -> Vec<(String, String)> {
     let mut found = Vec::new();
     let each = value.leaves("", &mut |_, leaf| {
-        if let Value::Real(_, Expr::Name(name)) | Value::Bool(Expr::Name(name)) | Value::State(Expr::Name(name)) = leaf {
+        if let Value::Real(_, Expr::Name(name)) | Value::Bool(Expr::Name(name)) | Value::State(Expr::Name(name)) = leaf
+        {
             let kind = match leaf {
                 Value::Real(Some(Format::Single), _) => "num single",
                 Value::Real(..) => "num double",
@@ -281,9 +288,13 @@ fn printed_as(expr: &Expr, format: Option<Format>, is_operand: bool) -> Result<S
         Expr::False => return Ok("false".into()),
         Expr::Call(name, of) if of.is_empty() => return Ok(name.clone()),
         Expr::Literal(digits) => return Err(format!("a number of no known format: {digits}")),
-        Expr::Constant(digits, power) => format!("constant {} {digits} {}", arithmetic(format)?, integer(i128::from(*power))),
+        Expr::Constant(digits, power) => {
+            format!("constant {} {digits} {}", arithmetic(format)?, integer(i128::from(*power)))
+        }
         Expr::Op("shifted", own, of) => match &of[..] {
-            [Expr::Constant(by, 0), x] => format!("shifted {} {} {}", arithmetic(*own)?, integer(*by), printed_as(x, *own, true)?),
+            [Expr::Constant(by, 0), x] => {
+                format!("shifted {} {} {}", arithmetic(*own)?, integer(*by), printed_as(x, *own, true)?)
+            }
             _ => return Err("bits that are moved by no integer".into()),
         },
         Expr::Op("widen", _, of) => format!("widen {}", each(of, Some(Format::Single))?.join(" ")),

@@ -172,7 +172,9 @@ impl<'s> Reader<'s> {
     fn name(&mut self, name: &str, value: &Value, is_written: bool) -> Result<Value> {
         value.leaves(name, &mut |name, leaf| {
             Ok(match leaf {
-                Value::Real(Some(format), x) => Value::Real(Some(*format), self.named(name, x, Some(*format), is_written)),
+                Value::Real(Some(format), x) => {
+                    Value::Real(Some(*format), self.named(name, x, Some(*format), is_written))
+                }
                 Value::Bool(x) => Value::Bool(self.named(name, x, None, is_written)),
                 Value::State(x) => Value::State(self.named(name, x, None, is_written)),
                 other => other.clone(),
@@ -243,7 +245,8 @@ impl<'s> Reader<'s> {
             last = Value::Unit;
             match statement {
                 Stmt::Local(local) if local.attrs.is_empty() => {
-                    let init = local.init.as_ref().filter(|init| init.diverge.is_none()).ok_or("a let without a value")?;
+                    let init =
+                        local.init.as_ref().filter(|init| init.diverge.is_none()).ok_or("a let without a value")?;
                     let value = self.eval(frame, &init.expr)?;
                     self.bind(frame, &local.pat, &value, true)?;
                 }
@@ -353,7 +356,8 @@ impl<'s> Reader<'s> {
             Rust::Binary(binary) => self.binary(frame, binary),
             Rust::Assign(assign) => {
                 let value = self.eval(frame, &assign.right)?;
-                let name = text(&*assign.left).chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
+                let name =
+                    text(&*assign.left).chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
                 let value = self.name(&name, &value, true)?;
                 self.assign(frame, &assign.left, value)?;
                 Ok(Value::Unit)
@@ -396,7 +400,8 @@ impl<'s> Reader<'s> {
             return Err(format!("{name} with {} fields", fields.len()));
         }
         let in_order = declared.iter().map(|(field, ty)| {
-            let at = fields.iter().position(|(name, _)| name == field).ok_or_else(|| format!("{name} without {field}"))?;
+            let at =
+                fields.iter().position(|(name, _)| name == field).ok_or_else(|| format!("{name} without {field}"))?;
             let (field, value) = fields.swap_remove(at);
             Ok((field, self.typed(&value, ty)?))
         });
@@ -675,7 +680,11 @@ impl<'s> Reader<'s> {
                 operators::binary(&syn::parse_quote!(&&), &not_before, &not_after)
             }
             (Value::State(state), ..) => {
-                let (_, as_) = self.opaque.iter().find(|(opaque, _)| *opaque == name).ok_or_else(|| format!("{name} of a state"))?;
+                let (_, as_) = self
+                    .opaque
+                    .iter()
+                    .find(|(opaque, _)| *opaque == name)
+                    .ok_or_else(|| format!("{name} of a state"))?;
                 let operands = std::iter::once((None, state.clone())).chain(with.iter().flat_map(numbers)).collect();
                 let new = Value::State(Expr::Call((*as_).into(), operands));
                 let new = self.name("sum", &new, true)?;
@@ -716,7 +725,22 @@ pub(crate) fn name_of_constant(place: &Place, name: &str) -> String {
 
 /// A name that is not taken, and that Rocq does not keep for itself.
 pub(crate) fn fresh(taken: &mut BTreeSet<String>, name: &str) -> String {
-    let kept = matches!(name, "by" | "end" | "with" | "at" | "exists" | "single" | "double" | "less" | "over" | "plus" | "minus" | "times" | "power" | "equal");
+    let kept = matches!(
+        name,
+        "by" | "end"
+            | "with"
+            | "at"
+            | "exists"
+            | "single"
+            | "double"
+            | "less"
+            | "over"
+            | "plus"
+            | "minus"
+            | "times"
+            | "power"
+            | "equal"
+    );
     let name = if kept { format!("{name}_") } else { name.to_owned() };
     let mut fresh = name.clone();
     let mut times = 1;

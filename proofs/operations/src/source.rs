@@ -113,7 +113,9 @@ impl Source {
                 for inner in &item.items {
                     match inner {
                         ImplItem::Fn(inner) => self.add_function(place(&owner), &operand, &inner.sig, &inner.block),
-                        ImplItem::Const(inner) => self.add_constant(place(&owner), &inner.ident, &inner.ty, &inner.expr),
+                        ImplItem::Const(inner) => {
+                            self.add_constant(place(&owner), &inner.ident, &inner.ty, &inner.expr)
+                        }
                         _ => {}
                     }
                 }

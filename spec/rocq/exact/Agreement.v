@@ -84,7 +84,7 @@ End Decisions.
 Theorem triangle_agrees v0 v1 v2 o d :
   Errors_of_triangle f64 (fx v0) (fy v0) (fz v0) (fx v1) (fy v1) (fz v1) (fx v2) (fy v2) (fz v2) (fx o) (fy o) (fz o)
     (fx d) (fy d) (fz d) =
-  let c := triangle_c v0 o in let e := triangle_e v0 v1 v2 in (code_sign (triangle_d d) c e, code_det (triangle_d d) e, code_t c e).
+  let c := triangle_c v0 o in let e := triangle_e v0 v1 v2 in (code_sign (scene_d d) c e, code_det (scene_d d) e, code_t c e).
 Proof.
-  unfold Errors_of_triangle. rewrite errors_agree. unfold triangle_d, triangle_c, triangle_e, max_element, fmax, vabs. same.
+  unfold Errors_of_triangle. rewrite errors_agree. unfold scene_d, triangle_c, triangle_e, max_element, fmax, vabs. same.
 Qed.

@@ -164,3 +164,36 @@ Theorem doubled_pair_agrees :
       (oz, wide cz, wide ez, iz, jz) :: nil) (tmin, tmax) /\ hit' = Bleb near' far').
 Proof. unfold Doubled_pair. cbv beta iota zeta delta [turn fold_left]. repeat split; reflexivity. Qed.
 End Doubled.
+
+(** [Doubled::new] makes the reciprocals of Slabs.v, where none but that of 0 overflows. *)
+Theorem doubled_reciprocals d : BinarySingleNaN.is_finite d = true ->
+  B2R d = 0 \/ BinarySingleNaN.is_finite (Slabs.reciprocal 53 1024 prec_53 emax_1024 d) = true ->
+  let inverse := over f64 (constant f64 1 0) (plus f64 d (constant f64 0 0)) in
+  let far := if is_finite f64 inverse then shifted f64 3 inverse else inverse in
+  let backward := less f64 d (constant f64 0 0) in
+  (if backward then far else shifted f64 (-3) inverse, if backward then shifted f64 (-3) inverse else far) = reciprocals_64 d.
+Proof.
+  intros F U. cbv zeta. unfold Slabs.reciprocals. change (over f64 (constant f64 1 0) (plus f64 d (constant f64 0 0)))
+    with (Bdiv mode_NE (constant f64 1 0) (Bplus mode_NE d (Slabs.zero 53 1024))).
+  rewrite one_64. fold (Slabs.reciprocal 53 1024 prec_53 emax_1024 d).
+  destruct d as [s| | |s m e H]; try discriminate F.
+  - assert (E : Slabs.reciprocal 53 1024 prec_53 emax_1024 (B754_zero s) = B754_infinity false).
+    { apply B2SF_inj. now destruct s; vm_compute. }
+    rewrite E. destruct s; reflexivity.
+  - assert (Finite : BinarySingleNaN.is_finite (Slabs.reciprocal 53 1024 prec_53 emax_1024 (B754_finite s m e H)) = true).
+    { destruct U as [Z|U]; [|exact U]. exfalso. revert Z. apply F2R_neq_0. now destruct s. }
+    set (i := Slabs.reciprocal _ _ _ _ _) in *. change (is_finite f64 i) with (BinarySingleNaN.is_finite i). rewrite Finite.
+    repeat match goal with |- context [@Bplus ?p ?q ?a ?b mode_NE ?x ?z] => change (@Bplus p q a b mode_NE x z) with x end.
+    assert (N : Beqb (B754_finite s m e H : num f64) (Slabs.zero 53 1024) = false) by now destruct s. unfold num, f64, ieee in N. rewrite N.
+    rewrite zero_64. change (less f64 ?x ?y) with (Bltb x y). destruct (Bltb _ _); reflexivity.
+Qed.
+
+Theorem doubled_new_agrees ox oy oz dx dy dz tmin : let ok d := BinarySingleNaN.is_finite d = true /\
+    (B2R d = 0 \/ BinarySingleNaN.is_finite (Slabs.reciprocal 53 1024 prec_53 emax_1024 d) = true) in
+  ok dx -> ok dy -> ok dz ->
+  Doubled_new f64 ox oy oz dx dy dz tmin = let i d := fst (reciprocals_64 d) in let j d := snd (reciprocals_64 d) in
+    (ox, oy, oz, i dx, i dy, i dz, j dx, j dy, j dz, tmin).
+Proof.
+  intros ok [F1 U1] [F2 U2] [F3 U3]. unfold Doubled_new. cbv zeta.
+  rewrite <- (doubled_reciprocals dx F1 U1), <- (doubled_reciprocals dy F2 U2), <- (doubled_reciprocals dz F3 U3). cbv zeta. reflexivity.
+Qed.

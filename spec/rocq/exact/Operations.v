@@ -89,22 +89,22 @@ Definition Errors_of_triangle (corners_0_x corners_0_y corners_0_z corners_1_x c
   let x := absolute double d_x in
   let y := absolute double d_y in
   let z := absolute double d_z in
-  let b := if less double z y then y else z in
+  let a := if less double y x then x else y in
   let x'3 := absolute double (minus double o_x corners_0_x) in
   let y'3 := absolute double (minus double o_y corners_0_y) in
   let z'3 := absolute double (minus double o_z corners_0_z) in
-  let b'2 := if less double z'3 y'3 then y'3 else z'3 in
+  let a'2 := if less double y'3 x'3 then x'3 else y'3 in
   let x'5 := absolute double (minus double corners_2_x corners_0_x) in
   let y'5 := absolute double (minus double corners_2_y corners_0_y) in
   let z'5 := absolute double (minus double corners_2_z corners_0_z) in
-  let b'3 := if less double z'5 y'5 then y'5 else z'5 in
+  let a'3 := if less double y'5 x'5 then x'5 else y'5 in
   let x'7 := absolute double (minus double corners_1_x corners_0_x) in
   let y'7 := absolute double (minus double corners_1_y corners_0_y) in
   let z'7 := absolute double (minus double corners_1_z corners_0_z) in
-  let b'4 := if less double z'7 y'7 then y'7 else z'7 in
-  let x'8 := if less double b'4 x'7 then x'7 else b'4 in
-  let y'8 := if less double b'3 x'5 then x'5 else b'3 in
-  let '(new, new'2, new'3) := Errors_new (if less double b x then x else b) (if less double b'2 x'3 then x'3 else b'2) (if less double
+  let a'4 := if less double y'7 x'7 then x'7 else y'7 in
+  let x'8 := if less double z'7 a'4 then a'4 else z'7 in
+  let y'8 := if less double z'5 a'3 then a'3 else z'5 in
+  let '(new, new'2, new'3) := Errors_new (if less double z a then a else z) (if less double z'3 a'2 then a'2 else z'3) (if less double
       y'8 x'8 then x'8 else y'8) in
   (new, new'2, new'3).
 
@@ -127,10 +127,10 @@ Definition Region_of (aabb_lo_x aabb_lo_y aabb_lo_z aabb_hi_x aabb_hi_y aabb_hi_
   let x'6 := if less single x'4 x'5 then x'5 else x'4 in
   let y'6 := if less single y'4 y'5 then y'5 else y'4 in
   let z'6 := if less single z'4 z'5 then z'5 else z'4 in
-  let b := if less single z'6 y'6 then y'6 else z'6 in
-  let reach := widen (if less single b x'6 then x'6 else b) in
-  let b'2 := if less double size_z size_y then size_y else size_z in
-  (times double reach (constant double 1 0), times double (if less double b'2 size_x then size_x else b'2) (constant double 1 0)).
+  let a := if less single y'6 x'6 then x'6 else y'6 in
+  let reach := widen (if less single z'6 a then a else z'6) in
+  let a'2 := if less double size_y size_x then size_x else size_y in
+  (times double reach (constant double 1 0), times double (if less double size_z a'2 then a'2 else size_z) (constant double 1 0)).
 
 (** [Exact::new] of src/geom/kernel/exact/mod.rs. *)
 Definition Exact_new (ray_origin_x ray_origin_y ray_origin_z ray_direction_x ray_direction_y ray_direction_z : num single) (region_reach
@@ -471,15 +471,15 @@ Definition ExactFromSingle_new (ray_origin_x ray_origin_y ray_origin_z ray_direc
   let x := absolute single ray_direction_x in
   let y := absolute single ray_direction_y in
   let z := absolute single ray_direction_z in
-  let b := if less single z y then y else z in
-  let greatest := if less single b x then x else b in
+  let a := if less single y x then x else y in
+  let greatest := if less single z a then a else z in
   let power_ := power single greatest in
   let x'2 := absolute single ray_origin_x in
   let y'2 := absolute single ray_origin_y in
   let z'2 := absolute single ray_origin_z in
-  let b'2 := if less single z'2 y'2 then y'2 else z'2 in
+  let a'2 := if less single y'2 x'2 then x'2 else y'2 in
   let usual := andb (andb (andb (less single (constant single 0 0) power_) (less single power_ (constant single 1 126))) (at_most single
-      (if less single b'2 x'2 then x'2 else b'2) (constant single 1 40))) (at_most double region_reach (widen (constant single 1 40)))
+      (if less single z'2 a'2 then a'2 else z'2) (constant single 1 40))) (at_most double region_reach (widen (constant single 1 40)))
       in
   let scale := if usual then over single (constant single 1 0) power_ else constant single 0 0 in
   let size := if usual then times single greatest (over single (constant single 1 0) power_) else infinity single in

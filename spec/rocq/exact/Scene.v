@@ -15,21 +15,18 @@ Local Instance prec_53 : Prec_gt_0 53 := eq_refl.
 Definition fmax (x y : float) : float := if Bltb y x then x else y.
 Definition vabs (v : fvec) : fvec := FVec (Babs (fx v)) (Babs (fy v)) (Babs (fz v)).
 Definition vmax (v w : fvec) : fvec := FVec (fmax (fx v) (fx w)) (fmax (fy v) (fy w)) (fmax (fz v) (fz w)).
-Definition max_element (v : fvec) : float := fmax (fx v) (fmax (fy v) (fz v)).
-(** The [greatest] of src/geom/kernel/exact/mod.rs, in another order. *)
-Definition first_greatest (v : fvec) : float := fmax (fmax (fx v) (fy v)) (fz v).
+Definition max_element (v : fvec) : float := fmax (fmax (fx v) (fy v)) (fz v).
 
 (** [Region::of] a box. That [reach] is found in single precision does not matter: it is one of the numbers. *)
 Definition code_reach (lo hi : fvec) : float := max_element (vmax (vabs lo) (vabs hi)).
 Definition code_size (lo hi : fvec) : float := max_element (fsub hi lo).
 
 (** [Errors::of_scene], as [Exact::new] calls it: bounds of the components of d, s, e1 and e2. *)
-Definition scene_d (d : fvec) : float := first_greatest (vabs d).
-Definition scene_c (lo hi o : fvec) : float := plus (code_reach lo hi) (first_greatest (vabs o)).
+Definition scene_d (d : fvec) : float := max_element (vabs d).
+Definition scene_c (lo hi o : fvec) : float := plus (code_reach lo hi) (max_element (vabs o)).
 Definition scene_e (lo hi : fvec) : float := code_size lo hi.
 
 (** [Errors::of_triangle]: [greatest]. *)
-Definition triangle_d (d : fvec) : float := max_element (vabs d).
 Definition triangle_c (v0 o : fvec) : float := max_element (vabs (fsub o v0)).
 Definition triangle_e (v0 v1 v2 : fvec) : float := fmax (max_element (vabs (fsub v1 v0))) (max_element (vabs (fsub v2 v0))).
 
@@ -65,13 +62,8 @@ Proof.
   pose proof (Rmax_l (Rabs (vx r)) (Rabs (vy r))). pose proof (Rmax_r (Rabs (vx r)) (Rabs (vy r))). repeat split; lra.
 Qed.
 
-Lemma first_most_good g e v r : vgood g e v r -> good g e (first_greatest (vabs v)) (most r).
-Proof. intros (X & Y & Z). unfold first_greatest, vabs, most. cbn [fx fy fz]. repeat apply fmax_good; now apply abs_good. Qed.
-
 Lemma most_good g e v r : vgood g e v r -> good g e (max_element (vabs v)) (most r).
-Proof.
-  intros (X & Y & Z). unfold max_element, vabs, most. cbn [fx fy fz]. rewrite <- Rmax_assoc. repeat apply fmax_good; now apply abs_good.
-Qed.
+Proof. intros (X & Y & Z). unfold max_element, vabs, most. cbn [fx fy fz]. repeat apply fmax_good; now apply abs_good. Qed.
 
 Lemma real_good g t v : vfits t v (real v) -> vmultiple g (real v) -> vgood g t v (real v).
 Proof. intros (X & Y & Z) (MX & MY & MZ). split; [|split]; now split. Qed.
@@ -115,7 +107,7 @@ Hypothesis Ho : v_single o.
 Hypothesis Hd : v_single d.
 
 (** The bounds for one triangle. [EXACT-6] *)
-Theorem triangle_has_bounds : suit (triangle_d d) (triangle_c v0 o) (triangle_e v0 v1 v2) v0 v1 v2 o d.
+Theorem triangle_has_bounds : suit (scene_d d) (triangle_c v0 o) (triangle_e v0 v1 v2) v0 v1 v2 o d.
 Proof.
   pose proof (most_good _ _ _ _ (single_good _ Hd)) as D. pose proof (most_good _ _ _ _ (sub_good _ _ Ho H0)) as C.
   pose proof (fmax_good _ _ _ _ _ _ (most_good _ _ _ _ (sub_good _ _ H1 H0)) (most_good _ _ _ _ (sub_good _ _ H2 H0))) as E.
@@ -123,7 +115,7 @@ Proof.
   - apply (good_bound _ _ _ _ D). lia.
   - apply (good_bound _ _ _ _ C). lia.
   - apply (good_bound _ _ _ _ E). lia.
-  - unfold triangle_d. rewrite (good_value _ _ _ _ D). apply most_bounds.
+  - unfold scene_d. rewrite (good_value _ _ _ _ D). apply most_bounds.
   - unfold triangle_c. rewrite (good_value _ _ _ _ C). apply most_bounds.
   - unfold triangle_e. rewrite (good_value _ _ _ _ E). eapply bounded_more; [apply most_bounds|apply Rmax_l].
   - unfold triangle_e. rewrite (good_value _ _ _ _ E). eapply bounded_more; [apply most_bounds|apply Rmax_r].
@@ -149,14 +141,13 @@ Proof. intros H. rewrite <- round_NE_abs by typeclasses eauto. now apply RN_mono
 (** The bounds for all triangles of a scene. [EXACT-6] *)
 Theorem scene_has_bounds : suit (scene_d d) (scene_c lo hi o) (scene_e lo hi) v0 v1 v2 o d.
 Proof.
-  pose proof (first_most_good _ _ _ _ (single_good _ Hd)) as D. pose proof (first_most_good _ _ _ _ (single_good _ Ho)) as O.
+  pose proof (most_good _ _ _ _ (single_good _ Hd)) as D. pose proof (most_good _ _ _ _ (single_good _ Ho)) as O.
   destruct (single_good _ Hlo) as (L1 & L2 & L3). destruct (single_good _ Hhi) as (U1 & U2 & U3).
-  pose proof (fmax_good _ _ _ _ _ _ (fmax_good _ _ _ _ _ _ (abs_good _ _ _ _ L1) (abs_good _ _ _ _ U1))
-    (fmax_good _ _ _ _ _ _ (fmax_good _ _ _ _ _ _ (abs_good _ _ _ _ L2) (abs_good _ _ _ _ U2))
-      (fmax_good _ _ _ _ _ _ (abs_good _ _ _ _ L3) (abs_good _ _ _ _ U3)))) as Reach. rewrite Rmax_assoc in Reach.
+  pose proof (fmax_good _ _ _ _ _ _ (fmax_good _ _ _ _ _ _ (fmax_good _ _ _ _ _ _ (abs_good _ _ _ _ L1) (abs_good _ _ _ _ U1))
+    (fmax_good _ _ _ _ _ _ (abs_good _ _ _ _ L2) (abs_good _ _ _ _ U2))) (fmax_good _ _ _ _ _ _ (abs_good _ _ _ _ L3) (abs_good _ _ _ _ U3))) as Reach.
   match type of Reach with good _ _ _ ?r => set (reach := r) in * end.
   change (good (-149) 128 (code_reach lo hi) reach) in Reach.
-  destruct (sub_good _ _ Hhi Hlo) as (S1 & S2 & S3). pose proof (fmax_good _ _ _ _ _ _ S1 (fmax_good _ _ _ _ _ _ S2 S3)) as Size. rewrite Rmax_assoc in Size.
+  destruct (sub_good _ _ Hhi Hlo) as (S1 & S2 & S3). pose proof (fmax_good _ _ _ _ _ _ (fmax_good _ _ _ _ _ _ S1 S2) S3) as Size.
   match type of Size with good _ _ _ ?r => set (size := r) in * end. change (good (-149) 129 (scene_e lo hi) size) in Size.
   assert (C : good (-149) 129 (scene_c lo hi o) (R64 (reach + most (real o)))).
   { destruct Reach as [Fr Mr], O as [Fo Mo]. split; [exact (plus_fits 128 _ _ _ _ ltac:(lia) Fr Fo)|].
@@ -221,5 +212,5 @@ Proof. intros. apply suits_are_right; try assumption. now apply scene_has_bounds
 
 (** The second, with bounds for the triangle. [EXACT-6, EXACT-9] *)
 Theorem of_triangle_is_right v0 v1 v2 o d : v_single v0 -> v_single v1 -> v_single v2 -> v_single o -> v_single d ->
-  right (triangle_d d) (triangle_c v0 o) (triangle_e v0 v1 v2) v0 v1 v2 o d.
+  right (scene_d d) (triangle_c v0 o) (triangle_e v0 v1 v2) v0 v1 v2 o d.
 Proof. intros. apply suits_are_right; try assumption. now apply triangle_has_bounds. Qed.

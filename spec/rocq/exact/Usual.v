@@ -47,7 +47,7 @@ Qed.
 (** The second stage of [Exact64] is right about misses and hits. [EXACT-7] *)
 Theorem usual_triangle_is_right v0 v1 v2 o d : v_usual v0 -> v_usual v1 -> v_usual v2 -> v_usual o -> v_usual d ->
   let c := code_of v0 v1 v2 o d in
-  let sign := code_sign (triangle_d d) (triangle_c v0 o) (triangle_e v0 v1 v2) in
+  let sign := code_sign (scene_d d) (triangle_c v0 o) (triangle_e v0 v1 v2) in
   let truth := determinants_of exactly (real v0) (real v1) (real v2) (real o) (real d) in
   (code_is_miss sign c = true -> ~ meets truth) /\ (code_is_hit sign c = true -> meets truth).
 Proof.
@@ -57,20 +57,20 @@ Proof.
   pose proof (most_good _ _ _ _ (real_good (-252) 200 d (v_usual_fits _ Hd) (v_usual_multiple _ Hd))) as D.
   pose proof (most_good _ _ _ _ (Diff _ _ Ho H0)) as C.
   pose proof (fmax_good _ _ _ _ _ _ (most_good _ _ _ _ (Diff _ _ H1 H0)) (most_good _ _ _ _ (Diff _ _ H2 H0))) as E.
-  change (good (-252) 200 (triangle_d d) (most (real d))) in D.
+  change (good (-252) 200 (scene_d d) (most (real d))) in D.
   change (good (-252) 201 (triangle_c v0 o) (most (vsub R64 (real o) (real v0)))) in C.
   match type of E with good _ _ _ ?r => set (e := r) in *; change (good (-252) 201 (triangle_e v0 v1 v2) e) in E end.
   assert (VD := good_value _ _ _ _ D). assert (VC := good_value _ _ _ _ C). assert (VE := good_value _ _ _ _ E).
-  assert (error : fits 558 (code_sign (triangle_d d) (triangle_c v0 o) (triangle_e v0 v1 v2))
-    (error_sign R64 u (B2R (triangle_d d)) (B2R (triangle_c v0 o)) (B2R (triangle_e v0 v1 v2)))).
+  assert (error : fits 558 (code_sign (scene_d d) (triangle_c v0 o) (triangle_e v0 v1 v2))
+    (error_sign R64 u (B2R (scene_d d)) (B2R (triangle_c v0 o)) (B2R (triangle_e v0 v1 v2)))).
   { rewrite VD, VC, VE. destruct D as [D _], C as [C _], E as [E _].
     apply (sign_fits 200); [lia|exact D|exact (fits_more _ 202 _ _ C ltac:(lia))|exact E]. }
   pose proof (code_fits 200 v0 v1 v2 o d _ _ _ _ _ ltac:(lia) (v_usual_fits _ H0) (v_usual_fits _ H1) (v_usual_fits _ H2)
     (v_usual_fits _ Ho) (v_usual_fits _ Hd)) as values. cbv zeta in values.
-  assert (GD : multiple (-252) (B2R (triangle_d d))) by (rewrite VD; apply D).
+  assert (GD : multiple (-252) (B2R (scene_d d))) by (rewrite VD; apply D).
   assert (GC : multiple (-252) (B2R (triangle_c v0 o))) by (rewrite VC; apply C).
   assert (GE : multiple (-252) (B2R (triangle_e v0 v1 v2))) by (rewrite VE; apply E).
-  assert (HD : bounded (B2R (triangle_d d)) (real d)) by (rewrite VD; apply most_bounds).
+  assert (HD : bounded (B2R (scene_d d)) (real d)) by (rewrite VD; apply most_bounds).
   assert (HC : bounded (B2R (triangle_c v0 o)) (vsub R64 (real o) (real v0))) by (rewrite VC; apply most_bounds).
   assert (HE : bounded (B2R (triangle_e v0 v1 v2)) (vsub R64 (real v1) (real v0)) /\
     bounded (B2R (triangle_e v0 v1 v2)) (vsub R64 (real v2) (real v0))).
