@@ -33,6 +33,7 @@ pub(crate) struct BVec3 {
 }
 
 #[derive(Clone, Copy)]
+#[expect(clippy::struct_excessive_bools, reason = "one for each lane")]
 pub(crate) struct BVec4 {
     x: bool,
     y: bool,

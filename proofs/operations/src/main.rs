@@ -2,11 +2,14 @@
 //!
 //! `operations ROOT` reads the files under that root of a copy of the repository. What it does not understand it refuses.
 
+mod calls;
 #[cfg(test)]
 mod glam;
 mod operators;
 mod print;
 mod reader;
+mod run;
+mod shapes;
 mod source;
 mod targets;
 #[cfg(test)]

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use crate::reader::{Let, Printed, Reader, Result, fresh, name_of_constant, numbers, unknown};
+use crate::reader::{Let, Printed, Reader, Result};
+use crate::shapes::{fresh, name_of_constant, numbers, unknown};
 use crate::source::{Place, Source};
 use crate::targets::{OPAQUE, TARGETS, Target};
 use crate::value::{Expr, Format, Value};
@@ -50,12 +51,10 @@ fn name_of(target: &Target) -> String {
     name_of_constant(&Place { file: target.file.into(), owner: target.owner.into() }, target.name)
 }
 
+type Definition = (Vec<(Place, String)>, String, Printed);
+
 /// The constants that a function needs, its definition, and how it is called by those after it.
-fn definition(
-    source: &Source,
-    target: &Target,
-    printed: &[Printed],
-) -> Result<(Vec<(Place, String)>, String, Printed)> {
+fn definition(source: &Source, target: &Target, printed: &[Printed]) -> Result<Definition> {
     let mut found = source
         .functions
         .iter()
@@ -99,7 +98,9 @@ fn definition(
     for (operand, written) in &reader.renamed {
         let named = Expr::Name(written.clone());
         for Let { names, value, .. } in &mut lets {
-            names.iter_mut().filter(|name| *name == operand).for_each(|name| name.clone_from(written));
+            for name in names.iter_mut().filter(|name| *name == operand) {
+                name.clone_from(written);
+            }
             replace(value, operand, &named);
         }
         results.iter_mut().for_each(|(x, _)| replace(x, operand, &named));

@@ -96,6 +96,12 @@ impl Source {
     fn add_item(&mut self, file: &str, item: &Item) {
         let place = |owner: &str| Place { file: file.into(), owner: owner.into() };
         match item {
+            // What is not there on all machines is as if it were not there.
+            Item::Fn(syn::ItemFn { attrs, .. })
+            | Item::Const(syn::ItemConst { attrs, .. })
+            | Item::Struct(syn::ItemStruct { attrs, .. })
+            | Item::Impl(syn::ItemImpl { attrs, .. })
+                if is_conditional(attrs) => {}
             Item::Fn(item) => self.add_function(place(""), "", &item.sig, &item.block),
             Item::Const(item) => self.add_constant(place(""), &item.ident, &item.ty, &item.expr),
             Item::Type(item) => self.aliases.push((item.ident.to_string(), (*item.ty).clone())),
@@ -112,9 +118,12 @@ impl Source {
                 let operand = item.trait_.as_ref().map(|(path, _)| operand_of(path)).unwrap_or_default();
                 for inner in &item.items {
                     match inner {
+                        ImplItem::Fn(syn::ImplItemFn { attrs, .. })
+                        | ImplItem::Const(syn::ImplItemConst { attrs, .. })
+                            if is_conditional(attrs) => {}
                         ImplItem::Fn(inner) => self.add_function(place(&owner), &operand, &inner.sig, &inner.block),
                         ImplItem::Const(inner) => {
-                            self.add_constant(place(&owner), &inner.ident, &inner.ty, &inner.expr)
+                            self.add_constant(place(&owner), &inner.ident, &inner.ty, &inner.expr);
                         }
                         _ => {}
                     }
@@ -209,6 +218,10 @@ fn only<'s, T>(name: &str, found: impl Iterator<Item = &'s T>) -> Result<&'s T, 
         [one] => Ok(one),
         _ => Err(format!("{name} is the name of {} items", found.len())),
     }
+}
+
+fn is_conditional(attributes: &[syn::Attribute]) -> bool {
+    attributes.iter().any(|attribute| attribute.path().is_ident("cfg") || attribute.path().is_ident("cfg_attr"))
 }
 
 /// The path of a file's module: `geom/slabs` for `src/geom/slabs/mod.rs`.
