@@ -8,7 +8,7 @@ use crate::operators;
 use crate::reader::{Frame, Reader, Result};
 use crate::shapes::{element, literal_of, member};
 use crate::source::text;
-use crate::value::{Closure, Expr, Format, Value};
+use crate::value::{Closure, Expr, Value};
 
 impl Reader<'_> {
     /// Runs statements; the value of the last one. In a function's own block a branch may return early.
