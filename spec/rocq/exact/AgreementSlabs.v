@@ -56,6 +56,7 @@ Variables ox oy oz ix iy iz jx jy jz tmin tmax : num f32.
 (** Planes of two boxes. *)
 Variables ax ay az bx by_ bz cx cy cz dx dy dz : num f32.
 
+(** [near_and_far]: each box has its lanes, and each turn the operands of the model. [BOX-1] *)
 Theorem lanes_agree :
   let '(near, _, near', _, _, far, _, far') := slabs_near_and_far f32 ax bx cx dx ay by_ cy dy az bz cz dz
     ox ox ox ox oy oy oy oy oz oz oz oz ix jx ix jx iy jy iy jy iz jz iz jz tmin tmax in
@@ -84,7 +85,7 @@ Variable reach : num f64.
 Variables ax ay az bx by_ bz cx cy cz ex ey ez : num f32.
 Let new := Directed_new f32 f64 f64_of_f32 ox oy oz dx dy dz reach.
 
-(** [Directed::new]: what it keeps, but for [is_wide]. *)
+(** [Directed::new]: what it keeps, but for [is_wide]. [BOX-1, BOX-2] *)
 Theorem directed_new_agrees : exists is_wide, new =
   (ox, ox, ox, ox, oy, oy, oy, oy, oz, oz, oz, oz,
    fst (reciprocals_32 dx), snd (reciprocals_32 dx), fst (reciprocals_32 dx), snd (reciprocals_32 dx),
@@ -95,7 +96,8 @@ Proof.
   cbv zeta. cbn [fst snd]. reflexivity.
 Qed.
 
-(** [Directed::pair], where single precision will do: the near and far distances of both boxes, and whether they are hit. *)
+(** [Directed::pair], where single precision will do: the near and far distances of both boxes, and whether they are hit.
+    [BOX-1, BOX-2] *)
 Theorem directed_pair_agrees :
   let i d := fst (reciprocals_32 d) in let j d := snd (reciprocals_32 d) in
   let '(hit, hit', near, near', far, far') := Directed_pair f32 f64 f64_of_f32 f32_of_f64
@@ -121,6 +123,7 @@ End Directed.
 Lemma centred_reciprocal d : let i := over f32 (constant f32 1 0) d in (if is_finite f32 i then i else infinity f32) = TwoSided.inverse d.
 Proof. cbv zeta. unfold TwoSided.inverse. rewrite one_32. reflexivity. Qed.
 
+(** [Centred::new]. [BOX-5] *)
 Theorem centred_new_agrees ox oy oz dx dy dz tmin : Centred_new f32 ox oy oz dx dy dz tmin =
   let i := TwoSided.inverse in
   (ox, ox, ox, ox, oy, oy, oy, oy, oz, oz, oz, oz, i dx, i dx, i dx, i dx, i dy, i dy, i dy, i dy, i dz, i dz, i dz, i dz, tmin).
@@ -128,6 +131,7 @@ Proof.
   unfold Centred_new. cbv zeta. rewrite <- (centred_reciprocal dx), <- (centred_reciprocal dy), <- (centred_reciprocal dz). reflexivity.
 Qed.
 
+(** [Centred::pair] of [TwoSided]. [BOX-5] *)
 Theorem centred_pair_agrees ox oy oz dx dy dz tmin tmax ax ay az bx by_ bz cx cy cz ex ey ez :
   let i := TwoSided.inverse in
   let '(hit, hit', near, near', far, far') := Centred_pair f32 ox ox ox ox oy oy oy oy oz oz oz oz
@@ -155,6 +159,7 @@ Variables ix iy iz jx jy jz : num f64.
 Variables ax ay az bx by_ bz cx cy cz ex ey ez : num f32.
 Notation wide := f64_of_f32.
 
+(** [Doubled::pair]. [BOX-6] *)
 Theorem doubled_pair_agrees :
   let '(hit, hit', near, near', far, far') := Doubled_pair f32 f64 f64_of_f32 ox oy oz ix iy iz jx jy jz
     tmin ax bx cx ex ay by_ cy ey az bz cz ez tmax in
@@ -165,7 +170,7 @@ Theorem doubled_pair_agrees :
 Proof. unfold Doubled_pair. cbv beta iota zeta delta [turn fold_left]. repeat split; reflexivity. Qed.
 End Doubled.
 
-(** [Doubled::new] makes the reciprocals of Slabs.v, where none but that of 0 overflows. *)
+(** [Doubled::new] makes the reciprocals of Slabs.v, where none but that of 0 overflows. [BOX-2, BOX-6] *)
 Theorem doubled_reciprocals d : BinarySingleNaN.is_finite d = true ->
   B2R d = 0 \/ BinarySingleNaN.is_finite (Slabs.reciprocal 53 1024 prec_53 emax_1024 d) = true ->
   let inverse := over f64 (constant f64 1 0) (plus f64 d (constant f64 0 0)) in
@@ -188,6 +193,7 @@ Proof.
     rewrite zero_64. change (less f64 ?x ?y) with (Bltb x y). destruct (Bltb _ _); reflexivity.
 Qed.
 
+(** [Doubled::new]. [BOX-6] *)
 Theorem doubled_new_agrees ox oy oz dx dy dz tmin : let ok d := BinarySingleNaN.is_finite d = true /\
     (B2R d = 0 \/ BinarySingleNaN.is_finite (Slabs.reciprocal 53 1024 prec_53 emax_1024 d) = true) in
   ok dx -> ok dy -> ok dz ->

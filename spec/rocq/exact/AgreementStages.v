@@ -1,0 +1,82 @@
+(** What is left: which rays and numbers the tests are for, and the stage in single precision. *)
+Require Import Reals ZArith Lia Lra Bool.
+From Flocq Require Import Core BinarySingleNaN Mult_error.
+Require Import StacklessExact.Rounding StacklessExact.Triple StacklessExact.Filter StacklessExact.Overflow StacklessExact.Arithmetic
+  StacklessExact.Operations.
+Require StacklessExact.Usual StacklessExact.Floor.
+Open Scope R_scope.
+
+Local Existing Instances Arithmetic.prec_24 Arithmetic.emax_128 Arithmetic.prec_53 Arithmetic.emax_1024.
+
+(** * Usual numbers in double precision *)
+
+Lemma usual_number (x : Overflow.float) :
+  orb (equal f64 x (Arithmetic.constant f64 0 0)) (andb (at_most f64 (Arithmetic.constant f64 1 (-200)) (absolute f64 x))
+    (at_most f64 (absolute f64 x) (Arithmetic.constant f64 1 200))) = true -> Usual.is_usual x.
+Proof.
+  intros H. destruct x as [s|s| |s m e B]; [split; [reflexivity|now left]|exfalso; destruct s; vm_compute in H; discriminate H|
+    exfalso; vm_compute in H; discriminate H|].
+  assert (N : equal f64 (B754_finite s m e B : Overflow.float) (Arithmetic.constant f64 0 0) = false) by now destruct s.
+  rewrite N in H. apply andb_prop in H as [L H]. set (x := B754_finite s m e B : Overflow.float) in *.
+  destruct (constant_fits 1 (-200)) as [Fl Vl]; [reflexivity|lia|]. destruct (constant_fits 1 200) as [Fh Vh]; [reflexivity|lia|].
+  change (Bleb (Overflow.constant 1 (-200)) (Babs x) = true) in L. change (Bleb (Babs x) (Overflow.constant 1 200) = true) in H.
+  rewrite Bleb_correct in L, H by (assumption || reflexivity). rewrite Vl, B2R_Babs, Rmult_1_l in L. rewrite Vh, B2R_Babs, Rmult_1_l in H.
+  split; [reflexivity|right]. split; [revert L|revert H]; case Rle_bool_spec; intros; assumption || discriminate.
+Qed.
+
+(** [is_usual] of src/geom/kernel/exact/double.rs says no more than Usual.v supposes. [EXACT-7] *)
+Theorem usual_agrees v : double_is_usual f64 (fx v) (fy v) (fz v) = true -> Usual.v_usual v.
+Proof.
+  unfold double_is_usual. intros H. apply andb_prop in H as [H Z]. apply andb_prop in H as [X Y].
+  split; [|split]; now apply usual_number.
+Qed.
+
+(** * The stage in single precision *)
+
+Notation R32 := Floor.R32.
+Notation rounded := (reals R32).
+
+Lemma greater_is x y : (if less rounded y x then x else y) = Rmax x y.
+Proof. cbn [reals less]. case Rlt_bool_spec; intros; [rewrite Rmax_left|rewrite Rmax_right]; lra. Qed.
+Lemma lesser_is x y : (if less rounded x y then x else y) = Rmin x y.
+Proof. cbn [reals less]. case Rlt_bool_spec; intros; [rewrite Rmin_left|rewrite Rmin_right]; lra. Qed.
+
+(** The greatest components, in the order of the code. *)
+Definition size (v : vec) : R := Rmax (Rmax (Rabs (vx v)) (Rabs (vy v))) (Rabs (vz v)).
+Definition size_of_two (v w : vec) : R :=
+  Rmax (Rmax (Rmax (Rabs (vx v)) (Rabs (vx w))) (Rmax (Rabs (vy v)) (Rabs (vy w)))) (Rmax (Rabs (vz v)) (Rabs (vz w))).
+
+Lemma size_format a b : Floor.F (size (vsub R32 a b)).
+Proof.
+  assert (M : forall x y, Floor.F x -> Floor.F y -> Floor.F (Rmax x y)) by (intros x y X Y; unfold Rmax; now destruct (Rle_dec x y)).
+  repeat apply M; apply generic_format_abs, Floor.F_32.
+Qed.
+
+(** [ExactFromSingle::misses], with the bound that [new] gives it: what it says is what Floor.v supposes. [EXACT-5] *)
+Theorem misses_agrees v0 v1 v2 o d D :
+  ExactFromSingle_misses rounded (vx o) (vy o) (vz o) (vx d) (vy d) (vz d) (R32 (39 * (/ 16777216) * D))
+    (vx v0) (vy v0) (vz v0) (vx v1) (vy v1) (vz v1) (vx v2) (vy v2) (vz v2) = true ->
+  Floor.misses v0 v1 v2 o d D (size (vsub R32 o v0)) (Rmax (size_of_two (vsub R32 v1 v0) (vsub R32 v2 v0)) (bpow radix2 (-60))).
+Proof.
+  unfold ExactFromSingle_misses. cbv zeta. rewrite !greater_is, !lesser_is.
+  set (C := size (vsub R32 o v0)). set (E := Rmax (size_of_two _ _) _).
+  assert (Twice : R32 (2 * C) = 2 * C).
+  { apply round_generic; [typeclasses eauto|]. rewrite Rmult_comm. change 2 with (bpow radix2 1).
+    apply mult_bpow_pos_exact_FLT; [apply size_format|lia]. }
+  intros H. apply andb_prop in H as [L H]. cbn [reals less opposite] in L, H.
+  assert (B : forall x y, Rlt_bool x y = true -> x < y) by (intros x y; case Rlt_bool_spec; intros; assumption || discriminate).
+  apply B in L, H. clear B. cbn [reals plus minus times absolute Arithmetic.constant] in L, H.
+  replace (IZR 1 * bpow radix2 (-60)) with (bpow radix2 (-60)) in L, H by ring.
+  replace (IZR 1 * bpow radix2 1) with 2 in L, H by (simpl; ring).
+  change (Rmax (Rmax (Rabs (R32 (vx o - vx v0))) (Rabs (R32 (vy o - vy v0)))) (Rabs (R32 (vz o - vz v0)))) with C in L, H.
+  rewrite Twice in L, H.
+  match type of L with _ < - ?bound => change bound with (Floor.delta D C E) in L end.
+  match type of H with ?bound < _ => change bound with (Floor.delta D C E) in H end.
+  set (x := determinants_of R32 v0 v1 v2 o d).
+  change (Rmin (Rmin (edge_u x) (edge_v x)) (edge_w x) < - Floor.delta D C E) in L.
+  change (Floor.delta D C E < Rmax (Rmax (edge_u x) (edge_v x)) (edge_w x)) in H. split; fold x.
+  - destruct (Rlt_or_le (edge_u x) (- Floor.delta D C E)); [now left|]. destruct (Rlt_or_le (edge_v x) (- Floor.delta D C E)); [now right; left|].
+    right; right. revert L. unfold Rmin. repeat destruct (Rle_dec _ _); lra.
+  - destruct (Rlt_or_le (Floor.delta D C E) (edge_u x)); [now left|]. destruct (Rlt_or_le (Floor.delta D C E) (edge_v x)); [now right; left|].
+    right; right. revert H. unfold Rmax. repeat destruct (Rle_dec _ _); lra.
+Qed.
