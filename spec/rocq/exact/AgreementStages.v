@@ -66,8 +66,7 @@ Proof.
   intros H. apply andb_prop in H as [L H]. cbn [reals less opposite] in L, H.
   assert (B : forall x y, Rlt_bool x y = true -> x < y) by (intros x y; case Rlt_bool_spec; intros; assumption || discriminate).
   apply B in L, H. clear B. cbn [reals plus minus times absolute Arithmetic.constant] in L, H.
-  replace (IZR 1 * bpow radix2 (-60)) with (bpow radix2 (-60)) in L, H by ring.
-  replace (IZR 1 * bpow radix2 1) with 2 in L, H by (simpl; ring).
+  rewrite !Rmult_1_l in L, H. change (bpow radix2 1) with 2 in L, H.
   change (Rmax (Rmax (Rabs (R32 (vx o - vx v0))) (Rabs (R32 (vy o - vy v0)))) (Rabs (R32 (vz o - vz v0)))) with C in L, H.
   rewrite Twice in L, H.
   match type of L with _ < - ?bound => change bound with (Floor.delta D C E) in L end.
