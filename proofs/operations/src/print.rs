@@ -105,6 +105,12 @@ fn definition(source: &Source, target: &Target, printed: &[Printed]) -> Result<D
         }
         results.iter_mut().for_each(|(x, _)| replace(x, operand, &named));
     }
+    // One name for two numbers would say another thing than the code.
+    let mut names: Vec<_> = lets.iter().flat_map(|x| &x.names).chain(parameters.iter().map(|(name, _)| name)).collect();
+    names.sort();
+    if let Some([twice, _]) = names.array_windows().find(|[one, next]| one == next) {
+        return Err(format!("{twice} is the name of two numbers"));
+    }
     let mut text = format!("(** [{}] of {}. *)\nDefinition {}", rust_name(target), target.file, name_of(target));
     let mut used = BTreeMap::new();
     lets.iter().for_each(|x| count(&x.value, &mut used));

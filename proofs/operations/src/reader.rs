@@ -13,6 +13,7 @@ use crate::value::{Expr, Format, Value};
 pub(crate) type Result<T> = std::result::Result<T, String>;
 
 /// What has a name, or several: the parts of what a function gives.
+#[derive(Clone)]
 pub(crate) struct Let {
     pub(crate) names: Vec<String>,
     pub(crate) value: Expr,
@@ -77,7 +78,8 @@ impl<'s> Reader<'s> {
             return Err(format!("{} calls itself", function.name));
         }
         let printed = self.printed.iter().find(|other| other.place == function.place && other.name == function.name);
-        let outside = printed.map(|_| (self.lets.len(), self.taken.clone(), self.constants.len()));
+        let outside =
+            printed.map(|_| (self.lets.clone(), self.taken.clone(), self.renamed.clone(), self.constants.len()));
         self.depth += 1;
         let mut frame = Frame { place: function.place.clone(), seen: Vec::new() };
         for (input, argument) in function.inputs.iter().zip(arguments) {
@@ -96,10 +98,9 @@ impl<'s> Reader<'s> {
         let value = value.map_err(|error| format!("{}: {error}", function.name))?;
         let value = function.output.as_ref().map_or_else(|| Ok(value.clone()), |ty| self.typed(&value, ty))?;
         self.depth -= 1;
-        if let (Some(printed), Some((lets, taken, constants))) = (printed, outside) {
+        if let (Some(printed), Some((lets, taken, renamed, constants))) = (printed, outside) {
             // It was run for the shape of what it gives.
-            self.lets.truncate(lets);
-            self.taken = taken;
+            (self.lets, self.taken, self.renamed) = (lets, taken, renamed);
             self.constants.truncate(constants);
             return Ok((self.call_printed(printed, arguments, &value)?, Value::Unit));
         }

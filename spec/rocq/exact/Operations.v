@@ -414,9 +414,9 @@ Definition Centred_pair (self_origin_0_x self_origin_0_y self_origin_0_z self_or
       tmax in
   let near_x'2 := times single near_x Centred_DOWN in
   let near_z'2 := times single near_z Centred_DOWN in
-  let t_y := times single far_y Centred_UP in
-  let t_w := times single far_w Centred_UP in
-  (at_most single near_x'2 t_y, at_most single near_z'2 t_w, near_x'2, near_z'2, t_y, t_w).
+  let far_y'2 := times single far_y Centred_UP in
+  let far_w'2 := times single far_w Centred_UP in
+  (at_most single near_x'2 far_y'2, at_most single near_z'2 far_w'2, near_x'2, near_z'2, far_y'2, far_w'2).
 
 (** [ExactFromSingle::misses] of src/geom/kernel/exact/single.rs. *)
 Definition ExactFromSingle_misses (self_origin_x self_origin_y self_origin_z self_direction_x self_direction_y self_direction_z
