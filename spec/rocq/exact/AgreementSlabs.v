@@ -203,3 +203,54 @@ Proof.
   intros ok [F1 U1] [F2 U2] [F3 U3]. unfold Doubled_new. cbv zeta.
   rewrite <- (doubled_reciprocals dx F1 U1), <- (doubled_reciprocals dy F2 U2), <- (doubled_reciprocals dz F3 U3). cbv zeta. reflexivity.
 Qed.
+
+(** * Usual rays *)
+
+Notation float := (binary_float 24 128).
+Notation finite := BinarySingleNaN.is_finite.
+
+Lemma not_above (x : float) : finite x = true -> at_most f32 (absolute f32 x) (Arithmetic.constant f32 1 126) = true -> Rabs (B2R x) <= bpow radix2 126.
+Proof.
+  intros F H. change (Bleb (Babs x) (Arithmetic.constant f32 1 126) = true) in H.
+  assert (V : B2R (Arithmetic.constant f32 1 126 : float) = bpow radix2 126).
+  { rewrite <- SF2R_B2SF. replace (B2SF _) with (SpecFloat.S754_finite false 8388608 103) by (vm_compute; reflexivity).
+    unfold SF2R. change 8388608%positive with (2 ^ 23)%positive. unfold F2R. simpl cond_Zopp. simpl Fnum. simpl Fexp. change 126%Z with (23 + 103)%Z. now rewrite bpow_plus. }
+  rewrite Bleb_correct in H by (rewrite ?is_finite_Babs; assumption || reflexivity). rewrite V, B2R_Babs in H.
+  revert H. case Rle_bool_spec; intros; assumption || discriminate.
+Qed.
+
+Lemma usual_axis o d lo hi : finite o = true -> finite d = true -> finite lo = true -> finite hi = true ->
+  Rabs (B2R lo) <= bpow radix2 126 -> Rabs (B2R hi) <= bpow radix2 126 ->
+  let direction := plus f32 d (Arithmetic.constant f32 0 0) in
+  andb (orb (less f32 (absolute f32 (over f32 (Arithmetic.constant f32 1 0) direction)) (Arithmetic.constant f32 16777215 104))
+    (equal f32 direction (Arithmetic.constant f32 0 0))) (at_most f32 (absolute f32 o) (Arithmetic.constant f32 1 126)) = true ->
+  Slabs.usual 24 128 prec_24 emax_128 (o, d, lo, hi).
+Proof.
+  intros Fo Fd Fl Fh L H. cbv zeta. intros U. apply andb_prop in U as [U O]. rewrite one_32 in U.
+  split; [exact Fd|split; [|split; [split; [exact Fo|now apply not_above]|split; now split]]].
+  apply orb_prop in U as [U|U].
+  - right. unfold Slabs.reciprocal. change (over f32 ?x ?y) with (Bdiv mode_NE x y) in U. rewrite zero_32 in U.
+    set (i := Bdiv mode_NE _ _) in *. change (finite i = true).
+    destruct i as [s|s| |s m e B]; try reflexivity; vm_compute in U; discriminate U.
+  - left. destruct d as [s| | |s m e B]; try discriminate Fd; [reflexivity|]. destruct s; discriminate U.
+Qed.
+
+(** [is_wide] of [Directed::new]: where it is not set, the ray and all planes within the region are what Slabs.v supposes. [BOX-2] *)
+Theorem is_wide_agrees ox oy oz dx dy dz reach : let reaches (x : float) := finite x = true /\ Rabs (B2R x) <= B2R (reach : binary_float 53 1024) in
+  finite ox = true -> finite oy = true -> finite oz = true -> finite dx = true -> finite dy = true -> finite dz = true ->
+  finite (reach : binary_float 53 1024) = true -> snd (Directed_new f32 f64 f64_of_f32 ox oy oz dx dy dz reach) = false ->
+  forall lx hx ly hy lz hz, reaches lx -> reaches hx -> reaches ly -> reaches hy -> reaches lz -> reaches hz ->
+  let usual := Slabs.usual 24 128 prec_24 emax_128 in usual (ox, dx, lx, hx) /\ usual (oy, dy, ly, hy) /\ usual (oz, dz, lz, hz).
+Proof.
+  cbv zeta. intros Ox Oy Oz Dx Dy Dz R. unfold Directed_new. cbv zeta. cbn [snd]. intros W. apply orb_false_elim in W as [W Reach].
+  apply negb_false_iff in W. apply andb_prop in W as [W _]. apply andb_prop in W as [W Z]. apply andb_prop in W as [X Y].
+  change (Bltb (f64_of_f32 (Arithmetic.constant f32 1 126)) reach = false) in Reach.
+  assert (V : B2R (f64_of_f32 (Arithmetic.constant f32 1 126) : binary_float 53 1024) = bpow radix2 126).
+  { rewrite <- SF2R_B2SF. replace (B2SF _) with (SpecFloat.S754_finite false 4503599627370496 74) by (vm_compute; reflexivity).
+    unfold SF2R. change 4503599627370496%positive with (2 ^ 52)%positive. unfold F2R. simpl cond_Zopp. simpl Fnum. simpl Fexp.
+    change 126%Z with (52 + 74)%Z. now rewrite bpow_plus. }
+  rewrite Bltb_correct in Reach by (assumption || (vm_compute; reflexivity)). rewrite V in Reach.
+  assert (M : B2R (reach : binary_float 53 1024) <= bpow radix2 126) by (revert Reach; case Rlt_bool_spec; intros; assumption || discriminate).
+  intros lx hx ly hy lz hz [F1 B1] [F2 B2] [F3 B3] [F4 B4] [F5 B5] [F6 B6].
+  split; [|split]; apply usual_axis; assumption || (eapply Rle_trans; [eassumption|exact M]).
+Qed.
