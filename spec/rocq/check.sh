@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Checks all proofs of both libraries from clean, and what they rest on: those of traversal on nothing, those of arithmetic
 # (exact/) on the axioms of the real numbers of Coq's library, no others. What each theorem rests on is in assumptions.txt.
-# With UPDATE=1 it writes both. It needs Rocq (Coq 8.16 or later) with Flocq 4; where one is missing, it installs Debian's packages.
+# That the theorems of arithmetic are about the code is Operations.v, printed from the source, and Agreement*.v.
+# With UPDATE=1 it writes what is printed. It needs Rocq (Coq 8.16 or later) with Flocq 4; where one is missing, it installs Debian's packages.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -137,23 +138,20 @@ check() {
         "$(wc -l < "$here/assumptions.txt") name clauses; axioms: $(wc -w <<< "${allowed[$here]}")"$'\n')
 }
 
-# The constants of the proofs are those of the code.
-is_in() {
-    grep -qF "$2" "../../$1" || fail "$1 does not say: $2"
+# The operations of the proofs are those of the code: Operations.v is printed from the library's source. So that the reader's meanings are
+# tested where it is used, its tests run here.
+operations() {
+    local manifest=../../proofs/operations/Cargo.toml target=${CARGO_TARGET_DIR:-$PWD/../../target}/operations
+    local reader=$target/debug/operations
+    cargo test --quiet --locked --manifest-path "$manifest" --target-dir "$target"
+    cargo build --quiet --locked --manifest-path "$manifest" --target-dir "$target"
+    "$reader" ../.. > "$work/Operations.v"
+    if [[ -n ${UPDATE:-} ]]; then cp "$work/Operations.v" exact/Operations.v; fi
+    diff exact/Operations.v "$work/Operations.v" || fail "the code has other operations than exact/Operations.v"
+    ./planted.sh "$reader"
+    echo "operations: $(grep -c '^Definition' exact/Operations.v) definitions are printed; $((SECONDS - began)) s"
 }
-is_in src/geom/kernel/bounds.rs 'pub const EDGE: u32 = 39;'
-is_in src/geom/kernel/bounds.rs 'pub const SIGN: u32 = 2 * EDGE;'
-is_in src/geom/kernel/bounds.rs 'pub const DETERMINANT: u32 = 31;'
-is_in src/geom/kernel/bounds.rs 'pub const DISTANCE: u32 = 35;'
-is_in src/geom/kernel/bounds.rs 'pub const QUOTIENT: u32 = 4;'
-is_in src/geom/kernel/bounds.rs 'pub const QUOTIENT_FACTOR: f64 = 5.0 / 4.0;'
-is_in src/geom/kernel/exact/filter.rs 'const UNIT: f64 = f64::EPSILON / 2.0;'
-is_in src/geom/kernel/exact/double.rs 'const USUAL: RangeInclusive<f64> = power_of_two(-200)..=power_of_two(200);'
-is_in src/geom/kernel/exact/single.rs 'pub const MIN_EDGE: f32 = f32::from_bits((127 - 60) << 23);'
-is_in src/geom/kernel/exact/sum.rs 'let scaled = 134_217_729.0 * a;'
-is_in src/geom/slabs/centred.rs 'pub const PADDING: [f32; 2] = [1.0 - 1.5 * f32::EPSILON, 1.0 + 2.0 * f32::EPSILON];'
-is_in src/geom/slabs/directed.rs 'pub const STEPS: u32 = 2;'
-is_in src/geom/slabs/wide.rs 'pub const STRICT_STEPS: u32 = 3;'
+operations
 
 report=()
 for folder in "${folders[@]}"; do

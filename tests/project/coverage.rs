@@ -263,9 +263,11 @@ fn every_proof_file_cites_a_clause() {
         let cites = |file: &PathBuf| cited.keys().any(|by| by.starts_with(&file.display().to_string()));
         files(folder, ending).into_iter().filter(|file| !cites(file)).collect::<Vec<_>>()
     };
-    // What is evaluated, written by programs in which a clause would have to be named at each; and what is extracted.
+    // What is evaluated, written by programs in which a clause would have to be named at each; what is printed from the
+    // library's source, in which nothing is proved; and what is extracted.
     let evaluated =
-        ["Cases.v", "Suite.v", "Vectors.v", "extract/Extract.v"].map(|file| Path::new("spec/rocq").join(file));
+        ["Cases.v", "Suite.v", "Vectors.v", "exact/Arithmetic.v", "exact/Operations.v", "extract/Extract.v"]
+            .map(|file| Path::new("spec/rocq").join(file));
     assert_eq!(silent("spec/rocq", "v"), evaluated);
 }
 

@@ -1,0 +1,196 @@
+//! What names stand for, and calls: of functions, closures and methods.
+
+use syn::Expr as Rust;
+
+use crate::operators;
+use crate::reader::{Frame, Reader, Result};
+use crate::shapes::{name_of_constant, numbers};
+use crate::source::text;
+use crate::value::{Bits, Expr, Format, Value};
+
+impl Reader<'_> {
+    /// What a name stands for.
+    pub(crate) fn path(&mut self, frame: &mut Frame, path: &syn::Path) -> Result<Value> {
+        let name = text(path);
+        if let Some((_, value)) = frame.seen.iter().rev().find(|(seen, _)| *seen == name) {
+            return match value {
+                Value::Unknown(what) => Err(format!("nothing is known of {what}")),
+                value => Ok(value.clone()),
+            };
+        }
+        match self.known_as(&name).as_str() {
+            "true" => return Ok(Value::Bool(Expr::True)),
+            "false" => return Ok(Value::Bool(Expr::False)),
+            _ => {}
+        }
+        let Some((owner, name)) = name.rsplit_once("::") else {
+            return self.constant(frame, "", &name);
+        };
+        let owner = self.type_name(frame, owner);
+        match owner.as_str() {
+            "f32" => return operators::constant_of(Format::Single, name),
+            "f64" => return operators::constant_of(Format::Double, name),
+            _ => {}
+        }
+        if name.chars().all(|c| c.is_uppercase() || c == '_') {
+            return self.constant(frame, &owner, name);
+        }
+        Ok(Value::Function(owner, name.into()))
+    }
+
+    /// A constant: a number keeps its name, others are what they are.
+    fn constant(&mut self, frame: &Frame, owner: &str, name: &str) -> Result<Value> {
+        let constant = self.source.constant(&frame.place.file, owner, name);
+        let constant = match (constant, owner) {
+            (Ok(constant), _) => constant.clone(),
+            // A function by its name alone.
+            (Err(_), "") if self.source.function(&frame.place.file, name).is_ok() => {
+                return Ok(Value::Function(String::new(), name.into()));
+            }
+            (Err(error), _) => return Err(error),
+        };
+        let mut inside = Frame { place: constant.place.clone(), seen: Vec::new() };
+        let value = self.eval(&mut inside, &constant.value)?;
+        let value = self.typed(&value, &constant.ty)?;
+        if let Value::Real(Some(format), x) = &value
+            && !x.is_atom()
+        {
+            self.constants.push((constant.place.clone(), name.into()));
+            return Ok(Value::Real(Some(*format), Expr::Call(name_of_constant(&constant.place, name), Vec::new())));
+        }
+        Ok(value)
+    }
+
+    pub(crate) fn type_name(&self, frame: &Frame, name: &str) -> String {
+        let name = if name == "Self" { &frame.place.owner } else { name };
+        self.known_as(name.split("::").last().unwrap_or(name))
+    }
+
+    /// Calls a function that is given by a path or is a value.
+    pub(crate) fn call_path(&mut self, frame: &mut Frame, path: &Rust, arguments: &[Value]) -> Result<Value> {
+        let Rust::Path(path) = path else { return Err(format!("not understood: {}", text(path))) };
+        let name = text(&path.path);
+        if let Some((_, function)) = frame.seen.iter().rev().find(|(seen, _)| *seen == name) {
+            let function = function.clone();
+            return self.apply(frame, &function, arguments);
+        }
+        let Some((owner, method)) = name.rsplit_once("::") else {
+            if name == "Self" || self.source.structure(&name).is_ok() {
+                let fields = arguments.iter().enumerate().map(|(at, value)| (at.to_string(), value.clone()));
+                return self.structure(&self.type_name(frame, &name), fields.collect());
+            }
+            return self.apply(frame, &Value::Function(String::new(), name), arguments);
+        };
+        let owner = self.type_name(frame, owner);
+        self.apply(frame, &Value::Function(owner, method.into()), arguments)
+    }
+
+    /// Calls a function that is a value.
+    fn apply(&mut self, frame: &mut Frame, function: &Value, arguments: &[Value]) -> Result<Value> {
+        match function {
+            Value::Closure(closure) => {
+                if closure.inputs.len() != arguments.len() {
+                    return Err("a closure with other operands".into());
+                }
+                let mut inside = Frame { place: closure.place.clone(), seen: closure.seen.clone() };
+                for (input, argument) in closure.inputs.iter().zip(arguments) {
+                    self.bind(&mut inside, input, argument, false)?;
+                }
+                let value = self.eval(&mut inside, &closure.body)?;
+                // It would have to change what is outside.
+                let changed = closure.seen.iter().zip(&inside.seen).any(|((_, x), (_, y))| !x.is_same(y));
+                if changed { Err("a closure that changes something".into()) } else { Ok(value) }
+            }
+            Value::Function(owner, name) => match (owner.as_str(), name.as_str(), arguments) {
+                ("f32", "from_bits", [bits]) => operators::from_bits(Format::Single, bits),
+                ("f64", "from_bits", [bits]) => operators::from_bits(Format::Double, bits),
+                ("f64", "from", [value]) => operators::convert(value, Format::Double),
+                ("u32", "from", [Value::Bool(bit)]) => Ok(Value::Mask(vec![bit.clone()])),
+                ("u64", "from", [Value::Int(x)]) if *x >= 0 => Ok(Value::Int(*x)),
+                ("", name, _) => {
+                    let function = self.source.function(&frame.place.file, name)?.clone();
+                    Ok(self.call(&function, arguments)?.0)
+                }
+                (owner, name, _) => {
+                    // A trait's function is that of its operand's type.
+                    let own = self.source.method(owner, name, "").or_else(|error| match arguments {
+                        [first, ..] => self.source.method(&first.type_name(), name, "").map_err(|_| error),
+                        [] => Err(error),
+                    });
+                    let function = own?.clone();
+                    Ok(self.call(&function, arguments)?.0)
+                }
+            },
+            other => Err(format!("a call of {}", other.kind())),
+        }
+    }
+
+    pub(crate) fn method(
+        &mut self,
+        frame: &mut Frame,
+        at: &Rust,
+        on: Value,
+        name: &str,
+        with: &[Value],
+    ) -> Result<Value> {
+        match (&on, name, with) {
+            (Value::Real(format, x), ..) => {
+                let named = self.name("x", &Value::Real(*format, x.clone()), false)?;
+                let Value::Real(_, x) = named else { return Err("a number that is none".into()) };
+                let with = with.iter().map(|y| self.name("y", y, false)).collect::<Result<Vec<_>>>()?;
+                operators::method(&x, *format, name, &with)
+            }
+            (Value::Bits(format, Bits::Plus(x, by)), "wrapping_add_signed", [Value::Int(more)]) => {
+                Ok(Value::Bits(*format, Bits::Plus(x.clone(), by + more)))
+            }
+            (Value::List(_), "into_iter" | "iter" | "copied", []) => Ok(on),
+            (Value::List(of), "map", [function]) => Ok(Value::List(
+                of.iter().map(|x| self.apply(frame, function, std::slice::from_ref(x))).collect::<Result<_>>()?,
+            )),
+            (Value::List(of), "all" | "any", [function]) => {
+                let mut all = if name == "all" { Expr::True } else { Expr::False };
+                for x in of {
+                    match self.apply(frame, function, std::slice::from_ref(x))? {
+                        Value::Bool(x) if name == "all" => all = all.and(x),
+                        Value::Bool(x) => all = all.or(x),
+                        other => return Err(format!("{name} of {}", other.kind())),
+                    }
+                }
+                Ok(Value::Bool(all))
+            }
+            (Value::List(of), "filter", [function]) => {
+                let mut found = Vec::new();
+                for x in of {
+                    match self.apply(frame, function, std::slice::from_ref(x))? {
+                        Value::Bool(condition) => found.push((condition, x.clone())),
+                        other => return Err(format!("{name} by {}", other.kind())),
+                    }
+                }
+                Ok(Value::Filtered(found))
+            }
+            (Value::Range(ends), "contains", [x]) => {
+                let not_before = operators::binary(&syn::parse_quote!(<=), &ends[0], x)?;
+                let not_after = operators::binary(&syn::parse_quote!(<=), x, &ends[1])?;
+                operators::binary(&syn::parse_quote!(&&), &not_before, &not_after)
+            }
+            (Value::State(state), ..) => {
+                let (_, as_) = self
+                    .opaque
+                    .iter()
+                    .find(|(opaque, _)| *opaque == name)
+                    .ok_or_else(|| format!("{name} of a state"))?;
+                let operands = std::iter::once((None, state.clone())).chain(with.iter().flat_map(numbers)).collect();
+                let new = Value::State(Expr::Call((*as_).into(), operands));
+                let new = self.name("sum", &new, true)?;
+                self.assign(frame, at, new)?;
+                Ok(Value::Unit)
+            }
+            (Value::Struct(owner, _), ..) => {
+                let function = self.source.method(owner, name, "")?.clone();
+                let arguments = std::iter::once(on.clone()).chain(with.iter().cloned()).collect::<Vec<_>>();
+                Ok(self.call(&function, &arguments)?.0)
+            }
+            _ => Err(format!("the method {name} of {}", on.kind())),
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! The shapes of values: their parts, their names, and those of parameters.
+
+use std::collections::BTreeSet;
+
+use syn::Lit;
+
+use crate::reader::{Reader, Result};
+use crate::source::{Place, last_name, module_of, text};
+use crate::value::{Expr, Format, Value};
+
+/// The expressions of a value.
+pub(crate) fn numbers(value: &Value) -> Vec<(Option<Format>, Expr)> {
+    let mut found = Vec::new();
+    let each = value.leaves("", &mut |_, leaf| {
+        match leaf {
+            Value::Real(format, x) => found.push((*format, x.clone())),
+            Value::Bool(x) | Value::State(x) => found.push((None, x.clone())),
+            _ => {}
+        }
+        Ok(leaf.clone())
+    });
+    drop(each);
+    found
+}
+
+pub(crate) fn name_of_constant(place: &Place, name: &str) -> String {
+    let module = module_of(&place.file);
+    let stem = module.rsplit('/').next().unwrap_or_default();
+    let of = if place.owner.is_empty() { stem } else { &place.owner };
+    format!("{of}_{name}")
+}
+
+/// A name that is not taken, and that Rocq does not keep for itself.
+pub(crate) fn fresh(taken: &mut BTreeSet<String>, name: &str) -> String {
+    let kept = matches!(
+        name,
+        "by" | "end"
+            | "with"
+            | "at"
+            | "exists"
+            | "single"
+            | "double"
+            | "less"
+            | "over"
+            | "plus"
+            | "minus"
+            | "times"
+            | "power"
+            | "equal"
+    );
+    let name = if kept { format!("{name}_") } else { name.to_owned() };
+    let mut fresh = name.clone();
+    let mut times = 1;
+    while !taken.insert(fresh.clone()) {
+        times += 1;
+        fresh = format!("{name}'{times}");
+    }
+    fresh
+}
+
+pub(crate) fn literal_of(literal: &Lit) -> Result<Value> {
+    match literal {
+        Lit::Int(digits) if digits.suffix().is_empty() => {
+            digits.base10_parse().map(Value::Int).map_err(|error| error.to_string())
+        }
+        Lit::Float(digits) if digits.suffix().is_empty() => {
+            Ok(Value::Real(None, Expr::Literal(digits.base10_digits().to_owned())))
+        }
+        Lit::Bool(truth) => Ok(Value::Bool(if truth.value { Expr::True } else { Expr::False })),
+        _ => Err(format!("not understood: {}", text(literal))),
+    }
+}
+
+pub(crate) fn member(value: &Value, name: &str) -> Result<Value> {
+    let part = match value {
+        Value::Struct(_, fields) => fields.iter().find(|(field, _)| field == name).map(|(_, value)| value),
+        Value::List(of) => name.parse::<usize>().ok().and_then(|at| of.get(at)),
+        _ => None,
+    };
+    match part {
+        Some(Value::Unknown(what)) => Err(format!("nothing is known of {what}")),
+        Some(part) => Ok(part.clone()),
+        None => Err(format!("{name} of {}", value.kind())),
+    }
+}
+
+/// An element of a list, or a component of a vector.
+pub(crate) fn element<'v>(value: &'v Value, at: &Value) -> Result<&'v Value> {
+    let Value::Int(at) = at else { return Err(format!("an index that is {}", at.kind())) };
+    let at = usize::try_from(*at).map_err(|error| error.to_string())?;
+    let part = match value {
+        Value::List(of) => of.get(at),
+        Value::Struct(name, fields) if matches!(name.as_str(), "Vec3" | "DVec3" | "Vec4") => {
+            fields.get(at).map(|(_, value)| value)
+        }
+        _ => None,
+    };
+    part.ok_or_else(|| format!("element {at} of {}", value.kind()))
+}
+
+/// The value that a parameter has: its shape, with names for its numbers.
+pub(crate) fn unknown(reader: &Reader<'_>, ty: &syn::Type, owner: &str, name: &str) -> Result<Value> {
+    if let Some(format) = reader.format(ty) {
+        return Ok(Value::Real(Some(format), Expr::Name(name.into())));
+    }
+    let list = |of: Vec<(usize, &syn::Type)>| {
+        let each = of.into_iter().map(|(at, ty)| unknown(reader, ty, owner, &format!("{name}_{at}")));
+        Ok(Value::List(each.collect::<Result<_>>()?))
+    };
+    match ty {
+        syn::Type::Reference(ty) => unknown(reader, &ty.elem, owner, name),
+        syn::Type::Tuple(ty) => list(ty.elems.iter().enumerate().collect()),
+        syn::Type::Array(ty) => match text(&ty.len).parse::<usize>() {
+            Ok(len @ 0..=64) => list((0..len).map(|at| (at, &*ty.elem)).collect()),
+            _ => Err(format!("not understood: {}", text(ty))),
+        },
+        syn::Type::Path(_) => {
+            let short = reader.known_as(&last_name(ty));
+            let short = if short == "Self" { owner } else { &short };
+            if let Some((_, alias)) = reader.source.aliases.iter().find(|(name, _)| name == short) {
+                return unknown(reader, alias, owner, name);
+            }
+            match short {
+                "bool" => return Ok(Value::Bool(Expr::Name(name.into()))),
+                "Sum" => return Ok(Value::State(Expr::Name(name.into()))),
+                "i32" | "u32" | "usize" => return Ok(Value::Unknown(name.into())),
+                _ => {}
+            }
+            let fields = reader.source.structure(short)?.fields.iter().map(|(field, ty)| {
+                let under = if field == "0" { name.to_owned() } else { format!("{name}_{field}") };
+                Ok((field.clone(), unknown(reader, ty, short, &under)?))
+            });
+            Ok(Value::Struct(short.into(), fields.collect::<Result<_>>()?))
+        }
+        _ => Err(format!("not understood: {}", text(ty))),
+    }
+}

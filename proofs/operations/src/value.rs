@@ -1,0 +1,295 @@
+//! Values of which not all is known: expressions of numbers, in the shapes that Rust has.
+
+use std::rc::Rc;
+
+use crate::source::Place;
+
+/// The format of a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Format {
+    Single,
+    Double,
+}
+
+/// An expression of a number or a truth value.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Expr {
+    /// A parameter, or what a `let` has named.
+    Name(String),
+    /// An integer times a power of two.
+    Constant(i128, i32),
+    /// A literal whose format is not known yet.
+    Literal(String),
+    True,
+    False,
+    /// An operation of the arithmetic of a format, which may not be known yet.
+    Op(&'static str, Option<Format>, Vec<Self>),
+    /// A function that is defined before, or of which nothing is known; operands with their formats.
+    Call(String, Vec<(Option<Format>, Self)>),
+    If(Box<[Self; 3]>),
+}
+
+/// A value.
+#[derive(Clone, Debug)]
+pub(crate) enum Value {
+    /// A number; of a literal the format may not be known yet.
+    Real(Option<Format>, Expr),
+    Bool(Expr),
+    Int(i128),
+    /// The bits of a number.
+    Bits(Format, Bits),
+    /// An integer of some bits, from the lowest on.
+    Mask(Vec<Expr>),
+    /// A tuple or an array.
+    List(Vec<Self>),
+    /// Elements that are there under a condition.
+    Filtered(Vec<(Expr, Self)>),
+    Struct(String, Vec<(String, Self)>),
+    Range(Box<[Self; 2]>),
+    Closure(Rc<Closure>),
+    /// A function by its type's name and its own.
+    Function(String, String),
+    /// What only functions know that are not looked into.
+    State(Expr),
+    Unit,
+    /// Something that was not understood, which is no fault where it is not used.
+    Unknown(String),
+}
+
+/// Bits of a number `x`.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Bits {
+    /// All, as an integer, plus a number.
+    Plus(Expr, i128),
+    /// That of the sign, at its place.
+    Sign(Expr),
+    /// All of the first, with that of the second's sign changed by exclusive or.
+    Xor(Expr, Expr),
+    /// Those of the exponent.
+    Exponent(Expr),
+}
+
+/// A closure, with what it sees.
+#[derive(Clone, Debug)]
+pub(crate) struct Closure {
+    pub(crate) inputs: Vec<syn::Pat>,
+    pub(crate) body: syn::Expr,
+    pub(crate) seen: Vec<(String, Value)>,
+    pub(crate) place: Place,
+}
+
+impl Expr {
+    pub(crate) fn op(name: &'static str, format: Option<Format>, of: impl IntoIterator<Item = Self>) -> Self {
+        Self::Op(name, format, of.into_iter().collect())
+    }
+
+    pub(crate) fn is_atom(&self) -> bool {
+        matches!(self, Self::Name(_) | Self::Constant(..) | Self::Literal(_) | Self::True | Self::False)
+            || matches!(self, Self::Op(_, _, of) if of.is_empty())
+            || matches!(self, Self::Call(_, of) if of.is_empty())
+    }
+
+    pub(crate) fn not(self) -> Self {
+        match self {
+            Self::True => Self::False,
+            Self::False => Self::True,
+            Self::Op("negb", None, mut of) if of.len() == 1 => of.remove(0),
+            other => Self::op("negb", None, [other]),
+        }
+    }
+
+    pub(crate) fn and(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::True, other) => other,
+            (Self::False, _) => Self::False,
+            (this, Self::True) => this,
+            (this, other) => Self::op("andb", None, [this, other]),
+        }
+    }
+
+    pub(crate) fn or(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::False, other) => other,
+            (Self::True, _) => Self::True,
+            (this, Self::False) => this,
+            (this, other) => Self::op("orb", None, [this, other]),
+        }
+    }
+
+    /// One of two, by a condition.
+    pub(crate) fn choose(&self, yes: &Self, no: &Self) -> Self {
+        match self {
+            Self::True => yes.clone(),
+            Self::False => no.clone(),
+            _ if yes == no => yes.clone(),
+            _ => Self::If(Box::new([self.clone(), yes.clone(), no.clone()])),
+        }
+    }
+
+    /// With the format for all of which it is not known.
+    pub(crate) fn settle(&self, format: Format) -> Result<Self, String> {
+        Ok(match self {
+            Self::Literal(digits) => {
+                let number = match format {
+                    Format::Single => digits.parse::<f32>().map(f64::from),
+                    Format::Double => digits.parse::<f64>(),
+                };
+                constant(number.map_err(|error| format!("{digits}: {error}"))?)?
+            }
+            Self::Op(name, None, of) if !is_logic(name) => {
+                let of = of.iter().map(|x| x.settle(format)).collect::<Result<_, _>>()?;
+                Self::Op(name, Some(format), of)
+            }
+            Self::If(of) => {
+                let [condition, yes, no] = &**of;
+                Self::If(Box::new([condition.clone(), yes.settle(format)?, no.settle(format)?]))
+            }
+            // A number whose format is known has that in its parts, too.
+            other => other.clone(),
+        })
+    }
+}
+
+/// A finite double as an integer times a power of two.
+pub(crate) fn constant(number: f64) -> Result<Expr, String> {
+    if !number.is_finite() || number.is_sign_negative() {
+        return Err(format!("a literal that is no positive number: {number}"));
+    }
+    if number == 0.0 {
+        return Ok(Expr::Constant(0, 0));
+    }
+    let (bits, exponent) = (number.to_bits() & ((1 << 52) - 1), number.to_bits() >> 52);
+    let mut whole = i128::from(if exponent == 0 { bits } else { bits | 1 << 52 });
+    let mut power = i32::try_from(exponent.max(1)).map_err(|error| error.to_string())? - 1075;
+    while whole % 2 == 0 {
+        (whole, power) = (whole / 2, power + 1);
+    }
+    Ok(Expr::Constant(whole, power))
+}
+
+/// Operations that are of no format.
+fn is_logic(name: &str) -> bool {
+    matches!(name, "andb" | "orb" | "negb" | "xorb" | "widen" | "narrow")
+}
+
+impl Value {
+    /// The kind, for messages.
+    pub(crate) fn kind(&self) -> &'static str {
+        match self {
+            Self::Real(..) => "a number",
+            Self::Bool(_) => "a truth value",
+            Self::Int(_) => "an integer",
+            Self::Bits(..) => "bits of a number",
+            Self::Mask(_) => "a mask",
+            Self::List(_) => "a list",
+            Self::Filtered(_) => "a filtered list",
+            Self::Struct(..) => "a struct",
+            Self::Range(_) => "a range",
+            Self::Closure(_) | Self::Function(..) => "a function",
+            Self::State(_) => "a state",
+            Self::Unit => "nothing",
+            Self::Unknown(_) => "something unknown",
+        }
+    }
+
+    /// The name of its type, as operators and methods are found by it.
+    pub(crate) fn type_name(&self) -> String {
+        match self {
+            Self::Real(Some(Format::Single), _) => "f32".into(),
+            Self::Real(Some(Format::Double), _) => "f64".into(),
+            Self::Struct(name, _) => name.clone(),
+            other => other.kind().into(),
+        }
+    }
+
+    /// The same kind of value with another expression.
+    pub(crate) fn with(&self, x: &Expr) -> Result<Self, String> {
+        Ok(match self {
+            Self::Real(format, _) => Self::Real(*format, x.clone()),
+            Self::Bool(_) => Self::Bool(x.clone()),
+            Self::State(_) => Self::State(x.clone()),
+            other => return Err(format!("{} in a result", other.kind())),
+        })
+    }
+
+    /// Its expressions in order, each of which `to` may replace.
+    pub(crate) fn leaves(
+        &self,
+        name: &str,
+        to: &mut impl FnMut(&str, &Self) -> Result<Self, String>,
+    ) -> Result<Self, String> {
+        let under = |field: &str| if field == "0" { name.to_owned() } else { format!("{name}_{field}") };
+        Ok(match self {
+            Self::List(of) => Self::List(
+                of.iter().enumerate().map(|(at, x)| x.leaves(&format!("{name}_{at}"), to)).collect::<Result<_, _>>()?,
+            ),
+            Self::Struct(kind, fields) => {
+                let fields = fields.iter().map(|(field, x)| Ok((field.clone(), x.leaves(&under(field), to)?)));
+                Self::Struct(kind.clone(), fields.collect::<Result<_, String>>()?)
+            }
+            leaf => to(name, leaf)?,
+        })
+    }
+
+    /// One of two values of one shape, by a condition.
+    pub(crate) fn choose(condition: &Expr, yes: &Self, no: &Self) -> Result<Self, String> {
+        match (condition, yes, no) {
+            (Expr::True, ..) => return Ok(yes.clone()),
+            (Expr::False, ..) => return Ok(no.clone()),
+            _ => {}
+        }
+        Ok(match (yes, no) {
+            (Self::Real(a, x), Self::Real(b, y)) => {
+                let format = same_format(*a, *b)?;
+                let settle = |e: &Expr| format.map_or_else(|| Ok(e.clone()), |format| e.settle(format));
+                Self::Real(format, condition.choose(&settle(x)?, &settle(y)?))
+            }
+            (Self::Bool(x), Self::Bool(y)) => Self::Bool(condition.choose(x, y)),
+            (Self::State(x), Self::State(y)) => Self::State(condition.choose(x, y)),
+            (Self::Int(x), Self::Int(y)) if x == y => yes.clone(),
+            (Self::Unit, Self::Unit) => Self::Unit,
+            (Self::List(x), Self::List(y)) if x.len() == y.len() => {
+                Self::List(x.iter().zip(y).map(|(x, y)| Self::choose(condition, x, y)).collect::<Result<_, _>>()?)
+            }
+            (Self::Struct(kind, x), Self::Struct(other, y)) if kind == other && x.len() == y.len() => {
+                let fields = x.iter().zip(y).map(|((name, x), (same, y))| {
+                    if name != same {
+                        return Err(format!("{name} is not {same}"));
+                    }
+                    Ok((name.clone(), Self::choose(condition, x, y)?))
+                });
+                Self::Struct(kind.clone(), fields.collect::<Result<_, String>>()?)
+            }
+            (x, y) => return Err(format!("either {} or {}", x.kind(), y.kind())),
+        })
+    }
+
+    /// Whether both are certainly the same.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Real(a, x), Self::Real(b, y)) => a == b && x == y,
+            (Self::Bool(x), Self::Bool(y)) | (Self::State(x), Self::State(y)) => x == y,
+            (Self::Int(x), Self::Int(y)) => x == y,
+            (Self::Unit, Self::Unit) => true,
+            (Self::List(x), Self::List(y)) => x.len() == y.len() && x.iter().zip(y).all(|(x, y)| x.is_same(y)),
+            (Self::Struct(a, x), Self::Struct(b, y)) => {
+                a == b && x.len() == y.len() && x.iter().zip(y).all(|((a, x), (b, y))| a == b && x.is_same(y))
+            }
+            (Self::Closure(x), Self::Closure(y)) => Rc::ptr_eq(x, y),
+            (Self::Bits(a, x), Self::Bits(b, y)) => a == b && x == y,
+            (Self::Mask(x), Self::Mask(y)) => x == y,
+            (Self::Range(x), Self::Range(y)) => x.iter().zip(&**y).all(|(x, y)| x.is_same(y)),
+            (Self::Function(a, x), Self::Function(b, y)) => a == b && x == y,
+            (Self::Unknown(x), Self::Unknown(y)) => x == y,
+            _ => false,
+        }
+    }
+}
+
+/// The format of two numbers that are calculated with.
+pub(crate) fn same_format(a: Option<Format>, b: Option<Format>) -> Result<Option<Format>, String> {
+    match (a, b) {
+        (Some(a), Some(b)) if a != b => Err("numbers of two formats".into()),
+        (a, b) => Ok(a.or(b)),
+    }
+}
