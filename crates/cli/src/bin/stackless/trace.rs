@@ -15,7 +15,7 @@ use stackless_suite::Traversal;
 use crate::Outcome;
 use crate::build::{Build, BuildName};
 use crate::input::{self, Scene};
-use crate::output::{bar, count, grouped, say, write_file};
+use crate::output::{self, bar, count, grouped, say, write_file};
 use crate::places::{self, Output};
 
 /// Trace rays through a scene.
