@@ -69,42 +69,59 @@ const NEAR: f64 = 7.0;
 
 /// The free place nearest to its point, for each label of a size; off these lines where that is possible, and `None` where
 /// there is no room at all. Labels have points in the same order.
+///
+/// Labels that are close to a heap of points fence in the others. So those of heaps are moved away from it until all have a place.
 pub(super) fn place(frame: &Rect, points: &[Point], sizes: &[Point], lines: &[(Point, Point)]) -> Vec<Option<Placed>> {
-    let mut taken: Vec<Rect> = points.iter().map(|&point| Rect::around(point, 2.0 * MARK, 2.0 * MARK)).collect();
-    let mut leaders: Vec<(Point, Point)> = Vec::new();
+    let count = |placed: &Vec<Option<Placed>>| placed.iter().flatten().count();
+    let mut best = Vec::new();
+    for away in [0.0, 25.0, 50.0, 80.0, 120.0, 180.0, 260.0] {
+        let placed = place_away(frame, points, sizes, lines, away);
+        if best.is_empty() || count(&placed) > count(&best) {
+            best = placed;
+        }
+        if count(&best) == points.len() {
+            break;
+        }
+    }
+    best
+}
+
+/// As [`place`], with labels of points in heaps so far away.
+fn place_away(
+    frame: &Rect,
+    points: &[Point],
+    sizes: &[Point],
+    lines: &[(Point, Point)],
+    away: f64,
+) -> Vec<Option<Placed>> {
+    let marks: Vec<Rect> = points.iter().map(|&point| Rect::around(point, 2.0 * MARK, 2.0 * MARK)).collect();
+    let (mut labels, mut leaders) = (Vec::<Rect>::new(), Vec::<(Point, Point)>::new());
     let mut placed = vec![None; points.len()];
-    // Those that have least room first.
-    let crowd = |&i: &usize| {
-        let near = points.iter().filter(|other| (other.0 - points[i].0).hypot(other.1 - points[i].1) < 60.0);
-        near.count()
-    };
+    let crowd =
+        |i: usize| points.iter().filter(|other| (other.0 - points[i].0).hypot(other.1 - points[i].1) < 50.0).count();
+    // Those that have most room first: the others have leaders, which go around them.
     let mut order: Vec<usize> = (0..points.len().min(sizes.len())).collect();
-    order.sort_by_key(|i| (crowd(i), *i));
+    order.sort_by_key(|&i| (crowd(i), i));
     for i in order {
-        let own = taken[i];
-        let is_free = |candidate: &Placed, lines: &[(Point, Point)]| {
+        let is_free = |candidate: &Placed, lines: &[(Point, Point)], marks_crossed: bool| {
             let Placed { label, leader } = candidate;
+            let crosses = |other: &Rect| leader.is_some_and(|line| other.meets(line));
             frame.contains(label)
-                && !taken.iter().any(|other| other.overlaps(label))
+                && !marks.iter().chain(&labels).any(|other| other.overlaps(label))
                 && !leaders.iter().chain(lines).any(|&line| label.meets(line))
-                && !leader.is_some_and(|line| taken.iter().any(|other| *other != own && other.meets(line)))
+                && !labels.iter().any(crosses)
+                && (marks_crossed || !marks.iter().enumerate().any(|(j, mark)| j != i && crosses(mark)))
         };
-        let find = |lines: &[_]| candidates(frame, points[i], sizes[i]).find(|candidate| is_free(candidate, lines));
-        // Leaders may cross marks where it cannot be helped; labels nothing.
-        let anywhere = || {
-            candidates(frame, points[i], sizes[i]).find(|Placed { label, leader }| {
-                let is_label =
-                    |other: &&Rect| !points.iter().any(|&point| **other == Rect::around(point, 2.0 * MARK, 2.0 * MARK));
-                frame.contains(label)
-                    && !taken.iter().any(|other| other.overlaps(label))
-                    && !leaders.iter().any(|&line| label.meets(line))
-                    && !leader.is_some_and(|line| taken.iter().filter(is_label).any(|other| other.meets(line)))
-            })
+        let from = if crowd(i) > 3 { away } else { 0.0 };
+        // What is least bad to give up comes first: lines of the chart, then the marks of other points.
+        let tries = [(lines, false), (&[], false), (&[], true)];
+        let find = |&(lines, crossed): &(&[_], bool)| {
+            candidates(frame, points[i], sizes[i], from).find(|candidate| is_free(candidate, lines, crossed))
         };
-        placed[i] = find(lines).or_else(|| find(&[])).or_else(anywhere);
+        placed[i] = tries.iter().find_map(find);
         if let Some(Placed { label, leader }) = placed[i] {
             // A little air around it.
-            taken.push(Rect { x: label.x - 2.0, width: label.width + 4.0, ..label });
+            labels.push(Rect { x: label.x - 2.0, width: label.width + 4.0, ..label });
             leaders.extend(leader);
         }
     }
@@ -112,11 +129,11 @@ pub(super) fn place(frame: &Rect, points: &[Point], sizes: &[Point], lines: &[(P
 }
 
 /// Places in rings around a point, the nearest first.
-fn candidates(frame: &Rect, point: Point, (width, height): Point) -> impl Iterator<Item = Placed> {
-    const TURNS: u32 = 24;
+fn candidates(frame: &Rect, point: Point, (width, height): Point, from: f64) -> impl Iterator<Item = Placed> {
+    const TURNS: u32 = 48;
     let rings = ((frame.width.hypot(frame.height)) / 6.0) as u32;
     (0..rings.max(1)).flat_map(move |ring| {
-        let away = MARK + 2.0 + 6.0 * f64::from(ring);
+        let away = MARK + 2.0 + from + 6.0 * f64::from(ring);
         (0..TURNS).map(move |turn| {
             let (sin, cos) = (f64::from(turn) * std::f64::consts::TAU / f64::from(TURNS)).sin_cos();
             // The box's side towards the point is so far away.
@@ -138,7 +155,7 @@ mod tests {
     #[test]
     fn labels_keep_apart_at_any_size() {
         let mut random = Rng::new(3);
-        let mut unit = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
+        let mut unit = || (random.bits() >> 11) as f64 / (1_u64 << 53) as f64;
         let (mut wanted, mut found, mut led) = (0, 0, 0);
         for round in 0..150 {
             let (width, height) = [(220.0, 160.0), (400.0, 300.0), (800.0, 480.0), (1600.0, 900.0)][round % 4];

@@ -18,21 +18,26 @@ pub(super) struct Panel {
     y: Scale,
 }
 
-/// Pixels between axis and numbers; least between two numbers.
+/// Pixels between axis and numbers.
 const GAP: f64 = 6.0;
+/// Pixels between the horizontal axis and its numbers: the lowest number at the other axis ends above them.
+const BELOW: f64 = 9.0;
+/// Least between two numbers.
 const APART: f64 = 14.0;
+/// Least width of the numbers of a vertical axis, so that those of most charts stand at the same place.
+const NUMBERS: f64 = 52.0;
 
 impl Panel {
     /// Draws the axes. The title of the vertical one stands above it.
     pub(super) fn draw(canvas: &mut Canvas, room: Rect, x: &Axis<'_>, y: &Axis<'_>) -> Self {
         let line = SMALL * LINE;
-        let top = canvas.paragraph(y.title, SMALL, "soft", (room.x, room.y), room.width) + 8.0;
+        let top = canvas.paragraph(y.title, SMALL, "soft", (room.x, room.y), room.width) + 11.0;
         let below = wrap(x.title, SMALL, room.width * 0.9);
-        let bottom = room.bottom() - line * below.len() as f64 - GAP - line - GAP;
+        let bottom = room.bottom() - line * below.len() as f64 - BELOW - line - GAP;
         let height = (bottom - top).max(20.0);
         let y_scale = (y.scale)(((height / 34.0) as usize).clamp(1, 10));
         let texts: Vec<String> = y_scale.ticks.iter().map(|&tick| (y_scale.format)(tick)).collect();
-        let left = room.x + texts.iter().map(|text| width(text, SMALL)).fold(0.0, f64::max) + GAP;
+        let left = room.x + texts.iter().map(|text| width(text, SMALL)).fold(NUMBERS, f64::max) + GAP;
         // The number at the right end stands half outside of the frame.
         let fits = |scale: &Scale| {
             let widths: Vec<f64> = scale.ticks.iter().map(|&tick| width(&(scale.format)(tick), SMALL)).collect();
@@ -56,7 +61,7 @@ impl Panel {
         let frame = Rect { x: left, y: top, width: right - left, height };
         let panel = Self { frame, x: x_scale, y: y_scale };
         panel.draw_axes(canvas, &texts);
-        let mut y = bottom + GAP + line + GAP + line / 2.0;
+        let mut y = bottom + BELOW + line + GAP + line / 2.0;
         for text in below {
             let half = width(&text, SMALL) / 2.0;
             let middle = (left + frame.width / 2.0).clamp(room.x + half, (room.right() - half).max(room.x + half));
@@ -77,7 +82,7 @@ impl Panel {
         for &tick in &self.x.ticks {
             let x = left + self.x.share(tick) * self.frame.width;
             canvas.stroke("soft", &path(&[(x, bottom), (x, bottom + 4.0)]), 1.0, "none");
-            let below = (x, bottom + GAP + SMALL * LINE / 2.0);
+            let below = (x, bottom + BELOW + SMALL * LINE / 2.0);
             canvas.text(&(self.x.format)(tick), SMALL, "ink", below, Anchor::Middle);
         }
         canvas.stroke("soft", &path(&[(left, top), (left, bottom), (right, bottom)]), 1.0, "none");

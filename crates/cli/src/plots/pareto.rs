@@ -100,7 +100,9 @@ fn draw_chart(canvas: &mut Canvas, area: Rect, title: &str, (choices, families):
     let heights = range(known.iter().map(|choice| choice.errors.height()), [1e3, 1e9]);
     let top = canvas.paragraph(title, TITLE, "ink", (area.x, area.y), area.width) + 4.0;
     let area = Rect { y: top, height: area.bottom() - top, ..area };
-    // The lowest points have an arrow below them.
+    // Labels need room beside the first and the last point, and the lowest points have an arrow below them.
+    let margin = 0.05 * (costs[1] - costs[0]).max(0.02);
+    let costs = [costs[0] - margin, costs[1] + margin];
     let y = Axis {
         scale: &|most| Scale::log([heights[0] * 0.5, heights[1] * 1.5], most),
         title: "errors of the most frequent kind in 10^9 rays",

@@ -18,9 +18,9 @@ fn look(canvas: &Canvas, size: (f64, f64), what: &str) {
 #[test]
 fn texts_keep_apart_in_every_chart_at_every_size() {
     let mut random = Rng::new(5);
-    let mut unit = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
+    let mut unit = || (random.bits() >> 11) as f64 / (1_u64 << 53) as f64;
     for size in [(340.0, 420.0), (480.0, 480.0), (800.0, 520.0), (960.0, 1100.0), (1800.0, 1200.0)] {
-        for round in 0..40 {
+        for round in 0..40_u32 {
             let parts: Vec<_> = (0..round)
                 .map(|_| Stretch {
                     seconds: 10f64.powf(7.0 * unit() - 2.0),
@@ -45,6 +45,8 @@ fn texts_keep_apart_in_every_chart_at_every_size() {
                 })
                 .collect();
             let charts: [(&str, &[Choice]); 2] = [("ordinary rays", &choices), ("adversarial rays", &choices)];
+            // Two charts, and a legend of up to nine rows.
+            let size = (size.0, size.1 + 500.0);
             look(&pareto::draw(size, &charts, "time, in units of moller-32 with plain boxes"), size, "pareto");
         }
     }

@@ -15,7 +15,7 @@ impl Scale {
     pub(super) fn linear([low, high]: [f64; 2], most: usize) -> Self {
         let ticks = steps([low, high], most, f64::MIN_POSITIVE);
         let [low, high] = [ticks[0], ticks[ticks.len() - 1]];
-        Self { low, high, is_log: false, ticks, format: number }
+        Self { low, high, is_log: false, format: format(&ticks), ticks }
     }
 
     /// Counts from 0 on, each with a column of width 1 around it.
@@ -23,7 +23,7 @@ impl Scale {
         let last = count.max(1) as f64 - 1.0;
         let mut ticks = steps([0.0, last], most, 1.0);
         ticks.retain(|&tick| tick <= last);
-        Self { low: -0.5, high: last + 0.5, is_log: false, ticks, format: number }
+        Self { low: -0.5, high: last + 0.5, is_log: false, ticks, format: plain }
     }
 
     /// Around these positive numbers, logarithmic: ticks at 1, 2 and 5 times powers of ten, or at powers of ten, or at every
@@ -46,7 +46,7 @@ impl Scale {
             (first..=last.max(first + 1)).map(|i| power(i * stride)).collect()
         };
         let [low, high] = [ticks[0], ticks[ticks.len() - 1]];
-        Self { low, high, is_log: true, ticks, format: number }
+        Self { low, high, is_log: true, format: format(&ticks), ticks }
     }
 
     /// Where a number is on the axis, from 0 to 1.
@@ -56,19 +56,27 @@ impl Scale {
     }
 }
 
-/// A number as it is written, with exponents behind `^`.
-pub(super) fn number(x: f64) -> String {
-    let size = x.abs();
-    if size == 0.0 || (1e-3..1e5).contains(&size) {
-        let text = format!("{size}");
-        let (whole, rest) = text.split_at(text.find('.').unwrap_or(text.len()));
-        let sign = if x < 0.0 { "-" } else { "" };
-        let grouped = if whole.len() > 3 {
-            format!("{},{}", &whole[..whole.len() - 3], &whole[whole.len() - 3..])
-        } else {
-            whole.to_owned()
-        };
-        return format!("{sign}{grouped}{rest}");
+/// The way to write the numbers of an axis: all with exponents where one needs it.
+fn format(ticks: &[f64]) -> fn(f64) -> String {
+    let is_plain = |tick: &f64| *tick == 0.0 || (0.999e-3..1e6).contains(&tick.abs());
+    if ticks.iter().all(is_plain) { plain } else { with_exponent }
+}
+
+/// With commas between thousands.
+fn plain(x: f64) -> String {
+    let text = format!("{}", x.abs());
+    let (whole, rest) = text.split_at(text.find('.').unwrap_or(text.len()));
+    let sign = if x < 0.0 { "-" } else { "" };
+    match whole.len() {
+        ..=3 => format!("{sign}{whole}{rest}"),
+        n => format!("{sign}{},{}{rest}", &whole[..n - 3], &whole[n - 3..]),
+    }
+}
+
+/// With the exponent behind `^`.
+fn with_exponent(x: f64) -> String {
+    if (1.0..100.0).contains(&x) || x == 0.0 {
+        return plain(x);
     }
     let text = format!("{x:e}");
     let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
@@ -113,7 +121,7 @@ mod tests {
     #[test]
     fn ticks_are_round_and_enclose_what_is_drawn() {
         let mut random = Rng::new(7);
-        let mut unit = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
+        let mut unit = || (random.bits() >> 11) as f64 / (1_u64 << 53) as f64;
         for _ in 0..2000 {
             let (a, b) = (10f64.powf(30.0 * unit() - 20.0), 10f64.powf(30.0 * unit() - 20.0));
             let (low, high) = (a.min(b), a.max(b));
@@ -146,7 +154,10 @@ mod tests {
 
     #[test]
     fn numbers_are_written_as_people_do() {
-        let written = [0.0, 0.3, 1.0, -20_000.0, 0.001, 1e5, 2e-9, 1e7].map(number);
-        assert_eq!(written, ["0", "0.3", "1", "-20,000", "0.001", "10^5", "2×10^-9", "10^7"]);
+        assert_eq!([0.0, 0.3, 1.0, -20_000.0, 0.001].map(plain), ["0", "0.3", "1", "-20,000", "0.001"]);
+        let texts = |scale: Scale| scale.ticks.iter().map(|&tick| (scale.format)(tick)).collect::<Vec<_>>();
+        assert_eq!(texts(Scale::log([1e-6, 1.0], 4)), ["10^-6", "10^-4", "10^-2", "1"]);
+        assert_eq!(texts(Scale::linear([0.0, 3e6], 3)), ["0", "10^6", "2×10^6", "3×10^6"]);
+        assert_eq!(texts(Scale::log([20.0, 150_000.0], 12))[..3], ["20", "50", "100"]);
     }
 }
