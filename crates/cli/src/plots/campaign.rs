@@ -68,12 +68,12 @@ pub(super) fn draw(size: (f64, f64), title: &str, parts: &[Stretch]) -> Canvas {
     let room = canvas.room(top + 4.0);
     let half = (room.height - 14.0) / 2.0;
     let rate = "rate of errors, below this (95 %)";
-    let charts: [(&str, &dyn Fn(usize) -> Scale, &[(f64, f64)]); 2] =
-        [("cases", &|most| Scale::linear([0.0, cases], most), &counts), (rate, &|most| Scale::log(ends, most), &rates)];
-    for (i, (what, scale, points)) in charts.into_iter().enumerate() {
+    let cases = Axis { scale: &|most| Scale::linear([0.0, cases], most), title: "cases" };
+    let rate = Axis { scale: &|most| Scale::log(ends, most), title: rate };
+    for (i, (y, points)) in [(cases, counts), (rate, rates)].into_iter().enumerate() {
         let area = Rect { y: room.y + i as f64 * (half + 14.0), height: half, ..room };
         let x = Axis { scale: &|most| Scale::linear([0.0, end], most), title: &time };
-        let panel = Panel::draw(&mut canvas, area, &x, &Axis { scale, title: what });
+        let panel = Panel::draw(&mut canvas, area, &x, &y);
         for &at in &wrong {
             let (x, _) = panel.at((at, 1.0));
             canvas.stroke("wrong", &path(&[(x, panel.frame.y), (x, panel.frame.bottom())]), 2.0, "none");

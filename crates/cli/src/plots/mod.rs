@@ -19,6 +19,7 @@ pub use curves::{Line, plot_lines};
 pub use distances::plot_distances;
 pub use pareto::{Choice, Errors, front, plot_pareto};
 pub use style::{Ink, PAPER, SERIES};
+pub use ticks::round_ticks;
 
 #[cfg(test)]
 mod tests;

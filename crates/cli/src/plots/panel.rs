@@ -43,7 +43,7 @@ impl Panel {
             let widths: Vec<f64> = scale.ticks.iter().map(|&tick| width(&(scale.format)(tick), SMALL)).collect();
             let right = room.right() - widths.last().map_or(0.0, |width| width / 2.0);
             let at = |i: usize| left + scale.share(scale.ticks[i]) * (right - left);
-            let free = |i: usize| at(i) - at(i - 1) - (widths[i] + widths[i - 1]) / 2.0 >= APART;
+            let free = |i: usize| at(i) - at(i - 1) - widths[i].midpoint(widths[i - 1]) >= APART;
             (1..widths.len()).all(free).then_some(right)
         };
         let (x_scale, right) = (1..=10)

@@ -104,7 +104,11 @@ impl Series {
 pub(super) fn style() -> String {
     let all = || [PAPER, GRID].into_iter().chain(TEXTS).chain(SERIES);
     let rules = |value: fn(Ink) -> &'static str| {
-        all().map(|ink| format!(".chart .{}{{color:{}}}", ink.name, value(ink))).collect::<String>()
+        let mut text = String::new();
+        for ink in all() {
+            let _ = write!(text, ".chart .{}{{color:{}}}", ink.name, value(ink));
+        }
+        text
     };
     format!(
         ".chart text{{font-family:{FONT};fill:currentColor}}{}\n@media screen and (prefers-color-scheme:dark){{{}}}",

@@ -1,5 +1,18 @@
 //! Axes that end at round numbers, with round numbers between.
 
+/// Round numbers from 0 on that are no greater than `end`, and how they are written: multiples of the least of 1, 2 or 5 times a
+/// power of ten of which no more than `most` are needed.
+///
+/// ```
+/// let ticks = stackless_cli::plots::round_ticks(37.0, 5);
+/// assert_eq!(ticks.iter().map(|(at, _)| *at).collect::<Vec<_>>(), [0.0, 10.0, 20.0, 30.0]);
+/// assert_eq!(ticks[1].1, "10");
+/// ```
+pub fn round_ticks(end: f64, most: usize) -> Vec<(f64, String)> {
+    let scale = Scale::linear([0.0, end], most);
+    scale.ticks.iter().filter(|&&tick| tick <= end).map(|&tick| (tick, plain(tick))).collect()
+}
+
 /// Positions of an axis.
 #[derive(Clone, Debug)]
 pub(super) struct Scale {

@@ -154,7 +154,11 @@ pub(super) fn html(about: &[(&str, String)], sections: &[Section]) -> String {
 /// The colours of bars: those of the charts.
 fn colours() -> String {
     let rules = |colour: fn(usize) -> &'static str| {
-        (0..3).map(|i| format!(".bars .s{i} {{ background-color: {} }}\n", colour(i))).collect::<String>()
+        let mut text = String::new();
+        for i in 0..3 {
+            let _ = writeln!(text, ".bars .s{i} {{ background-color: {} }}", colour(i));
+        }
+        text
     };
     let (light, dark) = (rules(|i| SERIES[i].light), rules(|i| SERIES[i].dark));
     format!("{light}@media screen and (prefers-color-scheme: dark) {{\n{dark}}}\n")
