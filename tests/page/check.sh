@@ -44,8 +44,31 @@ page wide2 --wide 2 --tape 8 --methods "$all_wide"
 page wide4 --wide 4 --tape 3
 page leaves-first --wide 8 --tape 5
 page wide-ray stadium --pixel 256,220 --methods wide-record,wide-hashed,wide-trail
-for width in 1200 360; do
-    for name in example leaf tape pruned others deep ray wide wide2 wide4 leaves-first wide-ray; do
+# Trees that are too large to be read as a whole. Even: the children of i are 2i + 1 and 2i + 2. Leaning: every eighth node leads on to
+# the next eighth one, and to a bush of seven nodes.
+tree() {
+    awk -v n="$2" -v shape="$1" '
+        function pair(left, right) { return left < n && right < n ? "[" left ", " right "]" : "null" }
+        function children(i, k) {
+            if (shape == "even") return pair(2 * i + 1, 2 * i + 2)
+            k = i % 8
+            return k == 0 ? pair(i + 8, i + 1) : k < 4 ? pair(i + k, i + k + 1) : "null"
+        }
+        BEGIN {
+            for (i = 0; i < n; i++) {
+                all = all (i ? ", " : "") children(i)
+                cells = cells (i ? ", " : "") "{\"right_first\": " (i % 3 == 1 ? "true" : "false") ", \"miss\": " (i % 7 == 5 ? "true" : "false") "}"
+            }
+            print "{\"children\": [" all "], \"cells\": [" cells "]}"
+        }' > "$folder/tree-$1.json"
+    page "$1" --case "$folder/tree-$1.json" --methods hashed
+}
+tree even 255
+tree leaning 161
+for width in 1200 400 360; do
+    for name in example leaf tape pruned others deep ray wide wide2 wide4 leaves-first wide-ray even leaning; do
+        # At 400 only what has to fit; the rest is the same as at 360.
+        [[ $width != 400 || $name == even || $name == leaning ]] || continue
         frame "$name-$width" "$width" "$folder/page-$name.html"
     done
 done
@@ -56,6 +79,7 @@ mistake() {
     local from=$folder/page-example.html
     [[ $1 == deep-* ]] && from=$folder/page-deep.html
     [[ $1 == wide-* ]] && from=$folder/page-wide.html
+    [[ $1 == big-* ]] && from=$folder/page-even.html
     sed -e "$3" "$from" > "$folder/bad.html"
     ! cmp -s "$folder/bad.html" "$from" || { echo "$1: there is nothing to be mistaken" >&2; exit 1; }
     frame "bad-$1" "$2" "$folder/bad.html"
@@ -82,6 +106,18 @@ mistake wide-beyond-comes-next 1200 's/step.stack.findLast((node) => !isBeyond(n
 mistake wide-row-of-another-level 1200 's/\["", ...cells\]/[...cells, ""]/'
 mistake wide-other-set 1200 's/"sets":"00011011"/"sets":"00011010"/'
 mistake wide-one-level-more 1200 's/up < back ? "gone"/up <= back ? "gone"/'
+mistake big-does-not-fit 1200 's/Math.min(wide, 1), Math.min(high, 1)\]/Math.min(2 * wide, 1), Math.min(high, 1)]/'
+mistake big-does-not-fit-a-phone 400 's/^  const \[wide, high\] = \[(room()\[0\]/  const [wide, high] = [(600/'
+mistake big-node-out-of-view 1200 's/if (low - EDGE < view/if (false) if (low - EDGE < view/'
+mistake big-next-out-of-view 400 's/, \.\.\.waits.slice(-1), /, /;s/back ? \[next\] : \[\]/[]/'
+mistake big-cannot-be-read 1200 's/shown.has(node) ? "" : " mute"/false ? "" : " mute"/'
+mistake big-never-large-again 1200 's/Math.max(1, Math.min(wanted, \.\.\.most))/wanted = Math.max(1, Math.min(wanted, ...most))/'
+mistake zoom-without-keys 1200 's/"+": () => enlarge(1.5)/"+": () => 0/'
+mistake zoom-without-wheel 1200 's/if (!event.ctrlKey) return;/return;/'
+mistake zoom-button-the-other-way 1200 's/\["smaller", () => enlarge(1 \/ 1.5)\]/["smaller", () => enlarge(1.5)]/'
+mistake clause-of-another 1200 's/`${id}: ${clause.title}`/`${id}: x`/'
+mistake clause-is-dead 1200 's/^    showClause(id);//'
+mistake clause-without-address 1200 's/link.has("clause")/false/'
 mistake deep-too-wide 360 's/^\.scroll { overflow: auto }//'
 
 timeout 900 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" --window-size=1280,900 \

@@ -97,19 +97,92 @@
     }
   }
 
+  /** The middle of an element, and whether a box is within the tree's view. */
+  const middle = (element) => { const box = element.getBoundingClientRect(); return [(box.left + box.right) / 2, (box.top + box.bottom) / 2]; };
+  const visible = (element) => {
+    const [box, view] = [element.getBoundingClientRect(), find("#view").getBoundingClientRect()];
+    return box.left > view.left - 1 && box.right < view.right + 1 && box.top > view.top - 1 && box.bottom < view.bottom + 1;
+  };
+  /** All nodes are in the view, and nothing can be scrolled. */
+  function whole(when) {
+    const view = find("#view");
+    same(`the whole tree is in view, ${when}`, [view.scrollWidth <= view.clientWidth + 1, view.scrollHeight <= view.clientHeight + 1, all("#tree .node").every(visible)], [true, true, true]);
+  }
+  /** The node and the postponed one that comes next are in view, and can be read. */
+  function inView(recording, at) {
+    const { node, stack, beyond = [], next } = recording.steps[at], top = stack.filter((it) => !beyond.includes(it)).at(-1);
+    where = `${recording.method}, visit ${at + 1}`;
+    const those = [node, top, next?.levels === undefined ? undefined : next.node].filter((it) => it !== undefined).map((it) => find(`#tree [data-node="${it}"]`));
+    same("both nodes are in view", those.map(visible), those.map(() => true));
+    const text = those.map((it) => it.querySelector("text"));
+    same("both nodes can be read", text.every((it) => getComputedStyle(it).visibility === "visible" && it.getBoundingClientRect().height >= 10), true);
+  }
+
+  /** Larger and smaller by buttons, keys and wheel: the tree grows by as much, and the whole of it comes back. */
+  function sizes(recording, last, stride) {
+    const width = () => find("#tree").getBoundingClientRect().width, small = width();
+    where = `${recording.method}, sizes`;
+    whole("before it is made larger");
+    const wheel = (deltaY) => find("#view").dispatchEvent(new WheelEvent("wheel", { deltaY, ctrlKey: true, bubbles: true, cancelable: true, clientX: 99, clientY: 99 }));
+    const ways = { key: [() => press("+"), () => press("-")], button: [() => find("#larger").click(), () => find("#smaller").click()], wheel: [() => wheel(-120), () => wheel(120)] };
+    for (const [name, [larger, smaller]] of Object.entries(ways)) {
+      larger();
+      const grown = width();
+      same(`larger by ${name}`, grown > small * 1.1, true);
+      larger(); smaller(); smaller();
+      same(`smaller by ${name}`, Math.abs(width() - small) < 2, true);
+    }
+    // As large as it gets, both nodes are in view all the same; then as large again where they are close to each other.
+    for (let i = 0; i < 12; i++) press("+");
+    const most = width();
+    same("the greatest size can be read", find("#tree").classList.contains("small"), false);
+    for (let at = 0; at <= last; at += stride) { inView(recording, at); for (let i = 0; i < stride; i++) press("ArrowRight"); }
+    press("Home");
+    inView(recording, 0);
+    same("it is as large again", Math.abs(width() - most) < 2, true);
+    press("0");
+    same("the whole again", Math.abs(width() - small) < 2, true);
+    whole("at the end");
+  }
+
+  /** Each chip is a link that shows its clause, by a click and by its address. */
+  async function clauses(recording, wait) {
+    where = `${recording.method}, clauses`;
+    const shown = find("#clause");
+    for (let i = 0; i < all("a.clause").length; i++) {
+      const chip = all("a.clause")[i], id = chip.textContent, clause = data.clauses[id];
+      chip.click();
+      const words = (text) => text.replace(/[`*\[\]()]/g, "").split(/\s+/).slice(0, 6);
+      same(`${id} is open`, shown.matches(":popover-open"), true);
+      same(`${id} is that clause`, [shown.querySelector("h3").textContent, shown.textContent.includes(clause.file)], [`${id}: ${clause.title}`, true]);
+      same(`${id} has its text`, words(shown.querySelector("p").textContent), words(clause.text));
+      shown.hidePopover();
+      location.hash = new URL(all("a.clause")[i].href).hash;
+      await wait(30);
+      same(`${id} by its address`, [shown.matches(":popover-open"), shown.querySelector("h3").textContent.split(":")[0]], [true, id]);
+      shown.hidePopover();
+    }
+  }
+
   async function run() {
     const wait = (time) => new Promise((done) => setTimeout(done, time));
     same("title", [document.title, find("h1").textContent], [data.title, data.title]);
-    const heights = all("#tree .node rect").map((box) => Number(box.getAttribute("y")));
-    same("nodes stand at their levels", heights.map((y) => (y - heights[0]) / 62), data.keys.map((_, node) => depth(node)));
+    const places = data.keys.map((_, node) => middle(find(`#tree [data-node="${node}"]`)));
+    const level = (Math.max(...places.map(([, y]) => y)) - places[0][1]) / Math.max(1, ...data.keys.map((_, node) => depth(node)));
+    same("nodes stand at their levels", places.map(([, y]) => Math.round((y - places[0][1]) / (level || 1) * 100) / 100), data.keys.map((_, node) => depth(node)));
+    whole("at first");
     same("every control has a name", all("button, select, input").filter((it) => !it.textContent && !it.ariaLabel && !it.labels?.length).length, 0);
     for (const [i, recording] of data.methods.entries()) {
       const last = recording.steps.length - 1;
       if (i < 9) press(String(i + 1));
       else { find("#method").value = recording.method; find("#method").dispatchEvent(new Event("change")); }
       press("Home");
-      for (let at = 0; at <= last; at++) { look(recording, at); press("ArrowRight"); }
-      for (let at = last; at >= 0; at--) { look(recording, at); press("ArrowLeft"); }
+      // To look at all is slow where there are thousands of nodes and hundreds of visits.
+      const stride = data.keys.length * last > 50000 ? 13 : 1;
+      for (let at = 0; at <= last; at++) { inView(recording, at); if (at % stride === 0) look(recording, at); press("ArrowRight"); }
+      for (let at = last; at >= 0; at--) { inView(recording, at); if (at % stride === 0) look(recording, at); press("ArrowLeft"); }
+      sizes(recording, last, stride);
+      await clauses(recording, wait);
       press("End"); look(recording, last);
       press("Home"); look(recording, 0);
       for (const [id, at] of [["last", last], ["back", Math.max(last - 1, 0)], ["forth", last], ["first", 0]]) { find(`#${id}`).click(); look(recording, at); }

@@ -87,6 +87,32 @@ fn line(case: &Case, step: &Step) -> String {
     parts.join("  ").trim_end().to_owned()
 }
 
+/// What a page shows of a clause is what the specification says. `UPDATE=1` writes the copy anew.
+#[test]
+fn clauses_are_those_of_the_specification() {
+    let files = ["hash.md", "state.md", "traversal.md", "wide.md"];
+    let paragraphs = files.map(|file| (file, spec(file)));
+    let of_file =
+        |(file, text): &(&str, String)| text.split("\n\n").filter_map(|it| clause(file, it)).collect::<Vec<_>>();
+    let expected: serde_json::Map<String, Value> = paragraphs.iter().flat_map(of_file).collect();
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../explain/src/clauses.json");
+    if std::env::var_os("UPDATE").is_some() {
+        std::fs::write(path, serde_json::to_string_pretty(&expected).unwrap() + "\n").unwrap();
+    }
+    let copy: serde_json::Map<String, Value> = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    for (id, clause) in &expected {
+        assert_eq!(copy.get(id), Some(clause), "{id}: UPDATE=1 makes the copy anew");
+    }
+    assert_eq!(copy.len(), expected.len());
+}
+
+fn clause(file: &str, paragraph: &str) -> Option<(String, Value)> {
+    let (id, rest) = paragraph.trim().strip_prefix("**[")?.split_once("] ")?;
+    let (title, text) = rest.split_once(".** ")?;
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    Some((id.to_owned(), serde_json::json!({ "title": title, "text": text, "file": format!("spec/{file}") })))
+}
+
 /// Cases of all kinds: random ones, and the walks of the suite.
 fn cases() -> Vec<Case> {
     let random = (0..150).map(|seed| Case::random(seed, CaseOptions::default()));
@@ -179,6 +205,11 @@ fn a_page_is_one_file_and_no_text_breaks_out_of_it() {
     let names: Vec<_> = data["methods"].as_array().unwrap().iter().map(|it| it["method"].as_str().unwrap()).collect();
     assert_eq!(names, USUAL.map(Method::name));
     assert_eq!((data["names"][11].as_str(), data["keys"][11].as_str()), (Some("22"), Some("10110")));
+    let step = &data["methods"][0]["steps"][5];
+    let named = step["clauses"].as_array().unwrap().iter().chain([&data["methods"][0]["clause"]]);
+    for id in named.map(|id| id.as_str().unwrap()) {
+        assert!(data["clauses"][id]["text"].as_str().is_some_and(|text| !text.is_empty()), "{id}");
+    }
 }
 
 /// [DEPTH-2]

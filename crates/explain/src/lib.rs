@@ -8,6 +8,7 @@
 
 #![forbid(unsafe_code)]
 
+mod clauses;
 mod error;
 mod judge;
 mod lookup;
@@ -20,8 +21,11 @@ pub use error::ExplainError;
 pub use lookup::{Entry, HashLookup, Table};
 pub use ray::of_ray;
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
+use clauses::Clause;
 use judge::Judge;
 use observe::Log;
 use stackless_bvh::generate::{Cell, Tape};
@@ -190,6 +194,8 @@ struct Page<'a> {
     methods: Vec<Recording>,
     /// Traversals that do not run on this case, each with the reason.
     left_out: Vec<String>,
+    /// The clauses that the recordings name, by id.
+    clauses: BTreeMap<&'static str, Clause>,
 }
 
 const TEMPLATE: &str = include_str!("page.html");
@@ -221,6 +227,7 @@ pub fn page(title: &str, case: &Case, methods: &[Method]) -> Result<String, Expl
         key_bits: 1,
         trail_bits: 1,
         base: 10,
+        clauses: clauses::named(&methods),
         methods,
         left_out,
     };

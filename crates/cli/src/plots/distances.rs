@@ -1,51 +1,61 @@
-//! Pictures.
-
-use plotters::prelude::*;
+//! How far backtracking goes.
 
 use stackless_bvh::event::Backtracks;
+
+use super::canvas::{Canvas, Sample, legend, rectangle};
+use super::labels::Rect;
+use super::panel::{Axis, Panel};
+use super::style::Series;
+use super::text::TITLE;
+use super::ticks::Scale;
 
 /// A histogram of backtracking distances with the cumulative share, as SVG (Binder & Keller 2016, Fig. 3).
 ///
 /// Bars are shares of all backtracks, by the level of the ancestor whose sibling comes next; the line is their sum.
-///
-/// # Errors
-/// What the drawing library reports, in words.
-pub fn plot_distances(title: &str, backtracks: &Backtracks) -> Result<String, String> {
-    let mut svg = String::new();
-    draw(&mut svg, title, backtracks).map_err(|error| error.to_string())?;
-    Ok(svg)
-}
-
-fn draw(svg: &mut String, title: &str, backtracks: &Backtracks) -> Result<(), Box<dyn std::error::Error>> {
+pub fn plot_distances(title: &str, backtracks: &Backtracks) -> String {
     let total = backtracks.total().max(1) as f64;
     let shares: Vec<f64> = backtracks.distances().iter().map(|&count| count as f64 / total).collect();
-    let levels = shares.len().max(1) as u32;
-    let root = SVGBackend::with_string(svg, (800, 480)).into_drawing_area();
-    root.fill(&WHITE)?;
-    let mut chart = ChartBuilder::on(&root)
-        .caption(title, ("sans-serif", 22))
-        .margin(12)
-        .x_label_area_size(44)
-        .y_label_area_size(56)
-        .build_cartesian_2d((0..levels - 1).into_segmented(), 0.0..1.0)?;
-    chart
-        .configure_mesh()
-        .disable_x_mesh()
-        .light_line_style(TRANSPARENT)
-        .x_desc("levels up to the ancestor whose sibling comes next (0: sibling, 1: uncle, 2: grand uncle)")
-        .y_desc("share of backtracks")
-        .y_label_formatter(&|share| format!("{:.0} %", share * 100.0))
-        .draw()?;
-    let bars = Histogram::vertical(&chart).style(BLACK.mix(0.7).filled()).margin(3);
-    chart.draw_series(bars.data((0..).zip(shares.iter().copied())))?;
-    let cumulative = shares.iter().scan(0.0, |sum, share| {
+    draw((800.0, 480.0), title, &shares).finish()
+}
+
+pub(super) fn draw(size: (f64, f64), title: &str, shares: &[f64]) -> Canvas {
+    let mut canvas = Canvas::new(size, title);
+    let room = canvas.room(12.0);
+    let top = canvas.paragraph(title, TITLE, "ink", (room.x, room.y), room.width) + 4.0;
+    let (bars, sum) = (Series(0), Series(1));
+    let entries = [
+        (Sample::Column(bars), "share of backtracks that go so far".to_owned()),
+        (Sample::Both(sum), "share that goes so far or less".to_owned()),
+    ];
+    let top = legend(&mut canvas, top, &entries) + 10.0;
+    let x = Axis {
+        scale: &|most| Scale::columns(shares.len(), most),
+        title: "levels up to the ancestor whose sibling comes next (0: sibling, 1: uncle, 2: grand uncle)",
+    };
+    let percent = |most| {
+        let mut scale = Scale::linear([0.0, 1.0], most);
+        scale.format = |share| format!("{:.0} %", share * 100.0);
+        scale
+    };
+    let room = canvas.room(top);
+    let panel = Panel::draw(&mut canvas, room, &x, &Axis { scale: &percent, title: "share of backtracks" });
+    for (level, &share) in shares.iter().enumerate() {
+        let (left, top) = panel.at((level as f64 - 0.4, share));
+        let (right, bottom) = panel.at((level as f64 + 0.4, 0.0));
+        let bar = Rect { x: left, y: top, width: right - left, height: bottom - top };
+        canvas.fill(bars.class(), &rectangle(bar));
+    }
+    let sums = shares.iter().scan(0.0, |sum, share| {
         *sum += share;
         Some(*sum)
     });
-    let points = (0..).map(SegmentValue::CenterOf).zip(cumulative);
-    chart.draw_series(LineSeries::new(points, GREEN.stroke_width(2)))?;
-    root.present()?;
-    Ok(())
+    let sums: Vec<(f64, f64)> = sums.enumerate().map(|(level, sum)| (level as f64, sum)).collect();
+    let points: Vec<_> = sums.iter().map(|&point| panel.at(point)).collect();
+    canvas.line(sum, &points);
+    for (&point, (level, share)) in points.iter().zip(&sums) {
+        canvas.marker(sum, point, false, &format!("{level} levels or less: {:.1} %", share * 100.0));
+    }
+    canvas
 }
 
 #[cfg(test)]
@@ -55,7 +65,7 @@ mod tests {
 
     #[test]
     fn an_empty_count_is_drawn_too() {
-        let svg = plot_distances("nothing", &Backtracks::new(Reach::ALGORITHM_1)).unwrap();
+        let svg = plot_distances("nothing", &Backtracks::new(Reach::ALGORITHM_1));
         assert!(svg.starts_with("<svg") && svg.contains("nothing") && svg.ends_with("</svg>\n"), "{svg}");
     }
 }

@@ -1,15 +1,19 @@
 //! Cost against error: which choices nobody beats in both, and a picture of it.
 
-use plotters::coord::types::RangedCoordf64;
-use plotters::prelude::*;
+use super::canvas::{Anchor, Canvas, Sample, arrow, legend, path, ring};
+use super::labels::{Placed, Rect, place};
+use super::panel::{Axis, Panel, range};
+use super::style::Series;
+use super::text::{LINE, SMALL, TITLE, width};
+use super::ticks::Scale;
 
 /// A choice with what it costs and how often it errs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
     /// What is written beside its point.
     pub label: String,
-    /// Choices with the same number have the same colour.
-    pub family: usize,
+    /// Choices of the same family have the same colour and marker, which the legend explains.
+    pub family: String,
     /// Time, in units of a baseline's.
     pub cost: f64,
     /// Errors in 10^9 rays.
@@ -64,162 +68,80 @@ pub fn front(choices: &[Choice]) -> Vec<bool> {
 
 /// Cost against errors, one chart below the other, each with its title, as SVG: the vertical axis is logarithmic, the
 /// front a line through rings. Where no error was seen, a hollow point with an arrow stands at what bounds the rate.
-///
-/// # Errors
-/// What the drawing library reports, in words.
-pub fn plot_pareto(charts: &[(&str, &[Choice])], cost: &str) -> Result<String, String> {
-    let mut svg = String::new();
-    draw(&mut svg, charts, cost).map_err(|error| error.to_string())?;
-    Ok(svg)
+pub fn plot_pareto(charts: &[(&str, &[Choice])], cost: &str) -> String {
+    draw((960.0, 90.0 + 520.0 * charts.len().max(1) as f64), charts, cost).finish()
 }
 
-/// Size of a chart in pixels.
-const SIZE: (u32, u32) = (960, 560);
-const FONT: (&str, i32) = ("sans-serif", 12);
-/// About what a letter of [`FONT`] takes.
-const LETTER: (i32, i32) = (7, 14);
-/// Dark enough for text.
-const COLORS: [RGBColor; 6] = [
-    RGBColor(190, 75, 0),
-    RGBColor(170, 20, 40),
-    RGBColor(120, 60, 150),
-    RGBColor(40, 90, 180),
-    RGBColor(0, 120, 125),
-    RGBColor(0, 110, 40),
-];
-
-type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
-type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, LogCoord<f64>>>;
-type Drawn = Result<(), Box<dyn std::error::Error>>;
-
-fn draw(svg: &mut String, charts: &[(&str, &[Choice])], cost: &str) -> Drawn {
-    let count = charts.len().max(1);
-    let root = SVGBackend::with_string(svg, (SIZE.0, SIZE.1 * count as u32)).into_drawing_area();
-    root.fill(&WHITE)?;
-    for (area, (title, choices)) in root.split_evenly((count, 1)).iter().zip(charts) {
-        draw_chart(area, title, choices, cost)?;
+pub(super) fn draw(size: (f64, f64), charts: &[(&str, &[Choice])], cost: &str) -> Canvas {
+    let mut families: Vec<&str> = Vec::new();
+    for choice in charts.iter().flat_map(|(_, choices)| *choices) {
+        if !families.contains(&choice.family.as_str()) {
+            families.push(&choice.family);
+        }
     }
-    root.present()?;
-    Ok(())
+    let mut canvas = Canvas::new(size, "cost against error");
+    let mut entries: Vec<_> =
+        (0..).zip(&families).map(|(i, family)| (Sample::Marker(Series(i)), (*family).to_owned())).collect();
+    entries.push((Sample::Hollow, "none seen: rarer than this (95 %)".to_owned()));
+    entries.push((Sample::Front, "nobody is better in both".to_owned()));
+    let top = legend(&mut canvas, 12.0, &entries);
+    let room = canvas.room(top + 10.0);
+    let height = room.height / charts.len().max(1) as f64;
+    for (i, (title, choices)) in charts.iter().enumerate() {
+        let area = Rect { y: room.y + i as f64 * height, height: height - 14.0, ..room };
+        draw_chart(&mut canvas, area, title, (choices, &families), cost);
+    }
+    canvas
 }
 
-fn draw_chart(area: &Area<'_>, title: &str, choices: &[Choice], cost: &str) -> Drawn {
+fn draw_chart(canvas: &mut Canvas, area: Rect, title: &str, (choices, families): (&[Choice], &[&str]), cost: &str) {
     let known: Vec<_> = choices.iter().filter(|choice| choice.cost.is_finite()).cloned().collect();
-    let (least, most) = range(known.iter().map(|choice| choice.cost), 1.0);
-    let (low, high) = range(known.iter().map(|choice| choice.errors.height().log10()), 3.0);
-    let margin = 0.06 * (most - least).max(0.1);
-    let mut chart = ChartBuilder::on(area)
-        .caption(title, ("sans-serif", 20))
-        .margin(12)
-        .x_label_area_size(44)
-        .y_label_area_size(64)
-        .build_cartesian_2d(
-            least - margin..most + 2.0 * margin,
-            (10f64.powf(low.floor() - 0.3)..10f64.powf(high + 0.4)).log_scale(),
-        )?;
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(BLACK.mix(0.1))
-        .x_desc(cost)
-        .y_desc("errors of the most frequent kind in 10^9 rays")
-        .y_label_formatter(&|rate| format!("{rate:.0e}"))
-        .draw()?;
-    let on_front = front(&known);
-    let mut corners: Vec<_> =
-        known.iter().zip(&on_front).filter(|&(_, &on)| on).map(|(c, _)| (c.cost, c.errors.height())).collect();
-    corners.sort_by(|a, b| a.0.total_cmp(&b.0));
-    if corners.len() > 1 {
-        chart.draw_series(LineSeries::new(corners, BLACK.mix(0.35).stroke_width(2)))?;
-    }
-    area.draw(&Text::new("hollow: none seen, rarer than this (95 %)", (76, SIZE.1 as i32 - 24), FONT.into_font()))?;
-    draw_points(area, &chart, &known, &on_front)
-}
-
-fn draw_points(area: &Area<'_>, chart: &Chart<'_, '_>, choices: &[Choice], on_front: &[bool]) -> Drawn {
-    // In pixels of the chart's own area.
-    let (left, top) = area.get_base_pixel();
-    let at = |choice: &Choice| {
-        let (x, y) = chart.backend_coord(&(choice.cost, choice.errors.height()));
-        (x - left, y - top)
+    let costs = range(known.iter().map(|choice| choice.cost), [0.9, 1.1]);
+    let heights = range(known.iter().map(|choice| choice.errors.height()), [1e3, 1e9]);
+    let top = canvas.paragraph(title, TITLE, "ink", (area.x, area.y), area.width) + 4.0;
+    let area = Rect { y: top, height: area.bottom() - top, ..area };
+    // Labels need room beside the first and the last point, and the lowest points have an arrow below them.
+    let margin = 0.05 * (costs[1] - costs[0]).max(0.02);
+    let costs = [costs[0] - margin, costs[1] + margin];
+    let y = Axis {
+        scale: &|most| Scale::log([heights[0] * 0.5, heights[1] * 1.5], most),
+        title: "errors of the most frequent kind in 10^9 rays",
     };
-    let points: Vec<_> = choices.iter().map(at).collect();
-    let mut taken: Vec<Rectangle> =
-        points.iter().map(|&(x, y)| Rectangle { x: x - 5, y: y - 5, width: 10, height: 14 }).collect();
-    for ((choice, &(x, y)), &on) in choices.iter().zip(&points).zip(on_front) {
-        let color = COLORS[choice.family % COLORS.len()];
+    let x = Axis { scale: &|most| Scale::linear(costs, most), title: cost };
+    let panel = Panel::draw(canvas, area, &x, &y);
+    let points: Vec<_> = known.iter().map(|choice| panel.at((choice.cost, choice.errors.height()))).collect();
+    let on_front = front(&known);
+    let mut corners: Vec<_> = points.iter().zip(&on_front).filter(|&(_, &on)| on).map(|(&point, _)| point).collect();
+    corners.sort_by(|a, b| a.0.total_cmp(&b.0));
+    canvas.stroke("soft", &path(&corners), 1.5, "none");
+    for ((choice, &at), &on) in known.iter().zip(&points).zip(&on_front) {
+        let (series, is_hollow) = (series(choice, families), matches!(choice.errors, Errors::Below(_)));
         if on {
-            area.draw(&Circle::new((x, y), 7, BLACK.mix(0.6).stroke_width(1)))?;
+            ring(canvas, at);
         }
-        match choice.errors {
-            Errors::Observed(_) => area.draw(&Circle::new((x, y), 4, color.filled()))?,
-            Errors::Below(_) => {
-                area.draw(&Circle::new((x, y), 4, WHITE.filled()))?;
-                area.draw(&Circle::new((x, y), 4, color.stroke_width(2)))?;
-                area.draw(&Polygon::new([(x - 3, y + 5), (x + 3, y + 5), (x, y + 10)], color))?;
-            }
+        if is_hollow {
+            arrow(canvas, series.class(), at);
         }
-        let size = (LETTER.0 * choice.label.chars().count() as i32, LETTER.1);
-        let label = place(&taken, (x, y), size);
-        taken.push(label);
-        let nearest = (x.clamp(label.x, label.x + label.width), y.clamp(label.y, label.y + label.height));
-        if (nearest.0 - x).abs().max((nearest.1 - y).abs()) > 12 {
-            area.draw(&PathElement::new([(x, y), nearest], color.mix(0.5)))?;
-        }
-        let style = TextStyle::from(FONT.into_font()).color(&color);
-        area.draw(&Text::new(choice.label.as_str(), (label.x, label.y), style))?;
+        let bound = if is_hollow { "less than " } else { "" };
+        let rate = choice.errors.height();
+        let meaning = format!("{} + {}: {:.3}, {bound}{rate:.0} in 10^9", choice.family, choice.label, choice.cost);
+        canvas.marker(series, at, is_hollow, &meaning.replace('^', ""));
     }
-    Ok(())
-}
-
-/// Least and greatest number; around `default` if there is none.
-fn range(numbers: impl Iterator<Item = f64>, default: f64) -> (f64, f64) {
-    let (least, most) =
-        numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)));
-    if least <= most { (least, most) } else { (default, default) }
-}
-
-/// A rectangle of pixels.
-#[derive(Clone, Copy, Debug)]
-struct Rectangle {
-    x: i32,
-    y: i32,
-    width: i32,
-    height: i32,
-}
-
-impl Rectangle {
-    fn overlaps(&self, other: &Self) -> bool {
-        let apart = |a: i32, a_size: i32, b: i32, b_size: i32| a + a_size <= b || b + b_size <= a;
-        !apart(self.x, self.width, other.x, other.width) && !apart(self.y, self.height, other.y, other.height)
-    }
-
-    fn is_within_chart(&self) -> bool {
-        self.x >= 76
-            && self.y >= 40
-            && self.x + self.width <= SIZE.0 as i32 - 8
-            && self.y + self.height <= SIZE.1 as i32 - 60
+    let sizes: Vec<_> = known.iter().map(|choice| (width(&choice.label, SMALL), SMALL * LINE)).collect();
+    let lines: Vec<_> = corners.windows(2).map(|pair| (pair[0], pair[1])).collect();
+    for (choice, placed) in known.iter().zip(place(&panel.frame, &points, &sizes, &lines)) {
+        let Some(Placed { label, leader }) = placed else { continue };
+        let class = series(choice, families).class();
+        if let Some((from, to)) = leader {
+            canvas.stroke(class, &path(&[from, to]), 1.0, "none");
+        }
+        let middle = (label.x + label.width / 2.0, label.y + label.height / 2.0);
+        canvas.text(&choice.label, SMALL, class, middle, Anchor::Middle);
     }
 }
 
-/// The free place for a label that is nearest to its point; beside it if there is none.
-fn place(taken: &[Rectangle], (x, y): (i32, i32), (width, height): (i32, i32)) -> Rectangle {
-    let beside = Rectangle { x: x + 8, y: y - height / 2, width, height };
-    let rings = (0..40).flat_map(|ring| {
-        let (dx, dy) = (8 + 6 * ring, 8 + 6 * ring);
-        [
-            Rectangle { x: x + dx, ..beside },
-            Rectangle { x: x - dx - width, ..beside },
-            Rectangle { x: x - width / 2, y: y - dy - height, ..beside },
-            Rectangle { x: x - width / 2, y: y + dy + 4, ..beside },
-            Rectangle { x: x + 8, y: y - dy - height, ..beside },
-            Rectangle { x: x + 8, y: y + dy, ..beside },
-            Rectangle { x: x - 8 - width, y: y - dy - height, ..beside },
-            Rectangle { x: x - 8 - width, y: y + dy, ..beside },
-        ]
-    });
-    let mut rings = rings;
-    rings.find(|place| place.is_within_chart() && !taken.iter().any(|other| other.overlaps(place))).unwrap_or(beside)
+fn series(choice: &Choice, families: &[&str]) -> Series {
+    Series(families.iter().position(|family| *family == choice.family).unwrap_or(0))
 }
 
 #[cfg(test)]
@@ -227,7 +149,7 @@ mod tests {
     use super::*;
 
     fn choice(label: &str, cost: f64, events: u64) -> Choice {
-        Choice { label: label.to_owned(), family: 7, cost, errors: Errors::of(events, 1_000_000) }
+        Choice { label: label.to_owned(), family: "f".to_owned(), cost, errors: Errors::of(events, 1_000_000) }
     }
 
     #[test]
@@ -250,24 +172,14 @@ mod tests {
     }
 
     #[test]
-    fn labels_keep_apart() {
-        let mut taken = Vec::new();
-        for _ in 0..18 {
-            let label = place(&taken, (300, 200), (120, 14));
-            assert!(!taken.iter().any(|other: &Rectangle| other.overlaps(&label)), "{label:?}");
-            taken.push(label);
-        }
-    }
-
-    #[test]
     fn charts_are_drawn_whatever_is_in_them() {
         let some = [choice("one & other", 1.0, 1000), choice("never", 1.2, 0), choice("unknown", f64::NAN, 5)];
-        let svg = plot_pareto(&[("first", &some), ("second", &[])], "time").unwrap();
+        let svg = plot_pareto(&[("first", &some), ("second", &[])], "time");
         assert!(svg.starts_with("<svg") && svg.ends_with("</svg>\n"), "{svg}");
         for text in ["first", "second", "one &amp; other", "never", "time"] {
             assert!(svg.contains(text), "{text}: {svg}");
         }
         assert!(!svg.contains("unknown"));
-        assert!(plot_pareto(&[], "time").unwrap().starts_with("<svg"));
+        assert!(plot_pareto(&[], "time").starts_with("<svg"));
     }
 }

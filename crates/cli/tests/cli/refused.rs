@@ -167,8 +167,8 @@ fn a_report_leaves_no_table_of_an_earlier_one() {
     stackless(args, &[&report, &cube, &cube]).passes();
     let own = report.join("notes.csv");
     std::fs::write(&own, "my own").unwrap();
-    assert!(report.join("scene2-plan.csv").exists());
+    assert!(report.join("cube-2-plan.csv").exists());
     let run = stackless(args, &[&report, &cube]).passes();
-    assert!(report.join("scene1-plan.csv").exists() && !report.join("scene2-plan.csv").exists());
+    assert!(report.join("cube-plan.csv").exists() && !report.join("cube-2-plan.csv").exists());
     assert!(run.stdout.contains("of an earlier report are removed") && own.exists(), "{run:?}");
 }

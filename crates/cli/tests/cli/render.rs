@@ -71,7 +71,8 @@ fn figures_show_what_the_papers_say() {
     let (run, picture) = render(&format!("stadium --figure 1 --size 40{near}"), &folder);
     let [parents, uncles, hashed] = means(&run)[..] else { panic!("{run:?}") };
     assert!(parents > uncles && uncles > hashed && hashed > 1.0, "{run:?}");
-    assert_eq!(picture.0, 3 * 40 + 4 * 6);
+    // Three panels, each as wide as its label.
+    assert!(picture.0 > 3 * 40 + 4 * 6, "{}", picture.0);
 
     let (postponed, _) =
         render(&format!("stadium --heatmap postponed --compare hashed,stack --size 40{near}"), &folder);

@@ -14,6 +14,12 @@ fn the_page_has_all_parts_and_needs_nothing_else() {
     {
         assert!(page.contains(part), "{part}");
     }
+    // What made it.
+    for part in ["<dt>Command</dt><dd>stackless report soup strands --count 600", "threads, ", " UTC</dd>"] {
+        assert!(page.contains(part), "{part}");
+    }
+    assert!(page.contains(concat!("stackless ", env!("CARGO_PKG_VERSION"))));
+    assert!(report.join("soup-plan.csv").exists() && report.join("strands-plan.csv").exists());
     // Two scenes with three heat maps each, a histogram each, and one picture of time against error.
     assert_eq!(page.matches("data:image/png;base64,").count(), 6);
     assert_eq!(page.matches("<svg").count(), 3);

@@ -8,7 +8,7 @@ mod text;
 
 pub use ray::of_ray;
 
-use super::{ExplainError, Page, Recording, Table, recordings, refuse_large};
+use super::{ExplainError, Page, Recording, Table, clauses, recordings, refuse_large};
 use judge::Judge;
 use observe::Log;
 use places::{Places, children};
@@ -50,6 +50,7 @@ pub fn page<const A: usize, S: Search<A> + Clone>(
         key_bits: A.trailing_zeros(),
         trail_bits: A as u32,
         base: text::base::<A>(),
+        clauses: clauses::named(&methods),
         methods,
         left_out,
     };

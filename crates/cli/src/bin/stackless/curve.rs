@@ -114,7 +114,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         write_figures(path, "curve", &[], json!({ "rows": rows }))?;
     }
     if let Some(path) = &args.plot {
-        let svg = plot::plot(&rows, args)?;
+        let svg = plot::plot(&rows, args);
         write_file(path, |file| file.write_all(svg.as_bytes()))?;
     }
     Ok(true)

@@ -19,7 +19,7 @@ use crate::{Outcome, camera};
 ///
 /// One HTML file that needs nothing else and no network. Without a case it shows the papers' example, backtracking from
 /// key 22 with trail 1000 to key 3, or for wide trees an example of eight children. Arrow keys step, Home and End go to the ends, digits choose the traversal, space
-/// plays; `FILE.html#method=hashed&step=6` is a link to a step.
+/// plays, + and - zoom, 0 shows the whole tree; a clause's id shows the clause; `FILE.html#method=hashed&step=6` is a link to a step.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless explain -o example.html\n  \
     stackless explain --tape 4 --methods hashed,sparse -o tape.html\n  \

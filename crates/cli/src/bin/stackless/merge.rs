@@ -75,7 +75,7 @@ fn merge<C: Counts>(args: &Args, values: Vec<(String, Value)>) -> Outcome {
         let record: Record<C> = serde_json::from_value(value).map_err(|error| format!("{path}: no record: {error}"))?;
         records.push((path, record));
     }
-    let plot = args.plot.as_ref().map(|path| Ok::<_, String>((path, draw(&mut records)?))).transpose()?;
+    let plot = args.plot.as_ref().map(|path| (path, draw(&mut records)));
     let Record { run, counts } = add::<C>(records)?;
     let is_well = say_verdict(&counts);
     say!("{}", counts.claim(&run));
@@ -90,7 +90,7 @@ fn merge<C: Counts>(args: &Args, values: Vec<(String, Value)>) -> Outcome {
 }
 
 /// The records in the order of what they have done, as a picture.
-fn draw<C: Counts>(records: &mut [(String, Record<C>)]) -> Result<String, String> {
+fn draw<C: Counts>(records: &mut [(String, Record<C>)]) -> String {
     let first = |run: &Run| run.parts.values().flat_map(|part| &part.done).map(|[from, _]| *from).min();
     records.sort_by_key(|(_, record)| first(&record.run));
     let stretch = |(_, Record { run, counts }): &(String, Record<C>)| {

@@ -1,6 +1,7 @@
 //! `stackless report`: everything that can be measured of scenes, on one page.
 
 mod page;
+mod provenance;
 
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -31,8 +32,8 @@ pub(crate) struct Args {
     /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the made scenes `strands`, `stadium`, `soup`.
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
-    /// The folder, which is made where it is missing. What an earlier report has left there is replaced, and its tables
-    /// of scenes are removed.
+    /// The folder, which is made where it is missing. What an earlier report has left there is replaced: tables that its
+    /// page names, and this one does not, are removed.
     #[arg(short, long, value_name = "DIR", value_parser = places::folder)]
     output: Output,
     /// How the hierarchies are built; with `+N` behind a name, N rounds of reinsertion follow.
@@ -91,21 +92,29 @@ pub(crate) fn run(args: &Args) -> Outcome {
     }
     if !offences.is_empty() {
         let pieces = offences.iter().cloned().map(Piece::line).collect();
-        sections.insert(0, Section { id: "offences", title: "Exact answers that differ".to_owned(), pieces });
+        sections.insert(0, Section { scene: None, title: "Exact answers that differ".to_owned(), pieces });
     }
     let tables = page::tables(&sections);
     for (name, csv) in &tables {
         write_file(&args.output.join(name), |file| file.write_all(csv.as_bytes()))?;
     }
-    let removed = remove_old_tables(&args.output, &tables)?;
-    let about = format!(
+    let path = args.output.join("index.html");
+    let removed = remove_old_tables(&path, &tables)?;
+    let asked = format!(
         "{} rays of each kind, {} rounds, {} trees, seed {}",
         grouped(args.count.into()),
         args.rounds,
         args.build,
         args.seed
     );
-    let path = args.output.join("index.html");
+    let about = [
+        ("Command", provenance::command_line(std::env::args())),
+        ("Version", provenance::version()),
+        ("Machine", provenance::machine()),
+        ("Date", provenance::date()),
+        ("Measured with", asked),
+        ("Tables", "as CSV beside this file".to_owned()),
+    ];
     write_file(&path, |file| file.write_all(page::html(&about, &sections).as_bytes()))?;
     say!("{}: {} scenes; {} tables beside it", path.display(), scenes.len(), tables.len());
     if removed > 0 {
@@ -117,16 +126,18 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Ok(offences.is_empty())
 }
 
-/// Removes the tables of scenes that an earlier report had and this one has not, and counts them.
-fn remove_old_tables(folder: &Path, tables: &[(String, String)]) -> Result<usize, String> {
-    let failed = |error: io::Error| format!("{}: {error}", folder.display());
+/// Removes the tables that an earlier page names and this one does not, and counts them.
+fn remove_old_tables(page: &Path, tables: &[(String, String)]) -> Result<usize, String> {
     let mut removed = 0;
-    for entry in fs::read_dir(folder).map_err(failed)? {
-        let path = entry.map_err(failed)?.path();
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        if page::is_table_of_scene(&name) && !tables.iter().any(|(written, _)| *written == name) {
-            fs::remove_file(&path).map_err(|error| format!("{}: {error}", path.display()))?;
-            removed += 1;
+    for name in page::tables_of(&fs::read_to_string(page).unwrap_or_default()) {
+        if tables.iter().any(|(written, _)| *written == name) {
+            continue;
+        }
+        let path = page.with_file_name(name);
+        match fs::remove_file(&path) {
+            Ok(()) => removed += 1,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => (),
+            Err(error) => return Err(format!("{}: {error}", path.display())),
         }
     }
     Ok(removed)
@@ -148,7 +159,7 @@ fn overview(stats: &[Stats]) -> Section {
     ];
     let rows = stats.iter().map(Stats::cells).collect();
     Section {
-        id: "scenes",
+        scene: None,
         title: "Scenes, their trees and hash tables".to_owned(),
         pieces: vec![
             Piece::line(
@@ -172,7 +183,7 @@ fn traversals(args: &Args, scenes: &[Scene]) -> Result<(Section, Vec<String>), B
         Piece::Table("traversals", bench::of_scene(&rows)),
     ];
     pieces.extend(notes.into_iter().map(Piece::line));
-    Ok((Section { id: "traversals", title: "Traversals".to_owned(), pieces }, offences))
+    Ok((Section { scene: None, title: "Traversals".to_owned(), pieces }, offences))
 }
 
 fn errors(args: &Args, scenes: &[Scene]) -> Result<(Section, Vec<String>), Box<dyn std::error::Error>> {
@@ -180,11 +191,11 @@ fn errors(args: &Args, scenes: &[Scene]) -> Result<(Section, Vec<String>), Box<d
         accuracy::measure(&accuracy::Args::of(args.place.clone(), args.count, args.rounds.min(3), args.seed), scenes)?;
     let mut pieces = vec![
         Piece::line("Every triangle test with every box test: the lines join those that nobody beats in both."),
-        Piece::Svg(found.plot()?, "Run time against the rate of errors".to_owned()),
+        Piece::Svg(found.plot(), "Run time against the rate of errors".to_owned()),
     ];
     pieces.extend(named(found.blocks(), &["errors-ordinary", "errors-adversarial", "levels", "stages"]));
     let offences = found.offences().cloned().collect();
-    Ok((Section { id: "errors", title: "Run time against error".to_owned(), pieces }, offences))
+    Ok((Section { scene: None, title: "Run time against error".to_owned(), pieces }, offences))
 }
 
 /// One scene: where backtracking goes, what it costs, where the time goes, what is not needed.
@@ -201,13 +212,13 @@ fn details(args: &Args, scene: &Scene, stats: &Stats, bvh: &Bvh) -> Result<Secti
         pieces.push(Piece::Png(png, about.to_owned()));
         pieces.extend(lines.into_iter().map(Piece::line));
     }
-    pieces.push(Piece::Svg(stats.plot()?, "How far backtracking goes (Fig. 3)".to_owned()));
+    pieces.push(Piece::Svg(stats.plot(), "How far backtracking goes (Fig. 3)".to_owned()));
     pieces.push(Piece::Bars(
         stats.parts(),
         "Where the time of a diffuse ray goes (Barringer & Akenine-Möller 2013, Fig. 5)".to_owned(),
     ));
     pieces.extend(named(stats.blocks(), &["tables", "time", "plan", "state", "wide", "tracers", "distances"]));
-    Ok(Section { id: "scene", title, pieces })
+    Ok(Section { scene: Some(scene.name.clone()), title, pieces })
 }
 
 /// Lines and tables, the tables with their names in order.

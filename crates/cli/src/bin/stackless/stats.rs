@@ -132,7 +132,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let (stats, _) = Stats::of(&scene, &args.place.of(&scene), args.build, args.count as usize, args.seed)?;
     output::print(&stats.blocks());
     if let Some(path) = &args.plot {
-        let svg = stats.plot()?;
+        let svg = stats.plot();
         write_file(path, |file| file.write_all(svg.as_bytes()))?;
     }
     if let Some(path) = &args.json {
@@ -283,7 +283,7 @@ impl Stats {
     }
 
     /// The backtracking distances as a picture (SVG).
-    pub(crate) fn plot(&self) -> Result<String, String> {
+    pub(crate) fn plot(&self) -> String {
         plot_distances(&format!("Backtracking distance, {}", self.scene), &self.counted)
     }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use stackless_bvh::trace::{Accuracy, KernelName};
+use stackless_bvh::trace::Accuracy;
 use stackless_cli::plots::{Choice, Errors, front, plot_pareto};
 
 use super::pairs::BASELINE;
@@ -49,7 +49,7 @@ pub(super) fn blocks(rows: &[Row], stages: &[Stages]) -> Vec<Block> {
 }
 
 /// The same as two charts, as SVG.
-pub(super) fn plot(rows: &[Row]) -> Result<String, String> {
+pub(super) fn plot(rows: &[Row]) -> String {
     let summaries = summaries(rows);
     let charts = SIDES.map(|(name, kinds, events)| {
         let choices = summaries.iter().filter_map(|summary| summary.choice(kinds, events)).collect::<Vec<_>>();
@@ -125,9 +125,8 @@ impl Summary<'_> {
         let observed = all.iter().map(|errors| errors.observed()).fold(0.0, f64::max);
         let bounds = all.iter().filter_map(|errors| if let Errors::Below(rate) = errors { Some(*rate) } else { None });
         let errors = if observed > 0.0 { Errors::Observed(observed) } else { Errors::Below(bounds.reduce(f64::max)?) };
-        let family = KernelName::ALL.into_iter().position(|name| name.name() == kernel).unwrap_or(0);
         let cost = self.time(kinds).map_or(f64::NAN, |time| time[0]);
-        Some(Choice { label: format!("{kernel} + {slabs}"), family, cost, errors })
+        Some(Choice { label: slabs.to_owned(), family: kernel.to_owned(), cost, errors })
     }
 
     fn cells(&self, kinds: &[Kind], events: &[Event], star: bool) -> Vec<String> {

@@ -28,7 +28,7 @@ impl Found {
     }
 
     /// Time against error, as SVG.
-    pub(crate) fn plot(&self) -> Result<String, String> {
+    pub(crate) fn plot(&self) -> String {
         tables::plot(&self.rows)
     }
 

@@ -1,0 +1,163 @@
+//! Colours, markers and dashes that all charts share.
+//!
+//! Every colour has a name, which is a class of the style sheet in the SVG, and two values: for a light screen and paper, and for
+//! a dark screen. Programs that do not know the media query show the light ones. The series are darker or lighter relatives of
+//! those of Okabe & Ito, which colour-blind people tell apart; each also has a marker and a dash of its own, for grey prints.
+
+use std::fmt::Write;
+
+use super::text::FONT;
+
+/// A colour of charts: on light paper and on dark paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ink {
+    /// Its class.
+    pub name: &'static str,
+    /// As `#rrggbb`, on white.
+    pub light: &'static str,
+    /// As `#rrggbb`, on [`PAPER`]'s dark.
+    pub dark: &'static str,
+}
+
+const fn ink(name: &'static str, light: &'static str, dark: &'static str) -> Ink {
+    Ink { name, light, dark }
+}
+
+/// What charts are drawn on.
+pub const PAPER: Ink = ink("paper", "#ffffff", "#1c1f24");
+
+/// Data series.
+pub const SERIES: [Ink; 6] = [
+    ink("s0", "#0b62a8", "#6cb8f0"),
+    ink("s1", "#b84300", "#f5a250"),
+    ink("s2", "#00735c", "#35c79c"),
+    ink("s3", "#9c3f7c", "#eba0cb"),
+    ink("s4", "#756000", "#e8d34a"),
+    ink("s5", "#4a505a", "#c4cad3"),
+];
+
+/// Text; text beside it, and axes; errors.
+pub(super) const TEXTS: [Ink; 3] =
+    [ink("ink", "#23272e", "#e8e6e1"), ink("soft", "#5c6470", "#a0a7b1"), ink("wrong", "#b3152d", "#ff8b95")];
+
+/// Lines that help the eye, and carry nothing.
+pub(super) const GRID: Ink = ink("grid", "#e2dfd8", "#353a42");
+
+/// Dashes of lines, by series.
+const DASHES: [&str; 6] = ["none", "9 4", "2 3", "9 3 2 3", "14 4", "5 3"];
+
+/// Which series: it chooses colour, marker and dash.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Series(pub(super) usize);
+
+impl Series {
+    pub(super) const fn class(self) -> &'static str {
+        SERIES[self.0 % SERIES.len()].name
+    }
+
+    /// Where colours begin again, markers and dashes do not.
+    const fn shape(self) -> usize {
+        (self.0 + self.0 / SERIES.len()) % DASHES.len()
+    }
+
+    pub(super) const fn dash(self) -> &'static str {
+        DASHES[self.shape()]
+    }
+
+    /// The marker at a place, as path data.
+    pub(super) fn marker(self, (x, y): (f64, f64), radius: f64) -> String {
+        // Unit shapes, of about the same area.
+        let corners: &[(f64, f64)] = match self.shape() {
+            0 => {
+                let r = radius;
+                return format!("M{:.1} {y:.1}a{r} {r} 0 1 0 {:.1} 0a{r} {r} 0 1 0 {:.1} 0z", x - r, 2.0 * r, -2.0 * r);
+            }
+            1 => &[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)],
+            2 => &[(0.0, -1.25), (1.15, 0.85), (-1.15, 0.85)],
+            3 => &[(0.0, -1.3), (1.3, 0.0), (0.0, 1.3), (-1.3, 0.0)],
+            4 => &[(0.0, 1.25), (1.15, -0.85), (-1.15, -0.85)],
+            _ => &[
+                (-0.4, -1.2),
+                (0.4, -1.2),
+                (0.4, -0.4),
+                (1.2, -0.4),
+                (1.2, 0.4),
+                (0.4, 0.4),
+                (0.4, 1.2),
+                (-0.4, 1.2),
+                (-0.4, 0.4),
+                (-1.2, 0.4),
+                (-1.2, -0.4),
+                (-0.4, -0.4),
+            ],
+        };
+        let mut path = String::new();
+        for (i, (dx, dy)) in corners.iter().enumerate() {
+            let step = if i == 0 { 'M' } else { 'L' };
+            let _ = write!(path, "{step}{:.1} {:.1}", x + radius * dx, y + radius * dy);
+        }
+        path + "z"
+    }
+}
+
+/// The style sheet of a chart. Shapes take `currentColor`, so that one rule colours a class.
+pub(super) fn style() -> String {
+    let all = || [PAPER, GRID].into_iter().chain(TEXTS).chain(SERIES);
+    let rules = |value: fn(Ink) -> &'static str| {
+        let mut text = String::new();
+        for ink in all() {
+            let _ = write!(text, ".chart .{}{{color:{}}}", ink.name, value(ink));
+        }
+        text
+    };
+    format!(
+        ".chart text{{font-family:{FONT};fill:currentColor}}{}\n@media screen and (prefers-color-scheme:dark){{{}}}",
+        rules(|ink| ink.light),
+        rules(|ink| ink.dark)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of the Web Content Accessibility Guidelines.
+    fn luminance(colour: &str) -> f64 {
+        let channel = |at: usize| {
+            let value = f64::from(u8::from_str_radix(&colour[at..at + 2], 16).unwrap()) / 255.0;
+            if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+        };
+        0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
+    }
+
+    fn contrast(a: &str, b: &str) -> f64 {
+        let (a, b) = (luminance(a) + 0.05, luminance(b) + 0.05);
+        (a / b).max(b / a)
+    }
+
+    /// Labels have the colours of their series, so all are text.
+    #[test]
+    fn every_colour_can_be_read_on_its_paper() {
+        for ink in TEXTS.into_iter().chain(SERIES) {
+            for (paper, colour) in [(PAPER.light, ink.light), (PAPER.dark, ink.dark)] {
+                assert!(contrast(paper, colour) >= 4.5, "{}: {:.2}", ink.name, contrast(paper, colour));
+            }
+        }
+        assert!(contrast("#ffffff", "#000000") > 20.9 && contrast("#ffffff", "#999999") < 3.0);
+    }
+
+    #[test]
+    fn no_two_series_look_alike() {
+        let look = |i| (Series(i).class(), Series(i).dash(), Series(i).marker((0.0, 0.0), 4.0));
+        for a in 0..12 {
+            for b in 0..a {
+                let (a, b) = (look(a), look(b));
+                assert!(a.0 != b.0 || (a.1 != b.1 && a.2 != b.2), "{a:?} {b:?}");
+            }
+        }
+        // In grey: the first six by dash, and by marker.
+        for of in [|i| Series(i).dash().to_owned(), |i| Series(i).marker((0.0, 0.0), 4.0)] {
+            assert_eq!((0..6).map(of).collect::<std::collections::BTreeSet<_>>().len(), 6);
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! What text takes, without the font at hand.
+
+use std::fmt::Write;
+
+/// Fonts of charts, the first that is installed. None is wider than [`WIDTHS`], where it is the system's usual one.
+pub(super) const FONT: &str = "Inter,system-ui,'Segoe UI','DejaVu Sans','Liberation Sans',Arial,sans-serif";
+
+/// Heights of letters: titles, and all else.
+pub(super) const TITLE: f64 = 17.0;
+pub(super) const SMALL: f64 = 13.0;
+
+/// Height of a line's box, for each unit of the height of letters.
+pub(super) const LINE: f64 = 1.17;
+
+/// Widths of the printable ASCII characters in thousandths of the height, from the space on: those of `DejaVu Sans`, the widest
+/// of the fonts, and of Inter where that is wider (the hyphen).
+const WIDTHS: [u16; 95] = [
+    318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 460, 318, 337, 636, 636, 636, 636, 636, 636, 636,
+    636, 636, 636, 337, 337, 838, 838, 838, 531, 1000, 684, 686, 698, 770, 632, 575, 775, 752, 295, 295, 656, 557, 863,
+    748, 787, 603, 787, 695, 635, 611, 732, 684, 989, 685, 611, 685, 390, 337, 390, 838, 500, 500, 613, 635, 550, 635,
+    615, 352, 635, 634, 278, 278, 579, 278, 974, 634, 612, 635, 635, 411, 521, 392, 634, 592, 818, 592, 592, 525, 636,
+    337, 636, 838,
+];
+
+/// Exponents are smaller.
+const EXPONENT: f64 = 0.75;
+
+/// An upper bound of the width of a text. Titles are bold.
+pub(super) fn width(text: &str, size: f64) -> f64 {
+    let letter = |letter: char| match u32::from(letter) {
+        code @ 32..=126 => f64::from(WIDTHS[code as usize - 32]),
+        // Letters with accents, and what may be as wide as it is high.
+        0xC0..=0x24F => 800.0,
+        _ => 1000.0,
+    };
+    let run = |(run, is_exponent): (&str, bool)| {
+        run.chars().map(letter).sum::<f64>() * if is_exponent { EXPONENT } else { 1.0 }
+    };
+    let bold = if size == TITLE { 1.12 } else { 1.0 };
+    runs(text).into_iter().map(run).sum::<f64>() / 1000.0 * size * bold
+}
+
+/// The text as SVG has it, `10^-6` with an exponent.
+pub(super) fn markup(text: &str, size: f64) -> String {
+    let mut svg = String::new();
+    for (run, is_exponent) in runs(text) {
+        let run = escaped(run);
+        if is_exponent {
+            let (up, small) = (0.4 * size, EXPONENT * size);
+            let minus = run.replace('-', "−");
+            let _ = write!(
+                svg,
+                "<tspan dy=\"-{up:.1}\" font-size=\"{small:.1}\">{minus}</tspan><tspan dy=\"{up:.1}\">\u{200b}</tspan>"
+            );
+        } else {
+            svg += &run;
+        }
+    }
+    svg
+}
+
+/// Lines of a text that are no wider than the room, where a word is not.
+pub(super) fn wrap(text: &str, size: f64, room: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if width(line, size) + width(" ", size) + width(word, size) <= room => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+pub(super) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// Parts of a text, and whether they are exponents: digits behind `^`.
+fn runs(text: &str) -> Vec<(&str, bool)> {
+    let mut runs = Vec::new();
+    let mut parts = text.split('^');
+    runs.extend(parts.next().map(|first| (first, false)));
+    for part in parts {
+        let end = part.find(|c: char| c != '-' && !c.is_ascii_digit()).unwrap_or(part.len());
+        runs.extend([(&part[..end], true), (&part[end..], false)]);
+    }
+    runs.retain(|(run, _)| !run.is_empty());
+    runs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exponents_are_small_and_high() {
+        assert_eq!(runs("10^-6 of 10^9"), [("10", false), ("-6", true), (" of 10", false), ("9", true)]);
+        assert!(width("10^9", 10.0) < width("109", 10.0) && width("10^9", 10.0) > width("10", 10.0));
+        assert!(markup("10^-6 & x", 10.0).contains(">−6</tspan>") && markup("a<b", 10.0).contains("a&lt;b"));
+    }
+
+    #[test]
+    fn lines_are_as_wide_as_the_room() {
+        let text = "levels up to the ancestor whose sibling comes next";
+        for room in [90.0, 150.0, 1000.0] {
+            let lines = wrap(text, SMALL, room);
+            assert!(lines.iter().all(|line| width(line, SMALL) <= room), "{lines:?}");
+            assert_eq!(lines.join(" "), text);
+        }
+    }
+}
