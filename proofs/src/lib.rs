@@ -23,6 +23,7 @@ mod harness;
 pub mod hash;
 pub mod reference;
 pub mod shape;
+pub mod steps;
 pub mod traversals;
 pub mod wide;
 pub mod words;
@@ -30,9 +31,11 @@ pub mod words;
 pub use choose::{Any, Choose, id};
 #[cfg(not(kani))]
 pub use choose::{Cases, Drawn};
+#[cfg(not(kani))]
+pub use harness::CLAIM;
 pub use harness::Harness;
 
 /// All harnesses, topic by topic.
 #[cfg(not(kani))]
-pub const ALL: [&[Harness]; 5] =
-    [bits::HARNESSES, wide::HARNESSES, words::HARNESSES, hash::HARNESSES, traversals::HARNESSES];
+pub const ALL: [&[Harness]; 6] =
+    [bits::HARNESSES, wide::HARNESSES, words::HARNESSES, hash::HARNESSES, traversals::HARNESSES, steps::HARNESSES];
