@@ -53,9 +53,13 @@ build() {
 solve() {
     local name=$1 unwind=$2 TIMEFORMAT=%U
     shift 2
-    { time (ulimit -t "$limit" && exec "$work/tools/cbmc" "$work/harnesses.gb" --function "prove_$name" --unwind "$unwind" \
-        --unwinding-assertions --no-standard-checks --drop-unused-functions --slice-formula "$@" \
-        > "$work/$name.log" 2>&1) || true; } 2> "$work/$name.seconds"
+    {
+        time {
+            (ulimit -t "$limit" && exec "$work/tools/cbmc" "$work/harnesses.gb" --function "prove_$name" --unwind "$unwind" \
+                --unwinding-assertions --no-standard-checks --drop-unused-functions --slice-formula "$@") \
+                > "$work/$name.log" 2>&1 || true
+        }
+    } 2> "$work/$name.seconds"
 }
 
 # Proof, covers and twin of one harness: a row of the table, and whether all is as it must be.
