@@ -24,7 +24,7 @@ harnesses! {
     /// One step of key and trail with a table of all keys is the machine's. `[TRAIL-7]` `[HASHONLY-1]`
     step_hash_only_u64, step_hash_only_u64_twin, 2 => hash_only::<u64>;
     /// The same. `[TRAIL-7]` `[HASHONLY-1]`
-    step_hash_only_u128, step_hash_only_u128_twin, 2 => hash_only::<u128>;
+    step_hash_only_u128, step_hash_only_u128_twin, 2 long => hash_only::<u128>;
     /// One step of Algorithm 1 is the machine's, and the table is asked only where no record has named the node.
     /// `[HASHED-1]` `[REGISTER-1]` `[REGISTER-2]` `[PAUSE-1]` `[PAUSE-3]`
     step_hashed_u64, step_hashed_u64_twin, 2 => hashed::<u64, 2, 2>;
@@ -40,27 +40,27 @@ harnesses! {
     /// `[REGISTER-2]` `[PAUSE-1]` `[PAUSE-3]`
     step_uncle_u64, step_uncle_u64_twin, 34 => uncle::<u64, 2, 2>;
     /// The same. `[UNCLE-2]` `[REGISTER-1]` `[REGISTER-2]` `[PAUSE-1]` `[PAUSE-3]`
-    step_uncle_u128, step_uncle_u128_twin, 66 => uncle::<u128, 2, 2>;
+    step_uncle_u128, step_uncle_u128_twin, 66 kani => uncle::<u128, 2, 2>;
     /// The same with a second trail. `[UNCLE-2]` `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]`
-    step_uncle_disjoint_u64, step_uncle_disjoint_u64_twin, 34 => uncle_disjoint::<u64, 2, 2>;
+    step_uncle_disjoint_u64, step_uncle_disjoint_u64_twin, 34 long => uncle_disjoint::<u64, 2, 2>;
     /// The same. `[UNCLE-2]` `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]`
-    step_uncle_disjoint_u128, step_uncle_disjoint_u128_twin, 66 => uncle_disjoint::<u128, 2, 2>;
+    step_uncle_disjoint_u128, step_uncle_disjoint_u128_twin, 66 kani => uncle_disjoint::<u128, 2, 2>;
     /// One step of the climb by parents is the machine's. `[AFRA-1]` `[PAUSE-1]`
     step_afra_u64, step_afra_u64_twin, 66 => afra::<u64>;
     /// The same. `[AFRA-1]` `[PAUSE-1]`
-    step_afra_u128, step_afra_u128_twin, 130 => afra::<u128>;
+    step_afra_u128, step_afra_u128_twin, 130 long => afra::<u128>;
     /// The same with a second trail. `[AFRA-1]` `[DISJOINT-1]` `[DISJOINT-2]`
     step_afra_disjoint_u64, step_afra_disjoint_u64_twin, 66 => afra_disjoint::<u64>;
     /// The same. `[AFRA-1]` `[DISJOINT-1]` `[DISJOINT-2]`
-    step_afra_disjoint_u128, step_afra_disjoint_u128_twin, 130 => afra_disjoint::<u128>;
+    step_afra_disjoint_u128, step_afra_disjoint_u128_twin, 130 long => afra_disjoint::<u128>;
     /// One step of the counter is the machine's. `[SPARSE-1]` `[TRAIL-6]` `[PAUSE-1]`
     step_sparse_u64, step_sparse_u64_twin, 66 => sparse::<u64>;
     /// The same. `[SPARSE-1]` `[TRAIL-6]` `[PAUSE-1]`
-    step_sparse_u128, step_sparse_u128_twin, 130 => sparse::<u128>;
+    step_sparse_u128, step_sparse_u128_twin, 130 long => sparse::<u128>;
     /// The same with a second trail. `[SPARSE-1]` `[TRAIL-6]` `[DISJOINT-1]` `[DISJOINT-2]`
     step_sparse_disjoint_u64, step_sparse_disjoint_u64_twin, 66 => sparse_disjoint::<u64>;
     /// The same. `[SPARSE-1]` `[TRAIL-6]` `[DISJOINT-1]` `[DISJOINT-2]`
-    step_sparse_disjoint_u128, step_sparse_disjoint_u128_twin, 130 => sparse_disjoint::<u128>;
+    step_sparse_disjoint_u128, step_sparse_disjoint_u128_twin, 130 long => sparse_disjoint::<u128>;
 }
 
 /// What a cursor keeps, and so shows.
