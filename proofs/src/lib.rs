@@ -3,7 +3,7 @@
 //! A harness is a claim about the library's own functions, written once, as a function over a source of choices
 //! ([`Choose`]), and run three ways:
 //!
-//! - by `cargo kani -p proofs`: each choice is any value, and the claim is proved for all of them;
+//! - by `proofs/kani.sh`: each choice is any value, and the claim is proved for all of them;
 //! - by `proofs/cbmc/check.sh`: the same, by CBMC on the library compiled to WebAssembly and from there to C, with a
 //!   small
 //!   crate in place of Kani's;
