@@ -3,7 +3,7 @@
 use stackless_bvh::key::{self, KeyWord};
 use stackless_bvh::{swap, trail};
 
-use crate::harness::harnesses;
+use crate::harness::{claim, harnesses};
 use crate::{Any, Choose, cover};
 
 /// A word with values that can be chosen and compared by order.
@@ -86,7 +86,7 @@ pub fn backtrack<W: Full>(choose: &mut impl Choose) -> Option<()> {
     let (next_key, next_trail) = trail::backtrack(key, trail);
     let next_trail =
         choose.plant(next_trail, |next| if levels == width::<W>() - 1 { next.or(&W::one()) } else { next });
-    assert!(next_key == expected_key && next_trail == expected_trail);
+    claim!(next_key == expected_key && next_trail == expected_trail);
     Some(())
 }
 
@@ -106,7 +106,7 @@ pub fn keys<W: Full>(choose: &mut impl Choose) -> Option<()> {
     let side = W::from_bit(right);
     let side = choose.plant(side, |side| if depth == width::<W>() - 2 { side.xor(&W::one()) } else { side });
     let child = key::child(key, side);
-    assert!(child == key.wrapping_add(&key).wrapping_add(&W::from_bit(right)));
+    claim!(child == key.wrapping_add(&key).wrapping_add(&W::from_bit(right)));
     assert!(key::depth(&child) == depth + 1 && key::parent(child) == key);
     assert!(key::sibling(child) == key::child(key, W::from_bit(!right)) && key::sibling(key::sibling(child)) == child);
     assert!(key::level_start(&child) == start.shl1());
@@ -124,7 +124,7 @@ pub fn trails<W: Full>(choose: &mut impl Choose) -> Option<()> {
         let (next, rest) = trail::backtrack(key, trail);
         let rest = choose.plant(rest, |rest| rest.or(&W::one()));
         assert!(next == key::sibling(key.shr(levels)) && key::depth(&next) == depth - levels);
-        assert!(rest < key::level_start(&next) && !trail::is_pending(&rest) && rest == trail::leave(trail));
+        claim!(rest < key::level_start(&next) && !trail::is_pending(&rest) && rest == trail::leave(trail));
         // What is left is what was pending above.
         assert!(rest == trail.shr(levels).wrapping_sub(&W::one()));
     }
@@ -147,7 +147,7 @@ pub fn counter<W: Full>(choose: &mut impl Choose) -> Option<()> {
     cover!(choose, trail > W::zero() && start == W::highest().unwrap_or_default(), "at the greatest depth");
     // The end is where the index in one word with its level's start is all ones.
     let is_end = start.or(&counter).is_all_ones();
-    assert!(is_end == (choose.plant(trail, W::shr1) == W::zero()));
+    claim!(is_end == (choose.plant(trail, W::shr1) == W::zero()));
     if trail > W::zero() {
         assert!(counter.wrapping_add(&W::one()).trailing_zeros() == trail::levels(&trail));
     }
@@ -161,7 +161,7 @@ pub fn swaps<W: Full>(choose: &mut impl Choose) -> Option<()> {
     cover!(choose, index.and(&mask) >= highest, "the highest level is swapped back");
     let printed = swap::fcomp_printed(index, &mask);
     let printed = choose.plant(printed, |printed| if mask == highest { index } else { printed });
-    assert!(printed == swap::fcomp(index, &mask) && printed == index.xor(&mask));
+    claim!(printed == swap::fcomp(index, &mask) && printed == index.xor(&mask));
     let (a, b) = (lowest(mask), lowest(index));
     let swapped = swap::swap_level(index, &a);
     assert!(swapped == index.xor(&a) && swap::swap_level(swapped, &a) == index);
@@ -176,7 +176,7 @@ pub fn composition<W: Full>(choose: &mut impl Choose) -> Option<()> {
     let swapped = swap::swap_levels(index, &mask);
     let swapped =
         choose.plant(swapped, |swapped| if mask == W::highest().unwrap_or_default() { index } else { swapped });
-    assert!(swapped == swap::fcomp(index, &mask));
+    claim!(swapped == swap::fcomp(index, &mask));
     Some(())
 }
 
@@ -189,7 +189,7 @@ fn lowest<W: Full>(word: W) -> W {
 pub fn depth<W: Full>(choose: &mut impl Choose) -> Option<()> {
     let (deepest, key): (u32, W) = (choose.any(), choose.any());
     let accepted = W::carries(deepest, 1).is_ok();
-    assert!(accepted == (deepest < choose.plant(width::<W>(), |width| width + 1)));
+    claim!(accepted == (deepest < choose.plant(width::<W>(), |width| width + 1)));
     cover!(choose, accepted && deepest == width::<W>() - 1, "the deepest tree that is accepted");
     cover!(choose, !accepted, "a tree that is refused");
     match W::carries(deepest, 1) {
@@ -220,6 +220,6 @@ pub fn narrow<W: Full + Into<u128>>(choose: &mut impl Choose) -> Option<()> {
     cover!(choose, key::depth(&key) == width::<W>() - 2, "to the greatest depth");
     let below = (key::child(key, W::from_bit(right)), trail::child(trail, W::from_bit(both)));
     let wide_below = (key::child(wide.0, u128::from(right)), trail::child(wide.1, u128::from(both)));
-    assert!(same(below, wide_below));
+    claim!(same(below, wide_below));
     Some(())
 }

@@ -3,7 +3,7 @@
 //! A harness is a claim about the library's own functions, written once, as a function over a source of choices
 //! ([`Choose`]), and run three ways:
 //!
-//! - by `cargo kani -p proofs`: each choice is any value, and the claim is proved for all of them;
+//! - by `proofs/kani.sh`: each choice is any value, and the claim is proved for all of them;
 //! - by `proofs/cbmc/check.sh`: the same, by CBMC on the library compiled to WebAssembly and from there to C, with a
 //!   small
 //!   crate in place of Kani's;
@@ -23,6 +23,7 @@ mod harness;
 pub mod hash;
 pub mod reference;
 pub mod shape;
+pub mod steps;
 pub mod traversals;
 pub mod wide;
 pub mod words;
@@ -30,9 +31,11 @@ pub mod words;
 pub use choose::{Any, Choose, id};
 #[cfg(not(kani))]
 pub use choose::{Cases, Drawn};
+#[cfg(not(kani))]
+pub use harness::CLAIM;
 pub use harness::Harness;
 
 /// All harnesses, topic by topic.
 #[cfg(not(kani))]
-pub const ALL: [&[Harness]; 5] =
-    [bits::HARNESSES, wide::HARNESSES, words::HARNESSES, hash::HARNESSES, traversals::HARNESSES];
+pub const ALL: [&[Harness]; 6] =
+    [bits::HARNESSES, wide::HARNESSES, words::HARNESSES, hash::HARNESSES, traversals::HARNESSES, steps::HARNESSES];

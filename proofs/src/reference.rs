@@ -8,6 +8,7 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{Descent, FixedOrder, Flow, Pruned, Pruning, Side, Visitor};
 use stackless_bvh::tree::{Node, Topology};
 
+use crate::harness::claim;
 use crate::shape::{Script, Shape};
 
 /// A tree of a [`Shape`], which knows the keys of its nodes.
@@ -167,7 +168,7 @@ impl<'t, T: Keyed> Watch<'t, T> {
     fn pass(&mut self, key: u32) {
         assert!(!self.reference.is_done);
         let (depth, to) = (key.ilog2(), self.reference.depth());
-        assert!(self.restarted <= depth && depth < to && self.reference.key >> (to - depth) == key);
+        claim!(self.restarted <= depth && depth < to && self.reference.key >> (to - depth) == key);
         self.restarted = depth + 1;
     }
 }
@@ -180,7 +181,7 @@ impl<T: Keyed> Recorder for Watch<'_, T> {
             self.pass(key);
             return Flow::Continue;
         }
-        assert!(reference.key() == Some(key));
+        claim!(reference.key() == Some(key));
         let trail = || reference.bits_of(reference.pending);
         if let Some(shown) = state.key {
             assert!(shown.to_u64() == Some(u64::from(key)));

@@ -4,7 +4,7 @@ use stackless_bvh::wide::{ancestor_key, back, child_key, key_level, leave};
 use stackless_bvh::{key, trail};
 
 use crate::bits::Full;
-use crate::harness::harnesses;
+use crate::harness::{claim, harnesses};
 use crate::{Choose, cover};
 
 harnesses! {
@@ -35,7 +35,7 @@ pub fn keys<const A: usize>(choose: &mut impl Choose) -> Option<()> {
     choose.assume(key > 0 && key.leading_zeros() >= bits)?;
     let child = child_key::<A, u64>(key, slot);
     let levels = choose.plant(1, |levels| levels + 1);
-    assert!(ancestor_key::<A, u64>(child, levels) == key && child % A as u64 == slot);
+    claim!(ancestor_key::<A, u64>(child, levels) == key && child % A as u64 == slot);
     assert!(u128::from(child) == u128::from(key) * A as u128 + u128::from(slot));
     assert!(key_level::<A>(child) == key_level::<A>(key) + 1 && key_level::<A>(1) == 0);
     cover!(choose, key.leading_zeros() == bits, "the deepest key with children");
@@ -55,7 +55,7 @@ pub fn trails<const A: usize, W: Full + From<u32>>(choose: &mut impl Choose) -> 
     cover!(choose, trail > W::zero() && pending == W::zero(), "an only child");
     if pending > W::zero() {
         let planted = choose.plant(below, |below| below.xor(&W::one()));
-        assert!(back::<A, W>(planted) == (1, pending, trail));
+        claim!(back::<A, W>(planted) == (1, pending, trail));
     } else if trail > W::zero() {
         let (up, set, rest) = back::<A, W>(trail);
         assert!(back::<A, W>(below) == (up + 1, set, rest));
@@ -77,7 +77,7 @@ pub fn binary(choose: &mut impl Choose) -> Option<()> {
     cover!(choose, up > 1, "more than a level up");
     let (next, left) = trail::backtrack(key, bits);
     let slot = choose.plant(slot, |slot| 1 - slot);
-    assert!(child_key::<2, u64>(ancestor_key::<2, u64>(key, up), slot) == next);
+    claim!(child_key::<2, u64>(ancestor_key::<2, u64>(key, up), slot) == next);
     assert!((0..32).all(|i| (leave::<2, u64>(rest, &0) >> (2 * i) & 3 != 0) == (left >> i & 1 == 1)));
     assert!(key::sibling(next) == key >> (up - 1));
     Some(())

@@ -3,7 +3,7 @@
 use stackless_bvh::key::{Grow, KeyWord, Word};
 
 use crate::bits::Full;
-use crate::harness::harnesses;
+use crate::harness::{claim, harnesses};
 use crate::{Choose, cover};
 
 harnesses! {
@@ -36,7 +36,7 @@ pub fn pieces<W: Full + Into<u128>>(choose: &mut impl Choose) -> Option<()> {
     }
     assert!(joined == word.into());
     let beyond = word.piece(count);
-    assert!(choose.plant(beyond, |beyond| beyond | u64::from(length == W::WIDTH.unwrap_or(0))) == 0);
+    claim!(choose.plant(beyond, |beyond| beyond | u64::from(length == W::WIDTH.unwrap_or(0))) == 0);
     Some(())
 }
 
@@ -53,7 +53,7 @@ pub fn grow_is_u128<const BITS: u32>(choose: &mut impl Choose) -> Option<()> {
     assert!(word.bit_length() == wide.bit_length() && word.low_bits() == wide as u32 && word.to_u64() == wide.to_u64());
     if wide != 0 {
         let zeros = wide.trailing_zeros();
-        assert!(Word::trailing_zeros(&word) == choose.plant(zeros, |zeros| if zeros == 64 { 0 } else { zeros }));
+        claim!(Word::trailing_zeros(&word) == choose.plant(zeros, |zeros| if zeros == 64 { 0 } else { zeros }));
         let climbed = word.shr(zeros).xor(&Grow::one());
         assert!(
             climbed.to_u64() == ((wide >> zeros) ^ 1).to_u64()

@@ -3,8 +3,8 @@
 //! `start` is two to the power of the node's depth, `trail` what a traversal with a trail would have there, and the
 //! counter its complement below the depth, by the library's own function.
 
-use stackless_bvh::key::Word;
-use stackless_bvh::trail;
+use stackless_bvh::key::{self, Word};
+use stackless_bvh::{swap, trail};
 use syn::Expr;
 use z3::ast::Bool;
 
@@ -16,9 +16,6 @@ use crate::source::{Source, where_some};
 use crate::trails::{climbed, trail_and_start};
 use crate::word::Symbolic;
 
-/// Statements without effect on words.
-const NODES: &[&str] = &["self.node=", "self.marks.", "for_in"];
-
 /// The count of zeros by which the steps shift. Where a claim has shown it to be a number, that stands in its place.
 const ZEROS: &str = "index.trailing_zeros()";
 
@@ -29,7 +26,9 @@ pub(crate) fn lemmas<const N: u32>() -> Result<Vec<Lemma>, String> {
     let carry = slip("end at 2", "if self.index == W::one() {", "if self.index == W::one().shl1() {");
     let apart = slip("shift by one level", "self.level_index = index.shr(up);", "self.level_index = index.shr1();");
     let toggle = slip("+ for xor", "take(path).shr(up).xor(&W::one())", "take(path).shr(up).wrapping_add(&W::one())");
-    let all_ones = slip("all zeros", "if index.is_all_ones() {", "if index.is_zero() {");
+    let added = "take(&mut self.0), W::from_bit(disjoint)";
+    let down = slip("no mark added", added, "take(&mut self.0), W::zero()");
+    let all_ones = slip("all zeros", "*self & self.wrapping_add(1) == 0", "*self == 0");
     let shift = slip("no addition", "let index = index.wrapping_add(&W::one());\n        let up", "let up");
     let kept = slip("T xor S", "trail.or(&disjoint).xor(&disjoint)", "trail.xor(&disjoint)");
     let taken = "core::mem::take(&mut self.index).or(&disjoint)";
@@ -39,6 +38,7 @@ pub(crate) fn lemmas<const N: u32>() -> Result<Vec<Lemma>, String> {
         lemma("Alg. 2, combined: end", "[IMPLICIT-1] [IMPLICIT-3]", N, combined_ends::<N>, carry)?,
         lemma("Alg. 2, combined: backtrack", "[IMPLICIT-1] [IMPLICIT-3]", N, combined_backtracks::<N>, apart)?,
         lemma("Alg. 3: up and over", "[IMPLICIT-2]", N, up_and_over::<N>, toggle)?,
+        lemma("Alg. 4: descend", "[SPARSE-1] [TRAIL-6] [DISJOINT-1]", N, sparse_descends::<N>, down)?,
         lemma("Alg. 4: end", "[SPARSE-1] [TRAIL-6]", N, sparse_ends::<N>, all_ones)?,
         lemma("Alg. 4: backtrack", "[SPARSE-1] [TRAIL-6]", N, sparse_backtracks::<N>, shift)?,
         lemma("what is pruned of a trail", "[DISJOINT-2]", N, prunes::<N>, kept)?,
@@ -51,7 +51,7 @@ fn machine<const N: u32>(
     values: impl IntoIterator<Item = (&'static str, Symbolic<N>)>,
 ) -> Machine<'_, Bits> {
     let values = values.into_iter().map(|(text, word)| (text, Bits::new(word.0)));
-    Machine::new(source, Type::unsigned(N), values).ignoring(NODES)
+    Machine::new(source, Type::unsigned(N), values)
 }
 
 /// The value of a word after a run.
@@ -70,10 +70,11 @@ fn ended(machine: &Machine<'_, Bits>) -> Result<Bool, String> {
 /// Runs a method on these values.
 fn run<'s, const N: u32>(
     source: &'s Source,
-    name: &str,
+    name: &'static str,
     values: impl IntoIterator<Item = (&'static str, Symbolic<N>)>,
 ) -> Result<Machine<'s, Bits>, String> {
-    let mut machine = machine(source, values);
+    let (owner, _) = name.split_once("::").unwrap_or_default();
+    let mut machine = machine(source, values).of(owner);
     machine.run(&source.function(name)?.body)?;
     Ok(machine)
 }
@@ -83,7 +84,8 @@ fn combined_descends<const N: u32>(source: &Source, q: &mut Query) -> Result<(),
     let (rejected, swapped, mask) = (q.bit::<N>("rejected"), q.bit::<N>("swapped"), q.word::<N>("mask"));
     q.assume(start.less(&Symbolic::highest()));
     let counter = trail::counter(trail, start.clone());
-    let decided = [("branched(!descent.postpones())", rejected), ("mask_bit(descent)", swapped)];
+    let (key, is_mask) = key_of(&start, &counter, &mask);
+    let decided = [("branched(!descent.postpones())", rejected.clone()), ("mask_bit(descent)", swapped.clone())];
     let [combined, apart] = [
         vec![("self.index", start.clone().wrapping_add(&counter))],
         vec![("self.level_start", start), ("self.level_index", counter)],
@@ -98,7 +100,16 @@ fn combined_descends<const N: u32>(source: &Source, q: &mut Query) -> Result<(),
     q.claim("the combined index is their sum", word::<N>(&combined, "self.index")?.is(&sum));
     let masks: [Symbolic<N>; 2] = [word(&combined, "self.swap_mask")?, word(&apart, "self.swap_mask")?];
     q.claim("the masks are equal", masks[0].is(&masks[1]));
+    let below = trail::child(key, rejected.xor(&swapped));
+    let nodes: [Symbolic<N>; 2] = [word(&apart, "self.node")?, word(&combined, "self.node")?];
+    q.claim("two words go to the child, where the mask has no bit above", is_mask.implies(nodes[0].is(&below)));
+    q.claim("so does one", is_mask.implies(nodes[1].is(&below)));
     Ok(())
+}
+
+/// Key of the node for an index and a swap mask, and whether the mask is below the level's start.
+fn key_of<const N: u32>(start: &Symbolic<N>, counter: &Symbolic<N>, mask: &Symbolic<N>) -> (Symbolic<N>, Bool) {
+    (start.clone().or(&swap::fcomp(counter.clone(), mask)), mask.less(start))
 }
 
 fn combined_ends<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
@@ -109,7 +120,7 @@ fn combined_ends<const N: u32>(source: &Source, q: &mut Query) -> Result<(), Str
     let deepest = start.is(&Symbolic::highest());
     let wraps = sum.clone().wrapping_add(&Word::one()).is_number(0);
     let carried = Bool::and(&[deepest.clone(), last.clone()]);
-    q.claim("one word wraps at depth W - 1, at the last carry, and nowhere else", wraps.iff(carried));
+    q.step("one word wraps at depth W - 1, at the last carry, and nowhere else", wraps.iff(carried));
     let mask = ("self.swap_mask", Word::zero());
     let values = [("self.level_start", start), ("self.level_index", counter), mask.clone()];
     let apart = run::<N>(source, "ImplicitA::backtrack", values)?;
@@ -124,8 +135,10 @@ fn combined_ends<const N: u32>(source: &Source, q: &mut Query) -> Result<(), Str
 fn combined_backtracks<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
     let (trail, start) = trail_and_start::<N>(q);
     let up = climbed(q, &trail);
-    let mask = ("self.swap_mask", q.word::<N>("mask"));
+    let swapped = q.word::<N>("mask");
+    let mask = ("self.swap_mask", swapped.clone());
     let counter = trail::counter(trail, start.clone());
+    let (key, is_mask) = key_of(&start, &counter, &swapped);
     let sum = start.clone().wrapping_add(&counter);
     let zeros = [None, Some((ZEROS, up.clone()))];
     for (i, zeros) in zeros.into_iter().enumerate() {
@@ -145,6 +158,13 @@ fn combined_backtracks<const N: u32>(source: &Source, q: &mut Query) -> Result<(
         q.claim("the combined index is their sum", word::<N>(&combined, "self.index")?.is(&sum));
         let masks: [Symbolic<N>; 2] = [word(&combined, "self.swap_mask")?, word(&apart, "self.swap_mask")?];
         q.claim("the masks are equal", masks[0].is(&masks[1]));
+        let next = key.clone().shr(up.clone()).xor(&Word::one());
+        let nodes: [Symbolic<N>; 2] = [word(&apart, "self.node")?, word(&combined, "self.node")?];
+        q.claim(
+            "two words go where the trail does, where the mask has no bit above",
+            is_mask.implies(nodes[0].is(&next)),
+        );
+        q.claim("there goes one", is_mask.implies(nodes[1].is(&next)));
     }
     Ok(())
 }
@@ -172,11 +192,34 @@ fn up_and_over<const N: u32>(source: &Source, q: &mut Query) -> Result<(), Strin
     Ok(())
 }
 
+fn sparse_descends<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
+    let (trail, start) = trail_and_start::<N>(q);
+    let (rejected, right, mark) = (q.bit::<N>("rejected"), q.bit::<N>("right"), q.bit::<N>("mark"));
+    let (key, marks) = (q.word::<N>("key"), q.word::<N>("S"));
+    q.assume(start.less(&Symbolic::highest()));
+    let values = [
+        ("self.index", start.clone().wrapping_add(&trail::counter(trail.clone(), start.clone()))),
+        ("self.node", key.clone()),
+        ("self.marks", marks.clone()),
+        ("descent.first()", right.clone()),
+        ("branched(!descent.postpones())", rejected.clone()),
+        ("descent.is_disjoint()", mark.clone()),
+    ];
+    let moved = run::<N>(source, "Sparse::descend", values)?;
+    let (below, pending) = (start.shl1(), trail::child(trail, rejected.xor(&Word::one())));
+    let counted = below.clone().wrapping_add(&trail::counter(pending, below));
+    q.claim("the index is that of the child's trail", word::<N>(&moved, "self.index")?.is(&counted));
+    q.claim("the marks have the child's", word::<N>(&moved, "self.marks")?.is(&trail::child(marks, mark)));
+    q.claim("the node is the child", word::<N>(&moved, "self.node")?.is(&key::child(key, right)));
+    Ok(())
+}
+
 fn sparse_ends<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
     let (trail, start) = trail_and_start::<N>(q);
     let last = trail.is_number(0);
     let index = start.clone().wrapping_add(&trail::counter(trail, start));
-    let moved = run::<N>(source, "Sparse::backtrack", [("self.index", index)])?;
+    let rest = [("self.node", q.word::<N>("key")), ("self.marks", q.word::<N>("S"))];
+    let moved = run::<N>(source, "Sparse::backtrack", [("self.index", index)].into_iter().chain(rest))?;
     q.claim("it ends where the trail is 0, and only there, to depth W - 1", ended(&moved)?.iff(last));
     Ok(())
 }
@@ -185,12 +228,18 @@ fn sparse_backtracks<const N: u32>(source: &Source, q: &mut Query) -> Result<(),
     let (trail, start) = trail_and_start::<N>(q);
     let up = climbed(q, &trail);
     let index = start.clone().wrapping_add(&trail::counter(trail.clone(), start.clone()));
-    let values = [("self.index", index)];
+    let (key, marks) = (q.word::<N>("key"), q.word::<N>("S"));
+    let values = [("self.index", index), ("self.node", key.clone()), ("self.marks", marks.clone())];
     let moved = run::<N>(source, "Sparse::backtrack", values.clone())?;
-    q.claim("it climbs as many levels as the trail says", word::<N>(&moved, "up")?.is(&up));
+    q.claim("it counts as many levels as the trail says", word::<N>(&moved, "up")?.is(&up));
     let moved = run::<N>(source, "Sparse::backtrack", values.into_iter().chain([(ZEROS, up.clone())]))?;
+    let [times] = &moved.loops[..] else { return Err("not one loop".into()) };
+    q.claim("the loop runs as often", times.bits.eq(&up.0));
+    q.claim("the marks are shifted as far", word::<N>(&moved, "self.marks")?.is(&marks.shr(up.clone())));
+    let next = key::sibling(key.shr(up.clone()));
+    q.claim("the node is the postponed one", word::<N>(&moved, "self.node")?.is(&next));
     let (start, left) = (start.shr(up.clone()), trail.clone().shr(up).xor(&Word::one()));
-    q.claim("the trail left is that of backtracking", trail::leave(trail).is(&left));
+    q.step("the trail left is that of backtracking", trail::leave(trail).is(&left));
     let counted = start.clone().wrapping_add(&trail::counter(left, start));
     q.claim("the index is that of the trail left", word::<N>(&moved, "self.index")?.is(&counted));
     Ok(())

@@ -50,14 +50,41 @@ pub(crate) fn lemma<const N: u32>(
     slip: &'static str,
     plant: fn(&mut Formulas<N>),
 ) -> Lemma {
-    let query = |formulas: &Formulas<N>| {
-        let mut query = Query::default();
-        says(formulas, &mut query);
+    let query = move |plant: fn(&mut Formulas<N>)| {
+        let (mut formulas, mut query) = (Formulas::library(), Query::default());
+        plant(&mut formulas);
+        says(&formulas, &mut query);
         query
     };
-    let mut planted = Formulas::library();
-    plant(&mut planted);
-    Lemma { name, clauses, width: N, slip, library: query(&Formulas::library()), control: query(&planted) }
+    let others = Box::new(move || slips().map(query).into());
+    Lemma { name, clauses, width: N, slip, library: query(|_| ()), control: query(plant), others }
+}
+
+/// Slips for the claims that a lemma's own one does not break.
+fn slips<const N: u32>() -> [fn(&mut Formulas<N>); 17] {
+    fn up<const N: u32>(trail: Symbolic<N>, more: u64) -> Symbolic<N> {
+        let levels = trail.trailing_zeros().wrapping_add(&Symbolic::number(more));
+        trail.shr(levels)
+    }
+    [
+        |f| f.root = || Symbolic::number(2),
+        |f| f.child = |key, right| key.shl1().xor(&right).xor(&Word::one()),
+        |f| f.child = |key, right| key.or(&right),
+        |f| f.parent = |key| key,
+        |f| f.sibling = |key| key,
+        |f| f.sibling = |key| key.xor(&Symbolic::number(2)),
+        |f| f.trail_child = |trail, _| trail.shl1(),
+        |f| f.levels = |_| Word::one(),
+        |f| f.backtrack = |key, trail| (key.shr1(), up(trail, 0)),
+        |f| f.backtrack = |key, trail| (key, up(trail, 1).xor(&Word::one())),
+        |f| f.leave = |trail| up(trail, 1),
+        |f| f.counter = |trail, _| trail,
+        |f| f.swap_level = |index, bit| index.shl1().xor(bit),
+        |f| f.trail_child = |trail, both| trail.shl1().shl1().or(&both),
+        |f| f.backtrack = |key, trail| (key, trail),
+        |f| f.counter = |trail, _| trail.shr1(),
+        |f| f.fcomp = Word::and,
+    ]
 }
 
 /// The addition without carries that an exclusive or is often mistaken for.

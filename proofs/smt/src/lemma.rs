@@ -11,6 +11,9 @@ use crate::word::{Symbolic, take_required};
 /// Longest time that the solver may take for one claim, in milliseconds.
 const TIMEOUT: u32 = 60_000;
 
+/// What is claimed of operations. That they note what they require has a test of its own.
+const REQUIRED: &str = "no shift or count out of range, no overflow";
+
 /// A lemma: what is claimed of the library's formulas, and of formulas with a slip.
 pub(crate) struct Lemma {
     /// What it says, in a few words.
@@ -25,6 +28,8 @@ pub(crate) struct Lemma {
     pub(crate) library: Query,
     /// The very same about formulas with the slip.
     pub(crate) control: Query,
+    /// And with other slips, when asked for: together they break each of its claims.
+    pub(crate) others: Box<dyn Fn() -> Vec<Query>>,
 }
 
 /// Unknowns, what is assumed of them, and what is claimed.
@@ -33,6 +38,8 @@ pub(crate) struct Query {
     inputs: Vec<(&'static str, Dynamic)>,
     given: Vec<Bool>,
     claims: Vec<(&'static str, Bool)>,
+    /// Claims that are steps of a proof, and not about the library.
+    steps: Vec<&'static str>,
     /// Proved claims serve the later ones.
     chained: bool,
     /// It is about integers.
@@ -76,7 +83,13 @@ impl Query {
     pub(crate) fn claim(&mut self, says: &'static str, claim: Bool) {
         self.claims.push((says, claim));
         let required = take_required().into_iter();
-        self.claims.extend(required.map(|required| ("no shift or count out of range, no overflow", required)));
+        self.claims.extend(required.map(|required| (REQUIRED, required)));
+    }
+
+    /// Claims what serves the claims after it, whatever the library does.
+    pub(crate) fn step(&mut self, says: &'static str, claim: Bool) {
+        self.steps.push(says);
+        self.claim(says, claim);
     }
 
     /// Lets each claim be used in the proof of those after it.
@@ -93,14 +106,7 @@ impl Query {
     fn prove(&self) -> Proof {
         let mut given = self.given.clone();
         for (says, claim) in &self.claims {
-            let solver = self.solver();
-            let mut params = Params::new();
-            params.set_u32("timeout", TIMEOUT);
-            solver.set_params(&params);
-            for given in &given {
-                solver.assert(given);
-            }
-            solver.assert(claim.not());
+            let solver = self.without(&given, claim);
             match solver.check() {
                 SatResult::Unsat if self.chained => given.push(claim.clone()),
                 SatResult::Unsat => {}
@@ -109,6 +115,27 @@ impl Query {
             }
         }
         if self.claims.is_empty() { Proof::Unknown("nothing", "it claims nothing".into()) } else { Proof::Proved }
+    }
+
+    /// Asks for a case in which all of this is given, and the claim does not hold.
+    fn without(&self, given: &[Bool], claim: &Bool) -> Solver {
+        let solver = self.solver();
+        let mut params = Params::new();
+        params.set_u32("timeout", TIMEOUT);
+        solver.set_params(&params);
+        for given in given {
+            solver.assert(given);
+        }
+        solver.assert(claim.not());
+        solver
+    }
+
+    /// Whether this claim can be broken, where it is not the very same as the library's.
+    #[cfg(test)]
+    fn breaks(&self, says: &str, library: &Self) -> bool {
+        let own = self.claims.iter().filter(|(own, _)| *own == says);
+        let mut others = own.filter(|claim| !library.claims.contains(claim));
+        others.any(|(_, claim)| self.without(&self.given, claim).check() == SatResult::Sat)
     }
 
     /// Bits are blasted: half the time that the default strategy takes on 128 bits.
@@ -161,6 +188,19 @@ impl fmt::Display for Proof {
 }
 
 impl Lemma {
+    /// The claims that hold whatever slip is made. There must be none.
+    #[cfg(test)]
+    pub(crate) fn unbroken(&self) -> Vec<&'static str> {
+        let steps = &self.library.steps;
+        let mut claims: Vec<_> = self.library.claims.iter().map(|(says, _)| *says).collect();
+        claims.dedup();
+        claims.retain(|says| *says != REQUIRED && !steps.contains(says));
+        let others = (self.others)();
+        let slips = || [&self.control].into_iter().chain(&others);
+        claims.retain(|says| !slips().any(|slip| slip.breaks(says, &self.library)));
+        claims
+    }
+
     /// Proves it, refutes its control, and prints a row about both. Whether both succeeded.
     pub(crate) fn check(&self) -> bool {
         let start = Instant::now();

@@ -1,11 +1,14 @@
 //! Straight-line Rust, run on unknowns as it stands in the library's files.
 //!
 //! What is understood is what the library uses: `let`, assignment, operators, casts, `if` with a value, calls of other
-//! functions, and early returns of `false`. All else is an error, so that nothing is proved of what was not understood.
+//! functions, early returns of `false`, and what cursors do with nodes and marks. All else is an error, so that nothing is
+//! proved of what was not understood: no statement is passed over.
+//!
+//! A node is its key, as in `spec/rocq`: a parent is a shift, a sibling a toggled bit, and a layout gives the key back.
 
 use std::collections::BTreeMap;
 
-use syn::{BinOp, Block, Expr, Lit, Stmt, UnOp};
+use syn::{BinOp, Block, Expr, Lit, RangeLimits, Stmt, UnOp};
 use z3::ast::Bool;
 
 use crate::source::{Source, pattern, text};
@@ -19,20 +22,22 @@ pub(crate) struct Machine<'s, N> {
     word: Type,
     /// Whether the function has returned early, by the conditions so far.
     pub(crate) returned: Vec<N>,
-    /// Starts of the statements that have no effect here.
-    ignored: &'s [&'s str],
+    /// The type of `self`.
+    owner: &'s str,
+    /// How often each loop runs.
+    pub(crate) loops: Vec<N>,
 }
 
 impl<'s, N: Number> Machine<'s, N> {
     /// With these values.
     pub(crate) fn new(source: &'s Source, word: Type, values: impl IntoIterator<Item = (&'static str, N)>) -> Self {
         let values = values.into_iter().map(|(text, value)| (text.to_owned(), value)).collect();
-        Self { source, values, word, returned: Vec::new(), ignored: &[] }
+        Self { source, values, word, returned: Vec::new(), owner: "", loops: Vec::new() }
     }
 
-    /// Passes over the statements that start so.
-    pub(crate) fn ignoring(mut self, ignored: &'s [&'s str]) -> Self {
-        self.ignored = ignored;
+    /// In a method of this type.
+    pub(crate) fn of(mut self, owner: &'s str) -> Self {
+        self.owner = owner;
         self
     }
 
@@ -68,9 +73,6 @@ impl<'s, N: Number> Machine<'s, N> {
 
     /// Runs one statement; its value, where it is the last one of a block with a value.
     pub(crate) fn step(&mut self, statement: &Stmt) -> Result<Option<N>, String> {
-        if self.ignored.iter().any(|start| text(statement).starts_with(start)) {
-            return Ok(None);
-        }
         match statement {
             Stmt::Local(local) => {
                 let init = local.init.as_ref().filter(|init| init.diverge.is_none()).ok_or("a let without a value")?;
@@ -94,9 +96,45 @@ impl<'s, N: Number> Machine<'s, N> {
                 self.returned.push(condition);
                 Ok(None)
             }
+            Stmt::Expr(Expr::ForLoop(climb), _) => self.climb(climb).map(|()| None),
+            Stmt::Expr(Expr::MethodCall(call), Some(_)) if text(&call.receiver) == "self.marks" => {
+                self.mark(call).map(|()| None)
+            }
             Stmt::Expr(expr, None) => self.eval(expr, None).map(Some),
             other => Err(format!("not understood: {}", text(other))),
         }
+    }
+
+    /// `for _ in 0..n { x = self.tree.parent(x); }`: by induction on n, x shifted by n, which must be less than its width.
+    fn climb(&mut self, climb: &syn::ExprForLoop) -> Result<(), String> {
+        let (Expr::Range(range), [Stmt::Expr(Expr::Assign(assign), Some(_))]) = (&*climb.expr, &climb.body.stmts[..])
+        else {
+            return Err(format!("not understood: {}", text(climb)));
+        };
+        let (from, node) = (text(&range.start), place(&assign.left));
+        let is_climb = text(&assign.right) == format!("self.tree.parent({node})");
+        let (true, "0", RangeLimits::HalfOpen(_), Some(end)) = (is_climb, &*from, range.limits, &range.end) else {
+            return Err(format!("not understood: {}", text(climb)));
+        };
+        let times = self.eval(end, Some(self.word))?;
+        let above = self.value(&node)?.binary(Op::Shr, &times)?;
+        self.loops.push(times);
+        self.values.insert(node, above);
+        Ok(())
+    }
+
+    /// What [`Disjoint`](stackless_bvh::traverse::Disjoint) does with the second trail.
+    fn mark(&mut self, call: &syn::ExprMethodCall) -> Result<(), String> {
+        let function = self.source.function(&format!("Disjoint::{}", call.method))?;
+        let arguments = call.args.iter().map(|argument| self.eval(argument, None)).collect::<Result<Vec<_>, _>>()?;
+        if function.parameters.len() != arguments.len() {
+            return Err(format!("{} takes {} parameters", call.method, function.parameters.len()));
+        }
+        let mut inside = Self::new(self.source, self.word, [("self.0", self.value("self.marks")?)]);
+        inside.values.extend(function.parameters.into_iter().zip(arguments));
+        inside.run(&function.body)?;
+        self.values.insert("self.marks".into(), inside.value("self.0")?);
+        Ok(())
     }
 
     /// The value of an expression; literals have the expected type.
@@ -139,7 +177,8 @@ impl<'s, N: Number> Machine<'s, N> {
             return Err(format!("not understood: {}", text(block)));
         }
         let (source, word, values) = (self.source, self.word, self.values.clone());
-        let mut inside = Self { source, values, word, returned: Vec::new(), ignored: &[] };
+        let (returned, owner, loops) = (Vec::new(), self.owner, Vec::new());
+        let mut inside = Self { source, values, word, returned, owner, loops };
         inside.run(block)?.ok_or_else(|| "a block without a value".into())
     }
 
@@ -167,6 +206,7 @@ impl<'s, N: Number> Machine<'s, N> {
         match (name, arguments) {
             ("W::zero", []) => Ok(N::literal(0, self.word)),
             ("W::one", []) => Ok(N::literal(1, self.word)),
+            ("W::from_bit", [value]) => Ok(self.eval(value, None)?.cast(self.word)),
             // An address is the word that it is made of.
             ("Node::from_bits", [value]) => self.eval(value, None),
             ("take" | "core::mem::take", [from]) => {
@@ -187,6 +227,9 @@ impl<'s, N: Number> Machine<'s, N> {
     }
 
     fn method(&mut self, on: &Expr, name: &str, with: &[&Expr], expected: Option<Type>) -> Result<N, String> {
+        if let Some(node) = self.node(on, name, with)? {
+            return Ok(node);
+        }
         let op = match (name, with) {
             ("wrapping_add", [_]) => Op::WrappingAdd,
             ("wrapping_sub", [_]) => Op::WrappingSub,
@@ -200,15 +243,13 @@ impl<'s, N: Number> Machine<'s, N> {
                 let value = self.eval(on, expected)?;
                 let ty = value.ty();
                 return match name {
-                    "shl1" => value.binary(Op::Shl, &N::literal(1, ty)),
-                    "shr1" => value.binary(Op::Shr, &N::literal(1, ty)),
                     "cast_signed" => Ok(value.cast(Type { signed: true, ..ty })),
                     "cast_unsigned" => Ok(value.cast(Type { signed: false, ..ty })),
                     "trailing_zeros" => value.trailing_zeros(),
-                    "is_zero" => value.binary(Op::Equal, &N::literal(0, ty)),
-                    "is_all_ones" => {
-                        let next = value.binary(Op::WrappingAdd, &N::literal(1, ty))?;
-                        value.binary(Op::And, &next)?.binary(Op::Equal, &N::literal(0, ty))
+                    "clone" => Ok(value),
+                    "shl1" | "shr1" | "is_zero" | "is_all_ones" => {
+                        let mut word = Self::new(self.source, ty, [("self", value)]);
+                        word.run(&self.source.word_method(name)?)?.ok_or_else(|| format!("{name} has no value"))
                     }
                     _ => Err(format!("not understood: {name}")),
                 };
@@ -217,6 +258,25 @@ impl<'s, N: Number> Machine<'s, N> {
         };
         let argument = with.first().ok_or_else(|| format!("{name} takes an argument"))?;
         self.binary(op, on, argument, expected)
+    }
+
+    /// What a method of a tree, of a layout or of the cursor itself says of nodes and keys.
+    fn node(&mut self, on: &Expr, name: &str, with: &[&Expr]) -> Result<Option<N>, String> {
+        let node = match (&*text(on), name, with) {
+            ("self.tree", "parent", [node]) => self.eval(node, None)?.binary(Op::Shr, &N::literal(1, self.word))?,
+            ("self.tree", "sibling", [node]) => self.eval(node, None)?.binary(Op::Xor, &N::literal(1, self.word))?,
+            ("self.tree", "child", [node, side]) => {
+                let (node, side) = (self.eval(node, None)?, self.eval(side, None)?);
+                node.binary(Op::Shl, &N::literal(1, self.word))?.binary(Op::Or, &side)?
+            }
+            ("self.layout", "node", [key]) => self.eval(key, None)?,
+            ("self", "current_key", []) => {
+                let body = self.source.function(&format!("{}::current_key", self.owner))?.body;
+                self.block(&body)?
+            }
+            _ => return Ok(None),
+        };
+        Ok(Some(node))
     }
 
     fn binary(&mut self, op: Op, left: &Expr, right: &Expr, expected: Option<Type>) -> Result<N, String> {

@@ -8,8 +8,7 @@
 //! met.
 //!
 //! Trusted are Z3, the operations of a symbolic word, and the interpreter, both of which the tests compare with the
-//! compiled library on numbers. Loops are covered by their induction step; restated here is only
-//! `KeyWord::is_all_ones`.
+//! compiled library on numbers. Loops are covered by their induction step.
 
 mod cursors;
 mod formulas;

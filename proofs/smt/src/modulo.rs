@@ -69,8 +69,8 @@ fn remainder(source: &Source, q: &mut Query, width: u32) -> Result<(), String> {
     if width == 32 {
         let low = stored.modulo(power(32));
         let high = Int::sub(&[power(32), one.clone()]);
-        q.claim("a low half times H", between(&zero, &times(&low, &size), &times(&high, &size)));
-        q.claim(
+        q.step("a low half times H", between(&zero, &times(&low, &size), &times(&high, &size)));
+        q.step(
             "halves",
             times(&stored, &size).eq(Int::add(&[times(&power(32), &times(&m, &size)), times(&low, &size)])),
         );
@@ -83,13 +83,13 @@ fn remainder(source: &Source, q: &mut Query, width: u32) -> Result<(), String> {
     let product = times(&key, &m);
     let (quotient, low) = (product.div(&word), product.modulo(&word));
     let rest = Int::sub(&[&key, &times(&quotient, &size)]);
-    q.claim("kM = qW + l", product.eq(Int::add(&[times(&quotient, &word), low.clone()])));
-    q.claim("0 <= l < W", Bool::and(&[low.ge(0), low.lt(&word)]));
-    q.claim("0 <= l H <= (W - 1) H", between(&zero, &times(&low, &size), &times(&Int::sub(&[&word, &one]), &size)));
+    q.step("kM = qW + l", product.eq(Int::add(&[times(&quotient, &word), low.clone()])));
+    q.step("0 <= l < W", Bool::and(&[low.ge(0), low.lt(&word)]));
+    q.step("0 <= l H <= (W - 1) H", between(&zero, &times(&low, &size), &times(&Int::sub(&[&word, &one]), &size)));
     let other = times(&key, &after);
     q.claim("0 <= k (W - MH) <= (W - 1) H", between(&zero, &other, &times(&Int::sub(&[&word, &one]), &size)));
     let sum = Int::add(&[times(&low, &size), other]);
-    q.claim("W (k - qH) = l H + k (W - MH)", times(&word, &rest).eq(sum));
+    q.step("W (k - qH) = l H + k (W - MH)", times(&word, &rest).eq(sum));
     q.claim("0 <= k - qH < 2H", Bool::and(&[rest.ge(0), rest.lt(times(&Int::from_u64(2), &size))]));
 
     let name = if width == 64 { "Reciprocal::of_u64" } else { "Reciprocal::of_u32" };

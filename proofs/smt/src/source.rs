@@ -6,42 +6,66 @@ use syn::{Block, Expr, Pat};
 
 use crate::machine::Type;
 
-/// The files that functions are taken from.
-const FILES: &[&str] = &[
-    include_str!("../../../src/hash/modulo.rs"),
-    include_str!("../../../src/hash/address.rs"),
-    include_str!("../../../src/hash/perfect.rs"),
-    include_str!("../../../src/hash/mod.rs"),
-    include_str!("../../../src/traverse/marks.rs"),
-    include_str!("../../../src/traverse/sparse.rs"),
-    include_str!("../../../src/traverse/implicit_a.rs"),
-    include_str!("../../../src/traverse/implicit_b.rs"),
+/// The files that functions are taken from, by the names of their modules.
+const FILES: &[(&str, &str)] = &[
+    ("modulo", include_str!("../../../src/hash/modulo.rs")),
+    ("address", include_str!("../../../src/hash/address.rs")),
+    ("perfect", include_str!("../../../src/hash/perfect.rs")),
+    ("hash", include_str!("../../../src/hash/mod.rs")),
+    ("marks", include_str!("../../../src/traverse/marks.rs")),
+    ("sparse", include_str!("../../../src/traverse/sparse.rs")),
+    ("implicit_a", include_str!("../../../src/traverse/implicit_a.rs")),
+    ("implicit_b", include_str!("../../../src/traverse/implicit_b.rs")),
+    ("trail", include_str!("../../../src/trail.rs")),
+    ("swap", include_str!("../../../src/swap.rs")),
 ];
 
+/// Where the words have their methods, in a macro that stands for all of them.
+const WORDS: &str = include_str!("../../../src/key/word.rs");
+
 /// The library's files, parsed.
-pub(crate) struct Source(Vec<syn::File>);
+pub(crate) struct Source {
+    files: Vec<(&'static str, syn::File)>,
+    words: String,
+}
 
 impl Source {
     /// As they are.
     pub(crate) fn library() -> Result<Self, String> {
-        Self::parse(FILES.iter().map(ToString::to_string))
+        Self::parse(str::to_owned)
     }
 
     /// With a slip: `from`, which must stand in them once, replaced by `to`.
     pub(crate) fn with(from: &str, to: &str) -> Result<Self, String> {
-        let found: usize = FILES.iter().map(|text| text.matches(from).count()).sum();
+        let texts = FILES.iter().map(|(_, text)| *text).chain([WORDS]);
+        let found: usize = texts.map(|text| text.matches(from).count()).sum();
         if found != 1 {
             return Err(format!("the slip's text {from:?} stands in the files {found} times"));
         }
-        Self::parse(FILES.iter().map(|text| text.replace(from, to)))
+        Self::parse(|text| text.replace(from, to))
     }
 
-    fn parse(files: impl Iterator<Item = String>) -> Result<Self, String> {
-        files.map(|text| syn::parse_file(&text).map_err(|error| error.to_string())).collect::<Result<_, _>>().map(Self)
+    fn parse(change: impl Fn(&str) -> String) -> Result<Self, String> {
+        let parse = |text| syn::parse_file(&change(text)).map_err(|error| error.to_string());
+        let files = FILES.iter().map(|(module, text)| Ok((*module, parse(text)?))).collect::<Result<_, String>>()?;
+        Ok(Self { files, words: change(WORDS) })
+    }
+
+    /// The body of a method of words that takes nothing but the word.
+    pub(crate) fn word_method(&self, name: &str) -> Result<Block, String> {
+        let head = format!("fn {name}(");
+        let bodies = self.words.split(&head).skip(1).filter_map(|rest| {
+            let (parameters, rest) = rest.split_once(')')?;
+            let (returned, rest) = rest.split_once('{')?;
+            let takes_itself = matches!(parameters, "self" | "&self") && !returned.contains(';');
+            takes_itself.then(|| rest.split_once('}').map(|(body, _)| format!("{{{body}}}"))).flatten()
+        });
+        let body = only(name, bodies.collect())?;
+        syn::parse_str(&body).map_err(|error| format!("{name}: {error}"))
     }
 
     /// A function, by its name if that is one of its own, else by its type's too: `wrap`, `Reciprocal::of_u32`, or
-    /// `::prune` where there is no type.
+    /// `::prune` where there is no type; or by its module's, `trail::child`.
     pub(crate) fn function(&self, name: &str) -> Result<Function, String> {
         only(name, self.find(name).functions)
     }
@@ -52,8 +76,12 @@ impl Source {
     }
 
     fn find<'n>(&self, name: &'n str) -> Finder<'n> {
-        let mut finder = Finder { name, owner: String::new(), functions: Vec::new(), constants: Vec::new() };
-        self.0.iter().for_each(|file| finder.visit_file(file));
+        let mut finder =
+            Finder { name, module: "", owner: String::new(), functions: Vec::new(), constants: Vec::new() };
+        for (module, file) in &self.files {
+            finder.module = module;
+            finder.visit_file(file);
+        }
         finder
     }
 }
@@ -74,6 +102,7 @@ pub(crate) struct Function {
 
 struct Finder<'n> {
     name: &'n str,
+    module: &'static str,
     owner: String,
     functions: Vec<Function>,
     constants: Vec<(Type, Expr)>,
@@ -82,7 +111,8 @@ struct Finder<'n> {
 impl Finder<'_> {
     fn meet(&mut self, signature: &syn::Signature, body: &Block) {
         let name = signature.ident.to_string();
-        if name == self.name || format!("{}::{name}", self.owner) == self.name {
+        let is_free = self.owner.is_empty() && format!("{}::{name}", self.module) == self.name;
+        if name == self.name || format!("{}::{name}", self.owner) == self.name || is_free {
             let parameters = signature.inputs.iter().filter_map(|input| match input {
                 syn::FnArg::Typed(typed) => Some(pattern(&typed.pat)),
                 syn::FnArg::Receiver(_) => None,

@@ -175,6 +175,6 @@ fn counter_backtracks<const N: u32>(f: &Formulas<N>, q: &mut Query) {
     let left = trail.clone().shr(up.clone()).xor(&Word::one());
     q.claim("the trail left", (f.leave)(trail).is(&left));
     let above = start.shr(up.clone());
-    q.claim("is one of the level above", left.less(&above));
+    q.step("is one of the level above", left.less(&above));
     q.claim("(c + 1) >> n is its counter", next.shr(up).is(&(f.counter)(left, above)));
 }

@@ -13,6 +13,7 @@ struct Wide<const A: usize, const N: u32> {
     ancestor: fn(Symbolic<N>, Symbolic<N>) -> Symbolic<N>,
     leave: fn(Symbolic<N>, &Symbolic<N>) -> Symbolic<N>,
     back: fn(Symbolic<N>) -> (Symbolic<N>, Symbolic<N>, Symbolic<N>),
+    sibling: fn(Symbolic<N>) -> Symbolic<N>,
 }
 
 impl<const A: usize, const N: u32> Wide<A, N> {
@@ -23,6 +24,7 @@ impl<const A: usize, const N: u32> Wide<A, N> {
             ancestor: wide::ancestor_key::<A, Symbolic<N>>,
             leave: wide::leave::<A, Symbolic<N>>,
             back: wide::back::<A, Symbolic<N>>,
+            sibling: key::sibling,
         }
     }
 
@@ -40,14 +42,26 @@ impl<const A: usize, const N: u32> Wide<A, N> {
         slip: &'static str,
         plant: fn(&mut Self),
     ) -> Lemma {
-        let query = |formulas: &Self| {
-            let mut query = Query::default();
-            says(formulas, &mut query);
+        let query = move |plant: fn(&mut Self)| {
+            let (mut formulas, mut query) = (Self::library(), Query::default());
+            plant(&mut formulas);
+            says(&formulas, &mut query);
             query
         };
-        let mut planted = Self::library();
-        plant(&mut planted);
-        Lemma { name, clauses, width: N, slip, library: query(&Self::library()), control: query(&planted) }
+        let others = Box::new(move || Self::slips().map(query).into());
+        Lemma { name, clauses, width: N, slip, library: query(|_| ()), control: query(plant), others }
+    }
+
+    /// Slips for the claims that a lemma's own one does not break.
+    fn slips() -> [fn(&mut Self); 6] {
+        [
+            |f| f.child = |key, slot| wide::child_key::<A, _>(key, slot).xor(&Word::one()),
+            |f| f.ancestor = |key, _| key.shr1(),
+            |f| f.leave = |trail, pending| wide::leave::<A, _>(trail.xor(&Word::one()), pending),
+            |f| f.back = |trail| (Word::zero(), trail.clone(), trail),
+            |f| f.back = |trail| (trail.clone(), Word::zero(), trail),
+            |f| f.sibling = |key| key.wrapping_add(&Word::one()),
+        ]
     }
 }
 
@@ -174,5 +188,5 @@ fn binary<const N: u32>(f: &Wide<2, N>, q: &mut Query) {
     let is_sibling = lowest.is(&Symbolic(own.is_number(0).ite(&Symbolic::<N>::number(2).0, &Symbolic::<N>::one().0)));
     let taken = (f.child)((f.ancestor)(key.clone(), up), set.shr1());
     q.claim("back: the key of TRAIL-4", is_sibling.implies(taken.is(&next)));
-    q.claim("it is a sibling's", key::sibling(key::sibling(next.clone())).is(&next));
+    q.claim("it is a sibling's", (f.sibling)((f.sibling)(next.clone())).is(&next));
 }

@@ -13,6 +13,8 @@ unsafe extern "C" {
     fn assume_import(condition: u32);
     #[link_name = "cover"]
     fn cover_import(id: u32, condition: u32);
+    #[link_name = "claim"]
+    fn claim_import(condition: u32);
 }
 
 /// A type of which there is any value.
@@ -32,6 +34,11 @@ pub fn any<T: Arbitrary>() -> T {
 
 pub fn assume(condition: bool) {
     unsafe { assume_import(condition.into()) }
+}
+
+/// Kani's own assertion. A property apart from panics.
+pub fn assert(condition: bool, _: &'static str) {
+    unsafe { claim_import(condition.into()) }
 }
 
 /// The number of a name is what the invoking crate makes of it.

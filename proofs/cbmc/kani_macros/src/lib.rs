@@ -15,9 +15,12 @@ pub fn proof(_: TokenStream, item: TokenStream) -> TokenStream {
     exported
 }
 
-/// The bound is passed to CBMC on its command line.
+/// The bound is passed to CBMC on its command line. It must be a bare number: what a macro has parsed comes in a group, which
+/// Kani may refuse.
 #[proc_macro_attribute]
-pub fn unwind(_: TokenStream, item: TokenStream) -> TokenStream {
+pub fn unwind(bound: TokenStream, item: TokenStream) -> TokenStream {
+    let bound: Vec<_> = bound.into_iter().collect();
+    assert!(matches!(bound[..], [TokenTree::Literal(_)]), "not a bare number: {bound:?}");
     item
 }
 
