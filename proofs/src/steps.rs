@@ -64,6 +64,7 @@ harnesses! {
 }
 
 /// What a cursor keeps, and so shows.
+#[expect(clippy::struct_excessive_bools, reason = "each is a part of a state, there or not")]
 #[derive(Clone, Copy, Debug)]
 struct Keeps {
     key: bool,
@@ -122,7 +123,7 @@ impl<W: Full + Into<u128>, const UI: u32, const UL: u32> Any<W, UI, UL> {
         let depth = length(key.into()) + limit - width;
         choose.assume(call != Call::Descend || depth < limit)?;
         let ladder = Ladder {
-            depth,
+            node_depth: depth,
             limit,
             is_leaf: call == Call::Prune || call != Call::Descend && choose.any::<bool>(),
             leaf_children: [choose.any(), choose.any()],

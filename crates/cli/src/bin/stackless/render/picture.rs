@@ -153,7 +153,7 @@ fn wrapped(text: &str, room: u32) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ') {
         match lines.last_mut() {
-            Some(line) if width(line) + LETTER + width(word) <= room => *line += &format!(" {word}"),
+            Some(line) if width(line) + LETTER + width(word) <= room => line.extend([" ", word]),
             _ => lines.push(word.to_owned()),
         }
     }

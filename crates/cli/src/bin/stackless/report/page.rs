@@ -59,7 +59,8 @@ pub(super) fn tables_of(page: &str) -> Vec<String> {
         return Vec::new();
     }
     // What else a file in that place names is not ours to remove.
-    let is_name = |name: &&str| name.ends_with(".csv") && name.chars().all(|c| is_safe(c) || c == '.');
+    let is_name =
+        |name: &&str| name.strip_suffix(".csv").is_some_and(|name| name.chars().all(|c| is_safe(c) || c == '.'));
     let links = page.split(LINK).skip(1).filter_map(|rest| rest.split('"').next());
     links.filter(is_name).map(str::to_owned).collect()
 }
