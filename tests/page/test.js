@@ -168,8 +168,10 @@
     const wait = (time) => new Promise((done) => setTimeout(done, time));
     same("title", [document.title, find("h1").textContent], [data.title, data.title]);
     const places = data.keys.map((_, node) => middle(find(`#tree [data-node="${node}"]`)));
-    const level = (Math.max(...places.map(([, y]) => y)) - places[0][1]) / Math.max(1, ...data.keys.map((_, node) => depth(node)));
-    same("nodes stand at their levels", places.map(([, y]) => Math.round((y - places[0][1]) / (level || 1) * 100) / 100), data.keys.map((_, node) => depth(node)));
+    // Lines of levels whose numbers have no room are there, and not shown.
+    const lines = all("#tree line.level").map((line) => Number(line.getAttribute("y1"))), above = find("#tree").getBoundingClientRect().top;
+    same("a line for each level", lines.length, 1 + Math.max(...data.keys.map((_, node) => depth(node))));
+    same("nodes stand at their levels", places.every(([, y], node) => Math.abs(y - above - lines[depth(node)]) < 1), true);
     whole("at first");
     same("every control has a name", all("button, select, input").filter((it) => !it.textContent && !it.ariaLabel && !it.labels?.length).length, 0);
     for (const [i, recording] of data.methods.entries()) {
