@@ -65,6 +65,7 @@ harnesses! {
 
 /// What a cursor keeps, and so shows.
 #[derive(Clone, Copy, Debug)]
+#[allow(clippy::struct_excessive_bools, reason = "each is kept or not, apart from the others")]
 struct Keeps {
     key: bool,
     register: bool,
@@ -122,7 +123,7 @@ impl<W: Full + Into<u128>, const UI: u32, const UL: u32> Any<W, UI, UL> {
         let depth = length(key.into()) + limit - width;
         choose.assume(call != Call::Descend || depth < limit)?;
         let ladder = Ladder {
-            depth,
+            node_depth: depth,
             limit,
             is_leaf: call == Call::Prune || call != Call::Descend && choose.any::<bool>(),
             leaf_children: [choose.any(), choose.any()],

@@ -13,7 +13,7 @@ use crate::bits::Full;
 #[derive(Clone, Copy, Debug)]
 pub struct Ladder<W, const UI: u32, const UL: u32> {
     /// Depth of the node.
-    pub depth: u32,
+    pub node_depth: u32,
     /// That of the tree, which is as deep as the words carry.
     pub limit: u32,
     /// Whether the node is a leaf.
@@ -38,7 +38,7 @@ impl<W: Full, const UI: u32, const UL: u32> Ladder<W, UI, UL> {
 
     /// The sibling of the ancestor `levels` up, the root where there is none.
     pub fn sibling_of_ancestor(&self, levels: u32) -> Node {
-        if levels >= self.depth {
+        if levels >= self.node_depth {
             return self.root();
         }
         let index = 2 * (levels + 1) + 1;
@@ -59,7 +59,7 @@ impl<W: Full, const UI: u32, const UL: u32> Topology for Ladder<W, UI, UL> {
     };
 
     fn root(&self) -> Node {
-        if self.depth == 0 { self.node() } else { Node::inner(2 * (self.depth + 1)) }
+        if self.node_depth == 0 { self.node() } else { Node::inner(2 * (self.node_depth + 1)) }
     }
 
     fn children(&self, node: Node) -> [Node; 2] {
@@ -89,7 +89,7 @@ impl<W: Full, const UI: u32, const UL: u32> Topology for Ladder<W, UI, UL> {
         let (place, _) = Self::place(node);
         if place == 0 {
             self.node()
-        } else if place > self.depth {
+        } else if place > self.node_depth {
             self.root()
         } else {
             Node::inner(2 * (place + 1))
