@@ -14,7 +14,7 @@ pub(crate) fn lemmas<const N: u32>() -> Vec<Lemma> {
         lemma::<N>("child", "[KEY-2] [KEY-3] [KEY-7]", child, "no bit added", |f| f.child = |key, _| key.shl1()),
         lemma::<N>("parent", "[KEY-3]", parent, "two levels up", |f| f.parent = |key| key.shr1().shr1()),
         lemma::<N>("sibling", "[KEY-4] [KEY-7]", sibling, "+ for xor", |f| {
-            f.sibling = |key| key.wrapping_add(&Word::one())
+            f.sibling = |key| key.wrapping_add(&Word::one());
         }),
         lemma::<N>("depth W - 1 and no more", "[DEPTH-1]", depth, "shift left by two", |f| {
             f.child = |key, right| key.shl1().shl1().or(&right);

@@ -29,6 +29,7 @@ pub(crate) struct Lemma {
     /// The very same about formulas with the slip.
     pub(crate) control: Query,
     /// And with other slips, when asked for: together they break each of its claims.
+    #[cfg_attr(not(test), expect(dead_code, reason = "tests ask for it"))]
     pub(crate) others: Box<dyn Fn() -> Vec<Query>>,
 }
 
