@@ -64,9 +64,8 @@ harnesses! {
 }
 
 /// What a cursor keeps, and so shows.
-#[expect(clippy::struct_excessive_bools, reason = "each is a part of a state, there or not")]
 #[derive(Clone, Copy, Debug)]
-#[allow(clippy::struct_excessive_bools, reason = "each is kept or not, apart from the others")]
+#[expect(clippy::struct_excessive_bools, reason = "each is kept or not, apart from the others")]
 struct Keeps {
     key: bool,
     register: bool,

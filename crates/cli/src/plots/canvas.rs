@@ -27,7 +27,7 @@ pub(super) struct Canvas {
 pub(super) const MARGIN: f64 = 14.0;
 
 impl Canvas {
-    /// With a title, at the top. What is below it is free from [`Canvas::top`] on.
+    /// Empty, with what a reader hears as its title.
     pub(super) fn new(size: (f64, f64), title: &str) -> Self {
         Self { size, title: title.to_owned(), body: String::new(), texts: Vec::new() }
     }
