@@ -61,7 +61,7 @@ macro_rules! harnesses {
 
 pub(crate) use harnesses;
 
-/// The message of a [`claim!`] that does not hold.
+/// The message of a `claim!` that does not hold.
 #[cfg(not(kani))]
 pub const CLAIM: &str = "the claim of the harness";
 
