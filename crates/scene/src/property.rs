@@ -32,13 +32,13 @@ const LONGEST: usize = 400;
 /// A format of meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeshFormat {
-    /// [`read_ply`](crate::read_ply).
+    /// [`read_ply`].
     Ply,
-    /// [`read_obj`](crate::read_obj).
+    /// [`read_obj`].
     Obj,
-    /// [`read_stl`](crate::read_stl).
+    /// [`read_stl`].
     Stl,
-    /// [`read_gltf`](crate::read_gltf), with all buffers in the file.
+    /// [`read_gltf`], with all buffers in the file.
     Gltf,
 }
 
