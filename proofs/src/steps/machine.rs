@@ -2,6 +2,8 @@
 //! library's that it is compared with.
 //!
 //! Numbers in Rocq have no bound. Here they have 128 bits, which a step within the depth of the word does not leave.
+//!
+//! Of `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]` `[REGISTER-2]` `[TRAIL-3]` `[TRAIL-4]` `[TRAIL-6]` `[UNCLE-1]`.
 
 use stackless_bvh::order::Side;
 use stackless_bvh::tree::Node;
@@ -38,7 +40,7 @@ pub struct Wanted {
 }
 
 impl Machine {
-    /// `ctz` of the trail: levels up to the ancestor whose sibling comes next. `[TRAIL-3]`
+    /// `ctz` of the trail: levels up to the ancestor whose sibling comes next.
     pub fn levels(&self) -> u32 {
         self.trail.trailing_zeros()
     }
@@ -48,7 +50,7 @@ impl Machine {
         ladder.sibling_of_ancestor(self.levels())
     }
 
-    /// `fill` of `Register.v`, at a node whose record names so many uncles. `[UNCLE-1]` `[REGISTER-2]`
+    /// `fill` of `Register.v`, at a node whose record names so many uncles.
     pub fn filled<W: Full, const UI: u32, const UL: u32>(
         &self,
         ladder: &Ladder<W, UI, UL>,
@@ -79,7 +81,7 @@ impl Machine {
         }
     }
 
-    /// `trail_backtrack`, and `pback` of the second trail; the register is taken. `[TRAIL-4]` `[DISJOINT-1]`
+    /// `trail_backtrack`, and `pback` of the second trail; the register is taken.
     pub fn backtrack<W: Full, const UI: u32, const UL: u32>(self, ladder: &Ladder<W, UI, UL>) -> Option<Self> {
         let levels = self.levels();
         (self.trail != 0).then(|| Self {
@@ -93,14 +95,14 @@ impl Machine {
     }
 
     #[must_use]
-    /// `pprune`, and `prune_register` of `DisjointHashed.v`. `[DISJOINT-2]` `[DISJOINT-3]`
+    /// `pprune`, and `prune_register` of `DisjointHashed.v`.
     pub fn prune(self) -> Self {
         let trail = self.trail & !self.marks;
         let is_other = trail == 0 || trail.trailing_zeros() != self.levels();
         Self { trail, register: if is_other { None } else { self.register }, ..self }
     }
 
-    /// `combined_index` of `Sparse.v`: the level's start and J's counter. `[TRAIL-6]`
+    /// `combined_index` of `Sparse.v`: the level's start and J's counter.
     pub fn counter(&self) -> u128 {
         let start = 1_u128 << self.depth;
         start + ((start - 1) ^ self.trail)
