@@ -60,9 +60,9 @@ impl Machine {
         if self.register.is_none() && is_named { Some(self.next(ladder)) } else { self.register }
     }
 
-    #[must_use]
     /// `hashed_descend`, and `pdescend` of the second trail. Its `keep`, on which no theorem depends, is the library's: the
     /// register is filled on the way into one child where the record of neither kind of child has to name the next node.
+    #[must_use]
     pub fn descend<W: Full, const UI: u32, const UL: u32>(self, ladder: &Ladder<W, UI, UL>, wanted: Wanted) -> Self {
         let Wanted { first, both, mark } = wanted;
         let keep = self.levels() >= UI.min(UL);
@@ -94,8 +94,8 @@ impl Machine {
         })
     }
 
-    #[must_use]
     /// `pprune`, and `prune_register` of `DisjointHashed.v`.
+    #[must_use]
     pub fn prune(self) -> Self {
         let trail = self.trail & !self.marks;
         let is_other = trail == 0 || trail.trailing_zeros() != self.levels();
