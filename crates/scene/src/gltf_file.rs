@@ -24,9 +24,8 @@ const MOST_TRIANGLES: usize = 1 << 26;
 /// Reads the mesh that the nodes of a scene make up, from the bytes of a `.gltf` or `.glb` file.
 ///
 /// It is the scene that the file names, or its first. Each node's mesh is moved by the node and all above it, in double
-/// precision. Triangles, strips and fans are read; points, lines, skins and morph targets are not ([`Unread`] counts them
-/// for [`load`](crate::load)). Buffers are in the file, or in
-/// `folder` and those below it.
+/// precision. Triangles, strips and fans are read; points, lines, skins and morph targets are not ([`Unread`] counts
+/// them for [`load`](crate::load)). Buffers are in the file, or in `folder` and those below it.
 ///
 /// # Errors
 /// [`ReadError`], naming the node, mesh or buffer.

@@ -3,6 +3,7 @@
 
 use std::fmt::Write;
 
+use crate::stl;
 use crate::text::MARK;
 use crate::{Format, ReadError, read_gltf, read_obj, read_ply, read_rays_from, read_stl};
 use stackless_bvh::geom::{Mesh, Ray};
@@ -56,9 +57,9 @@ impl MeshFormat {
     fn rewritten(self, bytes: &[u8]) -> Vec<Vec<u8>> {
         match self {
             // What is behind the header may be binary.
-            Self::Ply => rewritten(bytes, false),
+            Self::Ply => rewritten(bytes, !bytes.starts_with(b"ply")),
             Self::Obj => rewritten(bytes, true),
-            Self::Stl if bytes.is_ascii() && bytes.starts_with(b"solid") => rewritten(bytes, true),
+            Self::Stl if stl::is_text(bytes) => rewritten(bytes, true),
             Self::Stl | Self::Gltf => Vec::new(),
         }
     }

@@ -24,13 +24,18 @@ const TRIANGLE: usize = 50;
 /// [`ReadError`], naming the line of a text, or the triangle of a binary file.
 pub fn read_stl(bytes: &[u8]) -> Result<Mesh, ReadError> {
     let mut draft = Draft::default();
-    let is_text = without_mark(bytes).trim_ascii_start().starts_with(b"solid");
-    if is_text && promised(bytes).is_none_or(|count| bytes.len() != HEADER + TRIANGLE * count) {
+    if is_text(bytes) {
         read_text(bytes, &mut draft)?;
     } else {
         read_binary(bytes, &mut draft)?;
     }
     Ok(Mesh::new(draft.vertices, draft.triangles)?)
+}
+
+/// Whether a file is a text.
+pub(super) fn is_text(bytes: &[u8]) -> bool {
+    let is_binary = promised(bytes).is_some_and(|count| bytes.len() == HEADER + TRIANGLE * count);
+    without_mark(bytes).trim_ascii_start().starts_with(b"solid") && !is_binary
 }
 
 /// How many triangles a binary file says that it has.

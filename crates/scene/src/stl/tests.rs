@@ -59,3 +59,16 @@ fn what_is_cut_or_wrong_is_refused_where_it_is() {
         assert_eq!(refusal(TEXT.replacen(from, to, 1).as_bytes()), message);
     }
 }
+
+/// What is binary by its length is no text with other ends of lines, even if it looks like one.
+#[test]
+fn a_binary_file_may_look_like_a_text() {
+    let mut bytes = b"solid".to_vec();
+    bytes.resize(HEADER - 4, b' ');
+    bytes.extend(1_u32.to_le_bytes());
+    bytes.extend([b'1'; TRIANGLE]);
+    assert!(bytes.is_ascii() && !is_text(&bytes));
+    assert_eq!(crate::check_mesh_file(&bytes, crate::MeshFormat::Stl), Ok(true));
+    let text = b"solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n";
+    assert_eq!(crate::check_mesh_file(text, crate::MeshFormat::Stl), Ok(true));
+}
