@@ -4,7 +4,6 @@ use super::canvas::{Canvas, Sample, legend, path};
 use super::labels::Rect;
 use super::panel::{Axis, Panel, range};
 use super::style::Series;
-use super::text::TITLE;
 use super::ticks::Scale;
 
 /// A part of a campaign.
@@ -60,8 +59,7 @@ pub(super) fn draw(size: (f64, f64), title: &str, parts: &[Stretch]) -> Canvas {
     let ends = range(rates.iter().map(|rate| rate.1), [1e-3, 1.0]);
 
     let mut canvas = Canvas::new(size, title);
-    let room = canvas.room(12.0);
-    let mut top = canvas.paragraph(title, TITLE, "ink", (room.x, room.y), room.width) + 4.0;
+    let mut top = canvas.heading();
     if !wrong.is_empty() {
         top = legend(&mut canvas, top, &[(Sample::Wrong, "a part with an error".to_owned())]);
     }

@@ -38,10 +38,16 @@ impl Canvas {
         Rect { x: MARGIN, y: top, width: width - 2.0 * MARGIN, height: height - MARGIN - top }
     }
 
+    /// The title at the top, and where it ends.
+    pub(super) fn heading(&mut self) -> f64 {
+        let (room, title) = (self.room(12.0), self.title.clone());
+        self.paragraph(&title, TITLE, "ink", (room.x, room.y), room.width) + 4.0
+    }
+
     /// Lines of text from a place at the top on, and where they end.
     pub(super) fn paragraph(&mut self, text: &str, size: f64, class: &str, (x, top): (f64, f64), room: f64) -> f64 {
         let mut y = top;
-        for line in wrap(text, size, room) {
+        for line in wrap(text, room, |part| width(part, size)) {
             self.text(&line, size, class, (x, y + size * LINE / 2.0), Anchor::Start);
             y += size * LINE + 1.0;
         }

@@ -3,7 +3,6 @@
 use super::canvas::{Canvas, Sample, legend};
 use super::panel::{Axis, Panel, range};
 use super::style::Series;
-use super::text::TITLE;
 use super::ticks::Scale;
 
 /// A line of a chart: its name, and its points in order.
@@ -31,8 +30,7 @@ pub(super) fn draw(size: (f64, f64), title: &str, [x, y]: [&str; 2], lines: &[Li
     let points = || lines.iter().flat_map(|line| &line.points);
     let (across, up) = (range(points().map(|it| it.0), [1.0, 10.0]), range(points().map(|it| it.1), [1.0, 10.0]));
     let mut canvas = Canvas::new(size, title);
-    let room = canvas.room(12.0);
-    let top = canvas.paragraph(title, TITLE, "ink", (room.x, room.y), room.width) + 4.0;
+    let top = canvas.heading();
     let entries = lines.iter().enumerate().map(|(i, line)| (Sample::Both(Series(i)), line.name.clone()));
     let top = legend(&mut canvas, top, &entries.collect::<Vec<_>>()) + 10.0;
     let room = canvas.room(top);

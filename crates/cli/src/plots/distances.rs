@@ -6,7 +6,6 @@ use super::canvas::{Canvas, Sample, legend, rectangle};
 use super::labels::Rect;
 use super::panel::{Axis, Panel};
 use super::style::Series;
-use super::text::TITLE;
 use super::ticks::Scale;
 
 /// A histogram of backtracking distances with the cumulative share, as SVG (Binder & Keller 2016, Fig. 3).
@@ -20,8 +19,7 @@ pub fn plot_distances(title: &str, backtracks: &Backtracks) -> String {
 
 pub(super) fn draw(size: (f64, f64), title: &str, shares: &[f64]) -> Canvas {
     let mut canvas = Canvas::new(size, title);
-    let room = canvas.room(12.0);
-    let top = canvas.paragraph(title, TITLE, "ink", (room.x, room.y), room.width) + 4.0;
+    let top = canvas.heading();
     let (bars, sum) = (Series(0), Series(1));
     let entries = [
         (Sample::Column(bars), "share of backtracks that go so far".to_owned()),

@@ -67,10 +67,11 @@ pub(super) const MARK: f64 = 8.0;
 /// A label further from its point has a leader.
 const NEAR: f64 = 7.0;
 
-/// The free place nearest to its point, for each label of a size; off these lines where that is possible, and `None` where
-/// there is no room at all. Labels have points in the same order.
+/// The free place nearest to its point, for each label of a size; off these lines where that is possible, and `None`
+/// where there is no room at all. Labels have points in the same order.
 ///
-/// Labels that are close to a heap of points fence in the others. So those of heaps are moved away from it until all have a place.
+/// Labels that are close to a heap of points fence in the others. So those of heaps are moved away from it until all
+/// have a place.
 pub(super) fn place(frame: &Rect, points: &[Point], sizes: &[Point], lines: &[(Point, Point)]) -> Vec<Option<Placed>> {
     let count = |placed: &Vec<Option<Placed>>| placed.iter().flatten().count();
     let mut best = Vec::new();
@@ -150,12 +151,13 @@ fn candidates(frame: &Rect, point: Point, (width, height): Point, from: f64) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plots::tests::unit;
     use stackless_bvh::generate::Rng;
 
     #[test]
     fn labels_keep_apart_at_any_size() {
         let mut random = Rng::new(3);
-        let mut unit = || (random.bits() >> 11) as f64 / (1_u64 << 53) as f64;
+        let mut unit = || unit(&mut random);
         let (mut wanted, mut found, mut led) = (0, 0, 0);
         for round in 0..150 {
             let (width, height) = [(220.0, 160.0), (400.0, 300.0), (800.0, 480.0), (1600.0, 900.0)][round % 4];

@@ -1,7 +1,7 @@
 //! Charts, as SVG: for papers, and for light and dark screens.
 //!
-//! What they share is here: fonts and what text takes (`text`), colours, markers and dashes (`style`), round ticks (`ticks`),
-//! axes (`panel`), legends (`canvas`) and places for labels (`labels`).
+//! What they share is here: fonts and what text takes (`text`), colours, markers and dashes (`style`), round ticks
+//! (`ticks`), axes (`panel`), legends (`canvas`) and places for labels (`labels`).
 
 mod campaign;
 mod canvas;
@@ -18,7 +18,8 @@ pub use campaign::{Stretch, plot_campaign};
 pub use curves::{Line, plot_lines};
 pub use distances::plot_distances;
 pub use pareto::{Choice, Errors, front, plot_pareto};
-pub use style::{Ink, PAPER, SERIES};
+pub use style::{Ink, PAPER, SERIES, heat};
+pub use text::{escaped, wrap};
 pub use ticks::round_ticks;
 
 #[cfg(test)]

@@ -32,7 +32,7 @@ impl Panel {
     pub(super) fn draw(canvas: &mut Canvas, room: Rect, x: &Axis<'_>, y: &Axis<'_>) -> Self {
         let line = SMALL * LINE;
         let top = canvas.paragraph(y.title, SMALL, "soft", (room.x, room.y), room.width) + 11.0;
-        let below = wrap(x.title, SMALL, room.width * 0.9);
+        let below = wrap(x.title, room.width * 0.9, |part| width(part, SMALL));
         let bottom = room.bottom() - line * below.len() as f64 - BELOW - line - GAP;
         let height = (bottom - top).max(20.0);
         let y_scale = (y.scale)(((height / 34.0) as usize).clamp(1, 10));

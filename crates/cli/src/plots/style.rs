@@ -1,8 +1,9 @@
 //! Colours, markers and dashes that all charts share.
 //!
-//! Every colour has a name, which is a class of the style sheet in the SVG, and two values: for a light screen and paper, and for
-//! a dark screen. Programs that do not know the media query show the light ones. The series are darker or lighter relatives of
-//! those of Okabe & Ito, which colour-blind people tell apart; each also has a marker and a dash of its own, for grey prints.
+//! Every colour has a name, which is a class of the style sheet in the SVG, and two values: for a light screen and
+//! paper, and for a dark screen. Programs that do not know the media query show the light ones. The series are darker
+//! or lighter relatives of those of Okabe & Ito, which colour-blind people tell apart; each also has a marker and a
+//! dash of its own, for grey prints.
 
 use std::fmt::Write;
 
@@ -117,21 +118,48 @@ pub(super) fn style() -> String {
     )
 }
 
+/// From dark violet over blue and green to yellow, in few enough steps for a palette: viridis, by van der Walt & Smith.
+/// Its lightness rises evenly, so that it can be read in grey and by those who do not see all colours.
+pub fn heat(share: f64) -> [u8; 3] {
+    const STEPS: f64 = 200.0;
+    const STOPS: [[u8; 3]; 9] = [
+        [68, 1, 84],
+        [71, 45, 123],
+        [59, 82, 139],
+        [44, 114, 142],
+        [33, 145, 140],
+        [40, 174, 128],
+        [94, 201, 98],
+        [173, 220, 48],
+        [253, 231, 37],
+    ];
+    let at = (share.clamp(0.0, 1.0) * STEPS).round() / STEPS * (STOPS.len() - 1) as f64;
+    let below = (at as usize).min(STOPS.len() - 2);
+    [0, 1, 2].map(|i| {
+        let (from, to) = (f64::from(STOPS[below][i]), f64::from(STOPS[below + 1][i]));
+        (from + (to - from) * (at - below as f64)).round() as u8
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     /// Of the Web Content Accessibility Guidelines.
-    fn luminance(colour: &str) -> f64 {
-        let channel = |at: usize| {
-            let value = f64::from(u8::from_str_radix(&colour[at..at + 2], 16).unwrap()) / 255.0;
+    fn luminance(colour: [u8; 3]) -> f64 {
+        let linear = colour.map(|channel| {
+            let value = f64::from(channel) / 255.0;
             if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
-        };
-        0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
+        });
+        0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
     }
 
     fn contrast(a: &str, b: &str) -> f64 {
-        let (a, b) = (luminance(a) + 0.05, luminance(b) + 0.05);
+        let of = |colour: &str| {
+            let channel = |at: usize| u8::from_str_radix(&colour[at..at + 2], 16).unwrap();
+            luminance([channel(1), channel(3), channel(5)]) + 0.05
+        };
+        let (a, b) = (of(a), of(b));
         (a / b).max(b / a)
     }
 
@@ -159,5 +187,23 @@ mod tests {
         for of in [|i| Series(i).dash().to_owned(), |i| Series(i).marker((0.0, 0.0), 4.0)] {
             assert_eq!((0..6).map(of).collect::<std::collections::BTreeSet<_>>().len(), 6);
         }
+    }
+
+    /// CIELAB's L*, from 0 to 100.
+    fn lightness(colour: [u8; 3]) -> f64 {
+        let y = luminance(colour);
+        if y <= 0.008_856 { 903.3 * y } else { 116.0 * y.cbrt() - 16.0 }
+    }
+
+    #[test]
+    fn the_colours_can_be_read_in_grey() {
+        let steps: Vec<f64> = (0..=40).map(|i| lightness(heat(f64::from(i) / 40.0))).collect();
+        let rise = (steps[40] - steps[0]) / 40.0;
+        assert!(rise > 1.8, "from {} to {}", steps[0], steps[40]);
+        for pair in steps.windows(2) {
+            assert!((0.6 * rise..1.5 * rise).contains(&(pair[1] - pair[0])), "{pair:?}, on average {rise}");
+        }
+        // What no ray meets is not taken for what costs nothing.
+        assert!(steps[0] - lightness([0; 3]) > 10.0);
     }
 }

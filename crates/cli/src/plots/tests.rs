@@ -7,6 +7,11 @@ use super::labels::Rect;
 use super::*;
 use super::{campaign, curves, distances, pareto};
 
+/// From 0 to 1, without 1.
+pub(super) fn unit(random: &mut Rng) -> f64 {
+    (random.bits() >> 11) as f64 / (1_u64 << 53) as f64
+}
+
 fn look(canvas: &Canvas, size: (f64, f64), what: &str) {
     let paper = Rect { x: 0.0, y: 0.0, width: size.0, height: size.1 };
     for (i, text) in canvas.texts.iter().enumerate() {
@@ -18,7 +23,7 @@ fn look(canvas: &Canvas, size: (f64, f64), what: &str) {
 #[test]
 fn texts_keep_apart_in_every_chart_at_every_size() {
     let mut random = Rng::new(5);
-    let mut unit = || (random.bits() >> 11) as f64 / (1_u64 << 53) as f64;
+    let mut unit = || unit(&mut random);
     for size in [(340.0, 420.0), (480.0, 480.0), (800.0, 520.0), (960.0, 1100.0), (1800.0, 1200.0)] {
         for round in 0..40_u32 {
             let parts: Vec<_> = (0..round)

@@ -12,8 +12,8 @@ pub(super) const SMALL: f64 = 13.0;
 /// Height of a line's box, for each unit of the height of letters.
 pub(super) const LINE: f64 = 1.17;
 
-/// Widths of the printable ASCII characters in thousandths of the height, from the space on: those of `DejaVu Sans`, the widest
-/// of the fonts, and of Inter where that is wider (the hyphen).
+/// Widths of the printable ASCII characters in thousandths of the height, from the space on: those of `DejaVu Sans`,
+/// the widest of the fonts, and of Inter where that is wider (the hyphen).
 const WIDTHS: [u16; 95] = [
     318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 460, 318, 337, 636, 636, 636, 636, 636, 636, 636,
     636, 636, 636, 337, 337, 838, 838, 838, 531, 1000, 684, 686, 698, 770, 632, 575, 775, 752, 295, 295, 656, 557, 863,
@@ -59,22 +59,25 @@ pub(super) fn markup(text: &str, size: f64) -> String {
     svg
 }
 
-/// Lines of a text that are no wider than the room, where a word is not.
-pub(super) fn wrap(text: &str, size: f64, room: f64) -> Vec<String> {
+/// Lines of a text that are no wider than the room, where a word is not; `width` measures parts of a line.
+///
+/// ```
+/// let letters = |text: &str| text.len() as f64;
+/// assert_eq!(stackless_cli::plots::wrap("one two three", 8.0, letters), ["one two", "three"]);
+/// ```
+pub fn wrap(text: &str, room: f64, width: impl Fn(&str) -> f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
         match lines.last_mut() {
-            Some(line) if width(line, size) + width(" ", size) + width(word, size) <= room => {
-                line.push(' ');
-                line.push_str(word);
-            }
+            Some(line) if width(line) + width(" ") + width(word) <= room => line.extend([" ", word]),
             _ => lines.push(word.to_owned()),
         }
     }
     lines
 }
 
-pub(super) fn escaped(text: &str) -> String {
+/// As text of an element or an attribute of SVG or HTML.
+pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
@@ -106,7 +109,7 @@ mod tests {
     fn lines_are_as_wide_as_the_room() {
         let text = "levels up to the ancestor whose sibling comes next";
         for room in [90.0, 150.0, 1000.0] {
-            let lines = wrap(text, SMALL, room);
+            let lines = wrap(text, room, |part| width(part, SMALL));
             assert!(lines.iter().all(|line| width(line, SMALL) <= room), "{lines:?}");
             assert_eq!(lines.join(" "), text);
         }

@@ -1,7 +1,7 @@
 //! Axes that end at round numbers, with round numbers between.
 
-/// Round numbers from 0 on that are no greater than `end`, and how they are written: multiples of the least of 1, 2 or 5 times a
-/// power of ten of which no more than `most` are needed.
+/// Round numbers from 0 on that are no greater than `end`, and how they are written: multiples of the least of 1, 2 or
+/// 5 times a power of ten of which no more than `most` are needed.
 ///
 /// ```
 /// let ticks = stackless_cli::plots::round_ticks(37.0, 5);
@@ -39,8 +39,8 @@ impl Scale {
         Self { low: -0.5, high: last + 0.5, is_log: false, ticks, format: plain }
     }
 
-    /// Around these positive numbers, logarithmic: ticks at 1, 2 and 5 times powers of ten, or at powers of ten, or at every
-    /// second, third, fifth and so on, with no more steps than `most`.
+    /// Around these positive numbers, logarithmic: ticks at 1, 2 and 5 times powers of ten, or at powers of ten, or at
+    /// every second, third, fifth and so on, with no more steps than `most`.
     pub(super) fn log([low, high]: [f64; 2], most: usize) -> Self {
         let [low, high] = [low, high].map(|end| end.clamp(1e-300, 1e300));
         let power = |exponent: i32| times_power(1.0, exponent);
@@ -124,6 +124,7 @@ fn times_power(digits: f64, exponent: i32) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plots::tests::unit;
     use stackless_bvh::generate::Rng;
 
     /// The digits before the zeros, and whether the numbers are as far from each other.
@@ -134,7 +135,7 @@ mod tests {
     #[test]
     fn ticks_are_round_and_enclose_what_is_drawn() {
         let mut random = Rng::new(7);
-        let mut unit = || (random.bits() >> 11) as f64 / (1_u64 << 53) as f64;
+        let mut unit = || unit(&mut random);
         for _ in 0..2000 {
             let (a, b) = (10f64.powf(30.0 * unit() - 20.0), 10f64.powf(30.0 * unit() - 20.0));
             let (low, high) = (a.min(b), a.max(b));

@@ -149,7 +149,7 @@ pub(crate) fn write_figures(
 }
 
 /// The machine that this runs on, in words.
-fn machine() -> String {
+pub(crate) fn machine() -> String {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     format!("{} {}, {threads} threads", std::env::consts::OS, std::env::consts::ARCH)
 }

@@ -11,7 +11,7 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::text::{Alignment, Baseline, Text};
 use embedded_graphics::{Drawable, Pixel};
 use png::{BitDepth, ColorType, Compression, Encoder, EncodingError};
-use stackless_cli::plots::round_ticks;
+use stackless_cli::plots::{heat, round_ticks, wrap};
 
 use crate::camera::Size;
 
@@ -108,7 +108,8 @@ const TICK: u32 = 4;
 /// Width of a letter.
 const LETTER: u32 = 7;
 
-/// Heat maps with one scale from 0 to `end`, each below its label, and the scale with its title below them all. Black: no ray.
+/// Heat maps with one scale from 0 to `end`, each below its label, and the scale with its title below them all. Black:
+/// no ray.
 pub(crate) fn heat_maps(size: Size, panels: &[(String, &Vec<Option<f64>>)], end: f64, unit: &str) -> Picture {
     let count = panels.len() as u32;
     // No label is cut off.
@@ -122,11 +123,11 @@ pub(crate) fn heat_maps(size: Size, panels: &[(String, &Vec<Option<f64>>)], end:
     for (i, (label, costs)) in (0..).zip(panels) {
         let left = GAP + i * (column + GAP);
         picture.text(label, [left, 3], Alignment::Left);
-        picture.fill([left, LINE], size, |pixel| costs[pixel].map_or([0; 3], |cost| colour(cost / end)));
+        picture.fill([left, LINE], size, |pixel| costs[pixel].map_or([0; 3], |cost| heat(cost / end)));
     }
     let bar = Size { width: across - 2 * GAP, height: BAR };
     let share = |pixel: usize| (pixel % bar.width as usize) as f64 / f64::from(bar.width);
-    picture.fill([GAP, below], bar, |pixel| colour(share(pixel)));
+    picture.fill([GAP, below], bar, |pixel| heat(share(pixel)));
     let mut free = 0;
     for (tick, number) in round_ticks(end, (bar.width / 60).clamp(1, 10) as usize) {
         let x = GAP + (tick / end * f64::from(bar.width - 1)) as u32;
@@ -148,66 +149,13 @@ fn width(text: &str) -> u32 {
     text.chars().count() as u32 * LETTER
 }
 
-/// Lines that are no wider than the room, where a word is not.
 fn wrapped(text: &str, room: u32) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split(' ') {
-        match lines.last_mut() {
-            Some(line) if width(line) + LETTER + width(word) <= room => line.extend([" ", word]),
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
-}
-
-/// From dark violet over blue and green to yellow, in few enough steps for a palette: viridis, by van der Walt & Smith. Its
-/// lightness rises evenly, so that it can be read in grey and by those who do not see all colours.
-fn colour(share: f64) -> [u8; 3] {
-    const STEPS: f64 = 200.0;
-    const STOPS: [[u8; 3]; 9] = [
-        [68, 1, 84],
-        [71, 45, 123],
-        [59, 82, 139],
-        [44, 114, 142],
-        [33, 145, 140],
-        [40, 174, 128],
-        [94, 201, 98],
-        [173, 220, 48],
-        [253, 231, 37],
-    ];
-    let at = (share.clamp(0.0, 1.0) * STEPS).round() / STEPS * (STOPS.len() - 1) as f64;
-    let below = (at as usize).min(STOPS.len() - 2);
-    [0, 1, 2].map(|i| {
-        let (from, to) = (f64::from(STOPS[below][i]), f64::from(STOPS[below + 1][i]));
-        (from + (to - from) * (at - below as f64)).round() as u8
-    })
+    wrap(text, f64::from(room), |part| f64::from(width(part)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// CIELAB's L*, from 0 to 100.
-    fn lightness(colour: [u8; 3]) -> f64 {
-        let linear = colour.map(|channel| {
-            let value = f64::from(channel) / 255.0;
-            if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
-        });
-        let y = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
-        if y <= 0.008_856 { 903.3 * y } else { 116.0 * y.cbrt() - 16.0 }
-    }
-
-    #[test]
-    fn the_colours_can_be_read_in_grey() {
-        let steps: Vec<f64> = (0..=40).map(|i| lightness(colour(f64::from(i) / 40.0))).collect();
-        let rise = (steps[40] - steps[0]) / 40.0;
-        assert!(rise > 1.8, "from {} to {}", steps[0], steps[40]);
-        for pair in steps.windows(2) {
-            assert!((0.6 * rise..1.5 * rise).contains(&(pair[1] - pair[0])), "{pair:?}, on average {rise}");
-        }
-        // What no ray meets is not taken for what costs nothing.
-        assert!(steps[0] - lightness([0; 3]) > 10.0);
-    }
 
     #[test]
     fn a_small_picture_has_room_for_its_texts() {

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 
-use stackless_cli::plots::SERIES;
+use stackless_cli::plots::{SERIES, escaped};
 
 use super::Table;
 
@@ -73,7 +73,8 @@ fn file_name(front: &str, table: &str) -> String {
     if front.is_empty() { format!("{table}.csv") } else { format!("{front}-{table}.csv") }
 }
 
-/// What the names of a section's files begin with: the name of its scene, with a number where an earlier scene has it too.
+/// What the names of a section's files begin with: the name of its scene, with a number where an earlier scene has it
+/// too.
 fn fronts(sections: &[Section]) -> Vec<String> {
     // Some file systems take large and small letters for the same.
     let mut taken = BTreeSet::new();
@@ -227,10 +228,6 @@ fn bars_html(bars: &[Bar]) -> String {
         let _ = writeln!(text, "</div><output>{:.0} ns</output></div>", sum(bar));
     }
     text + "</div>"
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]

@@ -3,6 +3,8 @@
 use std::fs;
 use std::time::{SystemTime, UNIX_EPOCH};
 
+use crate::record;
+
 /// The command line as a shell would take it.
 pub(super) fn command_line(args: impl IntoIterator<Item = String>) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "-_./,:=+@".contains(c);
@@ -21,12 +23,10 @@ pub(super) fn version() -> String {
     option_env!("STACKLESS_COMMIT").map_or_else(|| version.to_owned(), |commit| format!("{version}, commit {commit}"))
 }
 
-/// The processor where the system tells it, and how many threads run at once.
+/// The machine of records, and its processor where the system tells it.
 pub(super) fn machine() -> String {
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let model = fs::read_to_string("/proc/cpuinfo").ok().and_then(|text| model(&text));
-    let model = model.map_or_else(String::new, |model| format!("{model}, "));
-    format!("{model}{threads} threads, {} {}", std::env::consts::OS, std::env::consts::ARCH)
+    format!("{}, {}", record::machine(), model.unwrap_or_else(|| "processor not known".to_owned()))
 }
 
 /// The first processor's name in Linux's list.
