@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Runs the harnesses by Kani: each claim must be proved, each cover reached, and each twin refuted at the claim that it breaks.
-# Kani brings a compiler of its own, which must be as new as the one that Cargo.toml promises. `kani.sh --compiler` compares
-# these and runs nothing.
+# Runs the harnesses by Kani: each claim must be proved, each cover reached, and each twin refuted at the claim that it
+# breaks. Kani brings a compiler of its own, which must be as new as the one that Cargo.toml promises. `kani.sh
+# --compiler` compares these and runs nothing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -19,8 +19,8 @@ fi
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 cargo kani -p proofs | tee "$log"
-# A cover that is not satisfied does not make Kani fail; here it does. (Twins are refuted before some of theirs.) Nor does a twin
-# that dies of another panic than its claim.
+# A cover that is not satisfied does not make Kani fail; here it does. (Twins are refuted before some of theirs.) Nor
+# does a twin that dies of another panic than its claim.
 awk 'function judge() { if (harness ~ /_twin/ && !claimed) { print harness, "did not die of its claim"; missed = 1 } }
      /^Checking harness /  { judge(); harness = $3; claimed = 0 }
      /the claim of the harness/ { claimed = 1 }

@@ -1,10 +1,9 @@
 #!/usr/bin/env bash
 # Proves the harnesses of `proofs` by CBMC, on the library compiled to WebAssembly and from there to C. This is not Kani.
 #
-# `check.sh` proves those for every day, `check.sh --long` those too that take long, and
-# `check.sh HARNESS...` the named ones. Each is proved within its
-# bound, its covers must be reached, and its twin must be refuted at the claim that it breaks; anything else fails. What is missing is installed
-# (packages of Debian 12).
+# `check.sh` proves those for every day, `check.sh --long` those too that take long, and `check.sh HARNESS...` the named
+# ones. Each is proved within its bound, its covers must be reached, and its twin must be refuted at the claim that it
+# breaks; anything else fails. What is missing is installed (packages of Debian 12).
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 export work=${CARGO_TARGET_DIR:-$here/../../target}/cbmc

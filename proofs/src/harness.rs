@@ -65,16 +65,16 @@ pub(crate) use harnesses;
 #[cfg(not(kani))]
 pub const CLAIM: &str = "the claim of the harness";
 
-/// What a harness claims, and its twin breaks. A twin that dies of anything else is not refuted: it may never have come to
-/// its mistake.
+/// What a harness claims, and its twin breaks. A twin that dies of anything else is not refuted: it may never have come
+/// to its mistake.
 macro_rules! claim {
     ($condition:expr) => {
         #[cfg(kani)]
         {
             let holds: bool = $condition;
             kani::assert(holds, "the claim of the harness");
-            // No path comes here, and so the compiler knows the condition below, as after `assert!`. Without that there is
-            // no answer in 200 s for trees of nine nodes.
+            // No path comes here, and so the compiler knows the condition below, as after `assert!`. Without that there
+            // is no answer in 200 s for trees of nine nodes.
             if !holds {
                 panic!();
             }

@@ -1,9 +1,9 @@
 //! One step of each cursor, from any state that a traversal can be in, is the step of the machine that Rocq proves.
 //!
 //! Keys and trails have all their bits, trees any size: a step asks about the nodes on the way to the root alone, and
-//! [`Ladder`] computes these. The state is taken up from [`Paused`] and only has what the invariant says: bits below the
-//! depth, and in the register the next node or nothing, nothing only where the sibling is not postponed. Then *one* call of
-//! `descend`, `backtrack`, `prune` or `put_aside` is compared with [`Machine`]. That all steps together are the
+//! [`Ladder`] computes these. The state is taken up from [`Paused`] and only has what the invariant says: bits below
+//! the depth, and in the register the next node or nothing, nothing only where the sibling is not postponed. Then *one*
+//! call of `descend`, `backtrack`, `prune` or `put_aside` is compared with [`Machine`]. That all steps together are the
 //! reference's is Rocq's induction (`proofs/SOUNDNESS.md`).
 
 mod ladder;

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Checks all proofs of both libraries from clean, and what they rest on: those of traversal on nothing, those of arithmetic
-# (exact/) on the axioms of the real numbers of Coq's library, no others. What each theorem rests on is in assumptions.txt.
-# That the theorems of arithmetic are about the code is Operations.v, printed from the source, and Agreement*.v.
-# With UPDATE=1 it writes what is printed. It needs Rocq (Coq 8.16 or later) with Flocq 4; where one is missing, it installs Debian's packages.
+# Checks all proofs of both libraries from clean, and what they rest on: those of traversal on nothing, those of
+# arithmetic (exact/) on the axioms of the real numbers of Coq's library, no others. What each theorem rests on is in
+# assumptions.txt. That the theorems of arithmetic are about the code is Operations.v, printed from the source, and
+# Agreement*.v. With UPDATE=1 it writes what is printed. It needs Rocq (Coq 8.16 or later) with Flocq 4; where one is
+# missing, it installs Debian's packages.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -138,8 +139,8 @@ check() {
         "$(wc -l < "$here/assumptions.txt") name clauses; axioms: $(wc -w <<< "${allowed[$here]}")"$'\n')
 }
 
-# The operations of the proofs are those of the code: Operations.v is printed from the library's source. So that the reader's meanings are
-# tested where it is used, its tests run here.
+# The operations of the proofs are those of the code: Operations.v is printed from the library's source. So that the
+# reader's meanings are tested where it is used, its tests run here.
 operations() {
     local manifest=../../proofs/operations/Cargo.toml target=${CARGO_TARGET_DIR:-$PWD/../../target}/operations
     local reader=$target/debug/operations

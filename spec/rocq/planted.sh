@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The reader of operations bites: in copies of the library's source, changes of an order, a constant, a comparison are planted one by
-# one. After each, what is printed for Rocq is another text than exact/Operations.v, or the reader refuses.
-# Usage: planted.sh READER, where READER is the program of proofs/operations.
+# The reader of operations bites: in copies of the library's source, changes of an order, a constant, a comparison are
+# planted one by one. After each, what is printed for Rocq is another text than exact/Operations.v, or the reader
+# refuses. Usage: planted.sh READER, where READER is the program of proofs/operations.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 reader=$1

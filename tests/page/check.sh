@@ -44,8 +44,8 @@ page wide2 --wide 2 --tape 8 --methods "$all_wide"
 page wide4 --wide 4 --tape 3
 page leaves-first --wide 8 --tape 5
 page wide-ray stadium --pixel 256,220 --methods wide-record,wide-hashed,wide-trail
-# Trees that are too large to be read as a whole. Even: the children of i are 2i + 1 and 2i + 2. Leaning: every eighth node leads on to
-# the next eighth one, and to a bush of seven nodes.
+# Trees that are too large to be read as a whole. Even: the children of i are 2i + 1 and 2i + 2. Leaning: every eighth
+# node leads on to the next eighth one, and to a bush of seven nodes.
 tree() {
     awk -v n="$2" -v shape="$1" '
         function pair(left, right) { return left < n && right < n ? "[" left ", " right "]" : "null" }

@@ -14,7 +14,8 @@ pub(super) struct Clause {
     file: String,
 }
 
-/// Copied from the specification, which is no part of this crate. A test of the command compares them, and writes the copy.
+/// Copied from the specification, which is no part of this crate. A test of the command compares them, and writes the
+/// copy.
 const CLAUSES: &str = include_str!("clauses.json");
 
 /// The clauses that recordings name, by id.

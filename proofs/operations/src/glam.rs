@@ -1,5 +1,5 @@
-//! What the kernels use of glam's vectors, written out: the meaning that the reader gives to it. This file is read as the
-//! library's are. It is also compiled, and compared with glam itself on numbers, bit by bit.
+//! What the kernels use of glam's vectors, written out: the meaning that the reader gives to it. This file is read as
+//! the library's are. It is also compiled, and compared with glam itself on numbers, bit by bit.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
 
@@ -72,7 +72,8 @@ impl DVec3 {
         Self::new(1.0 / self.x, 1.0 / self.y, 1.0 / self.z)
     }
 
-    /// Of numbers that are no NaN, and but for the sign of a zero: the order is that of glam 0.34.3, and 0.34.2 has another.
+    /// Of numbers that are no NaN, and but for the sign of a zero: the order is that of glam 0.34.3, and 0.34.2 has
+    /// another.
     pub(crate) fn max_element(self) -> f64 {
         let max = |a: f64, b: f64| if a > b { a } else { b };
         max(max(self.x, self.y), self.z)
@@ -150,7 +151,8 @@ impl Vec3 {
         )
     }
 
-    /// Of numbers that are no NaN, and but for the sign of a zero: the order is that of glam 0.34.3, and 0.34.2 has another.
+    /// Of numbers that are no NaN, and but for the sign of a zero: the order is that of glam 0.34.3, and 0.34.2 has
+    /// another.
     pub(crate) fn max_element(self) -> f32 {
         let max = |a: f32, b: f32| if a > b { a } else { b };
         max(max(self.x, self.y), self.z)

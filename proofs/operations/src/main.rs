@@ -1,6 +1,7 @@
 //! Reads the operations of the kernels from their source, and prints them for Rocq.
 //!
-//! `operations ROOT` reads the files under that root of a copy of the repository. What it does not understand it refuses.
+//! `operations ROOT` reads the files under that root of a copy of the repository. What it does not understand it
+//! refuses.
 
 mod calls;
 #[cfg(test)]

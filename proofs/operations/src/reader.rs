@@ -1,6 +1,7 @@
 //! Runs functions of the source on unknown numbers, statement by statement.
 //!
-//! What is understood is what the kernels use. All else is an error, so that nothing is said of what was not understood.
+//! What is understood is what the kernels use. All else is an error, so that nothing is said of what was not
+//! understood.
 
 use std::collections::{BTreeMap, BTreeSet};
 

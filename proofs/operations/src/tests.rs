@@ -159,8 +159,8 @@ fn greater_and_lesser() {
     }
 }
 
-/// Bits that are moved are the next numbers in magnitude, up to infinity and down to 0; a sign that is changed by exclusive or is that
-/// of the other number; bits of an exponent are a power of two.
+/// Bits that are moved are the next numbers in magnitude, up to infinity and down to 0; a sign that is changed by
+/// exclusive or is that of the other number; bits of an exponent are a power of two.
 #[test]
 fn bits_of_numbers() {
     fn moved(x: f64, by: i64) -> f64 {

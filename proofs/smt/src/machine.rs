@@ -1,8 +1,8 @@
 //! Straight-line Rust, run on unknowns as it stands in the library's files.
 //!
 //! What is understood is what the library uses: `let`, assignment, operators, casts, `if` with a value, calls of other
-//! functions, early returns of `false`, and what cursors do with nodes and marks. All else is an error, so that nothing is
-//! proved of what was not understood: no statement is passed over.
+//! functions, early returns of `false`, and what cursors do with nodes and marks. All else is an error, so that nothing
+//! is proved of what was not understood: no statement is passed over.
 //!
 //! A node is its key, as in `spec/rocq`: a parent is a shift, a sibling a toggled bit, and a layout gives the key back.
 
@@ -105,7 +105,8 @@ impl<'s, N: Number> Machine<'s, N> {
         }
     }
 
-    /// `for _ in 0..n { x = self.tree.parent(x); }`: by induction on n, x shifted by n, which must be less than its width.
+    /// `for _ in 0..n { x = self.tree.parent(x); }`: by induction on n, x shifted by n, which must be less than its
+    /// width.
     fn climb(&mut self, climb: &syn::ExprForLoop) -> Result<(), String> {
         let (Expr::Range(range), [Stmt::Expr(Expr::Assign(assign), Some(_))]) = (&*climb.expr, &climb.body.stmts[..])
         else {

@@ -1,5 +1,5 @@
-//! The machine that Rocq proves, a step of it: written from `spec/rocq` in the operators of `u128`, and with nothing of the
-//! library's that it is compared with.
+//! The machine that Rocq proves, a step of it: written from `spec/rocq` in the operators of `u128`, and with nothing of
+//! the library's that it is compared with.
 //!
 //! Numbers in Rocq have no bound. Here they have 128 bits, which a step within the depth of the word does not leave.
 //!
@@ -60,8 +60,9 @@ impl Machine {
         if self.register.is_none() && is_named { Some(self.next(ladder)) } else { self.register }
     }
 
-    /// `hashed_descend`, and `pdescend` of the second trail. Its `keep`, on which no theorem depends, is the library's: the
-    /// register is filled on the way into one child where the record of neither kind of child has to name the next node.
+    /// `hashed_descend`, and `pdescend` of the second trail. Its `keep`, on which no theorem depends, is the library's:
+    /// the register is filled on the way into one child where the record of neither kind of child has to name the next
+    /// node.
     #[must_use]
     pub fn descend<W: Full, const UI: u32, const UL: u32>(self, ladder: &Ladder<W, UI, UL>, wanted: Wanted) -> Self {
         let Wanted { first, both, mark } = wanted;

@@ -15,8 +15,8 @@ pub fn proof(_: TokenStream, item: TokenStream) -> TokenStream {
     exported
 }
 
-/// The bound is passed to CBMC on its command line. It must be a bare number: what a macro has parsed comes in a group, which
-/// Kani may refuse.
+/// The bound is passed to CBMC on its command line. It must be a bare number: what a macro has parsed comes in a group,
+/// which Kani may refuse.
 #[proc_macro_attribute]
 pub fn unwind(bound: TokenStream, item: TokenStream) -> TokenStream {
     let bound: Vec<_> = bound.into_iter().collect();

@@ -18,16 +18,17 @@ use crate::{Outcome, camera};
 /// Write a page that steps through traversals: the tree, the bits, the lookups, and the oracle's stack beside them.
 ///
 /// One HTML file that needs nothing else and no network. Without a case it shows the papers' example, backtracking from
-/// key 22 with trail 1000 to key 3, or for wide trees an example of eight children. Open it in a browser. Arrow keys step, Home and
-/// End go to the ends, digits choose the traversal, space plays, + and - zoom, 0 shows the whole tree; a clause's id shows the
-/// clause; `FILE.html#method=hashed&step=6` is a link to a step.
+/// key 22 with trail 1000 to key 3, or for wide trees an example of eight children. Open it in a browser. Arrow keys
+/// step, Home and End go to the ends, digits choose the traversal, space plays, + and - zoom, 0 shows the whole tree; a
+/// clause's id shows the clause; `FILE.html#method=hashed&step=6` is a link to a step.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless explain -o example.html\n  \
     stackless explain --tape 4 --methods hashed,sparse -o tape.html\n  \
     stackless explain examples/data/torus.ply --pixel 256,340 --methods wide-record -o ray.html\n  \
     stackless explain --suite-case trace/script/three-neither -o - > case.html")]
 pub(crate) struct Args {
-    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: what the ray through a pixel does in it. Needs --pixel.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: what the ray through a pixel does in it. Needs
+    /// --pixel.
     #[arg(group = "what", requires = "pixel")]
     scene: Option<PathBuf>,
     /// The pixel, from the upper left.

@@ -32,8 +32,8 @@ pub(crate) struct Args {
     /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the made scenes `strands`, `stadium`, `soup`.
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
-    /// The folder, which is made where it is missing. What an earlier report has left there is replaced: tables that its
-    /// page names, and this one does not, are removed.
+    /// The folder, which is made where it is missing. What an earlier report has left there is replaced: tables that
+    /// its page names, and this one does not, are removed.
     #[arg(short, long, value_name = "DIR", value_parser = places::folder)]
     output: Output,
     /// How the hierarchies are built; with `+N` behind a name, N rounds of reinsertion follow.

@@ -21,9 +21,9 @@ use crate::places::{self, Output};
 /// Trace rays through a scene.
 ///
 /// A ray is a line of ox,oy,oz,dx,dy,dz,tmin,tmax, of which the last two may be missing; a hit is a line of prim,t,u,v,
-/// where prim is the index of the triangle in the file's order (polygons are fanned out in place), or -1 for a miss, with
-/// the other columns empty. t is the distance in lengths of the direction; u and v are the weights of the second and the third
-/// corner.
+/// where prim is the index of the triangle in the file's order (polygons are fanned out in place), or -1 for a miss,
+/// with the other columns empty. t is the distance in lengths of the direction; u and v are the weights of the second
+/// and the third corner.
 ///
 /// JSON lines (.jsonl) have the same: `{"origin":[0,0,5],"direction":[0,0,-1],"tmin":0,"tmax":null}`, and
 /// `{"prim":3,"t":1.5,"u":0.25,"v":0.5}`. `NumPy` arrays (.npy) have rows of 6 or 8 floats, and records of prim, t, u, v.
@@ -39,7 +39,8 @@ pub(crate) struct Args {
     /// File of the rays (.csv, .jsonl, .npy), ox,oy,oz,dx,dy,dz,tmin,tmax each; `-` is the standard input.
     #[arg(long, value_name = "FILE")]
     rays: PathBuf,
-    /// File for the hits (.csv, .jsonl, .npy), prim,t,u,v each; written whole or not at all. `-` is the standard output.
+    /// File for the hits (.csv, .jsonl, .npy), prim,t,u,v each; written whole or not at all. `-` is the standard
+    /// output.
     #[arg(short, long, value_name = "FILE", value_parser = places::file)]
     output: Output,
     /// How rays and hits stand in what has no such extension.
