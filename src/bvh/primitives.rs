@@ -1,5 +1,7 @@
 //! What a hierarchy is built over.
 
+use glam::Vec3;
+
 use crate::geom::{Aabb, Frame, Mesh, Triangle, Vector};
 
 /// Shapes with boxes, told apart by an index from 0 on: a [`Mesh`], or a slice of anything that is [`Bounded`].
@@ -31,6 +33,12 @@ pub trait Primitives: Sync {
     /// better hierarchies where shapes are cut in two.
     fn part(&self, index: usize, part: &Aabb) -> Aabb {
         self.aabb(index).intersection(part)
+    }
+
+    /// The corners in the [frame](Self::frame), rounded, if the shape is a triangle. A builder that cuts shapes estimates by
+    /// them what a plane would do; without them it asks for many a [`part`](Self::part), which takes longer.
+    fn corners(&self, _: usize) -> Option<[Vec3; 3]> {
+        None
     }
 }
 
@@ -123,6 +131,12 @@ impl<V: Vector> Primitives for Mesh<V> {
     #[inline]
     fn part(&self, index: usize, part: &Aabb) -> Aabb {
         Mesh::frame(self).part(&self.shape(index), part)
+    }
+
+    #[inline]
+    fn corners(&self, index: usize) -> Option<[Vec3; 3]> {
+        let frame = Mesh::frame(self);
+        Some(self.shape(index).widen().map(|corner| frame.rounded(corner).as_vec3()))
     }
 }
 

@@ -111,7 +111,7 @@ impl Frame {
 
     /// The coordinates of a point, each off by a unit of 2^-53 of itself at most, but for underflow.
     #[inline]
-    pub(super) fn rounded(&self, point: DVec3) -> DVec3 {
+    pub(crate) fn rounded(&self, point: DVec3) -> DVec3 {
         (point - self.origin) * power_of_two(-self.exponent)
     }
 

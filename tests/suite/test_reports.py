@@ -5,6 +5,7 @@ import xml.etree.ElementTree
 
 import pytest
 from test_runner import NAMES, mangled, run
+from test_schema import SUITE
 
 SOME = ["key/u32/*", "hash/keys/*", "trace/script/three*", "ray/grid/*-0"]
 
@@ -103,5 +104,20 @@ def test_the_basic_profile_is_named_first(tmp_path):
 def test_a_failure_says_what_to_do(tmp_path):
     status, text, _ = run("python", mangled("one-event-less"), tmp_path, filters=["trace/script/three*"])
     assert status == 1
-    for said in ("  why: ", "  clauses ", "  alone: --filter 'trace/script/", "stackless explain --suite-case 'trace/"):
+    alone = f"  alone: python3 {SUITE / 'conform.py'} --filter 'trace/script/"
+    for said in ("  why: ", "  clauses ", alone, "stackless explain --suite-case 'trace/"):
         assert said in text, text
+
+
+def test_both_runners_tell_what_a_program_said_last(tmp_path):
+    hello = '{"protocol":1,"name":"x","profiles":["trace/tape"],"features":["changing"]}'
+    ends = "echo first >&2; echo out of luck >&2; echo >&2; exit 3"
+    said = "the program ended: exit status: 3; its standard error ends with: out of luck"
+    for runner in NAMES:
+        _, _, report = run(
+            runner, ["sh", "-c", f"read h; echo '{hello}'; read c; {ends}"], tmp_path, filters=["trace/tape/*-0"]
+        )
+        asked = [case for case in report["cases"] if case["outcome"] != "not-asked"]
+        assert asked and all(case["outcome"] == "crash" and case["what"] == said for case in asked), (runner, asked)
+        status, text, _ = run(runner, ["sh", "-c", f"read h; {ends}"], tmp_path, filters=["trace/tape/*-0"])
+        assert status == 2 and "out of luck" in text, text

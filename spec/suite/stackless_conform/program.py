@@ -16,16 +16,34 @@ class Program:
     """A start of it. Whatever it starts ends with it, where there are process groups."""
 
     def __init__(self, command, passes_errors):
-        errors = None if passes_errors else subprocess.DEVNULL
+        errors = None if passes_errors else subprocess.PIPE
         pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": errors}
         self.child = subprocess.Popen(command, start_new_session=True, **pipes)
         self.lines = queue.Queue(4)
         threading.Thread(target=self.listen, daemon=True).start()
+        self.said, self.has_said = b"", threading.Thread(target=self.listen_to_errors, daemon=True)
+        self.has_said.start()
 
     def listen(self):
         for line in self.child.stdout:
             self.lines.put(line)
         self.lines.put(None)
+
+    def listen_to_errors(self):
+        """Keeps the last line with something in it: mostly the reason. All is read, so that nobody has to wait for us."""
+        errors = self.child.stderr
+        for line in iter(lambda: errors.readline(1 << 12), b"") if errors else ():
+            self.said = line.strip() or self.said
+
+    def how_it_ended(self):
+        """Its exit status, and what it said last. It may go on with its output closed."""
+        try:
+            how = f"exit status: {self.child.wait(0.1)}"
+        except subprocess.TimeoutExpired:
+            how = "its output is closed"
+        self.has_said.join(0.2)  # what it has started may keep its standard error open
+        said = f"; its standard error ends with: {shown(self.said.decode(errors='replace'))}" if self.said else ""
+        return how + said
 
     def ask(self, request, timeout):
         """The answer; None if it has ended, TimeoutError if there is none in time."""
@@ -69,9 +87,11 @@ class Run:
         if self.is_over:
             sys.exit(143)
         line = self.program.ask({"cmd": "hello", "protocol": 1}, self.args.timeout)
-        hello = json.loads(line or "null")
+        if line is None:
+            raise ValueError(f"no hello: the program ended: {self.program.how_it_ended()}")
+        hello = json.loads(line)
         if not isinstance(hello, dict) or hello.get("protocol") != 1 or not isinstance(hello.get("profiles"), list):
-            raise ValueError(f"no hello: {shown((line or b'').decode(errors='replace'))}")
+            raise ValueError(f"no hello: {shown(line.decode(errors='replace'))}")
         return hello
 
     def stop(self):
@@ -107,9 +127,9 @@ class Run:
             self.stop()
             return "error", shown(str(error))
         if line is None:
-            status = self.program.child.wait()
+            how = self.program.how_it_ended()
             self.stop()
-            return "crash", f"the program ended: exit status: {status}"
+            return "crash", f"the program ended: {how}"
         try:
             reply = json.loads(line)
             if not isinstance(reply, dict) or reply.get("seq") != seq:

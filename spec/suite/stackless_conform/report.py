@@ -1,6 +1,8 @@
 """What came of a run: as text, as JSON (schema/report.json), and as JUnit."""
 
+import pathlib
 import shlex
+import sys
 from collections import defaultdict
 
 from . import VERSION
@@ -39,7 +41,7 @@ class Report:
         for row in failures[:show]:
             yield f"{row['id']}: {row['outcome']}: {row.get('what', 'waived, and passes')}\n  why: {row['why']}"
             yield f"  clauses {', '.join(row['clauses'])}"
-            yield f"  alone: --filter '{row['id']}' -- {shown(' '.join(map(shlex.quote, command)))}"
+            yield f"  alone: {own_name(sys.argv[0])} --filter '{row['id']}' -- {shown(' '.join(map(shlex.quote, command)))}"
             if row["id"].startswith("trace/") and not profile(row).endswith("invalid"):
                 yield f"  step by step: stackless explain --suite-case '{row['id']}' -o case.html"
             hint = self.look_first(row)
@@ -93,6 +95,14 @@ class Report:
         for group, name, it in rows:
             yield f'<testcase classname="{escaped(group)}" name="{escaped(name)}">{it}</testcase>'
         yield "</testsuite>"
+
+
+def own_name(path):
+    """How this runner is started."""
+    name = pathlib.Path(path).name
+    if name == "__main__.py":
+        return "python3 -m stackless_conform"
+    return f"python3 {shlex.quote(path)}" if name.endswith(".py") else name
 
 
 def profile(row):

@@ -112,6 +112,11 @@ impl Spread {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
+    #[inline]
+    pub(super) fn intersection(self, other: Self) -> Self {
+        Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) }
+    }
+
     /// With a point. Where this is a NaN, SSE's instructions leave it out.
     #[inline]
     pub(super) fn add(self, point: Vec3A) -> Self {

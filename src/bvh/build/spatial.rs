@@ -183,7 +183,8 @@ impl<P: Primitives + ?Sized> Builder<'_, P> {
         let (range, spare) = (&items[..count], items.len() - count);
         let object = bins.between(range, extents);
         let overlaps = object.as_ref().is_none_or(|split| split.overlap() > self.least_overlap);
-        let spatial = if spare > 0 && overlaps { bins.across(self.primitives, range, &extents.boxes) } else { None };
+        let spatial =
+            if spare > 0 && overlaps { bins.across(self.primitives, range, spare, &extents.boxes) } else { None };
         let cost = |split: &Option<Split>| split.as_ref().map_or(f32::INFINITY, |split| split.cost);
         let least = cost(&object).min(cost(&spatial));
         if count <= self.max_leaf as usize && (least >= count as f32 || least.is_infinite()) {

@@ -1,8 +1,10 @@
 //! The cheapest planes, found at the borders of bins.
 
-use super::super::Primitives;
+use glam::Vec3A;
+
 use super::super::item::{Extents, Item, Spread};
 use super::super::sah::NODE_COST;
+use super::super::{Primitives, SahOptions};
 use super::split::{Scale, Side, Split};
 
 /// Room for the bins of one axis, and the sums from the right.
@@ -21,6 +23,13 @@ struct Bin {
 
 impl Bin {
     const EMPTY: Self = Self { spread: Spread::EMPTY, begin: 0, end: 0 };
+
+    /// Adds a part, if there is something in it.
+    fn add(&mut self, part: Spread) {
+        if !part.is_empty() {
+            self.spread = self.spread.union(part);
+        }
+    }
 }
 
 impl Bins {
@@ -30,7 +39,7 @@ impl Bins {
 
     /// The cheapest cut between items, by their centroids.
     pub(super) fn between(&mut self, items: &[Item], extents: &Extents) -> Option<Split> {
-        self.cheapest(items.len(), &extents.boxes, |bins, axis| {
+        self.cheapest(items.len(), 0, &extents.boxes, |bins, axis| {
             let scale = Scale::new(&extents.centroids, axis, bins.len())?;
             for item in items {
                 let bin = &mut bins[scale.bin(item.centroid()[axis])];
@@ -42,25 +51,45 @@ impl Bins {
         })
     }
 
-    /// The cheapest plane that may cut items in two.
+    /// The cheapest plane that cuts at most `spare` items in two.
     pub(super) fn across<P: Primitives + ?Sized>(
         &mut self,
         primitives: &P,
         items: &[Item],
+        spare: usize,
         spread: &Spread,
     ) -> Option<Split> {
-        self.cheapest(items.len(), spread, |bins, axis| {
+        let mut slices = [Spread::EMPTY; SahOptions::MAX_BINS as usize];
+        self.cheapest(items.len(), spare, spread, |bins, axis| {
             let scale = Scale::new(spread, axis, bins.len())?;
+            let ends = |whole: &Spread| [whole.lo, whole.hi].map(|plane| scale.bin(plane[axis]));
             for item in items {
-                let whole = item.spread();
-                let [begin, end] = [whole.lo, whole.hi].map(|plane| scale.bin(plane[axis]));
+                let [begin, end] = ends(&item.spread());
                 bins[begin].begin += 1;
                 bins[end].end += 1;
+            }
+            // Parts take long: where every plane cuts too many, none is made.
+            if !cuts_few(bins, items.len(), spare) {
+                return None;
+            }
+            for item in items {
+                let whole = item.spread();
+                let [begin, end] = ends(&whole);
                 if begin == end {
                     bins[begin].spread = bins[begin].spread.union(whole);
                     continue;
                 }
-                for (i, bin) in (begin..).zip(&mut bins[begin..=end]) {
+                let crossed = &mut bins[begin..=end];
+                let prim = item.prim() as usize;
+                if let Some(corners) = primitives.corners(prim) {
+                    let slices = &mut slices[..crossed.len()];
+                    slice(slices, corners.map(Vec3A::from), begin, &scale, axis);
+                    for (bin, slice) in crossed.iter_mut().zip(slices) {
+                        bin.add(slice.intersection(whole));
+                    }
+                    continue;
+                }
+                for (i, bin) in (begin..).zip(crossed) {
                     let mut part = whole.aabb();
                     if i > begin {
                         part.lo[axis] = scale.border(i);
@@ -68,20 +97,19 @@ impl Bins {
                     if i < end {
                         part.hi[axis] = scale.border(i + 1);
                     }
-                    let part = primitives.part(item.prim() as usize, &part);
-                    if part.lo.cmple(part.hi).all() {
-                        bin.spread = bin.spread.union(Spread { lo: part.lo.into(), hi: part.hi.into() });
-                    }
+                    let part = primitives.part(prim, &part);
+                    bin.add(Spread { lo: part.lo.into(), hi: part.hi.into() });
                 }
             }
             Some(scale)
         })
     }
 
-    /// The cheapest border of three axes, whose bins `fill` fills.
+    /// The cheapest border of three axes that cuts at most `spare` items. `fill` fills the bins of an axis.
     fn cheapest(
         &mut self,
         count: usize,
+        spare: usize,
         whole: &Spread,
         mut fill: impl FnMut(&mut [Bin], usize) -> Option<Scale>,
     ) -> Option<Split> {
@@ -101,7 +129,7 @@ impl Bins {
             let mut left = Side::EMPTY;
             for (border, (bin, right)) in (1..).zip(bins.iter().zip(&sums[1..])) {
                 left = left.with(&bin.spread, bin.begin);
-                if left.count == 0 || right.count == 0 {
+                if left.count == 0 || right.count == 0 || left.count + right.count > count + spare {
                     continue;
                 }
                 let cost = NODE_COST + (left.weight() + right.weight()) / area;
@@ -112,5 +140,39 @@ impl Bins {
             }
         }
         best
+    }
+}
+
+/// Whether some border has items on both sides, and cuts at most `spare` of them.
+fn cuts_few(bins: &[Bin], count: usize, spare: usize) -> bool {
+    let (mut left, mut right) = (0, count);
+    bins[1..].iter().zip(bins).any(|(_, before)| {
+        left += before.begin;
+        right -= before.end;
+        left > 0 && right > 0 && left + right <= count + spare
+    })
+}
+
+/// Boxes of what of a triangle is in each bin from `begin` on: nearly, as a plane is only chosen by them. What of a
+/// primitive is on which side of it is then asked of [`Primitives::part`].
+pub(super) fn slice(boxes: &mut [Spread], corners: [Vec3A; 3], begin: usize, scale: &Scale, axis: usize) {
+    boxes.fill(Spread::EMPTY);
+    let last = boxes.len() - 1;
+    let before = corners.map(|corner| scale.borders_before(corner[axis]));
+    for (i, j) in [(0, 1), (1, 2), (2, 0)] {
+        if let Some(own) = before[i].checked_sub(begin + 1)
+            && own <= last
+        {
+            boxes[own] = boxes[own].add(corners[i]);
+        }
+        let (low, high) = if corners[i][axis] <= corners[j][axis] { (i, j) } else { (j, i) };
+        let edge = corners[high] - corners[low];
+        let slope = edge / edge[axis];
+        for border in before[low].max(begin)..before[high].min(begin + last + 2) {
+            let point = corners[low] + slope * (scale.border(border) - corners[low][axis]);
+            for bin in (border - begin).saturating_sub(1)..=(border - begin).min(last) {
+                boxes[bin] = boxes[bin].add(point);
+            }
+        }
     }
 }

@@ -24,7 +24,7 @@ impl Split {
     /// Half area of what is in the boxes of both sides.
     pub(super) fn overlap(&self) -> f32 {
         let [left, right] = self.sides.map(|side| side.spread);
-        let both = Spread { lo: left.lo.max(right.lo), hi: left.hi.min(right.hi) };
+        let both = left.intersection(right);
         if both.lo.cmple(both.hi).all() { both.half_area() } else { 0.0 }
     }
 
@@ -143,5 +143,12 @@ impl Scale {
     #[inline]
     pub(super) fn border(&self, bin: usize) -> f32 {
         self.start + self.width * bin as f32
+    }
+
+    /// How many borders are not beyond a coordinate, of those from that of bin 0 to one behind the last bin; nearly.
+    #[inline]
+    pub(super) fn borders_before(&self, coordinate: f32) -> usize {
+        // Below the first one it is negative, which counts as 0.
+        ((coordinate - self.start) * self.factor + 1.0).min(self.last + 2.0) as usize
     }
 }

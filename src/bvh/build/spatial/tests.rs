@@ -1,7 +1,9 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use glam::Vec3;
+use glam::{Vec3, Vec3A};
 
+use super::super::item::Spread;
+use super::split::Scale;
 use super::*;
 use crate::bvh::{Bvh, BvhError, validate};
 use crate::generate::{procedural, stress};
@@ -66,6 +68,51 @@ fn boxes_become_smaller() {
     let area = |bvh: Bvh| bvh.own_boxes().iter().map(Aabb::half_area).sum::<f32>() / bvh.bounds().half_area();
     let [plain, cut] = [0, 300].map(|extra| area(build(mesh, &options(extra, 0.0))));
     assert!(cut < 0.7 * plain, "{cut} {plain}");
+}
+
+#[test]
+fn slices_are_nearly_the_parts() {
+    let mut compared = 0;
+    for mesh in [&meshes()[0], &procedural::soup(5, 300)] {
+        for prim in 0..mesh.triangles().len() {
+            let corners = mesh.corners(prim).expect("a triangle").map(Vec3A::from);
+            let whole = Item::new(&mesh.aabb(prim), 0).spread();
+            // The whole, and a part that is a part already: its middle half on every axis.
+            let quarter = (whole.hi - whole.lo) * 0.25;
+            for node in [whole, Spread { lo: whole.lo + quarter, hi: whole.hi - quarter }] {
+                for axis in 0..3 {
+                    let Some(scale) = Scale::new(&whole, axis, 8) else { continue };
+                    let [begin, end] = [node.lo, node.hi].map(|plane| scale.bin(plane[axis]));
+                    let mut slices = [Spread::EMPTY; 8];
+                    bins::slice(&mut slices[..=end - begin], corners, begin, &scale, axis);
+                    for (slice, bin) in slices.iter().zip(begin..=end) {
+                        let mut within = node.aabb();
+                        within.lo[axis] = within.lo[axis].max(scale.border(bin));
+                        within.hi[axis] = within.hi[axis].min(scale.border(bin + 1));
+                        let [slice, part] = [slice.intersection(node).aabb(), mesh.part(prim, &within)];
+                        let slack = 1e-5 * Vec3::from(whole.hi - whole.lo).max_element();
+                        // A part of a part is cut by all of its planes, a slice by two: it is the greater one.
+                        let holds = (slice.lo - slack).cmple(part.lo).all() && part.hi.cmple(slice.hi + slack).all();
+                        let is_near = (slice.lo - part.lo).abs().max((part.hi - slice.hi).abs()).max_element() < slack;
+                        let is_cut_before = node.lo != whole.lo;
+                        if part.lo.cmple(part.hi).all() {
+                            assert!(holds && (is_cut_before || is_near), "{prim} {axis} {bin}");
+                            compared += 1;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(compared > 5000, "{compared}");
+}
+
+#[test]
+fn planes_that_cut_more_than_there_is_room_for_are_not_tried() {
+    // All are one triangle, so that every plane cuts all of them.
+    let bvh = build(&meshes()[1], &options(50, 0.0));
+    assert_eq!(bvh.duplicates(), 0);
+    assert!(build(&meshes()[1], &options(100, 0.0)).duplicates() > 0);
 }
 
 #[test]
