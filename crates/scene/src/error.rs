@@ -3,6 +3,7 @@
 use stackless_bvh::geom::MeshError;
 
 use super::MOST_BYTES;
+use super::float::Float;
 use super::text::{one_line, quote};
 use std::path::{Path, PathBuf};
 use std::{fmt, io};
@@ -95,13 +96,15 @@ pub enum Fault {
         /// What should.
         expected: String,
     },
-    /// A coordinate that is NaN, infinite, or too large for single precision.
-    #[error("coordinate {} is {value:?}, expected a finite number in single precision", ["x", "y", "z"][*.axis])]
+    /// A coordinate that is NaN, infinite, or too large for the precision that is read.
+    #[error("coordinate {} is {value:?}, expected a finite number in {precision} precision", ["x", "y", "z"][*.axis])]
     NonFinite {
         /// 0, 1 or 2.
         axis: usize,
         /// The coordinate.
         value: f64,
+        /// What is read: `single` or `double`.
+        precision: &'static str,
     },
     /// A corner that is not a vertex.
     #[error("vertex index {found} is out of range, expected {expected}")]
@@ -122,6 +125,10 @@ pub enum Fault {
 impl Fault {
     pub(super) fn unexpected(found: impl Into<String>, expected: impl Into<String>) -> Self {
         Self::Unexpected { found: found.into(), expected: expected.into() }
+    }
+
+    pub(super) fn non_finite<F: Float>(axis: usize, value: f64) -> Self {
+        Self::NonFinite { axis, value, precision: F::PRECISION }
     }
 
     pub(super) fn at(self, place: Place) -> ReadError {

@@ -8,13 +8,14 @@ use std::fmt;
 use std::path::{Component, Path};
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
-use glam::{DMat4, DVec3, Vec3};
+use glam::{DMat4, DVec3};
 use gltf::accessor::{DataType, Dimensions};
 use gltf::mesh::{Mode, Primitive};
 use gltf::{Accessor, Document, Gltf, Semantic, buffer};
-use stackless_bvh::geom::Mesh;
+use stackless_bvh::geom::{Mesh, Real as _};
 
 use super::error::{Fault, Place, ReadError};
+use super::float::{Position, is_finite};
 use super::text::quote;
 use super::{Loaded, MOST_BYTES, read_bytes};
 
@@ -29,7 +30,7 @@ const MOST_TRIANGLES: usize = 1 << 26;
 ///
 /// # Errors
 /// [`ReadError`], naming the node, mesh or buffer.
-pub fn read_gltf(bytes: &[u8], folder: Option<&Path>) -> Result<Mesh, ReadError> {
+pub fn read_gltf<V: Position>(bytes: &[u8], folder: Option<&Path>) -> Result<Mesh<V>, ReadError> {
     load(bytes, folder).map(|loaded| loaded.mesh)
 }
 
@@ -53,7 +54,7 @@ impl fmt::Display for Unread {
 }
 
 /// Reads the mesh, and counts what was rounded and what was not read.
-pub(crate) fn load(bytes: &[u8], folder: Option<&Path>) -> Result<Loaded, ReadError> {
+pub(crate) fn load<V: Position>(bytes: &[u8], folder: Option<&Path>) -> Result<Loaded<V>, ReadError> {
     let whole = |found: String| Fault::unexpected(found, "a glTF 2.0 document").at(Place::Document);
     // The crate takes the length of the header off it, whatever it is.
     let length = bytes.get(8..12).and_then(|length| length.first_chunk()).map(|length| u32::from_le_bytes(*length));
@@ -83,7 +84,7 @@ pub(crate) fn load(bytes: &[u8], folder: Option<&Path>) -> Result<Loaded, ReadEr
     let scene = document.default_scene().or_else(|| document.scenes().next());
     let scene = scene.ok_or_else(|| Fault::Ends { expected: "a scene" }.at(Place::Document))?;
 
-    let mut draft = Draft::default();
+    let mut draft = Draft { vertices: Vec::new(), triangles: Vec::new(), rounded: 0, unread: Unread::default() };
     let nodes = document.nodes().len();
     let mut is_met = vec![false; nodes];
     let mut pending: Vec<_> = scene.nodes().map(|node| (node, DMat4::IDENTITY)).collect();
@@ -145,16 +146,15 @@ fn read_beside(uri: &str, folder: Option<&Path>) -> Result<Vec<u8>, Fault> {
     }
 }
 
-#[derive(Default)]
-struct Draft {
-    vertices: Vec<Vec3>,
+struct Draft<V> {
+    vertices: Vec<V>,
     triangles: Vec<[u32; 3]>,
-    /// Coordinates that single precision does not have, where they have been moved to.
+    /// Coordinates that the precision does not have, where they have been moved to.
     rounded: u64,
     unread: Unread,
 }
 
-impl Draft {
+impl<V: Position> Draft<V> {
     fn add(&mut self, primitive: &Primitive<'_>, buffers: &[Cow<'_, [u8]>], to_world: &DMat4) -> Result<(), Fault> {
         let mode = primitive.mode();
         if !matches!(mode, Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan) {
@@ -204,13 +204,13 @@ impl Draft {
         let mut numbers = bytes.chunks_exact(4).map(|number| number.try_into().map_or(f32::NAN, f32::from_le_bytes));
         let own: [f32; 3] = std::array::from_fn(|_| numbers.next().unwrap_or(f32::NAN));
         let moved = to_world.transform_point3(DVec3::from(own.map(f64::from))).to_array();
-        let position = moved.map(|value| value as f32);
-        if let Some(axis) = position.iter().position(|number| !number.is_finite()) {
-            return Err(Fault::NonFinite { axis, value: moved[axis] });
+        let position = moved.map(V::Real::rounded);
+        if let Some(axis) = position.iter().position(|&number| !is_finite(number)) {
+            return Err(Fault::non_finite::<V::Real>(axis, moved[axis]));
         }
         self.rounded +=
-            position.iter().zip(moved).filter(|&(&position, moved)| f64::from(position) != moved).count() as u64;
-        self.vertices.push(position.into());
+            position.iter().zip(moved).filter(|&(&position, moved)| position.into() != moved).count() as u64;
+        self.vertices.push(V::from_components(position));
         Ok(())
     }
 }

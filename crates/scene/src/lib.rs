@@ -17,6 +17,7 @@
 
 mod error;
 mod fan;
+mod float;
 mod gltf_file;
 mod obj;
 mod output;
@@ -27,6 +28,7 @@ mod stl;
 mod text;
 
 pub use error::{Fault, Place, ReadError, SceneError};
+pub use float::{Float, Position};
 pub use gltf_file::{Unread, read_gltf};
 pub use obj::{Statements, read_obj};
 pub use output::{abandon_writes, check_writable, resolve, write_atomically};
@@ -42,24 +44,25 @@ use std::fs::File;
 use std::io::Read as _;
 use std::path::Path;
 
+use glam::Vec3;
 use stackless_bvh::geom::Mesh;
 
 /// What a mesh file holds.
 #[derive(Clone, Debug)]
-pub struct Loaded {
+pub struct Loaded<V: Position = Vec3> {
     /// The mesh.
-    pub mesh: Mesh,
+    pub mesh: Mesh<V>,
     /// What was skipped of an OBJ file, since the format does not have it.
     pub skipped: Option<Statements>,
     /// What was not read of a glTF file, since it is not a mesh of triangles.
     pub unread: Option<Unread>,
-    /// How many coordinates were rounded, of a PLY file or by the nodes of a glTF file, since single precision does not
-    /// have them.
+    /// How many coordinates were rounded, of a PLY file or by the nodes of a glTF file, since the precision that was read
+    /// does not have them.
     pub rounded: u64,
 }
 
-impl Loaded {
-    fn of((mesh, rounded): (Mesh, u64)) -> Self {
+impl<V: Position> Loaded<V> {
+    fn of((mesh, rounded): (Mesh<V>, u64)) -> Self {
         Self { mesh, skipped: None, unread: None, rounded }
     }
 
@@ -67,24 +70,25 @@ impl Loaded {
     pub fn note(&self, file: &Path) -> Option<String> {
         let skipped = self.skipped.as_ref().map(ToString::to_string);
         let unread = self.unread.as_ref().map(ToString::to_string);
-        let rounded = rounded(self.rounded, ["coordinate was", "coordinates were"]);
+        let rounded = rounded::<V>(self.rounded, ["coordinate was", "coordinates were"]);
         let notes: Vec<_> = [skipped, unread, rounded].into_iter().flatten().collect();
         (!notes.is_empty()).then(|| format!("{}: {}", text::one_line(file), notes.join("; ")))
     }
 }
 
 /// How many of these were rounded, if any.
-fn rounded(count: u64, [one, several]: [&str; 2]) -> Option<String> {
+fn rounded<V: Position>(count: u64, [one, several]: [&str; 2]) -> Option<String> {
     let were = if count == 1 { one } else { several };
-    (count > 0).then(|| format!("{count} {were} rounded to single precision"))
+    (count > 0).then(|| format!("{count} {were} rounded to {} precision", V::Real::PRECISION))
 }
 
 /// Reads the triangle mesh in a file, by its extension (either case of letters): `.ply`, `.obj`, `.stl`, `.gltf`,
-/// `.glb`; see [`read_ply`], [`read_obj`], [`read_stl`] and [`read_gltf`].
+/// `.glb`; see [`read_ply`], [`read_obj`], [`read_stl`] and [`read_gltf`]. Coordinates are read in single or in double
+/// precision, as the type asks.
 ///
 /// # Errors
 /// [`SceneError`]: unknown extension, unreadable or too large a file, or content that is not a mesh.
-pub fn load(path: &Path) -> Result<Loaded, SceneError> {
+pub fn load<V: Position>(path: &Path) -> Result<Loaded<V>, SceneError> {
     let read = reader(path)?;
     let bytes = read_bytes(path, MOST_BYTES).map_err(|error| SceneError::Io { file: path.into(), error })?;
     let bytes = bytes.ok_or_else(|| SceneError::Size { file: path.into() })?;
@@ -95,24 +99,25 @@ pub fn load(path: &Path) -> Result<Loaded, SceneError> {
 /// A `.gltf` may not name other files.
 ///
 /// ```
+/// use glam::Vec3;
 /// use stackless_scene::read_named;
 ///
-/// let loaded = read_named("one.obj".as_ref(), b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")?;
+/// let loaded = read_named::<Vec3>("one.obj".as_ref(), b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")?;
 /// assert_eq!(loaded.mesh.triangles(), [[0, 1, 2]]);
 /// # Ok::<(), stackless_scene::SceneError>(())
 /// ```
 ///
 /// # Errors
 /// [`SceneError`]: unknown extension, or content that is not a mesh.
-pub fn read_named(name: &Path, bytes: &[u8]) -> Result<Loaded, SceneError> {
+pub fn read_named<V: Position>(name: &Path, bytes: &[u8]) -> Result<Loaded<V>, SceneError> {
     reader(name)?(bytes, None).map_err(|error| SceneError::Content { file: name.into(), error: error.into() })
 }
 
 /// Reads the bytes of a file, and what it names in its folder.
-type Reader = fn(&[u8], Option<&Path>) -> Result<Loaded, ReadError>;
+type Reader<V> = fn(&[u8], Option<&Path>) -> Result<Loaded<V>, ReadError>;
 
 /// What reads files of this name.
-fn reader(path: &Path) -> Result<Reader, SceneError> {
+fn reader<V: Position>(path: &Path) -> Result<Reader<V>, SceneError> {
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
     Ok(match extension.to_str() {
         Some("ply") => |bytes, _| ply::read_and_count(bytes).map(Loaded::of),

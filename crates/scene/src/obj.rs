@@ -4,8 +4,8 @@ use super::error::{Fault, ReadError};
 use stackless_bvh::geom::Mesh;
 
 use super::fan::Fan;
+use super::float::{Position, is_finite};
 use super::text::{End, Lines, quote, without_mark};
-use glam::Vec3;
 use std::fmt;
 use std::str::SplitAsciiWhitespace;
 
@@ -13,7 +13,7 @@ use std::str::SplitAsciiWhitespace;
 ///
 /// Statements `v` (of which the first three numbers count) and `f` (or `fo`) are read, with comments and lines
 /// continued by a backslash. A line ends with a line feed, a carriage return, or both; a byte order mark does not
-/// count. Coordinates are rounded to single precision. A corner is `a`, `a/b`, `a//c` or `a/b/c`, where `a` counts
+/// count. Coordinates are rounded to what is read. A corner is `a`, `a/b`, `a//c` or `a/b/c`, where `a` counts
 /// vertices from 1, or backwards from the last one so far if negative; it may point to a vertex that follows. A polygon
 /// becomes the triangles `(0, i, i + 1)` of its corners.
 ///
@@ -21,7 +21,7 @@ use std::str::SplitAsciiWhitespace;
 /// too, and counted.
 ///
 /// ```
-/// let (mesh, skipped) = stackless_scene::read_obj(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nfacet 1 2 3\nf 1 2 3\n")?;
+/// let (mesh, skipped) = stackless_scene::read_obj::<glam::Vec3>(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nfacet 1 2 3\nf 1 2 3\n")?;
 /// assert_eq!(mesh.triangles(), [[0, 1, 2]]);
 /// let said = "1 statement that OBJ does not have was skipped, the first in line 4: \"facet\"";
 /// assert_eq!(skipped.map(|skipped| skipped.to_string()).as_deref(), Some(said));
@@ -30,8 +30,8 @@ use std::str::SplitAsciiWhitespace;
 ///
 /// # Errors
 /// [`ReadError`], naming the line on which the statement begins.
-pub fn read_obj(bytes: &[u8]) -> Result<(Mesh, Option<Statements>), ReadError> {
-    let mut draft = Draft::default();
+pub fn read_obj<V: Position>(bytes: &[u8]) -> Result<(Mesh<V>, Option<Statements>), ReadError> {
+    let mut draft = Draft { line: 0, vertices: Vec::new(), triangles: Vec::new(), ahead: Vec::new(), skipped: None };
     let mut lines = Lines::new(without_mark(bytes), End::Any);
     let mut statement = Vec::new();
     while let Some(first) = lines.next() {
@@ -104,33 +104,32 @@ fn content(line: &[u8]) -> (&[u8], bool) {
     }
 }
 
-#[derive(Default)]
-struct Draft {
+struct Draft<V> {
     /// Where the current statement begins.
     line: u64,
-    vertices: Vec<Vec3>,
+    vertices: Vec<V>,
     triangles: Vec<[u32; 3]>,
     /// Corners (line and number) that were ahead of the vertices when they came.
     ahead: Vec<(u64, i64)>,
     skipped: Option<Statements>,
 }
 
-impl Draft {
+impl<V: Position> Draft<V> {
     fn skip(&mut self, word: &str) {
         let first = || Statements { count: 0, line: self.line, word: quote(word) };
         self.skipped.get_or_insert_with(first).count += 1;
     }
 
     fn vertex(&mut self, mut words: SplitAsciiWhitespace<'_>) -> Result<(), Fault> {
-        let mut position = [0.0_f32; 3];
+        let mut position = [V::Real::default(); 3];
         for (axis, coordinate) in position.iter_mut().enumerate() {
             let word = words.next().ok_or_else(|| Fault::unexpected("the end of the line", "3 coordinates"))?;
             *coordinate = word.parse().map_err(|_| Fault::unexpected(quote(word), "a number"))?;
-            if !coordinate.is_finite() {
-                return Err(Fault::NonFinite { axis, value: f64::from(*coordinate) });
+            if !is_finite(*coordinate) {
+                return Err(Fault::non_finite::<V::Real>(axis, (*coordinate).into()));
             }
         }
-        self.vertices.push(position.into());
+        self.vertices.push(V::from_components(position));
         Ok(())
     }
 
@@ -166,7 +165,7 @@ impl Draft {
         Fault::Index { found: number.to_string(), expected }
     }
 
-    fn finish(self) -> Result<(Mesh, Option<Statements>), ReadError> {
+    fn finish(self) -> Result<(Mesh<V>, Option<Statements>), ReadError> {
         let count = self.vertices.len() as i64;
         if let Some(&(line, number)) = self.ahead.iter().find(|(_, number)| *number > count) {
             return Err(self.out_of_range(number).at_line(line));

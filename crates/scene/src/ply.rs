@@ -5,18 +5,17 @@ mod header;
 use header::{Element, Encoding, Header, Kind, Property, Scalar};
 
 use super::error::{Fault, Place, ReadError};
-use stackless_bvh::geom::Mesh;
+use stackless_bvh::geom::{Mesh, Real as _};
 
 use super::fan::Fan;
+use super::float::{Position, is_finite};
 use super::text::{End, Lines, quote, without_mark};
-use glam::Vec3;
 use std::str::SplitAsciiWhitespace;
 
 /// Reads a mesh from the bytes of a PLY file.
 ///
 /// Of element `vertex` the scalars `x`, `y`, `z` are read, of element `face` the list `vertex_indices` (or
-/// `vertex_index`), each of any type; all else is skipped. Coordinates are rounded to single precision. A polygon
-/// becomes the triangles `(0, i, i + 1)` of its corners.
+/// `vertex_index`), each of any type; all else is skipped. Coordinates are rounded to what is read. A polygon becomes the triangles `(0, i, i + 1)` of its corners.
 ///
 /// A byte order mark before the header does not count. The file must be what its header says: in ascii one element a
 /// line (blank lines do not count), and nothing but white space after the last element, since more bytes than promised
@@ -24,12 +23,12 @@ use std::str::SplitAsciiWhitespace;
 ///
 /// # Errors
 /// [`ReadError`], naming the line of a header or an ascii file, or the element of a binary one.
-pub fn read_ply(bytes: &[u8]) -> Result<Mesh, ReadError> {
+pub fn read_ply<V: Position>(bytes: &[u8]) -> Result<Mesh<V>, ReadError> {
     read_and_count(bytes).map(|(mesh, _)| mesh)
 }
 
 /// The same, and how many coordinates were rounded.
-pub(crate) fn read_and_count(bytes: &[u8]) -> Result<(Mesh, u64), ReadError> {
+pub(crate) fn read_and_count<V: Position>(bytes: &[u8]) -> Result<(Mesh<V>, u64), ReadError> {
     let bytes = without_mark(bytes);
     // A lone carriage return ends lines only where it ends the first: binary data may begin with a line feed.
     let lone_return = bytes.starts_with(b"ply\r") && !bytes.starts_with(b"ply\r\n");
@@ -42,7 +41,7 @@ pub(crate) fn read_and_count(bytes: &[u8]) -> Result<(Mesh, u64), ReadError> {
     }
 }
 
-fn read_body<S: Source>(header: &Header, mut source: S) -> Result<(Mesh, u64), ReadError> {
+fn read_body<V: Position, S: Source>(header: &Header, mut source: S) -> Result<(Mesh<V>, u64), ReadError> {
     let mut body = Body::new(header, source.rest().len());
     for element in &header.elements {
         // Nothing to read, however many the header promises.
@@ -64,15 +63,15 @@ fn read_body<S: Source>(header: &Header, mut source: S) -> Result<(Mesh, u64), R
 }
 
 /// What has been read so far.
-struct Body {
-    vertices: Vec<Vec3>,
+struct Body<V> {
+    vertices: Vec<V>,
     triangles: Vec<[u32; 3]>,
     promised_vertices: u64,
-    /// Coordinates that single precision does not have.
+    /// Coordinates that the precision does not have.
     rounded: u64,
 }
 
-impl Body {
+impl<V: Position> Body<V> {
     fn new(header: &Header, available: usize) -> Self {
         let count = |kind| header.elements.iter().find(|e| e.kind == kind).map_or(0, |e| e.count);
         let (vertices, faces) = (count(Kind::Vertex), count(Kind::Face));
@@ -87,15 +86,15 @@ impl Body {
     #[inline]
     fn read<S: Source>(&mut self, source: &mut S, element: &Element) -> Result<(), Fault> {
         source.begin()?;
-        let mut position = [0.0; 3];
+        let mut position = [V::Real::default(); 3];
         for property in &element.properties {
             match *property {
                 Property::Coordinate { axis, scalar } => {
                     let value = source.scalar(scalar)?;
-                    position[axis] = value as f32;
-                    self.rounded += u64::from(f64::from(position[axis]) != value);
-                    if !position[axis].is_finite() {
-                        return Err(Fault::NonFinite { axis, value });
+                    position[axis] = V::Real::rounded(value);
+                    self.rounded += u64::from(position[axis].into() != value);
+                    if !is_finite(position[axis]) {
+                        return Err(Fault::non_finite::<V::Real>(axis, value));
                     }
                 }
                 Property::Corners { length, item } => self.read_face(source, length, item)?,
@@ -110,7 +109,7 @@ impl Body {
             }
         }
         if element.kind == Kind::Vertex {
-            self.vertices.push(position.into());
+            self.vertices.push(V::from_components(position));
         }
         source.end()
     }

@@ -5,7 +5,8 @@ use std::fmt::Write;
 
 use crate::stl;
 use crate::text::MARK;
-use crate::{Format, ReadError, read_gltf, read_obj, read_ply, read_rays_from, read_stl};
+use crate::{Format, Position, ReadError, read_gltf, read_obj, read_ply, read_rays_from, read_stl};
+use glam::DVec3;
 use stackless_bvh::geom::{Mesh, Ray};
 
 /// What is wrong with a reader.
@@ -44,7 +45,7 @@ pub enum MeshFormat {
 }
 
 impl MeshFormat {
-    fn read(self, bytes: &[u8]) -> Result<Mesh, ReadError> {
+    fn read<V: Position>(self, bytes: &[u8]) -> Result<Mesh<V>, ReadError> {
         match self {
             Self::Ply => read_ply(bytes),
             Self::Obj => read_obj(bytes).map(|(mesh, _)| mesh),
@@ -81,6 +82,10 @@ pub fn check_mesh_file(bytes: &[u8], format: MeshFormat) -> Result<bool, FileFau
     if elements >= bytes.len() && format != MeshFormat::Gltf {
         return Err(FileFault::Size { elements, bytes: bytes.len() });
     }
+    let double = format.read::<DVec3>(bytes).map_err(|error| FileFault::Changed(error.to_string()))?;
+    if !is_near(&mesh, &double) {
+        return Err(FileFault::Changed(format!("{mesh:?}, and {double:?} in double precision")));
+    }
     for written in format.rewritten(bytes) {
         let same = format.read(&written);
         let same = same.is_ok_and(|same| bits(&same) == bits(&mesh) && same.triangles() == mesh.triangles());
@@ -95,6 +100,15 @@ pub fn check_mesh_file(bytes: &[u8], format: MeshFormat) -> Result<bool, FileFau
         }
     }
     Ok(true)
+}
+
+/// Whether both have the same corners, rounded; of a text twice, which may give a neighbour.
+fn is_near(single: &Mesh, double: &Mesh<DVec3>) -> bool {
+    let mut corners =
+        (0..single.triangles().len()).flat_map(|i| single.triangle(i).into_iter().zip(double.triangle(i)));
+    let near = |a: f32, b: f32| a == b || a.next_up() == b || a.next_down() == b;
+    let same_count = single.triangles().len() == double.triangles().len();
+    same_count && corners.all(|(a, b)| (0..3).all(|axis| near(a[axis], b[axis] as f32)))
 }
 
 /// Reads rays, as a file of each format. If they are accepted, they are written, and must come back.

@@ -4,9 +4,10 @@ mod csv;
 mod json_lines;
 mod npy;
 
+use super::float::{Float, Position, is_finite};
 use super::text::{one_line, quote};
 use glam::Vec3;
-use stackless_bvh::geom::{Ray, RayError};
+use stackless_bvh::geom::{Ray, RayError, Real as _};
 use std::fmt;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
@@ -183,17 +184,17 @@ pub enum RayFault {
 
 /// The rays of a file.
 #[derive(Clone, Debug)]
-pub struct LoadedRays {
+pub struct LoadedRays<V: Position = Vec3> {
     /// The rays, at least one.
-    pub rays: Vec<Ray>,
-    /// How many doubles of a `NumPy` array were rounded, since single precision does not have them.
+    pub rays: Vec<Ray<V>>,
+    /// How many doubles of a `NumPy` array were rounded, since the precision that was read does not have them.
     pub rounded: u64,
 }
 
-impl LoadedRays {
+impl<V: Position> LoadedRays<V> {
     /// What to tell whoever named the file: one line that begins with it. `None` if all was taken as it is.
     pub fn note(&self, file: &Path) -> Option<String> {
-        let rounded = super::rounded(self.rounded, ["number was", "numbers were"])?;
+        let rounded = super::rounded::<V>(self.rounded, ["number was", "numbers were"])?;
         Some(format!("{}: {rounded}", one_line(file)))
     }
 }
@@ -206,12 +207,12 @@ impl LoadedRays {
 /// mark does not count.
 ///
 /// Of JSON lines each is an object with `origin` and `direction`, and perhaps `tmin` and `tmax`, where null is infinity. A
-/// `NumPy` array has rows of 6 or 8 numbers (`<f4` or `<f8`). Numbers are rounded to single precision; only `tmax` may be
+/// `NumPy` array has rows of 6 or 8 numbers (`<f4` or `<f8`). Numbers are rounded to what is read; only `tmax` may be
 /// infinite.
 ///
 /// # Errors
 /// [`RayFileError`]; for a bad line it names line and column.
-pub fn read_rays(path: &Path, format: Format) -> Result<LoadedRays, RayFileError> {
+pub fn read_rays<V: Position>(path: &Path, format: Format) -> Result<LoadedRays<V>, RayFileError> {
     let file = File::open(path).map_err(|error| RayFileError::Io { file: path.into(), error })?;
     read_rays_from(BufReader::new(file), path, format)
 }
@@ -220,11 +221,11 @@ pub fn read_rays(path: &Path, format: Format) -> Result<LoadedRays, RayFileError
 ///
 /// # Errors
 /// As [`read_rays`].
-pub fn read_rays_from(
+pub fn read_rays_from<V: Position>(
     mut reader: impl BufRead,
     name: impl AsRef<Path>,
     format: Format,
-) -> Result<LoadedRays, RayFileError> {
+) -> Result<LoadedRays<V>, RayFileError> {
     let file = name.as_ref();
     let (rays, rounded) = match format {
         Format::Csv => (lines(&mut reader, file, format, csv::Reader::default())?, 0),
@@ -239,17 +240,17 @@ pub fn read_rays_from(
 }
 
 /// Reads a line.
-trait LineReader {
+trait LineReader<V: Position> {
     /// The ray in it, if it is not there for something else.
-    fn read(&mut self, line: &str) -> Result<Option<Ray>, RayFault>;
+    fn read(&mut self, line: &str) -> Result<Option<Ray<V>>, RayFault>;
 }
 
-fn lines(
+fn lines<V: Position>(
     reader: &mut impl BufRead,
     file: &Path,
     format: Format,
-    mut each: impl LineReader,
-) -> Result<Vec<Ray>, RayFileError> {
+    mut each: impl LineReader<V>,
+) -> Result<Vec<Ray<V>>, RayFileError> {
     let (mut rays, mut bytes) = (Vec::new(), Vec::new());
     for number in 1.. {
         if !read_line(reader, &mut bytes).map_err(|error| RayFileError::Io { file: file.into(), error })? {
@@ -297,19 +298,20 @@ fn read_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> 
 }
 
 /// The ray of these numbers: all columns, or those without the interval.
-fn ray(numbers: &[f32]) -> Result<Ray, RayFault> {
+fn ray<V: Position>(numbers: &[V::Real]) -> Result<Ray<V>, RayFault> {
     for (&number, column) in numbers.iter().zip(COLUMNS) {
-        check(number, column, || number.to_string())?;
+        check(number, column, || number.into().to_string())?;
     }
-    let point = |first: usize| Vec3::from_slice(&numbers[first..first + 3]);
-    let [tmin, tmax] = if numbers.len() == UNBOUNDED { [0.0, f32::INFINITY] } else { [numbers[6], numbers[7]] };
+    let point = |first: usize| V::from_components([numbers[first], numbers[first + 1], numbers[first + 2]]);
+    let [tmin, tmax] =
+        if numbers.len() == UNBOUNDED { [V::Real::default(), V::Real::INFINITY] } else { [numbers[6], numbers[7]] };
     Ok(Ray::within(point(0), point(3), tmin, tmax)?)
 }
 
 /// Refuses what no column, or not this one, may be.
-fn check(number: f32, column: &'static str, found: impl FnOnce() -> String) -> Result<(), RayFault> {
+fn check<F: Float>(number: F, column: &'static str, found: impl FnOnce() -> String) -> Result<(), RayFault> {
     let may_be_infinite = column == "tmax";
-    if number.is_finite() || may_be_infinite && number == f32::INFINITY {
+    if is_finite(number) || may_be_infinite && number == F::INFINITY {
         return Ok(());
     }
     let expected = if may_be_infinite { "a number or inf" } else { "a finite number" };
@@ -317,7 +319,7 @@ fn check(number: f32, column: &'static str, found: impl FnOnce() -> String) -> R
 }
 
 /// What a ray hits: the triangle's index in the mesh, distance, and weights of its second and third corner.
-pub type HitRow = Option<(u32, f32, f32, f32)>;
+pub type HitRow<F = f32> = Option<(u32, F, F, F)>;
 
 /// Writes what each ray hits, in order.
 ///
@@ -327,7 +329,11 @@ pub type HitRow = Option<(u32, f32, f32, f32)>;
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_hits(writer: impl Write, hits: impl ExactSizeIterator<Item = HitRow>, format: Format) -> io::Result<()> {
+pub fn write_hits<F: Float>(
+    writer: impl Write,
+    hits: impl ExactSizeIterator<Item = HitRow<F>>,
+    format: Format,
+) -> io::Result<()> {
     match format {
         Format::Csv => csv::write(writer, hits),
         Format::JsonLines => json_lines::write(writer, hits),

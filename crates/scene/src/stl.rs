@@ -3,10 +3,10 @@
 use std::collections::HashMap;
 use std::str::SplitAsciiWhitespace;
 
-use glam::Vec3;
-use stackless_bvh::geom::Mesh;
+use stackless_bvh::geom::{Mesh, Real as _};
 
 use super::error::{Fault, Place, ReadError};
+use super::float::{Position, is_finite};
 use super::text::{End, Lines, quote, without_mark};
 
 /// Bytes before the triangles of a binary file: a text of any kind, and how many there are.
@@ -22,8 +22,8 @@ const TRIANGLE: usize = 50;
 ///
 /// # Errors
 /// [`ReadError`], naming the line of a text, or the triangle of a binary file.
-pub fn read_stl(bytes: &[u8]) -> Result<Mesh, ReadError> {
-    let mut draft = Draft::default();
+pub fn read_stl<V: Position>(bytes: &[u8]) -> Result<Mesh<V>, ReadError> {
+    let mut draft = Draft::new();
     if is_text(bytes) {
         read_text(bytes, &mut draft)?;
     } else {
@@ -44,7 +44,7 @@ fn promised(bytes: &[u8]) -> Option<usize> {
     Some(u32::from_le_bytes(*count) as usize)
 }
 
-fn read_binary(bytes: &[u8], draft: &mut Draft) -> Result<(), ReadError> {
+fn read_binary<V: Position>(bytes: &[u8], draft: &mut Draft<V>) -> Result<(), ReadError> {
     let expected = "solid, or 80 bytes and the number of triangles";
     let count = promised(bytes).ok_or_else(|| Fault::Ends { expected }.at(Place::Line(1)))?;
     let mut rest = &bytes[HEADER..];
@@ -57,7 +57,7 @@ fn read_binary(bytes: &[u8], draft: &mut Draft) -> Result<(), ReadError> {
         let numbers =
             triangle[12..48].chunks_exact(4).map(|number| number.try_into().map_or(f32::NAN, f32::from_le_bytes));
         for number in numbers {
-            draft.coordinate(number).map_err(|fault| fault.at(place()))?;
+            draft.coordinate(V::Real::rounded(number.into())).map_err(|fault| fault.at(place()))?;
         }
     }
     if rest.is_empty() {
@@ -66,7 +66,7 @@ fn read_binary(bytes: &[u8], draft: &mut Draft) -> Result<(), ReadError> {
     Err(Fault::unexpected(format!("{} bytes", rest.len()), "the end of the file").at(Place::End))
 }
 
-fn read_text(bytes: &[u8], draft: &mut Draft) -> Result<(), ReadError> {
+fn read_text<V: Position>(bytes: &[u8], draft: &mut Draft<V>) -> Result<(), ReadError> {
     // What must follow, of the words that begin lines.
     let mut wanted = "solid";
     let mut corners = 0;
@@ -96,18 +96,22 @@ fn read_text(bytes: &[u8], draft: &mut Draft) -> Result<(), ReadError> {
     if wanted == "solid" { Ok(()) } else { Err(Fault::Ends { expected: wanted }.at_line(lines.number())) }
 }
 
-#[derive(Default)]
-struct Draft {
-    vertices: Vec<Vec3>,
+struct Draft<V: Position> {
+    vertices: Vec<V>,
     triangles: Vec<[u32; 3]>,
     /// The vertices by their coordinates.
-    known: HashMap<[u32; 3], u32>,
+    known: HashMap<[u64; 3], u32>,
     /// Coordinates of the next corner, then corners of the next triangle.
-    coordinates: Vec<f32>,
+    coordinates: Vec<V::Real>,
     corners: Vec<u32>,
 }
 
-impl Draft {
+impl<V: Position> Draft<V> {
+    fn new() -> Self {
+        let (vertices, triangles, known) = (Vec::new(), Vec::new(), HashMap::new());
+        Self { vertices, triangles, known, coordinates: Vec::new(), corners: Vec::new() }
+    }
+
     fn corner(&mut self, words: &mut SplitAsciiWhitespace<'_>) -> Result<(), Fault> {
         for _ in 0..3 {
             let word = words.next().ok_or_else(|| Fault::unexpected("the end of the line", "3 coordinates"))?;
@@ -117,18 +121,19 @@ impl Draft {
     }
 
     /// The next coordinate, of the next corner of the next triangle.
-    fn coordinate(&mut self, value: f32) -> Result<(), Fault> {
-        if !value.is_finite() {
-            return Err(Fault::NonFinite { axis: self.coordinates.len(), value: value.into() });
+    fn coordinate(&mut self, value: V::Real) -> Result<(), Fault> {
+        if !is_finite(value) {
+            return Err(Fault::non_finite::<V::Real>(self.coordinates.len(), value.into()));
         }
         // Zero has one sign, so that it is one corner.
-        self.coordinates.push(value + 0.0);
+        let zero = V::Real::default();
+        self.coordinates.push(if value == zero { zero } else { value });
         let [x, y, z] = self.coordinates[..] else { return Ok(()) };
         self.coordinates.clear();
         let next = self.vertices.len() as u32;
-        let index = *self.known.entry([x, y, z].map(f32::to_bits)).or_insert(next);
+        let index = *self.known.entry([x, y, z].map(|number| number.into().to_bits())).or_insert(next);
         if index == next {
-            self.vertices.push(Vec3::new(x, y, z));
+            self.vertices.push(V::from_components([x, y, z]));
         }
         self.corners.push(index);
         if let [a, b, c] = self.corners[..] {

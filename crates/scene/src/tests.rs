@@ -1,6 +1,7 @@
 //! Loading from files, and what the tests of the readers share.
 
 use super::*;
+use glam::DVec3;
 use std::fs;
 use std::path::PathBuf;
 
@@ -81,15 +82,15 @@ fn data(name: &str) -> PathBuf {
 }
 
 fn refusal(path: &Path) -> String {
-    load(path).unwrap_err().to_string()
+    load::<Vec3>(path).unwrap_err().to_string()
 }
 
 #[test]
 fn both_formats_give_the_same_cube() {
-    let cube = load(&data("cube.ply")).unwrap().mesh;
+    let cube = load::<Vec3>(&data("cube.ply")).unwrap().mesh;
     assert_eq!((cube.vertices().len(), cube.triangles().len()), (8, 12));
     assert_eq!(cube.triangles()[..4], [[0, 3, 2], [0, 2, 1], [4, 5, 6], [4, 6, 7]]);
-    assert_eq!(load(&data("cube.obj")).unwrap().mesh, cube);
+    assert_eq!(load::<Vec3>(&data("cube.obj")).unwrap().mesh, cube);
 }
 
 #[test]
@@ -97,7 +98,7 @@ fn the_extension_may_be_in_capitals_and_must_be_known() {
     let folder = Folder::new("extension");
     for name in ["cube.PLY", "cube.Obj"] {
         fs::copy(data(&name.to_lowercase()), folder.file(name)).unwrap();
-        assert_eq!(load(&folder.file(name)).unwrap().mesh, load(&data("cube.ply")).unwrap().mesh);
+        assert_eq!(load::<Vec3>(&folder.file(name)).unwrap().mesh, load::<Vec3>(&data("cube.ply")).unwrap().mesh);
     }
     for (name, found) in [
         ("a.off", "extension \"off\""),
@@ -150,7 +151,7 @@ fn coordinates_that_are_rounded_are_counted() {
         );
         let faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
         std::fs::write(&path, format!("{header}{faces}{x} 0 0\n0 {x} 0\n0 0 0.5\n3 0 1 2\n")).unwrap();
-        let loaded = load(&path).unwrap();
+        let loaded = load::<Vec3>(&path).unwrap();
         (loaded.rounded, loaded.note(&path).map(|note| note.replace(&path.display().to_string(), "FILE")))
     };
     assert_eq!(read("float", "0.1"), (0, None));
@@ -159,6 +160,9 @@ fn coordinates_that_are_rounded_are_counted() {
         read("double", "6400000.1"),
         (2, Some("FILE: 2 coordinates were rounded to single precision".to_owned()))
     );
+    // That is the file of the last call.
+    let double = load::<DVec3>(&folder.file("mesh.ply")).unwrap();
+    assert_eq!((double.rounded, double.mesh.vertices()[0]), (0, DVec3::X * 6_400_000.1));
 }
 
 #[test]
@@ -174,7 +178,7 @@ fn a_file_of_holes_costs_nothing() {
         .unwrap()
         .set_len(header.len() as u64 + 12 * 2_147_483_647)
         .unwrap();
-    let error = load(&path).unwrap_err();
+    let error = load::<Vec3>(&path).unwrap_err();
     assert!(matches!(error, SceneError::Size { .. }), "{error}");
     assert!(error.to_string().contains("holes.ply: more than 4294967296 bytes"), "{error}");
 }

@@ -13,7 +13,7 @@ use stackless_bvh::geom::kernel::{Exact, ExactFromSingle, Moller32, Moller64, Wo
 use stackless_bvh::geom::slabs::Directed;
 use stackless_bvh::geom::{Aabb, Kernel, Ray, Region, Triangle};
 
-pub(super) const MISTAKES: [Mistake; 17] = [
+pub(super) const MISTAKES: [Mistake; 19] = [
     of::<Spoilt<Tenth>>("bounds for the scene a tenth", "EXACT-6"),
     of::<Spoilt<NoBounds>>("no bounds, and so no exact sums", "EXACT-6"),
     of::<Spoilt<FirstStage>>("a miss in single precision is believed", "EXACT-5"),
@@ -29,6 +29,8 @@ pub(super) const MISTAKES: [Mistake; 17] = [
     of::<Spoilt<BelowLimit>>("a hit at the limit is left out", "DET-1"),
     of::<Spoilt<Behind>>("what is behind is in front", "EXACT-1"),
     of::<Spoilt<Endless>>("shadows beyond the end of the ray", "EXACT-1"),
+    of::<Spoilt<AnyGrid>>("on every grid, products are exact", "EXACT-11"),
+    of::<Spoilt<HalfWall>>("a wall may have its third corner elsewhere", "EXACT-11"),
     of::<Woop>("signs of single precision, watertight", "EXACT-2"),
     of::<Moller64>("double precision without bounds", "EXACT-6"),
 ];
@@ -52,7 +54,7 @@ fn fault<K: Kernel<Vector = Vec3, Shape = Triangle>>(draw: &mut Draw<'_>) -> Opt
 
 marks! {
     Nothing Tenth NoBounds FirstStage Open Twice Single Exchanged FromFirst Culled EdgeOn OpenInterval RoundedFirst
-    BelowLimit Behind Endless
+    BelowLimit Behind Endless AnyGrid HalfWall
 }
 
 /// The exact test with a mistake.
@@ -97,6 +99,8 @@ impl<S: Spoil> Kernel for Spoilt<S> {
                 self.along(1.0, wider, shape, f32::INFINITY).filter(|&t| tmin <= t && t <= tmax)
             }
             Bug::BelowLimit => found.filter(|&t| t < limit),
+            Bug::AnyGrid if self.are_whole(shape) => self.by::<Moller64>(shape).and_then(|t| found.or(Some(t))),
+            Bug::HalfWall => found.filter(|_| !self.runs_along_edge(shape)),
             Bug::Behind => found.or_else(|| self.along(-1.0, [tmin, tmax], shape, limit)),
             _ => found,
         }
@@ -129,6 +133,16 @@ impl<S> Spoilt<S> {
     fn along(&self, sign: f32, [tmin, tmax]: [f32; 2], triangle: &Triangle, limit: f32) -> Option<f32> {
         let ray = Ray::within(self.ray.origin(), self.ray.direction() * sign, tmin, tmax).ok()?;
         Exact::new(&ray, &Region::of(&triangle.aabb())).distance(triangle, limit)
+    }
+
+    /// Whether all coordinates are whole numbers.
+    fn are_whole(&self, &Triangle(corners): &Triangle) -> bool {
+        corners.into_iter().chain([self.ray.origin(), self.ray.direction()]).all(|v| v == v.trunc())
+    }
+
+    /// Whether there is an axis on which the first two corners are at one place, and the ray stays where it is.
+    fn runs_along_edge(&self, &Triangle([v0, v1, _]): &Triangle) -> bool {
+        (0..3).any(|axis| self.ray.direction()[axis] == 0.0 && v0[axis] == v1[axis])
     }
 
     /// The direction times the normal: 0 for a triangle that is seen edge-on.

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use glam::{DVec3, Vec3};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::{Hit, Truth};
@@ -99,7 +100,7 @@ fn what_a_mesh_file_has_beyond_its_format_is_said() {
 #[test]
 fn every_method_on_a_mesh_file() {
     for name in ["cube.ply", "cube.obj"] {
-        let mesh = stackless_scene::load(&data(name)).unwrap().mesh;
+        let mesh = stackless_scene::load::<Vec3>(&data(name)).unwrap().mesh;
         assert_true(&mesh, &data(name), &procedural::rays(&mesh, 3, 500), all_methods());
     }
 }
@@ -218,6 +219,59 @@ fn rays_and_hits_stand_in_every_format() {
         let bad = folder.path(bad);
         let run = stackless("trace soup --format csv --rays", &[&rays, Path::new("-o"), &bad]);
         run.fails_naming(&["extension", "expected csv, jsonl or npy"]);
+    }
+}
+
+/// Triangles of a tenth of a metre, as far from the origin as the earth's surface from its middle: single precision knows
+/// halves of a metre there.
+#[test]
+fn doubles_are_traced_as_they_are() {
+    let folder = Folder::new();
+    let mut header = "ply\nformat ascii 1.0\nelement vertex 300\n".to_owned();
+    for axis in ["x", "y", "z"] {
+        writeln!(header, "property double {axis}").unwrap();
+    }
+    header += "element face 100\nproperty list uchar int vertex_indices\nend_header\n";
+    let corners = |i: usize| {
+        let [a, b] = [6_378_137.0 + 0.1 * i as f64, 0.03 * (i % 7) as f64];
+        [[a, b, b], [a + 0.1, b, -b], [a, b + 0.1, 1.0 / 3.0]].map(DVec3::from)
+    };
+    let vertices: Vec<DVec3> = (0..100).flat_map(corners).collect();
+    let triangles: Vec<[u32; 3]> = (0..100).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let lines = vertices.iter().map(|v| format!("{:?} {:?} {:?}\n", v.x, v.y, v.z));
+    let faces = triangles.iter().map(|[a, b, c]| format!("3 {a} {b} {c}\n"));
+    let scene = folder.file("far.ply", lines.chain(faces).fold(header, |text, line| text + &line));
+    // Through corners and inner points, from aside.
+    let rays: Vec<_> = (0..300)
+        .map(|i| {
+            let [a, b, c] = corners(i / 3);
+            let at = [a, (a + b) * 0.5, (a + b + c) / 3.0][i % 3];
+            Ray::new(at + DVec3::new(0.3, 0.1, -5.0), DVec3::new(-0.3, -0.1, 5.0)).unwrap()
+        })
+        .collect();
+    let text = rays.iter().fold(String::new(), |text, ray| {
+        let (o, d) = (ray.origin(), ray.direction());
+        text + &format!("{:?},{:?},{:?},{:?},{:?},{:?}\n", o.x, o.y, o.z, d.x, d.y, d.z)
+    });
+    let rays_file = folder.file("rays.csv", text);
+    let truth = Truth::new(&Mesh::new(vertices, triangles).unwrap());
+    let expected = rays.iter().map(|ray| match truth.closest(ray).map(|hit| hit.rounded()) {
+        Some(Hit { prim, t, u, v }) => format!("{prim},{t:?},{u:?},{v:?}\n"),
+        None => "-1,,,\n".to_owned(),
+    });
+    let expected: String = std::iter::once("prim,t,u,v\n".to_owned()).chain(expected).collect();
+    assert!(expected.matches('\n').count() - expected.matches("-1").count() > 200, "{expected}");
+    for method in Method::ALL {
+        let run = stackless(&format!("trace --double --method {method} -o - --rays"), &[&rays_file, &scene]);
+        assert_eq!((run.code, run.stdout), (Some(0), expected.clone()), "{method}: {}", run.stderr);
+    }
+    let single = stackless("trace -o - --rays", &[&rays_file, &scene]);
+    assert!(single.stdout != expected && single.stderr.contains("rounded to single precision"), "{single:?}");
+    for (options, message) in [
+        ("--accuracy fast", "--double is always exact, not fast"),
+        ("--method wide-record", "wide-record: wide trees are for single precision"),
+    ] {
+        stackless(&format!("trace --double {options} -o - --rays"), &[&rays_file, &scene]).fails_naming(&[message]);
     }
 }
 

@@ -1,5 +1,6 @@
 use super::*;
 use crate::tests::Folder;
+use glam::Vec3;
 
 /// Two nodes, one below the other, with the mesh of a triangle each; its bytes are `buffer`.
 fn document(buffer: &str) -> String {
@@ -41,7 +42,7 @@ fn nodes_move_their_meshes_and_those_below() {
     let place = folder.file("a b.bin");
     let beside = document(r#""uri":"a%20b.bin","#);
     for bytes in [embedded().into_bytes(), binary(), beside.into_bytes()] {
-        let mesh = read_gltf(&bytes, place.parent()).unwrap();
+        let mesh = read_gltf::<Vec3>(&bytes, place.parent()).unwrap();
         assert_eq!(mesh.triangles(), [[0, 1, 2], [3, 4, 5]]);
         let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| axis * 2.0);
         let corner = Vec3::new(10.0, 0.0, 0.0);
@@ -53,7 +54,9 @@ fn nodes_move_their_meshes_and_those_below() {
 fn strips_and_fans_are_triangles_and_points_are_not() {
     let with = |mode: &str| {
         let text = embedded().replace(r#""indices":1"#, mode);
-        read_gltf(text.as_bytes(), None).map(|mesh| mesh.triangles().to_vec()).map_err(|error| error.to_string())
+        read_gltf::<Vec3>(text.as_bytes(), None)
+            .map(|mesh| mesh.triangles().to_vec())
+            .map_err(|error| error.to_string())
     };
     for mode in [r#""mode":4"#, r#""mode":5"#, r#""mode":6"#] {
         assert_eq!(with(mode).unwrap(), [[0, 1, 2], [3, 4, 5]], "{mode}");
@@ -68,7 +71,7 @@ fn what_is_not_read_is_counted() {
             assert_eq!(text.matches(from).count(), 1, "{from}");
             text.replace(from, to)
         });
-        load(text.as_bytes(), None).unwrap().note("a.gltf".as_ref())
+        load::<Vec3>(text.as_bytes(), None).unwrap().note("a.gltf".as_ref())
     };
     assert_eq!(note(&[]), None);
     let lines = (r#""indices":1}"#, r#""indices":1},{"attributes":{"POSITION":0},"mode":1}"#);
@@ -86,14 +89,15 @@ fn what_is_not_read_is_counted() {
 fn what_is_cut_or_wrong_is_refused_in_one_line() {
     for good in [embedded().into_bytes(), binary()] {
         for end in 0..good.len() {
-            let message = read_gltf(&good[..end], None).unwrap_err().to_string();
+            let message = read_gltf::<Vec3>(&good[..end], None).unwrap_err().to_string();
             assert!(!message.contains('\n') && message.len() < 400, "{message}");
         }
         for at in 0..good.len() {
             for byte in [0, b'9', b'-', 0xff] {
                 let mut changed = good.clone();
                 changed[at] = byte;
-                let message = read_gltf(&changed, None).map_or_else(|error| error.to_string(), |_| String::new());
+                let message =
+                    read_gltf::<Vec3>(&changed, None).map_or_else(|error| error.to_string(), |_| String::new());
                 assert!(!message.contains('\n') && message.len() < 400, "{message}");
             }
         }
@@ -115,12 +119,12 @@ fn what_is_cut_or_wrong_is_refused_in_one_line() {
         (r#""version":"2.0""#, r#""version":"3.0""#, ""),
     ] {
         let text = embedded().replace(from, to);
-        let error = read_gltf(text.as_bytes(), None).map_or_else(|error| error.to_string(), |_| String::new());
+        let error = read_gltf::<Vec3>(text.as_bytes(), None).map_or_else(|error| error.to_string(), |_| String::new());
         assert!(error.contains(message), "{from} {to}: {error}");
     }
     for uri in ["../x.bin", "/etc/hostname", "file:///etc/hostname", "http://a/b"] {
         let text = document(&format!(r#""uri":"{uri}","#));
-        let error = read_gltf(text.as_bytes(), Some(Path::new("."))).unwrap_err().to_string();
+        let error = read_gltf::<Vec3>(text.as_bytes(), Some(Path::new("."))).unwrap_err().to_string();
         assert!(error.contains("expected the name of a file in the folder of this one"), "{error}");
     }
 }

@@ -1,11 +1,12 @@
 use super::*;
 use crate::MeshFormat;
 use crate::tests::{Random, survives_corruption};
+use glam::Vec3;
 
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 fn mesh(bytes: &[u8]) -> Result<Mesh, ReadError> {
-    read_obj(bytes).map(|(mesh, _)| mesh)
+    read_obj::<Vec3>(bytes).map(|(mesh, _)| mesh)
 }
 
 fn triangles(text: &str) -> Vec<[u32; 3]> {
@@ -13,7 +14,7 @@ fn triangles(text: &str) -> Vec<[u32; 3]> {
 }
 
 fn refusal(text: &str) -> String {
-    read_obj(text.as_bytes()).unwrap_err().to_string()
+    read_obj::<Vec3>(text.as_bytes()).unwrap_err().to_string()
 }
 
 #[test]
@@ -65,16 +66,16 @@ fn white_space_comments_and_continuations_do_not_matter() {
         plain.replace("1 0 0", "1 0 0 1.0 0.5 0.5 0.5"),
     ];
     for text in variants {
-        assert_eq!(read_obj(text.as_bytes()), read_obj(plain.as_bytes()), "{text}");
+        assert_eq!(read_obj::<Vec3>(text.as_bytes()), read_obj::<Vec3>(plain.as_bytes()), "{text}");
     }
     let mut latin1 = b"# \xE9\no \xE9\\\n\xFF\n".to_vec();
     latin1.extend_from_slice(plain.as_bytes());
-    assert_eq!(read_obj(&latin1), read_obj(plain.as_bytes()));
+    assert_eq!(read_obj::<Vec3>(&latin1), read_obj::<Vec3>(plain.as_bytes()));
 }
 
 #[test]
 fn what_the_format_does_not_have_is_counted() {
-    let skipped = |text: &str| read_obj(text.as_bytes()).unwrap().1;
+    let skipped = |text: &str| read_obj::<Vec3>(text.as_bytes()).unwrap().1;
     let plain = format!("{TRIANGLE}f 1 2 3\n");
     assert_eq!(skipped(&plain), None);
     let of = |count, line, word: &str| Some(Statements { count, line, word: word.into() });

@@ -1,6 +1,7 @@
 use super::*;
 use crate::MeshFormat;
 use crate::tests::survives_corruption;
+use glam::Vec3;
 
 /// All that a header may hold: other elements before, between and after, skipped scalars and lists, every length of
 /// type name, polygons, a degenerate face and an unused vertex.
@@ -112,11 +113,11 @@ fn body(bytes: &[u8]) -> usize {
 }
 
 fn read(text: &str) -> Mesh {
-    read_ply(text.as_bytes()).unwrap()
+    read_ply::<Vec3>(text.as_bytes()).unwrap()
 }
 
 pub(super) fn refusal(bytes: impl AsRef<[u8]>) -> String {
-    read_ply(bytes.as_ref()).unwrap_err().to_string()
+    read_ply::<Vec3>(bytes.as_ref()).unwrap_err().to_string()
 }
 
 /// The messages for ascii and for both binary orders, which must agree.
@@ -135,7 +136,7 @@ fn all_encodings_give_the_same_mesh() {
     assert_eq!(mesh.triangles(), [[0, 1, 2], [4, 3, 2], [4, 2, 1], [4, 1, 0], [1, 1, 2], [0, 1, 2], [0, 2, 4]]);
     for text in [RICH, QUAD] {
         for big_endian in [false, true] {
-            assert_eq!(read_ply(&encode(text, big_endian)).unwrap(), read(text));
+            assert_eq!(read_ply::<Vec3>(&encode(text, big_endian)).unwrap(), read(text));
         }
     }
 }
@@ -149,7 +150,7 @@ fn every_type_serves_as_coordinate_length_and_index() {
             let text = QUAD.replace("0.5", "5").replace("float", &name);
             let text = text.replace("uchar int", &format!("{name} {name}"));
             assert_eq!(read(&text), read(&QUAD.replace("0.5", "5")), "{name}");
-            assert_eq!(read_ply(&encode(&text, true)).unwrap(), read(&text), "{name}");
+            assert_eq!(read_ply::<Vec3>(&encode(&text, true)).unwrap(), read(&text), "{name}");
         }
     }
 }
@@ -186,7 +187,7 @@ fn lines_end_in_any_way() {
         assert_eq!(read(&format!("\u{feff}{text}")), read(QUAD));
     }
     let marked = [b"\xEF\xBB\xBF", &*encode(QUAD, true)].concat();
-    assert_eq!(read_ply(&marked).unwrap(), read(QUAD));
+    assert_eq!(read_ply::<Vec3>(&marked).unwrap(), read(QUAD));
 
     // The first coordinate begins with the byte of a line feed, which does not belong to the header.
     let ascii = QUAD.replacen("0 0 0", &format!("{:e} 0 0", f32::from_bits(0x0A)), 1);
@@ -195,7 +196,7 @@ fn lines_end_in_any_way() {
     assert_eq!(body[0], b'\n');
     for end in ["\n", "\r\n", "\r"] {
         let header = str::from_utf8(header).unwrap().replace('\n', end);
-        assert_eq!(read_ply(&[header.as_bytes(), body].concat()).unwrap(), read(&ascii), "{end:?}");
+        assert_eq!(read_ply::<Vec3>(&[header.as_bytes(), body].concat()).unwrap(), read(&ascii), "{end:?}");
     }
 }
 
@@ -277,7 +278,7 @@ fn more_than_promised_is_refused() {
     let text = String::from_utf8_lossy(&binary).into_owned();
     let fewer = [&binary[..text.find("face 2").unwrap() + 5], b"1", &binary[text.find("face 2").unwrap() + 6..]];
     assert_eq!(refusal(fewer.concat()), "after the last element: found 13 bytes, expected the end of the file");
-    assert_eq!(read_ply(&[&binary[..], b" \r\n"].concat()).unwrap(), read(QUAD));
+    assert_eq!(read_ply::<Vec3>(&[&binary[..], b" \r\n"].concat()).unwrap(), read(QUAD));
 }
 
 #[test]
@@ -286,7 +287,7 @@ fn every_truncation_of_a_binary_file_is_an_error() {
         for big_endian in [false, true] {
             let bytes = encode(text, big_endian);
             for length in 0..bytes.len() {
-                assert!(read_ply(&bytes[..length]).is_err(), "{length}");
+                assert!(read_ply::<Vec3>(&bytes[..length]).is_err(), "{length}");
             }
         }
     }

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use stackless_bvh::geom::Ray;
 
 use super::{COLUMNS, HitRow, LineReader, RayFault, UNBOUNDED, check, ray};
+use crate::float::{Float, Position, nan};
 use crate::text::quote;
 
 /// Reads a ray a line. The first line says how many columns all have.
@@ -13,8 +14,8 @@ pub(super) struct Reader {
     columns: Option<usize>,
 }
 
-impl LineReader for Reader {
-    fn read(&mut self, line: &str) -> Result<Option<Ray>, RayFault> {
+impl<V: Position> LineReader<V> for Reader {
+    fn read(&mut self, line: &str) -> Result<Option<Ray<V>>, RayFault> {
         let found = line.split(',').count();
         let is_first = self.columns.is_none();
         let is_fit = self.columns.map_or([UNBOUNDED, COLUMNS.len()].contains(&found), |columns| found == columns);
@@ -25,11 +26,11 @@ impl LineReader for Reader {
         if is_first && line.split(',').map(str::trim).eq(COLUMNS.into_iter().take(found)) {
             return Ok(None);
         }
-        let mut numbers = [0.0; COLUMNS.len()];
+        let mut numbers = [V::Real::default(); COLUMNS.len()];
         for ((number, word), column) in numbers.iter_mut().zip(line.split(',')).zip(COLUMNS) {
             let word = word.trim();
             // What is no number is not finite either.
-            *number = word.parse().unwrap_or(f32::NAN);
+            *number = word.parse().unwrap_or_else(|_| nan());
             check(*number, column, || quote(word))?;
         }
         ray(&numbers[..found]).map(Some)
@@ -46,7 +47,7 @@ impl Reader {
     }
 }
 
-pub(super) fn write(mut writer: impl Write, hits: impl Iterator<Item = HitRow>) -> io::Result<()> {
+pub(super) fn write<F: Float>(mut writer: impl Write, hits: impl Iterator<Item = HitRow<F>>) -> io::Result<()> {
     writeln!(writer, "prim,t,u,v")?;
     for hit in hits {
         match hit {

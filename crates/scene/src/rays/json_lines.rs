@@ -3,36 +3,37 @@
 use std::io::{self, Write};
 
 use serde::{Deserialize, Serialize};
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Ray, Real as _};
 
 use super::{HitRow, LineReader, RayFault, ray};
+use crate::float::{Float, Position};
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RayLine {
-    origin: [f32; 3],
-    direction: [f32; 3],
+#[serde(deny_unknown_fields, bound = "F: Float")]
+struct RayLine<F> {
+    origin: [F; 3],
+    direction: [F; 3],
     #[serde(default)]
-    tmin: f32,
+    tmin: F,
     /// JSON has no infinity.
-    tmax: Option<f32>,
+    tmax: Option<F>,
 }
 
 #[derive(Serialize)]
-struct HitLine {
+struct HitLine<F> {
     prim: i64,
-    t: Option<f32>,
-    u: Option<f32>,
-    v: Option<f32>,
+    t: Option<F>,
+    u: Option<F>,
+    v: Option<F>,
 }
 
 pub(super) struct Reader;
 
-impl LineReader for Reader {
-    fn read(&mut self, line: &str) -> Result<Option<Ray>, RayFault> {
+impl<V: Position> LineReader<V> for Reader {
+    fn read(&mut self, line: &str) -> Result<Option<Ray<V>>, RayFault> {
         let RayLine { origin: [ox, oy, oz], direction: [dx, dy, dz], tmin, tmax } =
             serde_json::from_str(line).map_err(|error| RayFault::Object { found: in_line(&error) })?;
-        ray(&[ox, oy, oz, dx, dy, dz, tmin, tmax.unwrap_or(f32::INFINITY)]).map(Some)
+        ray(&[ox, oy, oz, dx, dy, dz, tmin, tmax.unwrap_or(V::Real::INFINITY)]).map(Some)
     }
 }
 
@@ -44,7 +45,7 @@ fn in_line(error: &serde_json::Error) -> String {
     format!("column {}: {}", error.column(), what.chars().take(SHOWN).collect::<String>())
 }
 
-pub(super) fn write(mut writer: impl Write, hits: impl Iterator<Item = HitRow>) -> io::Result<()> {
+pub(super) fn write<F: Float>(mut writer: impl Write, hits: impl Iterator<Item = HitRow<F>>) -> io::Result<()> {
     for hit in hits {
         let line = match hit {
             Some((prim, t, u, v)) => HitLine { prim: prim.into(), t: Some(t), u: Some(u), v: Some(v) },

@@ -7,9 +7,10 @@ use std::io::{self, BufRead, Read as _, Write};
 use std::path::Path;
 
 use serde::Deserialize;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Ray, Real as _};
 
 use super::{COLUMNS, HitRow, RayFault, RayFileError, UNBOUNDED, ray};
+use crate::float::{Float, Position, nan};
 use crate::text::quote;
 
 const MAGIC: &[u8] = b"\x93NUMPY";
@@ -27,7 +28,7 @@ struct Header {
 }
 
 /// The rays, and how many numbers were rounded.
-pub(super) fn read(reader: &mut impl BufRead, file: &Path) -> Result<(Vec<Ray>, u64), RayFileError> {
+pub(super) fn read<V: Position>(reader: &mut impl BufRead, file: &Path) -> Result<(Vec<Ray<V>>, u64), RayFileError> {
     let failed = |error| RayFileError::Io { file: file.into(), error };
     let refused = |found: String, expected| RayFileError::Array { file: file.into(), found, expected };
     let mut start = Vec::new();
@@ -65,9 +66,9 @@ pub(super) fn read(reader: &mut impl BufRead, file: &Path) -> Result<(Vec<Ray>, 
         }
         let numbers: Vec<f64> = row.chunks_exact(bytes).map(number_of).collect();
         // Of NaN it says nothing: it is refused.
-        rounded += numbers.iter().filter(|&&number| f64::from(number as f32) != number).count() as u64;
-        let numbers: Vec<f32> = numbers.into_iter().map(|number| number as f32).collect();
-        rays.push(ray(&numbers).map_err(at)?);
+        let own: Vec<V::Real> = numbers.iter().map(|&number| V::Real::rounded(number)).collect();
+        rounded += numbers.iter().zip(&own).filter(|&(&number, &own)| own.into() != number).count() as u64;
+        rays.push(ray(&own).map_err(at)?);
     }
     if !reader.fill_buf().map_err(failed)?.is_empty() {
         return Err(refused("more bytes".to_owned(), "the end of the file after the last row"));
@@ -92,10 +93,14 @@ fn parse(text: &str) -> Option<Header> {
     serde_json::from_str(&json).ok()
 }
 
-pub(super) fn write(mut writer: impl Write, hits: impl ExactSizeIterator<Item = HitRow>) -> io::Result<()> {
+pub(super) fn write<F: Float>(
+    mut writer: impl Write,
+    hits: impl ExactSizeIterator<Item = HitRow<F>>,
+) -> io::Result<()> {
     let mut header = format!(
-        "{{'descr': [('prim', '<i8'), ('t', '<f4'), ('u', '<f4'), ('v', '<f4')], \
-         'fortran_order': False, 'shape': ({},), }}",
+        "{{'descr': [('prim', '<i8'), ('t', '{0}'), ('u', '{0}'), ('v', '{0}')], \
+         'fortran_order': False, 'shape': ({1},), }}",
+        F::DTYPE,
         hits.len()
     );
     // With magic, version and length it ends where a multiple of 64 bytes does, so that arrays can be mapped.
@@ -106,11 +111,10 @@ pub(super) fn write(mut writer: impl Write, hits: impl ExactSizeIterator<Item = 
     writer.write_all(&(length as u16).to_le_bytes())?;
     writeln!(writer, "{header}")?;
     for hit in hits {
-        let (prim, t, u, v) =
-            hit.map_or((-1, f32::INFINITY, f32::NAN, f32::NAN), |(prim, t, u, v)| (i64::from(prim), t, u, v));
+        let (prim, t, u, v) = hit.map_or((-1, F::INFINITY, nan(), nan()), |(prim, t, u, v)| (i64::from(prim), t, u, v));
         writer.write_all(&prim.to_le_bytes())?;
         for number in [t, u, v] {
-            writer.write_all(&number.to_le_bytes())?;
+            writer.write_all(number.bytes().as_ref())?;
         }
     }
     Ok(())

@@ -1,8 +1,9 @@
 use super::*;
 use crate::tests::{Folder, Random};
+use glam::DVec3;
 
 fn read(text: &str) -> Result<Vec<Ray>, RayFileError> {
-    read_rays_from(text.as_bytes(), "rays.csv", Format::Csv).map(|loaded| loaded.rays)
+    read_rays_from::<Vec3>(text.as_bytes(), "rays.csv", Format::Csv).map(|loaded| loaded.rays)
 }
 
 fn refusal(text: &str) -> String {
@@ -29,7 +30,7 @@ fn names_blank_lines_and_comments_are_skipped() {
             let text = format!("{mark}{}", plain.replace('\n', end));
             for capacity in [1, 2, 7, 4096] {
                 let reader = BufReader::with_capacity(capacity, text.as_bytes());
-                assert_eq!(read_rays_from(reader, "rays.csv", Format::Csv).unwrap().rays, rays, "{text:?}");
+                assert_eq!(read_rays_from::<Vec3>(reader, "rays.csv", Format::Csv).unwrap().rays, rays, "{text:?}");
             }
         }
     }
@@ -39,7 +40,7 @@ fn names_blank_lines_and_comments_are_skipped() {
 #[test]
 fn a_line_without_end_is_refused_before_memory_is_gone() {
     let endless = BufReader::new(io::repeat(b'0'));
-    let message = read_rays_from(endless, "rays.csv", Format::Csv).unwrap_err().to_string();
+    let message = read_rays_from::<Vec3>(endless, "rays.csv", Format::Csv).unwrap_err().to_string();
     assert_eq!(message, "rays.csv: line 1: more than 4096 bytes, expected a line of ox,oy,oz,dx,dy,dz,tmin,tmax");
     let long = |length: usize| format!("{}0,0,0,0,0,1,0,1\n", " ".repeat(length - 15));
     assert_eq!(read(&long(4096)).unwrap().len(), 1);
@@ -74,17 +75,17 @@ fn each_error_names_line_and_column() {
     }
     let twice = format!("{names}\n{names}\n");
     assert_eq!(refusal(&twice), "rays.csv: line 2: column ox: found \"ox\", expected a finite number");
-    assert!(read_rays_from(&b"0,0,0,0,0,1,0,\xFF\n"[..], "rays.csv", Format::Csv).is_err());
+    assert!(read_rays_from::<Vec3>(&b"0,0,0,0,0,1,0,\xFF\n"[..], "rays.csv", Format::Csv).is_err());
 }
 
 #[test]
 fn a_missing_file_is_named() {
     let folder = Folder::new("rays");
     let path = folder.file("missing.csv");
-    let message = read_rays(&path, Format::Csv).unwrap_err().to_string();
+    let message = read_rays::<Vec3>(&path, Format::Csv).unwrap_err().to_string();
     assert!(message.starts_with(&format!("{}: cannot be read: ", path.display())), "{message}");
     std::fs::write(&path, "0,0,0,0,0,1,0,1\n").unwrap();
-    assert_eq!(read_rays(&path, Format::Csv).unwrap().rays.len(), 1);
+    assert_eq!(read_rays::<Vec3>(&path, Format::Csv).unwrap().rays.len(), 1);
 }
 
 #[test]
@@ -140,7 +141,7 @@ fn hits_read_back_bit_for_bit() {
 fn a_failing_writer_is_reported() {
     for format in Format::ALL {
         let mut full = [0; 20];
-        assert!(write_hits(&mut full[..], std::iter::repeat_n(None, 10), format).is_err());
+        assert!(write_hits(&mut full[..], std::iter::repeat_n(HitRow::<f32>::None, 10), format).is_err());
     }
 }
 
@@ -174,8 +175,52 @@ fn array(descr: &str, columns: usize, bytes: Vec<u8>) -> Vec<u8> {
 fn all_formats_hold_the_same_ray() {
     let ray = Ray::new(Vec3::new(1.0, 2.0, 3.0), Vec3::new(0.5, 0.0, -1.0)).unwrap();
     for (format, bytes) in in_all_formats() {
-        let read = read_rays_from(&bytes[..], "rays", format).unwrap();
+        let read = read_rays_from::<Vec3>(&bytes[..], "rays", format).unwrap();
         assert_eq!((&read.rays[..], read.note("rays".as_ref())), (&[ray][..], None), "{}", bytes.escape_ascii());
+    }
+}
+
+#[test]
+fn doubles_are_read_as_they_are_and_written_so() {
+    let ray =
+        Ray::within(DVec3::new(0.1, 6_400_000.3, -1e-200), DVec3::new(1.0, 1.0 / 3.0, 1e300), 0.1, 1e308).unwrap();
+    let [o, d] = [ray.origin(), ray.direction()];
+    let numbers = [o.x, o.y, o.z, d.x, d.y, d.z, ray.tmin(), ray.tmax()];
+    let csv = numbers.map(|x| format!("{x:?}")).join(",");
+    let json = format!(
+        "{{\"origin\":[{:?},{:?},{:?}],\"direction\":[{:?},{:?},{:?}],\"tmin\":{:?},\"tmax\":{:?}}}",
+        o.x, o.y, o.z, d.x, d.y, d.z, numbers[6], numbers[7]
+    );
+    let bytes = numbers.iter().flat_map(|x| x.to_le_bytes()).collect();
+    for (format, bytes) in
+        [(Format::Csv, csv.into_bytes()), (Format::JsonLines, json.into_bytes()), (Format::Npy, array("<f8", 8, bytes))]
+    {
+        let read = read_rays_from::<DVec3>(&bytes[..], "rays", format).unwrap();
+        assert_eq!((read.rays[0], read.rounded), (ray, 0), "{format}");
+    }
+    let hits = [Some((7, 0.1, 1.0 / 3.0, 1e-300)), None];
+    let written = |format| {
+        let mut file = Vec::new();
+        write_hits(&mut file, hits.into_iter(), format).unwrap();
+        file
+    };
+    assert_eq!(written(Format::Csv), b"prim,t,u,v\n7,0.1,0.3333333333333333,1e-300\n-1,,,\n");
+    let npy = written(Format::Npy);
+    assert!(npy.windows(12).any(|it| it == b"('t', '<f8')"));
+    assert_eq!(npy[npy.len() - 64..][8..16], 0.1_f64.to_le_bytes());
+}
+
+/// Once, whichever number it is: 1.000000059604644775391 is above the middle of two floats, and its nearest double is it.
+#[test]
+fn text_is_rounded_once() {
+    let number = "1.000000059604644775391";
+    let lines = [
+        (Format::Csv, format!("{number},0,0,1,0,0")),
+        (Format::JsonLines, format!("{{\"origin\":[{number},0,0],\"direction\":[1,0,0]}}")),
+    ];
+    for (format, line) in lines {
+        let read = read_rays_from::<Vec3>(line.as_bytes(), "rays", format).unwrap();
+        assert_eq!(read.rays[0].origin().x, 1.0_f32.next_up(), "{format}");
     }
 }
 
@@ -183,7 +228,7 @@ fn all_formats_hold_the_same_ray() {
 fn doubles_that_are_rounded_are_counted() {
     let numbers: Vec<u8> =
         [0.1, 0.0, -3.0, 1.0, f64::from(0.1_f32), 1.0 / 3.0].iter().flat_map(|x: &f64| x.to_le_bytes()).collect();
-    let read = read_rays_from(&array("<f8", 6, numbers)[..], "rays", Format::Npy).unwrap();
+    let read = read_rays_from::<Vec3>(&array("<f8", 6, numbers)[..], "rays", Format::Npy).unwrap();
     assert_eq!(read.note("r.npy".as_ref()).unwrap(), "r.npy: 2 numbers were rounded to single precision");
 }
 
@@ -192,7 +237,7 @@ fn arrays_and_lines_that_are_cut_or_changed_are_refused_in_one_line() {
     for (format, bytes) in in_all_formats() {
         for end in 0..bytes.len() {
             // A text may lose its last line feed, or the end of its last number.
-            let read = read_rays_from(&bytes[..end], "rays", format);
+            let read = read_rays_from::<Vec3>(&bytes[..end], "rays", format);
             assert!(format != Format::Npy || read.is_err(), "{end}");
             let message = read.map_or_else(|error| error.to_string(), |_| String::new());
             assert!(!message.contains('\n') && message.len() < 400, "{message}");
@@ -201,8 +246,8 @@ fn arrays_and_lines_that_are_cut_or_changed_are_refused_in_one_line() {
             for changed in [0, 0x20, 0x7f, 0xff] {
                 let mut bytes = bytes.clone();
                 bytes[at] = changed;
-                let message =
-                    read_rays_from(&bytes[..], "rays", format).map_or_else(|e| e.to_string(), |_| String::new());
+                let message = read_rays_from::<Vec3>(&bytes[..], "rays", format)
+                    .map_or_else(|e| e.to_string(), |_| String::new());
                 assert!(!message.contains('\n') && message.len() < 400, "{message}");
             }
         }
@@ -211,7 +256,7 @@ fn arrays_and_lines_that_are_cut_or_changed_are_refused_in_one_line() {
 
 #[test]
 fn errors_of_arrays_and_objects_say_what_was_expected() {
-    let refusal = |format, bytes: &[u8]| read_rays_from(bytes, "rays", format).unwrap_err().to_string();
+    let refusal = |format, bytes: &[u8]| read_rays_from::<Vec3>(bytes, "rays", format).unwrap_err().to_string();
     let (_, good) = in_all_formats().swap_remove(5);
     let changed = |from: &str, to: &str| {
         let text = String::from_utf8(good.iter().map(|&byte| byte & 0x7f).collect()).unwrap();

@@ -1,4 +1,5 @@
 use super::*;
+use glam::Vec3;
 
 const TEXT: &str = "solid two\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   vertex 0 1 0\n  endloop\n \
                     endfacet\n facet normal 0 0 1\n  outer loop\n   vertex 1 0 0\n   vertex 1 1 0\n   vertex -0 1 0\n  \
@@ -23,7 +24,7 @@ fn texts_and_binary_files_hold_the_same_triangles() {
     let several =
         TEXT.replace(" facet normal 0 0 1\n  outer loop\n   vertex 1", "endsolid\nsolid\nfacet\nouter loop\nvertex 1");
     for bytes in [TEXT.into(), nameless.into(), several.into(), binary("anything"), binary("solid which is none\n")] {
-        let mesh = read_stl(&bytes).unwrap();
+        let mesh = read_stl::<Vec3>(&bytes).unwrap();
         assert_eq!(mesh.triangles(), [[0, 1, 2], [1, 3, 2]], "{}", bytes.escape_ascii());
         assert_eq!(mesh.vertices(), [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::new(1.0, 1.0, 0.0)]);
     }
@@ -33,12 +34,12 @@ fn texts_and_binary_files_hold_the_same_triangles() {
 fn what_is_cut_or_wrong_is_refused_where_it_is() {
     for (good, is_text) in [(TEXT.as_bytes().to_vec(), true), (binary("x"), false), (binary("solid"), false)] {
         for end in 0..good.len() {
-            let read = read_stl(&good[..end]);
+            let read = read_stl::<Vec3>(&good[..end]);
             // A text may lose the name behind its last word, and a number its last digits no file has here.
             assert!(read.is_err() || is_text && end >= TEXT.find("endsolid").unwrap() + "endsolid".len(), "{end}");
         }
     }
-    let refusal = |bytes: &[u8]| read_stl(bytes).unwrap_err().to_string();
+    let refusal = |bytes: &[u8]| read_stl::<Vec3>(bytes).unwrap_err().to_string();
     assert_eq!(refusal(b""), "line 1: the file ends, expected solid, or 80 bytes and the number of triangles");
     let mut many = binary("x");
     many[80..84].copy_from_slice(&u32::MAX.to_le_bytes());

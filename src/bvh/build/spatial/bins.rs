@@ -170,8 +170,10 @@ pub(super) fn slice(boxes: &mut [Spread], corners: [Vec3A; 3], begin: usize, sca
         let slope = edge / edge[axis];
         for border in before[low].max(begin)..before[high].min(begin + last + 2) {
             let point = corners[low] + slope * (scale.border(border) - corners[low][axis]);
-            for bin in (border - begin).saturating_sub(1)..=(border - begin).min(last) {
-                boxes[bin] = boxes[bin].add(point);
+            // It is in the bins on both sides.
+            let right = border - begin;
+            for bin in &mut boxes[right.saturating_sub(1)..=right.min(last)] {
+                *bin = bin.add(point);
             }
         }
     }

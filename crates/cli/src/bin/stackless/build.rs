@@ -7,7 +7,9 @@ use std::str::FromStr;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, WideBvh, WideError};
+use stackless_bvh::geom::Triangle;
 use stackless_bvh::traverse::Method;
+use stackless_scene::Position;
 
 use crate::input::Scene;
 use crate::output::bar;
@@ -48,7 +50,7 @@ impl Build {
     }
 
     /// Builds, with a progress bar.
-    pub(crate) fn run(self, scene: &Scene) -> Result<Bvh, BuildError> {
+    pub(crate) fn run<V: Position>(self, scene: &Scene<V>) -> Result<Bvh<Triangle<V>>, BuildError> {
         self.run_as(BuildOptions::default(), scene)
     }
 
@@ -57,7 +59,7 @@ impl Build {
         BuildOptions { builder: self.builder, reinsertion: self.reinsertion, ..options }
     }
 
-    fn run_as(self, options: BuildOptions, scene: &Scene) -> Result<Bvh, BuildError> {
+    fn run_as<V: Position>(self, options: BuildOptions, scene: &Scene<V>) -> Result<Bvh<Triangle<V>>, BuildError> {
         let progress = bar(scene.mesh.triangles().len() as u64, &format!("{}, {self}", scene.name));
         let bvh = self.of(options).build_watched(&scene.mesh, &|placed| progress.inc(placed as u64));
         progress.finish_and_clear();

@@ -3,21 +3,22 @@
 use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use glam::Vec3;
 use serde::{Serialize, Serializer};
 use stackless_bvh::generate::procedural;
-use stackless_bvh::geom::{Mesh, lanes};
+use stackless_bvh::geom::{Mesh, Real as _, lanes};
 use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::Method;
 use stackless_bvh::wide;
-use stackless_scene::SceneError;
+use stackless_scene::{Position, SceneError};
 use stackless_suite::Traversal;
 
 use crate::output;
 
 /// A scene with its name.
-pub(crate) struct Scene {
+pub(crate) struct Scene<V: Position = Vec3> {
     pub(crate) name: String,
-    pub(crate) mesh: Mesh,
+    pub(crate) mesh: Mesh<V>,
 }
 
 /// Why there is no such scene.
@@ -41,7 +42,7 @@ impl Serialize for Scene {
 /// Names of the scenes that are made and not read.
 pub(crate) const MADE: [&str; 3] = ["strands", "stadium", "soup"];
 
-impl Scene {
+impl<V: Position> Scene<V> {
     /// Reads a mesh file, or makes the scene of this name.
     pub(crate) fn load(path: &Path) -> Result<Self, LoadError> {
         let name = path.to_string_lossy();
@@ -60,13 +61,15 @@ impl Scene {
     }
 }
 
-fn made(name: &str) -> Option<Mesh> {
-    match name {
-        "strands" => Some(procedural::strands(1, 2000)),
-        "stadium" => Some(procedural::stadium(1)),
-        "soup" => Some(procedural::soup(1, 20_000)),
-        _ => None,
-    }
+fn made<V: Position>(name: &str) -> Option<Mesh<V>> {
+    let mesh = match name {
+        "strands" => procedural::strands(1, 2000),
+        "stadium" => procedural::stadium(1),
+        "soup" => procedural::soup(1, 20_000),
+        _ => return None,
+    };
+    let same = |vertex: &Vec3| V::from_components(vertex.as_dvec3().to_array().map(V::Real::rounded));
+    Mesh::new(mesh.vertices().iter().map(same).collect(), mesh.triangles().to_vec()).ok()
 }
 
 /// Loads all scenes before anything is done with one, so that a bad one is known at once.

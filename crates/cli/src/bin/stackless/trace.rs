@@ -1,15 +1,17 @@
 //! `stackless trace`: the caller's rays through a scene.
 
+use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use stackless_bvh::bvh::{Bvh, WideBvh};
-use stackless_bvh::geom::{Kernel, Ray, Slabs};
+use stackless_bvh::geom::kernel::Exact64;
+use stackless_bvh::geom::{Kernel, Ray, Slabs, Triangle, Vector, slabs};
 use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Form, Hit, Tracer, WithTests};
 use stackless_bvh::traverse::{Method, Unfit};
 use stackless_bvh::wide;
-use stackless_scene::Format;
+use stackless_scene::{Format, Position};
 use stackless_suite::Traversal;
 
 use crate::Outcome;
@@ -60,49 +62,89 @@ pub(crate) struct Args {
     /// End at the first hit that is met, instead of finding the closest.
     #[arg(long)]
     any: bool,
+    /// Read scene and rays in double precision, and answer in it: exactly, by a traversal of binary trees.
+    #[arg(long)]
+    double: bool,
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
-    let written_as = args.format_of(&args.output)?;
-    let read_as = args.format_of(&args.rays)?;
-    let (name, rays) = if args.rays.as_os_str() == "-" {
-        let name = Path::new("standard input");
-        (name, stackless_scene::read_rays_from(std::io::stdin().lock(), name, read_as)?)
-    } else {
-        (&*args.rays, stackless_scene::read_rays(&args.rays, read_as)?)
-    };
-    if let Some(note) = rays.note(name) {
-        output::warn(&note);
-    }
-    let rays = rays.rays;
-    let scene = Scene::load(&args.scene)?;
-    let (method, dropped, hits) = match args.traversal()? {
-        Traversal::Binary(method) => {
-            let bvh = Build::chosen(args.build, &[method]).run(&scene)?;
-            let dropped = bvh.dropped();
-            let traced = trace::with_level(args.accuracy, Binary { method, bvh, any: args.any, rays: &rays });
-            (method.name(), dropped, traced.map_err(|unfit| format!("{method}: {unfit}"))?)
-        }
-        Traversal::Wide(method) => {
-            let fine = args.build.unwrap_or_default().run_fine(&scene)?;
-            let bvh = WideBvh::of(&fine)?;
-            let tracer = Tracer::with_method(&bvh, method).map_err(|unfit| format!("{method}: {unfit}"))?;
-            let each = |rays: &[Ray]| if args.any { tracer.any_hit_each(rays) } else { tracer.closest_each(rays) };
-            (method.name(), fine.dropped(), in_chunks(&rays, each))
-        }
-    };
-    let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (prim, t, u, v)));
-    write_file(&args.output, |file| stackless_scene::write_hits(file, rows, written_as))?;
-    let counts = [count(rays.len() as u64, "ray"), count(hits.iter().flatten().count() as u64, "hit")].join(", ");
-    say!("{}: {counts}, by {method}, {}", scene.name, args.accuracy);
-    if dropped > 0 {
-        let of = count(scene.mesh.triangles().len() as u64, "triangle");
-        say!("{}: {} of {of} left out: degenerate, so that no ray meets them", scene.name, grouped(dropped as u64));
-    }
-    Ok(true)
+    if args.double { args.answer(Args::in_double) } else { args.answer(Args::in_single) }
 }
 
+/// What was found of a scene's rays.
+struct Traced<F> {
+    method: &'static str,
+    /// Triangles that no ray meets.
+    dropped: usize,
+    hits: Hits<F>,
+}
+
+type Hits<F = f32> = Vec<Option<Hit<F>>>;
+
 impl Args {
+    /// Reads scene and rays, and writes what `trace` finds.
+    fn answer<V: Position>(
+        &self,
+        trace: impl FnOnce(&Self, &Scene<V>, &[Ray<V>]) -> Result<Traced<V::Real>, Box<dyn Error>>,
+    ) -> Outcome {
+        let written_as = self.format_of(&self.output)?;
+        let read_as = self.format_of(&self.rays)?;
+        let (name, rays) = if self.rays.as_os_str() == "-" {
+            let name = Path::new("standard input");
+            (name, stackless_scene::read_rays_from(std::io::stdin().lock(), name, read_as)?)
+        } else {
+            (&*self.rays, stackless_scene::read_rays(&self.rays, read_as)?)
+        };
+        if let Some(note) = rays.note(name) {
+            output::warn(&note);
+        }
+        let scene = Scene::load(&self.scene)?;
+        let Traced { method, dropped, hits } = trace(self, &scene, &rays.rays)?;
+        let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (prim, t, u, v)));
+        write_file(&self.output, |file| stackless_scene::write_hits(file, rows, written_as))?;
+        let counts = [count(hits.len() as u64, "ray"), count(hits.iter().flatten().count() as u64, "hit")].join(", ");
+        say!("{}: {counts}, by {method}, {}", scene.name, self.accuracy);
+        if dropped > 0 {
+            let of = count(scene.mesh.triangles().len() as u64, "triangle");
+            say!("{}: {} of {of} left out: degenerate, so that no ray meets them", scene.name, grouped(dropped as u64));
+        }
+        Ok(true)
+    }
+
+    fn in_single(&self, scene: &Scene, rays: &[Ray]) -> Result<Traced<f32>, Box<dyn Error>> {
+        match self.traversal()? {
+            Traversal::Binary(method) => {
+                let bvh = Build::chosen(self.build, &[method]).run(scene)?;
+                let dropped = bvh.dropped();
+                let traced = trace::with_level(self.accuracy, Binary { method, bvh, any: self.any, rays });
+                let hits = traced.map_err(|unfit| format!("{method}: {unfit}"))?;
+                Ok(Traced { method: method.name(), dropped, hits })
+            }
+            Traversal::Wide(method) => {
+                let fine = self.build.unwrap_or_default().run_fine(scene)?;
+                let bvh = WideBvh::of(&fine)?;
+                let tracer = Tracer::with_method(&bvh, method).map_err(|unfit| format!("{method}: {unfit}"))?;
+                let each = |rays: &[Ray]| if self.any { tracer.any_hit_each(rays) } else { tracer.closest_each(rays) };
+                Ok(Traced { method: method.name(), dropped: fine.dropped(), hits: in_chunks(rays, each) })
+            }
+        }
+    }
+
+    fn in_double(&self, scene: &Scene<DVec3>, rays: &[Ray<DVec3>]) -> Result<Traced<f64>, Box<dyn Error>> {
+        let method = match self.method.unwrap_or(Traversal::Binary(Method::default())) {
+            Traversal::Binary(method) if self.accuracy == Accuracy::Exact => method,
+            Traversal::Binary(_) => Err(format!("--double is always exact, not {}", self.accuracy))?,
+            Traversal::Wide(method) => {
+                Err(format!("{method}: wide trees are for single precision; choose a traversal of binary trees"))?
+            }
+        };
+        let bvh = Build::chosen(self.build, &[method]).run(scene)?;
+        let dropped = bvh.dropped();
+        let traced = Binary { method, bvh, any: self.any, rays }.run::<Exact64, slabs::Wide>();
+        let hits = traced.map_err(|unfit| format!("{method}: {unfit}"))?;
+        Ok(Traced { method: method.name(), dropped, hits })
+    }
+
     /// What the extension of a file says; without one, what the option says.
     fn format_of(&self, path: &Path) -> Result<Format, String> {
         let told = Format::of(path).map_err(|error| error.to_string())?;
@@ -122,19 +164,19 @@ impl Args {
 }
 
 /// Rays by a traversal of binary trees.
-struct Binary<'a> {
+struct Binary<'a, V: Vector = Vec3> {
     method: Method,
-    bvh: Bvh,
+    bvh: Bvh<Triangle<V>>,
     any: bool,
-    rays: &'a [Ray],
+    rays: &'a [Ray<V>],
 }
 
-type Hits = Vec<Option<Hit>>;
-
-impl WithTests for Binary<'_> {
-    type Output = Result<Hits, Unfit>;
-
-    fn call<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>>(self) -> Self::Output {
+impl<V: Vector> Binary<'_, V> {
+    fn run<K, B>(self) -> Result<Hits<V::Real>, Unfit>
+    where
+        K: Kernel<Vector = V, Shape: From<Triangle<V>>>,
+        B: Slabs<Vector = V>,
+    {
         let Self { method, bvh, any, rays } = self;
         let bvh = bvh.with_links(method.wants_recorded()).map(K::Shape::from);
         let tracer = BinaryTracer::<_, K, B>::with_tests(&bvh, method)?;
@@ -142,8 +184,16 @@ impl WithTests for Binary<'_> {
     }
 }
 
+impl WithTests for Binary<'_> {
+    type Output = Result<Hits, Unfit>;
+
+    fn call<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>>(self) -> Self::Output {
+        self.run::<K, B>()
+    }
+}
+
 /// All answers, on all threads, with a progress bar.
-fn in_chunks(rays: &[Ray], each: impl Fn(&[Ray]) -> Hits + Sync + Send) -> Hits {
+fn in_chunks<V: Vector>(rays: &[Ray<V>], each: impl Fn(&[Ray<V>]) -> Hits<V::Real> + Sync + Send) -> Hits<V::Real> {
     let progress = bar(rays.len() as u64, "rays");
     let hits = rays.par_chunks(1024).flat_map_iter(|chunk| {
         progress.inc(chunk.len() as u64);
