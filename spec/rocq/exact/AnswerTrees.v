@@ -266,7 +266,8 @@ Proof. apply (wide_visit_runs T [] [] [] [] eq_refl). Qed.
 End Wide.
 End References.
 
-(** So their best, with boxes tested as the code does, is the least hit: for every tree, every order of children, and whatever they know. [DET-1] *)
+(** So their best, with boxes tested as the code does, is the least hit: for every tree, every order of children, and whatever they
+    know. [DET-1] *)
 Theorem binary_answer ox oy oz dx dy dz tmin tmax mesh kernel boxes items T decide wants :
   let o := origin ox oy oz in
   let d := direction dx dy dz in
