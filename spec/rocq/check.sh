@@ -218,13 +218,6 @@ refuted() {
     done
 }
 compile "$planted" StacklessExact Planes.v > /dev/null
-refuted 's/succ (succ i)/succ i/' Planes.v
-refuted 's/steps = 2%nat/steps = 1%nat/' Slabs.v
-refuted 's/78 \*/39 */g' Filter.v
-refuted 's/(4 \* unit)/(2 * unit)/; s/(4 \* u)/(2 * u)/g' Filter.v Quotient.v
-refuted 's/31 \* unit/15 * unit/' Filter.v Quotient.v
-refuted 's/35 \* unit/17 * unit/' Filter.v Quotient.v
-refuted 's/39 \* u/38 * u/g; s/edge_times := 39/edge_times := 38/' Floor.v Lanes.v
 refuted 's/det_times := 40/det_times := 30/' Lanes.v
 refuted 's/ t_times := 44/ t_times := 34/' Lanes.v
 refuted 's/det_times := 40/det_times := 34/; s/ t_times := 44/ t_times := 38/' Lanes.v
@@ -232,6 +225,13 @@ refuted 's/radix2 (-40)/radix2 (-60)/' Lanes.v
 refuted 's/best) < R32/best) <= R32/' Lanes.v
 refuted 's/nearest t <= value best -> met/nearest t < value best -> met/' Answer.v
 refuted 's/accept i best = best -> step/True -> step/' Answer.v
+refuted 's/succ (succ i)/succ i/' Planes.v
+refuted 's/steps = 2%nat/steps = 1%nat/' Slabs.v
+refuted 's/78 \*/39 */g' Filter.v
+refuted 's/(4 \* unit)/(2 * unit)/; s/(4 \* u)/(2 * u)/g' Filter.v Quotient.v
+refuted 's/31 \* unit/15 * unit/' Filter.v Quotient.v
+refuted 's/35 \* unit/17 * unit/' Filter.v Quotient.v
+refuted 's/39 \* u/38 * u/g; s/edge_times := 39/edge_times := 38/' Floor.v Lanes.v
 refuted 's/2 ^ 24 - 3/2 ^ 24 - 2/; s/1 - 3 \* u/1 - 2 * u/g' TwoSided.v
 refuted 's/2 ^ 24 + 4/2 ^ 24 + 2/; s/1 + 4 \* u/1 + 2 * u/g' TwoSided.v
 refuted 's/134217729/67108865/g' Expansion.v
