@@ -16,7 +16,7 @@ fi
 began=$SECONDS
 
 # A library: its folder, its name in Rocq, and the axioms that its theorems may rest on. The reals of Coq's library are Dedekind
-# cuts, made with these; Flocq adds none.
+# cuts, made with these; Flocq adds none. A library sees those that are compiled before it.
 folders=(. exact)
 declare -A names=([.]=Stackless [exact]=StacklessExact)
 declare -A allowed=([.]='' [exact]='
@@ -60,13 +60,20 @@ statements() {
     ' "$@"
 }
 
+# loads NAME: what tells the compiler where a library is that is in the folder it is called in, and where the first one is.
+loads() {
+    printf -- '-R . %s' "$1"
+    [[ $1 == "${names[.]}" ]] || printf -- ' -R ../%s %s' "${names[.]}" "${names[.]}"
+}
+
 # compile FOLDER NAME FILE...: in order, with the time that each takes.
 compile() {
     local folder=$1 name=$2 file
     shift 2
     for file in "$@"; do
         local begin=${EPOCHREALTIME/./}
-        (cd "$folder" && coqc -q -w -variable-collision -R . "$name" "$file") || fail "$file is not proved"
+        # shellcheck disable=SC2046 # a list of words
+        (cd "$folder" && coqc -q -w -variable-collision $(loads "$name") "$file") || fail "$file is not proved"
         echo "$file $(((${EPOCHREALTIME/./} - begin) / 1000)) ms"
     done
 }
@@ -85,7 +92,8 @@ assumptions() {
             done < <(statements "$@")
         } > All.v
         # A theorem and the answer on one line; of an axiom only the name, not the type.
-        coqc -q -R . "$library" All.v | awk '
+        # shellcheck disable=SC2046 # a list of words
+        coqc -q $(loads "$library") All.v | awk '
             /^[A-Z][A-Za-z0-9.]*\.[a-z].* \[.*:$/ { if (line) print line; line = $0; next }
             /^Axioms:$|^Closed / { line = line " " $0; next }
             /^[^ ]/ { line = line " " $1 }
@@ -210,13 +218,20 @@ refuted() {
     done
 }
 compile "$planted" StacklessExact Planes.v > /dev/null
+refuted 's/det_times := 40/det_times := 30/' Lanes.v
+refuted 's/ t_times := 44/ t_times := 34/' Lanes.v
+refuted 's/det_times := 40/det_times := 34/; s/ t_times := 44/ t_times := 38/' Lanes.v
+refuted 's/radix2 (-40)/radix2 (-60)/' Lanes.v
+refuted 's/best) < R32/best) <= R32/' Lanes.v
+refuted 's/nearest t <= value best -> met/nearest t < value best -> met/' Answer.v
+refuted 's/accept i best = best -> step/True -> step/' Answer.v
 refuted 's/succ (succ i)/succ i/' Planes.v
 refuted 's/steps = 2%nat/steps = 1%nat/' Slabs.v
 refuted 's/78 \*/39 */g' Filter.v
 refuted 's/(4 \* unit)/(2 * unit)/; s/(4 \* u)/(2 * u)/g' Filter.v Quotient.v
 refuted 's/31 \* unit/15 * unit/' Filter.v Quotient.v
 refuted 's/35 \* unit/17 * unit/' Filter.v Quotient.v
-refuted 's/39 \* u/38 * u/g' Floor.v
+refuted 's/39 \* u/38 * u/g; s/edge_times := 39/edge_times := 38/' Floor.v Lanes.v
 refuted 's/2 ^ 24 - 3/2 ^ 24 - 2/; s/1 - 3 \* u/1 - 2 * u/g' TwoSided.v
 refuted 's/2 ^ 24 + 4/2 ^ 24 + 2/; s/1 + 4 \* u/1 + 2 * u/g' TwoSided.v
 refuted 's/134217729/67108865/g' Expansion.v
@@ -224,4 +239,4 @@ refuted 's/radix2 (-200)/radix2 (-280)/' Usual.v
 refuted 's/(fmax (fx v) (fx w))/(fx v)/' Scene.v
 
 printf ' %s' "${report[@]}" | sed 's/^ */rocq: /; s/ *$//' | grep .
-echo "rocq: missing proofs, a planted axiom, 10 smaller constants and 2 weaker conditions are refused; $((SECONDS - began)) s"
+echo "rocq: missing proofs, a planted axiom, 14 smaller constants and 5 weaker conditions are refused; $((SECONDS - began)) s"
