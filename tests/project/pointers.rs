@@ -30,15 +30,31 @@ fn paths(text: &str) -> Vec<(usize, &str)> {
     (1..).zip(text.lines()).flat_map(of_line).collect()
 }
 
-/// Where links lead within the repository, each with its line; without the heading.
-fn links(text: &str) -> Vec<(usize, &str)> {
+/// Where links lead within the repository, each with its line and the heading that it names.
+fn links(text: &str) -> Vec<(usize, &str, Option<&str>)> {
     let of_line = |(line, text)| {
         let ends = str::split(text, "](").skip(1).filter_map(|rest| rest.split_once(')'));
         ends.map(move |(to, _)| (line, to))
     };
     let all = (1..).zip(text.lines()).flat_map(of_line);
-    let paths = all.map(|(line, to)| (line, to.split('#').next().unwrap_or_default()));
-    paths.filter(|(_, to)| !to.is_empty() && !to.contains(':')).collect()
+    let parts =
+        all.map(|(line, to)| to.split_once('#').map_or((line, to, None), |(path, name)| (line, path, Some(name))));
+    parts.filter(|(_, path, _)| !path.contains(':')).collect()
+}
+
+/// The names by which links may lead to the headings of a text.
+fn headings(text: &str) -> Vec<String> {
+    let mut is_code = false;
+    let lines = text.lines().filter(move |line| {
+        is_code ^= line.starts_with("```");
+        !is_code
+    });
+    let titles = lines.filter_map(|line| line.strip_prefix('#')).map(|line| line.trim_start_matches('#').trim());
+    let name = |title: &str| {
+        let kept = title.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
+        kept.collect::<String>().to_lowercase().replace(' ', "-")
+    };
+    titles.map(name).collect()
 }
 
 #[test]
@@ -67,11 +83,21 @@ fn every_path_in_a_text_is_there() {
             // A text may name what stands beside it.
             let is_there =
                 |path: &str| root().join(path).exists() || file.parent().unwrap_or(Path::new("")).join(path).exists();
-            let is_linked = |path: &str| file.parent().is_some_and(|folder| folder.join(path).exists());
+            let is_linked = |path: &str, heading: Option<&str>| {
+                let to = if path.is_empty() { file.clone() } else { file.parent().unwrap_or(Path::new("")).join(path) };
+                let is_text = to.extension().is_some_and(|ending| ending == "md");
+                to.exists() && heading.is_none_or(|name| !is_text || headings(&read(&to)).iter().any(|it| it == name))
+            };
             let named = paths(&text).into_iter().filter(|(_, path)| !is_there(path));
-            let linked = links(&text).into_iter().filter(|(_, path)| !is_linked(path));
+            let linked = links(&text).into_iter().filter(|&(_, path, heading)| !is_linked(path, heading));
+            let linked = linked.map(|(line, path, heading)| (line, format!("{path}#{}", heading.unwrap_or_default())));
             let file = file.strip_prefix(root()).unwrap().display();
-            wrong.extend(named.chain(linked).map(|(line, path)| format!("{file}:{line}: {path}")));
+            let named = named.map(|(line, path)| (line, path.to_owned()));
+            wrong.extend(named.chain(linked).map(|(line, to)| format!("{file}:{line}: {to}")));
+            // MkDocs takes any other for no fence, and what follows for code.
+            let fences = (1..).zip(text.lines()).filter_map(|(line, text)| Some((line, text.strip_prefix("```")?)));
+            let odd = fences.filter(|(_, label)| !label.chars().all(char::is_alphanumeric));
+            wrong.extend(odd.map(|(line, label)| format!("{file}:{line}: a fence of {label}")));
         }
     }
     assert_eq!(wrong, [""; 0]);
@@ -80,7 +106,13 @@ fn every_path_in_a_text_is_there() {
 #[test]
 fn links_are_those_into_the_repository() {
     let text = "[a](b.md#c), [d](#e)\n[f](https://g) ![h](../i.png) f(x)";
-    assert_eq!(links(text), [(1, "b.md"), (2, "../i.png")]);
+    assert_eq!(links(text), [(1, "b.md", Some("c")), (1, "", Some("e")), (2, "../i.png", None)]);
+}
+
+#[test]
+fn headings_are_named_as_links_name_them() {
+    let text = "# A title\n```sh\n# no title\n```\n## `x`, of 2 _ y-z\n#  Ende";
+    assert_eq!(headings(text), ["a-title", "x-of-2-_-y-z", "ende"]);
 }
 
 #[test]
