@@ -30,7 +30,7 @@ Definition implicit_a := Viewed implicit_a (fun '(start, index, _) => counted (s
 Definition implicit_b := Viewed implicit_b (fun '(start, index, _) => counted (start + index)).
 Definition implicit_a1 := Viewed implicit_a1 (fun '(index, _) => counted index).
 Definition implicit_b1 := Viewed implicit_b1 (fun _ k => Shown k (Some k) None None None None).
-Definition skips := Viewed skip_machine (fun _ => only_node).
+Definition skips := Viewed (skip_machine (fun _ => L)) (fun _ => only_node).
 (** With a table that is right everywhere. *)
 Definition keyed := Viewed (by_key_machine ideal) (fun s k => Shown k (Some (fst (snd s))) (Some (snd (snd s))) None None None).
 
