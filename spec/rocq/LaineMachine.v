@@ -94,6 +94,9 @@ Variable W : nat.
 Lemma pow_succ e : pow (S e) = N.double (pow e).
 Proof. rewrite N.double_spec. unfold pow. rewrite Nat2N.inj_succ. apply N.pow_succ_r'. Qed.
 
+Lemma pow_double e : pow (S e) = (2 * pow e)%N.
+Proof. unfold pow. rewrite Nat2N.inj_succ. apply N.pow_succ_r'. Qed.
+
 Lemma pow_pos e : (0 < pow e)%N.
 Proof. apply N.neq_0_lt_0, N.pow_nonzero. discriminate. Qed.
 
