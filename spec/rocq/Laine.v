@@ -270,3 +270,12 @@ Proof.
 Qed.
 
 End Unchanging.
+
+(** What a node answered at its visit. *)
+Definition remembered (decide : history -> descent) (k : positive) (h : history) : descent :=
+  match answer decide k h with Some d => d | None => Neither end.
+
+(** [LAINE-1] So for every tree and every search, also one whose decisions change from one node to the next, if answers are kept. *)
+Corollary laine_remembered_reference W K T decide stop fuel : height T < W -> size T * W <= fuel ->
+  laine_run W K T decide (remembered decide) stop false fuel (laine_start W) [] = Some (reference decide stop T).
+Proof. intros HW. apply laine_reference; [exact HW|]. unfold remembered. now intros k h d ->. Qed.

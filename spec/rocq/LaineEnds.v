@@ -10,9 +10,6 @@ Import ListNotations.
 Section Shape.
 
 Variables W K : nat.
-Variable T : tree.
-Hypothesis carries : height T < W.
-
 Notation place := (place W).
 
 (** The bit of the level of a node. *)
@@ -29,9 +26,6 @@ Lemma waiting_child trail sd a :
   waiting trail (child sd a) = (if bit trail (child sd a) then [] else [child (other sd) a]) ++ waiting trail a.
 Proof. now destruct sd. Qed.
 
-Lemma deep k u : at_key T k = Some u -> depth k < W.
-Proof. intros H. pose proof (at_key_height T k u H). lia. Qed.
-
 (** The same bits above a level. *)
 Definition same_above (e : nat) (x y : N) : Prop := forall i, e <= i -> N.testbit x (N.of_nat i) = N.testbit y (N.of_nat i).
 
@@ -43,17 +37,15 @@ Proof.
   all: unfold bit; rewrite H by lia; reflexivity.
 Qed.
 
-(** Node and level belong to each other, and the short stack holds what has been postponed last. *)
-Definition shape (s : laine_state) : Prop :=
-  (exists u, at_key T (l_node s) = Some u) /\ l_level s = pow (place (l_node s)) /\ (l_trail s < pow (W - 1))%N /\
-  prefix (l_short s) (waiting (l_trail s) (l_node s)).
-
 (** ** Down *)
 
 Lemma lor_same_above x e : same_above (S e) (N.lor x (pow e)) x.
 Proof.
   intros i Hi. rewrite N.lor_spec. unfold pow. rewrite N.pow2_bits_false by lia. apply orb_false_r.
 Qed.
+
+Lemma lor_below_bit x e i : i < e -> N.testbit (N.lor x (pow e)) (N.of_nat i) = N.testbit x (N.of_nat i).
+Proof. intros Hi. rewrite N.lor_spec. unfold pow. rewrite N.pow2_bits_false by lia. apply orb_false_r. Qed.
 
 Lemma lor_bit x e : N.testbit (N.lor x (pow e)) (N.of_nat e) = true.
 Proof. rewrite N.lor_spec. unfold pow. rewrite N.pow2_bits_true. apply orb_true_r. Qed.
@@ -104,24 +96,6 @@ Proof.
   - apply high_bit_clear. fold (pow (W - 1)). lia.
 Qed.
 
-Lemma backtrack_is s : shape s ->
-  let n := next_trail (l_trail s) (l_node s) in
-  laine_backtrack W s =
-  if N.eqb n (pow (W - 1)) then None else
-  match l_short s with
-  | q :: short => Some (Laine q n (pow (ctz n)) (pow (ctz n)) short)
-  | [] => Some (Laine xH n (top W) (pow (ctz n)) [])
-  end.
-Proof.
-  destruct s as [k trail level pop short]. cbn [l_node l_trail l_short]. intros ((u & Hu) & Hl & Ht & _).
-  cbn [l_node l_trail l_short l_level] in *. subst level. pose proof (deep k u Hu) as Hd.
-  assert (HW1 : (pow (W - 1) < pow W)%N) by (apply pow_lt; lia).
-  pose proof (next_trail_range trail k Hd Ht) as Hn. pose proof (next_trail_positive trail k) as H0.
-  cbn [laine_backtrack]. rewrite clear_below by (try (unfold LaineMachine.place; lia); lia).
-  replace (shr trail (place k) * pow (place k) + pow (place k))%N with (next_trail trail k) by (unfold next_trail; lia).
-  rewrite !wrap_small by lia. rewrite lowest_bit by lia. rewrite is_top by lia. reflexivity.
-Qed.
-
 (** The carry runs up through the bits that are set. *)
 Inductive rises (trail : N) : positive -> positive -> Prop :=
   | rises_here k : rises trail k k
@@ -139,9 +113,6 @@ Proof.
   induction k as [k IH|k IH|]; [exact (E R k IH)|exact (E L k IH)|left; constructor].
 Qed.
 
-Lemma at_parent sd a u : at_key T (child sd a) = Some u -> exists l r, at_key T a = Some (Node l r) /\ u = subtree sd l r.
-Proof. destruct sd; cbn; destruct (at_key T a) as [[|l r]|]; try discriminate; intros [= <-]; eauto. Qed.
-
 Lemma shr_odd x e : N.testbit x (N.of_nat e) = true -> (shr x e + 1 = 2 * (shr x (S e) + 1))%N.
 Proof.
   intros H. replace (shr x (S e)) with (N.div2 (shr x e)).
@@ -156,16 +127,6 @@ Proof.
   - rewrite (N.div2_odd (shr x e)) at 1. rewrite <- N.bit0_odd. unfold shr at 2. rewrite N.shiftr_spec'. cbn [N.add].
     rewrite H. cbn [N.b2n]. lia.
   - unfold shr. rewrite N.div2_spec, N.shiftr_shiftr. f_equal. lia.
-Qed.
-
-Lemma rises_next trail k c : rises trail k c -> forall u, at_key T k = Some u ->
-  next_trail trail k = next_trail trail c /\ waiting trail k = waiting trail c /\ exists u, at_key T c = Some u.
-Proof.
-  induction 1 as [k|sd a c Hb H IH]; intros u Hu; [eauto|].
-  pose proof (deep _ _ Hu) as Hd. rewrite depth_child in Hd. destruct (at_parent sd a u Hu) as (l & r & Ha & _).
-  destruct (IH _ Ha) as (E & F & G). split; [|split; [|exact G]].
-  - rewrite <- E. unfold next_trail. rewrite (shr_odd trail _ Hb), (place_child W sd a Hd), pow_double. lia.
-  - now rewrite waiting_child, Hb.
 Qed.
 
 (** Where it runs up to the root, it is over. *)
@@ -206,7 +167,49 @@ Proof.
   apply waiting_same; [lia|]. rewrite Hpl. exact Hs.
 Qed.
 
-(** ** The moves *)
+(** * The moves *)
+
+Variable T : tree.
+Hypothesis carries : height T < W.
+
+Lemma deep k u : at_key T k = Some u -> depth k < W.
+Proof. intros H. pose proof (at_key_height T k u H). lia. Qed.
+
+Lemma at_parent sd a u : at_key T (child sd a) = Some u -> exists l r, at_key T a = Some (Node l r) /\ u = subtree sd l r.
+Proof. destruct sd; cbn; destruct (at_key T a) as [[|l r]|]; try discriminate; intros [= <-]; eauto. Qed.
+
+(** Node and level belong to each other, and the short stack holds what has been postponed last. *)
+Definition shape (s : laine_state) : Prop :=
+  (exists u, at_key T (l_node s) = Some u) /\ l_level s = pow (place (l_node s)) /\ (l_trail s < pow (W - 1))%N /\
+  prefix (l_short s) (waiting (l_trail s) (l_node s)).
+
+Lemma backtrack_is s : shape s ->
+  let n := next_trail (l_trail s) (l_node s) in
+  laine_backtrack W s =
+  if N.eqb n (pow (W - 1)) then None else
+  match l_short s with
+  | q :: short => Some (Laine q n (pow (ctz n)) (pow (ctz n)) short)
+  | [] => Some (Laine xH n (top W) (pow (ctz n)) [])
+  end.
+Proof.
+  destruct s as [k trail level pop short]. cbn [l_node l_trail l_short]. intros ((u & Hu) & Hl & Ht & _).
+  cbn [l_node l_trail l_short l_level] in *. subst level. pose proof (deep k u Hu) as Hd.
+  assert (HW1 : (pow (W - 1) < pow W)%N) by (apply pow_lt; lia).
+  pose proof (next_trail_range trail k Hd Ht) as Hn. pose proof (next_trail_positive trail k) as H0.
+  cbn [laine_backtrack]. rewrite clear_below by (try (unfold LaineMachine.place; lia); lia).
+  replace (shr trail (place k) * pow (place k) + pow (place k))%N with (next_trail trail k) by (unfold next_trail; lia).
+  rewrite !wrap_small by lia. rewrite lowest_bit by lia. rewrite is_top by lia. reflexivity.
+Qed.
+
+Lemma rises_next trail k c : rises trail k c -> forall u, at_key T k = Some u ->
+  next_trail trail k = next_trail trail c /\ waiting trail k = waiting trail c /\ exists u, at_key T c = Some u.
+Proof.
+  induction 1 as [k|sd a c Hb H IH]; intros u Hu; [eauto|].
+  pose proof (deep _ _ Hu) as Hd. rewrite depth_child in Hd. destruct (at_parent sd a u Hu) as (l & r & Ha & _).
+  destruct (IH _ Ha) as (E & F & G). split; [|split; [|exact G]].
+  - rewrite <- E. unfold next_trail. rewrite (shr_odd trail _ Hb), (place_child W sd a Hd), pow_double. lia.
+  - now rewrite waiting_child, Hb.
+Qed.
 
 Lemma shape_start : shape (laine_start W).
 Proof.
@@ -267,7 +270,7 @@ Proof.
       repeat split; [exact Hlt|]. rewrite Hw. now exists rest.
 Qed.
 
-(** ** It ends *)
+(** * It ends *)
 
 Variable decide : history -> descent.
 Variable again : positive -> history -> descent.
