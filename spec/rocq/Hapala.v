@@ -9,10 +9,12 @@ Section Order.
 (** The child of a node that comes first: the same whenever it is asked for. *)
 Variable first : positive -> side.
 
-(** The node, and the automaton's state: arrived from the parent, so this is the near child; else from the sibling or a child. *)
+(** The node, and the automaton's state: arrived from the parent, so this is the near child; else from the sibling or a
+    child. *)
 Record hapala_state := Hapala { h_node : positive; h_from_parent : bool }.
 
-(** Up while this subtree is done and is not the near child's, then to the far child. From the root there is nowhere to go. *)
+(** Up while this subtree is done and is not the near child's, then to the far child. From the root there is nowhere to
+    go. *)
 Fixpoint hapala_climb (fuel : nat) (s : hapala_state) : option hapala_state :=
   match fuel with
   | 0 => None
@@ -47,7 +49,10 @@ Lemma near_child k : near (child (first k) k) = true.
 Proof. unfold near. destruct (first k) eqn:E; cbn; rewrite E; apply Pos.eqb_refl. Qed.
 
 Lemma near_sibling k : near k = true -> near (sibling k) = false.
-Proof. destruct k; cbn; [| |discriminate]; destruct (first k); cbn; rewrite ?Pos.eqb_refl; intros H; try discriminate; reflexivity. Qed.
+Proof.
+  destruct k; cbn; [| |discriminate]; destruct (first k); cbn; rewrite ?Pos.eqb_refl; intros H;
+    try discriminate; reflexivity.
+Qed.
 
 (** The near children among a node and its ancestors are those whose siblings are postponed. *)
 Lemma seconds_near k : k <> xH ->
@@ -76,8 +81,9 @@ Proof.
   - intros s k q p (-> & H). cbn [h_node]. rewrite hapala_climbs, H by lia. eauto using seconds_of_second.
 Qed.
 
-(** [HAPALA-1] Node and automaton, with parents and no trail, have the visits and the answer of the reference of any search that
-    tests a node at its visit, also one whose tests change with time, if the order of children is fixed; and end. *)
+(** [HAPALA-1] Node and automaton, with parents and no trail, have the visits and the answer of the reference of any
+    search that tests a node at its visit, also one whose tests change with time, if the order of children is fixed; and
+    end. *)
 Theorem hapala_reference T accept stop fuel : size T <= fuel ->
   run hapala T (by_node first accept) stop fuel (start hapala) [] = Some (reference (by_node first accept) stop T).
 Proof. apply (refines_reference _ _ _ _ _ _ (hapala_refines T)), by_node_in_order. Qed.

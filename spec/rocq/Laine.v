@@ -255,9 +255,9 @@ Proof.
       exists (S n). split; [lia|]. intros f. cbn [Nat.add]. rewrite One, Hs'. apply Hr.
 Qed.
 
-(** [LAINE-1] In words of [W] bits, over trees of height [W - 1] at most, with a short stack of any length, the restart trail has the
-    reference's visits and answer, for every search in which a node that is asked again answers what it answered at its visit. It
-    ends; for each visit there are at most [W - 1] on the way down again. *)
+(** [LAINE-1] In words of [W] bits, over trees of height [W - 1] at most, with a short stack of any length, the restart
+    trail has the reference's visits and answer, for every search in which a node that is asked again answers what it
+    answered at its visit. It ends; for each visit there are at most [W - 1] on the way down again. *)
 Theorem laine_reference fuel : size T * W <= fuel ->
   laine_run W K T decide again stop false fuel (laine_start W) [] = Some (reference decide stop T).
 Proof.
@@ -275,7 +275,8 @@ End Unchanging.
 Definition remembered (decide : history -> descent) (k : positive) (h : history) : descent :=
   match answer decide k h with Some d => d | None => Neither end.
 
-(** [LAINE-1] So for every tree and every search, also one whose decisions change from one node to the next, if answers are kept. *)
+(** [LAINE-1] So for every tree and every search, also one whose decisions change from one node to the next, if answers
+    are kept. *)
 Corollary laine_remembered_reference W K T decide stop fuel : height T < W -> size T * W <= fuel ->
   laine_run W K T decide (remembered decide) stop false fuel (laine_start W) [] = Some (reference decide stop T).
 Proof. intros HW. apply laine_reference; [exact HW|]. unfold remembered. now intros k h d ->. Qed.

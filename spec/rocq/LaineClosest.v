@@ -1,5 +1,5 @@
-(** The restart trail where decisions become narrower while the search goes on (spec/DEPARTURES.md, D-16): a search for the closest
-    hit finds it. *)
+(** The restart trail where decisions become narrower while the search goes on (spec/DEPARTURES.md, D-16): a search for
+    the closest hit finds it. *)
 
 Require Import Arith List PArith NArith Lia Bool.
 Require Import Tree Machine Bits Meaning Implicit Words Register HashedKeys Resume Closest LaineMachine LaineEnds.
@@ -27,8 +27,8 @@ Variable decide : history -> descent.
 (** It drops a child only if nothing below it is better than the best so far. *)
 Hypothesis search_culls : culls hit before T offer decide.
 
-(** [LAINE-1] What a node may answer when it is asked again: what it answered before, or narrower. Its second child may be dropped,
-    or both; the first alone only after the second has been visited. *)
+(** [LAINE-1] What a node may answer when it is asked again: what it answered before, or narrower. Its second child may
+    be dropped, or both; the first alone only after the second has been visited. *)
 Definition narrower (k : positive) (h : history) (old new : descent) : Prop :=
   new = old \/ new = Neither \/
   exists sd, old = Both sd /\ (new = Only sd \/ new = Only (other sd) /\ In (child (other sd) k) h).
@@ -45,7 +45,8 @@ Definition safe (h : history) (k : positive) : Prop := forall u, at_key T k = So
 Lemma safe_seen x h k : safe h k -> safe (x :: h) k.
 Proof.
   intros H u Hu q o Hq Ho. destruct (H u Hu q o Hq Ho) as (b & Hb & Hob).
-  change (best (x :: h)) with (closer hit before (best h) (found_in hit T offer x)). rewrite Hb. destruct (found_in hit T offer x) as [y|]; cbn [closer]; [|eauto].
+  change (best (x :: h)) with (closer hit before (best h) (found_in hit T offer x)). rewrite Hb.
+  destruct (found_in hit T offer x) as [y|]; cbn [closer]; [|eauto].
   destruct (before y b) eqn:E; [|eauto]. exists y. split; [reflexivity|]. destruct (before o y) eqn:F; [|reflexivity].
   rewrite (before_transitive _ _ _ F E) in Hob. discriminate.
 Qed.
@@ -276,7 +277,8 @@ Proof.
     destruct s as [k trail level pop short]. cbn [l_node l_trail l_short] in *.
     destruct Hshape as ((u & Hu) & _ & Ht & _). cbn [l_node l_trail] in *.
     destruct (N.eqb_spec (next_trail W trail k) (pow (W - 1))) as [Hend|]; [|destruct short; discriminate].
-    destruct (rises_end W trail k) as [Hr|(sd & a & Hr & Hb)]; [exact (proj2 (rises_safe _ _ _ _ Hr (ex_intro _ u Hu) Hspine Hsafe))|].
+    destruct (rises_end W trail k) as [Hr|(sd & a & Hr & Hb)];
+      [exact (proj2 (rises_safe _ _ _ _ Hr (ex_intro _ u Hu) Hspine Hsafe))|].
     exfalso. destruct (rises_next W T carries _ _ _ Hr u Hu) as (En & _ & (u' & Hc)).
     pose proof (deep W T carries _ _ Hc) as Hdc. rewrite depth_child in Hdc.
     destruct (carry_ends_at W trail sd a Ht Hdc Hb) as (_ & _ & _ & Hlt & _). rewrite <- En in Hlt. lia.
@@ -420,11 +422,14 @@ Qed.
 Lemma closest_run m : forall s h, good s h -> measure W s < m -> exists h', safe h' xH /\ forall f,
   laine_run W K T decide (fun _ => decide) never true (m + f) s h = Some (false, h').
 Proof.
-  induction m as [|m IH]; intros s h Hg Hm; [lia|]. pose proof Hg as (Hshape & Hspine & _). pose proof Hshape as ((u & Hu) & _).
+  induction m as [|m IH]; intros s h Hg Hm; [lia|].
+  pose proof Hg as (Hshape & Hspine & _). pose proof Hshape as ((u & Hu) & _).
   set (h1 := l_node s :: h).
   assert (Back : safe h1 (l_node s) -> exists h', safe h' xH /\ forall f,
     match laine_backtrack W s with
-    | Some s => laine_run W K T decide (fun _ => decide) never true (m + f) s h1 | None => Some (false, h1) end = Some (false, h')).
+    | Some s => laine_run W K T decide (fun _ => decide) never true (m + f) s h1
+    | None => Some (false, h1)
+    end = Some (false, h')).
   { intros Hsafe. pose proof (good_backtrack s h1 Hshape (spine_seen _ _ _ _ (within_refl _) Hspine) Hsafe) as Hb.
     pose proof (shape_backtrack W T carries s) as Hlt. destruct (laine_backtrack W s) as [s'|]; [|now exists h1].
     destruct (Hlt s' Hshape eq_refl) as [_ Hlt']. apply IH; [exact Hb|lia]. }
@@ -454,8 +459,8 @@ Proof.
   rewrite closer_comm, <- fold_closer, closer_same by assumption. reflexivity.
 Qed.
 
-(** [LAINE-1] In a search for the closest hit, whose answers become narrower while hits are found, the restart trail may pass through
-    finished subtrees again; it ends, and with the closest hit of the tree. *)
+(** [LAINE-1] In a search for the closest hit, whose answers become narrower while hits are found, the restart trail may
+    pass through finished subtrees again; it ends, and with the closest hit of the tree. *)
 Theorem laine_closest : exists n h, best h = best_below T xH /\ forall fuel, n <= fuel ->
   laine_run W K T decide (fun _ => decide) never true fuel (laine_start W) [] = Some (false, h).
 Proof.
@@ -472,7 +477,8 @@ End Closest.
 
 Module Passed.
 
-(** The hit in the left child of node 3 leaves nothing to be found: of its two children the root then wants the first alone. *)
+(** The hit in the left child of node 3 leaves nothing to be found: of its two children the root then wants the first
+    alone. *)
 Definition T := Node Leaf (Node Leaf Leaf).
 Definition decide (h : history) : descent := match h with [1; 6; _; _; _; _]%positive => Only L | _ => Both L end.
 Definition visits K := laine_run 8 K T decide (fun _ => decide) never true 9 (laine_start 8) [].
@@ -492,9 +498,9 @@ Definition offer (k : positive) := match k with 2%positive => Some 1 | 3%positiv
 Definition decide (h : history) : descent := match best nat Nat.ltb T offer h with None => Both L | Some _ => Only R end.
 Definition visits K := laine_run 8 K T decide (fun _ => decide) never true 9 (laine_start 8) [].
 
-(** [LAINE-1] A first child that is dropped alone, before the second has been visited: at the level where the search turned back, the
-    one child that is wanted is taken for the one that is done. The search drops nothing but what is done, and loses its closest hit.
-    A short stack hands the second child out without asking again. *)
+(** [LAINE-1] A first child that is dropped alone, before the second has been visited: at the level where the search
+    turned back, the one child that is wanted is taken for the one that is done. The search drops nothing but what is
+    done, and loses its closest hit. A short stack hands the second child out without asking again. *)
 Example second_lost : culls nat Nat.ltb T offer decide /\
   visits 0 = Some (false, [1; 2; 1]%positive) /\ visits 1 = Some (false, [3; 2; 1]%positive).
 Proof.

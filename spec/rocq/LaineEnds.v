@@ -1,5 +1,5 @@
-(** The restart trail with a short stack, Laine 2010, whatever nodes answer when they are asked again: trail, levels and short
-    stack go together, and it ends. *)
+(** The restart trail with a short stack, Laine 2010, whatever nodes answer when they are asked again: trail, levels and
+    short stack go together, and it ends. *)
 
 Require Import Arith List PArith NArith Lia Bool.
 Require Import Tree Machine Bits Implicit Words LaineMachine.
@@ -293,8 +293,8 @@ Proof.
     all: destruct (shape_descend s _ l r s' Hs Hu E) as (Hs' & Hlt); apply IH; [exact Hs'|lia].
 Qed.
 
-(** [LAINE-1] It ends whatever it is answered, also by nodes that are asked again and want more than before, and never asks for a
-    node that is not there. *)
+(** [LAINE-1] It ends whatever it is answered, also by nodes that are asked again and want more than before, and never
+    asks for a node that is not there. *)
 Theorem laine_ends : exists n r, forall fuel, n <= fuel ->
   laine_run W K T decide again stop all fuel (laine_start W) [] = Some r.
 Proof.

@@ -23,8 +23,8 @@ Definition is_set (x bit : N) : bool := negb (N.eqb (N.land x bit) 0).
 (** The level of the root. *)
 Definition top : N := pow (W - 1).
 
-(** [l_level] is the bit of the level at which the node was chosen, [l_pop] that at which the last backtrack changed sides, 0 before the
-    first. *)
+(** [l_level] is the bit of the level at which the node was chosen, [l_pop] that at which the last backtrack changed
+    sides, 0 before the first. *)
 Record laine_state := Laine { l_node : positive; l_trail : N; l_level : N; l_pop : N; l_short : list positive }.
 
 Definition laine_start : laine_state := Laine xH 0 top 0 [].
@@ -33,7 +33,8 @@ Definition laine_start : laine_state := Laine xH 0 top 0 [].
 Definition restarting (s : laine_state) : bool :=
   negb (N.eqb (l_pop s) 0) && (ctz (l_pop s) <? ctz (l_level s)).
 
-(** To the first child, or to the second if the trail says that the first is done. [None]: the one that is wanted is done. *)
+(** To the first child, or to the second if the trail says that the first is done. [None]: the one that is wanted is
+    done. *)
 Definition laine_descend (d : descent) (s : laine_state) : option laine_state :=
   let '(Laine k trail level pop short) := s in
   let level := N.div2 level in

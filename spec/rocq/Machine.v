@@ -83,8 +83,8 @@ Inductive reached : state C -> history -> Prop :=
   | reached_start : reached (start C) []
   | reached_step s h s' h' : reached s h -> step s h = Going s' h' -> reached s' h'.
 
-(** [R s k p] reads: the state [s] is at the key [k], and [p] is the stack of postponed keys. [allowed] is what may be decided at a
-    node. *)
+(** [R s k p] reads: the state [s] is at the key [k], and [p] is the stack of postponed keys. [allowed] is what may be
+    decided at a node. *)
 Record refines (allowed : positive -> descent -> Prop) (R : state C -> positive -> list positive -> Prop) : Prop := Refines {
   r_start : R (start C) xH [];
   r_key s k p : R s k p -> key_of C s = Some k;

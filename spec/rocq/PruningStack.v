@@ -1,5 +1,5 @@
-(** Stacks that leave out postponed nodes: with a mark for each, [stack-disjoint]; with the distance at which each begins,
-    [stack-t0], Dammertz 2011. *)
+(** Stacks that leave out postponed nodes: with a mark for each, [stack-disjoint]; with the distance at which each
+    begins, [stack-t0], Dammertz 2011. *)
 
 Require Import List PArith NArith Lia Bool Arith.
 Require Import Tree Machine Register HashedKeys Resume Disjoint Closest.
@@ -40,10 +40,12 @@ Section Distance.
 Variable T : tree.
 Variable decide : history -> descent.
 Variable stop : history -> bool.
-(** Where the second child begins, asked at the descent, and where the search ends by now: by any numbers, whatever they mean. *)
+(** Where the second child begins, asked at the descent, and where the search ends by now: by any numbers, whatever they
+    mean. *)
 Variables begins ends : history -> N.
 
-(** [ORACLE-3] The reference: the second child is not visited if it begins beyond the end of the search, after the first. *)
+(** [ORACLE-3] The reference: the second child is not visited if it begins beyond the end of the search, after the
+    first. *)
 Fixpoint dvisit (t : tree) (k : positive) (h : history) : bool * history :=
   let h := k :: h in
   match t with
@@ -142,8 +144,8 @@ Proof.
            destruct Hv2 as (k2 & Hv2). exists k2. intros f. rewrite E. apply Hv2.
 Qed.
 
-(** [STACK-1, ORACLE-3] The stack with distances, which drops from its top what begins beyond the end whenever it turns back, equals
-    the reference that asks after each first child, for all distances and ends, and ends. *)
+(** [STACK-1, ORACLE-3] The stack with distances, which drops from its top what begins beyond the end whenever it turns
+    back, equals the reference that asks after each first child, for all distances and ends, and ends. *)
 Theorem distance_stack_reference fuel : size T <= fuel -> distance_run fuel (xH, []) [] = Some distance_reference.
 Proof.
   intros Hf. destruct (distance_visit T xH [] [] eq_refl) as (n & Hn & Hv). unfold distance_reference.

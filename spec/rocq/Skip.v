@@ -1,5 +1,5 @@
-(** Skip pointers: in the order left before right, Smits 1998; in any order that is fixed, as one set of them is for each octant of
-    directions, Boulos & Haines 2006. *)
+(** Skip pointers: in the order left before right, Smits 1998; in any order that is fixed, as one set of them is for
+    each octant of directions, Boulos & Haines 2006. *)
 
 Require Import List PArith NArith.
 Require Import Tree Machine Implicit.
@@ -12,13 +12,13 @@ Section Order.
 (** The child of a node that comes first: known before the search, the same at every visit. *)
 Variable first : positive -> side.
 
-(** A search that tests a node at its visit: it wants both children in that order, or none. Whether it wants them may change with
-    time. *)
+(** A search that tests a node at its visit: it wants both children in that order, or none. Whether it wants them may
+    change with time. *)
 Definition by_node (accept : history -> bool) (h : history) : descent :=
   if accept h then Both (first (hd xH h)) else Neither.
 
-(** [SKIP-1] How the pointers are made, parents before children: that of the first child is the second, that of the second is the
-    parent's. The root, which nobody follows, means none. *)
+(** [SKIP-1] How the pointers are made, parents before children: that of the first child is the second, that of the
+    second is the parent's. The root, which nobody follows, means none. *)
 Fixpoint skip (k : positive) : positive :=
   match k with
   | xH => xH
@@ -75,8 +75,8 @@ Proof.
     split; [now destruct q|]. eauto using seconds_of_second.
 Qed.
 
-(** [SKIP-1] Skip pointers made for an order have the visits and the answer of the reference of any search that tests a node at its
-    visit, if it takes the children in that order; and end. *)
+(** [SKIP-1] Skip pointers made for an order have the visits and the answer of the reference of any search that tests a
+    node at its visit, if it takes the children in that order; and end. *)
 Theorem skip_order_reference T accept stop fuel : size T <= fuel ->
   run skip_machine T (by_node accept) stop fuel (start skip_machine) [] = Some (reference (by_node accept) stop T).
 Proof. apply (refines_reference _ _ _ _ _ _ (skip_refines T)), by_node_in_order. Qed.
@@ -85,14 +85,15 @@ End Order.
 
 (** * The two orders of the library *)
 
-(** [SKIP-1] In the order left before right the visits and the answer are those of a left-first search with tests of nodes. *)
+(** [SKIP-1] In the order left before right the visits and the answer are those of a left-first search with tests of
+    nodes. *)
 Theorem skip_machine_reference T accept stop fuel : size T <= fuel ->
   let machine := skip_machine (fun _ => L) in
   run machine T (node_test accept) stop fuel (start machine) [] = Some (visit_left accept stop T xH []).
 Proof. rewrite visit_left_is_visit. apply (skip_order_reference (fun _ => L)). Qed.
 
-(** The near child: that with the smaller coordinates along the node's axis, unless the ray runs towards them. Where the left
-    child holds the greater ones, the axis is marked as reversed. *)
+(** The near child: that with the smaller coordinates along the node's axis, unless the ray runs towards them. Where the
+    left child holds the greater ones, the axis is marked as reversed. *)
 Definition sign_order (axis : positive -> nat) (reversed : positive -> bool) (octant : nat -> bool) (k : positive) : side :=
   if xorb (octant (axis k)) (reversed k) then R else L.
 
