@@ -151,7 +151,7 @@ Definition left_first : cursor := {|
 Lemma number_key k n : (n + 1)%N = Npos k -> N.succ_pos n = k.
 Proof. intros H. rewrite N.add_1_r in H. rewrite <- N.succ_pos_spec in H. congruence. Qed.
 
-Lemma left_first_simulates T : simulates T trail_machine left_first (fun d => d = Both L)
+Lemma left_first_simulates T : simulates T trail_machine left_first (fun _ d => d = Both L)
   (fun a b => fits (fst a) (snd a) /\ b = (level_start (fst a), path (fst a)) /\ path (fst a) = level_index (fst a) (snd a)).
 Proof.
   split.
@@ -197,7 +197,7 @@ Theorem left_first_reference T accept stop fuel : size T <= fuel ->
 Proof.
   rewrite visit_left_is_visit. apply (refines_reference _ _ _ _ _ _
     (simulates_refines _ _ _ _ _ _ (trail_refines T) (left_first_simulates T))).
-  intros h. unfold node_test. destruct (accept h); auto.
+  intros k h. unfold node_test. destruct (accept (k :: h)); auto.
 Qed.
 
 (** * Algorithm 2 *)

@@ -83,21 +83,22 @@ Inductive reached : state C -> history -> Prop :=
   | reached_start : reached (start C) []
   | reached_step s h s' h' : reached s h -> step s h = Going s' h' -> reached s' h'.
 
-(** [R s k p] reads: the state [s] is at the key [k], and [p] is the stack of postponed keys. *)
-Record refines (allowed : descent -> Prop) (R : state C -> positive -> list positive -> Prop) : Prop := Refines {
+(** [R s k p] reads: the state [s] is at the key [k], and [p] is the stack of postponed keys. [allowed] is what may be
+    decided at a node. *)
+Record refines (allowed : positive -> descent -> Prop) (R : state C -> positive -> list positive -> Prop) : Prop := Refines {
   r_start : R (start C) xH [];
   r_key s k p : R s k p -> key_of C s = Some k;
-  r_only s k p sd l r : R s k p -> at_key T k = Some (Node l r) -> allowed (Only sd) ->
+  r_only s k p sd l r : R s k p -> at_key T k = Some (Node l r) -> allowed k (Only sd) ->
     R (descend C (Only sd) s) (child sd k) p;
-  r_both s k p sd l r : R s k p -> at_key T k = Some (Node l r) -> allowed (Both sd) ->
+  r_both s k p sd l r : R s k p -> at_key T k = Some (Node l r) -> allowed k (Both sd) ->
     R (descend C (Both sd) s) (child sd k) (child (other sd) k :: p);
   r_done s k : R s k [] -> backtrack C s = None;
   r_next s k q p : R s k (q :: p) -> exists s', backtrack C s = Some s' /\ R s' q p }.
 
-Variable allowed : descent -> Prop.
+Variable allowed : positive -> descent -> Prop.
 Variable R : state C -> positive -> list positive -> Prop.
 Hypothesis Ref : refines allowed R.
-Hypothesis decisions : forall h, decide h = Neither \/ allowed (decide h).
+Hypothesis decisions : forall k h, decide (k :: h) = Neither \/ allowed k (decide (k :: h)).
 
 (** A child of a node that is in the tree is there too. *)
 Lemma at_child sd k l r : at_key T k = Some (Node l r) -> at_key T (child sd k) = Some (subtree sd l r).
@@ -130,7 +131,7 @@ Proof.
     simpl visit. destruct (decide (k :: h)) as [|sd|sd] eqn:Hd.
     + exists 1; split; [simpl; lia|]. exists s, k; split; [exact Hs|]. intros f.
       change (1 + f) with (S f). rewrite Hn, Hd. reflexivity.
-    + assert (A : allowed (Only sd)) by (destruct (decisions (k :: h)); congruence).
+    + assert (A : allowed k (Only sd)) by (destruct (decisions k h); congruence).
       destruct (IH sd (child sd k) (descend C (Only sd) s) p (k :: h)) as (n & Hle & Hv).
       * apply at_child, Hk.
       * eapply r_only; eauto.
@@ -139,7 +140,7 @@ Proof.
         -- intros f. change (S n + f) with (S (n + f)). rewrite Hn, Hd. apply Hv.
         -- destruct Hv as (s' & k' & HR & Hv). exists s', k'; split; [exact HR|].
            intros f. change (S n + f) with (S (n + f)). rewrite Hn, Hd. apply Hv.
-    + assert (A : allowed (Both sd)) by (destruct (decisions (k :: h)); congruence).
+    + assert (A : allowed k (Both sd)) by (destruct (decisions k h); congruence).
       destruct (IH sd (child sd k) (descend C (Both sd) s) (child (other sd) k :: p) (k :: h)) as (n & Hle & Hv).
       * apply at_child, Hk.
       * eapply r_both; eauto.
@@ -218,7 +219,7 @@ Proof.
       rewrite Hb in Hb2. injection Hb2 as ->. exists q, p. split; [exact HR2|]. intros q' Hq. apply Hin. now right. }
     unfold step in Hstep. rewrite (r_key _ _ Ref _ _ _ HR) in Hstep.
     destruct (at_key T k) as [[|l r]|] eqn:Hk; [destruct (stop (k :: h)); [discriminate|]; eauto| |discriminate].
-    destruct (decisions (k :: h)) as [Hd|Ha]; [rewrite Hd in Hstep; eauto|].
+    destruct (decisions k h) as [Hd|Ha]; [rewrite Hd in Hstep; eauto|].
     destruct (decide (k :: h)) as [|sd|sd] eqn:Hd; [eauto| |]; injection Hstep as <- _.
     + exists (child sd k), p. split; [eapply r_only; eauto|].
       intros q [<-|Hq]; [eauto using at_child|apply Hin; now right].
@@ -232,16 +233,16 @@ Arguments Going {C}.
 Arguments Done {C}.
 Arguments Lost {C}.
 
-Definition any_descent (d : descent) : Prop := True.
+Definition any_descent (k : positive) (d : descent) : Prop := True.
 
-Lemma any_decision (decide : history -> descent) h : decide h = Neither \/ any_descent (decide h).
+Lemma any_decision (decide : history -> descent) k h : decide (k :: h) = Neither \/ any_descent k (decide (k :: h)).
 Proof. right. exact I. Qed.
 
 (** A cursor that moves as a right one does, state by state, is right. *)
-Record simulates (T : tree) (A B : cursor) (allowed : descent -> Prop) (S : state A -> state B -> Prop) : Prop := Simulates {
+Record simulates (T : tree) (A B : cursor) (allowed : positive -> descent -> Prop) (S : state A -> state B -> Prop) : Prop := Simulates {
   s_start : S (start A) (start B);
   s_key a b : S a b -> key_of B b = key_of A a;
-  s_descend a b d k l r : S a b -> key_of A a = Some k -> at_key T k = Some (Node l r) -> d <> Neither -> allowed d ->
+  s_descend a b d k l r : S a b -> key_of A a = Some k -> at_key T k = Some (Node l r) -> d <> Neither -> allowed k d ->
     S (descend A d a) (descend B d b);
   s_done a b : S a b -> backtrack A a = None -> backtrack B b = None;
   s_next a b a' : S a b -> backtrack A a = Some a' -> exists b', backtrack B b = Some b' /\ S a' b' }.

@@ -29,10 +29,10 @@ Variable C : cursor.
 Variable T : tree.
 Variable decide : history -> descent.
 Variable stop : history -> bool.
-Variable allowed : descent -> Prop.
+Variable allowed : positive -> descent -> Prop.
 Variable R : state C -> positive -> list positive -> Prop.
 Hypothesis Ref : refines C T allowed R.
-Hypothesis decisions : forall h, decide h = Neither \/ allowed (decide h).
+Hypothesis decisions : forall k h, decide (k :: h) = Neither \/ allowed k (decide (k :: h)).
 
 (** At some visit both children were wanted, and [x] was to come second. *)
 Definition postponed (h : history) (x : positive) : Prop :=
@@ -128,14 +128,14 @@ Proof.
     + destruct (decide (k :: h)) as [|sd|sd] eqn:Hd.
       * apply B; [|exact Hstep]. intros x. rewrite postponed_cons, Hd.
         split; [intros [Hx|(? & ? & ? & _ & [=] & _)]; exact Hx|auto].
-      * injection Hstep as <- <-. assert (A : allowed (Only sd)) by (destruct (decisions (k :: h)); congruence).
+      * injection Hstep as <- <-. assert (A : allowed k (Only sd)) by (destruct (decisions k h); congruence).
         exists (child sd k), p. split; [eapply r_only; eauto|]. pose proof (apart_only _ _ _ sd HA) as HA'.
         split; [exact HA'|]. intros x. unfold waiting. rewrite postponed_cons, Hd. split.
         -- intros Hx. destruct (proj1 (HW x) Hx) as (Hx1 & Hx2). split; [auto|]. intros [<-|Hin]; [|auto].
            apply (apart_head _ _ _ HA' _ Hx). apply within_refl.
         -- intros ([Hx1|(? & ? & ? & _ & [=] & _)] & Hx2). apply HW. split; [exact Hx1|].
            intros Hin. apply Hx2. now right.
-      * injection Hstep as <- <-. assert (A : allowed (Both sd)) by (destruct (decisions (k :: h)); congruence).
+      * injection Hstep as <- <-. assert (A : allowed k (Both sd)) by (destruct (decisions k h); congruence).
         exists (child sd k), (child (other sd) k :: p). split; [eapply r_both; eauto|].
         pose proof (apart_both _ _ _ sd HA) as HA'.
         split; [exact HA'|]. intros x. unfold waiting. rewrite postponed_cons, Hd. split.

@@ -1,4 +1,5 @@
-//! Writes cases, and what every traversal sees of them: node, key, trail, counter, second trail and register at each visit.
+//! Writes cases, and what every traversal sees of them: node, key, trail, counter, second trail and register at each visit,
+//! also at those on the way down again.
 //!
 //! The machines that are extracted from the proofs read it and see for themselves (spec/rocq/extract). Usage:
 //! `visits CASES SEED [I/N]`. First come all small trees, trees as deep as words carry, and the worst cases of the adversary;
@@ -118,11 +119,6 @@ impl List {
     }
 }
 
-/// Those that start again from the root, and the one that drops nodes by distance, have neither machine nor reference there.
-fn has_model(method: Method) -> bool {
-    !method.restarts() && method != Method::StackT0
-}
-
 /// A case, and a line for each traversal in each word that carries its tree.
 fn text(case: &Case) -> String {
     let mut text = format!("case {} {}", u8::from(case.any), case.octant);
@@ -141,7 +137,7 @@ fn text(case: &Case) -> String {
         }
     }
     text.push('\n');
-    let methods: Vec<Method> = Method::ALL.into_iter().filter(|&method| has_model(method)).collect();
+    let methods = Method::ALL;
     let octants = case.octant..case.octant + 1;
     let beside = Beside::for_octants(&case.tree, case.tape.axes(), &methods, IMPLICIT_DEPTH, octants);
     let run = Run { case, keys: &Keys::of(&case.tree), tables: &Tables::with(&case.tree, case.tape.axes(), beside) };
@@ -301,12 +297,25 @@ impl Recorder for Seen<'_> {
         if let Some(node) = register {
             self.add_node(node);
         }
-        // A traversal that does not end shows more than any can.
-        if self.text.len() > LONGEST { Flow::Stop } else { Flow::Continue }
+        self.goes_on()
+    }
+
+    /// On the way down again: marked, where a decision is asked for again.
+    fn revisit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
+        let flow = self.visit(node, state);
+        if !node.is_leaf() {
+            self.text.push('~');
+        }
+        flow
     }
 }
 
 impl Seen<'_> {
+    /// A traversal that does not end shows more than any can.
+    fn goes_on(&self) -> Flow {
+        if self.text.len() > LONGEST { Flow::Stop } else { Flow::Continue }
+    }
+
     /// A node by its key, which may be longer than the traversal's word.
     fn add_node(&mut self, node: Node) {
         let slot = self.tree.slot(node);

@@ -5,6 +5,7 @@
 
 Require Import ExtrOcamlBasic Extraction List PArith NArith.
 Require Import Tree Machine Bits Implicit Skip Combined Sparse Words Register Filling Resume ByKey Disjoint DisjointHashed Climb.
+Require Import Hapala LaineMachine PruningStack.
 Require Wide WideMachine WideLevels WideKeep WideBits WideLeaves WideRestart.
 
 (** What the library's [State] has too: as far as a machine has it. *)
@@ -30,7 +31,8 @@ Definition implicit_a := Viewed implicit_a (fun '(start, index, _) => counted (s
 Definition implicit_b := Viewed implicit_b (fun '(start, index, _) => counted (start + index)).
 Definition implicit_a1 := Viewed implicit_a1 (fun '(index, _) => counted index).
 Definition implicit_b1 := Viewed implicit_b1 (fun _ k => Shown k (Some k) None None None None).
-Definition skips := Viewed skip_machine (fun _ => only_node).
+Definition skips first := Viewed (skip_machine first) (fun _ => only_node).
+Definition hapala first := Viewed (hapala first) (fun _ => only_node).
 (** With a table that is right everywhere. *)
 Definition keyed := Viewed (by_key_machine ideal) (fun s k => Shown k (Some (fst (snd s))) (Some (snd (snd s))) None None None).
 
@@ -65,6 +67,9 @@ Definition hashed_disjoint T := Viewed_pruner (hashed_disjoint T 2 2 late ideal)
   (fun s k => Shown k (Some (key (fst s))) (Some (trail (fst s))) None (Some (snd s)) (register (fst s)))
   (fun k t marks => (located k t, marks)).
 
+(** Taken up with the stack that key and trails stand for. *)
+Definition stack_disjoint := Viewed_pruner marked_stack (fun _ => only_node) (fun k t marks => (k, marked_pending k t marks)).
+
 (** [hashed_iff_high] *)
 Definition is_hashed T Ui Ul (x : positive) : bool :=
   match x, at_key T (sibling x) with
@@ -76,6 +81,7 @@ Extraction Language OCaml.
 Separate Extraction
   stack hash_only hash_only_in left_first implicit_a implicit_b implicit_a1 implicit_b1 sparse afra uncle hashed skips keyed
   hash_only_disjoint afra_disjoint sparse_disjoint uncle_disjoint hashed_disjoint is_hashed
+  hapala stack_disjoint laine_run laine_start distance_run
   run reference prun pruned_reference at_key height size depth child sibling parent ctz push leap counter fcomp level_start all_ones
   Wide.reference WideMachine.run WideMachine.stack_machine WideLevels.level_machine
   WideKeep.trail_keeper WideKeep.word_keeper WideKeep.key_keeper

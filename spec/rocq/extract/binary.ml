@@ -32,8 +32,9 @@ let scripted input =
   let decide h : Tree.descent =
     match says h with 'l' -> Only L | 'r' -> Only R | 'L' -> Both L | 'R' -> Both R | _ -> Neither
   in
-  let no _ = false in
-  (cells, fun () -> { decide; stop = (fun h -> says h = '!'); mark = no; found = no; best = ref None })
+  let no _ = false and zero _ = BinNums.N0 in
+  let stop h = says h = '!' in
+  (cells, fun () -> { decide; stop; mark = no; found = no; begins = zero; ends = zero; best = ref None })
 
 let rec depth (k : BinNums.positive) = match k with Coq_xH -> 0 | Coq_xO k | Coq_xI k -> 1 + depth k
 
@@ -73,7 +74,7 @@ let machines tree =
 
 let pruners tree =
   Extract.[ ("hash-only", hash_only_disjoint); ("hashed", hashed_disjoint tree); ("sparse", sparse_disjoint);
-            ("afra", afra_disjoint); ("uncle", uncle_disjoint tree) ]
+            ("afra", afra_disjoint); ("uncle", uncle_disjoint tree); ("stack", stack_disjoint) ]
 
 let result tree ?(more = []) results =
   let optional show = function None -> `Null | Some x -> show x in
@@ -100,16 +101,22 @@ let trace profile input =
       let results = all (fun () -> start cells ~any:false Children) (runs @ [ ("reference", Watch.pruned_reference tree) ]) in
       result tree results ~more:(with_hit results)
   | _ ->
-      let test =
+      let order =
         match profile with
-        | "node-left" -> left_first
-        | "node-sign" -> by_sign (to_int (Json.field "octant" input))
-        | _ -> Children
+        | "node-left" -> Some (fun _ -> Tree.L)
+        | "node-sign" -> Some (by_sign (to_int (Json.field "octant" input)))
+        | _ -> None
       in
       let cells = scene input in
       let tree = tree_of cells in
       let runs = Stdlib.List.map (fun (name, m) -> (name, Watch.run m tree)) (machines tree) in
       let left = if profile = "node-left" then [ ("left-first", Watch.run Extract.left_first tree) ] else [] in
+      let test = Option.fold ~none:Children ~some:(fun first -> Nodes first) order in
+      let by_node first =
+        let first k = first (find cells k).cell in
+        [ ("skip", Watch.run (Extract.skips first) tree); ("hapala", Watch.run (Extract.hapala first) tree) ]
+      in
+      let left = left @ Option.fold ~none:[] ~some:by_node order in
       let results = all (fun () -> start cells ~any:(Json.flag "any" input) test) (runs @ left @ [ ("reference", Watch.reference tree) ]) in
       result tree results ~more:(with_hit results)
 

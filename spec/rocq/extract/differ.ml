@@ -51,7 +51,7 @@ let case_of line =
   { line; any; octant; all; tree; height = Text.of_nat (Tree.height tree);
     plain = lazy (visits (Watch.run Extract.hash_only)); pruned = lazy (visits (Watch.run_pruning Extract.hash_only_disjoint)) }
 
-let add_visit buffer (s : Extract.shown) =
+let add_visit buffer ((s : Extract.shown), passed) =
   let optional add x =
     Buffer.add_char buffer ':';
     Option.iter (add buffer) x
@@ -62,10 +62,11 @@ let add_visit buffer (s : Extract.shown) =
   optional Text.add_n s.s_trail;
   optional Text.add_n s.s_counter;
   optional Text.add_n s.s_marks;
-  optional Text.add_positive s.s_register
+  optional Text.add_positive s.s_register;
+  if passed then Buffer.add_char buffer '~'
 
 (* What the machine of a traversal sees, as a line of the Rust program without the names. *)
-let seen ?hit case run test =
+let seen_passing ?hit case run test =
   let search = start ?hit case.all ~any:case.any test in
   let buffer = Buffer.create 256 in
   (match run case.tree search with
@@ -76,12 +77,21 @@ let seen ?hit case run test =
   | Some (t, slot) -> Printf.bprintf buffer " hit %d %d" t slot);
   Buffer.contents buffer
 
+let visited run tree search =
+  Option.map (fun (stopped, visits) -> (stopped, Stdlib.List.map (fun s -> (s, false)) visits)) (run tree search)
+
+let seen ?hit case run test = seen_passing ?hit case (visited run) test
+
 (* From this height on the machine of words is asked, which is slower. Below it the theorem says that it is the other one. *)
 let high = 24
 
 let machine case name word =
   let plain viewed = Some (seen case (Watch.run viewed) Children) in
   let prunes viewed = Some (seen case (Watch.run_pruning viewed) Children) in
+  let by_node viewed =
+    let first = by_sign case.octant in
+    Some (seen case (Watch.run (viewed (fun k -> first (find case.all k).cell))) (Nodes first))
+  in
   let in_words w = if case.height >= high then plain (Extract.hash_only_in (Text.nat w)) else plain Extract.hash_only in
   match (name, word) with
   | "stack", _ -> plain Extract.stack
@@ -104,10 +114,14 @@ let machine case name word =
   | "afra-disjoint", _ -> prunes Extract.afra_disjoint
   | "uncle-disjoint", _ -> prunes (Extract.uncle_disjoint case.tree)
   | "hashed-disjoint", _ -> prunes (Extract.hashed_disjoint case.tree)
-  (* The extracted reference, where there is no machine. *)
-  | "stack-disjoint", _ -> Some (seen case Watch.pruned_reference Children)
-  | "skip", _ -> Some (seen case (Watch.run Extract.skips) left_first)
-  | ("skip-octant" | "hapala"), _ -> Some (seen case Watch.reference (by_sign case.octant))
+  | "stack-disjoint", _ -> prunes Extract.stack_disjoint
+  | "stack-t0", _ -> Some (seen case Watch.stack_with_distances Children)
+  | "skip", _ -> Some (seen case (Watch.run (Extract.skips (fun _ -> Tree.L))) left_first)
+  | "skip-octant", _ -> by_node Extract.skips
+  | "hapala", _ -> by_node Extract.hapala
+  | _ when String.starts_with ~prefix:"laine-" name ->
+      let number text from = int_of_string (String.sub text from (String.length text - from)) in
+      Some (seen_passing case (Watch.laine (Text.nat (number word 1)) (Text.nat (number name 6))) Children)
   | _ -> None
 
 (* A state that was put aside before a visit: the number of visits, key, trail, second trail, and the best hit. It has to be that

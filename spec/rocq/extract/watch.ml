@@ -25,6 +25,24 @@ let go_on_pruning { pruning; pview } state history fuel tree (search : Search.se
 
 let run_pruning viewed tree search = go_on_pruning viewed viewed.pruning.pstart [] (Tree.size tree) tree search
 
+(* Without a bound: the theorems say that they end. *)
+let rec endless = Datatypes.S endless
+
+(* The restart trail in words, with a short stack: also what it passes again, which is true of an inner node that is asked
+   again. Who is asked knows what is visited. *)
+let laine word length tree (search : Search.search) =
+  let seen = ref [] in
+  let see passed h = seen := (only_node (Stdlib.List.hd h), passed) :: !seen in
+  let decide h = see false h; search.decide h in
+  let again _ h = see true h; search.decide h in
+  let stop h = see false h; search.stop h in
+  Option.map (fun (stopped, _) -> (stopped, Stdlib.List.rev !seen))
+    (LaineMachine.laine_run word length tree decide again stop true endless (LaineMachine.laine_start word) [])
+
+let stack_with_distances tree (search : Search.search) =
+  Option.map (fun (stopped, history) -> (stopped, Stdlib.List.rev_map only_node history))
+    (PruningStack.distance_run tree search.decide search.stop search.begins search.ends (Tree.size tree) (BinNums.Coq_xH, []) [])
+
 (* The recursive reference, for what has no machine of its own. *)
 let reference tree (search : Search.search) =
   let stopped, history = Tree.reference search.decide search.stop tree in
