@@ -1,6 +1,6 @@
 //! Which of two children that a ray meets comes first (Binder & Keller 2016, Section 2).
 //!
-//! The order decides how soon a search ends, never what it answers.
+//! The order decides how soon a search ends, never what it answers; but for one case of [`FromLeft`].
 
 use std::fmt::Debug;
 
@@ -18,7 +18,9 @@ pub trait ChildOrder: Copy + Debug {
 pub struct Nearest;
 
 /// The left child, which in a new [`Bvh`](crate::bvh::Bvh) is the one of the larger surface: it holds more to be hit.
-/// For any-hit queries, and faster than it looks: the processor always knows which node comes next.
+/// For any-hit queries, and faster than it looks: the processor always knows which node comes next. The closest hit it may
+/// miss by [`Laine`](crate::traverse::Laine) over triangles in parts: their hits may lie before the box of their leaf, so
+/// that a first child is dropped before the second has been visited. `[LAINE-1]`
 #[derive(Clone, Copy, Debug)]
 pub struct FromLeft;
 

@@ -1,6 +1,7 @@
 //! Sums of floats without rounding.
 
-/// The exact sum of up to `N` doubles, kept as doubles of increasing magnitude whose bits do not overlap.
+/// The exact sum of up to `N` doubles, kept as doubles of increasing magnitude whose bits neither
+/// overlap nor are adjacent. `[EXACT-8]`
 ///
 /// Shewchuk 1997: GROW-EXPANSION with zeros left out. Exact as long as nothing over- or underflows.
 ///
