@@ -260,7 +260,7 @@ fn doubles_are_traced_as_they_are() {
         None => "-1,,,\n".to_owned(),
     });
     let expected: String = std::iter::once("prim,t,u,v\n".to_owned()).chain(expected).collect();
-    assert!(expected.matches('\n').count() - expected.matches("-1").count() > 200, "{expected}");
+    assert!(expected.lines().filter(|line| !line.starts_with("-1")).count() > 99, "{expected}");
     for method in Method::ALL {
         let run = stackless(&format!("trace --double --method {method} -o - --rays"), &[&rays_file, &scene]);
         assert_eq!((run.code, run.stdout), (Some(0), expected.clone()), "{method}: {}", run.stderr);

@@ -90,13 +90,16 @@ fn slices_are_nearly_the_parts() {
                         within.lo[axis] = within.lo[axis].max(scale.border(bin));
                         within.hi[axis] = within.hi[axis].min(scale.border(bin + 1));
                         let [slice, part] = [slice.intersection(node).aabb(), mesh.part(prim, &within)];
-                        let slack = 1e-5 * Vec3::from(whole.hi - whole.lo).max_element();
+                        // What rounding may cost, of the extent and of the coordinates.
+                        let greatest = Vec3::from(whole.lo.abs().max(whole.hi.abs())).max_element();
+                        let slack =
+                            1e-5 * Vec3::from(whole.hi - whole.lo).max_element() + 4.0 * f32::EPSILON * greatest;
                         // A part of a part is cut by all of its planes, a slice by two: it is the greater one.
                         let holds = (slice.lo - slack).cmple(part.lo).all() && part.hi.cmple(slice.hi + slack).all();
                         let is_near = (slice.lo - part.lo).abs().max((part.hi - slice.hi).abs()).max_element() < slack;
                         let is_cut_before = node.lo != whole.lo;
                         if part.lo.cmple(part.hi).all() {
-                            assert!(holds && (is_cut_before || is_near), "{prim} {axis} {bin}");
+                            assert!(holds && (is_cut_before || is_near), "{prim} {axis} {bin}: {slice:?} for {part:?}");
                             compared += 1;
                         }
                     }
