@@ -85,20 +85,21 @@ Fixpoint drop_beyond (e : N) (p : list (positive * N)) : list (positive * N) :=
 Definition distance_back (s : distance_state) : option distance_state :=
   match snd s with [] => None | (q, _) :: p => Some (q, p) end.
 
-(** The loop of [traverse_pruned] for a cursor that keeps distances. *)
+(** The loop of [traverse_pruned] for a cursor that keeps distances. What comes after a visit is a function, so that the
+    extracted program does not run it before the visit. *)
 Fixpoint distance_run (fuel : nat) (s : distance_state) (h : history) : option (bool * history) :=
   match fuel with
   | 0 => None
   | S fuel =>
       let '(k, p) := s in
       let h := k :: h in
-      let back := match distance_back (k, drop_beyond (ends h) p) with
+      let back (_ : unit) := match distance_back (k, drop_beyond (ends h) p) with
         | Some s => distance_run fuel s h | None => Some (false, h) end in
       match at_key T k with
       | None => None
-      | Some Leaf => if stop h then Some (true, h) else back
+      | Some Leaf => if stop h then Some (true, h) else back tt
       | Some (Node _ _) =>
-          match decide h with Neither => back | d => distance_run fuel (distance_descend d (begins h) s) h end
+          match decide h with Neither => back tt | d => distance_run fuel (distance_descend d (begins h) s) h end
       end
   end.
 

@@ -142,7 +142,7 @@ fn text(case: &Case) -> String {
     let beside = Beside::for_octants(&case.tree, case.tape.axes(), &methods, IMPLICIT_DEPTH, octants);
     let run = Run { case, keys: &Keys::of(&case.tree), tables: &Tables::with(&case.tree, case.tape.axes(), beside) };
     let is_small = case.tree.node_count() <= SMALL;
-    let is_compared = |method: &Method| *method != Method::StackT0 && (is_small || !method.restarts());
+    let is_compared = |method: &Method| is_small || !method.restarts();
     for method in methods.into_iter().filter(is_compared) {
         let words = if method.has_words() { &WordName::ALL[..] } else { &[WordName::U64] };
         for &word in words {
@@ -160,8 +160,8 @@ fn text(case: &Case) -> String {
     text
 }
 
-/// Most nodes of a tree in which restarts are compared: in deep trees their machine, which works on words of single bits, takes
-/// minutes. That of `stack-t0` has no glue yet.
+/// Most nodes of a tree in which restarts are compared: in deep trees their machine, which works on words of single bits,
+/// takes minutes.
 const SMALL: usize = 41;
 
 /// Deepest tree with an implicit layout; in others the addresses are looked up.

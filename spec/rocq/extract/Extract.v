@@ -81,7 +81,7 @@ Extraction Language OCaml.
 Separate Extraction
   stack hash_only hash_only_in left_first implicit_a implicit_b implicit_a1 implicit_b1 sparse afra uncle hashed skips keyed
   hash_only_disjoint afra_disjoint sparse_disjoint uncle_disjoint hashed_disjoint is_hashed
-  hapala stack_disjoint laine_run laine_start
+  hapala stack_disjoint laine_run laine_start distance_run
   run reference prun pruned_reference at_key height size depth child sibling parent ctz push leap counter fcomp level_start all_ones
   Wide.reference WideMachine.run WideMachine.stack_machine WideLevels.level_machine
   WideKeep.trail_keeper WideKeep.word_keeper WideKeep.key_keeper

@@ -32,8 +32,9 @@ let scripted input =
   let decide h : Tree.descent =
     match says h with 'l' -> Only L | 'r' -> Only R | 'L' -> Both L | 'R' -> Both R | _ -> Neither
   in
-  let no _ = false in
-  (cells, fun () -> { decide; stop = (fun h -> says h = '!'); mark = no; found = no; best = ref None })
+  let no _ = false and zero _ = BinNums.N0 in
+  let stop h = says h = '!' in
+  (cells, fun () -> { decide; stop; mark = no; found = no; begins = zero; ends = zero; best = ref None })
 
 let rec depth (k : BinNums.positive) = match k with Coq_xH -> 0 | Coq_xO k | Coq_xI k -> 1 + depth k
 

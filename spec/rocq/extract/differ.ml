@@ -115,6 +115,7 @@ let machine case name word =
   | "uncle-disjoint", _ -> prunes (Extract.uncle_disjoint case.tree)
   | "hashed-disjoint", _ -> prunes (Extract.hashed_disjoint case.tree)
   | "stack-disjoint", _ -> prunes Extract.stack_disjoint
+  | "stack-t0", _ -> Some (seen case Watch.stack_with_distances Children)
   | "skip", _ -> Some (seen case (Watch.run (Extract.skips (fun _ -> Tree.L))) left_first)
   | "skip-octant", _ -> by_node Extract.skips
   | "hapala", _ -> by_node Extract.hapala

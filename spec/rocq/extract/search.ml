@@ -36,6 +36,8 @@ type search = {
   stop : history -> bool;
   mark : history -> bool;
   found : history -> bool;
+  begins : history -> BinNums.coq_N;
+  ends : history -> BinNums.coq_N;
   best : (int * int) option ref;
 }
 
@@ -89,7 +91,13 @@ let start ?hit cells ~any test =
     | Only R | Both R -> r.exit < l.enter
     | Neither -> false
   in
-  { decide; stop; mark; found; best }
+  (* Where the second child begins, and where the search ends by now. *)
+  let begins h =
+    let l, r = children (here h) in
+    Text.n_of_int (match decide h with Both R -> l.enter | _ -> r.enter)
+  in
+  let ends _ = Text.n_of_int (match !best with Some (t, _) -> t | None -> never) in
+  { decide; stop; mark; found; begins; ends; best }
 
 let left_first = Nodes (fun _ -> L)
 let by_sign octant c = if (octant lsr c.axis) land 1 = 1 then R else L

@@ -39,6 +39,10 @@ let laine word length tree (search : Search.search) =
   Option.map (fun (stopped, _) -> (stopped, Stdlib.List.rev !seen))
     (LaineMachine.laine_run word length tree decide again stop true endless (LaineMachine.laine_start word) [])
 
+let stack_with_distances tree (search : Search.search) =
+  Option.map (fun (stopped, history) -> (stopped, Stdlib.List.rev_map only_node history))
+    (PruningStack.distance_run tree search.decide search.stop search.begins search.ends (Tree.size tree) (BinNums.Coq_xH, []) [])
+
 (* The recursive reference, for what has no machine of its own. *)
 let reference tree (search : Search.search) =
   let stopped, history = Tree.reference search.decide search.stop tree in
