@@ -113,21 +113,18 @@ Proof.
   induction k as [k IH|k IH|]; [exact (E R k IH)|exact (E L k IH)|left; constructor].
 Qed.
 
-Lemma shr_odd x e : N.testbit x (N.of_nat e) = true -> (shr x e + 1 = 2 * (shr x (S e) + 1))%N.
+Lemma shr_bit x e : (shr x e = 2 * shr x (S e) + N.b2n (N.testbit x (N.of_nat e)))%N.
 Proof.
-  intros H. replace (shr x (S e)) with (N.div2 (shr x e)).
-  - rewrite (N.div2_odd (shr x e)) at 1. rewrite <- N.bit0_odd. unfold shr at 2. rewrite N.shiftr_spec'. cbn [N.add].
-    rewrite H. cbn [N.b2n]. lia.
+  replace (shr x (S e)) with (N.div2 (shr x e)).
+  - rewrite (N.div2_odd (shr x e)) at 1. rewrite <- N.bit0_odd. unfold shr at 2. now rewrite N.shiftr_spec'.
   - unfold shr. rewrite N.div2_spec, N.shiftr_shiftr. f_equal. lia.
 Qed.
 
+Lemma shr_odd x e : N.testbit x (N.of_nat e) = true -> (shr x e + 1 = 2 * (shr x (S e) + 1))%N.
+Proof. intros H. rewrite (shr_bit x e), H. cbn [N.b2n]. lia. Qed.
+
 Lemma shr_even x e : N.testbit x (N.of_nat e) = false -> (shr x e + 1 = 2 * shr x (S e) + 1)%N.
-Proof.
-  intros H. replace (shr x (S e)) with (N.div2 (shr x e)).
-  - rewrite (N.div2_odd (shr x e)) at 1. rewrite <- N.bit0_odd. unfold shr at 2. rewrite N.shiftr_spec'. cbn [N.add].
-    rewrite H. cbn [N.b2n]. lia.
-  - unfold shr. rewrite N.div2_spec, N.shiftr_shiftr. f_equal. lia.
-Qed.
+Proof. intros H. rewrite (shr_bit x e), H. cbn [N.b2n]. lia. Qed.
 
 (** Where it runs up to the root, it is over. *)
 Lemma next_trail_root trail : (trail < pow (W - 1))%N -> next_trail trail xH = pow (W - 1).

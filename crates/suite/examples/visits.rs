@@ -1,11 +1,11 @@
-//! Writes cases, and what every traversal sees of them: node, key, trail, counter, second trail and register at each visit,
-//! also at those on the way down again.
+//! Writes cases, and what every traversal sees of them: node, key, trail, counter, second trail and register at each
+//! visit, also at those on the way down again.
 //!
 //! The machines that are extracted from the proofs read it and see for themselves (spec/rocq/extract). Usage:
-//! `visits CASES SEED [I/N]`. First come all small trees, trees as deep as words carry, and the worst cases of the adversary;
-//! then as many as CASES says: random ones, some of them deep, combs with long climbs, some drawn from bytes as a fuzzer
-//! does, and worst cases with some choices changed. Every traversal that can be put aside is, once in each case, and another one
-//! goes on.
+//! `visits CASES SEED [I/N]`. First come all small trees, trees as deep as words carry, and the worst cases of the
+//! adversary; then as many as CASES says: random ones, some of them deep, combs with long climbs, some drawn from bytes
+//! as a fuzzer does, and worst cases with some choices changed. Every traversal that can be put aside is, once in each
+//! case, and another one goes on.
 
 use std::env::args;
 use std::fmt::Write as _;
@@ -160,8 +160,8 @@ fn text(case: &Case) -> String {
     text
 }
 
-/// Most nodes of a tree in which restarts are compared: in deep trees their machine, which works on words of single bits,
-/// takes minutes.
+/// Most nodes of a tree in which restarts are compared: in deep trees their machine, which works on words of single
+/// bits, takes minutes.
 const SMALL: usize = 41;
 
 /// Deepest tree with an implicit layout; in others the addresses are looked up.

@@ -104,9 +104,10 @@ Definition hits (i : N) (t : R) : Prop := exists v, mesh i = Some v /\ meets (tr
 
 (** What the exact test says of a triangle: RN(t), or that it is missed. *)
 Variable kernel : N -> option float.
-Hypothesis kernel_is_exact : forall i, match kernel i with
+Definition is_exact : Prop := forall i, match kernel i with
   | Some f => exists t, hits i t /\ is_nan f = false /\ value f = nearest t
   | None => forall t, ~ hits i t end.
+Hypothesis kernel_is_exact : is_exact.
 
 (** What the test of a box says, up to a distance. *)
 Variable met : box -> float -> bool.

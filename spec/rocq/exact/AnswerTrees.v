@@ -33,10 +33,7 @@ Qed.
 (** The slab test of the code, with two steps, for boxes and rays that it is asked for: any search that leaves out only what it tells to
     leave out has the least hit in the end. [DET-1] *)
 Theorem directed_answer mesh kernel root best :
-  (forall i, match kernel i with
-    | Some f => exists t, hits origin direction tmin tmax mesh i t /\ is_nan f = false /\ value f = nearest t
-    | None => forall t, ~ hits origin direction tmin tmax mesh i t end) ->
-  covers mesh fits root -> run tmax kernel box_met ([root], None) ([], best) -> is_least kernel best.
+  is_exact origin direction tmin tmax mesh kernel -> covers mesh fits root -> run tmax kernel box_met ([root], None) ([], best) -> is_least kernel best.
 Proof. intros K C R. apply (one_answer origin direction tmin tmax mesh kernel K box_met fits touched_box_is_met root best C R). Qed.
 End Directed.
 
@@ -269,24 +266,16 @@ End References.
 (** So their best, with boxes tested as the code does, is the least hit: for every tree, every order of children, and whatever they
     know. [DET-1] *)
 Theorem binary_answer ox oy oz dx dy dz tmin tmax mesh kernel boxes items T decide wants :
-  let o := origin ox oy oz in
-  let d := direction dx dy dz in
   let met := box_met ox oy oz dx dy dz tmin tmax in
-  (forall i, match kernel i with
-    | Some f => exists t, hits o d tmin tmax mesh i t /\ is_nan f = false /\ value f = nearest t
-    | None => forall t, ~ hits o d tmin tmax mesh i t end) ->
+  is_exact (origin ox oy oz) (direction dx dy dz) tmin tmax mesh kernel ->
   covers mesh (fits ox oy oz dx dy dz) (tree_of boxes items T xH) -> skips_by_boxes tmax kernel met boxes items T decide wants ->
   is_least kernel (best_of kernel items T wants (snd (Tree.reference decide (fun _ => false) T))).
-Proof. intros o d met K C By. eapply directed_answer; [exact K|exact C|]. now apply binary_reference_runs. Qed.
+Proof. intros met K C By. eapply directed_answer; [exact K|exact C|]. now apply binary_reference_runs. Qed.
 
 (** The same for trees of 2, 4 or 8 children. [DET-1] *)
 Theorem wide_answer ox oy oz dx dy dz tmin tmax mesh kernel B boxes items T S :
-  let o := origin ox oy oz in
-  let d := direction dx dy dz in
   let met := box_met ox oy oz dx dy dz tmin tmax in
-  (forall i, match kernel i with
-    | Some f => exists t, hits o d tmin tmax mesh i t /\ is_nan f = false /\ value f = nearest t
-    | None => forall t, ~ hits o d tmin tmax mesh i t end) ->
+  is_exact (origin ox oy oz) (direction dx dy dz) tmin tmax mesh kernel ->
   covers mesh (fits ox oy oz dx dy dz) (wide_of B boxes items T []) -> wide_by_boxes tmax kernel met B boxes items T S ->
   is_least kernel (wide_best kernel items T (snd (Wide.reference B S T))).
-Proof. intros o d met K C By. eapply directed_answer; [exact K|exact C|]. now apply wide_reference_runs. Qed.
+Proof. intros met K C By. eapply directed_answer; [exact K|exact C|]. now apply wide_reference_runs. Qed.

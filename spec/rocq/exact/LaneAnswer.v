@@ -17,9 +17,7 @@ Variable B : N.
 Hypothesis B_range : (B <= 3)%N.
 Variable mesh : N -> option triangle.
 Variable kernel : N -> option float.
-Hypothesis kernel_is_exact : forall i, match kernel i with
-  | Some f => exists t, hits o d tmin tmax mesh i t /\ is_nan f = false /\ value f = nearest t
-  | None => forall t, ~ hits o d tmin tmax mesh i t end.
+Hypothesis kernel_is_exact : is_exact o d tmin tmax mesh kernel.
 
 Definition axis_x (b : box) : axis := (ox, dx, lo_x b, hi_x b).
 Definition axis_y (b : box) : axis := (oy, dy, lo_y b, hi_y b).

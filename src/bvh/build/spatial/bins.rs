@@ -69,7 +69,7 @@ impl Bins {
                 bins[end].end += 1;
             }
             // Parts take long: where every plane cuts too many, none is made.
-            if !cuts_few(bins, items.len(), spare) {
+            if !has_candidate(bins, items.len(), spare) {
                 return None;
             }
             for item in items {
@@ -129,7 +129,7 @@ impl Bins {
             let mut left = Side::EMPTY;
             for (border, (bin, right)) in (1..).zip(bins.iter().zip(&sums[1..])) {
                 left = left.with(&bin.spread, bin.begin);
-                if left.count == 0 || right.count == 0 || left.count + right.count > count + spare {
+                if !is_candidate([left.count, right.count], count + spare) {
                     continue;
                 }
                 let cost = NODE_COST + (left.weight() + right.weight()) / area;
@@ -143,13 +143,18 @@ impl Bins {
     }
 }
 
-/// Whether some border has items on both sides, and cuts at most `spare` of them.
-fn cuts_few(bins: &[Bin], count: usize, spare: usize) -> bool {
+/// Whether there are items on both sides of a border, and on both together at most so many: those that it cuts count twice.
+fn is_candidate([left, right]: [usize; 2], most: usize) -> bool {
+    left > 0 && right > 0 && left + right <= most
+}
+
+/// Whether some border is one, by the counts alone.
+fn has_candidate(bins: &[Bin], count: usize, spare: usize) -> bool {
     let (mut left, mut right) = (0, count);
     bins[1..].iter().zip(bins).any(|(_, before)| {
         left += before.begin;
         right -= before.end;
-        left > 0 && right > 0 && left + right <= count + spare
+        is_candidate([left, right], count + spare)
     })
 }
 

@@ -49,7 +49,7 @@ pub(crate) struct Args {
     #[arg(long, default_value_t, value_parser = input::names(Format::ALL, Format::name))]
     format: Format,
     /// The traversal: of wide trees, which are faster and always exact, or of binary ones.
-    /// [default: wide-record; afra where the accuracy is not exact]
+    /// [default: wide-record; afra where the accuracy is not exact, and in double precision]
     #[arg(long, value_parser = input::traversal())]
     method: Option<Traversal>,
     /// How the hierarchy is built; with `+N` behind a name, N rounds of reinsertion follow. [default: sah, for `complete`
