@@ -4,6 +4,7 @@ use std::array;
 
 use glam::{DVec3, Vec3};
 
+use super::least::Least;
 use super::{Bvh, BvhError, BvhNode, BvhTree, Leaf, LeafTriangle, validate};
 use crate::geom::{Aabb, EnvironmentError, Frame, Region, Triangle, Vector, check_environment};
 use crate::hash::checksum;
@@ -107,7 +108,7 @@ impl<V: Stored> Bvh<Triangle<V>> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn to_bytes(&self) -> Vec<u8> {
-        let Self { dropped, duplicates, bounds, region, tree, triangles } = self;
+        let Self { dropped, duplicates, bounds, region, tree, triangles, least: _ } = self;
         let BvhTree { root, depth, recorded, nodes, axes, leaves } = tree;
         let recorded = RECORDED.iter().position(|known| known == recorded).unwrap_or_default();
         let words = [VERSION, V::REAL_BYTES, recorded as u32, root.to_bits(), *depth];
@@ -188,7 +189,15 @@ impl<V: Stored> Bvh<Triangle<V>> {
         let axes = take(nodes, 1).flatten().copied().collect();
         let tree = BvhTree { root: Node::from_bits(root), depth, recorded, nodes: nodes_read, axes, leaves };
         let (dropped, duplicates) = (dropped as usize, duplicates as usize);
-        let bvh = Self { dropped, duplicates, bounds, region: Region::within(frame, &bounds), tree, triangles };
+        let bvh = Self {
+            dropped,
+            duplicates,
+            bounds,
+            region: Region::within(frame, &bounds),
+            tree,
+            triangles,
+            least: Least::default(),
+        };
         validate::check(&bvh)?;
         Ok(bvh)
     }

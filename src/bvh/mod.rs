@@ -8,6 +8,7 @@
 mod build;
 mod bytes;
 mod cover;
+mod least;
 mod primitives;
 mod refit;
 mod tree;
@@ -28,6 +29,7 @@ use crate::geom::{Aabb, Frame, Region, Triangle};
 use crate::order::Side;
 use crate::topology_of;
 use crate::tree::{Node, Recorded, Topology};
+use least::Least;
 
 /// A binary bounding volume hierarchy over the triangles of a mesh, with a copy of their corners.
 ///
@@ -53,6 +55,7 @@ pub struct Bvh<S = Triangle> {
     region: Region,
     tree: BvhTree,
     triangles: Vec<LeafTriangle<S>>,
+    least: Least,
 }
 
 /// A triangle as a leaf holds it, by its corners or in another [`Shape`](crate::geom::Kernel::Shape) that a kernel
@@ -178,9 +181,9 @@ impl<S> Bvh<S> {
     /// The same hierarchy with other shapes in its leaves, made from these.
     #[must_use]
     pub fn map<T>(self, shape: impl Fn(S) -> T) -> Bvh<T> {
-        let Self { dropped, duplicates, bounds, region, tree, triangles } = self;
+        let Self { dropped, duplicates, bounds, region, tree, triangles, least } = self;
         let triangles = triangles.into_iter().map(|t| LeafTriangle { shape: shape(t.shape), prim: t.prim }).collect();
-        Bvh { dropped, duplicates, bounds, region, tree, triangles }
+        Bvh { dropped, duplicates, bounds, region, tree, triangles, least }
     }
 }
 

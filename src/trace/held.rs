@@ -16,6 +16,9 @@ pub trait Held<S> {
     /// Shows the shapes of a leaf: of each its place, which [`shape`](Self::shape) takes, and its index in the mesh.
     fn for_each(&self, leaf: Node, show: impl FnMut(usize, &S, u32));
 
+    /// The least index of the triangles below an inner node. `[NEAR-6]`
+    fn least_below(&self, node: Node) -> u32;
+
     /// The shape at a place.
     fn shape(&self, place: usize) -> S;
 }
@@ -39,6 +42,10 @@ impl<S: Copy> Held<S> for Bvh<S> {
         }
     }
 
+    fn least_below(&self, node: Node) -> u32 {
+        self.least_below(node)
+    }
+
     #[inline]
     fn shape(&self, place: usize) -> S {
         self.triangles()[place].shape
@@ -59,6 +66,10 @@ impl<const A: usize> Held<Triangle> for WideBvh<A> {
         for place in leaf_places(leaf) {
             show(place, &self.triangle(place), self.blocks()[place / 4].prims[place & 3]);
         }
+    }
+
+    fn least_below(&self, node: Node) -> u32 {
+        self.least_below(node)
     }
 
     fn shape(&self, place: usize) -> Triangle {

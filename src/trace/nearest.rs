@@ -33,8 +33,8 @@ pub struct Near<V: Vector = Vec3> {
 #[derive(Clone, Debug)]
 pub struct NearestPoint<'a, H = Bvh, V: Vector = Vec3> {
     pub(super) around: Around<'a, H, V>,
-    /// The best triangle, and where it is in the hierarchy. Its distance is the limit.
-    found: Option<(u32, usize)>,
+    /// Where the best triangle is in the hierarchy. Distance and index are those of the limit.
+    found: Option<usize>,
 }
 
 impl<'a, V: Vector, H: Held<Triangle<V>>> NearestPoint<'a, H, V> {
@@ -45,18 +45,15 @@ impl<'a, V: Vector, H: Held<Triangle<V>>> NearestPoint<'a, H, V> {
 
     /// What is nearest, after the traversal.
     pub fn near(&self) -> Option<Near<V>> {
-        let (prim, place) = self.found?;
-        Some(self.around.near(prim, self.around.limit, place))
+        let Limit { distance, prim } = self.around.limit;
+        Some(self.around.near(prim, distance, self.found?))
     }
 
     pub(super) fn meet(&mut self, leaf: Node) {
         let Self { around, found } = self;
-        around.meet(leaf, |limit, (distance, prim, place)| {
-            if found.is_none_or(|(best, _)| (distance, prim) < (limit, best)) {
-                *found = Some((prim, place));
-                return distance;
-            }
-            limit
+        around.meet(leaf, |near, place| {
+            *found = Some(place);
+            Some(near)
         });
     }
 }
@@ -91,13 +88,21 @@ impl<V: Vector> BoxQuery for NearestPoint<'_, Bvh<Triangle<V>>, V> {
 pub(super) struct Around<'a, H, V: Vector = Vec3> {
     pub(super) bvh: &'a H,
     measure: Measure<V>,
-    /// What is farther away does not matter any more.
-    pub(super) limit: V::Real,
+    pub(super) limit: Limit<V::Real>,
+}
+
+/// What comes after it, by distance and then by index, does not matter any more.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub(super) struct Limit<R> {
+    pub(super) distance: R,
+    /// Greater than any index as long as the distance is the radius.
+    prim: u32,
 }
 
 impl<'a, V: Vector, H: Held<Triangle<V>>> Around<'a, H, V> {
     fn new(bvh: &'a H, ball: &Ball<V>) -> Self {
-        Self { bvh, measure: Measure::within(bvh.region().frame(), ball.center(), ball.radius()), limit: ball.radius() }
+        let measure = Measure::within(bvh.region().frame(), ball.center(), ball.radius());
+        Self { bvh, measure, limit: Limit { distance: ball.radius(), prim: u32::MAX } }
     }
 
     /// The point.
@@ -106,21 +111,29 @@ impl<'a, V: Vector, H: Held<Triangle<V>>> Around<'a, H, V> {
     }
 
     /// At most the distance of what is in a box: rounding keeps the order.
-    fn to_box(&self, aabb: &Aabb) -> V::Real {
+    pub(super) fn to_box(&self, aabb: &Aabb) -> V::Real {
         V::Real::rounded(self.measure.to_box(aabb))
     }
 
-    /// Shows the triangles of a leaf within the limit: the limit and, of each, distance, index and place in the
-    /// hierarchy. The answer is the new limit.
-    fn meet(&mut self, leaf: Node, mut found: impl FnMut(V::Real, (V::Real, u32, usize)) -> V::Real) {
+    /// Whether nothing below an inner node matters, none of whose children is nearer than the limit. `[NEAR-6]`
+    pub(super) fn is_settled(&self, node: Node) -> bool {
+        let Limit { prim, .. } = self.limit;
+        prim < u32::MAX && self.bvh.least_below(node) > prim
+    }
+
+    /// Shows the triangles of a leaf that come before the limit: each with its place in the hierarchy. The answer is the
+    /// new limit, if there is one.
+    fn meet(&mut self, leaf: Node, mut found: impl FnMut(Limit<V::Real>, usize) -> Option<Limit<V::Real>>) {
         let Self { bvh, measure, limit } = self;
         bvh.for_each(leaf, |place, shape, prim| {
-            if let Some(distance) = measure.distance(shape, *limit)
-                && distance <= *limit
+            let end = if prim > limit.prim { limit.distance.next_down() } else { limit.distance };
+            if let Some(distance) = measure.distance(shape, end)
+                && let near = (Limit { distance, prim })
+                && near < *limit
                 // A hierarchy has a triangle even if all of the mesh are degenerate.
                 && !shape.is_degenerate()
             {
-                *limit = found(*limit, (distance, prim, place));
+                *limit = found(near, place).unwrap_or(*limit);
             }
         });
     }
@@ -134,10 +147,16 @@ impl<V: Vector> Around<'_, Bvh<Triangle<V>>, V> {
     fn descend(&self, node: Node) -> Descent {
         let record = self.bvh.node(node.index());
         let [left, right] = [Side::Left, Side::Right].map(|side| self.to_box(&record.child_box(side)));
-        Descent::new(left <= self.limit, right <= self.limit, right < left)
+        let limit = self.limit.distance;
+        let nearest = if right < left { right } else { left };
+        if nearest == limit && self.is_settled(node) {
+            // Both or none: a node that is asked again may want no less (LAINE-1).
+            return Descent::NEITHER;
+        }
+        Descent::new(left <= limit, right <= limit, right < left)
     }
 
     fn touches(&self, aabb: &Aabb) -> bool {
-        self.to_box(aabb) <= self.limit
+        self.to_box(aabb) <= self.limit.distance
     }
 }

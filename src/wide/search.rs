@@ -38,7 +38,7 @@ pub trait Search<const A: usize> {
 
     /// Which children are wanted: none that is [beyond](is_beyond) the [end](Self::end). A traversal may ask again about
     /// a node. Then the ranks must be the same as before, and the set must be the same but for children that are beyond
-    /// by now. `[WIDE-4]`
+    /// by now; or empty, if it is so for all nodes below as well from then on. `[WIDE-4]`
     fn ask(&mut self, node: Node) -> Wanted<Self::Ranks>;
 
     /// Visits a leaf.

@@ -2,6 +2,7 @@
 
 use super::Primitives;
 use super::item::CHUNK;
+use crate::bvh::least::Least;
 use crate::bvh::{Bvh, BvhNode, BvhTree, Leaf, LeafTriangle};
 use crate::geom::{Aabb, Region};
 use crate::order::SignOrder;
@@ -90,7 +91,7 @@ impl Draft {
         let (recorded, region) = (Recorded::ParentSibling, Region::within(primitives.frame(), &bounds));
         let duplicates = self.references.len() + dropped - primitives.count();
         let tree = BvhTree { root, depth, recorded, nodes, axes, leaves };
-        Bvh { dropped, duplicates, bounds, region, tree, triangles }
+        Bvh { dropped, duplicates, bounds, region, tree, triangles, least: Least::default() }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::{WideBvh, WideBvhError, WideNode, name_ancestors};
 use crate::bvh::bytes::{FileError, VERSION, numbers, opened};
+use crate::bvh::least::Least;
 use crate::geom::lanes::Block;
 use crate::geom::{Aabb, Region};
 use crate::hash::checksum;
@@ -75,7 +76,7 @@ impl<const A: usize> WideBvh<A> {
             _ => *Self::empty().region(),
         };
         let (triangles, duplicates) = (triangles as usize, duplicates as usize);
-        let wide = Self { nodes, blocks, region, levels, triangles, duplicates };
+        let wide = Self { nodes, blocks, region, levels, triangles, duplicates, least: Least::default() };
         wide.check(None)?;
         Ok(wide)
     }

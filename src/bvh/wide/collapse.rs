@@ -6,6 +6,7 @@ use super::draft::{Draft, leaf_address};
 use super::layout::{Child, assign};
 use super::programme::Programme;
 use super::{CUT, MAX_COUNT, WideBvh, WideNode, name_ancestors};
+use crate::bvh::least::Least;
 use crate::bvh::{BuildError, BuildOptions, Bvh};
 use crate::geom::lanes::Block;
 use crate::geom::{Aabb, EnvironmentError, Mesh};
@@ -148,7 +149,15 @@ impl<const A: usize> Collapse<'_, A> {
         name_ancestors(&mut nodes);
         let different = self.bvh.triangles().len() - self.bvh.duplicates();
         let (triangles, duplicates) = (different + self.bvh.dropped(), references - different);
-        Ok(WideBvh { nodes, blocks, region: *self.bvh.region(), levels, triangles, duplicates })
+        Ok(WideBvh {
+            nodes,
+            blocks,
+            region: *self.bvh.region(),
+            levels,
+            triangles,
+            duplicates,
+            least: Least::default(),
+        })
     }
 
     /// What is below a node, and the nodes that are left to be filled: those that hold at most `cut` triangles.

@@ -30,6 +30,7 @@ pub use validate::WideBvhError;
 
 use std::ops::Range;
 
+use super::least::Least;
 use crate::geom::lanes::Block;
 use crate::geom::{Aabb, Region, Triangle};
 use crate::tree::Node;
@@ -47,6 +48,7 @@ pub struct WideBvh<const A: usize = 8> {
     /// Triangles of the mesh, those that are in no leaf included.
     triangles: usize,
     duplicates: usize,
+    pub(super) least: Least,
 }
 
 /// An inner node: 256 bytes for eight children, 128 for four.
@@ -89,7 +91,8 @@ impl<const A: usize> WideBvh<A> {
     /// A hierarchy of no triangles: a root without children.
     pub fn empty() -> Self {
         let region = Region::of(&Aabb { lo: Vec3::ZERO, hi: Vec3::ZERO });
-        Self { nodes: vec![WideNode::EMPTY], blocks: Vec::new(), region, levels: 0, triangles: 0, duplicates: 0 }
+        let least = Least::default();
+        Self { nodes: vec![WideNode::EMPTY], blocks: Vec::new(), region, levels: 0, triangles: 0, duplicates: 0, least }
     }
 
     /// Inner nodes, at least the root, which is the first. A parent stands before its children.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::Vec3;
 
-use super::{Around, Near};
+use super::{Around, Limit, Near};
 use crate::bvh::Bvh;
 use crate::geom::{Aabb, Ball, Real, Triangle, Vector};
 use crate::order::{Descent, Flow, Pruned, Visitor};
@@ -32,7 +32,7 @@ impl<'a, V: Vector, H: Held<Triangle<V>>> NearestPoints<'a, H, V> {
         let mut around = Around::new(bvh, ball);
         if k == 0 {
             // Nothing is so near.
-            around.limit = V::Real::rounded(f64::NEG_INFINITY);
+            around.limit.distance = V::Real::rounded(f64::NEG_INFINITY);
         }
         Self { around, k, found: BTreeMap::new() }
     }
@@ -44,15 +44,13 @@ impl<'a, V: Vector, H: Held<Triangle<V>>> NearestPoints<'a, H, V> {
 
     pub(in crate::trace) fn meet(&mut self, leaf: Node) {
         let Self { around, k, found } = self;
-        around.meet(leaf, |limit, (distance, prim, place)| {
+        around.meet(leaf, |Limit { distance, prim }, place| {
             found.insert((rank(distance), prim), place);
             if found.len() > *k {
                 found.pop_last();
             }
-            match found.last_key_value() {
-                Some((&(last, _), _)) if found.len() == *k => from_rank(last),
-                _ => limit,
-            }
+            let (&(last, prim), _) = found.last_key_value().filter(|_| found.len() == *k)?;
+            Some(Limit { distance: from_rank(last), prim })
         });
     }
 }

@@ -100,16 +100,30 @@ impl Around<'_, WideBvh> {
     fn ask(&self, node: Node) -> Wanted<[u32; 8]> {
         let planes = &self.bvh.nodes()[node.index()].planes;
         with_baseline!(simd => {
-            let (ranks, set) = BoxPoint::<_, f32x8<_>, 8>::new(simd, self.point()).within(planes, self.limit);
+            let (ranks, set) = BoxPoint::<_, f32x8<_>, 8>::new(simd, self.point()).within(planes, self.limit.distance);
             let ranks: &[f32; 8] = ranks.as_array();
+            let set = if self.is_settled_within(node, ranks, set) { 0 } else { set };
             Wanted { set, ranks: ranks.map(f32::to_bits) }
         })
+    }
+
+    /// Whether nothing in these slots matters, nor below them. `[NEAR-6]`
+    fn is_settled_within(&self, node: Node, ranks: &[f32; 8], set: u32) -> bool {
+        // Boxes that begin so much before the limit do not begin at it.
+        const ABOUT: f32 = 1.0 - 64.0 * f32::EPSILON;
+        let (about, mut slots) = (self.limit.distance * ABOUT, (0..8).filter(|slot| set >> slot & 1 == 1));
+        if set == 0 || slots.clone().any(|slot| ranks[slot] < about) {
+            return false;
+        }
+        let boxes = &self.bvh.nodes()[node.index()];
+        let limit = self.limit.distance;
+        slots.all(|slot| self.to_box(&boxes.child_box(slot as u32)) >= limit) && self.is_settled(node)
     }
 }
 
 /// A query that has it all in one of its fields.
 macro_rules! query {
-    ($([$($generic:tt)*] $query:ty, $field:ident: $end:ident;)*) => {$(
+    ($([$($generic:tt)*] $query:ty, $field:ident: $($end:ident).+;)*) => {$(
         impl<$($generic)*> Query for $query {
             fn ask(&mut self, node: Node) -> Wanted<[u32; 8]> {
                 self.$field.ask(node)
@@ -120,7 +134,7 @@ macro_rules! query {
             }
 
             fn end(&self) -> f32 {
-                self.$field.$end
+                self.$field.$($end).+
             }
         }
     )*};
@@ -129,6 +143,6 @@ query! {
     [S: Simd] Sweep<'_, Exact, LaneRay<S>, WideBvh>, cast: end;
     [S: Simd] Following<'_, Exact, LaneRay<S>, WideBvh>, cast: end;
     [S: Simd] Crossings<'_, Exact, LaneRay<S>, WideBvh>, cast: end;
-    [] NearestPoint<'_, WideBvh>, around: limit;
-    [] NearestPoints<'_, WideBvh>, around: limit;
+    [] NearestPoint<'_, WideBvh>, around: limit.distance;
+    [] NearestPoints<'_, WideBvh>, around: limit.distance;
 }

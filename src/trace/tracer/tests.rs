@@ -2,6 +2,7 @@ use super::*;
 use crate::bvh::{BuildOptions, Builder, Bvh};
 use crate::generate::{procedural, stress};
 use crate::geom::{Mesh, lanes};
+use crate::order::{Descent, Flow, Visitor};
 use crate::trace::{BinaryTracer, Truth};
 use crate::traverse;
 
@@ -170,4 +171,61 @@ fn traversals_differ_in_how_often_they_ask() {
     }
     let [record, hashed, trail] = [Method::Recorded, Method::Hashed, Method::Trail].map(|method| count(method).nodes);
     assert!(stack.nodes < record && record == hashed && record < trail);
+}
+
+/// [NEAR-6]
+#[test]
+fn few_of_many_that_are_equally_near_are_looked_at() {
+    const SPOKES: u32 = 4096;
+    let spoke = |i: u32| {
+        let angle = f64::from(i) / f64::from(SPOKES) * std::f64::consts::TAU;
+        [angle.cos() as f32, angle.sin() as f32, 0.0].into()
+    };
+    let vertices = std::iter::once(glam::Vec3::ZERO).chain((0..SPOKES).map(spoke)).collect();
+    // Indices are scattered over the fan.
+    let triangle = |i: u32| [0, 1 + i * 1597 % SPOKES, 1 + (i * 1597 + 1) % SPOKES];
+    let mesh = Mesh::new(vertices, (0..SPOKES).map(triangle).collect()).expect("a mesh");
+    let bvh = Bvh::build(&mesh).expect("a hierarchy");
+    let wide = WideBvh::of(&bvh).expect("a wide one");
+    for height in [0.0, 0.25, 0.1] {
+        let ball = Ball::around(glam::Vec3::Z * height).expect("a ball");
+        for k in [1, 3, 40] {
+            let is_first = |nears: Vec<Near>| {
+                nears.len() == k && nears.iter().zip(0..).all(|(near, i)| (near.prim, near.distance) == (i, height))
+            };
+            for method in Method::ALL {
+                let tracer = Tracer::with_method(&wide, method).expect("a tracer");
+                assert!(is_first(tracer.nearest_k(&ball, k)), "{method} {height} {k}");
+            }
+            for method in traverse::Method::ALL {
+                let Ok(tracer) = BinaryTracer::with_method(&bvh, method) else { continue };
+                assert!(is_first(tracer.nearest_k(&ball, k)), "{method} {height} {k}");
+            }
+        }
+        let mut counters = WideCounters::default();
+        let mut query = NearestPoint::new(&wide, &ball);
+        Tracer::new(&wide).run_shared(&mut Counted(&mut query, &mut counters));
+        assert_eq!(query.near().map(|near| near.prim), Some(0));
+        assert!(counters.triangles < 600, "{height}: {counters:?}");
+        let mut looked_at = Leaves { query: NearestPoint::new(&bvh, &ball), count: 0 };
+        traverse::traverse(traverse::Stack::new(&bvh, &mut Vec::new()), &mut looked_at, &mut ());
+        assert!(looked_at.count < 200, "{height}: {}", looked_at.count);
+    }
+}
+
+/// Counts the leaves that are visited.
+struct Leaves<Q> {
+    query: Q,
+    count: usize,
+}
+
+impl<Q: Visitor> Visitor for Leaves<Q> {
+    fn inner(&mut self, node: Node) -> Descent {
+        self.query.inner(node)
+    }
+
+    fn leaf(&mut self, leaf: Node) -> Flow {
+        self.count += 1;
+        self.query.leaf(leaf)
+    }
 }

@@ -9,13 +9,14 @@
 //!    component of a cross product, and less than 2^-868 to an edge function and the determinant together.
 //! 2. Bounds for the triangle, if its longest edge too is within 2^-200 to 2^200: the same holds.
 //! 3. Distance and weights in twice the precision of doubles ([`fine`]), with bounds: nearly always they round alike.
-//! 4. Exact sums: if all components are 0 or within 2^-200 to 2^200, they are multiples of 2^-252, as are their
-//!    differences. Products of two are multiples of 2^-504, of three of 2^-756, and below 2^607: there is room for the
-//!    low halves of products too. With a quotient within 2^-250 to 2^250, which is a multiple of 2^-303 together with its
-//!    half unit, products of four are multiples of 2^-1059. A line that certainly meets the triangle does so at a
-//!    distance below 2^450; where the distance as computed underflows, its bounds are above 2^-502 apart, because the
-//!    error of the numerator is above 2^-50 C E E and the determinant at most 4 D E E.
-//! 5. All others are left to rational arithmetic, which is slower.
+//! 4. Exact sums, if no number is above 2^200 and products of three are multiples of 2^-756: then they are below 2^607,
+//!    and there is room for the low halves of products too. With a quotient within 2^-250 to 2^250, which is a multiple of
+//!    2^-303 together with its half unit, products of four are multiples of 2^-1059. A line that certainly meets the
+//!    triangle does so at a distance below 2^450; where the distance as computed underflows, its bounds are above 2^-502
+//!    apart, because the error of the numerator is above 2^-50 C E E and the determinant at most 4 D E E.
+//! 5. What is left is asked again in other units of length and of distance, powers of two in which its greatest numbers
+//!    are about 2^128, if no digit is lost by that. `[EXACT-12]`
+//! 6. All others are left to rational arithmetic, which is slower.
 
 use std::ops::RangeInclusive;
 
@@ -25,7 +26,7 @@ use super::filter::{Determinants, Errors};
 use super::fine;
 use super::quotient::Ratio;
 use super::{is_within, parity, predicates};
-use crate::geom::frame::power_of_two;
+use crate::geom::frame::{exponent_of, power_of_two};
 use crate::geom::kernel::Kernel;
 use crate::geom::truth::{self, Meeting, Point};
 use crate::geom::{Ray, Region, Triangle};
@@ -33,8 +34,9 @@ use crate::geom::{Ray, Region, Triangle};
 /// The exact test of triangles and rays in double precision: closed triangles, `t` and weights the nearest doubles to
 /// the exact ones (ties to even), for every ray and triangle of finite doubles. `[EXACT-7]`
 ///
-/// Direction, extent of the scene and edges should be within 2^-200 to 2^200 (about 1e-60 to 1e60) in magnitude: beyond
-/// that, rational arithmetic decides, at a cost of some hundred times that of the filter.
+/// It is fastest where direction, extent of the scene and edges are within 2^-200 to 2^200 (about 1e-60 to 1e60) in
+/// magnitude. Beyond that, what is met is tested in other units. Rational arithmetic, some hundred times as slow as the
+/// filter, decides only where the numbers of one triangle and its ray differ by factors above about 2^300.
 ///
 /// ```
 /// use glam::DVec3;
@@ -96,24 +98,45 @@ impl Kernel for Exact64 {
                 return [u, v];
             }
         }
+        if let Some(Scaled { exact, shape, .. }) = self.scaled(shape) {
+            return exact.weights(&shape);
+        }
         self.meet(shape).map_or([0.0; 2], |Point { u, v, .. }| [&u, &v].map(truth::round_f64))
     }
 }
 
+/// A ray and a triangle in other units. `[EXACT-12]`
+struct Scaled {
+    /// For the line from 0 to infinity.
+    exact: Exact64,
+    shape: Triangle<DVec3>,
+    /// Distances are to be multiplied with 2 to the power of this.
+    exponent: i32,
+}
+
+/// What the greatest numbers are about, in other units: as much as leaves room above, for the most room below.
+const SCALED: i32 = 128;
+
+/// Units are powers of two that are doubles, as are their reciprocals.
+const MAX_UNIT: i32 = 1000;
+
 impl Exact64 {
     /// As [`Exact::crosses`](super::Exact::crosses), for doubles of any size. `[PARITY-1]`
     pub fn crosses(&self, shape: &Triangle<DVec3>) -> bool {
+        self.blocks(shape) && self.is_crossed_by_line(shape)
+    }
+
+    fn is_crossed_by_line(&self, shape: &Triangle<DVec3>) -> bool {
         let (corners, o, d) = (&shape.0, self.ray.origin(), self.ray.direction());
-        let is_crossed_by_line = || {
-            if self.can_filter(shape) && self.determinants(shape).is_hit(&self.errors_of(shape)) {
-                true
-            } else if self.can_sum(shape) {
-                parity::is_crossed_by_line(corners, o, d)
-            } else {
-                parity::is_crossed_in_rationals(corners, o, d)
-            }
-        };
-        self.blocks(shape) && is_crossed_by_line()
+        if self.can_filter(shape) && self.determinants(shape).is_hit(&self.errors_of(shape)) {
+            true
+        } else if self.can_sum(shape) {
+            parity::is_crossed_by_line(corners, o, d)
+        } else if let Some(Scaled { exact, shape, .. }) = self.scaled(shape) {
+            exact.is_crossed_by_line(&shape)
+        } else {
+            parity::is_crossed_in_rationals(corners, o, d)
+        }
     }
 
     #[inline]
@@ -145,7 +168,7 @@ impl Exact64 {
         if self.can_sum(shape) {
             return if self.is_inside(shape) { self.rounded(shape) } else { None };
         }
-        self.rational(shape).map(|point| truth::round_f64(&point.t))
+        self.far_off(shape)
     }
 
     /// Whether what may be a hit is one.
@@ -165,7 +188,7 @@ impl Exact64 {
         if self.can_sum(shape) {
             return self.is_inside(shape) && self.rounded(shape).is_some();
         }
-        self.rational(shape).is_some()
+        self.far_off(shape).is_some()
     }
 
     fn errors_of(&self, Triangle(corners): &Triangle<DVec3>) -> Errors {
@@ -183,8 +206,8 @@ impl Exact64 {
     }
 
     /// Whether sums of products of the ray's and the triangle's numbers are exact.
-    fn can_sum(&self, Triangle(corners): &Triangle<DVec3>) -> bool {
-        [self.ray.origin(), self.ray.direction()].into_iter().chain(*corners).all(is_usual)
+    fn can_sum(&self, Triangle([a, b, c]): &Triangle<DVec3>) -> bool {
+        can_sum(&[*a, *b, *c, self.ray.origin()], self.ray.direction())
     }
 
     fn is_inside(&self, Triangle(corners): &Triangle<DVec3>) -> bool {
@@ -198,12 +221,45 @@ impl Exact64 {
         let ([tmin, tmax], Triangle(corners)) = (self.interval(), shape);
         let ratio = Ratio::distance(corners, self.ray.origin(), self.ray.direction());
         let Some(t) = ratio.nearest_double() else {
-            return self.rational(shape).map(|point| truth::round_f64(&point.t));
+            return self.far_off(shape);
         };
         // Rounding keeps the order, so that only an end that is equal leaves a question.
         let is_after = tmin < t || tmin == t && ratio.compare_double(t) >= 0;
         let is_before = t < tmax || t == tmax && ratio.compare_double(t) <= 0;
         (is_after && is_before).then_some(t)
+    }
+
+    /// The distance where neither bounds nor sums hold for the numbers as they are.
+    #[cold]
+    #[inline(never)]
+    fn far_off(&self, shape: &Triangle<DVec3>) -> Option<f64> {
+        if let Some(Scaled { exact, shape, exponent }) = self.scaled(shape) {
+            let ([tmin, tmax], half) = (self.interval(), exponent / 2);
+            // Without an end before infinity: what is missed is behind, or not on the line at all.
+            let t = exact.place(&shape, f64::INFINITY)? * power_of_two(half) * power_of_two(exponent - half);
+            // Else it was rounded again, or an end leaves a question.
+            if t.is_normal() && t != tmin && t != tmax {
+                return (tmin < t && t < tmax).then_some(t);
+            }
+        }
+        self.rational(shape).map(|point| truth::round_f64(&point.t))
+    }
+
+    /// The same in other units; `None` where that changes nothing, or loses a digit. `[EXACT-12]`
+    #[cold]
+    #[inline(never)]
+    fn scaled(&self, Triangle(corners): &Triangle<DVec3>) -> Option<Scaled> {
+        let (o, d) = (self.ray.origin(), self.ray.direction());
+        let far = corners.iter().fold(o.abs(), |far, corner| far.max(corner.abs()));
+        let unit = |v: DVec3| (exponent_of(v.max_element()) - SCALED).clamp(-MAX_UNIT, MAX_UNIT);
+        let [place, way] = [far, d.abs()].map(unit);
+        if [place, way] == [0; 2] {
+            return None;
+        }
+        let ray = Ray::new(scale(o, -place)?, scale(d, -way)?).ok()?;
+        let [a, b, c] = corners.map(|corner| scale(corner, -place));
+        let exact = Self { ray, errors: Errors::NONE, is_usual: true };
+        Some(Scaled { exact, shape: Triangle([a?, b?, c?]), exponent: place - way })
     }
 
     /// The hit by rational arithmetic.
@@ -224,8 +280,12 @@ impl Exact64 {
 
 /// Whether corners that are doubles lie on a line, exactly.
 pub(in crate::geom) fn is_degenerate_64(corners: &[DVec3; 3]) -> bool {
-    if corners.iter().copied().all(is_usual) {
-        return predicates::is_degenerate(corners);
+    let greatest = corners.iter().fold(DVec3::ZERO, |greatest, corner| greatest.max(corner.abs())).max_element();
+    let unit = (exponent_of(greatest) - SCALED).clamp(-MAX_UNIT, MAX_UNIT);
+    if let [Some(a), Some(b), Some(c)] = corners.map(|corner| scale(corner, -unit))
+        && can_sum(&[a, b, c], DVec3::ONE)
+    {
+        return predicates::is_degenerate(&[a, b, c]);
     }
     // The determinants with the axes are the components of the cross product of two edges.
     let [a, b, c] = corners.map(|corner| corner.to_array());
@@ -233,8 +293,30 @@ pub(in crate::geom) fn is_degenerate_64(corners: &[DVec3; 3]) -> bool {
     [DVec3::X, DVec3::Y, DVec3::Z].into_iter().all(is_parallel)
 }
 
-fn is_usual(v: DVec3) -> bool {
-    v.to_array().into_iter().all(|x| x == 0.0 || USUAL.contains(&x.abs()))
+/// Whether all sums of products of three of these numbers are exact, among them one of the direction or none.
+/// `[EXACT-8]`
+fn can_sum(points: &[DVec3], d: DVec3) -> bool {
+    const LEAST: i32 = -756;
+    let ([place, way], most) = ([points, &[d]].map(unit_of), *USUAL.end());
+    let is_small = |v: &DVec3| v.abs().max_element() <= most;
+    3 * place >= LEAST && 2 * place + way >= LEAST && points.iter().chain([&d]).all(is_small)
+}
+
+/// All components are multiples of 2 to the power of this, which is at most 0.
+fn unit_of(vectors: &[DVec3]) -> i32 {
+    let unit = |x: f64| {
+        let (exponent, fraction) = ((x.to_bits() >> 52 & 0x7ff) as i32, x.to_bits() & ((1 << 52) - 1));
+        // Subnormal numbers have the exponent of the least normal ones, and no leading one.
+        let digits = fraction | u64::from(exponent > 0) << 52;
+        if digits == 0 { 0 } else { exponent.max(1) - 1075 + digits.trailing_zeros() as i32 }
+    };
+    vectors.iter().flat_map(|v| v.to_array()).map(unit).fold(0, i32::min)
+}
+
+/// A vector times a power of two, if no digit is lost.
+fn scale(v: DVec3, exponent: i32) -> Option<DVec3> {
+    let scaled = v * power_of_two(exponent);
+    (scaled * power_of_two(-exponent) == v).then_some(scaled)
 }
 
 #[cfg(test)]
