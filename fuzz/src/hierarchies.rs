@@ -5,12 +5,14 @@ use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, Degenerate, Sah
 use stackless_bvh::generate::{Bytes, Source};
 use stackless_bvh::geom::kernel::{Exact, Exact64};
 use stackless_bvh::geom::slabs::{Directed, Wide};
-use stackless_bvh::geom::{AffineMap, Mesh, Triangle};
+use stackless_bvh::geom::{AffineMap, Ends, Mesh, Triangle};
 use stackless_bvh::hash::checksum;
-use stackless_bvh::trace::{InstanceError, InstanceTracer, Tracer};
+use stackless_bvh::trace::{Assembly, InstanceError, InstanceTracer, Tracer};
 use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::{Recorded, Topology};
-use stackless_check::{Flat, Hierarchies, Shape, check_held, check_instances, check_tree};
+use stackless_check::{
+    Exactly, Flat, Heading, Hierarchies, Leg, Shape, check_held, check_instances, check_path, check_tree,
+};
 
 use super::draw::{Draw, patched};
 use super::right;
@@ -105,6 +107,9 @@ pub(crate) fn bvh_bytes(bytes: &[u8]) {
 /// Placed objects in groups, against all triangles moved one by one. `[INST-1]` `[INST-6]`
 pub(crate) fn instances(bytes: &[u8]) {
     let mut draw = Draw::new(bytes);
+    if draw.below(4) == 1 {
+        return path(&mut draw);
+    }
     let methods = Method::ALL.len() as u64;
     let (groups, meshes, levels) = (draw.below(methods), draw.below(methods), 1 + draw.below(2));
     let options = options(&mut draw);
@@ -135,6 +140,33 @@ pub(crate) fn instances(bytes: &[u8]) {
             right(check_instances(&tracer, &flat, &ray), format_args!("{groups} {meshes} {shapes:?} {ray:?}"));
         }
     }
+}
+
+/// Rays that begin where others have hit. `[SECOND-1]` `[SECOND-2]`
+fn path(draw: &mut Draw<'_>) {
+    let method = draw.one_of(Method::ALL);
+    let options = BuildOptions { builder: draw.one_of(Builder::ALL), ..options(draw) };
+    let Some(mesh) = draw.mesh(6) else { return };
+    let Some(bvh) = built(options.build(&mesh), options) else { return };
+    let mut assembly = Assembly::new();
+    let object = assembly.add_mesh(bvh);
+    let Ok(tracer) = InstanceTracer::new(&assembly, object, method) else { return };
+    let mut legs = Vec::new();
+    for _ in 0..=draw.below(4) {
+        let ends = if draw.coin() { Ends::Closed } else { Ends::Open };
+        let Some(ray) = draw.rays(&mesh, 1).pop() else { continue };
+        let heading = if draw.coin() {
+            Heading::Along(ray.direction(), ray.tmax())
+        } else {
+            Heading::Toward(mesh.vertices()[draw.below(mesh.vertices().len() as u64) as usize])
+        };
+        legs.push(Leg { heading, ends });
+    }
+    let origin = draw.point();
+    right(
+        check_path(&Exactly, &tracer, &mesh, origin, &legs),
+        format_args!("{method} {options:?}\n{mesh:?}\n{origin:?} {legs:?}"),
+    );
 }
 
 /// A map of an axis onto an axis, or any; the identity where the numbers have no inverse.

@@ -183,7 +183,7 @@ fn collect(shapes: &[Shape], shape: usize, path: &mut Vec<u32>, maps: &mut Vec<A
 
 /// Distance and weights of the hit of a line, if the triangle is hit: Cramer's rule for o + t d = a + u (b - a) + v (c
 /// - a).
-fn meet([a, b, c]: &[Vector; 3], o: &Vector, d: &Vector) -> Option<[RBig; 3]> {
+pub(crate) fn meet([a, b, c]: &[Vector; 3], o: &Vector, d: &Vector) -> Option<[RBig; 3]> {
     let minus = |x: &Vector, y: &Vector| -> Vector { std::array::from_fn(|k| &x[k] - &y[k]) };
     let (e, f, s) = (minus(b, a), minus(c, a), minus(o, a));
     let back: Vector = d.clone().map(|x| -x);

@@ -16,6 +16,7 @@ mod boxes;
 mod case;
 mod flat;
 mod kernels;
+mod paths;
 mod pauses;
 mod pieces;
 pub mod planted;
@@ -39,6 +40,7 @@ pub use boxes::{BoxTally, check_boxes};
 pub use case::{Case, CaseOptions};
 pub use flat::{Flat, Hierarchies, InstanceFault, Shape, check_answer, check_instances};
 pub use kernels::{GeometryFault, check_degenerate, check_distance, check_slabs, check_triangle};
+pub use paths::{Exactly, Heading, Leg, Path, PathFault, check_path};
 pub use pauses::{GoOn, PauseFault, Pauses, Start, Way};
 pub use pieces::Pieces;
 pub use random::{

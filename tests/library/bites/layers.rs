@@ -8,7 +8,7 @@ use stackless_check::planted::{LAYERS, Layer, Mistake};
 /// Inputs that are drawn for each mistake: more where they are cheap, and where a mistake shows in few.
 fn draws(layer: &Layer) -> u64 {
     match layer.name {
-        "triangle tests" | "box tests" | "smaller bounds" => 6000,
+        "triangle tests" | "box tests" | "smaller bounds" | "double precision" => 6000,
         "tables" | "lookups" => 500,
         "wide traversals" => 2000,
         _ => 800,

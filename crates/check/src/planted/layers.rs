@@ -4,7 +4,7 @@
 use super::draw::Draw;
 use super::lookups::Function;
 use super::wide::WidePlanted;
-use super::{Planted, filters, hierarchies, kernels, lookups, searches, slabs, tables, wide};
+use super::{Planted, doubles, filters, hierarchies, kernels, lookups, paths, searches, slabs, tables, wide};
 use stackless_bvh::generate::Source;
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::hash::{KeySet, Mix};
@@ -87,7 +87,7 @@ pub(super) type Body = fn(&mut Draw<'_>) -> Option<String>;
 ///     assert!(layer.controls.iter().all(|control| control.fault(&mut Rng::new(1)).is_none()));
 /// }
 /// ```
-pub static LAYERS: [Layer; 8] = [
+pub static LAYERS: [Layer; 10] = [
     Layer {
         name: "tables",
         body: "check_table_bytes, certify",
@@ -120,6 +120,8 @@ pub static LAYERS: [Layer; 8] = [
         mistakes: &hierarchies::MISTAKES,
         controls: &hierarchies::CONTROLS,
     },
+    Layer { name: "double precision", body: "check_tree", mistakes: &doubles::MISTAKES, controls: &doubles::CONTROLS },
+    Layer { name: "paths", body: "check_path", mistakes: &paths::MISTAKES, controls: &paths::CONTROLS },
     Layer { name: "wide traversals", body: "WideCase::compare", mistakes: &wide::MISTAKES, controls: &wide::CONTROLS },
 ];
 

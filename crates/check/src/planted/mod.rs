@@ -7,6 +7,7 @@
 //! of wide trees with one mistake each, for the property bodies of these. `tests/PLANTED.md` says what is seen of each.
 
 mod asked;
+mod doubles;
 mod draw;
 mod files;
 mod filters;
@@ -19,6 +20,7 @@ mod list;
 mod lookups;
 mod machine;
 mod mutants;
+mod paths;
 mod searches;
 mod shaders;
 mod slabs;

@@ -2,6 +2,8 @@ use super::*;
 use crate::generate::{Rng, Source as _};
 use crate::geom::Ray;
 
+/// [EXACT-8]
+///
 /// Where products of three numbers begin to lose digits: the points' unit cubed, or squared times the direction's.
 #[test]
 fn sums_have_room_for_all_digits() {
@@ -26,6 +28,8 @@ fn sums_have_room_for_all_digits() {
     }
 }
 
+/// [EXACT-12]
+///
 /// Numbers of all sizes, in triangles that rays hit, graze and miss.
 #[test]
 fn other_units_give_the_answer_of_rationals() {

@@ -1,0 +1,167 @@
+//! Tests in double precision: the frame of boxes left out or rounded, and other units that are not undone.
+
+use std::fmt::Debug;
+use std::marker::PhantomData;
+
+use glam::{DVec3, Vec3};
+
+use super::draw::Draw;
+use super::layers::{Instead, Mistake, marks};
+use crate::check_tree;
+use stackless_bvh::bvh::{BuildOptions, Builder, SahOptions};
+use stackless_bvh::generate::Source;
+use stackless_bvh::geom::kernel::Exact64;
+use stackless_bvh::geom::slabs::{Directed, Intervals, Wide};
+use stackless_bvh::geom::{Frame, Kernel, Mesh, Ray, Region, Slabs, Triangle};
+
+pub(super) const MISTAKES: [Mistake; 6] = [
+    of::<Exact64, Boxes<AtZero>>("boxes are taken as if their frame were at zero", "FRAME-1"),
+    of::<Exact64, Boxes<UnitOne>>("boxes are taken as if the unit of their frame were 1", "FRAME-1"),
+    of::<Exact64, Boxes<RoundedAfter>>("the ray is rounded in the frame", "BOX-8"),
+    of::<Exact64, Boxes<RoundedBefore>>("the ray is rounded before it is taken into the frame", "BOX-8"),
+    of::<Units<NotUndone>, Wide>("a distance stays in other units", "EXACT-12"),
+    of::<Units<DigitsLost>, Wide>("digits that other units lose are not missed", "EXACT-12"),
+];
+
+pub(super) const CONTROLS: [Mistake; 2] = [
+    of::<Exact64, Boxes<Nothing>>("boxes in a frame, wrapped", "BOX-8"),
+    of::<Units<Nothing>, Wide>("the exact test of doubles, wrapped", "EXACT-7"),
+];
+
+const fn of<K, B>(name: &'static str, clause: &'static str) -> Mistake
+where
+    K: Kernel<Vector = DVec3, Shape = Triangle<DVec3>>,
+    B: Slabs<Vector = DVec3>,
+{
+    Mistake::new(name, clause, fault::<K, B>, Instead::Nothing("the suite's rays are in single precision"))
+}
+
+fn fault<K, B>(draw: &mut Draw<'_>) -> Option<String>
+where
+    K: Kernel<Vector = DVec3, Shape = Triangle<DVec3>>,
+    B: Slabs<Vector = DVec3>,
+{
+    let (mesh, rays) = scene(draw)?;
+    let sah = SahOptions { max_leaf: 1, ..SahOptions::default() };
+    let options = BuildOptions { builder: draw.one_of(Builder::ALL), sah, ..BuildOptions::default() };
+    check_tree::<K, B, _>(&options.build(&mesh).ok()?, &mesh, &rays).err().map(|fault| fault.to_string())
+}
+
+/// A scene of whole numbers or thirds, moved and in another unit; now and then a ray begins beside it by next to nothing.
+fn scene(draw: &mut Draw<'_>) -> Option<(Mesh<DVec3>, Vec<Ray<DVec3>>)> {
+    const NEXT_TO_NOTHING: f64 = 1e-250;
+    let (mesh, rays) = draw.scene()?;
+    let (by, part) = (DVec3::new(1.0, -1.0, 0.5) * draw.one_of([0.0, 6.4e6, 1e12]), draw.one_of([1.0, 3.0]));
+    let [place, way] = [(); 2].map(|()| 2f64.powi(draw.one_of([0, -166, 166, 300, -300])));
+    let vertices = mesh.vertices().iter().map(|v| (v.as_dvec3() / part + by) * place).collect();
+    let mesh = Mesh::new(vertices, mesh.triangles().to_vec()).ok()?;
+    let mut moved = |ray: &Ray| {
+        let (mut o, d) = ((ray.origin().as_dvec3() / part + by) * place, ray.direction().as_dvec3() / part * way);
+        let axis = draw.below(12) as usize;
+        if axis < 3 && o[axis] == 0.0 {
+            o[axis] = draw.one_of([NEXT_TO_NOTHING, -NEXT_TO_NOTHING]);
+        }
+        let [tmin, tmax] = [ray.tmin(), ray.tmax()].map(|t| f64::from(t) * place / way);
+        Ray::within(o, d, tmin, tmax).ok()
+    };
+    let rays = rays.iter().filter_map(&mut moved).collect();
+    Some((mesh, rays))
+}
+
+marks! { Nothing AtZero UnitOne RoundedAfter RoundedBefore NotUndone DigitsLost }
+
+/// The box test of doubles with a mistake.
+#[derive(Clone, Copy, Debug)]
+struct Boxes<S> {
+    wide: Wide,
+    /// The ray in the frame, in single precision.
+    single: Option<Directed>,
+    spoil: PhantomData<S>,
+}
+
+impl<S: Spoil> Slabs for Boxes<S> {
+    type Vector = DVec3;
+
+    fn new(ray: &Ray<DVec3>, region: &Region) -> Self {
+        let frame = region.frame();
+        let other = |origin, exponent| Frame::new(origin, exponent).map(|frame| Region::within(frame, region.bounds()));
+        let region = match S::BUG {
+            Bug::AtZero => other(DVec3::ZERO, frame.exponent()),
+            Bug::UnitOne => other(frame.origin(), 0),
+            _ => None,
+        }
+        .unwrap_or(*region);
+        Self { wide: Wide::new(ray, &region), single: rounded::<S>(ray, &region), spoil: PhantomData }
+    }
+
+    fn pair(&self, planes: &[[f32; 4]; 3], tmax: f64) -> Intervals<f64> {
+        let Some(single) = &self.single else { return self.wide.pair(planes, tmax) };
+        let Intervals { hit, near, far } = single.pair(planes, (tmax as f32).next_up());
+        Intervals { hit, near: near.map(|near| f64::from(near.next_down())), far: far.map(f64::from) }
+    }
+}
+
+/// The ray in the frame, in single precision, where that is a ray.
+fn rounded<S: Spoil>(ray: &Ray<DVec3>, region: &Region) -> Option<Directed> {
+    let (frame, unit) = (region.frame(), 2f64.powi(-region.frame().exponent()));
+    let origin: Vec3 = match S::BUG {
+        Bug::RoundedAfter => ((ray.origin() - frame.origin()) * unit).as_vec3(),
+        Bug::RoundedBefore => ((ray.origin().as_vec3().as_dvec3() - frame.origin()) * unit).as_vec3(),
+        _ => return None,
+    };
+    let direction = (ray.direction() * unit).as_vec3();
+    let ray = Ray::within(origin, direction, (ray.tmin() as f32).next_down().max(0.0), f32::INFINITY).ok()?;
+    Some(Directed::new(&ray, &Region::of(region.bounds())))
+}
+
+/// The exact test of doubles with a mistake.
+#[derive(Clone, Copy, Debug)]
+struct Units<S> {
+    exact: Exact64,
+    ray: Ray<DVec3>,
+    spoil: PhantomData<S>,
+}
+
+impl<S: Spoil> Kernel for Units<S> {
+    type Vector = DVec3;
+    type Shape = Triangle<DVec3>;
+
+    fn new(ray: &Ray<DVec3>, region: &Region) -> Self {
+        Self { exact: Exact64::new(ray, region), ray: *ray, spoil: PhantomData }
+    }
+
+    fn distance(&self, shape: &Triangle<DVec3>, limit: f64) -> Option<f64> {
+        let found = self.exact.distance(shape, limit);
+        let greatest = shape.0.iter().fold(0.0, |greatest: f64, corner| greatest.max(corner.abs().max_element()));
+        if (1e-60..1e60).contains(&greatest) {
+            return found;
+        }
+        let [place, way] = [greatest, self.ray.direction().abs().max_element()].map(|size| size.log2().floor() as i32);
+        match S::BUG {
+            Bug::NotUndone => found.and(self.in_units(place, way, shape)),
+            Bug::DigitsLost => {
+                let t = self.in_units(place, way, shape)? * 2f64.powi(place - way);
+                (self.ray.tmin() <= t && t <= self.ray.tmax()).then_some(t)
+            }
+            _ => found,
+        }
+    }
+
+    fn blocks(&self, shape: &Triangle<DVec3>) -> bool {
+        self.distance(shape, f64::INFINITY).is_some()
+    }
+
+    fn weights(&self, shape: &Triangle<DVec3>) -> [f64; 2] {
+        self.exact.weights(shape)
+    }
+}
+
+impl<S> Units<S> {
+    /// The distance in units of length and of distance, whose powers of two are given. What is next to nothing is lost.
+    fn in_units(&self, place: i32, way: i32, Triangle(corners): &Triangle<DVec3>) -> Option<f64> {
+        let [length, pace] = [place, way].map(|exponent| 2f64.powi(-exponent));
+        let ray = Ray::new(self.ray.origin() * length, self.ray.direction() * pace).ok()?;
+        let shape = Triangle(corners.map(|corner| corner * length));
+        Exact64::new(&ray, &Region::of(&shape.aabb())).distance(&shape, f64::INFINITY)
+    }
+}
