@@ -133,7 +133,7 @@ impl<S: Spoil> Kernel for Units<S> {
     fn distance(&self, shape: &Triangle<DVec3>, limit: f64) -> Option<f64> {
         let found = self.exact.distance(shape, limit);
         let greatest = shape.0.iter().fold(0.0, |greatest: f64, corner| greatest.max(corner.abs().max_element()));
-        if (1e-60..1e60).contains(&greatest) {
+        if greatest == 0.0 || (1e-60..1e60).contains(&greatest) {
             return found;
         }
         let [place, way] = [greatest, self.ray.direction().abs().max_element()].map(|size| size.log2().floor() as i32);

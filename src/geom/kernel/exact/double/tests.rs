@@ -61,7 +61,7 @@ fn other_units_give_the_answer_of_rationals() {
             _ => rational += 1,
         }
     }
-    assert!(hits > 10_000 && scaled > 15_000 && rational > 500, "{hits} {scaled} {rational}");
+    assert!(hits > 8_000 && scaled > 15_000 && rational > 500, "{hits} {scaled} {rational}");
 }
 
 /// A ray at a corner, at an edge or inside of a triangle, or beside it; in the units 2^place and 2^way. If they are
@@ -82,7 +82,9 @@ fn aimed(rng: &mut Rng, [place, way]: [i32; 2], is_mixed: bool) -> (Ray<DVec3>, 
         };
         let d = target - o;
         let (unit, pace) = (2f64.powi(place), 2f64.powi(way));
-        let (start, end) = if number(4) == 0.0 { (0.0, f64::INFINITY) } else { (0.0, 1.0) };
+        // The target is at 1.
+        let ends = [[0.0, f64::INFINITY], [0.0, 1.0], [1.0, f64::INFINITY], [0.5, 1.0], [1.0, 1.0], [0.0, 0.5]];
+        let [start, end] = ends[(number(6) + 3.0) as usize];
         let times = |t: f64| t * 2f64.powi((place - way).clamp(-1000, 1000));
         if let Ok(ray) = Ray::within(o * unit, d * pace, times(start), times(end)) {
             return (ray, Triangle([a, b, c].map(|corner| corner * unit)));
