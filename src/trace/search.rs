@@ -51,7 +51,9 @@ pub type AnyByNode<'a> = NodeSearch<'a, Exact, Directed, true, FromLeft>;
 #[derive(Clone, Debug)]
 pub struct Search<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O = Nearest> {
     bvh: &'a Bvh<K::Shape>,
-    kernel: K,
+    ray: Ray<K::Vector>,
+    /// Prepared at the first leaf: a ray that meets none does not pay for it.
+    kernel: Option<K>,
     slabs: B,
     /// The distance of the best hit, or the ray's end.
     t: Real<K>,
@@ -68,19 +70,27 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
     /// Prepares a query.
     #[inline]
     pub fn new(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>) -> Self {
-        let (region, t) = (bvh.region(), ray.tmax());
-        let (kernel, slabs) = (K::new(ray, region), B::new(ray, region));
-        Self { bvh, kernel, slabs, t, prim: NO_PRIM, place: usize::MAX, order: PhantomData }
+        let slabs = B::new(ray, bvh.region());
+        Self {
+            bvh,
+            ray: *ray,
+            kernel: None,
+            slabs,
+            t: ray.tmax(),
+            prim: NO_PRIM,
+            place: usize::MAX,
+            order: PhantomData,
+        }
     }
 
     /// The hit, after the traversal: the closest, or with `ANY` the first that was met.
     pub fn hit(&self) -> Option<Hit<Real<K>>> {
-        let (prim, mut t) = self.found()?;
+        let ((prim, mut t), kernel) = (self.found()?, self.kernel?);
         let shape = &self.bvh.triangles()[self.place].shape;
         if ANY {
-            t = self.kernel.distance(shape, Real::<K>::INFINITY)?;
+            t = kernel.distance(shape, Real::<K>::INFINITY)?;
         }
-        let [u, v] = self.kernel.weights(shape);
+        let [u, v] = kernel.weights(shape);
         Some(Hit { prim, t, u, v })
     }
 
@@ -98,10 +108,11 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
     /// Tests the triangles of a leaf, each after it is shown to `watch`.
     #[inline(always)]
     pub(super) fn leaf_watched(&mut self, leaf: Node, mut watch: impl FnMut(&K, &K::Shape)) -> Flow {
+        let kernel = *self.kernel.get_or_insert_with(|| K::new(&self.ray, self.bvh.region()));
         let range = self.bvh.leaf_range(leaf);
         for (place, held) in range.clone().zip(&self.bvh.triangles()[range]) {
-            watch(&self.kernel, &held.shape);
-            if self.meet(place, held) == Flow::Stop {
+            watch(&kernel, &held.shape);
+            if self.meet(&kernel, place, held) == Flow::Stop {
                 return Flow::Stop;
             }
         }
@@ -110,13 +121,13 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
 
     /// Tests one triangle.
     #[inline(always)]
-    fn meet(&mut self, place: usize, held: &LeafTriangle<K::Shape>) -> Flow {
+    fn meet(&mut self, kernel: &K, place: usize, held: &LeafTriangle<K::Shape>) -> Flow {
         if ANY {
-            if self.kernel.blocks(&held.shape) {
+            if kernel.blocks(&held.shape) {
                 (self.prim, self.place) = (held.prim, place);
                 return Flow::Stop;
             }
-        } else if let Some(t) = self.kernel.distance(&held.shape, self.t) {
+        } else if let Some(t) = kernel.distance(&held.shape, self.t) {
             // The order of hits: by distance, then by triangle. Of a triangle in parts, the part that is met last
             // counts: its leaf may be the one whose box holds the hit.
             if t < self.t || t == self.t && held.prim <= self.prim {
