@@ -3,7 +3,7 @@
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
 use super::draw::Draw;
 use super::layers::{Instead, Mistake, marks};
@@ -14,11 +14,10 @@ use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::slabs::{Directed, Intervals, Wide};
 use stackless_bvh::geom::{Frame, Kernel, Mesh, Ray, Region, Slabs, Triangle};
 
-pub(super) const MISTAKES: [Mistake; 6] = [
+pub(super) const MISTAKES: [Mistake; 5] = [
     of::<Exact64, Boxes<AtZero>>("boxes are taken as if their frame were at zero", "FRAME-1"),
     of::<Exact64, Boxes<UnitOne>>("boxes are taken as if the unit of their frame were 1", "FRAME-1"),
-    of::<Exact64, Boxes<RoundedAfter>>("the ray is rounded in the frame", "BOX-8"),
-    of::<Exact64, Boxes<RoundedBefore>>("the ray is rounded before it is taken into the frame", "BOX-8"),
+    of::<Exact64, Boxes<Rounded>>("the ray is rounded before it is taken into the frame", "BOX-8"),
     of::<Units<NotUndone>, Wide>("a distance stays in other units", "EXACT-12"),
     of::<Units<DigitsLost>, Wide>("digits that other units lose are not missed", "EXACT-12"),
 ];
@@ -50,9 +49,9 @@ where
 /// A scene of whole numbers or thirds, moved and in another unit; now and then a ray begins beside it by next to nothing.
 fn scene(draw: &mut Draw<'_>) -> Option<(Mesh<DVec3>, Vec<Ray<DVec3>>)> {
     const NEXT_TO_NOTHING: f64 = 1e-250;
-    let (mesh, rays) = draw.scene()?;
     let (by, part) = (DVec3::new(1.0, -1.0, 0.5) * draw.one_of([0.0, 6.4e6, 1e12]), draw.one_of([1.0, 3.0]));
     let [place, way] = [(); 2].map(|()| 2f64.powi(draw.one_of([0, -166, 166, 300, -300])));
+    let (mesh, rays) = draw.scene()?;
     let vertices = mesh.vertices().iter().map(|v| (v.as_dvec3() / part + by) * place).collect();
     let mesh = Mesh::new(vertices, mesh.triangles().to_vec()).ok()?;
     let mut moved = |ray: &Ray| {
@@ -68,7 +67,7 @@ fn scene(draw: &mut Draw<'_>) -> Option<(Mesh<DVec3>, Vec<Ray<DVec3>>)> {
     Some((mesh, rays))
 }
 
-marks! { Nothing AtZero UnitOne RoundedAfter RoundedBefore NotUndone DigitsLost }
+marks! { Nothing AtZero UnitOne Rounded NotUndone DigitsLost }
 
 /// The box test of doubles with a mistake.
 #[derive(Clone, Copy, Debug)]
@@ -101,14 +100,13 @@ impl<S: Spoil> Slabs for Boxes<S> {
     }
 }
 
-/// The ray in the frame, in single precision, where that is a ray.
+/// The ray, rounded to single precision and taken into the frame, where that is a ray.
 fn rounded<S: Spoil>(ray: &Ray<DVec3>, region: &Region) -> Option<Directed> {
     let (frame, unit) = (region.frame(), 2f64.powi(-region.frame().exponent()));
-    let origin: Vec3 = match S::BUG {
-        Bug::RoundedAfter => ((ray.origin() - frame.origin()) * unit).as_vec3(),
-        Bug::RoundedBefore => ((ray.origin().as_vec3().as_dvec3() - frame.origin()) * unit).as_vec3(),
-        _ => return None,
-    };
+    if S::BUG != Bug::Rounded {
+        return None;
+    }
+    let origin = ((ray.origin().as_vec3().as_dvec3() - frame.origin()) * unit).as_vec3();
     let direction = (ray.direction() * unit).as_vec3();
     let ray = Ray::within(origin, direction, (ray.tmin() as f32).next_down().max(0.0), f32::INFINITY).ok()?;
     Some(Directed::new(&ray, &Region::of(region.bounds())))
