@@ -23,8 +23,7 @@ use glam::DVec3;
 
 use super::filter::{Determinants, Errors};
 use super::fine;
-use super::quotient::Ratio;
-use super::{is_within, parity, predicates};
+use super::{is_within, parity, predicates, quotient};
 use crate::geom::frame::power_of_two;
 use crate::geom::kernel::Kernel;
 use crate::geom::truth::{self, Meeting, Point};
@@ -57,7 +56,7 @@ pub struct Exact64 {
 }
 
 /// Numbers that never over- or underflow here.
-const USUAL: RangeInclusive<f64> = power_of_two(-200)..=power_of_two(200);
+pub(super) const USUAL: RangeInclusive<f64> = power_of_two(-200)..=power_of_two(200);
 
 impl Kernel for Exact64 {
     type Vector = DVec3;
@@ -90,11 +89,10 @@ impl Kernel for Exact64 {
         {
             return weights;
         }
-        if self.can_sum(shape) {
-            let weights = Ratio::weights(&shape.0, o, d);
-            if let [Some(u), Some(v)] = weights.map(|weight| weight.nearest_double()) {
-                return [u, v];
-            }
+        if self.can_sum(shape)
+            && let Some(weights) = quotient::weights_of_doubles(&shape.0, o, d)
+        {
+            return weights;
         }
         self.meet(shape).map_or([0.0; 2], |Point { u, v, .. }| [&u, &v].map(truth::round_f64))
     }
@@ -177,9 +175,8 @@ impl Exact64 {
     }
 
     /// Whether the bounds for the triangle hold.
-    fn can_filter(&self, Triangle([a, b, c]): &Triangle<DVec3>) -> bool {
-        let edge = (b - a).abs().max((c - a).abs()).max_element();
-        self.is_usual && USUAL.contains(&edge)
+    fn can_filter(&self, shape: &Triangle<DVec3>) -> bool {
+        self.is_usual && has_usual_edges(&shape.0)
     }
 
     /// Whether sums of products of the ray's and the triangle's numbers are exact.
@@ -195,15 +192,9 @@ impl Exact64 {
     #[cold]
     #[inline(never)]
     fn rounded(&self, shape: &Triangle<DVec3>) -> Option<f64> {
-        let ([tmin, tmax], Triangle(corners)) = (self.interval(), shape);
-        let ratio = Ratio::distance(corners, self.ray.origin(), self.ray.direction());
-        let Some(t) = ratio.nearest_double() else {
-            return self.rational(shape).map(|point| truth::round_f64(&point.t));
-        };
-        // Rounding keeps the order, so that only an end that is equal leaves a question.
-        let is_after = tmin < t || tmin == t && ratio.compare_double(t) >= 0;
-        let is_before = t < tmax || t == tmax && ratio.compare_double(t) <= 0;
-        (is_after && is_before).then_some(t)
+        let (o, d) = (self.ray.origin(), self.ray.direction());
+        let told = quotient::distance_of_doubles(&shape.0, o, d, self.interval());
+        told.unwrap_or_else(|| self.rational(shape).map(|point| truth::round_f64(&point.t)))
     }
 
     /// The hit by rational arithmetic.
@@ -233,7 +224,13 @@ pub(in crate::geom) fn is_degenerate_64(corners: &[DVec3; 3]) -> bool {
     [DVec3::X, DVec3::Y, DVec3::Z].into_iter().all(is_parallel)
 }
 
-fn is_usual(v: DVec3) -> bool {
+/// Whether the longest edge of a triangle neither over- nor underflows.
+pub(super) fn has_usual_edges([a, b, c]: &[DVec3; 3]) -> bool {
+    USUAL.contains(&(b - a).abs().max((c - a).abs()).max_element())
+}
+
+/// Whether sums of products are exact, as far as these components go.
+pub(super) fn is_usual(v: DVec3) -> bool {
     v.to_array().into_iter().all(|x| x == 0.0 || USUAL.contains(&x.abs()))
 }
 
