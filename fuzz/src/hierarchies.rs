@@ -5,7 +5,7 @@ use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, Degenerate, Sah
 use stackless_bvh::generate::{Bytes, Source};
 use stackless_bvh::geom::kernel::{Exact, Exact64};
 use stackless_bvh::geom::slabs::{Directed, Wide};
-use stackless_bvh::geom::{AffineMap, Ends, Mesh, Triangle};
+use stackless_bvh::geom::{AffineMap, Ends, Mesh, Ray, Real, Triangle, Vector};
 use stackless_bvh::hash::checksum;
 use stackless_bvh::trace::{Assembly, InstanceError, InstanceTracer, Tracer};
 use stackless_bvh::traverse::Method;
@@ -38,10 +38,7 @@ pub(crate) fn builders(bytes: &[u8]) {
 }
 
 fn builders_64(draw: &mut Draw<'_>, options: BuildOptions) {
-    let triangles = draw.triangles(6);
-    let count = triangles.iter().flatten().max().map_or(1, |&last| last + 1);
-    let vertices: Vec<DVec3> = (0..count).map(|_| draw.point_64()).collect();
-    let Ok(mesh) = Mesh::new(vertices, triangles) else { return };
+    let Some(mesh) = mesh_64(draw, 6) else { return };
     let rays: Vec<_> = (0..3).filter_map(|i| draw.ray_64(mesh.triangle(i % mesh.triangles().len()))).collect();
     for builder in Builder::ALL {
         let options = BuildOptions { builder, ..options };
@@ -49,6 +46,12 @@ fn builders_64(draw: &mut Draw<'_>, options: BuildOptions) {
             right(check_tree::<Exact64, Wide, _>(&bvh, &mesh, &rays), format_args!("{options:?}\n{mesh:?}\n{rays:?}"));
         }
     }
+}
+
+fn mesh_64(draw: &mut Draw<'_>, most: u64) -> Option<Mesh<DVec3>> {
+    let triangles = draw.triangles(most);
+    let count = triangles.iter().flatten().max().map_or(1, |&last| last + 1);
+    Mesh::new((0..count).map(|_| draw.point_64()).collect(), triangles).ok()
 }
 
 /// A hierarchy that takes on other vertices.
@@ -107,24 +110,41 @@ pub(crate) fn bvh_bytes(bytes: &[u8]) {
 /// Placed objects in groups, against all triangles moved one by one. `[INST-1]` `[INST-6]`
 pub(crate) fn instances(bytes: &[u8]) {
     let mut draw = Draw::new(bytes);
-    if draw.below(4) == 1 {
-        return path(&mut draw);
+    let kind = draw.below(5);
+    if kind == 2 {
+        path(&mut draw);
+    } else if kind == 1 {
+        let ray = |draw: &mut Draw<'_>, aims: &[[DVec3; 3]]| {
+            let aim = aims.get(draw.below(aims.len().max(1) as u64) as usize)?;
+            draw.ray_64(*aim)
+        };
+        placed(&mut draw, |draw| mesh_64(draw, 3), Draw::double, ray);
+    } else {
+        placed(&mut draw, |draw| draw.mesh(3), Draw::float, Draw::ray);
     }
+}
+
+fn placed<'a, V: Vector>(
+    draw: &mut Draw<'a>,
+    mesh: impl Fn(&mut Draw<'a>) -> Option<Mesh<V>>,
+    number: impl Fn(&mut Draw<'a>) -> V::Real,
+    ray: impl Fn(&mut Draw<'a>, &[[V; 3]]) -> Option<Ray<V>>,
+) {
     let methods = Method::ALL.len() as u64;
     let (groups, meshes, levels) = (draw.below(methods), draw.below(methods), 1 + draw.below(2));
-    let options = options(&mut draw);
-    let mut shapes: Vec<_> = (0..=draw.below(2)).filter_map(|_| draw.mesh(3)).map(Shape::Mesh).collect();
+    let options = options(draw);
+    let mut shapes: Vec<_> = (0..=draw.below(2)).filter_map(|_| mesh(draw)).map(Shape::Mesh).collect();
     if shapes.is_empty() {
         return;
     }
     for _ in 0..levels {
         let count = shapes.len() as u64;
-        let group = (0..=draw.below(3)).map(|_| (draw.below(count) as usize, affine(&mut draw)));
+        let group = (0..=draw.below(3)).map(|_| (draw.below(count) as usize, affine(draw, &number)));
         let group = group.collect();
         shapes.push(Shape::Group(group));
     }
     let Ok(hierarchies) = Hierarchies::new(&shapes, options) else { return };
-    // Images beyond single precision are refused.
+    // Images beyond the range of floats are refused.
     let Ok((assembly, objects)) = hierarchies.assembly(&shapes) else { return };
     let Some(&root) = objects.last() else { return };
     let [groups, meshes] = [groups, meshes].map(|i| Method::ALL[i as usize]);
@@ -134,9 +154,9 @@ pub(crate) fn instances(bytes: &[u8]) {
         Err(error) => panic!("{error}"),
     };
     let flat = Flat::new(&shapes);
-    let aims: Vec<_> = flat.corners().copied().filter(|corners| corners.iter().all(|v| v.is_finite())).collect();
+    let aims: Vec<_> = flat.corners().copied().filter(|corners| corners.iter().all(|&v| V::is_finite(v))).collect();
     for _ in 0..3 {
-        if let Some(ray) = draw.ray(&aims) {
+        if let Some(ray) = ray(draw, &aims) {
             right(check_instances(&tracer, &flat, &ray), format_args!("{groups} {meshes} {shapes:?} {ray:?}"));
         }
     }
@@ -170,15 +190,16 @@ fn path(draw: &mut Draw<'_>) {
 }
 
 /// A map of an axis onto an axis, or any; the identity where the numbers have no inverse.
-fn affine(draw: &mut Draw<'_>) -> AffineMap {
+fn affine<'a, R: Real>(draw: &mut Draw<'a>, number: impl Fn(&mut Draw<'a>) -> R) -> AffineMap<R> {
     let rows = if draw.coin() {
-        [(); 3].map(|()| [(); 4].map(|()| draw.float()))
+        [(); 3].map(|()| [(); 4].map(|()| number(draw)))
     } else {
         let (first, mirror) = (draw.below(3) as usize, draw.coin());
-        let mut rows = [[0.0; 4]; 3];
+        let mut rows = [[R::ZERO; 4]; 3];
         for (axis, row) in rows.iter_mut().enumerate() {
-            row[(first + if mirror { 3 - axis } else { axis }) % 3] = draw.one_of([1.0, -1.0, 2.0, 0.5, 0.1]);
-            row[3] = draw.float();
+            let column = (first + if mirror { 3 - axis } else { axis }) % 3;
+            row[column] = R::rounded(draw.one_of([1.0, -1.0, 2.0, 0.5, 0.1]));
+            row[3] = number(draw);
         }
         rows
     };

@@ -1,19 +1,20 @@
 //! Affine maps as they are written down, and what they make of points, boxes and rays.
 
 use dashu_int::IBig;
-use glam::Vec3;
 
+use super::fine::Fine;
 use super::truth::{Meeting, RBig, meet_integers};
-use super::{Aabb, EnclosedRay, Interval};
+use super::{Aabb, EnclosedRay, Frame, Interval, Real, Vector};
 
-/// An invertible affine map x -> A x + b, from an object's space to the space that it is placed in.
+/// An invertible affine map x -> A x + b, from an object's space to the space that it is placed in; in single precision,
+/// or with `f64` in double.
 ///
 /// The numbers are taken as the rational ones that they are, subnormal ones too. So the image of a point is exact, and
 /// has more digits than a float: only [`image_of_box`](Self::image_of_box) and [`pull_back`](Self::pull_back) round,
 /// outwards. `[INST-1]`
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AffineMap {
-    rows: [[f32; 4]; 3],
+pub struct AffineMap<R: Real = f32> {
+    rows: [[R; 4]; 3],
     /// All of them are multiples of 2 to the power of minus this.
     unit: usize,
     /// Bounds of the inverse of A, each as narrow as can be.
@@ -31,20 +32,24 @@ pub enum AffineError {
         /// Column, from 0; 3 is the translation.
         column: usize,
         /// What stands there.
-        value: f32,
+        value: f64,
     },
     /// The determinant of A is 0, exactly: objects would become flat.
     #[error("the determinant is 0, so the map has no inverse")]
     Singular,
 }
 
-impl AffineMap {
+impl<R: Real> AffineMap<R> {
     /// The map that changes nothing.
     pub const IDENTITY: Self = {
         const ZERO: Interval = Interval::exact(0.0);
         const ONE: Interval = Interval::exact(1.0);
         Self {
-            rows: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
+            rows: [
+                [R::ONE, R::ZERO, R::ZERO, R::ZERO],
+                [R::ZERO, R::ONE, R::ZERO, R::ZERO],
+                [R::ZERO, R::ZERO, R::ONE, R::ZERO],
+            ],
             unit: 0,
             inverse: [[ONE, ZERO, ZERO], [ZERO, ONE, ZERO], [ZERO, ZERO, ONE]],
         }
@@ -65,13 +70,17 @@ impl AffineMap {
     /// let flat = AffineMap::new([[0.1, 0.2, 0.0, 0.0], [0.1, 0.2, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]);
     /// assert_eq!(flat, Err(AffineError::Singular));
     /// ```
-    pub fn new(rows: [[f32; 4]; 3]) -> Result<Self, AffineError> {
+    pub fn new(rows: [[R; 4]; 3]) -> Result<Self, AffineError> {
         for (row, numbers) in rows.iter().enumerate() {
-            if let Some(column) = numbers.iter().position(|x| !x.is_finite()) {
-                return Err(AffineError::NotFinite { row, column, value: numbers[column] });
+            for (column, &x) in numbers.iter().enumerate() {
+                let value: f64 = x.into();
+                if !value.is_finite() {
+                    return Err(AffineError::NotFinite { row, column, value });
+                }
             }
         }
-        let a = rows.map(|[x, y, z, _]| [x, y, z].map(integer));
+        let unit = unit_of(rows.as_flattened());
+        let a = rows.map(|[x, y, z, _]| [x, y, z].map(|x| multiple(x, unit)));
         // Entry (i, j) of the adjugate.
         let adjugate = |i: usize, j: usize| {
             let ([p, q], [r, s]) = ([(j + 1) % 3, (j + 2) % 3], [(i + 1) % 3, (i + 2) % 3]);
@@ -82,9 +91,8 @@ impl AffineMap {
             return Err(AffineError::Singular);
         }
         let entry = |i: usize, j: usize| {
-            Interval::around(&RBig::from_parts_signed(adjugate(i, j) << UNIT, determinant.clone()))
+            Interval::around(&RBig::from_parts_signed(adjugate(i, j) << unit, determinant.clone()))
         };
-        let unit = unit_of(rows.as_flattened());
         Ok(Self { rows, unit, inverse: [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j))) })
     }
 
@@ -92,27 +100,31 @@ impl AffineMap {
     ///
     /// # Errors
     /// [`AffineError::NotFinite`].
-    pub fn translation(by: Vec3) -> Result<Self, AffineError> {
-        Self::new([[1.0, 0.0, 0.0, by.x], [0.0, 1.0, 0.0, by.y], [0.0, 0.0, 1.0, by.z]])
+    pub fn translation(by: impl Vector<Real = R>) -> Result<Self, AffineError> {
+        let mut rows = Self::IDENTITY.rows;
+        for (row, by) in rows.iter_mut().zip(by.components()) {
+            row[3] = by;
+        }
+        Self::new(rows)
     }
 
     /// Three numbers of A, then the one of b, for each row.
-    pub const fn rows(&self) -> &[[f32; 4]; 3] {
+    pub const fn rows(&self) -> &[[R; 4]; 3] {
         &self.rows
     }
 
     /// The smallest box in single precision that holds the image of a box, up to a few units of the last digit of
     /// doubles; infinite beyond the range of single precision. Never too small. `[INST-2]`
     pub fn image_of_box(&self, aabb: &Aabb) -> Aabb {
-        let ends = self.rows.map(|row| {
-            let terms = [0, 1, 2].map(|k| {
-                // Exact: a product of two floats has 48 bits.
-                let [a, b] = [aabb.lo[k], aabb.hi[k]].map(|x| f64::from(row[k]) * f64::from(x));
-                Interval::between(if a < b { [a, b] } else { [b, a] })
-            });
-            (terms[0] + terms[1] + terms[2] + Interval::exact(row[3].into())).ends_in_single()
-        });
-        Aabb { lo: Vec3::from(ends.map(|[lo, _]| lo)), hi: Vec3::from(ends.map(|[_, hi]| hi)) }
+        Frame::IDENTITY.enter(&self.image(Frame::IDENTITY.leave(aabb)))
+    }
+
+    /// Bounds of the image of all points whose coordinates are within bounds. `[INST-2]`
+    pub(crate) fn image(&self, bounds: [Interval; 3]) -> [Interval; 3] {
+        self.rows.map(|[a, b, c, offset]| {
+            let [x, y, z] = [(a, bounds[0]), (b, bounds[1]), (c, bounds[2])].map(|(a, x)| times(a.into(), x));
+            x + y + z + Interval::exact(offset.into())
+        })
     }
 
     /// The ray in the object's space: bounds of A^-1 (o - b) and A^-1 d for all o and d within the bounds. Distances
@@ -123,6 +135,13 @@ impl AffineMap {
         let [x, y, z] = ray.origin;
         EnclosedRay { origin: solve([x - offset[0], y - offset[1], z - offset[2]]), direction: solve(ray.direction) }
     }
+}
+
+/// The products of a number and those of an interval. What is exact at an end stays so: a product of two floats of
+/// single precision has 48 bits.
+fn times(a: f64, x: Interval) -> Interval {
+    let [first, last] = x.ends().map(|x| (Interval::exact(a) * Interval::exact(x)).ends());
+    Interval::between(if first[0] < last[0] { [first[0], last[1]] } else { [last[0], first[1]] })
 }
 
 /// Where the line `origin + t direction` meets the exact image of a triangle under maps, the first of which is applied
@@ -139,13 +158,13 @@ impl AffineMap {
 /// assert_eq!((point.t, point.u), (RBig::ONE, RBig::from_parts(1.into(), 3u8.into())));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn meet_image<'a>(
-    triangle: [Vec3; 3],
-    maps: impl IntoIterator<Item = &'a AffineMap>,
-    origin: Vec3,
-    direction: Vec3,
+pub fn meet_image<'a, V: Vector>(
+    triangle: [V; 3],
+    maps: impl IntoIterator<Item = &'a AffineMap<V::Real>>,
+    origin: V,
+    direction: V,
 ) -> Meeting {
-    let line = [origin, direction].map(|v| v.to_array());
+    let line = [origin, direction].map(Vector::components);
     let ((corners, unit), unit_of_line) = (images(triangle, maps), unit_of(line.as_flattened()));
     let common = unit.max(unit_of_line);
     let [v0, v1, v2] = corners.map(|corner| corner.map(|x| x << (common - unit)));
@@ -154,11 +173,11 @@ pub fn meet_image<'a>(
 }
 
 /// The images of corners, as integers times 2 to the power of minus the second number: as few digits as that takes.
-pub(super) fn images<'a>(
-    triangle: [Vec3; 3],
-    maps: impl IntoIterator<Item = &'a AffineMap>,
+pub(super) fn images<'a, V: Vector>(
+    triangle: [V; 3],
+    maps: impl IntoIterator<Item = &'a AffineMap<V::Real>>,
 ) -> ([[IBig; 3]; 3], usize) {
-    let corners = triangle.map(|corner| corner.to_array());
+    let corners = triangle.map(Vector::components);
     let mut unit = unit_of(corners.as_flattened());
     let mut corners = corners.map(|corner| corner.map(|x| multiple(x, unit)));
     for map in maps {
@@ -170,27 +189,42 @@ pub(super) fn images<'a>(
     (corners, unit)
 }
 
-/// All of these floats are multiples of 2 to the power of minus this, which is at most 149.
-fn unit_of(numbers: &[f32]) -> usize {
-    let unit = |&x: &f32| UNIT - integer(x).trailing_zeros().map_or(UNIT, |zeros| zeros.min(UNIT));
-    numbers.iter().map(unit).max().unwrap_or(0)
+/// The images of corners, by twice the digits of a double. `[INST-5]`
+pub(super) fn fine_images<'a, V: Vector>(
+    triangle: [V; 3],
+    maps: impl IntoIterator<Item = &'a AffineMap<V::Real>>,
+) -> [[Fine; 3]; 3] {
+    let mut corners = triangle.map(|corner| corner.widen().to_array().map(Fine::exact));
+    for map in maps {
+        let rows = map.rows.map(|row| row.map(|x| Fine::exact(x.into())));
+        corners = corners.map(|[x, y, z]| rows.map(|[a, b, c, offset]| a * x + b * y + c * z + offset));
+    }
+    corners
+}
+
+/// All of these floats are multiples of 2 to the power of minus this, which is at most 149 in single precision and 1074
+/// in double.
+fn unit_of<R: Real>(numbers: &[R]) -> usize {
+    numbers.iter().map(|&x| (-odd_and_exponent(x.into()).1).max(0) as usize).max().unwrap_or(0)
 }
 
 /// A float times 2 to the power of its unit, or more.
-fn multiple(x: f32, unit: usize) -> IBig {
-    integer(x) >> (UNIT - unit)
+fn multiple<R: Real>(x: R, unit: usize) -> IBig {
+    let (odd, exponent) = odd_and_exponent(x.into());
+    IBig::from(odd) << (unit as i32 + exponent) as usize
 }
 
-/// All floats of single precision are multiples of 2^-149.
-const UNIT: usize = 149;
-
-/// A finite float times 2^149.
-fn integer(x: f32) -> IBig {
-    let (exponent, fraction) = (x.to_bits() >> 23 & 0xff, x.to_bits() & 0x7f_ffff);
+/// A finite double as an odd number times 2 to a power; 0 as 0 times 1.
+fn odd_and_exponent(x: f64) -> (i64, i32) {
+    let (exponent, fraction) = ((x.to_bits() >> 52 & 0x7ff) as i32, (x.to_bits() & ((1 << 52) - 1)) as i64);
     // Subnormal numbers have the exponent of the least normal ones, and no leading one.
-    let magnitude =
-        if exponent == 0 { IBig::from(fraction) } else { IBig::from(fraction | 1 << 23) << (exponent - 1) as usize };
-    if x.is_sign_negative() { -magnitude } else { magnitude }
+    let (whole, exponent) = if exponent == 0 { (fraction, 1) } else { (fraction | 1 << 52, exponent) };
+    if whole == 0 {
+        return (0, 0);
+    }
+    let zeros = whole.trailing_zeros();
+    let odd = whole >> zeros;
+    (if x.is_sign_negative() { -odd } else { odd }, exponent - 1075 + zeros as i32)
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! A ray that is known within bounds only.
 
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
-use super::{Interval, Ray};
+use super::{Interval, Ray, Vector};
 
 /// Bounds of the origin and of the direction of a ray: what is known of it in the space of an object that is placed by
 /// maps whose inverses are no floats.
@@ -18,8 +18,8 @@ pub struct EnclosedRay {
 
 impl EnclosedRay {
     /// Exactly this ray.
-    pub fn exact(ray: &Ray) -> Self {
-        let exact = |v: Vec3| v.to_array().map(|x| Interval::exact(x.into()));
+    pub fn exact<V: Vector>(ray: &Ray<V>) -> Self {
+        let exact = |v: V| v.components().map(|x| Interval::exact(x.into()));
         Self { origin: exact(ray.origin()), direction: exact(ray.direction()) }
     }
 

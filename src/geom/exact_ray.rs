@@ -8,13 +8,15 @@ use dashu_int::ops::Gcd;
 use dashu_int::{IBig, UBig};
 use glam::Vec3;
 
-use super::affine::images;
-use super::kernel::EnclosedTest;
+use super::affine::{fine_images, images};
+use super::kernel::{EnclosedTest, FineDeterminants};
 use super::truth::{Meeting, Point, RBig, meet_integers};
-use super::{AffineMap, EnclosedRay, Interval, Ray, RayError, Region, Triangle, check_environment, meet_image};
+use super::{
+    AffineMap, EnclosedRay, Interval, Ray, RayError, Real, Region, Triangle, Vector, check_environment, meet_image,
+};
 
-/// A point of space that is known exactly: one of floats, or where a ray meets a triangle, which is not rounded.
-/// `[SECOND-1]`
+/// A point of space that is known exactly: one of floats, or where a ray meets a triangle, which is not rounded. Floats are
+/// of single precision, or with [`DVec3`](glam::DVec3) of double. `[SECOND-1]`
 ///
 /// It is made of bounds in double precision, which decide nearly everything, and of what is needed to compute the
 /// rational point when bounds do not decide. A copy is cheap.
@@ -33,21 +35,21 @@ use super::{AffineMap, EnclosedRay, Interval, Ray, RayError, Region, Triangle, c
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct ExactPoint(Place);
+pub struct ExactPoint<V: Vector = Vec3>(Place<V>);
 
 #[derive(Clone, Debug)]
-enum Place {
-    Floats(Vec3),
-    Met(Arc<Met>),
+enum Place<V: Vector> {
+    Floats(V),
+    Met(Arc<Met<V>>),
 }
 
 /// Where a ray meets a triangle.
 #[derive(Debug)]
-struct Met {
+struct Met<V: Vector> {
     bounds: [Interval; 3],
-    surface: Surface,
+    surface: Surface<V>,
     /// `None` if the point is known: a path would keep all its rays.
-    ray: Option<ExactRay>,
+    ray: Option<ExactRay<V>>,
     point: OnceLock<[RBig; 3]>,
     /// How many points have to be computed before this one.
     generation: u32,
@@ -55,9 +57,9 @@ struct Met {
 
 /// A triangle, and the maps that place it, from the innermost on.
 #[derive(Clone, Debug, PartialEq)]
-struct Surface {
-    triangle: Triangle,
-    maps: Vec<AffineMap>,
+struct Surface<V: Vector> {
+    triangle: Triangle<V>,
+    maps: Vec<AffineMap<V::Real>>,
 }
 
 /// So many points of a path may be known by bounds only, one after the other. Then one is computed. `[SECOND-4]`
@@ -67,17 +69,17 @@ const GENERATIONS: u32 = 8;
 ///
 /// A [`Ray`] is one, too. See [`ExactPoint`] for those that begin on a surface.
 #[derive(Clone, Debug)]
-pub struct ExactRay {
-    origin: ExactPoint,
-    way: Way,
-    interval: [f32; 2],
+pub struct ExactRay<V: Vector = Vec3> {
+    origin: ExactPoint<V>,
+    way: Way<V>,
+    interval: [V::Real; 2],
     ends: Ends,
 }
 
 #[derive(Clone, Debug)]
-enum Way {
-    Along(Vec3),
-    Toward(ExactPoint),
+enum Way<V: Vector> {
+    Along(V),
+    Toward(ExactPoint<V>),
 }
 
 /// Whether the ends of a ray belong to it. `[SECOND-2]`
@@ -91,18 +93,18 @@ pub enum Ends {
     Closed,
 }
 
-impl ExactPoint {
+impl<V: Vector> ExactPoint<V> {
     /// A point of floats.
     ///
     /// # Errors
     /// [`RayError::Origin`] if it is not finite, and [`RayError::Environment`].
-    pub fn new(point: Vec3) -> Result<Self, RayError> {
+    pub fn new(point: V) -> Result<Self, RayError> {
         check_environment()?;
-        if point.is_finite() { Ok(Self(Place::Floats(point))) } else { Err(RayError::Origin(point.as_dvec3())) }
+        if point.is_finite() { Ok(Self(Place::Floats(point))) } else { Err(RayError::Origin(point.widen())) }
     }
 
     /// Where a ray meets a triangle; `None` for a miss.
-    pub fn met(ray: impl Into<ExactRay>, triangle: &Triangle) -> Option<Self> {
+    pub fn met(ray: impl Into<ExactRay<V>>, triangle: &Triangle<V>) -> Option<Self> {
         let ray = ray.into();
         let test = EnclosedTest::new(&ray.enclosed(), ray.interval(), &Region::of(&triangle.aabb()));
         let t = test.span(triangle);
@@ -114,7 +116,12 @@ impl ExactPoint {
 
     /// The point at which a ray is known to meet the image of a triangle under maps, the first of which is applied
     /// first, and bounds of the distance, if there are any.
-    pub(crate) fn of(ray: ExactRay, triangle: &Triangle, maps: Vec<AffineMap>, t: Option<[f64; 2]>) -> Self {
+    pub(crate) fn of(
+        ray: ExactRay<V>,
+        triangle: &Triangle<V>,
+        maps: Vec<AffineMap<V::Real>>,
+        t: Option<[f64; 2]>,
+    ) -> Self {
         let surface = Surface { triangle: *triangle, maps };
         let generation = 1 + ray.generation();
         let (point, ray, bounds) = match t {
@@ -136,10 +143,10 @@ impl ExactPoint {
     ///
     /// # Errors
     /// What [`RayError`] lists of direction and interval.
-    pub fn ray(&self, direction: Vec3, tmax: f32, ends: Ends) -> Result<ExactRay, RayError> {
+    pub fn ray(&self, direction: V, tmax: V::Real, ends: Ends) -> Result<ExactRay<V>, RayError> {
         // Origins are finite.
-        Ray::within(Vec3::ZERO, direction, 0.0, tmax)?;
-        Ok(ExactRay { origin: self.clone(), way: Way::Along(direction), interval: [0.0, tmax], ends })
+        Ray::within(V::from_components([V::Real::ZERO; 3]), direction, V::Real::ZERO, tmax)?;
+        Ok(ExactRay { origin: self.clone(), way: Way::Along(direction), interval: [V::Real::ZERO, tmax], ends })
     }
 
     /// The ray from here to another point, at which `t` is 1. Where the ends are open, it asks whether one point can be
@@ -147,20 +154,21 @@ impl ExactPoint {
     ///
     /// # Errors
     /// [`RayError::ZeroDirection`] if they are the same point, and [`RayError::Environment`].
-    pub fn toward(&self, target: &Self, ends: Ends) -> Result<ExactRay, RayError> {
+    pub fn toward(&self, target: &Self, ends: Ends) -> Result<ExactRay<V>, RayError> {
         check_environment()?;
         let apart = |a: Interval, b: Interval| a.ends()[1] < b.ends()[0] || b.ends()[1] < a.ends()[0];
         let (from, to) = (self.bounds(), target.bounds());
         if !(0..3).any(|k| apart(from[k], to[k])) && self.rational() == target.rational() {
             return Err(RayError::ZeroDirection);
         }
-        Ok(ExactRay { origin: self.clone(), way: Way::Toward(target.clone()), interval: [0.0, 1.0], ends })
+        let interval = [V::Real::ZERO, V::Real::ONE];
+        Ok(ExactRay { origin: self.clone(), way: Way::Toward(target.clone()), interval, ends })
     }
 
     /// Bounds of each coordinate.
     pub fn bounds(&self) -> [Interval; 3] {
         match &self.0 {
-            Place::Floats(point) => point.to_array().map(|x| Interval::exact(x.into())),
+            Place::Floats(point) => point.widen().to_array().map(Interval::exact),
             Place::Met(met) => met.bounds,
         }
     }
@@ -168,8 +176,7 @@ impl ExactPoint {
     /// The point itself. The first call takes some microseconds, more for points of long paths.
     pub fn rational(&self) -> Cow<'_, [RBig; 3]> {
         match &self.0 {
-            // They are finite.
-            Place::Floats(point) => Cow::Owned(point.to_array().map(|x| RBig::try_from(x).unwrap_or_default())),
+            Place::Floats(point) => Cow::Owned(rational(*point)),
             Place::Met(met) => Cow::Borrowed(met.point.get_or_init(|| {
                 // One of both is there.
                 met.ray.as_ref().map(|ray| ray.point(&met.surface)).unwrap_or_default()
@@ -185,14 +192,14 @@ impl ExactPoint {
     }
 }
 
-impl ExactRay {
+impl<V: Vector> ExactRay<V> {
     /// Where it begins.
-    pub const fn origin(&self) -> &ExactPoint {
+    pub const fn origin(&self) -> &ExactPoint<V> {
         &self.origin
     }
 
     /// The least and the greatest `t`.
-    pub const fn interval(&self) -> [f32; 2] {
+    pub const fn interval(&self) -> [V::Real; 2] {
         self.interval
     }
 
@@ -205,7 +212,7 @@ impl ExactRay {
     pub fn enclosed(&self) -> EnclosedRay {
         let origin = self.origin.bounds();
         let direction = match &self.way {
-            Way::Along(direction) => direction.to_array().map(|x| Interval::exact(x.into())),
+            Way::Along(direction) => direction.widen().to_array().map(Interval::exact),
             Way::Toward(target) => {
                 let target = target.bounds();
                 array::from_fn(|k| target[k] - origin[k])
@@ -216,24 +223,42 @@ impl ExactRay {
 
     /// Where it meets the image of a triangle under maps, the first of which is applied first, in rational arithmetic:
     /// a hit if this is within its ends. `[SECOND-2]`
-    pub fn meet(&self, triangle: &Triangle, maps: &[AffineMap]) -> Option<Point> {
+    pub fn meet(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Option<Point> {
         if self.leaves(triangle, maps) {
             return None;
         }
         let point = self.cross(triangle, maps).within(self.interval)?;
-        let is_end = |end: f32| RBig::try_from(end).is_ok_and(|end| end == point.t);
+        let is_end = |end: V::Real| RBig::try_from(end.into()).is_ok_and(|end| end == point.t);
         (self.ends == Ends::Closed || !self.interval.into_iter().any(is_end)).then_some(point)
     }
 
     /// Whether it begins on this image of a triangle, and its origin does not count: its line meets what contains the
     /// origin there or nowhere.
-    pub(crate) fn leaves(&self, triangle: &Triangle, maps: &[AffineMap]) -> bool {
+    pub(crate) fn leaves(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> bool {
         self.ends == Ends::Open
             && matches!(&self.origin.0, Place::Met(met) if met.surface.triangle == *triangle && met.surface.maps == maps)
     }
 
+    /// Distance to the image of a triangle that its line is known to meet, by twice the digits of a double: where that is
+    /// certain, and not at an end.
+    pub(crate) fn fine_distance(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Option<V::Real> {
+        let [tmin, tmax] = self.interval;
+        // Rounding keeps the order, so that only an end that is equal leaves a question.
+        self.fine(triangle, maps)?.distance().filter(|t| tmin < *t && *t < tmax)
+    }
+
+    /// The weights of the second and the third corner there, likewise.
+    pub(crate) fn fine_weights(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Option<[V::Real; 2]> {
+        self.fine(triangle, maps)?.weights()
+    }
+
+    fn fine(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Option<FineDeterminants> {
+        let (Place::Floats(o), Way::Along(d)) = (&self.origin.0, &self.way) else { return None };
+        FineDeterminants::within_range(&fine_images(triangle.0, maps), o.widen(), d.widen())
+    }
+
     /// Where its line meets the image of a triangle.
-    fn cross(&self, triangle: &Triangle, maps: &[AffineMap]) -> Meeting {
+    fn cross(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Meeting {
         if let (Place::Floats(origin), Way::Along(direction)) = (&self.origin.0, &self.way) {
             return meet_image(triangle.0, maps, *origin, *direction);
         }
@@ -251,7 +276,7 @@ impl ExactRay {
     }
 
     /// The point at which it meets a triangle; known to exist.
-    fn point(&self, Surface { triangle, maps }: &Surface) -> [RBig; 3] {
+    fn point(&self, Surface { triangle, maps }: &Surface<V>) -> [RBig; 3] {
         let t = match self.cross(triangle, maps) {
             Meeting::Hit(point) => point.t,
             Meeting::Miss | Meeting::Coplanar => RBig::ZERO,
@@ -264,7 +289,7 @@ impl ExactRay {
     fn line(&self) -> [[RBig; 3]; 2] {
         let origin = self.origin.rational().into_owned();
         let direction = match &self.way {
-            Way::Along(direction) => direction.to_array().map(|x| RBig::try_from(x).unwrap_or_default()),
+            Way::Along(direction) => rational(*direction),
             Way::Toward(target) => {
                 let target = target.rational();
                 array::from_fn(|k| &target[k] - &origin[k])
@@ -275,7 +300,7 @@ impl ExactRay {
 
     /// Whether all distances within bounds are certainly its own.
     fn holds(&self, [near, far]: [f64; 2]) -> bool {
-        let [tmin, tmax] = self.interval.map(f64::from);
+        let [tmin, tmax]: [f64; 2] = self.interval.map(Into::into);
         tmin < near && far < tmax
     }
 
@@ -285,14 +310,19 @@ impl ExactRay {
     }
 }
 
-impl From<&Ray> for ExactRay {
-    fn from(ray: &Ray) -> Self {
+/// The same; it is finite.
+fn rational<V: Vector>(v: V) -> [RBig; 3] {
+    v.widen().to_array().map(|x| RBig::try_from(x).unwrap_or_default())
+}
+
+impl<V: Vector> From<&Ray<V>> for ExactRay<V> {
+    fn from(ray: &Ray<V>) -> Self {
         let (origin, way) = (ExactPoint(Place::Floats(ray.origin())), Way::Along(ray.direction()));
         Self { origin, way, interval: [ray.tmin(), ray.tmax()], ends: Ends::Closed }
     }
 }
 
-impl From<&Self> for ExactRay {
+impl<V: Vector> From<&Self> for ExactRay<V> {
     fn from(ray: &Self) -> Self {
         ray.clone()
     }

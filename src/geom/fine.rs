@@ -48,6 +48,13 @@ impl Fine {
         self.radius == 0.0
     }
 
+    /// Whether none is above so much in magnitude, but for rounding.
+    #[inline]
+    pub(in crate::geom) fn is_within(&self, most: f64) -> bool {
+        // Not so for a NaN.
+        self.high.abs() <= most && self.radius <= most
+    }
+
     /// Whether none is as far as a half from another.
     pub(in crate::geom) fn is_close(&self) -> bool {
         self.radius < 0.25

@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec3};
 
 use super::truth::RBig;
-use super::{Aabb, Interval, Triangle, Vector};
+use super::{Aabb, EnclosedRay, Interval, Triangle, Vector};
 
 /// A shift and a scale: a point `p` has the coordinates `(p - origin) / 2^exponent`. Boxes are kept in these.
 ///
@@ -87,14 +87,28 @@ impl Frame {
 
     /// That of points in double precision.
     pub(super) fn aabb_of(&self, [a, b, c]: &[DVec3; 3]) -> Aabb {
-        let ([lo, _], [_, hi]) = (self.enclose(a.min(*b).min(*c)), self.enclose(a.max(*b).max(*c)));
-        Aabb { lo, hi }
+        let (lo, hi) = (a.min(*b).min(*c), a.max(*b).max(*c));
+        self.enter(&[0, 1, 2].map(|axis| Interval::between([lo[axis], hi[axis]])))
     }
 
-    /// Bounds, in single precision, of the coordinates of a point.
-    fn enclose(&self, point: DVec3) -> [Vec3; 2] {
-        let ends = [0, 1, 2].map(|axis| self.coordinate(axis, point[axis]).ends_in_single());
-        [0, 1].map(|end| Vec3::from(ends.map(|ends| ends[end])))
+    /// The smallest box in single precision, in this frame, that holds the points whose coordinates are within bounds.
+    pub(crate) fn enter(&self, bounds: &[Interval; 3]) -> Aabb {
+        let ends = [0, 1, 2].map(|axis| self.inside(axis, bounds[axis]).ends_in_single());
+        Aabb { lo: Vec3::from(ends.map(|[lo, _]| lo)), hi: Vec3::from(ends.map(|[_, hi]| hi)) }
+    }
+
+    /// Bounds of the points of a box in this frame.
+    pub(crate) fn leave(&self, aabb: &Aabb) -> [Interval; 3] {
+        [0, 1, 2].map(|axis| {
+            let inside = Interval::between([aabb.lo[axis], aabb.hi[axis]].map(f64::from));
+            inside.scaled(self.exponent) + Interval::exact(self.origin[axis])
+        })
+    }
+
+    /// Bounds of a ray in this frame, in which distances along it are the same.
+    pub(super) fn ray(&self, ray: &EnclosedRay) -> EnclosedRay {
+        let origin = [0, 1, 2].map(|axis| self.inside(axis, ray.origin[axis]));
+        EnclosedRay { origin, direction: ray.direction.map(|x| x.scaled(-self.exponent)) }
     }
 
     /// Bounds of the coordinates of a point.
@@ -106,7 +120,13 @@ impl Frame {
     /// Bounds of a coordinate of a point.
     #[inline]
     pub(super) fn coordinate(&self, axis: usize, x: f64) -> Interval {
-        (Interval::exact(x) - Interval::exact(self.origin[axis])).scaled(-self.exponent)
+        self.inside(axis, Interval::exact(x))
+    }
+
+    /// The same, of a coordinate that is within bounds.
+    #[inline]
+    fn inside(&self, axis: usize, x: Interval) -> Interval {
+        (x - Interval::exact(self.origin[axis])).scaled(-self.exponent)
     }
 
     /// The coordinates of a point, each off by a unit of 2^-53 of itself at most, but for underflow.

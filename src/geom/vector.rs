@@ -9,7 +9,7 @@ use super::truth::Number;
 use super::{Aabb, Frame, kernel};
 
 /// A position or direction, in single or in double precision.
-pub trait Vector: Copy + PartialEq + Debug + Send + Sync + Sub<Output = Self> + private::Sealed {
+pub trait Vector: Copy + PartialEq + Debug + Send + Sync + Sub<Output = Self> + private::Sealed + 'static {
     /// A coordinate.
     type Real: Real;
 
@@ -37,7 +37,13 @@ pub trait Vector: Copy + PartialEq + Debug + Send + Sync + Sub<Output = Self> + 
 }
 
 /// A coordinate or a distance.
-pub trait Real: Number + PartialEq + PartialOrd + Debug + Default + Send + Sync + private::Sealed {
+pub trait Real: Number + PartialEq + PartialOrd + Debug + Default + Send + Sync + private::Sealed + 'static {
+    /// 0.
+    const ZERO: Self;
+
+    /// 1.
+    const ONE: Self;
+
     /// Beyond every number.
     const INFINITY: Self;
 
@@ -59,6 +65,12 @@ pub trait Real: Number + PartialEq + PartialOrd + Debug + Default + Send + Sync 
     /// A number that orders as these do, and equal only where these are equal or nearly so: for a distance, which is
     /// not negative. Rounded down, or up.
     fn ranks(self) -> [u32; 2];
+
+    /// The greatest float of single precision that is not above, and the least that is not below: of a distance.
+    #[inline]
+    fn ends_in_single(self) -> [f32; 2] {
+        self.ranks().map(f32::from_bits)
+    }
 }
 
 impl Vector for Vec3 {
@@ -135,6 +147,8 @@ impl Vector for DVec3 {
 }
 
 impl Real for f32 {
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
     const INFINITY: Self = f32::INFINITY;
 
     fn next_down(self) -> Self {
@@ -166,6 +180,8 @@ impl Real for f32 {
 }
 
 impl Real for f64 {
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
     const INFINITY: Self = f64::INFINITY;
 
     fn next_down(self) -> Self {

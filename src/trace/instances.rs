@@ -18,8 +18,10 @@ pub use assembly::{Assembly, AssemblyError, Instance, Object};
 
 use std::fmt;
 
-use crate::geom::truth::{Point, round_f32};
-use crate::geom::{AffineMap, EnclosedRay, ExactPoint, ExactRay, kernel, slabs};
+use glam::Vec3;
+
+use crate::geom::truth::{Number, Point};
+use crate::geom::{AffineMap, EnclosedRay, ExactPoint, ExactRay, Real, Vector, kernel, slabs};
 use crate::trace::level::Level;
 use crate::trace::{Ask, OwnBoxes, Plan};
 use crate::traverse::{Method, Unfit};
@@ -50,8 +52,8 @@ use walk::{Found, Instances, Search, Triangles, Walk};
 /// assert_eq!((hit.path, hit.prim, hit.t, hit.u, hit.v), (vec![0, 1], 0, 2.0, 0.5, 0.25));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct InstanceTracer {
-    assembly: Assembly,
+pub struct InstanceTracer<V: Vector = Vec3> {
+    assembly: Assembly<V>,
     root: Object,
     /// Of the objects up to the root, by index; `None` for those that are not in it.
     levels: Vec<Option<Level>>,
@@ -59,17 +61,17 @@ pub struct InstanceTracer {
 
 /// Where a ray meets a triangle of an instance.
 #[derive(Clone, Debug, PartialEq)]
-pub struct InstanceHit {
+pub struct InstanceHit<R = f32> {
     /// The index of the instance in each group, from the outermost on. Empty if the object is a mesh.
     pub path: Vec<u32>,
     /// Index of the triangle in its mesh.
     pub prim: u32,
     /// Distance along the ray, in lengths of its direction; the float nearest to the exact one.
-    pub t: f32,
+    pub t: R,
     /// Weight of the triangle's second corner, likewise.
-    pub u: f32,
+    pub u: R,
     /// Weight of the triangle's third corner, likewise.
-    pub v: f32,
+    pub v: R,
 }
 
 /// What rays met.
@@ -102,12 +104,14 @@ pub enum InstanceError {
 impl InstanceTracer {
     /// Bytes of a ray as it waits: bounds of origin and direction in doubles.
     pub const RAY_BYTES: usize = size_of::<EnclosedRay>();
+}
 
+impl<V: Vector> InstanceTracer<V> {
     /// A tracer by one traversal on all levels.
     ///
     /// # Errors
     /// What [`InstanceError`] lists.
-    pub fn new(assembly: &Assembly, root: Object, method: Method) -> Result<Self, InstanceError> {
+    pub fn new(assembly: &Assembly<V>, root: Object, method: Method) -> Result<Self, InstanceError> {
         Self::with_methods(assembly, root, method, method)
     }
 
@@ -116,7 +120,7 @@ impl InstanceTracer {
     /// # Errors
     /// What [`InstanceError`] lists.
     pub fn with_methods(
-        assembly: &Assembly,
+        assembly: &Assembly<V>,
         root: Object,
         groups: Method,
         meshes: Method,
@@ -145,7 +149,7 @@ impl InstanceTracer {
 
     /// The closest hit: the least distance, of equal ones the least path, and of these the least triangle. `[INST-6]`
     /// The ray is a [`Ray`](crate::geom::Ray), or begins on a surface. `[SECOND-2]`
-    pub fn closest(&self, ray: impl Into<ExactRay>) -> Option<InstanceHit> {
+    pub fn closest(&self, ray: impl Into<ExactRay<V>>) -> Option<InstanceHit<V::Real>> {
         self.closest_and_found(&ray.into()).map(|(hit, _)| hit)
     }
 
@@ -172,32 +176,33 @@ impl InstanceTracer {
     /// }
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn closest_and_point(&self, ray: impl Into<ExactRay>) -> Option<(InstanceHit, ExactPoint)> {
+    pub fn closest_and_point(&self, ray: impl Into<ExactRay<V>>) -> Option<(InstanceHit<V::Real>, ExactPoint<V>)> {
         let ray = ray.into();
         let (hit, Found { triangle, test, .. }) = self.closest_and_found(&ray)?;
         let point = ExactPoint::of(ray, &triangle, self.maps(&hit.path), test.span(&triangle));
         Some((hit, point))
     }
 
-    fn closest_and_found(&self, ray: &ExactRay) -> Option<(InstanceHit, Found)> {
+    fn closest_and_found(&self, ray: &ExactRay<V>) -> Option<(InstanceHit<V::Real>, Found<V>)> {
         let mut search = self.search(ray, false);
         let (t, mut found) = (search.t, search.found.take()?);
         let Found { prim, triangle, test, .. } = found;
         let path = std::mem::take(&mut found.path);
-        let exact = || ray.meet(&triangle, &self.maps(&path)).map(|Point { u, v, .. }| [&u, &v].map(round_f32));
-        let [u, v] = test.weights(&triangle).or_else(exact)?;
+        let fine = || test.span(&triangle).and_then(|_| ray.fine_weights(&triangle, &self.maps(&path)));
+        let exact = || ray.meet(&triangle, &self.maps(&path)).map(|Point { u, v, .. }| [&u, &v].map(V::Real::nearest));
+        let [u, v] = test.weights(&triangle).or_else(fine).or_else(exact)?;
         Some((InstanceHit { path, prim, t, u, v }, found))
     }
 
     /// Whether there is any hit. The ray is a [`Ray`](crate::geom::Ray), or begins on a surface. `[SECOND-2]`
-    pub fn any(&self, ray: impl Into<ExactRay>) -> bool {
+    pub fn any(&self, ray: impl Into<ExactRay<V>>) -> bool {
         self.search(&ray.into(), true).found.is_some()
     }
 
     /// What the closest hits of these rays cost.
     pub fn count_closest<'r, R>(&self, rays: &'r [R]) -> InstanceCounts
     where
-        &'r R: Into<ExactRay>,
+        &'r R: Into<ExactRay<V>>,
     {
         self.count(rays, false)
     }
@@ -205,14 +210,14 @@ impl InstanceTracer {
     /// What any hits of these rays cost.
     pub fn count_any<'r, R>(&self, rays: &'r [R]) -> InstanceCounts
     where
-        &'r R: Into<ExactRay>,
+        &'r R: Into<ExactRay<V>>,
     {
         self.count(rays, true)
     }
 
     fn count<'r, R>(&self, rays: &'r [R], any: bool) -> InstanceCounts
     where
-        &'r R: Into<ExactRay>,
+        &'r R: Into<ExactRay<V>>,
     {
         rays.iter().map(|ray| self.search(&ray.into(), any).counts).fold(InstanceCounts::default(), |a, b| {
             InstanceCounts {
@@ -224,24 +229,24 @@ impl InstanceTracer {
     }
 
     /// Bytes of the state of one ray: for each level that a ray can be in at once, those of the traversal's state, as
-    /// [`Method::state_bytes_in`] counts them, and [`RAY_BYTES`](Self::RAY_BYTES). The deepest levels count. What is
+    /// [`Method::state_bytes_in`] counts them, and [`RAY_BYTES`](InstanceTracer::RAY_BYTES). The deepest levels count. What is
     /// found so far is not in it.
     pub fn state_bytes(&self) -> usize {
         let mut bytes: Vec<usize> = Vec::new();
         for (level, part) in self.levels.iter().zip(self.assembly.parts()) {
             bytes.push(match (level, part) {
                 (None, _) => 0,
-                (Some(level), Part::Mesh(bvh)) => level.state_bytes(bvh) + Self::RAY_BYTES,
+                (Some(level), Part::Mesh(bvh)) => level.state_bytes(bvh) + InstanceTracer::RAY_BYTES,
                 (Some(level), Part::Group(group)) => {
                     let inner = group.instances.iter().map(|instance| bytes[instance.object.index()]).max();
-                    level.state_bytes(&group.bvh) + Self::RAY_BYTES + inner.unwrap_or(0)
+                    level.state_bytes(&group.bvh) + InstanceTracer::RAY_BYTES + inner.unwrap_or(0)
                 }
             });
         }
         bytes.last().copied().unwrap_or(0)
     }
 
-    fn search<'r>(&self, ray: &'r ExactRay, any: bool) -> Search<'r> {
+    fn search<'r>(&self, ray: &'r ExactRay<V>, any: bool) -> Search<'r, V> {
         let levels = self.assembly.levels(self.root) as usize;
         let mut search = Search::new(ray, any, levels);
         self.visit(self.root, ray.enclosed(), &mut search);
@@ -249,9 +254,9 @@ impl InstanceTracer {
     }
 
     /// Traverses an object with a ray in its space.
-    fn visit(&self, object: Object, ray: EnclosedRay, search: &mut Search<'_>) {
+    fn visit(&self, object: Object, ray: EnclosedRay, search: &mut Search<'_, V>) {
         let (interval, octant, depth) = (search.ray.interval(), ray.octant(), search.path.len());
-        let [tmin, _] = interval;
+        let [tmin, _] = interval[0].ends_in_single();
         let mut memory = std::mem::take(&mut search.memory[depth]);
         match (&self.levels[object.index()], &self.assembly.parts()[object.index()]) {
             (None, _) => {}
@@ -275,7 +280,7 @@ impl InstanceTracer {
     }
 
     /// The maps of the instances on a path, from the innermost on.
-    fn maps(&self, path: &[u32]) -> Vec<AffineMap> {
+    fn maps(&self, path: &[u32]) -> Vec<AffineMap<V::Real>> {
         let (mut object, mut maps) = (self.root, Vec::new());
         for &index in path {
             if let Some(Part::Group(group)) = self.assembly.part(object) {
@@ -289,7 +294,7 @@ impl InstanceTracer {
     }
 }
 
-impl fmt::Debug for InstanceTracer {
+impl<V: Vector> fmt::Debug for InstanceTracer<V> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("InstanceTracer").field("root", &self.root).finish_non_exhaustive()
     }

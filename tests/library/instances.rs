@@ -4,11 +4,11 @@ pub(crate) mod scenes;
 
 use std::sync::Arc;
 
-use glam::Vec3;
-use scenes::{Scene, unit};
+use glam::{DVec3, Vec3};
+use scenes::{Kind, Scene, narrow, unit, vector};
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions};
 use stackless_bvh::generate::{Rng, Source, stress};
-use stackless_bvh::geom::{AffineMap, Mesh, Ray};
+use stackless_bvh::geom::{AffineMap, Mesh, Ray, Real, Vector};
 use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceError, InstanceHit, InstanceTracer, Object};
 use stackless_bvh::traverse::Method;
 use stackless_check::{Flat, Hierarchies, Shape, check_answer, check_instances};
@@ -17,32 +17,33 @@ fn options(builder: Builder, max_leaf: u32) -> BuildOptions {
     BuildOptions { builder, sah: SahOptions { max_leaf, ..SahOptions::default() }, ..BuildOptions::default() }
 }
 
-fn hierarchies(scene: &Scene, builder: Builder, max_leaf: u32) -> Hierarchies {
+fn hierarchies<V: Vector>(scene: &Scene<V>, builder: Builder, max_leaf: u32) -> Hierarchies<V> {
     Hierarchies::new(&scene.shapes, options(builder, max_leaf)).expect("trees")
 }
 
-fn assembly(built: &Hierarchies, scene: &Scene) -> (Assembly, Object) {
+fn assembly<V: Vector>(built: &Hierarchies<V>, scene: &Scene<V>) -> (Assembly<V>, Object) {
     let (assembly, objects) = built.assembly(&scene.shapes).expect("groups");
     (assembly, *objects.last().expect("a shape"))
 }
 
 /// Rays at corners, edges and insides of triangles, along the axes through corners, and from corner to corner.
-fn rays(flat: &Flat, rng: &mut Rng, n: usize) -> Vec<Ray> {
-    let corners: Vec<_> = flat.corners().collect();
-    let all = corners.iter().flat_map(|corners| corners.iter());
-    let (lo, hi) = all.fold((Vec3::MAX, Vec3::MIN), |(lo, hi), corner| (lo.min(*corner), hi.max(*corner)));
+fn rays<V: Vector>(flat: &Flat<V>, rng: &mut Rng, n: usize) -> Vec<Ray<V>> {
+    let corners: Vec<_> = flat.corners().map(|corners| corners.map(Vector::widen)).collect();
+    let all = corners.iter().flatten();
+    let (lo, hi) = all.fold((DVec3::MAX, DVec3::MIN), |(lo, hi), corner| (lo.min(*corner), hi.max(*corner)));
     let size = (hi - lo).max_element();
     let mut rays = Vec::new();
     while rays.len() < n {
         let [a, b, c] = corners[rng.below(corners.len() as u64) as usize];
         let (u, v) = (unit(rng).abs(), unit(rng).abs());
         let target = match rng.below(4) {
-            0 => *a,
+            0 => a,
             1 => a + (b - a) * 0.5,
             2 => a + (b - a) * u,
             _ => a + (b - a) * u + (c - a) * (v * (1.0 - u)),
         };
-        let axis = Vec3::AXES[rng.below(3) as usize] * size.max(f32::MIN_POSITIVE);
+        let axis = DVec3::AXES[rng.below(3) as usize] * size;
+        let rounded = |v: DVec3| narrow::<V>(v).widen();
         let (origin, direction) = match rng.below(5) {
             0 => (target - axis * 2.0, axis),
             1 => (target + axis, -axis),
@@ -51,31 +52,29 @@ fn rays(flat: &Flat, rng: &mut Rng, n: usize) -> Vec<Ray> {
                 (target + (target - other), other - target)
             }
             _ => {
-                let origin = (lo + hi) * 0.5 + Vec3::new(unit(rng), unit(rng), unit(rng)) * (2.0 * size);
+                let origin = rounded(lo * 0.5 + hi * 0.5 + vector(rng) * (2.0 * size));
                 (origin, target - origin)
             }
         };
-        rays.extend(Ray::new(origin, direction));
+        rays.extend(Ray::new(narrow(origin), narrow(direction)));
     }
     rays
 }
 
 /// The same ray, ending and beginning at a hit: where rounding must not decide.
-fn cut(ray: &Ray, hit: &InstanceHit) -> impl Iterator<Item = Ray> {
-    let t = hit.t;
-    let ends = [(0.0, t), (t, f32::INFINITY), (0.0, t.next_down()), (t.next_up(), f32::INFINITY)];
+fn cut<V: Vector>(ray: &Ray<V>, hit: &InstanceHit<V::Real>) -> impl Iterator<Item = Ray<V>> + use<V> {
+    let (t, zero, infinity) = (hit.t, V::Real::ZERO, V::Real::INFINITY);
+    let ends = [(zero, t), (t, infinity), (zero, t.next_down()), (t.next_up(), infinity)];
     let ray = *ray;
     ends.into_iter().filter_map(move |(tmin, tmax)| Ray::within(ray.origin(), ray.direction(), tmin, tmax).ok())
 }
 
 /// Every scene by every traversal, alone and with another one inside, over four kinds of trees.
-#[test]
-fn answers_are_those_of_rational_arithmetic() {
+fn answers_are_those_of_rational_arithmetic<V: Kind>() {
     let (mut hits, mut asked, mut deep, mut tracers) = (0, 0, 0, 0);
-    for (seed, scene) in scenes::all().iter().enumerate() {
+    for (seed, scene) in scenes::all::<V>().iter().enumerate() {
         let (flat, mut rng) = (Flat::new(&scene.shapes), Rng::new(seed as u64));
-        let mut cases: Vec<(Ray, Option<InstanceHit>)> =
-            rays(&flat, &mut rng, 36).into_iter().map(|ray| (ray, flat.closest(&ray))).collect();
+        let mut cases: Vec<_> = rays(&flat, &mut rng, 36).into_iter().map(|ray| (ray, flat.closest(&ray))).collect();
         let cut: Vec<_> =
             cases.iter().take(10).filter_map(|(ray, hit)| hit.as_ref().map(|hit| cut(ray, hit))).flatten().collect();
         cases.extend(cut.into_iter().map(|ray| (ray, flat.closest(&ray))));
@@ -109,11 +108,20 @@ fn answers_are_those_of_rational_arithmetic() {
     assert!(asked > 2000 && hits > asked / 2 && deep > 100, "{hits} of {asked}, {deep}");
 }
 
-/// More rays, by one traversal.
 #[test]
-fn many_rays_are_answered_by_rational_arithmetic() {
+fn answers_are_those_of_rational_arithmetic_in_single() {
+    answers_are_those_of_rational_arithmetic::<Vec3>();
+}
+
+#[test]
+fn answers_are_those_of_rational_arithmetic_in_double() {
+    answers_are_those_of_rational_arithmetic::<DVec3>();
+}
+
+/// More rays, by one traversal.
+fn many_rays_are_answered_by_rational_arithmetic<V: Kind>() {
     let (mut counts, mut asked) = ([0; 3], 0);
-    for (seed, scene) in scenes::all().iter().enumerate() {
+    for (seed, scene) in scenes::all::<V>().iter().enumerate() {
         let (flat, mut rng) = (Flat::new(&scene.shapes), Rng::new(1000 + seed as u64));
         let built = hierarchies(scene, Builder::Sah, 2);
         let (assembly, root) = assembly(&built, scene);
@@ -130,6 +138,16 @@ fn many_rays_are_answered_by_rational_arithmetic() {
     }
     let [instances, triangles, rational] = counts;
     assert!(instances > asked as u64 && rational > triangles / 100, "the scenes are hard: {counts:?}");
+}
+
+#[test]
+fn many_rays_are_answered_by_rational_arithmetic_in_single() {
+    many_rays_are_answered_by_rational_arithmetic::<Vec3>();
+}
+
+#[test]
+fn many_rays_are_answered_by_rational_arithmetic_in_double() {
+    many_rays_are_answered_by_rational_arithmetic::<DVec3>();
 }
 
 /// What is found in an instance ends the search in those behind it, and within them.
@@ -173,7 +191,7 @@ fn what_cannot_be_placed_is_refused_by_name() {
     let far = Instance { object: mesh, affine: wide(f32::MAX) };
     assert_eq!(
         refusal(assembly.add_group(vec![place(mesh), far], &options)),
-        "instance 1: the image of its object leaves the range of single precision"
+        "instance 1: the image of its object leaves the range of floats"
     );
     assert!(assembly.add_group(vec![Instance { object: mesh, affine: wide(1e38) }], &options).is_ok());
     assert!(matches!(assembly.add_group(Vec::new(), &options), Err(AssemblyError::Build(_))));

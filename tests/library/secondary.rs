@@ -3,29 +3,31 @@
 use std::array;
 
 use dashu_int::ops::BitTest;
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{BuildOptions, Bvh};
 use stackless_bvh::generate::{Rng, Source, procedural};
-use stackless_bvh::geom::truth::{RBig, round_f32};
-use stackless_bvh::geom::{AffineMap, Ends, ExactPoint, ExactRay, Interval, Mesh, Ray, RayError};
+use stackless_bvh::geom::truth::{Number, RBig};
+use stackless_bvh::geom::{AffineMap, Ends, ExactPoint, ExactRay, Interval, Mesh, Ray, RayError, Real, Vector};
 use stackless_bvh::trace::{Assembly, Instance, InstanceTracer};
 use stackless_bvh::traverse::Method;
 
-type Vector = [RBig; 3];
+use crate::instances::scenes::narrow;
+
+type Rational = [RBig; 3];
 
 /// Distance, rounded, path, triangle, weights, rounded, and distance.
-type Hit<'s> = (f32, &'s [u32], u32, [f32; 2], RBig);
+type Hit<'s, R> = (R, &'s [u32], u32, [R; 2], RBig);
 
 /// A scene as it is traced, and its triangles as they are.
-struct Scene {
-    tracer: InstanceTracer,
+struct Scene<V: Vector> {
+    tracer: InstanceTracer<V>,
     /// Instance, or none, and triangle, each with its corners.
-    triangles: Vec<(Vec<u32>, u32, [Vector; 3])>,
+    triangles: Vec<(Vec<u32>, u32, [Rational; 3])>,
 }
 
-impl Scene {
+impl<V: Vector> Scene<V> {
     /// A mesh, placed by these maps, or as it is if there are none.
-    fn new(mesh: &Mesh, maps: &[AffineMap], method: Method) -> Self {
+    fn new(mesh: &Mesh<V>, maps: &[AffineMap<V::Real>], method: Method) -> Self {
         let mut assembly = Assembly::new();
         let object = assembly.add_mesh(Bvh::build(mesh).unwrap());
         let placed: Vec<_> = maps.iter().map(|&affine| Instance { object, affine }).collect();
@@ -43,8 +45,8 @@ impl Scene {
     }
 
     /// All hits of a line between two distances, as the ends have it, by path and triangle.
-    fn hits(&self, [o, d]: &[Vector; 2], tmax: f32, ends: Ends) -> Vec<Hit<'_>> {
-        let tmax = RBig::try_from(tmax).ok();
+    fn hits(&self, [o, d]: &[Rational; 2], tmax: V::Real, ends: Ends) -> Vec<Hit<'_, V::Real>> {
+        let tmax = RBig::try_from(tmax.into()).ok();
         let is_within = |t: &RBig| match ends {
             Ends::Open => RBig::ZERO < *t && tmax.as_ref().is_none_or(|tmax| t < tmax),
             Ends::Closed => RBig::ZERO <= *t && tmax.as_ref().is_none_or(|tmax| t <= tmax),
@@ -52,37 +54,38 @@ impl Scene {
         let mut hits = Vec::new();
         for (path, prim, corners) in &self.triangles {
             if let Some([t, u, v]) = cross(corners, o, d).filter(|[t, ..]| is_within(t)) {
-                hits.push((round_f32(&t), path.as_slice(), *prim, [&u, &v].map(round_f32), t));
+                hits.push((Number::nearest(&t), path.as_slice(), *prim, [&u, &v].map(Number::nearest), t));
             }
         }
-        hits.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        let order = |t: V::Real| -> f64 { t.into() };
+        hits.sort_by(|a, b| order(a.0).total_cmp(&order(b.0)).then((a.1, a.2).cmp(&(b.1, b.2))));
         hits
     }
 }
 
-fn exact(v: Vec3) -> Vector {
-    v.to_array().map(|x| RBig::try_from(x).unwrap())
+fn exact<V: Vector>(v: V) -> Rational {
+    v.widen().to_array().map(|x| RBig::try_from(x).unwrap())
 }
 
-fn image(map: &AffineMap, v: &Vector) -> Vector {
-    let number = |x: f32| RBig::try_from(x).unwrap();
+fn image<R: Real>(map: &AffineMap<R>, v: &Rational) -> Rational {
+    let number = |x: R| RBig::try_from(x.into()).unwrap();
     map.rows().map(|[a, b, c, by]| number(a) * &v[0] + number(b) * &v[1] + number(c) * &v[2] + number(by))
 }
 
-fn minus(a: &Vector, b: &Vector) -> Vector {
+fn minus(a: &Rational, b: &Rational) -> Rational {
     array::from_fn(|k| &a[k] - &b[k])
 }
 
-fn dot(a: &Vector, b: &Vector) -> RBig {
+fn dot(a: &Rational, b: &Rational) -> RBig {
     &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
 }
 
-fn cross_product(a: &Vector, b: &Vector) -> Vector {
+fn cross_product(a: &Rational, b: &Rational) -> Rational {
     array::from_fn(|k| &a[(k + 1) % 3] * &b[(k + 2) % 3] - &a[(k + 2) % 3] * &b[(k + 1) % 3])
 }
 
 /// Distance and weights by way of the plane's normal and the areas around the point.
-fn cross([a, b, c]: &[Vector; 3], o: &Vector, d: &Vector) -> Option<[RBig; 3]> {
+fn cross([a, b, c]: &[Rational; 3], o: &Rational, d: &Rational) -> Option<[RBig; 3]> {
     let normal = cross_product(&minus(b, a), &minus(c, a));
     let speed = dot(&normal, d);
     if speed == RBig::ZERO {
@@ -91,28 +94,28 @@ fn cross([a, b, c]: &[Vector; 3], o: &Vector, d: &Vector) -> Option<[RBig; 3]> {
     let t = dot(&normal, &minus(a, o)) / speed;
     let p = along(o, d, &t);
     let area = dot(&normal, &normal);
-    let weight = |x: &Vector, y: &Vector| dot(&normal, &cross_product(&minus(y, x), &minus(&p, x))) / &area;
+    let weight = |x: &Rational, y: &Rational| dot(&normal, &cross_product(&minus(y, x), &minus(&p, x))) / &area;
     let [u, v, w] = [weight(c, a), weight(a, b), weight(b, c)];
     let is_inside = [&u, &v, &w].into_iter().all(|weight| *weight >= RBig::ZERO);
     is_inside.then_some([t, u, v])
 }
 
-fn along(o: &Vector, d: &Vector, t: &RBig) -> Vector {
+fn along(o: &Rational, d: &Rational, t: &RBig) -> Rational {
     array::from_fn(|k| &o[k] + t * &d[k])
 }
 
 /// A box of `n` by `n` squares a side, cut in two each, with an inner box: rays meet corners, edges and planes.
-fn boxes(n: i32, scale: f32) -> Mesh {
+fn boxes<V: Vector>(n: i32, scale: f64) -> Mesh<V> {
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
-    for size in [n as f32, n as f32 * 0.5] {
+    for size in [f64::from(n), f64::from(n) * 0.5] {
         for axis in 0..3 {
             for side in [-1.0, 1.0] {
                 for i in 0..n * n {
                     let corner = |x: i32, y: i32| {
-                        let at = |x: i32| (2.0 * x as f32 / n as f32 - 1.0) * size;
+                        let at = |x: i32| (2.0 * f64::from(x) / f64::from(n) - 1.0) * size;
                         let mut corner = [0.0; 3];
                         (corner[axis], corner[(axis + 1) % 3], corner[(axis + 2) % 3]) = (side * size, at(x), at(y));
-                        Vec3::from(corner) * scale
+                        narrow::<V>(DVec3::from(corner) * scale)
                     };
                     let (first, x, y) = (vertices.len() as u32, i % n, i / n);
                     vertices.extend([corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)]);
@@ -125,31 +128,33 @@ fn boxes(n: i32, scale: f32) -> Mesh {
 }
 
 /// Coincident triangles, and triangles that touch others with an edge, a corner, or their inside.
-fn sheets(rng: &mut Rng) -> Mesh {
+fn sheets<V: Vector>(rng: &mut Rng) -> Mesh<V> {
     let mut vertices = Vec::new();
     for _ in 0..8 {
-        let mut point = || Vec3::from(array::from_fn(|_| rng.below(5) as f32 - 2.0));
+        let mut point = || DVec3::from(array::from_fn(|_| rng.below(5) as f64 - 2.0));
         let [a, b, c, d] = [point(), point(), point(), point()];
         vertices.extend([a, b, c, c, a, b, a, b, d, a, (b + c) * 0.5, d, a * 0.5 + b * 0.25 + c * 0.25, d, b]);
     }
     let triangles = (0..vertices.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-    Mesh::new(vertices, triangles).unwrap()
+    Mesh::new(vertices.into_iter().map(narrow).collect(), triangles).unwrap()
 }
 
-fn scenes() -> Vec<Scene> {
+fn scenes<V: Vector>(tiny: f64, huge: f64) -> Vec<Scene<V>> {
     let mut rng = Rng::new(7);
-    let map = |rows| AffineMap::new(rows).unwrap();
+    let map = |rows: [[f64; 4]; 3]| AffineMap::new(rows.map(|row| row.map(V::Real::rounded))).unwrap();
+    let soup = procedural::soup(3, 60);
+    let soup = Mesh::new(soup.vertices().iter().map(|v| narrow(v.widen() * 1.1)).collect(), soup.triangles().to_vec());
     let maps = [
         map([[0.1, 0.7, 0.0, 3.0], [0.3, 0.1, 0.2, 0.1], [0.0, 0.3, 1.1, -1.0]]),
         map([[1.0, 0.0, 0.0, 1.5], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]),
         AffineMap::IDENTITY,
     ];
     vec![
-        Scene::new(&procedural::soup(3, 60), &[], Method::default()),
+        Scene::new(&soup.unwrap(), &[], Method::default()),
         Scene::new(&boxes(3, 1.0), &[], Method::Hashed),
         Scene::new(&boxes(2, 0.1), &[], Method::Stack),
-        Scene::new(&boxes(2, 3e-20), &[], Method::Uncle),
-        Scene::new(&boxes(2, 7e20), &[], Method::default()),
+        Scene::new(&boxes(2, tiny), &[], Method::Uncle),
+        Scene::new(&boxes(2, huge), &[], Method::default()),
         Scene::new(&sheets(&mut rng), &[], Method::default()),
         Scene::new(&sheets(&mut rng), &[], Method::Sparse),
         Scene::new(&boxes(1, 1.0), &maps, Method::default()),
@@ -157,31 +162,25 @@ fn scenes() -> Vec<Scene> {
 }
 
 /// Hits, points and bounds. `[SECOND-1]` `[SECOND-2]` `[SECOND-3]`
-#[test]
-fn paths_are_those_of_rational_arithmetic() {
+fn paths_are_those_of_rational_arithmetic<V: Vector>(scenes: &[Scene<V>]) {
     let mut rng = Rng::new(1);
     let (mut hits, mut at_own_plane, mut longest) = (0, 0, 0);
-    for scene in &scenes() {
-        let corners: Vec<Vec3> = scene
-            .triangles
-            .iter()
-            .flat_map(|(_, _, corners)| corners)
-            .map(|corner| Vec3::from(corner.each_ref().map(round_f32)))
-            .collect();
-        let size = corners.iter().fold(0.0, |size: f32, corner| size.max(corner.abs().max_element()));
+    for scene in scenes {
+        let corners: Vec<V> = scene.triangles.iter().flat_map(|(_, _, corners)| corners).map(rounded).collect();
+        let size = corners.iter().fold(0.0, |size: f64, corner| size.max(corner.widen().abs().max_element()));
         for _ in 0..30 {
-            let mut origin = ExactPoint::new(Vec3::from(array::from_fn(|_| unit(&mut rng))) * (1.5 * size)).unwrap();
-            let mut place: Vector = origin.rational().into_owned();
+            let mut origin = ExactPoint::<V>::new(narrow(direction(&mut rng) * (1.5 * size))).unwrap();
+            let mut place: Rational = origin.rational().into_owned();
             for length in 0..12 {
                 let ends = if rng.below(2) == 0 { Ends::Open } else { Ends::Closed };
                 let a = corners[rng.below(corners.len() as u64) as usize];
-                let near = Vec3::from(place.each_ref().map(round_f32));
+                let near: V = rounded(&place);
                 let (ray, line, tmax) = match rng.below(5) {
                     // To a corner, exactly.
                     0 => {
                         let target = ExactPoint::new(a).unwrap();
                         match origin.toward(&target, ends) {
-                            Ok(ray) => (ray, [place.clone(), minus(&exact(a), &place)], 1.0),
+                            Ok(ray) => (ray, [place.clone(), minus(&exact(a), &place)], V::Real::ONE),
                             Err(error) => {
                                 assert!(error == RayError::ZeroDirection && exact(a) == place);
                                 continue;
@@ -190,13 +189,13 @@ fn paths_are_those_of_rational_arithmetic() {
                     }
                     way => {
                         let b = corners[rng.below(corners.len() as u64) as usize];
-                        let direction = match way {
+                        let direction: V = match way {
                             1 => a - b,
                             2 => a - near,
-                            3 => Vec3::AXES[rng.below(3) as usize] * size,
-                            _ => Vec3::from(array::from_fn(|_| unit(&mut rng))) * size,
+                            3 => narrow(DVec3::AXES[rng.below(3) as usize] * size),
+                            _ => narrow(direction(&mut rng) * size),
                         };
-                        let tmax = if rng.below(4) == 0 { 1.0 } else { f32::INFINITY };
+                        let tmax = if rng.below(4) == 0 { V::Real::ONE } else { V::Real::INFINITY };
                         let Ok(ray) = origin.ray(direction, tmax, ends) else { continue };
                         (ray, [place.clone(), exact(direction)], tmax)
                     }
@@ -233,7 +232,21 @@ fn paths_are_those_of_rational_arithmetic() {
     assert!(hits > 1000 && at_own_plane > 200 && longest == 11, "{hits} {at_own_plane} {longest}");
 }
 
-fn holds(bounds: &[Interval; 3], v: &Vector) -> bool {
+#[test]
+fn paths_are_those_of_rational_arithmetic_in_single() {
+    paths_are_those_of_rational_arithmetic::<Vec3>(&scenes(3e-20, 7e20));
+}
+
+#[test]
+fn paths_are_those_of_rational_arithmetic_in_double() {
+    paths_are_those_of_rational_arithmetic::<DVec3>(&scenes(3e-50, 7e50));
+}
+
+fn rounded<V: Vector>(v: &Rational) -> V {
+    V::from_components(v.each_ref().map(Number::nearest))
+}
+
+fn holds(bounds: &[Interval; 3], v: &Rational) -> bool {
     bounds.iter().zip(v).all(|(bounds, x)| {
         let [lo, hi] = bounds.ends().map(|end| RBig::try_from(end).unwrap());
         lo <= *x && *x <= hi
@@ -241,48 +254,66 @@ fn holds(bounds: &[Interval; 3], v: &Vector) -> bool {
 }
 
 /// In a closed box no path ever ends, and from its inside nothing outside is seen.
-#[test]
-fn nothing_leaks() {
-    let scene = Scene::new(&boxes(4, 0.3), &[], Method::default());
+fn nothing_leaks<V: Vector>(mesh: &Mesh<V>) {
+    let scene = Scene::new(mesh, &[], Method::default());
     let (mut rng, mut bounces) = (Rng::new(5), 0);
-    let outside = ExactPoint::new(Vec3::new(5.0, 1.0, -0.25)).unwrap();
-    let mut ray = ExactRay::from(&Ray::new(Vec3::splat(1.0), Vec3::new(0.2, 0.5, 0.9)).unwrap());
-    let normal = |prim: usize| Vec3::AXES[prim / 64 % 3] * [1.0, -1.0][prim / 32 % 2];
+    let outside = ExactPoint::new(narrow(DVec3::new(5.0, 1.0, -0.25))).unwrap();
+    let mut ray = start();
+    let normal = |prim: usize| DVec3::AXES[prim / 64 % 3] * [1.0, -1.0][prim / 32 % 2];
     while bounces < 3000 {
         let Some((hit, point)) = scene.tracer.closest_and_point(&ray) else { panic!("{bounces}: {ray:?}") };
         // The inner box is not reached from between them, so its walls send back outwards.
         let inwards = normal(hit.prim as usize % 192) * if hit.prim >= 192 { -1.0 } else { 1.0 };
         assert!(scene.tracer.any(point.toward(&outside, Ends::Open).unwrap()) || hit.prim < 192);
         // To corners of squares, along the diagonals, or anywhere.
-        let way = Vec3::from(array::from_fn(|_| match bounces % 3 {
-            0 => rng.below(3) as f32 - 1.0,
+        let way = DVec3::from(array::from_fn(|_| match bounces % 3 {
+            0 => rng.below(3) as f64 - 1.0,
             _ => unit(&mut rng),
         }));
         let direction = way - inwards * (way.dot(inwards) - 1.0);
-        ray = point.ray(direction, f32::INFINITY, Ends::Open).unwrap();
+        ray = point.ray(narrow(direction), V::Real::INFINITY, Ends::Open).unwrap();
         bounces += 1;
     }
 }
 
-/// A number from -1 to 1.
-fn unit(rng: &mut Rng) -> f32 {
-    rng.below(1 << 24) as f32 / (1 << 23) as f32 - 1.0
+#[test]
+fn nothing_leaks_in_single() {
+    nothing_leaks::<Vec3>(&boxes(4, 0.3));
+}
+
+#[test]
+fn nothing_leaks_in_double() {
+    nothing_leaks::<DVec3>(&boxes(4, 0.3));
+}
+
+/// From within the boxes.
+fn start<V: Vector>() -> ExactRay<V> {
+    ExactRay::from(&Ray::new(narrow(DVec3::splat(1.0)), narrow(DVec3::new(0.2, 0.5, 0.9))).unwrap())
+}
+
+/// A number from -1 to 1, of 24 digits.
+fn unit(rng: &mut Rng) -> f64 {
+    rng.below(1 << 24) as f64 / f64::from(1 << 23) - 1.0
+}
+
+fn direction(rng: &mut Rng) -> DVec3 {
+    DVec3::from(array::from_fn(|_| unit(rng)))
 }
 
 /// The bits of a path's points grow by a constant number at each hit, and a point that is computed late is the same.
 /// `[SECOND-4]`
 #[test]
 fn points_grow_with_the_length_of_their_path() {
-    let scene = Scene::new(&boxes(4, 0.3), &[], Method::default());
+    let scene = Scene::<Vec3>::new(&boxes(4, 0.3), &[], Method::default());
     let bits = |point: &ExactPoint| {
         let point = point.rational();
         point.iter().map(|x| x.denominator().bit_len()).max().unwrap()
     };
-    let start = ExactRay::from(&Ray::new(Vec3::splat(1.0), Vec3::new(0.2, 0.5, 0.9)).unwrap());
+    let start = start();
     let (mut early, mut late, mut sizes) = (start.clone(), start, Vec::new());
     let mut rng = Rng::new(9);
     for _ in 0..160 {
-        let direction = Vec3::from(array::from_fn(|_| unit(&mut rng)));
+        let direction = direction(&mut rng).as_vec3();
         let next = |ray: &ExactRay, is_early: bool| {
             let (_, point) = scene.tracer.closest_and_point(ray).unwrap_or_else(|| panic!("{ray:?}"));
             let size = if is_early { bits(&point) } else { 0 };

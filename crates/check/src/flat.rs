@@ -7,36 +7,36 @@ use dashu_int::{IBig, UBig};
 use glam::Vec3;
 
 use stackless_bvh::bvh::{BuildError, BuildOptions, Bvh};
-use stackless_bvh::geom::truth::{RBig, round_f32};
-use stackless_bvh::geom::{AffineMap, Mesh, Ray};
+use stackless_bvh::geom::truth::{Number, RBig};
+use stackless_bvh::geom::{AffineMap, Mesh, Ray, Real, Triangle, Vector};
 use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceHit, InstanceTracer, Object};
 
-type Vector = [IBig; 3];
+type Whole = [IBig; 3];
 
 /// What is placed, as the oracle knows it.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Shape {
+pub enum Shape<V: Vector = Vec3> {
     /// Triangles.
-    Mesh(Mesh),
+    Mesh(Mesh<V>),
     /// Indices of earlier shapes, and their places.
-    Group(Vec<(usize, AffineMap)>),
+    Group(Vec<(usize, AffineMap<V::Real>)>),
 }
 
 /// The hierarchies of shapes, from which an assembly of them is made.
 #[derive(Debug)]
-pub struct Hierarchies {
+pub struct Hierarchies<V: Vector = Vec3> {
     /// By shape; `None` for groups.
-    bvhs: Vec<Option<Arc<Bvh>>>,
+    bvhs: Vec<Option<Arc<Bvh<Triangle<V>>>>>,
     options: BuildOptions,
 }
 
-impl Hierarchies {
+impl<V: Vector> Hierarchies<V> {
     /// Builds those of the meshes, all in one way.
     ///
     /// # Errors
     /// What [`BuildError`] lists.
-    pub fn new(shapes: &[Shape], options: BuildOptions) -> Result<Self, BuildError> {
-        let build = |shape: &Shape| match shape {
+    pub fn new(shapes: &[Shape<V>], options: BuildOptions) -> Result<Self, BuildError> {
+        let build = |shape: &Shape<V>| match shape {
             Shape::Mesh(mesh) => options.build(mesh).map(|bvh| Some(Arc::new(bvh))),
             Shape::Group(_) => Ok(None),
         };
@@ -47,13 +47,13 @@ impl Hierarchies {
     ///
     /// # Errors
     /// What [`AssemblyError`] lists. A group of shapes that do not come before it leaves those out.
-    pub fn assembly(&self, shapes: &[Shape]) -> Result<(Assembly, Vec<Object>), AssemblyError> {
+    pub fn assembly(&self, shapes: &[Shape<V>]) -> Result<(Assembly<V>, Vec<Object>), AssemblyError> {
         let (mut assembly, mut objects) = (Assembly::new(), Vec::<Object>::new());
         for (shape, bvh) in shapes.iter().zip(&self.bvhs) {
             match (shape, bvh) {
                 (Shape::Mesh(_), Some(bvh)) => objects.push(assembly.add_mesh(Arc::clone(bvh))),
                 (Shape::Group(instances), _) => {
-                    let place = |&(shape, affine): &(usize, AffineMap)| {
+                    let place = |&(shape, affine): &(usize, AffineMap<V::Real>)| {
                         objects.get(shape).map(|&object| Instance { object, affine })
                     };
                     let group = instances.iter().filter_map(place).collect();
@@ -69,11 +69,11 @@ impl Hierarchies {
 /// A ray through instances that is answered otherwise than by the oracle.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{found:?}, expected {expected:?}")]
-pub struct InstanceFault {
+pub struct InstanceFault<R: Real = f32> {
     /// The hit that is right.
-    pub expected: Option<InstanceHit>,
+    pub expected: Option<InstanceHit<R>>,
     /// The hit that was found, or that any hit is found where there is none or the other way round.
-    pub found: Result<Option<InstanceHit>, bool>,
+    pub found: Result<Option<InstanceHit<R>>, bool>,
 }
 
 /// Asks for the closest hit, which must be that of the oracle in every bit, and for any hit. `[INST-6]`
@@ -82,7 +82,11 @@ pub struct InstanceFault {
 ///
 /// # Errors
 /// The first answer that is wrong.
-pub fn check_instances(tracer: &InstanceTracer, flat: &Flat, ray: &Ray) -> Result<bool, InstanceFault> {
+pub fn check_instances<V: Vector>(
+    tracer: &InstanceTracer<V>,
+    flat: &Flat<V>,
+    ray: &Ray<V>,
+) -> Result<bool, InstanceFault<V::Real>> {
     check_answer(tracer, &flat.closest(ray), ray)
 }
 
@@ -90,9 +94,14 @@ pub fn check_instances(tracer: &InstanceTracer, flat: &Flat, ray: &Ray) -> Resul
 ///
 /// # Errors
 /// The first answer that is wrong.
-pub fn check_answer(tracer: &InstanceTracer, expected: &Option<InstanceHit>, ray: &Ray) -> Result<bool, InstanceFault> {
-    let bits = |hit: &Option<InstanceHit>| {
-        hit.as_ref().map(|hit| (hit.path.clone(), hit.prim, [hit.t, hit.u, hit.v].map(f32::to_bits)))
+pub fn check_answer<V: Vector>(
+    tracer: &InstanceTracer<V>,
+    expected: &Option<InstanceHit<V::Real>>,
+    ray: &Ray<V>,
+) -> Result<bool, InstanceFault<V::Real>> {
+    let bits = |hit: &Option<InstanceHit<V::Real>>| {
+        let bits = |x: V::Real| -> u64 { f64::to_bits(x.into()) };
+        hit.as_ref().map(|hit| (hit.path.clone(), hit.prim, [hit.t, hit.u, hit.v].map(bits)))
     };
     let (found, any) = (tracer.closest(ray), tracer.any(ray));
     let fault = |found| Err(InstanceFault { expected: expected.clone(), found });
@@ -104,65 +113,74 @@ pub fn check_answer(tracer: &InstanceTracer, expected: &Option<InstanceHit>, ray
 
 /// All triangles of the last shape, moved to where they are. `[INST-1]`
 #[derive(Debug)]
-pub struct Flat {
-    triangles: Vec<Placed>,
+pub struct Flat<V: Vector = Vec3> {
+    triangles: Vec<Placed<V>>,
     /// Coordinates are integers over 2 to this power.
     log: usize,
 }
 
 #[derive(Debug)]
-struct Placed {
+struct Placed<V> {
     path: Vec<u32>,
     prim: u32,
-    exact: [Vector; 3],
+    exact: [Whole; 3],
     /// Rounded.
-    corners: [Vec3; 3],
+    corners: [V; 3],
 }
 
-impl Flat {
+impl<V: Vector> Flat<V> {
     /// Moves them. Groups must place shapes that come before them.
-    pub fn new(shapes: &[Shape]) -> Self {
+    pub fn new(shapes: &[Shape<V>]) -> Self {
         let mut found = Vec::new();
         collect(shapes, shapes.len().saturating_sub(1), &mut Vec::new(), &mut Vec::new(), &mut found);
-        let numbers = found.iter().flat_map(|(_, _, corners)| corners.iter().flatten());
-        // Rays are made of floats.
-        let log = numbers.map(|x| x.denominator().trailing_zeros().unwrap_or(0)).fold(149, usize::max);
+        let log = log_of(found.iter().flat_map(|(_, _, corners)| corners.iter().flatten()));
         let triangles = found.into_iter().map(|(path, prim, corners)| {
             let exact = corners.clone().map(|corner| corner.map(|x| scaled(&x, log)));
-            let corners = corners.map(|corner| Vec3::from(corner.map(|x| round_f32(&x))));
+            let corners = corners.map(|corner| V::from_components(corner.map(|x| V::Real::nearest(&x))));
             Placed { path, prim, exact, corners }
         });
         Self { triangles: triangles.collect(), log }
     }
 
     /// Corners of all triangles, rounded to floats.
-    pub fn corners(&self) -> impl Iterator<Item = &[Vec3; 3]> {
+    pub fn corners(&self) -> impl Iterator<Item = &[V; 3]> {
         self.triangles.iter().map(|triangle| &triangle.corners)
     }
 
     /// The first hit in the order of rounded distance, path, triangle.
-    pub fn closest(&self, ray: &Ray) -> Option<InstanceHit> {
-        let [o, d] = [ray.origin(), ray.direction()].map(|v| v.to_array().map(|x| scaled(&exact(x), self.log)));
+    pub fn closest(&self, ray: &Ray<V>) -> Option<InstanceHit<V::Real>> {
+        let line = [ray.origin(), ray.direction()].map(|v| v.components().map(exact));
+        let log = self.log.max(log_of(line.as_flattened().iter()));
+        let [o, d] = line.map(|v| v.map(|x| scaled(&x, log)));
+        let ([tmin, tmax], finer) = ([ray.tmin(), ray.tmax()], log - self.log);
         let hits = self.triangles.iter().filter_map(|placed| {
-            let [t, u, v] = meet(&placed.exact, &o, &d)?;
-            let ends_before = ray.tmax() != f32::INFINITY && t > exact(ray.tmax());
-            let is_within = !ends_before && t >= exact(ray.tmin());
-            let [t, u, v] = [t, u, v].map(|x| round_f32(&x));
+            let corners = placed.exact.each_ref().map(|corner| corner.each_ref().map(|x| x << finer));
+            let [t, u, v] = meet(&corners, &o, &d)?;
+            let ends_before = tmax != V::Real::INFINITY && t > exact(tmax);
+            let is_within = !ends_before && t >= exact(tmin);
+            let [t, u, v] = [t, u, v].map(|x| V::Real::nearest(&x));
             is_within.then(|| InstanceHit { path: placed.path.clone(), prim: placed.prim, t, u, v })
         });
-        hits.min_by(|a, b| a.t.total_cmp(&b.t).then_with(|| (&a.path, a.prim).cmp(&(&b.path, b.prim))))
+        let order = |hit: &InstanceHit<V::Real>| -> f64 { hit.t.into() };
+        hits.min_by(|a, b| order(a).total_cmp(&order(b)).then_with(|| (&a.path, a.prim).cmp(&(&b.path, b.prim))))
     }
 }
 
 type Moved = (Vec<u32>, u32, [[RBig; 3]; 3]);
 
-fn collect(shapes: &[Shape], shape: usize, path: &mut Vec<u32>, maps: &mut Vec<AffineMap>, found: &mut Vec<Moved>) {
+fn collect<V: Vector>(
+    shapes: &[Shape<V>],
+    shape: usize,
+    path: &mut Vec<u32>,
+    maps: &mut Vec<AffineMap<V::Real>>,
+    found: &mut Vec<Moved>,
+) {
     match shapes.get(shape) {
         None => {}
         Some(Shape::Mesh(mesh)) => {
             for prim in 0..mesh.triangles().len() {
                 let corners = mesh.triangle(prim).map(|corner| {
-                    maps.iter().rev().fold(corner.to_array().map(exact), |v, map| {
+                    maps.iter().rev().fold(corner.components().map(exact), |v, map| {
                         map.rows().map(|[x, y, z, b]| exact(x) * &v[0] + exact(y) * &v[1] + exact(z) * &v[2] + exact(b))
                     })
                 });
@@ -183,10 +201,10 @@ fn collect(shapes: &[Shape], shape: usize, path: &mut Vec<u32>, maps: &mut Vec<A
 
 /// Distance and weights of the hit of a line, if the triangle is hit: Cramer's rule for o + t d = a + u (b - a) + v (c
 /// - a).
-pub(crate) fn meet([a, b, c]: &[Vector; 3], o: &Vector, d: &Vector) -> Option<[RBig; 3]> {
-    let minus = |x: &Vector, y: &Vector| -> Vector { std::array::from_fn(|k| &x[k] - &y[k]) };
+pub(crate) fn meet([a, b, c]: &[Whole; 3], o: &Whole, d: &Whole) -> Option<[RBig; 3]> {
+    let minus = |x: &Whole, y: &Whole| -> Whole { std::array::from_fn(|k| &x[k] - &y[k]) };
     let (e, f, s) = (minus(b, a), minus(c, a), minus(o, a));
-    let back: Vector = d.clone().map(|x| -x);
+    let back: Whole = d.clone().map(|x| -x);
     let whole = determinant(&e, &f, &back);
     if whole.is_zero() {
         return None;
@@ -200,14 +218,19 @@ pub(crate) fn meet([a, b, c]: &[Vector; 3], o: &Vector, d: &Vector) -> Option<[R
 }
 
 /// Of the matrix with these columns.
-fn determinant(a: &Vector, b: &Vector, c: &Vector) -> IBig {
+fn determinant(a: &Whole, b: &Whole, c: &Whole) -> IBig {
     let minor = |i: usize, j: usize| &b[i] * &c[j] - &b[j] * &c[i];
     &a[0] * minor(1, 2) + &a[1] * minor(2, 0) + &a[2] * minor(0, 1)
 }
 
-fn exact(x: f32) -> RBig {
+fn exact<R: Real>(x: R) -> RBig {
     // All numbers here are finite.
-    RBig::try_from(x).unwrap_or(RBig::ZERO)
+    RBig::try_from(x.into()).unwrap_or(RBig::ZERO)
+}
+
+/// The least power of two that all denominators divide.
+fn log_of<'x>(numbers: impl Iterator<Item = &'x RBig>) -> usize {
+    numbers.map(|x| x.denominator().trailing_zeros().unwrap_or(0)).max().unwrap_or(0)
 }
 
 /// A number whose denominator is a power of two, times 2 to the power of `log`.

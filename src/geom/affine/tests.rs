@@ -1,3 +1,4 @@
+use glam::Vec3;
 use proptest::prelude::*;
 
 use super::*;
@@ -157,7 +158,7 @@ fn the_first_number_that_is_not_finite_is_named() {
     );
     rows[0][2] = f32::NAN;
     assert!(matches!(AffineMap::new(rows), Err(AffineError::NotFinite { row: 0, column: 2, .. })));
-    assert_eq!(AffineMap::new(*AffineMap::IDENTITY.rows()), Ok(AffineMap::IDENTITY));
+    assert_eq!(AffineMap::<f32>::new(*AffineMap::IDENTITY.rows()), Ok(AffineMap::IDENTITY));
     assert_eq!(AffineMap::translation(Vec3::ZERO), Ok(AffineMap::IDENTITY));
 }
 

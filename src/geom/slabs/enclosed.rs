@@ -13,6 +13,8 @@ use crate::geom::{EnclosedRay, Ray, Region};
 /// lower plane of a box and the second the upper one bounds the distances at which the box is touched. In single
 /// precision, with reciprocals that are moved as [`Directed`](super::Directed) moves them, this takes the same
 /// instructions.
+///
+/// Boxes may be in a [frame](crate::geom::Frame): the ray is taken into it.
 #[derive(Clone, Copy, Debug)]
 pub struct EnclosedSlabs {
     /// Greatest and least origin, in the lanes of lo and hi, twice.
@@ -26,8 +28,17 @@ pub struct EnclosedSlabs {
 impl EnclosedSlabs {
     /// Prepares a ray from `tmin` on. `region` must hold all boxes that it is asked about.
     pub fn of(ray: &EnclosedRay, tmin: f32, region: &Region) -> Self {
+        if !region.frame().is_identity() {
+            return Self::in_frame(&region.frame().ray(ray), tmin, region);
+        }
+        Self::in_frame(ray, tmin, region)
+    }
+
+    /// The same for a ray in the frame of the region.
+    #[inline(always)]
+    fn in_frame(ray: &EnclosedRay, tmin: f32, region: &Region) -> Self {
         let lanes = [0, 1, 2].map(|axis| lanes(ray, axis));
-        let is_wide = lanes.contains(&None) || region.reach() > f64::from(MAX_COORDINATE);
+        let is_wide = lanes.contains(&None) || region.reach_in_frame() > MAX_COORDINATE;
         let twice = |[lo, hi]: [f32; 2]| Vec4::new(lo, hi, lo, hi);
         let [origin, inverse] = [0, 1].map(|i| lanes.map(|lanes| twice(lanes.unwrap_or_default()[i])));
         Self { origin, inverse, tmin, is_wide, ray: *ray }

@@ -2,16 +2,19 @@
 
 use std::sync::Arc;
 
+use glam::Vec3;
+
 use crate::bvh::{BuildError, BuildOptions, Bvh, Primitives};
-use crate::geom::{Aabb, AffineMap};
+use crate::geom::{Aabb, AffineMap, Frame, Interval, Real, Triangle, Vector};
 
 /// Objects that are made of other objects: hierarchies over meshes, and groups of placed objects that came before. So
 /// no object contains itself. A clone shares all hierarchies with the original.
 ///
-/// See [`InstanceTracer`](super::InstanceTracer) for an example.
-#[derive(Clone, Debug, Default)]
-pub struct Assembly {
-    parts: Vec<Part>,
+/// All is in single precision, or with [`DVec3`](glam::DVec3) in double. See [`InstanceTracer`](super::InstanceTracer) for
+/// an example.
+#[derive(Clone, Debug)]
+pub struct Assembly<V: Vector = Vec3> {
+    parts: Vec<Part<V>>,
 }
 
 /// An object of an [`Assembly`], by its place there. In another assembly it stands for another object, or for none.
@@ -20,11 +23,11 @@ pub struct Object(u32);
 
 /// An object and where it is placed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Instance {
+pub struct Instance<R: Real = f32> {
     /// What is placed.
     pub object: Object,
     /// From the object's space to that of the group.
-    pub affine: AffineMap,
+    pub affine: AffineMap<R>,
 }
 
 /// Why instances are not a group.
@@ -41,7 +44,7 @@ pub enum AssemblyError {
         objects: usize,
     },
     /// The box of the image has an end beyond the greatest float.
-    #[error("instance {instance}: the image of its object leaves the range of single precision")]
+    #[error("instance {instance}: the image of its object leaves the range of floats")]
     OutOfRange {
         /// Index of the instance.
         instance: usize,
@@ -61,15 +64,15 @@ pub enum AssemblyError {
 
 /// An object of an assembly.
 #[derive(Clone, Debug)]
-pub(super) enum Part {
-    Mesh(Arc<Bvh>),
-    Group(Arc<Group>),
+pub(super) enum Part<V: Vector> {
+    Mesh(Arc<Bvh<Triangle<V>>>),
+    Group(Arc<Group<V::Real>>),
 }
 
-/// Placed objects, with a hierarchy over their boxes.
+/// Placed objects, with a hierarchy over their boxes, which are in a frame of the group.
 #[derive(Clone, Debug)]
-pub(super) struct Group {
-    pub(super) instances: Vec<Instance>,
+pub(super) struct Group<R: Real> {
+    pub(super) instances: Vec<Instance<R>>,
     pub(super) bvh: Bvh<()>,
     levels: u32,
 }
@@ -77,14 +80,16 @@ pub(super) struct Group {
 impl Assembly {
     /// Greatest number of levels of an object: a mesh has one, a group one more than the deepest of its objects.
     pub const MAX_LEVELS: u32 = 32;
+}
 
+impl<V: Vector> Assembly<V> {
     /// An assembly without objects.
-    pub fn new() -> Self {
-        Self::default()
+    pub const fn new() -> Self {
+        Self { parts: Vec::new() }
     }
 
     /// Adds a mesh by its hierarchy, its own or one that others share.
-    pub fn add_mesh(&mut self, bvh: impl Into<Arc<Bvh>>) -> Object {
+    pub fn add_mesh(&mut self, bvh: impl Into<Arc<Bvh<Triangle<V>>>>) -> Object {
         self.add(Part::Mesh(bvh.into()))
     }
 
@@ -93,25 +98,29 @@ impl Assembly {
     ///
     /// # Errors
     /// What [`AssemblyError`] lists; then nothing is added.
-    pub fn add_group(&mut self, instances: Vec<Instance>, options: &BuildOptions) -> Result<Object, AssemblyError> {
-        let (mut boxes, mut below) = (Vec::with_capacity(instances.len()), 0);
+    pub fn add_group(
+        &mut self,
+        instances: Vec<Instance<V::Real>>,
+        options: &BuildOptions,
+    ) -> Result<Object, AssemblyError> {
+        let (mut images, mut below) = (Vec::with_capacity(instances.len()), 0);
         for (index, Instance { object, affine }) in instances.iter().enumerate() {
             let part = self.part(*object).ok_or(AssemblyError::UnknownObject {
                 instance: index,
                 object: object.0,
                 objects: self.parts.len(),
             })?;
-            if part.levels() >= Self::MAX_LEVELS {
+            if part.levels() >= Assembly::MAX_LEVELS {
                 return Err(AssemblyError::TooManyLevels { instance: index, levels: part.levels() });
             }
-            let image = affine.image_of_box(&part.bounds());
-            if !(image.lo.is_finite() && image.hi.is_finite()) {
-                return Err(AssemblyError::OutOfRange { instance: index });
-            }
             below = below.max(part.levels());
-            boxes.push(image);
+            images.push(affine.image(part.bounds()));
         }
-        let bvh = options.build(&Boxes(boxes))?;
+        let boxes = Boxes::of::<V>(&images);
+        if let Some(instance) = boxes.boxes.iter().position(|aabb| !(aabb.lo.is_finite() && aabb.hi.is_finite())) {
+            return Err(AssemblyError::OutOfRange { instance });
+        }
+        let bvh = options.build(&boxes)?;
         Ok(self.add(Part::Group(Arc::new(Group { instances, bvh, levels: below + 1 }))))
     }
 
@@ -120,18 +129,24 @@ impl Assembly {
         self.part(object).map_or(0, Part::levels)
     }
 
-    pub(super) fn part(&self, object: Object) -> Option<&Part> {
+    pub(super) fn part(&self, object: Object) -> Option<&Part<V>> {
         self.parts.get(object.index())
     }
 
     /// All objects, in the order in which they were added.
-    pub(super) fn parts(&self) -> &[Part] {
+    pub(super) fn parts(&self) -> &[Part<V>] {
         &self.parts
     }
 
-    fn add(&mut self, part: Part) -> Object {
+    fn add(&mut self, part: Part<V>) -> Object {
         self.parts.push(part);
         Object(self.parts.len() as u32 - 1)
+    }
+}
+
+impl<V: Vector> Default for Assembly<V> {
+    fn default() -> Self {
+        Self::new()
     }
 }
 
@@ -142,11 +157,12 @@ impl Object {
     }
 }
 
-impl Part {
-    fn bounds(&self) -> Aabb {
+impl<V: Vector> Part<V> {
+    /// Of all that is in it.
+    fn bounds(&self) -> [Interval; 3] {
         match self {
-            Self::Mesh(bvh) => bvh.bounds(),
-            Self::Group(group) => group.bvh.bounds(),
+            Self::Mesh(bvh) => bvh.frame().leave(&bvh.bounds()),
+            Self::Group(group) => group.bvh.frame().leave(&group.bvh.bounds()),
         }
     }
 
@@ -159,18 +175,37 @@ impl Part {
 }
 
 /// The boxes of instances: leaves of their hierarchy hold nothing but the indices.
-struct Boxes(Vec<Aabb>);
+struct Boxes {
+    boxes: Vec<Aabb>,
+    frame: Frame,
+}
+
+impl Boxes {
+    /// In a frame of their own, as those of a mesh are. `[FRAME-1]`
+    fn of<V: Vector>(images: &[[Interval; 3]]) -> Self {
+        let corner = |image: &[Interval; 3], end: usize| {
+            V::from_components(image.map(|bounds| V::Real::rounded(bounds.ends()[end])))
+        };
+        let corners = images.iter().flat_map(|image| [corner(image, 0), corner(image, 1)]);
+        let frame = V::frame(corners.filter(|&corner| V::is_finite(corner)));
+        Self { boxes: images.iter().map(|image| frame.enter(image)).collect(), frame }
+    }
+}
 
 impl Primitives for Boxes {
     type Shape = ();
 
     fn count(&self) -> usize {
-        self.0.len()
+        self.boxes.len()
     }
 
     fn shape(&self, _: usize) {}
 
+    fn frame(&self) -> Frame {
+        self.frame
+    }
+
     fn aabb(&self, index: usize) -> Aabb {
-        self.0[index]
+        self.boxes[index]
     }
 }

@@ -4,23 +4,25 @@ use super::{Instance, InstanceCounts, InstanceTracer};
 use crate::bvh::{Bvh, LeafTriangle};
 use crate::geom::kernel::{self, Certainty};
 use crate::geom::slabs::Intervals;
-use crate::geom::truth::round_f32;
-use crate::geom::{Aabb, EnclosedRay, Ends, ExactRay, Slabs, Triangle, slabs};
+use crate::geom::truth::Number;
+use crate::geom::{Aabb, EnclosedRay, Ends, ExactRay, Real, Slabs, Triangle, Vector, slabs};
 use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::trace::BoxQuery;
 use crate::tree::{Node, Topology};
 
 /// What one ray carries through all levels.
 #[derive(Debug)]
-pub(super) struct Search<'r> {
+pub(super) struct Search<'r, V: Vector> {
     /// The ray itself.
-    pub(super) ray: &'r ExactRay,
+    pub(super) ray: &'r ExactRay<V>,
     /// Whether the first hit ends it.
     pub(super) any: bool,
     /// The distance of the best hit, or the ray's end.
-    pub(super) t: f32,
+    pub(super) t: V::Real,
+    /// The same, rounded up: boxes beyond are left out.
+    end: f32,
     /// The best hit so far.
-    pub(super) found: Option<Found>,
+    pub(super) found: Option<Found<V>>,
     /// The instances that it is in, from the outermost on.
     pub(super) path: Vec<u32>,
     /// Memory of the traversals that have a stack, for each level.
@@ -30,21 +32,22 @@ pub(super) struct Search<'r> {
 
 /// A triangle of an instance that is hit.
 #[derive(Clone, Debug)]
-pub(super) struct Found {
+pub(super) struct Found<V: Vector> {
     /// The instances from the outermost on.
     pub(super) path: Vec<u32>,
     pub(super) prim: u32,
-    pub(super) triangle: Triangle,
+    pub(super) triangle: Triangle<V>,
     /// The ray in the space of its mesh.
-    pub(super) test: kernel::EnclosedTest,
+    pub(super) test: kernel::EnclosedTest<V::Real>,
 }
 
-impl<'r> Search<'r> {
+impl<'r, V: Vector> Search<'r, V> {
     /// A search through at most so many levels.
-    pub(super) fn new(ray: &'r ExactRay, any: bool, levels: usize) -> Self {
+    pub(super) fn new(ray: &'r ExactRay<V>, any: bool, levels: usize) -> Self {
         let (found, path, memory) = (None, Vec::with_capacity(levels), vec![Vec::new(); levels]);
         let [_, t] = ray.interval();
-        Self { ray, any, t, found, path, memory, counts: InstanceCounts::default() }
+        let [_, end] = t.ends_in_single();
+        Self { ray, any, t, end, found, path, memory, counts: InstanceCounts::default() }
     }
 
     /// Whether nothing is left to be found.
@@ -55,7 +58,7 @@ impl<'r> Search<'r> {
     /// Takes a hit that is not behind the best one so far, if it comes first: by distance, then by path, then by
     /// triangle.
     #[inline]
-    fn offer(&mut self, t: f32, held: &LeafTriangle, test: &kernel::EnclosedTest) {
+    fn offer(&mut self, t: V::Real, held: &LeafTriangle<Triangle<V>>, test: &kernel::EnclosedTest<V::Real>) {
         let LeafTriangle { shape: triangle, prim } = *held;
         if let Some(best) = &self.found
             && t == self.t
@@ -65,29 +68,30 @@ impl<'r> Search<'r> {
         }
         let mut path = self.found.take().map(|best| best.path).unwrap_or_default();
         path.clone_from(&self.path);
-        (self.t, self.found) = (t, Some(Found { path, prim, triangle, test: *test }));
+        let [_, end] = t.ends_in_single();
+        (self.t, self.end, self.found) = (t, end, Some(Found { path, prim, triangle, test: *test }));
     }
 }
 
 /// What the leaves of a hierarchy hold, and a ray in the space of it.
-pub(super) trait Leaves {
+pub(super) trait Leaves<V: Vector> {
     /// What is held at a place meets the ray.
-    fn meet(&self, place: usize, search: &mut Search<'_>);
+    fn meet(&self, place: usize, search: &mut Search<'_, V>);
 }
 
 /// A ray on its way.
-pub(super) struct Walk<'s, 'r, S, L> {
+pub(super) struct Walk<'s, 'r, S, L, V: Vector> {
     pub(super) bvh: &'s Bvh<S>,
     pub(super) slabs: slabs::EnclosedSlabs,
     pub(super) leaves: L,
-    pub(super) search: &'s mut Search<'r>,
+    pub(super) search: &'s mut Search<'r, V>,
 }
 
-impl<S, L: Leaves> Visitor for Walk<'_, '_, S, L> {
+impl<S, L: Leaves<V>, V: Vector> Visitor for Walk<'_, '_, S, L, V> {
     #[inline(always)]
     fn inner(&mut self, node: Node) -> Descent {
         let planes = &self.bvh.node(node.index()).planes;
-        let Intervals { hit: [left, right], near, .. } = self.slabs.pair(planes, self.search.t);
+        let Intervals { hit: [left, right], near, .. } = self.slabs.pair(planes, self.search.end);
         Descent::new(left, right, near[1] < near[0] && !self.search.any)
     }
 
@@ -103,12 +107,12 @@ impl<S, L: Leaves> Visitor for Walk<'_, '_, S, L> {
     }
 }
 
-impl<S, L: Leaves> Pruned for Walk<'_, '_, S, L> {}
+impl<S, L: Leaves<V>, V: Vector> Pruned for Walk<'_, '_, S, L, V> {}
 
-impl<S, L: Leaves> BoxQuery for Walk<'_, '_, S, L> {
+impl<S, L: Leaves<V>, V: Vector> BoxQuery for Walk<'_, '_, S, L, V> {
     #[inline]
     fn touches(&self, aabb: &Aabb) -> bool {
-        self.slabs.one(aabb, self.search.t).is_some()
+        self.slabs.one(aabb, self.search.end).is_some()
     }
 
     #[inline]
@@ -118,15 +122,15 @@ impl<S, L: Leaves> BoxQuery for Walk<'_, '_, S, L> {
 }
 
 /// Triangles of a mesh.
-pub(super) struct Triangles<'s> {
-    pub(super) tracer: &'s InstanceTracer,
-    pub(super) bvh: &'s Bvh,
-    pub(super) test: kernel::EnclosedTest,
+pub(super) struct Triangles<'s, V: Vector> {
+    pub(super) tracer: &'s InstanceTracer<V>,
+    pub(super) bvh: &'s Bvh<Triangle<V>>,
+    pub(super) test: kernel::EnclosedTest<V::Real>,
 }
 
-impl Leaves for Triangles<'_> {
+impl<V: Vector> Leaves<V> for Triangles<'_, V> {
     #[inline(always)]
-    fn meet(&self, place: usize, search: &mut Search<'_>) {
+    fn meet(&self, place: usize, search: &mut Search<'_, V>) {
         let held = &self.bvh.triangles()[place];
         search.counts.triangles += 1;
         let verdict = if search.any {
@@ -151,11 +155,11 @@ impl Leaves for Triangles<'_> {
     }
 }
 
-impl Triangles<'_> {
+impl<V: Vector> Triangles<'_, V> {
     /// What bounds leave open.
     #[cold]
     #[inline(never)]
-    fn ask_truth(&self, triangle: &Triangle, search: &mut Search<'_>) -> Option<f32> {
+    fn ask_truth(&self, triangle: &Triangle<V>, search: &mut Search<'_, V>) -> Option<V::Real> {
         let ray = search.ray;
         if ray.ends() == Ends::Closed {
             match self.test.settle(triangle) {
@@ -168,23 +172,28 @@ impl Triangles<'_> {
         if ray.leaves(triangle, &maps) {
             return None;
         }
+        if self.test.span(triangle).is_some()
+            && let Some(t) = ray.fine_distance(triangle, &maps)
+        {
+            return Some(t);
+        }
         search.counts.rational += 1;
-        ray.meet(triangle, &maps).map(|point| round_f32(&point.t))
+        ray.meet(triangle, &maps).map(|point| V::Real::nearest(&point.t))
     }
 }
 
 /// Instances of a group.
-pub(super) struct Instances<'s> {
-    pub(super) tracer: &'s InstanceTracer,
+pub(super) struct Instances<'s, V: Vector> {
+    pub(super) tracer: &'s InstanceTracer<V>,
     pub(super) bvh: &'s Bvh<()>,
-    pub(super) placed: &'s [Instance],
+    pub(super) placed: &'s [Instance<V::Real>],
     pub(super) ray: EnclosedRay,
 }
 
-impl Leaves for Instances<'_> {
+impl<V: Vector> Leaves<V> for Instances<'_, V> {
     /// Here the ray of the group waits, with the state of its traversal, until the instance is done (Binder & Keller
     /// 2016, Section 2.4).
-    fn meet(&self, place: usize, search: &mut Search<'_>) {
+    fn meet(&self, place: usize, search: &mut Search<'_, V>) {
         let index = self.bvh.triangles()[place].prim;
         let Instance { object, affine } = &self.placed[index as usize];
         search.counts.instances += 1;

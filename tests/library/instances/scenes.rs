@@ -1,33 +1,57 @@
 //! Small scenes of instances, in which much goes wrong that can.
 
-use glam::{Mat3, Vec3};
+use glam::{DMat3, DVec3, Vec3};
 use stackless_bvh::generate::{Rng, Source, procedural};
-use stackless_bvh::geom::{AffineMap, Mesh};
+use stackless_bvh::geom::{AffineMap, Mesh, Real, Vector};
 use stackless_check::Shape;
 
-/// A scene, by name.
-pub(crate) struct Scene {
-    pub(crate) name: String,
-    pub(crate) shapes: Vec<Shape>,
+/// Single or double precision, and how small and great its scenes are.
+pub(crate) trait Kind: Vector {
+    const TINY: f64;
+    const LEAST: f64;
+    const HUGE: f64;
+    const FAR: f64;
 }
 
-type Maker = fn(&mut Rng) -> Vec<Shape>;
+impl Kind for Vec3 {
+    const TINY: f64 = 1e-30;
+    const LEAST: f64 = 1e-43;
+    const HUGE: f64 = 1e30;
+    const FAR: f64 = 1e6;
+}
+
+impl Kind for DVec3 {
+    const TINY: f64 = 1e-50;
+    const LEAST: f64 = 1e-320;
+    const HUGE: f64 = 1e50;
+    const FAR: f64 = 6.4e6;
+}
+
+/// A scene, by name.
+pub(crate) struct Scene<V: Vector> {
+    pub(crate) name: String,
+    pub(crate) shapes: Vec<Shape<V>>,
+}
+
+type Maker<V> = fn(&mut Rng) -> Vec<Shape<V>>;
 
 /// All scenes, in three variants each.
-pub(crate) fn all() -> Vec<Scene> {
-    let makers: [(&str, Maker); 12] = [
+pub(crate) fn all<V: Kind>() -> Vec<Scene<V>> {
+    let makers: [(&str, Maker<V>); 14] = [
         ("lattice", |rng| one_group(rng, 6, lattice)),
         ("rotated", |rng| one_group(rng, 6, rotated)),
-        ("sheared", |rng| one_group(rng, 5, |rng| map(rng, |rng| unit(rng) * 2.0))),
+        ("sheared", |rng| one_group(rng, 5, sheared)),
         ("mirrored", |rng| one_group(rng, 5, |rng| scaled(rng, -1.0))),
-        ("tiny", |rng| one_group(rng, 4, |rng| scaled(rng, 1e-30))),
-        ("least", |rng| one_group(rng, 4, |rng| scaled(rng, 1e-43))),
-        ("huge", |rng| one_group(rng, 4, |rng| scaled(rng, 1e30))),
-        ("far", |rng| one_group(rng, 5, far)),
+        ("tiny", |rng| one_group(rng, 4, |rng| scaled(rng, V::TINY))),
+        ("least", |rng| one_group(rng, 4, |rng| scaled(rng, V::LEAST))),
+        ("huge", |rng| one_group(rng, 4, |rng| scaled(rng, V::HUGE))),
+        ("far", |rng| one_group(rng, 5, far::<V>)),
         ("nearly flat", |rng| one_group(rng, 5, nearly_flat)),
         ("coincident", coincident),
         ("three levels", |rng| nested(rng, rotated)),
         ("three levels of a lattice", |rng| nested(rng, lattice)),
+        ("three levels far away", |rng| nested(rng, far::<V>)),
+        ("mixed scales", mixed),
     ];
     let scenes = makers.iter().enumerate().flat_map(|(i, (name, make))| {
         (0..3).map(move |variant| {
@@ -39,35 +63,51 @@ pub(crate) fn all() -> Vec<Scene> {
 }
 
 /// From -1 to 1.
-pub(crate) fn unit(rng: &mut Rng) -> f32 {
-    rng.below(1 << 24) as f32 / (1 << 23) as f32 - 1.0
+pub(crate) fn unit(rng: &mut Rng) -> f64 {
+    rng.below(1 << 53) as f64 / (1u64 << 52) as f64 - 1.0
 }
 
-fn vector(rng: &mut Rng) -> Vec3 {
-    Vec3::new(unit(rng), unit(rng), unit(rng))
+/// Components from -1 to 1.
+pub(crate) fn vector(rng: &mut Rng) -> DVec3 {
+    DVec3::new(unit(rng), unit(rng), unit(rng))
+}
+
+/// Rounded.
+pub(crate) fn narrow<V: Vector>(v: DVec3) -> V {
+    V::from_components(v.to_array().map(V::Real::rounded))
+}
+
+fn mesh<V: Vector>(vertices: impl IntoIterator<Item = DVec3>, triangles: Vec<[u32; 3]>) -> Mesh<V> {
+    Mesh::new(vertices.into_iter().map(narrow).collect(), triangles).expect("a mesh")
 }
 
 /// A closed solid with its corners on the lattice.
-fn octahedron() -> Mesh {
-    let corners = [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z];
+fn octahedron<V: Vector>() -> Mesh<V> {
+    let corners = [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z];
     let triangles = (0..8).map(|i: u32| [i & 1, 2 + (i >> 1 & 1), 4 + (i >> 2)]).collect();
-    Mesh::new(corners.to_vec(), triangles).expect("a mesh")
+    mesh(corners, triangles)
 }
 
 /// A box with faces across the axes, and one triangle without area.
-fn cuboid() -> Mesh {
-    let corner = |i: u8| Vec3::new(f32::from(i & 1), f32::from(i >> 1 & 1), f32::from(i >> 2)) * 2.0 - 1.0;
+fn cuboid<V: Vector>() -> Mesh<V> {
+    let corner = |i: u8| DVec3::new(f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2)) * 2.0 - 1.0;
     let quads = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]];
     let mut triangles: Vec<_> = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
     triangles.push([0, 0, 7]);
-    Mesh::new((0..8).map(corner).collect(), triangles).expect("a mesh")
+    mesh((0..8).map(corner), triangles)
 }
 
-fn meshes() -> Vec<Shape> {
-    vec![Shape::Mesh(octahedron()), Shape::Mesh(cuboid()), Shape::Mesh(procedural::soup(5, 6))]
+/// With numbers of all digits.
+fn soup<V: Vector>() -> Mesh<V> {
+    let soup = procedural::soup(5, 6);
+    mesh(soup.vertices().iter().map(|v| v.widen() * 1.1), soup.triangles().to_vec())
 }
 
-fn one_group(rng: &mut Rng, n: usize, place: impl Fn(&mut Rng) -> AffineMap) -> Vec<Shape> {
+fn meshes<V: Vector>() -> Vec<Shape<V>> {
+    vec![Shape::Mesh(octahedron()), Shape::Mesh(cuboid()), Shape::Mesh(soup())]
+}
+
+fn one_group<V: Vector>(rng: &mut Rng, n: usize, place: impl Fn(&mut Rng) -> AffineMap<V::Real>) -> Vec<Shape<V>> {
     let mut shapes = meshes();
     let instances = (0..n).map(|_| (rng.below(3) as usize, place(rng))).collect();
     shapes.push(Shape::Group(instances));
@@ -75,7 +115,7 @@ fn one_group(rng: &mut Rng, n: usize, place: impl Fn(&mut Rng) -> AffineMap) -> 
 }
 
 /// Meshes beside groups of meshes beside groups of those.
-fn nested(rng: &mut Rng, place: impl Fn(&mut Rng) -> AffineMap) -> Vec<Shape> {
+fn nested<V: Vector>(rng: &mut Rng, place: impl Fn(&mut Rng) -> AffineMap<V::Real>) -> Vec<Shape<V>> {
     let mut shapes = meshes();
     for n in [3, 2, 3] {
         let before = shapes.len();
@@ -87,10 +127,10 @@ fn nested(rng: &mut Rng, place: impl Fn(&mut Rng) -> AffineMap) -> Vec<Shape> {
 }
 
 /// The same things in the same places, also by way of a group, and mirrored onto itself: ties.
-fn coincident(rng: &mut Rng) -> Vec<Shape> {
+fn coincident<V: Vector>(rng: &mut Rng) -> Vec<Shape<V>> {
     let mut shapes = meshes();
     let (place, identity) = (lattice(rng), AffineMap::IDENTITY);
-    let mirror = AffineMap::new([[-1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]).expect("a map");
+    let mirror = affine(DMat3::from_diagonal(DVec3::new(-1.0, 1.0, 1.0)), DVec3::ZERO).expect("a map");
     shapes.push(Shape::Group(vec![(1, identity), (0, mirror), (0, identity), (0, identity)]));
     let others = (0..3).map(|_| (rng.below(4) as usize, if rng.coin() { place } else { lattice(rng) }));
     let mut instances: Vec<_> = others.collect();
@@ -99,16 +139,27 @@ fn coincident(rng: &mut Rng) -> Vec<Shape> {
     shapes
 }
 
-fn affine(a: Mat3, b: Vec3) -> Option<AffineMap> {
-    let [x, y, z] = [a.row(0), a.row(1), a.row(2)];
-    AffineMap::new([[x.x, x.y, x.z, b.x], [y.x, y.y, y.z, b.y], [z.x, z.y, z.z, b.z]]).ok()
+/// One in another, each a million times smaller than what is beside it.
+fn mixed<V: Vector>(rng: &mut Rng) -> Vec<Shape<V>> {
+    let mut shapes = meshes();
+    for _ in 0..2 {
+        let last = shapes.len() - 1;
+        let small = (last, scaled(rng, 1e-6));
+        let instances = vec![small, (rng.below(3) as usize, rotated(rng)), (0, scaled(rng, 1e3)), (1, sheared(rng))];
+        shapes.push(Shape::Group(instances));
+    }
+    shapes
+}
+
+fn affine<R: Real>(a: DMat3, b: DVec3) -> Option<AffineMap<R>> {
+    let row = |k: usize| [a.row(k).x, a.row(k).y, a.row(k).z, b[k]].map(R::rounded);
+    AffineMap::new([0, 1, 2].map(row)).ok()
 }
 
 /// The first map that has an inverse.
-fn map(rng: &mut Rng, entry: impl Fn(&mut Rng) -> f32) -> AffineMap {
+fn sheared<R: Real>(rng: &mut Rng) -> AffineMap<R> {
     loop {
-        let column = |rng: &mut Rng| Vec3::new(entry(rng), entry(rng), entry(rng));
-        let a = Mat3::from_cols(column(rng), column(rng), column(rng));
+        let a = DMat3::from_cols(vector(rng) * 2.0, vector(rng) * 2.0, vector(rng) * 2.0);
         if let Some(map) = affine(a, vector(rng) * 3.0) {
             return map;
         }
@@ -116,40 +167,41 @@ fn map(rng: &mut Rng, entry: impl Fn(&mut Rng) -> f32) -> AffineMap {
 }
 
 /// Axes onto axes, by powers of two, and small integers.
-fn lattice(rng: &mut Rng) -> AffineMap {
+fn lattice<R: Real>(rng: &mut Rng) -> AffineMap<R> {
     let (first, odd) = (rng.below(3) as usize, rng.coin());
     let mut rows = [[0.0; 4]; 3];
     for (axis, row) in rows.iter_mut().enumerate() {
         let column = (first + if odd { 3 - axis } else { axis }) % 3;
         row[column] = [1.0, -1.0, 2.0, 0.5][rng.below(4) as usize];
-        row[3] = rng.below(7) as f32 - 3.0;
+        row[3] = rng.below(7) as f64 - 3.0;
     }
-    AffineMap::new(rows).expect("axes onto axes")
+    AffineMap::new(rows.map(|row: [f64; 4]| row.map(R::rounded))).expect("axes onto axes")
 }
 
-fn rotation(rng: &mut Rng) -> Mat3 {
-    Mat3::from_axis_angle(vector(rng).try_normalize().unwrap_or(Vec3::X), 3.0 * unit(rng))
+fn rotation(rng: &mut Rng) -> DMat3 {
+    DMat3::from_axis_angle(vector(rng).try_normalize().unwrap_or(DVec3::X), 3.0 * unit(rng))
 }
 
-fn rotated(rng: &mut Rng) -> AffineMap {
+fn rotated<R: Real>(rng: &mut Rng) -> AffineMap<R> {
     affine(rotation(rng), vector(rng) * 3.0).expect("a rotation")
 }
 
 /// As a whole, with what is placed.
-fn scaled(rng: &mut Rng, by: f32) -> AffineMap {
+fn scaled<R: Real>(rng: &mut Rng, by: f64) -> AffineMap<R> {
     affine(rotation(rng) * by, vector(rng) * (3.0 * by.abs())).expect("not flat")
 }
 
-fn far(rng: &mut Rng) -> AffineMap {
-    affine(rotation(rng), vector(rng) + Vec3::new(1e6, -3e5, 1e4)).expect("a rotation")
+fn far<V: Kind>(rng: &mut Rng) -> AffineMap<V::Real> {
+    affine(rotation(rng), vector(rng) + DVec3::new(V::FAR, -0.3 * V::FAR, 0.01 * V::FAR)).expect("a rotation")
 }
 
 /// Rows that differ by little.
-fn nearly_flat(rng: &mut Rng) -> AffineMap {
-    let row = vector(rng);
-    let near = |rng: &mut Rng| Vec3::from(row.to_array().map(|x| f32::from_bits(x.to_bits() + rng.below(3) as u32)));
+fn nearly_flat<R: Real>(rng: &mut Rng) -> AffineMap<R> {
+    let row = vector(rng).to_array().map(R::rounded);
+    let near =
+        |rng: &mut Rng| DVec3::from(row.map(|x| -> f64 { (0..rng.below(3)).fold(x, |x, _| x.next_up()).into() }));
     loop {
-        let a = Mat3::from_cols(near(rng), near(rng), vector(rng)).transpose();
+        let a = DMat3::from_cols(near(rng), near(rng), vector(rng)).transpose();
         if let Some(map) = affine(a, vector(rng)) {
             return map;
         }

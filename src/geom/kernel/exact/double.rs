@@ -24,8 +24,7 @@ use glam::DVec3;
 
 use super::filter::{Determinants, Errors};
 use super::fine;
-use super::quotient::Ratio;
-use super::{is_within, parity, predicates};
+use super::{is_within, parity, predicates, quotient};
 use crate::geom::frame::{exponent_of, power_of_two};
 use crate::geom::kernel::Kernel;
 use crate::geom::truth::{self, Meeting, Point};
@@ -59,7 +58,7 @@ pub struct Exact64 {
 }
 
 /// Numbers that never over- or underflow here.
-const USUAL: RangeInclusive<f64> = power_of_two(-200)..=power_of_two(200);
+pub(super) const USUAL: RangeInclusive<f64> = power_of_two(-200)..=power_of_two(200);
 
 impl Kernel for Exact64 {
     type Vector = DVec3;
@@ -92,11 +91,10 @@ impl Kernel for Exact64 {
         {
             return weights;
         }
-        if self.can_sum(shape) {
-            let weights = Ratio::weights(&shape.0, o, d);
-            if let [Some(u), Some(v)] = weights.map(|weight| weight.nearest_double()) {
-                return [u, v];
-            }
+        if self.can_sum(shape)
+            && let Some(weights) = quotient::weights_of_doubles(&shape.0, o, d)
+        {
+            return weights;
         }
         if let Some(Scaled { exact, shape, .. }) = self.scaled(shape) {
             return exact.weights(&shape);
@@ -200,9 +198,8 @@ impl Exact64 {
     }
 
     /// Whether the bounds for the triangle hold.
-    fn can_filter(&self, Triangle([a, b, c]): &Triangle<DVec3>) -> bool {
-        let edge = (b - a).abs().max((c - a).abs()).max_element();
-        self.is_usual && USUAL.contains(&edge)
+    fn can_filter(&self, shape: &Triangle<DVec3>) -> bool {
+        self.is_usual && has_usual_edges(&shape.0)
     }
 
     /// Whether sums of products of the ray's and the triangle's numbers are exact.
@@ -218,15 +215,9 @@ impl Exact64 {
     #[cold]
     #[inline(never)]
     fn rounded(&self, shape: &Triangle<DVec3>) -> Option<f64> {
-        let ([tmin, tmax], Triangle(corners)) = (self.interval(), shape);
-        let ratio = Ratio::distance(corners, self.ray.origin(), self.ray.direction());
-        let Some(t) = ratio.nearest_double() else {
-            return self.far_off(shape);
-        };
-        // Rounding keeps the order, so that only an end that is equal leaves a question.
-        let is_after = tmin < t || tmin == t && ratio.compare_double(t) >= 0;
-        let is_before = t < tmax || t == tmax && ratio.compare_double(t) <= 0;
-        (is_after && is_before).then_some(t)
+        let (o, d) = (self.ray.origin(), self.ray.direction());
+        let told = quotient::distance_of_doubles(&shape.0, o, d, self.interval());
+        told.unwrap_or_else(|| self.far_off(shape))
     }
 
     /// The distance where neither bounds nor sums hold for the numbers as they are.
@@ -295,7 +286,7 @@ pub(in crate::geom) fn is_degenerate_64(corners: &[DVec3; 3]) -> bool {
 
 /// Whether all sums of products of three of these numbers are exact, among them one of the direction or none.
 /// `[EXACT-8]`
-fn can_sum(points: &[DVec3], d: DVec3) -> bool {
+pub(super) fn can_sum(points: &[DVec3], d: DVec3) -> bool {
     const LEAST: i32 = -756;
     let ([place, way], most) = ([points, &[d]].map(unit_of), *USUAL.end());
     let is_small = |v: &DVec3| v.abs().max_element() <= most;
@@ -317,6 +308,11 @@ fn unit_of(vectors: &[DVec3]) -> i32 {
 fn scale(v: DVec3, exponent: i32) -> Option<DVec3> {
     let scaled = v * power_of_two(exponent);
     (scaled * power_of_two(-exponent) == v).then_some(scaled)
+}
+
+/// Whether the longest edge of a triangle neither over- nor underflows.
+pub(super) fn has_usual_edges([a, b, c]: &[DVec3; 3]) -> bool {
+    USUAL.contains(&(b - a).abs().max((c - a).abs()).max_element())
 }
 
 #[cfg(test)]

@@ -1,12 +1,11 @@
 //! The stages in double precision for a ray that is known within bounds.
 
-use std::ops::RangeInclusive;
-
 use glam::DVec3;
 
+use super::double::{USUAL, can_sum, has_usual_edges};
 use super::filter::{Determinants, Errors};
-use super::{is_certain, is_within, predicates, quotient};
-use crate::geom::{EnclosedRay, Region, Triangle, Vector};
+use super::{fine, is_certain, is_within, predicates, quotient};
+use crate::geom::{EnclosedRay, Real, Region, Triangle, Vector};
 
 /// What is certain about a ray within bounds and a triangle, whatever ray it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +19,8 @@ pub enum Certainty<T> {
 }
 
 /// The first two stages of [`Exact`](super::Exact) for a ray that is known within bounds: the ray in the middle, with
-/// error bounds that hold for the others too. `[INST-5]`
+/// error bounds that hold for the others too. Triangles are in single precision, or with `f64` in double; for doubles,
+/// bounds of a distance or weight hardly ever round alike, unless the ray is known exactly. `[INST-5]`
 ///
 /// ```
 /// use glam::Vec3;
@@ -39,12 +39,12 @@ pub enum Certainty<T> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct EnclosedTest {
+pub struct EnclosedTest<R: Real = f32> {
     origin: DVec3,
     direction: DVec3,
     /// How far the components of the true origin and direction may be from these.
     off: [f64; 2],
-    interval: [f32; 2],
+    interval: [R; 2],
     /// For all triangles of the object.
     errors: Errors,
     is_usual: bool,
@@ -52,33 +52,25 @@ pub struct EnclosedTest {
     is_exact: bool,
 }
 
-/// Greatest components of directions for which nothing that under- or overflows matters, and the end of it for origins.
-const USUAL: RangeInclusive<f64> = f64::from_bits((1023 - 200) << 52)..=f64::from_bits((1023 + 200) << 52);
-
-impl EnclosedTest {
+impl<R: Real> EnclosedTest<R> {
     /// Prepares a ray with `interval` from tmin to tmax. `region` must hold all triangles that it is asked about.
-    pub fn new(ray: &EnclosedRay, interval: [f32; 2], region: &Region) -> Self {
+    pub fn new(ray: &EnclosedRay, interval: [R; 2], region: &Region) -> Self {
         let [origin, direction] = [ray.origin, ray.direction].map(|v| v.map(|x| x.middle_and_radius()));
         let middle = |v: [[f64; 2]; 3]| DVec3::from(v.map(|[middle, _]| middle));
         let off = [origin, direction].map(|v| v.iter().fold(0.0, |most: f64, &[_, x]| if x > most { x } else { most }));
         let (origin, direction) = (middle(origin), middle(direction));
-        let [far, long] = [origin, direction].map(|v| v.abs().max_element());
-        let is_usual = origin.is_finite()
+        let sizes = [direction.abs().max_element(), region.distance(origin), region.size()];
+        let can_filter = origin.is_finite()
             && direction.is_finite()
-            && far <= *USUAL.end()
-            && USUAL.contains(&long)
-            && off.iter().all(|off| off <= USUAL.end())
-            && region.reach().is_finite();
-        let errors = Errors::of_scene_within(off, far, long, region);
-        let components = [origin, direction].map(|v| v.to_array());
-        let can_sum = |x: &f64| *x == 0.0 || USUAL.contains(&x.abs());
-        let is_exact = is_usual && off == [0.0; 2] && components.as_flattened().iter().all(can_sum);
-        Self { origin, direction, off, interval, errors, is_usual, is_exact }
+            && sizes.iter().all(|size| USUAL.contains(size))
+            && off.iter().all(|off| off <= USUAL.end());
+        let is_exact = can_filter && off == [0.0; 2];
+        Self { origin, direction, off, interval, errors: Errors::within(off, sizes), is_usual: can_filter, is_exact }
     }
 
     /// [`Kernel::distance`](crate::geom::Kernel::distance), where it is certain.
     #[inline]
-    pub fn distance(&self, shape: &Triangle, limit: f32) -> Certainty<f32> {
+    pub fn distance<V: Vector<Real = R>>(&self, shape: &Triangle<V>, limit: R) -> Certainty<R> {
         let [tmin, _] = self.interval;
         self.decide(shape, |[near, far]| {
             if is_certain([near, far], self.interval) {
@@ -93,7 +85,7 @@ impl EnclosedTest {
 
     /// [`Kernel::blocks`](crate::geom::Kernel::blocks), where it is certain.
     #[inline]
-    pub fn blocks(&self, shape: &Triangle) -> Certainty<()> {
+    pub fn blocks<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Certainty<()> {
         self.decide(shape, |ends| match is_within(ends, self.interval) {
             Some(true) => Certainty::Hit(()),
             Some(false) => Certainty::Miss,
@@ -102,37 +94,53 @@ impl EnclosedTest {
     }
 
     /// [`Kernel::weights`](crate::geom::Kernel::weights), where they are certain.
-    pub fn weights(&self, shape: &Triangle) -> Option<[f32; 2]> {
-        let (found, errors) = self.stage(shape);
-        let [[u, u_end], [v, v_end]] = found.weights(&errors).map(|ends| ends.map(|x| x as f32));
-        if self.is_usual && found.is_hit(&errors) && u == u_end && v == v_end {
-            return Some([u, v]);
+    pub fn weights<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Option<[R; 2]> {
+        let crossing = self.crossing(shape);
+        if let Some((found, errors)) = &crossing {
+            let [[u, u_end], [v, v_end]] = found.weights(errors).map(|ends| ends.map(R::rounded));
+            if u == u_end && v == v_end {
+                return Some([u, v]);
+            }
         }
-        self.is_exact.then(|| quotient::weights_of_doubles(&shape.widen(), self.origin, self.direction))
+        let corners = self.exact_corners(shape)?;
+        crossing
+            .and_then(|_| fine::Determinants::new(&corners, self.origin, self.direction).weights())
+            .or_else(|| quotient::weights_of_doubles(&corners, self.origin, self.direction))
     }
 
-    /// What bounds leave open, told by exact sums where the ray is known exactly: the distance, if that is within the
-    /// closed interval.
-    pub fn settle(&self, shape: &Triangle) -> Certainty<f32> {
-        if !self.is_exact {
-            return Certainty::Open;
+    /// What bounds leave open, told by more digits and by exact sums where the ray is known exactly: the distance, if that
+    /// is within the closed interval.
+    pub fn settle<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Certainty<R> {
+        let Some(corners) = self.exact_corners(shape) else { return Certainty::Open };
+        let (o, d, [tmin, tmax]) = (self.origin, self.direction, self.interval);
+        if self.crossing(shape).is_some()
+            && let Some(t) = fine::Determinants::new(&corners, o, d).distance()
+            && tmin < t
+            && t < tmax
+        {
+            return Certainty::Hit(t);
         }
-        let (corners, o, d) = (shape.widen(), self.origin, self.direction);
         if !predicates::is_inside(&corners, o, d) {
             return Certainty::Miss;
         }
-        quotient::distance_of_doubles(&corners, o, d, self.interval).map_or(Certainty::Miss, Certainty::Hit)
+        match quotient::distance_of_doubles(&corners, o, d, self.interval) {
+            Some(t) => t.map_or(Certainty::Miss, Certainty::Hit),
+            None => Certainty::Open,
+        }
     }
 
     /// Bounds of the distance to a triangle that the ray certainly crosses, at whatever distance. `[SECOND-3]`
-    pub(crate) fn span(&self, shape: &Triangle) -> Option<[f64; 2]> {
-        let (found, errors) = self.stage(shape);
-        (self.is_usual && found.is_hit(&errors)).then(|| found.distance(&errors))
+    pub(crate) fn span<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Option<[f64; 2]> {
+        self.crossing(shape).map(|(found, errors)| found.distance(&errors))
     }
 
     /// Asks with the bounds for the object, and again with those for the triangle.
     #[inline(always)]
-    fn decide<T>(&self, shape: &Triangle, place: impl Fn([f32; 2]) -> Certainty<T>) -> Certainty<T> {
+    fn decide<V: Vector<Real = R>, T>(
+        &self,
+        shape: &Triangle<V>,
+        place: impl Fn([R; 2]) -> Certainty<T>,
+    ) -> Certainty<T> {
         let found = Determinants::of(&shape.widen(), self.origin, self.direction);
         match decide(&found, &self.errors, &place) {
             _ if !self.is_usual => Certainty::Open,
@@ -143,24 +151,39 @@ impl EnclosedTest {
 
     #[cold]
     #[inline(never)]
-    fn decide_again<T>(&self, shape: &Triangle, place: impl Fn([f32; 2]) -> Certainty<T>) -> Certainty<T> {
-        let (found, errors) = self.stage(shape);
-        decide(&found, &errors, &place)
+    fn decide_again<V: Vector<Real = R>, T>(
+        &self,
+        shape: &Triangle<V>,
+        place: impl Fn([R; 2]) -> Certainty<T>,
+    ) -> Certainty<T> {
+        self.stage(shape).map_or(Certainty::Open, |(found, errors)| decide(&found, &errors, &place))
     }
 
-    /// With the bounds for this triangle.
-    fn stage(&self, shape: &Triangle) -> (Determinants, Errors) {
-        let (corners, o, d) = (shape.0.map(Vector::widen), self.origin, self.direction);
-        (Determinants::of(&corners, o, d), Errors::of_triangle_within(self.off, &corners, o, d))
+    /// With the bounds for this triangle, if they hold.
+    fn stage<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Option<(Determinants, Errors)> {
+        let (corners, o, d) = (shape.widen(), self.origin, self.direction);
+        (self.is_usual && has_usual_edges(&corners))
+            .then(|| (Determinants::of(&corners, o, d), Errors::of_triangle_within(self.off, &corners, o, d)))
+    }
+
+    /// The same of a triangle that the ray certainly crosses.
+    fn crossing<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Option<(Determinants, Errors)> {
+        self.stage(shape).filter(|(found, errors)| found.is_hit(errors))
+    }
+
+    /// The corners, where sums of products with the ray's numbers are exact.
+    fn exact_corners<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Option<[DVec3; 3]> {
+        let corners @ [a, b, c] = shape.widen();
+        (self.is_exact && can_sum(&[a, b, c, self.origin], self.direction)).then_some(corners)
     }
 }
 
 #[inline(always)]
-fn decide<T>(found: &Determinants, errors: &Errors, place: &impl Fn([f32; 2]) -> Certainty<T>) -> Certainty<T> {
+fn decide<R: Real, T>(found: &Determinants, errors: &Errors, place: &impl Fn([R; 2]) -> Certainty<T>) -> Certainty<T> {
     if found.is_miss(errors) {
         Certainty::Miss
     } else if found.is_hit(errors) {
-        place(found.distance(errors).map(|t| t as f32))
+        place(found.distance(errors).map(R::rounded))
     } else {
         Certainty::Open
     }

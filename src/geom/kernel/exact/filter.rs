@@ -114,11 +114,6 @@ impl Errors {
         Self::new(greatest(corners, o, d))
     }
 
-    /// As [`of_scene`](Self::of_scene), for a ray that may be off by `off` in each component of origin and direction.
-    pub(super) fn of_scene_within(off: [f64; 2], origin: f64, direction: f64, region: &Region) -> Self {
-        Self::within(off, [direction, region.reach() + origin, region.size()])
-    }
-
     /// As [`of_triangle`](Self::of_triangle), for a ray that may be off by `off` in each component of origin and
     /// direction.
     pub(super) fn of_triangle_within(off: [f64; 2], corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Self {
@@ -126,7 +121,7 @@ impl Errors {
     }
 
     /// From what the ray may be off by, and the greatest components of d, s, and e1 and e2. `[INST-5]`
-    fn within([origin, direction]: [f64; 2], [d, c, e]: [f64; 3]) -> Self {
+    pub(super) fn within([origin, direction]: [f64; 2], [d, c, e]: [f64; 3]) -> Self {
         let (exact, square) = (Self::new([d, c, e]), e * e);
         Self {
             sign: exact.sign + OFF_SIGN * e * (direction * (c + e) + origin * (d + direction)),

@@ -5,11 +5,12 @@
 
 use glam::DVec3;
 
-use crate::geom::Real as _;
+use crate::geom::Real;
 use crate::geom::fine::Fine;
+use crate::geom::frame::power_of_two;
 
 /// The determinants of a ray and a triangle, by twice the digits.
-pub(super) struct Determinants {
+pub(in crate::geom) struct Determinants {
     d: [Fine; 3],
     s: [Fine; 3],
     e1: [Fine; 3],
@@ -19,26 +20,41 @@ pub(super) struct Determinants {
 
 impl Determinants {
     /// No component of the direction, and none of a corner as seen from the origin, may be above 2^200.
-    pub(super) fn new(&[v0, v1, v2]: &[DVec3; 3], o: DVec3, d: DVec3) -> Self {
-        let [d, o, v0, v1, v2] = [d, o, v0, v1, v2].map(|v| v.to_array().map(Fine::exact));
-        let (s, e1, e2) = (minus(&o, &v0), minus(&v1, &v0), minus(&v2, &v0));
+    pub(super) fn new(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Self {
+        Self::of(&corners.map(exact), o, d)
+    }
+
+    /// Of corners that are known within bounds; `None` where a number is above 2^200. `[INST-5]`
+    pub(in crate::geom) fn within_range(corners: &[[Fine; 3]; 3], o: DVec3, d: DVec3) -> Option<Self> {
+        let most = power_of_two(200);
+        let is_small = o.abs().max_element() <= most && d.abs().max_element() <= most;
+        (is_small && corners.as_flattened().iter().all(|x| x.is_within(most))).then(|| Self::of(corners, o, d))
+    }
+
+    fn of([v0, v1, v2]: &[[Fine; 3]; 3], o: DVec3, d: DVec3) -> Self {
+        let [d, o] = [d, o].map(exact);
+        let (s, e1, e2) = (minus(&o, v0), minus(v1, v0), minus(v2, v0));
         Self { det: dot(&e1, &cross(&d, &e2)), d, s, e1, e2 }
     }
 
-    /// The distance, rounded to the nearest double, if that is certain.
-    pub(super) fn distance(&self) -> Option<f64> {
+    /// The distance, rounded to the nearest float, if that is certain.
+    pub(in crate::geom) fn distance<R: Real>(&self) -> Option<R> {
         self.nearest(dot(&self.e2, &cross(&self.s, &self.e1)))
     }
 
     /// The weights of the second and the third corner, likewise.
-    pub(super) fn weights(&self) -> Option<[f64; 2]> {
+    pub(in crate::geom) fn weights<R: Real>(&self) -> Option<[R; 2]> {
         let u = self.nearest(dot(&self.s, &cross(&self.d, &self.e2)))?;
         Some([u, self.nearest(dot(&self.d, &cross(&self.s, &self.e1)))?])
     }
 
-    fn nearest(&self, top: Fine) -> Option<f64> {
-        f64::between(top.over(self.det)?.bounds())
+    fn nearest<R: Real>(&self, top: Fine) -> Option<R> {
+        R::between(top.over(self.det)?.bounds())
     }
+}
+
+fn exact(v: DVec3) -> [Fine; 3] {
+    v.to_array().map(Fine::exact)
 }
 
 fn minus(a: &[Fine; 3], b: &[Fine; 3]) -> [Fine; 3] {

@@ -22,6 +22,7 @@ mod sum;
 pub use double::Exact64;
 pub(in crate::geom) use double::is_degenerate_64;
 pub use enclosed::{Certainty, EnclosedTest};
+pub(in crate::geom) use fine::Determinants as FineDeterminants;
 pub use parity::Parity;
 pub(in crate::geom) use predicates::is_degenerate;
 pub use single::{ExactFromSingle, MAX_COORDINATE, MIN_EDGE};
@@ -152,7 +153,7 @@ impl Exact {
 
 /// Whether bounds of a distance that are rounded to these floats settle it: it is that float, and within the interval.
 #[inline(always)]
-fn is_certain([near, far]: [f32; 2], [tmin, tmax]: [f32; 2]) -> bool {
+fn is_certain<R: PartialOrd>([near, far]: [R; 2], [tmin, tmax]: [R; 2]) -> bool {
     near == far && tmin < near && near < tmax
 }
 

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::predicates::{Pairs, add_edge, minus};
 use super::sum::{Sum, two_product};
+use crate::geom::Real;
 
 /// A ratio of two exact sums: t, u or v.
 pub(super) struct Ratio {
@@ -22,28 +23,44 @@ pub(super) struct Ratio {
 #[cold]
 #[inline(never)]
 pub(super) fn distance(corners: &[DVec3; 3], o: DVec3, d: DVec3, interval: [f32; 2]) -> Option<f32> {
-    Ratio::distance(corners, o, d).nearest_within(interval, Ratio::compare_wide)
+    let ratio = Ratio::distance(corners, o, d);
+    let [tmin, tmax] = interval;
+    let is_within =
+        ratio.compare_wide(tmin.into()) >= 0 && (tmax == f32::INFINITY || ratio.compare_wide(tmax.into()) <= 0);
+    is_within.then(|| ratio.nearest())
 }
 
-/// [`distance`] for a line of doubles, which must be 0 or within 2^-200 to 2^200. `[INST-5]`
+/// [`distance`] for numbers that are doubles, each 0 or within 2^-200 to 2^200; to the nearest number of any kind. A `None`
+/// around it says that sums cannot tell. `[EXACT-3]` `[INST-5]`
 #[cold]
 #[inline(never)]
-pub(super) fn distance_of_doubles(corners: &[DVec3; 3], o: DVec3, d: DVec3, interval: [f32; 2]) -> Option<f32> {
-    Ratio::distance(corners, o, d).nearest_within(interval, Ratio::compare_double)
+pub(super) fn distance_of_doubles<R: Real>(
+    corners: &[DVec3; 3],
+    o: DVec3,
+    d: DVec3,
+    [tmin, tmax]: [R; 2],
+) -> Option<Option<R>> {
+    let ratio = Ratio::distance(corners, o, d);
+    let t = ratio.nearest_number()?;
+    // Rounding keeps the order, so that only an end that is equal leaves a question.
+    let is_after = tmin < t || tmin == t && ratio.compare_double(t.into()) >= 0;
+    let is_before = t < tmax || t == tmax && (t == R::INFINITY || ratio.compare_double(t.into()) <= 0);
+    Some((is_after && is_before).then_some(t))
 }
 
-/// [`weights`] for such a line.
+/// [`weights`] for such numbers; `None` if sums cannot tell.
 #[cold]
 #[inline(never)]
-pub(super) fn weights_of_doubles(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> [f32; 2] {
-    Ratio::weights(corners, o, d).map(|weight| weight.nearest(Ratio::compare_double))
+pub(super) fn weights_of_doubles<R: Real>(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Option<[R; 2]> {
+    let [u, v] = Ratio::weights(corners, o, d).map(|weight| weight.nearest_number());
+    Some([u?, v?])
 }
 
 /// Weights of the second and third corner of a triangle that the line meets, rounded to the nearest floats.
 #[cold]
 #[inline(never)]
 pub(super) fn weights(corners: [DVec3; 3], o: DVec3, d: DVec3) -> [f32; 2] {
-    Ratio::weights(&corners, o, d).map(|weight| weight.nearest(Ratio::compare_wide))
+    Ratio::weights(&corners, o, d).map(|weight| weight.nearest())
 }
 
 /// Ratios of sums are rounded to doubles within these bounds: there, nothing underflows.
@@ -108,14 +125,8 @@ impl Ratio {
         self.sign(self.minus::<288>(&[self.d * m]))
     }
 
-    /// The nearest float, if the ratio is within a closed interval, whose least number is finite.
-    fn nearest_within(&self, [tmin, tmax]: [f32; 2], compare: impl Fn(&Self, f64) -> i32) -> Option<f32> {
-        let is_within = compare(self, tmin.into()) >= 0 && (tmax == f32::INFINITY || compare(self, tmax.into()) <= 0);
-        is_within.then(|| self.nearest(compare))
-    }
-
-    /// The nearest float, the even one of two, given what compares the ratio with a number of up to 25 bits.
-    fn nearest(&self, compare: impl Fn(&Self, f64) -> i32) -> f32 {
+    /// The nearest float, the even one of two.
+    fn nearest(&self) -> f32 {
         let (top, det) = (self.top.value(), self.det.value());
         let t = top / det;
         // Both sums are off by 2^-50 at most, and the quotient by 2^-53 more.
@@ -127,7 +138,7 @@ impl Ratio {
         }
         // Neighbours. Beyond the greatest float stands 2^128, as if there were another.
         let wide = |x: f32| if x.is_infinite() { 2f64.powi(128).copysign(x.into()) } else { f64::from(x) };
-        match compare(self, f64::midpoint(wide(low), wide(high))) {
+        match self.compare_wide(f64::midpoint(wide(low), wide(high))) {
             1 => high,
             -1 => low,
             _ => {
@@ -141,14 +152,33 @@ impl Ratio {
     }
 
     /// The sign of the ratio minus a number that is 0 or within [`DOUBLES`].
-    pub(super) fn compare_double(&self, m: f64) -> i32 {
+    fn compare_double(&self, m: f64) -> i32 {
         self.sign(self.minus::<384>(&self.products(m)))
+    }
+
+    /// The nearest number of a kind, the even one of two. `None` where [`nearest_double`](Self::nearest_double) is, and where
+    /// the ratio is all but in the middle of two floats of single precision.
+    fn nearest_number<R: Real>(&self) -> Option<R> {
+        let t = self.top.value() / self.det.value();
+        let error = t.abs() * 2f64.powi(-48);
+        if DOUBLES.contains(&t.abs())
+            && let Some(t) = R::between([t - error, t + error].map(|end| [end, 0.0]))
+        {
+            return Some(t);
+        }
+        let t = self.nearest_double()?;
+        let number = R::rounded(t);
+        if number.into() == t {
+            return Some(number);
+        }
+        // What rounding to a double left out has the sign of this.
+        R::between([[t, self.compare_double(t).into()]; 2])
     }
 
     /// The nearest double, the even one of two. `None` if the ratio is neither 0 nor within [`DOUBLES`].
     ///
     /// All numbers of the ray and of the triangle must be 0 or within 2^-200 to 2^200. `[EXACT-7]`
-    pub(super) fn nearest_double(&self) -> Option<f64> {
+    fn nearest_double(&self) -> Option<f64> {
         let (top, det) = (self.top.value(), self.det.value());
         if top == 0.0 {
             return Some(0.0);

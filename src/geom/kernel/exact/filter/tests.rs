@@ -32,7 +32,7 @@ const SIZES: [f64; 3] = [7.0, 11.0, 6.0];
 fn bounds_are_no_wider_than_derived() {
     let region = Region::of(&Aabb { lo: Vec3::splat(2.0), hi: Vec3::new(8.0, 4.0, 3.0) });
     assert_eq!(parts(Errors::of_scene(3.0, 7.0, &region)), derived(SIZES));
-    assert_eq!(parts(Errors::of_scene_within([0.0; 2], 3.0, 7.0, &region)), derived(SIZES));
+    assert_eq!(parts(Errors::within([0.0; 2], SIZES)), derived(SIZES));
     for (corners, o, d) in [case(false), case(true)] {
         assert_eq!(parts(Errors::of_triangle(&corners, o, d)), derived(SIZES));
         assert_eq!(parts(Errors::of_triangle_within([0.0; 2], &corners, o, d)), derived(SIZES));

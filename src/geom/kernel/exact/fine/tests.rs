@@ -27,15 +27,15 @@ proptest! {
         let found = Determinants::new(&corners, o, d);
         match truth::meet(corners.map(|v| v.to_array()), o.to_array(), d.to_array()) {
             Meeting::Hit(point) => {
-                if let Some(t) = found.distance() {
+                if let Some(t) = found.distance::<f64>() {
                     prop_assert_eq!(t, truth::round_f64(&point.t));
                 }
-                if let Some(weights) = found.weights() {
+                if let Some(weights) = found.weights::<f64>() {
                     prop_assert_eq!(weights, [&point.u, &point.v].map(truth::round_f64));
                 }
             }
             // The determinant is 0, and never certainly another.
-            Meeting::Coplanar => prop_assert_eq!((found.distance(), found.weights()), (None, None)),
+            Meeting::Coplanar => prop_assert_eq!((found.distance::<f64>(), found.weights::<f64>()), (None, None)),
             Meeting::Miss => {}
         }
     }
@@ -52,7 +52,7 @@ fn nearly_all_are_certain() {
         let o = vector() - 5.0;
         let target = corners[0] * 0.3 + corners[1] * 0.3 + corners[2] * 0.4;
         let found = Determinants::new(&corners, o, target - o);
-        certain += u32::from(found.distance().is_some() && found.weights().is_some());
+        certain += u32::from(found.distance::<f64>().is_some() && found.weights::<f64>().is_some());
     }
     assert!(certain > 990, "{certain}");
 }
