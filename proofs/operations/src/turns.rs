@@ -11,7 +11,7 @@ use crate::value::{Expr, Format, Let, Loop, Value};
 type Variable = (String, Option<Format>, Expr);
 
 impl Reader<'_> {
-    /// A loop over the counts below one. It is run once on unknown variables to see which of them a turn changes, and again
+    /// A loop over the counts below one. A turn is run on unknown variables to see which of them it changes, and again
     /// on these.
     pub(crate) fn counted(&mut self, frame: &mut Frame, pattern: &Pat, body: &Block, count: Expr) -> Result<Value> {
         let (taken, constants) = (self.taken.clone(), self.constants.len());
@@ -46,8 +46,8 @@ impl Reader<'_> {
         Ok(Value::Unit)
     }
 
-    /// One turn. The name of its number; of all parts of variables what they are before and after; those that got names;
-    /// and what it names.
+    /// One turn. The name of its number; of all parts of variables what they are before and after; those that got
+    /// names; and what it names.
     #[expect(clippy::type_complexity, reason = "it is used in two places")]
     fn turn(
         &mut self,
