@@ -127,9 +127,10 @@ Lemma edge_stands s t dx dy dz ax ax' ay ay' az az' bx bx' by_ by' bz bz' : stan
 Proof. intros H. unfold predicates_add_edge. cbv zeta. now repeat apply product_stands. Qed.
 End Standing.
 
+Definition code_add (sum : (nat -> R) * nat) (x : R) : (nat -> R) * nat := Sum_add rounded (fst sum) (snd sum) x.
+
 (** The sign of an edge function as the code finds it, arrays and all: [add_edge] to a new sum, and its [value]. For all single-precision
     data, with g = -149, and for double-precision data of EXACT-7, with g = -252. [EXACT-2, EXACT-8] *)
-Definition code_add (sum : (nat -> R) * nat) (x : R) : (nat -> R) * nat := Sum_add rounded (fst sum) (snd sum) x.
 Theorem code_edge_has_sign g array dx dy dz ax ay az bx by_ bz ox oy oz : (-323 <= g)%Z -> Forall (Expansion.good g) (dx :: dy :: dz :: nil) ->
   Forall (Expansion.good g) (ax :: ay :: az :: nil) -> Forall (Expansion.good g) (bx :: by_ :: bz :: nil) -> Forall (Expansion.good g) (ox :: oy :: oz :: nil) ->
   let '(px, px', py, py', pz, pz') := predicates_minus rounded ax ay az ox oy oz in

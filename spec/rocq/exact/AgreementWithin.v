@@ -51,11 +51,12 @@ Notation moving := (stepping (reals R64) pred succ).
 Lemma zero_is : constant moving 0 0 = 0.
 Proof. apply Rmult_0_l. Qed.
 
-(** [Interval::add] and [neg]. [INST-3] *)
+(** [Interval::add]. [INST-3] *)
 Theorem interval_add_agrees a b c d : Interval_add moving a b c d = Intervals.plus (a, b) (c, d).
 Proof.
   unfold Interval_add, Intervals.plus, Intervals.add_below, Intervals.add_above. rewrite zero_is. reflexivity.
 Qed.
+(** [Interval::neg]. [INST-3] *)
 Theorem interval_neg_agrees a b : Interval_neg moving a b = Intervals.opposite (a, b).
 Proof. reflexivity. Qed.
 

@@ -46,9 +46,10 @@ Definition holds (x : interval) (r : R) : Prop := fst x <= r <= snd x.
 (** Ends are doubles. *)
 Definition proper (x : interval) : Prop := F (fst x) /\ F (snd x).
 
-(** A rounded number, moved by one, is on the other side of the number. [INST-3] *)
+(** A rounded number, moved down by one, is not above the number. [INST-3] *)
 Theorem moved_below x : pred (R64 x) <= x.
 Proof. apply pred_round_le_id; typeclasses eauto. Qed.
+(** Moved up, it is not below. [INST-3] *)
 Theorem moved_above x : x <= succ (R64 x).
 Proof. apply succ_round_ge_id; typeclasses eauto. Qed.
 
@@ -66,12 +67,13 @@ Proof.
   destruct (Rle_bool_spec rest 0); split; [apply F_R64|lra|apply generic_format_succ; [typeclasses eauto|apply F_R64]|apply moved_above].
 Qed.
 
-(** Sums and differences. [INST-3] *)
+(** Sums. [INST-3] *)
 Theorem plus_holds x y r t : proper x -> proper y -> holds x r -> holds y t -> proper (plus x y) /\ holds (plus x y) (r + t).
 Proof.
   intros [A B] [A' B'] [H1 H2] [H3 H4]. destruct (add_below_is _ _ A A') as [L1 L2]. destruct (add_above_is _ _ B B') as [G1 G2].
   split; [split; assumption|]. unfold holds, plus. cbn [fst snd]. lra.
 Qed.
+(** Differences. [INST-3] *)
 Theorem minus_holds x y r t : proper x -> proper y -> holds x r -> holds y t -> proper (minus x y) /\ holds (minus x y) (r - t).
 Proof.
   intros X [A B] R [H1 H2]. unfold Rminus. apply plus_holds; [exact X| |exact R|]; split; cbn [opposite fst snd]; try lra; now apply generic_format_opp.

@@ -99,7 +99,7 @@ Proof.
   eapply Rle_trans; [apply (det_of_b _ _ _ _ _ _ B2 Ho B1)|right; ring].
 Qed.
 
-(** U and V, for both: first the direction, then the origin. [INST-5] *)
+(** Of U and V, for both: first the direction, then the origin. *)
 Let room := v * C + w * (D + v).
 Let P_room : 0 <= room.
 Proof. unfold room. assert (0 <= v * C) by (now apply Rmult_le_pos). assert (0 <= w * (D + v)) by (apply Rmult_le_pos; lra). lra. Qed.
@@ -109,11 +109,13 @@ Proof.
   intros A B. eapply Rle_trans; [apply add_b; eassumption|]. assert (0 <= w * (D + v) * (E * (1 + u))) by (repeat apply Rmult_le_pos; lra).
   assert (L : w * (D + v) * (E * (1 + u)) * 1 <= w * (D + v) * (E * (1 + u)) * (1 + u)) by (apply Rmult_le_compat_l; lra). unfold room. lra.
 Qed.
+(** U. [INST-5] *)
 Theorem u_moves : Rabs (edge_u middle - edge_u truth) <= 4 * q * (E * room).
 Proof.
   replace (edge_u middle - edge_u truth) with (det_of (sub o v0) (sub d d') (sub v2 v0) + det_of (sub o o') d' (sub v2 v0)) by determinants.
   apply two; [apply (det_of_b _ _ _ _ _ _ Bs Hd B2)|apply (det_of_b _ _ _ _ _ _ Ho true_direction B2)].
 Qed.
+(** V. [INST-5] *)
 Theorem v_moves : Rabs (edge_v middle - edge_v truth) <= 4 * q * (E * room).
 Proof.
   replace (edge_v middle - edge_v truth) with (det_of (sub o v0) (sub v1 v0) (sub d d') + det_of (sub o o') (sub v1 v0) d') by determinants.
@@ -168,7 +170,7 @@ Qed.
 Let sigma := within_sign RN u w v D C E.
 Let first := error_sign RN u D C E.
 
-(** σ' covers an edge function and det together: what is rounded, and what the ray is off by. [INST-5] *)
+(** What an edge function and det are off by: what is rounded, and what the ray is off by. *)
 Let edge_room := 77 / 2 * u * (D * E * (2 * C + E)) + (4 * q * (v * E * E) + 8 * q * (E * room)).
 Let det_room := k prec * (D * E * E) + 4 * q * (v * E * E).
 Let DCE := D * C * E.
@@ -188,6 +190,7 @@ Proof.
   eapply Rle_trans; [|apply below; lra].
   assert (L : (first + x) * (1 - / 2048) <= (first + x) * (1 - u)) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
+(** σ' covers both together. [INST-5] *)
 Theorem within_is_enough : edge_room + det_room <= sigma.
 Proof.
   pose proof sigma_low as S. pose proof (k_small prec prec_11) as K. pose proof q_small as Q. unfold edge_room, det_room. fold DEE.
@@ -198,7 +201,6 @@ Proof.
   set (r := E * room) in *. set (m := v * E * E) in *. lra.
 Qed.
 
-(** [Determinants::is_miss] and [is_hit] with these bounds are right about the true ray. [INST-5] *)
 Let far a b c x y : Rabs (a - b) <= x -> Rabs (b - c) <= y -> Rabs (a - c) <= x + y.
 Proof. intros. replace (a - c) with ((a - b) + (b - c)) by ring. now apply add_b. Qed.
 
@@ -215,6 +217,7 @@ Proof.
   - exact (far _ _ _ _ _ T det_moves).
 Qed.
 
+(** [Determinants::is_miss] with these bounds is right about the true ray. [INST-5] *)
 Theorem within_miss_is_right neg : sign_bit neg (det found) -> is_miss neg sigma found -> ~ meets truth.
 Proof.
   pose proof within_is_enough as S. destruct edges_far as (U & V & W & T). intros N [F|[F|F]]; unfold front in F.
@@ -229,6 +232,7 @@ Proof.
   assert (0 <= k prec * (D * E * E)) by (apply Rmult_le_pos; [lra|repeat apply Rmult_le_pos; assumption]). lra.
 Qed.
 
+(** So is [is_hit]. [INST-5] *)
 Theorem within_hit_is_right neg : is_hit neg sigma found -> meets truth.
 Proof.
   pose proof within_is_enough as S. destruct edges_far as (U & V & W & _). pose proof P_det. intros (A & B & G). unfold front in *.
@@ -276,7 +280,7 @@ Proof.
   assert (L : (x + y) * (1 - / 2048) <= (x + y) * (1 - u)) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
 
-(** What EXACT-9 asks of the determinant, for a certain hit. [INST-5] *)
+(** What EXACT-9 asks of the determinant, for a certain hit. *)
 Lemma within_is_far_from_parallel neg : is_hit neg sigma found -> 15 / 2 * det_room <= Rabs (det found) /\ det found <> 0.
 Proof.
   intros H. pose proof sigma_low as S. pose proof (k_small prec prec_11) as K. pose proof q_small as Q.
@@ -292,7 +296,7 @@ Proof.
   rewrite Z, Rminus_0_l, Rabs_Ropp in T. destruct (Req_dec (det truth) 0) as [|Nz]; [assumption|]. pose proof (Rabs_pos_lt _ Nz). lra.
 Qed.
 
-(** [Determinants::distance] and [weights] with these bounds enclose those of the true ray. [INST-5] *)
+(** [Determinants::distance] with these bounds encloses that of the true ray. [INST-5] *)
 Theorem within_distance neg : is_hit neg sigma found ->
   let '(low, high) := over_determinant RN u (top_t found) (within_t RN u w C E) (det found) (within_det RN u v D E) in
   low <= top_t truth / det truth <= high.
@@ -302,6 +306,7 @@ Proof.
   exact (far _ _ _ _ _ (t_off prec prec_11 v0 v1 v2 o d C E HC HE) t_moves).
 Qed.
 
+(** So does [weights]. [INST-5] *)
 Theorem within_weights neg : is_hit neg sigma found ->
   (let '(low, high) := over_determinant RN u (edge_u found) (RN (sigma * (5 / 4))) (det found) (within_det RN u v D E) in
    low <= edge_u truth / det truth <= high) /\
