@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 reader=$1
-kernels=src/geom/kernel slabs=src/geom/slabs
+kernels=src/geom/kernel slabs=src/geom/slabs lanes=src/geom/lanes
 
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
@@ -63,4 +63,33 @@ planted $slabs/mod.rs 'Vec4::select(a.cmplt(b), a, b)' 'Vec4::select(a.cmple(b),
 # The least of the greatest numbers, and single precision where there should be double.
 planted src/geom/region.rs 'size.max_element()' 'size.y'
 planted src/geom/region.rs 'aabb.hi.as_dvec3() - aabb.lo.as_dvec3()' '(aabb.hi - aabb.lo).as_dvec3()'
+# A sum: what is left out, where a term is kept, what is carried on, how many there are, and the order of the value.
+planted $kernels/exact/sum.rs 'if rest != 0.0 {' 'if rest > 0.0 {'
+planted $kernels/exact/sum.rs 'self.terms[kept] = rest;' 'self.terms[i] = rest;'
+planted $kernels/exact/sum.rs 'carry = sum;' 'carry = rest;'
+planted $kernels/exact/sum.rs 'let (mut carry, mut kept) = (x, 0);' 'let (mut carry, mut kept) = (x, 1);'
+planted $kernels/exact/sum.rs '.iter().sum()' '.iter().rev().sum()'
+# Bounds of a ray within bounds, and what bounds of a distance decide.
+planted $kernels/exact/filter.rs 'origin * (d + direction)' 'origin * d'
+planted $kernels/bounds.rs 'pub const OFF: f64 = 6.0;' 'pub const OFF: f64 = 4.0;'
+planted $kernels/exact/mod.rs 'tmin < near && near < tmax' 'tmin <= near && near < tmax'
+planted $kernels/exact/mod.rs 'if tmin < near && far < tmax {' 'if tmin < near && near < tmax {'
+planted src/geom/interval.rs 'if below >= 0.0 { lo }' 'if above >= 0.0 { lo }'
+planted src/geom/interval.rs 'radius.next_up()' 'radius'
+# Lanes: planes, their sides, steps, a NaN, bits of a rank, a comparison.
+planted $lanes/boxes.rs 'self.distance(planes, 1, side[1] ^ A, far)' 'self.distance(planes, 1, side[1], far)'
+planted $lanes/boxes.rs 'if component < 0.0' 'if component <= 0.0'
+planted $lanes/boxes.rs 'x.to_bits() - STEPS' 'x.to_bits() - 1'
+planted $lanes/boxes.rs 'lesser(far_z, V::splat(self.simd, end))' 'lesser(V::splat(self.simd, end), far_z)'
+planted $lanes/boxes.rs '(1 << 31) - A as u32' '(1 << 31) - 2 * A as u32'
+planted $lanes/boxes.rs '.simd_le(leave)' '.simd_lt(leave)'
+# Filters of triangles: bounds, sizes, rounding up, an order, and a sign.
+planted $lanes/triangles.rs 'pub const DETERMINANT: u32 = 40;' 'pub const DETERMINANT: u32 = 34;'
+planted $lanes/triangles.rs '(127 - 40) << 23' '(127 - 60) << 23'
+planted $lanes/triangles.rs '(far + reach).max(MIN_EDGE)' 'far.max(reach).max(MIN_EDGE)'
+planted $lanes/triangles.rs 'rounded.next_up()' 'rounded'
+planted $lanes/triangles.rs 'a[1] * b[2] - a[2] * b[1]' 'a[2] * b[1] - a[1] * b[2]'
+planted $lanes/triangles.rs 't.to_bits() ^ (det.to_bits() & (1 << 31))' 't.to_bits() ^ (u.to_bits() & (1 << 31))'
+planted $lanes/triangles.rs 'u.min(v).min(w).simd_lt(-delta) & ' 'u.min(v).min(w).simd_lt(-delta) | '
+planted $lanes/block.rs '(v2 - v0).abs()' '(v2 - v1).abs()'
 echo "operations: $caught planted changes are seen"

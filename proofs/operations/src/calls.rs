@@ -21,6 +21,8 @@ impl Reader<'_> {
         match self.known_as(&name).as_str() {
             "true" => return Ok(Value::Bool(Expr::True)),
             "false" => return Ok(Value::Bool(Expr::False)),
+            "None" => return Ok(Value::Maybe(Expr::Call("None".into(), Vec::new()))),
+            number if let Ok(number) = number.parse() => return Ok(Value::Int(number)),
             _ => {}
         }
         let Some((owner, name)) = name.rsplit_once("::") else {
@@ -63,7 +65,7 @@ impl Reader<'_> {
 
     pub(crate) fn type_name(&self, frame: &Frame, name: &str) -> String {
         let name = if name == "Self" { &frame.place.owner } else { name };
-        self.known_as(name.split("::").last().unwrap_or(name))
+        self.known_in(&frame.place.owner, name.split("::").last().unwrap_or(name))
     }
 
     /// Calls a function that is given by a path or is a value.
@@ -75,6 +77,9 @@ impl Reader<'_> {
             return self.apply(frame, &function, arguments);
         }
         let Some((owner, method)) = name.rsplit_once("::") else {
+            if self.known_as(&name) == "unknown" {
+                return Ok(Value::Unknown(name));
+            }
             if name == "Self" || self.source.structure(&name).is_ok() {
                 let fields = arguments.iter().enumerate().map(|(at, value)| (at.to_string(), value.clone()));
                 return self.structure(&self.type_name(frame, &name), fields.collect());
@@ -102,8 +107,12 @@ impl Reader<'_> {
                 if changed { Err("a closure that changes something".into()) } else { Ok(value) }
             }
             Value::Function(owner, name) => match (owner.as_str(), name.as_str(), arguments) {
+                ("f32", "from_bits", [Value::Unknown(_)]) => Ok(arguments[0].clone()),
                 ("f32", "from_bits", [bits]) => operators::from_bits(Format::Single, bits),
                 ("f64", "from_bits", [bits]) => operators::from_bits(Format::Double, bits),
+                // In each lane.
+                ("f32", "splat" | "load_array" | "load_array_ref" | "from_slice", [_, lane]) => Ok(lane.clone()),
+                ("", "Some", [Value::Bool(x)]) => Ok(Value::Maybe(Expr::Call("Some".into(), vec![(None, x.clone())]))),
                 ("f64", "from", [value]) => operators::convert(value, Format::Double),
                 ("u32", "from", [Value::Bool(bit)]) => Ok(Value::Mask(vec![bit.clone()])),
                 ("u64", "from", [Value::Int(x)]) if *x >= 0 => Ok(Value::Int(*x)),
@@ -143,7 +152,18 @@ impl Reader<'_> {
             (Value::Bits(format, Bits::Plus(x, by)), "wrapping_add_signed", [Value::Int(more)]) => {
                 Ok(Value::Bits(*format, Bits::Plus(x.clone(), by + more)))
             }
-            (Value::List(_), "into_iter" | "iter" | "copied", []) => Ok(on),
+            (Value::Bits(format, Bits::Magnitude(x, by)), "min", [most]) => {
+                match operators::from_bits(*format, most)? {
+                    Value::Real(_, Expr::Op("infinity", ..)) => Ok(Value::Bits(*format, Bits::Capped(x.clone(), *by))),
+                    _ => Err("bits of a number in another way than is understood".into()),
+                }
+            }
+            (Value::Bool(x), "to_bitmask", []) => Ok(Value::Lane(x.clone())),
+            (Value::Slice(format, array, count), "sum", []) => Ok(self.sum(*format, array.clone(), count.clone())),
+            (Value::List(of), "as_flattened", []) => Ok(Value::Rows(of.clone())),
+            (Value::Unknown(_), "to_bits", [])
+            | (Value::Slice(..), "iter", [])
+            | (Value::List(_), "into_iter" | "iter" | "copied", []) => Ok(on),
             (Value::List(of), "map", [function]) => Ok(Value::List(
                 of.iter().map(|x| self.apply(frame, function, std::slice::from_ref(x))).collect::<Result<_>>()?,
             )),

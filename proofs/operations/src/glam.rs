@@ -109,6 +109,7 @@ impl Add<f64> for DVec3 {
 }
 
 impl Vec3 {
+    pub(crate) const ZERO: Self = Self { x: 0.0, y: 0.0, z: 0.0 };
     pub(crate) const INFINITY: Self = Self { x: f32::INFINITY, y: f32::INFINITY, z: f32::INFINITY };
 
     pub(crate) const fn new(x: f32, y: f32, z: f32) -> Self {
@@ -168,6 +169,14 @@ impl Vec3 {
             if mask.y { if_true.y } else { if_false.y },
             if mask.z { if_true.z } else { if_false.z },
         )
+    }
+}
+
+impl Add for Vec3 {
+    type Output = Self;
+
+    fn add(self, rhs: Self) -> Self {
+        Self::new(self.x + rhs.x, self.y + rhs.y, self.z + rhs.z)
     }
 }
 

@@ -15,6 +15,7 @@ mod source;
 mod targets;
 #[cfg(test)]
 mod tests;
+mod turns;
 mod value;
 
 use std::path::Path;

@@ -10,6 +10,8 @@ pub(crate) fn binary(op: &BinOp, left: &Value, right: &Value) -> Result<Value, S
         (Value::Real(a, x), Value::Real(b, y)) => real(op, same_format(*a, *b)?, x, y),
         (Value::Bool(x), Value::Bool(y)) => logic(op, x.clone(), y.clone()),
         (Value::Int(x), Value::Int(y)) => integer(op, *x, *y),
+        (Value::Count(x), Value::Int(y)) => count(op, x, *y).map(Value::Count),
+        (Value::Lane(x), Value::Int(15)) if matches!(op, BinOp::BitAnd(_)) => Ok(Value::Lane(x.clone())),
         (Value::Bits(format, x), y) => bits(op, *format, x, y),
         (Value::Mask(x), y) => mask(op, x, y),
         _ => Err(format!("an operator on {} and {}", left.kind(), right.kind())),
@@ -78,6 +80,19 @@ fn integer(op: &BinOp, x: i128, y: i128) -> Result<Value, String> {
     result.map(Value::Int).ok_or_else(|| "an operation on integers".into())
 }
 
+/// One more, or an operation on each of the counts that it may be.
+fn count(op: &BinOp, x: &Expr, y: i128) -> Result<Expr, String> {
+    match (x, integer(op, if let Expr::Number(x) = x { *x } else { 0 }, y)) {
+        (Expr::Number(_), Ok(Value::Int(result))) => Ok(Expr::Number(result)),
+        (Expr::If(of), _) => {
+            let [condition, yes, no] = &**of;
+            Ok(Expr::If(Box::new([condition.clone(), count(op, yes, y)?, count(op, no, y)?])))
+        }
+        _ if matches!(op, BinOp::Add(_)) && y == 1 => Ok(Expr::op("S", None, [x.clone()])),
+        _ => Err("a count in another way than is understood".into()),
+    }
+}
+
 /// Bits of a number: only what has a meaning for the number.
 fn bits(op: &BinOp, format: Format, x: &Bits, y: &Value) -> Result<Value, String> {
     let (sign, exponent) = match format {
@@ -91,6 +106,18 @@ fn bits(op: &BinOp, format: Format, x: &Bits, y: &Value) -> Result<Value, String
         (BinOp::BitAnd(_), Bits::Plus(x, 0), Value::Int(only)) if *only == exponent => Bits::Exponent(x.clone()),
         (BinOp::BitXor(_), Bits::Plus(x, 0), Value::Bits(same, Bits::Sign(y))) if *same == format => {
             Bits::Xor(x.clone(), y.clone())
+        }
+        (BinOp::BitAnd(_), Bits::Plus(x, 0), Value::Int(only)) if *only == sign - 1 => Bits::Magnitude(x.clone(), 0),
+        (BinOp::Add(_), Bits::Magnitude(x, by), Value::Int(more)) => Bits::Magnitude(x.clone(), by + more),
+        // The sign that it had.
+        (BinOp::BitOr(_), Bits::Capped(x, by), Value::Bits(same, Bits::Sign(y))) if *same == format && x == y => {
+            Bits::Plus(x.clone(), *by)
+        }
+        (BinOp::BitAnd(_), Bits::Plus(x, 0), Value::Int(only)) if matches!(sign - *only, 2 | 4 | 8) => {
+            Bits::Cleared(x.clone(), i128::from((sign - *only).trailing_zeros()))
+        }
+        (BinOp::BitOr(_), Bits::Cleared(..), Value::Bits(..)) => {
+            return Ok(Value::Unknown("a number with the bits of another".into()));
         }
         _ => return Err("bits of a number in another way than is understood".into()),
     };
@@ -116,7 +143,8 @@ pub(crate) fn from_bits(format: Format, value: &Value) -> Result<Value, String> 
                 sign.choose(&Expr::op("opposite", known, [x.clone()]), x)
             }
             Bits::Exponent(x) => Expr::op("power", known, [x.clone()]),
-            Bits::Sign(_) => return Err("a number of one bit".into()),
+            Bits::Cleared(x, by) => Expr::op("cleared", known, [Expr::Constant(*by, 0), x.clone()]),
+            Bits::Sign(_) | Bits::Magnitude(..) | Bits::Capped(..) => return Err("a number of some bits".into()),
         },
         other => return Err(format!("a number made of {}", other.kind())),
     };
@@ -162,7 +190,14 @@ pub(crate) fn method(x: &Expr, format: Option<Format>, name: &str, with: &[Value
         ("recip", 0) => number(Expr::op("over", format, [Expr::Constant(1, 0), x.clone()])),
         // Of numbers that are no NaN, and but for the sign of a zero, which Rust leaves open. See the tests.
         ("max", 1) => other().and_then(|y| number(Expr::op("less", format, [y.clone(), x.clone()]).choose(x, &y))),
-        ("min", 1) => other().and_then(|y| number(Expr::op("less", format, [x.clone(), y.clone()]).choose(x, &y))),
+        ("min" | "min_precise", 1) => {
+            other().and_then(|y| number(Expr::op("less", format, [x.clone(), y.clone()]).choose(x, &y)))
+        }
+        ("simd_lt", 1) => other().map(|y| Value::Bool(Expr::op("less", format, [x.clone(), y]))),
+        ("simd_gt", 1) => other().map(|y| Value::Bool(Expr::op("less", format, [y, x.clone()]))),
+        ("simd_le", 1) => other().map(|y| Value::Bool(Expr::op("at_most", format, [x.clone(), y]))),
+        ("next_up", 0) => number(Expr::op("after", format, [x.clone()])),
+        ("next_down", 0) => number(Expr::op("before", format, [x.clone()])),
         ("is_finite", 0) => Ok(Value::Bool(Expr::op("is_finite", format, [x.clone()]))),
         ("to_bits", 0) => Ok(Value::Bits(known, Bits::Plus(x.clone(), 0))),
         _ => Err(format!("the method {name} of a number")),

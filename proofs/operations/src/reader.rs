@@ -9,20 +9,9 @@ use syn::Pat;
 
 use crate::shapes::{fresh, member, numbers};
 use crate::source::{Function, Place, Source, text};
-use crate::value::{Expr, Format, Value};
+use crate::value::{Expr, Format, Let, Value};
 
 pub(crate) type Result<T> = std::result::Result<T, String>;
-
-/// What has a name, or several: the parts of what a function gives.
-#[derive(Clone)]
-pub(crate) struct Let {
-    pub(crate) names: Vec<String>,
-    pub(crate) value: Expr,
-    /// None of a truth value, a sum, or several parts.
-    pub(crate) format: Option<Format>,
-    /// Whether the source names it. Operands of functions are named where they are used more than once.
-    pub(crate) is_written: bool,
-}
 
 /// A function that is printed.
 pub(crate) struct Printed {
@@ -130,9 +119,12 @@ impl<'s> Reader<'s> {
         }
         let mut names = names.into_iter();
         shape.leaves("", &mut |_, leaf| match leaf {
-            Value::Real(..) | Value::Bool(_) | Value::State(_) => {
-                leaf.with(&Expr::Name(names.next().ok_or("a name is missing")?))
-            }
+            Value::Real(..)
+            | Value::Bool(_)
+            | Value::State(_)
+            | Value::Maybe(_)
+            | Value::Array(..)
+            | Value::Count(_) => leaf.with(&Expr::Name(names.next().ok_or("a name is missing")?)),
             other => Ok(other.clone()),
         })
     }
@@ -169,6 +161,13 @@ impl<'s> Reader<'s> {
         self.known.iter().find(|(from, _)| *from == name).map_or_else(|| name.to_owned(), |(_, to)| (*to).to_owned())
     }
 
+    /// The same, where it may stand for something else in the code of this type.
+    pub(crate) fn known_in(&self, owner: &str, name: &str) -> String {
+        let own = format!("{owner}::{name}");
+        let found = self.known.iter().find(|(from, _)| *from == own);
+        found.map_or_else(|| self.known_as(name), |(_, to)| (*to).to_owned())
+    }
+
     /// Names the numbers of a value that have none yet.
     pub(crate) fn name(&mut self, name: &str, value: &Value, is_written: bool) -> Result<Value> {
         value.leaves(name, &mut |name, leaf| {
@@ -178,6 +177,7 @@ impl<'s> Reader<'s> {
                 }
                 Value::Bool(x) => Value::Bool(self.named(name, x, None, is_written)),
                 Value::State(x) => Value::State(self.named(name, x, None, is_written)),
+                Value::Array(format, x) => Value::Array(*format, self.named(name, x, None, is_written)),
                 other => other.clone(),
             })
         })

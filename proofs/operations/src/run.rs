@@ -23,12 +23,17 @@ impl Reader<'_> {
                     let value = self.eval(frame, &init.expr)?;
                     self.bind(frame, &local.pat, &value, true)?;
                 }
+                // It is checked when the code is compiled.
+                Stmt::Expr(Rust::Const(_), Some(_)) => {}
                 // Attributes may take it away.
                 Stmt::Expr(expr, _) if text(expr).starts_with('#') => {
                     return Err(format!("not understood: {}", text(expr)));
                 }
                 Stmt::Expr(Rust::If(branch), _) if is_function && is_returned(&branch.then_branch) => {
                     let condition = self.condition(frame, &branch.cond)?;
+                    if condition == Expr::False {
+                        continue;
+                    }
                     let (mut early, mut later) = (frame.clone(), frame.clone());
                     if branch.else_branch.is_some() {
                         return Err("a return with an else".into());
@@ -69,7 +74,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn block(&mut self, frame: &mut Frame, block: &Block) -> Result<Value> {
+    pub(crate) fn block(&mut self, frame: &mut Frame, block: &Block) -> Result<Value> {
         let outside = frame.seen.len();
         let value = self.statements(frame, &block.stmts, false)?;
         frame.seen.truncate(outside);
@@ -114,6 +119,7 @@ impl Reader<'_> {
                         (Value::Int(start), Value::Int(end), syn::RangeLimits::HalfOpen(_)) => {
                             Ok(Value::List((start..end).map(Value::Int).collect()))
                         }
+                        (Value::Int(0), Value::Count(end), syn::RangeLimits::HalfOpen(_)) => Ok(Value::Below(end)),
                         (start, end, syn::RangeLimits::Closed(_)) => Ok(Value::Range(Box::new([start, end]))),
                         _ => Err(format!("not understood: {}", text(expr))),
                     }
@@ -125,12 +131,26 @@ impl Reader<'_> {
                 member(&value, &text(&field.member))
             }
             Rust::Index(index) => {
-                let (value, at) = (self.eval(frame, &index.expr)?, self.eval(frame, &index.index)?);
+                let value = self.eval(frame, &index.expr)?;
+                if let Rust::Range(range) = &*index.index {
+                    return self.slice(frame, value, range);
+                }
+                let at = self.eval(frame, &index.index)?;
+                if let Value::Array(format, array) = value {
+                    let element = Expr::op("element", None, [array, at.count()?]);
+                    return Ok(Value::Real(Some(format), element));
+                }
                 element(&value, &at).cloned()
             }
             Rust::Cast(cast) => {
                 let value = self.eval(frame, &cast.expr)?;
                 self.cast(value, &cast.ty)
+            }
+            Rust::Binary(binary) if matches!(binary.op, syn::BinOp::AddAssign(_)) => {
+                let (left, right) = (self.eval(frame, &binary.left)?, self.eval(frame, &binary.right)?);
+                let sum = operators::binary(&syn::parse_quote!(+), &left, &right)?;
+                self.assign(frame, &binary.left, sum)?;
+                Ok(Value::Unit)
             }
             Rust::Binary(binary) => self.binary(frame, binary),
             Rust::Assign(assign) => {
@@ -210,6 +230,29 @@ impl Reader<'_> {
         Ok(self.call(&function, &[left, right])?.0)
     }
 
+    /// The first elements of an array, or one of several rows.
+    fn slice(&mut self, frame: &mut Frame, of: Value, range: &syn::ExprRange) -> Result<Value> {
+        let ends = (&range.start, &range.end, &range.limits);
+        match (of, ends) {
+            (Value::Array(format, array), (None, Some(end), syn::RangeLimits::HalfOpen(_))) => {
+                Ok(Value::Slice(format, array, self.eval(frame, end)?.count()?))
+            }
+            (Value::Rows(rows), (Some(start), Some(end), syn::RangeLimits::HalfOpen(_)))
+                if text(&**end) == format!("{}+A", text(&**start)) =>
+            {
+                match (self.eval(frame, start)?, &rows[..]) {
+                    (Value::Count(Expr::If(of)), [lower, upper]) => match &*of {
+                        [side, Expr::Number(4), Expr::Number(0)] => Value::choose(side, upper, lower),
+                        [side, Expr::Number(0), Expr::Number(4)] => Value::choose(side, lower, upper),
+                        _ => Err(format!("not understood: {}", text(range))),
+                    },
+                    _ => Err(format!("not understood: {}", text(range))),
+                }
+            }
+            _ => Err(format!("not understood: {}", text(range))),
+        }
+    }
+
     fn cast(&mut self, value: Value, ty: &syn::Type) -> Result<Value> {
         if let Some(format) = self.format(ty) {
             return operators::convert(&value, format);
@@ -222,6 +265,7 @@ impl Reader<'_> {
         };
         match value {
             Value::Int(x) if (0..=most).contains(&x) => Ok(value),
+            Value::Lane(_) => Ok(value),
             other => Err(format!("a cast of {}", other.kind())),
         }
     }
@@ -239,6 +283,13 @@ impl Reader<'_> {
             Rust::Index(index) => {
                 let (whole, at) = (self.eval(frame, &index.expr)?, self.eval(frame, &index.index)?);
                 match (whole, at) {
+                    (Value::Array(format, array), at) => {
+                        let Value::Real(_, x) = value else { return Err(format!("an array of {}", value.kind())) };
+                        let operands = vec![(None, array), (None, at.count()?), (Some(format), x)];
+                        let stored = Value::Array(format, Expr::Call("store".into(), operands));
+                        let stored = self.name(&base_name(&index.expr), &stored, true)?;
+                        self.assign(frame, &index.expr, stored)
+                    }
                     (Value::List(mut of), Value::Int(at)) => {
                         let part = usize::try_from(at).ok().and_then(|at| of.get_mut(at));
                         *part.ok_or_else(|| format!("beyond the end: {}", text(to)))? = value;
@@ -247,6 +298,14 @@ impl Reader<'_> {
                     _ => Err(format!("not understood: {}", text(to))),
                 }
             }
+            Rust::Field(field) => match self.eval(frame, &field.base)? {
+                Value::Struct(name, mut fields) => {
+                    let part = fields.iter_mut().find(|(name, _)| *name == text(&field.member));
+                    part.ok_or_else(|| format!("not understood: {}", text(to)))?.1 = value;
+                    self.assign(frame, &field.base, Value::Struct(name, fields))
+                }
+                other => Err(format!("a part of {}", other.kind())),
+            },
             _ => Err(format!("not understood: {}", text(to))),
         }
     }
@@ -278,6 +337,7 @@ impl Reader<'_> {
         let over = match self.eval(frame, &turn.expr)? {
             Value::List(of) => of.into_iter().map(|x| (Expr::True, x)).collect(),
             Value::Filtered(of) => of,
+            Value::Below(count) => return self.counted(frame, &turn.pat, &turn.body, count),
             other => return Err(format!("a loop over {}", other.kind())),
         };
         for (condition, value) in over {
@@ -292,10 +352,16 @@ impl Reader<'_> {
     }
 }
 
+/// The name of a variable or of its part.
+fn base_name(of: &Rust) -> String {
+    text(of).replace('.', "_")
+}
+
 fn unary_of(op: UnOp, value: Value) -> Result<Value> {
     match (op, value) {
         (UnOp::Deref(_), value) => Ok(value),
         (UnOp::Not(_), Value::Bool(x)) => Ok(Value::Bool(x.not())),
+        (UnOp::Not(_), Value::Lane(x)) => Ok(Value::Lane(x.not())),
         (UnOp::Neg(_), Value::Int(x)) => Ok(Value::Int(-x)),
         (UnOp::Neg(_), Value::Real(format, x)) => Ok(Value::Real(format, Expr::op("opposite", format, [x]))),
         (_, value) => Err(format!("an operator on {}", value.kind())),

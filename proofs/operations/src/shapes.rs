@@ -14,7 +14,9 @@ pub(crate) fn numbers(value: &Value) -> Vec<(Option<Format>, Expr)> {
     let each = value.leaves("", &mut |_, leaf| {
         match leaf {
             Value::Real(format, x) => found.push((*format, x.clone())),
-            Value::Bool(x) | Value::State(x) => found.push((None, x.clone())),
+            Value::Bool(x) | Value::State(x) | Value::Array(_, x) | Value::Count(x) | Value::Maybe(x) => {
+                found.push((None, x.clone()));
+            }
             _ => {}
         }
         Ok(leaf.clone())
@@ -30,8 +32,8 @@ pub(crate) fn name_of_constant(place: &Place, name: &str) -> String {
     format!("{of}_{name}")
 }
 
-/// A name that is not taken, and that Rocq does not keep for itself.
-pub(crate) fn fresh(taken: &mut BTreeSet<String>, name: &str) -> String {
+/// A name that Rocq does not keep for itself.
+pub(crate) fn free(name: &str) -> String {
     let kept = matches!(
         name,
         "by" | "end"
@@ -48,7 +50,12 @@ pub(crate) fn fresh(taken: &mut BTreeSet<String>, name: &str) -> String {
             | "power"
             | "equal"
     );
-    let name = if kept { format!("{name}_") } else { name.to_owned() };
+    if kept { format!("{name}_") } else { name.to_owned() }
+}
+
+/// One that is not taken either.
+pub(crate) fn fresh(taken: &mut BTreeSet<String>, name: &str) -> String {
+    let name = free(name);
     let mut fresh = name.clone();
     let mut times = 1;
     while !taken.insert(fresh.clone()) {
@@ -112,18 +119,28 @@ pub(crate) fn unknown(reader: &Reader<'_>, ty: &syn::Type, owner: &str, name: &s
         syn::Type::Tuple(ty) => list(ty.elems.iter().enumerate().collect()),
         syn::Type::Array(ty) => match text(&ty.len).parse::<usize>() {
             Ok(len @ 0..=64) => list((0..len).map(|at| (at, &*ty.elem)).collect()),
+            Err(_) if let Some(format) = reader.format(&ty.elem) => Ok(Value::Array(format, Expr::Name(name.into()))),
             _ => Err(format!("not understood: {}", text(ty))),
         },
         syn::Type::Path(_) => {
-            let short = reader.known_as(&last_name(ty));
+            let short = reader.known_in(owner, &last_name(ty));
             let short = if short == "Self" { owner } else { &short };
             if let Some((_, alias)) = reader.source.aliases.iter().find(|(name, _)| name == short) {
                 return unknown(reader, alias, owner, name);
             }
             match short {
+                "bool" if reader.known_as(name) == "false" => return Ok(Value::Bool(Expr::False)),
                 "bool" => return Ok(Value::Bool(Expr::Name(name.into()))),
-                "Sum" => return Ok(Value::State(Expr::Name(name.into()))),
-                "i32" | "u32" | "usize" => return Ok(Value::Unknown(name.into())),
+                "state" => return Ok(Value::State(Expr::Name(name.into()))),
+                "i32" | "u32" => return Ok(Value::Unknown(name.into())),
+                "simd" => return Ok(Value::Unit),
+                "f32" => return Ok(Value::Real(Some(Format::Single), Expr::Name(name.into()))),
+                "usize" => return Ok(Value::Count(Expr::Name(name.into()))),
+                // Where a row of four begins: that of the upper planes, or that of the lower ones.
+                "side" => {
+                    let either = [Expr::Name(name.into()), Expr::Number(4), Expr::Number(0)];
+                    return Ok(Value::Count(Expr::If(Box::new(either))));
+                }
                 _ => {}
             }
             let fields = reader.source.structure(short)?.fields.iter().map(|(field, ty)| {

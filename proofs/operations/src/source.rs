@@ -9,6 +9,7 @@ use syn::{FnArg, ImplItem, Item, TraitItem, UseTree};
 const FILES: &[&str] = &[
     "src/geom/aabb.rs",
     "src/geom/frame.rs",
+    "src/geom/interval.rs",
     "src/geom/kernel/bounds.rs",
     "src/geom/kernel/exact/double.rs",
     "src/geom/kernel/exact/filter.rs",
@@ -16,6 +17,9 @@ const FILES: &[&str] = &[
     "src/geom/kernel/exact/predicates.rs",
     "src/geom/kernel/exact/single.rs",
     "src/geom/kernel/exact/sum.rs",
+    "src/geom/lanes/block.rs",
+    "src/geom/lanes/boxes.rs",
+    "src/geom/lanes/triangles.rs",
     "src/geom/ray.rs",
     "src/geom/region.rs",
     "src/geom/slabs/centred.rs",
@@ -188,7 +192,8 @@ impl Source {
         self.visible(file, name, found, |c| &c.place.file)
     }
 
-    /// The one in the same file; else the one in the module that the name is imported from; else the only one.
+    /// The one in the same file; else the one in the module that the name is imported from, or the only one in a module
+    /// below that; else the only one.
     fn visible<'s, T>(
         &self,
         file: &str,
@@ -202,6 +207,10 @@ impl Source {
         }
         let from = self.imports.iter().find(|(by, what, _)| by == file && what == name).map(|(_, _, module)| module);
         if let Some(there) = found.iter().find(|item| from.is_some_and(|from| *from == module_of(file_of(item)))) {
+            return Ok(there);
+        }
+        let below = |item: &&T| from.is_some_and(|from| module_of(file_of(item)).starts_with(&format!("{from}/")));
+        if let [there] = found.iter().copied().filter(below).collect::<Vec<_>>()[..] {
             return Ok(there);
         }
         only(name, found.into_iter())

@@ -16,6 +16,23 @@ pub(crate) struct Target {
 /// Methods of a sum that are not looked into, with their names in Rocq.
 pub(crate) const OPAQUE: &[(&str, &str)] = &[("add", "sum_add"), ("add_product", "Sum_add_product")];
 
+const STATE: &[(&str, &str)] = &[("Sum", "state")];
+/// One of four lanes. Rows of lanes are numbers then, and so are vectors.
+const LANE: &[(&str, &str)] = &[
+    ("S", "simd"),
+    ("V", "Vec3"),
+    ("V::Real", "f32"),
+    ("BoxRay::V", "f32"),
+    ("::V", "f32"),
+    ("A", "4"),
+    ("f32x4", "f32"),
+    ("f32x4<S>", "f32"),
+    ("[f32;4]", "f32"),
+    ("[f32;A]", "f32"),
+    ("usize", "side"),
+    ("lane_numbers", "unknown"),
+    ("self_is_wide", "false"),
+];
 const SINGLE: &[(&str, &str)] = &[("V", "Vec3"), ("V::Real", "f32")];
 const TWO_SIDED: &[(&str, &str)] = &[("V", "Vec3"), ("V::Real", "f32"), ("PADDED", "true")];
 
@@ -23,6 +40,10 @@ const FILTER: &str = "src/geom/kernel/exact/filter.rs";
 const SUM: &str = "src/geom/kernel/exact/sum.rs";
 const PREDICATES: &str = "src/geom/kernel/exact/predicates.rs";
 const STAGE: &str = "src/geom/kernel/exact/single.rs";
+const INTERVAL: &str = "src/geom/interval.rs";
+const EXACT: &str = "src/geom/kernel/exact/mod.rs";
+const BOXES: &str = "src/geom/lanes/boxes.rs";
+const TRIANGLES: &str = "src/geom/lanes/triangles.rs";
 
 /// In the order in which they are printed.
 pub(crate) const TARGETS: &[Target] = &[
@@ -35,14 +56,13 @@ pub(crate) const TARGETS: &[Target] = &[
     Target { owner: "Determinants", name: "weights", file: FILTER, known: &[], parts: &[] },
     Target { owner: "Errors", name: "of_triangle", file: FILTER, known: &[], parts: &[] },
     Target { owner: "Errors", name: "of_scene", file: FILTER, known: &[], parts: &[] },
+    Target { owner: "Errors", name: "within", file: FILTER, known: &[], parts: &[] },
+    Target { owner: "Errors", name: "of_triangle_within", file: FILTER, known: &[], parts: &[] },
+    Target { owner: "Errors", name: "of_scene_within", file: FILTER, known: &[], parts: &[] },
+    Target { owner: "", name: "is_certain", file: EXACT, known: &[], parts: &[] },
+    Target { owner: "", name: "is_within", file: EXACT, known: &[("R", "f32")], parts: &[] },
     Target { owner: "Region", name: "of", file: "src/geom/region.rs", known: &[], parts: &["reach", "size"] },
-    Target {
-        owner: "Exact",
-        name: "new",
-        file: "src/geom/kernel/exact/mod.rs",
-        known: SINGLE,
-        parts: &["origin", "direction", "errors"],
-    },
+    Target { owner: "Exact", name: "new", file: EXACT, known: SINGLE, parts: &["origin", "direction", "errors"] },
     Target { owner: "", name: "is_usual", file: "src/geom/kernel/exact/double.rs", known: &[], parts: &[] },
     Target { owner: "Doubled", name: "new", file: "src/geom/slabs/doubled.rs", known: &[], parts: &[] },
     Target { owner: "Doubled", name: "pair", file: "src/geom/slabs/doubled.rs", known: &[], parts: &[] },
@@ -68,7 +88,24 @@ pub(crate) const TARGETS: &[Target] = &[
     Target { owner: "", name: "two_sum", file: SUM, known: &[], parts: &[] },
     Target { owner: "", name: "split", file: SUM, known: &[], parts: &[] },
     Target { owner: "", name: "two_product", file: SUM, known: &[], parts: &[] },
-    Target { owner: "Sum", name: "add_product", file: SUM, known: &[], parts: &[] },
+    Target { owner: "Interval", name: "add", file: INTERVAL, known: &[], parts: &[] },
+    Target { owner: "Interval", name: "neg", file: INTERVAL, known: &[], parts: &[] },
+    Target { owner: "Interval", name: "middle_and_radius", file: INTERVAL, known: &[], parts: &[] },
+    Target { owner: "Interval", name: "ends_in_single", file: INTERVAL, known: &[], parts: &[] },
+    Target { owner: "Sum", name: "add", file: SUM, known: &[], parts: &[] },
+    Target { owner: "Sum", name: "value", file: SUM, known: &[], parts: &[] },
+    Target { owner: "Sum", name: "add_product", file: SUM, known: STATE, parts: &[] },
     Target { owner: "", name: "minus", file: PREDICATES, known: &[], parts: &[] },
-    Target { owner: "", name: "add_edge", file: PREDICATES, known: &[], parts: &[] },
+    Target { owner: "", name: "add_edge", file: PREDICATES, known: STATE, parts: &[] },
+    Target {
+        owner: "BoxRay",
+        name: "new",
+        file: BOXES,
+        known: LANE,
+        parts: &["origin", "near", "far", "side", "tmin", "is_wide"],
+    },
+    Target { owner: "BoxRay", name: "enter", file: BOXES, known: LANE, parts: &["1"] },
+    Target { owner: "", name: "longest", file: "src/geom/lanes/block.rs", known: SINGLE, parts: &[] },
+    Target { owner: "TriangleRay", name: "new", file: TRIANGLES, known: LANE, parts: &[] },
+    Target { owner: "TriangleRay", name: "survivors", file: TRIANGLES, known: LANE, parts: &[] },
 ];

@@ -83,6 +83,7 @@ fn vec3() {
         let (x, y) = (meaning::Vec3::new(a[0], a[1], a[2]), meaning::Vec3::new(b[0], b[1], b[2]));
         let (p, q) = (glam::Vec3::from_array(a), glam::Vec3::from_array(b));
         same(wide((x - y).to_array()), wide((p - q).to_array()), "sub");
+        same(wide((x + y).to_array()), wide((p + q).to_array()), "add");
         same(wide((x * b[0]).to_array()), wide((p * b[0]).to_array()), "mul");
         same([x.dot(y).into()], [p.dot(q).into()], "dot");
         same(wide(x.cross(y).to_array()), wide(p.cross(q).to_array()), "cross");
@@ -94,6 +95,7 @@ fn vec3() {
         }
         same(x.as_dvec3().to_array(), p.as_dvec3().to_array(), "as_dvec3");
         same(wide(x.extend(b[0]).to_array()), wide(p.extend(b[0]).to_array()), "extend");
+        assert_eq!(meaning::Vec3::ZERO.to_array(), glam::Vec3::ZERO.to_array());
         let ours = meaning::Vec3::select(x.is_finite_mask(), x, meaning::Vec3::INFINITY);
         same(
             wide(ours.to_array()),
@@ -160,8 +162,10 @@ fn greater_and_lesser() {
 }
 
 /// Bits that are moved are the next numbers in magnitude, up to infinity and down to 0; a sign that is changed by
-/// exclusive or is that of the other number; bits of an exponent are a power of two.
+/// exclusive or is that of the other number; bits of an exponent are a power of two; the lowest bits are those of the
+/// significand.
 #[test]
+#[expect(clippy::cast_precision_loss, reason = "a significand has 53 bits")]
 fn bits_of_numbers() {
     fn moved(x: f64, by: i64) -> f64 {
         let step = |x: f64| if by < 0 { x.next_down() } else { x.next_up() };
@@ -180,11 +184,34 @@ fn bits_of_numbers() {
             let changed = f64::from_bits(x.to_bits() ^ y.to_bits() & 1 << 63);
             same([changed], [if y.is_sign_negative() { -x } else { x }], "sign");
         }
+        if !x.is_nan() {
+            let magnitude = (x.to_bits() & ((1 << 63) - 1)) + 2;
+            let capped = f64::from_bits(magnitude.min(f64::INFINITY.to_bits()) | x.to_bits() & 1 << 63);
+            same([capped], [moved(x, 2)], "capped");
+        }
+        if x.is_finite() {
+            let (exponent, fraction) = (x.to_bits() >> 52 & 0x7ff, x.to_bits() & ((1 << 52) - 1));
+            let significand = fraction | u64::from(exponent > 0) << 52;
+            let unit = f64::from_bits(if exponent >= 53 { (exponent - 52) << 52 } else { 1 << (exponent.max(1) - 1) });
+            let cleared = f64::from_bits(x.to_bits() & ((1 << 63) - 4));
+            same([cleared], [(significand >> 2 << 2) as f64 * unit], "cleared");
+        }
         let power = f64::from_bits(x.to_bits() & 0x7ff << 52);
         if x.is_normal() {
             assert!(power <= x.abs() && x.abs() / 2.0 < power && power.to_bits().trailing_zeros() >= 52, "{x}");
         } else {
             same([power], [if x.is_finite() { 0.0 } else { f64::INFINITY }], "power");
         }
+    }
+}
+
+/// A sum begins with -0, and adds one number after the other.
+#[test]
+fn sums() {
+    let mut random = Random(6);
+    same([[0.0; 0].iter().sum()], [-0.0], "empty");
+    for _ in 0..TURNS {
+        let [a, b, c] = [0; 3].map(|_| random.double());
+        same([[a, b, c].iter().sum()], [((-0.0 + a) + b) + c], "sum");
     }
 }

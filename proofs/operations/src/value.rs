@@ -20,6 +20,8 @@ pub(crate) enum Expr {
     Constant(i128, i32),
     /// A literal whose format is not known yet.
     Literal(String),
+    /// A count.
+    Number(i128),
     True,
     False,
     /// An operation of the arithmetic of a format, which may not be known yet.
@@ -27,6 +29,33 @@ pub(crate) enum Expr {
     /// A function that is defined before, or of which nothing is known; operands with their formats.
     Call(String, Vec<(Option<Format>, Self)>),
     If(Box<[Self; 3]>),
+    /// What a loop of an unknown count makes of its variables.
+    Loop(Box<Loop>),
+}
+
+/// A loop that counts its turns.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Loop {
+    pub(crate) count: Expr,
+    /// The name of the turn's number.
+    pub(crate) index: String,
+    /// What the variables are called in a turn.
+    pub(crate) names: Vec<String>,
+    pub(crate) start: Vec<(Option<Format>, Expr)>,
+    pub(crate) lets: Vec<Let>,
+    /// What a turn makes of them.
+    pub(crate) end: Vec<(Expr, Option<Format>)>,
+}
+
+/// What has a name, or several: the parts of what a function or a loop gives.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Let {
+    pub(crate) names: Vec<String>,
+    pub(crate) value: Expr,
+    /// None of a truth value, a sum, or several parts.
+    pub(crate) format: Option<Format>,
+    /// Whether the source names it. Operands of functions are named where they are used more than once.
+    pub(crate) is_written: bool,
 }
 
 /// A value.
@@ -36,6 +65,19 @@ pub(crate) enum Value {
     Real(Option<Format>, Expr),
     Bool(Expr),
     Int(i128),
+    /// An integer that is not known.
+    Count(Expr),
+    /// All counts below one.
+    Below(Expr),
+    /// Numbers of which not all are known; the first ones of them, so many.
+    Array(Format, Expr),
+    Slice(Format, Expr, Expr),
+    /// A truth value that may be missing.
+    Maybe(Expr),
+    /// Of a set of lanes, whether the lane that is looked at is in it.
+    Lane(Expr),
+    /// Rows of lanes, one after the other, of each the lane that is looked at.
+    Rows(Vec<Self>),
     /// The bits of a number.
     Bits(Format, Bits),
     /// An integer of some bits, from the lowest on.
@@ -67,6 +109,12 @@ pub(crate) enum Bits {
     Xor(Expr, Expr),
     /// Those of the exponent.
     Exponent(Expr),
+    /// All but that of the sign, as an integer, plus a number.
+    Magnitude(Expr, i128),
+    /// The same, and not beyond those of infinity.
+    Capped(Expr, i128),
+    /// All but that of the sign and so many of the lowest.
+    Cleared(Expr, i128),
 }
 
 /// A closure, with what it sees.
@@ -84,8 +132,10 @@ impl Expr {
     }
 
     pub(crate) fn is_atom(&self) -> bool {
-        matches!(self, Self::Name(_) | Self::Constant(..) | Self::Literal(_) | Self::True | Self::False)
-            || matches!(self, Self::Op(_, _, of) if of.is_empty())
+        matches!(
+            self,
+            Self::Name(_) | Self::Constant(..) | Self::Literal(_) | Self::True | Self::False | Self::Number(_)
+        ) || matches!(self, Self::Op(_, _, of) if of.is_empty())
             || matches!(self, Self::Call(_, of) if of.is_empty())
     }
 
@@ -169,7 +219,7 @@ pub(crate) fn constant(number: f64) -> Result<Expr, String> {
 
 /// Operations that are of no format.
 fn is_logic(name: &str) -> bool {
-    matches!(name, "andb" | "orb" | "negb" | "xorb" | "widen" | "narrow")
+    matches!(name, "andb" | "orb" | "negb" | "xorb" | "widen" | "narrow" | "S" | "element")
 }
 
 impl Value {
@@ -179,6 +229,12 @@ impl Value {
             Self::Real(..) => "a number",
             Self::Bool(_) => "a truth value",
             Self::Int(_) => "an integer",
+            Self::Count(_) => "a count",
+            Self::Below(_) => "a range of counts",
+            Self::Array(..) | Self::Slice(..) => "an array",
+            Self::Maybe(_) => "a truth value that may be missing",
+            Self::Lane(_) => "a set of lanes",
+            Self::Rows(_) => "rows of lanes",
             Self::Bits(..) => "bits of a number",
             Self::Mask(_) => "a mask",
             Self::List(_) => "a list",
@@ -208,6 +264,9 @@ impl Value {
             Self::Real(format, _) => Self::Real(*format, x.clone()),
             Self::Bool(_) => Self::Bool(x.clone()),
             Self::State(_) => Self::State(x.clone()),
+            Self::Count(_) => Self::Count(x.clone()),
+            Self::Array(format, _) => Self::Array(*format, x.clone()),
+            Self::Maybe(_) => Self::Maybe(x.clone()),
             other => return Err(format!("{} in a result", other.kind())),
         })
     }
@@ -247,6 +306,11 @@ impl Value {
             (Self::Bool(x), Self::Bool(y)) => Self::Bool(condition.choose(x, y)),
             (Self::State(x), Self::State(y)) => Self::State(condition.choose(x, y)),
             (Self::Int(x), Self::Int(y)) if x == y => yes.clone(),
+            (Self::Int(_) | Self::Count(_), Self::Int(_) | Self::Count(_)) => {
+                Self::Count(condition.choose(&yes.count()?, &no.count()?))
+            }
+            (Self::Array(a, x), Self::Array(b, y)) if a == b => Self::Array(*a, condition.choose(x, y)),
+            (Self::Maybe(x), Self::Maybe(y)) => Self::Maybe(condition.choose(x, y)),
             (Self::Unit, Self::Unit) => Self::Unit,
             (Self::List(x), Self::List(y)) if x.len() == y.len() => {
                 Self::List(x.iter().zip(y).map(|(x, y)| Self::choose(condition, x, y)).collect::<Result<_, _>>()?)
@@ -264,11 +328,24 @@ impl Value {
         })
     }
 
+    /// The count that it is.
+    pub(crate) fn count(&self) -> Result<Expr, String> {
+        match self {
+            Self::Int(x) if *x >= 0 => Ok(Expr::Number(*x)),
+            Self::Count(x) => Ok(x.clone()),
+            other => Err(format!("{} as a count", other.kind())),
+        }
+    }
+
     /// Whether both are certainly the same.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Real(a, x), Self::Real(b, y)) => a == b && x == y,
-            (Self::Bool(x), Self::Bool(y)) | (Self::State(x), Self::State(y)) => x == y,
+            (Self::Bool(x), Self::Bool(y))
+            | (Self::State(x), Self::State(y))
+            | (Self::Count(x), Self::Count(y))
+            | (Self::Maybe(x), Self::Maybe(y)) => x == y,
+            (Self::Array(a, x), Self::Array(b, y)) => a == b && x == y,
             (Self::Int(x), Self::Int(y)) => x == y,
             (Self::Unit, Self::Unit) => true,
             (Self::List(x), Self::List(y)) => x.len() == y.len() && x.iter().zip(y).all(|(x, y)| x.is_same(y)),

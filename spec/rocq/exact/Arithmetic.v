@@ -1,6 +1,6 @@
 (** What Operations.v is made of: arithmetics. It is about any two of them, so that one definition serves IEEE 754 numbers and real
     numbers with any rounding. *)
-Require Import Reals ZArith Lia Lra.
+Require Import Reals ZArith Lia Lra List.
 From Flocq Require Import Core BinarySingleNaN.
 
 (** The operations of a format. *)
@@ -24,8 +24,17 @@ Record arithmetic : Type := Arithmetic {
   (** [from_bits(to_bits() + by)]. *)
   shifted : Z -> num -> num;
   (** The number of which only the bits of the exponent are left. *)
-  power : num -> num
+  power : num -> num;
+  (** The number without so many of its lowest bits and that of the sign. *)
+  cleared : Z -> num -> num;
+  (** The next number up and down: [next_up], [next_down]. *)
+  after : num -> num;
+  before : num -> num
 }.
+
+(** A loop over the numbers below [count], and an array that is changed at one place. *)
+Definition turns {T : Type} (count : nat) (turn : T -> nat -> T) (start : T) : T := fold_left turn (seq 0 count) start.
+Definition store {T : Type} (array : nat -> T) (at_ : nat) (x : T) : nat -> T := fun i => if Nat.eqb i at_ then x else array i.
 
 (** * IEEE 754 *)
 
@@ -47,6 +56,15 @@ Definition power_float (x : float) : float :=
   | B754_infinity _ | B754_nan => B754_infinity false
   end.
 
+(** The lowest bits of a number are those of its significand. *)
+Definition cleared_float (bits : Z) (x : float) : float :=
+  match x with
+  | B754_finite _ m e _ => binary_normalize prec emax _ _ mode_NE (Z.shiftl (Z.shiftr (Zpos m) bits) bits) e false
+  | B754_zero _ => B754_zero false
+  | B754_infinity _ => B754_infinity false
+  | B754_nan => B754_nan
+  end.
+
 Definition ieee : arithmetic := {|
   num := float;
   plus := Bplus mode_NE;
@@ -63,7 +81,10 @@ Definition ieee : arithmetic := {|
   constant n e := binary_normalize prec emax _ _ mode_NE n e false;
   infinity := B754_infinity false;
   shifted := shifted_float;
-  power := power_float
+  power := power_float;
+  cleared := cleared_float;
+  after := Bsucc;
+  before := Bpred
 |}.
 End Ieee.
 
@@ -105,5 +126,15 @@ Definition reals (RN : R -> R) : arithmetic := {|
   constant n e := (IZR n * bpow radix2 e)%R;
   infinity := 0%R;
   shifted _ x := x;
-  power x := x
+  power x := x;
+  cleared _ x := x;
+  after x := x;
+  before x := x
 |}.
+
+(** The same with steps to the next number. *)
+Definition stepping (a : arithmetic) (down up : num a -> num a) : arithmetic :=
+  {| num := num a; plus := plus a; minus := minus a; times := times a; over := over a; opposite := opposite a; absolute := absolute a;
+     less := less a; at_most := at_most a; equal := equal a; is_finite := is_finite a; is_negative := is_negative a;
+     constant := constant a; infinity := infinity a; shifted := shifted a; power := power a; cleared := cleared a; after := up;
+     before := down |}.

@@ -2,6 +2,7 @@
 Require Import Reals ZArith Lia Lra Psatz Bool List.
 From Flocq Require Import Core BinarySingleNaN.
 Require Import StacklessExact.Rounding StacklessExact.Planes StacklessExact.Slabs StacklessExact.LaneBoxes.
+Require StacklessExact.Arithmetic.
 Open Scope R_scope.
 
 Local Instance prec_24 : Prec_gt_0 24 := eq_refl.
@@ -19,17 +20,13 @@ Local Instance coarse_prec : Prec_gt_0 (24 - B).
 Proof. unfold Prec_gt_0. lia. Qed.
 
 (** The lowest bits of a float that is not negative are those of its significand; without them, and without the sign. *)
-Definition cleared (x : float) : float :=
-  match x with
-  | B754_finite _ m e _ => binary_normalize 24 128 eq_refl eq_refl mode_NE (Z.shiftl (Z.shiftr (Z.pos m) B) B) e false
-  | _ => zero
-  end.
+Definition cleared (x : float) : float := Arithmetic.cleared_float 24 128 eq_refl eq_refl B x.
 
 (** It is rounding down to so many bits less. [LANES-2] *)
 Theorem cleared_value x : is_finite x = true -> 0 <= B2R x -> is_finite (cleared x) = true /\ B2R (cleared x) = down (B2R x).
 Proof.
   intros Fx Hx. destruct x as [s|s| |s m e H]; try discriminate.
-  - split; [reflexivity|]. cbn [cleared B2R]. rewrite round_0 by typeclasses eauto. reflexivity.
+  - split; [reflexivity|]. cbn [cleared Arithmetic.cleared_float B2R]. rewrite round_0 by typeclasses eauto. reflexivity.
   - destruct s; [exfalso; revert Hx; apply Rlt_not_le, (F2R_lt_0 radix2 (Float radix2 (Z.neg m) e)); reflexivity|].
     pose proof (canonical_bounded 24 128 false m e H) as Cn. pose proof (bounded_lt_emax 24 128 m e H) as Lt.
     cbn [SpecFloat.cond_Zopp] in Cn. cbn [B2R SpecFloat.cond_Zopp] in *. set (X := F2R (Float radix2 (Z.pos m) e)) in *.
@@ -44,7 +41,7 @@ Proof.
       rewrite mult_IZR. change (2 ^ B)%Z with (radix2 ^ B)%Z at 3. rewrite (IZR_Zpower radix2 B) by lia. rewrite bpow_plus. ring. }
     assert (L : 0 <= down X <= X).
     { split; [rewrite <- (round_0 radix2 coarse Zfloor); apply round_le; try typeclasses eauto; lra|]. apply (round_DN_pt radix2 coarse). }
-    cbn [cleared]. pose proof (binary_normalize_correct 24 128 eq_refl eq_refl mode_NE (Z.shiftl (Z.shiftr (Z.pos m) B) B) e false) as K. cbv zeta in K.
+    cbn [cleared Arithmetic.cleared_float]. pose proof (binary_normalize_correct 24 128 eq_refl eq_refl mode_NE (Z.shiftl (Z.shiftr (Z.pos m) B) B) e false) as K. cbv zeta in K.
     rewrite <- E in K. rewrite (round_generic radix2 _ _ (down X)) in K.
     + rewrite Rlt_bool_true in K; [|rewrite Rabs_pos_eq by lra; eapply Rle_lt_trans; [apply L|exact Lt]]. destruct K as (K1 & K2 & _). split; assumption.
     + rewrite E. apply generic_format_FLT. exists (Float radix2 (Z.shiftl (Z.shiftr (Z.pos m) B) B) e); cbn [Fnum Fexp]; [reflexivity| |].

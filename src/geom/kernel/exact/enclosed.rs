@@ -48,7 +48,7 @@ pub struct EnclosedTest<R: Real = f32> {
     /// For all triangles of the object.
     errors: Errors,
     is_usual: bool,
-    /// Whether exact sums can tell what bounds do not.
+    /// Whether the ray is known exactly, so that exact sums may tell what bounds do not.
     is_exact: bool,
 }
 
