@@ -146,11 +146,6 @@ Definition Errors_of_triangle_within (off_0 off_1 corners_0_x corners_0_y corner
       else z'3) (if less double y'8 x'8 then x'8 else y'8) in
   (within, within'2, within'3).
 
-(** [Errors::of_scene_within] of src/geom/kernel/exact/filter.rs. *)
-Definition Errors_of_scene_within (off_0 off_1 origin direction region_reach region_size : num double) :=
-  let '(within, within'2, within'3) := Errors_within off_0 off_1 direction (plus double region_reach origin) region_size in
-  (within, within'2, within'3).
-
 (** [is_certain] of src/geom/kernel/exact/mod.rs. *)
 Definition exact_is_certain (near far tmin tmax : num single) :=
   andb (andb (equal single near far) (less single tmin near)) (less single near tmax).

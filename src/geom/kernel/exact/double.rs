@@ -288,9 +288,18 @@ pub(in crate::geom) fn is_degenerate_64(corners: &[DVec3; 3]) -> bool {
 /// `[EXACT-8]`
 pub(super) fn can_sum(points: &[DVec3], d: DVec3) -> bool {
     const LEAST: i32 = -756;
-    let ([place, way], most) = ([points, &[d]].map(unit_of), *USUAL.end());
-    let is_small = |v: &DVec3| v.abs().max_element() <= most;
-    3 * place >= LEAST && 2 * place + way >= LEAST && points.iter().chain([&d]).all(is_small)
+    let all = |is: fn(DVec3) -> bool| points.iter().chain([&d]).all(|&v| is(v));
+    // Numbers that are not usual may have few digits.
+    let has_room = || {
+        let [place, way] = [points, &[d]].map(unit_of);
+        3 * place >= LEAST && 2 * place + way >= LEAST && all(|v| v.abs().max_element() <= *USUAL.end())
+    };
+    all(is_usual) || has_room()
+}
+
+/// Whether components are 0 or neither tiny nor huge. `[EXACT-7]`
+fn is_usual(v: DVec3) -> bool {
+    v.to_array().into_iter().all(|x| x == 0.0 || USUAL.contains(&x.abs()))
 }
 
 /// All components are multiples of 2 to the power of this, which is at most 0.
