@@ -24,7 +24,7 @@ use glam::DVec3;
 
 use super::filter::{Determinants, Errors};
 use super::fine;
-use super::{is_within, parity, predicates, quotient};
+use super::{Certainty, is_within, parity, predicates, quotient};
 use crate::geom::frame::{exponent_of, power_of_two};
 use crate::geom::kernel::Kernel;
 use crate::geom::truth::{self, Meeting, Point};
@@ -216,8 +216,11 @@ impl Exact64 {
     #[inline(never)]
     fn rounded(&self, shape: &Triangle<DVec3>) -> Option<f64> {
         let (o, d) = (self.ray.origin(), self.ray.direction());
-        let told = quotient::distance_of_doubles(&shape.0, o, d, self.interval());
-        told.unwrap_or_else(|| self.far_off(shape))
+        match quotient::distance_of_doubles(&shape.0, o, d, self.interval()) {
+            Certainty::Hit(t) => Some(t),
+            Certainty::Miss => None,
+            Certainty::Open => self.far_off(shape),
+        }
     }
 
     /// The distance where neither bounds nor sums hold for the numbers as they are.
@@ -310,7 +313,7 @@ fn unit_of(vectors: &[DVec3]) -> i32 {
         let digits = fraction | u64::from(exponent > 0) << 52;
         if digits == 0 { 0 } else { exponent.max(1) - 1075 + digits.trailing_zeros() as i32 }
     };
-    vectors.iter().flat_map(|v| v.to_array()).map(unit).fold(0, i32::min)
+    vectors.iter().flat_map(DVec3::to_array).map(unit).fold(0, i32::min)
 }
 
 /// A vector times a power of two, if no digit is lost.

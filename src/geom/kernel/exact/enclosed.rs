@@ -123,10 +123,7 @@ impl<R: Real> EnclosedTest<R> {
         if !predicates::is_inside(&corners, o, d) {
             return Certainty::Miss;
         }
-        match quotient::distance_of_doubles(&corners, o, d, self.interval) {
-            Some(t) => t.map_or(Certainty::Miss, Certainty::Hit),
-            None => Certainty::Open,
-        }
+        quotient::distance_of_doubles(&corners, o, d, self.interval)
     }
 
     /// Bounds of the distance to a triangle that the ray certainly crosses, at whatever distance. `[SECOND-3]`

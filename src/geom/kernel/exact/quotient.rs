@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use glam::DVec3;
 
+use super::Certainty;
 use super::predicates::{Pairs, add_edge, minus};
 use super::sum::{Sum, two_product};
 use crate::geom::Real;
@@ -30,8 +31,8 @@ pub(super) fn distance(corners: &[DVec3; 3], o: DVec3, d: DVec3, interval: [f32;
     is_within.then(|| ratio.nearest())
 }
 
-/// [`distance`] for numbers that are doubles, each 0 or within 2^-200 to 2^200; to the nearest number of any kind. A `None`
-/// around it says that sums cannot tell. `[EXACT-3]` `[INST-5]`
+/// [`distance`] for numbers that are doubles, of which sums are exact, to the nearest number of any kind; open if sums
+/// cannot tell. `[EXACT-3]` `[EXACT-8]` `[INST-5]`
 #[cold]
 #[inline(never)]
 pub(super) fn distance_of_doubles<R: Real>(
@@ -39,13 +40,13 @@ pub(super) fn distance_of_doubles<R: Real>(
     o: DVec3,
     d: DVec3,
     [tmin, tmax]: [R; 2],
-) -> Option<Option<R>> {
+) -> Certainty<R> {
     let ratio = Ratio::distance(corners, o, d);
-    let t = ratio.nearest_number()?;
+    let Some(t) = ratio.nearest_number() else { return Certainty::Open };
     // Rounding keeps the order, so that only an end that is equal leaves a question.
     let is_after = tmin < t || tmin == t && ratio.compare_double(t.into()) >= 0;
     let is_before = t < tmax || t == tmax && (t == R::INFINITY || ratio.compare_double(t.into()) <= 0);
-    Some((is_after && is_before).then_some(t))
+    if is_after && is_before { Certainty::Hit(t) } else { Certainty::Miss }
 }
 
 /// [`weights`] for such numbers; `None` if sums cannot tell.
