@@ -6,8 +6,8 @@ use super::fine::Fine;
 use super::truth::{Meeting, RBig, meet_integers};
 use super::{Aabb, EnclosedRay, Frame, Interval, Real, Vector};
 
-/// An invertible affine map x -> A x + b, from an object's space to the space that it is placed in; in single precision,
-/// or with `f64` in double.
+/// An invertible affine map x -> A x + b, from an object's space to the space that it is placed in; in single
+/// precision, or with `f64` in double.
 ///
 /// The numbers are taken as the rational ones that they are, subnormal ones too. So the image of a point is exact, and
 /// has more digits than a float: only [`image_of_box`](Self::image_of_box) and [`pull_back`](Self::pull_back) round,

@@ -15,8 +15,8 @@ use super::{
     AffineMap, EnclosedRay, Interval, Ray, RayError, Real, Region, Triangle, Vector, check_environment, meet_image,
 };
 
-/// A point of space that is known exactly: one of floats, or where a ray meets a triangle, which is not rounded. Floats are
-/// of single precision, or with [`DVec3`](glam::DVec3) of double. `[SECOND-1]`
+/// A point of space that is known exactly: one of floats, or where a ray meets a triangle, which is not rounded. Floats
+/// are of single precision, or with [`DVec3`](glam::DVec3) of double. `[SECOND-1]`
 ///
 /// It is made of bounds in double precision, which decide nearly everything, and of what is needed to compute the
 /// rational point when bounds do not decide. A copy is cheap.
@@ -239,8 +239,8 @@ impl<V: Vector> ExactRay<V> {
             && matches!(&self.origin.0, Place::Met(met) if met.surface.triangle == *triangle && met.surface.maps == maps)
     }
 
-    /// Distance to the image of a triangle that its line is known to meet, by twice the digits of a double: where that is
-    /// certain, and not at an end.
+    /// Distance to the image of a triangle that its line is known to meet, by twice the digits of a double: where that
+    /// is certain, and not at an end.
     pub(crate) fn fine_distance(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Option<V::Real> {
         let [tmin, tmax] = self.interval;
         // Rounding keeps the order, so that only an end that is equal leaves a question.

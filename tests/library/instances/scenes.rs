@@ -37,7 +37,7 @@ type Maker<V> = fn(&mut Rng) -> Vec<Shape<V>>;
 
 /// All scenes, in three variants each.
 pub(crate) fn all<V: Kind>() -> Vec<Scene<V>> {
-    let makers: [(&str, Maker<V>); 14] = [
+    let makers: [(&str, Maker<V>); 15] = [
         ("lattice", |rng| one_group(rng, 6, lattice)),
         ("rotated", |rng| one_group(rng, 6, rotated)),
         ("sheared", |rng| one_group(rng, 5, sheared)),
@@ -52,6 +52,7 @@ pub(crate) fn all<V: Kind>() -> Vec<Scene<V>> {
         ("three levels of a lattice", |rng| nested(rng, lattice)),
         ("three levels far away", |rng| nested(rng, far::<V>)),
         ("mixed scales", mixed),
+        ("tiny of huge", tiny_of_huge),
     ];
     let scenes = makers.iter().enumerate().flat_map(|(i, (name, make))| {
         (0..3).map(move |variant| {
@@ -136,6 +137,14 @@ fn coincident<V: Vector>(rng: &mut Rng) -> Vec<Shape<V>> {
     let mut instances: Vec<_> = others.collect();
     instances.extend([(3, place), (0, place), (1, place), (3, place)]);
     shapes.push(Shape::Group(instances));
+    shapes
+}
+
+/// A group that is huge, in one that is not: its frame counts.
+fn tiny_of_huge<V: Kind>(rng: &mut Rng) -> Vec<Shape<V>> {
+    let mut shapes = one_group(rng, 3, |rng| scaled(rng, V::HUGE));
+    let group = shapes.len() - 1;
+    shapes.push(Shape::Group((0..3).map(|_| (group, scaled(rng, V::TINY))).collect()));
     shapes
 }
 
