@@ -141,7 +141,7 @@ impl<R: Real> AffineMap<R> {
 /// single precision has 48 bits.
 fn times(a: f64, x: Interval) -> Interval {
     let [first, last] = x.ends().map(|x| (Interval::exact(a) * Interval::exact(x)).ends());
-    Interval::between(if first[0] < last[0] { [first[0], last[1]] } else { [last[0], first[1]] })
+    Interval::between([first[0].min(last[0]), first[1].max(last[1])])
 }
 
 /// Where the line `origin + t direction` meets the exact image of a triangle under maps, the first of which is applied

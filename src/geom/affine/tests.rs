@@ -1,13 +1,19 @@
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
 use super::*;
 use crate::geom::Ray;
+use crate::geom::frame::power_of_two;
 use crate::geom::truth::{Place, Point, round_f64};
 
 fn number() -> impl Strategy<Value = f32> {
     let few = [0.0, -0.0, 1.0, -1.0, 2.0, 0.1, -3.0, 1e-20, 1e10, -1e30, 1e-42, 1e-45, -1e-45];
     prop_oneof![3 => prop::sample::select(few.to_vec()), 3 => -4.0..4.0f32]
+}
+
+fn double() -> impl Strategy<Value = f64> {
+    let few = [0.0, 1.0, -1.0, 0.1, 6.4e6, 1e-50, -1e50, 1e-200, -1e150, 5e-324, -1e-310, 1e300];
+    prop_oneof![prop::sample::select(few.to_vec()), -4.0..4.0f64]
 }
 
 /// Of few bits: what is made of them by a few sums and products is a float.
@@ -106,6 +112,37 @@ proptest! {
                 (f64::from(float) - x).abs() <= 2f64.powi(-23) * x.abs() + 2f64.powi(-50) * sizes + 2f64.powi(-149)
             };
             prop_assert!(near(found.lo[k], least) && near(found.hi[k], most) || !found.lo.is_finite() || !found.hi.is_finite());
+        }
+    }
+
+    /// Doubles of all sizes, boxes in a frame, and their image in another one. [INST-2] [FRAME-1]
+    #[test]
+    fn boxes_hold_the_images_in_frames(
+        rows in [[double(), double(), double(), double()], [double(), double(), double(), double()],
+            [double(), double(), double(), double()]],
+        a in vector(number), b in vector(number),
+        frames in [(double(), -1000..1000), (double(), -1000..1000)],
+    ) {
+        let Ok(map) = AffineMap::new(rows) else { return Ok(()) };
+        let frames = frames.map(|(origin, exponent)| Frame::new(DVec3::splat(origin), exponent).expect("a frame"));
+        let power = |exponent: i32| RBig::try_from(power_of_two(exponent)).expect("finite");
+        let aabb = Aabb::of(&[a, b]);
+        let inside = frames[0].leave(&aabb);
+        let outside = map.image(inside);
+        let found = frames[1].enter(&outside);
+        for i in 0..8 {
+            let corner = [0, 1, 2].map(|k| if i >> k & 1 == 0 { aabb.lo[k] } else { aabb.hi[k] });
+            let [unit, shift] = [power(frames[0].exponent()), exact(frames[0].origin().x)];
+            let corner = corner.map(|x| exact(x) * &unit + &shift);
+            let image: [RBig; 3] = map.rows().map(|[x, y, z, b]| {
+                exact(x) * &corner[0] + exact(y) * &corner[1] + exact(z) * &corner[2] + exact(b)
+            });
+            for k in 0..3 {
+                prop_assert!(holds(inside[k], &corner[k]) && holds(outside[k], &image[k]), "{inside:?} {outside:?}");
+                let coordinate = (&image[k] - exact(frames[1].origin().x)) * power(-frames[1].exponent());
+                let ends = Interval::between([found.lo[k], found.hi[k]].map(f64::from));
+                prop_assert!(holds(ends, &coordinate), "{found:?}");
+            }
         }
     }
 

@@ -2,7 +2,7 @@ use glam::Vec3;
 use proptest::prelude::*;
 
 use super::*;
-use crate::geom::truth::{Meeting, Point, holds, meet, round_f32};
+use crate::geom::truth::{Meeting, Number, Point, holds, meet, round_f32};
 use crate::geom::{Aabb, Interval, Ray, Region};
 
 fn coordinate() -> impl Strategy<Value = f64> {
@@ -24,9 +24,9 @@ fn triangle() -> impl Strategy<Value = Triangle> {
 const INTERVAL: [f32; 2] = [0.0, 8.0];
 
 /// The exact hit of a ray in double precision.
-fn truth(triangle: &Triangle, o: [f64; 3], d: [f64; 3]) -> Option<Point> {
+fn truth<V: Vector>(triangle: &Triangle<V>, o: [f64; 3], d: [f64; 3]) -> Option<Point> {
     match meet(triangle.widen().map(|corner| corner.to_array()), o, d) {
-        Meeting::Hit(point) if holds(INTERVAL, &point.t) => Some(point),
+        Meeting::Hit(point) => Some(point),
         _ => None,
     }
 }
@@ -42,44 +42,90 @@ proptest! {
         aim in [0.0..1.0f64, 0.0..1.0f64],
         aims in any::<bool>(),
     ) {
+        let numbers = if aims { aimed(&triangle, numbers, aim) } else { numbers };
+        verdicts_hold(&triangle, numbers, [1.0; 2])?;
+    }
+
+    /// The same for corners that are doubles, far from zero, tiny and huge.
+    #[test]
+    fn verdicts_hold_for_doubles(
+        corners in [[coordinate(), coordinate(), coordinate()], [coordinate(), coordinate(), coordinate()],
+            [coordinate(), coordinate(), coordinate()]],
+        numbers in [around(), around(), around(), around(), around(), around()],
+        aim in [0.0..1.0f64, 0.0..1.0f64],
+        aims in any::<bool>(),
+        shift in prop::sample::select(vec![0.0, 6.4e6]),
+        exponents in prop::sample::select(vec![[0, 0], [0, 0], [-166, -166], [166, 166], [-166, 100], [-220, -220], [-60, -60]]),
+    ) {
+        let [size, length] = exponents.map(|exponent| 2f64.powi(exponent));
+        let triangle = Triangle(corners.map(|corner| (DVec3::from(corner) + shift) * size));
         let mut numbers = numbers;
-        if aims {
-            // At a point near the edge between the first corners, or inside.
-            let [a, b, c] = triangle.widen();
-            let target = a + (b - a) * aim[0] + (c - a) * (aim[1] * aim[1] * (1.0 - aim[0]));
-            for k in 0..3 {
-                numbers[3 + k].0 = target[k] - numbers[k].0;
-            }
+        for (x, width) in &mut numbers[..3] {
+            (*x, *width) = ((*x + shift) * size, *width * size);
         }
-        let interval = |(x, width): (f64, f64)| Interval::between([x - width, x + width]);
-        let [ox, oy, oz, dx, dy, dz] = numbers.map(interval);
-        let ray = EnclosedRay { origin: [ox, oy, oz], direction: [dx, dy, dz] };
-        let test = EnclosedTest::new(&ray, INTERVAL, &Region::of(&triangle.aabb()));
-        let (distance, blocks, weights) = (test.distance(&triangle, 8.0), test.blocks(&triangle), test.weights(&triangle));
-        if (distance, blocks, weights) == (Certainty::Open, Certainty::Open, None) {
-            return Ok(());
+        let mut numbers = if aims { aimed(&triangle, numbers, aim) } else { numbers };
+        for (x, width) in &mut numbers[3..] {
+            (*x, *width) = (*x * (if aims { length / size } else { length }), *width * length);
         }
-        for corner in 0..65 {
-            let pick = |k: usize| {
-                let [lo, hi] = [ox, oy, oz, dx, dy, dz][k].ends();
-                if corner == 64 { lo * 0.5 + hi * 0.5 } else if corner >> k & 1 == 0 { lo } else { hi }
-            };
-            let hit = truth(&triangle, [0, 1, 2].map(pick), [3, 4, 5].map(pick));
-            match blocks {
-                Certainty::Hit(()) => prop_assert!(hit.is_some()),
-                Certainty::Miss => prop_assert!(hit.is_none()),
-                Certainty::Open => (),
+        verdicts_hold(&triangle, numbers, [size, length])?;
+    }
+}
+
+/// A ray at a point near the edge between the first corners, or inside.
+fn aimed<V: Vector>(triangle: &Triangle<V>, mut numbers: [(f64, f64); 6], aim: [f64; 2]) -> [(f64, f64); 6] {
+    let [a, b, c] = triangle.widen();
+    let target = a + (b - a) * aim[0] + (c - a) * (aim[1] * aim[1] * (1.0 - aim[0]));
+    for k in 0..3 {
+        numbers[3 + k].0 = target[k] - numbers[k].0;
+    }
+    numbers
+}
+
+/// Numbers and half the widths of intervals around them, and the sizes of the triangle and of the direction.
+fn verdicts_hold<V: Vector>(
+    triangle: &Triangle<V>,
+    numbers: [(f64, f64); 6],
+    [size, length]: [f64; 2],
+) -> Result<(), TestCaseError> {
+    let bounds = numbers.map(|(x, width)| Interval::between([x - width, x + width]));
+    let [ox, oy, oz, dx, dy, dz] = bounds;
+    let ray = EnclosedRay { origin: [ox, oy, oz], direction: [dx, dy, dz] };
+    let interval = [0.0, 8.0 * (size / length)].map(V::Real::rounded);
+    let frame = V::frame(triangle.0);
+    let region = Region::within(frame, &frame.aabb(triangle));
+    let test = EnclosedTest::new(&ray, interval, &region);
+    let (distance, blocks, weights) =
+        (test.distance(triangle, interval[1]), test.blocks(triangle), test.weights(triangle));
+    if (distance, blocks, weights) == (Certainty::Open, Certainty::Open, None) {
+        return Ok(());
+    }
+    for corner in 0..65 {
+        let pick = |k: usize| {
+            let [lo, hi] = bounds[k].ends();
+            if corner == 64 {
+                lo * 0.5 + hi * 0.5
+            } else if corner >> k & 1 == 0 {
+                lo
+            } else {
+                hi
             }
-            match distance {
-                Certainty::Hit(t) => prop_assert_eq!(hit.as_ref().map(|hit| round_f32(&hit.t)), Some(t)),
-                Certainty::Miss => prop_assert!(hit.is_none()),
-                Certainty::Open => (),
-            }
-            if let (Some([u, v]), Some(hit)) = (weights, hit) {
-                prop_assert_eq!([u, v], [round_f32(&hit.u), round_f32(&hit.v)]);
-            }
+        };
+        let hit = truth(triangle, [0, 1, 2].map(pick), [3, 4, 5].map(pick)).filter(|hit| holds(interval, &hit.t));
+        match blocks {
+            Certainty::Hit(()) => prop_assert!(hit.is_some()),
+            Certainty::Miss => prop_assert!(hit.is_none()),
+            Certainty::Open => (),
+        }
+        match distance {
+            Certainty::Hit(t) => prop_assert_eq!(hit.as_ref().map(|hit| V::Real::nearest(&hit.t)), Some(t)),
+            Certainty::Miss => prop_assert!(hit.is_none()),
+            Certainty::Open => (),
+        }
+        if let (Some([u, v]), Some(hit)) = (weights, hit) {
+            prop_assert_eq!([u, v], [V::Real::nearest(&hit.u), V::Real::nearest(&hit.v)]);
         }
     }
+    Ok(())
 }
 
 proptest! {
