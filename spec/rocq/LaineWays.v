@@ -169,7 +169,7 @@ Proof.
   - destruct (E sd a Hd Hxy) as (Eb & Hi). apply (ahead_only _ _ _ sd); auto. now rewrite Eb.
 Qed.
 
-(** What lies before the root, if it lies before a node on the spine. *)
+(** [LAINE-1] What lies before the root, if it lies before a node on the spine. *)
 Lemma ahead_root trail p h k : spine trail h k -> p < place k -> ahead trail p h k -> ahead trail p h xH.
 Proof.
   intros H. induction H as [|sd a H IH Hs|sd a H IH Ha Hb Hu|sd a H IH Ha Hb Hs|sd a H IH Ha Hb Hs]; intros Hp Hk; [exact Hk|..].

@@ -230,9 +230,10 @@ impl Exact64 {
         if let Some(Scaled { exact, shape, exponent }) = self.scaled(shape) {
             let ([tmin, tmax], half) = (self.interval(), exponent / 2);
             // Without an end before infinity: what is missed is behind, or not on the line at all.
-            let t = exact.place(&shape, f64::INFINITY)? * power_of_two(half) * power_of_two(exponent - half);
-            // Else it was rounded again, or an end leaves a question.
-            if t.is_normal() && t != tmin && t != tmax {
+            let scaled = exact.place(&shape, f64::INFINITY)?;
+            let t = scaled * power_of_two(half) * power_of_two(exponent - half);
+            // Else one of them was rounded to fewer digits, or an end leaves a question.
+            if scaled.is_normal() && t.is_normal() && t != tmin && t != tmax {
                 return (tmin < t && t < tmax).then_some(t);
             }
         }

@@ -64,6 +64,17 @@ fn other_units_give_the_answer_of_rationals() {
     assert!(hits > 8_000 && scaled > 15_000 && rational > 500, "{hits} {scaled} {rational}");
 }
 
+/// [EXACT-12]
+///
+/// Between the units of a huge triangle and those of its ray a distance near 1 is subnormal.
+#[test]
+fn a_distance_is_not_rounded_to_fewer_digits_in_other_units() {
+    let corners = [DVec3::Y * 1.35, DVec3::X * 1e60, DVec3::NEG_X * f64::MAX];
+    let ray = Ray::new(DVec3::Z, DVec3::Z * -0.8146796279266937).expect("a ray");
+    let exact = Exact64::new(&ray, &Region::of(&Triangle([DVec3::ZERO; 3]).aabb()));
+    assert_eq!(exact.distance(&Triangle(corners), f64::INFINITY), Some(1.0 / 0.8146796279266937));
+}
+
 /// A ray at a corner, at an edge or inside of a triangle, or beside it; in the units 2^place and 2^way. If they are
 /// mixed, some numbers are far smaller than others.
 fn aimed(rng: &mut Rng, [place, way]: [i32; 2], is_mixed: bool) -> (Ray<DVec3>, Triangle<DVec3>) {
