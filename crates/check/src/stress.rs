@@ -1,14 +1,16 @@
 //! Hard rays through every traversal, at any accuracy, against rational arithmetic.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, SahOptions, WideBvh};
 use stackless_bvh::generate::stress::StressCase;
 use stackless_bvh::geom::lanes;
-use stackless_bvh::geom::{Kernel, Slabs};
+use stackless_bvh::geom::{Kernel, Real, Slabs};
 use stackless_bvh::trace::{Form, Hit, KernelName, NodeSearch, Query, SlabsName, Tracer, Truth, WithTests, with_tests};
 use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
 use stackless_bvh::tree::{Implicit, Topology};
 use stackless_bvh::wide;
+
+use crate::doubles::{DoubleError, check_doubles};
 
 /// How often tests went wrong, in numbers of rays: a ray counts once if any traversal errs with it. `[CONF-2]`
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -70,6 +72,26 @@ impl<'c> Stress<'c> {
         with_tests(tests, Run { stress: self, methods })
     }
 
+    /// The same rays in double precision, where they are and far from the origin of coordinates: exact.
+    ///
+    /// # Errors
+    /// What [`DoubleError`] lists.
+    pub fn run_double(&self, methods: &[Method]) -> Result<Errors, DoubleError> {
+        let mut sum = Errors::default();
+        for by in [DVec3::ZERO, DVec3::new(6.4e6, -6.4e6, 6.4e6)] {
+            let Errors { rays, false_misses, false_hits, wrong_primitives, max_ulp } =
+                check_doubles(&self.case.mesh, &self.case.rays, by, methods)?;
+            sum = Errors {
+                rays: sum.rays + rays,
+                false_misses: sum.false_misses + false_misses,
+                false_hits: sum.false_hits + false_hits,
+                wrong_primitives: sum.wrong_primitives + wrong_primitives,
+                max_ulp: sum.max_ulp.max(max_ulp),
+            };
+        }
+        Ok(sum)
+    }
+
     /// The same by traversals of wide trees, with all instructions of this machine, one ray at a time and two in turns:
     /// exact.
     ///
@@ -102,8 +124,8 @@ struct Run<'a> {
 }
 
 /// What goes wrong with each ray.
-struct Findings<'t> {
-    truth: &'t [Option<Hit>],
+pub(crate) struct Findings<'t, R> {
+    truth: &'t [Option<Hit<R>>],
     wrong: Vec<Wrong>,
     max_ulp: u32,
 }
@@ -115,13 +137,13 @@ struct Wrong {
     primitive: bool,
 }
 
-impl<'t> Findings<'t> {
-    fn new(truth: &'t [Option<Hit>]) -> Self {
+impl<'t, R: Real> Findings<'t, R> {
+    pub(crate) fn new(truth: &'t [Option<Hit<R>>]) -> Self {
         Self { truth, wrong: vec![Wrong::default(); truth.len()], max_ulp: 0 }
     }
 
     /// Compares the answers to a ray.
-    fn see(&mut self, ray: usize, any: bool, closest: Option<Hit>) {
+    pub(crate) fn see(&mut self, ray: usize, any: bool, closest: Option<Hit<R>>) {
         let (truth, wrong) = (self.truth[ray], &mut self.wrong[ray]);
         wrong.miss |= truth.is_some() && (closest.is_none() || !any);
         wrong.hit |= truth.is_none() && (closest.is_some() || any);
@@ -133,7 +155,7 @@ impl<'t> Findings<'t> {
         }
     }
 
-    fn errors(&self) -> Errors {
+    pub(crate) fn errors(&self) -> Errors {
         let count = |is_wrong: fn(&Wrong) -> bool| self.wrong.iter().filter(|&wrong| is_wrong(wrong)).count() as u64;
         Errors {
             rays: self.truth.len() as u64,
@@ -174,11 +196,13 @@ impl WithTests for Run<'_> {
     }
 }
 
-/// Steps from one float to the other; those of zero are one.
-pub fn floats_between(a: f32, b: f32) -> u32 {
-    let place = |x: f32| {
-        let magnitude = (x.to_bits() & 0x7fff_ffff) as i32;
+/// Steps from one number to the other; those of zero are one. Of doubles `u32::MAX` stands for more, too.
+pub fn floats_between<R: Real>(a: R, b: R) -> u32 {
+    let place = |x: R| {
+        let x: f64 = x.into();
+        // Where the number is one of single precision, its own bits.
+        let magnitude = if size_of::<R>() == 4 { (x as f32).abs().to_bits().into() } else { x.abs().to_bits() } as i64;
         if x.is_sign_negative() { -magnitude } else { magnitude }
     };
-    place(a).abs_diff(place(b))
+    place(a).abs_diff(place(b)).try_into().unwrap_or(u32::MAX)
 }

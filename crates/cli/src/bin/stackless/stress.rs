@@ -21,13 +21,14 @@ use crate::places::{self, Output};
 use crate::record::{Run, write_figures};
 use crate::{Outcome, input};
 pub(crate) use counts::{BoxCounts, StressCounts};
-use counts::{Row, WIDE};
+use counts::{DOUBLE, Row, WIDE};
 
 /// Trace the stress suite and count errors against rational arithmetic.
 ///
 /// Every ray goes through every traversal, as a closest-hit and as an any-hit query, on three trees; it counts as wrong
-/// if any of them errs. Wide trees are made of the same three, and traced with all instructions of the machine. max ulp
-/// is the greatest error of a distance, in floats. The exit code is 1 if `exact` errs, in binary trees or in wide ones.
+/// if any of them errs. Wide trees are made of the same three, and traced with all instructions of the machine. In double
+/// precision each ray is traced twice: where it is, and with the scene moved by 6.4e6. max ulp is the greatest error of a
+/// distance, in floats. The exit code is 1 if `exact` errs, in binary trees, in wide ones or in double precision.
 #[derive(clap::Args)]
 #[expect(clippy::struct_excessive_bools, reason = "flags of a command line")]
 #[command(after_help = "Examples:\n  \
@@ -122,6 +123,10 @@ pub(crate) fn run(args: &Args) -> Outcome {
             Ok(Row::new(name, accuracy, errors))
         });
         let mut rows = rows.collect::<Result<Vec<_>, String>>()?;
+        if !methods.is_empty() {
+            let errors = prepared.run_double(&methods).map_err(|error| format!("{name}: {error}"))?;
+            rows.push(Row::new(name, DOUBLE, errors));
+        }
         if !wide_methods.is_empty() {
             let errors = prepared.run_wide(&wide_methods).map_err(|error| format!("{name}: {error}"))?;
             rows.push(Row::new(name, WIDE, errors));
@@ -165,7 +170,7 @@ impl Shown {
     fn new(names: &[&str], tests: &[Tests], is_brief: bool) -> Self {
         let tests = tests.iter().map(|tests| tests.name.len());
         let names_width = names.iter().map(|name| name.len()).max().unwrap_or(0);
-        let widths = [names_width, tests.chain([WIDE.len()]).max().unwrap_or(0)];
+        let widths = [names_width, tests.chain([WIDE.len(), DOUBLE.len()]).max().unwrap_or(0)];
         let (cases, waiting) = (names.len(), BTreeMap::new());
         Self { start: Instant::now(), cases, done: 0, next: 0, waiting, widths, is_brief }
     }

@@ -70,9 +70,9 @@ fn other_units_give_the_answer_of_rationals() {
 #[test]
 fn a_distance_is_not_rounded_to_fewer_digits_in_other_units() {
     let corners = [DVec3::Y * 1.35, DVec3::X * 1e60, DVec3::NEG_X * f64::MAX];
-    let ray = Ray::new(DVec3::Z, DVec3::Z * -0.8146796279266937).expect("a ray");
+    let ray = Ray::new(DVec3::Z, DVec3::Z * -0.814_679_627_926_693_7).expect("a ray");
     let exact = Exact64::new(&ray, &Region::of(&Triangle([DVec3::ZERO; 3]).aabb()));
-    assert_eq!(exact.distance(&Triangle(corners), f64::INFINITY), Some(1.0 / 0.8146796279266937));
+    assert_eq!(exact.distance(&Triangle(corners), f64::INFINITY), Some(1.0 / 0.814_679_627_926_693_7));
 }
 
 /// A ray at a corner, at an edge or inside of a triangle, or beside it; in the units 2^place and 2^way. If they are
