@@ -24,7 +24,7 @@ pub(crate) struct Scene {
 
 /// In single or in double precision.
 enum Either {
-    Single(Held<WideBvh>),
+    Single(Box<Held<WideBvh>>),
     Double(Box<Held<Double>>),
 }
 
@@ -70,7 +70,7 @@ impl Scene {
     ) -> PyResult<Self> {
         let (how, progress) = (options(build)?, progress.as_ref());
         let held = if dtype == WideBvh::DTYPE {
-            Either::Single(Held::build(py, mesh::<WideBvh>(vertices, faces)?, how, progress)?)
+            Either::Single(Box::new(Held::build(py, mesh::<WideBvh>(vertices, faces)?, how, progress)?))
         } else {
             Either::Double(Box::new(Held::build(py, mesh::<Double>(vertices, faces)?, how, progress)?))
         };
@@ -80,7 +80,7 @@ impl Scene {
     #[staticmethod]
     fn from_bytes(py: Python<'_>, bytes: &[u8]) -> PyResult<Self> {
         let held = if file::real_bytes(bytes)? == 4 {
-            Either::Single(py.detach(|| Held::from_bytes(bytes))?)
+            Either::Single(Box::new(py.detach(|| Held::from_bytes(bytes))?))
         } else {
             Either::Double(Box::new(py.detach(|| Held::from_bytes(bytes))?))
         };
