@@ -3,14 +3,16 @@
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, SahOptions, WideBvh};
 use stackless_bvh::generate::stress::StressCase;
+use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::lanes;
-use stackless_bvh::geom::{Kernel, Real, Slabs};
-use stackless_bvh::trace::{Form, Hit, KernelName, NodeSearch, Query, SlabsName, Tracer, Truth, WithTests, with_tests};
+use stackless_bvh::geom::slabs::Wide;
+use stackless_bvh::geom::{Kernel, Mesh, Ray, Slabs};
+use stackless_bvh::trace::{
+    BinaryTracer, Form, Hit, KernelName, NodeSearch, Query, SlabsName, Tracer, Truth, WithTests, with_tests,
+};
 use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
 use stackless_bvh::tree::{Implicit, Topology};
 use stackless_bvh::wide;
-
-use crate::doubles::{DoubleError, check_doubles};
 
 /// How often tests went wrong, in numbers of rays: a ray counts once if any traversal errs with it. `[CONF-2]`
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -72,24 +74,36 @@ impl<'c> Stress<'c> {
         with_tests(tests, Run { stress: self, methods })
     }
 
-    /// The same rays in double precision, where they are and far from the origin of coordinates: exact.
+    /// The same rays in double precision, where they are and with the scene moved far away: exact. Each counts in both
+    /// places.
     ///
     /// # Errors
-    /// What [`DoubleError`] lists.
-    pub fn run_double(&self, methods: &[Method]) -> Result<Errors, DoubleError> {
-        let mut sum = Errors::default();
-        for by in [DVec3::ZERO, DVec3::new(6.4e6, -6.4e6, 6.4e6)] {
-            let Errors { rays, false_misses, false_hits, wrong_primitives, max_ulp } =
-                check_doubles(&self.case.mesh, &self.case.rays, by, methods)?;
-            sum = Errors {
-                rays: sum.rays + rays,
-                false_misses: sum.false_misses + false_misses,
-                false_hits: sum.false_hits + false_hits,
-                wrong_primitives: sum.wrong_primitives + wrong_primitives,
-                max_ulp: sum.max_ulp.max(max_ulp),
-            };
+    /// What could not be made, in words.
+    pub fn run_double(&self, methods: &[Method]) -> Result<Errors, String> {
+        let places = [DVec3::ZERO, DVec3::new(6.4e6, -6.4e6, 6.4e6)].map(|by| moved(self.case, by));
+        let places = places.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let truth = places.iter().flat_map(|(mesh, rays)| {
+            let truth = Truth::new(mesh);
+            rays.iter().map(move |ray| truth.closest(ray).map(|hit| hit.rounded()))
+        });
+        let truth: Vec<_> = truth.collect();
+        let (mut found, mut first) = (Findings::new(&truth, doubles_between), 0);
+        for (mesh, rays) in &places {
+            let trees = [Bvh::sah(mesh, SahOptions::default()), Bvh::median(mesh, 2)];
+            for (tree, is_complete) in trees.into_iter().zip([false, true]) {
+                let bvh = tree.map_err(|error| error.to_string())?;
+                for &method in methods.iter().filter(|&&method| is_complete || method != Method::Complete) {
+                    let tracer = BinaryTracer::<_, Exact64, Wide>::with_tests(&bvh, method);
+                    let tracer = tracer.map_err(|unfit| format!("{method}: {unfit}"))?;
+                    let answers = tracer.closest_each(rays).into_iter().zip(tracer.any_each(rays));
+                    for (i, (closest, any)) in answers.enumerate() {
+                        found.see(first + i, any, closest);
+                    }
+                }
+            }
+            first += rays.len();
         }
-        Ok(sum)
+        Ok(found.errors())
     }
 
     /// The same by traversals of wide trees, with all instructions of this machine, one ray at a time and two in turns:
@@ -98,7 +112,7 @@ impl<'c> Stress<'c> {
     /// # Errors
     /// What could not be made, in words.
     pub fn run_wide(&self, methods: &[wide::Method]) -> Result<Errors, String> {
-        let (rays, mut found) = (&self.case.rays, Findings::new(&self.truth));
+        let (rays, mut found) = (&self.case.rays, Findings::new(&self.truth, floats_between));
         for tree in &self.trees {
             let bvh = WideBvh::of(tree).map_err(|error| error.to_string())?;
             bvh.validate(&self.case.mesh).map_err(|error| error.to_string())?;
@@ -124,10 +138,12 @@ struct Run<'a> {
 }
 
 /// What goes wrong with each ray.
-pub(crate) struct Findings<'t, R> {
+struct Findings<'t, R> {
     truth: &'t [Option<Hit<R>>],
     wrong: Vec<Wrong>,
     max_ulp: u32,
+    /// How far two distances are apart.
+    between: fn(R, R) -> u32,
 }
 
 #[derive(Clone, Copy, Default)]
@@ -137,25 +153,25 @@ struct Wrong {
     primitive: bool,
 }
 
-impl<'t, R: Real> Findings<'t, R> {
-    pub(crate) fn new(truth: &'t [Option<Hit<R>>]) -> Self {
-        Self { truth, wrong: vec![Wrong::default(); truth.len()], max_ulp: 0 }
+impl<'t, R: Copy> Findings<'t, R> {
+    fn new(truth: &'t [Option<Hit<R>>], between: fn(R, R) -> u32) -> Self {
+        Self { truth, wrong: vec![Wrong::default(); truth.len()], max_ulp: 0, between }
     }
 
     /// Compares the answers to a ray.
-    pub(crate) fn see(&mut self, ray: usize, any: bool, closest: Option<Hit<R>>) {
+    fn see(&mut self, ray: usize, any: bool, closest: Option<Hit<R>>) {
         let (truth, wrong) = (self.truth[ray], &mut self.wrong[ray]);
         wrong.miss |= truth.is_some() && (closest.is_none() || !any);
         wrong.hit |= truth.is_none() && (closest.is_some() || any);
         if let (Some(truth), Some(found)) = (truth, closest) {
             wrong.primitive |= truth.prim != found.prim;
             if truth.prim == found.prim {
-                self.max_ulp = self.max_ulp.max(floats_between(truth.t, found.t));
+                self.max_ulp = self.max_ulp.max((self.between)(truth.t, found.t));
             }
         }
     }
 
-    pub(crate) fn errors(&self) -> Errors {
+    fn errors(&self) -> Errors {
         let count = |is_wrong: fn(&Wrong) -> bool| self.wrong.iter().filter(|&wrong| is_wrong(wrong)).count() as u64;
         Errors {
             rays: self.truth.len() as u64,
@@ -172,7 +188,7 @@ impl WithTests for Run<'_> {
 
     fn call<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>>(self) -> Self::Output {
         let Stress { case, truth, trees } = self.stress;
-        let (mut found, mut memory) = (Findings::new(truth), Vec::new());
+        let (mut found, mut memory) = (Findings::new(truth, floats_between), Vec::new());
         for (tree, is_complete) in trees.iter().zip([false, true, false]) {
             let bvh = tree.clone().map(K::Shape::from);
             let boxes = bvh.own_boxes();
@@ -196,12 +212,31 @@ impl WithTests for Run<'_> {
     }
 }
 
-/// Steps from one number to the other; those of zero are one. Of doubles `u32::MAX` stands for more, too.
-pub fn floats_between<R: Real>(a: R, b: R) -> u32 {
-    let place = |x: R| {
-        let x: f64 = x.into();
-        // Where the number is one of single precision, its own bits.
-        let magnitude = if size_of::<R>() == 4 { (x as f32).abs().to_bits().into() } else { x.abs().to_bits() } as i64;
+/// A case in double precision, moved.
+fn moved(case: &StressCase, by: DVec3) -> Result<(Mesh<DVec3>, Vec<Ray<DVec3>>), String> {
+    let place = |v: Vec3| v.as_dvec3() + by;
+    let vertices = case.mesh.vertices().iter().copied().map(place).collect();
+    let mesh = Mesh::new(vertices, case.mesh.triangles().to_vec()).map_err(|error| error.to_string())?;
+    let ray = |ray: &Ray| {
+        let [tmin, tmax] = [ray.tmin(), ray.tmax()].map(f64::from);
+        Ray::within(place(ray.origin()), ray.direction().as_dvec3(), tmin, tmax).map_err(|error| error.to_string())
+    };
+    Ok((mesh, case.rays.iter().map(ray).collect::<Result<_, _>>()?))
+}
+
+/// Steps from one float to the other; those of zero are one.
+pub fn floats_between(a: f32, b: f32) -> u32 {
+    let place = |x: f32| {
+        let magnitude = (x.to_bits() & 0x7fff_ffff) as i32;
+        if x.is_sign_negative() { -magnitude } else { magnitude }
+    };
+    place(a).abs_diff(place(b))
+}
+
+/// The same of doubles; of more than a `u32` holds, its greatest number.
+fn doubles_between(a: f64, b: f64) -> u32 {
+    let place = |x: f64| {
+        let magnitude = x.abs().to_bits() as i64;
         if x.is_sign_negative() { -magnitude } else { magnitude }
     };
     place(a).abs_diff(place(b)).try_into().unwrap_or(u32::MAX)

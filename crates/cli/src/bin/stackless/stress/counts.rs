@@ -68,7 +68,7 @@ impl Counts for StressCounts {
         format!("{}, {}, exact: {}", count(cases, "case"), count(rays, "ray"), count(errors, "error"))
     }
 
-    /// Those of exact tests. In wide trees, in others and in double precision the rays are the same.
+    /// Those of exact tests. In wide trees and in others the rays are the same; in double precision they are these, twice.
     fn cases_and_errors(&self) -> [u64; 2] {
         let sum = |accuracy: &str, of: fn(&Row) -> u64| {
             let rows = self.rows.iter().filter(|row| row.accuracy == accuracy);
