@@ -110,20 +110,18 @@ pub(crate) fn bvh_bytes(bytes: &[u8]) {
 /// Placed objects in groups, against all triangles moved one by one. `[INST-1]` `[INST-6]`
 pub(crate) fn instances(bytes: &[u8]) {
     let mut draw = Draw::new(bytes);
-    let kind = draw.below(5);
-    if kind == 2 {
-        path(&mut draw);
-    } else if kind == 1 {
-        let ray = |draw: &mut Draw<'_>, aims: &[[DVec3; 3]]| {
-            let aim = aims.get(draw.below(aims.len().max(1) as u64) as usize)?;
-            draw.ray_64(*aim)
-        };
-        placed(&mut draw, |draw| mesh_64(draw, 3), Draw::double, ray);
-    } else {
-        placed(&mut draw, |draw| draw.mesh(3), Draw::float, Draw::ray);
+    let ray_64 = |draw: &mut Draw<'_>, aims: &[[DVec3; 3]]| {
+        let aim = aims.get(draw.below(aims.len().max(1) as u64) as usize)?;
+        draw.ray_64(*aim)
+    };
+    match draw.below(5) {
+        1 => placed(&mut draw, |draw| mesh_64(draw, 3), Draw::double, ray_64),
+        2 => path(&mut draw),
+        _ => placed(&mut draw, |draw| draw.mesh(3), Draw::float, Draw::ray),
     }
 }
 
+/// In either precision: what draws a mesh, a number, and a ray at one of some triangles.
 fn placed<'a, V: Vector>(
     draw: &mut Draw<'a>,
     mesh: impl Fn(&mut Draw<'a>) -> Option<Mesh<V>>,

@@ -64,7 +64,7 @@ impl<const A: usize> Held<Triangle> for WideBvh<A> {
 
     fn for_each(&self, leaf: Node, mut show: impl FnMut(usize, &Triangle, u32)) {
         for place in leaf_places(leaf) {
-            show(place, &self.triangle(place), self.blocks()[place / 4].prims[place & 3]);
+            show(place, &self.triangle(place), self.prim(place));
         }
     }
 

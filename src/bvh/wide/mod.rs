@@ -130,6 +130,11 @@ impl<const A: usize> WideBvh<A> {
         (&self.blocks[first..first + count.div_ceil(4) as usize], count)
     }
 
+    /// The index in the mesh of the triangle at a [place](leaf_places).
+    pub(crate) fn prim(&self, place: usize) -> u32 {
+        self.blocks[place / 4].prims[place & 3]
+    }
+
     /// The triangle at a [place](leaf_places).
     pub(crate) fn triangle(&self, place: usize) -> Triangle {
         self.blocks[place / 4].triangle(place & 3)

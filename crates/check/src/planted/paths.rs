@@ -35,13 +35,13 @@ fn fault<S: Spoil>(draw: &mut Draw<'_>) -> Option<String> {
     let object = assembly.add_mesh(built(draw, &mesh)?);
     let tracer = InstanceTracer::new(&assembly, object, Method::default()).ok()?;
     let first = rays.first()?;
-    let mut leg = |heading| Leg { heading, ends: if draw.coin() { Ends::Closed } else { Ends::Open } };
-    let mut legs = vec![leg(Heading::Along(first.direction(), f32::INFINITY))];
+    let leg = |draw: &mut Draw<'_>, heading| Leg { heading, ends: if draw.coin() { Ends::Closed } else { Ends::Open } };
+    let mut legs = vec![leg(draw, Heading::Along(first.direction(), f32::INFINITY))];
     for ray in &rays[1..] {
-        legs.push(leg(Heading::Along(ray.direction(), ray.tmax())));
+        legs.push(leg(draw, Heading::Along(ray.direction(), ray.tmax())));
     }
     let corner = mesh.vertices()[draw.below(mesh.vertices().len() as u64) as usize];
-    legs.push(Leg { heading: Heading::Toward(corner), ends: if draw.coin() { Ends::Closed } else { Ends::Open } });
+    legs.push(leg(draw, Heading::Toward(corner)));
     check_path(&Spoilt::<S>(PhantomData), &tracer, &mesh, first.origin(), &legs).err().map(|fault| fault.to_string())
 }
 

@@ -245,9 +245,8 @@ impl Exact64 {
     #[inline(never)]
     fn scaled(&self, Triangle(corners): &Triangle<DVec3>) -> Option<Scaled> {
         let (o, d) = (self.ray.origin(), self.ray.direction());
-        let far = corners.iter().fold(o.abs(), |far, corner| far.max(corner.abs()));
-        let unit = |v: DVec3| (exponent_of(v.max_element()) - SCALED).clamp(-MAX_UNIT, MAX_UNIT);
-        let [place, way] = [far, d.abs()].map(unit);
+        let [a, b, c] = *corners;
+        let [place, way] = [unit_for(&[a, b, c, o]), unit_for(&[d])];
         if [place, way] == [0; 2] {
             return None;
         }
@@ -275,8 +274,7 @@ impl Exact64 {
 
 /// Whether corners that are doubles lie on a line, exactly.
 pub(in crate::geom) fn is_degenerate_64(corners: &[DVec3; 3]) -> bool {
-    let greatest = corners.iter().fold(DVec3::ZERO, |greatest, corner| greatest.max(corner.abs())).max_element();
-    let unit = (exponent_of(greatest) - SCALED).clamp(-MAX_UNIT, MAX_UNIT);
+    let unit = unit_for(corners);
     if let [Some(a), Some(b), Some(c)] = corners.map(|corner| scale(corner, -unit))
         && can_sum(&[a, b, c], DVec3::ONE)
     {
@@ -315,6 +313,12 @@ fn unit_of(vectors: &[DVec3]) -> i32 {
         if digits == 0 { 0 } else { exponent.max(1) - 1075 + digits.trailing_zeros() as i32 }
     };
     vectors.iter().flat_map(DVec3::to_array).map(unit).fold(0, i32::min)
+}
+
+/// The exponent of the unit in which the greatest of these numbers is about 2^128.
+fn unit_for(vectors: &[DVec3]) -> i32 {
+    let greatest = vectors.iter().fold(DVec3::ZERO, |greatest, v| greatest.max(v.abs())).max_element();
+    (exponent_of(greatest) - SCALED).clamp(-MAX_UNIT, MAX_UNIT)
 }
 
 /// A vector times a power of two, if no digit is lost.

@@ -178,7 +178,7 @@ impl Ratio {
 
     /// The nearest double, the even one of two. `None` if the ratio is neither 0 nor within [`DOUBLES`].
     ///
-    /// All numbers of the ray and of the triangle must be 0 or within 2^-200 to 2^200. `[EXACT-7]`
+    /// Sums of products of the ray's and the triangle's numbers must be exact. `[EXACT-8]`
     fn nearest_double(&self) -> Option<f64> {
         let (top, det) = (self.top.value(), self.det.value());
         if top == 0.0 {
