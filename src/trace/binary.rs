@@ -139,12 +139,12 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
 
     /// The closest hit: the least distance, and of equal ones the least index. `[EXACT-1]`
     pub fn closest(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
-        self.search_closest(ray, &mut Vec::new()).hit()
+        self.search_closest(ray, &mut Vec::new(), NodeSearch::hit)
     }
 
     /// [`closest`](Self::closest) of each ray, on this thread.
     pub fn closest_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
-        each(rays, |ray, memory| self.search_closest(ray, memory).hit())
+        each(rays, |ray, memory| self.search_closest(ray, memory, NodeSearch::hit))
     }
 
     /// [`closest`](Self::closest) of each ray, on all threads.
@@ -155,7 +155,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
     where
         T: Sync,
     {
-        in_parallel(rays, |ray, memory| self.search_closest(ray, memory).hit())
+        in_parallel(rays, |ray, memory| self.search_closest(ray, memory, NodeSearch::hit))
     }
 
     /// Triangle and distance of the [`closest`](Self::closest) hit, without its weights.
@@ -169,18 +169,18 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
     pub fn closest_distances(&self, rays: &[Ray<K::Vector>], found: &mut [Option<(u32, Real<K>)>]) {
         let mut memory = Vec::new();
         for (ray, found) in rays.iter().zip(found) {
-            *found = self.search_closest(ray, &mut memory).found();
+            *found = self.search_closest(ray, &mut memory, NodeSearch::found);
         }
     }
 
     /// Whether there is any hit.
     pub fn any(&self, ray: &Ray<K::Vector>) -> bool {
-        self.search_any(ray, &mut Vec::new()).found().is_some()
+        self.search_any(ray, &mut Vec::new(), NodeSearch::found).is_some()
     }
 
     /// [`any`](Self::any) of each ray, on this thread.
     pub fn any_each(&self, rays: &[Ray<K::Vector>]) -> Vec<bool> {
-        each(rays, |ray, memory| self.search_any(ray, memory).found().is_some())
+        each(rays, |ray, memory| self.search_any(ray, memory, NodeSearch::found).is_some())
     }
 
     /// [`any`](Self::any) of each ray, on all threads.
@@ -191,17 +191,17 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
     where
         T: Sync,
     {
-        in_parallel(rays, |ray, memory| self.search_any(ray, memory).found().is_some())
+        in_parallel(rays, |ray, memory| self.search_any(ray, memory, NodeSearch::found).is_some())
     }
 
     /// Any hit, whole: the first that is met, which depends on hierarchy and traversal.
     pub fn any_hit(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
-        self.search_any(ray, &mut Vec::new()).hit()
+        self.search_any(ray, &mut Vec::new(), NodeSearch::hit)
     }
 
     /// [`any_hit`](Self::any_hit) of each ray, on this thread.
     pub fn any_hit_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
-        each(rays, |ray, memory| self.search_any(ray, memory).hit())
+        each(rays, |ray, memory| self.search_any(ray, memory, NodeSearch::hit))
     }
 
     /// [`any_hit`](Self::any_hit) of each ray, on all threads.
@@ -212,7 +212,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
     where
         T: Sync,
     {
-        in_parallel(rays, |ray, memory| self.search_any(ray, memory).hit())
+        in_parallel(rays, |ray, memory| self.search_any(ray, memory, NodeSearch::hit))
     }
 
     /// All hits, each triangle once, in the order (`t`, primitive): edges and corners included.
@@ -277,33 +277,44 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
     pub fn asked_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Asked<Real<K>>>> {
         let whole = |hit: Hit<_>| Asked { prim: hit.prim, t: Some(hit.t), weights: Some([hit.u, hit.v]) };
         each(rays, |ray, memory| match (self.ask, self.with_weights) {
-            (Ask::Any, true) => self.search_any(ray, memory).hit().map(whole),
+            (Ask::Any, true) => self.search_any(ray, memory, NodeSearch::hit).map(whole),
             (Ask::Any, false) => {
-                let (prim, _) = self.search_any(ray, memory).found()?;
+                let (prim, _) = self.search_any(ray, memory, NodeSearch::found)?;
                 Some(Asked { prim, t: None, weights: None })
             }
-            (_, true) => self.search_closest(ray, memory).hit().map(whole),
+            (_, true) => self.search_closest(ray, memory, NodeSearch::hit).map(whole),
             (_, false) => {
-                let (prim, t) = self.search_closest(ray, memory).found()?;
+                let (prim, t) = self.search_closest(ray, memory, NodeSearch::found)?;
                 Some(Asked { prim, t: Some(t), weights: None })
             }
         })
     }
 
-    /// A closest-hit query that has run to its end.
+    /// What is asked of a closest-hit query that has run to its end. (It is large, and would be copied if it were
+    /// returned.)
     #[inline]
-    fn search_closest(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> NodeSearch<'_, K, B, false> {
+    fn search_closest<'a, A>(
+        &'a self,
+        ray: &Ray<K::Vector>,
+        memory: &mut Vec<Node>,
+        answer: impl FnOnce(&NodeSearch<'a, K, B, false>) -> A,
+    ) -> A {
         let mut search = NodeSearch::new(self.bvh(), &self.level.boxes, ray);
         self.level.run(self.bvh().tree(), ray.octant(), memory, &mut search);
-        search
+        answer(&search)
     }
 
-    /// An any-hit query that has run to its end.
+    /// The same of an any-hit query.
     #[inline]
-    fn search_any(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> NodeSearch<'_, K, B, true, FromLeft> {
+    fn search_any<'a, A>(
+        &'a self,
+        ray: &Ray<K::Vector>,
+        memory: &mut Vec<Node>,
+        answer: impl FnOnce(&NodeSearch<'a, K, B, true, FromLeft>) -> A,
+    ) -> A {
         let mut search = NodeSearch::new(self.bvh(), &self.level.boxes, ray);
         self.level.run(self.bvh().tree(), ray.octant(), memory, &mut search);
-        search
+        answer(&search)
     }
 
     fn all_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Vec<Hit<Real<K>>> {
