@@ -1,4 +1,5 @@
-//! Rays through real hierarchies: every traversal against the recursive oracle, and that against rational arithmetic.
+//! Rays through real hierarchies, in single or double precision: every traversal against the recursive oracle, and that
+//! against rational arithmetic.
 
 use std::sync::Arc;
 
@@ -8,46 +9,46 @@ use super::random::Progress;
 use super::{Plan, Tally, Verdict};
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::event::{Recorder, State};
-use stackless_bvh::geom::{Aabb, Ray};
+use stackless_bvh::geom::{Aabb, Kernel, Ray, Slabs, Triangle, Vector};
 use stackless_bvh::hash::mix;
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, Flow, LeftOrder, SignOrder};
-use stackless_bvh::trace::{AnyByNode, ClosestByNode, Hit, Query, Truth};
+use stackless_bvh::trace::{FromLeft, Hit, NodeSearch, Query, Truth};
 use stackless_bvh::traverse::{Beside, Method, Tables, Test, Unfit, WordName};
 use stackless_bvh::tree::{Implicit, Keys, Node, Topology};
 
 /// A hierarchy over a mesh with all that its check needs.
 #[derive(Debug)]
-pub struct SceneTree<'m> {
-    truth: &'m Truth,
-    bvh: &'m Bvh,
+pub struct SceneTree<'m, V: Vector> {
+    truth: &'m Truth<V>,
+    bvh: &'m Bvh<Triangle<V>>,
     boxes: Vec<Aabb>,
     keys: Arc<Keys>,
 }
 
 /// A ray for which a traversal differs from the oracle, or the oracle from the truth.
 #[derive(Clone, Debug)]
-pub struct SceneDisagreement {
+pub struct SceneDisagreement<V: Vector> {
     /// Number of the ray: its index among those that were checked.
     pub number: u64,
     /// The ray.
-    pub ray: Ray,
+    pub ray: Ray<V>,
     /// An any-hit query.
     pub any: bool,
     /// The traversal; `None` where it is the oracle that differs.
     pub method: Option<(Method, WordName)>,
     /// What was seen of the oracle, or the true hit.
-    pub expected: Seen,
+    pub expected: Seen<V::Real>,
     /// What was seen instead.
-    pub found: Seen,
+    pub found: Seen<V::Real>,
 }
 
 /// What is seen of one search: its hit, and the sequence of its visits in one number, restarts left out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Seen {
+pub struct Seen<R> {
     /// The hit.
-    pub hit: Option<Hit>,
+    pub hit: Option<Hit<R>>,
     /// Number of visits.
     pub visits: u64,
     /// Hash of the visited nodes, in order.
@@ -56,26 +57,26 @@ pub struct Seen {
     pub wrong_keys: u64,
 }
 
-impl<'m> SceneTree<'m> {
+impl<'m, V: Vector> SceneTree<'m, V> {
     /// Prepares a hierarchy of the mesh that the truth is of.
-    pub fn new(truth: &'m Truth, bvh: &'m Bvh) -> Self {
+    pub fn new(truth: &'m Truth<V>, bvh: &'m Bvh<Triangle<V>>) -> Self {
         Self { truth, bvh, boxes: bvh.own_boxes(), keys: Arc::new(Keys::of(bvh)) }
     }
 
     /// Runs a search and says what was seen of it, and how many visits were made with restarts.
-    fn see(
+    fn see<K: Kernel<Vector = V, Shape = Triangle<V>>, B: Slabs<Vector = V>>(
         &self,
-        ray: &Ray,
+        ray: &Ray<V>,
         any: bool,
-        run: impl FnOnce(&mut dyn Query, &mut Watch<'_>) -> Result<(), Unfit>,
-    ) -> Result<(Seen, u64), Unfit> {
+        run: impl FnOnce(&mut dyn Query, &mut Watch<'_, V>) -> Result<(), Unfit>,
+    ) -> Result<(Seen<V::Real>, u64), Unfit> {
         let mut watch = Watch { scene: self, seen: Seen::default(), steps: 0 };
         let hit = if any {
-            let mut search = AnyByNode::new(self.bvh, &self.boxes, ray);
+            let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.bvh, &self.boxes, ray);
             run(&mut search, &mut watch)?;
             search.hit()
         } else {
-            let mut search = ClosestByNode::new(self.bvh, &self.boxes, ray);
+            let mut search = NodeSearch::<K, B, false>::new(self.bvh, &self.boxes, ray);
             run(&mut search, &mut watch)?;
             search.hit()
         };
@@ -83,9 +84,14 @@ impl<'m> SceneTree<'m> {
     }
 
     /// What is seen of the oracle of a test.
-    fn see_oracle(&self, ray: &Ray, any: bool, test: Test) -> Seen {
+    fn see_oracle<K: Kernel<Vector = V, Shape = Triangle<V>>, B: Slabs<Vector = V>>(
+        &self,
+        ray: &Ray<V>,
+        any: bool,
+        test: Test,
+    ) -> Seen<V::Real> {
         let (tree, octant) = (self.bvh.tree(), ray.octant());
-        let seen = self.see(ray, any, |mut query, watch| {
+        let seen = self.see::<K, B>(ray, any, |mut query, watch| {
             match test {
                 Test::Children | Test::Disjoint | Test::Distance => {
                     oracle::traverse_pruned(tree, tree.root(), test.pruning(), &mut query, watch);
@@ -102,21 +108,27 @@ impl<'m> SceneTree<'m> {
     }
 }
 
-/// Checks the traversals of a plan on rays through one hierarchy, on all cores; the first disagreement is returned.
+/// Checks the traversals of a plan on rays through one hierarchy, with exact triangle and box tests of its precision, on
+/// all cores; the first disagreement is returned.
 ///
 /// Of a traversal that restarts only the hits are compared: its questions are answered anew when the ray has become
 /// shorter.
-pub fn check_scene(
+pub fn check_scene<K, B, V>(
     plan: &Plan,
-    scene: &SceneTree<'_>,
-    rays: &[Ray],
+    scene: &SceneTree<'_, V>,
+    rays: &[Ray<V>],
     progress: Progress<'_>,
-) -> (Tally, Option<SceneDisagreement>) {
+) -> (Tally, Option<SceneDisagreement<V>>)
+where
+    K: Kernel<Vector = V, Shape = Triangle<V>>,
+    B: Slabs<Vector = V>,
+    V: Vector,
+{
     let tree = scene.bvh.tree();
     let beside = Beside::new(tree, tree.axes(), &plan.methods, Implicit::LIMIT);
     let tables = Tables::verified(tree, tree.axes(), beside, Arc::clone(&scene.keys));
     let pairs = plan.pairs();
-    let check_ray = |(number, &ray): (usize, &Ray)| {
+    let check_ray = |(number, &ray): (usize, &Ray<V>)| {
         let mut tally = Tally::default();
         tally.depth = scene.bvh.depth();
         let (mut disagreement, mut memory) = (None, Vec::new());
@@ -132,7 +144,7 @@ pub fn check_scene(
                     found,
                 });
             };
-            let oracles = Test::ALL.map(|test| scene.see_oracle(&ray, any, test));
+            let oracles = Test::ALL.map(|test| scene.see_oracle::<K, B>(&ray, any, test));
             for oracle in oracles {
                 let is_true = if any { truth.is_some() == oracle.hit.is_some() } else { truth == oracle.hit };
                 if !is_true {
@@ -141,7 +153,7 @@ pub fn check_scene(
                 }
             }
             for &(method, word) in &pairs {
-                let seen = scene.see(&ray, any, |mut query, watch| {
+                let seen = scene.see::<K, B>(&ray, any, |mut query, watch| {
                     tables.run_in(word, method, ray.octant(), &mut memory, &mut query, watch)
                 });
                 let verdict = match seen {
@@ -162,25 +174,26 @@ pub fn check_scene(
         progress(1);
         (tally, disagreement)
     };
+    let none = || (Tally::default(), None);
     let (mut tally, first) =
-        rays.par_iter().enumerate().map(check_ray).reduce(Default::default, |(a, x), (b, y)| (a.merge(&b), x.or(y)));
+        rays.par_iter().enumerate().map(check_ray).reduce(none, |(a, x), (b, y)| (a.merge(&b), x.or(y)));
     tally.misses += tables.misses() as u64;
     (tally, first)
 }
 
-fn agrees(method: Method, any: bool, expected: Seen, seen: Seen) -> bool {
+fn agrees<R: PartialEq>(method: Method, any: bool, expected: Seen<R>, seen: Seen<R>) -> bool {
     let changing = method.restarts() && !any;
     if changing { expected.hit == seen.hit } else { expected == seen }
 }
 
 /// Hashes the visits and looks at the keys.
-struct Watch<'a> {
-    scene: &'a SceneTree<'a>,
-    seen: Seen,
+struct Watch<'a, V: Vector> {
+    scene: &'a SceneTree<'a, V>,
+    seen: Seen<V::Real>,
     steps: u64,
 }
 
-impl Recorder for Watch<'_> {
+impl<V: Vector> Recorder for Watch<'_, V> {
     fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
         self.steps += 1;
         let (slot, state) = (self.scene.bvh.slot(node), state());

@@ -27,11 +27,15 @@ const NOT_RUN: [(&str, &str); 13] = [
 
 /// Commands that take long or stand for many, as written and as run.
 #[rustfmt::skip]
-const RUN_AS: [(&str, &str); 39] = [
+const RUN_AS: [(&str, &str); 41] = [
     ("stackless merge RECORD...",
      "stackless check --trees 10 --shard 1/1 --json whole.json && stackless merge whole.json"),
     ("stackless check",
      "stackless check --trees 100"),
+    ("stackless check SCENE --double --moved X,Y,Z",
+     "stackless check examples/data/torus.ply --count 50 --double --moved 6.4e6,0,0"),
+    ("stackless check soup --double --moved 6.4e6,-6.4e6,6.4e6",
+     "stackless check soup --count 50 --double --moved 6.4e6,-6.4e6,6.4e6"),
     ("stackless check --leaves 9",
      "stackless check --leaves 5"),
     ("stackless check --leaves 7",

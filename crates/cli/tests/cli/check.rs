@@ -165,3 +165,34 @@ fn scenes() {
         assert_eq!((&counts["trees"], &counts["rays"], &counts["disagreements"]), (&3.into(), &120.into(), &0.into()));
     }
 }
+
+/// Where a scene is, and so far from the origin that single precision has half a unit there.
+#[test]
+fn scenes_in_double_precision() {
+    let cube = data("cube.ply");
+    for moved in ["", "--moved 6.4e6,-6.4e6,6.4e6", "--moved -3,0,1e10"] {
+        let (_, counts) = check(&format!("--count 60 --methods stack,hashed --word u64 --double {moved}"), &[&cube]);
+        assert_eq!((&counts["trees"], &counts["rays"], &counts["disagreements"]), (&3.into(), &180.into(), &0.into()));
+        assert_eq!(counts["run"]["asked"]["double"], true);
+    }
+    // So far that all corners are one, which is said.
+    let run = stackless("check --count 60 --methods stack --double --moved 1e20,1e20,1e20", &[&cube]);
+    assert_eq!(run.code, Some(0), "{run:?}");
+    assert!(run.stderr.contains("cube: 11 of 12 triangles left out: degenerate"), "{run:?}");
+    let run = stackless("check --count 40 --methods stack --double --trees 3", &[]);
+    assert_eq!(
+        run.first_line(),
+        "pass: 12 trees, 360 rays, 1 method, 0 disagreements",
+        "three trees, and three scenes"
+    );
+    for (args, what) in [
+        ("--moved 1,2,3", "--double"),
+        ("--double --moved 1,2", "expected X,Y,Z: three finite numbers"),
+        ("--double --moved 1,2,inf", "expected X,Y,Z: three finite numbers"),
+        ("--double --replay case.json", "cannot be used"),
+    ] {
+        let run = stackless(&format!("check {args}"), &[]);
+        assert_eq!(run.code, Some(2), "{run:?}");
+        assert!(run.stderr.contains(what), "{run:?}");
+    }
+}

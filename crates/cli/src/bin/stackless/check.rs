@@ -1,25 +1,24 @@
 //! `stackless check`: every traversal against the oracle.
 
+mod scenes;
 mod summary;
 
 use std::path::{Path, PathBuf};
 
 use serde_json::json;
-use stackless_bvh::generate::{Family, procedural};
-use stackless_bvh::geom::Ray;
-use stackless_bvh::trace::Truth;
+use stackless_bvh::generate::Family;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_check::{
-    AllCases, CaseOptions, Disagreement, PauseTally, Plan, Replay, SceneDisagreement, SceneTree, Shard, Tally,
-    boundary_cases, check_cases, check_numbered, check_pauses, check_random, check_scene, merge,
+    AllCases, CaseOptions, Disagreement, PauseTally, Plan, Replay, Shard, Tally, boundary_cases, check_cases,
+    check_numbered, check_pauses, check_random, merge,
 };
 
 use crate::Outcome;
-use crate::build::Build;
-use crate::input::{self, MADE, Scene};
+use crate::input;
 use crate::output::bar;
 use crate::places::{self, Output};
-use crate::record::{Run, fingerprint, in_blocks};
+use crate::record::Run;
+use scenes::{Scenes, Shift};
 use summary::SceneFault;
 pub(crate) use summary::Summary;
 
@@ -33,6 +32,7 @@ pub(crate) use summary::Summary;
     stackless check examples/data/torus.ply --trees 1000\n  \
     stackless check --family comb --depth 100000 --trees 1 --word grow --methods hashed,afra\n  \
     stackless check --leaves 7\n  \
+    stackless check soup --double --moved 6.4e6,-6.4e6,6.4e6\n  \
     stackless check --shard 3/64 --json 3.json\n  \
     stackless check --replay case.json")]
 pub(crate) struct Args {
@@ -64,6 +64,13 @@ pub(crate) struct Args {
     /// Rays through each scene.
     #[arg(long, default_value_t = 4000, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
     count: u32,
+    /// Read scenes in double precision, and check rays through them there. Half of the rays are aimed at corners and at
+    /// middles of edges.
+    #[arg(long, conflicts_with = "replay")]
+    double: bool,
+    /// Move each scene by so much first.
+    #[arg(long, value_name = "X,Y,Z", requires = "double", allow_hyphen_values = true)]
+    moved: Option<Shift>,
     /// Run one of N parts of this. `stackless merge` adds their counts up.
     #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE, hide_default_value = true)]
     shard: Shard,
@@ -90,7 +97,8 @@ struct Total {
 const PAUSED_TREES: u64 = 400;
 
 pub(crate) fn run(args: Args) -> Outcome {
-    let scenes = input::scenes(&args.scenes)?;
+    let shift = args.moved.unwrap_or_default();
+    let scenes = Scenes::load(&args.scenes, args.double, shift)?;
     let methods = if args.methods.is_empty() { Method::ALL.to_vec() } else { args.methods.clone() };
     let words = args.word.map_or_else(|| WordName::ALL.to_vec(), |word| vec![word]);
     let options = CaseOptions { family: args.family, depth: args.depth };
@@ -105,8 +113,8 @@ pub(crate) fn run(args: Args) -> Outcome {
             "--family and --depth are of random trees, and none would be checked: expected --trees N too".into()
         );
     }
-    let made = || MADE.iter().map(|name| Scene::load(name.as_ref())).collect::<Result<Vec<_>, _>>();
-    let scenes = if scenes.is_empty() && !abstract_only { made()? } else { scenes };
+    let want_made = scenes.is_empty() && (args.double || !abstract_only);
+    let scenes = if want_made { Scenes::made(args.double, shift)? } else { scenes };
     let (mut total, mut run) = (Total::default(), asked(&args, &plan, &scenes));
     if let Some(leaves) = args.leaves {
         check_all(&plan, args.shard, leaves, &mut run, &mut total);
@@ -114,13 +122,7 @@ pub(crate) fn run(args: Args) -> Outcome {
     if plan.trees > 0 {
         check_trees(&plan, args.shard, abstract_only, &mut run, &mut total);
     }
-    for (i, scene) in scenes.iter().enumerate() {
-        let numbers = run.take(args.shard, &format!("rays of scene {i}"), args.count.into());
-        let make = |seed, n| procedural::rays(&scene.mesh, seed, n);
-        let rays: Vec<_> = in_blocks(numbers.clone(), args.count.into(), plan.seed, make).map(|(_, ray)| ray).collect();
-        let faults = check_one_scene(&plan, scene, numbers.start, &rays, &mut total)?;
-        total.scenes.extend(faults.into_iter().map(|(tree, found)| SceneFault::new(i, scene, tree, &found)));
-    }
+    scenes.check(&plan, args.count.into(), args.shard, &mut run, &mut total)?;
     run.refuse_empty(args.shard)?;
     finish(&args, &plan, run, &total)
 }
@@ -143,7 +145,7 @@ fn replay(args: &Args, mut plan: Plan, path: &Path) -> Outcome {
     finish(args, &plan, run, &total)
 }
 
-fn asked(args: &Args, plan: &Plan, scenes: &[Scene]) -> Run {
+fn asked(args: &Args, plan: &Plan, scenes: &Scenes) -> Run {
     Run::of::<Summary>([
         ("trees", plan.trees.into()),
         ("leaves", args.leaves.into()),
@@ -153,7 +155,8 @@ fn asked(args: &Args, plan: &Plan, scenes: &[Scene]) -> Run {
         ("methods", plan.methods.iter().map(|method| method.name()).collect()),
         ("words", plan.words.iter().map(|word| word.name()).collect()),
         ("rays", args.count.into()),
-        ("scenes", scenes.iter().map(|scene| fingerprint(&scene.mesh)).collect()),
+        ("double", args.double.into()),
+        ("scenes", scenes.fingerprints().into()),
     ])
 }
 
@@ -201,33 +204,4 @@ fn check_trees(plan: &Plan, shard: Shard, random_only: bool, run: &mut Run, tota
     let progress = bar(numbers.end - numbers.start, "trees, putting aside");
     total.pauses = check_pauses(plan, numbers, &|done| progress.inc(done));
     progress.finish_and_clear();
-}
-
-/// Rays through the scene, of which the first has this number, under a tree by surface area, a complete one by medians,
-/// and one with triangles in parts. Returns the first disagreement under each.
-fn check_one_scene(
-    plan: &Plan,
-    scene: &Scene,
-    first: u64,
-    rays: &[Ray],
-    total: &mut Total,
-) -> Result<Vec<(Build, SceneDisagreement)>, Box<dyn std::error::Error>> {
-    let mut faults = Vec::new();
-    if rays.is_empty() {
-        return Ok(faults);
-    }
-    let truth = Truth::new(&scene.mesh);
-    for build in Build::CHECKED {
-        let bvh = &build.run(scene)?;
-        let progress = bar(rays.len() as u64, &scene.name);
-        let tree = SceneTree::new(&truth, bvh);
-        let (tally, found) = check_scene(plan, &tree, rays, &|done| progress.inc(done));
-        progress.finish_and_clear();
-        faults.extend(found.map(|found| (build, SceneDisagreement { number: first + found.number, ..found })));
-        total.tally = std::mem::take(&mut total.tally).merge(&tally);
-        // Of all parts the first counts it.
-        total.trees += u64::from(first == 0);
-        total.rays += rays.len() as u64;
-    }
-    Ok(faults)
 }

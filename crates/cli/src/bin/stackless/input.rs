@@ -59,6 +59,14 @@ impl<V: Position> Scene<V> {
         }
         Ok(Self { name: stem.into_owned(), mesh: loaded.mesh })
     }
+
+    /// What is to be said if a hierarchy has so many triangles less.
+    pub(crate) fn left_out(&self, dropped: usize) -> Option<String> {
+        let of = output::count(self.mesh.triangles().len() as u64, "triangle");
+        let dropped = output::grouped(dropped as u64);
+        let note = format!("{}: {dropped} of {of} left out: degenerate, so that no ray meets them", self.name);
+        (dropped != "0").then_some(note)
+    }
 }
 
 fn made<V: Position>(name: &str) -> Option<Mesh<V>> {

@@ -9,7 +9,7 @@ use cpu_time::ProcessTime;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
-use stackless_bvh::geom::{Mesh, Ray};
+use stackless_bvh::geom::{Mesh, Ray, Vector};
 use stackless_bvh::hash::mix;
 use stackless_check::Shard;
 
@@ -204,8 +204,8 @@ pub(crate) fn in_blocks(
 }
 
 /// Which scene it was, whatever its file is called.
-pub(crate) fn fingerprint(mesh: &Mesh) -> Value {
-    let corners = mesh.vertices().iter().flat_map(glam::Vec3::to_array).map(|x| u64::from(x.to_bits()));
+pub(crate) fn fingerprint<V: Vector>(mesh: &Mesh<V>) -> Value {
+    let corners = mesh.vertices().iter().flat_map(|vertex| vertex.widen().to_array()).map(f64::to_bits);
     let indices = mesh.triangles().iter().flatten().map(|&index| u64::from(index));
     let hash = corners.chain(indices).fold(mesh.vertices().len() as u64, |hash, word| mix(hash ^ word));
     format!("{} triangles, {hash:016x}", mesh.triangles().len()).into()

@@ -5,7 +5,7 @@ mod price;
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 use serde_json::json;
@@ -60,9 +60,13 @@ pub(crate) struct Args {
     #[arg(long, value_name = "RAYS", conflicts_with_all = ["cases", "all_tests", "list"])]
     #[arg(value_parser = clap::value_parser!(u64).range(1..=1 << 40))]
     boxes: Option<u64>,
-    /// Instead, time the dearest query of each hard family beside an ordinary one in the same scene: two minutes.
+    /// Instead, time the dearest query of each hard family beside an ordinary one in the same scene: three minutes.
     #[arg(long, conflicts_with_all = ["cases", "all_tests", "list", "boxes", "shard", "methods"])]
     price: bool,
+    /// Seconds of each family in which dearer queries are looked for, by small changes of those that are known.
+    #[arg(long, value_name = "SECONDS", default_value_t = 2, requires = "price")]
+    #[arg(value_parser = clap::value_parser!(u16).range(..=3600))]
+    climb: u16,
     /// Seed of those rays.
     #[arg(long, default_value_t = 1, requires = "boxes")]
     seed: u64,
@@ -82,7 +86,7 @@ struct Tests {
 
 pub(crate) fn run(args: &Args) -> Outcome {
     if args.price {
-        let prices = price::prices()?;
+        let prices = price::prices(Duration::from_secs(args.climb.into()))?;
         print(&price::blocks(&prices));
         if let Some(path) = &args.json {
             write_figures(path, "stress", &[], json!({ "prices": prices }))?;

@@ -17,7 +17,7 @@ use stackless_suite::Traversal;
 use crate::Outcome;
 use crate::build::{Build, BuildName};
 use crate::input::{self, Scene};
-use crate::output::{self, bar, count, grouped, say, write_file};
+use crate::output::{self, bar, count, say, write_file};
 use crate::places::{self, Output};
 
 /// Trace rays through a scene.
@@ -104,9 +104,8 @@ impl Args {
         write_file(&self.output, |file| stackless_scene::write_hits(file, rows, written_as))?;
         let counts = [count(hits.len() as u64, "ray"), count(hits.iter().flatten().count() as u64, "hit")].join(", ");
         say!("{}: {counts}, by {method}, {}", scene.name, self.accuracy);
-        if dropped > 0 {
-            let of = count(scene.mesh.triangles().len() as u64, "triangle");
-            say!("{}: {} of {of} left out: degenerate, so that no ray meets them", scene.name, grouped(dropped as u64));
+        if let Some(note) = scene.left_out(dropped) {
+            say!("{note}");
         }
         Ok(true)
     }

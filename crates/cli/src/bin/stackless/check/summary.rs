@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_check::{Battery, Disagreement, Plan, Replay, SceneDisagreement, Tally, Verdict, shrink};
+use stackless_scene::Position;
 
 use super::Total;
 use crate::build::Build;
@@ -219,11 +220,11 @@ impl Smallest {
 }
 
 impl SceneFault {
-    pub(super) fn new(index: usize, scene: &Scene, tree: Build, fault: &SceneDisagreement) -> Self {
+    pub(super) fn new<V: Position>(index: usize, scene: &Scene<V>, tree: Build, fault: &SceneDisagreement<V>) -> Self {
         let SceneDisagreement { number, ray, any, method, expected, found } = fault;
         let who = method.map_or_else(|| "the oracle".to_owned(), |(method, word)| format!("{method} {word}"));
         let query = if *any { "any hit" } else { "closest hit" };
-        let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin().to_array(), ray.direction().to_array());
+        let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin().components(), ray.direction().components());
         let name = &scene.name;
         let mut text = format!("{name}, {tree} tree, {query}, ray {number}: {who} differs for the ray\n");
         // Writing to a string cannot fail.

@@ -1,0 +1,181 @@
+//! Scenes and their rays, in single or in double precision.
+
+use std::error::Error;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use glam::{DVec3, Vec3};
+use serde_json::Value;
+use stackless_bvh::generate::procedural;
+use stackless_bvh::geom::kernel::{Exact, Exact64};
+use stackless_bvh::geom::slabs::{Directed, Wide};
+use stackless_bvh::geom::{Kernel, Mesh, MeshError, Ray, RayError, Slabs, Triangle, Vector};
+use stackless_bvh::trace::Truth;
+use stackless_check::{Plan, SceneDisagreement, SceneTree, Shard, check_scene};
+use stackless_scene::Position;
+
+use super::{SceneFault, Total};
+use crate::build::Build;
+use crate::input::{LoadError, MADE, Scene};
+use crate::output::{bar, warn};
+use crate::record::{Run, fingerprint, in_blocks};
+
+/// All that are checked, in one precision.
+pub(super) enum Scenes {
+    Single(Vec<Scene>),
+    Double(Vec<Scene<DVec3>>),
+}
+
+/// How far scenes are moved.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Shift(DVec3);
+
+impl FromStr for Shift {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
+        match numbers.as_deref() {
+            Ok(&[x, y, z]) if DVec3::new(x, y, z).is_finite() => Ok(Self(DVec3::new(x, y, z))),
+            _ => Err("expected X,Y,Z: three finite numbers".to_owned()),
+        }
+    }
+}
+
+impl Scenes {
+    /// Loads the scenes at these paths.
+    pub(super) fn load(paths: &[PathBuf], double: bool, shift: Shift) -> Result<Self, Box<dyn Error>> {
+        if !double {
+            return Ok(Self::Single(paths.iter().map(|path| Scene::load(path)).collect::<Result<_, LoadError>>()?));
+        }
+        let load = |path: &PathBuf| {
+            let Scene { name, mesh } = Scene::load(path)?;
+            let vertices = mesh.vertices().iter().map(|&vertex: &DVec3| vertex + shift.0).collect();
+            let mesh = Mesh::new(vertices, mesh.triangles().to_vec()).map_err(|error| format!("{name}: {error}"))?;
+            Ok::<_, Box<dyn Error>>(Scene { name, mesh })
+        };
+        Ok(Self::Double(paths.iter().map(load).collect::<Result<_, _>>()?))
+    }
+
+    /// The scenes that are made.
+    pub(super) fn made(double: bool, shift: Shift) -> Result<Self, Box<dyn Error>> {
+        Self::load(&MADE.map(PathBuf::from), double, shift)
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        match self {
+            Self::Single(scenes) => scenes.is_empty(),
+            Self::Double(scenes) => scenes.is_empty(),
+        }
+    }
+
+    pub(super) fn fingerprints(&self) -> Vec<Value> {
+        match self {
+            Self::Single(scenes) => scenes.iter().map(|scene| fingerprint(&scene.mesh)).collect(),
+            Self::Double(scenes) => scenes.iter().map(|scene| fingerprint(&scene.mesh)).collect(),
+        }
+    }
+
+    /// Checks so many rays through each.
+    pub(super) fn check(
+        &self,
+        plan: &Plan,
+        count: u64,
+        shard: Shard,
+        run: &mut Run,
+        total: &mut Total,
+    ) -> Result<(), Box<dyn Error>> {
+        match self {
+            Self::Single(scenes) => {
+                for (index, scene) in scenes.iter().enumerate() {
+                    let numbers = run.take(shard, &format!("rays of scene {index}"), count);
+                    let drawn = in_blocks(numbers, count, plan.seed, |seed, n| procedural::rays(&scene.mesh, seed, n));
+                    let truth = Truth::new(&scene.mesh);
+                    check_one::<Exact, Directed, _>(plan, index, scene, &truth, &drawn.collect::<Vec<_>>(), total)?;
+                }
+            }
+            Self::Double(scenes) => {
+                for (index, scene) in scenes.iter().enumerate() {
+                    let numbers = run.take(shard, &format!("rays of scene {index}"), count);
+                    let (small, place) = brought_home(&scene.mesh)?;
+                    let truth = Truth::new(&scene.mesh);
+                    let drawn = in_blocks(numbers, count, plan.seed, |seed, n| procedural::rays(&small, seed, n));
+                    let rays = drawn.map(|(number, ray)| {
+                        let ray = place(&ray)?;
+                        // Single precision aims at no corner: half of the rays are aimed anew.
+                        let aimed = if number / 8 % 2 == 1 { aimed(&truth, &scene.mesh, &ray) } else { None };
+                        Ok((number, aimed.unwrap_or(ray)))
+                    });
+                    let rays = rays.collect::<Result<Vec<_>, RayError>>()?;
+                    let dropped = check_one::<Exact64, Wide, _>(plan, index, scene, &truth, &rays, total)?;
+                    // A scene that was moved may have more of them.
+                    if let Some(note) = scene.left_out(dropped) {
+                        warn(&note);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The mesh in single precision, at the origin and small, and how its rays become those of the mesh.
+fn brought_home(mesh: &Mesh<DVec3>) -> Result<(Mesh, impl Fn(&Ray) -> Result<Ray<DVec3>, RayError>), MeshError> {
+    let frame = <DVec3 as Vector>::frame(mesh.vertices().iter().copied());
+    let (origin, unit) = (frame.origin(), 2f64.powi(frame.exponent()));
+    let vertices = mesh.vertices().iter().map(|&vertex| ((vertex - origin) / unit).as_vec3()).collect();
+    let small = Mesh::new(vertices, mesh.triangles().to_vec())?;
+    let place = move |ray: &Ray| {
+        let [o, d] = [ray.origin(), ray.direction()].map(|v: Vec3| v.as_dvec3() * unit);
+        Ray::within(o + origin, d, ray.tmin().into(), ray.tmax().into())
+    };
+    Ok((small, place))
+}
+
+/// From the same origin to a corner of the triangle that is hit, or to the middle of an edge. `None` if none is hit.
+fn aimed(truth: &Truth<DVec3>, mesh: &Mesh<DVec3>, ray: &Ray<DVec3>) -> Option<Ray<DVec3>> {
+    let hit = truth.closest(ray)?.rounded();
+    let [a, b, c] = mesh.triangle(hit.prim as usize);
+    let target = match (hit.u > 0.5, hit.v > 0.5) {
+        (true, _) => b,
+        (_, true) => c,
+        _ if hit.u + hit.v < 0.5 => a,
+        _ => (b + c) * 0.5,
+    };
+    Ray::new(ray.origin(), target - ray.origin()).ok()
+}
+
+/// Rays through the scene, with their numbers, under a tree by surface area, a complete one by medians, and one with
+/// triangles in parts. The first disagreement under each is kept. Returns how many triangles are degenerate.
+fn check_one<K, B, V>(
+    plan: &Plan,
+    index: usize,
+    scene: &Scene<V>,
+    truth: &Truth<V>,
+    rays: &[(u64, Ray<V>)],
+    total: &mut Total,
+) -> Result<usize, Box<dyn Error>>
+where
+    K: Kernel<Vector = V, Shape = Triangle<V>>,
+    B: Slabs<Vector = V>,
+    V: Position,
+{
+    let Some(&(first, _)) = rays.first() else { return Ok(0) };
+    let mut dropped = 0;
+    let rays: Vec<_> = rays.iter().map(|&(_, ray)| ray).collect();
+    for build in Build::CHECKED {
+        let bvh = build.run(scene)?;
+        dropped = bvh.dropped();
+        let progress = bar(rays.len() as u64, &scene.name);
+        let tree = SceneTree::new(truth, &bvh);
+        let (tally, found) = check_scene::<K, B, V>(plan, &tree, &rays, &|done| progress.inc(done));
+        progress.finish_and_clear();
+        let found = found.map(|found| SceneDisagreement { number: first + found.number, ..found });
+        total.scenes.extend(found.map(|found| SceneFault::new(index, scene, build, &found)));
+        total.tally = std::mem::take(&mut total.tally).merge(&tally);
+        // Of all parts the first counts it.
+        total.trees += u64::from(first == 0);
+        total.rays += rays.len() as u64;
+    }
+    Ok(dropped)
+}

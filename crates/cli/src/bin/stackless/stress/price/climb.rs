@@ -1,0 +1,129 @@
+//! The climb to the dearest query: small changes, of which those are kept that cost more.
+
+use std::time::{Duration, Instant};
+
+use stackless_bvh::generate::draw::Draw;
+use stackless_bvh::geom::{Ball, Ray, Real, Vector};
+
+use super::nanoseconds;
+
+/// Changes that in a row do not help, after which the climb starts anew.
+const PATIENCE: u32 = 300;
+
+/// A clock is not exact: what is dearer by less than this is not.
+const DEARER: f64 = 1.02;
+
+/// A query that can be changed a little.
+pub(super) trait Change: Sized {
+    /// One near to this one, or with a part of the other one. `None` if it is no query.
+    fn change(&self, other: &Self, draw: &mut Draw) -> Option<Self>;
+}
+
+/// The most nanoseconds that any query takes which is found in this time, from some that are known. `known` has what
+/// those cost.
+pub(super) fn climb<Q: Change>(queries: &[Q], known: &[f64], ask: impl Fn(&Q) -> usize, time: Duration) -> f64 {
+    let (mut draw, start, mut dearest) = (Draw::new(1), Instant::now(), known.iter().copied().fold(0.0, f64::max));
+    let mut order: Vec<_> = (0..queries.len()).collect();
+    order.sort_by(|&a, &b| known[b].total_cmp(&known[a]));
+    // From the dearest one first.
+    for &first in order.iter().cycle().take_while(|_| start.elapsed() < time) {
+        let (mut current, mut height, mut stale): (Option<Q>, _, _) = (None, known[first], 0);
+        while stale < PATIENCE && start.elapsed() < time {
+            stale += 1;
+            let from = current.as_ref().unwrap_or(&queries[first]);
+            let Some(next) = from.change(&queries[draw.below(queries.len())], &mut draw) else { continue };
+            // Most are cheaper, and seen to be so when they are asked once.
+            let Some(cost) = nanoseconds(|| ask(&next), height * DEARER) else { continue };
+            (current, height, stale) = (Some(next), cost, 0);
+            dearest = dearest.max(cost);
+        }
+    }
+    dearest
+}
+
+impl<V: Vector> Change for Ray<V> {
+    fn change(&self, other: &Self, draw: &mut Draw) -> Option<Self> {
+        let [mut o, mut d] = [self.origin(), self.direction()].map(V::components);
+        match draw.below(4) {
+            // To where the other one points, or from where it begins.
+            0 => d = between(o, sum(other.origin().components(), other.direction().components())),
+            1 => {
+                let target = sum(o, d);
+                o = other.origin().components();
+                d = between(o, target);
+            }
+            2 => change(&mut o, draw),
+            _ => change(&mut d, draw),
+        }
+        Self::within(V::from_components(o), V::from_components(d), self.tmin(), self.tmax()).ok()
+    }
+}
+
+impl<V: Vector> Change for Ball<V> {
+    fn change(&self, other: &Self, draw: &mut Draw) -> Option<Self> {
+        let mut center = self.center().components();
+        if draw.one_in(3) {
+            let axis = draw.below(3);
+            center[axis] = other.center().components()[axis];
+        } else {
+            change(&mut center, draw);
+        }
+        Self::new(V::from_components(center), self.radius()).ok()
+    }
+}
+
+/// Changes a component: by some floats, to a whole number, to another component, or by a power of two.
+fn change<R: Real>(components: &mut [R; 3], draw: &mut Draw) {
+    let (axis, from) = (draw.below(3), draw.below(3));
+    let old: f64 = components[axis].into();
+    components[axis] = match draw.below(4) {
+        0 => {
+            let up = draw.one_in(2);
+            (0..=draw.below(8)).fold(components[axis], |x, _| if up { x.next_up() } else { x.next_down() })
+        }
+        1 => R::rounded(draw.int(4).into()),
+        2 => components[from],
+        _ => R::rounded(old * 2f64.powi(draw.int(3) as i32)),
+    };
+}
+
+fn sum<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
+    [0, 1, 2].map(|axis| R::rounded(a[axis].into() + b[axis].into()))
+}
+
+fn between<R: Real>(from: [R; 3], to: [R; 3]) -> [R; 3] {
+    [0, 1, 2].map(|axis| R::rounded(to[axis].into() - from[axis].into()))
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::*;
+
+    /// Of queries whose cost is how far they begin from the origin, the climb finds dearer ones than it is given.
+    #[test]
+    fn the_climb_climbs() {
+        let rays: Vec<_> = (1..4u8).filter_map(|i| Ray::new(Vec3::X * f32::from(i), Vec3::Y).ok()).collect();
+        let work = |ray: &Ray| {
+            let n = (ray.origin().length() * 100.0).min(1e5) as u64;
+            std::hint::black_box((0..n).fold(0u64, |sum, i| std::hint::black_box(sum ^ i)));
+            1
+        };
+        let known: Vec<_> = rays.iter().filter_map(|ray| nanoseconds(|| work(ray), 0.0)).collect();
+        let dearest = climb(&rays, &known, work, Duration::from_millis(300));
+        assert!(dearest > 1.5 * known.iter().copied().fold(0.0, f64::max), "{dearest} {known:?}");
+        let none = climb(&rays, &known, work, Duration::ZERO);
+        assert_eq!(none, known.iter().copied().fold(0.0, f64::max), "without time there is no climb");
+    }
+
+    #[test]
+    fn changes_are_near_and_are_queries() {
+        let (a, b) = (Ray::new(Vec3::ZERO, Vec3::ONE).unwrap(), Ray::new(Vec3::X, Vec3::Z).unwrap());
+        let mut draw = Draw::new(2);
+        let changed: Vec<_> = (0..200).filter_map(|_| a.change(&b, &mut draw)).collect();
+        assert!(changed.len() > 100 && changed.iter().any(|ray| ray.direction() == Vec3::new(1.0, 0.0, 1.0)));
+        let (a, b) = (Ball::around(Vec3::ONE).unwrap(), Ball::around(Vec3::X * 9.0).unwrap());
+        assert!((0..200).filter_map(|_| a.change(&b, &mut draw)).any(|ball| ball.center().x == 9.0));
+    }
+}
