@@ -195,13 +195,16 @@ Lemma R64_pos x : 0 <= x -> 0 <= R64 x.
 Proof. intros H. rewrite <- (R64_F 0 F_0). now apply R64_le. Qed.
 
 (** The weight on an edge. *)
+Lemma quotient_inside x y : 0 <= x <= y -> 0 < y -> 0 <= R64 (x / y) <= 1.
+Proof.
+  intros X Y. assert (Q : 0 <= x / y <= 1).
+  { split; [apply Rle_mult_inv_pos; lra|]. apply Rmult_le_reg_r with y; [exact Y|]. replace (x / y * y) with x by (field; lra). lra. }
+  split; [apply R64_pos; lra|]. rewrite <- (R64_F 1); [apply R64_le; lra|]. change 1 with (bpow radix2 0). apply generic_format_bpow. unfold FLT_exp. lia.
+Qed.
 Lemma weight_inside x y t : F x -> 0 <= x -> x <= y -> over x (R64 y) = Some t -> 0 <= t <= 1.
 Proof.
   intros Fx X Y. unfold over. destruct (Req_bool_spec (R64 y) 0) as [|N]; [discriminate|]. intros [= <-].
-  pose proof (R64_le _ _ Y) as H. rewrite (R64_F x Fx) in H. assert (P : 0 < R64 y) by lra.
-  assert (Q : 0 <= x / R64 y <= 1).
-  { split; [apply Rle_mult_inv_pos; lra|]. apply Rmult_le_reg_r with (R64 y); [exact P|]. replace (x / R64 y * R64 y) with x by (field; lra). lra. }
-  split; [apply R64_pos; lra|]. rewrite <- (R64_F 1); [apply R64_le; lra|]. change 1 with (bpow radix2 0). apply generic_format_bpow. unfold FLT_exp. lia.
+  pose proof (R64_le _ _ Y) as H. rewrite (R64_F x Fx) in H. apply quotient_inside; lra.
 Qed.
 
 (** The weights above the triangle: each positive, and not much more than 1 together. [NEAR-1] *)
