@@ -227,7 +227,7 @@ Qed.
 Lemma F_dot a b : F (- dot R64 a b).
 Proof. apply generic_format_opp, F_R64. Qed.
 
-Lemma Rle_bool_true x y : Rle_bool x y = true -> x <= y.
+Lemma le_of_bool x y : Rle_bool x y = true -> x <= y.
 Proof. destruct (Rle_bool_spec x y); [auto|discriminate]. Qed.
 
 Section Bounded.
@@ -254,19 +254,19 @@ Proof.
   { intros [= <-]. apply placed_next. now apply (corner_placed greatest usual b c a b'). }
   assert (FMC := F_R64 (R64 (d1 * d4) - R64 (d3 * d2))). set (of_c := R64 (R64 (d1 * d4) - R64 (d3 * d2))) in *. clearbody of_c.
   destruct (Rle_bool of_c 0 && Rle_bool 0 d1 && Rle_bool d3 0) eqn:Edge.
-  { apply andb_prop in Edge as [Edge D3]. apply andb_prop in Edge as [_ D1]. apply Rle_bool_true in D1, D3. unfold on_edge.
+  { apply andb_prop in Edge as [Edge D3]. apply andb_prop in Edge as [_ D1]. apply le_of_bool in D1, D3. unfold on_edge.
     destruct (over d1 (R64 (d1 - d3))) as [t|] eqn:T; [|discriminate]. intros [= <-].
     apply (edge_placed greatest usual a b c a' b' c'); try assumption. exact (weight_inside d1 (d1 - d3) t F1 D1 ltac:(lra) T). }
   destruct (Rle_bool 0 d6 && Rle_bool d5 d6).
   { intros [= <-]. apply placed_next, placed_next. now apply (corner_placed greatest usual c a b c'). }
   assert (FMB := F_R64 (R64 (d5 * d2) - R64 (d1 * d6))). set (of_b := R64 (R64 (d5 * d2) - R64 (d1 * d6))) in *. clearbody of_b.
   clear Edge. destruct (Rle_bool of_b 0 && Rle_bool 0 d2 && Rle_bool d6 0) eqn:Edge.
-  { apply andb_prop in Edge as [Edge D6]. apply andb_prop in Edge as [_ D2]. apply Rle_bool_true in D2, D6. unfold on_edge.
+  { apply andb_prop in Edge as [Edge D6]. apply andb_prop in Edge as [_ D2]. apply le_of_bool in D2, D6. unfold on_edge.
     destruct (over d2 (R64 (d2 - d6))) as [t|] eqn:T; [|discriminate]. intros [= <-]. apply placed_swap.
     apply (edge_placed greatest usual a c b a' c' b'); try assumption. exact (weight_inside d2 (d2 - d6) t F2 D2 ltac:(lra) T). }
   assert (FMA := F_R64 (R64 (d3 * d6) - R64 (d5 * d4))). set (of_a := R64 (R64 (d3 * d6) - R64 (d5 * d4))) in *. clearbody of_a.
   clear Edge. destruct (Rle_bool of_a 0 && Rle_bool d3 d4 && Rle_bool d6 d5) eqn:Edge.
-  { apply andb_prop in Edge as [Edge D5]. apply andb_prop in Edge as [_ D4]. apply Rle_bool_true in D4, D5. unfold on_edge.
+  { apply andb_prop in Edge as [Edge D5]. apply andb_prop in Edge as [_ D4]. apply le_of_bool in D4, D5. unfold on_edge.
     destruct (over _ _) as [t|] eqn:T; [|discriminate]. intros [= <-]. apply placed_next.
     apply (edge_placed greatest usual b c a b' c' a'); try assumption. apply (weight_inside _ _ t (F_R64 (d4 - d3))) in T; [exact T|apply R64_pos; lra|].
     pose proof (R64_pos (d5 - d6) ltac:(lra)). lra. }
