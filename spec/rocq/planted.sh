@@ -92,4 +92,10 @@ planted $lanes/triangles.rs 'a[1] * b[2] - a[2] * b[1]' 'a[2] * b[1] - a[1] * b[
 planted $lanes/triangles.rs 't.to_bits() ^ (det.to_bits() & (1 << 31))' 't.to_bits() ^ (u.to_bits() & (1 << 31))'
 planted $lanes/triangles.rs 'u.min(v).min(w).simd_lt(-delta) & ' 'u.min(v).min(w).simd_lt(-delta) | '
 planted $lanes/block.rs '(v2 - v0).abs()' '(v2 - v1).abs()'
+# The nearest point of a triangle and its bounds: a constant, two comparisons, and two orders.
+planted src/geom/nearest.rs 'const MARGIN: f64 = 64.0 * UNIT;' 'const MARGIN: f64 = 32.0 * UNIT;'
+planted src/geom/nearest.rs 'd3 >= 0.0 && d4 <= d3' 'd3 > 0.0 && d4 <= d3'
+planted src/geom/nearest.rs 'if length > SHORT' 'if length >= SHORT'
+planted src/geom/nearest.rs 'length * (1.0 + 8.0 * UNIT) + margin' '(length + margin) * (1.0 + 8.0 * UNIT)'
+planted src/geom/nearest.rs 'let all = of_a + of_b + of_c;' 'let all = of_a + (of_b + of_c);'
 echo "operations: $caught planted changes are seen"

@@ -43,6 +43,7 @@ pub(crate) struct BVec4 {
 
 impl DVec3 {
     pub(crate) const ZERO: Self = Self { x: 0.0, y: 0.0, z: 0.0 };
+    pub(crate) const NAN: Self = Self { x: f64::NAN, y: f64::NAN, z: f64::NAN };
 
     pub(crate) const fn new(x: f64, y: f64, z: f64) -> Self {
         Self { x, y, z }
@@ -58,6 +59,10 @@ impl DVec3 {
 
     pub(crate) fn dot(self, rhs: Self) -> f64 {
         (self.x * rhs.x) + (self.y * rhs.y) + (self.z * rhs.z)
+    }
+
+    pub(crate) fn length(self) -> f64 {
+        self.dot(self).sqrt()
     }
 
     pub(crate) fn cross(self, rhs: Self) -> Self {
@@ -100,11 +105,27 @@ impl Sub for DVec3 {
     }
 }
 
+impl Add for DVec3 {
+    type Output = Self;
+
+    fn add(self, rhs: Self) -> Self {
+        Self::new(self.x + rhs.x, self.y + rhs.y, self.z + rhs.z)
+    }
+}
+
 impl Add<f64> for DVec3 {
     type Output = Self;
 
     fn add(self, rhs: f64) -> Self {
         Self::new(self.x + rhs, self.y + rhs, self.z + rhs)
+    }
+}
+
+impl Mul<f64> for DVec3 {
+    type Output = Self;
+
+    fn mul(self, rhs: f64) -> Self {
+        Self::new(self.x * rhs, self.y * rhs, self.z * rhs)
     }
 }
 

@@ -187,6 +187,7 @@ pub(crate) fn method(x: &Expr, format: Option<Format>, name: &str, with: &[Value
     };
     match (name, with.len()) {
         ("abs", 0) => number(Expr::op("absolute", format, [x.clone()])),
+        ("sqrt", 0) => number(Expr::op("root", format, [x.clone()])),
         ("recip", 0) => number(Expr::op("over", format, [Expr::Constant(1, 0), x.clone()])),
         // Of numbers that are no NaN, and but for the sign of a zero, which Rust leaves open. See the tests.
         ("max", 1) => other().and_then(|y| number(Expr::op("less", format, [y.clone(), x.clone()]).choose(x, &y))),
@@ -214,6 +215,7 @@ pub(crate) fn constant_of(format: Format, name: &str) -> Result<Value, String> {
     let number = match name {
         "INFINITY" => infinity(),
         "NEG_INFINITY" => Expr::op("opposite", Some(format), [infinity()]),
+        "NAN" => Expr::op("not_a_number", Some(format), []),
         "EPSILON" => Expr::Constant(1, 1 - digits),
         "MAX" => Expr::Constant((1 << digits) - 1, greatest - digits),
         "MIN_POSITIVE" => Expr::Constant(1, 2 - greatest),
@@ -225,7 +227,8 @@ pub(crate) fn constant_of(format: Format, name: &str) -> Result<Value, String> {
 /// `as` and `from`.
 pub(crate) fn convert(value: &Value, to: Format) -> Result<Value, String> {
     let number = match (value, to) {
-        (Value::Int(x), _) if x.unsigned_abs() < 1 << 24 && *x >= 0 => Expr::Constant(*x, 0),
+        (Value::Int(x), _) if (0..1 << 24).contains(x) => Expr::Constant(*x, 0),
+        (Value::Int(x), Format::Double) if (0..=1 << 53).contains(x) => Expr::Constant(*x, 0),
         (Value::Real(Some(from), x), _) if *from == to => x.clone(),
         (Value::Real(Some(_), x), Format::Double) => Expr::op("widen", None, [x.clone()]),
         (Value::Real(Some(_), x), Format::Single) => Expr::op("narrow", None, [x.clone()]),

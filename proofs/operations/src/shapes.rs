@@ -67,7 +67,7 @@ pub(crate) fn fresh(taken: &mut BTreeSet<String>, name: &str) -> String {
 
 pub(crate) fn literal_of(literal: &Lit) -> Result<Value> {
     match literal {
-        Lit::Int(digits) if digits.suffix().is_empty() => {
+        Lit::Int(digits) if matches!(digits.suffix(), "" | "u64") => {
             digits.base10_parse().map(Value::Int).map_err(|error| error.to_string())
         }
         Lit::Float(digits) if digits.suffix().is_empty() => {

@@ -20,6 +20,7 @@ const FILES: &[&str] = &[
     "src/geom/lanes/block.rs",
     "src/geom/lanes/boxes.rs",
     "src/geom/lanes/triangles.rs",
+    "src/geom/nearest.rs",
     "src/geom/ray.rs",
     "src/geom/region.rs",
     "src/geom/slabs/centred.rs",

@@ -44,6 +44,7 @@ const INTERVAL: &str = "src/geom/interval.rs";
 const EXACT: &str = "src/geom/kernel/exact/mod.rs";
 const BOXES: &str = "src/geom/lanes/boxes.rs";
 const TRIANGLES: &str = "src/geom/lanes/triangles.rs";
+const NEAREST: &str = "src/geom/nearest.rs";
 
 /// In the order in which they are printed.
 pub(crate) const TARGETS: &[Target] = &[
@@ -107,4 +108,6 @@ pub(crate) const TARGETS: &[Target] = &[
     Target { owner: "", name: "longest", file: "src/geom/lanes/block.rs", known: SINGLE, parts: &[] },
     Target { owner: "TriangleRay", name: "new", file: TRIANGLES, known: LANE, parts: &[] },
     Target { owner: "TriangleRay", name: "survivors", file: TRIANGLES, known: LANE, parts: &[] },
+    Target { owner: "", name: "nearest", file: NEAREST, known: &[], parts: &[] },
+    Target { owner: "", name: "bounds", file: NEAREST, known: &[], parts: &[] },
 ];

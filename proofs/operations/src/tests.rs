@@ -60,8 +60,11 @@ fn dvec3() {
         let (x, y) = (meaning::DVec3::new(a[0], a[1], a[2]), meaning::DVec3::new(b[0], b[1], b[2]));
         let (p, q) = (glam::DVec3::from_array(a), glam::DVec3::from_array(b));
         same((x - y).to_array(), (p - q).to_array(), "sub");
+        same((x + y).to_array(), (p + q).to_array(), "add");
         same((x + b[0]).to_array(), (p + b[0]).to_array(), "add");
+        same((x * b[0]).to_array(), (p * b[0]).to_array(), "mul");
         same([x.dot(y)], [p.dot(q)], "dot");
+        same([x.length()], [p.length()], "length");
         same(x.cross(y).to_array(), p.cross(q).to_array(), "cross");
         same(x.abs().to_array(), p.abs().to_array(), "abs");
         same(x.recip().to_array(), p.recip().to_array(), "recip");
@@ -72,6 +75,7 @@ fn dvec3() {
         let ours = meaning::DVec3::select(x.cmplt(y), x, y);
         same(ours.to_array(), glam::DVec3::select(p.cmplt(q), p, q).to_array(), "select");
         same(meaning::DVec3::ZERO.to_array(), glam::DVec3::ZERO.to_array(), "ZERO");
+        same(meaning::DVec3::NAN.to_array(), glam::DVec3::NAN.to_array(), "NAN");
     }
 }
 

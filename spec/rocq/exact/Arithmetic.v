@@ -10,6 +10,8 @@ Record arithmetic : Type := Arithmetic {
   minus : num -> num -> num;
   times : num -> num -> num;
   over : num -> num -> num;
+  (** The square root. *)
+  root : num -> num;
   opposite : num -> num;
   absolute : num -> num;
   less : num -> num -> bool;
@@ -21,6 +23,7 @@ Record arithmetic : Type := Arithmetic {
   (** An integer times a power of two. *)
   constant : Z -> Z -> num;
   infinity : num;
+  not_a_number : num;
   (** [from_bits(to_bits() + by)]. *)
   shifted : Z -> num -> num;
   (** The number of which only the bits of the exponent are left. *)
@@ -71,6 +74,7 @@ Definition ieee : arithmetic := {|
   minus := Bminus mode_NE;
   times := Bmult mode_NE;
   over := Bdiv mode_NE;
+  root := Bsqrt mode_NE;
   opposite := Bopp;
   absolute := Babs;
   less := Bltb;
@@ -80,6 +84,7 @@ Definition ieee : arithmetic := {|
   is_negative := Bsign;
   constant n e := binary_normalize prec emax _ _ mode_NE n e false;
   infinity := B754_infinity false;
+  not_a_number := B754_nan;
   shifted := shifted_float;
   power := power_float;
   cleared := cleared_float;
@@ -109,13 +114,14 @@ Definition f32_of_f64 : num f64 -> num f32 := convert 53 1024 24 128 prec_24 ema
 
 (** * Real numbers, rounded *)
 
-(** Every number is finite, and there are no bits: functions that ask for infinity or move bits are not about these. *)
+(** Every number is finite, and there are no bits: functions that ask for infinity, give a NaN, or move bits are not about these. *)
 Definition reals (RN : R -> R) : arithmetic := {|
   num := R;
   plus x y := RN (x + y)%R;
   minus x y := RN (x - y)%R;
   times x y := RN (x * y)%R;
   over x y := RN (x / y)%R;
+  root x := RN (sqrt x);
   opposite := Ropp;
   absolute := Rabs;
   less := Rlt_bool;
@@ -125,6 +131,7 @@ Definition reals (RN : R -> R) : arithmetic := {|
   is_negative x := Rlt_bool x 0;
   constant n e := (IZR n * bpow radix2 e)%R;
   infinity := 0%R;
+  not_a_number := 0%R;
   shifted _ x := x;
   power x := x;
   cleared _ x := x;
@@ -134,7 +141,7 @@ Definition reals (RN : R -> R) : arithmetic := {|
 
 (** The same with steps to the next number. *)
 Definition stepping (a : arithmetic) (down up : num a -> num a) : arithmetic :=
-  {| num := num a; plus := plus a; minus := minus a; times := times a; over := over a; opposite := opposite a; absolute := absolute a;
+  {| num := num a; plus := plus a; minus := minus a; times := times a; over := over a; root := root a; opposite := opposite a; absolute := absolute a;
      less := less a; at_most := at_most a; equal := equal a; is_finite := is_finite a; is_negative := is_negative a;
-     constant := constant a; infinity := infinity a; shifted := shifted a; power := power a; cleared := cleared a; after := up;
+     constant := constant a; infinity := infinity a; not_a_number := not_a_number a; shifted := shifted a; power := power a; cleared := cleared a; after := up;
      before := down |}.

@@ -764,4 +764,90 @@ Definition TriangleRay_survivors (self_origin_0 self_origin_1 self_origin_2 self
   let is_beyond := less single (times single (plus single (absolute single det) (times single self_det square)) best) (minus single
       ahead (times single self_t square)) in
   negb (orb is_missed is_beyond).
+
+(** [nearest] of src/geom/nearest.rs. *)
+Definition nearest_nearest (a_x a_y a_z b_x b_y b_z c_x c_y c_z : num double) :=
+  let ab_x := minus double b_x a_x in
+  let ab_y := minus double b_y a_y in
+  let ab_z := minus double b_z a_z in
+  let ac_x := minus double c_x a_x in
+  let ac_y := minus double c_y a_y in
+  let ac_z := minus double c_z a_z in
+  let d1 := opposite double (plus double (plus double (times double ab_x a_x) (times double ab_y a_y)) (times double ab_z a_z)) in
+  let d2 := opposite double (plus double (plus double (times double ac_x a_x) (times double ac_y a_y)) (times double ac_z a_z)) in
+  let test := andb (at_most double d1 (constant double 0 0)) (at_most double d2 (constant double 0 0)) in
+  let d3 := opposite double (plus double (plus double (times double ab_x b_x) (times double ab_y b_y)) (times double ab_z b_z)) in
+  let d4 := opposite double (plus double (plus double (times double ac_x b_x) (times double ac_y b_y)) (times double ac_z b_z)) in
+  let test'2 := andb (at_most double (constant double 0 0) d3) (at_most double d4 d3) in
+  let of_c := minus double (times double d1 d4) (times double d3 d2) in
+  let test'3 := andb (andb (at_most double of_c (constant double 0 0)) (at_most double (constant double 0 0) d1)) (at_most double d3
+      (constant double 0 0)) in
+  let rhs := over double d1 (minus double d1 d3) in
+  let d5 := opposite double (plus double (plus double (times double ab_x c_x) (times double ab_y c_y)) (times double ab_z c_z)) in
+  let d6 := opposite double (plus double (plus double (times double ac_x c_x) (times double ac_y c_y)) (times double ac_z c_z)) in
+  let test'4 := andb (at_most double (constant double 0 0) d6) (at_most double d5 d6) in
+  let of_b := minus double (times double d5 d2) (times double d1 d6) in
+  let test'5 := andb (andb (at_most double of_b (constant double 0 0)) (at_most double (constant double 0 0) d2)) (at_most double d6
+      (constant double 0 0)) in
+  let rhs'2 := over double d2 (minus double d2 d6) in
+  let of_a := minus double (times double d3 d6) (times double d5 d4) in
+  let test'6 := andb (andb (at_most double of_a (constant double 0 0)) (at_most double d3 d4)) (at_most double d6 d5) in
+  let rhs'3 := over double (minus double d4 d3) (plus double (minus double d4 d3) (minus double d5 d6)) in
+  let test'7 := negb (andb (andb (less double (constant double 0 0) of_a) (less double (constant double 0 0) of_b)) (less double
+      (constant double 0 0) of_c)) in
+  let all := plus double (plus double of_a of_b) of_c in
+  let rhs'4 := over double of_b all in
+  let rhs'5 := over double of_c all in
+  (if test then a_x else if test'2 then b_x else if test'3 then plus double a_x (times double ab_x rhs) else if test'4 then c_x else if
+      test'5 then plus double a_x (times double ac_x rhs'2) else if test'6 then plus double b_x (times double (minus double c_x b_x)
+      rhs'3) else if test'7 then not_a_number double else plus double (plus double a_x (times double ab_x rhs'4)) (times double ac_x
+      rhs'5), if test then a_y else if test'2 then b_y else if test'3 then plus double a_y (times double ab_y rhs) else if test'4 then
+      c_y else if test'5 then plus double a_y (times double ac_y rhs'2) else if test'6 then plus double b_y (times double (minus double
+      c_y b_y) rhs'3) else if test'7 then not_a_number double else plus double (plus double a_y (times double ab_y rhs'4)) (times double
+      ac_y rhs'5), if test then a_z else if test'2 then b_z else if test'3 then plus double a_z (times double ab_z rhs) else if test'4
+      then c_z else if test'5 then plus double a_z (times double ac_z rhs'2) else if test'6 then plus double b_z (times double (minus
+      double c_z b_z) rhs'3) else if test'7 then not_a_number double else plus double (plus double a_z (times double ab_z rhs'4)) (times
+      double ac_z rhs'5)).
+
+(** [UNIT] of src/geom/nearest.rs. *)
+Definition nearest_UNIT := over double (constant double 1 0) (constant double 9007199254740992 0).
+
+(** [MARGIN] of src/geom/nearest.rs. *)
+Definition nearest_MARGIN := times double (constant double 1 6) nearest_UNIT.
+
+(** [bounds] of src/geom/nearest.rs. *)
+Definition nearest_bounds (corners_0_x corners_0_y corners_0_z corners_1_x corners_1_y corners_1_z corners_2_x corners_2_y corners_2_z :
+    num double) :=
+  let '(q_x, q_y, q_z) := nearest_nearest corners_0_x corners_0_y corners_0_z corners_1_x corners_1_y corners_1_z corners_2_x
+      corners_2_y corners_2_z in
+  let x := absolute double corners_0_x in
+  let y := absolute double corners_0_y in
+  let z := absolute double corners_0_z in
+  let a := if less double y x then x else y in
+  let x'2 := absolute double corners_1_x in
+  let y'2 := absolute double corners_1_y in
+  let z'2 := absolute double corners_1_z in
+  let a'2 := if less double y'2 x'2 then x'2 else y'2 in
+  let x'3 := absolute double corners_2_x in
+  let y'3 := absolute double corners_2_y in
+  let z'3 := absolute double corners_2_z in
+  let a'3 := if less double y'3 x'3 then x'3 else y'3 in
+  let x'4 := if less double z a then a else z in
+  let y'4 := if less double z'2 a'2 then a'2 else z'2 in
+  let z'4 := if less double z'3 a'3 then a'3 else z'3 in
+  let x'5 := if less double y'4 x'4 then x'4 else y'4 in
+  let greatest := if less double z'4 x'5 then x'5 else z'4 in
+  let test'7 := negb (andb (at_most double (constant double 1 (-200)) greatest) (at_most double greatest (constant double 1 200))) in
+  let margin := times double nearest_MARGIN greatest in
+  let length := root double (plus double (plus double (times double q_x q_x) (times double q_y q_y)) (times double q_z q_z)) in
+  let a'4 := plus double (plus double (times double q_x corners_0_x) (times double q_y corners_0_y)) (times double q_z corners_0_z) in
+  let b := plus double (plus double (times double q_x corners_1_x) (times double q_y corners_1_y)) (times double q_z corners_1_z) in
+  let c := plus double (plus double (times double q_x corners_2_x) (times double q_y corners_2_y)) (times double q_z corners_2_z) in
+  let x'7 := if less double a'4 b then a'4 else b in
+  let x'8 := minus double (times double (over double (if less double x'7 c then x'7 else c) length) (minus double (constant double 1 0)
+      (times double (constant double 1 3) nearest_UNIT))) margin in
+  let near := if less double (constant double 0 0) x'8 then x'8 else constant double 0 0 in
+  (if test'7 then constant double 0 0 else if less double (constant double 1 (-300)) length then near else constant double 0 0, if
+      test'7 then not_a_number double else plus double (times double length (plus double (constant double 1 0) (times double (constant
+      double 1 3) nearest_UNIT))) margin).
 End Operations.
