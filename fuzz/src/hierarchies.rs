@@ -1,6 +1,7 @@
 //! Targets of hierarchies: builders, refit, files, instances.
 
 use glam::DVec3;
+use stackless_bvh::bvh::wide::WideOptions;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, Degenerate, SahOptions, SpatialOptions, WideBvh};
 use stackless_bvh::generate::{Bytes, Source};
 use stackless_bvh::geom::kernel::{Exact, Exact64};
@@ -10,6 +11,7 @@ use stackless_bvh::hash::checksum;
 use stackless_bvh::trace::{Assembly, InstanceError, InstanceTracer, Tracer};
 use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::{Recorded, Topology};
+use stackless_bvh::wide;
 use stackless_check::{
     Exactly, Flat, Heading, Hierarchies, Leg, Shape, check_held, check_instances, check_path, check_tree,
 };
@@ -141,12 +143,15 @@ fn placed<'a, V: Vector>(
         let group = group.collect();
         shapes.push(Shape::Group(group));
     }
-    let Ok(hierarchies) = Hierarchies::new(&shapes, options) else { return };
+    let wide = draw.coin().then(|| WideOptions { max_leaf: draw.one_of([8, 1, 4, 15]), ..WideOptions::default() });
+    let Ok(hierarchies) = Hierarchies::new(&shapes, options, wide.as_ref()) else { return };
     // Images beyond the range of floats are refused.
     let Ok((assembly, objects)) = hierarchies.assembly(&shapes) else { return };
     let Some(&root) = objects.last() else { return };
     let [groups, meshes] = [groups, meshes].map(|i| Method::ALL[i as usize]);
-    let tracer = match InstanceTracer::with_methods(&assembly, root, groups, meshes) {
+    let widely = draw.one_of(wide::Method::ALL);
+    let tracer = InstanceTracer::with_methods(&assembly, root, groups, meshes).and_then(|it| it.with_wide(widely));
+    let tracer = match tracer {
         Ok(tracer) => tracer,
         Err(InstanceError::Unfit { .. }) => return,
         Err(error) => panic!("{error}"),
@@ -155,7 +160,10 @@ fn placed<'a, V: Vector>(
     let aims: Vec<_> = flat.corners().copied().filter(|corners| corners.iter().all(|&v| V::is_finite(v))).collect();
     for _ in 0..3 {
         if let Some(ray) = ray(draw, &aims) {
-            right(check_instances(&tracer, &flat, &ray), format_args!("{groups} {meshes} {shapes:?} {ray:?}"));
+            right(
+                check_instances(&tracer, &flat, &ray),
+                format_args!("{groups} {meshes} {widely} {wide:?} {shapes:?} {ray:?}"),
+            );
         }
     }
 }
@@ -167,7 +175,12 @@ fn path(draw: &mut Draw<'_>) {
     let Some(mesh) = draw.mesh(6) else { return };
     let Some(bvh) = built(options.build(&mesh), options) else { return };
     let mut assembly = Assembly::new();
-    let object = assembly.add_mesh(bvh);
+    let wide = if draw.coin() { WideBvh::of(&bvh).ok() } else { None };
+    let is_wide = wide.is_some();
+    let object = match wide {
+        Some(wide) => assembly.add_wide(wide),
+        None => assembly.add_mesh(bvh),
+    };
     let Ok(tracer) = InstanceTracer::new(&assembly, object, method) else { return };
     let mut legs = Vec::new();
     for _ in 0..=draw.below(4) {
@@ -183,7 +196,7 @@ fn path(draw: &mut Draw<'_>) {
     let origin = draw.point();
     right(
         check_path(&Exactly, &tracer, &mesh, origin, &legs),
-        format_args!("{method} {options:?}\n{mesh:?}\n{origin:?} {legs:?}"),
+        format_args!("{method}, wide: {is_wide}, {options:?}\n{mesh:?}\n{origin:?} {legs:?}"),
     );
 }
 

@@ -2,7 +2,8 @@
 //!
 //! The hierarchy of a group is over the boxes of its instances. At a leaf of it, the ray and the state of its traversal
 //! wait, and a traversal of the instance's object starts with the ray in the object's space, and with the best hit so
-//! far. When it ends, the one that waits goes on (Binder & Keller 2016, Section 2.4).
+//! far. When it ends, the one that waits goes on (Binder & Keller 2016, Section 2.4). Groups have binary hierarchies,
+//! meshes binary or wide ones.
 //!
 //! # What is exact
 //!
@@ -13,20 +14,25 @@
 
 mod assembly;
 mod walk;
+mod wide_walk;
 
 pub use assembly::{Assembly, AssemblyError, Instance, Object};
 
 use std::fmt;
+use std::sync::Arc;
 
 use glam::Vec3;
 
+use crate::bvh::{Bvh, WideBvh};
 use crate::geom::truth::{Number, Point};
-use crate::geom::{AffineMap, EnclosedRay, ExactPoint, ExactRay, Real, Vector, kernel, slabs};
+use crate::geom::{AffineMap, EnclosedRay, ExactPoint, ExactRay, Triangle, Vector, kernel};
 use crate::trace::level::Level;
-use crate::trace::{Ask, OwnBoxes, Plan};
+use crate::trace::{Ask, Plan};
 use crate::traverse::{Method, Unfit};
+use crate::wide;
 use assembly::{Group, Part};
-use walk::{Found, Instances, Search, Triangles, Walk};
+use walk::{Found, Instances, Search, Triangles, walk};
+use wide_walk::WideLevel;
 
 /// Answers queries over an object of an assembly by one of the traversals. It shares the hierarchies with the assembly,
 /// and borrows nothing.
@@ -53,10 +59,11 @@ use walk::{Found, Instances, Search, Triangles, Walk};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct InstanceTracer<V: Vector = Vec3> {
-    assembly: Assembly<V>,
     root: Object,
+    /// How many the root has.
+    levels: u32,
     /// Of the objects up to the root, by index; `None` for those that are not in it.
-    levels: Vec<Option<Level>>,
+    stages: Vec<Option<Stage<V>>>,
 }
 
 /// Where a ray meets a triangle of an instance.
@@ -99,6 +106,14 @@ pub enum InstanceError {
         /// Why.
         unfit: Unfit,
     },
+    /// The traversal of wide trees is not for the hierarchy of an object.
+    #[error("object {object}: {unfit}")]
+    UnfitWide {
+        /// Index of the object in the order in which objects were added.
+        object: usize,
+        /// Why.
+        unfit: wide::Unfit,
+    },
 }
 
 impl InstanceTracer {
@@ -107,7 +122,7 @@ impl InstanceTracer {
 }
 
 impl<V: Vector> InstanceTracer<V> {
-    /// A tracer by one traversal on all levels.
+    /// A tracer by one traversal on all levels, but in wide meshes by [`wide::Method::default`].
     ///
     /// # Errors
     /// What [`InstanceError`] lists.
@@ -125,26 +140,35 @@ impl<V: Vector> InstanceTracer<V> {
         groups: Method,
         meshes: Method,
     ) -> Result<Self, InstanceError> {
-        let mut levels = Vec::new();
+        let mut stages = Vec::new();
         assembly.part(root).ok_or(InstanceError::UnknownObject)?;
         // Objects come after those that they are made of.
         let mut is_used = vec![false; root.index() + 1];
         is_used[root.index()] = true;
         for object in (0..=root.index()).rev() {
-            let level = match assembly.parts().get(object).filter(|_| is_used[object]) {
-                None => Ok(None),
-                Some(Part::Mesh(bvh)) => Level::new(bvh, &Plan::new(bvh, meshes, Ask::Hit)).map(Some),
-                Some(Part::Group(group)) => {
-                    for instance in &group.instances {
-                        is_used[instance.object.index()] = true;
-                    }
-                    Level::new(&group.bvh, &Plan::new(&group.bvh, groups, Ask::Hit)).map(Some)
+            let part = assembly.parts().get(object).filter(|_| is_used[object]);
+            if let Some(Part::Group(group)) = part {
+                for instance in &group.instances {
+                    is_used[instance.object.index()] = true;
                 }
-            };
-            levels.push(level.map_err(|unfit| InstanceError::Unfit { object, unfit })?);
+            }
+            stages.push(part.map(|part| Stage::new(object, part, groups, meshes)).transpose()?);
         }
-        levels.reverse();
-        Ok(Self { assembly: assembly.clone(), root, levels })
+        stages.reverse();
+        Ok(Self { root, levels: assembly.levels(root), stages })
+    }
+
+    /// The same with another traversal for wide meshes.
+    ///
+    /// # Errors
+    /// [`InstanceError::UnfitWide`].
+    pub fn with_wide(mut self, method: wide::Method) -> Result<Self, InstanceError> {
+        for (object, stage) in self.stages.iter_mut().enumerate() {
+            if let Some(Stage::Wide(bvh, level)) = stage {
+                *level = WideLevel::new(bvh, method).map_err(|unfit| InstanceError::UnfitWide { object, unfit })?;
+            }
+        }
+        Ok(self)
     }
 
     /// The closest hit: the least distance, of equal ones the least path, and of these the least triangle. `[INST-6]`
@@ -229,61 +253,54 @@ impl<V: Vector> InstanceTracer<V> {
     }
 
     /// Bytes of the state of one ray: for each level that a ray can be in at once, those of the traversal's state, as
-    /// [`Method::state_bytes_in`] counts them, and [`RAY_BYTES`](InstanceTracer::RAY_BYTES). The deepest levels count. What is
-    /// found so far is not in it.
+    /// [`Method::state_bytes_in`] and [`wide::Method::state_bytes`] count them, and
+    /// [`RAY_BYTES`](InstanceTracer::RAY_BYTES). The deepest levels count. What is found so far is not in it.
     pub fn state_bytes(&self) -> usize {
         let mut bytes: Vec<usize> = Vec::new();
-        for (level, part) in self.levels.iter().zip(self.assembly.parts()) {
-            bytes.push(match (level, part) {
-                (None, _) => 0,
-                (Some(level), Part::Mesh(bvh)) => level.state_bytes(bvh) + InstanceTracer::RAY_BYTES,
-                (Some(level), Part::Group(group)) => {
+        for stage in &self.stages {
+            let own = match stage {
+                None => 0,
+                Some(Stage::Mesh(bvh, level)) => level.state_bytes(bvh) + InstanceTracer::RAY_BYTES,
+                Some(Stage::Wide(bvh, level)) => level.state_bytes(bvh) + InstanceTracer::RAY_BYTES,
+                Some(Stage::Group(group, level)) => {
                     let inner = group.instances.iter().map(|instance| bytes[instance.object.index()]).max();
                     level.state_bytes(&group.bvh) + InstanceTracer::RAY_BYTES + inner.unwrap_or(0)
                 }
-            });
+            };
+            bytes.push(own);
         }
         bytes.last().copied().unwrap_or(0)
     }
 
     fn search<'r>(&self, ray: &'r ExactRay<V>, any: bool) -> Search<'r, V> {
-        let levels = self.assembly.levels(self.root) as usize;
-        let mut search = Search::new(ray, any, levels);
+        let mut search = Search::new(ray, any, self.levels as usize);
         self.visit(self.root, ray.enclosed(), &mut search);
         search
     }
 
     /// Traverses an object with a ray in its space.
     fn visit(&self, object: Object, ray: EnclosedRay, search: &mut Search<'_, V>) {
-        let (interval, octant, depth) = (search.ray.interval(), ray.octant(), search.path.len());
-        let [tmin, _] = interval[0].ends_in_single();
-        let mut memory = std::mem::take(&mut search.memory[depth]);
-        match (&self.levels[object.index()], &self.assembly.parts()[object.index()]) {
-            (None, _) => {}
-            (Some(level), Part::Mesh(bvh)) => {
-                let region = bvh.region();
-                let test = kernel::EnclosedTest::new(&ray, interval, region);
-                let leaves = Triangles { tracer: self, bvh, test };
-                let walk =
-                    Walk { bvh, slabs: slabs::EnclosedSlabs::of(&ray, tmin, region), leaves, search: &mut *search };
-                level.run(bvh.tree(), octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
-            }
-            (Some(level), Part::Group(group)) => {
-                let Group { instances, bvh, .. } = &**group;
-                let slabs = slabs::EnclosedSlabs::of(&ray, tmin, bvh.region());
-                let leaves = Instances { tracer: self, bvh, placed: instances, ray };
-                let walk = Walk { bvh, slabs, leaves, search: &mut *search };
-                level.run(bvh.tree(), octant, &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
+        let interval = search.ray.interval();
+        let triangles = |region| Triangles { tracer: self, test: kernel::EnclosedTest::new(&ray, interval, region) };
+        match self.stage(object) {
+            None => {}
+            Some(Stage::Mesh(bvh, level)) => walk(bvh, level, &ray, triangles(bvh.region()), search),
+            Some(Stage::Wide(bvh, level)) => level.run(bvh, &ray, triangles(bvh.region()), search),
+            Some(Stage::Group(group, level)) => {
+                walk(&group.bvh, level, &ray, Instances { tracer: self, placed: &group.instances, ray }, search);
             }
         }
-        search.memory[depth] = memory;
+    }
+
+    fn stage(&self, object: Object) -> Option<&Stage<V>> {
+        self.stages.get(object.index())?.as_ref()
     }
 
     /// The maps of the instances on a path, from the innermost on.
     fn maps(&self, path: &[u32]) -> Vec<AffineMap<V::Real>> {
         let (mut object, mut maps) = (self.root, Vec::new());
         for &index in path {
-            if let Some(Part::Group(group)) = self.assembly.part(object) {
+            if let Some(Stage::Group(group, _)) = self.stage(object) {
                 let instance = &group.instances[index as usize];
                 maps.push(instance.affine);
                 object = instance.object;
@@ -291,6 +308,34 @@ impl<V: Vector> InstanceTracer<V> {
         }
         maps.reverse();
         maps
+    }
+}
+
+/// An object, and what it takes to traverse it.
+#[derive(Debug)]
+enum Stage<V: Vector> {
+    Mesh(Arc<Bvh<Triangle<V>>>, Level),
+    Wide(Arc<WideBvh>, WideLevel),
+    Group(Arc<Group<V::Real>>, Level),
+}
+
+impl<V: Vector> Stage<V> {
+    fn new(object: usize, part: &Part<V>, groups: Method, meshes: Method) -> Result<Self, InstanceError> {
+        let unfit = |unfit| InstanceError::Unfit { object, unfit };
+        Ok(match part {
+            Part::Mesh(bvh) => {
+                let level = Level::new(bvh, &Plan::new(bvh, meshes, Ask::Hit)).map_err(unfit)?;
+                Self::Mesh(Arc::clone(bvh), level)
+            }
+            Part::Wide(bvh) => {
+                let level = WideLevel::new(bvh, wide::Method::default());
+                Self::Wide(Arc::clone(bvh), level.map_err(|unfit| InstanceError::UnfitWide { object, unfit })?)
+            }
+            Part::Group(group) => {
+                let level = Level::new(&group.bvh, &Plan::new(&group.bvh, groups, Ask::Hit)).map_err(unfit)?;
+                Self::Group(Arc::clone(group), level)
+            }
+        })
     }
 }
 

@@ -19,6 +19,9 @@ use crate::wide::{Method, Tables, Unfit, Wanted};
 use shared::{Counted, LaneRay, Query};
 use turns::{Ask, Job, trace};
 
+pub(super) use search::LaneRanks;
+pub(super) use turns::with_memory;
+
 /// Answers queries over a hierarchy of eight children, exactly: the library's front door.
 ///
 /// It is the fastest of this library, and so it is for meshes in single precision only.
@@ -69,7 +72,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     /// # Errors
     /// [`Unfit`] where the hierarchy has too many levels for it.
     pub fn with_method(bvh: T, method: Method) -> Result<Self, Unfit> {
-        let tables = if method.needs_hash() { Tables::new(bvh.borrow()) } else { Tables::NONE };
+        let tables = Tables::of(method, bvh.borrow());
         let tracer = Self { bvh, method, tables, level: Level::new() };
         // What is unfit is found before the first ray.
         tracer.run(&[], Ask::Distance, &mut |_, _| ()).map(|()| tracer)

@@ -252,6 +252,11 @@ impl Tables {
         Self { hash: PerfectHash::of_keys(&asked_keys(tree)).map_err(Unfit::NoHash) }
     }
 
+    /// What one traversal needs of them.
+    pub fn of<const A: usize>(method: Method, tree: &impl Topology<A>) -> Self {
+        if method.needs_hash() { Self::new(tree) } else { Self::NONE }
+    }
+
     /// The perfect hash of the keys that can be asked for. `[WIDE-16]`
     ///
     /// # Errors

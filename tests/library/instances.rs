@@ -6,11 +6,13 @@ use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 use scenes::{Kind, Scene, narrow, unit, vector};
-use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions};
+use stackless_bvh::bvh::wide::WideOptions;
+use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, WideBvh};
 use stackless_bvh::generate::{Rng, Source, stress};
-use stackless_bvh::geom::{AffineMap, Mesh, Ray, Real, Vector};
+use stackless_bvh::geom::{AffineMap, Ends, ExactRay, Mesh, Ray, Real, Vector};
 use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceError, InstanceHit, InstanceTracer, Object};
 use stackless_bvh::traverse::Method;
+use stackless_bvh::wide::{self, Topology};
 use stackless_check::{Flat, Hierarchies, Shape, check_answer, check_instances};
 
 fn options(builder: Builder, max_leaf: u32) -> BuildOptions {
@@ -18,7 +20,13 @@ fn options(builder: Builder, max_leaf: u32) -> BuildOptions {
 }
 
 fn hierarchies<V: Vector>(scene: &Scene<V>, builder: Builder, max_leaf: u32) -> Hierarchies<V> {
-    Hierarchies::new(&scene.shapes, options(builder, max_leaf)).expect("trees")
+    Hierarchies::new(&scene.shapes, options(builder, max_leaf), None).expect("trees")
+}
+
+/// With wide meshes.
+fn wide<V: Vector>(scene: &Scene<V>, builder: Builder, max_leaf: u32) -> Hierarchies<V> {
+    let wide = WideOptions { max_leaf, ..WideOptions::default() };
+    Hierarchies::new(&scene.shapes, options(builder, max_leaf), Some(&wide)).expect("trees")
 }
 
 fn assembly<V: Vector>(built: &Hierarchies<V>, scene: &Scene<V>) -> (Assembly<V>, Object) {
@@ -69,7 +77,7 @@ fn cut<V: Vector>(ray: &Ray<V>, hit: &InstanceHit<V::Real>) -> impl Iterator<Ite
     ends.into_iter().filter_map(move |(tmin, tmax)| Ray::within(ray.origin(), ray.direction(), tmin, tmax).ok())
 }
 
-/// Every scene by every traversal, alone and with another one inside, over four kinds of trees.
+/// Every scene by every traversal, alone and with another one inside, over four kinds of trees; and with wide meshes.
 fn answers_are_those_of_rational_arithmetic<V: Kind>() {
     let (mut hits, mut asked, mut deep, mut tracers) = (0, 0, 0, 0);
     for (seed, scene) in scenes::all::<V>().iter().enumerate() {
@@ -101,6 +109,16 @@ fn answers_are_those_of_rational_arithmetic<V: Kind>() {
                     }
                 }
             }
+            let (assembly, root) = self::assembly(&wide(scene, builder, leaf), scene);
+            for (method, groups) in wide::Method::ALL.into_iter().zip([Method::Stack, Method::Hashed].repeat(5)) {
+                let tracer = InstanceTracer::new(&assembly, root, groups).and_then(|it| it.with_wide(method));
+                let tracer = tracer.expect("any tree");
+                for (ray, hit) in &cases {
+                    check_answer(&tracer, hit, ray).unwrap_or_else(|fault| {
+                        panic!("{}, {builder}, {groups} and {method}, {ray:?}: {fault}", scene.name)
+                    });
+                }
+            }
         }
     }
     // Of 21 traversals in pairs and alone, over four kinds of trees, `complete` takes part over one.
@@ -118,18 +136,23 @@ fn answers_are_those_of_rational_arithmetic_in_double() {
     answers_are_those_of_rational_arithmetic::<DVec3>();
 }
 
-/// More rays, by one traversal.
+/// More rays, by one traversal, and with wide meshes.
 fn many_rays_are_answered_by_rational_arithmetic<V: Kind>() {
     let (mut counts, mut asked) = ([0; 3], 0);
     for (seed, scene) in scenes::all::<V>().iter().enumerate() {
         let (flat, mut rng) = (Flat::new(&scene.shapes), Rng::new(1000 + seed as u64));
-        let built = hierarchies(scene, Builder::Sah, 2);
-        let (assembly, root) = assembly(&built, scene);
-        let tracer = InstanceTracer::new(&assembly, root, Method::Hashed).expect("any tree");
+        let tracer = |built: Hierarchies<V>| {
+            let (assembly, root) = assembly(&built, scene);
+            InstanceTracer::new(&assembly, root, Method::Hashed).expect("any tree")
+        };
+        let (tracer, wide) = (tracer(hierarchies(scene, Builder::Sah, 2)), tracer(wide(scene, Builder::Sah, 1)));
         let rays = rays(&flat, &mut rng, 300);
         asked += rays.len();
         for ray in &rays {
-            check_instances(&tracer, &flat, ray).unwrap_or_else(|fault| panic!("{}, {ray:?}: {fault}", scene.name));
+            let hit = flat.closest(ray);
+            for tracer in [&tracer, &wide] {
+                check_answer(tracer, &hit, ray).unwrap_or_else(|fault| panic!("{}, {ray:?}: {fault}", scene.name));
+            }
         }
         let found = tracer.count_closest(&rays);
         for (sum, count) in counts.iter_mut().zip([found.instances, found.triangles, found.rational]) {
@@ -150,16 +173,84 @@ fn many_rays_are_answered_by_rational_arithmetic_in_double() {
     many_rays_are_answered_by_rational_arithmetic::<DVec3>();
 }
 
+/// Hard meshes of some hundred triangles, in groups of groups: over wide trees of several levels, the answers are those
+/// of binary ones, and so are those of paths that begin at hits. `[INST-6]` `[SECOND-2]`
+#[test]
+fn wide_meshes_are_answered_as_binary_ones() {
+    let (mut rng, mut hits, mut deepest, mut duplicates) = (Rng::new(3), [0; 2], 0, 0);
+    for (i, case) in stress::cases(30).enumerate() {
+        let size = case.mesh.vertices().iter().fold(0.0, |size, v| v.abs().max_element().max(size));
+        if size > 1e36 {
+            // Images may be beyond the range.
+            continue;
+        }
+        let builder = [Builder::Spatial, Builder::Sah, Builder::Median][i % 3];
+        let bvh = Arc::new(options(builder, 1).build(&case.mesh).expect("a tree"));
+        let wide = WideOptions { max_leaf: [1, 4, 15, 8][i % 4], ..WideOptions::default() };
+        let wide = Arc::new(WideBvh::with_options(&bvh, &wide).expect("a tree"));
+        (deepest, duplicates) = (deepest.max(wide.levels()), duplicates + wide.duplicates());
+        let maps: Vec<_> = (0..6).map(|_| scenes::about(&mut rng, size.into())).collect();
+        let scene = |is_wide: bool| {
+            let mut assembly = Assembly::new();
+            let mesh = if is_wide { assembly.add_wide(Arc::clone(&wide)) } else { assembly.add_mesh(Arc::clone(&bvh)) };
+            let mut group = |object: [Object; 3], maps: &[AffineMap]| {
+                let instances = maps.iter().zip(object).map(|(&affine, object)| Instance { object, affine }).collect();
+                assembly.add_group(instances, &options(Builder::Sah, 1)).expect("a group")
+            };
+            let inner = group([mesh; 3], &maps[..3]);
+            let outer = group([inner, mesh, inner], &maps[3..]);
+            InstanceTracer::new(&assembly, outer, Method::Stack).expect("any tree")
+        };
+        let (binary, wide) = (scene(false), scene(true).with_wide(wide::Method::ALL[i % 9]).expect("any tree"));
+        for ray in &case.rays {
+            // The same ray as the instances have it, so that hard cases stay hard there.
+            let [origin, target] = [ray.origin(), ray.origin() + ray.direction()].map(|v| image(&maps[4], v));
+            let Ok(ray) = Ray::within(origin, target - origin, ray.tmin(), ray.tmax()) else { continue };
+            let mut ray = ExactRay::from(&ray);
+            for bounce in 0..4 {
+                let found = [&binary, &wide].map(|tracer| tracer.closest_and_point(&ray));
+                let [expected, given] = found.each_ref().map(|found| found.as_ref().map(|(hit, _)| hit));
+                assert_eq!(given, expected, "{}: {ray:?}", case.name);
+                assert_eq!(wide.any(&ray), expected.is_some(), "{}: {ray:?}", case.name);
+                let [_, Some((_, point))] = found else { break };
+                hits[usize::from(bounce > 0)] += 1;
+                let ends = [Ends::Open, Ends::Closed][bounce % 2];
+                let Ok(next) = point.ray(narrow(vector(&mut rng) * f64::from(size)), f32::INFINITY, ends) else {
+                    break;
+                };
+                ray = next;
+            }
+        }
+    }
+    assert!(
+        hits.into_iter().all(|hits| hits > 500) && deepest > 2 && duplicates > 100,
+        "{hits:?} {deepest} {duplicates}"
+    );
+}
+
+/// Rounded.
+fn image(map: &AffineMap, v: Vec3) -> Vec3 {
+    Vec3::from(map.rows().map(|[x, y, z, w]| x * v.x + y * v.y + z * v.z + w))
+}
+
 /// What is found in an instance ends the search in those behind it, and within them.
 #[test]
 fn what_is_behind_a_hit_is_not_entered() {
     let bvh = Bvh::sah(&stress::icosphere(3, 1.0, Vec3::ZERO).expect("a mesh"), SahOptions::default()).expect("a tree");
-    let (mut assembly, options) = (Assembly::new(), options(Builder::Sah, 1));
-    let object = assembly.add_mesh(bvh);
+    let wide = WideBvh::of(&bvh).expect("a tree");
+    let mut assembly = Assembly::new();
+    let [binary, wide] = [assembly.add_mesh(bvh), assembly.add_wide(wide)];
+    for object in [binary, wide] {
+        what_is_behind_a_hit_in_it_is_not_entered(&mut assembly, object);
+    }
+}
+
+fn what_is_behind_a_hit_in_it_is_not_entered(assembly: &mut Assembly, object: Object) {
+    let options = options(Builder::Sah, 1);
     let place = |i: u8| AffineMap::translation(Vec3::Z * f32::from(i) * 3.0).expect("a map");
     let instances = (0..64).map(|i| Instance { object, affine: place(i) }).collect();
     let row = assembly.add_group(instances, &options).expect("a group");
-    let tracer = InstanceTracer::new(&assembly, row, Method::Hashed).expect("any tree");
+    let tracer = InstanceTracer::new(assembly, row, Method::Hashed).expect("any tree");
     let ray = Ray::within(Vec3::new(0.1, 0.2, -5.0), Vec3::new(0.001, 0.002, 1.0), 0.0, 1000.0).expect("a ray");
     let (closest, any) = (tracer.count_closest(&[ray]), tracer.count_any(&[ray]));
     // The second one was postponed before the first was entered, and postponed nodes are not tested again.
@@ -231,6 +322,21 @@ fn levels_end_where_they_must() {
     assert!(bytes.iter().zip(1..).all(|(&bytes, levels)| bytes == levels * one), "as much for each level: {bytes:?}");
 }
 
+/// A wide mesh is one level, and has the state of its traversal.
+#[test]
+fn wide_meshes_have_the_state_of_their_traversal() {
+    let bvh = Bvh::build(&stress::icosphere(2, 1.0, Vec3::ZERO).expect("a mesh")).expect("a tree");
+    let wide = WideBvh::of(&bvh).expect("a wide tree");
+    let (mut assembly, levels) = (Assembly::<Vec3>::new(), wide.levels() as usize);
+    let object = assembly.add_wide(wide);
+    assert_eq!((assembly.levels(object), levels > 0), (1, true));
+    for method in wide::Method::ALL {
+        let tracer = InstanceTracer::new(&assembly, object, Method::Stack).and_then(|it| it.with_wide(method));
+        let bytes = tracer.expect("any tree").state_bytes();
+        assert_eq!(bytes, InstanceTracer::RAY_BYTES + method.state_bytes::<8>(levels), "{method}");
+    }
+}
+
 /// Where maps leave the ray exact, exact sums tell what bounds do not: rationals are for other maps.
 #[test]
 fn rays_that_stay_exact_need_no_rationals() {
@@ -245,11 +351,10 @@ fn rays_that_stay_exact_need_no_rationals() {
         let flat = Flat::new(&scene.shapes);
         let (assembly, object) = assembly(&hierarchies(&scene, Builder::Sah, 1), &scene);
         let tracer = InstanceTracer::new(&assembly, object, Method::default()).expect("any tree");
-        let image = |v: Vec3| Vec3::from(rows.map(|[x, y, z, w]| x * v.x + y * v.y + z * v.z + w));
         let mut rays = Vec::new();
         for &corner in mesh.vertices() {
             let origin = Vec3::new(0.5, -3.25, 5.0);
-            rays.extend(Ray::new(origin, image(image(corner)) - origin));
+            rays.extend(Ray::new(origin, image(&map, image(&map, corner)) - origin));
         }
         for ray in &rays {
             check_instances(&tracer, &flat, ray).unwrap_or_else(|fault| panic!("{rows:?}, {ray:?}: {fault}"));

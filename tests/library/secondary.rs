@@ -4,12 +4,14 @@ use std::array;
 
 use dashu_int::ops::BitTest;
 use glam::{DVec3, Vec3};
-use stackless_bvh::bvh::{BuildOptions, Bvh};
+use stackless_bvh::bvh::{BuildOptions, Bvh, WideBvh};
 use stackless_bvh::generate::{Rng, Source, procedural};
 use stackless_bvh::geom::truth::{Number, RBig};
 use stackless_bvh::geom::{AffineMap, Ends, ExactPoint, ExactRay, Interval, Mesh, Ray, RayError, Real, Vector};
 use stackless_bvh::trace::{Assembly, Instance, InstanceTracer};
 use stackless_bvh::traverse::Method;
+
+use stackless_check::in_single;
 
 use crate::instances::scenes::narrow;
 
@@ -20,7 +22,8 @@ type Hit<'s, R> = (R, &'s [u32], u32, [R; 2], RBig);
 
 /// A scene as it is traced, and its triangles as they are.
 struct Scene<V: Vector> {
-    tracer: InstanceTracer<V>,
+    /// Over a binary tree, and if single precision has the mesh over a wide one.
+    tracers: Vec<InstanceTracer<V>>,
     /// Instance, or none, and triangle, each with its corners.
     triangles: Vec<(Vec<u32>, u32, [Rational; 3])>,
 }
@@ -29,10 +32,15 @@ impl<V: Vector> Scene<V> {
     /// A mesh, placed by these maps, or as it is if there are none.
     fn new(mesh: &Mesh<V>, maps: &[AffineMap<V::Real>], method: Method) -> Self {
         let mut assembly = Assembly::new();
-        let object = assembly.add_mesh(Bvh::build(mesh).unwrap());
-        let placed: Vec<_> = maps.iter().map(|&affine| Instance { object, affine }).collect();
-        let root = if maps.is_empty() { object } else { assembly.add_group(placed, &BuildOptions::default()).unwrap() };
-        let tracer = InstanceTracer::new(&assembly, root, method).unwrap();
+        let mut objects = vec![assembly.add_mesh(Bvh::build(mesh).unwrap())];
+        objects.extend(in_single(mesh).map(|mesh| assembly.add_wide(WideBvh::build(&mesh).unwrap())));
+        let mut tracer = |object| {
+            let placed: Vec<_> = maps.iter().map(|&affine| Instance { object, affine }).collect();
+            let is_alone = maps.is_empty();
+            let root = if is_alone { object } else { assembly.add_group(placed, &BuildOptions::default()).unwrap() };
+            InstanceTracer::new(&assembly, root, method).unwrap()
+        };
+        let tracers = objects.into_iter().map(&mut tracer).collect();
         let corners = |prim: u32| mesh.triangle(prim as usize).map(exact);
         let prims = 0..mesh.triangles().len() as u32;
         let triangles = if maps.is_empty() {
@@ -41,7 +49,7 @@ impl<V: Vector> Scene<V> {
             let placed = maps.iter().zip(0..).flat_map(|(map, i)| prims.clone().map(move |prim| (map, i, prim)));
             placed.map(|(map, i, prim)| (vec![i], prim, corners(prim).map(|corner| image(map, &corner)))).collect()
         };
-        Self { tracer, triangles }
+        Self { tracers, triangles }
     }
 
     /// All hits of a line between two distances, as the ends have it, by path and triangle.
@@ -204,8 +212,13 @@ fn paths_are_those_of_rational_arithmetic<V: Vector>(scenes: &[Scene<V>]) {
                 assert!(holds(&enclosed.origin, &line[0]) && holds(&enclosed.direction, &line[1]), "{ray:?}");
                 let expected = scene.hits(&line, tmax, ends);
                 at_own_plane += usize::from(expected.iter().any(|(.., t)| *t == RBig::ZERO));
-                assert_eq!(scene.tracer.any(&ray), !expected.is_empty(), "{ray:?}");
-                let found = scene.tracer.closest_and_point(&ray);
+                // The path goes on by any of the tracers.
+                let tracer = &scene.tracers[rng.below(scene.tracers.len() as u64) as usize];
+                let found = tracer.closest_and_point(&ray);
+                for tracer in &scene.tracers {
+                    assert_eq!(tracer.any(&ray), !expected.is_empty(), "{ray:?}");
+                    assert_eq!(tracer.closest(&ray).as_ref(), found.as_ref().map(|(hit, _)| hit), "{ray:?}");
+                }
                 let Some((t, path, prim, weights, exact_t)) = expected.first() else {
                     assert!(found.is_none(), "{ray:?} {found:?}");
                     continue;
@@ -230,6 +243,7 @@ fn paths_are_those_of_rational_arithmetic<V: Vector>(scenes: &[Scene<V>]) {
         }
     }
     assert!(hits > 1000 && at_own_plane > 200 && longest == 11, "{hits} {at_own_plane} {longest}");
+    assert!(scenes.iter().filter(|scene| scene.tracers.len() == 2).count() > 2);
 }
 
 #[test]
@@ -261,10 +275,10 @@ fn nothing_leaks<V: Vector>(mesh: &Mesh<V>, most: u32) {
     let mut ray = start();
     let normal = |prim: usize| DVec3::AXES[prim / 64 % 3] * [1.0, -1.0][prim / 32 % 2];
     while bounces < most {
-        let Some((hit, point)) = scene.tracer.closest_and_point(&ray) else { panic!("{bounces}: {ray:?}") };
+        let Some((hit, point)) = scene.tracers[0].closest_and_point(&ray) else { panic!("{bounces}: {ray:?}") };
         // The inner box is not reached from between them, so its walls send back outwards.
         let inwards = normal(hit.prim as usize % 192) * if hit.prim >= 192 { -1.0 } else { 1.0 };
-        assert!(scene.tracer.any(point.toward(&outside, Ends::Open).unwrap()) || hit.prim < 192);
+        assert!(scene.tracers[0].any(point.toward(&outside, Ends::Open).unwrap()) || hit.prim < 192);
         // To corners of squares, along the diagonals, or anywhere.
         let way = DVec3::from(array::from_fn(|_| match bounces % 3 {
             0 => rng.below(3) as f64 - 1.0,
@@ -316,11 +330,11 @@ fn points_grow_with_the_length_of_their_path() {
     for _ in 0..160 {
         let direction = direction(&mut rng).as_vec3();
         let next = |ray: &ExactRay, is_early: bool| {
-            let (_, point) = scene.tracer.closest_and_point(ray).unwrap_or_else(|| panic!("{ray:?}"));
+            let (_, point) = scene.tracers[0].closest_and_point(ray).unwrap_or_else(|| panic!("{ray:?}"));
             let size = if is_early { bits(&point) } else { 0 };
             let ahead = point.ray(direction, f32::INFINITY, Ends::Open).unwrap();
             // Whichever side of the wall it is: outside there is nothing.
-            let ray = if scene.tracer.any(&ahead) {
+            let ray = if scene.tracers[0].any(&ahead) {
                 ahead
             } else {
                 point.ray(-direction, f32::INFINITY, Ends::Open).unwrap()

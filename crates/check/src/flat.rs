@@ -6,7 +6,8 @@ use std::sync::Arc;
 use dashu_int::{IBig, UBig};
 use glam::Vec3;
 
-use stackless_bvh::bvh::{BuildError, BuildOptions, Bvh};
+use stackless_bvh::bvh::wide::WideOptions;
+use stackless_bvh::bvh::{BuildOptions, Bvh, WideBvh, WideError};
 use stackless_bvh::geom::truth::{Number, RBig};
 use stackless_bvh::geom::{AffineMap, Mesh, Ray, Real, Triangle, Vector};
 use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceHit, InstanceTracer, Object};
@@ -26,19 +27,29 @@ pub enum Shape<V: Vector = Vec3> {
 #[derive(Debug)]
 pub struct Hierarchies<V: Vector = Vec3> {
     /// By shape; `None` for groups.
-    bvhs: Vec<Option<Arc<Bvh<Triangle<V>>>>>,
+    bvhs: Vec<Option<Held<V>>>,
     options: BuildOptions,
 }
 
+#[derive(Debug)]
+enum Held<V: Vector> {
+    Binary(Arc<Bvh<Triangle<V>>>),
+    Wide(Arc<WideBvh>),
+}
+
 impl<V: Vector> Hierarchies<V> {
-    /// Builds those of the meshes, all in one way.
+    /// Builds those of the meshes, all in one way: wide ones with `wide`, but of meshes that single precision does not
+    /// have.
     ///
     /// # Errors
-    /// What [`BuildError`] lists.
-    pub fn new(shapes: &[Shape<V>], options: BuildOptions) -> Result<Self, BuildError> {
-        let build = |shape: &Shape<V>| match shape {
-            Shape::Mesh(mesh) => options.build(mesh).map(|bvh| Some(Arc::new(bvh))),
-            Shape::Group(_) => Ok(None),
+    /// What [`WideError`] lists.
+    pub fn new(shapes: &[Shape<V>], options: BuildOptions, wide: Option<&WideOptions>) -> Result<Self, WideError> {
+        let build = |shape: &Shape<V>| -> Result<_, WideError> {
+            let Shape::Mesh(mesh) = shape else { return Ok(None) };
+            Ok(Some(match wide.and_then(|wide| Some((wide, in_single(mesh)?))) {
+                Some((wide, mesh)) => Held::Wide(WideBvh::with_options(&options.build(&mesh)?, wide)?.into()),
+                None => Held::Binary(options.build(mesh)?.into()),
+            }))
         };
         Ok(Self { bvhs: shapes.iter().map(build).collect::<Result<_, _>>()?, options })
     }
@@ -51,7 +62,8 @@ impl<V: Vector> Hierarchies<V> {
         let (mut assembly, mut objects) = (Assembly::new(), Vec::<Object>::new());
         for (shape, bvh) in shapes.iter().zip(&self.bvhs) {
             match (shape, bvh) {
-                (Shape::Mesh(_), Some(bvh)) => objects.push(assembly.add_mesh(Arc::clone(bvh))),
+                (Shape::Mesh(_), Some(Held::Binary(bvh))) => objects.push(assembly.add_mesh(Arc::clone(bvh))),
+                (Shape::Mesh(_), Some(Held::Wide(bvh))) => objects.push(assembly.add_wide(Arc::clone(bvh))),
                 (Shape::Group(instances), _) => {
                     let place = |&(shape, affine): &(usize, AffineMap<V::Real>)| {
                         objects.get(shape).map(|&object| Instance { object, affine })
@@ -64,6 +76,12 @@ impl<V: Vector> Hierarchies<V> {
         }
         Ok((assembly, objects))
     }
+}
+
+/// The same mesh, if single precision has all its numbers.
+pub fn in_single<V: Vector>(mesh: &Mesh<V>) -> Option<Mesh> {
+    let single = |v: &V| Some(v.widen().as_vec3()).filter(|single| single.as_dvec3() == v.widen());
+    Mesh::new(mesh.vertices().iter().map(single).collect::<Option<_>>()?, mesh.triangles().to_vec()).ok()
 }
 
 /// A ray through instances that is answered otherwise than by the oracle.

@@ -38,7 +38,7 @@ pub use all::AllCases;
 pub use battery::{Battery, Verdict};
 pub use boxes::{BoxTally, check_boxes};
 pub use case::{Case, CaseOptions};
-pub use flat::{Flat, Hierarchies, InstanceFault, Shape, check_answer, check_instances};
+pub use flat::{Flat, Hierarchies, InstanceFault, Shape, check_answer, check_instances, in_single};
 pub use kernels::{GeometryFault, check_degenerate, check_distance, check_slabs, check_triangle};
 pub use paths::{Exactly, Heading, Leg, Path, PathFault, check_path};
 pub use pauses::{GoOn, PauseFault, Pauses, Start, Way};

@@ -78,12 +78,31 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
         let far_x = self.distance(planes, 0, side[0] ^ A, far);
         let far_y = self.distance(planes, 1, side[1] ^ A, far);
         let far_z = self.distance(planes, 2, side[2] ^ A, far);
+        Self::ranked(self.simd, [near_x, near_y, near_z, self.tmin], [far_x, far_y, far_z], end, self.lanes)
+    }
+
+    /// The ranks and the set, by the distances of near planes and tmin, and by those of far planes. `[LANES-2]`
+    #[inline(always)]
+    pub(super) fn ranked(
+        simd: S,
+        [near_x, near_y, near_z, tmin]: [V; 4],
+        [far_x, far_y, far_z]: [V; 3],
+        end: f32,
+        lanes: V,
+    ) -> (V, u32) {
         // A near distance is never a NaN.
-        let enter = near_x.max(near_y).max(near_z.max(self.tmin));
-        let leave = lesser(far_x, lesser(far_y, lesser(far_z, V::splat(self.simd, end))));
-        let bits = enter.min(V::splat(self.simd, f32::MAX)).to_bits() & Self::DISTANCE;
+        let enter = near_x.max(near_y).max(near_z.max(tmin));
+        let leave = lesser(far_x, lesser(far_y, lesser(far_z, V::splat(simd, end))));
+        let bits = enter.min(V::splat(simd, f32::MAX)).to_bits() & Self::DISTANCE;
         let set = V::from_bits(bits).simd_le(leave).to_bitmask() as u32;
-        (V::from_bits(bits | self.lanes.to_bits()), set)
+        (V::from_bits(bits | lanes.to_bits()), set)
+    }
+
+    /// The planes of an axis that begin at 0, those of lo, or at `A`, those of hi.
+    #[inline(always)]
+    pub(super) fn pick(simd: S, planes: &[[f32; A]; 2], side: usize) -> V {
+        let (planes, from) = (planes.as_flattened(), side & A);
+        V::from_slice(simd, &planes[from..from + A])
     }
 
     /// The rank of a lane.
@@ -95,9 +114,27 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
 
     #[inline(always)]
     fn distance(&self, planes: &[[[f32; A]; 2]; 3], axis: usize, side: usize, inverse: &[V; 3]) -> V {
-        let (planes, from) = (planes[axis].as_flattened(), side & A);
-        (V::from_slice(self.simd, &planes[from..from + A]) - self.origin[axis]) * inverse[axis]
+        (Self::pick(self.simd, &planes[axis], side) - self.origin[axis]) * inverse[axis]
     }
+}
+
+/// The ranks and the set of boxes that are tested one by one: by where each is entered, if it is.
+pub(super) fn ranked_one_by_one<const A: usize>(
+    planes: &[[[f32; A]; 2]; 3],
+    end: f32,
+    enter: impl Fn(&Aabb) -> Option<f32>,
+) -> ([f32; A], u32) {
+    let mut set = 0;
+    let ranks = std::array::from_fn(|lane| {
+        let at = |side: usize| Vec3::from_array([0, 1, 2].map(|axis: usize| planes[axis][side][lane]));
+        let aabb = Aabb { lo: at(0), hi: at(1) };
+        // Tests of one box have planes sorted, so they meet empty boxes.
+        let near = if aabb.lo.cmple(aabb.hi).all() { enter(&aabb) } else { None };
+        let bits = near.map_or(0, |near| near.min(f32::MAX).to_bits() & !(A as u32 - 1) & !(1 << 31));
+        set |= u32::from(near.is_some() && f32::from_bits(bits) <= end) << lane;
+        f32::from_bits(bits | lane as u32)
+    });
+    (ranks, set)
 }
 
 /// Each component in all lanes.
@@ -147,20 +184,12 @@ pub(super) const fn lane_numbers<const A: usize>() -> [f32; A] {
 #[inline(never)]
 fn enter_wide<const A: usize>(ray: Ray, planes: &[[[f32; A]; 2]; 3], end: f32) -> ([f32; A], u32) {
     let wide = Doubled::new(ray.origin().widen(), ray.direction().widen(), ray.tmin().into());
-    let mut set = 0;
-    let ranks = std::array::from_fn(|lane| {
-        let at = |side: usize| Vec3::from_array([0, 1, 2].map(|axis: usize| planes[axis][side][lane]));
-        let aabb = Aabb { lo: at(0), hi: at(1) };
+    ranked_one_by_one(planes, end, |aabb| {
         let met = wide.pair(&aabb.planes_twice(), f64::INFINITY);
         // A hit's distance is rounded to single precision, perhaps to below where its box is entered. Rounding keeps
         // the order, so entries are rounded before they are compared with it.
-        let near = (met.near[0] as f32).min(f32::MAX).to_bits() & !(A as u32 - 1) & !(1 << 31);
-        // This test has planes sorted, so it meets empty boxes.
-        let is_box = aabb.lo.cmple(aabb.hi).all();
-        set |= u32::from(is_box && met.hit[0] && f32::from_bits(near) <= end) << lane;
-        f32::from_bits(near | lane as u32)
-    });
-    (ranks, set)
+        met.hit[0].then_some(met.near[0] as f32)
+    })
 }
 
 #[cfg(test)]

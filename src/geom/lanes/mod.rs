@@ -29,12 +29,14 @@
 
 mod block;
 mod boxes;
+mod enclosed;
 mod leaf;
 mod point;
 mod triangles;
 
 pub use block::Block;
 pub use boxes::BoxRay;
+pub use enclosed::EnclosedBoxes;
 pub use leaf::{LazyExact, Nearest};
 pub use point::BoxPoint;
 pub use triangles::{DETERMINANT, DISTANCE, MIN_EDGE, TriangleRay};

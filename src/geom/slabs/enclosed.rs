@@ -44,6 +44,28 @@ impl EnclosedSlabs {
         Self { origin, inverse, tmin, is_wide, ray: *ray }
     }
 
+    /// Of each axis, for the lower and the upper plane: where the ray that bounds it starts, and the reciprocal of its
+    /// direction, which is negative where the ray runs backward. Meaningless if it [is wide](Self::is_wide).
+    #[inline(always)]
+    pub(in crate::geom) fn axes(&self) -> [[[f32; 2]; 2]; 3] {
+        [0, 1, 2].map(|axis| {
+            let (origin, inverse) = (self.origin[axis], self.inverse[axis]);
+            [[origin.x, inverse.x], [origin.y, inverse.y]]
+        })
+    }
+
+    /// Where the ray begins.
+    #[inline(always)]
+    pub(in crate::geom) fn tmin(&self) -> f32 {
+        self.tmin
+    }
+
+    /// Whether it is tested in double precision.
+    #[inline(always)]
+    pub(in crate::geom) fn is_wide(&self) -> bool {
+        self.is_wide
+    }
+
     /// The test in double precision, each operation rounded outwards: for rays that may run either way along an axis,
     /// and for huge and tiny numbers.
     #[cold]

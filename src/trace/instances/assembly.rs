@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::Vec3;
 
-use crate::bvh::{BuildError, BuildOptions, Bvh, Primitives};
+use crate::bvh::{BuildError, BuildOptions, Bvh, Primitives, WideBvh};
 use crate::geom::{Aabb, AffineMap, Frame, Interval, Real, Triangle, Vector};
 
 /// Objects that are made of other objects: hierarchies over meshes, and groups of placed objects that came before. So
@@ -66,6 +66,7 @@ pub enum AssemblyError {
 #[derive(Clone, Debug)]
 pub(super) enum Part<V: Vector> {
     Mesh(Arc<Bvh<Triangle<V>>>),
+    Wide(Arc<WideBvh>),
     Group(Arc<Group<V::Real>>),
 }
 
@@ -91,6 +92,14 @@ impl<V: Vector> Assembly<V> {
     /// Adds a mesh by its hierarchy, its own or one that others share.
     pub fn add_mesh(&mut self, bvh: impl Into<Arc<Bvh<Triangle<V>>>>) -> Object {
         self.add(Part::Mesh(bvh.into()))
+    }
+
+    /// Adds a mesh by a hierarchy of eight children. The answers are those of [`add_mesh`](Self::add_mesh), bit for
+    /// bit. `[INST-6]`
+    ///
+    /// The triangles are in single precision, also in an assembly in double, where the maps are in double.
+    pub fn add_wide(&mut self, bvh: impl Into<Arc<WideBvh>>) -> Object {
+        self.add(Part::Wide(bvh.into()))
     }
 
     /// Adds a group of placed objects of this assembly, and builds a hierarchy over their boxes. Each box holds the
@@ -162,13 +171,14 @@ impl<V: Vector> Part<V> {
     fn bounds(&self) -> [Interval; 3] {
         match self {
             Self::Mesh(bvh) => bvh.frame().leave(&bvh.bounds()),
+            Self::Wide(bvh) => bvh.region().frame().leave(bvh.region().bounds()),
             Self::Group(group) => group.bvh.frame().leave(&group.bvh.bounds()),
         }
     }
 
     fn levels(&self) -> u32 {
         match self {
-            Self::Mesh(_) => 1,
+            Self::Mesh(_) | Self::Wide(_) => 1,
             Self::Group(group) => group.levels,
         }
     }

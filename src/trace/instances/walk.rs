@@ -3,11 +3,12 @@
 use super::{Instance, InstanceCounts, InstanceTracer};
 use crate::bvh::{Bvh, LeafTriangle};
 use crate::geom::kernel::{self, Certainty};
-use crate::geom::slabs::Intervals;
+use crate::geom::slabs::{EnclosedSlabs, Intervals};
 use crate::geom::truth::Number;
-use crate::geom::{Aabb, EnclosedRay, Ends, ExactRay, Real, Slabs, Triangle, Vector, slabs};
+use crate::geom::{Aabb, EnclosedRay, Ends, ExactRay, Real, Slabs, Triangle, Vector};
 use crate::order::{Descent, Flow, Pruned, Visitor};
-use crate::trace::BoxQuery;
+use crate::trace::level::Level;
+use crate::trace::{BoxQuery, OwnBoxes};
 use crate::tree::{Node, Topology};
 
 /// What one ray carries through all levels.
@@ -20,13 +21,13 @@ pub(super) struct Search<'r, V: Vector> {
     /// The distance of the best hit, or the ray's end.
     pub(super) t: V::Real,
     /// The same, rounded up: boxes beyond are left out.
-    end: f32,
+    pub(super) end: f32,
     /// The best hit so far.
     pub(super) found: Option<Found<V>>,
     /// The instances that it is in, from the outermost on.
     pub(super) path: Vec<u32>,
     /// Memory of the traversals that have a stack, for each level.
-    pub(super) memory: Vec<Vec<Node>>,
+    memory: Vec<Vec<Node>>,
     pub(super) counts: InstanceCounts,
 }
 
@@ -50,8 +51,15 @@ impl<'r, V: Vector> Search<'r, V> {
         Self { ray, any, t, end, found, path, memory, counts: InstanceCounts::default() }
     }
 
+    /// Where the ray begins, rounded down.
+    pub(super) fn tmin(&self) -> f32 {
+        let [tmin, _] = self.ray.interval();
+        let [tmin, _] = tmin.ends_in_single();
+        tmin
+    }
+
     /// Whether nothing is left to be found.
-    fn is_over(&self) -> bool {
+    pub(super) fn is_over(&self) -> bool {
         self.any && self.found.is_some()
     }
 
@@ -74,20 +82,35 @@ impl<'r, V: Vector> Search<'r, V> {
 }
 
 /// What the leaves of a hierarchy hold, and a ray in the space of it.
-pub(super) trait Leaves<V: Vector> {
-    /// What is held at a place meets the ray.
-    fn meet(&self, place: usize, search: &mut Search<'_, V>);
+pub(super) trait Leaves<S, V: Vector> {
+    /// What a leaf holds meets the ray.
+    fn meet(&self, held: &LeafTriangle<S>, search: &mut Search<'_, V>);
+}
+
+/// Traverses a hierarchy with a ray in the space of it.
+pub(super) fn walk<S, V: Vector>(
+    bvh: &Bvh<S>,
+    level: &Level,
+    ray: &EnclosedRay,
+    leaves: impl Leaves<S, V>,
+    search: &mut Search<'_, V>,
+) {
+    let (depth, slabs) = (search.path.len(), EnclosedSlabs::of(ray, search.tmin(), bvh.region()));
+    let mut memory = std::mem::take(&mut search.memory[depth]);
+    let walk = Walk { bvh, slabs, leaves, search: &mut *search };
+    level.run(bvh.tree(), ray.octant(), &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
+    search.memory[depth] = memory;
 }
 
 /// A ray on its way.
-pub(super) struct Walk<'s, 'r, S, L, V: Vector> {
-    pub(super) bvh: &'s Bvh<S>,
-    pub(super) slabs: slabs::EnclosedSlabs,
-    pub(super) leaves: L,
-    pub(super) search: &'s mut Search<'r, V>,
+struct Walk<'s, 'r, S, L, V: Vector> {
+    bvh: &'s Bvh<S>,
+    slabs: EnclosedSlabs,
+    leaves: L,
+    search: &'s mut Search<'r, V>,
 }
 
-impl<S, L: Leaves<V>, V: Vector> Visitor for Walk<'_, '_, S, L, V> {
+impl<S, L: Leaves<S, V>, V: Vector> Visitor for Walk<'_, '_, S, L, V> {
     #[inline(always)]
     fn inner(&mut self, node: Node) -> Descent {
         let planes = &self.bvh.node(node.index()).planes;
@@ -97,8 +120,8 @@ impl<S, L: Leaves<V>, V: Vector> Visitor for Walk<'_, '_, S, L, V> {
 
     #[inline(always)]
     fn leaf(&mut self, node: Node) -> Flow {
-        for place in self.bvh.leaf_range(node) {
-            self.leaves.meet(place, self.search);
+        for held in &self.bvh.triangles()[self.bvh.leaf_range(node)] {
+            self.leaves.meet(held, self.search);
             if self.search.is_over() {
                 return Flow::Stop;
             }
@@ -107,9 +130,9 @@ impl<S, L: Leaves<V>, V: Vector> Visitor for Walk<'_, '_, S, L, V> {
     }
 }
 
-impl<S, L: Leaves<V>, V: Vector> Pruned for Walk<'_, '_, S, L, V> {}
+impl<S, L: Leaves<S, V>, V: Vector> Pruned for Walk<'_, '_, S, L, V> {}
 
-impl<S, L: Leaves<V>, V: Vector> BoxQuery for Walk<'_, '_, S, L, V> {
+impl<S, L: Leaves<S, V>, V: Vector> BoxQuery for Walk<'_, '_, S, L, V> {
     #[inline]
     fn touches(&self, aabb: &Aabb) -> bool {
         self.slabs.one(aabb, self.search.end).is_some()
@@ -124,14 +147,12 @@ impl<S, L: Leaves<V>, V: Vector> BoxQuery for Walk<'_, '_, S, L, V> {
 /// Triangles of a mesh.
 pub(super) struct Triangles<'s, V: Vector> {
     pub(super) tracer: &'s InstanceTracer<V>,
-    pub(super) bvh: &'s Bvh<Triangle<V>>,
     pub(super) test: kernel::EnclosedTest<V::Real>,
 }
 
-impl<V: Vector> Leaves<V> for Triangles<'_, V> {
+impl<V: Vector> Leaves<Triangle<V>, V> for Triangles<'_, V> {
     #[inline(always)]
-    fn meet(&self, place: usize, search: &mut Search<'_, V>) {
-        let held = &self.bvh.triangles()[place];
+    fn meet(&self, held: &LeafTriangle<Triangle<V>>, search: &mut Search<'_, V>) {
         search.counts.triangles += 1;
         let verdict = if search.any {
             match self.test.blocks(&held.shape) {
@@ -185,16 +206,15 @@ impl<V: Vector> Triangles<'_, V> {
 /// Instances of a group.
 pub(super) struct Instances<'s, V: Vector> {
     pub(super) tracer: &'s InstanceTracer<V>,
-    pub(super) bvh: &'s Bvh<()>,
     pub(super) placed: &'s [Instance<V::Real>],
     pub(super) ray: EnclosedRay,
 }
 
-impl<V: Vector> Leaves<V> for Instances<'_, V> {
+impl<V: Vector> Leaves<(), V> for Instances<'_, V> {
     /// Here the ray of the group waits, with the state of its traversal, until the instance is done (Binder & Keller
     /// 2016, Section 2.4).
-    fn meet(&self, place: usize, search: &mut Search<'_, V>) {
-        let index = self.bvh.triangles()[place].prim;
+    fn meet(&self, held: &LeafTriangle<()>, search: &mut Search<'_, V>) {
+        let index = held.prim;
         let Instance { object, affine } = &self.placed[index as usize];
         search.counts.instances += 1;
         search.path.push(index);

@@ -85,7 +85,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for Wid
     fn ask(&mut self, node: Node) -> Wanted<Self::Ranks> {
         let node = &self.bvh.nodes()[node.index()];
         let (ranks, set) = self.boxes.enter(&node.planes, self.best.t);
-        Wanted { set, ranks: LaneRanks { ranks, simd: PhantomData } }
+        Wanted { set, ranks: LaneRanks::new(ranks) }
     }
 
     #[inline(always)]
@@ -112,9 +112,16 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for Wid
 
 /// The ranks of a node's boxes. `[LANES-2]`
 #[derive(Clone, Copy, Debug)]
-pub(super) struct LaneRanks<S, V, const A: usize> {
+pub(in crate::trace) struct LaneRanks<S, V, const A: usize> {
     ranks: V,
     simd: PhantomData<S>,
+}
+
+impl<S, V, const A: usize> LaneRanks<S, V, A> {
+    #[inline(always)]
+    pub(in crate::trace) const fn new(ranks: V) -> Self {
+        Self { ranks, simd: PhantomData }
+    }
 }
 
 impl<S: Simd, V: Lanes<S, A>, const A: usize> Ranks for LaneRanks<S, V, A> {

@@ -43,7 +43,7 @@ pub(super) fn trace(level: Level, method: Method, job: &mut Job<'_, '_>) -> Resu
 }
 
 /// Does something with the cursors' memory of this thread.
-pub(super) fn with_memory<R>(run: impl FnOnce(&mut [Scratch; 2]) -> R) -> R {
+pub(in crate::trace) fn with_memory<R>(run: impl FnOnce(&mut [Scratch; 2]) -> R) -> R {
     let mut memory = MEMORY.try_with(Cell::take).ok().flatten().unwrap_or_default();
     let ran = run(&mut memory);
     // A thread that ends keeps nothing any more.

@@ -175,6 +175,22 @@ fn sheared<R: Real>(rng: &mut Rng) -> AffineMap<R> {
     }
 }
 
+/// Any of these, of about this size.
+pub(crate) fn about(rng: &mut Rng, size: f64) -> AffineMap {
+    loop {
+        let scale = DVec3::splat(1.0) + vector(rng) * 0.3;
+        let a = match rng.below(4) {
+            0 => DMat3::IDENTITY,
+            1 => DMat3::from_diagonal(DVec3::new(-1.0, 1.0, 0.5)),
+            2 => rotation(rng) * DMat3::from_diagonal(scale),
+            _ => DMat3::from_cols(vector(rng), vector(rng), vector(rng)),
+        };
+        if let Some(map) = affine(a, vector(rng) * size) {
+            return map;
+        }
+    }
+}
+
 /// Axes onto axes, by powers of two, and small integers.
 fn lattice<R: Real>(rng: &mut Rng) -> AffineMap<R> {
     let (first, odd) = (rng.below(3) as usize, rng.coin());
