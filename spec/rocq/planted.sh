@@ -80,7 +80,7 @@ planted src/geom/interval.rs 'radius.next_up()' 'radius'
 planted $lanes/boxes.rs 'self.distance(planes, 1, side[1] ^ A, far)' 'self.distance(planes, 1, side[1], far)'
 planted $lanes/boxes.rs 'if component < 0.0' 'if component <= 0.0'
 planted $lanes/boxes.rs 'x.to_bits() - STEPS' 'x.to_bits() - 1'
-planted $lanes/boxes.rs 'lesser(far_z, V::splat(self.simd, end))' 'lesser(V::splat(self.simd, end), far_z)'
+planted $lanes/boxes.rs 'lesser(far_z, V::splat(simd, end))' 'lesser(V::splat(simd, end), far_z)'
 planted $lanes/boxes.rs '(1 << 31) - A as u32' '(1 << 31) - 2 * A as u32'
 planted $lanes/boxes.rs '.simd_le(leave)' '.simd_lt(leave)'
 # Filters of triangles: bounds, sizes, rounding up, an order, and a sign.

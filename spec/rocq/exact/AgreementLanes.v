@@ -267,6 +267,7 @@ Proof.
   intros reaches axis Fo (Dx & Dy & Dz) Fr Lx Hx Ly Hy Lz Hz Tx Ty Tz Fm Hm Nl Hl. destruct (power_fits 126 126 ltac:(lia) ltac:(lia)) as (Fk & Vk & _).
   destruct (size_fits 128 (FVec ox oy oz) _ (finite_fits _ Fo)) as (Fs & Vs & _).
   unfold BoxRay_new. cbv zeta. rewrite !near_inverse, !far_inverse. intros W.
+  apply orb_false_elim in W as [W _].
   change (Bltb (c32 1 126) (size (FVec ox oy oz)) || Bltb (f64_of_f32 (c32 1 126) : double) reach = false) in W. apply orb_false_elim in W as [Wo Wr].
   rewrite Bltb_correct in Wo by assumption. rewrite Vk, Vs in Wo.
   destruct (AgreementScene.widen_correct _ Fk) as (Fw & Vw & _). rewrite Bltb_correct in Wr by assumption.

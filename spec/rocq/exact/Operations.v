@@ -662,8 +662,14 @@ Definition BoxRay_new (ray_origin_x ray_origin_y ray_origin_z ray_direction_x ra
   let y'3 := absolute single ray_origin_y in
   let z'3 := absolute single ray_origin_z in
   let a := if less single y'3 x'3 then x'3 else y'3 in
-  let is_wide := orb (less single (constant single 1 126) (if less single z'3 a then a else z'3)) (less double (widen (constant single 1
-      126)) region_reach) in
+  let far_off := if less single z'3 a then a else z'3 in
+  let x'4 := absolute single direction_x in
+  let y'4 := absolute single direction_y in
+  let z'4 := absolute single direction_z in
+  let a'2 := if less single y'4 x'4 then x'4 else y'4 in
+  let overflow := times double (widen (if less single z'4 a'2 then a'2 else z'4)) (widen (constant single 16777215 104)) in
+  let is_wide := orb (orb (less single (constant single 1 126) far_off) (less double (widen (constant single 1 126)) region_reach))
+      (less double overflow (plus double (widen far_off) region_reach)) in
   (ray_origin_x, ray_origin_y, ray_origin_z, shifted single (-2) inverse_x, shifted single (-2) inverse_y, shifted single (-2)
       inverse_z, shifted single 2 inverse_x, shifted single 2 inverse_y, shifted single 2 inverse_z, less single direction_x (constant
       single 0 0), less single direction_y (constant single 0 0), less single direction_z (constant single 0 0), ray_tmin, is_wide).

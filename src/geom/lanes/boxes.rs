@@ -11,7 +11,8 @@ use crate::geom::{Aabb, Ray, Region, Vector};
 /// A ray, prepared for `A` boxes at once: 4 or 8. `[LANES-1]`
 ///
 /// The test is that of [`Directed`](crate::geom::slabs::Directed), with the near planes picked by the signs of the
-/// direction, so that nothing is sorted. Coordinates beyond 2^126 are tested in double precision, which is slow.
+/// direction, so that nothing is sorted. Coordinates beyond 2^126, and directions so short that distances overflow, are
+/// tested in double precision, which is slow.
 #[derive(Clone, Copy, Debug)]
 pub struct BoxRay<S: Simd, V: Lanes<S, A>, const A: usize> {
     simd: S,
@@ -40,7 +41,11 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
         let direction = ray.direction() + Vec3::ZERO;
         let side = |component: f32| if component < 0.0 { A } else { 0 };
         let (origin, inverse) = (ray.origin(), direction.recip());
-        let is_wide = origin.abs().max_element() > MAX_COORDINATE || region.reach() > f64::from(MAX_COORDINATE);
+        let (far_off, reach) = (origin.abs().max_element(), region.reach());
+        // Where all distances overflow, single precision tells no box from another.
+        let overflow = f64::from(direction.abs().max_element()) * f64::from(f32::MAX);
+        let is_wide =
+            far_off > MAX_COORDINATE || reach > f64::from(MAX_COORDINATE) || f64::from(far_off) + reach > overflow;
         Self {
             simd,
             origin: splat(simd, origin),

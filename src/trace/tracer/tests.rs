@@ -229,3 +229,19 @@ impl<Q: Visitor> Visitor for Leaves<Q> {
         self.query.leaf(leaf)
     }
 }
+
+/// A direction so short that all distances overflow is no reason to look at all boxes. `[LANES-1]`
+#[test]
+fn short_directions_leave_boxes_out() {
+    let mesh = stress::icosphere(4, 1.0, glam::Vec3::ZERO).expect("a sphere");
+    let tracer = Tracer::of(&mesh).expect("a tracer");
+    let truth = Truth::new(&mesh);
+    let short = crate::generate::draw::exp2(-140);
+    for x in [5.0, 0.25] {
+        let rays =
+            [1.0, short].map(|length| Ray::new(glam::Vec3::new(x, 0.5, -3.0), glam::Vec3::Z * length).expect("a ray"));
+        let nodes = rays.map(|ray| tracer.count_closest(&[ray]).nodes);
+        assert!(nodes[1] <= 8 * nodes[0], "{nodes:?}");
+        assert_eq!(tracer.closest(&rays[1]), truth.closest(&rays[1]).map(|hit| hit.rounded()));
+    }
+}

@@ -4,6 +4,8 @@ use glam::Vec3;
 use stackless_bvh::bvh::{self, Bvh, SahOptions};
 use stackless_bvh::event::{Recorder, State, Trace};
 use stackless_bvh::generate::procedural;
+use stackless_bvh::geom::kernel::Exact;
+use stackless_bvh::geom::slabs::Directed;
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
@@ -64,7 +66,7 @@ fn all_traversals_find_the_truth_in_the_words_that_carry_it() {
         let (truth, rays) = (Truth::new(&mesh), rays(&mesh));
         let (options, words) = (CaseOptions::default(), WordName::ALL.to_vec());
         let plan = Plan { trees: 0, seed: 0, options, methods: Method::ALL.to_vec(), words };
-        let (tally, found) = check_scene(&plan, &SceneTree::new(&truth, &bvh), &rays, &|_| ());
+        let (tally, found) = check_scene::<Exact, Directed, _>(&plan, &SceneTree::new(&truth, &bvh), &rays, &|_| ());
         assert!(found.is_none(), "{found:?}");
         assert_eq!((tally.oracle_faults, tally.misses), (0, 0));
         let all = 2 * rays.len() as u64;

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use serde_json::Value;
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::kernel::{Exact, Exact64};
@@ -97,11 +97,11 @@ impl Scenes {
             Self::Double(scenes) => {
                 for (index, scene) in scenes.iter().enumerate() {
                     let numbers = run.take(shard, &format!("rays of scene {index}"), count);
-                    let (small, place) = brought_home(&scene.mesh)?;
+                    let home = Home::of(&scene.mesh)?;
                     let truth = Truth::new(&scene.mesh);
-                    let drawn = in_blocks(numbers, count, plan.seed, |seed, n| procedural::rays(&small, seed, n));
+                    let drawn = in_blocks(numbers, count, plan.seed, |seed, n| procedural::rays(&home.mesh, seed, n));
                     let rays = drawn.map(|(number, ray)| {
-                        let ray = place(&ray)?;
+                        let ray = home.ray(&ray)?;
                         // Single precision aims at no corner: half of the rays are aimed anew.
                         let aimed = if number / 8 % 2 == 1 { aimed(&truth, &scene.mesh, &ray) } else { None };
                         Ok((number, aimed.unwrap_or(ray)))
@@ -119,17 +119,26 @@ impl Scenes {
     }
 }
 
-/// The mesh in single precision, at the origin and small, and how its rays become those of the mesh.
-fn brought_home(mesh: &Mesh<DVec3>) -> Result<(Mesh, impl Fn(&Ray) -> Result<Ray<DVec3>, RayError>), MeshError> {
-    let frame = <DVec3 as Vector>::frame(mesh.vertices().iter().copied());
-    let (origin, unit) = (frame.origin(), 2f64.powi(frame.exponent()));
-    let vertices = mesh.vertices().iter().map(|&vertex| ((vertex - origin) / unit).as_vec3()).collect();
-    let small = Mesh::new(vertices, mesh.triangles().to_vec())?;
-    let place = move |ray: &Ray| {
-        let [o, d] = [ray.origin(), ray.direction()].map(|v: Vec3| v.as_dvec3() * unit);
-        Ray::within(o + origin, d, ray.tmin().into(), ray.tmax().into())
-    };
-    Ok((small, place))
+/// A mesh brought to the origin and to a size of about 1, in single precision: there its rays are drawn.
+struct Home {
+    mesh: Mesh,
+    origin: DVec3,
+    unit: f64,
+}
+
+impl Home {
+    fn of(mesh: &Mesh<DVec3>) -> Result<Self, MeshError> {
+        let frame = <DVec3 as Vector>::frame(mesh.vertices().iter().copied());
+        let (origin, unit) = (frame.origin(), 2f64.powi(frame.exponent()));
+        let vertices = mesh.vertices().iter().map(|&vertex| ((vertex - origin) / unit).as_vec3()).collect();
+        Ok(Self { mesh: Mesh::new(vertices, mesh.triangles().to_vec())?, origin, unit })
+    }
+
+    /// The ray where the mesh is.
+    fn ray(&self, ray: &Ray) -> Result<Ray<DVec3>, RayError> {
+        let [o, d] = [ray.origin(), ray.direction()].map(|v| v.as_dvec3() * self.unit);
+        Ray::within(o + self.origin, d, ray.tmin().into(), ray.tmax().into())
+    }
 }
 
 /// From the same origin to a corner of the triangle that is hit, or to the middle of an edge. `None` if none is hit.
