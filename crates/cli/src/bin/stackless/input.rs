@@ -81,7 +81,7 @@ fn made<V: Position>(name: &str) -> Option<Mesh<V>> {
 }
 
 /// Loads all scenes before anything is done with one, so that a bad one is known at once.
-pub(crate) fn scenes(paths: &[PathBuf]) -> Result<Vec<Scene>, LoadError> {
+pub(crate) fn scenes<V: Position>(paths: &[PathBuf]) -> Result<Vec<Scene<V>>, LoadError> {
     paths.iter().map(|path| Scene::load(path)).collect()
 }
 

@@ -16,7 +16,7 @@ use stackless_scene::Position;
 
 use super::{SceneFault, Total};
 use crate::build::Build;
-use crate::input::{LoadError, MADE, Scene};
+use crate::input::{self, MADE, Scene};
 use crate::output::{bar, warn};
 use crate::record::{Run, fingerprint, in_blocks};
 
@@ -46,15 +46,14 @@ impl Scenes {
     /// Loads the scenes at these paths.
     pub(super) fn load(paths: &[PathBuf], double: bool, shift: Shift) -> Result<Self, Box<dyn Error>> {
         if !double {
-            return Ok(Self::Single(paths.iter().map(|path| Scene::load(path)).collect::<Result<_, LoadError>>()?));
+            return Ok(Self::Single(input::scenes(paths)?));
         }
-        let load = |path: &PathBuf| {
-            let Scene { name, mesh } = Scene::load(path)?;
-            let vertices = mesh.vertices().iter().map(|&vertex: &DVec3| vertex + shift.0).collect();
-            let mesh = Mesh::new(vertices, mesh.triangles().to_vec()).map_err(|error| format!("{name}: {error}"))?;
-            Ok::<_, Box<dyn Error>>(Scene { name, mesh })
-        };
-        Ok(Self::Double(paths.iter().map(load).collect::<Result<_, _>>()?))
+        let mut scenes = input::scenes::<DVec3>(paths)?;
+        for Scene { name, mesh } in &mut scenes {
+            let vertices = mesh.vertices().iter().map(|&vertex| vertex + shift.0).collect();
+            *mesh = Mesh::new(vertices, mesh.triangles().to_vec()).map_err(|error| format!("{name}: {error}"))?;
+        }
+        Ok(Self::Double(scenes))
     }
 
     /// The scenes that are made.
@@ -85,20 +84,27 @@ impl Scenes {
         run: &mut Run,
         total: &mut Total,
     ) -> Result<(), Box<dyn Error>> {
+        let mut take = |index| run.take(shard, &format!("rays of scene {index}"), count);
         match self {
             Self::Single(scenes) => {
                 for (index, scene) in scenes.iter().enumerate() {
-                    let numbers = run.take(shard, &format!("rays of scene {index}"), count);
-                    let drawn = in_blocks(numbers, count, plan.seed, |seed, n| procedural::rays(&scene.mesh, seed, n));
+                    let numbers = take(index);
+                    // A part of a run may have none of a scene's rays.
+                    if numbers.is_empty() {
+                        continue;
+                    }
                     let truth = Truth::new(&scene.mesh);
+                    let drawn = in_blocks(numbers, count, plan.seed, |seed, n| procedural::rays(&scene.mesh, seed, n));
                     check_one::<Exact, Directed, _>(plan, index, scene, &truth, &drawn.collect::<Vec<_>>(), total)?;
                 }
             }
             Self::Double(scenes) => {
                 for (index, scene) in scenes.iter().enumerate() {
-                    let numbers = run.take(shard, &format!("rays of scene {index}"), count);
-                    let home = Home::of(&scene.mesh)?;
-                    let truth = Truth::new(&scene.mesh);
+                    let numbers = take(index);
+                    if numbers.is_empty() {
+                        continue;
+                    }
+                    let (home, truth) = (Home::of(&scene.mesh)?, Truth::new(&scene.mesh));
                     let drawn = in_blocks(numbers, count, plan.seed, |seed, n| procedural::rays(&home.mesh, seed, n));
                     let rays = drawn.map(|(number, ray)| {
                         let ray = home.ray(&ray)?;
