@@ -90,8 +90,7 @@ Proof.
   { apply round_generic; [typeclasses eauto|]. rewrite Rmult_comm. change 2 with (bpow radix2 1).
     apply mult_bpow_pos_exact_FLT; [apply size_format|lia]. }
   rewrite Twice. fold (Floor.delta D C E). intros H. apply andb_prop in H as [L H].
-  assert (B : forall x y, Rlt_bool x y = true -> x < y) by (intros a b; case Rlt_bool_spec; intros; assumption || discriminate).
-  apply B in L, H. split; fold x.
+  apply ltb_true in L, H. split; fold x.
   - destruct (Rlt_or_le (edge_u x) (- Floor.delta D C E)); [now left|]. destruct (Rlt_or_le (edge_v x) (- Floor.delta D C E)); [now right; left|].
     right; right. revert L. unfold Rmin. repeat destruct (Rle_dec _ _); lra.
   - destruct (Rlt_or_le (Floor.delta D C E) (edge_u x)); [now left|]. destruct (Rlt_or_le (Floor.delta D C E) (edge_v x)); [now right; left|].
