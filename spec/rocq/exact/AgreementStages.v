@@ -82,7 +82,7 @@ End Misses.
 Theorem misses_agrees v0 v1 v2 o d D :
   ExactFromSingle_misses rounded (vx o) (vy o) (vz o) (vx d) (vy d) (vz d) (R32 (39 * (/ 16777216) * D))
     (vx v0) (vy v0) (vz v0) (vx v1) (vy v1) (vz v1) (vx v2) (vy v2) (vz v2) = true ->
-  Floor.misses v0 v1 v2 o d D (size (vsub R32 o v0)) (Rmax (size_of_two (vsub R32 v1 v0) (vsub R32 v2 v0)) (bpow radix2 (-60))).
+  Floor.misses (determinants_of R32 v0 v1 v2 o d) D (size (vsub R32 o v0)) (Rmax (size_of_two (vsub R32 v1 v0) (vsub R32 v2 v0)) (bpow radix2 (-60))).
 Proof.
   rewrite misses_are. cbv zeta. rewrite !Rmult_1_l. change (bpow radix2 1) with 2.
   set (C := size (vsub R32 o v0)). set (E := Rmax (size_of_two _ _) _). set (x := determinants_of R32 v0 v1 v2 o d).
