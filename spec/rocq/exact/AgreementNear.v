@@ -12,16 +12,22 @@ Notation real := (reals R64).
 Lemma zero_is : constant real 0 0 = 0.
 Proof. cbn. ring. Qed.
 
+(** The code decides for each component, and the guess once. *)
+Lemma decide (test : bool) (found rest : option vec) (p : R * R * R) (a b c x y z : R) q :
+  (found = Some q -> (a, b, c) = p) -> (rest = Some q -> (x, y, z) = p) ->
+  (if test then found else rest) = Some q -> (if test then a else x, if test then b else y, if test then c else z) = p.
+Proof. now destruct test. Qed.
+Lemma found v q a b c : (a, b, c) = (vx v, vy v, vz v) -> Some v = Some q -> (a, b, c) = (vx q, vy q, vz q).
+Proof. intros H E. now injection E as <-. Qed.
+
 (** [nearest], where it finds a guess. [NEAR-1] *)
 Theorem nearest_agrees a b c q : guess a b c = Some q ->
   nearest_nearest real (vx a) (vy a) (vz a) (vx b) (vy b) (vz b) (vx c) (vy c) (vz c) = (vx q, vy q, vz q).
 Proof.
-  unfold nearest_nearest, guess, on_edge, over. rewrite zero_is.
-  cbv [reals num plus minus times Arithmetic.over opposite less at_most not_a_number dot vsub vadd scaled option_map vx vy vz]. intros H.
-  repeat match type of H with
-  | (if ?test then _ else _) = _ => destruct test
-  | match (if ?test then _ else _) with _ => _ end = _ => destruct test
-  end; try discriminate; injection H as <-; reflexivity.
+  unfold nearest_nearest, guess. rewrite zero_is.
+  cbv [reals num plus minus times Arithmetic.over opposite less at_most not_a_number dot vsub vadd scaled vx vy vz].
+  do 6 (apply decide; [unfold on_edge, over; try (destruct Req_bool; [discriminate|]); now apply found|]).
+  apply decide; [discriminate|]. now apply found.
 Qed.
 
 (** The greatest of two numbers as the code has it, and of the components of three corners. *)

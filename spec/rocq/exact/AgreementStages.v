@@ -82,7 +82,7 @@ End Misses.
 Theorem misses_agrees v0 v1 v2 o d D :
   ExactFromSingle_misses rounded (vx o) (vy o) (vz o) (vx d) (vy d) (vz d) (R32 (39 * (/ 16777216) * D))
     (vx v0) (vy v0) (vz v0) (vx v1) (vy v1) (vz v1) (vx v2) (vy v2) (vz v2) = true ->
-  Floor.misses v0 v1 v2 o d D (size (vsub R32 o v0)) (Rmax (size_of_two (vsub R32 v1 v0) (vsub R32 v2 v0)) (bpow radix2 (-60))).
+  Floor.misses (determinants_of R32 v0 v1 v2 o d) D (size (vsub R32 o v0)) (Rmax (size_of_two (vsub R32 v1 v0) (vsub R32 v2 v0)) (bpow radix2 (-60))).
 Proof.
   rewrite misses_are. cbv zeta. rewrite !Rmult_1_l. change (bpow radix2 1) with 2.
   set (C := size (vsub R32 o v0)). set (E := Rmax (size_of_two _ _) _). set (x := determinants_of R32 v0 v1 v2 o d).
@@ -90,8 +90,7 @@ Proof.
   { apply round_generic; [typeclasses eauto|]. rewrite Rmult_comm. change 2 with (bpow radix2 1).
     apply mult_bpow_pos_exact_FLT; [apply size_format|lia]. }
   rewrite Twice. fold (Floor.delta D C E). intros H. apply andb_prop in H as [L H].
-  assert (B : forall x y, Rlt_bool x y = true -> x < y) by (intros a b; case Rlt_bool_spec; intros; assumption || discriminate).
-  apply B in L, H. split; fold x.
+  apply ltb_true in L, H. split; fold x.
   - destruct (Rlt_or_le (edge_u x) (- Floor.delta D C E)); [now left|]. destruct (Rlt_or_le (edge_v x) (- Floor.delta D C E)); [now right; left|].
     right; right. revert L. unfold Rmin. repeat destruct (Rle_dec _ _); lra.
   - destruct (Rlt_or_le (Floor.delta D C E) (edge_u x)); [now left|]. destruct (Rlt_or_le (Floor.delta D C E) (edge_v x)); [now right; left|].

@@ -108,8 +108,7 @@ Lemma hit_in_reals : code_is_hit sign c = true -> is_hit (Bsign (f_det c)) sigma
 Proof.
   intros M. destruct values as (_ & Vu & Vv & Vw & _). unfold code_is_hit in M.
   rewrite (above_code _ _ _ Vu), (above_code _ _ _ Vv), (above_code _ _ _ Vw), !andb_true_iff in M.
-  assert (Less : forall x y, Rlt_bool x y = true -> x < y) by (intros x y; destruct (Rlt_bool_spec x y); [auto|discriminate]).
-  destruct M as [[Mu Mv] Mw]. apply Less in Mu, Mv, Mw. now split.
+  destruct M as [[Mu Mv] Mw]. apply ltb_true in Mu, Mv, Mw. now split.
 Qed.
 
 Lemma hit_where_it_fits : code_is_hit sign c = true -> meets truth.

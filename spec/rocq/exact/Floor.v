@@ -77,13 +77,16 @@ Proof.
   - rewrite E, E1, E2. ring.
 Qed.
 
-(** Relative errors cost what Triple.v says; underflow adds six products times the row outside, and three. *)
-Lemma triple_32 x y z X Y Z : bounded X x -> bounded Y y -> bounded Z z -> exists r a,
-  dot R32 x (cross R32 y z) = r + a /\
+(** A triple product as evaluated, in whatever order: relative errors cost what Triple.v says; underflow adds six products times the row
+    outside, and three. *)
+Definition is_triple (found : R) (x y z : vec) : Prop := F found /\ forall X Y Z, bounded X x -> bounded Y y -> bounded Z z -> exists r a,
+  found = r + a /\
   Rabs (r - det3 (vx x) (vy x) (vz x) (vx y) (vy y) (vz y) (vx z) (vy z) (vz z)) <= (22 * u + 49 * (u * u)) * (X * Y * Z) /\
   Rabs a <= (6 * X + 3) * (tenth * eta).
+
+Lemma triple_32 x y z : is_triple (dot R32 x (cross R32 y z)) x y z.
 Proof.
-  destruct x as [x1 x2 x3], y as [y1 y2 y3], z as [z1 z2 z3]. intros (A1 & A2 & A3) (H1 & H2 & H3) (G1 & G2 & G3). unfold dot, cross.
+  split; [apply F_32|]. intros X Y Z. destruct x as [x1 x2 x3], y as [y1 y2 y3], z as [z1 z2 z3]. intros (A1 & A2 & A3) (H1 & H2 & H3) (G1 & G2 & G3). unfold dot, cross.
   cbn [vx vy vz] in *. rewrite (Rmult_comm z2 y3), (Rmult_comm z3 y1), (Rmult_comm z1 y2).
   destruct (component_32 y2 z3 y3 z2) as (m1 & m2 & c1 & n1 & M1 & M2 & C1 & N1 & ->).
   destruct (component_32 y3 z1 y1 z3) as (m3 & m4 & c2 & n2 & M3 & M4 & C2 & N2 & ->).
@@ -111,6 +114,15 @@ Proof.
     + unfold B in *. assert (0 <= X * eta) by (apply Rmult_le_pos; lra). set (xe := X * eta) in *. lra.
 Qed.
 
+(** The determinants of a line and a triangle as evaluated. *)
+Definition evaluated (v0 v1 v2 o d : vec) (found : determinants) : Prop :=
+  let e1 := vsub R32 v1 v0 in let e2 := vsub R32 v2 v0 in let s := vsub R32 o v0 in
+  is_triple (det found) e1 d e2 /\ is_triple (edge_u found) s d e2 /\ is_triple (edge_v found) d s e1 /\ is_triple (top_t found) e2 s e1 /\
+  edge_w found = R32 (R32 (det found - edge_u found) - edge_v found).
+
+Lemma evaluated_32 v0 v1 v2 o d : evaluated v0 v1 v2 o d (determinants_of R32 v0 v1 v2 o d).
+Proof. repeat (split; [apply triple_32|]). reflexivity. Qed.
+
 (** * The errors *)
 
 Section Floor.
@@ -122,7 +134,8 @@ Hypothesis Fo : vformat o.
 Notation e1 := (vsub R32 v1 v0).
 Notation e2 := (vsub R32 v2 v0).
 Notation s := (vsub R32 o v0).
-Let found := determinants_of R32 v0 v1 v2 o d.
+Variable found : determinants.
+Hypothesis Found : evaluated v0 v1 v2 o d found.
 Let truth := determinants_of exactly v0 v1 v2 o d.
 
 (** The sizes, and an edge's size with the floor. *)
@@ -149,8 +162,9 @@ Lemma parts : let k := 30 * u + 53 * (u * u) in exists rd ad ru au rv av,
   (edge_v found = rv + av /\ Rabs (rv - edge_v truth) <= k * (D * C * E) /\ Rabs av <= (6 * D + 3) * (tenth * eta)).
 Proof.
   intros k. destruct HE as [B1 B2].
-  destruct (triple_32 _ _ _ _ _ _ B1 HD B2) as (rd & ad & Qd & Td & Ud). destruct (triple_32 _ _ _ _ _ _ HC HD B2) as (ru & au & Qu & Tu & Uu).
-  destruct (triple_32 _ _ _ _ _ _ HD HC B1) as (rv & av & Qv & Tv & Uv). exists rd, ad, ru, au, rv, av.
+  destruct Found as ((_ & Nd) & (_ & Nu) & (_ & Nv) & _).
+  destruct (Nd _ _ _ B1 HD B2) as (rd & ad & Qd & Td & Ud). destruct (Nu _ _ _ HC HD B2) as (ru & au & Qu & Tu & Uu).
+  destruct (Nv _ _ _ HD HC B1) as (rv & av & Qv & Tv & Uv). exists rd, ad, ru, au, rv, av.
   pose proof (row_32 _ _ F1 F0) as R1. pose proof (row_32 _ _ F2 F0) as R2. pose proof (row_32 _ _ Fo F0) as R3.
   pose proof HD as (D1 & D2 & D3). pose proof HC as (C1 & C2 & C3). pose proof B1 as (X1 & X2 & X3). pose proof B2 as (Y1 & Y2 & Y3).
   pose proof (rows_xz u _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ X1 X2 X3 D1 D2 D3 Y1 Y2 Y3 R1 R2) as Wd.
@@ -184,10 +198,10 @@ Proof.
     rewrite Eb, Un. set (x := D * E * E) in *. clearbody DCE x. lra.
   - rewrite Qv. replace (rv + av - edge_v truth) with (rv - edge_v truth + av) by ring. eapply Rle_trans; [apply add_b; eassumption|].
     rewrite Eb, Un. set (x := D * E * E) in *. clearbody DCE x. lra.
-  - replace (edge_w found) with (R32 (R32 (det found - edge_u found) - edge_v found)) by reflexivity.
-    destruct (less_32 (det found) (edge_u found) (F_32 _) (F_32 _)) as (w1 & W1 & E1). rewrite E1.
+  - destruct Found as ((Fd & _) & (Fu & _) & (Fv & _) & _ & ->).
+    destruct (less_32 (det found) (edge_u found) Fd Fu) as (w1 & W1 & E1). rewrite E1.
     assert (FF : F ((det found - edge_u found) * (1 + w1))) by (rewrite <- E1; apply F_32).
-    destruct (less_32 _ (edge_v found) FF (F_32 _)) as (w2 & W2 & E2). rewrite E2, Qd, Qu, Qv.
+    destruct (less_32 _ (edge_v found) FF Fv) as (w2 & W2 & E2). rewrite E2, Qd, Qu, Qv.
     pose proof HD as (D1 & D2 & D3). pose proof HC as (C1 & C2 & C3). pose proof HE as ((A1 & A2 & A3) & (B1 & B2 & B3)).
     destruct (row_b u _ _ _ _ _ _ C (row_32 _ _ Fo F0) C1 C2 C3) as (S1 & S2 & S3).
     destruct (row_b u _ _ _ _ _ _ E (row_32 _ _ F1 F0) A1 A2 A3) as (T1 & T2 & T3).
@@ -306,10 +320,10 @@ End Floor.
 (** As [ExactFromSingle] has it: a direction of a greatest component from 1 to 2, and a floor of 2^-60. [EXACT-5] *)
 Theorem scaled_miss_is_right v0 v1 v2 o d D C E : vformat v0 -> vformat v1 -> vformat v2 -> vformat o ->
   bounded D d -> 1 <= D -> bounded C (vsub R32 o v0) -> bounded E (vsub R32 v1 v0) /\ bounded E (vsub R32 v2 v0) ->
-  misses v0 v1 v2 o d D C (Rmax E (bpow radix2 (-60))) -> ~ meets (determinants_of exactly v0 v1 v2 o d).
+  misses (determinants_of R32 v0 v1 v2 o d) D C (Rmax E (bpow radix2 (-60))) -> ~ meets (determinants_of exactly v0 v1 v2 o d).
 Proof.
   intros F0 F1 F2 Fo HD H1 HC HE. pose proof (Rmax_l E (bpow radix2 (-60))) as L. pose proof (Rmax_r E (bpow radix2 (-60))) as R.
-  set (E' := Rmax E (bpow radix2 (-60))) in *. apply single_miss_is_right with E; try assumption.
+  set (E' := Rmax E (bpow radix2 (-60))) in *. apply single_miss_is_right with E; try assumption; [apply evaluated_32| |].
   - apply Rle_trans with 1; [|exact H1]. change 1 with (bpow radix2 0). now apply bpow_le.
   - repeat split; try assumption. change (-120)%Z with (-60 + -60)%Z. rewrite bpow_plus, <- (Rmult_1_l (_ * _)).
     pose proof (bpow_ge_0 radix2 (-60)). apply Rmult_le_compat; try lra; [apply Rmult_le_pos; lra|]. apply Rmult_le_compat; lra.

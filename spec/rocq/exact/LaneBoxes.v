@@ -139,9 +139,9 @@ Proof.
         apply Rinv_le; [now apply Rabs_pos_lt|]. apply Rabs_le. change (bpow radix2 128) with M. lra. }
       unfold reciprocals in H. rewrite Nz, Same, Bltb_correct in H by auto. change (B2R zero) with 0 in H. unfold moved in H. rewrite Sg in H.
       pose proof (sign_of_R 24 128 2 (or_introl eq_refl) d) as Sd. destruct H as [[L H]|[L H]].
-      - rewrite Rlt_bool_false in H by lra. destruct (Bsign d); [lra|]. injection H as <- _. apply two_below; [exact Fr|].
+      - rewrite Rlt_bool_false in H by lra. destruct (Bsign d); [lra|]. apply (f_equal fst) in H. cbn [fst] in H. rewrite <- H. apply two_below; [exact Fr|].
         rewrite Rabs_pos_eq in Low by lra. apply (Rle_trans _ _ _ Low), Req_le. symmetry. exact V.
-      - rewrite Rlt_bool_true in H by lra. destruct (Bsign d); [|lra]. injection H as _ H. apply (f_equal Bopp) in H. rewrite !Bopp_involutive in H. rewrite <- H. apply two_below; [now rewrite is_finite_Bopp|]. rewrite B2R_Bopp.
+      - rewrite Rlt_bool_true in H by lra. destruct (Bsign d); [|lra]. apply (f_equal (fun both => Bopp (snd both))) in H. cbn [snd] in H. rewrite !Bopp_involutive in H. rewrite <- H. apply two_below; [now rewrite is_finite_Bopp|]. rewrite B2R_Bopp.
         rewrite Rabs_left in Low by lra. apply (Rle_trans _ _ _ Low), Req_le. replace (1 / - B2R d) with (- (1 / B2R d)) by (field; lra).
         rewrite round_NE_opp. f_equal. symmetry. exact V. }
     split; [exact Pn|]. split; [right; auto|]. unfold reciprocals in H. rewrite Nz, Same, Bltb_correct in H by auto.

@@ -188,8 +188,7 @@ Proof.
   destruct (lesser_fits _ _ _ _ _ (lesser_fits _ _ _ _ _ Fu' Fv') Fw) as (L & El & _).
   destruct (greater_fits _ _ _ _ _ (greater_fits _ _ _ _ _ Fu' Fv') Fw) as (G & Eg & _).
   unfold f_missed, is_missed. rewrite !Bltb_correct by assumption. rewrite El, Eg, Ea, Ea'. intros H. apply andb_prop in H. destruct H as [X Y].
-  split; [revert X; now destruct (Rlt_bool_spec (Rmin (Rmin (edge_u found) (edge_v found)) (edge_w found)) (- delta_of (B2R D) (B2R C) (B2R E)))|
-    revert Y; now destruct (Rlt_bool_spec (delta_of (B2R D) (B2R C) (B2R E)) (Rmax (Rmax (edge_u found) (edge_v found)) (edge_w found)))].
+  split; now apply ltb_true.
 Qed.
 
 Lemma beyond_agrees best : is_nan best = false -> 0 <= value best -> 0 < R32 (Rabs (det found) + det_off_of (B2R D) (B2R E)) ->
@@ -204,18 +203,17 @@ Proof.
   destruct Fs as (Sf & Sv & _). unfold f_beyond, is_beyond. set (left := minus _ _) in *. set (sum := plus _ _) in *. intros H.
   assert (Fb : is_finite best = true).
   { destruct best as [s|s| |s m e Hm]; try discriminate; try reflexivity. exfalso. unfold Slabs.value in Pb. destruct s; [pose proof (bpow_gt_0 radix2 128); lra|].
-    destruct sum as [x|x| |x m e Hm]; try discriminate. destruct x; [|revert H; now destruct left as [|[]| |[]]].
+    destruct sum as [x|x| |x m e Hm]; try discriminate. destruct x; [|clearbody left; clear - H; now destruct left as [|[]| |[]]].
     assert (B2R (B754_finite true m e Hm : float) < 0) by (apply (F2R_lt_0 radix2 (Float radix2 (Z.neg m) e)); reflexivity). lra. }
   split; [exact Fb|]. rewrite (finite_value 24 128 best Fb) in Pb. generalize (Bmult_correct 24 128 eq_refl eq_refl mode_NE sum best).
   change (round_mode mode_NE) with ZnearestE. change (SpecFloat.fexp 24 128) with (FLT_exp (-149) 24). rewrite Sv.
   destruct (Rlt_bool_spec (Rabs (R32 (R32 (Rabs (det found) + det_off_of (B2R D) (B2R E)) * B2R best))) (bpow radix2 128)) as [K|K].
-  - rewrite Sf, Fb. intros (V & Fin & _). rewrite Bltb_correct in H by assumption. rewrite V, Lv in H. revert H.
-    now destruct (Rlt_bool_spec (R32 (R32 (Rabs (det found) + det_off_of (B2R D) (B2R E)) * B2R best)) (R32 (front (Bsign (f_det c)) (top_t found) - t_off_of (B2R C) (B2R E)))).
+  - rewrite Sf, Fb. intros (V & Fin & _). rewrite Bltb_correct in H by assumption. rewrite V, Lv in H. now apply ltb_true.
   - intros E'. exfalso. assert (Nz : B2R best <> 0).
     { intros Z. rewrite Z, Rmult_0_r, round_0, Rabs_R0 in K by typeclasses eauto. pose proof (bpow_gt_0 radix2 128). lra. }
     pose proof (sign_of_R 24 128 2 (or_introl eq_refl) sum) as S1. pose proof (sign_of_R 24 128 2 (or_introl eq_refl) best) as S2.
     assert (Q : times sum best = B754_infinity false).
     { apply B2SF_inj. rewrite E'. destruct (Bsign sum), (Bsign best); try lra. reflexivity. }
-    rewrite Q in H. revert H. now destruct left as [|[]| |[]].
+    rewrite Q in H. clearbody left. clear - H. now destruct left as [|[]| |[]].
 Qed.
 End Usual.

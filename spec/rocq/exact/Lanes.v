@@ -85,7 +85,8 @@ Hypothesis Fo : vformat o.
 Notation e1 := (vsub R32 v1 v0).
 Notation e2 := (vsub R32 v2 v0).
 Notation s := (vsub R32 o v0).
-Let found := determinants_of R32 v0 v1 v2 o d.
+Variable found : determinants.
+Hypothesis Found : evaluated v0 v1 v2 o d found.
 Let truth := determinants_of exactly v0 v1 v2 o d.
 
 Variables D C E : R.
@@ -115,16 +116,22 @@ Proof.
   change (-80)%Z with (-40 + -40)%Z. rewrite bpow_plus. apply Rmult_le_compat; try exact E_least; apply Rlt_le, Lp.
 Qed.
 
+(** What Floor.v asks of the sizes. *)
+Lemma sizes_are_floored : E <= E /\ bpow radix2 (-60) <= E /\ bpow radix2 (-120) <= D * (E * E).
+Proof.
+  split; [apply Rle_refl|]. split; [eapply Rle_trans; [|exact E_least]; apply bpow_le; lia|].
+  eapply Rle_trans; [|apply Rmult_le_compat; [apply bpow_ge_0|apply bpow_ge_0|apply D_range|apply square_least]].
+  rewrite <- bpow_plus. apply bpow_le; lia.
+Qed.
+
 (** A triangle that the miss filter rejects is missed. [LANES-3] *)
 Theorem missed_is_right : F C -> is_missed D C E found -> ~ meets truth.
 Proof.
-  intros FC (L & H). apply single_miss_is_right with (D := D) (C := C) (E := E) (E' := E); try assumption; [apply D_range| |].
-  - split; [lra|]. split; [eapply Rle_trans; [|exact E_least]; now apply bpow_le|].
-    eapply Rle_trans; [|apply Rmult_le_compat; [apply bpow_ge_0|apply bpow_ge_0|apply D_range|apply square_least]].
-    rewrite <- bpow_plus. now apply bpow_le.
-  - unfold delta_of in L, H. rewrite (twice FC) in L, H. fold (delta D C E) in L, H. split.
-    + revert L. unfold Rmin. repeat destruct Rle_dec; auto.
-    + revert H. unfold Rmax. repeat destruct Rle_dec; auto.
+  intros FC (L & H). apply single_miss_is_right with (found := found) (D := D) (C := C) (E := E) (E' := E); try assumption;
+    [apply D_range|apply sizes_are_floored|].
+  unfold delta_of in L, H. rewrite (twice FC) in L, H. fold (delta D C E) in L, H. split.
+  - revert L. unfold Rmin. repeat destruct Rle_dec; auto.
+  - revert H. unfold Rmax. repeat destruct Rle_dec; auto.
 Qed.
 
 (** * LANES-4 *)
@@ -197,8 +204,8 @@ Qed.
 (** What det and T are off by, underflow included. *)
 Lemma det_is_off : Rabs (det found - det truth) <= 301 / 10 * (u * S).
 Proof.
-  destruct (parts v0 v1 v2 o d F0 F1 F2 Fo D C E HD HC HE) as (rd & ad & _ & _ & _ & _ & (Q & K & A) & _).
-  unfold found, truth. rewrite Q. replace (rd + ad - det (determinants_of exactly v0 v1 v2 o d)) with (rd - det (determinants_of exactly v0 v1 v2 o d) + ad) by ring.
+  destruct (parts v0 v1 v2 o d F0 F1 F2 Fo found Found D C E HD HC HE) as (rd & ad & _ & _ & _ & _ & (Q & K & A) & _).
+  unfold truth. rewrite Q. replace (rd + ad - det (determinants_of exactly v0 v1 v2 o d)) with (rd - det (determinants_of exactly v0 v1 v2 o d) + ad) by ring.
   eapply Rle_trans; [apply add_b; eassumption|]. destruct sizes as (A1 & _ & _ & A2 & _). fold truth.
   replace (D * E * E) with S by (unfold S; ring). replace ((6 * E + 3) * (101 / 100 * eta)) with (606 / 100 * (eta * E) + 303 / 100 * eta) by field.
   set (eE := eta * E) in *. clearbody eE. lra.
@@ -206,12 +213,12 @@ Qed.
 
 Lemma t_is_off : Rabs (top_t found - top_t truth) <= 342 / 10 * (u * y).
 Proof.
-  destruct HE as [B1 B2]. destruct (triple_32 _ _ _ _ _ _ B2 HC B1) as (r & a & Q & K & A).
+  destruct HE as [B1 B2]. destruct Found as (_ & _ & _ & (_ & N) & _). destruct (N _ _ _ B2 HC B1) as (r & a & Q & K & A).
   pose proof (row_32 _ _ F1 F0) as R1. pose proof (row_32 _ _ F2 F0) as R2. pose proof (row_32 _ _ Fo F0) as R3.
   pose proof HC as (C1 & C2 & C3). pose proof B1 as (X1 & X2 & X3). pose proof B2 as (Y1 & Y2 & Y3).
   pose proof (rows_xyz u ltac:(lra) _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ Y1 Y2 Y3 C1 C2 C3 X1 X2 X3 R2 R3 R1) as W.
   pose proof (add_b _ _ _ _ K W) as T.
-  replace (top_t found) with (r + a) by (rewrite <- Q; reflexivity).
+  rewrite Q.
   match type of T with Rabs ?e <= ?b => replace (r + a - top_t truth) with (e + a) by (unfold truth, exactly, det3; simpl; unfold dot; simpl; ring);
     replace b with ((34 * u + 62 * (u * u)) * y) in T by (unfold y; ring) end.
   eapply Rle_trans; [apply add_b; eassumption|]. destruct sizes as (_ & A1 & A2 & _ & _).
@@ -328,6 +335,6 @@ Proof.
   destruct (longest_bounds v0 v1 v2) as (B1 & B2 & LE). fold E in B1, B2, LE.
   destruct (way_is_enough o v0 reach HR) as (BC & LC & FC). fold C in BC, LC, FC. pose proof (greatest_b d _ (Rle_refl _)) as BD.
   destruct Rj as [Rj|Rj].
-  - revert M. eapply missed_is_right; eauto.
-  - apply (beyond_is_right v0 v1 v2 o d F0 F1 F2 Fo _ C E BD BC (conj B1 B2) HD LC LE neg best Sg Rj). split; [apply M|]. now split.
+  - revert M. eapply missed_is_right; eauto using evaluated_32.
+  - apply (beyond_is_right v0 v1 v2 o d F0 F1 F2 Fo found (evaluated_32 _ _ _ _ _) _ C E BD BC (conj B1 B2) HD LC LE neg best Sg Rj). split; [apply M|]. now split.
 Qed.

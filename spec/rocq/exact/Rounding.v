@@ -15,6 +15,10 @@ Proof. intros. unfold Rminus. apply add_b; [assumption|now rewrite Rabs_Ropp]. Q
 Lemma pos_b x X : Rabs x <= X -> 0 <= X.
 Proof. intros. pose proof (Rabs_pos x). lra. Qed.
 
+(** What a comparison says. *)
+Lemma ltb_true x y : Rlt_bool x y = true -> x < y.
+Proof. now destruct (Rlt_bool_spec x y). Qed.
+
 (** * The unit *)
 
 (** Half of the distance from 1 to the next float: 2^-24 for f32, 2^-53 for f64. *)
