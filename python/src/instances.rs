@@ -6,7 +6,7 @@ use std::sync::Arc;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray3};
 use pyo3::prelude::*;
 use rayon::prelude::*;
-use stackless_bvh::bvh::{BuildError, BuildOptions, Bvh, WideBvh};
+use stackless_bvh::bvh::{BuildError, BuildOptions, WideBvh};
 use stackless_bvh::geom::{AffineError, AffineMap, EnvironmentError, Mesh, Ray, check_environment};
 use stackless_bvh::trace::{Assembly, AssemblyError, Hit, Instance, InstanceHit, InstanceTracer, Object};
 use stackless_bvh::traverse::Method;
@@ -16,7 +16,7 @@ use crate::batch::{in_background, in_pieces};
 use crate::errors::{failed, refused};
 use crate::queries::{Found, HitArrays, room};
 use crate::scene::Scene;
-use crate::space::Answers;
+use crate::space::{Answers, Space};
 
 /// Scenes in single precision and groups of them, placed by affine maps.
 #[pyclass(frozen, module = "stackless_bvh._native")]
@@ -35,7 +35,7 @@ struct Group {
 }
 
 enum Part {
-    Mesh(Arc<Bvh>),
+    Mesh(Arc<WideBvh>),
     Group(Arc<Group>),
 }
 
@@ -151,8 +151,8 @@ impl Source {
     fn into_part(self, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Part> {
         match self {
             Self::Mesh(mesh) => {
-                let bvh = BuildOptions::default().build_watched(&*mesh, tell).map_err(failed)?;
-                Ok(Part::Mesh(Arc::new(bvh)))
+                let BuildOptions { builder, reinsertion, .. } = BuildOptions::default();
+                Ok(Part::Mesh(Arc::new(<WideBvh as Space>::build(&mesh, (builder, reinsertion), tell)?)))
             }
             Self::Group(group) => Ok(Part::Group(group)),
         }
@@ -178,7 +178,7 @@ impl Group {
         let mut objects = Vec::new();
         for part in &self.parts {
             objects.push(match part {
-                Part::Mesh(bvh) => assembly.add_mesh(Arc::clone(bvh)),
+                Part::Mesh(bvh) => assembly.add_wide(Arc::clone(bvh)),
                 Part::Group(group) => match known.get(&Arc::as_ptr(group)) {
                     Some(&object) => object,
                     None => group.add_to(assembly, known)?,

@@ -93,3 +93,16 @@ def test_instances_of_instances_are_the_exact_images():
         assert (hits.t[ray], hits.path[ray].tolist(), hits.primitive[ray]) == (t, padded, face)
         depths.add(len(path or ()))
     assert depths >= {2, 3}
+
+
+def test_an_instance_that_is_not_moved_has_the_answers_of_its_scene():
+    vertices, faces = octasphere(4, np.float32)
+    scene = Scene(vertices, faces)
+    instances = Instances([scene], [0], np.eye(4, dtype=np.float32)[None])
+    origins, directions = some_rays(np.float32, 2000, 3)
+    # Half of them at vertices, where faces are equally far.
+    directions[::2] = vertices[np.arange(1000) % len(vertices)] - origins[::2]
+    hits, expected = instances.closest(origins, directions), scene.closest(origins, directions)
+    assert expected.hit.sum() > 1000 and np.array_equal(hits.instance, np.where(expected.hit, 0, -1))
+    assert all(np.array_equal(getattr(hits, name), getattr(expected, name), equal_nan=True) for name in vars(expected))
+    assert np.array_equal(instances.any(origins, directions), expected.hit)

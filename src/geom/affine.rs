@@ -1,6 +1,10 @@
 //! Affine maps as they are written down, and what they make of points, boxes and rays.
 
+mod inverse;
+
 use dashu_int::IBig;
+
+use inverse::Inverse;
 
 use super::fine::Fine;
 use super::truth::{Meeting, RBig, meet_integers};
@@ -17,8 +21,8 @@ pub struct AffineMap<R: Real = f32> {
     rows: [[R; 4]; 3],
     /// All of them are multiples of 2 to the power of minus this.
     unit: usize,
-    /// Bounds of the inverse of A, each as narrow as can be.
-    inverse: [[Interval; 3]; 3],
+    /// Of A.
+    inverse: Inverse,
 }
 
 /// Why numbers are not an invertible map.
@@ -41,18 +45,14 @@ pub enum AffineError {
 
 impl<R: Real> AffineMap<R> {
     /// The map that changes nothing.
-    pub const IDENTITY: Self = {
-        const ZERO: Interval = Interval::exact(0.0);
-        const ONE: Interval = Interval::exact(1.0);
-        Self {
-            rows: [
-                [R::ONE, R::ZERO, R::ZERO, R::ZERO],
-                [R::ZERO, R::ONE, R::ZERO, R::ZERO],
-                [R::ZERO, R::ZERO, R::ONE, R::ZERO],
-            ],
-            unit: 0,
-            inverse: [[ONE, ZERO, ZERO], [ZERO, ONE, ZERO], [ZERO, ZERO, ONE]],
-        }
+    pub const IDENTITY: Self = Self {
+        rows: [
+            [R::ONE, R::ZERO, R::ZERO, R::ZERO],
+            [R::ZERO, R::ONE, R::ZERO, R::ZERO],
+            [R::ZERO, R::ZERO, R::ONE, R::ZERO],
+        ],
+        unit: 0,
+        inverse: Inverse::IDENTITY,
     };
 
     /// The map with these rows: three numbers of A, then the one of b.
@@ -90,10 +90,8 @@ impl<R: Real> AffineMap<R> {
         if determinant.is_zero() {
             return Err(AffineError::Singular);
         }
-        let entry = |i: usize, j: usize| {
-            Interval::around(&RBig::from_parts_signed(adjugate(i, j) << unit, determinant.clone()))
-        };
-        Ok(Self { rows, unit, inverse: [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j))) })
+        let entry = |i: usize, j: usize| RBig::from_parts_signed(adjugate(i, j) << unit, determinant.clone());
+        Ok(Self { rows, unit, inverse: Inverse::new(&[0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j)))) })
     }
 
     /// The map that adds a vector.
@@ -130,10 +128,7 @@ impl<R: Real> AffineMap<R> {
     /// The ray in the object's space: bounds of A^-1 (o - b) and A^-1 d for all o and d within the bounds. Distances
     /// along it are the same in every space. `[INST-3]`
     pub fn pull_back(&self, ray: &EnclosedRay) -> EnclosedRay {
-        let solve = |v: [Interval; 3]| self.inverse.map(|[x, y, z]| x * v[0] + y * v[1] + z * v[2]);
-        let offset = self.rows.map(|row| Interval::exact(row[3].into()));
-        let [x, y, z] = ray.origin;
-        EnclosedRay { origin: solve([x - offset[0], y - offset[1], z - offset[2]]), direction: solve(ray.direction) }
+        self.inverse.pull_back(ray, self.rows.map(|row| row[3].into()))
     }
 }
 

@@ -55,6 +55,12 @@ impl Interval {
         [self.lo, self.hi]
     }
 
+    /// Whether it holds one number only.
+    #[inline]
+    pub(super) fn is_exact(&self) -> bool {
+        self.lo == self.hi
+    }
+
     /// Whether 0 is the only number.
     #[inline]
     pub fn is_zero(&self) -> bool {

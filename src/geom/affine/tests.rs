@@ -6,12 +6,12 @@ use crate::geom::Ray;
 use crate::geom::frame::power_of_two;
 use crate::geom::truth::{Place, Point, round_f64};
 
-fn number() -> impl Strategy<Value = f32> {
+pub(super) fn number() -> impl Strategy<Value = f32> {
     let few = [0.0, -0.0, 1.0, -1.0, 2.0, 0.1, -3.0, 1e-20, 1e10, -1e30, 1e-42, 1e-45, -1e-45];
     prop_oneof![3 => prop::sample::select(few.to_vec()), 3 => -4.0..4.0f32]
 }
 
-fn double() -> impl Strategy<Value = f64> {
+pub(super) fn double() -> impl Strategy<Value = f64> {
     let few = [0.0, 1.0, -1.0, 0.1, 6.4e6, 1e-50, -1e50, 1e-200, -1e150, 5e-324, -1e-310, 1e300];
     prop_oneof![prop::sample::select(few.to_vec()), -4.0..4.0f64]
 }
@@ -30,7 +30,7 @@ fn affine<S: Strategy<Value = f32>>(number: fn() -> S) -> impl Strategy<Value = 
     [row(), row(), row()].prop_filter_map("singular", |rows| AffineMap::new(rows).ok())
 }
 
-fn exact(x: impl Into<f64>) -> RBig {
+pub(super) fn exact(x: impl Into<f64>) -> RBig {
     RBig::try_from(x.into()).expect("a finite number")
 }
 
@@ -43,7 +43,7 @@ fn image(affine: &AffineMap, v: &[RBig; 3]) -> [RBig; 3] {
 }
 
 /// The v with A v = w, by Cramer's rule.
-fn solution(affine: &AffineMap, w: &[RBig; 3]) -> [RBig; 3] {
+pub(super) fn solution<R: Real>(affine: &AffineMap<R>, w: &[RBig; 3]) -> [RBig; 3] {
     let a = affine.rows().map(|[x, y, z, _]| [x, y, z].map(exact));
     let determinant = |a: &[[RBig; 3]; 3]| {
         let minor = |p: usize, q: usize| &a[1][p] * &a[2][q] - &a[1][q] * &a[2][p];
@@ -58,7 +58,7 @@ fn solution(affine: &AffineMap, w: &[RBig; 3]) -> [RBig; 3] {
     })
 }
 
-fn holds(interval: Interval, x: &RBig) -> bool {
+pub(super) fn holds(interval: Interval, x: &RBig) -> bool {
     let [lo, hi] = interval.ends();
     let is_above = RBig::try_from(lo).map_or(lo == f64::NEG_INFINITY, |lo| lo <= *x);
     is_above && RBig::try_from(hi).map_or(hi == f64::INFINITY, |hi| *x <= hi)

@@ -1,0 +1,156 @@
+use glam::DVec3;
+use proptest::prelude::*;
+
+use super::*;
+use crate::geom::affine::tests::{double, exact, holds, number, solution};
+use crate::geom::{AffineMap, Ray};
+
+/// From one number to another.
+fn interval(end: impl Strategy<Value = f64> + Clone) -> impl Strategy<Value = Interval> {
+    let from = |x: f64, y: f64| Interval::between(if x <= y { [x, y] } else { [y, x] });
+    let near = (end.clone(), 0..3).prop_map(move |(x, steps)| from(x, (0..steps).fold(x, |x, _| x.next_up())));
+    prop_oneof![near, (end.clone(), end).prop_map(move |(x, y)| from(x, y))]
+}
+
+fn is_held<R: crate::geom::Real>(map: &AffineMap<R>, ray: &EnclosedRay) -> Result<(), TestCaseError> {
+    let bounds = map.pull_back(ray);
+    let corner = |v: &[Interval; 3], which: usize| [0, 1, 2].map(|k| exact(v[k].ends()[which >> k & 1]));
+    for which in 0..8 {
+        let (o, d) = (corner(&ray.origin, which), corner(&ray.direction, which));
+        let origin = solution(map, &[0, 1, 2].map(|k| &o[k] - exact(map.rows()[k][3])));
+        let direction = solution(map, &d);
+        for k in 0..3 {
+            prop_assert!(holds(bounds.origin[k], &origin[k]), "{k}, {which}: {:?}", bounds.origin);
+            prop_assert!(holds(bounds.direction[k], &direction[k]), "{k}, {which}: {:?}", bounds.direction);
+        }
+    }
+    Ok(())
+}
+
+fn rows<R: std::fmt::Debug>(number: impl Strategy<Value = R> + Clone) -> impl Strategy<Value = [[R; 4]; 3]> {
+    let row = move || [number.clone(), number.clone(), number.clone(), number.clone()];
+    [row(), row(), row()]
+}
+
+fn vector(end: impl Strategy<Value = f64> + Clone) -> impl Strategy<Value = [Interval; 3]> {
+    [interval(end.clone()), interval(end.clone()), interval(end)]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    /// [INST-3]
+    #[test]
+    fn all_corners_of_bounds_are_held(
+        rows in rows(-4.0..4.0f32),
+        origin in vector(-4.0..4.0),
+        direction in vector(-4.0..4.0),
+    ) {
+        let Ok(map) = AffineMap::new(rows) else { return Ok(()) };
+        is_held(&map, &EnclosedRay { origin, direction })?;
+    }
+
+    /// [INST-3]
+    #[test]
+    fn numbers_of_all_sizes_are_held(
+        rows in rows(double().boxed()),
+        origin in vector(double().boxed()),
+        direction in vector(double().boxed()),
+    ) {
+        let Ok(map) = AffineMap::new(rows) else { return Ok(()) };
+        is_held(&map, &EnclosedRay { origin, direction })?;
+    }
+
+    /// The middles are 0 and the factors positive, so that nothing but the radii counts. [INST-3]
+    #[test]
+    fn radii_are_wide_enough(rows in rows(1.0..2.0f64), radii in [1.0..2.0f64, 1.0..2.0f64, 1.0..2.0f64]) {
+        let Ok(map) = AffineMap::new(rows.map(|[x, y, z, _]| [x, y, z, 0.0])) else { return Ok(()) };
+        let around = radii.map(|x| Interval::between([-x, x]));
+        is_held(&map, &EnclosedRay { origin: around, direction: around })?;
+    }
+
+    /// [INST-3]
+    #[test]
+    fn bounds_are_narrow(rows in rows(number().boxed()), o in [-4.0..4.0, -4.0..4.0, -4.0..4.0]) {
+        let Ok(map) = AffineMap::new(rows) else { return Ok(()) };
+        let (Inverse::Nearest(entries), Ok(ray)) = (map.inverse, Ray::within(DVec3::from(o), DVec3::X, 0.0, 1.0))
+        else {
+            return Ok(());
+        };
+        let bounds = map.pull_back(&EnclosedRay::exact(&ray));
+        for (row, bounds) in entries.iter().zip(bounds.origin) {
+            let offset = map.rows().map(|row| f64::from(row[3]));
+            let sizes: f64 = (0..3).map(|k| (row[k] * (o[k] - offset[k])).abs()).sum();
+            let [lo, hi] = bounds.ends();
+            prop_assert!(hi - lo <= 10.0 * f64::EPSILON * sizes, "{bounds:?} {sizes}");
+        }
+    }
+}
+
+/// Entry, component, product and both sums are rounded down by nearly half a unit: five of the six that the bound is for.
+/// [INST-3]
+#[test]
+fn the_bound_is_hardly_too_great() {
+    let unit = f64::EPSILON;
+    // 1/d is just below the middle of two doubles.
+    let j = 94_906_264.0;
+    let d = 1.0 - j * unit / 2.0;
+    let entry = 1.0 + j / 2.0 * unit;
+    // So is its product with s.
+    let s = 1.0 + (0.5 / unit / (j / 2.0)).floor() * unit;
+    let nearly_half = 0.499_999 * unit;
+    let map = AffineMap::new([[d, -1.0, -1.0, -nearly_half], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]).unwrap();
+    let Inverse::Nearest(entries) = map.inverse else { panic!("{:?}", map.inverse) };
+    assert_eq!(entries[0], [entry; 3]);
+    let origin = [s, nearly_half, nearly_half].map(Interval::exact);
+    let bounds = map.pull_back(&EnclosedRay { origin, direction: origin }).origin[0];
+    let [truth, ..] = solution(&map, &[exact(s) + exact(nearly_half), exact(nearly_half), exact(nearly_half)]);
+    assert!(holds(bounds, &truth), "{bounds:?}");
+    let [lo, hi] = bounds.ends();
+    let off = truth - exact(lo * 0.5 + hi * 0.5);
+    assert!(off > exact(4.9 / 2.0 * unit) && off < exact(3.0 * unit), "{}", off.to_f64().value() / unit);
+}
+
+/// A direction along the planes of boxes stays so, and so does an origin in one. [INST-3]
+#[test]
+fn what_is_zero_stays_so() {
+    let map = AffineMap::new([[0.6, -0.8, 0.0, 1.0], [0.8, 0.6, 0.0, 2.0], [0.0, 0.0, 1.0, 3.0f32]]).unwrap();
+    assert!(matches!(map.inverse, Inverse::Nearest(_)));
+    let ray = Ray::within(DVec3::new(0.1, 0.2, 3.0), DVec3::new(0.3, 0.4, 0.0), 0.0, 1.0).unwrap();
+    let EnclosedRay { origin, direction } = map.pull_back(&EnclosedRay::exact(&ray));
+    assert_eq!([origin, direction].map(|v| v.map(|x| x.is_zero())), [[false, false, true]; 2]);
+}
+
+/// Mirrors, quarter turns and powers of two. [INST-3]
+#[test]
+fn turned_rays_stay_exact() {
+    let v = [Interval::exact(0.1), Interval::between([-3.0, 5.0]), Interval::between([7.0, 7.5])];
+    for columns in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+        for factors in
+            [[1.0, 1.0, 1.0], [-1.0, 0.5, -8.0], [4.0, -0.25, power_of_two(1000)], [-power_of_two(1000), -2.0, 1.0]]
+        {
+            let mut rows = [[0.0; 4]; 3];
+            for (row, (column, factor)) in rows.iter_mut().zip(columns.into_iter().zip(factors)) {
+                row[column] = factor;
+            }
+            let map = AffineMap::new(rows).unwrap();
+            assert!(matches!(map.inverse, Inverse::Turned(_)));
+            let found = map.pull_back(&EnclosedRay { origin: v, direction: v });
+            for row in 0..3 {
+                let [lo, hi] = v[row].ends().map(|x| x / factors[row]);
+                let expected = Interval::between([lo.min(hi), lo.max(hi)]);
+                assert_eq!([found.origin, found.direction].map(|v| v[columns[row]]), [expected; 2]);
+            }
+        }
+    }
+}
+
+/// Shears by doubles: intervals, so that a ray may stay known exactly. [INST-3]
+#[test]
+fn sheared_rays_may_stay_exact() {
+    let map = AffineMap::new([[1.0, 3.0, 0.0, 5.0], [0.0, 1.0, 0.0, 0.0], [0.0, 7.0, 1.0, 0.0f32]]).unwrap();
+    let ray = Ray::within(DVec3::new(1.5, 2.5, -1.0), DVec3::new(1.0, 0.25, 3.0), 0.0, 1.0).unwrap();
+    let EnclosedRay { origin, direction } = map.pull_back(&EnclosedRay::exact(&ray));
+    assert_eq!(origin, [1.5 - 5.0 - 7.5, 2.5, -1.0 - 17.5].map(Interval::exact));
+    assert_eq!(direction, [0.25, 0.25, 1.25].map(Interval::exact));
+}
