@@ -21,6 +21,9 @@ const ERROR: f64 = power_of_two(-102);
 /// What products, quotients and radii may lose by underflow, many times over: 2^-1060.
 const UNDERFLOW: f64 = f64::from_bits(1 << 14);
 
+/// Of products above this nothing underflows that rounding leaves out.
+const EXACT: f64 = power_of_two(-900);
+
 /// Of a radius that took up to 30 roundings.
 const UP: f64 = 1.0 + power_of_two(-48);
 
@@ -38,6 +41,12 @@ impl Fine {
     #[inline]
     pub(in crate::geom) const fn exact(x: f64) -> Self {
         Self { high: x, low: 0.0, radius: 0.0 }
+    }
+
+    /// The sum of two, of which the second is what rounding left out of the first.
+    #[inline]
+    pub(in crate::geom) const fn of_two([high, low]: [f64; 2]) -> Self {
+        Self { high, low, radius: 0.0 }
     }
 
     /// All numbers from 0 to 1.
@@ -58,6 +67,13 @@ impl Fine {
     /// Whether none is as far as a half from another.
     pub(in crate::geom) fn is_close(&self) -> bool {
         self.radius < 0.25
+    }
+
+    /// A number with the sign that all have, 0 where all are 0; `None` where signs differ.
+    #[inline]
+    pub(in crate::geom) fn sign(self) -> Option<f64> {
+        let is_zero = self.is_exact() && self.high == 0.0;
+        (is_zero || (self.low.abs() + self.radius) * UP < self.high.abs()).then_some(self.high)
     }
 
     /// What bounds all: each end is the sum of a double and of what rounding left out of it.
@@ -151,7 +167,7 @@ impl Mul for Fine {
     type Output = Self;
 
     /// Off by at most 8 u² of the product: the product of the low parts is left out, two products and two sums of the order
-    /// u are rounded.
+    /// u are rounded. Not at all for two doubles, unless it underflows.
     #[inline]
     fn mul(self, other: Self) -> Self {
         // That a product is 0 must not be lost.
@@ -159,6 +175,9 @@ impl Mul for Fine {
             return Self::ZERO;
         }
         let (high, rest) = two_product(self.high, other.high);
+        if self.low == 0.0 && other.low == 0.0 && self.is_exact() && other.is_exact() && high.abs() > EXACT {
+            return Self { high, low: rest, radius: 0.0 };
+        }
         let low = rest + (self.high * other.low + self.low * other.high);
         // The doubles stand for both numbers, whose rest the factor holds.
         let of_radii = self.high.abs() * other.radius + other.high.abs() * self.radius + self.radius * other.radius;

@@ -126,6 +126,12 @@ impl<V: Vector> Ray<V> {
         self.tmax
     }
 
+    /// The same ray in double precision.
+    pub(super) fn widen(&self) -> Ray<DVec3> {
+        let Self { origin, direction, tmin, tmax } = *self;
+        Ray { origin: origin.widen(), direction: direction.widen(), tmin: tmin.into(), tmax: tmax.into() }
+    }
+
     /// Bit `a` is set where component `a` of the direction is negative; for [`SignOrder`](crate::order::SignOrder).
     #[inline]
     pub fn octant(&self) -> u8 {

@@ -1,6 +1,6 @@
 //! What the tests of a ray need to know of the scene as a whole.
 
-use glam::DVec3;
+use glam::{DVec3, Vec3, Vec4};
 
 use super::frame::power_of_two;
 use super::{Aabb, Frame};
@@ -11,8 +11,23 @@ pub struct Region {
     reach: f64,
     size: f64,
     bounds: Aabb,
+    near: Near,
     frame: Frame,
 }
+
+/// Of which rays single precision tells enough, in the frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Near {
+    /// Of the box, and 0.
+    middle: Vec4,
+    /// What is farther from there on some axis is far.
+    far: f32,
+    /// Of shorter directions, distances to what is in the box from what is not far may overflow. Infinity in the last lane.
+    short: Vec4,
+}
+
+/// A point is far if it is so many times the longest edge of the box away from its middle.
+const FAR: f64 = 8192.0;
 
 impl Region {
     /// The region within a box.
@@ -25,7 +40,8 @@ impl Region {
         let size = aabb.hi.as_dvec3() - aabb.lo.as_dvec3();
         let unit = power_of_two(frame.exponent());
         let reach = f64::from(aabb.lo.abs().max(aabb.hi.abs()).max_element());
-        Self { reach: reach * unit, size: size.max_element() * unit, bounds: *aabb, frame }
+        let size = size.max_element();
+        Self { reach: reach * unit, size: size * unit, bounds: *aabb, near: near_of(aabb, size), frame }
     }
 
     /// The greatest magnitude of a coordinate, as seen from the origin of the [frame](Self::frame).
@@ -46,6 +62,14 @@ impl Region {
         self.bounds.lo.abs().max(self.bounds.hi.abs()).max_element()
     }
 
+    /// The middle of the box, in the frame; how far from there, on each axis, single precision tells enough of what is in the
+    /// box; and what a component of a direction must be at least.
+    #[inline(always)]
+    pub(super) fn near(&self) -> [Vec4; 3] {
+        let Near { middle, far, short } = self.near;
+        [middle, Vec4::splat(far), short]
+    }
+
     /// The box, in the frame.
     #[inline]
     pub fn bounds(&self) -> &Aabb {
@@ -64,4 +88,16 @@ impl Region {
         // Three roundings, each of a unit of 2^-53 at most.
         ((point - self.frame.origin()).abs().max_element() + self.reach) * (1.0 + 2.0 * f64::EPSILON)
     }
+}
+
+fn near_of(aabb: &Aabb, size: f64) -> Near {
+    if aabb.lo.cmpgt(aabb.hi).any() {
+        // From an empty box nothing is far.
+        return Near { middle: Vec4::ZERO, far: f32::INFINITY, short: Vec4::ZERO };
+    }
+    let far = (FAR * size).min(f64::from(f32::MAX));
+    // Coordinates are at most 2^126.
+    let longest = (far + size).min(power_of_two(127));
+    let short = Vec3::splat((longest / f64::from(f32::MAX)) as f32).extend(f32::INFINITY);
+    Near { middle: (aabb.lo * 0.5 + aabb.hi * 0.5).extend(0.0), far: far as f32, short }
 }

@@ -227,7 +227,7 @@ fn a_ray_that_hardly_leaves_its_plane_enters_the_box_there() {
 }
 
 #[test]
-fn rays_in_double_precision_beyond_its_range_skip_nothing() {
+fn rays_in_double_precision_beyond_its_range_hit_what_they_touch() {
     let aabb = Aabb { lo: Vec3::ZERO, hi: Vec3::ONE };
     for (o, d) in [(DVec3::new(-1e300, 0.5, 0.5), DVec3::X), (DVec3::splat(-1.0), DVec3::splat(1e-300))] {
         let ray = Ray::new(o, d).expect("a ray");

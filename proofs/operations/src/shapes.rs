@@ -132,7 +132,7 @@ pub(crate) fn unknown(reader: &Reader<'_>, ty: &syn::Type, owner: &str, name: &s
                 "bool" if reader.known_as(name) == "false" => return Ok(Value::Bool(Expr::False)),
                 "bool" => return Ok(Value::Bool(Expr::Name(name.into()))),
                 "state" => return Ok(Value::State(Expr::Name(name.into()))),
-                "i32" | "u32" => return Ok(Value::Unknown(name.into())),
+                "i32" | "u32" | "unknown" => return Ok(Value::Unknown(name.into())),
                 "simd" => return Ok(Value::Unit),
                 "f32" => return Ok(Value::Real(Some(Format::Single), Expr::Name(name.into()))),
                 "usize" => return Ok(Value::Count(Expr::Name(name.into()))),

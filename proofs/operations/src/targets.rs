@@ -31,9 +31,13 @@ const LANE: &[(&str, &str)] = &[
     ("[f32;A]", "f32"),
     ("usize", "side"),
     ("lane_numbers", "unknown"),
+    ("enter_if", "unknown"),
+    ("Entrance", "unknown"),
     ("self_is_wide", "false"),
 ];
 const SINGLE: &[(&str, &str)] = &[("V", "Vec3"), ("V::Real", "f32")];
+const SLABS: &[(&str, &str)] =
+    &[("V", "Vec3"), ("V::Real", "f32"), ("enter_if", "unknown"), ("Entrance", "unknown"), ("self_is_wide", "false")];
 const TWO_SIDED: &[(&str, &str)] = &[("V", "Vec3"), ("V::Real", "f32"), ("PADDED", "true")];
 
 const FILTER: &str = "src/geom/kernel/exact/filter.rs";
@@ -61,7 +65,13 @@ pub(crate) const TARGETS: &[Target] = &[
     Target { owner: "Errors", name: "of_triangle_within", file: FILTER, known: &[], parts: &[] },
     Target { owner: "", name: "is_certain", file: EXACT, known: &[("R", "f32")], parts: &[] },
     Target { owner: "", name: "is_within", file: EXACT, known: &[("R", "f32")], parts: &[] },
-    Target { owner: "Region", name: "of", file: "src/geom/region.rs", known: &[], parts: &["reach", "size"] },
+    Target {
+        owner: "Region",
+        name: "of",
+        file: "src/geom/region.rs",
+        known: &[("near_of", "unknown")],
+        parts: &["reach", "size"],
+    },
     Target { owner: "Exact", name: "new", file: EXACT, known: SINGLE, parts: &["origin", "direction", "errors"] },
     Target { owner: "", name: "is_usual", file: "src/geom/kernel/exact/double.rs", known: &[], parts: &[] },
     Target { owner: "Doubled", name: "new", file: "src/geom/slabs/doubled.rs", known: &[], parts: &[] },
@@ -70,11 +80,11 @@ pub(crate) const TARGETS: &[Target] = &[
         owner: "Directed",
         name: "new",
         file: "src/geom/slabs/directed.rs",
-        known: SINGLE,
+        known: SLABS,
         parts: &["origin", "inverse", "is_wide"],
     },
     Target { owner: "", name: "near_and_far", file: "src/geom/slabs/mod.rs", known: &[], parts: &[] },
-    Target { owner: "Directed", name: "pair", file: "src/geom/slabs/directed.rs", known: &[], parts: &[] },
+    Target { owner: "Directed", name: "pair", file: "src/geom/slabs/directed.rs", known: SLABS, parts: &[] },
     Target { owner: "Centred", name: "new", file: "src/geom/slabs/centred.rs", known: TWO_SIDED, parts: &[] },
     Target { owner: "Centred", name: "pair", file: "src/geom/slabs/centred.rs", known: TWO_SIDED, parts: &[] },
     Target { owner: "ExactFromSingle", name: "misses", file: STAGE, known: SINGLE, parts: &[] },

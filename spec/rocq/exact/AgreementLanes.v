@@ -18,7 +18,7 @@ Notation double := (binary_float 53 1024).
 (** * Boxes *)
 
 Section Boxes.
-Variables ox oy oz dx dy dz tmin : float.
+Variables ox oy oz dx dy dz tmin mx my mz mw away sx sy sz sw : float.
 Variable reach : double.
 Notation axis o d lo hi := ((o, d, lo, hi) : LaneBoxes.axis).
 
@@ -31,7 +31,7 @@ Lemma far_inverse d : shifted f32 2 (over f32 (constant f32 1 0) (plus f32 d (co
 Proof. rewrite AgreementSlabs.one_32. reflexivity. Qed.
 
 (** [BoxRay::new]. [LANES-1] *)
-Theorem box_ray_agrees : exists is_wide, BoxRay_new f32 f64 f64_of_f32 ox oy oz dx dy dz tmin reach =
+Theorem box_ray_agrees : exists is_wide, BoxRay_new f32 f64 f64_of_f32 ox oy oz dx dy dz tmin reach mx my mz mw away sx sy sz sw =
   let n := LaneBoxes.inverse_near in let f := LaneBoxes.inverse_far in let b := LaneBoxes.backward in
   (ox, oy, oz, n dx, n dy, n dz, f dx, f dy, f dz, b dx, b dy, b dz, tmin, is_wide).
 Proof.
@@ -255,26 +255,26 @@ End Triangles.
 
 (** A lane's test as it is in the code leaves out no box that the ray touches: for all finite rays, in scenes within the reach, where
     [new] does not leave the ray to double precision. [LANES-1, LANES-2] *)
-Theorem touched_is_met_by_code ox oy oz dx dy dz tmin (reach : double) lx hx ly hy lz hz last t :
+Theorem touched_is_met_by_code ox oy oz dx dy dz tmin mx my mz mw away sx sy sz sw (reach : double) lx hx ly hy lz hz last t :
   let reaches (x : float) := finite x = true /\ Rabs (B2R x) <= B2R reach in let axis o d lo hi := ((o, d, lo, hi) : LaneBoxes.axis) in
   v_finite (FVec ox oy oz) -> v_finite (FVec dx dy dz) -> finite reach = true ->
   reaches lx -> reaches hx -> reaches ly -> reaches hy -> reaches lz -> reaches hz ->
   Slabs.touches 24 128 t (axis ox dx lx hx) -> Slabs.touches 24 128 t (axis oy dy ly hy) -> Slabs.touches 24 128 t (axis oz dz lz hz) ->
   finite tmin = true -> 0 <= B2R tmin <= t -> is_nan last = false -> Slabs.nearest 24 128 t <= value last ->
-  let '(ox, oy, oz, nx, ny, nz, fx, fy, fz, bx, by_, bz, tmin, is_wide) := BoxRay_new f32 f64 f64_of_f32 ox oy oz dx dy dz tmin reach in
+  let '(ox, oy, oz, nx, ny, nz, fx, fy, fz, bx, by_, bz, tmin, is_wide) := BoxRay_new f32 f64 f64_of_f32 ox oy oz dx dy dz tmin reach mx my mz mw away sx sy sz sw in
   is_wide = false -> BoxRay_enter f32 ox oy oz nx ny nz fx fy fz bx by_ bz tmin lx hx ly hy lz hz last = true.
 Proof.
   intros reaches axis Fo (Dx & Dy & Dz) Fr Lx Hx Ly Hy Lz Hz Tx Ty Tz Fm Hm Nl Hl. destruct (power_fits 126 126 ltac:(lia) ltac:(lia)) as (Fk & Vk & _).
-  destruct (size_fits 128 (FVec ox oy oz) _ (finite_fits _ Fo)) as (Fs & Vs & _).
   unfold BoxRay_new. cbv zeta. rewrite !near_inverse, !far_inverse. intros W.
-  apply orb_false_elim in W as [W _].
-  change (Bltb (c32 1 126) (size (FVec ox oy oz)) || Bltb (f64_of_f32 (c32 1 126) : double) reach = false) in W. apply orb_false_elim in W as [Wo Wr].
-  rewrite Bltb_correct in Wo by assumption. rewrite Vk, Vs in Wo.
+  apply orb_false_elim in W as [W Wr]. apply orb_false_elim in W as [W _]. apply negb_false_iff in W.
+  apply andb_prop in W as [W _]. apply andb_prop in W as [W Nz]. apply andb_prop in W as [Nx Ny].
+  apply andb_prop in Nx as [Nx _], Ny as [Ny _], Nz as [Nz _].
+  change (Bltb (f64_of_f32 (c32 1 126) : double) reach = false) in Wr.
   destruct (AgreementScene.widen_correct _ Fk) as (Fw & Vw & _). rewrite Bltb_correct in Wr by assumption.
   assert (R126 : B2R reach <= bpow radix2 126).
   { rewrite <- Vk. revert Wr. rewrite <- Vw. destruct (Rlt_bool_spec (B2R (f64_of_f32 (c32 1 126) : double)) (B2R reach)); [discriminate|auto]. }
-  assert (Go : greatest (real (FVec ox oy oz)) <= bpow radix2 126) by (revert Wo; destruct (Rlt_bool_spec (bpow radix2 126) (greatest (real (FVec ox oy oz)))); [discriminate|auto]).
-  destruct Fo as (Ox & Oy & Oz). destruct (greatest_b _ _ Go) as (Bx & By & Bz). cbn [real fx fy fz vx vy vz] in *.
+  destruct Fo as (Ox & Oy & Oz). cbn [fx fy fz] in *.
+  apply AgreementSlabs.not_above in Nx, Ny, Nz; try assumption.
   assert (P : forall o d lo hi, finite o = true -> Rabs (B2R o) <= bpow radix2 126 -> finite d = true -> reaches lo -> reaches hi -> LaneBoxes.proper (axis o d lo hi)).
   { intros o d lo hi Fo Bo Fd [Fl Bl] [Fh Bh]. split; [exact Fd|]. split; [split; assumption|]. split; (split; [assumption|lra]). }
   etransitivity; [apply (enter_agrees ox oy oz dx dy dz tmin lx hx ly hy lz hz last)|].

@@ -82,8 +82,9 @@ Qed.
 Section Directed.
 Variables ox oy oz dx dy dz tmin tmax : num f32.
 Variable reach : num f64.
+Variables mx my mz mw away sx sy sz sw : num f32.
 Variables ax ay az bx by_ bz cx cy cz ex ey ez : num f32.
-Let new := Directed_new f32 f64 f64_of_f32 ox oy oz dx dy dz reach.
+Let new := Directed_new f32 f64 f64_of_f32 ox oy oz dx dy dz reach mx my mz mw away sx sy sz sw.
 
 (** [Directed::new]: what it keeps, but for [is_wide]. [BOX-1, BOX-2] *)
 Theorem directed_new_agrees : exists is_wide, new =
@@ -100,9 +101,9 @@ Qed.
     [BOX-1, BOX-2] *)
 Theorem directed_pair_agrees :
   let i d := fst (reciprocals_32 d) in let j d := snd (reciprocals_32 d) in
-  let '(hit, hit', near, near', far, far') := Directed_pair f32 f64 f64_of_f32 f32_of_f64
+  let '(hit, hit', near, near', far, far') := Directed_pair f32
     ox ox ox ox oy oy oy oy oz oz oz oz (i dx) (j dx) (i dx) (j dx) (i dy) (j dy) (i dy) (j dy) (i dz) (j dz) (i dz) (j dz)
-    tmin false dx dy dz ax bx cx ex ay by_ cy ey az bz cz ez tmax in
+    tmin ax bx cx ex ay by_ cy ey az bz cz ez tmax in
   ((near, far) = Slabs.near_and_far 24 128 prec_24 emax_128 2 ((ox, dx, ax, bx) :: (oy, dy, ay, by_) :: (oz, dz, az, bz) :: nil) tmin tmax /\
     hit = Bleb near far) /\
   ((near', far') = Slabs.near_and_far 24 128 prec_24 emax_128 2 ((ox, dx, cx, ex) :: (oy, dy, cy, ey) :: (oz, dz, cz, ez) :: nil) tmin tmax /\
@@ -159,9 +160,9 @@ Variables ix iy iz jx jy jz : num f64.
 Variables ax ay az bx by_ bz cx cy cz ex ey ez : num f32.
 Notation wide := f64_of_f32.
 
-(** [Doubled::pair]. [BOX-6] *)
+(** [Doubled::pair], for a ray whose origin is known. [BOX-6] *)
 Theorem doubled_pair_agrees :
-  let '(hit, hit', near, near', far, far') := Doubled_pair f32 f64 f64_of_f32 ox oy oz ix iy iz jx jy jz
+  let '(hit, hit', near, near', far, far') := Doubled_pair f32 f64 f64_of_f32 ox oy oz ox oy oz ix iy iz jx jy jz
     tmin ax bx cx ex ay by_ cy ey az bz cz ez tmax in
   ((near, far) = fold_left (turn f64) ((ox, wide ax, wide bx, ix, jx) :: (oy, wide ay, wide by_, iy, jy) ::
       (oz, wide az, wide bz, iz, jz) :: nil) (tmin, tmax) /\ hit = Bleb near far) /\
@@ -198,7 +199,7 @@ Theorem doubled_new_agrees ox oy oz dx dy dz tmin : let ok d := BinarySingleNaN.
     (B2R d = 0 \/ BinarySingleNaN.is_finite (Slabs.reciprocal 53 1024 prec_53 emax_1024 d) = true) in
   ok dx -> ok dy -> ok dz ->
   Doubled_new f64 ox oy oz dx dy dz tmin = let i d := fst (reciprocals_64 d) in let j d := snd (reciprocals_64 d) in
-    (ox, oy, oz, i dx, i dy, i dz, j dx, j dy, j dz, tmin).
+    (ox, oy, oz, ox, oy, oz, i dx, i dy, i dz, j dx, j dy, j dz, tmin).
 Proof.
   intros ok [F1 U1] [F2 U2] [F3 U3]. unfold Doubled_new. cbv zeta.
   rewrite <- (doubled_reciprocals dx F1 U1), <- (doubled_reciprocals dy F2 U2), <- (doubled_reciprocals dz F3 U3). cbv zeta. reflexivity.
@@ -222,11 +223,11 @@ Qed.
 Lemma usual_axis o d lo hi : finite o = true -> finite d = true -> finite lo = true -> finite hi = true ->
   Rabs (B2R lo) <= bpow radix2 126 -> Rabs (B2R hi) <= bpow radix2 126 ->
   let direction := plus f32 d (Arithmetic.constant f32 0 0) in
-  andb (orb (less f32 (absolute f32 (over f32 (Arithmetic.constant f32 1 0) direction)) (Arithmetic.constant f32 16777215 104))
-    (equal f32 direction (Arithmetic.constant f32 0 0))) (at_most f32 (absolute f32 o) (Arithmetic.constant f32 1 126)) = true ->
+  orb (less f32 (absolute f32 (over f32 (Arithmetic.constant f32 1 0) direction)) (Arithmetic.constant f32 16777215 104))
+    (equal f32 direction (Arithmetic.constant f32 0 0)) = true -> at_most f32 (absolute f32 o) (Arithmetic.constant f32 1 126) = true ->
   Slabs.usual 24 128 prec_24 emax_128 (o, d, lo, hi).
 Proof.
-  intros Fo Fd Fl Fh L H. cbv zeta. intros U. apply andb_prop in U as [U O]. rewrite one_32 in U.
+  intros Fo Fd Fl Fh L H. cbv zeta. intros U O. rewrite one_32 in U.
   split; [exact Fd|split; [|split; [split; [exact Fo|now apply not_above]|split; now split]]].
   apply orb_prop in U as [U|U].
   - right. unfold Slabs.reciprocal. change (over f32 ?x ?y) with (Bdiv mode_NE x y) in U. rewrite zero_32 in U.
@@ -236,14 +237,17 @@ Proof.
 Qed.
 
 (** [is_wide] of [Directed::new]: where it is not set, the ray and all planes within the region are what Slabs.v supposes. [BOX-2] *)
-Theorem is_wide_agrees ox oy oz dx dy dz reach : let reaches (x : float) := finite x = true /\ Rabs (B2R x) <= B2R (reach : binary_float 53 1024) in
+Theorem is_wide_agrees ox oy oz dx dy dz reach mx my mz mw away sx sy sz sw : let reaches (x : float) := finite x = true /\ Rabs (B2R x) <= B2R (reach : binary_float 53 1024) in
   finite ox = true -> finite oy = true -> finite oz = true -> finite dx = true -> finite dy = true -> finite dz = true ->
-  finite (reach : binary_float 53 1024) = true -> snd (Directed_new f32 f64 f64_of_f32 ox oy oz dx dy dz reach) = false ->
+  finite (reach : binary_float 53 1024) = true -> snd (Directed_new f32 f64 f64_of_f32 ox oy oz dx dy dz reach mx my mz mw away sx sy sz sw) = false ->
   forall lx hx ly hy lz hz, reaches lx -> reaches hx -> reaches ly -> reaches hy -> reaches lz -> reaches hz ->
   let usual := Slabs.usual 24 128 prec_24 emax_128 in usual (ox, dx, lx, hx) /\ usual (oy, dy, ly, hy) /\ usual (oz, dz, lz, hz).
 Proof.
-  cbv zeta. intros Ox Oy Oz Dx Dy Dz R. unfold Directed_new. cbv zeta. cbn [snd]. intros W. apply orb_false_elim in W as [W Reach].
+  cbv zeta. intros Ox Oy Oz Dx Dy Dz R. unfold Directed_new. cbv zeta. cbn [snd]. intros W. apply orb_false_elim in W as [W Far].
   apply negb_false_iff in W. apply andb_prop in W as [W _]. apply andb_prop in W as [W Z]. apply andb_prop in W as [X Y].
+  apply orb_false_elim in Far as [Far Reach]. apply orb_false_elim in Far as [Far _].
+  apply negb_false_iff in Far. apply andb_prop in Far as [Far _]. apply andb_prop in Far as [Far OZ]. apply andb_prop in Far as [OX OY].
+  apply andb_prop in OX as [OX _], OY as [OY _], OZ as [OZ _].
   change (Bltb (f64_of_f32 (Arithmetic.constant f32 1 126)) reach = false) in Reach.
   assert (V : B2R (f64_of_f32 (Arithmetic.constant f32 1 126) : binary_float 53 1024) = bpow radix2 126).
   { rewrite <- SF2R_B2SF. replace (B2SF _) with (SpecFloat.S754_finite false 4503599627370496 74) by (vm_compute; reflexivity).

@@ -129,11 +129,12 @@ End Standing.
 
 Definition code_add (sum : (nat -> R) * nat) (x : R) : (nat -> R) * nat := Sum_add rounded (fst sum) (snd sum) x.
 
-(** The sign of an edge function as the code finds it, arrays and all: [add_edge] to a new sum, and its [value]. For all single-precision
-    data, with g = -149, and for double-precision data of EXACT-7, with g = -252. [EXACT-2, EXACT-8] *)
+(** The sign of an edge function as the code finds it, arrays and all: [add_edge] to a new sum, of the edge and of its end as seen from
+    the origin, and its [value]. For all single-precision data, with g = -149, and for double-precision data of EXACT-7, with g = -252.
+    [EXACT-2, EXACT-8] *)
 Theorem code_edge_has_sign g array dx dy dz ax ay az bx by_ bz ox oy oz : (-323 <= g)%Z -> Forall (Expansion.good g) (dx :: dy :: dz :: nil) ->
   Forall (Expansion.good g) (ax :: ay :: az :: nil) -> Forall (Expansion.good g) (bx :: by_ :: bz :: nil) -> Forall (Expansion.good g) (ox :: oy :: oz :: nil) ->
-  let '(px, px', py, py', pz, pz') := predicates_minus rounded ax ay az ox oy oz in
+  let '(px, px', py, py', pz, pz') := predicates_minus rounded ax ay az bx by_ bz in
   let '(qx, qx', qy, qy', qz, qz') := predicates_minus rounded bx by_ bz ox oy oz in
   let '(terms, len) := predicates_add_edge rounded _ code_add (array, 0%nat) dx dy dz px px' py py' pz pz' qx qx' qy qy' qz qz' in
   let found := Sum_value rounded terms len in
@@ -141,8 +142,8 @@ Theorem code_edge_has_sign g array dx dy dz ax ay az bx by_ bz ox oy oz : (-323 
     dz * ((ax - ox) * (by_ - oy) - (ay - oy) * (bx - ox)) in
   (0 < edge <-> 0 < found) /\ (edge < 0 <-> found < 0) /\ (edge = 0 <-> found = 0).
 Proof.
-  intros Hg D A B O. pose proof (minus_agrees ax ay az ox oy oz) as MA. pose proof (minus_agrees bx by_ bz ox oy oz) as MB.
-  destruct (predicates_minus rounded ax ay az ox oy oz) as [[[[[px px'] py] py'] pz] pz'].
+  intros Hg D A B O. pose proof (minus_agrees ax ay az bx by_ bz) as MA. pose proof (minus_agrees bx by_ bz ox oy oz) as MB.
+  destruct (predicates_minus rounded ax ay az bx by_ bz) as [[[[[px px'] py] py'] pz] pz'].
   destruct (predicates_minus rounded bx by_ bz ox oy oz) as [[[[[qx qx'] qy] qy'] qz] qz'].
   pose proof (edge_stands _ _ code_add (fun terms x => Expansion.add x terms) (fun s t => terms_of s = t)) as St.
   specialize (St ltac:(intros s t x <-; unfold code_add; pose proof (add_agrees (fst s) (snd s) x) as E; destruct (Sum_add _ _ _ _), s; apply E)).

@@ -187,19 +187,19 @@ Proof.
   apply multiple_minus; [now apply multiple_minus|exact M1].
 Qed.
 
-(** The terms of [edge] add up to d . ((a - o) x (b - o)), the edge function of EXACT-2: for all single-precision data, with g = -149,
+(** The terms of [edge], d . ((a - b) x (b - o)), add up to d . ((a - o) x (b - o)), the edge function of EXACT-2: for all single-precision data, with g = -149,
     and for double-precision data of EXACT-7, with g = -252. [EXACT-8] *)
 Theorem edge_is_exact dx dy dz ax ay az bx by_ bz ox oy oz : Forall (good g) (dx :: dy :: dz :: nil) ->
   Forall (good g) (ax :: ay :: az :: nil) -> Forall (good g) (bx :: by_ :: bz :: nil) -> Forall (good g) (ox :: oy :: oz :: nil) ->
-  let minus x y z := (difference x ox, difference y oy, difference z oz) in
-  total (add_edge dx dy dz (minus ax ay az) (minus bx by_ bz) nil) =
+  let minus x y z x' y' z' := (difference x x', difference y y', difference z z') in
+  total (add_edge dx dy dz (minus ax ay az bx by_ bz) (minus bx by_ bz ox oy oz) nil) =
     dx * ((ay - oy) * (bz - oz) - (az - oz) * (by_ - oy)) + dy * ((az - oz) * (bx - ox) - (ax - ox) * (bz - oz)) +
     dz * ((ax - ox) * (by_ - oy) - (ay - oy) * (bx - ox)).
 Proof.
   assert (All : forall x y z, Forall (good g) (x :: y :: z :: nil) -> good g x /\ good g y /\ good g z).
   { intros x y z H. inversion_clear H as [|? ? X H']. inversion_clear H' as [|? ? Y H]. inversion_clear H. split; [assumption|split; assumption]. }
   intros D A B O minus. apply All in D, A, B, O. destruct D as (D1 & D2 & D3), A as (A1 & A2 & A3), B as (B1 & B2 & B3), O as (O1 & O2 & O3).
-  destruct (difference_good _ _ A1 O1) as [E1 G1]. destruct (difference_good _ _ A2 O2) as [E2 G2]. destruct (difference_good _ _ A3 O3) as [E3 G3].
+  destruct (difference_good _ _ A1 B1) as [E1 G1]. destruct (difference_good _ _ A2 B2) as [E2 G2]. destruct (difference_good _ _ A3 B3) as [E3 G3].
   destruct (difference_good _ _ B1 O1) as [K1 L1]. destruct (difference_good _ _ B2 O2) as [K2 L2]. destruct (difference_good _ _ B3 O3) as [K3 L3].
   unfold minus, add_edge.
   destruct (add_axis_total _ _ _ _ dx nil G2 G3 L2 L3 D1 (Forall_nil _)) as [T1 Q1].

@@ -146,7 +146,7 @@ Qed.
 (** * Rays *)
 
 (** A component of a point or a direction, in the space of an object: a sum of products with the entries of an inverse map and what is
-    added; as [AffineMap::pull_back] has it, in any order. *)
+    added; as [AffineMap::pull_back] has it where it goes by intervals, in any order. *)
 Inductive term : Type := Known (x : interval) (r : R) | Sum (a b : term) | Difference (a b : term) | Product (a b : term).
 Fixpoint bound (x : term) : interval :=
   match x with Known x _ => x | Sum a b => plus (bound a) (bound b) | Difference a b => minus (bound a) (bound b) | Product a b => times (bound a) (bound b) end.

@@ -172,7 +172,8 @@ Definition Region_of (aabb_lo_x aabb_lo_y aabb_lo_z aabb_hi_x aabb_hi_y aabb_hi_
   let a := if less single y'6 x'6 then x'6 else y'6 in
   let reach := widen (if less single z'6 a then a else z'6) in
   let a'2 := if less double size_y size_x then size_x else size_y in
-  (times double reach (constant double 1 0), times double (if less double size_z a'2 then a'2 else size_z) (constant double 1 0)).
+  let size := if less double size_z a'2 then a'2 else size_z in
+  (times double reach (constant double 1 0), times double size (constant double 1 0)).
 
 (** [Exact::new] of src/geom/kernel/exact/mod.rs. *)
 Definition Exact_new (ray_origin_x ray_origin_y ray_origin_z ray_direction_x ray_direction_y ray_direction_z : num single) (region_reach
@@ -219,49 +220,51 @@ Definition Doubled_new (origin_x origin_y origin_z direction_x direction_y direc
   let inverse_1_x := if backward_x then near_x else far_x in
   let inverse_1_y := if backward_y then near_y else far_y in
   let inverse_1_z := if backward_z then near_z else far_z in
-  (origin_x, origin_y, origin_z, inverse_0_x, inverse_0_y, inverse_0_z, inverse_1_x, inverse_1_y, inverse_1_z, tmin).
+  (origin_x, origin_y, origin_z, origin_x, origin_y, origin_z, inverse_0_x, inverse_0_y, inverse_0_z, inverse_1_x, inverse_1_y,
+      inverse_1_z, tmin).
 
 (** [Doubled::pair] of src/geom/slabs/doubled.rs. *)
-Definition Doubled_pair (self_origin_x self_origin_y self_origin_z self_inverse_0_x self_inverse_0_y self_inverse_0_z self_inverse_1_x
-    self_inverse_1_y self_inverse_1_z self_tmin : num double) (planes_0_0 planes_0_1 planes_0_2 planes_0_3 planes_1_0 planes_1_1
-    planes_1_2 planes_1_3 planes_2_0 planes_2_1 planes_2_2 planes_2_3 : num single) (tmax : num double) :=
-  let t1 := times double (minus double (widen planes_0_0) self_origin_x) self_inverse_0_x in
-  let t2 := times double (minus double (widen planes_0_1) self_origin_x) self_inverse_1_x in
+Definition Doubled_pair (self_origin_0_x self_origin_0_y self_origin_0_z self_origin_1_x self_origin_1_y self_origin_1_z
+    self_inverse_0_x self_inverse_0_y self_inverse_0_z self_inverse_1_x self_inverse_1_y self_inverse_1_z self_tmin : num double)
+    (planes_0_0 planes_0_1 planes_0_2 planes_0_3 planes_1_0 planes_1_1 planes_1_2 planes_1_3 planes_2_0 planes_2_1 planes_2_2 planes_2_3
+    : num single) (tmax : num double) :=
+  let t1 := times double (minus double (widen planes_0_0) self_origin_0_x) self_inverse_0_x in
+  let t2 := times double (minus double (widen planes_0_1) self_origin_1_x) self_inverse_1_x in
   let test := less double t2 t1 in
   let first := if test then t2 else t1 in
   let last := if test then t1 else t2 in
   let near := if less double self_tmin first then first else self_tmin in
   let far := if less double last tmax then last else tmax in
-  let t1'2 := times double (minus double (widen planes_0_2) self_origin_x) self_inverse_0_x in
-  let t2'2 := times double (minus double (widen planes_0_3) self_origin_x) self_inverse_1_x in
+  let t1'2 := times double (minus double (widen planes_0_2) self_origin_0_x) self_inverse_0_x in
+  let t2'2 := times double (minus double (widen planes_0_3) self_origin_1_x) self_inverse_1_x in
   let test'4 := less double t2'2 t1'2 in
   let first'2 := if test'4 then t2'2 else t1'2 in
   let last'2 := if test'4 then t1'2 else t2'2 in
   let near'2 := if less double self_tmin first'2 then first'2 else self_tmin in
   let far'2 := if less double last'2 tmax then last'2 else tmax in
-  let t1'3 := times double (minus double (widen planes_1_0) self_origin_y) self_inverse_0_y in
-  let t2'3 := times double (minus double (widen planes_1_1) self_origin_y) self_inverse_1_y in
+  let t1'3 := times double (minus double (widen planes_1_0) self_origin_0_y) self_inverse_0_y in
+  let t2'3 := times double (minus double (widen planes_1_1) self_origin_1_y) self_inverse_1_y in
   let test'7 := less double t2'3 t1'3 in
   let first'3 := if test'7 then t2'3 else t1'3 in
   let last'3 := if test'7 then t1'3 else t2'3 in
   let near'3 := if less double near first'3 then first'3 else near in
   let far'3 := if less double last'3 far then last'3 else far in
-  let t1'4 := times double (minus double (widen planes_1_2) self_origin_y) self_inverse_0_y in
-  let t2'4 := times double (minus double (widen planes_1_3) self_origin_y) self_inverse_1_y in
+  let t1'4 := times double (minus double (widen planes_1_2) self_origin_0_y) self_inverse_0_y in
+  let t2'4 := times double (minus double (widen planes_1_3) self_origin_1_y) self_inverse_1_y in
   let test'10 := less double t2'4 t1'4 in
   let first'4 := if test'10 then t2'4 else t1'4 in
   let last'4 := if test'10 then t1'4 else t2'4 in
   let near'4 := if less double near'2 first'4 then first'4 else near'2 in
   let far'4 := if less double last'4 far'2 then last'4 else far'2 in
-  let t1'5 := times double (minus double (widen planes_2_0) self_origin_z) self_inverse_0_z in
-  let t2'5 := times double (minus double (widen planes_2_1) self_origin_z) self_inverse_1_z in
+  let t1'5 := times double (minus double (widen planes_2_0) self_origin_0_z) self_inverse_0_z in
+  let t2'5 := times double (minus double (widen planes_2_1) self_origin_1_z) self_inverse_1_z in
   let test'13 := less double t2'5 t1'5 in
   let first'5 := if test'13 then t2'5 else t1'5 in
   let last'5 := if test'13 then t1'5 else t2'5 in
   let near'5 := if less double near'3 first'5 then first'5 else near'3 in
   let far'5 := if less double last'5 far'3 then last'5 else far'3 in
-  let t1'6 := times double (minus double (widen planes_2_2) self_origin_z) self_inverse_0_z in
-  let t2'6 := times double (minus double (widen planes_2_3) self_origin_z) self_inverse_1_z in
+  let t1'6 := times double (minus double (widen planes_2_2) self_origin_0_z) self_inverse_0_z in
+  let t2'6 := times double (minus double (widen planes_2_3) self_origin_1_z) self_inverse_1_z in
   let test'16 := less double t2'6 t1'6 in
   let first'6 := if test'16 then t2'6 else t1'6 in
   let last'6 := if test'16 then t1'6 else t2'6 in
@@ -271,7 +274,8 @@ Definition Doubled_pair (self_origin_x self_origin_y self_origin_z self_inverse_
 
 (** [Directed::new] of src/geom/slabs/directed.rs. *)
 Definition Directed_new (ray_origin_x ray_origin_y ray_origin_z ray_direction_x ray_direction_y ray_direction_z : num single)
-    (region_reach : num double) :=
+    (region_reach : num double) (region_near_middle_x region_near_middle_y region_near_middle_z region_near_middle_w region_near_far
+    region_near_short_x region_near_short_y region_near_short_z region_near_short_w : num single) :=
   let direction_x := plus single ray_direction_x (constant single 0 0) in
   let direction_y := plus single ray_direction_y (constant single 0 0) in
   let direction_z := plus single ray_direction_z (constant single 0 0) in
@@ -299,16 +303,25 @@ Definition Directed_new (ray_origin_x ray_origin_y ray_origin_z ray_direction_x 
   let hi_x := if backward_x then near_x else far_x in
   let hi_y := if backward_y then near_y else far_y in
   let hi_z := if backward_z then near_z else far_z in
-  let is_usual_x := andb (orb (less single (absolute single inverse_x) (constant single 16777215 104)) is_zero_x) (at_most single
-      (absolute single ray_origin_x) (constant single 1 126)) in
-  let is_usual_y := andb (orb (less single (absolute single inverse_y) (constant single 16777215 104)) is_zero_y) (at_most single
-      (absolute single ray_origin_y) (constant single 1 126)) in
-  let is_usual_z := andb (orb (less single (absolute single inverse_z) (constant single 16777215 104)) is_zero_z) (at_most single
-      (absolute single ray_origin_z) (constant single 1 126)) in
-  let is_usual_w := andb (orb (less single (absolute single inverse_w) (constant single 16777215 104)) is_zero_w) (at_most single
-      (absolute single (constant single 0 0)) (constant single 1 126)) in
-  let is_wide := orb (negb (andb (andb (andb is_usual_x is_usual_y) is_usual_z) is_usual_w)) (less double (widen (constant single 1
-      126)) region_reach) in
+  let is_usual_x := orb (less single (absolute single inverse_x) (constant single 16777215 104)) is_zero_x in
+  let is_usual_y := orb (less single (absolute single inverse_y) (constant single 16777215 104)) is_zero_y in
+  let is_usual_z := orb (less single (absolute single inverse_z) (constant single 16777215 104)) is_zero_z in
+  let is_usual_w := orb (less single (absolute single inverse_w) (constant single 16777215 104)) is_zero_w in
+  let is_near_x := andb (at_most single (absolute single ray_origin_x) (constant single 1 126)) (at_most single (absolute single (minus
+      single ray_origin_x region_near_middle_x)) region_near_far) in
+  let is_near_y := andb (at_most single (absolute single ray_origin_y) (constant single 1 126)) (at_most single (absolute single (minus
+      single ray_origin_y region_near_middle_y)) region_near_far) in
+  let is_near_z := andb (at_most single (absolute single ray_origin_z) (constant single 1 126)) (at_most single (absolute single (minus
+      single ray_origin_z region_near_middle_z)) region_near_far) in
+  let is_near_w := andb (at_most single (absolute single (constant single 0 0)) (constant single 1 126)) (at_most single (absolute
+      single (minus single (constant single 0 0) region_near_middle_w)) region_near_far) in
+  let is_short_x := less single (absolute single direction_x) region_near_short_x in
+  let is_short_y := less single (absolute single direction_y) region_near_short_y in
+  let is_short_z := less single (absolute single direction_z) region_near_short_z in
+  let is_short_w := less single (absolute single direction_w) region_near_short_w in
+  let is_wide := orb (negb (andb (andb (andb is_usual_x is_usual_y) is_usual_z) is_usual_w)) (orb (orb (negb (andb (andb (andb is_near_x
+      is_near_y) is_near_z) is_near_w)) (andb (andb (andb is_short_x is_short_y) is_short_z) is_short_w)) (less double (widen (constant
+      single 1 126)) region_reach)) in
   (ray_origin_x, ray_origin_x, ray_origin_x, ray_origin_x, ray_origin_y, ray_origin_y, ray_origin_y, ray_origin_y, ray_origin_z,
       ray_origin_z, ray_origin_z, ray_origin_z, lo_x, hi_x, lo_x, hi_x, lo_y, hi_y, lo_y, hi_y, lo_z, hi_z, lo_z, hi_z, is_wide).
 
@@ -395,33 +408,14 @@ Definition slabs_near_and_far (planes_0_0 planes_0_1 planes_0_2 planes_0_3 plane
 Definition Directed_pair (self_origin_0_x self_origin_0_y self_origin_0_z self_origin_0_w self_origin_1_x self_origin_1_y
     self_origin_1_z self_origin_1_w self_origin_2_x self_origin_2_y self_origin_2_z self_origin_2_w self_inverse_0_x self_inverse_0_y
     self_inverse_0_z self_inverse_0_w self_inverse_1_x self_inverse_1_y self_inverse_1_z self_inverse_1_w self_inverse_2_x
-    self_inverse_2_y self_inverse_2_z self_inverse_2_w self_tmin : num single) (self_is_wide : bool) (self_direction_x self_direction_y
-    self_direction_z planes_0_0 planes_0_1 planes_0_2 planes_0_3 planes_1_0 planes_1_1 planes_1_2 planes_1_3 planes_2_0 planes_2_1
-    planes_2_2 planes_2_3 tmax : num single) :=
-  let '(wide_origin_x, wide_origin_y, wide_origin_z, wide_inverse_0_x, wide_inverse_0_y, wide_inverse_0_z, wide_inverse_1_x,
-      wide_inverse_1_y, wide_inverse_1_z, wide_tmin) := Doubled_new (widen self_origin_0_x) (widen self_origin_1_x) (widen
-      self_origin_2_x) (widen self_direction_x) (widen self_direction_y) (widen self_direction_z) (widen self_tmin) in
-  let '(hit_0, hit_1, near_0, near_1, far_0, far_1) := Doubled_pair wide_origin_x wide_origin_y wide_origin_z wide_inverse_0_x
-      wide_inverse_0_y wide_inverse_0_z wide_inverse_1_x wide_inverse_1_y wide_inverse_1_z wide_tmin planes_0_0 planes_0_1 planes_0_2
-      planes_0_3 planes_1_0 planes_1_1 planes_1_2 planes_1_3 planes_2_0 planes_2_1 planes_2_2 planes_2_3 (infinity double) in
-  let near_0'2 := narrow near_0 in
-  let near_1'2 := narrow near_1 in
-  let far_0'2 := narrow far_0 in
-  let far_1'2 := narrow far_1 in
-  let lanes_0_0 := if hit_0 then near_0'2 else infinity single in
-  let lanes_0_1 := if hit_0 then if less single far_0'2 tmax then far_0'2 else tmax else opposite single (infinity single) in
-  let lanes_1_0 := if hit_1 then near_1'2 else infinity single in
-  let lanes_1_1 := if hit_1 then if less single far_1'2 tmax then far_1'2 else tmax else opposite single (infinity single) in
-  let '(near_and_far, near_and_far'2, near_and_far'3, near_and_far'4, near_and_far'5, near_and_far'6, near_and_far'7, near_and_far'8) :=
-      slabs_near_and_far planes_0_0 planes_0_1 planes_0_2 planes_0_3 planes_1_0 planes_1_1 planes_1_2 planes_1_3 planes_2_0 planes_2_1
-      planes_2_2 planes_2_3 self_origin_0_x self_origin_0_y self_origin_0_z self_origin_0_w self_origin_1_x self_origin_1_y
-      self_origin_1_z self_origin_1_w self_origin_2_x self_origin_2_y self_origin_2_z self_origin_2_w self_inverse_0_x self_inverse_0_y
-      self_inverse_0_z self_inverse_0_w self_inverse_1_x self_inverse_1_y self_inverse_1_z self_inverse_1_w self_inverse_2_x
-      self_inverse_2_y self_inverse_2_z self_inverse_2_w self_tmin tmax in
-  let lanes_0_x := if self_is_wide then lanes_0_0 else near_and_far in
-  let lanes_0_z := if self_is_wide then lanes_1_0 else near_and_far'3 in
-  let lanes_1_y := if self_is_wide then lanes_0_1 else near_and_far'6 in
-  let lanes_1_w := if self_is_wide then lanes_1_1 else near_and_far'8 in
+    self_inverse_2_y self_inverse_2_z self_inverse_2_w self_tmin planes_0_0 planes_0_1 planes_0_2 planes_0_3 planes_1_0 planes_1_1
+    planes_1_2 planes_1_3 planes_2_0 planes_2_1 planes_2_2 planes_2_3 tmax : num single) :=
+  let '(lanes_0_x, lanes_0_y, lanes_0_z, lanes_0_w, lanes_1_x, lanes_1_y, lanes_1_z, lanes_1_w) := slabs_near_and_far planes_0_0
+      planes_0_1 planes_0_2 planes_0_3 planes_1_0 planes_1_1 planes_1_2 planes_1_3 planes_2_0 planes_2_1 planes_2_2 planes_2_3
+      self_origin_0_x self_origin_0_y self_origin_0_z self_origin_0_w self_origin_1_x self_origin_1_y self_origin_1_z self_origin_1_w
+      self_origin_2_x self_origin_2_y self_origin_2_z self_origin_2_w self_inverse_0_x self_inverse_0_y self_inverse_0_z
+      self_inverse_0_w self_inverse_1_x self_inverse_1_y self_inverse_1_z self_inverse_1_w self_inverse_2_x self_inverse_2_y
+      self_inverse_2_z self_inverse_2_w self_tmin tmax in
   (at_most single lanes_0_x lanes_1_y, at_most single lanes_0_z lanes_1_w, lanes_0_x, lanes_0_z, lanes_1_y, lanes_1_w).
 
 (** [Centred::new] of src/geom/slabs/centred.rs. *)
@@ -651,25 +645,29 @@ Definition predicates_add_edge (sum : terms) (d_x d_y d_z a_0_0 a_0_1 a_1_0 a_1_
 
 (** [BoxRay::new] of src/geom/lanes/boxes.rs. *)
 Definition BoxRay_new (ray_origin_x ray_origin_y ray_origin_z ray_direction_x ray_direction_y ray_direction_z ray_tmin : num single)
-    (region_reach : num double) :=
+    (region_reach : num double) (region_near_middle_x region_near_middle_y region_near_middle_z region_near_middle_w region_near_far
+    region_near_short_x region_near_short_y region_near_short_z region_near_short_w : num single) :=
   let direction_x := plus single ray_direction_x (constant single 0 0) in
   let direction_y := plus single ray_direction_y (constant single 0 0) in
   let direction_z := plus single ray_direction_z (constant single 0 0) in
   let inverse_x := over single (constant single 1 0) direction_x in
   let inverse_y := over single (constant single 1 0) direction_y in
   let inverse_z := over single (constant single 1 0) direction_z in
-  let x'3 := absolute single ray_origin_x in
-  let y'3 := absolute single ray_origin_y in
-  let z'3 := absolute single ray_origin_z in
-  let a := if less single y'3 x'3 then x'3 else y'3 in
-  let far_off := if less single z'3 a then a else z'3 in
-  let x'4 := absolute single direction_x in
-  let y'4 := absolute single direction_y in
-  let z'4 := absolute single direction_z in
-  let a'2 := if less single y'4 x'4 then x'4 else y'4 in
-  let overflow := times double (widen (if less single z'4 a'2 then a'2 else z'4)) (widen (constant single 16777215 104)) in
-  let is_wide := orb (orb (less single (constant single 1 126) far_off) (less double (widen (constant single 1 126)) region_reach))
-      (less double overflow (plus double (widen far_off) region_reach)) in
+  let w := absolute single (constant single 0 0) in
+  let is_near_x := andb (at_most single (absolute single ray_origin_x) (constant single 1 126)) (at_most single (absolute single (minus
+      single ray_origin_x region_near_middle_x)) region_near_far) in
+  let is_near_y := andb (at_most single (absolute single ray_origin_y) (constant single 1 126)) (at_most single (absolute single (minus
+      single ray_origin_y region_near_middle_y)) region_near_far) in
+  let is_near_z := andb (at_most single (absolute single ray_origin_z) (constant single 1 126)) (at_most single (absolute single (minus
+      single ray_origin_z region_near_middle_z)) region_near_far) in
+  let is_near_w := andb (at_most single w (constant single 1 126)) (at_most single (absolute single (minus single (constant single 0 0)
+      region_near_middle_w)) region_near_far) in
+  let is_short_x := less single (absolute single direction_x) region_near_short_x in
+  let is_short_y := less single (absolute single direction_y) region_near_short_y in
+  let is_short_z := less single (absolute single direction_z) region_near_short_z in
+  let is_short_w := less single w region_near_short_w in
+  let is_wide := orb (orb (negb (andb (andb (andb is_near_x is_near_y) is_near_z) is_near_w)) (andb (andb (andb is_short_x is_short_y)
+      is_short_z) is_short_w)) (less double (widen (constant single 1 126)) region_reach) in
   (ray_origin_x, ray_origin_y, ray_origin_z, shifted single (-2) inverse_x, shifted single (-2) inverse_y, shifted single (-2)
       inverse_z, shifted single 2 inverse_x, shifted single 2 inverse_y, shifted single 2 inverse_z, less single direction_x (constant
       single 0 0), less single direction_y (constant single 0 0), less single direction_z (constant single 0 0), ray_tmin, is_wide).

@@ -231,8 +231,8 @@ Proof. destruct a as [[ax ay] az], b as [[bx by_] bz]. intros S. unfold add_edge
     EXACT-7, with g = -252. [EXACT-2, EXACT-8] *)
 Theorem edge_has_sign g dx dy dz ax ay az bx by_ bz ox oy oz : (-323 <= g)%Z -> Forall (good g) [dx; dy; dz] ->
   Forall (good g) [ax; ay; az] -> Forall (good g) [bx; by_; bz] -> Forall (good g) [ox; oy; oz] ->
-  let minus x y z := (difference x ox, difference y oy, difference z oz) in
-  let found := value (add_edge dx dy dz (minus ax ay az) (minus bx by_ bz) []) in
+  let minus x y z x' y' z' := (difference x x', difference y y', difference z z') in
+  let found := value (add_edge dx dy dz (minus ax ay az bx by_ bz) (minus bx by_ bz ox oy oz) []) in
   let edge := dx * ((ay - oy) * (bz - oz) - (az - oz) * (by_ - oy)) + dy * ((az - oz) * (bx - ox) - (ax - ox) * (bz - oz)) +
     dz * ((ax - ox) * (by_ - oy) - (ay - oy) * (bx - ox)) in
   (0 < edge <-> 0 < found) /\ (edge < 0 <-> found < 0) /\ (edge = 0 <-> found = 0).

@@ -4,15 +4,15 @@ use fearless_simd::{Simd, SimdMask};
 use glam::Vec3;
 
 use super::Lanes;
-use crate::geom::slabs::directed::MAX_COORDINATE;
-use crate::geom::slabs::{Doubled, STEPS};
-use crate::geom::{Aabb, Ray, Region, Vector};
+use crate::geom::slabs::directed::is_beyond_single;
+use crate::geom::slabs::{Entrance, STEPS, enter_if};
+use crate::geom::{Ray, Region};
 
 /// A ray, prepared for `A` boxes at once: 4 or 8. `[LANES-1]`
 ///
 /// The test is that of [`Directed`](crate::geom::slabs::Directed), with the near planes picked by the signs of the
-/// direction, so that nothing is sorted. Coordinates beyond 2^126, and directions so short that distances overflow, are
-/// tested in double precision, which is slow.
+/// direction, so that nothing is sorted. Coordinates beyond 2^126, directions so short that distances overflow, and rays
+/// from afar are tested in double precision, which is slow.
 #[derive(Clone, Copy, Debug)]
 pub struct BoxRay<S: Simd, V: Lanes<S, A>, const A: usize> {
     simd: S,
@@ -27,6 +27,8 @@ pub struct BoxRay<S: Simd, V: Lanes<S, A>, const A: usize> {
     lanes: V,
     is_wide: bool,
     ray: Ray,
+    /// Of rays that are wide.
+    entrance: Entrance,
 }
 
 impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
@@ -41,11 +43,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
         let direction = ray.direction() + Vec3::ZERO;
         let side = |component: f32| if component < 0.0 { A } else { 0 };
         let (origin, inverse) = (ray.origin(), direction.recip());
-        let (far_off, reach) = (origin.abs().max_element(), region.reach());
-        // Where all distances overflow, single precision tells no box from another.
-        let overflow = f64::from(direction.abs().max_element()) * f64::from(f32::MAX);
-        let is_wide =
-            far_off > MAX_COORDINATE || reach > f64::from(MAX_COORDINATE) || f64::from(far_off) + reach > overflow;
+        let is_wide = is_beyond_single(origin.extend(0.0), direction.extend(0.0), region);
         Self {
             simd,
             origin: splat(simd, origin),
@@ -59,6 +57,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
             lanes: V::load_array(simd, lane_numbers()),
             is_wide,
             ray: *ray,
+            entrance: enter_if(is_wide, ray, region),
         }
     }
 
@@ -73,7 +72,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
     #[inline(always)]
     pub fn enter(&self, planes: &[[[f32; A]; 2]; 3], end: f32) -> (V, u32) {
         if self.is_wide {
-            let (ranks, set) = enter_wide(self.ray, planes, end);
+            let (ranks, set) = enter_wide(self.ray, self.entrance, planes, end);
             return (V::load_array(self.simd, ranks), set);
         }
         let (side, near, far) = (&self.side, &self.near, &self.far);
@@ -123,22 +122,24 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
     }
 }
 
-/// The ranks and the set of boxes that are tested one by one: by where each is entered, if it is.
-pub(super) fn ranked_one_by_one<const A: usize>(
+/// The ranks and the set of boxes that are tested two by two: by where each is entered, if it is.
+pub(super) fn ranked_by_pairs<const A: usize>(
     planes: &[[[f32; A]; 2]; 3],
     end: f32,
-    enter: impl Fn(&Aabb) -> Option<f32>,
+    enter: impl Fn(&[[f32; 4]; 3]) -> [Option<f32>; 2],
 ) -> ([f32; A], u32) {
-    let mut set = 0;
-    let ranks = std::array::from_fn(|lane| {
-        let at = |side: usize| Vec3::from_array([0, 1, 2].map(|axis: usize| planes[axis][side][lane]));
-        let aabb = Aabb { lo: at(0), hi: at(1) };
-        // Tests of one box have planes sorted, so they meet empty boxes.
-        let near = if aabb.lo.cmple(aabb.hi).all() { enter(&aabb) } else { None };
-        let bits = near.map_or(0, |near| near.min(f32::MAX).to_bits() & !(A as u32 - 1) & !(1 << 31));
-        set |= u32::from(near.is_some() && f32::from_bits(bits) <= end) << lane;
-        f32::from_bits(bits | lane as u32)
-    });
+    let (mut ranks, mut set) = (lane_numbers(), 0);
+    for first in (0..A).step_by(2) {
+        let pair = planes.map(|[lo, hi]| [lo[first], hi[first], lo[first + 1], hi[first + 1]]);
+        for (lane, near) in (first..).zip(enter(&pair)) {
+            // Tests of two boxes have planes sorted, so they meet empty boxes.
+            let is_empty = planes.iter().any(|[lo, hi]| lo[lane] > hi[lane]);
+            let Some(near) = near.filter(|_| !is_empty) else { continue };
+            let bits = near.min(f32::MAX).to_bits() & !(A as u32 - 1) & !(1 << 31);
+            set |= u32::from(f32::from_bits(bits) <= end) << lane;
+            ranks[lane] = f32::from_bits(bits | lane as u32);
+        }
+    }
     (ranks, set)
 }
 
@@ -184,17 +185,12 @@ pub(super) const fn lane_numbers<const A: usize>() -> [f32; A] {
 }
 
 /// The test in double precision, for rays that are so rare that it prepares them anew each time. It gets the ray by
-/// value, so that nothing points into a [`BoxRay`], which then can be in registers. `[BOX-6]`
+/// value, so that nothing points into a [`BoxRay`], which then can be in registers. `[BOX-9]`
 #[cold]
 #[inline(never)]
-fn enter_wide<const A: usize>(ray: Ray, planes: &[[[f32; A]; 2]; 3], end: f32) -> ([f32; A], u32) {
-    let wide = Doubled::new(ray.origin().widen(), ray.direction().widen(), ray.tmin().into());
-    ranked_one_by_one(planes, end, |aabb| {
-        let met = wide.pair(&aabb.planes_twice(), f64::INFINITY);
-        // A hit's distance is rounded to single precision, perhaps to below where its box is entered. Rounding keeps
-        // the order, so entries are rounded before they are compared with it.
-        met.hit[0].then_some(met.near[0] as f32)
-    })
+fn enter_wide<const A: usize>(ray: Ray, entrance: Entrance, planes: &[[[f32; A]; 2]; 3], end: f32) -> ([f32; A], u32) {
+    let entered = entrance.ray(ray.direction(), ray.tmin());
+    ranked_by_pairs(planes, end, |pair| entered.in_single(pair).map(|met| met.map(|[near, _]| near)))
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 
 use super::Lanes;
-use super::boxes::{BoxRay, lane_numbers, ranked_one_by_one};
+use super::boxes::{BoxRay, lane_numbers, ranked_by_pairs};
 use crate::geom::slabs::{EnclosedSlabs, Slabs};
 
 /// A ray that is known within bounds, prepared for `A` boxes at once: 4 or 8. `[INST-4]`
@@ -79,11 +79,14 @@ fn sides<S: Simd, V: Lanes<S, A>, const A: usize>(simd: S, [lo, hi]: [[f32; 2]; 
     (splat(near), splat(far), side)
 }
 
-/// The test in double precision, box by box.
+/// The test in double precision, two boxes at a time.
 #[cold]
 #[inline(never)]
 fn enter_wide<const A: usize>(slabs: &EnclosedSlabs, planes: &[[[f32; A]; 2]; 3], end: f32) -> ([f32; A], u32) {
-    ranked_one_by_one(planes, end, |aabb| slabs.one(aabb, f32::INFINITY))
+    ranked_by_pairs(planes, end, |pair| {
+        let met = slabs.pair(pair, f32::INFINITY);
+        [0, 1].map(|i| met.hit[i].then_some(met.near[i]))
+    })
 }
 
 #[cfg(test)]

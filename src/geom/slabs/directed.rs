@@ -2,8 +2,9 @@
 
 use glam::{Vec3, Vec4, Vec4Swizzles};
 
-use super::{Doubled, Intervals, MISSED, Slabs, near_and_far};
-use crate::geom::{Ray, Region, Vector};
+use super::entered::{Entrance, enter_if};
+use super::{Intervals, MISSED, Slabs, near_and_far};
+use crate::geom::{Ray, Region};
 
 /// The slab test with a reciprocal for the near plane of each axis that is too small, and one for the far plane that
 /// is too great: no box is skipped that the exact closed interval of the ray touches. `[BOX-1]` `[BOX-2]`
@@ -14,9 +15,8 @@ use crate::geom::{Ray, Region, Vector};
 /// nearest float too. Which plane is the near one depends on the ray alone, so the two reciprocals stand in the lanes
 /// of lo and hi where they are needed, and the test takes the very instructions of [`Plain`](super::Plain).
 ///
-/// Directions may be of any size. Rays with a component (other than 0) whose reciprocal overflows, and those with
-/// coordinates beyond 2^126, for which the difference might, are tested in double
-/// precision.
+/// Directions may be of any size. Rays with a component (other than 0) whose reciprocal overflows, those with coordinates
+/// beyond 2^126 or distances that overflow, and those from afar are tested in double precision. `[BOX-9]`
 #[derive(Clone, Copy, Debug)]
 pub struct Directed {
     origin: [Vec4; 3],
@@ -25,6 +25,8 @@ pub struct Directed {
     tmin: f32,
     is_wide: bool,
     direction: Vec3,
+    /// Of rays that are wide.
+    entrance: Entrance,
 }
 
 /// Floats by which a reciprocal is moved. With 1, a ray through the edge of a box may miss it. `[BOX-4]`
@@ -32,6 +34,16 @@ pub const STEPS: u32 = 2;
 
 /// Greatest magnitude of a coordinate for which no difference overflows.
 pub(in crate::geom) const MAX_COORDINATE: f32 = f32::from_bits((127 + 126) << 23);
+
+/// Whether single precision tells little of the boxes that a ray meets: differences or all distances may overflow, or it
+/// comes from afar, where rounding moves it by more than boxes are large. In the fourth lane of the origin is 0.
+#[inline(always)]
+pub(in crate::geom) fn is_beyond_single(origin: Vec4, direction: Vec4, region: &Region) -> bool {
+    let [middle, far, short] = region.near();
+    let is_near = origin.abs().cmple(Vec4::splat(MAX_COORDINATE)) & (origin - middle).abs().cmple(far);
+    let is_short = direction.abs().cmplt(short);
+    is_near.bitmask() != 15 || is_short.bitmask() == 15 || region.reach() > f64::from(MAX_COORDINATE)
+}
 
 impl Slabs for Directed {
     type Vector = Vec3;
@@ -49,8 +61,8 @@ impl Slabs for Directed {
         let (near, far) = (moved(-(STEPS as i32)), Vec4::select(is_zero, Vec4::INFINITY, moved(STEPS as i32)));
         let backward = direction.cmplt(Vec4::ZERO);
         let (lo, hi) = (Vec4::select(backward, far, near), Vec4::select(backward, near, far));
-        let is_usual = (inverse.abs().cmplt(Vec4::MAX) | is_zero) & origin.abs().cmple(Vec4::splat(MAX_COORDINATE));
-        let is_wide = is_usual.bitmask() != 15 || region.reach() > f64::from(MAX_COORDINATE);
+        let is_usual = inverse.abs().cmplt(Vec4::MAX) | is_zero;
+        let is_wide = is_usual.bitmask() != 15 || is_beyond_single(origin, direction, region);
         Self {
             origin: [origin.xxxx(), origin.yyyy(), origin.zzzz()],
             inverse: [
@@ -61,14 +73,14 @@ impl Slabs for Directed {
             tmin: ray.tmin(),
             is_wide,
             direction: ray.direction(),
+            entrance: enter_if(is_wide, ray, region),
         }
     }
 
     #[inline(always)]
     fn pair(&self, planes: &[[f32; 4]; 3], tmax: f32) -> Intervals<f32> {
         let lanes = if self.is_wide {
-            let ([ox, oy, oz], d) = (self.origin.map(|o| o.x), self.direction);
-            [Vec4::from_array(pair_wide([ox, oy, oz, d.x, d.y, d.z, self.tmin], planes, tmax)); 2]
+            [Vec4::from_array(pair_wide(self.entrance, self.direction, self.tmin, planes, tmax)); 2]
         } else {
             near_and_far(planes, &self.origin, &self.inverse, self.tmin, tmax)
         };
@@ -81,13 +93,9 @@ impl Slabs for Directed {
 /// gives no more than fits registers, so that their results need not be either.)
 #[cold]
 #[inline(never)]
-fn pair_wide([ox, oy, oz, dx, dy, dz, tmin]: [f32; 7], planes: &[[f32; 4]; 3], tmax: f32) -> [f32; 4] {
-    let wide = Doubled::new(Vec3::new(ox, oy, oz).widen(), Vec3::new(dx, dy, dz).widen(), f64::from(tmin));
-    let Intervals { hit, near, far } = wide.pair(planes, f64::INFINITY);
-    // A hit's distance is rounded to single precision, perhaps to below where its box is entered. Rounding keeps the
-    // order, so entries are rounded before they are compared with it.
-    let [near, far] = [near, far].map(|distances| distances.map(|distance| distance as f32));
-    let lanes = [0, 1].map(|i| if hit[i] { [near[i], far[i].min(tmax)] } else { MISSED });
+fn pair_wide(entrance: Entrance, direction: Vec3, tmin: f32, planes: &[[f32; 4]; 3], tmax: f32) -> [f32; 4] {
+    let met = entrance.ray(direction, tmin).in_single(planes);
+    let lanes = met.map(|met| met.map_or(MISSED, |[near, far]| [near, far.min(tmax)]));
     [lanes[0][0], lanes[0][1], lanes[1][0], lanes[1][1]]
 }
 

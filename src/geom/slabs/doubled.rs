@@ -1,22 +1,22 @@
-//! The slab test in double precision, for rays and boxes that single precision cannot take.
+//! The slab test in double precision.
 
 use glam::DVec3;
 
 use super::{Intervals, STRICT_STEPS};
 
-/// As [`Directed`](super::Directed), in double precision: for rays in single precision that it cannot take, and for
-/// boxes beyond 2^126. Nothing over- or underflows where numbers are 0 or within 2^-400 to 2^400. `[BOX-6]`
+/// As [`Directed`](super::Directed), in double precision, for a ray that may begin within bounds. `[BOX-6]`
 #[derive(Clone, Copy, Debug)]
-pub(in crate::geom) struct Doubled {
-    origin: DVec3,
+pub(super) struct Doubled {
+    /// For lo and for hi: the greatest and the least origin that the ray may have.
+    pub(super) origin: [DVec3; 2],
     /// Reciprocals for lo and for hi.
-    inverse: [DVec3; 2],
-    tmin: f64,
+    pub(super) inverse: [DVec3; 2],
+    pub(super) tmin: f64,
 }
 
 impl Doubled {
     /// Prepares a ray.
-    pub(in crate::geom) fn new(origin: DVec3, direction: DVec3, tmin: f64) -> Self {
+    pub(super) fn new(origin: DVec3, direction: DVec3, tmin: f64) -> Self {
         let steps = u64::from(STRICT_STEPS);
         // Without -0, a component of 0 has the reciprocal +inf.
         let inverse = (direction + 0.0).recip();
@@ -24,17 +24,18 @@ impl Doubled {
         let far = inverse.map(|i| if i.is_finite() { f64::from_bits(i.to_bits() + steps) } else { i });
         let backward = direction.cmplt(DVec3::ZERO);
         let inverse = [DVec3::select(backward, far, near), DVec3::select(backward, near, far)];
-        Self { origin, inverse, tmin }
+        Self { origin: [origin; 2], inverse, tmin }
     }
 
     /// Two boxes at once, as [`Slabs::pair`](super::Slabs::pair).
-    pub(in crate::geom) fn pair(&self, planes: &[[f32; 4]; 3], tmax: f64) -> Intervals<f64> {
+    pub(super) fn pair(&self, planes: &[[f32; 4]; 3], tmax: f64) -> Intervals<f64> {
         let (mut near, mut far) = ([self.tmin; 2], [tmax; 2]);
         for axis in 0..3 {
             let [lo, hi] = self.inverse.map(|inverse| inverse[axis]);
+            let [most, least] = self.origin.map(|origin| origin[axis]);
             for side in 0..2 {
-                let t1 = (f64::from(planes[axis][2 * side]) - self.origin[axis]) * lo;
-                let t2 = (f64::from(planes[axis][2 * side + 1]) - self.origin[axis]) * hi;
+                let t1 = (f64::from(planes[axis][2 * side]) - most) * lo;
+                let t2 = (f64::from(planes[axis][2 * side + 1]) - least) * hi;
                 // A NaN is dropped, as in the other forms.
                 let (first, last) = (if t2 < t1 { t2 } else { t1 }, if t1 > t2 { t1 } else { t2 });
                 near[side] = if first > near[side] { first } else { near[side] };

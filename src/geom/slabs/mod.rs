@@ -12,13 +12,16 @@ mod centred;
 pub(in crate::geom) mod directed;
 mod doubled;
 mod enclosed;
+mod entered;
 mod wide;
 
 pub use centred::{Centred, PADDING, Plain, TwoSided};
 pub use directed::{Directed, STEPS};
-pub(in crate::geom) use doubled::Doubled;
 pub use enclosed::EnclosedSlabs;
+pub(in crate::geom) use entered::{Entrance, enter_if};
 pub use wide::{STRICT_STEPS, Wide};
+
+use doubled::Doubled;
 
 use std::fmt::Debug;
 

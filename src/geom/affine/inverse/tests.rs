@@ -121,6 +121,15 @@ fn what_is_zero_stays_so() {
     assert_eq!([origin, direction].map(|v| v.map(|x| x.is_zero())), [[false, false, true]; 2]);
 }
 
+/// Radii so small that all products with them are rounded to 0. [INST-3]
+#[test]
+fn the_least_radii_count() {
+    let map = AffineMap::new([[3.0, -4.0, 0.0, 0.0], [4.0, 3.0, 0.0, 0.0], [0.0, 0.0, 5.0, 0.0f32]]).unwrap();
+    assert!(matches!(map.inverse, Inverse::Nearest(_)));
+    let least = [Interval::between([-5e-324, 5e-324]); 3];
+    is_held(&map, &EnclosedRay { origin: least, direction: least }).unwrap();
+}
+
 /// Mirrors, quarter turns and powers of two. [INST-3]
 #[test]
 fn turned_rays_stay_exact() {

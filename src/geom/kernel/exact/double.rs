@@ -211,12 +211,16 @@ impl Exact64 {
         predicates::is_inside(corners, self.ray.origin(), self.ray.direction())
     }
 
-    /// The distance within the interval, of a line that meets the triangle, by exact sums. `[EXACT-3]`
+    /// The distance within the interval, of a line that meets the triangle, by twice the digits or by exact sums. `[EXACT-3]`
     #[cold]
     #[inline(never)]
     fn rounded(&self, shape: &Triangle<DVec3>) -> Option<f64> {
-        let (o, d) = (self.ray.origin(), self.ray.direction());
-        match quotient::distance_of_doubles(&shape.0, o, d, self.interval()) {
+        let (o, d, [tmin, tmax]) = (self.ray.origin(), self.ray.direction(), self.interval());
+        let t = fine::Determinants::new(&shape.0, o, d).distance();
+        if t.is_some_and(|t| tmin < t && t < tmax) {
+            return t;
+        }
+        match quotient::distance_of_doubles(&shape.0, o, d, [tmin, tmax]) {
             Certainty::Hit(t) => Some(t),
             Certainty::Miss => None,
             Certainty::Open => self.far_off(shape),
@@ -232,6 +236,10 @@ impl Exact64 {
             // Without an end before infinity: what is missed is behind, or not on the line at all.
             let scaled = exact.place(&shape, f64::INFINITY)?;
             let t = scaled * power_of_two(half) * power_of_two(exponent - half);
+            if scaled.is_normal() && t.is_infinite() {
+                // It rounds to that: what overflows has as many digits as else.
+                return tmax.is_infinite().then_some(t);
+            }
             // Else one of them was rounded to fewer digits, or an end leaves a question.
             if scaled.is_normal() && t.is_normal() && t != tmin && t != tmax {
                 return (tmin < t && t < tmax).then_some(t);

@@ -1,10 +1,14 @@
-//! Distances and weights in twice the digits of a double. `[EXACT-10]`
+//! Signs, distances and weights in twice the digits of a double. `[EXACT-10]`
 //!
 //! A double holds no more digits than the quotient of the filter, whose bounds therefore hardly ever round alike. These
-//! nearly always do, at a fraction of the cost of exact sums.
+//! nearly always do, at a fraction of the cost of exact sums. And they tell signs where the filter does not: of rays from
+//! afar, and of those nearly in the plane of a triangle.
+
+use std::ops::Add as _;
 
 use glam::DVec3;
 
+use super::predicates::Pairs;
 use crate::geom::Real;
 use crate::geom::fine::Fine;
 use crate::geom::frame::power_of_two;
@@ -51,6 +55,17 @@ impl Determinants {
     fn nearest<R: Real>(&self, top: Fine) -> Option<R> {
         R::between(top.over(self.det)?.bounds())
     }
+}
+
+/// A number with the sign of d . (a x b), where that is certain. No number may be above 2^200.
+pub(super) fn volume(d: DVec3, a: &Pairs, b: &Pairs) -> Option<f64> {
+    let [a, b] = [a, b].map(|v| v.map(Fine::of_two));
+    // Often d is along an axis.
+    let terms = (0..3).filter(|&k| d[k] != 0.0).map(|k| {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        Fine::exact(d[k]) * (a[i] * b[j] - a[j] * b[i])
+    });
+    terms.fold(Fine::ZERO, Fine::add).sign()
 }
 
 fn exact(v: DVec3) -> [Fine; 3] {

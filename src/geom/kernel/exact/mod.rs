@@ -4,7 +4,8 @@
 //!    the distance, if both ends of its error interval round to the same number. Nearly all tests end here.
 //!    ([`ExactFromSingle`] asks single precision first, with a bound for each triangle.)
 //! 2. The same with error bounds for this triangle, or with none where nothing is rounded. `[EXACT-11]`
-//! 3. Exact sums of floats ([`Sum`]), for what is left.
+//! 3. Twice the digits of a double, with bounds. `[EXACT-10]`
+//! 4. Exact sums of floats ([`Sum`]), for what is left.
 //!
 //! The stages and their bounds: spec/exactness.md, `[EXACT-2]` to `[EXACT-6]`. After Shewchuk 1997, "Adaptive precision
 //! floating-point arithmetic and fast robust geometric predicates", and Bartels et al. 2022, arXiv:2208.00497.
@@ -104,7 +105,7 @@ impl Kernel for Exact {
                 return [u, v];
             }
         }
-        quotient::weights(corners, self.origin, self.direction)
+        self.settle_weights(&corners)
     }
 
     fn stage(&self, shape: &Triangle) -> Stage {
@@ -124,7 +125,15 @@ impl Kernel for Exact {
 }
 
 impl Exact {
-    /// The second and the third stage.
+    /// The weights that the first two stages leave open.
+    #[cold]
+    #[inline(never)]
+    fn settle_weights(&self, corners: &[DVec3; 3]) -> [f32; 2] {
+        let (o, d) = (self.origin, self.direction);
+        fine::Determinants::new(corners, o, d).weights().unwrap_or_else(|| quotient::weights(*corners, o, d))
+    }
+
+    /// The stages after the first.
     #[cold]
     #[inline(never)]
     fn settle(&self, shape: &Triangle) -> Option<f32> {
@@ -147,7 +156,9 @@ impl Exact {
         } else if !predicates::is_inside(&corners, o, d) {
             return None;
         }
-        quotient::distance(&corners, o, d, self.interval)
+        let ([tmin, tmax], t) = (self.interval, fine::Determinants::new(&corners, o, d).distance());
+        // Rounding keeps the order, so that only an end that is equal leaves a question.
+        t.filter(|t| tmin < *t && *t < tmax).or_else(|| quotient::distance(&corners, o, d, self.interval))
     }
 }
 

@@ -14,7 +14,7 @@
 use glam::DVec3;
 
 use super::filter::Determinants;
-use super::predicates::{edge, minus};
+use super::predicates::{edge, minus, volume};
 use super::{Exact, Exact64};
 use crate::geom::truth::RBig;
 use crate::geom::{Kernel, Triangle};
@@ -84,12 +84,12 @@ pub(super) fn is_crossed_by_line(&[a, b, c]: &[DVec3; 3], o: DVec3, d: DVec3) ->
 
 /// A number with the sign of an edge function for the moved origin; 0 if the edge is parallel to the direction.
 fn side([from, to]: [DVec3; 2], o: DVec3, d: DVec3) -> f64 {
-    let in_place = edge(d, &minus(to, o), &minus(from, o));
+    let in_place = edge(d, o, from, to);
     if in_place != 0.0 {
         return in_place;
     }
     let (along, d) = (minus(to, from), minus(d, DVec3::ZERO));
-    let moved = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| edge(axis, &along, &d));
+    let moved = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| volume(axis, &along, &d));
     moved.into_iter().find(|&moved| moved != 0.0).unwrap_or(0.0)
 }
 

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::fine;
 use super::sum::{Sum, difference};
 
 /// A vector whose components are sums of two numbers.
@@ -21,11 +22,20 @@ pub(super) fn add_edge<const N: usize>(sum: &mut Sum<N>, d: DVec3, a: &Pairs, b:
     }
 }
 
-/// d . (a x b), with a relative error of at most 2^-50.
-pub(super) fn edge(d: DVec3, a: &Pairs, b: &Pairs) -> f64 {
-    let mut sum = Sum::<96>::new();
-    add_edge(&mut sum, d, a, b);
-    sum.value()
+/// A number with the sign of the edge function d . ((to - o) x (from - o)).
+pub(super) fn edge(d: DVec3, o: DVec3, from: DVec3, to: DVec3) -> f64 {
+    // With the edge itself in place of one of both: from afar, much less cancels.
+    volume(d, &minus(to, from), &minus(from, o))
+}
+
+/// A number with the sign of d . (a x b), of numbers up to 2^200: by twice the digits of a double, and by an exact sum where
+/// those do not tell. `[EXACT-10]`
+pub(super) fn volume(d: DVec3, a: &Pairs, b: &Pairs) -> f64 {
+    fine::volume(d, a, b).unwrap_or_else(|| {
+        let mut sum = Sum::<96>::new();
+        add_edge(&mut sum, d, a, b);
+        sum.value()
+    })
 }
 
 /// Whether a line meets the closed triangle, in one point.
@@ -39,10 +49,16 @@ pub(super) fn is_inside(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
         // Which sums would tell at length.
         return false;
     }
-    let [a, b, c] = corners.map(|corner| minus(corner, o));
-    let edges = [edge(d, &c, &b), edge(d, &a, &c), edge(d, &b, &a)];
-    let (any_positive, any_negative) = (edges.iter().any(|&e| e > 0.0), edges.iter().any(|&e| e < 0.0));
-    any_positive != any_negative
+    let &[a, b, c] = corners;
+    let (mut any_positive, mut any_negative) = (false, false);
+    for [from, to] in [[b, c], [c, a], [a, b]] {
+        let edge = edge(d, o, from, to);
+        (any_positive, any_negative) = (any_positive || edge > 0.0, any_negative || edge < 0.0);
+        if any_positive && any_negative {
+            return false;
+        }
+    }
+    any_positive || any_negative
 }
 
 /// Whether a line is parallel to a triangle that lies across an axis, as walls and floors do.
@@ -57,7 +73,7 @@ pub(in crate::geom) fn is_degenerate(corners: &[DVec3; 3]) -> bool {
     }
     let &[v0, v1, v2] = corners;
     let (e1, e2) = (minus(v1, v0), minus(v2, v0));
-    [DVec3::X, DVec3::Y, DVec3::Z].into_iter().all(|axis| edge(axis, &e1, &e2) == 0.0)
+    [DVec3::X, DVec3::Y, DVec3::Z].into_iter().all(|axis| volume(axis, &e1, &e2) == 0.0)
 }
 
 /// Whether double precision can tell that the corners do not lie on a line.

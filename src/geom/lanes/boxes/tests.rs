@@ -5,7 +5,7 @@ use crate::generate::draw::{Draw, one_of};
 use crate::generate::stress;
 use crate::geom::lanes::tests::levels;
 use crate::geom::slabs::{Directed, Slabs};
-use crate::geom::truth;
+use crate::geom::{Aabb, truth};
 use crate::wide::is_beyond;
 
 type Planes<const A: usize> = [[[f32; A]; 2]; 3];
@@ -84,13 +84,13 @@ fn region_of(boxes: &[Aabb]) -> Region {
 fn check<const A: usize>(ray: &Ray, boxes: &[Aabb; A], end: f32) {
     let region = region_of(boxes);
     let (ranks, set) = entered(ray, &region, boxes, end);
-    let [far_off, length] = [ray.origin(), ray.direction()].map(|v| f64::from(v.abs().max_element()));
-    let is_great = far_off.max(region.reach()) > f64::from(MAX_COORDINATE);
-    let overflows = far_off + region.reach() > length * f64::from(f32::MAX);
-    if !is_great && !overflows {
+    let is_rare = is_beyond_single(ray.origin().extend(0.0), ray.direction().extend(0.0), &region);
+    if !is_rare {
         assert_eq!((ranks, set), by_definition(ray, boxes, end), "{ray:?} {boxes:?} {end}");
     }
     let directed = Directed::new(ray, &region);
+    // `Directed` leaves these to double precision, lanes do not.
+    let is_least = ray.direction().to_array().iter().any(|&d| d != 0.0 && d.recip().is_infinite());
     for (lane, aabb) in boxes.iter().enumerate() {
         let (rank, is_met) = (ranks[lane], set >> lane & 1 == 1);
         assert_eq!(rank as usize % A, lane);
@@ -99,8 +99,7 @@ fn check<const A: usize>(ray: &Ray, boxes: &[Aabb; A], end: f32) {
             assert!(!is_met);
             continue;
         }
-        // Of short directions double precision knows more, which `Directed` does not ask.
-        if let Some(near) = directed.one(aabb, end).filter(|_| is_great || !overflows) {
+        if let Some(near) = directed.one(aabb, end).filter(|_| is_rare || !is_least) {
             assert!(is_met && cleared <= near, "{ray:?} {aabb:?} {end}");
         }
         let [o, d, lo, hi] = [ray.origin(), ray.direction(), aabb.lo, aabb.hi].map(|v| v.to_array());

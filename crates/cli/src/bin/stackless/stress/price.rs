@@ -1,6 +1,7 @@
 //! `stackless stress --price`: what the dearest query of each hard family costs, in ordinary queries of its kind.
 
 mod climb;
+mod scenes;
 
 use std::error::Error;
 use std::time::Duration;
@@ -9,7 +10,7 @@ use cpu_time::ThreadTime;
 use glam::{DVec3, Vec3};
 use serde::Serialize;
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions};
-use stackless_bvh::generate::{Rng, Source as _, procedural, stress};
+use stackless_bvh::generate::{procedural, stress};
 use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::slabs::Wide;
 use stackless_bvh::geom::{Aabb, AffineError, AffineMap, Ball, Mesh, Ray, Triangle};
@@ -18,6 +19,7 @@ use stackless_bvh::traverse::Method;
 
 use crate::output::{Block, bar, table};
 use climb::{Change, climb};
+use scenes::{at_edge, at_vertices, coincident, from_afar, in_plane, inside, lattice, sphere};
 
 /// What costs more ordinary queries than this is named.
 const LIMIT: f64 = 20.0;
@@ -38,6 +40,8 @@ pub(super) struct Price {
     dearest: f64,
     /// The same of the dearest that a climb from the hard ones has found.
     found: f64,
+    /// That query.
+    query: String,
 }
 
 impl Price {
@@ -46,21 +50,25 @@ impl Price {
     }
 }
 
-/// Queries over one scene, to be asked: nanoseconds of the ordinary one, of the dearest, and of the dearest that a climb
-/// of this time finds.
-type Made = Result<Box<dyn FnOnce(Duration) -> [f64; 3]>, Box<dyn Error>>;
+/// Queries over one scene, to be asked under the name of their family, with a climb of this time. They have no price if
+/// there are none.
+type Queries = Box<dyn FnOnce(&'static str, Duration) -> Option<Price>>;
+
+type Made = Result<Queries, Box<dyn Error>>;
 
 struct Family {
     name: &'static str,
     make: fn() -> Made,
 }
 
-const FAMILIES: [Family; 16] = [
+const FAMILIES: [Family; 18] = [
     Family { name: "in the plane of a lattice", make: || closest(lattice(64, 1)?, in_plane()) },
     Family { name: "in the plane of a lattice that is not on a grid", make: off_grid },
     Family { name: "in the skew plane of a lattice", make: in_skew_plane },
     Family { name: "at vertices of 16 lattices an ulp apart", make: || closest(lattice(32, 16)?, at_vertices()) },
     Family { name: "at these vertices, double precision", make: || closest_64(&lattice(32, 16)?, &at_vertices()) },
+    Family { name: "at a sphere from afar", make: || closest(sphere()?, from_afar()) },
+    Family { name: "at a sphere from afar, double precision", make: || closest_64(&sphere()?, &from_afar()) },
     Family {
         name: "through an edge of 1,000,000 coincident triangles",
         make: || closest(coincident(1_000_000)?, at_edge()),
@@ -85,26 +93,28 @@ pub(super) fn prices(climbing: Duration) -> Result<Vec<Price>, Box<dyn Error>> {
 fn prices_of(families: &[Family], climbing: Duration) -> Result<Vec<Price>, Box<dyn Error>> {
     let progress = bar(families.len() as u64, "families");
     let price = |&Family { name, make }: &Family| {
-        let [ordinary, dearest, found] = make()?(climbing);
+        let price = make()?(name, climbing).ok_or("a family without queries")?;
         progress.inc(1);
-        Ok(Price { name, ordinary, dearest, found })
+        Ok(price)
     };
     let prices = families.iter().map(price).collect();
     progress.finish_and_clear();
     prices
 }
 
-/// The table of prices, below what is said of it.
-pub(super) fn blocks(prices: &[Price]) -> [Block; 2] {
-    let dear = prices.iter().filter(|price| price.ratio() > LIMIT).count();
-    let line = format!("{dear} of {} families cost more than {LIMIT} ordinary queries", prices.len());
+/// The table of prices, below what is said of it; then the queries that are dear.
+pub(super) fn blocks(prices: &[Price]) -> Vec<Block> {
+    let dear: Vec<_> = prices.iter().filter(|price| price.ratio() > LIMIT).collect();
+    let line = format!("{} of {} families cost more than {LIMIT} ordinary queries", dear.len(), prices.len());
     let row = |price: &Price| {
         let micro = |nanoseconds: f64| format!("{:.2}", nanoseconds / 1e3);
         let times = [price.ordinary, price.dearest, price.found].map(micro);
         [vec![price.name.to_owned()], times.to_vec(), vec![format!("{:.1}", price.ratio())]].concat()
     };
     let header = ["family", "ordinary, us", "dearest, us", "after a climb", "ratio"];
-    [Block::Line(line), Block::Table(table(&header, 1, prices.iter().map(row).collect()))]
+    let table = table(&header, 1, prices.iter().map(row).collect());
+    let queries = dear.iter().map(|price| Block::Line(format!("{}: {}", price.name, price.query)));
+    [Block::Line(line), Block::Table(table)].into_iter().chain(queries).collect()
 }
 
 /// Nanoseconds of a query that says how many answers it has, for each answer: of the thread's processor time, the least
@@ -137,22 +147,20 @@ fn nanoseconds(ask: impl Fn() -> usize, floor: f64) -> Option<f64> {
 fn traced(mesh: Mesh, hard: Vec<Ray>, ask: fn(&Tracer, &Ray) -> usize) -> Made {
     let ordinary = procedural::rays(&mesh, 1, QUERIES);
     let tracer = Tracer::of(&mesh)?;
-    queries(hard, ordinary, move |ray| ask(&tracer, ray))
+    Ok(queries(hard, ordinary, move |ray| ask(&tracer, ray)))
 }
 
-fn queries<Q: Change + 'static>(hard: Vec<Q>, ordinary: Vec<Q>, ask: impl Fn(&Q) -> usize + 'static) -> Made {
-    if hard.is_empty() || ordinary.is_empty() {
-        return Err("a family without queries".into());
-    }
-    Ok(Box::new(move |climbing| {
+fn queries<Q: Change + 'static>(hard: Vec<Q>, ordinary: Vec<Q>, ask: impl Fn(&Q) -> usize + 'static) -> Queries {
+    Box::new(move |name, climbing| {
         let times = |queries: &[Q]| -> Vec<f64> {
             queries.iter().map(|query| nanoseconds(|| ask(query), 0.0).unwrap_or_default()).collect()
         };
         let (mut usual, hardest) = (times(&ordinary), times(&hard));
         usual.sort_by(f64::total_cmp);
         let dearest = hardest.iter().copied().fold(0.0, f64::max);
-        [usual[usual.len() / 2], dearest, climb(&hard, &hardest, &ask, climbing)]
-    }))
+        let (query, found) = climb(&hard, &hardest, &ask, climbing)?;
+        Some(Price { name, ordinary: *usual.get(usual.len() / 2)?, dearest, found, query: format!("{query:?}") })
+    })
 }
 
 fn closest(mesh: Mesh, hard: Vec<Ray>) -> Made {
@@ -186,31 +194,7 @@ fn closest_64(mesh: &Mesh, hard: &[Ray]) -> Made {
     let vertices = mesh.vertices().iter().map(|v| v.as_dvec3()).collect();
     let bvh: Bvh<Triangle<DVec3>> = BuildOptions::default().build(&Mesh::new(vertices, mesh.triangles().to_vec())?)?;
     let tracer = BinaryTracer::<_, Exact64, Wide>::with_tests(bvh, Method::default())?;
-    queries(hard, ordinary, move |ray| usize::from(tracer.closest(ray).is_some()))
-}
-
-/// Lattices of `n` by `n` squares in two triangles each, one float above the other from z = 1 on.
-fn lattice(n: u32, sheets: u32) -> Result<Mesh, Box<dyn Error>> {
-    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
-    for sheet in 0..sheets {
-        let first = sheet * (n + 1) * (n + 1);
-        let z = f32::from_bits(1f32.to_bits() + sheet);
-        vertices.extend((0..=n).flat_map(|y| (0..=n).map(move |x| Vec3::new(x as f32, y as f32, z))));
-        for (x, y) in (0..n).flat_map(|y| (0..n).map(move |x| (x, y))) {
-            let a = first + y * (n + 1) + x;
-            triangles.extend([[a, a + 1, a + n + 2], [a, a + n + 2, a + n + 1]]);
-        }
-    }
-    Ok(Mesh::new(vertices, triangles)?)
-}
-
-/// Rays in z = 1, from x = -1.
-fn in_plane() -> Vec<Ray> {
-    let mut rng = Rng::new(1);
-    let mut number = || rng.below(64) as f32;
-    (0..QUERIES)
-        .filter_map(|_| Ray::new(Vec3::new(-1.0, number(), 1.0), Vec3::new(64.0, number() - 32.0, 0.0)).ok())
-        .collect()
+    Ok(queries(hard, ordinary, move |ray| usize::from(tracer.closest(ray).is_some())))
 }
 
 /// The same in tenths.
@@ -236,40 +220,6 @@ fn mapped_lattice(map: impl Fn(Vec3) -> Vec3, of_ray: impl Fn(Vec3) -> Vec3) -> 
     closest(mesh, in_plane().iter().filter_map(ray).collect())
 }
 
-/// Rays to vertices of the lattice, from below.
-fn at_vertices() -> Vec<Ray> {
-    let mut rng = Rng::new(1);
-    let mut point = |z: f32| Vec3::new(rng.below(33) as f32, rng.below(33) as f32, z);
-    (0..QUERIES)
-        .filter_map(|_| {
-            let o = point(0.0);
-            Ray::new(o, point(1.0) - o).ok()
-        })
-        .collect()
-}
-
-/// The end of an edge from the origin. Its halves are exact, and x has all digits.
-const EDGE: Vec3 = Vec3::new(2.999_999_8, 0.0, 1.0);
-const CORNER: Vec3 = Vec3::new(0.1, 3.1, 2.7);
-
-/// The same triangle many times, not on a grid.
-fn coincident(n: usize) -> Result<Mesh, Box<dyn Error>> {
-    let vertices = vec![Vec3::ZERO, EDGE, CORNER];
-    Ok(Mesh::new(vertices, vec![[0, 1, 2]; n])?)
-}
-
-/// Rays exactly through the first edge of that.
-fn at_edge() -> Vec<Ray> {
-    let o = Vec3::new(0.0, 0.3, -5.0);
-    [1.0, 0.5, 0.25, 0.125].into_iter().filter_map(|part| Ray::new(o, EDGE * part - o).ok()).collect()
-}
-
-/// Rays through the inside of that.
-fn inside() -> Vec<Ray> {
-    let o = Vec3::new(0.0, 0.3, -5.0);
-    (1..8u8).filter_map(|i| Ray::new(o, EDGE * 0.25 + CORNER * (f32::from(i) * 0.0625) - o).ok()).collect()
-}
-
 fn crossings_of_split() -> Made {
     // Large triangles among small ones are cut often.
     let sphere = stress::icosphere(4, 1.0, Vec3::ZERO)?;
@@ -286,7 +236,7 @@ fn crossings_of_split() -> Made {
     let ordinary = procedural::rays(&mesh, 1, QUERIES);
     let bvh = BuildOptions { builder: Builder::Spatial, ..BuildOptions::default() }.build(&mesh)?;
     let tracer = BinaryTracer::new(bvh);
-    queries(hard, ordinary, move |ray| tracer.crossings(ray) as usize)
+    Ok(queries(hard, ordinary, move |ray| tracer.crossings(ray) as usize))
 }
 
 fn nearest_to_pole() -> Made {
@@ -310,7 +260,7 @@ fn nearest(mesh: Mesh, point: fn(usize) -> Vec3) -> Made {
     let ordinary =
         procedural::rays(&mesh, 1, QUERIES).iter().map(|ray| Ball::around(ray.origin())).collect::<Result<_, _>>()?;
     let hard = (0..8).map(|i| Ball::around(point(i))).collect::<Result<_, _>>()?;
-    queries(hard, ordinary, move |ball| usize::from(tracer.nearest(ball).is_some()))
+    Ok(queries(hard, ordinary, move |ball| usize::from(tracer.nearest(ball).is_some())))
 }
 
 /// Rays at vertices of a sphere that a map has moved so many times.
@@ -337,7 +287,7 @@ fn instances(deep: usize, affine: AffineMap) -> Made {
         .filter_map(|ray| Ray::new(ray.origin() + middle, ray.direction()).ok())
         .collect();
     let tracer = InstanceTracer::new(&assembly, object, Method::default())?;
-    queries(hard, ordinary, move |ray: &Ray| usize::from(tracer.closest(ray).is_some()))
+    Ok(queries(hard, ordinary, move |ray: &Ray| usize::from(tracer.closest(ray).is_some())))
 }
 
 /// The image, rounded.
@@ -363,7 +313,7 @@ mod tests {
         assert_eq!(quick.len(), 2);
         let prices = prices_of(&quick, Duration::from_millis(50)).expect("scenes");
         assert!(prices.iter().all(|price| price.ordinary > 0.0 && 0.0 < price.dearest && price.dearest <= price.found));
-        let [Block::Line(line), Block::Table(table)] = blocks(&prices) else { panic!("a line and a table") };
+        let [Block::Line(line), Block::Table(table), ..] = &blocks(&prices)[..] else { panic!("a line and a table") };
         assert!(line.contains(&format!("of {} families", quick.len())));
         assert_eq!(table.rows.len(), quick.len());
     }

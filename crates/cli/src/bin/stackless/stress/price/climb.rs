@@ -1,5 +1,6 @@
 //! The climb to the dearest query: small changes, of which those are kept that cost more.
 
+use std::fmt::Debug;
 use std::time::{Duration, Instant};
 
 use stackless_bvh::generate::draw::Draw;
@@ -14,17 +15,23 @@ const PATIENCE: u32 = 300;
 const DEARER: f64 = 1.02;
 
 /// A query that can be changed a little.
-pub(super) trait Change: Sized {
+pub(super) trait Change: Clone + Debug {
     /// One near to this one, or with a part of the other one. `None` if it is no query.
     fn change(&self, other: &Self, draw: &mut Draw) -> Option<Self>;
 }
 
-/// The most nanoseconds that any query takes which is found in this time, from some that are known. `known` has what
-/// those cost.
-pub(super) fn climb<Q: Change>(queries: &[Q], known: &[f64], ask: impl Fn(&Q) -> usize, time: Duration) -> f64 {
-    let (mut draw, start, mut dearest) = (Draw::new(1), Instant::now(), known.iter().copied().fold(0.0, f64::max));
+/// The dearest query that is found in this time, from some that are known, and its nanoseconds. `known` has what those
+/// cost. `None` if there are none.
+pub(super) fn climb<Q: Change>(
+    queries: &[Q],
+    known: &[f64],
+    ask: impl Fn(&Q) -> usize,
+    time: Duration,
+) -> Option<(Q, f64)> {
     let mut order: Vec<_> = (0..queries.len()).collect();
     order.sort_by(|&a, &b| known[b].total_cmp(&known[a]));
+    let &first = order.first()?;
+    let (mut draw, start, mut dearest) = (Draw::new(1), Instant::now(), (queries[first].clone(), known[first]));
     // From the dearest one first.
     for &first in order.iter().cycle().take_while(|_| start.elapsed() < time) {
         let (mut current, mut height, mut stale): (Option<Q>, _, _) = (None, known[first], 0);
@@ -34,11 +41,13 @@ pub(super) fn climb<Q: Change>(queries: &[Q], known: &[f64], ask: impl Fn(&Q) ->
             let Some(next) = from.change(&queries[draw.below(queries.len())], &mut draw) else { continue };
             // Most are cheaper, and seen to be so when they are asked once.
             let Some(cost) = nanoseconds(|| ask(&next), height * DEARER) else { continue };
+            if cost > dearest.1 {
+                dearest = (next.clone(), cost);
+            }
             (current, height, stale) = (Some(next), cost, 0);
-            dearest = dearest.max(cost);
         }
     }
-    dearest
+    Some(dearest)
 }
 
 impl<V: Vector> Change for Ray<V> {
@@ -111,10 +120,13 @@ mod tests {
             1
         };
         let known: Vec<_> = rays.iter().filter_map(|ray| nanoseconds(|| work(ray), 0.0)).collect();
-        let dearest = climb(&rays, &known, work, Duration::from_millis(300));
-        assert!(dearest > 1.5 * known.iter().copied().fold(0.0, f64::max), "{dearest} {known:?}");
-        let none = climb(&rays, &known, work, Duration::ZERO);
-        assert_eq!(none, known.iter().copied().fold(0.0, f64::max), "without time there is no climb");
+        let most = known.iter().copied().fold(0.0, f64::max);
+        let (ray, dearest) = climb(&rays, &known, work, Duration::from_millis(300)).expect("a query");
+        assert!(dearest > 1.5 * most, "{dearest} {known:?}");
+        assert!(ray.origin().length() > 3.5, "the query that is told is the dearest: {ray:?}");
+        let (ray, none) = climb(&rays, &known, work, Duration::ZERO).expect("a query");
+        assert_eq!((none, known.contains(&none)), (most, true), "without time there is no climb");
+        assert!(rays.contains(&ray));
     }
 
     #[test]

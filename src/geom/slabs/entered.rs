@@ -1,0 +1,240 @@
+//! The slab test in double precision, from where a ray enters the region of all boxes.
+
+use glam::{DVec3, Vec3, Vec4};
+
+use super::directed::MAX_COORDINATE;
+use super::{Doubled, Intervals};
+use crate::geom::frame::{exponent_of, power_of_two};
+use crate::geom::truth::{self, RBig};
+use crate::geom::{Interval, Ray, Region};
+
+/// A slab test for rays that single precision cannot take, in either precision: from afar, and with huge and tiny
+/// numbers. No box is skipped that the ray touches. `[BOX-9]`
+///
+/// The ray begins where it enters the region of all boxes, so doubles are finer than boxes are, wherever it comes from.
+/// To find where that is takes some microseconds where doubles cannot tell.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::geom) struct Entered {
+    /// In the frame of the boxes, from the entry on.
+    slabs: Doubled,
+    /// Bounds of the distance at which the ray enters.
+    start: Interval,
+    /// A unit of distance of the slabs is 2 to the power of this.
+    exponent: i32,
+    tmin: f64,
+}
+
+/// What doubles say of where a ray enters the region of all boxes.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Approach {
+    /// Not at all.
+    Misses,
+    /// There.
+    Enters(Entry),
+    /// Too little.
+    Unknown,
+}
+
+/// A ray from where it enters the region, or from before that, in the frame of the boxes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Entry {
+    pub(super) origin: [Interval; 3],
+    /// The greatest component is from 1 to 2.
+    pub(super) direction: [Interval; 3],
+    /// The distance, in units of 2 to the power of `exponent`.
+    pub(super) start: f64,
+    pub(super) exponent: i32,
+}
+
+/// The greatest component of a direction is within 2^-1000 to 2^1000.
+const MAX_LENGTH: i32 = 1000;
+
+/// Units are within 2^-800 to 2^800: then distances that are the least of single precision in the one are normal
+/// doubles in the other, and those that are not normal in the other are nothing in the one.
+const MAX_UNIT: i32 = 800;
+
+/// Where bounds of the entry are farther apart than such a part of the region, single precision is finer.
+const FINE: f64 = power_of_two(-24);
+
+impl Approach {
+    /// Takes a ray into the frame of the boxes, and there to where it enters their region.
+    pub(super) fn of(ray: &Ray<DVec3>, region: &Region) -> Self {
+        let (frame, direction) = (region.frame(), ray.direction());
+        let length = exponent_of(direction.abs().max_element());
+        let exponent = frame.exponent() - length;
+        if length.abs() > MAX_LENGTH || exponent.abs() > MAX_UNIT || region.reach_in_frame() > MAX_COORDINATE {
+            return Self::Unknown;
+        }
+        let origin = [0, 1, 2].map(|axis| frame.coordinate(axis, ray.origin()[axis]));
+        let direction = direction.to_array().map(|d| Interval::exact(d).scaled(-length));
+        // Nothing is rounded here unless it underflows, and then it is above.
+        let tmin = ray.tmin() * power_of_two(-exponent);
+        let tmin = if tmin < f64::MIN_POSITIVE { 0.0 } else { tmin };
+        let Some(start) = entry(region, &origin, &direction, tmin) else { return Self::Misses };
+        let origin = [0, 1, 2].map(|axis| origin[axis] + Interval::exact(start) * direction[axis]);
+        let reach = f64::from(region.reach_in_frame());
+        // If what is left of a long way is rounded, it may end far from the region, even if nothing else is.
+        let most_near = (2.0 * reach).min(MAX_COORDINATE.into());
+        let is_fine = origin
+            .iter()
+            .map(Interval::ends)
+            .all(|[least, most]| most - least <= FINE * reach && least.abs().max(most.abs()) <= most_near);
+        if start.is_finite() && is_fine {
+            Self::Enters(Entry { origin, direction, start, exponent })
+        } else {
+            Self::Unknown
+        }
+    }
+}
+
+/// Where a ray enters the region, or before that; not before `tmin`. `None` if it surely misses the region.
+fn entry(region: &Region, origin: &[Interval; 3], direction: &[Interval; 3], tmin: f64) -> Option<f64> {
+    let aabb = region.bounds();
+    let (mut start, mut end) = (tmin, f64::INFINITY);
+    for axis in 0..3 {
+        let ([least, most], [slowest, fastest]) = (origin[axis].ends(), direction[axis].ends());
+        let (lo, hi) = (f64::from(aabb.lo[axis]), f64::from(aabb.hi[axis]));
+        // least + t fastest >= lo where it comes from below, and the same with all signs changed.
+        for (way, speed) in [(lo - most, fastest), (least - hi, -slowest)] {
+            if way > 0.0 && speed > 0.0 {
+                start = start.max((way.next_down() / speed).next_down());
+            } else if way.next_down() > 0.0 {
+                return None;
+            }
+        }
+        // least + t slowest <= hi where it leaves there, and likewise.
+        for (way, speed) in [(hi - least, slowest), (most - lo, -fastest)] {
+            if speed > 0.0 {
+                end = end.min((way.next_up() / speed).next_up());
+            }
+        }
+    }
+    (start <= end).then_some(start)
+}
+
+/// Components below this, where the greatest one is at least 1, move no point within a region by [`MARGIN`].
+const NOTHING: f64 = power_of_two(-1000);
+
+/// Regions are no larger than 2^130.
+const MARGIN: f64 = power_of_two(-800);
+
+impl Entered {
+    /// A ray that meets no box. The least origin of others is not infinite.
+    const MISSING: Self = Self {
+        slabs: Doubled { origin: [DVec3::INFINITY; 2], inverse: [DVec3::ONE; 2], tmin: 0.0 },
+        start: Interval::exact(0.0),
+        exponent: 0,
+        tmin: 0.0,
+    };
+
+    /// Prepares a ray.
+    pub(super) fn new(ray: &Ray<DVec3>, region: &Region) -> Self {
+        match Approach::of(ray, region) {
+            Approach::Misses => Self::MISSING,
+            Approach::Enters(Entry { origin, direction, start, exponent }) => {
+                let direction = DVec3::from(direction.map(|d| d.ends()[0]));
+                Self::from(origin, direction, Interval::exact(start).scaled(exponent), exponent, ray.tmin())
+            }
+            Approach::Unknown => Self::exactly(ray, region),
+        }
+    }
+
+    /// Prepares a ray in rational arithmetic.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn exactly(ray: &Ray<DVec3>, region: &Region) -> Self {
+        let (frame, [o, d]) = (region.frame(), [ray.origin(), ray.direction()].map(|v| v.to_array()));
+        let sides = frame.leave(region.bounds()).map(|x| x.ends());
+        // Nothing in the region is beyond the greatest double.
+        let [lo, hi] = [sides.map(|[lo, _]| lo.max(f64::MIN)), sides.map(|[_, hi]| hi.min(f64::MAX))];
+        let Some(start) = truth::entry(o, d, [ray.tmin(), f64::INFINITY], lo, hi) else { return Self::MISSING };
+        let exact = |x: f64| RBig::try_from(x).unwrap_or_default();
+        let at = |k: usize| exact(o[k]) + &start * exact(d[k]) - exact(frame.origin()[k]);
+        let origin = [0, 1, 2].map(|k| Interval::around(&at(k)).scaled(-frame.exponent()));
+        let length = exponent_of(ray.direction().abs().max_element());
+        let direction = ray.direction().map(|d| scaled(Interval::exact(d), -length).ends()[0]);
+        Self::from(origin, direction, Interval::around(&start), frame.exponent() - length, ray.tmin())
+    }
+
+    /// From bounds of the origin, and a direction that is exact where it is not next to nothing.
+    fn from(origin: [Interval; 3], direction: DVec3, start: Interval, exponent: i32, tmin: f64) -> Self {
+        let is_nothing = direction.abs().cmplt(DVec3::splat(NOTHING));
+        let margin = |k: usize| if is_nothing.test(k) { MARGIN } else { 0.0 };
+        let bounds = [0, 1, 2].map(|k| (origin[k] + Interval::between([-margin(k), margin(k)])).ends());
+        let [least, most] = [0, 1].map(|end| DVec3::from(bounds.map(|ends| ends[end])));
+        let slabs = Doubled::new(DVec3::ZERO, DVec3::select(is_nothing, DVec3::ZERO, direction), 0.0);
+        Self { slabs: Doubled { origin: [most, least], ..slabs }, start, exponent, tmin }
+    }
+
+    /// Where the ray enters and leaves two boxes, if it does, for hits whose distances are rounded to single precision.
+    ///
+    /// Such a distance may be below where the box is entered. Rounding keeps the order, so entries are rounded before they
+    /// are compared with it.
+    pub(in crate::geom) fn in_single(&self, planes: &[[f32; 4]; 3]) -> [Option<[f32; 2]>; 2] {
+        self.met(planes).map(|met| met.map(|[near, far]| [near as f32, far as f32]))
+    }
+
+    /// Two boxes at once, as [`Slabs::pair`](super::Slabs::pair).
+    pub(super) fn pair(&self, planes: &[[f32; 4]; 3], tmax: f64) -> Intervals<f64> {
+        let met = self.met(planes).map(|met| met.filter(|[near, _]| *near <= tmax));
+        let [near, far] = [0, 1].map(|end| met.map(|met| met.map_or(0.0, |ends| ends[end])));
+        Intervals { hit: met.map(|met| met.is_some()), near, far: far.map(|far| far.min(tmax)) }
+    }
+
+    /// Where the ray enters and leaves two boxes, if it does; not later and not sooner than it is.
+    fn met(&self, planes: &[[f32; 4]; 3]) -> [Option<[f64; 2]>; 2] {
+        let Intervals { hit, near, far } = self.slabs.pair(planes, f64::INFINITY);
+        [0, 1].map(|i| {
+            // Where a product underflows, it is off by less than the least number.
+            let from_start = Interval::between([near[i].next_down(), far[i].next_up()]);
+            let [near, far] =
+                if hit[i] { (scaled(from_start, self.exponent) + self.start).ends() } else { return None };
+            (self.tmin <= far).then_some([near.max(self.tmin), far])
+        })
+    }
+}
+
+/// Where a ray in single precision enters the region of all boxes, rounded to what the slab test in single precision has room
+/// for: the greatest origin and the least distance, then the least origin and the greatest distance. `[BOX-9]`
+#[derive(Clone, Copy, Debug)]
+pub(in crate::geom) struct Entrance([Vec4; 2]);
+
+/// The entrance of a ray, if it is one that single precision does not take.
+#[inline(always)]
+pub(in crate::geom) fn enter_if(is_wide: bool, ray: &Ray, region: &Region) -> Entrance {
+    if is_wide { Entrance::of(ray, region) } else { Entrance([Vec4::ZERO; 2]) }
+}
+
+impl Entrance {
+    #[cold]
+    #[inline(never)]
+    fn of(ray: &Ray, region: &Region) -> Self {
+        let Entered { slabs, start, .. } = Entered::new(&ray.widen(), region);
+        let [most, least] = slabs.origin;
+        let bounds = [0, 1, 2].map(|k| Interval::between([least[k], most[k]]).ends_in_single());
+        let [start, latest] = start.ends_in_single();
+        Self([
+            Vec3::from(bounds.map(|[_, most]| most)).extend(start),
+            Vec3::from(bounds.map(|[least, _]| least)).extend(latest),
+        ])
+    }
+
+    /// The ray from there.
+    pub(in crate::geom) fn ray(self, direction: Vec3, tmin: f32) -> Entered {
+        let [most, least] = self.0;
+        if least.x == f32::INFINITY {
+            return Entered::MISSING;
+        }
+        let (direction, start) = (direction.as_dvec3(), Interval::between([most.w, least.w].map(f64::from)));
+        let length = exponent_of(direction.abs().max_element());
+        let slabs = Doubled::new(DVec3::ZERO, direction * power_of_two(-length), 0.0);
+        let origin = [most, least].map(|o| o.truncate().as_dvec3());
+        Entered { slabs: Doubled { origin, ..slabs }, start, exponent: -length, tmin: tmin.into() }
+    }
+}
+
+/// Times 2 to the power of any exponent.
+fn scaled(x: Interval, exponent: i32) -> Interval {
+    let step = exponent.clamp(-MAX_LENGTH, MAX_LENGTH);
+    if step == exponent { x.scaled(step) } else { scaled(x.scaled(step), exponent - step) }
+}
