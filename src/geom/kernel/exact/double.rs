@@ -323,10 +323,11 @@ fn unit_of(vectors: &[DVec3]) -> i32 {
     vectors.iter().flat_map(DVec3::to_array).map(unit).fold(0, i32::min)
 }
 
-/// The exponent of the unit in which the greatest of these numbers is about 2^128.
+/// The exponent of the unit in which the greatest of these numbers is about 2^128; 0 if there is none but 0, for which all
+/// units are alike.
 fn unit_for(vectors: &[DVec3]) -> i32 {
     let greatest = vectors.iter().fold(DVec3::ZERO, |greatest, v| greatest.max(v.abs())).max_element();
-    (exponent_of(greatest) - SCALED).clamp(-MAX_UNIT, MAX_UNIT)
+    if greatest == 0.0 { 0 } else { (exponent_of(greatest) - SCALED).clamp(-MAX_UNIT, MAX_UNIT) }
 }
 
 /// A vector times a power of two, if no digit is lost.

@@ -30,6 +30,19 @@ fn sums_have_room_for_all_digits() {
 
 /// [EXACT-12]
 ///
+/// Where all corners and the origin are 0, no unit is better than another: rationals are asked at once.
+#[test]
+fn what_is_nothing_is_not_scaled_again_and_again() {
+    let shape = Triangle([DVec3::ZERO; 3]);
+    for d in [DVec3::new(1.0, 1e-300, 0.0), DVec3::new(-1e300, 5e-324, 1.0), DVec3::splat(1e-310)] {
+        let exact = Exact64::new(&Ray::new(DVec3::ZERO, d).expect("a ray"), &Region::of(&shape.aabb()));
+        assert_eq!(exact.distance(&shape, f64::INFINITY), None, "{d}");
+        assert_eq!([exact.blocks(&shape), exact.crosses(&shape)], [false; 2], "{d}");
+    }
+}
+
+/// [EXACT-12]
+///
 /// Numbers of all sizes, in triangles that rays hit, graze and miss.
 #[test]
 fn other_units_give_the_answer_of_rationals() {
