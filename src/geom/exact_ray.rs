@@ -242,9 +242,7 @@ impl<V: Vector> ExactRay<V> {
     /// Distance to the image of a triangle that its line is known to meet, by twice the digits of a double: where that
     /// is certain, and not at an end.
     pub(crate) fn fine_distance(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Option<V::Real> {
-        let [tmin, tmax] = self.interval;
-        // Rounding keeps the order, so that only an end that is equal leaves a question.
-        self.fine(triangle, maps)?.distance().filter(|t| tmin < *t && *t < tmax)
+        self.fine(triangle, maps)?.distance_within(self.interval)
     }
 
     /// The weights of the second and the third corner there, likewise.

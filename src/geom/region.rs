@@ -22,7 +22,8 @@ struct Near {
     middle: Vec4,
     /// What is farther from there on some axis is far.
     far: f32,
-    /// Of shorter directions, distances to what is in the box from what is not far may overflow. Infinity in the last lane.
+    /// Of shorter directions, distances to what is in the box from what is not far may overflow. Infinity in the last
+    /// lane.
     short: Vec4,
 }
 
@@ -62,8 +63,8 @@ impl Region {
         self.bounds.lo.abs().max(self.bounds.hi.abs()).max_element()
     }
 
-    /// The middle of the box, in the frame; how far from there, on each axis, single precision tells enough of what is in the
-    /// box; and what a component of a direction must be at least.
+    /// The middle of the box, in the frame; how far from there, on each axis, single precision tells enough of what is
+    /// in the box; and what a component of a direction must be at least.
     #[inline(always)]
     pub(super) fn near(&self) -> [Vec4; 3] {
         let Near { middle, far, short } = self.near;

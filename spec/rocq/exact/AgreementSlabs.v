@@ -155,7 +155,8 @@ Qed.
 (** * [Doubled] *)
 
 Section Doubled.
-Variables ox oy oz tmin tmax : num f64.
+Variables ox oy oz tmax : num f64.
+Notation tmin := (constant f64 0 0).
 Variables ix iy iz jx jy jz : num f64.
 Variables ax ay az bx by_ bz cx cy cz ex ey ez : num f32.
 Notation wide := f64_of_f32.
@@ -163,7 +164,7 @@ Notation wide := f64_of_f32.
 (** [Doubled::pair], for a ray whose origin is known. [BOX-6] *)
 Theorem doubled_pair_agrees :
   let '(hit, hit', near, near', far, far') := Doubled_pair f32 f64 f64_of_f32 ox oy oz ox oy oz ix iy iz jx jy jz
-    tmin ax bx cx ex ay by_ cy ey az bz cz ez tmax in
+    ax bx cx ex ay by_ cy ey az bz cz ez tmax in
   ((near, far) = fold_left (turn f64) ((ox, wide ax, wide bx, ix, jx) :: (oy, wide ay, wide by_, iy, jy) ::
       (oz, wide az, wide bz, iz, jz) :: nil) (tmin, tmax) /\ hit = Bleb near far) /\
   ((near', far') = fold_left (turn f64) ((ox, wide cx, wide ex, ix, jx) :: (oy, wide cy, wide ey, iy, jy) ::
@@ -195,11 +196,11 @@ Proof.
 Qed.
 
 (** [Doubled::new]. [BOX-6] *)
-Theorem doubled_new_agrees ox oy oz dx dy dz tmin : let ok d := BinarySingleNaN.is_finite d = true /\
+Theorem doubled_new_agrees ox oy oz px py pz dx dy dz : let ok d := BinarySingleNaN.is_finite d = true /\
     (B2R d = 0 \/ BinarySingleNaN.is_finite (Slabs.reciprocal 53 1024 prec_53 emax_1024 d) = true) in
   ok dx -> ok dy -> ok dz ->
-  Doubled_new f64 ox oy oz dx dy dz tmin = let i d := fst (reciprocals_64 d) in let j d := snd (reciprocals_64 d) in
-    (ox, oy, oz, ox, oy, oz, i dx, i dy, i dz, j dx, j dy, j dz, tmin).
+  Doubled_new f64 ox oy oz px py pz dx dy dz = let i d := fst (reciprocals_64 d) in let j d := snd (reciprocals_64 d) in
+    (ox, oy, oz, px, py, pz, i dx, i dy, i dz, j dx, j dy, j dz).
 Proof.
   intros ok [F1 U1] [F2 U2] [F3 U3]. unfold Doubled_new. cbv zeta.
   rewrite <- (doubled_reciprocals dx F1 U1), <- (doubled_reciprocals dy F2 U2), <- (doubled_reciprocals dz F3 U3). cbv zeta. reflexivity.

@@ -201,7 +201,8 @@ Definition double_is_usual (v_x v_y v_z : num double) :=
       (absolute double v_z) (constant double 1 200)))).
 
 (** [Doubled::new] of src/geom/slabs/doubled.rs. *)
-Definition Doubled_new (origin_x origin_y origin_z direction_x direction_y direction_z tmin : num double) :=
+Definition Doubled_new (origin_0_x origin_0_y origin_0_z origin_1_x origin_1_y origin_1_z direction_x direction_y direction_z : num
+    double) :=
   let inverse_x := over double (constant double 1 0) (plus double direction_x (constant double 0 0)) in
   let inverse_y := over double (constant double 1 0) (plus double direction_y (constant double 0 0)) in
   let inverse_z := over double (constant double 1 0) (plus double direction_z (constant double 0 0)) in
@@ -220,27 +221,27 @@ Definition Doubled_new (origin_x origin_y origin_z direction_x direction_y direc
   let inverse_1_x := if backward_x then near_x else far_x in
   let inverse_1_y := if backward_y then near_y else far_y in
   let inverse_1_z := if backward_z then near_z else far_z in
-  (origin_x, origin_y, origin_z, origin_x, origin_y, origin_z, inverse_0_x, inverse_0_y, inverse_0_z, inverse_1_x, inverse_1_y,
-      inverse_1_z, tmin).
+  (origin_0_x, origin_0_y, origin_0_z, origin_1_x, origin_1_y, origin_1_z, inverse_0_x, inverse_0_y, inverse_0_z, inverse_1_x,
+      inverse_1_y, inverse_1_z).
 
 (** [Doubled::pair] of src/geom/slabs/doubled.rs. *)
 Definition Doubled_pair (self_origin_0_x self_origin_0_y self_origin_0_z self_origin_1_x self_origin_1_y self_origin_1_z
-    self_inverse_0_x self_inverse_0_y self_inverse_0_z self_inverse_1_x self_inverse_1_y self_inverse_1_z self_tmin : num double)
-    (planes_0_0 planes_0_1 planes_0_2 planes_0_3 planes_1_0 planes_1_1 planes_1_2 planes_1_3 planes_2_0 planes_2_1 planes_2_2 planes_2_3
-    : num single) (tmax : num double) :=
+    self_inverse_0_x self_inverse_0_y self_inverse_0_z self_inverse_1_x self_inverse_1_y self_inverse_1_z : num double) (planes_0_0
+    planes_0_1 planes_0_2 planes_0_3 planes_1_0 planes_1_1 planes_1_2 planes_1_3 planes_2_0 planes_2_1 planes_2_2 planes_2_3 : num
+    single) (tmax : num double) :=
   let t1 := times double (minus double (widen planes_0_0) self_origin_0_x) self_inverse_0_x in
   let t2 := times double (minus double (widen planes_0_1) self_origin_1_x) self_inverse_1_x in
   let test := less double t2 t1 in
   let first := if test then t2 else t1 in
   let last := if test then t1 else t2 in
-  let near := if less double self_tmin first then first else self_tmin in
+  let near := if less double (constant double 0 0) first then first else constant double 0 0 in
   let far := if less double last tmax then last else tmax in
   let t1'2 := times double (minus double (widen planes_0_2) self_origin_0_x) self_inverse_0_x in
   let t2'2 := times double (minus double (widen planes_0_3) self_origin_1_x) self_inverse_1_x in
   let test'4 := less double t2'2 t1'2 in
   let first'2 := if test'4 then t2'2 else t1'2 in
   let last'2 := if test'4 then t1'2 else t2'2 in
-  let near'2 := if less double self_tmin first'2 then first'2 else self_tmin in
+  let near'2 := if less double (constant double 0 0) first'2 then first'2 else constant double 0 0 in
   let far'2 := if less double last'2 tmax then last'2 else tmax in
   let t1'3 := times double (minus double (widen planes_1_0) self_origin_0_y) self_inverse_0_y in
   let t2'3 := times double (minus double (widen planes_1_1) self_origin_1_y) self_inverse_1_y in

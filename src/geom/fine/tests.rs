@@ -100,3 +100,13 @@ fn what_is_exact_stays_so() {
     assert!(of(1.0).over(wide - wide).is_none());
     assert_eq!(Fine::UNIT.bounds(), [[0.0, 0.0], [1.0, 0.0]]);
 }
+
+/// Of what underflows, something is left out. [NEAR-5]
+#[test]
+fn a_product_that_underflows_is_not_exact() {
+    let x = 1.0 + f64::EPSILON;
+    for (exponent, is_exact) in [(0, true), (-440, true), (-460, false), (-510, false), (-530, false)] {
+        let product = Fine::exact(x * power_of_two(exponent)) * Fine::exact(x * power_of_two(exponent));
+        assert_eq!(product.is_exact(), is_exact, "{exponent}");
+    }
+}

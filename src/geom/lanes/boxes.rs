@@ -11,8 +11,8 @@ use crate::geom::{Ray, Region};
 /// A ray, prepared for `A` boxes at once: 4 or 8. `[LANES-1]`
 ///
 /// The test is that of [`Directed`](crate::geom::slabs::Directed), with the near planes picked by the signs of the
-/// direction, so that nothing is sorted. Coordinates beyond 2^126, directions so short that distances overflow, and rays
-/// from afar are tested in double precision, which is slow.
+/// direction, so that nothing is sorted. Coordinates beyond 2^126, directions so short that distances overflow, and
+/// rays from afar are tested in double precision, which is slow.
 #[derive(Clone, Copy, Debug)]
 pub struct BoxRay<S: Simd, V: Lanes<S, A>, const A: usize> {
     simd: S,

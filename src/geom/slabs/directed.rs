@@ -15,8 +15,8 @@ use crate::geom::{Ray, Region};
 /// nearest float too. Which plane is the near one depends on the ray alone, so the two reciprocals stand in the lanes
 /// of lo and hi where they are needed, and the test takes the very instructions of [`Plain`](super::Plain).
 ///
-/// Directions may be of any size. Rays with a component (other than 0) whose reciprocal overflows, those with coordinates
-/// beyond 2^126 or distances that overflow, and those from afar are tested in double precision. `[BOX-9]`
+/// Directions may be of any size. Rays with a component (other than 0) whose reciprocal overflows, those with
+/// coordinates beyond 2^126 or distances that overflow, and those from afar are tested in double precision. `[BOX-9]`
 #[derive(Clone, Copy, Debug)]
 pub struct Directed {
     origin: [Vec4; 3],
@@ -35,8 +35,8 @@ pub const STEPS: u32 = 2;
 /// Greatest magnitude of a coordinate for which no difference overflows.
 pub(in crate::geom) const MAX_COORDINATE: f32 = f32::from_bits((127 + 126) << 23);
 
-/// Whether single precision tells little of the boxes that a ray meets: differences or all distances may overflow, or it
-/// comes from afar, where rounding moves it by more than boxes are large. In the fourth lane of the origin is 0.
+/// Whether single precision tells little of the boxes that a ray meets: differences or all distances may overflow, or
+/// it comes from afar, where rounding moves it by more than boxes are large. In the fourth lane of the origin is 0.
 #[inline(always)]
 pub(in crate::geom) fn is_beyond_single(origin: Vec4, direction: Vec4, region: &Region) -> bool {
     let [middle, far, short] = region.near();

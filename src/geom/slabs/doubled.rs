@@ -7,16 +7,15 @@ use super::{Intervals, STRICT_STEPS};
 /// As [`Directed`](super::Directed), in double precision, for a ray that may begin within bounds. `[BOX-6]`
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Doubled {
-    /// For lo and for hi: the greatest and the least origin that the ray may have.
+    /// For lo and for hi: the greatest and the least origin.
     pub(super) origin: [DVec3; 2],
     /// Reciprocals for lo and for hi.
     pub(super) inverse: [DVec3; 2],
-    pub(super) tmin: f64,
 }
 
 impl Doubled {
-    /// Prepares a ray.
-    pub(super) fn new(origin: DVec3, direction: DVec3, tmin: f64) -> Self {
+    /// Prepares a ray, by the greatest and the least origin that it may have.
+    pub(super) fn new(origin: [DVec3; 2], direction: DVec3) -> Self {
         let steps = u64::from(STRICT_STEPS);
         // Without -0, a component of 0 has the reciprocal +inf.
         let inverse = (direction + 0.0).recip();
@@ -24,12 +23,12 @@ impl Doubled {
         let far = inverse.map(|i| if i.is_finite() { f64::from_bits(i.to_bits() + steps) } else { i });
         let backward = direction.cmplt(DVec3::ZERO);
         let inverse = [DVec3::select(backward, far, near), DVec3::select(backward, near, far)];
-        Self { origin: [origin; 2], inverse, tmin }
+        Self { origin, inverse }
     }
 
-    /// Two boxes at once, as [`Slabs::pair`](super::Slabs::pair).
+    /// Two boxes at once, from distance 0 on, as [`Slabs::pair`](super::Slabs::pair).
     pub(super) fn pair(&self, planes: &[[f32; 4]; 3], tmax: f64) -> Intervals<f64> {
-        let (mut near, mut far) = ([self.tmin; 2], [tmax; 2]);
+        let (mut near, mut far) = ([0.0; 2], [tmax; 2]);
         for axis in 0..3 {
             let [lo, hi] = self.inverse.map(|inverse| inverse[axis]);
             let [most, least] = self.origin.map(|origin| origin[axis]);

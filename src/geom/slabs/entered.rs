@@ -121,7 +121,7 @@ const MARGIN: f64 = power_of_two(-800);
 impl Entered {
     /// A ray that meets no box. The least origin of others is not infinite.
     const MISSING: Self = Self {
-        slabs: Doubled { origin: [DVec3::INFINITY; 2], inverse: [DVec3::ONE; 2], tmin: 0.0 },
+        slabs: Doubled { origin: [DVec3::INFINITY; 2], inverse: [DVec3::ONE; 2] },
         start: Interval::exact(0.0),
         exponent: 0,
         tmin: 0.0,
@@ -162,14 +162,14 @@ impl Entered {
         let margin = |k: usize| if is_nothing.test(k) { MARGIN } else { 0.0 };
         let bounds = [0, 1, 2].map(|k| (origin[k] + Interval::between([-margin(k), margin(k)])).ends());
         let [least, most] = [0, 1].map(|end| DVec3::from(bounds.map(|ends| ends[end])));
-        let slabs = Doubled::new(DVec3::ZERO, DVec3::select(is_nothing, DVec3::ZERO, direction), 0.0);
-        Self { slabs: Doubled { origin: [most, least], ..slabs }, start, exponent, tmin }
+        let slabs = Doubled::new([most, least], DVec3::select(is_nothing, DVec3::ZERO, direction));
+        Self { slabs, start, exponent, tmin }
     }
 
     /// Where the ray enters and leaves two boxes, if it does, for hits whose distances are rounded to single precision.
     ///
-    /// Such a distance may be below where the box is entered. Rounding keeps the order, so entries are rounded before they
-    /// are compared with it.
+    /// Such a distance may be below where the box is entered. Rounding keeps the order, so entries are rounded before
+    /// they are compared with it.
     pub(in crate::geom) fn in_single(&self, planes: &[[f32; 4]; 3]) -> [Option<[f32; 2]>; 2] {
         self.met(planes).map(|met| met.map(|[near, far]| [near as f32, far as f32]))
     }
@@ -194,8 +194,9 @@ impl Entered {
     }
 }
 
-/// Where a ray in single precision enters the region of all boxes, rounded to what the slab test in single precision has room
-/// for: the greatest origin and the least distance, then the least origin and the greatest distance. `[BOX-9]`
+/// Where a ray in single precision enters the region of all boxes, rounded outwards to what tests in single precision
+/// have room for: the greatest origin and the least distance, then the least origin and the greatest distance.
+/// `[BOX-9]`
 #[derive(Clone, Copy, Debug)]
 pub(in crate::geom) struct Entrance([Vec4; 2]);
 
@@ -227,9 +228,9 @@ impl Entrance {
         }
         let (direction, start) = (direction.as_dvec3(), Interval::between([most.w, least.w].map(f64::from)));
         let length = exponent_of(direction.abs().max_element());
-        let slabs = Doubled::new(DVec3::ZERO, direction * power_of_two(-length), 0.0);
         let origin = [most, least].map(|o| o.truncate().as_dvec3());
-        Entered { slabs: Doubled { origin, ..slabs }, start, exponent: -length, tmin: tmin.into() }
+        let slabs = Doubled::new(origin, direction * power_of_two(-length));
+        Entered { slabs, start, exponent: -length, tmin: tmin.into() }
     }
 }
 

@@ -18,8 +18,8 @@ pub const STRICT_STEPS: u32 = 3;
 /// lower planes the ray begins at the greatest origin that it may have, and for upper planes at the least, as in
 /// [`EnclosedSlabs`](super::EnclosedSlabs); so it takes the same instructions for a box as rays in single precision do.
 ///
-/// Where doubles cannot tell where it enters, and where the direction leaves 2^-1000 to 2^1000 or the unit of distance in
-/// the frame 2^-800 to 2^800, boxes are tested in double precision, which is slow. `[BOX-9]`
+/// Where doubles cannot tell where it enters, and where the direction leaves 2^-1000 to 2^1000 or the unit of distance
+/// in the frame 2^-800 to 2^800, boxes are tested in double precision, which is slow. `[BOX-9]`
 #[derive(Clone, Copy, Debug)]
 pub struct Wide {
     /// Greatest and least origin, in the lanes of lo and hi, twice.

@@ -87,8 +87,8 @@ proptest! {
     }
 }
 
-/// Entry, component, product and both sums are rounded down by nearly half a unit: five of the six that the bound is for.
-/// [INST-3]
+/// Entry, component, product and both sums are rounded down by nearly half a unit: five of the six that the bound is
+/// for. [INST-3]
 #[test]
 fn the_bound_is_hardly_too_great() {
     let unit = f64::EPSILON;

@@ -145,22 +145,15 @@ impl Exact64 {
     /// The distance of what may be a hit.
     #[inline(never)]
     fn place(&self, shape: &Triangle<DVec3>, limit: f64) -> Option<f64> {
-        let [tmin, tmax] = self.interval();
         if self.can_filter(shape) {
             let (found, errors) = (self.determinants(shape), self.errors_of(shape));
             if found.is_miss(&errors) {
                 return None;
             }
             if found.is_hit(&errors) {
-                if is_within(found.distance(&errors), [tmin, tmax.min(limit)]) == Some(false) {
-                    return None;
-                }
-                let (o, d) = (self.ray.origin(), self.ray.direction());
-                let t = fine::Determinants::new(&shape.0, o, d).distance();
-                // Rounding keeps the order, so that only an end that is equal leaves a question.
-                if t.is_some_and(|t| tmin < t && t < tmax) {
-                    return t;
-                }
+                let [tmin, tmax] = self.interval();
+                let is_outside = is_within(found.distance(&errors), [tmin, tmax.min(limit)]) == Some(false);
+                return if is_outside { None } else { self.rounded(shape) };
             }
         }
         if self.can_sum(shape) {
@@ -211,20 +204,26 @@ impl Exact64 {
         predicates::is_inside(corners, self.ray.origin(), self.ray.direction())
     }
 
-    /// The distance within the interval, of a line that meets the triangle, by twice the digits or by exact sums. `[EXACT-3]`
+    /// The distance within the interval, of a line that meets the triangle; no number may be above 2^200. `[EXACT-3]`
+    #[inline]
+    fn rounded(&self, shape: &Triangle<DVec3>) -> Option<f64> {
+        let t = fine::Determinants::new(&shape.0, self.ray.origin(), self.ray.direction());
+        t.distance_within(self.interval()).or_else(|| self.rounded_by_sums(shape))
+    }
+
+    /// The same by exact sums.
     #[cold]
     #[inline(never)]
-    fn rounded(&self, shape: &Triangle<DVec3>) -> Option<f64> {
-        let (o, d, [tmin, tmax]) = (self.ray.origin(), self.ray.direction(), self.interval());
-        let t = fine::Determinants::new(&shape.0, o, d).distance();
-        if t.is_some_and(|t| tmin < t && t < tmax) {
-            return t;
+    fn rounded_by_sums(&self, shape: &Triangle<DVec3>) -> Option<f64> {
+        if self.can_sum(shape) {
+            let (o, d) = (self.ray.origin(), self.ray.direction());
+            match quotient::distance_of_doubles(&shape.0, o, d, self.interval()) {
+                Certainty::Hit(t) => return Some(t),
+                Certainty::Miss => return None,
+                Certainty::Open => {}
+            }
         }
-        match quotient::distance_of_doubles(&shape.0, o, d, [tmin, tmax]) {
-            Certainty::Hit(t) => Some(t),
-            Certainty::Miss => None,
-            Certainty::Open => self.far_off(shape),
-        }
+        self.far_off(shape)
     }
 
     /// The distance where neither bounds nor sums hold for the numbers as they are.
@@ -323,8 +322,8 @@ fn unit_of(vectors: &[DVec3]) -> i32 {
     vectors.iter().flat_map(DVec3::to_array).map(unit).fold(0, i32::min)
 }
 
-/// The exponent of the unit in which the greatest of these numbers is about 2^128; 0 if there is none but 0, for which all
-/// units are alike.
+/// The exponent of the unit in which the greatest of these numbers is about 2^128; 0 if all are 0, for which all units
+/// are alike.
 fn unit_for(vectors: &[DVec3]) -> i32 {
     let greatest = vectors.iter().fold(DVec3::ZERO, |greatest, v| greatest.max(v.abs())).max_element();
     if greatest == 0.0 { 0 } else { (exponent_of(greatest) - SCALED).clamp(-MAX_UNIT, MAX_UNIT) }

@@ -112,11 +112,9 @@ impl<R: Real> EnclosedTest<R> {
     /// is within the closed interval.
     pub fn settle<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Certainty<R> {
         let Some(corners) = self.exact_corners(shape) else { return Certainty::Open };
-        let (o, d, [tmin, tmax]) = (self.origin, self.direction, self.interval);
+        let (o, d) = (self.origin, self.direction);
         if self.crossing(shape).is_some()
-            && let Some(t) = fine::Determinants::new(&corners, o, d).distance()
-            && tmin < t
-            && t < tmax
+            && let Some(t) = fine::Determinants::new(&corners, o, d).distance_within(self.interval)
         {
             return Certainty::Hit(t);
         }

@@ -1,8 +1,8 @@
 //! Signs, distances and weights in twice the digits of a double. `[EXACT-10]`
 //!
 //! A double holds no more digits than the quotient of the filter, whose bounds therefore hardly ever round alike. These
-//! nearly always do, at a fraction of the cost of exact sums. And they tell signs where the filter does not: of rays from
-//! afar, and of those nearly in the plane of a triangle.
+//! nearly always do, at a fraction of the cost of exact sums. And they tell signs where the filter does not: of rays
+//! from afar, and of those nearly in the plane of a triangle.
 
 use std::ops::Add as _;
 
@@ -41,8 +41,13 @@ impl Determinants {
         Self { det: dot(&e1, &cross(&d, &e2)), d, s, e1, e2 }
     }
 
-    /// The distance, rounded to the nearest float, if that is certain.
-    pub(in crate::geom) fn distance<R: Real>(&self) -> Option<R> {
+    /// The distance, rounded to the nearest float, if that is certain and is in an interval, not at an end. Rounding
+    /// keeps the order, so that only an end that is equal leaves a question.
+    pub(in crate::geom) fn distance_within<R: Real>(&self, [tmin, tmax]: [R; 2]) -> Option<R> {
+        self.distance().filter(|t| tmin < *t && *t < tmax)
+    }
+
+    fn distance<R: Real>(&self) -> Option<R> {
         self.nearest(dot(&self.e2, &cross(&self.s, &self.e1)))
     }
 

@@ -156,9 +156,8 @@ impl Exact {
         } else if !predicates::is_inside(&corners, o, d) {
             return None;
         }
-        let ([tmin, tmax], t) = (self.interval, fine::Determinants::new(&corners, o, d).distance());
-        // Rounding keeps the order, so that only an end that is equal leaves a question.
-        t.filter(|t| tmin < *t && *t < tmax).or_else(|| quotient::distance(&corners, o, d, self.interval))
+        let t = fine::Determinants::new(&corners, o, d).distance_within(self.interval);
+        t.or_else(|| quotient::distance(&corners, o, d, self.interval))
     }
 }
 

@@ -28,8 +28,8 @@ pub(super) fn edge(d: DVec3, o: DVec3, from: DVec3, to: DVec3) -> f64 {
     volume(d, &minus(to, from), &minus(from, o))
 }
 
-/// A number with the sign of d . (a x b), of numbers up to 2^200: by twice the digits of a double, and by an exact sum where
-/// those do not tell. `[EXACT-10]`
+/// A number with the sign of d . (a x b), of numbers up to 2^200: by twice the digits of a double, and by an exact sum
+/// where those do not tell. `[EXACT-10]`
 pub(super) fn volume(d: DVec3, a: &Pairs, b: &Pairs) -> f64 {
     fine::volume(d, a, b).unwrap_or_else(|| {
         let mut sum = Sum::<96>::new();

@@ -180,3 +180,23 @@ fn what_is_beyond_the_end_is_skipped_from_afar() {
         assert_eq!([near, far].map(|aabb| slabs.one(&aabb, tmax).is_some()), reaches, "{tmax}");
     }
 }
+
+/// A component next to nothing may still take a ray into the next box. [BOX-9]
+#[test]
+fn next_to_nothing_is_not_nothing() {
+    const TINY: f64 = 1e-310;
+    let below = Aabb { lo: Vec3::new(0.0, -1.0, 0.0), hi: Vec3::new(1.0, 0.0, 1.0) };
+    let above = Aabb { lo: Vec3::new(1.0, 0.0, 0.0), hi: Vec3::new(2.0, 1.0, 1.0) };
+    for (o, d) in [(-0.5 * TINY, TINY), (0.5 * TINY, -TINY)] {
+        // From the one half of the region to the other.
+        let boxes = if d > 0.0 { [below, above] } else { [below, above].map(|aabb| mirrored(&aabb)) };
+        let ray = Ray::new(DVec3::new(0.0, o, 0.5), DVec3::new(1.0, d, 0.0)).expect("a ray");
+        let slabs = Entered::exactly(&ray, &Region::of(&boxes[0].union(boxes[1])));
+        assert_eq!(slabs.pair(&planes(boxes), f64::INFINITY).hit, [true; 2], "{d}");
+    }
+}
+
+/// The box on the other side of y = 0.
+fn mirrored(aabb: &Aabb) -> Aabb {
+    Aabb { lo: aabb.lo.with_y(-aabb.hi.y), hi: aabb.hi.with_y(-aabb.lo.y) }
+}
