@@ -269,6 +269,7 @@ Proof.
   apply orb_false_elim in W as [W Wr]. apply orb_false_elim in W as [W _]. apply negb_false_iff in W.
   apply andb_prop in W as [W _]. apply andb_prop in W as [W Nz]. apply andb_prop in W as [Nx Ny].
   apply andb_prop in Nx as [Nx _], Ny as [Ny _], Nz as [Nz _].
+  apply andb_prop in Nx as [Nx _], Ny as [Ny _], Nz as [Nz _].
   change (Bltb (f64_of_f32 (c32 1 126) : double) reach = false) in Wr.
   destruct (AgreementScene.widen_correct _ Fk) as (Fw & Vw & _). rewrite Bltb_correct in Wr by assumption.
   assert (R126 : B2R reach <= bpow radix2 126).

@@ -244,10 +244,9 @@ Theorem is_wide_agrees ox oy oz dx dy dz reach mx my mz mw away sx sy sz sw : le
   forall lx hx ly hy lz hz, reaches lx -> reaches hx -> reaches ly -> reaches hy -> reaches lz -> reaches hz ->
   let usual := Slabs.usual 24 128 prec_24 emax_128 in usual (ox, dx, lx, hx) /\ usual (oy, dy, ly, hy) /\ usual (oz, dz, lz, hz).
 Proof.
-  cbv zeta. intros Ox Oy Oz Dx Dy Dz R. unfold Directed_new. cbv zeta. cbn [snd]. intros W. apply orb_false_elim in W as [W Far].
-  apply negb_false_iff in W. apply andb_prop in W as [W _]. apply andb_prop in W as [W Z]. apply andb_prop in W as [X Y].
-  apply orb_false_elim in Far as [Far Reach]. apply orb_false_elim in Far as [Far _].
-  apply negb_false_iff in Far. apply andb_prop in Far as [Far _]. apply andb_prop in Far as [Far OZ]. apply andb_prop in Far as [OX OY].
+  cbv zeta. intros Ox Oy Oz Dx Dy Dz R. unfold Directed_new. cbv zeta. cbn [snd]. intros W. apply orb_false_elim in W as [W Reach].
+  apply orb_false_elim in W as [W _]. apply negb_false_iff in W. apply andb_prop in W as [W _].
+  apply andb_prop in W as [W Z]. apply andb_prop in W as [X Y]. apply andb_prop in X as [OX X], Y as [OY Y], Z as [OZ Z].
   apply andb_prop in OX as [OX _], OY as [OY _], OZ as [OZ _].
   change (Bltb (f64_of_f32 (Arithmetic.constant f32 1 126)) reach = false) in Reach.
   assert (V : B2R (f64_of_f32 (Arithmetic.constant f32 1 126) : binary_float 53 1024) = bpow radix2 126).

@@ -304,10 +304,6 @@ Definition Directed_new (ray_origin_x ray_origin_y ray_origin_z ray_direction_x 
   let hi_x := if backward_x then near_x else far_x in
   let hi_y := if backward_y then near_y else far_y in
   let hi_z := if backward_z then near_z else far_z in
-  let is_usual_x := orb (less single (absolute single inverse_x) (constant single 16777215 104)) is_zero_x in
-  let is_usual_y := orb (less single (absolute single inverse_y) (constant single 16777215 104)) is_zero_y in
-  let is_usual_z := orb (less single (absolute single inverse_z) (constant single 16777215 104)) is_zero_z in
-  let is_usual_w := orb (less single (absolute single inverse_w) (constant single 16777215 104)) is_zero_w in
   let is_near_x := andb (at_most single (absolute single ray_origin_x) (constant single 1 126)) (at_most single (absolute single (minus
       single ray_origin_x region_near_middle_x)) region_near_far) in
   let is_near_y := andb (at_most single (absolute single ray_origin_y) (constant single 1 126)) (at_most single (absolute single (minus
@@ -316,13 +312,16 @@ Definition Directed_new (ray_origin_x ray_origin_y ray_origin_z ray_direction_x 
       single ray_origin_z region_near_middle_z)) region_near_far) in
   let is_near_w := andb (at_most single (absolute single (constant single 0 0)) (constant single 1 126)) (at_most single (absolute
       single (minus single (constant single 0 0) region_near_middle_w)) region_near_far) in
+  let is_usual_x := andb is_near_x (orb (less single (absolute single inverse_x) (constant single 16777215 104)) is_zero_x) in
+  let is_usual_y := andb is_near_y (orb (less single (absolute single inverse_y) (constant single 16777215 104)) is_zero_y) in
+  let is_usual_z := andb is_near_z (orb (less single (absolute single inverse_z) (constant single 16777215 104)) is_zero_z) in
+  let is_usual_w := andb is_near_w (orb (less single (absolute single inverse_w) (constant single 16777215 104)) is_zero_w) in
   let is_short_x := less single (absolute single direction_x) region_near_short_x in
   let is_short_y := less single (absolute single direction_y) region_near_short_y in
   let is_short_z := less single (absolute single direction_z) region_near_short_z in
   let is_short_w := less single (absolute single direction_w) region_near_short_w in
-  let is_wide := orb (negb (andb (andb (andb is_usual_x is_usual_y) is_usual_z) is_usual_w)) (orb (orb (negb (andb (andb (andb is_near_x
-      is_near_y) is_near_z) is_near_w)) (andb (andb (andb is_short_x is_short_y) is_short_z) is_short_w)) (less double (widen (constant
-      single 1 126)) region_reach)) in
+  let is_wide := orb (orb (negb (andb (andb (andb is_usual_x is_usual_y) is_usual_z) is_usual_w)) (andb (andb (andb is_short_x
+      is_short_y) is_short_z) is_short_w)) (less double (widen (constant single 1 126)) region_reach) in
   (ray_origin_x, ray_origin_x, ray_origin_x, ray_origin_x, ray_origin_y, ray_origin_y, ray_origin_y, ray_origin_y, ray_origin_z,
       ray_origin_z, ray_origin_z, ray_origin_z, lo_x, hi_x, lo_x, hi_x, lo_y, hi_y, lo_y, hi_y, lo_z, hi_z, lo_z, hi_z, is_wide).
 
@@ -663,12 +662,20 @@ Definition BoxRay_new (ray_origin_x ray_origin_y ray_origin_z ray_direction_x ra
       single ray_origin_z region_near_middle_z)) region_near_far) in
   let is_near_w := andb (at_most single w (constant single 1 126)) (at_most single (absolute single (minus single (constant single 0 0)
       region_near_middle_w)) region_near_far) in
+  let is_usual_x := andb is_near_x (orb (less single (absolute single inverse_x) (constant single 16777215 104)) (equal single
+      direction_x (constant single 0 0))) in
+  let is_usual_y := andb is_near_y (orb (less single (absolute single inverse_y) (constant single 16777215 104)) (equal single
+      direction_y (constant single 0 0))) in
+  let is_usual_z := andb is_near_z (orb (less single (absolute single inverse_z) (constant single 16777215 104)) (equal single
+      direction_z (constant single 0 0))) in
+  let is_usual_w := andb is_near_w (orb (less single w (constant single 16777215 104)) (equal single (constant single 0 0) (constant
+      single 0 0))) in
   let is_short_x := less single (absolute single direction_x) region_near_short_x in
   let is_short_y := less single (absolute single direction_y) region_near_short_y in
   let is_short_z := less single (absolute single direction_z) region_near_short_z in
   let is_short_w := less single w region_near_short_w in
-  let is_wide := orb (orb (negb (andb (andb (andb is_near_x is_near_y) is_near_z) is_near_w)) (andb (andb (andb is_short_x is_short_y)
-      is_short_z) is_short_w)) (less double (widen (constant single 1 126)) region_reach) in
+  let is_wide := orb (orb (negb (andb (andb (andb is_usual_x is_usual_y) is_usual_z) is_usual_w)) (andb (andb (andb is_short_x
+      is_short_y) is_short_z) is_short_w)) (less double (widen (constant single 1 126)) region_reach) in
   (ray_origin_x, ray_origin_y, ray_origin_z, shifted single (-2) inverse_x, shifted single (-2) inverse_y, shifted single (-2)
       inverse_z, shifted single 2 inverse_x, shifted single 2 inverse_y, shifted single 2 inverse_z, less single direction_x (constant
       single 0 0), less single direction_y (constant single 0 0), less single direction_z (constant single 0 0), ray_tmin, is_wide).

@@ -90,6 +90,11 @@ fn what_is_exact_stays_so() {
     let of = Fine::exact;
     assert!((of(1.0) - of(1.0)).is_exact() && (of(1.0) + of(1e-30)).is_exact());
     assert!((of(0.0) * (of(0.1) * of(0.1))).is_exact());
+    let [a, b, c] = [0.1f32, 0.3, 0.7].map(|x| of(1.0 + f64::from(x)));
+    let zero = (a * b - b * c) * c + (b * c - a * b) * c;
+    assert_eq!((zero.sign(), zero.is_exact()), (Some(0.0), true));
+    // Of three that are all far from each other, something is lost.
+    assert!(!(of(1.0) + of(1e-30) + of(1e-60)).is_exact());
     assert_eq!((of(1.0) + of(1e-30)).bounds(), [[1.0, 1e-30]; 2]);
     assert_eq!(of(0.0).root().map(Fine::bounds), Some([[0.0; 2]; 2]));
     assert!(of(1.0).over(of(0.0)).is_none() && of(0.0).over(of(0.0)).is_none());

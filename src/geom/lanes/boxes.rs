@@ -11,8 +11,8 @@ use crate::geom::{Ray, Region};
 /// A ray, prepared for `A` boxes at once: 4 or 8. `[LANES-1]`
 ///
 /// The test is that of [`Directed`](crate::geom::slabs::Directed), with the near planes picked by the signs of the
-/// direction, so that nothing is sorted. Coordinates beyond 2^126, directions so short that distances overflow, and
-/// rays from afar are tested in double precision, which is slow.
+/// direction, so that nothing is sorted. The rays for which single precision is too little are tested in double
+/// precision, which is slow. `[BOX-9]`
 #[derive(Clone, Copy, Debug)]
 pub struct BoxRay<S: Simd, V: Lanes<S, A>, const A: usize> {
     simd: S,
@@ -43,7 +43,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
         let direction = ray.direction() + Vec3::ZERO;
         let side = |component: f32| if component < 0.0 { A } else { 0 };
         let (origin, inverse) = (ray.origin(), direction.recip());
-        let is_wide = is_beyond_single(origin.extend(0.0), direction.extend(0.0), region);
+        let is_wide = is_beyond_single(origin.extend(0.0), direction.extend(0.0), inverse.extend(0.0), region);
         Self {
             simd,
             origin: splat(simd, origin),

@@ -35,14 +35,16 @@ pub const STEPS: u32 = 2;
 /// Greatest magnitude of a coordinate for which no difference overflows.
 pub(in crate::geom) const MAX_COORDINATE: f32 = f32::from_bits((127 + 126) << 23);
 
-/// Whether single precision tells little of the boxes that a ray meets: differences or all distances may overflow, or
-/// it comes from afar, where rounding moves it by more than boxes are large. In the fourth lane of the origin is 0.
+/// Whether single precision tells little of the boxes that a ray meets: differences or all distances may overflow; or
+/// it comes from afar, where rounding moves it by more than boxes are large; or a reciprocal overflows, and it leaves a
+/// plane so slowly that it would seem to stay in it. In the fourth lane of the origin is 0.
 #[inline(always)]
-pub(in crate::geom) fn is_beyond_single(origin: Vec4, direction: Vec4, region: &Region) -> bool {
+pub(in crate::geom) fn is_beyond_single(origin: Vec4, direction: Vec4, inverse: Vec4, region: &Region) -> bool {
     let [middle, far, short] = region.near();
     let is_near = origin.abs().cmple(Vec4::splat(MAX_COORDINATE)) & (origin - middle).abs().cmple(far);
+    let is_usual = is_near & (inverse.abs().cmplt(Vec4::MAX) | direction.cmpeq(Vec4::ZERO));
     let is_short = direction.abs().cmplt(short);
-    is_near.bitmask() != 15 || is_short.bitmask() == 15 || region.reach() > f64::from(MAX_COORDINATE)
+    is_usual.bitmask() != 15 || is_short.bitmask() == 15 || region.reach() > f64::from(MAX_COORDINATE)
 }
 
 impl Slabs for Directed {
@@ -61,8 +63,7 @@ impl Slabs for Directed {
         let (near, far) = (moved(-(STEPS as i32)), Vec4::select(is_zero, Vec4::INFINITY, moved(STEPS as i32)));
         let backward = direction.cmplt(Vec4::ZERO);
         let (lo, hi) = (Vec4::select(backward, far, near), Vec4::select(backward, near, far));
-        let is_usual = inverse.abs().cmplt(Vec4::MAX) | is_zero;
-        let is_wide = is_usual.bitmask() != 15 || is_beyond_single(origin, direction, region);
+        let is_wide = is_beyond_single(origin, direction, inverse, region);
         Self {
             origin: [origin.xxxx(), origin.yyyy(), origin.zzzz()],
             inverse: [

@@ -18,8 +18,9 @@ pub const STRICT_STEPS: u32 = 3;
 /// lower planes the ray begins at the greatest origin that it may have, and for upper planes at the least, as in
 /// [`EnclosedSlabs`](super::EnclosedSlabs); so it takes the same instructions for a box as rays in single precision do.
 ///
-/// Where doubles cannot tell where it enters, and where the direction leaves 2^-1000 to 2^1000 or the unit of distance
-/// in the frame 2^-800 to 2^800, boxes are tested in double precision, which is slow. `[BOX-9]`
+/// Where doubles cannot tell where it enters, where a component of the direction is below 2^-126 of the greatest, and
+/// where that leaves 2^-1000 to 2^1000 or the unit of distance in the frame 2^-800 to 2^800, boxes are tested in double
+/// precision, which is slow. `[BOX-9]`
 #[derive(Clone, Copy, Debug)]
 pub struct Wide {
     /// Greatest and least origin, in the lanes of lo and hi, twice.
@@ -49,14 +50,14 @@ impl Slabs for Wide {
         let missing = Self { origin, inverse, start: 0.0, unit: [1.0; 2], tmin, entered: None };
         match Approach::of(ray, region) {
             Approach::Misses => missing,
-            Approach::Enters(Entry { origin, direction, start, exponent }) => {
+            Approach::Enters(Entry { origin, direction, start, exponent }) if !direction.iter().any(is_slow) => {
                 let lanes = [0, 1, 2].map(|axis| lanes(origin[axis], direction[axis], ray.direction()[axis] < 0.0));
                 let twice = |[lo, hi]: [f32; 2]| Vec4::new(lo, hi, lo, hi);
                 let [origin, inverse] = [0, 1].map(|i| lanes.map(|lanes| twice(lanes[i])));
                 let unit = [exponent, -exponent].map(power_of_two);
                 Self { origin, inverse, start, unit, tmin, entered: None }
             }
-            Approach::Unknown => Self { entered: Some(Entered::exactly(ray, region)), ..missing },
+            Approach::Enters(_) | Approach::Unknown => Self { entered: Some(Entered::new(ray, region)), ..missing },
         }
     }
 
@@ -97,21 +98,23 @@ fn pair_slow(entered: Entered, planes: &[[f32; 4]; 3], tmax: f64) -> Intervals<f
     entered.pair(planes, tmax)
 }
 
+/// Whether single precision would take the reciprocal of a component for infinite, though it is not 0.
+fn is_slow(direction: &Interval) -> bool {
+    let [least, most] = direction.ends();
+    let size = least.abs().max(most.abs());
+    0.0 < size && size < f32::MIN_POSITIVE.into()
+}
+
 /// For the lower and the upper plane of an axis: where the ray starts, and the reciprocal of its direction.
 fn lanes(origin: Interval, direction: Interval, is_backward: bool) -> [[f32; 2]; 2] {
-    let [o_least, mut o_most] = origin.ends_in_single();
+    let [least, most] = origin.ends_in_single();
     let speed = if is_backward { -direction } else { direction };
     let [slowest, fastest] = speed.ends_in_single();
     let steps = STRICT_STEPS;
     let near = f32::from_bits(fastest.max(f32::MIN_POSITIVE).recip().to_bits() - steps);
-    let mut far = f32::INFINITY;
-    if slowest >= f32::MIN_POSITIVE {
-        far = f32::from_bits(slowest.recip().to_bits() + steps);
-    } else if is_backward {
-        // The far plane is the lower one, where 0 times infinity would count for the near one.
-        o_most = o_most.next_up();
-    }
-    [[o_most, o_least], if is_backward { [-far, -near] } else { [near, far] }]
+    // It is 0 or at least that number.
+    let far = if slowest > 0.0 { f32::from_bits(slowest.recip().to_bits() + steps) } else { f32::INFINITY };
+    [[most, least], if is_backward { [-far, -near] } else { [near, far] }]
 }
 
 #[cfg(test)]

@@ -53,6 +53,11 @@ impl Determinants {
         self.det == 0.0
     }
 
+    /// Whether the line and the plane are parallel, or nearly so.
+    pub(super) const fn may_be_parallel(&self, errors: &Errors) -> bool {
+        self.det.abs() <= errors.det
+    }
+
     /// Whether the line certainly misses the closed triangle: an edge function has another sign than the determinant.
     ///
     /// If the sign of the determinant is right, because the edge's is; and if not, because the determinant is then

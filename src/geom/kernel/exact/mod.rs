@@ -138,6 +138,9 @@ impl Exact {
     #[inline(never)]
     fn settle(&self, shape: &Triangle) -> Option<f32> {
         let (corners, o, d) = (shape.widen(), self.origin, self.direction);
+        if predicates::is_along_axes(&corners, d) {
+            return None;
+        }
         let found = Determinants::of(&corners, o, d);
         // On a coarse grid, as in a lattice, an edge is met for sure.
         let is_exact = Determinants::are_exact(&corners, o, d);
@@ -153,6 +156,8 @@ impl Exact {
             if is_within(ends, self.interval) == Some(false) {
                 return None;
             }
+        } else if found.may_be_parallel(&errors) && predicates::is_parallel(&corners, d) {
+            return None;
         } else if !predicates::is_inside(&corners, o, d) {
             return None;
         }

@@ -61,8 +61,15 @@ pub(super) fn is_inside(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
     any_positive || any_negative
 }
 
+/// Whether twice the digits tell that a line is parallel to a triangle, for numbers up to 2^200. `[EXACT-10]`
+#[cold]
+#[inline(never)]
+pub(super) fn is_parallel(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {
+    fine::volume(d, &minus(v1, v0), &minus(v2, v0)) == Some(0.0)
+}
+
 /// Whether a line is parallel to a triangle that lies across an axis, as walls and floors do.
-fn is_along_axes(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {
+pub(super) fn is_along_axes(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {
     (d.cmpeq(DVec3::ZERO) & v0.cmpeq(v1) & v0.cmpeq(v2)).any()
 }
 

@@ -56,3 +56,17 @@ fn rays_from_afar_meet_what_is_in_their_way_and_nothing_else() {
         }
     }
 }
+
+/// A ray that leaves the plane of flat boxes, however slowly, is soon above them. [BOX-9]
+#[test]
+fn a_slow_component_takes_a_ray_out_of_a_plane() {
+    for at in 0..4u8 {
+        let lo = Vec3::new(f32::from(at), 0.0, 1.0);
+        let aabb = Aabb { lo, hi: lo + Vec3::new(1.0, 1.0, 0.0) };
+        for slow in [0.0, 1e-45, -1e-45, 1e-38, -f32::MIN_POSITIVE] {
+            let ray = Ray::new(Vec3::new(0.5, 0.5, 1.0), Vec3::new(64.0, 0.0, slow)).expect("a ray");
+            let slabs = Directed::new(&ray, &Region::of(&Aabb { lo: Vec3::ZERO, hi: Vec3::splat(9.0) }));
+            assert_eq!(slabs.one(&aabb, f32::INFINITY).is_some(), at == 0 || slow == 0.0, "{at} {slow}");
+        }
+    }
+}

@@ -39,3 +39,23 @@ fn double_precision_is_certain_of_triangles_in_general_position() {
     }
     assert!(asked > 4990, "{asked}");
 }
+
+/// A line along a triangle of floats is parallel to it, and twice the digits tell.
+#[test]
+fn lines_along_a_triangle_are_parallel_without_exact_sums() {
+    let mut random = Rng::new(3);
+    let mut float =
+        || f64::from(((random.bits() >> 40) as f32 / 2f32.powi(23) - 1.0) * 2f32.powi((random.bits() % 3) as i32));
+    for _ in 0..1000 {
+        let [a, b] = [(); 2].map(|()| DVec3::new(float(), float(), float()));
+        let (i, j) = (float(), float());
+        // Multiples of one edge are parallel to both.
+        for c in [a + (b - a) * 0.5, a + (b - a) * 4.0] {
+            assert!(is_parallel(&[a, b, c], DVec3::new(i, j, 1.0)), "{a} {b} {c}");
+        }
+        let c = DVec3::new(float(), float(), float());
+        for (along, across) in [(b - a, (b - a).cross(c - a)), (c - b, DVec3::new(i, j, 1.0))] {
+            assert!(is_parallel(&[a, b, c], along) && !is_parallel(&[a, b, c], across), "{a} {b} {c}");
+        }
+    }
+}
