@@ -190,7 +190,7 @@ pub(super) const fn lane_numbers<const A: usize>() -> [f32; A] {
 #[inline(never)]
 fn enter_wide<const A: usize>(ray: Ray, entrance: Entrance, planes: &[[[f32; A]; 2]; 3], end: f32) -> ([f32; A], u32) {
     let entered = entrance.ray(ray.direction(), ray.tmin());
-    ranked_by_pairs(planes, end, |pair| entered.in_single(pair).map(|met| met.map(|[near, _]| near)))
+    ranked_by_pairs(planes, end, |pair| entered.pair(pair).map(|met| met.map(|[near, _]| near)))
 }
 
 #[cfg(test)]

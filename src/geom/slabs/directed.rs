@@ -2,7 +2,7 @@
 
 use glam::{Vec3, Vec4, Vec4Swizzles};
 
-use super::entered::{Entrance, enter_if};
+use super::entrance::{Entrance, enter_if};
 use super::{Intervals, MISSED, Slabs, near_and_far};
 use crate::geom::{Ray, Region};
 
@@ -95,7 +95,7 @@ impl Slabs for Directed {
 #[cold]
 #[inline(never)]
 fn pair_wide(entrance: Entrance, direction: Vec3, tmin: f32, planes: &[[f32; 4]; 3], tmax: f32) -> [f32; 4] {
-    let met = entrance.ray(direction, tmin).in_single(planes);
+    let met = entrance.ray(direction, tmin).pair(planes);
     let lanes = met.map(|met| met.map_or(MISSED, |[near, far]| [near, far.min(tmax)]));
     [lanes[0][0], lanes[0][1], lanes[1][0], lanes[1][1]]
 }

@@ -1,6 +1,6 @@
 //! The slab test in double precision, from where a ray enters the region of all boxes.
 
-use glam::{DVec3, Vec3, Vec4};
+use glam::DVec3;
 
 use super::directed::MAX_COORDINATE;
 use super::{Doubled, Intervals};
@@ -16,12 +16,12 @@ use crate::geom::{Interval, Ray, Region};
 #[derive(Clone, Copy, Debug)]
 pub(in crate::geom) struct Entered {
     /// In the frame of the boxes, from the entry on.
-    slabs: Doubled,
+    pub(super) slabs: Doubled,
     /// Bounds of the distance at which the ray enters.
-    start: Interval,
+    pub(super) start: Interval,
     /// A unit of distance of the slabs is 2 to the power of this.
-    exponent: i32,
-    tmin: f64,
+    pub(super) exponent: i32,
+    pub(super) tmin: f64,
 }
 
 /// What doubles say of where a ray enters the region of all boxes.
@@ -120,7 +120,7 @@ const MARGIN: f64 = power_of_two(-800);
 
 impl Entered {
     /// A ray that meets no box. The least origin of others is not infinite.
-    const MISSING: Self = Self {
+    pub(super) const MISSING: Self = Self {
         slabs: Doubled { origin: [DVec3::INFINITY; 2], inverse: [DVec3::ONE; 2] },
         start: Interval::exact(0.0),
         exponent: 0,
@@ -166,14 +166,6 @@ impl Entered {
         Self { slabs, start, exponent, tmin }
     }
 
-    /// Where the ray enters and leaves two boxes, if it does, for hits whose distances are rounded to single precision.
-    ///
-    /// Such a distance may be below where the box is entered. Rounding keeps the order, so entries are rounded before
-    /// they are compared with it.
-    pub(in crate::geom) fn in_single(&self, planes: &[[f32; 4]; 3]) -> [Option<[f32; 2]>; 2] {
-        self.met(planes).map(|met| met.map(|[near, far]| [near as f32, far as f32]))
-    }
-
     /// Two boxes at once, as [`Slabs::pair`](super::Slabs::pair).
     pub(super) fn pair(&self, planes: &[[f32; 4]; 3], tmax: f64) -> Intervals<f64> {
         let met = self.met(planes).map(|met| met.filter(|[near, _]| *near <= tmax));
@@ -182,7 +174,7 @@ impl Entered {
     }
 
     /// Where the ray enters and leaves two boxes, if it does; not later and not sooner than it is.
-    fn met(&self, planes: &[[f32; 4]; 3]) -> [Option<[f64; 2]>; 2] {
+    pub(super) fn met(&self, planes: &[[f32; 4]; 3]) -> [Option<[f64; 2]>; 2] {
         let Intervals { hit, near, far } = self.slabs.pair(planes, f64::INFINITY);
         [0, 1].map(|i| {
             // Where a product underflows, it is off by less than the least number.
@@ -191,46 +183,6 @@ impl Entered {
                 if hit[i] { (scaled(from_start, self.exponent) + self.start).ends() } else { return None };
             (self.tmin <= far).then_some([near.max(self.tmin), far])
         })
-    }
-}
-
-/// Where a ray in single precision enters the region of all boxes, rounded outwards to what tests in single precision
-/// have room for: the greatest origin and the least distance, then the least origin and the greatest distance.
-/// `[BOX-9]`
-#[derive(Clone, Copy, Debug)]
-pub(in crate::geom) struct Entrance([Vec4; 2]);
-
-/// The entrance of a ray, if it is one that single precision does not take.
-#[inline(always)]
-pub(in crate::geom) fn enter_if(is_wide: bool, ray: &Ray, region: &Region) -> Entrance {
-    if is_wide { Entrance::of(ray, region) } else { Entrance([Vec4::ZERO; 2]) }
-}
-
-impl Entrance {
-    #[cold]
-    #[inline(never)]
-    fn of(ray: &Ray, region: &Region) -> Self {
-        let Entered { slabs, start, .. } = Entered::new(&ray.widen(), region);
-        let [most, least] = slabs.origin;
-        let bounds = [0, 1, 2].map(|k| Interval::between([least[k], most[k]]).ends_in_single());
-        let [start, latest] = start.ends_in_single();
-        Self([
-            Vec3::from(bounds.map(|[_, most]| most)).extend(start),
-            Vec3::from(bounds.map(|[least, _]| least)).extend(latest),
-        ])
-    }
-
-    /// The ray from there.
-    pub(in crate::geom) fn ray(self, direction: Vec3, tmin: f32) -> Entered {
-        let [most, least] = self.0;
-        if least.x == f32::INFINITY {
-            return Entered::MISSING;
-        }
-        let (direction, start) = (direction.as_dvec3(), Interval::between([most.w, least.w].map(f64::from)));
-        let length = exponent_of(direction.abs().max_element());
-        let origin = [most, least].map(|o| o.truncate().as_dvec3());
-        let slabs = Doubled::new(origin, direction * power_of_two(-length));
-        Entered { slabs, start, exponent: -length, tmin: tmin.into() }
     }
 }
 

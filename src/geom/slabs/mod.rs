@@ -13,12 +13,13 @@ pub(in crate::geom) mod directed;
 mod doubled;
 mod enclosed;
 mod entered;
+mod entrance;
 mod wide;
 
 pub use centred::{Centred, PADDING, Plain, TwoSided};
 pub use directed::{Directed, STEPS};
 pub use enclosed::EnclosedSlabs;
-pub(in crate::geom) use entered::{Entrance, enter_if};
+pub(in crate::geom) use entrance::{Entrance, enter_if};
 pub use wide::{STRICT_STEPS, Wide};
 
 use doubled::Doubled;

@@ -51,7 +51,11 @@ impl Slabs for Wide {
         match Approach::of(ray, region) {
             Approach::Misses => missing,
             Approach::Enters(Entry { origin, direction, start, exponent }) if !direction.iter().any(is_slow) => {
-                let lanes = [0, 1, 2].map(|axis| lanes(origin[axis], direction[axis], ray.direction()[axis] < 0.0));
+                let lanes = [0, 1, 2].map(|axis| {
+                    let is_backward = ray.direction()[axis] < 0.0;
+                    let speed = if is_backward { -direction[axis] } else { direction[axis] };
+                    lanes(origin[axis].ends_in_single(), speed.ends_in_single(), is_backward)
+                });
                 let twice = |[lo, hi]: [f32; 2]| Vec4::new(lo, hi, lo, hi);
                 let [origin, inverse] = [0, 1].map(|i| lanes.map(|lanes| twice(lanes[i])));
                 let unit = [exponent, -exponent].map(power_of_two);
@@ -105,14 +109,11 @@ fn is_slow(direction: &Interval) -> bool {
     0.0 < size && size < f32::MIN_POSITIVE.into()
 }
 
-/// For the lower and the upper plane of an axis: where the ray starts, and the reciprocal of its direction.
-fn lanes(origin: Interval, direction: Interval, is_backward: bool) -> [[f32; 2]; 2] {
-    let [least, most] = origin.ends_in_single();
-    let speed = if is_backward { -direction } else { direction };
-    let [slowest, fastest] = speed.ends_in_single();
+/// For the lower and the upper plane of an axis: where the ray starts, and the reciprocal of its direction. Given bounds
+/// of the origin and of the speed, which is 0 or normal.
+pub(super) fn lanes([least, most]: [f32; 2], [slowest, fastest]: [f32; 2], is_backward: bool) -> [[f32; 2]; 2] {
     let steps = STRICT_STEPS;
     let near = f32::from_bits(fastest.max(f32::MIN_POSITIVE).recip().to_bits() - steps);
-    // It is 0 or at least that number.
     let far = if slowest > 0.0 { f32::from_bits(slowest.recip().to_bits() + steps) } else { f32::INFINITY };
     [[most, least], if is_backward { [-far, -near] } else { [near, far] }]
 }

@@ -156,10 +156,11 @@ impl Exact64 {
                 return if is_outside { None } else { self.rounded(shape) };
             }
         }
-        if self.can_sum(shape) {
-            return if self.is_inside(shape) { self.rounded(shape) } else { None };
+        match self.is_inside(shape) {
+            Some(true) => self.rounded(shape),
+            Some(false) => None,
+            None => self.far_off(shape),
         }
-        self.far_off(shape)
     }
 
     /// Whether what may be a hit is one.
@@ -176,10 +177,10 @@ impl Exact64 {
                 return is_within;
             }
         }
-        if self.can_sum(shape) {
-            return self.is_inside(shape) && self.rounded(shape).is_some();
+        match self.is_inside(shape) {
+            Some(is_inside) => is_inside && self.rounded(shape).is_some(),
+            None => self.far_off(shape).is_some(),
         }
-        self.far_off(shape).is_some()
     }
 
     fn errors_of(&self, Triangle(corners): &Triangle<DVec3>) -> Errors {
@@ -200,8 +201,14 @@ impl Exact64 {
         can_sum(&[*a, *b, *c, self.ray.origin()], self.ray.direction())
     }
 
-    fn is_inside(&self, Triangle(corners): &Triangle<DVec3>) -> bool {
-        predicates::is_inside(corners, self.ray.origin(), self.ray.direction())
+    /// Whether the line meets the triangle; `None` where neither twice the digits nor exact sums tell.
+    fn is_inside(&self, shape: &Triangle<DVec3>) -> Option<bool> {
+        let (corners, o, d) = (&shape.0, self.ray.origin(), self.ray.direction());
+        if self.can_sum(shape) {
+            return Some(predicates::is_inside(corners, o, d));
+        }
+        let has_room = corners.iter().chain([&o, &d]).all(|v| v.abs().max_element() <= *USUAL.end());
+        if has_room { predicates::is_inside_by_fine(corners, o, d) } else { None }
     }
 
     /// The distance within the interval, of a line that meets the triangle; no number may be above 2^200. `[EXACT-3]`

@@ -24,41 +24,78 @@ pub(super) fn add_edge<const N: usize>(sum: &mut Sum<N>, d: DVec3, a: &Pairs, b:
 
 /// A number with the sign of the edge function d . ((to - o) x (from - o)).
 pub(super) fn edge(d: DVec3, o: DVec3, from: DVec3, to: DVec3) -> f64 {
-    // With the edge itself in place of one of both: from afar, much less cancels.
-    volume(d, &minus(to, from), &minus(from, o))
+    let [a, b] = side(o, from, to);
+    volume(d, &a, &b)
+}
+
+/// What d . (a x b) is the edge function of, with the edge itself in place of one of both: from afar, much less cancels.
+fn side(o: DVec3, from: DVec3, to: DVec3) -> [Pairs; 2] {
+    [minus(to, from), minus(from, o)]
 }
 
 /// A number with the sign of d . (a x b), of numbers up to 2^200: by twice the digits of a double, and by an exact sum
 /// where those do not tell. `[EXACT-10]`
 pub(super) fn volume(d: DVec3, a: &Pairs, b: &Pairs) -> f64 {
-    fine::volume(d, a, b).unwrap_or_else(|| {
-        let mut sum = Sum::<96>::new();
-        add_edge(&mut sum, d, a, b);
-        sum.value()
-    })
+    fine::volume(d, a, b).unwrap_or_else(|| volume_by_sum(d, a, b))
+}
+
+fn volume_by_sum(d: DVec3, a: &Pairs, b: &Pairs) -> f64 {
+    let mut sum = Sum::<96>::new();
+    add_edge(&mut sum, d, a, b);
+    sum.value()
 }
 
 /// Whether a line meets the closed triangle, in one point.
-///
-/// With A, B, C the corners as seen from the origin, the edge functions are d . (C x B), d . (A x C) and d . (B x A).
-/// None may differ in sign from another; all three are 0 only if the determinant, their sum, is.
 #[cold]
 #[inline(never)]
 pub(super) fn is_inside(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
+    let sides = sides(corners, o);
+    by_twice_the_digits(corners, &sides, d).unwrap_or_else(|known| {
+        let known = sides.iter().zip(known);
+        meets(known.map(|([a, b], sign)| Some(sign.unwrap_or_else(|| volume_by_sum(d, a, b))))).unwrap_or(false)
+    })
+}
+
+/// The same as far as twice the digits tell, for numbers up to 2^200, however small. `[EXACT-10]`
+#[cold]
+#[inline(never)]
+pub(super) fn is_inside_by_fine(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Option<bool> {
+    by_twice_the_digits(corners, &sides(corners, o), d).ok()
+}
+
+fn sides(&[a, b, c]: &[DVec3; 3], o: DVec3) -> [[Pairs; 2]; 3] {
+    [[b, c], [c, a], [a, b]].map(|[from, to]| side(o, from, to))
+}
+
+/// Whether the line meets the triangle of these sides; what is known of the signs, if that is too little.
+fn by_twice_the_digits(corners: &[DVec3; 3], sides: &[[Pairs; 2]; 3], d: DVec3) -> Result<bool, [Option<f64>; 3]> {
     if is_along_axes(corners, d) {
         // Which sums would tell at length.
-        return false;
+        return Ok(false);
     }
-    let &[a, b, c] = corners;
-    let (mut any_positive, mut any_negative) = (false, false);
-    for [from, to] in [[b, c], [c, a], [a, b]] {
-        let edge = edge(d, o, from, to);
+    let mut known = [None; 3];
+    let signs = sides.iter().zip(&mut known).map(|([a, b], known)| {
+        *known = fine::volume(d, a, b);
+        *known
+    });
+    meets(signs).ok_or(known)
+}
+
+/// By the signs of the edge functions; `None` if too few are known.
+///
+/// With A, B, C the corners as seen from the origin, these are d . (C x B), d . (A x C) and d . (B x A). None may differ
+/// in sign from another; all three are 0 only if the determinant, their sum, is.
+fn meets(signs: impl Iterator<Item = Option<f64>>) -> Option<bool> {
+    let (mut any_positive, mut any_negative, mut are_known) = (false, false, true);
+    for sign in signs {
+        let edge = sign.unwrap_or(0.0);
+        are_known &= sign.is_some();
         (any_positive, any_negative) = (any_positive || edge > 0.0, any_negative || edge < 0.0);
         if any_positive && any_negative {
-            return false;
+            return Some(false);
         }
     }
-    any_positive || any_negative
+    are_known.then_some(any_positive || any_negative)
 }
 
 /// Whether twice the digits tell that a line is parallel to a triangle, for numbers up to 2^200. `[EXACT-10]`

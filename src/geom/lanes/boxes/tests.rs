@@ -182,3 +182,30 @@ fn a_slow_component_takes_a_ray_out_of_a_plane() {
         assert_eq!(set, expected, "{slow}");
     }
 }
+
+/// Rays that begin so far away that they are tested from where they enter; at corners, and beside them. [BOX-9]
+#[test]
+fn from_afar_no_box_that_is_touched_is_left_out() {
+    let (mut draw, mut rare, mut touched) = (Draw::new(4), 0, 0);
+    while rare < 4000 {
+        let mut one = || Aabb::of(&[draw.ints(3), draw.ints(3)]);
+        let boxes = [(); 8].map(|()| one());
+        let (d, aabb) = (draw.ints(3), boxes[draw.below(8)]);
+        let target = one_of([aabb.lo, aabb.hi, aabb.lo.with_x(aabb.hi.x), aabb.lo * 0.5 + aabb.hi * 0.5], &mut draw);
+        // The origin is exact, up to some 2^20.
+        let powers = if draw.one_in(4) { 110 } else { 10 };
+        let far = 2f32.powi(10 + draw.below(powers) as i32);
+        let o = draw.nudged(target - d * far, 1);
+        let [tmin, tmax] = one_of([[0.0, f32::INFINITY], [0.0, far], [far, f32::INFINITY], [far, far]], &mut draw);
+        let Ok(ray) = Ray::within(o, d * one_of([1.0, 1.0, 0.75], &mut draw), tmin, tmax) else { continue };
+        let slabs = BoxRay::<_, f32x8<_>, 8>::new(fearless_simd::Fallback::new(), &ray, &region_of(&boxes));
+        if slabs.is_wide {
+            check(&ray, &boxes, tmax);
+            check(&ray, &[0, 1, 2, 3].map(|k| boxes[k]), tmax);
+            let [lo, hi] = [aabb.lo, aabb.hi].map(|v| v.to_array());
+            let entry = truth::entry(o.to_array(), ray.direction().to_array(), [tmin, tmax], lo, hi);
+            (rare, touched) = (rare + 1, touched + u32::from(entry.is_some()));
+        }
+    }
+    assert!(touched > 1000, "{touched}");
+}

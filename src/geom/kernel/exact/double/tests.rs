@@ -28,6 +28,21 @@ fn sums_have_room_for_all_digits() {
     }
 }
 
+/// [EXACT-10]
+///
+/// Of a component next to nothing, sums have no room for all digits.
+#[test]
+fn twice_the_digits_tell_what_a_component_next_to_nothing_does() {
+    let corners = [DVec3::ZERO, DVec3::Y, DVec3::X];
+    for (x, is_inside) in [(1e-260, true), (-1e-260, false)] {
+        let ray = Ray::new(DVec3::new(0.0, 0.3, -0.1), DVec3::new(x, 0.0, 1.0)).expect("a ray");
+        let exact = Exact64::new(&ray, &Region::of(&Triangle(corners).aabb()));
+        assert!(!exact.can_sum(&Triangle(corners)));
+        assert_eq!(exact.is_inside(&Triangle(corners)), Some(is_inside), "{x}");
+        assert_eq!(exact.distance(&Triangle(corners), f64::INFINITY), is_inside.then_some(0.1), "{x}");
+    }
+}
+
 /// [EXACT-12]
 ///
 /// Where all corners and the origin are 0, no unit is better than another: rationals are asked at once.

@@ -14,7 +14,7 @@ use stackless_bvh::generate::{procedural, stress};
 use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::slabs::Wide;
 use stackless_bvh::geom::{Aabb, AffineError, AffineMap, Ball, Mesh, Ray, Triangle};
-use stackless_bvh::trace::{Assembly, BinaryTracer, Instance, InstanceTracer, Object, Tracer};
+use stackless_bvh::trace::{Assembly, BinaryTracer, Counters, Instance, InstanceTracer, Object, Tracer, WideCounters};
 use stackless_bvh::traverse::Method;
 
 use crate::output::{Block, bar, table};
@@ -40,7 +40,7 @@ pub(super) struct Price {
     dearest: f64,
     /// The same of the dearest that a climb from the hard ones has found.
     found: f64,
-    /// That query.
+    /// That query; and of closest hits, what it meets.
     query: String,
 }
 
@@ -146,25 +146,42 @@ fn nanoseconds(ask: impl Fn() -> usize, floor: f64) -> Option<f64> {
 /// Rays through a mesh, in the default tracer.
 fn traced(mesh: Mesh, hard: Vec<Ray>, ask: fn(&Tracer, &Ray) -> usize) -> Made {
     let ordinary = procedural::rays(&mesh, 1, QUERIES);
-    let tracer = Tracer::of(&mesh)?;
-    Ok(queries(hard, ordinary, move |ray| ask(&tracer, ray)))
+    Ok(queries(Tracer::of(&mesh)?, hard, ordinary, ask, untold))
 }
 
-fn queries<Q: Change + 'static>(hard: Vec<Q>, ordinary: Vec<Q>, ask: impl Fn(&Q) -> usize + 'static) -> Queries {
+/// `ask` says how many answers a query has, `told` what else there is to say of it.
+fn queries<S: 'static, Q: Change + 'static>(
+    scene: S,
+    hard: Vec<Q>,
+    ordinary: Vec<Q>,
+    ask: fn(&S, &Q) -> usize,
+    told: fn(&S, &Q) -> String,
+) -> Queries {
     Box::new(move |name, climbing| {
+        let ask = |query: &Q| ask(&scene, query);
         let times = |queries: &[Q]| -> Vec<f64> {
             queries.iter().map(|query| nanoseconds(|| ask(query), 0.0).unwrap_or_default()).collect()
         };
         let (mut usual, hardest) = (times(&ordinary), times(&hard));
         usual.sort_by(f64::total_cmp);
         let dearest = hardest.iter().copied().fold(0.0, f64::max);
-        let (query, found) = climb(&hard, &hardest, &ask, climbing)?;
-        Some(Price { name, ordinary: *usual.get(usual.len() / 2)?, dearest, found, query: format!("{query:?}") })
+        let (query, found) = climb(&hard, &hardest, ask, climbing)?;
+        let query = format!("{query:?}{}", told(&scene, &query));
+        Some(Price { name, ordinary: *usual.get(usual.len() / 2)?, dearest, found, query })
     })
 }
 
+fn untold<S, Q>(_: &S, _: &Q) -> String {
+    String::new()
+}
+
 fn closest(mesh: Mesh, hard: Vec<Ray>) -> Made {
-    traced(mesh, hard, |tracer, ray| usize::from(tracer.closest(ray).is_some()))
+    let (ordinary, tracer) = (procedural::rays(&mesh, 1, QUERIES), Tracer::of(&mesh)?);
+    let ask = |tracer: &Tracer, ray: &Ray| usize::from(tracer.closest(ray).is_some());
+    Ok(queries(tracer, hard, ordinary, ask, |tracer, ray| {
+        let WideCounters { nodes, triangles, .. } = tracer.count_closest(&[*ray]);
+        format!(": {triangles} triangles in {nodes} nodes of eight")
+    }))
 }
 
 fn any(mesh: Mesh, hard: Vec<Ray>) -> Made {
@@ -194,7 +211,16 @@ fn closest_64(mesh: &Mesh, hard: &[Ray]) -> Made {
     let vertices = mesh.vertices().iter().map(|v| v.as_dvec3()).collect();
     let bvh: Bvh<Triangle<DVec3>> = BuildOptions::default().build(&Mesh::new(vertices, mesh.triangles().to_vec())?)?;
     let tracer = BinaryTracer::<_, Exact64, Wide>::with_tests(bvh, Method::default())?;
-    Ok(queries(hard, ordinary, move |ray| usize::from(tracer.closest(ray).is_some())))
+    Ok(queries(
+        tracer,
+        hard,
+        ordinary,
+        |tracer, ray| usize::from(tracer.closest(ray).is_some()),
+        |tracer, ray| {
+            let Counters { triangles, inner, .. } = tracer.count_closest(&[*ray]);
+            format!(": {triangles} triangles in {inner} nodes of two")
+        },
+    ))
 }
 
 /// The same in tenths.
@@ -236,7 +262,7 @@ fn crossings_of_split() -> Made {
     let ordinary = procedural::rays(&mesh, 1, QUERIES);
     let bvh = BuildOptions { builder: Builder::Spatial, ..BuildOptions::default() }.build(&mesh)?;
     let tracer = BinaryTracer::new(bvh);
-    Ok(queries(hard, ordinary, move |ray| tracer.crossings(ray) as usize))
+    Ok(queries(tracer, hard, ordinary, |tracer, ray| tracer.crossings(ray) as usize, untold))
 }
 
 fn nearest_to_pole() -> Made {
@@ -260,7 +286,7 @@ fn nearest(mesh: Mesh, point: fn(usize) -> Vec3) -> Made {
     let ordinary =
         procedural::rays(&mesh, 1, QUERIES).iter().map(|ray| Ball::around(ray.origin())).collect::<Result<_, _>>()?;
     let hard = (0..8).map(|i| Ball::around(point(i))).collect::<Result<_, _>>()?;
-    Ok(queries(hard, ordinary, move |ball| usize::from(tracer.nearest(ball).is_some())))
+    Ok(queries(tracer, hard, ordinary, |tracer, ball| usize::from(tracer.nearest(ball).is_some()), untold))
 }
 
 /// Rays at vertices of a sphere that a map has moved so many times.
@@ -287,7 +313,7 @@ fn instances(deep: usize, affine: AffineMap) -> Made {
         .filter_map(|ray| Ray::new(ray.origin() + middle, ray.direction()).ok())
         .collect();
     let tracer = InstanceTracer::new(&assembly, object, Method::default())?;
-    Ok(queries(hard, ordinary, move |ray: &Ray| usize::from(tracer.closest(ray).is_some())))
+    Ok(queries(tracer, hard, ordinary, |tracer, ray: &Ray| usize::from(tracer.closest(ray).is_some()), untold))
 }
 
 /// The image, rounded.

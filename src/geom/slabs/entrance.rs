@@ -1,0 +1,107 @@
+//! Rays in single precision that cannot be tested in it from where they begin.
+
+use glam::{Vec3, Vec4};
+
+use super::directed::MAX_COORDINATE;
+use super::entered::Entered;
+use super::wide::lanes;
+use super::{Doubled, Intervals, near_and_far};
+use crate::geom::frame::{exponent_of, power_of_two};
+use crate::geom::{Interval, Ray, Region};
+
+/// Where a ray enters the region of all boxes, rounded outwards to what tests in single precision have room for.
+/// `[BOX-9]`
+#[derive(Clone, Copy, Debug)]
+pub(in crate::geom) struct Entrance {
+    /// The greatest origin, and the least distance.
+    most: Vec4,
+    /// The least origin, and the greatest distance.
+    least: Vec4,
+    /// Whether neither differences of coordinates overflow nor all distances.
+    has_room: bool,
+}
+
+/// The entrance of a ray, if it is one that single precision does not take.
+#[inline(always)]
+pub(in crate::geom) fn enter_if(is_wide: bool, ray: &Ray, region: &Region) -> Entrance {
+    if is_wide { Entrance::of(ray, region) } else { Entrance { most: Vec4::ZERO, least: Vec4::ZERO, has_room: false } }
+}
+
+impl Entrance {
+    #[cold]
+    #[inline(never)]
+    fn of(ray: &Ray, region: &Region) -> Self {
+        let Entered { slabs, start, .. } = Entered::new(&ray.widen(), region);
+        let [most, least] = slabs.origin;
+        let bounds = [0, 1, 2].map(|k| Interval::between([least[k], most[k]]).ends_in_single());
+        let [start, latest] = start.ends_in_single();
+        let [most, least] = [1, 0].map(|end| Vec3::from(bounds.map(|ends| ends[end])));
+        let (greatest, [.., short]) = (most.abs().max(least.abs()).max_element(), region.near());
+        let is_short = ray.direction().extend(0.0).abs().cmplt(short).all();
+        let has_room = greatest.max(region.reach_in_frame()) <= MAX_COORDINATE && !is_short;
+        Self { most: most.extend(start), least: least.extend(latest), has_room }
+    }
+
+    /// The ray from there.
+    pub(in crate::geom) fn ray(self, direction: Vec3, tmin: f32) -> FromEntrance {
+        let Self { most, least, has_room } = self;
+        if least.x == f32::INFINITY {
+            return FromEntrance::Double(Entered::MISSING);
+        }
+        // Without -0, a component of 0 has the reciprocal +inf.
+        let d = direction + 0.0;
+        let is_slow = d.cmpne(Vec3::ZERO) & d.recip().abs().cmpge(Vec3::MAX);
+        if has_room && !is_slow.any() {
+            let lanes = [0, 1, 2].map(|k| lanes([least[k], most[k]], [d[k].abs(); 2], d[k] < 0.0));
+            let [origin, inverse] = [0, 1].map(|i| {
+                lanes.map(|lanes| {
+                    let [lo, hi] = lanes[i];
+                    Vec4::new(lo, hi, lo, hi)
+                })
+            });
+            return FromEntrance::Single { origin, inverse, start: [most.w, least.w], tmin };
+        }
+        let (direction, start) = (direction.as_dvec3(), Interval::between([most.w, least.w].map(f64::from)));
+        let length = exponent_of(direction.abs().max_element());
+        let origin = [most, least].map(|o| o.truncate().as_dvec3());
+        let slabs = Doubled::new(origin, direction * power_of_two(-length));
+        FromEntrance::Double(Entered { slabs, start, exponent: -length, tmin: tmin.into() })
+    }
+}
+
+/// A ray from where it enters the region of all boxes.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::geom) enum FromEntrance {
+    /// It comes from afar.
+    Single {
+        /// Greatest and least origin, in the lanes of lo and hi, twice.
+        origin: [Vec4; 3],
+        inverse: [Vec4; 3],
+        /// Bounds of the distance of the entrance.
+        start: [f32; 2],
+        tmin: f32,
+    },
+    /// It has numbers beyond single precision.
+    Double(Entered),
+}
+
+impl FromEntrance {
+    /// Where the ray enters and leaves two boxes, if it does, for hits whose distances are rounded to single precision.
+    ///
+    /// Such a distance may be below where the box is entered. Rounding keeps the order, so entries are rounded before
+    /// they are compared with it.
+    pub(in crate::geom) fn pair(&self, planes: &[[f32; 4]; 3]) -> [Option<[f32; 2]>; 2] {
+        match self {
+            Self::Single { origin, inverse, start: [start, latest], tmin } => {
+                let Intervals { hit, near, far } =
+                    Intervals::of_lanes(near_and_far(planes, origin, inverse, 0.0, f32::INFINITY));
+                // From the entrance on, they are rounded.
+                [0, 1].map(|i| {
+                    let [near, far] = [start + near[i].next_down(), latest + far[i].next_up()];
+                    (hit[i] && *tmin <= far).then_some([near.max(*tmin), far])
+                })
+            }
+            Self::Double(entered) => entered.met(planes).map(|met| met.map(|ends| ends.map(|t| t as f32))),
+        }
+    }
+}
