@@ -133,15 +133,18 @@ impl Add for Fine {
     type Output = Self;
 
     /// Off by at most 3 u² + 13 u³ of the sum (Joldes, Muller & Popescu 2017, "Tight and rigorous error bounds for basic
-    /// building blocks of double-word arithmetic", Theorem 3.1), and not at all for two doubles.
+    /// building blocks of double-word arithmetic", Theorem 3.1), and not at all if nothing is left of the low parts: so
+    /// that a sum is 0 is not lost.
     #[inline]
     fn add(self, other: Self) -> Self {
         let ((high, rest), (low, least)) = (two_sum(self.high, other.high), two_sum(self.low, other.low));
-        if self.low == 0.0 && other.low == 0.0 && self.is_exact() && other.is_exact() {
-            return Self { high, low: rest, radius: 0.0 };
+        let (middle, left) = two_sum(rest, low);
+        let (high, middle) = two_sum(high, middle);
+        let radius = self.radius + other.radius;
+        if left == 0.0 && least == 0.0 {
+            return Self { high, low: middle, radius: radius * UP };
         }
-        let (high, rest) = two_sum(high, rest + low);
-        Self::new(high, rest + least, self.radius + other.radius + high.abs() * ERROR)
+        Self::new(high, middle + least, radius + high.abs() * ERROR)
     }
 }
 
