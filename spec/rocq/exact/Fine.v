@@ -39,9 +39,11 @@ Definition bounds (x : fine) : (R * R) * (R * R) :=
 Definition add (x y : fine) : fine :=
   let '(h, rest) := two_sum (high x) (high y) in
   let '(l, least) := two_sum (low x) (low y) in
-  if are_doubles x y then Fine h rest 0 else
-  let '(h', rest') := two_sum h (R64 (rest + l)) in
-  new h' (R64 (rest' + least)) (R64 (R64 (radius x + radius y) + R64 (Rabs h' * ERROR))).
+  let '(middle, lost) := two_sum rest l in
+  let '(h', middle') := two_sum h middle in
+  let r := R64 (radius x + radius y) in
+  if andb (Req_bool lost 0) (Req_bool least 0) then Fine h' middle' (R64 (r * UP)) else
+  new h' (R64 (middle' + least)) (R64 (r + R64 (Rabs h' * ERROR))).
 
 Definition neg (x : fine) : fine := Fine (- high x) (- low x) (radius x).
 Definition sub (x y : fine) : fine := add x (neg y).

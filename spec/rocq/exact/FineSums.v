@@ -109,18 +109,26 @@ Theorem add_stands x y r t : stands x r -> stands y t -> stands (add x y) (r + t
 Proof.
   destruct x as [ah al ar], y as [bh bl br]. intros [(Fah & Fal & Far & Pa & Ha) Va] [(Fbh & Fbl & Fbr & Pb & Hb) Vb]. unfold holds in Va, Vb.
   unfold add. cbn [high low radius] in *. rewrite (two_sum_is ah bh), (two_sum_is al bl) by assumption.
-  destruct (are_doubles _ _) eqn:D.
-  - unfold are_doubles, is_exact in D. cbn [low radius] in D. apply andb_prop in D as [D Z4]. apply andb_prop in D as [D Z3]. apply andb_prop in D as [Z1 Z2].
-    revert Z1 Z2 Z3 Z4. destruct (Req_bool_spec al 0) as [->|], (Req_bool_spec bl 0) as [->|], (Req_bool_spec ar 0) as [->|], (Req_bool_spec br 0) as [->|]; try discriminate. intros _ _ _ _.
-    replace r with ah by (apply Rabs_le_inv in Va; lra). replace t with bh by (apply Rabs_le_inv in Vb; lra).
-    pose proof (of_two_stands ah bh Fah Fbh) as S. now rewrite two_sum_is in S.
-  - rewrite two_sum_is by apply F_R64. pose proof (add_off_rounded ah al bh bl Fah Fal Fbh Fbl Ha Hb) as H.
-    set (s := R64 (ah + bh)) in *. set (v := R64 (s + _)) in *. set (w := s + _ - v) in *. set (f := al + bl - R64 (al + bl)) in *.
-    assert (Q : 0 <= R64 (Rabs v * ERROR)) by (apply R64_pos, Rmult_le_pos; [apply Rabs_pos|apply bpow_ge_0]). assert (P : 0 <= ar + br) by lra. pose proof (R64_pos _ P).
-    apply new_stands; [apply F_R64|apply F_R64|apply F_R64|apply R64_pos; lra|].
-    eapply Rle_trans; [|apply up_three; [exact Far|exact Fbr|apply F_R64|exact Pa|exact Pb|exact Q]].
+  rewrite (two_sum_is (ah + bh - R64 (ah + bh))) by (now apply rest_F || apply F_R64). rewrite two_sum_is by apply F_R64.
+  pose proof (add_off_rounded ah al bh bl Fah Fal Fbh Fbl Ha Hb) as H.
+  set (s := R64 (ah + bh)) in *. set (k := R64 (al + bl)) in *. set (c := R64 (ah + bh - s + k)) in *. set (v := R64 (s + c)) in *.
+  set (w := s + c - v) in *. set (f := al + bl - k) in *.
+  assert (Pq : 0 <= R64 (Rabs v * ERROR)) by (apply R64_pos, Rmult_le_pos; [apply Rabs_pos|apply bpow_ge_0]). assert (P : 0 <= ar + br) by lra. pose proof (R64_pos _ P) as P'.
+  assert (V : Rabs ((r - ah - al) + (t - bh - bl)) <= ar + br) by (eapply Rle_trans; [apply tri|now apply Rplus_le_compat]). cbv zeta.
+  destruct (andb _ _) eqn:D.
+  - apply andb_prop in D as [D1 D2]. revert D1 D2. destruct (Req_bool_spec (ah + bh - s + k - c) 0) as [Zc|], (Req_bool_spec f 0) as [Zf|]; try discriminate. intros _ _.
+    split; [repeat split; cbn [high low radius]|].
+    + apply F_R64.
+    + apply rest_F; apply F_R64.
+    + apply F_R64.
+    + apply R64_pos, Rmult_le_pos; [exact P'|]. rewrite UP_is. pose proof Hu. lra.
+    + apply sum_off; apply F_R64.
+    + unfold holds. cbn [high low radius]. replace (r + t - v - w) with ((r - ah - al) + (t - bh - bl)) by (unfold w; unfold f in Zf; lra).
+      eapply Rle_trans; [exact V|]. now apply up_two.
+  - apply new_stands; [apply F_R64|apply F_R64|apply F_R64|apply R64_pos; lra|].
+    eapply Rle_trans; [|apply up_three; [exact Far|exact Fbr|apply F_R64|exact Pa|exact Pb|exact Pq]].
     replace (r + t - v - R64 (w + f)) with ((r - ah - al) + (t - bh - bl) + (ah + al + (bh + bl) - v - R64 (w + f))) by ring.
-    eapply Rle_trans; [apply tri|]. apply Rplus_le_compat; [|exact H]. eapply Rle_trans; [apply tri|]. now apply Rplus_le_compat.
+    eapply Rle_trans; [apply tri|]. now apply Rplus_le_compat.
 Qed.
 
 (** [NEAR-5] *)
