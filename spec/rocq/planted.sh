@@ -76,6 +76,15 @@ planted $kernels/exact/mod.rs 'tmin < near && near < tmax' 'tmin <= near && near
 planted $kernels/exact/mod.rs 'if tmin < near && far < tmax {' 'if tmin < near && near < tmax {'
 planted src/geom/interval.rs 'if below >= 0.0 { lo }' 'if above >= 0.0 { lo }'
 planted src/geom/interval.rs 'radius.next_up()' 'radius'
+# Twice the digits: what is left out of a sum, its error, where a product is exact, what underflows, a sign, and a component.
+planted src/geom/fine.rs 'if left == 0.0 && least == 0.0 {' 'if least == 0.0 {'
+planted src/geom/fine.rs 'middle + least' 'middle'
+planted src/geom/fine.rs 'const ERROR: f64 = power_of_two(-102);' 'const ERROR: f64 = power_of_two(-106);'
+planted src/geom/fine.rs 'const EXACT: f64 = power_of_two(-900);' 'const EXACT: f64 = power_of_two(-1000);'
+planted src/geom/fine.rs 'of_radii * UP + high.abs() * ERROR + UNDERFLOW' 'of_radii * UP + high.abs() * ERROR'
+planted src/geom/fine.rs '(self.low.abs() + self.radius) * UP < self.high.abs()' '(self.low.abs() + self.radius) * UP <= self.high.abs()'
+planted $kernels/exact/fine.rs 'a[i] * b[j] - a[j] * b[i]' 'a[j] * b[i] - a[i] * b[j]'
+planted $kernels/exact/fine.rs 'filter(|&k| d[k] != 0.0)' 'filter(|&k| d[k] > 0.0)'
 # Lanes: planes, their sides, steps, a NaN, bits of a rank, a comparison.
 planted $lanes/boxes.rs 'self.distance(planes, 1, side[1] ^ A, far)' 'self.distance(planes, 1, side[1], far)'
 planted $lanes/boxes.rs 'if component < 0.0' 'if component <= 0.0'

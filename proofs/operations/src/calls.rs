@@ -188,6 +188,22 @@ impl Reader<'_> {
                 }
                 Ok(Value::Filtered(found))
             }
+            (Value::Filtered(of), "map", [function]) => {
+                let each = of.iter().map(|(condition, x)| {
+                    Ok((condition.clone(), self.apply(frame, function, std::slice::from_ref(x))?))
+                });
+                Ok(Value::Filtered(each.collect::<Result<_>>()?))
+            }
+            (Value::Filtered(of), "fold", [start, function]) => {
+                of.iter().try_fold(start.clone(), |before, (condition, x)| {
+                    let after = self.apply(frame, function, &[before.clone(), x.clone()])?;
+                    self.name("fold", &Value::choose(condition, &after, &before)?, false)
+                })
+            }
+            (Value::Bool(condition), "then_some", [Value::Real(format, x)]) => {
+                let some = Expr::Call("Some".into(), vec![(*format, x.clone())]);
+                Ok(Value::Maybe(condition.choose(&some, &Expr::Call("None".into(), Vec::new()))))
+            }
             (Value::Range(ends), "contains", [x]) => {
                 let not_before = operators::binary(&syn::parse_quote!(<=), &ends[0], x)?;
                 let not_after = operators::binary(&syn::parse_quote!(<=), x, &ends[1])?;

@@ -101,7 +101,10 @@ impl Reader<'_> {
             Rust::Reference(inner) => self.eval(frame, &inner.expr),
             Rust::Unary(unary) => {
                 let value = self.eval(frame, &unary.expr)?;
-                unary_of(unary.op, value)
+                match (unary.op, &value) {
+                    (UnOp::Neg(_), Value::Struct(..)) => self.method(frame, &unary.expr, value, "neg", &[]),
+                    (op, _) => unary_of(op, value),
+                }
             }
             Rust::Lit(literal) => literal_of(&literal.lit),
             Rust::Path(path) => self.path(frame, &path.path),

@@ -40,6 +40,8 @@ pub(crate) fn free(name: &str) -> String {
             | "with"
             | "at"
             | "exists"
+            | "left"
+            | "right"
             | "single"
             | "double"
             | "less"

@@ -8,11 +8,13 @@ use syn::{FnArg, ImplItem, Item, TraitItem, UseTree};
 /// The library's files, from the root of the repository on.
 const FILES: &[&str] = &[
     "src/geom/aabb.rs",
+    "src/geom/fine.rs",
     "src/geom/frame.rs",
     "src/geom/interval.rs",
     "src/geom/kernel/bounds.rs",
     "src/geom/kernel/exact/double.rs",
     "src/geom/kernel/exact/filter.rs",
+    "src/geom/kernel/exact/fine.rs",
     "src/geom/kernel/exact/mod.rs",
     "src/geom/kernel/exact/predicates.rs",
     "src/geom/kernel/exact/single.rs",

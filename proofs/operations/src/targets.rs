@@ -48,6 +48,7 @@ const INTERVAL: &str = "src/geom/interval.rs";
 const EXACT: &str = "src/geom/kernel/exact/mod.rs";
 const BOXES: &str = "src/geom/lanes/boxes.rs";
 const TRIANGLES: &str = "src/geom/lanes/triangles.rs";
+const FINE: &str = "src/geom/fine.rs";
 const NEAREST: &str = "src/geom/nearest.rs";
 
 /// In the order in which they are printed.
@@ -102,6 +103,15 @@ pub(crate) const TARGETS: &[Target] = &[
     Target { owner: "Interval", name: "neg", file: INTERVAL, known: &[], parts: &[] },
     Target { owner: "Interval", name: "middle_and_radius", file: INTERVAL, known: &[], parts: &[] },
     Target { owner: "Interval", name: "ends_in_single", file: INTERVAL, known: &[], parts: &[] },
+    Target { owner: "Fine", name: "new", file: FINE, known: &[], parts: &[] },
+    Target { owner: "Fine", name: "is_within", file: FINE, known: &[], parts: &[] },
+    Target { owner: "Fine", name: "sign", file: FINE, known: &[], parts: &[] },
+    Target { owner: "Fine", name: "bounds", file: FINE, known: &[], parts: &[] },
+    Target { owner: "Fine", name: "add", file: FINE, known: &[], parts: &[] },
+    Target { owner: "Fine", name: "neg", file: FINE, known: &[], parts: &[] },
+    Target { owner: "Fine", name: "sub", file: FINE, known: &[], parts: &[] },
+    Target { owner: "Fine", name: "mul", file: FINE, known: &[], parts: &[] },
+    Target { owner: "", name: "volume", file: "src/geom/kernel/exact/fine.rs", known: &[], parts: &[] },
     Target { owner: "Sum", name: "add", file: SUM, known: &[], parts: &[] },
     Target { owner: "Sum", name: "value", file: SUM, known: &[], parts: &[] },
     Target { owner: "Sum", name: "add_product", file: SUM, known: STATE, parts: &[] },

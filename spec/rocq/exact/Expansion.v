@@ -73,12 +73,14 @@ Proof.
   intros x. replace (- (x + 1))%Z with (- x - 1)%Z by lia. rewrite Z.even_sub, Z.even_opp. now destruct (Z.even x).
 Qed.
 
-(** Dekker and Veltkamp, for products that are 0 or far from underflow. [EXACT-8] *)
-Theorem two_product_is_exact a b : F a -> F b -> a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b) -> pair_sum (two_product a b) = a * b.
+(** Dekker and Veltkamp. *)
+Lemma dekker a b : F a -> F b -> (a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b) -> a * b = pair_sum (two_product a b)) /\
+  Rabs (a * b - pair_sum (two_product a b)) <= 7 / 2 * bpow radix2 (-1074).
 Proof.
-  intros A B H. rewrite (Rmult_comm a b) in H |- *.
-  destruct (Dekker radix2 (-1074) 53 (fun x => negb (Z.even x)) ltac:(lia) ltac:(lia) b a B A (or_introl eq_refl)) as [E _].
-  specialize (E H). rewrite E. unfold pair_sum, two_product, split. cbn [fst snd].
+  intros A B. pose proof (Dekker radix2 (-1074) 53 (fun x => negb (Z.even x)) ltac:(lia) ltac:(lia) b a B A (or_introl eq_refl)) as D.
+  rewrite (Rmult_comm a b).
+  match type of D with (_ -> _ = ?s) /\ _ => enough (pair_sum (two_product a b) = s) as -> by exact D end. clear D.
+  unfold pair_sum, two_product, split. cbn [fst snd].
   change (bpow radix2 (53 - Z.div2 53)) with (IZR 134217728).
   replace (IZR 134217728 + 1) with 134217729 by lra.
   assert (O : forall x, R64 (- x) = - R64 x) by (intros; apply round_NE_opp).
@@ -93,6 +95,13 @@ Proof.
   match goal with |- context [- ?k + R64 (tb * ha)] => replace (- k + R64 (tb * ha)) with (- (k - R64 (tb * ha))) by ring end. rewrite O.
   f_equal. ring.
 Qed.
+
+(** For products that are 0 or far from underflow it is exact. [EXACT-8] *)
+Theorem two_product_is_exact a b : F a -> F b -> a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b) -> pair_sum (two_product a b) = a * b.
+Proof. intros A B H. symmetry. now apply dekker. Qed.
+(** Of others little is lost. [NEAR-5] *)
+Theorem two_product_is_near a b : F a -> F b -> Rabs (a * b - pair_sum (two_product a b)) <= 7 / 2 * bpow radix2 (-1074).
+Proof. intros A B. now apply dekker. Qed.
 
 (** What is known of the terms, and of numbers on a grid. *)
 Definition good (g : Z) (x : R) : Prop := F x /\ multiple g x.

@@ -567,6 +567,95 @@ Definition Interval_ends_in_single (self_lo self_hi : num double) :=
   (if less double self_lo (widen (narrow self_lo)) then before single (narrow self_lo) else narrow self_lo, opposite single (if less
       double x'2 (widen (narrow x'2)) then before single (narrow x'2) else narrow x'2)).
 
+(** [UP] of src/geom/fine.rs. *)
+Definition fine_UP := plus double (constant double 1 0) (constant double 1 (-48)).
+
+(** [Fine::new] of src/geom/fine.rs. *)
+Definition Fine_new (high low radius : num double) :=
+  let '(high'2, low'2) := sum_two_sum high low in
+  (high'2, low'2, times double radius fine_UP).
+
+(** [Fine::is_within] of src/geom/fine.rs. *)
+Definition Fine_is_within (self_high self_radius most : num double) :=
+  andb (at_most double (absolute double self_high) most) (at_most double self_radius most).
+
+(** [Fine::sign] of src/geom/fine.rs. *)
+Definition Fine_sign (self_high self_low self_radius : num double) :=
+  let is_zero := andb (equal double self_radius (constant double 0 0)) (equal double self_high (constant double 0 0)) in
+  if orb is_zero (less double (times double (plus double (absolute double self_low) self_radius) fine_UP) (absolute double self_high))
+      then Some self_high else None.
+
+(** [Fine::bounds] of src/geom/fine.rs. *)
+Definition Fine_bounds (self_high self_low self_radius : num double) :=
+  let '(around_lo, around_hi) := Interval_add self_low self_low (opposite double self_radius) self_radius in
+  let '(high, low) := sum_two_sum self_high around_lo in
+  let '(high'2, low'2) := sum_two_sum self_high around_hi in
+  (high, low, high'2, low'2).
+
+(** [Fine::add] of src/geom/fine.rs. *)
+Definition Fine_add (self_high self_low self_radius other_high other_low other_radius : num double) :=
+  let '(high, rest) := sum_two_sum self_high other_high in
+  let '(low, least) := sum_two_sum self_low other_low in
+  let '(middle, left_) := sum_two_sum rest low in
+  let '(high'2, middle'2) := sum_two_sum high middle in
+  let radius := plus double self_radius other_radius in
+  let test := andb (equal double left_ (constant double 0 0)) (equal double least (constant double 0 0)) in
+  let '(new, new'2, new'3) := Fine_new high'2 (plus double middle'2 least) (plus double radius (times double (absolute double high'2)
+      (constant double 1 (-102)))) in
+  (if test then high'2 else new, if test then middle'2 else new'2, if test then times double radius fine_UP else new'3).
+
+(** [Fine::neg] of src/geom/fine.rs. *)
+Definition Fine_neg (self_high self_low self_radius : num double) :=
+  (opposite double self_high, opposite double self_low, self_radius).
+
+(** [Fine::sub] of src/geom/fine.rs. *)
+Definition Fine_sub (self_high self_low self_radius other_high other_low other_radius : num double) :=
+  let '(neg, neg'2, neg'3) := Fine_neg other_high other_low other_radius in
+  let '(add, add'2, add'3) := Fine_add self_high self_low self_radius neg neg'2 neg'3 in
+  (add, add'2, add'3).
+
+(** [Fine::mul] of src/geom/fine.rs. *)
+Definition Fine_mul (self_high self_low self_radius other_high other_low other_radius : num double) :=
+  let test := orb (andb (equal double self_high (constant double 0 0)) (equal double self_radius (constant double 0 0))) (andb (equal
+      double other_high (constant double 0 0)) (equal double other_radius (constant double 0 0))) in
+  let '(high, rest) := sum_two_product self_high other_high in
+  let test'2 := andb (andb (andb (andb (equal double self_low (constant double 0 0)) (equal double other_low (constant double 0 0)))
+      (equal double self_radius (constant double 0 0))) (equal double other_radius (constant double 0 0))) (less double (constant double
+      1 (-900)) (absolute double high)) in
+  let low := plus double rest (plus double (times double self_high other_low) (times double self_low other_high)) in
+  let of_radii := plus double (plus double (times double (absolute double self_high) other_radius) (times double (absolute double
+      other_high) self_radius)) (times double self_radius other_radius) in
+  let '(new, new'2, new'3) := Fine_new high low (plus double (plus double (times double of_radii fine_UP) (times double (absolute double
+      high) (constant double 1 (-102)))) (constant double 1 (-1060))) in
+  (if test then constant double 0 0 else if test'2 then high else new, if test then constant double 0 0 else if test'2 then rest else
+      new'2, if test then constant double 0 0 else if test'2 then constant double 0 0 else new'3).
+
+(** [volume] of src/geom/kernel/exact/fine.rs. *)
+Definition fine_volume (d_x d_y d_z a_0_0 a_0_1 a_1_0 a_1_1 a_2_0 a_2_1 b_0_0 b_0_1 b_1_0 b_1_1 b_2_0 b_2_1 : num double) :=
+  let '(mul, mul'2, mul'3) := Fine_mul a_1_0 a_1_1 (constant double 0 0) b_2_0 b_2_1 (constant double 0 0) in
+  let '(mul'4, mul'5, mul'6) := Fine_mul a_2_0 a_2_1 (constant double 0 0) b_1_0 b_1_1 (constant double 0 0) in
+  let '(sub, sub'2, sub'3) := Fine_sub mul mul'2 mul'3 mul'4 mul'5 mul'6 in
+  let '(mul'7, mul'8, mul'9) := Fine_mul d_x (constant double 0 0) (constant double 0 0) sub sub'2 sub'3 in
+  let '(mul'10, mul'11, mul'12) := Fine_mul a_2_0 a_2_1 (constant double 0 0) b_0_0 b_0_1 (constant double 0 0) in
+  let '(mul'13, mul'14, mul'15) := Fine_mul a_0_0 a_0_1 (constant double 0 0) b_2_0 b_2_1 (constant double 0 0) in
+  let '(sub'4, sub'5, sub'6) := Fine_sub mul'10 mul'11 mul'12 mul'13 mul'14 mul'15 in
+  let '(mul'16, mul'17, mul'18) := Fine_mul d_y (constant double 0 0) (constant double 0 0) sub'4 sub'5 sub'6 in
+  let '(mul'19, mul'20, mul'21) := Fine_mul a_0_0 a_0_1 (constant double 0 0) b_1_0 b_1_1 (constant double 0 0) in
+  let '(mul'22, mul'23, mul'24) := Fine_mul a_1_0 a_1_1 (constant double 0 0) b_0_0 b_0_1 (constant double 0 0) in
+  let '(sub'7, sub'8, sub'9) := Fine_sub mul'19 mul'20 mul'21 mul'22 mul'23 mul'24 in
+  let '(mul'25, mul'26, mul'27) := Fine_mul d_z (constant double 0 0) (constant double 0 0) sub'7 sub'8 sub'9 in
+  let '(add, add'2, add'3) := Fine_add (constant double 0 0) (constant double 0 0) (constant double 0 0) mul'7 mul'8 mul'9 in
+  let fold_high := if negb (equal double d_x (constant double 0 0)) then add else constant double 0 0 in
+  let fold_low := if negb (equal double d_x (constant double 0 0)) then add'2 else constant double 0 0 in
+  let fold_radius := if negb (equal double d_x (constant double 0 0)) then add'3 else constant double 0 0 in
+  let '(add'4, add'5, add'6) := Fine_add fold_high fold_low fold_radius mul'16 mul'17 mul'18 in
+  let fold_high'2 := if negb (equal double d_y (constant double 0 0)) then add'4 else fold_high in
+  let fold_low'2 := if negb (equal double d_y (constant double 0 0)) then add'5 else fold_low in
+  let fold_radius'2 := if negb (equal double d_y (constant double 0 0)) then add'6 else fold_radius in
+  let '(add'7, add'8, add'9) := Fine_add fold_high'2 fold_low'2 fold_radius'2 mul'25 mul'26 mul'27 in
+  Fine_sign (if negb (equal double d_z (constant double 0 0)) then add'7 else fold_high'2) (if negb (equal double d_z (constant double 0
+      0)) then add'8 else fold_low'2) (if negb (equal double d_z (constant double 0 0)) then add'9 else fold_radius'2).
+
 (** [Sum::add] of src/geom/kernel/exact/sum.rs. *)
 Definition Sum_add (self_terms : nat -> num double) (self_len : nat) (x : num double) :=
   let '(self_terms'5, carry'2, kept'2) := turns self_len (fun '(self_terms'2, carry, kept) i =>

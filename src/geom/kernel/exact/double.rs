@@ -87,7 +87,7 @@ impl Kernel for Exact64 {
         let (o, d) = (self.ray.origin(), self.ray.direction());
         if self.can_filter(shape)
             && self.determinants(shape).is_hit(&self.errors_of(shape))
-            && let Some(weights) = fine::Determinants::new(&shape.0, o, d).weights()
+            && let Some(weights) = fine::FineDeterminants::new(&shape.0, o, d).weights()
         {
             return weights;
         }
@@ -214,7 +214,7 @@ impl Exact64 {
     /// The distance within the interval, of a line that meets the triangle; no number may be above 2^200. `[EXACT-3]`
     #[inline]
     fn rounded(&self, shape: &Triangle<DVec3>) -> Option<f64> {
-        let t = fine::Determinants::new(&shape.0, self.ray.origin(), self.ray.direction());
+        let t = fine::FineDeterminants::new(&shape.0, self.ray.origin(), self.ray.direction());
         t.distance_within(self.interval()).or_else(|| self.rounded_by_sums(shape))
     }
 

@@ -104,7 +104,7 @@ impl<R: Real> EnclosedTest<R> {
         }
         let corners = self.exact_corners(shape)?;
         crossing
-            .and_then(|_| fine::Determinants::new(&corners, self.origin, self.direction).weights())
+            .and_then(|_| fine::FineDeterminants::new(&corners, self.origin, self.direction).weights())
             .or_else(|| quotient::weights_of_doubles(&corners, self.origin, self.direction))
     }
 
@@ -114,7 +114,7 @@ impl<R: Real> EnclosedTest<R> {
         let Some(corners) = self.exact_corners(shape) else { return Certainty::Open };
         let (o, d) = (self.origin, self.direction);
         if self.crossing(shape).is_some()
-            && let Some(t) = fine::Determinants::new(&corners, o, d).distance_within(self.interval)
+            && let Some(t) = fine::FineDeterminants::new(&corners, o, d).distance_within(self.interval)
         {
             return Certainty::Hit(t);
         }

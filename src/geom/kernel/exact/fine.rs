@@ -14,7 +14,7 @@ use crate::geom::fine::Fine;
 use crate::geom::frame::power_of_two;
 
 /// The determinants of a ray and a triangle, by twice the digits.
-pub(in crate::geom) struct Determinants {
+pub(in crate::geom) struct FineDeterminants {
     d: [Fine; 3],
     s: [Fine; 3],
     e1: [Fine; 3],
@@ -22,7 +22,7 @@ pub(in crate::geom) struct Determinants {
     det: Fine,
 }
 
-impl Determinants {
+impl FineDeterminants {
     /// No component of the direction, and none of a corner as seen from the origin, may be above 2^200.
     pub(super) fn new(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Self {
         Self::of(&corners.map(exact), o, d)

@@ -23,7 +23,7 @@ mod sum;
 pub use double::Exact64;
 pub(in crate::geom) use double::is_degenerate_64;
 pub use enclosed::{Certainty, EnclosedTest};
-pub(in crate::geom) use fine::Determinants as FineDeterminants;
+pub(in crate::geom) use fine::FineDeterminants;
 pub use parity::Parity;
 pub(in crate::geom) use predicates::is_degenerate;
 pub use single::{ExactFromSingle, MAX_COORDINATE, MIN_EDGE};
@@ -130,7 +130,7 @@ impl Exact {
     #[inline(never)]
     fn settle_weights(&self, corners: &[DVec3; 3]) -> [f32; 2] {
         let (o, d) = (self.origin, self.direction);
-        fine::Determinants::new(corners, o, d).weights().unwrap_or_else(|| quotient::weights(*corners, o, d))
+        fine::FineDeterminants::new(corners, o, d).weights().unwrap_or_else(|| quotient::weights(*corners, o, d))
     }
 
     /// The stages after the first.
@@ -161,7 +161,7 @@ impl Exact {
         } else if !predicates::is_inside(&corners, o, d) {
             return None;
         }
-        let t = fine::Determinants::new(&corners, o, d).distance_within(self.interval);
+        let t = fine::FineDeterminants::new(&corners, o, d).distance_within(self.interval);
         t.or_else(|| quotient::distance(&corners, o, d, self.interval))
     }
 }
