@@ -8,7 +8,7 @@ use gpu_check::planted::by_name;
 use gpu_check::suite::Adapter;
 use gpu_check::tapes::{Batch, cases, compare, unchanged};
 use gpu_check::{Gpu, GpuError, probe};
-use stackless_suite::{Answer, Implementation as _, author};
+use stackless_suite::{Answer, Implementation as _, Suite};
 use wgpu::Limits;
 
 /// What a limit is for, if it is one.
@@ -60,7 +60,7 @@ fn memory_that_is_not_there_is_an_error() {
 /// Answers of one case, again and again: the device goes after the first.
 fn answers_after(gpu: &Gpu, lose: impl Fn()) -> (Vec<Answer>, Option<GpuError>) {
     let mut adapter = Adapter::new(gpu, Kernel::all(1)[0], None).unwrap();
-    let suite = author::suite();
+    let suite = Suite::shipped().unwrap();
     let mut cases = suite.cases().filter(|(profile, _)| profile.name() == "trace/script");
     let (profile, case) = cases.next().unwrap();
     let mut answers = Vec::new();

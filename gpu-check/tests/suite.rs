@@ -1,12 +1,16 @@
 //! Kernels as implementations that the conformance suite asks: what each passes, and which mistakes the suite sees.
 
+use std::sync::LazyLock;
 use std::time::Duration;
 
 use gpu_check::Gpu;
 use gpu_check::kernel::Kernel;
 use gpu_check::planted::{self, SHADERS, Shader, ShownBy};
 use gpu_check::suite::Adapter;
-use stackless_suite::{Implementation as _, RunError, Runner, Suite, Waivers, author, judge};
+use stackless_suite::{Implementation as _, Profile, RunError, Runner, Suite, SuiteCase, Waivers, judge};
+
+/// Read once: every mistake asks a part of it.
+static SUITE: LazyLock<Suite> = LazyLock::new(|| Suite::shipped().unwrap());
 
 /// Cases that a kernel passes, by its full name. It fails none; all others it does not name.
 const PASSED: [(&str, usize); 29] = [
@@ -61,12 +65,15 @@ fn runner(suite: &Suite, command: Vec<String>) -> Runner<'_> {
 
 /// The cases of a profile that are about a clause.
 fn about(profile: &str, clause: &str) -> Suite {
-    let mut suite = author::suite();
-    suite.profiles.retain(|asked| asked.name() == profile);
-    for asked in &mut suite.profiles {
-        asked.cases.retain(|case| case.clauses.iter().any(|it| it == clause));
-    }
-    suite
+    let is_about = |case: &&SuiteCase| case.clauses.iter().any(|it| it == clause);
+    let asked = SUITE.profiles.iter().filter(|asked| asked.name() == profile);
+    let profiles = asked.map(|asked| Profile {
+        suite: asked.suite.clone(),
+        profile: asked.profile.clone(),
+        cases: asked.cases.iter().filter(is_about).cloned().collect(),
+        ..*asked
+    });
+    Suite { profiles: profiles.collect() }
 }
 
 /// How many cases a kernel with a mistake fails.
@@ -86,13 +93,13 @@ fn failed(gpu: &Gpu, bug: &'static Shader, suite: &Suite) -> usize {
 
 #[test]
 fn every_kernel_conforms_in_what_it_names() {
-    let suite = author::suite();
+    let suite = &*SUITE;
     let cases = suite.cases().count();
     assert_eq!(cases, 4597);
     let kernels: Vec<_> = (1..=3).flat_map(Kernel::all).map(|kernel| kernel.full_name()).collect();
     assert_eq!(kernels, PASSED.map(|(kernel, _)| kernel));
     for (kernel, passed) in PASSED {
-        let report = runner(&suite, command(&["suite", "--kernel", kernel])).run(|_| {}).unwrap();
+        let report = runner(suite, command(&["suite", "--kernel", kernel])).run(|_| {}).unwrap();
         let bad: Vec<_> = report.verdicts.iter().filter(|verdict| verdict.outcome.is_bad()).take(3).collect();
         assert!(bad.is_empty() && report.is_conforming(), "{kernel}: {:?} {bad:#?}", report.faults);
         assert_eq!((report.count("pass"), report.count("not-asked")), (passed, cases - passed), "{kernel}");
@@ -125,8 +132,7 @@ fn a_planted_bug_is_an_adapter() {
 
 #[test]
 fn without_an_adapter_nothing_is_answered() {
-    let suite = author::suite();
-    match runner(&suite, command(&["--adapter", "none of this name", "suite"])).run(|_| {}) {
+    match runner(&SUITE, command(&["--adapter", "none of this name", "suite"])).run(|_| {}) {
         Err(RunError::Hello { what, .. }) => assert!(what.contains("exit status: 3"), "{what}"),
         other => panic!("{other:?}"),
     }

@@ -150,7 +150,8 @@ def mutants_of_python(source):
     """Line, change, and text of each mutant."""
     tree = ast.parse(source)
     lines = source.split("\n")
-    for top in tree.body:
+    texts = [written(top) for top in tree.body]
+    for number, top in enumerate(tree.body):
         names = {getattr(top, "name", None)} | {getattr(it, "id", None) for it in getattr(top, "targets", ())}
         if names & PROTOCOL or not isinstance(top, (ast.FunctionDef, ast.ClassDef, ast.Assign)):
             continue
@@ -163,8 +164,15 @@ def mutants_of_python(source):
                 change = f"{shown(old)} -> {shown(new)}" if is_statement else f"{before} -> {shown(node)}"
                 line, column = place_of(node, old)
                 name = getattr(top, "name", "")
-                yield line, f"{name}: {lines[line - 1].strip()}", f"{column}: {change}", ast.unparse(tree)
+                # What is not changed is not written again: it would take most of the time.
+                text = "\n".join([*texts[:number], written(top), *texts[number + 1 :]])
+                yield line, f"{name}: {lines[line - 1].strip()}", f"{column}: {change}", text
                 holder[place] = old
+
+
+def written(top):
+    """A statement of a module, as `ast.unparse` writes it there."""
+    return "\n" * isinstance(top, (ast.FunctionDef, ast.ClassDef)) + ast.unparse(ast.Module([top], []))
 
 
 def place_of(node, old):

@@ -27,7 +27,7 @@ const NOT_RUN: [(&str, &str); 13] = [
 
 /// Commands that take long or stand for many, as written and as run.
 #[rustfmt::skip]
-const RUN_AS: [(&str, &str); 41] = [
+const RUN_AS: [(&str, &str); 43] = [
     ("stackless merge RECORD...",
      "stackless check --trees 10 --shard 1/1 --json whole.json && stackless merge whole.json"),
     ("stackless check",
@@ -41,9 +41,9 @@ const RUN_AS: [(&str, &str); 41] = [
     ("stackless check --leaves 7",
      "stackless check --leaves 5"),
     ("stackless check [SCENE...]",
-     "stackless check examples/data/torus.ply --trees 10"),
+     "stackless check examples/data/torus.ply --trees 10 --count 50"),
     ("stackless check examples/data/torus.ply --trees 1000",
-     "stackless check examples/data/torus.ply --trees 10"),
+     "stackless check examples/data/torus.ply --trees 10 --count 50"),
     ("stackless check --replay FILE",
      "stackless check --replay spec/departures/D-1.json"),
     ("stackless check --replay case.json",
@@ -78,6 +78,10 @@ const RUN_AS: [(&str, &str); 41] = [
      "stackless stress --list"),
     ("stackless stress --boxes N",
      "stackless stress --boxes 1000"),
+    ("stackless stress --boxes 1000000",
+     "stackless stress --boxes 1000"),
+    ("stackless curve",
+     "stackless curve --curves 2 --rounds 1 --tolerance 1e-2"),
     ("stackless accuracy SCENE...",
      "stackless accuracy examples/data/torus.ply --count 100 --rounds 1"),
     ("stackless accuracy examples/data/slivers.ply spheres --plot accuracy.svg --csv accuracy.csv",
