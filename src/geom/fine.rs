@@ -57,7 +57,7 @@ impl Fine {
         self.radius == 0.0
     }
 
-    /// Whether none is above so much in magnitude, but for rounding.
+    /// Whether none is above twice so much in magnitude, but for rounding: neither the middle nor the radius is above it.
     #[inline]
     pub(in crate::geom) fn is_within(&self, most: f64) -> bool {
         // Not so for a NaN.
