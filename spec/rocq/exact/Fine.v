@@ -1,4 +1,4 @@
-(** [Fine] of src/geom/fine.rs: numbers of twice the digits of a double, with a radius. What sums, differences and products give stands for
+(** [Fine] of src/geom/fine.rs: numbers of twice the digits of a double, with a radius. [NEAR-5] What sums, differences and products give stands for
     those of all numbers that the operands stand for. In double precision with gradual underflow, without a greatest exponent. *)
 Require Import Reals ZArith Lia Lra Psatz.
 From Flocq Require Import Core Relative Sterbenz Plus_error Pff2Flocq.

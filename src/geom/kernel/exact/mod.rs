@@ -156,9 +156,9 @@ impl Exact {
             if is_within(ends, self.interval) == Some(false) {
                 return None;
             }
-        } else if found.may_be_parallel(&errors) && predicates::is_parallel(&corners, d) {
-            return None;
-        } else if !predicates::is_inside(&corners, o, d) {
+        } else if found.may_be_parallel(&errors) && predicates::is_parallel(&corners, d)
+            || !predicates::is_inside(&corners, o, d)
+        {
             return None;
         }
         let t = fine::FineDeterminants::new(&corners, o, d).distance_within(self.interval);

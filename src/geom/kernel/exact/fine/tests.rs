@@ -24,7 +24,7 @@ proptest! {
         let [size, length] = scales.map(|exponent| 2f64.powi(exponent));
         let d = if is_aimed { corners[0] * 0.25 + corners[1] * 0.5 + corners[2] * 0.25 - o } else { d };
         let (corners, o, d) = (corners.map(|v| (v + shift) * size), (o + shift) * size, d * length);
-        let found = Determinants::new(&corners, o, d);
+        let found = FineDeterminants::new(&corners, o, d);
         match truth::meet(corners.map(|v| v.to_array()), o.to_array(), d.to_array()) {
             Meeting::Hit(point) => {
                 if let Some(t) = found.distance::<f64>() {
@@ -51,7 +51,7 @@ fn nearly_all_are_certain() {
         let corners = [vector(), vector(), vector()];
         let o = vector() - 5.0;
         let target = corners[0] * 0.3 + corners[1] * 0.3 + corners[2] * 0.4;
-        let found = Determinants::new(&corners, o, target - o);
+        let found = FineDeterminants::new(&corners, o, target - o);
         certain += u32::from(found.distance::<f64>().is_some() && found.weights::<f64>().is_some());
     }
     assert!(certain > 990, "{certain}");
