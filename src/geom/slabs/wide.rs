@@ -5,7 +5,7 @@ use glam::{DVec3, Vec4};
 use super::entered::{Approach, Entered, Entry};
 use super::{Intervals, Slabs, near_and_far};
 use crate::geom::frame::power_of_two;
-use crate::geom::{Interval, Ray, Region};
+use crate::geom::{Ray, Region};
 
 /// Floats by which a reciprocal is moved: one more than for rays in single precision, so that a near distance is below
 /// the exact one, and not only below the nearest float of it. `[BOX-4]`
@@ -18,9 +18,8 @@ pub const STRICT_STEPS: u32 = 3;
 /// lower planes the ray begins at the greatest origin that it may have, and for upper planes at the least, as in
 /// [`EnclosedSlabs`](super::EnclosedSlabs); so it takes the same instructions for a box as rays in single precision do.
 ///
-/// Where doubles cannot tell where it enters, where a component of the direction is below 2^-126 of the greatest, and
-/// where that leaves 2^-1000 to 2^1000 or the unit of distance in the frame 2^-800 to 2^800, boxes are tested in double
-/// precision, which is slow. `[BOX-9]`
+/// Where doubles cannot tell where it enters, and where the direction leaves 2^-1000 to 2^1000 or the unit of distance
+/// in the frame 2^-800 to 2^800, boxes are tested in double precision, which is slow. `[BOX-9]`
 #[derive(Clone, Copy, Debug)]
 pub struct Wide {
     /// Greatest and least origin, in the lanes of lo and hi, twice.
@@ -50,7 +49,7 @@ impl Slabs for Wide {
         let missing = Self { origin, inverse, start: 0.0, unit: [1.0; 2], tmin, entered: None };
         match Approach::of(ray, region) {
             Approach::Misses => missing,
-            Approach::Enters(Entry { origin, direction, start, exponent }) if !direction.iter().any(is_slow) => {
+            Approach::Enters(Entry { origin, direction, start, exponent }) => {
                 let lanes = [0, 1, 2].map(|axis| {
                     let is_backward = ray.direction()[axis] < 0.0;
                     let speed = if is_backward { -direction[axis] } else { direction[axis] };
@@ -61,7 +60,7 @@ impl Slabs for Wide {
                 let unit = [exponent, -exponent].map(power_of_two);
                 Self { origin, inverse, start, unit, tmin, entered: None }
             }
-            Approach::Enters(_) | Approach::Unknown => Self { entered: Some(Entered::new(ray, region)), ..missing },
+            Approach::Unknown => Self { entered: Some(Entered::exactly(ray, region)), ..missing },
         }
     }
 
@@ -102,19 +101,18 @@ fn pair_slow(entered: Entered, planes: &[[f32; 4]; 3], tmax: f64) -> Intervals<f
     entered.pair(planes, tmax)
 }
 
-/// Whether single precision would take the reciprocal of a component for infinite, though it is not 0.
-fn is_slow(direction: &Interval) -> bool {
-    let [least, most] = direction.ends();
-    let size = least.abs().max(most.abs());
-    0.0 < size && size < f32::MIN_POSITIVE.into()
-}
-
 /// For the lower and the upper plane of an axis: where the ray starts, and the reciprocal of its direction. Given bounds
-/// of the origin and of the speed, which is 0 or normal.
-pub(super) fn lanes([least, most]: [f32; 2], [slowest, fastest]: [f32; 2], is_backward: bool) -> [[f32; 2]; 2] {
+/// of the origin and of the speed.
+pub(super) fn lanes([least, mut most]: [f32; 2], [slowest, fastest]: [f32; 2], is_backward: bool) -> [[f32; 2]; 2] {
     let steps = STRICT_STEPS;
     let near = f32::from_bits(fastest.max(f32::MIN_POSITIVE).recip().to_bits() - steps);
-    let far = if slowest > 0.0 { f32::from_bits(slowest.recip().to_bits() + steps) } else { f32::INFINITY };
+    let mut far = f32::INFINITY;
+    if slowest >= f32::MIN_POSITIVE {
+        far = f32::from_bits(slowest.recip().to_bits() + steps);
+    } else if is_backward {
+        // The far plane is the lower one, where 0 times infinity would count for the near one.
+        most = most.next_up();
+    }
     [[most, least], if is_backward { [-far, -near] } else { [near, far] }]
 }
 

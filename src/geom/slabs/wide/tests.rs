@@ -96,7 +96,7 @@ proptest! {
         let (region, wider) = (Region::within(*frame, &a.union(*b)), Aabb { lo: a.lo - 1e-4, hi: a.hi + 1e-4 });
         // A component that is next to nothing bounds less than it could.
         let d = ray.direction().abs();
-        let is_plain = d.to_array().iter().all(|&x| x == 0.0 || x > 1e-300 * d.max_element());
+        let is_plain = d.to_array().iter().all(|&x| x == 0.0 || x > 1e-30 * d.max_element());
         if is_plain && truly(&case, &wider, [0.0, f64::INFINITY]).is_none() {
             prop_assert!(Wide::new(ray, &region).one(a, f64::INFINITY).is_none());
             let [exact, entered] = [Entered::exactly(ray, &region), Entered::new(ray, &region)];
@@ -161,25 +161,10 @@ fn what_is_passed_by_is_skipped() {
             (DVec3::new(-2.0, -1e300, 0.5), DVec3::new(1.0, 0.0, tiny)),
         ] {
             let slabs = Wide::new(&Ray::new(o, d).expect("a ray"), &Region::of(&aabb));
-            assert!(slabs.one(&aabb, f64::INFINITY).is_none(), "{o} {d}");
+            assert!(slabs.entered.is_none() && slabs.one(&aabb, f64::INFINITY).is_none(), "{o} {d}");
         }
         let inside = Ray::new(DVec3::new(-2.0, 0.5, 0.5), DVec3::new(1.0, -tiny, tiny)).expect("a ray");
         assert!(Wide::new(&inside, &Region::of(&aabb)).one(&aabb, f64::INFINITY).is_some());
-    }
-}
-
-/// A ray that leaves the plane of flat boxes, however slowly, is soon above them. [BOX-9]
-#[test]
-fn a_slow_component_takes_a_ray_out_of_a_plane() {
-    for at in 0..4u8 {
-        let lo = Vec3::new(f32::from(at), 0.0, 1.0);
-        let aabb = Aabb { lo, hi: lo + Vec3::new(1.0, 1.0, 0.0) };
-        for slow in [0.0, 1e-290, -1e-290, 1e-45, -1e-30] {
-            let ray = Ray::new(DVec3::new(0.5, 0.5, 1.0), DVec3::new(64.0, 0.0, slow)).expect("a ray");
-            let slabs = Wide::new(&ray, &Region::of(&Aabb { lo: Vec3::ZERO, hi: Vec3::splat(9.0) }));
-            assert_eq!(slabs.one(&aabb, f64::INFINITY).is_some(), at == 0 || slow == 0.0, "{at} {slow}");
-            assert_eq!(slabs.entered.is_some(), slow != 0.0 && slow.abs() < 1e-36, "{slow}");
-        }
     }
 }
 
