@@ -6,8 +6,8 @@ use super::Interval;
 use super::frame::power_of_two;
 use super::kernel::{two_product, two_sum};
 
-/// All numbers as near as `radius` to the sum of two doubles, of which the second is what rounding left out of the first.
-/// `[NEAR-5]`
+/// All numbers as near as `radius` to the sum of two doubles, of which the second is what rounding left out of the
+/// first. `[NEAR-5]`
 #[derive(Clone, Copy, Debug)]
 pub(in crate::geom) struct Fine {
     high: f64,
@@ -57,7 +57,8 @@ impl Fine {
         self.radius == 0.0
     }
 
-    /// Whether none is above twice so much in magnitude, but for rounding: neither the middle nor the radius is above it.
+    /// Whether neither the middle nor the radius is above so much in magnitude; then no number is above twice that, but
+    /// for rounding.
     #[inline]
     pub(in crate::geom) fn is_within(&self, most: f64) -> bool {
         // Not so for a NaN.
@@ -132,9 +133,9 @@ impl Fine {
 impl Add for Fine {
     type Output = Self;
 
-    /// Off by at most 3 u² + 13 u³ of the sum (Joldes, Muller & Popescu 2017, "Tight and rigorous error bounds for basic
-    /// building blocks of double-word arithmetic", Theorem 3.1), and not at all if nothing is left of the low parts: so
-    /// that a sum is 0 is not lost.
+    /// Off by at most 3 u² + 13 u³ of the sum (Joldes, Muller & Popescu 2017, "Tight and rigorous error bounds for
+    /// basic building blocks of double-word arithmetic", Theorem 3.1), and not at all if nothing is left of the low
+    /// parts: so that a sum is 0 is not lost.
     #[inline]
     fn add(self, other: Self) -> Self {
         let ((high, rest), (low, least)) = (two_sum(self.high, other.high), two_sum(self.low, other.low));
@@ -169,8 +170,8 @@ impl Neg for Fine {
 impl Mul for Fine {
     type Output = Self;
 
-    /// Off by at most 8 u² of the product: the product of the low parts is left out, two products and two sums of the order
-    /// u are rounded. Not at all for two doubles, unless it underflows.
+    /// Off by at most 8 u² of the product: the product of the low parts is left out, two products and two sums of the
+    /// order u are rounded. Not at all for two doubles, unless it underflows.
     #[inline]
     fn mul(self, other: Self) -> Self {
         // That a product is 0 must not be lost.

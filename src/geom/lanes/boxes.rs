@@ -11,8 +11,8 @@ use crate::geom::{Ray, Region};
 /// A ray, prepared for `A` boxes at once: 4 or 8. `[LANES-1]`
 ///
 /// The test is that of [`Directed`](crate::geom::slabs::Directed), with the near planes picked by the signs of the
-/// direction, so that nothing is sorted. The rays for which single precision is too little are tested in double
-/// precision, which is slow. `[BOX-9]`
+/// direction, so that nothing is sorted. The rays for which single precision is too little are tested from where they
+/// enter the region, which is slower. `[BOX-9]`
 #[derive(Clone, Copy, Debug)]
 pub struct BoxRay<S: Simd, V: Lanes<S, A>, const A: usize> {
     simd: S,
@@ -184,8 +184,8 @@ pub(super) const fn lane_numbers<const A: usize>() -> [f32; A] {
     lanes
 }
 
-/// The test in double precision, for rays that are so rare that it prepares them anew each time. It gets the ray by
-/// value, so that nothing points into a [`BoxRay`], which then can be in registers. `[BOX-9]`
+/// The test from where a ray enters the region, for rays that are so rare that it prepares them anew each time. It gets
+/// the ray by value, so that nothing points into a [`BoxRay`], which then can be in registers. `[BOX-9]`
 #[cold]
 #[inline(never)]
 fn enter_wide<const A: usize>(ray: Ray, entrance: Entrance, planes: &[[[f32; A]; 2]; 3], end: f32) -> ([f32; A], u32) {

@@ -16,7 +16,8 @@ use crate::geom::{Ray, Region};
 /// of lo and hi where they are needed, and the test takes the very instructions of [`Plain`](super::Plain).
 ///
 /// Directions may be of any size. Rays with a component (other than 0) whose reciprocal overflows, those with
-/// coordinates beyond 2^126 or distances that overflow, and those from afar are tested in double precision. `[BOX-9]`
+/// coordinates beyond 2^126 or distances that overflow, and those from afar are tested from where they enter the
+/// region. `[BOX-9]`
 #[derive(Clone, Copy, Debug)]
 pub struct Directed {
     origin: [Vec4; 3],
@@ -89,9 +90,9 @@ impl Slabs for Directed {
     }
 }
 
-/// The test in double precision: near and far of the first box, then of the second. Rays that need it are so rare that
-/// it prepares them anew each time. (It takes numbers, so that the other rays need not be in memory as a whole, and
-/// gives no more than fits registers, so that their results need not be either.)
+/// The test from where a ray enters the region: near and far of the first box, then of the second. Rays that need it
+/// are so rare that it prepares them anew each time. (It takes numbers, so that the other rays need not be in memory as
+/// a whole, and gives no more than fits registers, so that their results need not be either.)
 #[cold]
 #[inline(never)]
 fn pair_wide(entrance: Entrance, direction: Vec3, tmin: f32, planes: &[[f32; 4]; 3], tmax: f32) -> [f32; 4] {

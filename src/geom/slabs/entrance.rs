@@ -17,14 +17,15 @@ pub(in crate::geom) struct Entrance {
     most: Vec4,
     /// The least origin, and the greatest distance.
     least: Vec4,
-    /// Whether neither differences of coordinates overflow nor all distances.
-    has_room: bool,
+    /// Whether single precision will do from here on: neither differences of coordinates overflow, nor all distances,
+    /// nor a reciprocal.
+    is_single: bool,
 }
 
 /// The entrance of a ray, if it is one that single precision does not take.
 #[inline(always)]
 pub(in crate::geom) fn enter_if(is_wide: bool, ray: &Ray, region: &Region) -> Entrance {
-    if is_wide { Entrance::of(ray, region) } else { Entrance { most: Vec4::ZERO, least: Vec4::ZERO, has_room: false } }
+    if is_wide { Entrance::of(ray, region) } else { Entrance { most: Vec4::ZERO, least: Vec4::ZERO, is_single: false } }
 }
 
 impl Entrance {
@@ -36,29 +37,23 @@ impl Entrance {
         let bounds = [0, 1, 2].map(|k| Interval::between([least[k], most[k]]).ends_in_single());
         let [start, latest] = start.ends_in_single();
         let [most, least] = [1, 0].map(|end| Vec3::from(bounds.map(|ends| ends[end])));
-        let (greatest, [.., short]) = (most.abs().max(least.abs()).max_element(), region.near());
-        let is_short = ray.direction().extend(0.0).abs().cmplt(short).all();
-        let has_room = greatest.max(region.reach_in_frame()) <= MAX_COORDINATE && !is_short;
-        Self { most: most.extend(start), least: least.extend(latest), has_room }
+        let (direction, [.., short]) = (ray.direction(), region.near());
+        let greatest = most.abs().max(least.abs()).max_element().max(region.reach_in_frame());
+        let is_short = direction.extend(0.0).abs().cmplt(short).all();
+        let is_slow = direction.cmpne(Vec3::ZERO) & direction.recip().abs().cmpge(Vec3::MAX);
+        let is_single = greatest <= MAX_COORDINATE && !is_short && !is_slow.any();
+        Self { most: most.extend(start), least: least.extend(latest), is_single }
     }
 
     /// The ray from there.
     pub(in crate::geom) fn ray(self, direction: Vec3, tmin: f32) -> FromEntrance {
-        let Self { most, least, has_room } = self;
+        let Self { most, least, is_single } = self;
         if least.x == f32::INFINITY {
             return FromEntrance::Double(Entered::MISSING);
         }
-        // Without -0, a component of 0 has the reciprocal +inf.
-        let d = direction + 0.0;
-        let is_slow = d.cmpne(Vec3::ZERO) & d.recip().abs().cmpge(Vec3::MAX);
-        if has_room && !is_slow.any() {
-            let lanes = [0, 1, 2].map(|k| lanes([least[k], most[k]], [d[k].abs(); 2], d[k] < 0.0));
-            let [origin, inverse] = [0, 1].map(|i| {
-                lanes.map(|lanes| {
-                    let [lo, hi] = lanes[i];
-                    Vec4::new(lo, hi, lo, hi)
-                })
-            });
+        if is_single {
+            let d = direction;
+            let [origin, inverse] = lanes(|k| ([least[k], most[k]], [d[k].abs(); 2], d[k] < 0.0));
             return FromEntrance::Single { origin, inverse, start: [most.w, least.w], tmin };
         }
         let (direction, start) = (direction.as_dvec3(), Interval::between([most.w, least.w].map(f64::from)));
@@ -72,7 +67,7 @@ impl Entrance {
 /// A ray from where it enters the region of all boxes.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::geom) enum FromEntrance {
-    /// It comes from afar.
+    /// In single precision.
     Single {
         /// Greatest and least origin, in the lanes of lo and hi, twice.
         origin: [Vec4; 3],
@@ -81,7 +76,7 @@ pub(in crate::geom) enum FromEntrance {
         start: [f32; 2],
         tmin: f32,
     },
-    /// It has numbers beyond single precision.
+    /// In double precision.
     Double(Entered),
 }
 

@@ -14,9 +14,9 @@ pub const STRICT_STEPS: u32 = 3;
 /// A slab test in single precision, for rays in double precision, that skips no box which the ray touches. `[BOX-8]`
 ///
 /// The ray is taken into the [frame](crate::geom::Frame) of the boxes, and there to where it enters the region of all
-/// boxes. So single precision is as fine as the boxes are, wherever the ray begins. What rounding moves is enclosed: for
-/// lower planes the ray begins at the greatest origin that it may have, and for upper planes at the least, as in
-/// [`EnclosedSlabs`](super::EnclosedSlabs); so it takes the same instructions for a box as rays in single precision do.
+/// boxes. So single precision is as fine as the boxes are, wherever the ray begins. What rounding moves is enclosed:
+/// for lower planes the ray begins at the greatest origin that it may have, and for upper planes at the least, as in
+/// [`EnclosedSlabs`](super::EnclosedSlabs); so a box takes the same instructions as for rays in single precision.
 ///
 /// Where doubles cannot tell where it enters, and where the direction leaves 2^-1000 to 2^1000 or the unit of distance
 /// in the frame 2^-800 to 2^800, boxes are tested in double precision, which is slow. `[BOX-9]`
@@ -50,13 +50,11 @@ impl Slabs for Wide {
         match Approach::of(ray, region) {
             Approach::Misses => missing,
             Approach::Enters(Entry { origin, direction, start, exponent }) => {
-                let lanes = [0, 1, 2].map(|axis| {
+                let [origin, inverse] = lanes(|axis| {
                     let is_backward = ray.direction()[axis] < 0.0;
                     let speed = if is_backward { -direction[axis] } else { direction[axis] };
-                    lanes(origin[axis].ends_in_single(), speed.ends_in_single(), is_backward)
+                    (origin[axis].ends_in_single(), speed.ends_in_single(), is_backward)
                 });
-                let twice = |[lo, hi]: [f32; 2]| Vec4::new(lo, hi, lo, hi);
-                let [origin, inverse] = [0, 1].map(|i| lanes.map(|lanes| twice(lanes[i])));
                 let unit = [exponent, -exponent].map(power_of_two);
                 Self { origin, inverse, start, unit, tmin, entered: None }
             }
@@ -101,9 +99,17 @@ fn pair_slow(entered: Entered, planes: &[[f32; 4]; 3], tmax: f64) -> Intervals<f
     entered.pair(planes, tmax)
 }
 
-/// For the lower and the upper plane of an axis: where the ray starts, and the reciprocal of its direction. Given bounds
-/// of the origin and of the speed.
-pub(super) fn lanes([least, mut most]: [f32; 2], [slowest, fastest]: [f32; 2], is_backward: bool) -> [[f32; 2]; 2] {
+/// Where the ray starts, and the reciprocals of its direction: of each axis in the lanes of lo and hi, twice. `axis`
+/// gives bounds of the origin and of the speed, and whether the ray runs backward.
+#[inline]
+pub(super) fn lanes(axis: impl Fn(usize) -> ([f32; 2], [f32; 2], bool)) -> [[Vec4; 3]; 2] {
+    let planes = [0, 1, 2].map(|k| for_planes(axis(k)));
+    let twice = |[lo, hi]: [f32; 2]| Vec4::new(lo, hi, lo, hi);
+    [0, 1].map(|i| planes.map(|of_planes| twice(of_planes[i])))
+}
+
+/// For the lower and the upper plane of an axis: where the ray starts, and the reciprocal of its direction.
+fn for_planes(([least, mut most], [slowest, fastest], is_backward): ([f32; 2], [f32; 2], bool)) -> [[f32; 2]; 2] {
     let steps = STRICT_STEPS;
     let near = f32::from_bits(fastest.max(f32::MIN_POSITIVE).recip().to_bits() - steps);
     let mut far = f32::INFINITY;

@@ -204,6 +204,9 @@ impl Exact64 {
     /// Whether the line meets the triangle; `None` where neither twice the digits nor exact sums tell.
     fn is_inside(&self, shape: &Triangle<DVec3>) -> Option<bool> {
         let (corners, o, d) = (&shape.0, self.ray.origin(), self.ray.direction());
+        if predicates::is_along_axes(corners, d) {
+            return Some(false);
+        }
         if self.can_sum(shape) {
             return Some(predicates::is_inside(corners, o, d));
         }

@@ -118,7 +118,7 @@ impl<R: Real> EnclosedTest<R> {
         {
             return Certainty::Hit(t);
         }
-        if !predicates::is_inside(&corners, o, d) {
+        if predicates::is_along_axes(&corners, d) || !predicates::is_inside(&corners, o, d) {
             return Certainty::Miss;
         }
         quotient::distance_of_doubles(&corners, o, d, self.interval)

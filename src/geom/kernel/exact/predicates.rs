@@ -28,7 +28,8 @@ pub(super) fn edge(d: DVec3, o: DVec3, from: DVec3, to: DVec3) -> f64 {
     volume(d, &a, &b)
 }
 
-/// What d . (a x b) is the edge function of, with the edge itself in place of one of both: from afar, much less cancels.
+/// a and b, of which d . (a x b) is the edge function: with the edge itself in place of one of both. From afar, much
+/// less cancels so.
 fn side(o: DVec3, from: DVec3, to: DVec3) -> [Pairs; 2] {
     [minus(to, from), minus(from, o)]
 }
@@ -45,12 +46,12 @@ fn volume_by_sum(d: DVec3, a: &Pairs, b: &Pairs) -> f64 {
     sum.value()
 }
 
-/// Whether a line meets the closed triangle, in one point.
+/// Whether a line meets the closed triangle, in one point; see [`is_along_axes`] first.
 #[cold]
 #[inline(never)]
 pub(super) fn is_inside(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
     let sides = sides(corners, o);
-    by_twice_the_digits(corners, &sides, d).unwrap_or_else(|known| {
+    by_twice_the_digits(&sides, d).unwrap_or_else(|known| {
         let known = sides.iter().zip(known);
         meets(known.map(|([a, b], sign)| Some(sign.unwrap_or_else(|| volume_by_sum(d, a, b))))).unwrap_or(false)
     })
@@ -60,7 +61,7 @@ pub(super) fn is_inside(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
 #[cold]
 #[inline(never)]
 pub(super) fn is_inside_by_fine(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Option<bool> {
-    by_twice_the_digits(corners, &sides(corners, o), d).ok()
+    by_twice_the_digits(&sides(corners, o), d).ok()
 }
 
 fn sides(&[a, b, c]: &[DVec3; 3], o: DVec3) -> [[Pairs; 2]; 3] {
@@ -68,11 +69,7 @@ fn sides(&[a, b, c]: &[DVec3; 3], o: DVec3) -> [[Pairs; 2]; 3] {
 }
 
 /// Whether the line meets the triangle of these sides; what is known of the signs, if that is too little.
-fn by_twice_the_digits(corners: &[DVec3; 3], sides: &[[Pairs; 2]; 3], d: DVec3) -> Result<bool, [Option<f64>; 3]> {
-    if is_along_axes(corners, d) {
-        // Which sums would tell at length.
-        return Ok(false);
-    }
+fn by_twice_the_digits(sides: &[[Pairs; 2]; 3], d: DVec3) -> Result<bool, [Option<f64>; 3]> {
     let mut known = [None; 3];
     let signs = sides.iter().zip(&mut known).map(|([a, b], known)| {
         *known = fine::volume(d, a, b);
@@ -83,8 +80,8 @@ fn by_twice_the_digits(corners: &[DVec3; 3], sides: &[[Pairs; 2]; 3], d: DVec3) 
 
 /// By the signs of the edge functions; `None` if too few are known.
 ///
-/// With A, B, C the corners as seen from the origin, these are d . (C x B), d . (A x C) and d . (B x A). None may differ
-/// in sign from another; all three are 0 only if the determinant, their sum, is.
+/// With A, B, C the corners as seen from the origin, these are d . (C x B), d . (A x C) and d . (B x A). None may
+/// differ in sign from another; all three are 0 only if the determinant, their sum, is.
 fn meets(signs: impl Iterator<Item = Option<f64>>) -> Option<bool> {
     let (mut any_positive, mut any_negative, mut are_known) = (false, false, true);
     for sign in signs {
@@ -105,7 +102,8 @@ pub(super) fn is_parallel(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {
     fine::volume(d, &minus(v1, v0), &minus(v2, v0)) == Some(0.0)
 }
 
-/// Whether a line is parallel to a triangle that lies across an axis, as walls and floors do.
+/// Whether a line is parallel to a triangle that lies across an axis, as walls and floors do: what twice the digits and
+/// sums would tell at length, for numbers of any size.
 pub(super) fn is_along_axes(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {
     (d.cmpeq(DVec3::ZERO) & v0.cmpeq(v1) & v0.cmpeq(v2)).any()
 }

@@ -144,9 +144,9 @@ fn nanoseconds(ask: impl Fn() -> usize, floor: f64) -> Option<f64> {
 }
 
 /// Rays through a mesh, in the default tracer.
-fn traced(mesh: Mesh, hard: Vec<Ray>, ask: fn(&Tracer, &Ray) -> usize) -> Made {
+fn traced(mesh: Mesh, hard: Vec<Ray>, ask: fn(&Tracer, &Ray) -> usize, told: fn(&Tracer, &Ray) -> String) -> Made {
     let ordinary = procedural::rays(&mesh, 1, QUERIES);
-    Ok(queries(Tracer::of(&mesh)?, hard, ordinary, ask, untold))
+    Ok(queries(Tracer::of(&mesh)?, hard, ordinary, ask, told))
 }
 
 /// `ask` says how many answers a query has, `told` what else there is to say of it.
@@ -176,32 +176,32 @@ fn untold<S, Q>(_: &S, _: &Q) -> String {
 }
 
 fn closest(mesh: Mesh, hard: Vec<Ray>) -> Made {
-    let (ordinary, tracer) = (procedural::rays(&mesh, 1, QUERIES), Tracer::of(&mesh)?);
     let ask = |tracer: &Tracer, ray: &Ray| usize::from(tracer.closest(ray).is_some());
-    Ok(queries(tracer, hard, ordinary, ask, |tracer, ray| {
+    traced(mesh, hard, ask, |tracer, ray| {
         let WideCounters { nodes, triangles, .. } = tracer.count_closest(&[*ray]);
         format!(": {triangles} triangles in {nodes} nodes of eight")
-    }))
+    })
 }
 
 fn any(mesh: Mesh, hard: Vec<Ray>) -> Made {
-    traced(mesh, hard, |tracer, ray| usize::from(tracer.any(ray)))
+    traced(mesh, hard, |tracer, ray| usize::from(tracer.any(ray)), untold)
 }
 
 fn all(mesh: Mesh, hard: Vec<Ray>) -> Made {
-    traced(mesh, hard, |tracer, ray| tracer.all(ray).count())
+    traced(mesh, hard, |tracer, ray| tracer.all(ray).count(), untold)
 }
 
 /// Hit after hit.
 fn next(mesh: Mesh, hard: Vec<Ray>) -> Made {
-    traced(mesh, hard, |tracer, ray| {
+    let ask = |tracer: &Tracer, ray: &Ray| {
         let (mut count, mut hit) = (0, tracer.closest(ray));
         while let Some(found) = hit {
             count += 1;
             hit = tracer.next(ray, (found.t, found.prim));
         }
         count
-    })
+    };
+    traced(mesh, hard, ask, untold)
 }
 
 fn closest_64(mesh: &Mesh, hard: &[Ray]) -> Made {
