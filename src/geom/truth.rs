@@ -12,27 +12,31 @@
 
 mod nearest;
 
-pub use dashu_ratio::RBig;
+pub use dashu_ratio::{RBig, Relaxed};
 pub use nearest::{nearest_point, round_root, square_distance};
 
 use dashu_int::{IBig, Sign};
-use dashu_ratio::Relaxed;
 
 /// A float that is taken exactly: `f32` or `f64`.
 pub trait Number: Copy + Into<f64> + sealed::Sealed {
     /// The number of this kind that is nearest to `x`: [`round_f32`] or [`round_f64`].
-    fn nearest(x: &RBig) -> Self;
+    fn nearest(x: &RBig) -> Self {
+        Self::nearest_to(x.as_relaxed())
+    }
+
+    /// The same for a fraction that may not be in lowest terms.
+    fn nearest_to(x: &Relaxed) -> Self;
 }
 
 impl Number for f32 {
-    fn nearest(x: &RBig) -> Self {
-        round_f32(x)
+    fn nearest_to(x: &Relaxed) -> Self {
+        x.to_f32().value()
     }
 }
 
 impl Number for f64 {
-    fn nearest(x: &RBig) -> Self {
-        round_f64(x)
+    fn nearest_to(x: &Relaxed) -> Self {
+        x.to_f64().value()
     }
 }
 
@@ -177,10 +181,15 @@ pub fn distance_from<S: Number>(triangle: [[S; 3]; 3], origin: &[RBig; 3], direc
 /// // The float is above the tenth.
 /// assert!(!holds([0.1f32, 1.0], &tenth));
 /// ```
-pub fn holds<S: Number>([tmin, tmax]: [S; 2], t: &RBig) -> bool {
+pub fn holds<S: Number>(interval: [S; 2], t: &RBig) -> bool {
+    holds_fraction(interval, t.as_relaxed())
+}
+
+/// [`holds`] for a fraction that may not be in lowest terms.
+pub(super) fn holds_fraction<S: Number>([tmin, tmax]: [S; 2], t: &Relaxed) -> bool {
     let (tmin, tmax): (f64, f64) = (tmin.into(), tmax.into());
-    let is_above = RBig::try_from(tmin).map_or(tmin == f64::NEG_INFINITY, |tmin| tmin <= *t);
-    let is_below = RBig::try_from(tmax).map_or(tmax == f64::INFINITY, |tmax| *t <= tmax);
+    let is_above = Relaxed::try_from(tmin).map_or(tmin == f64::NEG_INFINITY, |tmin| tmin <= *t);
+    let is_below = Relaxed::try_from(tmax).map_or(tmax == f64::INFINITY, |tmax| *t <= tmax);
     is_above && is_below
 }
 
@@ -228,7 +237,7 @@ pub fn entry<S: Number>(origin: [S; 3], direction: [S; 3], interval: [S; 2], lo:
 /// assert_eq!(round_f32(&RBig::from_parts((-1).into(), 10u8.into())), -0.1);
 /// ```
 pub fn round_f32(x: &RBig) -> f32 {
-    x.to_f32().value()
+    Number::nearest(x)
 }
 
 /// The `f64` nearest to `x`, as [`round_f32`] has it; infinite from the middle between the greatest float and 2^1024.
@@ -239,7 +248,7 @@ pub fn round_f32(x: &RBig) -> f32 {
 /// assert_eq!(round_f64(&RBig::from_parts(2.into(), 3u8.into())), 2.0 / 3.0);
 /// ```
 pub fn round_f64(x: &RBig) -> f64 {
-    x.to_f64().value()
+    Number::nearest(x)
 }
 
 /// [`entry`], as a fraction that may not be in lowest terms: those cost most of the time.

@@ -142,7 +142,7 @@ impl Vector for DVec3 {
     }
 
     fn are_collinear(points: &[Self; 3]) -> bool {
-        kernel::is_degenerate_64(points)
+        kernel::is_degenerate(points)
     }
 }
 

@@ -74,7 +74,6 @@ pub(crate) const TARGETS: &[Target] = &[
         parts: &["reach", "size"],
     },
     Target { owner: "Exact", name: "new", file: EXACT, known: SINGLE, parts: &["origin", "direction", "errors"] },
-    Target { owner: "", name: "is_usual", file: "src/geom/kernel/exact/double.rs", known: &[], parts: &[] },
     Target { owner: "Doubled", name: "new", file: "src/geom/slabs/doubled.rs", known: &[], parts: &[] },
     Target { owner: "Doubled", name: "pair", file: "src/geom/slabs/doubled.rs", known: &[], parts: &[] },
     Target {
@@ -112,11 +111,7 @@ pub(crate) const TARGETS: &[Target] = &[
     Target { owner: "Fine", name: "sub", file: FINE, known: &[], parts: &[] },
     Target { owner: "Fine", name: "mul", file: FINE, known: &[], parts: &[] },
     Target { owner: "", name: "volume", file: "src/geom/kernel/exact/fine.rs", known: &[], parts: &[] },
-    Target { owner: "Sum", name: "add", file: SUM, known: &[], parts: &[] },
-    Target { owner: "Sum", name: "value", file: SUM, known: &[], parts: &[] },
-    Target { owner: "Sum", name: "add_product", file: SUM, known: STATE, parts: &[] },
     Target { owner: "", name: "minus", file: PREDICATES, known: &[], parts: &[] },
-    Target { owner: "", name: "add_edge", file: PREDICATES, known: STATE, parts: &[] },
     Target {
         owner: "BoxRay",
         name: "new",

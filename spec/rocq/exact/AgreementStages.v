@@ -1,35 +1,12 @@
-(** What is left: which rays and numbers the tests are for, and the stage in single precision. *)
+(** What is left: which rays the tests are for, and the stage in single precision. *)
 Require Import Reals ZArith Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Mult_error.
 Require Import StacklessExact.Rounding StacklessExact.Triple StacklessExact.Filter StacklessExact.Overflow StacklessExact.Arithmetic
   StacklessExact.Operations.
-Require StacklessExact.Usual StacklessExact.Floor.
+Require StacklessExact.Floor.
 Open Scope R_scope.
 
 Local Existing Instances Arithmetic.prec_24 Arithmetic.emax_128 Arithmetic.prec_53 Arithmetic.emax_1024.
-
-(** * Usual numbers in double precision *)
-
-Lemma usual_number (x : Overflow.float) :
-  orb (equal f64 x (Arithmetic.constant f64 0 0)) (andb (at_most f64 (Arithmetic.constant f64 1 (-200)) (absolute f64 x))
-    (at_most f64 (absolute f64 x) (Arithmetic.constant f64 1 200))) = true -> Usual.is_usual x.
-Proof.
-  intros H. destruct x as [s|s| |s m e B]; [split; [reflexivity|now left]|exfalso; destruct s; vm_compute in H; discriminate H|
-    exfalso; vm_compute in H; discriminate H|].
-  assert (N : equal f64 (B754_finite s m e B : Overflow.float) (Arithmetic.constant f64 0 0) = false) by now destruct s.
-  rewrite N in H. apply andb_prop in H as [L H]. set (x := B754_finite s m e B : Overflow.float) in *.
-  destruct (constant_fits 1 (-200)) as [Fl Vl]; [reflexivity|lia|]. destruct (constant_fits 1 200) as [Fh Vh]; [reflexivity|lia|].
-  change (Bleb (Overflow.constant 1 (-200)) (Babs x) = true) in L. change (Bleb (Babs x) (Overflow.constant 1 200) = true) in H.
-  rewrite Bleb_correct in L, H by (assumption || reflexivity). rewrite Vl, B2R_Babs, Rmult_1_l in L. rewrite Vh, B2R_Babs, Rmult_1_l in H.
-  split; [reflexivity|right]. split; [revert L|revert H]; case Rle_bool_spec; intros; assumption || discriminate.
-Qed.
-
-(** [is_usual] of src/geom/kernel/exact/double.rs says no more than Usual.v supposes. [EXACT-7] *)
-Theorem usual_agrees v : double_is_usual f64 (fx v) (fy v) (fz v) = true -> Usual.v_usual v.
-Proof.
-  unfold double_is_usual. intros H. apply andb_prop in H as [H Z]. apply andb_prop in H as [X Y].
-  split; [|split]; now apply usual_number.
-Qed.
 
 (** * The stage in single precision *)
 

@@ -2,7 +2,7 @@
     those of all numbers that the operands stand for. In double precision with gradual underflow, without a greatest exponent. *)
 Require Import Reals ZArith Lia Lra Psatz.
 From Flocq Require Import Core Relative Sterbenz Plus_error Pff2Flocq.
-Require Import StacklessExact.Rounding StacklessExact.Range StacklessExact.Expansion StacklessExact.Signs.
+Require Import StacklessExact.Rounding StacklessExact.Range StacklessExact.Expansion.
 Require StacklessExact.Intervals.
 Open Scope R_scope.
 

@@ -1,7 +1,7 @@
 (** Products of src/geom/fine.rs. *)
 Require Import Reals ZArith Lia Lra Psatz.
 From Flocq Require Import Core Pff2Flocq.
-Require Import StacklessExact.Rounding StacklessExact.Range StacklessExact.Expansion StacklessExact.Signs StacklessExact.Fine.
+Require Import StacklessExact.Rounding StacklessExact.Range StacklessExact.Expansion StacklessExact.Fine.
 Require Import StacklessExact.FineSums.
 Open Scope R_scope.
 

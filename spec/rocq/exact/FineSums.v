@@ -1,7 +1,7 @@
 (** Sums of src/geom/fine.rs, and what is told of a number: its sign, its bounds, its size. *)
 Require Import Reals ZArith Lia Lra Psatz.
 From Flocq Require Import Core Sterbenz.
-Require Import StacklessExact.Rounding StacklessExact.Range StacklessExact.Expansion StacklessExact.Signs StacklessExact.Fine.
+Require Import StacklessExact.Rounding StacklessExact.Range StacklessExact.Expansion StacklessExact.Fine.
 Require StacklessExact.Intervals.
 Open Scope R_scope.
 

@@ -192,14 +192,6 @@ Definition Exact_new (ray_origin_x ray_origin_y ray_origin_z ray_direction_x ray
   (widen ray_origin_x, widen ray_origin_y, widen ray_origin_z, widen ray_direction_x, widen ray_direction_y, widen ray_direction_z,
       of_scene, of_scene'2, of_scene'3).
 
-(** [is_usual] of src/geom/kernel/exact/double.rs. *)
-Definition double_is_usual (v_x v_y v_z : num double) :=
-  andb (andb (orb (equal double v_x (constant double 0 0)) (andb (at_most double (constant double 1 (-200)) (absolute double v_x))
-      (at_most double (absolute double v_x) (constant double 1 200)))) (orb (equal double v_y (constant double 0 0)) (andb (at_most
-      double (constant double 1 (-200)) (absolute double v_y)) (at_most double (absolute double v_y) (constant double 1 200))))) (orb
-      (equal double v_z (constant double 0 0)) (andb (at_most double (constant double 1 (-200)) (absolute double v_z)) (at_most double
-      (absolute double v_z) (constant double 1 200)))).
-
 (** [Doubled::new] of src/geom/slabs/doubled.rs. *)
 Definition Doubled_new (origin_0_x origin_0_y origin_0_z origin_1_x origin_1_y origin_1_z direction_x direction_y direction_z : num
     double) :=
@@ -656,81 +648,12 @@ Definition fine_volume (d_x d_y d_z a_0_0 a_0_1 a_1_0 a_1_1 a_2_0 a_2_1 b_0_0 b_
   Fine_sign (if negb (equal double d_z (constant double 0 0)) then add'7 else fold_high'2) (if negb (equal double d_z (constant double 0
       0)) then add'8 else fold_low'2) (if negb (equal double d_z (constant double 0 0)) then add'9 else fold_radius'2).
 
-(** [Sum::add] of src/geom/kernel/exact/sum.rs. *)
-Definition Sum_add (self_terms : nat -> num double) (self_len : nat) (x : num double) :=
-  let '(self_terms'5, carry'2, kept'2) := turns self_len (fun '(self_terms'2, carry, kept) i =>
-    let '(sum, rest) := sum_two_sum carry (self_terms'2 i) in
-    let test := negb (equal double rest (constant double 0 0)) in
-    let self_terms'3 := store self_terms'2 kept rest in
-    let self_terms'4 := if test then self_terms'3 else self_terms'2 in
-    (self_terms'4, sum, if test then S kept else kept)) (self_terms, x, 0) in
-  let test'2 := negb (equal double carry'2 (constant double 0 0)) in
-  let self_terms'6 := store self_terms'5 kept'2 carry'2 in
-  let self_terms'7 := if test'2 then self_terms'6 else self_terms'5 in
-  (self_terms'7, if test'2 then S kept'2 else kept'2).
-
-(** [Sum::value] of src/geom/kernel/exact/sum.rs. *)
-Definition Sum_value (self_terms : nat -> num double) (self_len : nat) :=
-  let sum'2 := turns self_len (fun sum i =>
-    plus double sum (self_terms i)) (opposite double (constant double 0 0)) in
-  sum'2.
-
-(** [Sum::add_product] of src/geom/kernel/exact/sum.rs. *)
-Definition Sum_add_product (self : terms) (a_0 a_1 b_0 b_1 c : num double) :=
-  let '(high, low) := sum_two_product a_0 b_0 in
-  let '(high'2, low'2) := sum_two_product low c in
-  let sum := sum_add self low'2 in
-  let sum'2 := sum_add sum high'2 in
-  let '(high'3, low'3) := sum_two_product high c in
-  let sum'3 := sum_add sum'2 low'3 in
-  let sum'4 := sum_add sum'3 high'3 in
-  let self'2 := if negb (equal double b_0 (constant double 0 0)) then sum'4 else self in
-  let '(high'4, low'4) := sum_two_product a_0 b_1 in
-  let '(high'5, low'5) := sum_two_product low'4 c in
-  let sum'5 := sum_add self'2 low'5 in
-  let sum'6 := sum_add sum'5 high'5 in
-  let '(high'6, low'6) := sum_two_product high'4 c in
-  let sum'7 := sum_add sum'6 low'6 in
-  let sum'8 := sum_add sum'7 high'6 in
-  let self'3 := if negb (equal double b_1 (constant double 0 0)) then sum'8 else self'2 in
-  let self'4 := if negb (equal double a_0 (constant double 0 0)) then self'3 else self in
-  let '(high'7, low'7) := sum_two_product a_1 b_0 in
-  let '(high'8, low'8) := sum_two_product low'7 c in
-  let sum'9 := sum_add self'4 low'8 in
-  let sum'10 := sum_add sum'9 high'8 in
-  let '(high'9, low'9) := sum_two_product high'7 c in
-  let sum'11 := sum_add sum'10 low'9 in
-  let sum'12 := sum_add sum'11 high'9 in
-  let self'5 := if negb (equal double b_0 (constant double 0 0)) then sum'12 else self'4 in
-  let '(high'10, low'10) := sum_two_product a_1 b_1 in
-  let '(high'11, low'11) := sum_two_product low'10 c in
-  let sum'13 := sum_add self'5 low'11 in
-  let sum'14 := sum_add sum'13 high'11 in
-  let '(high'12, low'12) := sum_two_product high'10 c in
-  let sum'15 := sum_add sum'14 low'12 in
-  let sum'16 := sum_add sum'15 high'12 in
-  let self'6 := if negb (equal double b_1 (constant double 0 0)) then sum'16 else self'5 in
-  let self'7 := if negb (equal double a_1 (constant double 0 0)) then self'6 else self'4 in
-  let self'8 := if equal double c (constant double 0 0) then self else self'7 in
-  self'8.
-
 (** [minus] of src/geom/kernel/exact/predicates.rs. *)
 Definition predicates_minus (a_x a_y a_z b_x b_y b_z : num double) :=
   let '(sum, rest) := sum_two_sum a_x (opposite double b_x) in
   let '(sum'2, rest'2) := sum_two_sum a_y (opposite double b_y) in
   let '(sum'3, rest'3) := sum_two_sum a_z (opposite double b_z) in
   (sum, rest, sum'2, rest'2, sum'3, rest'3).
-
-(** [add_edge] of src/geom/kernel/exact/predicates.rs. *)
-Definition predicates_add_edge (sum : terms) (d_x d_y d_z a_0_0 a_0_1 a_1_0 a_1_1 a_2_0 a_2_1 b_0_0 b_0_1 b_1_0 b_1_1 b_2_0 b_2_1 : num
-    double) :=
-  let sum'2 := Sum_add_product sum a_1_0 a_1_1 b_2_0 b_2_1 d_x in
-  let sum'3 := Sum_add_product sum'2 a_2_0 a_2_1 b_1_0 b_1_1 (opposite double d_x) in
-  let sum'4 := Sum_add_product sum'3 a_2_0 a_2_1 b_0_0 b_0_1 d_y in
-  let sum'5 := Sum_add_product sum'4 a_0_0 a_0_1 b_2_0 b_2_1 (opposite double d_y) in
-  let sum'6 := Sum_add_product sum'5 a_0_0 a_0_1 b_1_0 b_1_1 d_z in
-  let sum'7 := Sum_add_product sum'6 a_1_0 a_1_1 b_0_0 b_0_1 (opposite double d_z) in
-  sum'7.
 
 (** [BoxRay::new] of src/geom/lanes/boxes.rs. *)
 Definition BoxRay_new (ray_origin_x ray_origin_y ray_origin_z ray_direction_x ray_direction_y ray_direction_z ray_tmin : num single)

@@ -11,8 +11,10 @@ mod woop;
 
 pub use affine::{Affine, AffineTriangle};
 pub use bounds::{DETERMINANT, DISTANCE, EDGE, OFF, OFF_SIGN, QUOTIENT, QUOTIENT_FACTOR, SIGN};
-pub use exact::{Certainty, EnclosedTest, Exact, Exact64, ExactFromSingle, MAX_COORDINATE, MIN_EDGE, Parity, Sum};
-pub(super) use exact::{FineDeterminants, is_degenerate, is_degenerate_64, two_product, two_sum};
+pub use exact::{
+    Accumulator, Certainty, EnclosedTest, Exact, Exact64, ExactFromSingle, MAX_COORDINATE, MIN_EDGE, Parity,
+};
+pub(super) use exact::{FineDeterminants, is_degenerate, two_product, two_sum};
 pub use moller::{Moller32, Moller64};
 pub use woop::Woop;
 

@@ -1,4 +1,4 @@
-//! Tests in double precision: the frame of boxes left out or rounded, and other units that are not undone.
+//! Tests in double precision: the frame of boxes left out or rounded, and sums that are not exact.
 
 use std::fmt::Debug;
 use std::marker::PhantomData;
@@ -18,13 +18,13 @@ pub(super) const MISTAKES: [Mistake; 5] = [
     of::<Exact64, Boxes<AtZero>>("boxes are taken as if their frame were at zero", "FRAME-1"),
     of::<Exact64, Boxes<UnitOne>>("boxes are taken as if the unit of their frame were 1", "FRAME-1"),
     of::<Exact64, Boxes<Rounded>>("the ray is rounded before it is taken into the frame", "BOX-8"),
-    of::<Units<NotUndone>, Wide>("a distance stays in other units", "EXACT-12"),
-    of::<Units<DigitsLost>, Wide>("digits that other units lose are not missed", "EXACT-12"),
+    of::<Sums<Flushed>, Wide>("sums take what is next to nothing for nothing", "EXACT-8"),
+    of::<Sums<InDoubles>, Wide>("far from 1, determinants are rounded", "EXACT-8"),
 ];
 
 pub(super) const CONTROLS: [Mistake; 2] = [
     of::<Exact64, Boxes<Nothing>>("boxes in a frame, wrapped", "BOX-8"),
-    of::<Units<Nothing>, Wide>("the exact test of doubles, wrapped", "EXACT-7"),
+    of::<Sums<Nothing>, Wide>("the exact test of doubles, wrapped", "EXACT-7"),
 ];
 
 const fn of<K, B>(name: &'static str, clause: &'static str) -> Mistake
@@ -67,7 +67,7 @@ fn scene(draw: &mut Draw<'_>) -> Option<(Mesh<DVec3>, Vec<Ray<DVec3>>)> {
     Some((mesh, rays))
 }
 
-marks! { Nothing AtZero UnitOne Rounded NotUndone DigitsLost }
+marks! { Nothing AtZero UnitOne Rounded Flushed InDoubles }
 
 /// The box test of doubles with a mistake.
 #[derive(Clone, Copy, Debug)]
@@ -114,35 +114,29 @@ fn rounded<S: Spoil>(ray: &Ray<DVec3>, region: &Region) -> Option<Directed> {
 
 /// The exact test of doubles with a mistake.
 #[derive(Clone, Copy, Debug)]
-struct Units<S> {
+struct Sums<S> {
     exact: Exact64,
     ray: Ray<DVec3>,
     spoil: PhantomData<S>,
 }
 
-impl<S: Spoil> Kernel for Units<S> {
+impl<S: Spoil> Kernel for Sums<S> {
     type Vector = DVec3;
     type Shape = Triangle<DVec3>;
 
     fn new(ray: &Ray<DVec3>, region: &Region) -> Self {
-        Self { exact: Exact64::new(ray, region), ray: *ray, spoil: PhantomData }
+        let flush = |v: DVec3| DVec3::select(v.abs().cmplt(DVec3::splat(1e-200)), DVec3::ZERO, v);
+        let flushed = Ray::within(flush(ray.origin()), ray.direction(), ray.tmin(), ray.tmax());
+        let taken = if S::BUG == Bug::Flushed { flushed.unwrap_or(*ray) } else { *ray };
+        Self { exact: Exact64::new(&taken, region), ray: *ray, spoil: PhantomData }
     }
 
     fn distance(&self, shape: &Triangle<DVec3>, limit: f64) -> Option<f64> {
-        let found = self.exact.distance(shape, limit);
         let greatest = shape.0.iter().fold(0.0, |greatest: f64, corner| greatest.max(corner.abs().max_element()));
-        if greatest == 0.0 || (1e-60..1e60).contains(&greatest) {
-            return found;
+        if S::BUG == Bug::InDoubles && !(1e-60..1e60).contains(&greatest) {
+            return self.rounded(shape);
         }
-        let [place, way] = [greatest, self.ray.direction().abs().max_element()].map(|size| size.log2().floor() as i32);
-        match S::BUG {
-            Bug::NotUndone => found.and(self.in_units(place, way, shape)),
-            Bug::DigitsLost => {
-                let t = self.in_units(place, way, shape)? * 2f64.powi(place - way);
-                (self.ray.tmin() <= t && t <= self.ray.tmax()).then_some(t)
-            }
-            _ => found,
-        }
+        self.exact.distance(shape, limit)
     }
 
     fn blocks(&self, shape: &Triangle<DVec3>) -> bool {
@@ -154,12 +148,14 @@ impl<S: Spoil> Kernel for Units<S> {
     }
 }
 
-impl<S> Units<S> {
-    /// The distance in units of length and of distance, whose powers of two are given. What is next to nothing is lost.
-    fn in_units(&self, place: i32, way: i32, Triangle(corners): &Triangle<DVec3>) -> Option<f64> {
-        let [length, pace] = [place, way].map(|exponent| 2f64.powi(-exponent));
-        let ray = Ray::new(self.ray.origin() * length, self.ray.direction() * pace).ok()?;
-        let shape = Triangle(corners.map(|corner| corner * length));
-        Exact64::new(&ray, &Region::of(&shape.aabb())).distance(&shape, f64::INFINITY)
+impl<S> Sums<S> {
+    /// The distance by determinants as they are rounded.
+    fn rounded(&self, &Triangle([a, b, c]): &Triangle<DVec3>) -> Option<f64> {
+        let (e1, e2, s, d) = (b - a, c - a, self.ray.origin() - a, self.ray.direction());
+        let (p, q) = (d.cross(e2), s.cross(e1));
+        let (det, u, v, t) = (e1.dot(p), s.dot(p), d.dot(q), e2.dot(q));
+        let (u, v, t) = (u / det, v / det, t / det);
+        let is_hit = det != 0.0 && u >= 0.0 && v >= 0.0 && u + v <= 1.0 && self.ray.tmin() <= t && t <= self.ray.tmax();
+        is_hit.then_some(t)
     }
 }

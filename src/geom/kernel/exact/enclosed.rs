@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::double::{USUAL, can_sum, has_usual_edges};
+use super::double::{USUAL, has_usual_edges};
 use super::filter::{Determinants, Errors};
 use super::{fine, is_certain, is_within, predicates, quotient};
 use crate::geom::{EnclosedRay, Real, Region, Triangle, Vector};
@@ -64,7 +64,7 @@ impl<R: Real> EnclosedTest<R> {
             && direction.is_finite()
             && sizes.iter().all(|size| USUAL.contains(size))
             && off.iter().all(|off| off <= USUAL.end());
-        let is_exact = can_filter && off == [0.0; 2];
+        let is_exact = origin.is_finite() && direction.is_finite() && off == [0.0; 2];
         Self { origin, direction, off, interval, errors: Errors::within(off, sizes), is_usual: can_filter, is_exact }
     }
 
@@ -105,7 +105,7 @@ impl<R: Real> EnclosedTest<R> {
         let corners = self.exact_corners(shape)?;
         crossing
             .and_then(|_| fine::FineDeterminants::new(&corners, self.origin, self.direction).weights())
-            .or_else(|| quotient::weights_of_doubles(&corners, self.origin, self.direction))
+            .or_else(|| Some(quotient::weights(&corners, self.origin, self.direction)))
     }
 
     /// What bounds leave open, told by more digits and by exact sums where the ray is known exactly: the distance, if that
@@ -121,7 +121,7 @@ impl<R: Real> EnclosedTest<R> {
         if predicates::is_along_axes(&corners, d) || !predicates::is_inside(&corners, o, d) {
             return Certainty::Miss;
         }
-        quotient::distance_of_doubles(&corners, o, d, self.interval)
+        quotient::distance(&corners, o, d, self.interval).map_or(Certainty::Miss, Certainty::Hit)
     }
 
     /// Bounds of the distance to a triangle that the ray certainly crosses, at whatever distance. `[SECOND-3]`
@@ -166,10 +166,9 @@ impl<R: Real> EnclosedTest<R> {
         self.stage(shape).filter(|(found, errors)| found.is_hit(errors))
     }
 
-    /// The corners, where sums of products with the ray's numbers are exact.
+    /// The corners, where the ray is known exactly.
     fn exact_corners<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Option<[DVec3; 3]> {
-        let corners @ [a, b, c] = shape.widen();
-        (self.is_exact && can_sum(&[a, b, c, self.origin], self.direction)).then_some(corners)
+        self.is_exact.then(|| shape.widen())
     }
 }
 

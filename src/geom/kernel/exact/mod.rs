@@ -5,11 +5,12 @@
 //!    ([`ExactFromSingle`] asks single precision first, with a bound for each triangle.)
 //! 2. The same with error bounds for this triangle, or with none where nothing is rounded. `[EXACT-11]`
 //! 3. Twice the digits of a double, with bounds. `[EXACT-10]`
-//! 4. Exact sums of floats ([`Sum`]), for what is left.
+//! 4. Exact sums ([`Accumulator`]), for what is left.
 //!
 //! The stages and their bounds: spec/exactness.md, `[EXACT-2]` to `[EXACT-6]`. After Shewchuk 1997, "Adaptive precision
 //! floating-point arithmetic and fast robust geometric predicates", and Bartels et al. 2022, arXiv:2208.00497.
 
+mod accumulator;
 mod double;
 mod enclosed;
 mod filter;
@@ -20,14 +21,13 @@ mod quotient;
 mod single;
 mod sum;
 
+pub use accumulator::Accumulator;
 pub use double::Exact64;
-pub(in crate::geom) use double::is_degenerate_64;
 pub use enclosed::{Certainty, EnclosedTest};
 pub(in crate::geom) use fine::FineDeterminants;
 pub use parity::Parity;
 pub(in crate::geom) use predicates::is_degenerate;
 pub use single::{ExactFromSingle, MAX_COORDINATE, MIN_EDGE};
-pub use sum::Sum;
 pub(in crate::geom) use sum::{two_product, two_sum};
 
 use glam::{DVec3, Vec3};
@@ -130,7 +130,7 @@ impl Exact {
     #[inline(never)]
     fn settle_weights(&self, corners: &[DVec3; 3]) -> [f32; 2] {
         let (o, d) = (self.origin, self.direction);
-        fine::FineDeterminants::new(corners, o, d).weights().unwrap_or_else(|| quotient::weights(*corners, o, d))
+        fine::FineDeterminants::new(corners, o, d).weights().unwrap_or_else(|| quotient::weights(corners, o, d))
     }
 
     /// The stages after the first.

@@ -11,12 +11,13 @@
 //! decide alike. If all components are 0, the edge is parallel to the ray; then the determinant is 0, and the moved ray
 //! misses. The determinant does not change, and the distance changes by less than any number. `[PARITY-1]`
 
+use std::cmp::Ordering;
+
 use glam::DVec3;
 
 use super::filter::Determinants;
-use super::predicates::{edge, minus, volume};
+use super::predicates::{edge, volume};
 use super::{Exact, Exact64};
-use crate::geom::truth::RBig;
 use crate::geom::{Kernel, Triangle};
 
 /// A triangle test that can count crossings.
@@ -79,39 +80,13 @@ impl Exact {
 #[inline(never)]
 pub(super) fn is_crossed_by_line(&[a, b, c]: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
     let sides = [[b, c], [c, a], [a, b]].map(|edge| side(edge, o, d));
-    sides.iter().all(|&side| side > 0.0) || sides.iter().all(|&side| side < 0.0)
+    sides.iter().all(|side| side.is_gt()) || sides.iter().all(|side| side.is_lt())
 }
 
-/// A number with the sign of an edge function for the moved origin; 0 if the edge is parallel to the direction.
-fn side([from, to]: [DVec3; 2], o: DVec3, d: DVec3) -> f64 {
-    let in_place = edge(d, o, from, to);
-    if in_place != 0.0 {
-        return in_place;
-    }
-    let (along, d) = (minus(to, from), minus(d, DVec3::ZERO));
-    let moved = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| volume(axis, &along, &d));
-    moved.into_iter().find(|&moved| moved != 0.0).unwrap_or(0.0)
-}
-
-/// [`is_crossed_by_line`] for numbers of any size, by rational arithmetic.
-#[cold]
-#[inline(never)]
-pub(super) fn is_crossed_in_rationals(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
-    // They are finite.
-    let rational = |v: DVec3| v.to_array().map(|x| RBig::try_from(x).unwrap_or_default());
-    let minus = |a: &[RBig; 3], b: &[RBig; 3]| [0, 1, 2].map(|k| &a[k] - &b[k]);
-    let cross =
-        |a: &[RBig; 3], b: &[RBig; 3]| [[1, 2], [2, 0], [0, 1]].map(|[i, j]: [usize; 2]| &a[i] * &b[j] - &a[j] * &b[i]);
-    let ([a, b, c], o, d) = (corners.map(rational), rational(o), rational(d));
-    let side = |[from, to]: [&[RBig; 3]; 2]| {
-        let [x, y, z] = cross(&minus(to, &o), &minus(from, &o));
-        let in_place = &d[0] * x + &d[1] * y + &d[2] * z;
-        let moved = cross(&minus(to, from), &d);
-        let first = [in_place].into_iter().chain(moved).find(|x| *x != RBig::ZERO);
-        first.map_or(0, |x| if x > RBig::ZERO { 1 } else { -1 })
-    };
-    let sides = [[&b, &c], [&c, &a], [&a, &b]].map(side);
-    sides == [1; 3] || sides == [-1; 3]
+/// The sign of an edge function for the moved origin; 0 if the edge is parallel to the direction.
+fn side([from, to]: [DVec3; 2], o: DVec3, d: DVec3) -> Ordering {
+    let moved = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().map(|axis| volume(axis, [from, to], [DVec3::ZERO, d]));
+    edge(d, o, from, to).then_with(|| moved.fold(Ordering::Equal, Ordering::then))
 }
 
 #[cfg(test)]

@@ -1,48 +1,5 @@
-use proptest::prelude::*;
-
 use super::*;
 use crate::geom::Aabb;
-
-proptest! {
-    #[test]
-    fn sums_are_exact(numbers in prop::collection::vec((-1_000_000i64..1_000_000, 0..60u32), 1..40)) {
-        // Multiples of 1 that a wide integer holds.
-        let mut sum = Sum::<40>::new();
-        let mut truth = 0i128;
-        for (mantissa, exponent) in numbers {
-            sum.add(mantissa as f64 * f64::from(exponent).exp2());
-            truth += i128::from(mantissa) << exponent;
-        }
-        prop_assert_eq!(sum.value() == 0.0, truth == 0);
-        prop_assert!((sum.value() - truth as f64).abs() <= truth.unsigned_abs() as f64 * f64::EPSILON * 4.0);
-    }
-
-    #[test]
-    fn products_of_three_are_exact(a in any::<i32>(), b in any::<i32>(), c in any::<i32>(), low in -9..9i32) {
-        let mut sum = Sum::<16>::new();
-        sum.add_product([f64::from(a) * 1024.0, f64::from(low)], [f64::from(b), 0.0], f64::from(c));
-        let truth = (i128::from(a) * 1024 + i128::from(low)) * i128::from(b) * i128::from(c);
-        // What is left after the nearest double is subtracted is exact too.
-        let high = truth as f64;
-        sum.add(-high);
-        prop_assert_eq!(sum.value(), (truth - high as i128) as f64);
-    }
-}
-
-#[test]
-fn a_sum_holds_what_doubles_drop() {
-    let mut sum = Sum::<4>::default();
-    for x in [1.0, 1e-30, -1.0, 1e-60] {
-        sum.add(x);
-    }
-    assert_eq!(sum.value(), 1e-30);
-    sum.add_sum(&{
-        let mut other = Sum::<2>::new();
-        other.add(-1e-30);
-        other
-    });
-    assert_eq!(sum.value(), 1e-60);
-}
 
 #[test]
 fn the_stage_is_the_one_that_decides() {

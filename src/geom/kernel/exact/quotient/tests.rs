@@ -1,25 +1,44 @@
 use super::*;
 
 /// The distance of a plane that is `far` away, in steps of `d`.
-fn ratio(far: f64, d: f64) -> Ratio {
-    Ratio::distance(&[DVec3::ZERO, DVec3::X, DVec3::Y], DVec3::new(0.25, 0.25, -far), DVec3::Z * d)
+fn ahead(far: f64, d: f64) -> f64 {
+    let (o, interval) = (DVec3::new(0.25, 0.25, -far), [f64::NEG_INFINITY, f64::INFINITY]);
+    distance(&[DVec3::ZERO, DVec3::X, DVec3::Y], o, DVec3::Z * d, interval).expect("within all numbers")
 }
 
 #[test]
-fn doubles_are_rounded_where_nothing_underflows() {
+fn distances_of_all_sizes_are_rounded_once() {
     let power = |exponent: i32| 2f64.powi(exponent);
     for sign in [1.0, -1.0] {
-        let nearest = |far: f64, d: f64| ratio(sign * far, d).nearest_double().map(|t| sign * t);
-        assert_eq!(nearest(1.0, 3.0), Some(1.0 / 3.0));
-        assert_eq!(nearest(0.0, 3.0), Some(0.0));
-        assert_eq!(nearest(power(100), power(-150)), Some(power(250)));
-        assert_eq!(nearest(power(100).next_up(), power(-150)), None);
-        assert_eq!(nearest(power(-150), power(100)), Some(power(-250)));
-        assert_eq!(nearest(power(-150).next_down(), power(100)), None);
+        assert_eq!(ahead(sign, 3.0), sign / 3.0);
+        assert_eq!(ahead(0.0, 3.0 * sign).to_bits(), 0);
+        assert_eq!(ahead(sign * power(1000), power(-20).next_up()), sign * power(1020).next_down().next_down());
+        // Subnormal, and in the middle between two of them.
+        assert_eq!(ahead(sign * 3.0, power(500)), sign * 3.0 * power(-500));
+        assert_eq!(ahead(sign * 5.0 * power(-100), power(975)), sign * power(-1073));
+        assert_eq!(ahead(sign * 7.0 * power(-100), power(975)), sign * power(-1072));
+        // Next to nothing, and beyond all numbers.
+        assert_eq!(ahead(sign * power(-1000), power(1000)), 0.0);
+        assert_eq!(ahead(sign * power(1000), power(-1000)), sign * f64::INFINITY);
     }
 }
 
-/// Hits at middles between floats, exactly and all but: nearer than the first quotient shows.
+#[test]
+fn ends_belong_to_the_interval() {
+    let third = |interval| distance(&[DVec3::ZERO, DVec3::X, DVec3::Y], DVec3::NEG_Z, DVec3::Z * 3.0, interval);
+    let nearest = 1.0 / 3.0;
+    // The double is below the third.
+    assert_eq!(third([nearest, 1.0]), Some(nearest));
+    assert_eq!(third([0.0, nearest]), None);
+    assert_eq!(third([nearest.next_up(), 1.0]), None);
+    assert_eq!(third([0.0, nearest.next_up()]), Some(nearest));
+    // The float is above it.
+    let third = |interval| distance(&[DVec3::ZERO, DVec3::X, DVec3::Y], DVec3::NEG_Z, DVec3::Z * 3.0, interval);
+    let nearest = 1.0f32 / 3.0;
+    assert_eq!([third([nearest, 1.0]), third([0.0, nearest])], [None, Some(nearest)]);
+}
+
+/// Hits at middles between floats, exactly and all but: nearer than a quotient of doubles shows.
 #[test]
 fn ties_of_floats_go_to_even() {
     for odd in [0, 1, 2, 3u32] {
@@ -27,7 +46,7 @@ fn ties_of_floats_go_to_even() {
         // quarter: the distance ends in 1, and floats are 2 apart.
         let low = 2f64.powi(24) + 2.0 * f64::from(odd);
         let [a, b, c] = [[-1.0, -1.0, low], [3.0, -1.0, low + 4.0], [-1.0, 3.0, low]].map(DVec3::from);
-        for nudge in [0.0, 2f64.powi(-30), -2f64.powi(-30)] {
+        for nudge in [0.0, 2f64.powi(-30), -2f64.powi(-30), 1e-300, -1e-300] {
             let is_up = if nudge == 0.0 { odd % 2 == 1 } else { nudge > 0.0 };
             let expected = low + if is_up { 2.0 } else { 0.0 };
             for corners in [[a, b, c], [a, c, b]] {

@@ -1,0 +1,166 @@
+//! Sums of products of any floats, without rounding.
+
+use std::cmp::Ordering;
+
+use dashu_int::{IBig, UBig};
+
+use super::predicates::Pairs;
+
+/// An exact sum of products of three doubles, however large or small they are: a fixed-point number, as long as the
+/// range of such products. `[EXACT-8]`
+///
+/// Kulisch 2008, "Computer arithmetic and validity", chapter 8: the complete register. What is added and what is
+/// subtracted have a register each, so that a carry hardly ever runs on. Up to 2^64 products may be added.
+///
+/// ```
+/// use std::cmp::Ordering;
+/// use stackless_bvh::geom::kernel::Accumulator;
+///
+/// let mut sum = Accumulator::new();
+/// for factors in [[1e300; 3], [5e-324; 3], [-1e300, 1e300, 1e300]] {
+///     sum.add_product(factors);
+/// }
+/// assert_eq!(sum.sign(), Ordering::Greater);
+/// sum.add_product([5e-324, -5e-324, 5e-324]);
+/// assert_eq!(sum.sign(), Ordering::Equal);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Accumulator<const LIMBS: usize = PRODUCTS> {
+    /// What is added, and what is subtracted; the lowest limb first.
+    registers: [[u64; LIMBS]; 2],
+}
+
+/// Limbs for all products of three doubles: from 2^-3222 to 2^3072, and 64 bits for carries.
+const PRODUCTS: usize = 100;
+
+/// The last bit of an accumulator stands for 2 to the power of this.
+const UNIT: i32 = 3 * MIN_EXPONENT;
+
+/// A double is a whole number of 53 bits times 2 to the power of this or more.
+const MIN_EXPONENT: i32 = -1074;
+
+/// A finite double as a whole number and a power of two.
+#[derive(Clone, Copy, Debug)]
+struct Factor {
+    digits: u64,
+    exponent: i32,
+    is_negative: bool,
+}
+
+impl From<f64> for Factor {
+    fn from(x: f64) -> Self {
+        let (exponent, fraction) = ((x.to_bits() >> 52 & 0x7ff) as i32, x.to_bits() & ((1 << 52) - 1));
+        // Subnormal numbers have the exponent of the least normal ones, and no leading one.
+        let digits = fraction | u64::from(exponent > 0) << 52;
+        Self { digits, exponent: exponent.max(1) - 1 + MIN_EXPONENT, is_negative: x.is_sign_negative() }
+    }
+}
+
+impl std::ops::Neg for Factor {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { is_negative: !self.is_negative, ..self }
+    }
+}
+
+impl Accumulator {
+    /// Zero.
+    pub const fn new() -> Self {
+        Self::zero()
+    }
+
+    /// Adds a product of three finite numbers.
+    pub fn add_product(&mut self, factors: [f64; 3]) {
+        self.multiply(factors.map(Factor::from));
+    }
+
+    /// d . (a x b).
+    pub(super) fn volume(d: &Pairs, a: &Pairs, b: &Pairs) -> Self {
+        let mut sum = Self::new();
+        let [d, a, b] = [d, a, b].map(|v| v.map(|pair| pair.map(Factor::from)));
+        for k in 0..3 {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            for part in d[k] {
+                sum.add_pairs(part, a[i], b[j]);
+                sum.add_pairs(-part, a[j], b[i]);
+            }
+        }
+        sum
+    }
+
+    fn add_pairs(&mut self, x: Factor, ys: [Factor; 2], zs: [Factor; 2]) {
+        if x.digits == 0 {
+            return;
+        }
+        for y in ys.into_iter().filter(|y| y.digits != 0) {
+            for z in zs.into_iter().filter(|z| z.digits != 0) {
+                self.multiply([x, y, z]);
+            }
+        }
+    }
+
+    #[inline]
+    fn multiply(&mut self, [a, b, c]: [Factor; 3]) {
+        let ab = u128::from(a.digits) * u128::from(b.digits);
+        let low = u128::from(ab as u64) * u128::from(c.digits);
+        let high = (ab >> 64) * u128::from(c.digits) + (low >> 64);
+        // Exponents are MIN_EXPONENT at least.
+        let place = (a.exponent + b.exponent + c.exponent - UNIT) as usize;
+        self.add([low as u64, high as u64, (high >> 64) as u64], place, a.is_negative ^ b.is_negative ^ c.is_negative);
+    }
+
+    /// The sum in units that all accumulators share.
+    pub(super) fn integer(&self) -> IBig {
+        let [plus, minus] = self.registers.map(|limbs| UBig::from_le_bytes(limbs.map(u64::to_le_bytes).as_flattened()));
+        IBig::from(plus) - IBig::from(minus)
+    }
+}
+
+impl Default for Accumulator {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<const LIMBS: usize> Accumulator<LIMBS> {
+    /// Zero, in a register of any length.
+    pub const fn zero() -> Self {
+        Self { registers: [[0; LIMBS]; 2] }
+    }
+
+    /// Adds or subtracts a whole number, the lowest limb first, times 2^place units. There must be room for it and a
+    /// limb more; what is beyond is lost.
+    #[inline]
+    pub fn add(&mut self, [low, middle, high]: [u64; 3], place: usize, is_negative: bool) {
+        let (limb, shift) = (place / 64, place % 64);
+        // What a limb hands to the next: 0 of a shift by 0.
+        let over = |limb: u64| limb >> 1 >> (63 - shift);
+        let shifted = [low << shift, middle << shift | over(low), high << shift | over(middle), over(high)];
+        let register = &mut self.registers[usize::from(is_negative)];
+        let Some((limbs, above)) = register.get_mut(limb..).and_then(|limbs| limbs.split_first_chunk_mut::<4>()) else {
+            return;
+        };
+        let mut carry = false;
+        for (limb, part) in limbs.iter_mut().zip(shifted) {
+            let (sum, first) = limb.overflowing_add(part);
+            let (sum, second) = sum.overflowing_add(carry.into());
+            (*limb, carry) = (sum, first | second);
+        }
+        for limb in above {
+            if !carry {
+                break;
+            }
+            (*limb, carry) = limb.overflowing_add(1);
+        }
+    }
+
+    /// How the sum compares with 0.
+    pub fn sign(&self) -> Ordering {
+        let [plus, minus] = &self.registers;
+        plus.iter().rev().cmp(minus.iter().rev())
+    }
+}
+
+#[cfg(test)]
+mod tests;
