@@ -101,7 +101,7 @@ impl Reader<'_> {
                 for (input, argument) in closure.inputs.iter().zip(arguments) {
                     self.bind(&mut inside, input, argument, false)?;
                 }
-                let value = self.eval(&mut inside, &closure.body)?;
+                let value = self.always(|reader| reader.eval(&mut inside, &closure.body))?;
                 // It would have to change what is outside.
                 let changed = closure.seen.iter().zip(&inside.seen).any(|((_, x), (_, y))| !x.is_same(y));
                 if changed { Err("a closure that changes something".into()) } else { Ok(value) }
@@ -113,6 +113,7 @@ impl Reader<'_> {
                 // In each lane.
                 ("f32", "splat" | "load_array" | "load_array_ref" | "from_slice", [_, lane]) => Ok(lane.clone()),
                 ("", "Some", [Value::Bool(x)]) => Ok(Value::Maybe(Expr::Call("Some".into(), vec![(None, x.clone())]))),
+                ("", "Some", [x]) => Ok(Value::Option(Expr::True, Box::new(x.clone()))),
                 ("f64", "from", [value]) => operators::convert(value, Format::Double),
                 ("u32", "from", [Value::Bool(bit)]) => Ok(Value::Mask(vec![bit.clone()])),
                 ("u64", "from", [Value::Int(x)]) if *x >= 0 => Ok(Value::Int(*x)),
@@ -161,6 +162,13 @@ impl Reader<'_> {
             (Value::Bool(x), "to_bitmask", []) => Ok(Value::Lane(x.clone())),
             (Value::Slice(format, array, count), "sum", []) => Ok(self.sum(*format, array.clone(), count.clone())),
             (Value::List(of), "as_flattened", []) => Ok(Value::Rows(of.clone())),
+            (Value::Rows(rows), "iter", []) => {
+                let lists = rows.iter().map(|row| match row {
+                    Value::List(of) => Ok(of.clone()),
+                    other => Err(format!("a row that is {}", other.kind())),
+                });
+                Ok(Value::List(lists.collect::<Result<Vec<_>>>()?.concat()))
+            }
             (Value::Unknown(_), "to_bits", [])
             | (Value::Slice(..), "iter", [])
             | (Value::List(_), "into_iter" | "iter" | "copied", []) => Ok(on),
@@ -200,9 +208,16 @@ impl Reader<'_> {
                     self.name("fold", &Value::choose(condition, &after, &before)?, false)
                 })
             }
-            (Value::Bool(condition), "then_some", [Value::Real(format, x)]) => {
-                let some = Expr::Call("Some".into(), vec![(*format, x.clone())]);
-                Ok(Value::Maybe(condition.choose(&some, &Expr::Call("None".into(), Vec::new()))))
+            (Value::Bool(condition), "then_some", [x]) => Ok(Value::Option(condition.clone(), Box::new(x.clone()))),
+            // What is not asked for does no harm.
+            (Value::Bool(condition), "then", [function]) => {
+                Ok(Value::Option(condition.clone(), Box::new(self.apply(frame, function, &[])?)))
+            }
+            (Value::Option(is_there, x), "filter", [function]) => {
+                match self.apply(frame, function, std::slice::from_ref(x))? {
+                    Value::Bool(is_left) => Ok(Value::Option(is_there.clone().and(is_left), x.clone())),
+                    other => Err(format!("{name} by {}", other.kind())),
+                }
             }
             (Value::Range(ends), "contains", [x]) => {
                 let not_before = operators::binary(&syn::parse_quote!(<=), &ends[0], x)?;

@@ -155,6 +155,7 @@ fn parameter(reader: &Reader<'_>, typed: &syn::PatType, owner: &str) -> Result<V
     fn with(reader: &Reader<'_>, pattern: &syn::Pat, ty: &syn::Type, owner: &str) -> Result<Value> {
         match (pattern, ty) {
             (syn::Pat::Reference(pattern), syn::Type::Reference(ty)) => with(reader, &pattern.pat, &ty.elem, owner),
+            (syn::Pat::Slice(_), syn::Type::Reference(ty)) => with(reader, pattern, &ty.elem, owner),
             (syn::Pat::Slice(pattern), syn::Type::Array(ty)) => {
                 let each = pattern.elems.iter().map(|pattern| with(reader, pattern, &ty.elem, owner));
                 Ok(Value::List(each.collect::<Result<_>>()?))

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use syn::Pat;
 
-use crate::shapes::{fresh, member, numbers};
+use crate::shapes::{fresh, maybe, member, numbers};
 use crate::source::{Function, Place, Source, text};
 use crate::value::{Expr, Format, Let, Value};
 
@@ -38,6 +38,8 @@ pub(crate) struct Reader<'s> {
     pub(crate) renamed: BTreeMap<String, String>,
     /// Constants that were met, with their places.
     pub(crate) constants: Vec<(Place, String)>,
+    /// What must be there in the function that is run: `?` has asked for it.
+    pub(crate) asked: Vec<Expr>,
     depth: u32,
 }
 
@@ -56,7 +58,7 @@ impl<'s> Reader<'s> {
         printed: &'s [Printed],
     ) -> Self {
         let (lets, taken, renamed, constants) = (Vec::new(), BTreeSet::new(), BTreeMap::new(), Vec::new());
-        Self { source, opaque, known, printed, lets, taken, renamed, constants, depth: 0 }
+        Self { source, opaque, known, printed, lets, taken, renamed, constants, asked: Vec::new(), depth: 0 }
     }
 
     /// Runs a function; what it gives, and what becomes of its first parameter.
@@ -71,6 +73,7 @@ impl<'s> Reader<'s> {
         let outside =
             printed.map(|_| (self.lets.clone(), self.taken.clone(), self.renamed.clone(), self.constants.len()));
         self.depth += 1;
+        let asked_outside = std::mem::take(&mut self.asked);
         let mut frame = Frame { place: function.place.clone(), seen: Vec::new() };
         for (input, argument) in function.inputs.iter().zip(arguments) {
             match input {
@@ -88,6 +91,12 @@ impl<'s> Reader<'s> {
         let value = value.map_err(|error| format!("{}: {error}", function.name))?;
         let value = function.output.as_ref().map_or_else(|| Ok(value.clone()), |ty| self.typed(&value, ty))?;
         self.depth -= 1;
+        let asked = std::mem::replace(&mut self.asked, asked_outside);
+        let value = asked.into_iter().rev().try_fold(value, |value, is_there| match value {
+            Value::Option(also, x) => Ok(Value::Option(is_there.and(also), x)),
+            other => Err(format!("a question in a function that gives {}", other.kind())),
+        })?;
+        let value = if printed.is_some() || self.depth == 0 { maybe(value) } else { value };
         if let (Some(printed), Some((lets, taken, renamed, constants))) = (printed, outside) {
             // It was run for the shape of what it gives.
             (self.lets, self.taken, self.renamed) = (lets, taken, renamed);

@@ -46,7 +46,7 @@ impl Reader<'_> {
                         Some(value) => self.eval(&mut early, value)?,
                         None => Value::Unit,
                     };
-                    let no = self.statements(&mut later, &statements[at + 1..], true)?;
+                    let no = self.always(|reader| reader.statements(&mut later, &statements[at + 1..], true))?;
                     self.merge(frame, &condition, &early, &later)?;
                     return Value::choose(&condition, &yes, &no);
                 }
@@ -91,6 +91,13 @@ impl Reader<'_> {
             },
             other => Err(format!("a condition that is {}", other.kind())),
         }
+    }
+
+    /// Runs what must not ask for anything by `?`, as it is not always reached.
+    pub(crate) fn always<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
+        let before = self.asked.len();
+        let value = run(self)?;
+        if self.asked.len() == before { Ok(value) } else { Err("a question that is not always asked".into()) }
     }
 
     /// The value of an expression.
@@ -165,23 +172,35 @@ impl Reader<'_> {
                 Ok(Value::Unit)
             }
             Rust::Block(block) if block.label.is_none() => self.block(frame, &block.block),
-            Rust::If(branch) => self.branch(frame, branch),
-            Rust::ForLoop(turn) if turn.label.is_none() => self.turns(frame, turn),
+            Rust::If(branch) => self.always(|reader| reader.branch(frame, branch)),
+            Rust::ForLoop(turn) if turn.label.is_none() => self.always(|reader| reader.turns(frame, turn)),
             Rust::Closure(closure) => Ok(Value::Closure(Rc::new(Closure {
                 inputs: closure.inputs.iter().cloned().collect(),
                 body: (*closure.body).clone(),
                 seen: frame.seen.clone(),
                 place: frame.place.clone(),
             }))),
-            Rust::Struct(made) if made.rest.is_none() => {
+            Rust::Struct(made) => {
                 let name = self.type_name(frame, &text(&made.path));
                 let fields = made.fields.iter().map(|field| {
                     let value = self.eval(frame, &field.expr)?;
                     Ok((text(&field.member), value))
                 });
-                let fields = fields.collect::<Result<Vec<_>>>()?;
+                let mut fields = fields.collect::<Result<Vec<_>>>()?;
+                if let Some(rest) = &made.rest {
+                    let Value::Struct(_, others) = self.eval(frame, rest)? else { return Err("fields of none".into()) };
+                    fields
+                        .extend(others.into_iter().filter(|(x, _)| made.fields.iter().all(|y| text(&y.member) != *x)));
+                }
                 self.structure(&name, fields)
             }
+            Rust::Try(question) => match self.eval(frame, &question.expr)? {
+                Value::Option(is_there, x) => {
+                    self.asked.push(is_there);
+                    Ok(*x)
+                }
+                other => Err(format!("a question of {}", other.kind())),
+            },
             Rust::Call(call) => {
                 let arguments = call.args.iter().map(|x| self.eval(frame, x)).collect::<Result<Vec<_>>>()?;
                 self.call_path(frame, &call.func, &arguments)

@@ -25,6 +25,20 @@ pub(crate) fn numbers(value: &Value) -> Vec<(Option<Format>, Expr)> {
     found
 }
 
+/// What Rocq has for a number that may be missing; others are what they are.
+pub(crate) fn maybe(value: Value) -> Value {
+    match value {
+        Value::Option(is_there, x) => match *x {
+            Value::Real(format, x) => {
+                let some = Expr::Call("Some".into(), vec![(format, x)]);
+                Value::Maybe(is_there.choose(&some, &Expr::Call("None".into(), Vec::new())))
+            }
+            x => Value::Option(is_there, Box::new(x)),
+        },
+        other => other,
+    }
+}
+
 pub(crate) fn name_of_constant(place: &Place, name: &str) -> String {
     let module = module_of(&place.file);
     let stem = module.rsplit('/').next().unwrap_or_default();

@@ -49,6 +49,7 @@ const EXACT: &str = "src/geom/kernel/exact/mod.rs";
 const BOXES: &str = "src/geom/lanes/boxes.rs";
 const TRIANGLES: &str = "src/geom/lanes/triangles.rs";
 const FINE: &str = "src/geom/fine.rs";
+const FINE_STAGE: &str = "src/geom/kernel/exact/fine.rs";
 const NEAREST: &str = "src/geom/nearest.rs";
 
 /// In the order in which they are printed.
@@ -110,7 +111,18 @@ pub(crate) const TARGETS: &[Target] = &[
     Target { owner: "Fine", name: "neg", file: FINE, known: &[], parts: &[] },
     Target { owner: "Fine", name: "sub", file: FINE, known: &[], parts: &[] },
     Target { owner: "Fine", name: "mul", file: FINE, known: &[], parts: &[] },
-    Target { owner: "", name: "volume", file: "src/geom/kernel/exact/fine.rs", known: &[], parts: &[] },
+    Target { owner: "Fine", name: "hull", file: FINE, known: &[], parts: &[] },
+    Target { owner: "Fine", name: "over", file: FINE, known: &[], parts: &[] },
+    Target { owner: "Fine", name: "root", file: FINE, known: &[], parts: &[] },
+    Target { owner: "", name: "volume", file: FINE_STAGE, known: &[], parts: &[] },
+    Target { owner: "", name: "minus", file: FINE_STAGE, known: &[], parts: &[] },
+    Target { owner: "", name: "dot", file: FINE_STAGE, known: &[], parts: &[] },
+    Target { owner: "", name: "cross", file: FINE_STAGE, known: &[], parts: &[] },
+    Target { owner: "FineDeterminants", name: "of", file: FINE_STAGE, known: &[], parts: &[] },
+    Target { owner: "FineDeterminants", name: "distance_within", file: FINE_STAGE, known: &[("R", "f64")], parts: &[] },
+    Target { owner: "FineDeterminants", name: "weights", file: FINE_STAGE, known: &[("R", "f64")], parts: &[] },
+    Target { owner: "FineDeterminants", name: "within_range", file: FINE_STAGE, known: &[], parts: &[] },
+    Target { owner: "f32", name: "between", file: "src/geom/vector.rs", known: &[], parts: &[] },
     Target { owner: "", name: "minus", file: PREDICATES, known: &[], parts: &[] },
     Target {
         owner: "BoxRay",

@@ -72,8 +72,10 @@ pub(crate) enum Value {
     /// Numbers of which not all are known; the first ones of them, so many.
     Array(Format, Expr),
     Slice(Format, Expr, Expr),
-    /// A truth value that may be missing.
+    /// A truth value or a number that may be missing, as Rocq has it.
     Maybe(Expr),
+    /// What may be missing: whether it is there, and what it is then.
+    Option(Expr, Box<Self>),
     /// Of a set of lanes, whether the lane that is looked at is in it.
     Lane(Expr),
     /// Rows of lanes, one after the other, of each the lane that is looked at.
@@ -232,7 +234,7 @@ impl Value {
             Self::Count(_) => "a count",
             Self::Below(_) => "a range of counts",
             Self::Array(..) | Self::Slice(..) => "an array",
-            Self::Maybe(_) => "a truth value that may be missing",
+            Self::Maybe(_) | Self::Option(..) => "what may be missing",
             Self::Lane(_) => "a set of lanes",
             Self::Rows(_) => "rows of lanes",
             Self::Bits(..) => "bits of a number",
@@ -286,6 +288,10 @@ impl Value {
                 let fields = fields.iter().map(|(field, x)| Ok((field.clone(), x.leaves(&under(field), to)?)));
                 Self::Struct(kind.clone(), fields.collect::<Result<_, String>>()?)
             }
+            Self::Option(is_there, x) => match to(&format!("{name}_is"), &Self::Bool(is_there.clone()))? {
+                Self::Bool(is_there) => Self::Option(is_there, Box::new(x.leaves(name, to)?)),
+                other => return Err(format!("a condition that is {}", other.kind())),
+            },
             leaf => to(name, leaf)?,
         })
     }
@@ -311,6 +317,13 @@ impl Value {
             }
             (Self::Array(a, x), Self::Array(b, y)) if a == b => Self::Array(*a, condition.choose(x, y)),
             (Self::Maybe(x), Self::Maybe(y)) => Self::Maybe(condition.choose(x, y)),
+            (Self::Option(a, x), Self::Option(b, y)) => {
+                Self::Option(condition.choose(a, b), Box::new(Self::choose(condition, x, y)?))
+            }
+            (Self::Option(a, x), no) if no.is_none() => Self::Option(condition.clone().and(a.clone()), x.clone()),
+            (yes, Self::Option(b, y)) if yes.is_none() => {
+                Self::Option(condition.clone().not().and(b.clone()), y.clone())
+            }
             (Self::Unit, Self::Unit) => Self::Unit,
             (Self::List(x), Self::List(y)) if x.len() == y.len() => {
                 Self::List(x.iter().zip(y).map(|(x, y)| Self::choose(condition, x, y)).collect::<Result<_, _>>()?)
@@ -337,6 +350,11 @@ impl Value {
         }
     }
 
+    /// Whether it is certainly missing.
+    fn is_none(&self) -> bool {
+        matches!(self, Self::Maybe(Expr::Call(name, _)) if name == "None")
+    }
+
     /// Whether both are certainly the same.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         match (self, other) {
@@ -352,6 +370,7 @@ impl Value {
             (Self::Struct(a, x), Self::Struct(b, y)) => {
                 a == b && x.len() == y.len() && x.iter().zip(y).all(|((a, x), (b, y))| a == b && x.is_same(y))
             }
+            (Self::Option(a, x), Self::Option(b, y)) => a == b && x.is_same(y),
             (Self::Closure(x), Self::Closure(y)) => Rc::ptr_eq(x, y),
             (Self::Bits(a, x), Self::Bits(b, y)) => a == b && x == y,
             (Self::Mask(x), Self::Mask(y)) => x == y,

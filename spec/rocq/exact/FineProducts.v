@@ -91,7 +91,7 @@ Hypothesis Pb : 0 <= br.
 Let of_radii := R64 (R64 (R64 (Rabs ah * br) + R64 (Rabs bh * ar)) + R64 (ar * br)).
 Let r := R64 (R64 (R64 (of_radii * UP) + R64 (Rabs h * ERROR)) + UNDERFLOW).
 
-Lemma radius_enough : (Rabs ah + u * Rabs ah) * br + (Rabs bh + u * Rabs bh) * ar + ar * br + (9 * (u * (u * Rabs p)) + 16 * eta) <= r.
+Lemma radius_enough : (Rabs ah + u * Rabs ah) * br + (Rabs bh + u * Rabs bh) * ar + ar * br + (9 * (u * (u * Rabs p)) + 8192 * eta) <= r.
 Proof.
   pose proof Hu as U. pose proof eta_pos as Pe. set (P := Rabs p). assert (Pp : 0 <= P) by apply Rabs_pos.
   assert (Mul : forall a b, a <= b -> u * a <= u * b) by (intros; apply Rmult_le_compat_l; lra).
@@ -148,47 +148,55 @@ Proof.
   apply one_number. replace l with 0 in V; [exact V|]. rewrite Rmult_0_r in H. apply Rabs_le_inv in H. lra.
 Qed.
 
+(** What is rounded stands for some more: for what underflows there is room many times over. *)
+Lemma mul_stands_spare x y r t e : stands x r -> stands y t -> orb (is_zero x) (is_zero y) = false ->
+  andb (are_doubles x y) (Rlt_bool EXACT (Rabs (R64 (high x * high y)))) = false -> Rabs e <= 8000 * eta -> stands (mul x y) (r * t + e).
+Proof.
+  destruct x as [ah al ar], y as [bh bl br]. intros [(Fah & Fal & Far & Pa & Ha) Va] [(Fbh & Fbl & Fbr & Pb & Hb) Vb] Z D Small. unfold holds in Va, Vb.
+  unfold mul. cbn [high low radius] in *. rewrite Z. pose proof (mul_off ah al bh bl Fah Fbh Ha Hb) as H. pose proof (radius_enough ah bh ar br Pa Pb) as E.
+  pose proof (two_product_fst ah bh) as Eh. rewrite <- Eh in D. destruct (two_product ah bh) as [h rest]. cbn [fst snd] in *. pose proof Hu as U. pose proof eta_pos as Pe. rewrite D.
+  apply new_stands; [rewrite Eh; apply F_R64|apply F_R64|apply F_R64|apply R64_pos|].
+  - apply Rplus_le_le_0_compat; [apply R64_pos, Rplus_le_le_0_compat; apply R64_pos; apply Rmult_le_pos|apply bpow_ge_0].
+    + apply R64_pos, Rplus_le_le_0_compat; [apply R64_pos, Rplus_le_le_0_compat|]; apply R64_pos, Rmult_le_pos; auto using Rabs_pos.
+    + rewrite UP_is. lra.
+    + apply Rabs_pos.
+    + apply bpow_ge_0.
+  - eapply Rle_trans; [|apply up_grows; [apply F_R64|]].
+    + eapply Rle_trans; [|exact E]. replace (r * t + e - h - _) with (((ah + al) * (t - bh - bl) + (bh + bl) * (r - ah - al) + (r - ah - al) * (t - bh - bl)) +
+        (((ah + al) * (bh + bl) - h - R64 (rest + R64 (R64 (ah * bl) + R64 (al * bh)))) + e)) by ring.
+      eapply Rle_trans; [apply tri|]. apply Rplus_le_compat; [|eapply Rle_trans; [apply tri|]; lra]. eapply Rle_trans; [apply tri|]. apply Rplus_le_compat; [|now apply mul_b].
+      eapply Rle_trans; [apply tri|]. apply Rplus_le_compat; (apply mul_b; [eapply Rle_trans; [apply tri|]; lra|assumption]).
+    + eapply Rle_trans; [|exact E]. assert (0 <= u * (u * Rabs (ah * bh))) by (repeat apply Rmult_le_pos; auto using Rabs_pos; lra).
+      assert (forall a b, 0 <= a -> 0 <= b -> 0 <= (a + u * a) * b) as G by (intros; apply Rmult_le_pos; [assert (0 <= u * a) by (apply Rmult_le_pos; lra)|]; lra).
+      pose proof (G (Rabs ah) br (Rabs_pos _) Pb). pose proof (G (Rabs bh) ar (Rabs_pos _) Pa). assert (0 <= ar * br) by now apply Rmult_le_pos. lra.
+Qed.
+
 (** Products stand for the products of all that the two stand for. [NEAR-5] *)
 Theorem mul_stands x y r t : stands x r -> stands y t -> stands (mul x y) (r * t).
 Proof.
-  destruct x as [ah al ar], y as [bh bl br]. intros [(Fah & Fal & Far & Pa & Ha) Va] [(Fbh & Fbl & Fbr & Pb & Hb) Vb]. unfold holds in Va, Vb.
-  unfold mul. cbn [high low radius] in *.
-  destruct (orb _ _) eqn:Z.
+  intros X Y. destruct (orb (is_zero x) (is_zero y)) eqn:Z; [|destruct (andb (are_doubles x y) (Rlt_bool EXACT (Rabs (R64 (high x * high y))))) eqn:D].
+  3: { rewrite <- (Rplus_0_r (r * t)). apply mul_stands_spare; try assumption. rewrite Rabs_R0. pose proof eta_pos. lra. }
+  all: destruct x as [ah al ar], y as [bh bl br]; destruct X as [(Fah & Fal & Far & Pa & Ha) Va], Y as [(Fbh & Fbl & Fbr & Pb & Hb) Vb]; unfold holds in Va, Vb;
+    unfold mul; cbn [high low radius] in *; rewrite Z.
   { assert (r * t = 0) as -> by (apply Bool.orb_prop in Z as [Z|Z]; [rewrite (zero_number _ _ _ _ Ha Va Z)|rewrite (zero_number _ _ _ _ Hb Vb Z)]; ring).
     apply (exact_stands 0), generic_format_0. }
-  pose proof (mul_off ah al bh bl Fah Fbh Ha Hb) as H. pose proof (radius_enough ah bh ar br Pa Pb) as E.
   pose proof (two_product_fst ah bh) as Eh. pose proof (two_product_snd_F ah bh) as Fr. pose proof (two_product_is_exact ah bh Fah Fbh) as X. unfold pair_sum in X.
-  destruct (two_product ah bh) as [h rest]. cbn [fst snd] in *. pose proof Hu as U.
-  destruct (andb _ _) eqn:D.
-  - apply andb_prop in D as [D Big]. apply ltb_true in Big. unfold are_doubles, is_exact in D. cbn [low radius] in D.
-    apply andb_prop in D as [D Z4]. apply andb_prop in D as [D Z3]. apply andb_prop in D as [Z1 Z2].
-    revert Z1 Z2 Z3 Z4. destruct (Req_bool_spec al 0) as [->|], (Req_bool_spec bl 0) as [->|], (Req_bool_spec ar 0) as [->|], (Req_bool_spec br 0) as [->|]; try discriminate. intros _ _ _ _.
-    rewrite (one_number _ _ Va), (one_number _ _ Vb).
-    assert (Large : bpow radix2 (-901) <= Rabs (ah * bh)).
-    { apply Rnot_lt_le. intros L. apply (Rlt_not_le _ _ Big). rewrite Eh. unfold EXACT. apply abs_round_le_generic; [typeclasses eauto..|apply generic_format_bpow; unfold FLT_exp; lia|].
-      eapply Rle_trans; [apply Rlt_le, L|apply bpow_le; lia]. }
-    assert (S : h + rest = ah * bh) by (apply X; right; eapply Rle_trans; [apply bpow_le|exact Large]; lia).
-    assert (B : Rabs (ah * bh - R64 (ah * bh)) <= u * Rabs (R64 (ah * bh))).
-    { apply off_big. eapply Rle_trans; [apply bpow_le|exact Large]; lia. }
-    split; [repeat split; cbn [high low radius]|].
-    + rewrite Eh. apply F_R64.
-    + exact Fr.
-    + apply generic_format_0.
-    + lra.
-    + replace rest with (ah * bh - h) by lra. now rewrite Eh.
-    + unfold holds. cbn [high low radius]. replace (ah * bh - h - rest) with 0 by lra. rewrite Rabs_R0. lra.
-  - apply new_stands; [rewrite Eh; apply F_R64|apply F_R64|apply F_R64|apply R64_pos|].
-    + apply Rplus_le_le_0_compat; [apply R64_pos, Rplus_le_le_0_compat; apply R64_pos; apply Rmult_le_pos|apply bpow_ge_0].
-      * apply R64_pos, Rplus_le_le_0_compat; [apply R64_pos, Rplus_le_le_0_compat|]; apply R64_pos, Rmult_le_pos; auto using Rabs_pos.
-      * rewrite UP_is. lra.
-      * apply Rabs_pos.
-      * apply bpow_ge_0.
-    + eapply Rle_trans; [|apply up_grows; [apply F_R64|]].
-      * eapply Rle_trans; [|exact E]. replace (r * t - h - _) with (((ah + al) * (t - bh - bl) + (bh + bl) * (r - ah - al) + (r - ah - al) * (t - bh - bl)) +
-          ((ah + al) * (bh + bl) - h - R64 (rest + R64 (R64 (ah * bl) + R64 (al * bh))))) by ring.
-        eapply Rle_trans; [apply tri|]. apply Rplus_le_compat; [|exact H]. eapply Rle_trans; [apply tri|]. apply Rplus_le_compat; [|now apply mul_b].
-        eapply Rle_trans; [apply tri|]. apply Rplus_le_compat; (apply mul_b; [eapply Rle_trans; [apply tri|]; lra|assumption]).
-      * eapply Rle_trans; [|exact E]. pose proof eta_pos. assert (0 <= u * (u * Rabs (ah * bh))) by (repeat apply Rmult_le_pos; auto using Rabs_pos; lra).
-        assert (forall a b, 0 <= a -> 0 <= b -> 0 <= (a + u * a) * b) as G by (intros; apply Rmult_le_pos; [assert (0 <= u * a) by (apply Rmult_le_pos; lra)|]; lra).
-        pose proof (G (Rabs ah) br (Rabs_pos _) Pb). pose proof (G (Rabs bh) ar (Rabs_pos _) Pa). assert (0 <= ar * br) by now apply Rmult_le_pos. lra.
+  rewrite <- Eh in D. destruct (two_product ah bh) as [h rest]. cbn [fst snd] in *. pose proof Hu as U. rewrite D.
+  apply andb_prop in D as [D Big]. apply ltb_true in Big. unfold are_doubles, is_exact in D. cbn [low radius] in D.
+  apply andb_prop in D as [D Z4]. apply andb_prop in D as [D Z3]. apply andb_prop in D as [Z1 Z2].
+  revert Z1 Z2 Z3 Z4. destruct (Req_bool_spec al 0) as [->|], (Req_bool_spec bl 0) as [->|], (Req_bool_spec ar 0) as [->|], (Req_bool_spec br 0) as [->|]; try discriminate. intros _ _ _ _.
+  rewrite (one_number _ _ Va), (one_number _ _ Vb).
+  assert (Large : bpow radix2 (-901) <= Rabs (ah * bh)).
+  { apply Rnot_lt_le. intros L. apply (Rlt_not_le _ _ Big). rewrite Eh. unfold EXACT. apply abs_round_le_generic; [typeclasses eauto..|apply generic_format_bpow; unfold FLT_exp; lia|].
+    eapply Rle_trans; [apply Rlt_le, L|apply bpow_le; lia]. }
+  assert (S : h + rest = ah * bh) by (apply X; right; eapply Rle_trans; [apply bpow_le|exact Large]; lia).
+  assert (B : Rabs (ah * bh - R64 (ah * bh)) <= u * Rabs (R64 (ah * bh))).
+  { apply off_big. eapply Rle_trans; [apply bpow_le|exact Large]; lia. }
+  split; [repeat split; cbn [high low radius]|].
+  - rewrite Eh. apply F_R64.
+  - exact Fr.
+  - apply generic_format_0.
+  - lra.
+  - replace rest with (ah * bh - h) by lra. now rewrite Eh.
+  - unfold holds. cbn [high low radius]. replace (ah * bh - h - rest) with 0 by lra. rewrite Rabs_R0. lra.
 Qed.

@@ -622,6 +622,53 @@ Definition Fine_mul (self_high self_low self_radius other_high other_low other_r
   (if test then constant double 0 0 else if test'2 then high else new, if test then constant double 0 0 else if test'2 then rest else
       new'2, if test then constant double 0 0 else if test'2 then constant double 0 0 else new'3).
 
+(** [Fine::hull] of src/geom/fine.rs. *)
+Definition Fine_hull (self_high self_low self_radius other_high other_low other_radius : num double) :=
+  let '(apart_high, apart_low, apart_radius) := Fine_sub other_high other_low other_radius self_high self_low (constant double 0 0) in
+  let reach := times double (plus double (plus double (absolute double apart_high) (absolute double apart_low)) apart_radius) fine_UP in
+  (self_high, self_low, if less double reach self_radius then self_radius else reach).
+
+(** [Fine::over] of src/geom/fine.rs. *)
+Definition Fine_over (self_high self_low self_radius whole_high whole_low whole_radius : num double) :=
+  let test := less double whole_high (constant double 0 0) in
+  let '(neg, neg'2, neg'3) := Fine_neg self_high self_low self_radius in
+  let '(neg'4, neg'5, neg'6) := Fine_neg whole_high whole_low whole_radius in
+  let part_high := if test then neg else self_high in
+  let part_low := if test then neg'2 else self_low in
+  let part_radius := if test then neg'3 else self_radius in
+  let whole_high'2 := if test then neg'4 else whole_high in
+  let whole_low'2 := if test then neg'5 else whole_low in
+  let whole_radius'2 := if test then neg'6 else whole_radius in
+  let '(least, bounds'2, bounds'3, bounds'4) := Fine_bounds whole_high'2 whole_low'2 whole_radius'2 in
+  let quotient := over double part_high whole_high'2 in
+  let '(mul, mul'2, mul'3) := Fine_mul quotient (constant double 0 0) (constant double 0 0) whole_high'2 whole_low'2 whole_radius'2 in
+  let '(left_high, left_low, left_radius) := Fine_sub part_high part_low part_radius mul mul'2 mul'3 in
+  let step := over double left_high whole_high'2 in
+  let of_whole := plus double (over double whole_radius'2 whole_high'2) (constant double 1 (-52)) in
+  let radius := plus double (over double (plus double (plus double left_radius (absolute double left_low)) (times double (absolute
+      double left_high) of_whole)) least) (times double (absolute double step) (constant double 1 (-52))) in
+  let is_known := andb (andb (less double (constant double 0 0) least) (is_finite double quotient)) (less double radius (infinity
+      double)) in
+  let '(new, new'2, new'3) := Fine_new quotient step (plus double radius (constant double 1 (-1060))) in
+  (is_known, new, new'2, new'3).
+
+(** [Fine::root] of src/geom/fine.rs. *)
+Definition Fine_root (self_high self_low self_radius : num double) :=
+  let test := andb (equal double self_radius (constant double 0 0)) (equal double self_high (constant double 0 0)) in
+  let r := root double self_high in
+  let '(mul, mul'2, mul'3) := Fine_mul r (constant double 0 0) (constant double 0 0) r (constant double 0 0) (constant double 0 0) in
+  let '(d_high, d_low, d_radius) := Fine_sub self_high self_low self_radius mul mul'2 mul'3 in
+  let step := over double d_high (times double (constant double 1 1) r) in
+  let spread := plus double (absolute double d_low) d_radius in
+  let reach := plus double (absolute double d_high) spread in
+  let radius := plus double (plus double (plus double (over double spread (times double (constant double 1 1) r)) (over double (times
+      double (over double reach r) (over double reach r)) (times double (constant double 1 2) r))) (times double (absolute double step)
+      (constant double 1 (-52)))) (constant double 1 (-1060)) in
+  let '(new, new'2, new'3) := Fine_new r step radius in
+  (if test then true else negb (negb (andb (less double (constant double 1 (-800)) self_high) (at_most double self_radius (over double
+      self_high (constant double 1 3))))), if test then constant double 0 0 else new, if test then constant double 0 0 else new'2, if
+      test then constant double 0 0 else new'3).
+
 (** [volume] of src/geom/kernel/exact/fine.rs. *)
 Definition fine_volume (d_x d_y d_z a_0_0 a_0_1 a_1_0 a_1_1 a_2_0 a_2_1 b_0_0 b_0_1 b_1_0 b_1_1 b_2_0 b_2_1 : num double) :=
   let '(mul, mul'2, mul'3) := Fine_mul a_1_0 a_1_1 (constant double 0 0) b_2_0 b_2_1 (constant double 0 0) in
@@ -647,6 +694,141 @@ Definition fine_volume (d_x d_y d_z a_0_0 a_0_1 a_1_0 a_1_1 a_2_0 a_2_1 b_0_0 b_
   let '(add'7, add'8, add'9) := Fine_add fold_high'2 fold_low'2 fold_radius'2 mul'25 mul'26 mul'27 in
   Fine_sign (if negb (equal double d_z (constant double 0 0)) then add'7 else fold_high'2) (if negb (equal double d_z (constant double 0
       0)) then add'8 else fold_low'2) (if negb (equal double d_z (constant double 0 0)) then add'9 else fold_radius'2).
+
+(** [minus] of src/geom/kernel/exact/fine.rs. *)
+Definition fine_minus (a_0_high a_0_low a_0_radius a_1_high a_1_low a_1_radius a_2_high a_2_low a_2_radius b_0_high b_0_low b_0_radius
+    b_1_high b_1_low b_1_radius b_2_high b_2_low b_2_radius : num double) :=
+  let '(sub, sub'2, sub'3) := Fine_sub a_0_high a_0_low a_0_radius b_0_high b_0_low b_0_radius in
+  let '(sub'4, sub'5, sub'6) := Fine_sub a_1_high a_1_low a_1_radius b_1_high b_1_low b_1_radius in
+  let '(sub'7, sub'8, sub'9) := Fine_sub a_2_high a_2_low a_2_radius b_2_high b_2_low b_2_radius in
+  (sub, sub'2, sub'3, sub'4, sub'5, sub'6, sub'7, sub'8, sub'9).
+
+(** [dot] of src/geom/kernel/exact/fine.rs. *)
+Definition fine_dot (a_0_high a_0_low a_0_radius a_1_high a_1_low a_1_radius a_2_high a_2_low a_2_radius b_0_high b_0_low b_0_radius
+    b_1_high b_1_low b_1_radius b_2_high b_2_low b_2_radius : num double) :=
+  let '(mul, mul'2, mul'3) := Fine_mul a_0_high a_0_low a_0_radius b_0_high b_0_low b_0_radius in
+  let '(mul'4, mul'5, mul'6) := Fine_mul a_1_high a_1_low a_1_radius b_1_high b_1_low b_1_radius in
+  let '(add, add'2, add'3) := Fine_add mul mul'2 mul'3 mul'4 mul'5 mul'6 in
+  let '(mul'7, mul'8, mul'9) := Fine_mul a_2_high a_2_low a_2_radius b_2_high b_2_low b_2_radius in
+  let '(add'4, add'5, add'6) := Fine_add add add'2 add'3 mul'7 mul'8 mul'9 in
+  (add'4, add'5, add'6).
+
+(** [cross] of src/geom/kernel/exact/fine.rs. *)
+Definition fine_cross (a_0_high a_0_low a_0_radius a_1_high a_1_low a_1_radius a_2_high a_2_low a_2_radius b_0_high b_0_low b_0_radius
+    b_1_high b_1_low b_1_radius b_2_high b_2_low b_2_radius : num double) :=
+  let '(mul, mul'2, mul'3) := Fine_mul a_1_high a_1_low a_1_radius b_2_high b_2_low b_2_radius in
+  let '(mul'4, mul'5, mul'6) := Fine_mul a_2_high a_2_low a_2_radius b_1_high b_1_low b_1_radius in
+  let '(sub, sub'2, sub'3) := Fine_sub mul mul'2 mul'3 mul'4 mul'5 mul'6 in
+  let '(mul'7, mul'8, mul'9) := Fine_mul a_2_high a_2_low a_2_radius b_0_high b_0_low b_0_radius in
+  let '(mul'10, mul'11, mul'12) := Fine_mul a_0_high a_0_low a_0_radius b_2_high b_2_low b_2_radius in
+  let '(sub'4, sub'5, sub'6) := Fine_sub mul'7 mul'8 mul'9 mul'10 mul'11 mul'12 in
+  let '(mul'13, mul'14, mul'15) := Fine_mul a_0_high a_0_low a_0_radius b_1_high b_1_low b_1_radius in
+  let '(mul'16, mul'17, mul'18) := Fine_mul a_1_high a_1_low a_1_radius b_0_high b_0_low b_0_radius in
+  let '(sub'7, sub'8, sub'9) := Fine_sub mul'13 mul'14 mul'15 mul'16 mul'17 mul'18 in
+  (sub, sub'2, sub'3, sub'4, sub'5, sub'6, sub'7, sub'8, sub'9).
+
+(** [FineDeterminants::of] of src/geom/kernel/exact/fine.rs. *)
+Definition FineDeterminants_of (v0_0_high v0_0_low v0_0_radius v0_1_high v0_1_low v0_1_radius v0_2_high v0_2_low v0_2_radius v1_0_high
+    v1_0_low v1_0_radius v1_1_high v1_1_low v1_1_radius v1_2_high v1_2_low v1_2_radius v2_0_high v2_0_low v2_0_radius v2_1_high v2_1_low
+    v2_1_radius v2_2_high v2_2_low v2_2_radius o_x o_y o_z d_x d_y d_z : num double) :=
+  let '(s_0_high, s_0_low, s_0_radius, s_1_high, s_1_low, s_1_radius, s_2_high, s_2_low, s_2_radius) := fine_minus o_x (constant double
+      0 0) (constant double 0 0) o_y (constant double 0 0) (constant double 0 0) o_z (constant double 0 0) (constant double 0 0)
+      v0_0_high v0_0_low v0_0_radius v0_1_high v0_1_low v0_1_radius v0_2_high v0_2_low v0_2_radius in
+  let '(e1_0_high, e1_0_low, e1_0_radius, e1_1_high, e1_1_low, e1_1_radius, e1_2_high, e1_2_low, e1_2_radius) := fine_minus v1_0_high
+      v1_0_low v1_0_radius v1_1_high v1_1_low v1_1_radius v1_2_high v1_2_low v1_2_radius v0_0_high v0_0_low v0_0_radius v0_1_high
+      v0_1_low v0_1_radius v0_2_high v0_2_low v0_2_radius in
+  let '(e2_0_high, e2_0_low, e2_0_radius, e2_1_high, e2_1_low, e2_1_radius, e2_2_high, e2_2_low, e2_2_radius) := fine_minus v2_0_high
+      v2_0_low v2_0_radius v2_1_high v2_1_low v2_1_radius v2_2_high v2_2_low v2_2_radius v0_0_high v0_0_low v0_0_radius v0_1_high
+      v0_1_low v0_1_radius v0_2_high v0_2_low v0_2_radius in
+  let '(cross, cross'2, cross'3, cross'4, cross'5, cross'6, cross'7, cross'8, cross'9) := fine_cross d_x (constant double 0 0) (constant
+      double 0 0) d_y (constant double 0 0) (constant double 0 0) d_z (constant double 0 0) (constant double 0 0) e2_0_high e2_0_low
+      e2_0_radius e2_1_high e2_1_low e2_1_radius e2_2_high e2_2_low e2_2_radius in
+  let '(dot, dot'2, dot'3) := fine_dot e1_0_high e1_0_low e1_0_radius e1_1_high e1_1_low e1_1_radius e1_2_high e1_2_low e1_2_radius
+      cross cross'2 cross'3 cross'4 cross'5 cross'6 cross'7 cross'8 cross'9 in
+  (d_x, constant double 0 0, constant double 0 0, d_y, constant double 0 0, constant double 0 0, d_z, constant double 0 0, constant
+      double 0 0, s_0_high, s_0_low, s_0_radius, s_1_high, s_1_low, s_1_radius, s_2_high, s_2_low, s_2_radius, e1_0_high, e1_0_low,
+      e1_0_radius, e1_1_high, e1_1_low, e1_1_radius, e1_2_high, e1_2_low, e1_2_radius, e2_0_high, e2_0_low, e2_0_radius, e2_1_high,
+      e2_1_low, e2_1_radius, e2_2_high, e2_2_low, e2_2_radius, dot, dot'2, dot'3).
+
+(** [FineDeterminants::distance_within] of src/geom/kernel/exact/fine.rs. *)
+Definition FineDeterminants_distance_within (self_s_0_high self_s_0_low self_s_0_radius self_s_1_high self_s_1_low self_s_1_radius
+    self_s_2_high self_s_2_low self_s_2_radius self_e1_0_high self_e1_0_low self_e1_0_radius self_e1_1_high self_e1_1_low
+    self_e1_1_radius self_e1_2_high self_e1_2_low self_e1_2_radius self_e2_0_high self_e2_0_low self_e2_0_radius self_e2_1_high
+    self_e2_1_low self_e2_1_radius self_e2_2_high self_e2_2_low self_e2_2_radius self_det_high self_det_low self_det_radius tmin tmax :
+    num double) :=
+  let '(cross, cross'2, cross'3, cross'4, cross'5, cross'6, cross'7, cross'8, cross'9) := fine_cross self_s_0_high self_s_0_low
+      self_s_0_radius self_s_1_high self_s_1_low self_s_1_radius self_s_2_high self_s_2_low self_s_2_radius self_e1_0_high self_e1_0_low
+      self_e1_0_radius self_e1_1_high self_e1_1_low self_e1_1_radius self_e1_2_high self_e1_2_low self_e1_2_radius in
+  let '(dot, dot'2, dot'3) := fine_dot self_e2_0_high self_e2_0_low self_e2_0_radius self_e2_1_high self_e2_1_low self_e2_1_radius
+      self_e2_2_high self_e2_2_low self_e2_2_radius cross cross'2 cross'3 cross'4 cross'5 cross'6 cross'7 cross'8 cross'9 in
+  let '(over_, over_'2, over_'3, over_'4) := Fine_over dot dot'2 dot'3 self_det_high self_det_low self_det_radius in
+  let '(bounds, bounds'2, bounds'3, bounds'4) := Fine_bounds over_'2 over_'3 over_'4 in
+  let t := plus double bounds (constant double 0 0) in
+  if andb (andb over_ (equal double bounds bounds'3)) (andb (less double tmin t) (less double t tmax)) then Some (plus double bounds
+      (constant double 0 0)) else None.
+
+(** [FineDeterminants::weights] of src/geom/kernel/exact/fine.rs. *)
+Definition FineDeterminants_weights (self_d_0_high self_d_0_low self_d_0_radius self_d_1_high self_d_1_low self_d_1_radius self_d_2_high
+    self_d_2_low self_d_2_radius self_s_0_high self_s_0_low self_s_0_radius self_s_1_high self_s_1_low self_s_1_radius self_s_2_high
+    self_s_2_low self_s_2_radius self_e1_0_high self_e1_0_low self_e1_0_radius self_e1_1_high self_e1_1_low self_e1_1_radius
+    self_e1_2_high self_e1_2_low self_e1_2_radius self_e2_0_high self_e2_0_low self_e2_0_radius self_e2_1_high self_e2_1_low
+    self_e2_1_radius self_e2_2_high self_e2_2_low self_e2_2_radius self_det_high self_det_low self_det_radius : num double) :=
+  let '(cross, cross'2, cross'3, cross'4, cross'5, cross'6, cross'7, cross'8, cross'9) := fine_cross self_d_0_high self_d_0_low
+      self_d_0_radius self_d_1_high self_d_1_low self_d_1_radius self_d_2_high self_d_2_low self_d_2_radius self_e2_0_high self_e2_0_low
+      self_e2_0_radius self_e2_1_high self_e2_1_low self_e2_1_radius self_e2_2_high self_e2_2_low self_e2_2_radius in
+  let '(dot, dot'2, dot'3) := fine_dot self_s_0_high self_s_0_low self_s_0_radius self_s_1_high self_s_1_low self_s_1_radius
+      self_s_2_high self_s_2_low self_s_2_radius cross cross'2 cross'3 cross'4 cross'5 cross'6 cross'7 cross'8 cross'9 in
+  let '(over_, over_'2, over_'3, over_'4) := Fine_over dot dot'2 dot'3 self_det_high self_det_low self_det_radius in
+  let '(bounds, bounds'2, bounds'3, bounds'4) := Fine_bounds over_'2 over_'3 over_'4 in
+  let u := plus double bounds (constant double 0 0) in
+  let '(cross'10, cross'11, cross'12, cross'13, cross'14, cross'15, cross'16, cross'17, cross'18) := fine_cross self_s_0_high
+      self_s_0_low self_s_0_radius self_s_1_high self_s_1_low self_s_1_radius self_s_2_high self_s_2_low self_s_2_radius self_e1_0_high
+      self_e1_0_low self_e1_0_radius self_e1_1_high self_e1_1_low self_e1_1_radius self_e1_2_high self_e1_2_low self_e1_2_radius in
+  let '(dot'4, dot'5, dot'6) := fine_dot self_d_0_high self_d_0_low self_d_0_radius self_d_1_high self_d_1_low self_d_1_radius
+      self_d_2_high self_d_2_low self_d_2_radius cross'10 cross'11 cross'12 cross'13 cross'14 cross'15 cross'16 cross'17 cross'18 in
+  let '(over_'5, over_'6, over_'7, over_'8) := Fine_over dot'4 dot'5 dot'6 self_det_high self_det_low self_det_radius in
+  let '(bounds'5, bounds'6, bounds'7, bounds'8) := Fine_bounds over_'6 over_'7 over_'8 in
+  (andb (andb over_ (equal double bounds bounds'3)) (andb over_'5 (equal double bounds'5 bounds'7)), u, plus double bounds'5 (constant
+      double 0 0)).
+
+(** [FineDeterminants::within_range] of src/geom/kernel/exact/fine.rs. *)
+Definition FineDeterminants_within_range (corners_0_0_high corners_0_0_low corners_0_0_radius corners_0_1_high corners_0_1_low
+    corners_0_1_radius corners_0_2_high corners_0_2_low corners_0_2_radius corners_1_0_high corners_1_0_low corners_1_0_radius
+    corners_1_1_high corners_1_1_low corners_1_1_radius corners_1_2_high corners_1_2_low corners_1_2_radius corners_2_0_high
+    corners_2_0_low corners_2_0_radius corners_2_1_high corners_2_1_low corners_2_1_radius corners_2_2_high corners_2_2_low
+    corners_2_2_radius o_x o_y o_z d_x d_y d_z : num double) :=
+  let x := absolute double o_x in
+  let y := absolute double o_y in
+  let z := absolute double o_z in
+  let a := if less double y x then x else y in
+  let x'2 := absolute double d_x in
+  let y'2 := absolute double d_y in
+  let z'2 := absolute double d_z in
+  let a'2 := if less double y'2 x'2 then x'2 else y'2 in
+  let is_small := andb (at_most double (if less double z a then a else z) (constant double 1 200)) (at_most double (if less double z'2
+      a'2 then a'2 else z'2) (constant double 1 200)) in
+  let '(of, of'2, of'3, of'4, of'5, of'6, of'7, of'8, of'9, of'10, of'11, of'12, of'13, of'14, of'15, of'16, of'17, of'18, of'19, of'20,
+      of'21, of'22, of'23, of'24, of'25, of'26, of'27, of'28, of'29, of'30, of'31, of'32, of'33, of'34, of'35, of'36, of'37, of'38,
+      of'39) := FineDeterminants_of corners_0_0_high corners_0_0_low corners_0_0_radius corners_0_1_high corners_0_1_low
+      corners_0_1_radius corners_0_2_high corners_0_2_low corners_0_2_radius corners_1_0_high corners_1_0_low corners_1_0_radius
+      corners_1_1_high corners_1_1_low corners_1_1_radius corners_1_2_high corners_1_2_low corners_1_2_radius corners_2_0_high
+      corners_2_0_low corners_2_0_radius corners_2_1_high corners_2_1_low corners_2_1_radius corners_2_2_high corners_2_2_low
+      corners_2_2_radius o_x o_y o_z d_x d_y d_z in
+  (andb is_small (andb (andb (andb (andb (andb (andb (andb (andb (Fine_is_within corners_0_0_high corners_0_0_radius (constant double 1
+      200)) (Fine_is_within corners_0_1_high corners_0_1_radius (constant double 1 200))) (Fine_is_within corners_0_2_high
+      corners_0_2_radius (constant double 1 200))) (Fine_is_within corners_1_0_high corners_1_0_radius (constant double 1 200)))
+      (Fine_is_within corners_1_1_high corners_1_1_radius (constant double 1 200))) (Fine_is_within corners_1_2_high corners_1_2_radius
+      (constant double 1 200))) (Fine_is_within corners_2_0_high corners_2_0_radius (constant double 1 200))) (Fine_is_within
+      corners_2_1_high corners_2_1_radius (constant double 1 200))) (Fine_is_within corners_2_2_high corners_2_2_radius (constant double
+      1 200))), of, of'2, of'3, of'4, of'5, of'6, of'7, of'8, of'9, of'10, of'11, of'12, of'13, of'14, of'15, of'16, of'17, of'18,
+      of'19, of'20, of'21, of'22, of'23, of'24, of'25, of'26, of'27, of'28, of'29, of'30, of'31, of'32, of'33, of'34, of'35, of'36,
+      of'37, of'38, of'39).
+
+(** [f32::between] of src/geom/vector.rs. *)
+Definition f32_between (lo below hi above : num double) :=
+  let lo'2 := plus single (narrow (if less double below (constant double 0 0) then before double lo else lo)) (constant single 0 0) in
+  let hi'2 := plus single (narrow (if less double (constant double 0 0) above then after double hi else hi)) (constant single 0 0) in
+  if equal single lo'2 hi'2 then Some lo'2 else None.
 
 (** [minus] of src/geom/kernel/exact/predicates.rs. *)
 Definition predicates_minus (a_x a_y a_z b_x b_y b_z : num double) :=
