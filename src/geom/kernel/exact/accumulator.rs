@@ -47,6 +47,16 @@ struct Factor {
     is_negative: bool,
 }
 
+/// 128 digits of a sum, the first of them not 0, times 2 to the power of an exponent.
+pub(super) struct Leading {
+    pub(super) is_negative: bool,
+    pub(super) digits: u128,
+    /// In units that all accumulators share.
+    pub(super) exponent: i32,
+    /// Whether that is all of it.
+    pub(super) is_exact: bool,
+}
+
 impl From<f64> for Factor {
     fn from(x: f64) -> Self {
         let (exponent, fraction) = ((x.to_bits() >> 52 & 0x7ff) as i32, x.to_bits() & ((1 << 52) - 1));
@@ -108,6 +118,29 @@ impl Accumulator {
         // Exponents are MIN_EXPONENT at least.
         let place = (a.exponent + b.exponent + c.exponent - UNIT) as usize;
         self.add([low as u64, high as u64, (high >> 64) as u64], place, a.is_negative ^ b.is_negative ^ c.is_negative);
+    }
+
+    /// The first digits of the sum; `None` if it is 0.
+    pub(super) fn leading(&self) -> Option<Leading> {
+        let [plus, minus] = &self.registers;
+        let (is_negative, [greater, less]) = match self.sign() {
+            Ordering::Greater => (false, [plus, minus]),
+            Ordering::Less => (true, [minus, plus]),
+            Ordering::Equal => return None,
+        };
+        let mut difference = [0; PRODUCTS];
+        let mut borrow = false;
+        for (limb, (x, y)) in difference.iter_mut().zip(greater.iter().zip(less)) {
+            let (rest, first) = x.overflowing_sub(*y);
+            let (rest, second) = rest.overflowing_sub(borrow.into());
+            (*limb, borrow) = (rest, first | second);
+        }
+        let top = difference.iter().rposition(|&limb| limb != 0)?;
+        let at = |below: usize| top.checked_sub(below).map_or(0, |index| difference[index]);
+        let (zeros, low) = (at(0).leading_zeros(), at(2));
+        let digits = (u128::from(at(0)) << 64 | u128::from(at(1))) << zeros | u128::from(low >> 1 >> (63 - zeros));
+        let is_exact = low << zeros == 0 && difference[..top.saturating_sub(2)].iter().all(|&limb| limb == 0);
+        Some(Leading { is_negative, digits, exponent: 64 * (top as i32 - 1) - zeros as i32, is_exact })
     }
 
     /// The sum in units that all accumulators share.

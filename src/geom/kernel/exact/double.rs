@@ -96,8 +96,9 @@ impl Exact64 {
     }
 
     fn is_crossed_by_line(&self, shape: &Triangle<DVec3>) -> bool {
-        self.can_filter(shape) && self.determinants(shape).is_hit(&self.errors_of(shape))
-            || parity::is_crossed_by_line(&shape.0, self.ray.origin(), self.ray.direction())
+        let has_room = self.can_filter(shape);
+        has_room && self.determinants(shape).is_hit(&self.errors_of(shape))
+            || parity::is_crossed_by_line(&shape.0, self.ray.origin(), self.ray.direction(), has_room)
     }
 
     #[inline]
@@ -147,15 +148,15 @@ impl Exact64 {
         [self.ray.tmin(), self.ray.tmax()]
     }
 
-    /// Whether the bounds for the triangle hold.
+    /// Whether the bounds for the triangle hold, and twice the digits have room.
     fn can_filter(&self, shape: &Triangle<DVec3>) -> bool {
         self.is_usual && has_usual_edges(&shape.0)
     }
 
     /// Whether the line meets the triangle.
-    fn is_inside(&self, Triangle(corners): &Triangle<DVec3>) -> bool {
-        let (o, d) = (self.ray.origin(), self.ray.direction());
-        !predicates::is_along_axes(corners, d) && predicates::is_inside(corners, o, d)
+    fn is_inside(&self, shape: &Triangle<DVec3>) -> bool {
+        let (corners, o, d) = (&shape.0, self.ray.origin(), self.ray.direction());
+        !predicates::is_along_axes(corners, d) && predicates::is_inside(corners, o, d, self.can_filter(shape))
     }
 
     /// The distance within the interval, of a line that meets the triangle. `[EXACT-3]`

@@ -118,7 +118,7 @@ impl<R: Real> EnclosedTest<R> {
         {
             return Certainty::Hit(t);
         }
-        if predicates::is_along_axes(&corners, d) || !predicates::is_inside(&corners, o, d) {
+        if predicates::is_along_axes(&corners, d) || !predicates::is_inside(&corners, o, d, self.is_usual) {
             return Certainty::Miss;
         }
         quotient::distance(&corners, o, d, self.interval).map_or(Certainty::Miss, Certainty::Hit)

@@ -157,7 +157,7 @@ impl Exact {
                 return None;
             }
         } else if found.may_be_parallel(&errors) && predicates::is_parallel(&corners, d)
-            || !predicates::is_inside(&corners, o, d)
+            || !predicates::is_inside(&corners, o, d, true)
         {
             return None;
         }

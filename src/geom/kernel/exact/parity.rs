@@ -70,23 +70,24 @@ impl Exact {
         } else if found.is_hit(&self.errors) {
             self.blocks(shape)
         } else {
-            is_crossed_by_line(&corners, self.origin, self.direction) && self.blocks(shape)
+            is_crossed_by_line(&corners, self.origin, self.direction, true) && self.blocks(shape)
         }
     }
 }
 
-/// Whether the moved line meets the triangle: whether all edge functions have one sign.
+/// Whether the moved line meets the triangle: whether all edge functions have one sign. Twice the digits are asked if they
+/// have room.
 #[cold]
 #[inline(never)]
-pub(super) fn is_crossed_by_line(&[a, b, c]: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
-    let sides = [[b, c], [c, a], [a, b]].map(|edge| side(edge, o, d));
+pub(super) fn is_crossed_by_line(&[a, b, c]: &[DVec3; 3], o: DVec3, d: DVec3, has_room: bool) -> bool {
+    let sides = [[b, c], [c, a], [a, b]].map(|edge| side(edge, o, d, has_room));
     sides.iter().all(|side| side.is_gt()) || sides.iter().all(|side| side.is_lt())
 }
 
 /// The sign of an edge function for the moved origin; 0 if the edge is parallel to the direction.
-fn side([from, to]: [DVec3; 2], o: DVec3, d: DVec3) -> Ordering {
+fn side([from, to]: [DVec3; 2], o: DVec3, d: DVec3, has_room: bool) -> Ordering {
     let moved = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().map(|axis| volume(axis, [from, to], [DVec3::ZERO, d]));
-    edge(d, o, from, to).then_with(|| moved.fold(Ordering::Equal, Ordering::then))
+    edge(d, o, from, to, has_room).then_with(|| moved.fold(Ordering::Equal, Ordering::then))
 }
 
 #[cfg(test)]

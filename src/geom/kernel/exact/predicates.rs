@@ -12,11 +12,12 @@ use crate::geom::frame::power_of_two;
 /// A vector whose components are sums of two numbers.
 pub(super) type Pairs = [[f64; 2]; 3];
 
-/// The sign of the edge function d . ((to - o) x (from - o)): by twice the digits of a double, and by an exact sum where
-/// those do not tell.
-pub(super) fn edge(d: DVec3, o: DVec3, from: DVec3, to: DVec3) -> Ordering {
+/// The sign of the edge function d . ((to - o) x (from - o)): by twice the digits of a double, if they have room, and by
+/// an exact sum where those do not tell.
+pub(super) fn edge(d: DVec3, o: DVec3, from: DVec3, to: DVec3, has_room: bool) -> Ordering {
     let [a, b] = side(o, from, to);
-    fine_volume(d, a, b).unwrap_or_else(|| volume(d, a, b))
+    let known = if has_room { fine_volume(d, a, b) } else { None };
+    known.unwrap_or_else(|| volume(d, a, b))
 }
 
 /// The ends of a and b, of which d . (a x b) is the edge function: with the edge itself in place of one of both. From
@@ -25,16 +26,10 @@ fn side(o: DVec3, from: DVec3, to: DVec3) -> [[DVec3; 2]; 2] {
     [[from, to], [o, from]]
 }
 
-/// The sign of d . (a x b), if twice the digits tell. `[EXACT-10]`
-///
-/// They are not asked of numbers above 2^200, nor where parts of products are subnormal, which is slow.
+/// The sign of d . (a x b), if twice the digits tell; for numbers up to 2^200. `[EXACT-10]`
 fn fine_volume(d: DVec3, a: [DVec3; 2], b: [DVec3; 2]) -> Option<Ordering> {
     let [a, b] = [a, b].map(|[from, to]| minus(to, from));
-    let size = |v: [f64; 3]| v.into_iter().fold(0.0, |size: f64, x| size.max(x.abs()));
-    let [x, y, z] = [size(d.to_array()), size(a.map(|[high, _]| high)), size(b.map(|[high, _]| high))];
-    let [least, most] = const { [power_of_two(-600), power_of_two(200)] };
-    let has_room = x <= most && y <= most && z <= most && x * y * z >= least;
-    if has_room { fine::volume(d, &a, &b)?.partial_cmp(&0.0) } else { None }
+    fine::volume(d, &a, &b)?.partial_cmp(&0.0)
 }
 
 /// The sign of d . (a x b) of vectors from one point to another, by an exact sum. `[EXACT-8]`
@@ -53,20 +48,24 @@ fn minus(a: DVec3, b: DVec3) -> Pairs {
     [0, 1, 2].map(|k| difference(a[k], b[k]))
 }
 
-/// Whether a line meets the closed triangle, in one point; see [`is_along_axes`] first.
+/// Whether a line meets the closed triangle, in one point; see [`is_along_axes`] first. Twice the digits are asked if they
+/// have room.
 #[cold]
 #[inline(never)]
-pub(super) fn is_inside(&[a, b, c]: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
+pub(super) fn is_inside(&[a, b, c]: &[DVec3; 3], o: DVec3, d: DVec3, has_room: bool) -> bool {
     let sides = [[b, c], [c, a], [a, b]].map(|[from, to]| side(o, from, to));
     let mut known = [None; 3];
-    let signs = sides.iter().zip(&mut known).map(|(&[a, b], known)| {
-        *known = fine_volume(d, a, b);
-        *known
-    });
-    meets(signs).unwrap_or_else(|| {
-        let known = sides.iter().zip(known);
-        meets(known.map(|(&[a, b], known)| known.or_else(|| Some(volume(d, a, b))))).unwrap_or(false)
-    })
+    if has_room {
+        let signs = sides.iter().zip(&mut known).map(|(&[a, b], known)| {
+            *known = fine_volume(d, a, b);
+            *known
+        });
+        if let Some(meets) = meets(signs) {
+            return meets;
+        }
+    }
+    let known = sides.iter().zip(known);
+    meets(known.map(|(&[a, b], known)| known.or_else(|| Some(volume(d, a, b))))).unwrap_or(false)
 }
 
 /// By the signs of the edge functions; `None` if too few are known.
@@ -86,7 +85,7 @@ fn meets(signs: impl Iterator<Item = Option<Ordering>>) -> Option<bool> {
     are_known.then_some(any_positive || any_negative)
 }
 
-/// Whether twice the digits tell that a line is parallel to a triangle. `[EXACT-10]`
+/// Whether twice the digits tell that a line is parallel to a triangle, for numbers up to 2^200. `[EXACT-10]`
 #[cold]
 #[inline(never)]
 pub(super) fn is_parallel(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {

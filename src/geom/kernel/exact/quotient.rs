@@ -6,16 +6,31 @@ use glam::DVec3;
 use super::accumulator::Accumulator;
 use super::predicates::apart;
 use crate::geom::Real;
+use crate::geom::frame::power_of_two;
 use crate::geom::truth::holds_fraction;
 
 /// Distance to a triangle that the line meets, rounded to the nearest float; `None` outside the closed interval.
 /// `[EXACT-3]`
 #[cold]
 #[inline(never)]
-pub(super) fn distance<R: Real>(&[v0, v1, v2]: &[DVec3; 3], o: DVec3, d: DVec3, interval: [R; 2]) -> Option<R> {
+pub(super) fn distance<R: Real>(
+    &[v0, v1, v2]: &[DVec3; 3],
+    o: DVec3,
+    d: DVec3,
+    interval @ [tmin, tmax]: [R; 2],
+) -> Option<R> {
     let (e1, e2, s) = (apart([v0, v1]), apart([v0, v2]), apart([v0, o]));
-    let t = fraction(&Accumulator::volume(&e2, &s, &e1), &Accumulator::volume(&apart([DVec3::ZERO, d]), &e2, &e1));
-    holds_fraction(interval, &t).then(|| R::nearest_to(&t))
+    let ratio =
+        Ratio { top: Accumulator::volume(&e2, &s, &e1), det: Accumulator::volume(&apart([DVec3::ZERO, d]), &e2, &e1) };
+    // Rounding keeps the order, so that only an end that is equal leaves a question.
+    match ratio.nearest() {
+        Some(t) if tmin < t && t < tmax => Some(t),
+        Some(t) if t < tmin || tmax < t => None,
+        _ => {
+            let t = ratio.fraction();
+            holds_fraction(interval, &t).then(|| R::nearest_to(&t))
+        }
+    }
 }
 
 /// Weights of the second and third corner of a triangle that the line meets, rounded to the nearest floats.
@@ -25,12 +40,53 @@ pub(super) fn weights<R: Real>(&[v0, v1, v2]: &[DVec3; 3], o: DVec3, d: DVec3) -
     let (e1, e2, s, d) = (apart([v0, v1]), apart([v0, v2]), apart([v0, o]), apart([DVec3::ZERO, d]));
     let det = Accumulator::volume(&d, &e2, &e1);
     // U = s . (d x e2) and V = d . (s x e1).
-    [Accumulator::volume(&d, &e2, &s), Accumulator::volume(&d, &s, &e1)].map(|top| R::nearest_to(&fraction(&top, &det)))
+    [Accumulator::volume(&d, &e2, &s), Accumulator::volume(&d, &s, &e1)].map(|top| {
+        let ratio = Ratio { top, det: det.clone() };
+        ratio.nearest().unwrap_or_else(|| R::nearest_to(&ratio.fraction()))
+    })
 }
 
-/// A quotient; 0 if the divisor is, which it is for no line that meets a triangle.
-fn fraction(top: &Accumulator, det: &Accumulator) -> Relaxed {
-    if det.sign().is_eq() { Relaxed::ZERO } else { Relaxed::from_parts_signed(top.integer(), det.integer()) }
+/// A quotient of two sums.
+struct Ratio {
+    top: Accumulator,
+    /// Not 0 for a line that meets a triangle.
+    det: Accumulator,
+}
+
+impl Ratio {
+    /// The nearest float, if the first digits tell; of weights and distances on coarse grids they tell ties too.
+    fn nearest<R: Real>(&self) -> Option<R> {
+        let Some(top) = self.top.leading() else { return Some(R::ZERO) };
+        let det = self.det.leading()?;
+        // From 2^63 to 2^65, and a last digit for what is left.
+        let divisor = det.digits >> 64;
+        let (quotient, rest) = (top.digits / divisor, top.digits % divisor);
+        let [least, most] = if top.is_exact && det.is_exact && det.digits as u64 == 0 {
+            [quotient << 1 | u128::from(rest != 0); 2]
+        } else {
+            [top.digits / (divisor + 1) << 1, (quotient + 2) << 1]
+        };
+        let scale = top.exponent - det.exponent - 65;
+        // Neither subnormal nor infinite.
+        if !(-900..900).contains(&scale) {
+            return None;
+        }
+        let ends = [least, most].map(|x| {
+            let high = x as f64;
+            // Only the sign counts of what rounding left out.
+            let rest = f64::from((x as i128 - high as i128).signum() as i8);
+            [high * power_of_two(scale), rest].map(|x| if top.is_negative == det.is_negative { x } else { -x })
+        });
+        R::between(if top.is_negative == det.is_negative { ends } else { [ends[1], ends[0]] })
+    }
+
+    /// The quotient itself; 0 if the divisor is.
+    fn fraction(&self) -> Relaxed {
+        if self.det.sign().is_eq() {
+            return Relaxed::ZERO;
+        }
+        Relaxed::from_parts_signed(self.top.integer(), self.det.integer())
+    }
 }
 
 #[cfg(test)]
