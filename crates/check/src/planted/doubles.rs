@@ -14,10 +14,14 @@ use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::slabs::{Directed, Intervals, Wide};
 use stackless_bvh::geom::{Frame, Kernel, Mesh, Ray, Region, Slabs, Triangle};
 
-pub(super) const MISTAKES: [Mistake; 5] = [
+pub(super) const MISTAKES: [Mistake; 6] = [
     of::<Exact64, Boxes<AtZero>>("boxes are taken as if their frame were at zero", "FRAME-1"),
     of::<Exact64, Boxes<UnitOne>>("boxes are taken as if the unit of their frame were 1", "FRAME-1"),
     of::<Exact64, Boxes<Rounded>>("the ray is rounded before it is taken into the frame", "BOX-8"),
+    of::<Exact64, Boxes<EndFromThere>>(
+        "the end of a ray from afar is taken to be one from where it enters the scene",
+        "BOX-9",
+    ),
     of::<Sums<Flushed>, Wide>("sums take what is next to nothing for nothing", "EXACT-8"),
     of::<Sums<InDoubles>, Wide>("far from 1, determinants are rounded", "EXACT-8"),
 ];
@@ -46,7 +50,8 @@ where
     check_tree::<K, B, _>(&options.build(&mesh).ok()?, &mesh, &rays).err().map(|fault| fault.to_string())
 }
 
-/// A scene of whole numbers or thirds, moved and in another unit; now and then a ray begins beside it by next to nothing.
+/// A scene of whole numbers or thirds, moved and in another unit; now and then a ray begins beside it by next to nothing,
+/// or from afar.
 fn scene(draw: &mut Draw<'_>) -> Option<(Mesh<DVec3>, Vec<Ray<DVec3>>)> {
     const NEXT_TO_NOTHING: f64 = 1e-250;
     let (by, part) = (DVec3::new(1.0, -1.0, 0.5) * draw.one_of([0.0, 6.4e6, 1e12]), draw.one_of([1.0, 3.0]));
@@ -59,6 +64,8 @@ fn scene(draw: &mut Draw<'_>) -> Option<(Mesh<DVec3>, Vec<Ray<DVec3>>)> {
         let axis = draw.below(12) as usize;
         if axis < 3 && o[axis] == 0.0 {
             o[axis] = draw.one_of([NEXT_TO_NOTHING, -NEXT_TO_NOTHING]);
+        } else if axis == 3 && ray.tmax() == f32::INFINITY {
+            o -= d * (place / way) * 2f64.powi(40);
         }
         let [tmin, tmax] = [ray.tmin(), ray.tmax()].map(|t| f64::from(t) * place / way);
         Ray::within(o, d, tmin, tmax).ok()
@@ -67,7 +74,7 @@ fn scene(draw: &mut Draw<'_>) -> Option<(Mesh<DVec3>, Vec<Ray<DVec3>>)> {
     Some((mesh, rays))
 }
 
-marks! { Nothing AtZero UnitOne Rounded Flushed InDoubles }
+marks! { Nothing AtZero UnitOne Rounded EndFromThere Flushed InDoubles }
 
 /// The box test of doubles with a mistake.
 #[derive(Clone, Copy, Debug)]
@@ -75,6 +82,8 @@ struct Boxes<S> {
     wide: Wide,
     /// The ray in the frame, in single precision.
     single: Option<Directed>,
+    /// Distance that is taken off the end.
+    away: f64,
     spoil: PhantomData<S>,
 }
 
@@ -90,11 +99,12 @@ impl<S: Spoil> Slabs for Boxes<S> {
             _ => None,
         }
         .unwrap_or(*region);
-        Self { wide: Wide::new(ray, &region), single: rounded::<S>(ray, &region), spoil: PhantomData }
+        let (wide, single, away) = (Wide::new(ray, &region), rounded::<S>(ray, &region), away::<S>(ray, &region));
+        Self { wide, single, away, spoil: PhantomData }
     }
 
     fn pair(&self, planes: &[[f32; 4]; 3], tmax: f64) -> Intervals<f64> {
-        let Some(single) = &self.single else { return self.wide.pair(planes, tmax) };
+        let Some(single) = &self.single else { return self.wide.pair(planes, tmax - self.away) };
         let Intervals { hit, near, far } = single.pair(planes, (tmax as f32).next_up());
         Intervals { hit, near: near.map(|near| f64::from(near.next_down())), far: far.map(f64::from) }
     }
@@ -110,6 +120,13 @@ fn rounded<S: Spoil>(ray: &Ray<DVec3>, region: &Region) -> Option<Directed> {
     let direction = (ray.direction() * unit).as_vec3();
     let ray = Ray::within(origin, direction, (ray.tmin() as f32).next_down().max(0.0), f32::INFINITY).ok()?;
     Some(Directed::new(&ray, &Region::of(region.bounds())))
+}
+
+/// About the distance at which a ray from afar enters the scene.
+fn away<S: Spoil>(ray: &Ray<DVec3>, region: &Region) -> f64 {
+    let (far, size) = (region.distance(ray.origin()), region.size());
+    let is_afar = S::BUG == Bug::EndFromThere && far > 1e6 * size;
+    if is_afar { 0.5 * far / ray.direction().abs().max_element() } else { 0.0 }
 }
 
 /// The exact test of doubles with a mistake.

@@ -160,12 +160,15 @@ fn no_line_along_an_edge_crosses_a_triangle() {
     let d = DVec3::new(1.0, 2.0, -3.0);
     for corners in [[0.0, 1.0, 3.0], [0.0, 0.0, 2.0], [1.0; 3]] {
         for o in [DVec3::ZERO, DVec3::X] {
-            assert!(!is_crossed_by_line(&corners.map(|along| d * along), o, d));
+            assert!(![true, false].iter().any(|&fine| is_crossed_by_line(&corners.map(|along| d * along), o, d, fine)));
         }
     }
     for apex in [DVec3::X, DVec3::Y, DVec3::NEG_Z] {
         for corners in [[DVec3::ZERO, d, apex], [apex, d, DVec3::ZERO], [d * 2.0, apex, d]] {
-            assert!(!is_crossed_by_line(&corners, DVec3::ZERO, d) && !is_crossed_by_line(&corners, apex * 0.25, d));
+            for (o, has_room) in [(DVec3::ZERO, true), (DVec3::ZERO, false), (apex * 0.25, true), (apex * 0.25, false)]
+            {
+                assert!(!is_crossed_by_line(&corners, o, d, has_room), "{o} {has_room}");
+            }
         }
     }
 }

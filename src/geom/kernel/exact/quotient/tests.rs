@@ -1,6 +1,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::geom::truth::Number as _;
 
 /// The distance of a plane that is `far` away, in steps of `d`.
 fn ahead(far: f64, d: f64) -> f64 {
