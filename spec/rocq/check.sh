@@ -295,6 +295,12 @@ refuted 's/radix2 (-1060)/radix2 (-1073)/; s/(-1060)%Z with (14 +/(-1073)%Z with
 refuted 's/radix2 (-900)/radix2 (-1070)/; s/radix2 (-901)/radix2 (-1071)/' Fine.v FineSums.v FineProducts.v
 refuted 's/(R64 (R64 (Rabs (low x) + radius x) \* UP))/(R64 (Rabs (low x) + radius x))/' Fine.v FineSums.v
 refuted 's/andb (Req_bool lost 0) (Req_bool least 0)/andb (Req_bool lost 0) (Req_bool lost 0)/' Fine.v FineSums.v
+refuted 's/radix2 (-52)/radix2 (-54)/; s/(-52)%Z with (1 +/(-54)%Z with (-1 +/; s/EPSILON = 2 \* u/EPSILON = \/ 2 * u/' FineQuotients.v
+refuted 's/ \/ least) + R64 (Rabs step \* EPSILON)) in/ \/ high y) + R64 (Rabs step * EPSILON)) in/' FineQuotients.v
+refuted 's/if Rlt_bool reach (radius x) then radius x else reach/if Rlt_bool reach (radius x) then reach else radius x/' FineQuotients.v
+refuted 's/R64 (high x \/ 8)/R64 (high x \/ 1)/g' FineRoots.v
+refuted 's/R64 (4 \* r)/R64 (16 * r)/g; s/(4 \* r)/(16 * r)/g; s/radix2 2) with 4/radix2 4) with 16/; s/r \* bpow radix2 2/r * bpow radix2 4/; s/= 4 \* r/= 16 * r/' FineRoots.v
+refuted 's/if Rlt_bool below 0 then Intervals.pred lo else lo/lo/g' FineDeterminants.v
 refuted 's/(1 - 8 \* u)/(1 - 5 * u)/g' NearDistance.v
 refuted 's/(1 + 8 \* u)/(1 + 4 * u)/g' NearDistance.v NearGuess.v
 refuted 's/128 \* u/96 * u/g' PartNumbers.v
@@ -303,4 +309,4 @@ refuted 's/corner_b : 0 <= d3 -> /corner_b : -1 <= d3 -> /' Nearest.v
 refuted 's/0 < B2R (d_least a) .. B2R (d_most a) < 0/0 < B2R (d_most a) \\\/ B2R (d_least a) < 0/' EnclosedBoxes.v
 
 printf ' %s' "${report[@]}" | sed 's/^ */rocq: /; s/ *$//' | grep .
-echo "rocq: missing proofs, a planted axiom, 26 smaller constants and 13 weaker conditions are refused; $((SECONDS - began)) s"
+echo "rocq: missing proofs, a planted axiom, 29 smaller constants and 16 weaker conditions are refused; $((SECONDS - began)) s"

@@ -83,6 +83,17 @@ planted src/geom/fine.rs 'const ERROR: f64 = power_of_two(-102);' 'const ERROR: 
 planted src/geom/fine.rs 'const EXACT: f64 = power_of_two(-900);' 'const EXACT: f64 = power_of_two(-1000);'
 planted src/geom/fine.rs 'of_radii * UP + high.abs() * ERROR + UNDERFLOW' 'of_radii * UP + high.abs() * ERROR'
 planted src/geom/fine.rs '(self.low.abs() + self.radius) * UP < self.high.abs()' '(self.low.abs() + self.radius) * UP <= self.high.abs()'
+# Its quotients, hulls and roots: a divisor, a doubt, what is known, which is greater, a range, and a factor.
+planted src/geom/fine.rs '/ least + step.abs()' '/ whole.high + step.abs()'
+planted src/geom/fine.rs 'whole.radius / whole.high + f64::EPSILON' 'whole.radius / whole.high'
+planted src/geom/fine.rs 'least > 0.0 && quotient.is_finite()' 'least >= 0.0 && quotient.is_finite()'
+planted src/geom/fine.rs 'self.radius.max(reach)' 'reach'
+planted src/geom/fine.rs 'self.radius <= self.high / 8.0' 'self.radius <= self.high / 2.0'
+planted src/geom/fine.rs '(reach / r) / (4.0 * r)' '(reach / r) / (16.0 * r)'
+# The determinants of them: an order, an end of the interval, and an end that is not moved.
+planted $kernels/exact/fine.rs 'self.nearest(dot(&self.e2, &cross(&self.s, &self.e1)))' 'self.nearest(dot(&self.e2, &cross(&self.e1, &self.s)))'
+planted $kernels/exact/fine.rs 'tmin < *t && *t < tmax' 'tmin <= *t && *t < tmax'
+planted src/geom/vector.rs 'if below < 0.0 { lo.next_down() } else { lo } as f32' 'lo as f32'
 planted $kernels/exact/fine.rs 'a[i] * b[j] - a[j] * b[i]' 'a[j] * b[i] - a[i] * b[j]'
 planted $kernels/exact/fine.rs 'filter(|&k| d[k] != 0.0)' 'filter(|&k| d[k] > 0.0)'
 # Lanes: planes, their sides, steps, a NaN, bits of a rank, a comparison.

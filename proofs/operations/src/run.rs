@@ -41,9 +41,9 @@ impl Reader<'_> {
                     let [before @ .., Stmt::Expr(Rust::Return(end), _)] = &branch.then_branch.stmts[..] else {
                         return Err("a branch that does not end with a return".into());
                     };
-                    self.statements(&mut early, before, false)?;
+                    self.always(|reader| reader.statements(&mut early, before, false))?;
                     let yes = match &end.expr {
-                        Some(value) => self.eval(&mut early, value)?,
+                        Some(value) => self.always(|reader| reader.eval(&mut early, value))?,
                         None => Value::Unit,
                     };
                     let no = self.always(|reader| reader.statements(&mut later, &statements[at + 1..], true))?;
@@ -231,7 +231,8 @@ impl Reader<'_> {
 
     fn binary(&mut self, frame: &mut Frame, binary: &syn::ExprBinary) -> Result<Value> {
         let left = self.eval(frame, &binary.left)?;
-        let right = self.eval(frame, &binary.right)?;
+        // Not all operators reach it.
+        let right = self.always(|reader| reader.eval(frame, &binary.right))?;
         let Value::Struct(owner, _) = &left else {
             return operators::binary(&binary.op, &left, &right).map_err(|error| format!("{}: {error}", text(binary)));
         };

@@ -1,7 +1,7 @@
 (** Quotients of src/geom/fine.rs, and numbers that hold those of two. *)
 Require Import Reals ZArith Lia Lra Psatz.
 From Flocq Require Import Core Pff2Flocq.
-Require Import StacklessExact.Rounding StacklessExact.Range StacklessExact.Expansion StacklessExact.Signs StacklessExact.Fine.
+Require Import StacklessExact.Rounding StacklessExact.Range StacklessExact.Expansion StacklessExact.Fine.
 Require Import StacklessExact.FineSums StacklessExact.FineProducts.
 Require StacklessExact.Intervals.
 Open Scope R_scope.
