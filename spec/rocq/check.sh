@@ -284,6 +284,8 @@ refuted 's/39 \* u/38 * u/g; s/edge_times := 39/edge_times := 38/' Floor.v Lanes
 refuted 's/2 ^ 24 - 3/2 ^ 24 - 2/; s/1 - 3 \* u/1 - 2 * u/g' TwoSided.v
 refuted 's/2 ^ 24 + 4/2 ^ 24 + 2/; s/1 + 4 \* u/1 + 2 * u/g' TwoSided.v
 refuted 's/134217729/67108865/g' Expansion.v
+refuted 's/(63 - shift)/(62 - shift)/' Accumulator.v
+refuted 's/(sum, first || second)/(sum, second)/' Accumulator.v
 refuted 's/radix2 (-200)/radix2 (-280)/' Usual.v
 refuted 's/(fmax (fx v) (fx w))/(fx v)/' Scene.v
 refuted 's/12 \*/7 */g' Off.v

@@ -4,7 +4,7 @@ use syn::Expr as Rust;
 
 use crate::operators;
 use crate::reader::{Frame, Reader, Result};
-use crate::shapes::{name_of_constant, numbers};
+use crate::shapes::name_of_constant;
 use crate::source::text;
 use crate::value::{Bits, Expr, Format, Value};
 
@@ -135,14 +135,7 @@ impl Reader<'_> {
         }
     }
 
-    pub(crate) fn method(
-        &mut self,
-        frame: &mut Frame,
-        at: &Rust,
-        on: Value,
-        name: &str,
-        with: &[Value],
-    ) -> Result<Value> {
+    pub(crate) fn method(&mut self, frame: &mut Frame, on: Value, name: &str, with: &[Value]) -> Result<Value> {
         match (&on, name, with) {
             (Value::Real(format, x), ..) => {
                 let named = self.name("x", &Value::Real(*format, x.clone()), false)?;
@@ -160,7 +153,6 @@ impl Reader<'_> {
                 }
             }
             (Value::Bool(x), "to_bitmask", []) => Ok(Value::Lane(x.clone())),
-            (Value::Slice(format, array, count), "sum", []) => Ok(self.sum(*format, array.clone(), count.clone())),
             (Value::List(of), "as_flattened", []) => Ok(Value::Rows(of.clone())),
             (Value::Rows(rows), "iter", []) => {
                 let lists = rows.iter().map(|row| match row {
@@ -169,9 +161,7 @@ impl Reader<'_> {
                 });
                 Ok(Value::List(lists.collect::<Result<Vec<_>>>()?.concat()))
             }
-            (Value::Unknown(_), "to_bits", [])
-            | (Value::Slice(..), "iter", [])
-            | (Value::List(_), "into_iter" | "iter" | "copied", []) => Ok(on),
+            (Value::Unknown(_), "to_bits", []) | (Value::List(_), "into_iter" | "iter" | "copied", []) => Ok(on),
             (Value::List(of), "map", [function]) => Ok(Value::List(
                 of.iter().map(|x| self.apply(frame, function, std::slice::from_ref(x))).collect::<Result<_>>()?,
             )),
@@ -223,18 +213,6 @@ impl Reader<'_> {
                 let not_before = operators::binary(&syn::parse_quote!(<=), &ends[0], x)?;
                 let not_after = operators::binary(&syn::parse_quote!(<=), x, &ends[1])?;
                 operators::binary(&syn::parse_quote!(&&), &not_before, &not_after)
-            }
-            (Value::State(state), ..) => {
-                let (_, as_) = self
-                    .opaque
-                    .iter()
-                    .find(|(opaque, _)| *opaque == name)
-                    .ok_or_else(|| format!("{name} of a state"))?;
-                let operands = std::iter::once((None, state.clone())).chain(with.iter().flat_map(numbers)).collect();
-                let new = Value::State(Expr::Call((*as_).into(), operands));
-                let new = self.name("sum", &new, true)?;
-                self.assign(frame, at, new)?;
-                Ok(Value::Unit)
             }
             (Value::Struct(owner, _), ..) => {
                 let function = self.source.method(owner, name, "")?.clone();

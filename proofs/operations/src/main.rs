@@ -15,7 +15,6 @@ mod source;
 mod targets;
 #[cfg(test)]
 mod tests;
-mod turns;
 mod value;
 
 use std::path::Path;

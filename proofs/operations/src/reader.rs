@@ -26,8 +26,6 @@ pub(crate) struct Printed {
 /// Reads one function.
 pub(crate) struct Reader<'s> {
     pub(crate) source: &'s Source,
-    /// Functions that are not looked into, with their names in Rocq.
-    pub(crate) opaque: &'s [(&'s str, &'s str)],
     /// What is known of generic parameters.
     pub(crate) known: &'s [(&'s str, &'s str)],
     /// Functions that are called by their names in Rocq.
@@ -51,14 +49,9 @@ pub(crate) struct Frame {
 }
 
 impl<'s> Reader<'s> {
-    pub(crate) fn new(
-        source: &'s Source,
-        opaque: &'s [(&'s str, &'s str)],
-        known: &'s [(&'s str, &'s str)],
-        printed: &'s [Printed],
-    ) -> Self {
+    pub(crate) fn new(source: &'s Source, known: &'s [(&'s str, &'s str)], printed: &'s [Printed]) -> Self {
         let (lets, taken, renamed, constants) = (Vec::new(), BTreeSet::new(), BTreeMap::new(), Vec::new());
-        Self { source, opaque, known, printed, lets, taken, renamed, constants, asked: Vec::new(), depth: 0 }
+        Self { source, known, printed, lets, taken, renamed, constants, asked: Vec::new(), depth: 0 }
     }
 
     /// Runs a function; what it gives, and what becomes of its first parameter.
@@ -128,12 +121,9 @@ impl<'s> Reader<'s> {
         }
         let mut names = names.into_iter();
         shape.leaves("", &mut |_, leaf| match leaf {
-            Value::Real(..)
-            | Value::Bool(_)
-            | Value::State(_)
-            | Value::Maybe(_)
-            | Value::Array(..)
-            | Value::Count(_) => leaf.with(&Expr::Name(names.next().ok_or("a name is missing")?)),
+            Value::Real(..) | Value::Bool(_) | Value::Maybe(_) | Value::Count(_) => {
+                leaf.with(&Expr::Name(names.next().ok_or("a name is missing")?))
+            }
             other => Ok(other.clone()),
         })
     }
@@ -185,8 +175,6 @@ impl<'s> Reader<'s> {
                     Value::Real(Some(*format), self.named(name, x, Some(*format), is_written))
                 }
                 Value::Bool(x) => Value::Bool(self.named(name, x, None, is_written)),
-                Value::State(x) => Value::State(self.named(name, x, None, is_written)),
-                Value::Array(format, x) => Value::Array(*format, self.named(name, x, None, is_written)),
                 other => other.clone(),
             })
         })

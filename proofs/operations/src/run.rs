@@ -109,7 +109,7 @@ impl Reader<'_> {
             Rust::Unary(unary) => {
                 let value = self.eval(frame, &unary.expr)?;
                 match (unary.op, &value) {
-                    (UnOp::Neg(_), Value::Struct(..)) => self.method(frame, &unary.expr, value, "neg", &[]),
+                    (UnOp::Neg(_), Value::Struct(..)) => self.method(frame, value, "neg", &[]),
                     (op, _) => unary_of(op, value),
                 }
             }
@@ -122,20 +122,7 @@ impl Reader<'_> {
                 (value, Value::Int(times @ 0..=64)) => Ok(Value::List((0..times).map(|_| value.clone()).collect())),
                 _ => Err(format!("not understood: {}", text(expr))),
             },
-            Rust::Range(range) => match (&range.start, &range.end) {
-                (Some(start), Some(end)) => {
-                    let (start, end) = (self.eval(frame, start)?, self.eval(frame, end)?);
-                    match (start, end, &range.limits) {
-                        (Value::Int(start), Value::Int(end), syn::RangeLimits::HalfOpen(_)) => {
-                            Ok(Value::List((start..end).map(Value::Int).collect()))
-                        }
-                        (Value::Int(0), Value::Count(end), syn::RangeLimits::HalfOpen(_)) => Ok(Value::Below(end)),
-                        (start, end, syn::RangeLimits::Closed(_)) => Ok(Value::Range(Box::new([start, end]))),
-                        _ => Err(format!("not understood: {}", text(expr))),
-                    }
-                }
-                _ => Err(format!("not understood: {}", text(expr))),
-            },
+            Rust::Range(range) => self.range(frame, range),
             Rust::Field(field) => {
                 let value = self.eval(frame, &field.base)?;
                 member(&value, &text(&field.member))
@@ -146,10 +133,6 @@ impl Reader<'_> {
                     return self.slice(frame, value, range);
                 }
                 let at = self.eval(frame, &index.index)?;
-                if let Value::Array(format, array) = value {
-                    let element = Expr::op("element", None, [array, at.count()?]);
-                    return Ok(Value::Real(Some(format), element));
-                }
                 element(&value, &at).cloned()
             }
             Rust::Cast(cast) => {
@@ -208,7 +191,7 @@ impl Reader<'_> {
             Rust::MethodCall(call) => {
                 let arguments = call.args.iter().map(|x| self.eval(frame, x)).collect::<Result<Vec<_>>>()?;
                 let on = self.eval(frame, &call.receiver)?;
-                self.method(frame, &call.receiver, on, &call.method.to_string(), &arguments)
+                self.method(frame, on, &call.method.to_string(), &arguments)
             }
             _ => Err(format!("not understood: {}", text(expr))),
         }
@@ -253,13 +236,23 @@ impl Reader<'_> {
         Ok(self.call(&function, &[left, right])?.0)
     }
 
-    /// The first elements of an array, or one of several rows.
+    fn range(&mut self, frame: &mut Frame, range: &syn::ExprRange) -> Result<Value> {
+        let (Some(start), Some(end)) = (&range.start, &range.end) else {
+            return Err(format!("not understood: {}", text(range)));
+        };
+        match (self.eval(frame, start)?, self.eval(frame, end)?, &range.limits) {
+            (Value::Int(start), Value::Int(end), syn::RangeLimits::HalfOpen(_)) => {
+                Ok(Value::List((start..end).map(Value::Int).collect()))
+            }
+            (start, end, syn::RangeLimits::Closed(_)) => Ok(Value::Range(Box::new([start, end]))),
+            _ => Err(format!("not understood: {}", text(range))),
+        }
+    }
+
+    /// One of several rows.
     fn slice(&mut self, frame: &mut Frame, of: Value, range: &syn::ExprRange) -> Result<Value> {
         let ends = (&range.start, &range.end, &range.limits);
         match (of, ends) {
-            (Value::Array(format, array), (None, Some(end), syn::RangeLimits::HalfOpen(_))) => {
-                Ok(Value::Slice(format, array, self.eval(frame, end)?.count()?))
-            }
             (Value::Rows(rows), (Some(start), Some(end), syn::RangeLimits::HalfOpen(_)))
                 if text(&**end) == format!("{}+A", text(&**start)) =>
             {
@@ -306,13 +299,6 @@ impl Reader<'_> {
             Rust::Index(index) => {
                 let (whole, at) = (self.eval(frame, &index.expr)?, self.eval(frame, &index.index)?);
                 match (whole, at) {
-                    (Value::Array(format, array), at) => {
-                        let Value::Real(_, x) = value else { return Err(format!("an array of {}", value.kind())) };
-                        let operands = vec![(None, array), (None, at.count()?), (Some(format), x)];
-                        let stored = Value::Array(format, Expr::Call("store".into(), operands));
-                        let stored = self.name(&base_name(&index.expr), &stored, true)?;
-                        self.assign(frame, &index.expr, stored)
-                    }
                     (Value::List(mut of), Value::Int(at)) => {
                         let part = usize::try_from(at).ok().and_then(|at| of.get_mut(at));
                         *part.ok_or_else(|| format!("beyond the end: {}", text(to)))? = value;
@@ -360,7 +346,6 @@ impl Reader<'_> {
         let over = match self.eval(frame, &turn.expr)? {
             Value::List(of) => of.into_iter().map(|x| (Expr::True, x)).collect(),
             Value::Filtered(of) => of,
-            Value::Below(count) => return self.counted(frame, &turn.pat, &turn.body, count),
             other => return Err(format!("a loop over {}", other.kind())),
         };
         for (condition, value) in over {
@@ -373,11 +358,6 @@ impl Reader<'_> {
         }
         Ok(Value::Unit)
     }
-}
-
-/// The name of a variable or of its part.
-fn base_name(of: &Rust) -> String {
-    text(of).replace('.', "_")
 }
 
 fn unary_of(op: UnOp, value: Value) -> Result<Value> {

@@ -14,7 +14,7 @@ pub(crate) fn numbers(value: &Value) -> Vec<(Option<Format>, Expr)> {
     let each = value.leaves("", &mut |_, leaf| {
         match leaf {
             Value::Real(format, x) => found.push((*format, x.clone())),
-            Value::Bool(x) | Value::State(x) | Value::Array(_, x) | Value::Count(x) | Value::Maybe(x) => {
+            Value::Bool(x) | Value::Count(x) | Value::Maybe(x) => {
                 found.push((None, x.clone()));
             }
             _ => {}
@@ -135,7 +135,6 @@ pub(crate) fn unknown(reader: &Reader<'_>, ty: &syn::Type, owner: &str, name: &s
         syn::Type::Tuple(ty) => list(ty.elems.iter().enumerate().collect()),
         syn::Type::Array(ty) => match text(&ty.len).parse::<usize>() {
             Ok(len @ 0..=64) => list((0..len).map(|at| (at, &*ty.elem)).collect()),
-            Err(_) if let Some(format) = reader.format(&ty.elem) => Ok(Value::Array(format, Expr::Name(name.into()))),
             _ => Err(format!("not understood: {}", text(ty))),
         },
         syn::Type::Path(_) => {
@@ -147,7 +146,6 @@ pub(crate) fn unknown(reader: &Reader<'_>, ty: &syn::Type, owner: &str, name: &s
             match short {
                 "bool" if reader.known_as(name) == "false" => return Ok(Value::Bool(Expr::False)),
                 "bool" => return Ok(Value::Bool(Expr::Name(name.into()))),
-                "state" => return Ok(Value::State(Expr::Name(name.into()))),
                 "i32" | "u32" | "unknown" => return Ok(Value::Unknown(name.into())),
                 "simd" => return Ok(Value::Unit),
                 "f32" => return Ok(Value::Real(Some(Format::Single), Expr::Name(name.into()))),

@@ -13,10 +13,6 @@ pub(crate) struct Target {
     pub(crate) parts: &'static [&'static str],
 }
 
-/// Methods of a sum that are not looked into, with their names in Rocq.
-pub(crate) const OPAQUE: &[(&str, &str)] = &[("add", "sum_add"), ("add_product", "Sum_add_product")];
-
-const STATE: &[(&str, &str)] = &[("Sum", "state")];
 /// One of four lanes. Rows of lanes are numbers then, and so are vectors.
 const LANE: &[(&str, &str)] = &[
     ("S", "simd"),

@@ -208,14 +208,3 @@ fn bits_of_numbers() {
         }
     }
 }
-
-/// A sum begins with -0, and adds one number after the other.
-#[test]
-fn sums() {
-    let mut random = Random(6);
-    same([[0.0; 0].iter().sum()], [-0.0], "empty");
-    for _ in 0..TURNS {
-        let [a, b, c] = [0; 3].map(|_| random.double());
-        same([[a, b, c].iter().sum()], [((-0.0 + a) + b) + c], "sum");
-    }
-}

@@ -29,30 +29,14 @@ pub(crate) enum Expr {
     /// A function that is defined before, or of which nothing is known; operands with their formats.
     Call(String, Vec<(Option<Format>, Self)>),
     If(Box<[Self; 3]>),
-    /// What a loop of an unknown count makes of its variables.
-    Loop(Box<Loop>),
 }
 
-/// A loop that counts its turns.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Loop {
-    pub(crate) count: Expr,
-    /// The name of the turn's number.
-    pub(crate) index: String,
-    /// What the variables are called in a turn.
-    pub(crate) names: Vec<String>,
-    pub(crate) start: Vec<(Option<Format>, Expr)>,
-    pub(crate) lets: Vec<Let>,
-    /// What a turn makes of them.
-    pub(crate) end: Vec<(Expr, Option<Format>)>,
-}
-
-/// What has a name, or several: the parts of what a function or a loop gives.
+/// What has a name, or several: the parts of what a function gives.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Let {
     pub(crate) names: Vec<String>,
     pub(crate) value: Expr,
-    /// None of a truth value, a sum, or several parts.
+    /// None of a truth value, or several parts.
     pub(crate) format: Option<Format>,
     /// Whether the source names it. Operands of functions are named where they are used more than once.
     pub(crate) is_written: bool,
@@ -67,11 +51,6 @@ pub(crate) enum Value {
     Int(i128),
     /// An integer that is not known.
     Count(Expr),
-    /// All counts below one.
-    Below(Expr),
-    /// Numbers of which not all are known; the first ones of them, so many.
-    Array(Format, Expr),
-    Slice(Format, Expr, Expr),
     /// A truth value or a number that may be missing, as Rocq has it.
     Maybe(Expr),
     /// What may be missing: whether it is there, and what it is then.
@@ -93,8 +72,6 @@ pub(crate) enum Value {
     Closure(Rc<Closure>),
     /// A function by its type's name and its own.
     Function(String, String),
-    /// What only functions know that are not looked into.
-    State(Expr),
     Unit,
     /// Something that was not understood, which is no fault where it is not used.
     Unknown(String),
@@ -232,8 +209,6 @@ impl Value {
             Self::Bool(_) => "a truth value",
             Self::Int(_) => "an integer",
             Self::Count(_) => "a count",
-            Self::Below(_) => "a range of counts",
-            Self::Array(..) | Self::Slice(..) => "an array",
             Self::Maybe(_) | Self::Option(..) => "what may be missing",
             Self::Lane(_) => "a set of lanes",
             Self::Rows(_) => "rows of lanes",
@@ -244,7 +219,6 @@ impl Value {
             Self::Struct(..) => "a struct",
             Self::Range(_) => "a range",
             Self::Closure(_) | Self::Function(..) => "a function",
-            Self::State(_) => "a state",
             Self::Unit => "nothing",
             Self::Unknown(_) => "something unknown",
         }
@@ -265,9 +239,7 @@ impl Value {
         Ok(match self {
             Self::Real(format, _) => Self::Real(*format, x.clone()),
             Self::Bool(_) => Self::Bool(x.clone()),
-            Self::State(_) => Self::State(x.clone()),
             Self::Count(_) => Self::Count(x.clone()),
-            Self::Array(format, _) => Self::Array(*format, x.clone()),
             Self::Maybe(_) => Self::Maybe(x.clone()),
             other => return Err(format!("{} in a result", other.kind())),
         })
@@ -310,12 +282,10 @@ impl Value {
                 Self::Real(format, condition.choose(&settle(x)?, &settle(y)?))
             }
             (Self::Bool(x), Self::Bool(y)) => Self::Bool(condition.choose(x, y)),
-            (Self::State(x), Self::State(y)) => Self::State(condition.choose(x, y)),
             (Self::Int(x), Self::Int(y)) if x == y => yes.clone(),
             (Self::Int(_) | Self::Count(_), Self::Int(_) | Self::Count(_)) => {
                 Self::Count(condition.choose(&yes.count()?, &no.count()?))
             }
-            (Self::Array(a, x), Self::Array(b, y)) if a == b => Self::Array(*a, condition.choose(x, y)),
             (Self::Maybe(x), Self::Maybe(y)) => Self::Maybe(condition.choose(x, y)),
             (Self::Option(a, x), Self::Option(b, y)) => {
                 Self::Option(condition.choose(a, b), Box::new(Self::choose(condition, x, y)?))
@@ -359,11 +329,9 @@ impl Value {
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Real(a, x), Self::Real(b, y)) => a == b && x == y,
-            (Self::Bool(x), Self::Bool(y))
-            | (Self::State(x), Self::State(y))
-            | (Self::Count(x), Self::Count(y))
-            | (Self::Maybe(x), Self::Maybe(y)) => x == y,
-            (Self::Array(a, x), Self::Array(b, y)) => a == b && x == y,
+            (Self::Bool(x), Self::Bool(y)) | (Self::Count(x), Self::Count(y)) | (Self::Maybe(x), Self::Maybe(y)) => {
+                x == y
+            }
             (Self::Int(x), Self::Int(y)) => x == y,
             (Self::Unit, Self::Unit) => true,
             (Self::List(x), Self::List(y)) => x.len() == y.len() && x.iter().zip(y).all(|(x, y)| x.is_same(y)),

@@ -35,10 +35,6 @@ Record arithmetic : Type := Arithmetic {
   before : num -> num
 }.
 
-(** A loop over the numbers below [count], and an array that is changed at one place. *)
-Definition turns {T : Type} (count : nat) (turn : T -> nat -> T) (start : T) : T := fold_left turn (seq 0 count) start.
-Definition store {T : Type} (array : nat -> T) (at_ : nat) (x : T) : nat -> T := fun i => if Nat.eqb i at_ then x else array i.
-
 (** * IEEE 754 *)
 
 Section Ieee.

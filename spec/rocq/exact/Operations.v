@@ -8,9 +8,6 @@ Section Operations.
 Variables single double : arithmetic.
 Variable widen : num single -> num double.
 Variable narrow : num double -> num single.
-(** [Sum], and [Sum::add]. *)
-Variable terms : Type.
-Variable sum_add : terms -> num double -> terms.
 
 (** [Determinants::of] of src/geom/kernel/exact/filter.rs. *)
 Definition Determinants_of (v0_x v0_y v0_z v1_x v1_y v1_z v2_x v2_y v2_z o_x o_y o_z d_x d_y d_z : num double) :=
