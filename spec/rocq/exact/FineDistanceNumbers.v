@@ -64,47 +64,106 @@ Definition exacts (x y z : float) : floats := let zero := Arithmetic.constant f6
 Lemma exacts_fit x y z a b c : fits 200 x a -> fits 200 y b -> fits 200 z c -> fines_fit 200 (exacts x y z) (Fines (exact a) (exact b) (exact c)).
 Proof. intros X Y Z. split; [|split]; (split; [assumption|split; apply zero_fits]). Qed.
 
-(** A distance that the code tells of a ray and of corners that are known within bounds, none above 2^200, is that of the plane, rounded, and the determinant is not 0.
-    Nothing overflows but where nothing is told. [EXACT-3, EXACT-10] *)
-Theorem distance_on_doubles_is_right p0 p1 p2 v0 v1 v2 ax ay az bx by_ bz cx cy cz ox oy oz dx dy dz tmin tmax t :
-  fines_fit 200 p0 v0 -> fines_fit 200 p1 v1 -> fines_fit 200 p2 v2 -> stand v0 ax ay az -> stand v1 bx by_ bz -> stand v2 cx cy cz ->
-  Forall usual (ox :: oy :: oz :: dx :: dy :: dz :: nil) ->
-  let '(x1, x2, x3, x4, x5, x6, x7, x8, x9) := p0 in let '(y1, y2, y3, y4, y5, y6, y7, y8, y9) := p1 in let '(z1, z2, z3, z4, z5, z6, z7, z8, z9) := p2 in
-  let '(_, _, _, _, _, _, _, _, _, s1, s2, s3, s4, s5, s6, s7, s8, s9, a1, a2, a3, a4, a5, a6, a7, a8, a9, b1, b2, b3, b4, b5, b6, b7, b8, b9, g1, g2, g3) :=
-    FineDeterminants_of f64 x1 x2 x3 x4 x5 x6 x7 x8 x9 y1 y2 y3 y4 y5 y6 y7 y8 y9 z1 z2 z3 z4 z5 z6 z7 z8 z9 ox oy oz dx dy dz in
-  FineDeterminants_distance_within f64 s1 s2 s3 s4 s5 s6 s7 s8 s9 a1 a2 a3 a4 a5 a6 a7 a8 a9 b1 b2 b3 b4 b5 b6 b7 b8 b9 g1 g2 g3 tmin tmax = Some t ->
-  let det := true_det ax ay az bx by_ bz cx cy cz (B2R dx) (B2R dy) (B2R dz) in
-  det <> 0 /\ B2R t = R64 (true_t ax ay az bx by_ bz cx cy cz (B2R ox) (B2R oy) (B2R oz) / det) /\ Arithmetic.less f64 tmin t = true /\ Arithmetic.less f64 t tmax = true.
+(** The numbers of a ray and of corners, none above 2^200. *)
+Section Ray.
+Variables p0 p1 p2 : floats.
+Variables v0 v1 v2 : fines.
+Variables ax ay az bx by_ bz cx cy cz : R.
+Variables ox oy oz dx dy dz : float.
+Hypothesis P0 : fines_fit 200 p0 v0.
+Hypothesis P1 : fines_fit 200 p1 v1.
+Hypothesis P2 : fines_fit 200 p2 v2.
+Hypothesis V0 : stand v0 ax ay az.
+Hypothesis V1 : stand v1 bx by_ bz.
+Hypothesis V2 : stand v2 cx cy cz.
+Hypothesis Us : Forall usual (ox :: oy :: oz :: dx :: dy :: dz :: nil).
+
+Let x := of v0 v1 v2 (Fines (exact (B2R ox)) (exact (B2R oy)) (exact (B2R oz))) (Fines (exact (B2R dx)) (exact (B2R dy)) (exact (B2R dz))).
+Let det := true_det ax ay az bx by_ bz cx cy cz (B2R dx) (B2R dy) (B2R dz).
+
+Lemma all_usual : (usual ox /\ usual oy /\ usual oz) /\ usual dx /\ usual dy /\ usual dz.
+Proof. repeat match goal with H : Forall _ (_ :: _) |- _ => inversion_clear H end. auto 8. Qed.
+
+Lemma all_stand : stands (FineDeterminants.det x) det /\ stands (t_top x) (true_t ax ay az bx by_ bz cx cy cz (B2R ox) (B2R oy) (B2R oz)) /\
+  stands (u_top x) (true_u ax ay az cx cy cz (B2R ox) (B2R oy) (B2R oz) (B2R dx) (B2R dy) (B2R dz)) /\
+  stands (v_top x) (true_v ax ay az bx by_ bz (B2R ox) (B2R oy) (B2R oz) (B2R dx) (B2R dy) (B2R dz)).
 Proof.
-  intros P0 P1 P2 V0 V1 V2 Us. assert (All : usual ox /\ usual oy /\ usual oz /\ usual dx /\ usual dy /\ usual dz) by (repeat match goal with H : Forall _ (_ :: _) |- _ => inversion_clear H end; auto 7).
-  destruct All as ([O1 O1'] & [O2 O2'] & [O3 O3'] & [D1 D1'] & [D2 D2'] & [D3 D3']).
+  assert (Fx : forall x : float, generic_format radix2 (FLT_exp (-1074) 53) (B2R x)) by (intros y; exact (generic_format_B2R 53 1024 y)).
+  apply determinants_stand; try assumption; (split; [|split]; apply exact_stands, Fx).
+Qed.
+
+(** Nothing overflows in them. *)
+Lemma all_fit : let '(x1, x2, x3, x4, x5, x6, x7, x8, x9) := p0 in let '(y1, y2, y3, y4, y5, y6, y7, y8, y9) := p1 in let '(z1, z2, z3, z4, z5, z6, z7, z8, z9) := p2 in
+  let '(f1, f2, f3, f4, f5, f6, f7, f8, f9, s1, s2, s3, s4, s5, s6, s7, s8, s9, a1, a2, a3, a4, a5, a6, a7, a8, a9, b1, b2, b3, b4, b5, b6, b7, b8, b9, g1, g2, g3) :=
+    FineDeterminants_of f64 x1 x2 x3 x4 x5 x6 x7 x8 x9 y1 y2 y3 y4 y5 y6 y7 y8 y9 z1 z2 z3 z4 z5 z6 z7 z8 z9 ox oy oz dx dy dz in
+  fines_fit 200 (f1, f2, f3, f4, f5, f6, f7, f8, f9) (d_ x) /\ fines_fit 221 (s1, s2, s3, s4, s5, s6, s7, s8, s9) (s_ x) /\
+  fines_fit 221 (a1, a2, a3, a4, a5, a6, a7, a8, a9) (e1 x) /\ fines_fit 221 (b1, b2, b3, b4, b5, b6, b7, b8, b9) (e2 x) /\ fine_fits 845 (g1, g2, g3) (FineDeterminants.det x).
+Proof.
+  destruct all_usual as (([O1 O1'] & [O2 O2'] & [O3 O3']) & [D1 D1'] & [D2 D2'] & [D3 D3']).
   assert (O : fines_fit 200 (exacts ox oy oz) (Fines (exact (B2R ox)) (exact (B2R oy)) (exact (B2R oz)))) by (apply exacts_fit; split; auto).
   assert (D : fines_fit 200 (exacts dx dy dz) (Fines (exact (B2R dx)) (exact (B2R dy)) (exact (B2R dz)))) by (apply exacts_fit; split; auto).
-  assert (Fx : forall x : float, generic_format radix2 (FLT_exp (-1074) 53) (B2R x)) by (intros x; exact (generic_format_B2R 53 1024 x)).
-  assert (So : stand (Fines (exact (B2R ox)) (exact (B2R oy)) (exact (B2R oz))) (B2R ox) (B2R oy) (B2R oz)) by (split; [|split]; apply exact_stands, Fx).
-  assert (Sd : stand (Fines (exact (B2R dx)) (exact (B2R dy)) (exact (B2R dz))) (B2R dx) (B2R dy) (B2R dz)) by (split; [|split]; apply exact_stands, Fx).
-  set (o := Fines (exact (B2R ox)) _ _) in *. set (d := Fines (exact (B2R dx)) _ _) in *.
-  pose proof (determinants_stand v0 v1 v2 o d _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ V0 V1 V2 So Sd) as (Tdet & Tt & _ & _). cbv zeta in Tdet, Tt.
   pose proof (minus_fits 200 _ _ _ _ ltac:(lia) O P0) as S. pose proof (minus_fits 200 _ _ _ _ ltac:(lia) P1 P0) as A. pose proof (minus_fits 200 _ _ _ _ ltac:(lia) P2 P0) as B.
   pose proof (cross_fits 200 221 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) D B) as C. pose proof (dot_fits 221 512 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) A C) as G.
-  pose proof (cross_fits 221 221 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) S A) as C'. pose proof (dot_fits 221 533 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) B C') as T.
-  destruct p0 as [[[[[[[[x1 x2] x3] x4] x5] x6] x7] x8] x9], p1 as [[[[[[[[y1 y2] y3] y4] y5] y6] y7] y8] y9], p2 as [[[[[[[[z1 z2] z3] z4] z5] z6] z7] z8] z9].
+  clear P0 P1 P2 O. destruct p0 as [[[[[[[[x1 x2] x3] x4] x5] x6] x7] x8] x9], p1 as [[[[[[[[y1 y2] y3] y4] y5] y6] y7] y8] y9], p2 as [[[[[[[[z1 z2] z3] z4] z5] z6] z7] z8] z9].
   unfold FineDeterminants_of. unfold at_two, exacts in *.
   destruct (fine_minus f64 ox _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[s1 s2] s3] s4] s5] s6] s7] s8] s9].
   destruct (fine_minus f64 y1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[a1 a2] a3] a4] a5] a6] a7] a8] a9].
   destruct (fine_minus f64 z1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[b1 b2] b3] b4] b5] b6] b7] b8] b9].
   destruct (fine_cross f64 dx _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[c1 c2] c3] c4] c5] c6] c7] c8] c9].
-  destruct (fine_dot f64 a1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[g1 g2] g3]. unfold FineDeterminants_distance_within.
-  destruct (fine_cross f64 s1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[e1' e2'] e3] e4] e5] e6] e7] e8] e9].
+  destruct (fine_dot f64 a1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[g1 g2] g3]. exact (conj D (conj S (conj A (conj B G)))).
+Qed.
+
+Lemma top_is e p y : fine_fits e p y -> fine_is p y.
+Proof. destruct p as [[h l] r]. intros (A & B & C). split; [|split]; eapply fits_is; eassumption. Qed.
+
+(** A distance that the code tells of a ray and of corners that are known within bounds is that of the plane, rounded, and the determinant is not 0.
+    Nothing overflows but where nothing is told. [EXACT-3, EXACT-10] *)
+Theorem distance_on_doubles_is_right tmin tmax t : let '(x1, x2, x3, x4, x5, x6, x7, x8, x9) := p0 in let '(y1, y2, y3, y4, y5, y6, y7, y8, y9) := p1 in let '(z1, z2, z3, z4, z5, z6, z7, z8, z9) := p2 in
+  let '(_, _, _, _, _, _, _, _, _, s1, s2, s3, s4, s5, s6, s7, s8, s9, a1, a2, a3, a4, a5, a6, a7, a8, a9, b1, b2, b3, b4, b5, b6, b7, b8, b9, g1, g2, g3) :=
+    FineDeterminants_of f64 x1 x2 x3 x4 x5 x6 x7 x8 x9 y1 y2 y3 y4 y5 y6 y7 y8 y9 z1 z2 z3 z4 z5 z6 z7 z8 z9 ox oy oz dx dy dz in
+  FineDeterminants_distance_within f64 s1 s2 s3 s4 s5 s6 s7 s8 s9 a1 a2 a3 a4 a5 a6 a7 a8 a9 b1 b2 b3 b4 b5 b6 b7 b8 b9 g1 g2 g3 tmin tmax = Some t ->
+  det <> 0 /\ B2R t = R64 (true_t ax ay az bx by_ bz cx cy cz (B2R ox) (B2R oy) (B2R oz) / det) /\ Arithmetic.less f64 tmin t = true /\ Arithmetic.less f64 t tmax = true.
+Proof.
+  pose proof all_fit as Fit. destruct all_stand as (Tdet & Tt & _). clear P0 P1 P2. destruct p0 as [[[[[[[[x1 x2] x3] x4] x5] x6] x7] x8] x9], p1 as [[[[[[[[y1 y2] y3] y4] y5] y6] y7] y8] y9], p2 as [[[[[[[[z1 z2] z3] z4] z5] z6] z7] z8] z9].
+  destruct (FineDeterminants_of f64 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[f1 f2] f3] f4] f5] f6] f7] f8] f9] s1] s2] s3] s4] s5] s6] s7] s8] s9] a1] a2] a3] a4] a5] a6] a7] a8] a9] b1] b2] b3] b4] b5] b6] b7] b8] b9] g1] g2] g3].
+  destruct Fit as (_ & S & A & B & G). unfold FineDeterminants_distance_within.
+  pose proof (cross_fits 221 221 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) S A) as C. pose proof (dot_fits 221 533 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) B C) as T. unfold at_two in *. clear S A B C.
+  destruct (fine_cross f64 s1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[c1 c2] c3] c4] c5] c6] c7] c8] c9].
   destruct (fine_dot f64 b1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[h1 h2] h3].
-  pose proof (fine_more (221 + 512 + 112) 900 _ _ ltac:(lia) G) as G'.
-  assert (Ti : fine_is (h1, h2, h3) (dot (minus v2 v0) (cross (minus o v0) (minus v1 v0)))) by (destruct T as (T1 & T2 & T3); split; [|split]; eapply fits_is; eassumption).
-  pose proof (nearest_on_doubles h1 h2 h3 g1 g2 g3 _ _ _ _ Ti G' Tt Tdet) as N. destruct (Fine_over f64 _ _ _ _ _ _) as [[[k n] n'] n'']. destruct (Fine_bounds f64 _ _ _) as [[[lo ?] hi] ?]. cbv zeta.
+  pose proof (nearest_on_doubles h1 h2 h3 g1 g2 g3 _ _ _ _ (top_is _ _ _ T) (fine_more 845 900 _ _ ltac:(lia) G) Tt Tdet) as N.
+  destruct (Fine_over f64 _ _ _ _ _ _) as [[[k n] n'] n'']. destruct (Fine_bounds f64 _ _ _) as [[[lo ?] hi] ?]. cbv zeta.
   destruct (andb (andb k _) _) eqn:Q; [|discriminate]. intros [= <-]. apply andb_prop in Q as [Q1 Q2]. apply andb_prop in Q2 as [Q2 Q3].
   (* An infinity is not between two ends. *)
   pose proof is_zero_constant as [Zf Zv]. set (zero := Arithmetic.constant f64 0 0) in *.
   assert (Fs : finite (Arithmetic.plus f64 lo zero) = true).
   { destruct (Arithmetic.plus f64 lo zero) as [[]|[]| |[]]; try reflexivity; exfalso; destruct tmin as [[]|[]| |[]], tmax as [[]|[]| |[]]; try discriminate Q2; discriminate Q3. }
   destruct (plus_back _ _ Fs) as (Fl & _ & Vs). destruct (N Q1 Fl) as [Z E]. split; [exact Z|]. split; [|split; assumption].
-  rewrite Zv, Rplus_0_r, R64_id in Vs by apply Fx. etransitivity; [exact Vs|exact E].
+  rewrite Zv, Rplus_0_r, R64_id in Vs by exact (generic_format_B2R 53 1024 lo). etransitivity; [exact Vs|exact E].
 Qed.
+
+(** So are the weights, if they are numbers. [EXACT-10] *)
+Theorem weights_on_doubles_are_right : let '(x1, x2, x3, x4, x5, x6, x7, x8, x9) := p0 in let '(y1, y2, y3, y4, y5, y6, y7, y8, y9) := p1 in let '(z1, z2, z3, z4, z5, z6, z7, z8, z9) := p2 in
+  let '(f1, f2, f3, f4, f5, f6, f7, f8, f9, s1, s2, s3, s4, s5, s6, s7, s8, s9, a1, a2, a3, a4, a5, a6, a7, a8, a9, b1, b2, b3, b4, b5, b6, b7, b8, b9, g1, g2, g3) :=
+    FineDeterminants_of f64 x1 x2 x3 x4 x5 x6 x7 x8 x9 y1 y2 y3 y4 y5 y6 y7 y8 y9 z1 z2 z3 z4 z5 z6 z7 z8 z9 ox oy oz dx dy dz in
+  let '(are_known, u, v) := FineDeterminants_weights f64 f1 f2 f3 f4 f5 f6 f7 f8 f9 s1 s2 s3 s4 s5 s6 s7 s8 s9 a1 a2 a3 a4 a5 a6 a7 a8 a9 b1 b2 b3 b4 b5 b6 b7 b8 b9 g1 g2 g3 in
+  are_known = true -> finite u = true -> finite v = true ->
+  det <> 0 /\ B2R u = R64 (true_u ax ay az cx cy cz (B2R ox) (B2R oy) (B2R oz) (B2R dx) (B2R dy) (B2R dz) / det) /\
+  B2R v = R64 (true_v ax ay az bx by_ bz (B2R ox) (B2R oy) (B2R oz) (B2R dx) (B2R dy) (B2R dz) / det).
+Proof.
+  pose proof all_fit as Fit. destruct all_stand as (Tdet & _ & Tu & Tv). clear P0 P1 P2. destruct p0 as [[[[[[[[x1 x2] x3] x4] x5] x6] x7] x8] x9], p1 as [[[[[[[[y1 y2] y3] y4] y5] y6] y7] y8] y9], p2 as [[[[[[[[z1 z2] z3] z4] z5] z6] z7] z8] z9].
+  destruct (FineDeterminants_of f64 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[f1 f2] f3] f4] f5] f6] f7] f8] f9] s1] s2] s3] s4] s5] s6] s7] s8] s9] a1] a2] a3] a4] a5] a6] a7] a8] a9] b1] b2] b3] b4] b5] b6] b7] b8] b9] g1] g2] g3].
+  destruct Fit as (D & S & A & B & G). unfold FineDeterminants_weights.
+  pose proof (cross_fits 200 221 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) D B) as C. pose proof (dot_fits 221 512 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) S C) as T.
+  pose proof (cross_fits 221 221 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) S A) as C'. pose proof (dot_fits 200 533 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) D C') as T'. unfold at_two in *. clear D S A B C C'.
+  destruct (fine_cross f64 f1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[c1 c2] c3] c4] c5] c6] c7] c8] c9]. destruct (fine_cross f64 s1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[k1 k2] k3] k4] k5] k6] k7] k8] k9].
+  destruct (fine_dot f64 s1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[h1 h2] h3]. destruct (fine_dot f64 f1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[i1 i2] i3].
+  pose proof (nearest_on_doubles h1 h2 h3 g1 g2 g3 _ _ _ _ (top_is _ _ _ T) (fine_more 845 900 _ _ ltac:(lia) G) Tu Tdet) as N.
+  pose proof (nearest_on_doubles i1 i2 i3 g1 g2 g3 _ _ _ _ (top_is _ _ _ T') (fine_more 845 900 _ _ ltac:(lia) G) Tv Tdet) as N'.
+  destruct (Fine_over f64 h1 _ _ _ _ _) as [[[k n] n'] n'']. destruct (Fine_bounds f64 n _ _) as [[[lo ?] hi] ?].
+  destruct (Fine_over f64 i1 _ _ _ _ _) as [[[k' m] m'] m'']. destruct (Fine_bounds f64 m _ _) as [[[lo' ?] hi'] ?]. cbv zeta.
+  intros Q Fu Fv. apply andb_prop in Q as [Q Q']. pose proof is_zero_constant as [_ Zv].
+  destruct (plus_back _ _ Fu) as (Fl & _ & Vu). destruct (plus_back _ _ Fv) as (Fl' & _ & Vv). destruct (N Q Fl) as [Z E]. destruct (N' Q' Fl') as [_ E'].
+  rewrite Zv, Rplus_0_r, R64_id in Vu by exact (generic_format_B2R 53 1024 lo). rewrite Zv, Rplus_0_r, R64_id in Vv by exact (generic_format_B2R 53 1024 lo').
+  split; [exact Z|]. split; [etransitivity; [exact Vu|exact E]|etransitivity; [exact Vv|exact E']].
+Qed.
+End Ray.
