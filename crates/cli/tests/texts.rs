@@ -27,7 +27,7 @@ const NOT_RUN: [(&str, &str); 13] = [
 
 /// Commands that take long or stand for many, as written and as run.
 #[rustfmt::skip]
-const RUN_AS: [(&str, &str); 43] = [
+const RUN_AS: [(&str, &str); 45] = [
     ("stackless merge RECORD...",
      "stackless check --trees 10 --shard 1/1 --json whole.json && stackless merge whole.json"),
     ("stackless check",
@@ -68,6 +68,8 @@ const RUN_AS: [(&str, &str); 43] = [
       --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png",
      "stackless render examples/data/room.obj --kind ao --spp 4 --size 80x60 \
       --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png"),
+    ("stackless render examples/data/slivers.ply --figure 1 -o figure1.png",
+     "stackless render examples/data/slivers.ply --figure 1 --size 64 -o figure1.png"),
     ("stackless report SCENE... -o DIR",
      "stackless report examples/data/torus.ply --count 512 --rounds 1 --pixels 32 -o report"),
     ("stackless report examples/data/torus.ply examples/data/slivers.ply -o report",
@@ -82,6 +84,8 @@ const RUN_AS: [(&str, &str); 43] = [
      "stackless stress --boxes 1000"),
     ("stackless curve",
      "stackless curve --curves 2 --rounds 1 --tolerance 1e-2"),
+    ("stackless curve --plot curve.svg",
+     "stackless curve --curves 64 --rounds 1 --plot curve.svg"),
     ("stackless accuracy SCENE...",
      "stackless accuracy examples/data/torus.ply --count 100 --rounds 1"),
     ("stackless accuracy examples/data/slivers.ply spheres --plot accuracy.svg --csv accuracy.csv",
