@@ -89,9 +89,9 @@ impl Accumulator {
     pub(super) fn volume(d: &Pairs, a: &Pairs, b: &Pairs) -> Self {
         let mut sum = Self::new();
         let [d, a, b] = [d, a, b].map(|v| v.map(|pair| pair.map(Factor::from)));
-        for k in 0..3 {
+        for (k, parts) in d.into_iter().enumerate() {
             let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            for part in d[k] {
+            for part in parts {
                 sum.add_pairs(part, a[i], b[j]);
                 sum.add_pairs(-part, a[j], b[i]);
             }

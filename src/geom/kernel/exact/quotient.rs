@@ -62,9 +62,9 @@ impl Ratio {
         let divisor = det.digits >> 64;
         let (quotient, rest) = (top.digits / divisor, top.digits % divisor);
         let [least, most] = if top.is_exact && det.is_exact && det.digits as u64 == 0 {
-            [quotient << 1 | u128::from(rest != 0); 2]
+            [2 * quotient + u128::from(rest != 0); 2]
         } else {
-            [top.digits / (divisor + 1) << 1, (quotient + 2) << 1]
+            [2 * (top.digits / (divisor + 1)), 2 * (quotient + 2)]
         };
         let scale = top.exponent - det.exponent - 65;
         // Neither subnormal nor infinite.

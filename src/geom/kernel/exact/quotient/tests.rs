@@ -65,7 +65,9 @@ fn ties_of_floats_go_to_even() {
 
 fn sum(products: &[[f64; 3]]) -> Accumulator {
     let mut sum = Accumulator::new();
-    products.iter().for_each(|&product| sum.add_product(product));
+    for &product in products {
+        sum.add_product(product);
+    }
     sum
 }
 
