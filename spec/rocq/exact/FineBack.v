@@ -125,7 +125,7 @@ Proof.
   destruct (Expansion.two_sum a b) as [u v]. cbn [fst snd] in *. split; [exact V|]. split; [exact W|]. cbn [radius]. apply times_of; [exact P|now split|exact is_UP].
 Qed.
 
-(** [Fine::mul] by one double. *)
+(** [Fine::mul] by one double. [NEAR-5] *)
 Lemma mul_back q y (p : float) (h l r : float) : is p q -> fine_is (h, l, r) y -> let zero := Arithmetic.constant f64 0 0 in
   fine_finite (Fine_mul f64 p zero zero h l r) -> fine_is (Fine_mul f64 p zero zero h l r) (mul (exact q) y).
 Proof.
@@ -156,7 +156,7 @@ Proof.
     + rewrite <- C'. unfold rad. rewrite W1, W2, W3, W4, W5, W6, W7, W8, W9, !Ab, P, H, R, Z, S1, K1, K2, K3. reflexivity.
 Qed.
 
-(** [Fine::add], where the second numbers are what rounding left out of the first. *)
+(** [Fine::add], where the second numbers are what rounding left out of the first. [NEAR-5] *)
 Lemma add_back h l r h' l' r' x y : fine_is (h, l, r) x -> fine_is (h', l', r') y -> proper x -> proper y ->
   fine_finite (Fine_add f64 h l r h' l' r') -> fine_is (Fine_add f64 h l r h' l' r') (add x y).
 Proof.
