@@ -24,7 +24,7 @@ pub(super) fn distance<R: Real>(
         Ratio { top: Accumulator::volume(&e2, &s, &e1), det: Accumulator::volume(&apart([DVec3::ZERO, d]), &e2, &e1) };
     // Rounding keeps the order, so that only an end that is equal leaves a question.
     match ratio.nearest() {
-        Some(t) if tmin < t && t < tmax => Some(t),
+        Some(t) if tmin < t && (t < tmax || tmax == R::INFINITY) => Some(t),
         Some(t) if t < tmin || tmax < t => None,
         _ => {
             let t = ratio.fraction();
