@@ -131,7 +131,7 @@ impl<V: Vector> ExactPoint<V> {
             }
             _ => {
                 let point = ray.point(&surface);
-                let bounds = point.each_ref().map(Interval::around);
+                let bounds = point.each_ref().map(|x| Interval::around(x.as_relaxed()));
                 (OnceLock::from(point), None, bounds)
             }
         };

@@ -5,7 +5,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use super::frame::power_of_two;
 use super::kernel::{two_product, two_sum};
-use super::truth::{RBig, round_f64};
+use super::truth::{Number as _, Relaxed};
 
 /// All numbers from a least to a greatest. Sums, differences and products hold all sums, differences and products of
 /// numbers that the operands hold: ends are rounded outwards, where they are rounded at all. `[INST-3]`
@@ -38,10 +38,10 @@ impl Interval {
     }
 
     /// The narrowest one that holds a number.
-    pub(super) fn around(x: &RBig) -> Self {
-        let nearest = round_f64(x);
+    pub(super) fn around(x: &Relaxed) -> Self {
+        let nearest = f64::nearest_to(x);
         // An infinity is beyond all numbers.
-        let order = RBig::try_from(nearest).map_or_else(|_| nearest.total_cmp(&0.0), |nearest| nearest.cmp(x));
+        let order = Relaxed::try_from(nearest).map_or_else(|_| nearest.total_cmp(&0.0), |nearest| nearest.cmp(x));
         Self::between(match order {
             Ordering::Less => [nearest, nearest.next_up()],
             Ordering::Equal => [nearest, nearest],
@@ -167,6 +167,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::geom::truth::RBig;
 
     fn number() -> impl Strategy<Value = f64> {
         let few = [0.0, -0.0, 1.0, -1.0, 3.0, 0.1, 5e-324, -5e-324, 1e-200, -1e200, f64::MAX, f64::MIN];

@@ -252,7 +252,7 @@ pub fn round_f64(x: &RBig) -> f64 {
 }
 
 /// [`entry`], as a fraction that may not be in lowest terms: those cost most of the time.
-fn first_touch<S: Number>(
+pub(super) fn first_touch<S: Number>(
     origin: [S; 3],
     direction: [S; 3],
     [tmin, tmax]: [S; 2],

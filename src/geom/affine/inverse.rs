@@ -42,7 +42,7 @@ impl Inverse {
     pub(super) const IDENTITY: Self = Self::Turned([Turn::axis(0), Turn::axis(1), Turn::axis(2)]);
 
     pub(super) fn new(entries: &[[RBig; 3]; 3]) -> Self {
-        let bounds = entries.each_ref().map(|row| row.each_ref().map(Interval::around));
+        let bounds = entries.each_ref().map(|row| row.each_ref().map(|x| Interval::around(x.as_relaxed())));
         if let [Some(x), Some(y), Some(z)] = bounds.map(Turn::of_row) {
             return Self::Turned([x, y, z]);
         }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::directed::MAX_COORDINATE;
 use super::{Doubled, Intervals};
 use crate::geom::frame::{exponent_of, power_of_two};
-use crate::geom::truth::{self, RBig};
+use crate::geom::truth::{Relaxed, first_touch};
 use crate::geom::{Interval, Ray, Region};
 
 /// A slab test for rays that single precision cannot take, in either precision: from afar, and with huge and tiny
@@ -147,8 +147,8 @@ impl Entered {
         let sides = frame.leave(region.bounds()).map(|x| x.ends());
         // Nothing in the region is beyond the greatest double.
         let [lo, hi] = [sides.map(|[lo, _]| lo.max(f64::MIN)), sides.map(|[_, hi]| hi.min(f64::MAX))];
-        let Some(start) = truth::entry(o, d, [ray.tmin(), f64::INFINITY], lo, hi) else { return Self::MISSING };
-        let exact = |x: f64| RBig::try_from(x).unwrap_or_default();
+        let Some(start) = first_touch(o, d, [ray.tmin(), f64::INFINITY], lo, hi) else { return Self::MISSING };
+        let exact = |x: f64| Relaxed::try_from(x).unwrap_or_default();
         let at = |k: usize| exact(o[k]) + &start * exact(d[k]) - exact(frame.origin()[k]);
         let origin = [0, 1, 2].map(|k| Interval::around(&at(k)).scaled(-frame.exponent()));
         let length = exponent_of(ray.direction().abs().max_element());
