@@ -25,13 +25,13 @@ use super::predicates::Pairs;
 /// assert_eq!(sum.sign(), Ordering::Equal);
 /// ```
 #[derive(Clone, Debug)]
-pub struct Accumulator<const LIMBS: usize = PRODUCTS> {
+pub struct Accumulator {
     /// What is added, and what is subtracted; the lowest limb first.
     registers: [[u64; LIMBS]; 2],
 }
 
 /// Limbs for all products of three doubles: from 2^-3222 to 2^3072, and 64 bits for carries.
-const PRODUCTS: usize = 100;
+const LIMBS: usize = 100;
 
 /// The last bit of an accumulator stands for 2 to the power of this.
 const UNIT: i32 = 3 * MIN_EXPONENT;
@@ -77,12 +77,18 @@ impl std::ops::Neg for Factor {
 impl Accumulator {
     /// Zero.
     pub const fn new() -> Self {
-        Self::zero()
+        Self { registers: [[0; LIMBS]; 2] }
     }
 
     /// Adds a product of three finite numbers.
     pub fn add_product(&mut self, factors: [f64; 3]) {
         self.multiply(factors.map(Factor::from));
+    }
+
+    /// How the sum compares with 0.
+    pub fn sign(&self) -> Ordering {
+        let [plus, minus] = &self.registers;
+        plus.iter().rev().cmp(minus.iter().rev())
     }
 
     /// d . (a x b).
@@ -120,6 +126,31 @@ impl Accumulator {
         self.add([low as u64, high as u64, (high >> 64) as u64], place, a.is_negative ^ b.is_negative ^ c.is_negative);
     }
 
+    /// Adds or subtracts a whole number, the lowest limb first, times 2^place units. There is room for all products.
+    #[inline]
+    fn add(&mut self, [low, middle, high]: [u64; 3], place: usize, is_negative: bool) {
+        let (limb, shift) = (place / 64, place % 64);
+        // What a limb hands to the next: 0 of a shift by 0.
+        let over = |limb: u64| limb >> 1 >> (63 - shift);
+        let shifted = [low << shift, middle << shift | over(low), high << shift | over(middle), over(high)];
+        let register = &mut self.registers[usize::from(is_negative)];
+        let Some((limbs, above)) = register.get_mut(limb..).and_then(|limbs| limbs.split_first_chunk_mut::<4>()) else {
+            return;
+        };
+        let mut carry = false;
+        for (limb, part) in limbs.iter_mut().zip(shifted) {
+            let (sum, first) = limb.overflowing_add(part);
+            let (sum, second) = sum.overflowing_add(carry.into());
+            (*limb, carry) = (sum, first | second);
+        }
+        for limb in above {
+            if !carry {
+                break;
+            }
+            (*limb, carry) = limb.overflowing_add(1);
+        }
+    }
+
     /// The first digits of the sum; `None` if it is 0.
     pub(super) fn leading(&self) -> Option<Leading> {
         let [plus, minus] = &self.registers;
@@ -128,7 +159,7 @@ impl Accumulator {
             Ordering::Less => (true, [minus, plus]),
             Ordering::Equal => return None,
         };
-        let mut difference = [0; PRODUCTS];
+        let mut difference = [0; LIMBS];
         let mut borrow = false;
         for (limb, (x, y)) in difference.iter_mut().zip(greater.iter().zip(less)) {
             let (rest, first) = x.overflowing_sub(*y);
@@ -153,45 +184,6 @@ impl Accumulator {
 impl Default for Accumulator {
     fn default() -> Self {
         Self::new()
-    }
-}
-
-impl<const LIMBS: usize> Accumulator<LIMBS> {
-    /// Zero, in a register of any length.
-    pub const fn zero() -> Self {
-        Self { registers: [[0; LIMBS]; 2] }
-    }
-
-    /// Adds or subtracts a whole number, the lowest limb first, times 2^place units. There must be room for it and a
-    /// limb more; what is beyond is lost.
-    #[inline]
-    pub fn add(&mut self, [low, middle, high]: [u64; 3], place: usize, is_negative: bool) {
-        let (limb, shift) = (place / 64, place % 64);
-        // What a limb hands to the next: 0 of a shift by 0.
-        let over = |limb: u64| limb >> 1 >> (63 - shift);
-        let shifted = [low << shift, middle << shift | over(low), high << shift | over(middle), over(high)];
-        let register = &mut self.registers[usize::from(is_negative)];
-        let Some((limbs, above)) = register.get_mut(limb..).and_then(|limbs| limbs.split_first_chunk_mut::<4>()) else {
-            return;
-        };
-        let mut carry = false;
-        for (limb, part) in limbs.iter_mut().zip(shifted) {
-            let (sum, first) = limb.overflowing_add(part);
-            let (sum, second) = sum.overflowing_add(carry.into());
-            (*limb, carry) = (sum, first | second);
-        }
-        for limb in above {
-            if !carry {
-                break;
-            }
-            (*limb, carry) = limb.overflowing_add(1);
-        }
-    }
-
-    /// How the sum compares with 0.
-    pub fn sign(&self) -> Ordering {
-        let [plus, minus] = &self.registers;
-        plus.iter().rev().cmp(minus.iter().rev())
     }
 }
 
