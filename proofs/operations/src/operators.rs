@@ -88,7 +88,6 @@ fn count(op: &BinOp, x: &Expr, y: i128) -> Result<Expr, String> {
             let [condition, yes, no] = &**of;
             Ok(Expr::If(Box::new([condition.clone(), count(op, yes, y)?, count(op, no, y)?])))
         }
-        _ if matches!(op, BinOp::Add(_)) && y == 1 => Ok(Expr::op("S", None, [x.clone()])),
         _ => Err("a count in another way than is understood".into()),
     }
 }

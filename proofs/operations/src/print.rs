@@ -179,7 +179,6 @@ fn parameters(value: &Value) -> Vec<(String, String)> {
     let each = value.leaves("", &mut |_, leaf| {
         let (name, kind) = match leaf {
             Value::Count(Expr::If(of)) if let Expr::Name(name) = &of[0] => (name, "bool"),
-            Value::Count(Expr::Name(name)) => (name, "nat"),
             Value::Real(Some(Format::Single), Expr::Name(name)) => (name, "num single"),
             Value::Real(_, Expr::Name(name)) => (name, "num double"),
             Value::Bool(Expr::Name(name)) => (name, "bool"),
@@ -337,7 +336,7 @@ fn printed_as(expr: &Expr, format: Option<Format>, is_operand: bool) -> Result<S
         },
         Expr::Op("widen", _, of) => format!("widen {}", each(of, Some(Format::Single))?.join(" ")),
         Expr::Op("narrow", _, of) => format!("narrow {}", each(of, Some(Format::Double))?.join(" ")),
-        Expr::Op(name @ ("andb" | "orb" | "negb" | "xorb" | "S"), _, of) => {
+        Expr::Op(name @ ("andb" | "orb" | "negb" | "xorb"), _, of) => {
             format!("{name} {}", each(of, None)?.join(" "))
         }
         Expr::Op(name, own, of) if of.is_empty() => format!("{name} {}", arithmetic(*own)?),

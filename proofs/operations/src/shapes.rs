@@ -149,7 +149,6 @@ pub(crate) fn unknown(reader: &Reader<'_>, ty: &syn::Type, owner: &str, name: &s
                 "i32" | "u32" | "unknown" => return Ok(Value::Unknown(name.into())),
                 "simd" => return Ok(Value::Unit),
                 "f32" => return Ok(Value::Real(Some(Format::Single), Expr::Name(name.into()))),
-                "usize" => return Ok(Value::Count(Expr::Name(name.into()))),
                 // Where a row of four begins: that of the upper planes, or that of the lower ones.
                 "side" => {
                     let either = [Expr::Name(name.into()), Expr::Number(4), Expr::Number(0)];

@@ -118,12 +118,12 @@ impl Accumulator {
 
     #[inline]
     fn multiply(&mut self, [a, b, c]: [Factor; 3]) {
-        let ab = u128::from(a.digits) * u128::from(b.digits);
-        let low = u128::from(ab as u64) * u128::from(c.digits);
-        let high = (ab >> 64) * u128::from(c.digits) + (low >> 64);
+        let (low, high) = a.digits.carrying_mul(b.digits, 0);
+        let (low, carry) = low.carrying_mul(c.digits, 0);
+        let (middle, high) = high.carrying_mul(c.digits, carry);
         // Exponents are MIN_EXPONENT at least.
         let place = (a.exponent + b.exponent + c.exponent - UNIT) as usize;
-        self.add([low as u64, high as u64, (high >> 64) as u64], place, a.is_negative ^ b.is_negative ^ c.is_negative);
+        self.add([low, middle, high], place, a.is_negative ^ b.is_negative ^ c.is_negative);
     }
 
     /// Adds or subtracts a whole number, the lowest limb first, times 2^place units. There is room for all products.
@@ -139,9 +139,7 @@ impl Accumulator {
         };
         let mut carry = false;
         for (limb, part) in limbs.iter_mut().zip(shifted) {
-            let (sum, first) = limb.overflowing_add(part);
-            let (sum, second) = sum.overflowing_add(carry.into());
-            (*limb, carry) = (sum, first | second);
+            (*limb, carry) = limb.carrying_add(part, carry);
         }
         for limb in above {
             if !carry {
@@ -162,9 +160,7 @@ impl Accumulator {
         let mut difference = [0; LIMBS];
         let mut borrow = false;
         for (limb, (x, y)) in difference.iter_mut().zip(greater.iter().zip(less)) {
-            let (rest, first) = x.overflowing_sub(*y);
-            let (rest, second) = rest.overflowing_sub(borrow.into());
-            (*limb, borrow) = (rest, first | second);
+            (*limb, borrow) = x.borrowing_sub(*y, borrow);
         }
         let top = difference.iter().rposition(|&limb| limb != 0)?;
         let at = |below: usize| top.checked_sub(below).map_or(0, |index| difference[index]);

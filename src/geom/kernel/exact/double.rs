@@ -109,7 +109,8 @@ impl Exact64 {
     /// The distance of what may be a hit.
     #[inline(never)]
     fn place(&self, shape: &Triangle<DVec3>, limit: f64) -> Option<f64> {
-        if self.can_filter(shape) {
+        let has_room = self.can_filter(shape);
+        if has_room {
             let (found, errors) = (self.determinants(shape), self.errors_of(shape));
             if found.is_miss(&errors) {
                 return None;
@@ -117,16 +118,17 @@ impl Exact64 {
             if found.is_hit(&errors) {
                 let [tmin, tmax] = self.interval();
                 let is_outside = is_within(found.distance(&errors), [tmin, tmax.min(limit)]) == Some(false);
-                return if is_outside { None } else { self.rounded(shape) };
+                return if is_outside { None } else { self.rounded(shape, true) };
             }
         }
-        if self.is_inside(shape) { self.rounded(shape) } else { None }
+        if self.is_inside(shape, has_room) { self.rounded(shape, has_room) } else { None }
     }
 
     /// Whether what may be a hit is one.
     #[inline(never)]
     fn settle(&self, shape: &Triangle<DVec3>) -> bool {
-        if self.can_filter(shape) {
+        let has_room = self.can_filter(shape);
+        if has_room {
             let (found, errors) = (self.determinants(shape), self.errors_of(shape));
             if found.is_miss(&errors) {
                 return false;
@@ -137,7 +139,7 @@ impl Exact64 {
                 return is_within;
             }
         }
-        self.is_inside(shape) && self.rounded(shape).is_some()
+        self.is_inside(shape, has_room) && self.rounded(shape, has_room).is_some()
     }
 
     fn errors_of(&self, Triangle(corners): &Triangle<DVec3>) -> Errors {
@@ -153,19 +155,17 @@ impl Exact64 {
         self.is_usual && has_usual_edges(&shape.0)
     }
 
-    /// Whether the line meets the triangle.
-    fn is_inside(&self, shape: &Triangle<DVec3>) -> bool {
-        let (corners, o, d) = (&shape.0, self.ray.origin(), self.ray.direction());
-        !predicates::is_along_axes(corners, d) && predicates::is_inside(corners, o, d, self.can_filter(shape))
+    /// Whether the line meets the triangle. Twice the digits are asked if they have room.
+    fn is_inside(&self, Triangle(corners): &Triangle<DVec3>, has_room: bool) -> bool {
+        let (o, d) = (self.ray.origin(), self.ray.direction());
+        !predicates::is_along_axes(corners, d) && predicates::is_inside(corners, o, d, has_room)
     }
 
-    /// The distance within the interval, of a line that meets the triangle. `[EXACT-3]`
+    /// The distance within the interval, of a line that meets the triangle, likewise. `[EXACT-3]`
     #[inline]
-    fn rounded(&self, shape: &Triangle<DVec3>) -> Option<f64> {
-        let (corners, o, d) = (&shape.0, self.ray.origin(), self.ray.direction());
-        if self.can_filter(shape)
-            && let Some(t) = fine::FineDeterminants::new(corners, o, d).distance_within(self.interval())
-        {
+    fn rounded(&self, Triangle(corners): &Triangle<DVec3>, has_room: bool) -> Option<f64> {
+        let (o, d) = (self.ray.origin(), self.ray.direction());
+        if has_room && let Some(t) = fine::FineDeterminants::new(corners, o, d).distance_within(self.interval()) {
             return Some(t);
         }
         quotient::distance(corners, o, d, self.interval())

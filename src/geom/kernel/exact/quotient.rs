@@ -20,8 +20,8 @@ pub(super) fn distance<R: Real>(
     interval @ [tmin, tmax]: [R; 2],
 ) -> Option<R> {
     let (e1, e2, s) = (apart([v0, v1]), apart([v0, v2]), apart([v0, o]));
-    let ratio =
-        Ratio { top: Accumulator::volume(&e2, &s, &e1), det: Accumulator::volume(&apart([DVec3::ZERO, d]), &e2, &e1) };
+    let (top, det) = (Accumulator::volume(&e2, &s, &e1), Accumulator::volume(&apart([DVec3::ZERO, d]), &e2, &e1));
+    let ratio = Ratio { top: &top, det: &det };
     // Rounding keeps the order, so that only an end that is equal leaves a question.
     match ratio.nearest() {
         Some(t) if tmin < t && (t < tmax || tmax == R::INFINITY) => Some(t),
@@ -41,19 +41,19 @@ pub(super) fn weights<R: Real>(&[v0, v1, v2]: &[DVec3; 3], o: DVec3, d: DVec3) -
     let det = Accumulator::volume(&d, &e2, &e1);
     // U = s . (d x e2) and V = d . (s x e1).
     [Accumulator::volume(&d, &e2, &s), Accumulator::volume(&d, &s, &e1)].map(|top| {
-        let ratio = Ratio { top, det: det.clone() };
+        let ratio = Ratio { top: &top, det: &det };
         ratio.nearest().unwrap_or_else(|| R::nearest_to(&ratio.fraction()))
     })
 }
 
 /// A quotient of two sums.
-struct Ratio {
-    top: Accumulator,
+struct Ratio<'s> {
+    top: &'s Accumulator,
     /// Not 0 for a line that meets a triangle.
-    det: Accumulator,
+    det: &'s Accumulator,
 }
 
-impl Ratio {
+impl Ratio<'_> {
     /// The nearest float, if the first digits tell; of weights and distances on coarse grids they tell ties too.
     fn nearest<R: Real>(&self) -> Option<R> {
         let Some(top) = self.top.leading() else { return Some(R::ZERO) };
