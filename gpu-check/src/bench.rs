@@ -3,8 +3,9 @@
 use std::fmt;
 
 use stackless_bvh::bvh::Bvh;
+use stackless_bvh::generate::Rng;
 use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::trace::{BinaryTracer, bounce};
+use stackless_bvh::trace::{BinaryTracer, reflect};
 
 use crate::kernel::{Kernel, Traversal};
 use crate::launch::{self, Buffers, params};
@@ -116,6 +117,9 @@ impl Traffic {
     }
 }
 
+/// Rays of a set, evenly spread, whose visits are counted at most: the device would wait while the CPU counts millions.
+const COUNTED: usize = 65_536;
+
 /// Measures all kernels on one scene. `say` is told of each line, and of the traffic of each set of rays.
 ///
 /// # Errors
@@ -131,15 +135,17 @@ pub fn bench(
     let tracer = BinaryTracer::new(bvh);
     for view in 0..setting.views {
         let primary = made::view(mesh, setting.rays, view + 1);
-        let mut diffuse: Vec<Ray> = bounce(mesh, bvh, &primary, view + 1);
-        diffuse.truncate(setting.rays);
+        let (mut rng, hits) = (Rng::new(view + 1), tracer.closest_parallel(&primary)?);
+        let pairs = primary.iter().zip(&hits);
+        let diffuse: Vec<Ray> = pairs.filter_map(|(ray, hit)| reflect(mesh, ray, hit.as_ref()?, &mut rng)).collect();
         for kind in Rays::ALL {
             let rays = if kind == Rays::Primary { &primary } else { &diffuse };
             if rays.is_empty() {
                 continue;
             }
-            let counters = if kind.is_any() { tracer.count_any(rays) } else { tracer.count_closest(rays) };
-            let each = |count: u64| count as f64 / rays.len() as f64;
+            let counted: Vec<Ray> = rays.iter().step_by(rays.len().div_ceil(COUNTED)).cloned().collect();
+            let counters = if kind.is_any() { tracer.count_any(&counted) } else { tracer.count_closest(&counted) };
+            let each = |count: u64| count as f64 / counted.len() as f64;
             let (nodes, triangles, leaves) = (each(counters.inner), each(counters.triangles), each(counters.leaves));
             say(Err(Traffic { nodes, triangles, leaves }));
             let query = Query::single(arithmetic, rays, kind.is_any())?;

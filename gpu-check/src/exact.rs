@@ -57,7 +57,7 @@ pub fn closest(
 ) -> Result<Settled, GpuError> {
     let start = Instant::now();
     holds(arithmetic)?;
-    let triangles = triangles(factor);
+    let triangles = triangles(arithmetic, factor);
     let parallel = rays.iter().any(has_parallel);
     let query = Query { triangles: &triangles, any: false, parallel, refines: false };
     let pipeline = compile(gpu, kernel, scene.depth(), &scene.source(gpu, kernel, query), Checks::All)?;
@@ -73,16 +73,20 @@ pub fn closest(
 /// # Errors
 /// [`GpuError::Feature`] with what is missing.
 pub const fn holds(arithmetic: &Arithmetic) -> Result<(), GpuError> {
-    match (arithmetic.rounds, arithmetic.keeps_subnormals) {
-        (true, true) => Ok(()),
-        (false, _) => Err(GpuError::Feature("rounding to nearest")),
-        (true, false) => Err(GpuError::Feature("subnormal numbers")),
-    }
+    if arithmetic.rounds { Ok(()) } else { Err(GpuError::Feature("rounding to nearest")) }
 }
 
 /// The text of the triangle test.
-pub fn triangles(factor: f32) -> String {
-    format!("const EDGE_FACTOR = f32({factor});\n{}", include_str!("../wgsl/triangle_band.wgsl"))
+pub fn triangles(arithmetic: &Arithmetic, factor: f32) -> String {
+    let floor = floor(arithmetic);
+    let test = include_str!("../wgsl/triangle_band.wgsl");
+    format!("const EDGE_FACTOR = f32({factor});\nconst FLOOR = f32({floor:e});\n{test}")
+}
+
+/// What stands in for sizes so small that underflow would matter. `[BAND-1]`
+const fn floor(arithmetic: &Arithmetic) -> f32 {
+    let exponent = if arithmetic.keeps_subnormals { 40 } else { 32 };
+    f32::from_bits((127 - exponent) << 23)
 }
 
 /// What a compiled kernel says of each ray: a triangle, a miss, or [`UNCERTAIN`].
@@ -129,4 +133,127 @@ pub fn settle(bvh: &Bvh, rays: &[Ray], found: &[u32]) -> Result<(Vec<Option<Hit>
         hits[i] = hit;
     }
     Ok((hits, uncertain.len()))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cmp::Ordering;
+
+    use stackless_bvh::generate::{Rng, Source as _};
+    use stackless_bvh::geom::kernel::Accumulator;
+
+    use super::EDGE_FACTOR;
+
+    const U: f32 = f32::EPSILON / 2.0;
+
+    /// What a device makes of a result that it flushes.
+    fn flushed(x: f32) -> f32 {
+        if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x }
+    }
+
+    /// `arithmetic.wgsl` on such a device, whose multiply-add rounds once or twice.
+    fn fma(fuses: bool, a: f32, b: f32, c: f32) -> f32 {
+        flushed(if fuses { a.mul_add(b, c) } else { flushed(a * b) + c })
+    }
+
+    fn product3(fuses: bool, a: [f32; 3], b: [f32; 3]) -> f32 {
+        fma(fuses, a[0], b[0], fma(fuses, a[1], b[1], flushed(a[2] * b[2])))
+    }
+
+    fn cross3(fuses: bool, a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+        [[1, 2], [2, 0], [0, 1]].map(|[i, j]| fma(fuses, a[i], b[j], -flushed(a[j] * b[i])))
+    }
+
+    fn largest(v: [f32; 3]) -> f32 {
+        v.into_iter().fold(0.0, |most, x| x.abs().max(most))
+    }
+
+    /// Adds a . (b x c), or subtracts it.
+    fn add_triple(sum: &mut Accumulator, sign: f64, a: [f64; 3], b: [f64; 3], c: [f64; 3]) {
+        for k in 0..3 {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            sum.add_product([sign * a[k], b[i], c[j]]);
+            sum.add_product([-sign * a[k], b[j], c[i]]);
+        }
+    }
+
+    /// Whether `found` is off by at most `bound` from a sum of triple products.
+    fn is_within(bound: f32, found: f32, truth: &Accumulator) -> bool {
+        let side = |end: f64| {
+            let mut sum = truth.clone();
+            sum.add_product([-end, 1.0, 1.0]);
+            sum.sign()
+        };
+        let (found, bound) = (f64::from(found), f64::from(bound));
+        side(found - bound) != Ordering::Less && side(found + bound) != Ordering::Greater
+    }
+
+    /// How many of many small triangles have a determinant, edge function or numerator that is beyond its bound on a
+    /// device that flushes. The numerator's has to leave 2^-121.
+    fn beyond(floor: f32) -> usize {
+        let mut rng = Rng::new(1);
+        let mut number = |exponent: i32, spread: u64| {
+            let digits = (1 << 23 | rng.below(1 << 23)) as f32 * f32::EPSILON;
+            let sign = if rng.below(2) == 0 { 1.0 } else { -1.0 };
+            sign * digits * f32::exp2((exponent - rng.below(spread) as i32) as f32)
+        };
+        let sizes = (-46..-26).flat_map(|edge| [-20, -12].map(|size| (edge, size)));
+        let mut beyond = 0;
+        for (edge, size) in sizes.cycle().take(40_000) {
+            let [v0, v1, v2] = [(); 3].map(|()| [(); 3].map(|()| number(edge, 8)));
+            let origin = [(); 3].map(|()| number(edge + 1, 12));
+            let direction = [number(size, 1), number(size, 30), number(size, 8)];
+            let minus = |a: [f32; 3], b: [f32; 3]| [0, 1, 2].map(|k| flushed(a[k] - b[k]));
+            // Exact in double precision.
+            let exactly = |a: [f32; 3], b: [f32; 3]| [0, 1, 2].map(|k| f64::from(a[k]) - f64::from(b[k]));
+            let (e1, e2, s) = (minus(v1, v0), minus(v2, v0), minus(origin, v0));
+            let [x, y, z, d] = [exactly(v1, v0), exactly(v2, v0), exactly(origin, v0), direction.map(f64::from)];
+            let truth = |terms: &[(f64, [[f64; 3]; 3])]| {
+                let mut sum = Accumulator::new();
+                for &(sign, [a, b, c]) in terms {
+                    add_triple(&mut sum, sign, a, b, c);
+                }
+                sum
+            };
+            for fuses in [false, true] {
+                let (p, q) = (cross3(fuses, direction, e2), cross3(fuses, s, e1));
+                let det = product3(fuses, e1, p);
+                let (u, v) = (product3(fuses, s, p), product3(fuses, direction, q));
+                let w = flushed(flushed(det - u) - v);
+                let reach = largest(s).max(floor);
+                let sides = floor.max(largest(e1)).max(largest(e2));
+                let widest = largest(direction);
+                let delta = ((EDGE_FACTOR * U * widest) * sides) * (2.0 * reach + sides);
+                let [t_off, det_off] =
+                    [36.0 * U * reach, 32.0 * U * widest].map(|x| flushed(flushed(x * sides) * sides));
+                let spare = f32::exp2(-121.0);
+                let checks = [
+                    (delta, u, truth(&[(1.0, [z, d, y])])),
+                    (delta, v, truth(&[(1.0, [d, z, x])])),
+                    (delta, w, truth(&[(1.0, [x, d, y]), (-1.0, [z, d, y]), (-1.0, [d, z, x])])),
+                    (det_off, det, truth(&[(1.0, [x, d, y])])),
+                    (t_off - spare, product3(fuses, e2, q), truth(&[(1.0, [y, z, x])])),
+                ];
+                beyond += checks.iter().filter(|(bound, found, truth)| !is_within(*bound, *found, truth)).count();
+            }
+        }
+        beyond
+    }
+
+    /// Where subnormal results are lost, the bounds hold with the greater floor, and not with the lesser one. [BAND-2]
+    /// [BAND-3]
+    #[test]
+    fn bounds_hold_where_results_are_flushed() {
+        let arithmetic = |keeps_subnormals| crate::probe::Arithmetic {
+            fuses: true,
+            rounds: true,
+            contracts: false,
+            divides: false,
+            divides_refined: true,
+            keeps_subnormals,
+            min_is_select: true,
+        };
+        assert_eq!(beyond(super::floor(&arithmetic(false))), 0);
+        assert!(beyond(super::floor(&arithmetic(true))) > 0);
+    }
 }

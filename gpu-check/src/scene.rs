@@ -14,6 +14,8 @@ use crate::{Gpu, GpuError};
 
 /// Greatest magnitude of coordinates.
 const MOST: f32 = (1_u64 << 40) as f32;
+/// Least magnitude of numbers that are not 0: they and their differences are then normal, or 0.
+const LEAST: f32 = f32::from_bits((127 - 100) << 23);
 /// Least and greatest magnitude of the largest component of a direction.
 const DIRECTIONS: [f32; 2] = [1.0 / (1 << 20) as f32, (1 << 20) as f32];
 
@@ -49,10 +51,10 @@ impl Scene {
     /// Uploads a hierarchy.
     ///
     /// # Errors
-    /// [`GpuError::Data`] for coordinates beyond 2^40, and what else a device may refuse.
+    /// [`GpuError::Data`] for coordinates that kernels do not take, and what else a device may refuse.
     pub fn new(gpu: &Gpu, bvh: &Bvh) -> Result<Self, GpuError> {
         if !takes(bvh) {
-            return Err(GpuError::Data(format!("coordinates beyond {MOST}")));
+            return Err(GpuError::Data(format!("coordinates beyond {MOST}, or below {LEAST} and not 0")));
         }
         let pieces = |leaf: Node| 3 * bvh.leaf_triangles(leaf).len() as u32 + 1;
         let (addresses, inner, leaves) = Addresses::of(bvh, 0, 0, pieces);
@@ -164,23 +166,33 @@ impl Query<'_> {
     }
 }
 
-/// Whether kernels take a hierarchy: coordinates of up to 2^40.
+/// Whether kernels take a hierarchy `[BAND-1]`: coordinates and planes that are 0 or from 2^-100 to 2^40.
 pub fn takes(bvh: &Bvh) -> bool {
-    let bounds = bvh.bounds();
-    bounds.lo.abs().max(bounds.hi.abs()).max_element() <= MOST
+    // Planes of parts of triangles are no coordinates of corners.
+    let planes = bvh.nodes().iter().flat_map(|node| node.planes).flatten();
+    let corners = bvh.triangles().iter().flat_map(|held| held.shape.0).flat_map(|corner| corner.to_array());
+    planes.chain(corners).all(is_taken)
 }
 
-/// Whether kernels take a ray `[BAND-1]`: an origin of up to 2^40, and a direction whose largest component is within
-/// 2^-20 and 2^20.
+/// Whether kernels take a ray `[BAND-1]`: an origin as above, a direction whose largest component is within 2^-20 and
+/// 2^20, and no other number that is below 2^-100 and not 0.
 pub fn takes_ray(ray: &Ray) -> bool {
-    let (reach, size) = (ray.origin().abs().max_element(), ray.direction().abs().max_element());
-    reach <= MOST && (DIRECTIONS[0]..=DIRECTIONS[1]).contains(&size)
+    let size = ray.direction().abs().max_element();
+    let is_normal = |x: f32| x == 0.0 || x.abs() >= LEAST;
+    let others = ray.direction().to_array().into_iter().chain([ray.tmin(), ray.tmax()]);
+    ray.origin().to_array().into_iter().all(is_taken)
+        && (DIRECTIONS[0]..=DIRECTIONS[1]).contains(&size)
+        && others.into_iter().all(is_normal)
+}
+
+fn is_taken(x: f32) -> bool {
+    x == 0.0 || (LEAST..=MOST).contains(&x.abs())
 }
 
 /// The words of rays.
 ///
 /// # Errors
-/// [`GpuError::Data`] for origins beyond 2^40 and directions whose largest component is not within 2^-20 and 2^20.
+/// [`GpuError::Data`] for a ray that kernels do not take.
 pub fn rays_words(rays: &[Ray]) -> Result<Vec<u32>, GpuError> {
     let mut words = Vec::with_capacity(12 * rays.len());
     for (i, ray) in rays.iter().enumerate() {

@@ -1,10 +1,9 @@
 // A triangle test that says what is certain, by the error bounds of [BAND-2], [BAND-3] and [BAND-4]. What is not certain
 // ends the search, and the ray is settled elsewhere.
 //
-// U is 2^-24. FLOOR stands in for sizes so small that underflow would matter.
+// U is 2^-24. FLOOR stands in for sizes so small that underflow would matter; what it is depends on the device.
 
 const U = 5.9604644775390625e-8;
-const FLOOR = 9.094947017729282379150390625e-13;
 const UNCERTAIN = 0xfffffffeu;
 
 // Bounds of the best hit's distance; `best_t` is the upper one.

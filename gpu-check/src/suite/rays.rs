@@ -27,14 +27,14 @@ pub struct Share {
 /// A kernel with both tests, for the closest hit and for any.
 #[derive(Debug)]
 pub(super) struct Rays {
-    refines: Option<bool>,
+    arithmetic: Arithmetic,
     pipelines: [[Option<Pipeline>; 2]; 2],
     share: Share,
 }
 
 impl Rays {
     pub(super) fn new(arithmetic: Arithmetic) -> Self {
-        Self { refines: arithmetic.refines().ok(), pipelines: Default::default(), share: Share::default() }
+        Self { arithmetic, pipelines: Default::default(), share: Share::default() }
     }
 
     pub(super) const fn share(&self) -> Share {
@@ -47,7 +47,7 @@ impl Rays {
             Ok(scene) => scene,
             Err(error) => return Ok(error.code().map(|code| Answer::Reject(code.to_owned()))),
         };
-        if profile != "exact" && self.refines.is_none() {
+        if profile != "exact" && self.arithmetic.refines().is_err() {
             return Ok(None);
         }
         let any = asked.query == Asked::Any;
@@ -71,7 +71,7 @@ impl Rays {
         if profile == "exact" {
             return self.exact(device, &bvh, rays, any);
         }
-        let refines = self.refines.unwrap_or(false);
+        let refines = self.arithmetic.refines().unwrap_or(false);
         let pipeline = self.pipeline(device, SINGLE, [0, usize::from(any)], refines)?;
         let scene = Scene::new(device.gpu, &bvh)?;
         let found = rays::launch(device.gpu, &scene, &device.kernel, pipeline, rays)?;
@@ -87,7 +87,7 @@ impl Rays {
         let mut found = vec![UNCERTAIN; rays.len()];
         let taken: Vec<usize> = (0..rays.len()).filter(|&i| takes(bvh) && takes_ray(&rays[i])).collect();
         if !taken.is_empty() {
-            let test = exact::triangles(EDGE_FACTOR);
+            let test = exact::triangles(&self.arithmetic, EDGE_FACTOR);
             let pipeline = self.pipeline(device, &test, [1, usize::from(any)], false)?;
             let scene = Scene::new(device.gpu, bvh)?;
             let within: Vec<Ray> = taken.iter().map(|&i| rays[i]).collect();
