@@ -25,7 +25,7 @@ impl EnclosedRay {
 
     /// As [`Ray::octant`], of some ray within the bounds.
     pub fn octant(&self) -> u8 {
-        let [[x, _], [y, _], [z, _]] = self.direction.map(|x| x.middle_and_radius());
-        DVec3::new(x, y, z).cmplt(DVec3::ZERO).bitmask() as u8
+        let (middles, _) = Interval::middles(&self.direction);
+        middles.cmplt(DVec3::ZERO).bitmask() as u8
     }
 }

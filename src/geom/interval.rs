@@ -3,6 +3,8 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
+use glam::DVec3;
+
 use super::frame::power_of_two;
 use super::kernel::{two_product, two_sum};
 use super::truth::{Number as _, Relaxed};
@@ -74,6 +76,15 @@ impl Interval {
         let (below, above) = (middle - self.lo, self.hi - middle);
         let radius = if below > above { below } else { above };
         [middle, if radius == 0.0 { 0.0 } else { radius.next_up() }]
+    }
+
+    /// The middles of three, and how far from these the others may be in each. Where an end is NaN or infinite, so is a
+    /// middle, and the distance means nothing.
+    #[inline(always)]
+    pub(super) fn middles([x, y, z]: &[Self; 3]) -> (DVec3, f64) {
+        let ([x, off_x], [y, off_y], [z, off_z]) =
+            (x.middle_and_radius(), y.middle_and_radius(), z.middle_and_radius());
+        (DVec3::new(x, y, z), off_x.max(off_y).max(off_z))
     }
 
     /// Times 2 to the power of an exponent from -1000 to 1000.

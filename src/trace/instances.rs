@@ -25,7 +25,7 @@ use glam::Vec3;
 
 use crate::bvh::{Bvh, WideBvh};
 use crate::geom::truth::{Number, Point};
-use crate::geom::{AffineMap, EnclosedRay, ExactPoint, ExactRay, Triangle, Vector, kernel};
+use crate::geom::{AffineMap, EnclosedRay, ExactPoint, ExactRay, Triangle, Vector};
 use crate::trace::level::Level;
 use crate::trace::{Ask, Plan};
 use crate::traverse::{Method, Unfit};
@@ -280,8 +280,7 @@ impl<V: Vector> InstanceTracer<V> {
 
     /// Traverses an object with a ray in its space.
     fn visit(&self, object: Object, ray: EnclosedRay, search: &mut Search<'_, V>) {
-        let interval = search.ray.interval();
-        let triangles = |region| Triangles { tracer: self, test: kernel::EnclosedTest::new(&ray, interval, region) };
+        let triangles = |region| Triangles::new(self, &ray, region);
         match self.stage(object) {
             None => {}
             Some(Stage::Mesh(bvh, level)) => walk(bvh, level, &ray, triangles(bvh.region()), search),

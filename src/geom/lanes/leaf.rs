@@ -155,6 +155,6 @@ impl<'a> LazyExact<'a> {
 
 /// The first lanes of a block, as a set.
 #[inline(always)]
-fn first(count: u32) -> u32 {
+pub(crate) fn first(count: u32) -> u32 {
     (1 << count.min(4)) - 1
 }

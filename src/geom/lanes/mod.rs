@@ -3,7 +3,7 @@
 //! Wide hierarchies ([`bvh::wide`](crate::bvh::wide)) are traced by these. Instructions are those of
 //! [`fearless_simd`]; the level is chosen by the caller. All functions are inlined always, so that they are compiled
 //! for the level of whoever calls them. The box test gives the same bits on all levels; the filter of triangles rejects
-//! the same ones. Derivations: spec/wide-lanes.md, `[LANES-1]` to `[LANES-4]`.
+//! the same ones. Derivations: spec/wide-lanes.md, `[LANES-1]` to `[LANES-5]`.
 //!
 //! ```
 //! use fearless_simd::{Level, Simd, dispatch, f32x8};
@@ -37,9 +37,10 @@ mod triangles;
 pub use block::Block;
 pub use boxes::BoxRay;
 pub use enclosed::EnclosedBoxes;
+pub(crate) use leaf::first;
 pub use leaf::{LazyExact, Nearest};
 pub use point::BoxPoint;
-pub use triangles::{DETERMINANT, DISTANCE, MIN_EDGE, TriangleRay};
+pub use triangles::{DETERMINANT, DISTANCE, MIN_EDGE, OFF, OFF_EDGE, OFF_REACH, TriangleRay};
 
 /// A level of instructions: `Level::new()` is the best of this machine.
 pub use fearless_simd::Level;

@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use super::Block;
 use crate::geom::kernel::{EDGE, MAX_COORDINATE};
-use crate::geom::{Ray, Region};
+use crate::geom::{EnclosedRay, Interval, Ray, Region};
 
 /// Edges, and distances from the origin, count at least this much, 2^-40, in the error bounds, so that these cover all
 /// errors of underflow too. `[LANES-3]`
@@ -17,6 +17,22 @@ pub const DETERMINANT: u32 = 40;
 
 /// What the distance times the determinant may be off by: times u C E E, likewise. `[LANES-4]`
 pub const DISTANCE: u32 = 44;
+
+const CONSTANTS: [f32; 3] = [EDGE as f32, DETERMINANT as f32, DISTANCE as f32];
+
+/// What edge functions are off by where the components of the direction are off by ε: times ε E (2 C + E). This and the next
+/// two have an eighth to spare. `[LANES-5]`
+pub const OFF_EDGE: f32 = 4.5;
+
+/// What edge functions are off by where the components of the origin are off by ω: as if 2 C were greater by this times ω.
+/// `[LANES-5]`
+pub const OFF_REACH: f32 = 9.0 / (EDGE as f32 * UNIT);
+
+/// What the determinant is off by, times ε E E, and the distance times the determinant, times ω E E. `[LANES-5]`
+pub const OFF: f32 = 4.5;
+
+/// The greatest ε, for a direction of length 1, for which single precision is asked.
+const MAX_TURN: f32 = f32::from_bits((127 - 10) << 23);
 
 /// Lengths of a direction (its greatest component) for which single precision is asked: 2^-20 to 2^20.
 const LENGTHS: [f32; 2] = [f32::from_bits((127 - 20) << 23), f32::from_bits((127 + 20) << 23)];
@@ -46,13 +62,43 @@ impl<S: Simd> TriangleRay<S> {
     /// Prepares a ray. `region` must hold all triangles that it is asked about.
     #[inline(always)]
     pub fn new(simd: S, ray: &Ray, region: &Region) -> Self {
-        Self::with_constants(simd, ray, region, [EDGE, DETERMINANT, DISTANCE].map(|constant| constant as f32))
+        Self::with_constants(simd, [ray.origin(), ray.direction()], region, CONSTANTS)
     }
 
-    /// The same with other constants than [`EDGE`], [`DETERMINANT`] and [`DISTANCE`]; for tests of these.
+    /// Prepares a ray that is known within bounds, likewise. Rejected is what all rays within them miss, or meet
+    /// beyond. `[LANES-5]`
     #[inline(always)]
-    pub(super) fn with_constants(simd: S, ray: &Ray, region: &Region, [edge, det, t]: [f32; 3]) -> Self {
-        let (origin, direction) = (ray.origin(), ray.direction());
+    pub fn enclosed(simd: S, ray: &EnclosedRay, region: &Region) -> Self {
+        Self::enclosed_with(simd, ray, region, [OFF_EDGE, OFF_REACH, OFF])
+    }
+
+    /// The same with other constants than [`OFF_EDGE`], [`OFF_REACH`] and [`OFF`]; for tests of these.
+    #[inline(always)]
+    pub(super) fn enclosed_with(simd: S, ray: &EnclosedRay, region: &Region, [edge, reach, off]: [f32; 3]) -> Self {
+        let ((origin, moved), (direction, turned)) = (nearest(&ray.origin), nearest(&ray.direction));
+        let is_usual = origin.is_finite()
+            && direction.is_finite()
+            && moved <= MAX_COORDINATE
+            && turned <= MAX_TURN * direction.abs().max_element();
+        let [moved, turned] = if is_usual { [moved, turned] } else { [f32::INFINITY; 2] };
+        let middle = Self::with_constants(simd, [origin, direction], region, CONSTANTS);
+        Self {
+            edge: middle.edge + edge * turned,
+            det: middle.det + off * turned,
+            t: middle.t + off * moved,
+            twice_c: middle.twice_c + reach * moved,
+            ..middle
+        }
+    }
+
+    /// [`new`](Self::new) with other constants than [`EDGE`], [`DETERMINANT`] and [`DISTANCE`]; for tests of these.
+    #[inline(always)]
+    pub(super) fn with_constants(
+        simd: S,
+        [origin, direction]: [Vec3; 2],
+        region: &Region,
+        [edge, det, t]: [f32; 3],
+    ) -> Self {
         let (far, d) = (origin.abs().max_element(), direction.abs().max_element());
         let reach = upward(region.reach());
         // Rounding keeps the order, so this is not below any rounded component.
@@ -119,6 +165,15 @@ fn cross<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
 #[inline(always)]
 fn dot<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> f32x4<S> {
     (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]
+}
+
+/// The floats nearest to the middles of bounds, and how far from these a number may be; infinite or NaN if a bound is.
+#[inline(always)]
+fn nearest(bounds: &[Interval; 3]) -> (Vec3, f32) {
+    let (middles, radius) = Interval::middles(bounds);
+    let nearest = middles.as_vec3();
+    // The difference is exact; that the sum is not is within what the constants have to spare.
+    (nearest, upward(radius + (middles - nearest.as_dvec3()).abs().max_element()))
 }
 
 /// Rounded up.

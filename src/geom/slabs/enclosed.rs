@@ -37,10 +37,14 @@ impl EnclosedSlabs {
     /// The same for a ray in the frame of the region.
     #[inline(always)]
     fn in_frame(ray: &EnclosedRay, tmin: f32, region: &Region) -> Self {
-        let lanes = [0, 1, 2].map(|axis| lanes(ray, axis));
-        let is_wide = lanes.contains(&None) || region.reach_in_frame() > MAX_COORDINATE;
+        // Written out: closures over three axes are not inlined here, and took most of the time.
+        let ([x, y, z], is_wide) = match (lanes(ray, 0), lanes(ray, 1), lanes(ray, 2)) {
+            (Some(x), Some(y), Some(z)) => ([x, y, z], region.reach_in_frame() > MAX_COORDINATE),
+            _ => (Default::default(), true),
+        };
         let twice = |[lo, hi]: [f32; 2]| Vec4::new(lo, hi, lo, hi);
-        let [origin, inverse] = [0, 1].map(|i| lanes.map(|lanes| twice(lanes.unwrap_or_default()[i])));
+        let origin = [twice(x[0]), twice(y[0]), twice(z[0])];
+        let inverse = [twice(x[1]), twice(y[1]), twice(z[1])];
         Self { origin, inverse, tmin, is_wide, ray: *ray }
     }
 

@@ -5,7 +5,7 @@ use crate::bvh::{Bvh, LeafTriangle};
 use crate::geom::kernel::{self, Certainty};
 use crate::geom::slabs::{EnclosedSlabs, Intervals};
 use crate::geom::truth::Number;
-use crate::geom::{Aabb, EnclosedRay, Ends, ExactRay, Real, Slabs, Triangle, Vector};
+use crate::geom::{Aabb, EnclosedRay, Ends, ExactRay, Real, Region, Slabs, Triangle, Vector};
 use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::trace::level::Level;
 use crate::trace::{BoxQuery, OwnBoxes};
@@ -26,7 +26,7 @@ pub(super) struct Search<'r, V: Vector> {
     pub(super) found: Option<Found<V>>,
     /// The instances that it is in, from the outermost on.
     pub(super) path: Vec<u32>,
-    /// Memory of the traversals that have a stack, for each level.
+    /// Memory of the traversals that have a stack, for each level that has asked for it.
     memory: Vec<Vec<Node>>,
     pub(super) counts: InstanceCounts,
 }
@@ -45,7 +45,7 @@ pub(super) struct Found<V: Vector> {
 impl<'r, V: Vector> Search<'r, V> {
     /// A search through at most so many levels.
     pub(super) fn new(ray: &'r ExactRay<V>, any: bool, levels: usize) -> Self {
-        let (found, path, memory) = (None, Vec::with_capacity(levels), vec![Vec::new(); levels]);
+        let (found, path, memory) = (None, Vec::with_capacity(levels), Vec::new());
         let [_, t] = ray.interval();
         let [_, end] = t.ends_in_single();
         Self { ray, any, t, end, found, path, memory, counts: InstanceCounts::default() }
@@ -84,7 +84,7 @@ impl<'r, V: Vector> Search<'r, V> {
 /// What the leaves of a hierarchy hold, and a ray in the space of it.
 pub(super) trait Leaves<S, V: Vector> {
     /// What a leaf holds meets the ray.
-    fn meet(&self, held: &LeafTriangle<S>, search: &mut Search<'_, V>);
+    fn meet(&mut self, held: &LeafTriangle<S>, search: &mut Search<'_, V>);
 }
 
 /// Traverses a hierarchy with a ray in the space of it.
@@ -96,10 +96,13 @@ pub(super) fn walk<S, V: Vector>(
     search: &mut Search<'_, V>,
 ) {
     let (depth, slabs) = (search.path.len(), EnclosedSlabs::of(ray, search.tmin(), bvh.region()));
-    let mut memory = std::mem::take(&mut search.memory[depth]);
+    let mut memory = search.memory.get_mut(depth).map(std::mem::take).unwrap_or_default();
     let walk = Walk { bvh, slabs, leaves, search: &mut *search };
     level.run(bvh.tree(), ray.octant(), &mut memory, &mut OwnBoxes::over(walk, &level.boxes));
-    search.memory[depth] = memory;
+    if memory.capacity() > 0 {
+        search.memory.resize_with(search.memory.len().max(depth + 1), Vec::new);
+        search.memory[depth] = memory;
+    }
 }
 
 /// A ray on its way.
@@ -146,61 +149,83 @@ impl<S, L: Leaves<S, V>, V: Vector> BoxQuery for Walk<'_, '_, S, L, V> {
 
 /// Triangles of a mesh.
 pub(super) struct Triangles<'s, V: Vector> {
-    pub(super) tracer: &'s InstanceTracer<V>,
-    pub(super) test: kernel::EnclosedTest<V::Real>,
+    tracer: &'s InstanceTracer<V>,
+    /// In the space of the mesh.
+    ray: &'s EnclosedRay,
+    region: &'s Region,
+    /// Prepared when the first triangle comes: a ray that misses everything does not pay for it.
+    test: Option<kernel::EnclosedTest<V::Real>>,
 }
 
 impl<V: Vector> Leaves<Triangle<V>, V> for Triangles<'_, V> {
     #[inline(always)]
-    fn meet(&self, held: &LeafTriangle<Triangle<V>>, search: &mut Search<'_, V>) {
+    fn meet(&mut self, held: &LeafTriangle<Triangle<V>>, search: &mut Search<'_, V>) {
         search.counts.triangles += 1;
+        self.settle(held, search);
+    }
+}
+
+impl<'s, V: Vector> Triangles<'s, V> {
+    /// Those of a mesh, which `region` has to hold.
+    pub(super) const fn new(tracer: &'s InstanceTracer<V>, ray: &'s EnclosedRay, region: &'s Region) -> Self {
+        Self { tracer, ray, region, test: None }
+    }
+
+    /// The exact test of a triangle.
+    #[inline(always)]
+    pub(super) fn settle(&mut self, held: &LeafTriangle<Triangle<V>>, search: &mut Search<'_, V>) {
+        let (ray, region) = (self.ray, self.region);
+        let test = self.test.get_or_insert_with(|| kernel::EnclosedTest::new(ray, search.ray.interval(), region));
         let verdict = if search.any {
-            match self.test.blocks(&held.shape) {
+            match test.blocks(&held.shape) {
                 Certainty::Hit(()) => Certainty::Hit(search.t),
                 Certainty::Miss => Certainty::Miss,
                 Certainty::Open => Certainty::Open,
             }
         } else {
-            self.test.distance(&held.shape, search.t)
+            test.distance(&held.shape, search.t)
         };
         let t = match verdict {
             Certainty::Hit(t) => Some(t),
             Certainty::Miss => None,
-            Certainty::Open => self.ask_truth(&held.shape, search),
+            Certainty::Open => ask_truth(self.tracer, test, &held.shape, search),
         };
         if let Some(t) = t
             && t <= search.t
         {
-            search.offer(t, held, &self.test);
+            search.offer(t, held, test);
         }
     }
 }
 
-impl<V: Vector> Triangles<'_, V> {
-    /// What bounds leave open.
-    #[cold]
-    #[inline(never)]
-    fn ask_truth(&self, triangle: &Triangle<V>, search: &mut Search<'_, V>) -> Option<V::Real> {
-        let ray = search.ray;
-        if ray.ends() == Ends::Closed {
-            match self.test.settle(triangle) {
-                Certainty::Hit(t) => return Some(t),
-                Certainty::Miss => return None,
-                Certainty::Open => {}
-            }
+/// What bounds leave open.
+#[cold]
+#[inline(never)]
+fn ask_truth<V: Vector>(
+    tracer: &InstanceTracer<V>,
+    test: &kernel::EnclosedTest<V::Real>,
+    triangle: &Triangle<V>,
+    search: &mut Search<'_, V>,
+) -> Option<V::Real> {
+    let ray = search.ray;
+    if ray.ends() == Ends::Closed {
+        match test.settle(triangle) {
+            Certainty::Hit(t) => return Some(t),
+            Certainty::Miss => return None,
+            Certainty::Open => {}
         }
-        let maps = self.tracer.maps(&search.path);
-        if ray.leaves(triangle, &maps) {
-            return None;
-        }
-        if self.test.span(triangle).is_some()
-            && let Some(t) = ray.fine_distance(triangle, &maps)
-        {
-            return Some(t);
-        }
-        search.counts.rational += 1;
-        ray.meet(triangle, &maps).map(|point| V::Real::nearest(&point.t))
     }
+    let maps = tracer.maps(&search.path);
+    if ray.leaves(triangle, &maps) {
+        return None;
+    }
+    if test.span(triangle).is_some()
+        && let Some(t) = ray.fine_distance(triangle, &maps)
+    {
+        return Some(t);
+    }
+    search.counts.rational += 1;
+    ray.meet(triangle, &maps).map(|point| V::Real::nearest(&point.t))
 }
 
 /// Instances of a group.
@@ -213,7 +238,7 @@ pub(super) struct Instances<'s, V: Vector> {
 impl<V: Vector> Leaves<(), V> for Instances<'_, V> {
     /// Here the ray of the group waits, with the state of its traversal, until the instance is done (Binder & Keller
     /// 2016, Section 2.4).
-    fn meet(&self, held: &LeafTriangle<()>, search: &mut Search<'_, V>) {
+    fn meet(&mut self, held: &LeafTriangle<()>, search: &mut Search<'_, V>) {
         let index = held.prim;
         let Instance { object, affine } = &self.placed[index as usize];
         search.counts.instances += 1;

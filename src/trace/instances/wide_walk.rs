@@ -3,9 +3,9 @@
 use fearless_simd::{Simd, f32x8};
 use glam::Vec3;
 
-use super::walk::{Leaves, Search, Triangles};
+use super::walk::{Search, Triangles};
 use crate::bvh::{LeafTriangle, WideBvh};
-use crate::geom::lanes::{EnclosedBoxes, with_baseline};
+use crate::geom::lanes::{Block, EnclosedBoxes, TriangleRay, first, with_baseline};
 use crate::geom::slabs::EnclosedSlabs;
 use crate::geom::{EnclosedRay, Real, Triangle, Vector};
 use crate::order::Flow;
@@ -44,10 +44,11 @@ impl WideLevel {
         let slabs = EnclosedSlabs::of(ray, search.tmin(), bvh.region());
         with_baseline!(simd => {
             let boxes = EnclosedBoxes::<_, f32x8<_>, 8>::new(simd, slabs);
+            let filter = TriangleRay::enclosed(simd, ray, bvh.region());
             if search.any {
-                self.walk(WideWalk::<_, _, true> { bvh, boxes, triangles, search });
+                self.walk(WideWalk::<_, _, true> { simd, bvh, boxes, filter, triangles, search });
             } else {
-                self.walk(WideWalk::<_, _, false> { bvh, boxes, triangles, search });
+                self.walk(WideWalk::<_, _, false> { simd, bvh, boxes, filter, triangles, search });
             }
         });
     }
@@ -65,8 +66,10 @@ impl WideLevel {
 
 /// A ray on its way. With `ANY`, the first hit ends it.
 struct WideWalk<'s, 'r, S: Simd, V: Vector, const ANY: bool> {
+    simd: S,
     bvh: &'s WideBvh,
     boxes: EnclosedBoxes<S, f32x8<S>, 8>,
+    filter: TriangleRay<S>,
     triangles: Triangles<'s, V>,
     search: &'s mut Search<'r, V>,
 }
@@ -85,10 +88,12 @@ impl<S: Simd, V: Vector, const ANY: bool> wide::Search<8> for WideWalk<'_, '_, S
     #[inline(always)]
     fn leaf(&mut self, leaf: Node) -> Flow {
         let (blocks, count) = self.bvh.leaf(leaf);
-        for (block, lane) in (0..count as usize).map(|at| (&blocks[at / 4], at % 4)) {
-            let held = LeafTriangle { shape: Triangle(block.triangle(lane).0.map(widened)), prim: block.prims[lane] };
-            self.triangles.meet(&held, self.search);
-            if self.search.is_over() {
+        self.search.counts.triangles += u64::from(count);
+        let mut left = count;
+        for block in blocks {
+            let lanes = self.filter.survivors(self.simd, block, self.search.end) & first(left);
+            left = left.saturating_sub(4);
+            if lanes != 0 && self.settle(block, lanes) == Flow::Stop {
                 return Flow::Stop;
             }
         }
@@ -99,6 +104,23 @@ impl<S: Simd, V: Vector, const ANY: bool> wide::Search<8> for WideWalk<'_, '_, S
     fn end(&self) -> u32 {
         // Without an order nothing is beyond: WIDE-6.
         if ANY { u32::MAX } else { self.search.end.to_bits() }
+    }
+}
+
+impl<S: Simd, V: Vector, const ANY: bool> WideWalk<'_, '_, S, V, ANY> {
+    /// The exact test of these lanes' triangles.
+    #[inline(never)]
+    fn settle(&mut self, block: &Block, mut lanes: u32) -> Flow {
+        while lanes != 0 {
+            let lane = lanes.trailing_zeros() as usize & 3;
+            lanes &= lanes - 1;
+            let held = LeafTriangle { shape: Triangle(block.triangle(lane).0.map(widened)), prim: block.prims[lane] };
+            self.triangles.settle(&held, self.search);
+            if self.search.is_over() {
+                return Flow::Stop;
+            }
+        }
+        Flow::Continue
     }
 }
 

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::double::{USUAL, has_usual_edges};
 use super::filter::{Determinants, Errors};
 use super::{fine, is_certain, is_within, predicates, quotient};
-use crate::geom::{EnclosedRay, Real, Region, Triangle, Vector};
+use crate::geom::{EnclosedRay, Interval, Real, Region, Triangle, Vector};
 
 /// What is certain about a ray within bounds and a triangle, whatever ray it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,10 +55,9 @@ pub struct EnclosedTest<R: Real = f32> {
 impl<R: Real> EnclosedTest<R> {
     /// Prepares a ray with `interval` from tmin to tmax. `region` must hold all triangles that it is asked about.
     pub fn new(ray: &EnclosedRay, interval: [R; 2], region: &Region) -> Self {
-        let [origin, direction] = [ray.origin, ray.direction].map(|v| v.map(|x| x.middle_and_radius()));
-        let middle = |v: [[f64; 2]; 3]| DVec3::from(v.map(|[middle, _]| middle));
-        let off = [origin, direction].map(|v| v.iter().fold(0.0, |most: f64, &[_, x]| if x > most { x } else { most }));
-        let (origin, direction) = (middle(origin), middle(direction));
+        let ((origin, moved), (direction, turned)) =
+            (Interval::middles(&ray.origin), Interval::middles(&ray.direction));
+        let off = [moved, turned];
         let sizes = [direction.abs().max_element(), region.distance(origin), region.size()];
         let can_filter = origin.is_finite()
             && direction.is_finite()

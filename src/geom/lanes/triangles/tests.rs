@@ -8,8 +8,6 @@ use crate::geom::kernel::Exact;
 use crate::geom::lanes::tests::levels;
 use crate::geom::{Aabb, Kernel, Triangle, truth};
 
-const CONSTANTS: [f32; 3] = [EDGE as f32, DETERMINANT as f32, DISTANCE as f32];
-
 fn block_of(triangles: &[Triangle; 4]) -> Block {
     let mut block = Block::EMPTY;
     for (lane, triangle) in triangles.iter().enumerate() {
@@ -20,7 +18,7 @@ fn block_of(triangles: &[Triangle; 4]) -> Block {
 
 #[inline(always)]
 fn survivors<S: Simd>(simd: S, ray: &Ray, region: &Region, block: &Block, best: f32, constants: [f32; 3]) -> u32 {
-    TriangleRay::with_constants(simd, ray, region, constants).survivors(simd, block, best)
+    TriangleRay::with_constants(simd, [ray.origin(), ray.direction()], region, constants).survivors(simd, block, best)
 }
 
 fn survive(level: Level, ray: &Ray, region: &Region, block: &Block, best: f32, constants: [f32; 3]) -> u32 {
@@ -94,6 +92,71 @@ fn without_a_bound_hits_are_rejected() {
         let counts = all_cases(constants);
         println!("{constants:?} {counts:?}");
         assert!(counts.wrong > 0, "{constants:?} {counts:?}");
+    }
+}
+
+/// Bounds that hold a ray: of a number from 2^-44 to 2^-10 of the greatest component, on either side of it or on one.
+fn bounds_of(ray: &Ray, draw: &mut Draw) -> EnclosedRay {
+    let exponents = [44, 30, 26, 22, 18, 14, 11];
+    let mut around = |v: Vec3| {
+        let size = f64::from(v.abs().max_element()) * f64::powi(2.0, -exponents[draw.below(exponents.len())]);
+        v.to_array().map(|x| {
+            let [below, above] = [[0.0, size], [size, 0.0], [size / 2.0, size / 2.0], [0.0; 2]][draw.below(4)];
+            Interval::between([f64::from(x) - below, f64::from(x) + above])
+        })
+    };
+    EnclosedRay { origin: around(ray.origin()), direction: around(ray.direction()) }
+}
+
+#[inline(always)]
+fn survivors_of<S: Simd>(simd: S, ray: &EnclosedRay, scene: &Region, block: &Block, best: f32, off: [f32; 3]) -> u32 {
+    TriangleRay::enclosed_with(simd, ray, scene, off).survivors(simd, block, best)
+}
+
+/// As [`all_cases`], for bounds that hold the ray, and these constants of `[LANES-5]`. A triangle that is rejected must
+/// not be one that the ray hits.
+fn all_cases_within(off: [f32; 3]) -> Counts {
+    let (mut counts, mut draw) = (Counts::default(), Draw::new(5));
+    for case in stress::cases(24) {
+        let n = case.mesh.triangles().len();
+        let scene = Region::of(&Aabb::of(case.mesh.vertices()));
+        for (i, ray) in case.rays.iter().enumerate() {
+            let (triangles, exact) =
+                ([0, 1, 7, 31].map(|k| Triangle(case.mesh.triangle((i + k) % n))), Exact::new(ray, &scene));
+            let hits = triangles.map(|triangle| exact.distance(&triangle, f32::INFINITY));
+            let own = Region::of(&triangles.iter().fold(Aabb::EMPTY, |aabb, t| aabb.union(t.aabb())));
+            for best in hits.iter().flatten().copied().chain([ray.tmax()]) {
+                let (ray, block) = (bounds_of(ray, &mut draw), block_of(&triangles));
+                let mut sets = levels()
+                    .into_iter()
+                    .map(|level| dispatch!(level, simd => survivors_of(simd, &ray, &own, &block, best, off)));
+                let left = sets.next().expect("a level");
+                assert!(sets.all(|set| set == left), "{ray:?} {triangles:?} {best}");
+                counts.left += left.count_ones();
+                counts.rejected += 4 - left.count_ones();
+                let wrong = (0..4).filter(|lane| left >> lane & 1 == 0 && hits[*lane].is_some_and(|t| t <= best));
+                counts.wrong += wrong.count() as u32;
+            }
+        }
+    }
+    counts
+}
+
+/// [LANES-5]
+#[test]
+fn no_hit_of_a_ray_within_bounds_is_rejected() {
+    let counts = all_cases_within([OFF_EDGE, OFF_REACH, OFF]);
+    println!("{counts:?}");
+    assert!(counts.wrong == 0 && counts.rejected > counts.left / 3, "{counts:?}");
+}
+
+/// [LANES-5]
+#[test]
+fn without_what_the_ray_is_off_by_hits_are_rejected() {
+    for off in [[0.0, OFF_REACH, OFF], [OFF_EDGE, 0.0, OFF], [OFF_EDGE, OFF_REACH, 0.0]] {
+        let counts = all_cases_within(off);
+        println!("{off:?} {counts:?}");
+        assert!(counts.wrong > 0, "{off:?} {counts:?}");
     }
 }
 
