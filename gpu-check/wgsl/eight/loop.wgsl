@@ -41,9 +41,9 @@ fn visit_leaves(wanted: u32) -> u32 {
 
 fn visit_leaf() {
     visit(node);
-    let end_before = end;
+    let end_before = end();
     look_into(~node);
-    if end < end_before {
+    if end() < end_before {
         cursor_shortened();
     }
     if !is_over() {
