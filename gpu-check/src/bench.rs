@@ -150,7 +150,7 @@ pub fn bench(
             let (nodes, triangles, leaves) = (each(counters.inner), each(counters.triangles), each(counters.leaves));
             say(Err(Traffic { children: 2, nodes, triangles, leaves }));
             if let Some(eight) = scene.eight() {
-                say(Err(traffic(arithmetic, eight, rays, kind.is_any())));
+                say(Err(traffic(*arithmetic, eight, rays, kind.is_any())));
             }
             let query = Query::single(arithmetic, rays, kind.is_any())?;
             let cell = Cell::new(gpu, &scene, query, rays, setting)?;
@@ -163,12 +163,12 @@ pub fn bench(
 }
 
 /// Of some of the rays, through nodes of eight children.
-fn traffic(arithmetic: &Arithmetic, eight: &Eight, rays: &[Ray], any: bool) -> Traffic {
+fn traffic(arithmetic: Arithmetic, eight: &Eight, rays: &[Ray], any: bool) -> Traffic {
     const SOME: usize = 1 << 16;
     let some: Vec<&Ray> = rays.iter().step_by(rays.len().div_ceil(SOME)).collect();
     let add = |a: [usize; 3], b: [usize; 3]| [0, 1, 2].map(|i| a[i] + b[i]);
     let visited = some.par_iter().map(|ray| {
-        let Visited { nodes, triangles, leaves } = through(arithmetic, eight, ray, any).1;
+        let Visited { nodes, triangles, leaves } = through(&arithmetic, eight, ray, any).1;
         [nodes, triangles, leaves]
     });
     let [nodes, triangles, leaves] = visited.reduce(|| [0; 3], add).map(|count| count as f64 / some.len() as f64);

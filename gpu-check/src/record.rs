@@ -58,8 +58,8 @@ impl Record<'_> {
         let mut text = format!(
             "# Kernels on a device: {date}\n\n{}\n\nArithmetic: {}.\n\n`gpu-check bench --rays {rays} --views {views} \
              --warm-up {warm_up} --passes {passes}`, kernels {checks} run-time checks. Speeds are geometric means over \
-             scenes and views, relative to the best stack kernel of two children of each; one kernel measured twice differs by up to \
-             {:.3}. Each line: [{name}.csv]({name}.csv).\n",
+             scenes and views, relative to the best stack kernel of two children of each; one kernel measured twice \
+             differs by up to {:.3}. Each line: [{name}.csv]({name}.csv).\n",
             self.device, self.arithmetic, summary.noise
         );
         for (rays, goal) in GOALS {

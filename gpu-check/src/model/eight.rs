@@ -23,11 +23,12 @@ pub struct Visited {
 
 /// The closest hit of a ray or any, and what is visited.
 pub fn through(arithmetic: &Arithmetic, records: &Eight, ray: &Ray, any: bool) -> (Found, Visited) {
-    if any { run::<true>(arithmetic, records, ray) } else { run::<false>(arithmetic, records, ray) }
+    let of = OfRay::new(arithmetic, ray);
+    if any { run::<true>(of, records) } else { run::<false>(of, records) }
 }
 
-fn run<const ANY: bool>(arithmetic: &Arithmetic, records: &Eight, ray: &Ray) -> (Found, Visited) {
-    let mut search = Wide::<ANY> { of: OfRay::new(arithmetic, ray), records, visited: Visited::default() };
+fn run<const ANY: bool>(of: OfRay<'_>, records: &Eight) -> (Found, Visited) {
+    let mut search = Wide::<ANY> { of, records, visited: Visited::default() };
     // The stack is fit for any tree.
     let ran = Method::Stack.run(records.bvh(), &Tables::NONE, &mut search, &mut ());
     debug_assert_eq!(ran, Ok(()));
