@@ -15,7 +15,7 @@ fn visit_inner() {
     visit(node);
     present = node;
     var wanted = ask(present, false);
-    if !is_sorted {
+    if !is_sorted && wanted != 0u {
         wanted = visit_leaves(wanted);
     }
     if !is_over() {
