@@ -2,16 +2,17 @@
 
 use std::fmt;
 
+use rayon::prelude::*;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::generate::Rng;
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::{BinaryTracer, reflect};
 
-use crate::kernel::{Kernel, Traversal};
+use crate::kernel::{Kernel, SLOTS, Traversal, Wide};
 use crate::launch::{self, Buffers, params};
-use crate::model::Found;
+use crate::model::{Found, Visited, through};
 use crate::probe::Arithmetic;
-use crate::scene::{Query, Scene, rays_words};
+use crate::scene::{Eight, Query, Scene, hierarchy, rays_words};
 use crate::statistics::{deviation, median, ratio};
 use crate::{Checks, Gpu, GpuError, made};
 
@@ -62,6 +63,8 @@ pub struct Row {
     pub to_best: [f64; 3],
     /// The same, relative to the best of while-while, speculative and persistent.
     pub to_paper: [f64; 3],
+    /// The same, relative to the best stack kernel of as many children.
+    pub to_own: f64,
     /// Whether this is the first kernel once more: what differs is noise.
     pub is_noise: bool,
 }
@@ -86,22 +89,24 @@ impl Rays {
 
 impl fmt::Display for Row {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { scene, rays, view, kernel, count, nanoseconds, deviation, to_best, to_paper, is_noise } = self;
+        let Self { scene, rays, view, kernel, count, nanoseconds, deviation, .. } = self;
         let speed = *count as f64 * 1e3 / nanoseconds;
-        let name = if *is_noise { format!("{kernel} again") } else { kernel.clone() };
-        let [best, low, high] = to_best;
+        let name = if self.is_noise { format!("{kernel} again") } else { kernel.clone() };
+        let ([best, low, high], to_own) = (self.to_best, self.to_own);
         write!(f, "{scene},{},{view},{name},{count},{nanoseconds:.0},{deviation:.0},{speed:.3},", rays.name())?;
-        write!(f, "{best:.4},{low:.4},{high:.4},{:.4}", to_paper[0])
+        write!(f, "{best:.4},{low:.4},{high:.4},{:.4},{to_own:.4}", self.to_paper[0])
     }
 }
 
 /// The columns of [`Row`].
 pub const HEADER: &str = "scene,rays,view,kernel,count,median ns,deviation ns,Mrays/s,\
-                          to best stack,low 95 %,high 95 %,to paper's stack";
+                          to best stack,low 95 %,high 95 %,to paper's stack,to stack of as many children";
 
 /// What a ray costs in memory, from counts of the same search on the CPU.
 #[derive(Clone, Copy, Debug)]
 pub struct Traffic {
+    /// Of a node: 2 or 8.
+    pub children: usize,
     /// Inner nodes visited.
     pub nodes: f64,
     /// Triangles tested.
@@ -113,7 +118,9 @@ pub struct Traffic {
 impl Traffic {
     /// Bytes of nodes, triangles, terminators, ray and hit. Lookups come on top, 4 or 8 bytes each, in sectors of 32.
     pub fn bytes(&self) -> f64 {
-        64.0 * self.nodes + 48.0 * self.triangles + 16.0 * self.leaves + 64.0
+        // Of eight children without the ancestors, of which a way back reads one.
+        let node = if self.children == 2 { 64.0 } else { 96.0 };
+        node * self.nodes + 48.0 * self.triangles + 16.0 * self.leaves + 64.0
     }
 }
 
@@ -131,7 +138,7 @@ pub fn bench(
     setting: Setting,
     say: &mut dyn FnMut(Result<&Row, Traffic>),
 ) -> Result<(), GpuError> {
-    let scene = Scene::new(gpu, bvh)?;
+    let scene = Scene::new(gpu, bvh)?.with_eight(gpu, hierarchy(mesh)?)?;
     let tracer = BinaryTracer::new(bvh);
     for view in 0..setting.views {
         let primary = made::view(mesh, setting.rays, view + 1);
@@ -147,7 +154,10 @@ pub fn bench(
             let counters = if kind.is_any() { tracer.count_any(&counted) } else { tracer.count_closest(&counted) };
             let each = |count: u64| count as f64 / counted.len() as f64;
             let (nodes, triangles, leaves) = (each(counters.inner), each(counters.triangles), each(counters.leaves));
-            say(Err(Traffic { nodes, triangles, leaves }));
+            say(Err(Traffic { children: 2, nodes, triangles, leaves }));
+            if let Some(eight) = scene.eight() {
+                say(Err(traffic(*arithmetic, eight, rays, kind.is_any())));
+            }
             let query = Query::single(arithmetic, rays, kind.is_any())?;
             let cell = Cell::new(gpu, &scene, query, rays, setting)?;
             for row in cell.rows(name, kind, view, rays.len()) {
@@ -158,6 +168,19 @@ pub fn bench(
     Ok(())
 }
 
+/// Of some of the rays, through nodes of eight children.
+fn traffic(arithmetic: Arithmetic, eight: &Eight, rays: &[Ray], any: bool) -> Traffic {
+    const SOME: usize = 1 << 16;
+    let some: Vec<&Ray> = rays.iter().step_by(rays.len().div_ceil(SOME)).collect();
+    let add = |a: [usize; 3], b: [usize; 3]| [0, 1, 2].map(|i| a[i] + b[i]);
+    let visited = some.par_iter().map(|ray| {
+        let Visited { nodes, triangles, leaves } = through(&arithmetic, eight, ray, any).1;
+        [nodes, triangles, leaves]
+    });
+    let [nodes, triangles, leaves] = visited.reduce(|| [0; 3], add).map(|count| count as f64 / some.len() as f64);
+    Traffic { children: SLOTS, nodes, triangles, leaves }
+}
+
 /// Times of all kernels over one set of rays: by kernel, then by pass. The last kernel is the first one again.
 struct Cell {
     kernels: Vec<Kernel>,
@@ -166,18 +189,12 @@ struct Cell {
 
 impl Cell {
     fn new(gpu: &Gpu, scene: &Scene, query: Query<'_>, rays: &[Ray], setting: Setting) -> Result<Self, GpuError> {
-        // Words as narrow as the depth allows, as in the paper.
-        let words = Kernel::words_for(scene.depth());
-        let mut kernels = Kernel::all(1);
-        if words > 1 {
-            kernels.retain(|kernel| !kernel.has_words());
-            kernels.extend(Kernel::all(words));
-        }
-        let fits = |kernel: &Kernel| kernel.workgroup_bytes(scene.depth()) <= gpu.workgroup_bytes();
-        kernels.retain(|kernel| scene.carries(kernel) && fits(kernel));
+        let mut kernels = kernels(gpu, scene);
         kernels.push(kernels[0]);
+        let placed = kernels.iter().map(|kernel| scene.placed(kernel)).collect::<Result<Vec<_>, _>>()?;
         let compile = |kernel: &Kernel| {
-            launch::compile(gpu, kernel, scene.depth(), &scene.source(gpu, kernel, query), setting.checks)
+            let depth = scene.placed(kernel)?.depth;
+            launch::compile(gpu, kernel, depth, &scene.source(gpu, kernel, query)?, setting.checks)
         };
         let pipelines = kernels.iter().map(compile).collect::<Result<Vec<_>, _>>()?;
         let count = rays.len() as u32;
@@ -186,7 +203,7 @@ impl Cell {
         let results = kernels.iter().map(|_| gpu.zeros("hits", 4 * rays.len())).collect::<Result<Vec<_>, _>>()?;
         let passes: Vec<_> = (0..kernels.len())
             .map(|i| {
-                let [nodes, leaves, displacements, cells] = scene.buffers(&kernels[i]);
+                let [nodes, leaves, displacements, cells] = placed[i].buffers;
                 let (tasks, results, params, work) = (&tasks, &results[i], &params, &work);
                 let buffers = Buffers { nodes, leaves, displacements, cells, tasks, results, params, work };
                 let mut pass = buffers.pass(&kernels[i], &pipelines[i], count);
@@ -202,17 +219,27 @@ impl Cell {
                 times.iter_mut().zip(nanoseconds).for_each(|(times, time)| times.push(time));
             }
         }
-        let mut first: Option<Vec<Found>> = None;
+        // By the first kernel of two children, and of eight.
+        let mut first: [Option<Vec<Found>>; 2] = [None, None];
         for (kernel, results) in kernels.iter().zip(&results).filter(|(kernel, _)| kernel.keeps_order()) {
             let words = gpu.read(results, 4 * rays.len())?;
             let found: Vec<Found> = words.as_chunks().0.iter().map(|&words| Found::of_words(words)).collect();
-            let differ = first.as_ref().map_or(0, |first| first.iter().zip(&found).filter(|(a, b)| a != b).count());
-            // Only rounding can make a kernel that prunes miss what others find, and only beside a box's end.
-            let allowed = if is_pruning(kernel) { rays.len() / 1000 } else { 0 };
+            let own = usize::from(kernel.is_wide());
+            // Of another order any hit may be another one.
+            let is_same = |a: &Found, b: &Found| {
+                if first[own].is_none() && query.any { a.is_hit() == b.is_hit() } else { a == b }
+            };
+            let differ = first[own]
+                .as_ref()
+                .or(first[0].as_ref())
+                .map_or(0, |first| first.iter().zip(&found).filter(|(a, b)| !is_same(a, b)).count());
+            // Only rounding can make a kernel that prunes, or has another order, miss what others find, and only beside
+            // a box's end.
+            let allowed = if is_pruning(kernel) || first[own].is_none() { rays.len() / 1000 } else { 0 };
             if differ > allowed {
                 return Err(GpuError::Data(format!("{}: {differ} hits are not those of stack", kernel.full_name())));
             }
-            first.get_or_insert(found);
+            first[own].get_or_insert(found);
         }
         Ok(Self { kernels, times })
     }
@@ -224,6 +251,8 @@ impl Cell {
             candidates.min_by(|&a, &b| median(&self.times[a]).total_cmp(&median(&self.times[b]))).unwrap_or(0)
         };
         let (stack, paper) = (best(&is_stack), best(&is_of_paper));
+        let wide_stack = best(&|kernel| kernel.traversal == Traversal::Wide(Wide::Stack));
+        let own = |kernel: &Kernel| if kernel.is_wide() { wide_stack } else { stack };
         (0..=last)
             .map(|i| Row {
                 scene: scene.to_owned(),
@@ -235,17 +264,33 @@ impl Cell {
                 deviation: deviation(&self.times[i]),
                 to_best: ratio(&self.times[stack], &self.times[i]),
                 to_paper: ratio(&self.times[paper], &self.times[i]),
+                to_own: ratio(&self.times[own(&self.kernels[i])], &self.times[i])[0],
                 is_noise: i == last,
             })
             .collect()
     }
 }
 
+/// Those for a scene, with words as narrow as the depth allows, as in the paper.
+fn kernels(gpu: &Gpu, scene: &Scene) -> Vec<Kernel> {
+    let words = Kernel::words_for(scene.depth());
+    let mut kernels = Kernel::all(1);
+    if words > 1 {
+        kernels.retain(|kernel| !kernel.has_words());
+        kernels.extend(Kernel::all(words));
+    }
+    kernels.extend(Kernel::wide());
+    let fits = |kernel: &Kernel| kernel.workgroup_bytes(scene.depth()) <= gpu.workgroup_bytes();
+    kernels.retain(|kernel| scene.placed(kernel).is_ok() && fits(kernel));
+    kernels.dedup_by_key(|kernel| kernel.name);
+    kernels
+}
+
 fn is_pruning(kernel: &Kernel) -> bool {
     matches!(kernel.traversal, Traversal::StackT0 | Traversal::HashedDisjoint)
 }
 
-/// The kernels with a stack, short ones included: the best of them is what ratios are to.
+/// The kernels of two children with a stack, short ones included: the best of them is what ratios are to.
 fn is_stack(kernel: &Kernel) -> bool {
     let is_short = matches!(kernel.traversal, Traversal::Laine(short) if short > 0);
     is_short || matches!(kernel.traversal, Traversal::Stack | Traversal::StackWorkgroup | Traversal::StackT0)

@@ -9,8 +9,9 @@ use gpu_check::exact::{self, Settled};
 use gpu_check::kernel::{Kernel, Table};
 use gpu_check::made::{self, Made};
 use gpu_check::planted::ShownBy;
+use gpu_check::rays::Models;
 use gpu_check::record::Record;
-use gpu_check::scene::{Query, Scene};
+use gpu_check::scene::{self, Eight, Query, Scene};
 use gpu_check::suite::{Adapter, Share};
 use gpu_check::summary::Summary;
 use gpu_check::tapes::wide::{self, WideBatch};
@@ -210,10 +211,11 @@ pub(crate) fn bench(gpu: &Gpu, scenes: &[PathBuf], setting: Setting, folder: Opt
                 rows.push(row.clone());
             }
             Err(traffic) => {
-                let Traffic { nodes, triangles, leaves } = traffic;
+                let Traffic { children, nodes, triangles, leaves } = traffic;
                 let bytes = traffic.bytes();
                 let line = format!(
-                    "# a ray: {nodes:.1} nodes, {triangles:.1} triangles, {leaves:.1} leaves, {bytes:.0} bytes and lookups"
+                    "# a ray: {nodes:.1} nodes of {children}, {triangles:.1} triangles, {leaves:.1} leaves, {bytes:.0} \
+                     bytes and lookups"
                 );
                 println!("{line}");
                 traffics.push(format!("{name}: {}", line.trim_start_matches("# ")));
@@ -234,27 +236,28 @@ pub(crate) fn bench(gpu: &Gpu, scenes: &[PathBuf], setting: Setting, folder: Opt
 fn compare(gpu: &Gpu, name: &str, mesh: &Mesh, rays: &[Ray], is_exact: bool) -> Result<bool, GpuError> {
     let arithmetic = probe::probe(gpu)?;
     let bvh = hierarchy(mesh)?;
-    let on_device = Scene::new(gpu, &bvh)?;
+    let on_device = Scene::new(gpu, &bvh)?.with_eight(gpu, scene::hierarchy(mesh)?)?;
     let truth = BinaryTracer::new(&bvh).closest_parallel(rays)?;
     println!(
-        "{name}: {} triangles, {} deep, {} rays, {arithmetic}",
+        "{name}: {} triangles, {} deep, {} levels of eight children, {} rays, {arithmetic}",
         mesh.triangles().len(),
         on_device.depth(),
+        on_device.eight().map_or(0, Eight::levels),
         rays.len()
     );
     let mut good = true;
     for any in [false, true] {
         let query = Query::single(&arithmetic, rays, any)?;
-        for kernel in (1..=2).flat_map(Kernel::all) {
-            if !on_device.carries(&kernel) {
-                println!("{:20} not for this hierarchy", kernel.full_name());
+        let mut models = Models::new(&arithmetic, (&bvh, on_device.eight()), rays, any);
+        for kernel in (1..=2).flat_map(Kernel::all).chain(Kernel::wide()) {
+            if let Err(refused) = on_device.placed(&kernel) {
+                println!("not launched: {refused}");
                 continue;
             }
             let start = Instant::now();
             let found = rays::trace(gpu, &on_device, &kernel, query, rays, &unchanged)?;
             let seconds = start.elapsed().as_secs_f32();
-            let expected = rays::model(&arithmetic, &bvh, &kernel, rays, any);
-            let report = rays::compare(&kernel, &found, &expected, any, rays);
+            let report = rays::compare(&kernel, &found, models.of(&kernel)?, any, rays);
             let errors = rays::errors(&found, &truth, any);
             let query = if any { "any" } else { "closest" };
             println!("{:20} {query:8} {} mismatches, {errors}, {seconds:.1} s", kernel.full_name(), report.mismatches);

@@ -60,7 +60,8 @@ pub fn closest(
     let triangles = triangles(arithmetic, factor);
     let parallel = rays.iter().any(has_parallel);
     let query = Query { triangles: &triangles, any: false, parallel, refines: false };
-    let pipeline = compile(gpu, kernel, scene.depth(), &scene.source(gpu, kernel, query), Checks::All)?;
+    let source = scene.source(gpu, kernel, query)?;
+    let pipeline = compile(gpu, kernel, scene.placed(kernel)?.depth, &source, Checks::All)?;
     let found = launch(gpu, scene, kernel, &pipeline, rays)?;
     let device_seconds = start.elapsed().as_secs_f64();
     let start = Instant::now();

@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 
 use stackless_bvh::traverse::Method;
 
-use wide::WIDE_TAPE_SEARCH;
+use wide::{WIDE_RAY_SEARCH, WIDE_TAPE_SEARCH};
 
 /// Invocations of a work group.
 pub const WORKGROUP: u32 = 64;
@@ -224,7 +224,17 @@ impl Kernel {
 
     /// The search of a decision tape.
     pub const fn tape_search(&self) -> &'static str {
-        if matches!(self.traversal, Traversal::Wide(_)) { WIDE_TAPE_SEARCH } else { TAPE_SEARCH }
+        if self.is_wide() { WIDE_TAPE_SEARCH } else { TAPE_SEARCH }
+    }
+
+    /// The search of a ray, but for its triangles.
+    pub const fn ray_search(&self) -> &'static str {
+        if self.is_wide() { WIDE_RAY_SEARCH } else { RAY_SEARCH }
+    }
+
+    /// Whether it is for trees of up to eight children.
+    pub const fn is_wide(&self) -> bool {
+        matches!(self.traversal, Traversal::Wide(_))
     }
 
     /// The text of the kernel: constants, then `search` (with what belongs to it), then the parts.
@@ -244,6 +254,7 @@ impl Kernel {
             ("SHORT", short),
             ("RING_SIZE", short.max(1)),
             ("LEAF_REACH", leaf_reach),
+            ("LEVELS", wide::kept_levels(shape.depth)),
         ] {
             let _ = writeln!(text, "const {name} = {value}u;");
         }
@@ -267,7 +278,7 @@ impl Kernel {
 
     fn parts(&self, record: Record) -> Vec<&'static str> {
         let mut parts = vec![include_str!("../wgsl/bindings.wgsl")];
-        if !matches!(self.traversal, Traversal::Wide(_)) {
+        if !self.is_wide() {
             parts.extend([include_str!("../wgsl/types.wgsl"), include_str!("../wgsl/loop.wgsl")]);
         }
         // A key; a wide kernel without one records nothing in its place.
@@ -327,6 +338,13 @@ pub struct Shape {
 
 /// The search of a decision tape, through trees of two children.
 pub const TAPE_SEARCH: &str = concat!(include_str!("../wgsl/head.wgsl"), include_str!("../wgsl/search_tape.wgsl"));
+
+/// The search of a ray, through trees of two children.
+const RAY_SEARCH: &str = concat!(
+    include_str!("../wgsl/arithmetic.wgsl"),
+    include_str!("../wgsl/ray.wgsl"),
+    include_str!("../wgsl/search_ray.wgsl")
+);
 
 /// The pass that writes tapes into records.
 pub fn tape_fill() -> String {

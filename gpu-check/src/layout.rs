@@ -1,6 +1,7 @@
 //! Trees as kernels read them: records, links, tables, in pieces of 16 bytes.
 
 use stackless_bvh::generate::Tape;
+use stackless_bvh::geom::Triangle;
 use stackless_bvh::hash::{BuildError, KeySet, Mix, Options, PerfectHash, Sizing};
 use stackless_bvh::tree::{Node, Parents, Reach, Topology, Tree, Uncles};
 
@@ -99,6 +100,18 @@ impl TableHead {
 /// Low and high half.
 pub const fn halves(word: u64) -> [u32; 2] {
     [word as u32, (word >> 32) as u32]
+}
+
+/// Appends a leaf: its triangles, three pieces each with the index in the first, then a terminator without links.
+pub fn push_leaf(leaves: &mut Vec<u32>, triangles: impl Iterator<Item = (Triangle, u32)>) {
+    for (shape, index) in triangles {
+        for (corner, last) in shape.0.into_iter().zip([index, 0, 0]) {
+            // Without -0, whose bits are those of the terminator.
+            leaves.extend((corner + 0.0).to_array().map(f32::to_bits));
+            leaves.push(last);
+        }
+    }
+    leaves.extend([TERMINATOR, 0, 0, 0]);
 }
 
 impl Records {

@@ -1,11 +1,13 @@
-//! The ray kernels' arithmetic on the CPU, operation by operation, as a search that the library's traversals run.
+//! The ray kernels' arithmetic on the CPU, operation by operation, as searches that the library's traversals run.
+
+mod eight;
+mod two;
+
+pub use eight::{Visited, through};
+pub use two::Model;
 
 use glam::Vec3;
-use stackless_bvh::bvh::Bvh;
 use stackless_bvh::geom::{Ray, Triangle};
-use stackless_bvh::order::{Descent, Flow, Pruned, Pruning, Side, Visitor};
-use stackless_bvh::traverse::{PruningStack, Stack, traverse, traverse_pruned};
-use stackless_bvh::tree::Node;
 
 use crate::probe::Arithmetic;
 
@@ -57,46 +59,33 @@ fn reciprocals(ray: &Ray) -> [f32; 3] {
     ray.direction().to_array().map(of)
 }
 
-/// The search of `search_ray.wgsl` and `triangle_single.wgsl`.
+/// What all searches of a ray share: `ray.wgsl`, `triangle_single.wgsl`, and the test of a box.
 #[derive(Debug)]
-pub struct Model<'a> {
+struct OfRay<'a> {
     arithmetic: &'a Arithmetic,
-    bvh: &'a Bvh,
     ray: Ray,
     inverse_near: [f32; 3],
     inverse_far: [f32; 3],
     parallel: [bool; 3],
-    any: bool,
     found: Found,
-    leaf: Option<Node>,
 }
 
-impl<'a> Model<'a> {
-    /// The result of a ray, with this pruning, for the closest hit or any.
-    pub fn trace(arithmetic: &'a Arithmetic, bvh: &'a Bvh, ray: &Ray, pruning: Pruning, any: bool) -> Found {
+impl<'a> OfRay<'a> {
+    fn new(arithmetic: &'a Arithmetic, ray: &Ray) -> Self {
         let inverse = reciprocals(ray);
         let moved = |by: i32| inverse.map(|i| f32::from_bits(i.to_bits().wrapping_add_signed(by)));
         let found = Found { triangle: u32::MAX, t: ray.tmax().min(END), weights: [0.0; 2] };
-        let (inverse_near, inverse_far) = (moved(-2), moved(2));
         let parallel = inverse.map(|i| i.abs() == CLAMPED_RECIPROCAL);
-        let mut model =
-            Self { arithmetic, bvh, ray: *ray, inverse_near, inverse_far, parallel, any, found, leaf: None };
-        let mut memory = Vec::new();
-        let (search, recorder) = (&mut model, &mut ());
-        match pruning {
-            Pruning::Never => traverse(Stack::new(bvh, &mut memory), search, recorder),
-            Pruning::Disjoint => traverse_pruned(PruningStack::<_, false>::new(bvh, &mut memory), search, recorder),
-            Pruning::Distance => traverse_pruned(PruningStack::<_, true>::new(bvh, &mut memory), search, recorder),
-        };
-        model.found
+        Self { arithmetic, ray: *ray, inverse_near: moved(-2), inverse_far: moved(2), parallel, found }
     }
 
-    fn slab(&self, node: Node, side: Side) -> [f32; 2] {
-        let aabb = self.bvh.node(node.index()).child_box(side);
+    /// Where the ray enters and leaves a box, of which `planes` says the lower and the upper plane along an axis.
+    fn slab(&self, planes: impl Fn(usize) -> [f32; 2]) -> [f32; 2] {
         let (mut near, mut far) = (self.ray.tmin(), self.found.t);
         for k in 0..3 {
+            let [lower, upper] = planes(k);
             let backward = self.inverse_near[k].is_sign_negative();
-            let (first, second) = if backward { (aabb.hi[k], aabb.lo[k]) } else { (aabb.lo[k], aabb.hi[k]) };
+            let (first, second) = if backward { (upper, lower) } else { (lower, upper) };
             let near_k = (first - self.ray.origin()[k]) * self.inverse_near[k];
             let mut far_k = (second - self.ray.origin()[k]) * self.inverse_far[k];
             if self.parallel[k] && far_k >= 0.0 {
@@ -108,12 +97,25 @@ impl<'a> Model<'a> {
         [near, far]
     }
 
-    fn slabs(&self, node: Node) -> [[f32; 2]; 2] {
-        [Side::Left, Side::Right].map(|side| self.slab(node, side))
-    }
-
-    fn prefers_right(&self, [left, right]: [[f32; 2]; 2]) -> bool {
-        !self.any && right[0] < left[0]
+    /// Tests a triangle; whether it is the best hit by now.
+    fn meets(&mut self, Triangle([v0, v1, v2]): &Triangle, index: u32) -> bool {
+        let (e1, e2, s) = (*v1 - *v0, *v2 - *v0, self.ray.origin() - *v0);
+        let d = self.ray.direction();
+        let (p, q) = (self.cross(d, e2), self.cross(s, e1));
+        let det = self.dot(e1, p);
+        let sign = if det < 0.0 { -1.0 } else { 1.0 };
+        let (size, u, v) = (det * sign, self.dot(s, p) * sign, self.dot(d, q) * sign);
+        if !(size > 0.0 && u >= 0.0 && v >= 0.0 && size - u - v >= 0.0) {
+            return false;
+        }
+        // +0 for 0 of either sign.
+        let divide = |a: f32, b: f32| if a == 0.0 { 0.0 } else { a / b };
+        let (t, best) = (divide(self.dot(e2, q), det), &self.found);
+        let is_best = t >= self.ray.tmin() && (t < best.t || t == best.t && index <= best.triangle);
+        if is_best {
+            self.found = Found { triangle: index, t, weights: [divide(u, size), divide(v, size)] };
+        }
+        is_best
     }
 
     fn dot(&self, a: Vec3, b: Vec3) -> f32 {
@@ -123,72 +125,5 @@ impl<'a> Model<'a> {
     fn cross(&self, a: Vec3, b: Vec3) -> Vec3 {
         let minor = |a0: f32, b1: f32, a1: f32, b0: f32| self.arithmetic.fma(a0, b1, -(a1 * b0));
         Vec3::new(minor(a.y, b.z, a.z, b.y), minor(a.z, b.x, a.x, b.z), minor(a.x, b.y, a.y, b.x))
-    }
-
-    fn meet(&mut self, Triangle([v0, v1, v2]): &Triangle, index: u32, leaf: Node) -> Flow {
-        let (e1, e2, s) = (*v1 - *v0, *v2 - *v0, self.ray.origin() - *v0);
-        let d = self.ray.direction();
-        let (p, q) = (self.cross(d, e2), self.cross(s, e1));
-        let det = self.dot(e1, p);
-        let sign = if det < 0.0 { -1.0 } else { 1.0 };
-        let (size, u, v) = (det * sign, self.dot(s, p) * sign, self.dot(d, q) * sign);
-        if size > 0.0 && u >= 0.0 && v >= 0.0 && size - u - v >= 0.0 {
-            // +0 for 0 of either sign.
-            let divide = |a: f32, b: f32| if a == 0.0 { 0.0 } else { a / b };
-            let t = divide(self.dot(e2, q), det);
-            let best = &mut self.found;
-            if t >= self.ray.tmin() && (t < best.t || t == best.t && index <= best.triangle) {
-                *best = Found { triangle: index, t, weights: [divide(u, size), divide(v, size)] };
-                self.leaf = Some(leaf);
-                if self.any {
-                    return Flow::Stop;
-                }
-            }
-        }
-        Flow::Continue
-    }
-}
-
-impl Visitor for Model<'_> {
-    fn inner(&mut self, node: Node) -> Descent {
-        let slabs = self.slabs(node);
-        let [left, right] = slabs.map(|[near, far]| near <= far);
-        Descent::new(left, right, self.prefers_right(slabs))
-    }
-
-    fn leaf(&mut self, leaf: Node) -> Flow {
-        let bvh = self.bvh;
-        for held in bvh.leaf_triangles(leaf) {
-            if self.meet(&held.shape, held.prim, leaf) == Flow::Stop {
-                return Flow::Stop;
-            }
-        }
-        Flow::Continue
-    }
-}
-
-impl Pruned for Model<'_> {
-    fn allows(&self, _: Pruning) -> bool {
-        true
-    }
-
-    fn inner_marked(&mut self, node: Node) -> Descent {
-        let slabs = self.slabs(node);
-        let right = self.prefers_right(slabs);
-        let [first, second] = if right { [slabs[1], slabs[0]] } else { slabs };
-        self.inner(node).disjoint_if(first[1] < second[0])
-    }
-
-    fn found_at(&self, leaf: Node) -> bool {
-        self.leaf == Some(leaf)
-    }
-
-    fn postponed(&self, node: Node, descent: Descent) -> u32 {
-        let [near, _] = self.slab(node, descent.first().other());
-        near.to_bits()
-    }
-
-    fn end(&self) -> u32 {
-        self.found.t.to_bits()
     }
 }

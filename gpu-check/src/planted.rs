@@ -5,7 +5,7 @@ use stackless_bvh::trace::BinaryTracer;
 
 use crate::kernel::Kernel;
 use crate::made::{self, Made};
-use crate::scene::{Query, Scene};
+use crate::scene::{self, Query, Scene};
 use crate::tapes::wide::WideBatch;
 use crate::tapes::{self, Batch, Searches};
 use crate::{Gpu, GpuError, probe, rays};
@@ -23,17 +23,20 @@ pub fn shown_by(by: ShownBy) -> impl Iterator<Item = &'static Shader> {
 /// # Errors
 /// As [`hunt`].
 pub fn hunt_rays(gpu: &Gpu, bug: &Shader) -> Result<usize, GpuError> {
-    let kernel = by_name(bug.kernel)?;
+    let kernel = kernel_of(bug)?;
     let arithmetic = probe::probe(gpu)?;
     let mut seen = 0;
-    for scene in Made::ALL {
+    for made in Made::ALL {
         let data = |error: &dyn std::fmt::Display| GpuError::Data(error.to_string());
-        let mesh = scene.mesh(1).map_err(|error| data(&error))?;
+        let mesh = made.mesh(1).map_err(|error| data(&error))?;
         let bvh = Bvh::sah(&mesh, SahOptions::default()).map_err(|error| data(&error))?;
         let rays = made::rays(&mesh, 2000, 3);
-        let on_device = Scene::new(gpu, &bvh)?;
+        let mut on_device = Scene::new(gpu, &bvh)?;
+        if kernel.is_wide() {
+            on_device = on_device.with_eight(gpu, scene::hierarchy(&mesh)?)?;
+        }
         let query = Query::single(&arithmetic, &rays, false)?;
-        if !on_device.source(gpu, &kernel, query).contains(bug.from) {
+        if !on_device.source(gpu, &kernel, query)?.contains(bug.from) {
             return Err(GpuError::Data(format!("{}: nothing to change in {}", bug.name, bug.kernel)));
         }
         let found = rays::trace(gpu, &on_device, &kernel, query, &rays, &|text| text.replace(bug.from, bug.to))?;
@@ -59,15 +62,19 @@ pub fn by_name(name: &str) -> Result<Kernel, GpuError> {
     kernel.ok_or_else(|| GpuError::Data(format!("no kernel {name}")))
 }
 
+/// The kernel that a bug is in.
+fn kernel_of(bug: &Shader) -> Result<Kernel, GpuError> {
+    let wide = Kernel::wide().into_iter().find(|kernel| kernel.full_name() == bug.kernel);
+    wide.map_or_else(|| by_name(bug.kernel), Ok)
+}
+
 /// Runs the kernel with the bug, over trees of two children or wide ones. The answer is how many searches show it.
 ///
 /// # Errors
 /// [`GpuError`]; [`GpuError::Data`] where the text has nothing to change.
 pub fn hunt(gpu: &Gpu, (batch, wide): &(Batch, WideBatch), bug: &Shader) -> Result<usize, GpuError> {
-    match Kernel::wide().into_iter().find(|kernel| kernel.full_name() == bug.kernel) {
-        Some(kernel) => hunt_along(gpu, wide, kernel, bug),
-        None => hunt_along(gpu, batch, by_name(bug.kernel)?, bug),
-    }
+    let kernel = kernel_of(bug)?;
+    if kernel.is_wide() { hunt_along(gpu, wide, kernel, bug) } else { hunt_along(gpu, batch, kernel, bug) }
 }
 
 fn hunt_along(gpu: &Gpu, batch: &impl Searches, kernel: Kernel, bug: &Shader) -> Result<usize, GpuError> {

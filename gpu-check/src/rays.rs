@@ -10,9 +10,9 @@ use stackless_bvh::trace::Hit;
 
 use crate::kernel::Kernel;
 use crate::launch::{Buffers, compile, params};
-use crate::model::{Found, Model};
+use crate::model::{Found, Model, through};
 use crate::probe::Arithmetic;
-use crate::scene::{Query, Scene, rays_words};
+use crate::scene::{Eight, Query, Scene, rays_words};
 use crate::tapes::Edit;
 use crate::{Checks, Gpu, GpuError, Pipeline};
 
@@ -62,8 +62,8 @@ pub fn trace(
     rays: &[Ray],
     edit: Edit<'_>,
 ) -> Result<Vec<Found>, GpuError> {
-    let source = edit(scene.source(gpu, kernel, query));
-    let pipeline = compile(gpu, kernel, scene.depth(), &source, Checks::All)?;
+    let source = edit(scene.source(gpu, kernel, query)?);
+    let pipeline = compile(gpu, kernel, scene.placed(kernel)?.depth, &source, Checks::All)?;
     launch(gpu, scene, kernel, &pipeline, rays)
 }
 
@@ -93,13 +93,13 @@ pub(crate) fn run(
     unwritten: u32,
     work: usize,
 ) -> Result<[Vec<u32>; 2], GpuError> {
-    let count = rays.len() as u32;
+    let (count, placed) = (rays.len() as u32, scene.placed(kernel)?);
     let mut words = rays_words(rays)?;
-    words.extend(scene.head(kernel));
+    words.extend(placed.head());
     let tasks = gpu.buffer("rays", &words)?;
     let results = gpu.buffer("hits", &vec![unwritten; 4 * rays.len()])?;
     let (worked, params) = (gpu.zeros("work", work)?, params(gpu, count)?);
-    let [nodes, leaves, displacements, cells] = scene.buffers(kernel);
+    let [nodes, leaves, displacements, cells] = placed.buffers;
     let buffers = Buffers {
         nodes,
         leaves,
@@ -113,10 +113,47 @@ pub(crate) fn run(
     gpu.run_and_read(&[buffers.pass(kernel, pipeline, count)], [(&results, 4 * rays.len()), (&worked, work)])
 }
 
-/// What a kernel should find, by the model.
-pub fn model(arithmetic: &Arithmetic, bvh: &Bvh, kernel: &Kernel, rays: &[Ray], any: bool) -> Vec<Found> {
-    let pruning = kernel.method().map_or(Pruning::Never, |method| method.test().pruning());
-    rays.par_iter().map(|ray| Model::trace(arithmetic, bvh, ray, pruning, any)).collect()
+/// What kernels should find, by the model. Those that visit the same nodes in the same order share their answers.
+#[derive(Debug)]
+pub struct Models<'a> {
+    arithmetic: &'a Arithmetic,
+    bvh: &'a Bvh,
+    eight: Option<&'a Eight>,
+    rays: &'a [Ray],
+    any: bool,
+    known: Vec<(Option<Pruning>, Vec<Found>)>,
+}
+
+impl<'a> Models<'a> {
+    /// Of these rays through the hierarchies of a scene, of two children and of eight.
+    pub const fn new(
+        arithmetic: &'a Arithmetic,
+        (bvh, eight): (&'a Bvh, Option<&'a Eight>),
+        rays: &'a [Ray],
+        any: bool,
+    ) -> Self {
+        Self { arithmetic, bvh, eight, rays, any, known: Vec::new() }
+    }
+
+    /// What a kernel should find.
+    ///
+    /// # Errors
+    /// [`GpuError::Data`] without the hierarchy that the kernel is for.
+    pub fn of(&mut self, kernel: &Kernel) -> Result<&[Found], GpuError> {
+        let Self { arithmetic, bvh, eight, rays, any, ref mut known } = *self;
+        // None of eight children prunes.
+        let pruning = kernel.method().map(|method| method.test().pruning());
+        if let Some(at) = known.iter().position(|&(of, _)| of == pruning) {
+            return Ok(&known[at].1);
+        }
+        let found = match (pruning, eight) {
+            (Some(pruning), _) => rays.par_iter().map(|ray| Model::trace(arithmetic, bvh, ray, pruning, any)).collect(),
+            (None, Some(eight)) => rays.par_iter().map(|ray| through(arithmetic, eight, ray, any).0).collect(),
+            (None, None) => return Err(GpuError::Data("there is no hierarchy of eight children".to_owned())),
+        };
+        known.push((pruning, found));
+        Ok(&known[known.len() - 1].1)
+    }
 }
 
 /// Compares with the model.

@@ -1,13 +1,17 @@
 //! A hierarchy and its rays on the device.
 
+mod eight;
+
+pub use eight::{Eight, hierarchy};
+
 use std::fmt::Write as _;
 
-use stackless_bvh::bvh::Bvh;
+use stackless_bvh::bvh::{Bvh, WideBvh};
 use stackless_bvh::geom::Ray;
 use stackless_bvh::tree::{Node, Topology as _};
 
 use crate::kernel::{Kernel, Links, Record, Shape, Table, Traversal};
-use crate::layout::{Addresses, HashTables, Records, TERMINATOR, TableHead, links};
+use crate::layout::{Addresses, HashTables, Records, TableHead, links, push_leaf};
 use crate::model::{CLAMPED_RECIPROCAL, has_parallel, ray_words};
 use crate::probe::Arithmetic;
 use crate::{Gpu, GpuError};
@@ -19,7 +23,7 @@ const LEAST: f32 = f32::from_bits((127 - 100) << 23);
 /// Least and greatest magnitude of the largest component of a direction.
 const DIRECTIONS: [f32; 2] = [1.0 / (1 << 20) as f32, (1 << 20) as f32];
 
-/// A hierarchy, with records and tables for all kernels.
+/// A hierarchy of two children, perhaps one of eight, with records and tables for all kernels.
 #[derive(Debug)]
 pub struct Scene {
     /// By kind of link: nodes and leaves.
@@ -29,6 +33,18 @@ pub struct Scene {
     root: u32,
     depth: u32,
     is_in_parts: bool,
+    eight: Option<eight::OnDevice>,
+}
+
+/// A hierarchy as one kernel reads it.
+#[derive(Debug)]
+pub struct Placed<'a> {
+    /// Nodes, leaves, displacements and cells.
+    pub buffers: [&'a wgpu::Buffer; 4],
+    /// Depth in edges; of eight children, levels.
+    pub depth: u32,
+    head: &'a TableHead,
+    root: u32,
 }
 
 /// What rays are asked.
@@ -80,35 +96,53 @@ impl Scene {
             root: addresses.at(bvh, bvh.root()),
             depth: bvh.depth(),
             is_in_parts: bvh.duplicates() > 0,
+            eight: None,
         })
     }
 
-    /// Depth of the hierarchy, in edges.
+    /// Uploads the hierarchy of eight children over the same mesh too.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_eight(self, gpu: &Gpu, bvh: WideBvh) -> Result<Self, GpuError> {
+        Ok(Self { eight: Some(eight::OnDevice::new(gpu, bvh)?), ..self })
+    }
+
+    /// Depth of the hierarchy of two children, in edges.
     pub const fn depth(&self) -> u32 {
         self.depth
     }
 
-    /// Whether a kernel is for this hierarchy: its words carry the depth, and it does not prune by leaves that hold
-    /// parts of triangles. `[DISJOINT-5]`
-    pub fn carries(&self, kernel: &Kernel) -> bool {
-        let is_deep_enough = kernel.depth_limit().is_none_or(|limit| self.depth <= limit);
-        is_deep_enough && !(self.is_in_parts && kernel.traversal == Traversal::HashedDisjoint)
+    /// The records of eight children.
+    pub fn eight(&self) -> Option<&Eight> {
+        self.eight.as_ref().map(|eight| &eight.records)
     }
 
-    /// Nodes and leaves, displacements and cells, as a kernel reads them.
-    pub fn buffers(&self, kernel: &Kernel) -> [&wgpu::Buffer; 4] {
+    /// The hierarchy that a kernel is for: its words carry the depth, and it does not prune by leaves that hold parts of
+    /// triangles. `[DISJOINT-5]` `[WIDE-14]`
+    ///
+    /// # Errors
+    /// [`GpuError::Data`] says why a kernel is for none. Then it is not launched.
+    pub fn placed(&self, kernel: &Kernel) -> Result<Placed<'_>, GpuError> {
+        let refused = |why: String| Err(GpuError::Data(format!("{}: {why}", kernel.full_name())));
+        let depth = match &self.eight {
+            Some(eight) if kernel.is_wide() => eight.records.levels(),
+            None if kernel.is_wide() => return refused("there is no hierarchy of eight children".to_owned()),
+            _ => self.depth,
+        };
+        if let Some(limit) = kernel.depth_limit().filter(|&limit| limit < depth) {
+            return refused(format!("the hierarchy is {depth} deep, and its words carry {limit}"));
+        }
+        if self.is_in_parts && kernel.traversal == Traversal::HashedDisjoint {
+            return refused("leaves hold parts of triangles".to_owned());
+        }
+        if let Some(eight) = self.eight.as_ref().filter(|_| kernel.is_wide()) {
+            return Ok(Placed { buffers: eight.buffers.each_ref(), depth, head: &eight.head, root: 0 });
+        }
         let [nodes, leaves] = self.records[usize::from(kernel.links() == Links::Parents)].each_ref();
-        let [displacements, cells] = self.table(kernel).0.each_ref();
-        [nodes, leaves, displacements, cells]
-    }
-
-    fn table(&self, kernel: &Kernel) -> &([wgpu::Buffer; 2], TableHead) {
-        &self.tables[usize::from(kernel.table() == Some(Table::Tight))]
-    }
-
-    /// What kernels that are compiled for any scene read of this one, behind the rays.
-    pub fn head(&self, kernel: &Kernel) -> [u32; 16] {
-        self.table(kernel).1.words(self.root, 0)
+        let (tables, head) = &self.tables[usize::from(kernel.table() == Some(Table::Tight))];
+        let [displacements, cells] = tables.each_ref();
+        Ok(Placed { buffers: [nodes, leaves, displacements, cells], depth, head, root: self.root })
     }
 
     /// The text of a kernel for scenes of up to this depth, which reads the [`head`](Self::head) of each.
@@ -118,11 +152,14 @@ impl Scene {
     }
 
     /// The text of a kernel for this scene.
-    pub fn source(&self, gpu: &Gpu, kernel: &Kernel, query: Query<'_>) -> String {
-        let (_, head) = self.table(kernel);
+    ///
+    /// # Errors
+    /// As [`placed`](Self::placed).
+    pub fn source(&self, gpu: &Gpu, kernel: &Kernel, query: Query<'_>) -> Result<String, GpuError> {
+        let Placed { head, root, depth, .. } = self.placed(kernel)?;
         let mut search = String::new();
         for (name, value) in [
-            ("root", self.root),
+            ("root", root),
             ("DIRECT_MASK", head.mask),
             ("DISPLACEMENTS_AT", head.displacements_at),
             ("TABLE_SIZE", head.size),
@@ -139,7 +176,14 @@ impl Scene {
             let _ = writeln!(search, "const {name} = {value};");
         }
         search.push_str("fn begin_scene() {}\n");
-        source(gpu, kernel, query, self.depth, search)
+        Ok(source(gpu, kernel, query, depth, search))
+    }
+}
+
+impl Placed<'_> {
+    /// What kernels that are compiled for any scene read of this one, behind the rays.
+    pub const fn head(&self) -> [u32; 16] {
+        self.head.words(self.root, 0)
     }
 }
 
@@ -149,8 +193,7 @@ fn source(gpu: &Gpu, kernel: &Kernel, query: Query<'_>, depth: u32, mut search: 
     for (name, value) in [("ANY_HIT", query.any), ("HAS_PARALLEL", query.parallel), ("REFINES", query.refines)] {
         let _ = writeln!(search, "const {name} = {value};");
     }
-    search.push_str(include_str!("../wgsl/arithmetic.wgsl"));
-    search.push_str(include_str!("../wgsl/search_ray.wgsl"));
+    search.push_str(kernel.ray_search());
     search.push_str(query.triangles);
     kernel.source(Shape { depth, subgroups: gpu.has_subgroups() }, &search, Record::Nothing)
 }
@@ -221,14 +264,7 @@ impl Records {
         ordered.sort_by_key(|&leaf| !addresses.at(bvh, leaf));
         for leaf in ordered {
             debug_assert_eq!(self.leaves.len(), 4 * !addresses.at(bvh, leaf) as usize);
-            for held in bvh.leaf_triangles(leaf) {
-                for (corner, last) in held.shape.0.into_iter().zip([held.prim, 0, 0]) {
-                    // Without -0, whose bits are those of the terminator.
-                    self.leaves.extend((corner + 0.0).to_array().map(f32::to_bits));
-                    self.leaves.push(last);
-                }
-            }
-            self.leaves.extend([TERMINATOR, 0, 0, 0]);
+            push_leaf(&mut self.leaves, bvh.leaf_triangles(leaf).iter().map(|held| (held.shape, held.prim)));
         }
     }
 

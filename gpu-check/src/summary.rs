@@ -15,6 +15,8 @@ pub struct Line {
     pub to_best: f64,
     /// To the best of while-while, speculative and persistent.
     pub to_paper: f64,
+    /// To the best stack kernel of as many children.
+    pub to_own: f64,
 }
 
 /// All kernels over all cells.
@@ -41,7 +43,8 @@ impl Summary {
                 let cells = || rows.iter().filter(|row| row.rays == rays && row.kernel == kernel && !row.is_noise);
                 let to_best = geometric_mean(cells().map(|row| row.to_best[0]));
                 let to_paper = geometric_mean(cells().map(|row| row.to_paper[0]));
-                lines.push(Line { rays, kernel: kernel.to_owned(), to_best, to_paper });
+                let to_own = geometric_mean(cells().map(|row| row.to_own));
+                lines.push(Line { rays, kernel: kernel.to_owned(), to_best, to_paper, to_own });
             }
         }
         let again = rows.iter().filter(|row| row.is_noise).filter_map(|again| {
@@ -69,7 +72,11 @@ impl Summary {
             y += ROW;
             for line in self.lines.iter().filter(|line| line.rays == rays) {
                 let (top, width) = (y - ROW * 3 / 4, UNIT * line.to_best);
-                let color = if line.kernel.starts_with("hashed") { "#b22222" } else { "#808080" };
+                let color = match line.kernel.as_str() {
+                    kernel if kernel.starts_with("hashed") => "#b22222",
+                    kernel if kernel.starts_with("wide") => "#4682b4",
+                    _ => "#808080",
+                };
                 let _ =
                     writeln!(svg, "<rect x=\"170\" y=\"{top}\" width=\"{width:.1}\" height=\"12\" fill=\"{color}\"/>");
                 let _ = writeln!(svg, "<text x=\"12\" y=\"{y}\">{}</text>", line.kernel);
@@ -87,9 +94,13 @@ impl Summary {
 
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for Line { rays, kernel, to_best, to_paper } in &self.lines {
+        for Line { rays, kernel, to_best, to_paper, to_own } in &self.lines {
             let rays = rays.name();
-            writeln!(f, "# {rays:12} {kernel:20} {to_best:.3} of the best stack, {to_paper:.3} of the paper's")?;
+            writeln!(
+                f,
+                "# {rays:12} {kernel:20} {to_best:.3} of the best stack, {to_paper:.3} of the paper's, {to_own:.3} of the \
+                 best of as many children"
+            )?;
         }
         write!(f, "# noise: {:.3}", self.noise)
     }

@@ -8,7 +8,8 @@ use gpu_check::bench::{self, Setting};
 use gpu_check::kernel::{Kernel, Table};
 use gpu_check::made::{self, Made};
 use gpu_check::planted::ShownBy;
-use gpu_check::scene::{Query, Scene};
+use gpu_check::rays::Models;
+use gpu_check::scene::{self, Query, Scene};
 use gpu_check::summary::Summary;
 use gpu_check::tapes::wide::{self, WideBatch};
 use gpu_check::tapes::{Batch, Searches as _, cases, compare, unchanged};
@@ -104,6 +105,28 @@ fn planted_bugs_are_caught() {
     assert_eq!(missed, []);
 }
 
+/// [WIDE-14]
+#[test]
+fn a_kernel_for_which_a_hierarchy_is_too_deep_is_not_launched() {
+    let gpu = gpu();
+    let mesh = procedural::strands(1, 400);
+    let (bvh, rays) = (Bvh::sah(&mesh, SahOptions::default()).unwrap(), made::view(&mesh, 64, 1));
+    let query = Query::single(&probe::probe(&gpu).unwrap(), &rays, false).unwrap();
+    let two = Scene::new(&gpu, &bvh).unwrap();
+    let both = Scene::new(&gpu, &bvh).unwrap().with_eight(&gpu, scene::hierarchy(&mesh).unwrap()).unwrap();
+    let levels = both.eight().unwrap().levels();
+    assert!((5..=8).contains(&levels), "{levels}");
+    for kernel in Kernel::wide() {
+        let trace = |scene| rays::trace(&gpu, scene, &kernel, query, &rays, &unchanged);
+        let refused = trace(&two).unwrap_err().to_string();
+        assert!(refused.contains("no hierarchy of eight children"), "{refused}");
+        let is_refused = kernel.depth_limit().is_some_and(|limit| limit < levels);
+        assert_eq!(is_refused, kernel.full_name() == "wide-trail", "{kernel:?}");
+        let expected = format!("wide-trail: the hierarchy is {levels} deep, and its words carry 4");
+        assert_eq!(trace(&both).err().map(|error| error.to_string()), is_refused.then_some(expected));
+    }
+}
+
 /// A corner at -0 has the bits of the word that ends leaves.
 #[test]
 fn zeros_of_either_sign_are_coordinates() {
@@ -137,27 +160,29 @@ fn a_mismatch_is_shown_event_by_event() {
     assert!(text.contains("wide ") && text.contains("expected backtrack ") && text.contains("(end, leaves)"), "{text}");
 }
 
-/// Two searches for each of three scenes, 20,000 rays in all, by every kernel of one and two words.
+/// Two searches for each of three scenes, 20,000 rays in all, by every kernel of one and two words and every one of eight
+/// children. [WIDE-2] [WIDE-3] [WIDE-6]
 #[test]
 fn hits_are_those_of_the_model_and_of_rational_arithmetic() {
     let gpu = gpu();
     let arithmetic = probe::probe(&gpu).unwrap();
-    for scene in Made::ALL {
-        let mesh = scene.mesh(1).unwrap();
+    for made in Made::ALL {
+        let mesh = made.mesh(1).unwrap();
         let bvh = Bvh::sah(&mesh, SahOptions::default()).unwrap();
         let rays = made::rays(&mesh, 6700, 2);
-        let on_device = Scene::new(&gpu, &bvh).unwrap();
+        let eight = scene::hierarchy(&mesh).unwrap();
+        let on_device = Scene::new(&gpu, &bvh).unwrap().with_eight(&gpu, eight).unwrap();
         let tracer = BinaryTracer::new(&bvh);
         let truth = tracer.closest_parallel(&rays).unwrap();
         let hits = truth.iter().flatten().count();
         assert!((1000..6600).contains(&hits), "{hits}");
         for any in [false, true] {
             let query = Query::single(&arithmetic, &rays, any).unwrap();
-            for kernel in (1..=2).flat_map(Kernel::all) {
-                let name = format!("{} {} {any}", scene.name(), kernel.full_name());
+            let mut models = Models::new(&arithmetic, (&bvh, on_device.eight()), &rays, any);
+            for kernel in (1..=2).flat_map(Kernel::all).chain(Kernel::wide()) {
+                let name = format!("{} {} {any}", made.name(), kernel.full_name());
                 let found = rays::trace(&gpu, &on_device, &kernel, query, &rays, &unchanged).unwrap();
-                let expected = rays::model(&arithmetic, &bvh, &kernel, &rays, any);
-                let report = rays::compare(&kernel, &found, &expected, any, &rays);
+                let report = rays::compare(&kernel, &found, models.of(&kernel).unwrap(), any, &rays);
                 assert_eq!(report.mismatches, 0, "{name}: {}", report.first.unwrap());
                 let errors = rays::errors(&found, &truth, any);
                 assert_eq!(errors, rays::Errors::default(), "{name}");
@@ -187,11 +212,13 @@ fn certain_and_settled_hits_are_exact() {
     let mut wrong_without_bounds = 0;
     for (mesh, rays) in [(&edges, &to_edges), (&soup, &from_soup)] {
         let bvh = Bvh::sah(mesh, SahOptions::default()).unwrap();
-        let scene = Scene::new(&gpu, &bvh).unwrap();
+        let eight = scene::hierarchy(mesh).unwrap();
+        let scene = Scene::new(&gpu, &bvh).unwrap().with_eight(&gpu, eight).unwrap();
         let truth = BinaryTracer::new(&bvh).closest_parallel(rays).unwrap();
         assert!(truth.iter().flatten().count() > 500);
-        for name in ["stack", "hashed", "laine-4", "afra"] {
-            let kernel = Kernel::all(1).into_iter().find(|kernel| kernel.name == name).unwrap();
+        for name in ["stack", "hashed", "laine-4", "afra", "wide-stack", "wide-record"] {
+            let mut kernels = Kernel::all(1).into_iter().chain(Kernel::wide());
+            let kernel = kernels.find(|kernel| kernel.name == name).unwrap();
             let trace = |factor| exact::closest(&gpu, (&scene, &bvh), &arithmetic, &kernel, rays, factor).unwrap();
             let settled = trace(exact::EDGE_FACTOR);
             assert_eq!(settled.hits, truth, "{name}");
@@ -240,11 +267,15 @@ fn a_small_bench_has_all_kernels_and_the_noise() {
         Err(_) => traffic += 1,
     })
     .unwrap();
-    assert_eq!((rows.len(), traffic), (3 * (Kernel::all(1).len() + 1), 3));
+    // Of the trails of wide trees the narrowest.
+    let kernels = Kernel::all(1).len() + ["wide-stack", "wide-trail", "wide-record", "wide-hashed/64"].len();
+    assert_eq!((rows.len(), traffic), (3 * (kernels + 1), 6));
     assert!(rows.iter().all(|row| row.nanoseconds > 0.0 && row.to_best[0] > 0.0));
     assert_eq!(rows.iter().filter(|row| row.is_noise).count(), 3);
     let summary = Summary::of(&rows);
-    assert_eq!(summary.lines.len(), 3 * Kernel::all(1).len());
+    assert_eq!(summary.lines.len(), 3 * kernels);
+    let own = summary.lines.iter().filter(|line| line.kernel == "wide-stack").map(|line| line.to_own);
+    assert_eq!(own.collect::<Vec<_>>(), [1.0; 3]);
     let of = |kernel: &str| summary.lines.iter().find(|line| line.kernel == kernel).unwrap().to_best;
     assert!((of("hashed") - rows.iter().find(|row| row.kernel == "hashed").unwrap().to_best[0]).abs() < 1e-9);
     assert_eq!(summary.svg().matches("<rect x").count(), summary.lines.len());

@@ -90,6 +90,18 @@ pub(super) const fn stack_entries(levels: u32) -> u32 {
     (SLOTS as u32 - 1) * (levels + 1) + 1
 }
 
+/// Levels that ranks are kept of, in a tree of so many: a power of two, by which levels are masked.
+pub(super) fn kept_levels(levels: u32) -> u32 {
+    levels.clamp(4, <Ranked as Kept<SLOTS>>::LEVELS).next_power_of_two()
+}
+
 /// The search of a decision tape, through wide trees.
 pub(super) const WIDE_TAPE_SEARCH: &str =
     concat!(include_str!("../../wgsl/head.wgsl"), include_str!("../../wgsl/eight/search_tape.wgsl"));
+
+/// The search of a ray, through wide trees.
+pub(super) const WIDE_RAY_SEARCH: &str = concat!(
+    include_str!("../../wgsl/arithmetic.wgsl"),
+    include_str!("../../wgsl/ray.wgsl"),
+    include_str!("../../wgsl/eight/search_ray.wgsl")
+);

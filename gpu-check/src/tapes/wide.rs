@@ -286,7 +286,7 @@ impl WideCase {
             words[SLOTS + up - 1] = address(self.tree.ancestor(node, up as u32));
         }
         words[2 * SLOTS..3 * SLOTS].copy_from_slice(&ranks);
-        words[3 * SLOTS..3 * SLOTS + 3].copy_from_slice(&[self.tree.leaves(node), set, node.index() as u32]);
+        words[3 * SLOTS..3 * SLOTS + 2].copy_from_slice(&[set, node.index() as u32]);
         words
     }
 }

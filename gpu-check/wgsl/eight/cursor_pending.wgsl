@@ -19,24 +19,21 @@ fn cursor_start(root: u32) {
 
 // The least rank of a set that is not empty; keeps the two after it.
 fn sort(wanted: u32) -> u32 {
-    var first = NONE;
-    var second = NONE;
-    var third = NONE;
-    var left = wanted;
-    loop {
-        if left == 0u {
-            break;
-        }
-        let rank = ranks[firstTrailingBit(left)];
-        left &= left - 1u;
-        let greater = max(first, rank);
-        first = min(first, rank);
-        third = min(third, max(second, greater));
-        second = min(second, greater);
-    }
+    let low = select(vec4(NONE), low_ranks, (vec4(wanted) & vec4(1u, 2u, 4u, 8u)) != vec4(0u));
+    let high = select(vec4(NONE), high_ranks, (vec4(wanted) & vec4(16u, 32u, 64u, 128u)) != vec4(0u));
+    // Written out: a rank by its number would come from memory.
+    var least = with_rank(with_rank(vec3(NONE), low.x), low.y);
+    least = with_rank(with_rank(least, low.z), low.w);
+    least = with_rank(with_rank(least, high.x), high.y);
+    least = with_rank(with_rank(least, high.z), high.w);
     let count = countOneBits(wanted);
-    next_ranks = vec2(select(0u, second, count > 1u), select(0u, third, count > 2u));
-    return first;
+    next_ranks = vec2(select(0u, least.y, count > 1u), select(0u, least.z, count > 2u));
+    return least.x;
+}
+
+// The three least of three in order and one more, in order.
+fn with_rank(least: vec3<u32>, rank: u32) -> vec3<u32> {
+    return min(least, vec3(rank, max(least.xy, vec2(rank))));
 }
 
 // Names the child in a slot, and goes down if it is an inner node [WIDE-10].

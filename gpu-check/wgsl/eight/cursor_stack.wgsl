@@ -36,7 +36,7 @@ fn cursor_next(wanted: u32) {
         let slot = firstTrailingBit(left);
         left &= left - 1u;
         // Without an order the slot is the rank: it is beyond no end.
-        settle(base, vec2(select(slot, ranks[slot], is_sorted), child_of(present, slot)));
+        settle(base, vec2(select(slot, rank_of(slot), is_sorted), child_of(present, slot)));
     }
     loop {
         if height == 0u {

@@ -1,7 +1,6 @@
 // [WIDE-17]: of each level the pending set and the ranks of the two children that come next, and a bit that says that
-// the set is not empty.
-
-const LEVELS = 32u;
+// the set is not empty. There are as many levels as the tree needs, a power of two up to 32: each costs a ray time, since
+// memory of an invocation is set to zero.
 
 var<private> level: u32;
 var<private> summary: u32;

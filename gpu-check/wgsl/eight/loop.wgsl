@@ -15,7 +15,7 @@ fn visit_inner() {
     visit(node);
     present = node;
     var wanted = ask(present, false);
-    if !is_sorted {
+    if !is_sorted && wanted != 0u {
         wanted = visit_leaves(wanted);
     }
     if !is_over() {
@@ -41,9 +41,9 @@ fn visit_leaves(wanted: u32) -> u32 {
 
 fn visit_leaf() {
     visit(node);
-    let end_before = end;
+    let end_before = end();
     look_into(~node);
-    if end < end_before {
+    if end() < end_before {
         cursor_shortened();
     }
     if !is_over() {

@@ -6,7 +6,7 @@ var<private> is_sorted: bool;
 var<private> is_changing: bool;
 
 // [WIDE-3]
-var<private> end: u32;
+var<private> least_end: u32;
 var<private> stopped: bool;
 // Leaves that were looked into.
 var<private> looked: u32;
@@ -16,31 +16,34 @@ fn begin(task: u32) {
     let kind = tasks[4u * task].y;
     is_sorted = (kind & 1u) == 1u;
     is_changing = (kind & 2u) == 2u;
-    end = NONE;
+    least_end = NONE;
     stopped = false;
     looked = 0u;
 }
 
 fn finish(task: u32) {
-    results[2u * task] = vec4(end, looked, 1u, visits);
+    results[2u * task] = vec4(least_end, looked, 1u, visits);
     results[2u * task + 1u] = vec4(record_end(), 0u, 0u);
 }
 
-// The set of wanted children; their ranks are left in `ranks`. What a search wants when it is asked again [WIDE-4], it
-// said the first time: so only pending children count then, and those were wanted.
+fn end() -> u32 {
+    return least_end;
+}
+
+// The set of wanted children; their ranks are left in `low_ranks` and `high_ranks`. What a search wants when it is asked
+// again [WIDE-4], it said the first time: so only pending children count then, and those were wanted.
 fn ask(address: u32, is_again: bool) -> u32 {
-    let low = nodes[address + 4u];
-    let high = nodes[address + 5u];
-    ranks = array(low.x, low.y, low.z, low.w, high.x, high.y, high.z, high.w);
-    // Leaves, wanted children, number of the node.
+    low_ranks = nodes[address + 4u];
+    high_ranks = nodes[address + 5u];
+    // Wanted children, number of the node.
     let said = nodes[address + 6u];
-    var wanted = said.y;
+    var wanted = said.x;
     if is_changing && !is_again {
-        wanted &= wide_mix(wide_mix(vec2(looked + 1u, 0u)) ^ vec2(said.z, ranks[0])).x;
+        wanted &= wide_mix(wide_mix(vec2(looked + 1u, 0u)) ^ vec2(said.y, low_ranks.x)).x;
     }
     if is_sorted {
         for (var slot = 0u; slot < SLOTS; slot++) {
-            wanted &= ~(select(0u, 1u, is_beyond(ranks[slot])) << slot);
+            wanted &= ~(select(0u, 1u, is_beyond(rank_of(slot))) << slot);
         }
     }
     return wanted;
@@ -51,7 +54,7 @@ fn look_into(offset: u32) {
     let cell = leaves[offset];
     looked += 1u;
     if is_sorted {
-        end = min(end, cell.x);
+        least_end = min(least_end, cell.x);
     }
     stopped = cell.y == 1u;
 }

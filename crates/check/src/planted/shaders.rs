@@ -244,4 +244,17 @@ pub static SHADERS: &[Shader] = shaders! {
         "changed &= ~1u;" => "changed = 0u;";
     "the key is shifted by levels, not by bits", "WIDE-9", "wide-hashed/64", Tapes unasked "wide trees":
         "word_shift(key, SLOT_BITS * up)" => "word_shift(key, up)";
+    "leaves in the last four slots are taken for inner nodes", "WIDE-6", "wide-record", Tapes unasked "wide trees":
+        "(nodes[address + 1u] >> sign) == vec4(1u)" => "vec4<bool>(false, false, false, false)";
+    // In the part that tests eight boxes; rays of made scenes show them.
+    "of eight boxes the lower planes are always near", "EXACT-1", "wide-stack", Rays unasked "wide trees":
+        "return select(words, words.zwxy, is_backward);" => "return words;";
+    "flat boxes of eight are missed", "EXACT-1", "wide-trail", Rays unasked "wide trees":
+        "let is_low = low <= exits" => "let is_low = low < exits";
+    "distances in ranks are rounded up", "WIDE-2", "wide-record", Rays unasked "wide trees":
+        "(bitcast<vec4<u32>>(low) & vec4(~SLOT_MASK))" =>
+        "((bitcast<vec4<u32>>(low) + vec4(SLOT_MASK)) & vec4(~SLOT_MASK))";
+    "the boxes of the last four slots begin where those of the first do", "WIDE-2", "wide-hashed/64",
+        Rays unasked "wide trees":
+        "vec3(x.y, y.y, z.y)" => "vec3(x.x, y.x, z.x)";
 };
