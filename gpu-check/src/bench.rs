@@ -150,13 +150,13 @@ pub fn bench(
             if rays.is_empty() {
                 continue;
             }
-            let counted: Vec<Ray> = rays.iter().step_by(rays.len().div_ceil(COUNTED)).cloned().collect();
+            let counted: Vec<Ray> = rays.iter().step_by(rays.len().div_ceil(COUNTED)).copied().collect();
             let counters = if kind.is_any() { tracer.count_any(&counted) } else { tracer.count_closest(&counted) };
             let each = |count: u64| count as f64 / counted.len() as f64;
             let (nodes, triangles, leaves) = (each(counters.inner), each(counters.triangles), each(counters.leaves));
             say(Err(Traffic { children: 2, nodes, triangles, leaves }));
             if let Some(eight) = scene.eight() {
-                say(Err(traffic(*arithmetic, eight, rays, kind.is_any())));
+                say(Err(traffic(*arithmetic, eight, &counted, kind.is_any())));
             }
             let query = Query::single(arithmetic, rays, kind.is_any())?;
             let cell = Cell::new(gpu, &scene, query, rays, setting)?;
@@ -168,16 +168,14 @@ pub fn bench(
     Ok(())
 }
 
-/// Of some of the rays, through nodes of eight children.
+/// Of these rays, through nodes of eight children.
 fn traffic(arithmetic: Arithmetic, eight: &Eight, rays: &[Ray], any: bool) -> Traffic {
-    const SOME: usize = 1 << 16;
-    let some: Vec<&Ray> = rays.iter().step_by(rays.len().div_ceil(SOME)).collect();
     let add = |a: [usize; 3], b: [usize; 3]| [0, 1, 2].map(|i| a[i] + b[i]);
-    let visited = some.par_iter().map(|ray| {
+    let visited = rays.par_iter().map(|ray| {
         let Visited { nodes, triangles, leaves } = through(&arithmetic, eight, ray, any).1;
         [nodes, triangles, leaves]
     });
-    let [nodes, triangles, leaves] = visited.reduce(|| [0; 3], add).map(|count| count as f64 / some.len() as f64);
+    let [nodes, triangles, leaves] = visited.reduce(|| [0; 3], add).map(|count| count as f64 / rays.len() as f64);
     Traffic { children: SLOTS, nodes, triangles, leaves }
 }
 

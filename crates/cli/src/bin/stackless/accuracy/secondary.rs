@@ -1,6 +1,7 @@
 //! Rays from where others hit: what is wrong when they do not begin exactly there.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use glam::{IVec3, Vec3};
 use rayon::prelude::*;
@@ -191,17 +192,22 @@ fn compare(
 ) -> Result<Vec<SecondaryRow>, Box<dyn std::error::Error>> {
     let mut rows = Vec::new();
     let bvh = Bvh::build(&scene.mesh)?;
-    let (wide, epsilon) = (Tracer::new(WideBvh::of(&bvh)?), bvh.bounds().extent().length() * 1e-5);
+    let tree = Arc::new(WideBvh::of(&bvh)?);
+    let wide = Tracer::new(Arc::clone(&tree));
+    let epsilon = bvh.bounds().extent().length() * 1e-5;
     let bounces = bounces(scene, &wide, bvh.bounds().extent().length() * REACH, pixels, side, args);
     // A part of an image may be empty.
     if bounces.is_empty() && args.shard.is_none() {
         return Err(format!("{}: no ray of the camera hits", scene.name).into());
     }
     let mut assembly = Assembly::new();
-    let object = assembly.add_mesh(bvh.clone());
-    let exact = InstanceTracer::new(&assembly, object, Method::default())?;
+    let objects = [assembly.add_wide(tree), assembly.add_mesh(bvh.clone())];
+    let tracer = |object| InstanceTracer::new(&assembly, object, Method::default());
+    let exact = [tracer(objects[0])?, tracer(objects[1])?];
     let blocked = |bounce: &Bounce| {
-        bounce.is_blocked(&exact).ok_or_else(|| format!("{}: pixel {}: a hit that is none", scene.name, bounce.pixel))
+        bounce
+            .is_blocked(&exact[0])
+            .ok_or_else(|| format!("{}: pixel {}: a hit that is none", scene.name, bounce.pixel))
     };
     let (answers, points): (Vec<_>, Vec<_>) =
         bounces.par_iter().map(blocked).collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
@@ -236,7 +242,7 @@ fn compare(
     });
     rows.push(SecondaryRow { offence, ..SecondaryRow::new(&scene.name, EXACT, &answers, &truth) });
     if args.shard.is_none() {
-        time(&bounces, epsilon, &wide, &bvh, &exact, &scene.name);
+        time(&bounces, epsilon, [&exact[0], &exact[1]], (&wide, &BinaryTracer::new(&bvh)), &scene.name);
     }
     if let Some(path) = &args.picture {
         let panels: Vec<_> = panels.iter().map(|(name, panel)| (name.clone(), panel)).collect();
@@ -247,7 +253,14 @@ fn compare(
 }
 
 /// From each hit of the camera's rays, one that goes on in a direction of the cosine distribution.
-fn bounces(scene: &Scene, tracer: &Tracer, reach: f32, pixels: Range<u64>, side: u32, args: &Args) -> Vec<Bounce> {
+fn bounces(
+    scene: &Scene,
+    tracer: &Tracer<Arc<WideBvh>>,
+    reach: f32,
+    pixels: Range<u64>,
+    side: u32,
+    args: &Args,
+) -> Vec<Bounce> {
     let view = args.place.of(scene);
     let bounce = |pixel: u64| {
         let (pixel, all) = (pixel as usize, side as usize * side as usize);
@@ -277,17 +290,26 @@ fn judge(mesh: &Mesh, bounces: &[Bounce], points: &[ExactPoint], name: &str) -> 
     found
 }
 
-/// Says how long exact rays take, from the hit on, in ratios to those that begin at floats.
-fn time(bounces: &[Bounce], epsilon: f32, wide: &Tracer, bvh: &Bvh, exact: &InstanceTracer, name: &str) {
-    let binary = BinaryTracer::new(bvh);
+/// Says how long exact rays take, from the hit on, in ratios to those that begin at floats: through wide trees and
+/// through binary ones.
+fn time(
+    bounces: &[Bounce],
+    epsilon: f32,
+    exact: [&InstanceTracer; 2],
+    (wide, binary): (&Tracer<Arc<WideBvh>>, &BinaryTracer<&Bvh>),
+    name: &str,
+) {
     let bounces = &bounces[..bounces.len().min(1 << 16)];
     let mut sum = 0;
-    let times = take_turns(3, bounces.len(), CHUNK, 3, name, |contestant, range| {
+    let times = take_turns(4, bounces.len(), CHUNK, 3, name, |contestant, range| {
         let ray = |bounce: &Bounce| Start::Ulp.ray(bounce, epsilon);
         sum += match contestant {
             0 => bounces[range].iter().filter(|bounce| ray(bounce).is_some_and(|ray| wide.any(&ray))).count(),
             1 => bounces[range].iter().filter(|bounce| ray(bounce).is_some_and(|ray| binary.any(&ray))).count(),
-            _ => bounces[range].iter().filter(|bounce| bounce.is_blocked(exact).is_some_and(|found| found.0)).count(),
+            _ => {
+                let exact = exact[contestant - 2];
+                bounces[range].iter().filter(|bounce| bounce.is_blocked(exact).is_some_and(|found| found.0)).count()
+            }
         };
     });
     std::hint::black_box(sum);
@@ -295,16 +317,17 @@ fn time(bounces: &[Bounce], epsilon: f32, wide: &Tracer, bvh: &Bvh, exact: &Inst
         let seconds: f64 = times.by_chunk(contestant).iter().sum();
         times.lengths().iter().sum::<usize>() as f64 / seconds / 1e6
     };
-    let ratio = |other: usize| median_ratio(&times.by_chunk(2), &times.by_chunk(other));
+    let ratio = |tree: usize| median_ratio(&times.by_chunk(tree + 2), &times.by_chunk(tree));
     say!(
-        "{name}: exact rays take {:.2} of the time of `moved by ulps` by {} and {:.2} of that by {} ({:.3}, {:.3} and \
-         {:.3} million rays a second)",
-        ratio(1),
-        binary.method(),
+        "{name}: exact rays take {:.2} of the time of `moved by ulps` by {} ({:.3} and {:.3} million a second), and {:.2} \
+         by {} ({:.3} and {:.3})",
         ratio(0),
         wide.method(),
         rate(2),
-        rate(1),
-        rate(0)
+        rate(0),
+        ratio(1),
+        binary.method(),
+        rate(3),
+        rate(1)
     );
 }
