@@ -28,6 +28,23 @@ list() {
     CARGO_TARGET_DIR="$work/list" CARGO_PROFILE_DEV_OPT_LEVEL=0 cargo run -q -p proofs --bin list > "$work/list.tsv"
 }
 
+# A few harnesses in each file, and for each file a function that calls them and their twins, so that one program has all groups.
+split_groups() {
+    rm -f group_*
+    split -l 8 picked.tsv group_
+    local group
+    {
+        for group in group_??; do
+            echo "void $group(void) {"
+            cut -f1,2 "$group" | tr '\t' '\n' | sed 's/.*/    prove_&();/'
+            echo "}"
+        done
+        echo "void all(void) {"
+        printf '    %s();\n' group_??
+        echo "}"
+    } > groups.inc
+}
+
 build() {
     local linker=$(compgen -c wasm-ld | sort | tail -1)
     # All in registers: what is inlined is not in memory, where every access is a case distinction.
@@ -43,20 +60,18 @@ build() {
         -e 's/wasm_rt_memcpy(&mem->data\[addr\], &wrapped, sizeof(t1));/*(t1*)(\&mem->data[addr]) = wrapped;/' \
         -e 's/#define wasm_asm __asm__/#define wasm_asm(...)/' harnesses.c
     cut -f5 list.tsv | tr ';' '\n' | sort -u | sed -n 's/^\([0-9]*\):\(.*\)/COVER(\1u, "\2")/p' > covers.inc
+    split_groups
     cut -f1,2 list.tsv | tr '\t' '\n' | sed 's/.*/HARNESS(&)/' > names.inc
-    tools/goto-cc -I. -DWASM_RT_MEMCHECK_SIGNAL_HANDLER=0 -DWASM_RT_USE_STACK_DEPTH_COUNT=0 \
+    tools/goto-cc --function all -I. -DWASM_RT_MEMCHECK_SIGNAL_HANDLER=0 -DWASM_RT_USE_STACK_DEPTH_COUNT=0 \
         -DWASM_RT_SKIP_SIGNAL_RECOVERY=1 harnesses.c "$here/shim.c" -o harnesses.gb
 }
 
-# The program of these few harnesses and their twins, which goes before each row. CBMC reads all of a program for each run, and with
-# what is never called there, that is most of the time.
+# The program of one group, which goes before each row. CBMC reads all of a program for each run, and with what is never called there,
+# that is most of the time.
 group() {
-    local names
-    names=$(cut -f1,2 "$1" | tr '\t' '\n')
-    { sed 's/.*/void prove_&(void);/' <<< "$names"; echo "void all(void) {"; sed 's/.*/prove_&();/' <<< "$names"; echo "}"; } > "$1.c"
-    tools/goto-cc --function all "$1.c" harnesses.gb -o "$1.whole"
-    tools/goto-instrument --drop-unused-functions "$1.whole" "$1.gb" > "$1.log"
-    rm "$1.whole"
+    local others
+    mapfile -t others < <(printf '%s\n' group_?? | grep -vxF "$1" | sed 's/^/--remove-function-body\n/')
+    tools/goto-instrument "${others[@]}" --drop-unused-functions harnesses.gb "$1.gb" > "$1.log"
     sed "s/^/$1.gb\t/" "$1"
 }
 
@@ -114,11 +129,9 @@ pick() {
 
 install_tools
 list
-build
 pick "$@" > "$work/picked.tsv"
-rm -f group-*
-split -l 8 picked.tsv group-
-printf '%s\0' group-* | xargs -0 -n1 -P"$(nproc)" bash -c 'group "$1"' group > grouped.tsv
+build
+printf '%s\0' group_?? | xargs -0 -n1 -P"$(nproc)" bash -c 'group "$1"' group > grouped.tsv
 echo "| harness | unwind | proof | covers reached | twin refuted | CPU seconds | twin's | |"
 echo "|---|---|---|---|---|---|---|---|"
 tr '\n' '\0' < grouped.tsv | xargs -0 -n1 -P"$(nproc)" bash -c 'check_one "$1"' check_one | tee "$work/table.md"

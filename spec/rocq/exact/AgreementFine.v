@@ -3,7 +3,7 @@ Require Import Reals ZArith Lia Lra Bool List.
 From Flocq Require Import Core.
 Require Import StacklessExact.Rounding StacklessExact.Range StacklessExact.Arithmetic StacklessExact.Operations.
 Require Import StacklessExact.Fine StacklessExact.FineSigns.
-Require StacklessExact.Expansion StacklessExact.Intervals.
+Require StacklessExact.Expansion StacklessExact.AgreementSums StacklessExact.Intervals.
 Open Scope R_scope.
 
 Notation rounded := (reals R64).
@@ -66,15 +66,10 @@ Proof. reflexivity. Qed.
 Theorem sub_agrees x y : Fine_sub rounded (high x) (low x) (radius x) (high y) (low y) (radius y) = parts (sub x y).
 Proof. unfold Fine_sub. rewrite neg_agrees. unfold parts at 1. rewrite add_agrees. reflexivity. Qed.
 
-Lemma two_product_agrees a b : sum_two_product rounded a b = Expansion.two_product a b.
-Proof.
-  unfold sum_two_product, sum_split, Expansion.two_product, Expansion.split. replace (constant rounded 134217729 0) with 134217729 by (cbn; ring). reflexivity.
-Qed.
-
 (** [Fine::mul]. [NEAR-5] *)
 Theorem mul_agrees x y : Fine_mul rounded (high x) (low x) (radius x) (high y) (low y) (radius y) = parts (mul x y).
 Proof.
-  unfold Fine_mul, mul, is_zero, are_doubles, is_exact. rewrite two_product_agrees, zero_is, !power_is, up_is.
+  unfold Fine_mul, mul, is_zero, are_doubles, is_exact. rewrite AgreementSums.two_product_agrees, zero_is, !power_is, up_is.
   destruct (Expansion.two_product (high x) (high y)) as [h rest]. cbv zeta. rewrite new_agrees. unfold parts at 1. cbn [reals equal less plus times absolute].
   fold ERROR UNDERFLOW EXACT. destruct (orb _ _); [reflexivity|]. destruct (andb _ _); reflexivity.
 Qed.

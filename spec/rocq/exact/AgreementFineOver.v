@@ -19,8 +19,8 @@ Definition topped : arithmetic := let a := moving in
      is_negative := is_negative a; constant := constant a; infinity := top; not_a_number := not_a_number a; shifted := shifted a; power := power a;
      cleared := cleared a; after := after a; before := before a |}.
 
-Ltac same := unfold Fine_sub, Fine_neg, Fine_add, Fine_mul, Fine_bounds, Interval_add, Fine_new, sum_two_sum, sum_two_product, sum_split, fine_UP;
-  cbv beta iota delta [topped stepping reals num Arithmetic.plus Arithmetic.minus times Arithmetic.over Arithmetic.root opposite absolute less at_most equal constant after before]; reflexivity.
+Ltac same := cbv beta iota delta [Fine_sub Fine_neg Fine_add Fine_mul Fine_bounds Interval_add Fine_new sum_two_sum sum_two_product sum_split fine_UP
+  topped stepping reals num Arithmetic.plus Arithmetic.minus times Arithmetic.over Arithmetic.root opposite absolute less at_most equal constant after before]; reflexivity.
 Lemma new_is h l r : Fine_new topped h l r = parts (new h l r).
 Proof. rewrite <- new_agrees. same. Qed.
 Lemma add_of x y : Fine_add topped (high x) (low x) (radius x) (high y) (low y) (radius y) = parts (add x y).

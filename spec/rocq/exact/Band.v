@@ -241,7 +241,7 @@ Proof.
     { split; [rewrite <- Ropp_mult_distr_l_reverse, (Rmult_comm (- u))|rewrite (Rmult_comm u)]; apply Rmult_le_compat_l; lra. }
     replace (16 * u * Rabs first * (1 + e) + n) with (16 * u * Rabs first + 16 * u * (Rabs first * e) + n) by ring. lra. }
   set (y := R32 (s - f)) in *. clearbody m s y. clear Em Fm He Hn.
-  revert O O1 O2 M Pf Px. unfold Rabs. repeat destruct (Rcase_abs _); intros; lra.
+  apply Rabs_le_inv in O, O1, O2. revert O O1 O2 M Pf Px. unfold Rabs. repeat destruct (Rcase_abs _); intros; lra.
 Qed.
 
 (** The other end is that of the mirror image. *)

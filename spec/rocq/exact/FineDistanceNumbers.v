@@ -11,6 +11,16 @@ Strategy 1000 [fine_minus fine_cross fine_dot Fine_over Fine_bounds Fine_mul Fin
 (** * Vectors *)
 
 Definition floats : Type := float * float * float * float * float * float * float * float * float.
+(** All parts of a tuple in one step: goals are large here, and each step costs. *)
+Lemma by_parts (P : floats -> Prop) : (forall a b c d e f g h i, P (a, b, c, d, e, f, g, h, i)) -> forall p, P p.
+Proof. intros H p. now destruct p as [[[[[[[[a b] c] d] e] f] g] h] i]. Qed.
+Lemma by_all_parts (P : floats * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float * float -> Prop) :
+  (forall f1 f2 f3 f4 f5 f6 f7 f8 f9 s1 s2 s3 s4 s5 s6 s7 s8 s9 a1 a2 a3 a4 a5 a6 a7 a8 a9 b1 b2 b3 b4 b5 b6 b7 b8 b9 g1 g2 g3,
+    P (f1, f2, f3, f4, f5, f6, f7, f8, f9, s1, s2, s3, s4, s5, s6, s7, s8, s9, a1, a2, a3, a4, a5, a6, a7, a8, a9, b1, b2, b3, b4, b5, b6, b7, b8, b9, g1, g2, g3)) -> forall p, P p.
+Proof. intros H p. now destruct p as [[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[f1 f2] f3] f4] f5] f6] f7] f8] f9] s1] s2] s3] s4] s5] s6] s7] s8] s9] a1] a2] a3] a4] a5] a6] a7] a8] a9] b1] b2] b3] b4] b5] b6] b7] b8] b9] g1] g2] g3]. Qed.
+(** The same for a vector that is computed. *)
+Ltac parts f x := match goal with |- context [f f64 x ?b ?c ?d ?e ?g ?h ?i ?j ?k ?l ?m ?n ?o ?p ?q ?r ?s] =>
+  generalize (f f64 x b c d e g h i j k l m n o p q r s); refine (by_parts _ _) end.
 Definition fines_fit (e : Z) (p : floats) (v : fines) : Prop := let '(a, b, c, d, f, g, h, i, j) := p in
   fine_fits e (a, b, c) (fine_x v) /\ fine_fits e (d, f, g) (fine_y v) /\ fine_fits e (h, i, j) (fine_z v).
 (** A function of two vectors. *)
@@ -104,13 +114,10 @@ Proof.
   assert (D : fines_fit 200 (exacts dx dy dz) (Fines (exact (B2R dx)) (exact (B2R dy)) (exact (B2R dz)))) by (apply exacts_fit; split; auto).
   pose proof (minus_fits 200 _ _ _ _ ltac:(lia) O P0) as S. pose proof (minus_fits 200 _ _ _ _ ltac:(lia) P1 P0) as A. pose proof (minus_fits 200 _ _ _ _ ltac:(lia) P2 P0) as B.
   pose proof (cross_fits 200 221 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) D B) as C. pose proof (dot_fits 221 512 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) A C) as G.
-  clear P0 P1 P2 O. destruct p0 as [[[[[[[[x1 x2] x3] x4] x5] x6] x7] x8] x9], p1 as [[[[[[[[y1 y2] y3] y4] y5] y6] y7] y8] y9], p2 as [[[[[[[[z1 z2] z3] z4] z5] z6] z7] z8] z9].
-  unfold FineDeterminants_of. unfold at_two, exacts in *.
-  destruct (fine_minus f64 ox _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[s1 s2] s3] s4] s5] s6] s7] s8] s9].
-  destruct (fine_minus f64 y1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[a1 a2] a3] a4] a5] a6] a7] a8] a9].
-  destruct (fine_minus f64 z1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[b1 b2] b3] b4] b5] b6] b7] b8] b9].
-  destruct (fine_cross f64 dx _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[c1 c2] c3] c4] c5] c6] c7] c8] c9].
-  destruct (fine_dot f64 a1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[g1 g2] g3]. exact (conj D (conj S (conj A (conj B G)))).
+  revert D S A B C G. clear P0 P1 P2 O. pattern p0; apply by_parts; intros x1 x2 x3 x4 x5 x6 x7 x8 x9; pattern p1; apply by_parts; intros y1 y2 y3 y4 y5 y6 y7 y8 y9; pattern p2; apply by_parts; intros z1 z2 z3 z4 z5 z6 z7 z8 z9.
+  unfold FineDeterminants_of, at_two, exacts.
+  parts fine_minus ox; intros s1 s2 s3 s4 s5 s6 s7 s8 s9. parts fine_minus y1; intros a1 a2 a3 a4 a5 a6 a7 a8 a9. parts fine_minus z1; intros b1 b2 b3 b4 b5 b6 b7 b8 b9.
+  parts fine_cross dx; intros c1 c2 c3 c4 c5 c6 c7 c8 c9. cbv beta iota. intros D S A B _ G. destruct (fine_dot f64 a1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[g1 g2] g3]. exact (conj D (conj S (conj A (conj B G)))).
 Qed.
 
 Lemma top_is e p y : fine_fits e p y -> fine_is p y.
@@ -124,8 +131,8 @@ Theorem distance_on_doubles_is_right tmin tmax t : let '(x1, x2, x3, x4, x5, x6,
   FineDeterminants_distance_within f64 s1 s2 s3 s4 s5 s6 s7 s8 s9 a1 a2 a3 a4 a5 a6 a7 a8 a9 b1 b2 b3 b4 b5 b6 b7 b8 b9 g1 g2 g3 tmin tmax = Some t ->
   det <> 0 /\ B2R t = R64 (true_t ax ay az bx by_ bz cx cy cz (B2R ox) (B2R oy) (B2R oz) / det) /\ Arithmetic.less f64 tmin t = true /\ Arithmetic.less f64 t tmax = true.
 Proof.
-  pose proof all_fit as Fit. destruct all_stand as (Tdet & Tt & _). clear P0 P1 P2. destruct p0 as [[[[[[[[x1 x2] x3] x4] x5] x6] x7] x8] x9], p1 as [[[[[[[[y1 y2] y3] y4] y5] y6] y7] y8] y9], p2 as [[[[[[[[z1 z2] z3] z4] z5] z6] z7] z8] z9].
-  destruct (FineDeterminants_of f64 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[f1 f2] f3] f4] f5] f6] f7] f8] f9] s1] s2] s3] s4] s5] s6] s7] s8] s9] a1] a2] a3] a4] a5] a6] a7] a8] a9] b1] b2] b3] b4] b5] b6] b7] b8] b9] g1] g2] g3].
+  destruct all_stand as (Tdet & Tt & _). generalize all_fit. clear P0 P1 P2. pattern p0; apply by_parts; intros x1 x2 x3 x4 x5 x6 x7 x8 x9; pattern p1; apply by_parts; intros y1 y2 y3 y4 y5 y6 y7 y8 y9; pattern p2; apply by_parts; intros z1 z2 z3 z4 z5 z6 z7 z8 z9.
+  generalize (FineDeterminants_of f64 x1 x2 x3 x4 x5 x6 x7 x8 x9 y1 y2 y3 y4 y5 y6 y7 y8 y9 z1 z2 z3 z4 z5 z6 z7 z8 z9 ox oy oz dx dy dz). refine (by_all_parts _ _). intros f1 f2 f3 f4 f5 f6 f7 f8 f9 s1 s2 s3 s4 s5 s6 s7 s8 s9 a1 a2 a3 a4 a5 a6 a7 a8 a9 b1 b2 b3 b4 b5 b6 b7 b8 b9 g1 g2 g3 Fit.
   destruct Fit as (_ & S & A & B & G). unfold FineDeterminants_distance_within.
   pose proof (cross_fits 221 221 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) S A) as C. pose proof (dot_fits 221 533 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) B C) as T. unfold at_two in *. clear S A B C.
   destruct (fine_cross f64 s1 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[c1 c2] c3] c4] c5] c6] c7] c8] c9].
@@ -150,8 +157,8 @@ Theorem weights_on_doubles_are_right : let '(x1, x2, x3, x4, x5, x6, x7, x8, x9)
   det <> 0 /\ B2R u = R64 (true_u ax ay az cx cy cz (B2R ox) (B2R oy) (B2R oz) (B2R dx) (B2R dy) (B2R dz) / det) /\
   B2R v = R64 (true_v ax ay az bx by_ bz (B2R ox) (B2R oy) (B2R oz) (B2R dx) (B2R dy) (B2R dz) / det).
 Proof.
-  pose proof all_fit as Fit. destruct all_stand as (Tdet & _ & Tu & Tv). clear P0 P1 P2. destruct p0 as [[[[[[[[x1 x2] x3] x4] x5] x6] x7] x8] x9], p1 as [[[[[[[[y1 y2] y3] y4] y5] y6] y7] y8] y9], p2 as [[[[[[[[z1 z2] z3] z4] z5] z6] z7] z8] z9].
-  destruct (FineDeterminants_of f64 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) as [[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[f1 f2] f3] f4] f5] f6] f7] f8] f9] s1] s2] s3] s4] s5] s6] s7] s8] s9] a1] a2] a3] a4] a5] a6] a7] a8] a9] b1] b2] b3] b4] b5] b6] b7] b8] b9] g1] g2] g3].
+  destruct all_stand as (Tdet & _ & Tu & Tv). generalize all_fit. clear P0 P1 P2. pattern p0; apply by_parts; intros x1 x2 x3 x4 x5 x6 x7 x8 x9; pattern p1; apply by_parts; intros y1 y2 y3 y4 y5 y6 y7 y8 y9; pattern p2; apply by_parts; intros z1 z2 z3 z4 z5 z6 z7 z8 z9.
+  generalize (FineDeterminants_of f64 x1 x2 x3 x4 x5 x6 x7 x8 x9 y1 y2 y3 y4 y5 y6 y7 y8 y9 z1 z2 z3 z4 z5 z6 z7 z8 z9 ox oy oz dx dy dz). refine (by_all_parts _ _). intros f1 f2 f3 f4 f5 f6 f7 f8 f9 s1 s2 s3 s4 s5 s6 s7 s8 s9 a1 a2 a3 a4 a5 a6 a7 a8 a9 b1 b2 b3 b4 b5 b6 b7 b8 b9 g1 g2 g3 Fit.
   destruct Fit as (D & S & A & B & G). unfold FineDeterminants_weights.
   pose proof (cross_fits 200 221 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) D B) as C. pose proof (dot_fits 221 512 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) S C) as T.
   pose proof (cross_fits 221 221 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) S A) as C'. pose proof (dot_fits 200 533 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) D C') as T'. unfold at_two in *. clear D S A B C C'.
