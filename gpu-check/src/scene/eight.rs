@@ -173,7 +173,7 @@ fn exponent(corner: f32, top: f32) -> u32 {
     EXPONENTS.into_iter().find(reaches).unwrap_or(*EXPONENTS.end())
 }
 
-/// Steps to the last plane that is not above `lower`, or to one before.
+/// Steps to the last plane that is not above `lower`, or to one before. The quotient may be rounded to a whole number.
 fn steps_below(corner: f32, step: f32, lower: f32) -> u32 {
     let mut steps = (((f64::from(lower) - f64::from(corner)) / f64::from(step)) as u32).min(MOST_STEPS);
     while steps > 0 && plane(corner, step, steps) > lower {
@@ -222,5 +222,13 @@ mod tests {
             }
         }
         assert!(is_larger > 10_000, "{is_larger}");
+    }
+
+    /// Planes so near to a multiple of the step that the quotient is rounded to it.
+    #[test]
+    fn a_quotient_that_is_rounded_is_mended() {
+        let (corner, step) = (-f32::exp2(40.0), f32::exp2(33.0));
+        assert_eq!([steps_below(corner, step, -1e-20), steps_below(corner, step, 0.0)], [127, 128]);
+        assert_eq!([steps_above(corner, step, 1e-20), steps_above(corner, step, 0.0)], [129, 128]);
     }
 }
