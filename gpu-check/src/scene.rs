@@ -145,7 +145,7 @@ impl Scene {
         Ok(Placed { buffers: [nodes, leaves, displacements, cells], depth, head, root: self.root })
     }
 
-    /// The text of a kernel for scenes of up to this depth, which reads the [`head`](Self::head) of each.
+    /// The text of a kernel for scenes of up to this depth, which reads the [`head`](Placed::head) of each.
     pub fn source_for_any(gpu: &Gpu, kernel: &Kernel, query: Query<'_>, depth: u32) -> String {
         let head = [include_str!("../wgsl/head.wgsl"), include_str!("../wgsl/scene_read.wgsl")].concat();
         source(gpu, kernel, query, depth, head)
