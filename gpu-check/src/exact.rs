@@ -79,13 +79,13 @@ pub const fn holds(arithmetic: &Arithmetic) -> Result<(), GpuError> {
 
 /// The text of the triangle test.
 pub fn triangles(arithmetic: &Arithmetic, factor: f32) -> String {
-    let floor = floor(arithmetic);
+    let floor = floor(*arithmetic);
     let test = include_str!("../wgsl/triangle_band.wgsl");
     format!("const EDGE_FACTOR = f32({factor});\nconst FLOOR = f32({floor:e});\n{test}")
 }
 
 /// What stands in for sizes so small that underflow would matter. `[BAND-1]`
-const fn floor(arithmetic: &Arithmetic) -> f32 {
+const fn floor(arithmetic: Arithmetic) -> f32 {
     let exponent = if arithmetic.keeps_subnormals { 40 } else { 32 };
     f32::from_bits((127 - exponent) << 23)
 }
@@ -171,10 +171,10 @@ mod tests {
 
     /// Adds a . (b x c), or subtracts it.
     fn add_triple(sum: &mut Accumulator, sign: f64, a: [f64; 3], b: [f64; 3], c: [f64; 3]) {
-        for k in 0..3 {
+        for (k, x) in a.into_iter().enumerate() {
             let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            sum.add_product([sign * a[k], b[i], c[j]]);
-            sum.add_product([-sign * a[k], b[j], c[i]]);
+            sum.add_product([sign * x, b[i], c[j]]);
+            sum.add_product([-sign * x, b[j], c[i]]);
         }
     }
 
@@ -254,7 +254,7 @@ mod tests {
             keeps_subnormals,
             min_is_select: true,
         };
-        assert_eq!(beyond(super::floor(&arithmetic(false))), 0);
-        assert!(beyond(super::floor(&arithmetic(true))) > 0);
+        assert_eq!(beyond(super::floor(arithmetic(false))), 0);
+        assert!(beyond(super::floor(arithmetic(true))) > 0);
     }
 }

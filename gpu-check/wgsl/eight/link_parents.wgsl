@@ -1,9 +1,13 @@
-// [WIDE-15] (1): one level at a time.
+// [WIDE-15] (1): one level at a time, up to the root at most.
 
 fn link_ancestor(start: u32, up: u32) -> u32 {
     var at = start;
     for (var i = 0u; i < up; i++) {
-        at = ancestor_of(at, 1u);
+        let above = ancestor_of(at, 1u);
+        if above == at {
+            break;
+        }
+        at = above;
     }
     return at;
 }

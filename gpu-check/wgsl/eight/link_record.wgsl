@@ -1,4 +1,5 @@
-// [WIDE-15] (2): by the ancestors that the record names.
+// [WIDE-15] (2): by the ancestors that the record names. No climb goes on from the root, whose ancestors are the root: so it ends for
+// any number of levels.
 
 fn link_ancestor(start: u32, levels: u32) -> u32 {
     var at = start;
@@ -7,8 +8,12 @@ fn link_ancestor(start: u32, levels: u32) -> u32 {
         if up <= SLOTS {
             break;
         }
-        at = ancestor_of(at, SLOTS);
+        let above = ancestor_of(at, SLOTS);
+        if above == at {
+            break;
+        }
+        at = above;
         up -= SLOTS;
     }
-    return ancestor_of(at, up);
+    return ancestor_of(at, min(up, SLOTS));
 }

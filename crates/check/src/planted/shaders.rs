@@ -227,7 +227,7 @@ pub static SHADERS: &[Shader] = shaders! {
     "asked again, the search wants what it would now", "WIDE-4", "wide-record", Tapes unasked "wide trees":
         "is_changing && !is_again" => "is_changing";
     "the farthest ancestor in the record is the nearest but one", "WIDE-15", "wide-record", Tapes unasked "wide trees":
-        "return ancestor_of(at, up);" => "return ancestor_of(at, min(up, SLOTS - 1u));";
+        "return ancestor_of(at, min(up, SLOTS));" => "return ancestor_of(at, min(up, SLOTS - 1u));";
     "the climb to an ancestor stops one level short", "WIDE-15", "wide-trail", Tapes unasked "wide trees":
         "i < up; i++" => "i + 1u < up; i++";
     "no set is carried from word to word", "WIDE-10", "wide-trail/128", Tapes unasked "wide trees":
