@@ -40,13 +40,16 @@ impl Frame {
     /// - *The end.* After 6 cuts the box of the computed corners, grown by 128uM > 6δ + uM, holds X.
     ///
     /// `[SPLIT-1]` Nothing overflows, and what underflows is too small to matter, if M is 0 or from 2^-900 to 2^1000,
-    /// as in single precision it always is. Otherwise, the answer is the intersection of the two boxes.
+    /// as in single precision it always is. Otherwise, also where a coordinate in the frame has become 0 and was not, the
+    /// answer is the intersection of the two boxes.
     pub fn part<V: Vector>(&self, triangle: &Triangle<V>, part: &Aabb) -> Aabb {
         let whole = self.aabb(triangle);
         let within = whole.intersection(part);
         let corners = triangle.widen().map(|corner| self.rounded(corner));
         let size = corners.into_iter().fold(DVec3::ZERO, |size, corner| size.max(corner.abs()));
-        if !size.to_array().iter().all(|m| *m == 0.0 || RANGE.contains(m)) {
+        // A coordinate in the frame may be so small that it has become 0: the box knows.
+        let is_zero = |axis: usize| whole.lo[axis] == 0.0 && whole.hi[axis] == 0.0;
+        if !(0..3).all(|axis| is_zero(axis) || RANGE.contains(&size[axis])) {
             return within;
         }
         let margin = size * MARGIN;

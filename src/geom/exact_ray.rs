@@ -224,7 +224,7 @@ impl<V: Vector> ExactRay<V> {
     /// Where it meets the image of a triangle under maps, the first of which is applied first, in rational arithmetic:
     /// a hit if this is within its ends. `[SECOND-2]`
     pub fn meet(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Option<Point> {
-        if self.leaves(triangle, maps) {
+        if self.leaves(triangle, || maps) {
             return None;
         }
         let point = self.cross(triangle, maps).within(self.interval)?;
@@ -233,10 +233,15 @@ impl<V: Vector> ExactRay<V> {
     }
 
     /// Whether it begins on this image of a triangle, and its origin does not count: its line meets what contains the
-    /// origin there or nowhere.
-    pub(crate) fn leaves(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> bool {
+    /// origin there or nowhere. The maps are asked for where the triangle is the same.
+    pub(crate) fn leaves<M: AsRef<[AffineMap<V::Real>]>>(
+        &self,
+        triangle: &Triangle<V>,
+        maps: impl FnOnce() -> M,
+    ) -> bool {
         self.ends == Ends::Open
-            && matches!(&self.origin.0, Place::Met(met) if met.surface.triangle == *triangle && met.surface.maps == maps)
+            && matches!(&self.origin.0, Place::Met(met)
+                if met.surface.triangle == *triangle && met.surface.maps == maps().as_ref())
     }
 
     /// Distance to the image of a triangle that its line is known to meet, by twice the digits of a double: where that

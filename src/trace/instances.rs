@@ -60,8 +60,6 @@ use wide_walk::WideLevel;
 /// ```
 pub struct InstanceTracer<V: Vector = Vec3> {
     root: Object,
-    /// How many the root has.
-    levels: u32,
     /// Of the objects up to the root, by index; `None` for those that are not in it.
     stages: Vec<Option<Stage<V>>>,
 }
@@ -155,7 +153,7 @@ impl<V: Vector> InstanceTracer<V> {
             stages.push(part.map(|part| Stage::new(object, part, groups, meshes)).transpose()?);
         }
         stages.reverse();
-        Ok(Self { root, levels: assembly.levels(root), stages })
+        Ok(Self { root, stages })
     }
 
     /// The same with another traversal for wide meshes.
@@ -273,7 +271,7 @@ impl<V: Vector> InstanceTracer<V> {
     }
 
     fn search<'r>(&self, ray: &'r ExactRay<V>, any: bool) -> Search<'r, V> {
-        let mut search = Search::new(ray, any, self.levels as usize);
+        let mut search = Search::new(ray, any);
         self.visit(self.root, ray.enclosed(), &mut search);
         search
     }

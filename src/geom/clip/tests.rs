@@ -174,3 +174,21 @@ fn an_edge_from_a_corner_on_the_plane_is_cut_in_that_corner() {
     polygon.cut(0, 1.0, 0.0, &mut left);
     assert_eq!(left.corners(), [on_plane; 3]);
 }
+
+/// Found by fuzzing: the triangle's x is not 0, but so small in the frame that its nearest double is. [SPLIT-1]
+#[test]
+fn what_becomes_0_in_a_frame_is_held() {
+    let frame = Frame::new(DVec3::ZERO, 612).expect("a frame");
+    let corners = [[0.0, -2.1e184, -1e-42], [-5.6e-181, -5.0, 0.5], [-2.1e-174, 0.4375, 1.2e-31]].map(DVec3::from);
+    let half_of = |corners: [DVec3; 3]| {
+        let triangle = Triangle(corners);
+        let whole = frame.aabb(&triangle);
+        let half = Aabb { hi: whole.hi.with_y(whole.lo.y / 2.0), ..whole };
+        (whole, frame.part(&triangle, &half))
+    };
+    let (whole, part) = half_of(corners);
+    assert!(whole.lo.x < 0.0 && frame.rounded(corners[2]).x == 0.0);
+    assert!(part.lo.x <= whole.lo.x && part.hi.x >= whole.hi.x, "{part:?}");
+    let (_, flat) = half_of(corners.map(|v| v.with_x(0.0)));
+    assert_eq!([flat.lo.x, flat.hi.x], [0.0; 2]);
+}

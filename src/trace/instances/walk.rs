@@ -43,9 +43,9 @@ pub(super) struct Found<V: Vector> {
 }
 
 impl<'r, V: Vector> Search<'r, V> {
-    /// A search through at most so many levels.
-    pub(super) fn new(ray: &'r ExactRay<V>, any: bool, levels: usize) -> Self {
-        let (found, path, memory) = (None, Vec::with_capacity(levels), Vec::new());
+    /// A search, which is for any hit or for the closest.
+    pub(super) fn new(ray: &'r ExactRay<V>, any: bool) -> Self {
+        let (found, path, memory) = (None, Vec::new(), Vec::new());
         let [_, t] = ray.interval();
         let [_, end] = t.ends_in_single();
         Self { ray, any, t, end, found, path, memory, counts: InstanceCounts::default() }
@@ -174,6 +174,10 @@ impl<'s, V: Vector> Triangles<'s, V> {
     /// The exact test of a triangle.
     #[inline(always)]
     pub(super) fn settle(&mut self, held: &LeafTriangle<Triangle<V>>, search: &mut Search<'_, V>) {
+        // What the ray leaves is met at 0, which takes all bounds to find out.
+        if search.ray.leaves(&held.shape, || self.tracer.maps(&search.path)) {
+            return;
+        }
         let (ray, region) = (self.ray, self.region);
         let test = self.test.get_or_insert_with(|| kernel::EnclosedTest::new(ray, search.ray.interval(), region));
         let verdict = if search.any {
@@ -216,9 +220,6 @@ fn ask_truth<V: Vector>(
         }
     }
     let maps = tracer.maps(&search.path);
-    if ray.leaves(triangle, &maps) {
-        return None;
-    }
     if test.span(triangle).is_some()
         && let Some(t) = ray.fine_distance(triangle, &maps)
     {
