@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::generate::Rng;
 use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::trace::{BinaryTracer, reflect};
+use stackless_bvh::trace::{BinaryTracer, reflect_each};
 
 use crate::kernel::{Kernel, SLOTS, Traversal, Wide};
 use crate::launch::{self, Buffers, params};
@@ -142,9 +142,7 @@ pub fn bench(
     let tracer = BinaryTracer::new(bvh);
     for view in 0..setting.views {
         let primary = made::view(mesh, setting.rays, view + 1);
-        let (mut rng, hits) = (Rng::new(view + 1), tracer.closest_parallel(&primary)?);
-        let pairs = primary.iter().zip(&hits);
-        let diffuse: Vec<Ray> = pairs.filter_map(|(ray, hit)| reflect(mesh, ray, hit.as_ref()?, &mut rng)).collect();
+        let diffuse = reflect_each(mesh, &primary, tracer.closest_parallel(&primary)?, view + 1);
         for kind in Rays::ALL {
             let rays = if kind == Rays::Primary { &primary } else { &diffuse };
             if rays.is_empty() {
@@ -190,11 +188,10 @@ impl Cell {
         let mut kernels = kernels(gpu, scene);
         kernels.push(kernels[0]);
         let placed = kernels.iter().map(|kernel| scene.placed(kernel)).collect::<Result<Vec<_>, _>>()?;
-        let compile = |kernel: &Kernel| {
-            let depth = scene.placed(kernel)?.depth;
-            launch::compile(gpu, kernel, depth, &scene.source(gpu, kernel, query)?, setting.checks)
+        let compile = |(kernel, placed): (&Kernel, &Placed<'_>)| {
+            launch::compile(gpu, kernel, placed.depth, &placed.source(gpu, kernel, query), setting.checks)
         };
-        let pipelines = kernels.iter().map(compile).collect::<Result<Vec<_>, _>>()?;
+        let pipelines = kernels.iter().zip(&placed).map(compile).collect::<Result<Vec<_>, _>>()?;
         let count = rays.len() as u32;
         let tasks = gpu.buffer("rays", &rays_words(rays)?)?;
         let (work, params) = (gpu.zeros("work", 4)?, params(gpu, count)?);

@@ -129,7 +129,7 @@ fn data(error: impl std::fmt::Display) -> GpuError {
     GpuError::Data(error.to_string())
 }
 
-fn hierarchy(mesh: &Mesh) -> Result<Bvh, GpuError> {
+fn binary(mesh: &Mesh) -> Result<Bvh, GpuError> {
     Bvh::sah(mesh, SahOptions::default()).map_err(data)
 }
 
@@ -144,7 +144,7 @@ pub(crate) fn exact(gpu: &Gpu, files: &[PathBuf], count: usize) -> Result<bool, 
     let arithmetic = probe::probe(gpu)?;
     let mut good = true;
     for (name, mesh) in meshes(files)? {
-        let bvh = hierarchy(&mesh)?;
+        let bvh = binary(&mesh)?;
         let on_device = Scene::new(gpu, &bvh)?;
         let rays = mixed_rays(&mesh, &bvh, count);
         let start = Instant::now();
@@ -173,7 +173,7 @@ pub(crate) fn exact(gpu: &Gpu, files: &[PathBuf], count: usize) -> Result<bool, 
 
 pub(crate) fn hash(gpu: &Gpu, files: &[PathBuf]) -> Result<bool, GpuError> {
     for (name, mesh) in meshes(files)? {
-        let bvh = hierarchy(&mesh)?;
+        let bvh = binary(&mesh)?;
         for table in [Table::Printed, Table::Tight] {
             let start = Instant::now();
             let on_cpu = PerfectHash::build(&bvh, table.options()).map_err(data)?;
@@ -203,7 +203,7 @@ pub(crate) fn bench(gpu: &Gpu, scenes: &[PathBuf], setting: Setting, folder: Opt
     let (mut rows, mut traffics) = (Vec::new(), Vec::new());
     println!("{}", bench::HEADER);
     for (name, mesh) in meshes(scenes)? {
-        let bvh = hierarchy(&mesh)?;
+        let bvh = binary(&mesh)?;
         let name = Path::new(&name).file_stem().map_or(name.clone(), |stem| stem.to_string_lossy().into_owned());
         bench::bench(gpu, &arithmetic, (&name, &mesh, &bvh), setting, &mut |said| match said {
             Ok(row) => {
@@ -235,7 +235,7 @@ pub(crate) fn bench(gpu: &Gpu, scenes: &[PathBuf], setting: Setting, folder: Opt
 /// All kernels on one scene. Where arithmetic is exact, hits must be those of the exact tracer.
 fn compare(gpu: &Gpu, name: &str, mesh: &Mesh, rays: &[Ray], is_exact: bool) -> Result<bool, GpuError> {
     let arithmetic = probe::probe(gpu)?;
-    let bvh = hierarchy(mesh)?;
+    let bvh = binary(mesh)?;
     let on_device = Scene::new(gpu, &bvh)?.with_eight(gpu, scene::hierarchy(mesh)?)?;
     let truth = BinaryTracer::new(&bvh).closest_parallel(rays)?;
     println!(

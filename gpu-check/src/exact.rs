@@ -60,8 +60,8 @@ pub fn closest(
     let triangles = triangles(arithmetic, factor);
     let parallel = rays.iter().any(has_parallel);
     let query = Query { triangles: &triangles, any: false, parallel, refines: false };
-    let source = scene.source(gpu, kernel, query)?;
-    let pipeline = compile(gpu, kernel, scene.placed(kernel)?.depth, &source, Checks::All)?;
+    let placed = scene.placed(kernel)?;
+    let pipeline = compile(gpu, kernel, placed.depth, &placed.source(gpu, kernel, query), Checks::All)?;
     let found = launch(gpu, scene, kernel, &pipeline, rays)?;
     let device_seconds = start.elapsed().as_secs_f64();
     let start = Instant::now();
@@ -140,41 +140,19 @@ pub fn settle(bvh: &Bvh, rays: &[Ray], found: &[u32]) -> Result<(Vec<Option<Hit>
 mod tests {
     use std::cmp::Ordering;
 
+    use glam::{DVec3, Vec3};
     use stackless_bvh::generate::{Rng, Source as _};
     use stackless_bvh::geom::kernel::Accumulator;
 
-    use super::EDGE_FACTOR;
+    use super::{Arithmetic, EDGE_FACTOR, floor};
 
     const U: f32 = f32::EPSILON / 2.0;
 
-    /// What a device makes of a result that it flushes.
-    fn flushed(x: f32) -> f32 {
-        if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x }
-    }
-
-    /// `arithmetic.wgsl` on such a device, whose multiply-add rounds once or twice.
-    fn fma(fuses: bool, a: f32, b: f32, c: f32) -> f32 {
-        flushed(if fuses { a.mul_add(b, c) } else { flushed(a * b) + c })
-    }
-
-    fn product3(fuses: bool, a: [f32; 3], b: [f32; 3]) -> f32 {
-        fma(fuses, a[0], b[0], fma(fuses, a[1], b[1], flushed(a[2] * b[2])))
-    }
-
-    fn cross3(fuses: bool, a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
-        [[1, 2], [2, 0], [0, 1]].map(|[i, j]| fma(fuses, a[i], b[j], -flushed(a[j] * b[i])))
-    }
-
-    fn largest(v: [f32; 3]) -> f32 {
-        v.into_iter().fold(0.0, |most, x| x.abs().max(most))
-    }
-
     /// Adds a . (b x c), or subtracts it.
-    fn add_triple(sum: &mut Accumulator, sign: f64, a: [f64; 3], b: [f64; 3], c: [f64; 3]) {
-        for (k, x) in a.into_iter().enumerate() {
-            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            sum.add_product([sign * x, b[i], c[j]]);
-            sum.add_product([-sign * x, b[j], c[i]]);
+    fn add_triple(sum: &mut Accumulator, sign: f64, [a, b, c]: [DVec3; 3]) {
+        for [k, i, j] in [[0, 1, 2], [1, 2, 0], [2, 0, 1]] {
+            sum.add_product([sign * a[k], b[i], c[j]]);
+            sum.add_product([-sign * a[k], b[j], c[i]]);
         }
     }
 
@@ -191,7 +169,7 @@ mod tests {
 
     /// How many of many small triangles have a determinant, edge function or numerator that is beyond its bound on a
     /// device that flushes. The numerator's has to leave 2^-121.
-    fn beyond(floor: f32) -> usize {
+    fn beyond(arithmetic: Arithmetic, floor: f32) -> usize {
         let mut rng = Rng::new(1);
         let mut number = |exponent: i32, spread: u64| {
             let digits = (1 << 23 | rng.below(1 << 23)) as f32 * f32::EPSILON;
@@ -201,39 +179,39 @@ mod tests {
         let sizes = (-46..-26).flat_map(|edge| [-20, -12].map(|size| (edge, size)));
         let mut beyond = 0;
         for (edge, size) in sizes.cycle().take(40_000) {
-            let [v0, v1, v2] = [(); 3].map(|()| [(); 3].map(|()| number(edge, 8)));
-            let origin = [(); 3].map(|()| number(edge + 1, 12));
-            let direction = [number(size, 1), number(size, 30), number(size, 8)];
-            let minus = |a: [f32; 3], b: [f32; 3]| [0, 1, 2].map(|k| flushed(a[k] - b[k]));
+            let [v0, v1, v2] = [(); 3].map(|()| Vec3::from([(); 3].map(|()| number(edge, 8))));
+            let origin = Vec3::from([(); 3].map(|()| number(edge + 1, 12)));
+            let direction = Vec3::new(number(size, 1), number(size, 30), number(size, 8));
+            let [e1, e2, s] =
+                [v1 - v0, v2 - v0, origin - v0].map(|v| Vec3::from(v.to_array().map(|x| arithmetic.kept(x))));
             // Exact in double precision.
-            let exactly = |a: [f32; 3], b: [f32; 3]| [0, 1, 2].map(|k| f64::from(a[k]) - f64::from(b[k]));
-            let (e1, e2, s) = (minus(v1, v0), minus(v2, v0), minus(origin, v0));
-            let [x, y, z, d] = [exactly(v1, v0), exactly(v2, v0), exactly(origin, v0), direction.map(f64::from)];
-            let truth = |terms: &[(f64, [[f64; 3]; 3])]| {
+            let exactly = |a: Vec3, b: Vec3| a.as_dvec3() - b.as_dvec3();
+            let [x, y, z, d] = [exactly(v1, v0), exactly(v2, v0), exactly(origin, v0), direction.as_dvec3()];
+            let truth = |terms: &[(f64, [DVec3; 3])]| {
                 let mut sum = Accumulator::new();
-                for &(sign, [a, b, c]) in terms {
-                    add_triple(&mut sum, sign, a, b, c);
+                for &(sign, vectors) in terms {
+                    add_triple(&mut sum, sign, vectors);
                 }
                 sum
             };
             for fuses in [false, true] {
-                let (p, q) = (cross3(fuses, direction, e2), cross3(fuses, s, e1));
-                let det = product3(fuses, e1, p);
-                let (u, v) = (product3(fuses, s, p), product3(fuses, direction, q));
-                let w = flushed(flushed(det - u) - v);
-                let reach = largest(s).max(floor);
-                let sides = floor.max(largest(e1)).max(largest(e2));
-                let widest = largest(direction);
+                let device = Arithmetic { fuses, ..arithmetic };
+                let (p, q) = (device.cross(direction, e2), device.cross(s, e1));
+                let det = device.dot(e1, p);
+                let (u, v) = (device.dot(s, p), device.dot(direction, q));
+                let w = device.kept(device.kept(det - u) - v);
+                let [reach, sides, widest] = [s, e1.abs().max(e2.abs()), direction].map(|v| v.abs().max_element());
+                let (reach, sides) = (reach.max(floor), sides.max(floor));
                 let delta = ((EDGE_FACTOR * U * widest) * sides) * (2.0 * reach + sides);
                 let [t_off, det_off] =
-                    [36.0 * U * reach, 32.0 * U * widest].map(|x| flushed(flushed(x * sides) * sides));
+                    [36.0 * U * reach, 32.0 * U * widest].map(|x| device.kept(device.kept(x * sides) * sides));
                 let spare = f32::exp2(-121.0);
                 let checks = [
                     (delta, u, truth(&[(1.0, [z, d, y])])),
                     (delta, v, truth(&[(1.0, [d, z, x])])),
                     (delta, w, truth(&[(1.0, [x, d, y]), (-1.0, [z, d, y]), (-1.0, [d, z, x])])),
                     (det_off, det, truth(&[(1.0, [x, d, y])])),
-                    (t_off - spare, product3(fuses, e2, q), truth(&[(1.0, [y, z, x])])),
+                    (t_off - spare, device.dot(e2, q), truth(&[(1.0, [y, z, x])])),
                 ];
                 beyond += checks.iter().filter(|(bound, found, truth)| !is_within(*bound, *found, truth)).count();
             }
@@ -245,16 +223,16 @@ mod tests {
     /// [BAND-3]
     #[test]
     fn bounds_hold_where_results_are_flushed() {
-        let arithmetic = |keeps_subnormals| crate::probe::Arithmetic {
+        let flushes = Arithmetic {
             fuses: true,
             rounds: true,
             contracts: false,
             divides: false,
             divides_refined: true,
-            keeps_subnormals,
+            keeps_subnormals: false,
             min_is_select: true,
         };
-        assert_eq!(beyond(super::floor(arithmetic(false))), 0);
-        assert!(beyond(super::floor(arithmetic(true))) > 0);
+        assert_eq!(beyond(flushes, floor(flushes)), 0);
+        assert!(beyond(flushes, floor(Arithmetic { keeps_subnormals: true, ..flushes })) > 0);
     }
 }

@@ -86,8 +86,8 @@ impl<'a> OfRay<'a> {
             let [lower, upper] = planes(k);
             let backward = self.inverse_near[k].is_sign_negative();
             let (first, second) = if backward { (upper, lower) } else { (lower, upper) };
-            let near_k = (first - self.ray.origin()[k]) * self.inverse_near[k];
-            let mut far_k = (second - self.ray.origin()[k]) * self.inverse_far[k];
+            let near_k = self.arithmetic.kept((first - self.ray.origin()[k]) * self.inverse_near[k]);
+            let mut far_k = self.arithmetic.kept((second - self.ray.origin()[k]) * self.inverse_far[k]);
             if self.parallel[k] && far_k >= 0.0 {
                 far_k = END;
             }
@@ -99,31 +99,23 @@ impl<'a> OfRay<'a> {
 
     /// Tests a triangle; whether it is the best hit by now.
     fn meets(&mut self, Triangle([v0, v1, v2]): &Triangle, index: u32) -> bool {
-        let (e1, e2, s) = (*v1 - *v0, *v2 - *v0, self.ray.origin() - *v0);
+        // Numbers are 0 or 2^-100 and more [BAND-1], so differences are no subnormal numbers.
+        let (arithmetic, e1, e2, s) = (self.arithmetic, *v1 - *v0, *v2 - *v0, self.ray.origin() - *v0);
         let d = self.ray.direction();
-        let (p, q) = (self.cross(d, e2), self.cross(s, e1));
-        let det = self.dot(e1, p);
+        let (p, q) = (arithmetic.cross(d, e2), arithmetic.cross(s, e1));
+        let det = arithmetic.dot(e1, p);
         let sign = if det < 0.0 { -1.0 } else { 1.0 };
-        let (size, u, v) = (det * sign, self.dot(s, p) * sign, self.dot(d, q) * sign);
-        if !(size > 0.0 && u >= 0.0 && v >= 0.0 && size - u - v >= 0.0) {
+        let (size, u, v) = (det * sign, arithmetic.dot(s, p) * sign, arithmetic.dot(d, q) * sign);
+        if !(size > 0.0 && u >= 0.0 && v >= 0.0 && arithmetic.kept(arithmetic.kept(size - u) - v) >= 0.0) {
             return false;
         }
         // +0 for 0 of either sign.
-        let divide = |a: f32, b: f32| if a == 0.0 { 0.0 } else { a / b };
-        let (t, best) = (divide(self.dot(e2, q), det), &self.found);
+        let divide = |a: f32, b: f32| if a == 0.0 { 0.0 } else { arithmetic.kept(a / b) + 0.0 };
+        let (t, best) = (divide(arithmetic.dot(e2, q), det), &self.found);
         let is_best = t >= self.ray.tmin() && (t < best.t || t == best.t && index <= best.triangle);
         if is_best {
             self.found = Found { triangle: index, t, weights: [divide(u, size), divide(v, size)] };
         }
         is_best
-    }
-
-    fn dot(&self, a: Vec3, b: Vec3) -> f32 {
-        self.arithmetic.fma(a.x, b.x, self.arithmetic.fma(a.y, b.y, a.z * b.z))
-    }
-
-    fn cross(&self, a: Vec3, b: Vec3) -> Vec3 {
-        let minor = |a0: f32, b1: f32, a1: f32, b0: f32| self.arithmetic.fma(a0, b1, -(a1 * b0));
-        Vec3::new(minor(a.y, b.z, a.z, b.y), minor(a.z, b.x, a.x, b.z), minor(a.x, b.y, a.y, b.x))
     }
 }

@@ -36,7 +36,7 @@ pub fn hunt_rays(gpu: &Gpu, bug: &Shader) -> Result<usize, GpuError> {
             on_device = on_device.with_eight(gpu, scene::hierarchy(&mesh)?)?;
         }
         let query = Query::single(&arithmetic, &rays, false)?;
-        if !on_device.source(gpu, &kernel, query)?.contains(bug.from) {
+        if !on_device.placed(&kernel)?.source(gpu, &kernel, query).contains(bug.from) {
             return Err(GpuError::Data(format!("{}: nothing to change in {}", bug.name, bug.kernel)));
         }
         let found = rays::trace(gpu, &on_device, &kernel, query, &rays, &|text| text.replace(bug.from, bug.to))?;

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use glam::Vec3;
 use stackless_bvh::generate::{Rng, Source as _};
 
 use crate::launch::{groups, params};
@@ -40,10 +41,29 @@ impl Arithmetic {
         }
     }
 
+    /// What the device makes of a result: 0, where it flushes.
+    #[inline]
+    pub fn kept(&self, x: f32) -> f32 {
+        if self.keeps_subnormals || x.abs() >= f32::MIN_POSITIVE || x.is_nan() { x } else { 0.0_f32.copysign(x) }
+    }
+
     /// Multiply-add as the device does it.
     #[inline]
     pub fn fma(&self, a: f32, b: f32, c: f32) -> f32 {
-        if self.fuses { a.mul_add(b, c) } else { a * b + c }
+        self.kept(if self.fuses { a.mul_add(b, c) } else { self.kept(a * b) + c })
+    }
+
+    /// `product3` of `arithmetic.wgsl`.
+    #[inline]
+    pub fn dot(&self, a: Vec3, b: Vec3) -> f32 {
+        self.fma(a.x, b.x, self.fma(a.y, b.y, self.kept(a.z * b.z)))
+    }
+
+    /// `cross3` of `arithmetic.wgsl`.
+    #[inline]
+    pub fn cross(&self, a: Vec3, b: Vec3) -> Vec3 {
+        let minor = |a0: f32, b1: f32, a1: f32, b0: f32| self.fma(a0, b1, -self.kept(a1 * b0));
+        Vec3::new(minor(a.y, b.z, a.z, b.y), minor(a.z, b.x, a.x, b.z), minor(a.x, b.y, a.y, b.x))
     }
 }
 

@@ -62,8 +62,8 @@ pub fn trace(
     rays: &[Ray],
     edit: Edit<'_>,
 ) -> Result<Vec<Found>, GpuError> {
-    let source = edit(scene.source(gpu, kernel, query)?);
-    let pipeline = compile(gpu, kernel, scene.placed(kernel)?.depth, &source, Checks::All)?;
+    let placed = scene.placed(kernel)?;
+    let pipeline = compile(gpu, kernel, placed.depth, &edit(placed.source(gpu, kernel, query)), Checks::All)?;
     launch(gpu, scene, kernel, &pipeline, rays)
 }
 

@@ -150,13 +150,12 @@ impl Scene {
         let head = [include_str!("../wgsl/head.wgsl"), include_str!("../wgsl/scene_read.wgsl")].concat();
         source(gpu, kernel, query, depth, head)
     }
+}
 
+impl Placed<'_> {
     /// The text of a kernel for this scene.
-    ///
-    /// # Errors
-    /// As [`placed`](Self::placed).
-    pub fn source(&self, gpu: &Gpu, kernel: &Kernel, query: Query<'_>) -> Result<String, GpuError> {
-        let Placed { head, root, depth, .. } = self.placed(kernel)?;
+    pub fn source(&self, gpu: &Gpu, kernel: &Kernel, query: Query<'_>) -> String {
+        let Self { head, root, depth, .. } = *self;
         let mut search = String::new();
         for (name, value) in [
             ("root", root),
@@ -176,11 +175,9 @@ impl Scene {
             let _ = writeln!(search, "const {name} = {value};");
         }
         search.push_str("fn begin_scene() {}\n");
-        Ok(source(gpu, kernel, query, depth, search))
+        source(gpu, kernel, query, depth, search)
     }
-}
 
-impl Placed<'_> {
     /// What kernels that are compiled for any scene read of this one, behind the rays.
     pub const fn head(&self) -> [u32; 16] {
         self.head.words(self.root, 0)

@@ -91,8 +91,8 @@ planted $kernels/exact/fine.rs 'a[i] * b[j] - a[j] * b[i]' 'a[j] * b[i] - a[i] *
 planted $kernels/exact/fine.rs 'filter(|&k| d[k] != 0.0)' 'filter(|&k| d[k] > 0.0)'
 # Lanes: planes, their sides, steps, a NaN, bits of a rank, a comparison.
 planted $lanes/boxes.rs 'self.distance(planes, 1, side[1] ^ A, far)' 'self.distance(planes, 1, side[1], far)'
-planted $lanes/boxes.rs 'if component < 0.0' 'if component <= 0.0'
-planted $lanes/boxes.rs 'x.to_bits() - STEPS' 'x.to_bits() - 1'
+planted $lanes/boxes.rs 'direction.cmplt(Vec4::ZERO)' 'direction.cmple(Vec4::ZERO)'
+planted $lanes/boxes.rs 'far: splat(simd, far.truncate())' 'far: splat(simd, near.truncate())'
 planted $lanes/boxes.rs 'lesser(far_z, V::splat(simd, end))' 'lesser(V::splat(simd, end), far_z)'
 planted $lanes/boxes.rs '(1 << 31) - A as u32' '(1 << 31) - 2 * A as u32'
 planted $lanes/boxes.rs '.simd_le(leave)' '.simd_lt(leave)'

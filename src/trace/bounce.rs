@@ -11,13 +11,19 @@ use crate::traverse::{Stack, traverse};
 /// For each ray that hits, one from just before its hit in a random direction away from the surface: what a diffuse
 /// reflection sends out. `bvh` must be over `mesh`.
 pub fn bounce(mesh: &Mesh, bvh: &Bvh, rays: &[Ray], seed: u64) -> Vec<Ray> {
-    let (mut rng, mut memory) = (Rng::new(seed), Vec::new());
-    let bounced = rays.iter().filter_map(|ray| {
+    let mut memory = Vec::new();
+    let hits = rays.iter().map(|ray| {
         let mut search = Closest::new(bvh, ray);
         traverse(Stack::new(bvh, &mut memory), &mut search, &mut ());
-        reflect(mesh, ray, &search.hit()?, &mut rng)
+        search.hit()
     });
-    bounced.collect()
+    reflect_each(mesh, rays, hits, seed)
+}
+
+/// The rays of [`bounce`] from the closest hits of rays that were traced before.
+pub fn reflect_each(mesh: &Mesh, rays: &[Ray], hits: impl IntoIterator<Item = Option<Hit>>, seed: u64) -> Vec<Ray> {
+    let mut rng = Rng::new(seed);
+    rays.iter().zip(hits).filter_map(|(ray, hit)| reflect(mesh, ray, &hit?, &mut rng)).collect()
 }
 
 /// The ray of [`bounce`] from a hit of one ray; `None` where the triangle is too small to have a normal.

@@ -49,7 +49,7 @@ pub mod truth;
 pub use accuracy::{Accuracy, KernelName, SlabsName, WithTests, with_level, with_tests};
 pub use binary::BinaryTracer;
 #[cfg(any(test, feature = "generate"))]
-pub use bounce::{bounce, cut, reflect};
+pub use bounce::{bounce, cut, reflect, reflect_each};
 pub use child_order::{ChildOrder, FromLeft, Nearest};
 pub use continuation::{Continuation, Place};
 pub use counters::{Counters, WideCounters};

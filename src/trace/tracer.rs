@@ -17,7 +17,7 @@ use crate::threads;
 use crate::tree::Node;
 use crate::wide::{Method, Tables, Unfit, Wanted};
 use shared::{Counted, LaneRay, Query};
-use turns::{Ask, Job, trace};
+use turns::{Answer, Ask, Job, trace, trace_one};
 
 pub(super) use search::LaneRanks;
 pub(super) use turns::with_memory;
@@ -330,9 +330,9 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     fn one(&self, ray: &Ray, ask: Ask) -> Option<Hit> {
-        let mut answer = None;
-        self.run_fit(std::slice::from_ref(ray), ask, &mut |_, hit| answer = hit);
-        answer
+        let answer = trace_one(self.method, self.job(ask), ray);
+        debug_assert!(answer.is_ok(), "{answer:?}");
+        answer.unwrap_or(None)
     }
 
     fn each<A: Clone + Default>(&self, rays: &[Ray], ask: Ask, answer: impl Fn(Option<Hit>) -> A) -> Vec<A> {
@@ -355,13 +355,17 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     /// Whether the traversal fits was found when the tracer was made.
-    fn run_fit(&self, rays: &[Ray], ask: Ask, answer: &mut dyn FnMut(usize, Option<Hit>)) {
+    fn run_fit(&self, rays: &[Ray], ask: Ask, answer: &mut Answer<'_>) {
         let ran = self.run(rays, ask, answer);
         debug_assert_eq!(ran, Ok(()));
     }
 
-    fn run(&self, rays: &[Ray], ask: Ask, answer: &mut dyn FnMut(usize, Option<Hit>)) -> Result<(), Unfit> {
-        trace(self.level, self.method, &mut Job { bvh: self.bvh(), tables: &self.tables, rays, ask, answer })
+    fn run(&self, rays: &[Ray], ask: Ask, answer: &mut Answer<'_>) -> Result<(), Unfit> {
+        trace(self.method, self.job(ask), rays, answer)
+    }
+
+    fn job(&self, ask: Ask) -> Job<'_> {
+        Job { bvh: self.bvh(), tables: &self.tables, level: self.level, ask }
     }
 }
 

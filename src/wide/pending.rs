@@ -49,24 +49,28 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
         &self.kept
     }
 
-    /// The least rank of the pending children, of which there is one; keeps the two after it.
+    /// Names the pending child of the least rank, of which there is one; keeps the two ranks after it.
     #[inline(always)]
-    fn sort(&mut self, ranks: impl Ranks) -> u32 {
-        let set = self.set;
-        // One child or two are most frequent.
-        let first = ranks.rank(set.trailing_zeros());
-        let others = set & (set - 1);
+    fn first<const A: usize>(&mut self, ranks: impl Ranks) -> Node
+    where
+        T: Topology<A>,
+    {
+        // One child or two are most frequent. Their addresses do not wait for the ranks.
+        let (tree, node, slot) = (self.tree, self.node, self.set.trailing_zeros());
+        let others = self.set & (self.set - 1);
         self.ranks = 0;
         if others == 0 {
-            return first;
+            return self.take(slot, tree.child(node, slot));
         }
-        let second = ranks.rank(others.trailing_zeros());
-        let (first, second) = (first.min(second), first.max(second));
+        let other = others.trailing_zeros();
+        let (first, second) = (ranks.rank(slot), ranks.rank(other));
         let more = others & (others - 1);
         if more == 0 {
-            self.ranks = u64::from(second);
-            return first;
+            let (child, after) = (tree.child(node, slot), tree.child(node, other));
+            self.ranks = u64::from(first.max(second));
+            return if first < second { self.take(slot, child) } else { self.take(other, after) };
         }
+        let (first, second) = (first.min(second), first.max(second));
         let third = ranks.rank(more.trailing_zeros());
         let (second, mut third) = (second.min(third), second.max(third));
         let (mut first, mut second) = (first.min(second), first.max(second));
@@ -79,18 +83,25 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
             first = first.min(rank);
         }
         self.ranks = u64::from(second) | u64::from(third) << 32;
-        first
+        self.take_at(first)
     }
 
     /// Names the child of this rank, or in this slot.
     #[inline(always)]
-    fn take<const A: usize>(&mut self, rank: u32) -> Node
+    fn take_at<const A: usize>(&mut self, rank: u32) -> Node
     where
         T: Topology<A>,
     {
-        self.slot = rank & (A as u32 - 1);
-        self.set &= !(1 << self.slot);
-        self.tree.child(self.node, self.slot)
+        let slot = rank & (A as u32 - 1);
+        self.take(slot, self.tree.child(self.node, slot))
+    }
+
+    /// Names the child in a slot.
+    #[inline(always)]
+    fn take(&mut self, slot: u32, child: Node) -> Node {
+        self.slot = slot;
+        self.set &= !(1 << slot);
+        child
     }
 }
 
@@ -116,8 +127,7 @@ where
     fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next {
         self.set &= wanted.set;
         if S::SORTED && self.set != 0 {
-            let first = self.sort(wanted.ranks);
-            return Next::Child(self.take::<A>(first));
+            return Next::Child(self.first::<A>(wanted.ranks));
         }
         self.next(search)
     }
@@ -131,18 +141,18 @@ where
                 (self.set, self.ranks) = (level.pending, level.ranks);
             }
             if !S::SORTED {
-                return Next::Child(self.take::<A>(self.set.trailing_zeros()));
+                return Next::Child(self.take_at::<A>(self.set.trailing_zeros()));
             }
             if self.ranks != 0 {
                 let rank = self.ranks as u32;
                 if !is_beyond::<A>(rank, search.end()) {
                     self.ranks >>= 32;
-                    return Next::Child(self.take::<A>(rank));
+                    return Next::Child(self.take_at::<A>(rank));
                 }
                 // And so are those that come after it.
                 self.set = 0;
             } else if self.set.is_power_of_two() && !self.kept.is_stale() {
-                return Next::Child(self.take::<A>(self.set.trailing_zeros()));
+                return Next::Child(self.take_at::<A>(self.set.trailing_zeros()));
             } else {
                 self.kept.asked();
                 return Next::Ask;

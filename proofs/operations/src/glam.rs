@@ -269,6 +269,10 @@ impl Vec4 {
         Self::select(self.cmpgt(rhs), self, rhs)
     }
 
+    pub(crate) fn truncate(self) -> Vec3 {
+        Vec3::new(self.x, self.y, self.z)
+    }
+
     pub(crate) fn cmpeq(self, rhs: Self) -> BVec4 {
         BVec4 { x: self.x == rhs.x, y: self.y == rhs.y, z: self.z == rhs.z, w: self.w == rhs.w }
     }
@@ -342,6 +346,10 @@ impl Div for Vec4 {
 }
 
 impl BVec4 {
+    pub(crate) fn test(self, index: usize) -> bool {
+        [self.x, self.y, self.z, self.w][index]
+    }
+
     pub(crate) fn bitmask(self) -> u32 {
         u32::from(self.x) | u32::from(self.y) << 1 | u32::from(self.z) << 2 | u32::from(self.w) << 3
     }

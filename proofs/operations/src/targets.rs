@@ -27,8 +27,8 @@ const LANE: &[(&str, &str)] = &[
     ("[f32;A]", "f32"),
     ("usize", "side"),
     ("lane_numbers", "unknown"),
-    ("enter_if", "unknown"),
-    ("Entrance", "unknown"),
+    ("entered_if", "unknown"),
+    ("Option", "unknown"),
     ("self_is_wide", "false"),
 ];
 const SINGLE: &[(&str, &str)] = &[("V", "Vec3"), ("V::Real", "f32")];

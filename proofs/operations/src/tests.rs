@@ -137,6 +137,8 @@ fn vec4() {
         each(x.yxwz(), p.yxwz(), "yxwz");
         each(meaning::Vec4::splat(a[0]), glam::Vec4::splat(a[0]), "splat");
         each(meaning::Vec4::select(x.cmplt(y), x, y), glam::Vec4::select(p.cmplt(q), p, q), "select");
+        same(wide(x.truncate().to_array()), wide(p.truncate().to_array()), "truncate");
+        assert_eq!([0, 1, 2, 3].map(|i| x.cmplt(y).test(i)), [0, 1, 2, 3].map(|i| p.cmplt(q).test(i)), "test");
         same(bits(x.cmpeq(y).bitmask()), bits(p.cmpeq(q).bitmask()), "cmpeq");
         same(bits(x.cmplt(y).bitmask()), bits(p.cmplt(q).bitmask()), "cmplt");
         same(bits(x.cmpgt(y).bitmask()), bits(p.cmpgt(q).bitmask()), "cmpgt");

@@ -32,7 +32,7 @@ Notation axis := (axis 24 128).
 
 (** * The code *)
 
-(** [toward_zero] and [away_from_zero] of the reciprocal, by two floats, and [side]. *)
+(** The reciprocals for near and for far planes, moved by two floats, and the side. *)
 Definition inverse_near (d : float) : float := moved 24 128 2 before (reciprocal d).
 Definition inverse_far (d : float) : float := moved 24 128 2 after (reciprocal d).
 Definition backward (d : float) : bool := Bltb (plus d zero) zero.

@@ -841,35 +841,44 @@ Definition BoxRay_new (ray_origin_x ray_origin_y ray_origin_z ray_direction_x ra
   let direction_x := plus single ray_direction_x (constant single 0 0) in
   let direction_y := plus single ray_direction_y (constant single 0 0) in
   let direction_z := plus single ray_direction_z (constant single 0 0) in
+  let direction_w := plus single (constant single 1 0) (constant single 0 0) in
   let inverse_x := over single (constant single 1 0) direction_x in
   let inverse_y := over single (constant single 1 0) direction_y in
   let inverse_z := over single (constant single 1 0) direction_z in
-  let w := absolute single (constant single 0 0) in
+  let inverse_w := over single (constant single 1 0) direction_w in
+  let is_zero_x := equal single direction_x (constant single 0 0) in
+  let is_zero_y := equal single direction_y (constant single 0 0) in
+  let is_zero_z := equal single direction_z (constant single 0 0) in
+  let is_zero_w := equal single direction_w (constant single 0 0) in
+  let near_x := shifted single (-2) inverse_x in
+  let near_y := shifted single (-2) inverse_y in
+  let near_z := shifted single (-2) inverse_z in
+  let far_x := if is_zero_x then infinity single else shifted single 2 inverse_x in
+  let far_y := if is_zero_y then infinity single else shifted single 2 inverse_y in
+  let far_z := if is_zero_z then infinity single else shifted single 2 inverse_z in
   let is_near_x := andb (at_most single (absolute single ray_origin_x) (constant single 1 126)) (at_most single (absolute single (minus
       single ray_origin_x region_near_middle_x)) region_near_far) in
   let is_near_y := andb (at_most single (absolute single ray_origin_y) (constant single 1 126)) (at_most single (absolute single (minus
       single ray_origin_y region_near_middle_y)) region_near_far) in
   let is_near_z := andb (at_most single (absolute single ray_origin_z) (constant single 1 126)) (at_most single (absolute single (minus
       single ray_origin_z region_near_middle_z)) region_near_far) in
-  let is_near_w := andb (at_most single w (constant single 1 126)) (at_most single (absolute single (minus single (constant single 0 0)
-      region_near_middle_w)) region_near_far) in
-  let is_usual_x := andb is_near_x (orb (less single (absolute single inverse_x) (constant single 16777215 104)) (equal single
-      direction_x (constant single 0 0))) in
-  let is_usual_y := andb is_near_y (orb (less single (absolute single inverse_y) (constant single 16777215 104)) (equal single
-      direction_y (constant single 0 0))) in
-  let is_usual_z := andb is_near_z (orb (less single (absolute single inverse_z) (constant single 16777215 104)) (equal single
-      direction_z (constant single 0 0))) in
-  let is_usual_w := andb is_near_w (orb (less single w (constant single 16777215 104)) (equal single (constant single 0 0) (constant
-      single 0 0))) in
+  let is_near_w := andb (at_most single (absolute single (constant single 0 0)) (constant single 1 126)) (at_most single (absolute
+      single (minus single (constant single 0 0) region_near_middle_w)) region_near_far) in
+  let is_usual_x := andb is_near_x (orb (less single (absolute single inverse_x) (constant single 16777215 104)) is_zero_x) in
+  let is_usual_y := andb is_near_y (orb (less single (absolute single inverse_y) (constant single 16777215 104)) is_zero_y) in
+  let is_usual_z := andb is_near_z (orb (less single (absolute single inverse_z) (constant single 16777215 104)) is_zero_z) in
+  let is_usual_w := andb is_near_w (orb (less single (absolute single inverse_w) (constant single 16777215 104)) is_zero_w) in
   let is_short_x := less single (absolute single direction_x) region_near_short_x in
   let is_short_y := less single (absolute single direction_y) region_near_short_y in
   let is_short_z := less single (absolute single direction_z) region_near_short_z in
-  let is_short_w := less single w region_near_short_w in
+  let is_short_w := less single (absolute single direction_w) region_near_short_w in
   let is_wide := orb (orb (negb (andb (andb (andb is_usual_x is_usual_y) is_usual_z) is_usual_w)) (andb (andb (andb is_short_x
       is_short_y) is_short_z) is_short_w)) (less double (widen (constant single 1 126)) region_reach) in
-  (ray_origin_x, ray_origin_y, ray_origin_z, shifted single (-2) inverse_x, shifted single (-2) inverse_y, shifted single (-2)
-      inverse_z, shifted single 2 inverse_x, shifted single 2 inverse_y, shifted single 2 inverse_z, less single direction_x (constant
-      single 0 0), less single direction_y (constant single 0 0), less single direction_z (constant single 0 0), ray_tmin, is_wide).
+  let backward_x := less single direction_x (constant single 0 0) in
+  let backward_y := less single direction_y (constant single 0 0) in
+  let backward_z := less single direction_z (constant single 0 0) in
+  (ray_origin_x, ray_origin_y, ray_origin_z, near_x, near_y, near_z, far_x, far_y, far_z, backward_x, backward_y, backward_z, ray_tmin,
+      is_wide).
 
 (** [BoxRay::enter] of src/geom/lanes/boxes.rs. *)
 Definition BoxRay_enter (self_origin_0 self_origin_1 self_origin_2 self_near_0 self_near_1 self_near_2 self_far_0 self_far_1 self_far_2

@@ -1,11 +1,11 @@
 //! The slab test of all boxes of a node.
 
 use fearless_simd::{Simd, SimdMask};
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 
 use super::Lanes;
-use crate::geom::slabs::directed::is_beyond_single;
-use crate::geom::slabs::{Entrance, STEPS, enter_if};
+use crate::geom::slabs::directed::{is_beyond_single, reciprocals};
+use crate::geom::slabs::{FromEntrance, entered_if};
 use crate::geom::{Ray, Region};
 
 /// A ray, prepared for `A` boxes at once: 4 or 8. `[LANES-1]`
@@ -13,7 +13,7 @@ use crate::geom::{Ray, Region};
 /// The test is that of [`Directed`](crate::geom::slabs::Directed), with the near planes picked by the signs of the
 /// direction, so that nothing is sorted. The rays for which single precision is too little are tested from where they
 /// enter the region, which is slower. `[BOX-9]`
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct BoxRay<S: Simd, V: Lanes<S, A>, const A: usize> {
     simd: S,
     origin: [V; 3],
@@ -26,9 +26,8 @@ pub struct BoxRay<S: Simd, V: Lanes<S, A>, const A: usize> {
     /// The numbers of the lanes, as bits.
     lanes: V,
     is_wide: bool,
-    ray: Ray,
-    /// Of rays that are wide.
-    entrance: Entrance,
+    /// Of rays that are wide. They are rare, so the others do not carry it along.
+    entered: Option<Box<FromEntrance>>,
 }
 
 impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
@@ -40,24 +39,22 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
     pub fn new(simd: S, ray: &Ray, region: &Region) -> Self {
         const { assert!(A == 4 || A == 8, "nodes have four or eight children") };
         // Without -0, a component of 0 has the reciprocal +inf.
-        let direction = ray.direction() + Vec3::ZERO;
-        let side = |component: f32| if component < 0.0 { A } else { 0 };
-        let (origin, inverse) = (ray.origin(), direction.recip());
-        let is_wide = is_beyond_single(origin.extend(0.0), direction.extend(0.0), inverse.extend(0.0), region);
+        let direction = ray.direction().extend(1.0) + 0.0;
+        let origin = ray.origin().extend(0.0);
+        let [inverse, near, far] = reciprocals(direction);
+        let is_wide = is_beyond_single(origin, direction, inverse, region);
+        let backward = direction.cmplt(Vec4::ZERO);
+        let side = |axis: usize| if backward.test(axis) { A } else { 0 };
         Self {
             simd,
-            origin: splat(simd, origin),
-            near: splat(simd, Vec3::new(toward_zero(inverse.x), toward_zero(inverse.y), toward_zero(inverse.z))),
-            far: splat(
-                simd,
-                Vec3::new(away_from_zero(inverse.x), away_from_zero(inverse.y), away_from_zero(inverse.z)),
-            ),
-            side: [side(direction.x), side(direction.y), side(direction.z)],
+            origin: splat(simd, ray.origin()),
+            near: splat(simd, near.truncate()),
+            far: splat(simd, far.truncate()),
+            side: [side(0), side(1), side(2)],
             tmin: V::splat(simd, ray.tmin()),
             lanes: V::load_array(simd, lane_numbers()),
             is_wide,
-            ray: *ray,
-            entrance: enter_if(is_wide, ray, region),
+            entered: entered_if(is_wide, ray, region),
         }
     }
 
@@ -72,7 +69,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
     #[inline(always)]
     pub fn enter(&self, planes: &[[[f32; A]; 2]; 3], end: f32) -> (V, u32) {
         if self.is_wide {
-            let (ranks, set) = enter_wide(self.ray, self.entrance, planes, end);
+            let (ranks, set) = enter_wide(self.entered.as_deref(), planes, end);
             return (V::load_array(self.simd, ranks), set);
         }
         let (side, near, far) = (&self.side, &self.near, &self.far);
@@ -158,21 +155,6 @@ fn lesser<S: Simd, V: Lanes<S, A>, const A: usize>(a: V, b: V) -> V {
     if cfg!(any(target_arch = "x86", target_arch = "x86_64")) { a.min(b) } else { a.min_precise(b) }
 }
 
-/// [`STEPS`] floats nearer to zero.
-#[inline(always)]
-fn toward_zero(x: f32) -> f32 {
-    // A reciprocal is more than so many floats away from zero.
-    f32::from_bits(x.to_bits() - STEPS)
-}
-
-/// [`STEPS`] floats farther from zero, and not beyond infinity.
-#[inline(always)]
-fn away_from_zero(x: f32) -> f32 {
-    let bits = x.to_bits();
-    let magnitude = (bits & 0x7fff_ffff) + STEPS;
-    f32::from_bits(magnitude.min(f32::INFINITY.to_bits()) | bits & 1 << 31)
-}
-
 /// The numbers of the lanes, as bits.
 pub(super) const fn lane_numbers<const A: usize>() -> [f32; A] {
     let mut lanes = [0.0; A];
@@ -184,13 +166,18 @@ pub(super) const fn lane_numbers<const A: usize>() -> [f32; A] {
     lanes
 }
 
-/// The test from where a ray enters the region, for rays that are so rare that it prepares them anew each time. It gets
-/// the ray by value, so that nothing points into a [`BoxRay`], which then can be in registers. `[BOX-9]`
+/// The test from where a ray enters the region. Nothing points into a [`BoxRay`], which then can be in registers.
+/// `[BOX-9]`
 #[cold]
 #[inline(never)]
-fn enter_wide<const A: usize>(ray: Ray, entrance: Entrance, planes: &[[[f32; A]; 2]; 3], end: f32) -> ([f32; A], u32) {
-    let entered = entrance.ray(ray.direction(), ray.tmin());
-    ranked_by_pairs(planes, end, |pair| entered.pair(pair).map(|met| met.map(|[near, _]| near)))
+fn enter_wide<const A: usize>(
+    entered: Option<&FromEntrance>,
+    planes: &[[[f32; A]; 2]; 3],
+    end: f32,
+) -> ([f32; A], u32) {
+    ranked_by_pairs(planes, end, |pair| {
+        entered.map_or([None; 2], |entered| entered.pair(pair)).map(|met| met.map(|[near, _]| near))
+    })
 }
 
 #[cfg(test)]

@@ -31,7 +31,11 @@ impl Nearest {
 
 /// The exact test, prepared when the first triangle comes that the filter does not reject: a ray that misses
 /// everything does not pay for it.
+///
+/// Its alignment is that of registers: so the stack of whoever holds it is aligned too, and registers that are put aside
+/// there do not cross cache lines.
 #[derive(Clone, Debug)]
+#[repr(align(32))]
 pub struct LazyExact<'a> {
     ray: &'a Ray,
     region: &'a Region,
@@ -92,10 +96,8 @@ impl<'a> LazyExact<'a> {
         count: u32,
         mut nearest: Nearest,
     ) -> Nearest {
-        let mut left = count;
-        for block in blocks {
-            let lanes = filter.survivors(simd, block, nearest.t) & first(left);
-            left = left.saturating_sub(4);
+        for (block, filled) in filled(blocks, count) {
+            let lanes = filter.survivors(simd, block, nearest.t) & filled;
             if lanes != 0 {
                 nearest = self.settle(block, lanes, nearest);
             }
@@ -106,10 +108,8 @@ impl<'a> LazyExact<'a> {
     /// A triangle, among the first `count` of these blocks, that the ray meets within its interval.
     #[inline(always)]
     pub fn any<S: Simd>(&mut self, simd: S, filter: &TriangleRay<S>, blocks: &[Block], count: u32) -> Option<u32> {
-        let mut left = count;
-        for block in blocks {
-            let lanes = filter.survivors(simd, block, self.ray.tmax()) & first(left);
-            left = left.saturating_sub(4);
+        for (block, filled) in filled(blocks, count) {
+            let lanes = filter.survivors(simd, block, self.ray.tmax()) & filled;
             if lanes != 0
                 && let Some(prim) = self.blocking(block, lanes)
             {
@@ -124,11 +124,9 @@ impl<'a> LazyExact<'a> {
     /// A function of its own, since few lanes survive: inlined, it made the build of the library twice as long. It gets
     /// `nearest` by value: what is pointed to cannot be in registers.
     #[inline(never)]
-    fn settle(&mut self, block: &Block, mut lanes: u32, mut nearest: Nearest) -> Nearest {
+    fn settle(&mut self, block: &Block, lanes: u32, mut nearest: Nearest) -> Nearest {
         let exact = self.get();
-        while lanes != 0 {
-            let lane = lanes.trailing_zeros() as usize & 3;
-            lanes &= lanes - 1;
+        for lane in LaneSet(lanes) {
             let Some(t) = exact.distance(&block.triangle(lane), nearest.t) else { continue };
             let prim = block.prims[lane];
             if t < nearest.t || t == nearest.t && prim < nearest.prim {
@@ -140,21 +138,39 @@ impl<'a> LazyExact<'a> {
 
     /// One of these lanes' triangles that the ray meets within its interval. A function of its own, likewise.
     #[inline(never)]
-    fn blocking(&mut self, block: &Block, mut lanes: u32) -> Option<u32> {
+    fn blocking(&mut self, block: &Block, lanes: u32) -> Option<u32> {
         let exact = self.get();
-        while lanes != 0 {
-            let lane = lanes.trailing_zeros() as usize & 3;
-            lanes &= lanes - 1;
-            if exact.blocks(&block.triangle(lane)) {
-                return Some(block.prims[lane]);
-            }
-        }
-        None
+        let lane = LaneSet(lanes).find(|&lane| exact.blocks(&block.triangle(lane)))?;
+        Some(block.prims[lane])
     }
 }
 
-/// The first lanes of a block, as a set.
+/// Each block, with the set of its lanes that are among the first `count`.
 #[inline(always)]
-pub(crate) fn first(count: u32) -> u32 {
-    (1 << count.min(4)) - 1
+pub(crate) fn filled(blocks: &[Block], count: u32) -> impl Iterator<Item = (&Block, u32)> {
+    let mut left = count;
+    blocks.iter().map(
+        #[inline(always)]
+        move |block| {
+            let lanes = (1 << left.min(4)) - 1;
+            left = left.saturating_sub(4);
+            (block, lanes)
+        },
+    )
+}
+
+/// A set of a block's lanes; as an iterator, the lowest lane first.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LaneSet(pub(crate) u32);
+
+impl Iterator for LaneSet {
+    type Item = usize;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<usize> {
+        let Self(lanes) = *self;
+        self.0 &= lanes.checked_sub(1)?;
+        // So that indices need no check.
+        Some(lanes.trailing_zeros() as usize & 3)
+    }
 }

@@ -37,7 +37,7 @@ mod triangles;
 pub use block::Block;
 pub use boxes::BoxRay;
 pub use enclosed::EnclosedBoxes;
-pub(crate) use leaf::first;
+pub(crate) use leaf::{LaneSet, filled};
 pub use leaf::{LazyExact, Nearest};
 pub use point::BoxPoint;
 pub use triangles::{DETERMINANT, DISTANCE, MIN_EDGE, OFF, OFF_EDGE, OFF_REACH, TriangleRay};

@@ -103,7 +103,7 @@ impl<S: Simd> TriangleRay<S> {
         let reach = upward(region.reach());
         // Rounding keeps the order, so this is not below any rounded component.
         let c = (far + reach).max(MIN_EDGE);
-        let is_usual = (LENGTHS[0]..=LENGTHS[1]).contains(&d) && far <= MAX_COORDINATE && reach <= MAX_COORDINATE;
+        let is_usual = (LENGTHS[0] <= d) & (d <= LENGTHS[1]) & (far <= MAX_COORDINATE) & (reach <= MAX_COORDINATE);
         let unit = if is_usual { UNIT } else { f32::INFINITY };
         Self {
             origin: splat(simd, origin),

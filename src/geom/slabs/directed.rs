@@ -48,6 +48,17 @@ pub(in crate::geom) fn is_beyond_single(origin: Vec4, direction: Vec4, inverse: 
     is_usual.bitmask() != 15 || is_short.bitmask() == 15 || region.reach() > f64::from(MAX_COORDINATE)
 }
 
+/// The reciprocals of a direction without -0: the nearest ones; [`STEPS`] floats nearer to zero, for near planes; and as
+/// many farther from it, for far planes. The last are of use where the nearest ones are less than `f32::MAX`, or
+/// infinite for a component of 0.
+#[inline(always)]
+pub(in crate::geom) fn reciprocals(direction: Vec4) -> [Vec4; 3] {
+    let inverse = Vec4::ONE / direction;
+    let moved = |by: i32| Vec4::from(inverse.to_array().map(|i| f32::from_bits(i.to_bits().wrapping_add_signed(by))));
+    let is_zero = direction.cmpeq(Vec4::ZERO);
+    [inverse, moved(-(STEPS as i32)), Vec4::select(is_zero, Vec4::INFINITY, moved(STEPS as i32))]
+}
+
 impl Slabs for Directed {
     type Vector = Vec3;
 
@@ -57,11 +68,7 @@ impl Slabs for Directed {
         // dropped.
         let direction = ray.direction().extend(1.0) + 0.0;
         let origin = ray.origin().extend(0.0);
-        let inverse = Vec4::ONE / direction;
-        let moved =
-            |by: i32| Vec4::from(inverse.to_array().map(|i| f32::from_bits(i.to_bits().wrapping_add_signed(by))));
-        let is_zero = direction.cmpeq(Vec4::ZERO);
-        let (near, far) = (moved(-(STEPS as i32)), Vec4::select(is_zero, Vec4::INFINITY, moved(STEPS as i32)));
+        let [inverse, near, far] = reciprocals(direction);
         let backward = direction.cmplt(Vec4::ZERO);
         let (lo, hi) = (Vec4::select(backward, far, near), Vec4::select(backward, near, far));
         let is_wide = is_beyond_single(origin, direction, inverse, region);

@@ -28,6 +28,18 @@ pub(in crate::geom) fn enter_if(is_wide: bool, ray: &Ray, region: &Region) -> En
     if is_wide { Entrance::of(ray, region) } else { Entrance { most: Vec4::ZERO, least: Vec4::ZERO, is_single: false } }
 }
 
+/// A ray from its entrance, likewise.
+#[inline(always)]
+pub(in crate::geom) fn entered_if(is_wide: bool, ray: &Ray, region: &Region) -> Option<Box<FromEntrance>> {
+    if is_wide { entered(ray, region) } else { None }
+}
+
+#[cold]
+#[inline(never)]
+fn entered(ray: &Ray, region: &Region) -> Option<Box<FromEntrance>> {
+    Some(Box::new(Entrance::of(ray, region).ray(ray.direction(), ray.tmin())))
+}
+
 impl Entrance {
     #[cold]
     #[inline(never)]

@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use super::walk::{Search, Triangles};
 use crate::bvh::{LeafTriangle, WideBvh};
-use crate::geom::lanes::{Block, EnclosedBoxes, TriangleRay, first, with_baseline};
+use crate::geom::lanes::{Block, EnclosedBoxes, LaneSet, TriangleRay, filled, with_baseline};
 use crate::geom::slabs::EnclosedSlabs;
 use crate::geom::{EnclosedRay, Real, Triangle, Vector};
 use crate::order::Flow;
@@ -89,10 +89,8 @@ impl<S: Simd, V: Vector, const ANY: bool> wide::Search<8> for WideWalk<'_, '_, S
     fn leaf(&mut self, leaf: Node) -> Flow {
         let (blocks, count) = self.bvh.leaf(leaf);
         self.search.counts.triangles += u64::from(count);
-        let mut left = count;
-        for block in blocks {
-            let lanes = self.filter.survivors(self.simd, block, self.search.end) & first(left);
-            left = left.saturating_sub(4);
+        for (block, filled) in filled(blocks, count) {
+            let lanes = self.filter.survivors(self.simd, block, self.search.end) & filled;
             if lanes != 0 && self.settle(block, lanes) == Flow::Stop {
                 return Flow::Stop;
             }
@@ -110,10 +108,8 @@ impl<S: Simd, V: Vector, const ANY: bool> wide::Search<8> for WideWalk<'_, '_, S
 impl<S: Simd, V: Vector, const ANY: bool> WideWalk<'_, '_, S, V, ANY> {
     /// The exact test of these lanes' triangles.
     #[inline(never)]
-    fn settle(&mut self, block: &Block, mut lanes: u32) -> Flow {
-        while lanes != 0 {
-            let lane = lanes.trailing_zeros() as usize & 3;
-            lanes &= lanes - 1;
+    fn settle(&mut self, block: &Block, lanes: u32) -> Flow {
+        for lane in LaneSet(lanes) {
             let held = LeafTriangle { shape: Triangle(block.triangle(lane).0.map(widened)), prim: block.prims[lane] };
             self.triangles.settle(&held, self.search);
             if self.search.is_over() {

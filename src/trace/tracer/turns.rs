@@ -24,25 +24,39 @@ pub(super) enum Ask {
     AnyHit,
 }
 
-/// What is to be done.
-pub(super) struct Job<'a, 'f> {
+/// What rays are asked, and of what.
+#[derive(Clone, Copy)]
+pub(super) struct Job<'a> {
     pub(super) bvh: &'a WideBvh,
     pub(super) tables: &'a Tables,
-    pub(super) rays: &'a [Ray],
+    pub(super) level: Level,
     pub(super) ask: Ask,
-    /// Gets the number of a ray and its answer, in whatever order rays end.
-    pub(super) answer: &'a mut (dyn FnMut(usize, Option<Hit>) + 'f),
 }
 
-/// Answers each ray of a job.
-pub(super) fn trace(level: Level, method: Method, job: &mut Job<'_, '_>) -> Result<(), Unfit> {
+/// Gets the number of a ray and its answer.
+pub(super) type Answer<'f> = dyn FnMut(usize, Option<Hit>) + 'f;
+
+/// Answers one ray.
+pub(super) fn trace_one(method: Method, job: Job<'_>, ray: &Ray) -> Result<Option<Hit>, Unfit> {
+    with_memory(|[memory, _]| match job.ask {
+        Ask::Closest | Ask::Distance => method.dispatch(One::<false> { job, ray, memory }),
+        Ask::Any | Ask::AnyHit => method.dispatch(One::<true> { job, ray, memory }),
+    })
+}
+
+/// Answers each ray, in whatever order they end.
+pub(super) fn trace(method: Method, job: Job<'_>, rays: &[Ray], answer: &mut Answer<'_>) -> Result<(), Unfit> {
+    if let [ray] = rays {
+        return trace_one(method, job, ray).map(|hit| answer(0, hit));
+    }
     with_memory(|memory| match job.ask {
-        Ask::Closest | Ask::Distance => method.dispatch(Start::<false> { level, job, memory }),
-        Ask::Any | Ask::AnyHit => method.dispatch(Start::<true> { level, job, memory }),
+        Ask::Closest | Ask::Distance => method.dispatch(Several::<false> { job, rays, answer, memory }),
+        Ask::Any | Ask::AnyHit => method.dispatch(Several::<true> { job, rays, answer, memory }),
     })
 }
 
 /// Does something with the cursors' memory of this thread.
+#[inline(always)]
 pub(in crate::trace) fn with_memory<R>(run: impl FnOnce(&mut [Scratch; 2]) -> R) -> R {
     let mut memory = MEMORY.try_with(Cell::take).ok().flatten().unwrap_or_default();
     let ran = run(&mut memory);
@@ -54,13 +68,6 @@ pub(in crate::trace) fn with_memory<R>(run: impl FnOnce(&mut [Scratch; 2]) -> R)
 thread_local! {
     /// Memory of two cursors: to allocate or to clear it for each ray would cost a call a tenth of its time.
     static MEMORY: Cell<Option<Box<[Scratch; 2]>>> = const { Cell::new(None) };
-}
-
-/// Makes a cursor, or two for more than one ray.
-struct Start<'t, 'a, 'f, const ANY: bool> {
-    level: Level,
-    job: &'t mut Job<'a, 'f>,
-    memory: &'t mut [Scratch; 2],
 }
 
 /// The loop is compiled once for each traversal and level of instructions, in a function of its own. All that it calls
@@ -86,21 +93,42 @@ macro_rules! vectorize {
     }};
 }
 
-impl<'t, const ANY: bool> Context<'t, 8, WideBvh> for Start<'t, '_, '_, ANY> {
+/// A ray that is alone.
+struct One<'t, const ANY: bool> {
+    job: Job<'t>,
+    ray: &'t Ray,
+    memory: &'t mut Scratch,
+}
+
+impl<'t, const ANY: bool> Context<'t, 8, WideBvh> for One<'t, ANY> {
+    type Output = Option<Hit>;
+
+    #[inline(always)]
+    fn run<C: Cursor<8>>(self, start: impl Fn(Supply<'t, WideBvh>) -> Result<C, Unfit>) -> Result<Option<Hit>, Unfit> {
+        let Self { job: Job { bvh, tables, level, ask }, ray, memory } = self;
+        let cursor = start(Supply { tree: bvh, tables, memory })?;
+        Ok(vectorize!(level, simd => alone::<_, C, ANY>(simd, cursor, bvh, ray, ask)))
+    }
+}
+
+/// Several rays, two at a time.
+struct Several<'t, 'f, const ANY: bool> {
+    job: Job<'t>,
+    rays: &'t [Ray],
+    answer: &'t mut Answer<'f>,
+    memory: &'t mut [Scratch; 2],
+}
+
+impl<'t, const ANY: bool> Context<'t, 8, WideBvh> for Several<'t, '_, ANY> {
     type Output = ();
 
     #[inline(always)]
     fn run<C: Cursor<8>>(self, start: impl Fn(Supply<'t, WideBvh>) -> Result<C, Unfit>) -> Result<(), Unfit> {
-        let Self { level, job, memory: [first, second] } = self;
-        let (tree, tables) = (job.bvh, job.tables);
-        let cursor = start(Supply { tree, tables, memory: first })?;
-        match job.rays {
-            [] => (),
-            [ray] => vectorize!(level, simd => alone::<_, C, ANY>(simd, cursor, ray, job)),
-            [one, two, rest @ ..] => {
-                let cursors = [cursor, start(Supply { tree, tables, memory: second })?];
-                vectorize!(level, simd => in_turns::<_, C, ANY>(simd, cursors, [one, two], rest, job));
-            }
+        let Self { job, rays, answer, memory: [first, second] } = self;
+        let Job { bvh: tree, tables, level, .. } = job;
+        let cursors = [start(Supply { tree, tables, memory: first })?, start(Supply { tree, tables, memory: second })?];
+        if let [one, two, rest @ ..] = rays {
+            vectorize!(level, simd => in_turns::<_, C, ANY>(simd, cursors, [one, two], rest, job, answer));
         }
         Ok(())
     }
@@ -110,12 +138,17 @@ type RaySearch<'a, 'm, S, const ANY: bool> = WideSearch<'a, 'm, S, f32x8<S>, 8, 
 
 /// Traces one ray to its end.
 #[inline(always)]
-fn alone<S: Simd, C: Cursor<8>, const ANY: bool>(simd: S, cursor: C, ray: &Ray, job: &mut Job<'_, '_>) {
-    let Job { bvh, ask, ref mut answer, .. } = *job;
+fn alone<S: Simd, C: Cursor<8>, const ANY: bool>(
+    simd: S,
+    cursor: C,
+    bvh: &WideBvh,
+    ray: &Ray,
+    ask: Ask,
+) -> Option<Hit> {
     let mut exact = LazyExact::new(ray, bvh.region());
     let mut search = RaySearch::<S, ANY>::new(simd, bvh, &mut exact);
     traverse(bvh, cursor, &mut search, &mut ());
-    answer(0, search.answer(ask));
+    search.answer(ask)
 }
 
 /// Two rays at a time: while one waits for memory, the other computes. `rest` follows the first two.
@@ -125,9 +158,9 @@ fn in_turns<S: Simd, C: Cursor<8>, const ANY: bool>(
     [mut cursor_a, mut cursor_b]: [C; 2],
     [a, b]: [&Ray; 2],
     rest: &[Ray],
-    job: &mut Job<'_, '_>,
+    Job { bvh, ask, .. }: Job<'_>,
+    answer: &mut Answer<'_>,
 ) {
-    let Job { bvh, ask, ref mut answer, .. } = *job;
     let mut exact = [a, b].map(|ray| LazyExact::new(ray, bvh.region()));
     let [exact_a, exact_b] = &mut exact;
     let (mut search_a, mut search_b) =

@@ -242,7 +242,7 @@ fn compare(
     });
     rows.push(SecondaryRow { offence, ..SecondaryRow::new(&scene.name, EXACT, &answers, &truth) });
     if args.shard.is_none() {
-        time(&bounces, epsilon, [&exact[0], &exact[1]], (&wide, &BinaryTracer::new(&bvh)), &scene.name);
+        time(&bounces, epsilon, &exact, (&wide, &BinaryTracer::new(&bvh)), &scene.name);
     }
     if let Some(path) = &args.picture {
         let panels: Vec<_> = panels.iter().map(|(name, panel)| (name.clone(), panel)).collect();
@@ -295,7 +295,7 @@ fn judge(mesh: &Mesh, bounces: &[Bounce], points: &[ExactPoint], name: &str) -> 
 fn time(
     bounces: &[Bounce],
     epsilon: f32,
-    exact: [&InstanceTracer; 2],
+    exact: &[InstanceTracer; 2],
     (wide, binary): (&Tracer<Arc<WideBvh>>, &BinaryTracer<&Bvh>),
     name: &str,
 ) {
@@ -307,7 +307,7 @@ fn time(
             0 => bounces[range].iter().filter(|bounce| ray(bounce).is_some_and(|ray| wide.any(&ray))).count(),
             1 => bounces[range].iter().filter(|bounce| ray(bounce).is_some_and(|ray| binary.any(&ray))).count(),
             _ => {
-                let exact = exact[contestant - 2];
+                let exact = &exact[contestant - 2];
                 bounces[range].iter().filter(|bounce| bounce.is_blocked(exact).is_some_and(|found| found.0)).count()
             }
         };
