@@ -4,7 +4,6 @@ use std::fmt;
 
 use rayon::prelude::*;
 use stackless_bvh::bvh::Bvh;
-use stackless_bvh::generate::Rng;
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::{BinaryTracer, reflect_each};
 
@@ -12,7 +11,7 @@ use crate::kernel::{Kernel, SLOTS, Traversal, Wide};
 use crate::launch::{self, Buffers, params};
 use crate::model::{Found, Visited, through};
 use crate::probe::Arithmetic;
-use crate::scene::{Eight, Query, Scene, hierarchy, rays_words};
+use crate::scene::{Eight, Placed, Query, Scene, hierarchy, rays_words};
 use crate::statistics::{deviation, median, ratio};
 use crate::{Checks, Gpu, GpuError, made};
 

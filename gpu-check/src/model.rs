@@ -6,7 +6,6 @@ mod two;
 pub use eight::{Visited, through};
 pub use two::Model;
 
-use glam::Vec3;
 use stackless_bvh::geom::{Ray, Triangle};
 
 use crate::probe::Arithmetic;
