@@ -71,3 +71,6 @@ Definition suite_seen T ds leaves :=
 (** The same from the suite's file: whether a hit ends the search, and the keys and trails that are expected. *)
 Definition suite_expected (stopped : bool) (visits : list (positive * N)) :=
   let answer := (stopped, rev (map fst visits)) in (answer, visits, repeat (Some answer) (length unbounded)).
+
+(** Both sides are evaluated once, by the kernel. *)
+Ltac evaluated := lazymatch goal with |- _ = ?expected => vm_cast_no_check (eq_refl expected) end.

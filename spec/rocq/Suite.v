@@ -11,7 +11,7 @@ Example suite_0 : suite_seen Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/left-1 *)
 Example suite_1 : suite_seen (Node Leaf Leaf)
@@ -19,7 +19,7 @@ Example suite_1 : suite_seen (Node Leaf Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/right-1 *)
 Example suite_2 : suite_seen (Node Leaf Leaf)
@@ -27,7 +27,7 @@ Example suite_2 : suite_seen (Node Leaf Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/left-2 *)
 Example suite_3 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
@@ -35,7 +35,7 @@ Example suite_3 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x5%positive, 0x2); (0x3%positive, 0x0); (0x6%positive, 0x1); (0x7%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/right-2 *)
 Example suite_4 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
@@ -43,7 +43,7 @@ Example suite_4 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0x6%positive, 0x2); (0x2%positive, 0x0); (0x5%positive, 0x1); (0x4%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/turns-2 *)
 Example suite_5 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
@@ -51,7 +51,7 @@ Example suite_5 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0x4%positive, 0x2); (0x3%positive, 0x0); (0x7%positive, 0x1); (0x6%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/some-2 *)
 Example suite_6 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
@@ -59,7 +59,7 @@ Example suite_6 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0x3%positive, 0x0); (0x7%positive, 0x1); (0x6%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/left-3 *)
 Example suite_7 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))
@@ -67,7 +67,7 @@ Example suite_7 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Nod
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x9%positive, 0x6); (0x5%positive, 0x2); (0xa%positive, 0x5); (0xb%positive, 0x4); (0x3%positive, 0x0); (0x6%positive, 0x1); (0xc%positive, 0x3); (0xd%positive, 0x2); (0x7%positive, 0x0); (0xe%positive, 0x1); (0xf%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/right-3 *)
 Example suite_8 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))
@@ -75,7 +75,7 @@ Example suite_8 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Nod
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0xe%positive, 0x6); (0x6%positive, 0x2); (0xd%positive, 0x5); (0xc%positive, 0x4); (0x2%positive, 0x0); (0x5%positive, 0x1); (0xb%positive, 0x3); (0xa%positive, 0x2); (0x4%positive, 0x0); (0x9%positive, 0x1); (0x8%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/turns-3 *)
 Example suite_9 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))
@@ -83,7 +83,7 @@ Example suite_9 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Nod
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x7); (0xb%positive, 0x6); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x9%positive, 0x4); (0x3%positive, 0x0); (0x7%positive, 0x1); (0xe%positive, 0x3); (0xf%positive, 0x2); (0x6%positive, 0x0); (0xc%positive, 0x1); (0xd%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/some-3 *)
 Example suite_10 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))
@@ -91,7 +91,7 @@ Example suite_10 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (No
   [0xa%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x5)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/left-4 *)
 Example suite_11 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))))
@@ -99,7 +99,7 @@ Example suite_11 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x10%positive, 0xf); (0x11%positive, 0xe); (0x9%positive, 0x6); (0x12%positive, 0xd); (0x13%positive, 0xc); (0x5%positive, 0x2); (0xa%positive, 0x5); (0x14%positive, 0xb); (0x15%positive, 0xa); (0xb%positive, 0x4); (0x16%positive, 0x9); (0x17%positive, 0x8); (0x3%positive, 0x0); (0x6%positive, 0x1); (0xc%positive, 0x3); (0x18%positive, 0x7); (0x19%positive, 0x6); (0xd%positive, 0x2); (0x1a%positive, 0x5); (0x1b%positive, 0x4); (0x7%positive, 0x0); (0xe%positive, 0x1); (0x1c%positive, 0x3); (0x1d%positive, 0x2); (0xf%positive, 0x0); (0x1e%positive, 0x1); (0x1f%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/right-4 *)
 Example suite_12 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))))
@@ -107,7 +107,7 @@ Example suite_12 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0x1f%positive, 0xf); (0x1e%positive, 0xe); (0xe%positive, 0x6); (0x1d%positive, 0xd); (0x1c%positive, 0xc); (0x6%positive, 0x2); (0xd%positive, 0x5); (0x1b%positive, 0xb); (0x1a%positive, 0xa); (0xc%positive, 0x4); (0x19%positive, 0x9); (0x18%positive, 0x8); (0x2%positive, 0x0); (0x5%positive, 0x1); (0xb%positive, 0x3); (0x17%positive, 0x7); (0x16%positive, 0x6); (0xa%positive, 0x2); (0x15%positive, 0x5); (0x14%positive, 0x4); (0x4%positive, 0x0); (0x9%positive, 0x1); (0x13%positive, 0x3); (0x12%positive, 0x2); (0x8%positive, 0x0); (0x11%positive, 0x1); (0x10%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/turns-4 *)
 Example suite_13 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))))
@@ -115,7 +115,7 @@ Example suite_13 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x7); (0x15%positive, 0xf); (0x14%positive, 0xe); (0xb%positive, 0x6); (0x17%positive, 0xd); (0x16%positive, 0xc); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x11%positive, 0xb); (0x10%positive, 0xa); (0x9%positive, 0x4); (0x13%positive, 0x9); (0x12%positive, 0x8); (0x3%positive, 0x0); (0x7%positive, 0x1); (0xe%positive, 0x3); (0x1d%positive, 0x7); (0x1c%positive, 0x6); (0xf%positive, 0x2); (0x1f%positive, 0x5); (0x1e%positive, 0x4); (0x6%positive, 0x0); (0xc%positive, 0x1); (0x19%positive, 0x3); (0x18%positive, 0x2); (0xd%positive, 0x0); (0x1b%positive, 0x1); (0x1a%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/some-4 *)
 Example suite_14 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))))
@@ -123,7 +123,7 @@ Example suite_14 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf
   [0x1a%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x5); (0x14%positive, 0xa); (0xb%positive, 0x4); (0x16%positive, 0x9); (0x17%positive, 0x8); (0x3%positive, 0x0); (0x7%positive, 0x1); (0xe%positive, 0x3); (0x1d%positive, 0x6); (0xf%positive, 0x2); (0x1f%positive, 0x5); (0x1e%positive, 0x4); (0x6%positive, 0x0); (0xd%positive, 0x1); (0x1a%positive, 0x3)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/left-5 *)
 Example suite_15 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))) (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))))
@@ -131,7 +131,7 @@ Example suite_15 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x10%positive, 0xf); (0x20%positive, 0x1f); (0x21%positive, 0x1e); (0x11%positive, 0xe); (0x22%positive, 0x1d); (0x23%positive, 0x1c); (0x9%positive, 0x6); (0x12%positive, 0xd); (0x24%positive, 0x1b); (0x25%positive, 0x1a); (0x13%positive, 0xc); (0x26%positive, 0x19); (0x27%positive, 0x18); (0x5%positive, 0x2); (0xa%positive, 0x5); (0x14%positive, 0xb); (0x28%positive, 0x17); (0x29%positive, 0x16); (0x15%positive, 0xa); (0x2a%positive, 0x15); (0x2b%positive, 0x14); (0xb%positive, 0x4); (0x16%positive, 0x9); (0x2c%positive, 0x13); (0x2d%positive, 0x12); (0x17%positive, 0x8); (0x2e%positive, 0x11); (0x2f%positive, 0x10); (0x3%positive, 0x0); (0x6%positive, 0x1); (0xc%positive, 0x3); (0x18%positive, 0x7); (0x30%positive, 0xf); (0x31%positive, 0xe); (0x19%positive, 0x6); (0x32%positive, 0xd); (0x33%positive, 0xc); (0xd%positive, 0x2); (0x1a%positive, 0x5); (0x34%positive, 0xb); (0x35%positive, 0xa); (0x1b%positive, 0x4); (0x36%positive, 0x9); (0x37%positive, 0x8); (0x7%positive, 0x0); (0xe%positive, 0x1); (0x1c%positive, 0x3); (0x38%positive, 0x7); (0x39%positive, 0x6); (0x1d%positive, 0x2); (0x3a%positive, 0x5); (0x3b%positive, 0x4); (0xf%positive, 0x0); (0x1e%positive, 0x1); (0x3c%positive, 0x3); (0x3d%positive, 0x2); (0x1f%positive, 0x0); (0x3e%positive, 0x1); (0x3f%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/right-5 *)
 Example suite_16 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))) (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))))
@@ -139,7 +139,7 @@ Example suite_16 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0x1f%positive, 0xf); (0x3f%positive, 0x1f); (0x3e%positive, 0x1e); (0x1e%positive, 0xe); (0x3d%positive, 0x1d); (0x3c%positive, 0x1c); (0xe%positive, 0x6); (0x1d%positive, 0xd); (0x3b%positive, 0x1b); (0x3a%positive, 0x1a); (0x1c%positive, 0xc); (0x39%positive, 0x19); (0x38%positive, 0x18); (0x6%positive, 0x2); (0xd%positive, 0x5); (0x1b%positive, 0xb); (0x37%positive, 0x17); (0x36%positive, 0x16); (0x1a%positive, 0xa); (0x35%positive, 0x15); (0x34%positive, 0x14); (0xc%positive, 0x4); (0x19%positive, 0x9); (0x33%positive, 0x13); (0x32%positive, 0x12); (0x18%positive, 0x8); (0x31%positive, 0x11); (0x30%positive, 0x10); (0x2%positive, 0x0); (0x5%positive, 0x1); (0xb%positive, 0x3); (0x17%positive, 0x7); (0x2f%positive, 0xf); (0x2e%positive, 0xe); (0x16%positive, 0x6); (0x2d%positive, 0xd); (0x2c%positive, 0xc); (0xa%positive, 0x2); (0x15%positive, 0x5); (0x2b%positive, 0xb); (0x2a%positive, 0xa); (0x14%positive, 0x4); (0x29%positive, 0x9); (0x28%positive, 0x8); (0x4%positive, 0x0); (0x9%positive, 0x1); (0x13%positive, 0x3); (0x27%positive, 0x7); (0x26%positive, 0x6); (0x12%positive, 0x2); (0x25%positive, 0x5); (0x24%positive, 0x4); (0x8%positive, 0x0); (0x11%positive, 0x1); (0x23%positive, 0x3); (0x22%positive, 0x2); (0x10%positive, 0x0); (0x21%positive, 0x1); (0x20%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/turns-5 *)
 Example suite_17 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))) (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))))
@@ -147,7 +147,7 @@ Example suite_17 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x7); (0x15%positive, 0xf); (0x2a%positive, 0x1f); (0x2b%positive, 0x1e); (0x14%positive, 0xe); (0x28%positive, 0x1d); (0x29%positive, 0x1c); (0xb%positive, 0x6); (0x17%positive, 0xd); (0x2e%positive, 0x1b); (0x2f%positive, 0x1a); (0x16%positive, 0xc); (0x2c%positive, 0x19); (0x2d%positive, 0x18); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x11%positive, 0xb); (0x22%positive, 0x17); (0x23%positive, 0x16); (0x10%positive, 0xa); (0x20%positive, 0x15); (0x21%positive, 0x14); (0x9%positive, 0x4); (0x13%positive, 0x9); (0x26%positive, 0x13); (0x27%positive, 0x12); (0x12%positive, 0x8); (0x24%positive, 0x11); (0x25%positive, 0x10); (0x3%positive, 0x0); (0x7%positive, 0x1); (0xe%positive, 0x3); (0x1d%positive, 0x7); (0x3a%positive, 0xf); (0x3b%positive, 0xe); (0x1c%positive, 0x6); (0x38%positive, 0xd); (0x39%positive, 0xc); (0xf%positive, 0x2); (0x1f%positive, 0x5); (0x3e%positive, 0xb); (0x3f%positive, 0xa); (0x1e%positive, 0x4); (0x3c%positive, 0x9); (0x3d%positive, 0x8); (0x6%positive, 0x0); (0xc%positive, 0x1); (0x19%positive, 0x3); (0x32%positive, 0x7); (0x33%positive, 0x6); (0x18%positive, 0x2); (0x30%positive, 0x5); (0x31%positive, 0x4); (0xd%positive, 0x0); (0x1b%positive, 0x1); (0x36%positive, 0x3); (0x37%positive, 0x2); (0x1a%positive, 0x0); (0x34%positive, 0x1); (0x35%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/complete/some-5 *)
 Example suite_18 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))) (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))))
@@ -155,7 +155,7 @@ Example suite_18 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) (Node Lea
   [0x2a%positive; 0x3a%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x5); (0x14%positive, 0xa); (0x29%positive, 0x14); (0xb%positive, 0x4); (0x16%positive, 0x9); (0x2c%positive, 0x12); (0x17%positive, 0x8); (0x2e%positive, 0x11); (0x2f%positive, 0x10); (0x3%positive, 0x0); (0x7%positive, 0x1); (0xe%positive, 0x3); (0x1d%positive, 0x6); (0x3a%positive, 0xd)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/leaf *)
 Example suite_19 : suite_seen Leaf
@@ -163,7 +163,7 @@ Example suite_19 : suite_seen Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/leaf-stop *)
 Example suite_20 : suite_seen Leaf
@@ -171,7 +171,7 @@ Example suite_20 : suite_seen Leaf
   [0x1%positive]
   = suite_expected true
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/three-neither *)
 Example suite_21 : suite_seen (Node Leaf Leaf)
@@ -179,7 +179,7 @@ Example suite_21 : suite_seen (Node Leaf Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/three-neither-stop *)
 Example suite_22 : suite_seen (Node Leaf Leaf)
@@ -187,7 +187,7 @@ Example suite_22 : suite_seen (Node Leaf Leaf)
   [0x2%positive]
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/three-only-left *)
 Example suite_23 : suite_seen (Node Leaf Leaf)
@@ -195,7 +195,7 @@ Example suite_23 : suite_seen (Node Leaf Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/three-only-left-stop *)
 Example suite_24 : suite_seen (Node Leaf Leaf)
@@ -203,7 +203,7 @@ Example suite_24 : suite_seen (Node Leaf Leaf)
   [0x2%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/three-only-right *)
 Example suite_25 : suite_seen (Node Leaf Leaf)
@@ -211,7 +211,7 @@ Example suite_25 : suite_seen (Node Leaf Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/three-only-right-stop *)
 Example suite_26 : suite_seen (Node Leaf Leaf)
@@ -219,7 +219,7 @@ Example suite_26 : suite_seen (Node Leaf Leaf)
   [0x2%positive]
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/three-both-left-first *)
 Example suite_27 : suite_seen (Node Leaf Leaf)
@@ -227,7 +227,7 @@ Example suite_27 : suite_seen (Node Leaf Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/three-both-left-first-stop *)
 Example suite_28 : suite_seen (Node Leaf Leaf)
@@ -235,7 +235,7 @@ Example suite_28 : suite_seen (Node Leaf Leaf)
   [0x2%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x1)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/three-both-right-first *)
 Example suite_29 : suite_seen (Node Leaf Leaf)
@@ -243,7 +243,7 @@ Example suite_29 : suite_seen (Node Leaf Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/three-both-right-first-stop *)
 Example suite_30 : suite_seen (Node Leaf Leaf)
@@ -251,7 +251,7 @@ Example suite_30 : suite_seen (Node Leaf Leaf)
   [0x2%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-1 *)
 Example suite_31 : suite_seen (Node (Node Leaf Leaf) Leaf)
@@ -259,7 +259,7 @@ Example suite_31 : suite_seen (Node (Node Leaf Leaf) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0); (0x5%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-2 *)
 Example suite_32 : suite_seen (Node (Node Leaf Leaf) Leaf)
@@ -267,7 +267,7 @@ Example suite_32 : suite_seen (Node (Node Leaf Leaf) Leaf)
   [0x3%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-3 *)
 Example suite_33 : suite_seen (Node Leaf (Node Leaf Leaf))
@@ -275,7 +275,7 @@ Example suite_33 : suite_seen (Node Leaf (Node Leaf Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-6 *)
 Example suite_34 : suite_seen (Node Leaf (Node Leaf Leaf))
@@ -283,7 +283,7 @@ Example suite_34 : suite_seen (Node Leaf (Node Leaf Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-8 *)
 Example suite_35 : suite_seen (Node (Node Leaf Leaf) Leaf)
@@ -291,7 +291,7 @@ Example suite_35 : suite_seen (Node (Node Leaf Leaf) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-9 *)
 Example suite_36 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) Leaf)
@@ -299,7 +299,7 @@ Example suite_36 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0); (0x5%positive, 0x0); (0xa%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-10 *)
 Example suite_37 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) Leaf)
@@ -307,7 +307,7 @@ Example suite_37 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-12 *)
 Example suite_38 : suite_seen (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) Leaf))
@@ -315,7 +315,7 @@ Example suite_38 : suite_seen (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0); (0x7%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-13 *)
 Example suite_39 : suite_seen (Node (Node Leaf Leaf) Leaf)
@@ -323,7 +323,7 @@ Example suite_39 : suite_seen (Node (Node Leaf Leaf) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-15 *)
 Example suite_40 : suite_seen (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) Leaf)
@@ -331,7 +331,7 @@ Example suite_40 : suite_seen (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-17 *)
 Example suite_41 : suite_seen (Node Leaf (Node Leaf Leaf))
@@ -339,7 +339,7 @@ Example suite_41 : suite_seen (Node Leaf (Node Leaf Leaf))
   [0x6%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0); (0x6%positive, 0x1)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-18 *)
 Example suite_42 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) (Node Leaf Leaf))
@@ -347,7 +347,7 @@ Example suite_42 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) (Node Leaf Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x5); (0xb%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-21 *)
 Example suite_43 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf (Node Leaf Leaf)))
@@ -355,7 +355,7 @@ Example suite_43 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf (Nod
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x4%positive, 0x1); (0x8%positive, 0x2); (0x5%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-22 *)
 Example suite_44 : suite_seen (Node (Node Leaf (Node Leaf (Node (Node Leaf Leaf) Leaf))) Leaf)
@@ -363,7 +363,7 @@ Example suite_44 : suite_seen (Node (Node Leaf (Node Leaf (Node (Node Leaf Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-23 *)
 Example suite_45 : suite_seen (Node (Node Leaf Leaf) Leaf)
@@ -371,7 +371,7 @@ Example suite_45 : suite_seen (Node (Node Leaf Leaf) Leaf)
   [0x5%positive]
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-24 *)
 Example suite_46 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)
@@ -379,7 +379,7 @@ Example suite_46 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-26 *)
 Example suite_47 : suite_seen (Node Leaf (Node (Node Leaf Leaf) Leaf))
@@ -387,7 +387,7 @@ Example suite_47 : suite_seen (Node Leaf (Node (Node Leaf Leaf) Leaf))
   [0xc%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0); (0x7%positive, 0x1); (0x6%positive, 0x0); (0xc%positive, 0x1)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-27 *)
 Example suite_48 : suite_seen (Node Leaf (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) Leaf))
@@ -395,7 +395,7 @@ Example suite_48 : suite_seen (Node Leaf (Node (Node Leaf (Node Leaf (Node Leaf 
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x6%positive, 0x3); (0xc%positive, 0x6); (0x7%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-28 *)
 Example suite_49 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)
@@ -403,7 +403,7 @@ Example suite_49 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-29 *)
 Example suite_50 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) (Node Leaf Leaf))
@@ -411,7 +411,7 @@ Example suite_50 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0x2%positive, 0x0); (0x5%positive, 0x0); (0xb%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-30 *)
 Example suite_51 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)
@@ -419,7 +419,7 @@ Example suite_51 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-31 *)
 Example suite_52 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf))
@@ -427,7 +427,7 @@ Example suite_52 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x6%positive, 0x2); (0x2%positive, 0x0); (0x5%positive, 0x1); (0x4%positive, 0x0); (0x8%positive, 0x1); (0x9%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-32 *)
 Example suite_53 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf))
@@ -435,7 +435,7 @@ Example suite_53 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf
   [0x8%positive; 0x6%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0x6%positive, 0x2)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-34 *)
 Example suite_54 : suite_seen (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf))
@@ -443,7 +443,7 @@ Example suite_54 : suite_seen (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0); (0x7%positive, 0x1); (0x6%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-35 *)
 Example suite_55 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node (Node Leaf Leaf) Leaf))))
@@ -451,7 +451,7 @@ Example suite_55 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node (Node Leaf 
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x6%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-37 *)
 Example suite_56 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))
@@ -459,7 +459,7 @@ Example suite_56 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-39 *)
 Example suite_57 : suite_seen (Node (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) (Node (Node Leaf Leaf) Leaf)) (Node Leaf Leaf))
@@ -467,7 +467,7 @@ Example suite_57 : suite_seen (Node (Node (Node Leaf (Node (Node Leaf Leaf) Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-40 *)
 Example suite_58 : suite_seen (Node Leaf (Node Leaf (Node (Node (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))) Leaf) Leaf)))
@@ -475,7 +475,7 @@ Example suite_58 : suite_seen (Node Leaf (Node Leaf (Node (Node (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-41 *)
 Example suite_59 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) (Node Leaf Leaf))) Leaf)
@@ -483,7 +483,7 @@ Example suite_59 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) (Node Leaf
   [0x14%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0); (0x5%positive, 0x1); (0xb%positive, 0x3); (0x17%positive, 0x6); (0xa%positive, 0x2); (0x14%positive, 0x5)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-42 *)
 Example suite_60 : suite_seen (Node Leaf (Node Leaf Leaf))
@@ -491,7 +491,7 @@ Example suite_60 : suite_seen (Node Leaf (Node Leaf Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-43 *)
 Example suite_61 : suite_seen (Node (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) Leaf)) (Node Leaf Leaf))
@@ -499,7 +499,7 @@ Example suite_61 : suite_seen (Node (Node Leaf (Node (Node (Node Leaf Leaf) Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-44 *)
 Example suite_62 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf))
@@ -507,7 +507,7 @@ Example suite_62 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf
   [0x7%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0x3%positive, 0x0); (0x6%positive, 0x1); (0x7%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-45 *)
 Example suite_63 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf))
@@ -515,7 +515,7 @@ Example suite_63 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x6%positive, 0x3); (0xc%positive, 0x7); (0xd%positive, 0x6); (0x7%positive, 0x2); (0x2%positive, 0x0); (0x5%positive, 0x0); (0xb%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-46 *)
 Example suite_64 : suite_seen (Node (Node Leaf Leaf) Leaf)
@@ -523,7 +523,7 @@ Example suite_64 : suite_seen (Node (Node Leaf Leaf) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0); (0x5%positive, 0x1); (0x4%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-47 *)
 Example suite_65 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
@@ -531,7 +531,7 @@ Example suite_65 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0x4%positive, 0x2); (0x3%positive, 0x0); (0x6%positive, 0x1); (0x7%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-48 *)
 Example suite_66 : suite_seen (Node (Node Leaf (Node (Node (Node Leaf Leaf) (Node Leaf (Node Leaf Leaf))) Leaf)) Leaf)
@@ -539,7 +539,7 @@ Example suite_66 : suite_seen (Node (Node Leaf (Node (Node (Node Leaf Leaf) (Nod
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-49 *)
 Example suite_67 : suite_seen (Node (Node Leaf Leaf) (Node (Node Leaf Leaf) Leaf))
@@ -547,7 +547,7 @@ Example suite_67 : suite_seen (Node (Node Leaf Leaf) (Node (Node Leaf Leaf) Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x4%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-50 *)
 Example suite_68 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node Leaf (Node Leaf Leaf)))
@@ -555,7 +555,7 @@ Example suite_68 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (No
   [0xf%positive]
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-51 *)
 Example suite_69 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
@@ -563,7 +563,7 @@ Example suite_69 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x7%positive, 0x1); (0x6%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-54 *)
 Example suite_70 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf))
@@ -571,7 +571,7 @@ Example suite_70 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-56 *)
 Example suite_71 : suite_seen (Node (Node Leaf (Node (Node (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))) Leaf) Leaf)) Leaf)
@@ -579,7 +579,7 @@ Example suite_71 : suite_seen (Node (Node Leaf (Node (Node (Node Leaf (Node Leaf
   [0x14e%positive]
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-57 *)
 Example suite_72 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))
@@ -587,7 +587,7 @@ Example suite_72 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node 
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0); (0x6%positive, 0x1); (0x7%positive, 0x0); (0xf%positive, 0x1); (0x1e%positive, 0x2); (0xe%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-58 *)
 Example suite_73 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
@@ -595,7 +595,7 @@ Example suite_73 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0x4%positive, 0x2); (0x3%positive, 0x0); (0x7%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-59 *)
 Example suite_74 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) Leaf) Leaf) Leaf)
@@ -603,7 +603,7 @@ Example suite_74 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf Leaf
   [0x43%positive; 0x9%positive]
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0); (0x4%positive, 0x1); (0x8%positive, 0x2); (0x11%positive, 0x4); (0x5%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-60 *)
 Example suite_75 : suite_seen (Node Leaf (Node Leaf Leaf))
@@ -611,7 +611,7 @@ Example suite_75 : suite_seen (Node Leaf (Node Leaf Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-62 *)
 Example suite_76 : suite_seen (Node (Node Leaf Leaf) (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf))
@@ -619,7 +619,7 @@ Example suite_76 : suite_seen (Node (Node Leaf Leaf) (Node (Node Leaf (Node (Nod
   [0xd4%positive]
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-63 *)
 Example suite_77 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))
@@ -627,7 +627,7 @@ Example suite_77 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0); (0x6%positive, 0x1); (0x7%positive, 0x0); (0xe%positive, 0x1); (0xf%positive, 0x0); (0x1f%positive, 0x1); (0x1e%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-65 *)
 Example suite_78 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))) Leaf) Leaf) Leaf)
@@ -635,7 +635,7 @@ Example suite_78 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf
   [0x5%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x5%positive, 0x1)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-66 *)
 Example suite_79 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node (Node Leaf Leaf) Leaf)))))) Leaf) Leaf)
@@ -643,7 +643,7 @@ Example suite_79 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x9%positive, 0x5); (0x12%positive, 0xb); (0x13%positive, 0xa); (0x26%positive, 0x15); (0x27%positive, 0x14); (0x4f%positive, 0x28); (0x9f%positive, 0x51); (0x13e%positive, 0xa2); (0x27d%positive, 0x144); (0x9e%positive, 0x50); (0x8%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-67 *)
 Example suite_80 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf))
@@ -651,7 +651,7 @@ Example suite_80 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x7%positive, 0x1); (0x6%positive, 0x0); (0xd%positive, 0x1); (0xc%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-68 *)
 Example suite_81 : suite_seen (Node (Node (Node Leaf Leaf) (Node (Node Leaf (Node (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))) Leaf)) Leaf)) (Node Leaf (Node Leaf Leaf)))
@@ -659,7 +659,7 @@ Example suite_81 : suite_seen (Node (Node (Node Leaf Leaf) (Node (Node Leaf (Nod
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xe%positive, 0x4); (0x2%positive, 0x0); (0x4%positive, 0x1); (0x8%positive, 0x2); (0x5%positive, 0x0); (0xa%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-69 *)
 Example suite_82 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf)
@@ -667,7 +667,7 @@ Example suite_82 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x4%positive, 0x1); (0x9%positive, 0x2); (0x5%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-70 *)
 Example suite_83 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
@@ -675,7 +675,7 @@ Example suite_83 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-71 *)
 Example suite_84 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node Leaf (Node Leaf Leaf)))
@@ -683,7 +683,7 @@ Example suite_84 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x7%positive, 0x1); (0xf%positive, 0x3); (0xe%positive, 0x2); (0x6%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-72 *)
 Example suite_85 : suite_seen (Node (Node Leaf (Node Leaf (Node (Node Leaf (Node (Node (Node Leaf (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) Leaf)) Leaf) Leaf)) Leaf))) Leaf)
@@ -691,7 +691,7 @@ Example suite_85 : suite_seen (Node (Node Leaf (Node Leaf (Node (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x4%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-73 *)
 Example suite_86 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf))) (Node Leaf Leaf))
@@ -699,7 +699,7 @@ Example suite_86 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf (Node (Nod
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0x6%positive, 0x2); (0x2%positive, 0x0); (0x5%positive, 0x1); (0xa%positive, 0x3); (0xb%positive, 0x2); (0x4%positive, 0x0); (0x8%positive, 0x1); (0x9%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-75 *)
 Example suite_87 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))
@@ -707,7 +707,7 @@ Example suite_87 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x6%positive, 0x3); (0x7%positive, 0x2); (0xf%positive, 0x5); (0x1e%positive, 0xa); (0xe%positive, 0x4); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-76 *)
 Example suite_88 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf)) (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)))
@@ -715,7 +715,7 @@ Example suite_88 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x7%positive, 0x1); (0xf%positive, 0x3); (0xe%positive, 0x2); (0x6%positive, 0x0); (0xd%positive, 0x1); (0xc%positive, 0x0); (0x19%positive, 0x1); (0x18%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-77 *)
 Example suite_89 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))
@@ -723,7 +723,7 @@ Example suite_89 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xe%positive, 0x5); (0xf%positive, 0x4); (0x2%positive, 0x0); (0x5%positive, 0x1); (0x4%positive, 0x0); (0x8%positive, 0x1); (0x9%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-78 *)
 Example suite_90 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))
@@ -731,7 +731,7 @@ Example suite_90 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x3%positive, 0x0); (0x6%positive, 0x1); (0xd%positive, 0x3); (0xc%positive, 0x2); (0x7%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-79 *)
 Example suite_91 : suite_seen (Node Leaf (Node (Node (Node (Node Leaf (Node Leaf (Node (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf) Leaf))) Leaf) Leaf) Leaf))
@@ -739,7 +739,7 @@ Example suite_91 : suite_seen (Node Leaf (Node (Node (Node (Node Leaf (Node Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-80 *)
 Example suite_92 : suite_seen (Node (Node Leaf Leaf) (Node (Node Leaf Leaf) (Node (Node (Node Leaf Leaf) (Node Leaf (Node Leaf (Node Leaf Leaf)))) (Node Leaf (Node (Node Leaf Leaf) Leaf)))))
@@ -747,7 +747,7 @@ Example suite_92 : suite_seen (Node (Node Leaf Leaf) (Node (Node Leaf Leaf) (Nod
   [0x5%positive; 0xee%positive; 0x7d%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x5%positive, 0x2)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-81 *)
 Example suite_93 : suite_seen (Node (Node Leaf Leaf) Leaf)
@@ -755,7 +755,7 @@ Example suite_93 : suite_seen (Node (Node Leaf Leaf) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-82 *)
 Example suite_94 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) Leaf) (Node (Node Leaf (Node Leaf Leaf)) (Node Leaf Leaf))) (Node Leaf (Node Leaf Leaf)))
@@ -763,7 +763,7 @@ Example suite_94 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x5); (0xe%positive, 0x4); (0x2%positive, 0x0); (0x5%positive, 0x0); (0xa%positive, 0x1); (0x14%positive, 0x3); (0x15%positive, 0x2); (0x2b%positive, 0x4); (0xb%positive, 0x0); (0x16%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-83 *)
 Example suite_95 : suite_seen (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))) Leaf))))
@@ -771,7 +771,7 @@ Example suite_95 : suite_seen (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) (Nod
   [0x1a%positive; 0x1c%positive; 0xf6%positive]
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-84 *)
 Example suite_96 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf (Node (Node Leaf Leaf) (Node (Node Leaf (Node Leaf Leaf)) Leaf)))) (Node Leaf Leaf)) (Node Leaf (Node Leaf (Node Leaf Leaf))))
@@ -779,7 +779,7 @@ Example suite_96 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x7%positive, 0x1); (0xe%positive, 0x3); (0xf%positive, 0x2); (0x1e%positive, 0x5); (0x1f%positive, 0x4); (0x6%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-85 *)
 Example suite_97 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))
@@ -787,7 +787,7 @@ Example suite_97 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x7%positive, 0x1); (0x6%positive, 0x0); (0xc%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-86 *)
 Example suite_98 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf Leaf)) (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) (Node Leaf Leaf))) Leaf) (Node Leaf (Node Leaf Leaf)))
@@ -795,7 +795,7 @@ Example suite_98 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf Leaf)) (No
   [0x121%positive; 0x6%positive]
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x5%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-87 *)
 Example suite_99 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf)) (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)))
@@ -803,7 +803,7 @@ Example suite_99 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xe%positive, 0x7); (0xf%positive, 0x6); (0x6%positive, 0x2); (0xd%positive, 0x4); (0x2%positive, 0x0); (0x5%positive, 0x0); (0xa%positive, 0x1); (0x14%positive, 0x2); (0xb%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-88 *)
 Example suite_100 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) Leaf)
@@ -811,7 +811,7 @@ Example suite_100 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-89 *)
 Example suite_101 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf)) (Node (Node (Node Leaf Leaf) Leaf) Leaf))
@@ -819,7 +819,7 @@ Example suite_101 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) (Node Le
   [0x21%positive; 0xb%positive; 0x19%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x5%positive, 0x1); (0xb%positive, 0x2)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-90 *)
 Example suite_102 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf)) (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)))
@@ -827,7 +827,7 @@ Example suite_102 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (N
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-91 *)
 Example suite_103 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf))
@@ -835,7 +835,7 @@ Example suite_103 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-92 *)
 Example suite_104 : suite_seen (Node Leaf (Node (Node (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node (Node (Node Leaf (Node Leaf (Node (Node Leaf (Node Leaf (Node (Node Leaf Leaf) Leaf))) Leaf))) Leaf) Leaf))))) Leaf) Leaf))
@@ -843,7 +843,7 @@ Example suite_104 : suite_seen (Node Leaf (Node (Node (Node Leaf (Node Leaf (Nod
   [0xcf2%positive; 0x679a%positive; 0xcf37%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x6%positive, 0x3); (0xc%positive, 0x7); (0x19%positive, 0xf); (0x33%positive, 0x1f); (0x66%positive, 0x3f); (0x67%positive, 0x3e); (0xcf%positive, 0x7c); (0x19e%positive, 0xf9); (0x33c%positive, 0x1f3); (0x678%positive, 0x3e7); (0x679%positive, 0x3e6); (0xcf3%positive, 0x7cd); (0x19e6%positive, 0xf9b); (0x33cc%positive, 0x1f37); (0x33cd%positive, 0x1f36); (0x679b%positive, 0x3e6d); (0xcf37%positive, 0x7cdb)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-93 *)
 Example suite_105 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf))
@@ -851,7 +851,7 @@ Example suite_105 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0x2%positive, 0x0); (0x5%positive, 0x1); (0x4%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-94 *)
 Example suite_106 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf))
@@ -859,7 +859,7 @@ Example suite_106 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-95 *)
 Example suite_107 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf))
@@ -867,7 +867,7 @@ Example suite_107 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Le
   [0x7%positive]
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-96 *)
 Example suite_108 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))
@@ -875,7 +875,7 @@ Example suite_108 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (N
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x9%positive, 0x6); (0x5%positive, 0x2); (0x3%positive, 0x0); (0x7%positive, 0x1); (0x6%positive, 0x0); (0xd%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-97 *)
 Example suite_109 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf (Node (Node Leaf Leaf) (Node (Node Leaf (Node (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))) Leaf)) Leaf)))) Leaf) (Node Leaf Leaf))
@@ -883,7 +883,7 @@ Example suite_109 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x5%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-98 *)
 Example suite_110 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf)) (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)))
@@ -891,7 +891,7 @@ Example suite_110 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (N
   [0x20%positive; 0x12%positive]
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x7%positive, 0x1); (0xe%positive, 0x2); (0x6%positive, 0x0); (0xc%positive, 0x1); (0x18%positive, 0x3); (0x19%positive, 0x2); (0xd%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-101 *)
 Example suite_111 : suite_seen (Node Leaf Leaf)
@@ -899,7 +899,7 @@ Example suite_111 : suite_seen (Node Leaf Leaf)
   [0x2%positive; 0x3%positive]
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-102 *)
 Example suite_112 : suite_seen (Node (Node (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) Leaf) Leaf) Leaf) (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))) Leaf)
@@ -907,7 +907,7 @@ Example suite_112 : suite_seen (Node (Node (Node (Node (Node (Node Leaf (Node Le
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-103 *)
 Example suite_113 : suite_seen (Node Leaf (Node (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf (Node (Node Leaf Leaf) (Node Leaf (Node Leaf Leaf)))))) (Node (Node Leaf Leaf) Leaf)))
@@ -915,7 +915,7 @@ Example suite_113 : suite_seen (Node Leaf (Node (Node Leaf (Node (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-104 *)
 Example suite_114 : suite_seen (Node Leaf (Node Leaf Leaf))
@@ -923,7 +923,7 @@ Example suite_114 : suite_seen (Node Leaf (Node Leaf Leaf))
   [0x7%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-105 *)
 Example suite_115 : suite_seen (Node Leaf (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)))
@@ -931,7 +931,7 @@ Example suite_115 : suite_seen (Node Leaf (Node Leaf (Node (Node Leaf (Node (Nod
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0); (0x7%positive, 0x1); (0xf%positive, 0x3); (0xe%positive, 0x2); (0x1d%positive, 0x5); (0x3b%positive, 0xb); (0x3a%positive, 0xa); (0x75%positive, 0x15); (0x74%positive, 0x14); (0x1c%positive, 0x4); (0x6%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-106 *)
 Example suite_116 : suite_seen (Node (Node (Node (Node (Node Leaf (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) (Node Leaf (Node Leaf Leaf))) Leaf)) (Node (Node Leaf Leaf) Leaf)) Leaf) Leaf) Leaf)
@@ -939,7 +939,7 @@ Example suite_116 : suite_seen (Node (Node (Node (Node (Node Leaf (Node (Node (N
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x9%positive, 0x6); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-107 *)
 Example suite_117 : suite_seen (Node Leaf (Node (Node (Node Leaf (Node Leaf (Node Leaf (Node (Node Leaf Leaf) Leaf)))) (Node Leaf Leaf)) Leaf))
@@ -947,7 +947,7 @@ Example suite_117 : suite_seen (Node Leaf (Node (Node (Node Leaf (Node Leaf (Nod
   [0x18%positive; 0x7%positive]
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-108 *)
 Example suite_118 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) (Node (Node (Node Leaf Leaf) Leaf) (Node (Node (Node Leaf (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) Leaf)) (Node Leaf Leaf)) (Node Leaf Leaf))))) Leaf)
@@ -955,7 +955,7 @@ Example suite_118 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) (Node (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x5%positive, 0x1); (0xa%positive, 0x2); (0x14%positive, 0x4); (0x4%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-109 *)
 Example suite_119 : suite_seen (Node (Node (Node Leaf Leaf) (Node (Node (Node (Node (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) Leaf) (Node Leaf (Node Leaf Leaf))) Leaf) Leaf) (Node (Node Leaf (Node Leaf Leaf)) Leaf))) (Node (Node Leaf Leaf) Leaf))
@@ -963,7 +963,7 @@ Example suite_119 : suite_seen (Node (Node (Node Leaf Leaf) (Node (Node (Node (N
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-110 *)
 Example suite_120 : suite_seen (Node Leaf (Node Leaf (Node Leaf Leaf)))
@@ -971,7 +971,7 @@ Example suite_120 : suite_seen (Node Leaf (Node Leaf (Node Leaf Leaf)))
   [0xe%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x7%positive, 0x0); (0xf%positive, 0x1); (0xe%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-111 *)
 Example suite_121 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf))
@@ -979,7 +979,7 @@ Example suite_121 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0x2%positive, 0x0); (0x4%positive, 0x0); (0x8%positive, 0x1); (0x11%positive, 0x3); (0x10%positive, 0x2); (0x9%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-112 *)
 Example suite_122 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))))
@@ -987,7 +987,7 @@ Example suite_122 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x4%positive, 0x0); (0x8%positive, 0x1); (0x11%positive, 0x3); (0x10%positive, 0x2); (0x9%positive, 0x0); (0x12%positive, 0x1); (0x13%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-113 *)
 Example suite_123 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) (Node Leaf (Node Leaf Leaf))) (Node Leaf Leaf))) Leaf)))
@@ -995,7 +995,7 @@ Example suite_123 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) (Node (Node Le
   [0x38%positive; 0xf%positive]
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0x6%positive, 0x2); (0x2%positive, 0x0); (0x4%positive, 0x1); (0x5%positive, 0x0); (0xa%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-114 *)
 Example suite_124 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))
@@ -1003,7 +1003,7 @@ Example suite_124 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (N
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x5); (0xb%positive, 0x4); (0x3%positive, 0x0); (0x7%positive, 0x1); (0xe%positive, 0x3); (0xf%positive, 0x2); (0x6%positive, 0x0); (0xc%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-115 *)
 Example suite_125 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))) Leaf) Leaf)
@@ -1011,7 +1011,7 @@ Example suite_125 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf (Nod
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0); (0x4%positive, 0x1); (0x9%positive, 0x3); (0x12%positive, 0x7); (0x13%positive, 0x6); (0x26%positive, 0xc); (0x8%positive, 0x2); (0x5%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-116 *)
 Example suite_126 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf)) (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)))
@@ -1019,7 +1019,7 @@ Example suite_126 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (N
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x6%positive, 0x3); (0xd%positive, 0x7); (0xc%positive, 0x6); (0x18%positive, 0xc); (0x7%positive, 0x2); (0xf%positive, 0x5); (0xe%positive, 0x4); (0x2%positive, 0x0); (0x5%positive, 0x1); (0xb%positive, 0x2); (0x4%positive, 0x0); (0x8%positive, 0x1); (0x10%positive, 0x3); (0x20%positive, 0x7); (0x21%positive, 0x6); (0x11%positive, 0x2); (0x9%positive, 0x0); (0x12%positive, 0x1); (0x13%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-117 *)
 Example suite_127 : suite_seen (Node (Node (Node (Node (Node Leaf (Node (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf) Leaf)) Leaf) Leaf) Leaf) Leaf)
@@ -1027,7 +1027,7 @@ Example suite_127 : suite_seen (Node (Node (Node (Node (Node Leaf (Node (Node (N
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0); (0x4%positive, 0x0); (0x8%positive, 0x1); (0x11%positive, 0x2); (0x9%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-119 *)
 Example suite_128 : suite_seen (Node Leaf (Node Leaf Leaf))
@@ -1035,7 +1035,7 @@ Example suite_128 : suite_seen (Node Leaf (Node Leaf Leaf))
   [0x2%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-121 *)
 Example suite_129 : suite_seen (Node Leaf (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf (Node Leaf Leaf))) Leaf) Leaf) (Node (Node (Node (Node Leaf Leaf) Leaf) (Node (Node Leaf Leaf) Leaf)) Leaf)))
@@ -1043,7 +1043,7 @@ Example suite_129 : suite_seen (Node Leaf (Node (Node (Node (Node (Node (Node Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-122 *)
 Example suite_130 : suite_seen (Node (Node (Node (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf) Leaf) (Node Leaf (Node Leaf Leaf))) (Node Leaf Leaf))
@@ -1051,7 +1051,7 @@ Example suite_130 : suite_seen (Node (Node (Node (Node (Node Leaf (Node (Node Le
   [0x11%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0x6%positive, 0x2); (0x2%positive, 0x0); (0x4%positive, 0x0); (0x8%positive, 0x1); (0x10%positive, 0x3); (0x20%positive, 0x7); (0x21%positive, 0x6); (0x43%positive, 0xd); (0x42%positive, 0xc); (0x85%positive, 0x19); (0x84%positive, 0x18); (0x11%positive, 0x2)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-123 *)
 Example suite_131 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) (Node (Node Leaf Leaf) (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf (Node Leaf Leaf)))))) (Node Leaf (Node Leaf Leaf))) (Node Leaf (Node Leaf (Node Leaf Leaf))))
@@ -1059,7 +1059,7 @@ Example suite_131 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x5%positive, 0x0); (0xb%positive, 0x1); (0x17%positive, 0x3); (0x16%positive, 0x2); (0xa%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-124 *)
 Example suite_132 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node Leaf (Node Leaf Leaf)) (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) (Node (Node (Node Leaf Leaf) Leaf) Leaf)) Leaf))) (Node Leaf Leaf)) (Node Leaf Leaf))
@@ -1067,7 +1067,7 @@ Example suite_132 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-125 *)
 Example suite_133 : suite_seen (Node (Node Leaf Leaf) (Node (Node Leaf Leaf) (Node Leaf Leaf)))
@@ -1075,7 +1075,7 @@ Example suite_133 : suite_seen (Node (Node Leaf Leaf) (Node (Node Leaf Leaf) (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x6%positive, 0x0); (0xd%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-126 *)
 Example suite_134 : suite_seen (Node Leaf (Node Leaf (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) Leaf) (Node (Node Leaf (Node Leaf Leaf)) Leaf)))))
@@ -1083,7 +1083,7 @@ Example suite_134 : suite_seen (Node Leaf (Node Leaf (Node (Node Leaf (Node Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xe%positive, 0x5); (0x1d%positive, 0xb); (0x3a%positive, 0x17); (0x3b%positive, 0x16); (0x1c%positive, 0xa); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x11); (0x3e%positive, 0x10); (0x7d%positive, 0x21); (0xfa%positive, 0x43); (0xfb%positive, 0x42); (0x7c%positive, 0x20); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-127 *)
 Example suite_135 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) Leaf) Leaf)))))) (Node Leaf Leaf))
@@ -1091,7 +1091,7 @@ Example suite_135 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x6%positive, 0x1); (0x7%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-128 *)
 Example suite_136 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf (Node Leaf (Node Leaf Leaf))))) (Node (Node Leaf (Node Leaf Leaf)) Leaf)) (Node Leaf (Node Leaf Leaf)))
@@ -1099,7 +1099,7 @@ Example suite_136 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node (Node (N
   [0x2a%positive; 0x6%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x6); (0x10%positive, 0xd); (0x11%positive, 0xc); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x14%positive, 0x8); (0x3%positive, 0x0); (0x6%positive, 0x1)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-129 *)
 Example suite_137 : suite_seen (Node Leaf (Node Leaf (Node (Node (Node (Node (Node Leaf (Node (Node (Node Leaf (Node (Node Leaf (Node Leaf (Node (Node Leaf Leaf) Leaf))) Leaf)) Leaf) Leaf)) Leaf) Leaf) Leaf) Leaf)))
@@ -1107,7 +1107,7 @@ Example suite_137 : suite_seen (Node Leaf (Node Leaf (Node (Node (Node (Node (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x6%positive, 0x1); (0x7%positive, 0x0); (0xf%positive, 0x1); (0xe%positive, 0x0); (0x1c%positive, 0x1); (0x39%positive, 0x3); (0x38%positive, 0x2); (0x71%positive, 0x5); (0x70%positive, 0x4); (0xe0%positive, 0x8); (0x1d%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-130 *)
 Example suite_138 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))))
@@ -1115,7 +1115,7 @@ Example suite_138 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0); (0x7%positive, 0x1); (0x6%positive, 0x0); (0xd%positive, 0x1); (0x1b%positive, 0x3); (0x1a%positive, 0x2); (0xc%positive, 0x0); (0x18%positive, 0x1); (0x19%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-131 *)
 Example suite_139 : suite_seen (Node (Node Leaf (Node Leaf (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf (Node (Node (Node Leaf (Node Leaf (Node (Node Leaf (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf))) Leaf))) Leaf) Leaf)) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf))) Leaf)
@@ -1123,7 +1123,7 @@ Example suite_139 : suite_seen (Node (Node Leaf (Node Leaf (Node (Node (Node (No
   [0xa%positive; 0x160137%positive; 0x2c1%positive; 0x2d%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0); (0x4%positive, 0x1); (0x5%positive, 0x0); (0xb%positive, 0x1); (0x16%positive, 0x2); (0x2d%positive, 0x4)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-132 *)
 Example suite_140 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) (Node Leaf (Node (Node (Node (Node (Node (Node (Node Leaf (Node Leaf (Node (Node Leaf Leaf) Leaf))) (Node Leaf Leaf)) (Node Leaf Leaf)) (Node Leaf (Node Leaf Leaf))) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf)) Leaf))) Leaf)
@@ -1131,7 +1131,7 @@ Example suite_140 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf Leaf)) Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x4%positive, 0x1); (0x8%positive, 0x2); (0x5%positive, 0x0); (0xb%positive, 0x1); (0x16%positive, 0x3); (0x2d%positive, 0x6); (0x5a%positive, 0xd); (0xb4%positive, 0x1a); (0x5b%positive, 0xc); (0x17%positive, 0x2); (0xa%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-133 *)
 Example suite_141 : suite_seen (Node Leaf (Node (Node Leaf Leaf) Leaf))
@@ -1139,7 +1139,7 @@ Example suite_141 : suite_seen (Node Leaf (Node (Node Leaf Leaf) Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x6%positive, 0x2); (0xd%positive, 0x5); (0xc%positive, 0x4); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-134 *)
 Example suite_142 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf))
@@ -1147,7 +1147,7 @@ Example suite_142 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Le
   [0x7%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x5%positive, 0x2); (0x3%positive, 0x0); (0x7%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-135 *)
 Example suite_143 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) Leaf)))) Leaf) Leaf)
@@ -1155,7 +1155,7 @@ Example suite_143 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf (Nod
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0); (0x4%positive, 0x1); (0x8%positive, 0x3); (0x9%positive, 0x2); (0x13%positive, 0x5); (0x27%positive, 0xa); (0x4e%positive, 0x15); (0x9d%positive, 0x2b); (0x9c%positive, 0x2a); (0x139%positive, 0x54); (0x4f%positive, 0x14); (0x12%positive, 0x4); (0x5%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-136 *)
 Example suite_144 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node (Node Leaf Leaf) (Node (Node (Node (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf) (Node Leaf Leaf)) Leaf) Leaf)))) (Node Leaf Leaf)) Leaf)
@@ -1163,7 +1163,7 @@ Example suite_144 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x5%positive, 0x0); (0xa%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-137 *)
 Example suite_145 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))))
@@ -1171,7 +1171,7 @@ Example suite_145 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Lea
   [0x12%positive; 0x17%positive; 0x1d%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xe%positive, 0x5); (0x1d%positive, 0xb)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-138 *)
 Example suite_146 : suite_seen (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) (Node Leaf Leaf))
@@ -1179,7 +1179,7 @@ Example suite_146 : suite_seen (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) (N
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0x4%positive, 0x2); (0x3%positive, 0x0); (0x6%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-139 *)
 Example suite_147 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf (Node Leaf (Node (Node (Node Leaf (Node (Node (Node Leaf (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) Leaf)) Leaf) Leaf)) (Node Leaf Leaf)) (Node Leaf Leaf))))) Leaf)
@@ -1187,7 +1187,7 @@ Example suite_147 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x9%positive, 0x7); (0x8%positive, 0x6); (0x5%positive, 0x2); (0xb%positive, 0x5); (0x17%positive, 0xb); (0x2e%positive, 0x17); (0x5d%positive, 0x2e); (0xbb%positive, 0x5c); (0x2f%positive, 0x16); (0x5f%positive, 0x2d); (0x5e%positive, 0x2c); (0x16%positive, 0xa); (0xa%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-140 *)
 Example suite_148 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf)) (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)))
@@ -1195,7 +1195,7 @@ Example suite_148 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (N
   [0x21%positive; 0x18%positive]
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0); (0x7%positive, 0x1); (0xf%positive, 0x3); (0xe%positive, 0x2); (0x6%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-141 *)
 Example suite_149 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node Leaf (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node Leaf Leaf)))) Leaf)
@@ -1203,7 +1203,7 @@ Example suite_149 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-142 *)
 Example suite_150 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node (Node Leaf (Node Leaf Leaf)) (Node Leaf (Node Leaf (Node Leaf Leaf)))))
@@ -1211,7 +1211,7 @@ Example suite_150 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node (Node Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0x3%positive, 0x0); (0x7%positive, 0x0); (0xe%positive, 0x1); (0xf%positive, 0x0); (0x1e%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-143 *)
 Example suite_151 : suite_seen (Node Leaf (Node (Node Leaf Leaf) (Node (Node Leaf (Node Leaf Leaf)) Leaf)))
@@ -1219,7 +1219,7 @@ Example suite_151 : suite_seen (Node Leaf (Node (Node Leaf Leaf) (Node (Node Lea
   [0xf%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x6%positive, 0x3); (0xc%positive, 0x7); (0xd%positive, 0x6); (0x7%positive, 0x2); (0xe%positive, 0x5); (0x1d%positive, 0xb); (0x3a%positive, 0x17); (0x3b%positive, 0x16); (0x1c%positive, 0xa); (0xf%positive, 0x4)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-144 *)
 Example suite_152 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))))
@@ -1227,7 +1227,7 @@ Example suite_152 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x5%positive, 0x1); (0xa%positive, 0x3); (0x15%positive, 0x7); (0x14%positive, 0x6); (0xb%positive, 0x2); (0x16%positive, 0x5); (0x17%positive, 0x4); (0x4%positive, 0x0); (0x8%positive, 0x1); (0x11%positive, 0x2); (0x9%positive, 0x0); (0x12%positive, 0x1); (0x13%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-145 *)
 Example suite_153 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))
@@ -1235,7 +1235,7 @@ Example suite_153 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (N
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0x6%positive, 0x2); (0xc%positive, 0x4); (0x2%positive, 0x0); (0x4%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-146 *)
 Example suite_154 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf (Node (Node Leaf (Node Leaf (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)))) Leaf))) Leaf) Leaf) (Node Leaf Leaf)) (Node Leaf Leaf))
@@ -1243,7 +1243,7 @@ Example suite_154 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf (No
   [0x86f%positive; 0xb%positive; 0x6%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x6%positive, 0x3)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-147 *)
 Example suite_155 : suite_seen (Node (Node Leaf Leaf) (Node (Node Leaf Leaf) (Node (Node (Node Leaf Leaf) (Node (Node (Node (Node Leaf Leaf) (Node (Node Leaf Leaf) (Node (Node Leaf Leaf) (Node (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) Leaf) Leaf) Leaf) Leaf)))) Leaf) (Node Leaf Leaf))) (Node Leaf Leaf))))
@@ -1251,7 +1251,7 @@ Example suite_155 : suite_seen (Node (Node Leaf Leaf) (Node (Node Leaf Leaf) (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-148 *)
 Example suite_156 : suite_seen (Node (Node Leaf (Node (Node (Node Leaf (Node Leaf Leaf)) (Node (Node (Node (Node (Node Leaf Leaf) (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf))) Leaf) (Node (Node Leaf Leaf) (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)))) (Node Leaf Leaf))) (Node Leaf Leaf))) Leaf)
@@ -1259,7 +1259,7 @@ Example suite_156 : suite_seen (Node (Node Leaf (Node (Node (Node Leaf (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x5%positive, 0x2); (0xb%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-149 *)
 Example suite_157 : suite_seen (Node (Node Leaf Leaf) (Node (Node (Node Leaf (Node (Node Leaf Leaf) (Node (Node Leaf Leaf) (Node (Node Leaf (Node (Node (Node (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) Leaf)) Leaf) Leaf) Leaf)) (Node Leaf Leaf))))) Leaf) (Node Leaf Leaf)))
@@ -1267,7 +1267,7 @@ Example suite_157 : suite_seen (Node (Node Leaf Leaf) (Node (Node (Node Leaf (No
   [0x4%positive; 0x64%positive; 0x65%positive; 0xce88%positive; 0x6745%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xe%positive, 0x6); (0x6%positive, 0x2); (0xc%positive, 0x4); (0x19%positive, 0x9); (0x33%positive, 0x13); (0x66%positive, 0x27); (0xcc%positive, 0x4f); (0xcd%positive, 0x4e); (0x67%positive, 0x26); (0xcf%positive, 0x4d); (0x19e%positive, 0x9a); (0xce%positive, 0x4c); (0x19d%positive, 0x99); (0x33a%positive, 0x133); (0x675%positive, 0x267); (0x674%positive, 0x266); (0xce8%positive, 0x4cd); (0x19d0%positive, 0x99b); (0x19d1%positive, 0x99a); (0xce9%positive, 0x4cc); (0x33b%positive, 0x132); (0x19c%positive, 0x98); (0x32%positive, 0x12); (0x18%positive, 0x8); (0x2%positive, 0x0); (0x5%positive, 0x1); (0x4%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-151 *)
 Example suite_158 : suite_seen (Node (Node Leaf Leaf) (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) (Node (Node (Node (Node (Node (Node Leaf Leaf) (Node Leaf (Node (Node Leaf Leaf) (Node Leaf Leaf)))) Leaf) Leaf) (Node Leaf Leaf)) (Node Leaf Leaf))))
@@ -1275,7 +1275,7 @@ Example suite_158 : suite_seen (Node (Node Leaf Leaf) (Node (Node (Node Leaf (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x5%positive, 0x2); (0x3%positive, 0x0); (0x6%positive, 0x0); (0xc%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-152 *)
 Example suite_159 : suite_seen (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf)) (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf))) (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf)))
@@ -1283,7 +1283,7 @@ Example suite_159 : suite_seen (Node (Node (Node (Node (Node (Node Leaf Leaf) Le
   [0x41%positive; 0x15%positive; 0x16%positive; 0x31%positive; 0x1b%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x6%positive, 0x3); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x2%positive, 0x0); (0x5%positive, 0x1); (0xb%positive, 0x3); (0x16%positive, 0x6)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-153 *)
 Example suite_160 : suite_seen (Node (Node Leaf (Node (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf) Leaf)) Leaf)
@@ -1291,7 +1291,7 @@ Example suite_160 : suite_seen (Node (Node Leaf (Node (Node (Node Leaf (Node (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-154 *)
 Example suite_161 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node (Node (Node Leaf (Node (Node (Node Leaf (Node (Node Leaf (Node (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf) Leaf)) Leaf)) Leaf) Leaf)) Leaf) Leaf)))))) Leaf) Leaf)
@@ -1299,7 +1299,7 @@ Example suite_161 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf (Nod
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x9%positive, 0x4); (0x13%positive, 0x9); (0x12%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-155 *)
 Example suite_162 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf))
@@ -1307,7 +1307,7 @@ Example suite_162 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Le
   [0x7%positive]
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-156 *)
 Example suite_163 : suite_seen (Node (Node Leaf (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node (Node Leaf (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) Leaf) Leaf)) Leaf))))))) Leaf) Leaf) Leaf)) Leaf)
@@ -1315,7 +1315,7 @@ Example suite_163 : suite_seen (Node (Node Leaf (Node (Node (Node (Node Leaf (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0); (0x5%positive, 0x1); (0xb%positive, 0x3); (0xa%positive, 0x2); (0x15%positive, 0x5); (0x14%positive, 0x4); (0x29%positive, 0x8); (0x4%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-157 *)
 Example suite_164 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf)))
@@ -1323,7 +1323,7 @@ Example suite_164 : suite_seen (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (N
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xb%positive, 0x5); (0xa%positive, 0x4); (0x3%positive, 0x0); (0x7%positive, 0x1); (0xf%positive, 0x3); (0xe%positive, 0x2); (0x6%positive, 0x0); (0xc%positive, 0x1); (0xd%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-158 *)
 Example suite_165 : suite_seen (Node Leaf (Node (Node (Node (Node (Node Leaf (Node (Node Leaf (Node Leaf (Node (Node Leaf (Node Leaf (Node Leaf (Node (Node Leaf Leaf) Leaf)))) Leaf))) Leaf)) (Node Leaf Leaf)) Leaf) (Node Leaf Leaf)) Leaf))
@@ -1331,7 +1331,7 @@ Example suite_165 : suite_seen (Node Leaf (Node (Node (Node (Node (Node Leaf (No
   [0x60%positive; 0x616f%positive; 0x1b%positive]
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-159 *)
 Example suite_166 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))))
@@ -1339,7 +1339,7 @@ Example suite_166 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-160 *)
 Example suite_167 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf (Node (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) Leaf) Leaf)))) Leaf) Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -1347,7 +1347,7 @@ Example suite_167 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0); (0x4%positive, 0x1); (0x5%positive, 0x0); (0xa%positive, 0x0); (0x14%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-162 *)
 Example suite_168 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (Node (Node Leaf (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf))) Leaf) Leaf)
@@ -1355,7 +1355,7 @@ Example suite_168 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (N
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-163 *)
 Example suite_169 : suite_seen (Node (Node Leaf Leaf) (Node Leaf (Node (Node (Node Leaf Leaf) (Node (Node (Node Leaf Leaf) (Node (Node (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf (Node Leaf Leaf)) Leaf)) (Node Leaf (Node Leaf (Node Leaf Leaf)))) (Node Leaf Leaf)) (Node Leaf Leaf))) Leaf)) (Node Leaf Leaf))))
@@ -1363,7 +1363,7 @@ Example suite_169 : suite_seen (Node (Node Leaf Leaf) (Node Leaf (Node (Node (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x5%positive, 0x2); (0x3%positive, 0x0); (0x7%positive, 0x1); (0x6%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-164 *)
 Example suite_170 : suite_seen (Node (Node (Node Leaf (Node Leaf Leaf)) (Node (Node (Node (Node Leaf Leaf) Leaf) (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf))) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) Leaf) Leaf))
@@ -1371,7 +1371,7 @@ Example suite_170 : suite_seen (Node (Node (Node Leaf (Node Leaf Leaf)) (Node (N
   [0x51%positive; 0x151%positive; 0xab%positive; 0xac%positive; 0x17%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x2%positive, 0x0); (0x5%positive, 0x1); (0xb%positive, 0x3); (0x17%positive, 0x7)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-165 *)
 Example suite_171 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf)) (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)))
@@ -1379,7 +1379,7 @@ Example suite_171 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (N
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-166 *)
 Example suite_172 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node (Node (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) (Node (Node Leaf Leaf) (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) (Node (Node Leaf Leaf) (Node (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) (Node Leaf Leaf)) Leaf)))))) Leaf) (Node Leaf Leaf))) (Node Leaf Leaf))
@@ -1387,7 +1387,7 @@ Example suite_172 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) (Node (N
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0); (0x7%positive, 0x1); (0x6%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-167 *)
 Example suite_173 : suite_seen (Node (Node (Node Leaf (Node Leaf Leaf)) (Node (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) (Node (Node Leaf (Node Leaf Leaf)) (Node Leaf Leaf)))) (Node Leaf (Node (Node Leaf Leaf) Leaf)))) (Node Leaf (Node (Node Leaf Leaf) Leaf))) (Node Leaf Leaf))) (Node Leaf Leaf))
@@ -1395,7 +1395,7 @@ Example suite_173 : suite_seen (Node (Node (Node Leaf (Node Leaf Leaf)) (Node (N
   [0x52c%positive; 0x52e%positive; 0xa6%positive; 0x29d%positive; 0x57%positive; 0x6%positive]
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-168 *)
 Example suite_174 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))))
@@ -1403,7 +1403,7 @@ Example suite_174 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x9%positive, 0x4); (0x12%positive, 0x8); (0x3%positive, 0x0); (0x6%positive, 0x1); (0xc%positive, 0x2); (0x18%positive, 0x5); (0x19%positive, 0x4); (0x7%positive, 0x0); (0xf%positive, 0x1); (0x1e%positive, 0x3); (0x1f%positive, 0x2); (0xe%positive, 0x0); (0x1d%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-169 *)
 Example suite_175 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf)) (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf Leaf)))
@@ -1411,7 +1411,7 @@ Example suite_175 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (N
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x9%positive, 0x6); (0x12%positive, 0xd); (0x13%positive, 0xc); (0x5%positive, 0x2); (0xb%positive, 0x5); (0xa%positive, 0x4); (0x15%positive, 0x9); (0x14%positive, 0x8); (0x3%positive, 0x0); (0x6%positive, 0x0); (0xc%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-170 *)
 Example suite_176 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf (Node (Node (Node (Node Leaf Leaf) (Node (Node Leaf (Node (Node Leaf (Node (Node (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))) Leaf) Leaf)) Leaf)) Leaf)) Leaf) (Node Leaf Leaf))))
@@ -1419,7 +1419,7 @@ Example suite_176 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf (No
   [0x6%positive; 0x70%positive; 0x72a6%positive; 0x1cb%positive; 0x1e%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x9%positive, 0x6); (0x5%positive, 0x2); (0x3%positive, 0x0); (0x7%positive, 0x1); (0xf%positive, 0x2); (0x1e%positive, 0x5)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-171 *)
 Example suite_177 : suite_seen (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) (Node (Node Leaf (Node Leaf Leaf)) (Node (Node (Node Leaf Leaf) (Node Leaf (Node (Node (Node (Node (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) (Node Leaf Leaf)) (Node (Node Leaf Leaf) Leaf)) (Node Leaf Leaf)) Leaf) (Node Leaf (Node Leaf (Node Leaf Leaf)))))) (Node Leaf (Node Leaf Leaf))))))
@@ -1427,7 +1427,7 @@ Example suite_177 : suite_seen (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x6%positive, 0x0); (0xc%positive, 0x1); (0x18%positive, 0x3); (0x19%positive, 0x2); (0xd%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-172 *)
 Example suite_178 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))))
@@ -1435,7 +1435,7 @@ Example suite_178 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0x6%positive, 0x2); (0xc%positive, 0x5); (0x18%positive, 0xb); (0x19%positive, 0xa); (0xd%positive, 0x4); (0x1a%positive, 0x9); (0x1b%positive, 0x8); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-173 *)
 Example suite_179 : suite_seen (Node Leaf (Node (Node (Node Leaf Leaf) (Node (Node Leaf Leaf) (Node (Node Leaf Leaf) Leaf))) (Node (Node (Node Leaf (Node (Node Leaf Leaf) (Node (Node (Node (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf) (Node Leaf Leaf)) Leaf) (Node Leaf (Node (Node Leaf Leaf) Leaf))))) Leaf) Leaf)))
@@ -1443,7 +1443,7 @@ Example suite_179 : suite_seen (Node Leaf (Node (Node (Node Leaf Leaf) (Node (No
   [0x34%positive; 0xe5%positive; 0xe615%positive; 0x39f%positive]
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-174 *)
 Example suite_180 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))))
@@ -1451,7 +1451,7 @@ Example suite_180 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x6%positive, 0x3); (0xc%positive, 0x7); (0x19%positive, 0xe); (0xd%positive, 0x6); (0x1a%positive, 0xd); (0x1b%positive, 0xc); (0x7%positive, 0x2); (0xf%positive, 0x5); (0x1f%positive, 0xa); (0xe%positive, 0x4); (0x1d%positive, 0x9); (0x1c%positive, 0x8); (0x2%positive, 0x0); (0x5%positive, 0x0); (0xb%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-175 *)
 Example suite_181 : suite_seen (Node (Node (Node (Node (Node (Node Leaf Leaf) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) Leaf)) (Node Leaf (Node Leaf Leaf))) (Node (Node Leaf Leaf) Leaf)) (Node Leaf (Node (Node Leaf Leaf) Leaf))) (Node (Node Leaf Leaf) Leaf))
@@ -1459,7 +1459,7 @@ Example suite_181 : suite_seen (Node (Node (Node (Node (Node (Node Leaf Leaf) (N
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x7%positive, 0x1); (0x6%positive, 0x0); (0xd%positive, 0x1); (0xc%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-176 *)
 Example suite_182 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
@@ -1467,7 +1467,7 @@ Example suite_182 : suite_seen (Node (Node Leaf Leaf) (Node Leaf Leaf))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x6%positive, 0x2); (0x2%positive, 0x0); (0x5%positive, 0x1); (0x4%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-177 *)
 Example suite_183 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) (Node Leaf Leaf)) (Node (Node Leaf Leaf) (Node Leaf Leaf))))
@@ -1475,7 +1475,7 @@ Example suite_183 : suite_seen (Node (Node (Node (Node Leaf Leaf) (Node Leaf Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-178 *)
 Example suite_184 : suite_seen (Node Leaf (Node (Node Leaf (Node (Node (Node Leaf (Node (Node (Node (Node (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf (Node (Node Leaf (Node Leaf (Node (Node Leaf (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf)) Leaf))) Leaf))) Leaf)) Leaf)) Leaf) Leaf) Leaf) Leaf) Leaf)) Leaf) Leaf)) Leaf))
@@ -1483,7 +1483,7 @@ Example suite_184 : suite_seen (Node Leaf (Node (Node Leaf (Node (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0); (0x6%positive, 0x1); (0xc%positive, 0x3); (0xd%positive, 0x2); (0x1a%positive, 0x5); (0x1b%positive, 0x4); (0x7%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/random-179 *)
 Example suite_185 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (Node Leaf (Node Leaf Leaf))) Leaf) (Node Leaf Leaf))
@@ -1491,7 +1491,7 @@ Example suite_185 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) (N
   [0x20%positive; 0x27%positive]
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x3%positive, 0x0); (0x7%positive, 0x1); (0x6%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-2-first *)
 Example suite_186 : suite_seen (Node (Node Leaf Leaf) Leaf)
@@ -1499,7 +1499,7 @@ Example suite_186 : suite_seen (Node (Node Leaf Leaf) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-2-all *)
 Example suite_187 : suite_seen (Node (Node Leaf Leaf) Leaf)
@@ -1507,7 +1507,7 @@ Example suite_187 : suite_seen (Node (Node Leaf Leaf) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-3-all *)
 Example suite_188 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) Leaf)
@@ -1515,7 +1515,7 @@ Example suite_188 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x9%positive, 0x6); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-3-first *)
 Example suite_189 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) Leaf)
@@ -1523,7 +1523,7 @@ Example suite_189 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-3-two-1 *)
 Example suite_190 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) Leaf)
@@ -1531,7 +1531,7 @@ Example suite_190 : suite_seen (Node (Node (Node Leaf Leaf) Leaf) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x6); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-3-all *)
 Example suite_191 : suite_seen (Node Leaf (Node Leaf (Node Leaf Leaf)))
@@ -1539,7 +1539,7 @@ Example suite_191 : suite_seen (Node Leaf (Node Leaf (Node Leaf Leaf)))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0xe%positive, 0x6); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-3-first *)
 Example suite_192 : suite_seen (Node Leaf (Node Leaf (Node Leaf Leaf)))
@@ -1547,7 +1547,7 @@ Example suite_192 : suite_seen (Node Leaf (Node Leaf (Node Leaf Leaf)))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-3-two-1 *)
 Example suite_193 : suite_seen (Node Leaf (Node Leaf (Node Leaf Leaf)))
@@ -1555,7 +1555,7 @@ Example suite_193 : suite_seen (Node Leaf (Node Leaf (Node Leaf Leaf)))
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x6); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-3-all *)
 Example suite_194 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) Leaf)
@@ -1563,7 +1563,7 @@ Example suite_194 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x7); (0xb%positive, 0x6); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-3-first *)
 Example suite_195 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) Leaf)
@@ -1571,7 +1571,7 @@ Example suite_195 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-3-two-1 *)
 Example suite_196 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) Leaf)
@@ -1579,7 +1579,7 @@ Example suite_196 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x6); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-4-all *)
 Example suite_197 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf)
@@ -1587,7 +1587,7 @@ Example suite_197 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x10%positive, 0xf); (0x11%positive, 0xe); (0x9%positive, 0x6); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-4-first *)
 Example suite_198 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf)
@@ -1595,7 +1595,7 @@ Example suite_198 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-4-two-1 *)
 Example suite_199 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf)
@@ -1603,7 +1603,7 @@ Example suite_199 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x6); (0x10%positive, 0xc); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-4-two-2 *)
 Example suite_200 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf)
@@ -1611,7 +1611,7 @@ Example suite_200 : suite_seen (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x10%positive, 0xa); (0x9%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-4-all *)
 Example suite_201 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))
@@ -1619,7 +1619,7 @@ Example suite_201 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0x1f%positive, 0xf); (0x1e%positive, 0xe); (0xe%positive, 0x6); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-4-first *)
 Example suite_202 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))
@@ -1627,7 +1627,7 @@ Example suite_202 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-4-two-1 *)
 Example suite_203 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))
@@ -1635,7 +1635,7 @@ Example suite_203 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x6); (0x1f%positive, 0xc); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-4-two-2 *)
 Example suite_204 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))
@@ -1643,7 +1643,7 @@ Example suite_204 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x5); (0x1f%positive, 0xa); (0xe%positive, 0x4); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-4-all *)
 Example suite_205 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)
@@ -1651,7 +1651,7 @@ Example suite_205 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x7); (0x15%positive, 0xf); (0x14%positive, 0xe); (0xb%positive, 0x6); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-4-first *)
 Example suite_206 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)
@@ -1659,7 +1659,7 @@ Example suite_206 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-4-two-1 *)
 Example suite_207 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)
@@ -1667,7 +1667,7 @@ Example suite_207 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x6); (0x15%positive, 0xc); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-4-two-2 *)
 Example suite_208 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)
@@ -1675,7 +1675,7 @@ Example suite_208 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x5); (0x15%positive, 0xa); (0xb%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-5-all *)
 Example suite_209 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1683,7 +1683,7 @@ Example suite_209 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x10%positive, 0xf); (0x20%positive, 0x1f); (0x21%positive, 0x1e); (0x11%positive, 0xe); (0x9%positive, 0x6); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-5-first *)
 Example suite_210 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1691,7 +1691,7 @@ Example suite_210 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-5-two-1 *)
 Example suite_211 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1699,7 +1699,7 @@ Example suite_211 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x6); (0x10%positive, 0xc); (0x20%positive, 0x18); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-5-two-2 *)
 Example suite_212 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1707,7 +1707,7 @@ Example suite_212 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x10%positive, 0xa); (0x20%positive, 0x14); (0x9%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-5-two-3 *)
 Example suite_213 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1715,7 +1715,7 @@ Example suite_213 : suite_seen (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x20%positive, 0x12); (0x11%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-5-all *)
 Example suite_214 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))
@@ -1723,7 +1723,7 @@ Example suite_214 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0x1f%positive, 0xf); (0x3f%positive, 0x1f); (0x3e%positive, 0x1e); (0x1e%positive, 0xe); (0xe%positive, 0x6); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-5-first *)
 Example suite_215 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))
@@ -1731,7 +1731,7 @@ Example suite_215 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x10); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-5-two-1 *)
 Example suite_216 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))
@@ -1739,7 +1739,7 @@ Example suite_216 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x6); (0x1f%positive, 0xc); (0x3f%positive, 0x18); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-5-two-2 *)
 Example suite_217 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))
@@ -1747,7 +1747,7 @@ Example suite_217 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x5); (0x1f%positive, 0xa); (0x3f%positive, 0x14); (0xe%positive, 0x4); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-5-two-3 *)
 Example suite_218 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))
@@ -1755,7 +1755,7 @@ Example suite_218 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x9); (0x3f%positive, 0x12); (0x1e%positive, 0x8); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-5-all *)
 Example suite_219 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)
@@ -1763,7 +1763,7 @@ Example suite_219 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x7); (0x15%positive, 0xf); (0x2a%positive, 0x1f); (0x2b%positive, 0x1e); (0x14%positive, 0xe); (0xb%positive, 0x6); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-5-first *)
 Example suite_220 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)
@@ -1771,7 +1771,7 @@ Example suite_220 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-5-two-1 *)
 Example suite_221 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)
@@ -1779,7 +1779,7 @@ Example suite_221 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x6); (0x15%positive, 0xc); (0x2a%positive, 0x18); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-5-two-2 *)
 Example suite_222 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)
@@ -1787,7 +1787,7 @@ Example suite_222 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x5); (0x15%positive, 0xa); (0x2a%positive, 0x14); (0xb%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-5-two-3 *)
 Example suite_223 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)
@@ -1795,7 +1795,7 @@ Example suite_223 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x9); (0x2a%positive, 0x12); (0x14%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-8-all *)
 Example suite_224 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1803,7 +1803,7 @@ Example suite_224 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node L
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x10%positive, 0xf); (0x20%positive, 0x1f); (0x40%positive, 0x3f); (0x80%positive, 0x7f); (0x100%positive, 0xff); (0x101%positive, 0xfe); (0x81%positive, 0x7e); (0x41%positive, 0x3e); (0x21%positive, 0x1e); (0x11%positive, 0xe); (0x9%positive, 0x6); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-8-first *)
 Example suite_225 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1811,7 +1811,7 @@ Example suite_225 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node L
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x10); (0x40%positive, 0x20); (0x80%positive, 0x40); (0x100%positive, 0x80); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-8-two-1 *)
 Example suite_226 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1819,7 +1819,7 @@ Example suite_226 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node L
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x6); (0x10%positive, 0xc); (0x20%positive, 0x18); (0x40%positive, 0x30); (0x80%positive, 0x60); (0x100%positive, 0xc0); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-8-two-2 *)
 Example suite_227 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1827,7 +1827,7 @@ Example suite_227 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node L
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x10%positive, 0xa); (0x20%positive, 0x14); (0x40%positive, 0x28); (0x80%positive, 0x50); (0x100%positive, 0xa0); (0x9%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-8-two-3 *)
 Example suite_228 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1835,7 +1835,7 @@ Example suite_228 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node L
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x20%positive, 0x12); (0x40%positive, 0x24); (0x80%positive, 0x48); (0x100%positive, 0x90); (0x11%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-8-two-4 *)
 Example suite_229 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1843,7 +1843,7 @@ Example suite_229 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node L
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x40%positive, 0x22); (0x80%positive, 0x44); (0x100%positive, 0x88); (0x21%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-8-all *)
 Example suite_230 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))
@@ -1851,7 +1851,7 @@ Example suite_230 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0x1f%positive, 0xf); (0x3f%positive, 0x1f); (0x7f%positive, 0x3f); (0xff%positive, 0x7f); (0x1ff%positive, 0xff); (0x1fe%positive, 0xfe); (0xfe%positive, 0x7e); (0x7e%positive, 0x3e); (0x3e%positive, 0x1e); (0x1e%positive, 0xe); (0xe%positive, 0x6); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-8-first *)
 Example suite_231 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))
@@ -1859,7 +1859,7 @@ Example suite_231 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x10); (0x7f%positive, 0x20); (0xff%positive, 0x40); (0x1ff%positive, 0x80); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-8-two-1 *)
 Example suite_232 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))
@@ -1867,7 +1867,7 @@ Example suite_232 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x6); (0x1f%positive, 0xc); (0x3f%positive, 0x18); (0x7f%positive, 0x30); (0xff%positive, 0x60); (0x1ff%positive, 0xc0); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-8-two-2 *)
 Example suite_233 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))
@@ -1875,7 +1875,7 @@ Example suite_233 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x5); (0x1f%positive, 0xa); (0x3f%positive, 0x14); (0x7f%positive, 0x28); (0xff%positive, 0x50); (0x1ff%positive, 0xa0); (0xe%positive, 0x4); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-8-two-3 *)
 Example suite_234 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))
@@ -1883,7 +1883,7 @@ Example suite_234 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x9); (0x3f%positive, 0x12); (0x7f%positive, 0x24); (0xff%positive, 0x48); (0x1ff%positive, 0x90); (0x1e%positive, 0x8); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-8-two-4 *)
 Example suite_235 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))
@@ -1891,7 +1891,7 @@ Example suite_235 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x11); (0x7f%positive, 0x22); (0xff%positive, 0x44); (0x1ff%positive, 0x88); (0x3e%positive, 0x10); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-8-all *)
 Example suite_236 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)
@@ -1899,7 +1899,7 @@ Example suite_236 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x7); (0x15%positive, 0xf); (0x2a%positive, 0x1f); (0x55%positive, 0x3f); (0xaa%positive, 0x7f); (0x155%positive, 0xff); (0x154%positive, 0xfe); (0xab%positive, 0x7e); (0x54%positive, 0x3e); (0x2b%positive, 0x1e); (0x14%positive, 0xe); (0xb%positive, 0x6); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-8-first *)
 Example suite_237 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)
@@ -1907,7 +1907,7 @@ Example suite_237 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x10); (0x55%positive, 0x20); (0xaa%positive, 0x40); (0x155%positive, 0x80); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-8-two-1 *)
 Example suite_238 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)
@@ -1915,7 +1915,7 @@ Example suite_238 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x6); (0x15%positive, 0xc); (0x2a%positive, 0x18); (0x55%positive, 0x30); (0xaa%positive, 0x60); (0x155%positive, 0xc0); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-8-two-2 *)
 Example suite_239 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)
@@ -1923,7 +1923,7 @@ Example suite_239 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x5); (0x15%positive, 0xa); (0x2a%positive, 0x14); (0x55%positive, 0x28); (0xaa%positive, 0x50); (0x155%positive, 0xa0); (0xb%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-8-two-3 *)
 Example suite_240 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)
@@ -1931,7 +1931,7 @@ Example suite_240 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x9); (0x2a%positive, 0x12); (0x55%positive, 0x24); (0xaa%positive, 0x48); (0x155%positive, 0x90); (0x14%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-8-two-4 *)
 Example suite_241 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)
@@ -1939,7 +1939,7 @@ Example suite_241 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x11); (0x55%positive, 0x22); (0xaa%positive, 0x44); (0x155%positive, 0x88); (0x2b%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-16-all *)
 Example suite_242 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1947,7 +1947,7 @@ Example suite_242 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x10%positive, 0xf); (0x20%positive, 0x1f); (0x40%positive, 0x3f); (0x80%positive, 0x7f); (0x100%positive, 0xff); (0x200%positive, 0x1ff); (0x400%positive, 0x3ff); (0x800%positive, 0x7ff); (0x1000%positive, 0xfff); (0x2000%positive, 0x1fff); (0x4000%positive, 0x3fff); (0x8000%positive, 0x7fff); (0x10000%positive, 0xffff); (0x10001%positive, 0xfffe); (0x8001%positive, 0x7ffe); (0x4001%positive, 0x3ffe); (0x2001%positive, 0x1ffe); (0x1001%positive, 0xffe); (0x801%positive, 0x7fe); (0x401%positive, 0x3fe); (0x201%positive, 0x1fe); (0x101%positive, 0xfe); (0x81%positive, 0x7e); (0x41%positive, 0x3e); (0x21%positive, 0x1e); (0x11%positive, 0xe); (0x9%positive, 0x6); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-16-first *)
 Example suite_243 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1955,7 +1955,7 @@ Example suite_243 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x10); (0x40%positive, 0x20); (0x80%positive, 0x40); (0x100%positive, 0x80); (0x200%positive, 0x100); (0x400%positive, 0x200); (0x800%positive, 0x400); (0x1000%positive, 0x800); (0x2000%positive, 0x1000); (0x4000%positive, 0x2000); (0x8000%positive, 0x4000); (0x10000%positive, 0x8000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-16-two-1 *)
 Example suite_244 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1963,7 +1963,7 @@ Example suite_244 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x6); (0x10%positive, 0xc); (0x20%positive, 0x18); (0x40%positive, 0x30); (0x80%positive, 0x60); (0x100%positive, 0xc0); (0x200%positive, 0x180); (0x400%positive, 0x300); (0x800%positive, 0x600); (0x1000%positive, 0xc00); (0x2000%positive, 0x1800); (0x4000%positive, 0x3000); (0x8000%positive, 0x6000); (0x10000%positive, 0xc000); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-16-two-2 *)
 Example suite_245 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1971,7 +1971,7 @@ Example suite_245 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x10%positive, 0xa); (0x20%positive, 0x14); (0x40%positive, 0x28); (0x80%positive, 0x50); (0x100%positive, 0xa0); (0x200%positive, 0x140); (0x400%positive, 0x280); (0x800%positive, 0x500); (0x1000%positive, 0xa00); (0x2000%positive, 0x1400); (0x4000%positive, 0x2800); (0x8000%positive, 0x5000); (0x10000%positive, 0xa000); (0x9%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-16-two-3 *)
 Example suite_246 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1979,7 +1979,7 @@ Example suite_246 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x20%positive, 0x12); (0x40%positive, 0x24); (0x80%positive, 0x48); (0x100%positive, 0x90); (0x200%positive, 0x120); (0x400%positive, 0x240); (0x800%positive, 0x480); (0x1000%positive, 0x900); (0x2000%positive, 0x1200); (0x4000%positive, 0x2400); (0x8000%positive, 0x4800); (0x10000%positive, 0x9000); (0x11%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-16-two-4 *)
 Example suite_247 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1987,7 +1987,7 @@ Example suite_247 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x40%positive, 0x22); (0x80%positive, 0x44); (0x100%positive, 0x88); (0x200%positive, 0x110); (0x400%positive, 0x220); (0x800%positive, 0x440); (0x1000%positive, 0x880); (0x2000%positive, 0x1100); (0x4000%positive, 0x2200); (0x8000%positive, 0x4400); (0x10000%positive, 0x8800); (0x21%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-16-two-8 *)
 Example suite_248 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -1995,7 +1995,7 @@ Example suite_248 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x10); (0x40%positive, 0x20); (0x80%positive, 0x40); (0x100%positive, 0x80); (0x200%positive, 0x101); (0x400%positive, 0x202); (0x800%positive, 0x404); (0x1000%positive, 0x808); (0x2000%positive, 0x1010); (0x4000%positive, 0x2020); (0x8000%positive, 0x4040); (0x10000%positive, 0x8080); (0x201%positive, 0x100); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-16-all *)
 Example suite_249 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))
@@ -2003,7 +2003,7 @@ Example suite_249 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0x1f%positive, 0xf); (0x3f%positive, 0x1f); (0x7f%positive, 0x3f); (0xff%positive, 0x7f); (0x1ff%positive, 0xff); (0x3ff%positive, 0x1ff); (0x7ff%positive, 0x3ff); (0xfff%positive, 0x7ff); (0x1fff%positive, 0xfff); (0x3fff%positive, 0x1fff); (0x7fff%positive, 0x3fff); (0xffff%positive, 0x7fff); (0x1ffff%positive, 0xffff); (0x1fffe%positive, 0xfffe); (0xfffe%positive, 0x7ffe); (0x7ffe%positive, 0x3ffe); (0x3ffe%positive, 0x1ffe); (0x1ffe%positive, 0xffe); (0xffe%positive, 0x7fe); (0x7fe%positive, 0x3fe); (0x3fe%positive, 0x1fe); (0x1fe%positive, 0xfe); (0xfe%positive, 0x7e); (0x7e%positive, 0x3e); (0x3e%positive, 0x1e); (0x1e%positive, 0xe); (0xe%positive, 0x6); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-16-first *)
 Example suite_250 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))
@@ -2011,7 +2011,7 @@ Example suite_250 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x10); (0x7f%positive, 0x20); (0xff%positive, 0x40); (0x1ff%positive, 0x80); (0x3ff%positive, 0x100); (0x7ff%positive, 0x200); (0xfff%positive, 0x400); (0x1fff%positive, 0x800); (0x3fff%positive, 0x1000); (0x7fff%positive, 0x2000); (0xffff%positive, 0x4000); (0x1ffff%positive, 0x8000); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-16-two-1 *)
 Example suite_251 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))
@@ -2019,7 +2019,7 @@ Example suite_251 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x6); (0x1f%positive, 0xc); (0x3f%positive, 0x18); (0x7f%positive, 0x30); (0xff%positive, 0x60); (0x1ff%positive, 0xc0); (0x3ff%positive, 0x180); (0x7ff%positive, 0x300); (0xfff%positive, 0x600); (0x1fff%positive, 0xc00); (0x3fff%positive, 0x1800); (0x7fff%positive, 0x3000); (0xffff%positive, 0x6000); (0x1ffff%positive, 0xc000); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-16-two-2 *)
 Example suite_252 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))
@@ -2027,7 +2027,7 @@ Example suite_252 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x5); (0x1f%positive, 0xa); (0x3f%positive, 0x14); (0x7f%positive, 0x28); (0xff%positive, 0x50); (0x1ff%positive, 0xa0); (0x3ff%positive, 0x140); (0x7ff%positive, 0x280); (0xfff%positive, 0x500); (0x1fff%positive, 0xa00); (0x3fff%positive, 0x1400); (0x7fff%positive, 0x2800); (0xffff%positive, 0x5000); (0x1ffff%positive, 0xa000); (0xe%positive, 0x4); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-16-two-3 *)
 Example suite_253 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))
@@ -2035,7 +2035,7 @@ Example suite_253 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x9); (0x3f%positive, 0x12); (0x7f%positive, 0x24); (0xff%positive, 0x48); (0x1ff%positive, 0x90); (0x3ff%positive, 0x120); (0x7ff%positive, 0x240); (0xfff%positive, 0x480); (0x1fff%positive, 0x900); (0x3fff%positive, 0x1200); (0x7fff%positive, 0x2400); (0xffff%positive, 0x4800); (0x1ffff%positive, 0x9000); (0x1e%positive, 0x8); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-16-two-4 *)
 Example suite_254 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))
@@ -2043,7 +2043,7 @@ Example suite_254 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x11); (0x7f%positive, 0x22); (0xff%positive, 0x44); (0x1ff%positive, 0x88); (0x3ff%positive, 0x110); (0x7ff%positive, 0x220); (0xfff%positive, 0x440); (0x1fff%positive, 0x880); (0x3fff%positive, 0x1100); (0x7fff%positive, 0x2200); (0xffff%positive, 0x4400); (0x1ffff%positive, 0x8800); (0x3e%positive, 0x10); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-16-two-8 *)
 Example suite_255 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))
@@ -2051,7 +2051,7 @@ Example suite_255 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x10); (0x7f%positive, 0x20); (0xff%positive, 0x40); (0x1ff%positive, 0x80); (0x3ff%positive, 0x101); (0x7ff%positive, 0x202); (0xfff%positive, 0x404); (0x1fff%positive, 0x808); (0x3fff%positive, 0x1010); (0x7fff%positive, 0x2020); (0xffff%positive, 0x4040); (0x1ffff%positive, 0x8080); (0x3fe%positive, 0x100); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-16-all *)
 Example suite_256 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2059,7 +2059,7 @@ Example suite_256 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x7); (0x15%positive, 0xf); (0x2a%positive, 0x1f); (0x55%positive, 0x3f); (0xaa%positive, 0x7f); (0x155%positive, 0xff); (0x2aa%positive, 0x1ff); (0x555%positive, 0x3ff); (0xaaa%positive, 0x7ff); (0x1555%positive, 0xfff); (0x2aaa%positive, 0x1fff); (0x5555%positive, 0x3fff); (0xaaaa%positive, 0x7fff); (0x15555%positive, 0xffff); (0x15554%positive, 0xfffe); (0xaaab%positive, 0x7ffe); (0x5554%positive, 0x3ffe); (0x2aab%positive, 0x1ffe); (0x1554%positive, 0xffe); (0xaab%positive, 0x7fe); (0x554%positive, 0x3fe); (0x2ab%positive, 0x1fe); (0x154%positive, 0xfe); (0xab%positive, 0x7e); (0x54%positive, 0x3e); (0x2b%positive, 0x1e); (0x14%positive, 0xe); (0xb%positive, 0x6); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-16-first *)
 Example suite_257 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2067,7 +2067,7 @@ Example suite_257 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x10); (0x55%positive, 0x20); (0xaa%positive, 0x40); (0x155%positive, 0x80); (0x2aa%positive, 0x100); (0x555%positive, 0x200); (0xaaa%positive, 0x400); (0x1555%positive, 0x800); (0x2aaa%positive, 0x1000); (0x5555%positive, 0x2000); (0xaaaa%positive, 0x4000); (0x15555%positive, 0x8000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-16-two-1 *)
 Example suite_258 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2075,7 +2075,7 @@ Example suite_258 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x6); (0x15%positive, 0xc); (0x2a%positive, 0x18); (0x55%positive, 0x30); (0xaa%positive, 0x60); (0x155%positive, 0xc0); (0x2aa%positive, 0x180); (0x555%positive, 0x300); (0xaaa%positive, 0x600); (0x1555%positive, 0xc00); (0x2aaa%positive, 0x1800); (0x5555%positive, 0x3000); (0xaaaa%positive, 0x6000); (0x15555%positive, 0xc000); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-16-two-2 *)
 Example suite_259 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2083,7 +2083,7 @@ Example suite_259 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x5); (0x15%positive, 0xa); (0x2a%positive, 0x14); (0x55%positive, 0x28); (0xaa%positive, 0x50); (0x155%positive, 0xa0); (0x2aa%positive, 0x140); (0x555%positive, 0x280); (0xaaa%positive, 0x500); (0x1555%positive, 0xa00); (0x2aaa%positive, 0x1400); (0x5555%positive, 0x2800); (0xaaaa%positive, 0x5000); (0x15555%positive, 0xa000); (0xb%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-16-two-3 *)
 Example suite_260 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2091,7 +2091,7 @@ Example suite_260 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x9); (0x2a%positive, 0x12); (0x55%positive, 0x24); (0xaa%positive, 0x48); (0x155%positive, 0x90); (0x2aa%positive, 0x120); (0x555%positive, 0x240); (0xaaa%positive, 0x480); (0x1555%positive, 0x900); (0x2aaa%positive, 0x1200); (0x5555%positive, 0x2400); (0xaaaa%positive, 0x4800); (0x15555%positive, 0x9000); (0x14%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-16-two-4 *)
 Example suite_261 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2099,7 +2099,7 @@ Example suite_261 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x11); (0x55%positive, 0x22); (0xaa%positive, 0x44); (0x155%positive, 0x88); (0x2aa%positive, 0x110); (0x555%positive, 0x220); (0xaaa%positive, 0x440); (0x1555%positive, 0x880); (0x2aaa%positive, 0x1100); (0x5555%positive, 0x2200); (0xaaaa%positive, 0x4400); (0x15555%positive, 0x8800); (0x2b%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-16-two-8 *)
 Example suite_262 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2107,7 +2107,7 @@ Example suite_262 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x10); (0x55%positive, 0x20); (0xaa%positive, 0x40); (0x155%positive, 0x80); (0x2aa%positive, 0x101); (0x555%positive, 0x202); (0xaaa%positive, 0x404); (0x1555%positive, 0x808); (0x2aaa%positive, 0x1010); (0x5555%positive, 0x2020); (0xaaaa%positive, 0x4040); (0x15555%positive, 0x8080); (0x2ab%positive, 0x100); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-30-all *)
 Example suite_263 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2115,7 +2115,7 @@ Example suite_263 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x10%positive, 0xf); (0x20%positive, 0x1f); (0x40%positive, 0x3f); (0x80%positive, 0x7f); (0x100%positive, 0xff); (0x200%positive, 0x1ff); (0x400%positive, 0x3ff); (0x800%positive, 0x7ff); (0x1000%positive, 0xfff); (0x2000%positive, 0x1fff); (0x4000%positive, 0x3fff); (0x8000%positive, 0x7fff); (0x10000%positive, 0xffff); (0x20000%positive, 0x1ffff); (0x40000%positive, 0x3ffff); (0x80000%positive, 0x7ffff); (0x100000%positive, 0xfffff); (0x200000%positive, 0x1fffff); (0x400000%positive, 0x3fffff); (0x800000%positive, 0x7fffff); (0x1000000%positive, 0xffffff); (0x2000000%positive, 0x1ffffff); (0x4000000%positive, 0x3ffffff); (0x8000000%positive, 0x7ffffff); (0x10000000%positive, 0xfffffff); (0x20000000%positive, 0x1fffffff); (0x40000000%positive, 0x3fffffff); (0x40000001%positive, 0x3ffffffe); (0x20000001%positive, 0x1ffffffe); (0x10000001%positive, 0xffffffe); (0x8000001%positive, 0x7fffffe); (0x4000001%positive, 0x3fffffe); (0x2000001%positive, 0x1fffffe); (0x1000001%positive, 0xfffffe); (0x800001%positive, 0x7ffffe); (0x400001%positive, 0x3ffffe); (0x200001%positive, 0x1ffffe); (0x100001%positive, 0xffffe); (0x80001%positive, 0x7fffe); (0x40001%positive, 0x3fffe); (0x20001%positive, 0x1fffe); (0x10001%positive, 0xfffe); (0x8001%positive, 0x7ffe); (0x4001%positive, 0x3ffe); (0x2001%positive, 0x1ffe); (0x1001%positive, 0xffe); (0x801%positive, 0x7fe); (0x401%positive, 0x3fe); (0x201%positive, 0x1fe); (0x101%positive, 0xfe); (0x81%positive, 0x7e); (0x41%positive, 0x3e); (0x21%positive, 0x1e); (0x11%positive, 0xe); (0x9%positive, 0x6); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-30-first *)
 Example suite_264 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2123,7 +2123,7 @@ Example suite_264 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x10); (0x40%positive, 0x20); (0x80%positive, 0x40); (0x100%positive, 0x80); (0x200%positive, 0x100); (0x400%positive, 0x200); (0x800%positive, 0x400); (0x1000%positive, 0x800); (0x2000%positive, 0x1000); (0x4000%positive, 0x2000); (0x8000%positive, 0x4000); (0x10000%positive, 0x8000); (0x20000%positive, 0x10000); (0x40000%positive, 0x20000); (0x80000%positive, 0x40000); (0x100000%positive, 0x80000); (0x200000%positive, 0x100000); (0x400000%positive, 0x200000); (0x800000%positive, 0x400000); (0x1000000%positive, 0x800000); (0x2000000%positive, 0x1000000); (0x4000000%positive, 0x2000000); (0x8000000%positive, 0x4000000); (0x10000000%positive, 0x8000000); (0x20000000%positive, 0x10000000); (0x40000000%positive, 0x20000000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-30-two-1 *)
 Example suite_265 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2131,7 +2131,7 @@ Example suite_265 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x6); (0x10%positive, 0xc); (0x20%positive, 0x18); (0x40%positive, 0x30); (0x80%positive, 0x60); (0x100%positive, 0xc0); (0x200%positive, 0x180); (0x400%positive, 0x300); (0x800%positive, 0x600); (0x1000%positive, 0xc00); (0x2000%positive, 0x1800); (0x4000%positive, 0x3000); (0x8000%positive, 0x6000); (0x10000%positive, 0xc000); (0x20000%positive, 0x18000); (0x40000%positive, 0x30000); (0x80000%positive, 0x60000); (0x100000%positive, 0xc0000); (0x200000%positive, 0x180000); (0x400000%positive, 0x300000); (0x800000%positive, 0x600000); (0x1000000%positive, 0xc00000); (0x2000000%positive, 0x1800000); (0x4000000%positive, 0x3000000); (0x8000000%positive, 0x6000000); (0x10000000%positive, 0xc000000); (0x20000000%positive, 0x18000000); (0x40000000%positive, 0x30000000); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-30-two-2 *)
 Example suite_266 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2139,7 +2139,7 @@ Example suite_266 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x10%positive, 0xa); (0x20%positive, 0x14); (0x40%positive, 0x28); (0x80%positive, 0x50); (0x100%positive, 0xa0); (0x200%positive, 0x140); (0x400%positive, 0x280); (0x800%positive, 0x500); (0x1000%positive, 0xa00); (0x2000%positive, 0x1400); (0x4000%positive, 0x2800); (0x8000%positive, 0x5000); (0x10000%positive, 0xa000); (0x20000%positive, 0x14000); (0x40000%positive, 0x28000); (0x80000%positive, 0x50000); (0x100000%positive, 0xa0000); (0x200000%positive, 0x140000); (0x400000%positive, 0x280000); (0x800000%positive, 0x500000); (0x1000000%positive, 0xa00000); (0x2000000%positive, 0x1400000); (0x4000000%positive, 0x2800000); (0x8000000%positive, 0x5000000); (0x10000000%positive, 0xa000000); (0x20000000%positive, 0x14000000); (0x40000000%positive, 0x28000000); (0x9%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-30-two-3 *)
 Example suite_267 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2147,7 +2147,7 @@ Example suite_267 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x20%positive, 0x12); (0x40%positive, 0x24); (0x80%positive, 0x48); (0x100%positive, 0x90); (0x200%positive, 0x120); (0x400%positive, 0x240); (0x800%positive, 0x480); (0x1000%positive, 0x900); (0x2000%positive, 0x1200); (0x4000%positive, 0x2400); (0x8000%positive, 0x4800); (0x10000%positive, 0x9000); (0x20000%positive, 0x12000); (0x40000%positive, 0x24000); (0x80000%positive, 0x48000); (0x100000%positive, 0x90000); (0x200000%positive, 0x120000); (0x400000%positive, 0x240000); (0x800000%positive, 0x480000); (0x1000000%positive, 0x900000); (0x2000000%positive, 0x1200000); (0x4000000%positive, 0x2400000); (0x8000000%positive, 0x4800000); (0x10000000%positive, 0x9000000); (0x20000000%positive, 0x12000000); (0x40000000%positive, 0x24000000); (0x11%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-30-two-4 *)
 Example suite_268 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2155,7 +2155,7 @@ Example suite_268 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x40%positive, 0x22); (0x80%positive, 0x44); (0x100%positive, 0x88); (0x200%positive, 0x110); (0x400%positive, 0x220); (0x800%positive, 0x440); (0x1000%positive, 0x880); (0x2000%positive, 0x1100); (0x4000%positive, 0x2200); (0x8000%positive, 0x4400); (0x10000%positive, 0x8800); (0x20000%positive, 0x11000); (0x40000%positive, 0x22000); (0x80000%positive, 0x44000); (0x100000%positive, 0x88000); (0x200000%positive, 0x110000); (0x400000%positive, 0x220000); (0x800000%positive, 0x440000); (0x1000000%positive, 0x880000); (0x2000000%positive, 0x1100000); (0x4000000%positive, 0x2200000); (0x8000000%positive, 0x4400000); (0x10000000%positive, 0x8800000); (0x20000000%positive, 0x11000000); (0x40000000%positive, 0x22000000); (0x21%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-30-two-15 *)
 Example suite_269 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2163,7 +2163,7 @@ Example suite_269 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x10); (0x40%positive, 0x20); (0x80%positive, 0x40); (0x100%positive, 0x80); (0x200%positive, 0x100); (0x400%positive, 0x200); (0x800%positive, 0x400); (0x1000%positive, 0x800); (0x2000%positive, 0x1000); (0x4000%positive, 0x2000); (0x8000%positive, 0x4000); (0x10000%positive, 0x8001); (0x20000%positive, 0x10002); (0x40000%positive, 0x20004); (0x80000%positive, 0x40008); (0x100000%positive, 0x80010); (0x200000%positive, 0x100020); (0x400000%positive, 0x200040); (0x800000%positive, 0x400080); (0x1000000%positive, 0x800100); (0x2000000%positive, 0x1000200); (0x4000000%positive, 0x2000400); (0x8000000%positive, 0x4000800); (0x10000000%positive, 0x8001000); (0x20000000%positive, 0x10002000); (0x40000000%positive, 0x20004000); (0x10001%positive, 0x8000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-30-all *)
 Example suite_270 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))))))))))))))))
@@ -2171,7 +2171,7 @@ Example suite_270 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0x1f%positive, 0xf); (0x3f%positive, 0x1f); (0x7f%positive, 0x3f); (0xff%positive, 0x7f); (0x1ff%positive, 0xff); (0x3ff%positive, 0x1ff); (0x7ff%positive, 0x3ff); (0xfff%positive, 0x7ff); (0x1fff%positive, 0xfff); (0x3fff%positive, 0x1fff); (0x7fff%positive, 0x3fff); (0xffff%positive, 0x7fff); (0x1ffff%positive, 0xffff); (0x3ffff%positive, 0x1ffff); (0x7ffff%positive, 0x3ffff); (0xfffff%positive, 0x7ffff); (0x1fffff%positive, 0xfffff); (0x3fffff%positive, 0x1fffff); (0x7fffff%positive, 0x3fffff); (0xffffff%positive, 0x7fffff); (0x1ffffff%positive, 0xffffff); (0x3ffffff%positive, 0x1ffffff); (0x7ffffff%positive, 0x3ffffff); (0xfffffff%positive, 0x7ffffff); (0x1fffffff%positive, 0xfffffff); (0x3fffffff%positive, 0x1fffffff); (0x7fffffff%positive, 0x3fffffff); (0x7ffffffe%positive, 0x3ffffffe); (0x3ffffffe%positive, 0x1ffffffe); (0x1ffffffe%positive, 0xffffffe); (0xffffffe%positive, 0x7fffffe); (0x7fffffe%positive, 0x3fffffe); (0x3fffffe%positive, 0x1fffffe); (0x1fffffe%positive, 0xfffffe); (0xfffffe%positive, 0x7ffffe); (0x7ffffe%positive, 0x3ffffe); (0x3ffffe%positive, 0x1ffffe); (0x1ffffe%positive, 0xffffe); (0xffffe%positive, 0x7fffe); (0x7fffe%positive, 0x3fffe); (0x3fffe%positive, 0x1fffe); (0x1fffe%positive, 0xfffe); (0xfffe%positive, 0x7ffe); (0x7ffe%positive, 0x3ffe); (0x3ffe%positive, 0x1ffe); (0x1ffe%positive, 0xffe); (0xffe%positive, 0x7fe); (0x7fe%positive, 0x3fe); (0x3fe%positive, 0x1fe); (0x1fe%positive, 0xfe); (0xfe%positive, 0x7e); (0x7e%positive, 0x3e); (0x3e%positive, 0x1e); (0x1e%positive, 0xe); (0xe%positive, 0x6); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-30-first *)
 Example suite_271 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))))))))))))))))
@@ -2179,7 +2179,7 @@ Example suite_271 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x10); (0x7f%positive, 0x20); (0xff%positive, 0x40); (0x1ff%positive, 0x80); (0x3ff%positive, 0x100); (0x7ff%positive, 0x200); (0xfff%positive, 0x400); (0x1fff%positive, 0x800); (0x3fff%positive, 0x1000); (0x7fff%positive, 0x2000); (0xffff%positive, 0x4000); (0x1ffff%positive, 0x8000); (0x3ffff%positive, 0x10000); (0x7ffff%positive, 0x20000); (0xfffff%positive, 0x40000); (0x1fffff%positive, 0x80000); (0x3fffff%positive, 0x100000); (0x7fffff%positive, 0x200000); (0xffffff%positive, 0x400000); (0x1ffffff%positive, 0x800000); (0x3ffffff%positive, 0x1000000); (0x7ffffff%positive, 0x2000000); (0xfffffff%positive, 0x4000000); (0x1fffffff%positive, 0x8000000); (0x3fffffff%positive, 0x10000000); (0x7fffffff%positive, 0x20000000); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-30-two-1 *)
 Example suite_272 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))))))))))))))))
@@ -2187,7 +2187,7 @@ Example suite_272 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x6); (0x1f%positive, 0xc); (0x3f%positive, 0x18); (0x7f%positive, 0x30); (0xff%positive, 0x60); (0x1ff%positive, 0xc0); (0x3ff%positive, 0x180); (0x7ff%positive, 0x300); (0xfff%positive, 0x600); (0x1fff%positive, 0xc00); (0x3fff%positive, 0x1800); (0x7fff%positive, 0x3000); (0xffff%positive, 0x6000); (0x1ffff%positive, 0xc000); (0x3ffff%positive, 0x18000); (0x7ffff%positive, 0x30000); (0xfffff%positive, 0x60000); (0x1fffff%positive, 0xc0000); (0x3fffff%positive, 0x180000); (0x7fffff%positive, 0x300000); (0xffffff%positive, 0x600000); (0x1ffffff%positive, 0xc00000); (0x3ffffff%positive, 0x1800000); (0x7ffffff%positive, 0x3000000); (0xfffffff%positive, 0x6000000); (0x1fffffff%positive, 0xc000000); (0x3fffffff%positive, 0x18000000); (0x7fffffff%positive, 0x30000000); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-30-two-2 *)
 Example suite_273 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))))))))))))))))
@@ -2195,7 +2195,7 @@ Example suite_273 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x5); (0x1f%positive, 0xa); (0x3f%positive, 0x14); (0x7f%positive, 0x28); (0xff%positive, 0x50); (0x1ff%positive, 0xa0); (0x3ff%positive, 0x140); (0x7ff%positive, 0x280); (0xfff%positive, 0x500); (0x1fff%positive, 0xa00); (0x3fff%positive, 0x1400); (0x7fff%positive, 0x2800); (0xffff%positive, 0x5000); (0x1ffff%positive, 0xa000); (0x3ffff%positive, 0x14000); (0x7ffff%positive, 0x28000); (0xfffff%positive, 0x50000); (0x1fffff%positive, 0xa0000); (0x3fffff%positive, 0x140000); (0x7fffff%positive, 0x280000); (0xffffff%positive, 0x500000); (0x1ffffff%positive, 0xa00000); (0x3ffffff%positive, 0x1400000); (0x7ffffff%positive, 0x2800000); (0xfffffff%positive, 0x5000000); (0x1fffffff%positive, 0xa000000); (0x3fffffff%positive, 0x14000000); (0x7fffffff%positive, 0x28000000); (0xe%positive, 0x4); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-30-two-3 *)
 Example suite_274 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))))))))))))))))
@@ -2203,7 +2203,7 @@ Example suite_274 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x9); (0x3f%positive, 0x12); (0x7f%positive, 0x24); (0xff%positive, 0x48); (0x1ff%positive, 0x90); (0x3ff%positive, 0x120); (0x7ff%positive, 0x240); (0xfff%positive, 0x480); (0x1fff%positive, 0x900); (0x3fff%positive, 0x1200); (0x7fff%positive, 0x2400); (0xffff%positive, 0x4800); (0x1ffff%positive, 0x9000); (0x3ffff%positive, 0x12000); (0x7ffff%positive, 0x24000); (0xfffff%positive, 0x48000); (0x1fffff%positive, 0x90000); (0x3fffff%positive, 0x120000); (0x7fffff%positive, 0x240000); (0xffffff%positive, 0x480000); (0x1ffffff%positive, 0x900000); (0x3ffffff%positive, 0x1200000); (0x7ffffff%positive, 0x2400000); (0xfffffff%positive, 0x4800000); (0x1fffffff%positive, 0x9000000); (0x3fffffff%positive, 0x12000000); (0x7fffffff%positive, 0x24000000); (0x1e%positive, 0x8); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-30-two-4 *)
 Example suite_275 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))))))))))))))))
@@ -2211,7 +2211,7 @@ Example suite_275 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x11); (0x7f%positive, 0x22); (0xff%positive, 0x44); (0x1ff%positive, 0x88); (0x3ff%positive, 0x110); (0x7ff%positive, 0x220); (0xfff%positive, 0x440); (0x1fff%positive, 0x880); (0x3fff%positive, 0x1100); (0x7fff%positive, 0x2200); (0xffff%positive, 0x4400); (0x1ffff%positive, 0x8800); (0x3ffff%positive, 0x11000); (0x7ffff%positive, 0x22000); (0xfffff%positive, 0x44000); (0x1fffff%positive, 0x88000); (0x3fffff%positive, 0x110000); (0x7fffff%positive, 0x220000); (0xffffff%positive, 0x440000); (0x1ffffff%positive, 0x880000); (0x3ffffff%positive, 0x1100000); (0x7ffffff%positive, 0x2200000); (0xfffffff%positive, 0x4400000); (0x1fffffff%positive, 0x8800000); (0x3fffffff%positive, 0x11000000); (0x7fffffff%positive, 0x22000000); (0x3e%positive, 0x10); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-30-two-15 *)
 Example suite_276 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))))))))))))))))
@@ -2219,7 +2219,7 @@ Example suite_276 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x10); (0x7f%positive, 0x20); (0xff%positive, 0x40); (0x1ff%positive, 0x80); (0x3ff%positive, 0x100); (0x7ff%positive, 0x200); (0xfff%positive, 0x400); (0x1fff%positive, 0x800); (0x3fff%positive, 0x1000); (0x7fff%positive, 0x2000); (0xffff%positive, 0x4000); (0x1ffff%positive, 0x8001); (0x3ffff%positive, 0x10002); (0x7ffff%positive, 0x20004); (0xfffff%positive, 0x40008); (0x1fffff%positive, 0x80010); (0x3fffff%positive, 0x100020); (0x7fffff%positive, 0x200040); (0xffffff%positive, 0x400080); (0x1ffffff%positive, 0x800100); (0x3ffffff%positive, 0x1000200); (0x7ffffff%positive, 0x2000400); (0xfffffff%positive, 0x4000800); (0x1fffffff%positive, 0x8001000); (0x3fffffff%positive, 0x10002000); (0x7fffffff%positive, 0x20004000); (0x1fffe%positive, 0x8000); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-30-all *)
 Example suite_277 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2227,7 +2227,7 @@ Example suite_277 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x7); (0x15%positive, 0xf); (0x2a%positive, 0x1f); (0x55%positive, 0x3f); (0xaa%positive, 0x7f); (0x155%positive, 0xff); (0x2aa%positive, 0x1ff); (0x555%positive, 0x3ff); (0xaaa%positive, 0x7ff); (0x1555%positive, 0xfff); (0x2aaa%positive, 0x1fff); (0x5555%positive, 0x3fff); (0xaaaa%positive, 0x7fff); (0x15555%positive, 0xffff); (0x2aaaa%positive, 0x1ffff); (0x55555%positive, 0x3ffff); (0xaaaaa%positive, 0x7ffff); (0x155555%positive, 0xfffff); (0x2aaaaa%positive, 0x1fffff); (0x555555%positive, 0x3fffff); (0xaaaaaa%positive, 0x7fffff); (0x1555555%positive, 0xffffff); (0x2aaaaaa%positive, 0x1ffffff); (0x5555555%positive, 0x3ffffff); (0xaaaaaaa%positive, 0x7ffffff); (0x15555555%positive, 0xfffffff); (0x2aaaaaaa%positive, 0x1fffffff); (0x55555555%positive, 0x3fffffff); (0x55555554%positive, 0x3ffffffe); (0x2aaaaaab%positive, 0x1ffffffe); (0x15555554%positive, 0xffffffe); (0xaaaaaab%positive, 0x7fffffe); (0x5555554%positive, 0x3fffffe); (0x2aaaaab%positive, 0x1fffffe); (0x1555554%positive, 0xfffffe); (0xaaaaab%positive, 0x7ffffe); (0x555554%positive, 0x3ffffe); (0x2aaaab%positive, 0x1ffffe); (0x155554%positive, 0xffffe); (0xaaaab%positive, 0x7fffe); (0x55554%positive, 0x3fffe); (0x2aaab%positive, 0x1fffe); (0x15554%positive, 0xfffe); (0xaaab%positive, 0x7ffe); (0x5554%positive, 0x3ffe); (0x2aab%positive, 0x1ffe); (0x1554%positive, 0xffe); (0xaab%positive, 0x7fe); (0x554%positive, 0x3fe); (0x2ab%positive, 0x1fe); (0x154%positive, 0xfe); (0xab%positive, 0x7e); (0x54%positive, 0x3e); (0x2b%positive, 0x1e); (0x14%positive, 0xe); (0xb%positive, 0x6); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-30-first *)
 Example suite_278 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2235,7 +2235,7 @@ Example suite_278 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x10); (0x55%positive, 0x20); (0xaa%positive, 0x40); (0x155%positive, 0x80); (0x2aa%positive, 0x100); (0x555%positive, 0x200); (0xaaa%positive, 0x400); (0x1555%positive, 0x800); (0x2aaa%positive, 0x1000); (0x5555%positive, 0x2000); (0xaaaa%positive, 0x4000); (0x15555%positive, 0x8000); (0x2aaaa%positive, 0x10000); (0x55555%positive, 0x20000); (0xaaaaa%positive, 0x40000); (0x155555%positive, 0x80000); (0x2aaaaa%positive, 0x100000); (0x555555%positive, 0x200000); (0xaaaaaa%positive, 0x400000); (0x1555555%positive, 0x800000); (0x2aaaaaa%positive, 0x1000000); (0x5555555%positive, 0x2000000); (0xaaaaaaa%positive, 0x4000000); (0x15555555%positive, 0x8000000); (0x2aaaaaaa%positive, 0x10000000); (0x55555555%positive, 0x20000000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-30-two-1 *)
 Example suite_279 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2243,7 +2243,7 @@ Example suite_279 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x6); (0x15%positive, 0xc); (0x2a%positive, 0x18); (0x55%positive, 0x30); (0xaa%positive, 0x60); (0x155%positive, 0xc0); (0x2aa%positive, 0x180); (0x555%positive, 0x300); (0xaaa%positive, 0x600); (0x1555%positive, 0xc00); (0x2aaa%positive, 0x1800); (0x5555%positive, 0x3000); (0xaaaa%positive, 0x6000); (0x15555%positive, 0xc000); (0x2aaaa%positive, 0x18000); (0x55555%positive, 0x30000); (0xaaaaa%positive, 0x60000); (0x155555%positive, 0xc0000); (0x2aaaaa%positive, 0x180000); (0x555555%positive, 0x300000); (0xaaaaaa%positive, 0x600000); (0x1555555%positive, 0xc00000); (0x2aaaaaa%positive, 0x1800000); (0x5555555%positive, 0x3000000); (0xaaaaaaa%positive, 0x6000000); (0x15555555%positive, 0xc000000); (0x2aaaaaaa%positive, 0x18000000); (0x55555555%positive, 0x30000000); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-30-two-2 *)
 Example suite_280 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2251,7 +2251,7 @@ Example suite_280 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x5); (0x15%positive, 0xa); (0x2a%positive, 0x14); (0x55%positive, 0x28); (0xaa%positive, 0x50); (0x155%positive, 0xa0); (0x2aa%positive, 0x140); (0x555%positive, 0x280); (0xaaa%positive, 0x500); (0x1555%positive, 0xa00); (0x2aaa%positive, 0x1400); (0x5555%positive, 0x2800); (0xaaaa%positive, 0x5000); (0x15555%positive, 0xa000); (0x2aaaa%positive, 0x14000); (0x55555%positive, 0x28000); (0xaaaaa%positive, 0x50000); (0x155555%positive, 0xa0000); (0x2aaaaa%positive, 0x140000); (0x555555%positive, 0x280000); (0xaaaaaa%positive, 0x500000); (0x1555555%positive, 0xa00000); (0x2aaaaaa%positive, 0x1400000); (0x5555555%positive, 0x2800000); (0xaaaaaaa%positive, 0x5000000); (0x15555555%positive, 0xa000000); (0x2aaaaaaa%positive, 0x14000000); (0x55555555%positive, 0x28000000); (0xb%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-30-two-3 *)
 Example suite_281 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2259,7 +2259,7 @@ Example suite_281 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x9); (0x2a%positive, 0x12); (0x55%positive, 0x24); (0xaa%positive, 0x48); (0x155%positive, 0x90); (0x2aa%positive, 0x120); (0x555%positive, 0x240); (0xaaa%positive, 0x480); (0x1555%positive, 0x900); (0x2aaa%positive, 0x1200); (0x5555%positive, 0x2400); (0xaaaa%positive, 0x4800); (0x15555%positive, 0x9000); (0x2aaaa%positive, 0x12000); (0x55555%positive, 0x24000); (0xaaaaa%positive, 0x48000); (0x155555%positive, 0x90000); (0x2aaaaa%positive, 0x120000); (0x555555%positive, 0x240000); (0xaaaaaa%positive, 0x480000); (0x1555555%positive, 0x900000); (0x2aaaaaa%positive, 0x1200000); (0x5555555%positive, 0x2400000); (0xaaaaaaa%positive, 0x4800000); (0x15555555%positive, 0x9000000); (0x2aaaaaaa%positive, 0x12000000); (0x55555555%positive, 0x24000000); (0x14%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-30-two-4 *)
 Example suite_282 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2267,7 +2267,7 @@ Example suite_282 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x11); (0x55%positive, 0x22); (0xaa%positive, 0x44); (0x155%positive, 0x88); (0x2aa%positive, 0x110); (0x555%positive, 0x220); (0xaaa%positive, 0x440); (0x1555%positive, 0x880); (0x2aaa%positive, 0x1100); (0x5555%positive, 0x2200); (0xaaaa%positive, 0x4400); (0x15555%positive, 0x8800); (0x2aaaa%positive, 0x11000); (0x55555%positive, 0x22000); (0xaaaaa%positive, 0x44000); (0x155555%positive, 0x88000); (0x2aaaaa%positive, 0x110000); (0x555555%positive, 0x220000); (0xaaaaaa%positive, 0x440000); (0x1555555%positive, 0x880000); (0x2aaaaaa%positive, 0x1100000); (0x5555555%positive, 0x2200000); (0xaaaaaaa%positive, 0x4400000); (0x15555555%positive, 0x8800000); (0x2aaaaaaa%positive, 0x11000000); (0x55555555%positive, 0x22000000); (0x2b%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-30-two-15 *)
 Example suite_283 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2275,7 +2275,7 @@ Example suite_283 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x10); (0x55%positive, 0x20); (0xaa%positive, 0x40); (0x155%positive, 0x80); (0x2aa%positive, 0x100); (0x555%positive, 0x200); (0xaaa%positive, 0x400); (0x1555%positive, 0x800); (0x2aaa%positive, 0x1000); (0x5555%positive, 0x2000); (0xaaaa%positive, 0x4000); (0x15555%positive, 0x8001); (0x2aaaa%positive, 0x10002); (0x55555%positive, 0x20004); (0xaaaaa%positive, 0x40008); (0x155555%positive, 0x80010); (0x2aaaaa%positive, 0x100020); (0x555555%positive, 0x200040); (0xaaaaaa%positive, 0x400080); (0x1555555%positive, 0x800100); (0x2aaaaaa%positive, 0x1000200); (0x5555555%positive, 0x2000400); (0xaaaaaaa%positive, 0x4000800); (0x15555555%positive, 0x8001000); (0x2aaaaaaa%positive, 0x10002000); (0x55555555%positive, 0x20004000); (0x15554%positive, 0x8000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-31-all *)
 Example suite_284 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2283,7 +2283,7 @@ Example suite_284 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x10%positive, 0xf); (0x20%positive, 0x1f); (0x40%positive, 0x3f); (0x80%positive, 0x7f); (0x100%positive, 0xff); (0x200%positive, 0x1ff); (0x400%positive, 0x3ff); (0x800%positive, 0x7ff); (0x1000%positive, 0xfff); (0x2000%positive, 0x1fff); (0x4000%positive, 0x3fff); (0x8000%positive, 0x7fff); (0x10000%positive, 0xffff); (0x20000%positive, 0x1ffff); (0x40000%positive, 0x3ffff); (0x80000%positive, 0x7ffff); (0x100000%positive, 0xfffff); (0x200000%positive, 0x1fffff); (0x400000%positive, 0x3fffff); (0x800000%positive, 0x7fffff); (0x1000000%positive, 0xffffff); (0x2000000%positive, 0x1ffffff); (0x4000000%positive, 0x3ffffff); (0x8000000%positive, 0x7ffffff); (0x10000000%positive, 0xfffffff); (0x20000000%positive, 0x1fffffff); (0x40000000%positive, 0x3fffffff); (0x80000000%positive, 0x7fffffff); (0x80000001%positive, 0x7ffffffe); (0x40000001%positive, 0x3ffffffe); (0x20000001%positive, 0x1ffffffe); (0x10000001%positive, 0xffffffe); (0x8000001%positive, 0x7fffffe); (0x4000001%positive, 0x3fffffe); (0x2000001%positive, 0x1fffffe); (0x1000001%positive, 0xfffffe); (0x800001%positive, 0x7ffffe); (0x400001%positive, 0x3ffffe); (0x200001%positive, 0x1ffffe); (0x100001%positive, 0xffffe); (0x80001%positive, 0x7fffe); (0x40001%positive, 0x3fffe); (0x20001%positive, 0x1fffe); (0x10001%positive, 0xfffe); (0x8001%positive, 0x7ffe); (0x4001%positive, 0x3ffe); (0x2001%positive, 0x1ffe); (0x1001%positive, 0xffe); (0x801%positive, 0x7fe); (0x401%positive, 0x3fe); (0x201%positive, 0x1fe); (0x101%positive, 0xfe); (0x81%positive, 0x7e); (0x41%positive, 0x3e); (0x21%positive, 0x1e); (0x11%positive, 0xe); (0x9%positive, 0x6); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-31-first *)
 Example suite_285 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2291,7 +2291,7 @@ Example suite_285 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x10); (0x40%positive, 0x20); (0x80%positive, 0x40); (0x100%positive, 0x80); (0x200%positive, 0x100); (0x400%positive, 0x200); (0x800%positive, 0x400); (0x1000%positive, 0x800); (0x2000%positive, 0x1000); (0x4000%positive, 0x2000); (0x8000%positive, 0x4000); (0x10000%positive, 0x8000); (0x20000%positive, 0x10000); (0x40000%positive, 0x20000); (0x80000%positive, 0x40000); (0x100000%positive, 0x80000); (0x200000%positive, 0x100000); (0x400000%positive, 0x200000); (0x800000%positive, 0x400000); (0x1000000%positive, 0x800000); (0x2000000%positive, 0x1000000); (0x4000000%positive, 0x2000000); (0x8000000%positive, 0x4000000); (0x10000000%positive, 0x8000000); (0x20000000%positive, 0x10000000); (0x40000000%positive, 0x20000000); (0x80000000%positive, 0x40000000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-31-two-1 *)
 Example suite_286 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2299,7 +2299,7 @@ Example suite_286 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x6); (0x10%positive, 0xc); (0x20%positive, 0x18); (0x40%positive, 0x30); (0x80%positive, 0x60); (0x100%positive, 0xc0); (0x200%positive, 0x180); (0x400%positive, 0x300); (0x800%positive, 0x600); (0x1000%positive, 0xc00); (0x2000%positive, 0x1800); (0x4000%positive, 0x3000); (0x8000%positive, 0x6000); (0x10000%positive, 0xc000); (0x20000%positive, 0x18000); (0x40000%positive, 0x30000); (0x80000%positive, 0x60000); (0x100000%positive, 0xc0000); (0x200000%positive, 0x180000); (0x400000%positive, 0x300000); (0x800000%positive, 0x600000); (0x1000000%positive, 0xc00000); (0x2000000%positive, 0x1800000); (0x4000000%positive, 0x3000000); (0x8000000%positive, 0x6000000); (0x10000000%positive, 0xc000000); (0x20000000%positive, 0x18000000); (0x40000000%positive, 0x30000000); (0x80000000%positive, 0x60000000); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-31-two-2 *)
 Example suite_287 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2307,7 +2307,7 @@ Example suite_287 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x10%positive, 0xa); (0x20%positive, 0x14); (0x40%positive, 0x28); (0x80%positive, 0x50); (0x100%positive, 0xa0); (0x200%positive, 0x140); (0x400%positive, 0x280); (0x800%positive, 0x500); (0x1000%positive, 0xa00); (0x2000%positive, 0x1400); (0x4000%positive, 0x2800); (0x8000%positive, 0x5000); (0x10000%positive, 0xa000); (0x20000%positive, 0x14000); (0x40000%positive, 0x28000); (0x80000%positive, 0x50000); (0x100000%positive, 0xa0000); (0x200000%positive, 0x140000); (0x400000%positive, 0x280000); (0x800000%positive, 0x500000); (0x1000000%positive, 0xa00000); (0x2000000%positive, 0x1400000); (0x4000000%positive, 0x2800000); (0x8000000%positive, 0x5000000); (0x10000000%positive, 0xa000000); (0x20000000%positive, 0x14000000); (0x40000000%positive, 0x28000000); (0x80000000%positive, 0x50000000); (0x9%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-31-two-3 *)
 Example suite_288 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2315,7 +2315,7 @@ Example suite_288 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x20%positive, 0x12); (0x40%positive, 0x24); (0x80%positive, 0x48); (0x100%positive, 0x90); (0x200%positive, 0x120); (0x400%positive, 0x240); (0x800%positive, 0x480); (0x1000%positive, 0x900); (0x2000%positive, 0x1200); (0x4000%positive, 0x2400); (0x8000%positive, 0x4800); (0x10000%positive, 0x9000); (0x20000%positive, 0x12000); (0x40000%positive, 0x24000); (0x80000%positive, 0x48000); (0x100000%positive, 0x90000); (0x200000%positive, 0x120000); (0x400000%positive, 0x240000); (0x800000%positive, 0x480000); (0x1000000%positive, 0x900000); (0x2000000%positive, 0x1200000); (0x4000000%positive, 0x2400000); (0x8000000%positive, 0x4800000); (0x10000000%positive, 0x9000000); (0x20000000%positive, 0x12000000); (0x40000000%positive, 0x24000000); (0x80000000%positive, 0x48000000); (0x11%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-31-two-4 *)
 Example suite_289 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2323,7 +2323,7 @@ Example suite_289 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x40%positive, 0x22); (0x80%positive, 0x44); (0x100%positive, 0x88); (0x200%positive, 0x110); (0x400%positive, 0x220); (0x800%positive, 0x440); (0x1000%positive, 0x880); (0x2000%positive, 0x1100); (0x4000%positive, 0x2200); (0x8000%positive, 0x4400); (0x10000%positive, 0x8800); (0x20000%positive, 0x11000); (0x40000%positive, 0x22000); (0x80000%positive, 0x44000); (0x100000%positive, 0x88000); (0x200000%positive, 0x110000); (0x400000%positive, 0x220000); (0x800000%positive, 0x440000); (0x1000000%positive, 0x880000); (0x2000000%positive, 0x1100000); (0x4000000%positive, 0x2200000); (0x8000000%positive, 0x4400000); (0x10000000%positive, 0x8800000); (0x20000000%positive, 0x11000000); (0x40000000%positive, 0x22000000); (0x80000000%positive, 0x44000000); (0x21%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-31-two-15 *)
 Example suite_290 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2331,7 +2331,7 @@ Example suite_290 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x10); (0x40%positive, 0x20); (0x80%positive, 0x40); (0x100%positive, 0x80); (0x200%positive, 0x100); (0x400%positive, 0x200); (0x800%positive, 0x400); (0x1000%positive, 0x800); (0x2000%positive, 0x1000); (0x4000%positive, 0x2000); (0x8000%positive, 0x4000); (0x10000%positive, 0x8001); (0x20000%positive, 0x10002); (0x40000%positive, 0x20004); (0x80000%positive, 0x40008); (0x100000%positive, 0x80010); (0x200000%positive, 0x100020); (0x400000%positive, 0x200040); (0x800000%positive, 0x400080); (0x1000000%positive, 0x800100); (0x2000000%positive, 0x1000200); (0x4000000%positive, 0x2000400); (0x8000000%positive, 0x4000800); (0x10000000%positive, 0x8001000); (0x20000000%positive, 0x10002000); (0x40000000%positive, 0x20004000); (0x80000000%positive, 0x40008000); (0x10001%positive, 0x8000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-31-all *)
 Example suite_291 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))
@@ -2339,7 +2339,7 @@ Example suite_291 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0x1f%positive, 0xf); (0x3f%positive, 0x1f); (0x7f%positive, 0x3f); (0xff%positive, 0x7f); (0x1ff%positive, 0xff); (0x3ff%positive, 0x1ff); (0x7ff%positive, 0x3ff); (0xfff%positive, 0x7ff); (0x1fff%positive, 0xfff); (0x3fff%positive, 0x1fff); (0x7fff%positive, 0x3fff); (0xffff%positive, 0x7fff); (0x1ffff%positive, 0xffff); (0x3ffff%positive, 0x1ffff); (0x7ffff%positive, 0x3ffff); (0xfffff%positive, 0x7ffff); (0x1fffff%positive, 0xfffff); (0x3fffff%positive, 0x1fffff); (0x7fffff%positive, 0x3fffff); (0xffffff%positive, 0x7fffff); (0x1ffffff%positive, 0xffffff); (0x3ffffff%positive, 0x1ffffff); (0x7ffffff%positive, 0x3ffffff); (0xfffffff%positive, 0x7ffffff); (0x1fffffff%positive, 0xfffffff); (0x3fffffff%positive, 0x1fffffff); (0x7fffffff%positive, 0x3fffffff); (0xffffffff%positive, 0x7fffffff); (0xfffffffe%positive, 0x7ffffffe); (0x7ffffffe%positive, 0x3ffffffe); (0x3ffffffe%positive, 0x1ffffffe); (0x1ffffffe%positive, 0xffffffe); (0xffffffe%positive, 0x7fffffe); (0x7fffffe%positive, 0x3fffffe); (0x3fffffe%positive, 0x1fffffe); (0x1fffffe%positive, 0xfffffe); (0xfffffe%positive, 0x7ffffe); (0x7ffffe%positive, 0x3ffffe); (0x3ffffe%positive, 0x1ffffe); (0x1ffffe%positive, 0xffffe); (0xffffe%positive, 0x7fffe); (0x7fffe%positive, 0x3fffe); (0x3fffe%positive, 0x1fffe); (0x1fffe%positive, 0xfffe); (0xfffe%positive, 0x7ffe); (0x7ffe%positive, 0x3ffe); (0x3ffe%positive, 0x1ffe); (0x1ffe%positive, 0xffe); (0xffe%positive, 0x7fe); (0x7fe%positive, 0x3fe); (0x3fe%positive, 0x1fe); (0x1fe%positive, 0xfe); (0xfe%positive, 0x7e); (0x7e%positive, 0x3e); (0x3e%positive, 0x1e); (0x1e%positive, 0xe); (0xe%positive, 0x6); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-31-first *)
 Example suite_292 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))
@@ -2347,7 +2347,7 @@ Example suite_292 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x10); (0x7f%positive, 0x20); (0xff%positive, 0x40); (0x1ff%positive, 0x80); (0x3ff%positive, 0x100); (0x7ff%positive, 0x200); (0xfff%positive, 0x400); (0x1fff%positive, 0x800); (0x3fff%positive, 0x1000); (0x7fff%positive, 0x2000); (0xffff%positive, 0x4000); (0x1ffff%positive, 0x8000); (0x3ffff%positive, 0x10000); (0x7ffff%positive, 0x20000); (0xfffff%positive, 0x40000); (0x1fffff%positive, 0x80000); (0x3fffff%positive, 0x100000); (0x7fffff%positive, 0x200000); (0xffffff%positive, 0x400000); (0x1ffffff%positive, 0x800000); (0x3ffffff%positive, 0x1000000); (0x7ffffff%positive, 0x2000000); (0xfffffff%positive, 0x4000000); (0x1fffffff%positive, 0x8000000); (0x3fffffff%positive, 0x10000000); (0x7fffffff%positive, 0x20000000); (0xffffffff%positive, 0x40000000); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-31-two-1 *)
 Example suite_293 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))
@@ -2355,7 +2355,7 @@ Example suite_293 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x6); (0x1f%positive, 0xc); (0x3f%positive, 0x18); (0x7f%positive, 0x30); (0xff%positive, 0x60); (0x1ff%positive, 0xc0); (0x3ff%positive, 0x180); (0x7ff%positive, 0x300); (0xfff%positive, 0x600); (0x1fff%positive, 0xc00); (0x3fff%positive, 0x1800); (0x7fff%positive, 0x3000); (0xffff%positive, 0x6000); (0x1ffff%positive, 0xc000); (0x3ffff%positive, 0x18000); (0x7ffff%positive, 0x30000); (0xfffff%positive, 0x60000); (0x1fffff%positive, 0xc0000); (0x3fffff%positive, 0x180000); (0x7fffff%positive, 0x300000); (0xffffff%positive, 0x600000); (0x1ffffff%positive, 0xc00000); (0x3ffffff%positive, 0x1800000); (0x7ffffff%positive, 0x3000000); (0xfffffff%positive, 0x6000000); (0x1fffffff%positive, 0xc000000); (0x3fffffff%positive, 0x18000000); (0x7fffffff%positive, 0x30000000); (0xffffffff%positive, 0x60000000); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-31-two-2 *)
 Example suite_294 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))
@@ -2363,7 +2363,7 @@ Example suite_294 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x5); (0x1f%positive, 0xa); (0x3f%positive, 0x14); (0x7f%positive, 0x28); (0xff%positive, 0x50); (0x1ff%positive, 0xa0); (0x3ff%positive, 0x140); (0x7ff%positive, 0x280); (0xfff%positive, 0x500); (0x1fff%positive, 0xa00); (0x3fff%positive, 0x1400); (0x7fff%positive, 0x2800); (0xffff%positive, 0x5000); (0x1ffff%positive, 0xa000); (0x3ffff%positive, 0x14000); (0x7ffff%positive, 0x28000); (0xfffff%positive, 0x50000); (0x1fffff%positive, 0xa0000); (0x3fffff%positive, 0x140000); (0x7fffff%positive, 0x280000); (0xffffff%positive, 0x500000); (0x1ffffff%positive, 0xa00000); (0x3ffffff%positive, 0x1400000); (0x7ffffff%positive, 0x2800000); (0xfffffff%positive, 0x5000000); (0x1fffffff%positive, 0xa000000); (0x3fffffff%positive, 0x14000000); (0x7fffffff%positive, 0x28000000); (0xffffffff%positive, 0x50000000); (0xe%positive, 0x4); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-31-two-3 *)
 Example suite_295 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))
@@ -2371,7 +2371,7 @@ Example suite_295 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x9); (0x3f%positive, 0x12); (0x7f%positive, 0x24); (0xff%positive, 0x48); (0x1ff%positive, 0x90); (0x3ff%positive, 0x120); (0x7ff%positive, 0x240); (0xfff%positive, 0x480); (0x1fff%positive, 0x900); (0x3fff%positive, 0x1200); (0x7fff%positive, 0x2400); (0xffff%positive, 0x4800); (0x1ffff%positive, 0x9000); (0x3ffff%positive, 0x12000); (0x7ffff%positive, 0x24000); (0xfffff%positive, 0x48000); (0x1fffff%positive, 0x90000); (0x3fffff%positive, 0x120000); (0x7fffff%positive, 0x240000); (0xffffff%positive, 0x480000); (0x1ffffff%positive, 0x900000); (0x3ffffff%positive, 0x1200000); (0x7ffffff%positive, 0x2400000); (0xfffffff%positive, 0x4800000); (0x1fffffff%positive, 0x9000000); (0x3fffffff%positive, 0x12000000); (0x7fffffff%positive, 0x24000000); (0xffffffff%positive, 0x48000000); (0x1e%positive, 0x8); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-31-two-4 *)
 Example suite_296 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))
@@ -2379,7 +2379,7 @@ Example suite_296 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x11); (0x7f%positive, 0x22); (0xff%positive, 0x44); (0x1ff%positive, 0x88); (0x3ff%positive, 0x110); (0x7ff%positive, 0x220); (0xfff%positive, 0x440); (0x1fff%positive, 0x880); (0x3fff%positive, 0x1100); (0x7fff%positive, 0x2200); (0xffff%positive, 0x4400); (0x1ffff%positive, 0x8800); (0x3ffff%positive, 0x11000); (0x7ffff%positive, 0x22000); (0xfffff%positive, 0x44000); (0x1fffff%positive, 0x88000); (0x3fffff%positive, 0x110000); (0x7fffff%positive, 0x220000); (0xffffff%positive, 0x440000); (0x1ffffff%positive, 0x880000); (0x3ffffff%positive, 0x1100000); (0x7ffffff%positive, 0x2200000); (0xfffffff%positive, 0x4400000); (0x1fffffff%positive, 0x8800000); (0x3fffffff%positive, 0x11000000); (0x7fffffff%positive, 0x22000000); (0xffffffff%positive, 0x44000000); (0x3e%positive, 0x10); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-31-two-15 *)
 Example suite_297 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))
@@ -2387,7 +2387,7 @@ Example suite_297 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x10); (0x7f%positive, 0x20); (0xff%positive, 0x40); (0x1ff%positive, 0x80); (0x3ff%positive, 0x100); (0x7ff%positive, 0x200); (0xfff%positive, 0x400); (0x1fff%positive, 0x800); (0x3fff%positive, 0x1000); (0x7fff%positive, 0x2000); (0xffff%positive, 0x4000); (0x1ffff%positive, 0x8001); (0x3ffff%positive, 0x10002); (0x7ffff%positive, 0x20004); (0xfffff%positive, 0x40008); (0x1fffff%positive, 0x80010); (0x3fffff%positive, 0x100020); (0x7fffff%positive, 0x200040); (0xffffff%positive, 0x400080); (0x1ffffff%positive, 0x800100); (0x3ffffff%positive, 0x1000200); (0x7ffffff%positive, 0x2000400); (0xfffffff%positive, 0x4000800); (0x1fffffff%positive, 0x8001000); (0x3fffffff%positive, 0x10002000); (0x7fffffff%positive, 0x20004000); (0xffffffff%positive, 0x40008000); (0x1fffe%positive, 0x8000); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-31-all *)
 Example suite_298 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2395,7 +2395,7 @@ Example suite_298 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x7); (0x15%positive, 0xf); (0x2a%positive, 0x1f); (0x55%positive, 0x3f); (0xaa%positive, 0x7f); (0x155%positive, 0xff); (0x2aa%positive, 0x1ff); (0x555%positive, 0x3ff); (0xaaa%positive, 0x7ff); (0x1555%positive, 0xfff); (0x2aaa%positive, 0x1fff); (0x5555%positive, 0x3fff); (0xaaaa%positive, 0x7fff); (0x15555%positive, 0xffff); (0x2aaaa%positive, 0x1ffff); (0x55555%positive, 0x3ffff); (0xaaaaa%positive, 0x7ffff); (0x155555%positive, 0xfffff); (0x2aaaaa%positive, 0x1fffff); (0x555555%positive, 0x3fffff); (0xaaaaaa%positive, 0x7fffff); (0x1555555%positive, 0xffffff); (0x2aaaaaa%positive, 0x1ffffff); (0x5555555%positive, 0x3ffffff); (0xaaaaaaa%positive, 0x7ffffff); (0x15555555%positive, 0xfffffff); (0x2aaaaaaa%positive, 0x1fffffff); (0x55555555%positive, 0x3fffffff); (0xaaaaaaaa%positive, 0x7fffffff); (0xaaaaaaab%positive, 0x7ffffffe); (0x55555554%positive, 0x3ffffffe); (0x2aaaaaab%positive, 0x1ffffffe); (0x15555554%positive, 0xffffffe); (0xaaaaaab%positive, 0x7fffffe); (0x5555554%positive, 0x3fffffe); (0x2aaaaab%positive, 0x1fffffe); (0x1555554%positive, 0xfffffe); (0xaaaaab%positive, 0x7ffffe); (0x555554%positive, 0x3ffffe); (0x2aaaab%positive, 0x1ffffe); (0x155554%positive, 0xffffe); (0xaaaab%positive, 0x7fffe); (0x55554%positive, 0x3fffe); (0x2aaab%positive, 0x1fffe); (0x15554%positive, 0xfffe); (0xaaab%positive, 0x7ffe); (0x5554%positive, 0x3ffe); (0x2aab%positive, 0x1ffe); (0x1554%positive, 0xffe); (0xaab%positive, 0x7fe); (0x554%positive, 0x3fe); (0x2ab%positive, 0x1fe); (0x154%positive, 0xfe); (0xab%positive, 0x7e); (0x54%positive, 0x3e); (0x2b%positive, 0x1e); (0x14%positive, 0xe); (0xb%positive, 0x6); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-31-first *)
 Example suite_299 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2403,7 +2403,7 @@ Example suite_299 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x10); (0x55%positive, 0x20); (0xaa%positive, 0x40); (0x155%positive, 0x80); (0x2aa%positive, 0x100); (0x555%positive, 0x200); (0xaaa%positive, 0x400); (0x1555%positive, 0x800); (0x2aaa%positive, 0x1000); (0x5555%positive, 0x2000); (0xaaaa%positive, 0x4000); (0x15555%positive, 0x8000); (0x2aaaa%positive, 0x10000); (0x55555%positive, 0x20000); (0xaaaaa%positive, 0x40000); (0x155555%positive, 0x80000); (0x2aaaaa%positive, 0x100000); (0x555555%positive, 0x200000); (0xaaaaaa%positive, 0x400000); (0x1555555%positive, 0x800000); (0x2aaaaaa%positive, 0x1000000); (0x5555555%positive, 0x2000000); (0xaaaaaaa%positive, 0x4000000); (0x15555555%positive, 0x8000000); (0x2aaaaaaa%positive, 0x10000000); (0x55555555%positive, 0x20000000); (0xaaaaaaaa%positive, 0x40000000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-31-two-1 *)
 Example suite_300 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2411,7 +2411,7 @@ Example suite_300 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x6); (0x15%positive, 0xc); (0x2a%positive, 0x18); (0x55%positive, 0x30); (0xaa%positive, 0x60); (0x155%positive, 0xc0); (0x2aa%positive, 0x180); (0x555%positive, 0x300); (0xaaa%positive, 0x600); (0x1555%positive, 0xc00); (0x2aaa%positive, 0x1800); (0x5555%positive, 0x3000); (0xaaaa%positive, 0x6000); (0x15555%positive, 0xc000); (0x2aaaa%positive, 0x18000); (0x55555%positive, 0x30000); (0xaaaaa%positive, 0x60000); (0x155555%positive, 0xc0000); (0x2aaaaa%positive, 0x180000); (0x555555%positive, 0x300000); (0xaaaaaa%positive, 0x600000); (0x1555555%positive, 0xc00000); (0x2aaaaaa%positive, 0x1800000); (0x5555555%positive, 0x3000000); (0xaaaaaaa%positive, 0x6000000); (0x15555555%positive, 0xc000000); (0x2aaaaaaa%positive, 0x18000000); (0x55555555%positive, 0x30000000); (0xaaaaaaaa%positive, 0x60000000); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-31-two-2 *)
 Example suite_301 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2419,7 +2419,7 @@ Example suite_301 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x5); (0x15%positive, 0xa); (0x2a%positive, 0x14); (0x55%positive, 0x28); (0xaa%positive, 0x50); (0x155%positive, 0xa0); (0x2aa%positive, 0x140); (0x555%positive, 0x280); (0xaaa%positive, 0x500); (0x1555%positive, 0xa00); (0x2aaa%positive, 0x1400); (0x5555%positive, 0x2800); (0xaaaa%positive, 0x5000); (0x15555%positive, 0xa000); (0x2aaaa%positive, 0x14000); (0x55555%positive, 0x28000); (0xaaaaa%positive, 0x50000); (0x155555%positive, 0xa0000); (0x2aaaaa%positive, 0x140000); (0x555555%positive, 0x280000); (0xaaaaaa%positive, 0x500000); (0x1555555%positive, 0xa00000); (0x2aaaaaa%positive, 0x1400000); (0x5555555%positive, 0x2800000); (0xaaaaaaa%positive, 0x5000000); (0x15555555%positive, 0xa000000); (0x2aaaaaaa%positive, 0x14000000); (0x55555555%positive, 0x28000000); (0xaaaaaaaa%positive, 0x50000000); (0xb%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-31-two-3 *)
 Example suite_302 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2427,7 +2427,7 @@ Example suite_302 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x9); (0x2a%positive, 0x12); (0x55%positive, 0x24); (0xaa%positive, 0x48); (0x155%positive, 0x90); (0x2aa%positive, 0x120); (0x555%positive, 0x240); (0xaaa%positive, 0x480); (0x1555%positive, 0x900); (0x2aaa%positive, 0x1200); (0x5555%positive, 0x2400); (0xaaaa%positive, 0x4800); (0x15555%positive, 0x9000); (0x2aaaa%positive, 0x12000); (0x55555%positive, 0x24000); (0xaaaaa%positive, 0x48000); (0x155555%positive, 0x90000); (0x2aaaaa%positive, 0x120000); (0x555555%positive, 0x240000); (0xaaaaaa%positive, 0x480000); (0x1555555%positive, 0x900000); (0x2aaaaaa%positive, 0x1200000); (0x5555555%positive, 0x2400000); (0xaaaaaaa%positive, 0x4800000); (0x15555555%positive, 0x9000000); (0x2aaaaaaa%positive, 0x12000000); (0x55555555%positive, 0x24000000); (0xaaaaaaaa%positive, 0x48000000); (0x14%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-31-two-4 *)
 Example suite_303 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2435,7 +2435,7 @@ Example suite_303 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x11); (0x55%positive, 0x22); (0xaa%positive, 0x44); (0x155%positive, 0x88); (0x2aa%positive, 0x110); (0x555%positive, 0x220); (0xaaa%positive, 0x440); (0x1555%positive, 0x880); (0x2aaa%positive, 0x1100); (0x5555%positive, 0x2200); (0xaaaa%positive, 0x4400); (0x15555%positive, 0x8800); (0x2aaaa%positive, 0x11000); (0x55555%positive, 0x22000); (0xaaaaa%positive, 0x44000); (0x155555%positive, 0x88000); (0x2aaaaa%positive, 0x110000); (0x555555%positive, 0x220000); (0xaaaaaa%positive, 0x440000); (0x1555555%positive, 0x880000); (0x2aaaaaa%positive, 0x1100000); (0x5555555%positive, 0x2200000); (0xaaaaaaa%positive, 0x4400000); (0x15555555%positive, 0x8800000); (0x2aaaaaaa%positive, 0x11000000); (0x55555555%positive, 0x22000000); (0xaaaaaaaa%positive, 0x44000000); (0x2b%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-31-two-15 *)
 Example suite_304 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2443,7 +2443,7 @@ Example suite_304 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x10); (0x55%positive, 0x20); (0xaa%positive, 0x40); (0x155%positive, 0x80); (0x2aa%positive, 0x100); (0x555%positive, 0x200); (0xaaa%positive, 0x400); (0x1555%positive, 0x800); (0x2aaa%positive, 0x1000); (0x5555%positive, 0x2000); (0xaaaa%positive, 0x4000); (0x15555%positive, 0x8001); (0x2aaaa%positive, 0x10002); (0x55555%positive, 0x20004); (0xaaaaa%positive, 0x40008); (0x155555%positive, 0x80010); (0x2aaaaa%positive, 0x100020); (0x555555%positive, 0x200040); (0xaaaaaa%positive, 0x400080); (0x1555555%positive, 0x800100); (0x2aaaaaa%positive, 0x1000200); (0x5555555%positive, 0x2000400); (0xaaaaaaa%positive, 0x4000800); (0x15555555%positive, 0x8001000); (0x2aaaaaaa%positive, 0x10002000); (0x55555555%positive, 0x20004000); (0xaaaaaaaa%positive, 0x40008000); (0x15554%positive, 0x8000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-32-all *)
 Example suite_305 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2451,7 +2451,7 @@ Example suite_305 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x10%positive, 0xf); (0x20%positive, 0x1f); (0x40%positive, 0x3f); (0x80%positive, 0x7f); (0x100%positive, 0xff); (0x200%positive, 0x1ff); (0x400%positive, 0x3ff); (0x800%positive, 0x7ff); (0x1000%positive, 0xfff); (0x2000%positive, 0x1fff); (0x4000%positive, 0x3fff); (0x8000%positive, 0x7fff); (0x10000%positive, 0xffff); (0x20000%positive, 0x1ffff); (0x40000%positive, 0x3ffff); (0x80000%positive, 0x7ffff); (0x100000%positive, 0xfffff); (0x200000%positive, 0x1fffff); (0x400000%positive, 0x3fffff); (0x800000%positive, 0x7fffff); (0x1000000%positive, 0xffffff); (0x2000000%positive, 0x1ffffff); (0x4000000%positive, 0x3ffffff); (0x8000000%positive, 0x7ffffff); (0x10000000%positive, 0xfffffff); (0x20000000%positive, 0x1fffffff); (0x40000000%positive, 0x3fffffff); (0x80000000%positive, 0x7fffffff); (0x100000000%positive, 0xffffffff); (0x100000001%positive, 0xfffffffe); (0x80000001%positive, 0x7ffffffe); (0x40000001%positive, 0x3ffffffe); (0x20000001%positive, 0x1ffffffe); (0x10000001%positive, 0xffffffe); (0x8000001%positive, 0x7fffffe); (0x4000001%positive, 0x3fffffe); (0x2000001%positive, 0x1fffffe); (0x1000001%positive, 0xfffffe); (0x800001%positive, 0x7ffffe); (0x400001%positive, 0x3ffffe); (0x200001%positive, 0x1ffffe); (0x100001%positive, 0xffffe); (0x80001%positive, 0x7fffe); (0x40001%positive, 0x3fffe); (0x20001%positive, 0x1fffe); (0x10001%positive, 0xfffe); (0x8001%positive, 0x7ffe); (0x4001%positive, 0x3ffe); (0x2001%positive, 0x1ffe); (0x1001%positive, 0xffe); (0x801%positive, 0x7fe); (0x401%positive, 0x3fe); (0x201%positive, 0x1fe); (0x101%positive, 0xfe); (0x81%positive, 0x7e); (0x41%positive, 0x3e); (0x21%positive, 0x1e); (0x11%positive, 0xe); (0x9%positive, 0x6); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-32-first *)
 Example suite_306 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2459,7 +2459,7 @@ Example suite_306 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x10); (0x40%positive, 0x20); (0x80%positive, 0x40); (0x100%positive, 0x80); (0x200%positive, 0x100); (0x400%positive, 0x200); (0x800%positive, 0x400); (0x1000%positive, 0x800); (0x2000%positive, 0x1000); (0x4000%positive, 0x2000); (0x8000%positive, 0x4000); (0x10000%positive, 0x8000); (0x20000%positive, 0x10000); (0x40000%positive, 0x20000); (0x80000%positive, 0x40000); (0x100000%positive, 0x80000); (0x200000%positive, 0x100000); (0x400000%positive, 0x200000); (0x800000%positive, 0x400000); (0x1000000%positive, 0x800000); (0x2000000%positive, 0x1000000); (0x4000000%positive, 0x2000000); (0x8000000%positive, 0x4000000); (0x10000000%positive, 0x8000000); (0x20000000%positive, 0x10000000); (0x40000000%positive, 0x20000000); (0x80000000%positive, 0x40000000); (0x100000000%positive, 0x80000000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-32-two-1 *)
 Example suite_307 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2467,7 +2467,7 @@ Example suite_307 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x6); (0x10%positive, 0xc); (0x20%positive, 0x18); (0x40%positive, 0x30); (0x80%positive, 0x60); (0x100%positive, 0xc0); (0x200%positive, 0x180); (0x400%positive, 0x300); (0x800%positive, 0x600); (0x1000%positive, 0xc00); (0x2000%positive, 0x1800); (0x4000%positive, 0x3000); (0x8000%positive, 0x6000); (0x10000%positive, 0xc000); (0x20000%positive, 0x18000); (0x40000%positive, 0x30000); (0x80000%positive, 0x60000); (0x100000%positive, 0xc0000); (0x200000%positive, 0x180000); (0x400000%positive, 0x300000); (0x800000%positive, 0x600000); (0x1000000%positive, 0xc00000); (0x2000000%positive, 0x1800000); (0x4000000%positive, 0x3000000); (0x8000000%positive, 0x6000000); (0x10000000%positive, 0xc000000); (0x20000000%positive, 0x18000000); (0x40000000%positive, 0x30000000); (0x80000000%positive, 0x60000000); (0x100000000%positive, 0xc0000000); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-32-two-2 *)
 Example suite_308 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2475,7 +2475,7 @@ Example suite_308 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x10%positive, 0xa); (0x20%positive, 0x14); (0x40%positive, 0x28); (0x80%positive, 0x50); (0x100%positive, 0xa0); (0x200%positive, 0x140); (0x400%positive, 0x280); (0x800%positive, 0x500); (0x1000%positive, 0xa00); (0x2000%positive, 0x1400); (0x4000%positive, 0x2800); (0x8000%positive, 0x5000); (0x10000%positive, 0xa000); (0x20000%positive, 0x14000); (0x40000%positive, 0x28000); (0x80000%positive, 0x50000); (0x100000%positive, 0xa0000); (0x200000%positive, 0x140000); (0x400000%positive, 0x280000); (0x800000%positive, 0x500000); (0x1000000%positive, 0xa00000); (0x2000000%positive, 0x1400000); (0x4000000%positive, 0x2800000); (0x8000000%positive, 0x5000000); (0x10000000%positive, 0xa000000); (0x20000000%positive, 0x14000000); (0x40000000%positive, 0x28000000); (0x80000000%positive, 0x50000000); (0x100000000%positive, 0xa0000000); (0x9%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-32-two-3 *)
 Example suite_309 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2483,7 +2483,7 @@ Example suite_309 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x20%positive, 0x12); (0x40%positive, 0x24); (0x80%positive, 0x48); (0x100%positive, 0x90); (0x200%positive, 0x120); (0x400%positive, 0x240); (0x800%positive, 0x480); (0x1000%positive, 0x900); (0x2000%positive, 0x1200); (0x4000%positive, 0x2400); (0x8000%positive, 0x4800); (0x10000%positive, 0x9000); (0x20000%positive, 0x12000); (0x40000%positive, 0x24000); (0x80000%positive, 0x48000); (0x100000%positive, 0x90000); (0x200000%positive, 0x120000); (0x400000%positive, 0x240000); (0x800000%positive, 0x480000); (0x1000000%positive, 0x900000); (0x2000000%positive, 0x1200000); (0x4000000%positive, 0x2400000); (0x8000000%positive, 0x4800000); (0x10000000%positive, 0x9000000); (0x20000000%positive, 0x12000000); (0x40000000%positive, 0x24000000); (0x80000000%positive, 0x48000000); (0x100000000%positive, 0x90000000); (0x11%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-32-two-4 *)
 Example suite_310 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2491,7 +2491,7 @@ Example suite_310 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x40%positive, 0x22); (0x80%positive, 0x44); (0x100%positive, 0x88); (0x200%positive, 0x110); (0x400%positive, 0x220); (0x800%positive, 0x440); (0x1000%positive, 0x880); (0x2000%positive, 0x1100); (0x4000%positive, 0x2200); (0x8000%positive, 0x4400); (0x10000%positive, 0x8800); (0x20000%positive, 0x11000); (0x40000%positive, 0x22000); (0x80000%positive, 0x44000); (0x100000%positive, 0x88000); (0x200000%positive, 0x110000); (0x400000%positive, 0x220000); (0x800000%positive, 0x440000); (0x1000000%positive, 0x880000); (0x2000000%positive, 0x1100000); (0x4000000%positive, 0x2200000); (0x8000000%positive, 0x4400000); (0x10000000%positive, 0x8800000); (0x20000000%positive, 0x11000000); (0x40000000%positive, 0x22000000); (0x80000000%positive, 0x44000000); (0x100000000%positive, 0x88000000); (0x21%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-32-two-16 *)
 Example suite_311 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2499,7 +2499,7 @@ Example suite_311 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x10); (0x40%positive, 0x20); (0x80%positive, 0x40); (0x100%positive, 0x80); (0x200%positive, 0x100); (0x400%positive, 0x200); (0x800%positive, 0x400); (0x1000%positive, 0x800); (0x2000%positive, 0x1000); (0x4000%positive, 0x2000); (0x8000%positive, 0x4000); (0x10000%positive, 0x8000); (0x20000%positive, 0x10001); (0x40000%positive, 0x20002); (0x80000%positive, 0x40004); (0x100000%positive, 0x80008); (0x200000%positive, 0x100010); (0x400000%positive, 0x200020); (0x800000%positive, 0x400040); (0x1000000%positive, 0x800080); (0x2000000%positive, 0x1000100); (0x4000000%positive, 0x2000200); (0x8000000%positive, 0x4000400); (0x10000000%positive, 0x8000800); (0x20000000%positive, 0x10001000); (0x40000000%positive, 0x20002000); (0x80000000%positive, 0x40004000); (0x100000000%positive, 0x80008000); (0x20001%positive, 0x10000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-32-all *)
 Example suite_312 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))))))))))))))))))
@@ -2507,7 +2507,7 @@ Example suite_312 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0x1f%positive, 0xf); (0x3f%positive, 0x1f); (0x7f%positive, 0x3f); (0xff%positive, 0x7f); (0x1ff%positive, 0xff); (0x3ff%positive, 0x1ff); (0x7ff%positive, 0x3ff); (0xfff%positive, 0x7ff); (0x1fff%positive, 0xfff); (0x3fff%positive, 0x1fff); (0x7fff%positive, 0x3fff); (0xffff%positive, 0x7fff); (0x1ffff%positive, 0xffff); (0x3ffff%positive, 0x1ffff); (0x7ffff%positive, 0x3ffff); (0xfffff%positive, 0x7ffff); (0x1fffff%positive, 0xfffff); (0x3fffff%positive, 0x1fffff); (0x7fffff%positive, 0x3fffff); (0xffffff%positive, 0x7fffff); (0x1ffffff%positive, 0xffffff); (0x3ffffff%positive, 0x1ffffff); (0x7ffffff%positive, 0x3ffffff); (0xfffffff%positive, 0x7ffffff); (0x1fffffff%positive, 0xfffffff); (0x3fffffff%positive, 0x1fffffff); (0x7fffffff%positive, 0x3fffffff); (0xffffffff%positive, 0x7fffffff); (0x1ffffffff%positive, 0xffffffff); (0x1fffffffe%positive, 0xfffffffe); (0xfffffffe%positive, 0x7ffffffe); (0x7ffffffe%positive, 0x3ffffffe); (0x3ffffffe%positive, 0x1ffffffe); (0x1ffffffe%positive, 0xffffffe); (0xffffffe%positive, 0x7fffffe); (0x7fffffe%positive, 0x3fffffe); (0x3fffffe%positive, 0x1fffffe); (0x1fffffe%positive, 0xfffffe); (0xfffffe%positive, 0x7ffffe); (0x7ffffe%positive, 0x3ffffe); (0x3ffffe%positive, 0x1ffffe); (0x1ffffe%positive, 0xffffe); (0xffffe%positive, 0x7fffe); (0x7fffe%positive, 0x3fffe); (0x3fffe%positive, 0x1fffe); (0x1fffe%positive, 0xfffe); (0xfffe%positive, 0x7ffe); (0x7ffe%positive, 0x3ffe); (0x3ffe%positive, 0x1ffe); (0x1ffe%positive, 0xffe); (0xffe%positive, 0x7fe); (0x7fe%positive, 0x3fe); (0x3fe%positive, 0x1fe); (0x1fe%positive, 0xfe); (0xfe%positive, 0x7e); (0x7e%positive, 0x3e); (0x3e%positive, 0x1e); (0x1e%positive, 0xe); (0xe%positive, 0x6); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-32-first *)
 Example suite_313 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))))))))))))))))))
@@ -2515,7 +2515,7 @@ Example suite_313 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x10); (0x7f%positive, 0x20); (0xff%positive, 0x40); (0x1ff%positive, 0x80); (0x3ff%positive, 0x100); (0x7ff%positive, 0x200); (0xfff%positive, 0x400); (0x1fff%positive, 0x800); (0x3fff%positive, 0x1000); (0x7fff%positive, 0x2000); (0xffff%positive, 0x4000); (0x1ffff%positive, 0x8000); (0x3ffff%positive, 0x10000); (0x7ffff%positive, 0x20000); (0xfffff%positive, 0x40000); (0x1fffff%positive, 0x80000); (0x3fffff%positive, 0x100000); (0x7fffff%positive, 0x200000); (0xffffff%positive, 0x400000); (0x1ffffff%positive, 0x800000); (0x3ffffff%positive, 0x1000000); (0x7ffffff%positive, 0x2000000); (0xfffffff%positive, 0x4000000); (0x1fffffff%positive, 0x8000000); (0x3fffffff%positive, 0x10000000); (0x7fffffff%positive, 0x20000000); (0xffffffff%positive, 0x40000000); (0x1ffffffff%positive, 0x80000000); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-32-two-1 *)
 Example suite_314 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))))))))))))))))))
@@ -2523,7 +2523,7 @@ Example suite_314 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x6); (0x1f%positive, 0xc); (0x3f%positive, 0x18); (0x7f%positive, 0x30); (0xff%positive, 0x60); (0x1ff%positive, 0xc0); (0x3ff%positive, 0x180); (0x7ff%positive, 0x300); (0xfff%positive, 0x600); (0x1fff%positive, 0xc00); (0x3fff%positive, 0x1800); (0x7fff%positive, 0x3000); (0xffff%positive, 0x6000); (0x1ffff%positive, 0xc000); (0x3ffff%positive, 0x18000); (0x7ffff%positive, 0x30000); (0xfffff%positive, 0x60000); (0x1fffff%positive, 0xc0000); (0x3fffff%positive, 0x180000); (0x7fffff%positive, 0x300000); (0xffffff%positive, 0x600000); (0x1ffffff%positive, 0xc00000); (0x3ffffff%positive, 0x1800000); (0x7ffffff%positive, 0x3000000); (0xfffffff%positive, 0x6000000); (0x1fffffff%positive, 0xc000000); (0x3fffffff%positive, 0x18000000); (0x7fffffff%positive, 0x30000000); (0xffffffff%positive, 0x60000000); (0x1ffffffff%positive, 0xc0000000); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-32-two-2 *)
 Example suite_315 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))))))))))))))))))
@@ -2531,7 +2531,7 @@ Example suite_315 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x5); (0x1f%positive, 0xa); (0x3f%positive, 0x14); (0x7f%positive, 0x28); (0xff%positive, 0x50); (0x1ff%positive, 0xa0); (0x3ff%positive, 0x140); (0x7ff%positive, 0x280); (0xfff%positive, 0x500); (0x1fff%positive, 0xa00); (0x3fff%positive, 0x1400); (0x7fff%positive, 0x2800); (0xffff%positive, 0x5000); (0x1ffff%positive, 0xa000); (0x3ffff%positive, 0x14000); (0x7ffff%positive, 0x28000); (0xfffff%positive, 0x50000); (0x1fffff%positive, 0xa0000); (0x3fffff%positive, 0x140000); (0x7fffff%positive, 0x280000); (0xffffff%positive, 0x500000); (0x1ffffff%positive, 0xa00000); (0x3ffffff%positive, 0x1400000); (0x7ffffff%positive, 0x2800000); (0xfffffff%positive, 0x5000000); (0x1fffffff%positive, 0xa000000); (0x3fffffff%positive, 0x14000000); (0x7fffffff%positive, 0x28000000); (0xffffffff%positive, 0x50000000); (0x1ffffffff%positive, 0xa0000000); (0xe%positive, 0x4); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-32-two-3 *)
 Example suite_316 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))))))))))))))))))
@@ -2539,7 +2539,7 @@ Example suite_316 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x9); (0x3f%positive, 0x12); (0x7f%positive, 0x24); (0xff%positive, 0x48); (0x1ff%positive, 0x90); (0x3ff%positive, 0x120); (0x7ff%positive, 0x240); (0xfff%positive, 0x480); (0x1fff%positive, 0x900); (0x3fff%positive, 0x1200); (0x7fff%positive, 0x2400); (0xffff%positive, 0x4800); (0x1ffff%positive, 0x9000); (0x3ffff%positive, 0x12000); (0x7ffff%positive, 0x24000); (0xfffff%positive, 0x48000); (0x1fffff%positive, 0x90000); (0x3fffff%positive, 0x120000); (0x7fffff%positive, 0x240000); (0xffffff%positive, 0x480000); (0x1ffffff%positive, 0x900000); (0x3ffffff%positive, 0x1200000); (0x7ffffff%positive, 0x2400000); (0xfffffff%positive, 0x4800000); (0x1fffffff%positive, 0x9000000); (0x3fffffff%positive, 0x12000000); (0x7fffffff%positive, 0x24000000); (0xffffffff%positive, 0x48000000); (0x1ffffffff%positive, 0x90000000); (0x1e%positive, 0x8); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-32-two-4 *)
 Example suite_317 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))))))))))))))))))
@@ -2547,7 +2547,7 @@ Example suite_317 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x11); (0x7f%positive, 0x22); (0xff%positive, 0x44); (0x1ff%positive, 0x88); (0x3ff%positive, 0x110); (0x7ff%positive, 0x220); (0xfff%positive, 0x440); (0x1fff%positive, 0x880); (0x3fff%positive, 0x1100); (0x7fff%positive, 0x2200); (0xffff%positive, 0x4400); (0x1ffff%positive, 0x8800); (0x3ffff%positive, 0x11000); (0x7ffff%positive, 0x22000); (0xfffff%positive, 0x44000); (0x1fffff%positive, 0x88000); (0x3fffff%positive, 0x110000); (0x7fffff%positive, 0x220000); (0xffffff%positive, 0x440000); (0x1ffffff%positive, 0x880000); (0x3ffffff%positive, 0x1100000); (0x7ffffff%positive, 0x2200000); (0xfffffff%positive, 0x4400000); (0x1fffffff%positive, 0x8800000); (0x3fffffff%positive, 0x11000000); (0x7fffffff%positive, 0x22000000); (0xffffffff%positive, 0x44000000); (0x1ffffffff%positive, 0x88000000); (0x3e%positive, 0x10); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-32-two-16 *)
 Example suite_318 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))))))))))))))))))))))))))
@@ -2555,7 +2555,7 @@ Example suite_318 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x10); (0x7f%positive, 0x20); (0xff%positive, 0x40); (0x1ff%positive, 0x80); (0x3ff%positive, 0x100); (0x7ff%positive, 0x200); (0xfff%positive, 0x400); (0x1fff%positive, 0x800); (0x3fff%positive, 0x1000); (0x7fff%positive, 0x2000); (0xffff%positive, 0x4000); (0x1ffff%positive, 0x8000); (0x3ffff%positive, 0x10001); (0x7ffff%positive, 0x20002); (0xfffff%positive, 0x40004); (0x1fffff%positive, 0x80008); (0x3fffff%positive, 0x100010); (0x7fffff%positive, 0x200020); (0xffffff%positive, 0x400040); (0x1ffffff%positive, 0x800080); (0x3ffffff%positive, 0x1000100); (0x7ffffff%positive, 0x2000200); (0xfffffff%positive, 0x4000400); (0x1fffffff%positive, 0x8000800); (0x3fffffff%positive, 0x10001000); (0x7fffffff%positive, 0x20002000); (0xffffffff%positive, 0x40004000); (0x1ffffffff%positive, 0x80008000); (0x3fffe%positive, 0x10000); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-32-all *)
 Example suite_319 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2563,7 +2563,7 @@ Example suite_319 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x7); (0x15%positive, 0xf); (0x2a%positive, 0x1f); (0x55%positive, 0x3f); (0xaa%positive, 0x7f); (0x155%positive, 0xff); (0x2aa%positive, 0x1ff); (0x555%positive, 0x3ff); (0xaaa%positive, 0x7ff); (0x1555%positive, 0xfff); (0x2aaa%positive, 0x1fff); (0x5555%positive, 0x3fff); (0xaaaa%positive, 0x7fff); (0x15555%positive, 0xffff); (0x2aaaa%positive, 0x1ffff); (0x55555%positive, 0x3ffff); (0xaaaaa%positive, 0x7ffff); (0x155555%positive, 0xfffff); (0x2aaaaa%positive, 0x1fffff); (0x555555%positive, 0x3fffff); (0xaaaaaa%positive, 0x7fffff); (0x1555555%positive, 0xffffff); (0x2aaaaaa%positive, 0x1ffffff); (0x5555555%positive, 0x3ffffff); (0xaaaaaaa%positive, 0x7ffffff); (0x15555555%positive, 0xfffffff); (0x2aaaaaaa%positive, 0x1fffffff); (0x55555555%positive, 0x3fffffff); (0xaaaaaaaa%positive, 0x7fffffff); (0x155555555%positive, 0xffffffff); (0x155555554%positive, 0xfffffffe); (0xaaaaaaab%positive, 0x7ffffffe); (0x55555554%positive, 0x3ffffffe); (0x2aaaaaab%positive, 0x1ffffffe); (0x15555554%positive, 0xffffffe); (0xaaaaaab%positive, 0x7fffffe); (0x5555554%positive, 0x3fffffe); (0x2aaaaab%positive, 0x1fffffe); (0x1555554%positive, 0xfffffe); (0xaaaaab%positive, 0x7ffffe); (0x555554%positive, 0x3ffffe); (0x2aaaab%positive, 0x1ffffe); (0x155554%positive, 0xffffe); (0xaaaab%positive, 0x7fffe); (0x55554%positive, 0x3fffe); (0x2aaab%positive, 0x1fffe); (0x15554%positive, 0xfffe); (0xaaab%positive, 0x7ffe); (0x5554%positive, 0x3ffe); (0x2aab%positive, 0x1ffe); (0x1554%positive, 0xffe); (0xaab%positive, 0x7fe); (0x554%positive, 0x3fe); (0x2ab%positive, 0x1fe); (0x154%positive, 0xfe); (0xab%positive, 0x7e); (0x54%positive, 0x3e); (0x2b%positive, 0x1e); (0x14%positive, 0xe); (0xb%positive, 0x6); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-32-first *)
 Example suite_320 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2571,7 +2571,7 @@ Example suite_320 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x10); (0x55%positive, 0x20); (0xaa%positive, 0x40); (0x155%positive, 0x80); (0x2aa%positive, 0x100); (0x555%positive, 0x200); (0xaaa%positive, 0x400); (0x1555%positive, 0x800); (0x2aaa%positive, 0x1000); (0x5555%positive, 0x2000); (0xaaaa%positive, 0x4000); (0x15555%positive, 0x8000); (0x2aaaa%positive, 0x10000); (0x55555%positive, 0x20000); (0xaaaaa%positive, 0x40000); (0x155555%positive, 0x80000); (0x2aaaaa%positive, 0x100000); (0x555555%positive, 0x200000); (0xaaaaaa%positive, 0x400000); (0x1555555%positive, 0x800000); (0x2aaaaaa%positive, 0x1000000); (0x5555555%positive, 0x2000000); (0xaaaaaaa%positive, 0x4000000); (0x15555555%positive, 0x8000000); (0x2aaaaaaa%positive, 0x10000000); (0x55555555%positive, 0x20000000); (0xaaaaaaaa%positive, 0x40000000); (0x155555555%positive, 0x80000000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-32-two-1 *)
 Example suite_321 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2579,7 +2579,7 @@ Example suite_321 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x6); (0x15%positive, 0xc); (0x2a%positive, 0x18); (0x55%positive, 0x30); (0xaa%positive, 0x60); (0x155%positive, 0xc0); (0x2aa%positive, 0x180); (0x555%positive, 0x300); (0xaaa%positive, 0x600); (0x1555%positive, 0xc00); (0x2aaa%positive, 0x1800); (0x5555%positive, 0x3000); (0xaaaa%positive, 0x6000); (0x15555%positive, 0xc000); (0x2aaaa%positive, 0x18000); (0x55555%positive, 0x30000); (0xaaaaa%positive, 0x60000); (0x155555%positive, 0xc0000); (0x2aaaaa%positive, 0x180000); (0x555555%positive, 0x300000); (0xaaaaaa%positive, 0x600000); (0x1555555%positive, 0xc00000); (0x2aaaaaa%positive, 0x1800000); (0x5555555%positive, 0x3000000); (0xaaaaaaa%positive, 0x6000000); (0x15555555%positive, 0xc000000); (0x2aaaaaaa%positive, 0x18000000); (0x55555555%positive, 0x30000000); (0xaaaaaaaa%positive, 0x60000000); (0x155555555%positive, 0xc0000000); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-32-two-2 *)
 Example suite_322 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2587,7 +2587,7 @@ Example suite_322 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x5); (0x15%positive, 0xa); (0x2a%positive, 0x14); (0x55%positive, 0x28); (0xaa%positive, 0x50); (0x155%positive, 0xa0); (0x2aa%positive, 0x140); (0x555%positive, 0x280); (0xaaa%positive, 0x500); (0x1555%positive, 0xa00); (0x2aaa%positive, 0x1400); (0x5555%positive, 0x2800); (0xaaaa%positive, 0x5000); (0x15555%positive, 0xa000); (0x2aaaa%positive, 0x14000); (0x55555%positive, 0x28000); (0xaaaaa%positive, 0x50000); (0x155555%positive, 0xa0000); (0x2aaaaa%positive, 0x140000); (0x555555%positive, 0x280000); (0xaaaaaa%positive, 0x500000); (0x1555555%positive, 0xa00000); (0x2aaaaaa%positive, 0x1400000); (0x5555555%positive, 0x2800000); (0xaaaaaaa%positive, 0x5000000); (0x15555555%positive, 0xa000000); (0x2aaaaaaa%positive, 0x14000000); (0x55555555%positive, 0x28000000); (0xaaaaaaaa%positive, 0x50000000); (0x155555555%positive, 0xa0000000); (0xb%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-32-two-3 *)
 Example suite_323 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2595,7 +2595,7 @@ Example suite_323 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x9); (0x2a%positive, 0x12); (0x55%positive, 0x24); (0xaa%positive, 0x48); (0x155%positive, 0x90); (0x2aa%positive, 0x120); (0x555%positive, 0x240); (0xaaa%positive, 0x480); (0x1555%positive, 0x900); (0x2aaa%positive, 0x1200); (0x5555%positive, 0x2400); (0xaaaa%positive, 0x4800); (0x15555%positive, 0x9000); (0x2aaaa%positive, 0x12000); (0x55555%positive, 0x24000); (0xaaaaa%positive, 0x48000); (0x155555%positive, 0x90000); (0x2aaaaa%positive, 0x120000); (0x555555%positive, 0x240000); (0xaaaaaa%positive, 0x480000); (0x1555555%positive, 0x900000); (0x2aaaaaa%positive, 0x1200000); (0x5555555%positive, 0x2400000); (0xaaaaaaa%positive, 0x4800000); (0x15555555%positive, 0x9000000); (0x2aaaaaaa%positive, 0x12000000); (0x55555555%positive, 0x24000000); (0xaaaaaaaa%positive, 0x48000000); (0x155555555%positive, 0x90000000); (0x14%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-32-two-4 *)
 Example suite_324 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2603,7 +2603,7 @@ Example suite_324 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x11); (0x55%positive, 0x22); (0xaa%positive, 0x44); (0x155%positive, 0x88); (0x2aa%positive, 0x110); (0x555%positive, 0x220); (0xaaa%positive, 0x440); (0x1555%positive, 0x880); (0x2aaa%positive, 0x1100); (0x5555%positive, 0x2200); (0xaaaa%positive, 0x4400); (0x15555%positive, 0x8800); (0x2aaaa%positive, 0x11000); (0x55555%positive, 0x22000); (0xaaaaa%positive, 0x44000); (0x155555%positive, 0x88000); (0x2aaaaa%positive, 0x110000); (0x555555%positive, 0x220000); (0xaaaaaa%positive, 0x440000); (0x1555555%positive, 0x880000); (0x2aaaaaa%positive, 0x1100000); (0x5555555%positive, 0x2200000); (0xaaaaaaa%positive, 0x4400000); (0x15555555%positive, 0x8800000); (0x2aaaaaaa%positive, 0x11000000); (0x55555555%positive, 0x22000000); (0xaaaaaaaa%positive, 0x44000000); (0x155555555%positive, 0x88000000); (0x2b%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-32-two-16 *)
 Example suite_325 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2611,7 +2611,7 @@ Example suite_325 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x10); (0x55%positive, 0x20); (0xaa%positive, 0x40); (0x155%positive, 0x80); (0x2aa%positive, 0x100); (0x555%positive, 0x200); (0xaaa%positive, 0x400); (0x1555%positive, 0x800); (0x2aaa%positive, 0x1000); (0x5555%positive, 0x2000); (0xaaaa%positive, 0x4000); (0x15555%positive, 0x8000); (0x2aaaa%positive, 0x10001); (0x55555%positive, 0x20002); (0xaaaaa%positive, 0x40004); (0x155555%positive, 0x80008); (0x2aaaaa%positive, 0x100010); (0x555555%positive, 0x200020); (0xaaaaaa%positive, 0x400040); (0x1555555%positive, 0x800080); (0x2aaaaaa%positive, 0x1000100); (0x5555555%positive, 0x2000200); (0xaaaaaaa%positive, 0x4000400); (0x15555555%positive, 0x8000800); (0x2aaaaaaa%positive, 0x10001000); (0x55555555%positive, 0x20002000); (0xaaaaaaaa%positive, 0x40004000); (0x155555555%positive, 0x80008000); (0x2aaab%positive, 0x10000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-33-all *)
 Example suite_326 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2619,7 +2619,7 @@ Example suite_326 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x10%positive, 0xf); (0x20%positive, 0x1f); (0x40%positive, 0x3f); (0x80%positive, 0x7f); (0x100%positive, 0xff); (0x200%positive, 0x1ff); (0x400%positive, 0x3ff); (0x800%positive, 0x7ff); (0x1000%positive, 0xfff); (0x2000%positive, 0x1fff); (0x4000%positive, 0x3fff); (0x8000%positive, 0x7fff); (0x10000%positive, 0xffff); (0x20000%positive, 0x1ffff); (0x40000%positive, 0x3ffff); (0x80000%positive, 0x7ffff); (0x100000%positive, 0xfffff); (0x200000%positive, 0x1fffff); (0x400000%positive, 0x3fffff); (0x800000%positive, 0x7fffff); (0x1000000%positive, 0xffffff); (0x2000000%positive, 0x1ffffff); (0x4000000%positive, 0x3ffffff); (0x8000000%positive, 0x7ffffff); (0x10000000%positive, 0xfffffff); (0x20000000%positive, 0x1fffffff); (0x40000000%positive, 0x3fffffff); (0x80000000%positive, 0x7fffffff); (0x100000000%positive, 0xffffffff); (0x200000000%positive, 0x1ffffffff); (0x200000001%positive, 0x1fffffffe); (0x100000001%positive, 0xfffffffe); (0x80000001%positive, 0x7ffffffe); (0x40000001%positive, 0x3ffffffe); (0x20000001%positive, 0x1ffffffe); (0x10000001%positive, 0xffffffe); (0x8000001%positive, 0x7fffffe); (0x4000001%positive, 0x3fffffe); (0x2000001%positive, 0x1fffffe); (0x1000001%positive, 0xfffffe); (0x800001%positive, 0x7ffffe); (0x400001%positive, 0x3ffffe); (0x200001%positive, 0x1ffffe); (0x100001%positive, 0xffffe); (0x80001%positive, 0x7fffe); (0x40001%positive, 0x3fffe); (0x20001%positive, 0x1fffe); (0x10001%positive, 0xfffe); (0x8001%positive, 0x7ffe); (0x4001%positive, 0x3ffe); (0x2001%positive, 0x1ffe); (0x1001%positive, 0xffe); (0x801%positive, 0x7fe); (0x401%positive, 0x3fe); (0x201%positive, 0x1fe); (0x101%positive, 0xfe); (0x81%positive, 0x7e); (0x41%positive, 0x3e); (0x21%positive, 0x1e); (0x11%positive, 0xe); (0x9%positive, 0x6); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-33-first *)
 Example suite_327 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2627,7 +2627,7 @@ Example suite_327 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x10); (0x40%positive, 0x20); (0x80%positive, 0x40); (0x100%positive, 0x80); (0x200%positive, 0x100); (0x400%positive, 0x200); (0x800%positive, 0x400); (0x1000%positive, 0x800); (0x2000%positive, 0x1000); (0x4000%positive, 0x2000); (0x8000%positive, 0x4000); (0x10000%positive, 0x8000); (0x20000%positive, 0x10000); (0x40000%positive, 0x20000); (0x80000%positive, 0x40000); (0x100000%positive, 0x80000); (0x200000%positive, 0x100000); (0x400000%positive, 0x200000); (0x800000%positive, 0x400000); (0x1000000%positive, 0x800000); (0x2000000%positive, 0x1000000); (0x4000000%positive, 0x2000000); (0x8000000%positive, 0x4000000); (0x10000000%positive, 0x8000000); (0x20000000%positive, 0x10000000); (0x40000000%positive, 0x20000000); (0x80000000%positive, 0x40000000); (0x100000000%positive, 0x80000000); (0x200000000%positive, 0x100000000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-33-two-1 *)
 Example suite_328 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2635,7 +2635,7 @@ Example suite_328 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x6); (0x10%positive, 0xc); (0x20%positive, 0x18); (0x40%positive, 0x30); (0x80%positive, 0x60); (0x100%positive, 0xc0); (0x200%positive, 0x180); (0x400%positive, 0x300); (0x800%positive, 0x600); (0x1000%positive, 0xc00); (0x2000%positive, 0x1800); (0x4000%positive, 0x3000); (0x8000%positive, 0x6000); (0x10000%positive, 0xc000); (0x20000%positive, 0x18000); (0x40000%positive, 0x30000); (0x80000%positive, 0x60000); (0x100000%positive, 0xc0000); (0x200000%positive, 0x180000); (0x400000%positive, 0x300000); (0x800000%positive, 0x600000); (0x1000000%positive, 0xc00000); (0x2000000%positive, 0x1800000); (0x4000000%positive, 0x3000000); (0x8000000%positive, 0x6000000); (0x10000000%positive, 0xc000000); (0x20000000%positive, 0x18000000); (0x40000000%positive, 0x30000000); (0x80000000%positive, 0x60000000); (0x100000000%positive, 0xc0000000); (0x200000000%positive, 0x180000000); (0x5%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-33-two-2 *)
 Example suite_329 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2643,7 +2643,7 @@ Example suite_329 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x10%positive, 0xa); (0x20%positive, 0x14); (0x40%positive, 0x28); (0x80%positive, 0x50); (0x100%positive, 0xa0); (0x200%positive, 0x140); (0x400%positive, 0x280); (0x800%positive, 0x500); (0x1000%positive, 0xa00); (0x2000%positive, 0x1400); (0x4000%positive, 0x2800); (0x8000%positive, 0x5000); (0x10000%positive, 0xa000); (0x20000%positive, 0x14000); (0x40000%positive, 0x28000); (0x80000%positive, 0x50000); (0x100000%positive, 0xa0000); (0x200000%positive, 0x140000); (0x400000%positive, 0x280000); (0x800000%positive, 0x500000); (0x1000000%positive, 0xa00000); (0x2000000%positive, 0x1400000); (0x4000000%positive, 0x2800000); (0x8000000%positive, 0x5000000); (0x10000000%positive, 0xa000000); (0x20000000%positive, 0x14000000); (0x40000000%positive, 0x28000000); (0x80000000%positive, 0x50000000); (0x100000000%positive, 0xa0000000); (0x200000000%positive, 0x140000000); (0x9%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-33-two-3 *)
 Example suite_330 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2651,7 +2651,7 @@ Example suite_330 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x20%positive, 0x12); (0x40%positive, 0x24); (0x80%positive, 0x48); (0x100%positive, 0x90); (0x200%positive, 0x120); (0x400%positive, 0x240); (0x800%positive, 0x480); (0x1000%positive, 0x900); (0x2000%positive, 0x1200); (0x4000%positive, 0x2400); (0x8000%positive, 0x4800); (0x10000%positive, 0x9000); (0x20000%positive, 0x12000); (0x40000%positive, 0x24000); (0x80000%positive, 0x48000); (0x100000%positive, 0x90000); (0x200000%positive, 0x120000); (0x400000%positive, 0x240000); (0x800000%positive, 0x480000); (0x1000000%positive, 0x900000); (0x2000000%positive, 0x1200000); (0x4000000%positive, 0x2400000); (0x8000000%positive, 0x4800000); (0x10000000%positive, 0x9000000); (0x20000000%positive, 0x12000000); (0x40000000%positive, 0x24000000); (0x80000000%positive, 0x48000000); (0x100000000%positive, 0x90000000); (0x200000000%positive, 0x120000000); (0x11%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-33-two-4 *)
 Example suite_331 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2659,7 +2659,7 @@ Example suite_331 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x40%positive, 0x22); (0x80%positive, 0x44); (0x100%positive, 0x88); (0x200%positive, 0x110); (0x400%positive, 0x220); (0x800%positive, 0x440); (0x1000%positive, 0x880); (0x2000%positive, 0x1100); (0x4000%positive, 0x2200); (0x8000%positive, 0x4400); (0x10000%positive, 0x8800); (0x20000%positive, 0x11000); (0x40000%positive, 0x22000); (0x80000%positive, 0x44000); (0x100000%positive, 0x88000); (0x200000%positive, 0x110000); (0x400000%positive, 0x220000); (0x800000%positive, 0x440000); (0x1000000%positive, 0x880000); (0x2000000%positive, 0x1100000); (0x4000000%positive, 0x2200000); (0x8000000%positive, 0x4400000); (0x10000000%positive, 0x8800000); (0x20000000%positive, 0x11000000); (0x40000000%positive, 0x22000000); (0x80000000%positive, 0x44000000); (0x100000000%positive, 0x88000000); (0x200000000%positive, 0x110000000); (0x21%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-33-two-16 *)
 Example suite_332 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2667,7 +2667,7 @@ Example suite_332 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x10); (0x40%positive, 0x20); (0x80%positive, 0x40); (0x100%positive, 0x80); (0x200%positive, 0x100); (0x400%positive, 0x200); (0x800%positive, 0x400); (0x1000%positive, 0x800); (0x2000%positive, 0x1000); (0x4000%positive, 0x2000); (0x8000%positive, 0x4000); (0x10000%positive, 0x8000); (0x20000%positive, 0x10001); (0x40000%positive, 0x20002); (0x80000%positive, 0x40004); (0x100000%positive, 0x80008); (0x200000%positive, 0x100010); (0x400000%positive, 0x200020); (0x800000%positive, 0x400040); (0x1000000%positive, 0x800080); (0x2000000%positive, 0x1000100); (0x4000000%positive, 0x2000200); (0x8000000%positive, 0x4000400); (0x10000000%positive, 0x8000800); (0x20000000%positive, 0x10001000); (0x40000000%positive, 0x20002000); (0x80000000%positive, 0x40004000); (0x100000000%positive, 0x80008000); (0x200000000%positive, 0x100010000); (0x20001%positive, 0x10000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-33-all *)
 Example suite_333 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))))
@@ -2675,7 +2675,7 @@ Example suite_333 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0x1f%positive, 0xf); (0x3f%positive, 0x1f); (0x7f%positive, 0x3f); (0xff%positive, 0x7f); (0x1ff%positive, 0xff); (0x3ff%positive, 0x1ff); (0x7ff%positive, 0x3ff); (0xfff%positive, 0x7ff); (0x1fff%positive, 0xfff); (0x3fff%positive, 0x1fff); (0x7fff%positive, 0x3fff); (0xffff%positive, 0x7fff); (0x1ffff%positive, 0xffff); (0x3ffff%positive, 0x1ffff); (0x7ffff%positive, 0x3ffff); (0xfffff%positive, 0x7ffff); (0x1fffff%positive, 0xfffff); (0x3fffff%positive, 0x1fffff); (0x7fffff%positive, 0x3fffff); (0xffffff%positive, 0x7fffff); (0x1ffffff%positive, 0xffffff); (0x3ffffff%positive, 0x1ffffff); (0x7ffffff%positive, 0x3ffffff); (0xfffffff%positive, 0x7ffffff); (0x1fffffff%positive, 0xfffffff); (0x3fffffff%positive, 0x1fffffff); (0x7fffffff%positive, 0x3fffffff); (0xffffffff%positive, 0x7fffffff); (0x1ffffffff%positive, 0xffffffff); (0x3ffffffff%positive, 0x1ffffffff); (0x3fffffffe%positive, 0x1fffffffe); (0x1fffffffe%positive, 0xfffffffe); (0xfffffffe%positive, 0x7ffffffe); (0x7ffffffe%positive, 0x3ffffffe); (0x3ffffffe%positive, 0x1ffffffe); (0x1ffffffe%positive, 0xffffffe); (0xffffffe%positive, 0x7fffffe); (0x7fffffe%positive, 0x3fffffe); (0x3fffffe%positive, 0x1fffffe); (0x1fffffe%positive, 0xfffffe); (0xfffffe%positive, 0x7ffffe); (0x7ffffe%positive, 0x3ffffe); (0x3ffffe%positive, 0x1ffffe); (0x1ffffe%positive, 0xffffe); (0xffffe%positive, 0x7fffe); (0x7fffe%positive, 0x3fffe); (0x3fffe%positive, 0x1fffe); (0x1fffe%positive, 0xfffe); (0xfffe%positive, 0x7ffe); (0x7ffe%positive, 0x3ffe); (0x3ffe%positive, 0x1ffe); (0x1ffe%positive, 0xffe); (0xffe%positive, 0x7fe); (0x7fe%positive, 0x3fe); (0x3fe%positive, 0x1fe); (0x1fe%positive, 0xfe); (0xfe%positive, 0x7e); (0x7e%positive, 0x3e); (0x3e%positive, 0x1e); (0x1e%positive, 0xe); (0xe%positive, 0x6); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-33-first *)
 Example suite_334 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))))
@@ -2683,7 +2683,7 @@ Example suite_334 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x10); (0x7f%positive, 0x20); (0xff%positive, 0x40); (0x1ff%positive, 0x80); (0x3ff%positive, 0x100); (0x7ff%positive, 0x200); (0xfff%positive, 0x400); (0x1fff%positive, 0x800); (0x3fff%positive, 0x1000); (0x7fff%positive, 0x2000); (0xffff%positive, 0x4000); (0x1ffff%positive, 0x8000); (0x3ffff%positive, 0x10000); (0x7ffff%positive, 0x20000); (0xfffff%positive, 0x40000); (0x1fffff%positive, 0x80000); (0x3fffff%positive, 0x100000); (0x7fffff%positive, 0x200000); (0xffffff%positive, 0x400000); (0x1ffffff%positive, 0x800000); (0x3ffffff%positive, 0x1000000); (0x7ffffff%positive, 0x2000000); (0xfffffff%positive, 0x4000000); (0x1fffffff%positive, 0x8000000); (0x3fffffff%positive, 0x10000000); (0x7fffffff%positive, 0x20000000); (0xffffffff%positive, 0x40000000); (0x1ffffffff%positive, 0x80000000); (0x3ffffffff%positive, 0x100000000); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-33-two-1 *)
 Example suite_335 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))))
@@ -2691,7 +2691,7 @@ Example suite_335 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x6); (0x1f%positive, 0xc); (0x3f%positive, 0x18); (0x7f%positive, 0x30); (0xff%positive, 0x60); (0x1ff%positive, 0xc0); (0x3ff%positive, 0x180); (0x7ff%positive, 0x300); (0xfff%positive, 0x600); (0x1fff%positive, 0xc00); (0x3fff%positive, 0x1800); (0x7fff%positive, 0x3000); (0xffff%positive, 0x6000); (0x1ffff%positive, 0xc000); (0x3ffff%positive, 0x18000); (0x7ffff%positive, 0x30000); (0xfffff%positive, 0x60000); (0x1fffff%positive, 0xc0000); (0x3fffff%positive, 0x180000); (0x7fffff%positive, 0x300000); (0xffffff%positive, 0x600000); (0x1ffffff%positive, 0xc00000); (0x3ffffff%positive, 0x1800000); (0x7ffffff%positive, 0x3000000); (0xfffffff%positive, 0x6000000); (0x1fffffff%positive, 0xc000000); (0x3fffffff%positive, 0x18000000); (0x7fffffff%positive, 0x30000000); (0xffffffff%positive, 0x60000000); (0x1ffffffff%positive, 0xc0000000); (0x3ffffffff%positive, 0x180000000); (0x6%positive, 0x2); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-33-two-2 *)
 Example suite_336 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))))
@@ -2699,7 +2699,7 @@ Example suite_336 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x5); (0x1f%positive, 0xa); (0x3f%positive, 0x14); (0x7f%positive, 0x28); (0xff%positive, 0x50); (0x1ff%positive, 0xa0); (0x3ff%positive, 0x140); (0x7ff%positive, 0x280); (0xfff%positive, 0x500); (0x1fff%positive, 0xa00); (0x3fff%positive, 0x1400); (0x7fff%positive, 0x2800); (0xffff%positive, 0x5000); (0x1ffff%positive, 0xa000); (0x3ffff%positive, 0x14000); (0x7ffff%positive, 0x28000); (0xfffff%positive, 0x50000); (0x1fffff%positive, 0xa0000); (0x3fffff%positive, 0x140000); (0x7fffff%positive, 0x280000); (0xffffff%positive, 0x500000); (0x1ffffff%positive, 0xa00000); (0x3ffffff%positive, 0x1400000); (0x7ffffff%positive, 0x2800000); (0xfffffff%positive, 0x5000000); (0x1fffffff%positive, 0xa000000); (0x3fffffff%positive, 0x14000000); (0x7fffffff%positive, 0x28000000); (0xffffffff%positive, 0x50000000); (0x1ffffffff%positive, 0xa0000000); (0x3ffffffff%positive, 0x140000000); (0xe%positive, 0x4); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-33-two-3 *)
 Example suite_337 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))))
@@ -2707,7 +2707,7 @@ Example suite_337 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x9); (0x3f%positive, 0x12); (0x7f%positive, 0x24); (0xff%positive, 0x48); (0x1ff%positive, 0x90); (0x3ff%positive, 0x120); (0x7ff%positive, 0x240); (0xfff%positive, 0x480); (0x1fff%positive, 0x900); (0x3fff%positive, 0x1200); (0x7fff%positive, 0x2400); (0xffff%positive, 0x4800); (0x1ffff%positive, 0x9000); (0x3ffff%positive, 0x12000); (0x7ffff%positive, 0x24000); (0xfffff%positive, 0x48000); (0x1fffff%positive, 0x90000); (0x3fffff%positive, 0x120000); (0x7fffff%positive, 0x240000); (0xffffff%positive, 0x480000); (0x1ffffff%positive, 0x900000); (0x3ffffff%positive, 0x1200000); (0x7ffffff%positive, 0x2400000); (0xfffffff%positive, 0x4800000); (0x1fffffff%positive, 0x9000000); (0x3fffffff%positive, 0x12000000); (0x7fffffff%positive, 0x24000000); (0xffffffff%positive, 0x48000000); (0x1ffffffff%positive, 0x90000000); (0x3ffffffff%positive, 0x120000000); (0x1e%positive, 0x8); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-33-two-4 *)
 Example suite_338 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))))
@@ -2715,7 +2715,7 @@ Example suite_338 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x11); (0x7f%positive, 0x22); (0xff%positive, 0x44); (0x1ff%positive, 0x88); (0x3ff%positive, 0x110); (0x7ff%positive, 0x220); (0xfff%positive, 0x440); (0x1fff%positive, 0x880); (0x3fff%positive, 0x1100); (0x7fff%positive, 0x2200); (0xffff%positive, 0x4400); (0x1ffff%positive, 0x8800); (0x3ffff%positive, 0x11000); (0x7ffff%positive, 0x22000); (0xfffff%positive, 0x44000); (0x1fffff%positive, 0x88000); (0x3fffff%positive, 0x110000); (0x7fffff%positive, 0x220000); (0xffffff%positive, 0x440000); (0x1ffffff%positive, 0x880000); (0x3ffffff%positive, 0x1100000); (0x7ffffff%positive, 0x2200000); (0xfffffff%positive, 0x4400000); (0x1fffffff%positive, 0x8800000); (0x3fffffff%positive, 0x11000000); (0x7fffffff%positive, 0x22000000); (0xffffffff%positive, 0x44000000); (0x1ffffffff%positive, 0x88000000); (0x3ffffffff%positive, 0x110000000); (0x3e%positive, 0x10); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-33-two-16 *)
 Example suite_339 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))))
@@ -2723,7 +2723,7 @@ Example suite_339 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x2); (0xf%positive, 0x4); (0x1f%positive, 0x8); (0x3f%positive, 0x10); (0x7f%positive, 0x20); (0xff%positive, 0x40); (0x1ff%positive, 0x80); (0x3ff%positive, 0x100); (0x7ff%positive, 0x200); (0xfff%positive, 0x400); (0x1fff%positive, 0x800); (0x3fff%positive, 0x1000); (0x7fff%positive, 0x2000); (0xffff%positive, 0x4000); (0x1ffff%positive, 0x8000); (0x3ffff%positive, 0x10001); (0x7ffff%positive, 0x20002); (0xfffff%positive, 0x40004); (0x1fffff%positive, 0x80008); (0x3fffff%positive, 0x100010); (0x7fffff%positive, 0x200020); (0xffffff%positive, 0x400040); (0x1ffffff%positive, 0x800080); (0x3ffffff%positive, 0x1000100); (0x7ffffff%positive, 0x2000200); (0xfffffff%positive, 0x4000400); (0x1fffffff%positive, 0x8000800); (0x3fffffff%positive, 0x10001000); (0x7fffffff%positive, 0x20002000); (0xffffffff%positive, 0x40004000); (0x1ffffffff%positive, 0x80008000); (0x3ffffffff%positive, 0x100010000); (0x3fffe%positive, 0x10000); (0x2%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-33-all *)
 Example suite_340 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2731,7 +2731,7 @@ Example suite_340 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x7); (0x15%positive, 0xf); (0x2a%positive, 0x1f); (0x55%positive, 0x3f); (0xaa%positive, 0x7f); (0x155%positive, 0xff); (0x2aa%positive, 0x1ff); (0x555%positive, 0x3ff); (0xaaa%positive, 0x7ff); (0x1555%positive, 0xfff); (0x2aaa%positive, 0x1fff); (0x5555%positive, 0x3fff); (0xaaaa%positive, 0x7fff); (0x15555%positive, 0xffff); (0x2aaaa%positive, 0x1ffff); (0x55555%positive, 0x3ffff); (0xaaaaa%positive, 0x7ffff); (0x155555%positive, 0xfffff); (0x2aaaaa%positive, 0x1fffff); (0x555555%positive, 0x3fffff); (0xaaaaaa%positive, 0x7fffff); (0x1555555%positive, 0xffffff); (0x2aaaaaa%positive, 0x1ffffff); (0x5555555%positive, 0x3ffffff); (0xaaaaaaa%positive, 0x7ffffff); (0x15555555%positive, 0xfffffff); (0x2aaaaaaa%positive, 0x1fffffff); (0x55555555%positive, 0x3fffffff); (0xaaaaaaaa%positive, 0x7fffffff); (0x155555555%positive, 0xffffffff); (0x2aaaaaaaa%positive, 0x1ffffffff); (0x2aaaaaaab%positive, 0x1fffffffe); (0x155555554%positive, 0xfffffffe); (0xaaaaaaab%positive, 0x7ffffffe); (0x55555554%positive, 0x3ffffffe); (0x2aaaaaab%positive, 0x1ffffffe); (0x15555554%positive, 0xffffffe); (0xaaaaaab%positive, 0x7fffffe); (0x5555554%positive, 0x3fffffe); (0x2aaaaab%positive, 0x1fffffe); (0x1555554%positive, 0xfffffe); (0xaaaaab%positive, 0x7ffffe); (0x555554%positive, 0x3ffffe); (0x2aaaab%positive, 0x1ffffe); (0x155554%positive, 0xffffe); (0xaaaab%positive, 0x7fffe); (0x55554%positive, 0x3fffe); (0x2aaab%positive, 0x1fffe); (0x15554%positive, 0xfffe); (0xaaab%positive, 0x7ffe); (0x5554%positive, 0x3ffe); (0x2aab%positive, 0x1ffe); (0x1554%positive, 0xffe); (0xaab%positive, 0x7fe); (0x554%positive, 0x3fe); (0x2ab%positive, 0x1fe); (0x154%positive, 0xfe); (0xab%positive, 0x7e); (0x54%positive, 0x3e); (0x2b%positive, 0x1e); (0x14%positive, 0xe); (0xb%positive, 0x6); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-33-first *)
 Example suite_341 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2739,7 +2739,7 @@ Example suite_341 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x10); (0x55%positive, 0x20); (0xaa%positive, 0x40); (0x155%positive, 0x80); (0x2aa%positive, 0x100); (0x555%positive, 0x200); (0xaaa%positive, 0x400); (0x1555%positive, 0x800); (0x2aaa%positive, 0x1000); (0x5555%positive, 0x2000); (0xaaaa%positive, 0x4000); (0x15555%positive, 0x8000); (0x2aaaa%positive, 0x10000); (0x55555%positive, 0x20000); (0xaaaaa%positive, 0x40000); (0x155555%positive, 0x80000); (0x2aaaaa%positive, 0x100000); (0x555555%positive, 0x200000); (0xaaaaaa%positive, 0x400000); (0x1555555%positive, 0x800000); (0x2aaaaaa%positive, 0x1000000); (0x5555555%positive, 0x2000000); (0xaaaaaaa%positive, 0x4000000); (0x15555555%positive, 0x8000000); (0x2aaaaaaa%positive, 0x10000000); (0x55555555%positive, 0x20000000); (0xaaaaaaaa%positive, 0x40000000); (0x155555555%positive, 0x80000000); (0x2aaaaaaaa%positive, 0x100000000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-33-two-1 *)
 Example suite_342 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2747,7 +2747,7 @@ Example suite_342 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x3); (0xa%positive, 0x6); (0x15%positive, 0xc); (0x2a%positive, 0x18); (0x55%positive, 0x30); (0xaa%positive, 0x60); (0x155%positive, 0xc0); (0x2aa%positive, 0x180); (0x555%positive, 0x300); (0xaaa%positive, 0x600); (0x1555%positive, 0xc00); (0x2aaa%positive, 0x1800); (0x5555%positive, 0x3000); (0xaaaa%positive, 0x6000); (0x15555%positive, 0xc000); (0x2aaaa%positive, 0x18000); (0x55555%positive, 0x30000); (0xaaaaa%positive, 0x60000); (0x155555%positive, 0xc0000); (0x2aaaaa%positive, 0x180000); (0x555555%positive, 0x300000); (0xaaaaaa%positive, 0x600000); (0x1555555%positive, 0xc00000); (0x2aaaaaa%positive, 0x1800000); (0x5555555%positive, 0x3000000); (0xaaaaaaa%positive, 0x6000000); (0x15555555%positive, 0xc000000); (0x2aaaaaaa%positive, 0x18000000); (0x55555555%positive, 0x30000000); (0xaaaaaaaa%positive, 0x60000000); (0x155555555%positive, 0xc0000000); (0x2aaaaaaaa%positive, 0x180000000); (0x4%positive, 0x2); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-33-two-2 *)
 Example suite_343 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2755,7 +2755,7 @@ Example suite_343 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x5); (0x15%positive, 0xa); (0x2a%positive, 0x14); (0x55%positive, 0x28); (0xaa%positive, 0x50); (0x155%positive, 0xa0); (0x2aa%positive, 0x140); (0x555%positive, 0x280); (0xaaa%positive, 0x500); (0x1555%positive, 0xa00); (0x2aaa%positive, 0x1400); (0x5555%positive, 0x2800); (0xaaaa%positive, 0x5000); (0x15555%positive, 0xa000); (0x2aaaa%positive, 0x14000); (0x55555%positive, 0x28000); (0xaaaaa%positive, 0x50000); (0x155555%positive, 0xa0000); (0x2aaaaa%positive, 0x140000); (0x555555%positive, 0x280000); (0xaaaaaa%positive, 0x500000); (0x1555555%positive, 0xa00000); (0x2aaaaaa%positive, 0x1400000); (0x5555555%positive, 0x2800000); (0xaaaaaaa%positive, 0x5000000); (0x15555555%positive, 0xa000000); (0x2aaaaaaa%positive, 0x14000000); (0x55555555%positive, 0x28000000); (0xaaaaaaaa%positive, 0x50000000); (0x155555555%positive, 0xa0000000); (0x2aaaaaaaa%positive, 0x140000000); (0xb%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-33-two-3 *)
 Example suite_344 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2763,7 +2763,7 @@ Example suite_344 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x9); (0x2a%positive, 0x12); (0x55%positive, 0x24); (0xaa%positive, 0x48); (0x155%positive, 0x90); (0x2aa%positive, 0x120); (0x555%positive, 0x240); (0xaaa%positive, 0x480); (0x1555%positive, 0x900); (0x2aaa%positive, 0x1200); (0x5555%positive, 0x2400); (0xaaaa%positive, 0x4800); (0x15555%positive, 0x9000); (0x2aaaa%positive, 0x12000); (0x55555%positive, 0x24000); (0xaaaaa%positive, 0x48000); (0x155555%positive, 0x90000); (0x2aaaaa%positive, 0x120000); (0x555555%positive, 0x240000); (0xaaaaaa%positive, 0x480000); (0x1555555%positive, 0x900000); (0x2aaaaaa%positive, 0x1200000); (0x5555555%positive, 0x2400000); (0xaaaaaaa%positive, 0x4800000); (0x15555555%positive, 0x9000000); (0x2aaaaaaa%positive, 0x12000000); (0x55555555%positive, 0x24000000); (0xaaaaaaaa%positive, 0x48000000); (0x155555555%positive, 0x90000000); (0x2aaaaaaaa%positive, 0x120000000); (0x14%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-33-two-4 *)
 Example suite_345 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2771,7 +2771,7 @@ Example suite_345 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x11); (0x55%positive, 0x22); (0xaa%positive, 0x44); (0x155%positive, 0x88); (0x2aa%positive, 0x110); (0x555%positive, 0x220); (0xaaa%positive, 0x440); (0x1555%positive, 0x880); (0x2aaa%positive, 0x1100); (0x5555%positive, 0x2200); (0xaaaa%positive, 0x4400); (0x15555%positive, 0x8800); (0x2aaaa%positive, 0x11000); (0x55555%positive, 0x22000); (0xaaaaa%positive, 0x44000); (0x155555%positive, 0x88000); (0x2aaaaa%positive, 0x110000); (0x555555%positive, 0x220000); (0xaaaaaa%positive, 0x440000); (0x1555555%positive, 0x880000); (0x2aaaaaa%positive, 0x1100000); (0x5555555%positive, 0x2200000); (0xaaaaaaa%positive, 0x4400000); (0x15555555%positive, 0x8800000); (0x2aaaaaaa%positive, 0x11000000); (0x55555555%positive, 0x22000000); (0xaaaaaaaa%positive, 0x44000000); (0x155555555%positive, 0x88000000); (0x2aaaaaaaa%positive, 0x110000000); (0x2b%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-turns-33-two-16 *)
 Example suite_346 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node (Node Leaf (Node Leaf Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)) Leaf)
@@ -2779,7 +2779,7 @@ Example suite_346 : suite_seen (Node (Node Leaf (Node (Node Leaf (Node (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x15%positive, 0x8); (0x2a%positive, 0x10); (0x55%positive, 0x20); (0xaa%positive, 0x40); (0x155%positive, 0x80); (0x2aa%positive, 0x100); (0x555%positive, 0x200); (0xaaa%positive, 0x400); (0x1555%positive, 0x800); (0x2aaa%positive, 0x1000); (0x5555%positive, 0x2000); (0xaaaa%positive, 0x4000); (0x15555%positive, 0x8000); (0x2aaaa%positive, 0x10001); (0x55555%positive, 0x20002); (0xaaaaa%positive, 0x40004); (0x155555%positive, 0x80008); (0x2aaaaa%positive, 0x100010); (0x555555%positive, 0x200020); (0xaaaaaa%positive, 0x400040); (0x1555555%positive, 0x800080); (0x2aaaaaa%positive, 0x1000100); (0x5555555%positive, 0x2000200); (0xaaaaaaa%positive, 0x4000400); (0x15555555%positive, 0x8000800); (0x2aaaaaaa%positive, 0x10001000); (0x55555555%positive, 0x20002000); (0xaaaaaaaa%positive, 0x40004000); (0x155555555%positive, 0x80008000); (0x2aaaaaaaa%positive, 0x100010000); (0x2aaab%positive, 0x10000); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-8-only *)
 Example suite_347 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2787,7 +2787,7 @@ Example suite_347 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node L
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x4%positive, 0x0); (0x8%positive, 0x0); (0x10%positive, 0x0); (0x20%positive, 0x0); (0x40%positive, 0x0); (0x80%positive, 0x0); (0x100%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-8-stop *)
 Example suite_348 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2795,7 +2795,7 @@ Example suite_348 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node L
   [0x100%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x10%positive, 0xf); (0x20%positive, 0x1f); (0x40%positive, 0x3f); (0x80%positive, 0x7f); (0x100%positive, 0xff)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-8-only *)
 Example suite_349 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))
@@ -2803,7 +2803,7 @@ Example suite_349 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x7%positive, 0x0); (0xf%positive, 0x0); (0x1f%positive, 0x0); (0x3f%positive, 0x0); (0x7f%positive, 0x0); (0xff%positive, 0x0); (0x1ff%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-8-stop *)
 Example suite_350 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf))))))))
@@ -2811,7 +2811,7 @@ Example suite_350 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   [0x1ff%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0x1f%positive, 0xf); (0x3f%positive, 0x1f); (0x7f%positive, 0x3f); (0xff%positive, 0x7f); (0x1ff%positive, 0xff)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-31-only *)
 Example suite_351 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2819,7 +2819,7 @@ Example suite_351 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x0); (0x4%positive, 0x0); (0x8%positive, 0x0); (0x10%positive, 0x0); (0x20%positive, 0x0); (0x40%positive, 0x0); (0x80%positive, 0x0); (0x100%positive, 0x0); (0x200%positive, 0x0); (0x400%positive, 0x0); (0x800%positive, 0x0); (0x1000%positive, 0x0); (0x2000%positive, 0x0); (0x4000%positive, 0x0); (0x8000%positive, 0x0); (0x10000%positive, 0x0); (0x20000%positive, 0x0); (0x40000%positive, 0x0); (0x80000%positive, 0x0); (0x100000%positive, 0x0); (0x200000%positive, 0x0); (0x400000%positive, 0x0); (0x800000%positive, 0x0); (0x1000000%positive, 0x0); (0x2000000%positive, 0x0); (0x4000000%positive, 0x0); (0x8000000%positive, 0x0); (0x10000000%positive, 0x0); (0x20000000%positive, 0x0); (0x40000000%positive, 0x0); (0x80000000%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-left-31-stop *)
 Example suite_352 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node (Node Leaf Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf) Leaf)
@@ -2827,7 +2827,7 @@ Example suite_352 : suite_seen (Node (Node (Node (Node (Node (Node (Node (Node (
   [0x80000000%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x8%positive, 0x7); (0x10%positive, 0xf); (0x20%positive, 0x1f); (0x40%positive, 0x3f); (0x80%positive, 0x7f); (0x100%positive, 0xff); (0x200%positive, 0x1ff); (0x400%positive, 0x3ff); (0x800%positive, 0x7ff); (0x1000%positive, 0xfff); (0x2000%positive, 0x1fff); (0x4000%positive, 0x3fff); (0x8000%positive, 0x7fff); (0x10000%positive, 0xffff); (0x20000%positive, 0x1ffff); (0x40000%positive, 0x3ffff); (0x80000%positive, 0x7ffff); (0x100000%positive, 0xfffff); (0x200000%positive, 0x1fffff); (0x400000%positive, 0x3fffff); (0x800000%positive, 0x7fffff); (0x1000000%positive, 0xffffff); (0x2000000%positive, 0x1ffffff); (0x4000000%positive, 0x3ffffff); (0x8000000%positive, 0x7ffffff); (0x10000000%positive, 0xfffffff); (0x20000000%positive, 0x1fffffff); (0x40000000%positive, 0x3fffffff); (0x80000000%positive, 0x7fffffff)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-31-only *)
 Example suite_353 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))
@@ -2835,7 +2835,7 @@ Example suite_353 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x3%positive, 0x0); (0x7%positive, 0x0); (0xf%positive, 0x0); (0x1f%positive, 0x0); (0x3f%positive, 0x0); (0x7f%positive, 0x0); (0xff%positive, 0x0); (0x1ff%positive, 0x0); (0x3ff%positive, 0x0); (0x7ff%positive, 0x0); (0xfff%positive, 0x0); (0x1fff%positive, 0x0); (0x3fff%positive, 0x0); (0x7fff%positive, 0x0); (0xffff%positive, 0x0); (0x1ffff%positive, 0x0); (0x3ffff%positive, 0x0); (0x7ffff%positive, 0x0); (0xfffff%positive, 0x0); (0x1fffff%positive, 0x0); (0x3fffff%positive, 0x0); (0x7fffff%positive, 0x0); (0xffffff%positive, 0x0); (0x1ffffff%positive, 0x0); (0x3ffffff%positive, 0x0); (0x7ffffff%positive, 0x0); (0xfffffff%positive, 0x0); (0x1fffffff%positive, 0x0); (0x3fffffff%positive, 0x0); (0x7fffffff%positive, 0x0); (0xffffffff%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/chain-right-31-stop *)
 Example suite_354 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node Leaf Leaf)))))))))))))))))))))))))))))))
@@ -2843,7 +2843,7 @@ Example suite_354 : suite_seen (Node Leaf (Node Leaf (Node Leaf (Node Leaf (Node
   [0xffffffff%positive]
   = suite_expected true
   [(0x1%positive, 0x0); (0x3%positive, 0x1); (0x7%positive, 0x3); (0xf%positive, 0x7); (0x1f%positive, 0xf); (0x3f%positive, 0x1f); (0x7f%positive, 0x3f); (0xff%positive, 0x7f); (0x1ff%positive, 0xff); (0x3ff%positive, 0x1ff); (0x7ff%positive, 0x3ff); (0xfff%positive, 0x7ff); (0x1fff%positive, 0xfff); (0x3fff%positive, 0x1fff); (0x7fff%positive, 0x3fff); (0xffff%positive, 0x7fff); (0x1ffff%positive, 0xffff); (0x3ffff%positive, 0x1ffff); (0x7ffff%positive, 0x3ffff); (0xfffff%positive, 0x7ffff); (0x1fffff%positive, 0xfffff); (0x3fffff%positive, 0x1fffff); (0x7fffff%positive, 0x3fffff); (0xffffff%positive, 0x7fffff); (0x1ffffff%positive, 0xffffff); (0x3ffffff%positive, 0x1ffffff); (0x7ffffff%positive, 0x3ffffff); (0xfffffff%positive, 0x7ffffff); (0x1fffffff%positive, 0xfffffff); (0x3fffffff%positive, 0x1fffffff); (0x7fffffff%positive, 0x3fffffff); (0xffffffff%positive, 0x7fffffff)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-0-0-1 *)
 Example suite_355 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) (Node Leaf Leaf))
@@ -2851,7 +2851,7 @@ Example suite_355 : suite_seen (Node (Node Leaf (Node Leaf Leaf)) (Node Leaf Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-0-0-2 *)
 Example suite_356 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) (Node Leaf Leaf))
@@ -2859,7 +2859,7 @@ Example suite_356 : suite_seen (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) (N
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x14%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-0-0-3 *)
 Example suite_357 : suite_seen (Node (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) Leaf)) (Node Leaf Leaf))
@@ -2867,7 +2867,7 @@ Example suite_357 : suite_seen (Node (Node Leaf (Node (Node (Node Leaf Leaf) Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x14%positive, 0x8); (0x28%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-0-3-1 *)
 Example suite_358 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node Leaf Leaf)) (Node Leaf Leaf))
@@ -2875,7 +2875,7 @@ Example suite_358 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x9%positive, 0x6); (0x13%positive, 0xc); (0x27%positive, 0x18); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-0-3-2 *)
 Example suite_359 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node Leaf Leaf) Leaf)) (Node Leaf Leaf))
@@ -2883,7 +2883,7 @@ Example suite_359 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x9%positive, 0x6); (0x13%positive, 0xc); (0x27%positive, 0x18); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x14%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-0-3-3 *)
 Example suite_360 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) Leaf) Leaf)) (Node Leaf Leaf))
@@ -2891,7 +2891,7 @@ Example suite_360 : suite_seen (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x3); (0x9%positive, 0x6); (0x13%positive, 0xc); (0x27%positive, 0x18); (0x5%positive, 0x2); (0xa%positive, 0x4); (0x14%positive, 0x8); (0x28%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-1-0-1 *)
 Example suite_361 : suite_seen (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) (Node Leaf Leaf))
@@ -2899,7 +2899,7 @@ Example suite_361 : suite_seen (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) (N
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x9%positive, 0x4); (0x12%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-1-0-2 *)
 Example suite_362 : suite_seen (Node (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf) (Node Leaf Leaf))
@@ -2907,7 +2907,7 @@ Example suite_362 : suite_seen (Node (Node (Node Leaf (Node (Node Leaf Leaf) Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x9%positive, 0x4); (0x12%positive, 0x8); (0x24%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-1-0-3 *)
 Example suite_363 : suite_seen (Node (Node (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) Leaf)) Leaf) (Node Leaf Leaf))
@@ -2915,7 +2915,7 @@ Example suite_363 : suite_seen (Node (Node (Node Leaf (Node (Node (Node Leaf Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x9%positive, 0x4); (0x12%positive, 0x8); (0x24%positive, 0x10); (0x48%positive, 0x20); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-1-3-1 *)
 Example suite_364 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node Leaf Leaf)) Leaf) (Node Leaf Leaf))
@@ -2923,7 +2923,7 @@ Example suite_364 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x11%positive, 0xa); (0x23%positive, 0x14); (0x47%positive, 0x28); (0x9%positive, 0x4); (0x12%positive, 0x8); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-1-3-2 *)
 Example suite_365 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node Leaf Leaf) Leaf)) Leaf) (Node Leaf Leaf))
@@ -2931,7 +2931,7 @@ Example suite_365 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x11%positive, 0xa); (0x23%positive, 0x14); (0x47%positive, 0x28); (0x9%positive, 0x4); (0x12%positive, 0x8); (0x24%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-1-3-3 *)
 Example suite_366 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) Leaf) Leaf)) Leaf) (Node Leaf Leaf))
@@ -2939,7 +2939,7 @@ Example suite_366 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf (Node Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x5); (0x11%positive, 0xa); (0x23%positive, 0x14); (0x47%positive, 0x28); (0x9%positive, 0x4); (0x12%positive, 0x8); (0x24%positive, 0x10); (0x48%positive, 0x20); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-2-0-1 *)
 Example suite_367 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) Leaf) (Node Leaf Leaf))
@@ -2947,7 +2947,7 @@ Example suite_367 : suite_seen (Node (Node (Node (Node Leaf (Node Leaf Leaf)) Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x11%positive, 0x8); (0x22%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-2-0-2 *)
 Example suite_368 : suite_seen (Node (Node (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf) Leaf) (Node Leaf Leaf))
@@ -2955,7 +2955,7 @@ Example suite_368 : suite_seen (Node (Node (Node (Node Leaf (Node (Node Leaf Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x11%positive, 0x8); (0x22%positive, 0x10); (0x44%positive, 0x20); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-2-0-3 *)
 Example suite_369 : suite_seen (Node (Node (Node (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) Leaf)) Leaf) Leaf) (Node Leaf Leaf))
@@ -2963,7 +2963,7 @@ Example suite_369 : suite_seen (Node (Node (Node (Node Leaf (Node (Node (Node Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x11%positive, 0x8); (0x22%positive, 0x10); (0x44%positive, 0x20); (0x88%positive, 0x40); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-2-3-1 *)
 Example suite_370 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node Leaf Leaf)) Leaf) Leaf) (Node Leaf Leaf))
@@ -2971,7 +2971,7 @@ Example suite_370 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x21%positive, 0x12); (0x43%positive, 0x24); (0x87%positive, 0x48); (0x11%positive, 0x8); (0x22%positive, 0x10); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-2-3-2 *)
 Example suite_371 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node Leaf Leaf) Leaf)) Leaf) Leaf) (Node Leaf Leaf))
@@ -2979,7 +2979,7 @@ Example suite_371 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x21%positive, 0x12); (0x43%positive, 0x24); (0x87%positive, 0x48); (0x11%positive, 0x8); (0x22%positive, 0x10); (0x44%positive, 0x20); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-2-3-3 *)
 Example suite_372 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) Leaf) Leaf)) Leaf) Leaf) (Node Leaf Leaf))
@@ -2987,7 +2987,7 @@ Example suite_372 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf (No
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x9); (0x21%positive, 0x12); (0x43%positive, 0x24); (0x87%positive, 0x48); (0x11%positive, 0x8); (0x22%positive, 0x10); (0x44%positive, 0x20); (0x88%positive, 0x40); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-3-0-1 *)
 Example suite_373 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf Leaf)) Leaf) Leaf) Leaf) (Node Leaf Leaf))
@@ -2995,7 +2995,7 @@ Example suite_373 : suite_seen (Node (Node (Node (Node (Node Leaf (Node Leaf Lea
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x21%positive, 0x10); (0x42%positive, 0x20); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-3-0-2 *)
 Example suite_374 : suite_seen (Node (Node (Node (Node (Node Leaf (Node (Node Leaf Leaf) Leaf)) Leaf) Leaf) Leaf) (Node Leaf Leaf))
@@ -3003,7 +3003,7 @@ Example suite_374 : suite_seen (Node (Node (Node (Node (Node Leaf (Node (Node Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x21%positive, 0x10); (0x42%positive, 0x20); (0x84%positive, 0x40); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-3-0-3 *)
 Example suite_375 : suite_seen (Node (Node (Node (Node (Node Leaf (Node (Node (Node Leaf Leaf) Leaf) Leaf)) Leaf) Leaf) Leaf) (Node Leaf Leaf))
@@ -3011,7 +3011,7 @@ Example suite_375 : suite_seen (Node (Node (Node (Node (Node Leaf (Node (Node (N
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x21%positive, 0x10); (0x42%positive, 0x20); (0x84%positive, 0x40); (0x108%positive, 0x80); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-3-3-1 *)
 Example suite_376 : suite_seen (Node (Node (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node Leaf Leaf)) Leaf) Leaf) Leaf) (Node Leaf Leaf))
@@ -3019,7 +3019,7 @@ Example suite_376 : suite_seen (Node (Node (Node (Node (Node (Node Leaf (Node Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x41%positive, 0x22); (0x83%positive, 0x44); (0x107%positive, 0x88); (0x21%positive, 0x10); (0x42%positive, 0x20); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-3-3-2 *)
 Example suite_377 : suite_seen (Node (Node (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node Leaf Leaf) Leaf)) Leaf) Leaf) Leaf) (Node Leaf Leaf))
@@ -3027,7 +3027,7 @@ Example suite_377 : suite_seen (Node (Node (Node (Node (Node (Node Leaf (Node Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x41%positive, 0x22); (0x83%positive, 0x44); (0x107%positive, 0x88); (0x21%positive, 0x10); (0x42%positive, 0x20); (0x84%positive, 0x40); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.
 
 (* trace/script/after-far-3-3-3 *)
 Example suite_378 : suite_seen (Node (Node (Node (Node (Node (Node Leaf (Node Leaf (Node Leaf Leaf))) (Node (Node (Node Leaf Leaf) Leaf) Leaf)) Leaf) Leaf) Leaf) (Node Leaf Leaf))
@@ -3035,4 +3035,4 @@ Example suite_378 : suite_seen (Node (Node (Node (Node (Node (Node Leaf (Node Le
   []
   = suite_expected false
   [(0x1%positive, 0x0); (0x2%positive, 0x1); (0x4%positive, 0x2); (0x8%positive, 0x4); (0x10%positive, 0x8); (0x20%positive, 0x11); (0x41%positive, 0x22); (0x83%positive, 0x44); (0x107%positive, 0x88); (0x21%positive, 0x10); (0x42%positive, 0x20); (0x84%positive, 0x40); (0x108%positive, 0x80); (0x3%positive, 0x0)].
-Proof. vm_compute. reflexivity. Qed.
+Proof. evaluated. Qed.

@@ -170,7 +170,7 @@ fn write(text: &mut String, index: u32, case: &Case) -> std::fmt::Result {
     let states: Vec<_> = hashed.iter().zip(&sparse).collect();
     writeln!(
         text,
-        "\nExample case_{index} : seen {tree}\n  {}\n  {}\n  = expected {}\n  {}.\nProof. vm_compute. reflexivity. Qed.",
+        "\nExample case_{index} : seen {tree}\n  {}\n  {}\n  = expected {}\n  {}.\nProof. evaluated. Qed.",
         list(&said.descents, descent),
         optional_key(said.end),
         said.end.is_some(),
@@ -189,7 +189,7 @@ fn write(text: &mut String, index: u32, case: &Case) -> std::fmt::Result {
     let state_keys: Vec<_> = visits.iter().map(|visit| visit.state_key.unwrap()).collect();
     writeln!(
         text,
-        "\nExample left_{index} : seen_left {tree}\n  {} {}\n  = expected_left {} {}.\nProof. vm_compute. reflexivity. Qed.",
+        "\nExample left_{index} : seen_left {tree}\n  {} {}\n  = expected_left {} {}.\nProof. evaluated. Qed.",
         key_list(&said.accepted),
         optional_key(said.end),
         said.end.is_some(),

@@ -1,4 +1,4 @@
-//! Straight-line facts of `stackless-bvh` at full width, proved by Z3: `cargo run --release [PART OF A NAME]`.
+//! Straight-line facts of `stackless-bvh` at full width, proved by Z3: `cargo run [PART OF A NAME]`.
 //!
 //! The functions of `key`, `trail` and `swap` are generic over [`Word`](stackless_bvh::key::Word), and run here as they
 //! are compiled, on words of unknown bits. The functions of the hash and the steps of the counting traversals are read

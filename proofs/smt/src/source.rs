@@ -1,5 +1,7 @@
 //! The library's straight-line functions that take no [`Word`](stackless_bvh::key::Word): read from its files.
 
+use std::rc::Rc;
+
 use quote::ToTokens;
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, Pat};
@@ -23,16 +25,21 @@ const FILES: &[(&str, &str)] = &[
 /// Where the words have their methods, in a macro that stands for all of them.
 const WORDS: &str = include_str!("../../../src/key/word.rs");
 
+thread_local! {
+    /// What each of them says. Some hundred slips change one file each.
+    static PARSED: Vec<Result<Rc<syn::File>, String>> = FILES.iter().map(|(_, text)| parse(text)).collect();
+}
+
 /// The library's files, parsed.
 pub(crate) struct Source {
-    files: Vec<(&'static str, syn::File)>,
+    files: Vec<(&'static str, Rc<syn::File>)>,
     words: String,
 }
 
 impl Source {
     /// As they are.
     pub(crate) fn library() -> Result<Self, String> {
-        Self::parse(str::to_owned)
+        Self::changed(str::to_owned)
     }
 
     /// With a slip: `from`, which must stand in them once, replaced by `to`.
@@ -42,12 +49,16 @@ impl Source {
         if found != 1 {
             return Err(format!("the slip's text {from:?} stands in the files {found} times"));
         }
-        Self::parse(|text| text.replace(from, to))
+        Self::changed(|text| text.replace(from, to))
     }
 
-    fn parse(change: impl Fn(&str) -> String) -> Result<Self, String> {
-        let parse = |text| syn::parse_file(&change(text)).map_err(|error| error.to_string());
-        let files = FILES.iter().map(|(module, text)| Ok((*module, parse(text)?))).collect::<Result<_, String>>()?;
+    fn changed(change: impl Fn(&str) -> String) -> Result<Self, String> {
+        let file = |(i, (module, text)): (usize, &(&'static str, &str))| {
+            let changed = change(text);
+            let file = if changed == *text { PARSED.with(|parsed| parsed[i].clone()) } else { parse(&changed) };
+            Ok((*module, file?))
+        };
+        let files = FILES.iter().enumerate().map(file).collect::<Result<_, String>>()?;
         Ok(Self { files, words: change(WORDS) })
     }
 
@@ -84,6 +95,10 @@ impl Source {
         }
         finder
     }
+}
+
+fn parse(text: &str) -> Result<Rc<syn::File>, String> {
+    syn::parse_file(text).map(Rc::new).map_err(|error| error.to_string())
 }
 
 fn only<T>(name: &str, found: Vec<T>) -> Result<T, String> {

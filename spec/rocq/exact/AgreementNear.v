@@ -26,6 +26,9 @@ Theorem nearest_agrees a b c q : guess a b c = Some q ->
 Proof.
   unfold nearest_nearest, guess. rewrite zero_is.
   cbv [reals num plus minus times Arithmetic.over opposite less at_most not_a_number dot vsub vadd scaled vx vy vz].
+  (* Terms stay small: what they are made of does not matter. *)
+  repeat match goal with |- context [- ?r] => generalize (- r); intro end.
+  repeat match goal with |- context [R64 (R64 (?r * ?s) - R64 (?t * ?w))] => generalize (R64 (R64 (r * s) - R64 (t * w))); intro end.
   do 6 (apply decide; [unfold on_edge, over; try (destruct Req_bool; [discriminate|]); now apply found|]).
   apply decide; [discriminate|]. now apply found.
 Qed.
