@@ -2,6 +2,8 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
+use glam::DVec3;
+
 use super::Interval;
 use super::frame::power_of_two;
 use super::kernel::{two_product, two_sum};
@@ -55,6 +57,25 @@ impl Fine {
     #[inline]
     fn is_exact(&self) -> bool {
         self.radius == 0.0
+    }
+
+    /// The first of its two doubles.
+    #[inline]
+    pub(in crate::geom) const fn middle(self) -> f64 {
+        self.high
+    }
+
+    /// How far a number may be from that.
+    #[inline]
+    pub(in crate::geom) fn off_middle(&self) -> f64 {
+        (self.low.abs() + self.radius) * UP
+    }
+
+    /// The least interval of doubles that holds all, or nearly that.
+    #[inline]
+    pub(in crate::geom) fn interval(&self) -> Interval {
+        let off = self.off_middle();
+        Interval::exact(self.high) + Interval::between([-off, off])
     }
 
     /// Whether neither the middle nor the radius is above so much in magnitude; then no number is above twice that, but
@@ -187,6 +208,18 @@ impl Mul for Fine {
         let of_radii = self.high.abs() * other.radius + other.high.abs() * self.radius + self.radius * other.radius;
         Self::new(high, low, of_radii * UP + high.abs() * ERROR + UNDERFLOW)
     }
+}
+
+/// A way less three parts of a direction, and those: of ways up to 2^150 times as long as what is across the direction not much
+/// more is left. It stands for the way less exactly those parts, whatever is rounded. `[EXACT-12]`
+pub(in crate::geom) fn shortened(mut way: [Fine; 3], direction: DVec3) -> ([Fine; 3], [f64; 3]) {
+    // Each step leaves what a double rounds of the one before.
+    let parts = [(); 3].map(|()| {
+        let part = DVec3::from(way.map(Fine::middle)).dot(direction) / direction.length_squared();
+        way = [0, 1, 2].map(|k| way[k] - Fine::exact(part) * Fine::exact(direction[k]));
+        part
+    });
+    (way, parts)
 }
 
 #[cfg(test)]

@@ -125,7 +125,7 @@ impl Frame {
 
     /// The same, of a coordinate that is within bounds.
     #[inline]
-    fn inside(&self, axis: usize, x: Interval) -> Interval {
+    pub(super) fn inside(&self, axis: usize, x: Interval) -> Interval {
         (x - Interval::exact(self.origin[axis])).scaled(-self.exponent)
     }
 

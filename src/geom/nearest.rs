@@ -16,6 +16,7 @@
 //! the roundings of the bounds themselves. Nothing overflows where M is in [`RANGE`], as it is in single precision, and
 //! what underflows is far less than `u M`, where |q| is above [`SHORT`].
 
+mod cone;
 mod enclosure;
 mod point;
 
@@ -85,6 +86,16 @@ impl<V: Vector> Measure<V> {
         }
         if let Some(distance) = self.certain([[near, 0.0], [far, 0.0]]) {
             return Some(distance);
+        }
+        self.settle(triangle, limit)
+    }
+
+    /// The distance that these bounds leave open.
+    #[inline(never)]
+    fn settle(&self, triangle: &Triangle<V>, limit: V::Real) -> Option<V::Real> {
+        let near = cone::least_distance(&triangle.widen(), self.point.widen());
+        if near > self.radius.into() || V::Real::rounded(near) > limit {
+            return None;
         }
         self.fine(triangle).or_else(|| self.exact_distance(triangle))
     }

@@ -48,10 +48,10 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxPoint<S, V, A> {
             },
         );
         let sum = (x * x + y * y) + z * z;
-        // Where squares overflow, the greatest component: the distance is not less.
-        let far = x.max(y).max(z).min(most);
-        let distance = sum.simd_le(most).select(sum.sqrt(), far);
-        let distance = sum.simd_lt(all(TINY)).select(zero, distance * all(LESS));
+        // Where squares over- or underflow, the greatest component: the distance is not less.
+        let most_of = x.max(y).max(z).min(most);
+        let has_root = sum.simd_le(most) & sum.simd_ge(all(TINY));
+        let distance = has_root.select(sum.sqrt(), most_of) * all(LESS);
         let bits = distance.to_bits() & ((1 << 31) - A as u32);
         // The box of an empty lane is from plus to minus infinity.
         let [lo, hi] = &planes[0];

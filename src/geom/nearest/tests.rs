@@ -140,6 +140,67 @@ fn boxes_are_not_farther_at_the_ends_of_the_range() {
     assert_eq!(to_box(-1e-200, &aabb(0.0, 1.0)), below(1e-200));
 }
 
+/// A needle or a broad triangle, of any size, and a point beside its first corner.
+fn beside_a_corner(random: &mut Rng, round: i32) -> ([DVec3; 3], DVec3) {
+    let [b, c, way] = [vector(random), vector(random), vector(random)];
+    let c = if round % 3 == 0 { b.lerp(c, 1e-5) } else { c };
+    let flat = DVec3::new(1.0, 1.0, if round % 5 == 0 { 0.0 } else { 1.0 });
+    let (size, near) = (2f64.powi(round * 7 % 300 - 150), 2f64.powi(-(round % 40)));
+    let a = if round % 2 == 0 { DVec3::ZERO } else { vector(random) };
+    ([DVec3::ZERO, b * flat, c * flat].map(|v| (v + a) * size), (a + way * near * flat) * size)
+}
+
+/// Returns how many bounds are above the truth.
+fn wrong_cones(margin: f64) -> usize {
+    let mut random = Rng::new(13);
+    (0..60_000)
+        .filter(|&round| {
+            let (corners, point) = beside_a_corner(&mut random, round);
+            [0, 1, 2].into_iter().any(|first| {
+                let turned = [0, 1, 2].map(|k| corners[(first + k) % 3]);
+                let bound = RBig::try_from(cone::seen_from(turned, point, margin)).expect("finite");
+                &bound * &bound > square(&Triangle(corners), point)
+            })
+        })
+        .count()
+}
+
+/// [NEAR-7]
+#[test]
+fn cones_are_not_farther_than_the_triangle_and_need_a_margin() {
+    assert_eq!([wrong_cones(cone::MARGIN), wrong_cones(cone::MARGIN / 8.0)], [0, 0]);
+    assert!(wrong_cones(0.0) > 1000, "{}", wrong_cones(0.0));
+}
+
+/// What the bounds for the whole triangle leave open, and twice the digits need not be asked. [NEAR-7]
+#[test]
+fn cones_tell_the_needles_at_the_pole_of_a_fan_apart() {
+    let point = DVec3::new(1e-30, 2e-30, 0.0);
+    let told = (0..1000u32).filter(|&i| {
+        let spoke = |i: u32| {
+            let angle = f64::from(i) / 1000.0 * std::f64::consts::TAU;
+            DVec3::new(angle.cos(), angle.sin(), 0.0).as_vec3().as_dvec3()
+        };
+        let corners = [spoke(i), spoke(i + 1), DVec3::ZERO];
+        let bound = cone::least_distance(&corners, point);
+        assert!(RBig::try_from(bound * bound).expect("finite") <= square(&Triangle(corners), point) || bound < 1e-40);
+        bounds(&corners.map(|corner| corner - point))[0] == 0.0 && bound > 0.0
+    });
+    assert!(told.count() >= 998);
+}
+
+/// Where products may over- or underflow nothing is said. [NEAR-7]
+#[test]
+fn cones_are_for_a_range() {
+    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    let bound = |power, way: f64| cone::least_distance(&corners.map(|v| v * 2f64.powi(power)), DVec3::splat(-way));
+    assert_eq!([-201, -200, 199, 201].map(|power| bound(power, 2f64.powi(power)) > 0.0), [false, true, true, false]);
+    assert_eq!([0.0, 2f64.powi(-201)].map(|way| bound(0, way)), [0.0; 2]);
+    assert!(bound(0, 2f64.powi(-200)) > 0.0);
+    // Along an edge, nothing is across.
+    assert_eq!(cone::least_distance(&corners, DVec3::X * 0.25), 0.0);
+}
+
 /// Of any two doubles, and of corners and points of any size, a distance and a point are the truth, too.
 #[test]
 fn doubles_of_all_sizes_have_the_true_distance_and_point() {

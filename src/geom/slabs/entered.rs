@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::afar;
 use super::directed::MAX_COORDINATE;
 use super::{Doubled, Intervals};
 use crate::geom::frame::{exponent_of, power_of_two};
@@ -59,17 +60,20 @@ const FINE: f64 = power_of_two(-24);
 impl Approach {
     /// Takes a ray into the frame of the boxes, and there to where it enters their region.
     pub(super) fn of(ray: &Ray<DVec3>, region: &Region) -> Self {
-        let (frame, direction) = (region.frame(), ray.direction());
-        let length = exponent_of(direction.abs().max_element());
-        let exponent = frame.exponent() - length;
-        if length.abs() > MAX_LENGTH || exponent.abs() > MAX_UNIT || region.reach_in_frame() > MAX_COORDINATE {
-            return Self::Unknown;
-        }
+        let frame = region.frame();
+        let Some([_, exponent]) = lengths(ray, region) else { return Self::Unknown };
         let origin = [0, 1, 2].map(|axis| frame.coordinate(axis, ray.origin()[axis]));
-        let direction = direction.to_array().map(|d| Interval::exact(d).scaled(-length));
         // Nothing is rounded here unless it underflows, and then it is above.
         let tmin = ray.tmin() * power_of_two(-exponent);
         let tmin = if tmin < f64::MIN_POSITIVE { 0.0 } else { tmin };
+        Self::on(ray, region, origin, tmin)
+    }
+
+    /// The same from a point of the ray's line that is known within bounds, in the frame.
+    #[inline]
+    pub(super) fn on(ray: &Ray<DVec3>, region: &Region, origin: [Interval; 3], tmin: f64) -> Self {
+        let Some([length, exponent]) = lengths(ray, region) else { return Self::Unknown };
+        let direction = ray.direction().to_array().map(|d| Interval::exact(d).scaled(-length));
         let Some(start) = entry(region, &origin, &direction, tmin) else { return Self::Misses };
         let origin = [0, 1, 2].map(|axis| origin[axis] + Interval::exact(start) * direction[axis]);
         let reach = f64::from(region.reach_in_frame());
@@ -85,6 +89,17 @@ impl Approach {
             Self::Unknown
         }
     }
+}
+
+/// The exponents of the direction's length, and of the unit of distance in the frame; `None` where they, or coordinates
+/// there, are beyond.
+#[inline]
+fn lengths(ray: &Ray<DVec3>, region: &Region) -> Option<[i32; 2]> {
+    let length = exponent_of(ray.direction().abs().max_element());
+    let exponent = region.frame().exponent() - length;
+    let is_within =
+        length.abs() <= MAX_LENGTH && exponent.abs() <= MAX_UNIT && region.reach_in_frame() <= MAX_COORDINATE;
+    is_within.then_some([length, exponent])
 }
 
 /// Where a ray enters the region, or before that; not before `tmin`. `None` if it surely misses the region.
@@ -131,17 +146,29 @@ impl Entered {
     pub(super) fn new(ray: &Ray<DVec3>, region: &Region) -> Self {
         match Approach::of(ray, region) {
             Approach::Misses => Self::MISSING,
-            Approach::Enters(Entry { origin, direction, start, exponent }) => {
-                let direction = DVec3::from(direction.map(|d| d.ends()[0]));
-                Self::from(origin, direction, Interval::exact(start).scaled(exponent), exponent, ray.tmin())
-            }
-            Approach::Unknown => Self::exactly(ray, region),
+            Approach::Enters(entry) => Self::at(entry, Interval::exact(0.0), ray.tmin()),
+            Approach::Unknown => Self::slowly(ray, region),
+        }
+    }
+
+    /// Of an entry whose ray begins at some distance.
+    fn at(Entry { origin, direction, start, exponent }: Entry, before: Interval, tmin: f64) -> Self {
+        let direction = DVec3::from(direction.map(|d| d.ends()[0]));
+        Self::from(origin, direction, before + Interval::exact(start).scaled(exponent), exponent, tmin)
+    }
+
+    /// Prepares a ray of which doubles tell too little.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn slowly(ray: &Ray<DVec3>, region: &Region) -> Self {
+        match afar::approach(ray, region) {
+            Some((_, Approach::Misses)) => Self::MISSING,
+            Some((before, Approach::Enters(entry))) => Self::at(entry, before, ray.tmin()),
+            _ => Self::exactly(ray, region),
         }
     }
 
     /// Prepares a ray in rational arithmetic.
-    #[cold]
-    #[inline(never)]
     pub(super) fn exactly(ray: &Ray<DVec3>, region: &Region) -> Self {
         let (frame, [o, d]) = (region.frame(), [ray.origin(), ray.direction()].map(|v| v.to_array()));
         let sides = frame.leave(region.bounds()).map(|x| x.ends());

@@ -8,6 +8,7 @@
 //! All forms are monotone under nesting: of two boxes, one in the other, the inner is not entered before the outer,
 //! for any ray. And `one` is `pair` of a box and itself, so that both agree in every bit.
 
+mod afar;
 mod centred;
 pub(in crate::geom) mod directed;
 mod doubled;

@@ -58,7 +58,7 @@ impl Slabs for Wide {
                 let unit = [exponent, -exponent].map(power_of_two);
                 Self { origin, inverse, start, unit, tmin, entered: None }
             }
-            Approach::Unknown => Self { entered: Some(Entered::exactly(ray, region)), ..missing },
+            Approach::Unknown => Self { entered: Some(Entered::slowly(ray, region)), ..missing },
         }
     }
 

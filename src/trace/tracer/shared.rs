@@ -109,9 +109,10 @@ impl Around<'_, WideBvh> {
 
     /// Whether nothing in these slots matters, nor below them. `[NEAR-6]`
     fn is_settled_within(&self, node: Node, ranks: &[f32; 8], set: u32) -> bool {
-        // Boxes that begin so much before the limit do not begin at it.
+        // Boxes that begin so much before the limit do not begin at it: ranks leave out the last bits.
         const ABOUT: f32 = 1.0 - 64.0 * f32::EPSILON;
-        let (about, mut slots) = (self.limit.distance * ABOUT, (0..8).filter(|slot| set >> slot & 1 == 1));
+        const LEAST: f32 = f32::from_bits(16);
+        let (about, mut slots) = (self.limit.distance * ABOUT - LEAST, (0..8).filter(|slot| set >> slot & 1 == 1));
         if set == 0 || slots.clone().any(|slot| ranks[slot] < about) {
             return false;
         }

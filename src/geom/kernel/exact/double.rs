@@ -52,7 +52,7 @@ pub struct Exact64 {
 }
 
 /// Numbers that never over- or underflow here.
-pub(super) const USUAL: RangeInclusive<f64> = power_of_two(-200)..=power_of_two(200);
+pub(in crate::geom) const USUAL: RangeInclusive<f64> = power_of_two(-200)..=power_of_two(200);
 
 impl Kernel for Exact64 {
     type Vector = DVec3;
@@ -81,7 +81,7 @@ impl Kernel for Exact64 {
         let (o, d) = (self.ray.origin(), self.ray.direction());
         if self.can_filter(shape)
             && self.determinants(shape).is_hit(&self.errors_of(shape))
-            && let Some(weights) = fine::FineDeterminants::new(&shape.0, o, d).weights()
+            && let Some(weights) = fine::weights(&shape.0, o, d)
         {
             return weights;
         }
@@ -165,8 +165,8 @@ impl Exact64 {
     #[inline]
     fn rounded(&self, Triangle(corners): &Triangle<DVec3>, has_room: bool) -> Option<f64> {
         let (o, d) = (self.ray.origin(), self.ray.direction());
-        if has_room && let Some(t) = fine::FineDeterminants::new(corners, o, d).distance_within(self.interval()) {
-            return Some(t);
+        if has_room && let Some(placed) = fine::FineDeterminants::new(corners, o, d).placed(self.interval()) {
+            return placed;
         }
         quotient::distance(corners, o, d, self.interval())
     }

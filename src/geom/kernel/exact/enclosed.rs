@@ -103,7 +103,7 @@ impl<R: Real> EnclosedTest<R> {
         }
         let corners = self.exact_corners(shape)?;
         crossing
-            .and_then(|_| fine::FineDeterminants::new(&corners, self.origin, self.direction).weights())
+            .and_then(|_| fine::weights(&corners, self.origin, self.direction))
             .or_else(|| Some(quotient::weights(&corners, self.origin, self.direction)))
     }
 
@@ -113,9 +113,9 @@ impl<R: Real> EnclosedTest<R> {
         let Some(corners) = self.exact_corners(shape) else { return Certainty::Open };
         let (o, d) = (self.origin, self.direction);
         if self.crossing(shape).is_some()
-            && let Some(t) = fine::FineDeterminants::new(&corners, o, d).distance_within(self.interval)
+            && let Some(placed) = fine::FineDeterminants::new(&corners, o, d).placed(self.interval)
         {
-            return Certainty::Hit(t);
+            return placed.map_or(Certainty::Miss, Certainty::Hit);
         }
         if predicates::is_along_axes(&corners, d) || !predicates::is_inside(&corners, o, d, self.is_usual) {
             return Certainty::Miss;

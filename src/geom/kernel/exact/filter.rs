@@ -48,6 +48,14 @@ impl Determinants {
         direction + edges + edges.max(off) + 5 <= DIGITS && 2 * edges + off + 3 <= DIGITS
     }
 
+    /// Whether nothing of the determinant is rounded, likewise, wherever the line begins.
+    pub(super) fn has_exact_det(corners: &[DVec3; 3], d: DVec3) -> bool {
+        let &[v0, v1, v2] = corners;
+        let (Some(unit), Some(unit_of_d)) = (unit([v0, v1, v2]), unit([d])) else { return false };
+        let [d, _, edges] = greatest(corners, v0, d).map(|x| exponent(x) + 1);
+        (d - unit_of_d).max(0) + 2 * (edges - unit).max(0) + 3 <= DIGITS
+    }
+
     /// Whether the line and the plane of the triangle are parallel, if nothing is rounded.
     pub(super) const fn are_parallel(&self) -> bool {
         self.det == 0.0

@@ -8,9 +8,11 @@ use std::ops::Add as _;
 
 use glam::DVec3;
 
+use super::double::{USUAL, has_usual_edges};
+use super::filter::{Determinants, Errors};
 use super::predicates::Pairs;
 use crate::geom::Real;
-use crate::geom::fine::Fine;
+use crate::geom::fine::{Fine, shortened};
 use crate::geom::frame::power_of_two;
 
 /// The determinants of a ray and a triangle, by twice the digits.
@@ -48,7 +50,32 @@ impl FineDeterminants {
     }
 
     fn distance<R: Real>(&self) -> Option<R> {
-        self.nearest(dot(&self.e2, &cross(&self.s, &self.e1)))
+        self.nearest(self.top())
+    }
+
+    /// The distance times the determinant.
+    fn top(&self) -> Fine {
+        dot(&self.e2, &cross(&self.s, &self.e1))
+    }
+
+    /// The distance of a line that meets the triangle, rounded to the nearest float, and `None` within if it is not in the
+    /// closed interval; `None` where it is not certain. `[EXACT-10]`
+    pub(super) fn placed<R: Real>(&self, interval @ [tmin, tmax]: [R; 2]) -> Option<Option<R>> {
+        match self.distance::<R>() {
+            Some(t) if tmin < t && (t < tmax || tmax == R::INFINITY) => Some(Some(t)),
+            Some(t) if t < tmin || tmax < t => Some(None),
+            _ => self.double_distance().map(|t| {
+                let [tmin, tmax] = interval.map(R::into);
+                (tmin <= t && t <= tmax).then(|| R::rounded(t + 0.0))
+            }),
+        }
+    }
+
+    /// The distance, if it is a double: then the middle of two floats and the ends of intervals are told.
+    fn double_distance(&self) -> Option<f64> {
+        let top = self.top();
+        let t = top.middle() / self.det.middle();
+        ((Fine::exact(t) * self.det - top).sign() == Some(0.0)).then_some(t)
     }
 
     /// The weights of the second and the third corner, likewise.
@@ -62,6 +89,58 @@ impl FineDeterminants {
     }
 }
 
+/// The weights of the second and the third corner, rounded to the nearest floats, if they are certain. No number may be
+/// above 2^200.
+pub(super) fn weights<R: Real>(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Option<[R; 2]> {
+    let found = FineDeterminants::new(corners, o, d);
+    let found = if is_far(corners, o) { FineDeterminants { s: shortened(found.s, d).0, ..found } } else { found };
+    found.weights()
+}
+
+/// A point of a line, and how far it may be off, on each axis.
+pub(super) struct NearPoint {
+    point: DVec3,
+    off: f64,
+}
+
+/// A point of the line that is near to a triangle, if the line begins far away. No number may be above 2^200.
+/// `[EXACT-12]`
+pub(super) fn near_point(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Option<NearPoint> {
+    is_far(corners, o).then(|| {
+        let corner = exact(corners[0]);
+        let (way, _) = shortened(minus(&exact(o), &corner), d);
+        let near = [0, 1, 2].map(|k| corner[k] + way[k]);
+        let off = near.iter().map(Fine::off_middle).fold(0.0, f64::max);
+        NearPoint { point: DVec3::from(near.map(Fine::middle)), off }
+    })
+}
+
+impl NearPoint {
+    /// Whether the line meets the triangle, where the bounds of a ray from there tell. `[INST-5]`
+    pub(super) fn is_inside(&self, corners: &[DVec3; 3], d: DVec3) -> Option<bool> {
+        let found = Determinants::of(corners, self.point, d);
+        let errors = Errors::of_triangle_within([self.off, 0.0], corners, self.point, d);
+        // Bounds that are not finite leave it open.
+        let is_known = has_usual_edges(corners) && USUAL.end() > &self.off;
+        if is_known && found.is_miss(&errors) {
+            Some(false)
+        } else if is_known && found.is_hit(&errors) {
+            Some(true)
+        } else {
+            None
+        }
+    }
+}
+
+/// Whether a triangle is so much farther than its edges are long that many of twice the digits cancel.
+fn is_far(&[v0, v1, v2]: &[DVec3; 3], o: DVec3) -> bool {
+    let edges = (v1 - v0).abs().max((v2 - v0).abs());
+    (o - v0).abs().max_element() > edges.max_element() * FAR
+}
+
+/// A way of so many edges is far.
+pub(super) const FAR: f64 = power_of_two(32);
+
 /// A number with the sign of d . (a x b), where that is certain. No number may be above 2^200.
 pub(super) fn volume(d: DVec3, a: &Pairs, b: &Pairs) -> Option<f64> {
     let [a, b] = [a, b].map(|v| v.map(Fine::of_two));
@@ -71,6 +150,13 @@ pub(super) fn volume(d: DVec3, a: &Pairs, b: &Pairs) -> Option<f64> {
         Fine::exact(d[k]) * (a[i] * b[j] - a[j] * b[i])
     });
     terms.fold(Fine::ZERO, Fine::add).sign()
+}
+
+/// The same, where b is the way to an edge a from a point of a line with the direction d, which is far: it is told from one
+/// that is near, since d . (a x (b - x d)) is d . (a x b) for any x. `[EXACT-12]`
+pub(super) fn volume_from_near(d: DVec3, a: &Pairs, b: &Pairs) -> Option<f64> {
+    let [a, b] = [a, b].map(|v| v.map(Fine::of_two));
+    dot(&exact(d), &cross(&a, &shortened(b, d).0)).sign()
 }
 
 fn exact(v: DVec3) -> [Fine; 3] {

@@ -23,6 +23,7 @@ mod sum;
 
 pub use accumulator::Accumulator;
 pub use double::Exact64;
+pub(in crate::geom) use double::USUAL;
 pub use enclosed::{Certainty, EnclosedTest};
 pub(in crate::geom) use fine::FineDeterminants;
 pub use parity::Parity;
@@ -130,7 +131,7 @@ impl Exact {
     #[inline(never)]
     fn settle_weights(&self, corners: &[DVec3; 3]) -> [f32; 2] {
         let (o, d) = (self.origin, self.direction);
-        fine::FineDeterminants::new(corners, o, d).weights().unwrap_or_else(|| quotient::weights(corners, o, d))
+        fine::weights(corners, o, d).unwrap_or_else(|| quotient::weights(corners, o, d))
     }
 
     /// The stages after the first.
@@ -156,14 +157,19 @@ impl Exact {
             if is_within(ends, self.interval) == Some(false) {
                 return None;
             }
-        } else if found.may_be_parallel(&errors) && predicates::is_parallel(&corners, d)
+        } else if found.may_be_parallel(&errors) && is_parallel(&found, &corners, d)
             || !predicates::is_inside(&corners, o, d, true)
         {
             return None;
         }
-        let t = fine::FineDeterminants::new(&corners, o, d).distance_within(self.interval);
-        t.or_else(|| quotient::distance(&corners, o, d, self.interval))
+        let placed = fine::FineDeterminants::new(&corners, o, d).placed(self.interval);
+        placed.unwrap_or_else(|| quotient::distance(&corners, o, d, self.interval))
     }
+}
+
+/// Whether a line is known to be parallel to a triangle: on a coarse grid from its determinant, wherever it begins.
+fn is_parallel(found: &Determinants, corners: &[DVec3; 3], d: DVec3) -> bool {
+    if Determinants::has_exact_det(corners, d) { found.are_parallel() } else { predicates::is_parallel(corners, d) }
 }
 
 /// Whether bounds of a distance that are rounded to these floats settle it: it is that float, and within the interval.

@@ -16,7 +16,7 @@ use std::cmp::Ordering;
 use glam::DVec3;
 
 use super::filter::Determinants;
-use super::predicates::{edge, volume};
+use super::predicates::{edge, sign};
 use super::{Exact, Exact64};
 use crate::geom::{Kernel, Triangle};
 
@@ -80,14 +80,16 @@ impl Exact {
 #[cold]
 #[inline(never)]
 pub(super) fn is_crossed_by_line(&[a, b, c]: &[DVec3; 3], o: DVec3, d: DVec3, has_room: bool) -> bool {
-    let sides = [[b, c], [c, a], [a, b]].map(|edge| side(edge, o, d, has_room));
-    sides.iter().all(|side| side.is_gt()) || sides.iter().all(|side| side.is_lt())
+    let first = side([b, c], o, d, has_room);
+    first.is_ne() && [[c, a], [a, b]].into_iter().all(|edge| side(edge, o, d, has_room) == first)
 }
 
 /// The sign of an edge function for the moved origin; 0 if the edge is parallel to the direction.
 fn side([from, to]: [DVec3; 2], o: DVec3, d: DVec3, has_room: bool) -> Ordering {
-    let moved = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().map(|axis| volume(axis, [from, to], [DVec3::ZERO, d]));
-    edge(d, o, from, to, has_room).then_with(|| moved.fold(Ordering::Equal, Ordering::then))
+    let moved = |axis: DVec3| sign(axis, [from, to], [DVec3::ZERO, d], has_room);
+    [DVec3::X, DVec3::Y, DVec3::Z]
+        .into_iter()
+        .fold(edge(d, o, from, to, has_room), |side, axis| side.then_with(|| moved(axis)))
 }
 
 #[cfg(test)]

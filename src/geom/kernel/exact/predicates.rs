@@ -16,6 +16,11 @@ pub(super) type Pairs = [[f64; 2]; 3];
 /// an exact sum where those do not tell.
 pub(super) fn edge(d: DVec3, o: DVec3, from: DVec3, to: DVec3, has_room: bool) -> Ordering {
     let [a, b] = side(o, from, to);
+    sign(d, a, b, has_room)
+}
+
+/// The sign of d . (a x b) of vectors from one point to another, likewise.
+pub(super) fn sign(d: DVec3, a: [DVec3; 2], b: [DVec3; 2], has_room: bool) -> Ordering {
     let known = if has_room { fine_volume(d, a, b) } else { None };
     known.unwrap_or_else(|| volume(d, a, b))
 }
@@ -28,8 +33,20 @@ fn side(o: DVec3, from: DVec3, to: DVec3) -> [[DVec3; 2]; 2] {
 
 /// The sign of d . (a x b), if twice the digits tell; for numbers up to 2^200. `[EXACT-10]`
 fn fine_volume(d: DVec3, a: [DVec3; 2], b: [DVec3; 2]) -> Option<Ordering> {
+    let [edge, way] = [a, b].map(|[from, to]| (to - from).abs().max_element());
+    if way > edge * fine::FAR {
+        return near_volume(d, a, b);
+    }
     let [a, b] = [a, b].map(|[from, to]| minus(to, from));
     fine::volume(d, &a, &b)?.partial_cmp(&0.0)
+}
+
+/// The same from a point of the line that is near to the edge a, b being the way to it. `[EXACT-12]`
+#[cold]
+#[inline(never)]
+fn near_volume(d: DVec3, a: [DVec3; 2], b: [DVec3; 2]) -> Option<Ordering> {
+    let [a, b] = [a, b].map(|[from, to]| minus(to, from));
+    fine::volume_from_near(d, &a, &b)?.partial_cmp(&0.0)
 }
 
 /// The sign of d . (a x b) of vectors from one point to another, by an exact sum. `[EXACT-8]`
@@ -52,7 +69,11 @@ fn minus(a: DVec3, b: DVec3) -> Pairs {
 /// have room.
 #[cold]
 #[inline(never)]
-pub(super) fn is_inside(&[a, b, c]: &[DVec3; 3], o: DVec3, d: DVec3, has_room: bool) -> bool {
+pub(super) fn is_inside(corners: &[DVec3; 3], o: DVec3, d: DVec3, has_room: bool) -> bool {
+    if has_room && let Some(is_inside) = fine::near_point(corners, o, d).and_then(|near| near.is_inside(corners, d)) {
+        return is_inside;
+    }
+    let &[a, b, c] = corners;
     let sides = [[b, c], [c, a], [a, b]].map(|[from, to]| side(o, from, to));
     let mut known = [None; 3];
     if has_room {

@@ -1,9 +1,12 @@
+use std::cmp::Ordering;
+
 use glam::DVec3;
 use proptest::prelude::*;
 
 use super::*;
 use crate::generate::{Rng, Source};
-use crate::geom::truth::{self, Meeting};
+use crate::geom::kernel::exact::sum::difference;
+use crate::geom::truth::{self, Meeting, RBig};
 
 fn vector() -> impl Strategy<Value = DVec3> {
     let few = vec![0.0, 1.0, -1.0, 0.5, 3.0, 1e-130, -1e-300, 0.1, 5e-324];
@@ -55,4 +58,111 @@ fn nearly_all_are_certain() {
         certain += u32::from(found.distance::<f64>().is_some() && found.weights::<f64>().is_some());
     }
     assert!(certain > 990, "{certain}");
+}
+
+/// Of a line that begins so far away and passes through zero, or nearly so, beside an edge, by so much of the edge. Its
+/// direction is as short or long as that.
+fn from_afar(rng: &mut Rng, [far, beside, length]: [i32; 3], is_off: bool) -> ([DVec3; 3], DVec3, DVec3) {
+    let mut vector = || DVec3::from([(); 3].map(|()| (rng.bits() >> 40) as f64 / 2f64.powi(23) - 1.0));
+    let (corners, off, way) = ([vector(), vector(), vector()], vector(), vector() * 2f64.powi(far));
+    let target = corners[0] * 0.5 + corners[1] * 0.5 + off * 2f64.powi(beside);
+    let o = if is_off { vector() - way } else { way * -0.75 };
+    (corners.map(|corner| corner - target), o, way * 2f64.powi(length))
+}
+
+fn sign(x: &RBig) -> Ordering {
+    x.cmp(&RBig::ZERO)
+}
+
+/// From a near point of the line, signs are told which are not from where it begins, and none is wrong. Weights likewise.
+/// [EXACT-12]
+#[test]
+fn from_a_near_point_signs_are_told_and_true() {
+    let mut rng = Rng::new(5);
+    let (mut near, mut far, mut weights) = (0, 0, 0);
+    for i in 0..6000 {
+        let sizes = [20 + i % 140, [-900, -20, -40, 0][i as usize % 4], [0, -150, 30][i as usize % 3]];
+        let (corners @ [a, b, _], o, d) = from_afar(&mut rng, sizes, i % 5 == 0);
+        let [edge, way] = [[a, b], [o, a]].map(|[from, to]| [0, 1, 2].map(|k| difference(to[k], from[k])));
+        let exact = |v: DVec3| v.to_array().map(|x| RBig::try_from(x).expect("finite"));
+        let minus = |x: DVec3, y: DVec3| -> [RBig; 3] { std::array::from_fn(|k| &exact(x)[k] - &exact(y)[k]) };
+        let (e, w, direction) = (minus(b, a), minus(a, o), exact(d));
+        let cross = |i: usize, j: usize| &e[i] * &w[j] - &e[j] * &w[i];
+        let truth = &direction[0] * cross(1, 2) + &direction[1] * cross(2, 0) + &direction[2] * cross(0, 1);
+        let told = volume_from_near(d, &edge, &way).and_then(|x| x.partial_cmp(&0.0));
+        assert!(told.is_none_or(|told| told == sign(&truth)), "{corners:?} {o} {d}");
+        let from_there = volume(d, &edge, &way);
+        near += usize::from(told.is_some());
+        far += usize::from(from_there.is_some());
+        if let Some(found) = super::weights::<f32>(&corners, o, d)
+            && let Meeting::Hit(point) = truth::meet(corners.map(|v| v.to_array()), o.to_array(), d.to_array())
+        {
+            assert_eq!(found, [&point.u, &point.v].map(truth::round_f32), "{corners:?} {o} {d}");
+            weights += 1;
+        }
+    }
+    assert!(near > 4400 && far < 2300 && weights > 1500, "{near} {far} {weights}");
+}
+
+/// It does not matter which multiple of the direction is taken away, but what is left has to hold the way less that.
+/// [EXACT-12]
+#[test]
+fn what_is_left_of_a_way_is_less_a_multiple_of_the_direction() {
+    let mut rng = Rng::new(6);
+    for i in 0..2000 {
+        let (_, o, d) = from_afar(&mut rng, [i % 150, 0, i % 7 - 3], false);
+        let (left, _) = shortened(exact(o), d);
+        let longest = DVec3::from(left.map(Fine::middle)).abs().max_element();
+        assert!(longest < 64.0, "{o} {d}: {longest}");
+        // The way across the direction stays: of its product with the direction, and of that alone, nothing is known.
+        let [before, after] = [exact(o), left].map(|way| cross(&way, &exact(d)));
+        for (before, after) in before.into_iter().zip(after) {
+            let apart = (before - after).sign();
+            assert!(apart.is_none_or(|apart| apart == 0.0), "{o} {d}");
+        }
+    }
+}
+
+/// The middle of two floats, the ends of an interval and what is beyond, of a triangle on a grid; and no distance that is not
+/// a double. [EXACT-10]
+#[test]
+fn distances_that_are_doubles_are_placed_without_sums() {
+    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    let placed = |from: f64, interval: [f32; 2]| {
+        let found = FineDeterminants::new(&corners, DVec3::new(0.25, 0.25, -from), DVec3::Z);
+        found.placed(interval)
+    };
+    let middle = 1.0 + 2f64.powi(-24);
+    assert_eq!(placed(middle, [0.0, 9.0]), Some(Some(1.0)), "of two floats the even one");
+    assert_eq!(placed(middle + 2f64.powi(-23), [0.0, 9.0]), Some(Some(1.0 + 2.0 * f32::EPSILON)));
+    // The distance itself is compared, not what it is rounded to.
+    assert_eq!(placed(middle, [0.0, 1.0]), Some(None));
+    assert_eq!([placed(1.0, [0.0, 1.0]), placed(1.0, [1.0, 2.0])], [Some(Some(1.0)); 2]);
+    assert_eq!([placed(3.0, [0.0, 1.0]), placed(-3.0, [0.0, 1.0])], [Some(None); 2]);
+    assert_eq!(placed(0.0, [0.0, 1.0]), Some(Some(0.0)));
+    assert_eq!(placed(-2f64.powi(-60), [0.0, 1.0]), Some(None));
+    assert_eq!(placed(2f64.powi(150), [0.0, f32::INFINITY]), Some(Some(f32::INFINITY)));
+    assert_eq!(placed(2f64.powi(150), [0.0, f32::MAX]), Some(None));
+    let third = FineDeterminants::new(&corners, DVec3::new(0.25, 0.25, -1.0), DVec3::Z * 3.0);
+    assert_eq!((third.double_distance(), third.placed([0.0, 1.0_f32])), (None, Some(Some(1.0 / 3.0))));
+    assert_eq!(third.placed([0.0, 1.0 / 3.0_f32]), None, "an end that it is rounded to");
+}
+
+/// Whatever bounds of a point near to the triangle tell is the truth, and from afar they tell nearly all. [EXACT-12]
+#[test]
+fn a_near_point_tells_hits_and_misses() {
+    let mut rng = Rng::new(8);
+    let mut told = [0; 2];
+    for i in 0..4000 {
+        let sizes = [34 + i % 110, [-900, -20, -3, 0][i as usize % 4], [0, -150, 30][i as usize % 3]];
+        let (corners, o, d) = from_afar(&mut rng, sizes, i % 5 == 0);
+        let Some(near) = near_point(&corners, o, d) else { continue };
+        let is_hit = matches!(truth::meet(corners.map(|v| v.to_array()), o.to_array(), d.to_array()), Meeting::Hit(_));
+        if let Some(is_inside) = near.is_inside(&corners, d) {
+            assert_eq!(is_inside, is_hit, "{corners:?} {o} {d}");
+            told[usize::from(is_hit)] += 1;
+        }
+    }
+    assert!(told[0] > 1000 && told[1] > 500, "{told:?}");
+    assert!(near_point(&[DVec3::ZERO, DVec3::X, DVec3::Y], DVec3::splat(1e9), DVec3::X).is_none());
 }
