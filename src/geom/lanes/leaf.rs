@@ -160,7 +160,7 @@ pub(crate) fn filled(blocks: &[Block], count: u32) -> impl Iterator<Item = (&Blo
 }
 
 /// A set of a block's lanes; as an iterator, the lowest lane first.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct LaneSet(pub(crate) u32);
 
 impl Iterator for LaneSet {

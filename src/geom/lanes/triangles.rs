@@ -93,6 +93,7 @@ impl<S: Simd> TriangleRay<S> {
 
     /// [`new`](Self::new) with other constants than [`EDGE`], [`DETERMINANT`] and [`DISTANCE`]; for tests of these.
     #[inline(always)]
+    #[allow(clippy::manual_range_contains, clippy::needless_bitwise_bool, reason = "without branches")]
     pub(super) fn with_constants(
         simd: S,
         [origin, direction]: [Vec3; 2],

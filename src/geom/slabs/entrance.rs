@@ -31,13 +31,13 @@ pub(in crate::geom) fn enter_if(is_wide: bool, ray: &Ray, region: &Region) -> En
 /// A ray from its entrance, likewise.
 #[inline(always)]
 pub(in crate::geom) fn entered_if(is_wide: bool, ray: &Ray, region: &Region) -> Option<Box<FromEntrance>> {
-    if is_wide { entered(ray, region) } else { None }
+    if is_wide { Some(entered(ray, region)) } else { None }
 }
 
 #[cold]
 #[inline(never)]
-fn entered(ray: &Ray, region: &Region) -> Option<Box<FromEntrance>> {
-    Some(Box::new(Entrance::of(ray, region).ray(ray.direction(), ray.tmin())))
+fn entered(ray: &Ray, region: &Region) -> Box<FromEntrance> {
+    Box::new(Entrance::of(ray, region).ray(ray.direction(), ray.tmin()))
 }
 
 impl Entrance {

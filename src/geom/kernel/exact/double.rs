@@ -20,7 +20,7 @@ use glam::DVec3;
 
 use super::filter::{Determinants, Errors};
 use super::fine;
-use super::{is_within, parity, predicates, quotient};
+use super::{Certainty, is_within, parity, predicates, quotient};
 use crate::geom::frame::power_of_two;
 use crate::geom::kernel::Kernel;
 use crate::geom::{Ray, Region, Triangle};
@@ -165,10 +165,9 @@ impl Exact64 {
     #[inline]
     fn rounded(&self, Triangle(corners): &Triangle<DVec3>, has_room: bool) -> Option<f64> {
         let (o, d) = (self.ray.origin(), self.ray.direction());
-        if has_room && let Some(placed) = fine::FineDeterminants::new(corners, o, d).placed(self.interval()) {
-            return placed;
-        }
-        quotient::distance(corners, o, d, self.interval())
+        let placed =
+            if has_room { fine::FineDeterminants::new(corners, o, d).placed(self.interval()) } else { Certainty::Open };
+        placed.or_else(|| quotient::distance(corners, o, d, self.interval()))
     }
 }
 

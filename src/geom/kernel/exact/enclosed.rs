@@ -7,15 +7,27 @@ use super::filter::{Determinants, Errors};
 use super::{fine, is_certain, is_within, predicates, quotient};
 use crate::geom::{EnclosedRay, Interval, Real, Region, Triangle, Vector};
 
-/// What is certain about a ray within bounds and a triangle, whatever ray it is.
+/// What is certain about a ray and a triangle: of a ray within bounds, whatever ray it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Certainty<T> {
     /// The triangle is missed, or met outside of the interval or beyond the limit.
     Miss,
     /// It is hit, and this is the answer.
     Hit(T),
-    /// The bounds are too wide: the true ray must be asked.
+    /// The bounds are too wide: the true ray must be asked, or by more digits.
     Open,
+}
+
+impl<T> Certainty<T> {
+    /// The answer, by someone who is certain where this is open.
+    #[inline]
+    pub(super) fn or_else(self, settle: impl FnOnce() -> Option<T>) -> Option<T> {
+        match self {
+            Self::Miss => None,
+            Self::Hit(answer) => Some(answer),
+            Self::Open => settle(),
+        }
+    }
 }
 
 /// The first two stages of [`Exact`](super::Exact) for a ray that is known within bounds: the ray in the middle, with
@@ -112,10 +124,11 @@ impl<R: Real> EnclosedTest<R> {
     pub fn settle<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Certainty<R> {
         let Some(corners) = self.exact_corners(shape) else { return Certainty::Open };
         let (o, d) = (self.origin, self.direction);
-        if self.crossing(shape).is_some()
-            && let Some(placed) = fine::FineDeterminants::new(&corners, o, d).placed(self.interval)
-        {
-            return placed.map_or(Certainty::Miss, Certainty::Hit);
+        if self.crossing(shape).is_some() {
+            let placed = fine::FineDeterminants::new(&corners, o, d).placed(self.interval);
+            if placed != Certainty::Open {
+                return placed;
+            }
         }
         if predicates::is_along_axes(&corners, d) || !predicates::is_inside(&corners, o, d, self.is_usual) {
             return Certainty::Miss;

@@ -8,6 +8,7 @@ use std::ops::Add as _;
 
 use glam::DVec3;
 
+use super::Certainty;
 use super::double::{USUAL, has_usual_edges};
 use super::filter::{Determinants, Errors};
 use super::predicates::Pairs;
@@ -58,16 +59,17 @@ impl FineDeterminants {
         dot(&self.e2, &cross(&self.s, &self.e1))
     }
 
-    /// The distance of a line that meets the triangle, rounded to the nearest float, and `None` within if it is not in the
-    /// closed interval; `None` where it is not certain. `[EXACT-10]`
-    pub(super) fn placed<R: Real>(&self, interval @ [tmin, tmax]: [R; 2]) -> Option<Option<R>> {
+    /// The distance of a line that meets the triangle, rounded to the nearest float: a miss if it is not in the closed
+    /// interval. `[EXACT-10]`
+    pub(super) fn placed<R: Real>(&self, interval @ [tmin, tmax]: [R; 2]) -> Certainty<R> {
         match self.distance::<R>() {
-            Some(t) if tmin < t && (t < tmax || tmax == R::INFINITY) => Some(Some(t)),
-            Some(t) if t < tmin || tmax < t => Some(None),
-            _ => self.double_distance().map(|t| {
+            Some(t) if tmin < t && (t < tmax || tmax == R::INFINITY) => Certainty::Hit(t),
+            Some(t) if t < tmin || tmax < t => Certainty::Miss,
+            _ => {
+                let Some(t) = self.double_distance() else { return Certainty::Open };
                 let [tmin, tmax] = interval.map(R::into);
-                (tmin <= t && t <= tmax).then(|| R::rounded(t + 0.0))
-            }),
+                if tmin <= t && t <= tmax { Certainty::Hit(R::rounded(t + 0.0)) } else { Certainty::Miss }
+            }
         }
     }
 

@@ -163,7 +163,7 @@ impl Exact {
             return None;
         }
         let placed = fine::FineDeterminants::new(&corners, o, d).placed(self.interval);
-        placed.unwrap_or_else(|| quotient::distance(&corners, o, d, self.interval))
+        placed.or_else(|| quotient::distance(&corners, o, d, self.interval))
     }
 }
 

@@ -5,6 +5,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::generate::{Rng, Source};
+use crate::geom::kernel::exact::Certainty::{Hit, Miss, Open};
 use crate::geom::kernel::exact::sum::difference;
 use crate::geom::truth::{self, Meeting, RBig};
 
@@ -133,19 +134,19 @@ fn distances_that_are_doubles_are_placed_without_sums() {
         found.placed(interval)
     };
     let middle = 1.0 + 2f64.powi(-24);
-    assert_eq!(placed(middle, [0.0, 9.0]), Some(Some(1.0)), "of two floats the even one");
-    assert_eq!(placed(middle + 2f64.powi(-23), [0.0, 9.0]), Some(Some(1.0 + 2.0 * f32::EPSILON)));
+    assert_eq!(placed(middle, [0.0, 9.0]), Hit(1.0), "of two floats the even one");
+    assert_eq!(placed(middle + 2f64.powi(-23), [0.0, 9.0]), Hit(1.0 + 2.0 * f32::EPSILON));
     // The distance itself is compared, not what it is rounded to.
-    assert_eq!(placed(middle, [0.0, 1.0]), Some(None));
-    assert_eq!([placed(1.0, [0.0, 1.0]), placed(1.0, [1.0, 2.0])], [Some(Some(1.0)); 2]);
-    assert_eq!([placed(3.0, [0.0, 1.0]), placed(-3.0, [0.0, 1.0])], [Some(None); 2]);
-    assert_eq!(placed(0.0, [0.0, 1.0]), Some(Some(0.0)));
-    assert_eq!(placed(-2f64.powi(-60), [0.0, 1.0]), Some(None));
-    assert_eq!(placed(2f64.powi(150), [0.0, f32::INFINITY]), Some(Some(f32::INFINITY)));
-    assert_eq!(placed(2f64.powi(150), [0.0, f32::MAX]), Some(None));
+    assert_eq!(placed(middle, [0.0, 1.0]), Miss);
+    assert_eq!([placed(1.0, [0.0, 1.0]), placed(1.0, [1.0, 2.0])], [Hit(1.0); 2]);
+    assert_eq!([placed(3.0, [0.0, 1.0]), placed(-3.0, [0.0, 1.0])], [Miss; 2]);
+    assert_eq!(placed(0.0, [0.0, 1.0]), Hit(0.0));
+    assert_eq!(placed(-2f64.powi(-60), [0.0, 1.0]), Miss);
+    assert_eq!(placed(2f64.powi(150), [0.0, f32::INFINITY]), Hit(f32::INFINITY));
+    assert_eq!(placed(2f64.powi(150), [0.0, f32::MAX]), Miss);
     let third = FineDeterminants::new(&corners, DVec3::new(0.25, 0.25, -1.0), DVec3::Z * 3.0);
-    assert_eq!((third.double_distance(), third.placed([0.0, 1.0_f32])), (None, Some(Some(1.0 / 3.0))));
-    assert_eq!(third.placed([0.0, 1.0 / 3.0_f32]), None, "an end that it is rounded to");
+    assert_eq!((third.double_distance(), third.placed([0.0, 1.0_f32])), (None, Hit(1.0 / 3.0)));
+    assert_eq!(third.placed([0.0, 1.0 / 3.0_f32]), Open, "an end that it is rounded to");
 }
 
 /// Whatever bounds of a point near to the triangle tell is the truth, and from afar they tell nearly all. [EXACT-12]
