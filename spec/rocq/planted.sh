@@ -84,7 +84,7 @@ planted src/geom/fine.rs 'self.radius.max(reach)' 'reach'
 planted src/geom/fine.rs 'self.radius <= self.high / 8.0' 'self.radius <= self.high / 2.0'
 planted src/geom/fine.rs '(reach / r) / (4.0 * r)' '(reach / r) / (16.0 * r)'
 # The determinants of them: an order, an end of the interval, and an end that is not moved.
-planted $kernels/exact/fine.rs 'self.nearest(dot(&self.e2, &cross(&self.s, &self.e1)))' 'self.nearest(dot(&self.e2, &cross(&self.e1, &self.s)))'
+planted $kernels/exact/fine.rs 'dot(&self.e2, &cross(&self.s, &self.e1))' 'dot(&self.e2, &cross(&self.e1, &self.s))'
 planted $kernels/exact/fine.rs 'tmin < *t && *t < tmax' 'tmin <= *t && *t < tmax'
 planted src/geom/vector.rs 'if below < 0.0 { lo.next_down() } else { lo } as f32' 'lo as f32'
 planted $kernels/exact/fine.rs 'a[i] * b[j] - a[j] * b[i]' 'a[j] * b[i] - a[i] * b[j]'
