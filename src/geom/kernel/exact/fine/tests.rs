@@ -105,6 +105,32 @@ fn from_a_near_point_signs_are_told_and_true() {
     assert!(near > 4400 && far < 2300 && weights > 1500, "{near} {far} {weights}");
 }
 
+/// A point of the line is as near to the near point as that says, and not at it. [EXACT-12]
+#[test]
+fn the_line_passes_a_near_point_where_it_says() {
+    let mut rng = Rng::new(7);
+    let mut beside = 0;
+    for i in 0..1000 {
+        let (corners, o, d) = from_afar(&mut rng, [40 + i % 100, -20, 0], i % 5 == 0);
+        let NearPoint { point, off } = near_point(&corners, o, d).expect("the line begins far away");
+        assert!(passes(o, d, point, off), "{corners:?} {o} {d}: {point} {off}");
+        beside += usize::from(!passes(o, d, point, off / 64.0));
+    }
+    assert!(beside > 500, "{beside}");
+}
+
+/// Whether a line has a point that is nowhere farther than so much from another, on each axis.
+fn passes(o: DVec3, d: DVec3, point: DVec3, off: f64) -> bool {
+    let exact = |x: f64| RBig::try_from(x).expect("finite");
+    let spans = [0, 1, 2].map(|k| {
+        let mut ends = [-off, off].map(|off| (exact(point[k]) + exact(off) - exact(o[k])) / exact(d[k]));
+        ends.sort();
+        ends
+    });
+    let [latest, first] = [0, 1].map(|end| spans.iter().map(move |span| &span[end]));
+    latest.max() <= first.min()
+}
+
 /// It does not matter which multiple of the direction is taken away, but what is left has to hold the way less that.
 /// [EXACT-12]
 #[test]
