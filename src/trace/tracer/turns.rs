@@ -89,7 +89,9 @@ macro_rules! vectorize {
             (None, None) => unreachable!("the target has SSE2"),
         }
         #[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
-        fearless_simd::dispatch!($level, $simd => $run);
+        {
+            fearless_simd::dispatch!($level, $simd => $run)
+        }
     }};
 }
 
