@@ -134,36 +134,56 @@ impl Exact {
         fine::weights(corners, o, d).unwrap_or_else(|| quotient::weights(corners, o, d))
     }
 
-    /// The stages after the first.
-    #[cold]
+    /// The stages after the first. In a scene of many small triangles the errors of the first are too great for a third of
+    /// all hits, and nearly all of these end with the errors of the second.
     #[inline(never)]
     fn settle(&self, shape: &Triangle) -> Option<f32> {
         let (corners, o, d) = (shape.widen(), self.origin, self.direction);
-        if predicates::is_along_axes(&corners, d) {
+        let (found, errors) = (Determinants::of(&corners, o, d), Errors::of_triangle(&corners, o, d));
+        let placed = if found.is_hit(&errors) { self.placed(&found, &errors) } else { Certainty::Open };
+        placed.or_else(|| self.settle_rest(&corners, &found, errors))
+    }
+
+    /// What the errors of a triangle leave open.
+    #[cold]
+    #[inline(never)]
+    fn settle_rest(&self, corners: &[DVec3; 3], found: &Determinants, errors: Errors) -> Option<f32> {
+        let (o, d) = (self.origin, self.direction);
+        if predicates::is_along_axes(corners, d) {
             return None;
         }
-        let found = Determinants::of(&corners, o, d);
         // On a coarse grid, as in a lattice, an edge is met for sure.
-        let is_exact = Determinants::are_exact(&corners, o, d);
-        let errors = if is_exact { Errors::NONE } else { Errors::of_triangle(&corners, o, d) };
+        let is_exact = Determinants::are_exact(corners, o, d);
+        let errors = if is_exact { Errors::NONE } else { errors };
         if found.is_miss(&errors) || is_exact && found.are_parallel() {
             return None;
         }
-        if is_exact || found.is_hit(&errors) {
-            let ends = found.distance(&errors).map(|t| t as f32);
-            if is_certain(ends, self.interval) {
-                return Some(ends[0]);
-            }
-            if is_within(ends, self.interval) == Some(false) {
-                return None;
-            }
-        } else if found.may_be_parallel(&errors) && is_parallel(&found, &corners, d)
-            || !predicates::is_inside(&corners, o, d, true)
+        let placed = if is_exact || found.is_hit(&errors) {
+            self.placed(found, &errors)
+        } else if found.may_be_parallel(&errors) && is_parallel(found, corners, d)
+            || !predicates::is_inside(corners, o, d, true)
         {
             return None;
+        } else {
+            Certainty::Open
+        };
+        placed.or_else(|| {
+            let placed = fine::FineDeterminants::new(corners, o, d).placed(self.interval);
+            placed.or_else(|| quotient::distance(corners, o, d, self.interval))
+        })
+    }
+
+    /// The distance of a line that certainly meets the triangle.
+    #[inline(always)]
+    fn placed(&self, found: &Determinants, errors: &Errors) -> Certainty<f32> {
+        let ends = found.distance(errors).map(|t| t as f32);
+        if is_certain(ends, self.interval) {
+            Certainty::Hit(ends[0])
+        } else if is_within(ends, self.interval) == Some(false) {
+            Certainty::Miss
+        } else {
+            Certainty::Open
         }
-        let placed = fine::FineDeterminants::new(&corners, o, d).placed(self.interval);
-        placed.or_else(|| quotient::distance(&corners, o, d, self.interval))
     }
 }
 
