@@ -1,5 +1,6 @@
 //! The library's front door: queries over a hierarchy of eight children.
 
+mod count;
 mod search;
 mod shared;
 mod turns;
@@ -9,14 +10,14 @@ use std::{fmt, vec};
 
 use super::binary::CHUNK;
 use super::cast::Cast;
-use super::{Crossings, Following, Hit, Near, NearestPoint, NearestPoints, Sweep, WideCounters, next};
+use super::{Crossings, Following, Hit, Near, NearestPoint, NearestPoints, Sweep, next};
 use crate::bvh::{WideBvh, WideError};
 use crate::geom::lanes::{Level, with_baseline};
 use crate::geom::{Ball, EnvironmentError, Mesh, Ray};
 use crate::threads;
 use crate::tree::Node;
 use crate::wide::{Method, Tables, Unfit, Wanted};
-use shared::{Counted, LaneRay, Query};
+use shared::{LaneRay, Query};
 use turns::{Answer, Ask, Job, trace, trace_one};
 
 pub(super) use search::LaneRanks;
@@ -279,32 +280,6 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
         let mut query = NearestPoints::new(self.bvh(), ball, k);
         self.run_shared(&mut query);
         query.nears().collect()
-    }
-
-    /// What the closest hits of these rays cost.
-    ///
-    /// ```
-    /// use stackless_bvh::{bvh::WideBvh, generate::procedural, trace::Tracer, wide::Method};
-    ///
-    /// let mesh = procedural::soup(1, 1000);
-    /// let (bvh, rays) = (WideBvh::build(&mesh)?, procedural::rays(&mesh, 1, 100));
-    /// let count = |method| Tracer::with_method(&bvh, method).map(|tracer| tracer.count_closest(&rays));
-    /// let (stack, trail) = (count(Method::Stack).unwrap(), count(Method::Trail).unwrap());
-    /// assert!(stack.leaves == trail.leaves && stack.nodes < trail.nodes);
-    /// # Ok::<(), stackless_bvh::bvh::WideError>(())
-    /// ```
-    pub fn count_closest(&self, rays: &[Ray]) -> WideCounters {
-        let bvh = self.bvh();
-        let mut counters = WideCounters { rays: rays.len() as u64, ..WideCounters::default() };
-        for ray in rays {
-            with_baseline!(simd => {
-                // After a hit that is before all others.
-                let cast = Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh));
-                let mut query = Following::over(cast, (f32::NEG_INFINITY, 0));
-                self.run_shared(&mut Counted(&mut query, &mut counters));
-            });
-        }
-        counters
     }
 
     /// What a ray wants of an inner node before anything is hit: the children whose boxes it meets, with the ranks by

@@ -1,9 +1,10 @@
+use super::shared::Counted;
 use super::*;
 use crate::bvh::{BuildOptions, Builder, Bvh};
 use crate::generate::{procedural, stress};
 use crate::geom::{Mesh, lanes};
 use crate::order::{Descent, Flow, Visitor};
-use crate::trace::{BinaryTracer, Truth};
+use crate::trace::{BinaryTracer, Truth, WideCounters};
 use crate::traverse;
 
 fn bits(hit: Option<Hit>) -> Option<(u32, [u32; 3])> {

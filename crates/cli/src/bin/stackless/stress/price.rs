@@ -1,6 +1,7 @@
 //! `stackless stress --price`: what the dearest query of each hard family costs, in ordinary queries of its kind.
 
 mod climb;
+mod met;
 mod scenes;
 
 use std::error::Error;
@@ -9,16 +10,17 @@ use std::time::Duration;
 use cpu_time::ThreadTime;
 use glam::{DVec3, Vec3};
 use serde::Serialize;
-use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions};
+use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, WideBvh};
 use stackless_bvh::generate::{procedural, stress};
 use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::slabs::Wide;
 use stackless_bvh::geom::{Aabb, AffineError, AffineMap, Ball, Mesh, Ray, Triangle};
-use stackless_bvh::trace::{Assembly, BinaryTracer, Counters, Instance, InstanceTracer, Object, Tracer, WideCounters};
+use stackless_bvh::trace::{Assembly, BinaryTracer, Instance, InstanceTracer, Object, Tracer};
 use stackless_bvh::traverse::Method;
 
 use crate::output::{Block, bar, table};
 use climb::{Change, climb};
+use met::Met;
 use scenes::{at_edge, at_vertices, coincident, from_afar, in_plane, inside, lattice, sphere};
 
 /// What costs more ordinary queries than this is named.
@@ -40,13 +42,21 @@ pub(super) struct Price {
     dearest: f64,
     /// The same of the dearest that a climb from the hard ones has found.
     found: f64,
-    /// That query; and of closest hits, what it meets.
+    /// Nodes and triangles that the ordinary query meets, and that one; if they can be counted, for each answer likewise.
+    met: Option<[f64; 2]>,
+    /// That query, and what it meets.
     query: String,
 }
 
 impl Price {
     fn ratio(&self) -> f64 {
         self.found / self.ordinary
+    }
+
+    /// How many times as much as the ordinary query it asks for, and how many times as much it costs for each of that.
+    fn parts(&self) -> Option<[f64; 2]> {
+        let asked = self.met.map(|[ordinary, found]| found / ordinary)?;
+        Some([asked, self.ratio() / asked])
     }
 }
 
@@ -105,13 +115,20 @@ fn prices_of(families: &[Family], climbing: Duration) -> Result<Vec<Price>, Box<
 /// The table of prices, below what is said of it; then the queries that are dear.
 pub(super) fn blocks(prices: &[Price]) -> Vec<Block> {
     let dear: Vec<_> = prices.iter().filter(|price| price.ratio() > LIMIT).collect();
-    let line = format!("{} of {} families cost more than {LIMIT} ordinary queries", dear.len(), prices.len());
+    let for_each = dear.iter().filter(|price| price.parts().is_none_or(|[_, each]| each > LIMIT)).count();
+    let line = format!(
+        "{} of {} families cost more than {LIMIT} ordinary queries, {for_each} of them for each node and triangle too",
+        dear.len(),
+        prices.len()
+    );
     let row = |price: &Price| {
         let micro = |nanoseconds: f64| format!("{:.2}", nanoseconds / 1e3);
         let times = [price.ordinary, price.dearest, price.found].map(micro);
-        [vec![price.name.to_owned()], times.to_vec(), vec![format!("{:.1}", price.ratio())]].concat()
+        let parts = price.parts().map_or(["-"; 2].map(str::to_owned), |parts| parts.map(|part| format!("{part:.1}")));
+        let ratio = format!("{:.1}", price.ratio());
+        [vec![price.name.to_owned()], times.to_vec(), vec![ratio], parts.to_vec()].concat()
     };
-    let header = ["family", "ordinary, us", "dearest, us", "after a climb", "ratio"];
+    let header = ["family", "ordinary, us", "dearest, us", "after a climb", "ratio", "asked", "for each"];
     let table = table(&header, 1, prices.iter().map(row).collect());
     let queries = dear.iter().map(|price| Block::Line(format!("{}: {}", price.name, price.query)));
     [Block::Line(line), Block::Table(table)].into_iter().chain(queries).collect()
@@ -144,51 +161,52 @@ fn nanoseconds(ask: impl Fn() -> usize, floor: f64) -> Option<f64> {
 }
 
 /// Rays through a mesh, in the default tracer.
-fn traced(mesh: Mesh, hard: Vec<Ray>, ask: fn(&Tracer, &Ray) -> usize, told: fn(&Tracer, &Ray) -> String) -> Made {
+fn traced(mesh: Mesh, hard: Vec<Ray>, ask: fn(&Tracer, &Ray) -> usize, met: fn(&Tracer, &Ray) -> Option<Met>) -> Made {
     let ordinary = procedural::rays(&mesh, 1, QUERIES);
-    Ok(queries(Tracer::of(&mesh)?, hard, ordinary, ask, told))
+    Ok(queries(Tracer::of(&mesh)?, hard, ordinary, ask, met))
 }
 
-/// `ask` says how many answers a query has, `told` what else there is to say of it.
+/// `ask` says how many answers a query has, `met` what it meets.
 fn queries<S: 'static, Q: Change + 'static>(
     scene: S,
     hard: Vec<Q>,
     ordinary: Vec<Q>,
     ask: fn(&S, &Q) -> usize,
-    told: fn(&S, &Q) -> String,
+    met: fn(&S, &Q) -> Option<Met>,
 ) -> Queries {
     Box::new(move |name, climbing| {
         let ask = |query: &Q| ask(&scene, query);
         let times = |queries: &[Q]| -> Vec<f64> {
             queries.iter().map(|query| nanoseconds(|| ask(query), 0.0).unwrap_or_default()).collect()
         };
-        let (mut usual, hardest) = (times(&ordinary), times(&hard));
-        usual.sort_by(f64::total_cmp);
+        let hardest = times(&hard);
+        let mut usual: Vec<_> = times(&ordinary).into_iter().zip(&ordinary).collect();
+        usual.sort_by(|(time, _), (other, _)| time.total_cmp(other));
+        let &(ordinary, usual) = usual.get(usual.len() / 2)?;
         let dearest = hardest.iter().copied().fold(0.0, f64::max);
         let (query, found) = climb(&hard, &hardest, ask, climbing)?;
-        let query = format!("{query:?}{}", told(&scene, &query));
-        Some(Price { name, ordinary: *usual.get(usual.len() / 2)?, dearest, found, query })
+        let for_each = |query: &Q| Some(met(&scene, query)?.both() / ask(query).max(1) as f64);
+        let told = met(&scene, &query).map_or(String::new(), |met| format!(": {met}"));
+        let met = for_each(usual).zip(for_each(&query)).map(<[f64; 2]>::from);
+        Some(Price { name, ordinary, dearest, found, met, query: format!("{query:?}{told}") })
     })
 }
 
-fn untold<S, Q>(_: &S, _: &Q) -> String {
-    String::new()
+fn uncounted<S, Q>(_: &S, _: &Q) -> Option<Met> {
+    None
 }
 
 fn closest(mesh: Mesh, hard: Vec<Ray>) -> Made {
     let ask = |tracer: &Tracer, ray: &Ray| usize::from(tracer.closest(ray).is_some());
-    traced(mesh, hard, ask, |tracer, ray| {
-        let WideCounters { nodes, triangles, .. } = tracer.count_closest(&[*ray]);
-        format!(": {triangles} triangles in {nodes} nodes of eight")
-    })
+    traced(mesh, hard, ask, |tracer, ray| Some(tracer.count_closest(&[*ray]).into()))
 }
 
 fn any(mesh: Mesh, hard: Vec<Ray>) -> Made {
-    traced(mesh, hard, |tracer, ray| usize::from(tracer.any(ray)), untold)
+    traced(mesh, hard, |tracer, ray| usize::from(tracer.any(ray)), uncounted)
 }
 
 fn all(mesh: Mesh, hard: Vec<Ray>) -> Made {
-    traced(mesh, hard, |tracer, ray| tracer.all(ray).count(), untold)
+    traced(mesh, hard, |tracer, ray| tracer.all(ray).count(), |tracer, ray| Some(tracer.count_all(&[*ray]).into()))
 }
 
 /// Hit after hit.
@@ -201,7 +219,7 @@ fn next(mesh: Mesh, hard: Vec<Ray>) -> Made {
         }
         count
     };
-    traced(mesh, hard, ask, untold)
+    traced(mesh, hard, ask, uncounted)
 }
 
 fn closest_64(mesh: &Mesh, hard: &[Ray]) -> Made {
@@ -216,10 +234,7 @@ fn closest_64(mesh: &Mesh, hard: &[Ray]) -> Made {
         hard,
         ordinary,
         |tracer, ray| usize::from(tracer.closest(ray).is_some()),
-        |tracer, ray| {
-            let Counters { triangles, inner, .. } = tracer.count_closest(&[*ray]);
-            format!(": {triangles} triangles in {inner} nodes of two")
-        },
+        |tracer, ray| Some(tracer.count_closest(&[*ray]).into()),
     ))
 }
 
@@ -261,8 +276,15 @@ fn crossings_of_split() -> Made {
         .collect();
     let ordinary = procedural::rays(&mesh, 1, QUERIES);
     let bvh = BuildOptions { builder: Builder::Spatial, ..BuildOptions::default() }.build(&mesh)?;
-    let tracer = BinaryTracer::new(bvh);
-    Ok(queries(tracer, hard, ordinary, |tracer, ray| tracer.crossings(ray) as usize, untold))
+    let tracer = Tracer::new(WideBvh::of(&bvh)?);
+    // They look at everything along the ray, as all hits do.
+    Ok(queries(
+        tracer,
+        hard,
+        ordinary,
+        |tracer, ray| tracer.crossings(ray) as usize,
+        |tracer, ray| Some(tracer.count_all(&[*ray]).into()),
+    ))
 }
 
 fn nearest_to_pole() -> Made {
@@ -286,7 +308,13 @@ fn nearest(mesh: Mesh, point: fn(usize) -> Vec3) -> Made {
     let ordinary =
         procedural::rays(&mesh, 1, QUERIES).iter().map(|ray| Ball::around(ray.origin())).collect::<Result<_, _>>()?;
     let hard = (0..8).map(|i| Ball::around(point(i))).collect::<Result<_, _>>()?;
-    Ok(queries(tracer, hard, ordinary, |tracer, ball| usize::from(tracer.nearest(ball).is_some()), untold))
+    Ok(queries(
+        tracer,
+        hard,
+        ordinary,
+        |tracer, ball| usize::from(tracer.nearest(ball).is_some()),
+        |tracer, ball| Some(tracer.count_nearest(&[*ball]).into()),
+    ))
 }
 
 /// Rays at vertices of a sphere that a map has moved so many times.
@@ -313,7 +341,13 @@ fn instances(deep: usize, affine: AffineMap) -> Made {
         .filter_map(|ray| Ray::new(ray.origin() + middle, ray.direction()).ok())
         .collect();
     let tracer = InstanceTracer::new(&assembly, object, Method::default())?;
-    Ok(queries(tracer, hard, ordinary, |tracer, ray: &Ray| usize::from(tracer.closest(ray).is_some()), untold))
+    Ok(queries(
+        tracer,
+        hard,
+        ordinary,
+        |tracer, ray: &Ray| usize::from(tracer.closest(ray).is_some()),
+        |tracer, ray| Some(tracer.count_closest(std::slice::from_ref(ray)).into()),
+    ))
 }
 
 /// The image, rounded.

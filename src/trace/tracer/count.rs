@@ -1,0 +1,83 @@
+//! What queries cost, in things that can be counted.
+
+use std::borrow::Borrow;
+
+use super::Tracer;
+use super::shared::{Counted, LaneRay};
+use crate::bvh::WideBvh;
+use crate::geom::lanes::with_baseline;
+use crate::geom::{Ball, Ray};
+use crate::trace::cast::Cast;
+use crate::trace::{Following, NearestPoint, Sweep, WideCounters};
+
+impl<T: Borrow<WideBvh>> Tracer<T> {
+    /// What the closest hits of these rays cost.
+    ///
+    /// ```
+    /// use stackless_bvh::{bvh::WideBvh, generate::procedural, trace::Tracer, wide::Method};
+    ///
+    /// let mesh = procedural::soup(1, 1000);
+    /// let (bvh, rays) = (WideBvh::build(&mesh)?, procedural::rays(&mesh, 1, 100));
+    /// let count = |method| Tracer::with_method(&bvh, method).map(|tracer| tracer.count_closest(&rays));
+    /// let (stack, trail) = (count(Method::Stack).unwrap(), count(Method::Trail).unwrap());
+    /// assert!(stack.leaves == trail.leaves && stack.nodes < trail.nodes);
+    /// # Ok::<(), stackless_bvh::bvh::WideError>(())
+    /// ```
+    pub fn count_closest(&self, rays: &[Ray]) -> WideCounters {
+        let bvh = self.bvh();
+        self.count(rays, |ray, counters| {
+            with_baseline!(simd => {
+                // After a hit that is before all others.
+                let cast = Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh));
+                self.run_shared(&mut Counted(&mut Following::over(cast, (f32::NEG_INFINITY, 0)), counters));
+            });
+        })
+    }
+
+    /// What all hits of these rays cost, and the number of their crossings, for which nothing else is met.
+    pub fn count_all(&self, rays: &[Ray]) -> WideCounters {
+        let bvh = self.bvh();
+        self.count(rays, |ray, counters| {
+            with_baseline!(simd => {
+                let cast = Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh));
+                self.run_shared(&mut Counted(&mut Sweep::over(cast, bvh.duplicates() > 0), counters));
+            });
+        })
+    }
+
+    /// What the nearest points in these balls cost.
+    pub fn count_nearest(&self, balls: &[Ball]) -> WideCounters {
+        self.count(balls, |ball, counters| {
+            self.run_shared(&mut Counted(&mut NearestPoint::new(self.bvh(), ball), counters));
+        })
+    }
+
+    fn count<Q>(&self, queries: &[Q], count: impl Fn(&Q, &mut WideCounters)) -> WideCounters {
+        let mut counters = WideCounters { rays: queries.len() as u64, ..WideCounters::default() };
+        queries.iter().for_each(|query| count(query, &mut counters));
+        counters
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::*;
+    use crate::geom::Mesh;
+
+    /// Of a triangle beside another: what is counted is what the query looks at.
+    #[test]
+    fn queries_are_counted_by_what_they_meet() {
+        let corners = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z, Vec3::X + Vec3::Z, Vec3::Y + Vec3::Z];
+        let mesh = Mesh::new(corners, [[0, 1, 2]; 40].into_iter().chain([[3, 4, 5]; 60]).collect()).expect("a mesh");
+        let tracer = Tracer::of(&mesh).expect("a tracer");
+        let ray = Ray::new(Vec3::new(0.25, 0.25, -1.0), Vec3::Z).expect("a ray");
+        let (all, closest) = (tracer.count_all(&[ray, ray]), tracer.count_closest(&[ray]));
+        assert_eq!((all.rays, all.triangles), (2, 200), "all of them are asked, of each ray");
+        assert!(closest.nodes <= all.nodes / 2 && (1..=40).contains(&closest.triangles), "{closest:?}");
+        let near = tracer.count_nearest(&[Ball::around(Vec3::new(0.25, 0.25, 2.0)).expect("a ball")]);
+        assert!(near.rays == 1 && (1..=60).contains(&near.triangles), "the others are farther away: {near:?}");
+        assert_eq!(tracer.count_all(&[]), WideCounters::default());
+    }
+}
