@@ -12,6 +12,9 @@ pub struct Harness {
     pub twin: &'static str,
     /// Bound of its loops, plus one.
     pub unwind: u32,
+    /// The same for loops within a loop, where it is less. CBMC unrolls these for each turn of the outer one; Kani has
+    /// one bound for all.
+    pub nested: Option<u32>,
     /// How often `check.sh` proves it: `daily`; `long`, only when asked to; or `kani`, never, as it has too much memory
     /// for the way there.
     pub often: &'static str,
@@ -25,9 +28,10 @@ pub struct Harness {
     pub planted: fn(&mut Drawn<true>) -> Option<()>,
 }
 
-/// Declares harnesses: claim, names of the proof and of its twin, unwind (then how often, if not daily), and body.
+/// Declares harnesses: claim, names of the proof and of its twin, unwind (then that of loops within a loop, in
+/// parentheses, and how often, if not daily), and body.
 macro_rules! harnesses {
-    ($($(#[doc = $claim:literal])+ $name:ident, $twin:ident, $unwind:tt $($often:ident)? => $body:expr;)*) => {
+    ($($(#[doc = $claim:literal])+ $name:ident, $twin:ident, $unwind:tt $(($nested:tt))? $($often:ident)? => $body:expr;)*) => {
         $(
             #[cfg(kani)]
             #[kani::proof]
@@ -51,7 +55,11 @@ macro_rules! harnesses {
             name: stringify!($name),
             twin: stringify!($twin),
             unwind: $unwind,
-            often: $crate::harness::often(&[$(stringify!($often))?]),
+            nested: $crate::harness::first(&[$($nested)?]),
+            often: match $crate::harness::first(&[$(stringify!($often))?]) {
+                Some(often) => often,
+                None => "daily",
+            },
             claim: concat!($($claim),+),
             body: |choose| $body(choose),
             planted: |choose| $body(choose),
@@ -86,11 +94,11 @@ macro_rules! claim {
 
 pub(crate) use claim;
 
-/// The mark of a harness, or none.
+/// What is said, or nothing.
 #[cfg(not(kani))]
-pub(crate) const fn often(marks: &[&'static str]) -> &'static str {
-    match marks {
-        [mark, ..] => mark,
-        [] => "daily",
+pub(crate) const fn first<T: Copy>(said: &[T]) -> Option<T> {
+    match said {
+        [said, ..] => Some(*said),
+        [] => None,
     }
 }

@@ -103,10 +103,10 @@ impl Reference {
 
     /// A trail: a bit for each level, from the node up, where the byte of `bytes` is not 0. `[TRAIL-1]`
     fn bits_of(&self, bytes: u64) -> u32 {
-        let mut bits = 0;
-        for depth in 1..=Shape::LIMIT {
-            bits = bits << 1 | u32::from(bytes >> (8 * depth) & 0xff != 0);
-        }
+        let bit = |depth: u32| u32::from(bytes >> (8 * depth) & 0xff != 0);
+        // Without a loop: in a proof, loops within that of the traversal are those of the cursors alone.
+        const { assert!(Shape::LIMIT == 5) };
+        let bits = bit(1) << 4 | bit(2) << 3 | bit(3) << 2 | bit(4) << 1 | bit(5);
         // Nothing is postponed below the node.
         bits >> (Shape::LIMIT - self.depth())
     }

@@ -36,19 +36,19 @@ harnesses! {
     /// `[HASHONLY-1]` `[TRAVERSE-1]`
     hash_only_9, hash_only_9_twin, 11 => hash_only::<4>;
     /// The climb while bit 0 is clear. `[AFRA-1]` `[TRAVERSE-1]`
-    afra_7, afra_7_twin, 9 => afra::<3>;
+    afra_7, afra_7_twin, 9 (3) => afra::<3>;
     /// Up to 9 nodes. `[AFRA-1]` `[TRAVERSE-1]`
-    afra_9, afra_9_twin, 11 long => afra::<4>;
+    afra_9, afra_9_twin, 11 (4) long => afra::<4>;
     /// Register and uncles, no table. `[UNCLE-1]` `[UNCLE-2]` `[REGISTER-1]` `[TRAVERSE-1]`
-    uncle_9, uncle_9_twin, 11 => uncle::<4>;
+    uncle_9, uncle_9_twin, 11 (1) => uncle::<4>;
     /// Algorithm 1; the table is asked for hashed keys alone. `[HASHED-1]` `[REGISTER-1]` `[HASH-3]` `[TRAVERSE-1]`
     hashed_9, hashed_9_twin, 11 => hashed::<4>;
     /// Up to 11 nodes. `[HASHED-1]` `[REGISTER-1]` `[HASH-3]` `[TRAVERSE-1]`
     hashed_11, hashed_11_twin, 13 long => hashed::<5>;
     /// The counter, and the climb by its carries. `[SPARSE-1]` `[SPARSE-2]` `[TRAVERSE-1]`
-    sparse_7, sparse_7_twin, 9 => sparse::<3>;
+    sparse_7, sparse_7_twin, 9 (3) => sparse::<3>;
     /// Up to 9 nodes. `[SPARSE-1]` `[SPARSE-2]` `[TRAVERSE-1]`
-    sparse_9, sparse_9_twin, 11 long => sparse::<4>;
+    sparse_9, sparse_9_twin, 11 (4) long => sparse::<4>;
     /// Algorithm 2, level index and swap mask. `[IMPLICIT-1]` `[TRAVERSE-1]`
     implicit_a_9, implicit_a_9_twin, 11 => implicit_a::<4>;
     /// Algorithm 2 with the combined index. `[IMPLICIT-1]` `[IMPLICIT-3]` `[TRAVERSE-1]`
@@ -64,32 +64,32 @@ harnesses! {
     /// Restarts with a short stack of two. `[LAINE-1]` `[TRAVERSE-1]`
     laine_2_5, laine_2_5_twin, 10 kani => laine::<2, 2>;
     /// Parents, and an order that is asked again on the way up. `[HAPALA-1]` `[TRAVERSE-1]`
-    hapala_7, hapala_7_twin, 9 => hapala::<3>;
+    hapala_7, hapala_7_twin, 9 (3) => hapala::<3>;
     /// Up to 9 nodes. `[HAPALA-1]` `[TRAVERSE-1]`
-    hapala_9, hapala_9_twin, 11 long => hapala::<4>;
+    hapala_9, hapala_9_twin, 11 (4) long => hapala::<4>;
     /// A stack in memory. `[STACK-1]` `[TRAVERSE-1]`
     stack_9, stack_9_twin, 11 kani => stack::<4>;
     /// Skip pointers, which are a table in memory. `[SKIP-1]` `[TRAVERSE-1]`
     skip_7, skip_7_twin, 17 kani => skip::<3>;
     /// The second trail beside the trail. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
-    afra_disjoint_7, afra_disjoint_7_twin, 9 => afra_disjoint::<3>;
+    afra_disjoint_7, afra_disjoint_7_twin, 9 (3) => afra_disjoint::<3>;
     /// Up to 9 nodes. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
-    afra_disjoint_9, afra_disjoint_9_twin, 11 long => afra_disjoint::<4>;
+    afra_disjoint_9, afra_disjoint_9_twin, 11 (4) long => afra_disjoint::<4>;
     /// The second trail beside the counter. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
-    sparse_disjoint_7, sparse_disjoint_7_twin, 9 => sparse_disjoint::<3>;
+    sparse_disjoint_7, sparse_disjoint_7_twin, 9 (3) => sparse_disjoint::<3>;
     /// Up to 9 nodes. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
-    sparse_disjoint_9, sparse_disjoint_9_twin, 11 long => sparse_disjoint::<4>;
+    sparse_disjoint_9, sparse_disjoint_9_twin, 11 (4) long => sparse_disjoint::<4>;
     /// The second trail and the register, without a table. `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]` `[TRAVERSE-1]`
-    uncle_disjoint_9, uncle_disjoint_9_twin, 11 => uncle_disjoint::<4>;
+    uncle_disjoint_9, uncle_disjoint_9_twin, 11 (1) => uncle_disjoint::<4>;
     /// The second trail and the register: the table needs no more keys. `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]`
     /// `[TRAVERSE-1]`
     hashed_disjoint_9, hashed_disjoint_9_twin, 11 => hashed_disjoint::<4>;
     /// Put aside and taken up before each step. `[PAUSE-1]`
-    afra_resumed_7, afra_resumed_7_twin, 9 => afra_resumed::<3>;
+    afra_resumed_7, afra_resumed_7_twin, 9 (3) => afra_resumed::<3>;
     /// The same by the counter. `[PAUSE-1]`
-    sparse_resumed_7, sparse_resumed_7_twin, 9 => sparse_resumed::<3>;
+    sparse_resumed_7, sparse_resumed_7_twin, 9 (3) => sparse_resumed::<3>;
     /// The same with the register. `[PAUSE-1]` `[PAUSE-3]`
-    uncle_resumed_9, uncle_resumed_9_twin, 11 => uncle_resumed::<4>;
+    uncle_resumed_9, uncle_resumed_9_twin, 11 (1) => uncle_resumed::<4>;
     /// The same with register and table. `[PAUSE-1]` `[PAUSE-3]`
     hashed_resumed_9, hashed_resumed_9_twin, 11 => hashed_resumed::<4>;
     /// Put aside before each step, of which key and trail are kept. `[PAUSE-1]` `[PAUSE-2]` `[PAUSE-3]`

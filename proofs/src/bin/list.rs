@@ -1,5 +1,5 @@
-//! The harnesses, one a line, for scripts: name, twin, unwind, how often, covers as `number:name` with semicolons
-//! between, and the claim, with tabs between.
+//! The harnesses, one a line, for scripts: name, twin, unwind, that of loops within a loop, how often, covers as
+//! `number:name` with semicolons between, and the claim, with tabs between.
 
 use proofs::{ALL, Cases, Drawn, Harness, id};
 use stackless_bvh::generate::Rng;
@@ -15,7 +15,8 @@ fn main() {
         }
         let covers: Vec<_> = drawn.covers.keys().map(|name| format!("{}:{name}", id(name))).collect();
         assert!(!covers.is_empty(), "{}: no case was as assumed", harness.name);
-        let Harness { name, twin, unwind, often, claim, .. } = harness;
-        println!("{name}\t{twin}\t{unwind}\t{often}\t{}\t{}", covers.join(";"), claim.trim());
+        let Harness { name, twin, unwind, nested, often, claim, .. } = harness;
+        let nested = nested.unwrap_or(*unwind);
+        println!("{name}\t{twin}\t{unwind}\t{nested}\t{often}\t{}\t{}", covers.join(";"), claim.trim());
     }
 }

@@ -1,0 +1,154 @@
+#!/usr/bin/env bash
+# Smaller constants and weaker conditions are not proved. Usage: refuted.sh FOLDER, where the library of arithmetic is compiled, with that of
+# traversal beside it. A change is planted in a copy of a file, and the statement that is named with it must fail, in its proof. One
+# process does all, so that the real numbers and Flocq are loaded once, and the statements before the named one are taken for
+# granted. So what is refused is that statement's proof; without the change it is proved in the same way.
+set -euo pipefail
+compiled=$(realpath "$1")
+cd "$(dirname "${BASH_SOURCE[0]}")/exact"
+copies=$(mktemp -d)
+trap 'rm -rf "$copies"' EXIT
+
+fail() {
+    echo "refuted: $*" >&2
+    exit 1
+}
+
+# up_to FILE THEOREM: the file up to the end of that proof. The proofs before are left out, but in sections that are over: on these
+# depends what a statement is outside of its section. Without a theorem it is the whole file.
+up_to() {
+    awk -v target="$2" '
+        NR == FNR {
+            if ($1 == "Section") open[++depth] = FNR
+            if ($1 == "End" && depth) over[open[depth--]] = FNR
+            if (named($0) == target) wanted = FNR
+            last = FNR
+            next
+        }
+        FNR == 1 && !wanted { wanted = last + 1 }
+        FNR in over && over[FNR] < wanted && over[FNR] > whole { whole = over[FNR] }
+        /^(Theorem|Lemma|Corollary) / { name = named($0) }
+        /^(Let|Example|Local|Instance|Definition|Fixpoint|Program) / { name = "" }
+        /^Proof/ && name != "" && name != target && FNR > whole { print "Proof. Admitted."; inside = 1 }
+        inside { if (/Qed\.$/) inside = 0; next }
+        name == target && sub(/^Proof\./, "Proof. idtac \"begun\".") { name = "" }
+        { print }
+        FNR >= wanted && /Qed\.$/ { exit }
+        function named(line) { split(line, word, " "); return line ~ /^(Theorem|Lemma|Corollary) / ? word[2] : "" }
+    ' "$1" "$1"
+}
+
+# planted PATTERN THEOREM FILE...: what is loaded. The theorem is in the last file; those before it are changed too, and are modules.
+planted() {
+    local pattern=$1 theorem=$2 file module modules=()
+    shift 2
+    for file in "$@"; do
+        # What is changed stands for what is compiled.
+        sed "$pattern" "$file" > "$copies/$file"
+        for module in "${modules[@]}"; do
+            sed -i "/^Require Import/s/ StacklessExact\.$module\b//; /^Require Import\.\$/d; s/^Open Scope R_scope\.\$/Import $module.\n&/" "$copies/$file"
+        done
+        module=${file%.v}
+        modules+=("$module")
+        if [[ $file == "${!#}" ]]; then
+            up_to "$copies/$file" "$theorem"
+        else
+            printf 'Module %s.\n' "$module"
+            cat "$copies/$file"
+            printf 'End %s.\n' "$module"
+        fi
+    done
+    # What fails leaves nothing behind.
+    echo 'Goal True. idtac "proved". fail.'
+}
+
+changes=() wheres=() wanted=()
+declare -A controls
+try() {
+    planted "$@" > "$copies/change${#changes[@]}.v"
+    changes+=("$1") wheres+=("${!#}, $2")
+}
+refuted() {
+    ! cmp -s <(sed "$1" "$3") "$3" || fail "nothing was planted by $1"
+    wanted+=('in the proof')
+    try "$@"
+    # Without the change it is proved, in the same way.
+    if [[ -z ${controls[${*:2}]-} ]]; then
+        controls[${*:2}]=1
+        wanted+=(proved)
+        try '' "${@:2}"
+    fi
+}
+
+refuted 's/det_times := 40/det_times := 30/' not_beyond Lanes.v
+refuted 's/ t_times := 44/ t_times := 34/' not_beyond Lanes.v
+refuted 's/det_times := 40/det_times := 34/; s/ t_times := 44/ t_times := 38/' not_beyond Lanes.v
+refuted 's/radix2 (-40)/radix2 (-60)/' twice Lanes.v
+refuted 's/best) < R32/best) <= R32/' beyond_is_right Lanes.v
+refuted 's/det_times := 32/det_times := 30/' bounds_are_enough Band.v
+refuted 's/t_times := 36/t_times := 34/' bounds_are_enough Band.v
+refuted 's/16 \* u/8 * u/g; s/15 \* u/7 * u/; s/17 \* u/9 * u/' end_is_below Band.v
+refuted 's/certain : det_off < below/certain : 0 < below/' bottom_pos Band.v
+refuted 's/if Rlt_bool (high i) best_low/if Rlt_bool (low i) best_low/' step_is_right BandOrder.v
+refuted 's/nearest t <= value best -> met/nearest t < value best -> met/' not_skipped Answer.v
+refuted 's/accept i best = best -> step/True -> step/' step_keeps Answer.v
+refuted 's/succ (succ i)/succ i/' two_up Planes.v
+refuted 's/steps = 2%nat/steps = 1%nat/' moved_reciprocal Slabs.v
+refuted 's/78 \*/39 */g' sigma_is_enough Filter.v
+refuted 's/(4 \* unit)/(2 * unit)/; s/(4 \* u)/(2 * u)/g' enclosure_positive Filter.v Quotient.v
+refuted 's/31 \* unit/15 * unit/' error_det_is_enough Filter.v Quotient.v
+refuted 's/35 \* unit/17 * unit/' error_t_is_enough Filter.v Quotient.v
+refuted 's/39 \* u/38 * u/g; s/edge_times := 39/edge_times := 38/' delta_from_below Floor.v
+refuted 's/2 ^ 24 - 3/2 ^ 24 - 2/; s/1 - 3 \* u/1 - 2 * u/g' factors TwoSided.v
+refuted 's/2 ^ 24 + 4/2 ^ 24 + 2/; s/1 + 4 \* u/1 + 2 * u/g' factors TwoSided.v
+refuted 's/134217729/67108865/g' dekker Expansion.v
+refuted 's/(63 - shift)/(62 - shift)/' over_is_quotient Accumulator.v
+refuted 's/(sum, first || second)/(sum, second)/' step_is_right Accumulator.v
+refuted 's/radix2 (-200)/radix2 (-280)/' usual_multiple Usual.v
+refuted 's/(fmax (fx v) (fx w))/(fx v)/' scene_has_bounds Scene.v
+refuted 's/12 \*/7 */g' within_is_enough Off.v
+refuted 's/(6 \*/(4 */g; s/6 \* v \*/4 * v */g; s/6 \* w \*/4 * w */g' within_det_is_enough Off.v
+refuted 's/then sum else pred sum/then sum else sum/' add_below_is Intervals.v
+refuted 's/radix2 (-102)/radix2 (-105)/; s/(-102)%Z with (4 +/(-105)%Z with (1 +/; s/16 \* (u \* u)/2 * (u * u)/; s/(16 \* (u/(2 * (u/; s/16 \* (u \* (u/2 * (u * (u/g' add_off_rounded Fine.v FineSums.v
+refuted 's/radix2 (-48)/radix2 (-52)/; s/(-48)%Z with (5 +/(-52)%Z with (1 +/; s/radix2 5) with 32/radix2 1) with 2/; s/32 \* u/2 * u/g' up_much Fine.v
+refuted 's/radix2 (-1060)/radix2 (-1073)/; s/(-1060)%Z with (14 +/(-1073)%Z with (1 +/; s/16384 \* eta/2 * eta/' radius_enough Fine.v FineSums.v FineProducts.v
+refuted 's/radix2 (-900)/radix2 (-1070)/; s/radix2 (-901)/radix2 (-1071)/' mul_stands Fine.v FineSums.v FineProducts.v
+refuted 's/(R64 (R64 (Rabs (low x) + radius x) \* UP))/(R64 (Rabs (low x) + radius x))/' sign_is_right Fine.v FineSums.v
+refuted 's/andb (Req_bool lost 0) (Req_bool least 0)/andb (Req_bool lost 0) (Req_bool lost 0)/' add_stands Fine.v FineSums.v
+refuted 's/radix2 (-52)/radix2 (-54)/; s/(-52)%Z with (1 +/(-54)%Z with (-1 +/; s/EPSILON = 2 \* u/EPSILON = \/ 2 * u/' radius_of_quotient FineQuotients.v
+refuted 's/ \/ least) + R64 (Rabs step \* EPSILON)) in/ \/ high y) + R64 (Rabs step * EPSILON)) in/' over_positive_stands FineQuotients.v
+refuted 's/if Rlt_bool reach (radius x) then radius x else reach/if Rlt_bool reach (radius x) then reach else radius x/' hull_stands FineQuotients.v
+refuted 's/R64 (high x \/ 8)/R64 (high x \/ 1)/g' root_stands FineRoots.v
+refuted 's/R64 (4 \* r)/R64 (16 * r)/g; s/(4 \* r)/(16 * r)/g; s/radix2 2) with 4/radix2 4) with 16/; s/r \* bpow radix2 2/r * bpow radix2 4/; s/= 4 \* r/= 16 * r/' root_stands FineRoots.v
+refuted 's/if Rlt_bool below 0 then Intervals.pred lo else lo/lo/g' between_single_is_right FineDeterminants.v
+refuted 's/(1 - 8 \* u)/(1 - 5 * u)/g' near_is_below NearDistance.v
+refuted 's/(1 + 8 \* u)/(1 + 4 * u)/g' placed_is_below_far NearDistance.v NearGuess.v
+refuted 's/128 \* u/96 * u/g' margin_is PartNumbers.v
+refuted 's/is_new l e -> 0 <= value/is_new l e -> -1 <= value/' cut_keeps Parts.v
+refuted 's/corner_b : 0 <= d3 -> /corner_b : -1 <= d3 -> /' certified_is_nearest Nearest.v
+refuted 's/0 < B2R (d_least a) .. B2R (d_most a) < 0/0 < B2R (d_most a) \\\/ B2R (d_least a) < 0/' narrow_keeps EnclosedBoxes.v
+
+# What the files rest on is loaded once.
+{
+    printf '%s\n' "${wheres[@]}" | sort -u | sed 's/\.v, .*//; s/.*/Require StacklessExact.&./' | sort -u
+    for number in "${!changes[@]}"; do
+        printf 'Goal True. idtac "= %s". Abort.\nLoad "%s/change%s".\n' "$number" "$copies" "$number"
+    done
+    echo 'Goal True. idtac "= end". Abort.'
+} > "$copies/all.v"
+(cd "$copies" && coqtop -q -w none -R "$compiled" StacklessExact -R "$compiled/../Stackless" Stackless < all.v > said.txt 2>&1)
+
+# Of each, how far it came.
+awk '
+    /(^|[^0-9a-z])= ([0-9]+|end)$/ { if (seen) print number, far; number = $NF; far = "before the proof"; seen = 1 }
+    /(^|[^a-z])begun$/ { far = "in the proof" }
+    /(^|[^a-z])proved$/ { far = "proved" }
+' "$copies/said.txt" > "$copies/far.txt"
+[[ $(wc -l < "$copies/far.txt") == "${#changes[@]}" ]] || fail "not all were tried: $(tail -5 "$copies/said.txt")"
+while read -r number far; do
+    what="${changes[number]:-no change}: ${wheres[number]}"
+    [[ $far == "${wanted[number]}" ]] || fail "$far, and not ${wanted[number]}: $what
+$(grep -A9 "= $number\$" "$copies/said.txt")"
+    [[ $far == proved ]] || echo "refused with $what"
+done < "$copies/far.txt"
+echo "refuted: $((${#changes[@]} - ${#controls[@]})) changes; without them ${#controls[@]} statements are proved in the same way"
