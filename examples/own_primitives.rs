@@ -10,7 +10,7 @@ use stackless_bvh::trace::BinaryTracer;
 use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::Topology;
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Sphere {
     center: Vec3,
     radius: f32,

@@ -39,6 +39,8 @@ pub type AllHits64<'a> = Sweep<'a, Exact64, Wide>;
 pub struct Sweep<'a, K: Kernel, B, H = Bvh<<K as Kernel>::Shape>> {
     pub(super) cast: Cast<'a, K, B, H>,
     repeats: Repeats,
+    /// The triangle that was asked last, and its distance: triangles that coincide have one answer.
+    asked: Option<(K::Shape, Option<Real<K>>)>,
     /// Distance, triangle, and where that is in the hierarchy.
     found: Vec<(Real<K>, u32, usize)>,
 }
@@ -63,7 +65,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Sweep<'a, K, B> {
 
 impl<'a, K: Kernel, B, H: Held<K::Shape>> Sweep<'a, K, B, H> {
     pub(super) fn over(cast: Cast<'a, K, B, H>, watches: bool) -> Self {
-        Self { cast, repeats: Repeats::new(watches), found: Vec::new() }
+        Self { cast, repeats: Repeats::new(watches), asked: None, found: Vec::new() }
     }
 
     /// All hits, after the traversal, in the order (`t`, primitive).
@@ -83,9 +85,13 @@ impl<'a, K: Kernel, B, H: Held<K::Shape>> Sweep<'a, K, B, H> {
 
     #[inline]
     pub(super) fn meet(&mut self, leaf: Node) {
-        let Self { cast: Cast { bvh, kernel, .. }, repeats, found } = self;
+        let Self { cast: Cast { bvh, kernel, .. }, repeats, asked, found } = self;
         bvh.for_each(leaf, |place, shape, prim| {
-            if let Some(t) = kernel.distance(shape, Real::<K>::INFINITY)
+            let t = match asked {
+                Some((last, t)) if last == shape => *t,
+                _ => asked.insert((*shape, kernel.distance(shape, Real::<K>::INFINITY))).1,
+            };
+            if let Some(t) = t
                 && repeats.is_new(prim)
             {
                 found.push((t, prim, place));

@@ -27,7 +27,7 @@ pub trait Kernel: Copy + Debug {
     /// Positions and directions of the rays.
     type Vector: Vector;
     /// A triangle as the test wants it, or any other shape that rays can meet.
-    type Shape: Copy + Debug + Send + Sync;
+    type Shape: Copy + Debug + PartialEq + Send + Sync;
 
     /// Prepares a ray. `region` must hold all triangles that it is asked about.
     fn new(ray: &Ray<Self::Vector>, region: &Region) -> Self;

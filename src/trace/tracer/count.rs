@@ -25,7 +25,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     /// ```
     pub fn count_closest(&self, rays: &[Ray]) -> WideCounters {
         let bvh = self.bvh();
-        self.count(rays, |ray, counters| {
+        counted(rays, |ray, counters| {
             with_baseline!(simd => {
                 // After a hit that is before all others.
                 let cast = Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh));
@@ -37,7 +37,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     /// What all hits of these rays cost, and the number of their crossings, for which nothing else is met.
     pub fn count_all(&self, rays: &[Ray]) -> WideCounters {
         let bvh = self.bvh();
-        self.count(rays, |ray, counters| {
+        counted(rays, |ray, counters| {
             with_baseline!(simd => {
                 let cast = Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh));
                 self.run_shared(&mut Counted(&mut Sweep::over(cast, bvh.duplicates() > 0), counters));
@@ -47,16 +47,19 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
 
     /// What the nearest points in these balls cost.
     pub fn count_nearest(&self, balls: &[Ball]) -> WideCounters {
-        self.count(balls, |ball, counters| {
+        counted(balls, |ball, counters| {
             self.run_shared(&mut Counted(&mut NearestPoint::new(self.bvh(), ball), counters));
         })
     }
+}
 
-    fn count<Q>(&self, queries: &[Q], count: impl Fn(&Q, &mut WideCounters)) -> WideCounters {
-        let mut counters = WideCounters { rays: queries.len() as u64, ..WideCounters::default() };
-        queries.iter().for_each(|query| count(query, &mut counters));
-        counters
+/// The counters of these queries, each of which `count` adds.
+fn counted<Q>(queries: &[Q], count: impl Fn(&Q, &mut WideCounters)) -> WideCounters {
+    let mut counters = WideCounters { rays: queries.len() as u64, ..WideCounters::default() };
+    for query in queries {
+        count(query, &mut counters);
     }
+    counters
 }
 
 #[cfg(test)]
