@@ -108,6 +108,9 @@ refuted 's/radix2 (-200)/radix2 (-280)/' usual_multiple Usual.v
 refuted 's/(fmax (fx v) (fx w))/(fx v)/' scene_has_bounds Scene.v
 refuted 's/12 \*/7 */g' within_is_enough Off.v
 refuted 's/(6 \*/(4 */g; s/6 \* v \*/4 * v */g; s/6 \* w \*/4 * w */g' within_det_is_enough Off.v
+refuted 's/9 \/ 2/7 \/ 2/g; s/9 \* (E \* v \* C)/7 * (E * v * C)/; s/81 \/ (78/63 \/ (78/' within_covers LanesOff.v
+refuted 's/9 \/ (39/7 \/ (39/g; s/9 \* (E \* w \* D)/7 * (E * w * D)/; s/81 \/ (78/63 \/ (78/' within_covers LanesOff.v
+refuted 's/9 \/ 2/7 \/ 2/g' not_beyond_within LanesOff.v
 refuted 's/then sum else pred sum/then sum else sum/' add_below_is Intervals.v
 refuted 's/radix2 (-102)/radix2 (-105)/; s/(-102)%Z with (4 +/(-105)%Z with (1 +/; s/16 \* (u \* u)/2 * (u * u)/; s/(16 \* (u/(2 * (u/; s/16 \* (u \* (u/2 * (u * (u/g' add_off_rounded Fine.v FineSums.v
 refuted 's/radix2 (-48)/radix2 (-52)/; s/(-48)%Z with (5 +/(-52)%Z with (1 +/; s/radix2 5) with 32/radix2 1) with 2/; s/32 \* u/2 * u/g' up_much Fine.v

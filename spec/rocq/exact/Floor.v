@@ -268,9 +268,9 @@ Proof.
 Qed.
 
 (** What the floor is for: the bound covers what underflow adds too. *)
-Lemma floor_covers : 77 / 2 * u * (D * E * (2 * C + E)) + under <= delta.
+Lemma floor_covers : 77 / 2 * u * (D * E * (2 * C + E)) + under <= 3899 / 100 * u * (D * E' * (2 * C + E')) - eta.
 Proof.
-  eapply Rle_trans; [|apply delta_from_below]. pose proof E_floor as (Le & Lo & Sq).
+  pose proof E_floor as (Le & Lo & Sq).
   assert (H1 : D * E * (2 * C + E) <= D * E' * (2 * C + E')).
   { apply Rmult_le_compat; try lra; [apply Rmult_le_pos; lra|]. apply Rmult_le_compat_l; lra. }
   set (a := D * E') in *. assert (La : bpow radix2 (-80) <= a).
@@ -301,7 +301,7 @@ Qed.
 (** Edge functions are off by at most delta as evaluated, underflow included. [EXACT-5] *)
 Theorem floor_is_enough : Rabs (edge_u found - edge_u truth) <= delta /\ Rabs (edge_v found - edge_v truth) <= delta /\
   Rabs (edge_w found - edge_w truth) <= delta.
-Proof. pose proof floor_covers. destruct errors as (U & V & W). repeat split; lra. Qed.
+Proof. pose proof floor_covers. pose proof delta_from_below. destruct errors as (U & V & W). repeat split; lra. Qed.
 
 (** [misses]: one value below -delta, and one above delta. *)
 Definition misses : Prop :=
