@@ -51,7 +51,7 @@ pub trait Primitives: Sync {
 /// use stackless_bvh::trace::BinaryTracer;
 /// use stackless_bvh::traverse::Method;
 ///
-/// #[derive(Clone, Copy, Debug)]
+/// #[derive(Clone, Copy, Debug, PartialEq)]
 /// struct Sphere {
 ///     center: Vec3,
 ///     radius: f32,

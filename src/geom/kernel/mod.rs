@@ -26,7 +26,8 @@ use super::{Ray, Real as _, Region, Vector};
 pub trait Kernel: Copy + Debug {
     /// Positions and directions of the rays.
     type Vector: Vector;
-    /// A triangle as the test wants it, or any other shape that rays can meet.
+    /// A triangle as the test wants it, or any other shape that rays can meet. Of shapes that are equal, one may be asked
+    /// for all.
     type Shape: Copy + Debug + PartialEq + Send + Sync;
 
     /// Prepares a ray. `region` must hold all triangles that it is asked about.
