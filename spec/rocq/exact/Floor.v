@@ -123,6 +123,17 @@ Definition evaluated (v0 v1 v2 o d : vec) (found : determinants) : Prop :=
 Lemma evaluated_32 v0 v1 v2 o d : evaluated v0 v1 v2 o d (determinants_of R32 v0 v1 v2 o d).
 Proof. repeat (split; [apply triple_32|]). reflexivity. Qed.
 
+(** Edge functions that are off by at most delta: where one is certainly negative and one certainly positive, nothing is met. *)
+Lemma opposite_is_missed found truth delta :
+  Rabs (edge_u found - edge_u truth) <= delta -> Rabs (edge_v found - edge_v truth) <= delta -> Rabs (edge_w found - edge_w truth) <= delta ->
+  edge_w truth = det truth - edge_u truth - edge_v truth ->
+  edge_u found < - delta \/ edge_v found < - delta \/ edge_w found < - delta ->
+  delta < edge_u found \/ delta < edge_v found \/ delta < edge_w found -> ~ meets truth.
+Proof.
+  intros U V W Q L H M. apply Rabs_le_inv in U, V, W.
+  destruct (hit_signs _ _ _ _ M Q) as [S|S]; [destruct L as [L|[L|L]]|destruct H as [H|[H|H]]]; lra.
+Qed.
+
 (** * The errors *)
 
 Section Floor.
@@ -310,11 +321,7 @@ Definition misses : Prop :=
 
 (** A miss is one. [EXACT-5] *)
 Theorem single_miss_is_right : misses -> ~ meets truth.
-Proof.
-  destruct floor_is_enough as (U & V & W). apply Rabs_le_inv in U, V, W. intros (L & H) M.
-  destruct (hit_signs _ _ _ _ M eq_refl) as [S|S];
-    [destruct L as [L|[L|L]]|destruct H as [H|[H|H]]]; change (det truth - edge_u truth - edge_v truth) with (edge_w truth) in S; lra.
-Qed.
+Proof. destruct floor_is_enough as (U & V & W). intros [L H]. now apply (opposite_is_missed found truth delta U V W eq_refl). Qed.
 End Floor.
 
 (** As [ExactFromSingle] has it: a direction of a greatest component from 1 to 2, and a floor of 2^-60. [EXACT-5] *)

@@ -44,6 +44,11 @@ Definition is_beyond (neg : bool) (D C E best : R) (x : determinants) : Prop :=
 
 (** * What the sizes are *)
 
+Lemma least_of_three a b c x : Rmin (Rmin a b) c < x -> a < x \/ b < x \/ c < x.
+Proof. unfold Rmin. repeat destruct Rle_dec; auto. Qed.
+Lemma greatest_of_three a b c x : x < Rmax (Rmax a b) c -> x < a \/ x < b \/ x < c.
+Proof. unfold Rmax. repeat destruct Rle_dec; auto. Qed.
+
 Lemma least_F : F least.
 Proof. apply generic_format_bpow. unfold FLT_exp. lia. Qed.
 
@@ -72,6 +77,55 @@ Proof.
     now apply sub_b. }
   split; [repeat split; cbn [vx vy vz vsub]; now apply P|]. split; [apply Rmax_r|].
   unfold way, Rmax. destruct (Rle_dec _ _); [apply least_F|apply F_32].
+Qed.
+
+(** * Beyond a distance *)
+
+Lemma nonneg x : 0 <= x -> 0 <= R32 x.
+Proof. intros. rewrite <- (round_0 radix2 fexp ZnearestE). now apply round_le; try typeclasses eauto. Qed.
+
+(** The comparison of [is_beyond] before its last roundings, by any bounds: det and T are off by at most [dd] and [dt], and the bounds are
+    greater than that by [g] and [h], of which roundings and underflow take a part. *)
+Lemma bounds_decide found truth dd dt g h det_off t_off neg best :
+  Rabs (det found - det truth) <= dd -> Rabs (top_t found - top_t truth) <= dt -> dd + g <= det_off -> dt + h <= t_off ->
+  bpow radix2 24 * eta <= g -> u * Rabs (det truth) <= g * (1 - 2 * u) -> u * Rabs (top_t truth) + (Rabs (det truth) * eta + g * eta) <= h ->
+  sign_bit neg (det found) -> det truth <> 0 -> 0 <= top_t truth / det truth -> R32 (top_t truth / det truth) <= best ->
+  front neg (top_t found) - t_off <= R32 (Rabs (det found) + det_off) * best.
+Proof.
+  intros OD OT BD BT Gn Gd Ht' Sg Nz Ht Hb. set (t := top_t truth / det truth) in *.
+  assert (Et : top_t truth = t * det truth) by (unfold t; field; exact Nz).
+  pose proof (bpow_gt_0 radix2 (-150)) as P_eta. pose proof (Rabs_pos (det truth)) as Pd. pose proof (Rabs_pos (det found)) as Pf.
+  assert (Pg : 0 <= g) by (pose proof (bpow_gt_0 radix2 24); assert (0 <= bpow radix2 24 * eta) by (apply Rmult_le_pos; lra); lra).
+  assert (Pdd : 0 <= dd) by (eapply Rle_trans; [apply Rabs_pos|exact OD]).
+  assert (best_0 : 0 <= best) by (eapply Rle_trans; [|exact Hb]; now apply nonneg).
+  assert (Pe : 0 <= Rabs (det truth) * eta) by (apply Rmult_le_pos; lra). assert (Pge : 0 <= g * eta) by (apply Rmult_le_pos; lra).
+  assert (PT : 0 <= u * Rabs (top_t truth)) by (pose proof (Rabs_pos (top_t truth)); lra).
+  set (a := front neg (det truth)). set (P := t * a).
+  assert (Aa : Rabs a = Rabs (det truth)) by (unfold a, front, Triple.front; destruct neg; [apply Rabs_Ropp|reflexivity]).
+  assert (AP : Rabs P = Rabs (top_t truth)) by (unfold P; rewrite Et, !Rabs_mult, Aa; reflexivity).
+  assert (Tn : front neg (top_t found) <= P + dt).
+  { unfold P, a, front, Triple.front. apply Rabs_le_inv in OT. rewrite Et in OT. destruct neg; lra. }
+  assert (An : Rabs (det found) = front neg (det found)).
+  { unfold front, Triple.front, sign_bit, Triple.sign_bit in *. destruct neg; [rewrite Rabs_left1|rewrite Rabs_pos_eq]; lra. }
+  assert (Da : a - dd <= Rabs (det found)).
+  { rewrite An. unfold a, front, Triple.front. apply Rabs_le_inv in OD. destruct neg; lra. }
+  destruct (Rle_or_lt a 0) as [Ha|Ha].
+  { (* The sign of det is wrong. *)
+    apply Rle_trans with 0; [assert (P <= 0) by (unfold P; nra); lra|]. apply Rmult_le_pos; [apply nonneg; lra|exact best_0]. }
+  assert (Pp : 0 <= P) by (apply Rmult_le_pos; lra). rewrite Rabs_pos_eq in AP by exact Pp. rewrite Rabs_pos_eq in Aa by lra. rewrite <- Aa in *. rewrite <- AP in *.
+  assert (L1 : (a + g) * (1 - u) <= R32 (Rabs (det found) + det_off)).
+  { assert (Low : a + g <= Rabs (det found) + det_off) by lra. eapply Rle_trans; [|exact (round_le radix2 fexp ZnearestE _ _ Low)]. apply low_normal.
+    apply Rle_trans with g; [|lra]. eapply Rle_trans; [|exact Gn]. rewrite <- bpow_plus. now apply bpow_le. }
+  assert (L2 : t * (1 - u) - eta <= best) by (pose proof (low_32 t Ht); lra).
+  assert (L3 : (a + g) * (1 - u) * (t * (1 - u) - eta) <= R32 (Rabs (det found) + det_off) * best).
+  { apply Rle_trans with ((a + g) * (1 - u) * best); [apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|exact L2]|]. now apply Rmult_le_compat_r. }
+  eapply Rle_trans; [|exact L3].
+  replace ((a + g) * (1 - u) * (t * (1 - u) - eta)) with (P * ((1 - u) * (1 - u)) + g * t * ((1 - u) * (1 - u)) - (1 - u) * (a * eta + g * eta))
+    by (unfold P; ring).
+  assert (Gt : u * P <= g * t * (1 - 2 * u)).
+  { replace (u * P) with (t * (u * a)) by (unfold P; ring). replace (g * t * (1 - 2 * u)) with (t * (g * (1 - 2 * u))) by ring. now apply Rmult_le_compat_l. }
+  assert (0 <= g * t) by (now apply Rmult_le_pos). set (gt := g * t) in *. set (ae := a * eta) in *. set (ge := g * eta) in *. clearbody gt ae ge P.
+  lra.
 Qed.
 
 (** * LANES-3 *)
@@ -129,9 +183,7 @@ Theorem missed_is_right : F C -> is_missed D C E found -> ~ meets truth.
 Proof.
   intros FC (L & H). apply single_miss_is_right with (found := found) (D := D) (C := C) (E := E) (E' := E); try assumption;
     [apply D_range|apply sizes_are_floored|].
-  unfold delta_of in L, H. rewrite (twice FC) in L, H. fold (delta D C E) in L, H. split.
-  - revert L. unfold Rmin. repeat destruct Rle_dec; auto.
-  - revert H. unfold Rmax. repeat destruct Rle_dec; auto.
+  unfold delta_of in L, H. rewrite (twice FC) in L, H. fold (delta D C E) in L, H. split; [now apply least_of_three|now apply greatest_of_three].
 Qed.
 
 (** * LANES-4 *)
@@ -257,58 +309,16 @@ Lemma not_beyond neg best : sign_bit neg (det found) -> det truth <> 0 -> 0 <= t
   R32 (top_t truth / det truth) <= best ->
   front neg (top_t found) - t_off_of C E <= R32 (Rabs (det found) + det_off_of D E) * best.
 Proof.
-  intros Sg Nz Ht Hb. set (t := top_t truth / det truth) in *.
-  assert (Et : top_t truth = t * det truth) by (unfold t; field; exact Nz).
-  assert (best_0 : 0 <= best).
-  { eapply Rle_trans; [|exact Hb]. rewrite <- (round_0 radix2 fexp ZnearestE). now apply round_le; try typeclasses eauto. }
   pose proof (bound_low t_times C ltac:(lra) C_least) as BT. fold (t_off_of C E) y in BT.
   assert (BD : det_times * (1 - 4 * u) * (u * S) - eta <= det_off_of D E).
   { apply bound_low; [lra|]. eapply Rle_trans; [|apply D_range]. now apply bpow_le. }
-  destruct sizes as (Z1 & Z2 & _ & _ & Z3). pose proof det_is_off as OD. pose proof t_is_off as OT. pose proof det_is_small as SD. pose proof t_is_small as ST.
-  set (a := front neg (det truth)). set (P := t * a).
-  assert (Tn : front neg (top_t found) <= P + 342 / 10 * (u * y)).
-  { unfold P, a, front, Triple.front. apply Rabs_le_inv in OT. rewrite Et in OT. destruct neg; lra. }
-  assert (An : Rabs (det found) = front neg (det found)).
-  { unfold front, Triple.front, sign_bit, Triple.sign_bit in *. destruct neg; [rewrite Rabs_left1|rewrite Rabs_pos_eq]; lra. }
-  assert (Da : a - 301 / 10 * (u * S) <= Rabs (det found)).
-  { rewrite An. unfold a, front, Triple.front. apply Rabs_le_inv in OD. destruct neg; lra. }
-  assert (Right : 0 <= R32 (Rabs (det found) + det_off_of D E)).
-  { rewrite <- (round_0 radix2 fexp ZnearestE). apply round_le; [typeclasses eauto..|]. pose proof (Rabs_pos (det found)).
-    assert (0 <= det_off_of D E) by lra. lra. }
-  destruct (Rle_or_lt a 0) as [Ha|Ha].
-  { (* The sign of det is wrong. *)
-    apply Rle_trans with 0; [|now apply Rmult_le_pos]. assert (P <= 0) by (unfold P; nra). lra. }
-  (* Both sizes. *)
-  assert (Pp : 0 <= P) by (apply Rmult_le_pos; lra).
-  assert (Py' : P <= 401 / 100 * y).
-  { eapply Rle_trans; [|exact ST]. replace P with (front neg (top_t truth)) by (unfold P, a; rewrite Et; unfold front, Triple.front; destruct neg; ring).
-    unfold front, Triple.front. destruct neg; [rewrite <- Rabs_Ropp|]; apply Rle_abs. }
-  assert (Sa : a <= 401 / 100 * S).
-  { eapply Rle_trans; [|exact SD]. unfold a, front, Triple.front. destruct neg; [rewrite <- Rabs_Ropp|]; apply Rle_abs. }
-  (* The right side. *)
-  set (g := (det_times - 302 / 10) * (u * S)). assert (Pg : 0 <= g) by (unfold g; lra).
-  assert (Low : a + g <= Rabs (det found) + det_off_of D E) by (unfold g; lra).
-  assert (L1 : (a + g) * (1 - u) <= R32 (Rabs (det found) + det_off_of D E)).
-  { pose proof (round_le radix2 fexp ZnearestE _ _ Low) as M. eapply Rle_trans; [|exact M]. apply low_normal.
-    apply Rle_trans with g; [|lra]. unfold g. apply Rle_trans with (bpow radix2 24 * eta); [rewrite <- bpow_plus; now apply bpow_le|].
-    change (bpow radix2 24) with 16777216. lra. }
-  assert (L2 : t * (1 - u) - eta <= best) by (pose proof (low_32 t Ht); lra).
-  assert (L3 : (a + g) * (1 - u) * (t * (1 - u) - eta) <= R32 (Rabs (det found) + det_off_of D E) * best).
-  { apply Rle_trans with ((a + g) * (1 - u) * best); [apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|exact L2]|].
-    apply Rmult_le_compat_r; assumption. }
-  eapply Rle_trans; [|exact L3].
-  replace ((a + g) * (1 - u) * (t * (1 - u) - eta)) with (P * ((1 - u) * (1 - u)) + g * t * ((1 - u) * (1 - u)) - (1 - u) * (a * eta + g * eta))
-    by (unfold P; ring).
-  assert (PtS : P <= 401 / 100 * (t * S)).
-  { unfold P. replace (401 / 100 * (t * S)) with (t * (401 / 100 * S)) by ring. apply Rmult_le_compat_l; assumption. }
-  replace (g * t) with ((det_times - 302 / 10) * u * (t * S)) by (unfold g; ring).
-  assert (Ae : a * eta <= 401 / 100 * (eta * S)).
+  destruct sizes as (Z1 & Z2 & _ & _ & Z3). pose proof det_is_small as SD. pose proof t_is_small as ST.
+  assert (Small : Rabs (det truth) * eta <= 401 / 100 * (eta * S)).
   { replace (401 / 100 * (eta * S)) with (401 / 100 * S * eta) by ring. apply Rmult_le_compat_r; lra. }
-  assert (0 <= a * eta) by (apply Rmult_le_pos; lra).
-  replace (g * eta) with ((det_times - 302 / 10) * u * (eta * S)) by (unfold g; ring). assert (0 <= eta * S) by (apply Rmult_le_pos; lra).
-  assert (0 <= t * S) by (apply Rmult_le_pos; lra).
-  set (tS := t * S) in *. set (ae := a * eta) in *. set (eS := eta * S) in *. clearbody tS ae eS P. clear - Tn BT Py' Pp PtS Ae Z2 Z3 Py P_eta H H0 H1.
-  lra.
+  assert (0 <= eta * S) by (apply Rmult_le_pos; lra).
+  apply bounds_decide with (dd := 301 / 10 * (u * S)) (dt := 342 / 10 * (u * y)) (g := (det_times - 302 / 10) * (u * S))
+    (h := (t_times - 343 / 10) * (u * y)); [exact det_is_off|exact t_is_off|lra|lra|change (bpow radix2 24) with 16777216; lra|lra|].
+  replace ((det_times - 302 / 10) * (u * S) * eta) with ((det_times - 302 / 10) * u * (eta * S)) by ring. lra.
 Qed.
 
 (** A triangle that the beyond filter rejects has no hit at RN(t) <= best. [LANES-4] *)

@@ -98,10 +98,7 @@ Qed.
 Let tiny : 1000000000000000000 * eta <= bpow radix2 (-90).
 Proof. change (-90)%Z with (60 + -150)%Z. rewrite bpow_plus. change (bpow radix2 60) with 1152921504606846976. lra. Qed.
 
-(** A rounded factor that is constant, and one that may be as small as it likes. *)
-Lemma part_low c x : 0 <= c -> 0 <= x -> c * x * (1 - u) - eta <= R32 (c * x).
-Proof. intros Hc Hx. apply low_32. now apply Rmult_le_pos. Qed.
-
+(** A normal number and one that may be as small as it likes, both rounded: the sum, rounded. *)
 Lemma sum_low big x y : bpow radix2 (-64) <= big -> big * (1 - u) <= x -> 0 <= y -> forall z, z * (1 - 2 * u) - eta <= y -> 0 <= z ->
   (big + z) * (1 - 4 * u) <= R32 (x + y).
 Proof.
@@ -117,21 +114,20 @@ Proof.
   assert (0 <= (big + z) * (u * u)) by (apply Rmult_le_pos; lra). lra.
 Qed.
 
-Lemma nonneg x : 0 <= x -> 0 <= R32 x.
-Proof. intros. rewrite <- (round_0 radix2 fexp ZnearestE). now apply round_le; try typeclasses eauto. Qed.
-
-Lemma twentieth c : 1 <= c -> bpow radix2 (-64) <= c * u * D.
+(** A constant, a unit and D: with the least D. *)
+Lemma unit_low c : 1 <= c -> bpow radix2 (-64) <= c * u * D.
 Proof.
   intros Hc. apply Rle_trans with (bpow radix2 (-24 + -20)); [now apply bpow_le|]. rewrite bpow_plus. change (bpow radix2 (-24)) with u.
   pose proof (bpow_ge_0 radix2 (-20)). destruct D_range. apply Rmult_le_compat; lra.
 Qed.
 
+(** A prepared bound. *)
 Lemma bound_sum c X y : bpow radix2 (-64) <= c * u * X -> 0 <= y -> (c * u * X + off * y) * (1 - 4 * u) <= R32 (R32 (c * u * X) + R32 (off * y)).
 Proof.
   intros HX Hy. apply sum_low; [exact HX| | |  |].
   - apply low_normal. eapply Rle_trans; [|exact HX]. now apply bpow_le.
   - apply nonneg. lra.
-  - pose proof (part_low off y ltac:(lra) Hy). lra.
+  - pose proof (low_32 (off * y) ltac:(lra)). lra.
   - lra.
 Qed.
 
@@ -145,16 +141,16 @@ Proof.
   - apply Rle_trans with least; [now apply bpow_le|lra].
   - lra.
   - apply nonneg. apply Rmult_le_pos; lra.
-  - pose proof (part_low off_reach w ltac:(lra) Pw) as P. assert (9 / (39 * u) * (1 - u) * w <= off_reach * w) by (now apply Rmult_le_compat_r).
+  - pose proof (low_32 (off_reach * w) ltac:(apply Rmult_le_pos; lra)) as P. assert (9 / (39 * u) * (1 - u) * w <= off_reach * w) by (now apply Rmult_le_compat_r).
     set (r := off_reach * w) in *. lra.
   - apply Rmult_le_pos; lra.
 Qed.
 
 Lemma delta_low : (39 * u * D + off * v) * E * (2 * C + 9 / (39 * u) * w + E) * (1 - 16 * u) - eta <= delta_within w v D C E.
 Proof.
-  pose proof (bound_sum 39 D v (twentieth 39 ltac:(lra)) Pv) as K1. fold (edge_within v D) in K1. pose proof twice_low as K2.
+  pose proof (bound_sum 39 D v (unit_low 39 ltac:(lra)) Pv) as K1. fold (edge_within v D) in K1. pose proof twice_low as K2.
   set (a := 39 * u * D + off * v) in *. set (b := 2 * C + 9 / (39 * u) * w) in *.
-  assert (Pa : bpow radix2 (-64) <= a) by (pose proof (twentieth 39 ltac:(lra)); unfold a; lra).
+  assert (Pa : bpow radix2 (-64) <= a) by (pose proof (unit_low 39 ltac:(lra)); unfold a; lra).
   assert (Pb : least <= b) by (assert (0 <= 9 / (39 * u) * w) by (apply Rmult_le_pos; lra); unfold b; lra).
   pose proof (bpow_gt_0 radix2 (-64)) as P64. set (k1 := edge_within v D) in *. set (k2 := twice_within w C) in *.
   assert (N1 : k1 * E * (1 - u) <= R32 (k1 * E)).
@@ -193,25 +189,15 @@ Proof.
   clearbody a1 a2 a3 a4 a5. lra.
 Qed.
 
-Let far a b c x y : Rabs (a - b) <= x -> Rabs (b - c) <= y -> Rabs (a - c) <= x + y.
-Proof. intros. replace (a - c) with ((a - b) + (b - c)) by ring. now apply add_b. Qed.
-
 (** A triangle that the miss filter rejects is missed by the true ray. [LANES-5] *)
 Theorem missed_within_is_right : is_missed_within w v D C E found -> ~ meets truth.
 Proof.
   pose proof within_covers as B. destruct edges_move as (MU & MV & MW).
   destruct (errors v0 v1 v2 o d F0 F1 F2 Fo found Found D C E HD HC HE (proj1 D_range)) as (EU & EV & EW). fold middle in EU, EV, EW.
-  pose proof (far _ _ _ _ _ EU MU) as U. pose proof (far _ _ _ _ _ EV MV) as V. pose proof (far _ _ _ _ _ EW MW) as W.
-  unfold is_missed_within. set (delta := delta_within w v D C E) in *.
-  set (r := 77 / 2 * u * (D * E * (2 * C + E)) + under D C E) in *. set (m := 4 * q * (v * E * E) + 8 * q * (E * room)) in *.
-  apply Rabs_le_inv in U, V, W. intros (L & H) M.
-  assert (L' : edge_u found < - delta \/ edge_v found < - delta \/ edge_w found < - delta).
-  { revert L. unfold Rmin. repeat destruct Rle_dec; auto. }
-  assert (H' : delta < edge_u found \/ delta < edge_v found \/ delta < edge_w found).
-  { revert H. unfold Rmax. repeat destruct Rle_dec; auto. }
-  destruct (hit_signs _ _ _ _ M eq_refl) as [S|S];
-    [destruct L' as [X|[X|X]]|destruct H' as [X|[X|X]]]; change (det truth - edge_u truth - edge_v truth) with (edge_w truth) in S; lra.
+  pose proof (far_b _ _ _ _ _ EU MU) as U. pose proof (far_b _ _ _ _ _ EV MV) as V. pose proof (far_b _ _ _ _ _ EW MW) as W.
+  intros [L H]. apply (opposite_is_missed found truth (delta_within w v D C E)); try reflexivity; [lra|lra|lra|now apply least_of_three|now apply greatest_of_three].
 Qed.
+
 (** * Beyond the best hit *)
 
 Let S1 := D * (E * E).
@@ -234,7 +220,7 @@ Proof.
   pose proof (det_is_off v0 v1 v2 o d F0 F1 F2 Fo found Found D C E HD HC HE D_range C_least E_least) as A. fold middle S1 in A.
   pose proof (det_is_small v0 v1 v2 o d F0 F1 F2 D E HD HE D_range E_least) as B. fold middle S1 in B.
   replace (v * E * E) with S2 in M by (unfold S2; ring).
-  split; [eapply Rle_trans; [exact (far _ _ _ _ _ A M)|]; lra|].
+  split; [eapply Rle_trans; [exact (far_b _ _ _ _ _ A M)|]; lra|].
   replace (det truth) with (det middle - (det middle - det truth)) by ring. eapply Rle_trans; [exact (sub_b _ _ _ _ B M)|]. lra.
 Qed.
 
@@ -245,7 +231,7 @@ Proof.
   pose proof (t_is_off v0 v1 v2 o d F0 F1 F2 Fo found Found D C E HC HE D_range C_least E_least) as A. fold middle y1 in A.
   pose proof (t_is_small v0 v1 v2 o d F0 F1 F2 Fo C E HC HE C_least E_least) as B. fold middle y1 in B.
   replace (w * E * E) with y2 in M by (unfold y2; ring).
-  split; [eapply Rle_trans; [exact (far _ _ _ _ _ A M)|]; lra|].
+  split; [eapply Rle_trans; [exact (far_b _ _ _ _ _ A M)|]; lra|].
   replace (top_t truth) with (top_t middle - (top_t middle - top_t truth)) by ring. eapply Rle_trans; [exact (sub_b _ _ _ _ B M)|]. lra.
 Qed.
 
@@ -264,7 +250,7 @@ Qed.
 
 Lemma det_low : 40 * (1 - 8 * u) * (u * S1) + 9 / 2 * (1 - 8 * u) * S2 - eta <= R32 (det_within v D * R32 (E * E)).
 Proof.
-  pose proof (twentieth 40 ltac:(lra)) as T. pose proof (bound_sum 40 D v T Pv) as K. fold (det_within v D) in K.
+  pose proof (unit_low 40 ltac:(lra)) as T. pose proof (bound_sum 40 D v T Pv) as K. fold (det_within v D) in K.
   eapply Rle_trans; [|apply (square_low (40 * u * D + off * v)); [lra|exact K]]. right. unfold S1, S2. field.
 Qed.
 
@@ -276,56 +262,19 @@ Proof.
   eapply Rle_trans; [|apply (square_low (44 * u * C + off * w)); [lra|exact K]]. right. unfold y1, y2. field.
 Qed.
 
-(** The comparison before its last roundings, which keep the order. As [not_beyond] of Lanes.v. *)
+(** The comparison before its last roundings, which keep the order. *)
 Lemma not_beyond_within neg best : sign_bit neg (det found) -> det truth <> 0 -> 0 <= top_t truth / det truth ->
   R32 (top_t truth / det truth) <= best ->
   front neg (top_t found) - R32 (t_within w C * R32 (E * E)) <= R32 (Rabs (det found) + R32 (det_within v D * R32 (E * E))) * best.
 Proof.
-  intros Sg Nz Ht Hb. set (t := top_t truth / det truth) in *.
-  assert (Et : top_t truth = t * det truth) by (unfold t; field; exact Nz).
-  assert (best_0 : 0 <= best) by (eapply Rle_trans; [|exact Hb]; now apply nonneg).
-  pose proof t_low as BT. pose proof det_low as BD. set (t_off := R32 (t_within w C * R32 (E * E))) in *. set (det_off := R32 (det_within v D * R32 (E * E))) in *.
-  destruct (sizes D C E D_range C_least E_least) as (Z1 & Z2 & _ & _ & Z3). fold S1 y1 in Z1, Z2, Z3.
+  pose proof t_low as BT. pose proof det_low as BD. destruct (sizes D C E D_range C_least E_least) as (Z1 & Z2 & _ & _ & Z3). fold S1 y1 in Z1, Z2, Z3.
   destruct det_is_off' as [OD SD]. destruct t_is_off' as [OT ST].
-  set (a := front neg (det truth)). set (P := t * a).
-  assert (Tn : front neg (top_t found) <= P + (342 / 10 * (u * y1) + 401 / 100 * y2)).
-  { unfold P, a, front, Triple.front. apply Rabs_le_inv in OT. rewrite Et in OT. destruct neg; lra. }
-  assert (An : Rabs (det found) = front neg (det found)).
-  { unfold front, Triple.front, sign_bit, Triple.sign_bit in *. destruct neg; [rewrite Rabs_left1|rewrite Rabs_pos_eq]; lra. }
-  assert (Da : a - (301 / 10 * (u * S1) + 401 / 100 * S2) <= Rabs (det found)).
-  { rewrite An. unfold a, front, Triple.front. apply Rabs_le_inv in OD. destruct neg; lra. }
-  assert (Right : 0 <= R32 (Rabs (det found) + det_off)) by (apply nonneg; pose proof (Rabs_pos (det found)); lra).
-  destruct (Rle_or_lt a 0) as [Ha|Ha].
-  { (* The sign of det is wrong. *)
-    apply Rle_trans with 0; [|now apply Rmult_le_pos]. assert (P <= 0) by (unfold P; nra). lra. }
-  assert (Pp : 0 <= P) by (apply Rmult_le_pos; lra).
-  assert (Sa : a <= 402 / 100 * (S1 + S2)).
-  { eapply Rle_trans; [|exact SD]. unfold a, front, Triple.front. destruct neg; [rewrite <- Rabs_Ropp|]; apply Rle_abs. }
-  set (g := 98 / 10 * (u * S1) + 48 / 100 * S2). assert (Pg : 98 / 10 * (u * S1) <= g) by (unfold g; lra).
-  assert (Low : a + g <= Rabs (det found) + det_off) by (unfold g; lra).
-  assert (L1 : (a + g) * (1 - u) <= R32 (Rabs (det found) + det_off)).
-  { pose proof (round_le radix2 fexp ZnearestE _ _ Low) as M. eapply Rle_trans; [|exact M]. apply low_normal.
-    apply Rle_trans with g; [|lra]. apply Rle_trans with (bpow radix2 24 * eta); [rewrite <- bpow_plus; now apply bpow_le|].
-    change (bpow radix2 24) with 16777216. lra. }
-  assert (L2 : t * (1 - u) - eta <= best) by (pose proof (low_32 t Ht); lra).
-  assert (L3 : (a + g) * (1 - u) * (t * (1 - u) - eta) <= R32 (Rabs (det found) + det_off) * best).
-  { apply Rle_trans with ((a + g) * (1 - u) * best); [apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|exact L2]|].
-    apply Rmult_le_compat_r; assumption. }
-  eapply Rle_trans; [|exact L3].
-  replace ((a + g) * (1 - u) * (t * (1 - u) - eta)) with (P * ((1 - u) * (1 - u)) + g * t * ((1 - u) * (1 - u)) - (1 - u) * (a * eta + g * eta))
-    by (unfold P; ring).
-  assert (PtS : P <= 402 / 100 * (t * S1 + t * S2)).
-  { unfold P. replace (402 / 100 * (t * S1 + t * S2)) with (t * (402 / 100 * (S1 + S2))) by ring. now apply Rmult_le_compat_l. }
-  replace (g * t) with (98 / 10 * u * (t * S1) + 48 / 100 * (t * S2)) by (unfold g; ring).
-  assert (Ae : a * eta <= 9 * (eta * S1)).
+  assert (Small : Rabs (det truth) * eta <= 9 * (eta * S1)).
   { replace (9 * (eta * S1)) with (9 * S1 * eta) by ring. apply Rmult_le_compat_r; lra. }
-  assert (Ge : g * eta <= 1 * (eta * S1)).
-  { replace (1 * (eta * S1)) with (S1 * eta) by ring. apply Rmult_le_compat_r; [lra|]. unfold g. lra. }
-  assert (0 <= a * eta) by (apply Rmult_le_pos; lra). assert (0 <= g * eta) by (apply Rmult_le_pos; lra).
-  assert (0 <= t * S1) by (apply Rmult_le_pos; lra). assert (0 <= t * S2) by (apply Rmult_le_pos; lra).
-  set (tS1 := t * S1) in *. set (tS2 := t * S2) in *. set (ae := a * eta) in *. set (ge := g * eta) in *. set (eS := eta * S1) in *.
-  clearbody tS1 tS2 ae ge eS P. clear - Tn BT Pp PtS Ae Ge Z2 Z3 Py1 Py2 P_eta H H0 H1 H2.
-  lra.
+  assert (0 <= eta * S1) by (apply Rmult_le_pos; lra). set (g := 98 / 10 * (u * S1) + 48 / 100 * S2).
+  assert (Ge : g * eta <= eta * S1) by (rewrite (Rmult_comm eta); apply Rmult_le_compat_r; unfold g; lra).
+  apply bounds_decide with (dd := 301 / 10 * (u * S1) + 401 / 100 * S2) (dt := 342 / 10 * (u * y1) + 401 / 100 * y2) (g := g)
+    (h := 97 / 10 * (u * y1) + 48 / 100 * y2); [exact OD|exact OT|unfold g; lra|lra|change (bpow radix2 24) with 16777216; unfold g; lra|unfold g; lra|lra].
 Qed.
 
 (** A triangle that the beyond filter rejects has no hit of the true ray at RN(t) <= best. [LANES-5] *)

@@ -201,9 +201,6 @@ Proof.
   set (r := E * room) in *. set (m := v * E * E) in *. lra.
 Qed.
 
-Let far a b c x y : Rabs (a - b) <= x -> Rabs (b - c) <= y -> Rabs (a - c) <= x + y.
-Proof. intros. replace (a - c) with ((a - b) + (b - c)) by ring. now apply add_b. Qed.
-
 Lemma edges_far : Rabs (edge_u found - edge_u truth) <= edge_room /\ Rabs (edge_v found - edge_v truth) <= edge_room /\
   Rabs (edge_w found - edge_w truth) <= edge_room /\ Rabs (det found - det truth) <= det_room.
 Proof.
@@ -211,10 +208,10 @@ Proof.
   pose proof (det_off prec prec_11 v0 v1 v2 o d D E HD HE) as T. fold found middle in U, V, W, T.
   pose proof q_small as Q. assert (0 <= q * (v * E * E)) by (apply Rmult_le_pos; lra). assert (0 <= q * (E * room)) by (apply Rmult_le_pos; lra).
   split; [|split; [|split]].
-  - eapply Rle_trans; [exact (far _ _ _ _ _ U u_moves)|]. unfold edge_room. lra.
-  - eapply Rle_trans; [exact (far _ _ _ _ _ V v_moves)|]. unfold edge_room. lra.
-  - exact (far _ _ _ _ _ W w_moves).
-  - exact (far _ _ _ _ _ T det_moves).
+  - eapply Rle_trans; [exact (far_b _ _ _ _ _ U u_moves)|]. unfold edge_room. lra.
+  - eapply Rle_trans; [exact (far_b _ _ _ _ _ V v_moves)|]. unfold edge_room. lra.
+  - exact (far_b _ _ _ _ _ W w_moves).
+  - exact (far_b _ _ _ _ _ T det_moves).
 Qed.
 
 (** [Determinants::is_miss] with these bounds is right about the true ray. [INST-5] *)
@@ -303,7 +300,7 @@ Theorem within_distance neg : is_hit neg sigma found ->
 Proof.
   intros H. destruct (within_is_far_from_parallel neg H) as [L N]. destruct edges_far as (_ & _ & _ & T).
   apply (enclosure prec prec_11) with (dT := t_room) (dd := det_room); auto using within_det_is_enough, within_t_is_enough.
-  exact (far _ _ _ _ _ (t_off prec prec_11 v0 v1 v2 o d C E HC HE) t_moves).
+  exact (far_b _ _ _ _ _ (t_off prec prec_11 v0 v1 v2 o d C E HC HE) t_moves).
 Qed.
 
 (** So does [weights]. [INST-5] *)
@@ -316,8 +313,8 @@ Proof.
   intros H. destruct (within_is_far_from_parallel neg H) as [L N]. destruct edges_far as (_ & _ & _ & T).
   pose proof sigma_low as S. pose proof (k_small prec prec_11) as K. pose proof q_small as Q.
   set (edge := k prec * (D * C * E) + 4 * q * (E * room)).
-  assert (U : Rabs (edge_u found - edge_u truth) <= edge) by exact (far _ _ _ _ _ (u_off prec prec_11 v0 v1 v2 o d D C E HD HC HE) u_moves).
-  assert (V : Rabs (edge_v found - edge_v truth) <= edge) by exact (far _ _ _ _ _ (v_off prec prec_11 v0 v1 v2 o d D C E HD HC HE) v_moves).
+  assert (U : Rabs (edge_u found - edge_u truth) <= edge) by exact (far_b _ _ _ _ _ (u_off prec prec_11 v0 v1 v2 o d D C E HD HC HE) u_moves).
+  assert (V : Rabs (edge_v found - edge_v truth) <= edge) by exact (far_b _ _ _ _ _ (v_off prec prec_11 v0 v1 v2 o d D C E HD HC HE) v_moves).
   assert (G : 5 / 4 * edge <= RN (sigma * (5 / 4))).
   { unfold edge. fold DCE. assert (G : k prec * DCE <= (30 + 53 / 2048) * u * DCE) by (apply Rmult_le_compat_r; [unfold DCE; repeat apply Rmult_le_pos; lra|lra]).
     assert (B' : q * (E * room) <= (1 + 3 * / 2048) * (E * room)) by (apply Rmult_le_compat_r; lra).

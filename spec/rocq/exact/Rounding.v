@@ -12,6 +12,8 @@ Lemma add_b x y X Y : Rabs x <= X -> Rabs y <= Y -> Rabs (x + y) <= X + Y.
 Proof. intros. eapply Rle_trans; [apply Rabs_triang|lra]. Qed.
 Lemma sub_b x y X Y : Rabs x <= X -> Rabs y <= Y -> Rabs (x - y) <= X + Y.
 Proof. intros. unfold Rminus. apply add_b; [assumption|now rewrite Rabs_Ropp]. Qed.
+Lemma far_b a b c x y : Rabs (a - b) <= x -> Rabs (b - c) <= y -> Rabs (a - c) <= x + y.
+Proof. intros. replace (a - c) with ((a - b) + (b - c)) by ring. now apply add_b. Qed.
 Lemma pos_b x X : Rabs x <= X -> 0 <= X.
 Proof. intros. pose proof (Rabs_pos x). lra. Qed.
 
