@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::double::{USUAL, has_usual_edges};
 use super::filter::{Determinants, Errors};
-use super::{fine, is_certain, is_within, predicates, quotient};
+use super::{fine, is_within, placed, predicates, quotient};
 use crate::geom::{EnclosedRay, Interval, Real, Region, Triangle, Vector};
 
 /// What is certain about a ray and a triangle: of a ray within bounds, whatever ray it is.
@@ -82,16 +82,7 @@ impl<R: Real> EnclosedTest<R> {
     /// [`Kernel::distance`](crate::geom::Kernel::distance), where it is certain.
     #[inline]
     pub fn distance<V: Vector<Real = R>>(&self, shape: &Triangle<V>, limit: R) -> Certainty<R> {
-        let [tmin, _] = self.interval;
-        self.decide(shape, |[near, far]| {
-            if is_certain([near, far], self.interval) {
-                Certainty::Hit(near)
-            } else if far < tmin || limit < near {
-                Certainty::Miss
-            } else {
-                Certainty::Open
-            }
-        })
+        self.decide(shape, |ends| placed(ends, self.interval, limit))
     }
 
     /// [`Kernel::blocks`](crate::geom::Kernel::blocks), where it is certain.
@@ -184,8 +175,14 @@ impl<R: Real> EnclosedTest<R> {
     }
 }
 
+/// What is certain with these errors. Of a line that certainly meets the triangle, `place` tells it from the rounded bounds
+/// of its distance.
 #[inline(always)]
-fn decide<R: Real, T>(found: &Determinants, errors: &Errors, place: &impl Fn([R; 2]) -> Certainty<T>) -> Certainty<T> {
+pub(super) fn decide<R: Real, T>(
+    found: &Determinants,
+    errors: &Errors,
+    place: &impl Fn([R; 2]) -> Certainty<T>,
+) -> Certainty<T> {
     if found.is_miss(errors) {
         Certainty::Miss
     } else if found.is_hit(errors) {

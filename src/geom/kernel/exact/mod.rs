@@ -24,6 +24,7 @@ mod sum;
 pub use accumulator::Accumulator;
 pub use double::Exact64;
 pub(in crate::geom) use double::USUAL;
+use enclosed::decide;
 pub use enclosed::{Certainty, EnclosedTest};
 pub(in crate::geom) use fine::FineDeterminants;
 pub use parity::Parity;
@@ -140,50 +141,34 @@ impl Exact {
     fn settle(&self, shape: &Triangle) -> Option<f32> {
         let (corners, o, d) = (shape.widen(), self.origin, self.direction);
         let (found, errors) = (Determinants::of(&corners, o, d), Errors::of_triangle(&corners, o, d));
-        let placed = if found.is_hit(&errors) { self.placed(&found, &errors) } else { Certainty::Open };
-        placed.or_else(|| self.settle_rest(&corners, &found, errors))
+        let placed = decide(&found, &errors, &|ends| placed(ends, self.interval, self.interval[1]));
+        placed.or_else(|| self.settle_rest(&corners, &found, &errors))
     }
 
     /// What the errors of a triangle leave open.
     #[cold]
     #[inline(never)]
-    fn settle_rest(&self, corners: &[DVec3; 3], found: &Determinants, errors: Errors) -> Option<f32> {
+    fn settle_rest(&self, corners: &[DVec3; 3], found: &Determinants, errors: &Errors) -> Option<f32> {
         let (o, d) = (self.origin, self.direction);
+        let by_digits = || {
+            let placed = fine::FineDeterminants::new(corners, o, d).placed(self.interval);
+            placed.or_else(|| quotient::distance(corners, o, d, self.interval))
+        };
         if predicates::is_along_axes(corners, d) {
             return None;
         }
-        // On a coarse grid, as in a lattice, an edge is met for sure.
-        let is_exact = Determinants::are_exact(corners, o, d);
-        let errors = if is_exact { Errors::NONE } else { errors };
-        if found.is_miss(&errors) || is_exact && found.are_parallel() {
-            return None;
+        if Determinants::are_exact(corners, o, d) {
+            // On a coarse grid, as in a lattice, an edge is met for sure.
+            if found.is_miss(&Errors::NONE) || found.are_parallel() {
+                return None;
+            }
+            let ends = found.distance(&Errors::NONE).map(|t| t as f32);
+            return placed(ends, self.interval, self.interval[1]).or_else(by_digits);
         }
-        let placed = if is_exact || found.is_hit(&errors) {
-            self.placed(found, &errors)
-        } else if found.may_be_parallel(&errors) && is_parallel(found, corners, d)
-            || !predicates::is_inside(corners, o, d, true)
-        {
-            return None;
-        } else {
-            Certainty::Open
-        };
-        placed.or_else(|| {
-            let placed = fine::FineDeterminants::new(corners, o, d).placed(self.interval);
-            placed.or_else(|| quotient::distance(corners, o, d, self.interval))
-        })
-    }
-
-    /// The distance of a line that certainly meets the triangle.
-    #[inline(always)]
-    fn placed(&self, found: &Determinants, errors: &Errors) -> Certainty<f32> {
-        let ends = found.distance(errors).map(|t| t as f32);
-        if is_certain(ends, self.interval) {
-            Certainty::Hit(ends[0])
-        } else if is_within(ends, self.interval) == Some(false) {
-            Certainty::Miss
-        } else {
-            Certainty::Open
-        }
+        let is_met = found.is_hit(errors)
+            || !(found.may_be_parallel(errors) && is_parallel(found, corners, d))
+                && predicates::is_inside(corners, o, d, true);
+        if is_met { by_digits() } else { None }
     }
 }
 
@@ -196,6 +181,19 @@ fn is_parallel(found: &Determinants, corners: &[DVec3; 3], d: DVec3) -> bool {
 #[inline(always)]
 fn is_certain<R: PartialOrd>([near, far]: [R; 2], [tmin, tmax]: [R; 2]) -> bool {
     near == far && tmin < near && near < tmax
+}
+
+/// The distance of a line that certainly meets the triangle, from bounds that are rounded to these floats: a miss if it
+/// is outside of the interval, or beyond the limit.
+#[inline(always)]
+fn placed<R: PartialOrd + Copy>(ends @ [near, far]: [R; 2], interval @ [tmin, _]: [R; 2], limit: R) -> Certainty<R> {
+    if is_certain(ends, interval) {
+        Certainty::Hit(near)
+    } else if far < tmin || limit < near {
+        Certainty::Miss
+    } else {
+        Certainty::Open
+    }
 }
 
 /// Whether a distance within bounds is within an interval; `None` if bounds and ends of the interval leave that open.
