@@ -61,6 +61,8 @@ pub use stack::{Memory, Stack};
 pub use table::{Context, Method, Scratch, Supply, Tables, Unfit};
 pub use tree::{Topology, Tree, TreeError};
 
+use core::ops::ControlFlow;
+
 use crate::event::{Recorder, State};
 use crate::order::Flow;
 use crate::tree::Node;
@@ -174,29 +176,47 @@ where
             }
         }
     }
-    let mut next = cursor.choose(wanted, search);
+    let mut arrived = {
+        let next = cursor.choose(wanted, search);
+        arrive(cursor, next, recorder)
+    };
     loop {
-        let node = match next {
-            Next::Child(node) => node,
-            Next::Ask => return true,
-            Next::End => return false,
+        let leaf = match arrived {
+            ControlFlow::Continue(leaf) => leaf,
+            ControlFlow::Break(goes_on) => return goes_on,
         };
-        if !(C::RESTARTS && cursor.is_restarting()) && visit(recorder, node) == Flow::Stop {
-            return false;
-        }
-        if !node.is_leaf() {
-            cursor.enter(node);
-            return true;
-        }
         let end = search.end();
-        if search.leaf(node) == Flow::Stop {
+        if search.leaf(leaf) == Flow::Stop {
             return false;
         }
         if search.end() < end {
             cursor.shortened();
         }
-        next = cursor.next(search);
+        let next = cursor.next(search);
+        arrived = arrive(cursor, next, recorder);
     }
+}
+
+/// Enters what comes next, if it is an inner node. The turn is over then, or it goes on with a leaf.
+#[inline(always)]
+fn arrive<const A: usize, C: Cursor<A>>(
+    cursor: &mut C,
+    next: Next,
+    recorder: &mut impl Recorder,
+) -> ControlFlow<bool, Node> {
+    let node = match next {
+        Next::Child(node) => node,
+        Next::Ask => return ControlFlow::Break(true),
+        Next::End => return ControlFlow::Break(false),
+    };
+    if !(C::RESTARTS && cursor.is_restarting()) && visit(recorder, node) == Flow::Stop {
+        return ControlFlow::Break(false);
+    }
+    if node.is_leaf() {
+        return ControlFlow::Continue(node);
+    }
+    cursor.enter(node);
+    ControlFlow::Break(true)
 }
 
 #[inline(always)]
