@@ -51,7 +51,7 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
 
     /// Names the pending child of the least rank, of which there is one; keeps the two ranks after it.
     #[inline(always)]
-    fn first<const A: usize>(&mut self, ranks: impl Ranks) -> Node
+    fn first<const A: usize>(&mut self, ranks: impl Ranks<A>) -> Node
     where
         T: Topology<A>,
     {
@@ -62,8 +62,11 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
         if others == 0 {
             return self.take(slot, tree.child(node, slot));
         }
+        // Once: each time they would be stored.
+        let ranks = ranks.all();
+        let rank = |slot: u32| ranks[slot as usize & (A - 1)];
         let other = others.trailing_zeros();
-        let (first, second) = (ranks.rank(slot), ranks.rank(other));
+        let (first, second) = (rank(slot), rank(other));
         let more = others & (others - 1);
         if more == 0 {
             let (child, after) = (tree.child(node, slot), tree.child(node, other));
@@ -71,12 +74,12 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
             return if first < second { self.take(slot, child) } else { self.take(other, after) };
         }
         let (first, second) = (first.min(second), first.max(second));
-        let third = ranks.rank(more.trailing_zeros());
+        let third = rank(more.trailing_zeros());
         let (second, mut third) = (second.min(third), second.max(third));
         let (mut first, mut second) = (first.min(second), first.max(second));
         let mut more = more & (more - 1);
         while more != 0 {
-            let rank = ranks.rank(more.trailing_zeros());
+            let rank = rank(more.trailing_zeros());
             more &= more - 1;
             third = third.min(second.max(rank));
             second = second.min(first.max(rank));

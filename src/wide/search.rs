@@ -15,15 +15,21 @@ pub struct Wanted<R> {
 /// The ranks of a node's children. `[WIDE-2]`
 ///
 /// The lowest bits of a rank (3 for 8 children) are the slot, so that no two are equal.
-pub trait Ranks: Copy {
-    /// The rank of the child in a slot of the set.
-    fn rank(self, slot: u32) -> u32;
-}
+pub trait Ranks<const A: usize>: Copy {
+    /// The ranks by slot. Those of slots that are not in the set mean nothing.
+    fn all(self) -> [u32; A];
 
-impl<const A: usize> Ranks for [u32; A] {
+    /// The rank of the child in a slot of the set.
     #[inline(always)]
     fn rank(self, slot: u32) -> u32 {
-        self[slot as usize & (A - 1)]
+        self.all()[slot as usize & (A - 1)]
+    }
+}
+
+impl<const A: usize> Ranks<A> for [u32; A] {
+    #[inline(always)]
+    fn all(self) -> Self {
+        self
     }
 }
 
@@ -34,7 +40,7 @@ pub trait Search<const A: usize> {
     const SORTED: bool = true;
 
     /// The ranks of a node's children.
-    type Ranks: Ranks;
+    type Ranks: Ranks<A>;
 
     /// Which children are wanted: none that is [beyond](is_beyond) the [end](Self::end). A traversal may ask again about
     /// a node. Then the ranks must be the same as before, and the set must be the same but for children that are beyond

@@ -46,7 +46,7 @@ impl<'t, T> Stack<'t, T> {
 
     /// The entry of a child.
     #[inline(always)]
-    fn entry<const A: usize>(&self, ranks: impl Ranks, slot: u32) -> u64
+    fn entry<const A: usize>(&self, ranks: impl Ranks<A>, slot: u32) -> u64
     where
         T: Topology<A>,
     {
@@ -55,15 +55,17 @@ impl<'t, T> Stack<'t, T> {
 
     /// Pushes all children of a set but the first, which it returns.
     #[inline(always)]
-    fn sort<const A: usize>(&mut self, Wanted { set, ranks }: Wanted<impl Ranks>) -> Node
+    fn sort<const A: usize>(&mut self, Wanted { set, ranks }: Wanted<impl Ranks<A>>) -> Node
     where
         T: Topology<A>,
     {
-        let first = self.entry::<A>(ranks, set.trailing_zeros());
-        let others = set & (set - 1);
+        let (slot, others) = (set.trailing_zeros(), set & (set - 1));
         if others == 0 {
-            return address(first);
+            return self.tree.child(self.node, slot);
         }
+        // Once: each time they would be stored.
+        let ranks = ranks.all();
+        let first = self.entry::<A>(ranks, slot);
         let second = self.entry::<A>(ranks, others.trailing_zeros());
         let (first, second) = (first.min(second), first.max(second));
         let more = others & (others - 1);

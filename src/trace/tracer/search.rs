@@ -124,9 +124,9 @@ impl<S, V, const A: usize> LaneRanks<S, V, A> {
     }
 }
 
-impl<S: Simd, V: Lanes<S, A>, const A: usize> Ranks for LaneRanks<S, V, A> {
+impl<S: Simd, V: Lanes<S, A>, const A: usize> Ranks<A> for LaneRanks<S, V, A> {
     #[inline(always)]
-    fn rank(self, slot: u32) -> u32 {
-        BoxRay::<S, V, A>::rank(&self.ranks, slot)
+    fn all(self) -> [u32; A] {
+        self.ranks.as_array().map(f32::to_bits)
     }
 }
