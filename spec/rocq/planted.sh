@@ -16,18 +16,19 @@ diff spec/rocq/exact/Operations.v <("$reader" "$copy") || { echo "planted: exact
 caught=0
 # planted FILE FROM TO: one text for another, which must stand there once.
 planted() {
-    local file=$1 from=$2 to=$3 text printed
+    local file=$1 from=$2 to=$3 text
     text=$(< "$file")
     [[ $(grep -oF -- "$from" "$file" | wc -l) == 1 ]] || { echo "planted: $file does not say once: $from" >&2; exit 1; }
     printf '%s\n' "${text/"$from"/"$to"}" > "$copy/$file"
-    if printed=$("$reader" "$copy" 2> "$copy/refused"); then
-        if diff -q spec/rocq/exact/Operations.v <(printf '%s\n' "$printed") > /dev/null; then
-            echo "planted: $to in $file is not seen" >&2
-            exit 1
-        fi
-        echo "another text: $to"
-    else
+    # At the first difference `cmp` ends, and so the reader, which then says that nobody reads it.
+    if "$reader" "$copy" 2> "$copy/refused" | cmp -s - spec/rocq/exact/Operations.v; then
+        echo "planted: $to in $file is not seen" >&2
+        exit 1
+    fi
+    if [[ -s $copy/refused ]] && ! grep -qF 'Broken pipe' "$copy/refused"; then
         echo "refused: $to ($(< "$copy/refused"))"
+    else
+        echo "another text: $to"
     fi
     cp "$file" "$copy/$file"
     caught=$((caught + 1))

@@ -25,11 +25,8 @@ fn main() -> ExitCode {
         eprintln!("usage: operations ROOT");
         return ExitCode::from(2);
     };
-    match source::Source::read(Path::new(&root)).and_then(|source| print::file(&source)) {
-        Ok(text) => {
-            print!("{text}");
-            ExitCode::SUCCESS
-        }
+    match source::Source::read(Path::new(&root)).and_then(|source| print::file(&source, &mut std::io::stdout())) {
+        Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("operations: {error}");
             ExitCode::FAILURE

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::io;
 
 use crate::reader::{Printed, Reader, Result};
 use crate::shapes::{free, fresh, name_of_constant, numbers, unknown};
@@ -22,9 +23,10 @@ Variable widen : num single -> num double.
 Variable narrow : num double -> num single.
 ";
 
-/// The whole file.
-pub(crate) fn file(source: &Source) -> Result<String> {
-    let mut file = String::from(HEAD);
+/// The whole file, each definition as soon as it is known: who sees a difference need not wait for the rest.
+pub(crate) fn file(source: &Source, out: &mut impl io::Write) -> Result<()> {
+    let mut write = |text: &str| out.write_all(text.as_bytes()).map_err(|error| error.to_string());
+    write(HEAD)?;
     let (mut constants, mut printed) = (Vec::new(), Vec::new());
     for target in TARGETS {
         let at = || format!("{} of {}", name_of(target), target.file);
@@ -33,15 +35,14 @@ pub(crate) fn file(source: &Source) -> Result<String> {
         for (place, name) in needed {
             if !constants.contains(&(place.clone(), name.clone())) {
                 let text = constant(source, &place, &name, target.known).map_err(|error| format!("{name}: {error}"))?;
-                let _ = write!(file, "\n{}", wrapped(&text));
+                write(&format!("\n{}", wrapped(&text)))?;
                 constants.push((place, name));
             }
         }
-        let _ = write!(file, "\n{}", wrapped(&definition));
+        write(&format!("\n{}", wrapped(&definition)))?;
         printed.push(function);
     }
-    file.push_str("End Operations.\n");
-    Ok(file)
+    write("End Operations.\n")
 }
 
 fn name_of(target: &Target) -> String {
