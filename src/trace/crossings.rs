@@ -39,8 +39,7 @@ pub type AllHits64<'a> = Sweep<'a, Exact64, Wide>;
 pub struct Sweep<'a, K: Kernel, B, H = Bvh<<K as Kernel>::Shape>> {
     pub(super) cast: Cast<'a, K, B, H>,
     repeats: Repeats,
-    /// The triangle that was asked last, and its distance: triangles that coincide have one answer.
-    asked: Option<(K::Shape, Option<Real<K>>)>,
+    distances: Once<K::Shape, Option<Real<K>>>,
     /// Distance, triangle, and where that is in the hierarchy.
     found: Vec<(Real<K>, u32, usize)>,
 }
@@ -65,7 +64,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Sweep<'a, K, B> {
 
 impl<'a, K: Kernel, B, H: Held<K::Shape>> Sweep<'a, K, B, H> {
     pub(super) fn over(cast: Cast<'a, K, B, H>, watches: bool) -> Self {
-        Self { cast, repeats: Repeats::new(watches), asked: None, found: Vec::new() }
+        Self { cast, repeats: Repeats::new(watches), distances: Once(None), found: Vec::new() }
     }
 
     /// All hits, after the traversal, in the order (`t`, primitive).
@@ -76,8 +75,9 @@ impl<'a, K: Kernel, B, H: Held<K::Shape>> Sweep<'a, K, B, H> {
             t.partial_cmp(other).unwrap_or(prim.cmp(next)).then(prim.cmp(next))
         });
         let Cast { bvh, kernel, .. } = &self.cast;
+        let mut weights = Once(None);
         let hit = |(t, prim, place): (Real<K>, u32, usize)| {
-            let [u, v] = kernel.weights(&bvh.shape(place));
+            let [u, v] = weights.answer(&bvh.shape(place), |shape| kernel.weights(shape));
             Hit { prim, t, u, v }
         };
         found.into_iter().map(hit).collect()
@@ -85,13 +85,9 @@ impl<'a, K: Kernel, B, H: Held<K::Shape>> Sweep<'a, K, B, H> {
 
     #[inline]
     pub(super) fn meet(&mut self, leaf: Node) {
-        let Self { cast: Cast { bvh, kernel, .. }, repeats, asked, found } = self;
+        let Self { cast: Cast { bvh, kernel, .. }, repeats, distances, found } = self;
         bvh.for_each(leaf, |place, shape, prim| {
-            let t = match asked {
-                Some((last, t)) if last == shape => *t,
-                _ => asked.insert((*shape, kernel.distance(shape, Real::<K>::INFINITY))).1,
-            };
-            if let Some(t) = t
+            if let Some(t) = distances.answer(shape, |shape| kernel.distance(shape, Real::<K>::INFINITY))
                 && repeats.is_new(prim)
             {
                 found.push((t, prim, place));
@@ -122,6 +118,20 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
 
     fn slot(&self, node: Node) -> usize {
         self.cast.slot(node)
+    }
+}
+
+/// The shape that was asked last, and its answer: shapes that coincide have one.
+#[derive(Clone, Debug)]
+struct Once<S, A>(Option<(S, A)>);
+
+impl<S: Copy + PartialEq, A: Copy> Once<S, A> {
+    #[inline]
+    fn answer(&mut self, shape: &S, ask: impl FnOnce(&S) -> A) -> A {
+        match &self.0 {
+            Some((last, answer)) if last == shape => *answer,
+            _ => self.0.insert((*shape, ask(shape))).1,
+        }
     }
 }
 

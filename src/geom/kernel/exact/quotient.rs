@@ -67,6 +67,11 @@ impl Ratio<'_> {
             [2 * (top.digits / (divisor + 1)), 2 * (quotient + 2)]
         };
         let scale = top.exponent - det.exponent - 65;
+        let is_negative = top.is_negative != det.is_negative;
+        // The quotient of the digits is 2^64 at least, in these units: this one is beyond all numbers.
+        if scale >= 960 {
+            return Some(R::rounded(if is_negative { f64::NEG_INFINITY } else { f64::INFINITY }));
+        }
         // Neither subnormal nor infinite.
         if !(-900..900).contains(&scale) {
             return None;
@@ -75,9 +80,9 @@ impl Ratio<'_> {
             let high = x as f64;
             // Only the sign counts of what rounding left out.
             let rest = f64::from((x as i128 - high as i128).signum() as i8);
-            [high * power_of_two(scale), rest].map(|x| if top.is_negative == det.is_negative { x } else { -x })
+            [high * power_of_two(scale), rest].map(|x| if is_negative { -x } else { x })
         });
-        R::between(if top.is_negative == det.is_negative { ends } else { [ends[1], ends[0]] })
+        R::between(if is_negative { [ends[1], ends[0]] } else { ends })
     }
 
     /// The quotient itself; 0 if the divisor is.

@@ -126,3 +126,17 @@ fn first_digits_do_not_tell_what_is_beyond_them() {
     let zero = Ratio { top: &Accumulator::new(), det: &sum(&[[-1.0; 3]]) };
     assert_eq!(zero.nearest::<f64>().map(f64::to_bits), Some(0));
 }
+
+/// What is beyond all numbers is told from the first unit on that surely is.
+#[test]
+fn first_digits_tell_what_is_beyond_all_numbers() {
+    let power = |exponent: i32| 2f64.powi(exponent);
+    for sign in [1.0, -1.0] {
+        let below = Ratio { top: &sum(&[[power(1000), power(23), sign]]), det: &sum(&[[1f64.next_down(), 1.0, 1.0]]) };
+        assert_eq!((below.nearest::<f64>(), f64::nearest_to(&below.fraction())), (None, sign * power(1023).next_up()));
+        let beyond = Ratio { top: &sum(&[[power(1000), power(24), sign]]), ..below };
+        assert_eq!(beyond.nearest(), Some(sign * f64::INFINITY));
+        assert_eq!(f64::nearest_to(&beyond.fraction()), sign * f64::INFINITY);
+        assert_eq!(beyond.nearest(), Some(sign as f32 * f32::INFINITY));
+    }
+}
