@@ -64,9 +64,8 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
         }
         // Once: each time they would be stored.
         let ranks = ranks.all();
-        let rank = |slot: u32| ranks[slot as usize & (A - 1)];
         let other = others.trailing_zeros();
-        let (first, second) = (rank(slot), rank(other));
+        let (first, second) = (ranks.rank(slot), ranks.rank(other));
         let more = others & (others - 1);
         if more == 0 {
             let (child, after) = (tree.child(node, slot), tree.child(node, other));
@@ -74,12 +73,12 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
             return if first < second { self.take(slot, child) } else { self.take(other, after) };
         }
         let (first, second) = (first.min(second), first.max(second));
-        let third = rank(more.trailing_zeros());
+        let third = ranks.rank(more.trailing_zeros());
         let (second, mut third) = (second.min(third), second.max(third));
         let (mut first, mut second) = (first.min(second), first.max(second));
         let mut more = more & (more - 1);
         while more != 0 {
-            let rank = rank(more.trailing_zeros());
+            let rank = ranks.rank(more.trailing_zeros());
             more &= more - 1;
             third = third.min(second.max(rank));
             second = second.min(first.max(rank));
