@@ -198,6 +198,8 @@ where
 }
 
 /// Enters what comes next, if it is an inner node. The turn is over then, or it goes on with a leaf.
+///
+/// Asked before the loop over leaves too: so most turns, which go straight to an inner node, never begin that loop.
 #[inline(always)]
 fn arrive<const A: usize, C: Cursor<A>>(
     cursor: &mut C,
