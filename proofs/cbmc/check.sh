@@ -9,6 +9,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 export work=${CARGO_TARGET_DIR:-$here/../../target}/cbmc
 mkdir -p "$work"
 work=$(cd "$work" && pwd)
+export shim=$here/shim.c
 # Seconds of the processor for one run of CBMC: a loaded machine does not change what is proved.
 export limit=${CBMC_LIMIT:-300}
 
@@ -28,23 +29,6 @@ list() {
     CARGO_TARGET_DIR="$work/list" CARGO_PROFILE_DEV_OPT_LEVEL=0 cargo run -q -p proofs --bin list > "$work/list.tsv"
 }
 
-# A few harnesses in each file, and for each file a function that calls them and their twins, so that one program has all groups.
-split_groups() {
-    rm -f group_*
-    split -l 8 picked.tsv group_
-    local group
-    {
-        for group in group_??; do
-            echo "void $group(void) {"
-            cut -f1,2 "$group" | tr '\t' '\n' | sed 's/.*/    prove_&();/'
-            echo "}"
-        done
-        echo "void all(void) {"
-        printf '    %s();\n' group_??
-        echo "}"
-    } > groups.inc
-}
-
 build() {
     local linker=$(compgen -c wasm-ld | sort | tail -1)
     # All in registers: what is inlined is not in memory, where every access is a case distinction.
@@ -60,10 +44,43 @@ build() {
         -e 's/wasm_rt_memcpy(&mem->data\[addr\], &wrapped, sizeof(t1));/*(t1*)(\&mem->data[addr]) = wrapped;/' \
         -e 's/#define wasm_asm __asm__/#define wasm_asm(...)/' harnesses.c
     cut -f6 list.tsv | tr ';' '\n' | sort -u | sed -n 's/^\([0-9]*\):\(.*\)/COVER(\1u, "\2")/p' > covers.inc
-    split_groups
-    cut -f1,2 list.tsv | tr '\t' '\n' | sed 's/.*/HARNESS(&)/' > names.inc
-    tools/goto-cc --function all -I. -DWASM_RT_MEMCHECK_SIGNAL_HANDLER=0 -DWASM_RT_USE_STACK_DEPTH_COUNT=0 \
-        -DWASM_RT_SKIP_SIGNAL_RECOVERY=1 harnesses.c "$here/shim.c" -o harnesses.gb
+}
+
+# Of the C text, to NAME.c, what one harness and its twin call. CBMC reads all of a program for each run, and with what is never
+# called there, that is most of the time. What is called and left out has no body, which fails.
+slice() {
+    awk -F'\t' '
+        NR == FNR {
+            line[++lines] = $0
+            if (/^[a-z].*\) \{$/ && match($0, /(w2c|Z_harnessesZ)_[A-Za-z_0-9]+\(/)) {
+                name = substr($0, RSTART, RLENGTH)
+                first[name] = lines
+            } else if (name != "" && $0 == "}") {
+                last[name] = lines
+                name = ""
+            } else if (name != "") {
+                for (rest = $0; match(rest, /w2c_[A-Za-z_0-9]+\(/); rest = substr(rest, RSTART + RLENGTH))
+                    calls[name] = calls[name] " " substr(rest, RSTART, RLENGTH)
+            }
+            next
+        }
+        {
+            delete called
+            delete over
+            call("Z_harnessesZ_" $1 "(")
+            call("Z_harnessesZ_" $2 "(")
+            for (name in first) if (!(name in called)) over[first[name]] = last[name]
+            text = $1 ".c"
+            for (i = 1; i <= lines; i++) if (i in over) i = over[i]; else print line[i] > text
+            close(text)
+        }
+        function call(name,    list, count, j) {
+            if (name in called || !(name in first)) return
+            called[name]
+            count = split(calls[name], list, " ")
+            for (j = 1; j <= count; j++) call(list[j])
+        }
+    ' harnesses.c picked.tsv
 }
 
 # The loops that are within another, as CBMC names them: by the function, and the number of the jump back in it.
@@ -86,13 +103,13 @@ nested() {
     ' harnesses.c
 }
 
-# The program of one group, which goes before each row. CBMC reads all of a program for each run, and with what is never called there,
-# that is most of the time.
-group() {
-    local others
-    mapfile -t others < <(printf '%s\n' group_?? | grep -vxF "$1" | sed 's/^/--remove-function-body\n/')
-    tools/goto-instrument "${others[@]}" --drop-unused-functions harnesses.gb "$1.gb" > "$1.log"
-    sed "s/^/$1.gb\t/" "$1"
+# The program of one harness and its twin.
+compile() {
+    local name=$1 twin=$2
+    rm -f "$work/$name.gb"
+    (cd "$work" && tools/goto-cc --function "prove_$name" -I. -DWASM_RT_MEMCHECK_SIGNAL_HANDLER=0 \
+        -DWASM_RT_USE_STACK_DEPTH_COUNT=0 -DWASM_RT_SKIP_SIGNAL_RECOVERY=1 -D"PROVED=HARNESS($name) HARNESS($twin)" \
+        "$name.c" "$shim" -o "$name.gb")
 }
 
 # One run; what CBMC says goes to NAME.log, the seconds of its processor to NAME.seconds.
@@ -104,20 +121,21 @@ solve() {
     [[ -z $sets || $nested == "$unwind" ]] || set -- --unwindset "$sets" "$@"
     {
         time {
-            (ulimit -t "$limit" && exec "$work/tools/cbmc" "$work/$program" --function "prove_$name" --unwind "$unwind" \
+            (ulimit -t "$limit" && exec "$work/tools/cbmc" "$work/$program.gb" --function "prove_$name" --unwind "$unwind" \
                 --unwinding-assertions --no-standard-checks --drop-unused-functions --slice-formula "$@") \
                 > "$work/$name.log" 2>&1 || true
         }
     } 2> "$work/$name.seconds"
 }
 
-# Proof, covers and twin of one harness, after the program that it is in: a row of the table, and whether all is as it must be.
+# Proof, covers and twin of one harness: a row of the table, and whether all is as it must be.
 check_one() {
-    local program name twin unwind nested often covers claim
-    IFS=$'\t' read -r program name twin unwind nested often covers claim <<< "$1"
+    local name twin unwind nested often covers claim
+    IFS=$'\t' read -r name twin unwind nested often covers claim <<< "$1"
     local claimed=Z_vfZ_claim.assertion.1 property
     local proof="$work/$name.log" verdict=proved refuted=no reached=0 wanted=0 outcome=ok cover failures
-    solve "$program" "$name" "$unwind" "$nested"
+    compile "$name" "$twin"
+    solve "$name" "$name" "$unwind" "$nested"
     failures=$(grep ': FAILURE$' "$proof" | grep -vc '\] line [0-9]* cover: ' || true)
     for property in wasm_rt_trap.assertion.1 "$claimed"; do
         grep -q "^\[$property\] .*: SUCCESS\$" "$proof" || verdict="no answer"
@@ -129,7 +147,7 @@ check_one() {
         if grep -q "\] line [0-9]* cover: ${cover#*:}: FAILURE\$" "$proof"; then reached=$((reached + 1)); fi
     done < <(tr ';' '\n' <<< "$covers")
     # The claim that the twin breaks: a panic before it ends the path, and refutes nothing.
-    solve "$program" "$twin" "$unwind" "$nested" --property "$claimed"
+    solve "$name" "$twin" "$unwind" "$nested" --property "$claimed"
     grep -q "^\[$claimed\] .*: FAILURE\$" "$work/$twin.log" && refuted=yes
     # A function of which CBMC has no body returns anything: what is proved then is about another program.
     if grep -q 'no body for' "$proof" "$work/$twin.log"; then verdict="no body"; fi
@@ -137,7 +155,7 @@ check_one() {
     printf '| %s | %s | %s | %s of %s | %s | %s | %s | %s |\n' "$name" "$unwind" "$verdict" "$reached" "$wanted" \
         "$refuted" "$(tail -1 "$work/$name.seconds")" "$(tail -1 "$work/$twin.seconds")" "$outcome"
 }
-export -f group solve check_one
+export -f compile solve check_one
 
 pick() {
     case ${1:-} in
@@ -155,10 +173,10 @@ list
 pick "$@" > "$work/picked.tsv"
 build
 nested > nested.txt
-printf '%s\0' group_?? | xargs -0 -n1 -P"$(nproc)" bash -c 'group "$1"' group > grouped.tsv
+slice
 echo "| harness | unwind | proof | covers reached | twin refuted | CPU seconds | twin's | |"
 echo "|---|---|---|---|---|---|---|---|"
-tr '\n' '\0' < grouped.tsv | xargs -0 -n1 -P"$(nproc)" bash -c 'check_one "$1"' check_one | tee "$work/table.md"
+tr '\n' '\0' < picked.tsv | xargs -0 -n1 -P"$(nproc)" bash -c 'check_one "$1"' check_one | tee "$work/table.md"
 rows=$(grep -c '| ok |$' "$work/table.md" || true)
 picked=$(wc -l < "$work/picked.tsv")
 echo "$rows of $picked harnesses as they must be, in $SECONDS s"

@@ -106,13 +106,6 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
         V::from_slice(simd, &planes[from..from + A])
     }
 
-    /// The rank of a lane.
-    #[inline(always)]
-    pub fn rank(ranks: &V, lane: u32) -> u32 {
-        let ranks: &[f32; A] = ranks.as_array();
-        ranks[lane as usize & (A - 1)].to_bits()
-    }
-
     #[inline(always)]
     fn distance(&self, planes: &[[[f32; A]; 2]; 3], axis: usize, side: usize, inverse: &[V; 3]) -> V {
         (Self::pick(self.simd, &planes[axis], side) - self.origin[axis]) * inverse[axis]

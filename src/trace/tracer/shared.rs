@@ -1,10 +1,9 @@
 //! The rare queries: all hits, the next hit, crossings, and what is nearest to a point. As in binary hierarchies they
 //! share one copy of the traversals.
 
-use std::array;
-
 use fearless_simd::{Simd, SimdBase, f32x8};
 
+use super::LaneRanks;
 use super::turns::with_memory;
 use crate::bvh::WideBvh;
 use crate::bvh::wide::leaf_places;
@@ -17,7 +16,7 @@ use crate::trace::counters::WideCounters;
 use crate::trace::nearest::Around;
 use crate::trace::{Crossings, Following, NearestPoint, NearestPoints, Sweep};
 use crate::tree::Node;
-use crate::wide::{Method, Search, Supply, Tables, Unfit, Wanted};
+use crate::wide::{Method, Ranks, Search, Supply, Tables, Unfit, Wanted};
 
 /// A query for any traversal. As `&mut dyn Query` it is one type for all kinds.
 pub(super) trait Query {
@@ -91,7 +90,7 @@ impl<S: Simd> Cast<'_, Exact, LaneRay<S>, WideBvh> {
     pub(super) fn ask(&self, node: Node) -> Wanted<[u32; 8]> {
         let LaneRay(boxes) = &self.slabs;
         let (ranks, set) = boxes.enter(&self.bvh.nodes()[node.index()].planes, self.end + 0.0);
-        Wanted { set, ranks: array::from_fn(|slot| BoxRay::<S, f32x8<S>, 8>::rank(&ranks, slot as u32)) }
+        Wanted { set, ranks: LaneRanks::new(ranks).all() }
     }
 }
 

@@ -14,7 +14,7 @@ use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::slabs::{Directed, Intervals, Wide};
 use stackless_bvh::geom::{Frame, Kernel, Mesh, Ray, Region, Slabs, Triangle};
 
-pub(super) const MISTAKES: [Mistake; 6] = [
+pub(super) const MISTAKES: [Mistake; 8] = [
     of::<Exact64, Boxes<AtZero>>("boxes are taken as if their frame were at zero", "FRAME-1"),
     of::<Exact64, Boxes<UnitOne>>("boxes are taken as if the unit of their frame were 1", "FRAME-1"),
     of::<Exact64, Boxes<Rounded>>("the ray is rounded before it is taken into the frame", "BOX-8"),
@@ -22,8 +22,10 @@ pub(super) const MISTAKES: [Mistake; 6] = [
         "the end of a ray from afar is taken to be one from where it enters the scene",
         "BOX-9",
     ),
+    of::<Exact64, Boxes<Unchecked>>("where a ray from afar enters the scene, doubles are believed", "BOX-9"),
     of::<Sums<Flushed>, Wide>("sums take what is next to nothing for nothing", "EXACT-8"),
     of::<Sums<InDoubles>, Wide>("far from 1, determinants are rounded", "EXACT-8"),
+    of::<Sums<NearPoint>, Wide>("a line from afar is taken to run through a double near to the triangle", "EXACT-12"),
 ];
 
 pub(super) const CONTROLS: [Mistake; 2] = [
@@ -74,7 +76,7 @@ fn scene(draw: &mut Draw<'_>) -> Option<(Mesh<DVec3>, Vec<Ray<DVec3>>)> {
     Some((mesh, rays))
 }
 
-marks! { Nothing AtZero UnitOne Rounded EndFromThere Flushed InDoubles }
+marks! { Nothing AtZero UnitOne Rounded EndFromThere Unchecked Flushed InDoubles NearPoint }
 
 /// The box test of doubles with a mistake.
 #[derive(Clone, Copy, Debug)]
@@ -84,6 +86,8 @@ struct Boxes<S> {
     single: Option<Directed>,
     /// Distance that is taken off the end.
     away: f64,
+    /// Distance at which the tested ray begins.
+    start: f64,
     spoil: PhantomData<S>,
 }
 
@@ -99,12 +103,17 @@ impl<S: Spoil> Slabs for Boxes<S> {
             _ => None,
         }
         .unwrap_or(*region);
-        let (wide, single, away) = (Wide::new(ray, &region), rounded::<S>(ray, &region), away::<S>(ray, &region));
-        Self { wide, single, away, spoil: PhantomData }
+        let (from_there, start) = entered::<S>(ray, &region).unwrap_or((*ray, 0.0));
+        let (wide, single, away) =
+            (Wide::new(&from_there, &region), rounded::<S>(ray, &region), away::<S>(ray, &region));
+        Self { wide, single, away, start, spoil: PhantomData }
     }
 
     fn pair(&self, planes: &[[f32; 4]; 3], tmax: f64) -> Intervals<f64> {
-        let Some(single) = &self.single else { return self.wide.pair(planes, tmax - self.away) };
+        let Some(single) = &self.single else {
+            let Intervals { hit, near, far } = self.wide.pair(planes, tmax - self.away - self.start);
+            return Intervals { hit, near: near.map(|near| near + self.start), far: far.map(|far| far + self.start) };
+        };
         let Intervals { hit, near, far } = single.pair(planes, (tmax as f32).next_up());
         Intervals { hit, near: near.map(|near| f64::from(near.next_down())), far: far.map(f64::from) }
     }
@@ -124,9 +133,23 @@ fn rounded<S: Spoil>(ray: &Ray<DVec3>, region: &Region) -> Option<Directed> {
 
 /// About the distance at which a ray from afar enters the scene.
 fn away<S: Spoil>(ray: &Ray<DVec3>, region: &Region) -> f64 {
-    let (far, size) = (region.distance(ray.origin()), region.size());
-    let is_afar = S::BUG == Bug::EndFromThere && far > 1e6 * size;
-    if is_afar { 0.5 * far / ray.direction().abs().max_element() } else { 0.0 }
+    let is_afar = S::BUG == Bug::EndFromThere && is_from_afar(ray, region);
+    if is_afar { 0.5 * region.distance(ray.origin()) / ray.direction().abs().max_element() } else { 0.0 }
+}
+
+fn is_from_afar(ray: &Ray<DVec3>, region: &Region) -> bool {
+    region.distance(ray.origin()) > 1e6 * region.size()
+}
+
+/// A ray from afar, from shortly before it enters the scene, as doubles have that point; and how far that is.
+fn entered<S: Spoil>(ray: &Ray<DVec3>, region: &Region) -> Option<(Ray<DVec3>, f64)> {
+    if S::BUG != Bug::Unchecked || !is_from_afar(ray, region) {
+        return None;
+    }
+    let (o, d) = (ray.origin(), ray.direction());
+    let start = (region.distance(o) - 2.0 * region.size()) / d.abs().max_element();
+    let ray = Ray::within(o + d * start, d, (ray.tmin() - start).max(0.0), f64::INFINITY).ok()?;
+    Some((ray, start))
 }
 
 /// The exact test of doubles with a mistake.
@@ -153,6 +176,9 @@ impl<S: Spoil> Kernel for Sums<S> {
         if S::BUG == Bug::InDoubles && !(1e-60..1e60).contains(&greatest) {
             return self.rounded(shape);
         }
+        if S::BUG == Bug::NearPoint && self.runs_beside(shape) {
+            return None;
+        }
         self.exact.distance(shape, limit)
     }
 
@@ -168,11 +194,27 @@ impl<S: Spoil> Kernel for Sums<S> {
 impl<S> Sums<S> {
     /// The distance by determinants as they are rounded.
     fn rounded(&self, &Triangle([a, b, c]): &Triangle<DVec3>) -> Option<f64> {
-        let (e1, e2, s, d) = (b - a, c - a, self.ray.origin() - a, self.ray.direction());
-        let (p, q) = (d.cross(e2), s.cross(e1));
-        let (det, u, v, t) = (e1.dot(p), s.dot(p), d.dot(q), e2.dot(q));
+        let (det, [u, v, t]) = determinants([a, b, c], self.ray.origin(), self.ray.direction());
         let (u, v, t) = (u / det, v / det, t / det);
         let is_hit = det != 0.0 && u >= 0.0 && v >= 0.0 && u + v <= 1.0 && self.ray.tmin() <= t && t <= self.ray.tmax();
         is_hit.then_some(t)
     }
+    /// Whether a line from afar, from a point near to the triangle, seems to miss that.
+    fn runs_beside(&self, &Triangle([a, b, c]): &Triangle<DVec3>) -> bool {
+        let (o, d) = (self.ray.origin(), self.ray.direction());
+        let edge = (b - a).abs().max((c - a).abs()).max_element();
+        let (way, part) = (o - a, (a - o).dot(d) / d.length_squared());
+        // Each coordinate is rounded once.
+        let near = DVec3::from([0, 1, 2].map(|k| part.mul_add(d[k], o[k])));
+        let (det, [u, v, _]) = determinants([a, b, c], near, d);
+        let signs = [u, v, det - u - v].map(|x| x * det.signum());
+        way.abs().max_element() > edge * 2f64.powi(32) && signs.iter().any(|&x| x < 0.0)
+    }
+}
+
+/// The determinant, and its products with both weights and the distance.
+fn determinants([a, b, c]: [DVec3; 3], o: DVec3, d: DVec3) -> (f64, [f64; 3]) {
+    let (e1, e2, s) = (b - a, c - a, o - a);
+    let (p, q) = (d.cross(e2), s.cross(e1));
+    (e1.dot(p), [s.dot(p), d.dot(q), e2.dot(q)])
 }

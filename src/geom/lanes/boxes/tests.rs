@@ -46,7 +46,7 @@ fn enter<S: Simd, V: Lanes<S, A>, const A: usize>(
 ) -> ([u32; A], u32) {
     let prepared = BoxRay::<S, V, A>::new(simd, ray, region);
     let (ranks, set) = prepared.enter(&planes(boxes), end);
-    (std::array::from_fn(|lane| BoxRay::<S, V, A>::rank(&ranks, lane as u32)), set)
+    (ranks.as_array().map(f32::to_bits), set)
 }
 
 /// All levels agree with each other; what they say.

@@ -20,7 +20,7 @@ fn enter<S: Simd, V: Lanes<S, A>, const A: usize>(
         [side(|aabb| aabb.lo), side(|aabb| aabb.hi)]
     });
     let (ranks, set) = EnclosedBoxes::<S, V, A>::new(simd, *slabs).enter(&planes, end);
-    ((0..A as u32).map(|lane| BoxRay::<S, V, A>::rank(&ranks, lane)).collect(), set)
+    (ranks.as_array().map(f32::to_bits).to_vec(), set)
 }
 
 /// What all levels say.
