@@ -20,7 +20,7 @@ install_tools() {
     [[ -n $(command -v wasm2c) ]] || missing+=(wabt)
     [[ -n $(command -v gcc) ]] || missing+=(gcc libc6-dev)
     ((${#missing[@]} == 0)) || "$here/../../.ci/apt" "${missing[@]}"
-    "$work/tools/goto-instrument" --version > /dev/null 2>&1 || "$here/get-cbmc.sh" "$work/tools"
+    "$work/tools/goto-cc" --version > /dev/null 2>&1 || "$here/get-cbmc.sh" "$work/tools"
 }
 
 # One line a harness: name, twin, unwind, that of loops within a loop, how often, covers, claim.
@@ -106,10 +106,10 @@ nested() {
 # The program of one harness and its twin.
 compile() {
     local name=$1 twin=$2
-    rm -f "$work/$name.gb"
-    (cd "$work" && tools/goto-cc --function "prove_$name" -I. -DWASM_RT_MEMCHECK_SIGNAL_HANDLER=0 \
-        -DWASM_RT_USE_STACK_DEPTH_COUNT=0 -DWASM_RT_SKIP_SIGNAL_RECOVERY=1 -D"PROVED=HARNESS($name) HARNESS($twin)" \
-        "$name.c" "$shim" -o "$name.gb")
+    # So that none of an earlier run is proved where this one fails.
+    rm -f "$name.gb"
+    tools/goto-cc --function "prove_$name" -I. -DWASM_RT_MEMCHECK_SIGNAL_HANDLER=0 -DWASM_RT_USE_STACK_DEPTH_COUNT=0 \
+        -DWASM_RT_SKIP_SIGNAL_RECOVERY=1 -D"PROVED=HARNESS($name) HARNESS($twin)" "$name.c" "$shim" -o "$name.gb"
 }
 
 # One run; what CBMC says goes to NAME.log, the seconds of its processor to NAME.seconds.

@@ -28,7 +28,7 @@ apt-get -qq update
 for package in "$folder"/debs/*.deb; do
     dpkg-deb -x "$package" "$folder/root"
 done
-for tool in cbmc goto-cc goto-instrument; do
+for tool in cbmc goto-cc; do
     cat > "$folder/$tool" <<EOF
 #!/bin/sh
 root=$folder/root

@@ -199,6 +199,7 @@ impl<S> Sums<S> {
         let is_hit = det != 0.0 && u >= 0.0 && v >= 0.0 && u + v <= 1.0 && self.ray.tmin() <= t && t <= self.ray.tmax();
         is_hit.then_some(t)
     }
+
     /// Whether a line from afar, from a point near to the triangle, seems to miss that.
     fn runs_beside(&self, &Triangle([a, b, c]): &Triangle<DVec3>) -> bool {
         let (o, d) = (self.ray.origin(), self.ray.direction());
