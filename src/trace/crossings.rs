@@ -8,7 +8,7 @@ use super::{BoxQuery, Hit};
 use crate::bvh::Bvh;
 use crate::geom::kernel::{Exact, Exact64, Parity, Real};
 use crate::geom::slabs::{Directed, Wide};
-use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs};
+use crate::geom::{Aabb, Kernel, Once, Ray, Real as _, Slabs};
 use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::tree::Node;
 
@@ -64,7 +64,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Sweep<'a, K, B> {
 
 impl<'a, K: Kernel, B, H: Held<K::Shape>> Sweep<'a, K, B, H> {
     pub(super) fn over(cast: Cast<'a, K, B, H>, watches: bool) -> Self {
-        Self { cast, repeats: Repeats::new(watches), distances: Once(None), found: Vec::new() }
+        Self { cast, repeats: Repeats::new(watches), distances: Once::NEVER, found: Vec::new() }
     }
 
     /// All hits, after the traversal, in the order (`t`, primitive).
@@ -75,7 +75,7 @@ impl<'a, K: Kernel, B, H: Held<K::Shape>> Sweep<'a, K, B, H> {
             t.partial_cmp(other).unwrap_or(prim.cmp(next)).then(prim.cmp(next))
         });
         let Cast { bvh, kernel, .. } = &self.cast;
-        let mut weights = Once(None);
+        let mut weights = Once::NEVER;
         let hit = |(t, prim, place): (Real<K>, u32, usize)| {
             let [u, v] = weights.answer(&bvh.shape(place), |shape| kernel.weights(shape));
             Hit { prim, t, u, v }
@@ -118,20 +118,6 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
 
     fn slot(&self, node: Node) -> usize {
         self.cast.slot(node)
-    }
-}
-
-/// The shape that was asked last, and its answer: shapes that coincide have one.
-#[derive(Clone, Debug)]
-struct Once<S, A>(Option<(S, A)>);
-
-impl<S: Copy + PartialEq, A: Copy> Once<S, A> {
-    #[inline]
-    fn answer(&mut self, shape: &S, ask: impl FnOnce(&S) -> A) -> A {
-        match &self.0 {
-            Some((last, answer)) if last == shape => *answer,
-            _ => self.0.insert((*shape, ask(shape))).1,
-        }
     }
 }
 

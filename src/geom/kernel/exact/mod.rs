@@ -32,10 +32,12 @@ pub(in crate::geom) use predicates::is_degenerate;
 pub use single::{ExactFromSingle, MAX_COORDINATE, MIN_EDGE};
 pub(in crate::geom) use sum::{two_product, two_sum};
 
+use std::cell::Cell;
+
 use glam::{DVec3, Vec3};
 
 use super::{Kernel, Stage};
-use crate::geom::{Ray, Region, Triangle, Vector};
+use crate::geom::{Once, Ray, Region, Triangle, Vector};
 use filter::{Determinants, Errors};
 
 /// The exact test of single-precision triangles: closed triangles, `t` the nearest float to the exact distance (ties to
@@ -66,20 +68,7 @@ impl Kernel for Exact {
 
     #[inline(always)]
     fn distance(&self, shape: &Triangle, limit: f32) -> Option<f32> {
-        let ([tmin, _], found) = (self.interval, Determinants::of(&shape.widen(), self.origin, self.direction));
-        if found.is_miss(&self.errors) {
-            return None;
-        }
-        if found.is_hit(&self.errors) {
-            let [near, far] = found.distance(&self.errors).map(|t| t as f32);
-            if is_certain([near, far], self.interval) {
-                return Some(near);
-            }
-            if far < tmin || limit < near {
-                return None;
-            }
-        }
-        self.settle(shape)
+        self.distance_or(shape, limit, || self.settle(shape, None))
     }
 
     #[inline(always)]
@@ -94,7 +83,7 @@ impl Kernel for Exact {
                 return is_within;
             }
         }
-        self.settle(shape).is_some()
+        self.settle(shape, None).is_some()
     }
 
     fn weights(&self, shape: &Triangle) -> [f32; 2] {
@@ -126,7 +115,54 @@ impl Kernel for Exact {
     }
 }
 
+/// The exact test for many triangles: of those that coincide and take the last stages, one is asked. There may be many, and
+/// each would take as long as the first.
+#[derive(Clone, Debug)]
+pub(in crate::geom) struct ExactOnce {
+    pub(in crate::geom) exact: Exact,
+    last: Cell<Last>,
+}
+
+/// What the last stages found of a triangle: its distance.
+type Last = Once<Triangle, Option<f32>>;
+
+impl ExactOnce {
+    #[inline(always)]
+    pub(in crate::geom) fn new(ray: &Ray, region: &Region) -> Self {
+        Self { exact: Exact::new(ray, region), last: Cell::new(Last::NEVER) }
+    }
+
+    #[inline(always)]
+    pub(in crate::geom) fn distance(&self, shape: &Triangle, limit: f32) -> Option<f32> {
+        self.exact.distance_or(shape, limit, || self.settle(shape))
+    }
+
+    #[inline(never)]
+    fn settle(&self, shape: &Triangle) -> Option<f32> {
+        self.exact.settle(shape, Some(&self.last))
+    }
+}
+
 impl Exact {
+    /// [`distance`](Kernel::distance), if the first stage finds it; the rest is asked for what it leaves open.
+    #[inline(always)]
+    fn distance_or(&self, shape: &Triangle, limit: f32, rest: impl FnOnce() -> Option<f32>) -> Option<f32> {
+        let ([tmin, _], found) = (self.interval, Determinants::of(&shape.widen(), self.origin, self.direction));
+        if found.is_miss(&self.errors) {
+            return None;
+        }
+        if found.is_hit(&self.errors) {
+            let [near, far] = found.distance(&self.errors).map(|t| t as f32);
+            if is_certain([near, far], self.interval) {
+                return Some(near);
+            }
+            if far < tmin || limit < near {
+                return None;
+            }
+        }
+        rest()
+    }
+
     /// The weights that the first two stages leave open.
     #[cold]
     #[inline(never)]
@@ -138,11 +174,18 @@ impl Exact {
     /// The stages after the first. In a scene of many small triangles the errors of the first are too great for a third of
     /// all hits, and nearly all of these end with the errors of the second.
     #[inline(never)]
-    fn settle(&self, shape: &Triangle) -> Option<f32> {
+    fn settle(&self, shape: &Triangle, last: Option<&Cell<Last>>) -> Option<f32> {
         let (corners, o, d) = (shape.widen(), self.origin, self.direction);
         let (found, errors) = (Determinants::of(&corners, o, d), Errors::of_triangle(&corners, o, d));
         let placed = decide(&found, &errors, &|ends| placed(ends, self.interval, self.interval[1]));
-        placed.or_else(|| self.settle_rest(&corners, &found, &errors))
+        let ask = || self.settle_rest(&corners, &found, &errors);
+        let ask_once = |last: &Cell<Last>| {
+            let mut once = last.get();
+            let answer = once.answer(shape, |_| ask());
+            last.set(once);
+            answer
+        };
+        placed.or_else(|| last.map_or_else(ask, ask_once))
     }
 
     /// What the errors of a triangle leave open.

@@ -58,3 +58,26 @@ fn a_distance_that_may_be_an_end_is_open() {
         assert_eq!(is_within([2.0, 3.0], interval), expected, "{interval:?}");
     }
 }
+
+/// Each shape differs from the one before in one coordinate, by so little that the last stages tell hit from miss.
+#[test]
+fn of_shapes_that_differ_each_is_asked() {
+    let ray = Ray::new(Vec3::new(1.0, 0.0, 1.0), Vec3::NEG_Z).unwrap();
+    let triangle = Triangle([Vec3::ZERO, Vec3::X * 3.0, Vec3::Y * 3.0]);
+    let (exact, once) =
+        (Exact::new(&ray, &Region::of(&triangle.aabb())), ExactOnce::new(&ray, &Region::of(&triangle.aabb())));
+    let mut answers = Vec::new();
+    for corner in 0..2 {
+        for y in [0.0, 1e-30, -1e-30, 0.0] {
+            let mut shape = triangle;
+            shape.0[corner].y = y;
+            assert_eq!(exact.stage(&shape), Stage::Sums);
+            let answer = exact.distance(&shape, f32::INFINITY);
+            // It, the same again, and what coincides but for the signs of zeros.
+            let same = Triangle(shape.0.map(|v| Vec3::select(v.cmpeq(Vec3::ZERO), -v, v)));
+            assert_eq!([shape, shape, same].map(|shape| once.distance(&shape, f32::INFINITY)), [answer; 3]);
+            answers.push(answer.is_some());
+        }
+    }
+    assert_eq!(answers, [true, false, true, true].repeat(2));
+}
