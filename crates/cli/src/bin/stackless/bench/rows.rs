@@ -7,7 +7,7 @@ use super::rays::{Kind, Set};
 use crate::input::Scene;
 use crate::judge::Counts;
 use crate::output::{Table, table};
-use crate::turns::{Times, geometric_mean, median_ratio};
+use crate::turns::{Times, geometric_mean};
 
 /// One contestant on one set of rays. What is not known is `None`.
 #[derive(Clone, Debug, Serialize)]
@@ -62,9 +62,8 @@ impl Row {
 
     /// With the times of contestant `own`, compared with those of contestant `base`.
     pub(super) fn timed(self, times: &Times, own: usize, base: usize) -> Self {
-        let (own, base) = (times.by_round(own), times.by_round(base));
-        let rays = (own.len() * self.count) as f64;
-        Self { mrays: rays / own.iter().sum::<f64>() / 1e6, ratio: median_ratio(&base, &own), ..self }
+        let [own, base] = [own, base].map(|contestant| times.by_chunk(contestant).iter().sum::<f64>());
+        Self { mrays: self.count as f64 / own / 1e6, ratio: base / own, ..self }
     }
 
     /// With the number of nodes that all rays visit.
