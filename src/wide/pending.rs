@@ -140,7 +140,7 @@ where
             if self.set == 0 {
                 let Some(level) = self.kept.pop(search.end()) else { return Next::End };
                 self.node = self.link.ancestor(self.tree, self.node, level.up);
-                (self.set, self.ranks) = (level.pending, if S::SORTED { level.ranks } else { 0 });
+                (self.set, self.ranks) = (level.pending, level.ranks);
             }
             if !S::SORTED {
                 return Next::Child(self.take_at::<A>(self.set.trailing_zeros()));
