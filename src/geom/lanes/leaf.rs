@@ -126,8 +126,8 @@ impl<'a> LazyExact<'a> {
 
     /// The nearest hit of `nearest` and these lanes' triangles.
     ///
-    /// It gets `nearest` by value: what is pointed to cannot be in registers. Nor can what is in registers stay there where
-    /// a function is called: as one of its own, this took 3 to 5 % of a ray's instructions more.
+    /// It gets `nearest` by value: what is pointed to cannot be in registers. Nor can what is in registers stay there
+    /// where a function is called: as one of its own, this took 3 to 5 % of a ray's instructions more.
     #[inline(always)]
     fn settle(&mut self, block: &Block, lanes: u32, mut nearest: Nearest) -> Nearest {
         let exact = self.once();

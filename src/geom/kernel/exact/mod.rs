@@ -115,8 +115,8 @@ impl Kernel for Exact {
     }
 }
 
-/// The exact test for many triangles: of those that coincide and take the last stages, one is asked. There may be many, and
-/// each would take as long as the first.
+/// The exact test for many triangles: of those that coincide and take the last stages, one is asked. There may be many,
+/// and each would take as long as the first.
 #[derive(Clone, Debug)]
 pub(in crate::geom) struct ExactOnce {
     pub(in crate::geom) exact: Exact,

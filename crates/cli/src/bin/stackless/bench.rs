@@ -33,9 +33,9 @@ use wide::{Manner, WideTree};
 
 /// Measure throughput on one thread: same rays, and unless several are asked for, same tree.
 ///
-/// All take turns on chunks of the rays. Times are the thread's processor time, for each chunk the least of all rounds: work
-/// beside it on the same core slows some more than others. The ratio is that of the time of `stack` (on the first tree,
-/// with the first accuracy) to the other's: above 1 is faster.
+/// All take turns on chunks of the rays. Times are the thread's processor time, for each chunk the least of all rounds:
+/// work beside it on the same core slows some more than others. The ratio is that of the time of `stack` (on the first
+/// tree, with the first accuracy) to the other's: above 1 is faster.
 /// The hits of all exact ones must be the same, or the exit code is 1.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
