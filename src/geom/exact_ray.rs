@@ -9,7 +9,7 @@ use dashu_int::{IBig, UBig};
 use glam::Vec3;
 
 use super::affine::{fine_images, images};
-use super::kernel::{EnclosedTest, FineDeterminants};
+use super::kernel::{Certainty, EnclosedTest, FineDeterminants};
 use super::truth::{Meeting, Point, RBig, meet_integers};
 use super::{
     AffineMap, EnclosedRay, Interval, Ray, RayError, Real, Region, Triangle, Vector, check_environment, meet_image,
@@ -244,13 +244,13 @@ impl<V: Vector> ExactRay<V> {
                 if met.surface.triangle == *triangle && met.surface.maps == maps().as_ref())
     }
 
-    /// Distance to the image of a triangle that its line is known to meet, by twice the digits of a double: where that
-    /// is certain, and not at an end.
-    pub(crate) fn fine_distance(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Option<V::Real> {
-        self.fine(triangle, maps)?.distance_within(self.interval)
+    /// Distance to the image of a triangle, by twice the digits of a double, where these tell; they do not at an edge or an
+    /// end. `[INST-5]`
+    pub(crate) fn fine_distance(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Certainty<V::Real> {
+        self.fine(triangle, maps).map_or(Certainty::Open, |fine| fine.distance_within(self.interval))
     }
 
-    /// The weights of the second and the third corner there, likewise.
+    /// The weights of the second and the third corner of a triangle that it is known to meet, likewise.
     pub(crate) fn fine_weights(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Option<[V::Real; 2]> {
         self.fine(triangle, maps)?.weights()
     }

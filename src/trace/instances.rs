@@ -10,7 +10,8 @@
 //! The answers are those of rational arithmetic on the exact images of the triangles under the maps as they are
 //! written, and the ray as it is given. `[INST-1]` Distances along a ray are the same in every space, so nothing is
 //! transformed back. In an object's space the ray is known within bounds only; where they decide, no more is asked.
-//! Else exact images of the triangle's corners are made, which takes some thousand times as long. `[INST-5]`
+//! Else images of the triangle's corners are made, with twice the digits of a double, and where these leave it open too,
+//! exact ones, which takes some thousand times as long. `[INST-5]`
 
 mod assembly;
 mod walk;
@@ -86,7 +87,9 @@ pub struct InstanceCounts {
     pub instances: u64,
     /// Triangles that were tested.
     pub triangles: u64,
-    /// Those of them that took rational arithmetic.
+    /// Those of them that bounds left open, which took more digits.
+    pub open: u64,
+    /// Those of these that took rational arithmetic.
     pub rational: u64,
 }
 
@@ -210,7 +213,7 @@ impl<V: Vector> InstanceTracer<V> {
         let (t, mut found) = (search.t, search.found.take()?);
         let Found { prim, triangle, test, .. } = found;
         let path = std::mem::take(&mut found.path);
-        let fine = || test.span(&triangle).and_then(|_| ray.fine_weights(&triangle, &self.maps(&path)));
+        let fine = || ray.fine_weights(&triangle, &self.maps(&path));
         let exact = || ray.meet(&triangle, &self.maps(&path)).map(|Point { u, v, .. }| [&u, &v].map(V::Real::nearest));
         let [u, v] = test.weights(&triangle).or_else(fine).or_else(exact)?;
         Some((InstanceHit { path, prim, t, u, v }, found))
@@ -245,6 +248,7 @@ impl<V: Vector> InstanceTracer<V> {
             InstanceCounts {
                 instances: a.instances + b.instances,
                 triangles: a.triangles + b.triangles,
+                open: a.open + b.open,
                 rational: a.rational + b.rational,
             }
         })

@@ -211,6 +211,7 @@ fn ask_truth<V: Vector>(
     triangle: &Triangle<V>,
     search: &mut Search<'_, V>,
 ) -> Option<V::Real> {
+    search.counts.open += 1;
     let ray = search.ray;
     if ray.ends() == Ends::Closed {
         match test.settle(triangle) {
@@ -220,13 +221,14 @@ fn ask_truth<V: Vector>(
         }
     }
     let maps = tracer.maps(&search.path);
-    if test.span(triangle).is_some()
-        && let Some(t) = ray.fine_distance(triangle, &maps)
-    {
-        return Some(t);
+    match ray.fine_distance(triangle, &maps) {
+        Certainty::Hit(t) => Some(t),
+        Certainty::Miss => None,
+        Certainty::Open => {
+            search.counts.rational += 1;
+            ray.meet(triangle, &maps).map(|point| V::Real::nearest(&point.t))
+        }
     }
-    search.counts.rational += 1;
-    ray.meet(triangle, &maps).map(|point| V::Real::nearest(&point.t))
 }
 
 /// Instances of a group.

@@ -18,6 +18,8 @@ use crate::geom::frame::power_of_two;
 
 /// The determinants of a ray and a triangle, by twice the digits.
 pub(in crate::geom) struct FineDeterminants {
+    /// From the origin to the corners.
+    ways: [[Fine; 3]; 3],
     d: [Fine; 3],
     s: [Fine; 3],
     e1: [Fine; 3],
@@ -38,16 +40,39 @@ impl FineDeterminants {
         (is_small && corners.as_flattened().iter().all(|x| x.is_within(most))).then(|| Self::of(corners, o, d))
     }
 
-    fn of([v0, v1, v2]: &[[Fine; 3]; 3], o: DVec3, d: DVec3) -> Self {
+    fn of(corners @ [v0, v1, v2]: &[[Fine; 3]; 3], o: DVec3, d: DVec3) -> Self {
         let [d, o] = [d, o].map(exact);
         let (s, e1, e2) = (minus(&o, v0), minus(v1, v0), minus(v2, v0));
-        Self { det: dot(&e1, &cross(&d, &e2)), d, s, e1, e2 }
+        Self { ways: corners.each_ref().map(|corner| minus(corner, &o)), det: dot(&e1, &cross(&d, &e2)), d, s, e1, e2 }
     }
 
-    /// The distance, rounded to the nearest float, if that is certain and is in an interval, not at an end. Rounding
-    /// keeps the order, so that only an end that is equal leaves a question.
-    pub(in crate::geom) fn distance_within<R: Real>(&self, [tmin, tmax]: [R; 2]) -> Option<R> {
-        self.distance().filter(|t| tmin < *t && *t < tmax)
+    /// Whether the line meets the triangle. `None` where the signs do not tell.
+    fn meets(&self) -> Option<bool> {
+        let [u, v] = self.parts();
+        let signs = [u, v, self.det - u - v, self.det].map(Fine::sign);
+        let is_any = |is: fn(&f64) -> bool| signs.iter().flatten().any(is);
+        if is_any(|&sign| sign > 0.0) && is_any(|&sign| sign < 0.0) {
+            return Some(false);
+        }
+        let [edges @ .., det] = signs;
+        let is_on = edges.iter().all(Option::is_some) || self.is_through_a_corner();
+        (is_on && det.is_some_and(|det| det != 0.0)).then_some(true)
+    }
+
+    /// Whether the line passes through a corner for certain: one that is known exactly.
+    fn is_through_a_corner(&self) -> bool {
+        self.ways.iter().any(|way| cross(&self.d, way).iter().all(|x| x.sign() == Some(0.0)))
+    }
+
+    /// The distance, rounded to the nearest float, of a line that certainly meets the triangle, if it is in an interval,
+    /// not at an end. Rounding keeps the order, so that only an end that is equal leaves a question. `[INST-5]`
+    pub(in crate::geom) fn distance_within<R: Real>(&self, [tmin, tmax]: [R; 2]) -> Certainty<R> {
+        match (self.meets(), self.distance()) {
+            (Some(true), Some(t)) if tmin < t && t < tmax => Certainty::Hit(t),
+            (Some(true), Some(t)) if t < tmin || tmax < t => Certainty::Miss,
+            (Some(false), _) => Certainty::Miss,
+            _ => Certainty::Open,
+        }
     }
 
     fn distance<R: Real>(&self) -> Option<R> {
@@ -82,8 +107,13 @@ impl FineDeterminants {
 
     /// The weights of the second and the third corner, likewise.
     pub(in crate::geom) fn weights<R: Real>(&self) -> Option<[R; 2]> {
-        let u = self.nearest(dot(&self.s, &cross(&self.d, &self.e2)))?;
-        Some([u, self.nearest(dot(&self.d, &cross(&self.s, &self.e1)))?])
+        let [u, v] = self.parts();
+        Some([self.nearest(u)?, self.nearest(v)?])
+    }
+
+    /// These weights times the determinant.
+    fn parts(&self) -> [Fine; 2] {
+        [dot(&self.s, &cross(&self.d, &self.e2)), dot(&self.d, &cross(&self.s, &self.e1))]
     }
 
     fn nearest<R: Real>(&self, top: Fine) -> Option<R> {

@@ -31,6 +31,7 @@ proptest! {
         let found = FineDeterminants::new(&corners, o, d);
         match truth::meet(corners.map(|v| v.to_array()), o.to_array(), d.to_array()) {
             Meeting::Hit(point) => {
+                prop_assert_ne!(found.meets(), Some(false));
                 if let Some(t) = found.distance::<f64>() {
                     prop_assert_eq!(t, truth::round_f64(&point.t));
                 }
@@ -39,8 +40,11 @@ proptest! {
                 }
             }
             // The determinant is 0, and never certainly another.
-            Meeting::Coplanar => prop_assert_eq!((found.distance::<f64>(), found.weights::<f64>()), (None, None)),
-            Meeting::Miss => {}
+            Meeting::Coplanar => {
+                prop_assert_eq!((found.distance::<f64>(), found.weights::<f64>()), (None, None));
+                prop_assert_ne!(found.meets(), Some(true));
+            }
+            Meeting::Miss => prop_assert_ne!(found.meets(), Some(true)),
         }
     }
 }
@@ -56,9 +60,28 @@ fn nearly_all_are_certain() {
         let o = vector() - 5.0;
         let target = corners[0] * 0.3 + corners[1] * 0.3 + corners[2] * 0.4;
         let found = FineDeterminants::new(&corners, o, target - o);
-        certain += u32::from(found.distance::<f64>().is_some() && found.weights::<f64>().is_some());
+        let is_told = found.meets() == Some(true) && found.distance::<f64>().is_some();
+        certain += u32::from(is_told && found.weights::<f64>().is_some());
     }
     assert!(certain > 990, "{certain}");
+}
+
+/// A line through a corner that is known exactly meets the triangle, whatever else is known of it; through one that is not,
+/// it is open. [INST-5]
+#[test]
+fn corners_that_are_known_are_met() {
+    let (corners, o) =
+        ([DVec3::ZERO, DVec3::new(3.0, 1.0, 0.5), DVec3::new(-1.0, 2.0, 0.25)], DVec3::new(0.5, 0.25, 7.0));
+    for (k, &corner) in corners.iter().enumerate() {
+        let third = Fine::exact(1.0).over(Fine::exact(3.0)).unwrap();
+        let whole = third + third + third;
+        let beside = |i: usize, x: f64| if i == k { Fine::exact(x) } else { whole * Fine::exact(x) };
+        let near = [0, 1, 2].map(|i| corners[i].to_array().map(|x| beside(i, x)));
+        let meets = |corners: &[[Fine; 3]; 3]| FineDeterminants::of(corners, o, (corner - o) * 0.25).meets();
+        assert_eq!(meets(&near), Some(true), "{k}");
+        let unknown = near.map(|corner| corner.map(|x| whole * (x + Fine::exact(1.0))));
+        assert_eq!(FineDeterminants::of(&unknown, o, corner + 1.0 - o).meets(), None, "{k}");
+    }
 }
 
 /// Of a line that begins so far away and passes through zero, or nearly so, beside an edge, by so much of the edge. Its
