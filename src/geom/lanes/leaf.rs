@@ -142,11 +142,17 @@ impl<'a> LazyExact<'a> {
     }
 
     /// One of these lanes' triangles that the ray meets within its interval.
+    ///
+    /// By a loop: `find` is a function of its own, which is not compiled for the level.
     #[inline(always)]
     fn blocking(&mut self, block: &Block, lanes: u32) -> Option<u32> {
         let exact = self.get();
-        let lane = LaneSet(lanes).find(|&lane| exact.blocks(&block.triangle(lane)))?;
-        Some(block.prims[lane])
+        for lane in LaneSet(lanes) {
+            if exact.blocks(&block.triangle(lane)) {
+                return Some(block.prims[lane]);
+            }
+        }
+        None
     }
 }
 
