@@ -68,22 +68,28 @@ use crate::order::Flow;
 use crate::tree::Node;
 
 /// The state of one traversal of a wide tree, on its way.
+///
+/// It holds no tree: whoever runs it gives the one that it was made for each time. So tree and search are known to look
+/// into the same nodes, and those of one node are found once.
 pub trait Cursor<const A: usize> {
     /// Whether the cursor starts again from the root, and passes nodes that it has visited.
     const RESTARTS: bool = false;
 
     /// Back to the root, for the next search.
-    fn reset(&mut self);
+    fn reset(&mut self, tree: &impl Topology<A>);
 
     /// The inner node that the search is to be asked about.
     fn node(&self) -> Node;
 
     /// After the search was asked about [`node`](Self::node): the first of the children that it wants; of those that are
     /// pending, if it was asked again. If it wants none, the [next](Self::next) pending one.
-    fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next;
+    fn choose<T, S>(&mut self, tree: &T, wanted: Wanted<S::Ranks>, search: &mut S) -> Next
+    where
+        T: Topology<A>,
+        S: Search<A>;
 
     /// The next pending child.
-    fn next<S: Search<A>>(&mut self, search: &mut S) -> Next;
+    fn next<T: Topology<A>, S: Search<A>>(&mut self, tree: &T, search: &mut S) -> Next;
 
     /// Goes down to the inner node that was named last.
     fn enter(&mut self, node: Node);
@@ -177,7 +183,7 @@ where
         }
     }
     let mut arrived = {
-        let next = cursor.choose(wanted, search);
+        let next = cursor.choose(tree, wanted, search);
         arrive(cursor, next, recorder)
     };
     loop {
@@ -192,7 +198,7 @@ where
         if search.end() < end {
             cursor.shortened();
         }
-        let next = cursor.next(search);
+        let next = cursor.next(tree, search);
         arrived = arrive(cursor, next, recorder);
     }
 }

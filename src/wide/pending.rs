@@ -11,8 +11,7 @@ use crate::tree::Node;
 /// A node, its pending children, what is [`Kept`] of the levels above, and a [`Link`] to the ancestors.
 /// `[WTRAIL-1]` `[WRECORD-1]` `[WHASHED-1]`
 #[derive(Debug)]
-pub struct Pending<'t, T, K, L> {
-    tree: &'t T,
+pub struct Pending<K, L> {
     node: Node,
     /// The pending children of the present node; all, before the search was asked about it.
     set: u32,
@@ -26,21 +25,20 @@ pub struct Pending<'t, T, K, L> {
     link: L,
 }
 
-impl<'t, T, K, L> Pending<'t, T, K, L> {
+impl<K, L> Pending<K, L> {
     /// Starts at the root, with nothing kept.
     ///
     /// # Errors
     /// [`TooDeep`] if the tree has more levels than `kept` carries.
     #[inline(always)]
-    pub fn new<const A: usize>(tree: &'t T, kept: K, link: L) -> Result<Self, TooDeep>
+    pub fn new<const A: usize>(tree: &impl Topology<A>, kept: K, link: L) -> Result<Self, TooDeep>
     where
-        T: Topology<A>,
         K: Kept<A>,
         L: Link<A>,
     {
         K::carries(tree.levels())?;
-        let mut cursor = Self { tree, node: tree.root(), set: 0, ranks: 0, slot: 0, kept, link };
-        cursor.reset();
+        let mut cursor = Self { node: tree.root(), set: 0, ranks: 0, slot: 0, kept, link };
+        cursor.reset(tree);
         Ok(cursor)
     }
 
@@ -51,14 +49,10 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
 
     /// Names the pending child of the least rank, of which there is one; keeps the two ranks after it.
     #[inline(always)]
-    fn first<const A: usize>(&mut self, ranks: impl Ranks<A>) -> Node
-    where
-        T: Topology<A>,
-    {
+    fn first<const A: usize>(&mut self, tree: &impl Topology<A>, ranks: impl Ranks<A>) -> Node {
         // One child or two are most frequent. Their addresses do not wait for the ranks.
-        let (tree, node, slot) = (self.tree, self.node, self.set.trailing_zeros());
+        let (node, slot) = (self.node, self.set.trailing_zeros());
         let others = self.set & (self.set - 1);
-        self.ranks = 0;
         if others == 0 {
             return self.take(slot, tree.child(node, slot));
         }
@@ -85,17 +79,20 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
             first = first.min(rank);
         }
         self.ranks = u64::from(second) | u64::from(third) << 32;
-        self.take_at(first)
+        self.take_at(tree, first)
     }
 
     /// Names the child of this rank, or in this slot.
     #[inline(always)]
-    fn take_at<const A: usize>(&mut self, rank: u32) -> Node
-    where
-        T: Topology<A>,
-    {
+    fn take_at<const A: usize>(&mut self, tree: &impl Topology<A>, rank: u32) -> Node {
         let slot = rank & (A as u32 - 1);
-        self.take(slot, self.tree.child(self.node, slot))
+        self.take(slot, tree.child(self.node, slot))
+    }
+
+    /// Names the pending child in the lowest slot, of which there is one.
+    #[inline(always)]
+    fn lowest<const A: usize>(&mut self, tree: &impl Topology<A>) -> Node {
+        self.take_at(tree, self.set.trailing_zeros())
     }
 
     /// Names the child in a slot.
@@ -107,15 +104,14 @@ impl<'t, T, K, L> Pending<'t, T, K, L> {
     }
 }
 
-impl<const A: usize, T, K, L> Cursor<A> for Pending<'_, T, K, L>
+impl<const A: usize, K, L> Cursor<A> for Pending<K, L>
 where
-    T: Topology<A>,
     K: Kept<A>,
     L: Link<A>,
 {
     #[inline(always)]
-    fn reset(&mut self) {
-        (self.node, self.set) = (self.tree.root(), u32::MAX);
+    fn reset(&mut self, tree: &impl Topology<A>) {
+        (self.node, self.set) = (tree.root(), u32::MAX);
         self.kept.clear();
         self.link.clear();
     }
@@ -126,35 +122,46 @@ where
     }
 
     #[inline(always)]
-    fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next {
-        self.set &= wanted.set;
-        if S::SORTED && self.set != 0 {
-            return Next::Child(self.first::<A>(wanted.ranks));
+    fn choose<T, S>(&mut self, tree: &T, wanted: Wanted<S::Ranks>, search: &mut S) -> Next
+    where
+        T: Topology<A>,
+        S: Search<A>,
+    {
+        // Only a search that is sorted is asked again.
+        self.set = if S::SORTED { self.set & wanted.set } else { wanted.set };
+        self.ranks = 0;
+        if self.set == 0 {
+            return self.next(tree, search);
         }
-        self.next(search)
+        // Not by `next`, which may have gone back: the node's record is at hand here.
+        Next::Child(if S::SORTED { self.first(tree, wanted.ranks) } else { self.lowest(tree) })
     }
 
     #[inline(always)]
-    fn next<S: Search<A>>(&mut self, search: &mut S) -> Next {
+    fn next<T: Topology<A>, S: Search<A>>(&mut self, tree: &T, search: &mut S) -> Next {
         loop {
             if self.set == 0 {
                 let Some(level) = self.kept.pop(search.end()) else { return Next::End };
-                self.node = self.link.ancestor(self.tree, self.node, level.up);
-                (self.set, self.ranks) = (level.pending, level.ranks);
+                self.node = self.link.ancestor(tree, self.node, level.up);
+                self.set = level.pending;
+                // Of others it stays 0: a number that is known is in no register.
+                if S::SORTED {
+                    self.ranks = level.ranks;
+                }
             }
             if !S::SORTED {
-                return Next::Child(self.take_at::<A>(self.set.trailing_zeros()));
+                return Next::Child(self.lowest(tree));
             }
             if self.ranks != 0 {
                 let rank = self.ranks as u32;
                 if !is_beyond::<A>(rank, search.end()) {
                     self.ranks >>= 32;
-                    return Next::Child(self.take_at::<A>(rank));
+                    return Next::Child(self.take_at(tree, rank));
                 }
                 // And so are those that come after it.
                 self.set = 0;
             } else if self.set.is_power_of_two() && !self.kept.is_stale() {
-                return Next::Child(self.take_at::<A>(self.set.trailing_zeros()));
+                return Next::Child(self.lowest(tree));
             } else {
                 self.kept.asked();
                 return Next::Ask;

@@ -11,8 +11,7 @@ use crate::tree::Node;
 /// Keeps for each level the number of the child that was named last, and the last postponed children, 8 at most. What
 /// this short stack has lost is found by starting again at the root. `[WRESTART-1]`
 #[derive(Debug)]
-pub struct Restart<'t, T> {
-    tree: &'t T,
+pub struct Restart {
     node: Node,
     /// Level of `node`, while the search goes down again from the root.
     at: u32,
@@ -36,21 +35,18 @@ enum Step {
     Along,
 }
 
-impl<'t, T> Restart<'t, T> {
+impl Restart {
     /// Starts at the root, with a short stack of so many entries, 8 at most.
     ///
     /// # Errors
     /// [`TooDeep`] if the tree has more levels than 128 bits have numbers for.
-    pub fn new<const A: usize>(tree: &'t T, short: usize) -> Result<Self, TooDeep>
-    where
-        T: Topology<A>,
-    {
+    pub fn new<const A: usize>(tree: &impl Topology<A>, short: usize) -> Result<Self, TooDeep> {
         let (levels, limit) = (tree.levels(), u128::BITS / number_bits::<A>() - 1);
         if levels > limit {
             return Err(TooDeep { depth: levels, limit, word: "a number for each level in 128 bits" });
         }
         let stack = Short { entries: [Entry::NONE; Short::MOST], size: short.min(Short::MOST), top: 0, count: 0 };
-        Ok(Self { tree, node: tree.root(), at: 0, level: 0, done: 0, step: Step::Down, stack })
+        Ok(Self { node: tree.root(), at: 0, level: 0, done: 0, step: Step::Down, stack })
     }
 
     /// The number of the child that was named last, so many levels above the present one.
@@ -59,19 +55,21 @@ impl<'t, T> Restart<'t, T> {
     }
 
     /// Names the child with this number among the wanted ones, and postpones those after it.
-    fn take<const A: usize, S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, number: usize) -> Option<Node>
-    where
-        T: Topology<A>,
-    {
+    fn take<const A: usize, S: Search<A>>(
+        &mut self,
+        tree: &impl Topology<A>,
+        wanted: Wanted<S::Ranks>,
+        number: usize,
+    ) -> Option<Node> {
         let sorted = Sorted::<A>::of::<S>(wanted);
         let last = sorted.count.checked_sub(1).filter(|&last| number <= last)?;
         for i in (number + 1..=last).rev() {
             let (rank, level) = (sorted.ranks[i], self.level);
-            let node = self.tree.child(self.node, rank & (A as u32 - 1));
+            let node = tree.child(self.node, rank & (A as u32 - 1));
             self.stack.push(Entry { level, rank, node, is_last: i == last });
         }
         self.name::<A>(number, number == last);
-        Some(self.tree.child(self.node, sorted.ranks[number] & (A as u32 - 1)))
+        Some(tree.child(self.node, sorted.ranks[number] & (A as u32 - 1)))
     }
 
     const fn name<const A: usize>(&mut self, number: usize, is_last: bool) {
@@ -93,10 +91,7 @@ impl<'t, T> Restart<'t, T> {
     }
 
     /// The next child of the deepest level that has one: from the short stack, or the root, to start again.
-    fn back<const A: usize, S: Search<A>>(&mut self, search: &S) -> Option<Node>
-    where
-        T: Topology<A>,
-    {
+    fn back<const A: usize, S: Search<A>>(&mut self, tree: &impl Topology<A>, search: &S) -> Option<Node> {
         self.step = Step::Down;
         loop {
             while self.done & A as u128 != 0 {
@@ -105,7 +100,7 @@ impl<'t, T> Restart<'t, T> {
             }
             let Some(entry) = self.stack.pop() else {
                 self.step = Step::Again;
-                return Some(self.tree.root());
+                return Some(tree.root());
             };
             if entry.level > self.level {
                 // Of a level that is finished: it was beyond.
@@ -124,11 +119,11 @@ const fn number_bits<const A: usize>() -> u32 {
     slot_bits::<A>() + 1
 }
 
-impl<const A: usize, T: Topology<A>> Cursor<A> for Restart<'_, T> {
+impl<const A: usize> Cursor<A> for Restart {
     const RESTARTS: bool = true;
 
-    fn reset(&mut self) {
-        (self.node, self.at, self.level, self.done, self.step) = (self.tree.root(), 0, 0, 0, Step::Down);
+    fn reset(&mut self, tree: &impl Topology<A>) {
+        (self.node, self.at, self.level, self.done, self.step) = (tree.root(), 0, 0, 0, Step::Down);
         self.stack.count = 0;
     }
 
@@ -136,30 +131,34 @@ impl<const A: usize, T: Topology<A>> Cursor<A> for Restart<'_, T> {
         self.node
     }
 
-    fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next {
+    fn choose<T, S>(&mut self, tree: &T, wanted: Wanted<S::Ranks>, search: &mut S) -> Next
+    where
+        T: Topology<A>,
+        S: Search<A>,
+    {
         if self.step != Step::Down && self.at < self.level {
             let sorted = Sorted::<A>::of::<S>(wanted);
             let number = self.number::<A>(self.level - self.at);
             if number < sorted.count {
                 self.step = Step::Along;
-                return Next::Child(self.tree.child(self.node, sorted.ranks[number] & (A as u32 - 1)));
+                return Next::Child(tree.child(self.node, sorted.ranks[number] & (A as u32 - 1)));
             }
             // The child on the path is beyond by now, and with it all that is below it or comes after it.
             self.up_to::<A>(self.at);
             self.finish::<A>();
-            return self.next(search);
+            return self.next(tree, search);
         }
         let number = if self.step == Step::Down { 0 } else { self.number::<A>(0) + 1 };
         self.step = Step::Down;
-        if let Some(child) = self.take::<A, S>(wanted, number) {
+        if let Some(child) = self.take::<A, S>(tree, wanted, number) {
             return Next::Child(child);
         }
         self.finish::<A>();
-        self.next(search)
+        self.next(tree, search)
     }
 
-    fn next<S: Search<A>>(&mut self, search: &mut S) -> Next {
-        self.back(search).into()
+    fn next<T: Topology<A>, S: Search<A>>(&mut self, tree: &T, search: &mut S) -> Next {
+        self.back(tree, search).into()
     }
 
     fn enter(&mut self, node: Node) {
@@ -179,7 +178,7 @@ impl<const A: usize, T: Topology<A>> Cursor<A> for Restart<'_, T> {
     }
 
     fn words(&self, up: u32) -> Option<Words> {
-        let below = if self.is_restarting() { self.level - self.at } else { 0 };
+        let below = if Cursor::<A>::is_restarting(self) { self.level - self.at } else { 0 };
         let is_last = self.done >> ((up + below) * number_bits::<A>()) & A as u128 != 0;
         Some(Words::Number { number: self.number::<A>(up + below) as u32, is_last })
     }

@@ -13,26 +13,22 @@ pub type Memory = Vec<u64>;
 /// Pushes the wanted children but the first, the greatest rank first. What is beyond the end when it is popped is
 /// dropped. `[WSTACK-1]`
 #[derive(Debug)]
-pub struct Stack<'t, T> {
-    tree: &'t T,
+pub struct Stack<'m> {
     node: Node,
-    memory: &'t mut [u64],
+    memory: &'m mut [u64],
     /// Number of entries. What is above it in the memory is old.
     height: usize,
 }
 
-impl<'t, T> Stack<'t, T> {
+impl<'m> Stack<'m> {
     /// Starts at the root.
     #[inline(always)]
-    pub fn new<const A: usize>(tree: &'t T, memory: &'t mut Memory) -> Self
-    where
-        T: Topology<A>,
-    {
+    pub fn new<const A: usize>(tree: &impl Topology<A>, memory: &'m mut Memory) -> Self {
         let most = (A - 1) * (tree.levels() as usize + 1) + 1;
         if memory.len() < most {
             memory.resize(most, 0);
         }
-        Self { tree, node: tree.root(), memory, height: 0 }
+        Self { node: tree.root(), memory, height: 0 }
     }
 
     #[inline(always)]
@@ -46,34 +42,28 @@ impl<'t, T> Stack<'t, T> {
 
     /// The entry of a child.
     #[inline(always)]
-    fn entry<const A: usize>(&self, ranks: impl Ranks<A>, slot: u32) -> u64
-    where
-        T: Topology<A>,
-    {
-        u64::from(ranks.rank(slot)) << 32 | u64::from(self.tree.child(self.node, slot).to_bits())
+    fn entry<const A: usize>(&self, tree: &impl Topology<A>, ranks: impl Ranks<A>, slot: u32) -> u64 {
+        u64::from(ranks.rank(slot)) << 32 | u64::from(tree.child(self.node, slot).to_bits())
     }
 
     /// Pushes all children of a set but the first, which it returns.
     #[inline(always)]
-    fn sort<const A: usize>(&mut self, Wanted { set, ranks }: Wanted<impl Ranks<A>>) -> Node
-    where
-        T: Topology<A>,
-    {
+    fn sort<const A: usize>(&mut self, tree: &impl Topology<A>, Wanted { set, ranks }: Wanted<impl Ranks<A>>) -> Node {
         let (slot, others) = (set.trailing_zeros(), set & (set - 1));
         if others == 0 {
-            return self.tree.child(self.node, slot);
+            return tree.child(self.node, slot);
         }
         // Once: each time they would be stored.
         let ranks = ranks.all();
-        let first = self.entry::<A>(ranks, slot);
-        let second = self.entry::<A>(ranks, others.trailing_zeros());
+        let first = self.entry(tree, ranks, slot);
+        let second = self.entry(tree, ranks, others.trailing_zeros());
         let (first, second) = (first.min(second), first.max(second));
         let more = others & (others - 1);
         if more == 0 {
             self.push(second);
             return address(first);
         }
-        let third = self.entry::<A>(ranks, more.trailing_zeros());
+        let third = self.entry(tree, ranks, more.trailing_zeros());
         let (second, third) = (second.min(third), second.max(third));
         let (first, second) = (first.min(second), first.max(second));
         let base = self.height;
@@ -85,7 +75,7 @@ impl<'t, T> Stack<'t, T> {
         }
         self.push(first);
         while more != 0 {
-            let entry = self.entry::<A>(ranks, more.trailing_zeros());
+            let entry = self.entry(tree, ranks, more.trailing_zeros());
             more &= more - 1;
             self.push(entry);
             self.settle(base);
@@ -111,10 +101,10 @@ const fn address(entry: u64) -> Node {
     Node::from_bits(entry as u32)
 }
 
-impl<const A: usize, T: Topology<A>> Cursor<A> for Stack<'_, T> {
+impl<const A: usize> Cursor<A> for Stack<'_> {
     #[inline(always)]
-    fn reset(&mut self) {
-        (self.node, self.height) = (self.tree.root(), 0);
+    fn reset(&mut self, tree: &impl Topology<A>) {
+        (self.node, self.height) = (tree.root(), 0);
     }
 
     #[inline(always)]
@@ -123,25 +113,29 @@ impl<const A: usize, T: Topology<A>> Cursor<A> for Stack<'_, T> {
     }
 
     #[inline(always)]
-    fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next {
+    fn choose<T, S>(&mut self, tree: &T, wanted: Wanted<S::Ranks>, search: &mut S) -> Next
+    where
+        T: Topology<A>,
+        S: Search<A>,
+    {
         if wanted.set == 0 {
-            return self.next(search);
+            return self.next(tree, search);
         }
         if S::SORTED {
-            return Next::Child(self.sort::<A>(wanted));
+            return Next::Child(self.sort(tree, wanted));
         }
         let mut others = wanted.set & (wanted.set - 1);
         while others != 0 {
             // The last slot first.
             let slot = others.ilog2();
             others ^= 1 << slot;
-            self.push(u64::from(self.tree.child(self.node, slot).to_bits()));
+            self.push(u64::from(tree.child(self.node, slot).to_bits()));
         }
-        Next::Child(self.tree.child(self.node, wanted.set.trailing_zeros()))
+        Next::Child(tree.child(self.node, wanted.set.trailing_zeros()))
     }
 
     #[inline(always)]
-    fn next<S: Search<A>>(&mut self, search: &mut S) -> Next {
+    fn next<T: Topology<A>, S: Search<A>>(&mut self, _: &T, search: &mut S) -> Next {
         while let Some(height) = self.height.checked_sub(1) {
             self.height = height;
             let Some(&entry) = self.memory.get(height) else { break };

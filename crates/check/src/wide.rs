@@ -185,7 +185,7 @@ impl<const A: usize> Watch<'_, A> {
             }
         };
         let first = once(cursor);
-        cursor.reset();
+        cursor.reset(tree);
         self.seen = if first == once(cursor) { first.unwrap_or_default() } else { Vec::new() };
     }
 }

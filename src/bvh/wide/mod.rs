@@ -107,6 +107,12 @@ impl<const A: usize> WideBvh<A> {
         &self.blocks
     }
 
+    /// What a traversal reads.
+    #[inline(always)]
+    pub(crate) fn tree(&self) -> WideTree<'_, A> {
+        WideTree { nodes: &self.nodes, levels: self.levels }
+    }
+
     /// What the tests of a ray need to know of the whole.
     #[inline(always)]
     pub fn region(&self) -> &Region {
@@ -141,7 +147,15 @@ impl<const A: usize> WideBvh<A> {
     }
 }
 
-impl<const A: usize> Topology<A> for WideBvh<A> {
+/// What a traversal reads of a hierarchy: a value, not a reference to one. So the compiler knows that no write of a
+/// traversal moves or shortens the slice, and the place of a node is found and checked once.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct WideTree<'a, const A: usize = 8> {
+    pub(crate) nodes: &'a [WideNode<A>],
+    levels: u32,
+}
+
+impl<const A: usize> Topology<A> for WideTree<'_, A> {
     #[inline(always)]
     fn root(&self) -> Node {
         Node::inner(0)
@@ -171,6 +185,38 @@ impl<const A: usize> Topology<A> for WideBvh<A> {
     #[inline(always)]
     fn ancestor(&self, node: Node, up: u32) -> Node {
         self.nodes[node.index()].ancestor(up)
+    }
+}
+
+impl<const A: usize> Topology<A> for WideBvh<A> {
+    #[inline(always)]
+    fn root(&self) -> Node {
+        self.tree().root()
+    }
+
+    #[inline(always)]
+    fn children(&self, node: Node) -> u32 {
+        self.tree().children(node)
+    }
+
+    #[inline(always)]
+    fn leaves(&self, node: Node) -> u32 {
+        self.tree().leaves(node)
+    }
+
+    #[inline(always)]
+    fn child(&self, node: Node, slot: u32) -> Node {
+        self.tree().child(node, slot)
+    }
+
+    #[inline(always)]
+    fn levels(&self) -> u32 {
+        self.levels
+    }
+
+    #[inline(always)]
+    fn ancestor(&self, node: Node, up: u32) -> Node {
+        self.tree().ancestor(node, up)
     }
 }
 

@@ -5,7 +5,7 @@ use std::marker::PhantomData;
 use fearless_simd::Simd;
 
 use super::turns::Ask;
-use crate::bvh::WideBvh;
+use crate::bvh::{WideBvh, wide::WideTree};
 use crate::geom::lanes::{Block, BoxRay, Lanes, LazyExact, Nearest, TriangleRay};
 use crate::geom::{Kernel, Ray};
 use crate::order::Flow;
@@ -20,6 +20,7 @@ use crate::wide::{Ranks, Search, Topology, Wanted};
 pub(super) struct WideSearch<'a, 'm, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> {
     simd: S,
     bvh: &'a WideBvh<A>,
+    tree: WideTree<'a, A>,
     boxes: BoxRay<S, V, A>,
     filter: TriangleRay<S>,
     exact: &'m mut LazyExact<'a>,
@@ -31,11 +32,12 @@ pub(super) struct WideSearch<'a, 'm, S: Simd, V: Lanes<S, A>, const A: usize, co
 impl<'a, 'm, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> WideSearch<'a, 'm, S, V, A, ANY> {
     /// For the ray of `exact`.
     #[inline(always)]
-    pub(super) fn new(simd: S, bvh: &'a WideBvh<A>, exact: &'m mut LazyExact<'a>) -> Self {
+    pub(super) fn new(simd: S, bvh: &'a WideBvh<A>, tree: WideTree<'a, A>, exact: &'m mut LazyExact<'a>) -> Self {
         let (ray, region) = (exact.ray(), bvh.region());
         Self {
             simd,
             bvh,
+            tree,
             boxes: BoxRay::new(simd, ray, region),
             filter: TriangleRay::new(simd, ray, region),
             exact,
@@ -48,7 +50,7 @@ impl<'a, 'm, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> WideSearc
     #[inline(always)]
     pub(super) fn with_ray(self, ray: &'a Ray) -> Self {
         *self.exact = LazyExact::new(ray, self.bvh.region());
-        Self::new(self.simd, self.bvh, self.exact)
+        Self::new(self.simd, self.bvh, self.tree, self.exact)
     }
 
     /// After the traversal: what was asked for.
@@ -83,7 +85,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for Wid
 
     #[inline(always)]
     fn ask(&mut self, node: Node) -> Wanted<Self::Ranks> {
-        let node = &self.bvh.nodes()[node.index()];
+        let node = &self.tree.nodes[node.index()];
         let (ranks, set) = self.boxes.enter(&node.planes, self.best.t);
         Wanted { set, ranks: LaneRanks::new(ranks) }
     }

@@ -147,9 +147,9 @@ fn alone<S: Simd, C: Cursor<8>, const ANY: bool>(
     ray: &Ray,
     ask: Ask,
 ) -> Option<Hit> {
-    let mut exact = LazyExact::new(ray, bvh.region());
-    let mut search = RaySearch::<S, ANY>::new(simd, bvh, &mut exact);
-    traverse(bvh, cursor, &mut search, &mut ());
+    let (tree, mut exact) = (bvh.tree(), LazyExact::new(ray, bvh.region()));
+    let mut search = RaySearch::<S, ANY>::new(simd, bvh, tree, &mut exact);
+    traverse(&tree, cursor, &mut search, &mut ());
     search.answer(ask)
 }
 
@@ -165,18 +165,19 @@ fn in_turns<S: Simd, C: Cursor<8>, const ANY: bool>(
 ) {
     let mut exact = [a, b].map(|ray| LazyExact::new(ray, bvh.region()));
     let [exact_a, exact_b] = &mut exact;
+    let tree = bvh.tree();
     let (mut search_a, mut search_b) =
-        (RaySearch::<S, ANY>::new(simd, bvh, exact_a), RaySearch::<S, ANY>::new(simd, bvh, exact_b));
+        (RaySearch::<S, ANY>::new(simd, bvh, tree, exact_a), RaySearch::<S, ANY>::new(simd, bvh, tree, exact_b));
     let (mut number_a, mut number_b) = (0, 1);
     let (mut is_done_a, mut is_done_b) = (false, false);
     let mut rest = (2..).zip(rest);
     // Written out for each of the two: with a number that varies, both rays' states are in memory, which costs a tenth.
     macro_rules! turn {
         ($asked:ident, $number:ident, $cursor:ident, $search:ident, $is_done:ident, $other_is_done:ident) => {
-            if !$is_done && !advance(bvh, &mut $cursor, $asked, &mut $search, &mut ()) {
+            if !$is_done && !advance(&tree, &mut $cursor, $asked, &mut $search, &mut ()) {
                 answer($number, $search.answer(ask));
                 if let Some((number, ray)) = rest.next() {
-                    $cursor.reset();
+                    $cursor.reset(bvh);
                     ($number, $search) = (number, $search.with_ray(ray));
                 } else if $other_is_done {
                     return;

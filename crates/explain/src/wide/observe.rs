@@ -249,21 +249,25 @@ impl<C> Observed<'_, '_, C> {
 impl<const A: usize, C: Cursor<A>> Cursor<A> for Observed<'_, '_, C> {
     const RESTARTS: bool = C::RESTARTS;
 
-    fn reset(&mut self) {
-        self.cursor.reset();
+    fn reset(&mut self, tree: &impl Topology<A>) {
+        self.cursor.reset(tree);
     }
 
     fn node(&self) -> Node {
         self.cursor.node()
     }
 
-    fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next {
-        let (from, next) = (self.cursor.node(), self.cursor.choose(wanted, search));
+    fn choose<T, S>(&mut self, tree: &T, wanted: Wanted<S::Ranks>, search: &mut S) -> Next
+    where
+        T: Topology<A>,
+        S: Search<A>,
+    {
+        let (from, next) = (self.cursor.node(), self.cursor.choose(tree, wanted, search));
         self.look(from, next)
     }
 
-    fn next<S: Search<A>>(&mut self, search: &mut S) -> Next {
-        let (from, next) = (self.cursor.node(), self.cursor.next(search));
+    fn next<T: Topology<A>, S: Search<A>>(&mut self, tree: &T, search: &mut S) -> Next {
+        let (from, next) = (self.cursor.node(), self.cursor.next(tree, search));
         self.look(from, next)
     }
 

@@ -154,7 +154,7 @@ impl<'t, const A: usize, const SORTED: bool> Context<'t, A, Tree<A>> for GoOn<'t
             // The way comes before what is pending, whatever the end is by now.
             let set = pending | 1 << slot;
             let wanted = Wanted { set, ..search.of(cursor.node(), set) };
-            if let Next::Child(child) = cursor.choose(wanted, search) {
+            if let Next::Child(child) = cursor.choose(tree, wanted, search) {
                 cursor.enter(child);
             }
         }

@@ -247,7 +247,7 @@ impl<const A: usize> Run<A> for Watch<'_, A> {
 impl<const A: usize, S: Search<A>, F: Fn() -> S> Run<A> for Second<F> {
     fn run(&mut self, tree: &impl Topology<A>, cursor: &mut impl Cursor<A>) {
         for _ in 0..2 {
-            cursor.reset();
+            cursor.reset(tree);
             self.seen = visits(tree, &mut (self.search)(), cursor, self.most);
         }
     }

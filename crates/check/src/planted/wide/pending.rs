@@ -27,7 +27,7 @@ impl<'t, const A: usize, K: Kept<A>, L: Link<A>> Pending<'t, A, K, L> {
     pub(super) fn new(tree: &'t Records<'t, A>, kept: K, link: L) -> Self {
         let mut cursor =
             Self { tree, node: tree.root(), set: 0, ranks: 0, slot: 0, kept, link, asks: 0, bug: tree.bug };
-        cursor.reset();
+        cursor.reset(tree);
         cursor
     }
 
@@ -71,7 +71,7 @@ impl<'t, const A: usize, K: Kept<A>, L: Link<A>> Pending<'t, A, K, L> {
 }
 
 impl<const A: usize, K: Kept<A>, L: Link<A>> Cursor<A> for Pending<'_, A, K, L> {
-    fn reset(&mut self) {
+    fn reset(&mut self, _: &impl Topology<A>) {
         (self.node, self.set) = (self.tree.root(), u32::MAX);
         self.kept.clear();
         self.link.clear();
@@ -81,17 +81,21 @@ impl<const A: usize, K: Kept<A>, L: Link<A>> Cursor<A> for Pending<'_, A, K, L> 
         self.node
     }
 
-    fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next {
+    fn choose<T, S>(&mut self, tree: &T, wanted: Wanted<S::Ranks>, search: &mut S) -> Next
+    where
+        T: Topology<A>,
+        S: Search<A>,
+    {
         let masked = if self.bug == Bug::AnswerNotMasked { u32::MAX } else { self.set };
         self.set = wanted.set & masked;
         if S::SORTED && self.set != 0 {
             let first = self.sort::<S>(Wanted { set: self.set, ..wanted });
             return Next::Child(self.take(first));
         }
-        self.next(search)
+        self.next(tree, search)
     }
 
-    fn next<S: Search<A>>(&mut self, search: &mut S) -> Next {
+    fn next<T: Topology<A>, S: Search<A>>(&mut self, _: &T, search: &mut S) -> Next {
         loop {
             if self.set == 0 {
                 let Some(level) = self.kept.pop(search.end()) else { return Next::End };

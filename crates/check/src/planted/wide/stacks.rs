@@ -38,7 +38,7 @@ impl<'t, const A: usize> Stack<'t, A> {
 }
 
 impl<const A: usize> Cursor<A> for Stack<'_, A> {
-    fn reset(&mut self) {
+    fn reset(&mut self, _: &impl Topology<A>) {
         self.node = self.tree.root();
         self.entries.clear();
     }
@@ -47,10 +47,14 @@ impl<const A: usize> Cursor<A> for Stack<'_, A> {
         self.node
     }
 
-    fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next {
-        let (tree, bug) = (self.tree, self.tree.bug);
+    fn choose<T, S>(&mut self, tree: &T, wanted: Wanted<S::Ranks>, search: &mut S) -> Next
+    where
+        T: Topology<A>,
+        S: Search<A>,
+    {
+        let bug = self.tree.bug;
         if wanted.set == 0 {
-            return self.next(search);
+            return self.next(tree, search);
         }
         let ranks = sorted::<A, S>(wanted);
         let child = |rank: u32| tree.child(self.node, rank & (A as u32 - 1));
@@ -68,7 +72,7 @@ impl<const A: usize> Cursor<A> for Stack<'_, A> {
         Next::Child(child(ranks[0]))
     }
 
-    fn next<S: Search<A>>(&mut self, search: &mut S) -> Next {
+    fn next<T: Topology<A>, S: Search<A>>(&mut self, _: &T, search: &mut S) -> Next {
         let bug = self.tree.bug;
         while let Some((rank, node)) = self.entries.pop() {
             if !S::SORTED || !is_beyond::<A>(bug, rank, search.end()) {
@@ -180,7 +184,7 @@ impl<'t, const A: usize> Restart<'t, A> {
 impl<const A: usize> Cursor<A> for Restart<'_, A> {
     const RESTARTS: bool = true;
 
-    fn reset(&mut self) {
+    fn reset(&mut self, _: &impl Topology<A>) {
         *self = Self::new(self.tree);
     }
 
@@ -188,7 +192,11 @@ impl<const A: usize> Cursor<A> for Restart<'_, A> {
         self.node
     }
 
-    fn choose<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>, search: &mut S) -> Next {
+    fn choose<T, S>(&mut self, tree: &T, wanted: Wanted<S::Ranks>, search: &mut S) -> Next
+    where
+        T: Topology<A>,
+        S: Search<A>,
+    {
         let bug = self.tree.bug;
         let done = self.done.last().map_or(0, |&(number, _)| number);
         if self.step != Step::Down && self.at < self.level() {
@@ -201,7 +209,7 @@ impl<const A: usize> Cursor<A> for Restart<'_, A> {
             }
             self.done.truncate(self.at + 1);
             self.finish();
-            return self.next(search);
+            return self.next(tree, search);
         }
         let number = match (self.step, bug) {
             (Step::Down, _) => 0,
@@ -214,10 +222,10 @@ impl<const A: usize> Cursor<A> for Restart<'_, A> {
             return Next::Child(child);
         }
         self.finish();
-        self.next(search)
+        self.next(tree, search)
     }
 
-    fn next<S: Search<A>>(&mut self, search: &mut S) -> Next {
+    fn next<T: Topology<A>, S: Search<A>>(&mut self, _: &T, search: &mut S) -> Next {
         self.back(search).into()
     }
 
