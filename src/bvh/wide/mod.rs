@@ -110,7 +110,7 @@ impl<const A: usize> WideBvh<A> {
     /// What a traversal reads.
     #[inline(always)]
     pub(crate) fn tree(&self) -> WideTree<'_, A> {
-        WideTree { nodes: &self.nodes, levels: self.levels }
+        WideTree { nodes: &self.nodes, blocks: &self.blocks, levels: self.levels }
     }
 
     /// What the tests of a ray need to know of the whole.
@@ -148,11 +148,21 @@ impl<const A: usize> WideBvh<A> {
 }
 
 /// What a traversal reads of a hierarchy: a value, not a reference to one. So the compiler knows that no write of a
-/// traversal moves or shortens the slice, and the place of a node is found and checked once.
+/// traversal moves or shortens the slices, and the place of a node is found and checked once.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct WideTree<'a, const A: usize = 8> {
     pub(crate) nodes: &'a [WideNode<A>],
+    blocks: &'a [Block],
     levels: u32,
+}
+
+impl<'a, const A: usize> WideTree<'a, A> {
+    /// The blocks from a leaf's first one on, and how many triangles of these are the leaf's.
+    #[inline(always)]
+    pub(crate) fn leaf(&self, leaf: Node) -> (&'a [Block], u32) {
+        let (first, count) = leaf_parts(leaf);
+        (&self.blocks[first..], count)
+    }
 }
 
 impl<const A: usize> Topology<A> for WideTree<'_, A> {

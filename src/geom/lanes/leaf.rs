@@ -70,7 +70,7 @@ impl<'a> LazyExact<'a> {
         )
     }
 
-    /// The nearest hit of `nearest` and the first `count` triangles of these blocks.
+    /// The nearest hit of `nearest` and the first `count` triangles of these blocks: less than 32.
     ///
     /// ```
     /// use fearless_simd::{Level, Simd, dispatch};
@@ -110,7 +110,7 @@ impl<'a> LazyExact<'a> {
         nearest
     }
 
-    /// A triangle, among the first `count` of these blocks, that the ray meets within its interval.
+    /// A triangle, among the first `count` of these blocks, that the ray meets within its interval. Less than 32.
     #[inline(always)]
     pub fn any<S: Simd>(&mut self, simd: S, filter: &TriangleRay<S>, blocks: &[Block], count: u32) -> Option<u32> {
         for (block, filled) in filled(blocks, count) {
@@ -156,16 +156,18 @@ impl<'a> LazyExact<'a> {
     }
 }
 
-/// Each block, with the set of its lanes that are among the first `count`.
+/// The blocks that hold the first `count` triangles, less than 32, each with the set of its lanes that are among these.
 #[inline(always)]
 pub(crate) fn filled(blocks: &[Block], count: u32) -> impl Iterator<Item = (&Block, u32)> {
-    let mut left = count;
-    blocks.iter().map(
+    assert!(count < u32::BITS, "{count} triangles");
+    // A bit for each.
+    let mut left = (1_u32 << count) - 1;
+    blocks.iter().map_while(
         #[inline(always)]
         move |block| {
-            let lanes = (1 << left.min(4)) - 1;
-            left = left.saturating_sub(4);
-            (block, lanes)
+            let lanes = left & 15;
+            left >>= 4;
+            (lanes != 0).then_some((block, lanes))
         },
     )
 }

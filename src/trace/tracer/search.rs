@@ -92,7 +92,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for Wid
 
     #[inline(always)]
     fn leaf(&mut self, leaf: Node) -> Flow {
-        let (blocks, count) = self.bvh.leaf(leaf);
+        let (blocks, count) = self.tree.leaf(leaf);
         if ANY {
             let Some(prim) = self.exact.any(self.simd, &self.filter, blocks, count) else { return Flow::Continue };
             (self.best.prim, self.leaf) = (prim, leaf);
