@@ -70,7 +70,10 @@ impl<'a> LazyExact<'a> {
         )
     }
 
-    /// The nearest hit of `nearest` and the first `count` triangles of these blocks: less than 32.
+    /// The nearest hit of `nearest` and the first `count` triangles of these blocks.
+    ///
+    /// # Panics
+    /// If `count` is more than 31. A leaf has at most 15 triangles.
     ///
     /// ```
     /// use fearless_simd::{Level, Simd, dispatch};
@@ -110,7 +113,10 @@ impl<'a> LazyExact<'a> {
         nearest
     }
 
-    /// A triangle, among the first `count` of these blocks, that the ray meets within its interval. Less than 32.
+    /// A triangle, among the first `count` of these blocks, that the ray meets within its interval.
+    ///
+    /// # Panics
+    /// If `count` is more than 31. A leaf has at most 15 triangles.
     #[inline(always)]
     pub fn any<S: Simd>(&mut self, simd: S, filter: &TriangleRay<S>, blocks: &[Block], count: u32) -> Option<u32> {
         for (block, filled) in filled(blocks, count) {
