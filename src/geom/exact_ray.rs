@@ -6,9 +6,10 @@ use std::sync::{Arc, OnceLock};
 
 use dashu_int::ops::Gcd;
 use dashu_int::{IBig, UBig};
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use super::affine::{fine_images, images};
+use super::fine::Fine;
 use super::kernel::{Certainty, EnclosedTest, FineDeterminants};
 use super::truth::{Meeting, Point, RBig, meet_integers};
 use super::{
@@ -22,7 +23,7 @@ use super::{
 /// rational point when bounds do not decide. A copy is cheap.
 ///
 /// ```
-/// use glam::Vec3;
+/// use glam::{DVec3, Vec3};
 /// use stackless_bvh::geom::{Ends, ExactPoint, Ray, Triangle};
 ///
 /// let triangle = Triangle([Vec3::ZERO, Vec3::X * 3.0, Vec3::Y * 3.0]);
@@ -247,17 +248,20 @@ impl<V: Vector> ExactRay<V> {
     /// Distance to the image of a triangle, by twice the digits of a double, where these tell; they do not at an edge or an
     /// end. `[INST-5]`
     pub(crate) fn fine_distance(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Certainty<V::Real> {
-        self.fine(triangle, maps).map_or(Certainty::Open, |fine| fine.distance_within(self.interval))
+        let images = fine_images(triangle.0, maps);
+        let found = self.fine(&images);
+        found.map_or(Certainty::Open, |(found, o)| found.met(&images, o, self.interval))
     }
 
     /// The weights of the second and the third corner of a triangle that it is known to meet, likewise.
     pub(crate) fn fine_weights(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Option<[V::Real; 2]> {
-        self.fine(triangle, maps)?.weights()
+        self.fine(&fine_images(triangle.0, maps))?.0.weights()
     }
 
-    fn fine(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Option<FineDeterminants> {
+    /// The determinants of these corners, and its origin; of a ray of floats.
+    fn fine(&self, images: &[[Fine; 3]; 3]) -> Option<(FineDeterminants, DVec3)> {
         let (Place::Floats(o), Way::Along(d)) = (&self.origin.0, &self.way) else { return None };
-        FineDeterminants::within_range(&fine_images(triangle.0, maps), o.widen(), d.widen())
+        Some((FineDeterminants::within_range(images, o.widen(), d.widen())?, o.widen()))
     }
 
     /// Where its line meets the image of a triangle.

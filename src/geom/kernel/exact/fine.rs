@@ -18,8 +18,6 @@ use crate::geom::frame::power_of_two;
 
 /// The determinants of a ray and a triangle, by twice the digits.
 pub(in crate::geom) struct FineDeterminants {
-    /// From the origin to the corners.
-    ways: [[Fine; 3]; 3],
     d: [Fine; 3],
     s: [Fine; 3],
     e1: [Fine; 3],
@@ -40,39 +38,50 @@ impl FineDeterminants {
         (is_small && corners.as_flattened().iter().all(|x| x.is_within(most))).then(|| Self::of(corners, o, d))
     }
 
-    fn of(corners @ [v0, v1, v2]: &[[Fine; 3]; 3], o: DVec3, d: DVec3) -> Self {
+    fn of([v0, v1, v2]: &[[Fine; 3]; 3], o: DVec3, d: DVec3) -> Self {
         let [d, o] = [d, o].map(exact);
         let (s, e1, e2) = (minus(&o, v0), minus(v1, v0), minus(v2, v0));
-        Self { ways: corners.each_ref().map(|corner| minus(corner, &o)), det: dot(&e1, &cross(&d, &e2)), d, s, e1, e2 }
+        Self { det: dot(&e1, &cross(&d, &e2)), d, s, e1, e2 }
+    }
+
+    /// The distance to the triangle, rounded to the nearest float, if it is in an interval, not at an end. The corners and
+    /// the origin are those that this was made of. `[INST-5]`
+    pub(in crate::geom) fn met<R: Real>(
+        &self,
+        corners: &[[Fine; 3]; 3],
+        o: DVec3,
+        interval @ [tmin, tmax]: [R; 2],
+    ) -> Certainty<R> {
+        match self.meets(corners, o) {
+            Some(true) => match self.distance_within(interval) {
+                Some(t) => Certainty::Hit(t),
+                None if self.distance().is_some_and(|t: R| t < tmin || tmax < t) => Certainty::Miss,
+                None => Certainty::Open,
+            },
+            Some(false) => Certainty::Miss,
+            None => Certainty::Open,
+        }
     }
 
     /// Whether the line meets the triangle. `None` where the signs do not tell.
-    fn meets(&self) -> Option<bool> {
-        let [u, v] = self.parts();
+    fn meets(&self, corners: &[[Fine; 3]; 3], o: DVec3) -> Option<bool> {
+        let (u, v) = (self.second(), self.third());
         let signs = [u, v, self.det - u - v, self.det].map(Fine::sign);
         let is_any = |is: fn(&f64) -> bool| signs.iter().flatten().any(is);
         if is_any(|&sign| sign > 0.0) && is_any(|&sign| sign < 0.0) {
             return Some(false);
         }
+        // A corner that is known exactly may be on the line.
+        let is_on_line = |corner| cross(&self.d, &minus(corner, &exact(o))).iter().all(|x| x.sign() == Some(0.0));
         let [edges @ .., det] = signs;
-        let is_on = edges.iter().all(Option::is_some) || self.is_through_a_corner();
+        let is_on = edges.iter().all(Option::is_some) || corners.iter().any(is_on_line);
         (is_on && det.is_some_and(|det| det != 0.0)).then_some(true)
     }
 
-    /// Whether the line passes through a corner for certain: one that is known exactly.
-    fn is_through_a_corner(&self) -> bool {
-        self.ways.iter().any(|way| cross(&self.d, way).iter().all(|x| x.sign() == Some(0.0)))
-    }
-
-    /// The distance, rounded to the nearest float, of a line that certainly meets the triangle, if it is in an interval,
-    /// not at an end. Rounding keeps the order, so that only an end that is equal leaves a question. `[INST-5]`
-    pub(in crate::geom) fn distance_within<R: Real>(&self, [tmin, tmax]: [R; 2]) -> Certainty<R> {
-        match (self.meets(), self.distance()) {
-            (Some(true), Some(t)) if tmin < t && t < tmax => Certainty::Hit(t),
-            (Some(true), Some(t)) if t < tmin || tmax < t => Certainty::Miss,
-            (Some(false), _) => Certainty::Miss,
-            _ => Certainty::Open,
-        }
+    /// The distance, rounded to the nearest float, if that is certain and is in an interval, not at an end. Rounding
+    /// keeps the order, so that only an end that is equal leaves a question.
+    fn distance_within<R: Real>(&self, [tmin, tmax]: [R; 2]) -> Option<R> {
+        self.distance().filter(|t| tmin < *t && *t < tmax)
     }
 
     fn distance<R: Real>(&self) -> Option<R> {
@@ -107,13 +116,18 @@ impl FineDeterminants {
 
     /// The weights of the second and the third corner, likewise.
     pub(in crate::geom) fn weights<R: Real>(&self) -> Option<[R; 2]> {
-        let [u, v] = self.parts();
-        Some([self.nearest(u)?, self.nearest(v)?])
+        let u = self.nearest(self.second())?;
+        Some([u, self.nearest(self.third())?])
     }
 
-    /// These weights times the determinant.
-    fn parts(&self) -> [Fine; 2] {
-        [dot(&self.s, &cross(&self.d, &self.e2)), dot(&self.d, &cross(&self.s, &self.e1))]
+    /// The weight of the second corner times the determinant.
+    fn second(&self) -> Fine {
+        dot(&self.s, &cross(&self.d, &self.e2))
+    }
+
+    /// That of the third corner.
+    fn third(&self) -> Fine {
+        dot(&self.d, &cross(&self.s, &self.e1))
     }
 
     fn nearest<R: Real>(&self, top: Fine) -> Option<R> {
