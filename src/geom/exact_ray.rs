@@ -17,7 +17,7 @@ use super::{
 };
 
 /// A point of space that is known exactly: one of floats, or where a ray meets a triangle, which is not rounded. Floats
-/// are of single precision, or with [`DVec3`](glam::DVec3) of double. `[SECOND-1]`
+/// are of single precision, or with [`DVec3`] of double. `[SECOND-1]`
 ///
 /// It is made of bounds in double precision, which decide nearly everything, and of what is needed to compute the
 /// rational point when bounds do not decide. A copy is cheap.
