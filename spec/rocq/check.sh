@@ -8,7 +8,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
 has_flocq() {
-    echo 'From Flocq Require Core.' | coqtop -q -batch -l /dev/stdin > /dev/null 2>&1
+    coqtop -q -batch -rfrom Flocq Core > /dev/null 2>&1 < /dev/null
 }
 if ! command -v coqc > /dev/null || ! has_flocq; then
     ../../.ci/apt coq libcoq-flocq
