@@ -6,10 +6,9 @@ use std::sync::{Arc, OnceLock};
 
 use dashu_int::ops::Gcd;
 use dashu_int::{IBig, UBig};
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 
 use super::affine::{fine_images, images};
-use super::fine::Fine;
 use super::kernel::{Certainty, EnclosedTest, FineDeterminants};
 use super::truth::{Meeting, Point, RBig, meet_integers};
 use super::{
@@ -17,13 +16,13 @@ use super::{
 };
 
 /// A point of space that is known exactly: one of floats, or where a ray meets a triangle, which is not rounded. Floats
-/// are of single precision, or with [`DVec3`] of double. `[SECOND-1]`
+/// are of single precision, or with [`DVec3`](glam::DVec3) of double. `[SECOND-1]`
 ///
 /// It is made of bounds in double precision, which decide nearly everything, and of what is needed to compute the
 /// rational point when bounds do not decide. A copy is cheap.
 ///
 /// ```
-/// use glam::{DVec3, Vec3};
+/// use glam::Vec3;
 /// use stackless_bvh::geom::{Ends, ExactPoint, Ray, Triangle};
 ///
 /// let triangle = Triangle([Vec3::ZERO, Vec3::X * 3.0, Vec3::Y * 3.0]);
@@ -245,29 +244,33 @@ impl<V: Vector> ExactRay<V> {
                 if met.surface.triangle == *triangle && met.surface.maps == maps().as_ref())
     }
 
-    /// Distance to the image of a triangle, by twice the digits of a double, where these tell; they do not at an edge or an
-    /// end. `[INST-5]`
+    /// Distance to the image of a triangle, by twice the digits of a double: where these tell whether it is met, and the
+    /// distance is not at an end. `[INST-5]`
     pub(crate) fn fine_distance(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Certainty<V::Real> {
-        let images = fine_images(triangle.0, maps);
-        let found = self.fine(&images);
-        found.map_or(Certainty::Open, |(found, o)| found.met(&images, o, self.interval))
+        let Some([o, d]) = self.floats() else { return Certainty::Open };
+        let (images, o) = (fine_images(triangle.0, maps), o.widen());
+        let found = FineDeterminants::within_range(&images, o, d.widen());
+        found.map_or(Certainty::Open, |found| found.met(&images, o, self.interval))
     }
 
     /// The weights of the second and the third corner of a triangle that it is known to meet, likewise.
     pub(crate) fn fine_weights(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Option<[V::Real; 2]> {
-        self.fine(&fine_images(triangle.0, maps))?.0.weights()
+        let [o, d] = self.floats()?.map(Vector::widen);
+        FineDeterminants::within_range(&fine_images(triangle.0, maps), o, d)?.weights()
     }
 
-    /// The determinants of these corners, and its origin; of a ray of floats.
-    fn fine(&self, images: &[[Fine; 3]; 3]) -> Option<(FineDeterminants, DVec3)> {
-        let (Place::Floats(o), Way::Along(d)) = (&self.origin.0, &self.way) else { return None };
-        Some((FineDeterminants::within_range(images, o.widen(), d.widen())?, o.widen()))
+    /// Origin and direction, if both are of floats.
+    const fn floats(&self) -> Option<[V; 2]> {
+        match (&self.origin.0, &self.way) {
+            (Place::Floats(origin), Way::Along(direction)) => Some([*origin, *direction]),
+            _ => None,
+        }
     }
 
     /// Where its line meets the image of a triangle.
     fn cross(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Meeting {
-        if let (Place::Floats(origin), Way::Along(direction)) = (&self.origin.0, &self.way) {
-            return meet_image(triangle.0, maps, *origin, *direction);
+        if let Some([origin, direction]) = self.floats() {
+            return meet_image(triangle.0, maps, origin, direction);
         }
         let ([origin, direction], (corners, unit)) = (self.line(), images(triangle.0, maps));
         // All are multiplied by what makes them integers.

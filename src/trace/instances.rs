@@ -10,8 +10,8 @@
 //! The answers are those of rational arithmetic on the exact images of the triangles under the maps as they are
 //! written, and the ray as it is given. `[INST-1]` Distances along a ray are the same in every space, so nothing is
 //! transformed back. In an object's space the ray is known within bounds only; where they decide, no more is asked.
-//! Else images of the triangle's corners are made, with twice the digits of a double, and where these leave it open too,
-//! exact ones, which takes some thousand times as long. `[INST-5]`
+//! Else images of the triangle's corners are made, with twice the digits of a double. Where these leave it open too, exact
+//! ones are made, which takes some thousand times as long. `[INST-5]`
 
 mod assembly;
 mod walk;

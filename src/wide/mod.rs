@@ -6,8 +6,8 @@
 //! references in the node's record, or by a perfect hash. spec/wide.md has the clauses; trees of two children are the
 //! case A = 2.
 //!
-//! As in [`traverse`](mod@crate::traverse), there is one loop ([`traverse()`]), one table of traversals ([`Method`]), one
-//! oracle, and no geometry.
+//! As in [`traverse`](mod@crate::traverse), there is one loop ([`traverse()`]), one table of traversals ([`Method`]),
+//! one oracle, and no geometry.
 //!
 //! ```
 //! use stackless_bvh::event::Trace;
@@ -81,8 +81,8 @@ pub trait Cursor<const A: usize> {
     /// The inner node that the search is to be asked about.
     fn node(&self) -> Node;
 
-    /// After the search was asked about [`node`](Self::node): the first of the children that it wants; of those that are
-    /// pending, if it was asked again. If it wants none, the [next](Self::next) pending one.
+    /// After the search was asked about [`node`](Self::node): the first of the children that it wants; of those that
+    /// are pending, if it was asked again. If it wants none, the [next](Self::next) pending one.
     fn choose<T, S>(&mut self, tree: &T, wanted: Wanted<S::Ranks>, search: &mut S) -> Next
     where
         T: Topology<A>,
@@ -102,9 +102,9 @@ pub trait Cursor<const A: usize> {
         false
     }
 
-    /// What is kept of the node so many levels above the parent of the child that was named last, or above the node that
-    /// was [entered](Self::enter) since; 0 for itself. `None` if nothing is kept by levels. For whoever shows or compares
-    /// it.
+    /// What is kept of the node so many levels above the parent of the child that was named last, or above the node
+    /// that was [entered](Self::enter) since; 0 for itself. `None` if nothing is kept by levels. For whoever shows or
+    /// compares it.
     fn words(&self, _up: u32) -> Option<Words> {
         None
     }

@@ -337,8 +337,9 @@ fn wide_meshes_have_the_state_of_their_traversal() {
     }
 }
 
-/// What bounds do not tell, exact sums do where maps leave the ray exact, and twice the digits where they hold images exactly
-/// or the ray passes beside the corners. Rationals are for an edge that is met in an image which is no triangle of doubles.
+/// What bounds do not tell, exact sums do where maps leave the ray exact, and twice the digits where they hold images
+/// exactly or the ray passes beside the corners. Rationals are for an edge that is met in an image which is no triangle
+/// of doubles.
 #[test]
 fn rationals_are_for_what_is_met_and_not_known() {
     let turn = [[0.0, -1.0, 0.0, 1.0], [1.0, 0.0, 0.0, -2.0], [0.0, 0.0, 1.0, 0.5]];

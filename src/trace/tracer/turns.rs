@@ -177,7 +177,7 @@ fn in_turns<S: Simd, C: Cursor<8>, const ANY: bool>(
             if !$is_done && !advance(&tree, &mut $cursor, $asked, &mut $search, &mut ()) {
                 answer($number, $search.answer(ask));
                 if let Some((number, ray)) = rest.next() {
-                    $cursor.reset(bvh);
+                    $cursor.reset(&tree);
                     ($number, $search) = (number, $search.with_ray(ray));
                 } else if $other_is_done {
                     return;

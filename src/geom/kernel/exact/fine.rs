@@ -44,8 +44,8 @@ impl FineDeterminants {
         Self { det: dot(&e1, &cross(&d, &e2)), d, s, e1, e2 }
     }
 
-    /// The distance to the triangle, rounded to the nearest float, if it is in an interval, not at an end. The corners and
-    /// the origin are those that this was made of. `[INST-5]`
+    /// The distance to the triangle, rounded to the nearest float, if it is in an interval, not at an end. The corners
+    /// and the origin are those that this was made of. `[INST-5]`
     pub(in crate::geom) fn met<R: Real>(
         &self,
         corners: &[[Fine; 3]; 3],

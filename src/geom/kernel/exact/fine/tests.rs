@@ -67,8 +67,8 @@ fn nearly_all_are_certain() {
     assert!(certain > 990, "{certain}");
 }
 
-/// A line through a corner that is known exactly meets the triangle, whatever else is known of it; through one that is not,
-/// it is open. [INST-5]
+/// A line through a corner that is known exactly meets the triangle, whatever else is known of it; through one that is
+/// not, it is open. [INST-5]
 #[test]
 fn corners_that_are_known_are_met() {
     let (corners, o) =
@@ -99,8 +99,8 @@ fn sign(x: &RBig) -> Ordering {
     x.cmp(&RBig::ZERO)
 }
 
-/// From a near point of the line, signs are told which are not from where it begins, and none is wrong. Weights likewise.
-/// [EXACT-12]
+/// From a near point of the line, signs are told which are not from where it begins, and none is wrong. Weights
+/// likewise. [EXACT-12]
 #[test]
 fn from_a_near_point_signs_are_told_and_true() {
     let mut rng = Rng::new(5);
@@ -174,8 +174,8 @@ fn what_is_left_of_a_way_is_less_a_multiple_of_the_direction() {
     }
 }
 
-/// The middle of two floats, the ends of an interval and what is beyond, of a triangle on a grid; and no distance that is not
-/// a double. [EXACT-10]
+/// The middle of two floats, the ends of an interval and what is beyond, of a triangle on a grid; and no distance that
+/// is not a double. [EXACT-10]
 #[test]
 fn distances_that_are_doubles_are_placed_without_sums() {
     let corners = [DVec3::ZERO, DVec3::X, DVec3::Y];
