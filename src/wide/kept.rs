@@ -4,7 +4,7 @@ use core::fmt::Debug;
 use core::ops::{Add, Shl, Shr};
 
 use super::keys::slot_bits;
-use super::search::is_beyond;
+use super::search::{RankedChild, is_beyond};
 use crate::key::{KeyWord, TooDeep, Word};
 
 /// A level to go back to.
@@ -14,8 +14,8 @@ pub struct Level {
     pub up: u32,
     /// The pending children of that node. Not empty.
     pub pending: u32,
-    /// Ranks of the two that come next: the first in the low half. 0 where it is not known.
-    pub ranks: u64,
+    /// The two of them that come next, the first one first, where they are known.
+    pub nexts: [RankedChild; 2],
 }
 
 /// What a traversal keeps of a node on its path. `[WIDE-20]`
@@ -57,8 +57,8 @@ pub trait Kept<const A: usize>: Debug {
     /// At the root, with nothing pending.
     fn clear(&mut self);
 
-    /// The present node is left for a child.
-    fn push(&mut self, pending: u32, ranks: u64);
+    /// The present node is left for a child. Of the pending ones, `nexts` come next.
+    fn push(&mut self, pending: u32, nexts: [RankedChild; 2]);
 
     /// Back to the deepest level that has pending children and is not known to be beyond the end, which becomes the
     /// present one. `None` if there is none.
@@ -77,7 +77,7 @@ pub trait Kept<const A: usize>: Debug {
 
     /// What is kept of the node so many levels above the present one. Of the present one itself, 0 levels above, set and
     /// ranks are the cursor's.
-    fn words(&self, _up: u32, _pending: u32, _ranks: u64) -> Option<Words> {
+    fn words(&self, _up: u32, _pending: u32, _nexts: [RankedChild; 2]) -> Option<Words> {
         None
     }
 
@@ -103,8 +103,8 @@ impl<const A: usize, K: Kept<A>> Kept<A> for &mut K {
     }
 
     #[inline(always)]
-    fn push(&mut self, pending: u32, ranks: u64) {
-        (**self).push(pending, ranks);
+    fn push(&mut self, pending: u32, nexts: [RankedChild; 2]) {
+        (**self).push(pending, nexts);
     }
 
     #[inline(always)]
@@ -127,8 +127,8 @@ impl<const A: usize, K: Kept<A>> Kept<A> for &mut K {
         (**self).is_stale()
     }
 
-    fn words(&self, up: u32, pending: u32, ranks: u64) -> Option<Words> {
-        (**self).words(up, pending, ranks)
+    fn words(&self, up: u32, pending: u32, nexts: [RankedChild; 2]) -> Option<Words> {
+        (**self).words(up, pending, nexts)
     }
 }
 
@@ -216,7 +216,7 @@ impl<const A: usize, W: TrailWord> Kept<A> for Trail<W> {
     }
 
     #[inline(always)]
-    fn push(&mut self, pending: u32, _: u64) {
+    fn push(&mut self, pending: u32, _: [RankedChild; 2]) {
         self.trail = leave::<A, W>(self.trail, &W::from(pending));
         self.stale <<= 1;
     }
@@ -230,7 +230,7 @@ impl<const A: usize, W: TrailWord> Kept<A> for Trail<W> {
         self.trail = rest;
         // In two steps: 64 levels of two children fit 128 bits.
         self.stale = self.stale >> (up - 1) >> 1;
-        Some(Level { up, pending: pending.low_bits(), ranks: 0 })
+        Some(Level { up, pending: pending.low_bits(), nexts: [RankedChild::NONE; 2] })
     }
 
     #[inline(always)]
@@ -248,21 +248,24 @@ impl<const A: usize, W: TrailWord> Kept<A> for Trail<W> {
         self.stale & 1 == 1
     }
 
-    fn words(&self, up: u32, pending: u32, _: u64) -> Option<Words> {
+    fn words(&self, up: u32, pending: u32, _: [RankedChild; 2]) -> Option<Words> {
         let above = (0..A as u32 * up.saturating_sub(1)).fold(self.trail, |trail, _| trail.shr1());
         let set = if up == 0 { pending } else { above.low_bits() & ((1 << A) - 1) };
         Some(Words::Trail { pending: set, is_dirty: self.stale.checked_shr(up).unwrap_or(0) & 1 == 1 })
     }
 }
 
-/// A set and two ranks for each level, and a word in which bit `i` says that the set of level `i` is not empty.
-/// `[WIDE-17]`
+/// For each level a set and the two children that come next, and a word in which bit `i` says that the set of level `i`
+/// is not empty. `[WIDE-17]`
+///
+/// Beside a rank is the child's address. The record of the ancestor has it too, but that record would have to be found
+/// first, and what comes next would wait for it.
 #[derive(Clone, Debug)]
 pub struct Ranked {
     level: u32,
     summary: u32,
     sets: [u8; LEVELS],
-    ranks: [u64; LEVELS],
+    nexts: [[RankedChild; 2]; LEVELS],
 }
 
 /// Bits of the summary word.
@@ -270,14 +273,14 @@ const LEVELS: usize = 32;
 
 impl Default for Ranked {
     fn default() -> Self {
-        Self { level: 0, summary: 0, sets: [0; LEVELS], ranks: [0; LEVELS] }
+        Self { level: 0, summary: 0, sets: [0; LEVELS], nexts: [[RankedChild::NONE; 2]; LEVELS] }
     }
 }
 
 impl Ranked {
     /// Bytes for a tree of so many levels.
     pub const fn bytes(levels: usize) -> usize {
-        levels * (size_of::<u8>() + size_of::<u64>()) + 2 * size_of::<u32>()
+        levels * (size_of::<u8>() + size_of::<[RankedChild; 2]>()) + 2 * size_of::<u32>()
     }
 }
 
@@ -291,10 +294,10 @@ impl<const A: usize> Kept<A> for Ranked {
     }
 
     #[inline(always)]
-    fn push(&mut self, pending: u32, ranks: u64) {
+    fn push(&mut self, pending: u32, nexts: [RankedChild; 2]) {
         let level = self.level as usize & (LEVELS - 1);
         self.sets[level] = pending as u8;
-        self.ranks[level] = ranks;
+        self.nexts[level] = nexts;
         self.summary |= u32::from(pending != 0) << level;
         self.level += 1;
     }
@@ -305,23 +308,23 @@ impl<const A: usize> Kept<A> for Ranked {
             let level = self.summary.ilog2();
             self.summary ^= 1 << level;
             let at = level as usize & (LEVELS - 1);
-            let ranks = self.ranks[at];
-            if is_beyond::<A>(ranks as u32, end) {
+            let nexts = self.nexts[at];
+            if is_beyond::<A>(nexts[0].rank(), end) {
                 continue;
             }
             let up = self.level - level;
             self.level = level;
-            return Some(Level { up, pending: u32::from(self.sets[at]), ranks });
+            return Some(Level { up, pending: u32::from(self.sets[at]), nexts });
         }
         None
     }
 
-    fn words(&self, up: u32, pending: u32, ranks: u64) -> Option<Words> {
+    fn words(&self, up: u32, pending: u32, nexts: [RankedChild; 2]) -> Option<Words> {
         let at = self.level.wrapping_sub(up) as usize & (LEVELS - 1);
-        let (pending, is_open, ranks) = match up {
-            0 => (pending, None, ranks),
-            _ => (u32::from(self.sets[at]), Some(self.summary >> at & 1 == 1), self.ranks[at]),
+        let (pending, is_open, nexts) = match up {
+            0 => (pending, None, nexts),
+            _ => (u32::from(self.sets[at]), Some(self.summary >> at & 1 == 1), self.nexts[at]),
         };
-        Some(Words::Ranked { pending, is_open, ranks: [ranks as u32, (ranks >> 32) as u32] })
+        Some(Words::Ranked { pending, is_open, ranks: nexts.map(RankedChild::rank) })
     }
 }

@@ -56,7 +56,7 @@ pub use keys::{ancestor_key, asked_keys, child_key, key_level};
 pub use links::{Hashed, Link, Parents, Recorded};
 pub use pending::Pending;
 pub use restart::Restart;
-pub use search::{Ranks, Search, Wanted, is_beyond};
+pub use search::{RankedChild, Ranks, Search, Wanted, is_beyond};
 pub use stack::{Memory, Stack};
 pub use table::{Context, Method, Scratch, Supply, Tables, Unfit};
 pub use tree::{Topology, Tree, TreeError};

@@ -2,7 +2,7 @@
 
 use super::kept::{Kept, Words};
 use super::links::Link;
-use super::search::{Ranks, Search, Wanted, is_beyond};
+use super::search::{RankedChild, Ranks, Search, Wanted, is_beyond};
 use super::tree::Topology;
 use super::{Cursor, Next};
 use crate::key::TooDeep;
@@ -15,10 +15,10 @@ pub struct Pending<K, L> {
     node: Node,
     /// The pending children of the present node; all, before the search was asked about it.
     set: u32,
-    /// Ranks of the two pending children that come next, the first in the low half; 0 where it is not known.
+    /// The two pending children that come next, the first one first, where they are known.
     ///
     /// The least rank of a node is never kept here, so no rank here is 0.
-    ranks: u64,
+    nexts: [RankedChild; 2],
     /// Of the child that was named last.
     slot: u32,
     kept: K,
@@ -37,7 +37,7 @@ impl<K, L> Pending<K, L> {
         L: Link<A>,
     {
         K::carries(tree.levels())?;
-        let mut cursor = Self { node: tree.root(), set: 0, ranks: 0, slot: 0, kept, link };
+        let mut cursor = Self { node: tree.root(), set: 0, nexts: [RankedChild::NONE; 2], slot: 0, kept, link };
         cursor.reset(tree);
         Ok(cursor)
     }
@@ -47,10 +47,9 @@ impl<K, L> Pending<K, L> {
         &self.kept
     }
 
-    /// Names the pending child of the least rank, of which there is one; keeps the two ranks after it.
+    /// Names the pending child of the least rank, of which there is one; keeps the two after it.
     #[inline(always)]
     fn first<const A: usize>(&mut self, tree: &impl Topology<A>, ranks: impl Ranks<A>) -> Node {
-        // One child or two are most frequent. Their addresses do not wait for the ranks.
         let (node, slot) = (self.node, self.set.trailing_zeros());
         let others = self.set & (self.set - 1);
         if others == 0 {
@@ -58,46 +57,45 @@ impl<K, L> Pending<K, L> {
         }
         // Once: each time they would be stored.
         let ranks = ranks.all();
-        let other = others.trailing_zeros();
-        let (first, second) = (ranks.rank(slot), ranks.rank(other));
+        let first = RankedChild::of(tree, node, ranks, slot);
+        let second = RankedChild::of(tree, node, ranks, others.trailing_zeros());
+        let (first, second) = (first.min(second), first.max(second));
         let more = others & (others - 1);
         if more == 0 {
-            let (child, after) = (tree.child(node, slot), tree.child(node, other));
-            self.ranks = u64::from(first.max(second));
-            return if first < second { self.take(slot, child) } else { self.take(other, after) };
+            self.nexts = [second, RankedChild::NONE];
+            return self.take_ranked::<A>(first);
         }
-        let (first, second) = (first.min(second), first.max(second));
-        let third = ranks.rank(more.trailing_zeros());
+        let third = RankedChild::of(tree, node, ranks, more.trailing_zeros());
         let (second, mut third) = (second.min(third), second.max(third));
         let (mut first, mut second) = (first.min(second), first.max(second));
         let mut more = more & (more - 1);
         while more != 0 {
-            let rank = ranks.rank(more.trailing_zeros());
+            let other = RankedChild::of(tree, node, ranks, more.trailing_zeros());
             more &= more - 1;
-            third = third.min(second.max(rank));
-            second = second.min(first.max(rank));
-            first = first.min(rank);
+            third = third.min(second.max(other));
+            second = second.min(first.max(other));
+            first = first.min(other);
         }
-        self.ranks = u64::from(second) | u64::from(third) << 32;
-        self.take_at(tree, first)
+        self.nexts = [second, third];
+        self.take_ranked::<A>(first)
     }
 
-    /// Names the child of this rank, or in this slot.
+    /// Names a pending child whose rank is known.
     #[inline(always)]
-    fn take_at<const A: usize>(&mut self, tree: &impl Topology<A>, rank: u32) -> Node {
-        let slot = rank & (A as u32 - 1);
-        self.take(slot, tree.child(self.node, slot))
+    const fn take_ranked<const A: usize>(&mut self, ranked: RankedChild) -> Node {
+        self.take(ranked.rank() & (A as u32 - 1), ranked.child())
     }
 
     /// Names the pending child in the lowest slot, of which there is one.
     #[inline(always)]
     fn lowest<const A: usize>(&mut self, tree: &impl Topology<A>) -> Node {
-        self.take_at(tree, self.set.trailing_zeros())
+        let slot = self.set.trailing_zeros() & (A as u32 - 1);
+        self.take(slot, tree.child(self.node, slot))
     }
 
     /// Names the child in a slot.
     #[inline(always)]
-    fn take(&mut self, slot: u32, child: Node) -> Node {
+    const fn take(&mut self, slot: u32, child: Node) -> Node {
         self.slot = slot;
         self.set &= !(1 << slot);
         child
@@ -129,7 +127,7 @@ where
     {
         // Only a search that is sorted is asked again.
         self.set = if S::SORTED { self.set & wanted.set } else { wanted.set };
-        self.ranks = 0;
+        self.nexts = [RankedChild::NONE; 2];
         if self.set == 0 {
             return self.next(tree, search);
         }
@@ -144,19 +142,19 @@ where
                 let Some(level) = self.kept.pop(search.end()) else { return Next::End };
                 self.node = self.link.ancestor(tree, self.node, level.up);
                 self.set = level.pending;
-                // Of others it stays 0: a number that is known is in no register.
+                // Of others none is known, always: so no register holds them.
                 if S::SORTED {
-                    self.ranks = level.ranks;
+                    self.nexts = level.nexts;
                 }
             }
             if !S::SORTED {
                 return Next::Child(self.lowest(tree));
             }
-            if self.ranks != 0 {
-                let rank = self.ranks as u32;
-                if !is_beyond::<A>(rank, search.end()) {
-                    self.ranks >>= 32;
-                    return Next::Child(self.take_at(tree, rank));
+            let [next, after] = self.nexts;
+            if next != RankedChild::NONE {
+                if !is_beyond::<A>(next.rank(), search.end()) {
+                    self.nexts = [after, RankedChild::NONE];
+                    return Next::Child(self.take_ranked::<A>(next));
                 }
                 // And so are those that come after it.
                 self.set = 0;
@@ -171,7 +169,7 @@ where
 
     #[inline(always)]
     fn enter(&mut self, node: Node) {
-        self.kept.push(self.set, self.ranks);
+        self.kept.push(self.set, self.nexts);
         self.link.enter(self.slot);
         (self.node, self.set) = (node, u32::MAX);
     }
@@ -182,7 +180,7 @@ where
     }
 
     fn words(&self, up: u32) -> Option<Words> {
-        self.kept.words(up, self.set, self.ranks)
+        self.kept.words(up, self.set, self.nexts)
     }
 
     fn key(&self) -> Option<u64> {

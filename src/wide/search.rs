@@ -1,5 +1,6 @@
 //! What a search answers.
 
+use super::tree::Topology;
 use crate::order::Flow;
 use crate::tree::Node;
 
@@ -52,6 +53,43 @@ pub trait Search<const A: usize> {
 
     /// Children of a greater rank are not visited any more. It may become less at a leaf, and never grows. `[WIDE-3]`
     fn end(&self) -> u32;
+}
+
+/// A child that is visited later, with its rank: in one word, in which ranks decide what is less.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct RankedChild(u64);
+
+impl RankedChild {
+    /// Not known. It is no child of a tree: it would be the root.
+    pub const NONE: Self = Self(0);
+
+    /// A child and its rank.
+    #[inline(always)]
+    #[must_use]
+    pub const fn new(rank: u32, child: Node) -> Self {
+        Self((rank as u64) << 32 | child.to_bits() as u64)
+    }
+
+    /// The child in a slot of a node.
+    #[inline(always)]
+    #[must_use]
+    pub fn of<const A: usize>(tree: &impl Topology<A>, node: Node, ranks: impl Ranks<A>, slot: u32) -> Self {
+        Self::new(ranks.rank(slot), tree.child(node, slot))
+    }
+
+    /// The rank.
+    #[inline(always)]
+    #[must_use]
+    pub const fn rank(self) -> u32 {
+        (self.0 >> 32) as u32
+    }
+
+    /// The child.
+    #[inline(always)]
+    #[must_use]
+    pub const fn child(self) -> Node {
+        Node::from_bits(self.0 as u32)
+    }
 }
 
 /// Whether a child of this rank is skipped, where nodes have `A` slots. `[WIDE-3]`

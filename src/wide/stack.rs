@@ -2,20 +2,20 @@
 
 use alloc::vec::Vec;
 
-use super::search::{Ranks, Search, Wanted, is_beyond};
+use super::search::{RankedChild, Ranks, Search, Wanted, is_beyond};
 use super::tree::Topology;
 use super::{Cursor, Next};
 use crate::tree::Node;
 
-/// Memory of a [`Stack`]: a rank in the high half, an address in the low one.
-pub type Memory = Vec<u64>;
+/// Memory of a [`Stack`].
+pub type Memory = Vec<RankedChild>;
 
 /// Pushes the wanted children but the first, the greatest rank first. What is beyond the end when it is popped is
 /// dropped. `[WSTACK-1]`
 #[derive(Debug)]
 pub struct Stack<'m> {
     node: Node,
-    memory: &'m mut [u64],
+    memory: &'m mut [RankedChild],
     /// Number of entries. What is above it in the memory is old.
     height: usize,
 }
@@ -26,24 +26,18 @@ impl<'m> Stack<'m> {
     pub fn new<const A: usize>(tree: &impl Topology<A>, memory: &'m mut Memory) -> Self {
         let most = (A - 1) * (tree.levels() as usize + 1) + 1;
         if memory.len() < most {
-            memory.resize(most, 0);
+            memory.resize(most, RankedChild::NONE);
         }
         Self { node: tree.root(), memory, height: 0 }
     }
 
     #[inline(always)]
-    fn push(&mut self, entry: u64) {
+    fn push(&mut self, entry: RankedChild) {
         // There is room for all; a check that fails would show a tree whose number of levels is wrong.
         if let Some(place) = self.memory.get_mut(self.height) {
             *place = entry;
             self.height += 1;
         }
-    }
-
-    /// The entry of a child.
-    #[inline(always)]
-    fn entry<const A: usize>(&self, tree: &impl Topology<A>, ranks: impl Ranks<A>, slot: u32) -> u64 {
-        u64::from(ranks.rank(slot)) << 32 | u64::from(tree.child(self.node, slot).to_bits())
     }
 
     /// Pushes all children of a set but the first, which it returns.
@@ -55,15 +49,15 @@ impl<'m> Stack<'m> {
         }
         // Once: each time they would be stored.
         let ranks = ranks.all();
-        let first = self.entry(tree, ranks, slot);
-        let second = self.entry(tree, ranks, others.trailing_zeros());
+        let first = RankedChild::of(tree, self.node, ranks, slot);
+        let second = RankedChild::of(tree, self.node, ranks, others.trailing_zeros());
         let (first, second) = (first.min(second), first.max(second));
         let more = others & (others - 1);
         if more == 0 {
             self.push(second);
-            return address(first);
+            return first.child();
         }
-        let third = self.entry(tree, ranks, more.trailing_zeros());
+        let third = RankedChild::of(tree, self.node, ranks, more.trailing_zeros());
         let (second, third) = (second.min(third), second.max(third));
         let (first, second) = (first.min(second), first.max(second));
         let base = self.height;
@@ -71,17 +65,17 @@ impl<'m> Stack<'m> {
         self.push(second);
         let mut more = more & (more - 1);
         if more == 0 {
-            return address(first);
+            return first.child();
         }
         self.push(first);
         while more != 0 {
-            let entry = self.entry(tree, ranks, more.trailing_zeros());
+            let entry = RankedChild::of(tree, self.node, ranks, more.trailing_zeros());
             more &= more - 1;
             self.push(entry);
             self.settle(base);
         }
         self.height -= 1;
-        self.memory.get(self.height).map_or(self.node, |&entry| address(entry))
+        self.memory.get(self.height).map_or(self.node, |entry| entry.child())
     }
 
     /// Moves the last entry down to its place above `base`, where ranks become less upwards.
@@ -94,11 +88,6 @@ impl<'m> Stack<'m> {
             at -= 1;
         }
     }
-}
-
-#[inline(always)]
-const fn address(entry: u64) -> Node {
-    Node::from_bits(entry as u32)
 }
 
 impl<const A: usize> Cursor<A> for Stack<'_> {
@@ -129,7 +118,7 @@ impl<const A: usize> Cursor<A> for Stack<'_> {
             // The last slot first.
             let slot = others.ilog2();
             others ^= 1 << slot;
-            self.push(u64::from(tree.child(self.node, slot).to_bits()));
+            self.push(RankedChild::new(slot, tree.child(self.node, slot)));
         }
         Next::Child(tree.child(self.node, wanted.set.trailing_zeros()))
     }
@@ -139,8 +128,8 @@ impl<const A: usize> Cursor<A> for Stack<'_> {
         while let Some(height) = self.height.checked_sub(1) {
             self.height = height;
             let Some(&entry) = self.memory.get(height) else { break };
-            if !S::SORTED || !is_beyond::<A>((entry >> 32) as u32, search.end()) {
-                return Next::Child(address(entry));
+            if !S::SORTED || !is_beyond::<A>(entry.rank(), search.end()) {
+                return Next::Child(entry.child());
             }
         }
         Next::End

@@ -52,7 +52,7 @@ macro_rules! traversals {
             }
 
             /// Bytes of its state for one ray, in a tree of `A` children a node and so many levels: 4 for each
-            /// variable, 8 for two ranks or an entry of a stack. `[WIDE-20]`
+            /// variable, 8 for a child with its rank. `[WIDE-20]`
             pub const fn state_bytes<const A: usize>(self, levels: usize) -> usize {
                 match self { $(Self::$variant => { let ($a, $levels) = (A, levels); $state })* }
             }
@@ -74,13 +74,13 @@ traversals! {
     }
     Recorded {
         name: "wide-record", by: "this project", clause: "WRECORD-1",
-        help: "A pending set and two ranks for each level; the node's record names its ancestors.",
-        state: |_, levels| 4 + 4 + 8 + Ranked::bytes(levels),
+        help: "For each level a pending set and the two children that come next; the node's record names its ancestors.",
+        state: |_, levels| 4 + 4 + 2 * 8 + Ranked::bytes(levels),
     }
     Hashed {
         name: "wide-hashed", by: "this project, after Binder & Keller 2016", clause: "WHASHED-1",
         help: "The same, with a key; a perfect hash finds the ancestor.",
-        state: |_, levels| 4 + 4 + 8 + 8 + Ranked::bytes(levels),
+        state: |_, levels| 4 + 4 + 8 + 2 * 8 + Ranked::bytes(levels),
     }
     Restart0 {
         name: "wide-restart-0", by: "Vaidyanathan et al. 2019", clause: "WRESTART-1",

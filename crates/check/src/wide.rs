@@ -9,8 +9,8 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::Flow;
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{
-    self, Context, Cursor, Hashed, Kept, Link, Method, Parents, Pending, Ranked, Recorded, Scratch, Supply, Tables,
-    Topology, Trail, Tree, Unfit, oracle,
+    self, Context, Cursor, Hashed, Kept, Link, Method, Next, Parents, Pending, Ranked, Recorded, Scratch, Supply,
+    Tables, Topology, Trail, Tree, Unfit, Wanted, Words, oracle,
 };
 
 /// A wide tree and a search through it.
@@ -197,7 +197,7 @@ pub(crate) fn visits<const A: usize>(
     cursor: &mut impl Cursor<A>,
     most: usize,
 ) -> Option<Vec<Node>> {
-    let mut visits = Visits { seen: Vec::new(), most };
+    let (mut visits, cursor) = (Visits { seen: Vec::new(), most }, &mut Followed(cursor));
     if visits.visit::<u64>(cursor.node(), || State::of(cursor.node())) == Flow::Stop {
         return Some(visits.seen);
     }
@@ -209,6 +209,64 @@ pub(crate) fn visits<const A: usize>(
         }
     }
     None
+}
+
+/// A cursor that goes back along its path must be at the parent of each child that it names. That it has kept the
+/// child's address could hide that it is not. So where it is not, its visits end. `[WIDE-15]`
+#[derive(Debug)]
+struct Followed<'c, C>(&'c mut C);
+
+impl<C> Followed<'_, C> {
+    fn look<const A: usize>(&self, tree: &impl Topology<A>, next: Next) -> Next
+    where
+        C: Cursor<A>,
+    {
+        // Of a stack nothing is kept by levels, and a restart does not go back.
+        let goes_back = matches!(self.0.words(0), Some(Words::Trail { .. } | Words::Ranked { .. }));
+        let is_at_parent = |child| (0..A as u32).any(|slot| tree.child(self.0.node(), slot) == child);
+        match next {
+            Next::Child(child) if goes_back && !is_at_parent(child) => Next::End,
+            _ => next,
+        }
+    }
+}
+
+impl<const A: usize, C: Cursor<A>> Cursor<A> for Followed<'_, C> {
+    const RESTARTS: bool = C::RESTARTS;
+
+    fn reset(&mut self, tree: &impl Topology<A>) {
+        self.0.reset(tree);
+    }
+
+    fn node(&self) -> Node {
+        self.0.node()
+    }
+
+    fn choose<T, S>(&mut self, tree: &T, wanted: Wanted<S::Ranks>, search: &mut S) -> Next
+    where
+        T: Topology<A>,
+        S: wide::Search<A>,
+    {
+        let next = self.0.choose(tree, wanted, search);
+        self.look(tree, next)
+    }
+
+    fn next<T: Topology<A>, S: wide::Search<A>>(&mut self, tree: &T, search: &mut S) -> Next {
+        let next = self.0.next(tree, search);
+        self.look(tree, next)
+    }
+
+    fn enter(&mut self, node: Node) {
+        self.0.enter(node);
+    }
+
+    fn shortened(&mut self) {
+        self.0.shortened();
+    }
+
+    fn is_restarting(&self) -> bool {
+        self.0.is_restarting()
+    }
 }
 
 struct Visits {

@@ -1,7 +1,7 @@
 //! What is kept of the levels above, with a mistake: a trail, and ranks.
 
 use super::Bug;
-use stackless_bvh::wide::{Kept, Level};
+use stackless_bvh::wide::{Kept, Level, RankedChild};
 
 /// A trail of pending sets in 128 bits.
 #[derive(Debug)]
@@ -32,7 +32,7 @@ impl<const A: usize> Kept<A> for Trail {
         }
     }
 
-    fn push(&mut self, pending: u32, _: u64) {
+    fn push(&mut self, pending: u32, _: [RankedChild; 2]) {
         let bits = if self.bug == Bug::GroupShiftShort { A - 1 } else { A };
         let pending = if self.bug == Bug::NothingPushed { 0 } else { pending };
         self.word = self.word << bits | u128::from(pending);
@@ -62,7 +62,7 @@ impl<const A: usize> Kept<A> for Trail {
         let up = skipped + u32::from(bug != Bug::LevelsShort);
         let stale = if bug == Bug::StaleShiftShort { skipped } else { skipped + 1 };
         self.stale = self.stale.checked_shr(stale).unwrap_or(0);
-        Some(Level { up, pending: low as u32 & mask, ranks: 0 })
+        Some(Level { up, pending: low as u32 & mask, nexts: [RankedChild::NONE; 2] })
     }
 
     fn shortened(&mut self) {
@@ -83,13 +83,13 @@ impl<const A: usize> Kept<A> for Trail {
     }
 }
 
-/// A set and two ranks for each level, and the summary.
+/// For each level a set and the two children that come next, and the summary.
 #[derive(Debug)]
 pub(super) struct Ranked {
     level: usize,
     summary: u64,
     sets: [u32; LEVELS],
-    ranks: [u64; LEVELS],
+    nexts: [[RankedChild; 2]; LEVELS],
     bug: Bug,
 }
 
@@ -97,7 +97,7 @@ const LEVELS: usize = 64;
 
 impl Ranked {
     pub(super) const fn new(bug: Bug) -> Self {
-        Self { level: 0, summary: 0, sets: [0; LEVELS], ranks: [0; LEVELS], bug }
+        Self { level: 0, summary: 0, sets: [0; LEVELS], nexts: [[RankedChild::NONE; 2]; LEVELS], bug }
     }
 }
 
@@ -109,15 +109,16 @@ impl<const A: usize> Kept<A> for Ranked {
         (self.level, self.summary) = (0, 0);
     }
 
-    fn push(&mut self, pending: u32, ranks: u64) {
+    fn push(&mut self, pending: u32, nexts: [RankedChild; 2]) {
         let (at, bug) = (self.level & (LEVELS - 1), self.bug);
         self.sets[at] = if bug == Bug::SetsJoined { self.sets[at] | pending } else { pending };
-        if bug != Bug::RanksOfBefore || ranks != 0 {
-            self.ranks[at] = if bug == Bug::PushedRankExchanged { ranks.rotate_left(32) } else { ranks };
+        let (is_known, [next, after]) = (nexts != [RankedChild::NONE; 2], nexts);
+        if bug != Bug::RanksOfBefore || is_known {
+            self.nexts[at] = if bug == Bug::PushedRankExchanged { [after, next] } else { nexts };
         }
         let is_noted = match bug {
             Bug::SummaryOfEmpty => true,
-            Bug::SummaryOfKnown => ranks != 0,
+            Bug::SummaryOfKnown => is_known,
             _ => pending != 0,
         };
         self.summary |= u64::from(is_noted) << at;
@@ -129,8 +130,8 @@ impl<const A: usize> Kept<A> for Ranked {
         while self.summary != 0 {
             let level = if bug == Bug::LowestSummary { self.summary.trailing_zeros() } else { self.summary.ilog2() };
             let at = level as usize;
-            let ranks = self.ranks[at];
-            let kept = if bug == Bug::ThirdCompared { (ranks >> 32) as u32 } else { ranks as u32 };
+            let nexts = self.nexts[at];
+            let kept = nexts[usize::from(bug == Bug::ThirdCompared)].rank();
             let begin = if bug == Bug::KeptRankNotCleared { kept } else { kept & !(A as u32 - 1) };
             let is_beyond = if bug == Bug::KeptEqualDropped { begin >= end } else { begin > end };
             if bug != Bug::SummaryNotCleared || is_beyond {
@@ -149,7 +150,7 @@ impl<const A: usize> Kept<A> for Ranked {
             if bug != Bug::LevelNotRestored {
                 self.level = at;
             }
-            return Some(Level { up: up.clamp(1, LEVELS as u32), pending: self.sets[at], ranks });
+            return Some(Level { up: up.clamp(1, LEVELS as u32), pending: self.sets[at], nexts });
         }
         None
     }

@@ -100,6 +100,8 @@ bugs! {
     Ranked ThirdForSecond "WIDE-17" "the third is taken for the second";
     Ranked SecondTwice "WIDE-17" "the second comes twice";
     Ranked FirstForSecond "WIDE-17" "the rank of the first is kept for the second";
+    Ranked ChildOfFirstKept "WIDE-17" "beside the rank of the second is the address of the first";
+    Ranked ChildOfSecondKept "WIDE-17" "beside the rank of the third is the address of the second";
     Ranked RanksNotMoved "WIDE-17" "the rank of a child that is taken stays the next one";
     Ranked OrderOfSlots "WIDE-5" "children come in the order of their slots";
     Ranked GreatestFirst "WIDE-5" "the greatest rank comes first";

@@ -3,18 +3,18 @@
 use super::links::Records;
 use super::{Bug, sorted};
 use stackless_bvh::tree::Node;
-use stackless_bvh::wide::{Cursor, Kept, Link, Next, Search, Topology, Wanted};
+use stackless_bvh::wide::{Cursor, Kept, Link, Next, RankedChild, Search, Topology, Wanted};
 
 /// Times that a search is asked again, which a mistake could make endless.
 const ASKS: u32 = 10_000;
 
-/// A node, its pending children, and the ranks of the two that come next.
+/// A node, its pending children, and the two that come next.
 #[derive(Debug)]
 pub(super) struct Pending<'t, const A: usize, K, L> {
     tree: &'t Records<'t, A>,
     node: Node,
     set: u32,
-    ranks: u64,
+    nexts: [RankedChild; 2],
     slot: u32,
     kept: K,
     link: L,
@@ -25,14 +25,14 @@ pub(super) struct Pending<'t, const A: usize, K, L> {
 
 impl<'t, const A: usize, K: Kept<A>, L: Link<A>> Pending<'t, A, K, L> {
     pub(super) fn new(tree: &'t Records<'t, A>, kept: K, link: L) -> Self {
-        let mut cursor =
-            Self { tree, node: tree.root(), set: 0, ranks: 0, slot: 0, kept, link, asks: 0, bug: tree.bug };
+        let (node, nexts) = (tree.root(), [RankedChild::NONE; 2]);
+        let mut cursor = Self { tree, node, set: 0, nexts, slot: 0, kept, link, asks: 0, bug: tree.bug };
         cursor.reset(tree);
         cursor
     }
 
-    /// The rank that comes first; keeps the two after it.
-    fn sort<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>) -> u32 {
+    /// The child that comes first; keeps the two after it.
+    fn sort<S: Search<A>>(&mut self, wanted: Wanted<S::Ranks>) -> RankedChild {
         let mut ranks = sorted::<A, S>(wanted);
         match self.bug {
             Bug::OrderOfSlots => ranks.sort_unstable_by_key(|rank| rank & (A as u32 - 1)),
@@ -40,19 +40,35 @@ impl<'t, const A: usize, K: Kept<A>, L: Link<A>> Pending<'t, A, K, L> {
             Bug::FirstTwoExchanged if ranks.len() > 1 => ranks.swap(0, 1),
             _ => {}
         }
-        let rank = |i: usize| ranks.get(i).copied().map_or(0, u64::from);
-        self.ranks = match self.bug {
-            Bug::SecondThirdExchanged if ranks.len() > 2 => rank(2) | rank(1) << 32,
-            Bug::ThirdForSecond if ranks.len() > 2 => rank(2),
-            Bug::SecondTwice => rank(1) | rank(1) << 32,
-            Bug::FirstForSecond if ranks.len() > 1 => rank(0) | rank(2) << 32,
-            _ => rank(1) | rank(2) << 32,
+        let ranked = |i: usize| {
+            let slot = |rank: u32| rank & (A as u32 - 1);
+            let child = |rank| RankedChild::new(rank, self.tree.child(self.node, slot(rank)));
+            ranks.get(i).map_or(RankedChild::NONE, |&rank| child(rank))
         };
-        rank(0) as u32
+        let [first, second, third] = [0, 1, 2].map(ranked);
+        self.nexts = match self.bug {
+            Bug::SecondThirdExchanged if ranks.len() > 2 => [third, second],
+            Bug::ThirdForSecond if ranks.len() > 2 => [third, RankedChild::NONE],
+            Bug::SecondTwice => [second, second],
+            Bug::FirstForSecond if ranks.len() > 1 => [first, third],
+            Bug::ChildOfFirstKept if ranks.len() > 1 => [RankedChild::new(second.rank(), first.child()), third],
+            Bug::ChildOfSecondKept if ranks.len() > 2 => [second, RankedChild::new(third.rank(), second.child())],
+            _ => [second, third],
+        };
+        first
     }
 
-    fn take(&mut self, rank: u32) -> Node {
-        self.slot = rank & (A as u32 - 1);
+    /// By its slot, as if its address were not kept: so a wrong ancestor is seen.
+    fn take(&mut self, ranked: RankedChild) -> Node {
+        let child = self.take_slot(ranked.rank() & (A as u32 - 1));
+        match self.bug {
+            Bug::ChildOfFirstKept | Bug::ChildOfSecondKept => ranked.child(),
+            _ => child,
+        }
+    }
+
+    fn take_slot(&mut self, slot: u32) -> Node {
+        self.slot = slot & (A as u32 - 1);
         if self.bug != Bug::TakenStaysPending {
             self.set &= !(1 << self.slot);
         }
@@ -102,26 +118,26 @@ impl<const A: usize, K: Kept<A>, L: Link<A>> Cursor<A> for Pending<'_, A, K, L> 
                 if self.bug != Bug::NodeLeftBehind {
                     self.node = self.link.ancestor(self.tree, self.node, level.up);
                 }
-                (self.set, self.ranks) = (level.pending, level.ranks);
+                (self.set, self.nexts) = (level.pending, level.nexts);
             }
             let lowest = self.set.trailing_zeros();
             if !S::SORTED {
                 let last = self.set.checked_ilog2().unwrap_or(0);
-                return Next::Child(self.take(if self.bug == Bug::LastSlotFirst { last } else { lowest }));
+                return Next::Child(self.take_slot(if self.bug == Bug::LastSlotFirst { last } else { lowest }));
             }
-            if self.ranks != 0 {
-                let rank = self.ranks as u32;
-                if !self.is_beyond(rank, search.end()) {
+            let [next, after] = self.nexts;
+            if next != RankedChild::NONE {
+                if !self.is_beyond(next.rank(), search.end()) {
                     if self.bug != Bug::RanksNotMoved {
-                        self.ranks >>= 32;
+                        self.nexts = [after, RankedChild::NONE];
                     }
-                    return Next::Child(self.take(rank));
+                    return Next::Child(self.take(next));
                 }
                 self.set = 0;
             } else if self.set.is_power_of_two() && !self.kept.is_stale()
                 || self.bug == Bug::NeverAskedAgain && self.set != 0
             {
-                return Next::Child(self.take(lowest));
+                return Next::Child(self.take_slot(lowest));
             } else {
                 self.kept.asked();
                 self.asks += 1;
@@ -132,7 +148,7 @@ impl<const A: usize, K: Kept<A>, L: Link<A>> Cursor<A> for Pending<'_, A, K, L> 
 
     fn enter(&mut self, node: Node) {
         let entered = u32::from(self.bug == Bug::EnteredStaysPending) << self.slot;
-        self.kept.push(self.set | entered, self.ranks);
+        self.kept.push(self.set | entered, self.nexts);
         self.link.enter(self.slot);
         (self.node, self.set) = (node, u32::MAX);
     }
