@@ -48,7 +48,8 @@ use fearless_simd::{Simd, SimdFloat};
 
 /// The levels that rays are traced with on this machine, the best one first, with their names.
 ///
-/// On x86, SSE4.2 and AVX-512 are not among them: what they add is no use here.
+/// On x86, SSE4.2 and AVX-512 are not among them: what they add is no use here. With AVX-512 rays take 5 to 8 % longer
+/// (benches/records/2026-11-27-wide.md).
 pub fn levels() -> Vec<(&'static str, Level)> {
     let best = Level::new();
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
