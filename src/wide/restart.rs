@@ -99,7 +99,7 @@ impl Restart {
                 self.up_to::<A>(above);
             }
             let Some(entry) = self.stack.pop() else {
-                self.step = Step::Again;
+                (self.step, self.at) = (Step::Again, 0);
                 return Some(tree.root());
             };
             if entry.level > self.level {
@@ -164,7 +164,7 @@ impl<const A: usize> Cursor<A> for Restart {
     fn enter(&mut self, node: Node) {
         self.node = node;
         match self.step {
-            Step::Again => self.at = 0,
+            Step::Again => {}
             Step::Along => self.at += 1,
             Step::Down => {
                 self.level += 1;
