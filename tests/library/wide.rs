@@ -248,10 +248,10 @@ fn the_state_is_as_large_as_its_words() {
         let [few, some, many] = bytes(method);
         match method {
             Method::Stack => assert_eq!([few, some, many], [296, 520, 968]),
-            // A set and two ranks a level.
+            // A set and two children with their ranks a level.
             Method::Recorded | Method::Hashed => {
-                assert_eq!([some - few, many - some], [4 * 9, 8 * 9], "{method}");
-                assert!(many <= 180, "{method}");
+                assert_eq!([some - few, many - some], [4 * 17, 8 * 17], "{method}");
+                assert!(many <= 312, "{method}");
             }
             _ => assert_eq!([few, some], [many; 2], "{method}"),
         }
