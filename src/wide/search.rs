@@ -55,8 +55,8 @@ pub trait Search<const A: usize> {
     fn end(&self) -> u32;
 }
 
-/// A child that is visited later, with its rank: in one word, in which ranks decide what is less.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+/// A child that is visited later, with its rank: in one word, in which ranks decide what is less. `[WIDE-17]`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct RankedChild(u64);
 
 impl RankedChild {

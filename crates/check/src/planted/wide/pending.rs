@@ -40,11 +40,8 @@ impl<'t, const A: usize, K: Kept<A>, L: Link<A>> Pending<'t, A, K, L> {
             Bug::FirstTwoExchanged if ranks.len() > 1 => ranks.swap(0, 1),
             _ => {}
         }
-        let ranked = |i: usize| {
-            let slot = |rank: u32| rank & (A as u32 - 1);
-            let child = |rank| RankedChild::new(rank, self.tree.child(self.node, slot(rank)));
-            ranks.get(i).map_or(RankedChild::NONE, |&rank| child(rank))
-        };
+        let child = |rank: u32| self.tree.child(self.node, rank & (A as u32 - 1));
+        let ranked = |i: usize| ranks.get(i).map_or(RankedChild::NONE, |&rank| RankedChild::new(rank, child(rank)));
         let [first, second, third] = [0, 1, 2].map(ranked);
         self.nexts = match self.bug {
             Bug::SecondThirdExchanged if ranks.len() > 2 => [third, second],
