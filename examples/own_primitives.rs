@@ -31,6 +31,7 @@ struct SphereTest(Ray);
 impl Kernel for SphereTest {
     type Vector = Vec3;
     type Shape = Sphere;
+    type Filter = ();
 
     fn new(ray: &Ray, _: &Region) -> Self {
         Self(*ray)

@@ -70,6 +70,7 @@ pub trait Primitives: Sync {
 /// impl Kernel for SphereTest {
 ///     type Vector = Vec3;
 ///     type Shape = Sphere;
+///     type Filter = ();
 ///
 ///     fn new(ray: &Ray, _: &Region) -> Self {
 ///         Self(*ray)

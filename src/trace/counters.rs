@@ -111,8 +111,8 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Co
     fn triangles(&mut self, leaf: Node) -> Flow {
         let Self { search, counters } = self;
         counters.leaves += 1;
-        search.query.leaf_watched(leaf, |kernel, shape| {
-            let stage = kernel.stage(shape);
+        search.query.leaf_watched(leaf, |shape, kernel| {
+            let stage = kernel.map_or(Stage::Scene, |kernel| kernel.stage(shape));
             counters.triangles += 1;
             counters.fallbacks += u64::from(stage > Stage::Scene);
             counters.sums += u64::from(stage > Stage::Triangle);

@@ -6,9 +6,9 @@ use super::Hit;
 use super::child_order::{ChildOrder, FromLeft, Nearest};
 use super::query::{BoxQuery, OwnBoxes};
 use crate::bvh::{Bvh, LeafTriangle};
-use crate::geom::kernel::{Exact, Exact64, Real};
+use crate::geom::kernel::{Exact, Exact64, Filter, Real};
 use crate::geom::slabs::{Directed, Intervals, Wide};
-use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs};
+use crate::geom::{self, Aabb, Kernel, Ray, Real as _, Slabs, Vector};
 use crate::order::{Descent, Flow, Pruned, Pruning, Repeatable, Visitor};
 use crate::tree::{Node, Topology};
 
@@ -53,14 +53,22 @@ pub struct Search<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, 
     bvh: &'a Bvh<K::Shape>,
     ray: Ray<K::Vector>,
     /// Prepared at the first leaf: a ray that meets none does not pay for it.
+    filter: Option<K::Filter>,
+    /// Prepared when the first triangle comes that the filter does not reject.
     kernel: Option<K>,
     slabs: B,
-    /// The distance of the best hit, or the ray's end.
-    t: Real<K>,
-    prim: u32,
-    /// Where the best hit's triangle is in the hierarchy.
-    place: usize,
+    best: Best<Real<K>>,
     order: PhantomData<O>,
+}
+
+/// The best hit so far.
+#[derive(Clone, Copy, Debug)]
+struct Best<R> {
+    /// Its distance, or the ray's end.
+    t: R,
+    prim: u32,
+    /// Where its triangle is in the hierarchy.
+    place: usize,
 }
 
 /// No triangle has this index, and every hit up to the ray's end comes before it.
@@ -74,11 +82,10 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
         Self {
             bvh,
             ray: *ray,
+            filter: None,
             kernel: None,
             slabs,
-            t: ray.tmax(),
-            prim: NO_PRIM,
-            place: usize::MAX,
+            best: Best { t: ray.tmax(), prim: NO_PRIM, place: usize::MAX },
             order: PhantomData,
         }
     }
@@ -86,7 +93,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
     /// The hit, after the traversal: the closest, or with `ANY` the first that was met.
     pub fn hit(&self) -> Option<Hit<Real<K>>> {
         let ((prim, mut t), kernel) = (self.found()?, self.kernel?);
-        let shape = &self.bvh.triangles()[self.place].shape;
+        let shape = &self.bvh.triangles()[self.best.place].shape;
         if ANY {
             t = kernel.distance(shape, Real::<K>::INFINITY)?;
         }
@@ -97,31 +104,66 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
     /// Triangle and distance of the [`hit`](Self::hit), without the rest. With `ANY` the distance means nothing.
     #[inline]
     pub fn found(&self) -> Option<(u32, Real<K>)> {
-        (self.prim != NO_PRIM).then_some((self.prim, self.t))
+        (self.best.prim != NO_PRIM).then_some((self.best.prim, self.best.t))
     }
 
     /// The leaf of the [`hit`](Self::hit).
     pub(super) fn hit_leaf(&self) -> Option<Node> {
-        self.found().map(|_| self.bvh.leaf_of(self.place))
+        self.found().map(|_| self.bvh.leaf_of(self.best.place))
     }
 
-    /// Tests the triangles of a leaf, each after it is shown to `watch`.
+    /// Tests the triangles of a leaf. `watch` gets each, with the triangle test if the filter does not reject it.
     #[inline(always)]
-    pub(super) fn leaf_watched(&mut self, leaf: Node, mut watch: impl FnMut(&K, &K::Shape)) -> Flow {
+    pub(super) fn leaf_watched(&mut self, leaf: Node, watch: impl FnMut(&K::Shape, Option<&K>)) -> Flow {
+        if K::Filter::REJECTS { self.leaf_by_fours(leaf, watch) } else { self.leaf_one_by_one(leaf, watch) }
+    }
+
+    #[inline(always)]
+    fn leaf_one_by_one(&mut self, leaf: Node, mut watch: impl FnMut(&K::Shape, Option<&K>)) -> Flow {
         let kernel = *self.kernel.get_or_insert_with(|| K::new(&self.ray, self.bvh.region()));
         let range = self.bvh.leaf_range(leaf);
         for (place, held) in range.clone().zip(&self.bvh.triangles()[range]) {
-            watch(&kernel, &held.shape);
-            if self.meet(&kernel, place, held) == Flow::Stop {
+            watch(&held.shape, Some(&kernel));
+            if self.best.meet::<K, ANY>(&kernel, place, held) == Flow::Stop {
                 return Flow::Stop;
             }
         }
         Flow::Continue
     }
 
+    #[inline(always)]
+    fn leaf_by_fours(&mut self, leaf: Node, mut watch: impl FnMut(&K::Shape, Option<&K>)) -> Flow {
+        let Self { bvh, ray, filter, kernel, best, .. } = self;
+        let (range, region) = (bvh.leaf_range(leaf), bvh.region());
+        let filter = filter.get_or_insert_with(|| K::Filter::new(ray, region));
+        for (place, held) in range.clone().step_by(4).zip(bvh.triangles()[range].chunks(4)) {
+            let last = held.len() - 1;
+            // The last one in all lanes that are left.
+            let shape = |lane: usize| &held[lane.min(last)].shape;
+            let shapes = [shape(0), shape(1), shape(2), shape(3)];
+            let mut left = filter.survivors(shapes, best.t) & ((2 << last) - 1);
+            (0..=last).filter(|lane| left >> lane & 1 == 0).for_each(|lane| watch(shapes[lane], None));
+            while left != 0 {
+                let lane = (left.trailing_zeros() as usize).min(last);
+                left &= left - 1;
+                let kernel = kernel.get_or_insert_with(|| K::new(ray, region));
+                watch(shapes[lane], Some(kernel));
+                if best.meet::<K, ANY>(kernel, place + lane, &held[lane]) == Flow::Stop {
+                    return Flow::Stop;
+                }
+            }
+        }
+        Flow::Continue
+    }
+}
+
+impl<R: geom::Real> Best<R> {
     /// Tests one triangle.
     #[inline(always)]
-    fn meet(&mut self, kernel: &K, place: usize, held: &LeafTriangle<K::Shape>) -> Flow {
+    fn meet<K: Kernel, const ANY: bool>(&mut self, kernel: &K, place: usize, held: &LeafTriangle<K::Shape>) -> Flow
+    where
+        K::Vector: Vector<Real = R>,
+    {
         if ANY {
             if kernel.blocks(&held.shape) {
                 (self.prim, self.place) = (held.prim, place);
@@ -131,7 +173,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
             // The order of hits: by distance, then by triangle. Of a triangle in parts, the part that is met last
             // counts: its leaf may be the one whose box holds the hit.
             if t < self.t || t == self.t && held.prim <= self.prim {
-                (self.t, self.prim, self.place) = (t, held.prim, place);
+                *self = Self { t, prim: held.prim, place };
             }
         }
         Flow::Continue
@@ -142,7 +184,7 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
     #[inline(always)]
     fn inner(&mut self, node: Node) -> Descent {
         let planes = &self.bvh.node(node.index()).planes;
-        let Intervals { hit: [left, right], near, .. } = self.slabs.pair(planes, self.t);
+        let Intervals { hit: [left, right], near, .. } = self.slabs.pair(planes, self.best.t);
         Descent::new(left, right, O::prefers_right(near))
     }
 
@@ -167,7 +209,7 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Pr
     #[inline(always)]
     fn inner_marked(&mut self, node: Node) -> Descent {
         let planes = &self.bvh.node(node.index()).planes;
-        let Intervals { hit: [left, right], near, far } = self.slabs.pair(planes, self.t);
+        let Intervals { hit: [left, right], near, far } = self.slabs.pair(planes, self.best.t);
         let prefers_right = O::prefers_right(near);
         let is_disjoint = if prefers_right { far[1] < near[0] } else { far[0] < near[1] };
         Descent::new(left, right, prefers_right).disjoint_if(is_disjoint)
@@ -175,19 +217,19 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Pr
 
     #[inline(always)]
     fn found_at(&self, leaf: Node) -> bool {
-        self.bvh.leaf_range(leaf).contains(&self.place)
+        self.bvh.leaf_range(leaf).contains(&self.best.place)
     }
 
     #[inline(always)]
     fn postponed(&self, node: Node, descent: Descent) -> u32 {
         let planes = &self.bvh.node(node.index()).planes;
-        let [begins, _] = self.slabs.pair(planes, self.t).near[descent.first().other().index()].ranks();
+        let [begins, _] = self.slabs.pair(planes, self.best.t).near[descent.first().other().index()].ranks();
         begins
     }
 
     #[inline(always)]
     fn end(&self) -> u32 {
-        let [_, end] = self.t.ranks();
+        let [_, end] = self.best.t.ranks();
         end
     }
 }
@@ -220,7 +262,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
 impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> BoxQuery for Search<'_, K, B, ANY, O> {
     #[inline]
     fn touches(&self, aabb: &Aabb) -> bool {
-        self.slabs.one(aabb, self.t).is_some()
+        self.slabs.one(aabb, self.best.t).is_some()
     }
 
     #[inline]
@@ -242,7 +284,7 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Bo
     #[inline]
     fn ends_in(&self, aabb: &Aabb) -> bool {
         let planes = aabb.planes_twice();
-        self.slabs.pair(&planes, self.t).far[0] >= self.t
+        self.slabs.pair(&planes, self.best.t).far[0] >= self.best.t
     }
 }
 

@@ -55,6 +55,7 @@ impl AffineTriangle {
 impl Kernel for Affine {
     type Vector = Vec3;
     type Shape = AffineTriangle;
+    type Filter = ();
 
     #[inline]
     fn new(ray: &Ray, _: &Region) -> Self {

@@ -29,6 +29,8 @@ pub trait Kernel: Copy + Debug {
     /// A triangle as the test wants it, or any other shape that rays can meet. Of shapes that are equal, one may be asked
     /// for all.
     type Shape: Copy + Debug + PartialEq + Send + Sync;
+    /// What rejects shapes, four at once, before they are tested one by one: `()` rejects none.
+    type Filter: Filter<Self::Vector, Self::Shape>;
 
     /// Prepares a ray. `region` must hold all triangles that it is asked about.
     fn new(ray: &Ray<Self::Vector>, region: &Region) -> Self;
@@ -55,6 +57,30 @@ pub trait Kernel: Copy + Debug {
     /// Weights of the second and of the third corner in the point where the ray's line meets the triangle, which it
     /// must.
     fn weights(&self, shape: &Self::Shape) -> [Real<Self>; 2];
+}
+
+/// A test of four shapes at once, for a search that comes to a leaf: it rejects most of those that a ray misses, and none
+/// that it hits.
+pub trait Filter<V: Vector, S>: Copy + Debug {
+    /// Whether it rejects anything. If not, it is not asked.
+    const REJECTS: bool = true;
+
+    /// Prepares a ray. `region` must hold all shapes that it is asked about.
+    fn new(ray: &Ray<V>, region: &Region) -> Self;
+
+    /// Those that are not rejected: bit `i` is set if the ray may hit shape `i` at `limit`, which is not negative, or
+    /// before.
+    fn survivors(&self, shapes: [&S; 4], limit: V::Real) -> u32;
+}
+
+impl<V: Vector, S> Filter<V, S> for () {
+    const REJECTS: bool = false;
+
+    fn new(_: &Ray<V>, _: &Region) -> Self {}
+
+    fn survivors(&self, _: [&S; 4], _: V::Real) -> u32 {
+        0b1111
+    }
 }
 
 /// What it takes to decide about a ray and a triangle. Tests that are not exact have one stage.

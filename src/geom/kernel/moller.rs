@@ -34,6 +34,7 @@ macro_rules! moller {
 impl Kernel for Moller32 {
     type Vector = Vec3;
     type Shape = Triangle;
+    type Filter = ();
 
     #[inline]
     fn new(ray: &Ray, _: &Region) -> Self {
@@ -63,6 +64,7 @@ impl Kernel for Moller32 {
 impl Kernel for Moller64 {
     type Vector = Vec3;
     type Shape = Triangle;
+    type Filter = ();
 
     #[inline]
     fn new(ray: &Ray, _: &Region) -> Self {

@@ -42,6 +42,7 @@ impl Woop {
 impl Kernel for Woop {
     type Vector = Vec3;
     type Shape = Triangle;
+    type Filter = ();
 
     #[inline]
     fn new(ray: &Ray, _: &Region) -> Self {

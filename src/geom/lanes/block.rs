@@ -1,5 +1,6 @@
 //! Four triangles, side by side.
 
+use fearless_simd::{Simd, SimdBase, f32x4};
 use glam::Vec3;
 
 use super::MIN_EDGE;
@@ -25,6 +26,16 @@ impl Block {
     /// by the number of triangles.
     pub const EMPTY: Self = Self { corners: [[[0.0; 4]; 3]; 3], edges: [MIN_EDGE; 4], prims: [Self::NONE; 4] };
 
+    /// Four triangles, without their indices, by a few instructions: for whoever filters triangles that are not in blocks.
+    #[inline(always)]
+    pub fn of<S: Simd>(simd: S, triangles: [&Triangle; 4]) -> Self {
+        // Array by array: `map` is a function of its own, which is not inlined here.
+        let (v0, v1, v2) =
+            (transposed(simd, triangles, 0), transposed(simd, triangles, 1), transposed(simd, triangles, 2));
+        let longest = greatest(&v1, &v0).max(greatest(&v2, &v0)).max(f32x4::splat(simd, MIN_EDGE));
+        Self { corners: [arrays(v0), arrays(v1), arrays(v2)], edges: longest.into(), prims: [Self::NONE; 4] }
+    }
+
     /// Puts a triangle in a lane, 0 to 3.
     #[inline]
     pub fn set(&mut self, lane: usize, triangle: &Triangle, prim: u32) {
@@ -48,6 +59,40 @@ impl Block {
     pub fn triangle(&self, lane: usize) -> Triangle {
         Triangle([self.corner(0, lane), self.corner(1, lane), self.corner(2, lane)])
     }
+}
+
+/// Of one corner, for each axis, the coordinates of four triangles.
+#[inline(always)]
+fn transposed<S: Simd>(simd: S, triangles: [&Triangle; 4], corner: usize) -> [f32x4<S>; 3] {
+    let row = |Triangle([v0, v1, v2]): &Triangle| {
+        // Four numbers that follow one another, which is one load.
+        let row = match corner {
+            0 => [v0.x, v0.y, v0.z, v1.x],
+            1 => [v1.x, v1.y, v1.z, v2.x],
+            _ => [v1.z, v2.x, v2.y, v2.z],
+        };
+        f32x4::load_array(simd, row)
+    };
+    let [a, b, c, d] = triangles;
+    let (a, b, c, d) = (row(a), row(b), row(c), row(d));
+    let (first, second) = (a.zip_low(c), b.zip_low(d));
+    let (third, fourth) = (a.zip_high(c), b.zip_high(d));
+    let rows = [first.zip_low(second), first.zip_high(second), third.zip_low(fourth), third.zip_high(fourth)];
+    match corner {
+        2 => [rows[1], rows[2], rows[3]],
+        _ => [rows[0], rows[1], rows[2]],
+    }
+}
+
+/// The greatest component of each edge from `from` to `to`.
+#[inline(always)]
+fn greatest<S: Simd>(to: &[f32x4<S>; 3], from: &[f32x4<S>; 3]) -> f32x4<S> {
+    (to[0] - from[0]).abs().max((to[1] - from[1]).abs()).max((to[2] - from[2]).abs())
+}
+
+#[inline(always)]
+fn arrays<S: Simd>([x, y, z]: [f32x4<S>; 3]) -> [[f32; 4]; 3] {
+    [x.into(), y.into(), z.into()]
 }
 
 /// The greatest component of the edges from the first corner, as the filter computes them. `[LANES-3]`

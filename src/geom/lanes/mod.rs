@@ -30,6 +30,7 @@
 mod block;
 mod boxes;
 mod enclosed;
+mod filter;
 mod leaf;
 mod point;
 mod triangles;
@@ -37,6 +38,7 @@ mod triangles;
 pub use block::Block;
 pub use boxes::BoxRay;
 pub use enclosed::EnclosedBoxes;
+pub use filter::TriangleFilter;
 pub(crate) use leaf::{LaneSet, filled};
 pub use leaf::{LazyExact, Nearest};
 pub use point::BoxPoint;
@@ -63,14 +65,34 @@ pub fn levels() -> Vec<(&'static str, Level)> {
     vec![(if best.is_fallback() { "scalar" } else { "simd" }, best)]
 }
 
+/// The instructions that every machine of the target has, as one type: SSE2, or where the target has none, scalar ones.
+#[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
+pub(crate) type Baseline = fearless_simd::x86::Sse2;
+#[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
+pub(crate) type Baseline = fearless_simd::Fallback;
+
+#[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
+#[inline(always)]
+pub(crate) fn baseline() -> Baseline {
+    match Level::baseline().as_sse2() {
+        Some(simd) => simd,
+        None => unreachable!("the target has SSE2"),
+    }
+}
+
+#[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
+pub(crate) const fn baseline() -> Baseline {
+    fearless_simd::Fallback::new()
+}
+
 /// Does something with the instructions that every machine of the target has: where a choice is not worth a copy of the
 /// code for each level.
 macro_rules! with_baseline {
     ($simd:ident => $run:expr) => {{
         #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
-        match $crate::geom::lanes::Level::baseline().as_sse2() {
-            Some($simd) => $run,
-            None => unreachable!("the target has SSE2"),
+        {
+            let $simd = $crate::geom::lanes::baseline();
+            $run
         }
         #[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
         fearless_simd::dispatch!($crate::geom::lanes::Level::baseline(), $simd => $run)

@@ -163,6 +163,7 @@ struct Sums<S> {
 impl<S: Spoil> Kernel for Sums<S> {
     type Vector = DVec3;
     type Shape = Triangle<DVec3>;
+    type Filter = ();
 
     fn new(ray: &Ray<DVec3>, region: &Region) -> Self {
         let flush = |v: DVec3| DVec3::select(v.abs().cmplt(DVec3::splat(1e-200)), DVec3::ZERO, v);

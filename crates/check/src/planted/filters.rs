@@ -54,6 +54,7 @@ pub(super) struct Filter<const SINGLE: u32, const SIGNS: u32, const PLACES: u32>
 impl<const SINGLE: u32, const SIGNS: u32, const PLACES: u32> Kernel for Filter<SINGLE, SIGNS, PLACES> {
     type Vector = Vec3;
     type Shape = Triangle;
+    type Filter = ();
 
     fn new(ray: &Ray, region: &Region) -> Self {
         Self { exact: Exact::new(ray, region), ray: *ray, region: *region }

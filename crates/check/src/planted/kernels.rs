@@ -68,6 +68,7 @@ pub(super) struct Spoilt<S> {
 impl<S: Spoil> Kernel for Spoilt<S> {
     type Vector = Vec3;
     type Shape = Triangle;
+    type Filter = ();
 
     fn new(ray: &Ray, region: &Region) -> Self {
         // Error bounds are those of a scene that is a part of this one.

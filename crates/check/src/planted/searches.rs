@@ -1,28 +1,34 @@
 //! Searches over rays with a mistake, against rational arithmetic; and a restart trail with one.
 
-use glam::Vec3;
+use std::marker::PhantomData;
+
+use glam::{Vec3, Vec3Swizzles};
 
 use super::draw::Draw;
 use super::files::cast;
 use super::kernels::{self, BelowLimit, Endless, OpenInterval};
-use super::layers::{Instead, Mistake};
+use super::layers::{Hits, Instead, Mistake};
 use super::slabs::{self, BeforeEnd};
 use super::wrapped::{Mutation, Wrapped};
 use super::{Planted, drive};
 use crate::{Case, check_tree};
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions};
-use stackless_bvh::geom::kernel::{Exact, Moller32};
+use stackless_bvh::geom::kernel::{Exact, Filter, Moller32};
+use stackless_bvh::geom::lanes::TriangleFilter;
 use stackless_bvh::geom::slabs::{Directed, Plain};
-use stackless_bvh::geom::{Kernel, Mesh, Slabs, Triangle};
-use stackless_bvh::traverse::Laine;
+use stackless_bvh::geom::{Kernel, Mesh, Ray, Region, Slabs, Triangle};
+use stackless_bvh::trace::BinaryTracer;
+use stackless_bvh::traverse::{Laine, Method};
 
-pub(super) const MISTAKES: [Mistake; 7] = [
+pub(super) const MISTAKES: [Mistake; 9] = [
     of::<kernels::Spoilt<BelowLimit>, Directed>("of equal hits the first that is met", "DET-1"),
     of::<kernels::Spoilt<OpenInterval>, Directed>("an open interval", "EXACT-1"),
     of::<kernels::Spoilt<Endless>, Directed>("any hit, whatever the end of the ray", "EXACT-1"),
     of::<Exact, slabs::Spoilt<BeforeEnd>>("boxes that begin at the best hit are skipped", "DET-1"),
     of::<Exact, Plain>("boxes without padding", "BOX-2"),
     of::<Moller32, Directed>("triangles in single precision", "EXACT-1"),
+    filter::<SingleFilter>("four triangles are filtered without bounds", "LANES-3"),
+    filter::<ExchangedFilter>("four triangles are filtered with two axes exchanged", "LANES-3"),
     Mistake::new(
         "a restart takes a node that wants one child for done",
         "LAINE-1",
@@ -31,8 +37,9 @@ pub(super) const MISTAKES: [Mistake; 7] = [
     ),
 ];
 
-pub(super) const CONTROLS: [Mistake; 2] = [
+pub(super) const CONTROLS: [Mistake; 3] = [
     of::<Exact, Directed>("the exact search", "DET-1"),
+    filter::<TriangleFilter>("the exact search behind a filter of four", "LANES-3"),
     Mistake::new(
         "a restart trail, wrapped",
         "LAINE-1",
@@ -57,6 +64,75 @@ where
     let (mesh, rays) = draw.scene()?;
     let bvh = built(draw, &mesh)?;
     check_tree::<K, B, _>(&bvh, &mesh, &rays).err().map(|fault| fault.to_string())
+}
+
+const fn filter<F: Filter<Vec3, Triangle> + 'static>(name: &'static str, clause: &'static str) -> Mistake {
+    Mistake::new(name, clause, fault::<Behind<F>, Directed>, Instead::Rays(by_fours::<Behind<F>>))
+}
+
+/// What the library's tracer answers, with up to four triangles a leaf.
+fn by_fours<K: Kernel<Vector = Vec3, Shape = Triangle>>(mesh: &Mesh, rays: &[Ray]) -> Option<Hits> {
+    let bvh = Bvh::median(mesh, 4).ok()?;
+    let tracer = BinaryTracer::<_, K, Directed>::with_tests(&bvh, Method::Stack).ok()?;
+    Some(Hits { closest: tracer.closest_each(rays), any: tracer.any_each(rays) })
+}
+
+/// The exact test behind a filter of four triangles.
+#[derive(Clone, Copy, Debug)]
+struct Behind<F> {
+    exact: Exact,
+    filter: PhantomData<F>,
+}
+
+impl<F: Filter<Vec3, Triangle>> Kernel for Behind<F> {
+    type Vector = Vec3;
+    type Shape = Triangle;
+    type Filter = F;
+
+    fn new(ray: &Ray, region: &Region) -> Self {
+        Self { exact: Exact::new(ray, region), filter: PhantomData }
+    }
+
+    fn distance(&self, shape: &Triangle, limit: f32) -> Option<f32> {
+        self.exact.distance(shape, limit)
+    }
+
+    fn blocks(&self, shape: &Triangle) -> bool {
+        self.exact.blocks(shape)
+    }
+
+    fn weights(&self, shape: &Triangle) -> [f32; 2] {
+        self.exact.weights(shape)
+    }
+}
+
+/// Rejects what single precision takes for a miss.
+#[derive(Clone, Copy, Debug)]
+struct SingleFilter(Moller32);
+
+impl Filter<Vec3, Triangle> for SingleFilter {
+    fn new(ray: &Ray, region: &Region) -> Self {
+        Self(Moller32::new(ray, region))
+    }
+
+    fn survivors(&self, shapes: [&Triangle; 4], limit: f32) -> u32 {
+        (0..).zip(shapes).map(|(lane, shape)| u32::from(self.0.distance(shape, limit).is_some()) << lane).sum()
+    }
+}
+
+/// Puts two axes of the ray into each other's lanes.
+#[derive(Clone, Copy, Debug)]
+struct ExchangedFilter(TriangleFilter);
+
+impl Filter<Vec3, Triangle> for ExchangedFilter {
+    fn new(ray: &Ray, region: &Region) -> Self {
+        let exchanged = Ray::within(ray.origin().yxz(), ray.direction().yxz(), ray.tmin(), ray.tmax());
+        Self(TriangleFilter::new(&exchanged.unwrap_or(*ray), region))
+    }
+
+    fn survivors(&self, shapes: [&Triangle; 4], limit: f32) -> u32 {
+        self.0.survivors(shapes, limit)
+    }
 }
 
 /// A hierarchy by any builder.

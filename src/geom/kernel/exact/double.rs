@@ -57,6 +57,7 @@ pub(in crate::geom) const USUAL: RangeInclusive<f64> = power_of_two(-200)..=powe
 impl Kernel for Exact64 {
     type Vector = DVec3;
     type Shape = Triangle<DVec3>;
+    type Filter = ();
 
     #[inline]
     fn new(ray: &Ray<DVec3>, region: &Region) -> Self {

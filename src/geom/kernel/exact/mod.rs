@@ -2,7 +2,8 @@
 //!
 //! 1. Double precision with error bounds for all triangles of the scene at once: signs that are certain are taken, and
 //!    the distance, if both ends of its error interval round to the same number. Nearly all tests end here.
-//!    ([`ExactFromSingle`] asks single precision first, with a bound for each triangle.)
+//!    ([`ExactFromSingle`] asks single precision first, with a bound for each triangle; a search asks a [`TriangleFilter`]
+//!    first, about four at once.)
 //! 2. The same with error bounds for this triangle, or with none where nothing is rounded. `[EXACT-11]`
 //! 3. Twice the digits of a double, with bounds. `[EXACT-10]`
 //! 4. Exact sums ([`Accumulator`]), for what is left.
@@ -37,6 +38,7 @@ use std::cell::Cell;
 use glam::{DVec3, Vec3};
 
 use super::{Kernel, Stage};
+use crate::geom::lanes::TriangleFilter;
 use crate::geom::{Once, Ray, Region, Triangle, Vector};
 use filter::{Determinants, Errors};
 
@@ -54,6 +56,7 @@ pub struct Exact {
 impl Kernel for Exact {
     type Vector = Vec3;
     type Shape = Triangle;
+    type Filter = TriangleFilter;
 
     #[inline]
     fn new(ray: &Ray, region: &Region) -> Self {

@@ -33,6 +33,7 @@ const UNIT: f32 = f32::EPSILON / 2.0;
 impl Kernel for ExactFromSingle {
     type Vector = Vec3;
     type Shape = Triangle;
+    type Filter = ();
 
     #[inline]
     fn new(ray: &Ray, region: &Region) -> Self {

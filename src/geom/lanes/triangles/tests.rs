@@ -4,7 +4,8 @@ use glam::Vec3;
 use super::*;
 use crate::generate::draw::Draw;
 use crate::generate::stress;
-use crate::geom::kernel::Exact;
+use crate::geom::kernel::{Exact, Filter as _};
+use crate::geom::lanes::TriangleFilter;
 use crate::geom::lanes::tests::levels;
 use crate::geom::{Aabb, Kernel, Triangle, truth};
 
@@ -39,6 +40,10 @@ fn check(ray: &Ray, region: &Region, triangles: &[Triangle; 4], best: f32, const
     let mut sets = levels().into_iter().map(|level| survive(level, ray, region, &block, best, constants));
     let left = sets.next().expect("a level");
     assert!(sets.all(|set| set == left), "{ray:?} {triangles:?} {best}");
+    if constants == CONSTANTS {
+        let filter = TriangleFilter::new(ray, region);
+        assert_eq!(filter.survivors(triangles.each_ref(), best), left, "{ray:?} {triangles:?} {best}");
+    }
     let exact = Exact::new(ray, region);
     for (lane, triangle) in triangles.iter().enumerate() {
         if left >> lane & 1 == 1 {
@@ -54,6 +59,26 @@ fn check(ray: &Ray, region: &Region, triangles: &[Triangle; 4], best: f32, const
             assert!(hit.is_none_or(|hit| truth::round_f32(&hit.t) > best), "{ray:?} {triangle:?} {best}");
         }
     }
+}
+
+/// On all levels, whether the zeros have signs or not.
+#[test]
+fn four_triangles_at_once_are_those_of_the_lanes() {
+    let mut triangles = 0;
+    for case in stress::cases(24) {
+        let n = case.mesh.triangles().len();
+        for i in 0..n.min(200) {
+            let four = [0, 1, 2, 3]
+                .map(|k| Triangle(case.mesh.triangle((i + k) % n).map(|corner| corner * [1.0, -1.0][k & 1])));
+            let expected = Block { prims: [Block::NONE; 4], ..block_of(&four) };
+            for level in levels() {
+                let block = dispatch!(level, simd => Block::of(simd, four.each_ref()));
+                assert_eq!(format!("{block:?}"), format!("{expected:?}"), "{level:?}");
+            }
+            triangles += 4;
+        }
+    }
+    assert!(triangles > 1000, "{triangles}");
 }
 
 /// Triangles of all stress cases, for ends at their hits and next to them; the scene is that of the four triangles
