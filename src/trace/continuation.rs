@@ -92,8 +92,9 @@ impl<'t, T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Cont
 
     fn count<const ANY: bool, O: ChildOrder>(&self, ray: &Ray<K::Vector>, from: Option<Place>) -> Counters {
         let mut counters = Counters { rays: 1, ..Counters::default() };
-        let search = NodeSearch::new(self.tracer.bvh(), &self.boxes, ray);
-        let [tests, missed] = self.run(from, &mut Counting::<K, B, ANY, O> { search, counters: &mut counters });
+        let bvh = self.tracer.bvh();
+        let (search, kernel) = (NodeSearch::new(bvh, &self.boxes, ray), K::new(ray, bvh.region()));
+        let [tests, missed] = self.run(from, &mut Counting::<K, B, ANY, O> { search, kernel, counters: &mut counters });
         Counters { boxes: counters.boxes + tests, inner: counters.inner + missed, ..counters }
     }
 

@@ -26,7 +26,8 @@ pub struct Counters {
     pub boxes: u64,
     /// Triangle tests.
     pub triangles: u64,
-    /// Of the triangle tests, those that error bounds for the whole scene left open.
+    /// Of the triangle tests, those that error bounds for the whole scene leave open, whether a filter rejects them before
+    /// or not.
     pub fallbacks: u64,
     /// Of those, the ones that took exact sums.
     pub sums: u64,
@@ -92,7 +93,8 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
                 counters.rays += 1;
                 backtracks.begin();
                 let search = NodeSearch::new(bvh, &level.boxes, ray);
-                let mut query = Counting::<K, B, ANY, O> { search, counters: &mut counters };
+                let kernel = K::new(ray, bvh.region());
+                let mut query = Counting::<K, B, ANY, O> { search, kernel, counters: &mut counters };
                 level.run_counted(bvh.tree(), ray.octant(), &mut memory, &mut query, &mut backtracks);
             }
             Counters { backtracks, ..counters }
@@ -104,15 +106,17 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
 /// A search that counts.
 pub(super) struct Counting<'a, 'c, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O> {
     pub(super) search: NodeSearch<'a, K, B, ANY, O>,
+    /// For the stages, of triangles that a filter rejects too: so counts are the same on all machines.
+    pub(super) kernel: K,
     pub(super) counters: &'c mut Counters,
 }
 
 impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Counting<'_, '_, K, B, ANY, O> {
     fn triangles(&mut self, leaf: Node) -> Flow {
-        let Self { search, counters } = self;
+        let Self { search, kernel, counters } = self;
         counters.leaves += 1;
-        search.query.leaf_watched(leaf, |shape, kernel| {
-            let stage = kernel.map_or(Stage::Scene, |kernel| kernel.stage(shape));
+        search.query.leaf_watched(leaf, |shape| {
+            let stage = kernel.stage(shape);
             counters.triangles += 1;
             counters.fallbacks += u64::from(stage > Stage::Scene);
             counters.sums += u64::from(stage > Stage::Triangle);

@@ -112,18 +112,18 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
         self.found().map(|_| self.bvh.leaf_of(self.best.place))
     }
 
-    /// Tests the triangles of a leaf. `watch` gets each, with the triangle test if the filter does not reject it.
+    /// Tests the triangles of a leaf. `watch` gets all of them, up to the one that ends the search.
     #[inline(always)]
-    pub(super) fn leaf_watched(&mut self, leaf: Node, watch: impl FnMut(&K::Shape, Option<&K>)) -> Flow {
+    pub(super) fn leaf_watched(&mut self, leaf: Node, watch: impl FnMut(&K::Shape)) -> Flow {
         if K::Filter::REJECTS { self.leaf_by_fours(leaf, watch) } else { self.leaf_one_by_one(leaf, watch) }
     }
 
     #[inline(always)]
-    fn leaf_one_by_one(&mut self, leaf: Node, mut watch: impl FnMut(&K::Shape, Option<&K>)) -> Flow {
+    fn leaf_one_by_one(&mut self, leaf: Node, mut watch: impl FnMut(&K::Shape)) -> Flow {
         let kernel = *self.kernel.get_or_insert_with(|| K::new(&self.ray, self.bvh.region()));
         let range = self.bvh.leaf_range(leaf);
         for (place, held) in range.clone().zip(&self.bvh.triangles()[range]) {
-            watch(&held.shape, Some(&kernel));
+            watch(&held.shape);
             if self.best.meet::<K, ANY>(&kernel, place, held) == Flow::Stop {
                 return Flow::Stop;
             }
@@ -132,7 +132,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
     }
 
     #[inline(always)]
-    fn leaf_by_fours(&mut self, leaf: Node, mut watch: impl FnMut(&K::Shape, Option<&K>)) -> Flow {
+    fn leaf_by_fours(&mut self, leaf: Node, mut watch: impl FnMut(&K::Shape)) -> Flow {
         let Self { bvh, ray, filter, kernel, best, .. } = self;
         let (range, region) = (bvh.leaf_range(leaf), bvh.region());
         let filter = filter.get_or_insert_with(|| K::Filter::new(ray, region));
@@ -142,16 +142,16 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
             let shape = |lane: usize| &held[lane.min(last)].shape;
             let shapes = [shape(0), shape(1), shape(2), shape(3)];
             let mut left = filter.survivors(shapes, best.t) & ((2 << last) - 1);
-            (0..=last).filter(|lane| left >> lane & 1 == 0).for_each(|lane| watch(shapes[lane], None));
             while left != 0 {
                 let lane = (left.trailing_zeros() as usize).min(last);
                 left &= left - 1;
                 let kernel = kernel.get_or_insert_with(|| K::new(ray, region));
-                watch(shapes[lane], Some(kernel));
                 if best.meet::<K, ANY>(kernel, place + lane, &held[lane]) == Flow::Stop {
+                    shapes[..=lane].iter().for_each(|shape| watch(shape));
                     return Flow::Stop;
                 }
             }
+            shapes[..=last].iter().for_each(|shape| watch(shape));
         }
         Flow::Continue
     }
@@ -190,7 +190,7 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Vi
 
     #[inline(always)]
     fn leaf(&mut self, node: Node) -> Flow {
-        self.leaf_watched(node, |_, _| ())
+        self.leaf_watched(node, |_| ())
     }
 }
 
