@@ -17,7 +17,7 @@ use crate::geom::{Ray, Region, Triangle};
 ///
 /// let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
 /// let beside = Triangle(triangle.0.map(|corner| corner + 2.0 * Vec3::X));
-/// let region = Region::of(&triangle.aabb().union(&beside.aabb()));
+/// let region = Region::of(&triangle.aabb().union(beside.aabb()));
 /// let filter = TriangleFilter::new(&Ray::new(Vec3::new(0.25, 0.25, -3.0), Vec3::Z)?, &region);
 /// let shapes = [&triangle, &beside, &beside, &triangle];
 /// assert_eq!(filter.survivors(shapes, f32::INFINITY), 0b1001);
