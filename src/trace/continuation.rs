@@ -92,9 +92,8 @@ impl<'t, T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Cont
 
     fn count<const ANY: bool, O: ChildOrder>(&self, ray: &Ray<K::Vector>, from: Option<Place>) -> Counters {
         let mut counters = Counters { rays: 1, ..Counters::default() };
-        let bvh = self.tracer.bvh();
-        let (search, kernel) = (NodeSearch::new(bvh, &self.boxes, ray), K::new(ray, bvh.region()));
-        let [tests, missed] = self.run(from, &mut Counting::<K, B, ANY, O> { search, kernel, counters: &mut counters });
+        let mut query = Counting::<K, B, ANY, O>::new(self.tracer.bvh(), &self.boxes, ray, &mut counters);
+        let [tests, missed] = self.run(from, &mut query);
         Counters { boxes: counters.boxes + tests, inner: counters.inner + missed, ..counters }
     }
 

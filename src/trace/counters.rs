@@ -92,9 +92,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
             for ray in chunk {
                 counters.rays += 1;
                 backtracks.begin();
-                let search = NodeSearch::new(bvh, &level.boxes, ray);
-                let kernel = K::new(ray, bvh.region());
-                let mut query = Counting::<K, B, ANY, O> { search, kernel, counters: &mut counters };
+                let mut query = Counting::<K, B, ANY, O>::new(bvh, &level.boxes, ray, &mut counters);
                 level.run_counted(bvh.tree(), ray.octant(), &mut memory, &mut query, &mut backtracks);
             }
             Counters { backtracks, ..counters }
@@ -107,11 +105,20 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
 pub(super) struct Counting<'a, 'c, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O> {
     pub(super) search: NodeSearch<'a, K, B, ANY, O>,
     /// For the stages, of triangles that a filter rejects too: so counts are the same on all machines.
-    pub(super) kernel: K,
-    pub(super) counters: &'c mut Counters,
+    kernel: K,
+    counters: &'c mut Counters,
 }
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Counting<'_, '_, K, B, ANY, O> {
+impl<'a, 'c, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Counting<'a, 'c, K, B, ANY, O> {
+    pub(super) fn new(
+        bvh: &'a Bvh<K::Shape>,
+        boxes: &'a [Aabb],
+        ray: &Ray<K::Vector>,
+        counters: &'c mut Counters,
+    ) -> Self {
+        Self { search: NodeSearch::new(bvh, boxes, ray), kernel: K::new(ray, bvh.region()), counters }
+    }
+
     fn triangles(&mut self, leaf: Node) -> Flow {
         let Self { search, kernel, counters } = self;
         counters.leaves += 1;

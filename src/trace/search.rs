@@ -118,6 +118,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
         if K::Filter::REJECTS { self.leaf_by_fours(leaf, watch) } else { self.leaf_one_by_one(leaf, watch) }
     }
 
+    /// A loop of its own: in that of the fours, tests without a filter took 3 % longer.
     #[inline(always)]
     fn leaf_one_by_one(&mut self, leaf: Node, mut watch: impl FnMut(&K::Shape)) -> Flow {
         let kernel = *self.kernel.get_or_insert_with(|| K::new(&self.ray, self.bvh.region()));

@@ -4,6 +4,7 @@ use fearless_simd::{Simd, SimdBase, f32x4};
 use glam::Vec3;
 
 use super::MIN_EDGE;
+use super::triangles::{Vector, minus};
 use crate::geom::Triangle;
 
 /// Up to four triangles, one in each lane: 176 bytes.
@@ -32,7 +33,7 @@ impl Block {
         // Array by array: `map` is a function of its own, which is not inlined here.
         let (v0, v1, v2) =
             (transposed(simd, triangles, 0), transposed(simd, triangles, 1), transposed(simd, triangles, 2));
-        let longest = greatest(&v1, &v0).max(greatest(&v2, &v0)).max(f32x4::splat(simd, MIN_EDGE));
+        let longest = greatest(&minus(&v1, &v0)).max(greatest(&minus(&v2, &v0))).max(f32x4::splat(simd, MIN_EDGE));
         Self { corners: [arrays(v0), arrays(v1), arrays(v2)], edges: longest.into(), prims: [Self::NONE; 4] }
     }
 
@@ -63,7 +64,7 @@ impl Block {
 
 /// Of one corner, for each axis, the coordinates of four triangles.
 #[inline(always)]
-fn transposed<S: Simd>(simd: S, triangles: [&Triangle; 4], corner: usize) -> [f32x4<S>; 3] {
+fn transposed<S: Simd>(simd: S, triangles: [&Triangle; 4], corner: usize) -> Vector<S> {
     let row = |Triangle([v0, v1, v2]): &Triangle| {
         // Four numbers that follow one another, which is one load.
         let row = match corner {
@@ -84,14 +85,14 @@ fn transposed<S: Simd>(simd: S, triangles: [&Triangle; 4], corner: usize) -> [f3
     }
 }
 
-/// The greatest component of each edge from `from` to `to`.
+/// The greatest component in each lane.
 #[inline(always)]
-fn greatest<S: Simd>(to: &[f32x4<S>; 3], from: &[f32x4<S>; 3]) -> f32x4<S> {
-    (to[0] - from[0]).abs().max((to[1] - from[1]).abs()).max((to[2] - from[2]).abs())
+fn greatest<S: Simd>([x, y, z]: &Vector<S>) -> f32x4<S> {
+    x.abs().max(y.abs()).max(z.abs())
 }
 
 #[inline(always)]
-fn arrays<S: Simd>([x, y, z]: [f32x4<S>; 3]) -> [[f32; 4]; 3] {
+fn arrays<S: Simd>([x, y, z]: Vector<S>) -> [[f32; 4]; 3] {
     [x.into(), y.into(), z.into()]
 }
 

@@ -139,7 +139,7 @@ impl<S: Simd> TriangleRay<S> {
     }
 }
 
-type Vector<S> = [f32x4<S>; 3];
+pub(super) type Vector<S> = [f32x4<S>; 3];
 
 #[inline(always)]
 fn splat<S: Simd>(simd: S, v: Vec3) -> Vector<S> {
@@ -153,7 +153,7 @@ fn load<S: Simd>(simd: S, rows: &[[f32; 4]; 3]) -> Vector<S> {
 }
 
 #[inline(always)]
-fn minus<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
+pub(super) fn minus<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
