@@ -25,9 +25,9 @@ pub struct WideOptions {
 }
 
 impl Default for WideOptions {
-    /// A node costs as much as four triangles; leaves of up to 8.
+    /// A node costs as much as eight triangles; leaves of up to 8.
     fn default() -> Self {
-        Self { node_cost: 1.0, block_cost: 1.0, max_leaf: 8 }
+        Self { node_cost: 1.0, block_cost: 0.5, max_leaf: 8 }
     }
 }
 

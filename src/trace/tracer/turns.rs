@@ -82,9 +82,14 @@ macro_rules! vectorize {
                 #[inline(always)]
                 || $run,
             ),
-            (None, Some($simd)) => $simd.vectorize(
+            (None, Some($simd)) => apart(
                 #[inline(always)]
-                || $run,
+                || {
+                    $simd.vectorize(
+                        #[inline(always)]
+                        || $run,
+                    )
+                },
             ),
             (None, None) => unreachable!("the target has SSE2"),
         }
@@ -93,6 +98,14 @@ macro_rules! vectorize {
             fearless_simd::dispatch!($level, $simd => $run)
         }
     }};
+}
+
+/// Runs it in a function of its own. The baseline's instructions are those of the caller too, so without this the caller
+/// would hold all traversals, and save and restore their registers for each ray.
+#[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
+#[inline(never)]
+fn apart<R>(run: impl FnOnce() -> R) -> R {
+    run()
 }
 
 /// A ray that is alone.
