@@ -25,7 +25,7 @@ pub struct WideOptions {
 }
 
 impl Default for WideOptions {
-    /// A node costs as much as eight triangles; leaves of up to 8.
+    /// A node costs as much as two tests of four triangles; leaves of up to 8. (benches/records/2026-11-28-leaves.md)
     fn default() -> Self {
         Self { node_cost: 1.0, block_cost: 0.5, max_leaf: 8 }
     }

@@ -84,12 +84,7 @@ macro_rules! vectorize {
             ),
             (None, Some($simd)) => apart(
                 #[inline(always)]
-                || {
-                    $simd.vectorize(
-                        #[inline(always)]
-                        || $run,
-                    )
-                },
+                || $run,
             ),
             (None, None) => unreachable!("the target has SSE2"),
         }
