@@ -2,6 +2,7 @@
 
 use std::array;
 use std::borrow::Cow;
+use std::cmp::Ordering;
 use std::sync::{Arc, OnceLock};
 
 use dashu_int::ops::Gcd;
@@ -257,6 +258,25 @@ impl<V: Vector> ExactRay<V> {
     pub(crate) fn fine_weights(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Option<[V::Real; 2]> {
         let [o, d] = self.floats()?.map(Vector::widen);
         FineDeterminants::within_range(&fine_images(triangle.0, maps), o, d)?.weights()
+    }
+
+    /// Compares the distances to the images of two triangles, each under its maps, which it is known to meet.
+    /// `[EXACT-13]`
+    pub(crate) fn compare(&self, images: [(&Triangle<V>, &[AffineMap<V::Real>]); 2]) -> Ordering {
+        let by_digits = || {
+            let [o, d] = self.floats()?.map(Vector::widen);
+            let fine =
+                |(shape, maps): (&Triangle<V>, _)| FineDeterminants::within_range(&fine_images(shape.0, maps), o, d);
+            let [one, other] = images.map(fine);
+            one?.compare_distance(&other?)
+        };
+        by_digits().unwrap_or_else(|| {
+            let [one, other] = images.map(|(shape, maps)| match self.cross(shape, maps) {
+                Meeting::Hit(point) => Some(point.t),
+                Meeting::Miss | Meeting::Coplanar => None,
+            });
+            one.cmp(&other)
+        })
     }
 
     /// Origin and direction, if both are of floats.

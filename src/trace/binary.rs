@@ -137,7 +137,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
         self.level.bytes()
     }
 
-    /// The closest hit: the least distance, and of equal ones the least index. `[EXACT-1]`
+    /// The closest hit: the least exact distance, and of equal ones the least index. `[EXACT-1]`
     pub fn closest(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
         self.search_closest(ray, &mut Vec::new(), NodeSearch::hit)
     }
@@ -215,7 +215,8 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
         in_parallel(rays, |ray, memory| self.search_any(ray, memory, NodeSearch::hit))
     }
 
-    /// All hits, each triangle once, in the order (`t`, primitive): edges and corners included.
+    /// All hits, each triangle once, in the order of exact distance and then of primitive: edges and corners
+    /// included.
     ///
     /// ```
     /// use glam::Vec3;
@@ -247,8 +248,9 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
         in_parallel(rays, |ray, memory| self.all_in(ray, memory))
     }
 
-    /// The first hit in the order (`t`, primitive) that comes after the given one, which need not be a hit. So hits can
-    /// be walked through one by one: none is lost or met again, not even where many have the same `t`.
+    /// The first hit after a given one (`t`, primitive), in the order of [`all`](Self::all). So hits can be walked through
+    /// one by one: none is lost or met again, not even where many have the same `t`. If the ray does not hit the given
+    /// triangle at a distance that rounds to `t`, hits after `t` itself count. `[EXACT-13]`
     ///
     /// ```
     /// # use glam::Vec3;

@@ -1,5 +1,6 @@
 //! Queries that look at everything along a ray: all hits, and the number of crossings.
 
+use std::cmp::Ordering;
 use std::collections::HashSet;
 
 use super::cast::Cast;
@@ -67,14 +68,14 @@ impl<'a, K: Kernel, B, H: Held<K::Shape>> Sweep<'a, K, B, H> {
         Self { cast, repeats: Repeats::new(watches), distances: Once::NEVER, found: Vec::new() }
     }
 
-    /// All hits, after the traversal, in the order (`t`, primitive).
+    /// All hits, after the traversal, in the order of exact distance and then of primitive.
     pub fn hits(&self) -> Vec<Hit<Real<K>>> {
-        let mut found = self.found.clone();
+        let (Cast { bvh, kernel, .. }, mut found) = (&self.cast, self.found.clone());
         // No distance is a NaN.
-        found.sort_by(|(t, prim, _), (other, next, _)| {
-            t.partial_cmp(other).unwrap_or(prim.cmp(next)).then(prim.cmp(next))
+        found.sort_by(|(t, prim, place), (other, next, at)| {
+            let exactly = || kernel.compare(&bvh.shape(*place), &bvh.shape(*at));
+            t.partial_cmp(other).map_or(Ordering::Equal, |order| order.then_with(exactly)).then(prim.cmp(next))
         });
-        let Cast { bvh, kernel, .. } = &self.cast;
         let mut weights = Once::NEVER;
         let hit = |(t, prim, place): (Real<K>, u32, usize)| {
             let [u, v] = weights.answer(&bvh.shape(place), |shape| kernel.weights(shape));

@@ -172,7 +172,7 @@ impl<V: Vector> InstanceTracer<V> {
         Ok(self)
     }
 
-    /// The closest hit: the least distance, of equal ones the least path, and of these the least triangle. `[INST-6]`
+    /// The closest hit: the least exact distance, of equal ones the least path, and of these the least triangle. `[INST-6]`
     /// The ray is a [`Ray`](crate::geom::Ray), or begins on a surface. `[SECOND-2]`
     pub fn closest(&self, ray: impl Into<ExactRay<V>>) -> Option<InstanceHit<V::Real>> {
         self.closest_and_found(&ray.into()).map(|(hit, _)| hit)

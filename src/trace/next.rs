@@ -1,5 +1,7 @@
 //! The next hit after a given one.
 
+use std::cmp::Ordering;
+
 use super::Hit;
 use super::cast::Cast;
 use super::held::Held;
@@ -10,15 +12,29 @@ use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs, Vector};
 use crate::order::{Descent, Flow, Pruned, Repeatable, Visitor};
 use crate::tree::Node;
 
-/// A ray on its way through a hierarchy `H` that looks for the first hit in the order (`t`, primitive) after a given
-/// one.
+/// A ray on its way through a hierarchy `H` that looks for the first hit after a given one, in the order of exact distance
+/// and then of primitive. `[EXACT-13]`
+///
+/// The given one is the hit of a triangle at a rounded distance. If the ray does not hit the triangle at that, it is the
+/// distance itself.
 #[derive(Clone, Debug)]
 pub struct Following<'a, K: Kernel, B, H = Bvh<<K as Kernel>::Shape>> {
-    /// It ends at the best hit.
+    /// It ends at the best hit that is farther after rounding.
     pub(super) cast: Cast<'a, K, B, H>,
     after: (Real<K>, u32),
-    /// Triangle of the best hit, and where that is in the hierarchy.
-    found: Option<(u32, usize)>,
+    /// Where the given triangle is in the hierarchy, once it is met at the given distance.
+    start: Option<usize>,
+    /// The other hits at the given distance.
+    level: Vec<Met>,
+    /// The best hit that is farther.
+    farther: Option<Met>,
+}
+
+/// A triangle that is hit, and where it is in the hierarchy.
+#[derive(Clone, Copy, Debug)]
+struct Met {
+    prim: u32,
+    place: usize,
 }
 
 impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Following<'a, K, B> {
@@ -39,27 +55,49 @@ pub(super) fn rest<V: Vector>(ray: &Ray<V>, after: V::Real) -> Ray<V> {
 
 impl<'a, K: Kernel, B, H: Held<K::Shape>> Following<'a, K, B, H> {
     /// The boxes' test is for the [`rest`] of the ray.
-    pub(super) fn over(cast: Cast<'a, K, B, H>, after: (Real<K>, u32)) -> Self {
-        Self { cast, after, found: None }
+    pub(super) const fn over(cast: Cast<'a, K, B, H>, after: (Real<K>, u32)) -> Self {
+        Self { cast, after, start: None, level: Vec::new(), farther: None }
     }
 
     /// The hit, after the traversal.
     pub fn hit(&self) -> Option<Hit<Real<K>>> {
-        let (prim, place) = self.found?;
-        let Cast { bvh, kernel, end: t, .. } = &self.cast;
+        let Cast { bvh, kernel, end, .. } = &self.cast;
+        let at_level = self.level.iter().filter(|met| self.is_after(met));
+        let of_level = at_level.min_by(|a, b| self.order(a, b)).map(|met| (met, self.after.0));
+        let (&Met { prim, place }, t) = of_level.or_else(|| Some((self.farther.as_ref()?, *end)))?;
         let [u, v] = kernel.weights(&bvh.shape(place));
-        Some(Hit { prim, t: *t, u, v })
+        Some(Hit { prim, t, u, v })
+    }
+
+    /// Compares two hits at one rounded distance.
+    fn order(&self, a: &Met, b: &Met) -> Ordering {
+        let Cast { bvh, kernel, .. } = &self.cast;
+        kernel.compare(&bvh.shape(a.place), &bvh.shape(b.place)).then(a.prim.cmp(&b.prim))
+    }
+
+    /// Whether a hit at the given distance comes after the given one.
+    fn is_after(&self, met: &Met) -> bool {
+        let (t, prim) = self.after;
+        let order = match self.start {
+            Some(place) => self.order(met, &Met { prim, place }),
+            None => self.cast.kernel.compare_with(&self.cast.bvh.shape(met.place), t).then(met.prim.cmp(&prim)),
+        };
+        order.is_gt()
     }
 
     #[inline]
     pub(super) fn meet(&mut self, leaf: Node) {
-        let Self { cast: Cast { bvh, kernel, end, .. }, after, found } = self;
+        let bvh = self.cast.bvh;
         bvh.for_each(leaf, |place, shape, prim| {
-            if let Some(t) = kernel.distance(shape, *end) {
-                let is_better = found.map_or(t <= *end, |(best, _)| (t, prim) < (*end, best));
-                if (t, prim) > *after && is_better {
-                    (*end, *found) = (t, Some((prim, place)));
-                }
+            let Cast { kernel, end, .. } = &self.cast;
+            let Some(t) = kernel.distance(shape, *end) else { return };
+            let (met, (given, given_prim)) = (Met { prim, place }, self.after);
+            if t == given && prim == given_prim {
+                self.start = Some(place);
+            } else if t == given {
+                self.level.push(met);
+            } else if t > given && self.farther.map_or(t <= *end, |best| t < *end || self.order(&met, &best).is_lt()) {
+                (self.cast.end, self.farther) = (t, Some(met));
             }
         });
     }

@@ -122,10 +122,10 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
     #[inline(always)]
     fn leaf_one_by_one(&mut self, leaf: Node, mut watch: impl FnMut(&K::Shape)) -> Flow {
         let kernel = *self.kernel.get_or_insert_with(|| K::new(&self.ray, self.bvh.region()));
-        let range = self.bvh.leaf_range(leaf);
-        for (place, held) in range.clone().zip(&self.bvh.triangles()[range]) {
+        let (range, triangles) = (self.bvh.leaf_range(leaf), self.bvh.triangles());
+        for (place, held) in range.clone().zip(&triangles[range]) {
             watch(&held.shape);
-            if self.best.meet::<K, ANY>(&kernel, place, held) == Flow::Stop {
+            if self.best.meet::<K, ANY>(&kernel, place, held, triangles) == Flow::Stop {
                 return Flow::Stop;
             }
         }
@@ -147,7 +147,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
                 let lane = (left.trailing_zeros() as usize).min(last);
                 left &= left - 1;
                 let kernel = kernel.get_or_insert_with(|| K::new(ray, region));
-                if best.meet::<K, ANY>(kernel, place + lane, &held[lane]) == Flow::Stop {
+                if best.meet::<K, ANY>(kernel, place + lane, &held[lane], bvh.triangles()) == Flow::Stop {
                     shapes[..=lane].iter().for_each(|shape| watch(shape));
                     return Flow::Stop;
                 }
@@ -161,7 +161,13 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder
 impl<R: geom::Real> Best<R> {
     /// Tests one triangle.
     #[inline(always)]
-    fn meet<K: Kernel, const ANY: bool>(&mut self, kernel: &K, place: usize, held: &LeafTriangle<K::Shape>) -> Flow
+    fn meet<K: Kernel, const ANY: bool>(
+        &mut self,
+        kernel: &K,
+        place: usize,
+        held: &LeafTriangle<K::Shape>,
+        triangles: &[LeafTriangle<K::Shape>],
+    ) -> Flow
     where
         K::Vector: Vector<Real = R>,
     {
@@ -171,14 +177,24 @@ impl<R: geom::Real> Best<R> {
                 return Flow::Stop;
             }
         } else if let Some(t) = kernel.distance(&held.shape, self.t) {
-            // The order of hits: by distance, then by triangle. Of a triangle in parts, the part that is met last
-            // counts: its leaf may be the one whose box holds the hit.
-            if t < self.t || t == self.t && held.prim <= self.prim {
+            // Of a triangle in parts, the part that is met last counts: its leaf may be the one whose box holds the hit.
+            let is_first = || match self.prim {
+                NO_PRIM => true,
+                prim => prim == held.prim || comes_first(kernel, held, &triangles[self.place]),
+            };
+            if t < self.t || t == self.t && is_first() {
                 *self = Self { t, prim: held.prim, place };
             }
         }
         Flow::Continue
     }
+}
+
+/// Whether of two hits at one rounded distance this is the first: by exact distance, then by triangle. `[EXACT-13]`
+#[cold]
+#[inline(never)]
+fn comes_first<K: Kernel>(kernel: &K, held: &LeafTriangle<K::Shape>, other: &LeafTriangle<K::Shape>) -> bool {
+    kernel.compare(&held.shape, &other.shape).then(held.prim.cmp(&other.prim)).is_lt()
 }
 
 impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Visitor for Search<'_, K, B, ANY, O> {

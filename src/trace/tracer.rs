@@ -105,7 +105,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
         self.tables.bytes()
     }
 
-    /// The closest hit: the least distance, and of equal ones the least index. `[EXACT-1]`
+    /// The closest hit: the least exact distance, and of equal ones the least index. `[EXACT-1]`
     pub fn closest(&self, ray: &Ray) -> Option<Hit> {
         self.one(ray, Ask::Closest)
     }
@@ -179,7 +179,8 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
         self.parallel(rays, Ask::AnyHit, |hit| hit)
     }
 
-    /// All hits, each triangle once, in the order (`t`, primitive): edges and corners included.
+    /// All hits, each triangle once, in the order of exact distance and then of primitive: edges and corners
+    /// included.
     pub fn all(&self, ray: &Ray) -> vec::IntoIter<Hit> {
         self.all_hits(ray).into_iter()
     }
@@ -200,8 +201,9 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
         in_parallel(rays, |ray| self.all_hits(ray))
     }
 
-    /// The first hit in the order (`t`, primitive) that comes after the given one, which need not be a hit. So hits can
-    /// be walked through one by one: none is lost or met again, not even where many have the same `t`.
+    /// The first hit after a given one (`t`, primitive), in the order of [`all`](Self::all). So hits can be walked through
+    /// one by one: none is lost or met again, not even where many have the same `t`. If the ray does not hit the given
+    /// triangle at a distance that rounds to `t`, hits after `t` itself count. `[EXACT-13]`
     pub fn next(&self, ray: &Ray, after: (f32, u32)) -> Option<Hit> {
         let bvh = self.bvh();
         with_baseline!(simd => {

@@ -1,9 +1,9 @@
 //! The truth about rays and meshes, in rational arithmetic: what every exact query has to answer.
 //!
 //! A ray hits a triangle if the line crosses it, edges and corners included, at an exact `t` with `tmin <= t <= tmax`
-//! ([`crate::geom::truth::meet`]). A triangle of determinant 0 is not hit. Hits are ordered by `t` rounded to the
-//! nearest `f32`, then by primitive; the closest hit is the first one. `[EXACT-1]` For a mesh and rays in double
-//! precision, read `f64`. `[EXACT-7]`
+//! ([`crate::geom::truth::meet`]). A triangle of determinant 0 is not hit. Hits are ordered by `t`, then by
+//! primitive; the closest hit is the first one. Its distance is `t` rounded to the nearest `f32`. `[EXACT-1]` For a mesh
+//! and rays in double precision, read `f64`. `[EXACT-7]`
 //!
 //! [`brute_force`] is this definition. [`Truth`] gives the same answers sooner, by leaving out triangles that the ray
 //! misses by far. Its hierarchy, its box test and what it knows of triangles are its own and as plain as can be, so that
@@ -40,7 +40,7 @@ impl<R: Number> TrueHit<R> {
     }
 }
 
-/// All hits of a ray, by testing every triangle of the mesh, in the order (rounded `t`, primitive).
+/// All hits of a ray, by testing every triangle of the mesh, in the order (exact `t`, primitive).
 ///
 /// ```
 /// use glam::Vec3;
@@ -92,7 +92,7 @@ impl<V: Vector> Truth<V> {
         Self { triangles, prims, boxes }
     }
 
-    /// The first hit in the order (rounded `t`, primitive).
+    /// The first hit in the order (exact `t`, primitive).
     pub fn closest(&self, ray: &Ray<V>) -> Option<TrueHit<V::Real>> {
         let (mut candidates, mut first) = (self.candidates(Gross::new(ray)), None);
         while let Some(prim) = candidates.next() {
@@ -121,7 +121,7 @@ impl<V: Vector> Truth<V> {
         })
     }
 
-    /// All hits in the order (rounded `t`, primitive).
+    /// All hits in the order (exact `t`, primitive).
     pub fn all(&self, ray: &Ray<V>) -> Vec<TrueHit<V::Real>> {
         in_order(self.hits(ray))
     }
@@ -181,12 +181,11 @@ fn hit<V: Vector>(prim: u32, corners: Corners<V>, ray: &Ray<V>) -> Option<TrueHi
     Some(TrueHit { prim, t: Number::nearest(&point.t), point })
 }
 
-fn order<R: Number>(a: &TrueHit<R>, b: &TrueHit<R>) -> Ordering {
-    let (t, other): (f64, f64) = (a.t.into(), b.t.into());
-    t.total_cmp(&other).then(a.prim.cmp(&b.prim))
+fn order<R>(a: &TrueHit<R>, b: &TrueHit<R>) -> Ordering {
+    a.point.t.cmp(&b.point.t).then(a.prim.cmp(&b.prim))
 }
 
-fn in_order<R: Number>(hits: impl Iterator<Item = TrueHit<R>>) -> Vec<TrueHit<R>> {
+fn in_order<R>(hits: impl Iterator<Item = TrueHit<R>>) -> Vec<TrueHit<R>> {
     let mut hits: Vec<_> = hits.collect();
     hits.sort_by(order);
     hits

@@ -52,7 +52,7 @@ impl<V: Vector> Scene<V> {
         Self { tracers, triangles }
     }
 
-    /// All hits of a line between two distances, as the ends have it, by path and triangle.
+    /// All hits of a line between two distances, as the ends have it: by exact distance, path and triangle.
     fn hits(&self, [o, d]: &[Rational; 2], tmax: V::Real, ends: Ends) -> Vec<Hit<'_, V::Real>> {
         let tmax = RBig::try_from(tmax.into()).ok();
         let is_within = |t: &RBig| match ends {
@@ -65,8 +65,7 @@ impl<V: Vector> Scene<V> {
                 hits.push((Number::nearest(&t), path.as_slice(), *prim, [&u, &v].map(Number::nearest), t));
             }
         }
-        let order = |t: V::Real| -> f64 { t.into() };
-        hits.sort_by(|a, b| order(a.0).total_cmp(&order(b.0)).then((a.1, a.2).cmp(&(b.1, b.2))));
+        hits.sort_by(|a, b| (&a.4, a.1, a.2).cmp(&(&b.4, b.1, b.2)));
         hits
     }
 }

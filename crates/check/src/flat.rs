@@ -165,7 +165,7 @@ impl<V: Vector> Flat<V> {
         self.triangles.iter().map(|triangle| &triangle.corners)
     }
 
-    /// The first hit in the order of rounded distance, path, triangle.
+    /// The first hit in the order of exact distance, path, triangle.
     pub fn closest(&self, ray: &Ray<V>) -> Option<InstanceHit<V::Real>> {
         let line = [ray.origin(), ray.direction()].map(|v| v.components().map(exact));
         let log = self.log.max(log_of(line.as_flattened().iter()));
@@ -176,11 +176,11 @@ impl<V: Vector> Flat<V> {
             let [t, u, v] = meet(&corners, &o, &d)?;
             let ends_before = tmax != V::Real::INFINITY && t > exact(tmax);
             let is_within = !ends_before && t >= exact(tmin);
-            let [t, u, v] = [t, u, v].map(|x| V::Real::nearest(&x));
-            is_within.then(|| InstanceHit { path: placed.path.clone(), prim: placed.prim, t, u, v })
+            is_within.then_some((t, &placed.path, placed.prim, [u, v]))
         });
-        let order = |hit: &InstanceHit<V::Real>| -> f64 { hit.t.into() };
-        hits.min_by(|a, b| order(a).total_cmp(&order(b)).then_with(|| (&a.path, a.prim).cmp(&(&b.path, b.prim))))
+        let (t, path, prim, weights) = hits.min()?;
+        let [t, u, v] = [&t, &weights[0], &weights[1]].map(V::Real::nearest);
+        Some(InstanceHit { path: path.clone(), prim, t, u, v })
     }
 }
 

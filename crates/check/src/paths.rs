@@ -106,7 +106,7 @@ pub fn check_path(
     Ok(legs.len())
 }
 
-/// The first hit in the order of rounded distance and triangle, with distance and weights.
+/// The first hit in the order of exact distance and triangle, with distance and weights.
 fn closest(mesh: &Mesh, origin: &[RBig; 3], direction: &[RBig; 3], leg: &Leg) -> Option<(u32, [RBig; 3])> {
     let end = match leg.heading {
         Heading::Along(_, tmax) => RBig::try_from(tmax).ok(),
@@ -125,7 +125,7 @@ fn closest(mesh: &Mesh, origin: &[RBig; 3], direction: &[RBig; 3], leg: &Leg) ->
         let hit = meet(&corners, &o, &d).filter(|[t, ..]| is_within(t))?;
         Some((prim as u32, hit))
     });
-    hits.min_by(|(a, [s, ..]), (b, [t, ..])| round_f32(s).total_cmp(&round_f32(t)).then(a.cmp(b)))
+    hits.min_by(|(a, [s, ..]), (b, [t, ..])| (s, a).cmp(&(t, b)))
 }
 
 fn rational(v: Vec3) -> [RBig; 3] {

@@ -3,14 +3,21 @@
 use glam::Vec3;
 
 use super::Recipe;
-use super::aim::{Target, middle, mixed, turned, whole, within};
+use super::aim::{Target, middle, mixed, place, turned, whole, within};
 use super::build::{both, mapped, of, shuffled, triangles};
+use super::sphere::icosphere;
 use crate::generate::draw::{Draw, exp2, nudge, one_of};
 use crate::geom::{Mesh, Ray};
 
 pub(super) const CASES: &[Recipe] = &[
     Recipe::new("stack-ulp", "parallel triangles an ulp apart, far ones first: t ties by rounding", stack, down_stack),
     Recipe::new("stack-tilted", "triangles that differ from a plane by an ulp a corner", tilted, down_stack),
+    Recipe::new(
+        "shells",
+        "spheres 1, 2 and 300 ulps apart, inner ones first, from 10 to 10^5 radii",
+        shells,
+        at_shells,
+    ),
     Recipe::new("overlap-coplanar", "overlapping triangles in a skew plane: t ties exactly", overlap, across_skew),
     Recipe::new("shared-vertex", "300 triangles with a common corner in space, rays at it", shared, at_shared),
     Recipe::new("copies", "64 copies of each triangle, beginning at any corner", copies, mixed),
@@ -62,6 +69,17 @@ fn down_stack(draw: &mut Draw, _: &Target<'_>, i: usize) -> Option<Ray> {
     let side = if i.is_multiple_of(2) { 1.0 } else { -1.0 };
     let tilt = Vec3::new(draw.int(1), draw.int(1), 0.0) * one_of([0.0, exp2(-8)], draw);
     whole(Vec3::new(x, y, ABOVE * side) - tilt * ABOVE, tilt - Vec3::Z * side)
+}
+
+fn shells(_: &mut Draw) -> Option<Mesh> {
+    let sphere = |ulps| icosphere(2, nudge(1.0, ulps), Vec3::ZERO).ok();
+    both(&both(&sphere(0)?, &sphere(1)?)?, &both(&sphere(2)?, &sphere(300)?)?)
+}
+
+fn at_shells(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray> {
+    let point = if i.is_multiple_of(4) { place(draw, target.triangle(i)) } else { draw.cube() * 1.6 - 0.8 };
+    let origin = draw.direction() * one_of([10.0, 300.0, 3000.0, 1e5], draw);
+    whole(origin, point - origin)
 }
 
 fn overlap(draw: &mut Draw) -> Option<Mesh> {

@@ -18,6 +18,7 @@ pub(super) use exact::{ExactOnce, FineDeterminants, USUAL, is_degenerate, two_pr
 pub use moller::{Moller32, Moller64};
 pub use woop::Woop;
 
+use std::cmp::Ordering;
 use std::fmt::Debug;
 
 use super::{Ray, Real as _, Region, Vector};
@@ -46,6 +47,17 @@ pub trait Kernel: Copy + Debug {
     #[inline]
     fn blocks(&self, shape: &Self::Shape) -> bool {
         self.distance(shape, Real::<Self>::INFINITY).is_some()
+    }
+
+    /// Compares the distances of two shapes, both of which the ray meets at one [`distance`](Self::distance): by what that
+    /// was rounded from. Equal if the test knows no more, as tests that are not exact. `[EXACT-13]`
+    fn compare(&self, _shape: &Self::Shape, _other: &Self::Shape) -> Ordering {
+        Ordering::Equal
+    }
+
+    /// Compares the distance of a shape that the ray meets at `t` with `t` itself, likewise.
+    fn compare_with(&self, _shape: &Self::Shape, _t: Real<Self>) -> Ordering {
+        Ordering::Equal
     }
 
     /// The stage that decides about a triangle, if the distance is asked for and nothing is known but the ray's end: a

@@ -4,12 +4,12 @@ use fearless_simd::Simd;
 
 use super::{Block, TriangleRay};
 use crate::geom::kernel::{Exact, ExactOnce};
-use crate::geom::{Kernel, Ray, Region};
+use crate::geom::{Kernel, Ray, Region, Triangle};
 
-/// The nearest hit so far: the least distance, and of hits with that distance the least index. `[EXACT-1]`
+/// The nearest hit so far: the least exact distance, and of equal ones the least index. `[EXACT-1]`
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nearest {
-    /// Its distance; the end of the ray if there is no hit.
+    /// Its distance, rounded; the end of the ray if there is no hit.
     pub t: f32,
     /// Its triangle; [`Block::NONE`] if there is no hit.
     pub prim: u32,
@@ -30,7 +30,8 @@ impl Nearest {
 }
 
 /// The exact test, prepared when the first triangle comes that the filter does not reject: a ray that misses
-/// everything does not pay for it.
+/// everything does not pay for it. And the triangle of the hit so far, with which those at the same rounded distance are
+/// compared.
 ///
 /// Its alignment is that of registers: so the stack of whoever holds it is aligned too, and registers that are put aside
 /// there do not cross cache lines.
@@ -40,13 +41,15 @@ pub struct LazyExact<'a> {
     ray: &'a Ray,
     region: &'a Region,
     exact: Option<ExactOnce>,
+    /// The block and the lane of the hit so far.
+    found: Option<(&'a Block, usize)>,
 }
 
 impl<'a> LazyExact<'a> {
     /// For this ray. `region` must hold all triangles that it is asked about.
     #[inline(always)]
     pub const fn new(ray: &'a Ray, region: &'a Region) -> Self {
-        Self { ray, region, exact: None }
+        Self { ray, region, exact: None, found: None }
     }
 
     /// The ray.
@@ -61,6 +64,12 @@ impl<'a> LazyExact<'a> {
         &self.once().exact
     }
 
+    /// The triangle of the hit that was found last.
+    #[inline]
+    pub(crate) fn found(&self) -> Option<Triangle> {
+        self.found.map(|(block, lane)| block.triangle(lane))
+    }
+
     #[inline(always)]
     fn once(&mut self) -> &ExactOnce {
         let (ray, region) = (self.ray, self.region);
@@ -70,7 +79,8 @@ impl<'a> LazyExact<'a> {
         )
     }
 
-    /// The nearest hit of `nearest` and the first `count` triangles of these blocks.
+    /// The nearest hit of `nearest` and the first `count` triangles of these blocks. `nearest` must be none, or what this
+    /// has returned last.
     ///
     /// # Panics
     /// If `count` is more than 31. A leaf has at most 15 triangles.
@@ -100,7 +110,7 @@ impl<'a> LazyExact<'a> {
         &mut self,
         simd: S,
         filter: &TriangleRay<S>,
-        blocks: &[Block],
+        blocks: &'a [Block],
         count: u32,
         mut nearest: Nearest,
     ) -> Nearest {
@@ -118,7 +128,7 @@ impl<'a> LazyExact<'a> {
     /// # Panics
     /// If `count` is more than 31. A leaf has at most 15 triangles.
     #[inline(always)]
-    pub fn any<S: Simd>(&mut self, simd: S, filter: &TriangleRay<S>, blocks: &[Block], count: u32) -> Option<u32> {
+    pub fn any<S: Simd>(&mut self, simd: S, filter: &TriangleRay<S>, blocks: &'a [Block], count: u32) -> Option<u32> {
         for (block, filled) in filled(blocks, count) {
             let lanes = filter.survivors(simd, block, self.ray.tmax()) & filled;
             if lanes != 0
@@ -135,26 +145,36 @@ impl<'a> LazyExact<'a> {
     /// It gets `nearest` by value: what is pointed to cannot be in registers. Nor can what is in registers stay there
     /// where a function is called: as one of its own, this took 3 to 5 % of a ray's instructions more.
     #[inline(always)]
-    fn settle(&mut self, block: &Block, lanes: u32, mut nearest: Nearest) -> Nearest {
-        let exact = self.once();
+    fn settle(&mut self, block: &'a Block, lanes: u32, mut nearest: Nearest) -> Nearest {
         for lane in LaneSet(lanes) {
-            let Some(t) = exact.distance(&block.triangle(lane), nearest.t) else { continue };
+            let shape = block.triangle(lane);
+            let Some(t) = self.once().distance(&shape, nearest.t) else { continue };
             let prim = block.prims[lane];
-            if t < nearest.t || t == nearest.t && prim < nearest.prim {
+            if t < nearest.t || t == nearest.t && prim != nearest.prim && self.comes_first(&shape, prim, nearest.prim) {
                 nearest = Nearest { t, prim };
+                self.found = Some((block, lane));
             }
         }
         nearest
+    }
+
+    /// Whether a hit at the rounded distance of the nearest one so far, which is of the triangle `best`, comes before it.
+    /// `[EXACT-13]`
+    #[cold]
+    #[inline(never)]
+    fn comes_first(&mut self, shape: &Triangle, prim: u32, best: u32) -> bool {
+        let Some(found) = self.found() else { return true };
+        self.get().compare(shape, &found).then(prim.cmp(&best)).is_lt()
     }
 
     /// One of these lanes' triangles that the ray meets within its interval.
     ///
     /// By a loop: `find` is a function of its own, which is not compiled for the level.
     #[inline(always)]
-    fn blocking(&mut self, block: &Block, lanes: u32) -> Option<u32> {
-        let exact = self.get();
+    fn blocking(&mut self, block: &'a Block, lanes: u32) -> Option<u32> {
         for lane in LaneSet(lanes) {
-            if exact.blocks(&block.triangle(lane)) {
+            if self.get().blocks(&block.triangle(lane)) {
+                self.found = Some((block, lane));
                 return Some(block.prims[lane]);
             }
         }

@@ -48,9 +48,11 @@ fn leaves_have_the_nearest_hit() {
                 blocks[k / 4].set(k % 4, triangle, *prim);
             }
             let exact = Exact::new(ray, &region);
-            let hits =
-                held.iter().filter_map(|(triangle, prim)| Some((exact.distance(triangle, f32::INFINITY)?, *prim)));
-            let least = hits.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            let hits = held.iter().filter_map(|held| Some((exact.distance(&held.0, f32::INFINITY)?, held)));
+            let least = hits.min_by(|(t, a), (other, b)| {
+                t.total_cmp(other).then_with(|| exact.compare(&a.0, &b.0)).then(a.1.cmp(&b.1))
+            });
+            let least = least.map(|(t, (_, prim))| (t, *prim));
             for level in levels() {
                 let (nearest, any) = dispatch!(level, simd => ask(simd, ray, &region, &blocks, count as u32));
                 assert_eq!(

@@ -1,5 +1,7 @@
 //! A ray on its way through the hierarchy of one object, as a visitor.
 
+use std::cmp::Ordering;
+
 use super::{Instance, InstanceCounts, InstanceTracer};
 use crate::bvh::{Bvh, LeafTriangle};
 use crate::geom::kernel::{self, Certainty};
@@ -63,17 +65,10 @@ impl<'r, V: Vector> Search<'r, V> {
         self.any && self.found.is_some()
     }
 
-    /// Takes a hit that is not behind the best one so far, if it comes first: by distance, then by path, then by
-    /// triangle.
+    /// Takes a hit.
     #[inline]
-    fn offer(&mut self, t: V::Real, held: &LeafTriangle<Triangle<V>>, test: &kernel::EnclosedTest<V::Real>) {
+    fn take(&mut self, t: V::Real, held: &LeafTriangle<Triangle<V>>, test: &kernel::EnclosedTest<V::Real>) {
         let LeafTriangle { shape: triangle, prim } = *held;
-        if let Some(best) = &self.found
-            && t == self.t
-            && (&best.path, best.prim) <= (&self.path, prim)
-        {
-            return;
-        }
         let mut path = self.found.take().map(|best| best.path).unwrap_or_default();
         path.clone_from(&self.path);
         let [_, end] = t.ends_in_single();
@@ -195,11 +190,37 @@ impl<'s, V: Vector> Triangles<'s, V> {
             Certainty::Open => ask_truth(self.tracer, test, &held.shape, search),
         };
         if let Some(t) = t
-            && t <= search.t
+            && (t < search.t || t == search.t && comes_first(self.tracer, test, held, search))
         {
-            search.offer(t, held, test);
+            search.take(t, held, test);
         }
     }
+}
+
+/// Whether a hit at the rounded distance of the best one so far comes before it: by exact distance, then by path, then by
+/// triangle. `[EXACT-13, INST-6]`
+#[cold]
+#[inline(never)]
+fn comes_first<V: Vector>(
+    tracer: &InstanceTracer<V>,
+    test: &kernel::EnclosedTest<V::Real>,
+    &LeafTriangle { shape, prim }: &LeafTriangle<Triangle<V>>,
+    search: &Search<'_, V>,
+) -> bool {
+    let Some(best) = &search.found else { return true };
+    let by_index = (&search.path, prim).cmp(&(&best.path, best.prim));
+    // The same triangle in another leaf.
+    if by_index.is_eq() {
+        return false;
+    }
+    let exactly = || {
+        let [maps, of_best] = [&search.path, &best.path].map(|path| tracer.maps(path));
+        if shape == best.triangle && maps == of_best {
+            return Ordering::Equal;
+        }
+        search.ray.compare([(&shape, &maps), (&best.triangle, &of_best)])
+    };
+    test.compare(&shape, (&best.test, &best.triangle)).unwrap_or_else(exactly).then(by_index).is_lt()
 }
 
 /// What bounds leave open.

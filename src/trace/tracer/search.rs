@@ -6,12 +6,12 @@ use fearless_simd::Simd;
 
 use super::turns::Ask;
 use crate::bvh::{WideBvh, wide::WideTree};
-use crate::geom::lanes::{Block, BoxRay, Lanes, LazyExact, Nearest, TriangleRay};
+use crate::geom::lanes::{BoxRay, Lanes, LazyExact, Nearest, TriangleRay};
 use crate::geom::{Kernel, Ray};
 use crate::order::Flow;
 use crate::trace::Hit;
 use crate::tree::Node;
-use crate::wide::{Ranks, Search, Topology, Wanted};
+use crate::wide::{Ranks, Search, Wanted};
 
 /// A ray on its way through a wide hierarchy, exact. With `ANY`, the first hit ends it.
 ///
@@ -25,8 +25,6 @@ pub(super) struct WideSearch<'a, 'm, S: Simd, V: Lanes<S, A>, const A: usize, co
     filter: TriangleRay<S>,
     exact: &'m mut LazyExact<'a>,
     best: Nearest,
-    /// Where the best hit is.
-    leaf: Node,
 }
 
 impl<'a, 'm, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> WideSearch<'a, 'm, S, V, A, ANY> {
@@ -42,7 +40,6 @@ impl<'a, 'm, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> WideSearc
             filter: TriangleRay::new(simd, ray, region),
             exact,
             best: Nearest::none(ray),
-            leaf: bvh.root(),
         }
     }
 
@@ -60,19 +57,15 @@ impl<'a, 'm, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> WideSearc
         match ask {
             _ if !self.best.is_some() => None,
             Ask::Distance | Ask::Any => Some(Hit { prim, t, u: 0.0, v: 0.0 }),
-            Ask::Closest | Ask::AnyHit => whole::<ANY>(self.exact, self.bvh.leaf(self.leaf).0, self.best),
+            Ask::Closest | Ask::AnyHit => whole::<ANY>(self.exact, self.best),
         }
     }
 }
 
 /// The hit with its weights.
 #[inline(never)]
-fn whole<const ANY: bool>(exact: &mut LazyExact<'_>, blocks: &[Block], best: Nearest) -> Option<Hit> {
-    let Nearest { prim, t } = best;
-    let shape = blocks.iter().find_map(|block| {
-        let lane = block.prims.iter().position(|&held| held == prim)?;
-        Some(block.triangle(lane))
-    })?;
+fn whole<const ANY: bool>(exact: &mut LazyExact<'_>, Nearest { prim, t }: Nearest) -> Option<Hit> {
+    let shape = exact.found()?;
     let exact = exact.get();
     let t = if ANY { exact.distance(&shape, f32::INFINITY)? } else { t };
     let [u, v] = exact.weights(&shape);
@@ -95,13 +88,10 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for Wid
         let (blocks, count) = self.tree.leaf(leaf);
         if ANY {
             let Some(prim) = self.exact.any(self.simd, &self.filter, blocks, count) else { return Flow::Continue };
-            (self.best.prim, self.leaf) = (prim, leaf);
+            self.best.prim = prim;
             return Flow::Stop;
         }
-        let best = self.exact.nearest(self.simd, &self.filter, blocks, count, self.best);
-        if best.prim != self.best.prim {
-            (self.best, self.leaf) = (best, leaf);
-        }
+        self.best = self.exact.nearest(self.simd, &self.filter, blocks, count, self.best);
         Flow::Continue
     }
 

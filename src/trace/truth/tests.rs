@@ -177,17 +177,17 @@ fn without_the_margin_rounding_would_leave_out_a_hit() {
     assert!(far < near);
 }
 
+/// However little: half a unit of the rounded distance, or many. [EXACT-1]
 #[test]
-fn ties_go_to_the_lower_primitive_after_rounding() {
-    // The second triangle is nearer by less than half a unit of the rounded distance, then by more.
-    for (least, first) in [(1e-40, 0), (f32::EPSILON, 1)] {
+fn the_nearer_triangle_comes_first_and_the_lower_one_of_equals() {
+    for (least, is_apart) in [(0.0, false), (1e-40, false), (f32::EPSILON, true)] {
         let nearer = LEGS.map(|[x, y, _]| [x, y, -least]);
         let corners: Vec<_> = LEGS.into_iter().chain(nearer).collect();
         let mesh = mesh(&corners, &[[0, 1, 2], [3, 4, 5]]);
         let hits = Truth::new(&mesh).all(&ray([0.25, 0.25, -1.0], [0.0, 0.0, 1.0], 0.0, END));
-        assert_eq!(hits[0].prim, first);
-        let [a, b] = [0, 1].map(|prim| hits.iter().find(|hit| hit.prim == prim).expect("a hit"));
-        assert!(b.point.t < a.point.t && (b.t < a.t) == (first == 1));
+        let is_turned = least > 0.0;
+        assert_eq!(hits.iter().map(|hit| hit.prim).collect::<Vec<_>>(), if is_turned { [1, 0] } else { [0, 1] });
+        assert_eq!((hits[0].point.t < hits[1].point.t, hits[0].t < hits[1].t), (is_turned, is_apart));
     }
 }
 
@@ -303,13 +303,13 @@ fn what_underflows_leaves_nothing_out() {
     assert!(hits > 100, "{hits}");
 }
 
-/// Both distances are rounded to 0, so the lower primitive is the closest hit, though it is farther away.
+/// Both distances are rounded to 0; the nearer one is the second.
 #[test]
-fn distances_that_are_rounded_to_zero_tie() {
+fn distances_that_are_rounded_to_zero_are_in_order() {
     let [size, near, far] = [-50, -52, -51].map(|e| f32::powi(2.0, e));
     let corners = |z: f32| [[-size, -size, z], [size, -size, z], [0.0, size, z]];
     let corners = [corners(far), corners(near)].concat();
     let mesh = mesh(&corners, &[[0, 1, 2], [3, 4, 5]]);
     let hit = closest(&mesh, &ray([0.0; 3], [0.0, 0.0, f32::powi(2.0, 100)], 0.0, END));
-    assert_eq!(hit.map(|hit| (hit.prim, hit.t)), Some((0, 0.0)));
+    assert_eq!(hit.map(|hit| (hit.prim, hit.t)), Some((1, 0.0)));
 }

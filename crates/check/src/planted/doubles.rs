@@ -1,5 +1,6 @@
 //! Tests in double precision: the frame of boxes left out or rounded, and sums that are not exact.
 
+use std::cmp::Ordering;
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
@@ -185,6 +186,14 @@ impl<S: Spoil> Kernel for Sums<S> {
 
     fn blocks(&self, shape: &Triangle<DVec3>) -> bool {
         self.distance(shape, f64::INFINITY).is_some()
+    }
+
+    fn compare(&self, shape: &Triangle<DVec3>, other: &Triangle<DVec3>) -> Ordering {
+        self.exact.compare(shape, other)
+    }
+
+    fn compare_with(&self, shape: &Triangle<DVec3>, t: f64) -> Ordering {
+        self.exact.compare_with(shape, t)
     }
 
     fn weights(&self, shape: &Triangle<DVec3>) -> [f64; 2] {

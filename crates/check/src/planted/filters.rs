@@ -1,5 +1,6 @@
 //! The stages of the exact triangle test, with error bounds that are parts of what they should be.
 
+use std::cmp::Ordering;
 use std::fmt::Debug;
 
 use glam::{DVec3, Vec3};
@@ -84,6 +85,14 @@ impl<const SINGLE: u32, const SIGNS: u32, const PLACES: u32> Kernel for Filter<S
             }
         }
         self.exact.distance(shape, limit)
+    }
+
+    fn compare(&self, shape: &Triangle, other: &Triangle) -> Ordering {
+        self.exact.compare(shape, other)
+    }
+
+    fn compare_with(&self, shape: &Triangle, t: f32) -> Ordering {
+        self.exact.compare_with(shape, t)
     }
 
     fn weights(&self, shape: &Triangle) -> [f32; 2] {

@@ -1,18 +1,20 @@
 //! Searches over rays with a mistake, against rational arithmetic; and a restart trail with one.
 
+use std::cmp::Ordering;
 use std::marker::PhantomData;
 
 use glam::{Vec3, Vec3Swizzles};
 
 use super::draw::Draw;
 use super::files::cast;
-use super::kernels::{self, BelowLimit, Endless, OpenInterval};
+use super::kernels::{self, BelowLimit, ByIndex, Endless, OpenInterval};
 use super::layers::{Hits, Instead, Mistake};
 use super::slabs::{self, BeforeEnd};
 use super::wrapped::{Mutation, Wrapped};
 use super::{Planted, drive};
 use crate::{Case, check_tree};
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions};
+use stackless_bvh::generate::Source;
 use stackless_bvh::geom::kernel::{Exact, Filter, Moller32};
 use stackless_bvh::geom::lanes::TriangleFilter;
 use stackless_bvh::geom::slabs::{Directed, Plain};
@@ -20,8 +22,14 @@ use stackless_bvh::geom::{Kernel, Mesh, Ray, Region, Slabs, Triangle};
 use stackless_bvh::trace::BinaryTracer;
 use stackless_bvh::traverse::{Laine, Method};
 
-pub(super) const MISTAKES: [Mistake; 9] = [
+pub(super) const MISTAKES: [Mistake; 10] = [
     of::<kernels::Spoilt<BelowLimit>, Directed>("of equal hits the first that is met", "DET-1"),
+    Mistake::new(
+        "hits at one rounded distance are in the order of their indices",
+        "EXACT-13",
+        sheets::<kernels::Spoilt<ByIndex>, Directed>,
+        Instead::Rays(cast::<kernels::Spoilt<ByIndex>, Directed>),
+    ),
     of::<kernels::Spoilt<OpenInterval>, Directed>("an open interval", "EXACT-1"),
     of::<kernels::Spoilt<Endless>, Directed>("any hit, whatever the end of the ray", "EXACT-1"),
     of::<Exact, slabs::Spoilt<BeforeEnd>>("boxes that begin at the best hit are skipped", "DET-1"),
@@ -66,6 +74,23 @@ where
     check_tree::<K, B, _>(&bvh, &mesh, &rays).err().map(|fault| fault.to_string())
 }
 
+/// Sheets that are some ulps apart, seen from afar.
+fn sheets<K, B>(draw: &mut Draw<'_>) -> Option<String>
+where
+    K: Kernel<Vector = Vec3, Shape = Triangle>,
+    B: Slabs<Vector = Vec3>,
+{
+    let corners = [[-4.0, -4.0], [8.0, -4.0], [-4.0, 8.0]];
+    let heights: Vec<_> =
+        (0..1 + draw.below(6)).map(|_| f32::from_bits(1f32.to_bits() + draw.below(8) as u32)).collect();
+    let vertices = heights.iter().flat_map(|&z| corners.map(|[x, y]| Vec3::new(x, y, z))).collect();
+    let mesh = Mesh::new(vertices, (0..heights.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).ok()?;
+    let ray =
+        Ray::new(Vec3::new(0.5, 0.25, draw.one_of([-1.0, 64.0, 1024.0])), Vec3::Z * draw.one_of([1.0, -1.0])).ok()?;
+    let bvh = built(draw, &mesh)?;
+    check_tree::<K, B, _>(&bvh, &mesh, &[ray]).err().map(|fault| fault.to_string())
+}
+
 const fn filter<F: Filter<Vec3, Triangle> + 'static>(name: &'static str, clause: &'static str) -> Mistake {
     Mistake::new(name, clause, fault::<Behind<F>, Directed>, Instead::Rays(by_fours::<Behind<F>>))
 }
@@ -99,6 +124,14 @@ impl<F: Filter<Vec3, Triangle>> Kernel for Behind<F> {
 
     fn blocks(&self, shape: &Triangle) -> bool {
         self.exact.blocks(shape)
+    }
+
+    fn compare(&self, shape: &Triangle, other: &Triangle) -> Ordering {
+        self.exact.compare(shape, other)
+    }
+
+    fn compare_with(&self, shape: &Triangle, t: f32) -> Ordering {
+        self.exact.compare_with(shape, t)
     }
 
     fn weights(&self, shape: &Triangle) -> [f32; 2] {

@@ -14,12 +14,14 @@
 //!    determinant at most 4 D E E.
 //! 4. Exact sums ([`accumulator`](super::accumulator)), for numbers of any size.
 
+use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
 use glam::DVec3;
 
 use super::filter::{Determinants, Errors};
 use super::fine;
+use super::order::Crossing;
 use super::{Certainty, is_within, parity, predicates, quotient};
 use crate::geom::frame::power_of_two;
 use crate::geom::kernel::Kernel;
@@ -78,6 +80,14 @@ impl Kernel for Exact64 {
         !(self.is_usual && self.determinants(shape).is_miss(&self.errors)) && self.settle(shape)
     }
 
+    fn compare(&self, shape: &Triangle<DVec3>, other: &Triangle<DVec3>) -> Ordering {
+        self.crossing(shape).compare(&self.crossing(other))
+    }
+
+    fn compare_with(&self, shape: &Triangle<DVec3>, t: f64) -> Ordering {
+        self.crossing(shape).compare_with(t)
+    }
+
     fn weights(&self, shape: &Triangle<DVec3>) -> [f64; 2] {
         let (o, d) = (self.ray.origin(), self.ray.direction());
         if self.can_filter(shape)
@@ -91,6 +101,11 @@ impl Kernel for Exact64 {
 }
 
 impl Exact64 {
+    fn crossing<'a>(&self, shape: &'a Triangle<DVec3>) -> Crossing<'a> {
+        let Triangle(corners) = shape;
+        Crossing { corners, o: self.ray.origin(), d: self.ray.direction(), has_room: self.can_filter(shape) }
+    }
+
     /// As [`Exact::crosses`](super::Exact::crosses), for doubles of any size. `[PARITY-1]`
     pub fn crosses(&self, shape: &Triangle<DVec3>) -> bool {
         self.blocks(shape) && self.is_crossed_by_line(shape)

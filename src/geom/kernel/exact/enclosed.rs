@@ -1,9 +1,12 @@
 //! The stages in double precision for a ray that is known within bounds.
 
+use std::cmp::Ordering;
+
 use glam::DVec3;
 
 use super::double::{USUAL, has_usual_edges};
 use super::filter::{Determinants, Errors};
+use super::order::Crossing;
 use super::{fine, is_within, placed, predicates, quotient};
 use crate::geom::{EnclosedRay, Interval, Real, Region, Triangle, Vector};
 
@@ -125,6 +128,31 @@ impl<R: Real> EnclosedTest<R> {
             return Certainty::Miss;
         }
         quotient::distance(&corners, o, d, self.interval).map_or(Certainty::Miss, Certainty::Hit)
+    }
+
+    /// Compares the distances of two triangles that the ray is known to meet, each in the space of its own test, where
+    /// the rays are known exactly or bounds tell. `[EXACT-13]`
+    pub(crate) fn compare<V: Vector<Real = R>>(
+        &self,
+        shape: &Triangle<V>,
+        (test, other): (&Self, &Triangle<V>),
+    ) -> Option<Ordering> {
+        if let (Some(corners), Some(others)) = (self.exact_corners(shape), test.exact_corners(other)) {
+            return Some(self.exact_crossing(&corners).compare(&test.exact_crossing(&others)));
+        }
+        let ([near, far], [other_near, other_far]) = (self.span(shape)?, test.span(other)?);
+        if far < other_near {
+            Some(Ordering::Less)
+        } else if other_far < near {
+            Some(Ordering::Greater)
+        } else {
+            None
+        }
+    }
+
+    fn exact_crossing<'a>(&self, corners: &'a [DVec3; 3]) -> Crossing<'a> {
+        let has_room = self.is_usual && has_usual_edges(corners);
+        Crossing { corners, o: self.origin, d: self.direction, has_room }
     }
 
     /// Bounds of the distance to a triangle that the ray certainly crosses, at whatever distance. `[SECOND-3]`

@@ -16,6 +16,7 @@ mod double;
 mod enclosed;
 mod filter;
 mod fine;
+mod order;
 mod parity;
 mod predicates;
 mod quotient;
@@ -34,6 +35,7 @@ pub use single::{ExactFromSingle, MAX_COORDINATE, MIN_EDGE};
 pub(in crate::geom) use sum::{two_product, two_sum};
 
 use std::cell::Cell;
+use std::cmp::Ordering;
 
 use glam::{DVec3, Vec3};
 
@@ -41,6 +43,7 @@ use super::{Kernel, Stage};
 use crate::geom::lanes::TriangleFilter;
 use crate::geom::{Once, Ray, Region, Triangle, Vector};
 use filter::{Determinants, Errors};
+use order::Crossing;
 
 /// The exact test of single-precision triangles: closed triangles, `t` the nearest float to the exact distance (ties to
 /// even), for every ray and triangle of finite floats. `[EXACT-1]`
@@ -100,6 +103,15 @@ impl Kernel for Exact {
             }
         }
         self.settle_weights(&corners)
+    }
+
+    fn compare(&self, shape: &Triangle, other: &Triangle) -> Ordering {
+        let [corners, others] = [shape.widen(), other.widen()];
+        self.crossing(&corners).compare(&self.crossing(&others))
+    }
+
+    fn compare_with(&self, shape: &Triangle, t: f32) -> Ordering {
+        self.crossing(&shape.widen()).compare_with(t.into())
     }
 
     fn stage(&self, shape: &Triangle) -> Stage {
@@ -164,6 +176,11 @@ impl Exact {
             }
         }
         rest()
+    }
+
+    /// In single precision twice the digits have room always.
+    const fn crossing<'a>(&self, corners: &'a [DVec3; 3]) -> Crossing<'a> {
+        Crossing { corners, o: self.origin, d: self.direction, has_room: true }
     }
 
     /// The weights that the first two stages leave open.

@@ -14,13 +14,12 @@ use crate::geom::truth::holds_fraction;
 #[cold]
 #[inline(never)]
 pub(super) fn distance<R: Real>(
-    &[v0, v1, v2]: &[DVec3; 3],
+    corners: &[DVec3; 3],
     o: DVec3,
     d: DVec3,
     interval @ [tmin, tmax]: [R; 2],
 ) -> Option<R> {
-    let (e1, e2, s) = (apart([v0, v1]), apart([v0, v2]), apart([v0, o]));
-    let (top, det) = (Accumulator::volume(&e2, &s, &e1), Accumulator::volume(&apart([DVec3::ZERO, d]), &e2, &e1));
+    let [top, det] = distance_parts(corners, o, d);
     let ratio = Ratio { top: &top, det: &det };
     // Rounding keeps the order, so that only an end that is equal leaves a question.
     match ratio.nearest() {
@@ -31,6 +30,18 @@ pub(super) fn distance<R: Real>(
             holds_fraction(interval, &t).then(|| R::nearest_to(&t))
         }
     }
+}
+
+/// Distance to a triangle that the line meets, not rounded.
+pub(super) fn fraction(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Relaxed {
+    let [top, det] = distance_parts(corners, o, d);
+    Ratio { top: &top, det: &det }.fraction()
+}
+
+/// T and det.
+fn distance_parts(&[v0, v1, v2]: &[DVec3; 3], o: DVec3, d: DVec3) -> [Accumulator; 2] {
+    let (e1, e2, s) = (apart([v0, v1]), apart([v0, v2]), apart([v0, o]));
+    [Accumulator::volume(&e2, &s, &e1), Accumulator::volume(&apart([DVec3::ZERO, d]), &e2, &e1)]
 }
 
 /// Weights of the second and third corner of a triangle that the line meets, rounded to the nearest floats.

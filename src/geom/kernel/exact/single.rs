@@ -1,5 +1,7 @@
 //! The exact test with a first stage in single precision.
 
+use std::cmp::Ordering;
+
 use glam::Vec3;
 
 use super::super::EDGE;
@@ -61,6 +63,14 @@ impl Kernel for ExactFromSingle {
     #[inline(always)]
     fn blocks(&self, shape: &Triangle) -> bool {
         !self.misses(shape) && self.exact.blocks(shape)
+    }
+
+    fn compare(&self, shape: &Triangle, other: &Triangle) -> Ordering {
+        self.exact.compare(shape, other)
+    }
+
+    fn compare_with(&self, shape: &Triangle, t: f32) -> Ordering {
+        self.exact.compare_with(shape, t)
     }
 
     fn weights(&self, shape: &Triangle) -> [f32; 2] {
