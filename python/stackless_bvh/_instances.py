@@ -96,7 +96,7 @@ class Instances:
         tmax: ArrayLike = np.inf,
         progress: Progress | None = None,
     ) -> InstanceHits:
-        """The closest hit of each ray: the least `t`, of equal ones the least path, of these the least face.
+        """The closest hit of each ray: the least exact distance, of equal ones the least path, of these the least face.
 
         Parameters and errors are those of `Scene.closest`, for float32.
         """

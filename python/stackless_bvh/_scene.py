@@ -104,8 +104,8 @@ class Scene:
     ) -> Hits:
         """The closest hit of each ray ``origin + t * direction`` with ``tmin <= t <= tmax``.
 
-        Closest is the least `t`, rounded to the nearest float, and of equal ones the least face. Edges and vertices
-        belong to their faces, and both sides are hit. A face that the ray sees edge-on is missed.
+        Closest is the least exact distance, and of equal ones the least face. `t` is the distance, rounded once. Edges
+        and vertices belong to their faces, and both sides are hit. A face that the ray sees edge-on is missed.
 
         Parameters
         ----------

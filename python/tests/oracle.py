@@ -49,7 +49,7 @@ def within(t, tmin, tmax):
 
 
 def all_hits(vertices, faces, origin, direction, tmin=0.0, tmax=inf, dtype=np.float64):
-    """All hits (t rounded, face, t, u, v, place) in the order (t rounded, face)."""
+    """All hits (t rounded, face, t, u, v, place) in the order (t, face)."""
     origin, direction = vector(origin), vector(direction)
     found = []
     for face, indices in enumerate(faces):
@@ -58,7 +58,7 @@ def all_hits(vertices, faces, origin, direction, tmin=0.0, tmax=inf, dtype=np.fl
             t, u, v = hit
             zeros = [u, v, 1 - u - v].count(0)
             found.append((rounded(t, dtype), face, t, u, v, zeros))
-    return sorted(found, key=lambda hit: hit[:2])
+    return sorted(found, key=lambda hit: (hit[2], hit[1]))
 
 
 def crossings(vertices, faces, origin, direction):
