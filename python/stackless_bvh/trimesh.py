@@ -68,7 +68,7 @@ class RayMeshIntersector:
         """The faces that rays hit, in the order of rays and then of distance.
 
         Where a ray meets an edge or a vertex, it hits all faces there. With `return_locations`, each location of a ray
-        is there once, with the least of its faces.
+        is there once, with the first of its faces.
 
         Parameters
         ----------
