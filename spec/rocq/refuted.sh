@@ -89,6 +89,13 @@ refuted 's/certain : det_off < below/certain : 0 < below/' bottom_pos Band.v
 refuted 's/if Rlt_bool (high i) best_low/if Rlt_bool (low i) best_low/' step_is_right BandOrder.v
 refuted 's/nearest t <= value best -> met/nearest t < value best -> met/' not_skipped Answer.v
 refuted 's/accept i best = best -> step/True -> step/' step_keeps Answer.v
+refuted 's/match compare (snd a) (snd b) with .* end/(snd a <? snd b)%N/' is_less_is_exact Answer.v
+refuted 's/Eq => (snd a <? snd b)%N/Eq => false/' is_less_is_exact Answer.v
+refuted 's/compare i j = Rcompare (exact_t i) (exact_t j)\./compare i j = Rcompare (value f) (value g)./' is_less_is_exact Answer.v
+refuted 's/edge a b = 0 ->/0 = 0 ->/' same_edge Order.v
+refuted 's/is_through p ->/0 = 0 ->/' same_corner Order.v
+refuted 's/then CompOpp c else c/then c else c/' crosswise Order.v
+refuted 's/then Rcompare 0 apart/then Rcompare apart 0/' compare_quotient_is_right Order.v
 refuted 's/succ (succ i)/succ i/' two_up Planes.v
 refuted 's/steps = 2%nat/steps = 1%nat/' moved_reciprocal Slabs.v
 refuted 's/78 \*/39 */g' sigma_is_enough Filter.v

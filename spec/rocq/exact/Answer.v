@@ -1,4 +1,5 @@
-(** One answer: whatever a search leaves out by the boxes, and in whatever order it comes to the rest, it ends with the least hit. *)
+(** One answer: whatever a search leaves out by the boxes, and in whatever order it comes to the rest, it ends with the first hit: the
+    least (t, id), where t is exact, and RN(t) is what it reports. *)
 Require Import Reals ZArith NArith List Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN.
 Require Import StacklessExact.Rounding StacklessExact.Triple StacklessExact.Filter StacklessExact.Slabs.
@@ -109,6 +110,15 @@ Definition is_exact : Prop := forall i, match kernel i with
   | None => forall t, ~ hits i t end.
 Hypothesis kernel_is_exact : is_exact.
 
+(** The t of a triangle that is hit. *)
+Definition exact_t (i : N) : R := match mesh i with Some v => top_t (truth v o d) / det (truth v o d) | None => 0 end.
+
+(** What exact arithmetic says of two triangles whose rounded distances are equal: how their t compare. Order.v is about it. *)
+Variable compare : N -> N -> comparison.
+Definition is_exact_order : Prop := forall i j f g, kernel i = Some f -> kernel j = Some g -> value f = value g ->
+  compare i j = Rcompare (exact_t i) (exact_t j).
+Hypothesis compare_is_exact : is_exact_order.
+
 (** What the test of a box says, up to a distance. *)
 Variable met : box -> float -> bool.
 (** BOX-2. *)
@@ -120,11 +130,15 @@ Hypothesis touched_is_met : forall b best t, fit b -> in_box (along o d t) b -> 
 
 Definition answer : Type := option (float * N).
 
-Definition less (a b : float * N) : Prop := value (fst a) < value (fst b) \/ (value (fst a) = value (fst b) /\ (snd a < snd b)%N).
+(** The order of hits: by t, and of equal t by the index. *)
+Definition before (t : R) (i : N) (t' : R) (j : N) : Prop := t < t' \/ (t = t' /\ (i < j)%N).
+Definition less (a b : float * N) : Prop := before (exact_t (snd a)) (snd a) (exact_t (snd b)) (snd b).
+(** How a search decides it: by the rounded distances, and where these are equal by arithmetic. *)
 Definition is_less (a b : float * N) : bool :=
-  Bltb (fst a) (fst b) || (Beqb (fst a) (fst b) && (snd a <? snd b)%N).
+  Bltb (fst a) (fst b) || (Beqb (fst a) (fst b) &&
+    match compare (snd a) (snd b) with Lt => true | Eq => (snd a <? snd b)%N | Gt => false end).
 
-(** A hit is accepted iff (RN(t), id) is less than the best so far. *)
+(** A hit is accepted iff (t, id) is less than the best so far. *)
 Definition accept (i : N) (best : answer) : answer :=
   match kernel i, best with
   | Some f, Some b => if is_less (f, i) b then Some (f, i) else best
@@ -149,17 +163,29 @@ Inductive run : list tree * answer -> list tree * answer -> Prop :=
   | stays s : run s s
   | goes s s' s'' : step s s' -> run s' s'' -> run s s''.
 
-(** The least of all hits, or none where there is none. *)
+(** The first of all hits with its distance RN(t), or none where there is none. *)
 Definition is_least (best : answer) : Prop :=
   match best with
-  | Some (f, i) => kernel i = Some f /\ forall j g, kernel j = Some g -> (f, i) = (g, j) \/ less (f, i) (g, j)
-  | None => forall j, kernel j = None
+  | Some (f, i) => kernel i = Some f /\ exists t, hits i t /\ value f = nearest t /\ forall j t', hits j t' -> j = i \/ before t i t' j
+  | None => forall j t, ~ hits j t
   end.
 
 (** ** The order *)
 
-Lemma kernel_is_number i f : kernel i = Some f -> is_nan f = false.
-Proof. intros E. pose proof (kernel_is_exact i) as K. rewrite E in K. destruct K as (t & _ & N & _). exact N. Qed.
+Lemma hits_once i t : hits i t -> t = exact_t i.
+Proof. intros (v & E & _ & T & _). unfold exact_t. now rewrite E. Qed.
+
+Lemma kernel_hits i f : kernel i = Some f -> hits i (exact_t i) /\ is_nan f = false /\ value f = nearest (exact_t i).
+Proof.
+  intros E. pose proof (kernel_is_exact i) as K. rewrite E in K. destruct K as (t & H & N & V). pose proof (hits_once i t H) as T. now subst t.
+Qed.
+
+(** Rounding keeps the order, so where rounded distances differ they tell it. [EXACT-13] *)
+Theorem rounded_tells s t : nearest s < nearest t -> s < t.
+Proof.
+  intros H. apply Rnot_le_lt. intros L. apply (Rlt_not_le _ _ H). unfold Slabs.nearest. apply Rle_min_compat_r.
+  apply round_le; [now apply FLT_exp_valid|apply valid_rnd_N|exact L].
+Qed.
 
 Lemma Beqb_value (a b : float) : is_nan a = false -> is_nan b = false -> (Beqb a b = true <-> value a = value b).
 Proof.
@@ -171,10 +197,22 @@ Proof.
   rewrite T, !Bltb_value by assumption. destruct (Rlt_bool_spec (value a) (value b)), (Rlt_bool_spec (value b) (value a)); cbn; split; try discriminate; try lra; auto.
 Qed.
 
-Lemma is_less_spec a b : is_nan (fst a) = false -> is_nan (fst b) = false -> (is_less a b = true <-> less a b).
+(** What a search decides is the order of the exact distances. [EXACT-13] *)
+Theorem is_less_is_exact i f j g : kernel i = Some f -> kernel j = Some g -> (is_less (f, i) (g, j) = true <-> less (f, i) (g, j)).
 Proof.
-  intros Na Nb. unfold is_less, less. rewrite orb_true_iff, andb_true_iff, N.ltb_lt, (Beqb_value _ _ Na Nb), Bltb_value by assumption.
-  destruct (Rlt_bool_spec (value (fst a)) (value (fst b))); intuition (try discriminate; try lra).
+  intros Ef Eg. destruct (kernel_hits i f Ef) as (_ & Nf & Vf), (kernel_hits j g Eg) as (_ & Ng & Vg). unfold is_less, less, before. cbn [fst snd].
+  rewrite orb_true_iff, andb_true_iff, (Beqb_value f g Nf Ng), (Bltb_value 24 128 f g Nf Ng), Vf, Vg.
+  destruct (Rlt_bool_spec (nearest (exact_t i)) (nearest (exact_t j))) as [L|L]; [apply rounded_tells in L; intuition|].
+  assert (Ge : exact_t i < exact_t j -> nearest (exact_t i) = nearest (exact_t j)).
+  { intros H. apply Rle_antisym; [|exact L]. apply Rnot_lt_le. intros C. apply rounded_tells in C. lra. }
+  assert (Ty : nearest (exact_t i) = nearest (exact_t j) -> compare i j = Rcompare (exact_t i) (exact_t j)).
+  { intros H. apply (compare_is_exact i j f g); [assumption..|]. now rewrite Vf, Vg. }
+  split.
+  - intros [[=]|[H C]]. rewrite (Ty H) in C. destruct (Rcompare_spec (exact_t i) (exact_t j)) as [K|K|K]; [now left| |discriminate].
+    right. split; [exact K|now apply N.ltb_lt].
+  - intros [H|[H K]]; right.
+    + pose proof (Ge H) as V. split; [exact V|]. now rewrite (Ty V), Rcompare_Lt.
+    + split; [now rewrite H|]. rewrite Ty by now rewrite H. rewrite Rcompare_Eq by exact H. now apply N.ltb_lt.
 Qed.
 
 (** A hit that the search has, or may have: it is the answer of the exact test. *)
@@ -189,23 +227,23 @@ Qed.
 Definition reached (best : answer) (f : float) (i : N) : Prop :=
   exists b, best = Some b /\ (b = (f, i) \/ less b (f, i)).
 
-Lemma less_or a b : is_less a b = false -> is_nan (fst a) = false -> is_nan (fst b) = false -> b = a \/ less b a \/ (value (fst a) = value (fst b) /\ snd a = snd b).
+Lemma less_or i f j g : kernel i = Some f -> kernel j = Some g -> is_less (f, i) (g, j) = false -> (g, j) = (f, i) \/ less (g, j) (f, i).
 Proof.
-  intros E Na Nb. assert (Nl : ~ less a b) by (rewrite <- is_less_spec by assumption; congruence). unfold less in *.
-  destruct (Rtotal_order (value (fst a)) (value (fst b))) as [H|[H|H]]; [tauto| |tauto].
-  destruct (N.lt_trichotomy (snd a) (snd b)) as [K|[K|K]]; [tauto|tauto|]. right. left. right. split; [lra|exact K].
+  intros Ef Eg E. assert (Nl : ~ less (f, i) (g, j)) by (rewrite <- is_less_is_exact by assumption; congruence). unfold less, before in *. cbn [snd] in *.
+  destruct (Rtotal_order (exact_t i) (exact_t j)) as [H|[H|H]]; [tauto| |tauto].
+  destruct (N.lt_trichotomy i j) as [K|[->|K]]; [tauto|left; congruence|]. right. right. split; [now symmetry|exact K].
 Qed.
 
 Lemma less_trans a b c : less a b -> less b c -> less a c.
 Proof.
-  unfold less. intros [A|[A A']] [B|[B B']]; [left; lra|left; lra|left; lra|]. right. split; [congruence|]. eapply N.lt_trans; eassumption.
+  unfold less, before. intros [A|[A A']] [B|[B B']]; [left; lra|left; lra|left; lra|]. right. split; [congruence|]. eapply N.lt_trans; eassumption.
 Qed.
 
 Lemma accept_reached j best f i : sound best -> reached best f i -> reached (accept j best) f i.
 Proof.
   intros So (b & -> & H). unfold accept. destruct (kernel j) as [g|] eqn:E; [|exists b; auto].
   destruct (is_less (g, j) b) eqn:L; [|exists b; auto]. exists (g, j). split; [reflexivity|]. right. destruct b as [h k].
-  assert (Lt : less (g, j) (h, k)) by (apply is_less_spec; [apply (kernel_is_number j g E)|apply (kernel_is_number k h So)|exact L]).
+  assert (Lt : less (g, j) (h, k)) by now apply is_less_is_exact.
   destruct H as [[= -> ->]|H]; [exact Lt|]. now apply less_trans with (h, k).
 Qed.
 
@@ -213,8 +251,7 @@ Lemma accept_reaches best f i : sound best -> kernel i = Some f -> reached (acce
 Proof.
   intros So E. unfold accept. rewrite E. destruct best as [[g j]|]; [|exists (f, i); auto].
   destruct (is_less (f, i) (g, j)) eqn:L; [exists (f, i); auto|]. exists (g, j). split; [reflexivity|].
-  destruct (less_or _ _ L (kernel_is_number i f E) (kernel_is_number j g So)) as [H|[H|[_ H]]]; [now left|now right|].
-  cbn in H. subst j. cbn in So. rewrite E in So. injection So as ->. now left.
+  now apply less_or.
 Qed.
 
 (** ** Nothing is lost *)
@@ -224,10 +261,9 @@ Lemma reached_or_near best f i : sound best -> kernel i = Some f ->
   reached best f i \/ match best with Some b => value f <= value (fst b) | None => True end.
 Proof.
   intros So E. destruct best as [[g j]|]; [|now right]. destruct (is_less (f, i) (g, j)) eqn:L.
-  - right. apply is_less_spec in L; [|apply (kernel_is_number i f E)|apply (kernel_is_number j g So)]. unfold less in L. cbn in *. lra.
-  - left. exists (g, j). split; [reflexivity|].
-    destruct (less_or _ _ L (kernel_is_number i f E) (kernel_is_number j g So)) as [K|[K|[_ K]]]; [now left|now right|].
-    cbn in K. subst j. cbn in So. rewrite E in So. injection So as ->. now left.
+  - right. apply is_less_is_exact in L; [|exact E|exact So]. destruct (kernel_hits i f E) as (_ & _ & V), (kernel_hits j g So) as (_ & _ & W).
+    cbn [fst]. rewrite V, W. apply Rnot_lt_le. intros C. apply rounded_tells in C. unfold less, before in L. cbn [snd] in L. lra.
+  - left. exists (g, j). split; [reflexivity|]. now apply less_or.
 Qed.
 
 (** So no box around it is left out. *)
@@ -235,7 +271,7 @@ Lemma not_skipped t best f i p : sound best -> hits i p -> nearest p = value f -
   match best with Some b => value f <= value (fst b) | None => True end -> met (box_of t) (limit best) = true.
 Proof.
   intros So (v & _ & _ & _ & W) Ef [Hb Hf] Nr. apply touched_is_met with p; [exact Hf|exact Hb|exact W| |]; destruct best as [[g j]|]; cbn [limit fst] in *.
-  - apply (kernel_is_number j g So).
+  - apply (kernel_hits j g So).
   - apply (within_ends 24 128 eq_refl p tmin tmax W).
   - now rewrite Ef.
   - apply (within_ends 24 128 eq_refl p tmin tmax W).
@@ -296,29 +332,46 @@ Qed.
 (** Each point of each triangle is in a leaf that names it. *)
 Definition covers (root : tree) : Prop := forall i v p, mesh i = Some v -> in_triangle p v -> holds fit p i root.
 
-(** Every search that has come to its end, over any tree that holds the triangles, has the least hit, or none where there is none.
-    [DET-1] *)
+(** Every search that has come to its end, over any tree that holds the triangles, has the first hit, or none where there is none.
+    [DET-1, EXACT-13] *)
 Theorem one_answer root best : covers root -> run ([root], None) ([], best) -> is_least best.
 Proof.
   intros Cv R. pose proof (run_sound _ _ R I) as So. cbn [snd] in So.
-  assert (All : forall j g, kernel j = Some g -> reached best g j).
-  { intros j g E. pose proof (kernel_is_exact j) as K. rewrite E in K. destruct K as (t & Ht & _ & Eg).
-    destruct (run_keeps g j t _ _ E Ht (eq_sym Eg) R I) as [_ [H|(x & [] & _)]]; [|exact H]. cbn [fst]. right. exists root. split; [now left|].
-    destruct Ht as (v & Ev & M & -> & W). apply Cv with v; [exact Ev|]. now apply hit_is_in_triangle. }
+  assert (All : forall j t, hits j t -> exists g, kernel j = Some g /\ reached best g j).
+  { intros j t Ht. pose proof (kernel_is_exact j) as K. destruct (kernel j) as [g|] eqn:E; [|now contradict Ht]. exists g. split; [reflexivity|].
+    destruct K as (t' & Ht' & _ & Eg). destruct (run_keeps g j t' _ _ E Ht' (eq_sym Eg) R I) as [_ [H|(x & [] & _)]]; [|exact H]. cbn [fst]. right.
+    exists root. split; [now left|]. destruct Ht' as (v & Ev & M & -> & W). apply Cv with v; [exact Ev|]. now apply hit_is_in_triangle. }
   destruct best as [[f i]|]; cbn.
-  - split; [exact So|]. intros j g E. destruct (All j g E) as (b & [= <-] & H). exact H.
-  - intros j. destruct (kernel j) as [g|] eqn:E; [|reflexivity]. destruct (All j g E) as (b & [=] & _).
+  - split; [exact So|]. destruct (kernel_hits i f So) as (H & _ & V). exists (exact_t i). split; [exact H|]. split; [exact V|].
+    intros j t Ht. destruct (All j t Ht) as (g & E & b & [= <-] & [[= _ ->]|L]); [now left|right]. now rewrite (hits_once j t Ht).
+  - intros j t Ht. now destruct (All j t Ht) as (g & _ & b & [=] & _).
 Qed.
 
 (** There is one such answer, to the bit. *)
 Lemma least_unique a b : is_least a -> is_least b -> a = b.
 Proof.
-  destruct a as [[f i]|], b as [[g j]|]; cbn; [|intros [E _] H; rewrite H in E; discriminate|intros H [E _]; rewrite H in E; discriminate|reflexivity].
-  intros [Ef Lf] [Eg Lg]. destruct (Lf j g Eg) as [[= -> ->]|H1]; [reflexivity|]. destruct (Lg i f Ef) as [[= -> ->]|H2]; [reflexivity|]. exfalso.
-  unfold less in *; cbn in *. destruct H1 as [H1|[H1 H1']], H2 as [H2|[H2 H2']]; try lra. eapply N.lt_irrefl, N.lt_trans; eassumption.
+  destruct a as [[f i]|], b as [[g j]|]; cbn; [|intros (_ & t & H & _) K; now apply K in H|intros K (_ & t & H & _); now apply K in H|reflexivity].
+  intros (Ef & t & Ht & _ & Lt) (Eg & t' & Ht' & _ & Lt'). destruct (Lt j t' Ht') as [->|H1]; [congruence|]. destruct (Lt' i t Ht) as [->|H2]; [congruence|].
+  exfalso. unfold before in *. destruct H1 as [H1|[H1 H1']], H2 as [H2|[H2 H2']]; try lra. eapply N.lt_irrefl, N.lt_trans; eassumption.
 Qed.
 
 (** So any two searches, over any two trees, end with the same: the same distance to the bit, the same triangle. [DET-1] *)
 Theorem same_answer root root' a b : covers root -> covers root' -> run ([root], None) ([], a) -> run ([root'], None) ([], b) -> a = b.
 Proof. intros. apply least_unique; [apply one_answer with root|apply one_answer with root']; assumption. Qed.
 End Search.
+
+(** Of some hits, such as those after a given one, the first: triangles that are not wanted are as good as missed. [DET-1] *)
+Theorem wanted_answer o d tmin tmax mesh kernel compare met (fit : box -> Prop) (wanted : N -> bool) root best :
+  is_exact o d tmin tmax mesh kernel -> is_exact_order o d mesh kernel compare ->
+  (forall b best t, fit b -> in_box (along o d t) b -> within t tmin tmax -> is_nan best = false -> nearest t <= value best -> met b best = true) ->
+  covers mesh fit root ->
+  let mesh' i := if wanted i then mesh i else None in
+  let kernel' i := if wanted i then kernel i else None in
+  run tmax kernel' compare met ([root], None) ([], best) -> is_least o d tmin tmax mesh' kernel' best.
+Proof.
+  intros K O M C mesh' kernel' R. apply (one_answer o d tmin tmax mesh' kernel') with (compare := compare) (met := met) (fit := fit) (root := root);
+    [| |exact M| |exact R].
+  - intros i. pose proof (K i) as Ki. unfold kernel', hits, mesh' in *. destruct (wanted i); [exact Ki|]. now intros t (v & [=] & _).
+  - intros i j f g. pose proof (O i j f g) as Oi. unfold kernel', exact_t, mesh' in *. now destruct (wanted i), (wanted j).
+  - intros i v p. unfold mesh'. destruct (wanted i); [apply C|discriminate].
+Qed.

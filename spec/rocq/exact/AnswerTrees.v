@@ -31,10 +31,11 @@ Proof.
 Qed.
 
 (** The slab test of the code, with two steps, for boxes and rays that it is asked for: any search that leaves out only what it tells to
-    leave out has the least hit in the end. [DET-1] *)
-Theorem directed_answer mesh kernel root best :
-  is_exact origin direction tmin tmax mesh kernel -> covers mesh fits root -> run tmax kernel box_met ([root], None) ([], best) -> is_least kernel best.
-Proof. intros K C R. apply (one_answer origin direction tmin tmax mesh kernel K box_met fits touched_box_is_met root best C R). Qed.
+    leave out has the first hit in the end. [DET-1, EXACT-13] *)
+Theorem directed_answer mesh kernel compare root best : is_exact origin direction tmin tmax mesh kernel ->
+  is_exact_order origin direction mesh kernel compare -> covers mesh fits root -> run tmax kernel compare box_met ([root], None) ([], best) ->
+  is_least origin direction tmin tmax mesh kernel best.
+Proof. intros K O C R. apply (one_answer origin direction tmin tmax mesh kernel K compare O box_met fits touched_box_is_met root best C R). Qed.
 End Directed.
 
 (** * The references *)
@@ -42,14 +43,15 @@ End Directed.
 Section References.
 Variables tmax : float.
 Variable kernel : N -> option float.
+Variable compare : N -> N -> comparison.
 Variable met : box -> float -> bool.
-Notation run := (run tmax kernel met).
+Notation run := (run tmax kernel compare met).
 Notation limit := (limit tmax).
-Notation accept := (accept kernel).
+Notation accept := (accept kernel compare).
 
 Lemma run_trans s s' s'' : run s s' -> run s' s'' -> run s s''.
 Proof. induction 1; [auto|]. intros. eapply goes; eauto. Qed.
-Lemma run_one s s' : step tmax kernel met s s' -> run s s'.
+Lemma run_one s s' : step tmax kernel compare met s s' -> run s s'.
 Proof. intros. eapply goes; [eassumption|constructor]. Qed.
 
 (** All triangles of a leaf. *)
@@ -58,7 +60,7 @@ Definition test_all (items : list N) (best : answer) : answer := fold_left (fun 
 Lemma run_leaf b items : forall a c best, run (a ++ Leaf b items :: c, best) (a ++ c, test_all items best).
 Proof.
   induction items as [|i items IH]; intros a c best; [apply run_one, leaves|].
-  eapply goes; [apply (tests tmax kernel met a b [] i items c)|]. apply IH.
+  eapply goes; [apply (tests tmax kernel compare met a b [] i items c)|]. apply IH.
 Qed.
 
 (** ** Binary trees *)
@@ -113,7 +115,7 @@ Proof.
     { intros sd h' a' rest'. pose proof (at_child sd l r k Hk). destruct sd; [apply IHl|apply IHr]; assumption. }
     clear IHl IHr. assert (E : best_of (k :: h) = best_of h) by (cbn; now rewrite Hk).
     assert (Open : run (a ++ tree_of (Tree.Node l r) k :: rest, best_of h) (a ++ c Tree.L :: c Tree.R :: rest, best_of h)).
-    { apply run_one, (opens tmax kernel met a (boxes k) [c Tree.L; c Tree.R] rest). }
+    { apply run_one, (opens tmax kernel compare met a (boxes k) [c Tree.L; c Tree.R] rest). }
     assert (Drop : forall sd a rest b, met (boxes (Tree.child sd k)) (limit b) = false -> run (a ++ c sd :: rest, b) (a ++ rest, b)).
     { intros sd a' rest' b M. apply run_one, skips. unfold c. now rewrite box_of_tree. }
     cbn [Tree.visit]. destruct (decide (k :: h)) as [|sd|sd].
@@ -190,7 +192,7 @@ Proof.
   destruct (wanted s) eqn:W.
   - unfold some_of at 2. cbn [flat_map]. fold (some_of (filter wanted L)). rewrite <- !app_assoc, !(app_assoc a). apply IH.
   - destruct (child s) as [t|] eqn:Hc; [|apply IH]. eapply run_trans; [|apply IH]. apply run_one. cbn [app].
-    apply (skips tmax kernel met a (wide_of t (s :: k)) (some_of L ++ c)). rewrite box_of_wide. apply H; [congruence|exact W].
+    apply (skips tmax kernel compare met a (wide_of t (s :: k)) (some_of L ++ c)). rewrite box_of_wide. apply H; [congruence|exact W].
 Qed.
 End Children.
 
@@ -263,19 +265,19 @@ Proof. apply (wide_visit_runs T [] [] [] [] eq_refl). Qed.
 End Wide.
 End References.
 
-(** So their best, with boxes tested as the code does, is the least hit: for every tree, every order of children, and whatever they
+(** So their best, with boxes tested as the code does, is the first hit: for every tree, every order of children, and whatever they
     know. [DET-1] *)
-Theorem binary_answer ox oy oz dx dy dz tmin tmax mesh kernel boxes items T decide wants :
+Theorem binary_answer ox oy oz dx dy dz tmin tmax mesh kernel compare boxes items T decide wants :
   let met := box_met ox oy oz dx dy dz tmin tmax in
-  is_exact (origin ox oy oz) (direction dx dy dz) tmin tmax mesh kernel ->
-  covers mesh (fits ox oy oz dx dy dz) (tree_of boxes items T xH) -> skips_by_boxes tmax kernel met boxes items T decide wants ->
-  is_least kernel (best_of kernel items T wants (snd (Tree.reference decide (fun _ => false) T))).
-Proof. intros met K C By. eapply directed_answer; [exact K|exact C|]. now apply binary_reference_runs. Qed.
+  is_exact (origin ox oy oz) (direction dx dy dz) tmin tmax mesh kernel -> is_exact_order (origin ox oy oz) (direction dx dy dz) mesh kernel compare ->
+  covers mesh (fits ox oy oz dx dy dz) (tree_of boxes items T xH) -> skips_by_boxes tmax kernel compare met boxes items T decide wants ->
+  is_least (origin ox oy oz) (direction dx dy dz) tmin tmax mesh kernel (best_of kernel compare items T wants (snd (Tree.reference decide (fun _ => false) T))).
+Proof. intros met K O C By. eapply directed_answer; [exact K|exact O|exact C|]. now apply binary_reference_runs. Qed.
 
 (** The same for trees of 2, 4 or 8 children. [DET-1] *)
-Theorem wide_answer ox oy oz dx dy dz tmin tmax mesh kernel B boxes items T S :
+Theorem wide_answer ox oy oz dx dy dz tmin tmax mesh kernel compare B boxes items T S :
   let met := box_met ox oy oz dx dy dz tmin tmax in
-  is_exact (origin ox oy oz) (direction dx dy dz) tmin tmax mesh kernel ->
-  covers mesh (fits ox oy oz dx dy dz) (wide_of B boxes items T []) -> wide_by_boxes tmax kernel met B boxes items T S ->
-  is_least kernel (wide_best kernel items T (snd (Wide.reference B S T))).
-Proof. intros met K C By. eapply directed_answer; [exact K|exact C|]. now apply wide_reference_runs. Qed.
+  is_exact (origin ox oy oz) (direction dx dy dz) tmin tmax mesh kernel -> is_exact_order (origin ox oy oz) (direction dx dy dz) mesh kernel compare ->
+  covers mesh (fits ox oy oz dx dy dz) (wide_of B boxes items T []) -> wide_by_boxes tmax kernel compare met B boxes items T S ->
+  is_least (origin ox oy oz) (direction dx dy dz) tmin tmax mesh kernel (wide_best kernel compare items T (snd (Wide.reference B S T))).
+Proof. intros met K O C By. eapply directed_answer; [exact K|exact O|exact C|]. now apply wide_reference_runs. Qed.

@@ -18,6 +18,8 @@ Hypothesis B_range : (B <= 3)%N.
 Variable mesh : N -> option triangle.
 Variable kernel : N -> option float.
 Hypothesis kernel_is_exact : is_exact o d tmin tmax mesh kernel.
+Variable compare : N -> N -> comparison.
+Hypothesis compare_is_exact : is_exact_order o d mesh kernel compare.
 
 Definition axis_x (b : box) : axis := (ox, dx, lo_x b, hi_x b).
 Definition axis_y (b : box) : axis := (oy, dy, lo_y b, hi_y b).
@@ -31,12 +33,12 @@ Proof.
   intros (Px & Py & Pz) (X & Y & Z) (Fm & Hm & _) Nb Hb. apply touched_is_entered with t; try assumption. lia.
 Qed.
 
-(** Any search of a wide tree that leaves out only what the lanes do not meet ends with the least hit. [DET-1, LANES-1] *)
+(** Any search of a wide tree that leaves out only what the lanes do not meet ends with the first hit. [DET-1, LANES-1] *)
 Theorem lanes_answer boxes items T S : covers mesh lanes_fit (wide_of B boxes items T []) ->
-  wide_by_boxes tmax kernel lanes_met B boxes items T S ->
-  is_least kernel (wide_best kernel items T (snd (Wide.reference B S T))).
+  wide_by_boxes tmax kernel compare lanes_met B boxes items T S ->
+  is_least o d tmin tmax mesh kernel (wide_best kernel compare items T (snd (Wide.reference B S T))).
 Proof.
-  intros C By. apply (one_answer o d tmin tmax mesh kernel kernel_is_exact lanes_met lanes_fit touched_lane_is_met _ _ C).
+  intros C By. apply (one_answer o d tmin tmax mesh kernel kernel_is_exact compare compare_is_exact lanes_met lanes_fit touched_lane_is_met _ _ C).
   now apply wide_reference_runs.
 Qed.
 
@@ -49,7 +51,7 @@ Theorem rejected_is_not_accepted i v0 v1 v2 reach neg (best : answer) : mesh i =
   let E := longest v0 v1 v2 in
   sign_bit neg (det found) ->
   is_missed (greatest d) C E found \/ (is_finite (limit tmax best) = true /\ is_beyond neg (greatest d) C E (B2R (limit tmax best)) found) ->
-  is_nan (limit tmax best) = false -> accept kernel i best = best.
+  is_nan (limit tmax best) = false -> accept kernel compare i best = best.
 Proof.
   intros Em F0 F1 F2 Fo HR HD found C E Sg Rj Nl. unfold accept. pose proof (kernel_is_exact i) as K. destruct (kernel i) as [f|]; [|reflexivity].
   destruct K as (t & (v & Ev & M & Et & W) & Nf & Ef). rewrite Em in Ev. injection Ev as <-. cbn [truth] in M, Et.
@@ -61,7 +63,7 @@ Proof.
   { rewrite Ef. rewrite (finite_value 24 128 _ Fl). apply Rnot_le_lt. intros H. apply (Right _ (or_intror Rj)). revert H. unfold Slabs.nearest, Rmin.
     pose proof (finite_inside 24 128 (limit tmax best)). destruct (Rle_dec _ _) as [L|L]; intros H'; [exact H'|lra]. }
   destruct best as [b|].
-  - destruct (is_less (f, i) b) eqn:L; [|reflexivity]. exfalso.
+  - destruct (is_less compare (f, i) b) eqn:L; [|reflexivity]. exfalso.
     assert (Bl : Bltb f (fst b) = false /\ Beqb f (fst b) = false).
     { destruct b as [g j]. cbn [fst limit] in *. pose proof (Bltb_value 24 128 f g Nf Nl) as E1. pose proof (Beqb_value f g Nf Nl) as E2.
       split; [rewrite E1; apply Rlt_bool_false; lra|]. destruct (Beqb f g); [|reflexivity]. destruct E2 as [E2 _]. specialize (E2 eq_refl). lra. }
