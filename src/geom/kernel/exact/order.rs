@@ -1,8 +1,8 @@
 //! The order of hits whose rounded distances are equal. `[EXACT-13]`
 //!
-//! Nearly all of these are the faces around an edge or a corner that the line meets, or faces that coincide. Their exact
-//! distances are equal, which [`are_met_together`] finds without computing them. The others are compared by numbers of
-//! twice the digits, and by exact sums where these do not tell.
+//! Nearly all of these are the faces around an edge or a corner that the line meets, and faces of one floor or wall, which
+//! may coincide. Their exact distances are equal, which is found without computing them. The others are compared by numbers
+//! of twice the digits, and by exact sums where these do not tell.
 
 use std::cmp::Ordering;
 
@@ -69,7 +69,7 @@ impl Crossing<'_> {
             [false, false, true] => is_through(c),
             [false, false, false] => false,
         };
-        is_on_shared || (0..3).any(|k| corners.iter().chain(others).all(|corner| corner[k] == a[k]))
+        is_on_shared || are_in_one_wall(corners, others)
     }
 
     fn fine(&self) -> FineDeterminants {
@@ -79,6 +79,18 @@ impl Crossing<'_> {
     fn fraction(&self) -> Relaxed {
         quotient::fraction(self.corners, self.o, self.d)
     }
+}
+
+/// Whether triangles lie in one plane across an axis, as floors do, or along one, as walls do that stand on one line: seen
+/// along the axis, their corners are two points.
+fn are_in_one_wall(corners: &[DVec3; 3], others: &[DVec3; 3]) -> bool {
+    let all = || corners.iter().chain(others);
+    (0..3).any(|k| {
+        let seen = |corner: &DVec3| [corner[(k + 1) % 3], corner[(k + 2) % 3]];
+        let first = seen(&corners[0]);
+        let second = all().map(seen).find(|point| *point != first).unwrap_or(first);
+        all().all(|corner| corner[k] == corners[0][k]) || all().all(|corner| [first, second].contains(&seen(corner)))
+    })
 }
 
 #[cfg(test)]

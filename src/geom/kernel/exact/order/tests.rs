@@ -107,6 +107,10 @@ fn triangles_that_are_met_together_are_told_by_signs() {
     let [a, b, c, e] = [[0.0, 0.0, 1.0], [4.0, 0.0, 1.0], [0.0, 4.0, 2.0], [0.0, -4.0, 7.0]].map(DVec3::from);
     let flat = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]].map(|[x, y]| DVec3::new(x, y, 1.0));
     let moved = flat.map(|v| v - DVec3::new(0.5, 0.5, 0.0));
+    // On one line, seen from above, and not.
+    let wall = [[0.1, 0.3, -9.0], [0.7, 0.2, -9.0], [0.7, 0.2, 5.0]].map(|v| DVec3::from(v) * 5.0);
+    let longer = [wall[0], wall[1] + DVec3::Z * 60.0, wall[1]].map(|v| v - DVec3::Z * 0.1);
+    let turned = [longer[0], longer[1], longer[2].with_y(1.1)];
     for (one, other, at, expected) in [
         ([a, b, c], [c, a, b], [1.0, 1.0], true),
         ([a, b, c], [b, a, c], [1.0, 1.0], true),
@@ -114,6 +118,8 @@ fn triangles_that_are_met_together_are_told_by_signs() {
         ([a, b, c], [e, a, b], [0.0, 0.0], true),
         ([b, c, a], [a, e, b + DVec3::Z], [0.0, 0.0], true),
         ([a, b, c], [a, b, e + 4.0 * DVec3::Y], [1.0, 0.5], false),
+        (wall, longer, [1.0, 1.0], true),
+        (wall, turned, [1.0, 1.0], false),
         (flat, moved, [0.25, 0.25], true),
         (flat, moved.map(|v| v + DVec3::Z), [0.25, 0.25], false),
     ] {
