@@ -197,6 +197,8 @@ class Scene:
     ) -> Near:
         """The `k` faces that are nearest to each point, within a radius, in order of distance and then of face.
 
+        Faces without area, which rays miss, are segments and points.
+
         Parameters
         ----------
         points
@@ -233,8 +235,7 @@ class Scene:
         TypeError
             The array has another dtype than the scene.
         ValueError
-            The shape does not fit, a coordinate is not finite, or a face had no area and now has one. Then nothing has
-            changed.
+            The shape does not fit, or a coordinate is not finite. Then nothing has changed.
         """
         self._native.refit(rows(vertices, "vertices", self._native.dtype))
 

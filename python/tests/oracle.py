@@ -74,7 +74,7 @@ def crossings(vertices, faces, origin, direction):
 
 
 def nearest_square(triangle, point):
-    """The square of the distance from a point to a triangle that has an area, and the nearest point."""
+    """The square of the distance from a point to a triangle, and the nearest point. Without area it is its edges."""
     a, b, c = triangle
     candidates = [on_segment(point, *ends) for ends in [(a, b), (b, c), (c, a)]]
     hit = meet(triangle, point, cross(minus(b, a), minus(c, a)))
@@ -86,6 +86,8 @@ def nearest_square(triangle, point):
 
 def on_segment(point, a, b):
     along = minus(b, a)
+    if not any(along):
+        return a
     t = dot(minus(point, a), along) / dot(along, along)
     t = min(max(t, Fraction(0)), Fraction(1))
     return tuple(x + t * d for x, d in zip(a, along))

@@ -228,12 +228,21 @@ def test_refit_moves_the_vertices_or_changes_nothing(dtype):
     torn[0] += dtype(0.25)
     scene.refit(torn)
     assert not scene.is_closed
-    # The first face has an area from the beginning.
+    # A face may have an area that had none, and none that had one.
     flat = Scene(np.eye(3, dtype=dtype)[[0, 1, 2, 2]], [[0, 1, 2], [1, 2, 3]])
-    message = "faces[1]: no area when the scene was built, and some now; build a new Scene for these vertices"
-    with pytest.raises(ValueError) as error:
-        flat.refit(np.array([*np.eye(3), [1, 1, 1]], dtype=dtype))
-    assert str(error.value) == message
+    raised = np.array([[0, 1, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], dtype=dtype)
+    flat.refit(raised)
+    assert flat.closest([0.25, 1, 2], [0, 0, -1]).primitive[0] == 1
+    assert flat.nearest(raised[[0]] * 3, k=2).primitive.tolist() == [[0, 1]]
+
+
+def test_faces_without_area_have_nearest_points(dtype):
+    vertices = [[2.25, -8, 16.5], [-0.5, -8, 16.5], [-0.5, -8, 16.5], [99, 99, 99], [100, 99, 99], [99, 100, 99]]
+    scene = Scene(np.array(vertices, dtype=dtype), [[0, 1, 2], [3, 4, 5], [1, 1, 2]])
+    near = scene.nearest(np.array([[1, -8, 16.75]], dtype=dtype), k=3)
+    assert near.primitive.tolist() == [[0, 2, 1]] and near.distance[0, 0] == 0.25
+    assert near.point[0, 0].tolist() == [1, -8, 16.5] and near.point[0, 1].tolist() == vertices[1]
+    assert not scene.any([1, -8, 17], [0, 0, -1])[0]
 
 
 def test_a_scene_that_is_asked_is_not_changed(dtype):

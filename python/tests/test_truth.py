@@ -124,11 +124,8 @@ def test_nearest_is_that_of_rational_arithmetic(mesh, asked, k, dtype, place, bu
     distance, primitive = near.distance.reshape(-1, k), near.primitive.reshape(-1, k)
     places = near.point.reshape(-1, k, 3)
     for i, point in enumerate(asked):
-        truth = {}
-        for face, indices in enumerate(faces):
-            triangle = oracle.corners(vertices, indices)
-            if oracle.has_area(triangle):
-                truth[face] = oracle.nearest_square(triangle, oracle.vector(point))
+        triangles = [oracle.corners(vertices, indices) for indices in faces]
+        truth = {face: oracle.nearest_square(triangle, oracle.vector(point)) for face, triangle in enumerate(triangles)}
         count = min(k, len(truth))
         assert (primitive[i, count:] == -1).all() and np.isinf(distance[i, count:]).all()
         found = primitive[i, :count].tolist()

@@ -87,7 +87,7 @@ impl<S> Bvh<S> {
         &self.region
     }
 
-    /// How many degenerate triangles of the mesh were left out, as no ray meets them.
+    /// How many degenerate triangles of the mesh were [left out](Degenerate::LeftOut).
     pub fn dropped(&self) -> usize {
         self.dropped
     }

@@ -24,7 +24,7 @@ pub trait Primitives: Sync {
     /// has a NaN is refused.
     fn aabb(&self, index: usize) -> Aabb;
 
-    /// Whether any ray can meet the shape. Where none can, it is left out.
+    /// Whether any ray can meet the shape. Where none can, [`Degenerate`](super::Degenerate) says what becomes of it.
     fn can_be_hit(&self, _: usize) -> bool {
         true
     }

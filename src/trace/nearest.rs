@@ -28,8 +28,9 @@ pub struct Near<V: Vector = Vec3> {
 /// A search for the nearest point of a mesh within a radius, exact: the triangle of the least distance, rounded to the
 /// nearest float, and of equal ones that of the least index. `[NEAR-1]`
 ///
-/// It is no ray query, yet runs in the same traversals: they know no geometry. Degenerate triangles are not part of the
-/// mesh, as they are not for rays. Meshes in double precision have points and distances in double precision.
+/// It is no ray query, yet runs in the same traversals: they know no geometry. Degenerate triangles, which rays miss, are
+/// segments and points here, unless the hierarchy [left them out](crate::bvh::Degenerate). Meshes in double precision have
+/// points and distances in double precision.
 #[derive(Clone, Debug)]
 pub struct NearestPoint<'a, H = Bvh, V: Vector = Vec3> {
     pub(super) around: Around<'a, H, V>,
@@ -130,8 +131,6 @@ impl<'a, V: Vector, H: Held<Triangle<V>>> Around<'a, H, V> {
             if let Some(distance) = measure.distance(shape, end)
                 && let near = (Limit { distance, prim })
                 && near < *limit
-                // A hierarchy has a triangle even if all of the mesh are degenerate.
-                && !shape.is_degenerate()
             {
                 *limit = found(near, place).unwrap_or(*limit);
             }

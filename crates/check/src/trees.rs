@@ -166,8 +166,6 @@ where
 
 /// The first `k` triangles within a radius, by (distance, rounded; index), in exact arithmetic on all that can be among
 /// them.
-///
-/// Degenerate triangles are not part of the mesh.
 pub fn nearest<V: Vector>(mesh: &Mesh<V>, point: V, radius: V::Real, k: usize) -> Vec<(f64, u32)> {
     let (p, radius): (_, f64) = (point.widen(), radius.into());
     // The distance is at least a component of that of the box, and at most the sum of those of the nearest corner.
@@ -179,8 +177,7 @@ pub fn nearest<V: Vector>(mesh: &Mesh<V>, point: V, radius: V::Real, k: usize) -
             corners.map(|corner| (corner - p).abs().element_sum()).into_iter().fold(f64::INFINITY, f64::min);
         (to_box * (1.0 - 1e-12), to_corner * (1.0 + 1e-6))
     };
-    let prims = (0..mesh.triangles().len()).filter(|&prim| !Triangle(mesh.triangle(prim)).is_degenerate());
-    let all: Vec<_> = prims.map(|prim| (prim, bounds(prim))).collect();
+    let all: Vec<_> = (0..mesh.triangles().len()).map(|prim| (prim, bounds(prim))).collect();
     let mut most: Vec<f64> = all.iter().map(|&(_, (_, most))| most).collect();
     most.sort_by(f64::total_cmp);
     let most = k.checked_sub(1).map_or(f64::NEG_INFINITY, |last| most.get(last).copied().unwrap_or(f64::INFINITY));

@@ -105,18 +105,18 @@ pub struct BuildOptions {
     pub spatial: SpatialOptions,
     /// Rounds of reinsertion (Meister & Bittner 2018) after the build; 0 for none.
     pub reinsertion: u32,
-    /// What becomes of triangles that no ray can meet.
+    /// What becomes of triangles that no ray meets.
     pub degenerate: Degenerate,
 }
 
 /// What becomes of primitives that [cannot be hit](Primitives::can_be_hit).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Degenerate {
-    /// They are not in the tree.
+    /// They are in the tree. Rays miss them, and they have nearest points.
     #[default]
-    LeftOut,
-    /// They are in the tree, and tested as the others are: to see what they cost.
     Kept,
+    /// They are not in the tree, which is for rays alone: it is smaller, and a search for what is nearest does not know them.
+    LeftOut,
 }
 
 impl BuildOptions {

@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
-use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, WideBvh, WideError};
+use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, Degenerate, WideBvh, WideError};
 use stackless_bvh::geom::Triangle;
 use stackless_bvh::traverse::Method;
 use stackless_scene::Position;
@@ -54,9 +54,10 @@ impl Build {
         self.run_as(BuildOptions::default(), scene)
     }
 
-    /// These options with this builder.
+    /// These options with this builder. The command asks rays alone, which miss degenerate triangles.
     pub(crate) fn of(self, options: BuildOptions) -> BuildOptions {
-        BuildOptions { builder: self.builder, reinsertion: self.reinsertion, ..options }
+        let degenerate = Degenerate::LeftOut;
+        BuildOptions { builder: self.builder, reinsertion: self.reinsertion, degenerate, ..options }
     }
 
     fn run_as<V: Position>(self, options: BuildOptions, scene: &Scene<V>) -> Result<Bvh<Triangle<V>>, BuildError> {
