@@ -1,4 +1,4 @@
-//! The least triangle below each inner node, for queries that many triangles answer equally well. `[NEAR-6]`
+//! The least triangle below each node, for queries that many triangles answer equally well. `[NEAR-6]`
 
 use std::sync::OnceLock;
 
@@ -6,24 +6,26 @@ use super::wide::leaf_places;
 use super::{Bvh, WideBvh};
 use crate::tree::Node;
 
-/// By the index of the node. It is made when it is first asked for: few queries do.
+/// Of inner nodes, by their index. It is made when it is first asked for: few queries do.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Least(OnceLock<Box<[u32]>>);
 
 impl Least {
-    /// Of an inner node, one of so many, which stand before their children. `prims` are those of a leaf.
+    /// Of a node. There are so many inner ones, which stand before their children. `prims` are those of a leaf.
     fn below<C, P>(&self, node: Node, count: usize, children: impl Fn(usize) -> C, prims: impl Fn(Node) -> P) -> u32
     where
         C: IntoIterator<Item = Node>,
         P: Iterator<Item = u32>,
     {
+        let of_leaf = |leaf| prims(leaf).min().unwrap_or(u32::MAX);
+        if node.is_leaf() {
+            return of_leaf(node);
+        }
         let table = self.0.get_or_init(|| {
             // What is not known yet is taken for 0, which leaves nothing out.
             let mut least = vec![0; count];
             for i in (0..count).rev() {
-                let of = |child: Node| {
-                    if child.is_leaf() { prims(child).min().unwrap_or(u32::MAX) } else { least[child.index()] }
-                };
+                let of = |child: Node| if child.is_leaf() { of_leaf(child) } else { least[child.index()] };
                 least[i] = children(i).into_iter().map(of).min().unwrap_or(u32::MAX);
             }
             least.into()
@@ -33,7 +35,7 @@ impl Least {
 }
 
 impl<S> Bvh<S> {
-    /// The least index of the triangles below an inner node.
+    /// The least index of the triangles of a leaf, or below an inner node.
     pub(crate) fn least_below(&self, node: Node) -> u32 {
         let prims = |leaf| self.leaf_triangles(leaf).iter().map(|held| held.prim);
         self.least.below(node, self.nodes().len(), |i| self.node(i).children, prims)
@@ -41,7 +43,7 @@ impl<S> Bvh<S> {
 }
 
 impl<const A: usize> WideBvh<A> {
-    /// The least index of the triangles below an inner node.
+    /// The least index of the triangles of a leaf, or below an inner node.
     pub(crate) fn least_below(&self, node: Node) -> u32 {
         let children = |i: usize| {
             let node = &self.nodes()[i];

@@ -116,6 +116,13 @@ impl Fine {
         Self { radius: self.radius.max(reach), ..self }
     }
 
+    /// Times 2 to the power of an exponent from -1022 to 1023.
+    #[inline]
+    pub(in crate::geom) fn scaled(self, exponent: i32) -> Self {
+        let [high, low, radius] = [self.high, self.low, self.radius].map(|x| x * power_of_two(exponent));
+        Self { high, low, radius: (radius + UNDERFLOW) * UP }
+    }
+
     /// The quotients. `None` where a divisor may be 0, or where nothing is known of them.
     #[inline]
     pub(in crate::geom) fn over(self, whole: Self) -> Option<Self> {

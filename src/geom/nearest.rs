@@ -16,6 +16,7 @@
 //! the roundings of the bounds themselves. Nothing overflows where M is in [`RANGE`], as it is in single precision, and
 //! what underflows is far less than `u M`, where |q| is above [`SHORT`].
 
+mod afar;
 mod cone;
 mod enclosure;
 mod point;
@@ -26,7 +27,7 @@ use glam::{DVec3, Vec3};
 
 use self::enclosure::Enclosure;
 use super::fine::Fine;
-use super::frame::power_of_two;
+use super::frame::{exponent_of, power_of_two};
 use super::truth::{self, Number, RBig};
 use super::{Aabb, Frame, Interval, Real, Triangle, Vector};
 
@@ -48,7 +49,8 @@ const SQUARES: RangeInclusive<f64> = f64::from_bits((1023 - 900) << 52)..=f64::M
 pub struct Measure<V: Vector = Vec3> {
     point: V,
     radius: V::Real,
-    /// Bounds of the point in the frame of boxes, and the unit of length there.
+    /// Of boxes; bounds of the point there, and the unit of length.
+    frame: Frame,
     in_frame: [DVec3; 2],
     unit: f64,
 }
@@ -56,12 +58,13 @@ pub struct Measure<V: Vector = Vec3> {
 impl<V: Vector> Measure<V> {
     /// Measures from a point, which must be finite, up to a radius, included, which must not be negative or NaN.
     pub fn new(point: V, radius: V::Real) -> Self {
-        Self { point, radius, in_frame: [point.widen(); 2], unit: 1.0 }
+        Self { point, radius, frame: Frame::IDENTITY, in_frame: [point.widen(); 2], unit: 1.0 }
     }
 
     /// The same, for boxes in a frame. `[FRAME-1]`
     pub fn within(frame: &Frame, point: V, radius: V::Real) -> Self {
-        Self { in_frame: frame.ends(point.widen()), unit: power_of_two(frame.exponent()), ..Self::new(point, radius) }
+        let (in_frame, unit) = (frame.ends(point.widen()), power_of_two(frame.exponent()));
+        Self { frame: *frame, in_frame, unit, ..Self::new(point, radius) }
     }
 
     /// The point.
@@ -87,14 +90,21 @@ impl<V: Vector> Measure<V> {
         if let Some(distance) = self.certain([[near, 0.0], [far, 0.0]]) {
             return Some(distance);
         }
-        self.settle(triangle, limit)
+        self.settle(triangle, far, limit)
     }
 
-    /// The distance that these bounds leave open.
+    /// The distance that these bounds leave open. It is at most `far`, if that is a number.
     #[inline(never)]
-    fn settle(&self, triangle: &Triangle<V>, limit: V::Real) -> Option<V::Real> {
+    fn settle(&self, triangle: &Triangle<V>, far: f64, limit: V::Real) -> Option<V::Real> {
         let near = cone::least_distance(&triangle.widen(), self.point.widen());
         if near > self.radius.into() || V::Real::rounded(near) > limit {
+            return None;
+        }
+        let is_nearer = far < limit.into();
+        if !is_nearer
+            && let Some(near) = afar::to_triangle(&triangle.widen(), self.point.widen())
+            && V::Real::between([near; 2]).is_some_and(|near| near > limit)
+        {
             return None;
         }
         self.fine(triangle).or_else(|| self.exact_distance(triangle))
@@ -119,6 +129,19 @@ impl<V: Vector> Measure<V> {
         let distance = length_of(aabb.lo.as_dvec3() - most, least - aabb.hi.as_dvec3()) * self.unit;
         // It is below the exact one by more than this rounds, unless it underflows.
         if distance < f64::MIN_POSITIVE { 0.0 } else { distance.min(f64::MAX) }
+    }
+
+    /// At most the distance of what is in the box, rounded: by twice the digits where fewer leave it open. `[NEAR-8]`
+    pub fn to_box_by_digits(&self, aabb: &Aabb) -> V::Real {
+        let least = self.to_box(aabb);
+        let [near, far] = [least, least * (1.0 + 32.0 * UNIT)].map(V::Real::rounded);
+        if near == far {
+            return near;
+        }
+        let [lo, hi] = [aabb.lo, aabb.hi].map(|corner| corner.as_dvec3());
+        let [below, above] = [lo - self.in_frame[1], self.in_frame[0] - hi];
+        let fine = afar::to_box(self.point.widen(), &self.frame, [lo, hi], [below, above], least);
+        fine.and_then(|least| V::Real::between([least; 2])).filter(|&fine| fine > near).unwrap_or(near)
     }
 
     /// At most the distance of what lies between two corners, which may be infinitely far apart.
@@ -170,10 +193,20 @@ impl<V: Vector> Measure<V> {
 fn length_of(below: DVec3, above: DVec3) -> f64 {
     let beside = below.max(above).max(DVec3::ZERO);
     let square = beside.length_squared();
-    // The greatest component is not more than the length.
-    let length = if SQUARES.contains(&square) { square.sqrt() } else { beside.max_element().min(f64::MAX) };
+    let length = if SQUARES.contains(&square) { square.sqrt() } else { rare_length(beside) };
     // Six roundings, each of a unit at most.
     length * (1.0 - 8.0 * UNIT)
+}
+
+/// The length of a vector whose square over- or underflows: of one below 2^-900 the greatest component, which is not more.
+#[cold]
+fn rare_length(vector: DVec3) -> f64 {
+    let greatest = vector.max_element().min(f64::MAX);
+    let exponent = exponent_of(greatest).min(1000);
+    if exponent < -900 {
+        return greatest;
+    }
+    ((vector * power_of_two(-exponent)).length() * power_of_two(exponent)).min(f64::MAX)
 }
 
 /// The floats that the coordinates of all points of a box round to, if it is one for each.

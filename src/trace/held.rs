@@ -16,7 +16,7 @@ pub trait Held<S> {
     /// Shows the shapes of a leaf: of each its place, which [`shape`](Self::shape) takes, and its index in the mesh.
     fn for_each(&self, leaf: Node, show: impl FnMut(usize, &S, u32));
 
-    /// The least index of the triangles below an inner node. `[NEAR-6]`
+    /// The least index of the triangles of a leaf, or below an inner node. `[NEAR-6]`
     fn least_below(&self, node: Node) -> u32;
 
     /// The shape at a place.

@@ -8,7 +8,7 @@ use glam::Vec3;
 
 use super::held::Held;
 use super::query::BoxQuery;
-use crate::bvh::Bvh;
+use crate::bvh::{Bvh, BvhNode};
 use crate::geom::{Aabb, Ball, Measure, Real, Triangle, Vector};
 use crate::order::{Descent, Flow, Pruned, Repeatable, Side, Visitor};
 use crate::tree::{Node, Topology};
@@ -116,10 +116,17 @@ impl<'a, V: Vector, H: Held<Triangle<V>>> Around<'a, H, V> {
         V::Real::rounded(self.measure.to_box(aabb))
     }
 
-    /// Whether nothing below an inner node matters, none of whose children is nearer than the limit. `[NEAR-6]`
-    pub(super) fn is_settled(&self, node: Node) -> bool {
-        let Limit { prim, .. } = self.limit;
-        prim < u32::MAX && self.bvh.least_below(node) > prim
+    /// Whether what is measured as this, off by so much of it, may be as far as the limit.
+    pub(super) fn is_about_limit(&self, distance: V::Real, off: f64) -> bool {
+        // Measured, nothing is infinitely far.
+        let [distance, limit, most] = [distance, self.limit.distance, V::Real::INFINITY.next_down()].map(Into::into);
+        distance >= limit.min(most) * (1.0 - off)
+    }
+
+    /// Whether nothing of a child matters, whose box is so far. `[NEAR-6]`
+    pub(super) fn is_settled(&self, near: V::Real, child: Node) -> bool {
+        let Limit { distance, prim } = self.limit;
+        near > distance || near == distance && prim < u32::MAX && self.bvh.least_below(child) > prim
     }
 
     /// Shows the triangles of a leaf that come before the limit: each with its place in the hierarchy. The answer is the
@@ -142,17 +149,36 @@ impl<'a, V: Vector, H: Held<Triangle<V>>> Around<'a, H, V> {
     }
 }
 
+/// What distances of boxes are off by in double precision, many times over, in parts of themselves.
+const OFF: f64 = 32.0 * f64::EPSILON;
+
 impl<V: Vector> Around<'_, Bvh<Triangle<V>>, V> {
     fn descend(&self, node: Node) -> Descent {
         let record = self.bvh.node(node.index());
         let [left, right] = [Side::Left, Side::Right].map(|side| self.to_box(&record.child_box(side)));
-        let limit = self.limit.distance;
-        let nearest = if right < left { right } else { left };
-        if nearest == limit && self.is_settled(node) {
-            // Both or none: a node that is asked again may want no less (LAINE-1).
-            return Descent::NEITHER;
+        let [near, far] = if right < left { [right, left] } else { [left, right] };
+        let (limit, is_tie) = (self.limit.distance, near > V::Real::ZERO && far.into() * (1.0 - OFF) <= near.into());
+        if near <= limit && (is_tie || self.is_about_limit(near, OFF)) {
+            return self.descend_by_digits(record, [left, right], is_tie);
         }
         Descent::new(left <= limit, right <= limit, right < left)
+    }
+
+    /// With the last digits of the distances; of equal ones the child of the least index comes first. `[NEAR-8]`
+    #[cold]
+    fn descend_by_digits(&self, record: &BvhNode, rough: [V::Real; 2], is_tie: bool) -> Descent {
+        let near = [Side::Left, Side::Right].map(|side| self.measure.to_box_by_digits(&record.child_box(side)));
+        // Whatever the limit, the order is the same.
+        let order = if is_tie { near } else { rough };
+        let least = || record.children.map(|child| self.bvh.least_below(child));
+        let is_right_first = order[1] < order[0] || order[1] == order[0] && is_tie && least()[1] < least()[0];
+        let [mut left, mut right] = rough.map(|near| near <= self.limit.distance);
+        let [left_settled, right_settled] = [0, 1].map(|i| self.is_settled(near[i], record.children[i]));
+        // The first child is not dropped alone (LAINE-1).
+        if if is_right_first { left_settled } else { right_settled } {
+            (left, right) = (left && !left_settled, right && !right_settled);
+        }
+        Descent::new(left, right, is_right_first)
     }
 
     fn touches(&self, aabb: &Aabb) -> bool {

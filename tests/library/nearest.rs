@@ -1,5 +1,6 @@
 //! The nearest triangles of a point.
 
+mod afar;
 mod flat;
 
 use glam::{DVec3, Vec3};

@@ -15,8 +15,19 @@ pub struct BoxPoint<S: Simd, V: Lanes<S, A>, const A: usize> {
     lanes: V,
 }
 
-/// Below this, 2^-100, a sum of squares may be wrong by underflow.
-const TINY: f32 = f32::from_bits((127 - 100) << 23);
+/// 2 to the power of an exponent from -126 to 127.
+const fn power_of_two(exponent: i32) -> f32 {
+    f32::from_bits(((127 + exponent) as u32) << 23)
+}
+
+/// Below this a sum of squares may be wrong by underflow.
+const TINY: f32 = power_of_two(-100);
+
+/// Below this nothing has a square, in any unit.
+const LEAST: f32 = power_of_two(-120);
+
+/// Units in which squares do not over- or underflow, and what they are in the usual one.
+const UNITS: [[f32; 2]; 2] = [[power_of_two(-70), power_of_two(70)], [power_of_two(100), power_of_two(-100)]];
 
 /// What a distance is multiplied with, 1 - 8u, to be below the exact one.
 const LESS: f32 = 1.0 - 4.0 * f32::EPSILON;
@@ -47,11 +58,18 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxPoint<S, V, A> {
                 (lo - self.point[axis]).max(self.point[axis] - hi).max(zero)
             },
         );
-        let sum = (x * x + y * y) + z * z;
-        // Where squares over- or underflow, the greatest component: the distance is not less.
-        let most_of = x.max(y).max(z).min(most);
-        let has_root = sum.simd_le(most) & sum.simd_ge(all(TINY));
-        let distance = has_root.select(sum.sqrt(), most_of) * all(LESS);
+        let squared = |x: V, y: V, z: V| (x * x + y * y) + z * z;
+        let (sum, greatest) = (squared(x, y, z), x.max(y).max(z));
+        let (is_huge, is_tiny) = (sum.simd_gt(most) & greatest.simd_le(most), sum.simd_lt(all(TINY)));
+        // The distance is not less than the greatest component.
+        let mut distance = is_tiny.select(greatest, sum.sqrt());
+        for (is_such, [unit, back]) in [is_huge, is_tiny & greatest.simd_ge(all(LEAST))].into_iter().zip(UNITS) {
+            if is_such.any_true() {
+                let [x, y, z] = [x, y, z].map(|x| x * all(unit));
+                distance = is_such.select(squared(x, y, z).sqrt() * all(back), distance);
+            }
+        }
+        let distance = distance.min(most) * all(LESS);
         let bits = distance.to_bits() & ((1 << 31) - A as u32);
         // The box of an empty lane is from plus to minus infinity.
         let [lo, hi] = &planes[0];

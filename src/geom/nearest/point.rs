@@ -93,3 +93,6 @@ fn cross<E: Enclosure>(a: Vector<E>, b: Vector<E>) -> Vector<E> {
     let component = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
     [component(1, 2), component(2, 0), component(0, 1)]
 }
+
+#[cfg(test)]
+mod tests;

@@ -7,11 +7,11 @@ fn unit(random: &mut Rng) -> f64 {
     ((random.bits() >> 39) as f32 / (1 << 24) as f32 - 1.0).into()
 }
 
-fn vector(random: &mut Rng) -> DVec3 {
+pub(super) fn vector(random: &mut Rng) -> DVec3 {
     DVec3::new(unit(random), unit(random), unit(random))
 }
 
-fn narrow<V: Vector>(v: DVec3) -> V {
+pub(super) fn narrow<V: Vector>(v: DVec3) -> V {
     V::from_components(v.to_array().map(V::Real::rounded))
 }
 
@@ -46,7 +46,7 @@ fn case<V: Vector>(random: &mut Rng, kind: usize) -> (Triangle<V>, V) {
     (Triangle(corners), point)
 }
 
-fn square<V: Vector>(triangle: &Triangle<V>, point: V) -> RBig {
+pub(super) fn square<V: Vector>(triangle: &Triangle<V>, point: V) -> RBig {
     square_distance(triangle.0.map(V::components), point.components()).expect("finite")
 }
 
@@ -312,11 +312,11 @@ fn bounds_that_agree_within_the_radius_are_certain() {
     }
 }
 
-fn bits<V: Vector>(v: V) -> [u64; 3] {
+pub(super) fn bits<V: Vector>(v: V) -> [u64; 3] {
     v.components().map(|x| Into::<f64>::into(x).to_bits())
 }
 
-fn true_point<V: Vector>(triangle: &Triangle<V>, point: V) -> [u64; 3] {
+pub(super) fn true_point<V: Vector>(triangle: &Triangle<V>, point: V) -> [u64; 3] {
     let nearest = truth::nearest_point(triangle.0.map(V::components), point.components()).expect("finite");
     nearest.each_ref().map(|x| (V::Real::nearest(x).into() + 0.0).to_bits())
 }
@@ -346,52 +346,6 @@ fn nearest_points_are_the_truth_rounded() {
     let [single, double] = [check_points::<Vec3>(), check_points::<DVec3>()];
     assert!(single[0] > 10_000 && single[1] > single[0], "{single:?}");
     assert!(double[0] > 1000 && double[1] > 15_000, "{double:?}");
-}
-
-/// Corners on a line in any order, of which two or all may be equal: of any size, and of double precision far away, too.
-fn flat<V: Vector>(random: &mut Rng, round: i32) -> (Triangle<V>, V) {
-    let is_double = size_of::<V>() == size_of::<DVec3>();
-    let mut whole = |size: u64| random.below(2 * size + 1) as f64 - size as f64;
-    let [a, way, p, off] = [(); 4].map(|()| DVec3::new(whole(999), whole(999), whole(999)));
-    let far = if is_double && round % 3 == 0 { DVec3::new(6.4e9, -1e10, 2f64.powi(40)) } else { DVec3::ZERO };
-    let (a, scale) = (a + far, 2f64.powi(round * 7 % 121 - 60));
-    let corners = [0.0, whole(5), whole(3)].map(|times| a + way * times);
-    let point = match round % 4 {
-        0 => far + p * 3.0,
-        1 => corners[1],
-        2 => a.midpoint(corners[2]),
-        _ => a + way * whole(2) + off * 2f64.powi(-10),
-    };
-    let turned = [0, 1, 2].map(|k| narrow((corners[(k + round as usize / 4) % 3]) * scale));
-    (Triangle(turned), narrow(point * scale))
-}
-
-/// Returns how many distances and how many points were settled without rational arithmetic.
-fn check_flat<V: Vector>() -> [usize; 2] {
-    let (mut random, mut settled) = (Rng::new(21), [0; 2]);
-    for round in 0..10_000 {
-        let (triangle, point) = flat::<V>(&mut random, round);
-        assert!(triangle.is_degenerate(), "{triangle:?}");
-        let measure = Measure::new(point, V::Real::INFINITY);
-        let truth = truth::round_root(&square(&triangle, point));
-        assert_eq!(measure.distance(&triangle, V::Real::INFINITY), Some(truth), "{triangle:?} {point:?}");
-        let nearest = true_point(&triangle, point);
-        assert_eq!(bits(measure.nearest(&triangle)), nearest, "{triangle:?} {point:?}");
-        let fine = measure.fine(&triangle);
-        assert!(fine.is_none_or(|fine| fine == truth), "{triangle:?} {point:?}");
-        let placed = point::enclose::<Fine>(&triangle.widen(), point.widen()).and_then(rounded);
-        assert!(placed.is_none_or(|placed| bits(V::from_components(placed)) == nearest), "{triangle:?} {point:?}");
-        settled[0] += usize::from(fine.is_some());
-        settled[1] += usize::from(placed.is_some());
-    }
-    settled
-}
-
-/// [NEAR-1] [NEAR-3]
-#[test]
-fn triangles_without_area_are_segments_and_points() {
-    let settled = [check_flat::<Vec3>(), check_flat::<DVec3>()];
-    assert!(settled.as_flattened().iter().all(|&settled| settled > 8000), "{settled:?}");
 }
 
 /// A needle whose corners round to two seen from the point, and one that is long where its corners differ least.

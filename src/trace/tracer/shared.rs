@@ -101,23 +101,20 @@ impl Around<'_, WideBvh> {
         with_baseline!(simd => {
             let (ranks, set) = BoxPoint::<_, f32x8<_>, 8>::new(simd, self.point()).within(planes, self.limit.distance);
             let ranks: &[f32; 8] = ranks.as_array();
-            let set = if self.is_settled_within(node, ranks, set) { 0 } else { set };
+            let set = if self.is_settled_below(node, ranks, set) { 0 } else { set };
             Wanted { set, ranks: ranks.map(f32::to_bits) }
         })
     }
 
     /// Whether nothing in these slots matters, nor below them. `[NEAR-6]`
-    fn is_settled_within(&self, node: Node, ranks: &[f32; 8], set: u32) -> bool {
-        // Boxes that begin so much before the limit do not begin at it: ranks leave out the last bits.
-        const ABOUT: f32 = 1.0 - 64.0 * f32::EPSILON;
+    fn is_settled_below(&self, node: Node, ranks: &[f32; 8], set: u32) -> bool {
+        // Ranks leave out the last bits, and more of a distance that is subnormal.
+        const OFF: f64 = 64.0 * f32::EPSILON as f64;
         const LEAST: f32 = f32::from_bits(16);
-        let (about, mut slots) = (self.limit.distance * ABOUT - LEAST, (0..8).filter(|slot| set >> slot & 1 == 1));
-        if set == 0 || slots.clone().any(|slot| ranks[slot] < about) {
-            return false;
-        }
-        let boxes = &self.bvh.nodes()[node.index()];
-        let limit = self.limit.distance;
-        slots.all(|slot| self.to_box(&boxes.child_box(slot as u32)) >= limit) && self.is_settled(node)
+        let record = &self.bvh.nodes()[node.index()];
+        let mut slots = (0..8).filter(|slot| set >> slot & 1 == 1);
+        slots.clone().all(|slot| self.is_about_limit(ranks[slot as usize] + LEAST, OFF))
+            && slots.all(|slot| self.is_settled(self.to_box(&record.child_box(slot)), record.child(slot)))
     }
 }
 

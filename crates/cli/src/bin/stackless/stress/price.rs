@@ -71,7 +71,7 @@ struct Family {
     make: fn() -> Made,
 }
 
-const FAMILIES: [Family; 18] = [
+const FAMILIES: [Family; 20] = [
     Family { name: "in the plane of a lattice", make: || closest(lattice(64, 1)?, in_plane()) },
     Family { name: "in the plane of a lattice that is not on a grid", make: off_grid },
     Family { name: "in the skew plane of a lattice", make: in_skew_plane },
@@ -89,6 +89,8 @@ const FAMILIES: [Family; 18] = [
     Family { name: "crossings of split triangles", make: crossings_of_split },
     Family { name: "nearest to the pole of a fan of 100,000", make: nearest_to_pole },
     Family { name: "nearest to 100,000 coincident triangles", make: nearest_to_coincident },
+    Family { name: "nearest to a sphere from afar", make: || nearest(sphere()?, origins_afar()) },
+    Family { name: "nearest to a sphere from afar, double precision", make: nearest_from_afar_64 },
     Family { name: "an instance, not moved, at vertices", make: || instances(1, AffineMap::IDENTITY) },
     Family { name: "instances nested 8 deep, at vertices", make: || instances(8, AffineMap::translation(Vec3::X)?) },
     Family { name: "quarter turns nested 31 deep, at vertices", make: || instances(31, turn(0.0, 1.0)?) },
@@ -295,19 +297,37 @@ fn nearest_to_pole() -> Made {
     };
     let vertices: Vec<_> = std::iter::once(Vec3::ZERO).chain((0..SPOKES).map(spoke)).collect();
     let triangles = (0..SPOKES).map(|i| [0, 1 + i, 1 + (i + 1) % SPOKES]).collect();
-    nearest(Mesh::new(vertices, triangles)?, |i| Vec3::new(0.0, 0.0, 0.1 + 0.3 * i as f32))
+    nearest(Mesh::new(vertices, triangles)?, (0..8u8).map(|i| Vec3::new(0.0, 0.0, 0.1 + 0.3 * f32::from(i))))
 }
 
 fn nearest_to_coincident() -> Made {
-    nearest(coincident(100_000)?, |i| Vec3::new(-0.1 * i as f32, 5.0, 0.3))
+    nearest(coincident(100_000)?, (0..8u8).map(|i| Vec3::new(-0.1 * f32::from(i), 5.0, 0.3)))
+}
+
+/// From up to 2^120 away.
+fn origins_afar() -> impl Iterator<Item = Vec3> {
+    from_afar().into_iter().map(|ray| ray.origin())
+}
+
+/// From there, and from up to 2^960 away. What is met is not counted.
+fn nearest_from_afar_64() -> Made {
+    let mesh = sphere()?;
+    let wide = mesh.vertices().iter().map(|v| v.as_dvec3()).collect();
+    let bvh: Bvh<Triangle<DVec3>> = BuildOptions::default().build(&Mesh::new(wide, mesh.triangles().to_vec())?)?;
+    let tracer = BinaryTracer::<_, Exact64, Wide>::with_tests(bvh, Method::default())?;
+    let ordinary = procedural::rays(&mesh, 1, QUERIES).iter().map(|ray| ray.origin().as_dvec3()).collect::<Vec<_>>();
+    let hard = origins_afar().map(|o| o.as_dvec3()).flat_map(|o| [o, o * o.length().powi(7)]);
+    let balls = |points: Vec<DVec3>| points.into_iter().map(Ball::around).collect::<Result<_, _>>();
+    let (hard, ordinary) = (balls(hard.collect())?, balls(ordinary)?);
+    Ok(queries(tracer, hard, ordinary, |tracer, ball| usize::from(tracer.nearest(ball).is_some()), uncounted))
 }
 
 /// Points, and such of a box about the mesh.
-fn nearest(mesh: Mesh, point: fn(usize) -> Vec3) -> Made {
+fn nearest(mesh: Mesh, points: impl Iterator<Item = Vec3>) -> Made {
     let tracer = Tracer::of(&mesh)?;
     let ordinary =
         procedural::rays(&mesh, 1, QUERIES).iter().map(|ray| Ball::around(ray.origin())).collect::<Result<_, _>>()?;
-    let hard = (0..8).map(|i| Ball::around(point(i))).collect::<Result<_, _>>()?;
+    let hard = points.map(Ball::around).collect::<Result<_, _>>()?;
     Ok(queries(
         tracer,
         hard,
