@@ -205,7 +205,7 @@ fn decide<S>(part: Part, bvh: &Bvh<S>, method: Method, ask: Ask) -> Decision {
             Ask::Hit | Ask::All => (false, "they are asked for".to_owned()),
         },
         Part::Degenerate => match bvh.dropped() {
-            0 => (false, "the mesh has none".to_owned()),
+            0 => (false, "none is left out of the hierarchy".to_owned()),
             dropped => (true, format!("{dropped} triangles have no area")),
         },
         Part::Repeats => match (bvh.duplicates(), ask) {

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use stackless_bvh::bvh::{Bounded, BuildOptions, Builder, Bvh, RefitError, SahOptions, validate};
+use stackless_bvh::bvh::{Bounded, BuildOptions, Builder, Bvh, Degenerate, RefitError, SahOptions, validate};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::kernel::Exact;
 use stackless_bvh::geom::slabs::Directed;
@@ -48,7 +48,8 @@ fn boxes_are_the_smallest_and_a_way_back_leads_home() {
 fn what_does_not_fit_is_refused_and_changes_nothing() {
     let corners = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::X * 2.0];
     let flat = Mesh::new(corners.clone(), vec![[0, 1, 2], [0, 1, 3]]).expect("a mesh");
-    let bvh = Bvh::sah(&flat, SahOptions::default()).expect("a tree");
+    let left_out = BuildOptions { degenerate: Degenerate::LeftOut, ..BuildOptions::default() };
+    let bvh = left_out.build(&flat).expect("a tree");
     assert_eq!(bvh.dropped(), 1);
     let refusal = |mesh: &Mesh| {
         let mut changed = bvh.clone();

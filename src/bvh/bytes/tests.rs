@@ -2,7 +2,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::bvh::validate::tests::cut;
-use crate::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions, validate};
+use crate::bvh::{BuildOptions, Builder, Degenerate, SahOptions, SpatialOptions, validate};
 use crate::generate::{Rng, Source, procedural, stress};
 use crate::geom::{Mesh, Ray};
 use crate::trace::{BinaryTracer, Closest64, truth};
@@ -57,8 +57,8 @@ fn double(mesh: &Mesh) -> Mesh<DVec3> {
 fn come_back<V: Stored>(mesh: &Mesh<V>) {
     for builder in Builder::ALL {
         let spatial = SpatialOptions { extra_percent: 50, overlap: 0.0 };
-        for reinsertion in [0, 1] {
-            let options = BuildOptions { builder, spatial, reinsertion, ..BuildOptions::default() };
+        for (reinsertion, degenerate) in [(0, Degenerate::Kept), (1, Degenerate::LeftOut)] {
+            let options = BuildOptions { builder, spatial, reinsertion, degenerate, ..BuildOptions::default() };
             let mut bvh = options.build(mesh).expect("a tree");
             for recorded in RECORDED {
                 bvh = bvh.with_links(recorded);

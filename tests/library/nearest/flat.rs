@@ -45,7 +45,8 @@ fn the_nearest_face_may_be_a_segment() {
     corners.push(Vec3::new(100.0, 99.0, 99.0));
     let mesh = Mesh::new(corners, vec![[0, 1, 2], [3, 4, 5]]).expect("a mesh");
     let ball = ball(Vec3::new(1.0, -8.0, 16.75), f64::INFINITY);
-    let nears = [BinaryTracer::of(&mesh).expect("a tracer").nearest(&ball), Tracer::of(&mesh).expect("one").nearest(&ball)];
+    let nears =
+        [BinaryTracer::of(&mesh).expect("a tracer").nearest(&ball), Tracer::of(&mesh).expect("one").nearest(&ball)];
     for near in nears.map(|near| near.expect("a face")) {
         assert_eq!((near.prim, near.distance, near.point), (0, 0.25, Vec3::new(1.0, -8.0, 16.5)));
     }

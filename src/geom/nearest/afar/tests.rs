@@ -1,7 +1,7 @@
 use glam::Vec3;
 
 use super::*;
-use crate::generate::{Rng, Source};
+use crate::generate::Rng;
 use crate::geom::nearest::tests::{square, vector};
 use crate::geom::truth::{RBig, round_root};
 use crate::geom::{Aabb, Measure, Real, Triangle};

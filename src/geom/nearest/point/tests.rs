@@ -50,5 +50,6 @@ fn check_flat<V: Point>() -> [usize; 2] {
 #[test]
 fn triangles_without_area_are_segments_and_points() {
     let settled = [check_flat::<Vec3>(), check_flat::<DVec3>()];
-    assert!(settled.as_flattened().iter().all(|&settled| settled > 8000), "{settled:?}");
+    // No bounds tell that a distance is 0.
+    assert!(settled.as_flattened().iter().all(|&settled| settled > 7500), "{settled:?}");
 }
