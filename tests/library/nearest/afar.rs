@@ -37,7 +37,7 @@ where
     let trees = trees(mesh);
     let tracers: Vec<_> = trees
         .iter()
-        .flat_map(|bvh| Method::ALL.iter().filter_map(|&m| BinaryTracer::<_, K, B>::with_tests(bvh, m).ok()))
+        .flat_map(|bvh| Method::ALL.iter().filter_map(move |&m| BinaryTracer::<_, K, B>::with_tests(bvh, m).ok()))
         .collect();
     for power in powers {
         let point = afar(mesh, &mut random, power);

@@ -174,7 +174,7 @@ impl Exact64 {
     /// Whether the line meets the triangle. Twice the digits are asked if they have room.
     fn is_inside(&self, Triangle(corners): &Triangle<DVec3>, has_room: bool) -> bool {
         let (o, d) = (self.ray.origin(), self.ray.direction());
-        !predicates::is_along_axes(corners, d) && predicates::is_inside(corners, o, d, has_room)
+        !predicates::is_flat_at_sight(corners, d) && predicates::is_inside(corners, o, d, has_room)
     }
 
     /// The distance within the interval, of a line that meets the triangle, likewise. `[EXACT-3]`

@@ -124,7 +124,7 @@ impl<R: Real> EnclosedTest<R> {
                 return placed;
             }
         }
-        if predicates::is_along_axes(&corners, d) || !predicates::is_inside(&corners, o, d, self.is_usual) {
+        if predicates::is_flat_at_sight(&corners, d) || !predicates::is_inside(&corners, o, d, self.is_usual) {
             return Certainty::Miss;
         }
         quotient::distance(&corners, o, d, self.interval).map_or(Certainty::Miss, Certainty::Hit)

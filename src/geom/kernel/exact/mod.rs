@@ -217,7 +217,7 @@ impl Exact {
             let placed = fine::FineDeterminants::new(corners, o, d).placed(self.interval);
             placed.or_else(|| quotient::distance(corners, o, d, self.interval))
         };
-        if predicates::is_along_axes(corners, d) {
+        if predicates::is_flat_at_sight(corners, d) {
             return None;
         }
         if Determinants::are_exact(corners, o, d) {

@@ -65,7 +65,7 @@ fn minus(a: DVec3, b: DVec3) -> Pairs {
     [0, 1, 2].map(|k| difference(a[k], b[k]))
 }
 
-/// Whether a line meets the closed triangle, in one point; see [`is_along_axes`] first. Twice the digits are asked if they
+/// Whether a line meets the closed triangle, in one point; see [`is_flat_at_sight`] first. Twice the digits are asked if they
 /// have room.
 #[cold]
 #[inline(never)]
@@ -113,10 +113,10 @@ pub(super) fn is_parallel(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {
     fine_volume(d, [v0, v1], [v0, v2]) == Some(Ordering::Equal)
 }
 
-/// Whether a line is parallel to a triangle that lies across an axis, as walls and floors do: what twice the digits and
-/// sums would tell at length, for numbers of any size.
-pub(super) fn is_along_axes(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {
-    (d.cmpeq(DVec3::ZERO) & v0.cmpeq(v1) & v0.cmpeq(v2)).any()
+/// Whether a determinant is 0 at sight: two corners are one point, or the triangle lies across an axis, as walls and
+/// floors do, and the line is parallel to it. Twice the digits and sums would tell it at length. For numbers of any size.
+pub(super) fn is_flat_at_sight(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {
+    v0 == v1 || v0 == v2 || v1 == v2 || (d.cmpeq(DVec3::ZERO) & v0.cmpeq(v1) & v0.cmpeq(v2)).any()
 }
 
 /// Whether corners lie on a line: whether the cross product of two edges is 0, exactly.
