@@ -1,23 +1,26 @@
 //! glTF 2.0, as text and binary (Khronos Group, *glTF 2.0 Specification*).
 //!
 //! The crate `gltf` reads the document and knows what it names. The numbers of buffers are read here: its own iterators
-//! trust that an accessor lies within its view.
+//! trust that an accessor lies within its view. So are those of nodes, which it rounds to single precision.
+
+mod placed;
 
 use std::borrow::Cow;
 use std::fmt;
 use std::path::{Component, Path};
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
-use glam::{DMat4, DVec3};
 use gltf::accessor::{DataType, Dimensions};
 use gltf::mesh::{Mode, Primitive};
-use gltf::{Accessor, Document, Gltf, Semantic, buffer};
-use stackless_bvh::geom::{Mesh, Real as _};
+use gltf::{Accessor, Document, Glb, Gltf, Semantic, buffer};
+use stackless_bvh::geom::Mesh;
 
 use super::error::{Fault, Place, ReadError};
-use super::float::{Position, is_finite};
+use super::float::Position;
+use super::number::Number;
 use super::text::quote;
-use super::{Loaded, MOST_BYTES, read_bytes};
+use super::{Loaded, MOST_BYTES, Rounding, read_bytes};
+use placed::{Map, Nodes};
 
 /// Most triangles of a scene. Nodes may repeat a mesh, so that a small file could ask for any number.
 const MOST_TRIANGLES: usize = 1 << 26;
@@ -25,7 +28,7 @@ const MOST_TRIANGLES: usize = 1 << 26;
 /// Reads the mesh that the nodes of a scene make up, from the bytes of a `.gltf` or `.glb` file.
 ///
 /// It is the scene that the file names, or its first. Each node's mesh is moved by the node and all above it, in double
-/// precision. Triangles, strips and fans are read; points, lines, skins and morph targets are not ([`Unread`] counts
+/// precision; a coordinate counts as rounded if a step of that is rounded. Triangles, strips and fans are read; points, lines, skins and morph targets are not ([`Unread`] counts
 /// them for [`load`](crate::load)). Buffers are in the file, or in `folder` and those below it.
 ///
 /// # Errors
@@ -63,6 +66,8 @@ pub(crate) fn load<V: Position>(bytes: &[u8], folder: Option<&Path>) -> Result<L
     }
     let refused = |error: gltf::Error| whole(quote(&error.to_string()));
     let Gltf { document, blob } = Gltf::from_slice_without_validation(bytes).map_err(refused)?;
+    let text = if bytes.starts_with(b"glTF") { Glb::from_slice(bytes).map_err(refused)?.json } else { bytes.into() };
+    let maps: Nodes = serde_json::from_slice(&text).map_err(|error| whole(quote(&error.to_string())))?;
     // It looks positions up before it checks that they are there.
     let json = document.into_json();
     let mut attributes = json.meshes.iter().flat_map(|mesh| &mesh.primitives).flat_map(|one| one.attributes.values());
@@ -84,10 +89,11 @@ pub(crate) fn load<V: Position>(bytes: &[u8], folder: Option<&Path>) -> Result<L
     let scene = document.default_scene().or_else(|| document.scenes().next());
     let scene = scene.ok_or_else(|| Fault::Ends { expected: "a scene" }.at(Place::Document))?;
 
-    let mut draft = Draft { vertices: Vec::new(), triangles: Vec::new(), rounded: 0, unread: Unread::default() };
+    let (rounding, unread) = (Rounding::default(), Unread::default());
+    let mut draft = Draft { vertices: Vec::new(), triangles: Vec::new(), rounding, unread };
     let nodes = document.nodes().len();
     let mut is_met = vec![false; nodes];
-    let mut pending: Vec<_> = scene.nodes().map(|node| (node, DMat4::IDENTITY)).collect();
+    let mut pending: Vec<_> = scene.nodes().map(|node| (node, Map::IDENTITY)).collect();
     pending.reverse();
     while let Some((node, above)) = pending.pop() {
         let place = || of("node", node.index(), nodes);
@@ -95,8 +101,7 @@ pub(crate) fn load<V: Position>(bytes: &[u8], folder: Option<&Path>) -> Result<L
         if std::mem::replace(&mut is_met[node.index()], true) {
             return Err(Fault::unexpected("a node below two others", "one above each").at(place()));
         }
-        let own = DMat4::from_cols_array_2d(&node.transform().matrix().map(|column| column.map(f64::from)));
-        let to_world = above * own;
+        let to_world = above.after(&maps.map(node.index()));
         draft.unread.deformations += u64::from(node.skin().is_some());
         for primitive in node.mesh().iter().flat_map(gltf::Mesh::primitives) {
             draft.add(&primitive, &buffers, &to_world).map_err(|fault| fault.at(place()))?;
@@ -105,9 +110,9 @@ pub(crate) fn load<V: Position>(bytes: &[u8], folder: Option<&Path>) -> Result<L
         pending.extend(node.children().map(|child| (child, to_world)));
         pending[first..].reverse();
     }
-    let Draft { vertices, triangles, rounded, unread } = draft;
+    let Draft { vertices, triangles, rounding, unread } = draft;
     let unread = (unread != Unread::default()).then_some(unread);
-    Ok(Loaded { mesh: Mesh::new(vertices, triangles)?, skipped: None, unread, rounded })
+    Ok(Loaded { mesh: Mesh::new(vertices, triangles)?, skipped: None, unread, rounding })
 }
 
 /// The bytes of a buffer, at least as many as it says.
@@ -149,13 +154,13 @@ fn read_beside(uri: &str, folder: Option<&Path>) -> Result<Vec<u8>, Fault> {
 struct Draft<V> {
     vertices: Vec<V>,
     triangles: Vec<[u32; 3]>,
-    /// Coordinates that the precision does not have, where they have been moved to.
-    rounded: u64,
+    /// Of coordinates where they have been moved to.
+    rounding: Rounding,
     unread: Unread,
 }
 
 impl<V: Position> Draft<V> {
-    fn add(&mut self, primitive: &Primitive<'_>, buffers: &[Cow<'_, [u8]>], to_world: &DMat4) -> Result<(), Fault> {
+    fn add(&mut self, primitive: &Primitive<'_>, buffers: &[Cow<'_, [u8]>], to_world: &Map) -> Result<(), Fault> {
         let mode = primitive.mode();
         if !matches!(mode, Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan) {
             self.unread.primitives += 1;
@@ -200,16 +205,17 @@ impl<V: Position> Draft<V> {
         Ok(())
     }
 
-    fn vertex(&mut self, bytes: &[u8], to_world: &DMat4) -> Result<(), Fault> {
+    fn vertex(&mut self, bytes: &[u8], to_world: &Map) -> Result<(), Fault> {
         let mut numbers = bytes.chunks_exact(4).map(|number| number.try_into().map_or(f32::NAN, f32::from_le_bytes));
         let own: [f32; 3] = std::array::from_fn(|_| numbers.next().unwrap_or(f32::NAN));
-        let moved = to_world.transform_point3(DVec3::from(own.map(f64::from))).to_array();
-        let position = moved.map(V::Real::rounded);
-        if let Some(axis) = position.iter().position(|&number| !is_finite(number)) {
-            return Err(Fault::non_finite::<V::Real>(axis, moved[axis]));
+        let own = own.map(|number| Number::exact(f64::from(number)));
+        let moved = if *to_world == Map::IDENTITY { own } else { to_world.point(own) };
+        let mut position = [V::Real::default(); 3];
+        for (axis, Number { value, error }) in moved.into_iter().enumerate() {
+            let mut number = Number::coordinate(value, axis)?;
+            number.error += error;
+            position[axis] = self.rounding.coordinate(number);
         }
-        self.rounded +=
-            position.iter().zip(moved).filter(|&(&position, moved)| position.into() != moved).count() as u64;
         self.vertices.push(V::from_components(position));
         Ok(())
     }

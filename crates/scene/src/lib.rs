@@ -19,11 +19,13 @@ mod error;
 mod fan;
 mod float;
 mod gltf_file;
+mod number;
 mod obj;
 mod output;
 mod ply;
 mod property;
 mod rays;
+mod rounding;
 mod stl;
 mod text;
 
@@ -37,6 +39,7 @@ pub use property::{FileFault, MeshFormat, check_mesh_file, check_ray_file};
 pub use rays::{
     Format, HitRow, LoadedRays, RayFault, RayFileError, UnknownFormat, read_rays, read_rays_from, write_hits,
 };
+pub use rounding::{Rounding, size};
 pub use stl::read_stl;
 pub use text::read_text;
 
@@ -56,30 +59,23 @@ pub struct Loaded<V: Position = Vec3> {
     pub skipped: Option<Statements>,
     /// What was not read of a glTF file, since it is not a mesh of triangles.
     pub unread: Option<Unread>,
-    /// How many coordinates were rounded, of a PLY file or by the nodes of a glTF file, since the precision that was read
-    /// does not have them.
-    pub rounded: u64,
+    /// How many coordinates were rounded, and by how much.
+    pub rounding: Rounding,
 }
 
 impl<V: Position> Loaded<V> {
-    fn of((mesh, rounded): (Mesh<V>, u64)) -> Self {
-        Self { mesh, skipped: None, unread: None, rounded }
+    fn of((mesh, rounding): (Mesh<V>, Rounding)) -> Self {
+        Self { mesh, skipped: None, unread: None, rounding }
     }
 
     /// What to tell whoever named the file: one line that begins with it. `None` if all of it was taken as it is.
     pub fn note(&self, file: &Path) -> Option<String> {
         let skipped = self.skipped.as_ref().map(ToString::to_string);
         let unread = self.unread.as_ref().map(ToString::to_string);
-        let rounded = rounded::<V>(self.rounded, ["coordinate was", "coordinates were"]);
+        let rounded = self.rounding.note::<V::Real>(size(&self.mesh));
         let notes: Vec<_> = [skipped, unread, rounded].into_iter().flatten().collect();
         (!notes.is_empty()).then(|| format!("{}: {}", text::one_line(file), notes.join("; ")))
     }
-}
-
-/// How many of these were rounded, if any.
-fn rounded<V: Position>(count: u64, [one, several]: [&str; 2]) -> Option<String> {
-    let were = if count == 1 { one } else { several };
-    (count > 0).then(|| format!("{count} {were} rounded to {} precision", V::Real::PRECISION))
 }
 
 /// Reads the triangle mesh in a file, by its extension (either case of letters): `.ply`, `.obj`, `.stl`, `.gltf`,
@@ -121,8 +117,8 @@ fn reader<V: Position>(path: &Path) -> Result<Reader<V>, SceneError> {
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
     Ok(match extension.to_str() {
         Some("ply") => |bytes, _| ply::read_and_count(bytes).map(Loaded::of),
-        Some("obj") => |bytes, _| read_obj(bytes).map(|(mesh, skipped)| Loaded { skipped, ..Loaded::of((mesh, 0)) }),
-        Some("stl") => |bytes, _| read_stl(bytes).map(|mesh| Loaded::of((mesh, 0))),
+        Some("obj") => |bytes, _| obj::load(bytes),
+        Some("stl") => |bytes, _| stl::read_and_count(bytes).map(Loaded::of),
         Some("gltf" | "glb") => gltf_file::load,
         _ => return Err(SceneError::Extension { file: path.into() }),
     })

@@ -4,8 +4,10 @@ use super::error::{Fault, ReadError};
 use stackless_bvh::geom::Mesh;
 
 use super::fan::Fan;
-use super::float::{Position, is_finite};
+use super::float::Position;
+use super::number::Number;
 use super::text::{End, Lines, quote, without_mark};
+use super::{Loaded, Rounding};
 use std::fmt;
 use std::str::SplitAsciiWhitespace;
 
@@ -31,7 +33,19 @@ use std::str::SplitAsciiWhitespace;
 /// # Errors
 /// [`ReadError`], naming the line on which the statement begins.
 pub fn read_obj<V: Position>(bytes: &[u8]) -> Result<(Mesh<V>, Option<Statements>), ReadError> {
-    let mut draft = Draft { line: 0, vertices: Vec::new(), triangles: Vec::new(), ahead: Vec::new(), skipped: None };
+    load(bytes).map(|loaded| (loaded.mesh, loaded.skipped))
+}
+
+/// Reads the mesh, and counts what was rounded and what was skipped.
+pub(crate) fn load<V: Position>(bytes: &[u8]) -> Result<Loaded<V>, ReadError> {
+    let mut draft = Draft {
+        line: 0,
+        vertices: Vec::new(),
+        triangles: Vec::new(),
+        ahead: Vec::new(),
+        skipped: None,
+        rounding: Rounding::default(),
+    };
     let mut lines = Lines::new(without_mark(bytes), End::Any);
     let mut statement = Vec::new();
     while let Some(first) = lines.next() {
@@ -112,6 +126,7 @@ struct Draft<V> {
     /// Corners (line and number) that were ahead of the vertices when they came.
     ahead: Vec<(u64, i64)>,
     skipped: Option<Statements>,
+    rounding: Rounding,
 }
 
 impl<V: Position> Draft<V> {
@@ -124,10 +139,7 @@ impl<V: Position> Draft<V> {
         let mut position = [V::Real::default(); 3];
         for (axis, coordinate) in position.iter_mut().enumerate() {
             let word = words.next().ok_or_else(|| Fault::unexpected("the end of the line", "3 coordinates"))?;
-            *coordinate = word.parse().map_err(|_| Fault::unexpected(quote(word), "a number"))?;
-            if !is_finite(*coordinate) {
-                return Err(Fault::non_finite::<V::Real>(axis, (*coordinate).into()));
-            }
+            *coordinate = self.rounding.coordinate(Number::coordinate_in(word, axis, "a number")?);
         }
         self.vertices.push(V::from_components(position));
         Ok(())
@@ -165,12 +177,13 @@ impl<V: Position> Draft<V> {
         Fault::Index { found: number.to_string(), expected }
     }
 
-    fn finish(self) -> Result<(Mesh<V>, Option<Statements>), ReadError> {
+    fn finish(self) -> Result<Loaded<V>, ReadError> {
         let count = self.vertices.len() as i64;
         if let Some(&(line, number)) = self.ahead.iter().find(|(_, number)| *number > count) {
             return Err(self.out_of_range(number).at_line(line));
         }
-        Ok((Mesh::new(self.vertices, self.triangles)?, self.skipped))
+        let mesh = Mesh::new(self.vertices, self.triangles)?;
+        Ok(Loaded { skipped: self.skipped, ..Loaded::of((mesh, self.rounding)) })
     }
 }
 

@@ -5,17 +5,20 @@ mod header;
 use header::{Element, Encoding, Header, Kind, Property, Scalar};
 
 use super::error::{Fault, Place, ReadError};
-use stackless_bvh::geom::{Mesh, Real as _};
+use stackless_bvh::geom::Mesh;
 
+use super::Rounding;
 use super::fan::Fan;
-use super::float::{Position, is_finite};
+use super::float::{Float, Position};
+use super::number::Number;
 use super::text::{End, Lines, quote, without_mark};
 use std::str::SplitAsciiWhitespace;
 
 /// Reads a mesh from the bytes of a PLY file.
 ///
 /// Of element `vertex` the scalars `x`, `y`, `z` are read, of element `face` the list `vertex_indices` (or
-/// `vertex_index`), each of any type; all else is skipped. Coordinates are rounded to what is read. A polygon becomes the triangles `(0, i, i + 1)` of its corners.
+/// `vertex_index`), each of any type; all else is skipped. Coordinates are rounded to what is read; in ascii that is
+/// the decimal, also of a `float`. A polygon becomes the triangles `(0, i, i + 1)` of its corners.
 ///
 /// A byte order mark before the header does not count. The file must be what its header says: in ascii one element a
 /// line (blank lines do not count), and nothing but white space after the last element, since more bytes than promised
@@ -27,8 +30,8 @@ pub fn read_ply<V: Position>(bytes: &[u8]) -> Result<Mesh<V>, ReadError> {
     read_and_count(bytes).map(|(mesh, _)| mesh)
 }
 
-/// The same, and how many coordinates were rounded.
-pub(crate) fn read_and_count<V: Position>(bytes: &[u8]) -> Result<(Mesh<V>, u64), ReadError> {
+/// The same, and what was rounded.
+pub(crate) fn read_and_count<V: Position>(bytes: &[u8]) -> Result<(Mesh<V>, Rounding), ReadError> {
     let bytes = without_mark(bytes);
     // A lone carriage return ends lines only where it ends the first: binary data may begin with a line feed.
     let lone_return = bytes.starts_with(b"ply\r") && !bytes.starts_with(b"ply\r\n");
@@ -41,7 +44,7 @@ pub(crate) fn read_and_count<V: Position>(bytes: &[u8]) -> Result<(Mesh<V>, u64)
     }
 }
 
-fn read_body<V: Position, S: Source>(header: &Header, mut source: S) -> Result<(Mesh<V>, u64), ReadError> {
+fn read_body<V: Position, S: Source>(header: &Header, mut source: S) -> Result<(Mesh<V>, Rounding), ReadError> {
     let mut body = Body::new(header, source.rest().len());
     for element in &header.elements {
         // Nothing to read, however many the header promises.
@@ -59,7 +62,7 @@ fn read_body<V: Position, S: Source>(header: &Header, mut source: S) -> Result<(
     if left != 0 {
         return Err(Fault::unexpected(format!("{left} bytes"), "the end of the file").at(Place::End));
     }
-    Ok((Mesh::new(body.vertices, body.triangles)?, body.rounded))
+    Ok((Mesh::new(body.vertices, body.triangles)?, body.rounding))
 }
 
 /// What has been read so far.
@@ -67,8 +70,7 @@ struct Body<V> {
     vertices: Vec<V>,
     triangles: Vec<[u32; 3]>,
     promised_vertices: u64,
-    /// Coordinates that the precision does not have.
-    rounded: u64,
+    rounding: Rounding,
 }
 
 impl<V: Position> Body<V> {
@@ -79,7 +81,7 @@ impl<V: Position> Body<V> {
             vertices: Vec::with_capacity(capacity(vertices, available)),
             triangles: Vec::with_capacity(capacity(faces, available)),
             promised_vertices: vertices,
-            rounded: 0,
+            rounding: Rounding::default(),
         }
     }
 
@@ -90,12 +92,7 @@ impl<V: Position> Body<V> {
         for property in &element.properties {
             match *property {
                 Property::Coordinate { axis, scalar } => {
-                    let value = source.scalar(scalar)?;
-                    position[axis] = V::Real::rounded(value);
-                    self.rounded += u64::from(position[axis].into() != value);
-                    if !is_finite(position[axis]) {
-                        return Err(Fault::non_finite::<V::Real>(axis, value));
-                    }
+                    position[axis] = self.rounding.coordinate(source.coordinate(axis, scalar)?);
                 }
                 Property::Corners { length, item } => self.read_face(source, length, item)?,
                 Property::Scalar(scalar) => {
@@ -156,6 +153,10 @@ trait Source {
     fn begin(&mut self) -> Result<(), Fault>;
     /// The next number of this element; a double holds those of every type.
     fn scalar(&mut self, scalar: Scalar) -> Result<f64, Fault>;
+    /// The same as the coordinate of a vertex.
+    fn coordinate<F: Float>(&mut self, axis: usize, scalar: Scalar) -> Result<Number<F>, Fault> {
+        Number::coordinate(self.scalar(scalar)?, axis)
+    }
     /// Checks that nothing of this element is left.
     fn end(&mut self) -> Result<(), Fault>;
     /// What follows the elements read so far.
@@ -244,6 +245,15 @@ impl Source for Ascii<'_> {
             Scalar::F64 => word.parse::<f64>().ok(),
         };
         value.ok_or_else(|| Fault::unexpected(quote(word), expected))
+    }
+
+    /// Of a float the decimal counts, which its type may not have.
+    fn coordinate<F: Float>(&mut self, axis: usize, scalar: Scalar) -> Result<Number<F>, Fault> {
+        if !matches!(scalar, Scalar::F32 | Scalar::F64) {
+            return Number::coordinate(self.scalar(scalar)?, axis);
+        }
+        let word = self.words.next().ok_or_else(|| Fault::unexpected("the end of the line", scalar.expected()))?;
+        Number::coordinate_in(word, axis, scalar.expected())
     }
 
     fn end(&mut self) -> Result<(), Fault> {

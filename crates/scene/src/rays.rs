@@ -4,7 +4,9 @@ mod csv;
 mod json_lines;
 mod npy;
 
+use super::Rounding;
 use super::float::{Float, Position, is_finite};
+use super::number::Number;
 use super::text::{one_line, quote};
 use glam::Vec3;
 use stackless_bvh::geom::{Ray, RayError, Real as _};
@@ -187,14 +189,15 @@ pub enum RayFault {
 pub struct LoadedRays<V: Position = Vec3> {
     /// The rays, at least one.
     pub rays: Vec<Ray<V>>,
-    /// How many doubles of a `NumPy` array were rounded, since the precision that was read does not have them.
-    pub rounded: u64,
+    /// How many numbers were rounded, and by how much.
+    pub rounding: Rounding,
 }
 
 impl<V: Position> LoadedRays<V> {
-    /// What to tell whoever named the file: one line that begins with it. `None` if all was taken as it is.
-    pub fn note(&self, file: &Path) -> Option<String> {
-        let rounded = super::rounded::<V>(self.rounded, ["number was", "numbers were"])?;
+    /// What to tell whoever named the file: one line that begins with it. `None` if all was taken as it is. `size` is the
+    /// [`size`](super::size) of the scene that the rays are for.
+    pub fn note(&self, file: &Path, size: f64) -> Option<String> {
+        let rounded = self.rounding.note::<V::Real>(size)?;
         Some(format!("{}: {rounded}", one_line(file)))
     }
 }
@@ -227,22 +230,18 @@ pub fn read_rays_from<V: Position>(
     format: Format,
 ) -> Result<LoadedRays<V>, RayFileError> {
     let file = name.as_ref();
-    let (rays, rounded) = match format {
-        Format::Csv => (lines(&mut reader, file, format, csv::Reader::default())?, 0),
-        Format::JsonLines => (lines(&mut reader, file, format, json_lines::Reader)?, 0),
+    let loaded = match format {
+        Format::Csv => lines(&mut reader, file, format, csv::Reader::default())?,
+        Format::JsonLines => lines(&mut reader, file, format, json_lines::Reader)?,
         Format::Npy => npy::read(&mut reader, file)?,
     };
-    if rays.is_empty() {
-        Err(RayFileError::Empty { file: file.into(), format })
-    } else {
-        Ok(LoadedRays { rays, rounded })
-    }
+    if loaded.rays.is_empty() { Err(RayFileError::Empty { file: file.into(), format }) } else { Ok(loaded) }
 }
 
 /// Reads a line.
 trait LineReader<V: Position> {
-    /// The ray in it, if it is not there for something else.
-    fn read(&mut self, line: &str) -> Result<Option<Ray<V>>, RayFault>;
+    /// Adds the ray in it, if it is not there for something else.
+    fn read(&mut self, line: &str, loaded: &mut LoadedRays<V>) -> Result<(), RayFault>;
 }
 
 fn lines<V: Position>(
@@ -250,8 +249,8 @@ fn lines<V: Position>(
     file: &Path,
     format: Format,
     mut each: impl LineReader<V>,
-) -> Result<Vec<Ray<V>>, RayFileError> {
-    let (mut rays, mut bytes) = (Vec::new(), Vec::new());
+) -> Result<LoadedRays<V>, RayFileError> {
+    let (mut loaded, mut bytes) = (LoadedRays::new(), Vec::new());
     for number in 1.. {
         if !read_line(reader, &mut bytes).map_err(|error| RayFileError::Io { file: file.into(), error })? {
             break;
@@ -264,10 +263,10 @@ fn lines<V: Position>(
         let text = String::from_utf8_lossy(content);
         let text = text.trim();
         if !text.is_empty() && !text.starts_with('#') {
-            rays.extend(each.read(text).map_err(at)?);
+            each.read(text, &mut loaded).map_err(at)?;
         }
     }
-    Ok(rays)
+    Ok(loaded)
 }
 
 /// Reads a line without what ends it, and of one that is too long no more than shows it. `false` at the end.
@@ -297,15 +296,24 @@ fn read_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> 
     Ok(true)
 }
 
-/// The ray of these numbers: all columns, or those without the interval.
-fn ray<V: Position>(numbers: &[V::Real]) -> Result<Ray<V>, RayFault> {
-    for (&number, column) in numbers.iter().zip(COLUMNS) {
-        check(number, column, || number.into().to_string())?;
+impl<V: Position> LoadedRays<V> {
+    fn new() -> Self {
+        Self { rays: Vec::new(), rounding: Rounding::default() }
     }
-    let point = |first: usize| V::from_components([numbers[first], numbers[first + 1], numbers[first + 2]]);
-    let [tmin, tmax] =
-        if numbers.len() == UNBOUNDED { [V::Real::default(), V::Real::INFINITY] } else { [numbers[6], numbers[7]] };
-    Ok(Ray::within(point(0), point(3), tmin, tmax)?)
+
+    /// Adds the ray of these numbers: of all columns, or of those without the interval.
+    fn push(&mut self, numbers: &[Number<V::Real>]) -> Result<(), RayFault> {
+        for (number, column) in numbers.iter().zip(COLUMNS) {
+            check(number.value, column, || number.value.into().to_string())?;
+        }
+        let point = |first: usize| V::from_components([0, 1, 2].map(|axis| numbers[first + axis].value));
+        let interval = numbers.get(6..8).map(|ends| (ends[0].value, ends[1].value));
+        let (tmin, tmax) = interval.unwrap_or((V::Real::default(), V::Real::INFINITY));
+        let ray = Ray::within(point(0), point(3), tmin, tmax)?;
+        self.rounding.ray(numbers, &ray);
+        self.rays.push(ray);
+        Ok(())
+    }
 }
 
 /// Refuses what no column, or not this one, may be.

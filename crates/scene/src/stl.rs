@@ -3,10 +3,12 @@
 use std::collections::HashMap;
 use std::str::SplitAsciiWhitespace;
 
-use stackless_bvh::geom::{Mesh, Real as _};
+use stackless_bvh::geom::Mesh;
 
+use super::Rounding;
 use super::error::{Fault, Place, ReadError};
-use super::float::{Position, is_finite};
+use super::float::Position;
+use super::number::Number;
 use super::text::{End, Lines, quote, without_mark};
 
 /// Bytes before the triangles of a binary file: a text of any kind, and how many there are.
@@ -23,13 +25,18 @@ const TRIANGLE: usize = 50;
 /// # Errors
 /// [`ReadError`], naming the line of a text, or the triangle of a binary file.
 pub fn read_stl<V: Position>(bytes: &[u8]) -> Result<Mesh<V>, ReadError> {
+    read_and_count(bytes).map(|(mesh, _)| mesh)
+}
+
+/// The same, and what was rounded.
+pub(crate) fn read_and_count<V: Position>(bytes: &[u8]) -> Result<(Mesh<V>, Rounding), ReadError> {
     let mut draft = Draft::new();
     if is_text(bytes) {
         read_text(bytes, &mut draft)?;
     } else {
         read_binary(bytes, &mut draft)?;
     }
-    Ok(Mesh::new(draft.vertices, draft.triangles)?)
+    Ok((Mesh::new(draft.vertices, draft.triangles)?, draft.rounding))
 }
 
 /// Whether a file is a text.
@@ -56,8 +63,8 @@ fn read_binary<V: Position>(bytes: &[u8], draft: &mut Draft<V>) -> Result<(), Re
         rest = behind;
         let numbers =
             triangle[12..48].chunks_exact(4).map(|number| number.try_into().map_or(f32::NAN, f32::from_le_bytes));
-        for number in numbers {
-            draft.coordinate(V::Real::rounded(number.into())).map_err(|fault| fault.at(place()))?;
+        for (i, number) in numbers.enumerate() {
+            draft.coordinate(Number::coordinate(number.into(), i % 3).map_err(|fault| fault.at(place()))?);
         }
     }
     if rest.is_empty() {
@@ -104,31 +111,31 @@ struct Draft<V: Position> {
     /// Coordinates of the next corner, then corners of the next triangle.
     coordinates: Vec<V::Real>,
     corners: Vec<u32>,
+    rounding: Rounding,
 }
 
 impl<V: Position> Draft<V> {
     fn new() -> Self {
         let (vertices, triangles, known) = (Vec::new(), Vec::new(), HashMap::new());
-        Self { vertices, triangles, known, coordinates: Vec::new(), corners: Vec::new() }
+        let (coordinates, corners, rounding) = (Vec::new(), Vec::new(), Rounding::default());
+        Self { vertices, triangles, known, coordinates, corners, rounding }
     }
 
     fn corner(&mut self, words: &mut SplitAsciiWhitespace<'_>) -> Result<(), Fault> {
-        for _ in 0..3 {
+        for axis in 0..3 {
             let word = words.next().ok_or_else(|| Fault::unexpected("the end of the line", "3 coordinates"))?;
-            self.coordinate(word.parse().map_err(|_| Fault::unexpected(quote(word), "a number"))?)?;
+            self.coordinate(Number::coordinate_in(word, axis, "a number")?);
         }
         words.next().map_or(Ok(()), |word| Err(Fault::unexpected(quote(word), "the end of the line")))
     }
 
     /// The next coordinate, of the next corner of the next triangle.
-    fn coordinate(&mut self, value: V::Real) -> Result<(), Fault> {
-        if !is_finite(value) {
-            return Err(Fault::non_finite::<V::Real>(self.coordinates.len(), value.into()));
-        }
+    fn coordinate(&mut self, number: Number<V::Real>) {
+        let value = self.rounding.coordinate(number);
         // Zero has one sign, so that it is one corner.
         let zero = V::Real::default();
         self.coordinates.push(if value == zero { zero } else { value });
-        let [x, y, z] = self.coordinates[..] else { return Ok(()) };
+        let [x, y, z] = self.coordinates[..] else { return };
         self.coordinates.clear();
         let next = self.vertices.len() as u32;
         let index = *self.known.entry([x, y, z].map(|number| number.into().to_bits())).or_insert(next);
@@ -140,7 +147,6 @@ impl<V: Position> Draft<V> {
             self.triangles.push([a, b, c]);
             self.corners.clear();
         }
-        Ok(())
     }
 }
 

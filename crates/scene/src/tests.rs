@@ -139,8 +139,6 @@ fn a_message_is_one_line_that_begins_with_the_file() {
     );
 }
 
-/// A header may promise what a file with holes seems to hold: nothing is read of it.
-#[cfg(unix)]
 #[test]
 fn coordinates_that_are_rounded_are_counted() {
     let folder = Folder::new("rounded");
@@ -152,19 +150,22 @@ fn coordinates_that_are_rounded_are_counted() {
         let faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
         std::fs::write(&path, format!("{header}{faces}{x} 0 0\n0 {x} 0\n0 0 0.5\n3 0 1 2\n")).unwrap();
         let loaded = load::<Vec3>(&path).unwrap();
-        (loaded.rounded, loaded.note(&path).map(|note| note.replace(&path.display().to_string(), "FILE")))
+        (loaded.rounding.rounded, loaded.note(&path).map(|note| note.replace(&path.display().to_string(), "FILE")))
     };
-    assert_eq!(read("float", "0.1"), (0, None));
+    let said =
+        |count, most| Some(format!("FILE: {count} of 9 numbers were rounded to single precision, by at most {most}"));
+    assert_eq!(read("float", "0.1"), (2, said(2, "2.9e-9 of the scene's size")));
     assert_eq!(read("double", "0.25"), (0, None));
-    assert_eq!(
-        read("double", "6400000.1"),
-        (2, Some("FILE: 2 coordinates were rounded to single precision".to_owned()))
-    );
-    // That is the file of the last call.
-    let double = load::<DVec3>(&folder.file("mesh.ply")).unwrap();
-    assert_eq!((double.rounded, double.mesh.vertices()[0]), (0, DVec3::X * 6_400_000.1));
+    for kind in ["float", "double"] {
+        assert_eq!(read(kind, "6400000.1"), (2, said(2, "1.2e-8 of the scene's size")));
+        // That is the file of the last call.
+        let double = load::<DVec3>(&folder.file("mesh.ply")).unwrap();
+        assert_eq!((double.rounding.rounded, double.mesh.vertices()[0]), (2, DVec3::X * 6_400_000.1));
+    }
 }
 
+/// A header may promise what a file with holes seems to hold: nothing is read of it.
+#[cfg(unix)]
 #[test]
 fn a_file_of_holes_costs_nothing() {
     let folder = Folder::new("holes");

@@ -1,6 +1,6 @@
 use super::*;
 use crate::tests::Folder;
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 /// Two nodes, one below the other, with the mesh of a triangle each; its bytes are `buffer`.
 fn document(buffer: &str) -> String {
@@ -48,6 +48,41 @@ fn nodes_move_their_meshes_and_those_below() {
         let corner = Vec3::new(10.0, 0.0, 0.0);
         assert_eq!(mesh.vertices(), [corner, corner + x, corner + y, corner + z, corner + z + x, corner + z + y]);
     }
+}
+
+/// A document names numbers, and they are not those of single precision.
+#[test]
+fn nodes_are_read_in_double_precision_and_what_they_round_is_counted() {
+    fn read<V: Position>(changes: &[(&str, &str)]) -> Loaded<V> {
+        let change = |text: String, (from, to): &(&str, &str)| {
+            assert_eq!(text.matches(from).count(), 1, "{from}");
+            text.replace(from, to)
+        };
+        load(changes.iter().fold(embedded(), change).as_bytes(), None).unwrap()
+    }
+    let counts = |rounding: Rounding| (rounding.rounded, rounding.numbers);
+    // What decimals and steps leave alone is not counted.
+    assert_eq!(counts(read::<Vec3>(&[]).rounding), (0, 18));
+    let far = [("[10,0,0]", "[691607.1,0.25,0]")];
+    let loaded = read::<DVec3>(&far);
+    assert_eq!(loaded.mesh.vertices()[1], DVec3::new(691_607.1 + 2.0, 0.25, 0.0));
+    assert_eq!(counts(loaded.rounding), (6, 18));
+    assert!((1e-11..2e-10).contains(&loaded.rounding.moved), "{:?}", loaded.rounding);
+    let single = read::<Vec3>(&far);
+    assert_eq!((single.mesh.vertices()[1].x, counts(single.rounding)), (691_609.1, (6, 18)));
+    assert!((0.02..0.03).contains(&single.rounding.moved), "{:?}", single.rounding);
+    // A turn by 90 degrees about z, of decimals that are not its quaternion.
+    let turn = [(r#""scale":[2,2,2]"#, r#""rotation":[0,0,0.7071068,0.7071068]"#)];
+    let loaded = read::<DVec3>(&turn);
+    let sine = 2.0 * 0.707_106_8 * 0.707_106_8;
+    let off = (loaded.mesh.vertices()[1] - DVec3::new(10.0 + (1.0 - sine), sine, 0.0)).length();
+    assert!(off < 1e-15, "{off:e}");
+    // All of x and y but those of the two corners on the axis; z stays.
+    assert_eq!(counts(loaded.rounding), (8, 18));
+    assert!(loaded.rounding.moved > 1e-17 && loaded.rounding.moved < 4e-15, "{:?}", loaded.rounding);
+    let matrix = [(r#""translation":[10,0,0],"scale":[2,2,2]"#, r#""matrix":[2,0,0,0,0,2,0,0,0,0,2,0,10,0,0,1]"#)];
+    let (loaded, same) = (read::<DVec3>(&matrix), read::<DVec3>(&[]));
+    assert_eq!((loaded.mesh, loaded.rounding), (same.mesh, same.rounding));
 }
 
 #[test]

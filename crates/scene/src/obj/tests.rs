@@ -115,7 +115,7 @@ fn each_error_names_its_line() {
         ("v \\\n0 \\\n0 \\\nx\n", "line 1: found \"x\", expected a number"),
         ("# a\nv 0 nan 0\n", "line 2: coordinate y is NaN, expected a finite number in single precision"),
         ("v 0 0 -inf\n", "line 1: coordinate z is -inf, expected a finite number in single precision"),
-        ("v 1e39 0 0\n", "line 1: coordinate x is inf, expected a finite number in single precision"),
+        ("v 1e39 0 0\n", "line 1: coordinate x is 1e39, expected a finite number in single precision"),
         ("v 0 0 0\nf 1 1\n", "line 2: face with 2 corners, expected at least 3"),
         ("v 0 0 0\nf\n", "line 2: face with 0 corners, expected at least 3"),
         ("f 1 1 1\n", "line 1: vertex index 1 is out of range, expected a vertex before the face"),

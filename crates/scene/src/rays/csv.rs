@@ -2,10 +2,9 @@
 
 use std::io::{self, Write};
 
-use stackless_bvh::geom::Ray;
-
-use super::{COLUMNS, HitRow, LineReader, RayFault, UNBOUNDED, check, ray};
+use super::{COLUMNS, HitRow, LineReader, LoadedRays, RayFault, UNBOUNDED, check};
 use crate::float::{Float, Position, nan};
+use crate::number::Number;
 use crate::text::quote;
 
 /// Reads a ray a line. The first line says how many columns all have.
@@ -15,7 +14,7 @@ pub(super) struct Reader {
 }
 
 impl<V: Position> LineReader<V> for Reader {
-    fn read(&mut self, line: &str) -> Result<Option<Ray<V>>, RayFault> {
+    fn read(&mut self, line: &str, loaded: &mut LoadedRays<V>) -> Result<(), RayFault> {
         let found = line.split(',').count();
         let is_first = self.columns.is_none();
         let is_fit = self.columns.map_or([UNBOUNDED, COLUMNS.len()].contains(&found), |columns| found == columns);
@@ -24,16 +23,16 @@ impl<V: Position> LineReader<V> for Reader {
         }
         self.columns = Some(found);
         if is_first && line.split(',').map(str::trim).eq(COLUMNS.into_iter().take(found)) {
-            return Ok(None);
+            return Ok(());
         }
-        let mut numbers = [V::Real::default(); COLUMNS.len()];
+        let mut numbers = [Number::default(); COLUMNS.len()];
         for ((number, word), column) in numbers.iter_mut().zip(line.split(',')).zip(COLUMNS) {
             let word = word.trim();
             // What is no number is not finite either.
-            *number = word.parse().unwrap_or_else(|_| nan());
-            check(*number, column, || quote(word))?;
+            *number = Number::parse(word).unwrap_or(Number::exact(nan()));
+            check(number.value, column, || quote(word))?;
         }
-        ray(&numbers[..found]).map(Some)
+        loaded.push(&numbers[..found])
     }
 }
 

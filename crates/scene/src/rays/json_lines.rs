@@ -3,20 +3,21 @@
 use std::io::{self, Write};
 
 use serde::{Deserialize, Serialize};
-use stackless_bvh::geom::{Ray, Real as _};
+use stackless_bvh::geom::Real as _;
 
-use super::{HitRow, LineReader, RayFault, ray};
+use super::{COLUMNS, HitRow, LineReader, LoadedRays, RayFault, UNBOUNDED};
 use crate::float::{Float, Position};
+use crate::number::Number;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, bound = "F: Float")]
 struct RayLine<F> {
-    origin: [F; 3],
-    direction: [F; 3],
+    origin: [Number<F>; 3],
+    direction: [Number<F>; 3],
     #[serde(default)]
-    tmin: F,
+    tmin: Number<F>,
     /// JSON has no infinity.
-    tmax: Option<F>,
+    tmax: Option<Number<F>>,
 }
 
 #[derive(Serialize)]
@@ -30,10 +31,12 @@ struct HitLine<F> {
 pub(super) struct Reader;
 
 impl<V: Position> LineReader<V> for Reader {
-    fn read(&mut self, line: &str) -> Result<Option<Ray<V>>, RayFault> {
+    fn read(&mut self, line: &str, loaded: &mut LoadedRays<V>) -> Result<(), RayFault> {
         let RayLine { origin: [ox, oy, oz], direction: [dx, dy, dz], tmin, tmax } =
             serde_json::from_str(line).map_err(|error| RayFault::Object { found: in_line(&error) })?;
-        ray(&[ox, oy, oz, dx, dy, dz, tmin, tmax.unwrap_or(V::Real::INFINITY)]).map(Some)
+        let columns = if (tmin, tmax) == (Number::default(), None) { UNBOUNDED } else { COLUMNS.len() };
+        let tmax = tmax.unwrap_or(Number::exact(V::Real::INFINITY));
+        loaded.push(&[ox, oy, oz, dx, dy, dz, tmin, tmax][..columns])
     }
 }
 

@@ -7,10 +7,10 @@ use std::io::{self, BufRead, Read as _, Write};
 use std::path::Path;
 
 use serde::Deserialize;
-use stackless_bvh::geom::{Ray, Real as _};
 
-use super::{COLUMNS, HitRow, RayFault, RayFileError, UNBOUNDED, ray};
+use super::{COLUMNS, HitRow, LoadedRays, RayFault, RayFileError, UNBOUNDED};
 use crate::float::{Float, Position, nan};
+use crate::number::Number;
 use crate::text::quote;
 
 const MAGIC: &[u8] = b"\x93NUMPY";
@@ -27,8 +27,7 @@ struct Header {
     shape: Vec<u64>,
 }
 
-/// The rays, and how many numbers were rounded.
-pub(super) fn read<V: Position>(reader: &mut impl BufRead, file: &Path) -> Result<(Vec<Ray<V>>, u64), RayFileError> {
+pub(super) fn read<V: Position>(reader: &mut impl BufRead, file: &Path) -> Result<LoadedRays<V>, RayFileError> {
     let failed = |error| RayFileError::Io { file: file.into(), error };
     let refused = |found: String, expected| RayFileError::Array { file: file.into(), found, expected };
     let mut start = Vec::new();
@@ -54,7 +53,7 @@ pub(super) fn read<V: Position>(reader: &mut impl BufRead, file: &Path) -> Resul
     };
     debug_assert!([UNBOUNDED, COLUMNS.len()].contains(&columns));
     // No count is believed before its bytes are there.
-    let (mut rays, mut rounded) = (Vec::new(), 0);
+    let mut loaded = LoadedRays::new();
     let mut row = vec![0; bytes * columns];
     for number in 0..rows {
         let at = |fault| RayFileError::Line { file: file.into(), format: super::Format::Npy, number, fault };
@@ -64,16 +63,13 @@ pub(super) fn read<V: Position>(reader: &mut impl BufRead, file: &Path) -> Resul
             }
             read => read.map_err(failed)?,
         }
-        let numbers: Vec<f64> = row.chunks_exact(bytes).map(number_of).collect();
-        // Of NaN it says nothing: it is refused.
-        let own: Vec<V::Real> = numbers.iter().map(|&number| V::Real::rounded(number)).collect();
-        rounded += numbers.iter().zip(&own).filter(|&(&number, &own)| own.into() != number).count() as u64;
-        rays.push(ray(&own).map_err(at)?);
+        let numbers: Vec<_> = row.chunks_exact(bytes).map(|bytes| Number::of(number_of(bytes))).collect();
+        loaded.push(&numbers).map_err(at)?;
     }
     if !reader.fill_buf().map_err(failed)?.is_empty() {
         return Err(refused("more bytes".to_owned(), "the end of the file after the last row"));
     }
-    Ok((rays, rounded))
+    Ok(loaded)
 }
 
 /// The number in 4 or 8 bytes.

@@ -176,7 +176,7 @@ fn all_formats_hold_the_same_ray() {
     let ray = Ray::new(Vec3::new(1.0, 2.0, 3.0), Vec3::new(0.5, 0.0, -1.0)).unwrap();
     for (format, bytes) in in_all_formats() {
         let read = read_rays_from::<Vec3>(&bytes[..], "rays", format).unwrap();
-        assert_eq!((&read.rays[..], read.note("rays".as_ref())), (&[ray][..], None), "{}", bytes.escape_ascii());
+        assert_eq!((&read.rays[..], read.note("rays".as_ref(), 1.0)), (&[ray][..], None), "{}", bytes.escape_ascii());
     }
 }
 
@@ -192,11 +192,15 @@ fn doubles_are_read_as_they_are_and_written_so() {
         o.x, o.y, o.z, d.x, d.y, d.z, numbers[6], numbers[7]
     );
     let bytes = numbers.iter().flat_map(|x| x.to_le_bytes()).collect();
-    for (format, bytes) in
-        [(Format::Csv, csv.into_bytes()), (Format::JsonLines, json.into_bytes()), (Format::Npy, array("<f8", 8, bytes))]
-    {
+    // All decimals but 1 are rounded.
+    let files = [
+        (Format::Csv, csv.into_bytes(), 7),
+        (Format::JsonLines, json.into_bytes(), 7),
+        (Format::Npy, array("<f8", 8, bytes), 0),
+    ];
+    for (format, bytes, rounded) in files {
         let read = read_rays_from::<DVec3>(&bytes[..], "rays", format).unwrap();
-        assert_eq!((read.rays[0], read.rounded), (ray, 0), "{format}");
+        assert_eq!((read.rays[0], read.rounding.numbers, read.rounding.rounded), (ray, 8, rounded), "{format}");
     }
     let hits = [Some((7, 0.1, 1.0 / 3.0, 1e-300)), None];
     let written = |format| {
@@ -229,7 +233,8 @@ fn doubles_that_are_rounded_are_counted() {
     let numbers: Vec<u8> =
         [0.1, 0.0, -3.0, 1.0, f64::from(0.1_f32), 1.0 / 3.0].iter().flat_map(|x: &f64| x.to_le_bytes()).collect();
     let read = read_rays_from::<Vec3>(&array("<f8", 6, numbers)[..], "rays", Format::Npy).unwrap();
-    assert_eq!(read.note("r.npy".as_ref()).unwrap(), "r.npy: 2 numbers were rounded to single precision");
+    let note = "r.npy: 2 of 6 numbers were rounded to single precision, by at most 9.4e-9 of the scene's size";
+    assert_eq!(read.note("r.npy".as_ref(), 1.0).unwrap(), note);
 }
 
 #[test]
