@@ -21,6 +21,8 @@ mod merge;
 #[cfg(unix)]
 #[path = "cli/outside.rs"]
 mod outside;
+#[path = "cli/precision.rs"]
+mod precision;
 #[path = "cli/refused.rs"]
 mod refused;
 #[path = "cli/render.rs"]

@@ -8,6 +8,9 @@
 //! believed before the bytes it promises are there, so memory stays within a small multiple of the file's size, and
 //! files of more than [`MOST_BYTES`] are refused.
 //!
+//! Numbers are rounded once, to the precision that is asked for. [`Rounding`] says how many and by how much: a decimal
+//! such as 0.1 is rounded in either precision. `load::<DVec3>` reads in double precision.
+//!
 //! The readers are our own: `tobj` 4.0 re-indexes vertices and reports no line, and `ply-rs-bw` 4.0 reports in several
 //! lines, refuses numbers such as `.5`, misreads what follows a repeated property, and counts in vain through billions
 //! of elements that have none. `stl_io` 0.11 reports no line, refuses a solid without a name, and leaves out all solids

@@ -6,7 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use glam::Vec3;
 use serde::{Serialize, Serializer};
 use stackless_bvh::generate::procedural;
-use stackless_bvh::geom::{Mesh, Real as _, lanes};
+use stackless_bvh::geom::{Mesh, Real as _, Triangle, lanes};
 use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::Method;
 use stackless_bvh::wide;
@@ -60,12 +60,21 @@ impl<V: Position> Scene<V> {
         Ok(Self { name: stem.into_owned(), mesh: loaded.mesh })
     }
 
-    /// What is to be said if a hierarchy has so many triangles less.
-    pub(crate) fn left_out(&self, dropped: usize) -> Option<String> {
+    /// How many triangles have no area.
+    pub(crate) fn degenerate(&self) -> usize {
+        let triangles = (0..self.mesh.triangles().len()).map(|i| Triangle(self.mesh.triangle(i)));
+        triangles.filter(Triangle::is_degenerate).count()
+    }
+
+    /// What is to be said of them, if there are any.
+    pub(crate) fn degenerate_note(&self) -> Option<String> {
         let of = output::count(self.mesh.triangles().len() as u64, "triangle");
-        let dropped = output::grouped(dropped as u64);
-        let note = format!("{}: {dropped} of {of} left out: degenerate, so that no ray meets them", self.name);
-        (dropped != "0").then_some(note)
+        let say = |count, what| format!("{}: {count} of {of} {what}", self.name);
+        match self.degenerate() {
+            0 => None,
+            1 => Some(say("1".to_owned(), "has no area: rays miss it")),
+            count => Some(say(output::grouped(count as u64), "have no area: rays miss them")),
+        }
     }
 }
 

@@ -24,7 +24,8 @@ use sample::{Rays, Sample, Samples};
 
 /// Draw a scene, or what its traversal costs, as a PNG file.
 ///
-/// The same options give the same picture, for any number of threads. Rays are exact.
+/// The same options give the same picture, for any number of threads. Scenes are rounded to single precision, and rays are
+/// exact.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless render examples/data/torus.ply -o torus.png\n  \
     stackless render examples/data/room.obj --kind ao --spp 64 --size 800x600 --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png\n  \

@@ -68,7 +68,7 @@ pub(crate) struct Stats {
     depth: u32,
     tree_bytes: usize,
     bytes_per_triangle: f64,
-    /// Degenerate triangles, which no ray meets, are left out.
+    /// Triangles without an area, which rays miss.
     dropped: usize,
     /// References to triangles beyond the first of each.
     duplicates: usize,
@@ -267,7 +267,7 @@ impl Stats {
             depth: bvh.depth(),
             tree_bytes: bvh.bytes(),
             bytes_per_triangle: bvh.bytes() as f64 / scene.mesh.triangles().len() as f64,
-            dropped: bvh.dropped(),
+            dropped: scene.degenerate(),
             duplicates: bvh.duplicates(),
             build_seconds,
             tables: tables.remove(0),
@@ -306,7 +306,7 @@ impl Stats {
 
     pub(crate) fn blocks(&self) -> Vec<Block> {
         let mut blocks = vec![Block::Line(format!(
-            "{}: {} triangles, {} nodes, depth {}, {} bytes ({:.1} a triangle), built in {:.1} ms; {} degenerate triangles left out, {} references twice",
+            "{}: {} triangles, {} nodes, depth {}, {} bytes ({:.1} a triangle), built in {:.1} ms; {} triangles without an area, {} references twice",
             self.scene,
             grouped(self.triangles as u64),
             grouped(self.nodes as u64),

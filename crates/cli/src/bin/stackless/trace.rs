@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
-use stackless_bvh::bvh::{Bvh, WideBvh};
+use stackless_bvh::bvh::Bvh;
 use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::{Kernel, Ray, Slabs, Triangle, Vector, slabs};
 use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Form, Hit, Tracer, WithTests};
 use stackless_bvh::traverse::{Method, Unfit};
 use stackless_bvh::wide;
-use stackless_scene::{Format, Position};
+use stackless_scene::{Float, Format, Position};
 use stackless_suite::Traversal;
 
 use crate::Outcome;
@@ -32,7 +32,7 @@ use crate::places::{self, Output};
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  stackless trace examples/data/torus.ply --rays examples/data/rays.csv -o hits.csv\n  \
-    stackless trace examples/data/torus.ply --rays examples/data/rays.csv -o hits.npy\n  \
+    stackless trace examples/data/torus.ply --rays examples/data/rays.csv -o hits.npy --single\n  \
     echo 0,0,5,0,0,-1 | stackless trace soup --rays - -o - --method uncle"
 )]
 pub(crate) struct Args {
@@ -48,34 +48,47 @@ pub(crate) struct Args {
     /// How rays and hits stand in what has no such extension.
     #[arg(long, default_value_t, value_parser = input::names(Format::ALL, Format::name))]
     format: Format,
-    /// The traversal: of wide trees, which are faster and always exact, or of binary ones.
-    /// [default: wide-record; afra where the accuracy is not exact, and in double precision]
+    /// The traversal: of binary trees, or with --single of wide ones, which are faster and always exact.
+    /// [default: afra; with --single wide-record where the accuracy is exact]
     #[arg(long, value_parser = input::traversal())]
     method: Option<Traversal>,
     /// How the hierarchy is built; with `+N` behind a name, N rounds of reinsertion follow. [default: sah, for `complete`
     /// median]
     #[arg(long, value_parser = BuildName)]
     build: Option<Build>,
-    /// How exact the answers are to be.
+    /// How exact the answers are to be; other than exact only with --single.
     #[arg(long, default_value = "exact", value_parser = input::accuracy())]
     accuracy: Accuracy,
     /// End at the first hit that is met, instead of finding the closest.
     #[arg(long)]
     any: bool,
-    /// Read scene and rays in double precision, and answer in it: exactly, by a traversal of binary trees.
+    /// Round scene and rays to single precision, and answer in it, two to four times as fast. A note says how many numbers
+    /// are rounded and by how much. [default: double precision]
     #[arg(long)]
+    single: bool,
+    /// Read scene and rays in double precision, and answer in it: the default.
+    #[arg(long, hide = true, conflicts_with = "single")]
     double: bool,
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
-    if args.double { args.answer(Args::in_double) } else { args.answer(Args::in_single) }
+    if args.single { args.answer(Args::in_single) } else { args.answer(Args::in_double) }
+}
+
+/// Options that do not go together.
+#[derive(Debug, thiserror::Error)]
+enum Unfitting {
+    #[error("--method {0}: wide trees are for single precision; add --single, or choose a traversal of binary trees")]
+    Wide(wide::Method),
+    #[error("--accuracy {0}: double precision is always exact; add --single, or leave --accuracy out")]
+    Double(Accuracy),
+    #[error("--accuracy {0}: {1} is always exact; choose a traversal of binary trees")]
+    Accuracy(Accuracy, wide::Method),
 }
 
 /// What was found of a scene's rays.
 struct Traced<F> {
     method: &'static str,
-    /// Triangles that no ray meets.
-    dropped: usize,
     hits: Hits<F>,
 }
 
@@ -95,16 +108,17 @@ impl Args {
         } else {
             (&*self.rays, stackless_scene::read_rays(&self.rays, read_as)?)
         };
-        if let Some(note) = rays.note(name) {
+        let scene = Scene::load(&self.scene)?;
+        if let Some(note) = rays.note(name, stackless_scene::size(&scene.mesh)) {
             output::warn(&note);
         }
-        let scene = Scene::load(&self.scene)?;
-        let Traced { method, dropped, hits } = trace(self, &scene, &rays.rays)?;
+        let Traced { method, hits } = trace(self, &scene, &rays.rays)?;
         let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (prim, t, u, v)));
         write_file(&self.output, |file| stackless_scene::write_hits(file, rows, written_as))?;
         let counts = [count(hits.len() as u64, "ray"), count(hits.iter().flatten().count() as u64, "hit")].join(", ");
-        say!("{}: {counts}, by {method}, {}", scene.name, self.accuracy);
-        if let Some(note) = scene.left_out(dropped) {
+        let precision = <V::Real as Float>::PRECISION;
+        say!("{}: {counts}, by {method}, {}, in {precision} precision", scene.name, self.accuracy);
+        if let Some(note) = scene.degenerate_note() {
             say!("{note}");
         }
         Ok(true)
@@ -114,34 +128,31 @@ impl Args {
         match self.traversal()? {
             Traversal::Binary(method) => {
                 let bvh = Build::chosen(self.build, &[method]).run(scene)?;
-                let dropped = bvh.dropped();
                 let traced = trace::with_level(self.accuracy, Binary { method, bvh, any: self.any, rays });
                 let hits = traced.map_err(|unfit| format!("{method}: {unfit}"))?;
-                Ok(Traced { method: method.name(), dropped, hits })
+                Ok(Traced { method: method.name(), hits })
             }
             Traversal::Wide(method) => {
-                let fine = self.build.unwrap_or_default().run_fine(scene)?;
-                let bvh = WideBvh::of(&fine)?;
+                let bvh = self.build.unwrap_or_default().run_wide(scene)?;
                 let tracer = Tracer::with_method(&bvh, method).map_err(|unfit| format!("{method}: {unfit}"))?;
                 let each = |rays: &[Ray]| if self.any { tracer.any_hit_each(rays) } else { tracer.closest_each(rays) };
-                Ok(Traced { method: method.name(), dropped: fine.dropped(), hits: in_chunks(rays, each) })
+                Ok(Traced { method: method.name(), hits: in_chunks(rays, each) })
             }
         }
     }
 
     fn in_double(&self, scene: &Scene<DVec3>, rays: &[Ray<DVec3>]) -> Result<Traced<f64>, Box<dyn Error>> {
         let method = match self.method.unwrap_or(Traversal::Binary(Method::default())) {
-            Traversal::Binary(method) if self.accuracy == Accuracy::Exact => method,
-            Traversal::Binary(_) => Err(format!("--double is always exact, not {}", self.accuracy))?,
-            Traversal::Wide(method) => {
-                Err(format!("{method}: wide trees are for single precision; choose a traversal of binary trees"))?
+            Traversal::Wide(method) => return Err(Unfitting::Wide(method).into()),
+            Traversal::Binary(_) if self.accuracy != Accuracy::Exact => {
+                return Err(Unfitting::Double(self.accuracy).into());
             }
+            Traversal::Binary(method) => method,
         };
         let bvh = Build::chosen(self.build, &[method]).run(scene)?;
-        let dropped = bvh.dropped();
         let traced = Binary { method, bvh, any: self.any, rays }.run::<Exact64, slabs::Wide>();
         let hits = traced.map_err(|unfit| format!("{method}: {unfit}"))?;
-        Ok(Traced { method: method.name(), dropped, hits })
+        Ok(Traced { method: method.name(), hits })
     }
 
     /// What the extension of a file says; without one, what the option says.
@@ -150,12 +161,13 @@ impl Args {
         Ok(told.unwrap_or(self.format))
     }
 
-    fn traversal(&self) -> Result<Traversal, String> {
+    /// The traversal in single precision.
+    fn traversal(&self) -> Result<Traversal, Unfitting> {
         match (self.method, self.accuracy) {
             (None, Accuracy::Exact) => Ok(Traversal::Wide(wide::Method::default())),
             (None, _) => Ok(Traversal::Binary(Method::default())),
             (Some(Traversal::Wide(method)), other) if other != Accuracy::Exact => {
-                Err(format!("--accuracy {other}: {method} is always exact; choose a traversal of binary trees"))
+                Err(Unfitting::Accuracy(other, method))
             }
             (Some(method), _) => Ok(method),
         }

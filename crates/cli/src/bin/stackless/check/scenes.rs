@@ -113,9 +113,9 @@ impl Scenes {
                         Ok((number, aimed.unwrap_or(ray)))
                     });
                     let rays = rays.collect::<Result<Vec<_>, RayError>>()?;
-                    let dropped = check_one::<Exact64, Wide, _>(plan, index, scene, &truth, &rays, total)?;
+                    check_one::<Exact64, Wide, _>(plan, index, scene, &truth, &rays, total)?;
                     // A scene that was moved may have more of them.
-                    if let Some(note) = scene.left_out(dropped) {
+                    if let Some(note) = scene.degenerate_note() {
                         warn(&note);
                     }
                 }
@@ -161,7 +161,7 @@ fn aimed(truth: &Truth<DVec3>, mesh: &Mesh<DVec3>, ray: &Ray<DVec3>) -> Option<R
 }
 
 /// Rays through the scene, with their numbers, under a tree by surface area, a complete one by medians, and one with
-/// triangles in parts. The first disagreement under each is kept. Returns how many triangles are degenerate.
+/// triangles in parts. The first disagreement under each is kept.
 fn check_one<K, B, V>(
     plan: &Plan,
     index: usize,
@@ -169,18 +169,16 @@ fn check_one<K, B, V>(
     truth: &Truth<V>,
     rays: &[(u64, Ray<V>)],
     total: &mut Total,
-) -> Result<usize, Box<dyn Error>>
+) -> Result<(), Box<dyn Error>>
 where
     K: Kernel<Vector = V, Shape = Triangle<V>>,
     B: Slabs<Vector = V>,
     V: Position,
 {
-    let Some(&(first, _)) = rays.first() else { return Ok(0) };
-    let mut dropped = 0;
+    let Some(&(first, _)) = rays.first() else { return Ok(()) };
     let rays: Vec<_> = rays.iter().map(|&(_, ray)| ray).collect();
     for build in Build::CHECKED {
         let bvh = build.run(scene)?;
-        dropped = bvh.dropped();
         let progress = bar(rays.len() as u64, &scene.name);
         let tree = SceneTree::new(truth, &bvh);
         let (tally, found) = check_scene::<K, B, V>(plan, &tree, &rays, &|done| progress.inc(done));
@@ -192,5 +190,5 @@ where
         total.trees += u64::from(first == 0);
         total.rays += rays.len() as u64;
     }
-    Ok(dropped)
+    Ok(())
 }
