@@ -33,9 +33,18 @@ impl<F: Float> Number<F> {
     /// Rounds a decimal, once; `None` if the word is none.
     #[inline]
     pub(crate) fn parse(word: &str) -> Option<Self> {
-        let value: F = word.parse().ok()?;
-        let error = if !is_finite(value) || is_decimal(word, value.into()) { 0.0 } else { distance(word, value) };
-        Some(Self { value, error })
+        let near: f64 = word.parse().ok()?;
+        let rounded = F::rounded(near);
+        let left = near - rounded.into();
+        // Between two floats of single precision, the double cannot tell which one is nearer to the decimal.
+        let other = near + left;
+        let is_open = left != 0.0 && F::rounded(other).into() == other || !is_finite(rounded);
+        let value = if is_open { word.parse().ok()? } else { rounded };
+        if !is_finite(value) || value.into() == near && is_decimal(word, near) {
+            return Some(Self::exact(value));
+        }
+        let error = (near - value.into()).abs() + half_unit::<f64>(near);
+        Some(Self { value, error: error.min(half_unit::<F>(value.into())) })
     }
 
     /// Rounds a coordinate, which must be finite.
@@ -107,6 +116,27 @@ const FIVES: [u64; 28] = {
 /// Whether a decimal is the float that it was rounded to.
 #[inline]
 fn is_decimal(word: &str, value: f64) -> bool {
+    !has_other_places(word, value) && is_equal(word, value)
+}
+
+/// Whether a float has more or fewer places than the decimal: with n of them, and no 0 at the end, both are odd multiples
+/// of 2^-n if they are equal. Few decimals that are not their float need to be looked at any further.
+#[inline]
+fn has_other_places(word: &str, value: f64) -> bool {
+    let bytes = word.as_bytes();
+    let end = bytes.iter().rposition(|&byte| byte != b'0').unwrap_or(0);
+    let Some(point) = bytes[..=end].iter().rposition(|byte| !byte.is_ascii_digit()) else { return false };
+    let places = end - point;
+    if bytes[point] != b'.' || !(1..=52).contains(&places) {
+        return false;
+    }
+    let scaled = value.abs() * (1_u64 << places) as f64;
+    let whole = scaled as i64;
+    scaled < (1_u64 << 62) as f64 && (whole as f64 != scaled || whole % 2 == 0)
+}
+
+/// As [`is_decimal`], by all digits.
+fn is_equal(word: &str, value: f64) -> bool {
     match scan(word) {
         Some((0, _)) => true,
         Some((digits, exponent @ 0..=19)) => {
@@ -116,9 +146,7 @@ fn is_decimal(word: &str, value: f64) -> bool {
         Some((digits, exponent @ -27..=-1)) => {
             let places = exponent.unsigned_abs();
             let fives = FIVES[places as usize];
-            digits % 5 == 0
-                && digits % fives == 0
-                && (value.abs() * (1_u64 << places) as f64) as u128 == u128::from(digits / fives)
+            digits % fives == 0 && (value.abs() * (1_u64 << places) as f64) as u128 == u128::from(digits / fives)
         }
         _ => is_long_decimal(word, value),
     }
@@ -142,7 +170,7 @@ fn scan(word: &str) -> Option<(u64, i32)> {
     Some((digits, exponent))
 }
 
-/// As [`is_decimal`], for decimals of any length: by all digits of the float.
+/// As [`is_equal`], for decimals of any length: by all digits of the float.
 #[cold]
 fn is_long_decimal(word: &str, value: f64) -> bool {
     let (mantissa, power) = word.split_once(['e', 'E']).unwrap_or((word, "0"));
@@ -170,17 +198,6 @@ fn places(value: f64) -> usize {
     let significand = if exponent == 0 { fraction } else { fraction | 1 << 52 };
     let unit = exponent.max(1) as i64 - 1075;
     if significand == 0 { 0 } else { (-unit - i64::from(significand.trailing_zeros())).max(0) as usize }
-}
-
-/// At most how far a decimal is from the float that it was rounded to.
-fn distance<F: Float>(word: &str, value: F) -> f64 {
-    let value = value.into();
-    let half = half_unit::<F>(value);
-    if size_of::<F>() == size_of::<f64>() {
-        return half;
-    }
-    let near: f64 = word.parse().unwrap_or(value);
-    half.min((near - value).abs() + half_unit::<f64>(near))
 }
 
 /// Half the distance to the next greater float.

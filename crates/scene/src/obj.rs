@@ -50,8 +50,9 @@ pub(crate) fn load<V: Position>(bytes: &[u8]) -> Result<Loaded<V>, ReadError> {
     let mut statement = Vec::new();
     while let Some(first) = lines.next() {
         draft.line = lines.number();
-        join(first, &mut lines, &mut statement);
-        let text = String::from_utf8_lossy(&statement);
+        let (text, continued) = content(first);
+        let text = if continued { join(text, &mut lines, &mut statement) } else { text };
+        let text = String::from_utf8_lossy(text);
         let mut words = text.split_ascii_whitespace();
         match words.next() {
             Some("v") => draft.vertex(words),
@@ -95,16 +96,19 @@ const OTHERS: [&str; 42] = [
     "usemap", "maplib", "shadow_obj", "trace_obj", "ctech", "stech", "call", "csh", "bsp", "bzp", "cdc", "cdp", "res",
 ];
 
-/// Puts a line and those that continue it into `statement`.
-fn join<'a>(first: &'a [u8], lines: &mut Lines<'a>, statement: &mut Vec<u8>) {
+/// Puts what a line says and the lines that continue it into `statement`.
+fn join<'a>(first: &[u8], lines: &mut Lines<'_>, statement: &'a mut Vec<u8>) -> &'a [u8] {
     statement.clear();
-    let mut next = Some(first);
-    while let Some(line) = next {
+    statement.extend_from_slice(first);
+    for line in lines {
         let (text, continued) = content(line);
-        statement.extend_from_slice(text);
         statement.push(b' ');
-        next = if continued { lines.next() } else { None };
+        statement.extend_from_slice(text);
+        if !continued {
+            break;
+        }
     }
+    statement
 }
 
 /// A line without its comment or backslash, and whether the next line continues it. A comment ends with its line.
