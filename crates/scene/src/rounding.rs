@@ -84,9 +84,10 @@ pub fn size<V: Position>(mesh: &Mesh<V>) -> f64 {
 
 /// Two digits of a number, rounded up.
 fn above(number: f64) -> String {
-    let least = number.max(f64::from_bits(1));
-    let digit = 10_f64.powf(least.log10().floor());
-    format!("{:.1e}", least + 0.05 * digit)
+    let number = number.max(f64::from_bits(1));
+    let nearest = format!("{number:.1e}");
+    let half = 0.05 * 10_f64.powf(number.log10().floor());
+    if nearest.parse().is_ok_and(|nearest: f64| nearest >= number) { nearest } else { format!("{:.1e}", number + half) }
 }
 
 #[cfg(test)]

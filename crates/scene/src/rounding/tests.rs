@@ -46,7 +46,7 @@ fn sizes_are_in_range() {
     assert!((size(&mesh(-1.0, 2.0)) - 27_f64.sqrt()).abs() < 1e-15);
     assert_eq!(size(&mesh(f64::MAX, -f64::MAX)), f64::MAX);
     assert_eq!(size(&mesh(0.0, 0.0)), 0.0);
-    assert_eq!([3.14e-8, 1.0, 9.99, 5e-324].map(above), ["3.2e-8", "1.1e0", "1.0e1", "4.9e-324"]);
+    assert_eq!([3.14e-8, 1.0, 9.99, 5e-324].map(above), ["3.2e-8", "1.0e0", "1.0e1", "4.9e-324"]);
 }
 
 #[test]
