@@ -57,18 +57,14 @@ fn a_survey_is_traced_as_it_is() {
     let single = trace("--single");
     assert_eq!(right_faces(&single.stdout), 0, "{single:?}");
     assert!(single.stderr.contains("by wide-record, exact, in single precision\n"), "{single:?}");
-    // One line for each file says how many numbers were rounded, and by how much: a metre is 0.14 of the diagonal.
+    // One line for each file says how many numbers were rounded, and by how much: the diagonal is 7 m long.
     let (mesh, rays) = (mesh.display(), rays.display());
-    for (run, precision, mesh_share, rays_share) in
-        [(double, "double", "6.6e-11", "6.6e-11"), (single, "single", "2.9e-2", "3.6e-2")]
-    {
+    for (run, precision, shares) in [(double, "double", ["6.6e-11"; 2]), (single, "single", ["2.9e-2", "3.2e-2"])] {
         let note = |file: &dyn std::fmt::Display, counts, share| {
-            format!(
-                "{file}: {counts} numbers were rounded to {precision} precision, by at most {share} of the scene's size\n"
-            )
+            let most = format!("by at most {share} of the scene's size");
+            format!("{file}: {counts} numbers were rounded to {precision} precision, {most}\n")
         };
-        let mesh = note(&mesh, if precision == "double" { "1197 of 1323" } else { "1323 of 1323" }, mesh_share);
-        let rays = note(&rays, if precision == "double" { "800 of 2400" } else { "1200 of 2400" }, rays_share);
+        let (mesh, rays) = (note(&mesh, "1323 of 1323", shares[0]), note(&rays, "800 of 2400", shares[1]));
         assert!(run.stderr.contains(&mesh) && run.stderr.contains(&rays), "{mesh}{rays}{}", run.stderr);
     }
 }
