@@ -74,6 +74,15 @@ def test_no_list_of_waivers(runner, text, tmp_path):
     assert run(runner, mangled("none"), tmp_path, "--waivers", str(path), filters=["key/u32/child*"])[0] == 2
 
 
+@pytest.mark.parametrize("runner", NAMES)
+def test_a_withdrawn_case_is_named(runner, tmp_path):
+    path = tmp_path / "list.json"
+    path.write_text('[{"id": "ray/exact/stack-ulp", "reason": "known"}]')
+    for options, filters in ((["--waivers", str(path)], ["key/u32/child*"]), ([], ["ray/exact/stack-ulp"])):
+        status, text, _ = run(runner, mangled("none"), tmp_path, *options, filters=filters)
+        assert status == 2 and "'ray/exact/stack-ulp' was withdrawn in suite 2.0.0: " in text, text
+
+
 def test_level_and_first_failure(tmp_path):
     assert both("none", tmp_path, "--level", "key", filters=["*-root"])[0] == 0
     outcomes = both("turned", tmp_path, "--fail-fast", "--level", "key", filters=["key/u32/*"])[4]

@@ -149,6 +149,14 @@ def test_a_wrong_hello_is_refused(change):
     assert is_refused("hello", {**hello, **change})
 
 
+def test_what_was_withdrawn_is():
+    withdrawn = json.loads((SUITE / "withdrawn.json").read_text())
+    check("withdrawn", withdrawn)
+    ids = {case["id"] for row in FILES for case in vectors(row["profile"])["cases"]}
+    assert withdrawn and ids.isdisjoint(case["id"] for case in withdrawn)
+    assert is_refused("withdrawn", [{"id": "ray/exact/x", "reason": "wrong"}])
+
+
 def test_waivers_are():
     check("waivers", [{"id": "key/u32/child-left-root", "reason": "known"}])
     assert is_refused("waivers", [{"id": "key/u32/child-left-root"}])

@@ -9,7 +9,7 @@ use stackless_scene::read_text;
 
 use super::basis::bases;
 use super::text::Shown;
-use super::{Feature, Profile, Suite, SuiteCase, VERSION};
+use super::{Feature, Profile, Suite, SuiteCase, VERSION, Withdrawn};
 
 /// Why files are not a suite.
 #[derive(Debug, thiserror::Error)]
@@ -195,6 +195,7 @@ impl Suite {
         files.push((INDEX.to_owned(), format!("{{\"suite\":\"{VERSION}\",\"files\":[\n{}\n]}}\n", lines(&rows))));
         let rows: Vec<_> = Feature::ALL.iter().map(|it| format!("\"{it}\":\"{}\"", it.about())).collect();
         files.push(("features.json".to_owned(), format!("{{\n{}\n}}\n", rows.join(",\n"))));
+        files.push(("withdrawn.json".to_owned(), format!("[\n{}\n]\n", lines(Withdrawn::ALL))));
         files.push(("VERSION".to_owned(), format!("{VERSION}\n")));
         files
     }

@@ -24,6 +24,7 @@ mod text;
 mod told;
 mod waivers;
 mod walk;
+mod withdrawn;
 
 pub use ask::{Ask, Best, Build, Children, LookupTable, Query, Rays, Start, Walk, WideChildren, WideWalk};
 pub use case::{Expect, Feature, Level, Near, NearHit, Profile, Strength, Suite, SuiteCase, VERSION};
@@ -37,3 +38,4 @@ pub use runner::{RunError, Runner};
 pub use told::{Told, wide_events};
 pub use waivers::{Waiver, WaiverError, Waivers};
 pub use walk::WalkError;
+pub use withdrawn::Withdrawn;

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use stackless_scene::read_text;
 use wildmatch::WildMatch;
 
-use super::Suite;
+use super::{Suite, Withdrawn};
 use super::text::Shown;
 
 /// Cases that fail for a reason that is known: `[{"id": ..., "reason": ...}, ...]`. In an id `*` is any text and `?` any
@@ -54,13 +54,16 @@ pub enum WaiverError {
     /// There is no such case.
     #[error("there is no case '{}'", Shown(.0))]
     Unknown(String),
+    /// There is no such case any more.
+    #[error("{0}")]
+    Withdrawn(&'static Withdrawn),
 }
 
 impl Waivers {
     /// Reads a file.
     ///
     /// # Errors
-    /// [`WaiverError`], but not [`WaiverError::Unknown`].
+    /// [`WaiverError::Read`], [`WaiverError::Json`] and [`WaiverError::Twice`].
     pub fn load(path: &Path) -> Result<Self, WaiverError> {
         Self::parse(&read_text(path)?)
     }
@@ -81,10 +84,13 @@ impl Waivers {
     /// Whether each is of a case of the suite: of the whole one, not only of what is run.
     ///
     /// # Errors
-    /// [`WaiverError::Unknown`], for the first that is not.
+    /// [`WaiverError::Withdrawn`] or [`WaiverError::Unknown`], for the first that is not.
     pub fn check(&self, suite: &Suite) -> Result<(), WaiverError> {
         match self.list.iter().find(|waiver| !suite.cases().any(|(_, case)| waiver.is_of(&case.id))) {
-            Some(waiver) => Err(WaiverError::Unknown(waiver.id.clone())),
+            Some(waiver) => {
+                Err(Withdrawn::of(&waiver.id)
+                    .map_or_else(|| WaiverError::Unknown(waiver.id.clone()), WaiverError::Withdrawn))
+            }
             None => Ok(()),
         }
     }

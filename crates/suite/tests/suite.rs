@@ -13,7 +13,7 @@ use stackless_bvh::wide::Method as WideMethod;
 use stackless_check::planted::{self, Instead, LAYERS, Planted, Seer};
 use stackless_suite::{
     Answer, Ask, Expect, Feature, Flaw, Hello, Implementation, Level, Library, Limits, PROTOCOL, Start, Suite,
-    SuiteCase, Traversal, WideLimits, author, judge,
+    SuiteCase, Traversal, WideLimits, Withdrawn, author, judge,
 };
 
 #[path = "suite/adapters.rs"]
@@ -68,6 +68,21 @@ fn the_table_of_other_ray_tracers_has_each_case() {
     let cases: Vec<_> =
         suite.cases().map(|(_, case)| case).filter(has_hits).map(|case| &case.id["ray/".len()..]).collect();
     assert_eq!(BTreeSet::from_iter(rows), BTreeSet::from_iter(cases));
+}
+
+/// An id stands for one case for ever. What stands in the place of a withdrawn case is named.
+#[test]
+fn no_id_of_a_withdrawn_case_is_used_again() {
+    let ids: BTreeSet<_> = SUITE.cases().map(|(_, case)| case.id.as_str()).collect();
+    let mut withdrawn = BTreeSet::new();
+    for case in Withdrawn::ALL {
+        assert!(!ids.contains(case.id) && withdrawn.insert(case.id), "{}", case.id);
+        assert!(!case.reason.is_empty(), "{}", case.id);
+        for id in case.reason.split(' ').filter(|word| word.contains('/')) {
+            assert!(ids.contains(id), "{}: {id}", case.id);
+        }
+    }
+    assert!(!withdrawn.is_empty());
 }
 
 /// What the suite promises to those who read it.

@@ -417,13 +417,13 @@ def shoot(edges, ray, query):
     for prim, triangle in enumerate(edges):
         hit = meet(triangle, origin, direction)
         if hit and tmin <= hit[0] <= tmax:
-            hits.append((nearest(hit[0]), prim, hit))
+            hits.append((hit[0], prim, hit))
     if query == "any":
         return bool(hits)
     if not hits:
         return None
-    t, prim, (_, u, v) = min(hits)
-    return {"prim": prim, "t": f"{t:08x}", "u": f"{nearest(u):08x}", "v": f"{nearest(v):08x}"}
+    t, prim, (_, u, v) = min(hits)  # by exact distances: EXACT-1
+    return {"prim": prim, "t": f"{nearest(t):08x}", "u": f"{nearest(u):08x}", "v": f"{nearest(v):08x}"}
 
 
 def meet(triangle, origin, direction):

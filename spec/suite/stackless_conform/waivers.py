@@ -3,6 +3,7 @@
 import fnmatch
 import json
 
+from . import SUITE
 from .judge import shown
 
 
@@ -30,9 +31,17 @@ def load(path, ids):
         if row["id"] in waivers:
             raise ValueError(f"case '{shown(row['id'])}' stands twice")
         if not any(matches(id, row["id"]) for id in ids):
-            raise ValueError(f"there is no case '{shown(row['id'])}'")
+            raise ValueError(withdrawn([row["id"]]) or f"there is no case '{shown(row['id'])}'")
         waivers[row["id"]] = row["reason"]
     return waivers
+
+
+def withdrawn(ids):
+    """What became of the first of these that was a case (withdrawn.json); None if none was."""
+    for case in json.loads((SUITE / "withdrawn.json").read_text(encoding="utf-8")):
+        if case["id"] in ids:
+            return f"case '{case['id']}' was withdrawn in suite {case['since']}: {case['reason']}"
+    return None
 
 
 def reason(waivers, id, outcome):

@@ -6,6 +6,7 @@
 
 mod hash;
 mod key;
+mod order;
 mod ray;
 mod reference;
 mod resume;

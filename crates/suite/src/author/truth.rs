@@ -18,6 +18,7 @@ pub(super) struct Mesh {
 pub(super) type Ray = [f32; 8];
 
 /// Where a ray meets a triangle: the distance and the weights of the second and third corner, each rounded once.
+/// The order of hits is not that of `t`, but that of the distances before they are rounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Hit {
     pub(super) prim: u32,
@@ -26,17 +27,27 @@ pub(super) struct Hit {
     pub(super) v: f32,
 }
 
+/// The sizes of volumes whose quotients are the distance and the weights of two corners, over their sum.
+struct Quotients {
+    parts: [IBig; 3],
+    sum: IBig,
+}
+
 impl Mesh {
-    /// All hits: the closest first, of equal rounded distances the one with the lower number.
+    /// All hits: the one with the least exact distance first, of equal exact distances the one with the lower number.
     pub(super) fn hits(&self, ray: &Ray) -> Vec<Hit> {
         let met = |(prim, corners): (u32, &[u32; 3])| {
             let corners = corners.map(|corner| self.vertices[corner as usize]);
-            let [t, u, v] = if is_beside(corners, ray) { None } else { meet(corners, ray) }?;
-            Some(Hit { prim, t, u, v })
+            if is_beside(corners, ray) { None } else { Some((prim, meet(corners, ray)?)) }
         };
         let mut hits: Vec<_> = (0..).zip(&self.triangles).filter_map(met).collect();
-        hits.sort_by(|a, b| a.t.total_cmp(&b.t));
-        hits
+        // Neither sum is below 0. Equal ones stay in the order of their numbers.
+        hits.sort_by(|(_, a), (_, b)| (&a.parts[0] * &b.sum).cmp(&(&b.parts[0] * &a.sum)));
+        let rounded = |(prim, Quotients { parts, sum }): (u32, Quotients)| {
+            let [t, u, v] = parts.map(|part| nearest(&part, &sum));
+            Hit { prim, t, u, v }
+        };
+        hits.into_iter().map(rounded).collect()
     }
 }
 
@@ -52,7 +63,7 @@ fn is_beside(corners: [[f32; 3]; 3], ray: &Ray) -> bool {
 
 /// Seen from the origin: the direction spans a volume with each edge, and the weight of a corner is the volume with the
 /// edge across over the sum of the three. A sum of 0 is a triangle without area, or one that is parallel to the ray.
-fn meet(corners: [[f32; 3]; 3], &[x, y, z, dx, dy, dz, tmin, tmax]: &Ray) -> Option<[f32; 3]> {
+fn meet(corners: [[f32; 3]; 3], &[x, y, z, dx, dy, dz, tmin, tmax]: &Ray) -> Option<Quotients> {
     let [corner_a, corner_b, corner_c] = corners;
     let [o, d, a, b, c] = whole([[x, y, z], [dx, dy, dz], corner_a, corner_b, corner_c]);
     let [a, b, c] = [a, b, c].map(|[x, y, z]| [x - &o[0], y - &o[1], z - &o[2]]);
@@ -70,7 +81,7 @@ fn meet(corners: [[f32; 3]; 3], &[x, y, z, dx, dy, dz, tmin, tmax]: &Ray) -> Opt
         && !is_beyond_all(tmin)
         && compared(tmin) != Ordering::Greater
         && (is_beyond_all(tmax) || compared(tmax) != Ordering::Less);
-    is_hit.then(|| [along, of_b, of_c].map(|part| nearest(&part, &sum)))
+    is_hit.then(|| Quotients { parts: [along, of_b, of_c], sum })
 }
 
 /// A float as an odd number, or 0, times a power of two above 2^-149.
@@ -145,6 +156,24 @@ mod tests {
         assert_eq!(of(f32::MAX, 1.0), f32::MAX);
         assert_eq!(of(f32::MAX, f32::MIN_POSITIVE), f32::INFINITY);
         assert_eq!(of(0.0, 3.0), 0.0);
+    }
+
+    /// Two sheets whose distances round to one float, in both orders of their numbers; and equal ones.
+    #[test]
+    fn the_least_exact_distance_comes_first() {
+        let sheet = |z: f32| [[-1.0, -1.0, z], [1.0, -1.0, z], [0.0, 1.0, z]];
+        let order = |heights: [f32; 3]| {
+            let mesh = Mesh {
+                vertices: heights.into_iter().flat_map(sheet).collect(),
+                triangles: vec![[0, 1, 2], [3, 4, 5], [6, 7, 8]],
+            };
+            let hits = mesh.hits(&[0.0, 0.0, 100.0, 0.0, 0.0, -3.0, 0.0, f32::INFINITY]);
+            assert!(hits.iter().all(|hit| hit.t == hits[0].t), "{hits:?}");
+            hits.iter().map(|hit| hit.prim).collect::<Vec<_>>()
+        };
+        assert_eq!(order([0.0, 1e-6, -1e-6]), [1, 0, 2]);
+        assert_eq!(order([1e-6, 0.0, 1e-6]), [0, 2, 1]);
+        assert_eq!(order([0.0, 0.0, 0.0]), [0, 1, 2]);
     }
 
     /// What was written apart from it, in fractions.

@@ -203,6 +203,7 @@ fn a_mistake_in_the_python_adapter_is_caught() {
         ("(1 << depth_of(key)) - 1)", "0)", "resume/key-only", "PAUSE-4"),
         ("min(u, v, w) < 0 < max(u, v, w)", "min(u, v, w) <= 0 <= max(u, v, w)", "ray/grid", "EXACT-1"),
         ("round(x / Fraction", "math.floor(x / Fraction", "ray/exact", "EXACT-1"),
+        ("hits.append((hit[0], prim, hit))", "hits.append((nearest(hit[0]), prim, hit))", "ray/exact", "EXACT-13"),
         ("if hit and tmin <= hit[0] <= tmax", "if hit and tmin <= hit[0] < tmax", "ray/grid", "EXACT-1"),
         ("rank - rank % self.slots > self.end", "rank - rank % self.slots >= self.end", "trace/wide", "WIDE-3"),
         ("else climbed + n + 1", "else climbed + n", "trace/wide", "WIDE-11"),
@@ -276,6 +277,7 @@ fn the_schemas_name_all_that_there_is() {
     let profiles: BTreeSet<_> = suite.profiles.iter().map(|profile| profile.profile.as_str()).collect();
     assert_eq!(named.collect::<BTreeSet<_>>(), profiles);
     schema("waivers");
+    schema("withdrawn");
 }
 
 fn rejection(case: &stackless_suite::SuiteCase) -> Option<&str> {

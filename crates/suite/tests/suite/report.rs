@@ -25,6 +25,9 @@ fn waivers_are_for_what_fails() {
     for id in ["key/u32/none", "key/u33/*"] {
         assert!(matches!(unknown(id), Err(WaiverError::Unknown(found)) if found == id));
     }
+    let withdrawn = unknown("ray/exact/stack-ulp").unwrap_err();
+    assert!(matches!(withdrawn, WaiverError::Withdrawn(case) if case.id == "ray/exact/stack-ulp"));
+    assert!(withdrawn.to_string().contains("was withdrawn in suite 2.0.0: "), "{withdrawn}");
     for id in ["key/u32/*", "ray/exact/midpoint-even", "trace/*/random-1?"] {
         assert!(unknown(id).is_ok(), "{id}");
     }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use stackless_suite::{CaseResult, Hello, Level, Report, Runner, Strength, Suite, VERSION, Waiver, Waivers};
+use stackless_suite::{CaseResult, Hello, Level, Report, Runner, Strength, Suite, VERSION, Waiver, Waivers, Withdrawn};
 
 use crate::output::{bar, detail, grouped, say, table, write_file, write_json};
 use crate::places::{self, Output};
@@ -127,7 +127,9 @@ pub(crate) fn select(mut suite: Suite, level: Option<Level>, filters: &[String])
     suite.profiles.iter_mut().for_each(|profile| profile.cases.retain(|case| is_wanted(&case.id)));
     suite.profiles.retain(|profile| !profile.cases.is_empty());
     if suite.profiles.is_empty() {
-        return Err("no case is of this level and has such an id".to_owned());
+        let withdrawn = filters.iter().find_map(|filter| Withdrawn::of(filter));
+        let why = || "no case is of this level and has such an id".to_owned();
+        return Err(withdrawn.map_or_else(why, ToString::to_string));
     }
     Ok(suite)
 }

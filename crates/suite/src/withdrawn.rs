@@ -1,0 +1,55 @@
+//! Cases that there were: their ids are never used again.
+
+use core::fmt;
+
+use serde::Serialize;
+
+/// A case that was withdrawn: it was wrong, or what is right has changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Withdrawn {
+    /// The id that it had.
+    pub id: &'static str,
+    /// The first version of the suite without it.
+    pub since: &'static str,
+    /// Why, and what stands in its place.
+    pub reason: &'static str,
+}
+
+macro_rules! by_rounded_distances {
+    ($($name:literal)*) => {
+        [$(Withdrawn {
+            id: concat!("ray/exact/", $name),
+            since: "2.0.0",
+            reason: concat!(
+                "of distances that round to one float the lowest triangle came first, and not the nearest: ray/exact/",
+                $name,
+                "-ordered has the order of exact distances",
+            ),
+        }),*]
+    };
+}
+
+impl Withdrawn {
+    /// All of them.
+    pub const ALL: &'static [Self] = &by_rounded_distances! {
+        "far-origin"
+        "stack-ulp"
+        "stack-tilted"
+        "ize"
+        "max-and-tiny"
+        "t-underflow"
+        "t-above-0"
+    };
+
+    /// The case that had an id.
+    pub fn of(id: &str) -> Option<&'static Self> {
+        Self::ALL.iter().find(|case| case.id == id)
+    }
+}
+
+impl fmt::Display for Withdrawn {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { id, since, reason } = self;
+        write!(f, "case '{id}' was withdrawn in suite {since}: {reason}")
+    }
+}
