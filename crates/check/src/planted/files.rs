@@ -106,17 +106,22 @@ impl File {
         K: Kernel<Vector = Vec3, Shape = Triangle>,
         B: Slabs<Vector = Vec3>,
     {
-        let mut best: Option<Hit> = None;
+        let mut best: Option<(Hit, Triangle)> = None;
         self.walk::<K, B>(ray, &mut |kernel, triangle, prim| {
-            let limit = best.map_or(ray.tmax(), |hit| hit.t);
-            let is_nearer = |t: f32| best.is_none_or(|hit| t < hit.t || t == hit.t && prim < hit.prim);
-            if let Some(t) = kernel.distance(&triangle, limit).filter(|&t| is_nearer(t)) {
+            let limit = best.map_or(ray.tmax(), |(hit, _)| hit.t);
+            let is_first = |t: f32| {
+                best.is_none_or(|(hit, other)| {
+                    let by_index = prim.cmp(&hit.prim);
+                    t < hit.t || t == hit.t && kernel.compare(&triangle, &other).then(by_index).is_lt()
+                })
+            };
+            if let Some(t) = kernel.distance(&triangle, limit).filter(|&t| is_first(t)) {
                 let [u, v] = kernel.weights(&triangle);
-                best = Some(Hit { prim, t, u, v });
+                best = Some((Hit { prim, t, u, v }, triangle));
             }
-            best.map_or(ray.tmax(), |hit| hit.t)
+            best.map_or(ray.tmax(), |(hit, _)| hit.t)
         });
-        best
+        best.map(|(hit, _)| hit)
     }
 
     fn any<K, B>(&self, ray: &Ray) -> bool
