@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 use stackless_scene::read_text;
 use wildmatch::WildMatch;
 
-use super::{Suite, Withdrawn};
 use super::text::Shown;
+use super::{Suite, Withdrawn};
 
 /// Cases that fail for a reason that is known: `[{"id": ..., "reason": ...}, ...]`. In an id `*` is any text and `?` any
 /// character. One that is not needed is reported, so that the list does not grow old.
@@ -87,10 +87,8 @@ impl Waivers {
     /// [`WaiverError::Withdrawn`] or [`WaiverError::Unknown`], for the first that is not.
     pub fn check(&self, suite: &Suite) -> Result<(), WaiverError> {
         match self.list.iter().find(|waiver| !suite.cases().any(|(_, case)| waiver.is_of(&case.id))) {
-            Some(waiver) => {
-                Err(Withdrawn::of(&waiver.id)
-                    .map_or_else(|| WaiverError::Unknown(waiver.id.clone()), WaiverError::Withdrawn))
-            }
+            Some(waiver) => Err(Withdrawn::of(&waiver.id)
+                .map_or_else(|| WaiverError::Unknown(waiver.id.clone()), WaiverError::Withdrawn)),
             None => Ok(()),
         }
     }

@@ -125,7 +125,7 @@ fn faces_without_area_are_found_in_double_precision() {
             }
         }
     }
-    assert!(found > 20_000, "{found}");
+    assert!(found > 10_000, "{found}");
 }
 
 /// Their trees have other nodes, and rays have the same answers. [EXACT-1] [PARITY-1]
@@ -159,7 +159,7 @@ fn rays_miss_faces_without_area() {
             hits += all[0].len();
         }
     }
-    assert!(hits > 1000, "{hits}");
+    assert!(hits > 500, "{hits}");
 }
 
 /// A tree that left them out is for rays.

@@ -64,8 +64,10 @@ fn waivers_are_written() {
     stackless(&format!("conform --waivers {} -- sh", shown(&unknown)), &[&script]).fails_naming(&["key/u33/*"]);
     let withdrawn = folder.file("withdrawn.json", r#"[{"id": "ray/exact/stack-ulp", "reason": "known"}]"#);
     for words in [format!("--waivers {}", shown(&withdrawn)), "--filter ray/exact/stack-ulp".to_owned()] {
-        stackless(&format!("conform {words} -- sh"), &[&script])
-            .fails_naming(&["case 'ray/exact/stack-ulp' was withdrawn in suite 2.0.0: ", "ray/exact/stack-ulp-ordered"]);
+        stackless(&format!("conform {words} -- sh"), &[&script]).fails_naming(&[
+            "case 'ray/exact/stack-ulp' was withdrawn in suite 2.0.0: ",
+            "ray/exact/stack-ulp-ordered",
+        ]);
     }
     let report = read_json(&json);
     assert!(report["suite"].as_str().is_some_and(|version| version.split('.').count() == 3));

@@ -56,7 +56,8 @@ fn shells(author: &mut Author) {
         })
         .collect();
     let shells = [1.0, 1.0 + 4e-5].map(|radius| faces(&scaled(&sphere(1), Vec3::splat(radius))));
-    let why = "Shells of radius 1 and 1 + 4e-5 from a distance of 3,000: the outer one is hit, whatever its numbers are.";
+    let why =
+        "Shells of radius 1 and 1 + 4e-5 from a distance of 3,000: the outer one is hit, whatever its numbers are.";
     both_ways(author, "order-shells", why, &shells.concat(), &rays);
 }
 
@@ -78,7 +79,8 @@ fn edges(author: &mut Author) {
     let land: Vec<Face> = land.into_iter().map(|corners| corners.map(at)).collect();
     let why = "At edges and corners all neighbours are hit at one distance, which is no float: the lowest number wins.";
     closest(author, "order-edges", why, &mesh(&land), &rays);
-    let why = "The same above its image 2^-20 lower, which has the lower numbers, and distances that round to the same.";
+    let why =
+        "The same above its image 2^-20 lower, which has the lower numbers, and distances that round to the same.";
     closest(author, "order-edges-thin", why, &mesh(&[moved(&land, -Vec3::Z / 1_048_576.0), land].concat()), &rays);
 }
 
@@ -124,9 +126,8 @@ fn points(author: &mut Author) {
 }
 
 fn crossing(author: &mut Author) {
-    let across = |slope: f32| {
-        [[-2.0, -2.0], [2.0, -2.0], [0.0, 4.0]].map(|[x, y]| Vec3::new(x, y, slope * x / 1_048_576.0))
-    };
+    let across =
+        |slope: f32| [[-2.0, -2.0], [2.0, -2.0], [0.0, 4.0]].map(|[x, y]| Vec3::new(x, y, slope * x / 1_048_576.0));
     let rays: Vec<_> = [-1.0, -0.001, -1e-30, -0.0, 1e-30, 0.001, 1.0]
         .into_iter()
         .flat_map(|x| [64.0, -64.0].map(|z: f32| ray(Vec3::new(x, 0.5, z), -z.signum() * Vec3::Z, WHOLE)))
@@ -179,7 +180,8 @@ fn ranges(author: &mut Author) {
     let slow = [1.0 / p2_100, 3.0 / p2_100];
     let infinite = [[0.0, f32::INFINITY], [f32::MAX, f32::INFINITY], [0.0, f32::MAX]];
     let rays = infinite.map(|ends| from(&[0.0, 64.0, p2_60], &slow, ends)).concat();
-    let why = "Distances beyond all floats: all round to infinity, and are not equal. Those with a finite end are missed.";
+    let why =
+        "Distances beyond all floats: all round to infinity, and are not equal. Those with a finite end are missed.";
     closest(author, "order-overflow", why, &far, &rays);
     let step = 1.0 / 32_768.0;
     let subnormal = stack(0.0, 1.0 / p2_60 * 1_048_576.0 * step);
