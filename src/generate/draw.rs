@@ -75,6 +75,33 @@ impl Draw {
         Vec3::new(self.float(lo, hi), self.float(lo, hi), self.float(lo, hi))
     }
 
+    /// A double at a threshold of the format, of either sign: up to two floats from 0, from a power of two, which is often
+    /// the least normal number or 1, or from the greatest number. One in eight has random digits.
+    pub fn threshold(&mut self) -> f64 {
+        f64::from_bits(self.threshold_bits(52, 0x7ff) | (self.below(2) as u64) << 63)
+    }
+
+    /// The same in single precision.
+    pub fn threshold_in_single(&mut self) -> f32 {
+        f32::from_bits(self.threshold_bits(23, 0xff) as u32 | (self.below(2) as u32) << 31)
+    }
+
+    /// The bits of such a magnitude, where infinity has this exponent.
+    fn threshold_bits(&mut self, digits: u32, infinity: u64) -> u64 {
+        let place = match self.below(8) {
+            0 => 0,
+            1 | 2 => 1 << digits,
+            3 => (infinity << digits) - 3,
+            4 => (infinity >> 1) << digits,
+            5 => 1 << self.below(digits as usize),
+            _ => (1 + self.below(infinity as usize - 1) as u64) << digits,
+        };
+        if self.one_in(8) {
+            return place | self.0.bits() >> (64 - digits);
+        }
+        (place + self.below(5) as u64).saturating_sub(2)
+    }
+
     /// In the cube from 0 to 1.
     pub fn cube(&mut self) -> Vec3 {
         Vec3::new(self.unit(), self.unit(), self.unit())
@@ -148,6 +175,24 @@ mod tests {
         assert_eq!((exp2(-200), exp2(200)), (exp2(-149), exp2(127)));
         assert_eq!([nudge(1.0, 2), nudge(1.0, 0), nudge(1.0, -1)], [1.0 + 2.0 * exp2(-23), 1.0, 1.0 - exp2(-24)]);
         assert_eq!([nudge(0.0, 1), nudge(0.0, -2)], [exp2(-149), -exp2(-148)]);
+    }
+
+    /// The least normal number, its neighbours, and all other thresholds are drawn, and no number is infinite.
+    #[test]
+    fn thresholds_are_those_of_the_format() {
+        let mut draw = Draw::new(1);
+        let numbers: Vec<_> = (0..20_000).map(|_| (draw.threshold().abs(), draw.threshold_in_single().abs())).collect();
+        assert!(numbers.iter().all(|(double, single)| double.is_finite() && single.is_finite()));
+        let least = f64::MIN_POSITIVE;
+        for x in [0.0, 5e-324, least.next_down(), least, least.next_up(), 1.0, f64::MAX] {
+            assert!(numbers.iter().any(|(double, _)| *double == x), "{x}");
+        }
+        let least = f32::MIN_POSITIVE;
+        for x in [0.0, 1e-45, least.next_down(), least, least.next_up(), 1.0, f32::MAX] {
+            assert!(numbers.iter().any(|(_, single)| *single == x), "{x}");
+        }
+        let exponents: std::collections::BTreeSet<_> = numbers.iter().map(|(double, _)| double.to_bits() >> 52).collect();
+        assert!(exponents.len() > 1500, "{}", exponents.len());
     }
 
     #[test]

@@ -18,6 +18,8 @@ mod once;
 mod ray;
 mod region;
 pub mod slabs;
+#[cfg(test)]
+pub(crate) mod thresholds;
 mod triangle;
 pub mod truth;
 mod vector;

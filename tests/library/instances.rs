@@ -1,6 +1,7 @@
 //! Instances against an oracle that moves every triangle in rational arithmetic. `[INST-1]` to `[INST-6]`
 
 pub(crate) mod scenes;
+mod thresholds;
 
 use std::sync::Arc;
 

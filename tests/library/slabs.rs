@@ -3,6 +3,7 @@
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
+use stackless_bvh::generate::draw::Draw;
 use stackless_bvh::geom::slabs::{Directed, EnclosedSlabs, Intervals, Plain, Slabs, TwoSided, Wide};
 use stackless_bvh::geom::{Aabb, EnclosedRay, Interval, Ray, Region, truth};
 use stackless_check::check_slabs;
@@ -10,7 +11,8 @@ use stackless_check::check_slabs;
 /// Few values, so that planes, origins and each other often coincide, and some extreme ones.
 fn coordinate() -> impl Strategy<Value = f32> {
     let few = [0.0, -0.0, 1.0, -1.0, 2.0, 0.1, -3.0, 1e-20, 1e30, -1e38, f32::MAX, 1e-42, -1e-42, 1e-45];
-    prop_oneof![3 => prop::sample::select(few.to_vec()), 1 => -4.0..4.0f32]
+    let threshold = any::<u64>().prop_map(|seed| Draw::new(seed).threshold_in_single());
+    prop_oneof![6 => prop::sample::select(few.to_vec()), 2 => -4.0..4.0f32, 1 => threshold]
 }
 
 fn point() -> impl Strategy<Value = Vec3> {

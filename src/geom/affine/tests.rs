@@ -4,16 +4,17 @@ use proptest::prelude::*;
 use super::*;
 use crate::geom::Ray;
 use crate::geom::frame::power_of_two;
+use crate::geom::thresholds::{exact, holds, threshold, threshold_in_single};
 use crate::geom::truth::{Place, Point, round_f64};
 
 pub(super) fn number() -> impl Strategy<Value = f32> {
     let few = [0.0, -0.0, 1.0, -1.0, 2.0, 0.1, -3.0, 1e-20, 1e10, -1e30, 1e-42, 1e-45, -1e-45];
-    prop_oneof![3 => prop::sample::select(few.to_vec()), 3 => -4.0..4.0f32]
+    prop_oneof![3 => prop::sample::select(few.to_vec()), 3 => -4.0..4.0f32, 2 => threshold_in_single()]
 }
 
 pub(super) fn double() -> impl Strategy<Value = f64> {
     let few = [0.0, 1.0, -1.0, 0.1, 6.4e6, 1e-50, -1e50, 1e-200, -1e150, 5e-324, -1e-310, 1e300];
-    prop_oneof![prop::sample::select(few.to_vec()), -4.0..4.0f64]
+    prop_oneof![prop::sample::select(few.to_vec()), -4.0..4.0f64, threshold()]
 }
 
 /// Of few bits: what is made of them by a few sums and products is a float.
@@ -28,10 +29,6 @@ fn vector<S: Strategy<Value = f32>>(number: fn() -> S) -> impl Strategy<Value = 
 fn affine<S: Strategy<Value = f32>>(number: fn() -> S) -> impl Strategy<Value = AffineMap> {
     let row = move || [number(), number(), number(), number()];
     [row(), row(), row()].prop_filter_map("singular", |rows| AffineMap::new(rows).ok())
-}
-
-pub(super) fn exact(x: impl Into<f64>) -> RBig {
-    RBig::try_from(x.into()).expect("a finite number")
 }
 
 fn exact_vector(v: Vec3) -> [RBig; 3] {
@@ -56,12 +53,6 @@ pub(super) fn solution<R: Real>(affine: &AffineMap<R>, w: &[RBig; 3]) -> [RBig; 
         }
         determinant(&with) / determinant(&a)
     })
-}
-
-pub(super) fn holds(interval: Interval, x: &RBig) -> bool {
-    let [lo, hi] = interval.ends();
-    let is_above = RBig::try_from(lo).map_or(lo == f64::NEG_INFINITY, |lo| lo <= *x);
-    is_above && RBig::try_from(hi).map_or(hi == f64::INFINITY, |hi| *x <= hi)
 }
 
 proptest! {

@@ -1,10 +1,8 @@
 use super::*;
+use crate::generate::draw::Draw;
 use crate::generate::{Rng, Source};
+use crate::geom::thresholds::{self, exact, vectors};
 use crate::geom::truth::RBig;
-
-fn exact(x: f64) -> RBig {
-    RBig::try_from(x).expect("finite")
-}
 
 fn holds(x: Fine, number: &RBig) -> bool {
     let middle = exact(x.high) + exact(x.low);
@@ -114,4 +112,52 @@ fn a_product_that_underflows_is_not_exact() {
         let product = Fine::exact(x * power_of_two(exponent)) * Fine::exact(x * power_of_two(exponent));
         assert_eq!(product.is_exact(), is_exact, "{exponent}");
     }
+}
+
+/// Numbers at thresholds, up to 2^200: what has no radius is the result, and all else is held. [NEAR-5]
+#[test]
+fn thresholds_are_held() {
+    let (mut draw, mut exactly) = (Draw::new(4), [0; 2]);
+    for _ in 0..50_000 {
+        let [DVec3 { x, y, z }] = vectors(&mut draw, power_of_two(200), Draw::threshold);
+        let ([a, b, c], [x, y, z]) = ([x, y, z].map(Fine::exact), [x, y, z].map(exact));
+        let (sum, product) = ((&x + &y, a + b), (&x * &y, a * b));
+        let (part, whole) = ((&product.0 + &z, product.1 + c), (&sum.0 * &z - &product.0, sum.1 * c - product.1));
+        for (number, found) in [&sum, &product, &part, &whole, &(&part.0 * &z, part.1 * c)] {
+            assert!(holds(*found, number), "{a:?} {b:?} {c:?}: {found:?}");
+            assert!(thresholds::holds(found.interval(), number), "{a:?} {b:?} {c:?}: {found:?}");
+            assert!(found.sign().is_none_or(|sign| exact(sign).sign() == number.sign()), "{a:?} {b:?} {c:?}: {found:?}");
+            let [[lo, below], [hi, above]] = found.bounds();
+            assert!(exact(lo) + exact(below) <= *number && *number <= exact(hi) + exact(above), "{a:?} {b:?} {c:?}: {found:?}");
+            exactly[usize::from(found.is_exact())] += 1;
+        }
+        if let Some(found) = part.1.over(whole.1) {
+            assert!(holds(found, &(&part.0 / &whole.0)), "{a:?} {b:?} {c:?}: {found:?}");
+        }
+        if let Some(found) = part.1.root() {
+            let [least, most] = found.bounds().map(|[end, rest]| exact(end) + exact(rest));
+            assert!(&least * &least <= part.0 && part.0 <= &most * &most, "{a:?} {b:?} {c:?}: {found:?}");
+        }
+        assert!(holds(a.hull(b), &x) && holds(a.hull(b), &y), "{a:?} {b:?}");
+    }
+    assert!(exactly.into_iter().all(|seen| seen > 50_000), "{exactly:?}");
+}
+
+/// What is left of a way is that way less those parts of the direction, whatever is rounded. [EXACT-12]
+#[test]
+fn ways_at_thresholds_are_shortened_by_what_is_told() {
+    let (mut draw, mut seen) = (Draw::new(5), 0);
+    for _ in 0..20_000 {
+        let [way, d] = vectors(&mut draw, power_of_two(200), Draw::threshold);
+        let (left, parts) = shortened(way.to_array().map(Fine::exact), d);
+        if left.iter().any(|x| !(x.high.is_finite() && x.radius.is_finite())) {
+            continue;
+        }
+        seen += 1;
+        for k in 0..3 {
+            let expected = parts.iter().fold(exact(way[k]), |way, part| way - exact(*part) * exact(d[k]));
+            assert!(holds(left[k], &expected), "{way} {d}: {left:?} {parts:?}");
+        }
+    }
+    assert!(seen > 5000, "{seen}");
 }

@@ -2,6 +2,8 @@ use glam::DVec3;
 use proptest::prelude::*;
 
 use super::*;
+use crate::generate::draw::Draw;
+use crate::geom::thresholds::{exact, exponent, holds};
 
 fn far_and_small() -> impl Strategy<Value = [DVec3; 3]> {
     let scale = prop::sample::select(vec![1.0, 1e-3, 1e-30, 1e-50, 1e-300, 5e-324, 1e30, 1e50, 1e300]);
@@ -80,4 +82,27 @@ fn exponents() {
         assert_eq!(exponent_of(x), exponent, "{x}");
     }
     assert_eq!([f64::MAX, f64::MIN_POSITIVE, 1e-310].map(exponent_of), [1023, -1022, -1030]);
+}
+
+/// Points, boxes and rays at thresholds, in frames at thresholds. [FRAME-1] [INST-3]
+#[test]
+fn thresholds_are_held_in_frames() {
+    let (mut draw, mut exactly) = (Draw::new(1), 0);
+    for _ in 0..50_000 {
+        let [x, y, c] = [draw.threshold(), draw.threshold(), if draw.one_in(2) { 0.0 } else { draw.threshold() }];
+        let frame = Frame::new(DVec3::splat(c), exponent(&mut draw, x)).expect("a frame");
+        let unit = exact(power_of_two(-frame.exponent()));
+        let [inside, along] = [(exact(x) - exact(c)) * &unit, exact(y) * &unit];
+        let ray = frame.ray(&EnclosedRay { origin: [Interval::exact(x); 3], direction: [Interval::exact(y); 3] });
+        assert!(holds(ray.origin[0], &inside) && holds(ray.direction[0], &along), "{x:e} {y:e} {frame:?}");
+        assert_eq!(frame.coordinate(0, x), ray.origin[0]);
+        exactly += usize::from(ray.origin[0].is_exact() && ray.direction[0].is_exact());
+        let aabb = frame.enter(&[Interval::exact(x); 3]);
+        let ends = Interval::between([aabb.lo.x, aabb.hi.x].map(f64::from));
+        assert!(holds(ends, &inside), "{x:e} {frame:?}");
+        let plane = draw.threshold_in_single();
+        let [left, ..] = frame.leave(&Aabb { lo: Vec3::splat(plane), hi: Vec3::splat(plane) });
+        assert!(holds(left, &(exact(plane) / &unit + exact(c))), "{plane:e} {frame:?}");
+    }
+    assert!(exactly > 5000, "{exactly}");
 }

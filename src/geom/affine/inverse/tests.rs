@@ -2,12 +2,14 @@ use glam::DVec3;
 use proptest::prelude::*;
 
 use super::*;
-use crate::geom::affine::tests::{double, exact, holds, number, solution};
+use crate::generate::draw::Draw;
+use crate::geom::affine::tests::{double, number, solution};
+use crate::geom::thresholds::{exact, exponent, holds, sorted};
 use crate::geom::{AffineMap, Ray};
 
 /// From one number to another.
 fn interval(end: impl Strategy<Value = f64> + Clone) -> impl Strategy<Value = Interval> {
-    let from = |x: f64, y: f64| Interval::between(if x <= y { [x, y] } else { [y, x] });
+    let from = |x: f64, y: f64| sorted([x, y]);
     let near = (end.clone(), 0..3).prop_map(move |(x, steps)| from(x, (0..steps).fold(x, |x, _| x.next_up())));
     prop_oneof![near, (end.clone(), end).prop_map(move |(x, y)| from(x, y))]
 }
@@ -162,4 +164,34 @@ fn sheared_rays_may_stay_exact() {
     let EnclosedRay { origin, direction } = map.pull_back(&EnclosedRay::exact(&ray));
     assert_eq!(origin, [1.5 - 5.0 - 7.5, 2.5, -1.0 - 17.5].map(Interval::exact));
     assert_eq!(direction, [0.25, 0.25, 1.25].map(Interval::exact));
+}
+
+/// Rays that are known exactly, through two maps that turn and scale by powers of two, to where numbers become subnormal:
+/// they stay exact only where they are. [INST-3]
+#[test]
+fn turned_rays_are_held_at_thresholds() {
+    let (mut draw, mut seen) = (Draw::new(1), [0; 2]);
+    for _ in 0..20_000 {
+        let numbers = [(); 6].map(|()| draw.threshold());
+        let exact_ray = |v: &[f64]| [0, 1, 2].map(|k| Interval::exact(v[k]));
+        let mut bounds = EnclosedRay { origin: exact_ray(&numbers[..3]), direction: exact_ray(&numbers[3..]) };
+        let [mut o, mut d] = [&numbers[..3], &numbers[3..]].map(|v| [0, 1, 2].map(|k| exact(v[k])));
+        for _ in 0..2 {
+            let (first, mut rows) = (draw.below(3), [[0.0; 4]; 3]);
+            for (axis, row) in rows.iter_mut().enumerate() {
+                row[(first + axis) % 3] = f64::from(draw.sign()) * power_of_two(exponent(&mut draw, numbers[axis]));
+                row[3] = if draw.one_in(2) { draw.threshold() } else { 0.0 };
+            }
+            let map = AffineMap::new(rows).unwrap();
+            assert!(matches!(map.inverse, Inverse::Turned(_)));
+            o = solution(&map, &[0, 1, 2].map(|k| &o[k] - exact(rows[k][3])));
+            d = solution(&map, &d);
+            bounds = map.pull_back(&bounds);
+        }
+        for (found, expected) in bounds.origin.iter().chain(&bounds.direction).zip(o.iter().chain(&d)) {
+            assert!(holds(*found, expected), "{found:?} {numbers:?}");
+            seen[usize::from(found.is_exact())] += 1;
+        }
+    }
+    assert!(seen.into_iter().all(|seen| seen > 20_000), "{seen:?}");
 }

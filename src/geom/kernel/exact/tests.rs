@@ -1,5 +1,8 @@
 use super::*;
-use crate::geom::Aabb;
+use crate::generate::draw::Draw;
+use crate::geom::thresholds::{holds, vectors};
+use crate::geom::truth::{Meeting, Number as _, meet};
+use crate::geom::{Aabb, EnclosedRay, ExactPoint, Real};
 
 #[test]
 fn the_stage_is_the_one_that_decides() {
@@ -80,4 +83,50 @@ fn of_shapes_that_differ_each_is_asked() {
         }
     }
     assert_eq!(answers, [true, false, true, true].repeat(2));
+}
+
+/// Triangles and rays of numbers at thresholds: all stages, also of rays that are known exactly, say what rational
+/// arithmetic does. [EXACT-8] [INST-5]
+fn thresholds_are_decided<V: Vector, K: Kernel<Vector = V, Shape = Triangle<V>>>(number: fn(&mut Draw) -> f64) {
+    let (mut draw, mut hits) = (Draw::new(1), 0);
+    for _ in 0..60_000 {
+        let [a, b, c, o, d] = vectors(&mut draw, f64::MAX, number);
+        // Half of the lines are at a corner, at an edge or at the inside, as nearly as numbers have it.
+        let targets = [a, a * 0.5 + b * 0.5, a * 0.5 + b * 0.25 + c * 0.25];
+        let d = if draw.one_in(2) { targets[draw.below(3)] - o } else { d };
+        let [a, b, c, o, d] = [a, b, c, o, d].map(|v| V::from_components(v.to_array().map(V::Real::rounded)));
+        let (triangle, Ok(ray)) = (Triangle([a, b, c]), Ray::new(o, d)) else { continue };
+        let frame = V::frame(triangle.0);
+        let region = Region::within(frame, &frame.aabb(&triangle));
+        let interval = [ray.tmin(), ray.tmax()];
+        let expected = meet(triangle.0.map(V::components), o.components(), d.components()).within(interval);
+        let t = expected.as_ref().map(|hit| V::Real::nearest(&hit.t));
+        let (kernel, test) = (K::new(&ray, &region), EnclosedTest::new(&EnclosedRay::exact(&ray), interval, &region));
+        assert_eq!(kernel.distance(&triangle, V::Real::INFINITY), t, "{ray:?} {triangle:?}");
+        assert_eq!(kernel.blocks(&triangle), t.is_some(), "{ray:?} {triangle:?}");
+        let found = test.distance(&triangle, V::Real::INFINITY);
+        let certain = t.map_or(Certainty::Miss, Certainty::Hit);
+        assert!(found == Certainty::Open || found == certain, "{found:?} {ray:?} {triangle:?}");
+        if test.settle(&triangle) != Certainty::Open {
+            assert_eq!(test.settle(&triangle), certain, "{ray:?} {triangle:?}");
+        }
+        let Some(hit) = expected else { continue };
+        hits += 1;
+        let weights = [&hit.u, &hit.v].map(V::Real::nearest);
+        assert_eq!(kernel.weights(&triangle), weights, "{ray:?} {triangle:?}");
+        assert!(test.weights(&triangle).is_none_or(|found| found == weights), "{ray:?} {triangle:?}");
+        let point = ExactPoint::met(&ray, &triangle).expect("a hit");
+        assert!(point.bounds().into_iter().zip(point.rational().iter()).all(|(bounds, x)| holds(bounds, x)), "{ray:?} {triangle:?}");
+    }
+    assert!(hits > 1000, "{hits}");
+}
+
+#[test]
+fn thresholds_are_decided_in_single() {
+    thresholds_are_decided::<Vec3, Exact>(|draw| draw.threshold_in_single().into());
+}
+
+#[test]
+fn thresholds_are_decided_in_double() {
+    thresholds_are_decided::<DVec3, Exact64>(Draw::threshold);
 }

@@ -2,6 +2,7 @@ use glam::Vec3;
 use proptest::prelude::*;
 
 use super::*;
+use crate::geom::thresholds::threshold;
 use crate::geom::truth::{self, entry as true_entry};
 use crate::geom::{Aabb, Frame};
 
@@ -26,7 +27,7 @@ fn frame() -> impl Strategy<Value = Frame> {
 /// A direction with components of any size, or toward a point.
 fn component() -> impl Strategy<Value = f64> {
     let few = vec![0.0, -0.0, 1.0, -1.0, 1e-130, -1e-130, 5e-324, -5e-324, 1e-40, -1e-45, 1e300, -1e20, 3.0];
-    prop_oneof![prop::sample::select(few), -2.0..2.0f64]
+    prop_oneof![prop::sample::select(few), -2.0..2.0f64, threshold()]
 }
 
 #[derive(Clone, Debug)]

@@ -2,7 +2,9 @@ use glam::Vec3;
 use proptest::prelude::*;
 
 use super::*;
+use crate::generate::draw::Draw;
 use crate::geom::Aabb;
+use crate::geom::thresholds::{exact, vectors};
 use crate::geom::truth::RBig;
 
 /// Half of the distance from 1 to the next double.
@@ -179,4 +181,32 @@ proptest! {
         };
         prop_assert_eq!(super::unit([DVec3::from(x), DVec3::from(y)]), expected);
     }
+}
+
+/// Where nothing is said to be rounded, nothing is: of floats at thresholds. [EXACT-11]
+#[test]
+fn determinants_that_are_exact_are_the_true_ones() {
+    let (mut draw, mut seen) = (Draw::new(1), [0; 2]);
+    for _ in 0..100_000 {
+        let [a, b, c, o, d] = vectors(&mut draw, f64::MAX, |draw| draw.threshold_in_single().into());
+        let found = Determinants::of(&[a, b, c], o, d);
+        let [e1, e2, s, d_exact] = [[b, a], [c, a], [o, a], [d, DVec3::ZERO]].map(|[to, from]| [0, 1, 2].map(|k| exact(to[k]) - exact(from[k])));
+        let triple = |x: &[RBig; 3], y: &[RBig; 3], z: &[RBig; 3]| {
+            let term = |i: usize, j: usize, k: usize| &x[i] * (&y[j] * &z[k] - &y[k] * &z[j]);
+            term(0, 1, 2) + term(1, 2, 0) + term(2, 0, 1)
+        };
+        let det = triple(&e1, &d_exact, &e2);
+        if Determinants::has_exact_det(&[a, b, c], d) {
+            assert_eq!(exact(found.det), det, "{a} {b} {c} {d}");
+            seen[0] += 1;
+        }
+        if Determinants::are_exact(&[a, b, c], o, d) {
+            let (u, v) = (triple(&s, &d_exact, &e2), triple(&d_exact, &s, &e1));
+            let w = &det - &u - &v;
+            let numbers = [found.det, found.edges[0], found.edges[1], found.edges[2], found.t].map(exact);
+            assert_eq!(numbers, [det, u, v, w, triple(&e2, &s, &e1)], "{a} {b} {c} {o} {d}");
+            seen[1] += 1;
+        }
+    }
+    assert!(seen.into_iter().all(|seen| seen > 1000), "{seen:?}");
 }

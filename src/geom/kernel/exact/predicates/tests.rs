@@ -1,5 +1,8 @@
 use super::*;
 use crate::generate::Rng;
+use crate::generate::draw::Draw;
+use crate::geom::thresholds::{exact, vectors};
+use crate::geom::truth::RBig;
 
 /// As seen along each axis.
 fn turned(corners: [DVec3; 3]) -> [[DVec3; 3]; 3] {
@@ -58,4 +61,23 @@ fn lines_along_a_triangle_are_parallel_without_exact_sums() {
             assert!(is_parallel(&[a, b, c], along) && !is_parallel(&[a, b, c], across), "{a} {b} {c}");
         }
     }
+}
+
+/// Areas and volumes of numbers at thresholds have the signs of rational arithmetic. [EXACT-8]
+#[test]
+fn signs_are_true_at_thresholds() {
+    let (mut draw, mut flat, mut zero) = (Draw::new(1), 0, 0);
+    for round in 0..60_000 {
+        let most = if round % 2 == 0 { f64::MAX } else { power_of_two(199) };
+        let [a, b, c, d] = vectors(&mut draw, most, Draw::threshold);
+        let [x, y, way] = [[a, b], [a, c], [DVec3::ZERO, d]].map(|[from, to]| [0, 1, 2].map(|k| exact(to[k]) - exact(from[k])));
+        let cross = [[1, 2], [2, 0], [0, 1]].map(|[i, j]| &x[i] * &y[j] - &x[j] * &y[i]);
+        let is_flat = cross.iter().all(RBig::is_zero);
+        assert_eq!(is_degenerate(&[a, b, c]), is_flat, "{a} {b} {c}");
+        let volume = (0..3).map(|k| &way[k] * &cross[k]).fold(RBig::ZERO, |sum, x| sum + x);
+        let expected = volume.cmp(&RBig::ZERO);
+        assert_eq!(sign(d, [a, b], [a, c], most < f64::MAX), expected, "{a} {b} {c} {d}");
+        (flat, zero) = (flat + u32::from(is_flat), zero + u32::from(expected.is_eq()));
+    }
+    assert!(flat > 1000 && (5000..50_000).contains(&zero), "{flat} {zero}");
 }
