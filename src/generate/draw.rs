@@ -191,7 +191,8 @@ mod tests {
         for x in [0.0, 1e-45, least.next_down(), least, least.next_up(), 1.0, f32::MAX] {
             assert!(numbers.iter().any(|(_, single)| *single == x), "{x}");
         }
-        let exponents: std::collections::BTreeSet<_> = numbers.iter().map(|(double, _)| double.to_bits() >> 52).collect();
+        let exponents: std::collections::BTreeSet<_> =
+            numbers.iter().map(|(double, _)| double.to_bits() >> 52).collect();
         assert!(exponents.len() > 1500, "{}", exponents.len());
     }
 

@@ -87,16 +87,16 @@ impl Interval {
         (DVec3::new(x, y, z), off_x.max(off_y).max(off_z))
     }
 
-    /// Times 2 to the power of an exponent from -1000 to 1000.
+    /// Times 2 to the power of an exponent from -1000 to 1000: the narrowest interval of doubles that holds all products.
+    /// `[INST-3]`
     #[inline]
     pub(super) fn scaled(self, exponent: i32) -> Self {
-        let factor = power_of_two(exponent);
+        let (factor, back) = (power_of_two(exponent), power_of_two(-exponent));
         let (lo, hi) = (self.lo * factor, self.hi * factor);
-        // Nothing else is rounded.
-        let is_rounded = |x: f64, before: f64| x.abs() < f64::MIN_POSITIVE && before != 0.0;
+        // What was not rounded comes back, and what was rounded inwards comes back too great, or too small.
         Self {
-            lo: if is_rounded(lo, self.lo) || lo == f64::INFINITY { lo.next_down() } else { lo },
-            hi: if is_rounded(hi, self.hi) || hi == f64::NEG_INFINITY { hi.next_up() } else { hi },
+            lo: if lo * back > self.lo { lo.next_down() } else { lo },
+            hi: if hi * back < self.hi { hi.next_up() } else { hi },
         }
     }
 

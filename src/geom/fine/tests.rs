@@ -126,9 +126,15 @@ fn thresholds_are_held() {
         for (number, found) in [&sum, &product, &part, &whole, &(&part.0 * &z, part.1 * c)] {
             assert!(holds(*found, number), "{a:?} {b:?} {c:?}: {found:?}");
             assert!(thresholds::holds(found.interval(), number), "{a:?} {b:?} {c:?}: {found:?}");
-            assert!(found.sign().is_none_or(|sign| exact(sign).sign() == number.sign()), "{a:?} {b:?} {c:?}: {found:?}");
+            assert!(
+                found.sign().is_none_or(|sign| exact(sign).sign() == number.sign()),
+                "{a:?} {b:?} {c:?}: {found:?}"
+            );
             let [[lo, below], [hi, above]] = found.bounds();
-            assert!(exact(lo) + exact(below) <= *number && *number <= exact(hi) + exact(above), "{a:?} {b:?} {c:?}: {found:?}");
+            assert!(
+                exact(lo) + exact(below) <= *number && *number <= exact(hi) + exact(above),
+                "{a:?} {b:?} {c:?}: {found:?}"
+            );
             exactly[usize::from(found.is_exact())] += 1;
         }
         if let Some(found) = part.1.over(whole.1) {
@@ -150,7 +156,8 @@ fn ways_at_thresholds_are_shortened_by_what_is_told() {
     for _ in 0..20_000 {
         let [way, d] = vectors(&mut draw, power_of_two(200), Draw::threshold);
         let (left, parts) = shortened(way.to_array().map(Fine::exact), d);
-        if left.iter().any(|x| !(x.high.is_finite() && x.radius.is_finite())) {
+        let is_told = left.iter().all(|x| x.high.is_finite() && x.radius.is_finite());
+        if !is_told || !parts.iter().all(|part| part.is_finite()) {
             continue;
         }
         seen += 1;

@@ -121,7 +121,9 @@ fn thresholds_are_answered_by_rational_arithmetic<V: Kind>(most: i32) {
         let (flat, scene) = (Flat::new(&shapes), Scene { name: format!("{round}"), shapes });
         let Ok((assembly, objects)) = hierarchies(&scene, Builder::Sah, 1).assembly(&scene.shapes) else { continue };
         let tracer = InstanceTracer::new(&assembly, objects[levels], Method::default()).expect("any tree");
-        let Some([a, b, c]) = flat.corners().next().copied().map(|corners| corners.map(Vector::widen)) else { continue };
+        let Some([a, b, c]) = flat.corners().next().copied().map(|corners| corners.map(Vector::widen)) else {
+            continue;
+        };
         let mut cases = rays(&flat, &mut rng, 4);
         for _ in 0..12 {
             let [u, v] = one_of([[0.0, 0.0], [0.5, 0.0], [0.25, 0.5], [0.25, 0.25]], &mut draw);
@@ -135,7 +137,8 @@ fn thresholds_are_answered_by_rational_arithmetic<V: Kind>(most: i32) {
             asked += 1;
             let hit = flat.closest(ray);
             hits += usize::from(hit.is_some());
-            check_answer(&tracer, &hit, ray).unwrap_or_else(|fault| panic!("{round}: {maps:?} {corners:?} {ray:?}: {fault}"));
+            check_answer(&tracer, &hit, ray)
+                .unwrap_or_else(|fault| panic!("{round}: {maps:?} {corners:?} {ray:?}: {fault}"));
         }
     }
     assert!(asked > 20_000 && hits > asked / 20, "{hits} of {asked}");

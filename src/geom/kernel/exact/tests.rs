@@ -1,7 +1,7 @@
 use super::*;
 use crate::generate::draw::Draw;
 use crate::geom::thresholds::{holds, vectors};
-use crate::geom::truth::{Meeting, Number as _, meet};
+use crate::geom::truth::{Number as _, meet};
 use crate::geom::{Aabb, EnclosedRay, ExactPoint, Real};
 
 #[test]
@@ -116,7 +116,10 @@ fn thresholds_are_decided<V: Vector, K: Kernel<Vector = V, Shape = Triangle<V>>>
         assert_eq!(kernel.weights(&triangle), weights, "{ray:?} {triangle:?}");
         assert!(test.weights(&triangle).is_none_or(|found| found == weights), "{ray:?} {triangle:?}");
         let point = ExactPoint::met(&ray, &triangle).expect("a hit");
-        assert!(point.bounds().into_iter().zip(point.rational().iter()).all(|(bounds, x)| holds(bounds, x)), "{ray:?} {triangle:?}");
+        assert!(
+            point.bounds().into_iter().zip(point.rational().iter()).all(|(bounds, x)| holds(bounds, x)),
+            "{ray:?} {triangle:?}"
+        );
     }
     assert!(hits > 1000, "{hits}");
 }

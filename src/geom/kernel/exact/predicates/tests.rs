@@ -70,7 +70,8 @@ fn signs_are_true_at_thresholds() {
     for round in 0..60_000 {
         let most = if round % 2 == 0 { f64::MAX } else { power_of_two(199) };
         let [a, b, c, d] = vectors(&mut draw, most, Draw::threshold);
-        let [x, y, way] = [[a, b], [a, c], [DVec3::ZERO, d]].map(|[from, to]| [0, 1, 2].map(|k| exact(to[k]) - exact(from[k])));
+        let [x, y, way] =
+            [[a, b], [a, c], [DVec3::ZERO, d]].map(|[from, to]| [0, 1, 2].map(|k| exact(to[k]) - exact(from[k])));
         let cross = [[1, 2], [2, 0], [0, 1]].map(|[i, j]| &x[i] * &y[j] - &x[j] * &y[i]);
         let is_flat = cross.iter().all(RBig::is_zero);
         assert_eq!(is_degenerate(&[a, b, c]), is_flat, "{a} {b} {c}");
