@@ -25,6 +25,7 @@ pub(crate) fn of_mesh(error: MeshError) -> PyErr {
         }
         // Indices were checked where they were read.
         MeshError::Index { .. } | MeshError::TooMany { .. } => error.to_string(),
+        MeshError::Environment(_) => return failed(error),
     })
 }
 

@@ -212,7 +212,10 @@ fn in_parallel<A: Send>(rays: &[Ray], answer: impl Fn(&Ray) -> A + Sync) -> Answ
 }
 
 fn of_affine(error: AffineError, i: usize) -> PyErr {
-    refused(format!("transforms[{i}]: {error}"))
+    match error {
+        AffineError::Environment(_) => failed(error),
+        _ => refused(format!("transforms[{i}]: {error}")),
+    }
 }
 
 fn of_assembly(error: AssemblyError) -> PyErr {

@@ -8,7 +8,7 @@ use inverse::Inverse;
 
 use super::fine::Fine;
 use super::truth::{Meeting, RBig, meet_integers};
-use super::{Aabb, EnclosedRay, Frame, Interval, Real, Vector};
+use super::{Aabb, EnclosedRay, EnvironmentError, Frame, Interval, Real, Vector, check_environment};
 
 /// An invertible affine map x -> A x + b, from an object's space to the space that it is placed in; in single
 /// precision, or with `f64` in double.
@@ -19,8 +19,6 @@ use super::{Aabb, EnclosedRay, Frame, Interval, Real, Vector};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AffineMap<R: Real = f32> {
     rows: [[R; 4]; 3],
-    /// All of them are multiples of 2 to the power of minus this.
-    unit: usize,
     /// Of A.
     inverse: Inverse,
 }
@@ -41,6 +39,9 @@ pub enum AffineError {
     /// The determinant of A is 0, exactly: objects would become flat.
     #[error("the determinant is 0, so the map has no inverse")]
     Singular,
+    /// This thread's floats are not those of IEEE 754. `[ENV-1]`
+    #[error(transparent)]
+    Environment(#[from] EnvironmentError),
 }
 
 impl<R: Real> AffineMap<R> {
@@ -51,7 +52,6 @@ impl<R: Real> AffineMap<R> {
             [R::ZERO, R::ONE, R::ZERO, R::ZERO],
             [R::ZERO, R::ZERO, R::ONE, R::ZERO],
         ],
-        unit: 0,
         inverse: Inverse::IDENTITY,
     };
 
@@ -71,6 +71,7 @@ impl<R: Real> AffineMap<R> {
     /// assert_eq!(flat, Err(AffineError::Singular));
     /// ```
     pub fn new(rows: [[R; 4]; 3]) -> Result<Self, AffineError> {
+        check_environment()?;
         for (row, numbers) in rows.iter().enumerate() {
             for (column, &x) in numbers.iter().enumerate() {
                 let value: f64 = x.into();
@@ -80,24 +81,18 @@ impl<R: Real> AffineMap<R> {
             }
         }
         let unit = unit_of(rows.as_flattened());
-        let a = rows.map(|[x, y, z, _]| [x, y, z].map(|x| multiple(x, unit)));
-        // Entry (i, j) of the adjugate.
-        let adjugate = |i: usize, j: usize| {
-            let ([p, q], [r, s]) = ([(j + 1) % 3, (j + 2) % 3], [(i + 1) % 3, (i + 2) % 3]);
-            &a[p][r] * &a[q][s] - &a[p][s] * &a[q][r]
-        };
-        let determinant = (0..3).map(|i| &a[0][i] * adjugate(i, 0)).fold(IBig::ZERO, |sum, x| sum + x);
+        let (adjugate, determinant) = adjugate(&rows.map(|row| row.map(|x| multiple(x, unit))));
         if determinant.is_zero() {
             return Err(AffineError::Singular);
         }
-        let entry = |i: usize, j: usize| RBig::from_parts_signed(adjugate(i, j) << unit, determinant.clone());
-        Ok(Self { rows, unit, inverse: Inverse::new(&[0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j)))) })
+        let entry = |x: IBig| RBig::from_parts_signed(x << unit, determinant.clone());
+        Ok(Self { rows, inverse: Inverse::new(&adjugate.map(|row| row.map(entry))) })
     }
 
     /// The map that adds a vector.
     ///
     /// # Errors
-    /// [`AffineError::NotFinite`].
+    /// [`AffineError::NotFinite`] and [`AffineError::Environment`].
     pub fn translation(by: impl Vector<Real = R>) -> Result<Self, AffineError> {
         let mut rows = Self::IDENTITY.rows;
         for (row, by) in rows.iter_mut().zip(by.components()) {
@@ -130,6 +125,28 @@ impl<R: Real> AffineMap<R> {
     pub fn pull_back(&self, ray: &EnclosedRay) -> EnclosedRay {
         self.inverse.pull_back(ray, self.rows.map(|row| row[3].into()))
     }
+
+    /// A line in the object's space, as integers over a common number, from such ones. `[INST-7]`
+    pub(super) fn pull_back_exactly(&self, ([o, d], over): ([[IBig; 3]; 2], IBig)) -> ([[IBig; 3]; 2], IBig) {
+        let unit = unit_of(self.rows.as_flattened());
+        let rows = self.rows.map(|row| row.map(|x| multiple(x, unit)));
+        let (adjugate, determinant) = adjugate(&rows);
+        let way = [0, 1, 2].map(|k| (&o[k] << unit) - &rows[k][3] * &over);
+        let by = |v: &[IBig; 3]| adjugate.each_ref().map(|[x, y, z]| x * &v[0] + y * &v[1] + z * &v[2]);
+        ([by(&way), by(&d.map(|x| x << unit))], over * determinant)
+    }
+}
+
+/// The adjugate of A, and its determinant.
+fn adjugate(a: &[[IBig; 4]; 3]) -> ([[IBig; 3]; 3], IBig) {
+    let adjugate = [0, 1, 2].map(|i| {
+        [0, 1, 2].map(|j| {
+            let ([p, q], [r, s]) = ([(j + 1) % 3, (j + 2) % 3], [(i + 1) % 3, (i + 2) % 3]);
+            &a[p][r] * &a[q][s] - &a[p][s] * &a[q][r]
+        })
+    });
+    let determinant = (0..3).map(|i| &a[0][i] * &adjugate[i][0]).fold(IBig::ZERO, |sum, x| sum + x);
+    (adjugate, determinant)
 }
 
 /// The products of a number and those of an interval. What is exact at an end stays so: a product of two floats of
@@ -176,10 +193,12 @@ pub(super) fn images<'a, V: Vector>(
     let mut unit = unit_of(corners.as_flattened());
     let mut corners = corners.map(|corner| corner.map(|x| multiple(x, unit)));
     for map in maps {
-        let rows = map.rows.map(|row| row.map(|x| multiple(x, map.unit)));
+        // By the thread that asks, so that no number has digits below its own unit. `[ENV-1]`
+        let own = unit_of(map.rows.as_flattened());
+        let rows = map.rows.map(|row| row.map(|x| multiple(x, own)));
         corners = corners
             .map(|[x, y, z]| rows.each_ref().map(|[a, b, c, offset]| a * &x + b * &y + c * &z + (offset << unit)));
-        unit += map.unit;
+        unit += own;
     }
     (corners, unit)
 }

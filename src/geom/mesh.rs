@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-use super::{Frame, Vector};
+use super::{EnvironmentError, Frame, Vector, check_environment};
 
 /// Greatest number of vertices and of triangles: what [`Node`](crate::tree::Node) can address.
 pub const MAX_COUNT: usize = (1 << 31) - 1;
@@ -52,6 +52,9 @@ pub enum MeshError {
         /// Number of vertices.
         vertices: usize,
     },
+    /// This thread's floats are not those of IEEE 754. `[ENV-1]`
+    #[error(transparent)]
+    Environment(#[from] EnvironmentError),
 }
 
 impl<V: Vector> Mesh<V> {
@@ -60,6 +63,7 @@ impl<V: Vector> Mesh<V> {
     /// # Errors
     /// What [`MeshError`] lists; of several offenders the first.
     pub fn new(vertices: Vec<V>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
+        check_environment()?;
         check_counts(vertices.len(), triangles.len())?;
         if let Some(vertex) = vertices.iter().position(|v| !v.is_finite()) {
             return Err(MeshError::NonFinite { vertex, position: vertices[vertex].widen() });

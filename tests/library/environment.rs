@@ -1,14 +1,18 @@
 //! Threads whose floats are not those of IEEE 754: this program runs itself with a library before it that sets them.
 #![cfg(all(target_arch = "x86_64", target_os = "linux", feature = "parallel"))]
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use stackless_bvh::bvh::{BuildError, Bvh, FileError, RefitError, WideBvh, WideError};
+use stackless_bvh::bvh::wide::WideOptions;
+use stackless_bvh::bvh::{BuildError, BuildOptions, Bvh, SahOptions, WideBvh, WideError};
 use stackless_bvh::generate::procedural;
-use stackless_bvh::geom::{Ball, BallError, EnvironmentError, Ray, RayError, check_environment};
+use stackless_bvh::geom::{
+    AffineMap, Ball, Ends, EnvironmentError, ExactPoint, ExactRay, Mesh, Ray, RayError, check_environment,
+};
 use stackless_bvh::glam::Vec3;
-use stackless_bvh::trace::{BinaryTracer, Tracer};
+use stackless_bvh::trace::{Assembly, BinaryTracer, Instance, Object, Tracer};
 
 /// Bits of the control register, and what is wrong then.
 const MODES: [(&str, Result<(), EnvironmentError>); 6] = [
@@ -60,38 +64,182 @@ fn expected(thread: usize) -> Result<(), EnvironmentError> {
     MODES.into_iter().find(|(mode, _)| *mode == bits).unwrap().1
 }
 
+/// Makes something on this thread.
+type Make = fn(&Well) -> Result<(), String>;
+
+/// What a thread has made that is well.
+struct Well {
+    mesh: Mesh,
+    bvh: Bvh,
+    wide: WideBvh,
+    point: ExactPoint,
+    assembly: (Assembly, Object),
+    /// As bytes.
+    stored: [Vec<u8>; 2],
+}
+
+impl Well {
+    fn new() -> Self {
+        let mesh = procedural::soup(1, 100);
+        let (bvh, wide) = (Bvh::build(&mesh).unwrap(), WideBvh::build(&mesh).unwrap());
+        let stored = [bvh.to_bytes(), wide.to_bytes()];
+        let mut assembly = Assembly::new();
+        let object = assembly.add_mesh(bvh.clone());
+        Self { mesh, bvh, wide, point: ExactPoint::new(Vec3::ONE).unwrap(), assembly: (assembly, object), stored }
+    }
+}
+
+/// Takes the message of an error; that of the environment is handed through by all.
+fn told<A, E: ToString>(made: Result<A, E>) -> Result<(), String> {
+    made.map(drop).map_err(|error| error.to_string())
+}
+
+/// What makes something out of numbers, and refuses to do that on a thread that is unfit: constructors by the file that
+/// they are in, then methods.
+const CHECKED: [(&str, Make); 23] = [
+    ("bvh/build/mod.rs: median", |well| told(Bvh::median(&well.mesh, 2))),
+    ("bvh/build/mod.rs: sah", |well| told(Bvh::sah(&well.mesh, SahOptions::default()))),
+    ("bvh/build/mod.rs: build", |well| told(Bvh::build(&well.mesh))),
+    ("bvh/bytes.rs: from_bytes", |well| told(<Bvh>::from_bytes(&well.stored[0]))),
+    ("bvh/wide/bytes.rs: from_bytes", |well| told(WideBvh::<8>::from_bytes(&well.stored[1]))),
+    ("bvh/wide/collapse.rs: build", |well| told(WideBvh::<8>::build(&well.mesh))),
+    ("bvh/wide/collapse.rs: of", |well| told(WideBvh::<8>::of(&well.bvh))),
+    ("bvh/wide/collapse.rs: with_options", |well| told(WideBvh::<8>::with_options(&well.bvh, &WideOptions::default()))),
+    ("geom/affine.rs: new", |_| told(AffineMap::<f32>::new(*AffineMap::IDENTITY.rows()))),
+    ("geom/affine.rs: translation", |_| told(AffineMap::translation(Vec3::ONE))),
+    ("geom/ball.rs: around", |_| told(Ball::around(Vec3::ZERO))),
+    ("geom/ball.rs: new", |_| told(Ball::new(Vec3::ZERO, 1.0))),
+    ("geom/exact_ray.rs: new", |_| told(ExactPoint::new(Vec3::ZERO))),
+    ("geom/mesh.rs: new", |well| told(Mesh::new(well.mesh.vertices().to_vec(), well.mesh.triangles().to_vec()))),
+    ("geom/ray.rs: new", |_| told(Ray::new(Vec3::ZERO, Vec3::X))),
+    ("geom/ray.rs: within", |_| told(Ray::within(Vec3::ZERO, Vec3::X, 0.0, 1.0))),
+    ("trace/binary.rs: of", |well| told(<BinaryTracer>::of(&well.mesh))),
+    ("trace/tracer.rs: of", |well| told(Tracer::of(&well.mesh))),
+    ("ExactPoint::toward", |well| told(well.point.toward(&well.point, Ends::Open).or_else(of_same_point))),
+    ("Assembly::add_group", |well| {
+        let (mut assembly, object) = well.assembly.clone();
+        let instances = vec![Instance { object, affine: AffineMap::IDENTITY }];
+        told(assembly.add_group(instances, &BuildOptions::default()))
+    }),
+    ("Bvh::refit", |well| told(well.bvh.clone().refit(&well.mesh))),
+    ("WideBvh::refit", |well| told(well.wide.clone().refit(&well.mesh))),
+    ("Tracer::closest_parallel", |well| told(Tracer::new(&well.wide).closest_parallel(&[]))),
+];
+
+/// That two points are the same one is found after the thread was.
+fn of_same_point(error: RayError) -> Result<ExactRay, RayError> {
+    if error == RayError::ZeroDirection { Ok(ExactRay::from(&Ray::new(Vec3::ZERO, Vec3::X)?)) } else { Err(error) }
+}
+
+/// Other constructors, and why they need no check of their own.
+const UNCHECKED: &[(&str, &[&str])] = &[
+    (
+        "prepares what it is given for queries: a ray or a ball, or a hierarchy or a mesh, all of which are checked",
+        &[
+            "geom/enclosed_ray.rs: exact",
+            "geom/exact_ray.rs: met",
+            "geom/kernel/exact/enclosed.rs: new",
+            "geom/lanes/boxes.rs: new",
+            "geom/lanes/enclosed.rs: new",
+            "geom/lanes/leaf.rs: none",
+            "geom/lanes/triangles.rs: enclosed",
+            "geom/lanes/triangles.rs: new",
+            "geom/slabs/enclosed.rs: of",
+            "trace/binary.rs: new",
+            "trace/binary.rs: planned",
+            "trace/binary.rs: with_method",
+            "trace/continuation.rs: new",
+            "trace/crossings.rs: new",
+            "trace/forms.rs: new",
+            "trace/instances.rs: new",
+            "trace/nearest.rs: new",
+            "trace/nearest/several.rs: new",
+            "trace/next.rs: new",
+            "trace/search.rs: new",
+            "trace/tracer.rs: new",
+            "trace/tracer.rs: with_method",
+            "trace/truth.rs: new",
+        ],
+    ),
+    (
+        "is arithmetic on numbers, as a sum is: a part of what the checked ones do, for callers who check for themselves",
+        &[
+            "geom/aabb.rs: of",
+            "geom/frame.rs: around",
+            "geom/lanes/point.rs: new",
+            "geom/nearest.rs: new",
+            "geom/nearest.rs: within",
+            "geom/region.rs: of",
+            "geom/region.rs: within",
+        ],
+    ),
+    (
+        "computes nothing with floats",
+        &[
+            "bvh/build/mod.rs: fine",
+            "bvh/wide/mod.rs: empty",
+            "geom/enclosed_ray.rs: new",
+            "geom/frame.rs: new",
+            "geom/interval.rs: between",
+            "geom/interval.rs: exact",
+            "trace/instances/assembly.rs: new",
+            "trace/plan/choice.rs: for_needs",
+            "trace/query.rs: over",
+        ],
+    ),
+];
+
+/// A new constructor is either checked, and then asked by `entrances_refuse`, or it is said why not. `[ENV-1]`
+#[test]
+fn all_constructors_are_known() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut found = BTreeSet::new();
+    for module in ["geom", "bvh", "trace"] {
+        collect(&source.join(module), &source, &mut found);
+    }
+    let checked = CHECKED.iter().map(|(name, _)| *name).filter(|name| name.contains(".rs: "));
+    let known: BTreeSet<_> = checked.chain(UNCHECKED.iter().flat_map(|(_, names)| *names).copied()).collect();
+    let found: BTreeSet<_> = found.iter().map(String::as_str).collect();
+    assert_eq!(found.difference(&known).collect::<Vec<_>>(), [""; 0], "not known");
+    assert_eq!(known.difference(&found).collect::<Vec<_>>(), [""; 0], "not there");
+}
+
+/// The public functions in a folder that take no `self`, and give one.
+fn collect(folder: &Path, source: &Path, found: &mut BTreeSet<String>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            collect(&path, source, found);
+            continue;
+        }
+        let file = path.strip_prefix(source).unwrap().display().to_string();
+        let text = std::fs::read_to_string(&path).unwrap();
+        for function in text.split("\n    pub ").skip(1).filter(|_| !file.ends_with("tests.rs")) {
+            let head = function.split(['{', ';']).next().unwrap_or_default();
+            let Some((_, head)) = head.split_once("fn ") else { continue };
+            let (Some((name, rest)), Some((_, result))) = (head.split_once(['(', '<']), head.rsplit_once("->")) else {
+                continue;
+            };
+            let takes_self = rest.split([',', ')']).next().is_some_and(|first| first.contains("self"));
+            let gives_self = ["Self", "Bvh<P::Shape>", "Result<Object"].iter().any(|made| result.contains(made));
+            if gives_self && !takes_self {
+                found.insert(format!("{file}: {name}"));
+            }
+        }
+    }
+}
+
 /// All that this thread makes for itself.
 #[test]
 #[ignore = "`unfit_threads_are_refused` runs it with bits set"]
 fn entrances_refuse() {
     let expected = expected(0);
     assert_eq!(check_environment(), expected);
-    let mesh = procedural::soup(1, 100);
     // Made by another thread, which is well.
-    let make = || {
-        let bvh = Bvh::build(&mesh).unwrap();
-        (WideBvh::build(&mesh).unwrap(), bvh)
-    };
-    let (mut wide, mut bvh) = std::thread::scope(|scope| scope.spawn(make).join().unwrap());
-    let (wide_bytes, bytes) = (wide.to_bytes(), bvh.to_bytes());
-    let ray = Ray::new(Vec3::ZERO, Vec3::X);
-    let tracer = Tracer::new(&wide);
-    match expected {
-        Ok(()) => {
-            let Ok(ray) = ray else { panic!("{ray:?}") };
-            assert!(tracer.closest_parallel(&[ray]).is_ok() && Bvh::build(&mesh).is_ok() && bvh.refit(&mesh).is_ok());
-        }
-        Err(error) => {
-            assert_eq!(ray, Err(RayError::Environment(error)));
-            assert_eq!(Ball::around(Vec3::ZERO), Err(BallError::Environment(error)));
-            assert_eq!(tracer.closest_parallel(&[]), Err(error));
-            assert_eq!(Bvh::build(&mesh).unwrap_err(), BuildError::Environment(error));
-            assert_eq!(WideBvh::<8>::of(&bvh).unwrap_err(), WideError::Environment(error));
-            assert_eq!(WideBvh::<8>::from_bytes(&wide_bytes).unwrap_err(), FileError::Environment(error));
-            assert_eq!(<Bvh>::from_bytes(&bytes).unwrap_err(), FileError::Environment(error));
-            assert_eq!(bvh.refit(&mesh), Err(RefitError::Environment(error)));
-            assert_eq!(wide.refit(&mesh), Err(RefitError::Environment(error)));
-        }
+    let well = std::thread::scope(|scope| scope.spawn(Well::new).join().unwrap());
+    let expected = expected.map_err(|error| error.to_string());
+    for (name, make) in CHECKED {
+        assert_eq!(make(&well), expected, "{name}");
     }
 }
 

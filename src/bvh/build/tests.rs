@@ -1,12 +1,13 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use super::*;
 use crate::bvh::tests::awkward;
 use crate::bvh::{Bounded, BvhNode, validate};
+use crate::generate::draw::Draw;
 use crate::generate::procedural;
-use crate::geom::Aabb;
+use crate::geom::{Aabb, Real, Vector};
 use crate::order::{Side, SignOrder};
 use crate::tree::Topology;
 
@@ -255,4 +256,41 @@ fn too_many_further_references_are_refused() {
     }
     // Others ignore what does not concern them.
     assert!(build(Builder::Sah, u32::MAX).is_ok());
+}
+
+/// Thin and long triangles, which are cut, in frames or not: bounds are those of the triangles, by every builder. So it
+/// depends on no builder whether an image of them fits. [INST-2]
+fn bounds_depend_on_no_builder<V: Vector>(scales: &[f64]) {
+    let mut draw = Draw::new(1);
+    for round in 0..300 {
+        let (scale, shift) =
+            (scales[draw.below(scales.len())], if draw.one_in(2) { 0.0 } else { draw.int(100).into() });
+        let vertices = (0..24).map(|_| {
+            let v = (draw.centred().as_dvec3() * DVec3::from(draw.ints(3).as_dvec3()) + shift) * scale;
+            V::from_components(v.to_array().map(V::Real::rounded))
+        });
+        let mesh =
+            Mesh::new(vertices.collect(), (0..8).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).expect("a mesh");
+        let bounds = |builder, reinsertion| {
+            let spatial = SpatialOptions { extra_percent: 1000, overlap: 0.0 };
+            let options = BuildOptions { builder, spatial, reinsertion, ..BuildOptions::fine() };
+            options.build(&mesh).expect("a tree").bounds()
+        };
+        let expected = bounds(Builder::Median, 0);
+        for builder in Builder::ALL {
+            for reinsertion in [0, 3] {
+                assert_eq!(bounds(builder, reinsertion), expected, "{round} {builder} {reinsertion} {scale:e} {shift}");
+            }
+        }
+    }
+}
+
+#[test]
+fn bounds_depend_on_no_builder_in_single() {
+    bounds_depend_on_no_builder::<Vec3>(&[1.0, 1e30, 1e36, 1e-30, 1e-42]);
+}
+
+#[test]
+fn bounds_depend_on_no_builder_in_double() {
+    bounds_depend_on_no_builder::<DVec3>(&[1.0, 0.1, 1e30, 1e300, 1e-300, 1e-320]);
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::Vec3;
 
 use crate::bvh::{BuildError, BuildOptions, Bvh, Primitives, WideBvh};
-use crate::geom::{Aabb, AffineMap, Frame, Interval, Real, Triangle, Vector};
+use crate::geom::{Aabb, AffineMap, Frame, Interval, Real, Triangle, Vector, check_environment};
 
 /// Objects that are made of other objects: hierarchies over meshes, and groups of placed objects that came before. So
 /// no object contains itself. A clone shares all hierarchies with the original.
@@ -112,6 +112,7 @@ impl<V: Vector> Assembly<V> {
         instances: Vec<Instance<V::Real>>,
         options: &BuildOptions,
     ) -> Result<Object, AssemblyError> {
+        check_environment().map_err(BuildError::Environment)?;
         let (mut images, mut below) = (Vec::with_capacity(instances.len()), 0);
         for (index, Instance { object, affine }) in instances.iter().enumerate() {
             let part = self.part(*object).ok_or(AssemblyError::UnknownObject {
@@ -219,3 +220,6 @@ impl Primitives for Boxes {
         self.boxes[index]
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,69 @@
+use glam::DVec3;
+
+use super::*;
+use crate::bvh::{Builder, SpatialOptions};
+use crate::generate::draw::{Draw, one_of};
+use crate::geom::Mesh;
+
+/// Every builder, of which the last ones cut triangles and move subtrees.
+fn all_options() -> impl Iterator<Item = BuildOptions> {
+    let spatial = SpatialOptions { extra_percent: 1000, overlap: 0.0 };
+    Builder::ALL.into_iter().flat_map(move |builder| {
+        [0, 3].map(|reinsertion| BuildOptions { builder, spatial, reinsertion, ..BuildOptions::fine() })
+    })
+}
+
+/// Meshes that are placed so that the image ends next to the greatest number: whether it fits is the same for all builders,
+/// of the mesh, of a group, and of a group of that; and for wide meshes. [INST-2]
+fn what_leaves_the_range_depends_on_no_builder<V: Vector>(most: f64, scales: &[f64]) {
+    let (mut draw, mut seen) = (Draw::new(1), [0; 2]);
+    for round in 0..1000 {
+        let scale = scales[draw.below(scales.len())];
+        let vertices: Vec<V> = (0..12)
+            .map(|_| {
+                let v = (draw.centred() * draw.ints(3) + draw.ints(2)).as_dvec3() * scale;
+                V::from_components(v.to_array().map(V::Real::rounded))
+            })
+            .collect();
+        let triangles = (0..8).map(|_| [(); 3].map(|()| draw.below(12) as u32)).collect();
+        let mesh = Mesh::new(vertices.clone(), triangles).expect("a mesh");
+        let mut map = |reach: f64| {
+            let reach = if draw.one_in(2) { reach } else { reach * f64::from(1 + draw.below(4) as u32) };
+            let entry = (0..draw.below(4)).fold(V::Real::rounded(most / reach), |entry, _| entry.next_down());
+            let turn = draw.below(3);
+            let mut rows = [[V::Real::ZERO; 4]; 3];
+            for (axis, row) in rows.iter_mut().enumerate() {
+                row[(axis + turn) % 3] = entry;
+                if draw.one_in(2) {
+                    row[(axis + turn + 1) % 3] = V::Real::rounded(entry.into() * one_of([0.5, 0.3, -0.7], &mut draw));
+                }
+            }
+            AffineMap::new(rows).ok()
+        };
+        let reach = vertices.iter().map(|v| v.widen().abs().max_element()).fold(0.0, f64::max);
+        let (Some(inner), Some(outer)) = (map(reach * 1e3), map(most / 1e3)) else { continue };
+        let mut fits = Vec::new();
+        for options in all_options() {
+            let mut assembly = Assembly::new();
+            let bvh = options.build(&mesh).expect("a tree");
+            let object = assembly.add_mesh(bvh);
+            let place = |object, affine| vec![Instance { object, affine }];
+            let group = assembly.add_group(place(object, inner), &options);
+            let nested = group.clone().and_then(|group| assembly.add_group(place(group, outer), &options));
+            fits.push([group.is_ok(), nested.is_ok()]);
+        }
+        assert!(fits.iter().all(|fits_too| *fits_too == fits[0]), "{round}: {fits:?}");
+        seen[usize::from(fits[0][1])] += 1;
+    }
+    assert!(seen.into_iter().all(|seen| seen > 50), "{seen:?}");
+}
+
+#[test]
+fn what_leaves_the_range_depends_on_no_builder_in_single() {
+    what_leaves_the_range_depends_on_no_builder::<Vec3>(f32::MAX.into(), &[1.0, 1e-3, 1e20, 1e-40]);
+}
+
+#[test]
+fn what_leaves_the_range_depends_on_no_builder_in_double() {
+    what_leaves_the_range_depends_on_no_builder::<DVec3>(f64::MAX, &[1.0, 1e-3, 1e100, 1e-310, 1e200]);
+}
