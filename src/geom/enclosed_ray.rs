@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 
-use super::{Interval, Ray, Vector};
+use super::slabs::entry;
+use super::truth::{Relaxed, touch};
+use super::{Interval, Ray, Region, Vector};
 
 /// Bounds of the origin and of the direction of a ray: what is known of it in the space of an object that is placed by
 /// maps whose inverses are no floats.
@@ -10,17 +12,35 @@ use super::{Interval, Ray, Vector};
 /// Nothing is said about how the true components depend on each other. `[INST-3]`
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnclosedRay {
-    /// Where `t` is 0.
+    /// Where `t` is [`start`](Self::start).
     pub origin: [Interval; 3],
     /// What `t` is measured in.
     pub direction: [Interval; 3],
+    /// The distance of the origin: 0, or where a ray from afar enters a region that all that follows is in. `[INST-7]`
+    pub start: Interval,
+}
+
+/// Where a ray from afar enters a region.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Approach {
+    /// Not at all.
+    Misses,
+    /// The ray from there on.
+    Enters(EnclosedRay),
+    /// Doubles do not tell.
+    Unknown,
 }
 
 impl EnclosedRay {
+    /// From an origin on, in a direction.
+    pub const fn new(origin: [Interval; 3], direction: [Interval; 3]) -> Self {
+        Self { origin, direction, start: Interval::exact(0.0) }
+    }
+
     /// Exactly this ray.
     pub fn exact<V: Vector>(ray: &Ray<V>) -> Self {
         let exact = |v: V| v.components().map(|x| Interval::exact(x.into()));
-        Self { origin: exact(ray.origin()), direction: exact(ray.direction()) }
+        Self::new(exact(ray.origin()), exact(ray.direction()))
     }
 
     /// As [`Ray::octant`], of some ray within the bounds.
@@ -28,4 +48,32 @@ impl EnclosedRay {
         let (middles, _) = Interval::middles(&self.direction);
         middles.cmplt(DVec3::ZERO).bitmask() as u8
     }
+
+    /// Whether single precision is coarser than the boxes of a region are, or bounds of the origin are.
+    #[inline]
+    pub(crate) fn is_far(&self, region: &Region) -> bool {
+        let (origin, off) = Interval::middles(&self.origin);
+        region.is_far(origin, off)
+    }
+
+    /// The ray from where it enters a region, in doubles. `[INST-7]`
+    pub(crate) fn approach(&self, region: &Region) -> Approach {
+        let Self { origin, direction, .. } = region.frame().ray(self);
+        let Some(by) = entry(region, &origin, &direction, 0.0) else { return Approach::Misses };
+        let by = Interval::exact(by);
+        let origin = [0, 1, 2].map(|k| self.origin[k] + by * self.direction[k]);
+        let moved = Self { origin, start: self.start + by, ..*self };
+        if moved.is_far(region) { Approach::Unknown } else { Approach::Enters(moved) }
+    }
+
+    /// The ray from where it enters a region, of a line that is known exactly, as numbers over a common denominator.
+    pub(super) fn of_line(line: &[[Relaxed; 3]; 2], region: &Region) -> Option<Self> {
+        let [o, d] = line;
+        let start = touch(o, d, region.sides())?;
+        let origin = [0, 1, 2].map(|k| Interval::around(&(&o[k] + &start * &d[k])));
+        Some(Self { origin, direction: d.each_ref().map(Interval::around), start: Interval::around(&start) })
+    }
 }
+
+#[cfg(test)]
+mod tests;

@@ -11,7 +11,7 @@ use glam::Vec3;
 
 use super::affine::{fine_images, images};
 use super::kernel::{Certainty, EnclosedTest, FineDeterminants};
-use super::truth::{Meeting, Point, RBig, meet_integers};
+use super::truth::{Meeting, Point, RBig, Relaxed, meet_integers};
 use super::{
     AffineMap, EnclosedRay, Interval, Ray, RayError, Real, Region, Triangle, Vector, check_environment, meet_image,
 };
@@ -219,7 +219,7 @@ impl<V: Vector> ExactRay<V> {
                 array::from_fn(|k| target[k] - origin[k])
             }
         };
-        EnclosedRay { origin, direction }
+        EnclosedRay::new(origin, direction)
     }
 
     /// Where it meets the image of a triangle under maps, the first of which is applied first, in rational arithmetic:
@@ -292,17 +292,30 @@ impl<V: Vector> ExactRay<V> {
         if let Some([origin, direction]) = self.floats() {
             return meet_image(triangle.0, maps, origin, direction);
         }
-        let ([origin, direction], (corners, unit)) = (self.line(), images(triangle.0, maps));
-        // All are multiplied by what makes them integers.
-        let over = origin.iter().chain(&direction).fold(UBig::ONE, |over, x| {
+        let (([o, d], over), (corners, unit)) = (self.whole_line(), images(triangle.0, maps));
+        let [o, d] = [o, d].map(|v| v.map(|x| x << unit));
+        let [v0, v1, v2] = corners.map(|corner| corner.map(|x| x * &over));
+        meet_integers([v0, v1, v2, o, d])
+    }
+
+    /// The ray in the space of an object under maps, the last of which is the outermost, from where it enters a region there,
+    /// in rational arithmetic. `None` if it misses the region. `[INST-7]`
+    pub(crate) fn approach(&self, maps: &[AffineMap<V::Real>], region: &Region) -> Option<EnclosedRay> {
+        let line = maps.iter().rev().fold(self.whole_line(), |line, map| map.pull_back_exactly(line));
+        let (line, over) = line;
+        let over_common = |x: IBig| Relaxed::from_parts_signed(x, over.clone());
+        EnclosedRay::of_line(&line.map(|v| v.map(over_common)), region)
+    }
+
+    /// Origin and direction, as integers over the second number.
+    fn whole_line(&self) -> ([[IBig; 3]; 2], IBig) {
+        let line = self.line();
+        let over = line.as_flattened().iter().fold(UBig::ONE, |over, x| {
             let common = (&over).gcd(x.denominator());
             over * (x.denominator() / common)
         });
-        let integer = |x: &RBig| (x.numerator() * IBig::from(&over / x.denominator())) << unit;
-        let [o, d] = [origin, direction].map(|v| v.each_ref().map(integer));
-        let over = IBig::from(over);
-        let [v0, v1, v2] = corners.map(|corner| corner.map(|x| x * &over));
-        meet_integers([v0, v1, v2, o, d])
+        let integer = |x: &RBig| x.numerator() * IBig::from(&over / x.denominator());
+        (line.each_ref().map(|v| v.each_ref().map(integer)), over.into())
     }
 
     /// The point at which it meets a triangle; known to exist.

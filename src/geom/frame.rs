@@ -108,7 +108,7 @@ impl Frame {
     /// Bounds of a ray in this frame, in which distances along it are the same.
     pub(super) fn ray(&self, ray: &EnclosedRay) -> EnclosedRay {
         let origin = [0, 1, 2].map(|axis| self.inside(axis, ray.origin[axis]));
-        EnclosedRay { origin, direction: ray.direction.map(|x| x.scaled(-self.exponent)) }
+        EnclosedRay { origin, direction: ray.direction.map(|x| x.scaled(-self.exponent)), ..*ray }
     }
 
     /// Bounds of the coordinates of a point.

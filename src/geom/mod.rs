@@ -27,6 +27,7 @@ mod vector;
 pub use aabb::Aabb;
 pub use affine::{AffineError, AffineMap, meet_image};
 pub use ball::{Ball, BallError};
+pub(crate) use enclosed_ray::Approach;
 pub use enclosed_ray::EnclosedRay;
 pub use environment::{EnvironmentError, check_environment};
 pub use exact_ray::{Ends, ExactPoint, ExactRay};

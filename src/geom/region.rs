@@ -22,10 +22,14 @@ struct Near {
     middle: Vec4,
     /// What is farther from there on some axis is far.
     far: f32,
-    /// Of shorter directions, distances to what is in the box from what is not far may overflow. Infinity in the last
-    /// lane.
+    /// Of shorter directions, distances to what is in the box from what is not far may overflow, or a component of 0 may be
+    /// taken for one that counts. Infinity in the last lane.
     short: Vec4,
 }
+
+/// A direction is short, too, if all its components are below this: slab tests in single precision take a component of 0
+/// for one of 2^-128 or 2^-126, so the others would not be so many times greater that it does not matter.
+pub(super) const SHORT: f64 = power_of_two(-102);
 
 /// A point is far if it is so many times the longest edge of the box away from its middle.
 const FAR: f64 = 8192.0;
@@ -83,6 +87,23 @@ impl Region {
         &self.frame
     }
 
+    /// Whether a point is so far away on some axis that single precision tells little of the boxes, or by so much off.
+    #[inline]
+    pub(super) fn is_far(&self, point: DVec3, off: f64) -> bool {
+        let unit = power_of_two(self.frame.exponent());
+        let middle = (self.bounds.lo.as_dvec3() + self.bounds.hi.as_dvec3()) * (0.5 * unit) + self.frame.origin();
+        let is_far = (point - middle).abs().max_element() > FAR * self.size || off > self.size / FAR;
+        // From what has no size all is far, and nothing can be done about it.
+        is_far && self.size > 0.0 && self.size < f64::INFINITY
+    }
+
+    /// The lower and the upper side of the box on each axis, out of the frame: all in it is between. Finite.
+    pub(super) fn sides(&self) -> [[f64; 3]; 2] {
+        let sides = self.frame.leave(&self.bounds).map(|x| x.ends());
+        // Nothing in the region is beyond the greatest double.
+        [sides.map(|[lo, _]| lo.max(f64::MIN)), sides.map(|[_, hi]| hi.min(f64::MAX))]
+    }
+
     /// No coordinate of the region is farther from that of this point.
     #[inline]
     pub fn distance(&self, point: DVec3) -> f64 {
@@ -99,6 +120,6 @@ fn near_of(aabb: &Aabb, size: f64) -> Near {
     let far = (FAR * size).min(f64::from(f32::MAX));
     // Coordinates are at most 2^126.
     let longest = (far + size).min(power_of_two(127));
-    let short = Vec3::splat((longest / f64::from(f32::MAX)) as f32).extend(f32::INFINITY);
+    let short = Vec3::splat(((longest / f64::from(f32::MAX)) as f32).max(SHORT as f32)).extend(f32::INFINITY);
     Near { middle: (aabb.lo * 0.5 + aabb.hi * 0.5).extend(0.0), far: far as f32, short }
 }

@@ -283,6 +283,25 @@ pub(super) fn first_touch<S: Number>(
     leave.is_none_or(|leave| enter <= leave).then_some(enter)
 }
 
+/// The least `t`, not negative, at which a line of rational numbers has a point in common with the box between `lo` and
+/// `hi`, which are finite.
+pub(super) fn touch(o: &[Relaxed; 3], d: &[Relaxed; 3], [lo, hi]: [[f64; 3]; 2]) -> Option<Relaxed> {
+    let (mut enter, mut leave) = (Relaxed::ZERO, None);
+    for k in 0..3 {
+        let [lo, hi] = [lo[k], hi[k]].map(|side| Relaxed::try_from(side).unwrap_or_default() - &o[k]);
+        if d[k].is_zero() {
+            if lo > Relaxed::ZERO || hi < Relaxed::ZERO {
+                return None;
+            }
+            continue;
+        }
+        let [near, far] = if d[k] > Relaxed::ZERO { [lo, hi] } else { [hi, lo] }.map(|way| way / &d[k]);
+        enter = enter.max(near);
+        leave = leave.into_iter().chain([far]).min();
+    }
+    leave.is_none_or(|leave| enter <= leave).then_some(enter)
+}
+
 type Vector = [IBig; 3];
 
 /// The vectors times [`scale`]. `None` if one is not finite.

@@ -26,7 +26,7 @@ use glam::Vec3;
 
 use crate::bvh::{Bvh, WideBvh};
 use crate::geom::truth::{Number, Point};
-use crate::geom::{AffineMap, EnclosedRay, ExactPoint, ExactRay, Triangle, Vector};
+use crate::geom::{AffineMap, Approach, EnclosedRay, ExactPoint, ExactRay, Region, Triangle, Vector};
 use crate::trace::level::Level;
 use crate::trace::{Ask, Plan};
 use crate::traverse::{Method, Unfit};
@@ -282,14 +282,29 @@ impl<V: Vector> InstanceTracer<V> {
 
     /// Traverses an object with a ray in its space.
     fn visit(&self, object: Object, ray: EnclosedRay, search: &mut Search<'_, V>) {
-        let triangles = |region| Triangles::new(self, &ray, region);
-        match self.stage(object) {
-            None => {}
-            Some(Stage::Mesh(bvh, level)) => walk(bvh, level, &ray, triangles(bvh.region()), search),
-            Some(Stage::Wide(bvh, level)) => level.run(bvh, &ray, triangles(bvh.region()), search),
-            Some(Stage::Group(group, level)) => {
+        let Some(stage) = self.stage(object) else { return };
+        let region = stage.region();
+        let ray = if ray.is_far(region) { self.approach(&ray, region, search) } else { Some(ray) };
+        let Some(ray) = ray else { return };
+        let triangles = Triangles::new(self, &ray, region);
+        match stage {
+            Stage::Mesh(bvh, level) => walk(bvh, level, &ray, triangles, search),
+            Stage::Wide(bvh, level) => level.run(bvh, &ray, triangles, search),
+            Stage::Group(group, level) => {
                 walk(&group.bvh, level, &ray, Instances { tracer: self, placed: &group.instances, ray }, search);
             }
+        }
+    }
+
+    /// A ray from afar, from where it enters the region of an object; `None` if it misses that. Where doubles do not tell,
+    /// the ray itself is asked. `[INST-7]`
+    #[cold]
+    #[inline(never)]
+    fn approach(&self, ray: &EnclosedRay, region: &Region, search: &Search<'_, V>) -> Option<EnclosedRay> {
+        match ray.approach(region) {
+            Approach::Misses => None,
+            Approach::Enters(ray) => Some(ray),
+            Approach::Unknown => search.ray.approach(&self.maps(&search.path), region),
         }
     }
 
@@ -321,6 +336,15 @@ enum Stage<V: Vector> {
 }
 
 impl<V: Vector> Stage<V> {
+    /// What holds all that is in the object.
+    fn region(&self) -> &Region {
+        match self {
+            Self::Mesh(bvh, _) => bvh.region(),
+            Self::Wide(bvh, _) => bvh.region(),
+            Self::Group(group, _) => group.bvh.region(),
+        }
+    }
+
     fn new(object: usize, part: &Part<V>, groups: Method, meshes: Method) -> Result<Self, InstanceError> {
         let unfit = |unfit| InstanceError::Unfit { object, unfit };
         Ok(match part {

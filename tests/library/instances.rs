@@ -1,5 +1,6 @@
 //! Instances against an oracle that moves every triangle in rational arithmetic. `[INST-1]` to `[INST-6]`
 
+mod afar;
 pub(crate) mod scenes;
 mod thresholds;
 

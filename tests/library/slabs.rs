@@ -94,7 +94,7 @@ proptest! {
             let most = if wide < 1e-3 { (x.abs() * wide).max(wide * 1e-30) } else { wide };
             if wide == 0.0 { Interval::exact(x) } else { Interval::between([x - most, x + most]) }
         }).collect();
-        let rays = EnclosedRay { origin: [bounds[0], bounds[1], bounds[2]], direction: [bounds[3], bounds[4], bounds[5]] };
+        let rays = EnclosedRay::new([bounds[0], bounds[1], bounds[2]], [bounds[3], bounds[4], bounds[5]]);
         let slabs = EnclosedSlabs::of(&rays, ray.tmin(), &Region::of(&a.union(b)));
         let Intervals { hit: hits, near: nears, .. } = slabs.pair(&planes([a, b]), ray.tmax());
         for corner in 0..65 {

@@ -15,6 +15,12 @@ pub(super) const CASES: &[Recipe] = &[
     Recipe::new("offset", "the unit cube at 1,000,000, where coordinates are 1/16 apart", offset, at),
     Recipe::new("offset-fine", "triangles about 30 ulps wide at 1,000,000", offset_fine, at),
     Recipe::new("far-origin", "rays from a million units away", uniform, from_afar),
+    Recipe::new(
+        "far-and-short",
+        "rays from up to 2^60 away, along axes and with directions down to 2^-125",
+        small,
+        short_from_afar,
+    ),
     Recipe::new("scale-1e-20", "the unit cube times 1e-20: squares underflow, f32 determinants are 0", tiny, at),
     Recipe::new("scale-1e20", "the unit cube times 1e20: squares overflow", huge, at),
     Recipe::new("graze", "rays in the plane of a triangle but for a millionth", uniform, graze),
@@ -83,6 +89,12 @@ fn from_afar(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray> {
     let (point, away) = (place(draw, target.triangle(i)), draw.direction());
     let origin = point + away * 1e6;
     whole(origin, if draw.one_in(2) { -away } else { point - origin })
+}
+
+fn short_from_afar(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray> {
+    let (point, away) = (place(draw, target.triangle(i)), draw.axis());
+    let far = point * (Vec3::ONE - away.abs()) + away * exp2(10 + draw.below(51) as i32);
+    whole(far, -away * exp2(-60 - draw.below(66) as i32))
 }
 
 fn tiny(draw: &mut Draw) -> Option<Mesh> {

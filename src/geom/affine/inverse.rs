@@ -61,7 +61,7 @@ impl Inverse {
             Self::Nearest(entries) => {
                 let origin = within(entries, ray.origin, offset);
                 match (origin, within(entries, ray.direction, [0.0; 3])) {
-                    (Some(origin), Some(direction)) => EnclosedRay { origin, direction },
+                    (Some(origin), Some(direction)) => EnclosedRay { origin, direction, ..*ray },
                     _ => by_intervals(&entries.map(|row| row.map(around_nearest)), ray, offset),
                 }
             }
@@ -121,7 +121,7 @@ fn by_intervals(rows: &[[Interval; 3]; 3], ray: &EnclosedRay, offset: [f64; 3]) 
 #[inline(always)]
 fn solve(ray: &EnclosedRay, offset: [f64; 3], by: impl Fn([Interval; 3]) -> [Interval; 3]) -> EnclosedRay {
     let ([x, y, z], [a, b, c]) = (ray.origin, offset.map(Interval::exact));
-    EnclosedRay { origin: by([x - a, y - b, z - c]), direction: by(ray.direction) }
+    EnclosedRay { origin: by([x - a, y - b, z - c]), direction: by(ray.direction), ..*ray }
 }
 
 /// The number to which a double other than 0 is the nearest; 0 is the number itself.

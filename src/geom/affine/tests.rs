@@ -196,7 +196,7 @@ fn what_needs_no_rounding_is_exact() {
     let aabb = Aabb { lo: Vec3::new(-1.0, 0.1, 2.0), hi: Vec3::new(1.0, 3.0, 2.5) };
     assert_eq!(map.image_of_box(&aabb), Aabb { lo: Vec3::new(5.2, -9.0, -0.5), hi: Vec3::new(11.0, -7.0, 0.5) });
     let ray = Ray::within(Vec3::new(5.0, 1.0, 0.0), Vec3::Y, 0.0, 1.0).expect("a ray");
-    let EnclosedRay { origin, direction } = map.pull_back(&EnclosedRay::exact(&ray));
+    let EnclosedRay { origin, direction, .. } = map.pull_back(&EnclosedRay::exact(&ray));
     assert!(origin.iter().all(Interval::is_zero));
     assert_eq!(direction.map(|x| x.is_zero()), [true, true, false], "a ray along an axis stays so");
 }

@@ -93,7 +93,7 @@ fn thresholds_are_held_in_frames() {
         let frame = Frame::new(DVec3::splat(c), exponent(&mut draw, x)).expect("a frame");
         let unit = exact(power_of_two(-frame.exponent()));
         let [inside, along] = [(exact(x) - exact(c)) * &unit, exact(y) * &unit];
-        let ray = frame.ray(&EnclosedRay { origin: [Interval::exact(x); 3], direction: [Interval::exact(y); 3] });
+        let ray = frame.ray(&EnclosedRay::new([Interval::exact(x); 3], [Interval::exact(y); 3]));
         assert!(holds(ray.origin[0], &inside) && holds(ray.direction[0], &along), "{x:e} {y:e} {frame:?}");
         assert_eq!(frame.coordinate(0, x), ray.origin[0]);
         exactly += usize::from(ray.origin[0].is_exact() && ray.direction[0].is_exact());

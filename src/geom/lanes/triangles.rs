@@ -82,10 +82,12 @@ impl<S: Simd> TriangleRay<S> {
             && turned <= MAX_TURN * direction.abs().max_element();
         let [moved, turned] = if is_usual { [moved, turned] } else { [f32::INFINITY; 2] };
         let middle = Self::with_constants(simd, [origin, direction], region, CONSTANTS);
+        // What is beyond is told from where the ray began.
+        let from_start = if ray.start == Interval::exact(0.0) { off * moved } else { f32::INFINITY };
         Self {
             edge: middle.edge + edge * turned,
             det: middle.det + off * turned,
-            t: middle.t + off * moved,
+            t: middle.t + from_start,
             twice_c: middle.twice_c + reach * moved,
             ..middle
         }

@@ -4,7 +4,8 @@ use glam::{Vec3, Vec4};
 
 use super::directed::MAX_COORDINATE;
 use super::{Intervals, MISSED, STEPS, Slabs, near_and_far};
-use crate::geom::{EnclosedRay, Ray, Region};
+use crate::geom::region::SHORT;
+use crate::geom::{EnclosedRay, Interval, Ray, Region};
 
 /// A slab test that skips no box which any ray within the bounds touches. `[INST-4]`
 ///
@@ -14,7 +15,8 @@ use crate::geom::{EnclosedRay, Ray, Region};
 /// precision, with reciprocals that are moved as [`Directed`](super::Directed) moves them, this takes the same
 /// instructions.
 ///
-/// Boxes may be in a [frame](crate::geom::Frame): the ray is taken into it.
+/// Boxes may be in a [frame](crate::geom::Frame): the ray is taken into it. Of a ray that was moved to where it enters
+/// the region, what is told of boxes is counted from where it began. `[INST-7]`
 #[derive(Clone, Copy, Debug)]
 pub struct EnclosedSlabs {
     /// Greatest and least origin, in the lanes of lo and hi, twice.
@@ -22,6 +24,8 @@ pub struct EnclosedSlabs {
     inverse: [Vec4; 3],
     tmin: f32,
     is_wide: bool,
+    /// Whether the lanes will do, of what [is wide](Self::is_wide).
+    is_single: bool,
     ray: EnclosedRay,
 }
 
@@ -38,14 +42,15 @@ impl EnclosedSlabs {
     #[inline(always)]
     fn in_frame(ray: &EnclosedRay, tmin: f32, region: &Region) -> Self {
         // Written out: closures over three axes are not inlined here, and took most of the time.
-        let ([x, y, z], is_wide) = match (lanes(ray, 0), lanes(ray, 1), lanes(ray, 2)) {
-            (Some(x), Some(y), Some(z)) => ([x, y, z], region.reach_in_frame() > MAX_COORDINATE),
-            _ => (Default::default(), true),
+        let ([x, y, z], is_single) = match (lanes(ray, 0), lanes(ray, 1), lanes(ray, 2)) {
+            (Some(x), Some(y), Some(z)) => ([x, y, z], region.reach_in_frame() <= MAX_COORDINATE && is_long(ray)),
+            _ => (Default::default(), false),
         };
+        let is_wide = !is_single || ray.start != Interval::exact(0.0);
         let twice = |[lo, hi]: [f32; 2]| Vec4::new(lo, hi, lo, hi);
         let origin = [twice(x[0]), twice(y[0]), twice(z[0])];
         let inverse = [twice(x[1]), twice(y[1]), twice(z[1])];
-        Self { origin, inverse, tmin, is_wide, ray: *ray }
+        Self { origin, inverse, tmin, is_wide, is_single, ray: *ray }
     }
 
     /// Of each axis, for the lower and the upper plane: where the ray that bounds it starts, and the reciprocal of its
@@ -70,12 +75,33 @@ impl EnclosedSlabs {
         self.is_wide
     }
 
-    /// The test in double precision, each operation rounded outwards: for rays that may run either way along an axis,
-    /// and for huge and tiny numbers.
+    /// The test of rays from afar, from where they enter the region, and of those that are not for single precision.
     #[cold]
     #[inline(never)]
     fn pair_wide(&self, planes: &[[f32; 4]; 3], tmax: f32) -> [f32; 4] {
-        let (mut near, mut far) = ([f64::from(self.tmin); 2], [f64::INFINITY; 2]);
+        let met = if self.is_single { self.met_in_single(planes) } else { self.met_in_double(planes) };
+        let lanes = met.map(|[near, far]| {
+            let [near, far] =
+                if near <= far { (Interval::between([near, far]) + self.ray.start).ends() } else { [near, far] };
+            // Rounding keeps the order, so entries are rounded before they are compared with the rounded distance of a hit.
+            let [near, far] = [near as f32, far as f32];
+            if near <= far && self.tmin <= far { [near.max(self.tmin), far.min(tmax)] } else { MISSED }
+        });
+        [lanes[0][0], lanes[0][1], lanes[1][0], lanes[1][1]]
+    }
+
+    /// Where the ray enters and leaves two boxes, from its origin on, by the lanes.
+    fn met_in_single(&self, planes: &[[f32; 4]; 3]) -> [[f64; 2]; 2] {
+        let Intervals { hit, near, far } =
+            Intervals::of_lanes(near_and_far(planes, &self.origin, &self.inverse, 0.0, f32::INFINITY));
+        // These are rounded.
+        [0, 1].map(|i| if hit[i] { [near[i].next_down().max(0.0), far[i].next_up()] } else { MISSED }.map(f64::from))
+    }
+
+    /// The same in double precision, each operation rounded outwards: for rays that may run either way along an axis, and
+    /// for huge and tiny numbers.
+    fn met_in_double(&self, planes: &[[f32; 4]; 3]) -> [[f64; 2]; 2] {
+        let (mut near, mut far) = ([0.0_f64; 2], [f64::INFINITY; 2]);
         for (axis, planes) in planes.iter().enumerate() {
             let ([o_least, o_most], [d_least, d_most]) =
                 (self.ray.origin[axis].ends(), self.ray.direction[axis].ends());
@@ -96,12 +122,13 @@ impl EnclosedSlabs {
                 }
             }
         }
-        // Rounding keeps the order, so entries are rounded before they are compared with the rounded distance of a hit.
-        let lanes = [0, 1].map(|side| {
-            if near[side] <= far[side] { [near[side] as f32, (far[side] as f32).min(tmax)] } else { MISSED }
-        });
-        [lanes[0][0], lanes[0][1], lanes[1][0], lanes[1][1]]
+        [0, 1].map(|side| [near[side], far[side]])
     }
+}
+
+/// Whether a direction is not so short that a component of 0 would count. `[BOX-9]`
+fn is_long(ray: &EnclosedRay) -> bool {
+    ray.direction.iter().any(|x| x.ends()[0] >= SHORT || x.ends()[1] <= -SHORT)
 }
 
 /// For the lower and the upper plane of an axis: where the ray that bounds it starts, and the reciprocal of its

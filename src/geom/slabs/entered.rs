@@ -63,9 +63,8 @@ impl Approach {
         let frame = region.frame();
         let Some([_, exponent]) = lengths(ray, region) else { return Self::Unknown };
         let origin = [0, 1, 2].map(|axis| frame.coordinate(axis, ray.origin()[axis]));
-        // Nothing is rounded here unless it underflows, and then it is above.
-        let tmin = ray.tmin() * power_of_two(-exponent);
-        let tmin = if tmin < f64::MIN_POSITIVE { 0.0 } else { tmin };
+        // Rounded down: to the next double, where it underflows.
+        let [tmin, _] = Interval::exact(ray.tmin()).scaled(-exponent).ends();
         Self::on(ray, region, origin, tmin)
     }
 
@@ -103,7 +102,12 @@ fn lengths(ray: &Ray<DVec3>, region: &Region) -> Option<[i32; 2]> {
 }
 
 /// Where a ray enters the region, or before that; not before `tmin`. `None` if it surely misses the region.
-fn entry(region: &Region, origin: &[Interval; 3], direction: &[Interval; 3], tmin: f64) -> Option<f64> {
+pub(in crate::geom) fn entry(
+    region: &Region,
+    origin: &[Interval; 3],
+    direction: &[Interval; 3],
+    tmin: f64,
+) -> Option<f64> {
     let aabb = region.bounds();
     let (mut start, mut end) = (tmin, f64::INFINITY);
     for axis in 0..3 {
@@ -171,9 +175,7 @@ impl Entered {
     /// Prepares a ray in rational arithmetic.
     pub(super) fn exactly(ray: &Ray<DVec3>, region: &Region) -> Self {
         let (frame, [o, d]) = (region.frame(), [ray.origin(), ray.direction()].map(|v| v.to_array()));
-        let sides = frame.leave(region.bounds()).map(|x| x.ends());
-        // Nothing in the region is beyond the greatest double.
-        let [lo, hi] = [sides.map(|[lo, _]| lo.max(f64::MIN)), sides.map(|[_, hi]| hi.min(f64::MAX))];
+        let [lo, hi] = region.sides();
         let Some(start) = first_touch(o, d, [ray.tmin(), f64::INFINITY], lo, hi) else { return Self::MISSING };
         let exact = |x: f64| Relaxed::try_from(x).unwrap_or_default();
         let at = |k: usize| exact(o[k]) + &start * exact(d[k]) - exact(frame.origin()[k]);

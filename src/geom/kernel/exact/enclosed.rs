@@ -59,6 +59,8 @@ pub struct EnclosedTest<R: Real = f32> {
     direction: DVec3,
     /// How far the components of the true origin and direction may be from these.
     off: [f64; 2],
+    /// The distance of the origin.
+    start: Interval,
     interval: [R; 2],
     /// For all triangles of the object.
     errors: Errors,
@@ -78,8 +80,10 @@ impl<R: Real> EnclosedTest<R> {
             && direction.is_finite()
             && sizes.iter().all(|size| USUAL.contains(size))
             && off.iter().all(|off| off <= USUAL.end());
-        let is_exact = origin.is_finite() && direction.is_finite() && off == [0.0; 2];
-        Self { origin, direction, off, interval, errors: Errors::within(off, sizes), is_usual: can_filter, is_exact }
+        let start = ray.start;
+        let is_exact = origin.is_finite() && direction.is_finite() && off == [0.0; 2] && start == Interval::exact(0.0);
+        let errors = Errors::within(off, sizes);
+        Self { origin, direction, off, start, interval, errors, is_usual: can_filter, is_exact }
     }
 
     /// [`Kernel::distance`](crate::geom::Kernel::distance), where it is certain.
@@ -157,7 +161,13 @@ impl<R: Real> EnclosedTest<R> {
 
     /// Bounds of the distance to a triangle that the ray certainly crosses, at whatever distance. `[SECOND-3]`
     pub(crate) fn span<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Option<[f64; 2]> {
-        self.crossing(shape).map(|(found, errors)| found.distance(&errors))
+        self.crossing(shape).map(|(found, errors)| self.from_start(found.distance(&errors)))
+    }
+
+    /// Bounds of a distance, from those of what is left of it at the origin. `[INST-7]`
+    #[inline(always)]
+    fn from_start(&self, ends: [f64; 2]) -> [f64; 2] {
+        if self.start == Interval::exact(0.0) { ends } else { (Interval::between(ends) + self.start).ends() }
     }
 
     /// Asks with the bounds for the object, and again with those for the triangle.
@@ -168,7 +178,7 @@ impl<R: Real> EnclosedTest<R> {
         place: impl Fn([R; 2]) -> Certainty<T>,
     ) -> Certainty<T> {
         let found = Determinants::of(&shape.widen(), self.origin, self.direction);
-        match decide(&found, &self.errors, &place) {
+        match decide(&found, &self.errors, &|ends| place(self.from_start(ends).map(R::rounded))) {
             _ if !self.is_usual => Certainty::Open,
             Certainty::Open => self.decide_again(shape, place),
             certain => certain,
@@ -182,6 +192,7 @@ impl<R: Real> EnclosedTest<R> {
         shape: &Triangle<V>,
         place: impl Fn([R; 2]) -> Certainty<T>,
     ) -> Certainty<T> {
+        let place = |ends| place(self.from_start(ends).map(R::rounded));
         self.stage(shape).map_or(Certainty::Open, |(found, errors)| decide(&found, &errors, &place))
     }
 
@@ -203,18 +214,18 @@ impl<R: Real> EnclosedTest<R> {
     }
 }
 
-/// What is certain with these errors. Of a line that certainly meets the triangle, `place` tells it from the rounded bounds
-/// of its distance.
+/// What is certain with these errors. Of a line that certainly meets the triangle, `place` tells it from the bounds of its
+/// distance.
 #[inline(always)]
-pub(super) fn decide<R: Real, T>(
+pub(super) fn decide<T>(
     found: &Determinants,
     errors: &Errors,
-    place: &impl Fn([R; 2]) -> Certainty<T>,
+    place: &impl Fn([f64; 2]) -> Certainty<T>,
 ) -> Certainty<T> {
     if found.is_miss(errors) {
         Certainty::Miss
     } else if found.is_hit(errors) {
-        place(found.distance(errors).map(R::rounded))
+        place(found.distance(errors))
     } else {
         Certainty::Open
     }

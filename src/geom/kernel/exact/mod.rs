@@ -197,7 +197,7 @@ impl Exact {
     fn settle(&self, shape: &Triangle, last: Option<&Cell<Last>>) -> Option<f32> {
         let (corners, o, d) = (shape.widen(), self.origin, self.direction);
         let (found, errors) = (Determinants::of(&corners, o, d), Errors::of_triangle(&corners, o, d));
-        let placed = decide(&found, &errors, &|ends| placed(ends, self.interval, self.interval[1]));
+        let placed = decide(&found, &errors, &|ends| placed(ends.map(|t| t as f32), self.interval, self.interval[1]));
         let ask = || self.settle_rest(&corners, &found, &errors);
         let ask_once = |last: &Cell<Last>| {
             let mut once = last.get();

@@ -75,10 +75,10 @@ fn boxes_are_kept_that_the_test_of_one_keeps() {
     let (mut draw, mut seen) = (Draw::new(1), [0; 2]);
     while seen[0].min(seen[1]) < 5000 {
         let numbers = one_of([6, 9, NUMBERS.len()], &mut draw);
-        let ray = EnclosedRay {
-            origin: [(); 3].map(|()| interval(&mut draw, numbers)),
-            direction: [(); 3].map(|()| interval(&mut draw, numbers)),
-        };
+        let ray = EnclosedRay::new(
+            [(); 3].map(|()| interval(&mut draw, numbers)),
+            [(); 3].map(|()| interval(&mut draw, numbers)),
+        );
         let boxes: [Aabb; 8] = [(); 8].map(|()| {
             let (a, b) = (corner(&mut draw, numbers), corner(&mut draw, numbers));
             if draw.one_in(6) { Aabb::EMPTY } else { Aabb { lo: a.min(b), hi: a.max(b) } }
@@ -110,7 +110,7 @@ fn no_box_is_left_out_that_a_ray_within_the_bounds_touches() {
                 Interval::between([x - by, x + by])
             })
         };
-        let ray = EnclosedRay { origin: off(origin), direction: off(direction) };
+        let ray = EnclosedRay::new(off(origin), off(direction));
         let boxes: [Aabb; 8] = [(); 8].map(|()| {
             let (a, b) = (draw.ints(8), draw.ints(8));
             Aabb { lo: a.min(b), hi: a.max(b) }

@@ -130,7 +130,7 @@ fn bounds_of(ray: &Ray, draw: &mut Draw) -> EnclosedRay {
             Interval::between([f64::from(x) - below, f64::from(x) + above])
         })
     };
-    EnclosedRay { origin: around(ray.origin()), direction: around(ray.direction()) }
+    EnclosedRay::new(around(ray.origin()), around(ray.direction()))
 }
 
 #[inline(always)]

@@ -6,7 +6,7 @@ const MOST: f64 = (1u128 << 126) as f64;
 /// A ray whose components along y are within bounds.
 fn ray(o: [f64; 2], d: [f64; 2]) -> EnclosedRay {
     let one = Interval::exact(1.0);
-    EnclosedRay { origin: [one, Interval::between(o), one], direction: [one, Interval::between(d), one] }
+    EnclosedRay::new([one, Interval::between(o), one], [one, Interval::between(d), one])
 }
 
 #[test]

@@ -91,7 +91,7 @@ fn verdicts_hold<V: Vector>(
 ) -> Result<(), TestCaseError> {
     let bounds = numbers.map(|(x, width)| Interval::between([x - width, x + width]));
     let [ox, oy, oz, dx, dy, dz] = bounds;
-    let ray = EnclosedRay { origin: [ox, oy, oz], direction: [dx, dy, dz] };
+    let ray = EnclosedRay::new([ox, oy, oz], [dx, dy, dz]);
     let interval = [0.0, 8.0 * (size / length)].map(V::Real::rounded);
     let frame = V::frame(triangle.0);
     let region = Region::within(frame, &frame.aabb(triangle));
@@ -163,9 +163,12 @@ proptest! {
             Some(false) => [-8.0, at],
             None => [-8.0, 8.0],
         };
-        let test = EnclosedTest::new(&EnclosedRay { origin, direction }, interval, &Region::of(&triangle.aabb()));
+        let test = EnclosedTest::new(&EnclosedRay::new(origin, direction), interval, &Region::of(&triangle.aabb()));
         let hit = meet(triangle.widen().map(|corner| corner.to_array()), o, d).within(interval);
-        prop_assume!(test.is_exact);
+        if !test.is_exact {
+            // A subnormal number whose half is none.
+            return Ok(());
+        }
         let expected = hit.as_ref().map_or(Certainty::Miss, |hit| Certainty::Hit(round_f32(&hit.t)));
         prop_assert_eq!(test.settle(&triangle), expected);
         if let Some(hit) = hit {
@@ -179,13 +182,13 @@ fn numbers_beyond_the_range_are_left_open() {
     let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
     let along = |z: f64, d: f64| {
         let exact = |v: [f64; 3]| v.map(Interval::exact);
-        let ray = EnclosedRay { origin: exact([0.25, 0.25, z]), direction: exact([0.0, 0.0, d]) };
+        let ray = EnclosedRay::new(exact([0.25, 0.25, z]), exact([0.0, 0.0, d]));
         EnclosedTest::new(&ray, [0.0, f32::INFINITY], &Region::of(&triangle.aabb())).distance(&triangle, f32::INFINITY)
     };
     assert_eq!(along(-3.0, 1.0), Certainty::Hit(3.0));
     assert_eq!((along(-3.0, 1e-100), along(-1e100, 1.0)), (Certainty::Open, Certainty::Open));
     let nowhere = Interval::between([f64::NEG_INFINITY, f64::INFINITY]);
-    let ray = EnclosedRay { origin: [nowhere; 3], direction: [nowhere; 3] };
+    let ray = EnclosedRay::new([nowhere; 3], [nowhere; 3]);
     let test = EnclosedTest::new(&ray, [0.0, 1.0], &Region::of(&triangle.aabb()));
     assert_eq!((test.distance(&triangle, 1.0), test.weights(&triangle)), (Certainty::Open, None));
 }
@@ -199,7 +202,7 @@ fn bounds_of_signs_are_needed() {
     assert!(truth(&triangle, [0.0; 3], d).is_some());
     for off in [2f64.powi(-20), -2f64.powi(-20)] {
         let ends = |x: f64| Interval::between(if off > 0.0 { [x, x + 2.0 * off] } else { [x + 2.0 * off, x] });
-        let ray = EnclosedRay { origin: [Interval::exact(0.0); 3], direction: d.map(ends) };
+        let ray = EnclosedRay::new([Interval::exact(0.0); 3], d.map(ends));
         assert_eq!(EnclosedTest::new(&ray, INTERVAL, &Region::of(&triangle.aabb())).blocks(&triangle), Certainty::Open);
     }
 }
@@ -220,7 +223,7 @@ fn bounds_of_distances_are_needed() {
             let (o, d) = ([-0.5, 0.5, 0.5 - height], [0.0, 0.25, 1.0]);
             let wide = |v: [f64; 3]| v.map(|x| Interval::between([x, x + 2.0 * off]));
             let (origin, direction) = if of_origin { (wide(o), exact(d)) } else { (exact(o), wide(d)) };
-            let test = EnclosedTest::new(&EnclosedRay { origin, direction }, INTERVAL, &region);
+            let test = EnclosedTest::new(&EnclosedRay::new(origin, direction), INTERVAL, &region);
             if let Certainty::Hit(t) = test.distance(&triangle, 8.0) {
                 certain += 1;
                 assert_eq!(truth(&triangle, o, d).map(|hit| round_f32(&hit.t)), Some(t));
@@ -234,10 +237,8 @@ fn bounds_of_distances_are_needed() {
 #[test]
 fn only_the_ends_of_the_interval_are_left_open() {
     let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y].map(|corner| corner * 4.0));
-    let ray = |x: f64, y: f64| EnclosedRay {
-        origin: [x, y, -2.0].map(Interval::exact),
-        direction: [0.0, 0.0, 1.0].map(Interval::exact),
-    };
+    let ray =
+        |x: f64, y: f64| EnclosedRay::new([x, y, -2.0].map(Interval::exact), [0.0, 0.0, 1.0].map(Interval::exact));
     let test = |interval| EnclosedTest::new(&ray(1.0, 1.0), interval, &Region::of(&triangle.aabb()));
     let (below, above) = (2f32.next_down(), 2f32.next_up());
     for (interval, distance, blocks) in [
@@ -283,10 +284,10 @@ fn directions_are_usual_from_one_end_of_the_range_to_the_other() {
     let asked = |size: f32, d: f64| {
         let triangle = Triangle([Vec3::ZERO, Vec3::X * size, Vec3::Y * size]);
         let size = f64::from(size);
-        let ray = EnclosedRay {
-            origin: [size / 4.0, size / 4.0, -3.0 * size].map(Interval::exact),
-            direction: [0.0, 0.0, d].map(Interval::exact),
-        };
+        let ray = EnclosedRay::new(
+            [size / 4.0, size / 4.0, -3.0 * size].map(Interval::exact),
+            [0.0, 0.0, d].map(Interval::exact),
+        );
         EnclosedTest::new(&ray, [0.0, f32::INFINITY], &Region::of(&triangle.aabb())).distance(&triangle, f32::INFINITY)
     };
     let ([small, great], [least, most]) = ([-100, 100].map(|k| 2f32.powi(k)), [-200, 200].map(|k| 2f64.powi(k)));

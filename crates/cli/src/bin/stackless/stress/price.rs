@@ -21,7 +21,10 @@ use stackless_bvh::traverse::Method;
 use crate::output::{Block, bar, table};
 use climb::{Change, climb};
 use met::Met;
-use scenes::{at_edge, at_vertices, coincident, from_afar, in_plane, inside, lattice, sphere};
+use scenes::{
+    along_axes_from_afar, at_edge, at_vertices, coincident, from_afar, in_plane, inside, lattice, short_from_afar,
+    small_sphere, sphere,
+};
 
 /// What costs more ordinary queries than this is named.
 const LIMIT: f64 = 20.0;
@@ -71,7 +74,7 @@ struct Family {
     make: fn() -> Made,
 }
 
-const FAMILIES: [Family; 20] = [
+const FAMILIES: [Family; 23] = [
     Family { name: "in the plane of a lattice", make: || closest(lattice(64, 1)?, in_plane()) },
     Family { name: "in the plane of a lattice that is not on a grid", make: off_grid },
     Family { name: "in the skew plane of a lattice", make: in_skew_plane },
@@ -95,6 +98,12 @@ const FAMILIES: [Family; 20] = [
     Family { name: "instances nested 8 deep, at vertices", make: || instances(8, AffineMap::translation(Vec3::X)?) },
     Family { name: "quarter turns nested 31 deep, at vertices", make: || instances(31, turn(0.0, 1.0)?) },
     Family { name: "turns nested 31 deep, at vertices", make: || instances(31, turn(0.8, 0.6)?) },
+    Family { name: "a turned instance from afar", make: || from_afar_into_instance(false) },
+    Family { name: "a turned instance of eight children from afar", make: || from_afar_into_instance(true) },
+    Family {
+        name: "at a sphere from afar, in a short direction",
+        make: || closest(small_sphere()?, short_from_afar()),
+    },
 ];
 
 /// Asks all families, and climbs for so long from each.
@@ -360,9 +369,22 @@ fn instances(deep: usize, affine: AffineMap) -> Made {
         .iter()
         .filter_map(|ray| Ray::new(ray.origin() + middle, ray.direction()).ok())
         .collect();
-    let tracer = InstanceTracer::new(&assembly, object, Method::default())?;
+    closest_in(&assembly, object, hard, ordinary)
+}
+
+/// Rays at a sphere that is turned.
+fn from_afar_into_instance(is_wide: bool) -> Made {
+    let (mesh, mut assembly) = (sphere()?, Assembly::new());
+    let bvh = Bvh::sah(&mesh, SahOptions::default())?;
+    let object = if is_wide { assembly.add_wide(WideBvh::of(&bvh)?) } else { assembly.add_mesh(bvh) };
+    let instances = vec![Instance { object, affine: turn(0.8, 0.6)? }];
+    let object = assembly.add_group(instances, &BuildOptions::default())?;
+    closest_in(&assembly, object, along_axes_from_afar(), procedural::rays(&mesh, 1, QUERIES))
+}
+
+fn closest_in(assembly: &Assembly, object: Object, hard: Vec<Ray>, ordinary: Vec<Ray>) -> Made {
     Ok(queries(
-        tracer,
+        InstanceTracer::new(assembly, object, Method::default())?,
         hard,
         ordinary,
         |tracer, ray: &Ray| usize::from(tracer.closest(ray).is_some()),
@@ -380,36 +402,4 @@ fn turn(cosine: f32, sine: f32) -> Result<AffineMap, AffineError> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Of families that take no time without optimisation.
-    #[test]
-    fn families_have_queries_of_both_kinds_and_a_price() {
-        let quick: Vec<_> = FAMILIES
-            .into_iter()
-            .filter(|family| family.name.ends_with(" an edge") || family.name.starts_with("an "))
-            .collect();
-        assert_eq!(quick.len(), 2);
-        let prices = prices_of(&quick, Duration::from_millis(50)).expect("scenes");
-        assert!(prices.iter().all(|price| price.ordinary > 0.0 && 0.0 < price.dearest && price.dearest <= price.found));
-        let [Block::Line(line), Block::Table(table), ..] = &blocks(&prices)[..] else { panic!("a line and a table") };
-        assert!(line.contains(&format!("of {} families", quick.len())));
-        assert_eq!(table.rows.len(), quick.len());
-    }
-
-    #[test]
-    fn hard_rays_are_hard() {
-        let mesh = lattice(64, 1).expect("a mesh");
-        let tracer = Tracer::of(&mesh).expect("a tree");
-        assert!(in_plane().iter().all(|ray| tracer.closest(ray).is_none()));
-        let mesh = lattice(32, 16).expect("a mesh");
-        let tracer = Tracer::of(&mesh).expect("a tree");
-        assert!(at_vertices().iter().all(|ray| tracer.all(ray).any(|hit| hit.t == 1.0)));
-        let mesh = coincident(10).expect("a mesh");
-        let tracer = Tracer::of(&mesh).expect("a tree");
-        for rays in [at_edge(), inside()] {
-            assert!(rays.iter().all(|ray| tracer.all(ray).count() == 10), "all of them are met");
-        }
-    }
-}
+mod tests;

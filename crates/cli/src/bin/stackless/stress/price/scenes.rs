@@ -3,6 +3,7 @@
 use std::error::Error;
 
 use glam::Vec3;
+use stackless_bvh::generate::draw::Draw;
 use stackless_bvh::generate::{Rng, Source as _, stress};
 use stackless_bvh::geom::{Mesh, Ray};
 
@@ -59,6 +60,29 @@ pub(super) fn from_afar() -> Vec<Ray> {
             Ray::new(o, point() * 0.5 - o).ok()
         })
         .collect()
+}
+
+/// Rays through that along axes, from up to 2^120 away.
+pub(super) fn along_axes_from_afar() -> Vec<Ray> {
+    let mut draw = Draw::new(1);
+    (0..QUERIES)
+        .filter_map(|i| {
+            let axis = draw.axis();
+            let beside = (Vec3::ONE - axis.abs()) * draw.centred() * 0.5;
+            Ray::new(beside - axis * 2f32.powi(8 + (i as i32 * 112) / QUERIES as i32), axis).ok()
+        })
+        .collect()
+}
+
+/// Whose size is 0.00006.
+pub(super) fn small_sphere() -> Result<Mesh, Box<dyn Error>> {
+    Ok(stress::icosphere(6, 3e-5, Vec3::new(0.097_815_976, -0.001_463_89, 0.0))?)
+}
+
+/// Rays at that along an axis, with directions down to 2^-125.
+pub(super) fn short_from_afar() -> Vec<Ray> {
+    let origin = Vec3::new(0.097_815_976, -0.001_463_89, 35_184_367_894_528.0);
+    (0..QUERIES as i32).filter_map(|i| Ray::new(origin, Vec3::NEG_Z * 2f32.powi(-76 - i)).ok()).collect()
 }
 
 /// The end of an edge from the origin. Its halves are exact, and x has all digits.

@@ -1,0 +1,68 @@
+//! Rays from afar into instances: they test as few triangles as others do, wherever they begin. `[INST-7]`
+
+use glam::{DVec3, Vec3};
+use stackless_bvh::bvh::Builder;
+use stackless_bvh::generate::draw::Draw;
+use stackless_bvh::generate::stress;
+use stackless_bvh::geom::{AffineMap, Mesh, Ray, Real, Vector};
+use stackless_bvh::trace::InstanceTracer;
+use stackless_bvh::traverse::Method;
+use stackless_check::{Flat, Shape, check_answer};
+
+use super::scenes::{Kind, Scene, narrow};
+use super::{assembly, hierarchies, wide};
+
+/// Through the unit ball or beside it, from so far away: along an axis, through the middle, or as directions are rounded.
+fn rays<V: Vector>(draw: &mut Draw, far: f64) -> Vec<Ray<V>> {
+    let mut rays = Vec::new();
+    for _ in 0..3 {
+        let (axis, way) = (draw.axis().as_dvec3(), draw.ints(7).as_dvec3());
+        let beside = (DVec3::ONE - axis.abs()) * draw.centred().as_dvec3();
+        let at = draw.centred().as_dvec3() * far;
+        for (o, d) in [(beside - axis * far, axis), (-way * far, way), (at, beside - at)] {
+            rays.extend(Ray::new(narrow::<V>(o), narrow(d)));
+        }
+    }
+    rays
+}
+
+fn few_triangles_are_tested_from_afar<V: Kind>(most: i32) {
+    let single = stress::icosphere(3, 1.0, Vec3::ZERO).expect("a sphere");
+    let vertices = single.vertices().iter().map(|v| narrow(v.as_dvec3())).collect();
+    let sphere: Mesh<V> = Mesh::new(vertices, single.triangles().to_vec()).expect("a sphere");
+    let turn = [[0.8, -0.6, 0.0, 0.0], [0.6, 0.8, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+    let half = [[0.0, 0.5, 0.0, 0.1], [0.0, 0.0, 0.5, 0.0], [0.5, 0.0, 0.0, 0.0]];
+    let (mut draw, mut hits, mut asked) = (Draw::new(1), 0, 0);
+    for maps in [vec![half], vec![turn], vec![turn, half, turn]] {
+        let map = |rows: &[[f64; 4]; 3]| AffineMap::new(rows.map(|row| row.map(V::Real::rounded))).expect("an inverse");
+        let groups = maps.iter().enumerate().map(|(below, rows)| Shape::Group(vec![(below, map(rows))]));
+        let shapes = std::iter::once(Shape::Mesh(sphere.clone())).chain(groups).collect();
+        let (flat, scene) = (Flat::new(&shapes), Scene { name: format!("{maps:?}"), shapes });
+        let tracers = [hierarchies(&scene, Builder::Sah, 1), wide(&scene, Builder::Sah, 1)].map(|built| {
+            let (assembly, object) = assembly(&built, &scene);
+            InstanceTracer::new(&assembly, object, Method::default()).expect("any tree")
+        });
+        for exponent in (0..most).step_by(9) {
+            for ray in rays::<V>(&mut draw, 2f64.powi(exponent)) {
+                let hit = flat.closest(&ray);
+                for tracer in &tracers {
+                    check_answer(tracer, &hit, &ray).unwrap_or_else(|fault| panic!("{exponent}, {ray:?}: {fault}"));
+                    let counts = [tracer.count_closest(&[ray]), tracer.count_any(&[ray])];
+                    assert!(counts.iter().all(|counts| counts.triangles < 100), "{exponent}, {ray:?}: {counts:?}");
+                }
+                (asked, hits) = (asked + 1, hits + usize::from(hit.is_some()));
+            }
+        }
+    }
+    assert!(hits > asked / 4, "{hits} of {asked}");
+}
+
+#[test]
+fn few_triangles_are_tested_from_afar_in_single() {
+    few_triangles_are_tested_from_afar::<Vec3>(124);
+}
+
+#[test]
+fn few_triangles_are_tested_from_afar_in_double() {
+    few_triangles_are_tested_from_afar::<DVec3>(1000);
+}
