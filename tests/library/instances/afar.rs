@@ -36,7 +36,7 @@ fn few_triangles_are_tested_from_afar<V: Kind>(most: i32) {
     for maps in [vec![half], vec![turn], vec![turn, half, turn]] {
         let map = |rows: &[[f64; 4]; 3]| AffineMap::new(rows.map(|row| row.map(V::Real::rounded))).expect("an inverse");
         let groups = maps.iter().enumerate().map(|(below, rows)| Shape::Group(vec![(below, map(rows))]));
-        let shapes = std::iter::once(Shape::Mesh(sphere.clone())).chain(groups).collect();
+        let shapes: Vec<_> = std::iter::once(Shape::Mesh(sphere.clone())).chain(groups).collect();
         let (flat, scene) = (Flat::new(&shapes), Scene { name: format!("{maps:?}"), shapes });
         let tracers = [hierarchies(&scene, Builder::Sah, 1), wide(&scene, Builder::Sah, 1)].map(|built| {
             let (assembly, object) = assembly(&built, &scene);
