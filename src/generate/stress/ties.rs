@@ -13,7 +13,7 @@ pub(super) const CASES: &[Recipe] = &[
     Recipe::new("stack-ulp", "parallel triangles an ulp apart, far ones first: t ties by rounding", stack, down_stack),
     Recipe::new("stack-tilted", "triangles that differ from a plane by an ulp a corner", tilted, down_stack),
     Recipe::new(
-        "shells",
+        "shells-ulp",
         "spheres 1, 2 and 300 ulps apart, inner ones first, from 10 to 10^5 radii",
         shells,
         at_shells,

@@ -1,7 +1,8 @@
 use super::*;
 use crate::generate::draw::Draw;
+use crate::generate::{Rng, Source as _};
 use crate::geom::thresholds::{holds, vectors};
-use crate::geom::truth::{Number as _, meet};
+use crate::geom::truth::{self, Number as _, meet};
 use crate::geom::{Aabb, EnclosedRay, ExactPoint, Real};
 
 #[test]
@@ -132,4 +133,32 @@ fn thresholds_are_decided_in_single() {
 #[test]
 fn thresholds_are_decided_in_double() {
     thresholds_are_decided::<DVec3, Exact64>(Draw::threshold);
+}
+
+/// Lines through edges and corners, and beside them, on grids of few digits or many, from near a corner or from farther
+/// away. [EXACT-11]
+#[test]
+fn what_is_met_on_a_grid_is_that_of_rationals() {
+    let (mut rng, mut hits, mut misses) = (Rng::new(11), 0, 0);
+    for _ in 0..6000 {
+        let [edges, off, at, length] = [20, 20, 5, 2].map(|n| rng.below(n));
+        let is_beside = rng.coin();
+        let mut vector = |digits: u64| {
+            let limit = 1 << digits;
+            Vec3::from([(); 3].map(|()| rng.below(2 * limit + 1) as f32 - limit as f32))
+        };
+        let (a, half_e1, half_e2) = (vector(2), vector(edges), vector(edges));
+        let (corners, o) = ([a, a + 2.0 * half_e1, a + 2.0 * half_e2], a + vector(off));
+        let target = [a, corners[1], a + half_e1, a + half_e2, a + half_e1 + half_e2][at as usize];
+        let beside = if is_beside { vector(0) } else { Vec3::ZERO };
+        let Ok(ray) = Ray::new(o, (target + beside - o) * [1.0, 3.0][length as usize]) else { continue };
+        let (shape, points) = (Triangle(corners), corners.map(|corner| corner.to_array()));
+        let hit = truth::meet(points, o.to_array(), ray.direction().to_array()).within([0.0, f32::INFINITY]);
+        let t = hit.map(|hit| truth::round_f32(&hit.t));
+        let exact = Exact::new(&ray, &Region::of(&shape.aabb()));
+        assert_eq!(exact.distance(&shape, f32::INFINITY), t, "{ray:?} {shape:?}");
+        assert_eq!(exact.blocks(&shape), t.is_some(), "{ray:?} {shape:?}");
+        if t.is_some() { hits += 1 } else { misses += 1 }
+    }
+    assert!(hits > 3000 && misses > 500, "{hits} {misses}");
 }
