@@ -1,3 +1,5 @@
+use dashu_int::Sign;
+use dashu_int::ops::BitTest as _;
 use dashu_ratio::RBig;
 use glam::DVec3;
 use proptest::prelude::*;
@@ -14,6 +16,12 @@ fn double() -> impl Strategy<Value = f64> {
 
 fn vector() -> impl Strategy<Value = DVec3> {
     [double(), double(), double()].prop_map(DVec3::from)
+}
+
+/// One bit or many, in up to three limbs.
+fn digits() -> impl Strategy<Value = [u64; 3]> {
+    let limb = || prop_oneof![Just(0), (0..64u32).prop_map(|bit| 1 << bit), any::<u64>()];
+    [limb(), limb(), limb()]
 }
 
 fn rational(x: f64) -> RBig {
@@ -50,6 +58,25 @@ proptest! {
             &d[k] * (&a[i] * &b[j] - &a[j] * &b[i])
         });
         prop_assert_eq!(value(&sum), terms.into_iter().fold(RBig::ZERO, |a, b| a + b));
+    }
+
+    /// 128 digits from the first on, and whether anything is left, in whichever limb. [EXACT-8]
+    #[test]
+    fn the_first_digits_are_those_of_the_sum(
+        base in 0..5000usize,
+        parts in prop::collection::vec((digits(), 0..600usize, any::<bool>()), 0..4),
+    ) {
+        let mut sum = Accumulator::new();
+        for (digits, place, is_negative) in parts {
+            sum.add(digits, base + place, is_negative);
+        }
+        let (sign, whole) = sum.integer().into_parts();
+        let Some(found) = sum.leading() else { return Ok(prop_assert_eq!(whole, UBig::ZERO)) };
+        let (digits, exponent) = (UBig::from(found.digits), whole.bit_len() as i32 - 128);
+        let first = if exponent < 0 { &whole << -exponent as usize } else { &whole >> exponent as usize };
+        let is_all = exponent < 0 || &digits << exponent as usize == whole;
+        prop_assert_eq!((digits, found.exponent), (first, exponent));
+        prop_assert_eq!((found.is_negative, found.is_exact), (sign == Sign::Negative, is_all));
     }
 
     /// What is added and what is subtracted, in any order, and a carry over many limbs.

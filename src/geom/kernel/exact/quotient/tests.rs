@@ -114,6 +114,33 @@ proptest! {
     }
 }
 
+/// 2^exponent, if there is one, with a sign.
+fn nudge(exponent: Option<i32>, is_negative: bool) -> f64 {
+    exponent.map_or(0.0, |exponent| if is_negative { -2f64.powi(exponent) } else { 2f64.powi(exponent) })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4000))]
+
+    /// Quotients that are middles between floats, or all but: what makes the difference is in any of the limbs, of what
+    /// is divided or of the divisor. [EXACT-8]
+    #[test]
+    fn first_digits_tell_no_tie_that_is_none(
+        m in 1i64 << 52..1i64 << 53,
+        is_single in any::<bool>(),
+        divisor in prop_oneof![Just(1), (1..1i64 << 20)],
+        nudges in [(prop::option::of(-400..0i32), any::<bool>()), (prop::option::of(-400..0i32), any::<bool>())],
+    ) {
+        // Of single precision it is 2 m + 1 with less digits.
+        let (m, divisor) = (if is_single { m >> 29 } else { m } as f64, divisor as f64);
+        let [top, det] = nudges.map(|(exponent, is_negative)| nudge(exponent, is_negative));
+        let top = sum(&[[m, 2.0, divisor], [divisor, 1.0, 1.0], [top, 1.0, 1.0]]);
+        let ratio = Ratio { top: &top, det: &sum(&[[divisor, 1.0, 1.0], [det, 1.0, 1.0]]) };
+        tells::<f32>(&ratio);
+        tells::<f64>(&ratio);
+    }
+}
+
 /// A middle between floats, and what is all but one: beyond the first digits.
 #[test]
 fn first_digits_do_not_tell_what_is_beyond_them() {
