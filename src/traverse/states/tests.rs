@@ -12,6 +12,31 @@ fn without_register(bytes: &[u8]) -> Vec<u8> {
     bytes
 }
 
+/// Every bit of what comes before the state itself, with a checksum that is right; and every bit of that. [PAUSE-6]
+#[test]
+fn every_bit_of_a_header_and_of_a_checksum_counts() {
+    let tree = Tree::new(&[Some([1, 2]), None, None]).unwrap();
+    let (linked, states) = (Linked::both(&tree), States::of(&tree));
+    let bytes = states.to_bytes(&Afra::<u32, _>::new(&linked).unwrap().put_aside(Next::Visit));
+    let content = bytes.len() - CHECKSUM_BYTES;
+    for bit in (0..8 * 18).chain(8 * content..8 * bytes.len()) {
+        let mut other = bytes.clone();
+        other[bit / 8] ^= 1 << (bit % 8);
+        if bit / 8 < content {
+            let sum = checksum(&other[..content]);
+            other[content..].copy_from_slice(&sum.to_le_bytes());
+        }
+        let error = states.from_bytes::<u32>(&other).unwrap_err();
+        let is_named = match (bit / 8, error) {
+            (0..4, StateError::Magic) | (4, StateError::Version { .. }) | (6..10, StateError::WordBytes { .. }) => true,
+            (5, error) => error != StateError::Checksum,
+            (10..18, StateError::Tree) => true,
+            (at, error) => at >= content && error == StateError::Checksum,
+        };
+        assert!(is_named, "bit {bit}: {error}");
+    }
+}
+
 /// [PAUSE-3] [PAUSE-6]
 #[test]
 fn a_postponed_sibling_is_in_the_bytes_of_a_traversal_without_a_register_too() {
