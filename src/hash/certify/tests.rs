@@ -73,6 +73,13 @@ fn planted_faults_have_their_names() {
     assert_eq!(field(|hash| hash.header.mix.narrow ^= true), "whether keys fit 32 bits");
     assert_eq!(field(|hash| hash.header.reseeds = u32::from(hash.header.reseeds == 0)), "whether seeds were tried");
     assert_eq!(field(|hash| hash.header.sizing = Sizing::Printed), "D");
+    assert_eq!(field(|hash| hash.cells = hash.cells[1..].into()), "number of cells");
+    assert_eq!(field(|hash| *hash.cells.iter_mut().find(|word| **word == 0).unwrap() = !0), "number of addresses");
+    let larger = |hash: &mut PerfectHash| {
+        hash.header.cells = TableSize::new(hash.header.cells.get() + 2).unwrap();
+        hash.cells = [&hash.cells[..], &[0, 0]].concat().into();
+    };
+    assert_eq!(field(larger), "H");
 
     let cells = header.cells.get() + 1;
     let even = E::NotCoprime { displacements: header.displacements, cells };
@@ -84,8 +91,11 @@ fn planted_faults_have_their_names() {
     let low = E::Word { in_cells: true, index: free, word: 5 };
     assert_eq!(refusal(exact, printed, |hash| hash.cells[free] = 5), low);
     let displacement = hash.displacements().iter().position(|&word| word < 1 << 31).unwrap();
-    let high = E::Word { in_cells: false, index: displacement, word: cells };
-    assert_eq!(refusal(exact, printed, |hash| hash.displacements[displacement] = cells), high);
+    // From H on.
+    for word in [cells - 1, cells, (1 << 31) - 1] {
+        let high = E::Word { in_cells: false, index: displacement, word };
+        assert_eq!(refusal(exact, printed, |hash| hash.displacements[displacement] = word), high);
+    }
     assert_eq!(low.to_string(), format!("cell {free} holds 0x00000005, which is out of range"));
 }
 
