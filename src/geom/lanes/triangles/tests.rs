@@ -1,4 +1,4 @@
-use fearless_simd::{Level, dispatch};
+use fearless_simd::{Fallback, Level, dispatch};
 use glam::Vec3;
 
 use super::*;
@@ -102,6 +102,55 @@ fn all_cases(constants: [f32; 3]) -> Counts {
     counts
 }
 
+/// As wide as derived, and nothing counts less than its least. [LANES-3] [LANES-4]
+#[test]
+fn bounds_are_those_derived() {
+    let power = |exponent: i32| 2f32.powi(exponent);
+    for [d, far, reach] in [[3.0, 5.0, 7.0], [0.5, 9.0, 0.25], [1.0, power(-60), power(-50)], [1.0, 0.0, power(-41)]] {
+        let region = Region::of(&Aabb { lo: Vec3::splat(-reach), hi: Vec3::ZERO });
+        let ray = Ray::new(Vec3::X * far, Vec3::Y * d).expect("a ray");
+        let bounds = TriangleRay::new(Fallback::new(), &ray, &region);
+        let found = [bounds.edge, bounds.det, bounds.t, bounds.twice_c].map(<[f32; 4]>::from);
+        let c = (far + reach).max(power(-40));
+        assert_eq!(
+            found,
+            [39.0 * UNIT * d, 40.0 * UNIT * d, 44.0 * UNIT * c, 2.0 * c].map(|x| [x; 4]),
+            "{d} {far} {reach}"
+        );
+    }
+    let tiny = Triangle([Vec3::ZERO, Vec3::X * power(-41), Vec3::Y * power(-50)]);
+    let block = dispatch!(levels()[0], simd => Block::of(simd, [&tiny; 4]));
+    assert_eq!([block.edges, block_of(&[tiny; 4]).edges], [[power(-40); 4]; 2]);
+}
+
+/// Single precision is asked, and rejects what is far beside a ray, where nothing over- or underflows; and nowhere else.
+/// [LANES-3] [LANES-5]
+#[test]
+fn single_precision_is_asked_within_its_range() {
+    let block = block_of(&[Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]); 4]);
+    let region = |reach: f32| Region::of(&Aabb { lo: Vec3::splat(-reach), hi: Vec3::ONE });
+    let rejects = |[far, reach, d]: [f32; 3]| {
+        let ray = Ray::new(Vec3::new(-far, far, -1.0), Vec3::Z * d).expect("a ray");
+        survive(levels()[0], &ray, &region(reach), &block, f32::INFINITY, CONSTANTS) == 0
+    };
+    let [few, many, most] = [-20, 20, 40].map(|exponent| 2f32.powi(exponent));
+    for usual in [[9.0, 1.0, few], [9.0, 1.0, many], [most, 1.0, 1.0], [most, most, 1.0]] {
+        assert!(rejects(usual), "{usual:?}");
+    }
+    let [few, many, beyond] = [few.next_down(), many.next_up(), most.next_up()];
+    for unusual in [[9.0, 1.0, few], [9.0, 1.0, many], [beyond, 1.0, 1.0], [most, beyond, 1.0]] {
+        assert!(!rejects(unusual), "{unusual:?}");
+    }
+    // A direction within bounds that are a 2^-10th of it.
+    for (off, expected) in [(f64::powi(2.0, -10) * 0.999, 0), (f64::powi(2.0, -10) * 1.001, 15)] {
+        let [origin, mut direction] = [[-9.0, 9.0, -1.0], [0.0, 0.0, 1.0]].map(|v| v.map(Interval::exact));
+        direction[1] = Interval::between([-off, off]);
+        let (ray, off) = (EnclosedRay { origin, direction }, [OFF_EDGE, OFF_REACH, OFF]);
+        let left = dispatch!(levels()[0], simd => survivors_of(simd, &ray, &region(1.0), &block, f32::INFINITY, off));
+        assert_eq!(left, expected);
+    }
+}
+
 #[test]
 fn no_hit_is_rejected() {
     let counts = all_cases(CONSTANTS);
@@ -165,6 +214,39 @@ fn all_cases_within(off: [f32; 3]) -> Counts {
         }
     }
     counts
+}
+
+/// No number within the bounds is farther than that from the floats: the ends are not, by rational arithmetic. Bounds of
+/// one number are off by what is rounded alone. [LANES-5]
+#[test]
+fn a_ray_within_bounds_is_off_by_its_radius_and_by_what_is_rounded() {
+    let (mut draw, mut alone) = (Draw::new(9), 0);
+    for _ in 0..4000 {
+        let bounds = [(); 3].map(|()| {
+            let middle = f64::from(draw.centred().x) * (1.0 + f64::from(draw.centred().y) * f64::powi(2.0, -26));
+            let radius = [0.0, 0.0, f64::powi(2.0, -(draw.below(60) as i32))][draw.below(3)];
+            Interval::between([middle - radius, middle + radius])
+        });
+        let (floats, off) = nearest(&bounds);
+        let exact = |x: f64| truth::RBig::try_from(x).expect("finite");
+        let mut farthest = exact(0.0);
+        for (bounds, x) in bounds.iter().zip(floats.to_array()) {
+            for end in bounds.ends() {
+                let apart = exact(end) - exact(x.into());
+                farthest = farthest.max(if apart < exact(0.0) { -apart } else { apart });
+            }
+        }
+        // The sum of radius and rounding is rounded itself.
+        let off = f64::from(off);
+        assert!(farthest <= exact(off) * exact(1.0 + f64::EPSILON), "{bounds:?}: {floats} {off}");
+        let is_alone = bounds.iter().all(Interval::is_exact);
+        assert!(
+            !is_alone || farthest >= exact(off) * exact(1.0 - f64::from(f32::EPSILON)),
+            "{bounds:?}: {floats} {off}"
+        );
+        alone += usize::from(is_alone && off > 0.0);
+    }
+    assert!(alone > 500, "{alone}");
 }
 
 /// [LANES-5]
