@@ -18,8 +18,6 @@ mod once;
 mod ray;
 mod region;
 pub mod slabs;
-#[cfg(test)]
-pub(crate) mod thresholds;
 mod triangle;
 pub mod truth;
 mod vector;
@@ -42,3 +40,6 @@ pub use region::Region;
 pub use slabs::Slabs;
 pub use triangle::Triangle;
 pub use vector::{Real, Vector};
+
+#[cfg(test)]
+pub(crate) mod tests;

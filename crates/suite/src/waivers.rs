@@ -54,7 +54,7 @@ pub enum WaiverError {
     /// There is no such case.
     #[error("there is no case '{}'", Shown(.0))]
     Unknown(String),
-    /// There is no such case any more.
+    /// The case was withdrawn.
     #[error("{0}")]
     Withdrawn(&'static Withdrawn),
 }

@@ -1,17 +1,17 @@
-//! Cases that there were: their ids are never used again.
+//! Withdrawn cases, whose ids are never used again.
 
 use core::fmt;
 
 use serde::Serialize;
 
-/// A case that was withdrawn: it was wrong, or what is right has changed.
+/// A withdrawn case: its expectation was wrong, or a definition has changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Withdrawn {
     /// The id that it had.
     pub id: &'static str,
     /// The first version of the suite without it.
     pub since: &'static str,
-    /// Why, and what stands in its place.
+    /// Why, and which case replaces it.
     pub reason: &'static str,
 }
 
@@ -21,16 +21,16 @@ macro_rules! by_rounded_distances {
             id: concat!("ray/exact/", $name),
             since: "2.0.0",
             reason: concat!(
-                "of distances that round to one float the lowest triangle came first, and not the nearest: ray/exact/",
+                "replaced by ray/exact/",
                 $name,
-                "-ordered has the order of exact distances",
+                "-ordered because hits at one rounded distance were in the order of their triangles' numbers",
             ),
         }),*]
     };
 }
 
 impl Withdrawn {
-    /// All of them.
+    /// All withdrawn cases.
     pub const ALL: &'static [Self] = &by_rounded_distances! {
         "far-origin"
         "stack-ulp"
@@ -41,7 +41,7 @@ impl Withdrawn {
         "t-above-0"
     };
 
-    /// The case that had an id.
+    /// Returns the withdrawn case that had an id.
     pub fn of(id: &str) -> Option<&'static Self> {
         Self::ALL.iter().find(|case| case.id == id)
     }

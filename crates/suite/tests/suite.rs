@@ -70,7 +70,7 @@ fn the_table_of_other_ray_tracers_has_each_case() {
     assert_eq!(BTreeSet::from_iter(rows), BTreeSet::from_iter(cases));
 }
 
-/// An id stands for one case for ever. What stands in the place of a withdrawn case is named.
+/// An id stands for one case for ever, and a reason names cases that exist.
 #[test]
 fn no_id_of_a_withdrawn_case_is_used_again() {
     let ids: BTreeSet<_> = SUITE.cases().map(|(_, case)| case.id.as_str()).collect();

@@ -37,7 +37,7 @@ def load(path, ids):
 
 
 def withdrawn(ids):
-    """What became of the first of these that was a case (withdrawn.json); None if none was."""
+    """Why the first of these ids that belonged to a case was withdrawn (withdrawn.json); None if none did."""
     for case in json.loads((SUITE / "withdrawn.json").read_text(encoding="utf-8")):
         if case["id"] in ids:
             return f"case '{case['id']}' was withdrawn in suite {case['since']}: {case['reason']}"

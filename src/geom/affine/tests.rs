@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::geom::Ray;
 use crate::geom::frame::power_of_two;
-use crate::geom::thresholds::{exact, holds, threshold, threshold_in_single};
+use crate::geom::tests::{exact, holds, threshold, threshold_in_single};
 use crate::geom::truth::{Place, Point, round_f64};
 
 pub(super) fn number() -> impl Strategy<Value = f32> {

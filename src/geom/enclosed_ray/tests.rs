@@ -3,7 +3,7 @@ use glam::Vec3;
 use super::*;
 use crate::generate::draw::{Draw, one_of};
 use crate::geom::slabs::{EnclosedSlabs, Slabs};
-use crate::geom::thresholds::exact;
+use crate::geom::tests::exact;
 use crate::geom::truth::{self, Number};
 use crate::geom::{Aabb, AffineMap, ExactRay};
 

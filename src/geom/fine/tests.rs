@@ -1,7 +1,7 @@
 use super::*;
 use crate::generate::draw::Draw;
 use crate::generate::{Rng, Source};
-use crate::geom::thresholds::{self, exact, vectors};
+use crate::geom::tests::{self as shared, exact, vectors};
 use crate::geom::truth::RBig;
 
 fn holds(x: Fine, number: &RBig) -> bool {
@@ -125,7 +125,7 @@ fn thresholds_are_held() {
         let (part, whole) = ((&product.0 + &z, product.1 + c), (&sum.0 * &z - &product.0, sum.1 * c - product.1));
         for (number, found) in [&sum, &product, &part, &whole, &(&part.0 * &z, part.1 * c)] {
             assert!(holds(*found, number), "{a:?} {b:?} {c:?}: {found:?}");
-            assert!(thresholds::holds(found.interval(), number), "{a:?} {b:?} {c:?}: {found:?}");
+            assert!(shared::holds(found.interval(), number), "{a:?} {b:?} {c:?}: {found:?}");
             assert!(
                 found.sign().is_none_or(|sign| exact(sign).sign() == number.sign()),
                 "{a:?} {b:?} {c:?}: {found:?}"

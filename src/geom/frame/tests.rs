@@ -3,7 +3,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::generate::draw::Draw;
-use crate::geom::thresholds::{exact, exponent, holds};
+use crate::geom::tests::{exact, exponent, holds};
 
 fn far_and_small() -> impl Strategy<Value = [DVec3; 3]> {
     let scale = prop::sample::select(vec![1.0, 1e-3, 1e-30, 1e-50, 1e-300, 5e-324, 1e30, 1e50, 1e300]);

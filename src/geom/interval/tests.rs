@@ -2,7 +2,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::generate::draw::Draw;
-use crate::geom::thresholds::{exact, exponent, holds, sorted, threshold};
+use crate::geom::tests::{exact, exponent, holds, sorted, threshold};
 
 fn number() -> impl Strategy<Value = f64> {
     let few = [0.0, -0.0, 1.0, -1.0, 3.0, 0.1, 5e-324, -5e-324, 1e-200, -1e200, f64::MAX, f64::MIN];

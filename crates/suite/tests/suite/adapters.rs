@@ -99,7 +99,7 @@ fn the_c_adapter_conforms() {
 
 #[test]
 fn the_python_adapter_conforms() {
-    conforms(Language::Python, 4332);
+    conforms(Language::Python, 4362);
 }
 
 #[test]

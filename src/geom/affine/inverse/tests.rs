@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::generate::draw::Draw;
 use crate::geom::affine::tests::{double, number, solution};
-use crate::geom::thresholds::{exact, exponent, holds, sorted};
+use crate::geom::tests::{exact, exponent, holds, sorted};
 use crate::geom::{AffineMap, Ray};
 
 /// From one number to another.

@@ -1,7 +1,7 @@
 use super::*;
 use crate::generate::draw::Draw;
 use crate::generate::{Rng, Source as _};
-use crate::geom::thresholds::{holds, vectors};
+use crate::geom::tests::{holds, vectors};
 use crate::geom::truth::{self, Number as _, meet};
 use crate::geom::{Aabb, EnclosedRay, ExactPoint, Real};
 

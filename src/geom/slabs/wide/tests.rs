@@ -2,7 +2,7 @@ use glam::Vec3;
 use proptest::prelude::*;
 
 use super::*;
-use crate::geom::thresholds::threshold;
+use crate::geom::tests::threshold;
 use crate::geom::truth::{self, entry as true_entry};
 use crate::geom::{Aabb, Frame};
 

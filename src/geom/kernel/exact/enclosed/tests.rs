@@ -2,7 +2,7 @@ use glam::Vec3;
 use proptest::prelude::*;
 
 use super::*;
-use crate::geom::thresholds::threshold;
+use crate::geom::tests::threshold;
 use crate::geom::truth::{Meeting, Number, Point, holds, meet, round_f32};
 use crate::geom::{Aabb, Interval, Ray, Region};
 

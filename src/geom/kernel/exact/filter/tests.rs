@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::generate::draw::Draw;
 use crate::geom::Aabb;
-use crate::geom::thresholds::{exact, vectors};
+use crate::geom::tests::{exact, vectors};
 use crate::geom::truth::RBig;
 
 /// Half of the distance from 1 to the next double.

@@ -7,7 +7,7 @@ use super::*;
 use crate::generate::{Rng, Source};
 use crate::geom::kernel::exact::Certainty::{Hit, Miss, Open};
 use crate::geom::kernel::exact::sum::difference;
-use crate::geom::thresholds::threshold;
+use crate::geom::tests::threshold;
 use crate::geom::truth::{self, Meeting, RBig};
 
 fn vector() -> impl Strategy<Value = DVec3> {

@@ -1,7 +1,7 @@
 use super::*;
 use crate::generate::Rng;
 use crate::generate::draw::Draw;
-use crate::geom::thresholds::{exact, vectors};
+use crate::geom::tests::{exact, vectors};
 use crate::geom::truth::RBig;
 
 /// As seen along each axis.
