@@ -145,7 +145,7 @@ fn single_precision_is_asked_within_its_range() {
     for (off, expected) in [(f64::powi(2.0, -10) * 0.999, 0), (f64::powi(2.0, -10) * 1.001, 15)] {
         let [origin, mut direction] = [[-9.0, 9.0, -1.0], [0.0, 0.0, 1.0]].map(|v| v.map(Interval::exact));
         direction[1] = Interval::between([-off, off]);
-        let (ray, off) = (EnclosedRay { origin, direction }, [OFF_EDGE, OFF_REACH, OFF]);
+        let (ray, off) = (EnclosedRay::new(origin, direction), [OFF_EDGE, OFF_REACH, OFF]);
         let left = dispatch!(levels()[0], simd => survivors_of(simd, &ray, &region(1.0), &block, f32::INFINITY, off));
         assert_eq!(left, expected);
     }
