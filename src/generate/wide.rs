@@ -122,7 +122,13 @@ impl<const A: usize> WideTape<A> {
             }
             cell
         };
-        Self { cells: tree.nodes().map(cell).collect(), kind: 0 }
+        let is_monotone = |parent: Node| {
+            let children = if parent.is_leaf() { 0 } else { tree.children(parent) };
+            let mut slots = (0..A as u32).filter(|slot| children >> slot & 1 == 1);
+            slots.all(|slot| answer(parent).begin <= answer(tree.child(parent, slot)).begin)
+        };
+        let kind = if tree.nodes().all(is_monotone) { Self::MONOTONE } else { 0 };
+        Self { cells: tree.nodes().map(cell).collect(), kind }
     }
 
     /// The same, with an end of the search at a leaf.

@@ -152,7 +152,8 @@ impl TrailWord for u128 {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Trail<W> {
     trail: W,
-    /// Bit `i`: the end has become less since the search was asked about the node `i` levels up.
+    /// Bit `i`: the end has become less since the search was asked about the node `i` levels up. A node farther up has no
+    /// bit and counts as if it were set: 128 bits carry 64 levels of two children.
     stale: u64,
 }
 
@@ -160,6 +161,12 @@ impl<W: TrailWord> Trail<W> {
     /// The trail. `[WIDE-10]`
     pub const fn trail(&self) -> W {
         self.trail
+    }
+
+    /// The bits as seen so many levels up.
+    #[inline(always)]
+    fn stale_above(&self, up: u32) -> u64 {
+        !(!self.stale).checked_shr(up).unwrap_or(0)
     }
 }
 
@@ -228,8 +235,7 @@ impl<const A: usize, W: TrailWord> Kept<A> for Trail<W> {
         }
         let (up, pending, rest) = back::<A, W>(self.trail);
         self.trail = rest;
-        // In two steps: 64 levels of two children fit 128 bits.
-        self.stale = self.stale >> (up - 1) >> 1;
+        self.stale = self.stale_above(up);
         Some(Level { up, pending: pending.low_bits(), nexts: [RankedChild::NONE; 2] })
     }
 
@@ -251,7 +257,7 @@ impl<const A: usize, W: TrailWord> Kept<A> for Trail<W> {
     fn words(&self, up: u32, pending: u32, _: [RankedChild; 2]) -> Option<Words> {
         let above = (0..A as u32 * up.saturating_sub(1)).fold(self.trail, |trail, _| trail.shr1());
         let set = if up == 0 { pending } else { above.low_bits() & ((1 << A) - 1) };
-        Some(Words::Trail { pending: set, is_dirty: self.stale.checked_shr(up).unwrap_or(0) & 1 == 1 })
+        Some(Words::Trail { pending: set, is_dirty: self.stale_above(up) & 1 == 1 })
     }
 }
 

@@ -4,12 +4,17 @@ use std::collections::BTreeSet;
 
 use proptest::prelude::*;
 use stackless_bvh::event::Trace;
-use stackless_bvh::generate::{Bytes, Exhaustive, Kind, Rng, Source, Tape, shape, wide_shape, wide_tree};
+use stackless_bvh::generate::{
+    Bytes, Exhaustive, Kind, Rng, Source, Tape, WideAnswer, WideTape, shape, wide_shape, wide_tree,
+};
 use stackless_bvh::hash::Lookup;
 use stackless_bvh::order::{Flow, Side, Visitor};
 use stackless_bvh::traverse::{self, Afra};
 use stackless_bvh::tree::{self, Node};
-use stackless_bvh::wide::{Method, Search, Tables, Topology, Tree, Unfit, Wanted, asked_keys, key_level};
+use stackless_bvh::wide::{
+    Kept, Method, RankedChild, Search, Tables, Topology, Trail, TrailWord, Tree, Unfit, Wanted, Words, asked_keys,
+    key_level,
+};
 use stackless_check::WideCase;
 
 fn check<const A: usize>(case: &WideCase<A>) -> u32 {
@@ -131,6 +136,102 @@ fn words_end_at_their_levels_and_no_sooner() {
     at_the_limits::<2>(&[16, 32, 63, 64]);
     at_the_limits::<4>(&[8, 16, 31, 32, 42]);
     at_the_limits::<8>(&[4, 8, 16, 21, 31, 32]);
+}
+
+/// A chain of which few leaves are wanted, and whose inner nodes begin one after the other. Where the search ends becomes
+/// less far below: then what is pending many levels up is beyond, or a node on the path is.
+fn ends_far_below<const A: usize>(limits: &[u32]) {
+    let (mut rng, low) = (Rng::new(17), A as u32);
+    for &levels in limits {
+        for _ in 0..120 {
+            let tree = chain::<A>(levels, &mut rng);
+            let mut answers = vec![WideAnswer::default(); tree.node_count()];
+            let mut node = Some((tree.root(), 0));
+            while let Some((parent, level)) = node.take() {
+                for slot in 0..low {
+                    let child = tree.child(parent, slot);
+                    let [steps, wanted] = if child.is_leaf() { [u64::from(levels), 6] } else { [2, 1] };
+                    let begin = answers[parent.index()].begin + rng.below(steps) as u32 * low;
+                    let end = rng.below(u64::from(levels)) as u32 * low;
+                    let is_end = child.is_leaf() && level > levels / 2 && rng.coin();
+                    answers[child.index()] =
+                        WideAnswer { is_wanted: rng.below(wanted) == 0, begin, end: is_end.then_some(end) };
+                    node = if child.is_leaf() { node } else { Some((child, level + 1)) };
+                }
+            }
+            let tape = WideTape::of(&tree, &answers);
+            assert!(tape.is_monotone());
+            check(&WideCase { tree, tape, is_sorted: true });
+        }
+    }
+}
+
+/// [WIDE-18] [WRESTART-1]
+#[test]
+fn an_end_far_below_counts_at_all_levels() {
+    ends_far_below::<2>(&[40, 63, 64]);
+    ends_far_below::<4>(&[30, 32, 41]);
+    ends_far_below::<8>(&[16, 30, 31]);
+}
+
+/// A trail is a list of pending sets and of dirty bits, as deep as it carries. A node 64 levels up has none: it counts as
+/// dirty.
+fn a_trail_is_a_list<const A: usize, W: TrailWord>(mut trail: Trail<W>) {
+    let (mut rng, levels) = (Rng::new(A as u64), <Trail<W> as Kept<A>>::LEVELS as usize);
+    let nexts = [RankedChild::NONE; 2];
+    for walk in 0..90 {
+        Kept::<A>::clear(&mut trail);
+        let (mut above, mut is_dirty) = (Vec::new(), false);
+        for _ in 0..2 * levels + 20 {
+            match rng.below(16) {
+                0 => {
+                    is_dirty = true;
+                    above.iter_mut().for_each(|(_, is_dirty)| *is_dirty = true);
+                    Kept::<A>::shortened(&mut trail);
+                }
+                1 => {
+                    is_dirty = false;
+                    Kept::<A>::asked(&mut trail);
+                }
+                2 => {
+                    let level = above.iter().rposition(|&(pending, _)| pending != 0);
+                    let popped = Kept::<A>::pop(&mut trail, 0);
+                    assert_eq!(popped.map(|popped| above.len() - popped.up as usize), level);
+                    let Some(popped) = popped else { continue };
+                    let pending;
+                    (pending, is_dirty) = above[above.len() - popped.up as usize];
+                    assert_eq!(popped.pending, pending);
+                    above.truncate(above.len() - popped.up as usize);
+                }
+                _ if above.len() < levels => {
+                    let is_pending = rng.below([2, 10, 80][walk % 3]) == 0;
+                    let pending = if is_pending { rng.below(1 << A) as u32 } else { 0 };
+                    above.push((pending, is_dirty));
+                    is_dirty = false;
+                    if let Some(beyond) = above.len().checked_sub(64) {
+                        above[beyond].1 = true;
+                    }
+                    Kept::<A>::push(&mut trail, pending, nexts);
+                }
+                _ => {}
+            }
+            for (up, &(pending, is_dirty)) in above.iter().chain([&(1, is_dirty)]).rev().enumerate() {
+                let found = Kept::<A>::words(&trail, up as u32, 1, nexts);
+                assert_eq!(found, Some(Words::Trail { pending, is_dirty }), "{up} of {}", above.len());
+            }
+            assert_eq!(Kept::<A>::is_stale(&trail), is_dirty);
+        }
+    }
+}
+
+/// [WIDE-10] [WIDE-11] [WIDE-18]
+#[test]
+fn trails_are_lists_of_sets() {
+    a_trail_is_a_list::<2, _>(Trail::<u32>::default());
+    a_trail_is_a_list::<2, _>(Trail::<u64>::default());
+    a_trail_is_a_list::<2, _>(Trail::<u128>::default());
+    a_trail_is_a_list::<4, _>(Trail::<u128>::default());
+    a_trail_is_a_list::<8, _>(Trail::<u128>::default());
 }
 
 /// Wants the children of a binary tape, in its order, in a wide tree with the same addresses.
