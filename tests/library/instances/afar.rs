@@ -64,5 +64,5 @@ fn few_triangles_are_tested_from_afar_in_single() {
 
 #[test]
 fn few_triangles_are_tested_from_afar_in_double() {
-    few_triangles_are_tested_from_afar::<DVec3>(1000, 90);
+    few_triangles_are_tested_from_afar::<DVec3>(126, 18);
 }

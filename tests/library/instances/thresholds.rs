@@ -114,7 +114,9 @@ fn thresholds_are_answered_by_rational_arithmetic<V: Kind>(most: i32) {
             });
             nudged::<V>(&mut draw, narrow(DVec3::from(image)))
         });
-        if !corners.iter().all(|&corner| V::is_finite(corner)) {
+        let is_finite = |x: f64| -> bool { f64::is_finite(V::Real::rounded(x).into()) };
+        let are_maps = maps.as_flattened().as_flattened().iter().all(|&x| is_finite(x));
+        if !are_maps || !corners.iter().all(|&corner| V::is_finite(corner)) {
             continue;
         }
         let shapes = shapes::<V>(corners.map(|corner| corner.widen().to_array()), &maps);

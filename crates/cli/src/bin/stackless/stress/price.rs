@@ -14,7 +14,7 @@ use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, WideBvh};
 use stackless_bvh::generate::{procedural, stress};
 use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::slabs::Wide;
-use stackless_bvh::geom::{Aabb, AffineError, AffineMap, Ball, Mesh, Ray, Triangle};
+use stackless_bvh::geom::{AffineMap, Ball, Mesh, Ray, Triangle};
 use stackless_bvh::trace::{Assembly, BinaryTracer, Instance, InstanceTracer, Object, Tracer};
 use stackless_bvh::traverse::Method;
 
@@ -22,8 +22,8 @@ use crate::output::{Block, bar, table};
 use climb::{Change, climb};
 use met::Met;
 use scenes::{
-    along_axes_from_afar, at_edge, at_vertices, coincident, from_afar, in_plane, inside, lattice, short_from_afar,
-    small_sphere, sphere,
+    along_axes_from_afar, apply, at_edge, at_vertices, coincident, from_afar, in_plane, inside, lattice,
+    short_from_afar, small_sphere, sphere, turn,
 };
 
 /// What costs more ordinary queries than this is named.
@@ -390,15 +390,6 @@ fn closest_in(assembly: &Assembly, object: Object, hard: Vec<Ray>, ordinary: Vec
         |tracer, ray: &Ray| usize::from(tracer.closest(ray).is_some()),
         |tracer, ray| Some(tracer.count_closest(std::slice::from_ref(ray)).into()),
     ))
-}
-
-/// The image, rounded.
-fn apply(map: &AffineMap, v: Vec3) -> Vec3 {
-    map.image_of_box(&Aabb { lo: v, hi: v }).lo
-}
-
-fn turn(cosine: f32, sine: f32) -> Result<AffineMap, AffineError> {
-    AffineMap::new([[cosine, -sine, 0.0, 0.0], [sine, cosine, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]])
 }
 
 #[cfg(test)]

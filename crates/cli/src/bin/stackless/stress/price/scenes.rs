@@ -5,7 +5,7 @@ use std::error::Error;
 use glam::Vec3;
 use stackless_bvh::generate::draw::Draw;
 use stackless_bvh::generate::{Rng, Source as _, stress};
-use stackless_bvh::geom::{Mesh, Ray};
+use stackless_bvh::geom::{Aabb, AffineError, AffineMap, Mesh, Ray};
 
 use super::QUERIES;
 
@@ -105,4 +105,14 @@ pub(super) fn at_edge() -> Vec<Ray> {
 pub(super) fn inside() -> Vec<Ray> {
     let o = Vec3::new(0.0, 0.3, -5.0);
     (1..8u8).filter_map(|i| Ray::new(o, EDGE * 0.25 + CORNER * (f32::from(i) * 0.0625) - o).ok()).collect()
+}
+
+/// The image, rounded.
+pub(super) fn apply(map: &AffineMap, v: Vec3) -> Vec3 {
+    map.image_of_box(&Aabb { lo: v, hi: v }).lo
+}
+
+/// A turn around the third axis.
+pub(super) fn turn(cosine: f32, sine: f32) -> Result<AffineMap, AffineError> {
+    AffineMap::new([[cosine, -sine, 0.0, 0.0], [sine, cosine, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]])
 }
