@@ -63,6 +63,9 @@ struct Surface<V: Vector> {
     maps: Vec<AffineMap<V::Real>>,
 }
 
+/// A triangle, and the maps that place it, likewise.
+pub(crate) type Image<'a, V> = (&'a Triangle<V>, &'a [AffineMap<<V as Vector>::Real>]);
+
 /// So many points of a path may be known by bounds only, one after the other. Then one is computed. `[SECOND-4]`
 const GENERATIONS: u32 = 8;
 
@@ -262,7 +265,7 @@ impl<V: Vector> ExactRay<V> {
 
     /// Compares the distances to the images of two triangles, each under its maps, which it is known to meet.
     /// `[EXACT-13]`
-    pub(crate) fn compare(&self, images: [(&Triangle<V>, &[AffineMap<V::Real>]); 2]) -> Ordering {
+    pub(crate) fn compare(&self, images: [Image<'_, V>; 2]) -> Ordering {
         let by_digits = || {
             let [o, d] = self.floats()?.map(Vector::widen);
             let fine =

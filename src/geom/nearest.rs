@@ -138,7 +138,7 @@ impl<V: Vector> Measure<V> {
         if near == far {
             return near;
         }
-        let [lo, hi] = [aabb.lo, aabb.hi].map(|corner| corner.as_dvec3());
+        let [lo, hi] = [aabb.lo, aabb.hi].map(Vec3::as_dvec3);
         let [below, above] = [lo - self.in_frame[1], self.in_frame[0] - hi];
         let fine = afar::to_box(self.point.widen(), &self.frame, [lo, hi], [below, above], least);
         fine.and_then(|least| V::Real::between([least; 2])).filter(|&fine| fine > near).unwrap_or(near)

@@ -81,8 +81,7 @@ where
     B: Slabs<Vector = Vec3>,
 {
     let corners = [[-4.0, -4.0], [8.0, -4.0], [-4.0, 8.0]];
-    let heights: Vec<_> =
-        (0..1 + draw.below(6)).map(|_| f32::from_bits(1f32.to_bits() + draw.below(8) as u32)).collect();
+    let heights: Vec<_> = (0..=draw.below(6)).map(|_| f32::from_bits(1f32.to_bits() + draw.below(8) as u32)).collect();
     let vertices = heights.iter().flat_map(|&z| corners.map(|[x, y]| Vec3::new(x, y, z))).collect();
     let mesh = Mesh::new(vertices, (0..heights.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).ok()?;
     let ray =

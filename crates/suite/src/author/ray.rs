@@ -249,9 +249,10 @@ pub(super) fn closest(author: &mut Author, name: &str, why: &str, mesh: &Mesh, r
     // What stands in the place of an expectation by rounded distances.
     let is_withdrawn = Withdrawn::of(&format!("{}/{}/{name}", author.0.level, author.0.profile)).is_some();
     let name = if is_withdrawn { &format!("{name}-ordered") } else { name };
-    let clauses: &[&str] = match name.starts_with("order-") || is_withdrawn {
-        true => &["EXACT-1", "EXACT-13", "DET-1", "CONF-2"],
-        false => &["EXACT-1", "DET-1", "CONF-2"],
+    let clauses: &[&str] = if name.starts_with("order-") || is_withdrawn {
+        &["EXACT-1", "EXACT-13", "DET-1", "CONF-2"]
+    } else {
+        &["EXACT-1", "DET-1", "CONF-2"]
     };
     author.case(name, clauses, why, &ask, result([("hits", json!(hits))]));
 }

@@ -161,12 +161,12 @@ impl<R: Real> EnclosedTest<R> {
 
     /// Bounds of the distance to a triangle that the ray certainly crosses, at whatever distance. `[SECOND-3]`
     pub(crate) fn span<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Option<[f64; 2]> {
-        self.crossing(shape).map(|(found, errors)| self.from_start(found.distance(&errors)))
+        self.crossing(shape).map(|(found, errors)| self.after_start(found.distance(&errors)))
     }
 
     /// Bounds of a distance, from those of what is left of it at the origin. `[INST-7]`
     #[inline(always)]
-    fn from_start(&self, ends: [f64; 2]) -> [f64; 2] {
+    fn after_start(&self, ends: [f64; 2]) -> [f64; 2] {
         if self.start == Interval::exact(0.0) { ends } else { (Interval::between(ends) + self.start).ends() }
     }
 
@@ -178,7 +178,7 @@ impl<R: Real> EnclosedTest<R> {
         place: impl Fn([R; 2]) -> Certainty<T>,
     ) -> Certainty<T> {
         let found = Determinants::of(&shape.widen(), self.origin, self.direction);
-        match decide(&found, &self.errors, &|ends| place(self.from_start(ends).map(R::rounded))) {
+        match decide(&found, &self.errors, &|ends| place(self.after_start(ends).map(R::rounded))) {
             _ if !self.is_usual => Certainty::Open,
             Certainty::Open => self.decide_again(shape, place),
             certain => certain,
@@ -192,7 +192,7 @@ impl<R: Real> EnclosedTest<R> {
         shape: &Triangle<V>,
         place: impl Fn([R; 2]) -> Certainty<T>,
     ) -> Certainty<T> {
-        let place = |ends| place(self.from_start(ends).map(R::rounded));
+        let place = |ends| place(self.after_start(ends).map(R::rounded));
         self.stage(shape).map_or(Certainty::Open, |(found, errors)| decide(&found, &errors, &place))
     }
 
