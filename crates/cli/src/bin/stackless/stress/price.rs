@@ -325,7 +325,7 @@ fn nearest_from_afar_64() -> Made {
     let bvh: Bvh<Triangle<DVec3>> = BuildOptions::default().build(&Mesh::new(wide, mesh.triangles().to_vec())?)?;
     let tracer = BinaryTracer::<_, Exact64, Wide>::with_tests(bvh, Method::default())?;
     let ordinary = procedural::rays(&mesh, 1, QUERIES).iter().map(|ray| ray.origin().as_dvec3()).collect::<Vec<_>>();
-    let hard = origins_afar().map(|o| o.as_dvec3()).flat_map(|o| [o, o * o.length().powi(7)]);
+    let hard = origins_afar().map(Vec3::as_dvec3).flat_map(|o| [o, o * o.length().powi(7)]);
     let balls = |points: Vec<DVec3>| points.into_iter().map(Ball::around).collect::<Result<_, _>>();
     let (hard, ordinary) = (balls(hard.collect())?, balls(ordinary)?);
     Ok(queries(tracer, hard, ordinary, |tracer, ball| usize::from(tracer.nearest(ball).is_some()), uncounted))
