@@ -98,9 +98,9 @@ fn nudged<V: Vector>(draw: &mut Draw, v: V) -> V {
 
 /// Triangles of small whole numbers, moved by the inverse of up to nine maps and then by the maps; rays at them, and next
 /// to them. `[INST-3]` `[INST-5]`
-fn thresholds_are_answered_by_rational_arithmetic<V: Kind>(most: i32) {
+fn thresholds_are_answered_by_rational_arithmetic<V: Kind>(most: i32, rounds: usize) {
     let (mut draw, mut rng, mut asked, mut hits) = (Draw::new(1), Rng::new(1), 0, 0);
-    for round in 0..4000 {
+    for round in 0..rounds {
         let levels = if round % 8 == 0 { 9 } else { 1 + draw.below(3) };
         let maps: Vec<_> = (0..levels).map(|_| map(&mut draw, most)).collect();
         let corners = [(); 3].map(|()| {
@@ -143,15 +143,15 @@ fn thresholds_are_answered_by_rational_arithmetic<V: Kind>(most: i32) {
                 .unwrap_or_else(|fault| panic!("{round}: {maps:?} {corners:?} {ray:?}: {fault}"));
         }
     }
-    assert!(asked > 20_000 && hits > asked / 20, "{hits} of {asked}");
+    assert!(asked > 5 * rounds && hits > asked / 20, "{hits} of {asked}");
 }
 
 #[test]
 fn thresholds_are_answered_by_rational_arithmetic_in_single() {
-    thresholds_are_answered_by_rational_arithmetic::<Vec3>(127);
+    thresholds_are_answered_by_rational_arithmetic::<Vec3>(127, 2000);
 }
 
 #[test]
 fn thresholds_are_answered_by_rational_arithmetic_in_double() {
-    thresholds_are_answered_by_rational_arithmetic::<DVec3>(1000);
+    thresholds_are_answered_by_rational_arithmetic::<DVec3>(1000, 300);
 }
