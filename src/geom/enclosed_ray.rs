@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::slabs::entry;
+use super::slabs::{Approach, entry};
 use super::truth::{Relaxed, touch};
 use super::{Interval, Ray, Region, Vector};
 
@@ -18,17 +18,6 @@ pub struct EnclosedRay {
     pub direction: [Interval; 3],
     /// The distance of the origin: 0, or where a ray from afar enters a region that all that follows is in. `[INST-7]`
     pub start: Interval,
-}
-
-/// Where a ray from afar enters a region.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Approach {
-    /// Not at all.
-    Misses,
-    /// The ray from there on.
-    Enters(EnclosedRay),
-    /// Doubles do not tell.
-    Unknown,
 }
 
 impl EnclosedRay {
@@ -57,7 +46,7 @@ impl EnclosedRay {
     }
 
     /// The ray from where it enters a region, in doubles. `[INST-7]`
-    pub(crate) fn approach(&self, region: &Region) -> Approach {
+    pub(crate) fn approach(&self, region: &Region) -> Approach<Self> {
         let Self { origin, direction, .. } = region.frame().ray(self);
         let Some(by) = entry(region, &origin, &direction, 0.0) else { return Approach::Misses };
         let by = Interval::exact(by);

@@ -93,7 +93,7 @@ impl Interval {
     pub(super) fn scaled(self, exponent: i32) -> Self {
         let (factor, back) = (power_of_two(exponent), power_of_two(-exponent));
         let (lo, hi) = (self.lo * factor, self.hi * factor);
-        // What was not rounded comes back, and what was rounded inwards comes back too great, or too small.
+        // An end that was not rounded comes back unchanged. One that was rounded inwards comes back too great or too small.
         Self {
             lo: if lo * back > self.lo { lo.next_down() } else { lo },
             hi: if hi * back < self.hi { hi.next_up() } else { hi },

@@ -73,8 +73,8 @@ impl<'a, K: Kernel, B, H: Held<K::Shape>> Sweep<'a, K, B, H> {
         let (Cast { bvh, kernel, .. }, mut found) = (&self.cast, self.found.clone());
         // No distance is a NaN.
         found.sort_by(|(t, prim, place), (other, next, at)| {
-            let exactly = || kernel.compare(&bvh.shape(*place), &bvh.shape(*at));
-            t.partial_cmp(other).map_or(Ordering::Equal, |order| order.then_with(exactly)).then(prim.cmp(next))
+            let at_one_distance = || kernel.order((&bvh.shape(*place), *prim), (&bvh.shape(*at), *next));
+            t.partial_cmp(other).unwrap_or(Ordering::Equal).then_with(at_one_distance)
         });
         let mut weights = Once::NEVER;
         let hit = |(t, prim, place): (Real<K>, u32, usize)| {

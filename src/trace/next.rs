@@ -72,7 +72,7 @@ impl<'a, K: Kernel, B, H: Held<K::Shape>> Following<'a, K, B, H> {
     /// Compares two hits at one rounded distance.
     fn order(&self, a: &Met, b: &Met) -> Ordering {
         let Cast { bvh, kernel, .. } = &self.cast;
-        kernel.compare(&bvh.shape(a.place), &bvh.shape(b.place)).then(a.prim.cmp(&b.prim))
+        kernel.order((&bvh.shape(a.place), a.prim), (&bvh.shape(b.place), b.prim))
     }
 
     /// Whether a hit at the given distance comes after the given one.

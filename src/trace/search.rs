@@ -178,23 +178,15 @@ impl<R: geom::Real> Best<R> {
             }
         } else if let Some(t) = kernel.distance(&held.shape, self.t) {
             // Of a triangle in parts, the part that is met last counts: its leaf may be the one whose box holds the hit.
-            let is_first = || match self.prim {
-                NO_PRIM => true,
-                prim => prim == held.prim || comes_first(kernel, held, &triangles[self.place]),
-            };
+            let is_before =
+                |best: &LeafTriangle<_>| kernel.order((&held.shape, held.prim), (&best.shape, best.prim)).is_lt();
+            let is_first = || self.prim == NO_PRIM || self.prim == held.prim || is_before(&triangles[self.place]);
             if t < self.t || t == self.t && is_first() {
                 *self = Self { t, prim: held.prim, place };
             }
         }
         Flow::Continue
     }
-}
-
-/// Whether of two hits at one rounded distance this is the first: by exact distance, then by triangle. `[EXACT-13]`
-#[cold]
-#[inline(never)]
-fn comes_first<K: Kernel>(kernel: &K, held: &LeafTriangle<K::Shape>, other: &LeafTriangle<K::Shape>) -> bool {
-    kernel.compare(&held.shape, &other.shape).then(held.prim.cmp(&other.prim)).is_lt()
 }
 
 impl<K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O: ChildOrder> Visitor for Search<'_, K, B, ANY, O> {

@@ -8,7 +8,7 @@
 //! believed before the bytes it promises are there, so memory stays within a small multiple of the file's size, and
 //! files of more than [`MOST_BYTES`] are refused.
 //!
-//! Numbers are rounded once, to the precision that is asked for. [`Rounding`] says how many and by how much: a decimal
+//! Numbers are rounded once, to the chosen precision. [`Rounding`] says how many and by how much: a decimal
 //! such as 0.1 is rounded in either precision. `load::<DVec3>` reads in double precision.
 //!
 //! The readers are our own: `tobj` 4.0 re-indexes vertices and reports no line, and `ply-rs-bw` 4.0 reports in several
@@ -71,7 +71,7 @@ impl<V: Position> Loaded<V> {
         Self { mesh, skipped: None, unread: None, rounding }
     }
 
-    /// What to tell whoever named the file: one line that begins with it. `None` if all of it was taken as it is.
+    /// Returns the note for the user: one line that begins with the file. `None` if all of it was taken as it is.
     pub fn note(&self, file: &Path) -> Option<String> {
         let skipped = self.skipped.as_ref().map(ToString::to_string);
         let unread = self.unread.as_ref().map(ToString::to_string);

@@ -36,7 +36,7 @@ pub fn read_obj<V: Position>(bytes: &[u8]) -> Result<(Mesh<V>, Option<Statements
     load(bytes).map(|loaded| (loaded.mesh, loaded.skipped))
 }
 
-/// Reads the mesh, and counts what was rounded and what was skipped.
+/// Reads the mesh, and counts rounded numbers and skipped elements.
 pub(crate) fn load<V: Position>(bytes: &[u8]) -> Result<Loaded<V>, ReadError> {
     let mut draft = Draft {
         line: 0,
@@ -96,7 +96,7 @@ const OTHERS: [&str; 42] = [
     "usemap", "maplib", "shadow_obj", "trace_obj", "ctech", "stech", "call", "csh", "bsp", "bzp", "cdc", "cdp", "res",
 ];
 
-/// Puts what a line says and the lines that continue it into `statement`.
+/// Writes a line and its continuation lines into `statement`.
 fn join<'a>(first: &[u8], lines: &mut Lines<'_>, statement: &'a mut Vec<u8>) -> &'a [u8] {
     statement.clear();
     statement.extend_from_slice(first);

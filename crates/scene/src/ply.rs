@@ -30,7 +30,7 @@ pub fn read_ply<V: Position>(bytes: &[u8]) -> Result<Mesh<V>, ReadError> {
     read_and_count(bytes).map(|(mesh, _)| mesh)
 }
 
-/// The same, and what was rounded.
+/// Reads them, and counts the rounded numbers.
 pub(crate) fn read_and_count<V: Position>(bytes: &[u8]) -> Result<(Mesh<V>, Rounding), ReadError> {
     let bytes = without_mark(bytes);
     // A lone carriage return ends lines only where it ends the first: binary data may begin with a line feed.
@@ -153,7 +153,7 @@ trait Source {
     fn begin(&mut self) -> Result<(), Fault>;
     /// The next number of this element; a double holds those of every type.
     fn scalar(&mut self, scalar: Scalar) -> Result<f64, Fault>;
-    /// The same as the coordinate of a vertex.
+    /// Reads the coordinate of a vertex.
     fn coordinate<F: Float>(&mut self, axis: usize, scalar: Scalar) -> Result<Number<F>, Fault> {
         Number::coordinate(self.scalar(scalar)?, axis)
     }

@@ -194,7 +194,7 @@ pub struct LoadedRays<V: Position = Vec3> {
 }
 
 impl<V: Position> LoadedRays<V> {
-    /// What to tell whoever named the file: one line that begins with it. `None` if all was taken as it is. `size` is the
+    /// Returns the note for the user: one line that begins with the file. `None` if all was taken as it is. `size` is the
     /// [`size`](super::size) of the scene that the rays are for.
     pub fn note(&self, file: &Path, size: f64) -> Option<String> {
         let rounded = self.rounding.note::<V::Real>(size)?;

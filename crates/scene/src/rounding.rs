@@ -27,7 +27,7 @@ impl Rounding {
         self.turned.max(if self.moved == 0.0 { 0.0 } else { self.moved / size })
     }
 
-    /// What is to be said of it, if anything was rounded.
+    /// Returns the note about it, if a number was rounded.
     pub(crate) fn note<F: Float>(&self, size: f64) -> Option<String> {
         let Self { numbers, rounded, moved, .. } = *self;
         let were = if rounded == 1 { "was" } else { "were" };

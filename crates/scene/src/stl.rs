@@ -28,7 +28,7 @@ pub fn read_stl<V: Position>(bytes: &[u8]) -> Result<Mesh<V>, ReadError> {
     read_and_count(bytes).map(|(mesh, _)| mesh)
 }
 
-/// The same, and what was rounded.
+/// Reads them, and counts the rounded numbers.
 pub(crate) fn read_and_count<V: Position>(bytes: &[u8]) -> Result<(Mesh<V>, Rounding), ReadError> {
     let mut draft = Draft::new();
     if is_text(bytes) {

@@ -115,7 +115,7 @@ pub enum Degenerate {
     /// They are in the tree. Rays miss them, and they have nearest points.
     #[default]
     Kept,
-    /// They are not in the tree, which is for rays alone: it is smaller, and a search for what is nearest does not know them.
+    /// They are not in the tree, which is for rays alone: it is smaller, and a search for the nearest point does not find them.
     LeftOut,
 }
 

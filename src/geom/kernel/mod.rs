@@ -60,6 +60,14 @@ pub trait Kernel: Copy + Debug {
         Ordering::Equal
     }
 
+    /// The order of two hits at one [`distance`](Self::distance), each a shape and its index: by what the distance was
+    /// rounded from, then by index. `[EXACT-13]`
+    #[cold]
+    #[inline(never)]
+    fn order(&self, (shape, prim): (&Self::Shape, u32), (other, next): (&Self::Shape, u32)) -> Ordering {
+        self.compare(shape, other).then(prim.cmp(&next))
+    }
+
     /// The stage that decides about a triangle, if the distance is asked for and nothing is known but the ray's end: a
     /// nearer limit may spare stages, and [`blocks`](Self::blocks) needs the later ones less often. For statistics.
     fn stage(&self, _: &Self::Shape) -> Stage {

@@ -150,7 +150,7 @@ impl<'a> LazyExact<'a> {
             let shape = block.triangle(lane);
             let Some(t) = self.once().distance(&shape, nearest.t) else { continue };
             let prim = block.prims[lane];
-            if t < nearest.t || t == nearest.t && prim != nearest.prim && self.comes_first(&shape, prim, nearest.prim) {
+            if t < nearest.t || t == nearest.t && prim != nearest.prim && self.comes_first(&shape, prim) {
                 nearest = Nearest { t, prim };
                 self.found = Some((block, lane));
             }
@@ -158,13 +158,12 @@ impl<'a> LazyExact<'a> {
         nearest
     }
 
-    /// Whether a hit at the rounded distance of the nearest one so far, which is of the triangle `best`, comes before it.
-    /// `[EXACT-13]`
+    /// Whether a hit at the rounded distance of the nearest one so far comes before it. `[EXACT-13]`
     #[cold]
     #[inline(never)]
-    fn comes_first(&mut self, shape: &Triangle, prim: u32, best: u32) -> bool {
-        let Some(found) = self.found() else { return true };
-        self.get().compare(shape, &found).then(prim.cmp(&best)).is_lt()
+    fn comes_first(&mut self, shape: &Triangle, prim: u32) -> bool {
+        let Some((block, lane)) = self.found else { return true };
+        self.get().order((shape, prim), (&block.triangle(lane), block.prims[lane])).is_lt()
     }
 
     /// One of these lanes' triangles that the ray meets within its interval.

@@ -5,6 +5,7 @@ use glam::Vec3;
 
 use super::Lanes;
 use super::boxes::{lane_numbers, splat};
+use crate::geom::frame::power_of_two;
 
 /// A point, prepared for the distances of `A` boxes at once: 4 or 8. `[NEAR-4]`
 #[derive(Clone, Copy, Debug)]
@@ -15,19 +16,15 @@ pub struct BoxPoint<S: Simd, V: Lanes<S, A>, const A: usize> {
     lanes: V,
 }
 
-/// 2 to the power of an exponent from -126 to 127.
-const fn power_of_two(exponent: i32) -> f32 {
-    f32::from_bits(((127 + exponent) as u32) << 23)
-}
-
 /// Below this a sum of squares may be wrong by underflow.
-const TINY: f32 = power_of_two(-100);
+const TINY: f32 = power_of_two(-100) as f32;
 
 /// Below this nothing has a square, in any unit.
-const LEAST: f32 = power_of_two(-120);
+const LEAST: f32 = power_of_two(-120) as f32;
 
 /// Units in which squares do not over- or underflow, and what they are in the usual one.
-const UNITS: [[f32; 2]; 2] = [[power_of_two(-70), power_of_two(70)], [power_of_two(100), power_of_two(-100)]];
+const UNITS: [[f32; 2]; 2] =
+    [[power_of_two(-70) as f32, power_of_two(70) as f32], [power_of_two(100) as f32, power_of_two(-100) as f32]];
 
 /// What a distance is multiplied with, 1 - 8u, to be below the exact one.
 const LESS: f32 = 1.0 - 4.0 * f32::EPSILON;

@@ -82,7 +82,7 @@ impl<S: Simd> TriangleRay<S> {
             && turned <= MAX_TURN * direction.abs().max_element();
         let [moved, turned] = if is_usual { [moved, turned] } else { [f32::INFINITY; 2] };
         let middle = Self::with_constants(simd, [origin, direction], region, CONSTANTS);
-        // What is beyond is told from where the ray began.
+        // The filter for hits beyond the limit needs the distance from the ray's origin.
         let from_start = if ray.start == Interval::exact(0.0) { off * moved } else { f32::INFINITY };
         Self {
             edge: middle.edge + edge * turned,

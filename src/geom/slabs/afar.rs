@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::entered::Approach;
+use super::entered::{Approach, Entry};
 use crate::geom::fine::{Fine, shortened};
 use crate::geom::frame::power_of_two;
 use crate::geom::kernel::USUAL;
@@ -13,7 +13,7 @@ const FAR: f64 = power_of_two(12);
 
 /// Takes a ray to a point of its line that is before the region, whose distance is told, and from there to where it enters.
 /// `None` where twice the digits have no room, or the line is not near to the region. `[BOX-9]`
-pub(super) fn approach(ray: &Ray<DVec3>, region: &Region) -> Option<(Interval, Approach)> {
+pub(super) fn approach(ray: &Ray<DVec3>, region: &Region) -> Option<(Interval, Approach<Entry>)> {
     let (frame, o, d) = (region.frame(), ray.origin(), ray.direction());
     let (middle, radius) = Interval::middles(&frame.leave(region.bounds()));
     let [length, far] = [d, o - middle].map(|v| v.abs().max_element());

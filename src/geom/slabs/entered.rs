@@ -25,13 +25,13 @@ pub(in crate::geom) struct Entered {
     pub(super) tmin: f64,
 }
 
-/// What doubles say of where a ray enters the region of all boxes.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Approach {
-    /// Not at all.
+/// What doubles tell about where a ray enters a region.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Approach<E> {
+    /// It does not.
     Misses,
-    /// There.
-    Enters(Entry),
+    /// The ray from there on.
+    Enters(E),
     /// Too little.
     Unknown,
 }
@@ -57,7 +57,7 @@ const MAX_UNIT: i32 = 800;
 /// Where bounds of the entry are farther apart than such a part of the region, single precision is finer.
 const FINE: f64 = power_of_two(-24);
 
-impl Approach {
+impl Approach<Entry> {
     /// Takes a ray into the frame of the boxes, and there to where it enters their region.
     pub(super) fn of(ray: &Ray<DVec3>, region: &Region) -> Self {
         let frame = region.frame();

@@ -20,6 +20,7 @@ mod wide;
 pub use centred::{Centred, PADDING, Plain, TwoSided};
 pub use directed::{Directed, STEPS};
 pub use enclosed::EnclosedSlabs;
+pub(crate) use entered::Approach;
 pub(in crate::geom) use entered::entry;
 pub(in crate::geom) use entrance::{FromEntrance, entered_if};
 pub use wide::{STRICT_STEPS, Wide};

@@ -4,12 +4,12 @@ use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::Builder;
 use stackless_bvh::generate::draw::Draw;
 use stackless_bvh::generate::stress;
-use stackless_bvh::geom::{AffineMap, Mesh, Ray, Real, Vector};
+use stackless_bvh::geom::{Mesh, Ray, Vector};
 use stackless_bvh::trace::InstanceTracer;
 use stackless_bvh::traverse::Method;
-use stackless_check::{Flat, Shape, check_answer};
+use stackless_check::{Flat, check_answer};
 
-use super::scenes::{Kind, Scene, narrow};
+use super::scenes::{Kind, Scene, narrow, placed};
 use super::{assembly, hierarchies, wide};
 
 /// Through the unit ball or beside it, from so far away: along an axis, through the middle, or as directions are rounded.
@@ -34,9 +34,7 @@ fn few_triangles_are_tested_from_afar<V: Kind>(most: i32, step: usize) {
     let half = [[0.0, 0.5, 0.0, 0.1], [0.0, 0.0, 0.5, 0.0], [0.5, 0.0, 0.0, 0.0]];
     let (mut draw, mut hits, mut asked) = (Draw::new(1), 0, 0);
     for maps in [vec![half], vec![turn], vec![turn, half, turn]] {
-        let map = |rows: &[[f64; 4]; 3]| AffineMap::new(rows.map(|row| row.map(V::Real::rounded))).expect("an inverse");
-        let groups = maps.iter().enumerate().map(|(below, rows)| Shape::Group(vec![(below, map(rows))]));
-        let shapes: Vec<_> = std::iter::once(Shape::Mesh(sphere.clone())).chain(groups).collect();
+        let shapes = placed(sphere.clone(), &maps);
         let (flat, scene) = (Flat::new(&shapes), Scene { name: format!("{maps:?}"), shapes });
         let tracers = [hierarchies(&scene, Builder::Sah, 1), wide(&scene, Builder::Sah, 1)].map(|built| {
             let (assembly, object) = assembly(&built, &scene);

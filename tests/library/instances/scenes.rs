@@ -33,6 +33,13 @@ pub(crate) struct Scene<V: Vector> {
     pub(crate) shapes: Vec<Shape<V>>,
 }
 
+/// A mesh that these maps place one in another, the innermost first.
+pub(crate) fn placed<V: Vector>(mesh: Mesh<V>, maps: &[[[f64; 4]; 3]]) -> Vec<Shape<V>> {
+    let map = |rows: &[[f64; 4]; 3]| AffineMap::new(rows.map(|row| row.map(V::Real::rounded))).expect("an inverse");
+    let groups = maps.iter().enumerate().map(|(below, rows)| Shape::Group(vec![(below, map(rows))]));
+    std::iter::once(Shape::Mesh(mesh)).chain(groups).collect()
+}
+
 type Maker<V> = fn(&mut Rng) -> Vec<Shape<V>>;
 
 /// All scenes, in three variants each.

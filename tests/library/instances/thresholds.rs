@@ -5,12 +5,12 @@ use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::Builder;
 use stackless_bvh::generate::draw::{Draw, one_of};
 use stackless_bvh::generate::{Rng, Source};
-use stackless_bvh::geom::{AffineMap, Mesh, Ray, Real, Vector};
+use stackless_bvh::geom::{Mesh, Ray, Real, Vector};
 use stackless_bvh::trace::InstanceTracer;
 use stackless_bvh::traverse::Method;
 use stackless_check::{Flat, Shape, check_answer};
 
-use super::scenes::{Kind, Scene, narrow};
+use super::scenes::{Kind, Scene, narrow, placed};
 use super::{assembly, hierarchies, rays};
 
 /// 2 to this power, from -1074 on.
@@ -25,9 +25,7 @@ fn diagonal(x: f64, offset: f64) -> [[f64; 4]; 3] {
 /// A triangle that these maps place one in another, the innermost first.
 fn shapes<V: Vector>(corners: [[f64; 3]; 3], maps: &[[[f64; 4]; 3]]) -> Vec<Shape<V>> {
     let mesh = Mesh::new(corners.map(|corner| narrow(DVec3::from(corner))).to_vec(), vec![[0, 1, 2]]).expect("a mesh");
-    let map = |rows: &[[f64; 4]; 3]| AffineMap::new(rows.map(|row| row.map(V::Real::rounded))).expect("an inverse");
-    let groups = maps.iter().enumerate().map(|(below, rows)| Shape::Group(vec![(below, map(rows))]));
-    std::iter::once(Shape::Mesh(mesh)).chain(groups).collect()
+    placed(mesh, maps)
 }
 
 /// The distance and the first weight, which must be those of rational arithmetic.

@@ -1,4 +1,4 @@
-//! What is nearest to a point that all of a mesh is nearly as far from.
+//! Nearest points of a mesh from afar, where all of it is nearly equally far.
 
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{Bvh, WideBvh};

@@ -111,8 +111,7 @@ impl File {
             let limit = best.map_or(ray.tmax(), |(hit, _)| hit.t);
             let is_first = |t: f32| {
                 best.is_none_or(|(hit, other)| {
-                    let by_index = prim.cmp(&hit.prim);
-                    t < hit.t || t == hit.t && kernel.compare(&triangle, &other).then(by_index).is_lt()
+                    t < hit.t || t == hit.t && kernel.order((&triangle, prim), (&other, hit.prim)).is_lt()
                 })
             };
             if let Some(t) = kernel.distance(&triangle, limit).filter(|&t| is_first(t)) {

@@ -1,4 +1,4 @@
-//! Single and double precision of `stackless trace`, and what is said of numbers that are rounded.
+//! Single and double precision of `stackless trace`, and the notes about rounded numbers.
 
 use std::path::Path;
 

@@ -1,5 +1,5 @@
 //! Cases of `ray/exact` about the order of hits: by exact distances, and of equal ones by the numbers of triangles.
-//! What tells two hits apart is mostly smaller than what is left of it in a float.
+//! The distances of two hits mostly differ by less than a float can hold.
 
 use glam::Vec3;
 

@@ -177,8 +177,9 @@ impl<R: Real> EnclosedTest<R> {
         shape: &Triangle<V>,
         place: impl Fn([R; 2]) -> Certainty<T>,
     ) -> Certainty<T> {
+        let place = |ends| place(self.after_start(ends).map(R::rounded));
         let found = Determinants::of(&shape.widen(), self.origin, self.direction);
-        match decide(&found, &self.errors, &|ends| place(self.after_start(ends).map(R::rounded))) {
+        match decide(&found, &self.errors, &place) {
             _ if !self.is_usual => Certainty::Open,
             Certainty::Open => self.decide_again(shape, place),
             certain => certain,
@@ -190,9 +191,8 @@ impl<R: Real> EnclosedTest<R> {
     fn decide_again<V: Vector<Real = R>, T>(
         &self,
         shape: &Triangle<V>,
-        place: impl Fn([R; 2]) -> Certainty<T>,
+        place: impl Fn([f64; 2]) -> Certainty<T>,
     ) -> Certainty<T> {
-        let place = |ends| place(self.after_start(ends).map(R::rounded));
         self.stage(shape).map_or(Certainty::Open, |(found, errors)| decide(&found, &errors, &place))
     }
 
@@ -214,7 +214,7 @@ impl<R: Real> EnclosedTest<R> {
     }
 }
 
-/// What is certain with these errors. Of a line that certainly meets the triangle, `place` tells it from the bounds of its
+/// Decides with these errors. For a line that certainly meets the triangle, `place` decides from the bounds of its
 /// distance.
 #[inline(always)]
 pub(super) fn decide<T>(

@@ -55,7 +55,7 @@ fn ranks_are_just_below_the_distances_of_boxes() {
             assert!(f64::from(below) <= exact, "{below:e} {exact:e}");
             assert_eq!(set >> lane & 1 == 1, below <= limit);
             assert_eq!(within(below) >> lane & 1, 1, "a limit as far as the rank, with the lane cleared");
-            // Of what is tiny, the greatest component.
+            // For tiny vectors, the greatest component.
             assert!(exact == 0.0 || exact < 1e-43 || f64::from(below) > exact * 0.5, "{below:e} {exact:e}");
             let is_usual = (2e-36..f32::MAX.into()).contains(&exact);
             assert!(!is_usual || f64::from(below) > exact * (1.0 - 2e-6), "{below:e} {exact:e}");

@@ -66,7 +66,7 @@ impl<V: Position> Scene<V> {
         triangles.filter(Triangle::is_degenerate).count()
     }
 
-    /// What is to be said of them, if there are any.
+    /// Returns the note about them, if there are any.
     pub(crate) fn degenerate_note(&self) -> Option<String> {
         let of = output::count(self.mesh.triangles().len() as u64, "triangle");
         let say = |count, what| format!("{}: {count} of {of} {what}", self.name);

@@ -318,7 +318,7 @@ fn origins_afar() -> impl Iterator<Item = Vec3> {
     from_afar().into_iter().map(|ray| ray.origin())
 }
 
-/// From there, and from up to 2^960 away. What is met is not counted.
+/// From there, and from up to 2^960 away. Nodes and triangles are not counted.
 fn nearest_from_afar_64() -> Made {
     let mesh = sphere()?;
     let wide = mesh.vertices().iter().map(|v| v.as_dvec3()).collect();
