@@ -66,6 +66,8 @@ fn wide_radii_are_not_forgotten() {
     let wide = Fine { high: 1.0, low: 0.0, radius: 0.125 };
     let [[least, _], [most, _]] = wide.root().expect("positive").bounds();
     assert!(least * least <= 0.875 && most * most >= 1.125, "{least} {most}");
+    let [[least, _], [most, _]] = (wide * wide).bounds();
+    assert!(least <= 0.875 * 0.875 && most >= 1.125 * 1.125, "{least} {most}");
     let [[least, _], [most, _]] = Fine::exact(0.5).over(wide).expect("positive").bounds();
     assert!(least * 1.125 <= 0.5 && most * 0.875 >= 0.5, "{least} {most}");
 }

@@ -112,3 +112,6 @@ impl FromEntrance {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

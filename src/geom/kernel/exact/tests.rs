@@ -142,15 +142,17 @@ fn what_is_met_on_a_grid_is_that_of_rationals() {
     let (mut rng, mut hits, mut misses) = (Rng::new(11), 0, 0);
     for _ in 0..6000 {
         let [edges, off, at, length] = [20, 20, 5, 2].map(|n| rng.below(n));
-        let is_beside = rng.coin();
+        let (is_beside, is_flat) = (rng.coin(), rng.below(8) == 0);
         let mut vector = |digits: u64| {
             let limit = 1 << digits;
             Vec3::from([(); 3].map(|()| rng.below(2 * limit + 1) as f32 - limit as f32))
         };
         let (a, half_e1, half_e2) = (vector(2), vector(edges), vector(edges));
-        let (corners, o) = ([a, a + 2.0 * half_e1, a + 2.0 * half_e2], a + vector(off));
+        let (corners, way) = ([a, a + 2.0 * half_e1, a + 2.0 * half_e2], vector(off));
+        // Or in the plane.
+        let o = a + if is_flat { half_e1 * 3.0 - half_e2 } else { way };
         let target = [a, corners[1], a + half_e1, a + half_e2, a + half_e1 + half_e2][at as usize];
-        let beside = if is_beside { vector(0) } else { Vec3::ZERO };
+        let beside = if is_beside && !is_flat { vector(0) } else { Vec3::ZERO };
         let Ok(ray) = Ray::new(o, (target + beside - o) * [1.0, 3.0][length as usize]) else { continue };
         let (shape, points) = (Triangle(corners), corners.map(|corner| corner.to_array()));
         let hit = truth::meet(points, o.to_array(), ray.direction().to_array()).within([0.0, f32::INFINITY]);

@@ -1,6 +1,9 @@
+use glam::Vec3;
+
 use super::*;
 use crate::generate::{Rng, Source as _};
 use crate::geom::truth::{self, Meeting, Point, RBig};
+use crate::geom::{Aabb, Frame};
 
 /// [EXACT-8]
 ///
@@ -32,28 +35,63 @@ fn what_is_nothing_is_missed() {
 #[test]
 fn the_answer_is_that_of_rationals() {
     let mut rng = Rng::new(12);
-    let (mut hits, mut crossings) = (0, 0);
+    let (mut hits, mut crossings, mut staged) = (0, 0, 0);
+    let nothing = Region::of(&Triangle([DVec3::ZERO; 3]).aabb());
+    let all = |place: i32| {
+        let most = Vec3::splat(2f32.powi(40));
+        Region::within(Frame::new(DVec3::ZERO, place).expect("a frame"), &Aabb { lo: -most, hi: most })
+    };
     for case in 0..20_000 {
         let [place, way] = [(); 2].map(|()| rng.below(1400) as i32 - 700);
         let (ray, shape) = aimed(&mut rng, [place, way], case % 4 == 0);
         let (corners, o, d) = (shape.0.map(|v| v.to_array()), ray.origin().to_array(), ray.direction().to_array());
-        let exact = Exact64::new(&ray, &Region::of(&Triangle([DVec3::ZERO; 3]).aabb()));
         let expected = truth::meet(corners, o, d).within([ray.tmin(), ray.tmax()]);
         let t = expected.as_ref().map(|point| truth::round_f64(&point.t));
-        assert_eq!(exact.distance(&shape, f64::INFINITY), t, "{ray:?} {shape:?}");
-        assert_eq!(exact.blocks(&shape), t.is_some(), "{ray:?} {shape:?}");
         let crosses = t.is_some() && is_crossed_in_rationals(&shape.0, ray.origin(), ray.direction());
-        assert_eq!(exact.crosses(&shape), crosses, "{ray:?} {shape:?}");
-        crossings += u32::from(crosses);
-        if let Some(Point { u, v, .. }) = expected {
-            assert_eq!(exact.weights(&shape), [&u, &v].map(truth::round_f64), "{ray:?} {shape:?}");
-            hits += 1;
+        let weights = expected.map(|Point { u, v, .. }| [&u, &v].map(truth::round_f64));
+        // By sums alone, where the scene is not usual, and by all stages.
+        for (is_staged, region) in [(false, nothing), (true, all(place))] {
+            let exact = Exact64::new(&ray, &region);
+            assert_eq!(exact.distance(&shape, f64::INFINITY), t, "{ray:?} {shape:?}");
+            assert_eq!(exact.blocks(&shape), t.is_some(), "{ray:?} {shape:?}");
+            assert_eq!(exact.crosses(&shape), crosses, "{ray:?} {shape:?}");
+            if let Some(weights) = weights {
+                assert_eq!(exact.weights(&shape), weights, "{ray:?} {shape:?}");
+            }
+            staged += u32::from(is_staged && exact.can_filter(&shape));
         }
+        (hits, crossings) = (hits + u32::from(t.is_some()), crossings + u32::from(crosses));
         let [a, b, c] = corners;
         let on_a_line = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| truth::meet([a, b, c], a, axis.to_array()));
         assert_eq!(predicates::is_degenerate(&shape.0), on_a_line == [const { Meeting::Coplanar }; 3], "{shape:?}");
     }
-    assert!(hits > 8_000 && (4_000..hits).contains(&crossings), "{hits} {crossings}");
+    assert!(hits > 8_000 && (4_000..hits).contains(&crossings) && staged > 500, "{hits} {crossings} {staged}");
+}
+
+/// Stages are asked where direction, distance, scene and the longest edge are within 2^-200 to 2^200. [EXACT-7]
+#[test]
+fn stages_are_asked_within_their_range() {
+    let power = |exponent: i32| 2f64.powi(exponent);
+    let is_usual = |d: f64, o: f64, exponent: i32| {
+        let frame = Frame::new(DVec3::ZERO, exponent).expect("a frame");
+        let ray = Ray::new(DVec3::X * o, DVec3::Y * d).expect("a ray");
+        Exact64::new(&ray, &Region::within(frame, &Aabb { lo: Vec3::ZERO, hi: Vec3::ONE })).is_usual
+    };
+    let (least, most) = (power(-200), power(200));
+    for (d, o, exponent) in [(1.0, 0.0, 0), (least, 0.0, 0), (most, 0.0, 0), (1.0, most / 2.0, 0), (1.0, 0.0, -200)] {
+        assert!(is_usual(d, o, exponent), "{d} {o} {exponent}");
+    }
+    let beyond = [(least.next_down(), 0.0, 0), (most.next_up(), 0.0, 0), (1.0, most, 0), (1.0, 1.0, -201)];
+    for (d, o, exponent) in beyond {
+        assert!(!is_usual(d, o, exponent), "{d} {o} {exponent}");
+    }
+    let has_usual_edges = |e1: f64, e2: f64| has_usual_edges(&[DVec3::ZERO, DVec3::X * e1, DVec3::Y * e2]);
+    for [short, long] in [[5e-324, least], [1.0, most], [0.0, 1.0]] {
+        assert!(has_usual_edges(short, long) && has_usual_edges(long, short), "{short} {long}");
+    }
+    for [short, long] in [[0.0, least.next_down()], [1.0, most.next_up()]] {
+        assert!(!has_usual_edges(short, long) && !has_usual_edges(long, short), "{short} {long}");
+    }
 }
 
 /// The moved line of [PARITY-1], by rational arithmetic.
