@@ -1,13 +1,19 @@
-"""A sphere that no ray leaks out of, also through its vertices: the ten lines of the README."""
+"""Hits, inside and distance of an STL part: the ten lines of README. It needs trimesh, to read the file."""
+
+from pathlib import Path
 
 import numpy as np
+import trimesh
 
 from stackless_bvh import Scene
 
-vertices = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=np.float64)
-faces = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])
-scene = Scene(vertices, faces)
-hits = scene.closest(np.zeros(3), vertices)
-assert hits.hit.all() and (hits.t == 1).all()
-assert (scene.count_crossings(np.zeros(3), vertices) == 1).all()
-assert scene.contains([[0.1, 0.2, 0.3], [0.4, 0.4, 0.4]]).tolist() == [True, False]
+part = trimesh.load(Path(__file__).parents[2] / "examples/data/part.stl", process=False)
+scene = Scene(part.vertices, part.faces)  # in double precision, as they are
+hits = scene.closest([[2, 0, 9]], [[0, 0, -1]])
+print(hits.t, hits.primitive, hits.uv)  # distances, faces, where in the face
+print(scene.contains([[2, 0, 0.5], [0, 0, 0.5]]))  # in the plate, in its hole
+print(scene.nearest(np.zeros((1, 3))).distance)
+
+assert hits.t.tolist() == [8] and hits.hit.all()
+assert scene.contains([[2, 0, 0.5], [0, 0, 0.5]]).tolist() == [True, False]
+assert scene.nearest([[0, 0, 0.5]]).distance > 0.9

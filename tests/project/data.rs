@@ -23,6 +23,7 @@ fn the_example_meshes_are_what_is_made_here() {
         ("torus.ply", torus().to_ascii_ply()),
         ("room.obj", room().to_obj()),
         ("slivers.ply", slivers().to_binary_ply()),
+        ("part.stl", part().to_binary_stl()),
     ];
     for (name, bytes) in made {
         let path = root().join("examples/data").join(name);
@@ -35,11 +36,12 @@ fn the_example_meshes_are_what_is_made_here() {
 }
 
 #[test]
-fn the_torus_is_closed_and_is_not_without_a_triangle() {
-    let mut torus = torus();
-    assert!(torus.is_closed());
-    torus.faces.pop();
-    assert!(!torus.is_closed());
+fn torus_and_part_are_closed_and_are_not_without_a_triangle() {
+    for mut shape in [torus(), part()] {
+        assert!(shape.is_closed());
+        shape.faces.pop();
+        assert!(!shape.is_closed());
+    }
 }
 
 #[test]
@@ -129,6 +131,26 @@ fn slivers() -> Shape {
     shape
 }
 
+/// A plate of 6 by 4 by 1 with a hole of eight sides in the middle.
+fn part() -> Shape {
+    let mut shape = Shape::default();
+    let outline =
+        [[3.0, 0.0], [3.0, 2.0], [0.0, 2.0], [-3.0, 2.0], [-3.0, 0.0], [-3.0, -2.0], [0.0, -2.0], [3.0, -2.0]];
+    let hole = (0..8).map(|i| f64::from(i) * TAU / 8.0).map(|angle| [angle.cos(), angle.sin()]);
+    let rings = [outline.to_vec(), hole.collect()];
+    for (z, ring) in [0.0, 1.0].iter().flat_map(|z| rings.iter().map(move |ring| (*z, ring))) {
+        shape.points.extend(ring.iter().map(|&[x, y]| [x, y, z].map(rounded)));
+    }
+    // Of the rings, below outside and inside, above outside and inside, in turn: each pair bounds a strip.
+    for [from, to] in [[1, 0], [0, 2], [2, 3], [3, 1]] {
+        for (i, j) in (0..8).map(|i| (i, (i + 1) % 8)) {
+            let [a, b, c, d] = [8 * from + i, 8 * from + j, 8 * to + j, 8 * to + i];
+            shape.faces.extend([vec![a, b, c], vec![a, c, d]]);
+        }
+    }
+    shape
+}
+
 /// To five digits, so that no machine's sines differ in what is written.
 fn rounded(x: f64) -> f32 {
     ((x * 1e5).round() / 1e5 + 0.0) as f32
@@ -195,6 +217,18 @@ impl Shape {
         for face in &self.faces {
             bytes.push(face.len() as u8);
             bytes.extend(face.iter().flat_map(|i| i.to_le_bytes()));
+        }
+        bytes
+    }
+
+    /// Without normals, which are zeros.
+    fn to_binary_stl(&self) -> Vec<u8> {
+        let mut bytes = vec![0; 80];
+        bytes.extend((self.faces.len() as u32).to_le_bytes());
+        for face in &self.faces {
+            let corners = face.iter().flat_map(|&i| self.points[i as usize]);
+            bytes.extend([0.0; 3].into_iter().chain(corners).flat_map(f32::to_le_bytes));
+            bytes.extend([0; 2]);
         }
         bytes
     }
