@@ -89,7 +89,7 @@ impl Choice {
 /// Why wide trees by [`Method::default`] are the default.
 const WIDE: [&str; 3] = [
     "It is exact: its answers are those of rational arithmetic.",
-    "It is the fastest that was measured (benches/records/2026-11-23-wide.md), but for wide-stack, whose state grows with the tree.",
+    "It is the fastest that was measured (benches/records/2026-11-28-leaves.md), but for wide-stack, whose state grows with the tree.",
     "It finds ancestors by references in the nodes, and so has no hash, which a patent may cover.",
 ];
 
