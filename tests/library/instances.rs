@@ -36,14 +36,18 @@ fn assembly<V: Vector>(built: &Hierarchies<V>, scene: &Scene<V>) -> (Assembly<V>
     (assembly, *objects.last().expect("a shape"))
 }
 
-/// Rays at corners, edges and insides of triangles, along the axes through corners, and from corner to corner.
+/// Draws up to `n` rays: at corners, edges and insides of triangles, along the axes through corners, and from corner to corner.
 fn rays<V: Vector>(flat: &Flat<V>, rng: &mut Rng, n: usize) -> Vec<Ray<V>> {
     let corners: Vec<_> = flat.corners().map(|corners| corners.map(Vector::widen)).collect();
     let all = corners.iter().flatten();
     let (lo, hi) = all.fold((DVec3::MAX, DVec3::MIN), |(lo, hi), corner| (lo.min(*corner), hi.max(*corner)));
     let size = (hi - lo).max_element();
     let mut rays = Vec::new();
-    while rays.len() < n {
+    // Where all corners are one point, some of these are no rays.
+    for _ in 0..4 * n {
+        if rays.len() == n {
+            break;
+        }
         let [a, b, c] = corners[rng.below(corners.len() as u64) as usize];
         let (u, v) = (unit(rng).abs(), unit(rng).abs());
         let target = match rng.below(4) {
