@@ -34,7 +34,7 @@ needs! {
     Shapes: "other shapes", "The leaves of a wide tree hold triangles, four in a block.";
     Tests: "inexact tests", "Wide trees are traced by exact tests alone.";
     Traversal: "a binary traversal", "A traversal of binary trees runs on binary trees.";
-    Instances: "instances", "`InstanceTracer` goes from binary tree to binary tree.";
+    Instances: "instances", "The groups of `InstanceTracer` are binary trees. The meshes in them may be wide.";
     Paths: "paths", "`Continuation` goes on from the leaf of the last hit by key and trail of a binary tree.";
     Pausing: "pausing", "The states that can be put aside and taken up again are those of binary trees.";
 }

@@ -33,7 +33,7 @@ use std::process::ExitCode;
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand, ValueHint};
 use stackless_bvh::geom::check_environment;
 
-/// Traversal of binary hierarchies without a stack: checked, exact about what it does, and measured.
+/// Exact ray tracing on triangle meshes, and stackless traversals that are checked and measured.
 #[derive(Parser)]
 #[command(name = "stackless", version, arg_required_else_help = true)]
 #[command(
