@@ -112,7 +112,8 @@ pub struct BuildOptions {
 /// What becomes of primitives that [cannot be hit](Primitives::can_be_hit).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Degenerate {
-    /// They are in the tree. Rays miss them, and they have nearest points.
+    /// They are in the tree. Rays miss them, and they have nearest points. Tests that are not
+    /// [exact](crate::trace::Accuracy) may hit them by rounding, and a ray that comes near tests them in vain.
     #[default]
     Kept,
     /// They are not in the tree, which is for rays alone: it is smaller, and a search for the nearest point does not find them.
