@@ -96,7 +96,7 @@ fn parts_of_accuracy_add_up() {
     // More rays than are aimed in a block.
     assert_counts_cut("accuracy --count 5000", &both[..1], &[3]);
     assert_counts_cut("accuracy --secondary --count 400", &[Path::new("soup")], &[7, 64]);
-    assert_counts_cut("accuracy spheres --count 20", &[], &[7]);
+    assert_counts_cut("accuracy spheres --count 20", &[], &[2]);
 }
 
 #[test]
