@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 
 use dashu_int::IBig;
 use glam::{DVec3, Vec3};
-use stackless_bvh::generate::Rng;
+use stackless_bvh::generate::{Rng, Source};
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::Tracer;
 
@@ -99,7 +99,7 @@ struct Integers(Vec<[[i128; 3]; 3]>);
 
 impl Integers {
     fn of(mesh: &Mesh) -> Self {
-        Self(mesh.triangles().map(|triangle| triangle.0.map(whole)).collect())
+        Self((0..mesh.triangles().len()).map(|i| mesh.triangle(i).map(whole)).collect())
     }
 
     /// The triangles that the ray meets, by exact distance, then by index.
