@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use super::support::{Folder, data, stackless};
+use super::support::{Folder, stackless};
 
 /// An option is obeyed or refused.
 #[test]
