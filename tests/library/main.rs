@@ -2,6 +2,7 @@
 
 mod bites;
 mod bounds;
+mod curve;
 mod departures;
 mod depth;
 mod disjoint;
@@ -27,3 +28,4 @@ mod slabs;
 mod state;
 mod usage;
 mod wide;
+mod worst;

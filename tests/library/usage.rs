@@ -1,5 +1,7 @@
 //! The programs of `examples/` run, and what they assert holds.
 
+#[path = "../../examples/curve.rs"]
+pub(crate) mod curve;
 #[path = "../../examples/foreign_traversal.rs"]
 mod foreign_traversal;
 #[path = "../../examples/gpu_upload.rs"]
@@ -20,7 +22,8 @@ type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 #[test]
 fn the_examples_run() {
-    let programs: [fn() -> Outcome; 7] = [
+    let programs: [fn() -> Outcome; 8] = [
+        curve::main,
         foreign_traversal::main,
         gpu_upload::main,
         hidden_objects::main,

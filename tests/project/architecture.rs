@@ -30,7 +30,6 @@ const ALLOWED: &[(&str, &[&str])] = &[
 const CRATES: &[(&str, &[&str])] = &[
     (".", &[]),
     ("crates/scene", &["stackless-bvh"]),
-    ("crates/curve", &["stackless-bvh"]),
     ("crates/check", &["stackless-bvh", "stackless-scene"]),
     ("crates/suite", &["stackless-bvh", "stackless-check", "stackless-scene"]),
     ("crates/explain", &["stackless-bvh", "stackless-check"]),
@@ -39,7 +38,6 @@ const CRATES: &[(&str, &[&str])] = &[
         &[
             "stackless-bvh",
             "stackless-check",
-            "stackless-curve",
             "stackless-explain",
             "stackless-peers",
             "stackless-scene",

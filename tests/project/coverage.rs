@@ -176,6 +176,9 @@ fn all_citations() -> Vec<Citation> {
         of(&file, source, if is_test { Cover::Test } else { Cover::Source });
         of(&file, tests, Cover::Test);
     }
+    for file in files("examples", "rs") {
+        of(&file, &read(&file), Cover::Source);
+    }
     let tests = files("crates", "rs")
         .into_iter()
         .filter(|file| file.components().nth(2) == Some(Component::Normal("tests".as_ref())));

@@ -9,7 +9,6 @@
 
 #![forbid(unsafe_code)]
 
-pub mod adversary;
 mod all;
 mod battery;
 mod boxes;

@@ -10,8 +10,6 @@ mod bench;
 mod check;
 #[path = "cli/conform.rs"]
 mod conform;
-#[path = "cli/curve.rs"]
-mod curve;
 #[path = "cli/habits.rs"]
 mod habits;
 #[path = "cli/held.rs"]
@@ -29,8 +27,6 @@ mod refused;
 mod render;
 #[path = "cli/replay.rs"]
 mod replay;
-#[path = "cli/report.rs"]
-mod report;
 #[path = "cli/stats.rs"]
 mod stats;
 #[path = "cli/stress.rs"]

@@ -27,7 +27,7 @@ const NOT_RUN: [(&str, &str); 13] = [
 
 /// Commands that take long or stand for many, as written and as run.
 #[rustfmt::skip]
-const RUN_AS: [(&str, &str); 45] = [
+const RUN_AS: [(&str, &str); 38] = [
     ("stackless merge RECORD...",
      "stackless check --trees 10 --shard 1/1 --json whole.json && stackless merge whole.json"),
     ("stackless check",
@@ -70,22 +70,12 @@ const RUN_AS: [(&str, &str); 45] = [
       --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png"),
     ("stackless render examples/data/slivers.ply --figure 1 -o figure1.png",
      "stackless render examples/data/slivers.ply --figure 1 --size 64 -o figure1.png"),
-    ("stackless report SCENE... -o DIR",
-     "stackless report examples/data/torus.ply --count 512 --rounds 1 --pixels 32 -o report"),
-    ("stackless report examples/data/torus.ply examples/data/slivers.ply -o report",
-     "stackless report examples/data/torus.ply examples/data/slivers.ply --count 512 --rounds 1 --pixels 32 -o report"),
-    ("stackless report strands --count 4096 --rounds 1 -o quick",
-     "stackless report strands --count 512 --rounds 1 --pixels 32 -o quick"),
     ("stackless stress",
      "stackless stress --list"),
     ("stackless stress --boxes N",
      "stackless stress --boxes 1000"),
     ("stackless stress --boxes 1000000",
      "stackless stress --boxes 1000"),
-    ("stackless curve",
-     "stackless curve --curves 2 --rounds 1 --tolerance 1e-2"),
-    ("stackless curve --plot curve.svg",
-     "stackless curve --curves 64 --rounds 1 --plot curve.svg"),
     ("stackless accuracy SCENE...",
      "stackless accuracy examples/data/torus.ply --count 100 --rounds 1"),
     ("stackless accuracy examples/data/slivers.ply spheres --plot accuracy.svg --csv accuracy.csv",
@@ -112,10 +102,6 @@ const RUN_AS: [(&str, &str); 45] = [
      "stackless stats examples/data/torus.ply --plot distances.svg"),
     ("stackless suite list|show|export|serve",
      "stackless suite list"),
-    ("stackless adversary GOAL",
-     "stackless adversary climb-afra --steps 100"),
-    ("stackless adversary climb-afra --seconds 10 -o worst.json",
-     "stackless adversary climb-afra --steps 100 -o worst.json"),
     ("stackless completions SHELL",
      "stackless completions zsh"),
     ("stackless completions bash > ~/.local/share/bash-completion/completions/stackless",

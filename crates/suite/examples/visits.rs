@@ -2,9 +2,9 @@
 //! visit, also at those on the way down again.
 //!
 //! The machines that are extracted from the proofs read it and see for themselves (spec/rocq/extract). Usage:
-//! `visits CASES SEED [I/N]`. First come all small trees, trees as deep as words carry, and the worst cases of the
-//! adversary; then as many as CASES says: random ones, some of them deep, combs with long climbs, some drawn from bytes
-//! as a fuzzer does, and worst cases with some choices changed. Every traversal that can be put aside is, once in each
+//! `visits CASES SEED [I/N]`. First come all small trees, trees as deep as words carry, and the worst cases that are
+//! known (`tests/data/worst`); then as many as CASES says: random ones, some of them deep, combs with long climbs, some drawn from bytes
+//! as a fuzzer does, and worst cases with some answers changed. Every traversal that can be put aside is, once in each
 //! case, and another one goes on.
 
 use std::env::args;
@@ -17,7 +17,7 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 use stackless_bvh::event::{Recorder, State};
-use stackless_bvh::generate::{Bytes, Rng, Search, Source as _};
+use stackless_bvh::generate::{Bytes, Rng, Search, Source as _, Tape};
 use stackless_bvh::hash::mix;
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::order::{Flow, Pruning};
@@ -26,7 +26,7 @@ use stackless_bvh::traverse::{
     traverse_pruned, with_word,
 };
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
-use stackless_check::{AllCases, Case, CaseOptions, Replay, Shard, adversary, boundary_cases};
+use stackless_check::{AllCases, Case, CaseOptions, Replay, Shard, boundary_cases};
 use stackless_suite::hex;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -63,7 +63,7 @@ impl List {
     fn new(drawn: u64, seed: u64) -> Result<Self, Box<dyn std::error::Error>> {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         let mut files = Vec::new();
-        for folder in ["tests/data/adversary", "spec/departures"] {
+        for folder in ["tests/data/worst", "spec/departures"] {
             for entry in fs::read_dir(root.join(folder))? {
                 files.push(entry?.path());
             }
@@ -100,8 +100,8 @@ impl List {
             }
             _ => {
                 let worst = &self.worst[rng.below(self.worst.len() as u64) as usize];
-                let changed = adversary::change(worst, &mut rng).unwrap_or_else(|| worst.clone());
-                Case { any: rng.coin(), octant: rng.below(8) as u8, ..changed }
+                let tape = changed(worst, &mut rng).unwrap_or_else(|| worst.tape.clone());
+                Case { tape, any: rng.coin(), octant: rng.below(8) as u8, ..worst.clone() }
             }
         }
     }
@@ -117,6 +117,20 @@ impl List {
             "machines": {},
         })
     }
+}
+
+/// A tape with up to four answers or orders changed; `None` if what comes out is no tape.
+fn changed(case: &Case, rng: &mut Rng) -> Option<Tape> {
+    let mut cells = case.tape.cells().to_vec();
+    for _ in 0..=rng.below(4) {
+        let node = rng.below(cells.len() as u64) as usize;
+        match rng.below(3) {
+            0 => cells[node].axis = rng.below(3) as u8,
+            1 => cells[node].right_first ^= true,
+            _ => cells[node].miss ^= node > 0,
+        }
+    }
+    Tape::from_cells(&case.tree, cells)
 }
 
 /// A case, and a line for each traversal in each word that carries its tree.

@@ -5,7 +5,6 @@
 
 mod campaign;
 mod canvas;
-mod curves;
 mod distances;
 mod labels;
 mod panel;
@@ -15,11 +14,10 @@ mod text;
 mod ticks;
 
 pub use campaign::{Stretch, plot_campaign};
-pub use curves::{Line, plot_lines};
 pub use distances::plot_distances;
 pub use pareto::{Choice, Errors, front, plot_pareto};
-pub use style::{Ink, PAPER, SERIES, heat};
-pub use text::{escaped, wrap};
+pub use style::heat;
+pub use text::wrap;
 pub use ticks::round_ticks;
 
 #[cfg(test)]

@@ -11,13 +11,13 @@ use super::text::FONT;
 
 /// A colour of charts: on light paper and on dark paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Ink {
+pub(super) struct Ink {
     /// Its class.
-    pub name: &'static str,
+    pub(super) name: &'static str,
     /// As `#rrggbb`, on white.
-    pub light: &'static str,
+    pub(super) light: &'static str,
     /// As `#rrggbb`, on [`PAPER`]'s dark.
-    pub dark: &'static str,
+    pub(super) dark: &'static str,
 }
 
 const fn ink(name: &'static str, light: &'static str, dark: &'static str) -> Ink {
@@ -25,10 +25,10 @@ const fn ink(name: &'static str, light: &'static str, dark: &'static str) -> Ink
 }
 
 /// What charts are drawn on.
-pub const PAPER: Ink = ink("paper", "#ffffff", "#1c1f24");
+pub(super) const PAPER: Ink = ink("paper", "#ffffff", "#1c1f24");
 
 /// Data series.
-pub const SERIES: [Ink; 6] = [
+pub(super) const SERIES: [Ink; 6] = [
     ink("s0", "#0b62a8", "#6cb8f0"),
     ink("s1", "#b84300", "#f5a250"),
     ink("s2", "#00735c", "#35c79c"),

@@ -5,7 +5,7 @@ use stackless_bvh::generate::Rng;
 use super::canvas::Canvas;
 use super::labels::Rect;
 use super::*;
-use super::{campaign, curves, distances, pareto};
+use super::{campaign, distances, pareto};
 
 /// From 0 to 1, without 1.
 pub(super) fn unit(random: &mut Rng) -> f64 {
@@ -36,11 +36,6 @@ fn texts_keep_apart_in_every_chart_at_every_size() {
             look(&campaign::draw(size, "stackless check", &parts), size, "campaign");
             let shares: Vec<_> = (0..round * 3 / 2).map(|_| unit() / f64::from(round + 1)).collect();
             look(&distances::draw(size, "Backtracking distance, crytek_sponza", &shares), size, "distances");
-            let lines = ["stack", "implicit-b1", "left-first", "hashed"].map(|name| Line {
-                name: name.to_owned(),
-                points: (0..round).map(|_| (10f64.powf(-20.0 * unit()), 10f64.powf(8.0 * unit()))).collect(),
-            });
-            look(&curves::draw(size, "closest point", ["width", "time"], &lines), size, "lines");
             let choices: Vec<_> = (0..round)
                 .map(|i| Choice {
                     label: ["plain", "two-sided", "directed"][i as usize % 3].to_owned(),

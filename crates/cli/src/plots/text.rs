@@ -76,8 +76,8 @@ pub fn wrap(text: &str, room: f64, width: impl Fn(&str) -> f64) -> Vec<String> {
     lines
 }
 
-/// As text of an element or an attribute of SVG or HTML.
-pub fn escaped(text: &str) -> String {
+/// As text of an element or an attribute of SVG.
+pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 

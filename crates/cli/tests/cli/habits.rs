@@ -14,11 +14,8 @@ const COMMANDS: &[&str] = &[
     "stress",
     "conform",
     "suite",
-    "adversary",
     "accuracy",
-    "curve",
     "stats",
-    "report",
     "man",
     "completions",
 ];
@@ -97,14 +94,13 @@ fn names_are_offered() {
         ("stats soup --biuld sah", "'--build'"),
         ("chekc", "'check'"),
         ("bench soup --accuracy exakt", "'exact'"),
-        ("adversary climb-afar", "'climb-afra'"),
         ("suite list --level trac", "'trace'"),
     ] {
         let run = stackless(args, &[]);
         assert!(run.code == Some(2) && run.stderr.contains("tip:") && run.stderr.contains(meant), "{args}: {run:?}");
     }
     let completions = stackless("completions bash", &[]).passes().stdout;
-    for offered in ["wide-record", "watertight", "catalan", "sbvh", "climb-afra", "jsonl"] {
+    for offered in ["wide-record", "watertight", "catalan", "sbvh", "jsonl"] {
         assert!(completions.contains(offered), "{offered}");
     }
     let zsh = stackless("completions zsh", &[]).passes().stdout;
@@ -152,11 +148,7 @@ fn manual_pages_are_written() {
 fn records_say_what_made_them() {
     let folder = Folder::new();
     let json = folder.path("out.json");
-    for args in [
-        "stats soup --count 1",
-        "bench soup --count 16 --rounds 1 --methods stack --kinds primary",
-        "curve --curves 2 --rounds 1 --tolerance 1e-2",
-    ] {
+    for args in ["stats soup --count 1", "bench soup --count 16 --rounds 1 --methods stack --kinds primary"] {
         let run = stackless(&format!("{args} --json"), &[&json]);
         let record = super::support::read_json(&json);
         assert_eq!(record["version"], env!("CARGO_PKG_VERSION"), "{args}");

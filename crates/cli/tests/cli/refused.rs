@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use super::support::{Folder, data, stackless};
+use super::support::{Folder, stackless};
 
 /// An option is obeyed or refused.
 #[test]
@@ -50,7 +50,6 @@ fn refuse_counts(most: u64) {
         format!("stats soup --count {most}"),
         format!("bench soup --count {most}"),
         format!("accuracy soup --count {most}"),
-        format!("report soup -o - --count {most}"),
     ] {
         let run = stackless(&args, &[]);
         assert!(
@@ -155,20 +154,4 @@ fn a_suite_of_others_stays_in_its_folder() {
     let run = stackless(&format!("suite export --suite {} -o", suite.display()), &[&folder.path("to")]);
     run.fails_naming(&["index.json", "key/../../../out"]);
     assert_eq!(folder.names(), ["suite"]);
-}
-
-/// A report replaces an earlier one.
-#[test]
-fn a_report_leaves_no_table_of_an_earlier_one() {
-    let folder = Folder::new();
-    let report = folder.path("report");
-    let cube = data("cube.ply");
-    let args = "report --count 64 --rounds 1 --pixels 4 -o";
-    stackless(args, &[&report, &cube, &cube]).passes();
-    let own = report.join("notes.csv");
-    std::fs::write(&own, "my own").unwrap();
-    assert!(report.join("cube-2-plan.csv").exists());
-    let run = stackless(args, &[&report, &cube]).passes();
-    assert!(report.join("cube-plan.csv").exists() && !report.join("cube-2-plan.csv").exists());
-    assert!(run.stdout.contains("of an earlier report are removed") && own.exists(), "{run:?}");
 }

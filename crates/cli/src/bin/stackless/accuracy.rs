@@ -111,7 +111,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let mut found = Found::default();
     if !scenes.is_empty() {
         let numbers = run.take(shard, "rays of each kind", args.count.into());
-        found = measure_part(args, &scenes, numbers)?;
+        found = measure(args, &scenes, numbers)?;
     }
     if !spheres.is_empty() {
         let share = f64::from(args.count.min(1 << 16)) / f64::from(1 << 16);
@@ -129,24 +129,6 @@ pub(crate) fn run(args: &Args) -> Outcome {
 }
 
 impl Args {
-    /// So many rays of each kind.
-    pub(crate) fn of(place: camera::Place, count: u32, rounds: u32, seed: u64) -> Self {
-        let (scenes, none) = (Vec::new(), None);
-        Self {
-            scenes,
-            plot: none.clone(),
-            csv: none.clone(),
-            json: none.clone(),
-            picture: none,
-            secondary: false,
-            shard: None,
-            count,
-            rounds,
-            place,
-            seed,
-        }
-    }
-
     /// How many of so many rays are judged: of a part all.
     fn judged(&self, of: u64) -> u64 {
         if self.shard.is_some() { of } else { of.min(JUDGED) }
@@ -166,13 +148,8 @@ impl Args {
     }
 }
 
-/// Measures all scenes.
-pub(crate) fn measure(args: &Args, scenes: &[Scene]) -> Result<Found, Box<dyn std::error::Error>> {
-    measure_part(args, scenes, 0..args.count.into())
-}
-
 /// Measures the rays with these numbers in all scenes.
-fn measure_part(args: &Args, scenes: &[Scene], numbers: Range<u64>) -> Result<Found, Box<dyn std::error::Error>> {
+fn measure(args: &Args, scenes: &[Scene], numbers: Range<u64>) -> Result<Found, Box<dyn std::error::Error>> {
     let (pairs, mut found) = (Pair::all(), Found::default());
     for scene in scenes {
         measure_scene(scene, &pairs, args, numbers.clone(), &mut found)?;

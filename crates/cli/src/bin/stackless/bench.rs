@@ -28,7 +28,7 @@ use crate::turns::take_turns;
 use crate::{Outcome, camera};
 use own::Trees;
 use rays::{Kind, Set};
-pub(crate) use rows::{Row, means, of_scene};
+use rows::{Row, means, of_scene};
 use wide::{Manner, WideTree};
 
 /// Measure throughput on one thread: same rays, and unless several are asked for, same tree.
@@ -94,36 +94,6 @@ pub(crate) struct Args {
     json: Option<Output>,
 }
 
-impl Args {
-    /// These traversals on trees of one kind, exact, with all kinds of rays.
-    pub(crate) fn of(
-        methods: &[Method],
-        build: Build,
-        place: camera::Place,
-        count: u32,
-        rounds: u32,
-        seed: u64,
-    ) -> Self {
-        Self {
-            scenes: Vec::new(),
-            methods: methods.to_vec(),
-            wide: Vec::new(),
-            simd: None,
-            one_by_one: false,
-            build: vec![build],
-            kinds: vec![Kind::Primary, Kind::Any, Kind::Diffuse],
-            accuracy: vec![Accuracy::Exact],
-            count,
-            rounds,
-            place,
-            seed,
-            peers: false,
-            double: false,
-            json: None,
-        }
-    }
-}
-
 /// Rays that are timed before it is another one's turn.
 const CHUNK: usize = 4096;
 
@@ -165,7 +135,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         return Err("--peers needs exact among --accuracy: it is what the peers are measured by".into());
     }
     let scenes = input::scenes(&args.scenes)?;
-    let Found { rows, notes, offences } = measure(args, &scenes, |rows| say!("{}", of_scene(rows)))?;
+    let Found { rows, notes, offences } = measure(args, &scenes)?;
     say!("{}", means(&rows));
     for note in notes.iter().chain(&offences) {
         say!("{note}");
@@ -178,20 +148,16 @@ pub(crate) fn run(args: &Args) -> Outcome {
 
 /// What was measured.
 #[derive(Default)]
-pub(crate) struct Found {
-    pub(crate) rows: Vec<Row>,
+struct Found {
+    rows: Vec<Row>,
     /// What was left out.
-    pub(crate) notes: Vec<String>,
+    notes: Vec<String>,
     /// Hits that differ between exact ones.
-    pub(crate) offences: Vec<String>,
+    offences: Vec<String>,
 }
 
 /// Measures all scenes, and shows the rows of each once it is done.
-pub(crate) fn measure(
-    args: &Args,
-    scenes: &[Scene],
-    show: impl Fn(&[Row]),
-) -> Result<Found, Box<dyn std::error::Error>> {
+fn measure(args: &Args, scenes: &[Scene]) -> Result<Found, Box<dyn std::error::Error>> {
     let builds = once_each(args.build.iter().copied());
     let accuracies = once_each(args.accuracy.iter().copied());
     // `stack` is what the others are measured by.
@@ -236,7 +202,7 @@ pub(crate) fn measure(
                 rows.extend(course.measure(&set, &mut contestants, &mut offences));
             }
         }
-        show(&rows[first..]);
+        say!("{}", of_scene(&rows[first..]));
     }
     Ok(Found { rows, notes: once_each(notes), offences })
 }

@@ -150,11 +150,6 @@ impl Options {
 }
 
 impl Camera {
-    /// One with a square image.
-    pub(crate) const fn square(view: View, pixels: u32) -> Self {
-        Self { view, size: Size { width: pixels, height: pixels } }
-    }
-
     /// The ray through a place in a pixel, whose upper left corner is 0, 0. Pixels are counted row by row.
     pub(crate) fn ray(&self, pixel: usize, [x, y]: [f64; 2]) -> Option<Ray> {
         let Size { width, height } = self.size;

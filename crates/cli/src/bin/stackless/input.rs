@@ -114,12 +114,7 @@ fn listed<T: Copy + Send + Sync + 'static>(all: Vec<(PossibleValue, T)>) -> impl
 
 /// Reads the name of a traversal of binary trees.
 pub(crate) fn method() -> impl TypedValueParser<Value = Method> {
-    method_of(Method::ALL)
-}
-
-/// The same, of some only.
-pub(crate) fn method_of(some: impl IntoIterator<Item = Method>) -> impl TypedValueParser<Value = Method> {
-    listed(binary(some).collect())
+    listed(binary().collect())
 }
 
 /// Reads the name of a traversal of wide trees.
@@ -129,12 +124,12 @@ pub(crate) fn wide_method() -> impl TypedValueParser<Value = wide::Method> {
 
 /// Reads the name of a traversal of binary or of wide trees.
 pub(crate) fn traversal() -> impl TypedValueParser<Value = Traversal> {
-    let binary = binary(Method::ALL).map(|(value, method)| (value, Traversal::Binary(method)));
+    let binary = binary().map(|(value, method)| (value, Traversal::Binary(method)));
     listed(binary.chain(wide().map(|(value, method)| (value, Traversal::Wide(method)))).collect())
 }
 
-fn binary(some: impl IntoIterator<Item = Method>) -> impl Iterator<Item = (PossibleValue, Method)> {
-    some.into_iter().map(|method| (PossibleValue::new(method.name()).help(method.help()), method))
+fn binary() -> impl Iterator<Item = (PossibleValue, Method)> {
+    Method::ALL.into_iter().map(|method| (PossibleValue::new(method.name()).help(method.help()), method))
 }
 
 fn wide() -> impl Iterator<Item = (PossibleValue, wide::Method)> {

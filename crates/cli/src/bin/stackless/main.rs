@@ -3,13 +3,11 @@
 #![forbid(unsafe_code)]
 
 mod accuracy;
-mod adversary;
 mod bench;
 mod build;
 mod camera;
 mod check;
 mod conform;
-mod curve;
 mod explain;
 mod input;
 mod judge;
@@ -19,7 +17,6 @@ mod output;
 mod places;
 mod record;
 mod render;
-mod report;
 mod signals;
 mod stats;
 mod stress;
@@ -75,18 +72,12 @@ enum What {
     Conform(conform::Args),
     /// The conformance suite: as files, and as what this library answers.
     Suite(suite::Args),
-    /// Search for the cases that cost most.
-    Adversary(adversary::Args),
     /// Measure run time against error, for every triangle test with every box test.
     Accuracy(accuracy::Args),
-    /// Measure run time against proved error of another search: the closest point of a Bézier curve.
-    Curve(curve::Args),
     /// Write a page that steps through traversals of a small tree.
     Explain(explain::Args),
     /// Say what a scene's hierarchy and hash tables take, and how far backtracking goes.
     Stats(stats::Args),
-    /// Measure scenes and put all tables and pictures on one page.
-    Report(report::Args),
     /// Write the manual pages.
     Man(man::Args),
     /// Write the completions for a shell to the standard output.
@@ -141,12 +132,9 @@ fn run(command: Command, matches: &ArgMatches) -> Outcome {
         What::Merge(args) => merge::run(&args),
         What::Conform(args) => conform::run(&args),
         What::Suite(args) => suite::run(&args),
-        What::Adversary(args) => adversary::run(&args),
         What::Accuracy(args) => accuracy::run(&args),
-        What::Curve(args) => curve::run(&args),
         What::Explain(args) => explain::run(&args),
         What::Stats(args) => stats::run(&args),
-        What::Report(args) => report::run(&args),
         What::Man(args) => man::run(&args, command_line()),
         What::Completions { shell } => {
             let mut script = Vec::new();

@@ -70,7 +70,7 @@ pub(crate) struct Args {
 
 /// A figure of Binder & Keller 2016.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum Figure {
+enum Figure {
     /// Backtracking steps of three schemes.
     #[value(name = "1")]
     Schemes,
@@ -98,7 +98,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
 }
 
 /// What is to be drawn.
-pub(crate) struct Job {
+struct Job {
     camera: Camera,
     rays: Rays,
     spp: u32,
@@ -110,9 +110,9 @@ pub(crate) struct Job {
 }
 
 /// A picture, and what is to be said of it.
-pub(crate) struct Drawn {
-    pub(crate) png: Vec<u8>,
-    pub(crate) lines: Vec<String>,
+struct Drawn {
+    png: Vec<u8>,
+    lines: Vec<String>,
 }
 
 impl Job {
@@ -127,7 +127,7 @@ impl Job {
         Self { spp: args.spp.unwrap_or(job.spp), ..job }
     }
 
-    pub(crate) fn figure(figure: Figure, camera: Camera, seed: u64) -> Self {
+    fn figure(figure: Figure, camera: Camera, seed: u64) -> Self {
         let job = |rays, heat, methods: &[Method]| Self {
             heat: Some(heat),
             methods: methods.to_vec(),
@@ -145,7 +145,7 @@ impl Job {
         Self { camera, rays, spp, heat: None, methods: Vec::new(), continues: false, seed }
     }
 
-    pub(crate) fn draw(&self, scene: &Scene, bvh: &Bvh) -> Result<Drawn, Box<dyn std::error::Error>> {
+    fn draw(&self, scene: &Scene, bvh: &Bvh) -> Result<Drawn, Box<dyn std::error::Error>> {
         let tracer = Tracer::new(WideBvh::of(bvh)?);
         let &Self { camera, rays, spp, seed, .. } = self;
         let samples = Samples { scene, bvh, tracer, camera, rays, spp, seed };

@@ -26,7 +26,6 @@ use crate::input::Scene;
 use crate::output::{self, Block, grouped, table, write_file};
 use crate::places::{self, Output};
 use crate::record::write_figures;
-use crate::report::Bar;
 use crate::{Outcome, camera};
 
 /// What a scene's hierarchy and its hash tables take, and how far backtracking goes in it.
@@ -61,7 +60,7 @@ pub(crate) struct Args {
 
 /// The file of `--json`.
 #[derive(Serialize)]
-pub(crate) struct Stats {
+struct Stats {
     scene: String,
     triangles: usize,
     nodes: usize,
@@ -129,7 +128,7 @@ struct BacktrackStats {
 
 pub(crate) fn run(args: &Args) -> Outcome {
     let scene = Scene::load(&args.scene)?;
-    let (stats, _) = Stats::of(&scene, &args.place.of(&scene), args.build, args.count as usize, args.seed)?;
+    let stats = Stats::of(&scene, &args.place.of(&scene), args.build, args.count as usize, args.seed)?;
     output::print(&stats.blocks());
     if let Some(path) = &args.plot {
         let svg = stats.plot();
@@ -244,13 +243,13 @@ impl BacktrackStats {
 
 impl Stats {
     /// Builds a scene's hierarchy, and measures both with so many rays.
-    pub(crate) fn of(
+    fn of(
         scene: &Scene,
         view: &View,
         build: Build,
         rays: usize,
         seed: u64,
-    ) -> Result<(Self, Bvh), Box<dyn std::error::Error>> {
+    ) -> Result<Self, Box<dyn std::error::Error>> {
         let (bvh, build_seconds) = timed(|| build.run(scene));
         let bvh = bvh?;
         let mut tables = Vec::new();
@@ -260,7 +259,7 @@ impl Stats {
         let word = WordName::narrowest(bvh.depth());
         let (counted, lookups) = with_word(word, Count { rays, seed, scene, bvh: &bvh })?;
         let primary = view.rays(rays / 4);
-        let stats = Self {
+        Ok(Self {
             scene: scene.name.clone(),
             triangles: scene.mesh.triangles().len(),
             nodes: bvh.node_count(),
@@ -278,33 +277,15 @@ impl Stats {
             state: state::measure(&scene.mesh, &bvh, &primary, seed)?,
             wide: wide::measure(scene, &primary)?,
             counted,
-        };
-        Ok((stats, bvh))
+        })
     }
 
     /// The backtracking distances as a picture (SVG).
-    pub(crate) fn plot(&self) -> String {
+    fn plot(&self) -> String {
         plot_distances(&format!("Backtracking distance, {}", self.scene), &self.counted)
     }
 
-    /// A row of the papers' table of scenes: name, triangles, nodes, depth, megabytes of tree and hash, the share of
-    /// these, milliseconds of their builders.
-    pub(crate) fn cells(&self) -> Vec<String> {
-        let tables = &self.tables;
-        let counts = [self.triangles as u64, self.nodes as u64, self.depth.into()].map(grouped);
-        let megabytes = [self.tree_bytes, tables.bytes].map(|bytes| format!("{:.2}", bytes as f64 / 1e6));
-        let seconds = [self.build_seconds, tables.build_seconds, tables.parallel_build_seconds];
-        let times = seconds.map(|seconds| format!("{:.2}", seconds * 1e3));
-        let cells = [self.scene.clone()].into_iter().chain(counts).chain(megabytes).chain([percent(tables.share)]);
-        cells.chain(times).collect()
-    }
-
-    /// Where the time of a ray goes, by traversal.
-    pub(crate) fn parts(&self) -> Vec<Bar> {
-        self.time.iter().map(time::Row::bar).collect()
-    }
-
-    pub(crate) fn blocks(&self) -> Vec<Block> {
+    fn blocks(&self) -> Vec<Block> {
         let mut blocks = vec![Block::Line(format!(
             "{}: {} triangles, {} nodes, depth {}, {} bytes ({:.1} a triangle), built in {:.1} ms; {} triangles without an area, {} references twice",
             self.scene,

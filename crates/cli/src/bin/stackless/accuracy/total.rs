@@ -22,18 +22,18 @@ pub(crate) struct Found {
 }
 
 impl Found {
-    pub(crate) fn blocks(&self) -> Vec<Block> {
+    fn blocks(&self) -> Vec<Block> {
         let notes = self.notes.iter().cloned().map(Block::Line);
         notes.chain(tables::blocks(&self.rows, &self.stages)).collect()
     }
 
     /// Time against error, as SVG.
-    pub(crate) fn plot(&self) -> String {
+    pub(super) fn plot(&self) -> String {
         tables::plot(&self.rows)
     }
 
     /// Errors of pairs that promise none, in words.
-    pub(crate) fn offences(&self) -> impl Iterator<Item = &String> {
+    fn offences(&self) -> impl Iterator<Item = &String> {
         self.rows.iter().filter_map(|row| row.offence.as_ref()).map(|offence| &offence.found)
     }
 }

@@ -11,7 +11,7 @@ use crate::turns::{Times, geometric_mean};
 
 /// One contestant on one set of rays. What is not known is `None`.
 #[derive(Clone, Debug, Serialize)]
-pub(crate) struct Row {
+pub(super) struct Row {
     scene: String,
     rays: Kind,
     /// How the tree was built; `own` for that of a peer.
@@ -89,7 +89,7 @@ impl Row {
 }
 
 /// All rows of a scene.
-pub(crate) fn of_scene(rows: &[Row]) -> Table {
+pub(super) fn of_scene(rows: &[Row]) -> Table {
     let mut header =
         vec!["scene", "rays", "build", "method", "accuracy", "Mrays/s", "ratio", "state bytes", "nodes/ray"];
     header.push("build Mtri/s");
@@ -115,7 +115,7 @@ pub(crate) fn of_scene(rows: &[Row]) -> Table {
 }
 
 /// Geometric means of the ratios of each contestant: of each kind of rays over the scenes, and of all.
-pub(crate) fn means(rows: &[Row]) -> Table {
+pub(super) fn means(rows: &[Row]) -> Table {
     let mut kinds = Vec::new();
     for row in rows {
         if !kinds.contains(&row.rays) {

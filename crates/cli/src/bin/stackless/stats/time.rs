@@ -16,7 +16,6 @@ use stackless_bvh::traverse::{
 use stackless_bvh::tree::{Implicit, Node, Recorded};
 
 use crate::output::{Table, table};
-use crate::report::Bar;
 use crate::turns::{median, take_turns};
 
 /// Nanoseconds of a ray by one traversal.
@@ -31,13 +30,6 @@ pub(super) struct Row {
     boxes: f64,
     /// Of preparing the ray and testing the triangles that the query tests.
     triangles: f64,
-}
-
-impl Row {
-    pub(super) fn bar(&self) -> Bar {
-        let parts = [("traversal", self.traversal), ("boxes", self.boxes), ("triangles", self.triangles)];
-        Bar { label: self.method, parts: parts.to_vec() }
-    }
 }
 
 const METHODS: [Method; 5] = [Method::Stack, Method::Sparse, Method::Afra, Method::Uncle, Method::Hashed];
