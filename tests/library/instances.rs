@@ -88,7 +88,7 @@ fn answers_are_those_of_rational_arithmetic<V: Kind>() {
     let (mut hits, mut asked, mut deep, mut tracers) = (0, 0, 0, 0);
     for (seed, scene) in scenes::all::<V>().iter().enumerate() {
         let (flat, mut rng) = (Flat::new(&scene.shapes), Rng::new(seed as u64));
-        let mut cases: Vec<_> = rays(&flat, &mut rng, 36).into_iter().map(|ray| (ray, flat.closest(&ray))).collect();
+        let mut cases: Vec<_> = rays(&flat, &mut rng, 18).into_iter().map(|ray| (ray, flat.closest(&ray))).collect();
         let cut: Vec<_> =
             cases.iter().take(10).filter_map(|(ray, hit)| hit.as_ref().map(|hit| cut(ray, hit))).flatten().collect();
         cases.extend(cut.into_iter().map(|ray| (ray, flat.closest(&ray))));
@@ -129,7 +129,7 @@ fn answers_are_those_of_rational_arithmetic<V: Kind>() {
     }
     // Of 21 traversals in pairs and alone, over four kinds of trees, `complete` takes part over one.
     assert!(tracers >= 36 * (42 + 3 * 39), "{tracers}");
-    assert!(asked > 2000 && hits > asked / 2 && deep > 100, "{hits} of {asked}, {deep}");
+    assert!(asked > 1500 && hits > asked / 2 && deep > 50, "{hits} of {asked}, {deep}");
 }
 
 #[test]

@@ -79,32 +79,45 @@ fn words_end_at_their_depths_and_no_sooner() {
 #[test]
 fn a_comb_of_depth_100_000() {
     let mut rng = Rng::new(9);
-    let plan = everything(0);
-    let tree = Family::Comb.tree(&mut rng, 100_001);
-    let case = Case { any: false, ..Case::with_tree(tree, Kind::AllHit, &mut rng) };
-    let mut battery = Battery::new(&case, &plan.methods);
-    for (method, word) in plan.pairs() {
-        match battery.check(method, word) {
-            Verdict::Agrees { steps } => {
-                assert!(word == WordName::Grow || !method.has_words(), "{method} {word}");
-                assert_eq!(steps, 200_001, "{method}");
-            }
-            Verdict::Refused(Unfit::TooDeep(error)) => {
-                assert!(error.to_string().starts_with("the tree is 100000 edges deep, "), "{error}");
-                assert_ne!(word, WordName::Grow);
-            }
-            Verdict::Refused(unfit) => assert_eq!(method, Method::Complete, "{unfit}"),
-            Verdict::Differs(fault) => panic!("{method} {word}: {fault}"),
-        }
-    }
+    let case = comb(100_000, &mut rng, |method| !method.restarts());
     // A ray that gets shorter, through the traversals that are made for such depths.
-    let case = Case { any: false, ..Case::with_tree(case.tree.clone(), Kind::Shrinking, &mut rng) };
+    let case = Case { any: false, ..Case::with_tree(case.tree, Kind::Shrinking, &mut rng) };
     let methods = [Method::Stack, Method::Sparse, Method::Afra, Method::Uncle, Method::Hashed];
     let mut battery = Battery::new(&case, &methods);
     for method in methods {
         let verdict = battery.check(method, WordName::Grow);
         assert!(matches!(verdict, Verdict::Agrees { .. }), "{method}: {verdict:?}");
     }
+}
+
+/// Each restart walks down again, which takes time by the square of the depth. [DEPTH-3]
+#[test]
+fn restarts_in_a_comb_of_depth_3_000() {
+    comb(3_000, &mut Rng::new(9), Method::restarts);
+}
+
+/// Follows all of a comb by these methods, in every word that carries it.
+fn comb(depth: u32, rng: &mut Rng, of: impl Fn(Method) -> bool) -> Case {
+    let methods: Vec<_> = Method::ALL.into_iter().filter(|&method| of(method)).collect();
+    let plan = Plan { methods, ..everything(0) };
+    let tree = Family::Comb.tree(rng, depth + 1);
+    let case = Case { any: false, ..Case::with_tree(tree, Kind::AllHit, rng) };
+    let mut battery = Battery::new(&case, &plan.methods);
+    for (method, word) in plan.pairs() {
+        match battery.check(method, word) {
+            Verdict::Agrees { steps } => {
+                assert!(word == WordName::Grow || !method.has_words(), "{method} {word}");
+                assert_eq!(steps, 2 * u64::from(depth) + 1, "{method}");
+            }
+            Verdict::Refused(Unfit::TooDeep(error)) => {
+                assert!(error.to_string().starts_with(&format!("the tree is {depth} edges deep, ")), "{error}");
+                assert_ne!(word, WordName::Grow);
+            }
+            Verdict::Refused(unfit) => assert_eq!(method, Method::Complete, "{unfit}"),
+            Verdict::Differs(fault) => panic!("{method} {word}: {fault}"),
+        }
+    }
+    case
 }
 
 /// Climbs of 32 levels and more, past which shifts of narrow counts, and climbs that are cut short, go wrong; and marks that are
