@@ -3,12 +3,13 @@
 //! Files of each format that is read, of every kind; and for the other targets, which read choices from any bytes, a
 //! few inputs of various lengths. They are the same on every machine.
 
+use arbitrary::Unstructured;
 use std::fmt::Write;
 use std::path::Path;
 use std::{env, fs, io};
 
 use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::generate::{Bytes, Rng, Source, procedural};
+use stackless_bvh::generate::{Rng, Source, procedural};
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_check::{Case, Fault, Replay};
@@ -47,7 +48,7 @@ fn seeds(target: Target) -> Vec<Vec<u8>> {
         ],
         "replay" => {
             let random = random(target, &[16, 64]);
-            let cases = random.iter().map(|bytes| json(&Case::draw(&mut Bytes::new(bytes), 5)));
+            let cases = random.iter().map(|bytes| json(&Case::draw(&mut Unstructured::new(bytes), 5)));
             // Not trees: empty, a child that is not there, one that is there twice, and one that nobody has.
             let not_trees = ["[]", "[[1,2]]", "[[1,1],null]", "[null,null]"];
             let not_trees = not_trees.map(|tree| format!("{{\"children\":{tree},\"cells\":[]}}").into_bytes());

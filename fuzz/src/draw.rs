@@ -1,12 +1,13 @@
 //! Numbers, rays and meshes from bytes: few choices that matter cost few bytes, and what was drawn before comes again.
 
+use arbitrary::Unstructured;
 use glam::{DVec3, Vec3};
-use stackless_bvh::generate::{Bytes, Source};
+use stackless_bvh::generate::Source;
 use stackless_bvh::geom::{Mesh, Ray};
 
 /// Draws from the bytes of a fuzzer.
 pub(crate) struct Draw<'a> {
-    bytes: Bytes<'a>,
+    bytes: Unstructured<'a>,
     /// The numbers so far, to meet again.
     drawn: Vec<f64>,
 }
@@ -38,7 +39,7 @@ impl Source for Draw<'_> {
 
 impl<'a> Draw<'a> {
     pub(crate) fn new(bytes: &'a [u8]) -> Self {
-        Self { bytes: Bytes::new(bytes), drawn: Vec::new() }
+        Self { bytes: Unstructured::new(bytes), drawn: Vec::new() }
     }
 
     /// One of these.

@@ -1,6 +1,6 @@
 //! Targets of the readers of text.
 
-use stackless_bvh::generate::Bytes;
+use arbitrary::Unstructured;
 use stackless_bvh::traverse::Method;
 use stackless_check::{Case, Replay};
 use stackless_scene::{MeshFormat, check_mesh_file, check_ray_file};
@@ -42,7 +42,7 @@ pub(crate) fn replay(bytes: &[u8]) {
     let text = if bytes.first() == Some(&b'{') {
         bytes.to_vec()
     } else {
-        let mut source = Bytes::new(bytes);
+        let mut source = Unstructured::new(bytes);
         let case = Case::draw(&mut source, 6);
         patched(&mut source, text(&case).into_bytes())
     };

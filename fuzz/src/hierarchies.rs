@@ -1,9 +1,10 @@
 //! Targets of hierarchies: builders, refit, files, instances.
 
+use arbitrary::Unstructured;
 use glam::DVec3;
 use stackless_bvh::bvh::wide::WideOptions;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, Degenerate, SahOptions, SpatialOptions, WideBvh};
-use stackless_bvh::generate::{Bytes, Source};
+use stackless_bvh::generate::Source;
 use stackless_bvh::geom::kernel::{Exact, Exact64};
 use stackless_bvh::geom::slabs::{Directed, Wide};
 use stackless_bvh::geom::{AffineMap, Ends, Mesh, Ray, Real, Triangle, Vector};
@@ -86,7 +87,7 @@ pub(crate) fn bvh_bytes(bytes: &[u8]) {
         Ok(bvh) if kind < 3 => {
             let wide = if is_wide { WideBvh::<8>::of(&bvh).ok() } else { None };
             let file = wide.map_or_else(|| bvh.with_links(recorded).to_bytes(), |wide| wide.to_bytes());
-            patched(&mut Bytes::new(rest), file)
+            patched(&mut Unstructured::new(rest), file)
         }
         _ => rest.to_vec(),
     };

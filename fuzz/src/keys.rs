@@ -1,15 +1,16 @@
 //! The target of keys, trails and swaps: the literal formulas, and every word by the widest one.
 
+use arbitrary::Unstructured;
 use std::collections::HashSet;
 
-use stackless_bvh::generate::{Bytes, Source};
+use stackless_bvh::generate::Source;
 use stackless_bvh::key::{self, Grow, KeyWord};
 use stackless_bvh::{swap, trail};
 
 /// A key, a trail below its depth and any mask, in all words that carry them. `[SWAP-2]` `[SWAP-4]` `[TRAIL-4]`
 /// `[TRAIL-5]`
 pub(crate) fn keys(bytes: &[u8]) {
-    let mut source = Bytes::new(bytes);
+    let mut source = Unstructured::new(bytes);
     let depth = source.below(200) as u32;
     let mut bits = |count: u32| (0..count).map(|_| source.coin()).collect::<Vec<_>>();
     let (key, trail, mask) = (bits(depth), bits(depth), bits(depth + 1));

@@ -1,6 +1,6 @@
 //! Planted bugs in place of the library, on the cases that the targets draw: fuzzing finds what is there to be found.
 
-use stackless_bvh::generate::Bytes;
+use arbitrary::Unstructured;
 use stackless_check::planted::{self, LAYERS, Layer, Mistake, Planted};
 
 use super::traversals::small_case;
@@ -58,7 +58,7 @@ fn traversals(list: Vec<Planted>) -> Vec<Bug> {
 fn layers(list: fn(&Layer) -> &'static [Mistake]) -> Vec<Bug> {
     let of = |layer: &Layer, mistake: &'static Mistake| Bug {
         name: format!("{}: {}", layer.name, mistake.name()),
-        fault: Box::new(|bytes| mistake.fault(&mut Bytes::new(bytes))),
+        fault: Box::new(|bytes| mistake.fault(&mut Unstructured::new(bytes))),
     };
     LAYERS.iter().flat_map(|layer| list(layer).iter().map(move |mistake| of(layer, mistake))).collect()
 }

@@ -1,5 +1,6 @@
 //! The conformance suite as seen by whoever answers and whoever asks.
 
+use arbitrary::Unstructured;
 use serde_json::{Map, Value};
 use stackless_suite::{
     Answer, Expect, Hello, Implementation, Level, Library, Profile, Reply, Strength, Suite, SuiteCase, SuiteError,
@@ -8,11 +9,11 @@ use stackless_suite::{
 
 use super::draw::patched;
 use super::{right, said};
-use stackless_bvh::generate::{Bytes, Source};
+use stackless_bvh::generate::Source;
 
 /// A line of a runner: any text, or a case of the suite, changed. What is answered is an answer.
 pub(crate) fn requests(bytes: &[u8]) {
-    let line = if bytes.first() == Some(&b'{') { bytes.to_vec() } else { changed(&mut Bytes::new(bytes)) };
+    let line = if bytes.first() == Some(&b'{') { bytes.to_vec() } else { changed(&mut Unstructured::new(bytes)) };
     let mut said = Vec::new();
     let served = serve(&mut Library::default(), &line[..], &mut said);
     if served.is_ok() {
@@ -26,7 +27,7 @@ pub(crate) fn requests(bytes: &[u8]) {
 /// A case and an answer, both any text or a right one, changed: they are judged, whatever they are. A right answer is
 /// right.
 pub(crate) fn answers(bytes: &[u8]) {
-    let mut source = Bytes::new(bytes);
+    let mut source = Unstructured::new(bytes);
     let profiles = some_profiles();
     let profile = &profiles[source.below(profiles.len() as u64) as usize];
     let case = &profile.cases[source.below(profile.cases.len() as u64) as usize];
@@ -48,7 +49,7 @@ const NAMES: [&str; 6] = ["u64", "../u32", "u32/../../x", "", "U32", "u32\\u0000
 /// The files of a small suite and a list of waivers, changed: what is accepted has files within its folder, and is read
 /// back from them.
 pub(crate) fn suite_files(bytes: &[u8]) {
-    let mut source = Bytes::new(bytes);
+    let mut source = Unstructured::new(bytes);
     let mut files = small_suite().files();
     let waivers = br#"[{"id":"key/u32/child-left","reason":"known"}]"#.to_vec();
     for text in files.iter_mut().map(|(_, text)| text) {
@@ -105,7 +106,7 @@ fn small_suite() -> Suite {
     Suite { profiles: ["u32", "u64"].map(profile).to_vec() }
 }
 
-fn changed(source: &mut Bytes<'_>) -> Vec<u8> {
+fn changed(source: &mut Unstructured<'_>) -> Vec<u8> {
     let profiles = some_profiles();
     let Profile { level, profile, cases, .. } = &profiles[source.below(profiles.len() as u64) as usize];
     let case = &cases[source.below(cases.len() as u64) as usize];

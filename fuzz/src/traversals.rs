@@ -1,7 +1,8 @@
 //! Targets of the core: traversals, states, hashes.
 
+use arbitrary::Unstructured;
 use stackless_bvh::event::{Event, Trace};
-use stackless_bvh::generate::{Bytes, Family, Kind, Rng, Search, Source, Tape, shape};
+use stackless_bvh::generate::{Family, Kind, Rng, Search, Source, Tape, shape};
 use stackless_bvh::hash::{AddressBounds, KeySet, Options, PerfectHash, Remainder, Sizing, certify};
 use stackless_bvh::key::{self, Grow, KeyWord};
 use stackless_bvh::traverse::{
@@ -34,7 +35,7 @@ pub(crate) fn traversals(bytes: &[u8]) {
 
 /// The same on a tree of a depth at which a word ends.
 pub(crate) fn deep(bytes: &[u8]) {
-    let case = deep_case(&mut Bytes::new(bytes));
+    let case = deep_case(&mut Unstructured::new(bytes));
     check(&case, &Method::ALL);
     // The narrowest word that is said to carry a tree does.
     let narrowest = WordName::narrowest(case.tree.depth());
@@ -68,7 +69,7 @@ pub(crate) fn deep(bytes: &[u8]) {
 
 /// A deep tree in pieces. `[DEPTH-4]`
 pub(crate) fn pieces(bytes: &[u8]) {
-    let mut source = Bytes::new(bytes);
+    let mut source = Unstructured::new(bytes);
     let case = if source.coin() { deep_case(&mut source) } else { Case::draw(&mut source, Case::LEAVES) };
     match source.below(4) {
         0 => in_pieces::<u32>(&case, 1 + source.below(31) as u32),
@@ -80,7 +81,7 @@ pub(crate) fn pieces(bytes: &[u8]) {
 
 /// Every traversal that can be put aside, at every step and in every way. `[PAUSE-1]` `[PAUSE-2]` `[PAUSE-4]`
 pub(crate) fn pauses(bytes: &[u8]) {
-    let mut source = Bytes::new(bytes);
+    let mut source = Unstructured::new(bytes);
     let word = source.below(4);
     let case = Case::draw(&mut source, 5);
     let pauses = Pauses::new(&case);
@@ -98,7 +99,7 @@ pub(crate) fn pauses(bytes: &[u8]) {
 /// Bytes that may be states: right ones, made-up ones with a right checksum, and any. `[PAUSE-6]`
 pub(crate) fn states(bytes: &[u8]) {
     let (head, rest) = bytes.split_at(bytes.len().min(12));
-    let mut source = Bytes::new(head);
+    let mut source = Unstructured::new(head);
     let (word, kind, is_deep) = (source.below(3), source.below(3), source.below(4) == 1);
     let case = if is_deep { deep_case(&mut source) } else { Case::draw(&mut source, 12) };
     let pauses = Pauses::new(&case);
@@ -111,7 +112,7 @@ pub(crate) fn states(bytes: &[u8]) {
 
 /// A perfect hash, of any set of keys and sizing. `[HASH-9]`
 pub(crate) fn hash(bytes: &[u8]) {
-    let mut source = Bytes::new(bytes);
+    let mut source = Unstructured::new(bytes);
     let (options, method, tree) = (options(&mut source), any_of(&mut source, &Method::ALL), tree(&mut source));
     let keys = Keys::of(&tree);
     let hash = right(check_table(&tree, &keys, options), format_args!("{options:?} {:?}", tree.to_children()));
@@ -150,11 +151,11 @@ pub(crate) fn hash(bytes: &[u8]) {
 /// Bytes that may be a table of a tree: those of one, changed, and any.
 pub(crate) fn hash_bytes(bytes: &[u8]) {
     let (head, rest) = bytes.split_at(bytes.len().min(16));
-    let mut source = Bytes::new(head);
+    let mut source = Unstructured::new(head);
     let (is_any, options, leaves) = (source.coin(), options(&mut source), 1 + source.below(20) as u32);
     let tree = right(Tree::new(&shape(&mut source, leaves)), "a shape");
     let table = match PerfectHash::build(&tree, options) {
-        Ok(hash) if !is_any => patched(&mut Bytes::new(rest), hash.to_bytes()),
+        Ok(hash) if !is_any => patched(&mut Unstructured::new(rest), hash.to_bytes()),
         _ => rest.to_vec(),
     };
     right(check_table_bytes(&table, &tree, &Keys::of(&tree)), format_args!("{table:?} {:?}", tree.to_children()));
@@ -184,7 +185,7 @@ pub(crate) fn check(case: &Case, methods: &[Method]) {
 /// A tree of up to 32 leaves under a tape: both drawn, or those of a seed, so that two bytes are enough for intervals
 /// within intervals.
 pub(crate) fn small_case(bytes: &[u8]) -> Case {
-    let mut source = Bytes::new(bytes);
+    let mut source = Unstructured::new(bytes);
     match source.below(4) {
         1 => Case::random(source.below(1 << 16), CaseOptions::default()),
         _ => Case::draw(&mut source, Case::LEAVES),
@@ -244,7 +245,7 @@ fn in_pieces<W: KeyWord>(case: &Case, levels: u32) {
 }
 
 fn follow<W: KeyWord>(case: &Case, pauses: &Pauses<'_>, kind: u64, rest: &[u8]) {
-    let mut source = Bytes::new(rest);
+    let mut source = Unstructured::new(rest);
     let states = States::of(&case.tree);
     let state = match kind {
         0 => states.to_bytes(&state::<W>(&case.tree, &mut source)),

@@ -1,13 +1,14 @@
 //! The target of wide trees.
 
-use stackless_bvh::generate::{Bytes, Rng, Source};
+use arbitrary::Unstructured;
+use stackless_bvh::generate::{Rng, Source};
 use stackless_check::WideCase;
 
 use super::right;
 
 /// Every traversal of wide trees, and every way to keep what is pending with every way to an ancestor. `[WIDE-7]`
 pub(crate) fn wide(bytes: &[u8]) {
-    let mut source = Bytes::new(bytes);
+    let mut source = Unstructured::new(bytes);
     match source.below(3) {
         0 => check::<4>(&mut source),
         1 => check::<8>(&mut source),
@@ -16,7 +17,7 @@ pub(crate) fn wide(bytes: &[u8]) {
 }
 
 /// A case, choice by choice; or all of it from a seed.
-fn check<const A: usize>(source: &mut Bytes<'_>) {
+fn check<const A: usize>(source: &mut Unstructured<'_>) {
     let case = if source.below(8) == 1 {
         WideCase::<A>::draw(&mut Rng::new(source.below(u64::MAX)), 48, 24, 40)
     } else {

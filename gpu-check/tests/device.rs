@@ -15,7 +15,7 @@ use gpu_check::tapes::wide::{self, WideBatch};
 use gpu_check::tapes::{Batch, Searches as _, cases, compare, unchanged};
 use gpu_check::{Access, Checks, Gpu, GpuError, exact, planted, probe, rays, tables};
 use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::generate::{Bytes, Family, Rng, procedural};
+use stackless_bvh::generate::{Exhaustive, Family, Rng, procedural};
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::trace::{BinaryTracer, bounce};
@@ -249,7 +249,7 @@ fn tables_from_the_device_are_certified() {
         assert!(built.is_ok() || tree.depth() > 63, "{built:?}");
     }
     // The chain for which the printed sizes have no displacements: said, and no endless search.
-    let chain = Family::Comb.tree(&mut Bytes::new(&[]), 32);
+    let chain = Family::Comb.tree(&mut Exhaustive::new(), 32);
     let options = Options { key_set: KeySet::All, sizing: Sizing::Printed };
     assert!(matches!(tables::build(&gpu, &chain, options), Err(GpuError::Data(_))));
 }

@@ -16,6 +16,6 @@ mod tape;
 mod wide;
 
 pub use family::{Family, shape};
-pub use source::{Bytes, Exhaustive, Rng, Source};
+pub use source::{Exhaustive, Rng, Source};
 pub use tape::{Cell, Kind, Outcome, Search, Tape};
 pub use wide::{WideAnswer, WideSearch, WideTape, wide_shape, wide_tree};

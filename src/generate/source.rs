@@ -40,29 +40,12 @@ impl Source for Rng {
     }
 }
 
-/// Choices from bytes, as a fuzzer or a shrinking test provides them; zeros when they run out.
-#[derive(Clone, Debug)]
-pub struct Bytes<'a>(&'a [u8]);
-
-impl<'a> Bytes<'a> {
-    /// Reads choices from these bytes.
-    pub const fn new(bytes: &'a [u8]) -> Self {
-        Self(bytes)
-    }
-}
-
-impl Source for Bytes<'_> {
+/// Choices from bytes, as a fuzzer or a shrinking test provides them: as few bytes as can name each choice, and 0 when they
+/// run out.
+#[cfg(feature = "arbitrary")]
+impl Source for arbitrary::Unstructured<'_> {
     fn below(&mut self, bound: u64) -> u64 {
-        // As few bytes as can name every choice, so that one byte of input is about one choice.
-        let mut value = 0_u64;
-        let mut reach = bound - 1;
-        while reach > 0 {
-            let Some((&byte, rest)) = self.0.split_first() else { break };
-            self.0 = rest;
-            value = value << 8 | u64::from(byte);
-            reach >>= 8;
-        }
-        value % bound
+        self.int_in_range(0..=bound - 1).unwrap_or_default()
     }
 }
 
@@ -126,17 +109,25 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_source_keeps_its_bound_and_starts_simple() {
+    fn a_seeded_source_keeps_its_bound() {
+        let mut rng = Rng::new(7);
+        assert!((1..40).chain([255, 256, 257, 65_537, u64::MAX]).all(|bound| rng.below(bound) < bound));
+    }
+
+    #[cfg(feature = "arbitrary")]
+    #[test]
+    fn bytes_keep_the_bound_and_start_simple() {
+        use arbitrary::Unstructured;
+
         let mut rng = Rng::new(7);
         let bytes: Vec<u8> = (0..200).map(|_| rng.bits() as u8).collect();
-        let mut from_bytes = Bytes::new(&bytes);
+        let mut from_bytes = Unstructured::new(&bytes);
         for bound in (1..40).chain([255, 256, 257, 65_537, u64::MAX]) {
-            assert!(rng.below(bound) < bound);
             assert!(from_bytes.below(bound) < bound);
-            assert_eq!(Bytes::new(&[]).below(bound), 0);
+            assert_eq!(Unstructured::new(&[]).below(bound), 0);
         }
-        assert_eq!(Bytes::new(&[3]).below(1), 0);
-        assert_eq!(Bytes::new(&[3, 9]).below(256), 3);
+        assert_eq!(Unstructured::new(&[3]).below(1), 0);
+        assert_eq!(Unstructured::new(&[3, 9]).below(256), 3);
     }
 
     #[test]

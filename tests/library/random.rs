@@ -1,7 +1,8 @@
 //! Random trees and tapes from bytes, shrunk by proptest and then by structure; and the depths at which words end.
 
+use arbitrary::Unstructured;
 use proptest::prelude::*;
-use stackless_bvh::generate::{Bytes, Family, Kind, Rng};
+use stackless_bvh::generate::{Family, Kind, Rng};
 use stackless_bvh::traverse::{Method, Unfit, WordName};
 use stackless_bvh::tree::Topology;
 use stackless_check::{Battery, Case, CaseOptions, Plan, Replay, Verdict, boundary_cases, check_random, shrink};
@@ -16,7 +17,7 @@ proptest! {
 
     #[test]
     fn every_traversal_follows_its_oracle(bytes in prop::collection::vec(any::<u8>(), 0..600)) {
-        let case = Case::draw(&mut Bytes::new(&bytes), 64);
+        let case = Case::draw(&mut Unstructured::new(&bytes), 64);
         let plan = everything(0);
         let mut battery = Battery::new(&case, &plan.methods);
         for (method, word) in plan.pairs() {

@@ -1,11 +1,12 @@
 //! Traversals of wide trees: against their oracle, at the limits of words, and of two children against the binary ones.
 
+use arbitrary::Unstructured;
 use std::collections::BTreeSet;
 
 use proptest::prelude::*;
 use stackless_bvh::event::Trace;
 use stackless_bvh::generate::{
-    Bytes, Exhaustive, Kind, Rng, Source, Tape, WideAnswer, WideTape, shape, wide_shape, wide_tree,
+    Exhaustive, Kind, Rng, Source, Tape, WideAnswer, WideTape, shape, wide_shape, wide_tree,
 };
 use stackless_bvh::hash::Lookup;
 use stackless_bvh::order::{Flow, Side, Visitor};
@@ -65,7 +66,7 @@ proptest! {
 
     #[test]
     fn trees_from_bytes(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
-        let case = WideCase::<8>::draw(&mut Bytes::new(&bytes), 48, 12, 12);
+        let case = WideCase::<8>::draw(&mut Unstructured::new(&bytes), 48, 12, 12);
         prop_assert!(case.check().is_ok(), "{:?}\n{case:?}", case.check());
     }
 }
@@ -186,7 +187,9 @@ fn a_trail_is_a_list<const A: usize, W: TrailWord>(mut trail: Trail<W>) {
             match rng.below(16) {
                 0 => {
                     is_dirty = true;
-                    above.iter_mut().for_each(|(_, is_dirty)| *is_dirty = true);
+                    for (_, is_dirty) in &mut above {
+                        *is_dirty = true;
+                    }
                     Kept::<A>::shortened(&mut trail);
                 }
                 1 => {

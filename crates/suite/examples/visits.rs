@@ -7,6 +7,7 @@
 //! as a fuzzer does, and worst cases with some answers changed. Every traversal that can be put aside is, once in each
 //! case, and another one goes on.
 
+use arbitrary::Unstructured;
 use std::env::args;
 use std::fmt::Write as _;
 use std::fs;
@@ -17,7 +18,7 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 use stackless_bvh::event::{Recorder, State};
-use stackless_bvh::generate::{Bytes, Rng, Search, Source as _, Tape};
+use stackless_bvh::generate::{Rng, Search, Source as _, Tape};
 use stackless_bvh::hash::mix;
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::order::{Flow, Pruning};
@@ -96,7 +97,7 @@ impl List {
             }
             6 | 7 => {
                 let bytes: Vec<u8> = (0..rng.below(400)).map(|_| rng.below(256) as u8).collect();
-                Case::draw(&mut Bytes::new(&bytes), Case::LEAVES)
+                Case::draw(&mut Unstructured::new(&bytes), Case::LEAVES)
             }
             _ => {
                 let worst = &self.worst[rng.below(self.worst.len() as u64) as usize];

@@ -266,7 +266,7 @@ fn bounds_depend_on_no_builder<V: Vector>(scales: &[f64]) {
         let (scale, shift) =
             (scales[draw.below(scales.len())], if draw.one_in(2) { 0.0 } else { draw.int(100).into() });
         let vertices = (0..24).map(|_| {
-            let v = (draw.centred().as_dvec3() * DVec3::from(draw.ints(3).as_dvec3()) + shift) * scale;
+            let v = (draw.centred().as_dvec3() * draw.ints(3).as_dvec3() + shift) * scale;
             V::from_components(v.to_array().map(V::Real::rounded))
         });
         let mesh =

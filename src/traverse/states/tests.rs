@@ -28,9 +28,11 @@ fn every_bit_of_a_header_and_of_a_checksum_counts() {
         }
         let error = states.from_bytes::<u32>(&other).unwrap_err();
         let is_named = match (bit / 8, error) {
-            (0..4, StateError::Magic) | (4, StateError::Version { .. }) | (6..10, StateError::WordBytes { .. }) => true,
+            (0..4, StateError::Magic)
+            | (4, StateError::Version { .. })
+            | (6..10, StateError::WordBytes { .. })
+            | (10..18, StateError::Tree) => true,
             (5, error) => error != StateError::Checksum,
-            (10..18, StateError::Tree) => true,
             (at, error) => at >= content && error == StateError::Checksum,
         };
         assert!(is_named, "bit {bit}: {error}");

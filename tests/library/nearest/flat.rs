@@ -88,7 +88,8 @@ fn faces_without_area_are_found_in_all_trees() {
             let mut wide = WideBvh::of(&bvh).expect("a wide one");
             let mut binary = BinaryTracer::new(bvh.clone());
             for moved in [&mesh, &reversed(&mesh)] {
-                (bvh.refit(moved).expect("as many"), wide.refit(moved).expect("as many"));
+                bvh.refit(moved).expect("as many");
+                wide.refit(moved).expect("as many");
                 wide.validate(moved).expect("sound");
                 found += check::<Exact, Directed, _>(moved, &bvh, 30);
                 binary = BinaryTracer::new(bvh.clone());

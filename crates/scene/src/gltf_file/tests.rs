@@ -74,7 +74,8 @@ fn nodes_are_read_in_double_precision_and_what_they_round_is_counted() {
     // A turn by 90 degrees about z, of decimals that are not its quaternion.
     let turn = [(r#""scale":[2,2,2]"#, r#""rotation":[0,0,0.7071068,0.7071068]"#)];
     let loaded = read::<DVec3>(&turn);
-    let sine = 2.0 * 0.707_106_8 * 0.707_106_8;
+    let half: f64 = "0.7071068".parse().unwrap();
+    let sine = 2.0 * half * half;
     let off = (loaded.mesh.vertices()[1] - DVec3::new(10.0 + (1.0 - sine), sine, 0.0)).length();
     assert!(off < 1e-15, "{off:e}");
     // All of x and y but those of the two corners on the axis; z stays.

@@ -49,7 +49,7 @@ fn what_leaves_the_range_depends_on_no_builder<V: Vector>(most: f64, scales: &[f
             let object = assembly.add_mesh(bvh);
             let place = |object, affine| vec![Instance { object, affine }];
             let group = assembly.add_group(place(object, inner), &options);
-            let nested = group.clone().and_then(|group| assembly.add_group(place(group, outer), &options));
+            let nested = group.and_then(|group| assembly.add_group(place(group, outer), &options));
             fits.push([group.is_ok(), nested.is_ok()]);
         }
         assert!(fits.iter().all(|fits_too| *fits_too == fits[0]), "{round}: {fits:?}");

@@ -71,7 +71,10 @@ proptest! {
             sum.add(digits, base + place, is_negative);
         }
         let (sign, whole) = sum.integer().into_parts();
-        let Some(found) = sum.leading() else { return Ok(prop_assert_eq!(whole, UBig::ZERO)) };
+        let Some(found) = sum.leading() else {
+            prop_assert_eq!(whole, UBig::ZERO);
+            return Ok(());
+        };
         let (digits, exponent) = (UBig::from(found.digits), whole.bit_len() as i32 - 128);
         let first = if exponent < 0 { &whole << -exponent as usize } else { &whole >> exponent as usize };
         let is_all = exponent < 0 || &digits << exponent as usize == whole;

@@ -8,7 +8,7 @@ type Corners = [DVec3; 3];
 
 /// The exact distance; `None` for a miss.
 fn truth([a, b, c]: &Corners, o: DVec3, d: DVec3) -> Option<RBig> {
-    match truth::meet([a, b, c].map(|v| v.to_array()), o.to_array(), d.to_array()) {
+    match truth::meet([a, b, c].map(DVec3::to_array), o.to_array(), d.to_array()) {
         Meeting::Hit(point) => Some(point.t),
         Meeting::Miss | Meeting::Coplanar => None,
     }
