@@ -7,7 +7,7 @@
 #                           them are a failure: a target that does next to nothing would find nothing
 #   rates [SECONDS]         every target for 60 s (or so many), one at a time: executions per second
 #   planted [SECONDS]       every planted bug from an empty corpus, for 60 s (or so many) at most: each must be found;
-#                           SAMPLE=N: N of them, others for each commit; UPDATE=1 writes the column of tests/PLANTED.md anew
+#                           SAMPLE=N: N of them, a different sample for each commit; UPDATE=1 writes the column of tests/PLANTED.md anew
 #   long TARGET SECONDS     two processes that share a corpus, and go on after a finding
 #   minimise TARGET [FILE]  with a file: the smallest input that fails the same way; else the fewest inputs that cover as much
 #   coverage [FOLDER...]    lines of the core that seeds, regressions and corpora (or these) reach; needs llvm-22
@@ -135,9 +135,13 @@ find_planted() {
     rm -r "$folder"
 }
 
-# Prints at most so many of the lines, chosen by the commit.
+# Prints all lines; with SAMPLE, that many, chosen by the commit.
 sample() {
-    awk -v seed="$((16#$(git rev-parse --short=7 HEAD)))" 'BEGIN { srand(seed) } { print rand() "\t" $0 }' | sort -n | head -n "$1" | cut -f 2-
+    if [[ -z ${SAMPLE:-} ]]; then
+        cat
+    else
+        shuf -n "$SAMPLE" --random-source=<(yes "$(git rev-parse HEAD)")
+    fi
 }
 
 # The lines of tests/PLANTED.md that have the column, with the bug's name as it is called here: `LINE | NAME | CELL`.
@@ -153,7 +157,7 @@ planted() {
     names=$("$binaries/planted" 2> /dev/null)
     export binaries
     export -f find_planted
-    rows=$(sed -n 's/^bug //p' <<< "$names" | { grep "${ONLY:-}" || true; } | sample "${SAMPLE:-1000000}" |
+    rows=$(sed -n 's/^bug //p' <<< "$names" | { grep "${ONLY:-}" || true; } | sample |
         xargs -d '\n' -P 2 -I{} bash -c 'set -euo pipefail; find_planted "$1" '"$seconds" - {})
     if [[ -n ${UPDATE:-} ]]; then
         awk -F ' [|] ' -v OFS=' | ' '

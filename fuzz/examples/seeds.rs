@@ -3,11 +3,11 @@
 //! Files of each format that is read, of every kind; and for the other targets, which read choices from any bytes, a
 //! few inputs of various lengths. They are the same on every machine.
 
-use arbitrary::Unstructured;
 use std::fmt::Write;
 use std::path::Path;
 use std::{env, fs, io};
 
+use arbitrary::Unstructured;
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::{Rng, Source, procedural};
 use stackless_bvh::geom::Mesh;

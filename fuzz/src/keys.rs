@@ -1,8 +1,8 @@
 //! The target of keys, trails and swaps: the literal formulas, and every word by the widest one.
 
-use arbitrary::Unstructured;
 use std::collections::HashSet;
 
+use arbitrary::Unstructured;
 use stackless_bvh::generate::Source;
 use stackless_bvh::key::{self, Grow, KeyWord};
 use stackless_bvh::{swap, trail};

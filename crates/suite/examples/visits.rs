@@ -7,7 +7,6 @@
 //! as a fuzzer does, and worst cases with some answers changed. Every traversal that can be put aside is, once in each
 //! case, and another one goes on.
 
-use arbitrary::Unstructured;
 use std::env::args;
 use std::fmt::Write as _;
 use std::fs;
@@ -16,6 +15,7 @@ use std::ops::Range;
 use std::path::Path;
 use std::time::Instant;
 
+use arbitrary::Unstructured;
 use serde_json::{Value, json};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::{Rng, Search, Source as _, Tape};

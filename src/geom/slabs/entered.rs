@@ -25,7 +25,7 @@ pub(in crate::geom) struct Entered {
     pub(super) tmin: f64,
 }
 
-/// What doubles tell about where a ray enters a region.
+/// Whether a ray enters a region, as far as doubles decide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Approach<E> {
     /// It does not.
