@@ -22,17 +22,18 @@ fn main() -> Result<(), Failure> {
     let mut rng = Rng::new(1);
     let (mut wrong, mut tied, mut hits) = (0, 0, 0);
     let scenes = 100;
+    let [closest, lists] = [closest, lists].map(|count| count.div_ceil(scenes) * scenes);
     for scene in 0..scenes {
         let mesh = if scene % 2 == 0 { spheres(&mut rng)? } else { sheets(&mut rng)? };
         let tracer = Tracer::of(&mesh)?;
         let oracle = Integers::of(&mesh);
-        for i in 0..(closest / scenes).max(1) {
+        for i in 0..closest / scenes {
             let ray = ray(&mut rng)?;
             let expected = oracle.hits(&ray);
             let found = tracer.closest(&ray);
             hits += u64::from(found.is_some());
             wrong += u64::from(found.map(|hit| hit.prim) != expected.first().copied());
-            if i < (lists / scenes).max(1) {
+            if i < lists / scenes {
                 let all: Vec<_> = tracer.all(&ray).collect();
                 tied += all.windows(2).filter(|pair| pair[0].t == pair[1].t).count();
                 wrong += u64::from(!all.iter().map(|hit| hit.prim).eq(expected));
@@ -76,7 +77,7 @@ fn sheets(rng: &mut Rng) -> Result<Mesh, Failure> {
 
 fn mesh(triangles: Vec<[Vec3; 3]>) -> Result<Mesh, Failure> {
     // On a grid of 2^-24: numbers have at most 42 bits, the longest product 115.
-    let snapped = triangles.as_flattened().iter().map(|v| (*v * GRID).round() / GRID).collect();
+    let snapped = triangles.as_flattened().iter().copied().map(on_grid).collect();
     let indices = (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     Ok(Mesh::new(snapped, indices)?)
 }
@@ -90,8 +91,11 @@ fn ray(rng: &mut Rng) -> Result<Ray, Failure> {
     let distance = 10_f64.powf(1.0 + 4.0 * (rng.below(1 << 20) as f64 * f64::powi(2.0, -20)));
     let origin = (towards + way.normalize_or(DVec3::Z) * distance).as_vec3();
     let direction = towards.as_vec3() - origin;
-    let snapped = |v: Vec3| (v * GRID).round() / GRID;
-    Ok(Ray::new(snapped(origin), snapped(direction))?)
+    Ok(Ray::new(on_grid(origin), on_grid(direction))?)
+}
+
+fn on_grid(v: Vec3) -> Vec3 {
+    (v * GRID).round() / GRID
 }
 
 /// All triangles, in units of 2^-24.

@@ -205,11 +205,7 @@ fn a_place_has_one_use() {
 fn a_signal_leaves_no_temporary_file() {
     let folder = Folder::new();
     let rays = folder.file("rays.csv", "0.5,0.5,9,0,0,-1,0,inf\n".repeat(400_000));
-    for (signal, number) in [("-INT", 2), ("-TERM", 15), ("-HUP", 1)] {
-        if is_ignored(number) {
-            println!("SKIPPED: {signal} is ignored here");
-            continue;
-        }
+    for (signal, number) in heeded([("-INT", 2), ("-TERM", 15), ("-HUP", 1)]) {
         let out = Folder::new();
         out.file("hits.csv", "old");
         let mut command = Command::new(env!("CARGO_BIN_EXE_stackless"));
@@ -235,11 +231,7 @@ fn a_signal_leaves_no_temporary_file() {
 #[test]
 fn no_program_survives_its_runner() {
     let place = Place::new();
-    for (signal, number) in [("-INT", 2), ("-TERM", 15), ("-KILL", 9)] {
-        if is_ignored(number) {
-            println!("SKIPPED: {signal} is ignored here");
-            continue;
-        }
+    for (signal, _) in heeded([("-INT", 2), ("-TERM", 15), ("-KILL", 9)]) {
         let pids = place.folder.path("pids");
         let script = format!("sleep 1000 & echo $$ $! > {0}.new; mv {0}.new {0}; sleep 1000", pids.display());
         let mut command = place.command("conform --suite SUITE --timeout 1000 --", &[]);
@@ -262,11 +254,19 @@ fn no_program_survives_its_runner() {
     }
 }
 
-/// Whether this process ignores a signal, and so those that it starts, as where a shell has put it into the background.
-fn is_ignored(signal: i32) -> bool {
+/// Those signals that this process does not ignore, and so those that it starts do not: a shell that puts it into the
+/// background has it ignore some.
+fn heeded(signals: [(&'static str, i32); 3]) -> impl Iterator<Item = (&'static str, i32)> {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
-    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
+    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0);
+    signals.into_iter().filter(move |(signal, number)| {
+        let is_ignored = mask >> (number - 1) & 1 == 1;
+        if is_ignored {
+            println!("SKIPPED: {signal} is ignored here");
+        }
+        !is_ignored
+    })
 }
 
 /// Whether a process runs; one that has ended may still be in the table.
