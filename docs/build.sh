@@ -21,9 +21,9 @@ page() {
     "$stackless" explain "${@:2}" -o "$book/site/explain/$1.html" > /dev/null
 }
 page example
-page hash --methods hash-only
+page hash --method hash-only
 page d-3 --case spec/departures/D-3.json
-page wide --methods wide-record,wide-hashed
+page wide --method wide-record,wide-hashed
 
 # Each page that a chapter shows is there.
 grep -oh 'src="explain/[^"]*"' docs/*.md | sort -u | while IFS='"' read -r _ path _; do

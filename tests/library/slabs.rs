@@ -195,7 +195,7 @@ fn padding_suffices_where_2_ulps_do_not() {
     assert!(Directed::new(&ray, &region).one(&aabb, f32::INFINITY).is_some());
 }
 
-/// Two rays, found by `stackless accuracy`, that start on a plane which they leave so slowly that the reciprocal
+/// Two rays, found by `lab accuracy`, that start on a plane which they leave so slowly that the reciprocal
 /// overflows: 0 times minus infinity fell on the wrong side of the sorted lanes, and the flat box was skipped.
 #[test]
 fn a_ray_that_hardly_leaves_its_plane_enters_the_box_there() {

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # The pages of `stackless explain` in Chromium: every visit of every traversal, forwards and backwards, on a wide window and on one
-# of 360 pixels (test.js). Pages with a mistake each must fail. usage: check.sh [STACKLESS]
+# of 360 pixels (test.js). Pages with a mistake each must fail. `lab` is beside it.
+# usage: check.sh [STACKLESS]
 #
 # 77 where there is no Chromium and none can be installed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 stackless=${1:-${CARGO_TARGET_DIR:-target}/debug/stackless}
+lab=$(dirname "$stackless")/lab
 
 browser=$(.ci/chromium)
 
@@ -28,22 +30,22 @@ a </script>
 }
 
 page() {
-    "$stackless" explain "${@:2}" -o "$folder/page-$1.html" > /dev/null
+    "$lab" explain "${@:2}" -o "$folder/page-$1.html" > /dev/null
 }
 
 page example
 page leaf --tape 7
 page tape --tape 34
-page pruned --tape 2 --methods hashed-disjoint,uncle-disjoint,sparse-disjoint,afra-disjoint,stack-disjoint,stack-t0
-page others --methods left-first,implicit-a1,implicit-b,implicit-b1,laine-0,laine-2,laine-4,laine-8,skip,skip-octant,glassner
-page deep --suite-case trace/script/chain-turns-64-two-1 --methods hashed,sparse
+page pruned --tape 2 --method hashed-disjoint,uncle-disjoint,sparse-disjoint,afra-disjoint,stack-disjoint,stack-t0
+page others --method left-first,implicit-a1,implicit-b,implicit-b1,laine-0,laine-2,laine-4,laine-8,skip,skip-octant,glassner
+page deep --suite-case trace/script/chain-turns-64-two-1 --method hashed,sparse
 page ray stadium --pixel 256,220
 all_wide=wide-record,wide-stack,wide-trail,wide-hashed,wide-restart-0,wide-restart-1,wide-restart-2,wide-restart-4,wide-restart-8
-page wide --methods "$all_wide"
-page wide2 --wide 2 --tape 8 --methods "$all_wide"
+page wide --method "$all_wide"
+page wide2 --wide 2 --tape 8 --method "$all_wide"
 page wide4 --wide 4 --tape 3
 page leaves-first --wide 8 --tape 5
-page wide-ray stadium --pixel 256,220 --methods wide-record,wide-hashed,wide-trail
+page wide-ray stadium --pixel 256,220 --method wide-record,wide-hashed,wide-trail
 # Trees that are too large to be read as a whole. Even: the children of i are 2i + 1 and 2i + 2. Leaning: every eighth
 # node leads on to the next eighth one, and to a bush of seven nodes.
 tree() {
@@ -61,7 +63,7 @@ tree() {
             }
             print "{\"children\": [" all "], \"cells\": [" cells "]}"
         }' > "$folder/tree-$1.json"
-    page "$1" --case "$folder/tree-$1.json" --methods hashed
+    page "$1" --case "$folder/tree-$1.json" --method hashed
 }
 tree even 255
 tree leaning 161

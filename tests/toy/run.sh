@@ -21,25 +21,24 @@ sed --in-place 's/^mod unfit;$/mod toy;\n&/' src/traverse/mod.rs
 sed --in-place '$d' src/traverse/table.rs
 { cat "$toy/row.txt"; echo '}'; } >> src/traverse/table.rs
 
-cargo build --package stackless-cli --bin stackless
-stackless=$CARGO_TARGET_DIR/debug/stackless
+cargo build --package stackless-cli --features lab
 
-# The command, and what its answer has to say.
+# What its answer has to say, and the command.
 sees() {
     local wanted=$1
     shift
-    if ! "$stackless" "$@" > "$copy/answer" 2>&1 || ! grep --quiet --extended-regexp "$wanted" "$copy/answer"; then
-        echo "no \"$wanted\" in: stackless $*" >&2
+    if ! "$CARGO_TARGET_DIR/debug/$1" "${@:2}" > "$copy/answer" 2>&1 || ! grep --quiet --extended-regexp "$wanted" "$copy/answer"; then
+        echo "no \"$wanted\" in: $*" >&2
         cat "$copy/answer" >&2
         exit 1
     fi
 }
 
-sees 'toy: +Key and trail; every node is found' check --help
+sees 'toy +binary +Key and trail; every node is found' stackless methods
 for word in u32 u64 u128 grow; do
-    sees '^pass: .* 1 method, 0 disagreements' check --methods toy --word "$word" --trees 300 --count 20
-    sees "^ *toy .*$word" check -v --methods toy --word "$word" --trees 300 --count 20
+    sees '^pass: .* 1 method, 0 disagreements' lab check --method toy --word "$word" --trees 300 --count 20
+    sees "^ *toy .*$word" lab check -v --method toy --word "$word" --trees 300 --count 20
 done
-sees 'every node is found by walking down' explain --methods toy --output -
-sees '^ *toy ' bench strands --methods toy --count 64 --rounds 1 --kinds any
-echo "the toy is checked in all words, explained, measured and in the help"
+sees 'every node is found by walking down' stackless explain --method toy --output -
+sees '^ *toy ' stackless bench strands --method toy --count 64 --rounds 1 --kinds any
+echo "the toy is checked in all words, explained, measured and listed"

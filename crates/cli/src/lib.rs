@@ -1,5 +1,45 @@
-//! The plots that the command `stackless` draws.
+//! The command `stackless`, and `lab`, which has what only those who work on the library ask for.
 
 #![forbid(unsafe_code)]
 
-pub mod plots;
+mod bench;
+mod build;
+mod camera;
+mod check;
+mod conform;
+mod explain;
+mod generate;
+mod input;
+mod judge;
+#[cfg(feature = "lab")]
+mod lab;
+mod merge;
+mod methods;
+mod output;
+mod places;
+mod plots;
+mod record;
+mod render;
+mod run;
+mod signals;
+mod stackless;
+mod stats;
+mod stress;
+mod suite;
+mod trace;
+mod turns;
+
+use std::process::ExitCode;
+
+use run::Outcome;
+
+/// Runs `stackless` with the arguments of the process.
+pub fn stackless() -> ExitCode {
+    run::run::<stackless::Stackless>()
+}
+
+/// Runs `lab` with the arguments of the process.
+#[cfg(feature = "lab")]
+pub fn lab() -> ExitCode {
+    run::run::<lab::Lab>()
+}

@@ -337,28 +337,24 @@ fn the_command_writes_pages() {
     assert_eq!(stackless("-q explain -o -", &[]).passes().stdout, html);
     assert_eq!(data(&html)["title"], "The papers' example: from key 22 to key 3");
 
-    let tape = stackless("-q explain --tape 7 --methods sparse,hashed -o -", &[]).passes().stdout;
-    assert_eq!((&data(&tape)["methods"][0]["method"], &data(&tape)["title"]), (&"sparse".into(), &"Tape 7".into()));
     let suite = stackless("-q explain --suite-case trace/script/three-neither -o -", &[]).passes().stdout;
     assert_eq!(data(&suite)["children"].as_array().unwrap().len(), 3);
     let text = r#"{"children": [[1, 2], null, null], "cells": [{}, {}, {}], "methods": ["uncle"]}"#;
     let replay = folder.file("case.json", text);
     let case = stackless("-q explain -o - --case", &[&replay]).passes().stdout;
     assert_eq!(data(&case)["methods"][0]["method"], "uncle");
-    let case = stackless("-q explain -o - --methods afra --case", &[&replay]).passes().stdout;
+    let case = stackless("-q explain -o - --method afra --case", &[&replay]).passes().stdout;
     assert_eq!(data(&case)["methods"].as_array().unwrap().iter().map(|it| &it["method"]).collect::<Vec<_>>(), ["afra"]);
-    let pixel = stackless("-q explain stadium --pixel 256,220 --methods hashed -o -", &[]).passes().stdout;
+    let pixel = stackless("-q explain stadium --pixel 256,220 --method hashed -o -", &[]).passes().stdout;
     assert_eq!(data(&pixel)["title"], "stadium, pixel 256,220");
     assert!(data(&pixel)["methods"][0]["steps"].as_array().unwrap().iter().any(|step| step["hit"] == true));
     let wide = |args: &str| data(&stackless(&format!("-q explain {args} -o -"), &[]).passes().stdout);
     let example = wide("--wide 8");
     assert_eq!((&example["methods"][0]["method"], &example["base"]), (&"wide-record".into(), &8.into()));
-    let tape = wide("--tape 3 --wide 4 --methods wide-trail");
-    assert_eq!((&tape["title"], &tape["trailBits"]), (&"Tape 3, up to 4 children".into(), &4.into()));
     let suite = wide("--suite-case trace/wide/last-2");
     assert_eq!(wide("--suite-case trace/wide/unsorted-hit-4")["trailBits"], 4);
     assert_eq!((&suite["methods"][0]["method"], &suite["base"]), (&"wide-record".into(), &10.into()));
-    let pixel = wide("stadium --pixel 256,220 --methods wide-record");
+    let pixel = wide("stadium --pixel 256,220 --method wide-record");
     assert!(pixel["methods"][0]["steps"].as_array().unwrap().iter().any(|step| step["hit"] == true));
     assert_eq!(folder.names(), ["a.html", "case.json"]);
 }
@@ -374,17 +370,16 @@ fn the_command_refuses_what_it_cannot_show() {
         ("--suite-case nosuch", "case 'nosuch': not in the suite"),
         ("--suite-case key/u128/child-left-root", "expected one whose level is trace"),
         ("--suite-case trace/script/chain-left-200-two-1", "200 edges deep"),
-        ("--methods complete", "complete: "),
-        ("--methods wide-trail,hashed", "do not run on wide ones"),
-        ("--wide 3 --tape 1", "--wide 3: expected 2, 4 or 8"),
+        ("--method complete", "complete: "),
+        ("--method wide-trail,hashed", "do not run on wide ones"),
         ("--wide 4", "the example have 8 children"),
-        ("--methods wide-trail --suite-case trace/script/three-neither", "its tree is binary"),
+        ("--method wide-trail --suite-case trace/script/three-neither", "its tree is binary"),
         ("soup --pixel 3,512", "pixel 3,512 is outside of the image of 512x512 pixels"),
     ] {
         stackless(&format!("explain {args} -o -"), &[]).fails_naming(&[what]);
     }
-    stackless("-q explain --methods wide-trail -o - --case", &[&bad]).fails_naming(&["--case: its tree is binary"]);
-    for args in ["explain", "explain --tape 1 --suite-case a -o -", "explain --methods nosuch -o -"] {
+    stackless("-q explain --method wide-trail -o - --case", &[&bad]).fails_naming(&["--case: its tree is binary"]);
+    for args in ["explain", "explain --case b --suite-case a -o -", "explain --method nosuch -o -"] {
         assert_eq!(stackless(args, &[]).code, Some(2), "{args}");
     }
     assert_eq!(folder.names(), ["bad.json"]);

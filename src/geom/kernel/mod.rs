@@ -1,7 +1,7 @@
 //! Triangle tests: whether a ray meets a triangle, and where.
 //!
 //! [`Exact`] gives the answer of rational arithmetic. The others are what renderers use, and leak or err in ways that
-//! `stackless accuracy` measures.
+//! `lab accuracy` measures.
 
 mod affine;
 mod bounds;

@@ -8,13 +8,13 @@ use super::ticks::Scale;
 
 /// A part of a campaign.
 #[derive(Clone, Copy, Debug)]
-pub struct Stretch {
+pub(crate) struct Stretch {
     /// Seconds of processor time.
-    pub seconds: f64,
+    pub(crate) seconds: f64,
     /// Number of cases.
-    pub cases: u64,
+    pub(crate) cases: u64,
     /// How many of them went wrong.
-    pub errors: u64,
+    pub(crate) errors: u64,
 }
 
 /// Two charts, as SVG: the cases of all parts so far, and what bounds the rate of errors after them, on a logarithmic axis.
@@ -22,12 +22,12 @@ pub struct Stretch {
 /// Parts stand one after the other, over the sum of their processor time.
 ///
 /// ```
-/// use stackless_cli::plots::{Stretch, plot_campaign};
+/// use crate::plots::{Stretch, plot_campaign};
 ///
 /// let parts = [Stretch { seconds: 60.0, cases: 1000, errors: 0 }; 3];
 /// assert!(plot_campaign("three minutes", &parts).contains("processor"));
 /// ```
-pub fn plot_campaign(title: &str, parts: &[Stretch]) -> String {
+pub(crate) fn plot_campaign(title: &str, parts: &[Stretch]) -> String {
     draw((800.0, 660.0), title, parts).finish()
 }
 

@@ -11,7 +11,7 @@ use super::ticks::Scale;
 /// A histogram of backtracking distances with the cumulative share, as SVG (Binder & Keller 2016, Fig. 3).
 ///
 /// Bars are shares of all backtracks, by the level of the ancestor whose sibling comes next; the line is their sum.
-pub fn plot_distances(title: &str, backtracks: &Backtracks) -> String {
+pub(crate) fn plot_distances(title: &str, backtracks: &Backtracks) -> String {
     let total = backtracks.total().max(1) as f64;
     let shares: Vec<f64> = backtracks.distances().iter().map(|&count| count as f64 / total).collect();
     draw((800.0, 480.0), title, &shares).finish()

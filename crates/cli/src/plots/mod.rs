@@ -13,12 +13,12 @@ mod style;
 mod text;
 mod ticks;
 
-pub use campaign::{Stretch, plot_campaign};
-pub use distances::plot_distances;
-pub use pareto::{Choice, Errors, front, plot_pareto};
-pub use style::heat;
-pub use text::wrap;
-pub use ticks::round_ticks;
+pub(crate) use campaign::{Stretch, plot_campaign};
+pub(crate) use distances::plot_distances;
+pub(crate) use pareto::{Choice, Errors, front, plot_pareto};
+pub(crate) use style::heat;
+pub(crate) use text::wrap;
+pub(crate) use ticks::round_ticks;
 
 #[cfg(test)]
 mod tests;

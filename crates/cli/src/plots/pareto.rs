@@ -9,20 +9,20 @@ use super::ticks::Scale;
 
 /// A choice with what it costs and how often it errs.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Choice {
+pub(crate) struct Choice {
     /// What is written beside its point.
-    pub label: String,
+    pub(crate) label: String,
     /// Choices of the same family have the same colour and marker, which the legend explains.
-    pub family: String,
+    pub(crate) family: String,
     /// Time, in units of a baseline's.
-    pub cost: f64,
+    pub(crate) cost: f64,
     /// Errors in 10^9 rays.
-    pub errors: Errors,
+    pub(crate) errors: Errors,
 }
 
 /// How often something errs, in 10^9 rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Errors {
+pub(crate) enum Errors {
     /// This often.
     Observed(f64),
     /// Never in the rays that were traced: with a probability of 95 %, not more often than this.
@@ -32,7 +32,7 @@ pub enum Errors {
 impl Errors {
     /// From the number of errors in so many rays. None in N is less than 3 in N with a probability of 95 %, as
     /// (1 - 3/N)^N is about e^-3.
-    pub fn of(events: u64, rays: u64) -> Self {
+    pub(crate) fn of(events: u64, rays: u64) -> Self {
         match events {
             0 => Self::Below(3e9 / rays as f64),
             _ => Self::Observed(events as f64 * 1e9 / rays as f64),
@@ -40,7 +40,7 @@ impl Errors {
     }
 
     /// The rate that was seen: 0 where there was no error.
-    pub fn observed(self) -> f64 {
+    pub(crate) fn observed(self) -> f64 {
         match self {
             Self::Observed(rate) => rate,
             Self::Below(_) => 0.0,
@@ -58,7 +58,7 @@ impl Errors {
 /// For each choice, whether it is on the Pareto front: no other costs no more and errs no more often, and is better in
 /// one of these. Of choices that are equal in both, all are on it or none. Not being known (NaN), a cost is never on
 /// it.
-pub fn front(choices: &[Choice]) -> Vec<bool> {
+pub(crate) fn front(choices: &[Choice]) -> Vec<bool> {
     let beats = |a: &Choice, b: &Choice| {
         let (a_errors, b_errors) = (a.errors.observed(), b.errors.observed());
         a.cost <= b.cost && a_errors <= b_errors && (a.cost < b.cost || a_errors < b_errors)
@@ -68,7 +68,7 @@ pub fn front(choices: &[Choice]) -> Vec<bool> {
 
 /// Cost against errors, one chart below the other, each with its title, as SVG: the vertical axis is logarithmic, the
 /// front a line through rings. Where no error was seen, a hollow point with an arrow stands at what bounds the rate.
-pub fn plot_pareto(charts: &[(&str, &[Choice])], cost: &str) -> String {
+pub(crate) fn plot_pareto(charts: &[(&str, &[Choice])], cost: &str) -> String {
     draw((960.0, 90.0 + 520.0 * charts.len().max(1) as f64), charts, cost).finish()
 }
 

@@ -120,7 +120,7 @@ pub(super) fn style() -> String {
 
 /// From dark violet over blue and green to yellow, in few enough steps for a palette: viridis, by van der Walt & Smith.
 /// Its lightness rises evenly, so that it can be read in grey and by those who do not see all colours.
-pub fn heat(share: f64) -> [u8; 3] {
+pub(crate) fn heat(share: f64) -> [u8; 3] {
     const STEPS: f64 = 200.0;
     const STOPS: [[u8; 3]; 9] = [
         [68, 1, 84],

@@ -63,9 +63,9 @@ pub(super) fn markup(text: &str, size: f64) -> String {
 ///
 /// ```
 /// let letters = |text: &str| text.len() as f64;
-/// assert_eq!(stackless_cli::plots::wrap("one two three", 8.0, letters), ["one two", "three"]);
+/// assert_eq!(crate::plots::wrap("one two three", 8.0, letters), ["one two", "three"]);
 /// ```
-pub fn wrap(text: &str, room: f64, width: impl Fn(&str) -> f64) -> Vec<String> {
+pub(crate) fn wrap(text: &str, room: f64, width: impl Fn(&str) -> f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
         match lines.last_mut() {

@@ -4,11 +4,11 @@
 /// 5 times a power of ten of which no more than `most` are needed.
 ///
 /// ```
-/// let ticks = stackless_cli::plots::round_ticks(37.0, 5);
+/// let ticks = crate::plots::round_ticks(37.0, 5);
 /// assert_eq!(ticks.iter().map(|(at, _)| *at).collect::<Vec<_>>(), [0.0, 10.0, 20.0, 30.0]);
 /// assert_eq!(ticks[1].1, "10");
 /// ```
-pub fn round_ticks(end: f64, most: usize) -> Vec<(f64, String)> {
+pub(crate) fn round_ticks(end: f64, most: usize) -> Vec<(f64, String)> {
     let scale = Scale::linear([0.0, end], most);
     scale.ticks.iter().filter(|&&tick| tick <= end).map(|&tick| (tick, plain(tick))).collect()
 }

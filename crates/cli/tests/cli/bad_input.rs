@@ -139,7 +139,7 @@ fn an_output_that_cannot_be_written() {
     let (cube, rays, out) = (data("cube.ply"), folder.file("rays.csv", RAY), folder.path("missing/out.csv"));
     let run = stackless("trace -o", &[&out, &cube, Path::new("--rays"), &rays]);
     run.fails_naming(&["missing/out.csv", "cannot be written"]);
-    let run = stackless("check --trees 1 --methods stack --json", &[&out]);
+    let run = stackless("check --trees 1 --method stack --json", &[&out]);
     assert_eq!(run.code, Some(2), "{run:?}");
     assert!(run.stderr.starts_with("error: ") && run.stderr.lines().count() == 1, "{run:?}");
     assert!(run.stderr.contains("missing/out.csv"), "{run:?}");

@@ -6,7 +6,8 @@ use serde_json::Value;
 
 use super::support::{Folder, Run, read_json, stackless};
 
-const METHODS: [&str; 7] = ["stack", "sparse", "afra", "uncle", "hashed", "hash-only", "implicit-b1"];
+const METHODS: [&str; 9] =
+    ["stack", "sparse", "afra", "uncle", "hashed", "hash-only", "implicit-b1", "wide-stack", "wide-record"];
 const KINDS: [&str; 3] = ["primary", "any", "diffuse"];
 
 /// A run over made scenes with few rays, and its rows.
@@ -44,10 +45,12 @@ fn a_handful_is_measured_on_three_kinds_of_rays() {
         for row in rows {
             assert!(number(row, "mrays") > 0.0 && number(row, "ratio") > 0.0, "{row}");
             assert!(number(row, "build_mtriangles") > 0.0 && number(row, "state_bytes") > 0.0, "{row}");
-            // All of these visit the same nodes.
-            assert_eq!(row["nodes_per_ray"], rows[0]["nodes_per_ray"], "{row}");
-            assert_eq!(row["count"], rows[0]["count"]);
-            assert!(row["judged"].is_null(), "{row}");
+            // All of binary trees visit the same nodes.
+            let is_wide = names(row)[2].starts_with("wide");
+            assert!(is_wide || row["nodes_per_ray"] == rows[0]["nodes_per_ray"], "{row}");
+            assert_eq!((&row["count"], &row["judged"]), (&rows[0]["count"], &rows[0]["count"]), "{row}");
+            let errors = ["false_misses", "false_hits", "wrong_primitives", "max_ulp"];
+            assert!(errors.iter().all(|name| row[name].as_u64().unwrap_or(0) == 0), "{row}");
         }
     }
     // One ray for each of the camera's that hits; and an occlusion ray is shorter than a diffuse one.
@@ -65,7 +68,7 @@ fn a_handful_is_measured_on_three_kinds_of_rays() {
 
 #[test]
 fn what_is_asked_for_is_measured_once_each() {
-    let (_, rows) = bench("soup --rounds 1 --methods hashed,skip,hashed --kinds any,any --accuracy watertight,exact");
+    let (_, rows) = bench("soup --rounds 1 --method hashed,skip,hashed --kinds any,any --accuracy watertight,exact");
     let expected = ["watertight", "exact"].map(|accuracy| ["stack", "hashed", "skip"].map(|method| (method, accuracy)));
     let found: Vec<_> = rows.iter().map(|row| (names(row)[2], names(row)[3])).collect();
     assert_eq!(found, expected.concat());
@@ -78,7 +81,7 @@ fn what_is_asked_for_is_measured_once_each() {
 
 #[test]
 fn the_geometric_mean_of_all_is_that_of_the_rows() {
-    let (run, rows) = bench("soup --rounds 1 --methods stack,afra");
+    let (run, rows) = bench("soup --rounds 1 --method stack,afra");
     let ratios: Vec<_> = rows.iter().filter(|row| row["method"] == "afra").map(|row| number(row, "ratio")).collect();
     let line = run.stdout.lines().last().unwrap();
     let fields: Vec<_> = line.split_whitespace().collect();
@@ -90,9 +93,19 @@ fn the_geometric_mean_of_all_is_that_of_the_rows() {
     }
 }
 
+/// Where rounding errs, who is not exact is seen to err.
+#[test]
+fn aimed_rays_show_errors() {
+    let (_, rows) = bench("soup --rounds 1 --count 1000 --method stack --kinds aimed --accuracy fast,exact");
+    let wrong =
+        |row: &Value| ["false_misses", "false_hits", "wrong_primitives"].map(|name| number(row, name)).iter().sum();
+    let [fast, exact]: [f64; 2] = [wrong(&rows[0]), wrong(&rows[1])];
+    assert!(fast > 0.0 && exact == 0.0, "{rows:?}");
+}
+
 #[test]
 fn trees_are_measured_beside_each_other() {
-    let (_, rows) = bench("soup --rounds 1 --methods stack,hashed --kinds diffuse --build sah,sbvh+1,lbvh");
+    let (_, rows) = bench("soup --rounds 1 --method stack,hashed --kinds diffuse --build sah,sbvh+1,lbvh");
     let expected = ["sah", "sbvh+1", "lbvh"].map(|build| ["stack", "hashed"].map(|method| (build, method)));
     let found: Vec<_> = rows.iter().map(|row| (row["build"].as_str().unwrap(), names(row)[2])).collect();
     assert_eq!(found, expected.as_flattened());
@@ -108,11 +121,11 @@ fn rays_that_meet_nothing_are_said_to_be_missing() {
     let folder = Folder::new();
     // A triangle that the camera sees, in front of nothing: what bounces off it hits nothing, but is there.
     let scene = folder.file("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    let run = stackless("bench --count 100 --rounds 1 --methods stack", &[&scene]).passes();
+    let run = stackless("bench --count 100 --rounds 1 --method stack", &[&scene]).passes();
     assert!(run.stdout.contains("diffuse"), "{}", run.stdout);
     // One that cannot be hit.
     let scene = folder.file("none.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
-    let run = stackless("bench --count 100 --rounds 1 --methods stack", &[&scene]).passes();
+    let run = stackless("bench --count 100 --rounds 1 --method stack", &[&scene]).passes();
     assert!(run.stdout.contains("none, diffuse: no rays") && run.stdout.contains("none, any: no rays"), "{run:?}");
 }
 
@@ -125,7 +138,7 @@ fn peers_are_measured_where_they_are_built_in() {
     }
     let run = stackless("bench soup --count 10 --rounds 1 --peers --accuracy fast", &[]);
     run.fails_naming(&["--peers", "exact"]);
-    let (_, rows) = bench("soup --rounds 1 --methods stack --accuracy fast,exact --peers");
+    let (_, rows) = bench("soup --rounds 1 --method stack --accuracy fast,exact --peers");
     for kind in KINDS {
         let of_kind: Vec<_> = rows.iter().filter(|row| row["rays"] == kind).collect();
         let peers: Vec<_> = of_kind.iter().filter(|row| row["accuracy"] == "own").collect();
@@ -146,7 +159,7 @@ fn peers_are_measured_where_they_are_built_in() {
 
 #[test]
 fn a_file_that_cannot_be_written() {
-    let run = stackless("bench soup --count 10 --rounds 1 --methods stack --json", &[Path::new("missing/a.json")]);
+    let run = stackless("bench soup --count 10 --rounds 1 --method stack --json", &[Path::new("missing/a.json")]);
     assert_eq!(run.code, Some(2), "{run:?}");
     assert!(run.stderr.starts_with("error: ") && run.stderr.contains("missing/a.json"), "{run:?}");
 }

@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use serde_json::Value;
-use stackless_bvh::generate::Family;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_check::{CaseOptions, Plan, Tally, check_random};
 
@@ -66,11 +65,11 @@ fn assert_same(args: &str, plan: &Plan) {
 #[test]
 fn two_thousand_trees() {
     assert_same("--trees 2000", &plan(2000));
-    let (stdout, counts) = check("--trees 50 --methods hashed,afra-disjoint,stack", &[]);
+    let (stdout, counts) = check("--trees 50 --method hashed,afra-disjoint,stack", &[]);
     assert!(counts["resumes"].as_u64().unwrap() > 10_000, "{}", counts["resumes"]);
     assert!(stdout.contains("put aside and taken up again: "));
     // Stacks are not put aside.
-    assert_eq!(check("--trees 50 --methods stack", &[]).1["resumes"], 0);
+    assert_eq!(check("--trees 50 --method stack", &[]).1["resumes"], 0);
 }
 
 /// As many as the formula says, each in every traversal and word that carries it.
@@ -93,24 +92,9 @@ fn all_small_trees() {
 }
 
 #[test]
-fn families_and_depths() {
-    for family in Family::ALL {
-        let options = CaseOptions { family: Some(family), depth: Some(9) };
-        assert_same(&format!("--trees 40 --family {family} --depth 9"), &Plan { options, ..plan(40) });
-    }
-    let options = CaseOptions { family: Some(Family::Skew), depth: None };
-    assert_same("--trees 40 --family skew", &Plan { options, ..plan(40) });
-    let options = CaseOptions { family: None, depth: Some(70) };
-    assert_same("--trees 40 --depth 70", &Plan { options, ..plan(40) });
-}
-
-#[test]
-fn methods_and_words() {
+fn methods() {
     let methods = vec![Method::Uncle, Method::Laine4, Method::Stack];
-    assert_same("--trees 30 --methods uncle,laine-4,stack", &Plan { methods, ..plan(30) });
-    for word in WordName::ALL {
-        assert_same(&format!("--trees 30 --word {word}"), &Plan { words: vec![word], ..plan(30) });
-    }
+    assert_same("--trees 30 --method uncle,laine-4,stack", &Plan { methods, ..plan(30) });
 }
 
 #[test]
@@ -121,24 +105,6 @@ fn a_seed_is_repeated_and_another_differs() {
     let (_, other) = check("--trees 300 --seed 100000", &[]);
     assert_ne!(counts["rows"][0]["steps"], other["rows"][0]["steps"]);
     assert_same("--trees 300 --seed 100000", &Plan { seed: 100_000, ..plan(300) });
-}
-
-#[test]
-fn a_comb_of_depth_100_000() {
-    const COMB: &str = "check --family comb --depth 100000 --trees 1";
-    let run = stackless(&format!("{COMB} --word grow --methods sparse,afra,uncle,hashed,stack"), &[]).passes();
-    assert_eq!(run.first_line(), "pass: 1 tree, 0 rays, 5 methods, 0 disagreements");
-    for (word, width) in [("u32", 32), ("u64", 64), ("u128", 128)] {
-        for (methods, limit) in [("sparse", width - 1), ("hashed", width - 1), ("afra", width), ("uncle,sparse", width)]
-        {
-            let limit = format!("in {word} carries at most {limit}");
-            let run = stackless(&format!("{COMB} --word {word} --methods {methods}"), &[]);
-            run.fails_naming(&["the tree is 100000 edges deep", &limit]);
-        }
-    }
-    // What needs no word runs; what was refused is said.
-    let run = stackless(&format!("{COMB} --word u32 --methods stack,sparse"), &[]).passes();
-    assert!(run.stdout.contains("refused before the first step, e.g. sparse u32: the tree is 100000 edges deep"));
 }
 
 #[test]
@@ -158,39 +124,27 @@ fn scenes() {
         let prunes = method != method.without_pruning();
         assert!(method == Method::Complete || row["refused"] == if prunes { 360 } else { 0 }, "{row}");
     }
-    let (_, more) = check("--count 60 --trees 25 --methods hashed --word u64", &[&cube_ply]);
+    let (_, more) = check("--count 60 --trees 25 --method complete", &[&cube_ply]);
     assert_eq!((&more["trees"], &more["rays"], &more["rows"][0]["cases"]), (&28.into(), &180.into(), &385.into()));
     for made in ["strands", "stadium", "soup"] {
-        let (_, counts) = check("--count 40 --methods stack,hashed,complete --word u64", &[Path::new(made)]);
+        let (_, counts) = check("--count 40 --method stack,hashed,complete", &[Path::new(made)]);
         assert_eq!((&counts["trees"], &counts["rays"], &counts["disagreements"]), (&3.into(), &120.into(), &0.into()));
     }
 }
 
-/// Where a scene is, and so far from the origin that single precision has half a unit there.
 #[test]
 fn scenes_in_double_precision() {
     let cube = data("cube.ply");
-    for moved in ["", "--moved 6.4e6,-6.4e6,6.4e6", "--moved -3,0,1e10"] {
-        let (_, counts) = check(&format!("--count 60 --methods stack,hashed --word u64 --double {moved}"), &[&cube]);
-        assert_eq!((&counts["trees"], &counts["rays"], &counts["disagreements"]), (&3.into(), &180.into(), &0.into()));
-        assert_eq!(counts["run"]["asked"]["double"], true);
-    }
-    // So far that all corners are one, which is said.
-    let run = stackless("check --count 60 --methods stack --double --moved 1e20,1e20,1e20", &[&cube]);
-    assert_eq!(run.code, Some(0), "{run:?}");
-    assert!(run.stderr.contains("cube: 12 of 12 triangles have no area: rays miss them"), "{run:?}");
-    let run = stackless("check --count 40 --methods stack --double --trees 3", &[]);
+    let (_, counts) = check("--count 60 --method stack,hashed --double", &[&cube]);
+    assert_eq!((&counts["trees"], &counts["rays"], &counts["disagreements"]), (&3.into(), &180.into(), &0.into()));
+    assert_eq!(counts["run"]["asked"]["double"], true);
+    let run = stackless("check --count 40 --method stack --double --trees 3", &[]);
     assert_eq!(
         run.first_line(),
         "pass: 12 trees, 360 rays, 1 method, 0 disagreements",
         "three trees, and three scenes"
     );
-    for (args, what) in [
-        ("--moved 1,2,3", "--double"),
-        ("--double --moved 1,2", "expected X,Y,Z: three finite numbers"),
-        ("--double --moved 1,2,inf", "expected X,Y,Z: three finite numbers"),
-        ("--double --replay case.json", "cannot be used"),
-    ] {
+    for (args, what) in [("--double --replay case.json", "cannot be used")] {
         let run = stackless(&format!("check {args}"), &[]);
         assert_eq!(run.code, Some(2), "{run:?}");
         assert!(run.stderr.contains(what), "{run:?}");

@@ -6,28 +6,18 @@ use std::process::{Command, Stdio};
 use super::support::{Folder, stackless};
 
 const COMMANDS: &[&str] = &[
-    "check",
-    "trace",
-    "render",
-    "explain",
-    "bench",
-    "stress",
-    "conform",
-    "suite",
-    "accuracy",
-    "stats",
-    "man",
-    "completions",
+    "check", "trace", "render", "explain", "bench", "stress", "conform", "suite", "stats", "methods", "merge",
+    "generate",
 ];
 
 #[test]
 fn every_command_has_help_and_a_completion() {
     let all = stackless("--help", &[]).passes().stdout;
-    let completions = stackless("completions bash", &[]).passes().stdout;
+    let completions = stackless("generate bash", &[]).passes().stdout;
     for command in COMMANDS {
         let help = stackless(&format!("{command} --help"), &[]).passes().stdout;
         assert!(all.contains(&format!("  {command} ")) && help.contains("Usage: stackless"), "{command}");
-        assert!(help.contains("Examples:") || *command == "completions", "{command}");
+        assert!(help.contains("Examples:") || *command == "methods", "{command}");
         assert!(completions.contains(&format!("stackless__subcmd__{command})")), "{command}");
     }
     assert!(all.contains("Exit codes: 0") && all.contains("Examples:"), "{all}");
@@ -99,7 +89,7 @@ fn names_are_offered() {
         let run = stackless(args, &[]);
         assert!(run.code == Some(2) && run.stderr.contains("tip:") && run.stderr.contains(meant), "{args}: {run:?}");
     }
-    let completions = stackless("completions bash", &[]).passes().stdout;
+    let completions = stackless("generate bash", &[]).passes().stdout;
     for offered in ["wide-record", "watertight", "catalan", "sbvh", "jsonl"] {
         assert!(completions.contains(offered), "{offered}");
     }
@@ -135,7 +125,7 @@ fn threads_are_as_many_as_asked() {
 fn manual_pages_are_written() {
     let folder = Folder::new();
     let man = folder.path("man1");
-    stackless("man -o", &[&man]).passes();
+    stackless("generate man -o", &[&man]).passes();
     for page in ["stackless.1", "stackless-trace.1", "stackless-suite-export.1"] {
         let text = std::fs::read_to_string(man.join(page)).unwrap();
         assert!(text.contains(".SH SYNOPSIS") && text.contains(".SH OPTIONS"), "{page}: {text}");
@@ -148,7 +138,7 @@ fn manual_pages_are_written() {
 fn records_say_what_made_them() {
     let folder = Folder::new();
     let json = folder.path("out.json");
-    for args in ["stats soup --count 1", "bench soup --count 16 --rounds 1 --methods stack --kinds primary"] {
+    for args in ["stats soup --count 1", "bench soup --count 16 --rounds 1 --method stack --kinds primary"] {
         let run = stackless(&format!("{args} --json"), &[&json]);
         let record = super::support::read_json(&json);
         assert_eq!(record["version"], env!("CARGO_PKG_VERSION"), "{args}");

@@ -14,18 +14,18 @@ const CUBE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/data/cube.p
 
 /// A short run of every command, and the options that name what it writes.
 const RUNS: &[(&str, &[&str])] = &[
-    ("check --trees 5 --methods stack", &["--json"]),
+    ("check --trees 5 --method stack", &["--json"]),
     ("trace CUBE --rays RAYS", &["-o"]),
     ("render CUBE --size 8", &["-o"]),
-    ("bench CUBE --count 16 --rounds 1 --methods stack --kinds primary", &["--json"]),
-    ("stress --count 2 --cases torus --methods stack", &["--json"]),
+    ("bench CUBE --count 16 --rounds 1 --method stack --kinds primary", &["--json"]),
+    ("stress --count 2 --cases torus --method stack", &["--json"]),
     ("conform --suite SUITE -- STACKLESS suite serve", &["--json", "--junit"]),
     ("suite list --suite SUITE", &[]),
     ("suite show --suite SUITE", &[]),
-    ("accuracy CUBE --count 16 --rounds 1", &["--json", "--csv", "--plot"]),
-    ("explain --tape 1", &["-o"]),
+    ("explain", &["-o"]),
     ("stats CUBE --count 16", &["--json", "--plot"]),
-    ("completions zsh", &[]),
+    ("methods", &[]),
+    ("generate zsh", &[]),
     ("--help", &[]),
     ("--version", &[]),
 ];

@@ -66,60 +66,12 @@ fn parts_of_check_add_up() {
     assert_cut("check --trees 500 --count 100", &[&data("cube.ply"), &data("cube.obj")], &[1, 7, 64]);
     assert_cut("check --leaves 5", &[], &[1, 7]);
     // With the trees at the limits of the words, and more rays than are made at once.
-    assert_cut("check --methods sparse,hashed --word u32 --count 5000", &[], &[3]);
+    assert_cut("check --method sparse,hashed --count 5000", &[], &[3]);
 }
 
 #[test]
 fn parts_of_stress_add_up() {
     assert_cut("stress --count 64 --cases edge,t-junction,torus", &[], &[1, 7, 64]);
-    assert_cut("stress --boxes 20000 --seed 5", &[], &[1, 7, 64]);
-}
-
-/// [`assert_cut`] with a whole of one part: without parts, times are measured too.
-fn assert_counts_cut(args: &str, scenes: &[&Path], cuts: &[u32]) {
-    let folder = Folder::new();
-    let [whole, sum] = ["whole.json", "sum.json"].map(|name| folder.path(name));
-    let paths: Vec<_> = [whole.as_path()].into_iter().chain(scenes.iter().copied()).collect();
-    let run = stackless(&format!("{args} --shard 1/1 --json"), &paths).passes();
-    for &count in cuts {
-        let merged = merge(&parts(&folder, args, scenes, count), &sum).passes();
-        assert_eq!(without_claim(&merged.stdout).1, verdict(&run.stdout), "{args}, {count} parts");
-        assert_eq!(counts(&sum), counts(&whole), "{args}, {count} parts");
-    }
-}
-
-#[test]
-fn parts_of_accuracy_add_up() {
-    let both = [data("cube.ply"), data("cube.obj")];
-    let both: Vec<_> = both.iter().map(std::path::PathBuf::as_path).collect();
-    assert_counts_cut("accuracy --count 100 --seed 3", &both, &[7, 64]);
-    // More rays than are aimed in a block.
-    assert_counts_cut("accuracy --count 5000", &both[..1], &[3]);
-    assert_counts_cut("accuracy --secondary --count 400", &[Path::new("soup")], &[7, 64]);
-    assert_counts_cut("accuracy spheres --count 20", &[], &[2]);
-}
-
-#[test]
-fn parts_of_accuracy_have_no_times() {
-    let folder = Folder::new();
-    let [part, whole] = ["part.json", "whole.json"].map(|name| folder.path(name));
-    stackless("accuracy --count 50 --shard 1/1 --json", &[&part, &data("cube.ply")]).passes();
-    stackless("accuracy --count 50 --rounds 1 --json", &[&whole, &data("cube.ply")]).passes();
-    let [part, whole] = [&part, &whole].map(|path| read_json(path));
-    for (part, whole) in part["rows"].as_array().unwrap().iter().zip(whole["rows"].as_array().unwrap()) {
-        for name in ["ratio", "ns_per_ray", "mean_ulp", "p999_ulp"] {
-            assert!(part[name].is_null(), "{name}: {part}");
-        }
-        // All rays are judged in both.
-        for name in ["scene", "set", "kernel", "box", "rays", "hits", "false_misses", "wrong_primitives", "max_ulp"] {
-            assert_eq!(part[name], whole[name], "{name}");
-        }
-    }
-    for option in ["--plot a.svg", "--rounds 2", "--secondary --picture a.png"] {
-        let run = stackless(&format!("accuracy soup --shard 1/2 {option}"), &[]);
-        assert_eq!(run.code, Some(2), "{run:?}");
-        assert!(run.stderr.contains("cannot be used with"), "{run:?}");
-    }
 }
 
 #[test]
@@ -131,11 +83,11 @@ fn what_is_not_one_run_is_refused() {
         stackless(&format!("{args} --json"), &[&path]).passes();
         path
     };
-    let check = "check --trees 100 --methods stack";
+    let check = "check --trees 100 --method stack";
     let [a, b, c] = [1, 2, 3].map(|i| of(&format!("{check} --shard {i}/3"), &format!("{i}.json")));
     let wide = of(&format!("{check} --shard 1/2"), "half.json");
     let seed = of(&format!("{check} --seed 2 --shard 3/3"), "seed.json");
-    let stress = of("stress --boxes 100 --shard 1/3", "stress.json");
+    let stress = of("stress --count 9 --cases edge --shard 1/3", "stress.json");
     let version = folder.path("version.json");
     std::fs::write(&version, std::fs::read_to_string(&c).unwrap().replace("\"version\": \"0", "\"version\": \"7"))
         .unwrap();
@@ -162,7 +114,7 @@ fn what_is_not_one_run_is_refused() {
 #[test]
 fn errors_of_a_part_are_those_of_the_sum() {
     let folder = Folder::new();
-    let records = parts(&folder, "check --trees 20 --methods stack,hashed --word u64", &[], 2);
+    let records = parts(&folder, "check --trees 20 --method stack,hashed", &[], 2);
     let mut bad = read_json(&records[1]);
     bad["disagreements"] = 3.into();
     bad["pause_fault"] = serde_json::json!({"number": 17, "found": "hashed, put aside"});

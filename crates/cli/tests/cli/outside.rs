@@ -135,7 +135,7 @@ fn a_campaign_is_drawn() {
     let svg = folder.path("campaign.svg");
     let parts = [1, 2].map(|i| {
         let path = folder.path(&format!("{i}.json"));
-        let args = format!("check --trees 20 --methods stack --shard {i}/2 --json");
+        let args = format!("check --trees 20 --method stack --shard {i}/2 --json");
         stackless(&args, &[&path]).passes();
         path
     });

@@ -14,7 +14,7 @@ fn a_build_that_was_asked_for_is_not_replaced() {
         let run = stackless(&format!("trace soup --rays {rays} -o - --method complete --build {build}"), &[]);
         run.fails_naming(&["complete"]);
         let run = stackless(
-            &format!("render soup --size 8 -o - --heatmap nodes --compare stack,complete --build {build}"),
+            &format!("render soup --size 8 -o - --heatmap nodes --method stack,complete --build {build}"),
             &[],
         );
         run.fails_naming(&["complete"]);
@@ -30,12 +30,8 @@ fn a_build_that_was_asked_for_is_not_replaced() {
 fn nothing_to_do_is_refused() {
     for (args, naming) in [
         ("stress --count 0", "0 is not in 1.."),
-        ("stress --boxes 0", "0 is not in 1.."),
         ("check soup --count 0", "0 is not in 1.."),
         ("stats soup --count 0", "0 is not in 1.."),
-        ("check soup --family comb", "--trees"),
-        ("check soup --depth 9", "--trees"),
-        ("check --trees 0 --family comb", "--trees"),
         ("conform --filter nothing -- true", "no case"),
     ] {
         let run = stackless(args, &[]);
@@ -49,7 +45,6 @@ fn refuse_counts(most: u64) {
         format!("check soup --count {most}"),
         format!("stats soup --count {most}"),
         format!("bench soup --count {most}"),
-        format!("accuracy soup --count {most}"),
     ] {
         let run = stackless(&args, &[]);
         assert!(
@@ -65,8 +60,6 @@ fn numbers_beyond_all_bounds_are_refused() {
     for most in [u64::MAX, u64::from(u32::MAX)] {
         refuse_counts(most);
     }
-    let boxes = stackless(&format!("stress --boxes {}", u64::MAX), &[]);
-    assert!(boxes.code == Some(2) && boxes.stderr.contains("is not in"), "{boxes:?}");
     let threads = |count: &str| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_stackless"));
         command.args(["stress", "--list"]).env("RAYON_NUM_THREADS", count).output().unwrap()

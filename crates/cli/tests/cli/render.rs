@@ -65,25 +65,22 @@ fn colours_are_those_of_what_is_hit() {
 }
 
 #[test]
-fn figures_show_what_the_papers_say() {
+fn costs_are_as_the_papers_say() {
     let folder = Folder::new();
     let near = " --view 5,0.5,8,3.5,0.05,5.5";
-    let (run, picture) = render(&format!("stadium --figure 1 --size 40{near}"), &folder);
+    let methods = "afra,uncle,hashed";
+    let (run, picture) = render(&format!("stadium --heatmap backtrack --method {methods} --size 40{near}"), &folder);
     let [parents, uncles, hashed] = means(&run)[..] else { panic!("{run:?}") };
     assert!(parents > uncles && uncles > hashed && hashed > 1.0, "{run:?}");
     // Three panels, each as wide as its label.
     assert!(picture.0 > 3 * 40 + 4 * 6, "{}", picture.0);
 
-    let (postponed, _) =
-        render(&format!("stadium --heatmap postponed --compare hashed,stack --size 40{near}"), &folder);
+    let (postponed, _) = render(&format!("stadium --heatmap postponed --method hashed,stack --size 40{near}"), &folder);
     assert_eq!(means(&postponed), [hashed, hashed], "one step for each postponed node");
-    let (run, _) = render(&format!("stadium --figure 7 --size 40{near}"), &folder);
+    let (run, _) =
+        render(&format!("stadium --heatmap postponed --method hashed,hashed-disjoint --size 40{near}"), &folder);
     let [all, pruned] = means(&run)[..] else { panic!("{run:?}") };
     assert!(all == hashed && pruned < all, "{run:?}");
-
-    let (run, _) = render("strands --figure 8 --size 24 --spp 2", &folder);
-    let [root, hit] = means(&run)[..] else { panic!("{run:?}") };
-    assert!(root > 1.0 && hit > 1.0 && root != hit, "{run:?}");
 }
 
 #[test]
@@ -91,7 +88,7 @@ fn heat_is_what_the_other_commands_count() {
     let folder = Folder::new();
     let every = "stack,sparse,afra,uncle,hashed,hash-only,implicit-b1,laine-4,skip,hapala,glassner";
     let run = |heat: &str, methods: &str| {
-        means(&render(&format!("strands --heatmap {heat} --compare {methods} --size 20"), &folder).0)
+        means(&render(&format!("strands --heatmap {heat} --method {methods} --size 20"), &folder).0)
     };
     // Traversals that take the same children visit the same nodes; those of fixed order more.
     let nodes = run("nodes", every);
@@ -114,10 +111,7 @@ fn bad_options_are_refused() {
         ("--size 0", "each from 1 to 8192"),
         ("--view 1,2,3", "6, 7, 9 or 10 numbers"),
         ("--spp 0", "1..=65536"),
-        ("--compare stack", "--heatmap"),
-        ("--figure 2", "possible values: 1, 7, 8"),
-        ("--figure 1 --heatmap nodes", "cannot be used with"),
-        ("--heatmap nodes --method nobody", "possible values"),
+        ("--heatmap nodes --method nobody", "invalid value 'nobody'"),
     ] {
         let run = stackless(&format!("render soup {args} -o"), &[&out]);
         assert!(run.code == Some(2) && run.stderr.contains(what), "{args}: {run:?}");

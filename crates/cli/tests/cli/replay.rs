@@ -21,7 +21,7 @@ fn a_case_runs_again() {
         assert_eq!(run.first_line(), "pass: 1 tree, 0 rays, 1 method, 0 disagreements");
         assert!(run.stdout.lines().any(|line| line.split_whitespace().take(2).eq(["hashed", "u64"])), "{}", run.stdout);
         // The caller's choice comes before that of the file.
-        let run = stackless("check -v --methods stack,afra,sparse --word grow --replay", &[&file]).passes();
+        let run = stackless("check -v --method stack,afra,sparse --replay", &[&file]).passes();
         assert_eq!(run.first_line(), "pass: 1 tree, 0 rays, 3 methods, 0 disagreements");
         assert!(run.stdout.lines().any(|line| line.split_whitespace().take(2).eq(["afra", "grow"])), "{}", run.stdout);
     }

@@ -11,7 +11,7 @@ use crate::support::{Folder, read_json, stackless};
 fn the_exact_level_has_no_errors_and_the_others_have() {
     let folder = Folder::new();
     let json = folder.path("errors.json");
-    let args = "stress --count 40 --cases edge,vertex,t-junction --methods stack,hashed --json";
+    let args = "stress --count 40 --cases edge,vertex,t-junction --method stack,hashed --json";
     let run = stackless(args, &[&json]).passes();
     assert!(run.stdout.contains("\npass: 3 cases, 120 rays, exact: 0 errors\n"), "{}", run.stdout);
     let record = read_json(&json);
@@ -44,24 +44,19 @@ fn wide_traversals_are_stressed_too() {
         let rows = read_json(&json)["rows"].as_array().unwrap().clone();
         rows.iter().map(|row| row["accuracy"].as_str().unwrap().to_owned()).collect::<Vec<_>>()
     };
-    assert_eq!(accuracies("--methods wide-record,wide-hashed"), ["exact, wide"; 2]);
-    let both = accuracies("--methods wide-trail,stack");
+    assert_eq!(accuracies("--method wide-record,wide-hashed"), ["exact, wide"; 2]);
+    let both = accuracies("--method wide-trail,stack");
     assert_eq!(both.iter().filter(|accuracy| *accuracy == "exact, wide").count(), 2);
     assert_eq!(both, accuracies(""));
 }
 
 #[test]
-fn cases_and_boxes() {
+fn cases_are_listed() {
     let list = stackless("stress --list", &[]).passes().stdout;
     assert_eq!(list.lines().count(), stress::NAMES.len());
     assert!(list.lines().zip(stress::NAMES).all(|(line, name)| line.starts_with(name)), "{list}");
-    let boxes = stackless("stress --boxes 20000 --seed 3", &[]).passes().stdout;
-    let directed = boxes.lines().find(|line| line.starts_with("directed")).unwrap();
-    assert_eq!(directed.split_whitespace().nth(1), Some("0"), "{boxes}");
     for (args, what) in [
         ("stress --cases edges", "a similar value exists: 'edge'"),
-        ("stress --boxes many", "many"),
-        ("stress --boxes 5 --all-tests", "cannot be used with"),
         ("trace soup --accuracy best --rays a -o b", "possible values: fast, watertight, precise, exact"),
     ] {
         let run = stackless(args, &[]);

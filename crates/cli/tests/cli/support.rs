@@ -16,7 +16,12 @@ pub(crate) struct Run {
 
 /// Runs `stackless` with these arguments, separated by white space, and these paths behind them.
 pub(crate) fn stackless(args: &str, paths: &[&Path]) -> Run {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_stackless"));
+    run(env!("CARGO_BIN_EXE_stackless"), args, paths)
+}
+
+/// Runs a program likewise.
+pub(crate) fn run(program: &str, args: &str, paths: &[&Path]) -> Run {
+    let mut command = Command::new(program);
     let output = command.args(args.split_whitespace()).args(paths).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     Run { code: output.status.code(), stdout: text(output.stdout), stderr: text(output.stderr) }

@@ -1,0 +1,298 @@
+//! `stackless bench`: time and errors of the traversals beside each other, and of ray tracers by others, in one run.
+
+mod double;
+mod own;
+#[cfg(feature = "peers")]
+mod peers;
+mod rays;
+mod rows;
+mod wide;
+
+use std::hint::black_box;
+use std::path::PathBuf;
+
+use serde_json::json;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::lanes::Level;
+use stackless_bvh::trace::{Accuracy, Truth};
+use stackless_bvh::traverse::Method;
+use stackless_suite::Traversal;
+
+use crate::build::{Build, BuildName};
+use crate::input::{self, Scene};
+use crate::judge::{Answer, Counts, Query, Truths, csv_line, is_same};
+use crate::output::say;
+use crate::places::{self, Output};
+use crate::record::write_figures;
+use crate::turns::take_turns;
+use crate::{Outcome, camera};
+use own::Trees;
+use rays::{Kind, Set};
+use rows::{Row, means, of_scene};
+use wide::{Manner, WideTree};
+
+/// Measure time and errors on one thread: same rays, and unless several are asked for, same tree.
+///
+/// All take turns on chunks of the rays. Times are the thread's processor time, for each chunk the least of all rounds:
+/// work beside it on the same core slows some more than others. The ratio is that of the time of `stack` (on the first
+/// tree, with the first accuracy) to the other's: above 1 is faster.
+///
+/// Up to 5,000 rays of each kind are judged by rational arithmetic: how many answers are wrong, and by how many floats
+/// a right triangle's distance is off. The exit code is 1 if an exact one errs, or if the hits of two exact ones differ.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:\n  \
+    stackless bench examples/data/torus.ply examples/data/slivers.ply\n  \
+    stackless bench examples/data/room.obj --method hashed,laine-4,wide-stack --kinds diffuse --count 1000000\n  \
+    stackless bench examples/data/torus.ply --accuracy fast,exact --kinds primary,aimed --json bench.json")]
+pub(crate) struct Args {
+    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the made scenes `strands`, `stadium`, `soup`.
+    #[arg(required = true)]
+    scenes: Vec<PathBuf>,
+    /// Traversals, separated by commas: `stackless methods` lists them. `stack` is always there. Those of wide trees are
+    /// exact; their tree is built in the same way, with one triangle a leaf, and then collapsed to eight children.
+    /// They trace two rays in turns.
+    #[arg(long, value_delimiter = ',', value_parser = input::traversal(), hide_possible_values = true)]
+    #[arg(default_value = "stack,sparse,afra,uncle,hashed,hash-only,implicit-b1,wide-stack,wide-record")]
+    method: Vec<Traversal>,
+    /// How the hierarchy is built: with `+N` behind a name, N rounds of reinsertion follow. Separated by
+    /// commas.
+    #[arg(long, value_delimiter = ',', default_value = "sah", value_parser = BuildName)]
+    build: Vec<Build>,
+    /// Kinds of rays, separated by commas.
+    #[arg(long, value_delimiter = ',', default_value = "primary,any,diffuse")]
+    kinds: Vec<Kind>,
+    /// How exact the answers are to be, separated by commas.
+    #[arg(long, value_delimiter = ',', default_value = "exact", value_parser = input::accuracy())]
+    accuracy: Vec<Accuracy>,
+    /// Rays of the camera; of the other kinds there is one for each of them that hits.
+    #[arg(long, default_value_t = 65_536, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
+    count: u32,
+    /// How often all rays are timed.
+    #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    rounds: u32,
+    #[command(flatten)]
+    place: camera::Place,
+    /// Seed of the rays.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Measure ray tracers by others too (feature `peers`). Their ratios are to `stack` with exact tests.
+    #[arg(long)]
+    peers: bool,
+    /// Write the figures to this file.
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    json: Option<Output>,
+}
+
+/// What `lab bench` can ask for too.
+#[derive(Clone, Copy, Default, clap::Args)]
+pub(crate) struct Extra {
+    /// Instructions of the traversals of wide trees. The default is the best of the machine.
+    #[arg(long, value_name = "LEVEL", value_parser = input::simd())]
+    simd: Option<Level>,
+    /// Trace one ray at a time through wide trees, each by a call of its own.
+    #[arg(long)]
+    one_by_one: bool,
+    /// Measure double precision too: `f64`, the scene with an extent of 1 at the origin; the same moved by 6.4e6 and by
+    /// 1e9, and scaled by 1e-50 and by 1e50; and rays whose least component is 1e-130. It is not judged.
+    #[arg(long, conflicts_with = "peers")]
+    double: bool,
+}
+
+/// Rays that are timed before it is another one's turn.
+const CHUNK: usize = 4096;
+
+/// Rays of a kind that are judged.
+const JUDGED: usize = 5000;
+
+/// Somebody who traces rays.
+trait Contestant {
+    /// Traversal, or name of the peer.
+    fn method(&self) -> &'static str;
+
+    /// How the tree was built; a peer has its own way.
+    fn build(&self) -> Option<Build>;
+
+    /// Level of accuracy; a peer has none.
+    fn accuracy(&self) -> Option<Accuracy>;
+
+    /// Whether its answers are those of the rays that it takes.
+    fn is_judged(&self) -> bool {
+        true
+    }
+
+    /// Gets ready for these rays, untimed.
+    fn take(&mut self, _rays: &[Ray]) {}
+
+    /// Answers rays: some of those that were taken, from `first` on.
+    fn trace(&mut self, query: Query, rays: &[Ray], first: usize, answers: &mut [Answer]);
+
+    /// Visits of inner nodes and leaves by all rays, where they can be counted.
+    fn nodes(&mut self, query: Query, rays: &[Ray]) -> Option<u64>;
+
+    /// Bytes of the state for one ray, where they are known.
+    fn state_bytes(&self) -> Option<usize>;
+
+    /// Seconds that one thread takes to build the tree.
+    fn build_seconds(&self) -> f64;
+}
+
+pub(crate) fn run(args: &Args, extra: Extra) -> Outcome {
+    if args.peers && !cfg!(feature = "peers") {
+        return Err("--peers: this program was built without the feature `peers`".into());
+    }
+    if args.peers && !args.accuracy.contains(&Accuracy::Exact) {
+        return Err("--peers needs exact among --accuracy: it is what the peers are measured by".into());
+    }
+    let scenes = input::scenes(&args.scenes)?;
+    let Found { rows, notes, offences } = measure(args, extra, &scenes)?;
+    say!("{}", means(&rows));
+    for note in notes.iter().chain(&offences) {
+        say!("{note}");
+    }
+    if let Some(path) = &args.json {
+        write_figures(path, "bench", &scenes, json!({ "rows": rows }))?;
+    }
+    Ok(offences.is_empty())
+}
+
+/// What was measured.
+#[derive(Default)]
+struct Found {
+    rows: Vec<Row>,
+    /// What was left out.
+    notes: Vec<String>,
+    /// Errors of exact ones, and hits that differ between them.
+    offences: Vec<String>,
+}
+
+/// Measures all scenes, and shows the rows of each once it is done.
+fn measure(args: &Args, extra: Extra, scenes: &[Scene]) -> Result<Found, Box<dyn std::error::Error>> {
+    let builds = once_each(args.build.iter().copied());
+    let accuracies = once_each(args.accuracy.iter().copied());
+    // `stack` is what the others are measured by.
+    let (binary, wide) = Traversal::of_each_kind(&args.method);
+    let methods = once_each([Method::Stack].into_iter().chain(binary));
+    let wide_methods = once_each(wide);
+    let Found { mut rows, mut notes, mut offences } = Found::default();
+    for scene in scenes {
+        let trees: Result<Vec<_>, _> = builds.iter().map(|&build| Trees::build(scene, build)).collect();
+        let trees = trees?;
+        let wide_builds = if wide_methods.is_empty() { &[][..] } else { &builds };
+        let wide_trees: Result<Vec<_>, _> = wide_builds.iter().map(|&build| WideTree::build(scene, build)).collect();
+        let wide_trees = wide_trees?;
+        let mut contestants = Vec::new();
+        for trees in &trees {
+            for &accuracy in &accuracies {
+                for &method in &methods {
+                    let contestant = trees.contestant(method, accuracy);
+                    contestants.push(contestant.map_err(|unfit| format!("{}: {method}: {unfit}", scene.name))?);
+                }
+            }
+        }
+        for tree in &wide_trees {
+            let manner = Manner { level: extra.simd.unwrap_or_else(Level::new), is_alone: extra.one_by_one };
+            for &method in &wide_methods {
+                contestants.push(tree.contestant(method, manner)?);
+            }
+        }
+        #[cfg(feature = "peers")]
+        if args.peers {
+            contestants.extend(peers::build(&scene.mesh, &mut notes));
+        }
+        if extra.double {
+            contestants.extend(double::build(scene, builds[0])?);
+        }
+        let course = Course { scene, truth: Truth::new(&scene.mesh), rounds: args.rounds as usize };
+        let first = rows.len();
+        let primary = args.place.of(scene).rays(args.count as usize);
+        for set in rays::sets(scene, trees[0].bvh(), primary, once_each(args.kinds.iter().copied()), args.seed) {
+            if set.rays.is_empty() {
+                notes.push(format!("{}, {}: no rays", scene.name, set.kind.name()));
+            } else {
+                rows.extend(course.measure(&set, &mut contestants, &mut offences));
+            }
+        }
+        say!("{}", of_scene(&rows[first..]));
+    }
+    Ok(Found { rows, notes: once_each(notes), offences })
+}
+
+/// Everything once, in the order in which it first comes.
+fn once_each<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<T> {
+    let mut once = Vec::new();
+    for one in all {
+        if !once.contains(&one) {
+            once.push(one);
+        }
+    }
+    once
+}
+
+/// A scene on which all are measured.
+struct Course<'a> {
+    scene: &'a Scene,
+    truth: Truth,
+    rounds: usize,
+}
+
+impl Course<'_> {
+    /// All contestants on the rays of one set. An offence is an error of an exact one, in words.
+    fn measure(&self, set: &Set, contestants: &mut [Box<dyn Contestant + '_>], offences: &mut Vec<String>) -> Vec<Row> {
+        let name = format!("{}, {}", self.scene.name, set.kind.name());
+        let mut answers = vec![None; set.rays.len()];
+        let mut nodes = Vec::new();
+        let mut expected = None;
+        for contestant in contestants.iter_mut() {
+            contestant.take(&set.rays);
+            contestant.trace(set.query, &set.rays, 0, &mut answers);
+            if contestant.accuracy() == Some(Accuracy::Exact) {
+                let expected = expected.get_or_insert_with(|| answers.clone());
+                let differs = expected.iter().zip(&answers).position(|(a, b)| !is_same(set.query, *a, *b));
+                offences.extend(differs.map(|i| {
+                    let (ray, method) = (csv_line(&set.rays[i]), contestant.method());
+                    format!("{name}: the ray {ray} gets {:?} by {method}, and {:?} by stack", answers[i], expected[i])
+                }));
+            }
+            nodes.push(contestant.nodes(set.query, &set.rays));
+        }
+        let times = take_turns(contestants.len(), set.rays.len(), CHUNK, self.rounds, &name, |i, chunk| {
+            let (first, rays) = (chunk.start, &set.rays[chunk.clone()]);
+            contestants[i].trace(set.query, rays, first, &mut answers[chunk.clone()]);
+            black_box(&answers[chunk]);
+        });
+        let counts = self.judge(set, contestants, &name);
+        for (contestant, counts) in contestants.iter().zip(&counts) {
+            let is_exact = contestant.accuracy() == Some(Accuracy::Exact);
+            let offence = counts.as_ref().and_then(|counts| counts.offence.as_ref()).filter(|_| is_exact);
+            offences.extend(offence.map(|(_, what)| format!("{name}: {}: {what}", contestant.method())));
+        }
+        let exact_stack = (Method::Stack.name(), Some(Accuracy::Exact));
+        let exact_stack = contestants.iter().position(|other| (other.method(), other.accuracy()) == exact_stack);
+        let rows = contestants.iter().zip(nodes).zip(counts).enumerate().map(|(i, ((contestant, nodes), counts))| {
+            let base = if contestant.accuracy().is_some() { 0 } else { exact_stack.unwrap_or(0) };
+            let row = Row::new(self.scene, set, contestant.as_ref());
+            row.timed(&times, i, base).counted(nodes).judged(counts.as_ref())
+        });
+        rows.collect()
+    }
+
+    /// What each gets wrong.
+    fn judge(&self, set: &Set, contestants: &mut [Box<dyn Contestant + '_>], name: &str) -> Vec<Option<Counts>> {
+        let truths = Truths::new(&self.truth, &set.rays, JUDGED, name);
+        let counts = contestants.iter_mut().map(|contestant| {
+            if !contestant.is_judged() {
+                return None;
+            }
+            let mut answers = vec![None; truths.rays().len()];
+            contestant.take(truths.rays());
+            contestant.trace(set.query, truths.rays(), 0, &mut answers);
+            let judged = answers.into_iter().enumerate().map(|(i, answer)| match set.query {
+                Query::Closest => [answer],
+                // Which triangle blocks a ray is not asked, so it is one that does, if there is one.
+                Query::Any => [answer.map(|answer| truths.closest(i).unwrap_or(answer))],
+            });
+            Some(truths.counts(set.query, &judged.collect::<Vec<_>>()))
+        });
+        counts.collect()
+    }
+}

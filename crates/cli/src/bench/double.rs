@@ -1,0 +1,142 @@
+//! Double precision: the same rays and triangles, where they are and in places that single precision cannot hold.
+
+use cpu_time::ProcessTime;
+use glam::{DVec3, Vec3};
+use stackless_bvh::bvh::{BuildOptions, Bvh};
+use stackless_bvh::geom::kernel::Exact64;
+use stackless_bvh::geom::slabs::Wide;
+use stackless_bvh::geom::{Mesh, Ray, Triangle};
+use stackless_bvh::trace::{Accuracy, BinaryTracer};
+use stackless_bvh::traverse::Method;
+
+use super::Contestant;
+use crate::build::Build;
+use crate::input::Scene;
+use crate::judge::{Answer, Query};
+
+/// Where a scene stands. It is brought to an extent of about 1 first.
+struct Place {
+    name: &'static str,
+    scale: f64,
+    /// In parts of the scale.
+    shift: f64,
+    /// Added to the least component of each direction.
+    tilt: f64,
+}
+
+const PLACES: [Place; 6] = [
+    Place { name: "f64", scale: 1.0, shift: 0.0, tilt: 0.0 },
+    Place { name: "f64 at 6.4e6", scale: 1.0, shift: 6.4e6, tilt: 0.0 },
+    Place { name: "f64 at 1e9", scale: 1.0, shift: 1e9, tilt: 0.0 },
+    Place { name: "f64 by 1e-50", scale: 1e-50, shift: 0.0, tilt: 0.0 },
+    Place { name: "f64 by 1e50", scale: 1e50, shift: 0.0, tilt: 0.0 },
+    Place { name: "f64 with 1e-130", scale: 1.0, shift: 0.0, tilt: 1e-130 },
+];
+
+/// The default traversal in double precision, in every place.
+pub(super) fn build(scene: &Scene, build: Build) -> Result<Vec<Box<dyn Contestant>>, Box<dyn std::error::Error>> {
+    let (lo, hi) =
+        scene.mesh.vertices().iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(lo, hi), &v| (lo.min(v), hi.max(v)));
+    let extent = f64::from((hi - lo).max_element());
+    let mut built = Vec::<Box<dyn Contestant>>::new();
+    for place in PLACES {
+        let middle = (lo.as_dvec3() + hi.as_dvec3()) * 0.5;
+        let space = Space { place, middle, unit: if extent > 0.0 { 1.0 / extent } else { 1.0 } };
+        let vertices = scene.mesh.vertices().iter().map(|&v| space.point(v)).collect();
+        let mesh = Mesh::new(vertices, scene.mesh.triangles().to_vec())?;
+        let start = ProcessTime::now();
+        let bvh = build.of(BuildOptions::default()).build(&mesh)?;
+        let build_seconds = start.elapsed().as_secs_f64();
+        let tracer = BinaryTracer::with_tests(bvh, Method::default())?;
+        built.push(Box::new(Double { space, tracer, build_seconds, rays: Vec::new() }));
+    }
+    Ok(built)
+}
+
+struct Space {
+    place: Place,
+    middle: DVec3,
+    unit: f64,
+}
+
+impl Space {
+    fn point(&self, v: Vec3) -> DVec3 {
+        let Place { scale, shift, .. } = self.place;
+        ((v.as_dvec3() - self.middle) * self.unit + DVec3::new(1.0, -0.7, 0.3) * shift) * scale
+    }
+
+    fn ray(&self, ray: &Ray) -> Option<Ray<DVec3>> {
+        let Place { scale, tilt, .. } = self.place;
+        let mut d = ray.direction().as_dvec3() * (self.unit * scale);
+        if tilt != 0.0 {
+            d[ray.direction().abs().min_position()] = tilt;
+        }
+        Ray::within(self.point(ray.origin()), d, ray.tmin().into(), ray.tmax().into()).ok()
+    }
+}
+
+struct Double {
+    space: Space,
+    tracer: BinaryTracer<Bvh<Triangle<DVec3>>, Exact64, Wide>,
+    build_seconds: f64,
+    /// The rays that were taken.
+    rays: Vec<Ray<DVec3>>,
+}
+
+impl Contestant for Double {
+    fn method(&self) -> &'static str {
+        self.space.place.name
+    }
+
+    fn build(&self) -> Option<Build> {
+        None
+    }
+
+    /// None of those that are compared with single precision: its rays are others.
+    fn accuracy(&self) -> Option<Accuracy> {
+        None
+    }
+
+    fn is_judged(&self) -> bool {
+        false
+    }
+
+    fn take(&mut self, rays: &[Ray]) {
+        // A direction that vanishes leaves any other: the number of rays has to stay.
+        let other = Ray::new(DVec3::ZERO, DVec3::X);
+        let taken = rays.iter().filter_map(|ray| self.space.ray(ray).or(other.as_ref().ok().copied()));
+        self.rays = taken.collect();
+    }
+
+    fn trace(&mut self, query: Query, rays: &[Ray], first: usize, answers: &mut [Answer]) {
+        let rays = &self.rays[first..first + rays.len()];
+        match query {
+            Query::Closest => {
+                let mut found = vec![None; rays.len()];
+                self.tracer.closest_distances(rays, &mut found);
+                let single = |found: Option<(u32, f64)>| found.map(|(prim, t)| (prim, t as f32));
+                answers.iter_mut().zip(found).for_each(|(answer, found)| *answer = single(found));
+            }
+            Query::Any => {
+                let hits = self.tracer.any_each(rays);
+                answers.iter_mut().zip(hits).for_each(|(answer, hit)| *answer = hit.then_some((0, 0.0)));
+            }
+        }
+    }
+
+    fn nodes(&mut self, query: Query, _: &[Ray]) -> Option<u64> {
+        let counters = match query {
+            Query::Closest => self.tracer.count_closest(&self.rays),
+            Query::Any => self.tracer.count_any(&self.rays),
+        };
+        Some(counters.inner + counters.leaves)
+    }
+
+    fn state_bytes(&self) -> Option<usize> {
+        None
+    }
+
+    fn build_seconds(&self) -> f64 {
+        self.build_seconds
+    }
+}

@@ -1,0 +1,5 @@
+//! The command `lab`.
+
+fn main() -> std::process::ExitCode {
+    stackless_cli::lab()
+}

@@ -1,0 +1,218 @@
+//! `stackless explain`: a traversal step by step, as a page for the browser.
+
+use std::path::PathBuf;
+
+use stackless_bvh::geom::Ray;
+use stackless_bvh::traverse::Method;
+use stackless_bvh::wide::Method as WideMethod;
+use stackless_check::{Case, CaseOptions, Replay, WideCase};
+use stackless_explain::{self as explain, USUAL, wide};
+use stackless_suite::{Ask, Suite, Traversal, WideWalk};
+
+use crate::build::{Build, BuildName};
+use crate::input::{self, Scene};
+use crate::output::{say, write_file};
+use crate::places::{self, Output};
+use crate::{Outcome, camera};
+
+/// Write a page that steps through traversals: the tree, the bits, the lookups, and the oracle's stack beside them.
+///
+/// One HTML file that needs nothing else and no network. Without a case it shows the papers' example, backtracking from
+/// key 22 with trail 1000 to key 3, or for wide trees an example of eight children. Open it in a browser. Arrow keys
+/// step, Home and End go to the ends, digits choose the traversal, space plays, + and - zoom, 0 shows the whole tree; a
+/// clause's id shows the clause; `FILE.html#method=hashed&step=6` is a link to a step.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:\n  stackless explain -o example.html\n  \
+    stackless explain examples/data/torus.ply --pixel 256,340 --method wide-record -o ray.html\n  \
+    stackless explain --suite-case trace/script/three-neither -o - > case.html")]
+pub(crate) struct Args {
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: what the ray through a pixel does in it. Needs
+    /// --pixel.
+    #[arg(group = "what", requires = "pixel")]
+    scene: Option<PathBuf>,
+    /// The pixel, from the upper left.
+    #[arg(long, value_name = "X,Y", value_parser = pixel, requires = "scene")]
+    pixel: Option<[u32; 2]>,
+    #[command(flatten)]
+    camera: camera::Options,
+    /// How the scene's hierarchy is built, as in `stackless trace`.
+    #[arg(long, default_value_t, value_parser = BuildName)]
+    build: Build,
+    /// Wide trees instead of binary ones, of 2, 4 or 8 children a node. [default: 8 where a wide traversal is named]
+    #[arg(long, value_name = "CHILDREN", value_parser = clap::value_parser!(u32), conflicts_with_all = ["file", "suite_case"])]
+    wide: Option<u32>,
+    /// A case as `stackless check` prints it.
+    #[arg(long = "case", value_name = "FILE", group = "what")]
+    file: Option<PathBuf>,
+    /// A case of the conformance suite whose level is trace, of a binary or a wide tree.
+    #[arg(long, value_name = "ID", group = "what")]
+    suite_case: Option<String>,
+    /// Only these traversals, separated by commas, of binary or of wide trees (`stackless methods` lists them); the page
+    /// opens with the first.
+    #[arg(long, value_delimiter = ',', value_parser = input::traversal(), hide_possible_values = true)]
+    method: Vec<Traversal>,
+    /// The page; `-` is the standard output.
+    #[arg(short, long, value_name = "FILE.html", value_parser = places::file_as("html"))]
+    output: Output,
+}
+
+/// What `lab explain` can ask for too.
+#[derive(Clone, Copy, Default, clap::Args)]
+pub(crate) struct Extra {
+    /// A random tree with a tape: random decisions, one after the other, in place of a ray's.
+    #[arg(long, value_name = "SEED", group = "what")]
+    tape: Option<u64>,
+}
+
+pub(crate) fn run(args: &Args, Extra { tape }: Extra) -> Outcome {
+    let Page { title, nodes, html } = page(args, tape)?;
+    let html = html.map_err(|error| format!("{title}: {error}"))?;
+    write_file(&args.output, |file| file.write_all(html.as_bytes()))?;
+    say!("{}: {nodes} nodes, {} bytes", args.output.display(), html.len());
+    Ok(true)
+}
+
+type Error = Box<dyn std::error::Error>;
+
+struct Page {
+    title: String,
+    nodes: usize,
+    html: Result<String, explain::ExplainError>,
+}
+
+fn page(args: &Args, tape: Option<u64>) -> Result<Page, Error> {
+    let (binary, wide) = Traversal::of_each_kind(&args.method);
+    let ask = args.suite_case.as_deref().map(suite_case).transpose()?;
+    let is_wide = !wide.is_empty() || args.wide.is_some() || matches!(ask, Some(Ask::TraceWide(_)));
+    match (is_wide, ask) {
+        (true, _) if !binary.is_empty() => Err("--method: traversals of binary trees do not run on wide ones".into()),
+        (true, Some(Ask::TraceWide(walk))) => of_walk(args, &walk, &wide),
+        (true, Some(_)) => Err("--suite-case: its tree is binary, and a traversal of wide trees is named".into()),
+        (true, None) => wide_page(args, tape, &wide),
+        (false, ask) => binary_page(args, tape, ask, &binary),
+    }
+}
+
+fn binary_page(args: &Args, tape: Option<u64>, ask: Option<Ask>, methods: &[Method]) -> Result<Page, Error> {
+    let (title, case, named) = load(args, tape, ask)?;
+    let methods = match (methods, &named[..]) {
+        ([], []) => &USUAL[..],
+        ([], named) => named,
+        (methods, _) => methods,
+    };
+    Ok(Page { html: explain::page(&title, &case, methods), nodes: case.size(), title })
+}
+
+/// The case with its title, and the traversals that it names.
+fn load(args: &Args, tape: Option<u64>, ask: Option<Ask>) -> Result<(String, Case, Vec<Method>), Error> {
+    if let Some((scene, ray, title)) = pixel_ray(args)? {
+        return Ok((title, explain::of_ray(&args.build.run(&scene)?, &ray), Vec::new()));
+    }
+    if let Some(path) = &args.file {
+        let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
+        let replay = Replay::load(path).map_err(|error| named(&error))?;
+        let case = replay.case().map_err(|error| named(&error))?;
+        let methods = if replay.methods.is_empty() { Vec::new() } else { replay.methods().map_err(|e| named(&e))? };
+        let name = path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into());
+        return Ok((format!("Case {name}"), case, methods));
+    }
+    if let Some(seed) = tape {
+        return Ok((format!("Tape {seed}"), Case::random(seed, CaseOptions::default()), Vec::new()));
+    }
+    if let (Some(id), Some(ask)) = (&args.suite_case, ask) {
+        let case = match ask {
+            Ask::Trace(walk) => walk.case().map_err(|error| error.to_string()),
+            _ => Err("expected one whose level is trace".to_owned()),
+        };
+        let case = case.map_err(|error| format!("case '{id}': {error}"))?;
+        return Ok((format!("Suite case {id}"), case, Vec::new()));
+    }
+    Ok(("The papers' example: from key 22 to key 3".to_owned(), explain::example(), Vec::new()))
+}
+
+fn wide_page(args: &Args, tape: Option<u64>, methods: &[WideMethod]) -> Result<Page, Error> {
+    if args.file.is_some() {
+        return Err("--case: its tree is binary, and a traversal of wide trees is named".into());
+    }
+    let children = args.wide.unwrap_or(8);
+    if let (None, Some(seed)) = (&args.scene, tape) {
+        let title = format!("Tape {seed}, up to {children} children");
+        return match children {
+            2 => Ok(of_case(title, &wide::random::<2>(seed), methods)),
+            4 => Ok(of_case(title, &wide::random::<4>(seed), methods)),
+            8 => Ok(of_case(title, &wide::random::<8>(seed), methods)),
+            _ => Err(format!("--wide {children}: expected 2, 4 or 8").into()),
+        };
+    }
+    if children != 8 {
+        return Err(
+            format!("--wide {children}: scenes and the example have 8 children a node; tapes have 2, 4 or 8").into()
+        );
+    }
+    if let Some((scene, ray, title)) = pixel_ray(args)? {
+        return Ok(of_case(title, &wide::of_ray(&args.build.run_wide(&scene)?, &ray), methods));
+    }
+    Ok(of_case("Eight children: from key 1252 to key 10".to_owned(), &wide::example(), methods))
+}
+
+fn of_case<const A: usize>(title: String, case: &WideCase<A>, methods: &[WideMethod]) -> Page {
+    let methods = if methods.is_empty() { &wide::USUAL } else { methods };
+    let html = if case.is_sorted {
+        wide::page(&title, &case.tree, &case.search::<true>(), methods)
+    } else {
+        wide::page(&title, &case.tree, &case.search::<false>(), methods)
+    };
+    Page { html, nodes: case.tree.node_count(), title }
+}
+
+/// A case of the suite.
+fn of_walk(args: &Args, walk: &WideWalk, methods: &[WideMethod]) -> Result<Page, Error> {
+    let id = args.suite_case.as_deref().unwrap_or_default();
+    let page = match walk.slots {
+        2 => of_walk_of::<2>(id, walk, methods),
+        4 => of_walk_of::<4>(id, walk, methods),
+        _ => of_walk_of::<8>(id, walk, methods),
+    };
+    page.map_err(|error| format!("case '{id}': {error}").into())
+}
+
+fn of_walk_of<const A: usize>(id: &str, walk: &WideWalk, methods: &[WideMethod]) -> Result<Page, String> {
+    let methods = if methods.is_empty() { &wide::USUAL } else { methods };
+    let (title, tree) = (format!("Suite case {id}"), walk.tree::<A>().map_err(|error| error.to_string())?);
+    let unfit = "its ranks do not fit its tree";
+    let html = if walk.is_sorted() {
+        wide::page(&title, &tree, &walk.search::<A, true>().ok_or(unfit)?, methods)
+    } else {
+        wide::page(&title, &tree, &walk.search::<A, false>().ok_or(unfit)?, methods)
+    };
+    Ok(Page { html, nodes: tree.node_count(), title })
+}
+
+/// The scene and its ray, with a title, where one is named.
+fn pixel_ray(args: &Args) -> Result<Option<(Scene, Ray, String)>, Error> {
+    let (Some(path), Some([x, y])) = (&args.scene, args.pixel) else { return Ok(None) };
+    let scene = Scene::load(path)?;
+    let camera::Size { width, height } = args.camera.size;
+    if x >= width || y >= height {
+        return Err(format!("pixel {x},{y} is outside of the image of {width}x{height} pixels").into());
+    }
+    let pixel = y as usize * width as usize + x as usize;
+    let ray = args.camera.of(&scene).ray(pixel, [0.5; 2]).ok_or("the camera is too far away for a ray")?;
+    let title = format!("{}, pixel {x},{y}", scene.name);
+    Ok(Some((scene, ray, title)))
+}
+
+fn pixel(text: &str) -> Result<[u32; 2], String> {
+    let number = |text: &str| text.trim().parse().ok();
+    let both = text.split_once(',').and_then(|(x, y)| Some([number(x)?, number(y)?]));
+    both.ok_or_else(|| "expected two numbers: X,Y".to_owned())
+}
+
+fn suite_case(id: &str) -> Result<Ask, String> {
+    let suite = Suite::shipped().map_err(|error| error.to_string())?;
+    let named = |error: &dyn std::fmt::Display| format!("case '{id}': {error}");
+    let found = suite.cases().find(|(_, case)| case.id == id);
+    let (_, case) = found.ok_or_else(|| named(&"not in the suite (`stackless suite show`)"))?;
+    let ask = serde_json::Value::Object(case.input.clone());
+    serde_json::from_value(ask).map_err(|error| named(&error))
+}

@@ -1,0 +1,96 @@
+//! The command `lab`: measurements and cases that only those who work on the library ask for.
+
+mod accuracy;
+mod boxes;
+mod figure;
+mod parts;
+mod price;
+
+use clap::{Parser, Subcommand};
+
+use crate::run::{Common, Outcome, Program};
+use crate::{bench, check, explain, merge, stress};
+
+/// Measurements and cases for those who work on the library. `stackless` has what its users ask for.
+#[derive(Parser)]
+#[command(name = "lab", version, arg_required_else_help = true)]
+pub(crate) struct Lab {
+    #[command(flatten)]
+    common: Common,
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Subcommand)]
+pub(crate) enum What {
+    /// Measure run time against error, for every triangle test with every box test.
+    Accuracy(accuracy::Args),
+    /// `stackless bench`, with instructions, single calls and double precision to choose.
+    Bench {
+        #[command(flatten)]
+        args: bench::Args,
+        #[command(flatten)]
+        extra: bench::Extra,
+    },
+    /// Count how often each box test skips a box that its ray touches.
+    Boxes(boxes::Args),
+    /// `stackless check`, with trees, words and places to choose.
+    Check {
+        #[command(flatten)]
+        args: check::Args,
+        #[command(flatten)]
+        extra: check::Extra,
+    },
+    /// `stackless explain`, of random trees too.
+    Explain {
+        #[command(flatten)]
+        args: explain::Args,
+        #[command(flatten)]
+        extra: explain::Extra,
+    },
+    /// Draw a figure of Binder & Keller 2016 for a scene.
+    Figure(figure::Args),
+    /// Add up the records of the parts of a run of `accuracy` or `boxes`.
+    Merge(merge::Args),
+    /// Measure the parts of a ray's time, and what is saved where a part is left out.
+    Parts(parts::Args),
+    /// Time the dearest query of each hard family beside an ordinary one.
+    Price(price::Args),
+    /// `stackless stress`, with every triangle test and box test to choose.
+    Stress {
+        #[command(flatten)]
+        args: stress::Args,
+        #[command(flatten)]
+        extra: stress::Extra,
+    },
+}
+
+/// Those whose records `lab merge` adds up.
+const MERGED: [merge::Command; 3] = [
+    merge::command::<accuracy::Found>(),
+    merge::command::<accuracy::SecondaryFound>(),
+    merge::command::<boxes::BoxCounts>(),
+];
+
+impl Program for Lab {
+    type What = What;
+
+    fn parts(self) -> (Common, What) {
+        (self.common, self.what)
+    }
+
+    fn run(what: What) -> Outcome {
+        match what {
+            What::Accuracy(args) => accuracy::run(&args),
+            What::Bench { args, extra } => bench::run(&args, extra),
+            What::Boxes(args) => boxes::run(&args),
+            What::Check { args, extra } => check::run(&args, &extra),
+            What::Explain { args, extra } => explain::run(&args, extra),
+            What::Figure(args) => figure::run(&args),
+            What::Merge(args) => merge::run(&args, &MERGED),
+            What::Parts(args) => parts::run(&args),
+            What::Price(args) => price::run(&args),
+            What::Stress { args, extra } => stress::run(&args, extra),
+        }
+    }
+}

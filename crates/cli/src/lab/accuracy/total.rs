@@ -1,0 +1,109 @@
+//! What `lab accuracy` counts, in the records of runs and of their parts.
+
+use serde::{Deserialize, Serialize};
+use stackless_bvh::trace::Accuracy;
+
+use super::rows::Row;
+use super::secondary::{EXACT, SecondaryRow};
+use super::stages::Stages;
+use super::tables;
+use crate::output::{self, Block, count, say, table};
+use crate::record::{Counts, add_rows};
+
+/// What was measured.
+#[derive(Default, Serialize, Deserialize)]
+pub(crate) struct Found {
+    pub(super) rows: Vec<Row>,
+    #[serde(skip)]
+    pub(super) stages: Vec<Stages>,
+    /// Sets without rays.
+    #[serde(skip)]
+    pub(super) notes: Vec<String>,
+}
+
+impl Found {
+    fn blocks(&self) -> Vec<Block> {
+        let notes = self.notes.iter().cloned().map(Block::Line);
+        notes.chain(tables::blocks(&self.rows, &self.stages)).collect()
+    }
+
+    /// Time against error, as SVG.
+    pub(super) fn plot(&self) -> String {
+        tables::plot(&self.rows)
+    }
+
+    /// Errors of pairs that promise none, in words.
+    fn offences(&self) -> impl Iterator<Item = &String> {
+        self.rows.iter().filter_map(|row| row.offence.as_ref()).map(|offence| &offence.found)
+    }
+}
+
+impl Counts for Found {
+    const COMMAND: &str = "accuracy";
+
+    fn add(&mut self, other: Self) {
+        add_rows(&mut self.rows, other.rows, Row::is_same, Row::add);
+    }
+
+    fn sum(&self) -> String {
+        sum(self.cases_and_errors())
+    }
+
+    fn print(&self) {
+        for offence in self.offences() {
+            say!("{offence}");
+        }
+        output::print(&self.blocks());
+    }
+
+    /// Those of exact tests. All pairs have the same rays.
+    fn cases_and_errors(&self) -> [u64; 2] {
+        let exact = self.rows.iter().filter(|row| row.level.as_deref() == Some(Accuracy::Exact.name()));
+        let held = self.rows.iter().filter(|row| row.is_exact());
+        [exact.map(|row| row.rays).fold(0, u64::saturating_add), held.map(Row::errors).fold(0, u64::saturating_add)]
+    }
+
+    fn is_empty(&self) -> bool {
+        self.rows.iter().all(|row| row.rays == 0)
+    }
+}
+
+/// What was found of rays from surfaces.
+#[derive(Default, Serialize, Deserialize)]
+pub(crate) struct SecondaryFound {
+    pub(super) rows: Vec<SecondaryRow>,
+}
+
+impl Counts for SecondaryFound {
+    const COMMAND: &str = "accuracy --secondary";
+
+    fn add(&mut self, other: Self) {
+        add_rows(&mut self.rows, other.rows, SecondaryRow::is_same, SecondaryRow::add);
+    }
+
+    fn sum(&self) -> String {
+        sum(self.cases_and_errors())
+    }
+
+    fn print(&self) {
+        for offence in self.rows.iter().filter_map(|row| row.offence.as_ref()) {
+            say!("{}", offence.found);
+        }
+        let header = ["scene", "begins at", "rays", "false shadows", "false light"];
+        say!("{}", table(&header, 2, self.rows.iter().map(SecondaryRow::cells).collect()));
+    }
+
+    /// Those of exact points.
+    fn cases_and_errors(&self) -> [u64; 2] {
+        let exact = self.rows.iter().filter(|row| row.start == EXACT);
+        exact.fold([0; 2], |[rays, errors], row| [rays + row.rays, errors + row.wrong()])
+    }
+
+    fn is_empty(&self) -> bool {
+        self.rows.iter().all(|row| row.rays == 0)
+    }
+}
+
+fn sum([rays, errors]: [u64; 2]) -> String {
+    format!("{} judged, exact: {}", count(rays, "ray"), count(errors, "error"))
+}

@@ -1,0 +1,60 @@
+//! `lab parts`: what the parts of a ray's time cost, and what is saved where a part is left out.
+
+mod plan;
+mod state;
+mod time;
+
+use std::path::PathBuf;
+use std::slice::from_ref;
+
+use serde_json::json;
+use stackless_bvh::trace;
+
+use crate::build::{Build, BuildName};
+use crate::input::Scene;
+use crate::output::say;
+use crate::places::{self, Output};
+use crate::record::write_figures;
+use crate::{Outcome, camera};
+
+/// Measure the parts of a ray's time, what queries can do without, and what a small state is good for.
+///
+/// Three tables: the time of finding the next node, of boxes and of triangles alone; the decisions of the plan, with the
+/// time and the bytes that each saves; and the nodes that are visited where a traversal prunes, goes on after a hit, or
+/// begins at the last hit.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:\n  lab parts examples/data/room.obj")]
+pub(crate) struct Args {
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
+    scene: PathBuf,
+    /// How the hierarchy is built; with `+N` behind a name, N rounds of reinsertion follow.
+    #[arg(long, default_value_t, value_parser = BuildName)]
+    build: Build,
+    /// Number of camera rays.
+    #[arg(long, default_value_t = 16_384, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
+    count: u32,
+    #[command(flatten)]
+    place: camera::Place,
+    /// Seed of the rays.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Write the figures to this file.
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    json: Option<Output>,
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    let scene = Scene::load(&args.scene)?;
+    let bvh = args.build.run(&scene)?;
+    let primary = args.place.of(&scene).rays(args.count as usize);
+    let time = time::measure(&bvh, &trace::bounce(&scene.mesh, &bvh, &primary, args.seed))?;
+    let plan = plan::measure(&scene.mesh, &bvh, &primary)?;
+    let state = state::measure(&scene.mesh, &bvh, &primary, args.seed)?;
+    say!("{}", time::to_table(&time));
+    say!("{}", plan::to_table(&plan));
+    say!("{}", state::to_table(&state));
+    if let Some(path) = &args.json {
+        write_figures(path, "parts", from_ref(&scene), json!({ "time": time, "plan": plan, "state": state }))?;
+    }
+    Ok(true)
+}

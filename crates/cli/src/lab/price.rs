@@ -1,0 +1,421 @@
+//! `lab price`: what the dearest query of each hard family costs, in ordinary queries of its kind.
+
+mod climb;
+mod met;
+mod scenes;
+
+use std::error::Error;
+use std::time::Duration;
+
+use cpu_time::ThreadTime;
+use glam::{DVec3, Vec3};
+use serde::Serialize;
+use serde_json::json;
+use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, WideBvh};
+use stackless_bvh::generate::{procedural, stress};
+use stackless_bvh::geom::kernel::Exact64;
+use stackless_bvh::geom::slabs::Wide;
+use stackless_bvh::geom::{AffineMap, Ball, Mesh, Ray, Triangle};
+use stackless_bvh::trace::{Assembly, BinaryTracer, Instance, InstanceTracer, Object, Tracer};
+use stackless_bvh::traverse::Method;
+
+use crate::Outcome;
+use crate::output::{Block, bar, print, table};
+use crate::places::{self, Output};
+use crate::record::write_figures;
+use climb::{Change, climb};
+use met::Met;
+use scenes::{
+    along_axes_from_afar, apply, at_edge, at_vertices, coincident, from_afar, in_plane, inside, lattice,
+    short_from_afar, small_sphere, sphere, turn,
+};
+
+/// Time the dearest query of each hard family beside an ordinary one in the same scene: three minutes.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:\n  lab price --json prices.json")]
+pub(crate) struct Args {
+    /// Seconds of each family in which dearer queries are looked for, by small changes of those that are known.
+    #[arg(long, value_name = "SECONDS", default_value_t = 2, value_parser = clap::value_parser!(u16).range(..=3600))]
+    climb: u16,
+    /// Write the figures to this file.
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    json: Option<Output>,
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    let prices = prices(Duration::from_secs(args.climb.into()))?;
+    print(&blocks(&prices));
+    if let Some(path) = &args.json {
+        write_figures(path, "price", &[], json!({ "prices": prices }))?;
+    }
+    Ok(true)
+}
+
+/// What costs more ordinary queries than this is named.
+const LIMIT: f64 = 20.0;
+
+/// Times that each query is asked. The least counts.
+const ROUNDS: usize = 5;
+
+/// Queries of each kind.
+const QUERIES: usize = 50;
+
+/// What a family cost.
+#[derive(Serialize)]
+struct Price {
+    name: &'static str,
+    /// Nanoseconds of an ordinary query in the same scene, the median.
+    ordinary: f64,
+    /// Nanoseconds of the dearest hard one. Of queries with several answers: for each.
+    dearest: f64,
+    /// The same of the dearest that a climb from the hard ones has found.
+    found: f64,
+    /// Nodes and triangles that the ordinary query meets, and that one; if they can be counted, for each answer likewise.
+    met: Option<[f64; 2]>,
+    /// That query, and what it meets.
+    query: String,
+}
+
+impl Price {
+    fn ratio(&self) -> f64 {
+        self.found / self.ordinary
+    }
+
+    /// How many times as much as the ordinary query it asks for, and how many times as much it costs for each of that.
+    fn parts(&self) -> Option<[f64; 2]> {
+        let asked = self.met.map(|[ordinary, found]| found / ordinary)?;
+        Some([asked, self.ratio() / asked])
+    }
+}
+
+/// Queries over one scene, to be asked under the name of their family, with a climb of this time. They have no price if
+/// there are none.
+type Queries = Box<dyn FnOnce(&'static str, Duration) -> Option<Price>>;
+
+type Made = Result<Queries, Box<dyn Error>>;
+
+struct Family {
+    name: &'static str,
+    make: fn() -> Made,
+}
+
+const FAMILIES: [Family; 23] = [
+    Family { name: "in the plane of a lattice", make: || closest(lattice(64, 1)?, in_plane()) },
+    Family { name: "in the plane of a lattice that is not on a grid", make: off_grid },
+    Family { name: "in the skew plane of a lattice", make: in_skew_plane },
+    Family { name: "at vertices of 16 lattices an ulp apart", make: || closest(lattice(32, 16)?, at_vertices()) },
+    Family { name: "at these vertices, double precision", make: || closest_64(&lattice(32, 16)?, &at_vertices()) },
+    Family { name: "at a sphere from afar", make: || closest(sphere()?, from_afar()) },
+    Family { name: "at a sphere from afar, double precision", make: || closest_64(&sphere()?, &from_afar()) },
+    Family {
+        name: "through an edge of 1,000,000 coincident triangles",
+        make: || closest(coincident(1_000_000)?, at_edge()),
+    },
+    Family { name: "any of 1,000,000 coincident triangles", make: || any(coincident(1_000_000)?, at_edge()) },
+    Family { name: "the next of 1,000 coincident triangles", make: || next(coincident(1_000)?, inside()) },
+    Family { name: "all of 1,000 coincident triangles, at an edge", make: || all(coincident(1_000)?, at_edge()) },
+    Family { name: "crossings of split triangles", make: crossings_of_split },
+    Family { name: "nearest to the pole of a fan of 100,000", make: nearest_to_pole },
+    Family { name: "nearest to 100,000 coincident triangles", make: nearest_to_coincident },
+    Family { name: "nearest to a sphere from afar", make: || nearest(sphere()?, origins_afar()) },
+    Family { name: "nearest to a sphere from afar, double precision", make: nearest_from_afar_64 },
+    Family { name: "an instance, not moved, at vertices", make: || instances(1, AffineMap::IDENTITY) },
+    Family { name: "instances nested 8 deep, at vertices", make: || instances(8, AffineMap::translation(Vec3::X)?) },
+    Family { name: "quarter turns nested 31 deep, at vertices", make: || instances(31, turn(0.0, 1.0)?) },
+    Family { name: "turns nested 31 deep, at vertices", make: || instances(31, turn(0.8, 0.6)?) },
+    Family { name: "a turned instance from afar", make: || from_afar_into_instance(false) },
+    Family { name: "a turned instance of eight children from afar", make: || from_afar_into_instance(true) },
+    Family {
+        name: "at a sphere from afar, in a short direction",
+        make: || closest(small_sphere()?, short_from_afar()),
+    },
+];
+
+/// Asks all families, and climbs for so long from each.
+fn prices(climbing: Duration) -> Result<Vec<Price>, Box<dyn Error>> {
+    prices_of(&FAMILIES, climbing)
+}
+
+fn prices_of(families: &[Family], climbing: Duration) -> Result<Vec<Price>, Box<dyn Error>> {
+    let progress = bar(families.len() as u64, "families");
+    let price = |&Family { name, make }: &Family| {
+        let price = make()?(name, climbing).ok_or("a family without queries")?;
+        progress.inc(1);
+        Ok(price)
+    };
+    let prices = families.iter().map(price).collect();
+    progress.finish_and_clear();
+    prices
+}
+
+/// The table of prices, below what is said of it; then the queries that are dear.
+fn blocks(prices: &[Price]) -> Vec<Block> {
+    let dear: Vec<_> = prices.iter().filter(|price| price.ratio() > LIMIT).collect();
+    let for_each = dear.iter().filter(|price| price.parts().is_none_or(|[_, each]| each > LIMIT)).count();
+    let line = format!(
+        "{} of {} families cost more than {LIMIT} ordinary queries, {for_each} of them for each node and triangle too",
+        dear.len(),
+        prices.len()
+    );
+    let row = |price: &Price| {
+        let micro = |nanoseconds: f64| format!("{:.2}", nanoseconds / 1e3);
+        let times = [price.ordinary, price.dearest, price.found].map(micro);
+        let parts = price.parts().map_or(["-"; 2].map(str::to_owned), |parts| parts.map(|part| format!("{part:.1}")));
+        let ratio = format!("{:.1}", price.ratio());
+        [vec![price.name.to_owned()], times.to_vec(), vec![ratio], parts.to_vec()].concat()
+    };
+    let header = ["family", "ordinary, us", "dearest, us", "after a climb", "ratio", "asked", "for each"];
+    let table = table(&header, 1, prices.iter().map(row).collect());
+    let queries = dear.iter().map(|price| Block::Line(format!("{}: {}", price.name, price.query)));
+    [Block::Line(line), Block::Table(table)].into_iter().chain(queries).collect()
+}
+
+/// Nanoseconds of a query that says how many answers it has, for each answer: of the thread's processor time, the least
+/// of some. `None` if they are at most `floor`, which is known as soon as one of the times is.
+fn nanoseconds(ask: impl Fn() -> usize, floor: f64) -> Option<f64> {
+    let time = || {
+        // What is as short as the clock's own cost is asked some times.
+        let (mut times, start) = (0, ThreadTime::now());
+        loop {
+            times += ask().max(1);
+            let passed = start.elapsed();
+            if passed > Duration::from_micros(20) {
+                return passed.as_secs_f64() * 1e9 / times as f64;
+            }
+        }
+    };
+    let mut least = time();
+    // What takes long is little disturbed.
+    let more = if least > 1e7 { 0 } else { ROUNDS - 1 };
+    for _ in 0..more {
+        if least <= floor {
+            return None;
+        }
+        least = least.min(time());
+    }
+    (least > floor).then_some(least)
+}
+
+/// Rays through a mesh, in the default tracer.
+fn traced(mesh: Mesh, hard: Vec<Ray>, ask: fn(&Tracer, &Ray) -> usize, met: fn(&Tracer, &Ray) -> Option<Met>) -> Made {
+    let ordinary = procedural::rays(&mesh, 1, QUERIES);
+    Ok(queries(Tracer::of(&mesh)?, hard, ordinary, ask, met))
+}
+
+/// `ask` says how many answers a query has, `met` what it meets.
+fn queries<S: 'static, Q: Change + 'static>(
+    scene: S,
+    hard: Vec<Q>,
+    ordinary: Vec<Q>,
+    ask: fn(&S, &Q) -> usize,
+    met: fn(&S, &Q) -> Option<Met>,
+) -> Queries {
+    Box::new(move |name, climbing| {
+        let ask = |query: &Q| ask(&scene, query);
+        let times = |queries: &[Q]| -> Vec<f64> {
+            queries.iter().map(|query| nanoseconds(|| ask(query), 0.0).unwrap_or_default()).collect()
+        };
+        let hardest = times(&hard);
+        let mut usual: Vec<_> = times(&ordinary).into_iter().zip(&ordinary).collect();
+        usual.sort_by(|(time, _), (other, _)| time.total_cmp(other));
+        let &(ordinary, usual) = usual.get(usual.len() / 2)?;
+        let dearest = hardest.iter().copied().fold(0.0, f64::max);
+        let (query, found) = climb(&hard, &hardest, ask, climbing)?;
+        let for_each = |query: &Q| Some(met(&scene, query)?.both() / ask(query).max(1) as f64);
+        let told = met(&scene, &query).map_or(String::new(), |met| format!(": {met}"));
+        let met = for_each(usual).zip(for_each(&query)).map(<[f64; 2]>::from);
+        Some(Price { name, ordinary, dearest, found, met, query: format!("{query:?}{told}") })
+    })
+}
+
+fn uncounted<S, Q>(_: &S, _: &Q) -> Option<Met> {
+    None
+}
+
+fn closest(mesh: Mesh, hard: Vec<Ray>) -> Made {
+    let ask = |tracer: &Tracer, ray: &Ray| usize::from(tracer.closest(ray).is_some());
+    traced(mesh, hard, ask, |tracer, ray| Some(tracer.count_closest(&[*ray]).into()))
+}
+
+fn any(mesh: Mesh, hard: Vec<Ray>) -> Made {
+    traced(mesh, hard, |tracer, ray| usize::from(tracer.any(ray)), uncounted)
+}
+
+fn all(mesh: Mesh, hard: Vec<Ray>) -> Made {
+    traced(mesh, hard, |tracer, ray| tracer.all(ray).count(), |tracer, ray| Some(tracer.count_all(&[*ray]).into()))
+}
+
+/// Hit after hit.
+fn next(mesh: Mesh, hard: Vec<Ray>) -> Made {
+    let ask = |tracer: &Tracer, ray: &Ray| {
+        let (mut count, mut hit) = (0, tracer.closest(ray));
+        while let Some(found) = hit {
+            count += 1;
+            hit = tracer.next(ray, (found.t, found.prim));
+        }
+        count
+    };
+    traced(mesh, hard, ask, uncounted)
+}
+
+fn closest_64(mesh: &Mesh, hard: &[Ray]) -> Made {
+    let wide = |ray: &Ray| Ray::new(ray.origin().as_dvec3(), ray.direction().as_dvec3());
+    let rays = |rays: &[Ray]| rays.iter().map(wide).collect::<Result<Vec<_>, _>>();
+    let (hard, ordinary) = (rays(hard)?, rays(&procedural::rays(mesh, 1, QUERIES))?);
+    let vertices = mesh.vertices().iter().map(|v| v.as_dvec3()).collect();
+    let bvh: Bvh<Triangle<DVec3>> = BuildOptions::default().build(&Mesh::new(vertices, mesh.triangles().to_vec())?)?;
+    let tracer = BinaryTracer::<_, Exact64, Wide>::with_tests(bvh, Method::default())?;
+    Ok(queries(
+        tracer,
+        hard,
+        ordinary,
+        |tracer, ray| usize::from(tracer.closest(ray).is_some()),
+        |tracer, ray| Some(tracer.count_closest(&[*ray]).into()),
+    ))
+}
+
+/// The same in tenths.
+fn off_grid() -> Made {
+    let tenth = |v: Vec3| Vec3::new(v.x * 0.1, v.y * 0.1, v.z);
+    mapped_lattice(tenth, |v| tenth(v) + Vec3::new(0.0, 0.01, 0.0))
+}
+
+/// The same in a plane that no axis is across or along.
+fn in_skew_plane() -> Made {
+    let skew = |v: Vec3| Vec3::new(v.x, v.y, v.x * 2.0 - v.y * 3.0);
+    mapped_lattice(skew, skew)
+}
+
+/// Rays from the image of one point to that of another.
+fn mapped_lattice(map: impl Fn(Vec3) -> Vec3, of_ray: impl Fn(Vec3) -> Vec3) -> Made {
+    let mesh = lattice(64, 1)?;
+    let mesh = Mesh::new(mesh.vertices().iter().map(|&v| map(v)).collect(), mesh.triangles().to_vec())?;
+    let ray = |ray: &Ray| {
+        let [from, to] = [ray.origin(), ray.origin() + ray.direction()].map(&of_ray);
+        Ray::new(from, to - from).ok()
+    };
+    closest(mesh, in_plane().iter().filter_map(ray).collect())
+}
+
+fn crossings_of_split() -> Made {
+    // Large triangles among small ones are cut often.
+    let sphere = stress::icosphere(4, 1.0, Vec3::ZERO)?;
+    let (mut vertices, mut triangles) = (sphere.vertices().to_vec(), sphere.triangles().to_vec());
+    for i in 0..64u8 {
+        let (first, z) = (vertices.len() as u32, f32::from(i) / 32.0 - 1.0);
+        vertices.extend([Vec3::new(-9.0, -9.0, z), Vec3::new(9.0, 0.0, z), Vec3::new(0.0, 9.0, z + 0.25)]);
+        triangles.push([first, first + 1, first + 2]);
+    }
+    let mesh = Mesh::new(vertices, triangles)?;
+    let hard = (0..QUERIES)
+        .filter_map(|i| Ray::new(Vec3::new(0.01, 0.02, -5.0), sphere.vertices()[i] * 0.5 + Vec3::Z * 5.0).ok())
+        .collect();
+    let ordinary = procedural::rays(&mesh, 1, QUERIES);
+    let bvh = BuildOptions { builder: Builder::Spatial, ..BuildOptions::default() }.build(&mesh)?;
+    let tracer = Tracer::new(WideBvh::of(&bvh)?);
+    // They look at everything along the ray, as all hits do.
+    Ok(queries(
+        tracer,
+        hard,
+        ordinary,
+        |tracer, ray| tracer.crossings(ray) as usize,
+        |tracer, ray| Some(tracer.count_all(&[*ray]).into()),
+    ))
+}
+
+fn nearest_to_pole() -> Made {
+    const SPOKES: u32 = 100_000;
+    let spoke = |i: u32| {
+        let angle = f64::from(i) / f64::from(SPOKES) * std::f64::consts::TAU;
+        DVec3::new(angle.cos(), angle.sin(), 0.0).as_vec3()
+    };
+    let vertices: Vec<_> = std::iter::once(Vec3::ZERO).chain((0..SPOKES).map(spoke)).collect();
+    let triangles = (0..SPOKES).map(|i| [0, 1 + i, 1 + (i + 1) % SPOKES]).collect();
+    nearest(Mesh::new(vertices, triangles)?, (0..8u8).map(|i| Vec3::new(0.0, 0.0, 0.1 + 0.3 * f32::from(i))))
+}
+
+fn nearest_to_coincident() -> Made {
+    nearest(coincident(100_000)?, (0..8u8).map(|i| Vec3::new(-0.1 * f32::from(i), 5.0, 0.3)))
+}
+
+/// From up to 2^120 away.
+fn origins_afar() -> impl Iterator<Item = Vec3> {
+    from_afar().into_iter().map(|ray| ray.origin())
+}
+
+/// From there, and from up to 2^960 away. Nodes and triangles are not counted.
+fn nearest_from_afar_64() -> Made {
+    let mesh = sphere()?;
+    let wide = mesh.vertices().iter().map(|v| v.as_dvec3()).collect();
+    let bvh: Bvh<Triangle<DVec3>> = BuildOptions::default().build(&Mesh::new(wide, mesh.triangles().to_vec())?)?;
+    let tracer = BinaryTracer::<_, Exact64, Wide>::with_tests(bvh, Method::default())?;
+    let ordinary = procedural::rays(&mesh, 1, QUERIES).iter().map(|ray| ray.origin().as_dvec3()).collect::<Vec<_>>();
+    let hard = origins_afar().map(Vec3::as_dvec3).flat_map(|o| [o, o * o.length().powi(7)]);
+    let balls = |points: Vec<DVec3>| points.into_iter().map(Ball::around).collect::<Result<_, _>>();
+    let (hard, ordinary) = (balls(hard.collect())?, balls(ordinary)?);
+    Ok(queries(tracer, hard, ordinary, |tracer, ball| usize::from(tracer.nearest(ball).is_some()), uncounted))
+}
+
+/// Points, and such of a box about the mesh.
+fn nearest(mesh: Mesh, points: impl Iterator<Item = Vec3>) -> Made {
+    let tracer = Tracer::of(&mesh)?;
+    let ordinary =
+        procedural::rays(&mesh, 1, QUERIES).iter().map(|ray| Ball::around(ray.origin())).collect::<Result<_, _>>()?;
+    let hard = points.map(Ball::around).collect::<Result<_, _>>()?;
+    Ok(queries(
+        tracer,
+        hard,
+        ordinary,
+        |tracer, ball| usize::from(tracer.nearest(ball).is_some()),
+        |tracer, ball| Some(tracer.count_nearest(&[*ball]).into()),
+    ))
+}
+
+/// Rays at vertices of a sphere that a map has moved so many times.
+fn instances(deep: usize, affine: AffineMap) -> Made {
+    let mesh = stress::icosphere(3, 1.0, Vec3::ZERO)?;
+    let mut assembly = Assembly::new();
+    let mut object: Object = assembly.add_mesh(Bvh::sah(&mesh, SahOptions::default())?);
+    for _ in 0..deep {
+        object = assembly.add_group(vec![Instance { object, affine }], &BuildOptions::default())?;
+    }
+    let image = |v: Vec3| (0..deep).fold(v, |v, _| apply(&affine, v));
+    let middle = image(Vec3::ZERO);
+    let hard = mesh
+        .vertices()
+        .iter()
+        .take(QUERIES)
+        .filter_map(|&v| {
+            let o = middle + Vec3::new(0.5, 0.25, 4.0);
+            Ray::new(o, image(v) - o).ok()
+        })
+        .collect();
+    let ordinary = procedural::rays(&mesh, 1, QUERIES)
+        .iter()
+        .filter_map(|ray| Ray::new(ray.origin() + middle, ray.direction()).ok())
+        .collect();
+    closest_in(&assembly, object, hard, ordinary)
+}
+
+/// Rays at a sphere that is turned.
+fn from_afar_into_instance(is_wide: bool) -> Made {
+    let (mesh, mut assembly) = (sphere()?, Assembly::new());
+    let bvh = Bvh::sah(&mesh, SahOptions::default())?;
+    let object = if is_wide { assembly.add_wide(WideBvh::of(&bvh)?) } else { assembly.add_mesh(bvh) };
+    let instances = vec![Instance { object, affine: turn(0.8, 0.6)? }];
+    let object = assembly.add_group(instances, &BuildOptions::default())?;
+    closest_in(&assembly, object, along_axes_from_afar(), procedural::rays(&mesh, 1, QUERIES))
+}
+
+fn closest_in(assembly: &Assembly, object: Object, hard: Vec<Ray>, ordinary: Vec<Ray>) -> Made {
+    Ok(queries(
+        InstanceTracer::new(assembly, object, Method::default())?,
+        hard,
+        ordinary,
+        |tracer, ray: &Ray| usize::from(tracer.closest(ray).is_some()),
+        |tracer, ray| Some(tracer.count_closest(std::slice::from_ref(ray)).into()),
+    ))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,5 @@
+//! The command `stackless`.
+
+fn main() -> std::process::ExitCode {
+    stackless_cli::stackless()
+}

@@ -1,0 +1,132 @@
+//! What rays cost, by traversal.
+
+use stackless_bvh::bvh::{Bvh, BvhTree};
+use stackless_bvh::event::Source;
+use stackless_bvh::geom::{Aabb, Ray};
+use stackless_bvh::key::KeyWord;
+use stackless_bvh::order::Pruned;
+use stackless_bvh::trace::{AnyByNode, BinaryTracer, ClosestByNode, Query};
+use stackless_bvh::traverse::{Method, Need, Tables, Unfit, WithWord, with_word};
+use stackless_bvh::tree::Implicit;
+use stackless_check::{Reads, Steps, Watched};
+
+/// What is counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Heat {
+    /// Nodes that are visited.
+    Nodes,
+    /// Box tests.
+    Boxes,
+    /// Triangle tests.
+    Triangles,
+    /// Postponed nodes that are visited.
+    Postponed,
+    /// Records that are read to find them, at least one for each: what climbing costs.
+    Backtrack,
+    /// Lookups in a perfect hash.
+    Hash,
+    /// Triangle tests that error bounds for the whole scene leave open.
+    Fallback,
+}
+
+impl Heat {
+    pub(super) const fn unit(self) -> &'static str {
+        match self {
+            Self::Nodes => "nodes",
+            Self::Boxes => "box tests",
+            Self::Triangles => "triangle tests",
+            Self::Postponed => "postponed nodes",
+            Self::Backtrack => "backtracking steps",
+            Self::Hash => "lookups",
+            Self::Fallback => "fallbacks",
+        }
+    }
+}
+
+/// Counts the cost of rays.
+pub(super) struct Costs<'a> {
+    heat: Heat,
+    any: bool,
+    tracer: BinaryTracer<&'a Bvh>,
+    /// Where the tracer's own counts do not tell.
+    steps: Option<Box<Walks<'a>>>,
+}
+
+/// What traversals read, to be run with all their reads counted.
+struct Walks<'a> {
+    bvh: &'a Bvh,
+    tables: Tables<'a, BvhTree>,
+    boxes: Vec<Aabb>,
+}
+
+impl<'a> Costs<'a> {
+    pub(super) fn new(bvh: &'a Bvh, method: Method, heat: Heat, any: bool) -> Result<Self, Unfit> {
+        let needs_steps = match heat {
+            Heat::Nodes | Heat::Boxes | Heat::Triangles | Heat::Fallback => false,
+            Heat::Postponed | Heat::Backtrack => true,
+            // Each of its backtracks is a lookup.
+            Heat::Hash => method.needs() == Need::AllKeys,
+        };
+        let steps = needs_steps.then(|| Box::new(Walks::new(bvh, method)));
+        Ok(Self { heat, any, tracer: BinaryTracer::with_method(bvh, method)?, steps })
+    }
+
+    /// What a ray costs.
+    pub(super) fn of(&self, ray: &Ray) -> u64 {
+        if let Some(walks) = &self.steps {
+            let [backtracks, steps] = walks.count(&self.tracer, ray, self.any);
+            return if self.heat == Heat::Backtrack { steps } else { backtracks };
+        }
+        let ray = std::slice::from_ref(ray);
+        let counters = if self.any { self.tracer.count_any(ray) } else { self.tracer.count_closest(ray) };
+        match self.heat {
+            Heat::Nodes => counters.inner + counters.leaves,
+            Heat::Boxes => counters.boxes,
+            Heat::Triangles => counters.triangles,
+            Heat::Fallback => counters.fallbacks,
+            Heat::Postponed | Heat::Backtrack | Heat::Hash => counters.backtracks.by(Source::Hash),
+        }
+    }
+}
+
+impl<'a> Walks<'a> {
+    fn new(bvh: &'a Bvh, method: Method) -> Self {
+        Self { bvh, tables: Tables::new(bvh.tree(), bvh.axes(), &[method], Implicit::LIMIT), boxes: bvh.own_boxes() }
+    }
+
+    /// Backtracks and their steps.
+    fn count(&self, tracer: &BinaryTracer<&Bvh>, ray: &Ray, any: bool) -> [u64; 2] {
+        let (bvh, boxes) = (self.bvh, &*self.boxes);
+        let query: &mut dyn Query =
+            if any { &mut AnyByNode::new(bvh, boxes, ray) } else { &mut ClosestByNode::new(bvh, boxes, ray) };
+        // Searches that nothing can be pruned from are traversed as a whole, as the tracer has it.
+        let method = tracer.method();
+        let method = if query.allows(method.test().pruning()) { method } else { method.without_pruning() };
+        let reads = Reads::default();
+        let mut steps = Steps::new(bvh.tree(), &reads);
+        let run = Run { tables: &self.tables, method, octant: ray.octant(), query, reads: &reads, steps: &mut steps };
+        let ran = with_word(tracer.word(), run);
+        debug_assert_eq!(ran, Ok(()), "checked when the tracer was made");
+        [steps.backtracks(), steps.steps()]
+    }
+}
+
+struct Run<'r, 'a, 'q> {
+    tables: &'r Tables<'a, BvhTree>,
+    method: Method,
+    octant: u8,
+    query: &'q mut dyn Query,
+    reads: &'r Reads,
+    steps: &'r mut Steps<'q, BvhTree>,
+}
+
+impl WithWord for Run<'_, '_, '_> {
+    type Output = Result<(), Unfit>;
+
+    fn call<W: KeyWord>(self) -> Result<(), Unfit> {
+        let Self { tables, method, octant, mut query, reads, steps } = self;
+        let linked = tables.tree();
+        let watched = Watched { tree: &linked, watch: |node| reads.count(node) };
+        tables.run_over::<W, _, _>(&watched, method, octant, &mut Vec::new(), &mut query, steps)
+    }
+}

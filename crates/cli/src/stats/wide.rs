@@ -1,0 +1,193 @@
+//! The hierarchy of eight children, which `trace` and `render` use.
+
+use serde::Serialize;
+use stackless_bvh::bvh::WideBvh;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::trace::{Choice, Need, Tracer, WideCounters};
+use stackless_bvh::tree::Node;
+use stackless_bvh::wide::{Method, Topology};
+
+use super::timed;
+use crate::build::Build;
+use crate::input::Scene;
+use crate::output::{Table, grouped, table};
+
+#[derive(Serialize)]
+pub(super) struct WideStats {
+    /// How the binary hierarchy was built that it is made of.
+    build: String,
+    nodes: usize,
+    /// Children of an inner node, mean.
+    children: f64,
+    /// Triangles of a leaf, mean.
+    leaf_triangles: f64,
+    /// Level of the deepest inner node.
+    levels: u32,
+    bytes: usize,
+    bytes_per_triangle: f64,
+    /// Of the binary hierarchy, on all threads.
+    build_seconds: f64,
+    /// From the binary hierarchy to this one, on all threads.
+    collapse_seconds: f64,
+    traversals: Vec<Row>,
+    choice: ChoiceStats,
+}
+
+/// The default tracer, and what else there is.
+#[derive(Serialize)]
+struct ChoiceStats {
+    tracer: &'static str,
+    method: &'static str,
+    reasons: Vec<&'static str>,
+    /// Name, tracer and reason.
+    otherwise: Vec<[&'static str; 3]>,
+    reinsertion: Reinsertion,
+}
+
+/// What rounds of reinsertion buy the default traversal, and cost: ratios to none.
+#[derive(Serialize)]
+struct Reinsertion {
+    build: String,
+    build_time: f64,
+    nodes: f64,
+    triangles: f64,
+}
+
+#[derive(Serialize)]
+struct Row {
+    method: &'static str,
+    state_bytes: usize,
+    /// Of the tables that it needs.
+    table_bytes: usize,
+    table_seconds: f64,
+    /// Tests of a node's boxes, all at once, for the closest hit of a camera ray.
+    nodes_per_ray: f64,
+    leaves_per_ray: f64,
+    triangles_per_ray: f64,
+}
+
+/// With the closest hits of these rays.
+pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn std::error::Error>> {
+    let choice = Choice::for_needs(&[]);
+    let build = Build::default();
+    let (fine, build_seconds) = timed(|| build.run_fine(scene));
+    let fine = fine?;
+    let (wide, collapse_seconds) = timed(|| WideBvh::<8>::of(&fine));
+    let wide = wide?;
+    let mut traversals = Vec::new();
+    for method in Method::ALL {
+        let (tracer, table_seconds) = timed(|| Tracer::with_method(&wide, method));
+        let tracer = tracer?;
+        let WideCounters { nodes, leaves, triangles, .. } = tracer.count_closest(rays);
+        let per_ray = |count: u64| count as f64 / rays.len().max(1) as f64;
+        traversals.push(Row {
+            method: method.name(),
+            state_bytes: method.state_bytes::<8>(wide.levels() as usize),
+            table_bytes: tracer.bytes(),
+            table_seconds,
+            nodes_per_ray: per_ray(nodes),
+            leaves_per_ray: per_ray(leaves),
+            triangles_per_ray: per_ray(triangles),
+        });
+    }
+    let reinsertion = reinsertion(scene, rays, &wide, build_seconds + collapse_seconds)?;
+    let nodes = wide.nodes();
+    let children: u32 = (0..nodes.len()).map(|node| wide.children(Node::inner(node as u32)).count_ones()).sum();
+    let leaves: u32 = nodes.iter().map(|node| node.leaves().count_ones()).sum();
+    let references = fine.triangles().len() as f64;
+    Ok(WideStats {
+        build: build.to_string(),
+        nodes: nodes.len(),
+        children: f64::from(children) / nodes.len() as f64,
+        leaf_triangles: references / f64::from(leaves.max(1)),
+        levels: wide.levels(),
+        bytes: wide.bytes(),
+        bytes_per_triangle: wide.bytes() as f64 / scene.mesh.triangles().len() as f64,
+        build_seconds,
+        collapse_seconds,
+        traversals,
+        choice: ChoiceStats {
+            tracer: choice.tracer(),
+            method: choice.method(),
+            reasons: choice.reasons(),
+            otherwise: Need::ALL.map(|need| [need.name(), Choice::for_needs(&[need]).tracer(), need.reason()]).into(),
+            reinsertion,
+        },
+    })
+}
+
+/// Two rounds, beside a tree without.
+fn reinsertion(
+    scene: &Scene,
+    rays: &[Ray],
+    plain: &WideBvh,
+    plain_seconds: f64,
+) -> Result<Reinsertion, Box<dyn std::error::Error>> {
+    let build: Build = "sah+2".parse()?;
+    let (moved, seconds) = timed(|| build.run_wide(scene));
+    let [plain, moved] = [plain, &moved?].map(|bvh| Tracer::new(bvh).count_closest(rays));
+    let ratio = |of: fn(&WideCounters) -> u64| of(&moved) as f64 / of(&plain).max(1) as f64;
+    Ok(Reinsertion {
+        build: build.to_string(),
+        build_time: seconds / plain_seconds,
+        nodes: ratio(|counters| counters.nodes),
+        triangles: ratio(|counters| counters.triangles),
+    })
+}
+
+impl WideStats {
+    pub(super) fn line(&self) -> String {
+        format!(
+            "eight children: {} inner nodes of {:.1}, leaves of {:.1} triangles, {} levels, {} bytes ({:.1} a triangle); {} in {:.1} ms, made wide in {:.1} ms",
+            grouped(self.nodes as u64),
+            self.children,
+            self.leaf_triangles,
+            self.levels + 1,
+            grouped(self.bytes as u64),
+            self.bytes_per_triangle,
+            self.build,
+            self.build_seconds * 1e3,
+            self.collapse_seconds * 1e3
+        )
+    }
+
+    /// Which tracer serves, and why.
+    pub(super) fn choice(&self) -> String {
+        let ChoiceStats { tracer, method, reasons, reinsertion, .. } = &self.choice;
+        format!(
+            "default: {tracer} by {method} over {}. {} {} would take {:.1} times as long to build, and test {:.2} of the nodes and {:.2} of the triangles.",
+            self.build,
+            reasons.join(" "),
+            reinsertion.build,
+            reinsertion.build_time,
+            reinsertion.nodes,
+            reinsertion.triangles
+        )
+    }
+
+    /// Where another tracer serves.
+    pub(super) fn otherwise(&self) -> Table {
+        let rows = self.choice.otherwise.iter().map(|row| row.map(str::to_owned).into()).collect();
+        table(&["where you need", "it is", "why"], 3, rows)
+    }
+
+    pub(super) fn to_table(&self) -> Table {
+        let row = |row: &Row| {
+            let mut cells = vec![row.method.to_owned()];
+            cells.extend([row.state_bytes, row.table_bytes].map(|bytes| grouped(bytes as u64)));
+            cells.push(format!("{:.2}", row.table_seconds * 1e3));
+            cells.extend([row.nodes_per_ray, row.leaves_per_ray, row.triangles_per_ray].map(|n| format!("{n:.2}")));
+            cells
+        };
+        let header = [
+            "of eight children",
+            "bytes of state",
+            "of tables",
+            "ms",
+            "nodes a ray",
+            "leaves a ray",
+            "triangles a ray",
+        ];
+        table(&header, 1, self.traversals.iter().map(row).collect())
+    }
+}

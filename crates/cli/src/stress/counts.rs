@@ -1,0 +1,127 @@
+//! What `stackless stress` counts.
+
+use serde::{Deserialize, Serialize};
+use stackless_bvh::trace::Accuracy;
+use stackless_check::Errors;
+
+use crate::output::{count, detail, say, table};
+use crate::record::{Counts, add_rows};
+
+/// The name of the rows of wide trees, which are exact.
+pub(super) const WIDE: &str = "exact, wide";
+
+/// The name of the rows in double precision, which are exact: each ray counts in two places.
+pub(super) const DOUBLE: &str = "exact, double";
+
+const HEADER: [&str; 7] = ["case", "accuracy", "rays", "false misses", "false hits", "wrong primitives", "max ulp"];
+
+/// Of each case, how often each accuracy erred.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct StressCounts {
+    pub(super) rows: Vec<Row>,
+    /// The rows have been printed as they came.
+    #[serde(skip)]
+    pub(super) are_shown: bool,
+}
+
+#[derive(Clone, Serialize, Deserialize)]
+pub(super) struct Row {
+    case: String,
+    accuracy: String,
+    rays: u64,
+    false_misses: u64,
+    false_hits: u64,
+    wrong_primitives: u64,
+    max_ulp: u32,
+}
+
+impl Counts for StressCounts {
+    const COMMAND: &str = "stress";
+
+    fn add(&mut self, other: Self) {
+        let is_same = |row: &Row, other: &Row| (&row.case, &row.accuracy) == (&other.case, &other.accuracy);
+        add_rows(&mut self.rows, other.rows, is_same, |row, other| row.add(&other));
+    }
+
+    /// The rows, unless they are shown already, and their sums for each accuracy.
+    fn print(&self) {
+        if !self.are_shown {
+            detail(table(&HEADER, 2, self.rows.iter().map(Row::cells).collect()));
+        }
+        let mut sums: Vec<Row> = Vec::new();
+        for row in &self.rows {
+            match sums.iter_mut().find(|sum| sum.accuracy == row.accuracy) {
+                Some(sum) => sum.add(row),
+                None => sums.push(Row { case: "all".to_owned(), ..row.clone() }),
+            }
+        }
+        say!("{}", table(&HEADER, 2, sums.iter().map(Row::cells).collect()));
+    }
+
+    fn sum(&self) -> String {
+        let cases = self.rows.chunk_by(|a, b| a.case == b.case).count() as u64;
+        let [rays, errors] = self.cases_and_errors();
+        format!("{}, {}, exact: {}", count(cases, "case"), count(rays, "ray"), count(errors, "error"))
+    }
+
+    /// Those of exact tests. In wide trees and in others the rays are the same; in double precision they are these, twice.
+    fn cases_and_errors(&self) -> [u64; 2] {
+        let sum = |accuracy: &str, of: fn(&Row) -> u64| {
+            let rows = self.rows.iter().filter(|row| row.accuracy == accuracy);
+            rows.map(of).fold(0, u64::saturating_add)
+        };
+        let kinds = [Accuracy::Exact.name(), WIDE, DOUBLE];
+        let [rays, errors] = [|row: &Row| row.rays, Row::errors].map(|of| kinds.map(|kind| sum(kind, of)));
+        [rays[0].max(rays[1]), errors.into_iter().fold(0, u64::saturating_add)]
+    }
+
+    fn is_empty(&self) -> bool {
+        self.rows.iter().all(|row| row.rays == 0)
+    }
+}
+
+impl Row {
+    pub(super) fn new(case: &str, accuracy: &str, errors: Errors) -> Self {
+        let Errors { rays, false_misses, false_hits, wrong_primitives, max_ulp } = errors;
+        let (case, accuracy) = (case.to_owned(), accuracy.to_owned());
+        Self { case, accuracy, rays, false_misses, false_hits, wrong_primitives, max_ulp }
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.rays = self.rays.saturating_add(other.rays);
+        self.false_misses = self.false_misses.saturating_add(other.false_misses);
+        self.false_hits = self.false_hits.saturating_add(other.false_hits);
+        self.wrong_primitives = self.wrong_primitives.saturating_add(other.wrong_primitives);
+        self.max_ulp = self.max_ulp.max(other.max_ulp);
+    }
+
+    /// The header of rows that are printed one by one, or a row below it, with room for these names.
+    pub(super) fn header(widths: [usize; 2]) -> String {
+        in_columns(widths, &HEADER)
+    }
+
+    pub(super) fn line(&self, widths: [usize; 2]) -> String {
+        in_columns(widths, &self.cells())
+    }
+
+    /// Wrong answers, and 1 for a wrong distance.
+    pub(super) fn errors(&self) -> u64 {
+        let counts = [self.false_misses, self.false_hits, self.wrong_primitives, u64::from(self.max_ulp > 0)];
+        counts.into_iter().fold(0, u64::saturating_add)
+    }
+
+    fn cells(&self) -> Vec<String> {
+        let numbers = [self.rays, self.false_misses, self.false_hits, self.wrong_primitives, self.max_ulp.into()];
+        let names = [self.case.clone(), self.accuracy.clone()];
+        names.into_iter().chain(numbers.map(|number| number.to_string())).collect()
+    }
+}
+
+/// Cells as a table puts them: names to the left, numbers to the right.
+fn in_columns(names: [usize; 2], cells: &[impl AsRef<str>]) -> String {
+    let cell = |(i, cell): (usize, &_)| match (names.get(i), AsRef::<str>::as_ref(cell)) {
+        (Some(&width), cell) => format!("{cell:width$}"),
+        (None, cell) => format!("{cell:>width$}", width = HEADER[i].len()),
+    };
+    cells.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ")
+}
