@@ -12,7 +12,7 @@ use std::process::Command;
 const PROGRAMS: &[&str] = if cfg!(feature = "lab") { &["stackless", "lab"] } else { &["stackless"] };
 
 /// Commands that are not run, by what stands in them, each with its reason.
-const NOT_RUN: [(&str, &str); 13] = [
+const NOT_RUN: &[(&str, &str)] = &[
     ("sibenik.ply", "a figure of that scene, which a clone does not have"),
     ("crytek_sponza.ply", "a picture of that scene, which a clone does not have"),
     ("mesh.ply", "for whoever has installed the command and has no clone"),
@@ -30,7 +30,7 @@ const NOT_RUN: [(&str, &str); 13] = [
 
 /// Commands that take long or stand for many, as written and as run.
 #[rustfmt::skip]
-const RUN_AS: [(&str, &str); 38] = [
+const RUN_AS: &[(&str, &str)] = &[
     ("stackless merge RECORD...",
      "stackless check --trees 10 --shard 1/1 --json whole.json && stackless merge whole.json"),
     ("stackless check",

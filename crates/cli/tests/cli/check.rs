@@ -124,7 +124,7 @@ fn scenes() {
         let prunes = method != method.without_pruning();
         assert!(method == Method::Complete || row["refused"] == if prunes { 360 } else { 0 }, "{row}");
     }
-    let (_, more) = check("--count 60 --trees 25 --method complete", &[&cube_ply]);
+    let (_, more) = check("--count 60 --trees 25 --method hashed", &[&cube_ply]);
     assert_eq!((&more["trees"], &more["rays"], &more["rows"][0]["cases"]), (&28.into(), &180.into(), &385.into()));
     for made in ["strands", "stadium", "soup"] {
         let (_, counts) = check("--count 40 --method stack,hashed,complete", &[Path::new(made)]);
