@@ -103,8 +103,3 @@ pub use glam;
 #[cfg(all(doctest, feature = "rays", feature = "generate"))]
 #[doc = include_str!("../README.md")]
 struct Readme;
-
-/// The programs of the book.
-#[cfg(all(doctest, feature = "rays", feature = "parallel", feature = "generate"))]
-#[doc = include_str!("../docs/tasks.md")]
-struct Tasks;

@@ -133,7 +133,7 @@ fn chain(depth: u32, right: bool) -> Vec<Option<[u32; 2]>> {
 }
 
 fn file(id: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("spec/departures/{id}.json"))
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("../spec/departures/{id}.json"))
 }
 
 /// [CONF-1]

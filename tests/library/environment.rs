@@ -49,7 +49,7 @@ fn run(library: &Path, test: &str, bits: &str) {
 }
 
 fn compiled() -> Option<PathBuf> {
-    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/library/floats.c");
+    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/library/floats.c");
     let library = Path::new(env!("CARGO_TARGET_TMPDIR")).join("floats.so");
     let flags = ["-std=c11", "-Wall", "-Wextra", "-Werror", "-O1", "-shared", "-fPIC", source, "-o"];
     let output = Command::new("cc").args(flags).arg(&library).output().ok()?;
@@ -198,7 +198,7 @@ const UNCHECKED: &[(&str, &[&str])] = &[
 /// A new constructor is either checked, and then asked by `entrances_refuse`, or it is said why not. `[ENV-1]`
 #[test]
 fn all_constructors_are_known() {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src");
     let mut found = BTreeSet::new();
     for module in ["geom", "bvh", "trace"] {
         collect(&source.join(module), &source, &mut found);

@@ -259,7 +259,7 @@ fn file() -> String {
 }
 
 fn specification() -> impl Iterator<Item = PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("spec");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../spec");
     let files = fs::read_dir(folder).expect("spec").map(|entry| entry.expect("a file").path());
     files.filter(|path| path.extension().is_some_and(|extension| extension == "md"))
 }

@@ -11,7 +11,7 @@ use crate::bites::table;
 mod targets;
 
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz")
 }
 
 /// All inputs below a folder, with the name of their target.

@@ -211,7 +211,7 @@ fn vectors() -> String {
 
 #[test]
 fn the_cases_of_the_models_are_what_the_library_does() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("spec/rocq/Vectors.v");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../spec/rocq/Vectors.v");
     let text = vectors();
     for word in ["Neither)", "Only L)", "Only R)", "Both L)", "Both R)", "expected true", "expected_left true"] {
         assert!(text.contains(word), "no case has {word}");

@@ -2,7 +2,7 @@
 
 #[path = "../../examples/curve.rs"]
 pub(crate) mod curve;
-#[path = "../../examples/foreign_traversal.rs"]
+#[path = "../../crates/suite/examples/foreign_traversal.rs"]
 mod foreign_traversal;
 #[path = "../../examples/gpu_upload.rs"]
 mod gpu_upload;

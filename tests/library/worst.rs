@@ -15,7 +15,7 @@ use stackless_check::{Battery, Replay, Stress, Verdict};
 
 /// The name and path of each file.
 fn files() -> impl Iterator<Item = (String, PathBuf)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/worst");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/worst");
     let paths = fs::read_dir(folder).expect("the folder").map(|entry| entry.expect("a file").path());
     paths.map(|path| (path.file_stem().expect("a name").to_string_lossy().into_owned(), path))
 }

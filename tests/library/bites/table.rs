@@ -12,7 +12,7 @@ pub(crate) const NO: &str = "no: ";
 pub(crate) const COLUMNS: [&str; 3] = ["fuzz", "suite", "harness"];
 
 fn file() -> PathBuf {
-    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let package = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
     package.ancestors().map(|folder| folder.join("tests/PLANTED.md")).find(|file| file.exists()).unwrap()
 }
 

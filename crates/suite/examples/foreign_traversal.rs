@@ -1,6 +1,6 @@
 //! Is your traversal right? This one keeps key and trail and finds the next node from the root; the suite judges it.
 //!
-//! `cargo run --release --example foreign_traversal`. As a program that answers `stackless conform`, `main` would be
+//! `cargo run --release -p stackless-suite --example foreign_traversal`. As a program that answers `stackless conform`, `main` would be
 //! `suite::serve(&mut Mine, stdin, stdout)`.
 
 use serde_json::{Map, Value, json};
