@@ -1,0 +1,260 @@
+//! The layers of checks: test programs of the copy, each with the tests that belong to the layer.
+
+use std::collections::BTreeMap;
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::Instant;
+
+use serde::Deserialize;
+
+/// Tests of one program.
+pub(crate) struct Layer {
+    pub(crate) name: &'static str,
+    /// What the layer is, for the table.
+    pub(crate) about: &'static str,
+    /// Name of the program's target.
+    target: &'static str,
+    tests: Tests,
+    /// Tests that are not among them.
+    without: &'static [&'static str],
+}
+
+/// Which tests of a program.
+enum Tests {
+    /// Those of the edited file's module.
+    OfModule,
+    /// Those whose names have one of these in them; all, if there are none.
+    Named(&'static [&'static str]),
+}
+
+/// Comparisons of copies with bugs, and of texts: neither says anything about the library's behaviour.
+const NOT_OF_THE_LIBRARY: &[&str] = &["bites", "every_target_is_built", "fuzzing_finds", "a_planted_bug_that_shows"];
+
+/// Tests of the battery, which draws cases at random and exhaustively.
+const BATTERY: &[&str] = &["random::", "exhaustive::"];
+
+/// Bodies of the fuzz targets over seeds and findings.
+const FUZZ: &[&str] = &["regressions::seeds", "regressions::what_fuzzing"];
+
+/// All layers. Those with few tests come first; [`Programs`] sorts the rest by the time that they take.
+pub(crate) const LAYERS: [Layer; 7] = [
+    Layer {
+        name: "module",
+        about: "unit tests of the edited module",
+        target: "stackless_bvh",
+        tests: Tests::OfModule,
+        without: &[],
+    },
+    Layer {
+        name: "harness",
+        about: "bodies of the proof harnesses",
+        target: "harnesses",
+        tests: Tests::Named(&[]),
+        without: &["every_twin_is_refuted", "names_are_different"],
+    },
+    Layer {
+        name: "suite",
+        about: "the conformance suite asks this library",
+        target: "suite",
+        tests: Tests::Named(&["this_library_conforms"]),
+        without: &[],
+    },
+    Layer {
+        name: "battery",
+        about: "the battery over random and all small cases",
+        target: "library",
+        tests: Tests::Named(BATTERY),
+        without: NOT_OF_THE_LIBRARY,
+    },
+    Layer {
+        name: "fuzz",
+        about: "fuzz targets over their seeds and findings",
+        target: "library",
+        tests: Tests::Named(FUZZ),
+        without: NOT_OF_THE_LIBRARY,
+    },
+    Layer {
+        name: "unit",
+        about: "all unit tests of the library",
+        target: "stackless_bvh",
+        tests: Tests::Named(&[]),
+        without: &[],
+    },
+    Layer {
+        name: "library",
+        about: "the other tests from outside",
+        target: "library",
+        tests: Tests::Named(&[]),
+        without: &["random::", "exhaustive::", "regressions::", "bites"],
+    },
+];
+
+/// The test programs of a copy.
+pub(crate) struct Programs {
+    programs: BTreeMap<String, Program>,
+    /// Seconds that the build took.
+    pub(crate) seconds: f64,
+}
+
+struct Program {
+    path: PathBuf,
+    /// The folder of its package.
+    folder: PathBuf,
+    tests: Vec<String>,
+}
+
+/// Why there are no programs.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum BuildError {
+    #[error("cargo cannot be run: {0}")]
+    Cargo(std::io::Error),
+    #[error("the copy with all bugs does not compile: see the messages of cargo above")]
+    Failed,
+    #[error("cargo has built no test program {0}")]
+    Missing(&'static str),
+    #[error("{path}: --list failed: {what}")]
+    List { path: PathBuf, what: String },
+    #[error("layer {0} has no tests, expected at least one")]
+    Empty(&'static str),
+}
+
+#[derive(Deserialize)]
+struct Message {
+    executable: Option<PathBuf>,
+    manifest_path: Option<PathBuf>,
+    target: Option<Target>,
+}
+
+#[derive(Deserialize)]
+struct Target {
+    name: String,
+}
+
+/// What a layer runs for one bug.
+pub(crate) struct Job<'p> {
+    pub(crate) program: &'p Path,
+    pub(crate) folder: &'p Path,
+    pub(crate) arguments: Vec<String>,
+}
+
+/// Compiles the library of the copy, and nothing else.
+pub(crate) fn compile(copy: &Path) -> Result<(), BuildError> {
+    let status = cargo(copy).args(["check", "-p", "stackless-bvh", "--all-features"]).status();
+    if status.map_err(BuildError::Cargo)?.success() { Ok(()) } else { Err(BuildError::Failed) }
+}
+
+fn cargo(copy: &Path) -> Command {
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.current_dir(copy).env("CARGO_INCREMENTAL", "0").env("CARGO_PROFILE_DEV_DEBUG", "none");
+    command
+}
+
+impl Programs {
+    /// Builds all test programs of the copy, once.
+    pub(crate) fn build(copy: &Path) -> Result<Self, BuildError> {
+        let began = Instant::now();
+        let mut command = cargo(copy);
+        command.args(["test", "--no-run", "--quiet", "--message-format=json-render-diagnostics", "--all-features"]);
+        command.args(["-p", "stackless-bvh", "-p", "stackless-suite", "-p", "proofs"]);
+        command.args(["--lib", "--test", "library", "--test", "suite", "--test", "harnesses"]);
+        let mut child = command.stdout(Stdio::piped()).spawn().map_err(BuildError::Cargo)?;
+        let mut programs = BTreeMap::new();
+        for line in child.stdout.take().into_iter().flat_map(|output| BufReader::new(output).lines()).map_while(Result::ok) {
+            let Ok(Message { executable: Some(path), manifest_path: Some(manifest), target: Some(target) }) =
+                serde_json::from_str(&line)
+            else {
+                continue;
+            };
+            let folder = manifest.parent().unwrap_or(copy).to_path_buf();
+            programs.insert(target.name, Program { path, folder, tests: Vec::new() });
+        }
+        if !child.wait().map_err(BuildError::Cargo)?.success() {
+            return Err(BuildError::Failed);
+        }
+        for program in programs.values_mut() {
+            program.tests = list(&program.path, &program.folder)?;
+        }
+        let programs = Self { programs, seconds: began.elapsed().as_secs_f64() };
+        for layer in &LAYERS {
+            let program = programs.programs.get(layer.target).ok_or(BuildError::Missing(layer.target))?;
+            if !program.tests.iter().any(|test| layer.has(test)) {
+                return Err(BuildError::Empty(layer.name));
+            }
+        }
+        Ok(programs)
+    }
+
+    /// The tests that a layer runs for a bug in this file; `None` if the file's module has none. Without a file: all.
+    pub(crate) fn job(&self, layer: &Layer, file: Option<&str>) -> Option<Job<'_>> {
+        let Program { path, folder, tests } = self.programs.get(layer.target)?;
+        let mut arguments = match (&layer.tests, file) {
+            (Tests::OfModule, Some(file)) => vec![module_with_tests(file, tests)?],
+            (Tests::OfModule, None) => Vec::new(),
+            (Tests::Named(names), _) => names.iter().map(ToString::to_string).collect(),
+        };
+        for name in layer.without {
+            arguments.extend(["--skip".into(), (*name).into()]);
+        }
+        arguments.push("--test-threads=2".into());
+        Some(Job { program: path, folder, arguments })
+    }
+}
+
+impl Layer {
+    fn has(&self, test: &str) -> bool {
+        let is_named = |names: &[&str]| names.iter().any(|name| test.contains(name));
+        !is_named(self.without)
+            && match self.tests {
+                Tests::OfModule | Tests::Named([]) => true,
+                Tests::Named(names) => is_named(names),
+            }
+    }
+}
+
+fn list(path: &Path, folder: &Path) -> Result<Vec<String>, BuildError> {
+    let failed = |what: String| BuildError::List { path: path.to_path_buf(), what };
+    let output = Command::new(path).arg("--list").current_dir(folder).output();
+    let output = output.map_err(|error| failed(error.to_string()))?;
+    if !output.status.success() {
+        return Err(failed(output.status.to_string()));
+    }
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    Ok(text.lines().filter_map(|line| line.strip_suffix(": test")).map(ToOwned::to_owned).collect())
+}
+
+/// The module of a file, or the nearest one around it that has tests, as they begin. `None` at the root.
+fn module_with_tests(file: &str, tests: &[String]) -> Option<String> {
+    let path = file.strip_prefix("src/")?.strip_suffix(".rs")?;
+    let mut module = path.trim_end_matches("/mod").replace('/', "::");
+    loop {
+        let prefix = format!("{module}::");
+        if tests.iter().any(|test| test.starts_with(&prefix)) {
+            return Some(prefix);
+        }
+        module.truncate(module.rfind("::")?);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_module_with_tests_is_chosen() {
+        let tests = ["geom::kernel::exact::tests::a", "key::tests::b"].map(ToOwned::to_owned);
+        let module = |file| module_with_tests(file, &tests);
+        assert_eq!(module("src/geom/kernel/exact/sum.rs").as_deref(), Some("geom::kernel::exact::"));
+        assert_eq!(module("src/key/mod.rs").as_deref(), Some("key::"));
+        assert_eq!(module("src/oracle.rs"), None);
+    }
+
+    #[test]
+    fn no_test_is_in_two_layers_of_a_program() {
+        let of = |test: &str| LAYERS.iter().filter(|layer| layer.target == "library" && layer.has(test)).count();
+        for test in ["random::a", "exhaustive::a", "regressions::seeds_of", "regressions::what_fuzzing_has", "wide::a"] {
+            assert_eq!(of(test), 1, "{test}");
+        }
+        assert_eq!(of("bites::a"), 0);
+    }
+}

@@ -1,0 +1,179 @@
+//! Runs the layers for each bug.
+
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Duration;
+
+use crate::bug::Bug;
+use crate::copy;
+use crate::layers::{LAYERS, Layer, Programs};
+use crate::process::{self, End};
+use crate::table::{Found, Row, Table, Verdict};
+
+/// What to run.
+pub(crate) struct Plan {
+    pub(crate) choice: Choice,
+    pub(crate) every_layer: bool,
+    /// Most seconds of a layer.
+    pub(crate) seconds: Option<u64>,
+    pub(crate) json: Option<PathBuf>,
+}
+
+/// Which bugs.
+pub(crate) enum Choice {
+    Sample(usize),
+    Only(String),
+    All,
+}
+
+/// Where the copy is.
+pub(crate) fn copy_folder(root: &Path) -> PathBuf {
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
+    target.join("planted/tree")
+}
+
+impl Plan {
+    /// Returns whether all bugs were caught that must be, and no others.
+    pub(crate) fn run(&self, root: &Path, bugs: &[Bug]) -> Result<bool, Box<dyn Error>> {
+        let chosen = self.chosen(root, bugs)?;
+        if chosen.is_empty() {
+            return Err("no bug is chosen, expected at least one".into());
+        }
+        let copy = copy_folder(root);
+        copy::write(root, &copy, bugs)?;
+        let programs = Programs::build(&copy)?;
+        println!("built in {:.0} s", programs.seconds);
+        let control_seconds = control(&programs)?;
+        let mut layers: Vec<_> = LAYERS.iter().collect();
+        // The tests of the module stay first: each bug has few of them.
+        layers[1..].sort_by(|a, b| control_seconds[a.name].total_cmp(&control_seconds[b.name]));
+
+        let json = self.json.clone().or_else(|| self.writes_page().then(|| root.join("tests/planted/table.json")));
+        let mut table = Table { build_seconds: programs.seconds, control_seconds, rows: Vec::new() };
+        for (done, &number) in chosen.iter().enumerate() {
+            let bug = &bugs[number - 1];
+            let row = self.row(bug, number, &layers, &programs, &table.control_seconds)?;
+            println!("{}/{} {}", done + 1, chosen.len(), told(&row));
+            table.rows.push(row);
+            // After each bug, so that a run that is interrupted is not lost.
+            if let Some(json) = &json {
+                table.clone().completed(Table::read(json)?, bugs).write(json)?;
+            }
+        }
+        if self.writes_page() {
+            let all = table.clone().completed(Table::default(), bugs);
+            fs::write(root.join("tests/planted/README.md"), all.page())?;
+        }
+        Ok(judge(&table.rows))
+    }
+
+    fn writes_page(&self) -> bool {
+        matches!(self.choice, Choice::All)
+    }
+
+    /// The numbers of the bugs, from 1.
+    fn chosen(&self, root: &Path, bugs: &[Bug]) -> Result<Vec<usize>, Box<dyn Error>> {
+        let all = 1..=bugs.len();
+        Ok(match &self.choice {
+            Choice::All => all.collect(),
+            Choice::Only(text) => all.filter(|&number| has(&bugs[number - 1], text)).collect(),
+            Choice::Sample(count) => {
+                let commit = commit(root)?;
+                let mut numbers: Vec<_> = all.filter(|&number| bugs[number - 1].survives.is_none()).collect();
+                numbers.sort_by_key(|&number| hash(&format!("{commit} {}", bugs[number - 1].name)));
+                numbers.truncate(*count);
+                numbers
+            }
+        })
+    }
+
+    fn row(
+        &self,
+        bug: &Bug,
+        number: usize,
+        layers: &[&'static Layer],
+        programs: &Programs,
+        control: &BTreeMap<String, f64>,
+    ) -> Result<Row, Box<dyn Error>> {
+        let mut found = Vec::new();
+        for layer in layers {
+            let Some(job) = programs.job(layer, Some(&bug.file)) else { continue };
+            let usual = Duration::from_secs_f64(10.0 + 4.0 * control[layer.name]);
+            let (end, seconds) = process::run(&job, number, self.seconds.map_or(usual, Duration::from_secs))?;
+            let (verdict, by) = match end {
+                End::Passed(0) => return Err(format!("{}: layer {} ran no test", bug.place(), layer.name).into()),
+                End::Passed(_) => (Verdict::Survived, None),
+                End::Failed(test) => (Verdict::Caught, Some(test)),
+                End::TimedOut => (Verdict::Timeout, None),
+                End::OutOfMemory => (Verdict::Memory, None),
+            };
+            let seconds = (seconds * 100.0).round() / 100.0;
+            found.push(Found { layer: layer.name.to_owned(), verdict, by, seconds });
+            if verdict != Verdict::Survived && !self.every_layer {
+                break;
+            }
+        }
+        let Bug { name, clause, file, survives, .. } = bug.clone();
+        Ok(Row { bug: name, clause, file, survives, found })
+    }
+}
+
+/// Runs all layers without a bug. Returns the seconds of each.
+fn control(programs: &Programs) -> Result<BTreeMap<String, f64>, Box<dyn Error>> {
+    let mut seconds = BTreeMap::new();
+    for layer in &LAYERS {
+        let job = programs.job(layer, None).ok_or_else(|| format!("layer {} has no program", layer.name))?;
+        let (end, took) = process::run(&job, 0, Duration::from_hours(1))?;
+        match end {
+            End::Passed(count) if count > 0 => println!("without a bug: {}: {count} tests, {took:.1} s", layer.name),
+            end => return Err(format!("without a bug, layer {} must pass: {end:?}", layer.name).into()),
+        }
+        seconds.insert(layer.name.to_owned(), (took * 10.0).round() / 10.0);
+    }
+    Ok(seconds)
+}
+
+fn has(bug: &Bug, text: &str) -> bool {
+    let topic = bug.listed_in.file_stem().unwrap_or_default();
+    [&bug.name, &bug.clause, &bug.file].iter().any(|field| field.contains(text)) || topic == text
+}
+
+/// Says what was wrong. `true` if nothing was.
+fn judge(rows: &[Row]) -> bool {
+    let mut is_right = true;
+    for row in rows {
+        match (row.caught(), &row.survives) {
+            (None, None) => println!("SURVIVES: {} ({}, {})", row.bug, row.clause, row.file),
+            (Some(found), Some(_)) => println!("CAUGHT by {}, expected to survive: {}", found.layer, row.bug),
+            _ => continue,
+        }
+        is_right = false;
+    }
+    let caught = rows.iter().filter(|row| row.caught().is_some()).count();
+    println!("{} bugs, {caught} caught, {:.0} s", rows.len(), rows.iter().map(Row::seconds).sum::<f64>());
+    is_right
+}
+
+fn told(row: &Row) -> String {
+    let found = row.caught().map_or_else(
+        || "SURVIVES".to_owned(),
+        |found| format!("{} {}", found.layer, found.by.clone().unwrap_or_else(|| format!("{:?}", found.verdict))),
+    );
+    format!("{} ({}): {found}, {:.1} s", row.bug, row.clause, row.seconds())
+}
+
+fn commit(root: &Path) -> Result<String, Box<dyn Error>> {
+    let output = Command::new("git").args(["rev-parse", "HEAD"]).current_dir(root).output()?;
+    if !output.status.success() {
+        return Err(format!("git rev-parse HEAD: {}", String::from_utf8_lossy(&output.stderr).trim()).into());
+    }
+    Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
+
+/// FNV-1a, the same on every machine.
+fn hash(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
