@@ -56,7 +56,6 @@ pub(crate) struct Edit<'b> {
     new: &'b str,
     /// The text of which a second version is compiled.
     unit: Range<usize>,
-    constness: Option<Range<usize>>,
 }
 
 impl<'s> Source<'s> {
@@ -97,18 +96,13 @@ impl<'s> Source<'s> {
         };
         let edited = [&self.text[..at.start], &bug.new, &self.text[at.end..]].concat();
         syn::parse_file(&edited).map_err(|error| EditError::Result(error.to_string()))?;
-        Ok(Edit { number, at, new: &bug.new, unit, constness: function.constness.clone() })
+        Ok(Edit { number, at, new: &bug.new, unit })
     }
 
     /// The file with all edits compiled in.
     pub(crate) fn with(&self, edits: &[Edit<'_>]) -> String {
-        let mut replaced: Vec<(Range<usize>, String)> = Vec::new();
+        let mut replaced: Vec<_> = self.no_longer_const(edits).map(|range| (range, String::new())).collect();
         for edit in edits {
-            if let Some(constness) = &edit.constness
-                && !replaced.iter().any(|(range, _)| range == constness)
-            {
-                replaced.push((constness.clone(), String::new()));
-            }
             if !replaced.iter().any(|(range, _)| *range == edit.unit) {
                 let of_unit: Vec<_> = edits.iter().filter(|other| other.unit == edit.unit).collect();
                 replaced.push((edit.unit.clone(), self.choice(&edit.unit, &of_unit)));
@@ -127,6 +121,23 @@ impl<'s> Source<'s> {
         text + &self.text[done..]
     }
 
+    /// Where `const` stands of the edited functions, and of those in this file that call them.
+    fn no_longer_const(&self, edits: &[Edit<'_>]) -> impl Iterator<Item = Range<usize>> {
+        let is_edited = |it: &&Function| edits.iter().any(|edit| it.body.contains(&edit.at.start));
+        let mut dropped: Vec<_> = self.functions.iter().filter(is_edited).collect();
+        let mut next = 0;
+        while let Some(callee) = dropped.get(next).copied() {
+            next += 1;
+            for caller in self.functions.iter().filter(|it| it.constness.is_some()) {
+                let is_known = dropped.iter().any(|it| it.body == caller.body);
+                if !is_known && calls(&self.text[caller.body.clone()], &callee.names[0]) {
+                    dropped.push(caller);
+                }
+            }
+        }
+        dropped.into_iter().filter_map(|function| function.constness.clone())
+    }
+
     fn choice(&self, unit: &Range<usize>, edits: &[&Edit<'_>]) -> String {
         let mut text = String::from("{ match crate::planted::bug() {\n");
         for Edit { number, at, new, .. } in edits {
@@ -137,12 +148,20 @@ impl<'s> Source<'s> {
     }
 }
 
+/// Whether a body calls a function of this name, of whatever type.
+fn calls(body: &str, name: &str) -> bool {
+    body.match_indices(name).any(|(at, _)| {
+        let after = &body[at + name.len()..];
+        let is_word = body[..at].ends_with(|before: char| before.is_alphanumeric() || before == '_');
+        !is_word && (after.starts_with('(') || after.starts_with("::<"))
+    })
+}
+
 impl Edit<'_> {
     /// Whether this edit's text is nested in the other one's, so that only one of them could be compiled in.
     pub(crate) fn overlaps(&self, other: &Edit<'_>) -> bool {
         self.unit != other.unit && self.unit.start < other.unit.end && other.unit.start < self.unit.end
     }
-
 }
 
 struct Collector {
@@ -259,6 +278,15 @@ mod tests {
         assert_eq!(refusal(Some("f"), "x + 1", "x + 1"), Some(EditError::Unchanged));
         assert!(matches!(refusal(Some("f"), "x + 1", "x + "), Some(EditError::Result(_))));
         assert!(matches!(Source::parse("fn ("), Err(EditError::Source(_))));
+    }
+
+    #[test]
+    fn callers_of_edited_functions_are_no_longer_const() {
+        let file = "const fn f() -> u32 { 1 }\nconst fn g() -> u32 { f() }\nconst fn h() -> u32 { self_f() }\nconst fn self_f() -> u32 { 2 }\n";
+        let source = Source::parse(file).unwrap();
+        let bug = bug(Some("f"), "1", "2");
+        let text = source.with(&[source.edit(1, &bug).unwrap()]);
+        assert_eq!(text.matches("const fn").count(), 2, "{text}");
     }
 
     #[test]
