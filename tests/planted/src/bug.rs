@@ -66,8 +66,8 @@ impl Bug {
         let mut bugs = Vec::new();
         for path in files {
             let text = fs::read_to_string(&path).map_err(failed(&path))?;
-            let topic: Topic =
-                toml::from_str(&text).map_err(|source| ListError::Parse { path: path.clone(), source: source.into() })?;
+            let topic: Topic = toml::from_str(&text)
+                .map_err(|source| ListError::Parse { path: path.clone(), source: source.into() })?;
             bugs.extend(topic.bug.into_iter().map(|bug| Self { listed_in: path.clone(), ..bug }));
         }
         if bugs.is_empty() { Err(ListError::Empty(folder)) } else { Ok(bugs) }

@@ -37,7 +37,7 @@ const BATTERY: &[&str] = &["random::", "exhaustive::"];
 /// Bodies of the fuzz targets over seeds and findings.
 const FUZZ: &[&str] = &["regressions::seeds", "regressions::what_fuzzing"];
 
-/// All layers. Those with few tests come first; [`Programs`] sorts the rest by the time that they take.
+/// All layers, in the order in which they run: the fast ones first.
 pub(crate) const LAYERS: [Layer; 7] = [
     Layer {
         name: "module",
@@ -160,7 +160,8 @@ impl Programs {
         command.args(["--lib", "--test", "library", "--test", "suite", "--test", "harnesses"]);
         let mut child = command.stdout(Stdio::piped()).spawn().map_err(BuildError::Cargo)?;
         let mut programs = BTreeMap::new();
-        for line in child.stdout.take().into_iter().flat_map(|output| BufReader::new(output).lines()).map_while(Result::ok) {
+        let lines = child.stdout.take().into_iter().flat_map(|output| BufReader::new(output).lines());
+        for line in lines.map_while(Result::ok) {
             let Ok(Message { executable: Some(path), manifest_path: Some(manifest), target: Some(target) }) =
                 serde_json::from_str(&line)
             else {
@@ -185,13 +186,12 @@ impl Programs {
         Ok(programs)
     }
 
-    /// The tests that a layer runs for a bug in this file; `None` if the file's module has none. Without a file: all.
-    pub(crate) fn job(&self, layer: &Layer, file: Option<&str>) -> Option<Job<'_>> {
+    /// The tests that a layer runs for a bug in this file; `None` if the file's module has none.
+    pub(crate) fn job(&self, layer: &Layer, file: &str) -> Option<Job<'_>> {
         let Program { path, folder, tests } = self.programs.get(layer.target)?;
-        let mut arguments = match (&layer.tests, file) {
-            (Tests::OfModule, Some(file)) => vec![module_with_tests(file, tests)?],
-            (Tests::OfModule, None) => Vec::new(),
-            (Tests::Named(names), _) => names.iter().map(ToString::to_string).collect(),
+        let mut arguments = match layer.tests {
+            Tests::OfModule => vec![module_with_tests(file, tests)?],
+            Tests::Named(names) => names.iter().map(ToString::to_string).collect(),
         };
         for name in layer.without {
             arguments.extend(["--skip".into(), (*name).into()]);
@@ -252,7 +252,8 @@ mod tests {
     #[test]
     fn no_test_is_in_two_layers_of_a_program() {
         let of = |test: &str| LAYERS.iter().filter(|layer| layer.target == "library" && layer.has(test)).count();
-        for test in ["random::a", "exhaustive::a", "regressions::seeds_of", "regressions::what_fuzzing_has", "wide::a"] {
+        for test in ["random::a", "exhaustive::a", "regressions::seeds_of", "regressions::what_fuzzing_has", "wide::a"]
+        {
             assert_eq!(of(test), 1, "{test}");
         }
         assert_eq!(of("bites::a"), 0);

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use crate::bug::Bug;
 use crate::copy;
-use crate::layers::{LAYERS, Layer, Programs};
+use crate::layers::{Job, LAYERS, Layer, Programs};
 use crate::process::{self, End};
 use crate::table::{Found, Row, Table, Verdict};
 
@@ -46,18 +46,15 @@ impl Plan {
         copy::write(root, &copy, bugs)?;
         let programs = Programs::build(&copy)?;
         println!("built in {:.0} s", programs.seconds);
-        let control_seconds = control(&programs)?;
-        let mut layers: Vec<_> = LAYERS.iter().collect();
-        // The tests of the module stay first: each bug has few of them.
-        layers[1..].sort_by(|a, b| control_seconds[a.name].total_cmp(&control_seconds[b.name]));
-
+        let mut controls = Controls { programs: &programs, seconds: BTreeMap::new() };
         let json = self.json.clone().or_else(|| self.writes_page().then(|| root.join("tests/planted/table.json")));
-        let mut table = Table { build_seconds: programs.seconds, control_seconds, rows: Vec::new() };
+        let mut table = Table { build_seconds: programs.seconds.round(), ..Table::default() };
         for (done, &number) in chosen.iter().enumerate() {
             let bug = &bugs[number - 1];
-            let row = self.row(bug, number, &layers, &programs, &table.control_seconds)?;
+            let row = self.row(bug, number, &mut controls)?;
             println!("{}/{} {}", done + 1, chosen.len(), told(&row));
             table.rows.push(row);
+            table.control_seconds = controls.of_layers();
             // After each bug, so that a run that is interrupted is not lost.
             if let Some(json) = &json {
                 table.clone().completed(Table::read(json)?, bugs).write(json)?;
@@ -90,18 +87,11 @@ impl Plan {
         })
     }
 
-    fn row(
-        &self,
-        bug: &Bug,
-        number: usize,
-        layers: &[&'static Layer],
-        programs: &Programs,
-        control: &BTreeMap<String, f64>,
-    ) -> Result<Row, Box<dyn Error>> {
+    fn row(&self, bug: &Bug, number: usize, controls: &mut Controls<'_>) -> Result<Row, Box<dyn Error>> {
         let mut found = Vec::new();
-        for layer in layers {
-            let Some(job) = programs.job(layer, Some(&bug.file)) else { continue };
-            let usual = Duration::from_secs_f64(10.0 + 4.0 * control[layer.name]);
+        for layer in &LAYERS {
+            let Some(job) = controls.programs.job(layer, &bug.file) else { continue };
+            let usual = Duration::from_secs_f64(10.0 + 4.0 * controls.seconds(layer, &job)?);
             let (end, seconds) = process::run(&job, number, self.seconds.map_or(usual, Duration::from_secs))?;
             let (verdict, by) = match end {
                 End::Passed(0) => return Err(format!("{}: layer {} ran no test", bug.place(), layer.name).into()),
@@ -121,19 +111,41 @@ impl Plan {
     }
 }
 
-/// Runs all layers without a bug. Returns the seconds of each.
-fn control(programs: &Programs) -> Result<BTreeMap<String, f64>, Box<dyn Error>> {
-    let mut seconds = BTreeMap::new();
-    for layer in &LAYERS {
-        let job = programs.job(layer, None).ok_or_else(|| format!("layer {} has no program", layer.name))?;
-        let (end, took) = process::run(&job, 0, Duration::from_hours(1))?;
-        match end {
-            End::Passed(count) if count > 0 => println!("without a bug: {}: {count} tests, {took:.1} s", layer.name),
-            end => return Err(format!("without a bug, layer {} must pass: {end:?}", layer.name).into()),
+/// What layers do without a bug. Each runs before it is first asked about a bug.
+struct Controls<'p> {
+    programs: &'p Programs,
+    /// Seconds by layer and arguments.
+    seconds: BTreeMap<(&'static str, Vec<String>), f64>,
+}
+
+impl Controls<'_> {
+    /// The seconds of a job without a bug.
+    ///
+    /// # Errors
+    /// If a test fails, or none runs.
+    fn seconds(&mut self, layer: &'static Layer, job: &Job<'_>) -> Result<f64, Box<dyn Error>> {
+        let key = (layer.name, job.arguments.clone());
+        if let Some(&seconds) = self.seconds.get(&key) {
+            return Ok(seconds);
         }
-        seconds.insert(layer.name.to_owned(), (took * 10.0).round() / 10.0);
+        let (end, seconds) = process::run(job, 0, Duration::from_hours(2))?;
+        match end {
+            End::Passed(count) if count > 0 => println!("without a bug: {}: {count} tests, {seconds:.1} s", layer.name),
+            end => return Err(format!("without a bug, layer {} must pass, and ends so: {end:?}", layer.name).into()),
+        }
+        self.seconds.insert(key, seconds);
+        Ok(seconds)
     }
-    Ok(seconds)
+
+    /// The seconds of each layer that has run: of the slowest module, where modules are run one by one.
+    fn of_layers(&self) -> BTreeMap<String, f64> {
+        let mut layers = BTreeMap::<_, f64>::new();
+        for ((layer, _), seconds) in &self.seconds {
+            let slowest = layers.entry((*layer).to_owned()).or_default();
+            *slowest = slowest.max((seconds * 10.0).round() / 10.0);
+        }
+        layers
+    }
 }
 
 fn has(bug: &Bug, text: &str) -> bool {

@@ -152,7 +152,7 @@ const HEAD: &str = "# Bugs in the shipped code
 
 Each bug is one edit of the library's source: `tests/planted/*.toml`. All are compiled into one copy of the tree, and a variable of the
 environment chooses one when a test program starts. `cargo run -p planted -- run --all` writes this page and `table.json`.
-Layers run in the order of the time that they take, until one catches the bug.
+Layers run in the order of the first table, until one catches the bug.
 
 ";
 
