@@ -45,6 +45,8 @@ struct Function {
     body: Range<usize>,
     /// `const`, which a choice at run time rules out.
     constness: Option<Range<usize>>,
+    /// `#[inline(always)]`. If one function with several bodies were inlined into another, there would be copies for all pairs.
+    inline: Option<Range<usize>>,
     /// Expressions of the body, if the function returns `impl Trait`.
     expressions: Option<Vec<Range<usize>>>,
 }
@@ -101,7 +103,8 @@ impl<'s> Source<'s> {
 
     /// The file with all edits compiled in.
     pub(crate) fn with(&self, edits: &[Edit<'_>]) -> String {
-        let mut replaced: Vec<_> = self.no_longer_const(edits).map(|range| (range, String::new())).collect();
+        let dropped = self.no_longer_const(edits).chain(self.no_longer_inline(edits));
+        let mut replaced: Vec<_> = dropped.map(|range| (range, String::new())).collect();
         for edit in edits {
             if !replaced.iter().any(|(range, _)| *range == edit.unit) {
                 let of_unit: Vec<_> = edits.iter().filter(|other| other.unit == edit.unit).collect();
@@ -138,6 +141,11 @@ impl<'s> Source<'s> {
         dropped.into_iter().filter_map(|function| function.constness.clone())
     }
 
+    fn no_longer_inline(&self, edits: &[Edit<'_>]) -> impl Iterator<Item = Range<usize>> {
+        let is_edited = |it: &&Function| edits.iter().any(|edit| it.body.contains(&edit.at.start));
+        self.functions.iter().filter(is_edited).filter_map(|function| function.inline.clone())
+    }
+
     fn choice(&self, unit: &Range<usize>, edits: &[&Edit<'_>]) -> String {
         let mut text = String::from("{ match crate::planted::bug() {\n");
         for Edit { number, at, new, .. } in edits {
@@ -171,7 +179,7 @@ struct Collector {
 }
 
 impl Collector {
-    fn add(&mut self, signature: &syn::Signature, body: &syn::Block) {
+    fn add(&mut self, attributes: &[syn::Attribute], signature: &syn::Signature, body: &syn::Block) {
         let name = signature.ident.to_string();
         let qualified = self.owner.as_ref().map(|owner| format!("{owner}::{name}"));
         let mut hidden = Hidden(false);
@@ -184,6 +192,7 @@ impl Collector {
         self.functions.push(Function {
             names: [Some(name), qualified].into_iter().flatten().collect(),
             body: body.span().byte_range(),
+            inline: attributes.iter().find(|it| is_inline_always(it)).map(|it| it.span().byte_range()),
             constness: signature.constness.map(|token| token.span().byte_range()),
             expressions,
         });
@@ -202,16 +211,16 @@ impl<'ast> Visit<'ast> for Collector {
     }
 
     fn visit_item_fn(&mut self, item: &'ast syn::ItemFn) {
-        self.add(&item.sig, &item.block);
+        self.add(&item.attrs, &item.sig, &item.block);
     }
 
     fn visit_impl_item_fn(&mut self, item: &'ast syn::ImplItemFn) {
-        self.add(&item.sig, &item.block);
+        self.add(&item.attrs, &item.sig, &item.block);
     }
 
     fn visit_trait_item_fn(&mut self, item: &'ast syn::TraitItemFn) {
         if let Some(body) = &item.default {
-            self.add(&item.sig, body);
+            self.add(&item.attrs, &item.sig, body);
         }
     }
 
@@ -220,6 +229,10 @@ impl<'ast> Visit<'ast> for Collector {
             visit::visit_item_mod(self, item);
         }
     }
+}
+
+fn is_inline_always(attribute: &syn::Attribute) -> bool {
+    attribute.path().is_ident("inline") && attribute.parse_args::<syn::Ident>().is_ok_and(|how| how == "always")
 }
 
 /// Whether a type names `impl Trait`.
@@ -247,7 +260,7 @@ mod tests {
 
     use super::*;
 
-    const FILE: &str = "struct A;\nimpl A {\n    const fn f(x: u32) -> u32 {\n        x + 1\n    }\n    fn g(x: u32) -> u32 { x + 1 }\n}\n\
+    const FILE: &str = "struct A;\nimpl A {\n    const fn f(x: u32) -> u32 {\n        x + 1\n    }\n    #[inline(always)] fn g(x: u32) -> u32 { x + 1 }\n    #[inline(always)] fn k(x: u32) -> u32 { x * 3 }\n}\n\
         fn h(x: u32) -> impl Fn() -> u32 { move || x - 2 }\n";
 
     fn bug(function: Option<&str>, old: &str, new: &str) -> Bug {
@@ -292,13 +305,19 @@ mod tests {
     #[test]
     fn all_bugs_of_a_file_are_compiled_in() {
         let source = Source::parse(FILE).unwrap();
-        let bugs = [bug(Some("f"), "x + 1", "x"), bug(Some("f"), "+ 1", "- 1"), bug(None, "x - 2", "x - 3")];
+        let bugs = [
+            bug(Some("f"), "x + 1", "x"),
+            bug(Some("f"), "+ 1", "- 1"),
+            bug(None, "x - 2", "x - 3"),
+            bug(None, "x * 3", "x"),
+        ];
         let edits: Vec<_> = (1..).zip(&bugs).map(|(number, bug)| source.edit(number, bug).unwrap()).collect();
         let text = source.with(&edits);
         syn::parse_file(&text).unwrap();
         assert!(!text.contains("const fn"), "{text}");
         assert!(text.contains("1 => { {\n        x\n    } }") && text.contains("x - 1"), "{text}");
         assert!(text.contains("move || { match crate::planted::bug() {\n3 => { x - 3 }"), "{text}");
-        assert!(text.contains("fn g(x: u32) -> u32 { x + 1 }"), "{text}");
+        assert!(text.contains("#[inline(always)] fn g(x: u32) -> u32 { x + 1 }"), "{text}");
+        assert!(text.contains("\n     fn k(x: u32) -> u32 { match"), "{text}");
     }
 }
