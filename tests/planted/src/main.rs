@@ -40,9 +40,9 @@ enum Command {
         /// Run N bugs, chosen by the hash of the commit.
         #[arg(long, value_name = "N", conflicts_with_all = ["only", "all"])]
         sample: Option<usize>,
-        /// Run the bugs whose name, clause, file or topic has TEXT in it.
+        /// Run the bugs whose name or file has TEXT in it, or whose clause or topic it is. Can be given several times.
         #[arg(long, value_name = "TEXT", conflicts_with = "all")]
-        only: Option<String>,
+        only: Vec<String>,
         /// Run all bugs and write tests/planted/table.json and tests/planted/README.md. This is the default.
         #[arg(long)]
         all: bool,
@@ -94,10 +94,10 @@ fn execute(command: Command) -> Result<bool, Box<dyn std::error::Error>> {
             Ok(true)
         }
         Command::Run { sample, only, all: _, every_layer, seconds, json } => {
-            let choice = match (sample, only) {
-                (Some(count), _) => Choice::Sample(count),
-                (None, Some(text)) => Choice::Only(text),
-                (None, None) => Choice::All,
+            let choice = match sample {
+                Some(count) => Choice::Sample(count),
+                None if only.is_empty() => Choice::All,
+                None => Choice::Only(only),
             };
             Plan { choice, every_layer, seconds, json }.run(&root, &bugs)
         }

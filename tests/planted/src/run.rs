@@ -25,7 +25,7 @@ pub(crate) struct Plan {
 /// Which bugs.
 pub(crate) enum Choice {
     Sample(usize),
-    Only(String),
+    Only(Vec<String>),
     All,
 }
 
@@ -76,7 +76,9 @@ impl Plan {
         let all = 1..=bugs.len();
         Ok(match &self.choice {
             Choice::All => all.collect(),
-            Choice::Only(text) => all.filter(|&number| has(&bugs[number - 1], text)).collect(),
+            Choice::Only(texts) => {
+                all.filter(|&number| texts.iter().any(|text| has(&bugs[number - 1], text))).collect()
+            }
             Choice::Sample(count) => {
                 let commit = commit(root)?;
                 let mut numbers: Vec<_> = all.filter(|&number| bugs[number - 1].survives.is_none()).collect();
@@ -150,7 +152,7 @@ impl Controls<'_> {
 
 fn has(bug: &Bug, text: &str) -> bool {
     let topic = bug.listed_in.file_stem().unwrap_or_default();
-    [&bug.name, &bug.clause, &bug.file].iter().any(|field| field.contains(text)) || topic == text
+    [&bug.name, &bug.file].iter().any(|field| field.contains(text)) || bug.clause == text || topic == text
 }
 
 /// Says what was wrong. `true` if nothing was.
