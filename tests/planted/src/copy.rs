@@ -42,7 +42,12 @@ pub(crate) fn write(root: &Path, to: &Path, bugs: &[Bug]) -> Result<(), CopyErro
     let files = listed(root)?;
     for file in &files {
         let (from, to) = (root.join(file), to.join(file));
-        // Links and files that are deleted but not yet committed.
+        // A link stays one, as to a folder of the suite's files.
+        if let Ok(target) = fs::read_link(&from) {
+            link(&target, &to)?;
+            continue;
+        }
+        // A file that is deleted but not yet committed.
         if !from.is_file() {
             continue;
         }
@@ -89,6 +94,20 @@ fn put(path: &Path, content: &[u8]) -> Result<(), CopyError> {
         fs::create_dir_all(folder).map_err(failed(folder))?;
     }
     fs::write(path, content).map_err(failed(path))
+}
+
+fn link(target: &Path, path: &Path) -> Result<(), CopyError> {
+    if fs::read_link(path).is_ok_and(|old| old == target) {
+        return Ok(());
+    }
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder).map_err(failed(folder))?;
+    }
+    // What an earlier copy had there.
+    if path.is_file() {
+        fs::remove_file(path).map_err(failed(path))?;
+    }
+    std::os::unix::fs::symlink(target, path).map_err(failed(path))
 }
 
 /// Removes Rust files of earlier copies: a test that is left over could fail, or catch a bug.
