@@ -14,7 +14,7 @@ pub(crate) struct Layer {
     /// What the layer is, for the table.
     pub(crate) about: &'static str,
     /// Name of the program's target.
-    target: &'static str,
+    pub(crate) target: &'static str,
     tests: Tests,
     /// Tests that are not among them.
     without: &'static [&'static str],
@@ -37,13 +37,23 @@ const BATTERY: &[&str] = &["random::", "exhaustive::"];
 /// Bodies of the fuzz targets over seeds and findings.
 const FUZZ: &[&str] = &["regressions::seeds", "regressions::what_fuzzing"];
 
+/// The target that is built soonest: the library with its unit tests.
+pub(crate) const UNIT_TESTS: &str = "stackless_bvh";
+
 /// All layers, in the order in which they run: the fast ones first.
 pub(crate) const LAYERS: [Layer; 7] = [
     Layer {
         name: "module",
         about: "unit tests of the edited module",
-        target: "stackless_bvh",
+        target: UNIT_TESTS,
         tests: Tests::OfModule,
+        without: &[],
+    },
+    Layer {
+        name: "unit",
+        about: "all unit tests of the library",
+        target: UNIT_TESTS,
+        tests: Tests::Named(&[]),
         without: &[],
     },
     Layer {
@@ -73,13 +83,6 @@ pub(crate) const LAYERS: [Layer; 7] = [
         target: "library",
         tests: Tests::Named(FUZZ),
         without: NOT_OF_THE_LIBRARY,
-    },
-    Layer {
-        name: "unit",
-        about: "all unit tests of the library",
-        target: "stackless_bvh",
-        tests: Tests::Named(&[]),
-        without: &[],
     },
     Layer {
         name: "library",
@@ -151,13 +154,16 @@ fn cargo(copy: &Path) -> Command {
 }
 
 impl Programs {
-    /// Builds all test programs of the copy, once.
-    pub(crate) fn build(copy: &Path) -> Result<Self, BuildError> {
+    /// Builds test programs of the copy, once: all, or the unit tests only.
+    pub(crate) fn build(copy: &Path, only_unit_tests: bool) -> Result<Self, BuildError> {
         let began = Instant::now();
         let mut command = cargo(copy);
         command.args(["test", "--no-run", "--quiet", "--message-format=json-render-diagnostics", "--all-features"]);
-        command.args(["-p", "stackless-bvh", "-p", "stackless-suite", "-p", "proofs"]);
-        command.args(["--lib", "--test", "library", "--test", "suite", "--test", "harnesses"]);
+        command.args(["-p", "stackless-bvh", "--lib"]);
+        if !only_unit_tests {
+            command.args(["-p", "stackless-suite", "-p", "proofs"]);
+            command.args(["--test", "library", "--test", "suite", "--test", "harnesses"]);
+        }
         let mut child = command.stdout(Stdio::piped()).spawn().map_err(BuildError::Cargo)?;
         let mut programs = BTreeMap::new();
         let lines = child.stdout.take().into_iter().flat_map(|output| BufReader::new(output).lines());
@@ -177,13 +183,20 @@ impl Programs {
             program.tests = list(&program.path, &program.folder)?;
         }
         let programs = Self { programs, seconds: began.elapsed().as_secs_f64() };
-        for layer in &LAYERS {
+        for layer in LAYERS.iter().filter(|layer| !only_unit_tests || layer.target == UNIT_TESTS) {
             let program = programs.programs.get(layer.target).ok_or(BuildError::Missing(layer.target))?;
             if !program.tests.iter().any(|test| layer.has(test)) {
                 return Err(BuildError::Empty(layer.name));
             }
         }
         Ok(programs)
+    }
+
+    /// One test of a layer.
+    pub(crate) fn one(&self, layer: &Layer, test: &str) -> Option<Job<'_>> {
+        let Program { path, folder, tests } = self.programs.get(layer.target)?;
+        let arguments = vec![test.to_owned(), "--exact".to_owned()];
+        tests.iter().any(|known| known == test).then_some(Job { program: path, folder, arguments })
     }
 
     /// The tests that a layer runs for a bug in this file; `None` if the file's module has none.

@@ -37,7 +37,7 @@ enum Command {
     ///
     /// Exits with 1 if a bug survives that must be caught, if one is caught that must survive, or if a check fails without a bug.
     Run {
-        /// Run N bugs, chosen by the hash of the commit.
+        /// Run N bugs, chosen by the hash of the commit among those that unit tests have caught: only these are built.
         #[arg(long, value_name = "N", conflicts_with_all = ["only", "all"])]
         sample: Option<usize>,
         /// Run the bugs whose name or file has TEXT in it, or whose clause or topic it is. Can be given several times.

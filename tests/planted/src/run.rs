@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use crate::bug::Bug;
 use crate::copy;
-use crate::layers::{Job, LAYERS, Layer, Programs};
+use crate::layers::{Job, LAYERS, Layer, Programs, UNIT_TESTS};
 use crate::process::{self, End};
 use crate::table::{Found, Row, Table, Verdict};
 
@@ -44,14 +44,23 @@ impl Plan {
         }
         let copy = copy_folder(root);
         copy::write(root, &copy, bugs)?;
-        let programs = Programs::build(&copy)?;
+        let programs = Programs::build(&copy, matches!(self.choice, Choice::Sample(_)))?;
         println!("built in {:.0} s", programs.seconds);
         let mut controls = Controls { programs: &programs, seconds: BTreeMap::new() };
-        let json = self.json.clone().or_else(|| self.writes_page().then(|| root.join("tests/planted/table.json")));
+        let kept = root.join("tests/planted/table.json");
+        let earlier = Table::read(&kept)?;
+        let json = self.json.clone().or_else(|| self.writes_page().then_some(kept));
         let mut table = Table { build_seconds: programs.seconds.round(), ..Table::default() };
         for (done, &number) in chosen.iter().enumerate() {
             let bug = &bugs[number - 1];
-            let row = self.row(bug, number, &mut controls)?;
+            let row = match earlier.caught(&bug.name).filter(|_| !self.every_layer) {
+                Some((layer, test)) => caught_again(bug, number, layer, test, &mut controls)?,
+                None => None,
+            };
+            let row = match row {
+                Some(row) => row,
+                None => self.row(bug, number, &mut controls)?,
+            };
             println!("{}/{} {}", done + 1, chosen.len(), told(&row));
             table.rows.push(row);
             table.control_seconds = controls.of_layers();
@@ -81,7 +90,9 @@ impl Plan {
             }
             Choice::Sample(count) => {
                 let commit = commit(root)?;
-                let mut numbers: Vec<_> = all.filter(|&number| bugs[number - 1].survives.is_none()).collect();
+                let table = Table::read(&root.join("tests/planted/table.json"))?;
+                let by_unit_test = |name: &str| table.caught(name).is_some_and(|(layer, _)| layer.target == UNIT_TESTS);
+                let mut numbers: Vec<_> = all.filter(|&number| by_unit_test(&bugs[number - 1].name)).collect();
                 numbers.sort_by_key(|&number| hash(&format!("{commit} {}", bugs[number - 1].name)));
                 numbers.truncate(*count);
                 numbers
@@ -102,15 +113,39 @@ impl Plan {
                 End::TimedOut => (Verdict::Timeout, None),
                 End::OutOfMemory => (Verdict::Memory, None),
             };
-            let seconds = (seconds * 100.0).round() / 100.0;
-            found.push(Found { layer: layer.name.to_owned(), verdict, by, seconds });
+            found.push(Found { layer: layer.name.to_owned(), verdict, by, seconds: hundredths(seconds) });
             if verdict != Verdict::Survived && !self.every_layer {
                 break;
             }
         }
-        let Bug { name, clause, file, survives, .. } = bug.clone();
-        Ok(Row { bug: name, clause, file, survives, found })
+        Ok(Row::new(bug, found))
     }
+}
+
+/// The row of a bug, if the test that has caught it before does so again: that is sooner known than what its whole layer says.
+fn caught_again(
+    bug: &Bug,
+    number: usize,
+    layer: &'static Layer,
+    test: &str,
+    controls: &mut Controls<'_>,
+) -> Result<Option<Row>, Box<dyn Error>> {
+    let Some(job) = controls.programs.one(layer, test) else { return Ok(None) };
+    let limit = Duration::from_secs_f64(10.0 + 4.0 * controls.seconds(layer, &job)?);
+    let (end, seconds) = process::run(&job, number, limit)?;
+    let verdict = match end {
+        End::Passed(_) => return Ok(None),
+        End::Failed(_) => Verdict::Caught,
+        End::TimedOut => Verdict::Timeout,
+        End::OutOfMemory => Verdict::Memory,
+    };
+    let found =
+        Found { layer: layer.name.to_owned(), verdict, by: Some(test.to_owned()), seconds: hundredths(seconds) };
+    Ok(Some(Row::new(bug, vec![found])))
+}
+
+fn hundredths(seconds: f64) -> f64 {
+    (seconds * 100.0).round() / 100.0
 }
 
 /// What layers do without a bug. Each runs before it is first asked about a bug.

@@ -9,7 +9,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use crate::bug::Bug;
-use crate::layers::LAYERS;
+use crate::layers::{LAYERS, Layer};
 
 /// The results of all bugs that were run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -56,6 +56,11 @@ pub(crate) enum Verdict {
 }
 
 impl Row {
+    pub(crate) fn new(bug: &Bug, found: Vec<Found>) -> Self {
+        let Bug { name, clause, file, survives, .. } = bug.clone();
+        Self { bug: name, clause, file, survives, found }
+    }
+
     /// The first layer that catches the bug.
     pub(crate) fn caught(&self) -> Option<&Found> {
         self.found.iter().find(|found| found.verdict != Verdict::Survived)
@@ -75,6 +80,13 @@ impl Table {
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(Self::default()),
             Err(error) => Err(error),
         }
+    }
+
+    /// The layer and the test that have caught a bug.
+    pub(crate) fn caught(&self, bug: &str) -> Option<(&'static Layer, &str)> {
+        let found = self.rows.iter().find(|row| row.bug == bug)?.caught()?;
+        let layer = LAYERS.iter().find(|layer| layer.name == found.layer)?;
+        Some((layer, found.by.as_deref()?))
     }
 
     pub(crate) fn write(&self, path: &Path) -> io::Result<()> {
