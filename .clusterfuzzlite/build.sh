@@ -3,7 +3,6 @@
 # OSS-Fuzz. Not run yet.
 cd "$SRC/stackless-bvh"
 cargo fuzz build -O --debug-assertions
-# Planted bugs are no targets, and have no seeds.
 for target in $(ls fuzz/seeds); do
     cp "fuzz/target/x86_64-unknown-linux-gnu/release/$target" "$OUT/"
     # Inputs that were found count as seeds.

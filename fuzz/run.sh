@@ -6,8 +6,6 @@
 #   smoke [SECONDS]         every target for 3,000 executions or 30 s (150 with a sanitizer), two at a time: what CI runs. Fewer than 200 of
 #                           them are a failure: a target that does next to nothing would find nothing
 #   rates [SECONDS]         every target for 60 s (or so many), one at a time: executions per second
-#   planted [SECONDS]       every planted bug from an empty corpus, for 60 s (or so many) at most: each must be found;
-#                           SAMPLE=N: N of them, a different sample for each commit; UPDATE=1 writes the column of tests/PLANTED.md anew
 #   long TARGET SECONDS     two processes that share a corpus, and go on after a finding
 #   minimise TARGET [FILE]  with a file: the smallest input that fails the same way; else the fewest inputs that cover as much
 #   coverage [FOLDER...]    lines of the core that seeds, regressions and corpora (or these) reach; needs llvm-22
@@ -116,69 +114,6 @@ each() {
     targets | xargs -P "$2" -I{} bash -c 'set -euo pipefail; "$@"' - "$1" {} "$3"
 }
 
-# A planted bug, and after how many executions it is found, in what time of the processor. The same seed and one process make the
-# same executions.
-find_planted() {
-    local bug=$1 seconds=$2 folder executions took TIMEFORMAT=%U
-    folder=$(mktemp -d)
-    mkdir "$folder/corpus"
-    if took=$({ time PLANTED=$bug "$binaries/planted" -seed=1 "-max_total_time=$seconds" -timeout=30 -rss_limit_mb=2048 \
-        -max_len=4096 -exact_artifact_path=/dev/null -print_final_stats=1 "$folder/corpus" > "$folder/log" 2>&1; } 2>&1); then
-        echo "$bug | not found in $seconds s"
-    elif ! grep -q 'panicked at src/planted.rs' "$folder/log"; then
-        echo "$bug | not found, but: $(grep -a -m 1 -e 'panicked at' -e 'ERROR:' "$folder/log")"
-    else
-        executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")
-        took=${took%.*}
-        echo "$bug | $executions, $((took < 1 ? 1 : took < 10 ? 10 : 60)) s"
-    fi
-    rm -r "$folder"
-}
-
-# Prints all lines; with SAMPLE, that many, chosen by the commit.
-sample() {
-    if [[ -z ${SAMPLE:-} ]]; then
-        cat
-    else
-        shuf -n "$SAMPLE" --random-source=<(yes "$(git rev-parse HEAD)")
-    fi
-}
-
-# The lines of tests/PLANTED.md that have the column, with the bug's name as it is called here: `LINE | NAME | CELL`.
-planted_column() {
-    awk -F ' [|] ' '
-        /^## / { layer = $0 == "## Traversals" ? "" : tolower(substr($0, 4)) ": "; column = 0 }
-        /^[|] / && !column { for (i = 1; i <= NF; i++) if ($i == "fuzz") column = i; if (!column) column = -1; next }
-        /^[|] / && column > 0 { print NR " | " layer substr($1, 3) " | " $column }' ../tests/PLANTED.md
-}
-
-planted() {
-    local seconds=$1 names rows
-    names=$("$binaries/planted" 2> /dev/null)
-    export binaries
-    export -f find_planted
-    rows=$(sed -n 's/^bug //p' <<< "$names" | { grep "${ONLY:-}" || true; } | sample |
-        xargs -d '\n' -P 2 -I{} bash -c 'set -euo pipefail; find_planted "$1" '"$seconds" - {})
-    if [[ -n ${UPDATE:-} ]]; then
-        awk -F ' [|] ' -v OFS=' | ' '
-            FILENAME == ARGV[1] { found[$1] = $2; next }
-            FILENAME == ARGV[2] { if ($2 in found) cell[$1] = found[$2]; next }
-            FNR in cell { $4 = cell[FNR] }
-            { print }' <(echo "$rows") <(planted_column) ../tests/PLANTED.md > ../tests/PLANTED.md.new
-        mv ../tests/PLANTED.md.new ../tests/PLANTED.md
-    fi
-    if [[ -z $rows ]] || grep 'not found' <<< "$rows"; then
-        return 1
-    fi
-    # How many executions it takes moves with every change of the library; that each was found does not.
-    diff <(sed -n 's/^bug //p' <<< "$names") <(planted_column | awk -F ' [|] ' '$3 ~ /^[0-9]+, / { print $2 }')
-    # Those without a bug.
-    sed -n 's/^control //p' <<< "$names" | xargs -d '\n' -P 2 -I{} bash -c '
-        PLANTED=$1 "$binaries/planted" -seed=1 -max_total_time=5 -max_len=4096 -exact_artifact_path=/dev/null > /dev/null 2>&1 ||
-            { echo "$1: not clean"; exit 1; }' - {}
-    echo "$(wc -l <<< "$rows") of $(grep -c '^bug ' <<< "$names") planted bugs looked for, all found; the controls are clean for 5 s"
-}
-
 case ${1:-} in
     smoke)
         build
@@ -188,10 +123,6 @@ case ${1:-} in
     rates)
         build
         each fuzz 1 "${2:-60}"
-        ;;
-    planted)
-        build planted
-        planted "${2:-60}"
         ;;
     long)
         build "$2"
@@ -236,7 +167,7 @@ case ${1:-} in
         cargo +nightly run --example seeds -- seeds
         ;;
     *)
-        sed -n 's/^# \{0,1\}//; 2,16p' "${BASH_SOURCE[0]##*/}" >&2
+        sed -n 's/^# \{0,1\}//; 2,14p' "${BASH_SOURCE[0]##*/}" >&2
         exit 2
         ;;
 esac

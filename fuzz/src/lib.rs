@@ -9,7 +9,6 @@ mod files;
 mod geometry;
 mod hierarchies;
 mod keys;
-pub mod planted;
 mod suite;
 mod traversals;
 mod wide;

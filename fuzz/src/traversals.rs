@@ -184,7 +184,7 @@ pub(crate) fn check(case: &Case, methods: &[Method]) {
 
 /// A tree of up to 32 leaves under a tape: both drawn, or those of a seed, so that two bytes are enough for intervals
 /// within intervals.
-pub(crate) fn small_case(bytes: &[u8]) -> Case {
+fn small_case(bytes: &[u8]) -> Case {
     let mut source = Unstructured::new(bytes);
     match source.below(4) {
         1 => Case::random(source.below(1 << 16), CaseOptions::default()),

@@ -1,4 +1,6 @@
-//! Planted bugs: one change of text each, which the comparison has to see. They are listed with those of the library.
+//! Planted bugs: one change of text each, which the comparison has to see.
+
+mod shaders;
 
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::trace::BinaryTracer;
@@ -10,7 +12,7 @@ use crate::tapes::wide::WideBatch;
 use crate::tapes::{self, Batch, Searches};
 use crate::{Gpu, GpuError, probe, rays};
 
-pub use stackless_check::planted::{SHADERS, Shader, ShownBy};
+pub use shaders::{SHADERS, Shader, ShownBy};
 
 /// The mistakes that are shown by one of the tests.
 pub fn shown_by(by: ShownBy) -> impl Iterator<Item = &'static Shader> {

@@ -2,7 +2,7 @@
 //!
 //! A new traversal is a file for its cursor beside this one, and a row here. From the row come its name, help and
 //! documentation, what is made for it beside a tree, and the cursor wherever a traversal is chosen when the program
-//! runs: the ray tracer, the battery in all words, the planted bugs, the pages of `explain`, the benchmarks.
+//! runs: the ray tracer, the battery in all words, the pages of `explain`, the benchmarks.
 //! `tests/toy` shows it.
 
 use super::method::{Kind, Need, Row, Test, Words};

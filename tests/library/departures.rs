@@ -3,16 +3,23 @@
 //!
 //! The cases are found anew by `UPDATE=1 cargo test --test library departures`.
 
+mod implicit;
+mod machine;
+
 use std::fs;
 use std::path::PathBuf;
 
 use stackless_bvh::generate::{Cell, Exhaustive, Family, Kind, Rng, Source, Tape, shape};
 use stackless_bvh::hash::{BuildError, KeySet, Options, PerfectHash, Sizing};
-use stackless_bvh::traverse::{Method, WordName};
-use stackless_bvh::tree::{Node, Reach, Tree};
+use stackless_bvh::order::{ByNode, Descent, FixedOrder, SignOrder, Whole};
+use stackless_bvh::traverse::{Cursor, Hapala, Method, Test, WordName, traverse_pruned};
+use stackless_bvh::tree::{Linked, Node, Reach, Topology, Tree};
 use stackless_bvh::{swap, trail};
-use stackless_check::planted::{self, Planted};
-use stackless_check::{Battery, Case, Replay, Verdict, shrink};
+use stackless_check::{Battery, Case, CaseOptions, Fault, Replay, Verdict, shrink};
+
+use crate::disjoint::{self, Marks};
+use implicit::{Implicit, Reading};
+use machine::{Machine, Slip};
 
 /// Where the smallest case is looked for.
 #[derive(Clone, Copy)]
@@ -25,51 +32,100 @@ enum Among {
     Random(Kind),
 }
 
+/// What is printed.
+#[derive(Clone, Copy, Debug)]
+enum Printed {
+    /// Algorithm 1 of Binder & Keller 2016.
+    Algorithm1(Slip),
+    /// The same with the second trail of Section 2.3.
+    SecondTrail(Slip),
+    /// Algorithm 2 of Barringer & Akenine-Möller 2013.
+    Algorithm2(Reading),
+    /// Hapala's traversal, whose first visit is that of the root's near child.
+    RootUntested,
+    /// A search that says *found* wherever the best hit is, also beyond its leaf's end.
+    FoundBeyondEnd,
+}
+
+impl Printed {
+    /// The reference that it is compared with.
+    const fn test(self) -> Test {
+        match self {
+            Self::Algorithm1(_) | Self::Algorithm2(_) => Test::Children,
+            Self::SecondTrail(_) | Self::FoundBeyondEnd => Test::Disjoint,
+            Self::RootUntested => Test::NodeBySign,
+        }
+    }
+
+    /// How it differs from its reference over a case; `None` if it does not.
+    fn fault(self, case: &Case) -> Option<Fault> {
+        let (tree, tape) = (&case.tree, &case.tape);
+        let verdict = Battery::new(case, &[]).judge(self.test(), false, |search, watch, _, _| {
+            match self {
+                Self::Algorithm1(slip) => {
+                    traverse_pruned(Machine::<false>::new(tree, tape, slip), search, watch);
+                }
+                Self::SecondTrail(slip) => {
+                    traverse_pruned(Machine::<true>::new(tree, tape, slip), search, watch);
+                }
+                Self::Algorithm2(reading) => {
+                    traverse_pruned(Implicit::new(tree, tape, reading), search, watch);
+                }
+                Self::RootUntested => {
+                    let order = SignOrder { axes: tape.axes(), octant: case.octant };
+                    let linked = Linked::parents(tree);
+                    let mut hapala = Hapala::new(&linked, order)?;
+                    if !tree.root().is_leaf() {
+                        hapala.descend(Descent::both(order.first(tree.root())));
+                    }
+                    traverse_pruned(hapala, &mut Whole(ByNode { test: search, order }), watch);
+                }
+                Self::FoundBeyondEnd => disjoint::traverse(case, search, Marks::BeyondEnd, watch)?,
+            }
+            Ok(())
+        });
+        if let Verdict::Differs(fault) = verdict { Some(fault) } else { None }
+    }
+}
+
 struct Departure {
     id: &'static str,
-    /// What is printed, as a planted bug.
-    printed: &'static str,
+    printed: Printed,
     among: Among,
 }
 
-const fn departure(id: &'static str, printed: &'static str, among: Among) -> Departure {
+const fn departure(id: &'static str, printed: Printed, among: Among) -> Departure {
     Departure { id, printed, among }
 }
 
 const DEPARTURES: [Departure; 12] = [
-    departure("D-1", "Algorithm 1 of H: ClosestOfMissed", Among::Small(3)),
-    departure("D-3", "Algorithm 1 of H: DanglingElse", Among::Small(6)),
-    departure("D-4", "Algorithm 1 of H: DoneIsMinusOne", Among::Small(3)),
-    departure("D-7", "Algorithm 1 of H: AnyDepth", Among::Chains),
-    departure("D-10", "Algorithm 2 of J: MaskOfRejected", Among::Small(3)),
-    departure("D-11", "Algorithm 2 of J: Combined", Among::Chains),
-    departure("D-14", "Algorithm 2 of J: AnyDepth", Among::Chains),
-    departure("D-15", "hapala: the root untested", Among::Small(3)),
-    departure("D-19", "second trail: MaskInverted", Among::Random(Kind::Intervals)),
-    departure("D-20", "second trail: FillBeforeMask", Among::Random(Kind::Intervals)),
-    departure("D-21", "FoundBeyondEnd", Among::Random(Kind::Clipped)),
-    departure("D-22", "resumed: NoGuard", Among::Random(Kind::Intervals)),
+    departure("D-1", Printed::Algorithm1(Slip::ClosestOfMissed), Among::Small(3)),
+    departure("D-3", Printed::Algorithm1(Slip::DanglingElse), Among::Small(6)),
+    departure("D-4", Printed::Algorithm1(Slip::DoneIsMinusOne), Among::Small(3)),
+    departure("D-7", Printed::Algorithm1(Slip::AnyDepth), Among::Chains),
+    departure("D-10", Printed::Algorithm2(Reading::MaskOfRejected), Among::Small(3)),
+    departure("D-11", Printed::Algorithm2(Reading::Combined), Among::Chains),
+    departure("D-14", Printed::Algorithm2(Reading::AnyDepth), Among::Chains),
+    departure("D-15", Printed::RootUntested, Among::Small(3)),
+    departure("D-19", Printed::SecondTrail(Slip::MaskInverted), Among::Random(Kind::Intervals)),
+    departure("D-20", Printed::SecondTrail(Slip::FillBeforeMask), Among::Random(Kind::Intervals)),
+    departure("D-21", Printed::FoundBeyondEnd, Among::Random(Kind::Clipped)),
+    departure("D-22", Printed::SecondTrail(Slip::NoGuard), Among::Random(Kind::Intervals)),
 ];
 
 impl Departure {
-    /// What is printed.
-    fn bug(&self) -> Planted {
-        let bug = planted::all().into_iter().find(|bug| bug.name() == self.printed);
-        bug.unwrap_or_else(|| panic!("{}: no bug is named {}", self.id, self.printed))
-    }
-
     /// The first case that goes wrong, smaller ones first.
     fn smallest(&self) -> Case {
-        let bug = self.bug();
+        let printed = self.printed;
         let found = match self.among {
-            Among::Small(leaves) => (1..=leaves).find_map(|leaves| first(&bug, leaves)),
-            Among::Chains => chains().find(|case| bug.fault(case).is_some()),
+            Among::Small(leaves) => (1..=leaves).find_map(|leaves| first(printed, leaves)),
+            Among::Chains => chains().find(|case| printed.fault(case).is_some()),
             Among::Random(kind) => (0..2000)
                 .filter_map(|seed| {
                     let mut rng = Rng::new(seed);
                     let tree = Family::ALL[seed as usize % Family::ALL.len()].tree(&mut rng, 2 + seed as u32 % 12);
                     let case = Case { any: false, ..Case::with_tree(tree, kind, &mut rng) };
-                    let fails = |case: &Case| bug.fault(case).is_some();
+                    let fails = |case: &Case| printed.fault(case).is_some();
                     fails(&case).then(|| shrink(case, fails))
                 })
                 .min_by_key(Case::size),
@@ -79,11 +135,11 @@ impl Departure {
 }
 
 /// The first case of so many leaves that goes wrong.
-fn first(bug: &Planted, leaves: u32) -> Option<Case> {
+fn first(printed: Printed, leaves: u32) -> Option<Case> {
     let mut all = Exhaustive::new();
     while all.next_case() {
         let case = small(&mut all, leaves);
-        if bug.fault(&case).is_some() {
+        if printed.fault(&case).is_some() {
             return Some(case);
         }
     }
@@ -140,17 +196,17 @@ fn file(id: &str) -> PathBuf {
 #[test]
 fn what_is_printed_goes_wrong_where_the_file_says() {
     for departure in DEPARTURES {
-        let (id, bug) = (departure.id, departure.bug());
+        let Departure { id, printed, .. } = departure;
         if std::env::var_os("UPDATE").is_some() {
             let case = departure.smallest();
-            let fault = bug.fault(&case).expect("a fault");
+            let fault = printed.fault(&case).expect("a fault");
             let replay =
                 Replay { methods: Vec::new(), word: None, ..Replay::of(&case, Method::Stack, WordName::U64, &fault) };
             fs::write(file(id), serde_json::to_string_pretty(&replay).expect("text") + "\n").expect("a file");
         }
         let replay = Replay::load(&file(id)).unwrap_or_else(|error| panic!("{id}: {error}"));
         let case = replay.case().expect("a case");
-        let fault = bug.fault(&case).map(|fault| fault.to_string());
+        let fault = printed.fault(&case).map(|fault| fault.to_string());
         assert!(fault.is_some(), "{id}: what is printed is right");
         assert_eq!(fault, replay.fault, "{id}");
 
@@ -167,22 +223,46 @@ fn what_is_printed_goes_wrong_where_the_file_says() {
 #[test]
 fn no_smaller_case_does() {
     for departure in DEPARTURES {
-        let bug = departure.bug();
+        let printed = departure.printed;
         let case = Replay::load(&file(departure.id)).expect("a replay").case().expect("a case");
         match departure.among {
             Among::Small(_) => {
                 let leaves = (case.size() as u32).div_ceil(2);
                 for fewer in (1..leaves).take_while(|&fewer| fewer <= 5) {
-                    assert_eq!(first(&bug, fewer), None, "{}", departure.id);
+                    assert_eq!(first(printed, fewer), None, "{}", departure.id);
                 }
             }
             Among::Chains => {
                 let mut shallower = chains().take_while(|chain| chain.size() < case.size());
-                assert!(shallower.all(|chain| bug.fault(&chain).is_none()), "{}", departure.id);
+                assert!(shallower.all(|chain| printed.fault(&chain).is_none()), "{}", departure.id);
             }
             Among::Random(_) => assert!(case.size() <= 9, "{}: {}", departure.id, case.size()),
         }
     }
+}
+
+/// A case that shows a fault is made small, and comes back from a file with its fault.
+#[test]
+fn a_found_case_is_made_small() {
+    let printed = Printed::Algorithm1(Slip::DoneIsMinusOne);
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("case.json");
+    let mut count = 0;
+    for case in (0..40).map(|seed| Case::random(seed, CaseOptions::default())) {
+        if printed.fault(&case).is_none() {
+            continue;
+        }
+        count += 1;
+        let small = shrink(case, |case| printed.fault(case).is_some());
+        let fault = printed.fault(&small).expect("a fault");
+        assert!(small.size() <= 9, "{}: {fault}", small.size());
+        let replay = Replay::of(&small, Method::Stack, WordName::U64, &fault);
+        fs::write(&file, serde_json::to_string(&replay).expect("text")).expect("a file");
+        let again = Replay::load(&file).expect("a replay");
+        assert_eq!(again.fault, Some(fault.to_string()));
+        assert_eq!(again.case().expect("a case"), small);
+    }
+    assert!(count > 5, "{count}");
 }
 
 /// What is no case of a tree: addresses that are shared, numbers, sizes.

@@ -3,12 +3,14 @@
 use glam::Vec3;
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::{procedural, stress};
-use stackless_bvh::geom::{Mesh, Ray};
+use stackless_bvh::geom::kernel::{Exact, Exact64};
+use stackless_bvh::geom::slabs::{Directed, Wide};
+use stackless_bvh::geom::{Kernel, Mesh, Ray, Slabs, Triangle, Vector};
 use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, LeftOrder, SignOrder};
 use stackless_bvh::trace::{Accuracy, Closest, ClosestByNode, Hit, KernelName, SlabsName, Truth};
-use stackless_bvh::traverse::Method;
-use stackless_check::{Stress, check_boxes};
+use stackless_bvh::traverse::{Method, WordName};
+use stackless_check::{CaseOptions, Plan, SceneTree, Stress, check_boxes, check_scene};
 
 /// [BOX-2]
 #[test]
@@ -89,5 +91,63 @@ fn the_answer_does_not_depend_on_tree_and_order() {
             }
         }
         assert!((100..750).contains(&hits), "{hits} of 800 rays hit");
+    }
+}
+
+/// A hierarchy cannot be damaged through the public interface, but it can be that of another mesh.
+#[test]
+fn a_hierarchy_that_does_not_hold_the_mesh() {
+    let mesh = procedural::soup(3, 400);
+    let rays = procedural::rays(&mesh, 1, 300);
+    other_meshes_are_seen::<Exact, Directed, _>(&mesh, &rays, |vertex| vertex * 1.001);
+
+    let far = |v: Vec3| v.as_dvec3() + 6.4e6;
+    let vertices = mesh.vertices().iter().map(|&vertex| far(vertex)).collect();
+    let moved = Mesh::new(vertices, mesh.triangles().to_vec()).unwrap();
+    let ray = |ray: &Ray| Ray::new(far(ray.origin()), ray.direction().as_dvec3()).unwrap();
+    let rays: Vec<_> = rays.iter().map(ray).collect();
+    other_meshes_are_seen::<Exact64, Wide, _>(&moved, &rays, |vertex| vertex + 0.001);
+}
+
+fn other_meshes_are_seen<K, B, V>(mesh: &Mesh<V>, rays: &[Ray<V>], away: impl Fn(V) -> V)
+where
+    K: Kernel<Vector = V, Shape = Triangle<V>>,
+    B: Slabs<Vector = V>,
+    V: Vector,
+{
+    let plan = Plan {
+        trees: 0,
+        seed: 1,
+        options: CaseOptions::default(),
+        methods: vec![Method::Stack, Method::Hashed],
+        words: vec![WordName::U64],
+    };
+    let truth = Truth::new(mesh);
+    let check = |held: &Mesh<V>| {
+        let bvh = Bvh::sah(held, SahOptions::default()).unwrap();
+        check_scene::<K, B, V>(&plan, &SceneTree::new(&truth, &bvh), rays, &|_| ())
+    };
+    let (tally, found) = check(mesh);
+    assert_eq!((tally.disagreements(), found.is_none()), (0, true));
+
+    let without = |lost: usize| {
+        let kept = mesh.triangles().iter().enumerate().filter(|&(prim, _)| prim != lost).map(|(_, &corners)| corners);
+        Mesh::new(mesh.vertices().to_vec(), kept.collect()).unwrap()
+    };
+    let moved = mesh.vertices().iter().map(|&vertex| away(vertex)).collect();
+    let mut turned = mesh.triangles().to_vec();
+    turned.rotate_left(1);
+    for held in [
+        without(0),
+        without(7),
+        Mesh::new(moved, mesh.triangles().to_vec()).unwrap(),
+        Mesh::new(mesh.vertices().to_vec(), turned).unwrap(),
+    ] {
+        let (tally, found) = check(&held);
+        assert!(tally.oracle_faults > 0);
+        assert_eq!(tally.disagreements(), tally.oracle_faults);
+        let found = found.unwrap();
+        assert_eq!(found.method, None);
+        assert_ne!(found.expected.hit, found.found.hit);
     }
 }

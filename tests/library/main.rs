@@ -1,6 +1,5 @@
 //! What the library promises, tested from outside.
 
-mod bites;
 mod bounds;
 mod curve;
 mod departures;

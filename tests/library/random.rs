@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use stackless_bvh::generate::{Family, Kind, Rng};
 use stackless_bvh::traverse::{Method, Unfit, WordName};
 use stackless_bvh::tree::Topology;
-use stackless_check::{Battery, Case, CaseOptions, Plan, Replay, Verdict, boundary_cases, check_random, shrink};
+use stackless_check::{Battery, Case, CaseOptions, Fault, Plan, Replay, Verdict, boundary_cases, check_random, shrink};
 
 fn everything(trees: u64) -> Plan {
     let options = CaseOptions::default();
@@ -144,4 +144,15 @@ fn combs_with_long_climbs() {
         }
     }
     assert!(agree[WordName::U64 as usize] > 10_000 && agree[WordName::U128 as usize] > 20_000, "{agree:?}");
+}
+
+#[test]
+fn every_case_comes_back_from_a_file() {
+    for seed in 0..400 {
+        let case = Case::random(seed, CaseOptions::default());
+        let fault = Fault::Early { visits: 0, expected: 1 };
+        let replay = Replay::of(&case, Method::Stack, WordName::U64, &fault);
+        let again = replay.case().unwrap_or_else(|error| panic!("seed {seed}: {error}"));
+        assert_eq!(again, case);
+    }
 }

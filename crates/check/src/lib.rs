@@ -18,7 +18,6 @@ mod kernels;
 mod paths;
 mod pauses;
 mod pieces;
-pub mod planted;
 mod random;
 mod replay;
 mod scene;

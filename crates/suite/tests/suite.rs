@@ -1,19 +1,16 @@
-//! The conformance suite: its files are as made, this library conforms, and implementations with bugs do not.
+//! The conformance suite: its files are as made, and this library conforms.
+//!
+//! `tests/planted` runs it on the library with bugs.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use stackless_bvh::event::State;
-use stackless_bvh::generate::Search;
-use stackless_bvh::order::Flow;
-use stackless_bvh::traverse::{Method, Test, WordName};
-use stackless_bvh::tree::{Keys, Topology};
+use stackless_bvh::traverse::{Method, WordName};
 use stackless_bvh::wide::Method as WideMethod;
-use stackless_check::planted::{self, Instead, LAYERS, Planted, Seer};
 use stackless_suite::{
-    Answer, Ask, Expect, Feature, Flaw, Hello, Implementation, Level, Library, Limits, PROTOCOL, Start, Suite,
-    SuiteCase, Traversal, WideLimits, Withdrawn, author, judge,
+    Answer, Ask, Expect, Feature, Flaw, Hello, Implementation, Level, Library, Limits, Suite, SuiteCase, Traversal,
+    WideLimits, Withdrawn, author, judge,
 };
 
 #[path = "suite/adapters.rs"]
@@ -22,17 +19,10 @@ mod adapters;
 mod foreign;
 #[path = "suite/imports.rs"]
 mod imports;
-#[path = "suite/layers.rs"]
-mod layers;
 #[path = "suite/report.rs"]
 mod report;
 #[path = "suite/runner.rs"]
 mod runner;
-#[path = "../../../tests/library/bites/table.rs"]
-#[allow(dead_code, reason = "of the whole table this test has a column")]
-mod table;
-#[path = "suite/wide.rs"]
-mod wide;
 
 /// The suite, which takes seconds to make.
 static SUITE: LazyLock<Suite> = LazyLock::new(author::suite);
@@ -243,173 +233,4 @@ fn a_table_without_long_keys_may_have_no_fold() {
         }
     }
     assert!(without >= 6 && needs >= 20, "{without} without, {needs} with a fold");
-}
-
-/// Each planted bug, as an implementation, fails a case of the clause that it breaks. `[CONF-4]`
-#[test]
-fn every_planted_bug_fails_a_case_of_its_clause() {
-    let suite = &*SUITE;
-    for control in planted::controls() {
-        let (_, failed) = failures(&control, suite);
-        assert!(failed.is_empty(), "{control:?}: {:?}", failed.iter().map(|(case, flaw)| (&case.id, flaw)).next());
-    }
-    let asked = layers::Asked::of(suite);
-    let with_mistake = |instead| match instead {
-        Instead::Walk(walk) => failures(&walk(), suite),
-        Instead::Wide(bug) => wide::failures(bug, suite),
-        instead => asked.failures(instead),
-    };
-    let controls = LAYERS.iter().flat_map(|layer| layer.controls);
-    for control in controls.filter(|control| !matches!(control.instead(), Instead::Nothing(_))) {
-        let (asked, failed) = with_mistake(control.instead());
-        let first = failed.iter().map(|(case, flaw)| (&case.id, flaw)).next();
-        assert!(asked > 0 && failed.is_empty(), "{control:?}: {first:?}");
-    }
-    let bugs = planted::all().into_iter().map(|bug| {
-        let seen = seen(bug.name(), bug.clause(), "TRAVERSE-1", failures(&bug, suite), suite);
-        (bug.name().to_owned(), seen)
-    });
-    let mistakes = LAYERS.iter().flat_map(|layer| layer.mistakes.iter().map(move |mistake| (layer.name, mistake)));
-    let mistakes = mistakes.map(|(layer, mistake)| {
-        let (name, instead) = (format!("{layer}: {}", mistake.name()), mistake.instead());
-        let seen = match instead {
-            Instead::Nothing(why) => Ok(format!("{}{why}", table::NO)),
-            _ => seen(&name, mistake.clause(), layers::seen_as(instead), with_mistake(instead), suite),
-        };
-        (name, seen)
-    });
-    let (seen, wrong): (Vec<_>, Vec<_>) = bugs.chain(mistakes).partition(|(_, seen)| seen.is_ok());
-    assert!(wrong.is_empty(), "{wrong:#?}");
-    let seen = seen.into_iter().filter_map(|(name, seen)| Some((name, seen.ok()?))).collect();
-    table::compare_column("suite", &seen);
-}
-
-/// What the table says of a bug; an error where it fails no case of its clause and should, or fails one and should not.
-fn seen(
-    name: &str,
-    clause: &str,
-    seen_as: &str,
-    (asked, failed): (usize, Vec<(&SuiteCase, Flaw)>),
-    suite: &Suite,
-) -> Result<String, String> {
-    // Clauses that say how, not what, are not seen from outside: what comes of it is.
-    let cites = |case: &SuiteCase, clause: &str| case.clauses.iter().any(|it| it == clause);
-    let clause = if suite.cases().any(|(_, case)| cites(case, clause)) { clause } else { seen_as };
-    let of_clause: Vec<_> = failed.iter().filter(|(case, _)| cites(case, clause)).collect();
-    let (failed, count) = (failed.len(), of_clause.len());
-    match (of_clause.first(), planted::unseen(name, Seer::Suite)) {
-        (Some((case, flaw)), None) => {
-            // The sign of a NaN is the compiler's.
-            let flaw = flaw.to_string().replace("ffc00000", "7fc00000");
-            Ok(format!("{failed} of {asked}, {count} about {clause}; `{}`: {flaw}", case.id))
-        }
-        (None, Some(why)) => Ok(format!("{}{why}", table::NO)),
-        (None, None) => Err(format!("fails {failed} of {asked}, none about {clause}")),
-        (Some((case, flaw)), Some(_)) => Err(format!("does show: {}: {flaw}", case.id)),
-    }
-}
-
-/// The cases that a planted traversal is asked, and those that it fails.
-fn failures<'s>(bug: &Planted, suite: &'s Suite) -> (usize, Vec<(&'s SuiteCase, Flaw)>) {
-    let (mut asked, mut failed) = (0, Vec::new());
-    for (profile, case) in suite.cases() {
-        let fits = match (profile.level, profile.profile.as_str()) {
-            (Level::Trace, "script" | "tape") => bug.test() == Test::Children,
-            (Level::Trace, "node-left") => bug.test() == Test::NodeLeftFirst,
-            (Level::Trace, "node-sign") => bug.test() == Test::NodeBySign,
-            (Level::Trace | Level::Resume, "disjoint") => bug.test() == Test::Disjoint,
-            _ => false,
-        };
-        let fits = fits && !(bug.restarts() && case.features.contains(&Feature::Changing));
-        let Some((features, answer)) = fits.then(|| answer(bug, case)).flatten() else { continue };
-        asked += 1;
-        let hello = Hello {
-            protocol: PROTOCOL,
-            name: bug.name().to_owned(),
-            version: String::new(),
-            profiles: vec![profile.name()],
-            features,
-            limits: Limits { max_depth: Some(63), ..Limits::default() },
-        };
-        if let Err(flaw) = judge(case, &hello, &answer) {
-            failed.push((case, flaw));
-        }
-    }
-    (asked, failed)
-}
-
-/// What a planted traversal shows, as an implementation would say it.
-fn answer(bug: &Planted, case: &SuiteCase) -> Option<(Vec<Feature>, Answer)> {
-    let (Ask::Trace(walk) | Ask::ResumeDisjoint(walk)) = Ask::of(&case.input).unwrap() else { return None };
-    let of_tree = walk.case().unwrap();
-    // None of them says that it refuses: it would be right.
-    if of_tree.tree.depth() > bug.carries() {
-        return None;
-    }
-    let keys = Keys::of(&of_tree.tree);
-    let mut search = Search::new(&of_tree.tree, &of_tree.tape, of_tree.any);
-    // On the way down from the root again a visit may be repeated as often as the tree is deep.
-    let most = (of_tree.size() + 9) * (of_tree.tree.depth() as usize + 2);
-    let (mut seen, mut steps) = (Vec::<State<u64>>::new(), 0);
-    bug.run(&of_tree, &mut search, |snapshot| {
-        if !snapshot.is_restarting {
-            seen.push(*snapshot);
-        }
-        steps += 1;
-        if steps < most { Flow::Continue } else { Flow::Stop }
-    });
-    if steps >= most {
-        // To a runner it is a timeout.
-        return Some((vec![Feature::Changing], Answer::Unsupported("no end".to_owned())));
-    }
-    let slot = |snapshot: &State<u64>| of_tree.tree.slot(snapshot.node);
-    let key = |snapshot: &State<u64>| snapshot.key.unwrap_or_else(|| keys.key(slot(snapshot)));
-    let mut events = Vec::new();
-    for (i, snapshot) in seen.iter().enumerate() {
-        let before = i.checked_sub(1).map(|i| &seen[i]);
-        let is_child =
-            |before: &State<u64>| !before.node.is_leaf() && of_tree.tree.children(before.node).contains(&snapshot.node);
-        if let Some(before) = before.filter(|before| !is_child(before)) {
-            let levels = i64::from(keys.depth(slot(before))) - i64::from(keys.depth(slot(snapshot)));
-            events.push(format!("backtrack {:x} {levels}", key(snapshot)));
-        }
-        let kind = if snapshot.node.is_leaf() { "leaf" } else { "enter" };
-        events.push(format!("{kind} {:x}", key(snapshot)));
-    }
-    events.push("end".to_owned());
-    // One that is taken up goes on as it did.
-    if let Some(from) = &walk.key {
-        let at = events
-            .iter()
-            .position(|event| event.split_once(' ').is_some_and(|(kind, key)| kind != "backtrack" && key == from));
-        let is_visited = usize::from(walk.next == Some(Start::Backtrack));
-        events.drain(..at.map_or(events.len(), |at| at + is_visited));
-    }
-    let mut fields = BTreeMap::from([("events".to_owned(), serde_json::json!(events))]);
-    if walk.cells.is_some() {
-        let hit = search.outcome.hit.map(|(t, node)| serde_json::json!({ "t": t, "node": node }));
-        fields.insert("hit".to_owned(), serde_json::json!(hit));
-    }
-    let mut features = vec![Feature::Changing];
-    let is_trace = walk.key.is_none() && matches!(case.expect, Expect::Result(_));
-    let mut state = |feature: Feature, words: Vec<Option<String>>, whole: bool| {
-        if is_trace && whole {
-            features.push(feature);
-            fields.insert(feature.name().to_owned(), serde_json::json!(words));
-        }
-    };
-    let words = |word: fn(&State<u64>) -> Option<u64>| -> Vec<_> {
-        seen.iter().map(|snapshot| word(snapshot).map(|word| format!("{word:x}"))).collect()
-    };
-    let (trails, counters) = (words(|state| state.trail), words(|state| state.counter));
-    let has_register = seen.iter().any(|snapshot| snapshot.register.is_some());
-    let whole = |words: &[Option<String>]| words.iter().all(Option::is_some);
-    let (has_trails, has_counters) = (whole(&trails), whole(&counters));
-    let registers = seen
-        .iter()
-        .map(|snapshot| snapshot.register.map(|node| format!("{:x}", keys.key::<u64>(of_tree.tree.slot(node)))));
-    state(Feature::Registers, registers.collect(), has_register && has_trails);
-    state(Feature::Trails, trails, has_trails);
-    state(Feature::Counters, counters, has_counters);
-    Some((features, Answer::Result(fields.into_iter().collect())))
 }

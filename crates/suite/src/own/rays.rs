@@ -131,11 +131,6 @@ impl RayScene {
         let answer = |ray: &Option<Ray>| ray.and_then(|_| found.next()).unwrap_or_else(|| self.missed.clone());
         Ok(self.rays.iter().map(answer).collect())
     }
-
-    /// Mesh and rays, if the library has words for all of them.
-    pub fn whole(self) -> Option<(Mesh, Vec<Ray>)> {
-        Some((self.mesh?, self.rays.into_iter().collect::<Option<_>>()?))
-    }
 }
 
 /// Why texts are no mesh and rays.

@@ -1,4 +1,4 @@
-//! Bugs of the kernels in `gpu-check`: their WGSL is another text than the library, and each bug is one change of it.
+//! The list of bugs: each is one change of the text of a kernel.
 
 /// A mistake in a kernel.
 #[derive(Clone, Copy, Debug)]
@@ -32,17 +32,6 @@ pub enum ShownBy {
     Rays,
     /// Rays of the suite that are answered exactly, or are left in doubt.
     Exact,
-}
-
-impl ShownBy {
-    /// As `tests/PLANTED.md` has it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Tapes => "tapes",
-            Self::Rays => "rays",
-            Self::Exact => "exact rays",
-        }
-    }
 }
 
 macro_rules! shaders {
