@@ -28,9 +28,6 @@ enum Tests {
     Named(&'static [&'static str]),
 }
 
-/// Comparisons of copies with bugs, and of texts: neither says anything about the library's behaviour.
-const NOT_OF_THE_LIBRARY: &[&str] = &["bites", "every_target_is_built", "fuzzing_finds", "a_planted_bug_that_shows"];
-
 /// Tests of the battery, which draws cases at random and exhaustively.
 const BATTERY: &[&str] = &["random::", "exhaustive::"];
 
@@ -75,21 +72,21 @@ pub(crate) const LAYERS: [Layer; 7] = [
         about: "the battery over random and all small cases",
         target: "library",
         tests: Tests::Named(BATTERY),
-        without: NOT_OF_THE_LIBRARY,
+        without: &[],
     },
     Layer {
         name: "fuzz",
         about: "fuzz targets over their seeds and findings",
         target: "library",
         tests: Tests::Named(FUZZ),
-        without: NOT_OF_THE_LIBRARY,
+        without: &[],
     },
     Layer {
         name: "library",
         about: "the other tests from outside",
         target: "library",
         tests: Tests::Named(&[]),
-        without: &["random::", "exhaustive::", "regressions::", "bites"],
+        without: &["random::", "exhaustive::", "regressions::"],
     },
 ];
 
@@ -269,6 +266,5 @@ mod tests {
         {
             assert_eq!(of(test), 1, "{test}");
         }
-        assert_eq!(of("bites::a"), 0);
     }
 }
