@@ -192,7 +192,7 @@ fn file(id: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("../spec/departures/{id}.json"))
 }
 
-/// [CONF-1]
+/// [CONF-1] [DISJOINT-3] [PAUSE-3]
 #[test]
 fn what_is_printed_goes_wrong_where_the_file_says() {
     for departure in DEPARTURES {

@@ -15,6 +15,7 @@ fn everything(trees: u64) -> Plan {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(3000))]
 
+    /// [REGISTER-2] [DISJOINT-3]
     #[test]
     fn every_traversal_follows_its_oracle(bytes in prop::collection::vec(any::<u8>(), 0..600)) {
         let case = Case::draw(&mut Unstructured::new(&bytes), 64);
