@@ -9,6 +9,7 @@
 //! Closures of two bodies have two types. So where a function returns `impl Trait`, only the smallest expression around
 //! the edit is chosen.
 
+use std::fmt::Write as _;
 use std::ops::Range;
 
 use syn::spanned::Spanned;
@@ -150,7 +151,7 @@ impl<'s> Source<'s> {
         let mut text = String::from("{ match crate::planted::bug() {\n");
         for Edit { number, at, new, .. } in edits {
             let (before, after) = (&self.text[unit.start..at.start], &self.text[at.end..unit.end]);
-            text += &format!("{number} => {{ {before}{new}{after} }}\n");
+            let _ = writeln!(text, "{number} => {{ {before}{new}{after} }}");
         }
         text + &format!("_ => {{ {} }} }} }}", &self.text[unit.clone()])
     }

@@ -76,7 +76,9 @@ fn execute(command: Command) -> Result<bool, Box<dyn std::error::Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize()?;
     let bugs = Bug::all(&root)?;
     let faults = check::faults(&root, &bugs);
-    faults.iter().for_each(|fault| eprintln!("{fault}"));
+    for fault in &faults {
+        eprintln!("{fault}");
+    }
     if !faults.is_empty() {
         eprintln!("{} faults in {} bugs", faults.len(), bugs.len());
         return Ok(false);
