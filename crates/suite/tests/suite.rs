@@ -9,8 +9,8 @@ use std::sync::LazyLock;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_bvh::wide::Method as WideMethod;
 use stackless_suite::{
-    Answer, Ask, Expect, Feature, Flaw, Hello, Implementation, Level, Library, Limits, Suite, SuiteCase, Traversal,
-    WideLimits, Withdrawn, author, judge,
+    Answer, Ask, Expect, Flaw, Hello, Implementation, Level, Library, Limits, Suite, SuiteCase, Traversal, WideLimits,
+    Withdrawn, author, judge,
 };
 
 #[path = "suite/adapters.rs"]
