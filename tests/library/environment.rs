@@ -1,5 +1,5 @@
 //! Threads whose floats are not those of IEEE 754: this program runs itself with a library before it that sets them.
-#![cfg(all(target_arch = "x86_64", target_os = "linux", feature = "parallel"))]
+#![cfg(all(target_arch = "x86_64", target_os = "linux"))]
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

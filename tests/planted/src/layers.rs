@@ -158,7 +158,7 @@ impl Programs {
         command.args(["test", "--no-run", "--quiet", "--message-format=json-render-diagnostics", "--all-features"]);
         command.args(["-p", "stackless-bvh", "--lib"]);
         if !only_unit_tests {
-            command.args(["-p", "stackless-suite", "-p", "proofs"]);
+            command.args(["-p", "tests", "-p", "stackless-suite", "-p", "proofs"]);
             command.args(["--test", "library", "--test", "suite", "--test", "harnesses"]);
         }
         let mut child = command.stdout(Stdio::piped()).spawn().map_err(BuildError::Cargo)?;
