@@ -1,6 +1,7 @@
 //! `lab price`: what the dearest query of each hard family costs, in ordinary queries of its kind.
 
 mod climb;
+mod instances;
 mod met;
 mod scenes;
 
@@ -11,12 +12,12 @@ use cpu_time::ThreadTime;
 use glam::{DVec3, Vec3};
 use serde::Serialize;
 use serde_json::json;
-use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, WideBvh};
+use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, WideBvh};
 use stackless_bvh::generate::{procedural, stress};
 use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::slabs::Wide;
 use stackless_bvh::geom::{AffineMap, Ball, Mesh, Ray, Triangle};
-use stackless_bvh::trace::{Assembly, BinaryTracer, Instance, InstanceTracer, Object, Tracer};
+use stackless_bvh::trace::{BinaryTracer, Tracer};
 use stackless_bvh::traverse::Method;
 
 use crate::Outcome;
@@ -24,10 +25,10 @@ use crate::output::{Block, bar, print, table};
 use crate::places::{self, Output};
 use crate::record::write_figures;
 use climb::{Change, climb};
+use instances::{from_afar_into_instance, instances};
 use met::Met;
 use scenes::{
-    along_axes_from_afar, apply, at_edge, at_vertices, coincident, from_afar, in_plane, inside, lattice,
-    short_from_afar, small_sphere, sphere, turn,
+    at_edge, at_vertices, coincident, from_afar, in_plane, inside, lattice, short_from_afar, small_sphere, sphere, turn,
 };
 
 /// Time the dearest query of each hard family beside an ordinary one in the same scene: three minutes.
@@ -368,52 +369,6 @@ fn nearest(mesh: Mesh, points: impl Iterator<Item = Vec3>) -> Made {
         ordinary,
         |tracer, ball| usize::from(tracer.nearest(ball).is_some()),
         |tracer, ball| Some(tracer.count_nearest(&[*ball]).into()),
-    ))
-}
-
-/// Rays at vertices of a sphere that a map has moved so many times.
-fn instances(deep: usize, affine: AffineMap) -> Made {
-    let mesh = stress::icosphere(3, 1.0, Vec3::ZERO)?;
-    let mut assembly = Assembly::new();
-    let mut object: Object = assembly.add_mesh(Bvh::sah(&mesh, SahOptions::default())?);
-    for _ in 0..deep {
-        object = assembly.add_group(vec![Instance { object, affine }], &BuildOptions::default())?;
-    }
-    let image = |v: Vec3| (0..deep).fold(v, |v, _| apply(&affine, v));
-    let middle = image(Vec3::ZERO);
-    let hard = mesh
-        .vertices()
-        .iter()
-        .take(QUERIES)
-        .filter_map(|&v| {
-            let o = middle + Vec3::new(0.5, 0.25, 4.0);
-            Ray::new(o, image(v) - o).ok()
-        })
-        .collect();
-    let ordinary = procedural::rays(&mesh, 1, QUERIES)
-        .iter()
-        .filter_map(|ray| Ray::new(ray.origin() + middle, ray.direction()).ok())
-        .collect();
-    closest_in(&assembly, object, hard, ordinary)
-}
-
-/// Rays at a sphere that is turned.
-fn from_afar_into_instance(is_wide: bool) -> Made {
-    let (mesh, mut assembly) = (sphere()?, Assembly::new());
-    let bvh = Bvh::sah(&mesh, SahOptions::default())?;
-    let object = if is_wide { assembly.add_wide(WideBvh::of(&bvh)?) } else { assembly.add_mesh(bvh) };
-    let instances = vec![Instance { object, affine: turn(0.8, 0.6)? }];
-    let object = assembly.add_group(instances, &BuildOptions::default())?;
-    closest_in(&assembly, object, along_axes_from_afar(), procedural::rays(&mesh, 1, QUERIES))
-}
-
-fn closest_in(assembly: &Assembly, object: Object, hard: Vec<Ray>, ordinary: Vec<Ray>) -> Made {
-    Ok(queries(
-        InstanceTracer::new(assembly, object, Method::default())?,
-        hard,
-        ordinary,
-        |tracer, ray: &Ray| usize::from(tracer.closest(ray).is_some()),
-        |tracer, ray| Some(tracer.count_closest(std::slice::from_ref(ray)).into()),
     ))
 }
 
