@@ -106,7 +106,7 @@ fn execute(command: Command) -> Result<bool, Box<dyn std::error::Error>> {
         Command::Page => {
             let folder = root.join("tests/planted");
             let table = table::Table::read(&folder.join("table.json"))?.completed(table::Table::default(), &bugs);
-            std::fs::write(folder.join("README.md"), table.page())?;
+            std::fs::write(folder.join("README.md"), table.page(bugs.len()))?;
             Ok(true)
         }
     }

@@ -71,7 +71,7 @@ impl Plan {
         }
         if self.writes_page() {
             let all = table.clone().completed(Table::default(), bugs);
-            fs::write(root.join("tests/planted/README.md"), all.page())?;
+            fs::write(root.join("tests/planted/README.md"), all.page(bugs.len()))?;
         }
         Ok(judge(&table.rows))
     }
