@@ -73,6 +73,8 @@ const RUN_AS: &[(&str, &str)] = &[
       --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png"),
     ("stackless stress",
      "stackless stress --list"),
+    ("stackless stress --method wide-record,hashed --brief",
+     "stackless stress --method wide-record,hashed --brief --count 5"),
     ("lab boxes N",
      "lab boxes 1000"),
     ("lab accuracy SCENE...",
