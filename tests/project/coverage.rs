@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use crate::files::{files, read, root, sources};
+use crate::files::{files, read, sources};
 use stackless_suite::author;
 
 /// What a clause is, which says how it has to be covered.
