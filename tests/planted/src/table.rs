@@ -138,7 +138,7 @@ impl Table {
     fn summary(&self, bugs: usize) -> String {
         let caught = self.rows.iter().filter(|row| row.caught().is_some()).count();
         let mut text = format!(
-            "{} of {bugs} bugs have run, and {caught} of these are caught. The build took {:.0} seconds.\n\n| layer | tests | seconds without a bug | bugs run | caught | first to catch |\n\
+            "{} of {bugs} bugs have run to the end, and {caught} of these are caught. The build took {:.0} seconds.\n\n| layer | tests | seconds without a bug | bugs run | caught | first to catch |\n\
              |---|---|---:|---:|---:|---:|\n",
             self.rows.len(),
             self.build_seconds,
@@ -181,7 +181,7 @@ mod tests {
     fn survivors_are_listed_and_layers_counted() {
         let rows = vec![row("a", Verdict::Caught), row("b", Verdict::Survived), row("c", Verdict::Timeout)];
         let page = Table { rows, ..Table::default() }.page(4);
-        assert!(page.contains("3 of 4 bugs have run, and 2 of these are caught"), "{page}");
+        assert!(page.contains("3 of 4 bugs have run to the end, and 2 of these are caught"), "{page}");
         assert!(page.contains("- b (A-1, `src/a.rs`): **a test is missing**"), "{page}");
         assert!(page.contains("| unit | all unit tests of the library |  | 3 | 2 | 2 |"), "{page}");
         assert!(page.contains("| c | A-1 | `src/a.rs` | unit | does not end in time | 1.0 |"), "{page}");
