@@ -83,7 +83,7 @@ pub(crate) struct Args {
     json: Option<Output>,
 }
 
-/// What `lab bench` can ask for too.
+/// Options that only `lab bench` has.
 #[derive(Clone, Copy, Default, clap::Args)]
 pub(crate) struct Extra {
     /// Instructions of the traversals of wide trees. The default is the best of the machine.

@@ -69,7 +69,7 @@ pub(crate) struct Args {
     replay: Option<PathBuf>,
 }
 
-/// What `lab check` can ask for too.
+/// Options that only `lab check` has.
 #[derive(Default, clap::Args)]
 pub(crate) struct Extra {
     /// Only trees of this family.

@@ -56,7 +56,7 @@ pub(crate) struct Args {
     output: Output,
 }
 
-/// What `lab explain` can ask for too.
+/// Options that only `lab explain` has.
 #[derive(Clone, Copy, Default, clap::Args)]
 pub(crate) struct Extra {
     /// A random tree with a tape: random decisions, one after the other, in place of a ray's.

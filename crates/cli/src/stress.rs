@@ -58,7 +58,7 @@ pub(crate) struct Args {
     json: Option<Output>,
 }
 
-/// What `lab stress` can ask for too.
+/// Options that only `lab stress` has.
 #[derive(Clone, Copy, Default, clap::Args)]
 pub(crate) struct Extra {
     /// Every triangle test with every box test, and not only the four levels.

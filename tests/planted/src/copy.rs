@@ -12,7 +12,7 @@ use crate::edit::{EditError, Source};
 /// Name of the variable that chooses a bug.
 pub(crate) const SWITCH: &str = "STACKLESS_PLANTED";
 
-/// The module that reads [`SWITCH`]. 0, or no number, chooses no bug.
+/// The module that reads [`SWITCH`], for which `SWITCH` stands in it. 0, or no number, chooses no bug.
 const MODULE: &str = r#"//! The number of the planted bug.
 
 extern crate std;
@@ -21,7 +21,7 @@ extern crate std;
 #[inline]
 pub fn bug() -> u32 {
     static BUG: std::sync::OnceLock<u32> = std::sync::OnceLock::new();
-    *BUG.get_or_init(|| std::env::var("STACKLESS_PLANTED").ok().and_then(|text| text.parse().ok()).unwrap_or(0))
+    *BUG.get_or_init(|| std::env::var("SWITCH").ok().and_then(|text| text.parse().ok()).unwrap_or(0))
 }
 "#;
 
@@ -63,7 +63,7 @@ pub(crate) fn write(root: &Path, to: &Path, bugs: &[Bug]) -> Result<(), CopyErro
         let mode = fs::metadata(&from).map_err(failed(&from))?.permissions();
         fs::set_permissions(&to, mode).map_err(failed(&to))?;
     }
-    put(&to.join("src/planted.rs"), MODULE.as_bytes())?;
+    put(&to.join("src/planted.rs"), MODULE.replace("SWITCH", SWITCH).as_bytes())?;
     remove_others(to, &files)
 }
 

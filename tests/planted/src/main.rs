@@ -17,6 +17,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use bug::Bug;
+use layers::LAYERS;
 use run::{Choice, Plan};
 
 /// Plants bugs in the library's source and runs the checks.
@@ -35,17 +36,18 @@ enum Command {
     Compile,
     /// Copy the tree with all bugs in it, build its tests once, and run them for each bug.
     ///
+    /// Without --sample and --only all bugs run, and tests/planted/table.json and tests/planted/README.md are written.
     /// Exits with 1 if a bug survives that must be caught, if one is caught that must survive, or if a check fails without a bug.
     Run {
         /// Run N bugs, chosen by the hash of the commit among those that unit tests have caught: only these are built.
-        #[arg(long, value_name = "N", conflicts_with_all = ["only", "all"])]
+        #[arg(long, value_name = "N", conflicts_with = "only")]
         sample: Option<usize>,
         /// Run the bugs whose name or file has TEXT in it, or whose clause or topic it is. Can be given several times.
-        #[arg(long, value_name = "TEXT", conflicts_with = "all")]
+        #[arg(long, value_name = "TEXT")]
         only: Vec<String>,
-        /// Run all bugs and write tests/planted/table.json and tests/planted/README.md. This is the default.
-        #[arg(long)]
-        all: bool,
+        /// Run these layers only, separated by commas. A bug that none of them catches gets no row.
+        #[arg(long, value_delimiter = ',', value_parser = LAYERS.each_ref().map(|layer| layer.name))]
+        layers: Vec<String>,
         /// Run all layers for each bug, and not only those before the first one that catches it.
         #[arg(long)]
         every_layer: bool,
@@ -95,18 +97,17 @@ fn execute(command: Command) -> Result<bool, Box<dyn std::error::Error>> {
             println!("{} bugs compile", bugs.len());
             Ok(true)
         }
-        Command::Run { sample, only, all: _, every_layer, seconds, json } => {
+        Command::Run { sample, only, layers, every_layer, seconds, json } => {
             let choice = match sample {
                 Some(count) => Choice::Sample(count),
                 None if only.is_empty() => Choice::All,
                 None => Choice::Only(only),
             };
-            Plan { choice, every_layer, seconds, json }.run(&root, &bugs)
+            Plan { choice, layers, every_layer, seconds, json }.run(&root, &bugs)
         }
         Command::Page => {
             let folder = root.join("tests/planted");
-            let table = table::Table::read(&folder.join("table.json"))?.completed(table::Table::default(), &bugs);
-            std::fs::write(folder.join("README.md"), table.page(bugs.len()))?;
+            table::Table::read(&folder.join("table.json"))?.write_page(&folder, &bugs)?;
             Ok(true)
         }
     }

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::error::Error;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
@@ -16,6 +15,8 @@ use crate::table::{Found, Row, Table, Verdict};
 /// What to run.
 pub(crate) struct Plan {
     pub(crate) choice: Choice,
+    /// Names; all layers if there are none.
+    pub(crate) layers: Vec<String>,
     pub(crate) every_layer: bool,
     /// Most seconds of a layer.
     pub(crate) seconds: Option<u64>,
@@ -47,13 +48,15 @@ impl Plan {
         let programs = Programs::build(&copy, matches!(self.choice, Choice::Sample(_)))?;
         println!("built in {:.0} s", programs.seconds);
         let mut controls = Controls { programs: &programs, seconds: BTreeMap::new() };
-        let kept = root.join("tests/planted/table.json");
-        let earlier = Table::read(&kept)?;
+        let folder = root.join("tests/planted");
+        let kept = folder.join("table.json");
+        let known = Table::read(&kept)?;
         let json = self.json.clone().or_else(|| self.writes_page().then_some(kept));
+        let mut before = json.as_deref().map(Table::read).transpose()?.unwrap_or_default();
         let mut table = Table { build_seconds: programs.seconds.round(), ..Table::default() };
         for (done, &number) in chosen.iter().enumerate() {
             let bug = &bugs[number - 1];
-            let row = match earlier.caught(&bug.name).filter(|_| !self.every_layer) {
+            let row = match known.caught(&bug.name).filter(|_| !self.every_layer) {
                 Some((layer, test)) => caught_again(bug, number, layer, test, &mut controls)?,
                 None => None,
             };
@@ -61,19 +64,27 @@ impl Plan {
                 Some(row) => row,
                 None => self.row(bug, number, &mut controls)?,
             };
-            println!("{}/{} {}", done + 1, chosen.len(), told(&row));
-            table.rows.push(row);
+            if row.caught().is_none() && !self.layers.is_empty() {
+                println!("{}/{} {}: open, {:.1} s", done + 1, chosen.len(), row.bug, row.seconds());
+                before.rows.retain(|old| old.bug != row.bug);
+            } else {
+                println!("{}/{} {}", done + 1, chosen.len(), told(&row));
+                table.rows.push(row);
+            }
             table.control_seconds = controls.of_layers();
             // After each bug, so that a run that is interrupted is not lost.
             if let Some(json) = &json {
-                table.clone().completed(Table::read(json)?, bugs).write(json)?;
+                table.clone().completed(before.clone(), bugs).write(json)?;
             }
         }
         if self.writes_page() {
-            let all = table.clone().completed(Table::default(), bugs);
-            fs::write(root.join("tests/planted/README.md"), all.page(bugs.len()))?;
+            table.clone().completed(before, bugs).write_page(&folder, bugs)?;
         }
         Ok(judge(&table.rows))
+    }
+
+    fn has(&self, layer: &Layer) -> bool {
+        self.layers.is_empty() || self.layers.iter().any(|name| name == layer.name)
     }
 
     fn writes_page(&self) -> bool {
@@ -102,18 +113,16 @@ impl Plan {
 
     fn row(&self, bug: &Bug, number: usize, controls: &mut Controls<'_>) -> Result<Row, Box<dyn Error>> {
         let mut found = Vec::new();
-        for layer in &LAYERS {
+        for layer in LAYERS.iter().filter(|layer| self.has(layer)) {
             let Some(job) = controls.programs.job(layer, &bug.file) else { continue };
             let usual = Duration::from_secs_f64(10.0 + 4.0 * controls.seconds(layer, &job)?);
             let (end, seconds) = process::run(&job, number, self.seconds.map_or(usual, Duration::from_secs))?;
-            let (verdict, by) = match end {
-                End::Passed(0) => return Err(format!("{}: layer {} ran no test", bug.place(), layer.name).into()),
-                End::Passed(_) => (Verdict::Survived, None),
-                End::Failed(test) => (Verdict::Caught, Some(test)),
-                End::TimedOut => (Verdict::Timeout, None),
-                End::OutOfMemory => (Verdict::Memory, None),
-            };
-            found.push(Found { layer: layer.name.to_owned(), verdict, by, seconds: hundredths(seconds) });
+            if end == End::Passed(0) {
+                return Err(format!("{}: layer {} ran no test", bug.place(), layer.name).into());
+            }
+            let of_layer = Found::new(layer, end, seconds);
+            let verdict = of_layer.verdict;
+            found.push(of_layer);
             if verdict != Verdict::Survived && !self.every_layer {
                 break;
             }
@@ -133,19 +142,9 @@ fn caught_again(
     let Some(job) = controls.programs.one(layer, test) else { return Ok(None) };
     let limit = Duration::from_secs_f64(10.0 + 4.0 * controls.seconds(layer, &job)?);
     let (end, seconds) = process::run(&job, number, limit)?;
-    let verdict = match end {
-        End::Passed(_) => return Ok(None),
-        End::Failed(_) => Verdict::Caught,
-        End::TimedOut => Verdict::Timeout,
-        End::OutOfMemory => Verdict::Memory,
-    };
-    let found =
-        Found { layer: layer.name.to_owned(), verdict, by: Some(test.to_owned()), seconds: hundredths(seconds) };
-    Ok(Some(Row::new(bug, vec![found])))
-}
-
-fn hundredths(seconds: f64) -> f64 {
-    (seconds * 100.0).round() / 100.0
+    // Which test it was is known, however it ended.
+    let found = Found { by: Some(test.to_owned()), ..Found::new(layer, end, seconds) };
+    Ok((found.verdict != Verdict::Survived).then(|| Row::new(bug, vec![found])))
 }
 
 /// What layers do without a bug. Each runs before it is first asked about a bug.

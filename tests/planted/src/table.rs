@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::bug::Bug;
 use crate::layers::{LAYERS, Layer};
+use crate::process::End;
 
 /// The results of all bugs that were run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -53,6 +54,18 @@ pub(crate) enum Verdict {
     Timeout,
     Memory,
     Survived,
+}
+
+impl Found {
+    pub(crate) fn new(layer: &Layer, end: End, seconds: f64) -> Self {
+        let (verdict, by) = match end {
+            End::Passed(_) => (Verdict::Survived, None),
+            End::Failed(test) => (Verdict::Caught, Some(test)),
+            End::TimedOut => (Verdict::Timeout, None),
+            End::OutOfMemory => (Verdict::Memory, None),
+        };
+        Self { layer: layer.name.to_owned(), verdict, by, seconds: (seconds * 100.0).round() / 100.0 }
+    }
 }
 
 impl Row {
@@ -101,8 +114,13 @@ impl Table {
         self
     }
 
+    /// Writes the page of these bugs.
+    pub(crate) fn write_page(self, folder: &Path, bugs: &[Bug]) -> io::Result<()> {
+        fs::write(folder.join("README.md"), self.completed(Self::default(), bugs).page(bugs.len()))
+    }
+
     /// The page, where there are so many bugs.
-    pub(crate) fn page(&self, bugs: usize) -> String {
+    fn page(&self, bugs: usize) -> String {
         let mut page = String::from(HEAD);
         page += &self.summary(bugs);
         let survivors: Vec<_> = self.rows.iter().filter(|row| row.caught().is_none()).collect();
@@ -163,7 +181,7 @@ impl Table {
 const HEAD: &str = "# Bugs in the shipped code
 
 Each bug is one edit of the library's source: `tests/planted/*.toml`. All are compiled into one copy of the tree, and a variable of the
-environment chooses one when a test program starts. `cargo run -p planted -- run --all` writes this page and `table.json`.
+environment chooses one when a test program starts. `cargo run -p planted -- run` writes this page and `table.json`.
 Layers run in the order of the first table, until one catches the bug.
 
 ";
