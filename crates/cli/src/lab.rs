@@ -6,23 +6,15 @@ mod figure;
 mod parts;
 mod price;
 
-use clap::{Parser, Subcommand};
+use clap::Parser;
 
-use crate::run::{Common, Outcome, Program};
+use crate::run::{Outcome, Program};
 use crate::{bench, check, explain, merge, stress};
 
 /// Measurements and cases for those who work on the library. `stackless` has what its users ask for.
 #[derive(Parser)]
 #[command(name = "lab", version, arg_required_else_help = true)]
-pub(crate) struct Lab {
-    #[command(flatten)]
-    common: Common,
-    #[command(subcommand)]
-    what: What,
-}
-
-#[derive(Subcommand)]
-pub(crate) enum What {
+pub(crate) enum Lab {
     /// Measure run time against error, for every triangle test with every box test.
     Accuracy(accuracy::Args),
     /// `stackless bench`, with instructions, single calls and double precision to choose.
@@ -73,24 +65,18 @@ const MERGED: [merge::Command; 3] = [
 ];
 
 impl Program for Lab {
-    type What = What;
-
-    fn parts(self) -> (Common, What) {
-        (self.common, self.what)
-    }
-
-    fn run(what: What) -> Outcome {
-        match what {
-            What::Accuracy(args) => accuracy::run(&args),
-            What::Bench { args, extra } => bench::run(&args, extra),
-            What::Boxes(args) => boxes::run(&args),
-            What::Check { args, extra } => check::run(&args, &extra),
-            What::Explain { args, extra } => explain::run(&args, extra),
-            What::Figure(args) => figure::run(&args),
-            What::Merge(args) => merge::run(&args, &MERGED),
-            What::Parts(args) => parts::run(&args),
-            What::Price(args) => price::run(&args),
-            What::Stress { args, extra } => stress::run(&args, extra),
+    fn run(self) -> Outcome {
+        match self {
+            Self::Accuracy(args) => accuracy::run(&args),
+            Self::Bench { args, extra } => bench::run(&args, extra),
+            Self::Boxes(args) => boxes::run(&args),
+            Self::Check { args, extra } => check::run(&args, &extra),
+            Self::Explain { args, extra } => explain::run(&args, extra),
+            Self::Figure(args) => figure::run(&args),
+            Self::Merge(args) => merge::run(&args, &MERGED),
+            Self::Parts(args) => parts::run(&args),
+            Self::Price(args) => price::run(&args),
+            Self::Stress { args, extra } => stress::run(&args, extra),
         }
     }
 }

@@ -3,23 +3,18 @@
 use std::any::TypeId;
 use std::process::ExitCode;
 
-use clap::{ArgMatches, CommandFactory, Parser, Subcommand, ValueHint};
+use clap::{ArgMatches, Args, FromArgMatches, Parser, ValueHint};
 use stackless_bvh::geom::check_environment;
 
 use crate::{output, places, signals};
 
-/// A program with subcommands.
+/// A program: one of its subcommands, with arguments.
 pub(crate) trait Program: Parser {
-    type What: Subcommand;
-
-    /// The options of all subcommands, and the one that was named.
-    fn parts(self) -> (Common, Self::What);
-
-    fn run(what: Self::What) -> Outcome;
+    fn run(self) -> Outcome;
 }
 
-/// The options of all subcommands.
-#[derive(Clone, Copy, clap::Args)]
+// The options of all subcommands. No documentation: clap would take it for that of the program.
+#[derive(Clone, Copy, Args)]
 pub(crate) struct Common {
     /// Say nothing but errors.
     #[arg(short, long, global = true)]
@@ -43,11 +38,11 @@ pub(crate) fn run<P: Program>() -> ExitCode {
         Ok(matches) => matches,
         Err(usage) => return end(show(&usage)),
     };
-    let outcome = match P::from_arg_matches(&matches) {
-        Ok(program) => run_with(program, &matches),
+    let read = P::from_arg_matches(&matches).and_then(|program| Ok((program, Common::from_arg_matches(&matches)?)));
+    end(match read {
+        Ok((program, common)) => run_with(program, common, &matches),
         Err(usage) => show(&usage),
-    };
-    end(outcome)
+    })
 }
 
 /// The command line. Completions are told where a file is written, as they know where one is read.
@@ -57,11 +52,10 @@ pub(crate) fn command_line<P: Program>() -> clap::Command {
         let hinted = |arg: clap::Arg| if is_output(&arg) { arg.value_hint(ValueHint::AnyPath) } else { arg };
         command.mut_args(hinted).mut_subcommands(hint)
     }
-    hint(<P as CommandFactory>::command())
+    hint(Common::augment_args(P::command()))
 }
 
-fn run_with<P: Program>(program: P, matches: &ArgMatches) -> Outcome {
-    let (common, what) = program.parts();
+fn run_with(program: impl Program, common: Common, matches: &ArgMatches) -> Outcome {
     if common.quiet {
         output::be_quiet();
     }
@@ -70,7 +64,7 @@ fn run_with<P: Program>(program: P, matches: &ArgMatches) -> Outcome {
     }
     places::check(matches)?;
     start_threads(common.threads)?;
-    P::run(what)
+    program.run()
 }
 
 /// Prints the help that was asked for, or what is wrong with the command line.

@@ -1,8 +1,8 @@
 //! The command `stackless`: trace, draw, check, measure.
 
-use clap::{Parser, Subcommand};
+use clap::Parser;
 
-use crate::run::{Common, Outcome, Program};
+use crate::run::{Outcome, Program};
 use crate::{bench, check, conform, explain, generate, merge, methods, render, stats, stress, suite, trace};
 
 /// Exact ray tracing on triangle meshes, and stackless traversals that are checked and measured.
@@ -13,15 +13,7 @@ use crate::{bench, check, conform, explain, generate, merge, methods, render, st
     Where a file is written, `-` is the standard output. Files are written whole or not at all.\n\n\
     Examples:\n  stackless check\n  stackless render examples/data/torus.ply -o torus.png\n  stackless conform -- python3 mine.py"
 )]
-pub(crate) struct Stackless {
-    #[command(flatten)]
-    common: Common,
-    #[command(subcommand)]
-    what: What,
-}
-
-#[derive(Subcommand)]
-pub(crate) enum What {
+pub(crate) enum Stackless {
     /// Trace the rays of a file through a scene.
     Trace(trace::Args),
     /// Draw a scene, or what its traversal costs.
@@ -49,29 +41,23 @@ pub(crate) enum What {
 }
 
 impl Program for Stackless {
-    type What = What;
-
-    fn parts(self) -> (Common, What) {
-        (self.common, self.what)
-    }
-
-    fn run(what: What) -> Outcome {
-        match what {
-            What::Trace(args) => trace::run(&args),
-            What::Render(args) => render::run(&args),
-            What::Check(args) => check::run(&args, &check::Extra::default()),
-            What::Bench(args) => bench::run(&args, bench::Extra::default()),
-            What::Stress(args) => stress::run(&args, stress::Extra::default()),
-            What::Stats(args) => stats::run(&args),
-            What::Methods => {
+    fn run(self) -> Outcome {
+        match self {
+            Self::Trace(args) => trace::run(&args),
+            Self::Render(args) => render::run(&args),
+            Self::Check(args) => check::run(&args, &check::Extra::default()),
+            Self::Bench(args) => bench::run(&args, bench::Extra::default()),
+            Self::Stress(args) => stress::run(&args, stress::Extra::default()),
+            Self::Stats(args) => stats::run(&args),
+            Self::Methods => {
                 methods::run();
                 Ok(true)
             }
-            What::Conform(args) => conform::run(&args),
-            What::Suite(args) => suite::run(&args),
-            What::Explain(args) => explain::run(&args, explain::Extra::default()),
-            What::Merge(args) => merge::run(&args, &merge::COMMANDS),
-            What::Generate(args) => generate::run(&args),
+            Self::Conform(args) => conform::run(&args),
+            Self::Suite(args) => suite::run(&args),
+            Self::Explain(args) => explain::run(&args, explain::Extra::default()),
+            Self::Merge(args) => merge::run(&args, &merge::COMMANDS),
+            Self::Generate(args) => generate::run(&args),
         }
     }
 }
