@@ -85,11 +85,22 @@ pub trait Stored: Vector {
     /// Whether boxes are in a [`Frame`] that is written too.
     const HAS_FRAME: bool;
 
-    /// Appends the bytes of a corner.
-    fn write(self, bytes: &mut Vec<u8>);
+    /// Appends the bytes of a coordinate.
+    fn write_real(x: Self::Real, bytes: &mut Vec<u8>);
 
-    /// The corner that these bytes begin with. Missing ones are taken for zeros.
-    fn read(bytes: &[u8]) -> Self;
+    /// The coordinate that these bytes begin with. Missing ones are taken for zeros.
+    fn read_real(bytes: &[u8]) -> Self::Real;
+
+    /// Appends the bytes of a corner.
+    fn write(self, bytes: &mut Vec<u8>) {
+        self.components().into_iter().for_each(|x| Self::write_real(x, bytes));
+    }
+
+    /// The corner that these bytes begin with, likewise.
+    fn read(bytes: &[u8]) -> Self {
+        let mut reals = bytes.chunks(Self::REAL_BYTES as usize).map(Self::read_real);
+        Self::from_components(array::from_fn(|_| reals.next().unwrap_or_default()))
+    }
 }
 
 impl<V: Stored> Bvh<Triangle<V>> {
@@ -121,10 +132,7 @@ impl<V: Stored> Bvh<Triangle<V>> {
         for corner in [bounds.lo, bounds.hi] {
             corner.write(&mut bytes);
         }
-        if V::HAS_FRAME {
-            region.frame().origin().write(&mut bytes);
-            bytes.extend(region.frame().exponent().to_le_bytes());
-        }
+        write_frame::<V>(region.frame(), &mut bytes);
         for BvhNode { planes, children, links } in nodes {
             bytes.extend(planes.as_flattened().iter().flat_map(|plane| plane.to_le_bytes()));
             bytes.extend([children, links].into_iter().flatten().flat_map(|node| node.to_bits().to_le_bytes()));
@@ -157,7 +165,7 @@ impl<V: Stored> Bvh<Triangle<V>> {
     /// [`BvhFileError`].
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, BvhFileError> {
         let field = |name, value| BvhFileError::Field { name, value };
-        let (header, mut body) =
+        let (header, body) =
             opened(bytes, MAGIC, |&[_, found, _, _, _, nodes, leaves, triangles, ..]: &[u32; 16]| {
                 let expected = V::REAL_BYTES;
                 if found != expected {
@@ -172,6 +180,8 @@ impl<V: Stored> Bvh<Triangle<V>> {
         }
 
         // The length is that of all of these.
+        let (frame, mut body) = body.split_at(frame_bytes::<V>());
+        let frame = read_frame::<V>(frame).map_err(|exponent| field("exponent", exponent))?;
         let mut take = |count: u32, size: usize| {
             let (taken, rest) = body.split_at(count as usize * size);
             body = rest;
@@ -179,10 +189,6 @@ impl<V: Stored> Bvh<Triangle<V>> {
         };
         let [x, y, z, end_x, end_y, end_z] = bounds.map(f32::from_bits);
         let bounds = Aabb { lo: Vec3::new(x, y, z), hi: Vec3::new(end_x, end_y, end_z) };
-        let frame = match take(u32::from(V::HAS_FRAME), FRAME_BYTES).next() {
-            Some(bytes) => read_frame(bytes).map_err(|exponent| field("exponent", exponent))?,
-            None => Frame::IDENTITY,
-        };
         let nodes_read = take(nodes, NODE_BYTES).map(read_node).collect();
         let leaves = take(leaves, LEAF_BYTES).map(read_leaf).collect();
         let triangles = take(triangles, triangle_bytes::<V>()).map(read_triangle).collect();
@@ -207,12 +213,15 @@ impl Stored for Vec3 {
     const REAL_BYTES: u32 = 4;
     const HAS_FRAME: bool = false;
 
-    fn write(self, bytes: &mut Vec<u8>) {
-        bytes.extend(self.to_array().into_iter().flat_map(f32::to_le_bytes));
+    #[inline]
+    fn write_real(x: f32, bytes: &mut Vec<u8>) {
+        bytes.extend(x.to_le_bytes());
     }
 
-    fn read(bytes: &[u8]) -> Self {
-        Self::from_array(numbers(bytes).map(f32::from_le_bytes))
+    #[inline]
+    fn read_real(bytes: &[u8]) -> f32 {
+        let [x] = numbers(bytes).map(f32::from_le_bytes);
+        x
     }
 }
 
@@ -220,12 +229,15 @@ impl Stored for DVec3 {
     const REAL_BYTES: u32 = 8;
     const HAS_FRAME: bool = true;
 
-    fn write(self, bytes: &mut Vec<u8>) {
-        bytes.extend(self.to_array().into_iter().flat_map(f64::to_le_bytes));
+    #[inline]
+    fn write_real(x: f64, bytes: &mut Vec<u8>) {
+        bytes.extend(x.to_le_bytes());
     }
 
-    fn read(bytes: &[u8]) -> Self {
-        Self::from_array(numbers(bytes).map(f64::from_le_bytes))
+    #[inline]
+    fn read_real(bytes: &[u8]) -> f64 {
+        let [x] = numbers(bytes).map(f64::from_le_bytes);
+        x
     }
 }
 
@@ -266,12 +278,22 @@ const fn triangle_bytes<V: Stored>() -> usize {
     9 * V::REAL_BYTES as usize + 4
 }
 
-const fn frame_bytes<V: Stored>() -> usize {
+pub(super) const fn frame_bytes<V: Stored>() -> usize {
     if V::HAS_FRAME { FRAME_BYTES } else { 0 }
 }
 
+pub(super) fn write_frame<V: Stored>(frame: &Frame, bytes: &mut Vec<u8>) {
+    if V::HAS_FRAME {
+        frame.origin().write(bytes);
+        bytes.extend(frame.exponent().to_le_bytes());
+    }
+}
+
 /// The frame, or what is not an exponent. An origin that is not finite is as bad as that.
-fn read_frame(bytes: &[u8]) -> Result<Frame, u32> {
+pub(super) fn read_frame<V: Stored>(bytes: &[u8]) -> Result<Frame, u32> {
+    if !V::HAS_FRAME {
+        return Ok(Frame::IDENTITY);
+    }
     let (origin, exponent) = bytes.split_at(FRAME_BYTES - 4);
     let [exponent] = numbers(exponent).map(u32::from_le_bytes);
     Frame::new(DVec3::read(origin), exponent as i32).ok_or(exponent)

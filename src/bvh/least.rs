@@ -4,6 +4,7 @@ use std::sync::OnceLock;
 
 use super::wide::leaf_places;
 use super::{Bvh, WideBvh};
+use crate::geom::lanes::Precision;
 use crate::tree::Node;
 
 /// Of inner nodes, by their index. It is made when it is first asked for: few queries do.
@@ -42,7 +43,7 @@ impl<S> Bvh<S> {
     }
 }
 
-impl<const A: usize> WideBvh<A> {
+impl<const A: usize, V: Precision> WideBvh<A, V> {
     /// The least index of the triangles of a leaf, or below an inner node.
     pub(crate) fn least_below(&self, node: Node) -> u32 {
         let children = |i: usize| {

@@ -5,6 +5,8 @@
 //! proofs see the same cases. The smallest choice (0) is everywhere the simplest one: shrinking bytes shrinks cases.
 
 #[cfg(feature = "rays")]
+pub mod double;
+#[cfg(feature = "rays")]
 pub mod draw;
 mod family;
 #[cfg(feature = "rays")]

@@ -72,6 +72,28 @@ impl<V: Vector> Measure<V> {
         self.point
     }
 
+    /// Bounds of the point in the frame of boxes.
+    pub(crate) fn ends_in_frame(&self) -> [Vec3; 2] {
+        let [least, most] = self.in_frame;
+        let ends = [0, 1, 2].map(|k| Interval::between([least[k], most[k]]).ends_in_single());
+        [0, 1].map(|end| Vec3::from(ends.map(|ends| ends[end])))
+    }
+
+    /// A distance in the units of the frame, rounded up.
+    pub(crate) fn in_frame(&self, distance: V::Real) -> f32 {
+        let [_, up] = if self.frame.is_identity() {
+            distance.ends_in_single()
+        } else {
+            Interval::exact(distance.into()).scaled(-self.frame.exponent()).ends_in_single()
+        };
+        up
+    }
+
+    /// A distance from those units.
+    pub(crate) fn from_frame(&self, distance: f32) -> V::Real {
+        V::Real::rounded(f64::from(distance) * self.unit)
+    }
+
     /// The float nearest to the exact distance of the triangle, if that is at most the radius.
     ///
     /// A distance that rounds to more than `limit` may be left out.

@@ -2,6 +2,7 @@
 
 use crate::bvh::wide::leaf_places;
 use crate::bvh::{Bvh, WideBvh};
+use crate::geom::lanes::Precision;
 use crate::geom::{Region, Triangle};
 use crate::tree::Node;
 
@@ -53,7 +54,7 @@ impl<S: Copy> Held<S> for Bvh<S> {
 }
 
 /// A place is four times the block's, and the lane.
-impl<const A: usize> Held<Triangle> for WideBvh<A> {
+impl<const A: usize, V: Precision> Held<Triangle<V>> for WideBvh<A, V> {
     fn region(&self) -> &Region {
         self.region()
     }
@@ -62,7 +63,7 @@ impl<const A: usize> Held<Triangle> for WideBvh<A> {
         self.duplicates() > 0
     }
 
-    fn for_each(&self, leaf: Node, mut show: impl FnMut(usize, &Triangle, u32)) {
+    fn for_each(&self, leaf: Node, mut show: impl FnMut(usize, &Triangle<V>, u32)) {
         for place in leaf_places(leaf) {
             show(place, &self.triangle(place), self.prim(place));
         }
@@ -72,7 +73,7 @@ impl<const A: usize> Held<Triangle> for WideBvh<A> {
         self.least_below(node)
     }
 
-    fn shape(&self, place: usize) -> Triangle {
+    fn shape(&self, place: usize) -> Triangle<V> {
         self.triangle(place)
     }
 }

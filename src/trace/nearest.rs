@@ -106,9 +106,14 @@ impl<'a, V: Vector, H: Held<Triangle<V>>> Around<'a, H, V> {
         Self { bvh, measure, limit: Limit { distance: ball.radius(), prim: u32::MAX } }
     }
 
-    /// The point.
-    pub(super) fn point(&self) -> V {
-        self.measure.point()
+    /// What the point is measured by.
+    pub(super) fn measure(&self) -> &Measure<V> {
+        &self.measure
+    }
+
+    /// Boxes that are farther, in the units of their frame, do not matter.
+    pub(super) fn end(&self) -> f32 {
+        self.measure.in_frame(self.limit.distance)
     }
 
     /// At most the distance of what is in a box: rounding keeps the order.

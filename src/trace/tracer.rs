@@ -6,13 +6,16 @@ mod shared;
 mod turns;
 
 use std::borrow::Borrow;
+use std::marker::PhantomData;
 use std::{fmt, vec};
+
+use glam::Vec3;
 
 use super::binary::CHUNK;
 use super::cast::Cast;
 use super::{Crossings, Following, Hit, Near, NearestPoint, NearestPoints, Sweep, next};
 use crate::bvh::{WideBvh, WideError};
-use crate::geom::lanes::{Level, with_baseline};
+use crate::geom::lanes::{Level, Precision, with_baseline};
 use crate::geom::{Ball, EnvironmentError, Mesh, Ray};
 use crate::threads;
 use crate::tree::Node;
@@ -45,27 +48,28 @@ pub(super) use turns::with_memory;
 /// assert_eq!(tracer.any_each(&[ray, ray]), [true, true]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct Tracer<T = WideBvh> {
+pub struct Tracer<T = WideBvh, V = Vec3> {
     bvh: T,
     method: Method,
     tables: Tables,
     level: Level,
+    precision: PhantomData<fn() -> V>,
 }
 
-impl Tracer {
+impl<V: Precision> Tracer<WideBvh<8, V>, V> {
     /// A tracer that owns a hierarchy over a mesh, by [`WideBvh::build`].
     ///
     /// # Errors
     /// [`WideError`], for meshes that are too large.
-    pub fn of(mesh: &Mesh) -> Result<Self, WideError> {
+    pub fn of(mesh: &Mesh<V>) -> Result<Self, WideError> {
         WideBvh::build(mesh).map(Self::new)
     }
 }
 
-impl<T: Borrow<WideBvh>> Tracer<T> {
+impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
     /// A tracer by [`Method::default`], which fits any hierarchy, with the best instructions of this machine.
     pub fn new(bvh: T) -> Self {
-        Self { bvh, method: Method::default(), tables: Tables::NONE, level: Level::new() }
+        Self { bvh, method: Method::default(), tables: Tables::NONE, level: Level::new(), precision: PhantomData }
     }
 
     /// A tracer by any traversal.
@@ -74,7 +78,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     /// [`Unfit`] where the hierarchy has too many levels for it.
     pub fn with_method(bvh: T, method: Method) -> Result<Self, Unfit> {
         let tables = Tables::of(method, bvh.borrow());
-        let tracer = Self { bvh, method, tables, level: Level::new() };
+        let tracer = Self { bvh, method, tables, level: Level::new(), precision: PhantomData };
         // What is unfit is found before the first ray.
         tracer.run(&[], Ask::Distance, &mut |_, _| ()).map(|()| tracer)
     }
@@ -86,7 +90,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     /// The hierarchy.
-    pub fn bvh(&self) -> &WideBvh {
+    pub fn bvh(&self) -> &WideBvh<8, V> {
         self.bvh.borrow()
     }
 
@@ -106,12 +110,12 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     /// The closest hit: the least exact distance, and of equal ones the least index. `[EXACT-1]`
-    pub fn closest(&self, ray: &Ray) -> Option<Hit> {
+    pub fn closest(&self, ray: &Ray<V>) -> Option<Hit<V::Real>> {
         self.one(ray, Ask::Closest)
     }
 
     /// [`closest`](Self::closest) of each ray, on this thread.
-    pub fn closest_each(&self, rays: &[Ray]) -> Vec<Option<Hit>> {
+    pub fn closest_each(&self, rays: &[Ray<V>]) -> Vec<Option<Hit<V::Real>>> {
         self.each(rays, Ask::Closest, |hit| hit)
     }
 
@@ -119,7 +123,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     ///
     /// # Errors
     /// [`EnvironmentError`], of any thread that took part.
-    pub fn closest_parallel(&self, rays: &[Ray]) -> Result<Vec<Option<Hit>>, EnvironmentError>
+    pub fn closest_parallel(&self, rays: &[Ray<V>]) -> Result<Vec<Option<Hit<V::Real>>>, EnvironmentError>
     where
         T: Sync,
     {
@@ -127,23 +131,23 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     /// Triangle and distance of the [`closest`](Self::closest) hit, without its weights.
-    pub fn closest_distance(&self, ray: &Ray) -> Option<(u32, f32)> {
+    pub fn closest_distance(&self, ray: &Ray<V>) -> Option<(u32, V::Real)> {
         self.one(ray, Ask::Distance).map(distance)
     }
 
     /// [`closest_distance`](Self::closest_distance) of each ray, on this thread, into `found`: of as many as both have.
-    pub fn closest_distances(&self, rays: &[Ray], found: &mut [Option<(u32, f32)>]) {
+    pub fn closest_distances(&self, rays: &[Ray<V>], found: &mut [Option<(u32, V::Real)>]) {
         let count = rays.len().min(found.len());
-        self.run_fit(&rays[..count], Ask::Distance, &mut |i, hit: Option<Hit>| found[i] = hit.map(distance));
+        self.run_fit(&rays[..count], Ask::Distance, &mut |i, hit: Option<Hit<V::Real>>| found[i] = hit.map(distance));
     }
 
     /// Whether there is any hit.
-    pub fn any(&self, ray: &Ray) -> bool {
+    pub fn any(&self, ray: &Ray<V>) -> bool {
         self.one(ray, Ask::Any).is_some()
     }
 
     /// [`any`](Self::any) of each ray, on this thread.
-    pub fn any_each(&self, rays: &[Ray]) -> Vec<bool> {
+    pub fn any_each(&self, rays: &[Ray<V>]) -> Vec<bool> {
         self.each(rays, Ask::Any, |hit| hit.is_some())
     }
 
@@ -151,7 +155,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     ///
     /// # Errors
     /// [`EnvironmentError`], of any thread that took part.
-    pub fn any_parallel(&self, rays: &[Ray]) -> Result<Vec<bool>, EnvironmentError>
+    pub fn any_parallel(&self, rays: &[Ray<V>]) -> Result<Vec<bool>, EnvironmentError>
     where
         T: Sync,
     {
@@ -159,12 +163,12 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     /// Any hit, whole: the first that is met, which depends on hierarchy and traversal.
-    pub fn any_hit(&self, ray: &Ray) -> Option<Hit> {
+    pub fn any_hit(&self, ray: &Ray<V>) -> Option<Hit<V::Real>> {
         self.one(ray, Ask::AnyHit)
     }
 
     /// [`any_hit`](Self::any_hit) of each ray, on this thread.
-    pub fn any_hit_each(&self, rays: &[Ray]) -> Vec<Option<Hit>> {
+    pub fn any_hit_each(&self, rays: &[Ray<V>]) -> Vec<Option<Hit<V::Real>>> {
         self.each(rays, Ask::AnyHit, |hit| hit)
     }
 
@@ -172,7 +176,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     ///
     /// # Errors
     /// [`EnvironmentError`], of any thread that took part.
-    pub fn any_hit_parallel(&self, rays: &[Ray]) -> Result<Vec<Option<Hit>>, EnvironmentError>
+    pub fn any_hit_parallel(&self, rays: &[Ray<V>]) -> Result<Vec<Option<Hit<V::Real>>>, EnvironmentError>
     where
         T: Sync,
     {
@@ -181,12 +185,12 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
 
     /// All hits, each triangle once, in the order of exact distance and then of primitive: edges and corners
     /// included.
-    pub fn all(&self, ray: &Ray) -> vec::IntoIter<Hit> {
+    pub fn all(&self, ray: &Ray<V>) -> vec::IntoIter<Hit<V::Real>> {
         self.all_hits(ray).into_iter()
     }
 
     /// [`all`](Self::all) of each ray, on this thread.
-    pub fn all_each(&self, rays: &[Ray]) -> Vec<Vec<Hit>> {
+    pub fn all_each(&self, rays: &[Ray<V>]) -> Vec<Vec<Hit<V::Real>>> {
         rays.iter().map(|ray| self.all_hits(ray)).collect()
     }
 
@@ -194,7 +198,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     ///
     /// # Errors
     /// [`EnvironmentError`], of any thread that took part.
-    pub fn all_parallel(&self, rays: &[Ray]) -> Result<Vec<Vec<Hit>>, EnvironmentError>
+    pub fn all_parallel(&self, rays: &[Ray<V>]) -> Result<Vec<Vec<Hit<V::Real>>>, EnvironmentError>
     where
         T: Sync,
     {
@@ -204,7 +208,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     /// The first hit after a given one (`t`, primitive), in the order of [`all`](Self::all). So hits can be walked through
     /// one by one: none is lost or met again, not even where many have the same `t`. If the ray does not hit the given
     /// triangle at a distance that rounds to `t`, hits after `t` itself count. `[EXACT-13]`
-    pub fn next(&self, ray: &Ray, after: (f32, u32)) -> Option<Hit> {
+    pub fn next(&self, ray: &Ray<V>, after: (V::Real, u32)) -> Option<Hit<V::Real>> {
         let bvh = self.bvh();
         with_baseline!(simd => {
             let cast = Cast::with(bvh, ray, LaneRay::new(simd, &next::rest(ray, after.0), bvh));
@@ -228,7 +232,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     /// }
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn crossings(&self, ray: &Ray) -> u32 {
+    pub fn crossings(&self, ray: &Ray<V>) -> u32 {
         let bvh = self.bvh();
         with_baseline!(simd => {
             let mut query = Crossings::over(Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh)));
@@ -238,7 +242,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     /// [`crossings`](Self::crossings) of each ray, on this thread.
-    pub fn crossings_each(&self, rays: &[Ray]) -> Vec<u32> {
+    pub fn crossings_each(&self, rays: &[Ray<V>]) -> Vec<u32> {
         rays.iter().map(|ray| self.crossings(ray)).collect()
     }
 
@@ -246,7 +250,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     ///
     /// # Errors
     /// [`EnvironmentError`], of any thread that took part.
-    pub fn crossings_parallel(&self, rays: &[Ray]) -> Result<Vec<u32>, EnvironmentError>
+    pub fn crossings_parallel(&self, rays: &[Ray<V>]) -> Result<Vec<u32>, EnvironmentError>
     where
         T: Sync,
     {
@@ -254,14 +258,14 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     /// The point of the mesh that is nearest to the middle of a ball, if there is one in it. `[NEAR-1]`
-    pub fn nearest(&self, ball: &Ball) -> Option<Near> {
+    pub fn nearest(&self, ball: &Ball<V>) -> Option<Near<V>> {
         let mut query = NearestPoint::new(self.bvh(), ball);
         self.run_shared(&mut query);
         query.near()
     }
 
     /// [`nearest`](Self::nearest) of each ball, on this thread.
-    pub fn nearest_each(&self, balls: &[Ball]) -> Vec<Option<Near>> {
+    pub fn nearest_each(&self, balls: &[Ball<V>]) -> Vec<Option<Near<V>>> {
         balls.iter().map(|ball| self.nearest(ball)).collect()
     }
 
@@ -269,7 +273,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     ///
     /// # Errors
     /// [`EnvironmentError`], of any thread that took part.
-    pub fn nearest_parallel(&self, balls: &[Ball]) -> Result<Vec<Option<Near>>, EnvironmentError>
+    pub fn nearest_parallel(&self, balls: &[Ball<V>]) -> Result<Vec<Option<Near<V>>>, EnvironmentError>
     where
         T: Sync,
     {
@@ -278,7 +282,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
 
     /// The `k` triangles that are nearest to the middle of a ball, in order of distance and then index, as many as
     /// there are in the ball. `[NEAR-2]`
-    pub fn nearest_k(&self, ball: &Ball, k: usize) -> Vec<Near> {
+    pub fn nearest_k(&self, ball: &Ball<V>, k: usize) -> Vec<Near<V>> {
         let mut query = NearestPoints::new(self.bvh(), ball, k);
         self.run_shared(&mut query);
         query.nears().collect()
@@ -286,12 +290,12 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
 
     /// What a ray wants of an inner node before anything is hit: the children whose boxes it meets, with the ranks by
     /// which they come. For whoever shows a traversal, or counts. `[LANES-2]`
-    pub fn wanted(&self, ray: &Ray, node: Node) -> Wanted<[u32; 8]> {
+    pub fn wanted(&self, ray: &Ray<V>, node: Node) -> Wanted<[u32; 8]> {
         let bvh = self.bvh();
         with_baseline!(simd => Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh)).ask(node))
     }
 
-    fn all_hits(&self, ray: &Ray) -> Vec<Hit> {
+    fn all_hits(&self, ray: &Ray<V>) -> Vec<Hit<V::Real>> {
         let bvh = self.bvh();
         with_baseline!(simd => {
             let cast = Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh));
@@ -306,13 +310,13 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
         debug_assert_eq!(ran, Ok(()));
     }
 
-    fn one(&self, ray: &Ray, ask: Ask) -> Option<Hit> {
+    fn one(&self, ray: &Ray<V>, ask: Ask) -> Option<Hit<V::Real>> {
         let answer = trace_one(self.method, self.job(ask), ray);
         debug_assert!(answer.is_ok(), "{answer:?}");
         answer.unwrap_or(None)
     }
 
-    fn each<A: Clone + Default>(&self, rays: &[Ray], ask: Ask, answer: impl Fn(Option<Hit>) -> A) -> Vec<A> {
+    fn each<A: Clone + Default>(&self, rays: &[Ray<V>], ask: Ask, answer: impl Fn(Option<Hit<V::Real>>) -> A) -> Vec<A> {
         let mut answers = vec![A::default(); rays.len()];
         self.run_fit(rays, ask, &mut |i, hit| answers[i] = answer(hit));
         answers
@@ -320,9 +324,9 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
 
     fn parallel<A: Clone + Default + Send>(
         &self,
-        rays: &[Ray],
+        rays: &[Ray<V>],
         ask: Ask,
-        answer: impl Fn(Option<Hit>) -> A + Sync + Send,
+        answer: impl Fn(Option<Hit<V::Real>>) -> A + Sync + Send,
     ) -> Result<Vec<A>, EnvironmentError>
     where
         T: Sync,
@@ -332,16 +336,16 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     /// Whether the traversal fits was found when the tracer was made.
-    fn run_fit(&self, rays: &[Ray], ask: Ask, answer: &mut Answer<'_>) {
+    fn run_fit(&self, rays: &[Ray<V>], ask: Ask, answer: &mut Answer<'_, V>) {
         let ran = self.run(rays, ask, answer);
         debug_assert_eq!(ran, Ok(()));
     }
 
-    fn run(&self, rays: &[Ray], ask: Ask, answer: &mut Answer<'_>) -> Result<(), Unfit> {
+    fn run(&self, rays: &[Ray<V>], ask: Ask, answer: &mut Answer<'_, V>) -> Result<(), Unfit> {
         trace(self.method, self.job(ask), rays, answer)
     }
 
-    fn job(&self, ask: Ask) -> Job<'_> {
+    fn job(&self, ask: Ask) -> Job<'_, V> {
         Job { bvh: self.bvh(), tables: &self.tables, level: self.level, ask }
     }
 }
@@ -354,11 +358,11 @@ fn in_parallel<I: Sync, A: Send>(
     threads::guarded(|| threads::map(0..items.len(), CHUNK, |i| answer(&items[i])))
 }
 
-const fn distance(hit: Hit) -> (u32, f32) {
+fn distance<R: Copy>(hit: Hit<R>) -> (u32, R) {
     (hit.prim, hit.t)
 }
 
-impl<T> fmt::Debug for Tracer<T> {
+impl<T, V> fmt::Debug for Tracer<T, V> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { method, level, .. } = self;
         f.debug_struct("Tracer").field("method", method).field("level", level).finish_non_exhaustive()

@@ -8,8 +8,8 @@ use super::programme::Programme;
 use super::{CUT, MAX_COUNT, WideBvh, WideNode, name_ancestors};
 use crate::bvh::least::Least;
 use crate::bvh::{BuildError, BuildOptions, Bvh};
-use crate::geom::lanes::Block;
-use crate::geom::{Aabb, EnvironmentError, Mesh};
+use crate::geom::lanes::{Block, Precision};
+use crate::geom::{Aabb, EnvironmentError, Mesh, Triangle};
 use crate::threads;
 use crate::tree::Node;
 
@@ -54,7 +54,7 @@ pub enum WideError {
     Environment(#[from] EnvironmentError),
 }
 
-impl WideBvh {
+impl<V: Precision> WideBvh<8, V> {
     /// A hierarchy of eight children over a mesh: by surface area with one triangle a leaf, then collapsed.
     ///
     /// It takes two to three times as long as [`Bvh::build`]. Two rounds of
@@ -64,18 +64,18 @@ impl WideBvh {
     ///
     /// # Errors
     /// What [`WideError`] lists but for options.
-    pub fn build(mesh: &Mesh) -> Result<Self, WideError> {
+    pub fn build(mesh: &Mesh<V>) -> Result<Self, WideError> {
         Self::of(&BuildOptions::fine().build(mesh)?)
     }
 }
 
-impl<const A: usize> WideBvh<A> {
+impl<const A: usize, V: Precision> WideBvh<A, V> {
     /// A wide hierarchy over the triangles of a binary one. The best one is made of a binary one with
     /// [one triangle a leaf](BuildOptions::fine).
     ///
     /// # Errors
     /// What [`WideError`] lists but for options.
-    pub fn of(bvh: &Bvh) -> Result<Self, WideError> {
+    pub fn of(bvh: &Bvh<Triangle<V>>) -> Result<Self, WideError> {
         Self::with_options(bvh, &WideOptions::default())
     }
 
@@ -87,7 +87,7 @@ impl<const A: usize> WideBvh<A> {
     ///
     /// # Errors
     /// What [`WideError`] lists.
-    pub fn with_options(bvh: &Bvh, options: &WideOptions) -> Result<Self, WideError> {
+    pub fn with_options(bvh: &Bvh<Triangle<V>>, options: &WideOptions) -> Result<Self, WideError> {
         const { assert!(A == 4 || A == 8, "nodes have four or eight children") };
         let WideOptions { node_cost, block_cost, max_leaf } = *options;
         if !(1..=MAX_COUNT).contains(&max_leaf) {
@@ -105,8 +105,8 @@ impl<const A: usize> WideBvh<A> {
     }
 }
 
-struct Collapse<'a, const A: usize> {
-    bvh: &'a Bvh,
+struct Collapse<'a, V: Precision, const A: usize> {
+    bvh: &'a Bvh<Triangle<V>>,
     draft: &'a Draft,
     programme: &'a Programme<A>,
 }
@@ -129,17 +129,17 @@ struct Pending {
 }
 
 /// A part of the hierarchy, with places of its own. Its root is the first node.
-struct Made<const A: usize> {
+struct Made<V: Precision, const A: usize> {
     nodes: Vec<WideNode<A>>,
-    blocks: Vec<Block>,
+    blocks: Vec<Block<V>>,
     levels: u32,
     /// Triangles in all leaves.
     references: usize,
 }
 
-impl<const A: usize> Collapse<'_, A> {
+impl<V: Precision, const A: usize> Collapse<'_, V, A> {
     /// The top first; then what is below it, on all threads.
-    fn run(self) -> Result<WideBvh<A>, WideError> {
+    fn run(self) -> Result<WideBvh<A, V>, WideError> {
         let (mut made, pending) = self.below(Pending { source: Source::Node(0), index: 0, level: 0 }, CUT as u32);
         let parts = threads::map(0..pending.len(), 1, |i| self.below(Pending { index: 0, ..pending[i].clone() }, 0).0);
         for (Pending { index, .. }, part) in pending.into_iter().zip(parts) {
@@ -161,7 +161,7 @@ impl<const A: usize> Collapse<'_, A> {
     }
 
     /// What is below a node, and the nodes that are left to be filled: those that hold at most `cut` triangles.
-    fn below(&self, root: Pending, cut: u32) -> (Made<A>, Vec<Pending>) {
+    fn below(&self, root: Pending, cut: u32) -> (Made<V, A>, Vec<Pending>) {
         let mut made = Made { nodes: vec![WideNode::EMPTY], blocks: Vec::new(), levels: 0, references: 0 };
         let (mut pending, mut left) = (vec![root], Vec::new());
         let mut inner = Vec::new();
@@ -205,7 +205,7 @@ impl<const A: usize> Collapse<'_, A> {
     }
 
     /// The blocks of a leaf. Parts of one triangle may meet again in it.
-    fn leaf(&self, place: u32, made: &mut Made<A>) -> Node {
+    fn leaf(&self, place: u32, made: &mut Made<V, A>) -> Node {
         let node = &self.draft.nodes[place as usize];
         let mut held = Cow::Borrowed(&self.bvh.triangles()[node.first as usize..(node.first + node.count) as usize]);
         if self.bvh.duplicates() > 0 {
@@ -230,7 +230,7 @@ impl<const A: usize> Collapse<'_, A> {
     /// What is at this level can always be made anew within the limit: that holds for the root, for children of a node
     /// that is made anew, as they have an A-th of its leaves, and for others because it is asked here.
     fn children(&self, source: Source, level: u32) -> Vec<Child<Source>> {
-        let left = WideBvh::<A>::MAX_LEVEL - level;
+        let left = WideBvh::<A, V>::MAX_LEVEL - level;
         let leaves = match source {
             Source::Leaves(leaves) => leaves,
             Source::Node(place) => {
@@ -272,14 +272,14 @@ impl<const A: usize> Collapse<'_, A> {
     }
 }
 
-impl<const A: usize> Made<A> {
+impl<V: Precision, const A: usize> Made<V, A> {
     /// Takes a part over, with its root at this index.
     fn take(&mut self, index: usize, part: Self) -> Result<(), WideError> {
         let (nodes, blocks) = (self.nodes.len() + part.nodes.len() - 1, self.blocks.len() + part.blocks.len());
-        if nodes > WideBvh::<A>::MAX_NODES {
+        if nodes > WideBvh::<A, V>::MAX_NODES {
             return Err(WideError::TooManyNodes);
         }
-        if blocks > WideBvh::<A>::MAX_BLOCKS {
+        if blocks > WideBvh::<A, V>::MAX_BLOCKS {
             return Err(WideError::TooManyBlocks);
         }
         // The index of its second node, less one; the index of its first block.

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::CUT;
 use crate::bvh::Bvh;
-use crate::geom::Aabb;
+use crate::geom::{Aabb, Triangle, Vector};
 use crate::order::Side;
 use crate::threads;
 use crate::tree::{Node, Topology};
@@ -47,7 +47,7 @@ struct Task<'d> {
 
 impl Draft {
     /// A leaf of more than `max_leaf` triangles is halved until none is.
-    pub(super) fn of(bvh: &Bvh, max_leaf: u32) -> Self {
+    pub(super) fn of<V: Vector>(bvh: &Bvh<Triangle<V>>, max_leaf: u32) -> Self {
         let source = Source::new(bvh, max_leaf);
         let (root, aabb) = (Below::Subtree(bvh.root(), 0..bvh.leaves().len() as u32), bvh.bounds());
         let none = DraftNode { aabb: Aabb::EMPTY, children: None, first: 0, count: 0 };
@@ -88,14 +88,14 @@ impl Draft {
 }
 
 /// A hierarchy, and how many leaves of the draft are before each of its leaves.
-struct Source<'a> {
-    bvh: &'a Bvh,
+struct Source<'a, V: Vector> {
+    bvh: &'a Bvh<Triangle<V>>,
     max_leaf: u32,
     before: Vec<u32>,
 }
 
-impl<'a> Source<'a> {
-    fn new(bvh: &'a Bvh, max_leaf: u32) -> Self {
+impl<'a, V: Vector> Source<'a, V> {
+    fn new(bvh: &'a Bvh<Triangle<V>>, max_leaf: u32) -> Self {
         let mut sum = 0;
         let counts = bvh.leaves().iter().map(|leaf| parts(leaf.count, max_leaf));
         let before = [0].into_iter().chain(counts.map(|count| {
@@ -166,7 +166,7 @@ impl<'a> Source<'a> {
                 // A leaf's box may hold only parts of its triangles: then other leaves hold the others.
                 let half = |triangles: Range<u32>| {
                     let held = &self.bvh.triangles()[triangles.start as usize..triangles.end as usize];
-                    let around = held.iter().fold(Aabb::EMPTY, |around, held| around.union(held.shape.aabb()));
+                    let around = held.iter().fold(Aabb::EMPTY, |around, held| around.union(self.bvh.frame().aabb(&held.shape)));
                     (Below::Part(triangles), around.intersection(aabb))
                 };
                 [half(start..middle), half(middle..end)]

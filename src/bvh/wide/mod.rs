@@ -31,18 +31,19 @@ pub use validate::WideBvhError;
 use std::ops::Range;
 
 use super::least::Least;
-use crate::geom::lanes::Block;
+use crate::geom::lanes::{Block, Precision};
 use crate::geom::{Aabb, Region, Triangle};
 use crate::tree::Node;
 use crate::wide::Topology;
 
 use glam::Vec3;
 
-/// A hierarchy over the triangles of a mesh in single precision, with up to `A` children a node: 4 or 8. `[WIDE-1]`
+/// A hierarchy over the triangles of a mesh, with up to `A` children a node: 4 or 8. Boxes are in single precision, in the
+/// [frame](crate::geom::Frame) of a mesh in double precision. `[WIDE-1]`
 #[derive(Clone, Debug)]
-pub struct WideBvh<const A: usize = 8> {
+pub struct WideBvh<const A: usize = 8, V: Precision = Vec3> {
     nodes: Vec<WideNode<A>>,
-    blocks: Vec<Block>,
+    blocks: Vec<Block<V>>,
     region: Region,
     levels: u32,
     /// Triangles of the mesh, those that are in no leaf included.
@@ -78,7 +79,7 @@ const CUT: usize = 4096;
 /// Greatest number of triangles in a leaf that 4 bits hold.
 const MAX_COUNT: u32 = 15;
 
-impl<const A: usize> WideBvh<A> {
+impl<const A: usize, V: Precision> WideBvh<A, V> {
     /// Greatest level of an inner node: all traversals carry so many. `[WIDE-14]`
     pub const MAX_LEVEL: u32 = if A == 8 { 16 } else { 30 };
 
@@ -103,13 +104,13 @@ impl<const A: usize> WideBvh<A> {
 
     /// Triangles, four at a time, in the order of the leaves.
     #[inline(always)]
-    pub fn blocks(&self) -> &[Block] {
+    pub fn blocks(&self) -> &[Block<V>] {
         &self.blocks
     }
 
     /// What a traversal reads.
     #[inline(always)]
-    pub(crate) fn tree(&self) -> WideTree<'_, A> {
+    pub(crate) fn tree(&self) -> WideTree<'_, A, V> {
         WideTree { nodes: &self.nodes, blocks: &self.blocks, levels: self.levels }
     }
 
@@ -131,7 +132,7 @@ impl<const A: usize> WideBvh<A> {
 
     /// The blocks of a leaf, and how many triangles they hold together.
     #[inline(always)]
-    pub fn leaf(&self, leaf: Node) -> (&[Block], u32) {
+    pub fn leaf(&self, leaf: Node) -> (&[Block<V>], u32) {
         let (first, count) = leaf_parts(leaf);
         (&self.blocks[first..first + count.div_ceil(4) as usize], count)
     }
@@ -142,7 +143,7 @@ impl<const A: usize> WideBvh<A> {
     }
 
     /// The triangle at a [place](leaf_places).
-    pub(crate) fn triangle(&self, place: usize) -> Triangle {
+    pub(crate) fn triangle(&self, place: usize) -> Triangle<V> {
         self.blocks[place / 4].triangle(place & 3)
     }
 }
@@ -150,22 +151,22 @@ impl<const A: usize> WideBvh<A> {
 /// What a traversal reads of a hierarchy: a value, not a reference to one. So the compiler knows that no write of a
 /// traversal moves or shortens the slices, and the place of a node is found and checked once.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct WideTree<'a, const A: usize = 8> {
+pub(crate) struct WideTree<'a, const A: usize = 8, V: Precision = Vec3> {
     pub(crate) nodes: &'a [WideNode<A>],
-    blocks: &'a [Block],
+    blocks: &'a [Block<V>],
     levels: u32,
 }
 
-impl<'a, const A: usize> WideTree<'a, A> {
+impl<'a, const A: usize, V: Precision> WideTree<'a, A, V> {
     /// The blocks from a leaf's first one on, and how many triangles of these are the leaf's.
     #[inline(always)]
-    pub(crate) fn leaf(&self, leaf: Node) -> (&'a [Block], u32) {
+    pub(crate) fn leaf(&self, leaf: Node) -> (&'a [Block<V>], u32) {
         let (first, count) = leaf_parts(leaf);
         (&self.blocks[first..], count)
     }
 }
 
-impl<const A: usize> Topology<A> for WideTree<'_, A> {
+impl<const A: usize, V: Precision> Topology<A> for WideTree<'_, A, V> {
     #[inline(always)]
     fn root(&self) -> Node {
         Node::inner(0)
@@ -198,7 +199,7 @@ impl<const A: usize> Topology<A> for WideTree<'_, A> {
     }
 }
 
-impl<const A: usize> Topology<A> for WideBvh<A> {
+impl<const A: usize, V: Precision> Topology<A> for WideBvh<A, V> {
     #[inline(always)]
     fn root(&self) -> Node {
         self.tree().root()

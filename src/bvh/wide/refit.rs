@@ -2,9 +2,10 @@
 
 use super::{WideBvh, leaf_parts};
 use crate::bvh::RefitError;
-use crate::geom::{Aabb, Mesh, Region, Triangle, check_environment};
+use crate::geom::lanes::Precision;
+use crate::geom::{Aabb, Frame, Mesh, Region, Triangle, check_environment};
 
-impl<const A: usize> WideBvh<A> {
+impl<const A: usize, V: Precision> WideBvh<A, V> {
     /// Takes on a mesh of as many triangles, and the smallest boxes that hold them, in the same tree.
     ///
     /// Where spatial splits cut triangles in two, each of their leaves now holds them whole. Queries stay right, and
@@ -24,7 +25,7 @@ impl<const A: usize> WideBvh<A> {
     ///
     /// # Errors
     /// What [`RefitError`] lists, but for [`RefitError::NoBox`]; then nothing has changed.
-    pub fn refit(&mut self, mesh: &Mesh) -> Result<(), RefitError> {
+    pub fn refit(&mut self, mesh: &Mesh<V>) -> Result<(), RefitError> {
         check_environment()?;
         let (found, expected) = (mesh.triangles().len(), self.triangles);
         if found != expected {
@@ -56,19 +57,19 @@ impl<const A: usize> WideBvh<A> {
                     continue;
                 }
                 let child = node.child(slot);
-                let aabb = if child.is_leaf() { self.leaf_box(leaf_parts(child)) } else { own[child.index()] };
+                let aabb = if child.is_leaf() { self.leaf_box(leaf_parts(child), mesh.frame()) } else { own[child.index()] };
                 self.nodes[index].set_child_box(slot, &aabb);
                 own[index] = own[index].union(aabb);
             }
         }
         if !self.blocks.is_empty() {
-            self.region = Region::of(&own[0]);
+            self.region = Region::within(*mesh.frame(), &own[0]);
         }
         Ok(())
     }
 
-    fn leaf_box(&self, (first, count): (usize, u32)) -> Aabb {
-        let lanes = (0..count as usize).map(|i| self.blocks[first + i / 4].triangle(i & 3).aabb());
+    fn leaf_box(&self, (first, count): (usize, u32), frame: &Frame) -> Aabb {
+        let lanes = (0..count as usize).map(|i| frame.aabb(&self.blocks[first + i / 4].triangle(i & 3)));
         lanes.fold(Aabb::EMPTY, Aabb::union)
     }
 }

@@ -329,7 +329,7 @@ fn mistakes_are_named() {
     // One triangle fewer in its leaf.
     let fewer = |w: &mut WideBvh<8>| {
         w.nodes[node].children[at] -= 1 << 27;
-        (w.blocks[block].prims[last], w.blocks[block].edges[last]) = (Block::NONE, Block::EMPTY.edges[0]);
+        (w.blocks[block].prims[last], w.blocks[block].edges[last]) = (Block::NONE, Block::<Vec3>::EMPTY.edges[0]);
         w.blocks[block].corners.as_flattened_mut().iter_mut().for_each(|row| row[last] = 0.0);
         if last == 0 {
             w.blocks.remove(block);

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use super::{MAX_COUNT, WideBvh, WideNode, leaf_parts};
 use crate::bvh::cover;
-use crate::geom::lanes::Block;
-use crate::geom::{Aabb, Frame, Mesh, Region, Triangle};
+use crate::geom::lanes::{Block, Precision};
+use crate::geom::{Aabb, Mesh, Region, Triangle};
 use crate::tree::Node;
 
 /// What is wrong with a wide hierarchy, and where: the index of an inner node, and a slot.
@@ -165,7 +165,7 @@ pub enum WideBvhError {
 /// A triangle in a leaf: its index, the node and the slot, and its place.
 type Reference = (u32, u32, u32, usize);
 
-impl<const A: usize> WideBvh<A> {
+impl<const A: usize, V: Precision> WideBvh<A, V> {
     /// Checks that the hierarchy is sound in itself and holds each triangle of the mesh (degenerate ones need not be
     /// there).
     ///
@@ -175,12 +175,12 @@ impl<const A: usize> WideBvh<A> {
     ///
     /// # Errors
     /// Of the nodes the first fault found; else that of the first triangle.
-    pub fn validate(&self, mesh: &Mesh) -> Result<(), WideBvhError> {
+    pub fn validate(&self, mesh: &Mesh<V>) -> Result<(), WideBvhError> {
         self.check(Some(mesh))
     }
 
     /// The same; without a mesh, that the hierarchy is sound in itself.
-    pub(super) fn check(&self, mesh: Option<&Mesh>) -> Result<(), WideBvhError> {
+    pub(super) fn check(&self, mesh: Option<&Mesh<V>>) -> Result<(), WideBvhError> {
         let (nodes, blocks) = (self.nodes.len(), self.blocks.len());
         if nodes == 0 || nodes > Self::MAX_NODES || blocks > Self::MAX_BLOCKS {
             return Err(WideBvhError::Size { nodes, blocks });
@@ -194,12 +194,13 @@ impl<const A: usize> WideBvh<A> {
         self.check_references(mesh, &references)
     }
 
-    fn check_references(&self, mesh: Option<&Mesh>, references: &[Reference]) -> Result<(), WideBvhError> {
+    fn check_references(&self, mesh: Option<&Mesh<V>>, references: &[Reference]) -> Result<(), WideBvhError> {
         for &[(prim, node, slot, _), (next, next_node, next_slot, _)] in references.array_windows() {
             if (next, next_node, next_slot) == (prim, node, slot) {
                 return Err(WideBvhError::Twice { node: node as usize, slot, prim });
             }
         }
+        let frame = self.region.frame();
         let (mut around, mut duplicates) = (Aabb::EMPTY, 0);
         let mut next = 0;
         for held in references.chunk_by(|a, b| a.0 == b.0) {
@@ -213,42 +214,42 @@ impl<const A: usize> WideBvh<A> {
             }
             let boxes: Vec<_> =
                 held.iter().map(|&(_, node, slot, _)| self.nodes[node as usize].child_box(slot)).collect();
-            if !boxes.iter().any(|aabb| aabb.encloses(&triangle.aabb()))
-                && !cover::hold(&Frame::IDENTITY, &boxes, &triangle)
+            if !boxes.iter().any(|aabb| aabb.encloses(&frame.aabb(&triangle)))
+                && !cover::hold(frame, &boxes, &triangle)
             {
                 return Err(WideBvhError::Uncovered(prim));
             }
-            around = around.union(triangle.aabb());
+            around = around.union(frame.aabb(&triangle));
         }
         check_left_out(mesh, next..self.triangles as u32)?;
         if duplicates != self.duplicates {
             return Err(WideBvhError::Duplicates { stored: self.duplicates, found: duplicates });
         }
-        let needed = Region::of(&around);
+        let needed = Region::within(*frame, &around);
         let holds = self.region.reach() >= needed.reach() && self.region.size() >= needed.size();
         if references.is_empty() || holds { Ok(()) } else { Err(WideBvhError::Region) }
     }
 }
 
 /// Whether no ray can hit any of these triangles.
-fn check_left_out(mesh: Option<&Mesh>, prims: Range<u32>) -> Result<(), WideBvhError> {
+fn check_left_out<V: Precision>(mesh: Option<&Mesh<V>>, prims: Range<u32>) -> Result<(), WideBvhError> {
     let Some(mesh) = mesh else { return Ok(()) };
     let can_be_hit = |&prim: &u32| !Triangle(mesh.triangle(prim as usize)).is_degenerate();
     prims.into_iter().find(can_be_hit).map_or(Ok(()), |prim| Err(WideBvhError::Missing(prim)))
 }
 
 /// How far the check of nodes has come. A child comes after its parent, so one pass in order sees all.
-struct Walk<'a, const A: usize> {
-    wide: &'a WideBvh<A>,
-    mesh: Option<&'a Mesh>,
+struct Walk<'a, V: Precision, const A: usize> {
+    wide: &'a WideBvh<A, V>,
+    mesh: Option<&'a Mesh<V>>,
     /// Of each node that was reached its own box and its level.
     reached: Vec<Option<(Aabb, u32)>>,
     in_leaf: Vec<bool>,
     references: Vec<Reference>,
 }
 
-impl<'a, const A: usize> Walk<'a, A> {
-    fn new(wide: &'a WideBvh<A>, mesh: Option<&'a Mesh>) -> Self {
+impl<'a, V: Precision, const A: usize> Walk<'a, V, A> {
+    fn new(wide: &'a WideBvh<A, V>, mesh: Option<&'a Mesh<V>>) -> Self {
         let everything = Aabb { lo: -glam::Vec3::INFINITY, hi: glam::Vec3::INFINITY };
         let mut reached = vec![None; wide.nodes.len()];
         reached[0] = Some((everything, 0));
@@ -333,7 +334,7 @@ impl<'a, const A: usize> Walk<'a, A> {
             let (block, mut expected) = (&self.wide.blocks[i], Block::EMPTY);
             for lane in 0..left.min(4) as usize {
                 let (prim, triangle) = (block.prims[lane], block.triangle(lane));
-                let is_other = |mesh: &Mesh| Triangle(mesh.triangle(prim as usize)) != triangle;
+                let is_other = |mesh: &Mesh<V>| Triangle(mesh.triangle(prim as usize)) != triangle;
                 if prim as usize >= self.wide.triangles || self.mesh.is_some_and(is_other) {
                     return Err(WideBvhError::Triangle { node, slot, prim });
                 }

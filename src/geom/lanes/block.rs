@@ -3,29 +3,26 @@
 use fearless_simd::{Simd, SimdBase, f32x4};
 use glam::Vec3;
 
-use super::MIN_EDGE;
-use super::triangles::{Vector, minus};
-use crate::geom::Triangle;
+use super::triangles::minus;
+use super::{MIN_EDGE, Precision};
+use crate::geom::{Real as _, Triangle};
 
-/// Up to four triangles, one in each lane: 176 bytes.
+/// Up to four triangles, one in each lane: 176 bytes in single precision, 336 in double.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(16))]
-pub struct Block {
+pub struct Block<V: Precision = Vec3> {
     /// Of each corner, for each axis, the coordinates in the four lanes.
-    pub corners: [[[f32; 4]; 3]; 3],
-    /// The greatest component of the two edges from the first corner, rounded, and not below [`MIN_EDGE`].
-    pub edges: [f32; 4],
-    /// Indices in the mesh; [`NONE`](Self::NONE) in a lane without a triangle.
+    pub corners: [[[V::Real; 4]; 3]; 3],
+    /// The greatest component of the two edges from the first corner, rounded, and not below
+    /// [`MIN_EDGE`](Precision::MIN_EDGE).
+    pub edges: [V::Real; 4],
+    /// Indices in the mesh; [`NONE`](Block::NONE) in a lane without a triangle.
     pub prims: [u32; 4],
 }
 
 impl Block {
     /// The index of a lane without a triangle. No mesh has so many.
     pub const NONE: u32 = u32::MAX;
-
-    /// Without triangles: corners at the origin. The filter does not reject these lanes, so whoever asks it drops them
-    /// by the number of triangles.
-    pub const EMPTY: Self = Self { corners: [[[0.0; 4]; 3]; 3], edges: [MIN_EDGE; 4], prims: [Self::NONE; 4] };
 
     /// Four triangles, without their indices, by a few instructions: for whoever filters triangles that are not in blocks.
     #[inline(always)]
@@ -36,35 +33,42 @@ impl Block {
         let longest = greatest(&minus(&v1, &v0)).max(greatest(&minus(&v2, &v0))).max(f32x4::splat(simd, MIN_EDGE));
         Self { corners: [arrays(v0), arrays(v1), arrays(v2)], edges: longest.into(), prims: [Self::NONE; 4] }
     }
+}
+
+impl<V: Precision> Block<V> {
+    /// Without triangles: corners at the origin. The filter does not reject these lanes, so whoever asks it drops them
+    /// by the number of triangles.
+    pub const EMPTY: Self =
+        Self { corners: [[[V::Real::ZERO; 4]; 3]; 3], edges: [V::MIN_EDGE; 4], prims: [Block::NONE; 4] };
 
     /// Puts a triangle in a lane, 0 to 3.
     #[inline]
-    pub fn set(&mut self, lane: usize, triangle: &Triangle, prim: u32) {
+    pub fn set(&mut self, lane: usize, triangle: &Triangle<V>, prim: u32) {
         for (rows, corner) in self.corners.iter_mut().zip(triangle.0) {
-            for (row, x) in rows.iter_mut().zip(corner.to_array()) {
+            for (row, x) in rows.iter_mut().zip(corner.components()) {
                 row[lane & 3] = x;
             }
         }
-        self.edges[lane & 3] = longest(triangle);
+        self.edges[lane & 3] = V::longest(triangle);
         self.prims[lane & 3] = prim;
     }
 
     #[inline(always)]
-    fn corner(&self, corner: usize, lane: usize) -> Vec3 {
+    fn corner(&self, corner: usize, lane: usize) -> V {
         let [x, y, z] = &self.corners[corner];
-        Vec3::new(x[lane & 3], y[lane & 3], z[lane & 3])
+        V::from_components([x[lane & 3], y[lane & 3], z[lane & 3]])
     }
 
     /// The triangle in a lane, 0 to 3.
     #[inline(always)]
-    pub fn triangle(&self, lane: usize) -> Triangle {
+    pub fn triangle(&self, lane: usize) -> Triangle<V> {
         Triangle([self.corner(0, lane), self.corner(1, lane), self.corner(2, lane)])
     }
 }
 
 /// Of one corner, for each axis, the coordinates of four triangles.
 #[inline(always)]
-fn transposed<S: Simd>(simd: S, triangles: [&Triangle; 4], corner: usize) -> Vector<S> {
+fn transposed<S: Simd>(simd: S, triangles: [&Triangle; 4], corner: usize) -> [f32x4<S>; 3] {
     let row = |Triangle([v0, v1, v2]): &Triangle| {
         // Four numbers that follow one another, which is one load.
         let row = match corner {
@@ -87,16 +91,16 @@ fn transposed<S: Simd>(simd: S, triangles: [&Triangle; 4], corner: usize) -> Vec
 
 /// The greatest component in each lane.
 #[inline(always)]
-fn greatest<S: Simd>([x, y, z]: &Vector<S>) -> f32x4<S> {
+fn greatest<S: Simd>([x, y, z]: &[f32x4<S>; 3]) -> f32x4<S> {
     x.abs().max(y.abs()).max(z.abs())
 }
 
 #[inline(always)]
-fn arrays<S: Simd>([x, y, z]: Vector<S>) -> [[f32; 4]; 3] {
+fn arrays<S: Simd>([x, y, z]: [f32x4<S>; 3]) -> [[f32; 4]; 3] {
     [x.into(), y.into(), z.into()]
 }
 
 /// The greatest component of the edges from the first corner, as the filter computes them. `[LANES-3]`
-fn longest(&Triangle([v0, v1, v2]): &Triangle) -> f32 {
+pub(super) fn longest(&Triangle([v0, v1, v2]): &Triangle) -> f32 {
     (v1 - v0).abs().max((v2 - v0).abs()).max_element().max(MIN_EDGE)
 }

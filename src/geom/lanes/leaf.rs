@@ -2,7 +2,9 @@
 
 use fearless_simd::Simd;
 
-use super::{Block, TriangleRay};
+use glam::Vec3;
+
+use super::{Block, Hits, Precision, TriangleRay};
 use crate::geom::kernel::{Exact, ExactOnce};
 use crate::geom::{Kernel, Ray, Region, Triangle};
 
@@ -181,9 +183,80 @@ impl<'a> LazyExact<'a> {
     }
 }
 
+impl<'a> Hits<'a, Vec3> for LazyExact<'a> {
+    type Nearest = Nearest;
+
+    #[inline(always)]
+    fn new(ray: &'a Ray, region: &'a Region) -> Self {
+        Self::new(ray, region)
+    }
+
+    #[inline(always)]
+    fn ray(&self) -> &'a Ray {
+        self.ray
+    }
+
+    #[inline(always)]
+    fn filter<S: Simd>(&self, simd: S) -> TriangleRay<S> {
+        TriangleRay::new(simd, self.ray, self.region)
+    }
+
+    #[inline(always)]
+    fn none(&self) -> Nearest {
+        Nearest::none(self.ray)
+    }
+
+    #[inline(always)]
+    fn end(nearest: &Nearest) -> f32 {
+        nearest.t
+    }
+
+    #[inline(always)]
+    fn prim(nearest: &Nearest) -> Option<u32> {
+        nearest.is_some().then_some(nearest.prim)
+    }
+
+    #[inline(always)]
+    fn nearest<S: Simd>(
+        &mut self,
+        simd: S,
+        filter: &TriangleRay<S>,
+        blocks: &'a [Block],
+        count: u32,
+        nearest: Nearest,
+    ) -> Nearest {
+        self.nearest(simd, filter, blocks, count, nearest)
+    }
+
+    #[inline(always)]
+    fn any<S: Simd>(
+        &mut self,
+        simd: S,
+        filter: &TriangleRay<S>,
+        blocks: &'a [Block],
+        count: u32,
+    ) -> Option<Nearest> {
+        let prim = self.any(simd, filter, blocks, count)?;
+        Some(Nearest { prim, ..Nearest::none(self.ray) })
+    }
+
+    #[inline(always)]
+    fn distance(&mut self, nearest: &Nearest) -> f32 {
+        nearest.t
+    }
+
+    #[inline(never)]
+    fn whole<const ANY: bool>(&mut self, nearest: &Nearest) -> Option<(f32, [f32; 2])> {
+        let shape = self.found()?;
+        let exact = self.get();
+        let t = if ANY { exact.distance(&shape, f32::INFINITY)? } else { nearest.t };
+        Some((t, exact.weights(&shape)))
+    }
+}
+
 /// The blocks that hold the first `count` triangles, less than 32, each with the set of its lanes that are among these.
 #[inline(always)]
-pub(crate) fn filled(blocks: &[Block], count: u32) -> impl Iterator<Item = (&Block, u32)> {
+pub(crate) fn filled<V: Precision>(blocks: &[Block<V>], count: u32) -> impl Iterator<Item = (&Block<V>, u32)> {
     assert!(count < u32::BITS, "{count} triangles");
     // A bit for each.
     let mut left = (1_u32 << count) - 1;

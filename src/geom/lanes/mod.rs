@@ -29,19 +29,26 @@
 
 mod block;
 mod boxes;
+mod double;
 mod enclosed;
 mod filter;
+mod framed;
 mod leaf;
+mod lines;
 mod point;
+mod precision;
 mod triangles;
 
 pub use block::Block;
 pub use boxes::BoxRay;
+pub use double::{LazyExact64, Nearest64};
 pub use enclosed::EnclosedBoxes;
 pub use filter::TriangleFilter;
+pub use framed::FramedBoxes;
 pub(crate) use leaf::{LaneSet, filled};
 pub use leaf::{LazyExact, Nearest};
 pub use point::BoxPoint;
+pub use precision::{FourLanes, Hits, NodeBoxes, Precision};
 pub use triangles::{DETERMINANT, DISTANCE, MIN_EDGE, OFF, OFF_EDGE, OFF_REACH, TriangleRay};
 
 /// A level of instructions: `Level::new()` is the best of this machine.

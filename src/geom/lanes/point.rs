@@ -11,7 +11,9 @@ use crate::geom::frame::power_of_two;
 #[derive(Clone, Copy, Debug)]
 pub struct BoxPoint<S: Simd, V: Lanes<S, A>, const A: usize> {
     simd: S,
-    point: [V; 3],
+    /// The greatest and the least that it may be.
+    most: [V; 3],
+    least: [V; 3],
     /// The numbers of the lanes, as bits.
     lanes: V,
 }
@@ -30,11 +32,11 @@ const UNITS: [[f32; 2]; 2] =
 const LESS: f32 = 1.0 - 4.0 * f32::EPSILON;
 
 impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxPoint<S, V, A> {
-    /// Prepares a point, which must be finite.
+    /// Prepares a point that is between two, which must be finite.
     #[inline(always)]
-    pub fn new(simd: S, point: Vec3) -> Self {
+    pub fn new(simd: S, [least, most]: [Vec3; 2]) -> Self {
         const { assert!(A == 4 || A == 8, "nodes have four or eight children") };
-        Self { simd, point: splat(simd, point), lanes: V::load_array(simd, lane_numbers()) }
+        Self { simd, most: splat(simd, most), least: splat(simd, least), lanes: V::load_array(simd, lane_numbers()) }
     }
 
     /// The ranks of all boxes, and the set of those that are at most `limit` away, as far as single precision tells.
@@ -52,7 +54,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxPoint<S, V, A> {
             |axis: usize| {
                 let [lo, hi] = &planes[axis];
                 let (lo, hi) = (V::load_array_ref(self.simd, lo), V::load_array_ref(self.simd, hi));
-                (lo - self.point[axis]).max(self.point[axis] - hi).max(zero)
+                (lo - self.most[axis]).max(self.least[axis] - hi).max(zero)
             },
         );
         let squared = |x: V, y: V, z: V| (x * x + y * y) + z * z;

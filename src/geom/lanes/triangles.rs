@@ -1,9 +1,11 @@
 //! The filter of four triangles: which are certainly missed, and which certainly beyond the best hit.
 
-use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x4};
+use std::ops::{Add, Mul, Sub};
+
+use fearless_simd::{Simd, SimdBase as _, SimdMask as _, f32x4};
 use glam::Vec3;
 
-use super::Block;
+use super::{Block, FourLanes, Precision};
 use crate::geom::kernel::{EDGE, MAX_COORDINATE};
 use crate::geom::{EnclosedRay, Interval, Ray, Region};
 
@@ -18,7 +20,7 @@ pub const DETERMINANT: u32 = 40;
 /// What the distance times the determinant may be off by: times u C E E, likewise. `[LANES-4]`
 pub const DISTANCE: u32 = 44;
 
-const CONSTANTS: [f32; 3] = [EDGE as f32, DETERMINANT as f32, DISTANCE as f32];
+pub(super) const CONSTANTS: [f32; 3] = [EDGE as f32, DETERMINANT as f32, DISTANCE as f32];
 
 /// What edge functions are off by where the components of the direction are off by ε: times ε E (2 C + E). This and the next
 /// two have an eighth to spare. `[LANES-5]`
@@ -40,22 +42,31 @@ const LENGTHS: [f32; 2] = [f32::from_bits((127 - 20) << 23), f32::from_bits((127
 /// Half of the distance from 1 to the next float.
 const UNIT: f32 = f32::EPSILON / 2.0;
 
-/// A ray, prepared for four triangles at once in single precision.
+/// A ray, prepared for four triangles at once.
 ///
 /// It only rejects. What it does not reject is for the exact test; see [`LazyExact`](super::LazyExact).
 #[derive(Clone, Copy, Debug)]
-pub struct TriangleRay<S: Simd> {
-    origin: [f32x4<S>; 3],
-    direction: [f32x4<S>; 3],
-    /// Bound of an edge function's error, over E (2 C + E). This and the next two are infinite where single precision
-    /// is not asked.
-    edge: f32x4<S>,
+pub struct TriangleRay<S: Simd, V: Precision = Vec3> {
+    pub(super) origin: [V::Lanes<S>; 3],
+    pub(super) direction: [V::Lanes<S>; 3],
+    /// Bound of an edge function's error, over E (2 C + E). This and the next two are infinite where the filter is not
+    /// asked.
+    pub(super) edge: V::Lanes<S>,
     /// Bound of the determinant's error, over E E.
-    det: f32x4<S>,
+    pub(super) det: V::Lanes<S>,
     /// Bound of the error of the distance times the determinant, over E E.
-    t: f32x4<S>,
+    pub(super) t: V::Lanes<S>,
     /// 2 C: C is the greatest component of the way from a corner to the origin, for all triangles of the scene.
-    twice_c: f32x4<S>,
+    pub(super) twice_c: V::Lanes<S>,
+}
+
+/// The determinants of a ray and four triangles, in the order of EXACT-4.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Found<F> {
+    pub(super) det: F,
+    /// The least and the greatest edge function.
+    pub(super) edges: [F; 2],
+    pub(super) t: F,
 }
 
 impl<S: Simd> TriangleRay<S> {
@@ -117,56 +128,70 @@ impl<S: Simd> TriangleRay<S> {
             twice_c: f32x4::splat(simd, 2.0 * c),
         }
     }
+}
 
+impl<S: Simd, V: Precision> TriangleRay<S, V> {
     /// The lanes that may hold a hit at `best` or before, which is not negative: all but those that are certainly
     /// missed `[LANES-3]` and those that are certainly beyond `[LANES-4]`. Lanes without a triangle are among them.
     #[inline(always)]
-    pub fn survivors(&self, simd: S, block: &Block, best: f32) -> u32 {
+    pub fn survivors(&self, simd: S, block: &Block<V>, best: V::Real) -> u32 {
+        self.left(simd, block, best, &self.found(simd, block))
+    }
+
+    #[inline(always)]
+    pub(super) fn found(&self, simd: S, block: &Block<V>) -> Found<V::Lanes<S>> {
         let [v0, v1, v2] = &block.corners;
         let (v0, v1, v2) = (load(simd, v0), load(simd, v1), load(simd, v2));
         let (e1, e2, s) = (minus(&v1, &v0), minus(&v2, &v0), minus(&self.origin, &v0));
         let (p, q) = (cross(&self.direction, &e2), cross(&s, &e1));
         let (det, u, v, t) = (dot(&e1, &p), dot(&s, &p), dot(&self.direction, &q), dot(&e2, &q));
         let w = (det - u) - v;
-        let edge = f32x4::load_array_ref(simd, &block.edges);
+        Found { det, edges: [u.min(v).min(w), u.max(v).max(w)], t }
+    }
 
+    /// What is left by its determinants.
+    #[inline(always)]
+    pub(super) fn left(&self, simd: S, block: &Block<V>, best: V::Real, found: &Found<V::Lanes<S>>) -> u32 {
+        let Found { det, edges: [least, most], t } = *found;
+        let edge: V::Lanes<S> = row(simd, &block.edges);
         let delta = (self.edge * edge) * (self.twice_c + edge);
-        let is_missed = u.min(v).min(w).simd_lt(-delta) & u.max(v).max(w).simd_gt(delta);
+        let is_missed = least.simd_lt(-delta) & most.simd_gt(delta);
 
         let square = edge * edge;
-        let ahead = f32x4::from_bits(t.to_bits() ^ (det.to_bits() & (1 << 31)));
-        let is_beyond = (ahead - self.t * square).simd_gt((det.abs() + self.det * square) * best);
+        let is_beyond = (t.turned(det) - self.t * square).simd_gt((det.abs() + self.det * square) * best);
         // Comparisons with NaN are false, and with the infinite bounds of rays that are not usual too.
         !((is_missed | is_beyond).to_bitmask() as u32) & 15
     }
 }
 
-pub(super) type Vector<S> = [f32x4<S>; 3];
-
 #[inline(always)]
-fn splat<S: Simd>(simd: S, v: Vec3) -> Vector<S> {
+fn splat<S: Simd>(simd: S, v: Vec3) -> [f32x4<S>; 3] {
     [f32x4::splat(simd, v.x), f32x4::splat(simd, v.y), f32x4::splat(simd, v.z)]
 }
 
 #[inline(always)]
-fn load<S: Simd>(simd: S, rows: &[[f32; 4]; 3]) -> Vector<S> {
-    let [x, y, z] = rows;
-    [f32x4::load_array_ref(simd, x), f32x4::load_array_ref(simd, y), f32x4::load_array_ref(simd, z)]
+fn row<S: Simd, R, F: FourLanes<S, R>>(simd: S, row: &[R; 4]) -> F {
+    F::load_array_ref(simd, row)
 }
 
 #[inline(always)]
-pub(super) fn minus<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
+fn load<S: Simd, R, F: FourLanes<S, R>>(simd: S, [x, y, z]: &[[R; 4]; 3]) -> [F; 3] {
+    [row(simd, x), row(simd, y), row(simd, z)]
+}
+
+#[inline(always)]
+pub(super) fn minus<F: Copy + Sub<Output = F>>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 /// Without fused multiply-adds, so that all levels find the same.
 #[inline(always)]
-fn cross<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
+fn cross<F: Copy + Sub<Output = F> + Mul<Output = F>>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 #[inline(always)]
-fn dot<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> f32x4<S> {
+fn dot<F: Copy + Add<Output = F> + Mul<Output = F>>(a: &[F; 3], b: &[F; 3]) -> F {
     (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]
 }
 

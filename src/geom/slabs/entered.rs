@@ -93,7 +93,7 @@ impl Approach<Entry> {
 /// The exponents of the direction's length, and of the unit of distance in the frame; `None` where they, or coordinates
 /// there, are beyond.
 #[inline]
-fn lengths(ray: &Ray<DVec3>, region: &Region) -> Option<[i32; 2]> {
+pub(super) fn lengths(ray: &Ray<DVec3>, region: &Region) -> Option<[i32; 2]> {
     let length = exponent_of(ray.direction().abs().max_element());
     let exponent = region.frame().exponent() - length;
     let is_within =
@@ -193,6 +193,17 @@ impl Entered {
         let [least, most] = [0, 1].map(|end| DVec3::from(bounds.map(|ends| ends[end])));
         let slabs = Doubled::new([most, least], DVec3::select(is_nothing, DVec3::ZERO, direction));
         Self { slabs, start, exponent, tmin }
+    }
+
+    /// Where the ray enters two boxes, if it does, in the units of the frame from its start on, rounded to single precision.
+    pub(in crate::geom) fn enter(&self, planes: &[[f32; 4]; 3]) -> [Option<f32>; 2] {
+        self.met(planes).map(|met| met.map(|[near, _]| self.from_start(near)[0]))
+    }
+
+    /// Bounds of a distance in these units, rounded: so a lesser distance has no greater bound.
+    pub(in crate::geom) fn from_start(&self, t: f64) -> [f32; 2] {
+        let bounds = scaled(Interval::exact(t) - self.start, -self.exponent);
+        bounds.ends().map(|x| (x as f32).clamp(0.0, f32::MAX))
     }
 
     /// Two boxes at once, as [`Slabs::pair`](super::Slabs::pair).

@@ -15,14 +15,16 @@ mod doubled;
 mod enclosed;
 mod entered;
 mod entrance;
+mod framed;
 mod wide;
 
 pub use centred::{Centred, PADDING, Plain, TwoSided};
 pub use directed::{Directed, STEPS};
 pub use enclosed::EnclosedSlabs;
 pub(crate) use entered::Approach;
-pub(in crate::geom) use entered::entry;
+pub(in crate::geom) use entered::{Entered, entry};
 pub(in crate::geom) use entrance::{FromEntrance, entered_if};
+pub(in crate::geom) use framed::Framed;
 pub use wide::{STRICT_STEPS, Wide};
 
 use doubled::Doubled;

@@ -35,10 +35,10 @@ pub struct Wide {
 }
 
 /// What an end is moved by, in parts of itself: at least to the next double.
-const BEYOND: f64 = 1.0 + f64::EPSILON;
+pub(super) const BEYOND: f64 = 1.0 + f64::EPSILON;
 
 /// The least number of single precision, 2^-149.
-const LEAST: f64 = f64::from_bits((1023 - 149) << 52);
+pub(super) const LEAST: f64 = f64::from_bits((1023 - 149) << 52);
 
 impl Slabs for Wide {
     type Vector = DVec3;

@@ -5,12 +5,12 @@ use std::borrow::Borrow;
 use super::Tracer;
 use super::shared::{Counted, LaneRay};
 use crate::bvh::WideBvh;
-use crate::geom::lanes::with_baseline;
-use crate::geom::{Ball, Ray};
+use crate::geom::lanes::{Precision, with_baseline};
+use crate::geom::{Ball, Ray, Real as _};
 use crate::trace::cast::Cast;
 use crate::trace::{Following, NearestPoint, Sweep, WideCounters};
 
-impl<T: Borrow<WideBvh>> Tracer<T> {
+impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
     /// What the closest hits of these rays cost.
     ///
     /// ```
@@ -23,19 +23,19 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     /// assert!(stack.leaves == trail.leaves && stack.nodes < trail.nodes);
     /// # Ok::<(), stackless_bvh::bvh::WideError>(())
     /// ```
-    pub fn count_closest(&self, rays: &[Ray]) -> WideCounters {
+    pub fn count_closest(&self, rays: &[Ray<V>]) -> WideCounters {
         let bvh = self.bvh();
         counted(rays, |ray, counters| {
             with_baseline!(simd => {
                 // After a hit that is before all others.
                 let cast = Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh));
-                self.run_shared(&mut Counted(&mut Following::over(cast, (f32::NEG_INFINITY, 0)), counters));
+                self.run_shared(&mut Counted(&mut Following::over(cast, (V::Real::rounded(f64::NEG_INFINITY), 0)), counters));
             });
         })
     }
 
     /// What all hits of these rays cost, and the number of their crossings, for which nothing else is met.
-    pub fn count_all(&self, rays: &[Ray]) -> WideCounters {
+    pub fn count_all(&self, rays: &[Ray<V>]) -> WideCounters {
         let bvh = self.bvh();
         counted(rays, |ray, counters| {
             with_baseline!(simd => {
@@ -46,7 +46,7 @@ impl<T: Borrow<WideBvh>> Tracer<T> {
     }
 
     /// What the nearest points in these balls cost.
-    pub fn count_nearest(&self, balls: &[Ball]) -> WideCounters {
+    pub fn count_nearest(&self, balls: &[Ball<V>]) -> WideCounters {
         counted(balls, |ball, counters| {
             self.run_shared(&mut Counted(&mut NearestPoint::new(self.bvh(), ball), counters));
         })

@@ -2,12 +2,12 @@
 
 use std::marker::PhantomData;
 
-use fearless_simd::Simd;
+use fearless_simd::{Simd, f32x8};
 
 use super::turns::Ask;
 use crate::bvh::{WideBvh, wide::WideTree};
-use crate::geom::lanes::{BoxRay, Lanes, LazyExact, Nearest, TriangleRay};
-use crate::geom::{Kernel, Ray};
+use crate::geom::lanes::{Hits, Lanes, NodeBoxes, Precision, TriangleRay};
+use crate::geom::{Ray, Real as _};
 use crate::order::Flow;
 use crate::trace::Hit;
 use crate::tree::Node;
@@ -17,69 +17,68 @@ use crate::wide::{Ranks, Search, Wanted};
 ///
 /// Nothing points into it, so that it can be in registers. The exact test has to be in memory, so it is borrowed.
 #[derive(Debug)]
-pub(super) struct WideSearch<'a, 'm, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> {
+pub(super) struct WideSearch<'a, 'm, S: Simd, V: Precision, const ANY: bool> {
     simd: S,
-    bvh: &'a WideBvh<A>,
-    tree: WideTree<'a, A>,
-    boxes: BoxRay<S, V, A>,
-    filter: TriangleRay<S>,
-    exact: &'m mut LazyExact<'a>,
-    best: Nearest,
+    bvh: &'a WideBvh<8, V>,
+    tree: WideTree<'a, 8, V>,
+    boxes: V::Boxes<S>,
+    filter: TriangleRay<S, V>,
+    hits: &'m mut V::Hits<'a>,
+    nearest: Nearest<'a, V>,
+    /// Boxes that begin beyond it are not looked at.
+    end: f32,
 }
 
-impl<'a, 'm, S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> WideSearch<'a, 'm, S, V, A, ANY> {
-    /// For the ray of `exact`.
+type Nearest<'a, V> = <<V as Precision>::Hits<'a> as Hits<'a, V>>::Nearest;
+
+/// A hit of a tracer.
+pub(super) type HitOf<V> = Hit<<V as crate::geom::Vector>::Real>;
+
+impl<'a, 'm, S: Simd, V: Precision, const ANY: bool> WideSearch<'a, 'm, S, V, ANY> {
+    /// For the ray of `hits`.
     #[inline(always)]
-    pub(super) fn new(simd: S, bvh: &'a WideBvh<A>, tree: WideTree<'a, A>, exact: &'m mut LazyExact<'a>) -> Self {
-        let (ray, region) = (exact.ray(), bvh.region());
-        Self {
-            simd,
-            bvh,
-            tree,
-            boxes: BoxRay::new(simd, ray, region),
-            filter: TriangleRay::new(simd, ray, region),
-            exact,
-            best: Nearest::none(ray),
-        }
+    pub(super) fn new(
+        simd: S,
+        bvh: &'a WideBvh<8, V>,
+        tree: WideTree<'a, 8, V>,
+        hits: &'m mut V::Hits<'a>,
+    ) -> Self {
+        let (boxes, filter, nearest) = (V::Boxes::new(simd, hits.ray(), bvh.region()), hits.filter(simd), hits.none());
+        let end = boxes.end(V::Hits::end(&nearest));
+        Self { simd, bvh, tree, boxes, filter, hits, nearest, end }
     }
 
     /// The same for another ray.
     #[inline(always)]
-    pub(super) fn with_ray(self, ray: &'a Ray) -> Self {
-        *self.exact = LazyExact::new(ray, self.bvh.region());
-        Self::new(self.simd, self.bvh, self.tree, self.exact)
+    pub(super) fn with_ray(self, ray: &'a Ray<V>) -> Self {
+        *self.hits = V::Hits::new(ray, self.bvh.region());
+        Self::new(self.simd, self.bvh, self.tree, self.hits)
     }
 
     /// After the traversal: what was asked for.
     #[inline(always)]
-    pub(super) fn answer(&mut self, ask: Ask) -> Option<Hit> {
-        let Nearest { prim, t } = self.best;
+    pub(super) fn answer(&mut self, ask: Ask) -> Option<HitOf<V>> {
+        let prim = V::Hits::prim(&self.nearest)?;
+        let zero = V::Real::ZERO;
         match ask {
-            _ if !self.best.is_some() => None,
-            Ask::Distance | Ask::Any => Some(Hit { prim, t, u: 0.0, v: 0.0 }),
-            Ask::Closest | Ask::AnyHit => whole::<ANY>(self.exact, self.best),
+            Ask::Any => Some(Hit { prim, t: zero, u: zero, v: zero }),
+            Ask::Distance => Some(Hit { prim, t: self.hits.distance(&self.nearest), u: zero, v: zero }),
+            Ask::Closest | Ask::AnyHit => {
+                let (t, [u, v]) = self.hits.whole::<ANY>(&self.nearest)?;
+                Some(Hit { prim, t, u, v })
+            }
         }
     }
 }
 
-/// The hit with its weights.
-#[inline(never)]
-fn whole<const ANY: bool>(exact: &mut LazyExact<'_>, Nearest { prim, t }: Nearest) -> Option<Hit> {
-    let shape = exact.found()?;
-    let exact = exact.get();
-    let t = if ANY { exact.distance(&shape, f32::INFINITY)? } else { t };
-    let [u, v] = exact.weights(&shape);
-    Some(Hit { prim, t, u, v })
-}
-
-impl<S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for WideSearch<'_, '_, S, V, A, ANY> {
+impl<S: Simd, V: Precision, const ANY: bool> Search<8> for WideSearch<'_, '_, S, V, ANY> {
     const SORTED: bool = !ANY;
-    type Ranks = LaneRanks<S, V, A>;
+    type Ranks = LaneRanks<S, f32x8<S>, 8>;
 
     #[inline(always)]
     fn ask(&mut self, node: Node) -> Wanted<Self::Ranks> {
         let node = &self.tree.nodes[node.index()];
-        let (ranks, set) = self.boxes.enter(&node.planes, self.best.t);
+        let (ranks, set) = self.boxes.enter(&node.planes, self.end);
         Wanted { set, ranks: LaneRanks::new(ranks) }
     }
 
@@ -87,18 +86,19 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize, const ANY: bool> Search<A> for Wid
     fn leaf(&mut self, leaf: Node) -> Flow {
         let (blocks, count) = self.tree.leaf(leaf);
         if ANY {
-            let Some(prim) = self.exact.any(self.simd, &self.filter, blocks, count) else { return Flow::Continue };
-            self.best.prim = prim;
+            let Some(hit) = self.hits.any(self.simd, &self.filter, blocks, count) else { return Flow::Continue };
+            self.nearest = hit;
             return Flow::Stop;
         }
-        self.best = self.exact.nearest(self.simd, &self.filter, blocks, count, self.best);
+        self.nearest = self.hits.nearest(self.simd, &self.filter, blocks, count, self.nearest);
+        self.end = self.boxes.end(V::Hits::end(&self.nearest));
         Flow::Continue
     }
 
     #[inline(always)]
     fn end(&self) -> u32 {
         // Without an order nothing is beyond: WIDE-6.
-        if ANY { u32::MAX } else { self.best.t.to_bits() }
+        if ANY { u32::MAX } else { self.end.to_bits() }
     }
 }
 

@@ -1,6 +1,8 @@
 //! The rare queries: all hits, the next hit, crossings, and what is nearest to a point. As in binary hierarchies they
 //! share one copy of the traversals.
 
+use std::marker::PhantomData;
+
 use fearless_simd::{Simd, SimdBase, f32x8};
 
 use super::LaneRanks;
@@ -8,8 +10,7 @@ use super::turns::with_memory;
 use crate::bvh::WideBvh;
 use crate::bvh::wide::leaf_places;
 use crate::geom::Ray;
-use crate::geom::kernel::Exact;
-use crate::geom::lanes::{BoxPoint, BoxRay, with_baseline};
+use crate::geom::lanes::{BoxPoint, NodeBoxes as _, Precision, with_baseline};
 use crate::order::Flow;
 use crate::trace::cast::Cast;
 use crate::trace::counters::WideCounters;
@@ -31,7 +32,12 @@ pub(super) trait Query {
 }
 
 /// Runs a query to its end.
-pub(super) fn run(method: Method, tree: &WideBvh, tables: &Tables, query: &mut dyn Query) -> Result<(), Unfit> {
+pub(super) fn run<V: Precision>(
+    method: Method,
+    tree: &WideBvh<8, V>,
+    tables: &Tables,
+    query: &mut dyn Query,
+) -> Result<(), Unfit> {
     with_memory(|[memory, _]| method.run_in(Supply { tree, tables, memory }, &mut Shared(query), &mut ()))
 }
 
@@ -77,29 +83,38 @@ impl Search<8> for Shared<'_> {
 
 /// A ray that is prepared for the boxes of a node.
 #[derive(Clone, Debug)]
-pub(super) struct LaneRay<S: Simd>(BoxRay<S, f32x8<S>, 8>);
+pub(super) struct LaneRay<S: Simd, V: Precision> {
+    boxes: V::Boxes<S>,
+    simd: PhantomData<S>,
+}
 
-impl<S: Simd> LaneRay<S> {
-    pub(super) fn new(simd: S, ray: &Ray, bvh: &WideBvh) -> Self {
-        Self(BoxRay::new(simd, ray, bvh.region()))
+/// A ray among the boxes and triangles of a wide hierarchy.
+type WideCast<'a, S, V> = Cast<'a, <V as Precision>::Exact, LaneRay<S, V>, WideBvh<8, V>>;
+
+impl<S: Simd, V: Precision> LaneRay<S, V> {
+    pub(super) fn new(simd: S, ray: &Ray<V>, bvh: &WideBvh<8, V>) -> Self {
+        Self { boxes: V::Boxes::new(simd, ray, bvh.region()), simd: PhantomData }
     }
 }
 
-impl<S: Simd> Cast<'_, Exact, LaneRay<S>, WideBvh> {
+impl<S: Simd, V: Precision> WideCast<'_, S, V> {
     /// The children that the ray meets. `[LANES-2]`
     pub(super) fn ask(&self, node: Node) -> Wanted<[u32; 8]> {
-        let LaneRay(boxes) = &self.slabs;
-        let (ranks, set) = boxes.enter(&self.bvh.nodes()[node.index()].planes, self.end + 0.0);
-        Wanted { set, ranks: LaneRanks::new(ranks).all() }
+        let (ranks, set) = self.slabs.boxes.enter(&self.bvh.nodes()[node.index()].planes, self.box_end());
+        Wanted { set, ranks: LaneRanks::<S, f32x8<S>, 8>::new(ranks).all() }
+    }
+
+    fn box_end(&self) -> f32 {
+        self.slabs.boxes.end(self.end) + 0.0
     }
 }
 
-impl Around<'_, WideBvh> {
+impl<V: Precision> Around<'_, WideBvh<8, V>, V> {
     /// The children that are near enough. `[NEAR-4]`
     fn ask(&self, node: Node) -> Wanted<[u32; 8]> {
         let planes = &self.bvh.nodes()[node.index()].planes;
         with_baseline!(simd => {
-            let (ranks, set) = BoxPoint::<_, f32x8<_>, 8>::new(simd, self.point()).within(planes, self.limit.distance);
+            let (ranks, set) = BoxPoint::<_, f32x8<_>, 8>::new(simd, self.measure().ends_in_frame()).within(planes, self.end());
             let ranks: &[f32; 8] = ranks.as_array();
             let set = if self.is_settled_below(node, ranks, set) { 0 } else { set };
             Wanted { set, ranks: ranks.map(f32::to_bits) }
@@ -113,14 +128,15 @@ impl Around<'_, WideBvh> {
         const LEAST: f32 = f32::from_bits(16);
         let record = &self.bvh.nodes()[node.index()];
         let mut slots = (0..8).filter(|slot| set >> slot & 1 == 1);
-        slots.clone().all(|slot| self.is_about_limit(ranks[slot as usize] + LEAST, OFF))
+        let distance = |slot: u32| self.measure().from_frame(ranks[slot as usize] + LEAST);
+        slots.clone().all(|slot| self.is_about_limit(distance(slot), OFF))
             && slots.all(|slot| self.is_settled(self.to_box(&record.child_box(slot)), record.child(slot)))
     }
 }
 
 /// A query that has it all in one of its fields.
 macro_rules! query {
-    ($([$($generic:tt)*] $query:ty, $field:ident: $($end:ident).+;)*) => {$(
+    ($([$($generic:tt)*] $query:ty, $field:ident: $end:ident;)*) => {$(
         impl<$($generic)*> Query for $query {
             fn ask(&mut self, node: Node) -> Wanted<[u32; 8]> {
                 self.$field.ask(node)
@@ -131,15 +147,15 @@ macro_rules! query {
             }
 
             fn end(&self) -> f32 {
-                self.$field.$($end).+
+                self.$field.$end()
             }
         }
     )*};
 }
 query! {
-    [S: Simd] Sweep<'_, Exact, LaneRay<S>, WideBvh>, cast: end;
-    [S: Simd] Following<'_, Exact, LaneRay<S>, WideBvh>, cast: end;
-    [S: Simd] Crossings<'_, Exact, LaneRay<S>, WideBvh>, cast: end;
-    [] NearestPoint<'_, WideBvh>, around: limit.distance;
-    [] NearestPoints<'_, WideBvh>, around: limit.distance;
+    [S: Simd, V: Precision] Sweep<'_, V::Exact, LaneRay<S, V>, WideBvh<8, V>>, cast: box_end;
+    [S: Simd, V: Precision] Following<'_, V::Exact, LaneRay<S, V>, WideBvh<8, V>>, cast: box_end;
+    [S: Simd, V: Precision] Crossings<'_, V::Exact, LaneRay<S, V>, WideBvh<8, V>>, cast: box_end;
+    [V: Precision] NearestPoint<'_, WideBvh<8, V>, V>, around: end;
+    [V: Precision] NearestPoints<'_, WideBvh<8, V>, V>, around: end;
 }

@@ -1,22 +1,26 @@
 use super::shared::Counted;
 use super::*;
 use crate::bvh::{BuildOptions, Builder, Bvh};
-use crate::generate::{procedural, stress};
-use crate::geom::{Mesh, lanes};
+use crate::generate::{double, procedural, stress};
+use crate::geom::{Mesh, Real as _, Triangle, lanes};
 use crate::order::{Descent, Flow, Visitor};
 use crate::trace::{BinaryTracer, Truth, WideCounters};
 use crate::traverse;
 
-fn bits(hit: Option<Hit>) -> Option<(u32, [u32; 3])> {
-    hit.map(|Hit { prim, t, u, v }| (prim, [t, u, v].map(f32::to_bits)))
+fn bits<R: Into<f64>>(hit: Option<Hit<R>>) -> Option<(u32, [u64; 3])> {
+    hit.map(|Hit { prim, t, u, v }| (prim, [t, u, v].map(|x| x.into().to_bits())))
 }
 
+type Binary<'b, V> = BinaryTracer<&'b Bvh<Triangle<V>>, <V as Precision>::Exact, <V as Precision>::Slabs>;
+
 /// All traversals and levels answer as `BinaryTracer` does, bit for bit; returns the number of hits.
-fn compare(mesh: &Mesh, rays: &[Ray], options: &BuildOptions) -> usize {
+fn compare<V: Precision>(mesh: &Mesh<V>, rays: &[Ray<V>], options: &BuildOptions) -> usize {
     let bvh = options.build(mesh).expect("a hierarchy");
-    let (wide, binary) = (WideBvh::of(&bvh).expect("a wide one"), BinaryTracer::new(&bvh));
+    let wide = WideBvh::of(&bvh).expect("a wide one");
+    wide.validate(mesh).expect("sound");
+    let binary = Binary::<V>::with_tests(&bvh, traverse::Method::default()).expect("a tracer");
     let expected: Vec<_> = binary.closest_each(rays).into_iter().map(bits).collect();
-    let rare = Rare::of(&bvh, &binary, rays);
+    let rare = Rare::of(&binary, rays);
     for method in Method::ALL {
         rare.compare(&Tracer::with_method(&wide, method).expect("a tracer"), rays);
         for (name, level) in lanes::levels() {
@@ -36,42 +40,39 @@ fn compare(mesh: &Mesh, rays: &[Ray], options: &BuildOptions) -> usize {
 }
 
 /// What a binary tracer answers to the queries that share one copy of the traversals, for every third ray.
-struct Rare {
-    all: Vec<Vec<Hit>>,
+struct Rare<V: Precision> {
+    all: Vec<Vec<Hit<V::Real>>>,
     crossings: Vec<u32>,
-    near: Vec<Vec<Near>>,
+    near: Vec<Vec<Near<V>>>,
 }
 
 /// Some balls have nothing in them, some all.
-fn ball(i: usize, ray: &Ray) -> Ball {
-    Ball::new(ray.origin(), [0.1, 0.5, f32::INFINITY][i % 3]).expect("a ball")
+fn ball<V: Precision>(i: usize, ray: &Ray<V>) -> Ball<V> {
+    let length = ray.direction().widen().length();
+    Ball::new(ray.origin(), V::Real::rounded([0.1, 0.5 * length, f64::INFINITY][i % 3])).expect("a ball")
 }
 
 /// None, one, some, and all.
 const SEVERAL: [usize; 4] = [0, 1, 5, 100_000];
 
-impl Rare {
-    fn of(bvh: &Bvh, binary: &BinaryTracer<&Bvh>, rays: &[Ray]) -> Self {
-        let crossings = |ray: &Ray| {
-            let mut crossings = Crossings::new(bvh, ray);
-            traverse::traverse(traverse::Stack::new(bvh, &mut Vec::new()), &mut crossings, &mut ());
-            crossings.count()
-        };
+impl<V: Precision> Rare<V> {
+    fn of(binary: &Binary<'_, V>, rays: &[Ray<V>]) -> Self {
         let rays = || rays.iter().step_by(3).enumerate();
         Self {
             all: rays().map(|(_, ray)| binary.all(ray).collect()).collect(),
-            crossings: rays().map(|(_, ray)| crossings(ray)).collect(),
+            crossings: rays().map(|(_, ray)| binary.crossings(ray)).collect(),
             near: rays().map(|(i, ray)| binary.nearest_k(&ball(i, ray), SEVERAL[i % 4])).collect(),
         }
     }
 
-    fn compare(&self, tracer: &Tracer<&WideBvh>, rays: &[Ray]) {
+    fn compare(&self, tracer: &Tracer<&WideBvh<8, V>, V>, rays: &[Ray<V>]) {
         let method = tracer.method();
         for (i, ray) in rays.iter().step_by(3).enumerate() {
             let all: Vec<_> = tracer.all(ray).collect();
             assert_eq!(all, self.all[i], "{method} {ray:?}");
             assert_eq!(tracer.crossings(ray), self.crossings[i], "{method} {ray:?}");
-            let after = |hit: Option<&Hit>| hit.map_or((f32::NEG_INFINITY, 0), |hit| (hit.t, hit.prim));
+            let before_all = V::Real::rounded(f64::NEG_INFINITY);
+            let after = |hit: Option<&Hit<V::Real>>| hit.map_or((before_all, 0), |hit| (hit.t, hit.prim));
             for at in 0..=all.len().min(4) {
                 assert_eq!(tracer.next(ray, after(all[..at].last())), all.get(at).copied(), "{method} {ray:?} {at}");
             }
@@ -244,5 +245,40 @@ fn short_directions_leave_boxes_out() {
         let nodes = rays.map(|ray| tracer.count_closest(&[ray]).nodes);
         assert!(nodes[1] <= 8 * nodes[0], "{nodes:?}");
         assert_eq!(tracer.closest(&rays[1]), truth.closest(&rays[1]).map(|hit| hit.rounded()));
+    }
+}
+
+/// Double precision, in places that single precision cannot hold. [DET-1] [BOX-8] [BOX-9] [LANES-3] [LANES-4] [LANES-6] [LANES-7]
+#[test]
+fn doubles_are_answered_as_by_the_binary_tracer() {
+    let mut hits = 0;
+    for (i, case) in stress::cases(10).enumerate() {
+        let place = double::PLACES[i % double::PLACES.len()];
+        let Ok(mesh) = place.mesh(&case.mesh) else { continue };
+        let mut rays: Vec<_> = case.rays.iter().filter_map(|ray| place.ray(ray)).collect();
+        rays.extend(double::aimed(&mesh, 1, 24));
+        hits += compare(&mesh, &rays, &BuildOptions::fine());
+    }
+    assert!(hits > 1000, "{hits}");
+}
+
+/// Of many rays some reach what few do.
+#[test]
+fn many_doubles_are_answered_as_by_the_binary_tracer() {
+    for mesh in [procedural::soup(1, 500), procedural::strands(2, 60), procedural::layers(40)] {
+        for place in double::PLACES {
+            let mesh = place.mesh(&mesh).expect("a mesh");
+            let bvh = BuildOptions::fine().build(&mesh).expect("a hierarchy");
+            let (tracer, rays) = (Tracer::of(&mesh).expect("a tracer"), double::aimed(&mesh, 2, 6_000));
+            let binary = Binary::with_tests(&bvh, traverse::Method::default()).expect("a tracer");
+            let (closest, any) = (tracer.closest_each(&rays), tracer.any_each(&rays));
+            let mut found = vec![None; rays.len()];
+            tracer.closest_distances(&rays, &mut found);
+            for (i, expected) in binary.closest_each(&rays).into_iter().enumerate() {
+                let distance = expected.map(|hit| (hit.prim, hit.t));
+                assert_eq!(bits(closest[i]), bits(expected), "{} {:?}", place.name, rays[i]);
+                assert_eq!((any[i], found[i]), (expected.is_some(), distance), "{} {:?}", place.name, rays[i]);
+            }
+        }
     }
 }

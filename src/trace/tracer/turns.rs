@@ -2,13 +2,12 @@
 
 use std::cell::Cell;
 
-use fearless_simd::{Simd, f32x8};
+use fearless_simd::Simd;
 
-use super::search::WideSearch;
+use super::search::{HitOf, WideSearch};
 use crate::bvh::WideBvh;
 use crate::geom::Ray;
-use crate::geom::lanes::{LazyExact, Level};
-use crate::trace::Hit;
+use crate::geom::lanes::{Hits as _, Level, Precision};
 use crate::wide::{Context, Cursor, Method, Scratch, Search, Supply, Tables, Unfit, advance, traverse};
 
 /// What is asked of each ray.
@@ -26,32 +25,41 @@ pub(super) enum Ask {
 
 /// What rays are asked, and of what.
 #[derive(Clone, Copy)]
-pub(super) struct Job<'a> {
-    pub(super) bvh: &'a WideBvh,
+pub(super) struct Job<'a, V: Precision> {
+    pub(super) bvh: &'a WideBvh<8, V>,
     pub(super) tables: &'a Tables,
     pub(super) level: Level,
     pub(super) ask: Ask,
 }
 
 /// Gets the number of a ray and its answer.
-pub(super) type Answer<'f> = dyn FnMut(usize, Option<Hit>) + 'f;
+pub(super) type Answer<'f, V> = dyn FnMut(usize, Option<HitOf<V>>) + 'f;
 
 /// Answers one ray.
-pub(super) fn trace_one(method: Method, job: Job<'_>, ray: &Ray) -> Result<Option<Hit>, Unfit> {
+pub(super) fn trace_one<V: Precision>(
+    method: Method,
+    job: Job<'_, V>,
+    ray: &Ray<V>,
+) -> Result<Option<HitOf<V>>, Unfit> {
     with_memory(|[memory, _]| match job.ask {
-        Ask::Closest | Ask::Distance => method.dispatch(One::<false> { job, ray, memory }),
-        Ask::Any | Ask::AnyHit => method.dispatch(One::<true> { job, ray, memory }),
+        Ask::Closest | Ask::Distance => method.dispatch(One::<V, false> { job, ray, memory }),
+        Ask::Any | Ask::AnyHit => method.dispatch(One::<V, true> { job, ray, memory }),
     })
 }
 
 /// Answers each ray, in whatever order they end.
-pub(super) fn trace(method: Method, job: Job<'_>, rays: &[Ray], answer: &mut Answer<'_>) -> Result<(), Unfit> {
+pub(super) fn trace<V: Precision>(
+    method: Method,
+    job: Job<'_, V>,
+    rays: &[Ray<V>],
+    answer: &mut Answer<'_, V>,
+) -> Result<(), Unfit> {
     if let [ray] = rays {
         return trace_one(method, job, ray).map(|hit| answer(0, hit));
     }
     with_memory(|memory| match job.ask {
-        Ask::Closest | Ask::Distance => method.dispatch(Several::<false> { job, rays, answer, memory }),
-        Ask::Any | Ask::AnyHit => method.dispatch(Several::<true> { job, rays, answer, memory }),
+        Ask::Closest | Ask::Distance => method.dispatch(Several::<V, false> { job, rays, answer, memory }),
+        Ask::Any | Ask::AnyHit => method.dispatch(Several::<V, true> { job, rays, answer, memory }),
     })
 }
 
@@ -104,78 +112,82 @@ fn apart<R>(run: impl FnOnce() -> R) -> R {
 }
 
 /// A ray that is alone.
-struct One<'t, const ANY: bool> {
-    job: Job<'t>,
-    ray: &'t Ray,
+struct One<'t, V: Precision, const ANY: bool> {
+    job: Job<'t, V>,
+    ray: &'t Ray<V>,
     memory: &'t mut Scratch,
 }
 
-impl<'t, const ANY: bool> Context<'t, 8, WideBvh> for One<'t, ANY> {
-    type Output = Option<Hit>;
+impl<'t, V: Precision, const ANY: bool> Context<'t, 8, WideBvh<8, V>> for One<'t, V, ANY> {
+    type Output = Option<HitOf<V>>;
 
     #[inline(always)]
-    fn run<C: Cursor<8>>(self, start: impl Fn(Supply<'t, WideBvh>) -> Result<C, Unfit>) -> Result<Option<Hit>, Unfit> {
+    fn run<C: Cursor<8>>(
+        self,
+        start: impl Fn(Supply<'t, WideBvh<8, V>>) -> Result<C, Unfit>,
+    ) -> Result<Self::Output, Unfit> {
         let Self { job: Job { bvh, tables, level, ask }, ray, memory } = self;
         let cursor = start(Supply { tree: bvh, tables, memory })?;
-        Ok(vectorize!(level, simd => alone::<_, C, ANY>(simd, cursor, bvh, ray, ask)))
+        Ok(vectorize!(level, simd => alone::<_, C, V, ANY>(simd, cursor, bvh, ray, ask)))
     }
 }
 
 /// Several rays, two at a time.
-struct Several<'t, 'f, const ANY: bool> {
-    job: Job<'t>,
-    rays: &'t [Ray],
-    answer: &'t mut Answer<'f>,
+struct Several<'t, 'f, V: Precision, const ANY: bool> {
+    job: Job<'t, V>,
+    rays: &'t [Ray<V>],
+    answer: &'t mut Answer<'f, V>,
     memory: &'t mut [Scratch; 2],
 }
 
-impl<'t, const ANY: bool> Context<'t, 8, WideBvh> for Several<'t, '_, ANY> {
+impl<'t, V: Precision, const ANY: bool> Context<'t, 8, WideBvh<8, V>> for Several<'t, '_, V, ANY> {
     type Output = ();
 
     #[inline(always)]
-    fn run<C: Cursor<8>>(self, start: impl Fn(Supply<'t, WideBvh>) -> Result<C, Unfit>) -> Result<(), Unfit> {
+    fn run<C: Cursor<8>>(
+        self,
+        start: impl Fn(Supply<'t, WideBvh<8, V>>) -> Result<C, Unfit>,
+    ) -> Result<(), Unfit> {
         let Self { job, rays, answer, memory: [first, second] } = self;
         let Job { bvh: tree, tables, level, .. } = job;
         let cursors = [start(Supply { tree, tables, memory: first })?, start(Supply { tree, tables, memory: second })?];
         if let [one, two, rest @ ..] = rays {
-            vectorize!(level, simd => in_turns::<_, C, ANY>(simd, cursors, [one, two], rest, job, answer));
+            vectorize!(level, simd => in_turns::<_, C, V, ANY>(simd, cursors, [one, two], rest, job, answer));
         }
         Ok(())
     }
 }
 
-type RaySearch<'a, 'm, S, const ANY: bool> = WideSearch<'a, 'm, S, f32x8<S>, 8, ANY>;
-
 /// Traces one ray to its end.
 #[inline(always)]
-fn alone<S: Simd, C: Cursor<8>, const ANY: bool>(
+fn alone<S: Simd, C: Cursor<8>, V: Precision, const ANY: bool>(
     simd: S,
     cursor: C,
-    bvh: &WideBvh,
-    ray: &Ray,
+    bvh: &WideBvh<8, V>,
+    ray: &Ray<V>,
     ask: Ask,
-) -> Option<Hit> {
-    let (tree, mut exact) = (bvh.tree(), LazyExact::new(ray, bvh.region()));
-    let mut search = RaySearch::<S, ANY>::new(simd, bvh, tree, &mut exact);
+) -> Option<HitOf<V>> {
+    let (tree, mut hits) = (bvh.tree(), V::Hits::new(ray, bvh.region()));
+    let mut search = WideSearch::<S, V, ANY>::new(simd, bvh, tree, &mut hits);
     traverse(&tree, cursor, &mut search, &mut ());
     search.answer(ask)
 }
 
 /// Two rays at a time: while one waits for memory, the other computes. `rest` follows the first two.
 #[inline(always)]
-fn in_turns<S: Simd, C: Cursor<8>, const ANY: bool>(
+fn in_turns<S: Simd, C: Cursor<8>, V: Precision, const ANY: bool>(
     simd: S,
     [mut cursor_a, mut cursor_b]: [C; 2],
-    [a, b]: [&Ray; 2],
-    rest: &[Ray],
-    Job { bvh, ask, .. }: Job<'_>,
-    answer: &mut Answer<'_>,
+    [a, b]: [&Ray<V>; 2],
+    rest: &[Ray<V>],
+    Job { bvh, ask, .. }: Job<'_, V>,
+    answer: &mut Answer<'_, V>,
 ) {
-    let mut exact = [a, b].map(|ray| LazyExact::new(ray, bvh.region()));
-    let [exact_a, exact_b] = &mut exact;
+    let mut hits = [a, b].map(|ray| V::Hits::new(ray, bvh.region()));
+    let [hits_a, hits_b] = &mut hits;
     let tree = bvh.tree();
     let (mut search_a, mut search_b) =
-        (RaySearch::<S, ANY>::new(simd, bvh, tree, exact_a), RaySearch::<S, ANY>::new(simd, bvh, tree, exact_b));
+        (WideSearch::<S, V, ANY>::new(simd, bvh, tree, hits_a), WideSearch::<S, V, ANY>::new(simd, bvh, tree, hits_b));
     let (mut number_a, mut number_b) = (0, 1);
     let (mut is_done_a, mut is_done_b) = (false, false);
     let mut rest = (2..).zip(rest);

@@ -1,3 +1,4 @@
+use glam::Vec3;
 use proptest::prelude::*;
 
 use super::*;
@@ -22,7 +23,7 @@ fn wide<const A: usize>(mesh: &Mesh) -> WideBvh<A> {
 
 fn comes_back<const A: usize>(wide: &WideBvh<A>, mesh: &Mesh) {
     let bytes = wide.to_bytes();
-    assert_eq!(bytes.len() as u64, file_bytes::<A>(wide.nodes.len() as u32, wide.blocks.len() as u32));
+    assert_eq!(bytes.len() as u64, file_bytes::<A, Vec3>(wide.nodes.len() as u32, wide.blocks.len() as u32));
     let back = WideBvh::<A>::from_bytes(&bytes).expect("what was written");
     assert_eq!((&back.nodes, &back.blocks), (&wide.nodes, &wide.blocks));
     let rest = |wide: &WideBvh<A>| (wide.levels, wide.triangles, wide.duplicates);
@@ -79,7 +80,7 @@ fn malformed_wide_files_are_refused_by_name() {
     let (levels, unsound) = (good.levels, E::Unsound);
     refuse(LEVELS_AT, 9, unsound(WideBvhError::Levels { stored: 9, found: levels }));
     refuse(DUPLICATES_AT, 3, unsound(WideBvhError::Duplicates { stored: 3, found: 0 }));
-    for (at, size) in [(NODES_AT, node_bytes::<8>()), (BLOCKS_AT, 4 * BLOCK_WORDS)] {
+    for (at, size) in [(NODES_AT, node_bytes::<8>()), (BLOCKS_AT, block_bytes::<Vec3>())] {
         let count = u32::from_le_bytes(bytes[at..at + 4].try_into().expect("a word"));
         for absurd in [u32::MAX, 1 << 31, count + 1] {
             let expected = bytes.len() as u64 + size as u64 * u64::from(absurd - count);

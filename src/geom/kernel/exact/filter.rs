@@ -101,6 +101,19 @@ impl Determinants {
         [u, v].map(|edge| self.over_determinant(edge, errors.sign * QUOTIENT_FACTOR, errors))
     }
 
+    /// Near the distance, and near the weights of the second and of the third corner, likewise.
+    #[inline]
+    pub(super) fn quotients(&self) -> [f64; 3] {
+        let [u, v, _] = self.edges;
+        [self.t, u, v].map(|numerator| numerator / self.det)
+    }
+
+    /// Bounds of another number over the determinant, given what that may be off by, likewise.
+    #[inline]
+    pub(super) fn over(&self, numerator: f64, error: f64, errors: &Errors) -> [f64; 2] {
+        self.over_determinant(numerator, error * QUOTIENT_FACTOR, errors)
+    }
+
     /// Bounds of a quotient, given the error of its numerator, times [`QUOTIENT_FACTOR`].
     #[inline(always)]
     fn over_determinant(&self, numerator: f64, error: f64, errors: &Errors) -> [f64; 2] {

@@ -12,6 +12,7 @@
 //! floating-point arithmetic and fast robust geometric predicates", and Bartels et al. 2022, arXiv:2208.00497.
 
 mod accumulator;
+mod corrected;
 mod double;
 mod enclosed;
 mod filter;

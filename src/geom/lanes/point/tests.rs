@@ -7,7 +7,7 @@ use crate::geom::Aabb;
 
 #[inline(always)]
 fn within<S: Simd>(simd: S, point: Vec3, planes: &[[[f32; 8]; 2]; 3], limit: f32) -> ([f32; 8], u32) {
-    let (ranks, set) = BoxPoint::<S, f32x8<S>, 8>::new(simd, point).within(planes, limit);
+    let (ranks, set) = BoxPoint::<S, f32x8<S>, 8>::new(simd, [point; 2]).within(planes, limit);
     (*ranks, set)
 }
 

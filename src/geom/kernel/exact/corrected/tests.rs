@@ -1,0 +1,38 @@
+use super::*;
+use crate::generate::{Rng, Source as _};
+use crate::geom::truth::{self, Point};
+
+/// Rays through triangles, with numbers of all digits.
+fn aimed(rng: &mut Rng) -> ([DVec3; 3], DVec3, DVec3) {
+    let mut number = || (rng.below(1 << 53) as f64 / (1_u64 << 52) as f64 - 1.0) * power_of_two(rng.below(8) as i32 - 4);
+    let [a, b, c, o] = [(); 4].map(|()| DVec3::new(number(), number(), number()));
+    let [x, y] = [number(), number()].map(|x| x.abs().min(0.49));
+    let d = (a + (b - a) * x + (c - a) * y - o) * number();
+    ([a, b, c], o, d)
+}
+
+/// [EXACT-14]
+///
+/// What is told is right, and nearly all is told.
+#[test]
+fn corrected_quotients_are_those_of_rationals() {
+    let mut rng = Rng::new(14);
+    let (mut asked, mut told) = (0, 0);
+    for _ in 0..20_000 {
+        let (corners, o, d) = aimed(&mut rng);
+        let (found, errors) = (Determinants::of(&corners, o, d), Errors::of_triangle(&corners, o, d));
+        let Some(hit) = CertainHit::new(&corners, o, d, &found, &errors) else { continue };
+        let meeting = truth::meet(corners.map(|v| v.to_array()), o.to_array(), d.to_array());
+        let Some(Point { t, u, v, .. }) = meeting.within([f64::MIN, f64::MAX]) else { panic!("{corners:?} {o} {d}") };
+        asked += 1;
+        if let Some(found) = hit.distance() {
+            told += 1;
+            assert_eq!(found, truth::round_f64(&t), "{corners:?} {o} {d}");
+        }
+        if let Some(weights) = hit.weights() {
+            told += 1;
+            assert_eq!(weights, [&u, &v].map(truth::round_f64), "{corners:?} {o} {d}");
+        }
+    }
+    assert!(asked > 10_000 && 2 * asked - told < asked / 1000, "{told} of {asked}");
+}

@@ -1,0 +1,249 @@
+//! Four triangles in double precision: the filter, and the hits of a leaf by bounds of their distances.
+
+use fearless_simd::{Simd, SimdBase as _, SimdMask as _, f64x4};
+use glam::DVec3;
+
+use super::precision::Hits;
+use super::triangles::{CONSTANTS, Found};
+use super::{Block, LaneSet, TriangleRay, filled};
+use crate::geom::kernel::{Exact64, QUOTIENT, USUAL};
+use crate::geom::{Kernel as _, Once, Ray, Region, Triangle};
+
+/// Half of the distance from 1 to the next double.
+const UNIT: f64 = f64::EPSILON / 2.0;
+
+impl<S: Simd> TriangleRay<S, DVec3> {
+    /// Prepares a ray. `region` must hold all triangles that it is asked about.
+    #[inline(always)]
+    pub fn double(simd: S, ray: &Ray<DVec3>, region: &Region) -> Self {
+        Self::double_with(simd, ray, region, CONSTANTS.map(f64::from))
+    }
+
+    /// The same with other constants, as [`with_constants`](TriangleRay::with_constants).
+    #[inline(always)]
+    fn double_with(simd: S, ray: &Ray<DVec3>, region: &Region, [edge, det, t]: [f64; 3]) -> Self {
+        let (o, d) = (ray.origin(), ray.direction());
+        let (c, length) = (region.distance(o), d.abs().max_element());
+        let is_usual = USUAL.contains(&c) & USUAL.contains(&length) & USUAL.contains(&region.size());
+        let unit = if is_usual { UNIT } else { f64::INFINITY };
+        let all = |x: f64| f64x4::splat(simd, x);
+        Self {
+            origin: [all(o.x), all(o.y), all(o.z)],
+            direction: [all(d.x), all(d.y), all(d.z)],
+            edge: all(edge * unit * length),
+            det: all(det * unit * length),
+            t: all(t * unit * c),
+            twice_c: all(2.0 * c),
+        }
+    }
+
+    /// The lanes that the line certainly meets, and bounds of their distances. `[LANES-6]`
+    #[inline(always)]
+    fn certain(&self, simd: S, block: &Block<DVec3>, found: &Found<f64x4<S>>) -> (u32, [[f64; 4]; 2]) {
+        let Found { det, edges: [least, most], t } = *found;
+        let edge = f64x4::load_array_ref(simd, &block.edges);
+        // Twice the bound of one edge function, for its sign and the determinant's together.
+        let sign = ((self.edge + self.edge) * edge) * (self.twice_c + edge);
+        let is_met = least.simd_gt(sign) | most.simd_lt(-sign);
+        let square = edge * edge;
+        let reciprocal = f64x4::splat(simd, 1.0) / det;
+        let x = t * reciprocal;
+        let error = (self.t * square + x.abs() * (self.det * square)) * reciprocal.abs()
+            + x.abs() * (f64::from(QUOTIENT) * UNIT);
+        (is_met.to_bitmask() as u32 & 15, [(x - error).into(), (x + error).into()])
+    }
+}
+
+/// The nearest hit so far, by bounds of its distance: the least exact distance, and of equal ones the least index.
+/// `[EXACT-1]`
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest64 {
+    /// If there is no hit, infinity and the end of the ray. Equal where the distance is known, rounded.
+    ends: [f64; 2],
+    prim: u32,
+}
+
+/// The hits of a ray in double precision. What bounds of distances leave open is for the exact test, which is prepared
+/// for each such question: there are few.
+#[derive(Clone, Debug)]
+pub struct LazyExact64<'a> {
+    ray: &'a Ray<DVec3>,
+    region: &'a Region,
+    /// The block and the lane of the hit so far.
+    found: Option<(&'a Block<DVec3>, usize)>,
+    /// What was asked last: many triangles may coincide.
+    last: Once<Triangle<DVec3>, Option<f64>>,
+}
+
+impl<'a> Hits<'a, DVec3> for LazyExact64<'a> {
+    type Nearest = Nearest64;
+
+    #[inline(always)]
+    fn new(ray: &'a Ray<DVec3>, region: &'a Region) -> Self {
+        Self { ray, region, found: None, last: Once::NEVER }
+    }
+
+    #[inline(always)]
+    fn ray(&self) -> &'a Ray<DVec3> {
+        self.ray
+    }
+
+    #[inline(always)]
+    fn none(&self) -> Nearest64 {
+        Nearest64 { ends: [f64::INFINITY, self.ray.tmax() + 0.0], prim: Block::NONE }
+    }
+
+    #[inline(always)]
+    fn filter<S: Simd>(&self, simd: S) -> TriangleRay<S, DVec3> {
+        TriangleRay::double(simd, self.ray, self.region)
+    }
+
+    #[inline(always)]
+    fn end(&Nearest64 { ends: [_, end], .. }: &Nearest64) -> f64 {
+        end
+    }
+
+    #[inline(always)]
+    fn prim(&Nearest64 { prim, .. }: &Nearest64) -> Option<u32> {
+        (prim != Block::NONE).then_some(prim)
+    }
+
+    #[inline(always)]
+    fn nearest<S: Simd>(
+        &mut self,
+        simd: S,
+        filter: &TriangleRay<S, DVec3>,
+        blocks: &'a [Block<DVec3>],
+        count: u32,
+        mut nearest: Nearest64,
+    ) -> Nearest64 {
+        for (block, filled) in filled(blocks, count) {
+            let found = filter.found(simd, block);
+            let lanes = filter.left(simd, block, nearest.ends[1], &found) & filled;
+            if lanes != 0 {
+                nearest = self.settle(block, lanes, filter.certain(simd, block, &found), nearest);
+            }
+        }
+        nearest
+    }
+
+    #[inline(always)]
+    fn any<S: Simd>(
+        &mut self,
+        simd: S,
+        filter: &TriangleRay<S, DVec3>,
+        blocks: &'a [Block<DVec3>],
+        count: u32,
+    ) -> Option<Nearest64> {
+        for (block, filled) in filled(blocks, count) {
+            let found = filter.found(simd, block);
+            let lanes = filter.left(simd, block, self.ray.tmax(), &found) & filled;
+            if lanes != 0
+                && let Some(lane) = self.blocking(block, lanes, filter.certain(simd, block, &found))
+            {
+                self.found = Some((block, lane));
+                return Some(Nearest64 { prim: block.prims[lane], ..self.none() });
+            }
+        }
+        None
+    }
+
+    #[inline(always)]
+    fn distance(&mut self, nearest: &Nearest64) -> f64 {
+        let [lo, hi] = nearest.ends;
+        if lo == hi { lo + 0.0 } else { self.rounded().unwrap_or(lo) }
+    }
+
+    #[inline(never)]
+    fn whole<const ANY: bool>(&mut self, _: &Nearest64) -> Option<(f64, [f64; 2])> {
+        let (block, lane) = self.found?;
+        self.exact().whole(&block.triangle(lane))
+    }
+}
+
+impl<'a> LazyExact64<'a> {
+    fn exact(&self) -> Exact64 {
+        Exact64::new(self.ray, self.region)
+    }
+
+    /// The distance of the hit so far.
+    #[inline(never)]
+    fn rounded(&self) -> Option<f64> {
+        let (block, lane) = self.found?;
+        self.exact().distance_of_hit(&block.triangle(lane))
+    }
+
+    /// The nearest hit of `nearest` and these lanes' triangles, of which some are certainly met. `[LANES-7]`
+    #[inline(always)]
+    fn settle(
+        &mut self,
+        block: &'a Block<DVec3>,
+        lanes: u32,
+        (certain, [near, far]): (u32, [[f64; 4]; 2]),
+        mut nearest: Nearest64,
+    ) -> Nearest64 {
+        let [tmin, tmax] = [self.ray.tmin(), self.ray.tmax()];
+        for lane in LaneSet(lanes) {
+            let ends @ [lo, hi] = [near[lane], far[lane]];
+            if certain >> lane & 1 == 1 {
+                if hi < tmin || nearest.ends[1] < lo {
+                    continue;
+                }
+                if tmin < lo && hi < tmax && hi < nearest.ends[0] {
+                    nearest = Nearest64 { ends, prim: block.prims[lane] };
+                    self.found = Some((block, lane));
+                    continue;
+                }
+            }
+            nearest = self.contest(block, lane, nearest);
+        }
+        nearest
+    }
+
+    /// The same of one triangle, by exact arithmetic.
+    #[cold]
+    #[inline(never)]
+    fn contest(&mut self, block: &'a Block<DVec3>, lane: usize, nearest: Nearest64) -> Nearest64 {
+        let (shape, prim, [lo, hi]) = (block.triangle(lane), block.prims[lane], nearest.ends);
+        let best = self.found.map(|(block, lane)| block.triangle(lane));
+        if best == Some(shape) {
+            return Nearest64 { prim: prim.min(nearest.prim), ..nearest };
+        }
+        let (exact, mut last) = (self.exact(), self.last);
+        let t = last.answer(&shape, |shape| exact.distance(shape, hi));
+        self.last = last;
+        let Some(t) = t.filter(|&t| t <= hi) else { return nearest };
+        let is_first = match best {
+            Some(best) if t >= lo => exact.order((&shape, prim), (&best, nearest.prim)).is_lt(),
+            _ => true,
+        };
+        if !is_first {
+            return nearest;
+        }
+        self.found = Some((block, lane));
+        Nearest64 { ends: [t, t], prim }
+    }
+
+    /// One of these lanes, of which some are certainly met, whose triangle the ray meets within its interval.
+    #[inline(always)]
+    fn blocking(
+        &self,
+        block: &Block<DVec3>,
+        lanes: u32,
+        (certain, [near, far]): (u32, [[f64; 4]; 2]),
+    ) -> Option<usize> {
+        for lane in LaneSet(lanes) {
+            let is_known = certain >> lane & 1 == 1 && (self.ray.tmin() < near[lane] && far[lane] < self.ray.tmax());
+            if is_known || self.blocks(block, lane) {
+                return Some(lane);
+            }
+        }
+        None
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn blocks(&self, block: &Block<DVec3>, lane: usize) -> bool {
+        self.exact().blocks(&block.triangle(lane))
+    }
+}

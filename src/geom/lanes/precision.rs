@@ -1,0 +1,148 @@
+//! What tells the two precisions apart in wide trees.
+
+use std::fmt::Debug;
+
+use fearless_simd::{Simd, SimdFloat, f32x4, f32x8, f64x4};
+use glam::{DVec3, Vec3};
+
+use super::{Block, BoxRay, FramedBoxes, LazyExact, LazyExact64, TriangleRay, block};
+use crate::geom::frame::power_of_two;
+use crate::geom::kernel::{Exact, Exact64, Parity};
+use crate::geom::slabs::{Directed, Slabs, Wide};
+use crate::geom::{Ray, Region, Triangle, Vector};
+
+/// Positions in single or in double precision, as wide trees need them. The boxes of both are in single precision.
+pub trait Precision: Vector {
+    /// The exact test.
+    type Exact: Parity<Vector = Self, Shape = Triangle<Self>>;
+    /// The test of boxes in binary trees that goes with it.
+    type Slabs: Slabs<Vector = Self>;
+    /// Four coordinates.
+    type Lanes<S: Simd>: FourLanes<S, Self::Real>;
+    /// A ray, prepared for the boxes of a node.
+    type Boxes<S: Simd>: NodeBoxes<S, Self>;
+    /// What finds the hits in a leaf.
+    type Hits<'a>: Hits<'a, Self>;
+
+    /// Edges count at least this much in the error bounds of the filter, so that these cover all errors of underflow
+    /// too. `[LANES-3]`
+    const MIN_EDGE: Self::Real;
+
+    /// The greatest component of the edges from the first corner, as the filter computes them, and not below
+    /// [`MIN_EDGE`](Self::MIN_EDGE). `[LANES-3]`
+    fn longest(triangle: &Triangle<Self>) -> Self::Real;
+}
+
+/// A vector of four numbers.
+pub trait FourLanes<S: Simd, R>: SimdFloat<S, Element = R, Array = [R; 4]> {
+    /// With their signs changed where those of others are negative.
+    #[must_use]
+    fn turned(self, others: Self) -> Self;
+}
+
+/// A ray, prepared for the eight boxes of a node, in the units of their frame.
+pub trait NodeBoxes<S: Simd, V: Precision>: Clone + Debug {
+    /// Prepares a ray. `region` must hold all boxes that it is asked about.
+    fn new(simd: S, ray: &Ray<V>, region: &Region) -> Self;
+
+    /// At least the distance of each box that holds a hit at `t` or before, which is not negative, nor is the result.
+    fn end(&self, t: V::Real) -> f32;
+
+    /// The ranks of all boxes, and the set of those that are met up to an [end](Self::end). `[LANES-2]`
+    fn enter(&self, planes: &[[[f32; 8]; 2]; 3], end: f32) -> (f32x8<S>, u32);
+}
+
+/// The hits of a ray in leaves: the filter of four triangles, then the exact test of what that leaves.
+pub trait Hits<'a, V: Precision>: Debug {
+    /// The nearest hit so far: the least exact distance, and of equal ones the least index. `[EXACT-1]`
+    type Nearest: Copy + Debug;
+
+    /// For this ray. `region` must hold all triangles that it is asked about.
+    fn new(ray: &'a Ray<V>, region: &'a Region) -> Self;
+
+    /// The ray.
+    fn ray(&self) -> &'a Ray<V>;
+
+    /// The filter for this ray.
+    fn filter<S: Simd>(&self, simd: S) -> TriangleRay<S, V>;
+
+    /// Before anything is hit.
+    fn none(&self) -> Self::Nearest;
+
+    /// No hit that is farther is nearer than this one: not below 0, and not -0.
+    fn end(nearest: &Self::Nearest) -> V::Real;
+
+    /// The triangle, if there is a hit.
+    fn prim(nearest: &Self::Nearest) -> Option<u32>;
+
+    /// The nearest hit of `nearest` and the first `count` triangles of these blocks, less than 32. `nearest` must be
+    /// none, or what this has returned last.
+    fn nearest<S: Simd>(
+        &mut self,
+        simd: S,
+        filter: &TriangleRay<S, V>,
+        blocks: &'a [Block<V>],
+        count: u32,
+        nearest: Self::Nearest,
+    ) -> Self::Nearest;
+
+    /// A hit among the first `count` of these, less than 32. Its distance is not known.
+    fn any<S: Simd>(
+        &mut self,
+        simd: S,
+        filter: &TriangleRay<S, V>,
+        blocks: &'a [Block<V>],
+        count: u32,
+    ) -> Option<Self::Nearest>;
+
+    /// The distance of the nearest hit, rounded.
+    fn distance(&mut self, nearest: &Self::Nearest) -> V::Real;
+
+    /// Distance and weights of the hit that was found last; `ANY` if by [`any`](Self::any).
+    fn whole<const ANY: bool>(&mut self, nearest: &Self::Nearest) -> Option<(V::Real, [V::Real; 2])>;
+}
+
+impl Precision for Vec3 {
+    type Exact = Exact;
+    type Slabs = Directed;
+    type Lanes<S: Simd> = f32x4<S>;
+    type Boxes<S: Simd> = BoxRay<S, f32x8<S>, 8>;
+    type Hits<'a> = LazyExact<'a>;
+
+    const MIN_EDGE: f32 = super::MIN_EDGE;
+
+    #[inline]
+    fn longest(triangle: &Triangle) -> f32 {
+        block::longest(triangle)
+    }
+}
+
+impl Precision for DVec3 {
+    type Exact = Exact64;
+    type Slabs = Wide;
+    type Lanes<S: Simd> = f64x4<S>;
+    type Boxes<S: Simd> = FramedBoxes<S>;
+    type Hits<'a> = LazyExact64<'a>;
+
+    /// So little that no scene is too small for it.
+    const MIN_EDGE: f64 = power_of_two(-400);
+
+    #[inline]
+    fn longest(&Triangle([v0, v1, v2]): &Triangle<Self>) -> f64 {
+        (v1 - v0).abs().max((v2 - v0).abs()).max_element().max(Self::MIN_EDGE)
+    }
+}
+
+impl<S: Simd> FourLanes<S, f32> for f32x4<S> {
+    #[inline(always)]
+    fn turned(self, others: Self) -> Self {
+        Self::from_bits(self.to_bits() ^ (others.to_bits() & (1 << 31)))
+    }
+}
+
+impl<S: Simd> FourLanes<S, f64> for f64x4<S> {
+    #[inline(always)]
+    fn turned(self, others: Self) -> Self {
+        Self::from_bits(self.to_bits() ^ (others.to_bits() & (1 << 63)))
+    }
+}
