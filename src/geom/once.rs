@@ -8,6 +8,12 @@ impl<S: Copy + PartialEq, A: Copy> Once<S, A> {
     /// Nothing was asked.
     pub(crate) const NEVER: Self = Self(None);
 
+    /// The same, without a copy of all that is not there.
+    #[inline(always)]
+    pub(crate) fn never() -> Self {
+        Self(None)
+    }
+
     #[inline]
     pub(crate) fn answer(&mut self, shape: &S, ask: impl FnOnce(&S) -> A) -> A {
         match &self.0 {

@@ -11,6 +11,8 @@ pub struct Region {
     reach: f64,
     size: f64,
     bounds: Aabb,
+    /// Its greatest magnitude of a coordinate, in the frame.
+    reach_in_frame: f32,
     near: Near,
     frame: Frame,
 }
@@ -44,9 +46,9 @@ impl Region {
     pub fn within(frame: Frame, aabb: &Aabb) -> Self {
         let size = aabb.hi.as_dvec3() - aabb.lo.as_dvec3();
         let unit = power_of_two(frame.exponent());
-        let reach = f64::from(aabb.lo.abs().max(aabb.hi.abs()).max_element());
-        let size = size.max_element();
-        Self { reach: reach * unit, size: size * unit, bounds: *aabb, near: near_of(aabb, size), frame }
+        let reach_in_frame = aabb.lo.abs().max(aabb.hi.abs()).max_element();
+        let (reach, size) = (f64::from(reach_in_frame), size.max_element());
+        Self { reach: reach * unit, size: size * unit, bounds: *aabb, reach_in_frame, near: near_of(aabb, size), frame }
     }
 
     /// The greatest magnitude of a coordinate, as seen from the origin of the [frame](Self::frame).
@@ -64,7 +66,7 @@ impl Region {
     /// The greatest magnitude of a coordinate in the frame.
     #[inline]
     pub(super) fn reach_in_frame(&self) -> f32 {
-        self.bounds.lo.abs().max(self.bounds.hi.abs()).max_element()
+        self.reach_in_frame
     }
 
     /// The middle of the box, in the frame; how far from there, on each axis, single precision tells enough of what is

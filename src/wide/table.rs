@@ -150,7 +150,7 @@ impl Method {
         match self {
             Self::Stack => context.run(|from| Ok(Stack::new(from.tree, &mut from.memory.stack))),
             Self::Trail => context.run(|from| Ok(Pending::new(from.tree, Trail::<u128>::default(), Parents)?)),
-            Self::Recorded => context.run(|from| Ok(Pending::new(from.tree, &mut from.memory.ranked, Recorded)?)),
+            Self::Recorded => Self::recorded(context),
             Self::Hashed => context.run(|from| {
                 let link = Hashed::new(from.tables.hash()?);
                 Ok(Pending::new(from.tree, &mut from.memory.ranked, link)?)
@@ -160,6 +160,14 @@ impl Method {
                 context.run(|from| Ok(Restart::new(from.tree, self.short_stack())?))
             }
         }
+    }
+
+    /// [`dispatch`](Self::dispatch) of [`Recorded`](Self::Recorded), without copies for the others.
+    #[inline(always)]
+    pub(crate) fn recorded<'t, const A: usize, T: Topology<A> + 't, X: Context<'t, A, T>>(
+        context: X,
+    ) -> Result<X::Output, Unfit> {
+        context.run(|from| Ok(Pending::new(from.tree, &mut from.memory.ranked, Recorded)?))
     }
 
     /// Runs a search to its end, with memory of its own.

@@ -84,7 +84,7 @@ pub(crate) struct Args {
 }
 
 /// Options that only `lab bench` has.
-#[derive(Clone, Copy, Default, clap::Args)]
+#[derive(Clone, Default, clap::Args)]
 pub(crate) struct Extra {
     /// Instructions of the traversals of wide trees. The default is the best of the machine.
     #[arg(long, value_name = "LEVEL", value_parser = input::simd())]
@@ -92,10 +92,15 @@ pub(crate) struct Extra {
     /// Trace one ray at a time through wide trees, each by a call of its own.
     #[arg(long)]
     one_by_one: bool,
-    /// Measure double precision too: `f64`, the scene with an extent of 1 at the origin; the same moved by 6.4e6 and by
-    /// 1e9, and scaled by 1e-50 and by 1e50; and rays whose least component is 1e-130. It is not judged.
-    #[arg(long, conflicts_with = "peers")]
-    double: bool,
+    /// Ask wide trees for the weights of the closest hits too.
+    #[arg(long)]
+    weights: bool,
+    /// Measure double precision too, in places separated by commas: `f64`, the scene with an extent of 1 at the origin;
+    /// the same at `6.4e6` and at `1e9`, scaled by `1e-50` and by `1e50`; and rays whose least component is `1e-130`. It is
+    /// not judged.
+    #[arg(long, conflicts_with = "peers", value_name = "PLACES", value_delimiter = ',', num_args = 0..=1)]
+    #[arg(default_missing_value = double::NAMES, value_parser = double::place())]
+    double: Vec<double::Place>,
 }
 
 /// Rays that are timed before it is another one's turn.
@@ -136,7 +141,7 @@ trait Contestant {
     fn build_seconds(&self) -> f64;
 }
 
-pub(crate) fn run(args: &Args, extra: Extra) -> Outcome {
+pub(crate) fn run(args: &Args, extra: &Extra) -> Outcome {
     if args.peers && !cfg!(feature = "peers") {
         return Err("--peers: this program was built without the feature `peers`".into());
     }
@@ -166,7 +171,7 @@ struct Found {
 }
 
 /// Measures all scenes, and shows the rows of each once it is done.
-fn measure(args: &Args, extra: Extra, scenes: &[Scene]) -> Result<Found, Box<dyn std::error::Error>> {
+fn measure(args: &Args, extra: &Extra, scenes: &[Scene]) -> Result<Found, Box<dyn std::error::Error>> {
     let builds = once_each(args.build.iter().copied());
     let accuracies = once_each(args.accuracy.iter().copied());
     // `stack` is what the others are measured by.
@@ -189,8 +194,9 @@ fn measure(args: &Args, extra: Extra, scenes: &[Scene]) -> Result<Found, Box<dyn
                 }
             }
         }
+        let level = extra.simd.unwrap_or_else(Level::new);
+        let manner = Manner { level, is_alone: extra.one_by_one, with_weights: extra.weights };
         for tree in &wide_trees {
-            let manner = Manner { level: extra.simd.unwrap_or_else(Level::new), is_alone: extra.one_by_one };
             for &method in &wide_methods {
                 contestants.push(tree.contestant(method, manner)?);
             }
@@ -199,9 +205,7 @@ fn measure(args: &Args, extra: Extra, scenes: &[Scene]) -> Result<Found, Box<dyn
         if args.peers {
             contestants.extend(peers::build(&scene.mesh, &mut notes));
         }
-        if extra.double {
-            contestants.extend(double::build(scene, builds[0])?);
-        }
+        contestants.extend(double::build(scene, builds[0], &extra.double, manner)?);
         let course = Course { scene, truth: Truth::new(&scene.mesh), rounds: args.rounds as usize };
         let first = rows.len();
         let primary = args.place.of(scene).rays(args.count as usize);

@@ -68,7 +68,7 @@ impl Program for Lab {
     fn run(self) -> Outcome {
         match self {
             Self::Accuracy(args) => accuracy::run(&args),
-            Self::Bench { args, extra } => bench::run(&args, extra),
+            Self::Bench { args, extra } => bench::run(&args, &extra),
             Self::Boxes(args) => boxes::run(&args),
             Self::Check { args, extra } => check::run(&args, &extra),
             Self::Explain { args, extra } => explain::run(&args, extra),

@@ -46,7 +46,7 @@ impl Program for Stackless {
             Self::Trace(args) => trace::run(&args),
             Self::Render(args) => render::run(&args),
             Self::Check(args) => check::run(&args, &check::Extra::default()),
-            Self::Bench(args) => bench::run(&args, bench::Extra::default()),
+            Self::Bench(args) => bench::run(&args, &bench::Extra::default()),
             Self::Stress(args) => stress::run(&args, stress::Extra::default()),
             Self::Stats(args) => stats::run(&args),
             Self::Methods => {

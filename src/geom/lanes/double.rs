@@ -5,8 +5,8 @@ use glam::DVec3;
 
 use super::precision::Hits;
 use super::triangles::{CONSTANTS, Found};
-use super::{Block, LaneSet, TriangleRay, filled};
-use crate::geom::kernel::{Exact64, QUOTIENT, USUAL};
+use super::{Block, LaneSet, Level, TriangleRay, filled};
+use crate::geom::kernel::{Corrected, Exact64, QUOTIENT, USUAL};
 use crate::geom::{Kernel as _, Once, Ray, Region, Triangle};
 
 /// Half of the distance from 1 to the next double.
@@ -24,7 +24,8 @@ impl<S: Simd> TriangleRay<S, DVec3> {
     fn double_with(simd: S, ray: &Ray<DVec3>, region: &Region, [edge, det, t]: [f64; 3]) -> Self {
         let (o, d) = (ray.origin(), ray.direction());
         let (c, length) = (region.distance(o), d.abs().max_element());
-        let is_usual = USUAL.contains(&c) & USUAL.contains(&length) & USUAL.contains(&region.size());
+        let (least, most) = (length.min(c).min(region.size()), length.max(c));
+        let is_usual = *USUAL.start() <= least && most <= *USUAL.end();
         let unit = if is_usual { UNIT } else { f64::INFINITY };
         let all = |x: f64| f64x4::splat(simd, x);
         Self {
@@ -54,6 +55,16 @@ impl<S: Simd> TriangleRay<S, DVec3> {
     }
 }
 
+/// Whether a multiplication and an addition are one instruction.
+#[inline(always)]
+fn is_fused<S: Simd>(simd: S) -> bool {
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    let is_fused = matches!(simd.level(), Level::Avx2(_));
+    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+    let is_fused = cfg!(target_arch = "aarch64") && !simd.level().is_fallback();
+    is_fused
+}
+
 /// The nearest hit so far, by bounds of its distance: the least exact distance, and of equal ones the least index.
 /// `[EXACT-1]`
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,7 +91,7 @@ impl<'a> Hits<'a, DVec3> for LazyExact64<'a> {
 
     #[inline(always)]
     fn new(ray: &'a Ray<DVec3>, region: &'a Region) -> Self {
-        Self { ray, region, found: None, last: Once::NEVER }
+        Self { ray, region, found: None, last: Once::never() }
     }
 
     #[inline(always)]
@@ -149,15 +160,23 @@ impl<'a> Hits<'a, DVec3> for LazyExact64<'a> {
     }
 
     #[inline(always)]
-    fn distance(&mut self, nearest: &Nearest64) -> f64 {
+    fn distance<S: Simd>(&mut self, simd: S, nearest: &Nearest64) -> f64 {
         let [lo, hi] = nearest.ends;
-        if lo == hi { lo + 0.0 } else { self.rounded().unwrap_or(lo) }
+        if lo == hi {
+            return lo + 0.0;
+        }
+        self.corrected(simd).t.or_else(|| self.rounded()).unwrap_or(lo)
     }
 
-    #[inline(never)]
-    fn whole<const ANY: bool>(&mut self, _: &Nearest64) -> Option<(f64, [f64; 2])> {
-        let (block, lane) = self.found?;
-        self.exact().whole(&block.triangle(lane))
+    #[inline(always)]
+    fn whole<S: Simd, const ANY: bool>(&mut self, simd: S, nearest: &Nearest64) -> Option<(f64, [f64; 2])> {
+        let [lo, hi] = nearest.ends;
+        if lo < hi
+            && let Corrected { t: Some(t), weights: Some(weights) } = self.corrected(simd)
+        {
+            return Some((t, weights));
+        }
+        self.whole_slowly()
     }
 }
 
@@ -166,11 +185,29 @@ impl<'a> LazyExact64<'a> {
         Exact64::new(self.ray, self.region)
     }
 
+    /// Of the hit so far, which must be certain.
+    #[inline(always)]
+    fn corrected<S: Simd>(&self, simd: S) -> Corrected {
+        let Some((block, lane)) = self.found else { return Corrected::default() };
+        let (Triangle(corners), o, d) = (block.triangle(lane), self.ray.origin(), self.ray.direction());
+        if is_fused(simd) { Corrected::of::<true>(&corners, o, d) } else { Corrected::of::<false>(&corners, o, d) }
+    }
+
     /// The distance of the hit so far.
+    #[cold]
     #[inline(never)]
     fn rounded(&self) -> Option<f64> {
         let (block, lane) = self.found?;
-        self.exact().distance_of_hit(&block.triangle(lane))
+        self.exact().distance(&block.triangle(lane), f64::INFINITY)
+    }
+
+    /// The same with its weights.
+    #[cold]
+    #[inline(never)]
+    fn whole_slowly(&self) -> Option<(f64, [f64; 2])> {
+        let ((block, lane), exact) = (self.found?, self.exact());
+        let shape = block.triangle(lane);
+        Some((exact.distance(&shape, f64::INFINITY)?, exact.weights(&shape)))
     }
 
     /// The nearest hit of `nearest` and these lanes' triangles, of which some are certainly met. `[LANES-7]`

@@ -24,6 +24,9 @@ pub trait Precision: Vector {
     /// What finds the hits in a leaf.
     type Hits<'a>: Hits<'a, Self>;
 
+    /// Whether closest and any hits have copies of all traversals, and not of the default one alone.
+    const HAS_ALL_COPIES: bool;
+
     /// Edges count at least this much in the error bounds of the filter, so that these cover all errors of underflow
     /// too. `[LANES-3]`
     const MIN_EDGE: Self::Real;
@@ -96,10 +99,14 @@ pub trait Hits<'a, V: Precision>: Debug {
     ) -> Option<Self::Nearest>;
 
     /// The distance of the nearest hit, rounded.
-    fn distance(&mut self, nearest: &Self::Nearest) -> V::Real;
+    fn distance<S: Simd>(&mut self, simd: S, nearest: &Self::Nearest) -> V::Real;
 
     /// Distance and weights of the hit that was found last; `ANY` if by [`any`](Self::any).
-    fn whole<const ANY: bool>(&mut self, nearest: &Self::Nearest) -> Option<(V::Real, [V::Real; 2])>;
+    fn whole<S: Simd, const ANY: bool>(
+        &mut self,
+        simd: S,
+        nearest: &Self::Nearest,
+    ) -> Option<(V::Real, [V::Real; 2])>;
 }
 
 impl Precision for Vec3 {
@@ -109,6 +116,7 @@ impl Precision for Vec3 {
     type Boxes<S: Simd> = BoxRay<S, f32x8<S>, 8>;
     type Hits<'a> = LazyExact<'a>;
 
+    const HAS_ALL_COPIES: bool = true;
     const MIN_EDGE: f32 = super::MIN_EDGE;
 
     #[inline]
@@ -124,6 +132,7 @@ impl Precision for DVec3 {
     type Boxes<S: Simd> = FramedBoxes<S>;
     type Hits<'a> = LazyExact64<'a>;
 
+    const HAS_ALL_COPIES: bool = false;
     /// So little that no scene is too small for it.
     const MIN_EDGE: f64 = power_of_two(-400);
 

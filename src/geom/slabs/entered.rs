@@ -48,11 +48,11 @@ pub(super) struct Entry {
 }
 
 /// The greatest component of a direction is within 2^-1000 to 2^1000.
-const MAX_LENGTH: i32 = 1000;
+pub(super) const MAX_LENGTH: i32 = 1000;
 
 /// Units are within 2^-800 to 2^800: then distances that are the least of single precision in the one are normal
 /// doubles in the other, and those that are not normal in the other are nothing in the one.
-const MAX_UNIT: i32 = 800;
+pub(super) const MAX_UNIT: i32 = 800;
 
 /// Where bounds of the entry are farther apart than such a part of the region, single precision is finer.
 const FINE: f64 = power_of_two(-24);
@@ -93,7 +93,7 @@ impl Approach<Entry> {
 /// The exponents of the direction's length, and of the unit of distance in the frame; `None` where they, or coordinates
 /// there, are beyond.
 #[inline]
-pub(super) fn lengths(ray: &Ray<DVec3>, region: &Region) -> Option<[i32; 2]> {
+fn lengths(ray: &Ray<DVec3>, region: &Region) -> Option<[i32; 2]> {
     let length = exponent_of(ray.direction().abs().max_element());
     let exponent = region.frame().exponent() - length;
     let is_within =

@@ -2,7 +2,7 @@
 
 use glam::{BVec4A, DVec3, Vec4};
 
-use super::entered::{Approach, Entered, Entry, lengths};
+use super::entered::{Approach, Entered, Entry, MAX_LENGTH, MAX_UNIT};
 use super::wide::{BEYOND, LEAST};
 use crate::geom::frame::power_of_two;
 use crate::geom::{Ray, Region};
@@ -49,17 +49,20 @@ impl Framed {
     /// Takes a ray into the frame. What doubles do not tell is told by [`Entered`], box by box.
     #[inline(always)]
     pub(in crate::geom) fn new(ray: &Ray<DVec3>, region: &Region) -> Result<Self, Box<Entered>> {
-        let (origin, reach) = (region.frame().rounded(ray.origin()), f64::from(region.reach_in_frame()));
-        let is_near = origin.abs().max_element() <= NEAR * reach && (SMALLEST..=GREATEST).contains(&reach);
-        match lengths(ray, region) {
-            Some([length, exponent]) if is_near => {
-                let direction = ray.direction() * power_of_two(-length);
-                let unit = power_of_two(-exponent);
-                let tmin = ((ray.tmin() * unit) as f32).next_down().clamp(0.0, f32::MAX);
-                Ok(Self { tmin, unit: unit * BEYOND, ..Self::near_region(origin, direction) })
-            }
-            _ => Self::afar(ray, region),
+        let (origin, reach) = (region.frame().rounded(ray.origin()), region.reach_in_frame());
+        // Of a direction that is subnormal this is too little to be within.
+        let length = (ray.direction().abs().max_element().to_bits() >> 52) as i32 - 1023;
+        let exponent = region.frame().exponent() - length;
+        let is_near = origin.abs().max_element() <= NEAR * f64::from(reach);
+        let is_within = length.abs() <= MAX_LENGTH && exponent.abs() <= MAX_UNIT;
+        if !(is_near && is_within && SMALLEST <= reach && reach <= GREATEST) {
+            return Self::afar(ray, region);
         }
+        let direction = ray.direction() * power_of_two(-length);
+        let unit = power_of_two(-exponent);
+        // Less than the exact one, by a part and by what underflows.
+        let tmin = (ray.tmin() * unit * LESS - LEAST) as f32;
+        Ok(Self { tmin: tmin.clamp(0.0, f32::MAX), unit: unit * BEYOND, ..Self::near_region(origin, direction) })
     }
 
     /// By the rounded coordinates of an origin that is near, and a direction that is not.
@@ -121,8 +124,11 @@ impl Framed {
 }
 
 /// Coordinates of a region that are neither huge nor tiny.
-const SMALLEST: f64 = power_of_two(-60);
-const GREATEST: f64 = power_of_two(60);
+const SMALLEST: f32 = power_of_two(-60) as f32;
+const GREATEST: f32 = power_of_two(60) as f32;
+
+/// Rounded to single precision, so many parts of a number are below it.
+const LESS: f64 = 1.0 - f32::EPSILON as f64;
 
 #[inline(always)]
 fn single(v: DVec3) -> Vec4 {

@@ -26,7 +26,7 @@ pub(super) struct WideSearch<'a, 'm, S: Simd, V: Precision, const ANY: bool> {
     hits: &'m mut V::Hits<'a>,
     nearest: Nearest<'a, V>,
     /// Boxes that begin beyond it are not looked at.
-    end: f32,
+    pub(super) end: f32,
 }
 
 type Nearest<'a, V> = <<V as Precision>::Hits<'a> as Hits<'a, V>>::Nearest;
@@ -62,9 +62,9 @@ impl<'a, 'm, S: Simd, V: Precision, const ANY: bool> WideSearch<'a, 'm, S, V, AN
         let zero = V::Real::ZERO;
         match ask {
             Ask::Any => Some(Hit { prim, t: zero, u: zero, v: zero }),
-            Ask::Distance => Some(Hit { prim, t: self.hits.distance(&self.nearest), u: zero, v: zero }),
+            Ask::Distance => Some(Hit { prim, t: self.hits.distance(self.simd, &self.nearest), u: zero, v: zero }),
             Ask::Closest | Ask::AnyHit => {
-                let (t, [u, v]) = self.hits.whole::<ANY>(&self.nearest)?;
+                let (t, [u, v]) = self.hits.whole::<S, ANY>(self.simd, &self.nearest)?;
                 Some(Hit { prim, t, u, v })
             }
         }
@@ -90,8 +90,12 @@ impl<S: Simd, V: Precision, const ANY: bool> Search<8> for WideSearch<'_, '_, S,
             self.nearest = hit;
             return Flow::Stop;
         }
+        let before = V::Hits::end(&self.nearest);
         self.nearest = self.hits.nearest(self.simd, &self.filter, blocks, count, self.nearest);
-        self.end = self.boxes.end(V::Hits::end(&self.nearest));
+        let end = V::Hits::end(&self.nearest);
+        if end < before {
+            self.end = self.boxes.end(end);
+        }
         Flow::Continue
     }
 

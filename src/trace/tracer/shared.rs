@@ -6,11 +6,12 @@ use std::marker::PhantomData;
 use fearless_simd::{Simd, SimdBase, f32x8};
 
 use super::LaneRanks;
-use super::turns::with_memory;
+use super::search::{HitOf, WideSearch};
+use super::turns::{Ask, Job, with_memory};
 use crate::bvh::WideBvh;
 use crate::bvh::wide::leaf_places;
 use crate::geom::Ray;
-use crate::geom::lanes::{BoxPoint, NodeBoxes as _, Precision, with_baseline};
+use crate::geom::lanes::{BoxPoint, Hits as _, NodeBoxes as _, Precision, with_baseline};
 use crate::order::Flow;
 use crate::trace::cast::Cast;
 use crate::trace::counters::WideCounters;
@@ -39,6 +40,68 @@ pub(super) fn run<V: Precision>(
     query: &mut dyn Query,
 ) -> Result<(), Unfit> {
     with_memory(|[memory, _]| method.run_in(Supply { tree, tables, memory }, &mut Shared(query), &mut ()))
+}
+
+/// Whether a traversal fits a hierarchy.
+pub(super) fn check<V: Precision>(method: Method, Job { bvh, tables, .. }: Job<'_, V>) -> Result<(), Unfit> {
+    run(method, bvh, tables, &mut Nothing)
+}
+
+/// The closest hit of a ray, or any.
+pub(super) fn trace<V: Precision>(
+    method: Method,
+    job: Job<'_, V>,
+    ray: &Ray<V>,
+) -> Result<Option<HitOf<V>>, Unfit> {
+    match job.ask {
+        Ask::Closest | Ask::Distance => trace_by::<V, false>(method, job, ray),
+        Ask::Any | Ask::AnyHit => trace_by::<V, true>(method, job, ray),
+    }
+}
+
+fn trace_by<V: Precision, const ANY: bool>(
+    method: Method,
+    Job { bvh, tables, ask, .. }: Job<'_, V>,
+    ray: &Ray<V>,
+) -> Result<Option<HitOf<V>>, Unfit> {
+    let mut hits = V::Hits::new(ray, bvh.region());
+    with_baseline!(simd => {
+        let mut search = WideSearch::<_, V, ANY>::new(simd, bvh, bvh.tree(), &mut hits);
+        run(method, bvh, tables, &mut search)?;
+        Ok(search.answer(ask))
+    })
+}
+
+impl<S: Simd, V: Precision, const ANY: bool> Query for WideSearch<'_, '_, S, V, ANY> {
+    fn ask(&mut self, node: Node) -> Wanted<[u32; 8]> {
+        let Wanted { set, ranks } = Search::ask(self, node);
+        Wanted { set, ranks: ranks.all() }
+    }
+
+    fn leaf(&mut self, leaf: Node) {
+        if Search::leaf(self, leaf) == Flow::Stop {
+            self.end = 0.0;
+        }
+    }
+
+    fn end(&self) -> f32 {
+        self.end
+    }
+}
+
+/// What wants nothing.
+struct Nothing;
+
+impl Query for Nothing {
+    fn ask(&mut self, _: Node) -> Wanted<[u32; 8]> {
+        Wanted { set: 0, ranks: [0; 8] }
+    }
+
+    fn leaf(&mut self, _: Node) {}
+
+    fn end(&self) -> f32 {
+        0.0
+    }
 }
 
 /// A query that is counted.

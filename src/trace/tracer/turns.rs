@@ -5,6 +5,7 @@ use std::cell::Cell;
 use fearless_simd::Simd;
 
 use super::search::{HitOf, WideSearch};
+use super::shared;
 use crate::bvh::WideBvh;
 use crate::geom::Ray;
 use crate::geom::lanes::{Hits as _, Level, Precision};
@@ -41,9 +42,12 @@ pub(super) fn trace_one<V: Precision>(
     job: Job<'_, V>,
     ray: &Ray<V>,
 ) -> Result<Option<HitOf<V>>, Unfit> {
+    if !has_copy::<V>(method) {
+        return shared::trace(method, job, ray);
+    }
     with_memory(|[memory, _]| match job.ask {
-        Ask::Closest | Ask::Distance => method.dispatch(One::<V, false> { job, ray, memory }),
-        Ask::Any | Ask::AnyHit => method.dispatch(One::<V, true> { job, ray, memory }),
+        Ask::Closest | Ask::Distance => dispatch(method, One::<V, false> { job, ray, memory }),
+        Ask::Any | Ask::AnyHit => dispatch(method, One::<V, true> { job, ray, memory }),
     })
 }
 
@@ -57,10 +61,26 @@ pub(super) fn trace<V: Precision>(
     if let [ray] = rays {
         return trace_one(method, job, ray).map(|hit| answer(0, hit));
     }
+    if !has_copy::<V>(method) {
+        // So that what is unfit is found without a ray.
+        shared::check(method, job)?;
+        return rays.iter().enumerate().try_for_each(|(i, ray)| Ok(answer(i, shared::trace(method, job, ray)?)));
+    }
     with_memory(|memory| match job.ask {
-        Ask::Closest | Ask::Distance => method.dispatch(Several::<V, false> { job, rays, answer, memory }),
-        Ask::Any | Ask::AnyHit => method.dispatch(Several::<V, true> { job, rays, answer, memory }),
+        Ask::Closest | Ask::Distance => dispatch(method, Several::<V, false> { job, rays, answer, memory }),
+        Ask::Any | Ask::AnyHit => dispatch(method, Several::<V, true> { job, rays, answer, memory }),
     })
+}
+
+/// Whether this traversal has a copy of its own. The others share one.
+fn has_copy<V: Precision>(method: Method) -> bool {
+    V::HAS_ALL_COPIES || method == Method::Recorded
+}
+
+/// By the copies that there are.
+#[inline(always)]
+fn dispatch<'t, V: Precision, X: Context<'t, 8, WideBvh<8, V>>>(method: Method, context: X) -> Result<X::Output, Unfit> {
+    if V::HAS_ALL_COPIES { method.dispatch(context) } else { Method::recorded(context) }
 }
 
 /// Does something with the cursors' memory of this thread.

@@ -1,21 +1,21 @@
 //! Double precision: the same rays and triangles, where they are and in places that single precision cannot hold.
 
+use clap::builder::{PossibleValue, TypedValueParser};
 use cpu_time::ProcessTime;
 use glam::{DVec3, Vec3};
-use stackless_bvh::bvh::{BuildOptions, Bvh};
-use stackless_bvh::geom::kernel::Exact64;
-use stackless_bvh::geom::slabs::Wide;
-use stackless_bvh::geom::{Mesh, Ray, Triangle};
-use stackless_bvh::trace::{Accuracy, BinaryTracer};
-use stackless_bvh::traverse::Method;
+use stackless_bvh::bvh::{BuildOptions, WideBvh};
+use stackless_bvh::geom::{Mesh, Ray};
+use stackless_bvh::trace::{Accuracy, Tracer};
 
 use super::Contestant;
+use super::wide::Manner;
 use crate::build::Build;
-use crate::input::Scene;
+use crate::input::{self, Scene};
 use crate::judge::{Answer, Query};
 
 /// Where a scene stands. It is brought to an extent of about 1 first.
-struct Place {
+#[derive(Clone, Copy)]
+pub(crate) struct Place {
     name: &'static str,
     scale: f64,
     /// In parts of the scale.
@@ -33,22 +33,36 @@ const PLACES: [Place; 6] = [
     Place { name: "f64 with 1e-130", scale: 1.0, shift: 0.0, tilt: 1e-130 },
 ];
 
-/// The default traversal in double precision, in every place.
-pub(super) fn build(scene: &Scene, build: Build) -> Result<Vec<Box<dyn Contestant>>, Box<dyn std::error::Error>> {
+/// The names of all places.
+pub(super) const NAMES: &str = "f64,6.4e6,1e9,1e-50,1e50,1e-130";
+
+/// A place by its name.
+pub(super) fn place() -> impl TypedValueParser<Value = Place> {
+    let names = NAMES.split(',').map(PossibleValue::new).zip(PLACES);
+    input::listed(names.collect())
+}
+
+/// The default traversal in double precision, in these places.
+pub(super) fn build(
+    scene: &Scene,
+    build: Build,
+    places: &[Place],
+    manner: Manner,
+) -> Result<Vec<Box<dyn Contestant>>, Box<dyn std::error::Error>> {
     let (lo, hi) =
         scene.mesh.vertices().iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(lo, hi), &v| (lo.min(v), hi.max(v)));
     let extent = f64::from((hi - lo).max_element());
     let mut built = Vec::<Box<dyn Contestant>>::new();
-    for place in PLACES {
+    for &place in places {
         let middle = (lo.as_dvec3() + hi.as_dvec3()) * 0.5;
         let space = Space { place, middle, unit: if extent > 0.0 { 1.0 / extent } else { 1.0 } };
         let vertices = scene.mesh.vertices().iter().map(|&v| space.point(v)).collect();
         let mesh = Mesh::new(vertices, scene.mesh.triangles().to_vec())?;
         let start = ProcessTime::now();
-        let bvh = build.of(BuildOptions::default()).build(&mesh)?;
+        let bvh = WideBvh::of(&build.of(BuildOptions::fine()).build(&mesh)?)?;
         let build_seconds = start.elapsed().as_secs_f64();
-        let tracer = BinaryTracer::with_tests(bvh, Method::default())?;
-        built.push(Box::new(Double { space, tracer, build_seconds, rays: Vec::new() }));
+        let tracer = Tracer::new(bvh).with_level(manner.level);
+        built.push(Box::new(Double { space, tracer, build_seconds, rays: Vec::new(), manner }));
     }
     Ok(built)
 }
@@ -77,10 +91,11 @@ impl Space {
 
 struct Double {
     space: Space,
-    tracer: BinaryTracer<Bvh<Triangle<DVec3>>, Exact64, Wide>,
+    tracer: Tracer<WideBvh<8, DVec3>, DVec3>,
     build_seconds: f64,
     /// The rays that were taken.
     rays: Vec<Ray<DVec3>>,
+    manner: Manner,
 }
 
 impl Contestant for Double {
@@ -109,27 +124,17 @@ impl Contestant for Double {
     }
 
     fn trace(&mut self, query: Query, rays: &[Ray], first: usize, answers: &mut [Answer]) {
-        let rays = &self.rays[first..first + rays.len()];
-        match query {
-            Query::Closest => {
-                let mut found = vec![None; rays.len()];
-                self.tracer.closest_distances(rays, &mut found);
-                let single = |found: Option<(u32, f64)>| found.map(|(prim, t)| (prim, t as f32));
-                answers.iter_mut().zip(found).for_each(|(answer, found)| *answer = single(found));
-            }
-            Query::Any => {
-                let hits = self.tracer.any_each(rays);
-                answers.iter_mut().zip(hits).for_each(|(answer, hit)| *answer = hit.then_some((0, 0.0)));
-            }
-        }
+        self.manner.trace(&self.tracer, query, &self.rays[first..first + rays.len()], answers);
     }
 
     fn nodes(&mut self, query: Query, _: &[Ray]) -> Option<u64> {
-        let counters = match query {
-            Query::Closest => self.tracer.count_closest(&self.rays),
-            Query::Any => self.tracer.count_any(&self.rays),
-        };
-        Some(counters.inner + counters.leaves)
+        match query {
+            Query::Closest => {
+                let counters = self.tracer.count_closest(&self.rays);
+                Some(counters.nodes + counters.leaves)
+            }
+            Query::Any => None,
+        }
     }
 
     fn state_bytes(&self) -> Option<usize> {

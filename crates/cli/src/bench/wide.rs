@@ -1,10 +1,13 @@
 //! The traversals of wide trees.
 
+use std::borrow::Borrow;
+use std::hint::black_box;
+
 use cpu_time::ProcessTime;
 use stackless_bvh::bvh::WideBvh;
 use stackless_bvh::geom::Ray;
-use stackless_bvh::geom::lanes::Level;
-use stackless_bvh::trace::{Accuracy, Tracer};
+use stackless_bvh::geom::lanes::{Level, Precision};
+use stackless_bvh::trace::{Accuracy, Hit, Tracer};
 use stackless_bvh::wide::{Method, Topology};
 
 use super::Contestant;
@@ -26,6 +29,45 @@ pub(super) struct Manner {
     pub(super) level: Level,
     /// One at a time, not two in turns.
     pub(super) is_alone: bool,
+    /// Closest hits have their weights.
+    pub(super) with_weights: bool,
+}
+
+impl Manner {
+    /// Answers rays by a tracer of either precision.
+    pub(super) fn trace<V: Precision>(
+        self,
+        tracer: &Tracer<impl Borrow<WideBvh<8, V>>, V>,
+        query: Query,
+        rays: &[Ray<V>],
+        answers: &mut [Answer],
+    ) {
+        let single = |(prim, t): (u32, V::Real)| (prim, Into::<f64>::into(t) as f32);
+        let of_hit = |hit: Option<Hit<V::Real>>| {
+            // Weights are computed only if somebody wants them.
+            hit.map(|hit| single((hit.prim, black_box(hit).t)))
+        };
+        let of_any = |is_hit: bool| is_hit.then_some((0, 0.0));
+        let piece = if self.is_alone { 1 } else { rays.len().max(1) };
+        for (rays, answers) in rays.chunks(piece).zip(answers.chunks_mut(piece)) {
+            match (query, rays) {
+                (Query::Closest, [ray]) if self.with_weights => answers[0] = of_hit(tracer.closest(ray)),
+                (Query::Closest, [ray]) => answers[0] = tracer.closest_distance(ray).map(single),
+                (Query::Any, [ray]) => answers[0] = of_any(tracer.any(ray)),
+                (Query::Closest, _) if self.with_weights => {
+                    answers.iter_mut().zip(tracer.closest_each(rays)).for_each(|(answer, hit)| *answer = of_hit(hit));
+                }
+                (Query::Closest, _) => {
+                    let mut found = vec![None; rays.len()];
+                    tracer.closest_distances(rays, &mut found);
+                    answers.iter_mut().zip(found).for_each(|(answer, found)| *answer = found.map(single));
+                }
+                (Query::Any, _) => {
+                    answers.iter_mut().zip(tracer.any_each(rays)).for_each(|(answer, hit)| *answer = of_any(hit));
+                }
+            }
+        }
+    }
 }
 
 impl WideTree {
@@ -41,14 +83,14 @@ impl WideTree {
         manner: Manner,
     ) -> Result<Box<dyn Contestant + '_>, Box<dyn std::error::Error>> {
         let tracer = Tracer::with_method(&self.bvh, method)?.with_level(manner.level);
-        Ok(Box::new(Runner { tree: self, tracer, is_alone: manner.is_alone }))
+        Ok(Box::new(Runner { tree: self, tracer, manner }))
     }
 }
 
 struct Runner<'a> {
     tree: &'a WideTree,
     tracer: Tracer<&'a WideBvh>,
-    is_alone: bool,
+    manner: Manner,
 }
 
 impl Contestant for Runner<'_> {
@@ -65,18 +107,7 @@ impl Contestant for Runner<'_> {
     }
 
     fn trace(&mut self, query: Query, rays: &[Ray], _: usize, answers: &mut [Answer]) {
-        let piece = if self.is_alone { 1 } else { rays.len().max(1) };
-        for (rays, answers) in rays.chunks(piece).zip(answers.chunks_mut(piece)) {
-            match (query, rays) {
-                (Query::Closest, [ray]) => answers[0] = self.tracer.closest_distance(ray),
-                (Query::Closest, _) => self.tracer.closest_distances(rays, answers),
-                (Query::Any, [ray]) => answers[0] = answer_of(self.tracer.any(ray)),
-                (Query::Any, _) => {
-                    let hits = self.tracer.any_each(rays);
-                    answers.iter_mut().zip(hits).for_each(|(answer, hit)| *answer = answer_of(hit));
-                }
-            }
-        }
+        self.manner.trace(&self.tracer, query, rays, answers);
     }
 
     fn nodes(&mut self, query: Query, rays: &[Ray]) -> Option<u64> {
@@ -93,7 +124,3 @@ impl Contestant for Runner<'_> {
     }
 }
 
-/// Whether anything is hit. Which triangle does not count.
-fn answer_of(hit: bool) -> Answer {
-    hit.then_some((0, 0.0))
-}

@@ -19,7 +19,7 @@ use std::ops::RangeInclusive;
 
 use glam::DVec3;
 
-use super::corrected::CertainHit;
+use super::corrected::Corrected;
 use super::filter::{Determinants, Errors};
 use super::fine;
 use super::order::Crossing;
@@ -90,37 +90,17 @@ impl Kernel for Exact64 {
     }
 
     fn weights(&self, shape: &Triangle<DVec3>) -> [f64; 2] {
-        let certain = if self.can_filter(shape) { self.certain_hit(shape) } else { None };
-        self.weights_of(shape, certain)
+        let (o, d) = (self.ray.origin(), self.ray.direction());
+        let known = self.corrected(shape).and_then(|hit| hit.weights.or_else(|| fine::weights(&shape.0, o, d)));
+        known.unwrap_or_else(|| quotient::weights(&shape.0, o, d))
     }
 }
 
 impl Exact64 {
-    /// Distance and weights of a triangle that the ray meets within its interval.
-    pub(in crate::geom) fn whole(&self, shape: &Triangle<DVec3>) -> Option<(f64, [f64; 2])> {
-        let certain = if self.can_filter(shape) { self.certain_hit(shape) } else { None };
-        let t = match &certain {
-            Some(hit) => self.rounded_hit(shape, hit)?,
-            None => self.place(shape, f64::INFINITY)?,
-        };
-        Some((t, self.weights_of(shape, certain)))
-    }
-
-    /// The distance of a triangle that the ray meets within its interval, likewise.
-    pub(in crate::geom) fn distance_of_hit(&self, shape: &Triangle<DVec3>) -> Option<f64> {
-        self.place(shape, f64::INFINITY)
-    }
-
-    /// If twice the digits have room.
-    fn certain_hit(&self, shape: &Triangle<DVec3>) -> Option<CertainHit> {
-        let (o, d) = (self.ray.origin(), self.ray.direction());
-        CertainHit::new(&shape.0, o, d, &self.determinants(shape), &self.errors_of(shape))
-    }
-
-    fn weights_of(&self, Triangle(corners): &Triangle<DVec3>, certain: Option<CertainHit>) -> [f64; 2] {
-        let (o, d) = (self.ray.origin(), self.ray.direction());
-        let known = certain.and_then(|hit| hit.weights().or_else(|| fine::weights(corners, o, d)));
-        known.unwrap_or_else(|| quotient::weights(corners, o, d))
+    /// If twice the digits have room, and the hit is certain.
+    fn corrected(&self, shape: &Triangle<DVec3>) -> Option<Corrected> {
+        let is_certain = self.can_filter(shape) && self.determinants(shape).is_hit(&self.errors_of(shape));
+        is_certain.then(|| Corrected::of::<false>(&shape.0, self.ray.origin(), self.ray.direction()))
     }
 
     fn crossing<'a>(&self, shape: &'a Triangle<DVec3>) -> Crossing<'a> {
@@ -153,10 +133,10 @@ impl Exact64 {
             if found.is_miss(&errors) {
                 return None;
             }
-            if let Some(hit) = CertainHit::new(&shape.0, self.ray.origin(), self.ray.direction(), &found, &errors) {
+            if found.is_hit(&errors) {
                 let [tmin, tmax] = self.interval();
                 let is_outside = is_within(found.distance(&errors), [tmin, tmax.min(limit)]) == Some(false);
-                return if is_outside { None } else { self.rounded_hit(shape, &hit) };
+                return if is_outside { None } else { self.rounded_hit(shape) };
             }
         }
         if self.is_inside(shape, has_room) { self.rounded(shape, has_room) } else { None }
@@ -201,9 +181,9 @@ impl Exact64 {
 
     /// The distance within the interval, of a certain hit. `[EXACT-14]`
     #[inline]
-    fn rounded_hit(&self, shape: &Triangle<DVec3>, hit: &CertainHit) -> Option<f64> {
+    fn rounded_hit(&self, shape: &Triangle<DVec3>) -> Option<f64> {
         let [tmin, tmax] = self.interval();
-        match hit.distance() {
+        match Corrected::of::<false>(&shape.0, self.ray.origin(), self.ray.direction()).t {
             Some(t) if tmin < t && (t < tmax || tmax == f64::INFINITY) => Some(t),
             Some(t) if t < tmin || tmax < t => None,
             _ => self.rounded(shape, true),

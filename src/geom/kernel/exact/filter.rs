@@ -101,32 +101,25 @@ impl Determinants {
         [u, v].map(|edge| self.over_determinant(edge, errors.sign * QUOTIENT_FACTOR, errors))
     }
 
-    /// Near the distance, and near the weights of the second and of the third corner, likewise.
-    #[inline]
-    pub(super) fn quotients(&self) -> [f64; 3] {
-        let [u, v, _] = self.edges;
-        [self.t, u, v].map(|numerator| numerator / self.det)
-    }
-
-    /// Bounds of another number over the determinant, given what that may be off by, likewise.
-    #[inline]
-    pub(super) fn over(&self, numerator: f64, error: f64, errors: &Errors) -> [f64; 2] {
-        self.over_determinant(numerator, error * QUOTIENT_FACTOR, errors)
-    }
-
     /// Bounds of a quotient, given the error of its numerator, times [`QUOTIENT_FACTOR`].
     #[inline(always)]
     fn over_determinant(&self, numerator: f64, error: f64, errors: &Errors) -> [f64; 2] {
-        let reciprocal = self.det.recip();
-        let x = numerator * reciprocal;
-        let error = (error + x.abs() * errors.det) * reciprocal.abs() + x.abs() * (f64::from(QUOTIENT) * UNIT);
-        [x - error, x + error]
+        errors.over(numerator, error, self.det)
     }
 }
 
 impl Errors {
     /// Of determinants that are not rounded.
     pub(super) const NONE: Self = Self { sign: 0.0, det: 0.0, t: 0.0 };
+
+    /// Bounds of a quotient, given the error of its numerator, times [`QUOTIENT_FACTOR`], and the determinant. `[EXACT-9]`
+    #[inline(always)]
+    pub(super) fn over(&self, numerator: f64, error: f64, det: f64) -> [f64; 2] {
+        let reciprocal = det.recip();
+        let x = numerator * reciprocal;
+        let error = (error + x.abs() * self.det) * reciprocal.abs() + x.abs() * (f64::from(QUOTIENT) * UNIT);
+        [x - error, x + error]
+    }
 
     /// For all triangles of a scene, given the greatest components of origin and direction.
     #[inline(always)]

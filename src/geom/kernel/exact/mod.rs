@@ -25,6 +25,7 @@ mod single;
 mod sum;
 
 pub use accumulator::Accumulator;
+pub(in crate::geom) use corrected::Corrected;
 pub use double::Exact64;
 pub(in crate::geom) use double::USUAL;
 use enclosed::decide;
